@@ -1,0 +1,65 @@
+/**
+ * @file AlgorithmGuard.h
+ * @brief What every vtk class of ours does around its algorithm: report, stop, turn errors to
+ * words.
+ */
+#ifndef isthmus_AlgorithmGuard_h
+#define isthmus_AlgorithmGuard_h
+
+#include "Progress.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkDataObject.h>
+#include <vtkObject.h>
+
+#include <exception>
+#include <new>
+
+namespace isthmus
+{
+
+/// Progress of `algorithm` as VTK shows it; stops when VTK's abort flag is set.
+inline ProgressCallback ProgressOf(vtkAlgorithm* algorithm)
+{
+  return [algorithm](double fraction)
+  {
+    algorithm->UpdateProgress(fraction);
+    return algorithm->GetAbortExecute() == 0;
+  };
+}
+
+/**
+ * Runs `body()` and returns what RequestData should return.
+ *
+ * A stop on request gives 1 and an empty output; an exception gives 0, an empty output and its
+ * sentence through vtkErrorMacro.
+ */
+template <typename Body>
+int Guarded(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
+{
+  try
+  {
+    body();
+    return 1;
+  }
+  catch (const Cancelled&)
+  {
+    output->Initialize();
+    return 1;
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorWithObjectMacro(
+      self, << "Not enough memory for the result: crop or subsample the input.");
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorWithObjectMacro(self, << error.what());
+  }
+  output->Initialize();
+  return 0;
+}
+
+}
+
+#endif

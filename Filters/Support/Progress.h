@@ -1,0 +1,49 @@
+/**
+ * @file Progress.h
+ * @brief How a long computation tells how far it is, and how it is stopped.
+ */
+#ifndef isthmus_Progress_h
+#define isthmus_Progress_h
+
+#include <functional>
+#include <stdexcept>
+
+namespace isthmus
+{
+
+/// Called with the fraction done, in [0, 1], on the thread that started the work; false stops it.
+/// An empty callback means that nobody listens.
+using ProgressCallback = std::function<bool(double fraction)>;
+
+/// Thrown by an algorithm whose ProgressCallback asked it to stop. Not an error for the user.
+class Cancelled : public std::runtime_error
+{
+public:
+  Cancelled()
+    : std::runtime_error("The computation was stopped on request.")
+  {
+  }
+};
+
+/// Reports `fraction` to `progress`, if anybody listens, and throws Cancelled when told to stop.
+inline void Report(const ProgressCallback& progress, double fraction)
+{
+  if (progress && !progress(fraction))
+  {
+    throw Cancelled();
+  }
+}
+
+/// The part of `progress` between `from` and `to`, for a step that counts its own work from 0 to 1.
+inline ProgressCallback Between(const ProgressCallback& progress, double from, double to)
+{
+  if (!progress)
+  {
+    return {};
+  }
+  return [progress, from, to](double fraction) { return progress(from + fraction * (to - from)); };
+}
+
+}
+
+#endif

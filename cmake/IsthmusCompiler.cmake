@@ -1,0 +1,12 @@
+# isthmus_compiler: what our own files (never wrapped or generated ones) are compiled with.
+
+add_library(isthmus_compiler INTERFACE)
+target_compile_options(isthmus_compiler INTERFACE
+  -Wall -Wextra -Wshadow -Wconversion
+  $<$<BOOL:${ISTHMUS_WERROR}>:-Werror>)
+
+if (ISTHMUS_SANITIZE)
+  # Every target of the project, since mixed binaries give false reports.
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif ()

@@ -1,0 +1,27 @@
+# The VTK module Isthmus::vtkIsthmus: every class and algorithm of the library, room by room.
+
+set(classes
+  Filters/Curvature/vtkHessianCurvature
+  Readers/vtkMRCMapReader)
+
+set(sources
+  Filters/Support/ParallelFor.cxx)
+
+vtk_module_add_module(Isthmus::vtkIsthmus
+  CLASSES ${classes}
+  SOURCES ${sources})
+
+# Public, since the wrappers include every class by its bare name; installed headers lie flat.
+foreach (room IN ITEMS Filters/Support Filters/Curvature Readers)
+  vtk_module_include(Isthmus::vtkIsthmus
+    PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${room}>")
+endforeach ()
+vtk_module_compile_features(Isthmus::vtkIsthmus PUBLIC cxx_std_17)
+
+# VTK's own build (remote module) has no target of ours for warnings and sanitizers.
+if (TARGET isthmus_compiler)
+  vtk_module_link(Isthmus::vtkIsthmus PRIVATE "$<BUILD_INTERFACE:isthmus_compiler>")
+endif ()
+
+find_package(BZip2 REQUIRED)
+vtk_module_link(Isthmus::vtkIsthmus PRIVATE BZip2::BZip2)

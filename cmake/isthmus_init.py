@@ -1,0 +1,8 @@
+"""Geometry and topology of large, complex shapes: the VTK classes of Isthmus.
+
+>>> import isthmus
+>>> reader = isthmus.vtkMRCMapReader(FileName="emd_5043.map")
+>>> curvature = isthmus.vtkHessianCurvature(InputConnection=reader.GetOutputPort())
+"""
+
+from .vtkIsthmus import *  # noqa: F401,F403
