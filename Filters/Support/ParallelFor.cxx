@@ -9,6 +9,7 @@
 #include <cstring>
 #include <exception>
 #include <mutex>
+#include <string>
 
 namespace isthmus
 {
@@ -27,7 +28,8 @@ void WithBackend(Work&& work)
 {
   if (SequentialByDefault())
   {
-    vtkSMPTools::LocalScope(vtkSMPTools::Config("STDThread"), work);
+    // Spelt as a std::string: a literal would convert to bool and switch on nested parallelism.
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(std::string("STDThread")), work);
   }
   else
   {
