@@ -1,0 +1,137 @@
+"""From a density map to a surface coloured by its curvature: the main job of Isthmus.
+
+Usage: pvpython MapToCurvature.py MAP OUTPUT_FOLDER [LEVEL]. Writes curvature.png (six descriptors
+side by side), surface.vtp, report.json, report.txt and pipeline.pvsm, which ParaView opens.
+Without LEVEL, the surface is drawn at Otsu's threshold of the map's histogram.
+"""
+
+import sys
+from pathlib import Path
+
+import numpy
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import SurfaceReport  # noqa: E402
+
+# Array, title of its colour bar, colours, and where the range comes from: "signed" is symmetric
+# about zero, so that white is flat; "unsigned" starts at zero; else the array's whole range.
+DESCRIPTORS = (
+    ("GaussianCurvature", "Gaussian curvature (1/Å²)", "Cool to Warm (Extended)", "signed"),
+    ("MeanCurvature", "Mean curvature (1/Å)", "Cool to Warm (Extended)", "signed"),
+    ("MaximumCurvature", "Maximum curvature (1/Å)", "Cool to Warm (Extended)", "signed"),
+    ("MinimumCurvature", "Minimum curvature (1/Å)", "Cool to Warm (Extended)", "signed"),
+    ("ShapeIndex", "Shape index", "Cool to Warm (Extended)", (-1.0, 1.0)),
+    ("Curvedness", "Curvedness (1/Å)", "Viridis (matplotlib)", "unsigned"),
+)
+BACKGROUND = [1.0, 1.0, 1.0]
+INK = [0.1, 0.1, 0.1]
+
+
+def otsu_threshold(values, bins=256):
+    """Threshold that splits `values` into two classes of greatest variance between them.
+
+    N. Otsu, IEEE Trans. Syst. Man Cybern. 9 (1979) 62, eq. 18.
+    """
+    counts, edges = numpy.histogram(values, bins=bins)
+    centres = (edges[1:] + edges[:-1]) / 2
+    weight = numpy.cumsum(counts) / counts.sum()
+    moment = numpy.cumsum(counts * centres) / counts.sum()
+    spread = numpy.maximum(weight * (1 - weight), 1e-300)
+    return float(edges[1:][numpy.argmax((moment[-1] * weight - moment) ** 2 / spread)])
+
+
+def build_pipeline(path, level):
+    """Reader -> isosurface -> curvature; returns the three and what was said about the level."""
+    reader = simple.OpenDataFile(str(path))
+    reader.UpdatePipeline()
+    image = servermanager.Fetch(reader)
+    density = vtk_to_numpy(image.GetPointData().GetArray("Density"))
+    rule = "given"
+    if level is None:
+        level = otsu_threshold(density[numpy.isfinite(density)])
+        rule = "Otsu's threshold of the map's histogram"
+    surface = simple.Contour(
+        registrationName="Isosurface", Input=reader, ContourBy=["POINTS", "Density"],
+        Isosurfaces=[level], ComputeNormals=1, ComputeScalars=0)
+    curvature = simple.HessianCurvature(
+        registrationName="HessianCurvature", Input=reader, Surface=surface)
+    curvature.UpdatePipeline()
+    return reader, curvature, image, {"value": level, "rule": rule}
+
+
+def symmetry_axis(points):
+    """Principal axis of the points whose variance stands out from the other two, and one across.
+
+    For a ring-like assembly that is its axis of symmetry, along which it looks best.
+    """
+    variances, axes = numpy.linalg.eigh(numpy.cov((points - points.mean(axis=0)).T))
+    single = 0 if variances[1] - variances[0] > variances[2] - variances[1] else 2
+    return axes[:, single], axes[:, 1]
+
+
+def colour_range(values, kind):
+    """Range of a colour bar; the outermost 2 % of the values do not stretch it."""
+    if isinstance(kind, tuple):
+        return kind
+    low, high = numpy.percentile(values, (2, 98))
+    if kind == "signed":
+        high = max(abs(low), abs(high))
+    return (-high if kind == "signed" else 0.0), max(high, 1e-12)
+
+
+def show_descriptor(view, curvature, values, descriptor):
+    """The surface in `view`, coloured by one descriptor, with its colour bar."""
+    array, title, colours, kind = descriptor
+    display = simple.Show(curvature, view)
+    simple.ColorBy(display, ("POINTS", array))
+    table = simple.GetColorTransferFunction(array)
+    table.ApplyPreset(colours, True)
+    table.RescaleTransferFunction(*colour_range(values, kind))
+    bar = simple.GetScalarBar(table, view)
+    bar.Set(Title=title, ComponentTitle="", Visibility=1, TitleColor=INK, LabelColor=INK,
+            TitleFontSize=18, LabelFontSize=16, ScalarBarLength=0.6, ScalarBarThickness=14,
+            WindowLocation="Any Location", Orientation="Horizontal", Position=[0.2, 0.02])
+    view.OrientationAxesVisibility = 0
+
+
+def six_views(curvature, data):
+    """One layout with a view for each descriptor, three by two, all from the same direction."""
+    points = vtk_to_numpy(data.GetPoints().GetData())
+    axis, up = symmetry_axis(points)
+    centre = (points.min(axis=0) + points.max(axis=0)) / 2
+    radius = numpy.linalg.norm(points - centre, axis=1).max()
+    layout = simple.CreateLayout("Curvature")
+    cells = [layout.SplitHorizontal(0, 1 / 3)]
+    cells = [cells[0], layout.SplitHorizontal(cells[0] + 1, 0.5)]
+    cells = [cells[0], cells[1], cells[1] + 1]
+    cells = [half for cell in cells for half in (lambda top: (top, top + 1))(layout.SplitVertical(cell, 0.5))]
+    for cell, descriptor in zip(sorted(cells), DESCRIPTORS):
+        view = simple.CreateView("RenderView")
+        layout.AssignView(cell, view)
+        view.Set(UseColorPaletteForBackground=0, Background=BACKGROUND)
+        values = vtk_to_numpy(data.GetPointData().GetArray(descriptor[0]))
+        show_descriptor(view, curvature, values, descriptor)
+        view.Set(CameraFocalPoint=centre, CameraPosition=centre + 4 * radius * axis,
+                 CameraViewUp=up, CameraParallelProjection=1, CameraParallelScale=1.12 * radius)
+        simple.ResetCamera(view) if radius == 0 else None
+    return layout
+
+
+def main(path, folder, level):
+    folder.mkdir(parents=True, exist_ok=True)
+    reader, curvature, image, level = build_pipeline(path, level)
+    data = servermanager.Fetch(curvature)
+    if data.GetNumberOfPolys() == 0:
+        sys.exit(f"There is no surface at level {level['value']:g}: the map's values are "
+                 f"between {image.GetScalarRange()[0]:g} and {image.GetScalarRange()[1]:g}.")
+    SurfaceReport.write(path, image, level, data, [row[0] for row in DESCRIPTORS], folder)
+    simple.SaveData(str(folder / "surface.vtp"), proxy=curvature)
+    layout = six_views(curvature, data)
+    simple.SaveScreenshot(str(folder / "curvature.png"), layout, ImageResolution=[1800, 1200])
+    simple.SaveState(str(folder / "pipeline.pvsm"))
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]), Path(sys.argv[2]), float(sys.argv[3]) if len(sys.argv) > 3 else None)
