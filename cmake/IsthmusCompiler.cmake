@@ -10,3 +10,7 @@ if (ISTHMUS_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
 endif ()
+
+if (ISTHMUS_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif ()

@@ -22,8 +22,7 @@ endfunction ()
 # test's own making.
 function (run_consumer prefix folder)
   run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}/Examples/Consumer" -B "${folder}" -G Ninja
-    "-DCMAKE_PREFIX_PATH=${prefix}" "-DVTK_DIR=${VTK_DIR}" "-DParaView_DIR=${ParaView_DIR}"
-    "-DPython3_EXECUTABLE=${Python3_EXECUTABLE}")
+    "-DCMAKE_PREFIX_PATH=${prefix}")
   run("${CMAKE_COMMAND}" --build "${folder}")
   run("${Python3_EXECUTABLE}" -c
     "import sys; from pathlib import Path; sys.path.insert(0, sys.argv[1]); import ChooseMap; ChooseMap.write_phantom(Path(sys.argv[2]))"
