@@ -5,7 +5,19 @@ set(classes
   Readers/vtkMRCMapReader)
 
 set(sources
-  Filters/Support/ParallelFor.cxx)
+  Filters/Support/ParallelFor.cxx
+  Readers/ByteSource.cxx
+  Readers/CompressedSource.cxx
+  Readers/MRCFieldData.cxx
+  Readers/MRCGeometry.cxx
+  Readers/MRCHeader.cxx
+  Readers/MRCHeaderWords.cxx
+  Readers/MRCMap.cxx
+  Readers/MRCMode.cxx
+  Readers/MRCVoxels.cxx
+  Readers/PlainFile.cxx
+  Readers/SkewedLattice.cxx
+  Readers/StridedCopy.cxx)
 
 vtk_module_add_module(Isthmus::vtkIsthmus
   CLASSES ${classes}

@@ -1,0 +1,59 @@
+#include "ByteSource.h"
+
+#include "CompressedSource.h"
+#include "PlainFile.h"
+
+#include <algorithm>
+
+namespace isthmus
+{
+namespace
+{
+
+class PlainSource : public ByteSource
+{
+public:
+  explicit PlainSource(PlainFile file)
+    : File(std::move(file))
+  {
+  }
+
+  std::size_t Read(std::uint64_t offset, void* to, std::size_t size) override
+  {
+    return this->File.Read(offset, to, size);
+  }
+  bool RandomAccess() const override { return true; }
+  std::uint64_t MostBytes() const override { return this->File.Size(); }
+  std::uint64_t CountUpTo(std::uint64_t limit, const ProgressCallback&) override
+  {
+    return std::min(limit, this->File.Size());
+  }
+  void SkipTo(std::uint64_t, const ProgressCallback&) override {}
+  void CheckEnd() override {}
+  std::string Compression() const override { return "none"; }
+  std::uint64_t FileSize() const override { return this->File.Size(); }
+  const std::string& Path() const override { return this->File.Path(); }
+
+private:
+  PlainFile File;
+};
+
+}
+
+std::unique_ptr<ByteSource> OpenByteSource(const std::string& path)
+{
+  PlainFile file(path);
+  unsigned char magic[4] = {};
+  file.Read(0, magic, sizeof(magic));
+  if (magic[0] == 0x1f && magic[1] == 0x8b)
+  {
+    return OpenGzip(std::move(file));
+  }
+  if (magic[0] == 'B' && magic[1] == 'Z' && magic[2] == 'h' && magic[3] >= '1' && magic[3] <= '9')
+  {
+    return OpenBzip2(std::move(file));
+  }
+  return std::make_unique<PlainSource>(std::move(file));
+}
+
+}

@@ -1,0 +1,259 @@
+#include "CompressedSource.h"
+
+#include "MRCError.h"
+
+#include <vtk_zlib.h>
+
+#include <bzlib.h>
+
+#include <algorithm>
+#include <limits>
+#include <new>
+#include <vector>
+
+namespace isthmus
+{
+namespace
+{
+
+constexpr std::size_t bufferBytes = std::size_t{ 1 } << 18;
+// zlib and bzip2 count in 32 bits.
+constexpr std::size_t mostAtOnce = std::size_t{ 1 } << 30;
+
+/// How a codec stands after Step(), which moves its arguments past what it has used and written.
+enum class CodecState
+{
+  Running,
+  MemberEnd,
+  Damaged
+};
+
+class GzipCodec
+{
+public:
+  static constexpr const char* Name = "gzip";
+  static std::uint64_t MostBytes(std::uint64_t fileSize) { return 1032 * fileSize; }
+  static bool StartsMember(const unsigned char* bytes, std::size_t size)
+  {
+    return size >= 2 && bytes[0] == 0x1f && bytes[1] == 0x8b;
+  }
+
+  GzipCodec()
+  {
+    if (inflateInit2(&this->Stream, 16 + MAX_WBITS) != Z_OK) // 16: a gzip wrapper, not zlib's own
+    {
+      throw std::bad_alloc();
+    }
+  }
+  ~GzipCodec() { inflateEnd(&this->Stream); }
+  GzipCodec(const GzipCodec&) = delete;
+  GzipCodec& operator=(const GzipCodec&) = delete;
+
+  CodecState Step(
+    unsigned char*& in, std::size_t& inSize, unsigned char*& out, std::size_t& outSize)
+  {
+    this->Stream.next_in = in;
+    this->Stream.avail_in = static_cast<uInt>(inSize);
+    this->Stream.next_out = out;
+    this->Stream.avail_out = static_cast<uInt>(std::min(outSize, mostAtOnce));
+    const int state = inflate(&this->Stream, Z_NO_FLUSH);
+    inSize = this->Stream.avail_in;
+    in = this->Stream.next_in;
+    outSize -= static_cast<std::size_t>(this->Stream.next_out - out);
+    out = this->Stream.next_out;
+    return state == Z_STREAM_END
+      ? CodecState::MemberEnd
+      : (state == Z_OK || state == Z_BUF_ERROR ? CodecState::Running : CodecState::Damaged);
+  }
+
+private:
+  z_stream Stream{};
+};
+
+class Bzip2Codec
+{
+public:
+  static constexpr const char* Name = "bzip2";
+  // A block of 45 bytes can hold 46 MB of one value: no bound worth the name.
+  static std::uint64_t MostBytes(std::uint64_t) { return std::numeric_limits<std::int64_t>::max(); }
+  static bool StartsMember(const unsigned char* bytes, std::size_t size)
+  {
+    return size >= 3 && bytes[0] == 'B' && bytes[1] == 'Z' && bytes[2] == 'h';
+  }
+
+  Bzip2Codec()
+  {
+    if (BZ2_bzDecompressInit(&this->Stream, 0, 0) != BZ_OK)
+    {
+      throw std::bad_alloc();
+    }
+  }
+  ~Bzip2Codec() { BZ2_bzDecompressEnd(&this->Stream); }
+  Bzip2Codec(const Bzip2Codec&) = delete;
+  Bzip2Codec& operator=(const Bzip2Codec&) = delete;
+
+  CodecState Step(
+    unsigned char*& in, std::size_t& inSize, unsigned char*& out, std::size_t& outSize)
+  {
+    this->Stream.next_in = reinterpret_cast<char*>(in);
+    this->Stream.avail_in = static_cast<unsigned int>(inSize);
+    this->Stream.next_out = reinterpret_cast<char*>(out);
+    this->Stream.avail_out = static_cast<unsigned int>(std::min(outSize, mostAtOnce));
+    const int state = BZ2_bzDecompress(&this->Stream);
+    inSize = this->Stream.avail_in;
+    in = reinterpret_cast<unsigned char*>(this->Stream.next_in);
+    unsigned char* const next = reinterpret_cast<unsigned char*>(this->Stream.next_out);
+    outSize -= static_cast<std::size_t>(next - out);
+    out = next;
+    return state == BZ_STREAM_END ? CodecState::MemberEnd
+                                  : (state == BZ_OK ? CodecState::Running : CodecState::Damaged);
+  }
+
+private:
+  bz_stream Stream{};
+};
+
+template <typename Codec>
+class CompressedSource : public ByteSource
+{
+public:
+  explicit CompressedSource(PlainFile file)
+    : File(std::move(file))
+    , Input(bufferBytes)
+    , Decoder(std::make_unique<Codec>())
+  {
+  }
+
+  std::size_t Read(std::uint64_t offset, void* to, std::size_t size) override
+  {
+    this->SkipTo(offset, {});
+    return this->Position == offset ? this->Decompress(static_cast<unsigned char*>(to), size) : 0;
+  }
+
+  bool RandomAccess() const override { return false; }
+  std::uint64_t MostBytes() const override { return Codec::MostBytes(this->File.Size()); }
+  std::string Compression() const override { return Codec::Name; }
+  std::uint64_t FileSize() const override { return this->File.Size(); }
+  const std::string& Path() const override { return this->File.Path(); }
+
+  std::uint64_t CountUpTo(std::uint64_t limit, const ProgressCallback& progress) override
+  {
+    this->SkipTo(limit, progress);
+    return this->Position;
+  }
+
+  void SkipTo(std::uint64_t offset, const ProgressCallback& progress) override
+  {
+    if (offset < this->Position)
+    {
+      this->Restart();
+    }
+    const std::uint64_t first = this->Position;
+    std::vector<unsigned char> thrownAway(offset > first ? bufferBytes : 0);
+    while (this->Position < offset)
+    {
+      const std::size_t size =
+        static_cast<std::size_t>(std::min<std::uint64_t>(offset - this->Position, bufferBytes));
+      if (this->Decompress(thrownAway.data(), size) < size)
+      {
+        return;
+      }
+      Report(progress,
+        static_cast<double>(this->Position - first) / static_cast<double>(offset - first));
+    }
+  }
+
+  void CheckEnd() override
+  {
+    // The checksum follows the content; what follows a map is of no use, so don't go far for it.
+    this->SkipTo(this->Position + 4 * bufferBytes, {});
+  }
+
+private:
+  void Restart()
+  {
+    this->Decoder = std::make_unique<Codec>();
+    this->Position = this->FilePosition = 0;
+    this->Left = 0;
+    this->Ended = false;
+  }
+
+  std::size_t Decompress(unsigned char* to, std::size_t size)
+  {
+    std::size_t wanted = size;
+    while (wanted > 0 && !this->Ended)
+    {
+      // Without input left the codec may still hold output that had no room before.
+      this->Refill();
+      const std::size_t before = wanted + this->Left;
+      const CodecState state = this->Decoder->Step(this->Next, this->Left, to, wanted);
+      if (state == CodecState::MemberEnd)
+      {
+        this->Ended = !this->NextMember();
+      }
+      else if (state == CodecState::Damaged)
+      {
+        throw MRCError(MRCFailure::Damaged,
+          this->Path() + ": the " + Codec::Name + " data are damaged before byte " +
+            std::to_string(this->FilePosition - this->Left) + " of the file. Test it with '" +
+            Codec::Name + " -t', or fetch it again.");
+      }
+      else if (wanted + this->Left == before)
+      {
+        this->Ended = true; // the file ends within the stream
+      }
+    }
+    this->Position += size - wanted;
+    return size - wanted;
+  }
+
+  void Refill()
+  {
+    if (this->Left == 0)
+    {
+      this->Left = this->File.Read(this->FilePosition, this->Input.data(), this->Input.size());
+      this->FilePosition += this->Left;
+      this->Next = this->Input.data();
+    }
+  }
+
+  /// Looks for a further member; anything else after the end (padding, say) is not content.
+  bool NextMember()
+  {
+    std::copy(this->Next, this->Next + this->Left, this->Input.data());
+    const std::size_t got = this->File.Read(
+      this->FilePosition, this->Input.data() + this->Left, this->Input.size() - this->Left);
+    this->FilePosition += got;
+    this->Left += got;
+    this->Next = this->Input.data();
+    if (!Codec::StartsMember(this->Next, this->Left))
+    {
+      return false;
+    }
+    this->Decoder = std::make_unique<Codec>();
+    return true;
+  }
+
+  PlainFile File;
+  std::vector<unsigned char> Input;
+  std::unique_ptr<Codec> Decoder;
+  std::uint64_t Position = 0;     ///< in the content
+  std::uint64_t FilePosition = 0; ///< of the end of Input in the file
+  unsigned char* Next = nullptr;
+  std::size_t Left = 0;
+  bool Ended = false;
+};
+
+}
+
+std::unique_ptr<ByteSource> OpenGzip(PlainFile file)
+{
+  return std::make_unique<CompressedSource<GzipCodec>>(std::move(file));
+}
+
+std::unique_ptr<ByteSource> OpenBzip2(PlainFile file)
+{
+  return std::make_unique<CompressedSource<Bzip2Codec>>(std::move(file));
+}
+
+}

@@ -1,0 +1,82 @@
+/**
+ * @file MRCGeometry.h
+ * @brief Where the voxels of a map lie in space, and which of them belong together.
+ *
+ * Output axes are always x, y, z: file axis f (0 columns, 1 rows, 2 sections) runs along output
+ * axis AxisOrder[f] - 1. Lengths are in angstrom.
+ */
+#ifndef isthmus_MRCGeometry_h
+#define isthmus_MRCGeometry_h
+
+#include "MRCHeader.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace isthmus
+{
+
+/**
+ * Nodes of a map: node (i, j, k) lies at Origin + Steps (i, j, k) in the map's own frame, and the
+ * map's frame in the world by x_world = Rotation x_map + Translation.
+ */
+struct MRCLattice
+{
+  std::array<std::int64_t, 3> Dimensions{ 1, 1, 1 };
+  Matrix3 Steps{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } }; ///< column a: one node along axis a
+  std::array<double, 3> Origin{ 0.0, 0.0, 0.0 };
+  Matrix3 Rotation{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
+  std::array<double, 3> Translation{ 0.0, 0.0, 0.0 };
+
+  /// Lengths of the three steps.
+  std::array<double, 3> Spacing() const;
+  /// Position of a node, whole or between nodes, in the map's frame.
+  std::array<double, 3> At(const std::array<double, 3>& node) const;
+  /// `position` of the map's frame in the world.
+  std::array<double, 3> World(const std::array<double, 3>& position) const;
+};
+
+/// How the sections of a file belong together.
+struct MRCStack
+{
+  enum class Kind
+  {
+    None,   ///< one volume
+    Images, ///< images, one section each
+    Volumes ///< volumes of SectionsEach sections
+  };
+  Kind What = Kind::None;
+  int Items = 1;
+  int SectionsEach = 1;
+};
+
+/**
+ * ISPG 401-630: volumes of MZ sections each. ISPG 0 with MZ = 1, and the file name endings .mrcs,
+ * .st and .ali (before .gz or .bz2) with ISPG 0 or .mrcs with any other: images. All else is one
+ * volume, also with ISPG 0, which ChimeraX and cryoSPARC write for volumes.
+ * A number of sections that is no multiple of MZ adds to header.Repairs and is one volume.
+ */
+MRCStack StackOf(MRCHeader& header, const std::string& path);
+
+/**
+ * The lattice of one volume of `sections` sections (as they lie in the file).
+ *
+ * A step is CELLA / M along the cell's axes: a along x, b in the x-y plane, c with a positive z
+ * component. Node 0 lies at ORIGIN (x, y, z, never permuted) when any component of it is not zero,
+ * else at NSTART steps (file axes, permuted): never both, as ChimeraX does. The skew transformation
+ * of CCP4, x_map = SKWMAT (x_world - SKWTRN), comes on top.
+ * `keepCellAxes`: the cell's angles are taken as 90 degrees.
+ */
+MRCLattice LatticeOf(const MRCHeader& header, int sections, bool keepCellAxes);
+
+/// False when an angle of the cell is off 90 degrees by more than 0.01.
+bool HasOrthogonalCell(const MRCHeader& header);
+
+/// `lattice` reduced to nodes first, first + stride, ... (`count` of them) along each axis.
+MRCLattice Selected(const MRCLattice& lattice, const std::array<std::int64_t, 3>& first,
+  const std::array<std::int64_t, 3>& count, const std::array<std::int64_t, 3>& stride);
+
+}
+
+#endif

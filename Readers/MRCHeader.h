@@ -1,0 +1,84 @@
+/**
+ * @file MRCHeader.h
+ * @brief The 1024 bytes at the head of an MRC2014, CCP4 or EMDB map, read tolerantly.
+ *
+ * Sources: Cheng et al. 2015, doi:10.1016/j.jsb.2015.04.002 (MRC2014); the CCP4 map format
+ * (maplib); IMOD's mrc_format for the signed-byte flag and modes 16 and 101.
+ */
+#ifndef isthmus_MRCHeader_h
+#define isthmus_MRCHeader_h
+
+#include "MRCMode.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace isthmus
+{
+
+constexpr std::size_t mrcHeaderBytes = 1024;
+
+/// Three rows of three.
+using Matrix3 = std::array<std::array<double, 3>, 3>;
+
+/**
+ * The header after repair: every value can be used as it is.
+ *
+ * "File axes" are columns (fastest), rows, sections; "x, y, z" are the axes of the cell. Lengths
+ * are in angstrom, angles in degrees.
+ */
+struct MRCHeader
+{
+  bool BigEndian = false;
+  bool HasMapWord = false; ///< "MAP " at byte 208
+  MRCVoxelType Voxel;
+  std::array<int, 3> Counts{ 0, 0, 0 };                 ///< NX NY NZ, file axes; positive
+  std::array<int, 3> Start{ 0, 0, 0 };                  ///< NXSTART.., file axes
+  std::array<int, 3> Sampling{ 1, 1, 1 };               ///< MX MY MZ, x, y, z; positive
+  std::array<double, 3> CellLengths{ 1.0, 1.0, 1.0 };   ///< x, y, z; positive
+  std::array<double, 3> CellAngles{ 90.0, 90.0, 90.0 }; ///< alpha, beta, gamma
+  std::array<int, 3> AxisOrder{ 1, 2, 3 }; ///< MAPC MAPR MAPS: a permutation of 1, 2, 3
+  double Minimum = 0.0; ///< DMIN, DMAX, DMEAN, RMS as recorded, which need not be true or finite
+  double Maximum = 0.0;
+  double Mean = 0.0;
+  double Rms = 0.0;
+  int SpaceGroup = 0;                            ///< ISPG
+  std::int64_t ExtendedHeaderBytes = 0;          ///< NSYMBT
+  std::string ExtendedHeaderType;                ///< EXTTYP, where printable
+  int Version = 0;                               ///< NVERSION
+  std::array<double, 3> Origin{ 0.0, 0.0, 0.0 }; ///< ORIGIN, x, y, z; zero when not set
+  bool Skewed = false; ///< LSKFLG is 1 and SKWMAT a rotation; x_map = SKWMAT (x_world - SKWTRN)
+  Matrix3 SkewMatrix{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } }; ///< SKWMAT, rows
+  std::array<double, 3> SkewTranslation{ 0.0, 0.0, 0.0 };
+  std::vector<std::string> Labels;
+  std::vector<std::string> Repairs; ///< one sentence for each value that was not as it should be
+
+  /// Bytes of all voxels.
+  std::uint64_t DataBytes() const;
+  /// Bytes from the beginning of the file to the end of the last voxel.
+  std::uint64_t FileBytes() const;
+};
+
+/**
+ * Decodes `bytes`. The byte order is the machine stamp's unless the header makes sense only in the
+ * other one. Fields that are out of bounds are replaced, each with a sentence in Repairs.
+ *
+ * `path` is for the sentences. `contentBytes` is what the content has at most; when it is `exact`,
+ * a content that is shorter than the header describes is an error, a longer one a repair.
+ * Throws MRCError: NotAMap when mode or grid make no sense in either order, Truncated.
+ */
+MRCHeader ParseMRCHeader(const std::array<unsigned char, mrcHeaderBytes>& bytes,
+  const std::string& path, std::uint64_t contentBytes, bool exact);
+
+/**
+ * True when `bytes` are surely or probably the header of a map: grid and mode make sense, and there
+ * is "MAP " or everything else does, too. Never throws.
+ */
+bool LooksLikeMRCHeader(
+  const std::array<unsigned char, mrcHeaderBytes>& bytes, std::uint64_t contentBytes);
+
+}
+
+#endif

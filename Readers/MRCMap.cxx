@@ -1,0 +1,215 @@
+#include "MRCMap.h"
+
+#include "MRCError.h"
+#include "MRCHeaderWords.h"
+
+#include <algorithm>
+#include <exception>
+#include <limits>
+
+namespace isthmus
+{
+namespace
+{
+
+/// The first bytes of the content; throws MRCError when there are too few.
+MRCHeaderBytes ReadHeaderBytes(ByteSource& source)
+{
+  MRCHeaderBytes bytes{};
+  const std::size_t got = source.Read(0, bytes.data(), bytes.size());
+  if (got < bytes.size())
+  {
+    throw MRCError(MRCFailure::Truncated,
+      source.Path() + ": " + std::to_string(got) + " bytes" +
+        (source.RandomAccess() ? "" : " after decompression") +
+        " are too few for the header of a map, which has 1024. Fetch the file again.");
+  }
+  return bytes;
+}
+
+bool MachineIsBigEndian()
+{
+  const std::uint16_t one = 1;
+  return *reinterpret_cast<const unsigned char*>(&one) == 0;
+}
+
+std::string Range(std::int64_t first, std::int64_t last)
+{
+  return std::to_string(first) + " to " + std::to_string(last);
+}
+
+}
+
+MRCMap::MRCMap(const std::string& path)
+  : Source(OpenByteSource(path))
+{
+  this->Head = ParseMRCHeader(
+    ReadHeaderBytes(*this->Source), path, this->Source->MostBytes(), this->Source->RandomAccess());
+  this->Sections = StackOf(this->Head, path);
+}
+
+void MRCMap::Refuse(const std::string& sentence) const
+{
+  throw MRCError(MRCFailure::BadRequest, this->Source->Path() + ": " + sentence);
+}
+
+MRCLattice MRCMap::SelectVolume(const MRCOptions& options)
+{
+  const int index = options.VolumeIndex;
+  if (index < -1 || index >= this->Sections.Items)
+  {
+    this->Refuse("there is no volume or image " + std::to_string(index) +
+      ": VolumeIndex goes from 0 to " + std::to_string(this->Sections.Items - 1) +
+      " in this file, or is -1.");
+  }
+  const bool allImages = index == -1 && this->Sections.What == MRCStack::Kind::Images;
+  const int sections = allImages ? this->Head.Counts[2] : this->Sections.SectionsEach;
+  const auto firstSection =
+    static_cast<std::uint64_t>(std::max(index, 0)) * static_cast<std::uint64_t>(sections);
+
+  MRCVoxelLayout& layout = this->Layout;
+  layout.Type = this->Head.Voxel;
+  layout.Swap = this->Head.BigEndian != MachineIsBigEndian();
+  for (std::size_t f = 0; f < 3; ++f)
+  {
+    layout.Counts[f] = f == 2 ? sections : this->Head.Counts[f];
+    layout.OutputAxis[f] = this->Head.AxisOrder[f] - 1;
+  }
+  const std::uint64_t sectionBytes =
+    layout.Type.FileBytes(static_cast<std::uint64_t>(layout.Counts[0])) *
+    static_cast<std::uint64_t>(layout.Counts[1]);
+  layout.Offset = mrcHeaderBytes + static_cast<std::uint64_t>(this->Head.ExtendedHeaderBytes) +
+    firstSection * sectionBytes;
+  return LatticeOf(this->Head, sections, options.KeepCellAxes);
+}
+
+void MRCMap::SelectNodes(const MRCOptions& options, const MRCLattice& whole)
+{
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const std::int64_t end = whole.Dimensions[a] - 1;
+    const std::int64_t first = options.CropExtent[2 * a];
+    const std::int64_t asked = options.CropExtent[2 * a + 1];
+    const std::int64_t last = asked == -1 ? end : asked;
+    const std::string axis(1, "xyz"[a]);
+    if (first < 0 || last < first || last > end)
+    {
+      this->Refuse("CropExtent asks for nodes " + Range(first, last) + " along " + axis +
+        ", but the map has " + Range(0, end) + " there. Choose nodes among these.");
+    }
+    if (options.SampleRate[a] < 1)
+    {
+      this->Refuse("SampleRate along " + axis + " is " + std::to_string(options.SampleRate[a]) +
+        ", but must be 1 (every node) or more.");
+    }
+    this->Nodes.First[a] = first;
+    this->Nodes.Stride[a] = std::min<std::int64_t>(options.SampleRate[a], whole.Dimensions[a]);
+    this->Nodes.Count[a] = (last - first) / this->Nodes.Stride[a] + 1;
+  }
+}
+
+void MRCMap::Select(const MRCOptions& options)
+{
+  const MRCLattice whole = this->SelectVolume(options);
+  this->SelectNodes(options, whole);
+  this->Lattice = Selected(whole, this->Nodes.First, this->Nodes.Count, this->Nodes.Stride);
+  this->Interpolated = !options.KeepCellAxes && !HasOrthogonalCell(this->Head);
+  this->Target = this->Lattice;
+  if (this->Interpolated)
+  {
+    try
+    {
+      this->Target = GridAround(this->Lattice);
+    }
+    catch (const MRCError& error)
+    {
+      this->Refuse(error.what());
+    }
+  }
+}
+
+NodeBox MRCMap::OutputBox() const
+{
+  const std::array<std::int64_t, 3>& size = this->Target.Dimensions;
+  return { 0, size[0] - 1, 0, size[1] - 1, 0, size[2] - 1 };
+}
+
+std::uint64_t MRCMap::OutputBytes(const NodeBox& box) const
+{
+  std::uint64_t bytes = this->Head.Voxel.Bytes;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const auto nodes =
+      static_cast<std::uint64_t>(std::max<std::int64_t>(0, box[2 * a + 1] - box[2 * a] + 1));
+    if (__builtin_mul_overflow(bytes, nodes, &bytes))
+    {
+      return std::numeric_limits<std::uint64_t>::max();
+    }
+  }
+  return bytes;
+}
+
+void MRCMap::ReadNodes(const NodeBox& box, void* out, const ProgressCallback& progress)
+{
+  MRCSelection part = this->Nodes;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    part.First[a] += box[2 * a] * this->Nodes.Stride[a];
+    part.Count[a] = box[2 * a + 1] - box[2 * a] + 1;
+  }
+  ReadMRCVoxels(*this->Source, this->Layout, part, out, progress);
+  this->Source->CheckEnd();
+}
+
+void MRCMap::Read(
+  const NodeBox& box, void* out, unsigned char* inside, const ProgressCallback& progress)
+{
+  if (!this->Interpolated)
+  {
+    this->ReadNodes(box, out, progress);
+    return;
+  }
+  const NodeBox needed = NodesNeeded(this->Lattice, this->Target, box);
+  const auto bytes = static_cast<std::size_t>(this->OutputBytes(needed));
+  const std::unique_ptr<unsigned char[]> values(new unsigned char[bytes]);
+  if (bytes > 0)
+  {
+    this->ReadNodes(needed, values.get(), Between(progress, 0.0, 0.5));
+  }
+  Resample(this->Head.Voxel, this->Lattice, values.get(), needed, this->Target, box, out, inside,
+    Between(progress, 0.5, 1.0));
+}
+
+void MRCMap::CheckBeforeAllocating(std::uint64_t bytes, const ProgressCallback& progress)
+{
+  constexpr std::uint64_t harmless = std::uint64_t{ 1 } << 25;
+  constexpr std::uint64_t usual = 32; // times; densities rarely compress better, masks do
+  if (this->Source->RandomAccess() || bytes <= std::max(harmless, usual * this->Source->FileSize()))
+  {
+    return;
+  }
+  const std::uint64_t expected = this->Head.FileBytes();
+  const std::uint64_t found = this->Source->CountUpTo(expected, progress);
+  if (found < expected)
+  {
+    throw MRCError(MRCFailure::Truncated,
+      this->Source->Path() + ": the file is truncated or its header lies: " +
+        std::to_string(expected) + " bytes expected after decompression, found " +
+        std::to_string(found) + ". Fetch the file again.");
+  }
+}
+
+bool LooksLikeMRCFile(const std::string& path)
+{
+  try
+  {
+    const std::unique_ptr<ByteSource> source = OpenByteSource(path);
+    return LooksLikeMRCHeader(ReadHeaderBytes(*source), source->MostBytes());
+  }
+  catch (const std::exception&)
+  {
+    return false;
+  }
+}
+
+}

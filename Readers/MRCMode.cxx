@@ -1,0 +1,102 @@
+#include "MRCMode.h"
+
+#include <vtkByteSwap.h>
+
+#include <cstring>
+
+namespace isthmus
+{
+namespace
+{
+
+/// IEEE 754 half to single precision. Written without branches, so that the loop is vectorised.
+float FloatOfHalf(std::uint16_t half)
+{
+  const std::uint32_t magnitude = static_cast<std::uint32_t>(half & 0x7fffu) << 13;
+  float value = 0;
+  std::memcpy(&value, &magnitude, sizeof(value));
+  value *= 0x1p112f; // the difference of the exponents' biases; right for subnormals too
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof(bits));
+  bits |= magnitude >= 0x0f800000u ? 0x7f800000u : 0u; // infinity and NaN
+  bits |= static_cast<std::uint32_t>(half & 0x8000u) << 16;
+  std::memcpy(&value, &bits, sizeof(value));
+  return value;
+}
+
+void DecodeHalves(const unsigned char* from, float* to, std::size_t voxels)
+{
+  for (std::size_t i = 0; i < voxels; ++i)
+  {
+    std::uint16_t half = 0;
+    std::memcpy(&half, from + 2 * i, sizeof(half));
+    to[i] = FloatOfHalf(half);
+  }
+}
+
+void DecodeNibbles(
+  const unsigned char* from, unsigned char* to, std::size_t voxels, std::size_t skip)
+{
+  for (std::size_t i = 0; i < voxels; ++i)
+  {
+    const std::size_t nibble = i + skip;
+    to[i] = static_cast<unsigned char>((from[nibble / 2] >> (4 * (nibble % 2))) & 0xf);
+  }
+}
+
+}
+
+bool IsKnownMRCMode(int mode)
+{
+  return (mode >= 0 && mode <= 4) || mode == 6 || mode == 12 || mode == 16 || mode == 101;
+}
+
+MRCVoxelType VoxelTypeOfMRCMode(int mode, bool unsignedBytes)
+{
+  switch (mode)
+  {
+    case 0:
+      return { mode, unsignedBytes ? MRCValue::UnsignedChar : MRCValue::SignedChar, 1, 8, 1, 1 };
+    case 1:
+      return { mode, MRCValue::Short, 1, 16, 2, 2 };
+    case 3:
+      return { mode, MRCValue::Short, 2, 32, 2, 4 };
+    case 4:
+      return { mode, MRCValue::Float, 2, 64, 4, 8 };
+    case 6:
+      return { mode, MRCValue::UnsignedShort, 1, 16, 2, 2 };
+    case 12:
+      return { mode, MRCValue::Float, 1, 16, 2, 4 };
+    case 16:
+      return { mode, MRCValue::UnsignedChar, 3, 24, 1, 3 };
+    case 101:
+      return { mode, MRCValue::UnsignedChar, 1, 4, 1, 1 };
+    default:
+      return { mode, MRCValue::Float, 1, 32, 4, 4 };
+  }
+}
+
+void DecodeMRCVoxels(const MRCVoxelType& type, bool swap, unsigned char* from, void* to,
+  std::size_t voxels, std::size_t skip)
+{
+  if (type.FileBits == 4)
+  {
+    DecodeNibbles(from, static_cast<unsigned char*>(to), voxels, skip);
+    return;
+  }
+  const std::size_t bytes = static_cast<std::size_t>(type.FileBytes(voxels));
+  if (swap && type.Word > 1)
+  {
+    vtkByteSwap::SwapVoidRange(from, bytes / type.Word, type.Word);
+  }
+  if (type.Mode == 12)
+  {
+    DecodeHalves(from, static_cast<float*>(to), voxels);
+  }
+  else if (from != to)
+  {
+    std::memcpy(to, from, bytes);
+  }
+}
+
+}

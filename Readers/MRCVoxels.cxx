@@ -1,0 +1,324 @@
+#include "MRCVoxels.h"
+
+#include "MRCError.h"
+#include "ParallelFor.h"
+#include "StridedCopy.h"
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+namespace isthmus
+{
+namespace
+{
+
+using Index3 = std::array<std::int64_t, 3>;
+using Bytes = std::unique_ptr<unsigned char[]>;
+
+Bytes Allocate(std::size_t size)
+{
+  return Bytes(new unsigned char[size]); // not std::vector, which would write zeros first
+}
+
+/// A box of selected voxels, counted in the selection along the file's axes.
+struct Brick
+{
+  Index3 First{};
+  Index3 Count{};
+};
+
+/// The selection seen along the file's axes, and what follows from it.
+class Reading
+{
+public:
+  Reading(ByteSource& source, const MRCVoxelLayout& layout, const MRCSelection& selection,
+    unsigned char* out)
+    : Source(source)
+    , Layout(layout)
+    , Out(out)
+  {
+    const Index3 step{ 1, selection.Count[0], selection.Count[0] * selection.Count[1] };
+    for (std::size_t f = 0; f < 3; ++f)
+    {
+      const auto axis = static_cast<std::size_t>(layout.OutputAxis[f]);
+      this->First[f] = selection.First[axis];
+      this->Count[f] = selection.Count[axis];
+      this->Stride[f] = selection.Stride[axis];
+      this->OutStep[f] = step[axis];
+    }
+    this->RowBytes = layout.Type.FileBytes(static_cast<std::uint64_t>(layout.Counts[0]));
+    this->Direct = layout.Type.SameInFile() && this->OutStep[0] == 1 && this->Stride[0] == 1;
+  }
+
+  /// Largest brick of about `bytes` bytes for threads that read bricks in any order.
+  Index3 BrickForThreads(std::int64_t bytes) const
+  {
+    Index3 size{};
+    size[0] = std::clamp<std::int64_t>(bytes / this->ColumnBytes(), 1, this->Count[0]);
+    const std::int64_t row = size[0] * this->ColumnBytes();
+    // Output is written along x: where sections are x, a brick must hold many of them.
+    const std::int64_t sections =
+      this->OutStep[2] == 1 ? std::min<std::int64_t>(64, this->Count[2]) : 1;
+    size[1] = std::clamp<std::int64_t>(bytes / (row * sections), 1, this->Count[1]);
+    size[2] = std::clamp<std::int64_t>(bytes / (row * size[1]), 1, this->Count[2]);
+    return size;
+  }
+
+  /// Largest brick of about `bytes` bytes of the stream, such that bricks follow one another in it.
+  Index3 BrickForStream(std::int64_t bytes) const
+  {
+    const std::int64_t row = static_cast<std::int64_t>(this->RowBytes) * this->Stride[1];
+    const std::int64_t section =
+      static_cast<std::int64_t>(this->RowBytes) * this->Layout.Counts[1] * this->Stride[2];
+    Index3 size{ 1, 1, 1 };
+    size[0] = std::clamp<std::int64_t>(bytes / this->ColumnBytes(), 1, this->Count[0]);
+    if (size[0] == this->Count[0])
+    {
+      size[1] = std::clamp<std::int64_t>(bytes / row, 1, this->Count[1]);
+    }
+    if (size[1] == this->Count[1])
+    {
+      size[2] = std::clamp<std::int64_t>(bytes / section, 1, this->Count[2]);
+    }
+    return size;
+  }
+
+  std::vector<Brick> Bricks(const Index3& size) const;
+
+  /// Room that Fetch() and Finish() need for bricks of up to `size`; none when they go direct.
+  std::size_t ScratchBytes(const Index3& size) const
+  {
+    return this->Direct
+      ? 0
+      : this->RawBytes(size) + (this->Layout.Type.SameInFile() ? 0 : this->DecodedBytes(size));
+  }
+
+  std::uint64_t Offset(const Brick& brick) const
+  {
+    return this->RowOffset(brick, 0, 0) + this->FirstByte(brick);
+  }
+
+  void Fetch(const Brick& brick, unsigned char* scratch) const;
+  void Finish(const Brick& brick, unsigned char* scratch) const;
+
+private:
+  /// Bytes of file that one selected column stands for, at least 1.
+  std::int64_t ColumnBytes() const
+  {
+    return std::max<std::int64_t>(1, this->Stride[0] * this->Layout.Type.FileBits / 8);
+  }
+
+  std::uint64_t RowOffset(const Brick& brick, std::int64_t row, std::int64_t section) const
+  {
+    const std::int64_t r = this->First[1] + (brick.First[1] + row) * this->Stride[1];
+    const std::int64_t s = this->First[2] + (brick.First[2] + section) * this->Stride[2];
+    return this->Layout.Offset +
+      this->RowBytes * static_cast<std::uint64_t>(r + this->Layout.Counts[1] * s);
+  }
+
+  std::int64_t FirstColumn(const Brick& brick) const
+  {
+    return this->First[0] + brick.First[0] * this->Stride[0];
+  }
+  std::uint64_t FirstByte(const Brick& brick) const
+  {
+    const auto column = static_cast<std::uint64_t>(this->FirstColumn(brick));
+    return this->Layout.Type.FileBits == 4 ? column / 2 : this->Layout.Type.FileBytes(column);
+  }
+  /// Voxels of a row from the first to the last selected one.
+  std::int64_t Span(std::int64_t columns) const { return (columns - 1) * this->Stride[0] + 1; }
+  /// Bytes that are fetched of each row.
+  std::size_t SpanBytes(const Brick& brick) const
+  {
+    const std::int64_t odd = this->Layout.Type.FileBits == 4 ? this->FirstColumn(brick) % 2 : 0;
+    return static_cast<std::size_t>(
+      this->Layout.Type.FileBytes(static_cast<std::uint64_t>(this->Span(brick.Count[0]) + odd)));
+  }
+
+  std::size_t RawBytes(const Index3& size) const
+  {
+    const std::size_t row = static_cast<std::size_t>(
+      this->Layout.Type.FileBytes(static_cast<std::uint64_t>(this->Span(size[0]) + 1)));
+    // Rounded up, so that decoded voxels behind it are aligned.
+    return (row * static_cast<std::size_t>(size[1] * size[2]) + 63) / 64 * 64;
+  }
+  std::size_t DecodedBytes(const Index3& size) const
+  {
+    return this->Layout.Type.Bytes *
+      static_cast<std::size_t>(this->Span(size[0]) * size[1] * size[2]);
+  }
+
+  unsigned char* OutputOf(const Brick& brick, std::int64_t row, std::int64_t section) const
+  {
+    const std::int64_t voxel = brick.First[0] * this->OutStep[0] +
+      (brick.First[1] + row) * this->OutStep[1] + (brick.First[2] + section) * this->OutStep[2];
+    return this->Out + this->Layout.Type.Bytes * static_cast<std::size_t>(voxel);
+  }
+
+  /// Rows that follow one another in the file (and, going direct, in the output): 1 or all.
+  std::int64_t RowsAtOnce(const Brick& brick) const
+  {
+    const bool wholeRows = this->Layout.Type.FileBits != 4 &&
+      brick.Count[0] == this->Layout.Counts[0] && this->Stride[0] == 1 && this->Stride[1] == 1;
+    const bool follow = !this->Direct || this->OutStep[1] == this->Count[0];
+    return wholeRows && follow ? brick.Count[1] : 1;
+  }
+
+  void ReadExactly(std::uint64_t offset, unsigned char* to, std::size_t size) const;
+
+  ByteSource& Source;
+  const MRCVoxelLayout& Layout;
+  unsigned char* Out;
+  Index3 First{};
+  Index3 Count{};
+  Index3 Stride{};
+  Index3 OutStep{}; ///< voxels in the output between neighbours along each file axis
+  std::uint64_t RowBytes = 0;
+  bool Direct = false; ///< rows go to the output as they are, byte order apart
+};
+
+std::vector<Brick> Reading::Bricks(const Index3& size) const
+{
+  std::vector<Brick> bricks;
+  for (std::int64_t s = 0; s < this->Count[2]; s += size[2])
+  {
+    for (std::int64_t r = 0; r < this->Count[1]; r += size[1])
+    {
+      for (std::int64_t c = 0; c < this->Count[0]; c += size[0])
+      {
+        bricks.push_back({ { c, r, s },
+          { std::min(size[0], this->Count[0] - c), std::min(size[1], this->Count[1] - r),
+            std::min(size[2], this->Count[2] - s) } });
+      }
+    }
+  }
+  return bricks;
+}
+
+void Reading::ReadExactly(std::uint64_t offset, unsigned char* to, std::size_t size) const
+{
+  const std::size_t got = this->Source.Read(offset, to, size);
+  if (got < size)
+  {
+    throw MRCError(MRCFailure::Truncated,
+      this->Source.Path() + ": the file is truncated: " + std::to_string(offset + size) +
+        " bytes expected at least" + (this->Source.RandomAccess() ? "" : " after decompression") +
+        ", found " + std::to_string(offset + got) + ". Fetch the file again.");
+  }
+}
+
+void Reading::Fetch(const Brick& brick, unsigned char* scratch) const
+{
+  const std::int64_t rows = this->RowsAtOnce(brick);
+  const std::size_t bytes = this->SpanBytes(brick) * static_cast<std::size_t>(rows);
+  unsigned char* next = scratch;
+  for (std::int64_t s = 0; s < brick.Count[2]; ++s)
+  {
+    for (std::int64_t r = 0; r < brick.Count[1]; r += rows)
+    {
+      this->ReadExactly(this->RowOffset(brick, r, s) + this->FirstByte(brick),
+        this->Direct ? this->OutputOf(brick, r, s) : next, bytes);
+      next += bytes;
+    }
+  }
+}
+
+void Reading::Finish(const Brick& brick, unsigned char* scratch) const
+{
+  const MRCVoxelType& type = this->Layout.Type;
+  const std::int64_t rows = brick.Count[1] * brick.Count[2];
+  const auto span = static_cast<std::size_t>(this->Span(brick.Count[0]));
+  if (this->Direct)
+  {
+    for (std::int64_t row = 0; this->Layout.Swap && row < rows; ++row)
+    {
+      unsigned char* const to = this->OutputOf(brick, row % brick.Count[1], row / brick.Count[1]);
+      DecodeMRCVoxels(type, true, to, to, span, 0);
+    }
+    return;
+  }
+  const std::size_t rawBytes = this->SpanBytes(brick);
+  unsigned char* const decoded =
+    type.SameInFile() ? scratch : scratch + this->RawBytes(brick.Count);
+  const std::size_t skip =
+    type.FileBits == 4 ? static_cast<std::size_t>(this->FirstColumn(brick) % 2) : 0;
+  for (std::int64_t row = 0; row < rows; ++row)
+  {
+    const auto nth = static_cast<std::size_t>(row);
+    DecodeMRCVoxels(type, this->Layout.Swap, scratch + nth * rawBytes,
+      decoded + nth * span * type.Bytes, span, skip);
+  }
+  const auto steps = static_cast<std::int64_t>(span);
+  StridedCopy({ brick.Count, { this->Stride[0], steps, steps * brick.Count[1] }, this->OutStep },
+    type.Bytes, decoded, this->OutputOf(brick, 0, 0));
+}
+
+void ReadInParallel(const Reading& reading, const ProgressCallback& progress)
+{
+  constexpr std::int64_t brickBytes = std::int64_t{ 1 } << 20;
+  const Index3 size = reading.BrickForThreads(brickBytes);
+  const std::vector<Brick> bricks = reading.Bricks(size);
+  const auto body = [&](std::int64_t first, std::int64_t last)
+  {
+    const Bytes scratch = Allocate(reading.ScratchBytes(size));
+    for (std::int64_t i = first; i < last; ++i)
+    {
+      const Brick& brick = bricks[static_cast<std::size_t>(i)];
+      reading.Fetch(brick, scratch.get());
+      reading.Finish(brick, scratch.get());
+    }
+  };
+  ParallelFor(0, static_cast<std::int64_t>(bricks.size()), 4, body, progress);
+}
+
+void ReadInOrder(const Reading& reading, ByteSource& source, const ProgressCallback& progress)
+{
+  constexpr std::int64_t brickBytes = std::int64_t{ 1 } << 24;
+  const Index3 size = reading.BrickForStream(brickBytes);
+  const std::vector<Brick> bricks = reading.Bricks(size);
+  Bytes current = Allocate(reading.ScratchBytes(size));
+  Bytes next = Allocate(reading.ScratchBytes(size));
+  const std::size_t count = bricks.size();
+  for (std::size_t i = 0; i <= count; ++i)
+  {
+    const double from = static_cast<double>(i) / static_cast<double>(count + 1);
+    const double to = static_cast<double>(i + 1) / static_cast<double>(count + 1);
+    if (i < count)
+    {
+      source.SkipTo(reading.Offset(bricks[i]), Between(progress, from, to));
+    }
+    ParallelFor(0, 2, 1,
+      [&](std::int64_t first, std::int64_t)
+      {
+        if (first == 0 && i < count)
+        {
+          reading.Fetch(bricks[i], next.get());
+        }
+        else if (first == 1 && i > 0)
+        {
+          reading.Finish(bricks[i - 1], current.get());
+        }
+      });
+    std::swap(current, next);
+    Report(progress, to);
+  }
+}
+
+}
+
+void ReadMRCVoxels(ByteSource& source, const MRCVoxelLayout& layout, const MRCSelection& selection,
+  void* out, const ProgressCallback& progress)
+{
+  const Reading reading(source, layout, selection, static_cast<unsigned char*>(out));
+  if (source.RandomAccess())
+  {
+    ReadInParallel(reading, progress);
+  }
+  else
+  {
+    ReadInOrder(reading, source, progress);
+  }
+}
+
+}

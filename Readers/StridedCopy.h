@@ -1,0 +1,33 @@
+/**
+ * @file StridedCopy.h
+ * @brief Copies a box of elements from one order in memory to another.
+ */
+#ifndef isthmus_StridedCopy_h
+#define isthmus_StridedCopy_h
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace isthmus
+{
+
+/// Element (a, b, c) of the box lies at a From[0] + b From[1] + c From[2], and goes to the same
+/// with To; all in elements. One of To must be 1.
+struct StridedBox
+{
+  std::array<std::int64_t, 3> Count{};
+  std::array<std::int64_t, 3> From{};
+  std::array<std::int64_t, 3> To{};
+};
+
+/**
+ * Copies elements of `bytes` bytes (1, 2, 3, 4 or 8), in tiles, so that neither reading nor writing
+ * leaves the cache when axes change places. The memory areas must not overlap.
+ */
+void StridedCopy(
+  const StridedBox& box, std::size_t bytes, const unsigned char* from, unsigned char* to);
+
+}
+
+#endif

@@ -1,0 +1,285 @@
+#include "vtkMRCMapReader.h"
+
+#include "AlgorithmGuard.h"
+#include "MRCError.h"
+#include "MRCFieldData.h"
+#include "MRCMap.h"
+
+#include <vtkDataArray.h>
+#include <vtkErrorCode.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+vtkStandardNewMacro(vtkMRCMapReader);
+
+namespace
+{
+
+using isthmus::MRCError;
+using isthmus::MRCFailure;
+using isthmus::MRCMap;
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+unsigned long ErrorCodeOf(MRCFailure kind)
+{
+  switch (kind)
+  {
+    case MRCFailure::NoSuchFile:
+      return vtkErrorCode::FileNotFoundError;
+    case MRCFailure::CannotRead:
+      return vtkErrorCode::CannotOpenFileError;
+    case MRCFailure::NotAMap:
+      return vtkErrorCode::UnrecognizedFileTypeError;
+    case MRCFailure::Truncated:
+      return vtkErrorCode::PrematureEndOfFileError;
+    case MRCFailure::Damaged:
+      return vtkErrorCode::FileFormatError;
+    case MRCFailure::BadRequest:
+      break;
+  }
+  return vtkErrorCode::UserError;
+}
+
+int ScalarTypeOf(isthmus::MRCValue value)
+{
+  switch (value)
+  {
+    case isthmus::MRCValue::SignedChar:
+      return VTK_SIGNED_CHAR;
+    case isthmus::MRCValue::UnsignedChar:
+      return VTK_UNSIGNED_CHAR;
+    case isthmus::MRCValue::Short:
+      return VTK_SHORT;
+    case isthmus::MRCValue::UnsignedShort:
+      return VTK_UNSIGNED_SHORT;
+    case isthmus::MRCValue::Float:
+      break;
+  }
+  return VTK_FLOAT;
+}
+
+/// An array whose memory is not touched before it is filled; malloc, so that a want of memory ends
+/// in a sentence with the size asked for.
+vtkSmartPointer<vtkDataArray> NewArray(const char* name, int type, int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+  const auto bytes = static_cast<std::size_t>(tuples) * static_cast<std::size_t>(components) *
+    static_cast<std::size_t>(array->GetDataTypeSize());
+  void* const memory = std::malloc(bytes);
+  if (!memory)
+  {
+    throw std::runtime_error("There is no memory for the array " + std::string(name) + " of " +
+      std::to_string(bytes >> 20) +
+      " MiB. Read a part of the map (CropExtent) or every n-th node "
+      "(SampleRate).");
+  }
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetVoidArray(memory, tuples * components, 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+  return array;
+}
+
+/// The direction matrix and origin that place `grid` in the world.
+void Describe(const isthmus::MRCLattice& grid, vtkInformation* info)
+{
+  int whole[6];
+  double direction[9];
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    whole[2 * a] = 0;
+    whole[2 * a + 1] = static_cast<int>(grid.Dimensions[a] - 1);
+    std::copy(grid.Rotation[a].begin(), grid.Rotation[a].end(), direction + 3 * a);
+  }
+  info->Set(Pipeline::WHOLE_EXTENT(), whole, 6);
+  info->Set(vtkDataObject::SPACING(), grid.Spacing().data(), 3);
+  info->Set(vtkDataObject::ORIGIN(), grid.World(grid.Origin).data(), 3);
+  info->Set(vtkDataObject::DIRECTION(), direction, 9);
+}
+
+/// Opens the reader's file and selects what its properties ask for.
+MRCMap Open(vtkMRCMapReader* reader)
+{
+  MRCMap map(reader->GetFileName());
+  isthmus::MRCOptions options;
+  options.VolumeIndex = reader->GetVolumeIndex();
+  std::copy_n(reader->GetCropExtent(), 6, options.CropExtent.begin());
+  std::copy_n(reader->GetSampleRate(), 3, options.SampleRate.begin());
+  options.KeepCellAxes = reader->GetNonOrthogonalCell() == vtkMRCMapReader::KeepCellAxes;
+  map.Select(options);
+  return map;
+}
+
+std::string Sentences(const std::vector<std::string>& sentences)
+{
+  std::string text;
+  for (const std::string& sentence : sentences)
+  {
+    text += "\n- " + sentence;
+  }
+  return text;
+}
+
+}
+
+vtkMRCMapReader::vtkMRCMapReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkMRCMapReader::~vtkMRCMapReader()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkMRCMapReader::CanReadFile(const char* fileName)
+{
+  return fileName && isthmus::LooksLikeMRCFile(fileName) ? 1 : 0;
+}
+
+template <typename Body>
+int vtkMRCMapReader::Try(vtkInformation* info, Body&& body)
+{
+  return isthmus::Guarded(this, vtkDataObject::GetData(info),
+    [&]()
+    {
+      try
+      {
+        this->SetErrorCode(vtkErrorCode::NoError);
+        if (!this->FileName || !*this->FileName)
+        {
+          this->SetErrorCode(vtkErrorCode::NoFileNameError);
+          throw std::invalid_argument("There is no file to read: set FileName.");
+        }
+        body();
+      }
+      catch (const MRCError& error)
+      {
+        this->SetErrorCode(ErrorCodeOf(error.Kind));
+        throw;
+      }
+    });
+}
+
+void vtkMRCMapReader::Tell(const MRCMap& map)
+{
+  std::vector<std::string> sentences = map.Header().Repairs;
+  if (this->Strict && !sentences.empty())
+  {
+    throw MRCError(MRCFailure::Damaged,
+      std::string(this->FileName) + ": the header needs repair, which Strict forbids." +
+        Sentences(sentences));
+  }
+  const std::vector<std::string> notes = isthmus::MRCNotes(map);
+  sentences.insert(sentences.end(), notes.begin(), notes.end());
+  const std::string warning = std::string(this->FileName) + ":" + Sentences(sentences);
+  if (!sentences.empty() && warning != this->LastWarning)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  this->LastWarning = warning;
+}
+
+int vtkMRCMapReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* const info = outputVector->GetInformationObject(0);
+  isthmus::MRCLattice nothing;
+  nothing.Dimensions = { 0, 0, 0 };
+  Describe(nothing, info); // what stays when the file can't be read
+  return this->Try(info,
+    [&]()
+    {
+      const MRCMap map = Open(this);
+      this->Tell(map);
+      Describe(map.Grid(), info);
+      const isthmus::MRCVoxelType& voxel = map.Header().Voxel;
+      vtkDataObject::SetPointDataActiveScalarInfo(
+        info, ScalarTypeOf(voxel.Value), voxel.Components);
+      info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+    });
+}
+
+int vtkMRCMapReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* const info = outputVector->GetInformationObject(0);
+  vtkImageData* const output = vtkImageData::GetData(info);
+  return this->Try(info,
+    [&]()
+    {
+      MRCMap map = Open(this);
+      int extent[6];
+      info->Get(Pipeline::UPDATE_EXTENT(), extent);
+      isthmus::AddMRCFieldData(map, this->VolumeIndex, output->GetFieldData());
+      output->SetExtent(extent);
+      output->SetSpacing(info->Get(vtkDataObject::SPACING()));
+      output->SetOrigin(info->Get(vtkDataObject::ORIGIN()));
+      output->SetDirectionMatrix(info->Get(vtkDataObject::DIRECTION()));
+      if (output->GetNumberOfPoints() > 0)
+      {
+        this->ReadArrays(map, extent, output);
+      }
+    });
+}
+
+void vtkMRCMapReader::ReadArrays(MRCMap& map, const int extent[6], vtkImageData* output)
+{
+  isthmus::NodeBox box{};
+  std::copy_n(extent, 6, box.begin());
+  const isthmus::NodeBox whole = map.OutputBox();
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    if (box[2 * a] < 0 || box[2 * a + 1] > whole[2 * a + 1])
+    {
+      throw MRCError(MRCFailure::BadRequest,
+        std::string(this->FileName) +
+          ": nodes are asked for that the map does not have. If the "
+          "file has changed, read it again.");
+    }
+  }
+  const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
+  map.CheckBeforeAllocating(map.OutputBytes(box), isthmus::Between(progress, 0.0, 0.5));
+  const isthmus::MRCVoxelType& voxel = map.Header().Voxel;
+  const vtkIdType nodes = output->GetNumberOfPoints();
+  const auto density = NewArray("Density", ScalarTypeOf(voxel.Value), voxel.Components, nodes);
+  vtkSmartPointer<vtkDataArray> inside;
+  if (map.Resampled())
+  {
+    inside = NewArray("InsideMap", VTK_UNSIGNED_CHAR, 1, nodes);
+  }
+  map.Read(box, density->GetVoidPointer(0),
+    inside ? static_cast<unsigned char*>(inside->GetVoidPointer(0)) : nullptr, progress);
+  output->GetPointData()->SetScalars(density);
+  if (inside)
+  {
+    output->GetPointData()->AddArray(inside);
+  }
+}
+
+void vtkMRCMapReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "VolumeIndex: " << this->VolumeIndex << "\n";
+  os << indent << "CropExtent:";
+  for (const int node : this->CropExtent)
+  {
+    os << " " << node;
+  }
+  os << "\n"
+     << indent << "SampleRate: " << this->SampleRate[0] << " " << this->SampleRate[1] << " "
+     << this->SampleRate[2] << "\n";
+  os << indent
+     << "NonOrthogonalCell: " << (this->NonOrthogonalCell == Resample ? "Resample" : "KeepCellAxes")
+     << "\n";
+  os << indent << "Strict: " << (this->Strict ? "On" : "Off") << "\n";
+}

@@ -1,0 +1,149 @@
+/**
+ * @class   vtkMRCMapReader
+ * @brief   reads density maps of electron microscopy and crystallography: MRC2014, CCP4, EMDB
+ *
+ * Files named .mrc .map .ccp4 .mrcs .rec .ali .st, plain, gzip- or bzip2-compressed (found from
+ * the content, not from the name). The output is a vtkImageData in angstrom with axes x, y, z and
+ * the point array `Density`. Sources: Cheng et al. 2015, doi:10.1016/j.jsb.2015.04.002; the CCP4
+ * map format; IMOD for modes 16 and 101.
+ *
+ * **Values.** Mode 0: signed char (unsigned char where IMOD's header flag says so), 1: short,
+ * 2: float, 3: short with 2 components, 4: float with 2 components (Fourier transforms, as stored,
+ * no Hermitian completion), 6: unsigned short, 12 (half precision): float, 16: unsigned char with
+ * 3 components, 101 (4 bit): unsigned char. Either byte order.
+ *
+ * **Position.** Spacing is CELLA / MX, MY, MZ; a file's axis order MAPC, MAPR, MAPS is undone. The
+ * first node lies at ORIGIN if any component of it is not zero, else at NXSTART, NYSTART, NZSTART
+ * spacings: ChimeraX's rule, never both. CCP4's skew transformation (LSKFLG 1, a rotation SKWMAT
+ * and a translation SKWTRN) comes on top: x_world = SKWMAT^-1 x_map + SKWTRN, as the image's
+ * direction matrix and origin. The image's extent starts at 0.
+ *
+ * **Cells that are not orthogonal** (an angle off 90 degrees by more than 0.01) can't be a
+ * vtkImageData as they are. NonOrthogonalCell chooses: resampling (the default), which adds the
+ * point array `InsideMap` (1 where the map has values, else 0), or the nodes as stored with right
+ * angles, which distorts. Which of both is said in a warning and in the field data `Notes`.
+ *
+ * **Stacks.** Space groups 401-630 are stacks of volumes of MZ sections. A stack of images is what
+ * has space group 0 and MZ 1, is named .mrcs, or is named .st or .ali and has space group 0. All
+ * else is one volume, also with space group 0, as ChimeraX and cryoSPARC write volumes.
+ *
+ * **Field data:** numbers `CellLengths` (angstrom), `CellAngles` (degrees), `FileDimensions` (NX,
+ * NY, NZ), `FileStart` (NXSTART..), `CellSampling` (MX..), `AxisOrder` (MAPC..), `FileOrigin`,
+ * `Mode`, `SpaceGroup`, `RecordedMinimum`, `RecordedMaximum`, `RecordedMean`, `RecordedRms` (as the
+ * header says, which need not be true), `IsStack` (0, 1), `NumberOfVolumes` (or images),
+ * `VolumeIndex`, `ExtendedHeaderBytes`, `FormatVersion`; texts `StackType` (none, images, volumes),
+ * `ExtendedHeaderType`, `ByteOrder`, `Compression`, `LengthUnit`, `Labels`, `Repairs`, `Notes`.
+ *
+ * **Damaged headers** are read as far as sense can be made of them; each value that had to be
+ * replaced is told in a warning and in `Repairs`. With Strict on, the first of them is an error.
+ * Files that can't be read (missing, empty, truncated, of another kind) give an error that names
+ * the file and what is wrong, an empty output and an error code of vtkErrorCode.
+ *
+ * **Cost.** One pass over the bytes needed, in parallel; no copy for float maps of this machine's
+ * byte order. Pieces (update extents), CropExtent and SampleRate leave the rest of a plain file
+ * unread; a compressed file is decompressed up to the last node needed. Memory: the output, plus a
+ * few MB (up to 32 MB for compressed files), plus the nodes read when resampling.
+ */
+#ifndef vtkMRCMapReader_h
+#define vtkMRCMapReader_h
+
+#include "vtkImageAlgorithm.h"
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <string> // for the last warning
+
+namespace isthmus
+{
+class MRCMap;
+}
+
+class VTKISTHMUS_EXPORT vtkMRCMapReader : public vtkImageAlgorithm
+{
+public:
+  static vtkMRCMapReader* New();
+  vtkTypeMacro(vtkMRCMapReader, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Path of the file. Default: none.
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /// Volume or image of a stack, from 0. Default -1: all images of an image stack, one above the
+  /// other, or the first volume of a volume stack.
+  vtkSetMacro(VolumeIndex, int);
+  vtkGetMacro(VolumeIndex, int);
+  ///@}
+
+  ///@{
+  /// First and last node to read along x, y, z of the map as stored, counted from 0; a last node of
+  /// -1 is the end. Default: 0 -1 0 -1 0 -1, everything. Nodes that the map lacks are an error.
+  vtkSetVector6Macro(CropExtent, int);
+  vtkGetVector6Macro(CropExtent, int);
+  ///@}
+
+  ///@{
+  /// Read every n-th node along x, y, z, from the first of the crop, without averaging.
+  /// Default: 1 1 1.
+  vtkSetVector3Macro(SampleRate, int);
+  vtkGetVector3Macro(SampleRate, int);
+  ///@}
+
+  enum NonOrthogonalCellMode
+  {
+    Resample = 0,
+    KeepCellAxes = 1
+  };
+
+  ///@{
+  /// What to do with a cell whose angles are not 90 degrees. Resample (default): trilinear
+  /// interpolation to an orthogonal grid around the map, with the lengths of the cell's steps as
+  /// spacings. KeepCellAxes: the nodes as stored, with right angles, so shapes are distorted.
+  vtkSetClampMacro(NonOrthogonalCell, int, Resample, KeepCellAxes);
+  vtkGetMacro(NonOrthogonalCell, int);
+  void SetNonOrthogonalCellToResample() { this->SetNonOrthogonalCell(Resample); }
+  void SetNonOrthogonalCellToKeepCellAxes() { this->SetNonOrthogonalCell(KeepCellAxes); }
+  ///@}
+
+  ///@{
+  /// Refuse files whose header needed repair. Default: off.
+  vtkSetMacro(Strict, vtkTypeBool);
+  vtkGetMacro(Strict, vtkTypeBool);
+  vtkBooleanMacro(Strict, vtkTypeBool);
+  ///@}
+
+  /// 1 if the content of `fileName` begins like a map (decompressed, if need be), else 0. The name
+  /// itself plays no part. Says nothing on errors. Reads 1 KB.
+  virtual int CanReadFile(const char* fileName);
+
+protected:
+  vtkMRCMapReader();
+  ~vtkMRCMapReader() override;
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override;
+  int RequestData(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override;
+
+  char* FileName = nullptr;
+  int VolumeIndex = -1;
+  int CropExtent[6] = { 0, -1, 0, -1, 0, -1 };
+  int SampleRate[3] = { 1, 1, 1 };
+  int NonOrthogonalCell = Resample;
+  vtkTypeBool Strict = 0;
+
+private:
+  vtkMRCMapReader(const vtkMRCMapReader&) = delete;
+  void operator=(const vtkMRCMapReader&) = delete;
+
+  template <typename Body>
+  int Try(vtkInformation* info, Body&& body);
+  void Tell(const isthmus::MRCMap& map);
+  void ReadArrays(isthmus::MRCMap& map, const int extent[6], vtkImageData* output);
+
+  std::string LastWarning; // not repeated while the same file is read again
+};
+
+#endif
