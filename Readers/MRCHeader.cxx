@@ -33,6 +33,12 @@ std::string Text(const std::array<T, 3>& values)
   return Text(values[0]) + ", " + Text(values[1]) + ", " + Text(values[2]);
 }
 
+/// "NAMEx (word 8) is "
+std::string Field(const std::string& name, char axis, std::size_t word)
+{
+  return name + axis + " (word " + std::to_string(word) + ") is ";
+}
+
 /// A cell with these angles (degrees) has a volume: each is below the sum of the other two, and so
 /// on; what is left of that is the sign of the metric's determinant.
 bool AnglesSpanAVolume(const std::array<double, 3>& angles)
@@ -149,12 +155,11 @@ private:
       {
         continue;
       }
-      const std::string which(1, "xyz"[i]);
-      const std::string what = sampling[i] <= 0 ? "The sampling M" + which + " (word " +
-          Text(static_cast<int>(8 + i)) + ") is " + Text(sampling[i])
-                                                : "The cell length along " + which + " (word " +
-          Text(static_cast<int>(11 + i)) + ") is " + Text(lengths[i]);
-      this->Repair(what + ": spacing 1 angstrom along " + which + ".");
+      const char axis = "xyz"[i];
+      this->Repair(
+        (sampling[i] <= 0 ? Field("The sampling M", "XYZ"[i], 8 + i) + Text(sampling[i])
+                          : Field("The cell length along ", axis, 11 + i) + Text(lengths[i])) +
+        ": spacing 1 angstrom along " + axis + ".");
       this->Out.Sampling[i] = std::max(1, sampling[i]);
       this->Out.CellLengths[i] = this->Out.Sampling[i];
     }

@@ -43,8 +43,17 @@ std::string Range(std::int64_t first, std::int64_t last)
 MRCMap::MRCMap(const std::string& path)
   : Source(OpenByteSource(path))
 {
-  this->Head = ParseMRCHeader(
-    ReadHeaderBytes(*this->Source), path, this->Source->MostBytes(), this->Source->RandomAccess());
+  const MRCHeaderBytes bytes = ReadHeaderBytes(*this->Source);
+  try
+  {
+    this->Head =
+      ParseMRCHeader(bytes, path, this->Source->MostBytes(), this->Source->RandomAccess());
+  }
+  catch (const MRCError&)
+  {
+    this->Source->CheckEnd(); // a damaged stream is the better explanation
+    throw;
+  }
   this->Sections = StackOf(this->Head, path);
 }
 

@@ -201,10 +201,13 @@ void Reading::ReadExactly(std::uint64_t offset, unsigned char* to, std::size_t s
   const std::size_t got = this->Source.Read(offset, to, size);
   if (got < size)
   {
+    const std::array<std::int64_t, 3>& counts = this->Layout.Counts;
+    const std::uint64_t end =
+      this->Layout.Offset + this->RowBytes * static_cast<std::uint64_t>(counts[1] * counts[2]);
     throw MRCError(MRCFailure::Truncated,
-      this->Source.Path() + ": the file is truncated: " + std::to_string(offset + size) +
-        " bytes expected at least" + (this->Source.RandomAccess() ? "" : " after decompression") +
-        ", found " + std::to_string(offset + got) + ". Fetch the file again.");
+      this->Source.Path() + ": the file is truncated: " + std::to_string(end) + " bytes expected" +
+        (this->Source.RandomAccess() ? "" : " after decompression") + ", found " +
+        std::to_string(offset + got) + ". Fetch the file again.");
   }
 }
 
