@@ -1,0 +1,54 @@
+/**
+ * @file FiniteDifference.h
+ * @brief First and second derivatives of grid data by central differences, at its nodes.
+ *
+ * Central differences of second order (radius R = 1; thesis F5.36, mixed derivatives by the
+ * four-point cross) or fourth order (R = 2, mixed ones by the product of two first differences).
+ * They are the derivatives at the node of the polynomial of degree 2R through the 2R + 1 nodes
+ * around it. PointDerivative.h has the derivatives between the nodes.
+ *
+ * Derivatives are along the grid's axes, in units of the data per length of the spacing.
+ */
+#ifndef isthmus_FiniteDifference_h
+#define isthmus_FiniteDifference_h
+
+#include "GridView.h"
+#include "ScalarTypes.h"
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <array>
+#include <cstdint>
+
+namespace isthmus
+{
+
+/// Value, first and second derivatives at up to Capacity places; one array for each, so that loops
+/// over places vectorise. 10 KB: lives on the stack and in the first-level cache.
+struct DerivativeRows
+{
+  static constexpr std::int64_t Capacity = 128;
+  using Row = std::array<double, Capacity>;
+
+  alignas(64) Row Value;
+  alignas(64) Row X, Y, Z;
+  alignas(64) Row XX, YY, ZZ, XY, XZ, YZ;
+};
+
+/// Nodes that a difference reaches to each side: 1 for accuracy 2, 2 for accuracy 4. Throws
+/// std::invalid_argument for any other accuracy.
+VTKISTHMUS_EXPORT int StencilRadius(int accuracy);
+
+/**
+ * Derivatives at the `count` nodes (first[0] ... first[0] + count - 1, first[1], first[2]), into
+ * places 0 ... count - 1 of `rows`.
+ *
+ * Precondition: 0 < count <= Capacity, and all nodes lie at least StencilRadius(accuracy) nodes
+ * inside `grid`. O(count): 19 values read for each node with accuracy 2, 61 with 4.
+ */
+template <typename T>
+VTKISTHMUS_EXPORT void DifferentiateAtNodes(const GridView<const T>& grid,
+  const std::array<std::int64_t, 3>& first, std::int64_t count, int accuracy, DerivativeRows& rows);
+
+}
+
+#endif

@@ -1,0 +1,89 @@
+#include "GaussianScale.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkDataArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkImageGaussianSmooth.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace isthmus
+{
+namespace
+{
+
+constexpr double cutOff = 4.0;
+
+/// Standard deviation in nodes.
+double Deviation(double scale, double spacing)
+{
+  return scale / std::abs(spacing);
+}
+
+/// Hands the smoother's progress on, and a stop back to it.
+void FollowProgress(vtkObject* caller, unsigned long, void* client, void* fraction)
+{
+  auto* smoother = static_cast<vtkImageGaussianSmooth*>(caller);
+  const auto& progress = *static_cast<const ProgressCallback*>(client);
+  if (!progress(*static_cast<double*>(fraction)))
+  {
+    smoother->SetAbortExecute(1);
+  }
+}
+
+}
+
+std::array<int, 3> GaussianReach(double scale, const double spacing[3])
+{
+  std::array<int, 3> reach{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double nodes = cutOff * Deviation(scale, spacing[axis]);
+    // Half of the range leaves room for the sums of extents that follow.
+    reach[axis] = static_cast<int>(std::min(nodes, std::numeric_limits<int>::max() / 2.0));
+  }
+  return reach;
+}
+
+vtkSmartPointer<vtkDataArray> SmoothAtScale(
+  vtkImageData* image, vtkDataArray* scalars, double scale, const ProgressCallback& progress)
+{
+  vtkSmartPointer<vtkDataArray> values = scalars;
+  if (scalars->GetDataType() != VTK_FLOAT && scalars->GetDataType() != VTK_DOUBLE)
+  {
+    values = vtkSmartPointer<vtkFloatArray>::New();
+    values->DeepCopy(scalars);
+  }
+  vtkNew<vtkImageData> field;
+  field->CopyStructure(image);
+  field->GetPointData()->SetScalars(values);
+
+  vtkNew<vtkImageGaussianSmooth> smoother;
+  smoother->SetInputData(field);
+  smoother->SetDimensionality(3);
+  const double* spacing = image->GetSpacing();
+  smoother->SetStandardDeviations(
+    Deviation(scale, spacing[0]), Deviation(scale, spacing[1]), Deviation(scale, spacing[2]));
+  smoother->SetRadiusFactors(cutOff, cutOff, cutOff);
+  ProgressCallback listener = progress;
+  vtkNew<vtkCallbackCommand> observer;
+  if (progress)
+  {
+    observer->SetCallback(FollowProgress);
+    observer->SetClientData(&listener);
+    smoother->AddObserver(vtkCommand::ProgressEvent, observer);
+  }
+  smoother->Update();
+  if (smoother->GetAbortExecute())
+  {
+    throw Cancelled();
+  }
+  return smoother->GetOutput()->GetPointData()->GetScalars();
+}
+
+}

@@ -1,0 +1,113 @@
+/**
+ * @file HessianCurvature.h
+ * @brief Curvature of the level sets of a scalar grid from its first and second derivatives.
+ *
+ * With g the gradient, H the Hessian matrix, n = g / |g| and P = I - n n^T, the matrix
+ *
+ *     G = -P H P / |g|
+ *
+ * has the principal curvatures kappa_1 >= kappa_2 of the level set as eigenvalues, beside 0 for n
+ * (X. Feng's thesis, eqs. 5.42 to 5.51, signs corrected; R. Goldman, Curvature formulas for
+ * implicit curves and surfaces, Computer Aided Geometric Design 22 (2005) 632,
+ * doi:10.1016/j.cagd.2005.06.005). It is written in an orthonormal basis of the tangent plane,
+ * where it is a 2 x 2 matrix [a c; c b], so that
+ *
+ *     H = (a + b)/2,  d = sqrt(((a - b)/2)^2 + c^2),  kappa_1,2 = H +/- d,  K = a b - c^2.
+ *
+ * d has no difference under its root, so umbilics keep full precision, which K and H from the
+ * fundamental forms (thesis 5.40, 5.41; equal in exact arithmetic) lose in sqrt(H^2 - K).
+ *
+ * Sign: the inside of a level set is where the scalar is higher (InsideIsHigher; otherwise lower),
+ * and a surface that bends away from its outward normal has positive curvature: sphere +1/r.
+ * Units: those of the spacing to the power -1 (H, kappa, curvedness) and -2 (K).
+ *
+ * A place is valid where the stencil lies in the grid, no value in it is infinite or not a number,
+ * and the gradient does not vanish. It vanishes where |g| is at most
+ *   - 1e-6 times the spacing times the Frobenius norm of H (a critical point as far as the grid can
+ *     tell: the level set would bend within a millionth of a node distance), or
+ *   - the rounding of the stored type: 4 epsilon times |value| over the spacing,
+ * with the smallest of the three spacings. Both are local, so crops and ranks agree. At other
+ * places every value is 0, and so is Valid.
+ */
+#ifndef isthmus_HessianCurvature_h
+#define isthmus_HessianCurvature_h
+
+#include "CurvatureDescriptors.h"
+#include "GridView.h"
+#include "Progress.h"
+#include "ScalarTypes.h"
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <array>
+#include <cstdint>
+#include <functional>
+
+namespace isthmus
+{
+
+struct HessianCurvatureOptions
+{
+  int Accuracy = 2;           ///< Order of the differences: 2 or 4.
+  bool InsideIsHigher = true; ///< Whether the scalar grows inwards.
+  ShapeIndexConvention Convention = ShapeIndexConvention::Thesis;
+  SurfaceTypeTolerance Tolerance;
+  /// Row-major 3 x 3 matrix, columns the grid's axes in the world; only directions depend on it.
+  std::array<double, 9> Axes{ 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+};
+
+/// Where results go, one value (three for directions) for each place; null for what isn't wanted.
+template <typename T>
+struct CurvatureArrays
+{
+  T* Gaussian = nullptr;
+  T* Mean = nullptr;
+  T* Maximum = nullptr;
+  T* Minimum = nullptr;
+  T* ShapeIndex = nullptr;
+  T* Curvedness = nullptr;
+  T* Direction1 = nullptr;              ///< Unit vectors of kappa_1; their sign means nothing.
+  T* Direction2 = nullptr;              ///< Unit vectors of kappa_2, likewise.
+  unsigned char* SurfaceType = nullptr; ///< Values of enum SurfaceType.
+  unsigned char* Valid = nullptr;       ///< 1 or 0.
+};
+
+/// A box of nodes of a grid.
+struct NodeBox
+{
+  std::array<std::int64_t, 3> First{ 0, 0, 0 };
+  std::array<std::int64_t, 3> Size{ 0, 0, 0 };
+};
+
+/**
+ * Curvature at every node of `box`, x fastest, into `arrays`. Nodes of the grid around the box
+ * serve as ghosts for the stencil.
+ *
+ * Throws std::invalid_argument for a wrong accuracy, a spacing that is not positive, or a box that
+ * leaves the grid, and Cancelled when `progress` asks to stop. O(nodes) time; about 30 KB of
+ * scratch memory per thread. The result does not depend on the number of threads.
+ */
+template <typename T>
+VTKISTHMUS_EXPORT void HessianCurvatureAtNodes(const GridView<const T>& grid, const NodeBox& box,
+  const HessianCurvatureOptions& options, const CurvatureArrays<ResultType<T>>& arrays,
+  const ProgressCallback& progress = {});
+
+/// Writes the positions of points [first, first + count) to `indices`, three numbers each, in node
+/// units from the grid's first node. Called by several threads at once, with count at most 128.
+using PointSource =
+  std::function<void(std::int64_t first, std::int64_t count, std::array<double, 3>* indices)>;
+
+/**
+ * Curvature of the level set through each of `count` points, of the same order as at the nodes (see
+ * PointDerivative.h), into `arrays`. Points whose stencil leaves the grid are invalid.
+ *
+ * Throws as HessianCurvatureAtNodes does. O(points) time: 64 (accuracy 2) or 512 (4) values read
+ * for each; about 30 KB of scratch memory per thread.
+ */
+template <typename T>
+VTKISTHMUS_EXPORT void HessianCurvatureAtPoints(const GridView<const T>& grid, std::int64_t count,
+  const PointSource& points, const HessianCurvatureOptions& options,
+  const CurvatureArrays<ResultType<T>>& arrays, const ProgressCallback& progress = {});
+
+}
+
+#endif

@@ -1,0 +1,85 @@
+#include "ImageExtent.h"
+
+#include <vtkImageData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace isthmus
+{
+namespace
+{
+
+bool IsEmpty(const Extent& extent)
+{
+  return extent[1] < extent[0] || extent[3] < extent[2] || extent[5] < extent[4];
+}
+
+/// `index` as an integer within [low, high]; NaN gives `low`.
+int Clipped(double index, int low, int high)
+{
+  return index > low ? (index < high ? static_cast<int>(index) : high) : low;
+}
+
+}
+
+Extent Grown(const Extent& extent, const std::array<int, 3>& reach, const Extent& whole)
+{
+  if (IsEmpty(extent))
+  {
+    return extent;
+  }
+  Extent grown{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // Doubles, since a reach may be as large as an int.
+    const int low = whole[2 * axis];
+    const int high = whole[2 * axis + 1];
+    grown[2 * axis] = Clipped(static_cast<double>(extent[2 * axis]) - reach[axis], low, high);
+    grown[2 * axis + 1] =
+      Clipped(static_cast<double>(extent[2 * axis + 1]) + reach[axis], low, high);
+  }
+  return grown;
+}
+
+bool Contains(const Extent& outer, const Extent& inner)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (inner[2 * axis] < outer[2 * axis] || inner[2 * axis + 1] > outer[2 * axis + 1])
+    {
+      return IsEmpty(inner);
+    }
+  }
+  return true;
+}
+
+Extent Covering(
+  vtkImageData* image, const double bounds[6], const std::array<int, 3>& reach, const Extent& whole)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low{ infinity, infinity, infinity };
+  std::array<double, 3> high{ -infinity, -infinity, -infinity };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double point[3] = { bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)],
+      bounds[4 + (corner >> 2)] };
+    double index[3];
+    image->TransformPhysicalPointToContinuousIndex(point, index);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = std::min(low[axis], index[axis]);
+      high[axis] = std::max(high[axis], index[axis]);
+    }
+  }
+  Extent cells{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    cells[2 * axis] = Clipped(std::floor(low[axis]), whole[2 * axis], whole[2 * axis + 1]);
+    cells[2 * axis + 1] = Clipped(std::ceil(high[axis]), whole[2 * axis], whole[2 * axis + 1]);
+  }
+  return Grown(cells, reach, whole);
+}
+
+}

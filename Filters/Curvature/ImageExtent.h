@@ -1,0 +1,31 @@
+/**
+ * @file ImageExtent.h
+ * @brief Boxes of image nodes in VTK's extent form: growing, clipping, and covering points.
+ */
+#ifndef isthmus_ImageExtent_h
+#define isthmus_ImageExtent_h
+
+#include <array>
+
+class vtkImageData;
+
+namespace isthmus
+{
+
+/// First and last node on x, y and z; empty where a last is below its first.
+using Extent = std::array<int, 6>;
+
+/// `extent` with `reach` more nodes to each side, kept within `whole`. An empty one stays as it is.
+Extent Grown(const Extent& extent, const std::array<int, 3>& reach, const Extent& whole);
+
+/// Whether no node of `inner` lies outside `outer`.
+bool Contains(const Extent& outer, const Extent& inner);
+
+/// The nodes of the cells that `bounds` (world, vtk's order) meets, with `reach` more to each side,
+/// kept within `whole`. The bounds are taken through the image's physical-to-index transform.
+Extent Covering(vtkImageData* image, const double bounds[6], const std::array<int, 3>& reach,
+  const Extent& whole);
+
+}
+
+#endif

@@ -1,0 +1,343 @@
+#include "vtkHessianCurvature.h"
+
+#include "AlgorithmGuard.h"
+#include "CurvatureOfImage.h"
+#include "FiniteDifference.h"
+#include "GaussianScale.h"
+#include "ImageExtent.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataObjectTypes.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkExtentTranslator.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkHessianCurvature);
+
+namespace
+{
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+isthmus::Extent ExtentOf(vtkInformation* info, vtkInformationIntegerVectorKey* key)
+{
+  isthmus::Extent extent{ 0, -1, 0, -1, 0, -1 };
+  if (info->Has(key))
+  {
+    info->Get(key, extent.data());
+  }
+  return extent;
+}
+
+/// Nodes needed around a node or a point: those of the differences (twice their radius at a point),
+/// and those of the smoothing before. Parameters are checked later, when there is data.
+std::array<int, 3> ReachOf(int accuracy, double scale, bool atPoints, vtkInformation* imageInfo)
+{
+  std::array<double, 3> spacing{ 1.0, 1.0, 1.0 };
+  if (imageInfo->Has(vtkDataObject::SPACING()))
+  {
+    imageInfo->Get(vtkDataObject::SPACING(), spacing.data());
+  }
+  const int radius = accuracy == 4 ? 2 : 1;
+  std::array<int, 3> reach = isthmus::GaussianReach(scale, spacing.data());
+  for (int& nodes : reach)
+  {
+    nodes += atPoints ? 2 * radius : radius;
+  }
+  return reach;
+}
+
+void CheckScalars(vtkDataArray* scalars, int association)
+{
+  if (!scalars)
+  {
+    throw std::invalid_argument("The image has no such array of point scalars: choose the array to "
+                                "take curvature from (active scalars by default).");
+  }
+  const std::string name = scalars->GetName() ? scalars->GetName() : "(unnamed)";
+  if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    throw std::invalid_argument("Array " + name +
+      " is not on points: convert it first, with vtkCellDataToPointData for instance.");
+  }
+  if (scalars->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument("Array " + name + " has " +
+      std::to_string(scalars->GetNumberOfComponents()) +
+      " components, but level sets need one: take a component or the magnitude first.");
+  }
+}
+
+void CheckNotNegative(double value, const char* name, const char* meaning)
+{
+  if (!(value >= 0.0) || std::isinf(value))
+  {
+    throw std::invalid_argument(
+      std::string(name) + " is " + std::to_string(value) + ", but it is " + meaning + ".");
+  }
+}
+
+isthmus::HessianCurvatureOptions OptionsOf(vtkHessianCurvature* filter)
+{
+  isthmus::HessianCurvatureOptions options;
+  options.Accuracy = filter->GetAccuracy();
+  options.InsideIsHigher = filter->GetInsideIsHigher() != 0;
+  options.Convention =
+    static_cast<isthmus::ShapeIndexConvention>(filter->GetShapeIndexConvention());
+  options.Tolerance.Flat = filter->GetFlatTolerance();
+  options.Tolerance.Gaussian = filter->GetGaussianTolerance();
+  options.Tolerance.Mean = filter->GetMeanTolerance();
+  return options;
+}
+
+isthmus::CurvatureSelection SelectionOf(vtkHessianCurvature* filter)
+{
+  isthmus::CurvatureSelection selection;
+  selection.Gaussian = filter->GetGenerateGaussianCurvature() != 0;
+  selection.Mean = filter->GetGenerateMeanCurvature() != 0;
+  selection.Maximum = filter->GetGenerateMaximumCurvature() != 0;
+  selection.Minimum = filter->GetGenerateMinimumCurvature() != 0;
+  selection.ShapeIndex = filter->GetGenerateShapeIndex() != 0;
+  selection.Curvedness = filter->GetGenerateCurvedness() != 0;
+  selection.Direction1 = filter->GetGeneratePrincipalDirection1() != 0;
+  selection.Direction2 = filter->GetGeneratePrincipalDirection2() != 0;
+  selection.SurfaceType = filter->GetGenerateSurfaceType() != 0;
+  return selection;
+}
+
+}
+
+vtkHessianCurvature::vtkHessianCurvature()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+int vtkHessianCurvature::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkImageData" : "vtkPolyData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkHessianCurvature::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const bool atPoints = inputVector[1]->GetNumberOfInformationObjects() > 0;
+  const char* type = atPoints ? "vtkPolyData" : "vtkImageData";
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  vtkDataObject* output = vtkDataObject::GetData(outInfo);
+  if (!output || !output->IsA(type))
+  {
+    vtkSmartPointer<vtkDataObject> made =
+      vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(type));
+    outInfo->Set(vtkDataObject::DATA_OBJECT(), made);
+  }
+  return 1;
+}
+
+int vtkHessianCurvature::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->ExtentIsKnown = false;
+  if (inputVector[1]->GetNumberOfInformationObjects() > 0)
+  {
+    outputVector->GetInformationObject(0)->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
+  }
+  return 1;
+}
+
+int vtkHessianCurvature::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  vtkInformation* imageInfo = inputVector[0]->GetInformationObject(0);
+  const bool atPoints = inputVector[1]->GetNumberOfInformationObjects() > 0;
+  isthmus::Extent whole = ExtentOf(imageInfo, Pipeline::WHOLE_EXTENT());
+  isthmus::Extent wanted = ExtentOf(outInfo, Pipeline::UPDATE_EXTENT());
+  if (atPoints)
+  {
+    const int piece = Pipeline::GetUpdatePiece(outInfo);
+    const int pieces = Pipeline::GetUpdateNumberOfPieces(outInfo);
+    const int ghosts = Pipeline::GetUpdateGhostLevel(outInfo);
+    vtkInformation* pointsInfo = inputVector[1]->GetInformationObject(0);
+    pointsInfo->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);
+    pointsInfo->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
+    pointsInfo->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), ghosts);
+    vtkNew<vtkExtentTranslator> translator;
+    translator->PieceToExtentThreadSafe(
+      piece, pieces, ghosts, whole.data(), wanted.data(), vtkExtentTranslator::BLOCK_MODE, 0);
+  }
+  wanted = isthmus::Grown(wanted, ReachOf(this->Accuracy, this->Scale, atPoints, imageInfo), whole);
+  imageInfo->Set(
+    Pipeline::UPDATE_EXTENT(), this->ExtentIsKnown ? this->KnownExtent : wanted.data(), 6);
+  return 1;
+}
+
+bool vtkHessianCurvature::AsksForMore(
+  vtkInformation* request, vtkInformation* imageInfo, vtkInformation* pointsInfo)
+{
+  vtkPolyData* surface = vtkPolyData::GetData(pointsInfo);
+  if (this->ExtentIsKnown || surface->GetNumberOfPoints() == 0)
+  {
+    request->Remove(Pipeline::CONTINUE_EXECUTING());
+    this->ExtentIsKnown = false;
+    return false;
+  }
+  vtkImageData* image = vtkImageData::GetData(imageInfo);
+  const isthmus::Extent whole = ExtentOf(imageInfo, Pipeline::WHOLE_EXTENT());
+  isthmus::Extent delivered{};
+  image->GetExtent(delivered.data());
+  const isthmus::Extent needed = image->GetNumberOfPoints() == 0
+    ? whole // An empty piece needn't know where it lies.
+    : isthmus::Covering(
+        image, surface->GetBounds(), ReachOf(this->Accuracy, this->Scale, true, imageInfo), whole);
+  if (isthmus::Contains(delivered, needed))
+  {
+    return false;
+  }
+  std::copy(needed.begin(), needed.end(), this->KnownExtent);
+  this->ExtentIsKnown = true;
+  request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
+  return true;
+}
+
+void vtkHessianCurvature::CheckParameters()
+{
+  isthmus::StencilRadius(this->Accuracy);
+  CheckNotNegative(this->Scale, "Scale", "a length: 0 or more");
+  CheckNotNegative(this->FlatTolerance, "FlatTolerance", "a bound: 0 or more");
+  CheckNotNegative(this->GaussianTolerance, "GaussianTolerance", "a bound: 0 or more");
+  CheckNotNegative(this->MeanTolerance, "MeanTolerance", "a bound: 0 or more");
+  if (this->ShapeIndexConvention != Thesis && this->ShapeIndexConvention != Koenderink)
+  {
+    throw std::invalid_argument("ShapeIndexConvention is " +
+      std::to_string(this->ShapeIndexConvention) + ": choose 0 (Thesis) or 1 (Koenderink).");
+  }
+}
+
+void vtkHessianCurvature::WarnIfThin(const int whole[6])
+{
+  const int least = 2 * isthmus::StencilRadius(this->Accuracy) + 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int nodes = whole[2 * axis + 1] - whole[2 * axis] + 1;
+    if (nodes < least)
+    {
+      vtkWarningMacro(<< "The image has " << nodes << " nodes along "
+                      << "xyz"[axis] << ", but Accuracy " << this->Accuracy << " needs " << least
+                      << ": no value is valid. Take a thicker image.");
+    }
+  }
+}
+
+void vtkHessianCurvature::AddCurvature(
+  vtkImageData* image, vtkDataArray* scalars, vtkPoints* points, vtkDataSet* output)
+{
+  isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
+  vtkSmartPointer<vtkDataArray> values = scalars;
+  if (this->Scale > 0.0)
+  {
+    constexpr double smoothingShare = 0.7;
+    values = isthmus::SmoothAtScale(
+      image, scalars, this->Scale, isthmus::Between(progress, 0.0, smoothingShare));
+    progress = isthmus::Between(progress, smoothingShare, 1.0);
+  }
+  if (points)
+  {
+    isthmus::AddCurvatureAtPoints(
+      image, values, points, OptionsOf(this), SelectionOf(this), output, progress);
+  }
+  else
+  {
+    isthmus::Extent box{};
+    vtkImageData::SafeDownCast(output)->GetExtent(box.data());
+    isthmus::AddCurvatureAtNodes(
+      image, values, box, OptionsOf(this), SelectionOf(this), output, progress);
+  }
+}
+
+int vtkHessianCurvature::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* imageInfo = inputVector[0]->GetInformationObject(0);
+  vtkInformation* pointsInfo = inputVector[1]->GetInformationObject(0);
+  if (pointsInfo && this->AsksForMore(request, imageInfo, pointsInfo))
+  {
+    return 1;
+  }
+  vtkImageData* image = vtkImageData::GetData(imageInfo);
+  vtkDataSet* output = vtkDataSet::GetData(outputVector, 0);
+  return isthmus::Guarded(this, output,
+    [&]()
+    {
+      this->CheckParameters();
+      vtkPoints* points = nullptr;
+      if (pointsInfo)
+      {
+        vtkPolyData* surface = vtkPolyData::GetData(pointsInfo);
+        output->ShallowCopy(surface);
+        points = surface->GetPoints();
+      }
+      else
+      {
+        output->ShallowCopy(image);
+        output->Crop(Pipeline::GetUpdateExtent(outputVector->GetInformationObject(0)));
+      }
+      if (output->GetNumberOfPoints() == 0)
+      {
+        isthmus::AddNoCurvature(SelectionOf(this), output);
+        return;
+      }
+      if (image->GetNumberOfPoints() == 0)
+      {
+        throw std::invalid_argument(
+          "The image is empty, so the surface gets no curvature: give the "
+          "volume that the surface was taken from.");
+      }
+      int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+      vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputVector, association);
+      CheckScalars(scalars, association);
+      this->WarnIfThin(imageInfo->Get(Pipeline::WHOLE_EXTENT()));
+      this->AddCurvature(image, scalars, points, output);
+    });
+}
+
+void vtkHessianCurvature::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Accuracy: " << this->Accuracy << "\n"
+     << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n"
+     << indent << "Scale: " << this->Scale << "\n"
+     << indent << "ShapeIndexConvention: " << this->ShapeIndexConvention << "\n"
+     << indent << "GenerateGaussianCurvature: " << this->GenerateGaussianCurvature << "\n"
+     << indent << "GenerateMeanCurvature: " << this->GenerateMeanCurvature << "\n"
+     << indent << "GenerateMaximumCurvature: " << this->GenerateMaximumCurvature << "\n"
+     << indent << "GenerateMinimumCurvature: " << this->GenerateMinimumCurvature << "\n"
+     << indent << "GenerateShapeIndex: " << this->GenerateShapeIndex << "\n"
+     << indent << "GenerateCurvedness: " << this->GenerateCurvedness << "\n"
+     << indent << "GeneratePrincipalDirection1: " << this->GeneratePrincipalDirection1 << "\n"
+     << indent << "GeneratePrincipalDirection2: " << this->GeneratePrincipalDirection2 << "\n"
+     << indent << "GenerateSurfaceType: " << this->GenerateSurfaceType << "\n"
+     << indent << "FlatTolerance: " << this->FlatTolerance << "\n"
+     << indent << "GaussianTolerance: " << this->GaussianTolerance << "\n"
+     << indent << "MeanTolerance: " << this->MeanTolerance << "\n";
+}

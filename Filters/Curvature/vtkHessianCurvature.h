@@ -1,0 +1,201 @@
+/**
+ * @class   vtkHessianCurvature
+ * @brief   curvature of the level sets of a volume, from its first and second derivatives
+ *
+ * Input 0 is a vtkImageData with a scalar point array of one component; input 1, optional, a
+ * vtkPolyData. Without input 1 the output is the image with the curvature of the level set through
+ * each of its nodes; with it, the output is the poly data with the curvature of the level set
+ * through each of its points (the usual case: an isosurface of the image). No mesh is involved
+ * either way: points are just places, so the triangulation's quality doesn't matter.
+ *
+ * **Arrays**, on points, float (double for double scalars), each with a switch:
+ * `GaussianCurvature` (1/length^2), `MeanCurvature`, `MaximumCurvature` (kappa_1),
+ * `MinimumCurvature` (kappa_2), `Curvedness` (1/length), `ShapeIndex` (in [-1, 1]); off by default
+ * `PrincipalDirection1`, `PrincipalDirection2` (unit vectors in world axes, tangent to the level
+ * set; their sign means nothing) and `SurfaceType` (unsigned char; names below and in the field
+ * array `SurfaceTypeNames`). Lengths are in the image's unit, angstrom for molecular maps. All
+ * other arrays of the input are kept.
+ *
+ * **Validity.** `CurvatureValid` is 1 where the values mean something. It is 0, and with it all
+ * values, where the stencil leaves the grid (the outer 1 or 2 layers of nodes for Accuracy 2 or 4,
+ * and everything beyond), where a value in the stencil is infinite or not a number, and where the
+ * gradient vanishes: |gradient| at most 1e-6 x spacing x |Hessian|, or at most the rounding of the
+ * scalar type, 4 epsilon x |value| / spacing. At points, all (4 R)^3 nodes around count as stencil,
+ * R = Accuracy / 2.
+ *
+ * **Sign.** A sphere has positive curvature, 1/r: surfaces that bend away from the outward normal
+ * do. The inside is where the scalar is higher; for fields that grow outwards, such as signed
+ * distances, switch InsideIsHigher off. kappa_1 is the maximum, always.
+ *
+ * **Method.** Central differences of order Accuracy, then the Hessian matrix projected to the
+ * tangent plane (HessianCurvature.h has formulas and sources); at points, the differences of the
+ * nodes around are blended so that the order stays (PointDerivative.h). Any spacing and direction
+ * matrix.
+ *
+ * **Ranks and threads.** Ghost layers are requested as needed, so any number of MPI ranks gives the
+ * same values to rounding. With input 1, a rank asks for its piece of the image, and in a second
+ * pass for more if its points lie elsewhere. Results do not depend on the number of threads.
+ *
+ * **Errors** (sentence, empty output): no scalars, several components, cell data, Accuracy other
+ * than 2 or 4, negative or infinite Scale or tolerance. An empty image or surface is none. An image
+ * too thin for the stencil is a warning, and nothing is valid.
+ *
+ * **Cost.** O(nodes) or O(points). No memory beyond the output and a few rows for each thread,
+ * unless Scale is on: then one or two copies of the scalars, and time that grows with Scale /
+ * spacing.
+ */
+#ifndef vtkHessianCurvature_h
+#define vtkHessianCurvature_h
+
+#include "vtkDataSetAlgorithm.h"
+#include "vtkIsthmusModule.h" // for the export macro
+
+class vtkDataArray;
+class vtkImageData;
+class vtkPoints;
+
+class VTKISTHMUS_EXPORT vtkHessianCurvature : public vtkDataSetAlgorithm
+{
+public:
+  static vtkHessianCurvature* New();
+  vtkTypeMacro(vtkHessianCurvature, vtkDataSetAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ShapeIndexConventions
+  {
+    Thesis = 0,
+    Koenderink = 1
+  };
+
+  ///@{
+  /**
+   * Order of the differences: 2 (the default) or 4, which is far more accurate on smooth data and
+   * more sensitive to noise.
+   */
+  vtkSetMacro(Accuracy, int);
+  vtkGetMacro(Accuracy, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the scalar is higher inside (on, the default: densities) or lower (off: distances).
+   */
+  vtkSetMacro(InsideIsHigher, vtkTypeBool);
+  vtkGetMacro(InsideIsHigher, vtkTypeBool);
+  vtkBooleanMacro(InsideIsHigher, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Standard deviation of a Gaussian that smooths the scalars first, in the unit of the spacing
+   * (angstrom); the kernel is cut at 4 standard deviations. Default 0: no smoothing. Choose about
+   * the size of the smallest feature to be told from noise.
+   */
+  vtkSetMacro(Scale, double);
+  vtkGetMacro(Scale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Sign of the shape index: Thesis (the default; peak -1, pit +1) or Koenderink (peak +1, pit -1).
+   */
+  vtkSetMacro(ShapeIndexConvention, int);
+  vtkGetMacro(ShapeIndexConvention, int);
+  ///@}
+
+  ///@{
+  /**
+   * Which arrays to make. Default: on, but for principal directions and surface type.
+   */
+  vtkSetMacro(GenerateGaussianCurvature, vtkTypeBool);
+  vtkGetMacro(GenerateGaussianCurvature, vtkTypeBool);
+  vtkBooleanMacro(GenerateGaussianCurvature, vtkTypeBool);
+  vtkSetMacro(GenerateMeanCurvature, vtkTypeBool);
+  vtkGetMacro(GenerateMeanCurvature, vtkTypeBool);
+  vtkBooleanMacro(GenerateMeanCurvature, vtkTypeBool);
+  vtkSetMacro(GenerateMaximumCurvature, vtkTypeBool);
+  vtkGetMacro(GenerateMaximumCurvature, vtkTypeBool);
+  vtkBooleanMacro(GenerateMaximumCurvature, vtkTypeBool);
+  vtkSetMacro(GenerateMinimumCurvature, vtkTypeBool);
+  vtkGetMacro(GenerateMinimumCurvature, vtkTypeBool);
+  vtkBooleanMacro(GenerateMinimumCurvature, vtkTypeBool);
+  vtkSetMacro(GenerateShapeIndex, vtkTypeBool);
+  vtkGetMacro(GenerateShapeIndex, vtkTypeBool);
+  vtkBooleanMacro(GenerateShapeIndex, vtkTypeBool);
+  vtkSetMacro(GenerateCurvedness, vtkTypeBool);
+  vtkGetMacro(GenerateCurvedness, vtkTypeBool);
+  vtkBooleanMacro(GenerateCurvedness, vtkTypeBool);
+  vtkSetMacro(GeneratePrincipalDirection1, vtkTypeBool);
+  vtkGetMacro(GeneratePrincipalDirection1, vtkTypeBool);
+  vtkBooleanMacro(GeneratePrincipalDirection1, vtkTypeBool);
+  vtkSetMacro(GeneratePrincipalDirection2, vtkTypeBool);
+  vtkGetMacro(GeneratePrincipalDirection2, vtkTypeBool);
+  vtkBooleanMacro(GeneratePrincipalDirection2, vtkTypeBool);
+  vtkSetMacro(GenerateSurfaceType, vtkTypeBool);
+  vtkGetMacro(GenerateSurfaceType, vtkTypeBool);
+  vtkBooleanMacro(GenerateSurfaceType, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * What `SurfaceType` takes for zero, no units: a point is flat where curvedness x smallest
+   * spacing is at most FlatTolerance; elsewhere K is zero where |K| is at most GaussianTolerance x
+   * curvedness^2, and H where |H| is at most MeanTolerance x curvedness. Default 1e-3 each. Types:
+   * 0 none, 1 pit, 2 valley, 3 saddle ridge, 4 flat, 5 minimal surface, 6 saddle valley, 7 ridge,
+   * 8 peak.
+   */
+  vtkSetMacro(FlatTolerance, double);
+  vtkGetMacro(FlatTolerance, double);
+  vtkSetMacro(GaussianTolerance, double);
+  vtkGetMacro(GaussianTolerance, double);
+  vtkSetMacro(MeanTolerance, double);
+  vtkGetMacro(MeanTolerance, double);
+  ///@}
+
+protected:
+  vtkHessianCurvature();
+  ~vtkHessianCurvature() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int Accuracy = 2;
+  vtkTypeBool InsideIsHigher = 1;
+  double Scale = 0.0;
+  int ShapeIndexConvention = Thesis;
+  vtkTypeBool GenerateGaussianCurvature = 1;
+  vtkTypeBool GenerateMeanCurvature = 1;
+  vtkTypeBool GenerateMaximumCurvature = 1;
+  vtkTypeBool GenerateMinimumCurvature = 1;
+  vtkTypeBool GenerateShapeIndex = 1;
+  vtkTypeBool GenerateCurvedness = 1;
+  vtkTypeBool GeneratePrincipalDirection1 = 0;
+  vtkTypeBool GeneratePrincipalDirection2 = 0;
+  vtkTypeBool GenerateSurfaceType = 0;
+  double FlatTolerance = 1e-3;
+  double GaussianTolerance = 1e-3;
+  double MeanTolerance = 1e-3;
+
+private:
+  vtkHessianCurvature(const vtkHessianCurvature&) = delete;
+  void operator=(const vtkHessianCurvature&) = delete;
+
+  void CheckParameters();
+  void WarnIfThin(const int whole[6]);
+  void AddCurvature(
+    vtkImageData* image, vtkDataArray* scalars, vtkPoints* points, vtkDataSet* output);
+  bool AsksForMore(vtkInformation* request, vtkInformation* imageInfo, vtkInformation* pointsInfo);
+
+  // What the points of this rank need, found after a first pass gave too little of the image.
+  bool ExtentIsKnown = false;
+  int KnownExtent[6] = { 0, -1, 0, -1, 0, -1 };
+};
+
+#endif
