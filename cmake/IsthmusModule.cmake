@@ -5,6 +5,14 @@ set(classes
   Readers/vtkMRCMapReader)
 
 set(sources
+  Filters/Curvature/CurvatureDescriptors.cxx
+  Filters/Curvature/CurvatureOfImage.cxx
+  Filters/Curvature/FiniteDifference.cxx
+  Filters/Curvature/GaussianScale.cxx
+  Filters/Curvature/HessianCurvature.cxx
+  Filters/Curvature/ImageExtent.cxx
+  Filters/Curvature/PointDerivative.cxx
+  Filters/Curvature/ShapeRows.cxx
   Filters/Support/ParallelFor.cxx
   Readers/ByteSource.cxx
   Readers/CompressedSource.cxx
@@ -18,6 +26,13 @@ set(sources
   Readers/PlainFile.cxx
   Readers/SkewedLattice.cxx
   Readers/StridedCopy.cxx)
+
+# Loops with square roots and comparisons vectorise only without errno and signals for them; values
+# (infinities and NaN too) are the same.
+if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  set_source_files_properties(Filters/Curvature/FiniteDifference.cxx Filters/Curvature/ShapeRows.cxx
+    PROPERTIES COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math")
+endif ()
 
 vtk_module_add_module(Isthmus::vtkIsthmus
   CLASSES ${classes}
