@@ -1,0 +1,74 @@
+"""The plugin in the real ParaView: open a .map, contour, curvature, colour, look at the window.
+
+Starts `paraview` on this test's display with a session script, waits for it, takes a picture of the
+whole window (kept beside the test's other output) and checks that the surface is on it in colour.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+sys.path.insert(0, os.environ["ISTHMUS_EXAMPLES_DIR"])
+import ChooseMap  # noqa: E402
+
+STARTED = time.monotonic()
+PATIENCE = 240  # seconds, for a machine with other things to do
+
+
+def prepare(folder):
+    """A home of its own, so that no setting of the user's counts and no welcome dialog shows."""
+    shutil.rmtree(folder, ignore_errors=True)
+    settings = folder / "ParaView"
+    settings.mkdir(parents=True)
+    (settings / "ParaView-UserSettings.json").write_text(
+        '{"settings": {"GeneralSettings": {"ShowWelcomeDialog": 0}}}'
+    )
+    ChooseMap.write_phantom(folder / "phantom.map")
+
+
+def wait_for(condition, process, what):
+    while not condition():
+        if process.poll() is not None:
+            sys.exit(f"paraview ended with {process.returncode} before {what}")
+        if time.monotonic() - STARTED > PATIENCE:
+            process.kill()
+            sys.exit(f"paraview took more than {PATIENCE} s for {what}")
+        time.sleep(0.5)
+
+
+def coloured_fraction(path):
+    """Share of the pixels that are strongly coloured: neither grey nor ParaView's blue-grey."""
+    reader = vtkPNGReader(FileName=str(path))
+    reader.Update()
+    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(int)
+    return float(numpy.mean(pixels.max(axis=1) - pixels.min(axis=1) > 90))
+
+
+folder = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "ParaViewWindow"
+prepare(folder)
+session = Path(__file__).parent / "window_session.py"
+environment = dict(
+    os.environ, HOME=str(folder), XDG_CONFIG_HOME=str(folder), XDG_RUNTIME_DIR=str(folder),
+    ISTHMUS_SESSION_DIR=str(folder))
+paraview = subprocess.Popen(["paraview", f"--script={session}"], env=environment)
+try:
+    wait_for((folder / "done.txt").exists, paraview, "the session's end")
+    time.sleep(3)  # the window paints after the script
+    subprocess.run(["import", "-window", "root", str(folder / "window.png")], check=True, timeout=60)
+finally:
+    paraview.kill()
+    paraview.wait()
+
+result = (folder / "done.txt").read_text()
+print(result)
+assert result.startswith("MRCMapReader"), result
+fraction = coloured_fraction(folder / "window.png")
+print(f"{100 * fraction:.1f} % of the window is coloured: {folder / 'window.png'}")
+assert fraction > 0.02
