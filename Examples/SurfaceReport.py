@@ -33,7 +33,8 @@ def point_areas(count, triangles, areas):
 
 
 def component_count(surface):
-    connectivity = vtkPolyDataConnectivityFilter(InputData=surface)
+    connectivity = vtkPolyDataConnectivityFilter()
+    connectivity.SetInputData(surface)
     connectivity.SetExtractionModeToAllRegions()
     connectivity.Update()
     return connectivity.GetNumberOfExtractedRegions()

@@ -8,7 +8,8 @@ from paraview import servermanager, simple
 prefix, path = sys.argv[1:3]
 assert isthmus.__file__.startswith(prefix), isthmus.__file__
 
-reader = isthmus.vtkMRCMapReader(FileName=path)
+reader = isthmus.vtkMRCMapReader()
+reader.SetFileName(path)
 reader.Update()
 assert reader.GetOutput().GetNumberOfPoints() == 80**3
 

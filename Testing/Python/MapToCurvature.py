@@ -25,7 +25,8 @@ def run_example(path, folder, *level):
 
 def check_files(folder):
     """The picture is one of some size and not of one colour; surface and state can be read back."""
-    reader = vtkPNGReader(FileName=str(folder / "curvature.png"))
+    reader = vtkPNGReader()
+    reader.SetFileName(str(folder / "curvature.png"))
     reader.Update()
     picture = reader.GetOutput()
     assert picture.GetDimensions()[:2] == (1800, 1200), picture.GetDimensions()

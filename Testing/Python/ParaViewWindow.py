@@ -45,7 +45,8 @@ def wait_for(condition, process, what):
 
 def coloured_fraction(path):
     """Share of the pixels that are strongly coloured: neither grey nor ParaView's blue-grey."""
-    reader = vtkPNGReader(FileName=str(path))
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
     reader.Update()
     pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(int)
     return float(numpy.mean(pixels.max(axis=1) - pixels.min(axis=1) > 90))
