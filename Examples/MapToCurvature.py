@@ -71,6 +71,11 @@ def symmetry_axis(points):
     return axes[:, single], axes[:, 1]
 
 
+def set_properties(proxy, **properties):
+    for name, value in properties.items():
+        setattr(proxy, name, value)
+
+
 def colour_range(values, kind):
     """Range of a colour bar; the outermost 2 % of the values do not stretch it."""
     if isinstance(kind, tuple):
@@ -90,10 +95,22 @@ def show_descriptor(view, curvature, values, descriptor):
     table.ApplyPreset(colours, True)
     table.RescaleTransferFunction(*colour_range(values, kind))
     bar = simple.GetScalarBar(table, view)
-    bar.Set(Title=title, ComponentTitle="", Visibility=1, TitleColor=INK, LabelColor=INK,
-            TitleFontSize=18, LabelFontSize=16, ScalarBarLength=0.6, ScalarBarThickness=14,
-            WindowLocation="Any Location", Orientation="Horizontal", Position=[0.2, 0.02])
-    view.OrientationAxesVisibility = 0
+    set_properties(
+        bar, Title=title, ComponentTitle="", Visibility=1, TitleColor=INK, LabelColor=INK,
+        TitleFontSize=18, LabelFontSize=16, ScalarBarLength=0.6, ScalarBarThickness=14,
+        WindowLocation="Any Location", Orientation="Horizontal", Position=[0.2, 0.02])
+
+
+def three_by_two(layout):
+    """Splits a layout; its six cells row by row, as ParaView numbers them (children of c: 2c+1, 2c+2)."""
+    layout.SplitVertical(0, 0.5)
+    rows = []
+    for row in (1, 2):
+        layout.SplitHorizontal(row, 1 / 3)
+        right = 2 * row + 2
+        layout.SplitHorizontal(right, 0.5)
+        rows += [2 * row + 1, 2 * right + 1, 2 * right + 2]
+    return rows
 
 
 def six_views(curvature, data):
@@ -103,19 +120,15 @@ def six_views(curvature, data):
     centre = (points.min(axis=0) + points.max(axis=0)) / 2
     radius = numpy.linalg.norm(points - centre, axis=1).max()
     layout = simple.CreateLayout("Curvature")
-    cells = [layout.SplitHorizontal(0, 1 / 3)]
-    cells = [cells[0], layout.SplitHorizontal(cells[0] + 1, 0.5)]
-    cells = [cells[0], cells[1], cells[1] + 1]
-    cells = [half for cell in cells for half in (lambda top: (top, top + 1))(layout.SplitVertical(cell, 0.5))]
-    for cell, descriptor in zip(sorted(cells), DESCRIPTORS):
+    for cell, descriptor in zip(three_by_two(layout), DESCRIPTORS):
         view = simple.CreateView("RenderView")
         layout.AssignView(cell, view)
-        view.Set(UseColorPaletteForBackground=0, Background=BACKGROUND)
         values = vtk_to_numpy(data.GetPointData().GetArray(descriptor[0]))
         show_descriptor(view, curvature, values, descriptor)
-        view.Set(CameraFocalPoint=centre, CameraPosition=centre + 4 * radius * axis,
-                 CameraViewUp=up, CameraParallelProjection=1, CameraParallelScale=1.12 * radius)
-        simple.ResetCamera(view) if radius == 0 else None
+        set_properties(
+            view, UseColorPaletteForBackground=0, Background=BACKGROUND, OrientationAxesVisibility=0,
+            CameraFocalPoint=centre, CameraPosition=centre + 4 * radius * axis, CameraViewUp=up,
+            CameraParallelProjection=1, CameraParallelScale=1.25 * radius)
     return layout
 
 
