@@ -93,12 +93,14 @@ def show_descriptor(view, curvature, values, descriptor):
     simple.ColorBy(display, ("POINTS", array))
     table = simple.GetColorTransferFunction(array)
     table.ApplyPreset(colours, True)
-    table.RescaleTransferFunction(*colour_range(values, kind))
-    bar = simple.GetScalarBar(table, view)
+    low, high = colour_range(values, kind)
+    table.RescaleTransferFunction(low, high)
     set_properties(
-        bar, Title=title, ComponentTitle="", Visibility=1, TitleColor=INK, LabelColor=INK,
-        TitleFontSize=18, LabelFontSize=16, ScalarBarLength=0.6, ScalarBarThickness=14,
-        WindowLocation="Any Location", Orientation="Horizontal", Position=[0.2, 0.02])
+        simple.GetScalarBar(table, view), Title=title, ComponentTitle="", Visibility=1,
+        TitleColor=INK, LabelColor=INK, TitleFontSize=15, LabelFontSize=13, ScalarBarLength=0.6,
+        ScalarBarThickness=12, WindowLocation="Any Location", Orientation="Horizontal",
+        Position=[0.2, 0.02], AddRangeLabels=0, UseCustomLabels=1,
+        CustomLabels=[low, (low + high) / 2, high], AutomaticLabelFormat=0, LabelFormat="%.2g")
 
 
 def three_by_two(layout):
@@ -118,7 +120,9 @@ def six_views(curvature, data):
     points = vtk_to_numpy(data.GetPoints().GetData())
     axis, up = symmetry_axis(points)
     centre = (points.min(axis=0) + points.max(axis=0)) / 2
-    radius = numpy.linalg.norm(points - centre, axis=1).max()
+    # As the camera sees it, and a little low in the view, to leave the bottom to the colour bar.
+    radius = numpy.linalg.norm(numpy.cross(points - centre, axis), axis=1).max()
+    centre = centre - 0.2 * radius * up
     layout = simple.CreateLayout("Curvature")
     for cell, descriptor in zip(three_by_two(layout), DESCRIPTORS):
         view = simple.CreateView("RenderView")
@@ -127,8 +131,8 @@ def six_views(curvature, data):
         show_descriptor(view, curvature, values, descriptor)
         set_properties(
             view, UseColorPaletteForBackground=0, Background=BACKGROUND, OrientationAxesVisibility=0,
-            CameraFocalPoint=centre, CameraPosition=centre + 4 * radius * axis, CameraViewUp=up,
-            CameraParallelProjection=1, CameraParallelScale=1.25 * radius)
+            CameraFocalPoint=centre, CameraPosition=centre + 9 * radius * axis, CameraViewUp=up,
+            CameraParallelProjection=1, CameraParallelScale=1.3 * radius)
     return layout
 
 
