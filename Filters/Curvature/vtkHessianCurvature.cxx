@@ -61,27 +61,6 @@ std::array<int, 3> ReachOf(int accuracy, double scale, bool atPoints, vtkInforma
   return reach;
 }
 
-void CheckScalars(vtkDataArray* scalars, int association)
-{
-  if (!scalars)
-  {
-    throw std::invalid_argument("The image has no such array of point scalars: choose the array to "
-                                "take curvature from (active scalars by default).");
-  }
-  const std::string name = scalars->GetName() ? scalars->GetName() : "(unnamed)";
-  if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
-  {
-    throw std::invalid_argument("Array " + name +
-      " is not on points: convert it first, with vtkCellDataToPointData for instance.");
-  }
-  if (scalars->GetNumberOfComponents() != 1)
-  {
-    throw std::invalid_argument("Array " + name + " has " +
-      std::to_string(scalars->GetNumberOfComponents()) +
-      " components, but level sets need one: take a component or the magnitude first.");
-  }
-}
-
 void CheckNotNegative(double value, const char* name, const char* meaning)
 {
   if (!(value >= 0.0) || std::isinf(value))
@@ -234,9 +213,10 @@ void vtkHessianCurvature::CheckParameters()
   }
 }
 
-void vtkHessianCurvature::WarnIfThin(const int whole[6])
+void vtkHessianCurvature::WarnIfThin(const int whole[6], bool atPoints)
 {
-  const int least = 2 * isthmus::StencilRadius(this->Accuracy) + 1;
+  const int radius = isthmus::StencilRadius(this->Accuracy);
+  const int least = atPoints ? 4 * radius : 2 * radius + 1;
   for (int axis = 0; axis < 3; ++axis)
   {
     const int nodes = whole[2 * axis + 1] - whole[2 * axis] + 1;
@@ -247,6 +227,40 @@ void vtkHessianCurvature::WarnIfThin(const int whole[6])
                       << ": no value is valid. Take a thicker image.");
     }
   }
+}
+
+vtkDataArray* vtkHessianCurvature::ChosenScalars(
+  vtkImageData* image, vtkInformationVector** inputVector)
+{
+  if (image->GetNumberOfPoints() == 0)
+  {
+    throw std::invalid_argument("The image is empty, so the surface gets no curvature: give the "
+                                "volume that the surface was taken from.");
+  }
+  // A panel that has seen no data yet sends an empty name: the active scalars are meant then.
+  const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* scalars = chosen && !*chosen
+    ? image->GetPointData()->GetScalars()
+    : this->GetInputArrayToProcess(0, inputVector, association);
+  if (!scalars)
+  {
+    throw std::invalid_argument("The image has no such array of point scalars: choose the array to "
+                                "take curvature from (active scalars by default).");
+  }
+  const std::string name = scalars->GetName() ? scalars->GetName() : "(unnamed)";
+  if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    throw std::invalid_argument("Array " + name +
+      " is not on points: convert it first, with vtkCellDataToPointData for instance.");
+  }
+  if (scalars->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument("Array " + name + " has " +
+      std::to_string(scalars->GetNumberOfComponents()) +
+      " components, but level sets need one: take a component or the magnitude first.");
+  }
+  return scalars;
 }
 
 void vtkHessianCurvature::AddCurvature(
@@ -284,12 +298,12 @@ int vtkHessianCurvature::RequestData(
   {
     return 1;
   }
-  vtkImageData* image = vtkImageData::GetData(imageInfo);
   vtkDataSet* output = vtkDataSet::GetData(outputVector, 0);
   return isthmus::Guarded(this, output,
     [&]()
     {
       this->CheckParameters();
+      vtkImageData* image = vtkImageData::GetData(imageInfo);
       vtkPoints* points = nullptr;
       if (pointsInfo)
       {
@@ -300,23 +314,16 @@ int vtkHessianCurvature::RequestData(
       else
       {
         output->ShallowCopy(image);
-        output->Crop(Pipeline::GetUpdateExtent(outputVector->GetInformationObject(0)));
+        vtkImageData::SafeDownCast(output)->Crop(
+          Pipeline::GetUpdateExtent(outputVector->GetInformationObject(0)));
       }
       if (output->GetNumberOfPoints() == 0)
       {
         isthmus::AddNoCurvature(SelectionOf(this), output);
         return;
       }
-      if (image->GetNumberOfPoints() == 0)
-      {
-        throw std::invalid_argument(
-          "The image is empty, so the surface gets no curvature: give the "
-          "volume that the surface was taken from.");
-      }
-      int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-      vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputVector, association);
-      CheckScalars(scalars, association);
-      this->WarnIfThin(imageInfo->Get(Pipeline::WHOLE_EXTENT()));
+      vtkDataArray* scalars = this->ChosenScalars(image, inputVector);
+      this->WarnIfThin(imageInfo->Get(Pipeline::WHOLE_EXTENT()), points != nullptr);
       this->AddCurvature(image, scalars, points, output);
     });
 }
