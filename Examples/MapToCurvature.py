@@ -144,7 +144,9 @@ def main(path, folder, level):
         sys.exit(f"There is no surface at level {level['value']:g}: the map's values are "
                  f"between {image.GetScalarRange()[0]:g} and {image.GetScalarRange()[1]:g}.")
     SurfaceReport.write(path, image, level, data, [row[0] for row in DESCRIPTORS], folder)
-    simple.SaveData(str(folder / "surface.vtp"), proxy=curvature)
+    # Not as raw appended data, the default: VTK 9.2 with the expat of Debian 12's security updates
+    # stumbles over some of those files, depending on where in the file they begin.
+    simple.SaveData(str(folder / "surface.vtp"), proxy=curvature, DataMode="Binary")
     layout = six_views(curvature, data)
     simple.SaveScreenshot(str(folder / "curvature.png"), layout, ImageResolution=[1800, 1200])
     simple.SaveState(str(folder / "pipeline.pvsm"))

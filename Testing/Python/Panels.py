@@ -4,7 +4,7 @@ import os
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-from paraview import servermanager
+from paraview import servermanager, simple  # noqa: F401 (simple opens the session)
 
 NUMERIC = ("IntVectorProperty", "DoubleVectorProperty", "IdTypeVectorProperty")
 

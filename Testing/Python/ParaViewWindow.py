@@ -25,10 +25,10 @@ PATIENCE = 240  # seconds, for a machine with other things to do
 def prepare(folder):
     """A home of its own, so that no setting of the user's counts and no welcome dialog shows."""
     shutil.rmtree(folder, ignore_errors=True)
-    settings = folder / "ParaView"
+    settings = folder / ".config" / "ParaView"
     settings.mkdir(parents=True)
-    (settings / "ParaView-UserSettings.json").write_text(
-        '{"settings": {"GeneralSettings": {"ShowWelcomeDialog": 0}}}'
+    (settings / "ParaView5.11.0.ini").write_text(
+        "[General]\nGeneralSettings.ShowWelcomeDialog=false\n"
     )
     ChooseMap.write_phantom(folder / "phantom.map")
 
@@ -56,9 +56,12 @@ folder = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "ParaViewWindow"
 prepare(folder)
 session = Path(__file__).parent / "window_session.py"
 environment = dict(
-    os.environ, HOME=str(folder), XDG_CONFIG_HOME=str(folder), XDG_RUNTIME_DIR=str(folder),
-    ISTHMUS_SESSION_DIR=str(folder))
-paraview = subprocess.Popen(["paraview", f"--script={session}"], env=environment)
+    os.environ, HOME=str(folder), XDG_RUNTIME_DIR=str(folder), ISTHMUS_SESSION_DIR=str(folder))
+environment.pop("XDG_CONFIG_HOME", None)
+log = folder / "paraview.log"
+with log.open("w") as sink:
+    paraview = subprocess.Popen(
+        ["paraview", f"--script={session}"], env=environment, stdout=sink, stderr=sink)
 try:
     wait_for((folder / "done.txt").exists, paraview, "the session's end")
     time.sleep(3)  # the window paints after the script
@@ -67,6 +70,9 @@ finally:
     paraview.kill()
     paraview.wait()
 
+complaints = [line for line in log.read_text(errors="replace").splitlines()
+              if "ERR|" in line or "WARN|" in line]
+assert not complaints, "\n".join(complaints)
 result = (folder / "done.txt").read_text()
 print(result)
 assert result.startswith("MRCMapReader"), result
