@@ -46,7 +46,7 @@ inline double Curvedness(double mean, double halfDifference)
 }
 
 /**
- * atan2(y, x) for x >= 0, in [-pi/2, pi/2], to 4e-16 absolute; 0 where both are 0.
+ * atan2(y, x) for x >= 0, in [-pi/2, pi/2], to 1e-15 absolute; 0 where both are 0.
  *
  * Written out, since the library's atan2 is a call per value and would take a third of the time of
  * a curvature pass. The smaller of |x|, |y| is divided by the larger; beyond tan(pi/8) the angle is
