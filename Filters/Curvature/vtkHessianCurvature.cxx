@@ -222,9 +222,10 @@ void vtkHessianCurvature::WarnIfThin(const int whole[6], bool atPoints)
     const int nodes = whole[2 * axis + 1] - whole[2 * axis] + 1;
     if (nodes < least)
     {
-      vtkWarningMacro(<< "The image has " << nodes << " nodes along "
-                      << "xyz"[axis] << ", but Accuracy " << this->Accuracy << " needs " << least
-                      << ": no value is valid. Take a thicker image.");
+      vtkWarningMacro(<< "Along "
+                      << "xyz"[axis] << " the image has " << nodes << " of the " << least
+                      << " nodes that Accuracy " << this->Accuracy
+                      << " needs: no value is valid. Take a thicker image.");
     }
   }
 }
