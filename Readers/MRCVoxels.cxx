@@ -58,8 +58,9 @@ public:
     size[0] = std::clamp<std::int64_t>(bytes / this->ColumnBytes(), 1, this->Count[0]);
     const std::int64_t row = size[0] * this->ColumnBytes();
     // Output is written along x: where sections are x, a brick must hold many of them.
-    const std::int64_t sections =
-      this->OutStep[2] == 1 ? std::min<std::int64_t>(64, this->Count[2]) : 1;
+    const auto many =
+      std::max<std::int64_t>(64, 256 / static_cast<std::int64_t>(this->Layout.Type.Bytes));
+    const std::int64_t sections = this->OutStep[2] == 1 ? std::min(many, this->Count[2]) : 1;
     size[1] = std::clamp<std::int64_t>(bytes / (row * sections), 1, this->Count[1]);
     size[2] = std::clamp<std::int64_t>(bytes / (row * size[1]), 1, this->Count[2]);
     return size;

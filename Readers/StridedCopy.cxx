@@ -32,7 +32,8 @@ void CopyBox(const StridedBox& box, const unsigned char* from, unsigned char* to
   const std::size_t x = box.To[0] == 1 ? 0 : (box.To[1] == 1 ? 1 : 2);
   const std::size_t column = x == 0 ? 1 : 0;
   const std::size_t outer = 3 - x - column;
-  const std::int64_t xTile = x == 0 ? box.Count[0] : 32;
+  // Short runs would pay for a page of the target each.
+  const std::int64_t xTile = x == 0 ? box.Count[0] : std::max<std::int64_t>(32, 256 / Bytes);
   constexpr std::int64_t columnTile = 16; // of 4 bytes: one cache line of the source
   constexpr auto size = static_cast<std::int64_t>(Bytes);
   for (std::int64_t o = 0; o < box.Count[outer]; ++o)

@@ -223,6 +223,7 @@ void ReadWith(const std::string& path)
 {
   vtkNew<Reader> reader;
   reader->SetFileName(path.c_str());
+  reader->GlobalWarningDisplayOff(); // the note on Fourier transforms
   reader->Update();
   if (reader->GetOutput()->GetNumberOfPoints() != static_cast<vtkIdType>(DataBytes(1)))
   {
