@@ -24,8 +24,7 @@ function (run_consumer prefix folder)
   run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}/Examples/Consumer" -B "${folder}" -G Ninja
     "-DCMAKE_PREFIX_PATH=${prefix}")
   run("${CMAKE_COMMAND}" --build "${folder}")
-  run("${Python3_EXECUTABLE}" -c
-    "import sys; from pathlib import Path; sys.path.insert(0, sys.argv[1]); import ChooseMap; ChooseMap.write_phantom(Path(sys.argv[2]))"
+  run("${Python3_EXECUTABLE}" "${SOURCE_DIR}/Testing/Builds/write_phantom.py"
     "${SOURCE_DIR}/Examples" "${folder}/phantom.mrc")
   run("${folder}/map_curvature" "${folder}/phantom.mrc" 0.5 "${folder}/surface.vtp")
 endfunction ()

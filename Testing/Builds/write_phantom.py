@@ -1,0 +1,9 @@
+"""The example's phantom. Usage: write_phantom.py EXAMPLES_FOLDER FILE"""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, sys.argv[1])
+import ChooseMap  # noqa: E402
+
+ChooseMap.write_phantom(Path(sys.argv[2]))
