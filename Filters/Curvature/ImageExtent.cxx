@@ -11,17 +11,17 @@ namespace isthmus
 namespace
 {
 
-bool IsEmpty(const Extent& extent)
-{
-  return extent[1] < extent[0] || extent[3] < extent[2] || extent[5] < extent[4];
-}
-
 /// `index` as an integer within [low, high]; NaN gives `low`.
 int Clipped(double index, int low, int high)
 {
   return index > low ? (index < high ? static_cast<int>(index) : high) : low;
 }
 
+}
+
+bool IsEmpty(const Extent& extent)
+{
+  return extent[1] < extent[0] || extent[3] < extent[2] || extent[5] < extent[4];
 }
 
 Extent Grown(const Extent& extent, const std::array<int, 3>& reach, const Extent& whole)
@@ -53,6 +53,17 @@ bool Contains(const Extent& outer, const Extent& inner)
     }
   }
   return true;
+}
+
+int LayersBetween(const Extent& inner, const Extent& outer)
+{
+  int layers = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    layers = std::max(
+      { layers, inner[2 * axis] - outer[2 * axis], outer[2 * axis + 1] - inner[2 * axis + 1] });
+  }
+  return layers;
 }
 
 Extent Covering(

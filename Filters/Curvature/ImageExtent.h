@@ -15,11 +15,16 @@ namespace isthmus
 /// First and last node on x, y and z; empty where a last is below its first.
 using Extent = std::array<int, 6>;
 
+bool IsEmpty(const Extent& extent);
+
 /// `extent` with `reach` more nodes to each side, kept within `whole`. An empty one stays as it is.
 Extent Grown(const Extent& extent, const std::array<int, 3>& reach, const Extent& whole);
 
 /// Whether no node of `inner` lies outside `outer`.
 bool Contains(const Extent& outer, const Extent& inner);
+
+/// How many layers of nodes around `inner` it takes to cover `outer`.
+int LayersBetween(const Extent& inner, const Extent& outer);
 
 /// The nodes of the cells that `bounds` (world, vtk's order) meets, with `reach` more to each side,
 /// kept within `whole`. The bounds are taken through the image's physical-to-index transform.

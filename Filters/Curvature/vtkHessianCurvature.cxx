@@ -43,6 +43,25 @@ isthmus::Extent ExtentOf(vtkInformation* info, vtkInformationIntegerVectorKey* k
   return extent;
 }
 
+/// The part of the image that belongs to the piece asked for, with its ghost layers; at points,
+/// which have no extent of their own, the part whose points these usually are.
+isthmus::Extent PieceOf(vtkInformation* outInfo, vtkInformation* imageInfo, bool atPoints)
+{
+  isthmus::Extent all = atPoints ? ExtentOf(imageInfo, Pipeline::WHOLE_EXTENT())
+                                 : ExtentOf(outInfo, Pipeline::UPDATE_EXTENT());
+  const int pieces = Pipeline::GetUpdateNumberOfPieces(outInfo);
+  if (pieces <= 1)
+  {
+    return all;
+  }
+  isthmus::Extent piece{ 0, -1, 0, -1, 0, -1 };
+  vtkNew<vtkExtentTranslator> translator;
+  translator->PieceToExtentThreadSafe(Pipeline::GetUpdatePiece(outInfo), pieces,
+    Pipeline::GetUpdateGhostLevel(outInfo), all.data(), piece.data(),
+    vtkExtentTranslator::BLOCK_MODE, 0);
+  return piece;
+}
+
 /// Nodes needed around a node or a point: those of the differences (twice their radius at a point),
 /// and those of the smoothing before. Parameters are checked later, when there is data.
 std::array<int, 3> ReachOf(int accuracy, double scale, bool atPoints, vtkInformation* imageInfo)
@@ -59,6 +78,19 @@ std::array<int, 3> ReachOf(int accuracy, double scale, bool atPoints, vtkInforma
     nodes += atPoints ? 2 * radius : radius;
   }
   return reach;
+}
+
+/// Takes off what was asked for beyond the piece. A volume that its source has not split (all of it
+/// on one rank, or parts by another rule) stays whole: all of it is this rank's.
+void CropToPiece(vtkImageData* image, const isthmus::Extent& piece, int pieces)
+{
+  isthmus::Extent extent{};
+  image->GetExtent(extent.data());
+  const bool split = image->GetPointGhostArray() || image->GetCellGhostArray();
+  if ((pieces == 1 || split) && isthmus::Contains(extent, piece))
+  {
+    image->Crop(piece.data());
+  }
 }
 
 void CheckNotNegative(double value, const char* name, const char* meaning)
@@ -136,7 +168,7 @@ int vtkHessianCurvature::RequestDataObject(
 int vtkHessianCurvature::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->ExtentIsKnown = false;
+  this->MoreLayers = 0;
   if (inputVector[1]->GetNumberOfInformationObjects() > 0)
   {
     outputVector->GetInformationObject(0)->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
@@ -150,51 +182,51 @@ int vtkHessianCurvature::RequestUpdateExtent(
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   vtkInformation* imageInfo = inputVector[0]->GetInformationObject(0);
   const bool atPoints = inputVector[1]->GetNumberOfInformationObjects() > 0;
-  isthmus::Extent whole = ExtentOf(imageInfo, Pipeline::WHOLE_EXTENT());
-  isthmus::Extent wanted = ExtentOf(outInfo, Pipeline::UPDATE_EXTENT());
-  if (atPoints)
+  const std::array<int, 3> reach = ReachOf(this->Accuracy, this->Scale, atPoints, imageInfo);
+  const isthmus::Extent whole = ExtentOf(imageInfo, Pipeline::WHOLE_EXTENT());
+  const isthmus::Extent wanted =
+    atPoints ? whole : isthmus::Grown(ExtentOf(outInfo, Pipeline::UPDATE_EXTENT()), reach, whole);
+  imageInfo->Set(Pipeline::UPDATE_EXTENT(), wanted.data(), 6);
+  // Of several pieces, the extent is that of all; the source splits it and adds the ghost layers.
+  if (Pipeline::GetUpdateNumberOfPieces(outInfo) > 1)
   {
-    const int piece = Pipeline::GetUpdatePiece(outInfo);
-    const int pieces = Pipeline::GetUpdateNumberOfPieces(outInfo);
-    const int ghosts = Pipeline::GetUpdateGhostLevel(outInfo);
-    vtkInformation* pointsInfo = inputVector[1]->GetInformationObject(0);
-    pointsInfo->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);
-    pointsInfo->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
-    pointsInfo->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), ghosts);
-    vtkNew<vtkExtentTranslator> translator;
-    translator->PieceToExtentThreadSafe(
-      piece, pieces, ghosts, whole.data(), wanted.data(), vtkExtentTranslator::BLOCK_MODE, 0);
+    const int layers =
+      Pipeline::GetUpdateGhostLevel(outInfo) + *std::max_element(reach.begin(), reach.end());
+    imageInfo->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), std::max(layers, this->MoreLayers));
   }
-  wanted = isthmus::Grown(wanted, ReachOf(this->Accuracy, this->Scale, atPoints, imageInfo), whole);
-  imageInfo->Set(
-    Pipeline::UPDATE_EXTENT(), this->ExtentIsKnown ? this->KnownExtent : wanted.data(), 6);
   return 1;
 }
 
-bool vtkHessianCurvature::AsksForMore(
-  vtkInformation* request, vtkInformation* imageInfo, vtkInformation* pointsInfo)
+bool vtkHessianCurvature::AsksForMore(vtkInformation* request, vtkInformation* imageInfo,
+  vtkInformation* pointsInfo, vtkInformation* outInfo)
 {
-  vtkPolyData* surface = vtkPolyData::GetData(pointsInfo);
-  if (this->ExtentIsKnown || surface->GetNumberOfPoints() == 0)
+  vtkImageData* image = vtkImageData::GetData(imageInfo);
+  const isthmus::Extent piece = PieceOf(outInfo, imageInfo, pointsInfo != nullptr);
+  if (this->MoreLayers > 0 || Pipeline::GetUpdateNumberOfPieces(outInfo) == 1 ||
+    isthmus::IsEmpty(piece))
   {
     request->Remove(Pipeline::CONTINUE_EXECUTING());
-    this->ExtentIsKnown = false;
+    this->MoreLayers = 0;
     return false;
   }
-  vtkImageData* image = vtkImageData::GetData(imageInfo);
+  const std::array<int, 3> reach =
+    ReachOf(this->Accuracy, this->Scale, pointsInfo != nullptr, imageInfo);
   const isthmus::Extent whole = ExtentOf(imageInfo, Pipeline::WHOLE_EXTENT());
+  isthmus::Extent needed = isthmus::Grown(piece, reach, whole);
+  if (pointsInfo)
+  {
+    vtkPolyData* surface = vtkPolyData::GetData(pointsInfo);
+    needed = surface->GetNumberOfPoints() > 0
+      ? isthmus::Covering(image, surface->GetBounds(), reach, whole)
+      : isthmus::Extent{ 0, -1, 0, -1, 0, -1 };
+  }
   isthmus::Extent delivered{};
   image->GetExtent(delivered.data());
-  const isthmus::Extent needed = image->GetNumberOfPoints() == 0
-    ? whole // An empty piece needn't know where it lies.
-    : isthmus::Covering(
-        image, surface->GetBounds(), ReachOf(this->Accuracy, this->Scale, true, imageInfo), whole);
   if (isthmus::Contains(delivered, needed))
   {
     return false;
   }
-  std::copy(needed.begin(), needed.end(), this->KnownExtent);
-  this->ExtentIsKnown = true;
+  this->MoreLayers = isthmus::LayersBetween(piece, needed);
   request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
   return true;
 }
@@ -295,7 +327,8 @@ int vtkHessianCurvature::RequestData(
 {
   vtkInformation* imageInfo = inputVector[0]->GetInformationObject(0);
   vtkInformation* pointsInfo = inputVector[1]->GetInformationObject(0);
-  if (pointsInfo && this->AsksForMore(request, imageInfo, pointsInfo))
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  if (this->AsksForMore(request, imageInfo, pointsInfo, outInfo))
   {
     return 1;
   }
@@ -315,8 +348,8 @@ int vtkHessianCurvature::RequestData(
       else
       {
         output->ShallowCopy(image);
-        vtkImageData::SafeDownCast(output)->Crop(
-          Pipeline::GetUpdateExtent(outputVector->GetInformationObject(0)));
+        CropToPiece(vtkImageData::SafeDownCast(output), PieceOf(outInfo, imageInfo, false),
+          Pipeline::GetUpdateNumberOfPieces(outInfo));
       }
       if (output->GetNumberOfPoints() == 0)
       {

@@ -192,11 +192,11 @@ private:
   vtkDataArray* ChosenScalars(vtkImageData* image, vtkInformationVector** inputVector);
   void AddCurvature(
     vtkImageData* image, vtkDataArray* scalars, vtkPoints* points, vtkDataSet* output);
-  bool AsksForMore(vtkInformation* request, vtkInformation* imageInfo, vtkInformation* pointsInfo);
+  bool AsksForMore(vtkInformation* request, vtkInformation* imageInfo, vtkInformation* pointsInfo,
+    vtkInformation* outInfo);
 
-  // What the points of this rank need, found after a first pass gave too little of the image.
-  bool ExtentIsKnown = false;
-  int KnownExtent[6] = { 0, -1, 0, -1, 0, -1 };
+  // Ghost layers to ask for in a second pass, after the first brought too little of the image.
+  int MoreLayers = 0;
 };
 
 #endif
