@@ -15,7 +15,7 @@ assert reader.GetOutput().GetNumberOfPoints() == 80**3
 
 # PV_PLUGIN_PATH alone has loaded the plugin.
 source = simple.OpenDataFile(path)
-assert source.GetXMLName() == "MRCMapReader", source.GetXMLName()
+assert source.GetXMLName() == "DensityMapReader", source.GetXMLName()
 curvature = simple.HessianCurvature(Input=source)
 arrays = servermanager.Fetch(curvature).GetPointData()
 assert arrays.GetArray("MeanCurvature") is not None

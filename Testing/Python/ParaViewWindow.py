@@ -75,7 +75,7 @@ complaints = [line for line in log.read_text(errors="replace").splitlines()
 assert not complaints, "\n".join(complaints)
 result = (folder / "done.txt").read_text()
 print(result)
-assert result.startswith("MRCMapReader"), result
+assert result.startswith("DensityMapReader"), result
 fraction = coloured_fraction(folder / "window.png")
 print(f"{100 * fraction:.1f} % of the window is coloured: {folder / 'window.png'}")
 assert fraction > 0.02
