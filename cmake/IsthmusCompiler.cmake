@@ -3,6 +3,7 @@
 add_library(isthmus_compiler INTERFACE)
 target_compile_options(isthmus_compiler INTERFACE
   -Wall -Wextra -Wshadow -Wconversion
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion> # which GCC's -Wconversion leaves out in C++
   $<$<BOOL:${ISTHMUS_WERROR}>:-Werror>)
 
 if (ISTHMUS_SANITIZE)
@@ -13,4 +14,5 @@ endif ()
 
 if (ISTHMUS_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
+  add_link_options(-fsanitize=fuzzer-no-link)
 endif ()
