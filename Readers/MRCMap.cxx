@@ -189,13 +189,13 @@ void MRCMap::Read(
     Between(progress, 0.5, 1.0));
 }
 
-void MRCMap::CheckBeforeAllocating(std::uint64_t bytes, const ProgressCallback& progress)
+bool MRCMap::CheckBeforeAllocating(std::uint64_t bytes, const ProgressCallback& progress)
 {
   constexpr std::uint64_t harmless = std::uint64_t{ 1 } << 25;
   constexpr std::uint64_t usual = 32; // times; densities rarely compress better, masks do
   if (this->Source->RandomAccess() || bytes <= std::max(harmless, usual * this->Source->FileSize()))
   {
-    return;
+    return false;
   }
   const std::uint64_t expected = this->Head.FileBytes();
   const std::uint64_t found = this->Source->CountUpTo(expected, progress);
@@ -206,6 +206,7 @@ void MRCMap::CheckBeforeAllocating(std::uint64_t bytes, const ProgressCallback& 
         std::to_string(expected) + " bytes expected after decompression, found " +
         std::to_string(found) + ". Fetch the file again.");
   }
+  return true;
 }
 
 bool LooksLikeMRCFile(const std::string& path)

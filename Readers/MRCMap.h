@@ -79,9 +79,10 @@ public:
   /**
    * Throws MRCError (Truncated) unless the file has the bytes that `bytes` of memory would be
    * filled from. Plain files have been checked when opened; a compressed one that would have to
-   * expand suspiciously is decompressed once for its size, before memory is taken on its word.
+   * expand suspiciously is decompressed once for its size, before memory is taken on its word:
+   * true when that was done.
    */
-  void CheckBeforeAllocating(std::uint64_t bytes, const ProgressCallback& progress);
+  bool CheckBeforeAllocating(std::uint64_t bytes, const ProgressCallback& progress);
 
 private:
   [[noreturn]] void Refuse(const std::string& sentence) const;

@@ -247,7 +247,8 @@ void vtkMRCMapReader::ReadArrays(MRCMap& map, const int extent[6], vtkImageData*
     }
   }
   const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
-  map.CheckBeforeAllocating(map.OutputBytes(box), isthmus::Between(progress, 0.0, 0.5));
+  const bool counted =
+    map.CheckBeforeAllocating(map.OutputBytes(box), isthmus::Between(progress, 0.0, 0.5));
   const isthmus::MRCVoxelType& voxel = map.Header().Voxel;
   const vtkIdType nodes = output->GetNumberOfPoints();
   const auto density = NewArray("Density", ScalarTypeOf(voxel.Value), voxel.Components, nodes);
@@ -257,7 +258,8 @@ void vtkMRCMapReader::ReadArrays(MRCMap& map, const int extent[6], vtkImageData*
     inside = NewArray("InsideMap", VTK_UNSIGNED_CHAR, 1, nodes);
   }
   map.Read(box, density->GetVoidPointer(0),
-    inside ? static_cast<unsigned char*>(inside->GetVoidPointer(0)) : nullptr, progress);
+    inside ? static_cast<unsigned char*>(inside->GetVoidPointer(0)) : nullptr,
+    isthmus::Between(progress, counted ? 0.5 : 0.0, 1.0));
   output->GetPointData()->SetScalars(density);
   if (inside)
   {
