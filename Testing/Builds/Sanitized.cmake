@@ -3,7 +3,8 @@ include("${CMAKE_CURRENT_LIST_DIR}/Common.cmake")
 # Leaks of VTK's own globals are not ours to judge, and a fuzz input may well ask for too much memory.
 set(ENV{ASAN_OPTIONS} "detect_leaks=0:allocator_may_return_null=1")
 set(folder "${WORK_DIR}/sanitized")
-build_plain("${folder}" -DISTHMUS_TESTING=ON -DISTHMUS_FUZZ=ON -DISTHMUS_SANITIZE=ON
+# GCC's builds judge the warnings; clang has others.
+build_plain("${folder}" -DISTHMUS_WERROR=OFF -DISTHMUS_TESTING=ON -DISTHMUS_FUZZ=ON -DISTHMUS_SANITIZE=ON
   -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++)
 run("${CMAKE_CTEST_COMMAND}" --test-dir "${folder}" --output-on-failure)
 
