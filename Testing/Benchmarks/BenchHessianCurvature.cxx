@@ -1,0 +1,168 @@
+// Nodes and points a second of the curvature filter, beside the machine's memory bandwidth and
+// vtkCurvatures on the same isosurface. Every loop is the whole filter, output allocation included.
+#include "FieldImage.h"
+#include "ParallelFor.h"
+#include "vtkHessianCurvature.h"
+
+#include <vtkCurvatures.h>
+#include <vtkFlyingEdges3D.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+namespace
+{
+
+using isthmus::testing::CentredCube;
+using isthmus::testing::SampledImage;
+
+/// 256^3 floats whose level set 0 has about a million points.
+vtkImageData* Map()
+{
+  static const vtkSmartPointer<vtkImageData> map = SampledImage(
+    CentredCube(256, 1.0),
+    [](double x, double y, double z)
+    {
+      constexpr double w = 10.0; // a gyroid: as folded as a protein
+      return std::sin(w * x) * std::cos(w * y) + std::sin(w * y) * std::cos(w * z) +
+        std::sin(w * z) * std::cos(w * x);
+    },
+    VTK_FLOAT);
+  return map;
+}
+
+vtkPolyData* Isosurface()
+{
+  static const vtkSmartPointer<vtkPolyData> surface = []()
+  {
+    vtkNew<vtkFlyingEdges3D> contour;
+    contour->SetInputData(Map());
+    contour->SetValue(0, 0.0);
+    contour->ComputeNormalsOff();
+    contour->Update();
+    return vtkSmartPointer<vtkPolyData>(contour->GetOutput());
+  }();
+  return surface;
+}
+
+/// Bytes a second, read plus written, of the best of several parallel copies of 256 MB.
+double CopyBandwidth()
+{
+  static const double bandwidth = []()
+  {
+    constexpr std::int64_t bytes = 256 << 20;
+    const std::vector<char> from(bytes, 1);
+    std::vector<char> to(bytes, 2);
+    double best = 0.0;
+    for (int n = 0; n < 10; ++n)
+    {
+      const auto start = std::chrono::steady_clock::now();
+      isthmus::ParallelFor(0, bytes, 1 << 20,
+        [&](std::int64_t first, std::int64_t last) {
+          std::memcpy(
+            to.data() + first, from.data() + first, static_cast<std::size_t>(last - first));
+        });
+      const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+      best = std::max(best, 2.0 * static_cast<double>(bytes) / seconds.count());
+    }
+    return best;
+  }();
+  return bandwidth;
+}
+
+/// Counters for `places` with `bytes` moved for each. Rates are those of the mean time.
+void Report(benchmark::State& state, vtkIdType places, double bytes, const char* name)
+{
+  const double total = static_cast<double>(state.iterations()) * static_cast<double>(places);
+  state.counters[name] = benchmark::Counter(total, benchmark::Counter::kIsRate);
+  state.counters["of_bandwidth"] =
+    benchmark::Counter(total * bytes / CopyBandwidth(), benchmark::Counter::kIsRate);
+  state.counters["threads"] = isthmus::ParallelThreads();
+}
+
+void Update(benchmark::State& state, vtkHessianCurvature* filter)
+{
+  for (auto _ : state)
+  {
+    filter->GetOutputDataObject(0)->Initialize(); // free the last output, as a new one is made
+    filter->Modified();
+    filter->Update();
+  }
+}
+
+/// Six arrays at every node: 4 bytes read, 6 x 4 + 1 written.
+void AtNodes(benchmark::State& state)
+{
+  vtkNew<vtkHessianCurvature> filter;
+  filter->SetInputData(Map());
+  filter->SetAccuracy(static_cast<int>(state.range(0)));
+  filter->Update();
+  Update(state, filter);
+  Report(state, Map()->GetNumberOfPoints(), 29.0, "nodes/s");
+}
+
+/// Six arrays at the isosurface's points: 12 bytes of position read, 25 written.
+void AtPoints(benchmark::State& state)
+{
+  vtkNew<vtkHessianCurvature> filter;
+  filter->SetInputData(0, Map());
+  filter->SetInputData(1, Isosurface());
+  filter->SetAccuracy(static_cast<int>(state.range(0)));
+  filter->Update();
+  Update(state, filter);
+  Report(state, Isosurface()->GetNumberOfPoints(), 37.0, "points/s");
+  state.counters["points"] = static_cast<double>(Isosurface()->GetNumberOfPoints());
+}
+
+/// Gaussian (0) or mean (1) curvature of the triangle mesh; the other types warn of every point.
+void VtkCurvatures(benchmark::State& state)
+{
+  vtkNew<vtkCurvatures> filter;
+  filter->SetInputData(Isosurface());
+  filter->SetCurvatureType(static_cast<int>(state.range(0)));
+  for (auto _ : state)
+  {
+    filter->Modified();
+    filter->Update();
+  }
+  Report(state, Isosurface()->GetNumberOfPoints(), 16.0, "points/s");
+}
+
+void Copy(benchmark::State& state)
+{
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(CopyBandwidth());
+  }
+  state.counters["bytes/s"] = CopyBandwidth();
+}
+
+BENCHMARK(Copy)->Iterations(1);
+BENCHMARK(AtNodes)
+  ->ArgName("accuracy")
+  ->Arg(2)
+  ->Arg(4)
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
+BENCHMARK(AtPoints)
+  ->ArgName("accuracy")
+  ->Arg(2)
+  ->Arg(4)
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
+BENCHMARK(VtkCurvatures)
+  ->ArgName("type")
+  ->DenseRange(0, 1)
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
+
+}
+
+BENCHMARK_MAIN();
