@@ -43,9 +43,10 @@ std::array<int, 3> GaussianReach(double scale, const double spacing[3])
   std::array<int, 3> reach{};
   for (int axis = 0; axis < 3; ++axis)
   {
+    // Half of the range leaves room for the sums of extents that follow; NaN gives 0.
+    constexpr double most = std::numeric_limits<int>::max() / 2.0;
     const double nodes = cutOff * Deviation(scale, spacing[axis]);
-    // Half of the range leaves room for the sums of extents that follow.
-    reach[axis] = static_cast<int>(std::min(nodes, std::numeric_limits<int>::max() / 2.0));
+    reach[axis] = nodes > 0.0 ? static_cast<int>(std::min(nodes, most)) : 0;
   }
   return reach;
 }

@@ -95,10 +95,11 @@ ISTHMUS_VECTOR_CLONES void ComputeShape(
     const double mean = 0.5 * (s.A + s.B);
     const double skew = 0.5 * (s.A - s.B);
     const double gaussian = s.A * s.B - s.C * s.C;
-    // Comparisons with NaN are false, so the place is then not valid; & instead of && for vectors.
-    const bool valid = (square > hessianFactor * HessianSquare(d, i)) &
-      (square > valueFactor * d.Value[i] * d.Value[i]) & (std::abs(gaussian) <= rule.Largest) &
-      (std::abs(mean) <= rule.Largest);
+    // Comparisons with NaN are false, so the place is then not valid.
+    const bool sloped = square > hessianFactor * HessianSquare(d, i);
+    const bool above = square > valueFactor * d.Value[i] * d.Value[i];
+    const bool finite = std::abs(gaussian) <= rule.Largest && std::abs(mean) <= rule.Largest;
+    const bool valid = sloped && above && finite;
     shape.Valid[i] = valid ? 1.0 : 0.0;
     shape.Gaussian[i] = valid ? gaussian : 0.0;
     shape.Mean[i] = valid ? mean : 0.0;
