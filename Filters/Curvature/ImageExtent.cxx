@@ -1,6 +1,10 @@
 #include "ImageExtent.h"
 
+#include <vtkExtentTranslator.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkNew.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +21,33 @@ int Clipped(double index, int low, int high)
   return index > low ? (index < high ? static_cast<int>(index) : high) : low;
 }
 
+}
+
+Extent ExtentOf(vtkInformation* info, vtkInformationIntegerVectorKey* key)
+{
+  Extent extent{ 0, -1, 0, -1, 0, -1 };
+  if (info->Has(key))
+  {
+    info->Get(key, extent.data());
+  }
+  return extent;
+}
+
+Extent PieceOf(vtkInformation* request, const Extent& all)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const int pieces = Pipeline::GetUpdateNumberOfPieces(request);
+  if (pieces <= 1)
+  {
+    return all;
+  }
+  Extent whole = all;
+  Extent piece{ 0, -1, 0, -1, 0, -1 };
+  vtkNew<vtkExtentTranslator> translator;
+  translator->PieceToExtentThreadSafe(Pipeline::GetUpdatePiece(request), pieces,
+    Pipeline::GetUpdateGhostLevel(request), whole.data(), piece.data(),
+    vtkExtentTranslator::BLOCK_MODE, 0);
+  return piece;
 }
 
 bool IsEmpty(const Extent& extent)

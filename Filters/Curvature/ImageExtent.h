@@ -1,6 +1,7 @@
 /**
  * @file ImageExtent.h
- * @brief Boxes of image nodes in VTK's extent form: growing, clipping, and covering points.
+ * @brief Boxes of image nodes in VTK's extent form: from requests, growing, clipping, and covering
+ * points.
  */
 #ifndef isthmus_ImageExtent_h
 #define isthmus_ImageExtent_h
@@ -8,12 +9,21 @@
 #include <array>
 
 class vtkImageData;
+class vtkInformation;
+class vtkInformationIntegerVectorKey;
 
 namespace isthmus
 {
 
 /// First and last node on x, y and z; empty where a last is below its first.
 using Extent = std::array<int, 6>;
+
+/// The extent that `info` holds under `key`, empty where there is none.
+Extent ExtentOf(vtkInformation* info, vtkInformationIntegerVectorKey* key);
+
+/// What a source that splits `all` makes for the piece that `request` asks for, ghost layers
+/// included.
+Extent PieceOf(vtkInformation* request, const Extent& all);
 
 bool IsEmpty(const Extent& extent);
 

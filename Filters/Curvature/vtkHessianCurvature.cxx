@@ -9,7 +9,6 @@
 #include <vtkDataArray.h>
 #include <vtkDataObjectTypes.h>
 #include <vtkDataSetAttributes.h>
-#include <vtkExtentTranslator.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -33,35 +32,6 @@ namespace
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-isthmus::Extent ExtentOf(vtkInformation* info, vtkInformationIntegerVectorKey* key)
-{
-  isthmus::Extent extent{ 0, -1, 0, -1, 0, -1 };
-  if (info->Has(key))
-  {
-    info->Get(key, extent.data());
-  }
-  return extent;
-}
-
-/// The part of the image that belongs to the piece asked for, with its ghost layers; at points,
-/// which have no extent of their own, the part whose points these usually are.
-isthmus::Extent PieceOf(vtkInformation* outInfo, vtkInformation* imageInfo, bool atPoints)
-{
-  isthmus::Extent all = atPoints ? ExtentOf(imageInfo, Pipeline::WHOLE_EXTENT())
-                                 : ExtentOf(outInfo, Pipeline::UPDATE_EXTENT());
-  const int pieces = Pipeline::GetUpdateNumberOfPieces(outInfo);
-  if (pieces <= 1)
-  {
-    return all;
-  }
-  isthmus::Extent piece{ 0, -1, 0, -1, 0, -1 };
-  vtkNew<vtkExtentTranslator> translator;
-  translator->PieceToExtentThreadSafe(Pipeline::GetUpdatePiece(outInfo), pieces,
-    Pipeline::GetUpdateGhostLevel(outInfo), all.data(), piece.data(),
-    vtkExtentTranslator::BLOCK_MODE, 0);
-  return piece;
-}
-
 /// Nodes needed around a node or a point: those of the differences (twice their radius at a point),
 /// and those of the smoothing before. Parameters are checked later, when there is data.
 std::array<int, 3> ReachOf(int accuracy, double scale, bool atPoints, vtkInformation* imageInfo)
@@ -82,12 +52,15 @@ std::array<int, 3> ReachOf(int accuracy, double scale, bool atPoints, vtkInforma
 
 /// Takes off what was asked for beyond the piece. A volume that its source has not split (all of it
 /// on one rank, or parts by another rule) stays whole: all of it is this rank's.
-void CropToPiece(vtkImageData* image, const isthmus::Extent& piece, int pieces)
+void CropToPiece(vtkImageData* image, vtkInformation* outInfo)
 {
+  const isthmus::Extent piece =
+    isthmus::PieceOf(outInfo, isthmus::ExtentOf(outInfo, Pipeline::UPDATE_EXTENT()));
   isthmus::Extent extent{};
   image->GetExtent(extent.data());
-  const bool split = image->GetPointGhostArray() || image->GetCellGhostArray();
-  if ((pieces == 1 || split) && isthmus::Contains(extent, piece))
+  const bool split = Pipeline::GetUpdateNumberOfPieces(outInfo) <= 1 ||
+    image->GetPointGhostArray() || image->GetCellGhostArray();
+  if (split && isthmus::Contains(extent, piece))
   {
     image->Crop(piece.data());
   }
@@ -183,9 +156,10 @@ int vtkHessianCurvature::RequestUpdateExtent(
   vtkInformation* imageInfo = inputVector[0]->GetInformationObject(0);
   const bool atPoints = inputVector[1]->GetNumberOfInformationObjects() > 0;
   const std::array<int, 3> reach = ReachOf(this->Accuracy, this->Scale, atPoints, imageInfo);
-  const isthmus::Extent whole = ExtentOf(imageInfo, Pipeline::WHOLE_EXTENT());
-  const isthmus::Extent wanted =
-    atPoints ? whole : isthmus::Grown(ExtentOf(outInfo, Pipeline::UPDATE_EXTENT()), reach, whole);
+  const isthmus::Extent whole = isthmus::ExtentOf(imageInfo, Pipeline::WHOLE_EXTENT());
+  const isthmus::Extent wanted = atPoints
+    ? whole
+    : isthmus::Grown(isthmus::ExtentOf(outInfo, Pipeline::UPDATE_EXTENT()), reach, whole);
   imageInfo->Set(Pipeline::UPDATE_EXTENT(), wanted.data(), 6);
   // Of several pieces, the extent is that of all; the source splits it and adds the ghost layers.
   if (Pipeline::GetUpdateNumberOfPieces(outInfo) > 1)
@@ -201,8 +175,11 @@ bool vtkHessianCurvature::AsksForMore(vtkInformation* request, vtkInformation* i
   vtkInformation* pointsInfo, vtkInformation* outInfo)
 {
   vtkImageData* image = vtkImageData::GetData(imageInfo);
-  const isthmus::Extent piece = PieceOf(outInfo, imageInfo, pointsInfo != nullptr);
-  if (this->MoreLayers > 0 || Pipeline::GetUpdateNumberOfPieces(outInfo) == 1 ||
+  const isthmus::Extent whole = isthmus::ExtentOf(imageInfo, Pipeline::WHOLE_EXTENT());
+  // Points have no extent of their own; usually they lie in their rank's part of the image.
+  const isthmus::Extent piece = isthmus::PieceOf(
+    outInfo, pointsInfo ? whole : isthmus::ExtentOf(outInfo, Pipeline::UPDATE_EXTENT()));
+  if (this->MoreLayers > 0 || Pipeline::GetUpdateNumberOfPieces(outInfo) <= 1 ||
     isthmus::IsEmpty(piece))
   {
     request->Remove(Pipeline::CONTINUE_EXECUTING());
@@ -211,7 +188,6 @@ bool vtkHessianCurvature::AsksForMore(vtkInformation* request, vtkInformation* i
   }
   const std::array<int, 3> reach =
     ReachOf(this->Accuracy, this->Scale, pointsInfo != nullptr, imageInfo);
-  const isthmus::Extent whole = ExtentOf(imageInfo, Pipeline::WHOLE_EXTENT());
   isthmus::Extent needed = isthmus::Grown(piece, reach, whole);
   if (pointsInfo)
   {
@@ -226,7 +202,7 @@ bool vtkHessianCurvature::AsksForMore(vtkInformation* request, vtkInformation* i
   {
     return false;
   }
-  this->MoreLayers = isthmus::LayersBetween(piece, needed);
+  this->MoreLayers = std::max(1, isthmus::LayersBetween(piece, needed)); // once is enough
   request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
   return true;
 }
@@ -293,6 +269,12 @@ vtkDataArray* vtkHessianCurvature::ChosenScalars(
       std::to_string(scalars->GetNumberOfComponents()) +
       " components, but level sets need one: take a component or the magnitude first.");
   }
+  if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    throw std::invalid_argument("Array " + name + " has " +
+      std::to_string(scalars->GetNumberOfTuples()) + " values for the " +
+      std::to_string(image->GetNumberOfPoints()) + " nodes of the image: it is damaged.");
+  }
   return scalars;
 }
 
@@ -348,8 +330,7 @@ int vtkHessianCurvature::RequestData(
       else
       {
         output->ShallowCopy(image);
-        CropToPiece(vtkImageData::SafeDownCast(output), PieceOf(outInfo, imageInfo, false),
-          Pipeline::GetUpdateNumberOfPieces(outInfo));
+        CropToPiece(vtkImageData::SafeDownCast(output), outInfo);
       }
       if (output->GetNumberOfPoints() == 0)
       {

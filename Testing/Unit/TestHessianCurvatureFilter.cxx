@@ -8,12 +8,17 @@
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkFlyingEdges3D.h>
+#include <vtkImageAlgorithm.h>
 #include <vtkImageGaussianSmooth.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
 #include <vtkMatrix3x3.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkRTAnalyticSource.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkStringArray.h>
 #include <vtkTestErrorObserver.h>
 
@@ -415,6 +420,46 @@ TEST(HessianCurvatureFilter, PiecesAreThoseOfTheWhole)
   }
 }
 
+/// A source that gives the same half of its image whatever it is asked for.
+class HalfSource : public vtkImageAlgorithm
+{
+public:
+  static HalfSource* New() { VTK_STANDARD_NEW_BODY(HalfSource); }
+  vtkTypeMacro(HalfSource, vtkImageAlgorithm);
+
+protected:
+  HalfSource() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override
+  {
+    int whole[6] = { 0, 16, 0, 16, 0, 16 };
+    outputVector->GetInformationObject(0)->Set(
+      vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole, 6);
+    return 1;
+  }
+
+  int RequestData(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override
+  {
+    Lattice lattice = CentredCube(17, 1.0);
+    lattice.Dimensions[2] = 9;
+    vtkImageData::GetData(outputVector)->ShallowCopy(SampledImage(lattice, Ellipsoids));
+    return 1;
+  }
+};
+
+TEST(HessianCurvatureFilter, ASourceThatGivesTooLittleIsAskedOnlyTwice)
+{
+  vtkNew<HalfSource> source;
+  vtkNew<vtkHessianCurvature> filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->UpdatePiece(0, 2, 0);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 17 * 17 * 9);
+  EXPECT_EQ(Value(filter, "CurvatureValid", 17 * 17 * 8 + 17 * 8 + 8), 0.0);
+  EXPECT_EQ(Value(filter, "CurvatureValid", 17 * 17 * 7 + 17 * 8 + 4), 1.0);
+}
+
 /// Runs the filter on `image` and answers the error that it gave, checking that nothing came out.
 std::string ErrorOf(vtkHessianCurvature* filter, vtkDataObject* image)
 {
@@ -462,6 +507,13 @@ TEST(HessianCurvatureFilter, BadInputIsNamed)
   colours->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   colours->GetPointData()->GetScalars()->SetName("Colours");
   EXPECT_NE(ErrorOf(filter, colours).find("Array Colours has 3 components"), std::string::npos);
+
+  vtkNew<vtkDoubleArray> brief;
+  brief->SetName("Brief");
+  brief->SetNumberOfTuples(7);
+  brief->Fill(1.0);
+  bare->GetPointData()->SetScalars(brief);
+  EXPECT_NE(ErrorOf(filter, bare).find("Array Brief has 7 values for the 125"), std::string::npos);
 
   const auto image = SampledImage(Block(), Spheres);
   vtkNew<vtkDoubleArray> cells;
