@@ -160,7 +160,7 @@ private:
   /// Rows that follow one another in the file (and, going direct, in the output): 1 or all.
   std::int64_t RowsAtOnce(const Brick& brick) const
   {
-    const bool wholeRows = this->Layout.Type.FileBits != 4 &&
+    const bool wholeRows =
       brick.Count[0] == this->Layout.Counts[0] && this->Stride[0] == 1 && this->Stride[1] == 1;
     const bool follow = !this->Direct || this->OutStep[1] == this->Count[0];
     return wholeRows && follow ? brick.Count[1] : 1;
