@@ -199,8 +199,7 @@ std::vector<Brick> Reading::Bricks(const Index3& size) const
 
 void Reading::ReadExactly(std::uint64_t offset, unsigned char* to, std::size_t size) const
 {
-  const std::size_t got = this->Source.Read(offset, to, size);
-  if (got < size)
+  if (this->Source.Read(offset, to, size) < size)
   {
     const std::array<std::int64_t, 3>& counts = this->Layout.Counts;
     const std::uint64_t end =
@@ -208,7 +207,7 @@ void Reading::ReadExactly(std::uint64_t offset, unsigned char* to, std::size_t s
     throw MRCError(MRCFailure::Truncated,
       this->Source.Path() + ": the file is truncated: " + std::to_string(end) + " bytes expected" +
         (this->Source.RandomAccess() ? "" : " after decompression") + ", found " +
-        std::to_string(offset + got) + ". Fetch the file again.");
+        std::to_string(this->Source.CountUpTo(end, {})) + ". Fetch the file again.");
   }
 }
 

@@ -132,6 +132,11 @@ TEST(MRCErrors, TruncatedAndDamagedCompressed)
       ExpectFailure(damaged, "data are damaged before byte", vtkErrorCode::FileFormatError);
     }
   }
+  const TemporaryFile file(Gzip(GoodMap().substr(0, 2000)));
+  MRCTestReading lastSection(file.Path());
+  lastSection->SetCropExtent(0, -1, 0, -1, 7, 7);
+  ExpectFailure(lastSection, "3072 bytes expected after decompression, found 2000",
+    vtkErrorCode::PrematureEndOfFileError, file.Path());
   ExpectFailure(Gzip(GoodMap().substr(0, 2000)),
     "3072 bytes expected after decompression, found 2000", vtkErrorCode::PrematureEndOfFileError);
 }
