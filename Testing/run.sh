@@ -11,7 +11,7 @@ fi
 if [ $install = yes ]; then
   install_packages "${build_packages[@]}" "${paraview_packages[@]}" "${test_packages[@]}"
 fi
-configure_and_build -DISTHMUS_TESTING=ON -DISTHMUS_BENCHMARKS=ON -DISTHMUS_WERROR=ON
+configure_and_build -DISTHMUS_TESTING=ON -DISTHMUS_WERROR=ON
 
 say "Testing"
 use_build_tree

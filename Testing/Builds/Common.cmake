@@ -9,7 +9,7 @@ function (run)
   endif ()
 endfunction ()
 
-# build_plain(FOLDER OPTION...): the module as a plain VTK module, tests included.
+# build_plain(FOLDER OPTION...): the module as a plain VTK module.
 function (build_plain folder)
   run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}" -B "${folder}" -G Ninja
     -DISTHMUS_PARAVIEW=OFF -DISTHMUS_WERROR=ON "-DVTK_DIR=${VTK_DIR}"
