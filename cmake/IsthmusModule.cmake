@@ -13,7 +13,12 @@ set(sources
   Filters/Curvature/ImageExtent.cxx
   Filters/Curvature/PointDerivative.cxx
   Filters/Curvature/ShapeRows.cxx
+  Filters/Support/CellType.cxx
   Filters/Support/ParallelFor.cxx
+  Filters/Topology/CompactCombinatorialMap.cxx
+  Filters/Topology/EdgeTable.cxx
+  Filters/Topology/FaceTable.cxx
+  Filters/Topology/HalfFaceMatching.cxx
   Readers/ByteSource.cxx
   Readers/CompressedSource.cxx
   Readers/MRCFieldData.cxx
@@ -39,7 +44,7 @@ vtk_module_add_module(Isthmus::vtkIsthmus
   SOURCES ${sources})
 
 # Public, since the wrappers include every class by its bare name; installed headers lie flat.
-foreach (room IN ITEMS Filters/Support Filters/Curvature Readers)
+foreach (room IN ITEMS Filters/Support Filters/Curvature Filters/Topology Readers)
   vtk_module_include(Isthmus::vtkIsthmus
     PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${room}>")
 endforeach ()

@@ -1,0 +1,37 @@
+/**
+ * @file View.h
+ * @brief Some neighbouring elements of somebody else's array.
+ */
+#ifndef isthmus_View_h
+#define isthmus_View_h
+
+#include <cstddef>
+
+namespace isthmus
+{
+
+/// Read-only; it owns nothing; usable in a `for`.
+template <typename T>
+class View
+{
+public:
+  View() = default;
+  View(const T* first, std::size_t count)
+    : First(first)
+    , Count(count)
+  {
+  }
+  const T* begin() const { return this->First; }
+  const T* end() const { return this->First + this->Count; }
+  const T& operator[](std::size_t i) const { return this->First[i]; }
+  std::size_t size() const { return this->Count; }
+  bool empty() const { return this->Count == 0; }
+
+private:
+  const T* First = nullptr;
+  std::size_t Count = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,390 @@
+#include "CompactCombinatorialMap.h"
+
+#include "EdgeTable.h"
+#include "FaceTable.h"
+#include "HalfFaceMatching.h"
+#include "ParallelFor.h"
+#include "VertexStar.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace isthmus
+{
+namespace
+{
+
+constexpr std::int64_t CellsPerPiece = 1 << 14;
+constexpr std::size_t NamedCells = 5;
+
+/// Low bits that hold 0 and every local dart.
+unsigned BitsFor(const std::vector<CellType>& types)
+{
+  unsigned bits = 1;
+  for (const CellType& type : types)
+  {
+    while ((1 << bits) < type.NumberOfDarts() + 1)
+    {
+      ++bits;
+    }
+  }
+  return bits;
+}
+
+std::size_t Count(const std::vector<CellRun>& runs)
+{
+  std::size_t cells = 0;
+  for (const CellRun& run : runs)
+  {
+    cells += static_cast<std::size_t>(run.NumberOfCells);
+  }
+  return cells;
+}
+
+/// The cells of one complaint, in any order, as a sentence's subject.
+std::string Named(std::vector<std::size_t> cells)
+{
+  std::sort(cells.begin(), cells.end());
+  std::string text = cells.size() == 1 ? "Cell " : "Cells ";
+  for (std::size_t i = 0; i < std::min(cells.size(), NamedCells); ++i)
+  {
+    text += (i ? ", " : "") + std::to_string(cells[i]);
+  }
+  return cells.size() > NamedCells
+    ? text + " and " + std::to_string(cells.size() - NamedCells) + " more"
+    : text;
+}
+
+/// Whether all of a cell's vertices exist, and each is there once.
+struct VertexCheck
+{
+  bool InRange = true, Distinct = true;
+
+  VertexCheck(const std::int64_t* vertices, unsigned count, std::int64_t numberOfVertices)
+  {
+    for (unsigned i = 0; i < count; ++i)
+    {
+      this->InRange = this->InRange && vertices[i] >= 0 && vertices[i] < numberOfVertices;
+    }
+    if (count <= 8)
+    {
+      for (unsigned i = 1; i < count; ++i)
+      {
+        for (unsigned j = 0; j < i; ++j)
+        {
+          this->Distinct = this->Distinct && vertices[i] != vertices[j];
+        }
+      }
+      return;
+    }
+    std::vector<std::int64_t> sorted(vertices, vertices + count);
+    std::sort(sorted.begin(), sorted.end());
+    this->Distinct = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+  }
+};
+
+}
+
+template <typename Id>
+bool CompactCombinatorialMap<Id>::FitsIn(const CellList& mesh)
+{
+  const Id cells = std::numeric_limits<Id>::max() >> BitsFor(mesh.Types);
+  return Count(mesh.Runs) <= cells &&
+    static_cast<std::uint64_t>(mesh.NumberOfVertices) <= std::numeric_limits<Id>::max();
+}
+
+template <typename Id>
+CompactCombinatorialMap<Id>::CompactCombinatorialMap(
+  CellList mesh, const ProgressCallback& progress)
+  : Types(std::move(mesh.Types))
+  , Bits(BitsFor(this->Types))
+{
+  const auto vertices = static_cast<std::size_t>(mesh.NumberOfVertices);
+  if (Count(mesh.Runs) > (std::numeric_limits<Id>::max() >> this->Bits) ||
+    vertices > std::numeric_limits<Id>::max())
+  {
+    throw MeshError(MeshError::Reason::TooLarge,
+      std::to_string(Count(mesh.Runs)) + " cells and " + std::to_string(vertices) +
+        " vertices can't be numbered in " + std::to_string(8 * sizeof(Id)) +
+        " bits: use the map with 64-bit ids.");
+  }
+  this->LayOutBlocks(mesh.Runs);
+  this->CopyVertices(mesh.CellVertices, vertices);
+  Report(progress, 0.1);
+  this->V2D.assign(vertices, Dart());
+  HalfFaceMatching<Id>(*this).Run(Between(progress, 0.1, 0.6));
+  this->NumberBoundaryFaces();
+  Report(progress, 0.7);
+  this->ChooseVertexDarts(vertices);
+  Report(progress, 0.8);
+  this->FindUmbrellas(Between(progress, 0.8, 1.0));
+}
+
+template <typename Id>
+CompactCombinatorialMap<Id>::~CompactCombinatorialMap() = default;
+
+template <typename Id>
+void CompactCombinatorialMap<Id>::LayOutBlocks(const std::vector<CellRun>& runs)
+{
+  std::size_t vertex = 0, halfFace = 0;
+  for (const CellRun& run : runs)
+  {
+    if (run.NumberOfCells <= 0)
+    {
+      continue;
+    }
+    const CellType& type = this->Types.at(run.Type);
+    Block block;
+    block.Type = &type;
+    block.FirstCell = this->CellCount;
+    this->CellCount += static_cast<std::size_t>(run.NumberOfCells);
+    block.EndCell = this->CellCount;
+    block.VertexCount = static_cast<unsigned>(type.NumberOfVertices());
+    block.FaceCount = static_cast<unsigned>(type.NumberOfFaces());
+    block.DartCount = static_cast<unsigned>(type.NumberOfDarts());
+    // Unsigned arithmetic: a base may wrap round, base + cell * count never does.
+    block.VertexBase = vertex - block.FirstCell * block.VertexCount;
+    block.HalfFaceBase = halfFace - block.FirstCell * block.FaceCount;
+    block.DartBase = this->DartCount - block.FirstCell * block.DartCount;
+    const std::size_t cells = block.EndCell - block.FirstCell;
+    vertex += cells * block.VertexCount;
+    halfFace += cells * block.FaceCount;
+    this->DartCount += cells * block.DartCount;
+    this->Blocks.push_back(block);
+  }
+  this->Blocks.shrink_to_fit();
+  if (this->Blocks.size() > 1)
+  {
+    this->C2B.resize(this->CellCount);
+    for (std::size_t b = 0; b < this->Blocks.size(); ++b)
+    {
+      std::fill(this->C2B.begin() + static_cast<std::ptrdiff_t>(this->Blocks[b].FirstCell),
+        this->C2B.begin() + static_cast<std::ptrdiff_t>(this->Blocks[b].EndCell),
+        static_cast<std::uint32_t>(b));
+    }
+  }
+  this->Cv2V.resize(vertex);
+  this->H2D.resize(halfFace);
+}
+
+template <typename Id>
+void CompactCombinatorialMap<Id>::CopyVertices(
+  View<std::int64_t> cellVertices, std::size_t numberOfVertices)
+{
+  if (cellVertices.size() != this->Cv2V.size())
+  {
+    throw MeshError(MeshError::Reason::Inconsistent,
+      "The cells need " + std::to_string(this->Cv2V.size()) + " vertex numbers, but " +
+        std::to_string(cellVertices.size()) + " were given: the list does not fit their types.");
+  }
+  std::mutex mutex;
+  std::vector<std::size_t> outOfRange, degenerate;
+  ParallelFor(0, static_cast<std::int64_t>(this->CellCount), CellsPerPiece,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c)
+      {
+        const Block& block = this->BlockOf(Cell(static_cast<Id>(c)));
+        const std::size_t base = block.VertexIndex(c, 0);
+        const std::int64_t* vertices = &cellVertices[base];
+        const VertexCheck check(
+          vertices, block.VertexCount, static_cast<std::int64_t>(numberOfVertices));
+        if (!check.InRange || !check.Distinct)
+        {
+          const std::lock_guard<std::mutex> lock(mutex);
+          (check.InRange ? degenerate : outOfRange).push_back(c);
+        }
+        for (unsigned v = 0; v < block.VertexCount; ++v)
+        {
+          this->Cv2V[base + v] = Vertex(static_cast<Id>(vertices[v]));
+        }
+      }
+    });
+  if (!outOfRange.empty())
+  {
+    throw MeshError(MeshError::Reason::OutOfRange,
+      Named(std::move(outOfRange)) + ": a vertex number is not in 0 ... " +
+        std::to_string(static_cast<std::int64_t>(numberOfVertices) - 1) +
+        ". Correct the list of cells.");
+  }
+  if (!degenerate.empty())
+  {
+    throw MeshError(MeshError::Reason::Degenerate,
+      Named(std::move(degenerate)) + ": the same vertex occurs twice. Remove degenerate cells.");
+  }
+}
+
+template <typename Id>
+void CompactCombinatorialMap<Id>::NumberBoundaryFaces()
+{
+  const std::size_t open = static_cast<std::size_t>(std::count_if(
+    this->H2D.begin(), this->H2D.end(), [this](Dart across) { return this->IsOutside(across); }));
+  if (open > (std::numeric_limits<Id>::max() >> this->Bits))
+  {
+    throw MeshError(MeshError::Reason::TooLarge,
+      std::to_string(open) + " boundary faces can't be numbered in " +
+        std::to_string(8 * sizeof(Id)) + " bits: use the map with 64-bit ids.");
+  }
+  this->B2D.reserve(open);
+  for (std::size_t c = 0; c < this->CellCount; ++c)
+  {
+    const Cell cell(static_cast<Id>(c));
+    const Block& block = this->BlockOf(cell);
+    for (unsigned f = 0; f < block.FaceCount; ++f)
+    {
+      Dart& across = this->H2D[block.HalfFaceIndex(c, f)];
+      if (this->IsOutside(across))
+      {
+        across = this->MakeDart(Cell(static_cast<Id>(this->B2D.size())), 0);
+        this->B2D.push_back(this->MakeDart(cell, block.Type->FaceDart(f, 0)));
+      }
+    }
+  }
+}
+
+template <typename Id>
+void CompactCombinatorialMap<Id>::ChooseVertexDarts(std::size_t)
+{
+  for (const Dart first : this->B2D)
+  {
+    for (const Dart dart : this->Darts(this->HalfFaceOf(first)))
+    {
+      Dart& chosen = this->V2D[this->StartVertex(dart).Value];
+      chosen = this->IsOutside(chosen) ? dart : chosen;
+    }
+  }
+  for (std::size_t c = 0; c < this->CellCount; ++c)
+  {
+    const Cell cell(static_cast<Id>(c));
+    const Block& block = this->BlockOf(cell);
+    for (unsigned v = 0; v < block.VertexCount; ++v)
+    {
+      Dart& chosen = this->V2D[this->Cv2V[block.VertexIndex(c, v)].Value];
+      chosen =
+        this->IsOutside(chosen) ? this->MakeDart(cell, block.Type->VertexDart(v, 0)) : chosen;
+    }
+  }
+}
+
+template <typename Id>
+void CompactCombinatorialMap<Id>::FindUmbrellas(const ProgressCallback& progress)
+{
+  std::vector<Id> cellsAt(this->V2D.size(), 0);
+  for (const Vertex vertex : this->Cv2V)
+  {
+    ++cellsAt[vertex.Value];
+  }
+  std::mutex mutex;
+  std::vector<bool> pinched;
+  ParallelFor(
+    0, static_cast<std::int64_t>(this->V2D.size()), CellsPerPiece,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      VertexStar<Id> star(*this);
+      for (std::int64_t v = first; v < last; ++v)
+      {
+        const Vertex vertex(static_cast<Id>(v));
+        if (star.Gather(vertex).size() != cellsAt[vertex.Value])
+        {
+          const std::lock_guard<std::mutex> lock(mutex);
+          pinched.resize(this->V2D.size());
+          pinched[vertex.Value] = true;
+        }
+      }
+    },
+    progress);
+  if (pinched.empty())
+  {
+    return;
+  }
+  std::vector<std::pair<Vertex, Dart>> candidates;
+  for (std::size_t c = 0; c < this->CellCount; ++c)
+  {
+    const Cell cell(static_cast<Id>(c));
+    const View<Vertex> vertices = this->Vertices(cell);
+    for (unsigned v = 0; v < vertices.size(); ++v)
+    {
+      if (pinched[vertices[v].Value])
+      {
+        candidates.emplace_back(
+          vertices[v], this->MakeDart(cell, this->TypeOf(cell).VertexDart(v, 0)));
+      }
+    }
+  }
+  std::sort(candidates.begin(), candidates.end());
+  VertexStar<Id> star(*this);
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    if (i == 0 || candidates[i].first != candidates[i - 1].first)
+    {
+      star.Gather(candidates[i].first);
+    }
+    if (star.Extend(candidates[i].second))
+    {
+      this->Umbrellas.push_back(candidates[i]);
+    }
+  }
+  this->Umbrellas.shrink_to_fit();
+}
+
+template <typename Id>
+auto CompactCombinatorialMap<Id>::FurtherUmbrellas(Vertex vertex) const
+  -> View<std::pair<Vertex, Dart>>
+{
+  if (this->Umbrellas.empty())
+  {
+    return {};
+  }
+  const auto range = std::equal_range(this->Umbrellas.begin(), this->Umbrellas.end(),
+    std::pair<Vertex, Dart>(vertex, Dart()),
+    [](const auto& a, const auto& b) { return a.first < b.first; });
+  return { this->Umbrellas.data() + (range.first - this->Umbrellas.begin()),
+    static_cast<std::size_t>(range.second - range.first) };
+}
+
+template <typename Id>
+const EdgeTable<Id>& CompactCombinatorialMap<Id>::Edges() const
+{
+  std::call_once(
+    this->EdgesOnce, [this]() { this->EdgesBuilt = std::make_unique<EdgeTable<Id>>(*this); });
+  return *this->EdgesBuilt;
+}
+
+template <typename Id>
+const FaceTable<Id>& CompactCombinatorialMap<Id>::Faces() const
+{
+  std::call_once(
+    this->FacesOnce, [this]() { this->FacesBuilt = std::make_unique<FaceTable<Id>>(*this); });
+  return *this->FacesBuilt;
+}
+
+template <typename Id>
+std::vector<TableMemory> CompactCombinatorialMap<Id>::MemoryReport() const
+{
+  const auto bytes = [](const auto& table)
+  { return table.capacity() * sizeof(typename std::decay_t<decltype(table)>::value_type); };
+  std::size_t types = 0;
+  for (const CellType& type : this->Types)
+  {
+    types += type.MemoryBytes();
+  }
+  std::vector<TableMemory> report{ { "Cv2V", bytes(this->Cv2V) }, { "H2D", bytes(this->H2D) },
+    { "V2D", bytes(this->V2D) }, { "B2D", bytes(this->B2D) },
+    { "Runs", bytes(this->Blocks) + bytes(this->C2B) }, { "Types", types },
+    { "Umbrellas", bytes(this->Umbrellas) } };
+  if (this->EdgesBuilt)
+  {
+    this->EdgesBuilt->AppendMemory(report);
+  }
+  if (this->FacesBuilt)
+  {
+    this->FacesBuilt->AppendMemory(report);
+  }
+  return report;
+}
+
+template class CompactCombinatorialMap<std::uint32_t>;
+template class CompactCombinatorialMap<std::uint64_t>;
+
+}

@@ -1,0 +1,309 @@
+/**
+ * @file IncidenceCheck.h
+ * @brief Compares every query of a combinatorial map with sets built by brute force from the cells.
+ */
+#ifndef isthmus_IncidenceCheck_h
+#define isthmus_IncidenceCheck_h
+
+#include "CompactCombinatorialMap.h"
+#include "EdgeTable.h"
+#include "FaceTable.h"
+#include "VertexStar.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace isthmus::testing
+{
+
+using Numbers = std::set<std::int64_t>;
+using Pair = std::pair<std::int64_t, std::int64_t>;
+using Corners = std::vector<std::int64_t>; // ascending
+
+/// What the cells say, with no darts and no shared code.
+struct BruteForce
+{
+  std::map<Pair, Numbers> CellsOfEdge;
+  std::map<Corners, std::vector<std::int64_t>> CellsOfFace;
+  std::map<std::int64_t, Numbers> CellsOfVertex, NeighboursOfVertex;
+  std::map<std::int64_t, std::set<Corners>> FacesOfVertex, LinkOfVertex;
+  std::set<Pair> BoundaryEdges;
+  Numbers BoundaryVertices;
+  std::vector<Numbers> NeighboursOfCell;
+
+  explicit BruteForce(const CellList& mesh)
+  {
+    const std::int64_t* next = mesh.CellVertices.begin();
+    std::int64_t cell = 0;
+    for (const CellRun& run : mesh.Runs)
+    {
+      const CellType& type = mesh.Types[run.Type];
+      for (std::int64_t i = 0; i < run.NumberOfCells; ++i, next += type.NumberOfVertices())
+      {
+        this->AddCell(cell++, type, next);
+      }
+    }
+    this->NeighboursOfCell.resize(static_cast<std::size_t>(cell));
+    this->LookAtFaces();
+  }
+
+private:
+  void AddCell(std::int64_t cell, const CellType& type, const std::int64_t* vertices)
+  {
+    const Numbers all(vertices, vertices + type.NumberOfVertices());
+    for (const std::int64_t vertex : all)
+    {
+      this->CellsOfVertex[vertex].insert(cell);
+    }
+    for (const std::vector<int>& face : type.Faces())
+    {
+      Corners corners;
+      for (std::size_t i = 0; i < face.size(); ++i)
+      {
+        const std::int64_t a = vertices[face[i]], b = vertices[face[(i + 1) % face.size()]];
+        corners.push_back(a);
+        this->CellsOfEdge[std::minmax(a, b)].insert(cell);
+        this->NeighboursOfVertex[a].insert(b);
+        this->NeighboursOfVertex[b].insert(a);
+      }
+      std::sort(corners.begin(), corners.end());
+      this->CellsOfFace[corners].push_back(cell);
+      for (const std::int64_t vertex : all)
+      {
+        const bool touches = std::binary_search(corners.begin(), corners.end(), vertex);
+        (touches ? this->FacesOfVertex : this->LinkOfVertex)[vertex].insert(corners);
+      }
+      this->Sides[corners].clear();
+      for (std::size_t i = 0; i < face.size(); ++i)
+      {
+        this->Sides[corners].push_back(
+          std::minmax(vertices[face[i]], vertices[face[(i + 1) % face.size()]]));
+      }
+    }
+  }
+
+  void LookAtFaces()
+  {
+    for (const auto& [corners, cells] : this->CellsOfFace)
+    {
+      if (cells.size() == 2)
+      {
+        this->NeighboursOfCell[static_cast<std::size_t>(cells[0])].insert(cells[1]);
+        this->NeighboursOfCell[static_cast<std::size_t>(cells[1])].insert(cells[0]);
+        continue;
+      }
+      this->BoundaryVertices.insert(corners.begin(), corners.end());
+      this->BoundaryEdges.insert(this->Sides[corners].begin(), this->Sides[corners].end());
+    }
+  }
+
+  std::map<Corners, std::vector<Pair>> Sides;
+};
+
+template <typename Map>
+Pair Ends(const Map& map, typename Map::Dart dart)
+{
+  return { map.StartVertex(dart).Value, map.EndVertex(dart).Value };
+}
+
+template <typename Map>
+Corners CornersOf(const Map& map, typename Map::HalfFace half)
+{
+  Corners corners;
+  for (const auto dart : map.Darts(half))
+  {
+    corners.push_back(map.StartVertex(dart).Value);
+  }
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+/// beta1 is a permutation, beta2, beta3 and beta1 o beta3 are involutions.
+template <typename Map>
+void CheckAxioms(const Map& map)
+{
+  std::size_t darts = 0;
+  std::set<std::size_t> places;
+  for (std::size_t c = 0; c < map.NumberOfCells(); ++c)
+  {
+    for (const auto dart : map.Darts(typename Map::Cell(static_cast<typename Map::IdType>(c))))
+    {
+      ++darts;
+      places.insert(map.IndexOf(dart));
+      ASSERT_EQ(map.Beta1Inverse(map.Beta1(dart)), dart);
+      ASSERT_NE(map.Beta2(dart), dart);
+      ASSERT_EQ(map.Beta2(map.Beta2(dart)), dart);
+      ASSERT_EQ(Ends(map, map.Beta2(dart)), Pair(Ends(map, dart).second, Ends(map, dart).first));
+      ASSERT_EQ(map.StartVertex(map.Beta1(dart)), map.EndVertex(dart));
+      const auto across = map.Beta3(dart);
+      if (map.IsOutside(across))
+      {
+        ASSERT_EQ(map.HalfFaceOf(map.DartOf(map.BoundaryFaceOf(across))), map.HalfFaceOf(dart));
+        continue;
+      }
+      ASSERT_EQ(map.Beta3(across), dart);
+      ASSERT_EQ(Ends(map, across), Pair(Ends(map, dart).second, Ends(map, dart).first));
+      ASSERT_EQ(map.Beta1(map.Beta3(map.Beta1(across))), dart);
+    }
+  }
+  ASSERT_EQ(darts, map.NumberOfDarts());
+  ASSERT_EQ(places.size(), darts);
+}
+
+template <typename Map>
+void CheckEdges(const Map& map, const BruteForce& truth)
+{
+  const auto& edges = map.Edges();
+  using Id = typename Map::IdType;
+  ASSERT_EQ(edges.Size(), truth.CellsOfEdge.size());
+  auto expected = truth.CellsOfEdge.begin(); // std::map is in the order that edges must have
+  for (std::size_t e = 0; e < edges.Size(); ++e, ++expected)
+  {
+    const typename Map::Edge edge(static_cast<Id>(e));
+    ASSERT_EQ(Ends(map, edges.DartOf(edge)), expected->first);
+    ASSERT_EQ(edges.IsBoundary(edge), truth.BoundaryEdges.count(expected->first) == 1);
+    Numbers cells;
+    for (const auto dart : edges.Fan(edge))
+    {
+      ASSERT_EQ(Ends(map, dart), expected->first);
+      ASSERT_TRUE(cells.insert(map.CellOf(dart).Value).second);
+    }
+    ASSERT_EQ(cells, expected->second);
+  }
+}
+
+template <typename Map>
+void CheckFaces(const Map& map, const BruteForce& truth)
+{
+  const auto& faces = map.Faces();
+  using Id = typename Map::IdType;
+  ASSERT_EQ(faces.Size(), truth.CellsOfFace.size());
+  ASSERT_EQ(map.NumberOfFaces(), truth.CellsOfFace.size());
+  auto expected = truth.CellsOfFace.begin();
+  for (std::size_t f = 0; f < faces.Size(); ++f, ++expected)
+  {
+    const typename Map::Face face(static_cast<Id>(f));
+    ASSERT_EQ(CornersOf(map, faces.HalfFaceOf(face)), expected->first);
+    ASSERT_EQ(faces.IsBoundary(face), expected->second.size() == 1);
+    std::vector<std::int64_t> cells;
+    cells.push_back(static_cast<std::int64_t>(map.CellOf(faces.DartOf(face)).Value));
+    if (!faces.IsBoundary(face))
+    {
+      cells.push_back(static_cast<std::int64_t>(map.CellOf(faces.Across(face)).Value));
+    }
+    ASSERT_EQ(cells, expected->second);
+  }
+}
+
+/// Dart to edge and face, cell to neighbours, over all cells.
+template <typename Map>
+void CheckCells(const Map& map, const BruteForce& truth)
+{
+  using Id = typename Map::IdType;
+  for (std::size_t c = 0; c < map.NumberOfCells(); ++c)
+  {
+    const typename Map::Cell cell(static_cast<Id>(c));
+    for (const auto dart : map.Darts(cell))
+    {
+      const auto edge = map.Edges().DartOf(map.Edges().Of(dart));
+      ASSERT_EQ(Ends(map, edge), Pair(std::minmax(Ends(map, dart).first, Ends(map, dart).second)));
+      const auto half = map.Faces().HalfFaceOf(map.Faces().Of(dart));
+      ASSERT_EQ(CornersOf(map, half), CornersOf(map, map.HalfFaceOf(dart)));
+    }
+    Numbers neighbours;
+    for (const auto across : map.Neighbours(cell))
+    {
+      if (!map.IsOutside(across))
+      {
+        neighbours.insert(map.CellOf(across).Value);
+      }
+    }
+    ASSERT_EQ(neighbours, truth.NeighboursOfCell[c]);
+  }
+}
+
+template <typename Map>
+void CheckStars(const Map& map, const BruteForce& truth)
+{
+  using Id = typename Map::IdType;
+  const auto find = [](const auto& table, std::int64_t key)
+  {
+    const auto found = table.find(key);
+    return found == table.end() ? typename std::decay_t<decltype(table)>::mapped_type{}
+                                : found->second;
+  };
+  VertexStar<Id> star(map);
+  for (std::size_t v = 0; v < map.NumberOfVertices(); ++v)
+  {
+    const typename Map::Vertex vertex(static_cast<Id>(v));
+    const auto number = static_cast<std::int64_t>(v);
+    ASSERT_EQ(map.IsBoundary(vertex), truth.BoundaryVertices.count(number) == 1);
+    Numbers cells, neighbours;
+    for (const auto dart : star.Gather(vertex))
+    {
+      ASSERT_EQ(map.StartVertex(dart), vertex);
+      ASSERT_TRUE(cells.insert(map.CellOf(dart).Value).second);
+    }
+    ASSERT_EQ(cells, find(truth.CellsOfVertex, number));
+    const auto edges = star.EdgeDarts();
+    for (const auto dart : edges)
+    {
+      neighbours.insert(map.EndVertex(dart).Value);
+    }
+    ASSERT_EQ(neighbours, find(truth.NeighboursOfVertex, number));
+    ASSERT_EQ(neighbours.size(), edges.size());
+    std::set<Corners> faces, link;
+    const auto halves = star.HalfFaces();
+    for (const auto half : halves)
+    {
+      faces.insert(CornersOf(map, half));
+    }
+    ASSERT_EQ(faces, find(truth.FacesOfVertex, number));
+    ASSERT_EQ(faces.size(), halves.size());
+    for (const auto half : star.LinkHalfFaces())
+    {
+      link.insert(CornersOf(map, half));
+    }
+    ASSERT_EQ(link, find(truth.LinkOfVertex, number));
+    std::set<Pair> linkEdges;
+    const auto linkDarts = star.LinkEdgeDarts();
+    for (const auto dart : linkDarts)
+    {
+      linkEdges.insert(std::minmax(Ends(map, dart).first, Ends(map, dart).second));
+    }
+    ASSERT_EQ(linkEdges.size(), linkDarts.size());
+  }
+}
+
+template <typename Map>
+void CheckEverything(const Map& map, const CellList& mesh)
+{
+  const BruteForce truth(mesh);
+  CheckAxioms(map);
+  CheckEdges(map, truth);
+  CheckFaces(map, truth);
+  CheckCells(map, truth);
+  CheckStars(map, truth);
+}
+
+/// Vertices in cells - edges + faces - cells.
+template <typename Map>
+std::int64_t EulerNumber(const Map& map)
+{
+  std::int64_t vertices = 0;
+  for (std::size_t v = 0; v < map.NumberOfVertices(); ++v)
+  {
+    using Id = typename Map::IdType;
+    vertices += map.IsOutside(map.DartOf(typename Map::Vertex(static_cast<Id>(v)))) ? 0 : 1;
+  }
+  return vertices - static_cast<std::int64_t>(map.Edges().Size()) +
+    static_cast<std::int64_t>(map.NumberOfFaces()) - static_cast<std::int64_t>(map.NumberOfCells());
+}
+
+}
+
+#endif
