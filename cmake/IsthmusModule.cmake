@@ -19,6 +19,7 @@ set(sources
   Filters/Topology/EdgeTable.cxx
   Filters/Topology/FaceTable.cxx
   Filters/Topology/HalfFaceMatching.cxx
+  Filters/Topology/StarTable.cxx
   Readers/ByteSource.cxx
   Readers/CompressedSource.cxx
   Readers/MRCFieldData.cxx

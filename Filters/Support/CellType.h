@@ -79,7 +79,7 @@ public:
   int NumberOfDarts() const { return static_cast<int>(this->Darts.size()) - 1; }
 
   const Dart& At(unsigned dart) const { return this->Darts[dart]; }
-  static constexpr unsigned Beta2(unsigned dart) { return dart % 2 ? dart + 1 : dart - 1; }
+  static constexpr unsigned Beta2(unsigned dart) { return ((dart - 1) ^ 1u) + 1; }
   unsigned FaceSize(unsigned face) const
   {
     return static_cast<unsigned>(this->FaceOffsets[face + 1] - this->FaceOffsets[face]);

@@ -4,9 +4,11 @@
 #include "FaceTable.h"
 #include "HalfFaceMatching.h"
 #include "ParallelFor.h"
+#include "StarTable.h"
 #include "VertexStar.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <string>
 
@@ -16,6 +18,7 @@ namespace
 {
 
 constexpr std::int64_t CellsPerPiece = 1 << 14;
+constexpr std::int64_t VerticesPerPiece = 1 << 12;
 constexpr std::size_t NamedCells = 5;
 
 /// Low bits that hold 0 and every local dart.
@@ -116,7 +119,7 @@ CompactCombinatorialMap<Id>::CompactCombinatorialMap(
   HalfFaceMatching<Id>(*this).Run(Between(progress, 0.1, 0.6));
   this->NumberBoundaryFaces();
   Report(progress, 0.7);
-  this->ChooseVertexDarts(vertices);
+  this->ChooseVertexDarts();
   Report(progress, 0.8);
   this->FindUmbrellas(Between(progress, 0.8, 1.0));
 }
@@ -137,6 +140,7 @@ void CompactCombinatorialMap<Id>::LayOutBlocks(const std::vector<CellRun>& runs)
     const CellType& type = this->Types.at(run.Type);
     Block block;
     block.Type = &type;
+    block.Darts = &type.At(0);
     block.FirstCell = this->CellCount;
     this->CellCount += static_cast<std::size_t>(run.NumberOfCells);
     block.EndCell = this->CellCount;
@@ -244,7 +248,7 @@ void CompactCombinatorialMap<Id>::NumberBoundaryFaces()
 }
 
 template <typename Id>
-void CompactCombinatorialMap<Id>::ChooseVertexDarts(std::size_t)
+void CompactCombinatorialMap<Id>::ChooseVertexDarts()
 {
   for (const Dart first : this->B2D)
   {
@@ -267,65 +271,75 @@ void CompactCombinatorialMap<Id>::ChooseVertexDarts(std::size_t)
   }
 }
 
+/// Stars reached from V2D hold each corner of each cell once, unless the mesh is pinched somewhere.
 template <typename Id>
 void CompactCombinatorialMap<Id>::FindUmbrellas(const ProgressCallback& progress)
 {
-  std::vector<Id> cellsAt(this->V2D.size(), 0);
-  for (const Vertex vertex : this->Cv2V)
-  {
-    ++cellsAt[vertex.Value];
-  }
-  std::mutex mutex;
-  std::vector<bool> pinched;
+  std::atomic<std::size_t> reached{ 0 };
   ParallelFor(
-    0, static_cast<std::int64_t>(this->V2D.size()), CellsPerPiece,
+    0, static_cast<std::int64_t>(this->V2D.size()), VerticesPerPiece,
     [&](std::int64_t first, std::int64_t last)
     {
       VertexStar<Id> star(*this);
+      std::size_t cells = 0;
       for (std::int64_t v = first; v < last; ++v)
       {
-        const Vertex vertex(static_cast<Id>(v));
-        if (star.Gather(vertex).size() != cellsAt[vertex.Value])
-        {
-          const std::lock_guard<std::mutex> lock(mutex);
-          pinched.resize(this->V2D.size());
-          pinched[vertex.Value] = true;
-        }
+        cells += star.Gather(Vertex(static_cast<Id>(v))).size();
       }
+      reached += cells;
     },
     progress);
-  if (pinched.empty())
+  if (reached == this->Cv2V.size())
   {
     return;
   }
-  std::vector<std::pair<Vertex, Dart>> candidates;
+  VertexStar<Id> star(*this);
+  const std::vector<std::pair<Vertex, Dart>> corners = this->CornersOfPinchedVertices();
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    if (i == 0 || corners[i].first != corners[i - 1].first)
+    {
+      star.Gather(corners[i].first);
+    }
+    if (star.Extend(corners[i].second))
+    {
+      this->Umbrellas.push_back(corners[i]);
+    }
+  }
+  this->Umbrellas.shrink_to_fit();
+}
+
+/// (vertex, dart of one of its cells) for all cells at vertices whose star is not whole, sorted.
+template <typename Id>
+auto CompactCombinatorialMap<Id>::CornersOfPinchedVertices() const
+  -> std::vector<std::pair<Vertex, Dart>>
+{
+  std::vector<std::size_t> missing(this->V2D.size(), 0);
+  for (const Vertex vertex : this->Cv2V)
+  {
+    ++missing[vertex.Value];
+  }
+  VertexStar<Id> star(*this);
+  for (std::size_t v = 0; v < missing.size(); ++v)
+  {
+    missing[v] -= star.Gather(Vertex(static_cast<Id>(v))).size();
+  }
+  std::vector<std::pair<Vertex, Dart>> corners;
   for (std::size_t c = 0; c < this->CellCount; ++c)
   {
     const Cell cell(static_cast<Id>(c));
     const View<Vertex> vertices = this->Vertices(cell);
     for (unsigned v = 0; v < vertices.size(); ++v)
     {
-      if (pinched[vertices[v].Value])
+      if (missing[vertices[v].Value])
       {
-        candidates.emplace_back(
+        corners.emplace_back(
           vertices[v], this->MakeDart(cell, this->TypeOf(cell).VertexDart(v, 0)));
       }
     }
   }
-  std::sort(candidates.begin(), candidates.end());
-  VertexStar<Id> star(*this);
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-  {
-    if (i == 0 || candidates[i].first != candidates[i - 1].first)
-    {
-      star.Gather(candidates[i].first);
-    }
-    if (star.Extend(candidates[i].second))
-    {
-      this->Umbrellas.push_back(candidates[i]);
-    }
-  }
-  this->Umbrellas.shrink_to_fit();
+  std::sort(corners.begin(), corners.end());
+  return corners;
 }
 
 template <typename Id>
@@ -360,6 +374,14 @@ const FaceTable<Id>& CompactCombinatorialMap<Id>::Faces() const
 }
 
 template <typename Id>
+const StarTable<Id>& CompactCombinatorialMap<Id>::Stars() const
+{
+  std::call_once(
+    this->StarsOnce, [this]() { this->StarsBuilt = std::make_unique<StarTable<Id>>(*this); });
+  return *this->StarsBuilt;
+}
+
+template <typename Id>
 std::vector<TableMemory> CompactCombinatorialMap<Id>::MemoryReport() const
 {
   const auto bytes = [](const auto& table)
@@ -380,6 +402,10 @@ std::vector<TableMemory> CompactCombinatorialMap<Id>::MemoryReport() const
   if (this->FacesBuilt)
   {
     this->FacesBuilt->AppendMemory(report);
+  }
+  if (this->StarsBuilt)
+  {
+    this->StarsBuilt->AppendMemory(report);
   }
   return report;
 }

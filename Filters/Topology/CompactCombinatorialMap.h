@@ -12,7 +12,9 @@
  * Cv2V the vertices of each cell, H2D beta3 of the first dart of each half face (the number of the
  * boundary face where there is no other cell), V2D a dart of each vertex, on a boundary face where
  * there is one, B2D the dart of each boundary face. For tetrahedra 4 (4 n3 + 4 n3 + n0 + n_b)
- * bytes. Edges() and Faces() add E2D, V2E and F2D, V2F when first asked for.
+ * bytes. Edges() and Faces() add E2D, V2E and F2D, V2F when first asked for; Stars() lists the
+ * cells around each vertex for those who sweep over all of them (the thesis walks each star
+ * instead).
  */
 #ifndef isthmus_CompactCombinatorialMap_h
 #define isthmus_CompactCombinatorialMap_h
@@ -35,6 +37,8 @@ template <typename Id>
 class EdgeTable;
 template <typename Id>
 class FaceTable;
+template <typename Id>
+class StarTable;
 
 /// Bytes of one table of the map.
 struct TableMemory
@@ -107,12 +111,12 @@ public:
   Dart Beta1(Dart dart) const { return this->Sibling(dart, this->At(dart).Next); }
   /// The inverse of beta1.
   Dart Beta1Inverse(Dart dart) const { return this->Sibling(dart, this->At(dart).Previous); }
-  Dart Beta2(Dart dart) const { return Dart(dart.Value & 1 ? dart.Value + 1 : dart.Value - 1); }
+  Dart Beta2(Dart dart) const { return Dart(((dart.Value - 1) ^ Id(1)) + 1); }
   /// Outside for a dart of a boundary face.
   Dart Beta3(Dart dart) const
   {
     const Block& block = this->BlockOf(this->CellOf(dart));
-    const CellType::Dart& local = block.Type->At(this->LocalDart(dart));
+    const CellType::Dart& local = block.Darts[this->LocalDart(dart)];
     return this->StepBack(
       this->H2D[block.HalfFaceIndex(dart.Value >> this->Bits, local.Face)], local.Position);
   }
@@ -121,10 +125,19 @@ public:
   Vertex StartVertex(Dart dart) const
   {
     const Block& block = this->BlockOf(this->CellOf(dart));
-    return this->Cv2V[block.VertexIndex(
-      dart.Value >> this->Bits, block.Type->At(this->LocalDart(dart)).Start)];
+    return this
+      ->Cv2V[block.VertexIndex(dart.Value >> this->Bits, block.Darts[this->LocalDart(dart)].Start)];
   }
   Vertex EndVertex(Dart dart) const { return this->StartVertex(this->Beta2(dart)); }
+  /// Both, a little faster.
+  std::pair<Vertex, Vertex> EndVertices(Dart dart) const
+  {
+    const Block& block = this->BlockOf(this->CellOf(dart));
+    const Vertex* vertices = this->Cv2V.data() + block.VertexIndex(dart.Value >> this->Bits, 0);
+    const unsigned local = this->LocalDart(dart);
+    return { vertices[block.Darts[local].Start],
+      vertices[block.Darts[CellType::Beta2(local)].Start] };
+  }
   HalfFace HalfFaceOf(Dart dart) const
   {
     return this->MakeHalfFace(this->CellOf(dart), this->At(dart).Face);
@@ -210,10 +223,11 @@ public:
   View<std::pair<Vertex, Dart>> FurtherUmbrellas(Vertex vertex) const;
   ///@}
 
-  /// @name Numbered edges and faces: built, in parallel, at the first call
+  /// @name Optional tables, built at the first call: numbered edges and faces, listed stars
   ///@{
   const EdgeTable<Id>& Edges() const;
   const FaceTable<Id>& Faces() const;
+  const StarTable<Id>& Stars() const;
   ///@}
 
   /// @name Places of cells of each kind in an array of attributes
@@ -251,6 +265,7 @@ private:
   struct Block
   {
     const CellType* Type;
+    const CellType::Dart* Darts; // of the type
     std::size_t FirstCell, EndCell;
     std::size_t VertexBase, HalfFaceBase, DartBase;
     unsigned VertexCount, FaceCount, DartCount;
@@ -272,7 +287,7 @@ private:
   }
   const CellType::Dart& At(Dart dart) const
   {
-    return this->TypeOf(this->CellOf(dart)).At(this->LocalDart(dart));
+    return this->BlockOf(this->CellOf(dart)).Darts[this->LocalDart(dart)];
   }
   Dart Sibling(Dart dart, unsigned local) const
   {
@@ -289,8 +304,9 @@ private:
   void LayOutBlocks(const std::vector<CellRun>& runs);
   void CopyVertices(View<std::int64_t> cellVertices, std::size_t numberOfVertices);
   void NumberBoundaryFaces();
-  void ChooseVertexDarts(std::size_t numberOfVertices);
+  void ChooseVertexDarts();
   void FindUmbrellas(const ProgressCallback& progress);
+  std::vector<std::pair<Vertex, Dart>> CornersOfPinchedVertices() const;
 
   std::vector<CellType> Types;
   std::vector<Block> Blocks;
@@ -301,9 +317,10 @@ private:
   std::vector<Dart> H2D, V2D, B2D;
   std::vector<std::pair<Vertex, Dart>> Umbrellas; // sorted; empty unless the mesh is pinched
 
-  mutable std::once_flag EdgesOnce, FacesOnce;
+  mutable std::once_flag EdgesOnce, FacesOnce, StarsOnce;
   mutable std::unique_ptr<EdgeTable<Id>> EdgesBuilt;
   mutable std::unique_ptr<FaceTable<Id>> FacesBuilt;
+  mutable std::unique_ptr<StarTable<Id>> StarsBuilt;
 };
 
 }

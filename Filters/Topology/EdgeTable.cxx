@@ -20,6 +20,11 @@ EdgeTable<Id>::EdgeTable(const Map& map)
 {
   this->SortByVertices(this->LeadingDarts());
   this->JoinPinchedEdges();
+  this->E2V.resize(this->E2D.size() + Stride, 0);
+  for (std::size_t edge = 0; edge < this->E2D.size(); ++edge)
+  {
+    this->E2V[edge] = map.EndVertex(this->E2D[edge]).Value;
+  }
 }
 
 /// Whether `dart`, from the smaller to the larger vertex, is the one that stands for its fan.
@@ -166,6 +171,7 @@ template <typename Id>
 void EdgeTable<Id>::AppendMemory(std::vector<TableMemory>& report) const
 {
   report.push_back({ "E2D", this->E2D.capacity() * sizeof(Dart) });
+  report.push_back({ "E2V", this->E2V.capacity() * sizeof(Id) });
   report.push_back({ "V2E", this->V2E.capacity() * sizeof(Id) });
   report.push_back({ "PinchedEdges", this->Pinched.capacity() * sizeof(this->Pinched[0]) });
 }

@@ -22,8 +22,9 @@ namespace isthmus
  *
  * E2D holds, for each edge, a dart from its smaller to its larger vertex: the clockwise end of the
  * fan of a boundary edge, else the smallest such dart. Edges are ordered by smaller, then larger
- * vertex; V2E holds where those of each vertex begin. Built in parallel in time linear in the
- * number of cells; memory n1 + n0 + 1 ids, twice n1 more while it is built.
+ * vertex; V2E holds where those of each vertex begin; E2V, which the thesis does without, the
+ * larger vertex, since looking it up through E2D took three times as long. Built in parallel in
+ * time linear in the number of cells; memory 2 n1 + n0 + 9 ids, n1 more while it is built.
  */
 template <typename Id>
 class VTKISTHMUS_EXPORT EdgeTable
@@ -47,17 +48,26 @@ public:
   /// The edge of any dart.
   Edge Of(Dart dart) const
   {
-    Vertex start = this->Mesh.StartVertex(dart), end = this->Mesh.EndVertex(dart);
-    if (end < start)
+    const auto [a, b] = this->Mesh.EndVertices(dart);
+    const Id start = std::min(a, b).Value, end = std::max(a, b).Value;
+    Id edge = this->V2E[start];
+    Id left = this->V2E[start + std::size_t(1)] - edge;
+    // Counting the smaller ends in strides has no branch that is hard to predict.
+    for (;;)
     {
-      std::swap(start, end);
+      const Id* ends = this->E2V.data() + edge;
+      Id smaller = 0;
+      for (Id i = 0; i < Stride; ++i)
+      {
+        smaller += static_cast<Id>(ends[i] < end) & static_cast<Id>(i < left);
+      }
+      edge += smaller;
+      if (smaller < Stride)
+      {
+        return Edge(edge);
+      }
+      left -= Stride;
     }
-    Id edge = this->V2E[start.Value];
-    while (this->Mesh.EndVertex(this->E2D[edge]) != end)
-    {
-      ++edge;
-    }
-    return Edge(edge);
   }
 
   /// The edges whose smaller vertex is `vertex`, ordered by the other one.
@@ -124,9 +134,12 @@ private:
   void SortByVertices(std::vector<std::vector<Dart>> leaders);
   void JoinPinchedEdges();
 
+  static constexpr Id Stride = 8;
+
   const Map& Mesh;
   std::vector<Dart> E2D;
-  std::vector<Id> V2E;                        // n0 + 1 places
+  std::vector<Id> E2V; // the larger vertex of each edge; Stride more places, so that Of may overrun
+  std::vector<Id> V2E; // n0 + 1 places
   std::vector<std::pair<Edge, Dart>> Pinched; // sorted; empty unless the mesh is pinched
 };
 

@@ -228,24 +228,29 @@ private:
     }
     std::size_t next = this->Spokes.size();
     this->Spokes.push_back(seed);
-    this->Cross(seed); // the face through which all others were entered
     for (; next < this->Spokes.size(); ++next)
     {
-      const Dart spoke = this->Spokes[next];
-      for (Dart dart = this->Mesh.Beta1(this->Mesh.Beta2(spoke)); dart != spoke;
-           dart = this->Mesh.Beta1(this->Mesh.Beta2(dart)))
-      {
-        this->Cross(dart);
-      }
+      this->CrossFaces(this->Spokes[next]);
     }
   }
 
-  void Cross(Dart dart)
+  /// Adds the new cells beyond the faces at the vertex of one cell.
+  void CrossFaces(Dart spoke)
   {
-    const Dart across = this->Mesh.Beta3(dart);
-    if (!this->Mesh.IsOutside(across) && this->Found.Insert(this->Mesh.CellOf(across).Value))
+    const auto cell = this->Mesh.CellOf(spoke);
+    const CellType& type = this->Mesh.TypeOf(cell);
+    const View<Dart> beyond = this->Mesh.Neighbours(cell);
+    const unsigned corner = type.At(this->Mesh.LocalDart(spoke)).Start;
+    for (unsigned i = 0; i < type.VertexDegree(corner); ++i)
     {
-      this->Spokes.push_back(this->Mesh.Beta1(across));
+      const unsigned local = type.VertexDart(corner, i);
+      const Dart across = beyond[type.At(local).Face];
+      if (!this->Mesh.IsOutside(across) && this->Found.Insert(this->Mesh.CellOf(across).Value))
+      {
+        // beta3 ends at the vertex, so the dart after it starts there.
+        this->Spokes.push_back(
+          this->Mesh.Beta1(this->Mesh.Beta3(this->Mesh.MakeDart(cell, local))));
+      }
     }
   }
 

@@ -8,6 +8,7 @@
 #include "CompactCombinatorialMap.h"
 #include "EdgeTable.h"
 #include "FaceTable.h"
+#include "StarTable.h"
 #include "VertexStar.h"
 
 #include <gtest/gtest.h>
@@ -244,6 +245,13 @@ void CheckStars(const Map& map, const BruteForce& truth)
     ASSERT_EQ(map.IsBoundary(vertex), truth.BoundaryVertices.count(number) == 1);
     Numbers cells, neighbours;
     for (const auto dart : star.Gather(vertex))
+    {
+      ASSERT_EQ(map.StartVertex(dart), vertex);
+      ASSERT_TRUE(cells.insert(map.CellOf(dart).Value).second);
+    }
+    ASSERT_EQ(cells, find(truth.CellsOfVertex, number));
+    cells.clear();
+    for (const auto dart : map.Stars().Of(vertex))
     {
       ASSERT_EQ(map.StartVertex(dart), vertex);
       ASSERT_TRUE(cells.insert(map.CellOf(dart).Value).second);

@@ -1,0 +1,44 @@
+/**
+ * @file StarTable.h
+ * @brief The cells around each vertex of a combinatorial map, as a list: table V2S.
+ *
+ * VertexStar walks a star with the map's own tables; this one costs more memory than all of them
+ * would for a few queries, and pays for itself where every vertex's star is asked for.
+ */
+#ifndef isthmus_StarTable_h
+#define isthmus_StarTable_h
+
+#include "CompactCombinatorialMap.h"
+
+namespace isthmus
+{
+
+/// Memory: n0 + 1 ids and one for each vertex of each cell. Built in time linear in these.
+template <typename Id>
+class VTKISTHMUS_EXPORT StarTable
+{
+public:
+  using Map = CompactCombinatorialMap<Id>;
+  using Vertex = typename Map::Vertex;
+  using Dart = typename Map::Dart;
+
+  explicit StarTable(const Map& map);
+
+  /// One dart that starts at `vertex` for each cell around it, ordered by cell.
+  View<Dart> Of(Vertex vertex) const
+  {
+    const Id first = this->Offsets[vertex.Value];
+    return { this->Darts.data() + first,
+      static_cast<std::size_t>(this->Offsets[vertex.Value + std::size_t(1)] - first) };
+  }
+
+  void AppendMemory(std::vector<TableMemory>& report) const;
+
+private:
+  std::vector<Id> Offsets;
+  std::vector<Dart> Darts;
+};
+
+}
+
+#endif
