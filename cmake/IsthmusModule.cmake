@@ -2,6 +2,10 @@
 
 set(classes
   Filters/Curvature/vtkHessianCurvature
+  Filters/Topology/vtkCellIncidence
+  Filters/Topology/vtkTetCutaway
+  Readers/vtkCombinatorialMeshReader
+  Readers/vtkCombinatorialMeshWriter
   Readers/vtkMRCMapReader)
 
 set(sources
@@ -14,13 +18,17 @@ set(sources
   Filters/Curvature/PointDerivative.cxx
   Filters/Curvature/ShapeRows.cxx
   Filters/Support/CellType.cxx
+  Filters/Support/GridCells.cxx
   Filters/Support/ParallelFor.cxx
   Filters/Topology/CompactCombinatorialMap.cxx
   Filters/Topology/EdgeTable.cxx
   Filters/Topology/FaceTable.cxx
   Filters/Topology/HalfFaceMatching.cxx
   Filters/Topology/StarTable.cxx
+  Filters/Topology/TetCutaway.cxx
   Readers/ByteSource.cxx
+  Readers/CombinatorialMeshParser.cxx
+  Readers/CombinatorialMeshWriter.cxx
   Readers/CompressedSource.cxx
   Readers/MRCFieldData.cxx
   Readers/MRCGeometry.cxx

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -167,17 +168,19 @@ void CellType::LinkFace(std::size_t first)
 
 void CellType::GatherVertexDarts()
 {
-  this->VertexOffsets.push_back(0);
-  for (int v = 0; v < this->VertexCount; ++v)
+  const auto vertices = static_cast<std::size_t>(this->VertexCount);
+  this->VertexOffsets.assign(vertices + 1, 0);
+  for (std::size_t d = 1; d < this->Darts.size(); ++d)
   {
-    for (std::size_t d = 1; d < this->Darts.size(); ++d)
-    {
-      if (this->Darts[d].Start == v)
-      {
-        this->VertexDarts.push_back(static_cast<Local>(d));
-      }
-    }
-    this->VertexOffsets.push_back(static_cast<Local>(this->VertexDarts.size()));
+    ++this->VertexOffsets[this->Darts[d].Start];
+  }
+  // Ends of each vertex's darts first; filling from behind, last dart first, leaves the beginnings.
+  std::partial_sum(
+    this->VertexOffsets.begin(), this->VertexOffsets.end(), this->VertexOffsets.begin());
+  this->VertexDarts.resize(this->Darts.size() - 1);
+  for (std::size_t d = this->Darts.size(); --d > 0;)
+  {
+    this->VertexDarts[--this->VertexOffsets[this->Darts[d].Start]] = static_cast<Local>(d);
   }
 }
 

@@ -1,0 +1,61 @@
+/**
+ * @file GridMap.h
+ * @brief The combinatorial map of a vtkUnstructuredGrid, with ids as wide as it needs.
+ */
+#ifndef isthmus_GridMap_h
+#define isthmus_GridMap_h
+
+#include "CompactCombinatorialMap.h"
+#include "GridCells.h"
+
+#include <vtkUnstructuredGrid.h>
+
+namespace isthmus
+{
+
+/// Calls `use(map)`, with 32-bit ids if these suffice.
+template <typename Use>
+void WithMap(const GridCells& cells, const ProgressCallback& progress, Use&& use)
+{
+  const CellList list = cells.List();
+  if (CompactCombinatorialMap<std::uint32_t>::FitsIn(list))
+  {
+    use(CompactCombinatorialMap<std::uint32_t>(list, progress));
+  }
+  else
+  {
+    use(CompactCombinatorialMap<std::uint64_t>(list, progress));
+  }
+}
+
+/**
+ * Calls `use(map, cells)` with the map of `grid`. Cells are turned by the sign of their volume, so
+ * that faces look outwards; where that does not fit together, as with cells that are tangled and
+ * so have a negative volume, they are taken as their numbering says. Throws MeshError if that does
+ * not fit either.
+ */
+template <typename Use>
+void WithMap(vtkUnstructuredGrid* grid, const ProgressCallback& progress, Use&& use)
+{
+  const auto attempt = [&](GridCells::Orientation orientation)
+  {
+    const GridCells cells(grid, orientation);
+    WithMap(cells, progress, [&](const auto& map) { use(map, cells); });
+  };
+  try
+  {
+    attempt(GridCells::Orientation::ByVolume);
+  }
+  catch (const MeshError& error)
+  {
+    if (error.Kind() != MeshError::Reason::Orientation)
+    {
+      throw;
+    }
+    attempt(GridCells::Orientation::AsGiven);
+  }
+}
+
+}
+
+#endif

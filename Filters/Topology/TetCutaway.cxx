@@ -1,0 +1,77 @@
+#include "TetCutaway.h"
+
+namespace isthmus
+{
+namespace
+{
+
+/// Whether the cell with this center may go; for Number the count alone decides.
+bool Allows(const CutawayRule& rule, const Position& seed, const Position& center)
+{
+  double squaredDistance = 0.0, height = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    squaredDistance += (center[i] - seed[i]) * (center[i] - seed[i]);
+    height += (center[i] - rule.Origin[i]) * rule.Normal[i];
+  }
+  switch (rule.By)
+  {
+    case CutawayRule::Kind::Distance:
+      return squaredDistance <= rule.Distance * rule.Distance;
+    case CutawayRule::Kind::Plane:
+      return height > 0.0;
+    case CutawayRule::Kind::Number:
+      break;
+  }
+  return true;
+}
+
+}
+
+template <typename Id>
+std::vector<unsigned char> CutAway(const CompactCombinatorialMap<Id>& map,
+  typename CompactCombinatorialMap<Id>::Cell seed, const CutawayRule& rule,
+  const std::function<Position(std::size_t)>& centerOf, const ProgressCallback& progress)
+{
+  using Cell = typename CompactCombinatorialMap<Id>::Cell;
+  constexpr std::size_t cellsPerReport = 1u << 16;
+  const std::size_t most = rule.By == CutawayRule::Kind::Number
+    ? static_cast<std::size_t>(rule.NumberOfCells)
+    : map.NumberOfCells();
+  std::vector<unsigned char> gone(map.NumberOfCells(), 0);
+  const Position seedCenter = centerOf(seed.Value);
+  std::vector<Cell> queue;
+  const auto take = [&](Cell cell)
+  {
+    if (!gone[cell.Value] && queue.size() < most && Allows(rule, seedCenter, centerOf(cell.Value)))
+    {
+      gone[cell.Value] = 1;
+      queue.push_back(cell);
+    }
+  };
+  take(seed);
+  for (std::size_t next = 0; next < queue.size(); ++next)
+  {
+    if (next % cellsPerReport == 0)
+    {
+      Report(progress, static_cast<double>(next) / static_cast<double>(map.NumberOfCells()));
+    }
+    for (const auto across : map.Neighbours(queue[next]))
+    {
+      if (!map.IsOutside(across))
+      {
+        take(map.CellOf(across));
+      }
+    }
+  }
+  return gone;
+}
+
+template std::vector<unsigned char> CutAway(const CompactCombinatorialMap<std::uint32_t>&,
+  CompactCombinatorialMap<std::uint32_t>::Cell, const CutawayRule&,
+  const std::function<Position(std::size_t)>&, const ProgressCallback&);
+template std::vector<unsigned char> CutAway(const CompactCombinatorialMap<std::uint64_t>&,
+  CompactCombinatorialMap<std::uint64_t>::Cell, const CutawayRule&,
+  const std::function<Position(std::size_t)>&, const ProgressCallback&);
+
+}

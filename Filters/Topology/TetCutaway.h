@@ -1,0 +1,49 @@
+/**
+ * @file TetCutaway.h
+ * @brief Removes a connected piece of a volume mesh, to show what is inside.
+ *
+ * Source: X. Feng, "Geometric and topological modeling techniques for large and complex shapes",
+ * 4.3.2 and Figure 4.14: breadth-first search from a seed face.
+ */
+#ifndef isthmus_TetCutaway_h
+#define isthmus_TetCutaway_h
+
+#include "CompactCombinatorialMap.h"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace isthmus
+{
+
+using Position = std::array<double, 3>;
+
+/// Which cells may go, among those reached from the seed through faces of cells that go.
+struct CutawayRule
+{
+  enum class Kind
+  {
+    Number,   ///< the first NumberOfCells in breadth-first order
+    Distance, ///< those whose centers are at most Distance from the seed cell's center
+    Plane     ///< those whose centers lie on the side of the plane to which Normal points
+  };
+  Kind By = Kind::Number;
+  std::int64_t NumberOfCells = 0;
+  double Distance = 0.0;
+  Position Origin{ 0, 0, 0 };
+  Position Normal{ 0, 0, 1 };
+};
+
+/**
+ * For each cell 1 if it goes, else 0. `centerOf(cell)` gives the center of a cell by its number.
+ * Time: the cells that go and their neighbours; memory: one byte a cell.
+ */
+template <typename Id>
+VTKISTHMUS_EXPORT std::vector<unsigned char> CutAway(const CompactCombinatorialMap<Id>& map,
+  typename CompactCombinatorialMap<Id>::Cell seed, const CutawayRule& rule,
+  const std::function<Position(std::size_t)>& centerOf, const ProgressCallback& progress = {});
+
+}
+
+#endif

@@ -1,0 +1,62 @@
+/**
+ * @class vtkCellIncidence
+ * @brief Edges and faces of a volume mesh, each once, with a number and what they belong to.
+ *
+ * Input: vtkUnstructuredGrid of linear volume cells of any type, VTK_POLYHEDRON too. Cells of
+ * higher order are taken by their corner points, and points, lines and surface cells are left out;
+ * a warning says so.
+ *
+ * Output port 0, vtkPolyData: each edge as one line, from its smaller to its larger point. Cell
+ * data: EdgeId (vtkIdType), OnBoundary (unsigned char, 1 on the mesh's boundary),
+ * NumberOfIncidentCells and FirstIncidentCell (vtkIdType; the smallest number of an input cell).
+ *
+ * Output port 1, vtkPolyData: each face as one polygon, counter-clockwise seen from outside the
+ * mesh, or from its second cell. Cell data: FaceId, OnBoundary, NumberOfIncidentCells,
+ * FirstIncidentCell, SecondIncidentCell (-1 beyond the boundary).
+ *
+ * Edges are ordered by their points' numbers, faces by their three smallest, so the ids do not
+ * depend on the order of the cells or on the number of threads. Both outputs share the input's
+ * points and point data, and its field data; with PassCellData each edge and face carries the cell
+ * data of its first incident cell.
+ *
+ * Time and memory are linear in the number of cells (isthmus::CompactCombinatorialMap). A face
+ * with three cells, cells whose faces do not agree, cells that use a point twice or a point that
+ * does not exist are refused: an error that names them, and empty outputs. On several MPI ranks
+ * each rank numbers its own piece: gather the mesh first where ids must be global.
+ */
+#ifndef vtkCellIncidence_h
+#define vtkCellIncidence_h
+
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <vtkPolyDataAlgorithm.h>
+
+class VTKISTHMUS_EXPORT vtkCellIncidence : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkCellIncidence* New();
+  vtkTypeMacro(vtkCellIncidence, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Whether edges and faces carry the cell data of their first incident cell. Default: on.
+  vtkSetMacro(PassCellData, bool);
+  vtkGetMacro(PassCellData, bool);
+  vtkBooleanMacro(PassCellData, bool);
+  ///@}
+
+protected:
+  vtkCellIncidence();
+  ~vtkCellIncidence() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  bool PassCellData = true;
+
+private:
+  vtkCellIncidence(const vtkCellIncidence&) = delete;
+  void operator=(const vtkCellIncidence&) = delete;
+};
+
+#endif

@@ -1,0 +1,265 @@
+#include "vtkTetCutaway.h"
+
+#include "AlgorithmGuard.h"
+#include "FaceTable.h"
+#include "GridMap.h"
+#include "TetCutaway.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkIdList.h>
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+vtkStandardNewMacro(vtkTetCutaway);
+
+namespace
+{
+
+/// Mean of the positions of `count` vertices.
+template <typename VertexAt>
+isthmus::Position Center(vtkUnstructuredGrid* grid, std::size_t count, VertexAt&& vertexAt)
+{
+  isthmus::Position sum{ 0, 0, 0 };
+  for (std::size_t v = 0; v < count; ++v)
+  {
+    double position[3];
+    grid->GetPoint(static_cast<vtkIdType>(vertexAt(v).Value), position);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      sum[i] += position[i] / static_cast<double>(count);
+    }
+  }
+  return sum;
+}
+
+/// The cell of the boundary face whose center is nearest to `point`.
+template <typename Map>
+typename Map::Cell CellNearest(const Map& map, vtkUnstructuredGrid* grid, const double* point)
+{
+  typename Map::Cell nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t b = 0; b < map.NumberOfBoundaryFaces(); ++b)
+  {
+    const auto dart = map.DartOf(typename Map::BoundaryFace(static_cast<typename Map::IdType>(b)));
+    const auto darts = map.Darts(map.HalfFaceOf(dart));
+    const isthmus::Position center =
+      Center(grid, darts.size(), [&](std::size_t v) { return map.StartVertex(darts[v]); });
+    const double squared = (center[0] - point[0]) * (center[0] - point[0]) +
+      (center[1] - point[1]) * (center[1] - point[1]) +
+      (center[2] - point[2]) * (center[2] - point[2]);
+    if (squared < least)
+    {
+      least = squared;
+      nearest = map.CellOf(dart);
+    }
+  }
+  return nearest;
+}
+
+/// The cell of a numbered face.
+template <typename Map>
+typename Map::Cell CellOfFace(const Map& map, vtkIdType face)
+{
+  if (face < 0 || face >= static_cast<vtkIdType>(map.NumberOfFaces()))
+  {
+    throw std::invalid_argument("SeedFace " + std::to_string(face) +
+      " does not exist: the mesh has the faces 0 ... " + std::to_string(map.NumberOfFaces() - 1) +
+      ".");
+  }
+  return map.CellOf(
+    map.Faces().DartOf(typename Map::Face(static_cast<typename Map::IdType>(face))));
+}
+
+/// What is left of `input`, and its surface.
+class Remainder
+{
+public:
+  Remainder(vtkUnstructuredGrid* input, const std::vector<unsigned char>& gone)
+    : Input(input)
+    , Gone(gone)
+  {
+  }
+
+  template <typename Map>
+  void WriteSurface(const Map& map, const isthmus::GridCells& cells, vtkPolyData* output) const
+  {
+    vtkNew<vtkCellArray> polygons;
+    vtkNew<vtkUnsignedCharArray> exposed;
+    exposed->SetName("Exposed");
+    vtkNew<vtkIdList> owners, points;
+    for (std::size_t c = 0; c < this->Gone.size(); ++c)
+    {
+      const typename Map::Cell cell(static_cast<typename Map::IdType>(c));
+      for (unsigned f = 0; !this->Gone[c] && f < map.Neighbours(cell).size(); ++f)
+      {
+        const auto across = map.Neighbours(cell)[f];
+        const bool boundary = map.IsOutside(across);
+        if (boundary || this->Gone[map.CellOf(across).Value])
+        {
+          points->Reset();
+          for (const auto dart : map.Darts(map.MakeHalfFace(cell, f)))
+          {
+            points->InsertNextId(static_cast<vtkIdType>(map.StartVertex(dart).Value));
+          }
+          polygons->InsertNextCell(points);
+          exposed->InsertNextValue(boundary ? 0 : 1);
+          owners->InsertNextId(cells.GridId(c));
+        }
+      }
+    }
+    output->SetPolys(polygons);
+    this->PassData(output, owners);
+    output->GetCellData()->AddArray(exposed);
+  }
+
+  void WriteCells(const isthmus::GridCells& cells, vtkUnstructuredGrid* output) const
+  {
+    output->Allocate(cells.NumberOfCells());
+    vtkNew<vtkIdList> owners, points;
+    for (std::size_t c = 0; c < this->Gone.size(); ++c)
+    {
+      if (this->Gone[c])
+      {
+        continue;
+      }
+      const vtkIdType id = cells.GridId(c);
+      const int type = this->Input->GetCellType(id);
+      if (type == VTK_POLYHEDRON)
+      {
+        this->Input->GetFaceStream(id, points); // with the number of faces first, as is inserted
+      }
+      else
+      {
+        this->Input->GetCellPoints(id, points);
+      }
+      output->InsertNextCell(type, points);
+      owners->InsertNextId(id);
+    }
+    this->PassData(output, owners);
+  }
+
+private:
+  void PassData(vtkPointSet* output, vtkIdList* owners) const
+  {
+    output->SetPoints(this->Input->GetPoints());
+    output->GetPointData()->PassData(this->Input->GetPointData());
+    output->GetFieldData()->PassData(this->Input->GetFieldData());
+    vtkCellData* data = output->GetCellData();
+    data->CopyGlobalIdsOff();
+    data->CopyAllocate(this->Input->GetCellData(), owners->GetNumberOfIds());
+    data->CopyData(this->Input->GetCellData(), owners, vtkIdType(0));
+    vtkNew<vtkIdTypeArray> original;
+    original->SetName("OriginalCellIds");
+    original->SetNumberOfValues(owners->GetNumberOfIds());
+    std::copy_n(owners->GetPointer(0), owners->GetNumberOfIds(), original->GetPointer(0));
+    data->AddArray(original);
+  }
+
+  vtkUnstructuredGrid* Input;
+  const std::vector<unsigned char>& Gone;
+};
+
+}
+
+vtkTetCutaway::vtkTetCutaway()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+int vtkTetCutaway::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+int vtkTetCutaway::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkUnstructuredGrid");
+  return 1;
+}
+
+int vtkTetCutaway::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
+  vtkPolyData* surface = vtkPolyData::GetData(outputVector, 0);
+  vtkUnstructuredGrid* remaining = vtkUnstructuredGrid::GetData(outputVector, 1);
+  const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
+  const double *origin = this->PlaneOrigin, *normal = this->PlaneNormal;
+  const isthmus::CutawayRule rule{ static_cast<isthmus::CutawayRule::Kind>(this->StopRule),
+    this->NumberOfCells, this->Distance, { origin[0], origin[1], origin[2] },
+    { normal[0], normal[1], normal[2] } };
+  const auto cut = [&](const auto& map, const isthmus::GridCells& cells)
+  {
+    if (!cells.Remark().empty())
+    {
+      vtkWarningMacro(<< cells.Remark());
+    }
+    if (cells.NumberOfCells() == 0)
+    {
+      return;
+    }
+    const auto seed = this->SeedMode == SEED_POINT ? CellNearest(map, input, this->SeedPoint)
+                                                   : CellOfFace(map, this->SeedFace);
+    const auto centerOf = [&](std::size_t cell)
+    {
+      const auto vertices = map.Vertices(std::decay_t<decltype(seed)>(
+        static_cast<typename std::decay_t<decltype(map)>::IdType>(cell)));
+      return Center(input, vertices.size(), [&](std::size_t v) { return vertices[v]; });
+    };
+    const std::vector<unsigned char> gone =
+      isthmus::CutAway(map, seed, rule, centerOf, isthmus::Between(progress, 0.6, 0.8));
+    if (!gone[seed.Value] && this->StopRule == STOP_BY_PLANE)
+    {
+      vtkWarningMacro("Nothing is removed: the seed cell lies on the side of the plane that stays. "
+                      "Move the seed or turn PlaneNormal round.");
+    }
+    const Remainder remainder(input, gone);
+    remainder.WriteSurface(map, cells, surface);
+    isthmus::Report(progress, 0.9);
+    remainder.WriteCells(cells, remaining);
+  };
+  bool done = false;
+  const int result = isthmus::Guarded(this, surface,
+    [&]()
+    {
+      isthmus::WithMap(input, isthmus::Between(progress, 0.0, 0.6), cut);
+      done = true;
+    });
+  if (!done)
+  {
+    remaining->Initialize(); // Guarded has emptied the other output
+  }
+  return result;
+}
+
+void vtkTetCutaway::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto text = [](const double* v)
+  { return std::to_string(v[0]) + " " + std::to_string(v[1]) + " " + std::to_string(v[2]); };
+  os << indent << "SeedMode: " << this->SeedMode << "\n";
+  os << indent << "SeedPoint: " << text(this->SeedPoint) << "\n";
+  os << indent << "SeedFace: " << this->SeedFace << "\n";
+  os << indent << "StopRule: " << this->StopRule << "\n";
+  os << indent << "NumberOfCells: " << this->NumberOfCells << "\n";
+  os << indent << "Distance: " << this->Distance << "\n";
+  os << indent << "PlaneOrigin: " << text(this->PlaneOrigin) << "\n";
+  os << indent << "PlaneNormal: " << text(this->PlaneNormal) << "\n";
+}

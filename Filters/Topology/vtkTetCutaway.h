@@ -1,0 +1,118 @@
+/**
+ * @class vtkTetCutaway
+ * @brief Removes a connected piece of a volume mesh from a seed, and shows what that exposes.
+ *
+ * Cells are removed in breadth-first order through their faces, beginning at a boundary face, until
+ * a number is reached, a distance from the seed, or a plane (X. Feng's thesis, Figure 4.14). What
+ * remains consists of whole cells, so that the quality of the mesh can be judged.
+ *
+ * Input: vtkUnstructuredGrid of volume cells, as vtkCellIncidence takes them; despite the name any
+ * linear type will do.
+ *
+ * Output port 0, vtkPolyData: the boundary of what remains, each face a polygon seen
+ * counter-clockwise from outside. Cell data: Exposed (unsigned char: 0 the mesh's own boundary, 1 a
+ * face that was inside), OriginalCellIds (vtkIdType: the cell it bounds), and that cell's data.
+ *
+ * Output port 1, vtkUnstructuredGrid: the cells that remain with their data and OriginalCellIds.
+ *
+ * Both outputs keep all points of the input, so that bounds and camera do not move.
+ *
+ * A seed that does not exist is an error, and a seed on the plane's other side removes nothing and
+ * is warned about. Time and memory are linear in the number of cells. On several MPI ranks each
+ * rank cuts its own piece.
+ */
+#ifndef vtkTetCutaway_h
+#define vtkTetCutaway_h
+
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <vtkPolyDataAlgorithm.h>
+
+class VTKISTHMUS_EXPORT vtkTetCutaway : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkTetCutaway* New();
+  vtkTypeMacro(vtkTetCutaway, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum SeedModes
+  {
+    SEED_POINT = 0,
+    SEED_FACE = 1
+  };
+  ///@{
+  /// What the removal begins at: the boundary face nearest to SeedPoint (default), or the face with
+  /// the number SeedFace.
+  vtkSetClampMacro(SeedMode, int, SEED_POINT, SEED_FACE);
+  vtkGetMacro(SeedMode, int);
+  ///@}
+
+  ///@{
+  /// A point near the boundary, in the units of the mesh. Default: the origin.
+  vtkSetVector3Macro(SeedPoint, double);
+  vtkGetVector3Macro(SeedPoint, double);
+  ///@}
+
+  ///@{
+  /// FaceId as vtkCellIncidence gives it. Default: 0.
+  vtkSetMacro(SeedFace, vtkIdType);
+  vtkGetMacro(SeedFace, vtkIdType);
+  ///@}
+
+  enum StopRules
+  {
+    STOP_BY_NUMBER = 0,
+    STOP_BY_DISTANCE = 1,
+    STOP_BY_PLANE = 2
+  };
+  ///@{
+  /// What ends the removal: NumberOfCells (default), Distance, or the plane.
+  vtkSetClampMacro(StopRule, int, STOP_BY_NUMBER, STOP_BY_PLANE);
+  vtkGetMacro(StopRule, int);
+  ///@}
+
+  ///@{
+  /// How many cells are removed. Default: 1000.
+  vtkSetClampMacro(NumberOfCells, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(NumberOfCells, vtkIdType);
+  ///@}
+
+  ///@{
+  /// How far from the seed cell's center the centers of removed cells may be, in the units of the
+  /// mesh. Default: 1.
+  vtkSetClampMacro(Distance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Distance, double);
+  ///@}
+
+  ///@{
+  /// Plane: cells with their center on the side to which PlaneNormal points are removed, if they
+  /// hang together with the seed. Default: the origin and z.
+  vtkSetVector3Macro(PlaneOrigin, double);
+  vtkGetVector3Macro(PlaneOrigin, double);
+  vtkSetVector3Macro(PlaneNormal, double);
+  vtkGetVector3Macro(PlaneNormal, double);
+  ///@}
+
+protected:
+  vtkTetCutaway();
+  ~vtkTetCutaway() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int SeedMode = SEED_POINT;
+  double SeedPoint[3] = { 0.0, 0.0, 0.0 };
+  vtkIdType SeedFace = 0;
+  int StopRule = STOP_BY_NUMBER;
+  vtkIdType NumberOfCells = 1000;
+  double Distance = 1.0;
+  double PlaneOrigin[3] = { 0.0, 0.0, 0.0 };
+  double PlaneNormal[3] = { 0.0, 0.0, 1.0 };
+
+private:
+  vtkTetCutaway(const vtkTetCutaway&) = delete;
+  void operator=(const vtkTetCutaway&) = delete;
+};
+
+#endif

@@ -1,0 +1,72 @@
+/**
+ * @file CombinatorialMeshFile.h
+ * @brief The thesis' file format of volume meshes: cell types by their faces, then vertex lists.
+ *
+ * Source: X. Feng, "Geometric and topological modeling techniques for large and complex shapes",
+ * 3.3.1.1, 3.3.2.2 and Table 3.3, with coordinates and attributes added. The grammar is in
+ * vtkCombinatorialMeshReader.h.
+ */
+#ifndef isthmus_CombinatorialMeshFile_h
+#define isthmus_CombinatorialMeshFile_h
+
+#include "CellList.h"
+
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace isthmus
+{
+
+/// Numbers of any of the file's types: int8 uint8 ... int64 uint64 float32 float64.
+using NumberList =
+  std::variant<std::vector<std::int8_t>, std::vector<std::uint8_t>, std::vector<std::int16_t>,
+    std::vector<std::uint16_t>, std::vector<std::int32_t>, std::vector<std::uint32_t>,
+    std::vector<std::int64_t>, std::vector<std::uint64_t>, std::vector<float>, std::vector<double>>;
+
+/// One array on the vertices or on the cells.
+struct MeshAttribute
+{
+  enum class Place
+  {
+    Vertices,
+    Cells
+  };
+  Place On = Place::Vertices;
+  std::string Name;
+  std::int64_t Components = 1;
+  NumberList Values; ///< components run fastest
+};
+
+/// What a file holds. Coordinates are float or double, three a vertex.
+struct CombinatorialMesh
+{
+  std::int64_t NumberOfVertices = 0;
+  NumberList Coordinates = std::vector<double>();
+  std::vector<CellType> Types;
+  std::vector<CellRun> Runs;
+  std::vector<std::int64_t> CellVertices;
+  std::vector<MeshAttribute> Attributes;
+
+  std::int64_t NumberOfCells() const;
+};
+
+/**
+ * Reads a file's contents. Throws std::runtime_error with the line (of the header part) and what is
+ * wrong. Never takes more memory than a small multiple of the contents' size. O(size).
+ */
+VTKISTHMUS_EXPORT CombinatorialMesh ParseCombinatorialMesh(std::string_view contents);
+
+/// Writes a mesh; parsing what it writes gives the same mesh, bit for bit. Throws
+/// std::invalid_argument for names with line breaks.
+VTKISTHMUS_EXPORT void WriteCombinatorialMesh(
+  const CombinatorialMesh& mesh, bool binary, std::ostream& stream);
+
+}
+
+#endif

@@ -1,0 +1,83 @@
+/**
+ * @file NumberTypes.h
+ * @brief Names, text and bytes of the numbers in a combinatorial mesh file.
+ */
+#ifndef isthmus_NumberTypes_h
+#define isthmus_NumberTypes_h
+
+#include "CombinatorialMeshFile.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace isthmus
+{
+
+/// In the order of NumberList's alternatives.
+inline constexpr std::array<std::string_view, 10> NumberTypeNames{ "int8", "uint8", "int16",
+  "uint16", "int32", "uint32", "int64", "uint64", "float32", "float64" };
+
+/// An empty list of the type with this place in NumberTypeNames.
+template <std::size_t I = 0>
+NumberList EmptyNumberList(std::size_t type)
+{
+  if constexpr (I + 1 < std::variant_size_v<NumberList>)
+  {
+    if (type != I)
+    {
+      return EmptyNumberList<I + 1>(type);
+    }
+  }
+  return NumberList(std::in_place_index<I>);
+}
+
+/// Whether the text is one number of type T, all of it.
+template <typename T>
+bool FromText(std::string_view text, T& value)
+{
+  const char* end = text.data() + text.size();
+  // from_chars takes inf and nan, too, and never looks at the locale.
+  const auto result = std::from_chars(text.data(), end, value);
+  return result.ec == std::errc() && result.ptr == end;
+}
+
+/// The shortest text that FromText turns into the same value.
+template <typename T>
+std::string_view ToText(T value, std::array<char, 64>& buffer)
+{
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return { buffer.data(), static_cast<std::size_t>(result.ptr - buffer.data()) };
+}
+
+inline bool IsLittleEndian()
+{
+  const std::uint16_t one = 1;
+  unsigned char first;
+  std::memcpy(&first, &one, 1);
+  return first == 1;
+}
+
+/// Swaps the file's little-endian bytes into this machine's order, or back.
+template <typename T>
+void SwapToLittleEndian(T* values, std::size_t count)
+{
+  if (!IsLittleEndian() && sizeof(T) > 1)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      auto* bytes = reinterpret_cast<unsigned char*>(values + i);
+      std::reverse(bytes, bytes + sizeof(T));
+    }
+  }
+}
+
+}
+
+#endif

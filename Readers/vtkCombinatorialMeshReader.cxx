@@ -1,0 +1,220 @@
+#include "vtkCombinatorialMeshReader.h"
+
+#include "AlgorithmGuard.h"
+#include "CombinatorialMeshFile.h"
+#include "GridCells.h"
+
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDataArray.h>
+#include <vtkErrorCode.h>
+#include <vtkIdList.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkSmartPointer.h>
+#include <vtkTypeTraits.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkCombinatorialMeshReader);
+
+namespace
+{
+
+/// How cells of one type of the file are handed to VTK.
+struct Translation
+{
+  int VTKType = VTK_POLYHEDRON;
+  std::vector<int> Order; // of the file's vertices in VTK's cell; unused for polyhedra
+};
+
+/// The faces with their beginnings and order made comparable.
+isthmus::FaceList Normalized(isthmus::FaceList faces)
+{
+  for (std::vector<int>& face : faces)
+  {
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+Translation TranslationOf(const isthmus::CellType& type)
+{
+  const isthmus::FaceList faces = Normalized(type.Faces());
+  for (const isthmus::GridCellType& known : isthmus::LinearCellTypes())
+  {
+    if (faces == Normalized(known.Type.Faces()))
+    {
+      Translation translation{ known.VTKType, known.TurnedOut };
+      for (std::size_t i = 0; i < translation.Order.size(); ++i)
+      {
+        translation.Order[i] = static_cast<int>(i);
+      }
+      return translation;
+    }
+  }
+  if (faces == Normalized(isthmus::CellType::Prism().Faces()))
+  {
+    return { VTK_WEDGE, { 0, 2, 1, 3, 5, 4 } };
+  }
+  return {};
+}
+
+vtkSmartPointer<vtkDataArray> ToArray(const isthmus::NumberList& numbers, std::int64_t components)
+{
+  return std::visit(
+    [components](const auto& values)
+    {
+      using Value = typename std::decay_t<decltype(values)>::value_type;
+      auto array = vtkSmartPointer<vtkDataArray>::Take(
+        vtkDataArray::CreateDataArray(vtkTypeTraits<Value>::VTKTypeID()));
+      array->SetNumberOfComponents(static_cast<int>(components));
+      array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+      if (!values.empty())
+      {
+        std::memcpy(array->GetVoidPointer(0), values.data(), values.size() * sizeof(Value));
+      }
+      return array;
+    },
+    numbers);
+}
+
+void InsertPolyhedron(
+  const isthmus::CellType& type, const std::int64_t* vertices, vtkUnstructuredGrid* grid)
+{
+  std::vector<vtkIdType> points(vertices, vertices + type.NumberOfVertices());
+  std::vector<vtkIdType> stream;
+  for (const std::vector<int>& face : type.Faces())
+  {
+    stream.push_back(static_cast<vtkIdType>(face.size()));
+    for (const int vertex : face)
+    {
+      stream.push_back(vertices[vertex]);
+    }
+  }
+  grid->InsertNextCell(VTK_POLYHEDRON, static_cast<vtkIdType>(points.size()), points.data(),
+    static_cast<vtkIdType>(type.Faces().size()), stream.data());
+}
+
+void InsertCells(const isthmus::CombinatorialMesh& mesh, vtkUnstructuredGrid* grid)
+{
+  grid->AllocateEstimate(mesh.NumberOfCells(), 4);
+  const std::int64_t* vertices = mesh.CellVertices.data();
+  for (const isthmus::CellRun& run : mesh.Runs)
+  {
+    const isthmus::CellType& type = mesh.Types[run.Type];
+    const Translation translation = TranslationOf(type);
+    std::vector<vtkIdType> points(translation.Order.size());
+    for (std::int64_t c = 0; c < run.NumberOfCells; ++c, vertices += type.NumberOfVertices())
+    {
+      if (translation.VTKType == VTK_POLYHEDRON)
+      {
+        InsertPolyhedron(type, vertices, grid);
+        continue;
+      }
+      std::transform(translation.Order.begin(), translation.Order.end(), points.begin(),
+        [&](int vertex) { return vertices[vertex]; });
+      grid->InsertNextCell(
+        translation.VTKType, static_cast<vtkIdType>(points.size()), points.data());
+    }
+  }
+}
+
+void Fill(const isthmus::CombinatorialMesh& mesh, vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkPoints> points;
+  points->SetData(ToArray(mesh.Coordinates, 3));
+  grid->SetPoints(points);
+  InsertCells(mesh, grid);
+  for (const isthmus::MeshAttribute& attribute : mesh.Attributes)
+  {
+    const auto array = ToArray(attribute.Values, attribute.Components);
+    array->SetName(attribute.Name.c_str());
+    vtkDataSetAttributes* data = grid->GetPointData();
+    if (attribute.On == isthmus::MeshAttribute::Place::Cells)
+    {
+      data = grid->GetCellData();
+    }
+    data->AddArray(array);
+  }
+}
+
+std::string Contents(const char* fileName)
+{
+  std::ifstream file(fileName, std::ios::binary | std::ios::ate);
+  if (!file)
+  {
+    throw std::runtime_error("The file '" + std::string(fileName) +
+      "' can't be opened: check its name and your right to read it.");
+  }
+  std::string contents(static_cast<std::size_t>(std::max<std::streamoff>(file.tellg(), 0)), '\0');
+  file.seekg(0);
+  if (!file.read(contents.data(), static_cast<std::streamsize>(contents.size())))
+  {
+    throw std::runtime_error("The file '" + std::string(fileName) + "' can't be read to its end.");
+  }
+  return contents;
+}
+
+}
+
+vtkCombinatorialMeshReader::vtkCombinatorialMeshReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkCombinatorialMeshReader::~vtkCombinatorialMeshReader()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkCombinatorialMeshReader::CanReadFile(const char* fileName)
+{
+  const std::string magic = "isthmus-combinatorial-mesh";
+  std::string begin(magic.size(), '\0');
+  std::ifstream file(fileName ? fileName : "", std::ios::binary);
+  return file.read(begin.data(), static_cast<std::streamsize>(begin.size())) && begin == magic;
+}
+
+int vtkCombinatorialMeshReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
+  this->SetErrorCode(vtkErrorCode::NoError);
+  const int result = isthmus::Guarded(this, output,
+    [&]()
+    {
+      if (!this->FileName || !*this->FileName)
+      {
+        throw std::invalid_argument("No file name is given: set FileName.");
+      }
+      const std::string contents = Contents(this->FileName);
+      isthmus::Report(progress, 0.2);
+      const isthmus::CombinatorialMesh mesh = isthmus::ParseCombinatorialMesh(contents);
+      isthmus::Report(progress, 0.7);
+      Fill(mesh, output);
+      isthmus::Report(progress, 1.0);
+    });
+  if (result == 0)
+  {
+    this->SetErrorCode(vtkErrorCode::FileFormatError);
+  }
+  return result;
+}
+
+void vtkCombinatorialMeshReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}

@@ -1,0 +1,57 @@
+/**
+ * @class vtkCombinatorialMeshWriter
+ * @brief Writes the volume cells of a vtkUnstructuredGrid as a combinatorial mesh (.cmesh).
+ *
+ * The format is described at vtkCombinatorialMeshReader, which gives back the same points, cells
+ * and numbers bit for bit, with three exceptions: vtkIdType arrays come back as 64-bit integers and
+ * char as signed char; VTK_POLYHEDRON faces are turned to agree with the cell's first face; cells
+ * of higher order lose all but their corners, and points, lines and surface cells are left out,
+ * which a warning tells. Arrays that hold no numbers are left out with a warning, too.
+ *
+ * A file that can't be written to its end is an error with the error code set.
+ */
+#ifndef vtkCombinatorialMeshWriter_h
+#define vtkCombinatorialMeshWriter_h
+
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <vtkWriter.h>
+
+class vtkUnstructuredGrid;
+
+class VTKISTHMUS_EXPORT vtkCombinatorialMeshWriter : public vtkWriter
+{
+public:
+  static vtkCombinatorialMeshWriter* New();
+  vtkTypeMacro(vtkCombinatorialMeshWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The file to write. Default: none.
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /// Numbers as little-endian bytes (default) or as text.
+  vtkSetMacro(Binary, bool);
+  vtkGetMacro(Binary, bool);
+  vtkBooleanMacro(Binary, bool);
+  ///@}
+
+protected:
+  vtkCombinatorialMeshWriter() = default;
+  ~vtkCombinatorialMeshWriter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void WriteData() override;
+
+  char* FileName = nullptr;
+  bool Binary = true;
+
+private:
+  vtkCombinatorialMeshWriter(const vtkCombinatorialMeshWriter&) = delete;
+  void operator=(const vtkCombinatorialMeshWriter&) = delete;
+};
+
+#endif
