@@ -50,6 +50,10 @@ isthmus::FaceList Normalized(isthmus::FaceList faces)
 
 Translation TranslationOf(const isthmus::CellType& type)
 {
+  if (type.Name().rfind("polyhedron", 0) == 0)
+  {
+    return {};
+  }
   const isthmus::FaceList faces = Normalized(type.Faces());
   for (const isthmus::GridCellType& known : isthmus::LinearCellTypes())
   {

@@ -23,7 +23,8 @@
  * then their little-endian bytes, then a line break. Names go to the end of their line.
  *
  * Output: vtkUnstructuredGrid. Types with the faces of a linear VTK cell become that cell, the
- * thesis' prism becomes VTK_WEDGE, all others VTK_POLYHEDRON. Attributes become point and cell
+ * thesis' prism becomes VTK_WEDGE, all others, and types whose name begins with "polyhedron",
+ * VTK_POLYHEDRON. Attributes become point and cell
  * data.
  *
  * A file that is missing, cut short or wrong is an error with the line and what should be there,

@@ -14,6 +14,7 @@
 #include <array>
 #include <map>
 #include <stdexcept>
+#include <tuple>
 
 namespace isthmus
 {
@@ -148,7 +149,7 @@ private:
         ": the grid is damaged.");
     }
     const bool turn = this->ByVolume && this->SixVolumes(type.Type.Faces(), points) < 0.0;
-    this->BeginCell(id, this->TypeNumber(type.Type));
+    this->BeginCell(id, this->TypeNumber(type.Type, false));
     for (std::size_t i = 0; i < corners; ++i)
     {
       this->Cells.Vertices.push_back(
@@ -196,7 +197,7 @@ private:
       {
         type = type.Mirrored();
       }
-      return this->TypeNumber(type);
+      return this->TypeNumber(type, true);
     }
     catch (const std::invalid_argument& error)
     {
@@ -235,9 +236,10 @@ private:
     return sum;
   }
 
-  std::size_t TypeNumber(const CellType& type)
+  /// A polyhedron does not share its type with a linear cell of the same faces.
+  std::size_t TypeNumber(const CellType& type, bool polyhedron)
   {
-    const auto key = std::make_pair(type.NumberOfVertices(), type.Faces());
+    const auto key = std::make_tuple(polyhedron, type.NumberOfVertices(), type.Faces());
     const auto found = this->Numbers.find(key);
     if (found != this->Numbers.end())
     {
@@ -263,7 +265,7 @@ private:
   bool ByVolume;
   vtkNew<vtkGenericCell> Generic;
   vtkNew<vtkIdList> PointBuffer;
-  std::map<std::pair<int, FaceList>, std::size_t> Numbers;
+  std::map<std::tuple<bool, int, FaceList>, std::size_t> Numbers;
 };
 
 GridCells::GridCells(vtkUnstructuredGrid* grid, Orientation orientation)

@@ -285,7 +285,7 @@ void HalfFaceMatching<Id>::ThrowFirstClashes()
         "than two cells. Remove the cells that overlap."
                                   : "Cells " + pairs +
         " see their common face in the same direction, or disagree on the order "
-        "of its vertices. Turn over the cells that are inside out.");
+        "of its vertices. Turn over cells that are inside out, remove cells that overlap.");
 }
 
 template class HalfFaceMatching<std::uint32_t>;

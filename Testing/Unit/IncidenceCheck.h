@@ -52,6 +52,64 @@ struct BruteForce
     this->LookAtFaces();
   }
 
+  /// Vertices - edges + faces of the boundary.
+  std::int64_t BoundaryEuler() const
+  {
+    std::int64_t euler = static_cast<std::int64_t>(this->BoundaryVertices.size()) -
+      static_cast<std::int64_t>(this->BoundaryEdges.size());
+    for (const auto& face : this->CellsOfFace)
+    {
+      euler += face.second.size() == 1 ? 1 : 0;
+    }
+    return euler;
+  }
+
+  /// Whether the boundary is no surface: more than two faces at an edge, or several fans at a
+  /// vertex, which shows as more edges than one fan of its faces has.
+  bool IsPinched() const
+  {
+    std::map<Pair, int> facesOfEdge;
+    std::map<std::int64_t, std::map<std::int64_t, Numbers>> around; // vertex: neighbour: neighbours
+    for (const auto& [corners, cells] : this->CellsOfFace)
+    {
+      if (cells.size() == 1)
+      {
+        std::map<std::int64_t, std::vector<std::int64_t>> inFace;
+        for (const Pair& side : this->Sides.at(corners))
+        {
+          ++facesOfEdge[side];
+          inFace[side.first].push_back(side.second);
+          inFace[side.second].push_back(side.first);
+        }
+        for (const auto& [vertex, two] : inFace)
+        {
+          around[vertex][two[0]].insert(two[1]);
+          around[vertex][two[1]].insert(two[0]);
+        }
+      }
+    }
+    const auto isOneFan = [](const std::map<std::int64_t, Numbers>& links)
+    {
+      std::vector<std::int64_t> queue{ links.begin()->first };
+      Numbers reached(queue.begin(), queue.end());
+      for (std::size_t next = 0; next < queue.size(); ++next)
+      {
+        for (const std::int64_t other : links.at(queue[next]))
+        {
+          if (reached.insert(other).second)
+          {
+            queue.push_back(other);
+          }
+        }
+      }
+      return reached.size() == links.size();
+    };
+    return std::any_of(facesOfEdge.begin(), facesOfEdge.end(),
+             [](const auto& edge) { return edge.second != 2; }) ||
+      std::any_of(
+        around.begin(), around.end(), [&](const auto& vertex) { return !isOneFan(vertex.second); });
+  }
+
 private:
   void AddCell(std::int64_t cell, const CellType& type, const std::int64_t* vertices)
   {

@@ -1,0 +1,173 @@
+#include "vtkCellIncidence.h"
+
+#include "GridFixtures.h"
+#include "IncidenceCheck.h"
+#include "TopologyFilterRun.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkIdList.h>
+#include <vtkIdTypeArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace
+{
+
+using namespace isthmus::testing;
+using FilterRun = TopologyFilterRun<vtkCellIncidence>;
+
+vtkIdType Id(vtkPolyData* data, const char* name, vtkIdType cell)
+{
+  return static_cast<vtkIdType>(data->GetCellData()->GetArray(name)->GetTuple1(cell));
+}
+
+/// Point data x, cell data 10 times the cell's number.
+void AddData(vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkDoubleArray> x, ten;
+  x->SetName("x");
+  ten->SetName("Ten");
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+  {
+    x->InsertNextValue(grid->GetPoint(p)[0]);
+  }
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    ten->InsertNextValue(10.0 * static_cast<double>(c));
+  }
+  grid->GetPointData()->AddArray(x);
+  grid->GetCellData()->AddArray(ten);
+}
+
+}
+
+TEST(CellIncidence, AgreesWithBruteForce)
+{
+  for (const GridFixture& fixture : AllGridFixtures())
+  {
+    AddData(fixture.Grid);
+    FilterRun run(fixture.Grid);
+    EXPECT_EQ(run.Messages(), "") << fixture.Name;
+    const isthmus::GridCells cells(fixture.Grid, isthmus::GridCells::Orientation::AsGiven);
+    const BruteForce truth(cells.List());
+    vtkPolyData* edges = run.Surface(0);
+    ASSERT_EQ(edges->GetNumberOfLines(), static_cast<vtkIdType>(truth.CellsOfEdge.size()));
+    vtkNew<vtkIdList> points;
+    vtkIdType e = 0;
+    for (const auto& [ends, owners] : truth.CellsOfEdge)
+    {
+      edges->GetCellPoints(e, points);
+      ASSERT_EQ(Pair(points->GetId(0), points->GetId(1)), ends);
+      ASSERT_EQ(Id(edges, "EdgeId", e), e);
+      ASSERT_EQ(Id(edges, "OnBoundary", e) == 1, truth.BoundaryEdges.count(ends) == 1);
+      ASSERT_EQ(Id(edges, "NumberOfIncidentCells", e), static_cast<vtkIdType>(owners.size()));
+      ASSERT_EQ(Id(edges, "FirstIncidentCell", e), *owners.begin());
+      ASSERT_EQ(Id(edges, "Ten", e), 10 * *owners.begin());
+      ++e;
+    }
+    vtkPolyData* faces = run.Surface(1);
+    ASSERT_EQ(faces->GetNumberOfPolys(), static_cast<vtkIdType>(truth.CellsOfFace.size()));
+    vtkIdType f = 0;
+    for (const auto& [corners, owners] : truth.CellsOfFace)
+    {
+      faces->GetCellPoints(f, points);
+      Corners found(points->begin(), points->end());
+      std::sort(found.begin(), found.end());
+      ASSERT_EQ(found, corners);
+      ASSERT_EQ(Id(faces, "FaceId", f), f);
+      ASSERT_EQ(Id(faces, "FirstIncidentCell", f), owners[0]);
+      ASSERT_EQ(Id(faces, "SecondIncidentCell", f), owners.size() > 1 ? owners[1] : -1);
+      ASSERT_EQ(Id(faces, "OnBoundary", f), owners.size() > 1 ? 0 : 1);
+      ++f;
+    }
+    EXPECT_EQ(faces->GetPoints(), fixture.Grid->GetPoints());
+    EXPECT_NE(edges->GetPointData()->GetArray("x"), nullptr);
+  }
+}
+
+TEST(CellIncidence, LeavesCellDataOutOnRequest)
+{
+  const GridPointer grid = GridOf(Mixed(2));
+  AddData(grid);
+  FilterRun run(grid, [](vtkCellIncidence* filter) { filter->PassCellDataOff(); });
+  EXPECT_EQ(run.Surface(1)->GetCellData()->GetArray("Ten"), nullptr);
+  EXPECT_NE(run.Surface(1)->GetCellData()->GetArray("FaceId"), nullptr);
+}
+
+TEST(CellIncidence, WarnsOfWhatItSimplifiesOrLeavesOut)
+{
+  const GridPointer grid = EmptyGrid();
+  for (int p = 0; p < 10; ++p)
+  {
+    grid->GetPoints()->InsertNextPoint(p == 1 || p == 4, p == 2 || p == 5, p == 3 || p == 6);
+  }
+  const vtkIdType ids[] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 };
+  grid->InsertNextCell(VTK_TRIANGLE, 3, ids);
+  grid->InsertNextCell(VTK_QUADRATIC_TETRA, 10, ids);
+  FilterRun run(grid);
+  EXPECT_NE(run.Messages().find("1 cells of higher order"), std::string::npos);
+  EXPECT_NE(run.Messages().find("1 cells that are points, lines or surfaces"), std::string::npos);
+  EXPECT_EQ(run.Surface(0)->GetNumberOfLines(), 6);
+  EXPECT_EQ(Id(run.Surface(1), "FirstIncidentCell", 3), 1);
+}
+
+TEST(CellIncidence, EmptyInputGivesEmptyOutputs)
+{
+  FilterRun run(vtkSmartPointer<vtkUnstructuredGrid>::New());
+  EXPECT_EQ(run.Messages(), "");
+  EXPECT_EQ(run.Surface(0)->GetNumberOfCells(), 0);
+  EXPECT_EQ(run.Surface(1)->GetNumberOfCells(), 0);
+}
+
+TEST(CellIncidence, RefusesWithASentenceAndEmptyOutputs)
+{
+  const auto refusal = [](vtkUnstructuredGrid* grid)
+  {
+    FilterRun run(grid);
+    EXPECT_EQ(run.Surface(0)->GetNumberOfPoints(), 0);
+    EXPECT_EQ(run.Surface(1)->GetNumberOfPoints(), 0);
+    return run.Messages();
+  };
+  GridPointer grid = GridOf(Tetrahedra(1));
+  const vtkIdType again[] = { 0, 1, 3, 7 }; // cell 0
+  grid->InsertNextCell(VTK_TETRA, 4, again);
+  grid->InsertNextCell(VTK_TETRA, 4, again);
+  const std::string overlap = refusal(grid);
+  EXPECT_NE(overlap.find("share a face that a further cell already has"), std::string::npos)
+    << overlap;
+  grid = GridOf(Tetrahedra(1));
+  const vtkIdType outside[] = { 0, 1, 2, 8 };
+  grid->InsertNextCell(VTK_TETRA, 4, outside);
+  EXPECT_NE(refusal(grid).find("Cell 6: a vertex number is not in 0 ... 7"), std::string::npos);
+  const vtkIdType twice[] = { 0, 1, 1, 2 };
+  grid = GridOf(Tetrahedra(1));
+  grid->InsertNextCell(VTK_TETRA, 4, twice);
+  EXPECT_NE(refusal(grid).find("Cell 6: the same vertex occurs twice"), std::string::npos);
+  grid = GridOf(Tetrahedra(1));
+  grid->InsertNextCell(VTK_CONVEX_POINT_SET, 4, twice);
+  EXPECT_NE(refusal(grid).find("Cell 6 is of the type"), std::string::npos);
+  grid = GridOf(Tetrahedra(1));
+  const vtkIdType open[] = { 3, 0, 1, 2, 3, 0, 1, 3, 3, 1, 2, 3 };
+  grid->InsertNextCell(VTK_POLYHEDRON, 3, open);
+  EXPECT_NE(refusal(grid).find("Cell 6 is refused"), std::string::npos);
+}
+
+TEST(CellIncidence, StopsWhenAskedTo)
+{
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkAlgorithm*>(caller)->AbortExecuteOn(); });
+  FilterRun run(GridOf(Tetrahedra(12)),
+    [&](vtkCellIncidence* filter) { filter->AddObserver(vtkCommand::ProgressEvent, stop); });
+  EXPECT_EQ(run.Messages(), "");
+  EXPECT_EQ(run.Surface(0)->GetNumberOfCells(), 0);
+  EXPECT_EQ(run.Surface(1)->GetNumberOfCells(), 0);
+}

@@ -1,0 +1,156 @@
+#include "vtkTetCutaway.h"
+
+#include "GridFixtures.h"
+#include "TopologyFilterRun.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkMath.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace
+{
+
+using namespace isthmus::testing;
+using FilterRun = TopologyFilterRun<vtkTetCutaway>;
+
+/// Volume inside a closed surface whose faces look outwards.
+double VolumeInside(vtkPolyData* surface)
+{
+  double six = 0.0;
+  vtkNew<vtkIdList> points;
+  for (vtkIdType f = 0; f < surface->GetNumberOfCells(); ++f)
+  {
+    surface->GetCellPoints(f, points);
+    double a[3], b[3], c[3];
+    surface->GetPoint(points->GetId(0), a);
+    for (vtkIdType i = 2; i < points->GetNumberOfIds(); ++i)
+    {
+      surface->GetPoint(points->GetId(i - 1), b);
+      surface->GetPoint(points->GetId(i), c);
+      six += vtkMath::Determinant3x3(a, b, c);
+    }
+  }
+  return six / 6.0;
+}
+
+vtkIdType CountExposed(vtkPolyData* surface)
+{
+  vtkIdType count = 0;
+  for (vtkIdType f = 0; f < surface->GetNumberOfCells(); ++f)
+  {
+    count += surface->GetCellData()->GetArray("Exposed")->GetTuple1(f) > 0.0 ? 1 : 0;
+  }
+  return count;
+}
+
+}
+
+TEST(TetCutaway, RemovesTheNumberAskedFor)
+{
+  const GridPointer grid = GridOf(Tetrahedra(6));
+  for (const vtkIdType number : { 0, 1, 100, 1295, 1296, 5000 })
+  {
+    FilterRun run(grid, [&](vtkTetCutaway* filter) { filter->SetNumberOfCells(number); });
+    EXPECT_EQ(run.Messages(), "");
+    const vtkIdType left = std::max<vtkIdType>(0, 1296 - number);
+    EXPECT_EQ(run.Grid(1)->GetNumberOfCells(), left);
+    EXPECT_NEAR(VolumeInside(run.Surface(0)), static_cast<double>(left) / 6.0, 1e-9);
+    EXPECT_EQ(CountExposed(run.Surface(0)) > 0, number > 0 && left > 0);
+  }
+}
+
+TEST(TetCutaway, OneCubeLeavesThreeFacesExposed)
+{
+  // The corner cube of 2^3: three of its faces were inside.
+  FilterRun run(GridOf(Hexahedra(2)), [](vtkTetCutaway* filter) { filter->SetNumberOfCells(1); });
+  EXPECT_EQ(run.Grid(1)->GetNumberOfCells(), 7);
+  EXPECT_EQ(CountExposed(run.Surface(0)), 3);
+  EXPECT_EQ(run.Surface(0)->GetNumberOfCells(), 24 - 3 + 3);
+  EXPECT_EQ(run.Grid(1)->GetCellData()->GetArray("OriginalCellIds")->GetTuple1(0), 1.0);
+}
+
+TEST(TetCutaway, ByDistanceAndByPlane)
+{
+  const GridPointer grid = GridOf(Mixed(6));
+  FilterRun distance(grid,
+    [](vtkTetCutaway* filter)
+    {
+      filter->SetStopRule(vtkTetCutaway::STOP_BY_DISTANCE);
+      filter->SetSeedPoint(6.0, 6.0, 0.0);
+      filter->SetDistance(2.5);
+    });
+  EXPECT_EQ(distance.Messages(), "");
+  EXPECT_LT(distance.Grid(1)->GetNumberOfCells(), grid->GetNumberOfCells());
+  EXPECT_GT(distance.Grid(1)->GetNumberOfCells(), grid->GetNumberOfCells() / 2);
+
+  FilterRun plane(grid,
+    [](vtkTetCutaway* filter)
+    {
+      filter->SetStopRule(vtkTetCutaway::STOP_BY_PLANE);
+      filter->SetSeedPoint(6.0, 3.0, 3.0);
+      filter->SetPlaneOrigin(3.0, 0.0, 0.0);
+      filter->SetPlaneNormal(2.0, 0.0, 0.0);
+    });
+  vtkNew<vtkIdList> points;
+  for (vtkIdType c = 0; c < plane.Grid(1)->GetNumberOfCells(); ++c)
+  {
+    plane.Grid(1)->GetCellPoints(c, points);
+    double mean = 0.0;
+    for (const vtkIdType point : *points)
+    {
+      mean += plane.Grid(1)->GetPoint(point)[0] / static_cast<double>(points->GetNumberOfIds());
+    }
+    EXPECT_LE(mean, 3.0);
+  }
+  EXPECT_GT(CountExposed(plane.Surface(0)), 0);
+}
+
+TEST(TetCutaway, BeginsAtAFaceByItsNumber)
+{
+  // Face 0 of the grid of cubes has the vertices 0, 1 and two more: it belongs to cell 0.
+  FilterRun run(GridOf(Hexahedra(3)),
+    [](vtkTetCutaway* filter)
+    {
+      filter->SetSeedMode(vtkTetCutaway::SEED_FACE);
+      filter->SetSeedFace(0);
+      filter->SetNumberOfCells(1);
+    });
+  EXPECT_EQ(run.Grid(1)->GetCellData()->GetArray("OriginalCellIds")->GetTuple1(0), 1.0);
+  FilterRun wrong(GridOf(Hexahedra(3)),
+    [](vtkTetCutaway* filter)
+    {
+      filter->SetSeedMode(vtkTetCutaway::SEED_FACE);
+      filter->SetSeedFace(108);
+    });
+  EXPECT_NE(wrong.Messages().find("SeedFace 108 does not exist: the mesh has the faces 0 ... 107"),
+    std::string::npos);
+  EXPECT_EQ(wrong.Surface(0)->GetNumberOfPoints(), 0);
+  EXPECT_EQ(wrong.Grid(1)->GetNumberOfPoints(), 0);
+}
+
+TEST(TetCutaway, WarnsWhenTheSeedIsOnTheOtherSide)
+{
+  const GridPointer grid = GridOf(Mixed(3), true);
+  FilterRun run(grid,
+    [](vtkTetCutaway* filter)
+    {
+      filter->SetStopRule(vtkTetCutaway::STOP_BY_PLANE);
+      filter->SetPlaneOrigin(0.0, 0.0, 2.0);
+    });
+  EXPECT_NE(run.Messages().find("Nothing is removed"), std::string::npos);
+  EXPECT_EQ(run.Grid(1)->GetNumberOfCells(), grid->GetNumberOfCells());
+  EXPECT_EQ(run.Grid(1)->GetCellType(0), VTK_POLYHEDRON);
+}
+
+TEST(TetCutaway, EmptyInputGivesEmptyOutputs)
+{
+  FilterRun run(vtkSmartPointer<vtkUnstructuredGrid>::New());
+  EXPECT_EQ(run.Messages(), "");
+  EXPECT_EQ(run.Grid(1)->GetNumberOfCells(), 0);
+}
