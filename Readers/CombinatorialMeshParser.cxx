@@ -93,7 +93,12 @@ public:
     }
     const std::size_t first = this->At;
     this->At = std::min(this->Contents.find('\n', first), this->Contents.size());
-    return this->Contents.substr(first, this->At - first);
+    std::string_view rest = this->Contents.substr(first, this->At - first);
+    while (!rest.empty() && rest.back() == '\r')
+    {
+      rest.remove_suffix(1); // a text file may have come from Windows
+    }
+    return rest;
   }
 
   template <typename T>

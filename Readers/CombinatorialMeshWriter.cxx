@@ -57,9 +57,11 @@ private:
   bool Binary;
 };
 
+/// A name that the reader gives back as it is.
 const std::string& Checked(const std::string& name)
 {
-  if (name.find_first_of("\n\r") != std::string::npos || (!name.empty() && name.front() == ' '))
+  const bool trimmed = !name.empty() && (name.front() == ' ' || name.back() == '\r');
+  if (trimmed || name.find('\n') != std::string::npos)
   {
     throw std::invalid_argument(
       "The name '" + name + "' begins with a blank or holds a line break: rename it.");

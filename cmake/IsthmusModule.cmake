@@ -20,7 +20,9 @@ set(sources
   Filters/Support/CellType.cxx
   Filters/Support/GridCells.cxx
   Filters/Support/ParallelFor.cxx
+  Filters/Topology/CellEdgeTable.cxx
   Filters/Topology/CompactCombinatorialMap.cxx
+  Filters/Topology/CutAndMerge.cxx
   Filters/Topology/EdgeTable.cxx
   Filters/Topology/FaceTable.cxx
   Filters/Topology/HalfFaceMatching.cxx

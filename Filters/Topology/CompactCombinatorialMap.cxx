@@ -1,5 +1,6 @@
 #include "CompactCombinatorialMap.h"
 
+#include "CellEdgeTable.h"
 #include "EdgeTable.h"
 #include "FaceTable.h"
 #include "HalfFaceMatching.h"
@@ -382,6 +383,14 @@ const StarTable<Id>& CompactCombinatorialMap<Id>::Stars() const
 }
 
 template <typename Id>
+const CellEdgeTable<Id>& CompactCombinatorialMap<Id>::CellEdges() const
+{
+  std::call_once(this->CellEdgesOnce,
+    [this]() { this->CellEdgesBuilt = std::make_unique<CellEdgeTable<Id>>(*this); });
+  return *this->CellEdgesBuilt;
+}
+
+template <typename Id>
 std::vector<TableMemory> CompactCombinatorialMap<Id>::MemoryReport() const
 {
   const auto bytes = [](const auto& table)
@@ -395,18 +404,17 @@ std::vector<TableMemory> CompactCombinatorialMap<Id>::MemoryReport() const
     { "V2D", bytes(this->V2D) }, { "B2D", bytes(this->B2D) },
     { "Runs", bytes(this->Blocks) + bytes(this->C2B) }, { "Types", types },
     { "Umbrellas", bytes(this->Umbrellas) } };
-  if (this->EdgesBuilt)
+  const auto append = [&report](const auto& table)
   {
-    this->EdgesBuilt->AppendMemory(report);
-  }
-  if (this->FacesBuilt)
-  {
-    this->FacesBuilt->AppendMemory(report);
-  }
-  if (this->StarsBuilt)
-  {
-    this->StarsBuilt->AppendMemory(report);
-  }
+    if (table)
+    {
+      table->AppendMemory(report);
+    }
+  };
+  append(this->EdgesBuilt);
+  append(this->FacesBuilt);
+  append(this->StarsBuilt);
+  append(this->CellEdgesBuilt);
   return report;
 }
 

@@ -34,6 +34,8 @@ namespace isthmus
 {
 
 template <typename Id>
+class CellEdgeTable;
+template <typename Id>
 class EdgeTable;
 template <typename Id>
 class FaceTable;
@@ -223,11 +225,12 @@ public:
   View<std::pair<Vertex, Dart>> FurtherUmbrellas(Vertex vertex) const;
   ///@}
 
-  /// @name Optional tables, built at the first call: numbered edges and faces, listed stars
+  /// @name Optional tables, built at the first call: numbered edges and faces, lists for sweeps
   ///@{
   const EdgeTable<Id>& Edges() const;
   const FaceTable<Id>& Faces() const;
   const StarTable<Id>& Stars() const;
+  const CellEdgeTable<Id>& CellEdges() const;
   ///@}
 
   /// @name Places of cells of each kind in an array of attributes
@@ -317,10 +320,11 @@ private:
   std::vector<Dart> H2D, V2D, B2D;
   std::vector<std::pair<Vertex, Dart>> Umbrellas; // sorted; empty unless the mesh is pinched
 
-  mutable std::once_flag EdgesOnce, FacesOnce, StarsOnce;
+  mutable std::once_flag EdgesOnce, FacesOnce, StarsOnce, CellEdgesOnce;
   mutable std::unique_ptr<EdgeTable<Id>> EdgesBuilt;
   mutable std::unique_ptr<FaceTable<Id>> FacesBuilt;
   mutable std::unique_ptr<StarTable<Id>> StarsBuilt;
+  mutable std::unique_ptr<CellEdgeTable<Id>> CellEdgesBuilt;
 };
 
 }

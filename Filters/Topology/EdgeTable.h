@@ -23,8 +23,8 @@ namespace isthmus
  * E2D holds, for each edge, a dart from its smaller to its larger vertex: the clockwise end of the
  * fan of a boundary edge, else the smallest such dart. Edges are ordered by smaller, then larger
  * vertex; V2E holds where those of each vertex begin; E2V, which the thesis does without, the
- * larger vertex, since looking it up through E2D took three times as long. Built in parallel in
- * time linear in the number of cells; memory 2 n1 + n0 + 9 ids, n1 more while it is built.
+ * larger vertex, so that a search stays within one line of the cache. Built in parallel in time
+ * linear in the number of cells; memory 2 n1 + n0 + 9 ids, n1 more while it is built.
  */
 template <typename Id>
 class VTKISTHMUS_EXPORT EdgeTable

@@ -6,6 +6,7 @@
 
 #include "CompactCombinatorialMap.h"
 
+#include "CellEdgeTable.h"
 #include "EdgeTable.h"
 #include "FaceTable.h"
 #include "GeneratedMeshes.h"
@@ -363,6 +364,26 @@ void DartToEdgeOurs(benchmark::State& state)
   Report(state, map.NumberOfDarts(), sum);
 }
 BENCHMARK(DartToEdgeOurs)->Unit(benchmark::kMillisecond);
+
+void DartToEdgeFromTableOurs(benchmark::State& state)
+{
+  const Map& map = OurMap();
+  const auto& edges = map.CellEdges();
+  std::uint64_t sum = 0;
+  for (auto _ : state)
+  {
+    sum = 0;
+    for (std::uint32_t c = 0; c < map.NumberOfCells(); ++c)
+    {
+      for (const Map::Dart dart : map.Darts(Map::Cell(c)))
+      {
+        sum += edges.Of(dart).Value;
+      }
+    }
+  }
+  Report(state, map.NumberOfDarts(), sum);
+}
+BENCHMARK(DartToEdgeFromTableOurs)->Unit(benchmark::kMillisecond);
 
 /// VTK's nearest: a vtkEdgeTable filled with our edges, so that the numbers agree.
 void DartToEdgeVTK(benchmark::State& state)

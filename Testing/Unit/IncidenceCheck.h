@@ -5,6 +5,7 @@
 #ifndef isthmus_IncidenceCheck_h
 #define isthmus_IncidenceCheck_h
 
+#include "CellEdgeTable.h"
 #include "CompactCombinatorialMap.h"
 #include "EdgeTable.h"
 #include "FaceTable.h"
@@ -266,9 +267,12 @@ void CheckCells(const Map& map, const BruteForce& truth)
   for (std::size_t c = 0; c < map.NumberOfCells(); ++c)
   {
     const typename Map::Cell cell(static_cast<Id>(c));
+    ASSERT_EQ(map.CellEdges().Of(cell).size(), map.EdgeDarts(cell).size());
     for (const auto dart : map.Darts(cell))
     {
       const auto edge = map.Edges().DartOf(map.Edges().Of(dart));
+      ASSERT_EQ(map.CellEdges().Of(dart), map.Edges().Of(dart));
+      ASSERT_EQ(map.CellEdges().Of(cell)[(map.LocalDart(dart) - 1) / 2], map.Edges().Of(dart));
       ASSERT_EQ(Ends(map, edge), Pair(std::minmax(Ends(map, dart).first, Ends(map, dart).second)));
       const auto half = map.Faces().HalfFaceOf(map.Faces().Of(dart));
       ASSERT_EQ(CornersOf(map, half), CornersOf(map, map.HalfFaceOf(dart)));
