@@ -140,7 +140,8 @@ BENCHMARK(BuildOurs)
   ->Arg(5000000)
   ->Arg(10000000)
   ->Unit(benchmark::kMillisecond)
-  ->UseRealTime();
+  ->UseRealTime()
+  ->MeasureProcessCPUTime();
 
 void BuildOurOptionalTables(benchmark::State& state)
 {

@@ -55,8 +55,8 @@ def cell_values(data, name):
 
 def check_incidence(mesh):
     incidence = simple.CellIncidence(Input=mesh)
-    edges = servermanager.Fetch(simple.OutputPort(incidence, 0))
-    faces = servermanager.Fetch(simple.OutputPort(incidence, 1))
+    edges = servermanager.Fetch(incidence, idx=0)
+    faces = servermanager.Fetch(incidence, idx=1)
     assert edges.GetNumberOfLines() == 12 + 4 + 5, edges.GetNumberOfLines()
     assert faces.GetNumberOfPolys() == 6 + 4 + 4, faces.GetNumberOfPolys()
     assert (cell_values(edges, "EdgeId") == numpy.arange(21)).all()
@@ -72,8 +72,8 @@ def check_incidence(mesh):
 
 def check_cutaway(mesh):
     cutaway = simple.TetCutaway(Input=mesh, SeedPoint=[0.5, 0.5, 2.0], NumberOfCells=1)
-    surface = servermanager.Fetch(simple.OutputPort(cutaway, 0))
-    cells = servermanager.Fetch(simple.OutputPort(cutaway, 1))
+    surface = servermanager.Fetch(cutaway, idx=0)
+    cells = servermanager.Fetch(cutaway, idx=1)
     assert cells.GetNumberOfCells() == 2
     assert cell_values(surface, "Exposed").sum() == 1
     assert list(cell_values(cells, "OriginalCellIds")) == [0, 2]
@@ -81,7 +81,7 @@ def check_cutaway(mesh):
     cutaway.StopRule = "Plane"
     cutaway.PlaneOrigin = [0.0, 0.0, 0.75]
     cutaway.SeedPoint = [0.5, 0.5, 1.9]
-    assert servermanager.Fetch(simple.OutputPort(cutaway, 1)).GetNumberOfCells() == 2
+    assert servermanager.Fetch(cutaway, idx=1).GetNumberOfCells() == 2
 
 
 def check_file(mesh):
