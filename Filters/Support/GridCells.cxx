@@ -14,12 +14,14 @@
 #include <array>
 #include <map>
 #include <stdexcept>
-#include <tuple>
+#include <utility>
 
 namespace isthmus
 {
 namespace
 {
+
+constexpr vtkIdType CellsPerReport = 1 << 16;
 
 /// A prism with `n` sides: base 0 ... n - 1 counter-clockwise seen from the top, top n ... 2n - 1.
 GridCellType PrismWithSides(int vtkType, const std::string& name, int n)
@@ -120,7 +122,7 @@ public:
       return;
     }
     this->Cells.Simplified += linear < 0 ? 0 : 1;
-    this->AddLinear(id, *found);
+    this->AddLinear(id, *found, static_cast<std::size_t>(found - known.begin()));
   }
 
 private:
@@ -136,7 +138,7 @@ private:
     ++this->Cells.LeftOut;
   }
 
-  void AddLinear(vtkIdType id, const GridCellType& type)
+  void AddLinear(vtkIdType id, const GridCellType& type, std::size_t known)
   {
     vtkIdType count;
     const vtkIdType* points;
@@ -149,7 +151,12 @@ private:
         ": the grid is damaged.");
     }
     const bool turn = this->ByVolume && this->SixVolumes(type.Type.Faces(), points) < 0.0;
-    this->BeginCell(id, this->TypeNumber(type.Type, false));
+    if (this->LinearNumbers[known] == None)
+    {
+      this->LinearNumbers[known] = this->Cells.Types.size();
+      this->Cells.Types.push_back(type.Type);
+    }
+    this->BeginCell(id, this->LinearNumbers[known]);
     for (std::size_t i = 0; i < corners; ++i)
     {
       this->Cells.Vertices.push_back(
@@ -197,7 +204,7 @@ private:
       {
         type = type.Mirrored();
       }
-      return this->TypeNumber(type, true);
+      return this->TypeNumber(type);
     }
     catch (const std::invalid_argument& error)
     {
@@ -236,17 +243,16 @@ private:
     return sum;
   }
 
-  /// A polyhedron does not share its type with a linear cell of the same faces.
-  std::size_t TypeNumber(const CellType& type, bool polyhedron)
+  /// Polyhedra share types among themselves, never with a linear cell of the same faces.
+  std::size_t TypeNumber(const CellType& type)
   {
-    const auto key = std::make_tuple(polyhedron, type.NumberOfVertices(), type.Faces());
-    const auto found = this->Numbers.find(key);
-    if (found != this->Numbers.end())
+    const auto added = this->Polyhedra.emplace(
+      std::make_pair(type.NumberOfVertices(), type.Faces()), this->Cells.Types.size());
+    if (added.second)
     {
-      return found->second;
+      this->Cells.Types.push_back(type);
     }
-    this->Cells.Types.push_back(type);
-    return this->Numbers[key] = this->Cells.Types.size() - 1;
+    return added.first->second;
   }
 
   void BeginCell(vtkIdType id, std::size_t type)
@@ -265,10 +271,13 @@ private:
   bool ByVolume;
   vtkNew<vtkGenericCell> Generic;
   vtkNew<vtkIdList> PointBuffer;
-  std::map<std::tuple<bool, int, FaceList>, std::size_t> Numbers;
+  static constexpr std::size_t None = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> LinearNumbers = std::vector<std::size_t>(LinearCellTypes().size(), None);
+  std::map<std::pair<int, FaceList>, std::size_t> Polyhedra;
 };
 
-GridCells::GridCells(vtkUnstructuredGrid* grid, Orientation orientation)
+GridCells::GridCells(
+  vtkUnstructuredGrid* grid, Orientation orientation, const ProgressCallback& progress)
   : NumberOfPoints(grid->GetNumberOfPoints())
 {
   Builder builder(*this, grid, orientation);
@@ -281,6 +290,10 @@ GridCells::GridCells(vtkUnstructuredGrid* grid, Orientation orientation)
   }
   for (vtkIdType id = 0; id < count; ++id)
   {
+    if (id % CellsPerReport == 0)
+    {
+      Report(progress, static_cast<double>(id) / static_cast<double>(count));
+    }
     builder.Add(id);
   }
 }

@@ -6,6 +6,7 @@
 #define isthmus_GridCells_h
 
 #include "CellList.h"
+#include "Progress.h"
 
 #include "vtkIsthmusModule.h" // for the export macro
 
@@ -46,7 +47,8 @@ public:
 
   /// Throws std::invalid_argument naming the cell for a volume cell that has no fixed faces
   /// (VTK_CONVEX_POINT_SET) or a polyhedron that is not closed. Time and memory O(cells).
-  GridCells(vtkUnstructuredGrid* grid, Orientation orientation);
+  GridCells(
+    vtkUnstructuredGrid* grid, Orientation orientation, const ProgressCallback& progress = {});
 
   CellList List() const;
   std::int64_t NumberOfCells() const { return static_cast<std::int64_t>(this->GridIds.size()); }

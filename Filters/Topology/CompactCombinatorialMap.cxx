@@ -359,18 +359,18 @@ auto CompactCombinatorialMap<Id>::FurtherUmbrellas(Vertex vertex) const
 }
 
 template <typename Id>
-const EdgeTable<Id>& CompactCombinatorialMap<Id>::Edges() const
+const EdgeTable<Id>& CompactCombinatorialMap<Id>::Edges(const ProgressCallback& progress) const
 {
-  std::call_once(
-    this->EdgesOnce, [this]() { this->EdgesBuilt = std::make_unique<EdgeTable<Id>>(*this); });
+  std::call_once(this->EdgesOnce,
+    [&]() { this->EdgesBuilt = std::make_unique<EdgeTable<Id>>(*this, progress); });
   return *this->EdgesBuilt;
 }
 
 template <typename Id>
-const FaceTable<Id>& CompactCombinatorialMap<Id>::Faces() const
+const FaceTable<Id>& CompactCombinatorialMap<Id>::Faces(const ProgressCallback& progress) const
 {
-  std::call_once(
-    this->FacesOnce, [this]() { this->FacesBuilt = std::make_unique<FaceTable<Id>>(*this); });
+  std::call_once(this->FacesOnce,
+    [&]() { this->FacesBuilt = std::make_unique<FaceTable<Id>>(*this, progress); });
   return *this->FacesBuilt;
 }
 

@@ -227,8 +227,8 @@ public:
 
   /// @name Optional tables, built at the first call: numbered edges and faces, lists for sweeps
   ///@{
-  const EdgeTable<Id>& Edges() const;
-  const FaceTable<Id>& Faces() const;
+  const EdgeTable<Id>& Edges(const ProgressCallback& progress = {}) const;
+  const FaceTable<Id>& Faces(const ProgressCallback& progress = {}) const;
   const StarTable<Id>& Stars() const;
   const CellEdgeTable<Id>& CellEdges() const;
   ///@}

@@ -15,10 +15,11 @@ constexpr std::int64_t VerticesPerPiece = 1 << 14;
 }
 
 template <typename Id>
-EdgeTable<Id>::EdgeTable(const Map& map)
+EdgeTable<Id>::EdgeTable(const Map& map, const ProgressCallback& progress)
   : Mesh(map)
 {
-  this->SortByVertices(this->LeadingDarts());
+  this->SortByVertices(
+    this->LeadingDarts(Between(progress, 0.0, 0.6)), Between(progress, 0.6, 1.0));
   this->JoinPinchedEdges();
   this->E2V.resize(this->E2D.size() + Stride, 0);
   for (std::size_t edge = 0; edge < this->E2D.size(); ++edge)
@@ -51,11 +52,13 @@ bool EdgeTable<Id>::Leads(Dart dart) const
 }
 
 template <typename Id>
-auto EdgeTable<Id>::LeadingDarts() const -> std::vector<std::vector<Dart>>
+auto EdgeTable<Id>::LeadingDarts(const ProgressCallback& progress) const
+  -> std::vector<std::vector<Dart>>
 {
   const std::size_t cells = this->Mesh.NumberOfCells();
   std::vector<std::vector<Dart>> leaders((cells + CellsPerChunk - 1) / CellsPerChunk);
-  ParallelFor(0, static_cast<std::int64_t>(leaders.size()), 1,
+  ParallelFor(
+    0, static_cast<std::int64_t>(leaders.size()), 1,
     [&](std::int64_t first, std::int64_t last)
     {
       for (auto chunk = static_cast<std::size_t>(first); chunk < static_cast<std::size_t>(last);
@@ -76,12 +79,14 @@ auto EdgeTable<Id>::LeadingDarts() const -> std::vector<std::vector<Dart>>
           }
         }
       }
-    });
+    },
+    progress);
   return leaders;
 }
 
 template <typename Id>
-void EdgeTable<Id>::SortByVertices(std::vector<std::vector<Dart>> leaders)
+void EdgeTable<Id>::SortByVertices(
+  std::vector<std::vector<Dart>> leaders, const ProgressCallback& progress)
 {
   this->V2E.assign(this->Mesh.NumberOfVertices() + 1, 0);
   std::size_t count = 0;
@@ -114,7 +119,8 @@ void EdgeTable<Id>::SortByVertices(std::vector<std::vector<Dart>> leaders)
     return std::make_tuple(this->Mesh.EndVertex(dart),
       !this->Mesh.IsOutside(this->Mesh.Beta3(this->Mesh.Beta2(dart))), dart);
   };
-  ParallelFor(0, static_cast<std::int64_t>(this->Mesh.NumberOfVertices()), VerticesPerPiece,
+  ParallelFor(
+    0, static_cast<std::int64_t>(this->Mesh.NumberOfVertices()), VerticesPerPiece,
     [&](std::int64_t first, std::int64_t last)
     {
       for (auto v = static_cast<std::size_t>(first); v < static_cast<std::size_t>(last); ++v)
@@ -123,7 +129,8 @@ void EdgeTable<Id>::SortByVertices(std::vector<std::vector<Dart>> leaders)
           this->E2D.begin() + static_cast<std::ptrdiff_t>(this->V2E[v + 1]),
           [&](Dart a, Dart b) { return key(a) < key(b); });
       }
-    });
+    },
+    progress);
 }
 
 /// Where one pair of vertices has several fans, keeps the first in E2D and the others aside.

@@ -35,7 +35,7 @@ public:
   using Edge = typename Map::Edge;
   using Dart = typename Map::Dart;
 
-  explicit EdgeTable(const Map& map);
+  explicit EdgeTable(const Map& map, const ProgressCallback& progress = {});
 
   std::size_t Size() const { return this->E2D.size(); }
   /// The dart of an edge, from its smaller to its larger vertex.
@@ -130,8 +130,8 @@ public:
 private:
   View<std::pair<Edge, Dart>> FurtherFans(Edge edge) const;
   bool Leads(Dart dart) const;
-  std::vector<std::vector<Dart>> LeadingDarts() const;
-  void SortByVertices(std::vector<std::vector<Dart>> leaders);
+  std::vector<std::vector<Dart>> LeadingDarts(const ProgressCallback& progress) const;
+  void SortByVertices(std::vector<std::vector<Dart>> leaders, const ProgressCallback& progress);
   void JoinPinchedEdges();
 
   static constexpr Id Stride = 8;

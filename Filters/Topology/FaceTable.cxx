@@ -11,15 +11,21 @@ namespace
 {
 
 constexpr std::int64_t VerticesPerPiece = 1 << 14;
+constexpr std::size_t CellsPerReport = 1u << 16;
 
 }
 
 template <typename Id>
 template <typename Visit>
-void FaceTable<Id>::ForEachLeader(Visit&& visit) const
+void FaceTable<Id>::ForEachLeader(const ProgressCallback& progress, Visit&& visit) const
 {
-  for (std::size_t c = 0; c < this->Mesh.NumberOfCells(); ++c)
+  const std::size_t cells = this->Mesh.NumberOfCells();
+  for (std::size_t c = 0; c < cells; ++c)
   {
+    if (c % CellsPerReport == 0)
+    {
+      Report(progress, static_cast<double>(c) / static_cast<double>(cells));
+    }
     for (const HalfFace half : this->Mesh.HalfFaces(typename Map::Cell(static_cast<Id>(c))))
     {
       const Dart across = this->Mesh.Across(half);
@@ -32,11 +38,12 @@ void FaceTable<Id>::ForEachLeader(Visit&& visit) const
 }
 
 template <typename Id>
-FaceTable<Id>::FaceTable(const Map& map)
+FaceTable<Id>::FaceTable(const Map& map, const ProgressCallback& progress)
   : Mesh(map)
 {
   this->V2F.assign(map.NumberOfVertices() + 1, 0);
-  this->ForEachLeader([this](HalfFace half) { ++this->V2F[this->SmallestVertex(half).Value]; });
+  this->ForEachLeader(Between(progress, 0.0, 0.3),
+    [this](HalfFace half) { ++this->V2F[this->SmallestVertex(half).Value]; });
   // Ends of each vertex's faces first; filling from behind leaves the beginnings.
   Id sum = 0;
   for (Id& place : this->V2F)
@@ -44,16 +51,19 @@ FaceTable<Id>::FaceTable(const Map& map)
     place = sum += place;
   }
   this->F2D.resize(map.NumberOfFaces());
-  this->ForEachLeader([this](HalfFace half)
+  this->ForEachLeader(Between(progress, 0.3, 0.6),
+    [this](HalfFace half)
     { this->F2D[--this->V2F[this->SmallestVertex(half).Value]] = this->Mesh.FirstDart(half); });
-  ParallelFor(0, static_cast<std::int64_t>(map.NumberOfVertices()), VerticesPerPiece,
+  ParallelFor(
+    0, static_cast<std::int64_t>(map.NumberOfVertices()), VerticesPerPiece,
     [this](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t v = first; v < last; ++v)
       {
         this->SortFacesOf(static_cast<std::size_t>(v));
       }
-    });
+    },
+    Between(progress, 0.6, 1.0));
 }
 
 template <typename Id>

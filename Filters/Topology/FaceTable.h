@@ -31,7 +31,7 @@ public:
   using HalfFace = typename Map::HalfFace;
   using Dart = typename Map::Dart;
 
-  explicit FaceTable(const Map& map);
+  explicit FaceTable(const Map& map, const ProgressCallback& progress = {});
 
   std::size_t Size() const { return this->F2D.size(); }
   Dart DartOf(Face face) const { return this->F2D[face.Value]; }
@@ -85,7 +85,7 @@ private:
     return smallest;
   }
   template <typename Visit>
-  void ForEachLeader(Visit&& visit) const;
+  void ForEachLeader(const ProgressCallback& progress, Visit&& visit) const;
   void SortFacesOf(std::size_t vertex);
 
   const Map& Mesh;

@@ -39,8 +39,8 @@ void WithMap(vtkUnstructuredGrid* grid, const ProgressCallback& progress, Use&& 
 {
   const auto attempt = [&](GridCells::Orientation orientation)
   {
-    const GridCells cells(grid, orientation);
-    WithMap(cells, progress, [&](const auto& map) { use(map, cells); });
+    const GridCells cells(grid, orientation, Between(progress, 0.0, 0.3));
+    WithMap(cells, Between(progress, 0.3, 1.0), [&](const auto& map) { use(map, cells); });
   };
   try
   {

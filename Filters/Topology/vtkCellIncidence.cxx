@@ -201,11 +201,11 @@ int vtkCellIncidence::RequestData(
           {
             vtkWarningMacro(<< cells.Remark());
           }
-          Elements lines("EdgeId", map.Edges().Size());
-          FillEdges(map, cells, lines, isthmus::Between(progress, 0.5, 0.7));
-          Elements polygons("FaceId", map.Faces().Size());
+          Elements lines("EdgeId", map.Edges(isthmus::Between(progress, 0.5, 0.65)).Size());
+          FillEdges(map, cells, lines, isthmus::Between(progress, 0.65, 0.75));
+          Elements polygons("FaceId", map.Faces(isthmus::Between(progress, 0.75, 0.9)).Size());
           const auto second = NewArray<vtkIdTypeArray>("SecondIncidentCell", map.Faces().Size());
-          FillFaces(map, cells, polygons, second, isthmus::Between(progress, 0.7, 1.0));
+          FillFaces(map, cells, polygons, second, isthmus::Between(progress, 0.9, 1.0));
           edges->SetLines(lines.MoveTo(edges, input, this->PassCellData));
           faces->SetPolys(polygons.MoveTo(faces, input, this->PassCellData));
           faces->GetCellData()->AddArray(second);

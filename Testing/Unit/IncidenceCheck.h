@@ -164,10 +164,17 @@ private:
   std::map<Corners, std::vector<Pair>> Sides;
 };
 
+/// The number in a handle, in the type that brute force counts with.
+template <typename Handle>
+std::int64_t Number(Handle handle)
+{
+  return static_cast<std::int64_t>(handle.Value);
+}
+
 template <typename Map>
 Pair Ends(const Map& map, typename Map::Dart dart)
 {
-  return { map.StartVertex(dart).Value, map.EndVertex(dart).Value };
+  return { Number(map.StartVertex(dart)), Number(map.EndVertex(dart)) };
 }
 
 template <typename Map>
@@ -176,7 +183,7 @@ Corners CornersOf(const Map& map, typename Map::HalfFace half)
   Corners corners;
   for (const auto dart : map.Darts(half))
   {
-    corners.push_back(map.StartVertex(dart).Value);
+    corners.push_back(Number(map.StartVertex(dart)));
   }
   std::sort(corners.begin(), corners.end());
   return corners;
@@ -230,7 +237,7 @@ void CheckEdges(const Map& map, const BruteForce& truth)
     for (const auto dart : edges.Fan(edge))
     {
       ASSERT_EQ(Ends(map, dart), expected->first);
-      ASSERT_TRUE(cells.insert(map.CellOf(dart).Value).second);
+      ASSERT_TRUE(cells.insert(Number(map.CellOf(dart))).second);
     }
     ASSERT_EQ(cells, expected->second);
   }
@@ -250,10 +257,10 @@ void CheckFaces(const Map& map, const BruteForce& truth)
     ASSERT_EQ(CornersOf(map, faces.HalfFaceOf(face)), expected->first);
     ASSERT_EQ(faces.IsBoundary(face), expected->second.size() == 1);
     std::vector<std::int64_t> cells;
-    cells.push_back(static_cast<std::int64_t>(map.CellOf(faces.DartOf(face)).Value));
+    cells.push_back(Number(map.CellOf(faces.DartOf(face))));
     if (!faces.IsBoundary(face))
     {
-      cells.push_back(static_cast<std::int64_t>(map.CellOf(faces.Across(face)).Value));
+      cells.push_back(Number(map.CellOf(faces.Across(face))));
     }
     ASSERT_EQ(cells, expected->second);
   }
@@ -282,7 +289,7 @@ void CheckCells(const Map& map, const BruteForce& truth)
     {
       if (!map.IsOutside(across))
       {
-        neighbours.insert(map.CellOf(across).Value);
+        neighbours.insert(Number(map.CellOf(across)));
       }
     }
     ASSERT_EQ(neighbours, truth.NeighboursOfCell[c]);
@@ -309,20 +316,20 @@ void CheckStars(const Map& map, const BruteForce& truth)
     for (const auto dart : star.Gather(vertex))
     {
       ASSERT_EQ(map.StartVertex(dart), vertex);
-      ASSERT_TRUE(cells.insert(map.CellOf(dart).Value).second);
+      ASSERT_TRUE(cells.insert(Number(map.CellOf(dart))).second);
     }
     ASSERT_EQ(cells, find(truth.CellsOfVertex, number));
     cells.clear();
     for (const auto dart : map.Stars().Of(vertex))
     {
       ASSERT_EQ(map.StartVertex(dart), vertex);
-      ASSERT_TRUE(cells.insert(map.CellOf(dart).Value).second);
+      ASSERT_TRUE(cells.insert(Number(map.CellOf(dart))).second);
     }
     ASSERT_EQ(cells, find(truth.CellsOfVertex, number));
     const auto edges = star.EdgeDarts();
     for (const auto dart : edges)
     {
-      neighbours.insert(map.EndVertex(dart).Value);
+      neighbours.insert(Number(map.EndVertex(dart)));
     }
     ASSERT_EQ(neighbours, find(truth.NeighboursOfVertex, number));
     ASSERT_EQ(neighbours.size(), edges.size());
