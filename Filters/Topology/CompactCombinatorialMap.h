@@ -55,7 +55,7 @@ struct TableMemory
  * dart: 4 bits for tetrahedra, 5 for the other built-in types, so 2^28 tetrahedra fit in 32 bits.
  *
  * Cells and vertices keep the numbers of the input. Cells may come in any order of types; each run
- * of cells of one type costs 64 bytes, and a mesh of more than one run one integer a cell.
+ * of cells of one type costs 72 bytes, and a mesh of more than one run one integer a cell.
  *
  * Two cells may touch in a vertex or an edge alone (a pinched mesh): their stars and fans are then
  * complete, not only one umbrella. What is refused, by MeshError naming the first cells: a vertex
