@@ -5,6 +5,8 @@
 #include "GeneratedMeshes.h"
 #include "IncidenceCheck.h"
 
+#include <vtkSMPTools.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -237,6 +239,43 @@ TEST(CompactCombinatorialMap, TellsWhatDoesNotFitIn32Bits)
   EXPECT_FALSE(Map::FitsIn(mesh));
   EXPECT_TRUE(CompactCombinatorialMap<std::uint64_t>::FitsIn(mesh));
   EXPECT_NE(Refusal(mesh).find("use the map with 64-bit ids"), std::string::npos);
+}
+
+TEST(CompactCombinatorialMap, SameTablesOnAnyNumberOfThreads)
+{
+  const GeneratedMesh mesh = Tetrahedra(30); // several pieces of every loop
+  const auto tables = [&mesh](int threads)
+  {
+    std::vector<std::uint32_t> all;
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(threads, "STDThread", false),
+      [&]()
+      {
+        const Map map(mesh.List());
+        for (std::uint32_t c = 0; c < map.NumberOfCells(); ++c)
+        {
+          for (const Map::Dart across : map.Neighbours(Map::Cell(c)))
+          {
+            all.push_back(across.Value);
+          }
+        }
+        for (std::uint32_t v = 0; v < map.NumberOfVertices(); ++v)
+        {
+          all.push_back(map.DartOf(Map::Vertex(v)).Value);
+        }
+        for (std::uint32_t e = 0; e < map.Edges().Size(); ++e)
+        {
+          all.push_back(map.Edges().DartOf(Map::Edge(e)).Value);
+        }
+        for (std::uint32_t f = 0; f < map.Faces().Size(); ++f)
+        {
+          all.push_back(map.Faces().DartOf(Map::Face(f)).Value);
+        }
+      });
+    return all;
+  };
+  const std::vector<std::uint32_t> one = tables(1);
+  EXPECT_TRUE(one == tables(2));
+  EXPECT_TRUE(one == tables(5));
 }
 
 TEST(CompactCombinatorialMap, EmptyMesh)
