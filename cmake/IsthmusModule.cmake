@@ -2,6 +2,8 @@
 
 set(classes
   Filters/Curvature/vtkHessianCurvature
+  Filters/Imaging/vtkDiffusionAlgorithm
+  Filters/Imaging/vtkHighOrderDiffusion
   Readers/vtkMRCMapReader)
 
 set(sources
@@ -10,9 +12,20 @@ set(sources
   Filters/Curvature/FiniteDifference.cxx
   Filters/Curvature/GaussianScale.cxx
   Filters/Curvature/HessianCurvature.cxx
-  Filters/Curvature/ImageExtent.cxx
   Filters/Curvature/PointDerivative.cxx
   Filters/Curvature/ShapeRows.cxx
+  Filters/Imaging/AutomaticDenoising.cxx
+  Filters/Imaging/BoxMean.cxx
+  Filters/Imaging/DiffusionImage.cxx
+  Filters/Imaging/DiffusionOperator.cxx
+  Filters/Imaging/DiffusionPipeline.cxx
+  Filters/Imaging/DiffusionRows.cxx
+  Filters/Imaging/EdgeCoefficient.cxx
+  Filters/Imaging/HighOrderDiffusion.cxx
+  Filters/Imaging/NoiseEstimate.cxx
+  Filters/Imaging/RankParts.cxx
+  Filters/Imaging/TimeSteps.cxx
+  Filters/Support/ImageExtent.cxx
   Filters/Support/ParallelFor.cxx
   Readers/ByteSource.cxx
   Readers/CompressedSource.cxx
@@ -30,7 +43,10 @@ set(sources
 # Loops with square roots and comparisons vectorise only without errno and signals for them; values
 # (infinities and NaN too) are the same.
 if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-  set_source_files_properties(Filters/Curvature/FiniteDifference.cxx Filters/Curvature/ShapeRows.cxx
+  set_source_files_properties(
+    Filters/Curvature/FiniteDifference.cxx
+    Filters/Curvature/ShapeRows.cxx
+    Filters/Imaging/DiffusionRows.cxx
     PROPERTIES COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math")
 endif ()
 
@@ -39,7 +55,7 @@ vtk_module_add_module(Isthmus::vtkIsthmus
   SOURCES ${sources})
 
 # Public, since the wrappers include every class by its bare name; installed headers lie flat.
-foreach (room IN ITEMS Filters/Support Filters/Curvature Readers)
+foreach (room IN ITEMS Filters/Support Filters/Curvature Filters/Imaging Readers)
   vtk_module_include(Isthmus::vtkIsthmus
     PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${room}>")
 endforeach ()
