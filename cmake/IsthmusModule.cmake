@@ -3,7 +3,9 @@
 set(classes
   Filters/Curvature/vtkHessianCurvature
   Filters/Imaging/vtkDiffusionAlgorithm
+  Filters/Imaging/vtkDiffusionHighPass
   Filters/Imaging/vtkHighOrderDiffusion
+  Filters/Imaging/vtkPDETransform
   Readers/vtkMRCMapReader)
 
 set(sources
@@ -16,6 +18,7 @@ set(sources
   Filters/Curvature/ShapeRows.cxx
   Filters/Imaging/AutomaticDenoising.cxx
   Filters/Imaging/BoxMean.cxx
+  Filters/Imaging/DiffusionHighPass.cxx
   Filters/Imaging/DiffusionImage.cxx
   Filters/Imaging/DiffusionOperator.cxx
   Filters/Imaging/DiffusionPipeline.cxx
@@ -23,6 +26,7 @@ set(sources
   Filters/Imaging/EdgeCoefficient.cxx
   Filters/Imaging/HighOrderDiffusion.cxx
   Filters/Imaging/NoiseEstimate.cxx
+  Filters/Imaging/PDETransform.cxx
   Filters/Imaging/RankParts.cxx
   Filters/Imaging/TimeSteps.cxx
   Filters/Support/ImageExtent.cxx

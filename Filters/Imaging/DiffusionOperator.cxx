@@ -55,7 +55,7 @@ std::int64_t Parts(std::int64_t whole, std::int64_t part)
 template <typename T>
 int DiffusionOperator<T>::Reach() const
 {
-  return DiffusionLags(this->Coefficient, this->Order()).Out;
+  return DiffusionLags(*this).Out;
 }
 
 template <typename T>

@@ -28,7 +28,6 @@ enum class DiffusionCoefficient
 {
   Constant, ///< c = 1
   Gaussian, ///< c = exp(-|grad u|^2), the gradient in units of GradientScale (4.34)
-  Stored,   ///< c is given for every node
   Gram      ///< 1/sqrt(g), and sqrt(g) before the divergence, g = 1 + |grad W|^2 (4.36)
 };
 
@@ -42,6 +41,7 @@ struct DiffusionOperator
   double GradientScale = 1.0;     ///< Gradients are divided by it: sigma sqrt(2) for 4.34.
   std::vector<T> Weights{ T(1) }; ///< weight_p; the last is that of the highest order and 1.
   T Leading = 1;
+  /// If not null, what is read instead of working it out: exp(-|grad u|^2), or |grad W|^2 for Gram.
   const T* StoredCoefficient = nullptr;
   T Fidelity = 0;
   const T* Input = nullptr;  ///< Read if Fidelity is not 0.
@@ -70,8 +70,9 @@ struct DiffusionStage
   const T* Previous = nullptr; ///< May be the same volume as Out.
   const T* First = nullptr;
   const T* FirstRate = nullptr;
-  T* Out = nullptr;       ///< Never the same volume as Current.
-  T* StoreRate = nullptr; ///< Receives the rate of Current, if not null.
+  T* Out = nullptr;              ///< Never the same volume as Current.
+  T* StoreRate = nullptr;        ///< Receives the rate of Current, if not null.
+  T* StoreCoefficient = nullptr; ///< Receives what a StoredCoefficient would hold, if not null.
 };
 
 /**

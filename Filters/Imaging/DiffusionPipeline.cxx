@@ -60,17 +60,14 @@ void PlaneRing<T>::Place(std::int64_t first, std::int64_t rows, std::int64_t pla
   this->GridPlanes = planes;
 }
 
-DiffusionLags::DiffusionLags(DiffusionCoefficient coefficient, int order)
-  : W(order)
+template <typename T>
+DiffusionLags::DiffusionLags(const DiffusionOperator<T>& diffusion)
+  : W(diffusion.Order())
   , C(0)
 {
-  if (coefficient == DiffusionCoefficient::Gaussian)
+  if (NeedsCoefficient(diffusion.Coefficient) && !diffusion.StoredCoefficient)
   {
-    this->C = 1;
-  }
-  else if (coefficient == DiffusionCoefficient::Gram)
-  {
-    this->C = order + 1;
+    this->C = diffusion.Coefficient == DiffusionCoefficient::Gram ? this->W + 1 : 1;
   }
   this->Out = std::max(this->W, this->C) + 1;
 }
@@ -80,7 +77,7 @@ std::int64_t DiffusionPipeline<T>::TileRowsThatFit(const DiffusionOperator<T>& d
 {
   constexpr std::int64_t cacheBytes = 512 * 1024;
   constexpr std::int64_t fewestRows = 16; // fewer would mostly repeat their neighbours' work
-  const DiffusionLags lags(diffusion.Coefficient, diffusion.Order());
+  const DiffusionLags lags(diffusion);
   std::int64_t planes = 0;
   for (const int depth : Depths(lags, diffusion.Coefficient))
   {
@@ -95,7 +92,7 @@ template <typename T>
 DiffusionPipeline<T>::DiffusionPipeline(
   const DiffusionOperator<T>& diffusion, std::int64_t tileRows)
   : Diffusion(diffusion)
-  , Lags(diffusion.Coefficient, diffusion.Order())
+  , Lags(diffusion)
   , Length(diffusion.Dimensions[0])
   , C(this->Length, tileRows + 2 * this->Lags.Out, Depths(this->Lags, diffusion.Coefficient).back())
   , RateScratch(static_cast<std::size_t>(StrideOf<T>(this->Length)))
@@ -118,6 +115,8 @@ template <typename T>
 void DiffusionPipeline<T>::Run(const DiffusionStage<T>& stage, Range rows, Range planes)
 {
   const auto& size = this->Diffusion.Dimensions;
+  this->OwnRows = rows;
+  this->OwnPlanes = planes;
   for (auto& level : this->Levels)
   {
     level.Place(rows.Begin - this->Lags.Out, size[1], size[2]);
@@ -146,7 +145,8 @@ void DiffusionPipeline<T>::Run(const DiffusionStage<T>& stage, Range rows, Range
     }
     if (NeedsCoefficient(this->Diffusion.Coefficient))
     {
-      owed(wave, this->Lags.C, [&](Range r, std::int64_t k) { this->FillCoefficient(r, k); });
+      owed(
+        wave, this->Lags.C, [&](Range r, std::int64_t k) { this->FillCoefficient(stage, r, k); });
     }
     owed(wave, this->Lags.Out,
       [&](Range r, std::int64_t k)
@@ -186,14 +186,17 @@ void DiffusionPipeline<T>::RaiseOrder(int order, Range rows, std::int64_t plane)
 }
 
 template <typename T>
-void DiffusionPipeline<T>::FillCoefficient(Range rows, std::int64_t plane)
+void DiffusionPipeline<T>::FillCoefficient(
+  const DiffusionStage<T>& stage, Range rows, std::int64_t plane)
 {
-  if (this->Diffusion.Coefficient == DiffusionCoefficient::Stored)
+  if (this->Diffusion.StoredCoefficient)
   {
     this->Load(this->C, this->Diffusion.StoredCoefficient, rows, plane);
     return;
   }
   const bool gaussian = this->Diffusion.Coefficient == DiffusionCoefficient::Gaussian;
+  const bool stored =
+    stage.StoreCoefficient && plane >= this->OwnPlanes.Begin && plane < this->OwnPlanes.End;
   PlaneRing<T>& source = gaussian ? this->Levels.front() : this->Levels.back();
   for (std::int64_t row = rows.Begin; row < rows.End; ++row)
   {
@@ -204,6 +207,11 @@ void DiffusionPipeline<T>::FillCoefficient(Range rows, std::int64_t plane)
       ExponentialRow(this->Length, out);
     }
     RepeatEnds(out, this->Length);
+    if (stored && row >= this->OwnRows.Begin && row < this->OwnRows.End)
+    {
+      std::copy_n(out, this->Length,
+        stage.StoreCoefficient + this->Length * (row + this->Diffusion.Dimensions[1] * plane));
+    }
   }
 }
 
@@ -260,6 +268,8 @@ void DiffusionPipeline<T>::AddReactions(const T* current, std::int64_t offset)
   }
 }
 
+template DiffusionLags::DiffusionLags(const DiffusionOperator<float>&);
+template DiffusionLags::DiffusionLags(const DiffusionOperator<double>&);
 template class PlaneRing<float>;
 template class PlaneRing<double>;
 template class DiffusionPipeline<float>;

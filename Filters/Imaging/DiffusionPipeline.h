@@ -49,7 +49,9 @@ private:
 /// How many planes each quantity runs behind the plane of u that is being read.
 struct DiffusionLags
 {
-  DiffusionLags(DiffusionCoefficient coefficient, int order);
+  template <typename T>
+  explicit DiffusionLags(const DiffusionOperator<T>& diffusion);
+
   int W; ///< and L^m u: m
   int C;
   int Out;
@@ -75,7 +77,7 @@ public:
 private:
   void Load(PlaneRing<T>& ring, const T* volume, Range rows, std::int64_t plane);
   void RaiseOrder(int order, Range rows, std::int64_t plane);
-  void FillCoefficient(Range rows, std::int64_t plane);
+  void FillCoefficient(const DiffusionStage<T>& stage, Range rows, std::int64_t plane);
   void WriteRow(const DiffusionStage<T>& stage, std::int64_t row, std::int64_t plane);
   void AddReactions(const T* current, std::int64_t offset);
 
@@ -83,7 +85,8 @@ private:
   DiffusionLags Lags;
   std::int64_t Length; ///< of a row
   std::array<T, 3> SecondWeights, FirstWeights;
-  std::vector<PlaneRing<T>> Levels; ///< L^m u with the lower orders added; the last is W
+  Range OwnRows{ 0, 0 }, OwnPlanes{ 0, 0 }; ///< of the tile, without what its neighbours own
+  std::vector<PlaneRing<T>> Levels;         ///< L^m u with the lower orders added; the last is W
   PlaneRing<T> C;
   std::vector<T> RateScratch;
 };

@@ -113,11 +113,12 @@ void Smooth(
 
 }
 
-bool StoresCoefficient(const DiffusionParameters& parameters)
+bool LooksBeyondNeighbours(const DiffusionParameters& parameters)
 {
   using Type = DiffusionParameters::EdgeStoppingType;
-  return parameters.EdgeStopping == Type::LocalVariance ||
-    (parameters.EdgeStopping == Type::Gaussian && parameters.PreSmoothing > 0.0);
+  return parameters.Flow == DiffusionParameters::FlowType::Hyperdiffusion &&
+    (parameters.EdgeStopping == Type::LocalVariance ||
+      (parameters.EdgeStopping == Type::Gaussian && parameters.PreSmoothing > 0.0));
 }
 
 template <typename T>

@@ -10,8 +10,8 @@
 namespace isthmus
 {
 
-/// True if the coefficient can't be had on the fly and lives in a volume, filled once per step.
-bool StoresCoefficient(const DiffusionParameters& parameters);
+/// True if the coefficient needs FillEdgeCoefficient.
+bool LooksBeyondNeighbours(const DiffusionParameters& parameters);
 
 /**
  * Fills `coefficient` with exp(-|grad v|^2 / (2 sigma^2)) at every node.

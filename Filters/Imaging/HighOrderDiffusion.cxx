@@ -47,11 +47,7 @@ DiffusionOperator<T> MakeOperator(const Parameters& parameters)
     diffusion.Coefficient = DiffusionCoefficient::Gram;
     diffusion.GradientScale = parameters.Sigma;
   }
-  else if (StoresCoefficient(parameters))
-  {
-    diffusion.Coefficient = DiffusionCoefficient::Stored;
-  }
-  else if (parameters.EdgeStopping == Parameters::EdgeStoppingType::Gaussian)
+  else if (parameters.EdgeStopping != Parameters::EdgeStoppingType::None)
   {
     diffusion.Coefficient = DiffusionCoefficient::Gaussian;
     diffusion.GradientScale = parameters.Sigma * std::sqrt(2.0);
@@ -85,7 +81,8 @@ private:
   DiffusionOperator<T> Diffusion;
   std::vector<std::unique_ptr<T[]>> Owned;
   std::array<T*, 4> Volumes{}; ///< the values, two for stages, the first rate
-  T* Coefficient = nullptr;
+  T* Coefficient = nullptr;    ///< of the present step
+  double Time = 0.0;
 };
 
 template <typename T>
@@ -101,16 +98,19 @@ Solver<T>::Solver(const DiffusionGrid<T>& grid, const Parameters& parameters, T*
   this->Diffusion.Source = source;
   this->Volumes[0] = values;
   this->Volumes[1] = this->NewVolume();
-  const bool stores = StoresCoefficient(parameters);
-  if (stores || parameters.Integrator == Parameters::IntegratorType::SuperTimeStepping)
+  const bool super = parameters.Integrator == Parameters::IntegratorType::SuperTimeStepping;
+  const bool constant = this->Diffusion.Coefficient == DiffusionCoefficient::Constant;
+  if (super || LooksBeyondNeighbours(parameters))
   {
     this->Volumes[2] = this->NewVolume();
+  }
+  if (super)
+  {
     this->Volumes[3] = this->NewVolume();
   }
-  if (stores)
+  if (LooksBeyondNeighbours(parameters) || (super && !constant))
   {
     this->Coefficient = this->NewVolume();
-    this->Diffusion.StoredCoefficient = this->Coefficient;
   }
 }
 
@@ -158,8 +158,19 @@ std::size_t Solver<T>::SuperStep(const TimeStep& step, const ProgressCallback& p
     stage.First = this->Volumes[0];
     stage.FirstRate = this->Volumes[3];
     stage.Out = this->Volumes[out];
-    stage.StoreRate = j == 1 ? this->Volumes[3] : nullptr;
+    if (j == 1)
+    {
+      stage.StoreRate = this->Volumes[3];
+      // The coefficient stays for the whole step: in a changing one a long step would not be
+      // stable.
+      stage.StoreCoefficient = this->Diffusion.StoredCoefficient ? nullptr : this->Coefficient;
+    }
     this->Evaluate(stage, Between(progress, double(j - 1) / step.Stages, double(j) / step.Stages));
+    if (stage.StoreCoefficient)
+    {
+      this->Grid.Exchange(this->Coefficient);
+      this->Diffusion.StoredCoefficient = this->Coefficient;
+    }
   }
   return out;
 }
@@ -168,15 +179,18 @@ template <typename T>
 void Solver<T>::Advance(
   const TimeStep& step, bool record, DiffusionReport& report, const ProgressCallback& progress)
 {
-  if (this->Coefficient)
+  this->Diffusion.StoredCoefficient = nullptr;
+  if (LooksBeyondNeighbours(this->Parameter))
   {
     FillEdgeCoefficient<T>(this->Grid, this->Parameter, this->Volumes[0],
       { this->Volumes[1], this->Volumes[2] }, this->Coefficient);
+    this->Diffusion.StoredCoefficient = this->Coefficient;
   }
   const bool super = this->Parameter.Integrator == Parameters::IntegratorType::SuperTimeStepping;
   const std::size_t result =
     super ? this->SuperStep(step, progress) : this->EulerStep(step, progress);
   report.Evaluations += step.Stages;
+  this->Time += step.Length;
   if (record)
   {
     this->Record(step, this->Volumes[result], report);
@@ -210,7 +224,7 @@ void Solver<T>::Record(const TimeStep& step, const T* after, DiffusionReport& re
     throw std::runtime_error("The values ceased to be finite: the diffusivities, the source or the "
                              "input are too large for this floating-point type.");
   }
-  report.Time.push_back((report.Time.empty() ? 0.0 : report.Time.back()) + step.Length);
+  report.Time.push_back(this->Time);
   report.Change.push_back(change);
   report.Residual.push_back(super ? std::sqrt(sums[1] / sums[2]) : change / step.Length);
 }

@@ -16,7 +16,8 @@
  *
  * Super time stepping is the Runge-Kutta-Legendre method of second order (Meyer, Balsara, Aslam,
  * J. Comput. Phys. 257 (2014) 594): s stages reach (s^2 + s - 2)/4 times as far as one explicit
- * step, so the cost of an end time grows with its square root.
+ * step, so the cost of an end time grows with its square root. The coefficient is that of the
+ * step's start: second order in time where it is constant, first where it changes.
  */
 #ifndef isthmus_HighOrderDiffusion_h
 #define isthmus_HighOrderDiffusion_h
@@ -93,9 +94,9 @@ VTKISTHMUS_EXPORT double ExplicitStepLimit(
  * Steps that are larger than the integrator can take (the sentence names the limit) and
  * std::runtime_error for values that cease to be finite.
  *
- * Memory: extra volumes of T beside values, input and source: ForwardEuler 1, SuperTimeStepping 3
- * (two stages and the first rate); one more holds the coefficient for LocalVariance and
- * PreSmoothing (ForwardEuler then has two more). Time: proportional to nodes x Evaluations.
+ * Memory: extra volumes of T beside values, input and source. SuperTimeStepping 4: two for stages,
+ * the first rate, the coefficient (3 where that is constant). ForwardEuler 1: the next values; 3
+ * with LocalVariance or PreSmoothing. Time: proportional to nodes x Evaluations.
  */
 template <typename T>
 VTKISTHMUS_EXPORT DiffusionReport Diffuse(const DiffusionGrid<T>& grid,

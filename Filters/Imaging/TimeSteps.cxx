@@ -66,14 +66,16 @@ std::vector<TimeStep> SuperSteps(double time, double limit, int count)
   }
   else
   {
-    constexpr double growth = 2.0;
-    double length = limit * Reach(5);
+    constexpr double growth = 1.5, largestPart = 1.0 / 8.0;
+    const double first = limit * Reach(3);
+    const double last = std::min(longest, std::max(first, time * largestPart));
+    double length = first;
     double sum = 0.0;
     while (sum < time)
     {
       steps.push_back({ length, 0 });
       sum += length;
-      length = std::min(longest, length * growth);
+      length = std::min(last, length * growth);
     }
     for (TimeStep& step : steps)
     {

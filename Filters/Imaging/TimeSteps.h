@@ -29,9 +29,9 @@ VTKISTHMUS_EXPORT std::vector<TimeStep> EulerSteps(double time, double limit, in
 /**
  * Super steps that lead to `time`, where one explicit step may be at most `limit`.
  *
- * By default each is twice as long as the one before, beginning with a few explicit steps' length:
- * one super step halves what decays much faster than it is long, so that the fast modes need
- * early short steps (and the edges of a noisy image, which appear while these decay, too). With
+ * By default each is half as long again as the one before, from 2.5 explicit steps' length up to an
+ * eighth of the time: one super step only halves what decays much faster than it is long, so that
+ * fast modes need early short steps, and so do the edges, which appear while the noise goes. With
  * `count`, that many equal ones; throws std::invalid_argument, naming the limit, if one would need
  * more than MaximumStages.
  */

@@ -74,13 +74,15 @@ void vtkHighOrderDiffusion::Denoise(isthmus::DiffusionImage<T>& image)
     image.Copy(this->GetInputArrayToProcess(0, image.GetInput()), this->GetMaskInvalid());
   const isthmus::NoiseEstimate noise =
     isthmus::EstimateNoise(image.GetGrid(), values->GetPointer(0));
+  const auto& spacing = image.GetGrid().Spacing;
+  const double voxel = *std::min_element(spacing.begin(), spacing.end());
   if (this->Automatic)
   {
-    isthmus::ChooseDenoising(noise, this->Strength, parameters);
+    isthmus::ChooseDenoising(noise, this->Strength, voxel, parameters);
   }
   else if (this->Sigma == 0.0)
   {
-    parameters.Sigma = isthmus::NoiseSigma(noise);
+    parameters.Sigma = isthmus::NoiseSigma(noise, voxel);
   }
   using Array = typename isthmus::DiffusionImage<T>::Array;
   vtkSmartPointer<Array> input, source;

@@ -21,9 +21,9 @@
  * `UsedSigma`, `UsedPreSmoothing`, `UsedTime`.
  *
  * Cost: time in proportion to nodes x sqrt(Time) with SuperTimeStepping, nodes x Time with
- * ForwardEuler. Memory beside input and output, in volumes of the output's type: 1 (ForwardEuler),
- * 3 (SuperTimeStepping), one more where the coefficient is stored (LocalVariance, PreSmoothing; at
- * most 4 in all), and where asked for the input or P in the output's type (Fidelity, Source).
+ * ForwardEuler. Memory beside input and output, in volumes of the output's type: 4 with
+ * SuperTimeStepping (two stages, the first rate, the coefficient), 1 to 3 with ForwardEuler; and,
+ * where asked for, the input (Fidelity) and P (UseSource) in the output's type.
  *
  * @sa vtkDiffusionHighPass vtkPDETransform
  */
@@ -81,7 +81,7 @@ public:
   ///@}
 
   ///@{
-  /// q, 0 to 3: the equation is of order 2q + 2. Default 0.
+  /// q, 0 to 3: the equation is of order 2q + 2. Default 1.
   vtkSetMacro(Order, int);
   vtkGetMacro(Order, int);
   ///@}
@@ -147,8 +147,8 @@ public:
   ///@}
 
   ///@{
-  /// SuperTimeStepping (default; second order, cost grows with the square root of Time) or
-  /// ForwardEuler.
+  /// SuperTimeStepping (default; cost grows with the square root of Time, the coefficient is that
+  /// of the step's start) or ForwardEuler.
   vtkSetMacro(Integrator, int);
   vtkGetMacro(Integrator, int);
   ///@}
@@ -178,7 +178,7 @@ private:
   bool Automatic = true;
   double Strength = 0.5;
   int Flow = Hyperdiffusion;
-  int Order = 0;
+  int Order = 1;
   bool LowerOrders = false;
   double Diffusivity[4] = { 1.0, 1.0, 1.0, 1.0 };
   int EdgeStopping = Gaussian;
