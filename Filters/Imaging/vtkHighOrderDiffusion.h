@@ -81,7 +81,7 @@ public:
   ///@}
 
   ///@{
-  /// q, 0 to 3: the equation is of order 2q + 2. Default 1.
+  /// q, 0 to 3: the equation is of order 2q + 2. Default 0.
   vtkSetMacro(Order, int);
   vtkGetMacro(Order, int);
   ///@}
@@ -178,7 +178,7 @@ private:
   bool Automatic = true;
   double Strength = 0.5;
   int Flow = Hyperdiffusion;
-  int Order = 1;
+  int Order = 0;
   bool LowerOrders = false;
   double Diffusivity[4] = { 1.0, 1.0, 1.0, 1.0 };
   int EdgeStopping = Gaussian;
