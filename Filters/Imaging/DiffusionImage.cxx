@@ -112,13 +112,14 @@ vtkSmartPointer<typename DiffusionImage<T>::Array> DiffusionImage<T>::Copy(
   const Extent from = ExtentOf(this->Input);
   auto copy = [&](auto* typed)
   {
-    CopyPart(vtk::DataArrayValueRange<1>(typed), from, this->Parts.Local(), volume->GetPointer(0),
-      this->Parts.Local());
+    CopyPart(vtk::DataArrayValueRange<1>(typed), from, Intersection(from, this->Parts.Local()),
+      volume->GetPointer(0), this->Parts.Local());
   };
   if (array && !vtkArrayDispatch::Dispatch::Execute(array, copy))
   {
     copy(array);
   }
+  this->Grid.Exchange(volume->GetPointer(0));
   if (mask)
   {
     this->Mask(volume->GetPointer(0));
@@ -142,7 +143,7 @@ vtkSmartPointer<typename DiffusionImage<T>::Array> DiffusionImage<T>::Duplicate(
 template <typename T>
 void DiffusionImage<T>::CheckArray(vtkDataArray* array) const
 {
-  if (this->Grid.Size() == 0)
+  if (this->Input->GetNumberOfPoints() == 0)
   {
     return; // a rank without nodes
   }

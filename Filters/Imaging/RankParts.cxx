@@ -72,6 +72,13 @@ RankParts::RankParts(
   }
 }
 
+Extent RankParts::Shared(std::size_t owner, std::size_t user) const
+{
+  const Extent& part = this->Extents[user];
+  const Extent grown = Grown(part, { this->Halo, this->Halo, this->Halo }, this->Whole);
+  return grown == part ? Extent{ 0, -1, 0, -1, 0, -1 } : Intersection(this->Extents[owner], grown);
+}
+
 void RankParts::FindOwned()
 {
   // Every rank works out what all own, so that all see the same trouble.
@@ -108,8 +115,7 @@ void RankParts::ExchangeHalo(T* values) const
   std::vector<T> buffer;
   auto send = [&](std::size_t other)
   {
-    const Extent box = Intersection(this->Extents[this->Rank],
-      Grown(this->Extents[other], { this->Halo, this->Halo, this->Halo }, this->Whole));
+    const Extent box = this->Shared(this->Rank, other);
     buffer.clear();
     ForRows(this->LocalExtent, box,
       [&](std::int64_t row, std::int64_t length)
@@ -122,7 +128,7 @@ void RankParts::ExchangeHalo(T* values) const
   };
   auto receive = [&](std::size_t other)
   {
-    const Extent box = Intersection(this->Extents[other], this->LocalExtent);
+    const Extent box = this->Shared(other, this->Rank);
     buffer.resize(static_cast<std::size_t>(NodeCount(box)));
     if (!buffer.empty())
     {

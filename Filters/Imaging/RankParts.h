@@ -46,6 +46,9 @@ public:
 private:
   void FindOwned();
 
+  /// Nodes of rank `owner` that rank `user` needs; empty for a rank without a halo.
+  Extent Shared(std::size_t owner, std::size_t user) const;
+
   vtkMultiProcessController* Controller;
   Extent Whole;
   int Halo;

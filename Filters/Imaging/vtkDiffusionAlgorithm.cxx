@@ -4,6 +4,7 @@
 #include "DiffusionImage.h"
 #include "RankParts.h"
 
+#include <vtkCommunicator.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -53,17 +54,6 @@ void RequireOnAllRanks(bool holds, const isthmus::RankParts& parts, const char* 
   }
 }
 
-void CheckScalars(vtkImageData* input, vtkDataArray* scalars, const isthmus::RankParts& parts)
-{
-  isthmus::Extent available;
-  input->GetExtent(available.data());
-  const bool empty = isthmus::NodeCount(parts.Local()) == 0;
-  RequireOnAllRanks(empty || isthmus::Contains(available, parts.Local()), parts,
-    "The input did not deliver the part of the image that this rank asked for.");
-  RequireOnAllRanks(empty || scalars, parts,
-    "The input has no point array to work on: choose one with SetInputArrayToProcess.");
-}
-
 }
 
 vtkDiffusionAlgorithm::vtkDiffusionAlgorithm()
@@ -89,24 +79,36 @@ int vtkDiffusionAlgorithm::RequestInformation(
 }
 
 int vtkDiffusionAlgorithm::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
+  // The whole image: on one rank every node depends on all others in the end; of several pieces,
+  // the source splits it, and halos are exchanged instead of asked for.
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* input = inputs[0]->GetInformationObject(0);
-  isthmus::Extent whole, wanted;
-  input->Get(Pipeline::WHOLE_EXTENT(), whole.data());
-  outputs->GetInformationObject(0)->Get(Pipeline::UPDATE_EXTENT(), wanted.data());
-  if (!this->Controller || this->Controller->GetNumberOfProcesses() == 1)
-  {
-    wanted = whole; // every node depends on all others in the end
-  }
-  else if (isthmus::NodeCount(wanted) > 0)
-  {
-    const int halo = this->HaloWidth();
-    wanted = isthmus::Grown(wanted, { halo, halo, halo }, whole);
-  }
-  input->Set(Pipeline::UPDATE_EXTENT(), wanted.data(), 6);
+  const isthmus::Extent whole = isthmus::ExtentOf(input, Pipeline::WHOLE_EXTENT());
+  input->Set(Pipeline::UPDATE_EXTENT(), whole.data(), 6);
   return 1;
+}
+
+bool vtkDiffusionAlgorithm::IsParallel() const
+{
+  return this->Controller && this->Controller->GetNumberOfProcesses() > 1;
+}
+
+std::array<int, 6> vtkDiffusionAlgorithm::OwnPart(
+  vtkImageData* input, vtkInformation* request, const std::array<int, 6>& whole)
+{
+  isthmus::Extent delivered;
+  input->GetExtent(delivered.data());
+  if (!this->IsParallel())
+  {
+    return delivered;
+  }
+  const isthmus::Extent piece = isthmus::PieceOf(request, whole);
+  const int fits = isthmus::Contains(delivered, piece);
+  int allFit = 0;
+  this->Controller->AllReduce(&fits, &allFit, 1, vtkCommunicator::MIN_OP);
+  return allFit ? piece : delivered; // a source may have its own way of splitting
 }
 
 int vtkDiffusionAlgorithm::RequestData(
@@ -115,24 +117,21 @@ int vtkDiffusionAlgorithm::RequestData(
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkImageData* input = vtkImageData::GetData(inputs[0]);
   vtkImageData* output = vtkImageData::GetData(outputs);
-  isthmus::Extent whole, own;
-  inputs[0]->GetInformationObject(0)->Get(Pipeline::WHOLE_EXTENT(), whole.data());
-  outputs->GetInformationObject(0)->Get(Pipeline::UPDATE_EXTENT(), own.data());
+  const isthmus::Extent whole =
+    isthmus::ExtentOf(inputs[0]->GetInformationObject(0), Pipeline::WHOLE_EXTENT());
   if (isthmus::NodeCount(whole) == 0)
   {
     output->Initialize();
     return 1;
   }
-  if (!this->Controller || this->Controller->GetNumberOfProcesses() == 1)
-  {
-    input->GetExtent(own.data());
-  }
   return isthmus::Guarded(this, output,
     [&]()
     {
+      isthmus::Extent own = this->OwnPart(input, outputs->GetInformationObject(0), whole);
       const isthmus::RankParts parts(this->Controller, whole, own, this->HaloWidth());
-      vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs);
-      CheckScalars(input, scalars, parts);
+      vtkDataArray* scalars = this->ChosenScalars(input);
+      RequireOnAllRanks(scalars || input->GetNumberOfPoints() == 0, parts,
+        "The input has no point array to work on: choose one with SetInputArrayToProcess.");
       output->ShallowCopy(input);
       output->Crop(own.data());
       double anyDouble = scalars && !FitsFloat(scalars) ? 1.0 : 0.0;
@@ -146,6 +145,13 @@ int vtkDiffusionAlgorithm::RequestData(
         this->Compute<float>(input, output, parts);
       }
     });
+}
+
+vtkDataArray* vtkDiffusionAlgorithm::ChosenScalars(vtkImageData* image)
+{
+  const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  return chosen && !*chosen ? image->GetPointData()->GetScalars()
+                            : this->GetInputArrayToProcess(0, image);
 }
 
 template <typename T>

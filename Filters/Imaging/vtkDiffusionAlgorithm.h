@@ -21,8 +21,11 @@
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusModule.h" // for the export macro
 
+class vtkDataArray;
 class vtkImageData;
 class vtkMultiProcessController;
+
+#include <array> // for extents
 
 namespace isthmus
 {
@@ -75,7 +78,16 @@ protected:
   virtual void Process(isthmus::DiffusionImage<double>& image) = 0;
   ///@}
 
+  /// The array to work on; the active scalars where a panel has sent no name yet. May be null.
+  vtkDataArray* ChosenScalars(vtkImageData* image);
+
 private:
+  bool IsParallel() const;
+
+  /// The nodes this rank has to compute, of what the input delivered.
+  std::array<int, 6> OwnPart(
+    vtkImageData* input, vtkInformation* request, const std::array<int, 6>& whole);
+
   template <typename T>
   void Compute(vtkImageData* input, vtkImageData* output, const isthmus::RankParts& parts);
 

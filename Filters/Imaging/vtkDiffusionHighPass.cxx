@@ -30,7 +30,7 @@ void vtkDiffusionHighPass::FindEdges(isthmus::DiffusionImage<T>& image)
   parameters.Sigma = this->Sigma;
   parameters.Time = this->Time;
   parameters.Steps = this->Steps;
-  auto u = image.Copy(this->GetInputArrayToProcess(0, image.GetInput()), this->GetMaskInvalid());
+  auto u = image.Copy(this->ChosenScalars(image.GetInput()), this->GetMaskInvalid());
   u->SetName("SlowField");
   auto v = image.Duplicate(u, "FastField");
   isthmus::EvolveHighPass<T>(

@@ -70,8 +70,7 @@ template <typename T>
 void vtkHighOrderDiffusion::Denoise(isthmus::DiffusionImage<T>& image)
 {
   isthmus::DiffusionParameters parameters = this->GetParameters();
-  auto values =
-    image.Copy(this->GetInputArrayToProcess(0, image.GetInput()), this->GetMaskInvalid());
+  auto values = image.Copy(this->ChosenScalars(image.GetInput()), this->GetMaskInvalid());
   const isthmus::NoiseEstimate noise =
     isthmus::EstimateNoise(image.GetGrid(), values->GetPointer(0));
   const auto& spacing = image.GetGrid().Spacing;

@@ -39,8 +39,7 @@ void vtkPDETransform::Transform(isthmus::DiffusionImage<T>& image)
 {
   const isthmus::PDETransformParameters parameters = this->GetParameters();
   isthmus::Check(parameters);
-  auto values =
-    image.Copy(this->GetInputArrayToProcess(0, image.GetInput()), this->GetMaskInvalid());
+  auto values = image.Copy(this->ChosenScalars(image.GetInput()), this->GetMaskInvalid());
   values->SetName("Residue");
   isthmus::TransformByPDE<T>(
     image.GetGrid(), parameters, values->GetPointer(0),

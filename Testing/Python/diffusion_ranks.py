@@ -5,8 +5,7 @@ import sys
 import isthmus
 import numpy
 from vtkmodules.numpy_interface import dataset_adapter
-from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline  # noqa: F401
-from vtkmodules.vtkImagingCore import vtkImageCast, vtkRTAnalyticSource
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 
@@ -35,12 +34,9 @@ def main(output):
     ranks = controller.GetNumberOfProcesses() if controller else 1
     source = vtkRTAnalyticSource()
     source.SetWholeExtent(-9, 10, -8, 9, -7, 12)
-    cast = vtkImageCast()
-    cast.SetInputConnection(source.GetOutputPort())
-    cast.SetOutputScalarTypeToDouble()
     results = {}
     for name, algorithm, arrays in filters():
-        algorithm.SetInputConnection(cast.GetOutputPort())
+        algorithm.SetInputConnection(source.GetOutputPort())
         algorithm.UpdatePiece(rank, ranks, 1)
         image = algorithm.GetOutput()
         data = dataset_adapter.WrapDataObject(image).PointData
