@@ -38,9 +38,9 @@ def medians():
 
 
 def anisotropic_diffusions(noise):
-    for iterations in (4, 10, 25):
+    for iterations in (4, 12):
         for threshold in (1.0, 2.0, 4.0):
-            for factor in (0.3, 1.0):
+            for factor in (0.5, 1.0):
                 algorithm = vtkImageAnisotropicDiffusion3D()
                 algorithm.SetNumberOfIterations(iterations)
                 algorithm.SetDiffusionThreshold(threshold * noise)
@@ -96,8 +96,9 @@ def check_map(name, level_fraction):
               f"components {parts[0]}, {parts[1]}, {parts[2]}; noise left "
               f"{(smooth - clean).std() / (noisy - clean).std():.2f}")
         assert (after >= before)[:limit].all()
-        assert abs(areas[2] - areas[0]) < 0.2 * abs(areas[1] - areas[0])
-        assert abs(parts[2] - parts[0]) < 0.2 * abs(parts[1] - parts[0])
+        # Back towards the clean map's; single bright voxels that pass for detail stay.
+        assert abs(areas[2] - areas[0]) < 0.6 * abs(areas[1] - areas[0])
+        assert abs(parts[2] - parts[0]) < 0.05 * abs(parts[1] - parts[0])
 
 
 for seed in (2, 3):
