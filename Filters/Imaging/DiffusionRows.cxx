@@ -12,6 +12,13 @@
 #define ISTHMUS_INLINE inline
 #endif
 
+// The loop that follows may write the very row it reads, node by node, but no shifted one.
+#if defined(__GNUC__) && !defined(__clang__)
+#define ISTHMUS_IN_PLACE _Pragma("GCC ivdep")
+#else
+#define ISTHMUS_IN_PLACE
+#endif
+
 namespace isthmus
 {
 namespace
@@ -131,7 +138,7 @@ ISTHMUS_INLINE void Update(const RowUpdate<T>& update, const T* current, const T
     }
     return;
   }
-#pragma GCC ivdep
+  ISTHMUS_IN_PLACE
   for (std::int64_t i = 0; i < n; ++i)
   {
     const T f = first[i];
