@@ -1,7 +1,8 @@
 """From a density map to a surface coloured by its curvature: the main job of Isthmus.
 
 Usage: pvpython MapToCurvature.py MAP OUTPUT_FOLDER [LEVEL]. Writes curvature.png (six descriptors
-side by side), surface.vtp, report.json, report.txt and pipeline.pvsm, which ParaView opens.
+side by side), denoising.png (the surface without and with denoising), surface.vtp, report.json,
+report.txt and pipeline.pvsm, which ParaView opens.
 Without LEVEL, the surface is drawn at Otsu's threshold of the map's histogram.
 """
 
@@ -43,7 +44,7 @@ def otsu_threshold(values, bins=256):
 
 
 def build_pipeline(path, level):
-    """Reader -> isosurface -> curvature; returns the three and what was said about the level."""
+    """Reader -> denoised -> isosurface -> curvature; also what was said about the level."""
     reader = simple.OpenDataFile(str(path))
     reader.UpdatePipeline()
     image = servermanager.Fetch(reader)
@@ -52,13 +53,15 @@ def build_pipeline(path, level):
     if level is None:
         level = otsu_threshold(density[numpy.isfinite(density)])
         rule = "Otsu's threshold of the map's histogram"
+    denoised = simple.HighOrderDiffusion(
+        registrationName="Denoised", Input=reader, Scalars=["POINTS", "Density"], MaskInvalid=1)
     surface = simple.Contour(
-        registrationName="Isosurface", Input=reader, ContourBy=["POINTS", "Density"],
+        registrationName="Isosurface", Input=denoised, ContourBy=["POINTS", "Density"],
         Isosurfaces=[level], ComputeNormals=1, ComputeScalars=0)
     curvature = simple.HessianCurvature(
-        registrationName="HessianCurvature", Input=reader, Surface=surface)
+        registrationName="HessianCurvature", Input=denoised, Surface=surface)
     curvature.UpdatePipeline()
-    return reader, curvature, image, {"value": level, "rule": rule}
+    return reader, denoised, curvature, image, {"value": level, "rule": rule}
 
 
 def symmetry_axis(points):
@@ -115,41 +118,78 @@ def three_by_two(layout):
     return rows
 
 
-def six_views(curvature, data):
-    """One layout with a view for each descriptor, three by two, all from the same direction."""
+def look_along_axis(data):
+    """Properties of a view that looks along the symmetry axis of a surface."""
     points = vtk_to_numpy(data.GetPoints().GetData())
     axis, up = symmetry_axis(points)
     centre = (points.min(axis=0) + points.max(axis=0)) / 2
     # As the camera sees it, and a little low in the view, to leave the bottom to the colour bar.
     radius = numpy.linalg.norm(numpy.cross(points - centre, axis), axis=1).max()
     centre = centre - 0.2 * radius * up
+    return dict(
+        UseColorPaletteForBackground=0, Background=BACKGROUND, OrientationAxesVisibility=0,
+        CameraFocalPoint=centre, CameraPosition=centre + 9 * radius * axis, CameraViewUp=up,
+        CameraParallelProjection=1, CameraParallelScale=1.3 * radius)
+
+
+def six_views(curvature, data):
+    """One layout with a view for each descriptor, three by two, all from the same direction."""
+    camera = look_along_axis(data)
     layout = simple.CreateLayout("Curvature")
     for cell, descriptor in zip(three_by_two(layout), DESCRIPTORS):
         view = simple.CreateView("RenderView")
         layout.AssignView(cell, view)
         values = vtk_to_numpy(data.GetPointData().GetArray(descriptor[0]))
         show_descriptor(view, curvature, values, descriptor)
+        set_properties(view, **camera)
+    return layout
+
+
+def noise_level(volume):
+    """Standard deviation of the noise in a volume, as the denoising filter sees it."""
+    probe = simple.HighOrderDiffusion(
+        Input=volume, Scalars=["POINTS", "Density"], MaskInvalid=1, Automatic=0, Time=0)
+    probe.UpdatePipeline()
+    level = servermanager.Fetch(probe).GetFieldData().GetArray("NoiseLevel").GetValue(0)
+    simple.Delete(probe)
+    return level
+
+
+def before_and_after(reader, denoised, level, data):
+    """One layout with the isosurface without and with denoising: same level, same camera."""
+    layout = simple.CreateLayout("Denoising")
+    layout.SplitHorizontal(0, 0.5)
+    camera = look_along_axis(data)
+    for cell, volume in zip((1, 2), (reader, denoised)):
+        view = simple.CreateView("RenderView")
+        layout.AssignView(cell, view)
+        surface = simple.Contour(
+            Input=volume, ContourBy=["POINTS", "Density"], Isosurfaces=[level], ComputeScalars=0)
+        display = simple.Show(surface, view)
         set_properties(
-            view, UseColorPaletteForBackground=0, Background=BACKGROUND, OrientationAxesVisibility=0,
-            CameraFocalPoint=centre, CameraPosition=centre + 9 * radius * axis, CameraViewUp=up,
-            CameraParallelProjection=1, CameraParallelScale=1.3 * radius)
+            display, ColorArrayName=["POINTS", ""], DiffuseColor=[0.75, 0.8, 0.88],
+            AmbientColor=[0.75, 0.8, 0.88])
+        set_properties(view, **camera)
     return layout
 
 
 def main(path, folder, level):
     folder.mkdir(parents=True, exist_ok=True)
-    reader, curvature, image, level = build_pipeline(path, level)
+    reader, denoised, curvature, image, level = build_pipeline(path, level)
     data = servermanager.Fetch(curvature)
     if data.GetNumberOfPolys() == 0:
         sys.exit(f"There is no surface at level {level['value']:g}: the map's values are "
                  f"between {image.GetScalarRange()[0]:g} and {image.GetScalarRange()[1]:g}.")
-    SurfaceReport.write(path, image, level, data, [row[0] for row in DESCRIPTORS], folder)
+    noise = {"before": noise_level(reader), "after": noise_level(denoised)}
+    SurfaceReport.write(path, image, level, noise, data, [row[0] for row in DESCRIPTORS], folder)
     # Not as raw appended data, the default: VTK 9.2 with the expat of Debian 12's security updates
     # stumbles over some of those files, depending on where in the file they begin.
     simple.SaveData(str(folder / "surface.vtp"), proxy=curvature, DataMode="Binary")
     layout = six_views(curvature, data)
     simple.SaveScreenshot(str(folder / "curvature.png"), layout, ImageResolution=[1800, 1200])
     simple.SaveState(str(folder / "pipeline.pvsm"))
+    layout = before_and_after(reader, denoised, level["value"], data)
+    simple.SaveScreenshot(str(folder / "denoising.png"), layout, ImageResolution=[1600, 800])
 
 
 if __name__ == "__main__":

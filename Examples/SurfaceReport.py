@@ -55,7 +55,7 @@ def topology(surface, triangles, gaussian, weights):
     return result
 
 
-def measure(path, image, level, surface, names):
+def measure(path, image, level, noise, surface, names):
     """All numbers of the report as a dictionary ready for JSON; lengths in angstrom."""
     points = vtk_to_numpy(surface.GetPoints().GetData())
     triangles = triangles_of(surface)
@@ -72,6 +72,7 @@ def measure(path, image, level, surface, names):
             "range": image.GetScalarRange(),
         },
         "level": level,
+        "noise_level": noise,
         "surface": {
             "points": len(points),
             "triangles": len(triangles),
@@ -99,6 +100,8 @@ def as_text(report):
         f"spacing {' x '.join(f'{s:.4g}' for s in grid['spacing_A'])} A, "
         f"values {grid['range'][0]:.4g} to {grid['range'][1]:.4g}",
         f"Level     {level['value']:.6g} ({level['rule']})",
+        f"Noise     {report['noise_level']['before']:.4g} before denoising, "
+        f"{report['noise_level']['after']:.4g} after",
         f"Surface   {surface['triangles']} triangles, {surface['components']} components, "
         f"{'closed' if surface['closed'] else 'open at the border of the map'}",
         f"Area      {surface['area_A2']:.6g} A^2",
@@ -116,8 +119,8 @@ def as_text(report):
     return "\n".join(lines) + "\n"
 
 
-def write(path, image, level, surface, names, folder):
-    report = measure(path, image, level, surface, names)
+def write(path, image, level, noise, surface, names, folder):
+    report = measure(path, image, level, noise, surface, names)
     (folder / "report.json").write_text(json.dumps(report, indent=2) + "\n")
     (folder / "report.txt").write_text(as_text(report))
     print(as_text(report), end="")

@@ -2,6 +2,10 @@
 
 set(classes
   Filters/Curvature/vtkHessianCurvature
+  Filters/Imaging/vtkDiffusionAlgorithm
+  Filters/Imaging/vtkDiffusionHighPass
+  Filters/Imaging/vtkHighOrderDiffusion
+  Filters/Imaging/vtkPDETransform
   Filters/Topology/vtkCellIncidence
   Filters/Topology/vtkTetCutaway
   Readers/vtkCombinatorialMeshReader
@@ -14,11 +18,24 @@ set(sources
   Filters/Curvature/FiniteDifference.cxx
   Filters/Curvature/GaussianScale.cxx
   Filters/Curvature/HessianCurvature.cxx
-  Filters/Curvature/ImageExtent.cxx
   Filters/Curvature/PointDerivative.cxx
   Filters/Curvature/ShapeRows.cxx
+  Filters/Imaging/AutomaticDenoising.cxx
+  Filters/Imaging/BoxMean.cxx
+  Filters/Imaging/DiffusionHighPass.cxx
+  Filters/Imaging/DiffusionImage.cxx
+  Filters/Imaging/DiffusionOperator.cxx
+  Filters/Imaging/DiffusionPipeline.cxx
+  Filters/Imaging/DiffusionRows.cxx
+  Filters/Imaging/EdgeCoefficient.cxx
+  Filters/Imaging/HighOrderDiffusion.cxx
+  Filters/Imaging/NoiseEstimate.cxx
+  Filters/Imaging/PDETransform.cxx
+  Filters/Imaging/RankParts.cxx
+  Filters/Imaging/TimeSteps.cxx
   Filters/Support/CellType.cxx
   Filters/Support/GridCells.cxx
+  Filters/Support/ImageExtent.cxx
   Filters/Support/ParallelFor.cxx
   Filters/Topology/CellEdgeTable.cxx
   Filters/Topology/CompactCombinatorialMap.cxx
@@ -46,7 +63,10 @@ set(sources
 # Loops with square roots and comparisons vectorise only without errno and signals for them; values
 # (infinities and NaN too) are the same.
 if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-  set_source_files_properties(Filters/Curvature/FiniteDifference.cxx Filters/Curvature/ShapeRows.cxx
+  set_source_files_properties(
+    Filters/Curvature/FiniteDifference.cxx
+    Filters/Curvature/ShapeRows.cxx
+    Filters/Imaging/DiffusionRows.cxx
     PROPERTIES COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math")
 endif ()
 
@@ -55,7 +75,7 @@ vtk_module_add_module(Isthmus::vtkIsthmus
   SOURCES ${sources})
 
 # Public, since the wrappers include every class by its bare name; installed headers lie flat.
-foreach (room IN ITEMS Filters/Support Filters/Curvature Filters/Topology Readers)
+foreach (room IN ITEMS Filters/Curvature Filters/Imaging Filters/Support Filters/Topology Readers)
   vtk_module_include(Isthmus::vtkIsthmus
     PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${room}>")
 endforeach ()

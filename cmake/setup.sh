@@ -81,5 +81,6 @@ use_build_tree()
 # with_display COMMAND...: in the user's display, or in a virtual one where there is none.
 with_display()
 {
-  if [ -n "${DISPLAY:-}" ]; then "$@"; else xvfb-run -a -s "-screen 0 1600x1000x24" "$@"; fi
+  # Without -noreset, Xvfb starts anew when its first client leaves, and may miss the second.
+  if [ -n "${DISPLAY:-}" ]; then "$@"; else xvfb-run -a -s "-screen 0 1600x1000x24 -noreset" "$@"; fi
 }

@@ -31,6 +31,7 @@ def check_files(folder):
     picture = reader.GetOutput()
     assert picture.GetDimensions()[:2] == (1800, 1200), picture.GetDimensions()
     assert picture.GetPointData().GetScalars().GetRange(0)[1] > 200
+    assert (folder / "denoising.png").stat().st_size > 20000
     assert (folder / "report.txt").read_text().count("\n") > 8
 
     surface = simple.OpenDataFile(str(folder / "surface.vtp"))

@@ -1,12 +1,13 @@
 /**
  * @file ImageExtent.h
- * @brief Boxes of image nodes in VTK's extent form: from requests, growing, clipping, and covering
- * points.
+ * @brief Boxes of image nodes in VTK's extent form: from requests, growing, clipping,
+ * counting, and covering points.
  */
 #ifndef isthmus_ImageExtent_h
 #define isthmus_ImageExtent_h
 
 #include <array>
+#include <cstdint>
 
 class vtkImageData;
 class vtkInformation;
@@ -29,6 +30,12 @@ bool IsEmpty(const Extent& extent);
 
 /// `extent` with `reach` more nodes to each side, kept within `whole`. An empty one stays as it is.
 Extent Grown(const Extent& extent, const std::array<int, 3>& reach, const Extent& whole);
+
+/// Nodes of an extent, 0 if it is empty.
+std::int64_t NodeCount(const Extent& extent);
+
+/// The nodes that are in both.
+Extent Intersection(const Extent& a, const Extent& b);
 
 /// Whether no node of `inner` lies outside `outer`.
 bool Contains(const Extent& outer, const Extent& inner);

@@ -74,6 +74,27 @@ Extent Grown(const Extent& extent, const std::array<int, 3>& reach, const Extent
   return grown;
 }
 
+std::int64_t NodeCount(const Extent& extent)
+{
+  std::int64_t count = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    count *= std::max<std::int64_t>(0, std::int64_t(extent[2 * axis + 1]) - extent[2 * axis] + 1);
+  }
+  return count;
+}
+
+Extent Intersection(const Extent& a, const Extent& b)
+{
+  Extent both;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    both[2 * axis] = std::max(a[2 * axis], b[2 * axis]);
+    both[2 * axis + 1] = std::min(a[2 * axis + 1], b[2 * axis + 1]);
+  }
+  return both;
+}
+
 bool Contains(const Extent& outer, const Extent& inner)
 {
   for (int axis = 0; axis < 3; ++axis)

@@ -1,0 +1,29 @@
+/**
+ * @file AutomaticDenoising.h
+ * @brief From a noise level and one wish, more or less, to a diffusion's parameters.
+ */
+#ifndef isthmus_AutomaticDenoising_h
+#define isthmus_AutomaticDenoising_h
+
+#include "HighOrderDiffusion.h"
+#include "NoiseEstimate.h"
+
+namespace isthmus
+{
+
+/// A gradient that noise alone rarely reaches, data unit per length, where `voxel` is the
+/// length between nodes; 1 for an image without noise.
+VTKISTHMUS_EXPORT double NoiseSigma(const NoiseEstimate& noise, double voxel);
+
+/**
+ * Sets Sigma, PreSmoothing and Time for parameters.Order, its diffusivity, and a `strength` from
+ * 0 (light) to 1 (strong); `voxel` is the length between nodes. Sigma is a third of the signal's
+ * standard deviation (that of all values without the noise's share), PreSmoothing and the length to
+ * smooth over grow with the ratio of noise to signal. Without noise, Time is 0.
+ */
+VTKISTHMUS_EXPORT void ChooseDenoising(
+  const NoiseEstimate& noise, double strength, double voxel, DiffusionParameters& parameters);
+
+}
+
+#endif

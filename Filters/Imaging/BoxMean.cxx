@@ -1,0 +1,78 @@
+#include "BoxMean.h"
+
+#include "ParallelFor.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace isthmus
+{
+namespace
+{
+
+/// Running means along lines that lie side by side: `width` lines, `step` values from node to node.
+template <typename T>
+void MeanAlongLines(
+  T* lines, std::int64_t width, std::int64_t length, std::int64_t step, std::int64_t radius)
+{
+  const auto at = [&](std::int64_t node) { return std::clamp<std::int64_t>(node, 0, length - 1); };
+  std::vector<T> copy(static_cast<std::size_t>(width * length));
+  for (std::int64_t n = 0; n < length; ++n)
+  {
+    std::copy_n(lines + n * step, width, copy.data() + n * width);
+  }
+  std::vector<double> sums(static_cast<std::size_t>(width), 0.0);
+  for (std::int64_t n = -radius; n <= radius; ++n)
+  {
+    const T* row = copy.data() + at(n) * width;
+    std::transform(sums.begin(), sums.end(), row, sums.begin(),
+      [](double sum, T value) { return sum + static_cast<double>(value); });
+  }
+  const double scale = 1.0 / static_cast<double>(2 * radius + 1);
+  for (std::int64_t n = 0; n < length; ++n)
+  {
+    const T* enters = copy.data() + at(n + radius + 1) * width;
+    const T* leaves = copy.data() + at(n - radius) * width;
+    for (std::int64_t i = 0; i < width; ++i)
+    {
+      double& sum = sums[static_cast<std::size_t>(i)];
+      lines[n * step + i] = static_cast<T>(sum * scale);
+      sum += static_cast<double>(enters[i]) - static_cast<double>(leaves[i]);
+    }
+  }
+}
+
+}
+
+template <typename T>
+void BoxMean(const std::array<std::int64_t, 3>& dimensions, int window, T* values)
+{
+  const auto [nx, ny, nz] = dimensions;
+  const std::int64_t radius = window / 2, plane = nx * ny, length = nz;
+  const std::int64_t rowLength = nx, rows = ny;
+  ParallelFor(0, length, 1,
+    [=](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t k = first; k < last; ++k)
+      {
+        for (std::int64_t j = 0; j < rows; ++j)
+        {
+          MeanAlongLines(values + k * plane + j * rowLength, 1, rowLength, 1, radius);
+        }
+        MeanAlongLines(values + k * plane, rowLength, rows, rowLength, radius);
+      }
+    });
+  ParallelFor(0, rows, 1,
+    [=](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t j = first; j < last; ++j)
+      {
+        MeanAlongLines(values + j * rowLength, rowLength, length, plane, radius);
+      }
+    });
+}
+
+template void BoxMean(const std::array<std::int64_t, 3>&, int, float*);
+template void BoxMean(const std::array<std::int64_t, 3>&, int, double*);
+
+}

@@ -1,0 +1,47 @@
+/**
+ * @file DiffusionHighPass.h
+ * @brief Edges of a volume as the difference of two coupled diffusions at different speeds.
+ *
+ * Equations 4.37 to 4.39 of X. Feng's thesis, after G. W. Wei and Y. Q. Jia, Europhys. Lett. 59
+ * (2002) 814:
+ *
+ *     u_t = div(d_1 grad u) + epsilon_u (v - u),   v_t = div(d_2 grad v) + epsilon_v (u - v),
+ *     w = u - v,   u = v = input at time 0,
+ *
+ * with d_1, d_2 Gaussian edge-stopping coefficients (4.34). d_2 >> d_1: v loses detail first, and w
+ * is what v lost and u still has. Coupling pulls the two together, so w vanishes for long times.
+ */
+#ifndef isthmus_DiffusionHighPass_h
+#define isthmus_DiffusionHighPass_h
+
+#include "HighOrderDiffusion.h"
+
+namespace isthmus
+{
+
+struct HighPassParameters
+{
+  std::array<double, 2> Diffusivity{ 0.0, 1.0 }; ///< d_10 and d_20, length^2 / time
+  std::array<double, 2> Coupling{ 0.0, 0.0 };    ///< epsilon_u and epsilon_v, 1 / time
+  double Sigma = 0.0; ///< Gradient that stops the diffusion, data unit / length; 0: nothing does.
+  double Time = 1.0;
+  int Steps = 0; ///< Splitting steps; 0: so many that coupling and diffusion change little in one.
+};
+
+/// Throws std::invalid_argument, in a sentence, for parameters that mean nothing.
+VTKISTHMUS_EXPORT void Check(const HighPassParameters& parameters);
+
+/**
+ * Evolves u and v, both holding the input, in place.
+ *
+ * Strang splitting, second order in time for constant coefficients: half a step of coupling (solved
+ * exactly), a step of both diffusions, half a step of coupling. Memory: four volumes beside u and
+ * v. Throws as Diffuse does.
+ */
+template <typename T>
+VTKISTHMUS_EXPORT void EvolveHighPass(const DiffusionGrid<T>& grid,
+  const HighPassParameters& parameters, T* u, T* v, const ProgressCallback& progress = {});
+
+}
+
+#endif

@@ -1,0 +1,75 @@
+/**
+ * @file DiffusionImage.h
+ * @brief A vtkImageData as the diffusion algorithms see it, and its way back.
+ */
+#ifndef isthmus_DiffusionImage_h
+#define isthmus_DiffusionImage_h
+
+#include "DiffusionGrid.h"
+#include "Progress.h"
+#include "RankParts.h"
+
+#include <vtkAOSDataArrayTemplate.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkImageData;
+
+namespace isthmus
+{
+
+/// This rank's part of an image, with values of type T and a halo. Lives during one RequestData.
+template <typename T>
+class DiffusionImage
+{
+public:
+  using Array = vtkAOSDataArrayTemplate<T>;
+
+  /// `input` must cover the rank's own part; the halo comes from the other ranks. Throws
+  /// std::invalid_argument for a spacing that is not positive where there is more than one node.
+  DiffusionImage(vtkImageData* input, vtkImageData* output, const RankParts& parts, bool voxelUnits,
+    ProgressCallback progress);
+
+  vtkImageData* GetInput() const { return this->Input; }
+  const DiffusionGrid<T>& GetGrid() const { return this->Grid; }
+  const ProgressCallback& GetProgress() const { return this->Progress; }
+
+  /// A new volume with the values of a point array of the input, named as it. An array that is
+  /// missing or of the wrong size throws std::invalid_argument; values that are not
+  /// finite throw std::invalid_argument, or are replaced and remembered if `mask` is true.
+  vtkSmartPointer<Array> Copy(vtkDataArray* array, bool mask);
+
+  /// A new volume like `volume`, with the same values and another name.
+  vtkSmartPointer<Array> Duplicate(Array* volume, const std::string& name) const;
+
+  /// Puts a volume into the output, without its halo, and with what was masked.
+  void AddResult(Array* volume, bool active);
+
+  /// Adds numbers to the output's field data.
+  void AddFieldData(const std::string& name, const std::vector<double>& values);
+
+private:
+  vtkSmartPointer<Array> NewVolume(const std::string& name) const;
+  void CheckArray(vtkDataArray* array) const;
+  void RefuseInvalid(const T* values) const;
+  void Mask(T* values);
+
+  vtkImageData* Input;
+  vtkImageData* Output;
+  const RankParts& Parts;
+  DiffusionGrid<T> Grid;
+  ProgressCallback Progress;
+  struct Masked
+  {
+    std::int64_t Node;
+    T Value;
+  };
+  std::vector<Masked> Invalid;
+};
+
+}
+
+#endif

@@ -1,0 +1,90 @@
+/**
+ * @file DiffusionOperator.h
+ * @brief The right-hand side of a high-order diffusion equation, evaluated in one pass.
+ *
+ * The rate of change of u is
+ *
+ *     leading * div(c grad W) + fidelity * (input - u) + source,   W = sum_p weight_p L^p u,
+ *
+ * with L the 7-point Laplacian, L^p by repetition, c one coefficient for all orders. One pass walks
+ * through tiles of rows, plane after plane; what lies between u and the rate (W at every order, c)
+ * lives in rings of a few planes that stay in cache, so that each volume crosses memory once.
+ */
+#ifndef isthmus_DiffusionOperator_h
+#define isthmus_DiffusionOperator_h
+
+#include "DiffusionRows.h"
+#include "Progress.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace isthmus
+{
+
+/// Where the coefficient c of the divergence comes from.
+enum class DiffusionCoefficient
+{
+  Constant, ///< c = 1
+  Gaussian, ///< c = exp(-|grad u|^2), the gradient in units of GradientScale (4.34)
+  Gram      ///< 1/sqrt(g), and sqrt(g) before the divergence, g = 1 + |grad W|^2 (4.36)
+};
+
+/// The discrete operator. Lengths are in the grid's unit; every volume has the grid's dimensions.
+template <typename T>
+struct DiffusionOperator
+{
+  std::array<std::int64_t, 3> Dimensions{ 0, 0, 0 };
+  std::array<double, 3> Spacing{ 1.0, 1.0, 1.0 };
+  DiffusionCoefficient Coefficient = DiffusionCoefficient::Constant;
+  double GradientScale = 1.0;     ///< Gradients are divided by it: sigma sqrt(2) for 4.34.
+  std::vector<T> Weights{ T(1) }; ///< weight_p; the last is that of the highest order and 1.
+  T Leading = 1;
+  /// If not null, what is read instead of working it out: exp(-|grad u|^2), or |grad W|^2 for Gram.
+  const T* StoredCoefficient = nullptr;
+  T Fidelity = 0;
+  const T* Input = nullptr;  ///< Read if Fidelity is not 0.
+  const T* Source = nullptr; ///< May be null.
+
+  int Order() const { return static_cast<int>(this->Weights.size()) - 1; }
+
+  std::int64_t Size() const
+  {
+    return this->Dimensions[0] * this->Dimensions[1] * this->Dimensions[2];
+  }
+
+  /// How many nodes away one evaluation looks, along an axis: 1 to 5.
+  int Reach() const;
+
+  /// Bound on the modulus of the operator's eigenvalues: forward Euler needs steps <= 2 / bound.
+  double SpectralBound() const;
+};
+
+/// One stage of a time step: out = update of (current, previous, first, rate, first rate).
+template <typename T>
+struct DiffusionStage
+{
+  RowUpdate<T> Update;
+  const T* Current = nullptr;
+  const T* Previous = nullptr; ///< May be the same volume as Out.
+  const T* First = nullptr;
+  const T* FirstRate = nullptr;
+  T* Out = nullptr;              ///< Never the same volume as Current.
+  T* StoreRate = nullptr;        ///< Receives the rate of Current, if not null.
+  T* StoreCoefficient = nullptr; ///< Receives what a StoredCoefficient would hold, if not null.
+};
+
+/**
+ * Evaluates one stage on all nodes, in parallel, bit for bit the same on any number of threads.
+ *
+ * Memory: per thread about half a MiB of scratch, or a few planes of very long rows.
+ * `progress` is asked about every tenth of a second; false throws Cancelled.
+ */
+template <typename T>
+void Evaluate(const DiffusionOperator<T>& diffusion, const DiffusionStage<T>& stage,
+  const ProgressCallback& progress = {});
+
+}
+
+#endif

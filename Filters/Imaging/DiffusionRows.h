@@ -1,0 +1,98 @@
+/**
+ * @file DiffusionRows.h
+ * @brief The arithmetic of one row of nodes, vectorised: all that a diffusion step spends time on.
+ *
+ * A row lies in scratch memory with a margin (see RowMargin): its two ends repeat the outermost
+ * values, which is the Neumann condition. Every kernel works on PaddedLength(n) nodes, a multiple
+ * of the widest vector, so that no node is ever treated by a remainder loop with other rounding:
+ * results depend neither on threads nor on how a grid is cut into pieces.
+ */
+#ifndef isthmus_DiffusionRows_h
+#define isthmus_DiffusionRows_h
+
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <array>
+#include <cstdint>
+
+namespace isthmus
+{
+
+/// Nodes before the first and after the last one that a row in scratch memory must have.
+constexpr std::int64_t RowMargin = 16;
+
+/// Number of nodes a kernel works on for a row of n nodes.
+constexpr std::int64_t PaddedLength(std::int64_t n)
+{
+  return (n + RowMargin - 1) / RowMargin * RowMargin;
+}
+
+/// A row and its four neighbours in y and z; its neighbours in x are in the row itself.
+template <typename T>
+struct RowStencil
+{
+  const T* Centre;
+  const T* Front;
+  const T* Back;
+  const T* Below;
+  const T* Above;
+};
+
+/// out = source * own + weights . second differences of `in` (with weights 1/h^2: the Laplacian).
+void LaplacianRow(const RowStencil<float>& in, const float* own, float source,
+  const std::array<float, 3>& weights, std::int64_t n, float* out);
+void LaplacianRow(const RowStencil<double>& in, const double* own, double source,
+  const std::array<double, 3>& weights, std::int64_t n, double* out);
+
+/// out = |gradient|^2 by central differences, with weights 1/(2h) (or that over a gradient's scale:
+/// scaled before it is squared, so that tiny and huge values neither vanish nor overflow).
+void GradientSquaredRow(
+  const RowStencil<float>& in, const std::array<float, 3>& weights, std::int64_t n, float* out);
+void GradientSquaredRow(
+  const RowStencil<double>& in, const std::array<double, 3>& weights, std::int64_t n, double* out);
+
+/// values = exp(-values), for values >= 0; relative error below 3e-7 in float, 1e-15 in double;
+/// below exp(-87) and exp(-708), these.
+VTKISTHMUS_EXPORT void ExponentialRow(std::int64_t n, float* values);
+VTKISTHMUS_EXPORT void ExponentialRow(std::int64_t n, double* values);
+
+/// out = div(c grad w): c at the nodes, its mean on the faces; weights 1/h^2.
+void DivergenceRow(const RowStencil<float>& w, const RowStencil<float>& c,
+  const std::array<float, 3>& weights, std::int64_t n, float* out);
+void DivergenceRow(const RowStencil<double>& w, const RowStencil<double>& c,
+  const std::array<double, 3>& weights, std::int64_t n, double* out);
+
+/// out = sqrt(g) div(grad w / sqrt(g)) with g = 1 + slope, the mean of g on the faces.
+void GramDivergenceRow(const RowStencil<float>& w, const RowStencil<float>& slope,
+  const std::array<float, 3>& weights, std::int64_t n, float* out);
+void GramDivergenceRow(const RowStencil<double>& w, const RowStencil<double>& slope,
+  const std::array<double, 3>& weights, std::int64_t n, double* out);
+
+/**
+ * What one stage of a time step makes of a row:
+ *
+ *     first + OfCurrent (current - first) + OfPrevious (previous - first)
+ *           + OfRate rate + OfFirstRate firstRate.
+ *
+ * By differences from the step's first values, so that a constant stays exactly what it is and
+ * round-off is that of the changes.
+ */
+template <typename T>
+struct RowUpdate
+{
+  T OfCurrent = 1; ///< `current` is what the rate was evaluated for.
+  T OfPrevious = 0;
+  T OfRate = 0;
+  T OfFirstRate = 0;
+};
+
+/// Writes an update; `previous` and `out` may be one row. Without `previous` (null) it is the
+/// first stage: `current` is `first`, and `first` and `firstRate` are not read.
+void UpdateRow(const RowUpdate<float>& update, const float* current, const float* previous,
+  const float* first, const float* rate, const float* firstRate, std::int64_t n, float* out);
+void UpdateRow(const RowUpdate<double>& update, const double* current, const double* previous,
+  const double* first, const double* rate, const double* firstRate, std::int64_t n, double* out);
+
+}
+
+#endif

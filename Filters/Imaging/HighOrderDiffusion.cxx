@@ -1,0 +1,323 @@
+#include "HighOrderDiffusion.h"
+
+#include "EdgeCoefficient.h"
+#include "TimeSteps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+
+namespace isthmus
+{
+namespace
+{
+
+using Parameters = DiffusionParameters;
+
+void Require(bool holds, const char* what, double value, const char* rule)
+{
+  if (!holds)
+  {
+    std::ostringstream text;
+    text << what << " is " << value << ", but must be " << rule << '.';
+    throw std::invalid_argument(text.str());
+  }
+}
+
+/// The operator of these parameters, without volumes.
+template <typename T>
+DiffusionOperator<T> MakeOperator(const Parameters& parameters)
+{
+  DiffusionOperator<T> diffusion;
+  const auto order = static_cast<std::size_t>(parameters.Order);
+  const double leading = parameters.Diffusivity[order] * (order % 2 == 0 ? 1.0 : -1.0);
+  diffusion.Leading = static_cast<T>(leading);
+  diffusion.Weights.assign(order + 1, T(0));
+  diffusion.Weights[order] = T(1);
+  for (std::size_t p = 0; parameters.LowerOrders && p < order; ++p)
+  {
+    const double weight = parameters.Diffusivity[p] * (p % 2 == 0 ? 1.0 : -1.0);
+    diffusion.Weights[p] = static_cast<T>(weight / leading);
+  }
+  diffusion.Fidelity = static_cast<T>(parameters.Fidelity);
+  if (parameters.Flow == Parameters::FlowType::GeometricFlow)
+  {
+    diffusion.Coefficient = DiffusionCoefficient::Gram;
+    diffusion.GradientScale = parameters.Sigma;
+  }
+  else if (parameters.EdgeStopping != Parameters::EdgeStoppingType::None)
+  {
+    diffusion.Coefficient = DiffusionCoefficient::Gaussian;
+    diffusion.GradientScale = parameters.Sigma * std::sqrt(2.0);
+  }
+  return diffusion;
+}
+
+/// A diffusion between two steps.
+template <typename T>
+class Solver
+{
+public:
+  Solver(const DiffusionGrid<T>& grid, const Parameters& parameters, T* values, const T* input,
+    const T* source);
+
+  /// Does a step; with `record`, adds it to the report. Throws when values cease to be finite.
+  void Advance(
+    const TimeStep& step, bool record, DiffusionReport& report, const ProgressCallback& progress);
+
+  const T* Values() const { return this->Volumes[0]; }
+
+private:
+  T* NewVolume();
+  void Evaluate(const DiffusionStage<T>& stage, const ProgressCallback& progress) const;
+  std::size_t EulerStep(const TimeStep& step, const ProgressCallback& progress);
+  std::size_t SuperStep(const TimeStep& step, const ProgressCallback& progress);
+  void Record(const TimeStep& step, const T* after, DiffusionReport& report) const;
+
+  const DiffusionGrid<T>& Grid;
+  const Parameters& Parameter;
+  DiffusionOperator<T> Diffusion;
+  std::vector<std::unique_ptr<T[]>> Owned;
+  std::array<T*, 4> Volumes{}; ///< the values, two for stages, the first rate
+  T* Coefficient = nullptr;    ///< of the present step
+  double Time = 0.0;
+};
+
+template <typename T>
+Solver<T>::Solver(const DiffusionGrid<T>& grid, const Parameters& parameters, T* values,
+  const T* input, const T* source)
+  : Grid(grid)
+  , Parameter(parameters)
+  , Diffusion(MakeOperator<T>(parameters))
+{
+  this->Diffusion.Dimensions = grid.Dimensions;
+  this->Diffusion.Spacing = grid.Spacing;
+  this->Diffusion.Input = input;
+  this->Diffusion.Source = source;
+  this->Volumes[0] = values;
+  this->Volumes[1] = this->NewVolume();
+  const bool super = parameters.Integrator == Parameters::IntegratorType::SuperTimeStepping;
+  const bool constant = this->Diffusion.Coefficient == DiffusionCoefficient::Constant;
+  if (super || LooksBeyondNeighbours(parameters))
+  {
+    this->Volumes[2] = this->NewVolume();
+  }
+  if (super)
+  {
+    this->Volumes[3] = this->NewVolume();
+  }
+  if (LooksBeyondNeighbours(parameters) || (super && !constant))
+  {
+    this->Coefficient = this->NewVolume();
+  }
+}
+
+template <typename T>
+T* Solver<T>::NewVolume()
+{
+  // Left uninitialised: whoever writes it first touches it first.
+  this->Owned.emplace_back(new T[static_cast<std::size_t>(this->Grid.Size())]);
+  return this->Owned.back().get();
+}
+
+template <typename T>
+void Solver<T>::Evaluate(const DiffusionStage<T>& stage, const ProgressCallback& progress) const
+{
+  // On several ranks all must stop at the same place, so not inside a stage.
+  isthmus::Evaluate(this->Diffusion, stage, this->Grid.ExchangeHalo ? nullptr : progress);
+  Report(progress, 1.0);
+  this->Grid.Exchange(stage.Out);
+}
+
+/// Returns which volume holds the result.
+template <typename T>
+std::size_t Solver<T>::EulerStep(const TimeStep& step, const ProgressCallback& progress)
+{
+  DiffusionStage<T> stage;
+  stage.Update.OfRate = static_cast<T>(step.Length);
+  stage.Current = this->Volumes[0];
+  stage.Out = this->Volumes[1];
+  this->Evaluate(stage, progress);
+  return 1;
+}
+
+template <typename T>
+std::size_t Solver<T>::SuperStep(const TimeStep& step, const ProgressCallback& progress)
+{
+  std::size_t out = 0;
+  for (int j = 1; j <= step.Stages; ++j)
+  {
+    const std::size_t in = out;
+    out = in == 1 ? 2 : 1; // stages alternate between two volumes
+    DiffusionStage<T> stage;
+    stage.Update = LegendreStage<T>(j, step.Stages, step.Length);
+    stage.Current = this->Volumes[in];
+    stage.Previous = j == 1 ? nullptr : this->Volumes[j == 2 ? 0 : out];
+    stage.First = this->Volumes[0];
+    stage.FirstRate = this->Volumes[3];
+    stage.Out = this->Volumes[out];
+    if (j == 1)
+    {
+      stage.StoreRate = this->Volumes[3];
+      // The coefficient stays for the whole step: in a changing one a long step would not be
+      // stable.
+      stage.StoreCoefficient = this->Diffusion.StoredCoefficient ? nullptr : this->Coefficient;
+    }
+    this->Evaluate(stage, Between(progress, double(j - 1) / step.Stages, double(j) / step.Stages));
+    if (stage.StoreCoefficient)
+    {
+      this->Grid.Exchange(this->Coefficient);
+      this->Diffusion.StoredCoefficient = this->Coefficient;
+    }
+  }
+  return out;
+}
+
+template <typename T>
+void Solver<T>::Advance(
+  const TimeStep& step, bool record, DiffusionReport& report, const ProgressCallback& progress)
+{
+  this->Diffusion.StoredCoefficient = nullptr;
+  if (LooksBeyondNeighbours(this->Parameter))
+  {
+    FillEdgeCoefficient<T>(this->Grid, this->Parameter, this->Volumes[0],
+      { this->Volumes[1], this->Volumes[2] }, this->Coefficient);
+    this->Diffusion.StoredCoefficient = this->Coefficient;
+  }
+  const bool super = this->Parameter.Integrator == Parameters::IntegratorType::SuperTimeStepping;
+  const std::size_t result =
+    super ? this->SuperStep(step, progress) : this->EulerStep(step, progress);
+  report.Evaluations += step.Stages;
+  this->Time += step.Length;
+  if (record)
+  {
+    this->Record(step, this->Volumes[result], report);
+  }
+  std::swap(this->Volumes[0], this->Volumes[result]);
+}
+
+template <typename T>
+void Solver<T>::Record(const TimeStep& step, const T* after, DiffusionReport& report) const
+{
+  const T* before = this->Volumes[0];
+  const bool super = this->Parameter.Integrator == Parameters::IntegratorType::SuperTimeStepping;
+  const T* rate = super ? this->Volumes[3] : nullptr;
+  const auto sums = SumRows<3>(this->Grid,
+    [=](std::int64_t begin, std::int64_t end, std::array<double, 3>& sum)
+    {
+      double change = 0.0, residual = 0.0;
+      for (std::int64_t n = begin; n < end; ++n)
+      {
+        const double difference = static_cast<double>(after[n]) - static_cast<double>(before[n]);
+        change += difference * difference;
+        residual += rate ? static_cast<double>(rate[n]) * static_cast<double>(rate[n]) : 0.0;
+      }
+      sum[0] += change;
+      sum[1] += residual;
+      sum[2] += static_cast<double>(end - begin);
+    });
+  const double change = std::sqrt(sums[0] / sums[2]);
+  if (!std::isfinite(change))
+  {
+    throw std::runtime_error("The values ceased to be finite: the diffusivities, the source or the "
+                             "input are too large for this floating-point type.");
+  }
+  report.Time.push_back(this->Time);
+  report.Change.push_back(change);
+  report.Residual.push_back(super ? std::sqrt(sums[1] / sums[2]) : change / step.Length);
+}
+
+}
+
+void Check(const Parameters& parameters)
+{
+  Require(
+    parameters.Order >= 0 && parameters.Order <= 3, "Order", parameters.Order, "0, 1, 2 or 3");
+  Require(parameters.Time >= 0.0 && std::isfinite(parameters.Time), "Time", parameters.Time,
+    "finite and not negative");
+  Require(parameters.Steps >= 0, "Steps", parameters.Steps, "positive, or 0 for automatic steps");
+  Require(parameters.Fidelity >= 0.0 && std::isfinite(parameters.Fidelity), "Fidelity",
+    parameters.Fidelity, "finite and not negative");
+  Require(parameters.PreSmoothing >= 0.0 && std::isfinite(parameters.PreSmoothing), "PreSmoothing",
+    parameters.PreSmoothing, "finite and not negative");
+  for (const double diffusivity : parameters.Diffusivity)
+  {
+    Require(diffusivity >= 0.0 && std::isfinite(diffusivity), "A diffusivity", diffusivity,
+      "finite and not negative");
+  }
+  const double highest = parameters.Diffusivity[static_cast<std::size_t>(parameters.Order)];
+  Require(highest > 0.0, "The diffusivity of the highest order", highest, "positive");
+  const bool geometric = parameters.Flow == Parameters::FlowType::GeometricFlow;
+  const bool local = parameters.EdgeStopping == Parameters::EdgeStoppingType::LocalVariance;
+  if (geometric || parameters.EdgeStopping == Parameters::EdgeStoppingType::Gaussian)
+  {
+    Require(parameters.Sigma > 0.0 && std::isfinite(parameters.Sigma), "Sigma", parameters.Sigma,
+      "finite and positive");
+  }
+  if (local)
+  {
+    Require(parameters.Window >= 3 && parameters.Window % 2 == 1, "Window", parameters.Window,
+      "odd and at least 3, so that it has a middle");
+  }
+}
+
+int HaloWidth(const Parameters& parameters)
+{
+  const int reach = MakeOperator<float>(parameters).Reach();
+  // The variance at a rank's own nodes looks a window and a gradient further.
+  const bool local = parameters.EdgeStopping == Parameters::EdgeStoppingType::LocalVariance;
+  return std::max(reach, local ? parameters.Window / 2 + 2 : 0);
+}
+
+double ExplicitStepLimit(const Parameters& parameters, const std::array<double, 3>& spacing)
+{
+  auto diffusion = MakeOperator<double>(parameters);
+  diffusion.Spacing = spacing;
+  return 2.0 / diffusion.SpectralBound();
+}
+
+template <typename T>
+DiffusionReport Diffuse(const DiffusionGrid<T>& grid, const Parameters& parameters, T* values,
+  const T* input, const T* source, const ProgressCallback& progress)
+{
+  Check(parameters);
+  DiffusionReport report;
+  if (parameters.Time == 0.0)
+  {
+    return report;
+  }
+  const double limit = ExplicitStepLimit(parameters, grid.Spacing);
+  const auto steps = parameters.Integrator == Parameters::IntegratorType::ForwardEuler
+    ? EulerSteps(parameters.Time, limit, parameters.Steps)
+    : SuperSteps(parameters.Time, limit, parameters.Steps);
+  double work = 0.0, done = 0.0;
+  for (const TimeStep& step : steps)
+  {
+    work += step.Stages;
+  }
+  Solver<T> solver(grid, parameters, values, input, source);
+  grid.Exchange(values);
+  const std::size_t curvePoints = 100;
+  const std::size_t stride = (steps.size() + curvePoints - 1) / curvePoints;
+  for (std::size_t n = 0; n < steps.size(); ++n)
+  {
+    const double next = done + steps[n].Stages / work;
+    const bool record = (n + 1) % stride == 0 || n + 1 == steps.size();
+    solver.Advance(steps[n], record, report, Between(progress, done, next));
+    done = next;
+  }
+  if (solver.Values() != values)
+  {
+    std::copy_n(solver.Values(), grid.Size(), values);
+  }
+  return report;
+}
+
+template DiffusionReport Diffuse(const DiffusionGrid<float>&, const Parameters&, float*,
+  const float*, const float*, const ProgressCallback&);
+template DiffusionReport Diffuse(const DiffusionGrid<double>&, const Parameters&, double*,
+  const double*, const double*, const ProgressCallback&);
+
+}

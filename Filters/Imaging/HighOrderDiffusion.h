@@ -1,0 +1,108 @@
+/**
+ * @file HighOrderDiffusion.h
+ * @brief Nonlinear diffusion of a volume, of order 2 to 8, by explicit or super time stepping.
+ *
+ * Two flows (X. Feng's thesis, equations 4.32 to 4.36, with the sign that makes odd orders
+ * diffuse):
+ *
+ *     Hyperdiffusion  u_t = sum_p (-1)^p div(d_p c grad L^p u) + fidelity (input - u) + source
+ *     GeometricFlow   u_t = (-1)^q d_q sqrt(g) div(grad T / sqrt(g)) + ...,  T = L^q u,
+ *                     g = 1 + |grad T|^2 / sigma^2      (4.36 as printed has sigma = 1)
+ *
+ * L is the 7-point Laplacian, c = exp(-|grad u|^2 / (2 sigma^2)) at the nodes and its mean on the
+ * faces, all boundaries are Neumann (mirrored at half a voxel), so Hyperdiffusion without fidelity
+ * and source keeps the mean. Lengths, and with them times and diffusivities, are in the unit of the
+ * grid's spacing.
+ *
+ * Super time stepping is the Runge-Kutta-Legendre method of second order (Meyer, Balsara, Aslam,
+ * J. Comput. Phys. 257 (2014) 594): s stages reach (s^2 + s - 2)/4 times as far as one explicit
+ * step, so the cost of an end time grows with its square root. The coefficient is that of the
+ * step's start: second order in time where it is constant, first where it changes.
+ */
+#ifndef isthmus_HighOrderDiffusion_h
+#define isthmus_HighOrderDiffusion_h
+
+#include "DiffusionGrid.h"
+#include "DiffusionOperator.h"
+#include "Progress.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace isthmus
+{
+
+struct DiffusionParameters
+{
+  enum class FlowType
+  {
+    Hyperdiffusion,
+    GeometricFlow
+  };
+  enum class EdgeStoppingType
+  {
+    None,         ///< c = 1 (Hyperdiffusion only)
+    Gaussian,     ///< one sigma for the whole grid
+    LocalVariance ///< sigma from the input around each node (4.35; Hyperdiffusion only)
+  };
+  enum class IntegratorType
+  {
+    ForwardEuler,
+    SuperTimeStepping
+  };
+
+  FlowType Flow = FlowType::Hyperdiffusion;
+  EdgeStoppingType EdgeStopping = EdgeStoppingType::Gaussian;
+  IntegratorType Integrator = IntegratorType::SuperTimeStepping;
+  int Order = 1;            ///< q, 0 to 3: the equation's order is 2q + 2.
+  bool LowerOrders = false; ///< Hyperdiffusion with the orders 0 to q together.
+  std::array<double, 4> Diffusivity{ 1.0, 1.0, 1.0, 1.0 }; ///< d_p, length^(2p + 2) / time
+  double Sigma = 1.0;        ///< Scale of gradients: data unit / length.
+  int Window = 5;            ///< Nodes across the window of LocalVariance: odd, 3 or more.
+  double PreSmoothing = 0.0; ///< Standard deviation (length) of the Gaussian under the gradient.
+  double Fidelity = 0.0;     ///< 1 / time
+  double Time = 1.0;         ///< End time.
+  int Steps = 0;             ///< That many equal steps; 0 chooses them (see README).
+};
+
+/// What happened, step by step: a curve to plot.
+struct DiffusionReport
+{
+  std::vector<double> Time;     ///< at the end of the step
+  std::vector<double> Change;   ///< root mean square of what the step changed
+  std::vector<double> Residual; ///< root mean square of the rate of change at the step's start
+  std::int64_t Evaluations = 0; ///< of the right-hand side
+};
+
+/// Throws std::invalid_argument, in a sentence, for parameters that mean nothing.
+VTKISTHMUS_EXPORT void Check(const DiffusionParameters& parameters);
+
+/// Nodes around a rank's own ones that the computation needs from other ranks.
+VTKISTHMUS_EXPORT int HaloWidth(const DiffusionParameters& parameters);
+
+/// The largest stable explicit step: 2 / (sum_p d_p lambda^(p+1) + fidelity), where lambda is
+/// 4 (1/hx^2 + 1/hy^2 + 1/hz^2).
+VTKISTHMUS_EXPORT double ExplicitStepLimit(
+  const DiffusionParameters& parameters, const std::array<double, 3>& spacing);
+
+/**
+ * Diffuses `values` in place from time 0 to parameters.Time.
+ *
+ * `input` is read where Fidelity is not 0 (null otherwise), `source` may be null; both have the
+ * grid's size. Values must be finite. Throws std::invalid_argument for bad parameters, for fixed
+ * Steps that are larger than the integrator can take (the sentence names the limit) and
+ * std::runtime_error for values that cease to be finite.
+ *
+ * Memory: extra volumes of T beside values, input and source. SuperTimeStepping 4: two for stages,
+ * the first rate, the coefficient (3 where that is constant). ForwardEuler 1: the next values; 3
+ * with LocalVariance or PreSmoothing. Time: proportional to nodes x Evaluations.
+ */
+template <typename T>
+VTKISTHMUS_EXPORT DiffusionReport Diffuse(const DiffusionGrid<T>& grid,
+  const DiffusionParameters& parameters, T* values, const T* input, const T* source,
+  const ProgressCallback& progress = {});
+
+}
+
+#endif

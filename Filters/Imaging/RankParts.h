@@ -1,0 +1,62 @@
+/**
+ * @file RankParts.h
+ * @brief The parts of an image on the ranks of a controller: halos, disjoint ownership, sums.
+ */
+#ifndef isthmus_RankParts_h
+#define isthmus_RankParts_h
+
+#include "ImageExtent.h"
+
+#include <vector>
+
+class vtkMultiProcessController;
+
+namespace isthmus
+{
+
+/**
+ * Every rank makes one from its own extent, then all call the same methods in the same order.
+ *
+ * Parts may overlap, as VTK's do by a layer of nodes: the lowest rank that has a node owns it.
+ */
+class RankParts
+{
+public:
+  /// `own` is what this rank has to compute, `halo` how many nodes it needs around. Throws
+  /// std::runtime_error, on all ranks, if the parts don't make up the whole or overlap crosswise.
+  /// A null controller or one of a single process makes one part.
+  RankParts(
+    vtkMultiProcessController* controller, const Extent& whole, const Extent& own, int halo);
+
+  bool Distributed() const { return this->Extents.size() > 1; }
+
+  /// The extent of the arrays: this rank's part with its halo, cut to the whole.
+  const Extent& Local() const { return this->LocalExtent; }
+
+  /// What this rank owns.
+  const Extent& Owned() const { return this->OwnedExtent; }
+
+  /// Fills the halo of an array with Local()'s extent from the ranks that have the nodes.
+  template <typename T>
+  void ExchangeHalo(T* values) const;
+
+  /// Adds up over the ranks, in place.
+  void Sum(double* values, int count) const;
+
+private:
+  void FindOwned();
+
+  /// Nodes of rank `owner` that rank `user` needs; empty for a rank without a halo.
+  Extent Shared(std::size_t owner, std::size_t user) const;
+
+  vtkMultiProcessController* Controller;
+  Extent Whole;
+  int Halo;
+  std::size_t Rank = 0;
+  std::vector<Extent> Extents; ///< of every rank, without halos
+  Extent LocalExtent, OwnedExtent;
+};
+
+}
+
+#endif

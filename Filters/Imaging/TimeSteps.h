@@ -1,0 +1,46 @@
+/**
+ * @file TimeSteps.h
+ * @brief Which steps lead to an end time, and the coefficients of a Runge-Kutta-Legendre step.
+ */
+#ifndef isthmus_TimeSteps_h
+#define isthmus_TimeSteps_h
+
+#include "DiffusionRows.h"
+
+#include <vector>
+
+namespace isthmus
+{
+
+/// One step of an integrator: its length and how often it evaluates the right-hand side.
+struct TimeStep
+{
+  double Length;
+  int Stages;
+};
+
+/// The most stages of one super step: round-off grows with their square (see README).
+constexpr int MaximumStages = 199;
+
+/// Explicit steps of at most `limit` that lead to `time`; `count` equal ones if it is not 0.
+/// Throws std::invalid_argument, naming the limit, if these would be longer than it.
+VTKISTHMUS_EXPORT std::vector<TimeStep> EulerSteps(double time, double limit, int count);
+
+/**
+ * Super steps that lead to `time`, where one explicit step may be at most `limit`.
+ *
+ * By default each is half as long again as the one before, from 2.5 explicit steps' length up to an
+ * eighth of the time: one super step only halves what decays much faster than it is long, so that
+ * fast modes need early short steps, and so do the edges, which appear while the noise goes. With
+ * `count`, that many equal ones; throws std::invalid_argument, naming the limit, if one would need
+ * more than MaximumStages.
+ */
+VTKISTHMUS_EXPORT std::vector<TimeStep> SuperSteps(double time, double limit, int count);
+
+/// Factors of stage j (1 to `stages`) of a Runge-Kutta-Legendre step, second order.
+template <typename T>
+RowUpdate<T> LegendreStage(int j, int stages, double length);
+
+}
+
+#endif

@@ -1,0 +1,172 @@
+#include "vtkDiffusionAlgorithm.h"
+
+#include "AlgorithmGuard.h"
+#include "DiffusionImage.h"
+#include "RankParts.h"
+
+#include <vtkCommunicator.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMultiProcessController.h>
+#include <vtkPointData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <stdexcept>
+
+vtkCxxSetObjectMacro(vtkDiffusionAlgorithm, Controller, vtkMultiProcessController);
+
+namespace
+{
+
+/// Integers of up to 16 bits are exact in float.
+bool FitsFloat(vtkDataArray* array)
+{
+  return array->GetDataType() == VTK_FLOAT ||
+    (array->GetDataType() != VTK_DOUBLE && array->GetDataTypeSize() <= 2);
+}
+
+/// Progress that is shown, and stops on all ranks if it stops on one.
+isthmus::ProgressCallback SharedProgress(
+  const isthmus::ProgressCallback& own, const isthmus::RankParts& parts)
+{
+  if (!parts.Distributed())
+  {
+    return own;
+  }
+  return [own, &parts](double fraction)
+  {
+    double stops = own(fraction) ? 0.0 : 1.0;
+    parts.Sum(&stops, 1);
+    return stops == 0.0;
+  };
+}
+
+/// Throws on all ranks if `holds` is false on one.
+void RequireOnAllRanks(bool holds, const isthmus::RankParts& parts, const char* sentence)
+{
+  double broken = holds ? 0.0 : 1.0;
+  parts.Sum(&broken, 1);
+  if (broken > 0.0)
+  {
+    throw std::invalid_argument(sentence);
+  }
+}
+
+}
+
+vtkDiffusionAlgorithm::vtkDiffusionAlgorithm()
+{
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+vtkDiffusionAlgorithm::~vtkDiffusionAlgorithm()
+{
+  this->SetController(nullptr);
+}
+
+int vtkDiffusionAlgorithm::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* output = outputs->GetInformationObject(0);
+  // Neither type nor range of the output is known before the input has been seen.
+  output->CopyEntry(
+    inputs[0]->GetInformationObject(0), vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  return 1;
+}
+
+int vtkDiffusionAlgorithm::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  // The whole image: on one rank every node depends on all others in the end; of several pieces,
+  // the source splits it, and halos are exchanged instead of asked for.
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* input = inputs[0]->GetInformationObject(0);
+  const isthmus::Extent whole = isthmus::ExtentOf(input, Pipeline::WHOLE_EXTENT());
+  input->Set(Pipeline::UPDATE_EXTENT(), whole.data(), 6);
+  return 1;
+}
+
+bool vtkDiffusionAlgorithm::IsParallel() const
+{
+  return this->Controller && this->Controller->GetNumberOfProcesses() > 1;
+}
+
+std::array<int, 6> vtkDiffusionAlgorithm::OwnPart(
+  vtkImageData* input, vtkInformation* request, const std::array<int, 6>& whole)
+{
+  isthmus::Extent delivered;
+  input->GetExtent(delivered.data());
+  if (!this->IsParallel())
+  {
+    return delivered;
+  }
+  const isthmus::Extent piece = isthmus::PieceOf(request, whole);
+  const int fits = isthmus::Contains(delivered, piece);
+  int allFit = 0;
+  this->Controller->AllReduce(&fits, &allFit, 1, vtkCommunicator::MIN_OP);
+  return allFit ? piece : delivered; // a source may have its own way of splitting
+}
+
+int vtkDiffusionAlgorithm::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkImageData* input = vtkImageData::GetData(inputs[0]);
+  vtkImageData* output = vtkImageData::GetData(outputs);
+  const isthmus::Extent whole =
+    isthmus::ExtentOf(inputs[0]->GetInformationObject(0), Pipeline::WHOLE_EXTENT());
+  if (isthmus::NodeCount(whole) == 0)
+  {
+    output->Initialize();
+    return 1;
+  }
+  return isthmus::Guarded(this, output,
+    [&]()
+    {
+      isthmus::Extent own = this->OwnPart(input, outputs->GetInformationObject(0), whole);
+      const isthmus::RankParts parts(this->Controller, whole, own, this->HaloWidth());
+      vtkDataArray* scalars = this->ChosenScalars(input);
+      RequireOnAllRanks(scalars || input->GetNumberOfPoints() == 0, parts,
+        "The input has no point array to work on: choose one with SetInputArrayToProcess.");
+      output->ShallowCopy(input);
+      output->Crop(own.data());
+      double anyDouble = scalars && !FitsFloat(scalars) ? 1.0 : 0.0;
+      parts.Sum(&anyDouble, 1); // a rank without nodes has no array to tell it
+      if (anyDouble > 0.0)
+      {
+        this->Compute<double>(input, output, parts);
+      }
+      else
+      {
+        this->Compute<float>(input, output, parts);
+      }
+    });
+}
+
+vtkDataArray* vtkDiffusionAlgorithm::ChosenScalars(vtkImageData* image)
+{
+  const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  return chosen && !*chosen ? image->GetPointData()->GetScalars()
+                            : this->GetInputArrayToProcess(0, image);
+}
+
+template <typename T>
+void vtkDiffusionAlgorithm::Compute(
+  vtkImageData* input, vtkImageData* output, const isthmus::RankParts& parts)
+{
+  isthmus::DiffusionImage<T> image(
+    input, output, parts, this->VoxelUnits, SharedProgress(isthmus::ProgressOf(this), parts));
+  this->Process(image);
+}
+
+void vtkDiffusionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "VoxelUnits: " << this->VoxelUnits << '\n';
+  os << indent << "MaskInvalid: " << this->MaskInvalid << '\n';
+  os << indent << "Controller: " << this->Controller << '\n';
+}

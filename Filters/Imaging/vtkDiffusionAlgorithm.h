@@ -1,0 +1,102 @@
+/**
+ * @class vtkDiffusionAlgorithm
+ * @brief What the iterated volume filters share: one scalar image in, images of floating type out.
+ *
+ * Input: vtkImageData with a single-component point array of any type, spacing and extent (one
+ * slice or one row, too); by default the active scalars, see SetInputArrayToProcess. Output: the
+ * input with every other array, field data, origin, spacing and direction; results are float for
+ * float and integers of up to 16 bits, else double. The input is never changed.
+ *
+ * Values that are not finite are refused with the place of the first one; with MaskInvalid they
+ * take a value from their neighbours during the computation and are what they were in the output.
+ *
+ * On several ranks of Controller every rank works on its part of the image and exchanges a halo
+ * before each evaluation, so the ranks must all update the filter and together ask for the whole
+ * image. Results do not depend on the number of ranks or threads. On one rank the filter always
+ * computes, and returns, the whole image.
+ */
+#ifndef vtkDiffusionAlgorithm_h
+#define vtkDiffusionAlgorithm_h
+
+#include "vtkImageAlgorithm.h"
+#include "vtkIsthmusModule.h" // for the export macro
+
+class vtkDataArray;
+class vtkImageData;
+class vtkMultiProcessController;
+
+#include <array> // for extents
+
+namespace isthmus
+{
+template <typename T>
+class DiffusionImage;
+class RankParts;
+}
+
+class VTKISTHMUS_EXPORT vtkDiffusionAlgorithm : public vtkImageAlgorithm
+{
+public:
+  vtkTypeMacro(vtkDiffusionAlgorithm, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Lengths in units of the smallest spacing (on, the default) or in the data's unit, angstrom
+  /// for maps (off). Times, diffusivities and gradients follow.
+  vtkSetMacro(VoxelUnits, bool);
+  vtkGetMacro(VoxelUnits, bool);
+  vtkBooleanMacro(VoxelUnits, bool);
+  ///@}
+
+  ///@{
+  /// Let values that are not finite pass through instead of refusing them. Default off.
+  vtkSetMacro(MaskInvalid, bool);
+  vtkGetMacro(MaskInvalid, bool);
+  vtkBooleanMacro(MaskInvalid, bool);
+  ///@}
+
+  ///@{
+  /// The processes that share the image; null for this one alone. Default the global controller.
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
+protected:
+  vtkDiffusionAlgorithm();
+  ~vtkDiffusionAlgorithm() override;
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  /// Nodes that the computation needs around a rank's part; must not throw.
+  virtual int HaloWidth() = 0;
+
+  ///@{
+  /// The computation; results go to the image's AddResult.
+  virtual void Process(isthmus::DiffusionImage<float>& image) = 0;
+  virtual void Process(isthmus::DiffusionImage<double>& image) = 0;
+  ///@}
+
+  /// The array to work on; the active scalars where a panel has sent no name yet. May be null.
+  vtkDataArray* ChosenScalars(vtkImageData* image);
+
+private:
+  bool IsParallel() const;
+
+  /// The nodes this rank has to compute, of what the input delivered.
+  std::array<int, 6> OwnPart(
+    vtkImageData* input, vtkInformation* request, const std::array<int, 6>& whole);
+
+  template <typename T>
+  void Compute(vtkImageData* input, vtkImageData* output, const isthmus::RankParts& parts);
+
+  vtkDiffusionAlgorithm(const vtkDiffusionAlgorithm&) = delete;
+  void operator=(const vtkDiffusionAlgorithm&) = delete;
+
+  vtkMultiProcessController* Controller = nullptr;
+  bool VoxelUnits = true;
+  bool MaskInvalid = false;
+};
+
+#endif

@@ -1,0 +1,138 @@
+#include "vtkHighOrderDiffusion.h"
+
+#include "AutomaticDenoising.h"
+#include "DiffusionImage.h"
+#include "HighOrderDiffusion.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkObjectFactory.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkHighOrderDiffusion);
+
+namespace
+{
+
+template <typename Enumeration>
+Enumeration Choice(const char* name, int value, Enumeration last)
+{
+  if (value < 0 || value > static_cast<int>(last))
+  {
+    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+      ", but must be from 0 to " + std::to_string(static_cast<int>(last)) + '.');
+  }
+  return static_cast<Enumeration>(value);
+}
+
+}
+
+vtkHighOrderDiffusion::vtkHighOrderDiffusion() = default;
+
+isthmus::DiffusionParameters vtkHighOrderDiffusion::GetParameters()
+{
+  using Parameters = isthmus::DiffusionParameters;
+  Parameters parameters;
+  parameters.Flow = Choice("Flow", this->Flow, Parameters::FlowType::GeometricFlow);
+  parameters.EdgeStopping =
+    Choice("EdgeStopping", this->EdgeStopping, Parameters::EdgeStoppingType::LocalVariance);
+  parameters.Integrator =
+    Choice("Integrator", this->Integrator, Parameters::IntegratorType::SuperTimeStepping);
+  parameters.Order = this->Order;
+  parameters.LowerOrders = this->LowerOrders;
+  std::copy_n(this->Diffusivity, 4, parameters.Diffusivity.begin());
+  parameters.Sigma = this->Sigma > 0.0 || this->Sigma < 0.0 ? this->Sigma : 1.0;
+  parameters.Window = this->Window;
+  parameters.PreSmoothing = this->PreSmoothing;
+  parameters.Fidelity = this->Fidelity;
+  parameters.Time = this->Time;
+  parameters.Steps = this->Steps;
+  isthmus::Check(parameters);
+  return parameters;
+}
+
+int vtkHighOrderDiffusion::HaloWidth()
+{
+  try
+  {
+    isthmus::DiffusionParameters parameters = this->GetParameters();
+    return isthmus::HaloWidth(parameters);
+  }
+  catch (const std::invalid_argument&)
+  {
+    return 0; // RequestData will say what is wrong
+  }
+}
+
+template <typename T>
+void vtkHighOrderDiffusion::Denoise(isthmus::DiffusionImage<T>& image)
+{
+  isthmus::DiffusionParameters parameters = this->GetParameters();
+  auto values = image.Copy(this->ChosenScalars(image.GetInput()), this->GetMaskInvalid());
+  const isthmus::NoiseEstimate noise =
+    isthmus::EstimateNoise(image.GetGrid(), values->GetPointer(0));
+  const auto& spacing = image.GetGrid().Spacing;
+  const double voxel = *std::min_element(spacing.begin(), spacing.end());
+  if (this->Automatic)
+  {
+    isthmus::ChooseDenoising(noise, this->Strength, voxel, parameters);
+  }
+  else if (this->Sigma == 0.0)
+  {
+    parameters.Sigma = isthmus::NoiseSigma(noise, voxel);
+  }
+  using Array = typename isthmus::DiffusionImage<T>::Array;
+  vtkSmartPointer<Array> input, source;
+  if (parameters.Fidelity > 0.0)
+  {
+    input = image.Duplicate(values, "Input");
+  }
+  if (this->UseSource)
+  {
+    source = image.Copy(this->GetInputArrayToProcess(1, image.GetInput()), false);
+  }
+  const isthmus::DiffusionReport report = isthmus::Diffuse<T>(image.GetGrid(), parameters,
+    values->GetPointer(0), input ? input->GetPointer(0) : nullptr,
+    source ? source->GetPointer(0) : nullptr, image.GetProgress());
+  image.AddResult(values, true);
+  image.AddFieldData("StepTime", report.Time);
+  image.AddFieldData("StepChange", report.Change);
+  image.AddFieldData("StepResidual", report.Residual);
+  image.AddFieldData("NoiseLevel", { noise.Noise });
+  image.AddFieldData("UsedSigma", { parameters.Sigma });
+  image.AddFieldData("UsedPreSmoothing", { parameters.PreSmoothing });
+  image.AddFieldData("UsedTime", { parameters.Time });
+}
+
+void vtkHighOrderDiffusion::Process(isthmus::DiffusionImage<float>& image)
+{
+  this->Denoise(image);
+}
+
+void vtkHighOrderDiffusion::Process(isthmus::DiffusionImage<double>& image)
+{
+  this->Denoise(image);
+}
+
+void vtkHighOrderDiffusion::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Automatic: " << this->Automatic << '\n';
+  os << indent << "Strength: " << this->Strength << '\n';
+  os << indent << "Flow: " << this->Flow << '\n';
+  os << indent << "Order: " << this->Order << '\n';
+  os << indent << "LowerOrders: " << this->LowerOrders << '\n';
+  os << indent << "Diffusivity: " << this->Diffusivity[0] << ' ' << this->Diffusivity[1] << ' '
+     << this->Diffusivity[2] << ' ' << this->Diffusivity[3] << '\n';
+  os << indent << "EdgeStopping: " << this->EdgeStopping << '\n';
+  os << indent << "Sigma: " << this->Sigma << '\n';
+  os << indent << "Window: " << this->Window << '\n';
+  os << indent << "PreSmoothing: " << this->PreSmoothing << '\n';
+  os << indent << "Fidelity: " << this->Fidelity << '\n';
+  os << indent << "UseSource: " << this->UseSource << '\n';
+  os << indent << "Time: " << this->Time << '\n';
+  os << indent << "Integrator: " << this->Integrator << '\n';
+  os << indent << "Steps: " << this->Steps << '\n';
+}

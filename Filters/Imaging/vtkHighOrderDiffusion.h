@@ -1,0 +1,195 @@
+/**
+ * @class vtkHighOrderDiffusion
+ * @brief Denoises a volume by nonlinear diffusion of order 2 to 8.
+ *
+ * Two flows of X. Feng's thesis (equations 4.32 to 4.36), q = Order, L the Laplacian:
+ *
+ *     Hyperdiffusion  u_t = sum_p (-1)^p div(d_p c grad L^p u) + Fidelity (input - u) + P,
+ *                     c = exp(-|grad u|^2 / (2 Sigma^2)), p = q alone or 0 to q
+ *     GeometricFlow   u_t = (-1)^q d_q sqrt(g) div(grad T / sqrt(g)) + Fidelity (input - u) + P,
+ *                     T = L^q u, g = 1 + |grad T|^2 / Sigma^2
+ *
+ * with Neumann boundaries: no flux, so that Hyperdiffusion keeps the mean. The odd orders carry
+ * the sign that makes them diffuse.
+ *
+ * Automatic (the default) chooses Sigma, PreSmoothing and Time from the noise in the image and
+ * Strength, for people who do not know such equations. Without it all parameters are taken as they
+ * are, except that a Sigma of 0 is replaced by the noise level.
+ *
+ * The output array has the input array's name. Field data: the curves `StepTime`, `StepChange` (rms
+ * of what a step changed) and `StepResidual` (rms of the rate at its start), and `NoiseLevel`,
+ * `UsedSigma`, `UsedPreSmoothing`, `UsedTime`.
+ *
+ * Cost: time in proportion to nodes x sqrt(Time) with SuperTimeStepping, nodes x Time with
+ * ForwardEuler. Memory beside input and output, in volumes of the output's type: 4 with
+ * SuperTimeStepping (two stages, the first rate, the coefficient), 1 to 3 with ForwardEuler; and,
+ * where asked for, the input (Fidelity) and P (UseSource) in the output's type.
+ *
+ * @sa vtkDiffusionHighPass vtkPDETransform
+ */
+#ifndef vtkHighOrderDiffusion_h
+#define vtkHighOrderDiffusion_h
+
+#include "vtkDiffusionAlgorithm.h"
+
+namespace isthmus
+{
+struct DiffusionParameters;
+}
+
+class VTKISTHMUS_EXPORT vtkHighOrderDiffusion : public vtkDiffusionAlgorithm
+{
+public:
+  static vtkHighOrderDiffusion* New();
+  vtkTypeMacro(vtkHighOrderDiffusion, vtkDiffusionAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum FlowType
+  {
+    Hyperdiffusion = 0,
+    GeometricFlow = 1
+  };
+  enum EdgeStoppingType
+  {
+    None = 0,
+    Gaussian = 1,
+    LocalVariance = 2
+  };
+  enum IntegratorType
+  {
+    ForwardEuler = 0,
+    SuperTimeStepping = 1
+  };
+
+  ///@{
+  /// Choose Sigma, PreSmoothing and Time from the noise level and Strength. Default on.
+  vtkSetMacro(Automatic, bool);
+  vtkGetMacro(Automatic, bool);
+  vtkBooleanMacro(Automatic, bool);
+  ///@}
+
+  ///@{
+  /// How much to denoise, from 0 (light) to 1 (strong). Default 0.5. Read if Automatic is on.
+  vtkSetClampMacro(Strength, double, 0.0, 1.0);
+  vtkGetMacro(Strength, double);
+  ///@}
+
+  ///@{
+  /// Hyperdiffusion (default) or GeometricFlow.
+  vtkSetMacro(Flow, int);
+  vtkGetMacro(Flow, int);
+  ///@}
+
+  ///@{
+  /// q, 0 to 3: the equation is of order 2q + 2. Default 0.
+  vtkSetMacro(Order, int);
+  vtkGetMacro(Order, int);
+  ///@}
+
+  ///@{
+  /// Hyperdiffusion of all orders from 0 to Order together instead of Order alone. Default off.
+  vtkSetMacro(LowerOrders, bool);
+  vtkGetMacro(LowerOrders, bool);
+  vtkBooleanMacro(LowerOrders, bool);
+  ///@}
+
+  ///@{
+  /// Diffusivities d_0 to d_3, length^(2p + 2) per unit of time. Default 1 each.
+  vtkSetVector4Macro(Diffusivity, double);
+  vtkGetVector4Macro(Diffusivity, double);
+  ///@}
+
+  ///@{
+  /// Coefficient of Hyperdiffusion: None (constant), Gaussian (default: stops at gradients above
+  /// Sigma), LocalVariance (Sigma is the standard deviation in a Window, equation 4.35: of the
+  /// values for Order 0, of their gradient for Order 1 to 3).
+  vtkSetMacro(EdgeStopping, int);
+  vtkGetMacro(EdgeStopping, int);
+  ///@}
+
+  ///@{
+  /// Gradient that counts as an edge, data unit / length; 0 (default) takes it from the noise.
+  vtkSetMacro(Sigma, double);
+  vtkGetMacro(Sigma, double);
+  ///@}
+
+  ///@{
+  /// Nodes across the window of LocalVariance: odd, at least 3. Default 5.
+  vtkSetMacro(Window, int);
+  vtkGetMacro(Window, int);
+  ///@}
+
+  ///@{
+  /// Standard deviation (length) of the Gaussian applied to u before the coefficient's gradient is
+  /// taken, so that noise does not pass for edges (Catte et al. 1992). Default 0: as in 4.34.
+  vtkSetMacro(PreSmoothing, double);
+  vtkGetMacro(PreSmoothing, double);
+  ///@}
+
+  ///@{
+  /// Pull back to the input, per unit of time. Default 0.
+  vtkSetMacro(Fidelity, double);
+  vtkGetMacro(Fidelity, double);
+  ///@}
+
+  ///@{
+  /// Add the second input array, `SetInputArrayToProcess(1, ...)`, as the source P (data unit per
+  /// unit of time). Default off.
+  vtkSetMacro(UseSource, bool);
+  vtkGetMacro(UseSource, bool);
+  vtkBooleanMacro(UseSource, bool);
+  ///@}
+
+  ///@{
+  /// End time, unit given by the lengths' and the diffusivities'. Default 1.
+  vtkSetMacro(Time, double);
+  vtkGetMacro(Time, double);
+  ///@}
+
+  ///@{
+  /// SuperTimeStepping (default; cost grows with the square root of Time, the coefficient is that
+  /// of the step's start) or ForwardEuler.
+  vtkSetMacro(Integrator, int);
+  vtkGetMacro(Integrator, int);
+  ///@}
+
+  ///@{
+  /// That many equal steps; 0 (default) chooses them. Too few are refused with the limit.
+  vtkSetMacro(Steps, int);
+  vtkGetMacro(Steps, int);
+  ///@}
+
+protected:
+  vtkHighOrderDiffusion();
+  ~vtkHighOrderDiffusion() override = default;
+
+  int HaloWidth() override;
+  void Process(isthmus::DiffusionImage<float>& image) override;
+  void Process(isthmus::DiffusionImage<double>& image) override;
+
+private:
+  isthmus::DiffusionParameters GetParameters();
+  template <typename T>
+  void Denoise(isthmus::DiffusionImage<T>& image);
+
+  vtkHighOrderDiffusion(const vtkHighOrderDiffusion&) = delete;
+  void operator=(const vtkHighOrderDiffusion&) = delete;
+
+  bool Automatic = true;
+  double Strength = 0.5;
+  int Flow = Hyperdiffusion;
+  int Order = 0;
+  bool LowerOrders = false;
+  double Diffusivity[4] = { 1.0, 1.0, 1.0, 1.0 };
+  int EdgeStopping = Gaussian;
+  double Sigma = 0.0;
+  int Window = 5;
+  double PreSmoothing = 0.0;
+  double Fidelity = 0.0;
+  bool UseSource = false;
+  double Time = 1.0;
+  int Integrator = SuperTimeStepping;
+  int Steps = 0;
+};
+
+#endif

@@ -1,0 +1,87 @@
+/**
+ * @class vtkPDETransform
+ * @brief Splits a volume into modes, from the finest detail to a smooth rest, that add up to it.
+ *
+ * Repeated high-pass filters by diffusion of falling order (Y. Wang, G. W. Wei, S. Yang, J. Sci.
+ * Comput. 50 (2012) 495): mode k is what the k-th low-pass takes away from what was left. Low-pass
+ * k halves waves of the wavelength FirstWavelength * WavelengthRatio^(k-1).
+ *
+ * Output arrays: `Mode1`, ..., `Mode<n>` and `Residue` (active); their sum is the input up to the
+ * rounding of the additions. Times are chosen from wavelengths; orders fall by one from FirstOrder
+ * to LastOrder, since sharp cuts are cheap only where wavelengths are short. Cost: about
+ * (wavelength per voxel)^(q + 1) evaluations for a low-pass of order q. Memory: n + 1 output
+ * volumes and five.
+ *
+ * @sa vtkHighOrderDiffusion vtkDiffusionHighPass
+ */
+#ifndef vtkPDETransform_h
+#define vtkPDETransform_h
+
+#include "vtkDiffusionAlgorithm.h"
+
+namespace isthmus
+{
+struct PDETransformParameters;
+}
+
+class VTKISTHMUS_EXPORT vtkPDETransform : public vtkDiffusionAlgorithm
+{
+public:
+  static vtkPDETransform* New();
+  vtkTypeMacro(vtkPDETransform, vtkDiffusionAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Number of modes, 1 to 16, beside the residue. Default 4.
+  vtkSetMacro(NumberOfModes, int);
+  vtkGetMacro(NumberOfModes, int);
+  ///@}
+
+  ///@{
+  /// Order q of the first low-pass, 0 to 3; it falls by one from mode to mode. Default 3.
+  vtkSetMacro(FirstOrder, int);
+  vtkGetMacro(FirstOrder, int);
+  ///@}
+
+  ///@{
+  /// Order at which the falling ends. Default 0.
+  vtkSetMacro(LastOrder, int);
+  vtkGetMacro(LastOrder, int);
+  ///@}
+
+  ///@{
+  /// Wavelength (length) that the first low-pass halves. Default 4.
+  vtkSetMacro(FirstWavelength, double);
+  vtkGetMacro(FirstWavelength, double);
+  ///@}
+
+  ///@{
+  /// Ratio of a mode's wavelength to that of the mode before. Default 2.
+  vtkSetMacro(WavelengthRatio, double);
+  vtkGetMacro(WavelengthRatio, double);
+  ///@}
+
+protected:
+  vtkPDETransform();
+  ~vtkPDETransform() override = default;
+
+  int HaloWidth() override;
+  void Process(isthmus::DiffusionImage<float>& image) override;
+  void Process(isthmus::DiffusionImage<double>& image) override;
+
+private:
+  isthmus::PDETransformParameters GetParameters() const;
+  template <typename T>
+  void Transform(isthmus::DiffusionImage<T>& image);
+
+  vtkPDETransform(const vtkPDETransform&) = delete;
+  void operator=(const vtkPDETransform&) = delete;
+
+  int NumberOfModes = 4;
+  int FirstOrder = 3;
+  int LastOrder = 0;
+  double FirstWavelength = 4.0;
+  double WavelengthRatio = 2.0;
+};
+
+#endif

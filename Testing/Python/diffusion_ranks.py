@@ -1,0 +1,49 @@
+"""Run on every rank by HighOrderDiffusion.py: each rank's part of the results, saved as .npz."""
+
+import sys
+
+import isthmus
+import numpy
+from vtkmodules.numpy_interface import dataset_adapter
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+
+def filters():
+    """Name, filter and its result arrays, for everything that exchanges halos in its own way."""
+    for order, stopping in ((0, 1), (1, 1), (2, 2), (3, 0)):
+        denoise = isthmus.vtkHighOrderDiffusion()
+        denoise.SetOrder(order)
+        denoise.SetEdgeStopping(stopping)
+        denoise.SetWindow(9)
+        yield f"denoise{order}", denoise, ["RTData"]
+    geometric = isthmus.vtkHighOrderDiffusion()
+    geometric.SetFlow(1)
+    geometric.SetOrder(1)
+    geometric.SetFidelity(0.5)
+    yield "geometric", geometric, ["RTData"]
+    yield "highpass", isthmus.vtkDiffusionHighPass(), ["HighPass"]
+    transform = isthmus.vtkPDETransform()
+    transform.SetNumberOfModes(2)
+    yield "transform", transform, ["Mode1", "Residue"]
+
+
+def main(output):
+    controller = vtkMultiProcessController.GetGlobalController()
+    rank = controller.GetLocalProcessId() if controller else 0
+    ranks = controller.GetNumberOfProcesses() if controller else 1
+    source = vtkRTAnalyticSource()
+    source.SetWholeExtent(-9, 10, -8, 9, -7, 12)
+    results = {}
+    for name, algorithm, arrays in filters():
+        algorithm.SetInputConnection(source.GetOutputPort())
+        algorithm.UpdatePiece(rank, ranks, 1)
+        image = algorithm.GetOutput()
+        data = dataset_adapter.WrapDataObject(image).PointData
+        for array in arrays:
+            results[f"{name}.{array}"] = numpy.array(data[array])
+        results[f"{name}.extent"] = numpy.array(image.GetExtent())
+    numpy.savez(f"{output}.{rank}.npz", **results)
+
+
+main(sys.argv[1])

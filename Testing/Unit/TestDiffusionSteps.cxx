@@ -1,0 +1,202 @@
+// How long steps may be, what is refused, what is reported, and that nothing hangs on threads.
+
+#include "DiffusionTestTools.h"
+#include "TimeSteps.h"
+
+#include <vtkSMPTools.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace
+{
+
+using namespace isthmus;
+using namespace isthmus::testing;
+using Edge = DiffusionParameters::EdgeStoppingType;
+using Flow = DiffusionParameters::FlowType;
+using Integrator = DiffusionParameters::IntegratorType;
+
+std::string Refusal(const DiffusionParameters& parameters)
+{
+  const auto grid = Grid<float>(8, 8, 8);
+  try
+  {
+    Diffused(grid, parameters, Noise(grid));
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return error.what();
+  }
+  return {};
+}
+
+}
+
+TEST(DiffusionSteps, TheLargestStepIsStableAndTheNextIsRefused)
+{
+  const auto grid = Grid<double>(24, 24, 24);
+  const std::vector<double> start = Noise(grid);
+  for (const Flow flow : { Flow::Hyperdiffusion, Flow::GeometricFlow })
+  {
+    for (int order = 0; order <= 3; ++order)
+    {
+      DiffusionParameters parameters;
+      parameters.Flow = flow;
+      parameters.Order = order;
+      parameters.Integrator = Integrator::ForwardEuler;
+      parameters.Steps = 60;
+      const double limit = ExplicitStepLimit(parameters, grid.Spacing);
+      EXPECT_NEAR(limit, 2.0 / std::pow(12.0, order + 1), 1e-15);
+      parameters.Time = 60 * limit;
+      EXPECT_LT(Deviation(Diffused(grid, parameters, start)), 0.9 * Deviation(start));
+      parameters.Time *= 1.01;
+      const std::string refusal = Refusal(parameters);
+      std::ostringstream named;
+      named << limit;
+      EXPECT_NE(refusal.find(named.str()), std::string::npos) << refusal;
+    }
+  }
+}
+
+TEST(DiffusionSteps, TheLongestSuperStepIsStableAndTheNextIsRefused)
+{
+  const auto grid = Grid<float>(24, 24, 24);
+  const std::vector<float> start = Noise(grid);
+  for (int order = 0; order <= 3; ++order)
+  {
+    DiffusionParameters parameters;
+    parameters.Order = order;
+    const double s = MaximumStages;
+    const double limit = ExplicitStepLimit(parameters, grid.Spacing) * (s * s + s - 2) / 4;
+    parameters.Steps = 4;
+    parameters.Time = 4 * limit;
+    EXPECT_LT(Deviation(Diffused(grid, parameters, start)), 0.5 * Deviation(start)) << order;
+    parameters.Time *= 1.01;
+    std::ostringstream named;
+    named << limit;
+    EXPECT_NE(Refusal(parameters).find(named.str()), std::string::npos) << Refusal(parameters);
+  }
+}
+
+TEST(DiffusionSteps, AutomaticStepsEndAtTheTime)
+{
+  for (const double time : { 1e-3, 0.1, 3.0, 5000.0 })
+  {
+    for (const auto& steps : { EulerSteps(time, 0.01, 0), SuperSteps(time, 0.01, 0) })
+    {
+      double sum = 0.0;
+      for (const TimeStep& step : steps)
+      {
+        sum += step.Length;
+        EXPECT_LE(step.Stages, MaximumStages);
+      }
+      EXPECT_NEAR(sum, time, 1e-9 * time);
+    }
+  }
+}
+
+TEST(DiffusionSteps, SuperStepsReachTheEndOfForwardEulerWithATenthOfItsWork)
+{
+  const auto grid = Grid<float>(32, 32, 32);
+  std::vector<float> start = Noise(grid, 0.5);
+  for (std::int64_t n = 0; n < grid.Size(); ++n)
+  {
+    start[static_cast<std::size_t>(n)] += static_cast<float>(n % 32 / 8 % 2) * 2.0f; // slabs
+  }
+  DiffusionParameters parameters;
+  parameters.Order = 1;
+  parameters.Sigma = 1.0;
+  parameters.PreSmoothing = 1.0;
+  parameters.Time = 100.0;
+  DiffusionReport super, euler;
+  const auto fast = Diffused(grid, parameters, start, &super);
+  parameters.Integrator = Integrator::ForwardEuler;
+  const auto slow = Diffused(grid, parameters, start, &euler);
+  const double difference = Distance(fast, slow) / Deviation(slow);
+  std::printf("q = 1, time 100: %lld explicit steps, %lld super stages, difference %.2f %%\n",
+    static_cast<long long>(euler.Evaluations), static_cast<long long>(super.Evaluations),
+    100 * difference);
+  EXPECT_LT(difference, 0.01);
+  EXPECT_GT(euler.Evaluations, 10 * super.Evaluations);
+}
+
+TEST(DiffusionSteps, ResultsDoNotDependOnThreads)
+{
+  auto grid = Grid<float>(37, 300, 70);
+  const std::vector<float> start = Noise(grid);
+  for (const Edge edge : { Edge::Gaussian, Edge::LocalVariance })
+  {
+    DiffusionParameters parameters;
+    parameters.Order = 1;
+    parameters.EdgeStopping = edge;
+    parameters.Time = 0.2;
+    DiffusionReport reports[2];
+    std::vector<float> results[2];
+    for (const int threads : { 1, 3 })
+    {
+      vtkSMPTools::LocalScope(vtkSMPTools::Config(threads, "STDThread", false),
+        [&]() { results[threads / 2] = Diffused(grid, parameters, start, &reports[threads / 2]); });
+    }
+    EXPECT_EQ(results[0], results[1]);
+    EXPECT_EQ(reports[0].Change, reports[1].Change);
+  }
+}
+
+TEST(DiffusionSteps, TheReportIsACurveThatFalls)
+{
+  const auto grid = Grid<float>(16, 16, 16);
+  for (const Integrator integrator : { Integrator::ForwardEuler, Integrator::SuperTimeStepping })
+  {
+    DiffusionParameters parameters;
+    parameters.Integrator = integrator;
+    parameters.EdgeStopping = Edge::None;
+    parameters.Time = 40.0;
+    DiffusionReport report;
+    Diffused(grid, parameters, Noise(grid), &report);
+    ASSERT_GE(report.Time.size(), 4u);
+    EXPECT_LE(report.Time.size(), 100u);
+    EXPECT_NEAR(report.Time.back(), 40.0, 1e-9);
+    EXPECT_TRUE(std::is_sorted(report.Residual.rbegin(), report.Residual.rend()));
+    EXPECT_TRUE(std::is_sorted(report.Time.begin(), report.Time.end()));
+    EXPECT_EQ(report.Change.size(), report.Residual.size());
+  }
+}
+
+TEST(DiffusionSteps, BadParametersAreRefusedInASentence)
+{
+  const std::vector<std::pair<const char*, std::function<void(DiffusionParameters&)>>> cases{
+    { "Order is 4", [](auto& p) { p.Order = 4; } },
+    { "Order is -1", [](auto& p) { p.Order = -1; } },
+    { "Time is -1", [](auto& p) { p.Time = -1.0; } },
+    { "Time is nan", [](auto& p) { p.Time = std::nan(""); } },
+    { "Steps is -2", [](auto& p) { p.Steps = -2; } },
+    { "Sigma is 0", [](auto& p) { p.Sigma = 0.0; } },
+    { "Fidelity is -1", [](auto& p) { p.Fidelity = -1.0; } },
+    { "PreSmoothing is -1", [](auto& p) { p.PreSmoothing = -1.0; } },
+    { "diffusivity of the highest order is 0", [](auto& p) { p.Diffusivity[1] = 0.0; } },
+    { "A diffusivity is -1", [](auto& p) { p.Diffusivity[0] = -1.0; } },
+    { "Window is 4",
+      [](auto& p)
+      {
+        p.EdgeStopping = Edge::LocalVariance;
+        p.Window = 4;
+      } },
+  };
+  for (const auto& [words, spoil] : cases)
+  {
+    DiffusionParameters parameters;
+    spoil(parameters);
+    EXPECT_NE(Refusal(parameters).find(words), std::string::npos) << Refusal(parameters);
+  }
+}
+
+TEST(DiffusionSteps, ValuesTooLargeForTheTypeAreReported)
+{
+  const auto grid = Grid<float>(8, 8, 8);
+  DiffusionParameters parameters;
+  parameters.Order = 3;
+  parameters.EdgeStopping = Edge::None;
+  EXPECT_THROW(Diffused(grid, parameters, Noise(grid, 1e36)), std::runtime_error);
+}

@@ -1,0 +1,266 @@
+// The equations themselves: against a plain reference, by Fourier modes, by what must not change.
+
+#include "DiffusionReference.h"
+#include "DiffusionTestTools.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <numeric>
+
+namespace
+{
+
+using namespace isthmus;
+using namespace isthmus::testing;
+using Edge = DiffusionParameters::EdgeStoppingType;
+using Flow = DiffusionParameters::FlowType;
+using Integrator = DiffusionParameters::IntegratorType;
+
+/// One explicit step of half the limit's length.
+DiffusionParameters OneEulerStep(DiffusionParameters parameters, const std::array<double, 3>& h)
+{
+  parameters.Integrator = Integrator::ForwardEuler;
+  parameters.Steps = 1;
+  parameters.Time = 0.5 * ExplicitStepLimit(parameters, h);
+  return parameters;
+}
+
+void ExpectOneStepAsReference(const DiffusionParameters& parameters)
+{
+  DiffusionGrid<double> grid = Grid<double>(11, 9, 7);
+  grid.Spacing = { 1.0, 1.3, 0.8 };
+  const std::vector<double> input = Noise(grid);
+  const DiffusionParameters step = OneEulerStep(parameters, grid.Spacing);
+  const std::vector<double> result = Diffused(grid, step, input);
+  const ReferenceVolume rate = ReferenceRate({ grid, input }, parameters);
+  double scale = 0.0;
+  for (std::size_t n = 0; n < input.size(); ++n)
+  {
+    scale = std::max(scale, std::abs(step.Time * rate.Values[n]));
+  }
+  for (std::size_t n = 0; n < input.size(); ++n)
+  {
+    ASSERT_NEAR(result[n] - input[n], step.Time * rate.Values[n], 1e-11 * scale) << "node " << n;
+  }
+}
+
+/// Neumann's modes cos(pi m (i + 1/2) / n) are exact eigenvectors of the discrete operators.
+struct Mode
+{
+  std::vector<double> Values;
+  double Symbol; ///< of -L
+};
+
+Mode NeumannMode(const DiffusionGrid<double>& grid, const std::array<int, 3>& wave)
+{
+  Mode mode{ std::vector<double>(static_cast<std::size_t>(grid.Size()), 1.0), 0.0 };
+  const auto& n = grid.Dimensions;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double angle = std::acos(-1.0) * wave[axis] / static_cast<double>(n[axis]);
+    mode.Symbol += (2 - 2 * std::cos(angle)) / (grid.Spacing[axis] * grid.Spacing[axis]);
+    for (std::int64_t node = 0; node < grid.Size(); ++node)
+    {
+      const std::array<std::int64_t, 3> at{ node % n[0], node / n[0] % n[1], node / n[0] / n[1] };
+      mode.Values[static_cast<std::size_t>(node)] *=
+        std::cos(angle * (static_cast<double>(at[axis]) + 0.5));
+    }
+  }
+  return mode;
+}
+
+/// By how much the mode has been multiplied; fails if it is no longer the same mode.
+double Decay(const std::vector<double>& after, const std::vector<double>& before)
+{
+  const double factor = std::inner_product(after.begin(), after.end(), before.begin(), 0.0) /
+    std::inner_product(before.begin(), before.end(), before.begin(), 0.0);
+  for (std::size_t n = 0; n < after.size(); ++n)
+  {
+    EXPECT_NEAR(after[n], factor * before[n], 1e-9);
+  }
+  return factor;
+}
+
+}
+
+TEST(HighOrderDiffusion, OneStepIsTheEquation)
+{
+  for (int order = 0; order <= 3; ++order)
+  {
+    for (const Edge edge : { Edge::None, Edge::Gaussian, Edge::LocalVariance })
+    {
+      for (const bool lower : { false, true })
+      {
+        SCOPED_TRACE(::testing::Message() << "order " << order << " edge stopping "
+                                          << static_cast<int>(edge) << " lower orders " << lower);
+        DiffusionParameters parameters;
+        parameters.Order = order;
+        parameters.EdgeStopping = edge;
+        parameters.LowerOrders = lower;
+        parameters.Sigma = 0.7;
+        parameters.Diffusivity = { 0.5, 0.3, 0.2, 0.1 };
+        ExpectOneStepAsReference(parameters);
+      }
+    }
+    DiffusionParameters geometric;
+    geometric.Flow = Flow::GeometricFlow;
+    geometric.Order = order;
+    geometric.Sigma = 1.5;
+    SCOPED_TRACE(::testing::Message() << "geometric flow of order " << order);
+    ExpectOneStepAsReference(geometric);
+  }
+}
+
+TEST(HighOrderDiffusion, FidelityAndSourceAddTheirRates)
+{
+  const auto grid = Grid<double>(6, 5, 4);
+  std::vector<double> values = Noise(grid), input = Noise(grid, 1.0, 2),
+                      source = Noise(grid, 1.0, 3);
+  DiffusionParameters parameters;
+  parameters.EdgeStopping = Edge::None;
+  const DiffusionParameters plain = OneEulerStep(parameters, grid.Spacing);
+  const std::vector<double> without = Diffused(grid, plain, values);
+  DiffusionParameters with = plain;
+  with.Fidelity = 0.4;
+  std::vector<double> result = values;
+  Diffuse<double>(grid, with, result.data(), input.data(), source.data());
+  for (std::size_t n = 0; n < values.size(); ++n)
+  {
+    const double rate = 0.4 * (input[n] - values[n]) + source[n];
+    EXPECT_NEAR(result[n], without[n] + plain.Time * rate, 1e-13);
+  }
+}
+
+TEST(HighOrderDiffusion, FourierModesDecayBySymbol)
+{
+  DiffusionGrid<double> grid = Grid<double>(16, 12, 10);
+  grid.Spacing = { 1.0, 1.2, 1.5 };
+  for (int order = 0; order <= 3; ++order)
+  {
+    for (const auto& wave :
+      std::vector<std::array<int, 3>>{ { 2, 0, 0 }, { 2, 3, 1 }, { 5, 4, 6 } })
+    {
+      const Mode mode = NeumannMode(grid, wave);
+      DiffusionParameters parameters;
+      parameters.EdgeStopping = Edge::None;
+      parameters.Order = order;
+      const double rate = std::pow(mode.Symbol, order + 1);
+      parameters.Time = 1.0 / rate;
+      // Modes that decay within a few explicit steps' time need more than the automatic steps.
+      parameters.Steps =
+        parameters.Time < 100 * ExplicitStepLimit(parameters, grid.Spacing) ? 16 : 0;
+      const double decay = Decay(Diffused(grid, parameters, mode.Values), mode.Values);
+      EXPECT_NEAR(-std::log(decay), 1.0, 1e-3) << "order " << order << " rate " << rate;
+    }
+  }
+}
+
+namespace
+{
+
+/// Order in time seen between `few` and four times as many super steps.
+double TimeOrder(const DiffusionParameters& start, const DiffusionGrid<double>& grid,
+  const std::vector<double>& values, int few)
+{
+  auto solution = [&](int steps)
+  {
+    DiffusionParameters parameters = start;
+    parameters.Steps = steps;
+    return Diffused(grid, parameters, values);
+  };
+  const std::vector<double> exact = solution(32 * few);
+  return std::log(Distance(solution(few), exact) / Distance(solution(4 * few), exact)) /
+    std::log(4.0);
+}
+
+}
+
+TEST(HighOrderDiffusion, TimeOrderIsTwoWithAConstantCoefficientAndOneWithAChangingOne)
+{
+  const auto grid = Grid<double>(20, 18, 16);
+  std::vector<double> start = NeumannMode(grid, { 2, 1, 1 }).Values;
+  const std::vector<double> other = NeumannMode(grid, { 1, 3, 2 }).Values;
+  std::transform(start.begin(), start.end(), other.begin(), start.begin(), std::plus<double>());
+  for (int order = 0; order <= 3; ++order)
+  {
+    DiffusionParameters parameters;
+    parameters.Order = order;
+    parameters.Sigma = 0.3;
+    parameters.Time = std::min(12.0, std::pow(3.0, order + 1));
+    parameters.EdgeStopping = Edge::None;
+    const int few = order == 0 ? 8 : order < 3 ? 4 : 16; // q = 3 can't take longer steps
+    const double constant = TimeOrder(parameters, grid, start, few);
+    parameters.EdgeStopping = Edge::Gaussian;
+    const double changing = TimeOrder(parameters, grid, start, few);
+    std::printf("q = %d: time order %.2f, with edge stopping %.2f\n", order, constant, changing);
+    EXPECT_GT(constant, 1.9);
+    EXPECT_GT(changing, 0.9);
+  }
+}
+
+TEST(HighOrderDiffusion, MeanIsKept)
+{
+  const auto grid = Grid<float>(40, 31, 22);
+  std::vector<float> start = Noise(grid);
+  std::for_each(start.begin(), start.end(), [](float& value) { value += 3.0f; });
+  for (int order = 0; order <= 3; ++order)
+  {
+    for (const Edge edge : { Edge::None, Edge::Gaussian, Edge::LocalVariance })
+    {
+      DiffusionParameters parameters;
+      parameters.Order = order;
+      parameters.EdgeStopping = edge;
+      parameters.Time = 2.0;
+      EXPECT_NEAR(Mean(Diffused(grid, parameters, start)) / Mean(start), 1.0, 1e-6);
+    }
+  }
+}
+
+TEST(HighOrderDiffusion, ConstantsStayAndLinearFieldsStayInside)
+{
+  const auto grid = Grid<double>(30, 30, 30);
+  std::vector<double> constant(static_cast<std::size_t>(grid.Size()), 1.0 / 3.0), linear = constant;
+  for (std::int64_t n = 0; n < grid.Size(); ++n)
+  {
+    linear[static_cast<std::size_t>(n)] =
+      0.3 * static_cast<double>(n % 30) - 0.2 * static_cast<double>(n / 900);
+  }
+  for (int order = 0; order <= 3; ++order)
+  {
+    for (const Flow flow : { Flow::Hyperdiffusion, Flow::GeometricFlow })
+    {
+      DiffusionParameters parameters;
+      parameters.Flow = flow;
+      parameters.Order = order;
+      parameters.Time = 0.5;
+      EXPECT_EQ(Diffused(grid, parameters, constant), constant);
+      parameters = OneEulerStep(parameters, grid.Spacing);
+      const std::vector<double> result = Diffused(grid, parameters, linear);
+      // A gradient at the boundary is halved by the mirror, which the next node's faces see.
+      const std::int64_t reach = std::max(order + 1, 2);
+      for (std::int64_t n = 0; n < grid.Size(); ++n)
+      {
+        const std::int64_t at[3] = { n % 30, n / 30 % 30, n / 900 };
+        if (std::all_of(at, at + 3, [&](auto i) { return i >= reach && i < 30 - reach; }))
+        {
+          const auto node = static_cast<std::size_t>(n);
+          ASSERT_NEAR(result[node], linear[node], 1e-12) << "order " << order << " node " << n;
+        }
+      }
+    }
+  }
+}
+
+TEST(HighOrderDiffusion, AFloatIsWorkedOnInFloat)
+{
+  const auto single = Grid<float>(24, 20, 16);
+  const auto twice = Grid<double>(24, 20, 16);
+  const std::vector<float> start = Noise(single);
+  DiffusionParameters parameters;
+  parameters.Order = 2;
+  parameters.Time = 20.0;
+  const std::vector<double> exact =
+    Diffused(twice, parameters, std::vector<double>(start.begin(), start.end()));
+  EXPECT_LT(Distance(Diffused(single, parameters, start), exact), 2e-5);
+}

@@ -1,0 +1,230 @@
+// vtkHighOrderDiffusion: types, extents, what it keeps, what it says, what it refuses.
+
+#include "DiffusionFilterTest.h"
+#include "DiffusionTestTools.h"
+#include "vtkHighOrderDiffusion.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkFloatArray.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace isthmus::testing;
+using Filter = Listened<vtkHighOrderDiffusion>;
+
+TEST(HighOrderDiffusionFilter, WorksOnEveryTypeAndReturnsFloatOrDouble)
+{
+  const auto whole = BumpImage(VTK_INT);
+  Filter reference(whole);
+  const std::vector<double> expected = Values(reference.Result());
+  for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
+         VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_LONG_LONG })
+  {
+    Filter filter(BumpImage(type));
+    vtkDataArray* const result = filter.Result();
+    const bool narrow = vtkDataArray::GetDataTypeSize(type) <= 2;
+    EXPECT_EQ(result->GetDataType(), narrow ? VTK_FLOAT : VTK_DOUBLE) << type;
+    EXPECT_LT(Distance(Values(result), expected), 1e-4) << type;
+  }
+  Filter single(BumpImage(VTK_FLOAT)), twice(BumpImage(VTK_DOUBLE));
+  EXPECT_EQ(single.Result()->GetDataType(), VTK_FLOAT);
+  EXPECT_EQ(twice.Result()->GetDataType(), VTK_DOUBLE);
+  EXPECT_LT(Distance(Values(single.Result()), Values(twice.Result())), 1e-3);
+}
+
+TEST(HighOrderDiffusionFilter, KeepsGeometryArraysAndInput)
+{
+  const auto image = BumpImage();
+  vtkNew<vtkFloatArray> other;
+  other->SetName("Other");
+  other->SetNumberOfTuples(image->GetNumberOfPoints());
+  other->Fill(7.0);
+  image->GetPointData()->AddArray(other);
+  const std::vector<double> before = Values(image->GetPointData()->GetScalars());
+  Filter filter(image);
+  vtkImageData* const output = filter.Update();
+  for (int n = 0; n < 6; ++n)
+  {
+    EXPECT_EQ(output->GetExtent()[n], image->GetExtent()[n]);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_EQ(output->GetSpacing()[axis], image->GetSpacing()[axis]);
+    EXPECT_EQ(output->GetOrigin()[axis], image->GetOrigin()[axis]);
+  }
+  EXPECT_EQ(output->GetPointData()->GetArray("Other"), other.Get());
+  EXPECT_STREQ(output->GetPointData()->GetScalars()->GetName(), "Density");
+  EXPECT_EQ(Values(image->GetPointData()->GetScalars()), before);
+  EXPECT_LT(Deviation(Values(filter.Result())), Deviation(before));
+  for (const char* name : { "StepTime", "StepChange", "StepResidual", "NoiseLevel", "UsedSigma",
+         "UsedPreSmoothing", "UsedTime" })
+  {
+    ASSERT_TRUE(output->GetFieldData()->GetArray(name)) << name;
+    EXPECT_GT(output->GetFieldData()->GetArray(name)->GetTuple1(0), 0.0) << name;
+  }
+}
+
+TEST(HighOrderDiffusionFilter, MoreStrengthSmoothsMore)
+{
+  double last = std::numeric_limits<double>::max();
+  for (const double strength : { 0.0, 0.5, 1.0 })
+  {
+    Filter filter(BumpImage());
+    filter->SetStrength(strength);
+    const double deviation = Deviation(Values(filter.Result()));
+    EXPECT_LT(deviation, last);
+    last = deviation;
+  }
+}
+
+TEST(HighOrderDiffusionFilter, UnitsOnlyChangeTheNumbers)
+{
+  Filter voxels(BumpImage(VTK_DOUBLE)), lengths(BumpImage(VTK_DOUBLE));
+  lengths->VoxelUnitsOff();
+  EXPECT_LT(Distance(Values(voxels.Result()), Values(lengths.Result())), 1e-9);
+  voxels->AutomaticOff();
+  voxels->SetSigma(3.0);
+  voxels->SetTime(2.0);
+  lengths->AutomaticOff();
+  lengths->SetSigma(3.0 / 1.5);
+  lengths->SetTime(2.0 * 1.5 * 1.5);
+  EXPECT_LT(Distance(Values(voxels.Result()), Values(lengths.Result())), 1e-9);
+}
+
+TEST(HighOrderDiffusionFilter, TakesSlicesRowsPointsAndNothing)
+{
+  const int sizes[][3] = { { 14, 12, 1 }, { 1, 12, 10 }, { 14, 1, 1 }, { 1, 1, 1 } };
+  for (const auto& size : sizes)
+  {
+    Filter filter(BumpImage(VTK_FLOAT, size[0], size[1], size[2]));
+    filter->AutomaticOff();
+    EXPECT_EQ(filter.Update()->GetNumberOfPoints(), size[0] * size[1] * size[2]);
+    EXPECT_TRUE(std::isfinite(filter.Result()->GetTuple1(0)));
+  }
+  vtkNew<vtkImageData> nothing;
+  Filter filter(nothing);
+  EXPECT_EQ(filter.Complaint(), "");
+  EXPECT_EQ(filter.Update()->GetNumberOfPoints(), 0);
+}
+
+TEST(HighOrderDiffusionFilter, NamesTheFirstInvalidValueOrMasksIt)
+{
+  const auto image = BumpImage();
+  image->SetScalarComponentFromDouble(5, 1, 2, 0, std::nan(""));
+  image->SetScalarComponentFromDouble(6, 1, 2, 0, std::numeric_limits<double>::infinity());
+  Filter filter(image);
+  const std::string complaint = filter.Complaint();
+  for (const char* words : { "2 of the image's values", "node (5, 1, 2)", "position (3.5, 3, 10)" })
+  {
+    EXPECT_NE(complaint.find(words), std::string::npos) << complaint;
+  }
+  filter->MaskInvalidOn();
+  vtkImageData* const output = filter.Update();
+  int invalid = 0;
+  for (const double value : Values(output->GetPointData()->GetScalars()))
+  {
+    invalid += !std::isfinite(value);
+  }
+  EXPECT_EQ(invalid, 2);
+  EXPECT_TRUE(std::isnan(output->GetScalarComponentAsDouble(5, 1, 2, 0)));
+}
+
+TEST(HighOrderDiffusionFilter, RefusesInASentence)
+{
+  Filter filter(BumpImage());
+  filter->AutomaticOff();
+  const std::pair<const char*, std::function<void(vtkHighOrderDiffusion*)>> cases[] = {
+    { "Time is -1", [](auto* f) { f->SetTime(-1.0); } },
+    { "Order is 7", [](auto* f) { f->SetOrder(7); } },
+    { "Sigma is -2", [](auto* f) { f->SetSigma(-2.0); } },
+    { "Flow is 2", [](auto* f) { f->SetFlow(2); } },
+    { "EdgeStopping is -1", [](auto* f) { f->SetEdgeStopping(-1); } },
+    { "Integrator is 5", [](auto* f) { f->SetIntegrator(5); } },
+    { "Window is 6",
+      [](auto* f)
+      {
+        f->SetEdgeStopping(vtkHighOrderDiffusion::LocalVariance);
+        f->SetWindow(6);
+      } },
+    { "stable only up to",
+      [](auto* f)
+      {
+        f->SetIntegrator(vtkHighOrderDiffusion::ForwardEuler);
+        f->SetSteps(1);
+      } },
+    { "lacks an array", [](auto* f) { f->UseSourceOn(); } },
+  };
+  for (const auto& [words, spoil] : cases)
+  {
+    Filter spoiled(BumpImage());
+    spoiled->AutomaticOff();
+    spoil(spoiled.operator->());
+    const std::string complaint = spoiled.Complaint();
+    EXPECT_NE(complaint.find(words), std::string::npos) << words << ": " << complaint;
+  }
+}
+
+TEST(HighOrderDiffusionFilter, TakesAnArrayAsSourceIfItFits)
+{
+  for (const bool fits : { true, false })
+  {
+    const auto image = BumpImage(VTK_DOUBLE);
+    vtkNew<vtkFloatArray> source;
+    source->SetName("P");
+    source->SetNumberOfTuples(image->GetNumberOfPoints() - (fits ? 0 : 1));
+    source->Fill(0.5);
+    image->GetPointData()->AddArray(source);
+    Filter with(image), without(image);
+    for (Filter* filter : { &with, &without })
+    {
+      (*filter)->AutomaticOff();
+      (*filter)->SetEdgeStopping(vtkHighOrderDiffusion::None);
+      (*filter)->SetTime(2.0);
+    }
+    with->UseSourceOn();
+    with->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "P");
+    if (fits)
+    {
+      EXPECT_NEAR(Mean(Values(with.Result())) - Mean(Values(without.Result())), 1.0, 1e-9);
+    }
+    else
+    {
+      EXPECT_NE(with.Complaint().find("'P' has 1679 tuples"), std::string::npos)
+        << with.Complaint();
+    }
+  }
+}
+
+TEST(HighOrderDiffusionFilter, RefusesSeveralComponentsAndMissingScalars)
+{
+  const auto image = BumpImage();
+  image->AllocateScalars(VTK_FLOAT, 3);
+  EXPECT_NE(Filter(image).Complaint().find("of 3 components"), std::string::npos);
+  const auto bare = BumpImage();
+  bare->GetPointData()->Initialize();
+  EXPECT_NE(Filter(bare).Complaint().find("no point array"), std::string::npos);
+}
+
+TEST(HighOrderDiffusionFilter, ShowsProgressAndStops)
+{
+  Filter filter(BumpImage());
+  std::vector<double> shown;
+  vtkNew<vtkCallbackCommand> listener;
+  listener->SetClientData(&shown);
+  listener->SetCallback(
+    [](vtkObject* object, unsigned long, void* list, void*)
+    {
+      auto* algorithm = vtkAlgorithm::SafeDownCast(object);
+      auto& fractions = *static_cast<std::vector<double>*>(list);
+      fractions.push_back(algorithm->GetProgress());
+      algorithm->SetAbortExecute(fractions.size() == 10);
+    });
+  filter->AddObserver(vtkCommand::ProgressEvent, listener);
+  filter.Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  ASSERT_GE(shown.size(), 10u);
+  EXPECT_TRUE(std::is_sorted(shown.begin(), shown.begin() + 10));
+  EXPECT_LT(shown[9], 1.0);
+}
