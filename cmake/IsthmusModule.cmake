@@ -2,6 +2,7 @@
 
 set(classes
   Filters/Curvature/vtkHessianCurvature
+  Filters/Meshing/vtkSurfaceMeasures
   Readers/vtkMRCMapReader)
 
 set(sources
@@ -13,7 +14,12 @@ set(sources
   Filters/Curvature/ImageExtent.cxx
   Filters/Curvature/PointDerivative.cxx
   Filters/Curvature/ShapeRows.cxx
+  Filters/Meshing/CartesianMeasures.cxx
+  Filters/Meshing/LevelCrossings.cxx
+  Filters/Meshing/SurfaceMeasures.cxx
   Filters/Support/ParallelFor.cxx
+  Filters/Support/PolyDataTriangles.cxx
+  Filters/Support/TriangleStars.cxx
   Readers/ByteSource.cxx
   Readers/CompressedSource.cxx
   Readers/MRCFieldData.cxx
@@ -39,7 +45,7 @@ vtk_module_add_module(Isthmus::vtkIsthmus
   SOURCES ${sources})
 
 # Public, since the wrappers include every class by its bare name; installed headers lie flat.
-foreach (room IN ITEMS Filters/Support Filters/Curvature Readers)
+foreach (room IN ITEMS Filters/Support Filters/Curvature Filters/Meshing Readers)
   vtk_module_include(Isthmus::vtkIsthmus
     PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${room}>")
 endforeach ()
@@ -52,3 +58,6 @@ endif ()
 
 find_package(BZip2 REQUIRED)
 vtk_module_link(Isthmus::vtkIsthmus PRIVATE BZip2::BZip2)
+
+find_package(Eigen3 REQUIRED NO_MODULE)
+vtk_module_link(Isthmus::vtkIsthmus PRIVATE "$<BUILD_INTERFACE:Eigen3::Eigen>")
