@@ -2,18 +2,23 @@
 
 set(classes
   Filters/Curvature/vtkHessianCurvature
+  Filters/Curvature/vtkSurfaceCurvature
   Filters/Meshing/vtkSurfaceMeasures
   Readers/vtkMRCMapReader)
 
 set(sources
   Filters/Curvature/CurvatureDescriptors.cxx
   Filters/Curvature/CurvatureOfImage.cxx
+  Filters/Curvature/EdgeBends.cxx
   Filters/Curvature/FiniteDifference.cxx
   Filters/Curvature/GaussianScale.cxx
   Filters/Curvature/HessianCurvature.cxx
   Filters/Curvature/ImageExtent.cxx
   Filters/Curvature/PointDerivative.cxx
   Filters/Curvature/ShapeRows.cxx
+  Filters/Curvature/StarCurvature.cxx
+  Filters/Curvature/SurfaceCurvature.cxx
+  Filters/Curvature/SurfacePatch.cxx
   Filters/Meshing/CartesianMeasures.cxx
   Filters/Meshing/LevelCrossings.cxx
   Filters/Meshing/SurfaceMeasures.cxx
