@@ -2,8 +2,10 @@
 
 set(classes
   Filters/Curvature/vtkHessianCurvature
+  Filters/Curvature/vtkScalarRegions
   Filters/Curvature/vtkSurfaceCurvature
   Filters/Meshing/vtkSurfaceMeasures
+  Filters/Meshing/vtkSurfaceToGrid
   Readers/vtkMRCMapReader)
 
 set(sources
@@ -15,12 +17,16 @@ set(sources
   Filters/Curvature/HessianCurvature.cxx
   Filters/Curvature/ImageExtent.cxx
   Filters/Curvature/PointDerivative.cxx
+  Filters/Curvature/RegionTables.cxx
+  Filters/Curvature/ScalarRegions.cxx
   Filters/Curvature/ShapeRows.cxx
   Filters/Curvature/StarCurvature.cxx
   Filters/Curvature/SurfaceCurvature.cxx
   Filters/Curvature/SurfacePatch.cxx
   Filters/Meshing/CartesianMeasures.cxx
+  Filters/Meshing/GridDistance.cxx
   Filters/Meshing/LevelCrossings.cxx
+  Filters/Meshing/SurfaceCrossings.cxx
   Filters/Meshing/SurfaceMeasures.cxx
   Filters/Support/ParallelFor.cxx
   Filters/Support/PolyDataTriangles.cxx

@@ -16,9 +16,10 @@
  *
  * **Validity.** `CurvatureValid` is 1 where the values mean something. It is 0, and with it all
  * values but `PointArea`, at points on the boundary (over Ball and GeodesicDisc they are valid, but
- * one-sided, with an error of the order of edge length / Radius), at points without triangles, around which the surface is not a disc
- * or not wound alike, at triangles without area, and where obtuse triangles make the Voronoi area
- * negative (choose Mixed). A warning counts them; boundaries are no reason for one.
+ * one-sided, with an error of the order of edge length / Radius), at points without triangles,
+ * around which the surface is not a disc or not wound alike, at triangles without area, and where
+ * obtuse triangles make the Voronoi area negative (choose Mixed). A warning counts them; boundaries
+ * are no reason for one.
  *
  * **Sign.** A sphere has positive curvature, 1/r. Which side is outside is chosen by Orientation.
  *

@@ -7,10 +7,13 @@
 
 #include "GridView.h"
 
+#include <vtkAlgorithm.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 
 #include <stdexcept>
@@ -18,6 +21,16 @@
 
 namespace isthmus
 {
+
+/// The array that the filter's input array 0 names, the active scalars where it names none: a panel
+/// that has seen no data yet sends an empty name. Null if there is no such array.
+inline vtkDataArray* ChosenScalars(vtkAlgorithm* filter, vtkImageData* image)
+{
+  vtkInformation* chosen = filter->GetInputArrayInformation(0);
+  const char* name = chosen->Get(vtkDataObject::FIELD_NAME());
+  return name && *name ? image->GetPointData()->GetArray(name)
+                       : image->GetPointData()->GetScalars();
+}
 
 /// Throws std::invalid_argument unless `scalars` is one number for each node of `image`.
 inline void CheckScalars(vtkImageData* image, vtkDataArray* scalars)

@@ -188,7 +188,7 @@ void vtkSurfaceMeasures::Measure(vtkImageData* image, vtkDataObject* output, vtk
     return;
   }
   isthmus::CartesianMeasures measures;
-  isthmus::UseScalars(image, this->GetInputArrayToProcess(0, image),
+  isthmus::UseScalars(image, isthmus::ChosenScalars(this, image),
     [&](const auto& grid)
     {
       using T = std::remove_const_t<std::remove_pointer_t<decltype(grid.Data)>>;
