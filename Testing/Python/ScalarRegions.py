@@ -1,14 +1,14 @@
 """Scalar Regions in ParaView: two scalars, joint areas, sweep and histogram as tables."""
 
 from paraview import servermanager
-from paraview.simple import Elevation, ScalarRegions, Sphere, SurfaceCurvature, SurfaceMeasures
+from paraview.simple import Calculator, ScalarRegions, Sphere, SurfaceCurvature, SurfaceMeasures
 
 sphere = Sphere(Radius=1.0, ThetaResolution=48, PhiResolution=48)
-height = Elevation(Input=sphere, LowPoint=[0, 0, -1], HighPoint=[0, 0, 1], ScalarRange=[-1, 1])
+height = Calculator(Input=sphere, Function="coordsZ", ResultArrayName="Height")
 curved = SurfaceCurvature(Input=height, PointAreaRule="Mixed")
 regions = ScalarRegions(
     Input=curved,
-    Scalars=["POINTS", "Elevation"],
+    Scalars=["POINTS", "Height"],
     Thresholds=[-0.5, 0.0, 0.5],
     UseSecondScalar=1,
     SecondScalars=["POINTS", "MeanCurvature"],
