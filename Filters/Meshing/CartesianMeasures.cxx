@@ -25,12 +25,6 @@ void AddLayer(
     for (std::int64_t i = 0; i < grid.Dimensions[0]; ++i)
     {
       const auto value = static_cast<double>(grid(i, j, k));
-      if (!std::isfinite(value))
-      {
-        throw std::invalid_argument("The value at node (" + std::to_string(i) + ", " +
-          std::to_string(j) + ", " + std::to_string(k) +
-          ") of the image is not a finite number. Crop the image or replace the value.");
-      }
       const auto gradient = GradientAtNode(grid, i, j, k);
       counts.Volume += level.IsInside(value);
       counts.SmearedVolume += (value - outside) * scale;

@@ -33,8 +33,8 @@ struct CartesianMeasures
   CartesianMeasures& operator+=(const CartesianMeasures& other);
 };
 
-/// Measures on `level`, in parallel; T is float or double. Throws std::invalid_argument where the
-/// two values are equal or a value of the grid is not finite, and Cancelled. O(nodes), no memory.
+/// Measures on `level`, in parallel; T is float or double and all values are finite. Throws
+/// std::invalid_argument where the two values are equal, and Cancelled. O(nodes), no memory.
 template <typename T>
 VTKISTHMUS_EXPORT CartesianMeasures MeasureOnGrid(const LevelView<T>& level, double insideValue,
   double outsideValue, const ProgressCallback& progress = {});

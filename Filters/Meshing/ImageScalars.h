@@ -16,6 +16,7 @@
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -52,6 +53,23 @@ inline void CheckScalars(vtkImageData* image, vtkDataArray* scalars)
     throw std::invalid_argument("The array has " + std::to_string(scalars->GetNumberOfTuples()) +
       " values for " + std::to_string(image->GetNumberOfPoints()) +
       " nodes: choose an array of points, not of cells.");
+  }
+}
+
+/// Throws std::invalid_argument, with the node, unless all values are finite numbers.
+template <typename T>
+void CheckFinite(const GridView<const T>& grid)
+{
+  for (std::int64_t node = 0; node < grid.Size(); ++node)
+  {
+    if (!std::isfinite(static_cast<double>(grid.Data[node])))
+    {
+      const std::int64_t row = node / grid.Dimensions[0];
+      throw std::invalid_argument("The value at node (" +
+        std::to_string(node % grid.Dimensions[0]) + ", " +
+        std::to_string(row % grid.Dimensions[1]) + ", " + std::to_string(row / grid.Dimensions[1]) +
+        ") of the image is not a finite number. Crop the image or replace the value.");
+    }
   }
 }
 

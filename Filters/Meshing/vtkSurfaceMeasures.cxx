@@ -193,6 +193,7 @@ void vtkSurfaceMeasures::Measure(vtkImageData* image, vtkDataObject* output, vtk
     {
       using T = std::remove_const_t<std::remove_pointer_t<decltype(grid.Data)>>;
       const isthmus::LevelView<T> level{ grid, this->IsoValue, this->InsideIsHigher != 0 };
+      isthmus::CheckFinite(grid);
       measures = isthmus::MeasureOnGrid(
         level, this->InsideValue, this->OutsideValue, isthmus::ProgressOf(this));
     });

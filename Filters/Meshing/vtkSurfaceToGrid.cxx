@@ -379,6 +379,9 @@ void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkP
     {
       using T = std::remove_const_t<std::remove_pointer_t<decltype(grid.Data)>>;
       const isthmus::LevelView<T> level{ grid, this->IsoValue, this->InsideIsHigher != 0 };
+      isthmus::CheckFinite(grid);
+      std::transform(grid.Data, grid.Data + shape.Size(), inside.begin(),
+        [&](T value) { return level.IsInside(static_cast<double>(value)); });
       std::vector<GridCrossing> found;
       for (std::int64_t k = 0; k < shape.Dimensions[2]; ++k)
       {
@@ -387,8 +390,6 @@ void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkP
           progress, 0.3 * static_cast<double>(k) / static_cast<double>(shape.Dimensions[2]));
       }
       FillCrossings(found, image, crossings);
-      std::transform(grid.Data, grid.Data + shape.Size(), inside.begin(),
-        [&](T value) { return level.IsInside(static_cast<double>(value)); });
     });
   if (this->GenerateInside)
   {

@@ -464,5 +464,11 @@ TEST(vtkSurfaceToGrid, BadInputIsToldInASentence)
   flat->SetDimensions(5, 5, 1);
   flat->AllocateScalars(VTK_FLOAT, 1);
   EXPECT_NE(messageFor(flat).find("single layer"), std::string::npos);
+  vtkNew<vtkImageData> broken;
+  broken->SetDimensions(5, 5, 5);
+  broken->AllocateScalars(VTK_FLOAT, 1);
+  broken->GetPointData()->GetScalars()->Fill(0.0);
+  broken->GetPointData()->GetScalars()->SetComponent(31, 0, std::nan(""));
+  EXPECT_NE(messageFor(broken).find("node (1, 1, 1)"), std::string::npos);
   EXPECT_EQ(messageFor(vtkNew<vtkPolyData>()), "");
 }
