@@ -25,6 +25,7 @@ set(sources
   Filters/Curvature/SurfacePatch.cxx
   Filters/Meshing/CartesianMeasures.cxx
   Filters/Meshing/GridDistance.cxx
+  Filters/Meshing/GridImages.cxx
   Filters/Meshing/LevelCrossings.cxx
   Filters/Meshing/SurfaceCrossings.cxx
   Filters/Meshing/SurfaceMeasures.cxx
