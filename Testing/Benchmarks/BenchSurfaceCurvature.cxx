@@ -82,27 +82,33 @@ void Regions(benchmark::State& state, AreaRule rule)
 BENCHMARK_CAPTURE(
   Curvature, angle_defect, CurvatureEstimate::AngleDefect, CurvatureNeighbourhood::OneRing)
   ->Unit(benchmark::kMillisecond)
-  ->UseRealTime();
+  ->UseRealTime()
+  ->MeasureProcessCPUTime();
 BENCHMARK_CAPTURE(
   Curvature, tensor_one_ring, CurvatureEstimate::EdgeTensor, CurvatureNeighbourhood::OneRing)
   ->Unit(benchmark::kMillisecond)
-  ->UseRealTime();
+  ->UseRealTime()
+  ->MeasureProcessCPUTime();
 BENCHMARK_CAPTURE(
   Curvature, tensor_ball, CurvatureEstimate::EdgeTensor, CurvatureNeighbourhood::Ball)
   ->Unit(benchmark::kMillisecond)
-  ->UseRealTime();
+  ->UseRealTime()
+  ->MeasureProcessCPUTime();
 BENCHMARK_CAPTURE(
   Curvature, tensor_disc, CurvatureEstimate::EdgeTensor, CurvatureNeighbourhood::GeodesicDisc)
   ->Unit(benchmark::kMillisecond)
-  ->UseRealTime();
+  ->UseRealTime()
+  ->MeasureProcessCPUTime();
 BENCHMARK_CAPTURE(VTKCurvatures, gauss, VTK_CURVATURE_GAUSS)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(VTKCurvatures, mean, VTK_CURVATURE_MEAN)->Unit(benchmark::kMillisecond);
-BENCHMARK(Measures)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(Measures)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
 BENCHMARK_CAPTURE(Regions, fractional, AreaRule::Fractional)
   ->Unit(benchmark::kMillisecond)
-  ->UseRealTime();
+  ->UseRealTime()
+  ->MeasureProcessCPUTime();
 BENCHMARK_CAPTURE(Regions, whole_triangles, AreaRule::WholeTriangles)
   ->Unit(benchmark::kMillisecond)
-  ->UseRealTime();
+  ->UseRealTime()
+  ->MeasureProcessCPUTime();
 
 BENCHMARK_MAIN();

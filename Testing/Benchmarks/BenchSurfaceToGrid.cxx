@@ -59,8 +59,8 @@ void SignedDistance(benchmark::State& state)
 
 }
 
-BENCHMARK(Crossings)->Unit(benchmark::kSecond)->UseRealTime();
-BENCHMARK(Inside)->Unit(benchmark::kSecond)->UseRealTime();
-BENCHMARK(SignedDistance)->Unit(benchmark::kSecond)->UseRealTime();
+BENCHMARK(Crossings)->Unit(benchmark::kSecond)->UseRealTime()->MeasureProcessCPUTime();
+BENCHMARK(Inside)->Unit(benchmark::kSecond)->UseRealTime()->MeasureProcessCPUTime();
+BENCHMARK(SignedDistance)->Unit(benchmark::kSecond)->UseRealTime()->MeasureProcessCPUTime();
 
 BENCHMARK_MAIN();
