@@ -1,7 +1,6 @@
 #include "GridDistance.h"
 
 #include "ParallelFor.h"
-#include "TriangleStars.h"
 
 #include <Eigen/Dense>
 
@@ -19,6 +18,8 @@ namespace
 using Eigen::Vector3d;
 using PointMap = Eigen::Map<const Vector3d>;
 
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
 double SquaredDistanceToSegment(const Vector3d& x, const Vector3d& a, const Vector3d& b)
 {
   const Vector3d d = b - a;
@@ -27,13 +28,8 @@ double SquaredDistanceToSegment(const Vector3d& x, const Vector3d& a, const Vect
   return (x - a - t * d).squaredNorm();
 }
 
-struct TriangleDistance
-{
-  double Squared;
-  bool OverInside; ///< the nearest point is inside the triangle, not on its border
-};
-
-TriangleDistance DistanceTo(const SurfaceView& mesh, vtkIdType triangle, const Vector3d& x)
+/// Squared distance of `x` from the triangle: to its plane over the inside, else to its border.
+double SquaredDistanceTo(const SurfaceView& mesh, vtkIdType triangle, const Vector3d& x)
 {
   const vtkIdType* const id = mesh.Triangle(triangle);
   const PointMap a(mesh.Point(id[0]));
@@ -48,10 +44,10 @@ TriangleDistance DistanceTo(const SurfaceView& mesh, vtkIdType triangle, const V
   if (!beyond[0] && !beyond[1] && !beyond[2])
   {
     const double height = normal.dot(x - a);
-    return { height * height / nn, true };
+    return height * height / nn;
   }
   // The nearest border point is on an edge that x is beyond.
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = Infinity;
   if (beyond[0])
   {
     nearest = std::min(nearest, SquaredDistanceToSegment(x, a, b));
@@ -64,31 +60,24 @@ TriangleDistance DistanceTo(const SurfaceView& mesh, vtkIdType triangle, const V
   {
     nearest = std::min(nearest, SquaredDistanceToSegment(x, c, a));
   }
-  return { nearest, false };
+  return nearest;
 }
 
-class DistanceField
+/// Squared distances within the band, infinite elsewhere.
+class Band
 {
 public:
-  DistanceField(const SurfaceView& mesh, const GridShape& grid)
+  Band(const SurfaceView& mesh, const GridShape& grid)
     : Mesh(mesh)
     , Grid(grid)
     , Step{ 1, grid.Dimensions[0], grid.Dimensions[0] * grid.Dimensions[1] }
-    , Squared(static_cast<std::size_t>(grid.Size()), std::numeric_limits<double>::infinity())
-    , Nearest(static_cast<std::size_t>(grid.Size()), -1)
+    , Squared(static_cast<std::size_t>(grid.Size()), Infinity)
   {
   }
 
   std::vector<double> Run(double band, const ProgressCallback& progress)
   {
-    this->FillBand(band, Between(progress, 0.0, 0.4));
-    this->SpreadUntilStable(Between(progress, 0.4, 0.7));
-    this->Descend(band, Between(progress, 0.7, 0.95));
-    this->SpreadUntilStable({});
-    for (double& value : this->Squared)
-    {
-      value = std::sqrt(value);
-    }
+    this->FillBand(band, progress);
     return std::move(this->Squared);
   }
 
@@ -171,164 +160,167 @@ private:
           const double height = normal.dot(node - a); // times |normal|
           if (height * height <= limit)
           {
-            this->Offer(i + this->Step[1] * j + this->Step[2] * k, triangle, node);
+            double& nearest =
+              this->Squared[static_cast<std::size_t>(i + this->Step[1] * j + this->Step[2] * k)];
+            nearest = std::min(nearest, SquaredDistanceTo(this->Mesh, triangle, node));
           }
         }
       }
     }
-  }
-
-  bool Offer(std::int64_t node, vtkIdType triangle, const Vector3d& position)
-  {
-    const auto n = static_cast<std::size_t>(node);
-    const double squared = DistanceTo(this->Mesh, triangle, position).Squared;
-    if (squared < this->Squared[n])
-    {
-      this->Squared[n] = squared;
-      this->Nearest[n] = triangle;
-      return true;
-    }
-    return false;
-  }
-
-  /// Offers `from`'s triangle to its neighbour (i, j, k), a spacing h away.
-  bool Hand(std::int64_t from, std::int64_t i, std::int64_t j, std::int64_t k, double h)
-  {
-    const std::int64_t to = i + this->Step[1] * j + this->Step[2] * k;
-    const auto f = static_cast<std::size_t>(from);
-    const auto t = static_cast<std::size_t>(to);
-    const vtkIdType triangle = this->Nearest[f];
-    if (triangle < 0 || triangle == this->Nearest[t])
-    {
-      return false;
-    }
-    // The neighbour's triangle is at most h nearer to this node than to the neighbour.
-    const double least = std::sqrt(this->Squared[f]) - h;
-    if (least > 0.0 && least * least >= this->Squared[t])
-    {
-      return false;
-    }
-    return this->Offer(to, triangle, this->Node(i, j, k));
-  }
-
-  void SpreadUntilStable(const ProgressCallback& progress)
-  {
-    constexpr int mostRounds = 16; // two or three are usual; each costs less than the one before
-    for (int round = 0; round < mostRounds && this->Spread(); ++round)
-    {
-      Report(progress, static_cast<double>(round + 1) / mostRounds);
-    }
-  }
-
-  /// Nodes beyond the band look for nearer triangles around the corners of theirs, and around those
-  /// of what they find, until they are at a minimum.
-  void Descend(double band, const ProgressCallback& progress)
-  {
-    const TriangleStars stars(this->Mesh);
-    const auto& size = this->Grid.Dimensions;
-    ParallelFor(
-      0, size[1] * size[2], 64,
-      [&](std::int64_t first, std::int64_t last)
-      {
-        for (std::int64_t row = first; row < last; ++row)
-        {
-          for (std::int64_t i = 0; i < size[0]; ++i)
-          {
-            const std::int64_t node = i + row * size[0];
-            if (this->Squared[static_cast<std::size_t>(node)] > band * band)
-            {
-              this->DescendAt(node, this->Node(i, row % size[1], row / size[1]), stars);
-            }
-          }
-        }
-      },
-      progress);
-  }
-
-  void DescendAt(std::int64_t node, const Vector3d& position, const TriangleStars& stars)
-  {
-    for (bool found = true; found;)
-    {
-      const vtkIdType triangle = this->Nearest[static_cast<std::size_t>(node)];
-      if (triangle < 0 || DistanceTo(this->Mesh, triangle, position).OverInside)
-      {
-        return;
-      }
-      found = false;
-      for (int c = 0; c < 3; ++c)
-      {
-        const vtkIdType corner = this->Mesh.Triangle(triangle)[c];
-        const vtkIdType* const around = stars.Triangles(corner);
-        for (vtkIdType t = 0; t < stars.Size(corner); ++t)
-        {
-          found = this->Offer(node, around[t], position) || found;
-        }
-      }
-    }
-  }
-
-  /// Once along each axis, both ways; true if any node found a nearer triangle.
-  bool Spread()
-  {
-    const auto& size = this->Grid.Dimensions;
-    std::vector<unsigned char> changed(static_cast<std::size_t>(std::max(size[1], size[2])), 0);
-    const auto sweep = [&](std::size_t axis)
-    {
-      // Rows along x are worked off in order; what runs in parallel is never along `axis`.
-      const std::size_t parallel = axis == 2 ? 1 : 2;
-      const std::size_t other = axis == 2 ? 2 : 1;
-      ParallelFor(0, size[parallel], 1,
-        [&](std::int64_t first, std::int64_t last)
-        {
-          for (std::int64_t p = first; p < last; ++p)
-          {
-            bool any = false;
-            for (const std::int64_t way : { 1, -1 })
-            {
-              for (std::int64_t q = 0; q < size[other]; ++q)
-              {
-                const std::int64_t o = way > 0 ? q : size[other] - 1 - q;
-                any = this->SpreadAlongRow(axis, way, axis == 2 ? p : o, axis == 2 ? o : p) || any;
-              }
-            }
-            if (any)
-            {
-              changed[static_cast<std::size_t>(p)] = 1;
-            }
-          }
-        });
-    };
-    sweep(0);
-    sweep(1);
-    sweep(2);
-    return std::any_of(changed.begin(), changed.end(), [](unsigned char c) { return c != 0; });
-  }
-
-  /// Hands triangles to the nodes of the row (j, k) from the nodes before them, `way` along `axis`.
-  bool SpreadAlongRow(std::size_t axis, std::int64_t way, std::int64_t j, std::int64_t k)
-  {
-    const auto& size = this->Grid.Dimensions;
-    const std::int64_t before[3] = { 0, j - way, k - way };
-    if (axis != 0 && (before[axis] < 0 || before[axis] >= size[axis]))
-    {
-      return false;
-    }
-    const std::int64_t back = way * this->Step[axis];
-    const double h = this->Grid.Spacing[axis];
-    bool any = false;
-    for (std::int64_t n = axis == 0 ? 1 : 0; n < size[0]; ++n)
-    {
-      const std::int64_t i = way > 0 ? n : size[0] - 1 - n;
-      any = this->Hand(i + this->Step[1] * j + this->Step[2] * k - back, i, j, k, h) || any;
-    }
-    return any;
   }
 
   const SurfaceView& Mesh;
   const GridShape& Grid;
   const std::array<std::int64_t, 3> Step;
   std::vector<double> Squared;
-  std::vector<vtkIdType> Nearest;
+};
+
+/// The lower envelope of the parabolas f(q) + (x - q h)^2 at the nodes of a line. Its memory serves
+/// for one line after the other.
+class Envelope
+{
+public:
+  /// Replaces the `count` values at `first`, `step` apart.
+  void Run(double* first, std::int64_t step, std::int64_t count, double h)
+  {
+    this->Parabolas.clear();
+    for (std::int64_t q = 0; q < count; ++q)
+    {
+      if (std::isfinite(first[q * step]))
+      {
+        this->Add(static_cast<double>(q) * h, first[q * step]);
+      }
+    }
+    std::size_t lowest = 0;
+    for (std::int64_t q = 0; q < count && !this->Parabolas.empty(); ++q)
+    {
+      const double x = static_cast<double>(q) * h;
+      while (lowest + 1 < this->Parabolas.size() && this->Parabolas[lowest + 1].From < x)
+      {
+        ++lowest;
+      }
+      const double offset = x - this->Parabolas[lowest].At;
+      first[q * step] = offset * offset + this->Parabolas[lowest].Value;
+    }
+  }
+
+private:
+  struct Parabola
+  {
+    double At;
+    double Value;
+    double From; ///< where it becomes the lowest
+  };
+
+  void Add(double at, double value)
+  {
+    double from = -Infinity;
+    while (!this->Parabolas.empty())
+    {
+      const Parabola& last = this->Parabolas.back();
+      from = ((value + at * at) - (last.Value + last.At * last.At)) / (2.0 * (at - last.At));
+      if (from > last.From)
+      {
+        break;
+      }
+      this->Parabolas.pop_back();
+      from = -Infinity;
+    }
+    this->Parabolas.push_back({ at, value, from });
+  }
+
+  std::vector<Parabola> Parabolas;
+};
+
+/// Squared distance of all nodes from the crossings with grid lines along one axis.
+class FarField
+{
+public:
+  FarField(const GridShape& grid, const std::vector<GridCrossing>& crossings, int axis)
+    : Grid(grid)
+    , Step{ 1, grid.Dimensions[0], grid.Dimensions[0] * grid.Dimensions[1] }
+    , Squared(static_cast<std::size_t>(grid.Size()), Infinity)
+  {
+    const auto a = static_cast<std::size_t>(axis);
+    // Of the crossings between two nodes, the first is nearest to one and the last to the other.
+    for (const GridCrossing& crossing : crossings)
+    {
+      if (crossing.Axis == axis)
+      {
+        const double below = crossing.Fraction * grid.Spacing[a];
+        const double above = (1.0 - crossing.Fraction) * grid.Spacing[a];
+        this->Lower(crossing.Node, below * below);
+        this->Lower(crossing.Node + this->Step[a], above * above);
+      }
+    }
+    this->RunAlongCrossings(a);
+    this->RunAcross((a + 1) % 3);
+    this->RunAcross((a + 2) % 3);
+  }
+
+  double At(std::size_t node) const { return this->Squared[node]; }
+
+private:
+  void Lower(std::int64_t node, double squared)
+  {
+    double& value = this->Squared[static_cast<std::size_t>(node)];
+    value = std::min(value, squared);
+  }
+
+  /// Calls `run(first node of the line)` for each line along `axis`, in parallel.
+  template <typename RunLine>
+  void ForEachLine(std::size_t axis, RunLine&& run)
+  {
+    const std::size_t inner = axis == 0 ? 1 : 0;
+    const std::size_t outer = axis == 2 ? 1 : 2;
+    ParallelFor(0, this->Grid.Dimensions[outer], 1,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        Envelope envelope;
+        for (std::int64_t o = first; o < last; ++o)
+        {
+          for (std::int64_t i = 0; i < this->Grid.Dimensions[inner]; ++i)
+          {
+            run(envelope, this->Squared.data() + o * this->Step[outer] + i * this->Step[inner]);
+          }
+        }
+      });
+  }
+
+  /// On the line itself, the distance is that to the next crossing on either side.
+  void RunAlongCrossings(std::size_t axis)
+  {
+    const std::int64_t count = this->Grid.Dimensions[axis];
+    const std::int64_t step = this->Step[axis];
+    const double h = this->Grid.Spacing[axis];
+    this->ForEachLine(axis,
+      [&](Envelope&, double* line)
+      {
+        const auto walk = [&](std::int64_t from, std::int64_t way)
+        {
+          double distance = Infinity;
+          for (std::int64_t n = 0, q = from; n < count; ++n, q += way)
+          {
+            distance = std::min(distance + h, std::sqrt(line[q * step]));
+            line[q * step] = distance * distance;
+          }
+        };
+        walk(0, 1);
+        walk(count - 1, -1);
+      });
+  }
+
+  void RunAcross(std::size_t axis)
+  {
+    this->ForEachLine(axis,
+      [&](Envelope& envelope, double* line) {
+        envelope.Run(line, this->Step[axis], this->Grid.Dimensions[axis], this->Grid.Spacing[axis]);
+      });
+  }
+
+  const GridShape& Grid;
+  const std::array<std::int64_t, 3> Step;
+  std::vector<double> Squared;
 };
 
 }
@@ -342,7 +334,27 @@ std::vector<double> DistanceToSurface(
       " wide, but exact distances need a positive width: choose two spacings or so.");
   }
   const double spacing = *std::max_element(grid.Spacing.begin(), grid.Spacing.end());
-  return DistanceField(mesh, grid).Run(std::max(band, spacing), progress);
+  band = std::max(band, spacing);
+  std::vector<double> squared = Band(mesh, grid).Run(band, Between(progress, 0.0, 0.5));
+  const auto crossings =
+    SurfaceCrossings(mesh, grid, CrossingNormal::Triangle, Between(progress, 0.5, 0.6));
+  // A node beyond the band takes the nearest of the crossings along x, y and z.
+  std::vector<double> far(squared.size(), Infinity);
+  for (const int axis : { 0, 1, 2 })
+  {
+    const FarField field(grid, crossings, axis);
+    for (std::size_t node = 0; node < far.size(); ++node)
+    {
+      far[node] = std::min(far[node], field.At(node));
+    }
+    Report(progress, 0.7 + 0.1 * axis);
+  }
+  for (std::size_t node = 0; node < far.size(); ++node)
+  {
+    squared[node] =
+      std::sqrt(squared[node] <= band * band ? squared[node] : std::min(squared[node], far[node]));
+  }
+  return squared;
 }
 
 }

@@ -3,11 +3,11 @@
  * @brief Distance from the nodes of a grid to a triangle surface.
  *
  * Within `band` of the surface, the distance is exact: every triangle visits all nodes that near.
- * From there, nodes hand their nearest triangle to their neighbours, along x, y and z in both
- * directions and again until nothing changes; each node takes it if it is nearer than its own. In
- * the end, each looks for a nearer one around the corners of its triangle, until there is none. Far
- * values are thus distances to a true triangle, never too small, at a minimum of the distance; near
- * the medial axis, where several minima are about as deep, it may be that of another one.
+ * Farther away it is that to the nearest crossing of the surface with a line of the grid, by the
+ * lower envelopes of P. Felzenszwalb and D. Huttenlocher, "Distance transforms of sampled
+ * functions", Theory of Computing 8 (2012) 415, doi:10.4086/toc.2012.v008a019. Crossings lie on the
+ * surface, about a spacing h apart, so far values are never too small and too large by at most
+ * about h^2 / (2 distance).
  */
 #ifndef isthmus_GridDistance_h
 #define isthmus_GridDistance_h

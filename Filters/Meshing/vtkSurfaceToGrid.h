@@ -21,8 +21,8 @@
  * node).
  *
  * **Accuracy.** Crossings lie on the surface to rounding. Distances are exact within BandWidth
- * spacings of the surface; farther away they are distances to a true triangle, now and then not the
- * nearest but one as near to a small part of a spacing (GridDistance.h).
+ * spacings h of the surface; farther away they are those to the nearest crossing, never too small
+ * and too large by at most about h^2 / (2 distance).
  *
  * Formulas and sources: SurfaceCrossings.h, LevelCrossings.h, GridDistance.h.
  *
@@ -30,7 +30,7 @@
  * are wanted), coordinates that are not finite, damaged cells, negative Spacing, grids of a single
  * layer, no point scalars. An empty surface or image is none.
  *
- * **Cost.** A million triangles on 256^3 nodes: a few seconds on two cores. Memory 18 bytes a node
+ * **Cost.** A million triangles on 256^3 nodes: a few seconds on two cores. Memory 26 bytes a node
  * (1 without distance). On several MPI ranks, each works on its own piece of the surface: gather it
  * first (in ParaView: Aggregate Dataset).
  */

@@ -13,7 +13,7 @@ distance = image.GetPointData().GetArray("SignedDistance")
 inside = image.GetPointData().GetArray("Inside")
 for node in range(0, image.GetNumberOfPoints(), 7):
     exact = math.hypot(*image.GetPoint(node)) - 2.0
-    assert abs(distance.GetValue(node) - exact) < 0.02, (node, exact)
+    assert abs(distance.GetValue(node) - exact) < 0.06, (node, exact)
     assert abs(exact) < 0.02 or inside.GetValue(node) == (exact < 0)
 crossings = servermanager.Fetch(grid, idx=1)
 assert crossings.GetNumberOfPoints() > 500

@@ -250,18 +250,19 @@ TEST(GridDistance, Sphere)
   const Model sphere = Moved(Icosphere(30, 2.0), 3.0, 3.0, 3.0);
   const GridShape grid = Cube(49, 6.0);
   const auto distance = DistanceToSurface(sphere.View(), grid, 2.0 * grid.Spacing[0]);
-  double worst = 0.0;
+  double worstNear = 0.0, worstFar = 0.0;
   for (std::int64_t node = 0; node < grid.Size(); ++node)
   {
     const double h = grid.Spacing[0];
     const double r = std::hypot(static_cast<double>(node % 49) * h - 3.0,
       static_cast<double>(node / 49 % 49) * h - 3.0, static_cast<double>(node / 2401) * h - 3.0);
     const double error = std::abs(distance[static_cast<std::size_t>(node)] - std::abs(r - 2.0));
-    // Around the centre, every triangle is about as near as any other.
-    EXPECT_TRUE(r > 0.5 || error < 0.1 * h);
-    worst = r > 0.5 ? std::max(worst, error) : worst;
+    double& worst = std::abs(r - 2.0) < 2.0 * h ? worstNear : worstFar;
+    worst = std::max(worst, error);
   }
-  EXPECT_LT(worst, 2e-3) << "the sag of the triangles is 1.4e-3 to 1.6e-3";
+  std::printf("sphere: largest error in the band %.2e, beyond %.2e\n", worstNear, worstFar);
+  EXPECT_LT(worstNear, 2e-3) << "the sag of the triangles is 1.4e-3 to 1.6e-3";
+  EXPECT_LT(worstFar, 0.25 * grid.Spacing[0]);
 }
 
 TEST(GridDistance, FertilityAgainstBruteForce)
@@ -296,7 +297,7 @@ TEST(GridDistance, FertilityAgainstBruteForce)
               "%.1e h\n",
     near, worstNear / h, far, wrong, worstFar / h);
   EXPECT_LT(worstNear, 1e-12);
-  EXPECT_LT(worstFar, 0.05 * h);
+  EXPECT_LT(worstFar, 0.25 * h);
 }
 
 namespace
@@ -324,7 +325,7 @@ TEST(vtkSurfaceToGrid, SurfaceOnItsOwnGrid)
   {
     const double* x = image->GetPoint(i);
     const double exact = std::hypot(x[0] - 10.0, x[1] + 20.0, x[2] - 30.0) - 2.0;
-    const double tolerance = exact < -1.5 ? 0.01 : 4e-3; // the centre is as far from all triangles
+    const double tolerance = std::abs(exact) > 0.19 ? 0.025 : 4e-3; // exact in the band
     EXPECT_NEAR(Nodes(filter, "SignedDistance")->GetComponent(i, 0), exact, tolerance);
     EXPECT_TRUE(
       std::abs(exact) < 4e-3 || Nodes(filter, "Inside")->GetComponent(i, 0) == (exact < 0));
@@ -362,7 +363,8 @@ TEST(vtkSurfaceToGrid, SurfaceOnAGivenGrid)
     double x[3];
     image->GetPoint(i, x);
     const double exact = std::sqrt(vtkMath::Distance2BetweenPoints(x, centre)) - 1.5;
-    EXPECT_NEAR(Nodes(filter, "SignedDistance")->GetComponent(i, 0), exact, 6e-3);
+    const double tolerance = std::abs(exact) > 0.49 ? 0.06 : 6e-3; // exact in the band
+    EXPECT_NEAR(Nodes(filter, "SignedDistance")->GetComponent(i, 0), exact, tolerance);
   }
   vtkPolyData* crossings = filter->GetCrossings();
   ASSERT_GT(crossings->GetNumberOfPoints(), 100);
@@ -406,7 +408,7 @@ TEST(vtkSurfaceToGrid, LevelOfAnImage)
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
     const double exact = vtkMath::Norm(image->GetPoint(i)) - 1.27;
-    const double tolerance = exact < -1.0 ? 0.01 : 3e-3; // the centre is as far from all triangles
+    const double tolerance = std::abs(exact) > 0.19 ? 0.025 : 3e-3; // exact in the band
     EXPECT_NEAR(Nodes(filter, "SignedDistance")->GetComponent(i, 0), exact, tolerance);
     EXPECT_EQ(Nodes(filter, "Inside")->GetComponent(i, 0), exact < 0.0);
     EXPECT_TRUE(!below.count(i) || Nodes(filter, "Irregular")->GetComponent(i, 0) == 1.0);
