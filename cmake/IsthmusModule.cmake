@@ -2,10 +2,14 @@
 
 set(classes
   Filters/Curvature/vtkHessianCurvature
+  Filters/Curvature/vtkScalarRegions
+  Filters/Curvature/vtkSurfaceCurvature
   Filters/Imaging/vtkDiffusionAlgorithm
   Filters/Imaging/vtkDiffusionHighPass
   Filters/Imaging/vtkHighOrderDiffusion
   Filters/Imaging/vtkPDETransform
+  Filters/Meshing/vtkSurfaceMeasures
+  Filters/Meshing/vtkSurfaceToGrid
   Filters/Topology/vtkCellIncidence
   Filters/Topology/vtkTetCutaway
   Readers/vtkCombinatorialMeshReader
@@ -15,11 +19,17 @@ set(classes
 set(sources
   Filters/Curvature/CurvatureDescriptors.cxx
   Filters/Curvature/CurvatureOfImage.cxx
+  Filters/Curvature/EdgeBends.cxx
   Filters/Curvature/FiniteDifference.cxx
   Filters/Curvature/GaussianScale.cxx
   Filters/Curvature/HessianCurvature.cxx
   Filters/Curvature/PointDerivative.cxx
+  Filters/Curvature/RegionTables.cxx
+  Filters/Curvature/ScalarRegions.cxx
   Filters/Curvature/ShapeRows.cxx
+  Filters/Curvature/StarCurvature.cxx
+  Filters/Curvature/SurfaceCurvature.cxx
+  Filters/Curvature/SurfacePatch.cxx
   Filters/Imaging/AutomaticDenoising.cxx
   Filters/Imaging/BoxMean.cxx
   Filters/Imaging/DiffusionHighPass.cxx
@@ -33,10 +43,18 @@ set(sources
   Filters/Imaging/PDETransform.cxx
   Filters/Imaging/RankParts.cxx
   Filters/Imaging/TimeSteps.cxx
+  Filters/Meshing/CartesianMeasures.cxx
+  Filters/Meshing/GridDistance.cxx
+  Filters/Meshing/GridImages.cxx
+  Filters/Meshing/LevelCrossings.cxx
+  Filters/Meshing/SurfaceCrossings.cxx
+  Filters/Meshing/SurfaceMeasures.cxx
   Filters/Support/CellType.cxx
   Filters/Support/GridCells.cxx
   Filters/Support/ImageExtent.cxx
   Filters/Support/ParallelFor.cxx
+  Filters/Support/PolyDataTriangles.cxx
+  Filters/Support/TriangleStars.cxx
   Filters/Topology/CellEdgeTable.cxx
   Filters/Topology/CompactCombinatorialMap.cxx
   Filters/Topology/CutAndMerge.cxx
@@ -75,7 +93,7 @@ vtk_module_add_module(Isthmus::vtkIsthmus
   SOURCES ${sources})
 
 # Public, since the wrappers include every class by its bare name; installed headers lie flat.
-foreach (room IN ITEMS Filters/Curvature Filters/Imaging Filters/Support Filters/Topology Readers)
+foreach (room IN ITEMS Filters/Curvature Filters/Imaging Filters/Meshing Filters/Support Filters/Topology Readers)
   vtk_module_include(Isthmus::vtkIsthmus
     PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${room}>")
 endforeach ()
@@ -88,3 +106,6 @@ endif ()
 
 find_package(BZip2 REQUIRED)
 vtk_module_link(Isthmus::vtkIsthmus PRIVATE BZip2::BZip2)
+
+find_package(Eigen3 REQUIRED NO_MODULE)
+vtk_module_link(Isthmus::vtkIsthmus PRIVATE "$<BUILD_INTERFACE:Eigen3::Eigen>")

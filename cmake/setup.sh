@@ -11,7 +11,7 @@ jobs=$(nproc)
 build_packages=(
   g++ cmake ninja-build
   paraview paraview-dev python3-paraview
-  libbz2-dev zlib1g-dev xvfb xauth)
+  libbz2-dev zlib1g-dev libeigen3-dev xvfb xauth)
 
 # What find_package(ParaView) of Debian's paraview-dev asks for without depending on it.
 paraview_packages=(
@@ -21,7 +21,7 @@ paraview_packages=(
   libhdf5-openmpi-dev libjpeg-dev libpng-dev libtiff-dev liblz4-dev liblzma-dev libnetcdf-dev
   libogg-dev libtheora-dev libxml2-dev libprotobuf-dev protobuf-compiler libutfcpp-dev
   libjsoncpp-dev libpugixml-dev libgdal-dev libavcodec-dev libavformat-dev libavutil-dev
-  libswscale-dev libboost-dev libeigen3-dev libx11-dev libxcursor-dev libgl-dev)
+  libswscale-dev libboost-dev libx11-dev libxcursor-dev libgl-dev)
 
 # What the tests compare with and look through.
 test_packages=(

@@ -1,5 +1,7 @@
 #include "CurvatureOfImage.h"
 
+#include "SurfaceTypeNames.h"
+
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkDoubleArray.h>
@@ -12,7 +14,6 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkSmartPointer.h>
-#include <vtkStringArray.h>
 #include <vtkTypeTraits.h>
 
 #include <cmath>
@@ -53,17 +54,6 @@ T* NewArray(bool wanted, const char* name, int components, vtkIdType tuples, vtk
   return static_cast<T*>(array->GetVoidPointer(0));
 }
 
-void AddSurfaceTypeNames(vtkDataSet* output)
-{
-  vtkNew<vtkStringArray> names;
-  names->SetName("SurfaceTypeNames");
-  for (unsigned char type = 0; type < NumberOfSurfaceTypes; ++type)
-  {
-    names->InsertNextValue(SurfaceTypeName(static_cast<SurfaceType>(type)));
-  }
-  output->GetFieldData()->AddArray(names);
-}
-
 template <typename T>
 CurvatureArrays<T> NewArrays(const CurvatureSelection& wanted, vtkIdType places, vtkDataSet* output)
 {
@@ -83,7 +73,7 @@ CurvatureArrays<T> NewArrays(const CurvatureSelection& wanted, vtkIdType places,
   arrays.Valid = NewArray<unsigned char>(true, "CurvatureValid", 1, places, output);
   if (wanted.SurfaceType)
   {
-    AddSurfaceTypeNames(output);
+    AddSurfaceTypeNames(output->GetFieldData());
   }
   return arrays;
 }

@@ -1,0 +1,106 @@
+#include "EdgeBends.h"
+
+#include "ParallelFor.h"
+
+#include <cmath>
+
+namespace isthmus
+{
+namespace
+{
+
+using Eigen::Vector3d;
+using PointMap = Eigen::Map<const Vector3d>;
+
+Vector3d NormalOf(const SurfaceView& mesh, vtkIdType triangle)
+{
+  const vtkIdType* const corner = mesh.Triangle(triangle);
+  const PointMap a(mesh.Point(corner[0]));
+  return (PointMap(mesh.Point(corner[1])) - a).cross(PointMap(mesh.Point(corner[2])) - a);
+}
+
+/// The only triangle around `from` that runs along the edge from `to` to `from`; -1 without one.
+vtkIdType AcrossEdge(const TriangleStars& stars, vtkIdType from, vtkIdType to)
+{
+  vtkIdType found = -1;
+  const vtkIdType* const triangles = stars.Triangles(from);
+  for (vtkIdType i = 0; i < stars.Size(from); ++i)
+  {
+    if (stars.OppositeEdge(triangles[i], from).second == to)
+    {
+      if (found >= 0)
+      {
+        return -1;
+      }
+      found = triangles[i];
+    }
+  }
+  return found;
+}
+
+}
+
+EdgeBends::EdgeBends(const SurfaceView& mesh, const TriangleStars& stars)
+  : Mesh(mesh)
+  , Neighbours(static_cast<std::size_t>(mesh.NumberOfTriangles))
+  , Angles(static_cast<std::size_t>(mesh.NumberOfTriangles))
+  , Areas(static_cast<std::size_t>(mesh.NumberOfTriangles))
+{
+  ParallelFor(0, mesh.NumberOfTriangles, 4096,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (vtkIdType triangle = first; triangle < last; ++triangle)
+      {
+        const auto t = static_cast<std::size_t>(triangle);
+        const vtkIdType* const corner = mesh.Triangle(triangle);
+        const Vector3d normal = NormalOf(mesh, triangle);
+        this->Areas[t] = 0.5 * normal.norm();
+        for (std::size_t edge = 0; edge < 3; ++edge)
+        {
+          const vtkIdType from = corner[edge];
+          const vtkIdType to = corner[(edge + 1) % 3];
+          const vtkIdType other = AcrossEdge(stars, from, to);
+          this->Neighbours[t][edge] = other;
+          if (other >= 0)
+          {
+            const Vector3d otherNormal = NormalOf(mesh, other);
+            const Vector3d along =
+              (PointMap(mesh.Point(to)) - PointMap(mesh.Point(from))).normalized();
+            this->Angles[t][edge] =
+              std::atan2(normal.cross(otherNormal).dot(along), normal.dot(otherNormal));
+          }
+        }
+      }
+    });
+}
+
+void EdgeBends::AddEdge(vtkIdType triangle, std::size_t edge, double part, TensorSums& sums) const
+{
+  const vtkIdType* const corner = this->Mesh.Triangle(triangle);
+  const Vector3d along =
+    PointMap(this->Mesh.Point(corner[(edge + 1) % 3])) - PointMap(this->Mesh.Point(corner[edge]));
+  const double squaredLength = along.squaredNorm();
+  if (squaredLength > 0.0)
+  {
+    const double beta = this->Angles[static_cast<std::size_t>(triangle)][edge];
+    sums.Tensor += (0.5 * beta * part / squaredLength) * along * along.transpose();
+  }
+}
+
+PrincipalFrame PrincipalFrameOf(const Eigen::Matrix3d& tensor, const Vector3d& normal)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor);
+  const Eigen::Matrix3d& vectors = solver.eigenvectors(); // eigenvalues ascend
+  Eigen::Index dropped = 0;
+  (vectors.transpose() * normal).cwiseAbs().maxCoeff(&dropped);
+  const Eigen::Index low = dropped == 0 ? 1 : 0;
+  const Eigen::Index high = dropped == 2 ? 1 : 2;
+  PrincipalFrame frame;
+  frame.Maximum = solver.eigenvalues()[high];
+  frame.Minimum = solver.eigenvalues()[low];
+  frame.Direction1 = vectors.col(low); // exchanged: see SurfaceCurvature.h
+  frame.Direction2 = vectors.col(high);
+  return frame;
+}
+
+}

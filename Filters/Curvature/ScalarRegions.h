@@ -1,0 +1,65 @@
+/**
+ * @file ScalarRegions.h
+ * @brief Areas of the parts of a triangle surface between thresholds of one or two scalars.
+ *
+ * n thresholds t_1 < ... < t_n cut the values of a scalar into n + 1 regions: region 0 is what lies
+ * below t_1, region i what lies in [t_i, t_{i+1}), region n what is t_n and above.
+ *
+ * **Fractional areas.** Scalars are linear within a triangle. Where a threshold passes between a
+ * lone corner k and the corners i, j, it cuts off the area s t A with s = |f_k| / (|f_k| + |f_i|)
+ * and t = |f_k| / (|f_k| + |f_j|), f the scalar minus the threshold; for several thresholds and two
+ * scalars, the triangle's polygon is cut again and again. **Whole triangles** is the quick rule: a
+ * triangle counts where at least two of its corners are; with three corners in three regions, in
+ * the middle one. Source: X. Feng's thesis, Fig. 4.1, Tables 4.6 to 4.8.
+ *
+ * Either way the areas are a partition: their sum is the area of the surface, and the sums over one
+ * scalar's regions of a joint table are the other's areas, to rounding.
+ */
+#ifndef isthmus_ScalarRegions_h
+#define isthmus_ScalarRegions_h
+
+#include "Progress.h"
+#include "SurfaceView.h"
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <vector>
+
+namespace isthmus
+{
+
+/// A scalar on the points of a surface and its thresholds, ascending.
+struct ThresholdedScalar
+{
+  std::vector<double> Values; ///< one for each point
+  std::vector<double> Thresholds;
+
+  std::size_t Regions() const { return this->Thresholds.size() + 1; }
+
+  /// Region of a value, in [0, Regions()).
+  VTKISTHMUS_EXPORT std::size_t RegionOf(double value) const;
+};
+
+enum class AreaRule
+{
+  Fractional = 0,
+  WholeTriangles = 1
+};
+
+/// Region of a triangle by the quick rule, from those of its corners: the middle of the three.
+VTKISTHMUS_EXPORT std::size_t MiddleRegion(std::size_t a, std::size_t b, std::size_t c);
+
+/**
+ * Area of each pair of regions: entry i x second.Regions() + j is that of region i of `first` and
+ * region j of `second`. A scalar without thresholds has one region, so give one for a single table.
+ *
+ * Throws std::invalid_argument for thresholds that do not ascend or are not numbers, and for a
+ * value at a used point that is not finite; Cancelled. O(#triangles x regions), in parallel, the
+ * same bits on any number of threads.
+ */
+VTKISTHMUS_EXPORT std::vector<double> RegionAreas(const SurfaceView& mesh,
+  const ThresholdedScalar& first, const ThresholdedScalar& second, AreaRule rule,
+  const ProgressCallback& progress = {});
+
+}
+
+#endif

@@ -1,0 +1,117 @@
+/**
+ * @file SurfaceCurvature.h
+ * @brief Curvature at the points of a triangle surface, from the triangles around them.
+ *
+ * Two estimates. **Angle defect and cotangents**, over the triangles around a point v:
+ *
+ *     K = (2 pi - sum of angles at v) / A
+ *     H n = 1 / (4 A) sum over edges (v, w) of (cot alpha + cot beta) (v - w)
+ *
+ * with alpha and beta the angles opposite to the edge, H with the sign that H n has along the
+ * outward normal, and A the area that belongs to v:
+ *
+ *     Voronoi      A = 1/8 sum of (cot alpha + cot beta) |v - w|^2
+ *     Barycentric  A = 1/3 of the triangles' areas
+ *     Mixed        each triangle's Voronoi part; where it is obtuse, 1/2 (at v) or 1/4 of its area
+ *
+ * The areas of all points sum to that of the surface, whichever rule. On meshes that are regular in
+ * some parameters of a smooth surface, both converge with second order; on irregular ones the angle
+ * defect does not converge (its error has a plateau), and the **edge tensor** over a ball of a
+ * fixed number of edge lengths or more serves better:
+ *
+ *     C = 1 / A' sum over edges of beta(e) |e in N| e e^T,   A' = area of N
+ *
+ * with N a neighbourhood of v, beta the signed angle between the normals of an edge's triangles
+ * (positive where convex) and e its unit vector. The eigenvector closest to the point's normal is
+ * dropped; the other two eigenvalues are the principal curvatures, and the direction of each is the
+ * eigenvector of the *other*: a cylinder bends across its axis, but its bent edges lie along it.
+ *
+ * Sources: X. Feng's thesis, 2.27 to 2.31 (2.31 there without the exchange of directions);
+ * M. Meyer et al., "Discrete differential-geometry operators for triangulated 2-manifolds", 2003,
+ * doi:10.1007/978-3-662-05105-4_2; D. Cohen-Steiner and J.-M. Morvan, "Restricted Delaunay
+ * triangulations and normal cycle", 2003, doi:10.1145/777792.777839.
+ *
+ * Sign: a sphere of radius r with outward triangles has H = +1/r. Units: 1/length, K 1/length^2.
+ */
+#ifndef isthmus_SurfaceCurvature_h
+#define isthmus_SurfaceCurvature_h
+
+#include "Progress.h"
+#include "SurfaceView.h"
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <vector>
+
+namespace isthmus
+{
+
+enum class CurvatureEstimate
+{
+  AngleDefect = 0, ///< angle defect and cotangent formula
+  EdgeTensor = 1
+};
+
+/// Which area belongs to a point.
+enum class DualArea
+{
+  Voronoi = 0,
+  Barycentric = 1,
+  Mixed = 2
+};
+
+/// Neighbourhood N of the edge tensor. Only what hangs together with the point counts.
+enum class CurvatureNeighbourhood
+{
+  OneRing = 0,     ///< the triangles around the point; edges opposite to it count half
+  Ball = 1,        ///< the part of the surface within Radius, edges and triangles cut exactly
+  GeodesicDisc = 2 ///< the same, with the distance measured along the surface
+};
+
+/// Which side is outside.
+enum class SurfaceOrientation
+{
+  Automatic = 0, ///< closed surfaces: the one that makes the volume positive; others: as wound
+  AsWound = 1,   ///< the side from which triangles are counter-clockwise
+  Reversed = 2   ///< the other
+};
+
+struct SurfaceCurvatureOptions
+{
+  CurvatureEstimate Estimate = CurvatureEstimate::AngleDefect;
+  DualArea Area = DualArea::Voronoi;
+  CurvatureNeighbourhood Neighbourhood = CurvatureNeighbourhood::OneRing;
+  SurfaceOrientation Orientation = SurfaceOrientation::Automatic;
+  double Radius = 0.0; ///< of ball and disc, length; 0: three times the mean edge length
+};
+
+/// One value (directions: three) for each point. Where Valid is 0, curvatures and directions are 0.
+struct SurfaceCurvatureResult
+{
+  std::vector<double> Gaussian;
+  std::vector<double> Mean;
+  std::vector<double> HalfDifference; ///< (kappa_1 - kappa_2) / 2 = sqrt(H^2 - K), 0 where K > H^2
+  std::vector<double> Area;           ///< area of the point; 0 where Irregular or Isolated
+  std::vector<double> Direction1;     ///< unit vectors, of EdgeTensor only
+  std::vector<double> Direction2;
+  std::vector<unsigned char> Valid;
+
+  vtkIdType BoundaryPoints = 0;   ///< invalid, but over Ball and GeodesicDisc: one-sided there
+  vtkIdType IrregularPoints = 0;  ///< see StarKind; invalid
+  vtkIdType DegeneratePoints = 0; ///< at a triangle without area; invalid
+  vtkIdType AreaNotPositive = 0;  ///< obtuse triangles made the Voronoi area <= 0; invalid
+};
+
+/**
+ * Curvature at all points of `mesh`, in parallel.
+ *
+ * Points without triangles are invalid. Throws std::invalid_argument for a Radius that is negative
+ * or not finite, and Cancelled. Time: O(#triangles) for AngleDefect and OneRing, times the number
+ * of triangles within Radius for the others. Memory: about 100 bytes a point, 100 a triangle for
+ * EdgeTensor.
+ */
+VTKISTHMUS_EXPORT SurfaceCurvatureResult CurvatureOfSurface(const SurfaceView& mesh,
+  const SurfaceCurvatureOptions& options, const ProgressCallback& progress = {});
+
+}
+
+#endif

@@ -1,0 +1,255 @@
+#include "SurfacePatch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace isthmus
+{
+namespace
+{
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using PointMap = Eigen::Map<const Vector3d>;
+
+/// Parameters in [0, 1] between which a + t (b - a) is within `radius` of the origin; empty if
+/// equal.
+template <typename Vector>
+std::pair<double, double> SpanInside(const Vector& a, const Vector& b, double radius)
+{
+  const Vector d = b - a;
+  const double dd = d.squaredNorm();
+  const double middle = -a.dot(d) / dd;
+  const double nearest = (a + middle * d).squaredNorm();
+  const double rest = (radius * radius - nearest) / dd;
+  if (!(rest > 0.0))
+  {
+    return { 0.0, 0.0 };
+  }
+  const double half = std::sqrt(rest);
+  const double from = std::clamp(middle - half, 0.0, 1.0);
+  return { from, std::max(from, std::clamp(middle + half, 0.0, 1.0)) };
+}
+
+double Cross(const Vector2d& a, const Vector2d& b)
+{
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Signed area of the triangle (0, a, b) within the circle of `radius` about the origin 0.
+double WedgeInCircle(const Vector2d& a, const Vector2d& b, double radius)
+{
+  const auto sector = [&](const Vector2d& p, const Vector2d& q)
+  { return 0.5 * radius * radius * std::atan2(Cross(p, q), p.dot(q)); };
+  if (!((b - a).squaredNorm() > 0.0))
+  {
+    return 0.0;
+  }
+  const auto [from, to] = SpanInside(a, b, radius);
+  if (from == to)
+  {
+    return sector(a, b);
+  }
+  const Vector2d p = a + from * (b - a);
+  const Vector2d q = a + to * (b - a);
+  return (from > 0.0 ? sector(a, p) : 0.0) + 0.5 * Cross(p, q) + (to < 1.0 ? sector(q, b) : 0.0);
+}
+
+/// Area of the triangle (a, b, c) within the ball of `radius` about the origin.
+double AreaInBall(const Vector3d& a, const Vector3d& b, const Vector3d& c, double radius)
+{
+  const Vector3d normal = (b - a).cross(c - a);
+  const double twiceArea = normal.norm();
+  if (!(twiceArea > 0.0))
+  {
+    return 0.0;
+  }
+  const Vector3d n = normal / twiceArea;
+  const double height = n.dot(a);
+  if (std::abs(height) >= radius)
+  {
+    return 0.0;
+  }
+  const Vector3d x = n.unitOrthogonal();
+  const Vector3d y = n.cross(x);
+  const auto flat = [&](const Vector3d& p) { return Vector2d(x.dot(p), y.dot(p)); };
+  const double circle = std::sqrt(radius * radius - height * height);
+  return WedgeInCircle(flat(a), flat(b), circle) + WedgeInCircle(flat(b), flat(c), circle) +
+    WedgeInCircle(flat(c), flat(a), circle);
+}
+
+}
+
+SurfacePatch::SurfacePatch(
+  const SurfaceView& mesh, const TriangleStars& stars, const EdgeBends& bends, double radius)
+  : Mesh(mesh)
+  , Stars(stars)
+  , Bends(bends)
+  , Radius(radius)
+  , TriangleStamps(static_cast<std::size_t>(mesh.NumberOfTriangles), 0)
+{
+}
+
+bool SurfacePatch::Visit(vtkIdType triangle)
+{
+  unsigned int& stamp = this->TriangleStamps[static_cast<std::size_t>(triangle)];
+  const bool isNew = stamp != this->Stamp;
+  stamp = this->Stamp;
+  return isNew;
+}
+
+TensorSums SurfacePatch::OverBall(vtkIdType point)
+{
+  ++this->Stamp;
+  TensorSums sums;
+  const PointMap centre(this->Mesh.Point(point));
+  const vtkIdType* const star = this->Stars.Triangles(point);
+  this->Pending.assign(star, star + this->Stars.Size(point));
+  std::for_each(this->Pending.begin(), this->Pending.end(), [&](vtkIdType t) { this->Visit(t); });
+  while (!this->Pending.empty())
+  {
+    const vtkIdType triangle = this->Pending.back();
+    this->Pending.pop_back();
+    const vtkIdType* const id = this->Mesh.Triangle(triangle);
+    const Vector3d corner[3] = { PointMap(this->Mesh.Point(id[0])) - centre,
+      PointMap(this->Mesh.Point(id[1])) - centre, PointMap(this->Mesh.Point(id[2])) - centre };
+    sums.Area += AreaInBall(corner[0], corner[1], corner[2], this->Radius);
+    for (std::size_t edge = 0; edge < 3; ++edge)
+    {
+      const Vector3d& a = corner[edge];
+      const Vector3d& b = corner[(edge + 1) % 3];
+      const auto [from, to] = SpanInside(a, b, this->Radius);
+      const vtkIdType neighbour = this->Bends.Neighbour(triangle, edge);
+      if (to > from && neighbour >= 0)
+      {
+        this->Bends.AddEdge(triangle, edge, (to - from) * (b - a).norm(), sums);
+        if (this->Visit(neighbour))
+        {
+          this->Pending.push_back(neighbour);
+        }
+      }
+    }
+  }
+  return sums;
+}
+
+double SurfacePatch::Distance(vtkIdType point) const
+{
+  const auto p = static_cast<std::size_t>(point);
+  return this->PointStamps[p] == this->Stamp ? this->Distances[p]
+                                             : std::numeric_limits<double>::infinity();
+}
+
+void SurfacePatch::Reach(vtkIdType point, double distance)
+{
+  if (distance < this->Distance(point))
+  {
+    const auto p = static_cast<std::size_t>(point);
+    this->PointStamps[p] = this->Stamp;
+    this->Distances[p] = distance;
+    this->Queue.emplace(distance, point);
+  }
+}
+
+double SurfacePatch::AcrossTriangle(vtkIdType known1, vtkIdType known2, vtkIdType target) const
+{
+  const PointMap a(this->Mesh.Point(known1));
+  const PointMap b(this->Mesh.Point(known2));
+  const PointMap c(this->Mesh.Point(target));
+  const double da = this->Distance(known1);
+  const double db = this->Distance(known2);
+  const double alongEdges = std::min(da + (c - a).norm(), db + (c - b).norm());
+  const double ab = (b - a).norm();
+  if (!std::isfinite(da) || !std::isfinite(db) || !(ab > 0.0))
+  {
+    return alongEdges;
+  }
+  // In the triangle's plane, a = (0, 0), b = (ab, 0), c above; the source lies below, unfolded.
+  const double sx = (da * da - db * db + ab * ab) / (2.0 * ab);
+  const double sy = -std::sqrt(std::max(0.0, da * da - sx * sx));
+  const double cx = (c - a).dot(b - a) / ab;
+  const double cy = std::sqrt(std::max(0.0, (c - a).squaredNorm() - cx * cx));
+  const double crossing = cy > sy ? sx + (cx - sx) * (-sy) / (cy - sy) : -1.0;
+  const bool passes = crossing >= 0.0 && crossing <= ab && sx * sx <= da * da;
+  return passes ? std::min(alongEdges, std::hypot(cx - sx, cy - sy)) : alongEdges;
+}
+
+void SurfacePatch::SpreadDistances(vtkIdType point)
+{
+  this->PointStamps.resize(static_cast<std::size_t>(this->Mesh.NumberOfPoints), 0);
+  this->Distances.resize(static_cast<std::size_t>(this->Mesh.NumberOfPoints));
+  this->Reach(point, 0.0);
+  while (!this->Queue.empty())
+  {
+    const auto [distance, nearest] = this->Queue.top();
+    this->Queue.pop();
+    if (distance > this->Distance(nearest) || distance >= this->Radius)
+    {
+      continue;
+    }
+    const vtkIdType* const star = this->Stars.Triangles(nearest);
+    for (vtkIdType i = 0; i < this->Stars.Size(nearest); ++i)
+    {
+      const auto [a, b] = this->Stars.OppositeEdge(star[i], nearest);
+      this->Reach(a, this->AcrossTriangle(nearest, b, a));
+      this->Reach(b, this->AcrossTriangle(nearest, a, b));
+      if (this->Visit(star[i]))
+      {
+        this->Pending.push_back(star[i]);
+      }
+    }
+  }
+}
+
+TensorSums SurfacePatch::OverDisc(vtkIdType point)
+{
+  ++this->Stamp;
+  this->Pending.clear();
+  this->SpreadDistances(point);
+  TensorSums sums;
+  for (const vtkIdType triangle : this->Pending)
+  {
+    this->AddDiscTriangle(triangle, sums);
+  }
+  return sums;
+}
+
+void SurfacePatch::AddDiscTriangle(vtkIdType triangle, TensorSums& sums) const
+{
+  const vtkIdType* const id = this->Mesh.Triangle(triangle);
+  double beyond[3]; // distance to the rim, negative inside
+  int inside = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    beyond[i] = this->Distance(id[i]) - this->Radius;
+    inside += beyond[i] < 0.0;
+  }
+  // The corner whose side of the rim is its own cuts off the fraction s t of the area (Fig. 4.1).
+  double fraction = inside == 3 ? 1.0 : 0.0;
+  for (std::size_t i = 0; i < 3 && (inside == 1 || inside == 2); ++i)
+  {
+    if ((beyond[i] < 0.0) == (inside == 1))
+    {
+      const double s = beyond[i] / (beyond[i] - beyond[(i + 1) % 3]);
+      const double t = beyond[i] / (beyond[i] - beyond[(i + 2) % 3]);
+      fraction = inside == 1 ? s * t : 1.0 - s * t;
+    }
+  }
+  sums.Area += fraction * this->Bends.Area(triangle);
+  for (std::size_t edge = 0; edge < 3; ++edge)
+  {
+    const double a = beyond[edge];
+    const double b = beyond[(edge + 1) % 3];
+    const double part = a < 0.0 && b < 0.0 ? 1.0
+      : a < 0.0                            ? a / (a - b)
+      : b < 0.0                            ? b / (b - a)
+                                           : 0.0;
+    const double length =
+      (PointMap(this->Mesh.Point(id[(edge + 1) % 3])) - PointMap(this->Mesh.Point(id[edge])))
+        .norm();
+    this->Bends.AddEdge(triangle, edge, part * length, sums);
+  }
+}
+
+}

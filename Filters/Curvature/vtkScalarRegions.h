@@ -1,0 +1,152 @@
+/**
+ * @class   vtkScalarRegions
+ * @brief   regions of a surface between thresholds of one or two scalars: labels, areas, tables
+ *
+ * Input: a vtkPolyData with a point array of one component (input array 0) and, with
+ * UseSecondScalar, another (input array 1): a curvature and the potential, say. n thresholds make n
+ * + 1 regions: 0 is below the first, i is [threshold i, threshold i + 1), n is from the last one
+ * up.
+ *
+ * **Output 0**, the surface with labels on points and cells: `Region`, with a second scalar also
+ * `SecondRegion` and `JointRegion` (Region x number of second regions + SecondRegion); a cell has
+ * the middle one of its corners' regions (of a triangle's: the one that two of them have). On
+ * points, `ToonColor` (red, green, blue): the lowest region red, the highest blue, all else grey.
+ *
+ * **Output 1**, table of regions, a row each: `Region`, `From`, `To` (infinite at the ends), `Area`
+ * (length^2), `Fraction`; with a second scalar also a column for each of its regions, named
+ * "<array> below t", "<array> t1 to t2", "<array> from t": the joint areas.
+ *
+ * **Output 2**, table of a threshold sweep (with SweepSteps): the lowest threshold moves to
+ * SweepTarget, then the highest does; `Minimum`, `Maximum`, `Below`, `Between`, `Above` (areas).
+ *
+ * **Output 3**, histogram of the first scalar by area: `Value` (middle of the bin), `Area`,
+ * `Fraction`; HistogramBins bins from its lowest to its highest value on the surface.
+ *
+ * Polygons and strips are split into triangles for areas. ScalarRegions.h has the rules and
+ * sources.
+ *
+ * **Errors** (sentence, empty outputs): no such arrays, thresholds that don't ascend, scalars that
+ * are not finite, a SweepTarget that is not between the thresholds. An empty surface is none.
+ *
+ * **Cost.** O(triangles x regions they lie in), in parallel, the same bits on any number of
+ * threads. On several MPI ranks, each sums its own piece: gather the surface first (in ParaView:
+ * Aggregate Dataset).
+ */
+#ifndef vtkScalarRegions_h
+#define vtkScalarRegions_h
+
+#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <vector> // for the thresholds
+
+namespace isthmus
+{
+struct SurfaceView;
+struct ThresholdedScalar;
+}
+
+class vtkTable;
+
+class VTKISTHMUS_EXPORT vtkScalarRegions : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkScalarRegions* New();
+  vtkTypeMacro(vtkScalarRegions, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Thresholds of the first scalar, ascending, in its unit. Default: -0.1 and 0.1 (1/angstrom, for
+  /// curvatures). Setting one beyond the last makes room for it; getting one there gives 0.
+  void SetNumberOfThresholds(int number);
+  int GetNumberOfThresholds() const { return static_cast<int>(this->Thresholds.size()); }
+  void SetThreshold(int index, double value);
+  double GetThreshold(int index) const { return At(this->Thresholds, index); }
+  ///@}
+
+  ///@{
+  /// Thresholds of the second scalar, ascending, in its unit. Default: -1 and 2 (kT/e, for
+  /// potentials).
+  void SetNumberOfSecondThresholds(int number);
+  int GetNumberOfSecondThresholds() const
+  {
+    return static_cast<int>(this->SecondThresholds.size());
+  }
+  void SetSecondThreshold(int index, double value);
+  double GetSecondThreshold(int index) const { return At(this->SecondThresholds, index); }
+  ///@}
+
+  ///@{
+  /// Whether regions of a second scalar cross those of the first. Default: off.
+  vtkSetMacro(UseSecondScalar, vtkTypeBool);
+  vtkGetMacro(UseSecondScalar, vtkTypeBool);
+  vtkBooleanMacro(UseSecondScalar, vtkTypeBool);
+  ///@}
+
+  enum AreaRules
+  {
+    Fractional = 0,
+    WholeTriangles = 1
+  };
+
+  ///@{
+  /// How triangles across a threshold count: Fractional (default: cut along it) or WholeTriangles
+  /// (quick: where two of the three corners are).
+  vtkSetClampMacro(AreaRule, int, Fractional, WholeTriangles);
+  vtkGetMacro(AreaRule, int);
+  ///@}
+
+  ///@{
+  /// Steps in which each of the outer thresholds moves to SweepTarget. Default 0: no sweep.
+  vtkSetClampMacro(SweepSteps, int, 0, 1000);
+  vtkGetMacro(SweepSteps, int);
+  ///@}
+
+  ///@{
+  /// Value at which a sweep ends, between the outer thresholds, in the scalar's unit. Default: 0.
+  vtkSetMacro(SweepTarget, double);
+  vtkGetMacro(SweepTarget, double);
+  ///@}
+
+  ///@{
+  /// Number of bins of the histogram. Default: 32.
+  vtkSetClampMacro(HistogramBins, int, 1, 10000);
+  vtkGetMacro(HistogramBins, int);
+  ///@}
+
+  ///@{
+  /// Outputs 1, 2 and 3.
+  vtkTable* GetRegionTable() { return this->TableAt(1); }
+  vtkTable* GetSweepTable() { return this->TableAt(2); }
+  vtkTable* GetHistogram() { return this->TableAt(3); }
+  ///@}
+
+protected:
+  vtkScalarRegions();
+  ~vtkScalarRegions() override = default;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  std::vector<double> Thresholds{ -0.1, 0.1 };
+  std::vector<double> SecondThresholds{ -1.0, 2.0 };
+  vtkTypeBool UseSecondScalar = 0;
+  int AreaRule = Fractional;
+  int SweepSteps = 0;
+  double SweepTarget = 0.0;
+  int HistogramBins = 32;
+
+private:
+  vtkScalarRegions(const vtkScalarRegions&) = delete;
+  void operator=(const vtkScalarRegions&) = delete;
+
+  static double At(const std::vector<double>& values, int index);
+  void Put(std::vector<double>& values, int index, double value);
+  void Resize(std::vector<double>& values, int number);
+  vtkTable* TableAt(int port);
+  isthmus::ThresholdedScalar Scalar(int index, vtkPolyData* input, std::string& name);
+  void Compute(vtkPolyData* input, vtkPolyData* output);
+};
+
+#endif

@@ -1,0 +1,206 @@
+/**
+ * @class   vtkSurfaceCurvature
+ * @brief   curvature at the points of a surface mesh, by angle defect and cotangents or by edges
+ *
+ * The input, a vtkPolyData, is passed on with curvature arrays on its points. Polygons and strips
+ * are split into triangles for the computation (the cells of the output stay as they are); vertices
+ * and lines play no part.
+ *
+ * **Arrays**, on points, double, the same names and signs as vtkHessianCurvature's, each with a
+ * switch: `GaussianCurvature` (1/length^2), `MeanCurvature`, `MaximumCurvature` (kappa_1),
+ * `MinimumCurvature` (kappa_2), `Curvedness` (1/length), `ShapeIndex` (in [-1, 1]); off by default
+ * `PrincipalDirection1`, `PrincipalDirection2` (unit vectors, of the EdgeTensor only) and
+ * `SurfaceType` (unsigned char, names in the field array `SurfaceTypeNames`). `PointArea`
+ * (length^2) is the area that belongs to a point by DualArea: the weight for means over the
+ * surface; all together are the area of the surface.
+ *
+ * **Validity.** `CurvatureValid` is 1 where the values mean something. It is 0, and with it all
+ * values but `PointArea`, at points on the boundary (over Ball and GeodesicDisc they are valid, but
+ * one-sided, with an error of the order of edge length / Radius), at points without triangles,
+ * around which the surface is not a disc or not wound alike, at triangles without area, and where
+ * obtuse triangles make the Voronoi area negative (choose Mixed). A warning counts them; boundaries
+ * are no reason for one.
+ *
+ * **Sign.** A sphere has positive curvature, 1/r. Which side is outside is chosen by Orientation.
+ *
+ * **Method**: SurfaceCurvature.h has formulas and sources. AngleDefect is second order on meshes
+ * that are regular in some parameters. On irregular ones it doesn't converge; take EdgeTensor with
+ * a ball, or, for isosurfaces of a volume, vtkHessianCurvature.
+ *
+ * **Errors** (sentence, empty output): coordinates that are not finite, damaged cells, negative
+ * Radius or tolerance. An empty surface is none.
+ *
+ * **Cost.** O(triangles), for balls and discs times the triangles within Radius; in parallel, the
+ * same bits on any number of threads. Memory about 300 bytes a point with all arrays. On several
+ * MPI ranks, each works on its own piece, whose rim is then a boundary: gather the surface first
+ * (in ParaView: Aggregate Dataset).
+ */
+#ifndef vtkSurfaceCurvature_h
+#define vtkSurfaceCurvature_h
+
+#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+namespace isthmus
+{
+struct SurfaceCurvatureResult;
+}
+
+class VTKISTHMUS_EXPORT vtkSurfaceCurvature : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSurfaceCurvature* New();
+  vtkTypeMacro(vtkSurfaceCurvature, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Methods
+  {
+    AngleDefect = 0,
+    EdgeTensor = 1
+  };
+  enum DualAreas
+  {
+    Voronoi = 0,
+    Barycentric = 1,
+    Mixed = 2
+  };
+  enum Neighbourhoods
+  {
+    OneRing = 0,
+    Ball = 1,
+    GeodesicDisc = 2
+  };
+  enum Orientations
+  {
+    Automatic = 0,
+    AsWound = 1,
+    Reversed = 2
+  };
+  enum ShapeIndexConventions
+  {
+    Thesis = 0,
+    Koenderink = 1
+  };
+
+  ///@{
+  /// AngleDefect (default: angle defect and cotangent formula) or EdgeTensor.
+  vtkSetClampMacro(Method, int, AngleDefect, EdgeTensor);
+  vtkGetMacro(Method, int);
+  ///@}
+
+  ///@{
+  /// Area that belongs to a point: Voronoi (default), Barycentric or Mixed.
+  vtkSetClampMacro(DualArea, int, Voronoi, Mixed);
+  vtkGetMacro(DualArea, int);
+  ///@}
+
+  ///@{
+  /// Where the EdgeTensor is averaged: OneRing (default), Ball or GeodesicDisc.
+  vtkSetClampMacro(Neighbourhood, int, OneRing, GeodesicDisc);
+  vtkGetMacro(Neighbourhood, int);
+  ///@}
+
+  ///@{
+  /// Radius of Ball and GeodesicDisc, in the unit of the points (angstrom). Default 0: three times
+  /// the mean edge length.
+  vtkSetMacro(Radius, double);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /// Which side is outside: Automatic (default: closed surfaces get the one that makes the enclosed
+  /// volume positive, others are taken as wound), AsWound (from where triangles are
+  /// counter-clockwise) or Reversed (the other).
+  vtkSetClampMacro(Orientation, int, Automatic, Reversed);
+  vtkGetMacro(Orientation, int);
+  ///@}
+
+  ///@{
+  /// Sign of the shape index: Thesis (default; peak -1, pit +1) or Koenderink (peak +1, pit -1).
+  vtkSetClampMacro(ShapeIndexConvention, int, Thesis, Koenderink);
+  vtkGetMacro(ShapeIndexConvention, int);
+  ///@}
+
+  ///@{
+  /// Which arrays to make. Default: on, but for principal directions and surface type.
+  vtkSetMacro(GenerateGaussianCurvature, vtkTypeBool);
+  vtkGetMacro(GenerateGaussianCurvature, vtkTypeBool);
+  vtkBooleanMacro(GenerateGaussianCurvature, vtkTypeBool);
+  vtkSetMacro(GenerateMeanCurvature, vtkTypeBool);
+  vtkGetMacro(GenerateMeanCurvature, vtkTypeBool);
+  vtkBooleanMacro(GenerateMeanCurvature, vtkTypeBool);
+  vtkSetMacro(GenerateMaximumCurvature, vtkTypeBool);
+  vtkGetMacro(GenerateMaximumCurvature, vtkTypeBool);
+  vtkBooleanMacro(GenerateMaximumCurvature, vtkTypeBool);
+  vtkSetMacro(GenerateMinimumCurvature, vtkTypeBool);
+  vtkGetMacro(GenerateMinimumCurvature, vtkTypeBool);
+  vtkBooleanMacro(GenerateMinimumCurvature, vtkTypeBool);
+  vtkSetMacro(GenerateShapeIndex, vtkTypeBool);
+  vtkGetMacro(GenerateShapeIndex, vtkTypeBool);
+  vtkBooleanMacro(GenerateShapeIndex, vtkTypeBool);
+  vtkSetMacro(GenerateCurvedness, vtkTypeBool);
+  vtkGetMacro(GenerateCurvedness, vtkTypeBool);
+  vtkBooleanMacro(GenerateCurvedness, vtkTypeBool);
+  vtkSetMacro(GeneratePrincipalDirection1, vtkTypeBool);
+  vtkGetMacro(GeneratePrincipalDirection1, vtkTypeBool);
+  vtkBooleanMacro(GeneratePrincipalDirection1, vtkTypeBool);
+  vtkSetMacro(GeneratePrincipalDirection2, vtkTypeBool);
+  vtkGetMacro(GeneratePrincipalDirection2, vtkTypeBool);
+  vtkBooleanMacro(GeneratePrincipalDirection2, vtkTypeBool);
+  vtkSetMacro(GenerateSurfaceType, vtkTypeBool);
+  vtkGetMacro(GenerateSurfaceType, vtkTypeBool);
+  vtkBooleanMacro(GenerateSurfaceType, vtkTypeBool);
+  vtkSetMacro(GeneratePointArea, vtkTypeBool);
+  vtkGetMacro(GeneratePointArea, vtkTypeBool);
+  vtkBooleanMacro(GeneratePointArea, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// What `SurfaceType` takes for zero, no units: a point is flat where curvedness x
+  /// sqrt(PointArea) is at most FlatTolerance; elsewhere K is zero where |K| is at most
+  /// GaussianTolerance x curvedness^2, and H where |H| is at most MeanTolerance x curvedness.
+  /// Default: 1e-3 each. Types: 0 none, 1 pit, 2 valley, 3 saddle ridge, 4 flat, 5 minimal surface,
+  /// 6 saddle valley, 7 ridge, 8 peak.
+  vtkSetMacro(FlatTolerance, double);
+  vtkGetMacro(FlatTolerance, double);
+  vtkSetMacro(GaussianTolerance, double);
+  vtkGetMacro(GaussianTolerance, double);
+  vtkSetMacro(MeanTolerance, double);
+  vtkGetMacro(MeanTolerance, double);
+  ///@}
+
+protected:
+  vtkSurfaceCurvature() = default;
+  ~vtkSurfaceCurvature() override = default;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int Method = AngleDefect;
+  int DualArea = Voronoi;
+  int Neighbourhood = OneRing;
+  double Radius = 0.0;
+  int Orientation = Automatic;
+  int ShapeIndexConvention = Thesis;
+  vtkTypeBool GenerateGaussianCurvature = 1;
+  vtkTypeBool GenerateMeanCurvature = 1;
+  vtkTypeBool GenerateMaximumCurvature = 1;
+  vtkTypeBool GenerateMinimumCurvature = 1;
+  vtkTypeBool GenerateShapeIndex = 1;
+  vtkTypeBool GenerateCurvedness = 1;
+  vtkTypeBool GeneratePrincipalDirection1 = 0;
+  vtkTypeBool GeneratePrincipalDirection2 = 0;
+  vtkTypeBool GenerateSurfaceType = 0;
+  vtkTypeBool GeneratePointArea = 1;
+  double FlatTolerance = 1e-3;
+  double GaussianTolerance = 1e-3;
+  double MeanTolerance = 1e-3;
+
+private:
+  vtkSurfaceCurvature(const vtkSurfaceCurvature&) = delete;
+  void operator=(const vtkSurfaceCurvature&) = delete;
+
+  void AddArrays(const isthmus::SurfaceCurvatureResult& result, vtkPolyData* output);
+};
+
+#endif

@@ -1,0 +1,33 @@
+/**
+ * @file GridDistance.h
+ * @brief Distance from the nodes of a grid to a triangle surface.
+ *
+ * Within `band` of the surface, the distance is exact: every triangle visits all nodes that near.
+ * Farther away it is that to the nearest crossing of the surface with a line of the grid, by the
+ * lower envelopes of P. Felzenszwalb and D. Huttenlocher, "Distance transforms of sampled
+ * functions", Theory of Computing 8 (2012) 415, doi:10.4086/toc.2012.v008a019. Crossings lie on the
+ * surface, about a spacing h apart, so far values are never too small and too large by at most
+ * about h^2 / (2 distance).
+ */
+#ifndef isthmus_GridDistance_h
+#define isthmus_GridDistance_h
+
+#include "SurfaceCrossings.h"
+
+namespace isthmus
+{
+
+/**
+ * Distance (length, not negative) from each node of `grid` to `mesh`; infinite for an empty mesh.
+ *
+ * `band` is a length, at least one spacing is used. Parallel, the same bits on any number of
+ * threads. Time O(#triangles x nodes of their boxes grown by the band + some 40 x nodes); memory 16
+ * bytes a node and 8 for each triangle and layer of four it is near. Throws std::invalid_argument
+ * for a band that is not a positive number, and Cancelled.
+ */
+VTKISTHMUS_EXPORT std::vector<double> DistanceToSurface(const SurfaceView& mesh,
+  const GridShape& grid, double band, const ProgressCallback& progress = {});
+
+}
+
+#endif

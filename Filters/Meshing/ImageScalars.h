@@ -1,0 +1,112 @@
+/**
+ * @file ImageScalars.h
+ * @brief The scalars of a vtkImageData as a GridView of float or double.
+ */
+#ifndef isthmus_ImageScalars_h
+#define isthmus_ImageScalars_h
+
+#include "GridView.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace isthmus
+{
+
+/// The array that the filter's input array 0 names, the active scalars where it names none: a panel
+/// that has seen no data yet sends an empty name. Null if there is no such array.
+inline vtkDataArray* ChosenScalars(vtkAlgorithm* filter, vtkImageData* image)
+{
+  vtkInformation* chosen = filter->GetInputArrayInformation(0);
+  const char* name = chosen->Get(vtkDataObject::FIELD_NAME());
+  return name && *name ? image->GetPointData()->GetArray(name)
+                       : image->GetPointData()->GetScalars();
+}
+
+/// Throws std::invalid_argument unless `scalars` is one number for each node of `image`.
+inline void CheckScalars(vtkImageData* image, vtkDataArray* scalars)
+{
+  if (!scalars)
+  {
+    throw std::invalid_argument(
+      "The image has no point array to work on: choose one with SetInputArrayToProcess.");
+  }
+  if (scalars->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument("The array " +
+      std::string(scalars->GetName() ? scalars->GetName() : "(unnamed)") + " has " +
+      std::to_string(scalars->GetNumberOfComponents()) +
+      " components, but one number for each node is needed: extract one component first.");
+  }
+  if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    throw std::invalid_argument("The array has " + std::to_string(scalars->GetNumberOfTuples()) +
+      " values for " + std::to_string(image->GetNumberOfPoints()) +
+      " nodes: choose an array of points, not of cells.");
+  }
+}
+
+/// Throws std::invalid_argument, with the node, unless all values are finite numbers.
+template <typename T>
+void CheckFinite(const GridView<const T>& grid)
+{
+  for (std::int64_t node = 0; node < grid.Size(); ++node)
+  {
+    if (!std::isfinite(static_cast<double>(grid.Data[node])))
+    {
+      const std::int64_t row = node / grid.Dimensions[0];
+      throw std::invalid_argument("The value at node (" +
+        std::to_string(node % grid.Dimensions[0]) + ", " +
+        std::to_string(row % grid.Dimensions[1]) + ", " + std::to_string(row / grid.Dimensions[1]) +
+        ") of the image is not a finite number. Crop the image or replace the value.");
+    }
+  }
+}
+
+/// Calls `use(grid)` with a GridView<const float> or, for all other types, GridView<const double>;
+/// a copy is made where the values are not stored as one of both.
+template <typename Use>
+void UseScalars(vtkImageData* image, vtkDataArray* scalars, Use&& use)
+{
+  CheckScalars(image, scalars);
+  int dimensions[3];
+  double spacing[3];
+  image->GetDimensions(dimensions);
+  image->GetSpacing(spacing);
+  const auto fill = [&](auto grid, const auto* values)
+  {
+    grid.Data = values;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      grid.Dimensions[axis] = dimensions[axis];
+      grid.Spacing[axis] = spacing[axis];
+    }
+    use(grid);
+  };
+  if (auto* floats = vtkArrayDownCast<vtkFloatArray>(scalars))
+  {
+    fill(GridView<const float>{}, floats->GetPointer(0));
+    return;
+  }
+  vtkSmartPointer<vtkDoubleArray> doubles = vtkArrayDownCast<vtkDoubleArray>(scalars);
+  if (!doubles)
+  {
+    doubles = vtkSmartPointer<vtkDoubleArray>::New();
+    doubles->DeepCopy(scalars);
+  }
+  fill(GridView<const double>{}, doubles->GetPointer(0));
+}
+
+}
+
+#endif

@@ -1,0 +1,62 @@
+/**
+ * @file TriangleStars.h
+ * @brief The triangles around each point of a surface, and whether they form a disc.
+ */
+#ifndef isthmus_TriangleStars_h
+#define isthmus_TriangleStars_h
+
+#include "SurfaceView.h"
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <vtkStaticCellLinksTemplate.h>
+
+#include <utility>
+#include <vector>
+
+namespace isthmus
+{
+
+/// What the triangles around a point look like.
+enum class StarKind : unsigned char
+{
+  Isolated, ///< None: the point is not on the surface.
+  Interior, ///< One closed fan, all triangles wound alike: the surface is a disc here.
+  Boundary, ///< One open fan: a half disc.
+  Irregular ///< Anything else: an edge of more than two triangles, neighbours wound against each
+            ///< other, several fans touching in the point, or a triangle with a corner twice.
+};
+
+/// The triangles around each point. Building and memory: O(#triangles), by VTK's static links.
+class VTKISTHMUS_EXPORT TriangleStars
+{
+public:
+  /// `mesh` must outlive this object.
+  explicit TriangleStars(const SurfaceView& mesh);
+
+  vtkIdType Size(vtkIdType point) const { return this->Links.GetNcells(point); }
+
+  /// Ids of the Size(point) triangles around `point`, in an order that depends on the mesh only.
+  const vtkIdType* Triangles(vtkIdType point) const { return this->Links.GetCells(point); }
+
+  /// The corners (a, b) of `triangle` that follow its corner `point`.
+  std::pair<vtkIdType, vtkIdType> OppositeEdge(vtkIdType triangle, vtkIdType point) const;
+
+  /// Opposite edges of all triangles around `point`, sorted. Reuses the memory of `edges`.
+  void Link(vtkIdType point, std::vector<std::pair<vtkIdType, vtkIdType>>& edges) const;
+
+  /// Kind of the star of `point`; `scratch` saves an allocation per call. O(n log n) for n
+  /// triangles.
+  StarKind Kind(vtkIdType point, std::vector<std::pair<vtkIdType, vtkIdType>>& scratch) const;
+
+private:
+  SurfaceView Mesh;
+  mutable vtkStaticCellLinksTemplate<vtkIdType> Links; // its getters are not const
+};
+
+/// Kind of each point's star, in parallel.
+VTKISTHMUS_EXPORT std::vector<StarKind> StarKinds(
+  const SurfaceView& mesh, const TriangleStars& stars);
+
+}
+
+#endif

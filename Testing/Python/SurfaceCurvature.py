@@ -1,0 +1,28 @@
+"""Surface Curvature in ParaView: arrays and signs on a sphere and on a surface with a border."""
+
+from paraview import servermanager
+from paraview.simple import Plane, Sphere, SurfaceCurvature
+
+sphere = Sphere(Radius=2.0, ThetaResolution=64, PhiResolution=64)
+curvature = SurfaceCurvature(Input=sphere, PointAreaRule="Mixed")
+curvature.UpdatePipeline()
+points = curvature.PointData
+low, high = points["MeanCurvature"].GetRange()
+assert 0.4 < low and high < 0.6, (low, high)
+assert points["CurvatureValid"].GetRange() == (1, 1)
+for name in ("GaussianCurvature", "MaximumCurvature", "MinimumCurvature", "ShapeIndex", "Curvedness"):
+    assert points[name] is not None, name
+
+tensor = SurfaceCurvature(
+    Input=sphere, Method="Edge tensor", Neighbourhood="Ball", Radius=0.6, PrincipalDirection1=1
+)
+tensor.UpdatePipeline()
+low, high = tensor.PointData["MeanCurvature"].GetRange()
+assert 0.45 < low and high < 0.54, (low, high)
+assert tensor.PointData["PrincipalDirection1"].GetNumberOfComponents() == 3
+
+plane = SurfaceCurvature(Input=Plane(XResolution=10, YResolution=10))
+data = servermanager.Fetch(plane).GetPointData()
+valid = data.GetArray("CurvatureValid")
+assert sum(valid.GetValue(i) for i in range(valid.GetNumberOfTuples())) == 81
+assert data.GetArray("GaussianCurvature").GetRange() == (0.0, 0.0)
