@@ -2,12 +2,18 @@
 
 set(classes
   Filters/Curvature/vtkHessianCurvature
+  Filters/Meshing/vtkDelaunayIsosurface
+  Filters/Meshing/vtkMeshQualityReport
+  Filters/Meshing/vtkSurfaceRemesh
   Filters/Meshing/vtkTetrahedralMesher
-  Readers/vtkMRCMapReader)
+  Readers/vtkMRCMapReader
+  Readers/vtkMSMSReader)
 
 # The only sources that include CGAL, which needs -frounding-math and is slow to compile.
 set(cgal_sources
   Filters/Meshing/CGALTetrahedra.cxx
+  Filters/Meshing/DelaunayIsosurface.cxx
+  Filters/Meshing/SurfaceRemesh.cxx
   Filters/Meshing/SurfaceRepair.cxx)
 
 set(sources
@@ -21,9 +27,12 @@ set(sources
   Filters/Curvature/PointDerivative.cxx
   Filters/Curvature/ShapeRows.cxx
   Filters/Meshing/ChildProcess.cxx
+  Filters/Meshing/ClosedLevelSet.cxx
+  Filters/Meshing/MeshQuality.cxx
   Filters/Meshing/PolyDataMesh.cxx
   Filters/Meshing/ShellNesting.cxx
   Filters/Meshing/SurfaceCheck.cxx
+  Filters/Meshing/SurfaceSeeds.cxx
   Filters/Meshing/TetGenFiles.cxx
   Filters/Meshing/TetGenProcess.cxx
   Filters/Meshing/TetrahedralMesher.cxx
@@ -37,6 +46,7 @@ set(sources
   Readers/MRCMap.cxx
   Readers/MRCMode.cxx
   Readers/MRCVoxels.cxx
+  Readers/MSMSReader.cxx
   Readers/PlainFile.cxx
   Readers/SkewedLattice.cxx
   Readers/StridedCopy.cxx)
