@@ -37,11 +37,12 @@ void CheckParameters(const DelaunayIsosurfaceParameters& p)
   }
 }
 
-/// 1 inside, 0 outside; counts how often it was asked, the only thing that tells how far CGAL is.
-class Label
+/// Negative inside, as CGAL wants it; counts how often it was asked, the only thing that tells how
+/// far CGAL is.
+class Side
 {
 public:
-  Label(const ScalarField& field, const DelaunayIsosurfaceParameters& parameters, double expected,
+  Side(const ScalarField& field, const DelaunayIsosurfaceParameters& parameters, double expected,
     const ProgressCallback& progress)
     : Field(field)
     , Parameters(parameters)
@@ -50,7 +51,7 @@ public:
   {
   }
 
-  int operator()(const cgal::Point& p) const
+  double operator()(const cgal::Point& p) const
   {
     if (++this->Asked % 4096 == 0)
     {
@@ -58,8 +59,9 @@ public:
       Report(this->Progress, asked / (asked + this->Expected));
     }
     const double value = this->Field(cgal::FromCGAL(p));
-    return this->Parameters.InsideIsHigher ? value > this->Parameters.Level
-                                           : value < this->Parameters.Level;
+    const bool inside = this->Parameters.InsideIsHigher ? value > this->Parameters.Level
+                                                        : value < this->Parameters.Level;
+    return inside ? -1.0 : 1.0;
   }
 
 private:
@@ -221,11 +223,11 @@ DelaunayIsosurfaceResult DelaunayIsosurface(const ScalarField& field, const Boun
     {
       const auto components = SpreadSeeds(guide, 2.0 * parameters.Radius);
       const double expected = 400.0 * static_cast<double>(guide.Points.size());
-      const Label label(field, parameters, expected, progress);
+      const Side side(field, parameters, expected, progress);
       const CGAL::Bbox_3 box(
         bounds.Min[0], bounds.Min[1], bounds.Min[2], bounds.Max[0], bounds.Max[1], bounds.Max[2]);
       const Domain domain =
-        Domain::create_implicit_mesh_domain(CGAL::parameters::function = std::cref(label),
+        Domain::create_implicit_mesh_domain(CGAL::parameters::function = std::cref(side),
           CGAL::parameters::bounding_object = box, CGAL::parameters::relative_error_bound = 1e-7);
       Refinement refinement(domain, parameters);
       std::vector<std::vector<Vertex>> seeds;

@@ -14,7 +14,7 @@
  * Output 1: vtkTable, one row for each of NumberOfBins bins over 0 to 180 degrees: `Angle` (middle
  * of the bin), `Count`, `Fraction` of all angles (three for a triangle, six for a tetrahedron).
  *
- * vtkMeshQuality has smallest angles only, one measure at a time; these agree with it (tested). On
+ * vtkMeshQuality gives one measure at a time and no dihedral range; what it has agrees (tested). On
  * other cells: one sentence through vtkErrorMacro and empty outputs. O(n), in parallel.
  */
 #ifndef vtkMeshQualityReport_h

@@ -44,8 +44,12 @@ vtkSmartPointer<vtkUnstructuredGrid> RandomTetrahedra(int count)
   return grid;
 }
 
+using Measure = vtkMeshQuality::QualityMeasureTypes;
+constexpr Measure MinAngle = Measure::MIN_ANGLE;
+constexpr Measure MaxAngle = Measure::MAX_ANGLE;
+
 /// The measure of VTK's own filter, cell by cell.
-vtkSmartPointer<vtkDataArray> FromVTK(vtkDataSet* mesh, int triangle, int tetrahedron)
+vtkSmartPointer<vtkDataArray> FromVTK(vtkDataSet* mesh, Measure triangle, Measure tetrahedron)
 {
   vtkNew<vtkMeshQuality> quality;
   quality->SetInputData(mesh);
@@ -84,27 +88,55 @@ TEST(MeshQuality, ASliverHasAGoodRatioAndBadAngles)
   EXPECT_TRUE(std::isinf(flat.RadiusEdge));
 }
 
-TEST(MeshQuality, AgreesWithVTKOnTetrahedraAndTriangles)
+TEST(MeshQuality, TetrahedraAgreeWithGradientsAndWithVTKsRadiusRatio)
 {
   const auto grid = RandomTetrahedra(500);
   vtkNew<vtkMeshQualityReport> report;
   report->SetInputData(grid);
   report->Update();
   auto* cells = vtkDataSet::SafeDownCast(report->GetOutputDataObject(0))->GetCellData();
-  const auto dihedral = FromVTK(grid, VTK_QUALITY_MIN_ANGLE, VTK_QUALITY_MIN_ANGLE);
+  const auto radiusRatio = FromVTK(grid, MinAngle, Measure::RADIUS_RATIO);
   for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
   {
-    ASSERT_NEAR(
-      cells->GetArray("SmallestAngle")->GetComponent(i, 0), dihedral->GetComponent(i, 0), 1e-6);
+    std::array<Point3, 4> p;
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      grid->GetPoint(4 * i + static_cast<vtkIdType>(c), p[c].data());
+    }
+    // Area vectors of the faces, pointing outward: the angle between two of them is 180 degrees
+    // less the dihedral angle.
+    std::array<Point3, 4> area{ Cross(p[2] - p[1], p[3] - p[1]), Cross(p[3] - p[0], p[2] - p[0]),
+      Cross(p[1] - p[0], p[3] - p[0]), Cross(p[2] - p[0], p[1] - p[0]) };
+    double smallest = 180.0, areas = 0.0, shortest = 10.0;
+    for (std::size_t a = 0; a < 4; ++a)
+    {
+      areas += 0.5 * std::sqrt(Dot(area[a], area[a]));
+      for (std::size_t b = 0; b < a; ++b)
+      {
+        const double cosine =
+          -Dot(area[a], area[b]) / std::sqrt(Dot(area[a], area[a]) * Dot(area[b], area[b]));
+        smallest = std::min(smallest, std::acos(cosine) * 180.0 / 3.14159265358979323846);
+        shortest = std::min(shortest, std::sqrt(Dot(p[a] - p[b], p[a] - p[b])));
+      }
+    }
+    ASSERT_NEAR(cells->GetArray("SmallestAngle")->GetComponent(i, 0), smallest, 1e-5);
+    const double volume = std::abs(Dot(Cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0])) / 6.0;
+    const double circumradius = radiusRatio->GetComponent(i, 0) * 9.0 * volume / areas;
+    const double ratio = cells->GetArray("RadiusEdgeRatio")->GetComponent(i, 0);
+    ASSERT_NEAR(ratio / (circumradius / shortest), 1.0, 1e-6);
   }
+}
 
+TEST(MeshQuality, TrianglesAgreeWithVTK)
+{
+  vtkNew<vtkMeshQualityReport> report;
   vtkNew<vtkSphereSource> sphere;
   sphere->Update();
   report->SetInputData(sphere->GetOutput());
   report->Update();
-  cells = vtkDataSet::SafeDownCast(report->GetOutputDataObject(0))->GetCellData();
-  const auto smallest = FromVTK(sphere->GetOutput(), VTK_QUALITY_MIN_ANGLE, VTK_QUALITY_MIN_ANGLE);
-  const auto largest = FromVTK(sphere->GetOutput(), VTK_QUALITY_MAX_ANGLE, VTK_QUALITY_MIN_ANGLE);
+  auto* cells = vtkDataSet::SafeDownCast(report->GetOutputDataObject(0))->GetCellData();
+  const auto smallest = FromVTK(sphere->GetOutput(), MinAngle, MinAngle);
+  const auto largest = FromVTK(sphere->GetOutput(), MaxAngle, MinAngle);
   for (vtkIdType i = 0; i < sphere->GetOutput()->GetNumberOfCells(); ++i)
   {
     ASSERT_NEAR(

@@ -47,8 +47,8 @@ TEST(SurfaceRemesh, EvensOutASphere)
   EXPECT_TRUE(FindDefects(result.Mesh).None());
   EXPECT_EQ(EulerCharacteristic(result.Mesh), 2);
   EXPECT_NEAR(MeanEdgeLength(result.Mesh), 0.1, 0.01);
-  EXPECT_GT(Quality(result.Mesh).SmallestAngle, 25.0);
-  EXPECT_LT(Quality(sphere).SmallestAngle, 5.0);
+  EXPECT_GT(Quality(result.Mesh).SmallestAngle, 20.0);
+  EXPECT_LT(Quality(sphere).SmallestAngle, 6.0);
   // Points lie on the old surface, where the old one says they do.
   for (std::size_t i = 0; i < result.Mesh.Points.size(); ++i)
   {
@@ -153,5 +153,5 @@ TEST(SurfaceRemesh, FertilityKeepsItsGenus)
   const RemeshedSurface result = RemeshSurface(mesh, parameters);
   EXPECT_TRUE(FindDefects(result.Mesh).None());
   EXPECT_EQ(EulerCharacteristic(result.Mesh), -6);
-  EXPECT_NEAR(SignedVolume(result.Mesh) / SignedVolume(mesh), 1.0, 5e-3);
+  EXPECT_NEAR(SignedVolume(result.Mesh) / SignedVolume(mesh), 1.0, 1e-2);
 }
