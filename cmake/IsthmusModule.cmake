@@ -81,4 +81,6 @@ vtk_module_link(Isthmus::vtkIsthmus PRIVATE BZip2::BZip2)
 find_package(CGAL 5.5 REQUIRED)
 vtk_module_include(Isthmus::vtkIsthmus SYSTEM PRIVATE ${CGAL_INCLUDE_DIRS})
 vtk_module_link(Isthmus::vtkIsthmus PRIVATE ${MPFR_LIBRARIES} ${GMP_LIBRARIES})
-set_source_files_properties(${cgal_sources} PROPERTIES COMPILE_OPTIONS "-frounding-math")
+set_source_files_properties(${cgal_sources} PROPERTIES
+  COMPILE_OPTIONS "-frounding-math"
+  COMPILE_DEFINITIONS CGAL_NO_WARNINGS) # they go to stderr; ours go to VTK
