@@ -33,6 +33,7 @@ set(sources
   Filters/Meshing/ShellNesting.cxx
   Filters/Meshing/SurfaceCheck.cxx
   Filters/Meshing/SurfaceSeeds.cxx
+  Filters/Meshing/SurfaceTopology.cxx
   Filters/Meshing/TetGenFiles.cxx
   Filters/Meshing/TetGenProcess.cxx
   Filters/Meshing/TetrahedralMesher.cxx

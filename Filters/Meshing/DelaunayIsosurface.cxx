@@ -2,6 +2,7 @@
 
 #include "CGALSurface.h"
 #include "SurfaceCheck.h"
+#include "SurfaceTopology.h"
 #include "SurfaceSeeds.h"
 
 #include <CGAL/Labeled_mesh_domain_3.h>

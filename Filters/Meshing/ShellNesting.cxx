@@ -1,6 +1,6 @@
 #include "ShellNesting.h"
 
-#include "SurfaceCheck.h"
+#include "SurfaceTopology.h"
 
 #include <limits>
 #include <optional>

@@ -1,98 +1,14 @@
 #include "SurfaceCheck.h"
 
+#include "MeshEdges.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace isthmus
 {
 namespace
 {
-
-/// One side of one triangle, with its ends in ascending order so that neighbours sort together.
-struct HalfEdge
-{
-  std::int64_t Low;
-  std::int64_t High;
-  std::int64_t Triangle;
-  bool Ascending; ///< the triangle runs from Low to High
-
-  bool SameEdge(const HalfEdge& o) const { return this->Low == o.Low && this->High == o.High; }
-};
-
-std::vector<HalfEdge> SortedHalfEdges(const TriangleMesh& mesh, const std::vector<bool>& skip)
-{
-  std::vector<HalfEdge> edges;
-  edges.reserve(3 * mesh.Triangles.size());
-  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
-  {
-    if (!skip.empty() && skip[t])
-    {
-      continue;
-    }
-    const Triangle& ids = mesh.Triangles[t];
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      const std::int64_t a = ids[c];
-      const std::int64_t b = ids[(c + 1) % 3];
-      edges.push_back({ std::min(a, b), std::max(a, b), static_cast<std::int64_t>(t), a < b });
-    }
-  }
-  std::sort(edges.begin(), edges.end(),
-    [](const HalfEdge& a, const HalfEdge& b)
-    {
-      return a.Low != b.Low ? a.Low < b.Low
-        : a.High != b.High  ? a.High < b.High
-                            : a.Triangle < b.Triangle;
-    });
-  return edges;
-}
-
-/// Calls visit(first, last) for each run of half edges on the same edge.
-template <typename Visit>
-void ForEachEdge(const std::vector<HalfEdge>& edges, Visit&& visit)
-{
-  for (auto first = edges.begin(); first != edges.end();)
-  {
-    auto last = first + 1;
-    while (last != edges.end() && last->SameEdge(*first))
-    {
-      ++last;
-    }
-    visit(first, last);
-    first = last;
-  }
-}
-
-/// Union-find with path halving.
-class DisjointSets
-{
-public:
-  explicit DisjointSets(std::size_t n)
-    : Parent(n)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), std::size_t{ 0 });
-  }
-
-  std::size_t Find(std::size_t i)
-  {
-    while (this->Parent[i] != i)
-    {
-      i = this->Parent[i] = this->Parent[this->Parent[i]];
-    }
-    return i;
-  }
-
-  void Join(std::size_t a, std::size_t b)
-  {
-    a = this->Find(a);
-    b = this->Find(b);
-    this->Parent[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<std::size_t> Parent;
-};
 
 void Sort(std::vector<std::int64_t>& ids)
 {
@@ -178,7 +94,7 @@ void CheckFans(const TriangleMesh& mesh, const std::vector<HalfEdge>& edges,
     const auto corner = std::find(ids.begin(), ids.end(), point) - ids.begin();
     return static_cast<std::size_t>(3 * triangle + corner);
   };
-  DisjointSets corners(3 * mesh.Triangles.size());
+  TriangleSets corners(3 * mesh.Triangles.size());
   ForEachEdge(edges,
     [&](auto first, auto last)
     {
@@ -268,63 +184,6 @@ SurfaceDefects FindDefects(const TriangleMesh& mesh)
   CheckEdges(edges, found);
   CheckFans(mesh, edges, skip, found);
   return found;
-}
-
-std::vector<int> Components(const TriangleMesh& mesh)
-{
-  const std::size_t n = mesh.Triangles.size();
-  DisjointSets sets(n);
-  ForEachEdge(SortedHalfEdges(mesh, {}),
-    [&sets](auto first, auto last)
-    {
-      for (auto e = first + 1; e != last; ++e)
-      {
-        sets.Join(static_cast<std::size_t>(first->Triangle), static_cast<std::size_t>(e->Triangle));
-      }
-    });
-  std::vector<int> label(n, -1);
-  int count = 0;
-  for (std::size_t t = 0; t < n; ++t)
-  {
-    const std::size_t root = sets.Find(t); // the smallest triangle id, so met first
-    label[t] = root == t ? count++ : label[root];
-  }
-  return label;
-}
-
-double SignedVolume(const TriangleMesh& mesh)
-{
-  if (mesh.Triangles.empty())
-  {
-    return 0.0;
-  }
-  // About a point of the surface, so that a surface far from the origin loses no digits.
-  const Point3 origin = mesh.Points[static_cast<std::size_t>(mesh.Triangles.front()[0])];
-  double sum = 0.0;
-  for (const Triangle& t : mesh.Triangles)
-  {
-    const Point3 a = mesh.Points[static_cast<std::size_t>(t[0])] - origin;
-    const Point3 b = mesh.Points[static_cast<std::size_t>(t[1])] - origin;
-    const Point3 c = mesh.Points[static_cast<std::size_t>(t[2])] - origin;
-    sum += Dot(a, Cross(b, c));
-  }
-  return sum / 6.0;
-}
-
-std::int64_t EulerCharacteristic(const TriangleMesh& mesh)
-{
-  std::vector<bool> used(mesh.Points.size());
-  for (const Triangle& t : mesh.Triangles)
-  {
-    for (const std::int64_t p : t)
-    {
-      used[static_cast<std::size_t>(p)] = true;
-    }
-  }
-  std::int64_t edges = 0;
-  ForEachEdge(SortedHalfEdges(mesh, {}), [&edges](auto, auto) { ++edges; });
-  return std::count(used.begin(), used.end(), true) - edges +
-    static_cast<std::int64_t>(mesh.Triangles.size());
 }
 
 }

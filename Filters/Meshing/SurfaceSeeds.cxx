@@ -1,6 +1,6 @@
 #include "SurfaceSeeds.h"
 
-#include "SurfaceCheck.h"
+#include "SurfaceTopology.h"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "TetrahedralMesher.h"
 
-#include "SurfaceCheck.h"
+#include "SurfaceTopology.h"
 #include "SurfaceRepair.h"
 
 #include <cmath>

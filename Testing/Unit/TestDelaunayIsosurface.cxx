@@ -4,6 +4,7 @@
 #include "MeshQuality.h"
 #include "SharedData.h"
 #include "SurfaceCheck.h"
+#include "SurfaceTopology.h"
 #include "vtkDelaunayIsosurface.h"
 #include "vtkMRCMapReader.h"
 

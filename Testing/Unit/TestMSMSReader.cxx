@@ -5,6 +5,7 @@
 #include "SharedData.h"
 #include "ShellNesting.h"
 #include "SurfaceCheck.h"
+#include "SurfaceTopology.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

@@ -1,4 +1,5 @@
 #include "SurfaceCheck.h"
+#include "SurfaceTopology.h"
 
 #include "PolyDataMesh.h"
 #include "SharedData.h"

@@ -4,6 +4,7 @@
 #include "PolyDataMesh.h"
 #include "SharedData.h"
 #include "SurfaceCheck.h"
+#include "SurfaceTopology.h"
 #include "SurfaceFiles.h"
 #include "vtkSurfaceRemesh.h"
 

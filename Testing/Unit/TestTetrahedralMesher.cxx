@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <set>
 
@@ -271,7 +273,7 @@ TEST(TetrahedralMesher, EverySharedSurfaceIsFilledOrRefused)
     const auto start = std::chrono::steady_clock::now();
     const std::string refusal = WhyRefused(mesh, parameters);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    printf("%-28s %6.2f s  %s\n", known.File, seconds.count(), refusal.c_str());
+    std::printf("%-28s %6.2f s  %s\n", known.File, seconds.count(), refusal.c_str());
     if (!known.Closed)
     {
       EXPECT_EQ(refusal.rfind("The surface has ", 0), 0u) << refusal;
@@ -283,6 +285,57 @@ TEST(TetrahedralMesher, EverySharedSurfaceIsFilledOrRefused)
     else
     {
       EXPECT_EQ(refusal, "");
+    }
+  }
+}
+
+/// Acceptance 1, second half: with quality refinement by TetGen (surface free and kept) and with
+/// CGAL, surfaces whose smallest angle exceeds 1 degree. Three of them in ctest, all of them with
+/// ISTHMUS_LONG_TESTS=1 (a quarter of an hour).
+TEST(TetrahedralMesher, GoodSurfacesAreFilledWithQuality)
+{
+  ISTHMUS_NEEDS_SHARED_DATA("surfaces");
+  const bool all = std::getenv("ISTHMUS_LONG_TESTS") != nullptr;
+  const std::set<std::string> some{ "eight.off", "sphere.off", "two-tori.obj" };
+  for (const isthmus::testing::KnownSurface& known : isthmus::testing::KnownSurfaces)
+  {
+    if (!known.Closed || known.SmallestAngle <= 1.0 || IsKnownToCross(known.File) ||
+      (!all && some.count(known.File) == 0))
+    {
+      continue;
+    }
+    SCOPED_TRACE(known.File);
+    const TriangleMesh mesh = MeshOf(isthmus::testing::ReadSurface(
+      isthmus::testing::SharedDataFolder() / "surfaces" / known.File));
+    for (const char* way : { "TetGen pYq", "TetGen pq", "CGAL" })
+    {
+      const bool cgal = std::string(way) == "CGAL";
+      auto parameters =
+        With(cgal ? TetrahedralLibrary::CGAL : TetrahedralLibrary::TetGen, MeshedSide::Inside);
+      parameters.TetGen.KeepSurface = std::string(way) == "TetGen pYq";
+      parameters.CGAL.MaximumPoints = 1'000'000;
+      const auto start = std::chrono::steady_clock::now();
+      const auto seconds = [start]
+      { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+      std::string ending;
+      try
+      {
+        const TetrahedralMesh result =
+          MeshTetrahedra(mesh, parameters, [&](double) { return seconds() < 120.0; });
+        double volume = 0.0;
+        for (const auto& [region, part] : Volumes(result))
+        {
+          volume += part;
+        }
+        ending = std::to_string(result.Tetrahedra.size()) + " tetrahedra";
+        EXPECT_NEAR(volume / std::abs(SignedVolume(mesh)), 1.0, cgal ? 0.1 : 1e-6) << way;
+      }
+      catch (const std::exception& error)
+      {
+        ending = error.what();
+        ADD_FAILURE() << way << ": " << ending;
+      }
+      std::printf("%-28s %-11s %6.2f s  %s\n", known.File, way, seconds(), ending.c_str());
     }
   }
 }
