@@ -2,8 +2,8 @@
 
 #include "CGALSurface.h"
 #include "SurfaceCheck.h"
-#include "SurfaceTopology.h"
 #include "SurfaceSeeds.h"
+#include "SurfaceTopology.h"
 
 #include <CGAL/Labeled_mesh_domain_3.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
@@ -174,6 +174,41 @@ std::string Place(const SeededComponent& component)
     std::to_string(middle[2]) + "), " + std::to_string(component.Bounds.Diagonal()) + " across";
 }
 
+/// Refines from the seeds of every component, and from all points of those that were not caught;
+/// returns the places of those that were not even then.
+std::vector<std::string> CatchAll(
+  Refinement& refinement, const TriangleMesh& guide, const std::vector<SeededComponent>& components)
+{
+  std::vector<std::vector<Vertex>> seeds;
+  for (const SeededComponent& component : components)
+  {
+    seeds.push_back(refinement.Insert(guide, component.Seeds));
+  }
+  refinement.Run();
+  bool again = false;
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    if (!refinement.Caught(seeds[c]))
+    {
+      seeds[c] = refinement.Insert(guide, components[c].Points);
+      again = true;
+    }
+  }
+  if (again)
+  {
+    refinement.Run();
+  }
+  std::vector<std::string> lost;
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    if (!refinement.Caught(seeds[c]))
+    {
+      lost.push_back(Place(components[c]));
+    }
+  }
+  return lost;
+}
+
 /// What differs between the surface and its guide.
 std::string Differences(
   const TriangleMesh& surface, const TriangleMesh& guide, const std::vector<std::string>& lost)
@@ -231,34 +266,7 @@ DelaunayIsosurfaceResult DelaunayIsosurface(const ScalarField& field, const Boun
         Domain::create_implicit_mesh_domain(CGAL::parameters::function = std::cref(side),
           CGAL::parameters::bounding_object = box, CGAL::parameters::relative_error_bound = 1e-7);
       Refinement refinement(domain, parameters);
-      std::vector<std::vector<Vertex>> seeds;
-      for (const SeededComponent& component : components)
-      {
-        seeds.push_back(refinement.Insert(guide, component.Seeds));
-      }
-      refinement.Run();
-
-      std::vector<std::string> lost;
-      bool again = false;
-      for (std::size_t c = 0; c < components.size(); ++c)
-      {
-        if (!refinement.Caught(seeds[c]))
-        {
-          seeds[c] = refinement.Insert(guide, components[c].Points);
-          again = true;
-        }
-      }
-      if (again)
-      {
-        refinement.Run();
-      }
-      for (std::size_t c = 0; c < components.size(); ++c)
-      {
-        if (!refinement.Caught(seeds[c]))
-        {
-          lost.push_back(Place(components[c]));
-        }
-      }
+      const std::vector<std::string> lost = CatchAll(refinement, guide, components);
       DelaunayIsosurfaceResult result;
       result.Surface = refinement.Surface();
       result.Warning = Differences(result.Surface, guide, lost);

@@ -31,6 +31,26 @@ std::uint64_t ThreeQuartersOfMemory()
     static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
 }
 
+isthmus::TetrahedralParameters ParametersOf(vtkTetrahedralMesher* filter)
+{
+  isthmus::TetrahedralParameters parameters;
+  parameters.Library = static_cast<isthmus::TetrahedralLibrary>(filter->GetLibrary());
+  parameters.Side = static_cast<isthmus::MeshedSide>(filter->GetSide());
+  parameters.BoxMargin = filter->GetBoxMargin();
+  const std::uint64_t bytes = filter->GetMemoryLimit() > 0
+    ? static_cast<std::uint64_t>(filter->GetMemoryLimit()) << 20
+    : ThreeQuartersOfMemory();
+  parameters.TetGen = { filter->GetKeepSurface(), filter->GetRadiusEdgeRatio(),
+    filter->GetMinimumDihedralAngle(), filter->GetMaximumVolume(), filter->GetTetGenCommand(),
+    { filter->GetTimeLimit(), bytes } };
+  parameters.CGAL.FacetAngle = filter->GetFacetAngle();
+  parameters.CGAL.FacetSize = filter->GetFacetSize();
+  parameters.CGAL.FacetDistance = filter->GetFacetDistance();
+  parameters.CGAL.CellRadiusEdgeRatio = filter->GetCellRadiusEdgeRatio();
+  parameters.CGAL.CellSize = filter->GetCellSize();
+  return parameters;
+}
+
 void SetGrid(const isthmus::TetrahedralMesh& mesh, vtkUnstructuredGrid* grid)
 {
   vtkNew<vtkPoints> points;
@@ -78,21 +98,7 @@ int vtkTetrahedralMesher::RequestData(
   return isthmus::Guarded(this, grid,
     [&]
     {
-      isthmus::TetrahedralParameters parameters;
-      parameters.Library = static_cast<isthmus::TetrahedralLibrary>(this->Library);
-      parameters.Side = static_cast<isthmus::MeshedSide>(this->Side);
-      parameters.BoxMargin = this->BoxMargin;
-      const std::uint64_t bytes = this->MemoryLimit > 0
-        ? static_cast<std::uint64_t>(this->MemoryLimit) << 20
-        : ThreeQuartersOfMemory();
-      parameters.TetGen = { this->KeepSurface, this->RadiusEdgeRatio, this->MinimumDihedralAngle,
-        this->MaximumVolume, this->TetGenCommand, { this->TimeLimit, bytes } };
-      parameters.CGAL.FacetAngle = this->FacetAngle;
-      parameters.CGAL.FacetSize = this->FacetSize;
-      parameters.CGAL.FacetDistance = this->FacetDistance;
-      parameters.CGAL.CellRadiusEdgeRatio = this->CellRadiusEdgeRatio;
-      parameters.CGAL.CellSize = this->CellSize;
-
+      const isthmus::TetrahedralParameters parameters = ParametersOf(this);
       const auto progress = isthmus::ProgressOf(this);
       isthmus::TriangleMesh mesh = isthmus::MeshOf(surface);
       isthmus::RepairedSurface repaired;
