@@ -39,7 +39,7 @@ inline constexpr KnownSurface KnownSurfaces[] = {
   { "bunny10k.ply", false, 1, 0, 0.0571252, 0.0007287864, 0.431 },
   { "casting.off", true, 1, 9, 2.353271, 0.03391226, 1.78 },
   { "casting_inverted.off", true, 1, 9, 2.353271, -0.03391226, 1.78 },
-  { "casting_ttk.vtu", true, 1, 9, 2.353271, 0.03391226, 1.78 },
+  { "casting_ttk.vtu", true, 1, 9, 7.178566, 0.180678, 1.78 },
   { "conrod.stl", false, 1, 0, 97.35578, 7.748372, 0.00542 },
   { "cup_input_simple_10000.off", true, 1, 2, 2880.393, 2913.737, 34.3 },
   { "double-torus.obj", true, 1, 2, 6.554692, 0.6687615, 22 },

@@ -6,6 +6,7 @@
 #include "SurfaceFiles.h"
 #include "SurfaceRepair.h"
 #include "SurfaceTable.h"
+#include "SurfaceTopology.h"
 
 #include <gtest/gtest.h>
 
