@@ -107,13 +107,15 @@ CGALCriteria Sizes(CGALCriteria criteria, const Bounds3& bounds)
 void AddSeeds(
   const std::vector<const SurfaceMesh*>& shells, const DomainWithBox& domain, Complex& complex)
 {
-  constexpr std::size_t count = 20;
+  constexpr std::size_t count = 40;
+  // Steps of the golden ratio, since equal ones can all hit one ring of a regular mesh.
+  constexpr double golden = 0.6180339887498949;
   for (const SurfaceMesh* shell : shells)
   {
-    const std::size_t n = shell->number_of_faces();
-    const std::size_t step = std::max<std::size_t>(1, n / count);
-    for (std::size_t i = 0; i < n; i += step)
+    const auto n = static_cast<double>(shell->number_of_faces());
+    for (std::size_t k = 0; k < count; ++k)
     {
+      const auto i = static_cast<std::size_t>(n * std::fmod(golden * static_cast<double>(k), 1.0));
       const auto h =
         shell->halfedge(SurfaceMesh::Face_index(static_cast<SurfaceMesh::size_type>(i)));
       const Point middle = CGAL::centroid(shell->point(shell->source(h)),

@@ -12,6 +12,7 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
@@ -57,7 +58,10 @@ int vtkDelaunayIsosurface::RequestData(
       {
         return;
       }
-      vtkDataArray* scalars = this->GetInputArrayToProcess(0, input);
+      // ParaView names no array until its panel was applied once.
+      const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+      vtkDataArray* scalars = chosen && !*chosen ? image->GetPointData()->GetScalars()
+                                                 : this->GetInputArrayToProcess(0, input);
       if (!scalars || scalars->GetNumberOfComponents() != 1)
       {
         throw std::invalid_argument(

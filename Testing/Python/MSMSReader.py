@@ -9,5 +9,3 @@ assert source.GetXMLName() == "MSMSReader", source.GetXMLName()
 surface = servermanager.Fetch(source)
 assert surface.GetNumberOfCells() == 14398 + 66 + 312 + 70
 assert surface.GetCellData().GetArray("Component").GetRange() == (0.0, 3.0)
-grid = servermanager.Fetch(simple.TetrahedralMesher(Input=source))
-assert grid.GetCellData().GetArray("RegionId").GetRange() == (1.0, 1.0)
