@@ -43,15 +43,14 @@ struct SurfaceRemeshParameters
  * @pre manifold and oriented, without triangles that have no area; boundaries are fine.
  * @throws std::invalid_argument otherwise, with the triangles concerned, and when EdgeLength is not
  * positive or would give more than 50 million triangles; Cancelled. Progress and stopping come with
- * each projected point. Cost: some 30 microseconds a point and iteration, 1 KB a point.
+ * each projected point. O(n log n) an iteration.
  */
 VTKISTHMUS_EXPORT RemeshedSurface RemeshSurface(const TriangleMesh& mesh,
   const SurfaceRemeshParameters& parameters, const ProgressCallback& progress = {});
 
 /**
  * Edge collapse of `mesh` down to about `triangles` of them; fewer are not reached where a collapse
- * would turn a triangle over or change topology. Precondition and failure as above. Cost: some 20
- * microseconds an edge.
+ * would turn a triangle over or change topology. Precondition and failure as above. O(n log n).
  */
 VTKISTHMUS_EXPORT RemeshedSurface SimplifySurface(
   const TriangleMesh& mesh, std::int64_t triangles, const ProgressCallback& progress = {});

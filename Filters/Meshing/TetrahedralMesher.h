@@ -76,8 +76,8 @@ struct TetrahedralParameters
  * std::runtime_error when the library fails, runs out of memory or time, or gives tetrahedra that
  * do not fill the regions (TetGen with KeepSurface: to 1e-9 of their volume); Cancelled.
  *
- * Cost: TetGen some 150 bytes and 5 microseconds a tetrahedron, in its own process, and as much
- * again on disk as text; CGAL some 500 bytes and 30 microseconds a tetrahedron.
+ * Cost: TetGen 220 bytes a tetrahedron in its own process, and about as much again on disk as text;
+ * for times of both libraries see BenchMeshing.
  */
 VTKISTHMUS_EXPORT TetrahedralMesh MeshTetrahedra(const TriangleMesh& surface,
   const TetrahedralParameters& parameters, const ProgressCallback& progress = {});

@@ -28,7 +28,7 @@ assert abs(servermanager.Fetch(remeshed).GetNumberOfCells() - 400) <= 4
 # What comes out is fit for tetrahedra; the histogram is the second output.
 report = simple.MeshQualityReport(Input=simple.TetrahedralMesher(Input=surface))
 report.UpdatePipeline()
-histogram = servermanager.Fetch(simple.OutputPort(report, 1))
+histogram = servermanager.Fetch(report, idx=1)
 assert histogram.GetNumberOfRows() == 36
 fractions = histogram.GetColumnByName("Fraction")
 assert abs(sum(fractions.GetValue(i) for i in range(36)) - 1.0) < 1e-12
