@@ -292,7 +292,7 @@ TEST(TetrahedralMesher, EverySharedSurfaceIsFilledOrRefused)
 
 /// Acceptance 1, second half: with quality refinement by TetGen (surface free and kept) and with
 /// CGAL, surfaces whose smallest angle exceeds 1 degree. Three of them in ctest, all of them with
-/// ISTHMUS_LONG_TESTS=1 (a quarter of an hour).
+/// ISTHMUS_LONG_TESTS=1 (three minutes).
 TEST(TetrahedralMesher, GoodSurfacesAreFilledWithQuality)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces");
