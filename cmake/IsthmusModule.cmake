@@ -8,15 +8,28 @@ set(classes
   Filters/Imaging/vtkDiffusionHighPass
   Filters/Imaging/vtkHighOrderDiffusion
   Filters/Imaging/vtkPDETransform
+  Filters/Meshing/vtkDelaunayIsosurface
+  Filters/Meshing/vtkMeshQualityReport
   Filters/Meshing/vtkSurfaceMeasures
+  Filters/Meshing/vtkSurfaceRemesh
   Filters/Meshing/vtkSurfaceToGrid
+  Filters/Meshing/vtkTetrahedralMesher
   Filters/Topology/vtkCellIncidence
   Filters/Topology/vtkTetCutaway
   Readers/vtkCombinatorialMeshReader
   Readers/vtkCombinatorialMeshWriter
-  Readers/vtkMRCMapReader)
+  Readers/vtkMRCMapReader
+  Readers/vtkMSMSReader)
+
+# The only sources that include CGAL, which needs -frounding-math and is slow to compile.
+set(cgal_sources
+  Filters/Meshing/CGALTetrahedra.cxx
+  Filters/Meshing/DelaunayIsosurface.cxx
+  Filters/Meshing/SurfaceRemesh.cxx
+  Filters/Meshing/SurfaceRepair.cxx)
 
 set(sources
+  ${cgal_sources}
   Filters/Curvature/CurvatureDescriptors.cxx
   Filters/Curvature/CurvatureOfImage.cxx
   Filters/Curvature/EdgeBends.cxx
@@ -44,11 +57,22 @@ set(sources
   Filters/Imaging/RankParts.cxx
   Filters/Imaging/TimeSteps.cxx
   Filters/Meshing/CartesianMeasures.cxx
+  Filters/Meshing/ChildProcess.cxx
+  Filters/Meshing/ClosedLevelSet.cxx
   Filters/Meshing/GridDistance.cxx
   Filters/Meshing/GridImages.cxx
   Filters/Meshing/LevelCrossings.cxx
+  Filters/Meshing/MeshQuality.cxx
+  Filters/Meshing/PolyDataMesh.cxx
+  Filters/Meshing/ShellNesting.cxx
+  Filters/Meshing/SurfaceCheck.cxx
   Filters/Meshing/SurfaceCrossings.cxx
   Filters/Meshing/SurfaceMeasures.cxx
+  Filters/Meshing/SurfaceSeeds.cxx
+  Filters/Meshing/SurfaceTopology.cxx
+  Filters/Meshing/TetGenFiles.cxx
+  Filters/Meshing/TetGenProcess.cxx
+  Filters/Meshing/TetrahedralMesher.cxx
   Filters/Support/CellType.cxx
   Filters/Support/GridCells.cxx
   Filters/Support/ImageExtent.cxx
@@ -74,6 +98,7 @@ set(sources
   Readers/MRCMap.cxx
   Readers/MRCMode.cxx
   Readers/MRCVoxels.cxx
+  Readers/MSMSReader.cxx
   Readers/PlainFile.cxx
   Readers/SkewedLattice.cxx
   Readers/StridedCopy.cxx)
@@ -93,7 +118,8 @@ vtk_module_add_module(Isthmus::vtkIsthmus
   SOURCES ${sources})
 
 # Public, since the wrappers include every class by its bare name; installed headers lie flat.
-foreach (room IN ITEMS Filters/Curvature Filters/Imaging Filters/Meshing Filters/Support Filters/Topology Readers)
+foreach (room IN ITEMS Filters/Curvature Filters/Imaging Filters/Meshing Filters/Support
+  Filters/Topology Readers)
   vtk_module_include(Isthmus::vtkIsthmus
     PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${room}>")
 endforeach ()
@@ -109,3 +135,11 @@ vtk_module_link(Isthmus::vtkIsthmus PRIVATE BZip2::BZip2)
 
 find_package(Eigen3 REQUIRED NO_MODULE)
 vtk_module_link(Isthmus::vtkIsthmus PRIVATE "$<BUILD_INTERFACE:Eigen3::Eigen>")
+
+# Not linked as CGAL::CGAL, whose compile options would slow down everybody else's loops.
+find_package(CGAL 5.5 REQUIRED)
+vtk_module_include(Isthmus::vtkIsthmus SYSTEM PRIVATE ${CGAL_INCLUDE_DIRS})
+vtk_module_link(Isthmus::vtkIsthmus PRIVATE ${MPFR_LIBRARIES} ${GMP_LIBRARIES})
+set_source_files_properties(${cgal_sources} PROPERTIES
+  COMPILE_OPTIONS "-frounding-math"
+  COMPILE_DEFINITIONS CGAL_NO_WARNINGS) # they go to stderr; ours go to VTK

@@ -19,3 +19,7 @@ assert source.GetXMLName() == "DensityMapReader", source.GetXMLName()
 curvature = simple.HessianCurvature(Input=source)
 arrays = servermanager.Fetch(curvature).GetPointData()
 assert arrays.GetArray("MeanCurvature") is not None
+
+# The installed library finds TetGen's program.
+grid = servermanager.Fetch(simple.TetrahedralMesher(Input=simple.Sphere()))
+assert grid.GetNumberOfCells() > 50

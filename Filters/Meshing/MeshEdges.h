@@ -1,0 +1,104 @@
+/**
+ * @file MeshEdges.h
+ * @brief The sides of all triangles, sorted so that neighbours meet; and union-find. Private.
+ */
+#ifndef isthmus_MeshEdges_h
+#define isthmus_MeshEdges_h
+
+#include "TriangleMesh.h"
+
+#include <numeric>
+
+namespace isthmus
+{
+
+/// One side of one triangle, with its ends in ascending order so that neighbours sort together.
+struct HalfEdge
+{
+  std::int64_t Low;
+  std::int64_t High;
+  std::int64_t Triangle;
+  bool Ascending; ///< the triangle runs from Low to High
+
+  bool SameEdge(const HalfEdge& o) const { return this->Low == o.Low && this->High == o.High; }
+};
+
+/// Sides of the triangles of `mesh` but for those to `skip` (one flag each, or none).
+inline std::vector<HalfEdge> SortedHalfEdges(
+  const TriangleMesh& mesh, const std::vector<bool>& skip)
+{
+  std::vector<HalfEdge> edges;
+  edges.reserve(3 * mesh.Triangles.size());
+  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  {
+    if (!skip.empty() && skip[t])
+    {
+      continue;
+    }
+    const Triangle& ids = mesh.Triangles[t];
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const std::int64_t a = ids[c];
+      const std::int64_t b = ids[(c + 1) % 3];
+      edges.push_back({ std::min(a, b), std::max(a, b), static_cast<std::int64_t>(t), a < b });
+    }
+  }
+  std::sort(edges.begin(), edges.end(),
+    [](const HalfEdge& a, const HalfEdge& b)
+    {
+      return a.Low != b.Low ? a.Low < b.Low
+        : a.High != b.High  ? a.High < b.High
+                            : a.Triangle < b.Triangle;
+    });
+  return edges;
+}
+
+/// Calls visit(first, last) for each run of half edges on the same edge.
+template <typename Visit>
+void ForEachEdge(const std::vector<HalfEdge>& edges, Visit&& visit)
+{
+  for (auto first = edges.begin(); first != edges.end();)
+  {
+    auto last = first + 1;
+    while (last != edges.end() && last->SameEdge(*first))
+    {
+      ++last;
+    }
+    visit(first, last);
+    first = last;
+  }
+}
+
+/// Union-find with path halving.
+class TriangleSets
+{
+public:
+  explicit TriangleSets(std::size_t n)
+    : Parent(n)
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), std::size_t{ 0 });
+  }
+
+  std::size_t Find(std::size_t i)
+  {
+    while (this->Parent[i] != i)
+    {
+      i = this->Parent[i] = this->Parent[this->Parent[i]];
+    }
+    return i;
+  }
+
+  void Join(std::size_t a, std::size_t b)
+  {
+    a = this->Find(a);
+    b = this->Find(b);
+    this->Parent[std::max(a, b)] = std::min(a, b);
+  }
+
+private:
+  std::vector<std::size_t> Parent;
+};
+
+}
+
+#endif

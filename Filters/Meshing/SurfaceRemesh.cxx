@@ -1,0 +1,224 @@
+#include "SurfaceRemesh.h"
+
+#include "CGALSurface.h"
+#include "SurfaceCheck.h"
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+
+namespace isthmus
+{
+namespace
+{
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace SMS = CGAL::Surface_mesh_simplification;
+using cgal::Kernel;
+using cgal::SurfaceMesh;
+using Primitive = CGAL::AABB_face_graph_triangle_primitive<SurfaceMesh>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
+constexpr double MostTriangles = 5e7;
+
+void DemandManifold(const TriangleMesh& mesh)
+{
+  SurfaceDefects defects = FindDefects(mesh);
+  defects.BoundaryTriangles.clear();
+  if (!defects.None())
+  {
+    throw std::invalid_argument(defects.Sentence() + " Mend the surface before remeshing it.");
+  }
+}
+
+double Area(const TriangleMesh& mesh)
+{
+  double sum = 0.0;
+  for (const Triangle& t : mesh.Triangles)
+  {
+    const auto at = [&](std::size_t c) { return mesh.Points[static_cast<std::size_t>(t[c])]; };
+    const Point3 n = Cross(at(1) - at(0), at(2) - at(0));
+    sum += 0.5 * std::sqrt(Dot(n, n));
+  }
+  return sum;
+}
+
+/// The nearest points on the old surface.
+class OldSurface
+{
+public:
+  OldSurface(const TriangleMesh& triangles, const SurfaceMesh& mesh)
+    : Points(triangles.Points)
+    , Triangles(triangles.Triangles)
+    , Faces(faces(mesh).first, faces(mesh).second, mesh)
+  {
+    this->Faces.accelerate_distance_queries();
+  }
+
+  cgal::Point Nearest(const cgal::Point& p) const { return this->Faces.closest_point(p); }
+
+  SurfaceLocation Locate(const cgal::Point& p) const
+  {
+    const auto [nearest, face] = this->Faces.closest_point_and_primitive(p);
+    const Triangle& t = this->Triangles[face.idx()];
+    const auto at = [&](std::size_t c) { return this->Points[static_cast<std::size_t>(t[c])]; };
+    const Point3 x = cgal::FromCGAL(nearest) - at(0);
+    const Point3 u = at(1) - at(0);
+    const Point3 v = at(2) - at(0);
+    const double uu = Dot(u, u), uv = Dot(u, v), vv = Dot(v, v), xu = Dot(x, u), xv = Dot(x, v);
+    const double det = uu * vv - uv * uv; // not 0: triangles without area were refused
+    const double b = std::clamp((xu * vv - xv * uv) / det, 0.0, 1.0);
+    const double c = std::clamp((xv * uu - xu * uv) / det, 0.0, 1.0 - b);
+    return { static_cast<std::int64_t>(face.idx()), { 1.0 - b - c, b, c } };
+  }
+
+private:
+  const std::vector<Point3>& Points;
+  const std::vector<Triangle>& Triangles;
+  Tree Faces;
+};
+
+/// Every point of the new surface on the old one.
+RemeshedSurface Located(SurfaceMesh& remeshed, const OldSurface& old)
+{
+  RemeshedSurface result;
+  result.Mesh = cgal::FromSurfaceMesh(remeshed);
+  result.Locations.reserve(result.Mesh.Points.size());
+  for (const Point3& p : result.Mesh.Points)
+  {
+    result.Locations.push_back(old.Locate(cgal::ToCGAL(p)));
+  }
+  return result;
+}
+
+/// Puts moved points back onto the old surface; the only place where CGAL lets us speak.
+struct Projection
+{
+  const SurfaceMesh* Mesh;
+  const OldSurface* Old;
+  const ProgressCallback* Progress;
+  double Expected;
+  std::int64_t* Done;
+
+  cgal::Point operator()(SurfaceMesh::Vertex_index v) const
+  {
+    if (++*this->Done % 256 == 0)
+    {
+      Report(*this->Progress, std::min(1.0, static_cast<double>(*this->Done) / this->Expected));
+    }
+    return this->Old->Nearest(this->Mesh->point(v));
+  }
+};
+
+/// Stops at a number of edges; also where progress is told, since CGAL asks it for each collapse.
+struct StopAtEdges
+{
+  std::size_t Edges;
+  const ProgressCallback* Progress;
+
+  template <typename Cost, typename Profile>
+  bool operator()(const Cost&, const Profile&, std::size_t initial, std::size_t current) const
+  {
+    if (current % 1024 == 0)
+    {
+      Report(*this->Progress,
+        static_cast<double>(initial - current) / static_cast<double>(initial - this->Edges + 1));
+    }
+    return current <= this->Edges;
+  }
+};
+
+}
+
+RemeshedSurface RemeshSurface(const TriangleMesh& mesh, const SurfaceRemeshParameters& parameters,
+  const ProgressCallback& progress)
+{
+  if (mesh.Triangles.empty())
+  {
+    return {};
+  }
+  DemandManifold(mesh);
+  const double length = parameters.EdgeLength;
+  const double expected = Area(mesh) / (0.433 * length * length);
+  if (!(length > 0.0) || !(expected < MostTriangles))
+  {
+    throw std::invalid_argument("An edge length of " + std::to_string(length) +
+      " is not positive, or so small that more than 50 million triangles would come out.");
+  }
+  return cgal::WithSentence("remeshing the surface",
+    [&]
+    {
+      const SurfaceMesh before = cgal::ToSurfaceMesh(mesh);
+      const OldSurface old(mesh, before);
+      SurfaceMesh after = before;
+      auto isFeature =
+        after.add_property_map<SurfaceMesh::Edge_index, bool>("e:is_feature", false).first;
+      PMP::detect_sharp_edges(after, parameters.FeatureAngle, isFeature);
+      const auto rest = Between(progress, 0.05, 0.95);
+      std::int64_t done = 0;
+      const Projection projection{ &after, &old, &rest,
+        0.5 * expected * std::max(1, parameters.Iterations), &done };
+      PMP::isotropic_remeshing(faces(after), length, after,
+        CGAL::parameters::number_of_iterations(
+          static_cast<unsigned>(std::max(0, parameters.Iterations)))
+          .edge_is_constrained_map(isFeature)
+          .projection_functor(projection));
+      return Located(after, old);
+    });
+}
+
+RemeshedSurface SimplifySurface(
+  const TriangleMesh& mesh, std::int64_t triangles, const ProgressCallback& progress)
+{
+  if (mesh.Triangles.empty())
+  {
+    return {};
+  }
+  DemandManifold(mesh);
+  if (triangles < 1)
+  {
+    throw std::invalid_argument("The number of triangles to keep must be positive.");
+  }
+  return cgal::WithSentence("simplifying the surface",
+    [&]
+    {
+      const SurfaceMesh before = cgal::ToSurfaceMesh(mesh);
+      const OldSurface old(mesh, before);
+      SurfaceMesh after = before;
+      std::size_t border = 0;
+      for (const auto e : after.edges())
+      {
+        border += after.is_border(e) ? 1 : 0;
+      }
+      const auto rest = Between(progress, 0.05, 0.95);
+      const StopAtEdges stop{ (3 * static_cast<std::size_t>(triangles) + border) / 2, &rest };
+      SMS::edge_collapse(after, stop,
+        CGAL::parameters::get_cost(SMS::LindstromTurk_cost<SurfaceMesh>())
+          .get_placement(SMS::LindstromTurk_placement<SurfaceMesh>())
+          .filter(SMS::Bounded_normal_change_filter<>()));
+      return Located(after, old);
+    });
+}
+
+double MeanEdgeLength(const TriangleMesh& mesh)
+{
+  double sum = 0.0;
+  for (const Triangle& t : mesh.Triangles)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const Point3 edge = mesh.Points[static_cast<std::size_t>(t[(c + 1) % 3])] -
+        mesh.Points[static_cast<std::size_t>(t[c])];
+      sum += std::sqrt(Dot(edge, edge));
+    }
+  }
+  return mesh.Triangles.empty() ? 0.0 : sum / (3.0 * static_cast<double>(mesh.Triangles.size()));
+}
+
+}

@@ -1,0 +1,105 @@
+#include "vtkDelaunayIsosurface.h"
+
+#include "AlgorithmGuard.h"
+#include "ClosedLevelSet.h"
+#include "DelaunayIsosurface.h"
+#include "PolyDataMesh.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkDelaunayIsosurface);
+
+vtkDelaunayIsosurface::vtkDelaunayIsosurface()
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+int vtkDelaunayIsosurface::FillInputPortInformation(int, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+int vtkDelaunayIsosurface::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
+{
+  // Refinement sees all of the surface at once, so every rank would need the whole volume.
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* information = input[0]->GetInformationObject(0);
+  if (information->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    information->Set(Pipeline::UPDATE_EXTENT(), information->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+  return 1;
+}
+
+int vtkDelaunayIsosurface::RequestData(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  auto* image = vtkImageData::GetData(input[0]);
+  auto* surface = vtkPolyData::GetData(output);
+  return isthmus::Guarded(this, surface,
+    [&]
+    {
+      if (image->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      // ParaView names no array until its panel was applied once.
+      const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+      vtkDataArray* scalars = chosen && !*chosen ? image->GetPointData()->GetScalars()
+                                                 : this->GetInputArrayToProcess(0, input);
+      if (!scalars || scalars->GetNumberOfComponents() != 1)
+      {
+        throw std::invalid_argument(
+          "The volume has no point array of one component: choose one as scalars.");
+      }
+      const double* h = image->GetSpacing();
+      const double spacing = std::min({ h[0], h[1], h[2] });
+      isthmus::DelaunayIsosurfaceParameters parameters;
+      parameters.Level = this->Level;
+      parameters.InsideIsHigher = this->InsideIsHigher;
+      parameters.Angle = this->Angle;
+      parameters.Radius = this->Radius == 0.0 ? 1.5 * spacing : this->Radius;
+      parameters.Distance = this->Distance == 0.0 ? 0.25 * spacing : this->Distance;
+      parameters.MaximumPoints = this->MaximumNumberOfPoints;
+
+      const auto progress = isthmus::ProgressOf(this);
+      const isthmus::ClosedLevelSet level =
+        isthmus::CloseLevelSet(image, scalars, this->Level, this->InsideIsHigher);
+      isthmus::Report(progress, 0.05);
+      isthmus::DelaunayIsosurfaceResult result = isthmus::DelaunayIsosurface(
+        level.Field, level.Bounds, level.Guide, parameters, isthmus::Between(progress, 0.05, 1.0));
+      isthmus::ToWorld(image, result.Surface);
+      isthmus::SetMesh(result.Surface, surface);
+      surface->GetFieldData()->PassData(image->GetFieldData());
+      if (!result.Warning.empty())
+      {
+        vtkWarningMacro(<< result.Warning);
+      }
+    });
+}
+
+void vtkDelaunayIsosurface::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Level: " << this->Level << "\n";
+  os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
+  os << indent << "Angle: " << this->Angle << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Distance: " << this->Distance << "\n";
+  os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
+}

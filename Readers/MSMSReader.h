@@ -1,0 +1,55 @@
+/**
+ * @file MSMSReader.h
+ * @brief Reads molecular surfaces of the program MSMS: pairs of .vert and .face files.
+ *
+ * Format: M. F. Sanner, A. J. Olson, J.-C. Spehner, Biopolymers 38 (1996) 305, and the manual of
+ * MSMS 2.6. Lines that begin with # are comments; a line of counts (four numbers) may come first. A
+ * vertex is x y z nx ny nz face sphere type [atom], a face v1 v2 v3 type face, ids from 1.
+ */
+#ifndef isthmus_MSMSReader_h
+#define isthmus_MSMSReader_h
+
+#include "vtkIsthmusModule.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace isthmus
+{
+
+/// One surface or several, one after the other. Lengths in angstrom; ids from 0.
+struct MSMSSurface
+{
+  std::vector<std::array<double, 3>> Points;
+  std::vector<std::array<double, 3>> Normals; ///< as in the file: away from the molecule
+  std::vector<int> AnalyticFaceOfPoint;       ///< as in the file; 0: none
+  std::vector<int> SphereOfPoint;             ///< nearest atom, from 0 in the order of MSMS' input
+  std::vector<int>
+    TypeOfPoint; ///< 1 of a toric face, 2 within a reentrant, 3 within a contact face
+  std::vector<std::array<std::int64_t, 3>> Triangles;
+  std::vector<int> TypeOfTriangle; ///< 1 toric, 2 spheric reentrant, 3 contact
+  std::vector<int> AnalyticFaceOfTriangle;
+  std::vector<int> ComponentOfTriangle; ///< number of the file pair: 0 the one named, 1, 2, ...
+};
+
+/**
+ * Appends the surface of `file` (either of a pair) and its partner to `surface`. Throws
+ * std::runtime_error with file, line and reason when one of them is missing or not as described
+ * above. O(bytes).
+ */
+VTKISTHMUS_EXPORT void ReadMSMS(
+  const std::filesystem::path& file, int component, MSMSSurface& surface);
+
+/// The pairs that belong together: `file`, then X_1, X_2, ... as long as they exist.
+VTKISTHMUS_EXPORT std::vector<std::filesystem::path> MSMSComponents(
+  const std::filesystem::path& file);
+
+/// Does the file begin as MSMS' .vert or .face files do?
+VTKISTHMUS_EXPORT bool LooksLikeMSMS(const std::filesystem::path& file);
+
+}
+
+#endif

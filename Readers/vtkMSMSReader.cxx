@@ -1,0 +1,114 @@
+#include "vtkMSMSReader.h"
+
+#include "AlgorithmGuard.h"
+#include "MSMSReader.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkErrorCode.h>
+#include <vtkFloatArray.h>
+#include <vtkInformationVector.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkMSMSReader);
+
+namespace
+{
+
+void AddIntegers(vtkDataSetAttributes* to, const char* name, const std::vector<int>& values)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  to->AddArray(array);
+}
+
+void SetSurface(const isthmus::MSMSSurface& surface, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  for (std::size_t i = 0; i < surface.Points.size(); ++i)
+  {
+    points->InsertNextPoint(surface.Points[i].data());
+    normals->InsertNextTuple(surface.Normals[i].data());
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (const auto& t : surface.Triangles)
+  {
+    triangles->InsertNextCell({ t[0], t[1], t[2] });
+  }
+  output->SetPoints(points);
+  output->SetPolys(triangles);
+  output->GetPointData()->SetNormals(normals);
+  AddIntegers(output->GetPointData(), "AnalyticFace", surface.AnalyticFaceOfPoint);
+  AddIntegers(output->GetPointData(), "Atom", surface.SphereOfPoint);
+  AddIntegers(output->GetPointData(), "SurfaceType", surface.TypeOfPoint);
+  AddIntegers(output->GetCellData(), "SurfaceType", surface.TypeOfTriangle);
+  AddIntegers(output->GetCellData(), "AnalyticFace", surface.AnalyticFaceOfTriangle);
+  AddIntegers(output->GetCellData(), "Component", surface.ComponentOfTriangle);
+}
+
+}
+
+vtkMSMSReader::vtkMSMSReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkMSMSReader::~vtkMSMSReader()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkMSMSReader::CanReadFile(const char* fileName)
+{
+  return fileName && isthmus::LooksLikeMSMS(fileName) ? 1 : 0;
+}
+
+int vtkMSMSReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
+{
+  auto* surface = vtkPolyData::GetData(output);
+  this->SetErrorCode(vtkErrorCode::NoError);
+  const int result = isthmus::Guarded(this, surface,
+    [&]
+    {
+      if (!this->FileName || !*this->FileName)
+      {
+        throw std::invalid_argument("No file is named: set FileName to a .vert or .face file.");
+      }
+      const auto files = this->AllComponents ? isthmus::MSMSComponents(this->FileName)
+                                             : std::vector<std::filesystem::path>{ this->FileName };
+      isthmus::MSMSSurface read;
+      const auto progress = isthmus::ProgressOf(this);
+      for (std::size_t i = 0; i < files.size(); ++i)
+      {
+        isthmus::Report(progress, static_cast<double>(i) / static_cast<double>(files.size()));
+        isthmus::ReadMSMS(files[i], static_cast<int>(i), read);
+      }
+      SetSurface(read, surface);
+    });
+  if (!result)
+  {
+    this->SetErrorCode(vtkErrorCode::FileFormatError);
+  }
+  return result;
+}
+
+void vtkMSMSReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "AllComponents: " << this->AllComponents << "\n";
+}

@@ -1,0 +1,57 @@
+/**
+ * @class vtkMSMSReader
+ * @brief Reads molecular surfaces of the program MSMS (pairs of .vert and .face files).
+ *
+ * FileName is either file of the pair. MSMS writes a surface with cavities as X, X_1, X_2, ...; all
+ * of them are read unless AllComponents is off.
+ *
+ * Output: vtkPolyData of triangles in angstrom. Point arrays `Normals` (active normals, away from
+ * the molecule), `AnalyticFace`, `Atom` (nearest atom, from 0), `SurfaceType` (1 toric, 2
+ * reentrant, 3 contact); cell arrays `SurfaceType`, `AnalyticFace`, `Component` (0, 1, 2, ...:
+ * which pair). A missing, cut or foreign file: one sentence through vtkErrorMacro, error code,
+ * empty output.
+ */
+#ifndef vtkMSMSReader_h
+#define vtkMSMSReader_h
+
+#include "vtkIsthmusModule.h"
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKISTHMUS_EXPORT vtkMSMSReader : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkMSMSReader* New();
+  vtkTypeMacro(vtkMSMSReader, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Path of the .vert or the .face file.
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /// Read X_1, X_2, ... beside X, where they exist. Default on.
+  vtkSetMacro(AllComponents, bool);
+  vtkGetMacro(AllComponents, bool);
+  vtkBooleanMacro(AllComponents, bool);
+  ///@}
+
+  /// 1 when the file is named and begins as MSMS' files do.
+  static int CanReadFile(const char* fileName);
+
+protected:
+  vtkMSMSReader();
+  ~vtkMSMSReader() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkMSMSReader(const vtkMSMSReader&) = delete;
+  void operator=(const vtkMSMSReader&) = delete;
+
+  char* FileName = nullptr;
+  bool AllComponents = true;
+};
+
+#endif

@@ -1,0 +1,203 @@
+// Every mesher on damaged meshes and noise: each case ends in a mesh or in a sentence, never in a
+// crash or a hang. 50 cases in ctest; ISTHMUS_FUZZ_CASES=1000 in the environment asks for more.
+
+#include "ClosedLevelSet.h"
+#include "DelaunayIsosurface.h"
+#include "PolyDataMesh.h"
+#include "SurfaceCheck.h"
+#include "SurfaceRemesh.h"
+#include "SurfaceRepair.h"
+#include "TetrahedralMesher.h"
+
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkSphereSource.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <random>
+
+using namespace isthmus;
+
+namespace
+{
+
+using Random = std::mt19937_64;
+
+int Cases()
+{
+  const char* asked = std::getenv("ISTHMUS_FUZZ_CASES");
+  return asked ? std::atoi(asked) : 50;
+}
+
+std::size_t Below(Random& random, std::size_t n)
+{
+  return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
+}
+
+TriangleMesh SmallSphere(int resolution)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetThetaResolution(resolution);
+  source->SetPhiResolution(resolution);
+  source->Update();
+  return MeshOf(source->GetOutput());
+}
+
+/// One of the damages a mesh suffers on its way through programs.
+void Damage(TriangleMesh& mesh, Random& random)
+{
+  const std::size_t t = Below(random, mesh.Triangles.size());
+  const std::size_t p = Below(random, mesh.Points.size());
+  std::normal_distribution<double> normal;
+  switch (Below(random, 8))
+  {
+    case 0:
+      mesh.Triangles.erase(mesh.Triangles.begin() + static_cast<std::ptrdiff_t>(t));
+      break;
+    case 1:
+      std::swap(mesh.Triangles[t][0], mesh.Triangles[t][1]);
+      break;
+    case 2:
+      mesh.Triangles.push_back(mesh.Triangles[t]);
+      break;
+    case 3: // a spike, out or in, perhaps through the other side
+      mesh.Points[p] = (1.0 + normal(random)) * mesh.Points[p];
+      break;
+    case 4: // a little out of place: often still clean, with needles
+      mesh.Points[p] =
+        mesh.Points[p] + 0.05 * Point3{ normal(random), normal(random), normal(random) };
+      break;
+    case 5:
+      mesh.Points[p][Below(random, 3)] = std::numeric_limits<double>::quiet_NaN();
+      break;
+    case 6: // two points in one place, or nearly
+      mesh.Points[p] = mesh.Points[Below(random, mesh.Points.size())] +
+        (Below(random, 2) ? 0.0 : 1e-12) * Point3{ 1, 1, 1 };
+      break;
+    default:
+      mesh.Triangles[t][Below(random, 3)] =
+        static_cast<std::int64_t>(Below(random, mesh.Points.size() + 2)) - 1;
+  }
+}
+
+/// Runs `mesher` on damaged spheres and prints how the cases ended.
+void Fuzz(const char* name, const std::function<bool(const TriangleMesh&)>& mesher)
+{
+  std::map<std::string, int> ends;
+  for (int i = 0; i < Cases(); ++i)
+  {
+    Random random(static_cast<std::uint64_t>(i));
+    TriangleMesh mesh = SmallSphere(8 + static_cast<int>(Below(random, 8)));
+    for (std::size_t n = Below(random, 3) + (i % 10 ? 1 : 0); n > 0; --n)
+    {
+      Damage(mesh, random);
+    }
+    SCOPED_TRACE(std::string(name) + " case " + std::to_string(i));
+    try
+    {
+      EXPECT_TRUE(mesher(mesh)) << "an unsound mesh came out";
+      ++ends["a mesh"];
+    }
+    catch (const std::exception& error)
+    {
+      EXPECT_GT(std::string(error.what()).size(), 20u) << error.what();
+      ++ends[std::string(error.what()).substr(0, 24) + "..."];
+    }
+  }
+  for (const auto& [end, count] : ends)
+  {
+    std::printf("%-16s %5d x %s\n", name, count, end.c_str());
+  }
+}
+
+bool Fills(const TriangleMesh& mesh, const TetrahedralParameters& parameters)
+{
+  const TetrahedralMesh result = MeshTetrahedra(mesh, parameters);
+  return !result.Tetrahedra.empty();
+}
+
+}
+
+TEST(MeshingFuzz, TetGen)
+{
+  TetrahedralParameters parameters;
+  parameters.TetGen.Limits = { 5.0, std::uint64_t{ 2 } << 30 };
+  Fuzz("TetGen pYq", [&](const TriangleMesh& mesh) { return Fills(mesh, parameters); });
+  parameters.TetGen.KeepSurface = false;
+  parameters.Side = MeshedSide::Both;
+  Fuzz("TetGen pq both", [&](const TriangleMesh& mesh) { return Fills(mesh, parameters); });
+}
+
+TEST(MeshingFuzz, CGAL)
+{
+  TetrahedralParameters parameters;
+  parameters.Library = TetrahedralLibrary::CGAL;
+  parameters.CGAL.FacetSize = parameters.CGAL.CellSize = 0.2;
+  parameters.CGAL.MaximumPoints = 20000;
+  Fuzz("CGAL", [&](const TriangleMesh& mesh) { return Fills(mesh, parameters); });
+}
+
+TEST(MeshingFuzz, RepairThenTetGen)
+{
+  TetrahedralParameters parameters;
+  parameters.TetGen.Limits = { 5.0, std::uint64_t{ 2 } << 30 };
+  Fuzz("Repair, TetGen",
+    [&](const TriangleMesh& mesh) { return Fills(RepairSurface(mesh).Mesh, parameters); });
+}
+
+TEST(MeshingFuzz, Remesh)
+{
+  SurfaceRemeshParameters parameters;
+  parameters.EdgeLength = 0.1;
+  parameters.Iterations = 3;
+  Fuzz("Remesh",
+    [&](const TriangleMesh& mesh)
+    { return FindDefects(RemeshSurface(mesh, parameters).Mesh).NonManifoldTriangles.empty(); });
+  Fuzz("Simplify",
+    [](const TriangleMesh& mesh)
+    { return FindDefects(SimplifySurface(mesh, 60).Mesh).NonManifoldTriangles.empty(); });
+}
+
+TEST(MeshingFuzz, IsosurfacesOfNoise)
+{
+  std::map<std::string, int> ends;
+  for (int i = 0; i < Cases(); ++i)
+  {
+    Random random(static_cast<std::uint64_t>(i));
+    vtkNew<vtkImageData> image;
+    const int n = 3 + static_cast<int>(Below(random, 4));
+    image->SetDimensions(n, n, n);
+    vtkNew<vtkFloatArray> values;
+    for (vtkIdType v = 0; v < image->GetNumberOfPoints(); ++v)
+    {
+      // Every third case has few levels, where the level set may touch itself.
+      values->InsertNextValue(static_cast<float>(Below(random, i % 3 ? 1000 : 3)));
+    }
+    image->GetPointData()->SetScalars(values);
+    DelaunayIsosurfaceParameters parameters;
+    parameters.Level = i % 3 ? 700.5 : 0.5;
+    parameters.Radius = 0.5;
+    parameters.MaximumPoints = 20000;
+    try
+    {
+      const auto set = CloseLevelSet(image, values, parameters.Level, true);
+      const auto result = DelaunayIsosurface(set.Field, set.Bounds, set.Guide, parameters);
+      EXPECT_TRUE(FindDefects(result.Surface).None() || !result.Warning.empty());
+      ++ends[result.Warning.empty() ? "as marching cubes" : result.Warning.substr(0, 30)];
+    }
+    catch (const std::exception& error)
+    {
+      ++ends[std::string(error.what()).substr(0, 30)];
+    }
+  }
+  for (const auto& [end, count] : ends)
+  {
+    std::printf("%-16s %5d x %s\n", "Isosurface", count, end.c_str());
+  }
+}
