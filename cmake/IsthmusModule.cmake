@@ -2,9 +2,16 @@
 
 set(classes
   Filters/Curvature/vtkHessianCurvature
+  Filters/Meshing/vtkTetrahedralMesher
   Readers/vtkMRCMapReader)
 
+# The only sources that include CGAL, which needs -frounding-math and is slow to compile.
+set(cgal_sources
+  Filters/Meshing/CGALTetrahedra.cxx
+  Filters/Meshing/SurfaceRepair.cxx)
+
 set(sources
+  ${cgal_sources}
   Filters/Curvature/CurvatureDescriptors.cxx
   Filters/Curvature/CurvatureOfImage.cxx
   Filters/Curvature/FiniteDifference.cxx
@@ -13,6 +20,13 @@ set(sources
   Filters/Curvature/ImageExtent.cxx
   Filters/Curvature/PointDerivative.cxx
   Filters/Curvature/ShapeRows.cxx
+  Filters/Meshing/ChildProcess.cxx
+  Filters/Meshing/PolyDataMesh.cxx
+  Filters/Meshing/ShellNesting.cxx
+  Filters/Meshing/SurfaceCheck.cxx
+  Filters/Meshing/TetGenFiles.cxx
+  Filters/Meshing/TetGenProcess.cxx
+  Filters/Meshing/TetrahedralMesher.cxx
   Filters/Support/ParallelFor.cxx
   Readers/ByteSource.cxx
   Readers/CompressedSource.cxx
@@ -39,7 +53,7 @@ vtk_module_add_module(Isthmus::vtkIsthmus
   SOURCES ${sources})
 
 # Public, since the wrappers include every class by its bare name; installed headers lie flat.
-foreach (room IN ITEMS Filters/Support Filters/Curvature Readers)
+foreach (room IN ITEMS Filters/Support Filters/Curvature Filters/Meshing Readers)
   vtk_module_include(Isthmus::vtkIsthmus
     PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${room}>")
 endforeach ()
@@ -52,3 +66,10 @@ endif ()
 
 find_package(BZip2 REQUIRED)
 vtk_module_link(Isthmus::vtkIsthmus PRIVATE BZip2::BZip2)
+
+# Linked only, since CGAL's compile options would slow down everybody else's loops.
+find_package(CGAL 5.5 REQUIRED)
+vtk_module_link(Isthmus::vtkIsthmus PRIVATE "$<LINK_ONLY:CGAL::CGAL>")
+set_source_files_properties(${cgal_sources} PROPERTIES
+  COMPILE_OPTIONS "$<TARGET_PROPERTY:CGAL::CGAL,INTERFACE_COMPILE_OPTIONS>"
+  INCLUDE_DIRECTORIES "$<TARGET_PROPERTY:CGAL::CGAL,INTERFACE_INCLUDE_DIRECTORIES>")

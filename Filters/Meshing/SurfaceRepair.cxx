@@ -1,0 +1,189 @@
+#include "SurfaceRepair.h"
+
+#include "CGALSurface.h"
+#include "SurfaceCheck.h"
+
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+
+#include <map>
+#include <set>
+
+namespace isthmus
+{
+namespace
+{
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using cgal::SurfaceMesh;
+
+/// Points and triangles as CGAL's soup functions want them.
+struct Soup
+{
+  std::vector<cgal::Point> Points;
+  std::vector<std::vector<std::size_t>> Triangles;
+};
+
+/// What of `mesh` has finite, distinct points.
+Soup UsablePart(const TriangleMesh& mesh, const SurfaceDefects& defects)
+{
+  std::set<std::int64_t> badPoints(defects.InvalidPoints.begin(), defects.InvalidPoints.end());
+  std::set<std::int64_t> badTriangles(
+    defects.InvalidTriangles.begin(), defects.InvalidTriangles.end());
+  Soup soup;
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    const bool usable = badPoints.count(static_cast<std::int64_t>(i)) == 0;
+    soup.Points.push_back(usable ? cgal::ToCGAL(mesh.Points[i]) : cgal::Point(CGAL::ORIGIN));
+  }
+  for (std::size_t i = 0; i < mesh.Triangles.size(); ++i)
+  {
+    const Triangle& t = mesh.Triangles[i];
+    const bool usable = badTriangles.count(static_cast<std::int64_t>(i)) == 0 &&
+      badPoints.count(t[0]) + badPoints.count(t[1]) + badPoints.count(t[2]) == 0;
+    if (usable)
+    {
+      soup.Triangles.push_back({ static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]),
+        static_cast<std::size_t>(t[2]) });
+    }
+  }
+  return soup;
+}
+
+/// Number of holes filled; those that can't be stay open.
+std::size_t FillHoles(SurfaceMesh& mesh)
+{
+  std::vector<SurfaceMesh::Halfedge_index> borders;
+  PMP::extract_boundary_cycles(mesh, std::back_inserter(borders));
+  std::size_t filled = 0;
+  for (const auto border : borders)
+  {
+    std::vector<SurfaceMesh::Face_index> patch;
+    PMP::triangulate_hole(mesh, border, std::back_inserter(patch));
+    filled += patch.empty() ? 0 : 1;
+  }
+  return filled;
+}
+
+SurfaceMesh AsSurface(Soup soup)
+{
+  PMP::repair_polygon_soup(soup.Points, soup.Triangles);
+  PMP::orient_polygon_soup(soup.Points, soup.Triangles);
+  SurfaceMesh mesh;
+  PMP::polygon_soup_to_polygon_mesh(soup.Points, soup.Triangles, mesh);
+  PMP::stitch_borders(mesh);
+  return mesh;
+}
+
+std::string ChangesBetween(const SurfaceDefects& defects, const TriangleMesh& before,
+  const TriangleMesh& after, std::size_t holes, bool crossings)
+{
+  std::string text;
+  const auto add = [&text](const std::string& what)
+  { text += (text.empty() ? "" : ", ") + what; };
+  if (!defects.None())
+  {
+    add("removed what is invalid or double and turned triangles alike");
+  }
+  if (holes > 0)
+  {
+    add("filled " + std::to_string(holes) + (holes == 1 ? " hole" : " holes"));
+  }
+  if (crossings)
+  {
+    add("replaced triangles that crossed");
+  }
+  return text.empty()
+    ? text
+    : "Repair " + text + ": " + std::to_string(before.Triangles.size()) + " triangles became " +
+      std::to_string(after.Triangles.size()) + ".";
+}
+
+}
+
+std::vector<std::int64_t> SelfIntersections(
+  const TriangleMesh& mesh, const ProgressCallback& progress)
+{
+  return cgal::WithSentence("looking for self-intersections",
+    [&]
+    {
+      const SurfaceMesh surface = cgal::ToSurfaceMesh(mesh);
+      Report(progress, 0.2);
+      std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
+      PMP::self_intersections(surface, std::back_inserter(pairs));
+      std::set<std::int64_t> ids;
+      for (const auto& [a, b] : pairs)
+      {
+        ids.insert(static_cast<std::int64_t>(a.idx()));
+        ids.insert(static_cast<std::int64_t>(b.idx()));
+      }
+      return std::vector<std::int64_t>(ids.begin(), ids.end());
+    });
+}
+
+void DemandCleanSurface(const TriangleMesh& mesh)
+{
+  const std::string advice = " Switch on Repair, or mend the surface before.";
+  const SurfaceDefects defects = FindDefects(mesh);
+  if (!defects.None())
+  {
+    throw std::invalid_argument(defects.Sentence() + advice);
+  }
+  const std::vector<std::int64_t> crossing = SelfIntersections(mesh);
+  if (!crossing.empty())
+  {
+    throw std::invalid_argument("The surface intersects itself in " +
+      std::to_string(crossing.size()) + " triangles (" + FirstIds(crossing) + ")." + advice);
+  }
+}
+
+RepairedSurface RepairSurface(const TriangleMesh& mesh, const ProgressCallback& progress)
+{
+  return cgal::WithSentence("repairing the surface",
+    [&]
+    {
+      const SurfaceDefects defects = FindDefects(mesh);
+      SurfaceMesh surface = AsSurface(UsablePart(mesh, defects));
+      Report(progress, 0.3);
+      const std::size_t holes = FillHoles(surface);
+      if (surface.is_empty() || !CGAL::is_closed(surface))
+      {
+        throw std::invalid_argument("Nothing closed is left of the surface after repair: " +
+          (defects.None() ? std::string("it is empty.") : defects.Sentence()));
+      }
+      Report(progress, 0.5);
+      const bool crossings = PMP::does_self_intersect(surface);
+      if (crossings)
+      {
+        PMP::experimental::remove_self_intersections(
+          surface, CGAL::parameters::preserve_genus(false));
+      }
+      Report(progress, 0.9);
+      RepairedSurface result;
+      result.Mesh = cgal::FromSurfaceMesh(surface);
+      std::map<Point3, std::int64_t> original;
+      for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+      {
+        // Points that are not finite have no order, and none of them is left.
+        if (std::isfinite(mesh.Points[i][0] + mesh.Points[i][1] + mesh.Points[i][2]))
+        {
+          original.emplace(mesh.Points[i], static_cast<std::int64_t>(i));
+        }
+      }
+      for (const Point3& p : result.Mesh.Points)
+      {
+        const auto found = original.find(p);
+        result.OriginalPoints.push_back(found == original.end() ? -1 : found->second);
+      }
+      result.Changes = ChangesBetween(defects, mesh, result.Mesh, holes, crossings);
+      return result;
+    });
+}
+
+}

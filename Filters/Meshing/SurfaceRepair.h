@@ -1,0 +1,50 @@
+/**
+ * @file SurfaceRepair.h
+ * @brief Self-intersections of a surface, and what can be mended by CGAL.
+ */
+#ifndef isthmus_SurfaceRepair_h
+#define isthmus_SurfaceRepair_h
+
+#include "Progress.h"
+#include "TriangleMesh.h"
+#include "vtkIsthmusModule.h"
+
+#include <string>
+
+namespace isthmus
+{
+
+/**
+ * Ids of all triangles that cross or touch another one other than in a shared edge or point, by
+ * CGAL's Polygon_mesh_processing (exact predicates), in ascending order.
+ *
+ * @pre the mesh has no defects (SurfaceCheck.h). O(n log n + pairs found).
+ */
+VTKISTHMUS_EXPORT std::vector<std::int64_t> SelfIntersections(
+  const TriangleMesh& mesh, const ProgressCallback& progress = {});
+
+/// Throws std::invalid_argument with a sentence that names what is wrong, and where, unless `mesh`
+/// is closed, manifold, oriented and free of self-intersections.
+VTKISTHMUS_EXPORT void DemandCleanSurface(const TriangleMesh& mesh);
+
+struct RepairedSurface
+{
+  TriangleMesh Mesh;
+  std::vector<std::int64_t> OriginalPoints; ///< for each point: its id in the input, or -1
+  std::string Changes;                      ///< one sentence; empty when nothing was changed
+};
+
+/**
+ * A closed, manifold, outward oriented surface made of `mesh`: invalid and duplicate triangles
+ * removed, coinciding points merged, orientation made consistent (points duplicated where it can't
+ * be), holes filled, self-intersections removed (CGAL's experimental routine).
+ *
+ * It need not succeed: what comes out must be checked with DemandCleanSurface(). Throws
+ * std::invalid_argument when nothing closed is left.
+ */
+VTKISTHMUS_EXPORT RepairedSurface RepairSurface(
+  const TriangleMesh& mesh, const ProgressCallback& progress = {});
+
+}
+
+#endif

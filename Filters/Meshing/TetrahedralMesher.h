@@ -1,0 +1,110 @@
+/**
+ * @file TetrahedralMesher.h
+ * @brief Tetrahedra inside, outside or on both sides of a closed surface, by TetGen or by CGAL.
+ *
+ * TetGen: H. Si, ACM Trans. Math. Softw. 41 (2015) 11, doi:10.1145/2629697; run as a program of its
+ * own (TetGenProcess.h). CGAL: P. Alliez et al., 3D Mesh Generation, CGAL 5.5 User and Reference
+ * Manual; Delaunay refinement of J.-D. Boissonnat, S. Oudot, Graph. Models 67 (2005) 405.
+ */
+#ifndef isthmus_TetrahedralMesher_h
+#define isthmus_TetrahedralMesher_h
+
+#include "ChildProcess.h"
+#include "Progress.h"
+#include "ShellNesting.h"
+#include "TriangleMesh.h"
+#include "vtkIsthmusModule.h"
+
+#include <string>
+
+namespace isthmus
+{
+
+enum class TetrahedralLibrary
+{
+  TetGen,
+  CGAL
+};
+
+enum class MeshedSide
+{
+  Inside, ///< the solids
+  Outside, ///< what is between the solids and the box, cavities included
+  Both
+};
+
+/// Criteria of TetGen. Its switches are those of its manual, section 4.2.
+struct TetGenCriteria
+{
+  bool KeepSurface = true;      ///< no new point on the surface (Y): its triangles come out as faces
+  double RadiusEdgeRatio = 2.0; ///< circumradius / shortest edge at most (q); 0: no refinement
+  double MinimumDihedral = 0.0; ///< degrees (q/); 0: none asked
+  double MaximumVolume = 0.0;   ///< of a tetrahedron (a), in cubed units of the data; 0: none
+  std::string Command = "tetgen"; ///< found on PATH
+  ChildLimits Limits;
+};
+
+/// Criteria of CGAL (thesis, 4.4.1.5). Lengths are in units of the data; 0: a fortieth of the
+/// diagonal of the surface's box for sizes, a tenth of the facet size for the distance.
+struct CGALCriteria
+{
+  double FacetAngle = 25.0;         ///< smallest angle of a surface triangle, degrees, at most 30
+  double FacetSize = 0.0;           ///< radius of the surface Delaunay ball at most
+  double FacetDistance = 0.0;       ///< its centre to the triangle's circumcentre at most
+  double CellRadiusEdgeRatio = 2.0; ///< circumradius / shortest edge at most
+  double CellSize = 0.0;            ///< circumradius of a tetrahedron at most
+  std::int64_t MaximumPoints = 20'000'000; ///< refinement that passes it ends in an error
+};
+
+struct TetrahedralParameters
+{
+  TetrahedralLibrary Library = TetrahedralLibrary::TetGen;
+  MeshedSide Side = MeshedSide::Inside;
+  double BoxMargin = 0.5; ///< Outside, Both: distance of surface and box, in diagonals of the
+                          ///< surface's box
+  TetGenCriteria TetGen;
+  CGALCriteria CGAL;
+};
+
+/**
+ * Tetrahedra of the regions of ShellNesting on the side asked for; Regions holds their ids (solids
+ * 1, 2, ..., exterior 0, cavities -1, -2, ...).
+ *
+ * @pre `surface` is a closed, manifold, oriented surface without self-intersections, whatever way
+ * it faces; all of that is checked first.
+ * @throws std::invalid_argument with a sentence that names the defects and their triangles;
+ * std::runtime_error when the library fails, runs out of memory or time, or gives tetrahedra that
+ * do not fill the regions (TetGen with KeepSurface: to 1e-9 of their volume); Cancelled.
+ *
+ * Cost: TetGen some 150 bytes and 5 microseconds a tetrahedron, in its own process, and as much
+ * again on disk as text; CGAL some 500 bytes and 30 microseconds a tetrahedron.
+ */
+VTKISTHMUS_EXPORT TetrahedralMesh MeshTetrahedra(const TriangleMesh& surface,
+  const TetrahedralParameters& parameters, const ProgressCallback& progress = {});
+
+/// What the two libraries are given: a checked surface, its regions, the box where there is one.
+struct TetrahedralTask
+{
+  const TriangleMesh& Surface;
+  const ShellNesting& Nesting;
+  const TetrahedralParameters& Parameters;
+  TriangleMesh Box;     ///< 12 triangles facing outward; empty for MeshedSide::Inside
+  SpaceRegion Exterior; ///< between the surface and the box
+
+  /// Does the side asked for include the region of that id?
+  bool IsWanted(int region) const
+  {
+    const MeshedSide side = this->Parameters.Side;
+    return side == MeshedSide::Both || (region > 0) == (side == MeshedSide::Inside);
+  }
+};
+
+/// TetGen on a checked surface (TetGenProcess.cxx).
+TetrahedralMesh TetGenTetrahedra(const TetrahedralTask& task, const ProgressCallback& progress);
+
+/// CGAL's Mesh_3 on a checked surface (CGALTetrahedra.cxx).
+TetrahedralMesh CGALTetrahedra(const TetrahedralTask& task, const ProgressCallback& progress);
+
+}
+
+#endif
