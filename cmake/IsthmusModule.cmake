@@ -3,12 +3,16 @@
 set(classes
   Filters/Curvature/vtkHessianCurvature
   Filters/Meshing/vtkTetrahedralMesher
+  Filters/Topology/vtkChokingLoops
+  Filters/Topology/vtkLoopShortening
+  Filters/Topology/vtkOffsetSurface
   Readers/vtkMRCMapReader)
 
 # The only sources that include CGAL, which needs -frounding-math and is slow to compile.
 set(cgal_sources
   Filters/Meshing/CGALTetrahedra.cxx
-  Filters/Meshing/SurfaceRepair.cxx)
+  Filters/Meshing/SurfaceRepair.cxx
+  Filters/Topology/DelaunayFiltration.cxx)
 
 set(sources
   ${cgal_sources}
@@ -28,6 +32,24 @@ set(sources
   Filters/Meshing/TetGenProcess.cxx
   Filters/Meshing/TetrahedralMesher.cxx
   Filters/Support/ParallelFor.cxx
+  Filters/Topology/CellFiltration.cxx
+  Filters/Topology/ChokingLoops.cxx
+  Filters/Topology/ChokingLoopsOutput.cxx
+  Filters/Topology/ChokingSurface.cxx
+  Filters/Topology/EnclosureTest.cxx
+  Filters/Topology/FeatureMembrane.cxx
+  Filters/Topology/FiltrationPairs.cxx
+  Filters/Topology/LoopFeature.cxx
+  Filters/Topology/LoopShortening.cxx
+  Filters/Topology/LowerStarFiltration.cxx
+  Filters/Topology/SurfaceDistance.cxx
+  Filters/Topology/ShapeFeatures.cxx
+  Filters/Topology/SpaceRegions.cxx
+  Filters/Topology/SurfaceAdjacency.cxx
+  Filters/Topology/SurfaceGenerators.cxx
+  Filters/Topology/SurfaceHomology.cxx
+  Filters/Topology/SurfaceInComplex.cxx
+  Filters/Topology/SurfaceSampling.cxx
   Readers/ByteSource.cxx
   Readers/CompressedSource.cxx
   Readers/MRCFieldData.cxx
@@ -53,7 +75,8 @@ vtk_module_add_module(Isthmus::vtkIsthmus
   SOURCES ${sources})
 
 # Public, since the wrappers include every class by its bare name; installed headers lie flat.
-foreach (room IN ITEMS Filters/Support Filters/Curvature Filters/Meshing Readers)
+foreach (room IN ITEMS Filters/Support Filters/Curvature Filters/Meshing Filters/Topology
+  Readers)
   vtk_module_include(Isthmus::vtkIsthmus
     PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${room}>")
 endforeach ()
