@@ -90,9 +90,8 @@ endif ()
 find_package(BZip2 REQUIRED)
 vtk_module_link(Isthmus::vtkIsthmus PRIVATE BZip2::BZip2)
 
-# Linked only, since CGAL's compile options would slow down everybody else's loops.
+# Not linked as CGAL::CGAL, whose compile options would slow down everybody else's loops.
 find_package(CGAL 5.5 REQUIRED)
-vtk_module_link(Isthmus::vtkIsthmus PRIVATE "$<LINK_ONLY:CGAL::CGAL>")
-set_source_files_properties(${cgal_sources} PROPERTIES
-  COMPILE_OPTIONS "$<TARGET_PROPERTY:CGAL::CGAL,INTERFACE_COMPILE_OPTIONS>"
-  INCLUDE_DIRECTORIES "$<TARGET_PROPERTY:CGAL::CGAL,INTERFACE_INCLUDE_DIRECTORIES>")
+vtk_module_include(Isthmus::vtkIsthmus SYSTEM PRIVATE ${CGAL_INCLUDE_DIRS})
+vtk_module_link(Isthmus::vtkIsthmus PRIVATE ${MPFR_LIBRARIES} ${GMP_LIBRARIES})
+set_source_files_properties(${cgal_sources} PROPERTIES COMPILE_OPTIONS "-frounding-math")

@@ -120,18 +120,15 @@ private:
   mutable std::int64_t Queries = 0;
 };
 
-/// CGAL's domain of triangulated surfaces, with our regions, and points to start from on each
-/// shell, since CGAL's own (rays from the middle) miss small ones.
+/// CGAL's domain of triangulated surfaces, with our regions.
 class Domain : public CGAL::Polyhedral_mesh_domain_3<SurfaceMesh, Kernel>
 {
   using Base = CGAL::Polyhedral_mesh_domain_3<SurfaceMesh, Kernel>;
 
 public:
-  // CGAL copies no domain, but its feature layer forwards these.
   Domain(const Solids* solids, const std::vector<const SurfaceMesh*>& meshes)
     : Base(meshes.begin(), meshes.end())
     , Regions(solids)
-    , Surfaces(meshes)
   {
   }
 
@@ -147,38 +144,14 @@ public:
   };
   Is_in_domain is_in_domain_object() const { return { this->Regions }; }
 
-  struct Construct_initial_points
-  {
-    const Domain* Owner;
-
-    template <typename Output>
-    Output operator()(Output out, int count = 20) const
-    {
-      for (const SurfaceMesh* mesh : this->Owner->Surfaces)
-      {
-        const auto n = mesh->number_of_vertices();
-        const auto step = std::max<std::size_t>(1, n / static_cast<std::size_t>(count));
-        for (std::size_t i = 0; i < n; i += step)
-        {
-          const SurfaceMesh::Vertex_index v(static_cast<SurfaceMesh::size_type>(i));
-          *out++ = std::make_pair(mesh->point(v),
-            this->Owner->index_from_surface_patch_index(Surface_patch_index()));
-        }
-      }
-      return out;
-    }
-  };
-  Construct_initial_points construct_initial_points_object() const { return { this }; }
-
 private:
   const Solids* Regions;
-  std::vector<const SurfaceMesh*> Surfaces;
 };
 
 using DomainWithBox = CGAL::Mesh_domain_with_polyline_features_3<Domain>;
 using Triangulation = CGAL::Mesh_triangulation_3<DomainWithBox>::type;
-using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation,
-  DomainWithBox::Corner_index, DomainWithBox::Curve_index>;
+using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, DomainWithBox::Corner_index,
+  DomainWithBox::Curve_index>;
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
 /// `Size` around the surface, growing with the distance from its box.
@@ -257,7 +230,35 @@ CGALCriteria Sizes(CGALCriteria criteria, const Bounds3& bounds)
   return criteria;
 }
 
-Complex Refine(const DomainWithBox& domain, const Bounds3& bounds, const CGALCriteria& c)
+/// Points of each shell to start from, since CGAL's own choice (rays from the middle) misses small
+/// ones: middles of triangles, since a point on a sharp edge can keep refinement from ending.
+void AddSeeds(
+  const std::vector<const SurfaceMesh*>& shells, const DomainWithBox& domain, Complex& complex)
+{
+  constexpr std::size_t count = 20;
+  for (const SurfaceMesh* shell : shells)
+  {
+    const std::size_t n = shell->number_of_faces();
+    const std::size_t step = std::max<std::size_t>(1, n / count);
+    for (std::size_t i = 0; i < n; i += step)
+    {
+      const auto h =
+        shell->halfedge(SurfaceMesh::Face_index(static_cast<SurfaceMesh::size_type>(i)));
+      const Point middle = CGAL::centroid(shell->point(shell->source(h)),
+        shell->point(shell->target(h)), shell->point(shell->target(shell->next(h))));
+      const auto vertex = complex.triangulation().insert(Triangulation::Weighted_point(middle));
+      if (vertex != Triangulation::Vertex_handle()) // else hidden by the ball of a box edge
+      {
+        complex.set_dimension(vertex, 2);
+        complex.set_index(
+          vertex, domain.index_from_surface_patch_index(DomainWithBox::Surface_patch_index()));
+      }
+    }
+  }
+}
+
+Complex Refine(const DomainWithBox& domain, const std::vector<const SurfaceMesh*>& shells,
+  const Bounds3& bounds, const CGALCriteria& c)
 {
   namespace params = CGAL::parameters;
   const GrowingSize facets{ bounds, c.FacetSize };
@@ -266,8 +267,11 @@ Complex Refine(const DomainWithBox& domain, const Bounds3& bounds, const CGALCri
     params::facet_size = facets, params::facet_distance = c.FacetDistance,
     params::cell_radius_edge_ratio = c.CellRadiusEdgeRatio, params::cell_size = cells);
   CGAL::Mesh_error_code error{};
+  Complex complex;
+  CGAL::Mesh_3::internal::init_c3t3_with_features(complex, domain, criteria);
+  AddSeeds(shells, domain, complex);
   // No optimisation stage that stops by the clock, since its result would not be repeatable.
-  Complex complex = CGAL::make_mesh_3<Complex>(domain, criteria, params::no_perturb(),
+  CGAL::refine_mesh_3(complex, domain, criteria, params::no_reset_c3t3(), params::no_perturb(),
     params::no_exude(),
     params::mesh_3_options(
       params::maximal_number_of_vertices = static_cast<std::size_t>(c.MaximumPoints),
@@ -296,7 +300,7 @@ TetrahedralMesh CGALTetrahedra(const TetrahedralTask& task, const ProgressCallba
       {
         AddBoxEdges(task.Box, domain);
       }
-      return Extract(Refine(domain, bounds, criteria));
+      return Extract(Refine(domain, solids.Meshes(), bounds, criteria));
     });
 }
 

@@ -6,6 +6,7 @@
 #define isthmus_PolyDataMesh_h
 
 #include "TriangleMesh.h"
+#include "vtkIsthmusModule.h"
 
 #include <vtkPolyData.h>
 
@@ -14,10 +15,10 @@ namespace isthmus
 
 /// The polygons and strips of `surface` as triangles (vtkTriangleFilter where they are not), with
 /// all its points in their order. Vertices and lines are left out.
-TriangleMesh MeshOf(vtkPolyData* surface);
+VTKISTHMUS_EXPORT TriangleMesh MeshOf(vtkPolyData* surface);
 
 /// Makes `surface` the points (double) and triangles of `mesh`.
-void SetMesh(const TriangleMesh& mesh, vtkPolyData* surface);
+VTKISTHMUS_EXPORT void SetMesh(const TriangleMesh& mesh, vtkPolyData* surface);
 
 }
 

@@ -86,8 +86,7 @@ Point3 PointInside(const TriangleMesh& shell, const TriangleMesh& all)
   std::vector<std::pair<double, Triangle>> largest;
   for (const Triangle& t : shell.Triangles)
   {
-    const Point3 n =
-      Cross(At(shell, t[1]) - At(shell, t[0]), At(shell, t[2]) - At(shell, t[0]));
+    const Point3 n = Cross(At(shell, t[1]) - At(shell, t[0]), At(shell, t[2]) - At(shell, t[0]));
     largest.emplace_back(-Dot(n, n), t);
   }
   const std::size_t count = std::min(tries, largest.size());

@@ -35,8 +35,7 @@ std::vector<HalfEdge> SortedHalfEdges(const TriangleMesh& mesh, const std::vecto
     {
       const std::int64_t a = ids[c];
       const std::int64_t b = ids[(c + 1) % 3];
-      edges.push_back(
-        { std::min(a, b), std::max(a, b), static_cast<std::int64_t>(t), a < b });
+      edges.push_back({ std::min(a, b), std::max(a, b), static_cast<std::int64_t>(t), a < b });
     }
   }
   std::sort(edges.begin(), edges.end(),

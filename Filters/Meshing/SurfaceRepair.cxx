@@ -85,8 +85,7 @@ std::string ChangesBetween(const SurfaceDefects& defects, const TriangleMesh& be
   const TriangleMesh& after, std::size_t holes, bool crossings)
 {
   std::string text;
-  const auto add = [&text](const std::string& what)
-  { text += (text.empty() ? "" : ", ") + what; };
+  const auto add = [&text](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
   if (!defects.None())
   {
     add("removed what is invalid or double and turned triangles alike");
@@ -99,10 +98,9 @@ std::string ChangesBetween(const SurfaceDefects& defects, const TriangleMesh& be
   {
     add("replaced triangles that crossed");
   }
-  return text.empty()
-    ? text
-    : "Repair " + text + ": " + std::to_string(before.Triangles.size()) + " triangles became " +
-      std::to_string(after.Triangles.size()) + ".";
+  return text.empty() ? text
+                      : "Repair " + text + ": " + std::to_string(before.Triangles.size()) +
+      " triangles became " + std::to_string(after.Triangles.size()) + ".";
 }
 
 }

@@ -17,10 +17,10 @@ std::string Number(double value)
   return text;
 }
 
-/// TetGen's switches: p surface in, A regions, z ids from 0, N E F: no other files.
+/// TetGen's switches: p surface in, A regions, z ids from 0, F no files of faces and edges.
 std::string Switches(const TetGenCriteria& criteria)
 {
-  std::string text = "-pAzEF";
+  std::string text = "-pAzF";
   if (criteria.KeepSurface)
   {
     text += "Y";

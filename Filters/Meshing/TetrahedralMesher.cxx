@@ -123,8 +123,8 @@ void CheckVolumes(
 
 }
 
-TetrahedralMesh MeshTetrahedra(const TriangleMesh& surface,
-  const TetrahedralParameters& parameters, const ProgressCallback& progress)
+TetrahedralMesh MeshTetrahedra(const TriangleMesh& surface, const TetrahedralParameters& parameters,
+  const ProgressCallback& progress)
 {
   CheckParameters(parameters);
   if (surface.Triangles.empty())

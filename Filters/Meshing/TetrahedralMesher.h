@@ -28,7 +28,7 @@ enum class TetrahedralLibrary
 
 enum class MeshedSide
 {
-  Inside, ///< the solids
+  Inside,  ///< the solids
   Outside, ///< what is between the solids and the box, cavities included
   Both
 };
@@ -36,10 +36,10 @@ enum class MeshedSide
 /// Criteria of TetGen. Its switches are those of its manual, section 4.2.
 struct TetGenCriteria
 {
-  bool KeepSurface = true;      ///< no new point on the surface (Y): its triangles come out as faces
-  double RadiusEdgeRatio = 2.0; ///< circumradius / shortest edge at most (q); 0: no refinement
-  double MinimumDihedral = 0.0; ///< degrees (q/); 0: none asked
-  double MaximumVolume = 0.0;   ///< of a tetrahedron (a), in cubed units of the data; 0: none
+  bool KeepSurface = true; ///< no new point on the surface (Y): its triangles come out as faces
+  double RadiusEdgeRatio = 2.0;   ///< circumradius / shortest edge at most (q); 0: no refinement
+  double MinimumDihedral = 0.0;   ///< degrees (q/); 0: none asked
+  double MaximumVolume = 0.0;     ///< of a tetrahedron (a), in cubed units of the data; 0: none
   std::string Command = "tetgen"; ///< found on PATH
   ChildLimits Limits;
 };
@@ -53,7 +53,7 @@ struct CGALCriteria
   double FacetDistance = 0.0;       ///< its centre to the triangle's circumcentre at most
   double CellRadiusEdgeRatio = 2.0; ///< circumradius / shortest edge at most
   double CellSize = 0.0;            ///< circumradius of a tetrahedron at most
-  std::int64_t MaximumPoints = 20'000'000; ///< refinement that passes it ends in an error
+  std::int64_t MaximumPoints = 5'000'000; ///< refinement that passes it ends in an error
 };
 
 struct TetrahedralParameters
