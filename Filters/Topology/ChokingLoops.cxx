@@ -27,7 +27,7 @@ constexpr double UsualSamples = 20000.0;
 constexpr std::size_t MostSamples = 20'000'000;
 
 /// Rounds of refinement round features that the sampling blurs.
-constexpr int Rounds = 6;
+constexpr int Rounds = 3;
 
 /// Voids this persistent, relative to the side's reference length, deserve refinement.
 constexpr double WorthRefining = 0.05;

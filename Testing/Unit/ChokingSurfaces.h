@@ -32,31 +32,35 @@ namespace isthmus::testing
 inline TriangleMesh ReadOFF(const std::string& path)
 {
   std::ifstream in(path);
-  std::string word;
+  std::string line;
+  const auto next = [&in, &line] { // colours at the end of a line are nobody's business
+    std::getline(in, line);
+    return std::istringstream(line);
+  };
+  next();
   std::size_t points = 0;
   std::size_t faces = 0;
-  std::size_t edges = 0;
-  in >> word >> points >> faces >> edges;
+  next() >> points >> faces;
   TriangleMesh mesh;
   mesh.Points.resize(points);
   for (Point3& p : mesh.Points)
   {
-    in >> p[0] >> p[1] >> p[2];
+    next() >> p[0] >> p[1] >> p[2];
   }
   for (std::size_t f = 0; f < faces; ++f)
   {
+    std::istringstream words = next();
     std::size_t count = 0;
-    in >> count;
+    words >> count;
     std::vector<std::int64_t> ids(count);
     for (std::int64_t& id : ids)
     {
-      in >> id;
+      words >> id;
     }
     for (std::size_t k = 2; k < count; ++k)
     {
       mesh.Triangles.push_back({ ids[0], ids[k - 1], ids[k] });
     }
-    std::getline(in, word); // colours
   }
   return mesh;
 }
