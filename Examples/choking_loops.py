@@ -88,7 +88,7 @@ def show_diagram(loops, view):
 
 
 def numbers(loops):
-    lines = servermanager.Fetch(OutputPort(loops, 0))
+    lines = loops.GetClientSideObject().GetOutputDataObject(0)
     facts = lines.GetFieldData()
     value = lambda name, i=0: facts.GetArray(name).GetValue(i)
     print("handles %d, tunnels %d, additional loops %d inside and %d outside" % (

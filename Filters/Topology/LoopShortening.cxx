@@ -154,7 +154,8 @@ std::vector<Bend> Funnel(const Unfolded& plane, const Point2& p, const Point2& q
     left = right = edge;
     return edge;
   };
-  for (std::size_t i = 1; i <= n; ++i)
+  // Collinear corners may restart it in vain: a path has at most n bends.
+  for (std::size_t i = 1; i <= n && bends.size() <= n; ++i)
   {
     const Point2& newLeft = i < n ? plane.From[i] : q;
     const Point2& newRight = i < n ? plane.To[i] : q;
@@ -187,6 +188,11 @@ std::vector<Bend> Funnel(const Unfolded& plane, const Point2& p, const Point2& q
         continue;
       }
     }
+  }
+  // The end itself, met as a corner, is no bend.
+  while (!bends.empty() && bends.back().Edge >= n)
+  {
+    bends.pop_back();
   }
   return bends;
 }

@@ -7,13 +7,18 @@ from vtkmodules.vtkCommonCore import vtkObject
 
 
 def torus(ring, cross):
-    return SuperquadricSource(Toroidal=1, ThetaRoundness=1, PhiRoundness=1, Thickness=0.3,
-                              ThetaResolution=ring, PhiResolution=cross)
+    return Superquadric(Toroidal=1, ThetaRoundness=1, PhiRoundness=1, Thickness=0.3,
+                        ThetaResolution=ring, PhiResolution=cross)
 
 
 def surface(source):
     triangles = Triangulate(Input=Clean(Input=source, Tolerance=1e-6))
     return triangles
+
+
+def output(proxy, port):
+    """Fetch() of ParaView 5.11 gives port 0 whatever it is asked for."""
+    return proxy.GetClientSideObject().GetOutputDataObject(port)
 
 
 def field(data, name):
@@ -23,18 +28,18 @@ def field(data, name):
 shape = surface(torus(64, 48))
 loops = ChokingLoops(Input=shape)
 UpdatePipeline(proxy=loops)
-lines = servermanager.Fetch(OutputPort(loops, 0))
+lines = output(loops, 0)
 assert lines.GetNumberOfCells() == 2, lines.GetNumberOfCells()
 for name in ("Kind", "Side", "KindName", "Distance", "Death", "Persistence", "Trusted", "Length",
              "FeatureId", "Component"):
     assert lines.GetCellData().GetAbstractArray(name), name
 kinds = {lines.GetCellData().GetAbstractArray("KindName").GetValue(i) for i in range(2)}
 assert kinds == {"handle", "tunnel"}, kinds
-membranes = servermanager.Fetch(OutputPort(loops, 1))
+membranes = output(loops, 1)
 assert membranes.GetNumberOfCells() > 10 and membranes.GetCellData().GetArray("Area")
-points = servermanager.Fetch(OutputPort(loops, 2))
+points = output(loops, 2)
 assert points.GetNumberOfPoints() == 2 and points.GetPointData().GetArray("Radius")
-table = servermanager.Fetch(OutputPort(loops, 3))
+table = output(loops, 3)
 for name in ("Dimension", "Side", "Birth", "Death", "Persistence", "Kind"):
     assert table.GetColumnByName(name), name
 assert field(lines, "NumberOfHandles").GetValue(0) == 1
@@ -49,7 +54,7 @@ loops.Shortening = "Geodesic"
 started = time.time()
 UpdatePipeline(proxy=loops)
 took = time.time() - started
-lines = servermanager.Fetch(OutputPort(loops, 0))
+lines = output(loops, 0)
 assert lines.GetNumberOfCells() == 1
 assert [field(lines, "StageTimes").GetValue(i) for i in range(5)] == before
 assert max(lines.GetCellData().GetArray("Length").GetRange()) < length
@@ -62,9 +67,10 @@ UpdatePipeline(proxy=short)
 shorter = servermanager.Fetch(short)
 assert shorter.GetCellData().GetArray("Converged").GetRange() == (1.0, 1.0)
 
-offset = OffsetSurface(Input=shape, Distance=0.05)
+print("loop shortening passed", flush=True)
+offset = OffsetSurface(Input=shape, Distance=0.05, Resolution=24)
 UpdatePipeline(proxy=offset)
-assert servermanager.Fetch(offset).GetNumberOfCells() > 1000
+assert servermanager.Fetch(offset).GetNumberOfCells() > 300
 
 # An open surface ends in one sentence and empty outputs.
 half = Clip(Input=shape, ClipType="Plane")
@@ -72,6 +78,6 @@ opened = ExtractSurface(Input=half)
 vtkObject.GlobalWarningDisplayOff()
 bad = ChokingLoops(Input=Triangulate(Input=opened))
 UpdatePipeline(proxy=bad)
-assert servermanager.Fetch(OutputPort(bad, 0)).GetNumberOfCells() == 0
-assert servermanager.Fetch(OutputPort(bad, 3)).GetNumberOfRows() == 0
+assert output(bad, 0).GetNumberOfCells() == 0
+assert output(bad, 3).GetNumberOfRows() == 0
 print("passed")
