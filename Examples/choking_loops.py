@@ -52,7 +52,7 @@ def show_tubes(loops, kinds, colour, radius, view):
                        LowerThreshold=kinds[0], UpperThreshold=kinds[1])
     tubes = Tube(Input=ExtractSurface(Input=chosen), Radius=radius, NumberofSides=12)
     display = Show(tubes, view)
-    ColorBy(display, None)
+    display.ColorArrayName = ["POINTS", ""]
     display.DiffuseColor = colour
     display.AmbientColor = colour
     display.Specular = 0.4
@@ -65,7 +65,7 @@ def show_choke_points(loops, view):
                   OrientationArray=["POINTS", "No orientation array"])
     balls.GlyphType.Radius = 0.5
     display = Show(balls, view)
-    ColorBy(display, None)
+    display.ColorArrayName = ["POINTS", ""]
     display.DiffuseColor = display.AmbientColor = (0.20, 0.35, 0.65)
     display.Opacity = 0.9
 
@@ -116,7 +116,7 @@ def main(surface, picture="choking_loops.png", distance="100", persistence="5", 
     view.UseColorPaletteForBackground = 0
     view.Background = [1.0, 1.0, 1.0]
     surface_display = Show(shape, view)
-    ColorBy(surface_display, None)
+    surface_display.ColorArrayName = ["POINTS", ""]
     surface_display.DiffuseColor = surface_display.AmbientColor = GREY
     surface_display.Opacity = 0.35
     show_tubes(loops, (0, 1), RED, 0.004 * size, view)
