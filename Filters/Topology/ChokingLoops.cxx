@@ -148,7 +148,7 @@ struct ChokingLoops::Analysis
     {
       const ShapeFeature& f = this->Diagram.Features[i];
       const double reference = this->Diagram.Reference[static_cast<std::size_t>(f.Side)];
-      const bool generator = IsGenerator(f) && !f.Trusted;
+      const bool generator = IsGenerator(f) && (!f.Trusted || this->Membranes[i]->Loops.empty());
       const bool blurredVoid = f.Kind == FeatureKind::Noise && f.Dimension == 2 && !f.Trusted &&
         f.Persistence() > WorthRefining * reference;
       if (generator || blurredVoid)
@@ -185,10 +185,29 @@ ChokingLoops::ChokingLoops(
   times.Check = watch.Lap();
   const bool automatic = parameters.SampleSpacing <= 0.0;
   // Edges of a good mesh scatter round their mean: those up to 1.7 times it stay whole.
-  const double spacing =
+  double spacing =
     automatic ? 1.7 * EdgeLengthFor(surface, UsualSamples) : parameters.SampleSpacing;
-  surface = SplitLongEdges(
-    std::move(surface), [spacing](const Point3&, const Point3&) { return spacing; }, MostSamples);
+  const auto split = [&surface, &spacing](std::size_t most)
+  {
+    return SplitLongEdges(
+      surface, [&spacing](const Point3&, const Point3&) { return spacing; }, most);
+  };
+  TriangleMesh samples;
+  if (automatic)
+  {
+    // Needles take far more points than their area suggests.
+    const std::size_t most =
+      2 * surface.Points.size() + static_cast<std::size_t>(2.0 * UsualSamples);
+    for (samples = split(most); samples.Points.empty(); samples = split(most))
+    {
+      spacing *= 1.5;
+    }
+  }
+  else
+  {
+    samples = split(MostSamples);
+  }
+  surface = std::move(samples);
   if (surface.Points.empty())
   {
     throw std::runtime_error("Sampling the surface so finely takes more than " +

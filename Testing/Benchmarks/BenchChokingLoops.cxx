@@ -6,7 +6,6 @@
 #include <benchmark/benchmark.h>
 
 #if ISTHMUS_HAS_GUDHI
-#include <CGAL/Epeck_d.h>
 #include <gudhi/Alpha_complex_3d.h>
 #include <gudhi/Persistent_cohomology.h>
 #include <gudhi/Simplex_tree.h>
