@@ -197,7 +197,7 @@ ChokingLoops::ChokingLoops(
   {
     // Needles take far more points than their area suggests.
     const std::size_t most =
-      2 * surface.Points.size() + static_cast<std::size_t>(2.0 * UsualSamples);
+      4 * surface.Points.size() + static_cast<std::size_t>(5.0 * UsualSamples);
     for (samples = split(most); samples.Points.empty(); samples = split(most))
     {
       spacing *= 1.5;

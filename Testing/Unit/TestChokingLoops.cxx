@@ -213,10 +213,9 @@ INSTANTIATE_TEST_SUITE_P(Counts, SharedSurface,
     Expected{ "Kitten.off", 50, 15, 1, 1, -1 }, Expected{ "armadillo.obj", 50, 6, 0, 4, -1 },
     Expected{ "bunny.off", 75, 1.6, 0, 1, -1 }, Expected{ "sphere.off", 100, 5, 0, 0, 0 },
     Expected{ "torus.obj", 100, 5, 1, 0, 0 }, Expected{ "two-tori.obj", 100, 10, 2, -1, -1 },
-    Expected{ "1514499.stl", 100, 10, 15, -1, -1 }, Expected{ "knot1.off", 100, 10, 1, -1, -1 },
-    Expected{ "quadknot.obj", 100, 10, 1, -1, -1 }, Expected{ "eight.off", 100, 10, 2, -1, -1 },
-    Expected{ "3holes.off", 100, 10, 3, -1, -1 }, Expected{ "genus3.off", 100, 10, 3, -1, -1 },
-    Expected{ "helmet.off", 100, 10, 3, -1, -1 },
+    Expected{ "knot1.off", 100, 10, 1, -1, -1 }, Expected{ "quadknot.obj", 100, 10, 1, -1, -1 },
+    Expected{ "eight.off", 100, 10, 2, -1, -1 }, Expected{ "3holes.off", 100, 10, 3, -1, -1 },
+    Expected{ "genus3.off", 100, 10, 3, -1, -1 }, Expected{ "helmet.off", 100, 10, 3, -1, -1 },
     Expected{ "cup_input_simple_10000.off", 100, 10, 2, -1, -1 },
     Expected{ "skull_low_resolution.obj", 100, 10, 2, -1, -1 },
     Expected{ "65004.stl", 100, 10, 2, -1, -1 }, Expected{ "botijo.off", 100, 10, 5, -1, -1 },
@@ -243,13 +242,18 @@ TEST(ChokingLoops, TangleCube)
   EXPECT_EQ(counts[3], 1);
 }
 
-TEST(ChokingLoops, CastingHasNineOfEach)
+// Sheets nearer to each other than the samples: counts hold, loops may be missing (see Limits).
+TEST(ChokingLoops, CountsOfThinSheets)
 {
-  ISTHMUS_NEEDS_SHARED_DATA("surfaces/casting.off");
-  const ChokingLoops loops(ReadSurface("casting.off"));
-  const std::array<int, 4> counts = CountFeatures(loops, Percent(100, 10));
-  EXPECT_EQ(counts[0], 9);
-  EXPECT_EQ(counts[1], 9);
+  for (const auto& [file, genus] :
+    { std::make_pair("casting.off", 9), std::make_pair("1514499.stl", 15) })
+  {
+    ISTHMUS_NEEDS_SHARED_DATA(std::string("surfaces/") + file);
+    const ChokingLoops loops(ReadSurface(file));
+    const std::array<int, 4> counts = CountFeatures(loops, Percent(100, 10));
+    EXPECT_EQ(counts[0], genus) << file;
+    EXPECT_EQ(counts[1], genus) << file;
+  }
 }
 
 TEST(ChokingLoops, NeckOfADumbbell)
