@@ -15,6 +15,9 @@ set(classes
   Filters/Meshing/vtkSurfaceToGrid
   Filters/Meshing/vtkTetrahedralMesher
   Filters/Topology/vtkCellIncidence
+  Filters/Topology/vtkChokingLoops
+  Filters/Topology/vtkLoopShortening
+  Filters/Topology/vtkOffsetSurface
   Filters/Topology/vtkTetCutaway
   Readers/vtkCombinatorialMeshReader
   Readers/vtkCombinatorialMeshWriter
@@ -26,7 +29,8 @@ set(cgal_sources
   Filters/Meshing/CGALTetrahedra.cxx
   Filters/Meshing/DelaunayIsosurface.cxx
   Filters/Meshing/SurfaceRemesh.cxx
-  Filters/Meshing/SurfaceRepair.cxx)
+  Filters/Meshing/SurfaceRepair.cxx
+  Filters/Topology/DelaunayFiltration.cxx)
 
 set(sources
   ${cgal_sources}
@@ -80,12 +84,30 @@ set(sources
   Filters/Support/PolyDataTriangles.cxx
   Filters/Support/TriangleStars.cxx
   Filters/Topology/CellEdgeTable.cxx
+  Filters/Topology/CellFiltration.cxx
+  Filters/Topology/ChokingLoops.cxx
+  Filters/Topology/ChokingLoopsOutput.cxx
+  Filters/Topology/ChokingSurface.cxx
   Filters/Topology/CompactCombinatorialMap.cxx
   Filters/Topology/CutAndMerge.cxx
   Filters/Topology/EdgeTable.cxx
+  Filters/Topology/EnclosureTest.cxx
   Filters/Topology/FaceTable.cxx
+  Filters/Topology/FeatureMembrane.cxx
+  Filters/Topology/FiltrationPairs.cxx
   Filters/Topology/HalfFaceMatching.cxx
+  Filters/Topology/LoopFeature.cxx
+  Filters/Topology/LoopShortening.cxx
+  Filters/Topology/LowerStarFiltration.cxx
+  Filters/Topology/ShapeFeatures.cxx
+  Filters/Topology/SpaceRegions.cxx
   Filters/Topology/StarTable.cxx
+  Filters/Topology/SurfaceAdjacency.cxx
+  Filters/Topology/SurfaceDistance.cxx
+  Filters/Topology/SurfaceGenerators.cxx
+  Filters/Topology/SurfaceHomology.cxx
+  Filters/Topology/SurfaceInComplex.cxx
+  Filters/Topology/SurfaceSampling.cxx
   Filters/Topology/TetCutaway.cxx
   Readers/ByteSource.cxx
   Readers/CombinatorialMeshParser.cxx

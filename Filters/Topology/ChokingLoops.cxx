@@ -1,0 +1,335 @@
+#include "ChokingLoops.h"
+
+#include "ChokingSurface.h"
+#include "DelaunayFiltration.h"
+#include "LowerStarFiltration.h"
+#include "SurfaceSampling.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+namespace isthmus
+{
+namespace
+{
+
+std::size_t At(std::int64_t i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+/// Samples that automatic spacing spreads over a surface, however few points it has.
+constexpr double UsualSamples = 20000.0;
+
+/// More would take some 30 GB.
+constexpr std::size_t MostSamples = 20'000'000;
+
+/// Rounds of refinement round features that the sampling blurs.
+constexpr int Rounds = 3;
+
+/// Voids this persistent, relative to the side's reference length, deserve refinement.
+constexpr double WorthRefining = 0.05;
+
+/// Seconds since it was made or last asked.
+class Stopwatch
+{
+public:
+  double Lap()
+  {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> passed = now - this->Last;
+    this->Last = now;
+    return passed.count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point Last = std::chrono::steady_clock::now();
+};
+
+bool IsGenerator(const ShapeFeature& feature)
+{
+  return feature.Kind == FeatureKind::Handle || feature.Kind == FeatureKind::Tunnel;
+}
+
+/// Where the samples should lie closer, and how close.
+struct Refinement
+{
+  Point3 Centre;
+  double Radius;
+  double EdgeLength;
+};
+
+/// More places than this mean that the sampling is too coarse everywhere.
+constexpr std::size_t ManyPlaces = 64;
+
+/// Points that refinement may add, beside doubling what there are.
+constexpr std::size_t MorePoints = 100000;
+
+/// An empty mesh when it would take too many points.
+TriangleMesh Refined(
+  const TriangleMesh& mesh, const std::vector<Refinement>& wanted, double spacing)
+{
+  const double everywhere = wanted.size() > ManyPlaces ? 0.6 * spacing : HUGE_VAL;
+  return SplitLongEdges(
+    mesh,
+    [&wanted, everywhere](const Point3& a, const Point3& b)
+    {
+      double limit = everywhere;
+      if (std::isfinite(everywhere))
+      {
+        return limit;
+      }
+      const Point3 middle = 0.5 * (a + b);
+      const double half2 = 0.25 * Dot(b - a, b - a);
+      for (const Refinement& r : wanted)
+      {
+        const Point3 d = middle - r.Centre;
+        const double reach = r.Radius + std::sqrt(half2);
+        limit = Dot(d, d) < reach * reach ? std::min(limit, r.EdgeLength) : limit;
+      }
+      return limit;
+    },
+    MorePoints + 2 * mesh.Points.size());
+}
+
+}
+
+/// Everything known about a surface. Built in order, since each part refers to those before.
+struct ChokingLoops::Analysis
+{
+  Analysis(TriangleMesh samples, CellFiltration filtration, std::vector<double> errors,
+    ChokingLoopTimes& times, const ProgressCallback& progress)
+    : Samples(std::move(samples))
+    , Filtration(std::move(filtration))
+    , Pairs(Filtration, Between(progress, 0.0, 0.5))
+    , Adjacency(Samples)
+    , Homology(Adjacency)
+    , Embedding(Adjacency, Filtration)
+    , Context{ Filtration, Pairs, Homology, Embedding, Adjacency, std::move(errors) }
+    , Regions(Context)
+  {
+    times.Pairing += this->Watch.Lap();
+    this->Diagram = ShapeFeatures(this->Context, this->Regions, Between(progress, 0.5, 0.9));
+    this->Membranes.resize(this->Diagram.Features.size());
+    this->MakeGeneratorLoops();
+    times.Features += this->Watch.Lap();
+  }
+
+  // All at once, since each must be independent of those before.
+  void MakeGeneratorLoops()
+  {
+    HomologySpan span;
+    for (std::size_t i = 0; i < this->Membranes.size(); ++i)
+    {
+      if (IsGenerator(this->Diagram.Features[i]))
+      {
+        this->Membranes[i] =
+          FeatureMembrane(this->Context, this->Regions, this->Diagram.Features[i], &span);
+      }
+    }
+  }
+
+  Point3 Centre(const ShapeFeature& feature) const
+  {
+    const auto& t = this->Filtration.Triangles[At(feature.Choke)];
+    const Point3& p = this->Filtration.Points[At(t[0])];
+    const Point3& q = this->Filtration.Points[At(t[1])];
+    const Point3& r = this->Filtration.Points[At(t[2])];
+    return this->Context.PointError.empty() ? (1.0 / 3.0) * (p + q + r) : Circumcentre(p, q, r);
+  }
+
+  /// Features that a finer sampling would settle.
+  std::vector<Refinement> Blurred() const
+  {
+    std::vector<Refinement> wanted;
+    for (std::size_t i = 0; i < this->Membranes.size(); ++i)
+    {
+      const ShapeFeature& f = this->Diagram.Features[i];
+      const double reference = this->Diagram.Reference[static_cast<std::size_t>(f.Side)];
+      const bool generator = IsGenerator(f) && (!f.Trusted || this->Membranes[i]->Loops.empty());
+      const bool blurredVoid = f.Kind == FeatureKind::Noise && f.Dimension == 2 && !f.Trusted &&
+        f.Persistence() > WorthRefining * reference;
+      if (generator || blurredVoid)
+      {
+        const double gap = std::sqrt(std::max(0.0, f.Death * f.Death - f.Birth * f.Birth));
+        wanted.push_back({ this->Centre(f), 2.0 * f.Distance() + f.Error,
+          std::min(0.9 * gap, 0.7 * std::sqrt(3.0) * f.Error) });
+      }
+    }
+    return wanted;
+  }
+
+  Stopwatch Watch;
+  TriangleMesh Samples;
+  CellFiltration Filtration;
+  FiltrationPairs Pairs;
+  SurfaceAdjacency Adjacency;
+  SurfaceHomology Homology;
+  SurfaceInComplex Embedding;
+  FeatureContext Context;
+  SpaceRegions Regions;
+  FeatureDiagram Diagram;
+  std::vector<std::optional<Membrane>> Membranes;
+  ChokingLoopTimes Times;
+};
+
+ChokingLoops::ChokingLoops(
+  TriangleMesh surface, const ChokingLoopParameters& parameters, const ProgressCallback& progress)
+{
+  ChokingLoopTimes times;
+  Stopwatch watch;
+  surface = CheckedSurface(
+    std::move(surface), parameters.AllowSelfIntersections, Between(progress, 0.0, 0.2));
+  times.Check = watch.Lap();
+  const bool automatic = parameters.SampleSpacing <= 0.0;
+  // Edges of a good mesh scatter round their mean: those up to 1.7 times it stay whole.
+  double spacing =
+    automatic ? 1.7 * EdgeLengthFor(surface, UsualSamples) : parameters.SampleSpacing;
+  const auto split = [&surface, &spacing](std::size_t most)
+  {
+    return SplitLongEdges(
+      surface, [&spacing](const Point3&, const Point3&) { return spacing; }, most);
+  };
+  TriangleMesh samples;
+  if (automatic)
+  {
+    // Needles take far more points than their area suggests.
+    const std::size_t most =
+      4 * surface.Points.size() + static_cast<std::size_t>(5.0 * UsualSamples);
+    for (samples = split(most); samples.Points.empty(); samples = split(most))
+    {
+      spacing *= 1.5;
+    }
+  }
+  else
+  {
+    samples = split(MostSamples);
+  }
+  surface = std::move(samples);
+  if (surface.Points.empty())
+  {
+    throw std::runtime_error("Sampling the surface so finely takes more than " +
+      std::to_string(MostSamples) + " points: raise the sample spacing.");
+  }
+  times.Sampling = watch.Lap();
+  for (int round = 0;; ++round)
+  {
+    // Later rounds are the exception: each takes half of what is left of the bar.
+    const double from = 1.0 - 0.8 * std::pow(0.5, round);
+    const auto part = Between(progress, from, 0.5 * (1.0 + from));
+    std::vector<double> errors = SamplingErrors(surface);
+    CellFiltration filtration = DelaunayFiltration(surface.Points, Between(part, 0.0, 0.6));
+    times.Filtration += watch.Lap();
+    this->State = std::make_unique<Analysis>(
+      std::move(surface), std::move(filtration), std::move(errors), times, Between(part, 0.6, 1.0));
+    watch.Lap();
+    const std::vector<Refinement> blurred = this->State->Blurred();
+    if (!automatic || round == Rounds || blurred.empty())
+    {
+      break;
+    }
+    surface = Refined(this->State->Samples, blurred, spacing * std::pow(0.6, round));
+    times.Sampling += watch.Lap();
+    if (surface.Points.empty())
+    {
+      break; // too much to ask: what is blurred stays marked as not trusted
+    }
+  }
+  this->State->Times = times;
+  Report(progress, 1.0);
+}
+
+ChokingLoops::ChokingLoops(const TriangleMesh& surface, const TetrahedralMesh& mesh,
+  const std::vector<double>& values, const ProgressCallback& progress)
+{
+  ChokingLoopTimes times;
+  Stopwatch watch;
+  TriangleMesh checked = CheckedSurface(surface, true, Between(progress, 0.0, 0.1));
+  times.Check = watch.Lap();
+  CellFiltration filtration =
+    LowerStarFiltration(mesh, values, checked, Between(progress, 0.1, 0.5));
+  times.Filtration = watch.Lap();
+  this->State = std::make_unique<Analysis>(std::move(checked), std::move(filtration),
+    std::vector<double>{}, times, Between(progress, 0.5, 1.0));
+  this->State->Times = times;
+}
+
+ChokingLoops::~ChokingLoops() = default;
+ChokingLoops::ChokingLoops(ChokingLoops&&) noexcept = default;
+ChokingLoops& ChokingLoops::operator=(ChokingLoops&&) noexcept = default;
+
+const FeatureDiagram& ChokingLoops::Diagram() const
+{
+  return this->State->Diagram;
+}
+
+const TriangleMesh& ChokingLoops::Samples() const
+{
+  return this->State->Samples;
+}
+
+const SurfaceAdjacency& ChokingLoops::Adjacency() const
+{
+  return this->State->Adjacency;
+}
+
+const SurfaceHomology& ChokingLoops::Homology() const
+{
+  return this->State->Homology;
+}
+
+const ChokingLoopTimes& ChokingLoops::Times() const
+{
+  return this->State->Times;
+}
+
+double ChokingLoops::LargestError() const
+{
+  const auto& errors = this->State->Context.PointError;
+  return errors.empty() ? 0.0 : *std::max_element(errors.begin(), errors.end());
+}
+
+std::vector<std::size_t> ChokingLoops::Select(const FeatureSelection& selection) const
+{
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < this->State->Diagram.Features.size(); ++i)
+  {
+    const ShapeFeature& f = this->State->Diagram.Features[i];
+    const double reference = this->State->Diagram.Reference[static_cast<std::size_t>(f.Side)];
+    const bool near = f.Distance() <= selection.MaximumDistance.Of(reference) * (1.0 + 1e-9);
+    const bool side = f.Side == SpaceSide::Inside ? selection.Inside : selection.Outside;
+    const bool wanted = IsGenerator(f) ? near || selection.AlwaysReportHandles
+                                       : f.Kind == FeatureKind::Additional && near &&
+        f.Persistence() >= selection.MinimumPersistence.Of(reference);
+    if (side && wanted)
+    {
+      chosen.push_back(i);
+    }
+  }
+  return chosen;
+}
+
+const Membrane& ChokingLoops::MembraneOf(std::size_t feature)
+{
+  std::optional<Membrane>& membrane = this->State->Membranes[feature];
+  if (!membrane)
+  {
+    membrane = FeatureMembrane(
+      this->State->Context, this->State->Regions, this->State->Diagram.Features[feature]);
+  }
+  return *membrane;
+}
+
+const Membrane& ChokingLoops::MembraneOfMade(std::size_t feature) const
+{
+  return this->State->Membranes[feature].value();
+}
+
+Point3 ChokingLoops::ChokePoint(std::size_t feature) const
+{
+  return this->State->Centre(this->State->Diagram.Features[feature]);
+}
+
+}

@@ -1,0 +1,25 @@
+/**
+ * @file ChokingSurface.h
+ * @brief What choking loops ask of a surface, and how it is told when it does not comply.
+ */
+#ifndef isthmus_ChokingSurface_h
+#define isthmus_ChokingSurface_h
+
+#include "Progress.h"
+#include "TriangleMesh.h"
+#include "vtkIsthmusModule.h"
+
+namespace isthmus
+{
+
+/**
+ * `surface` with coinciding points merged and unused ones left out, if it is closed, manifold,
+ * consistently oriented, finite, between 1e-40 and 1e40 in size and, unless `allowCrossings`, free
+ * of self-intersections. Else std::invalid_argument with a sentence that names the triangles.
+ */
+VTKISTHMUS_EXPORT TriangleMesh CheckedSurface(
+  TriangleMesh surface, bool allowCrossings, const ProgressCallback& progress = {});
+
+}
+
+#endif

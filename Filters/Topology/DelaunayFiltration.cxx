@@ -1,0 +1,260 @@
+#include "DelaunayFiltration.h"
+
+#include "ParallelFor.h"
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Delaunay_triangulation_cell_base_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace isthmus
+{
+namespace
+{
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using ExactKernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<SimplexId, Kernel>;
+using CellBase = CGAL::Triangulation_cell_base_with_info_3<SimplexId, Kernel,
+  CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+using Delaunay = CGAL::Delaunay_triangulation_3<Kernel,
+  CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
+
+/// Below this sine-like measure the plain formula could be wrong by more than 1e-9.
+constexpr double FlatnessLimit = 1e-6;
+
+std::size_t At(SimplexId i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+template <typename K>
+typename K::Point_3 PointOf(const Point3& p)
+{
+  return typename K::Point_3(p[0], p[1], p[2]);
+}
+
+double SquaredRadius(const Point3& p, const Point3& q, const Point3& r, const Point3& s)
+{
+  const Point3 a = q - p;
+  const Point3 b = r - p;
+  const Point3 c = s - p;
+  const double aa = Dot(a, a);
+  const double bb = Dot(b, b);
+  const double cc = Dot(c, c);
+  const Point3 bc = Cross(b, c);
+  const double det = Dot(a, bc);
+  if (det * det <= FlatnessLimit * FlatnessLimit * aa * bb * cc)
+  {
+    return CGAL::to_double(CGAL::squared_radius(PointOf<ExactKernel>(p), PointOf<ExactKernel>(q),
+      PointOf<ExactKernel>(r), PointOf<ExactKernel>(s)));
+  }
+  const Point3 centre = aa * bc + bb * Cross(c, a) + cc * Cross(a, b);
+  return Dot(centre, centre) / (4.0 * det * det);
+}
+
+double SquaredRadius(const Point3& p, const Point3& q, const Point3& r)
+{
+  const Point3 a = q - p;
+  const Point3 b = r - p;
+  const Point3 c = r - q;
+  const double aa = Dot(a, a);
+  const double bb = Dot(b, b);
+  const Point3 normal = Cross(a, b);
+  const double nn = Dot(normal, normal);
+  if (nn <= FlatnessLimit * FlatnessLimit * aa * bb)
+  {
+    return CGAL::to_double(CGAL::squared_radius(
+      PointOf<ExactKernel>(p), PointOf<ExactKernel>(q), PointOf<ExactKernel>(r)));
+  }
+  return aa * bb * Dot(c, c) / (4.0 * nn);
+}
+
+// Point by point in spatial order, each located from the last, so that it can be stopped.
+void Triangulate(
+  const std::vector<Point3>& points, Delaunay& triangulation, const ProgressCallback& progress)
+{
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::vector<Kernel::Point_3> sites;
+  sites.reserve(points.size());
+  for (const Point3& p : points)
+  {
+    sites.push_back(PointOf<Kernel>(p));
+  }
+  using Map = CGAL::Pointer_property_map<Kernel::Point_3>::type;
+  CGAL::spatial_sort(order.begin(), order.end(),
+    CGAL::Spatial_sort_traits_adapter_3<Kernel, Map>(CGAL::make_property_map(sites)));
+  Delaunay::Vertex_handle hint;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    hint = triangulation.insert(sites[order[i]], hint);
+    hint->info() = static_cast<SimplexId>(order[i]);
+    if (i % 8192 == 0)
+    {
+      Report(progress, static_cast<double>(i) / static_cast<double>(order.size()));
+    }
+  }
+  if (triangulation.dimension() < 3)
+  {
+    throw std::invalid_argument("The surface has " + std::to_string(points.size()) +
+      " points that all lie in one plane: it encloses nothing.");
+  }
+}
+
+void TakeCells(const Delaunay& triangulation, CellFiltration& f)
+{
+  for (auto c = triangulation.all_cells_begin(); c != triangulation.all_cells_end(); ++c)
+  {
+    c->info() = -1;
+  }
+  SimplexId count = 0;
+  for (auto c = triangulation.finite_cells_begin(); c != triangulation.finite_cells_end(); ++c)
+  {
+    c->info() = count++;
+  }
+  f.Tetrahedra.resize(At(count));
+  f.Neighbours.resize(At(count));
+  for (auto c = triangulation.finite_cells_begin(); c != triangulation.finite_cells_end(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      f.Tetrahedra[At(c->info())][At(k)] = c->vertex(k)->info();
+      f.Neighbours[At(c->info())][At(k)] = c->neighbor(k)->info();
+    }
+  }
+}
+
+/// The corner of tetrahedron `cell` that is not on `triangle`.
+SimplexId Opposite(
+  const CellFiltration& f, SimplexId cell, const std::array<SimplexId, 3>& triangle)
+{
+  for (const SimplexId p : f.Tetrahedra[At(cell)])
+  {
+    if (p != triangle[0] && p != triangle[1] && p != triangle[2])
+    {
+      return p;
+    }
+  }
+  return -1;
+}
+
+double TriangleValue(const CellFiltration& f, std::size_t i)
+{
+  const auto& t = f.Triangles[i];
+  const auto p = [&f](SimplexId id) { return PointOf<Kernel>(f.Points[At(id)]); };
+  bool gabriel = true;
+  double lowest = HUGE_VAL;
+  for (const SimplexId cell : f.TriangleSides[i])
+  {
+    if (cell < 0)
+    {
+      continue;
+    }
+    lowest = std::min(lowest, f.TetrahedronValue[At(cell)]);
+    gabriel = gabriel &&
+      CGAL::side_of_bounded_sphere(p(t[0]), p(t[1]), p(t[2]), p(Opposite(f, cell, t))) !=
+        CGAL::ON_BOUNDED_SIDE;
+  }
+  if (!gabriel)
+  {
+    return lowest;
+  }
+  return std::min(
+    lowest, SquaredRadius(f.Points[At(t[0])], f.Points[At(t[1])], f.Points[At(t[2])]));
+}
+
+/// Edges: the triangles beside decide whether the edge's own sphere is empty.
+void ValueEdges(CellFiltration& f)
+{
+  f.EdgeValue.assign(f.Edges.size(), HUGE_VAL);
+  std::vector<char> gabriel(f.Edges.size(), 1);
+  for (std::size_t i = 0; i < f.Triangles.size(); ++i)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const auto e = At(f.TriangleEdges[i][k]);
+      f.EdgeValue[e] = std::min(f.EdgeValue[e], f.TriangleValue[i]);
+      const Point3& w = f.Points[At(f.Triangles[i][k])];
+      const Point3& u = f.Points[At(f.Edges[e][0])];
+      const Point3& v = f.Points[At(f.Edges[e][1])];
+      const double angle = Dot(u - w, v - w);
+      const double scale = Dot(u - v, u - v);
+      if (angle < -1e-12 * scale ||
+        (angle < 1e-12 * scale &&
+          CGAL::side_of_bounded_sphere(
+            PointOf<Kernel>(u), PointOf<Kernel>(v), PointOf<Kernel>(w)) == CGAL::ON_BOUNDED_SIDE))
+      {
+        gabriel[e] = 0;
+      }
+    }
+  }
+  for (std::size_t e = 0; e < f.Edges.size(); ++e)
+  {
+    if (gabriel[e])
+    {
+      const Point3 d = f.Points[At(f.Edges[e][1])] - f.Points[At(f.Edges[e][0])];
+      f.EdgeValue[e] = std::min(f.EdgeValue[e], 0.25 * Dot(d, d));
+    }
+  }
+}
+
+void ValueCells(CellFiltration& f, const ProgressCallback& progress)
+{
+  f.TetrahedronValue.resize(f.Tetrahedra.size());
+  ParallelFor(
+    0, static_cast<std::int64_t>(f.Tetrahedra.size()), 4096,
+    [&f](std::int64_t begin, std::int64_t end)
+    {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        const auto& t = f.Tetrahedra[i];
+        f.TetrahedronValue[i] = SquaredRadius(
+          f.Points[At(t[0])], f.Points[At(t[1])], f.Points[At(t[2])], f.Points[At(t[3])]);
+      }
+    },
+    Between(progress, 0.6, 0.7));
+  f.TriangleValue.resize(f.Triangles.size());
+  ParallelFor(
+    0, static_cast<std::int64_t>(f.Triangles.size()), 4096,
+    [&f](std::int64_t begin, std::int64_t end)
+    {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        f.TriangleValue[i] = TriangleValue(f, i);
+      }
+    },
+    Between(progress, 0.7, 0.85));
+  ValueEdges(f);
+}
+
+}
+
+CellFiltration DelaunayFiltration(std::vector<Point3> points, const ProgressCallback& progress)
+{
+  CellFiltration f;
+  f.Points = std::move(points);
+  {
+    Delaunay triangulation;
+    Triangulate(f.Points, triangulation, Between(progress, 0.0, 0.4));
+    TakeCells(triangulation, f);
+  }
+  f.Connect();
+  Report(progress, 0.6);
+  ValueCells(f, progress);
+  f.Order();
+  Report(progress, 1.0);
+  return f;
+}
+
+}

@@ -1,0 +1,294 @@
+#include "FeatureMembrane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+
+namespace isthmus
+{
+namespace
+{
+
+std::size_t At(std::int64_t i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+double Distance(const Point3& a, const Point3& b)
+{
+  return std::sqrt(Dot(b - a, b - a));
+}
+
+/// Adds the fan that a closed loop of points bounds, seen from its first point.
+void AddFan(const std::vector<SimplexId>& loop, Membrane& membrane)
+{
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+  {
+    membrane.Triangles.push_back({ loop[0], loop[i], loop[i + 1] });
+  }
+}
+
+void Toggle(std::set<SimplexId>& edges, SimplexId e)
+{
+  if (!edges.erase(e))
+  {
+    edges.insert(e);
+  }
+}
+
+/// The points of a path of surface edges that starts at `from`.
+std::vector<SimplexId> PointsOf(
+  const SurfaceAdjacency& surface, const std::vector<SimplexId>& path, SimplexId from)
+{
+  std::vector<SimplexId> points{ from };
+  for (const SimplexId e : path)
+  {
+    const SimplexId h = surface.HalfEdgeOf(e);
+    points.push_back(surface.From(h) == points.back() ? surface.To(h) : surface.From(h));
+  }
+  return points;
+}
+
+/// Puts edges of M in the place of each edge of the complex; what lies between joins the membrane.
+std::set<SimplexId> OntoSurface(
+  const FeatureContext& context, const Chain& cycle, Membrane& membrane)
+{
+  std::set<SimplexId> edges;
+  for (const SimplexId e : cycle)
+  {
+    const SimplexId own = context.Embedding.SurfaceEdge(e);
+    if (own >= 0)
+    {
+      Toggle(edges, own);
+      continue;
+    }
+    const auto& ends = context.Filtration.Edges[At(e)];
+    const double length =
+      Distance(context.Filtration.Points[At(ends[0])], context.Filtration.Points[At(ends[1])]);
+    membrane.OnSurface = membrane.OnSurface && length * length <= 4.0 * context.SquaredError(ends);
+    std::vector<SimplexId> path;
+    for (double reach = 2.0 * length; path.empty(); reach *= 2.0)
+    {
+      if (reach > 1e6 * length)
+      {
+        return {}; // the ends lie on two components of M
+      }
+      path = context.Embedding.ShortestPath(ends[1], ends[0], reach);
+    }
+    for (const SimplexId p : path)
+    {
+      Toggle(edges, p);
+    }
+    AddFan(PointsOf(context.Surface, path, ends[0]), membrane);
+  }
+  return edges;
+}
+
+double Length(const TriangleMesh& mesh, const std::vector<SimplexId>& loop)
+{
+  double length = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    length += Distance(mesh.Points[At(loop[i])], mesh.Points[At(loop[(i + 1) % loop.size()])]);
+  }
+  return length;
+}
+
+}
+
+std::vector<std::vector<SimplexId>> SimpleLoops(const SurfaceAdjacency& surface, const Chain& edges)
+{
+  std::map<SimplexId, std::vector<SimplexId>> around; // half edges that leave a point
+  for (const SimplexId e : edges)
+  {
+    const SimplexId h = surface.HalfEdgeOf(e);
+    around[surface.From(h)].push_back(h);
+    around[surface.To(h)].push_back(surface.Opposite(h));
+  }
+  std::set<SimplexId> used;
+  std::vector<std::vector<SimplexId>> loops;
+  for (const auto& entry : around)
+  {
+    std::vector<SimplexId> trail{ entry.first };
+    std::map<SimplexId, std::size_t> position{ { entry.first, 0 } };
+    while (!trail.empty())
+    {
+      const auto& choices = around[trail.back()];
+      const auto next = std::find_if(choices.begin(), choices.end(),
+        [&](SimplexId h) { return used.count(surface.Edge(h)) == 0; });
+      if (next == choices.end())
+      {
+        break;
+      }
+      used.insert(surface.Edge(*next));
+      const SimplexId to = surface.To(*next);
+      const auto seen = position.find(to);
+      if (seen == position.end())
+      {
+        position[to] = trail.size();
+        trail.push_back(to);
+        continue;
+      }
+      // A point met again closes a simple loop; the trail goes on from there.
+      const std::size_t from = seen->second;
+      loops.emplace_back(trail.begin() + static_cast<std::ptrdiff_t>(from), trail.end());
+      for (std::size_t i = from + 1; i < trail.size(); ++i)
+      {
+        position.erase(trail[i]);
+      }
+      trail.resize(from + 1);
+    }
+  }
+  return loops;
+}
+
+Chain LoopEdges(const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop)
+{
+  Chain edges;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    edges.push_back(surface.Edge(surface.Find(loop[i], loop[(i + 1) % loop.size()])));
+  }
+  return edges;
+}
+
+namespace
+{
+
+/// Boundary of a set of triangles, mod 2.
+Chain BoundaryOf(const CellFiltration& f, const Chain& triangles)
+{
+  std::set<SimplexId> edges;
+  for (const SimplexId t : triangles)
+  {
+    for (const SimplexId e : f.TriangleEdges[At(t)])
+    {
+      Toggle(edges, e);
+    }
+  }
+  return { edges.begin(), edges.end() };
+}
+
+/// Of `triangles`, those that hang together with `seed` across edges that are not on M.
+Chain PieceAround(
+  const FeatureContext& context, const std::set<SimplexId>& triangles, SimplexId seed)
+{
+  std::map<SimplexId, std::vector<SimplexId>> beside; // per edge
+  for (const SimplexId t : triangles)
+  {
+    for (const SimplexId e : context.Filtration.TriangleEdges[At(t)])
+    {
+      beside[e].push_back(t);
+    }
+  }
+  std::set<SimplexId> found{ seed };
+  Chain piece{ seed };
+  for (std::size_t i = 0; i < piece.size(); ++i)
+  {
+    for (const SimplexId e : context.Filtration.TriangleEdges[At(piece[i])])
+    {
+      if (context.Embedding.SurfaceEdge(e) >= 0)
+      {
+        continue;
+      }
+      for (const SimplexId other : beside[e])
+      {
+        if (found.insert(other).second)
+        {
+          piece.push_back(other);
+        }
+      }
+    }
+  }
+  return piece;
+}
+
+/// What fills the sum of basis loops that the feature is, as far as it lies on the feature's side.
+Chain FillingOfSum(
+  const FeatureContext& context, SpaceRegions& regions, const ShapeFeature& feature)
+{
+  Chain image;
+  for (const std::size_t loop : feature.Sum)
+  {
+    for (const SimplexId e : context.Homology.Loop(loop))
+    {
+      const Chain path = context.Embedding.Image(e);
+      image.insert(image.end(), path.begin(), path.end());
+    }
+  }
+  std::set<SimplexId> filling;
+  for (const std::int64_t rank : context.Pairs.Bounding(image))
+  {
+    for (const SimplexId t : context.Pairs.Filling(context.Filtration.TrianglesInOrder[At(rank)]))
+    {
+      if (!context.IsWall(t) && SpaceRegions::SideOf(regions.OfTriangle(t)) == feature.Side)
+      {
+        Toggle(filling, t);
+      }
+    }
+  }
+  return filling.count(feature.Choke) ? PieceAround(context, filling, feature.Choke) : Chain{};
+}
+
+/// The membrane made of `triangles`, whose boundary is `cycle`.
+Membrane MembraneOf(
+  const FeatureContext& context, const Chain& triangles, const Chain& cycle, HomologySpan* span)
+{
+  Membrane membrane;
+  for (const SimplexId t : triangles)
+  {
+    membrane.Triangles.push_back(context.Filtration.Triangles[At(t)]);
+  }
+  const std::set<SimplexId> edges = OntoSurface(context, cycle, membrane);
+  std::vector<std::vector<SimplexId>> loops =
+    SimpleLoops(context.Surface, { edges.begin(), edges.end() });
+  std::sort(loops.begin(), loops.end(),
+    [&context](const auto& a, const auto& b)
+    { return Length(context.Surface.Mesh(), a) > Length(context.Surface.Mesh(), b); });
+  HomologyClass total;
+  for (const std::vector<SimplexId>& loop : loops)
+  {
+    const HomologyClass c = context.Homology.ClassOf(LoopEdges(context.Surface, loop));
+    total.resize(c.size(), 0);
+    std::transform(c.begin(), c.end(), total.begin(), total.begin(), std::bit_xor<>());
+    if (membrane.Loops.empty() || !IsZero(c))
+    {
+      membrane.Loops.push_back(loop);
+    }
+    else
+    {
+      AddFan(loop, membrane);
+    }
+  }
+  if (span && (!membrane.OnSurface || membrane.Loops.empty() || !span->Add(total)))
+  {
+    membrane.Loops.clear();
+  }
+  return membrane;
+}
+
+}
+
+Membrane FeatureMembrane(const FeatureContext& context, SpaceRegions& regions,
+  const ShapeFeature& feature, HomologySpan* span)
+{
+  const auto& boundary = context.Filtration.TriangleEdges[At(feature.Choke)];
+  Chain swept{ feature.Choke };
+  const Chain cycle = context.Pairs.Push(
+    { boundary.begin(), boundary.end() }, context.Filtration.TriangleRank[At(feature.Choke)],
+    [&context](SimplexId e) { return context.Embedding.SurfaceEdge(e) < 0; }, swept);
+  Membrane membrane = MembraneOf(context, swept, cycle, span);
+  if (membrane.Loops.empty() && span)
+  {
+    const Chain filling = FillingOfSum(context, regions, feature);
+    if (!filling.empty())
+    {
+      membrane = MembraneOf(context, filling, BoundaryOf(context.Filtration, filling), span);
+    }
+  }
+  return membrane;
+}
+
+}

@@ -1,0 +1,54 @@
+/**
+ * @file LoopShortening.h
+ * @brief A closed curve on a triangle surface becomes a geodesic loop of its homotopy class.
+ *
+ * Source: S.-Q. Xin, Y. He, C.-W. Fu, "Efficiently computing exact geodesic loops within finite
+ * steps", IEEE TVCG 18 (2012) 879, the thesis' reference [198]: the shortest closed path in the
+ * strip of triangles that the curve crosses, by unfolding and a funnel; where the path bends at a
+ * point with an angle below pi on its other side, the strip is led round that side.
+ */
+#ifndef isthmus_LoopShortening_h
+#define isthmus_LoopShortening_h
+
+#include "SurfaceAdjacency.h"
+
+namespace isthmus
+{
+
+/// A point of a curve on a surface: on half edge Edge, at a fraction of it from From to To.
+struct SurfaceCurvePoint
+{
+  SimplexId HalfEdge;
+  double Fraction;
+};
+
+/// A closed curve that runs straight through triangles.
+struct SurfaceCurve
+{
+  std::vector<SurfaceCurvePoint> Crossings;
+  double Length = 0.0;
+  bool Converged = false; ///< a geodesic: straight, or bent with at least pi on either side
+  /// The loop could be drawn together to a point within its strip: given as it came.
+  bool Contractible = false;
+};
+
+struct LoopShorteningParameters
+{
+  int MaximumRounds = 200; ///< each finds the shortest path in the strip and leads it on
+  double Tolerance = 1e-6; ///< relative accuracy of the length within a strip
+};
+
+/**
+ * Shortens the closed curve through the points `loop`, consecutive ones joined by an edge.
+ *
+ * Never longer than the curve given. Cost of a round: the number of edges crossed.
+ */
+VTKISTHMUS_EXPORT SurfaceCurve ShortenLoop(const SurfaceAdjacency& surface,
+  const std::vector<SimplexId>& loop, const LoopShorteningParameters& parameters = {});
+
+/// Where a point of a curve lies.
+VTKISTHMUS_EXPORT Point3 PositionOf(const SurfaceAdjacency& surface, const SurfaceCurvePoint& p);
+
+}
+
+#endif

@@ -1,0 +1,35 @@
+/**
+ * @file LowerStarFiltration.h
+ * @brief A tetrahedral mesh that grows with a function at its points (thesis, 6.3.1).
+ */
+#ifndef isthmus_LowerStarFiltration_h
+#define isthmus_LowerStarFiltration_h
+
+#include "CellFiltration.h"
+
+namespace isthmus
+{
+
+/**
+ * Every simplex enters with its last point; simplices of `surface` enter first, at 0.
+ *
+ * `values` are distances at the mesh's points, not negative (they are squared inside, as in every
+ * CellFiltration). The mesh's points are taken over with their ids; `surface`, matched by its exact
+ * coordinates, gets the mesh's points and ids. Equal values enter in the order of the ids.
+ *
+ * @throws std::invalid_argument when a face has more than two tetrahedra, a triangle of the surface
+ * is no face of the mesh, or a value is negative or not finite. O(n log n).
+ */
+VTKISTHMUS_EXPORT CellFiltration LowerStarFiltration(const TetrahedralMesh& mesh,
+  const std::vector<double>& values, TriangleMesh& surface, const ProgressCallback& progress = {});
+
+/**
+ * Length of the shortest path along edges of the mesh from each of its points to a point of
+ * `sources` (Dijkstra). Infinity where there is none. O(n log n).
+ */
+VTKISTHMUS_EXPORT std::vector<double> EdgeDistances(
+  const TetrahedralMesh& mesh, const std::vector<std::int64_t>& sources);
+
+}
+
+#endif

@@ -1,0 +1,218 @@
+#include "ShapeFeatures.h"
+
+#include "SpaceRegions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace isthmus
+{
+namespace
+{
+
+std::size_t At(std::int64_t i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+/// Relative difference of squared radii that rounding may make.
+constexpr double Rounding = 1e-7;
+
+bool Differ(double birth, double death)
+{
+  return death - birth > Rounding * death;
+}
+
+/// Collects the features of one diagram.
+class Collector
+{
+public:
+  Collector(const FeatureContext& context, SpaceRegions& regions)
+    : Context(context)
+    , F(context.Filtration)
+    , Regional(regions)
+  {
+  }
+
+  void AddVoids();
+  void AddLoops(const std::vector<SurfaceGenerator>& generators);
+  FeatureDiagram Finish(std::size_t expected);
+  void Balance(std::size_t expected);
+
+private:
+  ShapeFeature Make(int dimension, SimplexId choke, double birth, double death, double error2) const
+  {
+    ShapeFeature feature;
+    feature.Dimension = dimension;
+    feature.Choke = choke;
+    feature.Birth = std::sqrt(std::max(birth, 0.0));
+    feature.Death = std::sqrt(death);
+    feature.Error = std::sqrt(error2);
+    feature.Trusted = death - birth > error2;
+    return feature;
+  }
+
+  const FeatureContext& Context;
+  const CellFiltration& F;
+  SpaceRegions& Regional;
+  std::vector<std::pair<ShapeFeature, std::vector<int>>> Found; ///< with the region
+};
+
+void Collector::AddVoids()
+{
+  std::map<std::vector<int>, std::size_t> own; // per bounded region: its deepest pair
+  for (std::size_t t = 0; t < this->F.Triangles.size(); ++t)
+  {
+    const SimplexId filler = this->Context.Pairs.VoidFilled(static_cast<SimplexId>(t));
+    if (filler < 0)
+    {
+      continue;
+    }
+    const double birth = this->F.TriangleValue[t];
+    const double death = this->F.TetrahedronValue[At(filler)];
+    const double error2 = std::max(this->Context.SquaredError(this->F.Triangles[t]),
+      this->Context.SquaredError(this->F.Tetrahedra[At(filler)]));
+    if (!Differ(birth, death) || death <= error2)
+    {
+      continue;
+    }
+    const std::vector<int>& region = this->Regional.Of(filler);
+    ShapeFeature feature = this->Make(2, static_cast<SimplexId>(t), birth, death, error2);
+    feature.Side = SpaceRegions::SideOf(region);
+    feature.Fill = feature.Death;
+    feature.Kind = feature.Trusted ? FeatureKind::Additional : FeatureKind::Noise;
+    this->Found.emplace_back(feature, region);
+    if (!region.empty() && birth <= error2)
+    {
+      const auto best = own.emplace(region, this->Found.size() - 1).first;
+      if (this->Found[best->second].first.Death < feature.Death)
+      {
+        best->second = this->Found.size() - 1;
+      }
+    }
+  }
+  for (const auto& entry : own)
+  {
+    this->Found[entry.second].first.Kind = FeatureKind::Noise;
+  }
+}
+
+void Collector::AddLoops(const std::vector<SurfaceGenerator>& generators)
+{
+  std::map<SimplexId, const SurfaceGenerator*> byFiller;
+  for (const SurfaceGenerator& g : generators)
+  {
+    byFiller[g.Filler] = &g;
+  }
+  for (std::size_t t = 0; t < this->F.Triangles.size(); ++t)
+  {
+    const auto id = static_cast<SimplexId>(t);
+    const SimplexId closer = this->Context.Pairs.LoopClosed(id);
+    const auto generator = byFiller.find(id);
+    const double death = this->F.TriangleValue[t];
+    const double error2 = this->Context.SquaredError(this->F.Triangles[t]);
+    if (closer < 0 || (generator == byFiller.end() && death <= error2))
+    {
+      continue;
+    }
+    const double birth = generator != byFiller.end() ? 0.0 : this->F.EdgeValue[At(closer)];
+    if (generator == byFiller.end() && !Differ(birth, death))
+    {
+      continue;
+    }
+    const auto& sides = this->F.TriangleSides[t];
+    const std::vector<int>& region = this->Regional.Of(sides[0] >= 0 ? sides[0] : sides[1]);
+    ShapeFeature feature = this->Make(1, id, birth, death, error2);
+    feature.Side = SpaceRegions::SideOf(region);
+    if (generator != byFiller.end())
+    {
+      feature.Kind = feature.Side == SpaceSide::Inside ? FeatureKind::Handle : FeatureKind::Tunnel;
+      feature.Sum = generator->second->Sum;
+    }
+    this->Found.emplace_back(feature, region);
+  }
+}
+
+// Half of all generators die inside and half outside. Where that is not what the sides say, some
+// below the sampling error were taken for the wrong side: the smallest change over.
+void Collector::Balance(std::size_t expected)
+{
+  std::vector<ShapeFeature*> generators;
+  std::size_t handles = 0;
+  for (auto& entry : this->Found)
+  {
+    const FeatureKind kind = entry.first.Kind;
+    if (kind == FeatureKind::Handle || kind == FeatureKind::Tunnel)
+    {
+      generators.push_back(&entry.first);
+      handles += kind == FeatureKind::Handle;
+    }
+  }
+  if (generators.size() != expected)
+  {
+    return; // a mesh of one side only
+  }
+  std::sort(generators.begin(), generators.end(),
+    [](const ShapeFeature* a, const ShapeFeature* b) { return a->Death < b->Death; });
+  for (ShapeFeature* f : generators)
+  {
+    const FeatureKind surplus = 2 * handles > expected ? FeatureKind::Handle : FeatureKind::Tunnel;
+    if (2 * handles == expected || f->Trusted || f->Kind != surplus)
+    {
+      continue;
+    }
+    const bool toTunnel = surplus == FeatureKind::Handle;
+    f->Kind = toTunnel ? FeatureKind::Tunnel : FeatureKind::Handle;
+    f->Side = toTunnel ? SpaceSide::Outside : SpaceSide::Inside;
+    handles = toTunnel ? handles - 1 : handles + 1;
+  }
+}
+
+FeatureDiagram Collector::Finish(std::size_t expected)
+{
+  this->Balance(expected);
+  FeatureDiagram diagram;
+  diagram.ExpectedGenerators = expected;
+  std::map<std::vector<int>, double> fill; // per region: the last thing filled
+  for (const auto& [feature, region] : this->Found)
+  {
+    double& reference = diagram.Reference[static_cast<std::size_t>(feature.Side)];
+    reference = std::max(reference, feature.Trusted ? feature.Death : 0.0);
+    double& last = fill.emplace(region, 0.0).first->second;
+    last = std::max(last, feature.Trusted ? feature.Death : 0.0);
+  }
+  for (auto& [feature, region] : this->Found)
+  {
+    if (feature.Dimension == 1)
+    {
+      feature.Fill = std::max(fill[region], feature.Death);
+    }
+    diagram.Features.push_back(std::move(feature));
+  }
+  std::sort(diagram.Features.begin(), diagram.Features.end(),
+    [](const ShapeFeature& a, const ShapeFeature& b)
+    {
+      return a.Distance() != b.Distance() ? a.Distance() < b.Distance()
+        : a.Dimension != b.Dimension      ? a.Dimension < b.Dimension
+                                          : a.Choke < b.Choke;
+    });
+  return diagram;
+}
+
+}
+
+FeatureDiagram ShapeFeatures(
+  const FeatureContext& context, SpaceRegions& regions, const ProgressCallback& progress)
+{
+  const std::vector<SurfaceGenerator> generators = SurfaceGenerators(context.Homology,
+    context.Embedding, context.Filtration, context.Pairs, Between(progress, 0.0, 0.6));
+  Collector collector(context, regions);
+  Report(progress, 0.7);
+  collector.AddVoids();
+  Report(progress, 0.85);
+  collector.AddLoops(generators);
+  return collector.Finish(context.Homology.Rank());
+}
+
+}

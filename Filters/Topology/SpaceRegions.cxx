@@ -1,0 +1,89 @@
+#include "SpaceRegions.h"
+
+namespace isthmus
+{
+namespace
+{
+
+std::size_t At(std::int64_t i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+}
+
+SpaceRegions::SpaceRegions(const FeatureContext& context)
+  : Context(context)
+  , Groups(context.Filtration.Tetrahedra.size())
+  , Deepest(context.Filtration.Tetrahedra.size())
+  , Test(context.Surface.Mesh(), context.Homology)
+{
+  std::iota(this->Deepest.begin(), this->Deepest.end(), 0);
+  const CellFiltration& f = context.Filtration;
+  for (std::size_t t = 0; t < f.Triangles.size(); ++t)
+  {
+    const auto& sides = f.TriangleSides[t];
+    if (sides[0] >= 0 && sides[1] >= 0 && !context.IsWall(static_cast<SimplexId>(t)))
+    {
+      const std::size_t a = this->Groups.Find(At(sides[0]));
+      const std::size_t b = this->Groups.Find(At(sides[1]));
+      const SimplexId deepest = this->Later(this->Deepest[a], this->Deepest[b]);
+      this->Deepest[this->Groups.Join(a, b)] = deepest;
+    }
+  }
+}
+
+SimplexId SpaceRegions::Later(SimplexId a, SimplexId b) const
+{
+  const auto& rank = this->Context.Filtration.TetrahedronRank;
+  return rank[At(a)] > rank[At(b)] ? a : b;
+}
+
+const std::vector<int>& SpaceRegions::Of(SimplexId cell)
+{
+  static const std::vector<int> none;
+  if (cell < 0)
+  {
+    return none;
+  }
+  const std::size_t group = this->Groups.Find(At(cell));
+  auto known = this->Known.find(group);
+  if (known == this->Known.end())
+  {
+    known = this->Known.emplace(group, this->Test.Enclosing(this->Inner(group))).first;
+  }
+  return known->second;
+}
+
+// In a Delaunay triangulation the circumcentre is what keeps its distance from M; in a mesh that
+// conforms to M the tetrahedron itself lies on one side.
+Point3 SpaceRegions::Inner(std::size_t group) const
+{
+  const CellFiltration& f = this->Context.Filtration;
+  const auto& t = f.Tetrahedra[At(this->Deepest[group])];
+  const Point3& p = f.Points[At(t[0])];
+  const Point3& q = f.Points[At(t[1])];
+  const Point3& r = f.Points[At(t[2])];
+  const Point3& s = f.Points[At(t[3])];
+  return this->Context.PointError.empty() ? 0.25 * (p + q + r + s) : Circumcentre(p, q, r, s);
+}
+
+Point3 Circumcentre(const Point3& p, const Point3& q, const Point3& r)
+{
+  const Point3 a = q - p;
+  const Point3 b = r - p;
+  const Point3 n = Cross(a, b);
+  const Point3 towards = Dot(a, a) * Cross(b, n) + Dot(b, b) * Cross(n, a);
+  return p + (0.5 / Dot(n, n)) * towards;
+}
+
+Point3 Circumcentre(const Point3& p, const Point3& q, const Point3& r, const Point3& s)
+{
+  const Point3 a = q - p;
+  const Point3 b = r - p;
+  const Point3 c = s - p;
+  const Point3 sum = Dot(a, a) * Cross(b, c) + Dot(b, b) * Cross(c, a) + Dot(c, c) * Cross(a, b);
+  return p + (0.5 / Dot(a, Cross(b, c))) * sum;
+}
+
+}

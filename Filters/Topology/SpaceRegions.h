@@ -1,0 +1,107 @@
+/**
+ * @file SpaceRegions.h
+ * @brief Inside or outside: the regions into which a surface parts the tetrahedra round it.
+ */
+#ifndef isthmus_SpaceRegions_h
+#define isthmus_SpaceRegions_h
+
+#include "CompactDisjointSets.h"
+#include "EnclosureTest.h"
+#include "FiltrationPairs.h"
+#include "SurfaceInComplex.h"
+
+#include <algorithm>
+#include <map>
+
+namespace isthmus
+{
+
+enum class SpaceSide
+{
+  Inside = 0,
+  Outside = 1
+};
+
+/// A filtration of a surface's surroundings, with what belongs to it.
+struct FeatureContext
+{
+  const CellFiltration& Filtration;
+  const FiltrationPairs& Pairs;
+  const SurfaceHomology& Homology;
+  const SurfaceInComplex& Embedding;
+  const SurfaceAdjacency& Surface;
+  std::vector<double> PointError; ///< SamplingErrors(); empty: M is part of the complex
+
+  /// Square of the largest sampling error at the corners of a simplex, with a margin for rounding.
+  template <std::size_t N>
+  double SquaredError(const std::array<SimplexId, N>& corners) const
+  {
+    double e = 0.0;
+    for (const SimplexId p : corners)
+    {
+      e =
+        std::max(e, this->PointError.empty() ? 0.0 : this->PointError[static_cast<std::size_t>(p)]);
+    }
+    return (1.0 + 1e-7) * e * e;
+  }
+
+  /// True for a triangle of the complex that may cross M or be part of it.
+  bool IsWall(SimplexId triangle) const;
+};
+
+/**
+ * Tetrahedra grouped across triangles that are no walls; a group lies in one region, that of the
+ * circumcentre of its latest tetrahedron (of its middle, where M is part of the complex).
+ *
+ * The dual edge of a triangle that enters above the sampling error keeps away from M, so that the
+ * circumcentres at its ends lie on the same side.
+ */
+class SpaceRegions
+{
+public:
+  VTKISTHMUS_EXPORT explicit SpaceRegions(const FeatureContext& context);
+
+  /// The components of M that enclose a tetrahedron, ascending; none for the exterior (-1).
+  VTKISTHMUS_EXPORT const std::vector<int>& Of(SimplexId cell);
+
+  /// The same for a triangle that is no wall.
+  const std::vector<int>& OfTriangle(SimplexId triangle);
+
+  static SpaceSide SideOf(const std::vector<int>& enclosing)
+  {
+    return enclosing.size() % 2 == 1 ? SpaceSide::Inside : SpaceSide::Outside;
+  }
+
+private:
+  SimplexId Later(SimplexId a, SimplexId b) const;
+  Point3 Inner(std::size_t group) const;
+
+  const FeatureContext& Context;
+  CompactDisjointSets Groups;
+  std::vector<SimplexId> Deepest; ///< per group: its latest tetrahedron
+  EnclosureTest Test;
+  std::map<std::size_t, std::vector<int>> Known;
+};
+
+/// Centre of the smallest sphere through the corners of a triangle or tetrahedron.
+VTKISTHMUS_EXPORT Point3 Circumcentre(const Point3& p, const Point3& q, const Point3& r);
+VTKISTHMUS_EXPORT Point3 Circumcentre(
+  const Point3& p, const Point3& q, const Point3& r, const Point3& s);
+
+inline bool FeatureContext::IsWall(SimplexId triangle) const
+{
+  const auto t = static_cast<std::size_t>(triangle);
+  return this->PointError.empty()
+    ? this->Filtration.TriangleFirst[t] != 0
+    : this->Filtration.TriangleValue[t] <= this->SquaredError(this->Filtration.Triangles[t]);
+}
+
+inline const std::vector<int>& SpaceRegions::OfTriangle(SimplexId triangle)
+{
+  const auto& sides = this->Context.Filtration.TriangleSides[static_cast<std::size_t>(triangle)];
+  return this->Of(sides[0] >= 0 ? sides[0] : sides[1]);
+}
+
+}
+
+#endif

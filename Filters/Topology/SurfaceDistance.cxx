@@ -1,0 +1,99 @@
+#include "SurfaceDistance.h"
+
+#include "ParallelFor.h"
+#include "PolyDataMesh.h"
+
+#include <vtkGenericCell.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkStaticCellLocator.h>
+
+#include <cmath>
+
+namespace isthmus
+{
+
+std::vector<double> SurfaceDistances(
+  const TriangleMesh& surface, const std::vector<Point3>& points, const ProgressCallback& progress)
+{
+  vtkNew<vtkPolyData> data;
+  SetMesh(surface, data);
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(data);
+  locator->BuildLocator();
+  std::vector<double> distance(points.size());
+  ParallelFor(
+    0, static_cast<std::int64_t>(points.size()), 1024,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      vtkNew<vtkGenericCell> cell;
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        Point3 closest;
+        vtkIdType id = 0;
+        int sub = 0;
+        double squared = 0.0;
+        locator->FindClosestPoint(points[i].data(), closest.data(), cell, id, sub, squared);
+        distance[i] = std::sqrt(squared);
+      }
+    },
+    progress);
+  return distance;
+}
+
+double DistanceGrid::At(const Point3& p) const
+{
+  std::array<std::int64_t, 3> cell;
+  Point3 u;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const double x = (p[a] - this->Origin[a]) / this->Spacing;
+    cell[a] = std::clamp<std::int64_t>(
+      static_cast<std::int64_t>(std::floor(x)), 0, this->Dimensions[a] - 2);
+    u[a] = std::clamp(x - static_cast<double>(cell[a]), 0.0, 1.0);
+  }
+  double value = 0.0;
+  for (std::int64_t c = 0; c < 8; ++c)
+  {
+    const std::int64_t i = c & 1;
+    const std::int64_t j = (c >> 1) & 1;
+    const std::int64_t k = c >> 2;
+    const double weight =
+      (i ? u[0] : 1.0 - u[0]) * (j ? u[1] : 1.0 - u[1]) * (k ? u[2] : 1.0 - u[2]);
+    value += weight *
+      this->Values[static_cast<std::size_t>(
+        cell[0] + i + this->Dimensions[0] * (cell[1] + j + this->Dimensions[1] * (cell[2] + k)))];
+  }
+  return value;
+}
+
+DistanceGrid GridOfDistances(const TriangleMesh& surface, const Bounds3& box, std::int64_t cells,
+  const ProgressCallback& progress)
+{
+  DistanceGrid grid;
+  grid.Origin = box.Min;
+  const Point3 size = box.Max - box.Min;
+  grid.Spacing = std::max({ size[0], size[1], size[2] }) / static_cast<double>(cells);
+  std::vector<Point3> nodes;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    grid.Dimensions[a] = static_cast<std::int64_t>(std::ceil(size[a] / grid.Spacing - 1e-9)) + 1;
+    grid.Dimensions[a] = std::max<std::int64_t>(grid.Dimensions[a], 2);
+  }
+  for (std::int64_t k = 0; k < grid.Dimensions[2]; ++k)
+  {
+    for (std::int64_t j = 0; j < grid.Dimensions[1]; ++j)
+    {
+      for (std::int64_t i = 0; i < grid.Dimensions[0]; ++i)
+      {
+        nodes.push_back(grid.Origin +
+          grid.Spacing *
+            Point3{ static_cast<double>(i), static_cast<double>(j), static_cast<double>(k) });
+      }
+    }
+  }
+  grid.Values = SurfaceDistances(surface, nodes, progress);
+  return grid;
+}
+
+}

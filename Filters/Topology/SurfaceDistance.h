@@ -1,0 +1,38 @@
+/**
+ * @file SurfaceDistance.h
+ * @brief Exact distance of points to a triangle surface.
+ */
+#ifndef isthmus_SurfaceDistance_h
+#define isthmus_SurfaceDistance_h
+
+#include "Progress.h"
+#include "TriangleMesh.h"
+#include "vtkIsthmusModule.h"
+
+namespace isthmus
+{
+
+/// Distance, not signed, of each point to the nearest point of any triangle, by a cell locator.
+/// O(log n) a point, in parallel.
+VTKISTHMUS_EXPORT std::vector<double> SurfaceDistances(const TriangleMesh& surface,
+  const std::vector<Point3>& points, const ProgressCallback& progress = {});
+
+/// A regular grid over a box.
+struct DistanceGrid
+{
+  Point3 Origin{ 0, 0, 0 };
+  double Spacing = 0.0;
+  std::array<std::int64_t, 3> Dimensions{ 0, 0, 0 };
+  std::vector<double> Values; ///< x fastest
+
+  /// Trilinear; `p` is clamped to the grid.
+  VTKISTHMUS_EXPORT double At(const Point3& p) const;
+};
+
+/// Distance to the surface at the nodes of a grid over `box`, `cells` along its longest side.
+VTKISTHMUS_EXPORT DistanceGrid GridOfDistances(const TriangleMesh& surface, const Bounds3& box,
+  std::int64_t cells, const ProgressCallback& progress = {});
+
+}
+
+#endif

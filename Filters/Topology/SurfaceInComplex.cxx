@@ -1,0 +1,151 @@
+#include "SurfaceInComplex.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <queue>
+#include <unordered_map>
+
+namespace isthmus
+{
+namespace
+{
+
+std::size_t At(std::int64_t i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+}
+
+SurfaceInComplex::SurfaceInComplex(const SurfaceAdjacency& surface, const CellFiltration& f)
+  : Surface(surface)
+  , F(f)
+  , OnSurface(f.Edges.size(), -1)
+  , InComplex(At(surface.Edges()), -1)
+  , FirstSmaller(f.Points.size() + 1, 0)
+  , SmallerEdges(f.Edges.size())
+{
+  for (SimplexId e = 0; e < surface.Edges(); ++e)
+  {
+    const SimplexId h = surface.HalfEdgeOf(e);
+    const SimplexId image = f.FindEdge(surface.From(h), surface.To(h));
+    if (image < 0)
+    {
+      continue;
+    }
+    this->OnSurface[At(image)] = e;
+    const double half = 0.5 * surface.Length(h);
+    if (f.EdgeValue[At(image)] <= half * half * (1.0 + 1e-9))
+    {
+      this->InComplex[At(e)] = image; // else it enters late, and the walk goes round it
+    }
+  }
+  for (const auto& edge : f.Edges)
+  {
+    ++this->FirstSmaller[At(edge[1]) + 1];
+  }
+  std::partial_sum(
+    this->FirstSmaller.begin(), this->FirstSmaller.end(), this->FirstSmaller.begin());
+  std::vector<SimplexId> next(this->FirstSmaller.begin(), this->FirstSmaller.end() - 1);
+  for (std::size_t e = 0; e < f.Edges.size(); ++e)
+  {
+    this->SmallerEdges[At(next[At(f.Edges[e][1])]++)] = static_cast<SimplexId>(e);
+  }
+}
+
+Chain SurfaceInComplex::Image(SimplexId surfaceEdge) const
+{
+  if (this->InComplex[At(surfaceEdge)] >= 0)
+  {
+    return { this->InComplex[At(surfaceEdge)] };
+  }
+  const SimplexId h = this->Surface.HalfEdgeOf(surfaceEdge);
+  const SimplexId end = this->Surface.To(h);
+  const Point3& start = this->F.Points[At(this->Surface.From(h))];
+  const Point3 direction = this->F.Points[At(end)] - start;
+  Chain path;
+  SimplexId here = this->Surface.From(h);
+  while (here != end)
+  {
+    // The neighbour whose cell the segment enters first.
+    const Point3& p = this->F.Points[At(here)];
+    double best = HUGE_VAL;
+    SimplexId through = -1;
+    const auto consider = [&](SimplexId e)
+    {
+      const auto& ends = this->F.Edges[At(e)];
+      const Point3& q = this->F.Points[At(ends[0] == here ? ends[1] : ends[0])];
+      const double ahead = Dot(q - p, direction);
+      if (ahead > 0.0)
+      {
+        const double u = (Dot(q - start, q - start) - Dot(p - start, p - start)) / (2.0 * ahead);
+        if (u < best)
+        {
+          best = u;
+          through = e;
+        }
+      }
+    };
+    for (SimplexId e = this->F.FirstEdge[At(here)]; e < this->F.FirstEdge[At(here) + 1]; ++e)
+    {
+      consider(e);
+    }
+    for (SimplexId i = this->FirstSmaller[At(here)]; i < this->FirstSmaller[At(here) + 1]; ++i)
+    {
+      consider(this->SmallerEdges[At(i)]);
+    }
+    path.push_back(through);
+    const auto& ends = this->F.Edges[At(through)];
+    here = ends[0] == here ? ends[1] : ends[0];
+  }
+  return path;
+}
+
+std::vector<SimplexId> SurfaceInComplex::ShortestPath(
+  SimplexId from, SimplexId to, double reach) const
+{
+  std::unordered_map<SimplexId, std::pair<double, SimplexId>> best; // length, half edge that came
+  using Entry = std::pair<double, SimplexId>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  best[from] = { 0.0, -1 };
+  queue.push({ 0.0, from });
+  while (!queue.empty())
+  {
+    const auto [length, p] = queue.top();
+    queue.pop();
+    if (p == to)
+    {
+      break;
+    }
+    if (length > best[p].first)
+    {
+      continue;
+    }
+    const SimplexId first = this->Surface.Leaving(p);
+    SimplexId h = first;
+    do
+    {
+      const double there = length + this->Surface.Length(h);
+      const auto known = best.find(this->Surface.To(h));
+      if (there <= reach && (known == best.end() || there < known->second.first))
+      {
+        best[this->Surface.To(h)] = { there, h };
+        queue.push({ there, this->Surface.To(h) });
+      }
+      h = this->Surface.Turn(h);
+    } while (h != first);
+  }
+  std::vector<SimplexId> path;
+  if (best.count(to) == 0)
+  {
+    return path;
+  }
+  for (SimplexId p = to; p != from; p = this->Surface.From(best[p].second))
+  {
+    path.push_back(this->Surface.Edge(best[p].second));
+  }
+  return path;
+}
+
+}

@@ -1,0 +1,50 @@
+/**
+ * @file SurfaceInComplex.h
+ * @brief From edges of a surface to edges of the complex of its points, and back.
+ */
+#ifndef isthmus_SurfaceInComplex_h
+#define isthmus_SurfaceInComplex_h
+
+#include "SurfaceAdjacency.h"
+
+namespace isthmus
+{
+
+/// The surface's points are points of the complex, with the same ids; its edges and triangles need
+/// not be simplices of it.
+class SurfaceInComplex
+{
+public:
+  /// O(n). Keeps references to both.
+  VTKISTHMUS_EXPORT SurfaceInComplex(const SurfaceAdjacency& surface, const CellFiltration& f);
+
+  /// The surface's edge that an edge of the complex is; -1: none.
+  SimplexId SurfaceEdge(SimplexId complexEdge) const
+  {
+    return this->OnSurface[static_cast<std::size_t>(complexEdge)];
+  }
+
+  /**
+   * Edges of the complex that replace an edge of the surface: itself, or the Delaunay edges between
+   * the Voronoi cells that it passes. Each of these enters before half the edge's length, and the
+   * path can be deformed into the edge within the balls of that radius.
+   */
+  VTKISTHMUS_EXPORT Chain Image(SimplexId surfaceEdge) const;
+
+  /// Shortest path of surface edges between two points of the surface, at most `reach` long; empty
+  /// when there is none.
+  VTKISTHMUS_EXPORT std::vector<SimplexId> ShortestPath(
+    SimplexId from, SimplexId to, double reach) const;
+
+private:
+  const SurfaceAdjacency& Surface;
+  const CellFiltration& F;
+  std::vector<SimplexId> OnSurface;    ///< per edge of the complex
+  std::vector<SimplexId> InComplex;    ///< per edge of the surface
+  std::vector<SimplexId> FirstSmaller; ///< edges whose larger point is p, in SmallerEdges
+  std::vector<SimplexId> SmallerEdges;
+};
+
+}
+
+#endif

@@ -1,0 +1,269 @@
+#include "vtkChokingLoops.h"
+
+#include "AlgorithmGuard.h"
+#include "ChokingLoopsOutput.h"
+#include "LowerStarFiltration.h"
+#include "PolyDataMesh.h"
+#include "SurfaceDistance.h"
+#include "SurfaceRepair.h"
+#include "TetrahedralMesher.h"
+
+#include <vtkDataArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkLogger.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <map>
+#include <tuple>
+
+vtkStandardNewMacro(vtkChokingLoops);
+
+namespace
+{
+
+constexpr std::int64_t GridCells = 100; ///< of GridDistance, along the longest side
+constexpr int ManyRounds = 1000;        ///< as good as until nothing gets shorter
+
+isthmus::TetrahedralMesh MeshOf(vtkUnstructuredGrid* grid)
+{
+  isthmus::TetrahedralMesh mesh;
+  mesh.Points.resize(static_cast<std::size_t>(grid->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    grid->GetPoint(static_cast<vtkIdType>(i), mesh.Points[i].data());
+  }
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    if (grid->GetCellType(c) != VTK_TETRA)
+    {
+      throw std::invalid_argument("Cell " + std::to_string(c) +
+        " of the tetrahedral mesh is no tetrahedron: tetrahedralize it first.");
+    }
+    vtkIdType count = 0;
+    const vtkIdType* p = nullptr;
+    grid->GetCellPoints(c, count, p);
+    mesh.Tetrahedra.push_back({ p[0], p[1], p[2], p[3] });
+  }
+  return mesh;
+}
+
+}
+
+/// The analysis and what it was made of.
+struct vtkChokingLoops::Cache
+{
+  using Key = std::tuple<vtkDataObject*, vtkMTimeType, vtkDataObject*, vtkMTimeType, int, int,
+    std::string, double, bool, bool>;
+  Key MadeOf;
+  std::unique_ptr<isthmus::ChokingLoops> Loops;
+  std::map<std::pair<std::size_t, int>, isthmus::LoopFeature> Geometry; ///< by feature, rounds
+};
+
+vtkChokingLoops::vtkChokingLoops()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(4);
+}
+
+vtkChokingLoops::~vtkChokingLoops() = default;
+
+int vtkChokingLoops::FillInputPortInformation(int port, vtkInformation* information)
+{
+  information->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkUnstructuredGrid");
+  information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
+  return 1;
+}
+
+int vtkChokingLoops::FillOutputPortInformation(int port, vtkInformation* information)
+{
+  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 3 ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
+{
+  const Cache::Key key{ surface, surface->GetMTime(), grid, grid ? grid->GetMTime() : 0,
+    this->Filtration, this->MorseFunction, this->MorseArrayName, this->SampleSpacing,
+    this->AllowSelfIntersections, this->CapHoles };
+  if (this->Kept && this->Kept->MadeOf == key)
+  {
+    return;
+  }
+  this->Kept.reset();
+  const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
+  auto made = std::make_unique<Cache>();
+  made->MadeOf = key;
+  isthmus::TriangleMesh triangles = isthmus::MeshOf(surface);
+  vtkLog(INFO,
+    "Choking loops of " << triangles.Points.size() << " points: some "
+                        << 1 + triangles.Points.size() / 60000 << " s and "
+                        << 50 + triangles.Points.size() / 600 << " MB.");
+  if (this->CapHoles)
+  {
+    isthmus::RepairedSurface repaired = isthmus::RepairSurface(triangles);
+    triangles = std::move(repaired.Mesh);
+    if (!repaired.Changes.empty())
+    {
+      vtkWarningMacro(<< repaired.Changes);
+    }
+  }
+  if (this->Filtration == Delaunay)
+  {
+    isthmus::ChokingLoopParameters parameters;
+    parameters.SampleSpacing = this->SampleSpacing;
+    parameters.AllowSelfIntersections = this->AllowSelfIntersections;
+    made->Loops =
+      std::make_unique<isthmus::ChokingLoops>(std::move(triangles), parameters, progress);
+  }
+  else
+  {
+    auto* given = vtkUnstructuredGrid::SafeDownCast(grid);
+    const auto part = isthmus::Between(progress, 0.0, 0.5);
+    isthmus::TetrahedralParameters mesher;
+    mesher.Side = isthmus::MeshedSide::Both;
+    const isthmus::TetrahedralMesh mesh =
+      given ? ::MeshOf(given) : isthmus::MeshTetrahedra(triangles, mesher, part);
+    made->Loops = std::make_unique<isthmus::ChokingLoops>(triangles, mesh,
+      this->MorseValues(triangles, mesh, given), isthmus::Between(progress, 0.5, 1.0));
+  }
+  this->Kept = std::move(made);
+}
+
+std::vector<double> vtkChokingLoops::MorseValues(const isthmus::TriangleMesh& surface,
+  const isthmus::TetrahedralMesh& mesh, vtkUnstructuredGrid* given)
+{
+  if (this->MorseFunction == PointArray)
+  {
+    vtkDataArray* array =
+      given ? given->GetPointData()->GetArray(this->MorseArrayName.c_str()) : nullptr;
+    if (!array || array->GetNumberOfComponents() != 1)
+    {
+      throw std::invalid_argument("The tetrahedral mesh on the second input has no point array '" +
+        this->MorseArrayName + "' of one component: choose one, or another Morse function.");
+    }
+    std::vector<double> values(mesh.Points.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      values[i] = array->GetTuple1(static_cast<vtkIdType>(i));
+    }
+    return values;
+  }
+  if (this->MorseFunction == ClosestPoint)
+  {
+    return isthmus::SurfaceDistances(surface, mesh.Points);
+  }
+  isthmus::Bounds3 box{ mesh.Points.front(), mesh.Points.front() };
+  for (const isthmus::Point3& p : mesh.Points)
+  {
+    box.Add(p);
+  }
+  const std::vector<double> exact = isthmus::SurfaceDistances(surface, mesh.Points);
+  std::vector<std::int64_t> sources;
+  for (std::size_t i = 0; i < exact.size(); ++i)
+  {
+    if (exact[i] <= 1e-12 * box.Diagonal())
+    {
+      sources.push_back(static_cast<std::int64_t>(i));
+    }
+  }
+  if (this->MorseFunction == EdgePaths)
+  {
+    return isthmus::EdgeDistances(mesh, sources);
+  }
+  const isthmus::DistanceGrid grid = isthmus::GridOfDistances(surface, box, GridCells);
+  std::vector<double> values;
+  for (const isthmus::Point3& p : mesh.Points)
+  {
+    values.push_back(grid.At(p));
+  }
+  for (const std::int64_t p : sources)
+  {
+    values[static_cast<std::size_t>(p)] = 0.0;
+  }
+  return values;
+}
+
+int vtkChokingLoops::RequestData(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  auto* surface = vtkPolyData::GetData(input[0]);
+  auto* loops = vtkPolyData::GetData(output, 0);
+  auto* membranes = vtkPolyData::GetData(output, 1);
+  auto* points = vtkPolyData::GetData(output, 2);
+  auto* diagram = vtkTable::GetData(output, 3);
+  if (surface->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  const int result = isthmus::Guarded(this, loops,
+    [&]
+    {
+      this->Analyse(surface, vtkDataObject::GetData(input[1]));
+      if (this->AllowSelfIntersections)
+      {
+        vtkWarningMacro(<< "Self-intersections were not looked for: where the surface crosses "
+                           "itself, inside and outside are not defined and counts not assured.");
+      }
+      isthmus::FeatureSelection selection;
+      selection.Inside = this->Side != Outside;
+      selection.Outside = this->Side != Inside;
+      selection.MaximumDistance = { this->MaximumDistance, this->MaximumDistanceUnit == Percent };
+      selection.MinimumPersistence = { this->MinimumPersistence,
+        this->MinimumPersistenceUnit == Percent };
+      selection.AlwaysReportHandles = this->AlwaysReportHandles;
+      const int rounds = this->Shortening == None ? 0
+        : this->Shortening == Rounds              ? this->ShorteningRounds
+                                                  : ManyRounds;
+      isthmus::ChokingLoops& analysis = *this->Kept->Loops;
+      std::vector<isthmus::ShownFeature> shown;
+      for (const std::size_t index : analysis.Select(selection))
+      {
+        auto geometry = this->Kept->Geometry.find({ index, rounds });
+        if (geometry == this->Kept->Geometry.end())
+        {
+          geometry = this->Kept->Geometry
+                       .emplace(std::make_pair(index, rounds),
+                         isthmus::MakeLoopFeature(analysis, index, rounds))
+                       .first;
+        }
+        shown.push_back({ index, &geometry->second });
+      }
+      isthmus::FillLoops(analysis, shown, loops);
+      isthmus::FillMembranes(analysis, shown, membranes);
+      isthmus::FillChokePoints(analysis, shown, points);
+      isthmus::FillDiagram(analysis, diagram);
+      isthmus::FillFacts(analysis, shown, loops);
+    });
+  if (loops->GetNumberOfPoints() == 0 && !this->Kept)
+  {
+    membranes->Initialize();
+    points->Initialize();
+    diagram->Initialize();
+  }
+  return result;
+}
+
+void vtkChokingLoops::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Side: " << this->Side << "\n";
+  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+  os << indent << "MaximumDistanceUnit: " << this->MaximumDistanceUnit << "\n";
+  os << indent << "MinimumPersistence: " << this->MinimumPersistence << "\n";
+  os << indent << "MinimumPersistenceUnit: " << this->MinimumPersistenceUnit << "\n";
+  os << indent << "AlwaysReportHandles: " << this->AlwaysReportHandles << "\n";
+  os << indent << "Filtration: " << this->Filtration << "\n";
+  os << indent << "MorseFunction: " << this->MorseFunction << "\n";
+  os << indent << "MorseArrayName: " << this->MorseArrayName << "\n";
+  os << indent << "SampleSpacing: " << this->SampleSpacing << "\n";
+  os << indent << "Shortening: " << this->Shortening << "\n";
+  os << indent << "ShorteningRounds: " << this->ShorteningRounds << "\n";
+  os << indent << "AllowSelfIntersections: " << this->AllowSelfIntersections << "\n";
+  os << indent << "CapHoles: " << this->CapHoles << "\n";
+}

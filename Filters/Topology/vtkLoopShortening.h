@@ -1,0 +1,62 @@
+/**
+ * @class vtkLoopShortening
+ * @brief Closed polylines on a surface become geodesic loops of their homotopy class.
+ *
+ * Input 0: closed polylines (vtkPolyData) whose points lie on the surface, such as the loops of
+ * vtkChokingLoops; the first point repeated at the end, or not. Input 1: the closed, manifold,
+ * consistently oriented triangle surface. Points are moved to the nearest point of the surface and
+ * joined along its edges where they are not neighbours, which keeps the class of loops that follow
+ * the surface closely.
+ *
+ * Output: one closed polyline for each, with its cell data, `Length`, `Converged` (1: a geodesic)
+ * and `Contractible` (1: it could be drawn together to a point; it is then given as it came).
+ *
+ * Source: S.-Q. Xin, Y. He, C.-W. Fu, IEEE TVCG 18 (2012) 879. Time: the number of edges crossed, a
+ * round.
+ */
+#ifndef vtkLoopShortening_h
+#define vtkLoopShortening_h
+
+#include "vtkIsthmusModule.h"
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKISTHMUS_EXPORT vtkLoopShortening : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkLoopShortening* New();
+  vtkTypeMacro(vtkLoopShortening, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Rounds at most: each finds the shortest path in a strip of triangles and leads the strip on.
+  /// Default 1000, which is until it is a geodesic.
+  vtkSetClampMacro(MaximumRounds, int, 1, 100000);
+  vtkGetMacro(MaximumRounds, int);
+  ///@}
+
+  ///@{
+  /// Relative accuracy of the length. Default 1e-6.
+  vtkSetClampMacro(Tolerance, double, 1e-12, 1.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  /// The surface: the second input.
+  void SetSurfaceConnection(vtkAlgorithmOutput* port) { this->SetInputConnection(1, port); }
+  void SetSurfaceData(vtkDataObject* surface) { this->SetInputData(1, surface); }
+
+protected:
+  vtkLoopShortening() { this->SetNumberOfInputPorts(2); }
+  ~vtkLoopShortening() override = default;
+
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkLoopShortening(const vtkLoopShortening&) = delete;
+  void operator=(const vtkLoopShortening&) = delete;
+
+  int MaximumRounds = 1000;
+  double Tolerance = 1e-6;
+};
+
+#endif

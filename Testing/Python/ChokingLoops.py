@@ -1,0 +1,83 @@
+"""The plugin's choking loops: outputs and arrays, thresholds from the cache, errors, shortening."""
+
+import time
+
+from paraview.simple import *
+from vtkmodules.vtkCommonCore import vtkObject
+
+
+def torus(ring, cross):
+    return Superquadric(Toroidal=1, ThetaRoundness=1, PhiRoundness=1, Thickness=0.3,
+                        ThetaResolution=ring, PhiResolution=cross)
+
+
+def surface(source):
+    triangles = Triangulate(Input=Clean(Input=source, Tolerance=1e-6))
+    return triangles
+
+
+def output(proxy, port):
+    """Fetch() of ParaView 5.11 gives port 0 whatever it is asked for."""
+    return proxy.GetClientSideObject().GetOutputDataObject(port)
+
+
+def field(data, name):
+    return data.GetFieldData().GetArray(name)
+
+
+shape = surface(torus(64, 48))
+loops = ChokingLoops(Input=shape)
+UpdatePipeline(proxy=loops)
+lines = output(loops, 0)
+assert lines.GetNumberOfCells() == 2, lines.GetNumberOfCells()
+for name in ("Kind", "Side", "KindName", "Distance", "Death", "Persistence", "Trusted", "Length",
+             "FeatureId", "Component"):
+    assert lines.GetCellData().GetAbstractArray(name), name
+kinds = {lines.GetCellData().GetAbstractArray("KindName").GetValue(i) for i in range(2)}
+assert kinds == {"handle", "tunnel"}, kinds
+membranes = output(loops, 1)
+assert membranes.GetNumberOfCells() > 10 and membranes.GetCellData().GetArray("Area")
+points = output(loops, 2)
+assert points.GetNumberOfPoints() == 2 and points.GetPointData().GetArray("Radius")
+table = output(loops, 3)
+for name in ("Dimension", "Side", "Birth", "Death", "Persistence", "Kind"):
+    assert table.GetColumnByName(name), name
+assert field(lines, "NumberOfHandles").GetValue(0) == 1
+assert field(lines, "StageTimes").GetNumberOfTuples() == 5
+
+# Thresholds, side and shortening leave the analysis alone: its times stay what they were.
+before = [field(lines, "StageTimes").GetValue(i) for i in range(5)]
+length = max(lines.GetCellData().GetArray("Length").GetRange())
+loops.Side = "Inside"
+loops.MinimumPersistence = 20
+loops.Shortening = "Geodesic"
+started = time.time()
+UpdatePipeline(proxy=loops)
+took = time.time() - started
+lines = output(loops, 0)
+assert lines.GetNumberOfCells() == 1
+assert [field(lines, "StageTimes").GetValue(i) for i in range(5)] == before
+assert max(lines.GetCellData().GetArray("Length").GetRange()) < length
+print("another side, threshold and shortening after %.1f ms" % (1e3 * took))
+
+# The filter on its own shortens what the other leaves.
+loops.Shortening = "None"
+short = LoopShortening(Input=loops, Surface=shape)
+UpdatePipeline(proxy=short)
+shorter = servermanager.Fetch(short)
+assert shorter.GetCellData().GetArray("Converged").GetRange() == (1.0, 1.0)
+
+print("loop shortening passed", flush=True)
+offset = OffsetSurface(Input=shape, Distance=0.05, Resolution=24)
+UpdatePipeline(proxy=offset)
+assert servermanager.Fetch(offset).GetNumberOfCells() > 300
+
+# An open surface ends in one sentence and empty outputs.
+half = Clip(Input=shape, ClipType="Plane")
+opened = ExtractSurface(Input=half)
+vtkObject.GlobalWarningDisplayOff()
+bad = ChokingLoops(Input=Triangulate(Input=opened))
+UpdatePipeline(proxy=bad)
+assert output(bad, 0).GetNumberOfCells() == 0
+assert output(bad, 3).GetNumberOfRows() == 0
+print("passed")

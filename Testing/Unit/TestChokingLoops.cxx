@@ -1,0 +1,441 @@
+// Counts, independence and geometry of choking loops, on shared surfaces and on formulas.
+
+#include "ChokingSurfaces.h"
+#include "LoopFeature.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+
+using namespace isthmus;
+using namespace isthmus::testing;
+
+namespace
+{
+
+FeatureSelection Percent(double distance, double persistence)
+{
+  FeatureSelection selection;
+  selection.MaximumDistance = { distance, true };
+  selection.MinimumPersistence = { persistence, true };
+  return selection;
+}
+
+/// Rank over Z/2 of the intersection numbers of handles and tunnels, found without homology: two
+/// loops of edges, the second pushed to its left, cross where it changes sides.
+struct Walks
+{
+  const SurfaceAdjacency& Surface;
+  /// Half edges that leave points of a loop, to its left.
+  std::map<SimplexId, int> Left(const std::vector<SimplexId>& loop) const
+  {
+    std::map<SimplexId, int> crossings; // edges that the loop, pushed to its left, crosses
+    const std::size_t n = loop.size();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const SimplexId in = this->Surface.Find(loop[(i + n - 1) % n], loop[i]);
+      const SimplexId out = this->Surface.Find(loop[i], loop[(i + 1) % n]);
+      for (SimplexId h = this->Surface.Next(in); h != out;
+           h = this->Surface.Next(this->Surface.Opposite(h)))
+      {
+        crossings[this->Surface.Edge(h)] ^= 1;
+      }
+    }
+    return crossings;
+  }
+};
+
+std::size_t RankOfBits(std::vector<std::vector<int>> rows)
+{
+  std::size_t rank = 0;
+  for (std::size_t column = 0; !rows.empty() && column < rows[0].size(); ++column)
+  {
+    std::size_t pivot = rank;
+    while (pivot < rows.size() && !rows[pivot][column])
+    {
+      ++pivot;
+    }
+    if (pivot == rows.size())
+    {
+      continue;
+    }
+    std::swap(rows[pivot], rows[rank]);
+    for (std::size_t r = 0; r < rows.size(); ++r)
+    {
+      if (r != rank && rows[r][column])
+      {
+        for (std::size_t k = 0; k < rows[r].size(); ++k)
+        {
+          rows[r][k] ^= rows[rank][k];
+        }
+      }
+    }
+    ++rank;
+  }
+  return rank;
+}
+
+std::size_t IntersectionRank(ChokingLoops& loops)
+{
+  const Walks walks{ loops.Adjacency() };
+  std::vector<std::size_t> handles;
+  std::vector<std::size_t> tunnels;
+  for (std::size_t i = 0; i < loops.Diagram().Features.size(); ++i)
+  {
+    const FeatureKind kind = loops.Diagram().Features[i].Kind;
+    if (kind == FeatureKind::Handle)
+    {
+      handles.push_back(i);
+    }
+    else if (kind == FeatureKind::Tunnel)
+    {
+      tunnels.push_back(i);
+    }
+  }
+  std::vector<std::vector<int>> numbers;
+  for (const std::size_t h : handles)
+  {
+    std::map<SimplexId, int> left;
+    for (const auto& loop : loops.MembraneOf(h).Loops)
+    {
+      for (const auto& [edge, odd] : walks.Left(loop))
+      {
+        left[edge] ^= odd;
+      }
+    }
+    std::vector<int> row;
+    for (const std::size_t t : tunnels)
+    {
+      int number = 0;
+      for (const auto& loop : loops.MembraneOf(t).Loops)
+      {
+        for (const SimplexId e : LoopEdges(loops.Adjacency(), loop))
+        {
+          const auto crossed = left.find(e);
+          number ^= crossed == left.end() ? 0 : crossed->second;
+        }
+      }
+      row.push_back(number);
+    }
+    numbers.push_back(row);
+  }
+  return RankOfBits(numbers);
+}
+
+/// Loops are closed walks along edges of M, simple, and the boundary of their membrane.
+void ExpectSound(ChokingLoops& loops, std::size_t feature)
+{
+  const Membrane& membrane = loops.MembraneOf(feature);
+  ASSERT_FALSE(membrane.Loops.empty());
+  std::map<std::pair<SimplexId, SimplexId>, int> boundary;
+  const auto toggle = [&boundary](SimplexId a, SimplexId b) {
+    boundary[{ std::min(a, b), std::max(a, b) }] ^= 1;
+  };
+  for (const auto& t : membrane.Triangles)
+  {
+    toggle(t[0], t[1]);
+    toggle(t[1], t[2]);
+    toggle(t[2], t[0]);
+  }
+  for (const auto& loop : membrane.Loops)
+  {
+    std::vector<SimplexId> sorted = loop;
+    std::sort(sorted.begin(), sorted.end());
+    EXPECT_EQ(std::unique(sorted.begin(), sorted.end()), sorted.end()) << "a point twice";
+    ASSERT_GE(loop.size(), 3U);
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      EXPECT_GE(loops.Adjacency().Find(loop[i], loop[(i + 1) % loop.size()]), 0);
+      toggle(loop[i], loop[(i + 1) % loop.size()]);
+    }
+  }
+  for (const auto& edge : boundary)
+  {
+    EXPECT_EQ(edge.second, 0) << "an edge of the membrane's boundary is not in the loop";
+  }
+}
+
+/// Number of distances within `tolerance` (relative) of `centre`, of features of one side.
+int Near(const ChokingLoops& loops, const FeatureSelection& selection, SpaceSide side,
+  double centre, double tolerance)
+{
+  int count = 0;
+  for (const std::size_t i : loops.Select(selection))
+  {
+    const ShapeFeature& f = loops.Diagram().Features[i];
+    count += f.Side == side && std::abs(f.Distance() / centre - 1.0) < tolerance;
+  }
+  return count;
+}
+
+struct Expected
+{
+  const char* File;
+  double Distance;
+  double Persistence;
+  int Genus;
+  int Inside; ///< additional loops; -1: not stated
+  int Outside;
+};
+
+class SharedSurface : public ::testing::TestWithParam<Expected>
+{
+};
+
+TEST_P(SharedSurface, HasItsLoops)
+{
+  const Expected& expected = GetParam();
+  ISTHMUS_NEEDS_SHARED_DATA(std::string("surfaces/") + expected.File);
+  ChokingLoops loops(ReadSurface(expected.File));
+  const FeatureSelection selection = Percent(expected.Distance, expected.Persistence);
+  const std::array<int, 4> counts = CountFeatures(loops, selection);
+  EXPECT_EQ(counts[0], expected.Genus) << "handles";
+  EXPECT_EQ(counts[1], expected.Genus) << "tunnels";
+  if (expected.Inside >= 0)
+  {
+    EXPECT_EQ(counts[2], expected.Inside) << "additional, inside";
+  }
+  if (expected.Outside >= 0)
+  {
+    EXPECT_EQ(counts[3], expected.Outside) << "additional, outside";
+  }
+  for (const std::size_t i : loops.Select(selection))
+  {
+    ExpectSound(loops, i);
+  }
+  EXPECT_EQ(IntersectionRank(loops), static_cast<std::size_t>(expected.Genus));
+}
+
+INSTANTIATE_TEST_SUITE_P(Counts, SharedSurface,
+  ::testing::Values(Expected{ "soccerball.obj", 100, 4, 31, 59, 1 },
+    Expected{ "Kitten.off", 50, 15, 1, 1, -1 }, Expected{ "armadillo.obj", 50, 6, 0, 4, -1 },
+    Expected{ "bunny.off", 75, 1.6, 0, 1, -1 }, Expected{ "sphere.off", 100, 5, 0, 0, 0 },
+    Expected{ "torus.obj", 100, 5, 1, 0, 0 }, Expected{ "two-tori.obj", 100, 10, 2, -1, -1 },
+    Expected{ "knot1.off", 100, 10, 1, -1, -1 }, Expected{ "quadknot.obj", 100, 10, 1, -1, -1 },
+    Expected{ "eight.off", 100, 10, 2, -1, -1 }, Expected{ "3holes.off", 100, 10, 3, -1, -1 },
+    Expected{ "genus3.off", 100, 10, 3, -1, -1 }, Expected{ "helmet.off", 100, 10, 3, -1, -1 },
+    Expected{ "cup_input_simple_10000.off", 100, 10, 2, -1, -1 },
+    Expected{ "skull_low_resolution.obj", 100, 10, 2, -1, -1 },
+    Expected{ "65004.stl", 100, 10, 2, -1, -1 }, Expected{ "botijo.off", 100, 10, 5, -1, -1 },
+    Expected{ "elk.off", 100, 10, 1, -1, -1 }, Expected{ "fertility.off", 100, 10, 4, -1, -1 },
+    Expected{ "129110__sf.obj", 100, 10, 24, -1, -1 },
+    Expected{ "emd_5043.obj", 100, 5, 36, -1, -1 }),
+  [](const auto& test)
+  {
+    std::string name = test.param.File;
+    std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); },
+      '_');
+    return name;
+  });
+
+TEST(ChokingLoops, TangleCube)
+{
+  const ChokingLoops loops(TangleCube());
+  std::array<int, 4> counts = CountFeatures(loops, Percent(50, 10));
+  EXPECT_EQ(counts[0], 5);
+  EXPECT_EQ(counts[2], 7);
+  counts = CountFeatures(loops, Percent(100, 10));
+  EXPECT_EQ(counts[1], 5);
+  EXPECT_EQ(counts[3], 1);
+}
+
+// Sheets nearer to each other than the samples: counts hold, loops may be missing (see Limits).
+TEST(ChokingLoops, CountsOfThinSheets)
+{
+  for (const auto& [file, genus] :
+    { std::make_pair("casting.off", 9), std::make_pair("1514499.stl", 15) })
+  {
+    ISTHMUS_NEEDS_SHARED_DATA(std::string("surfaces/") + file);
+    const ChokingLoops loops(ReadSurface(file));
+    const std::array<int, 4> counts = CountFeatures(loops, Percent(100, 10));
+    EXPECT_EQ(counts[0], genus) << file;
+    EXPECT_EQ(counts[1], genus) << file;
+  }
+}
+
+TEST(ChokingLoops, NeckOfADumbbell)
+{
+  const double neck = 0.3;
+  ChokingLoops loops(
+    Revolution([neck](double z) { return DumbbellRadius(z, neck); }, -2.0, 2.0, 40, 80));
+  const std::vector<std::size_t> chosen = loops.Select(Percent(100, 10));
+  ASSERT_EQ(chosen.size(), 1U);
+  const ShapeFeature& f = loops.Diagram().Features[chosen[0]];
+  EXPECT_EQ(f.Kind, FeatureKind::Additional);
+  EXPECT_NEAR(f.Distance(), neck, 0.01 * neck);
+  const LoopFeature shown = MakeLoopFeature(loops, chosen[0], 1000);
+  EXPECT_NEAR(shown.Lengths[0], 2.0 * M_PI * neck, 0.01 * 2.0 * M_PI * neck);
+  EXPECT_NEAR(shown.Area, M_PI * neck * neck, 0.2 * M_PI * neck * neck);
+  const Point3 centre = loops.ChokePoint(chosen[0]);
+  EXPECT_NEAR(std::sqrt(Dot(centre, centre)), 0.0, 0.05);
+}
+
+TEST(ChokingLoops, TripleDumbbell)
+{
+  // Three balls in a row, necks of 0.3 and 0.2 between them.
+  const auto radius = [](double z)
+  {
+    const double closed = std::sqrt(std::max(0.0, 1.0 - z * z / 9.0));
+    const double neckA = std::exp(-8.0 * (z - 1.0) * (z - 1.0));
+    const double neckB = std::exp(-8.0 * (z + 1.0) * (z + 1.0));
+    return closed * (0.8 - 0.5 * neckA - 0.6 * neckB);
+  };
+  const ChokingLoops loops(Revolution(radius, -3.0, 3.0, 40, 160));
+  const std::array<int, 4> counts = CountFeatures(loops, Percent(100, 10));
+  EXPECT_EQ(counts[0] + counts[1], 0);
+  EXPECT_EQ(counts[2], 2);
+}
+
+TEST(ChokingLoops, ErrorFallsWithRefinement)
+{
+  double before = HUGE_VAL;
+  for (const int n : { 20, 40, 80 })
+  {
+    ChokingLoops loops(Torus(1.0, 0.3, 2 * n, n));
+    double distance = 0.0;
+    double length = 0.0;
+    for (const std::size_t i : loops.Select(Percent(100, 10)))
+    {
+      if (loops.Diagram().Features[i].Kind == FeatureKind::Handle)
+      {
+        distance = loops.Diagram().Features[i].Distance();
+        length = MakeLoopFeature(loops, i, 1000).Lengths[0];
+      }
+    }
+    const double error = std::abs(length / (2.0 * M_PI * 0.3) - 1.0);
+    EXPECT_LT(error, before);
+    if (n >= 40)
+    {
+      EXPECT_NEAR(distance, 0.3, 0.003);
+      EXPECT_LT(error, 0.01);
+    }
+    before = error;
+  }
+}
+
+TEST(ChokingLoops, StrutsOfTheBuckyball)
+{
+  ISTHMUS_NEEDS_SHARED_DATA("surfaces/soccerball.obj");
+  const ChokingLoops loops(ReadSurface("soccerball.obj"));
+  const FeatureSelection selection = Percent(100, 4);
+  EXPECT_EQ(Near(loops, selection, SpaceSide::Inside, 0.1133, 0.003), 60);
+  EXPECT_EQ(Near(loops, selection, SpaceSide::Inside, 0.1148, 0.003), 30);
+}
+
+TEST(ChokingLoops, GroELHasItsSymmetry)
+{
+  ISTHMUS_NEEDS_SHARED_DATA("surfaces/emd_5043.obj");
+  const ChokingLoops loops(ReadSurface("emd_5043.obj"));
+  const FeatureSelection selection = Percent(100, 5);
+  EXPECT_EQ(Near(loops, selection, SpaceSide::Outside, 6.4, 0.03), 7);
+  EXPECT_EQ(Near(loops, selection, SpaceSide::Outside, 7.55, 0.03), 14);
+  EXPECT_EQ(Near(loops, selection, SpaceSide::Outside, 10.2, 0.03), 14);
+  EXPECT_EQ(Near(loops, selection, SpaceSide::Inside, 4.0, 0.03), 14);
+  EXPECT_EQ(Near(loops, selection, SpaceSide::Inside, 6.7, 0.03), 14);
+  EXPECT_EQ(Near(loops, selection, SpaceSide::Inside, 8.37, 0.03), 14);
+}
+
+TEST(ChokingLoops, OrderAndRotationDoNotMatter)
+{
+  TriangleMesh mesh = TangleCube(40);
+  const ChokingLoops first{ TriangleMesh(mesh) };
+  std::mt19937 random(7);
+  std::vector<std::int64_t> order(mesh.Points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::shuffle(order.begin(), order.end(), random);
+  TriangleMesh other = mesh;
+  const Point3 x{ 2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0 };
+  const Point3 y{ 2.0 / 3.0, 2.0 / 3.0, -1.0 / 3.0 };
+  const Point3 z = Cross(x, y);
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const Point3& p = mesh.Points[i];
+    other.Points[static_cast<std::size_t>(order[i])] = { Dot(x, p), Dot(y, p), Dot(z, p) };
+  }
+  for (Triangle& t : other.Triangles)
+  {
+    for (std::int64_t& p : t)
+    {
+      p = order[static_cast<std::size_t>(p)];
+    }
+  }
+  std::shuffle(other.Triangles.begin(), other.Triangles.end(), random);
+  const ChokingLoops second{ std::move(other) };
+  const auto a = first.Select(Percent(100, 5));
+  const auto b = second.Select(Percent(100, 5));
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    const double d = first.Diagram().Features[a[i]].Distance();
+    EXPECT_NEAR(second.Diagram().Features[b[i]].Distance(), d, 1e-6 * d);
+  }
+}
+
+TEST(ChokingLoops, CubeHasNone)
+{
+  const TriangleMesh cube = LevelSet(
+    [](double x, double y, double z) {
+      return std::max({ std::abs(x), std::abs(y), std::abs(z) }) - 0.81;
+    },
+    1.0, 30);
+  const ChokingLoops loops{ TriangleMesh(cube) };
+  EXPECT_TRUE(loops.Select(Percent(100, 5)).empty());
+}
+
+void ExpectRefused(TriangleMesh mesh, const std::string& words)
+{
+  try
+  {
+    const ChokingLoops loops(std::move(mesh));
+    FAIL() << "accepted, though: " << words;
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+}
+
+TEST(ChokingLoops, RefusesWhatItCannotDo)
+{
+  const TriangleMesh torus = Torus(1.0, 0.3, 30, 20);
+  TriangleMesh open = torus;
+  open.Triangles.pop_back();
+  ExpectRefused(open, "hole");
+  TriangleMesh flipped = torus;
+  std::swap(flipped.Triangles[5][0], flipped.Triangles[5][1]);
+  ExpectRefused(flipped, "orientation");
+  TriangleMesh invalid = torus;
+  invalid.Points[3][1] = NAN;
+  ExpectRefused(invalid, "not finite");
+  TriangleMesh tiny = torus;
+  for (Point3& p : tiny.Points)
+  {
+    p = 1e-60 * p;
+  }
+  ExpectRefused(tiny, "out of range");
+  TriangleMesh flat = torus;
+  for (Point3& p : flat.Points)
+  {
+    p[2] = 0.0;
+  }
+  ExpectRefused(flat, "");
+  ExpectRefused({}, "no triangles");
+}
+
+TEST(ChokingLoops, NamesSelfIntersections)
+{
+  for (const char* file :
+    { "neptune.off", "block.off", "dragon.off", "trim-star.off", "sharp_sphere.off" })
+  {
+    ISTHMUS_NEEDS_SHARED_DATA(std::string("surfaces/") + file);
+    ExpectRefused(ReadSurface(file), "crosses itself");
+  }
+  ChokingLoopParameters parameters;
+  parameters.AllowSelfIntersections = true;
+  EXPECT_NO_THROW(ChokingLoops(ReadSurface("block.off"), parameters));
+}
+
+}
