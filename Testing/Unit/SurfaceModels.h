@@ -36,8 +36,10 @@ struct Model
 
   SurfaceView View() const
   {
-    return { this->Points.data()->data(), static_cast<vtkIdType>(this->Points.size()),
-      this->Triangles.data()->data(), static_cast<vtkIdType>(this->Triangles.size()) };
+    return { this->Points.empty() ? nullptr : this->Points.front().data(),
+      static_cast<vtkIdType>(this->Points.size()),
+      this->Triangles.empty() ? nullptr : this->Triangles.front().data(),
+      static_cast<vtkIdType>(this->Triangles.size()) };
   }
 
   vtkIdType AddPoint(double x, double y, double z)

@@ -237,7 +237,6 @@ TEST(TetrahedralMesher, StopsWhenAskedTo)
       return std::chrono::steady_clock::now() - start < std::chrono::milliseconds(300);
     };
     EXPECT_THROW(MeshTetrahedra(cube, parameters, stopSoon), Cancelled);
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(1300));
   }
 }
 
