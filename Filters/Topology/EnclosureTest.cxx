@@ -79,7 +79,10 @@ std::size_t EnclosureTest::Bin(double v, std::size_t axis) const
   const double width = this->Box.Max[axis] - this->Box.Min[axis];
   const double scaled =
     width > 0.0 ? (v - this->Box.Min[axis]) / width * static_cast<double>(this->Bins) : 0.0;
-  return static_cast<std::size_t>(std::clamp(scaled, 0.0, static_cast<double>(this->Bins - 1)));
+  // Written so that a NaN goes to the first bin: std::clamp would pass it on to the cast.
+  return scaled > 0.0
+    ? static_cast<std::size_t>(std::min(scaled, static_cast<double>(this->Bins - 1)))
+    : 0;
 }
 
 std::vector<int> EnclosureTest::Enclosing(const Point3& point) const
