@@ -22,7 +22,9 @@ set(classes
   Readers/vtkCombinatorialMeshReader
   Readers/vtkCombinatorialMeshWriter
   Readers/vtkMRCMapReader
-  Readers/vtkMSMSReader)
+  Readers/vtkMSMSReader
+  Readers/vtkOpenDXReader
+  Readers/vtkOpenDXWriter)
 
 # The only sources that include CGAL, which needs -frounding-math and is slow to compile.
 set(cgal_sources
@@ -121,6 +123,9 @@ set(sources
   Readers/MRCMode.cxx
   Readers/MRCVoxels.cxx
   Readers/MSMSReader.cxx
+  Readers/OpenDXReader.cxx
+  Readers/OpenDXText.cxx
+  Readers/OpenDXWriter.cxx
   Readers/PlainFile.cxx
   Readers/SkewedLattice.cxx
   Readers/StridedCopy.cxx)
