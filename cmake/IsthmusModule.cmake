@@ -2,6 +2,7 @@
 
 set(classes
   Filters/Curvature/vtkHessianCurvature
+  Filters/Curvature/vtkPolarizedCurvature
   Filters/Curvature/vtkScalarRegions
   Filters/Curvature/vtkSurfaceCurvature
   Filters/Imaging/vtkDiffusionAlgorithm
@@ -43,6 +44,7 @@ set(sources
   Filters/Curvature/GaussianScale.cxx
   Filters/Curvature/HessianCurvature.cxx
   Filters/Curvature/PointDerivative.cxx
+  Filters/Curvature/PolarizedCurvature.cxx
   Filters/Curvature/RegionTables.cxx
   Filters/Curvature/ScalarRegions.cxx
   Filters/Curvature/ShapeRows.cxx
