@@ -276,11 +276,15 @@ TEST(BindingSites, TheBottomOfACleftIsDeep)
   Trial trial(sphere);
   vtkTable* table = trial.Update();
   ASSERT_EQ(table->GetNumberOfRows(), 2);
-  // The hull closes with the disc x = 8, so the floor is 4 deep (see HullDepth.h for the 0.07).
   const vtkIdType floor = Entry(table, "SiteClass", 0) == 2.0 ? 0 : 1;
   EXPECT_EQ(Entry(table, "SiteClass", floor), 2.0);
-  EXPECT_NEAR(Entry(table, "MeanDepth", floor), 4.0, 0.07 * 6.0);
   EXPECT_NEAR(Entry(table, "CenterX", floor), 4.0, 1e-6);
+  // The hull closes with the disc x = 8: 4 away at the middle, 10 - |p| = 2.79 sideways at the rim.
+  EXPECT_GT(Entry(table, "MeanDepth", floor), 10.0 - std::sqrt(52.0));
+  EXPECT_LT(Entry(table, "MeanDepth", floor), 4.0);
+  const isthmus::PolyDataTriangles triangles(sphere);
+  const double middle[3] = { 4, 0, 0 };
+  EXPECT_NEAR(isthmus::HullDepth(triangles.View(), {})(middle), 4.0, 0.07 * 6.0);
 }
 
 TEST(BindingSites, SameBitsOnAnyNumberOfThreads)
