@@ -4,6 +4,7 @@
 #include "PlainFile.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace isthmus
 {
@@ -54,6 +55,22 @@ std::unique_ptr<ByteSource> OpenByteSource(const std::string& path)
     return OpenBzip2(std::move(file));
   }
   return std::make_unique<PlainSource>(std::move(file));
+}
+
+std::string ReadAll(ByteSource& source, const ProgressCallback& progress)
+{
+  constexpr std::size_t piece = std::size_t{ 1 } << 23;
+  std::string text;
+  for (std::size_t got = piece; got == piece;)
+  {
+    const std::size_t at = text.size();
+    text.resize(at + piece);
+    got = source.Read(at, &text[at], piece);
+    text.resize(at + got);
+    Report(progress, 1.0 - std::exp2(-static_cast<double>(text.size()) / double{ 1 << 26 }));
+  }
+  source.CheckEnd();
+  return text;
 }
 
 }

@@ -59,6 +59,9 @@ public:
 /// Opens a regular file. Throws MRCError for a missing, unreadable or empty one and for folders.
 std::unique_ptr<ByteSource> OpenByteSource(const std::string& path);
 
+/// All of the content, checksum checked. Throws MRCError as Read does, std::bad_alloc.
+std::string ReadAll(ByteSource& source, const ProgressCallback& progress = {});
+
 }
 
 #endif
