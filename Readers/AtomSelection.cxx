@@ -173,8 +173,8 @@ void SelectAtoms(Macromolecule& molecule, const MoleculeOptions& options)
   }
   if (otherLocations > 0)
   {
-    molecule.Notes.emplace_back(std::to_string(otherLocations) +
-      " atoms at other alternate locations were left out.");
+    molecule.Notes.emplace_back(
+      "Atoms at other alternate locations, left out: " + std::to_string(otherLocations) + ".");
   }
   KeepAtoms(molecule, keep);
 }

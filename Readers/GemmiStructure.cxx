@@ -1,5 +1,6 @@
 #include "GemmiStructure.h"
 
+#include "PQRFile.h"
 #include "TextLines.h"
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 #include <unordered_map>
+#include <utility>
 
 #include <gemmi/cif.hpp>
 #include <gemmi/mmcif.hpp>
@@ -21,8 +23,8 @@ namespace
 constexpr float Blank = 1e38F;
 constexpr const char* BlankText = "  1e38";
 
-/// Thrown on a line that only makes sense without its columns 73-80.
-struct OldColumns : std::runtime_error
+/// Thrown on a line whose coordinates are not where PDB has them.
+struct OtherColumns : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
@@ -74,7 +76,8 @@ private:
       double x = 0.0;
       if (!IsNumber(Columns(this->Line, from, 8), x) || !std::isfinite(x))
       {
-        this->Lines.Fail("columns " + std::to_string(from + 1) + " to " + std::to_string(from + 8) +
+        throw OtherColumns(this->Lines.Here() + "columns " + std::to_string(from + 1) + " to " +
+          std::to_string(from + 8) +
           " hold no coordinate (a finite number). Is it a PDB file, and whole?");
       }
     }
@@ -83,7 +86,7 @@ private:
     const std::string_view charge = Columns(this->Line, 78, 2);
     if (noElement && !charge.empty() && charge.find_first_of("+-") == std::string_view::npos)
     {
-      throw OldColumns("columns 79-80 are no charge");
+      throw std::runtime_error(this->Lines.Here() + "columns 79-80 hold no charge.");
     }
     for (const std::size_t from : { 54, 60 })
     {
@@ -252,6 +255,60 @@ Macromolecule TryPDB(std::string_view text, const std::string& path, bool cutAt7
   return molecule;
 }
 
+/// Asks whether to go on, but reports nothing.
+ProgressCallback AbortOnly(const ProgressCallback& progress)
+{
+  return progress ? [progress](double) { return progress(0.6); } : ProgressCallback();
+}
+
+/// Some programs, APBS among them, separate the values by blanks wherever the columns are.
+Macromolecule PDBInWords(std::string_view text, const std::string& path, std::int64_t model,
+  const OtherColumns& first, const ProgressCallback& progress)
+{
+  Macromolecule molecule;
+  try
+  {
+    molecule = ParsePQR(text, path, model, progress);
+  }
+  catch (const Cancelled&)
+  {
+    throw;
+  }
+  catch (const std::runtime_error&)
+  {
+    throw first;
+  }
+  for (Atom& atom : molecule.Atoms)
+  {
+    atom.Occupancy = std::exchange(atom.Charge, Atom::Unknown);
+    atom.BFactor = std::exchange(atom.Radius, Atom::Unknown);
+  }
+  molecule.Warnings.emplace_back(
+    "The values are not in the columns of a PDB file: read by the blanks between them.");
+  return molecule;
+}
+
+Macromolecule PDBWithoutOldColumns(std::string_view text, const std::string& path,
+  std::int64_t model, const std::runtime_error& first, const ProgressCallback& progress)
+{
+  try
+  {
+    Macromolecule molecule = TryPDB(text, path, true, model, progress);
+    molecule.Warnings.emplace_back("Columns 73-80 hold something else than segment, element and "
+                                   "charge, as in old PDB files: read without them.");
+    return molecule;
+  }
+  catch (const Cancelled&)
+  {
+    throw;
+  }
+  catch (const std::runtime_error&)
+  {
+    // The first reason is the one to tell: it was found in the file as it is.
+    Fail(path, "PDB", first);
+  }
+}
+
 /// Gives unknown values of a column a number by which they are found again.
 void MarkBlanks(gemmi::cif::Block& block, const char* tag)
 {
@@ -269,6 +326,8 @@ void MarkBlanks(gemmi::cif::Block& block, const char* tag)
 Macromolecule ParsePDB(std::string_view text, const std::string& path, std::int64_t model,
   const ProgressCallback& progress)
 {
+  // Each further way is tried without progress from the start again, which would not be monotone.
+  const ProgressCallback stopOnly = AbortOnly(progress);
   try
   {
     return TryPDB(text, path, false, model, progress);
@@ -277,29 +336,13 @@ Macromolecule ParsePDB(std::string_view text, const std::string& path, std::int6
   {
     throw;
   }
+  catch (const OtherColumns& error)
+  {
+    return PDBInWords(text, path, model, error, stopOnly);
+  }
   catch (const std::runtime_error& error)
   {
-    const std::string reason = error.what();
-    try
-    {
-      Macromolecule molecule = TryPDB(text, path, true, model, progress);
-      molecule.Warnings.emplace_back("Columns 73-80 hold something else than segment, element and "
-                                     "charge, as in old PDB files: read without them.");
-      return molecule;
-    }
-    catch (const Cancelled&)
-    {
-      throw;
-    }
-    catch (const std::runtime_error&)
-    {
-      // The first reason is the one to tell: it was found in the file as it is.
-      if (reason.find(path) == 0)
-      {
-        throw std::runtime_error(reason);
-      }
-      Fail(path, "PDB", error);
-    }
+    return PDBWithoutOldColumns(text, path, model, error, stopOnly);
   }
 }
 

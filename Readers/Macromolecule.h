@@ -56,6 +56,10 @@ struct Macromolecule
 /// "FE of HEM 142 A", for sentences.
 inline std::string Describe(const Atom& atom)
 {
+  if (atom.ResidueName.empty())
+  {
+    return atom.Name;
+  }
   std::string text = atom.Name + " of " + atom.ResidueName + " " + std::to_string(atom.ResidueId);
   if (atom.InsertionCode != ' ')
   {

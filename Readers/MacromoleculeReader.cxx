@@ -151,9 +151,11 @@ void SetRadii(Macromolecule& molecule, RadiusTable table)
   AddSentence(molecule.Notes,
     SentenceAbout(molecule, "the radius 0 in the file, and a charge",
       [](const Atom& atom) { return atom.Radius == 0.0 && atom.Charge != 0.0; }));
+  const auto noCharge = [](const Atom& atom) { return std::isnan(atom.Charge); };
   AddSentence(molecule.Notes,
-    SentenceAbout(molecule, "no charge in the file (Charge is NaN)",
-      [](const Atom& atom) { return std::isnan(atom.Charge); }));
+    std::all_of(molecule.Atoms.begin(), molecule.Atoms.end(), noCharge)
+      ? "The file gives no charges: Charge is NaN for all atoms."
+      : SentenceAbout(molecule, "no charge in the file (Charge is NaN)", noCharge));
 }
 
 }

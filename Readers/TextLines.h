@@ -51,11 +51,12 @@ public:
     return true;
   }
 
-  /// "PATH, line 7: REASON"
+  /// "PATH, line 7: "
+  std::string Here() const { return this->Path + ", line " + std::to_string(this->Number) + ": "; }
+
   [[noreturn]] void Fail(const std::string& reason) const
   {
-    throw std::runtime_error(
-      this->Path + ", line " + std::to_string(this->Number) + ": " + reason);
+    throw std::runtime_error(this->Here() + reason);
   }
 
 private:
