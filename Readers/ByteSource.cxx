@@ -1,6 +1,7 @@
 #include "ByteSource.h"
 
 #include "CompressedSource.h"
+#include "MRCError.h"
 #include "PlainFile.h"
 
 #include <algorithm>
@@ -31,6 +32,7 @@ public:
   }
   void SkipTo(std::uint64_t, const ProgressCallback&) override {}
   void CheckEnd() override {}
+  bool IsCut() const override { return false; }
   std::string Compression() const override { return "none"; }
   std::uint64_t FileSize() const override { return this->File.Size(); }
   const std::string& Path() const override { return this->File.Path(); }
@@ -70,6 +72,12 @@ std::string ReadAll(ByteSource& source, const ProgressCallback& progress)
     Report(progress, 1.0 - std::exp2(-static_cast<double>(text.size()) / double{ 1 << 26 }));
   }
   source.CheckEnd();
+  if (source.IsCut())
+  {
+    throw MRCError(MRCFailure::Truncated,
+      source.Path() + ": the " + source.Compression() +
+        " data break off before their end. Fetch the file again.");
+  }
   return text;
 }
 
