@@ -23,6 +23,7 @@ set(classes
   Filters/Topology/vtkTetCutaway
   Readers/vtkCombinatorialMeshReader
   Readers/vtkCombinatorialMeshWriter
+  Readers/vtkMacromoleculeReader
   Readers/vtkMRCMapReader
   Readers/vtkMSMSReader
   Readers/vtkOpenDXReader
@@ -116,10 +117,16 @@ set(sources
   Filters/Topology/SurfaceInComplex.cxx
   Filters/Topology/SurfaceSampling.cxx
   Filters/Topology/TetCutaway.cxx
+  Readers/AtomSelection.cxx
   Readers/ByteSource.cxx
+  Readers/ChemicalElement.cxx
   Readers/CombinatorialMeshParser.cxx
   Readers/CombinatorialMeshWriter.cxx
   Readers/CompressedSource.cxx
+  Readers/CovalentBonds.cxx
+  Readers/GemmiStructure.cxx
+  Readers/MacromoleculeReader.cxx
+  Readers/MoleculeOutput.cxx
   Readers/MRCFieldData.cxx
   Readers/MRCGeometry.cxx
   Readers/MRCHeader.cxx
@@ -132,8 +139,10 @@ set(sources
   Readers/OpenDXText.cxx
   Readers/OpenDXWriter.cxx
   Readers/PlainFile.cxx
+  Readers/PQRFile.cxx
   Readers/SkewedLattice.cxx
-  Readers/StridedCopy.cxx)
+  Readers/StridedCopy.cxx
+  Readers/XYZFile.cxx)
 
 # Loops with square roots and comparisons vectorise only without errno and signals for them; values
 # (infinities and NaN too) are the same.
@@ -164,6 +173,18 @@ endif ()
 
 find_package(BZip2 REQUIRED)
 vtk_module_link(Isthmus::vtkIsthmus PRIVATE BZip2::BZip2)
+
+# Headers only; Debian's gemmi-dev has no CMake package. Its CIF grammar is built on PEGTL.
+find_path(GEMMI_INCLUDE_DIR gemmi/pdb.hpp REQUIRED)
+find_path(PEGTL_INCLUDE_DIR tao/pegtl.hpp REQUIRED)
+vtk_module_include(Isthmus::vtkIsthmus SYSTEM PRIVATE
+  "${GEMMI_INCLUDE_DIR}" "${PEGTL_INCLUDE_DIR}")
+if (ISTHMUS_SANITIZE)
+  # gemmi shifts negative characters and lets over-long numbers wrap, on purpose or not: harmless
+  # with every compiler we know, and what it makes of them is checked.
+  set_source_files_properties(Readers/GemmiStructure.cxx PROPERTIES
+    COMPILE_OPTIONS "-fno-sanitize=shift,signed-integer-overflow")
+endif ()
 
 find_package(Eigen3 REQUIRED NO_MODULE)
 vtk_module_link(Isthmus::vtkIsthmus PRIVATE "$<BUILD_INTERFACE:Eigen3::Eigen>")
