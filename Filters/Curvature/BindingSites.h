@@ -41,9 +41,9 @@ enum class SiteRanking
 struct BindingSiteOptions
 {
   bool UseQuantile = true;
-  double Quantile = 0.95;     ///< in [0, 1)
+  double Quantile = 0.93;     ///< in [0, 1)
   double Threshold = 0.0;     ///< of the amplitude, without UseQuantile
-  double MergeDistance = 1.5; ///< length; 0: patches stay as they are
+  double MergeDistance = 1.0; ///< length; 0: patches stay as they are
   double MinimumArea = 5.0;   ///< length^2; smaller patches are left out
   SiteRanking Ranking = SiteRanking::Score;
 };

@@ -85,7 +85,7 @@ public:
   ///@}
 
   ///@{
-  /// The fraction of the area that lies at or below the threshold, in [0, 1). Default: 0.95.
+  /// The fraction of the area that lies at or below the threshold, in [0, 1). Default: 0.93.
   vtkSetMacro(Quantile, double);
   vtkGetMacro(Quantile, double);
   ///@}
@@ -98,7 +98,7 @@ public:
   ///@}
 
   ///@{
-  /// Distance within which patches of one class are merged, angstrom. Default: 1.5; 0: none are.
+  /// Distance within which patches of one class are merged, angstrom. Default: 1; 0: none are.
   vtkSetMacro(MergeDistance, double);
   vtkGetMacro(MergeDistance, double);
   ///@}
@@ -137,9 +137,9 @@ protected:
   int Classes = Ligands;
   int Amplitude = AbsoluteValue;
   vtkTypeBool UseQuantile = 1;
-  double Quantile = 0.95;
+  double Quantile = 0.93;
   double Threshold = 1.0;
-  double MergeDistance = 1.5;
+  double MergeDistance = 1.0;
   double MinimumArea = 5.0;
   int RankBy = ByScore;
 
