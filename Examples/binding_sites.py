@@ -130,9 +130,11 @@ def show_surface(surface, view, array, title, limit):
     bar = simple.GetScalarBar(colours, view)
     bar.Title, bar.ComponentTitle = title, ""
     bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
-    bar.TitleFontSize = bar.LabelFontSize = 14
-    bar.WindowLocation = "Lower Right Corner"
-    bar.ScalarBarLength = 0.5
+    bar.TitleFontSize = bar.LabelFontSize = 16
+    bar.Orientation = "Horizontal"
+    bar.WindowLocation = "Lower Center"
+    bar.ScalarBarLength, bar.ScalarBarThickness = 0.4, 12
+    bar.RangeLabelFormat = bar.LabelFormat = "%.1f"
     display.SetScalarBarVisibility(view, True)
 
 
@@ -148,19 +150,22 @@ def show_ligand(path, views):
             display.Specular = 0.3
 
 
-def show_centres(rows, view):
-    """The three best sites as spheres, the best one largest."""
-    for row in rows[:3]:
-        size = 1.4 - 0.3 * row["Rank"]
-        ball = simple.Sphere(Center=list(site_pipeline.centre(row)), Radius=size)
-        display = simple.Show(ball, view)
-        display.AmbientColor = display.DiffuseColor = [0.95, 0.75, 0.05]
+def show_best(source, view):
+    """Rims of the three best sites, in black."""
+    best = simple.Calculator(
+        Input=source, ResultArrayName="Best", Function="if(BindingSite > 0, if(BindingSite < 4, 1, 0), 0)"
+    )
+    rims = simple.Contour(Input=best, ContourBy=["POINTS", "Best"], Isosurfaces=[0.5])
+    display = simple.Show(simple.Tube(Input=rims, Radius=0.2), view)
+    display.ColorArrayName = ["POINTS", ""]
+    display.AmbientColor = display.DiffuseColor = [0.0, 0.0, 0.0]
 
 
-def picture(surface, rows, target, ligand_file, path):
+def picture(surface, target, ligand_file, path):
     """Potential above, polarized curvature below, both from the side of `target`."""
     source = producer(surface)
     layout = simple.CreateLayout()
+    layout.SetSize(900, 1400)
     layout.SplitVertical(0, 0.5)
     views = []
     for cell in (1, 2):
@@ -171,10 +176,10 @@ def picture(surface, rows, target, ligand_file, path):
         view.OrientationAxesVisibility = 0
         views.append(view)
     show_surface(source, views[0], "Potential", "potential (kT/e)", 5.0)
-    show_surface(source, views[1], "PolarizedCurvature", "potential x kappa_2 (kT/e/A)", 3.0)
+    show_surface(source, views[1], "PolarizedCurvature", "potential x kappa_2 (kT/(e A)); rims: three best sites", 3.0)
     if ligand_file:
         show_ligand(ligand_file, views[:1])
-    show_centres(rows, views[1])
+    show_best(source, views[1])
     points = site_pipeline.points_of(surface)
     middle, extent = points.mean(axis=0), numpy.ptp(points, axis=0).max()
     outwards = target - middle
@@ -185,8 +190,10 @@ def picture(surface, rows, target, ligand_file, path):
         view.CameraPosition = list(middle + 3.0 * extent * outwards)
         view.CameraViewUp = list(up)
         view.CameraParallelProjection = 1
-        view.CameraParallelScale = 0.6 * extent
-    simple.SaveScreenshot(str(path), layout, ImageResolution=[900, 1400])
+        view.CameraParallelScale = 0.66 * extent
+    simple.SaveScreenshot(
+        str(path), layout, ImageResolution=[900, 1400], FontScaling="Do not scale fonts"
+    )
 
 
 def main():
@@ -226,7 +233,7 @@ def main():
             ligand_file = Path(folder) / "ligand.pdb"
             ligand_file.write_text("".join(ligand) + "END\n")
         target = numpy.mean(positions, axis=0) if ligand else site_pipeline.centre(rows[0])
-        picture(surface, rows, target, ligand_file, options.output / f"{name}_sites.png")
+        picture(surface, target, ligand_file, options.output / f"{name}_sites.png")
     print(f"Picture and table: {options.output}")
 
 
