@@ -16,6 +16,7 @@ set(classes
   Filters/Meshing/vtkSurfaceRemesh
   Filters/Meshing/vtkSurfaceToGrid
   Filters/Meshing/vtkTetrahedralMesher
+  Filters/Molecular/vtkMolecularDensity
   Filters/Topology/vtkCellIncidence
   Filters/Topology/vtkChokingLoops
   Filters/Topology/vtkLoopShortening
@@ -85,6 +86,7 @@ set(sources
   Filters/Meshing/TetGenFiles.cxx
   Filters/Meshing/TetGenProcess.cxx
   Filters/Meshing/TetrahedralMesher.cxx
+  Filters/Molecular/MolecularDensity.cxx
   Filters/Support/CellType.cxx
   Filters/Support/GridCells.cxx
   Filters/Support/ImageExtent.cxx
@@ -159,8 +161,8 @@ vtk_module_add_module(Isthmus::vtkIsthmus
   SOURCES ${sources})
 
 # Public, since the wrappers include every class by its bare name; installed headers lie flat.
-foreach (room IN ITEMS Filters/Curvature Filters/Imaging Filters/Meshing Filters/Support
-  Filters/Topology Readers)
+foreach (room IN ITEMS Filters/Curvature Filters/Imaging Filters/Meshing
+  Filters/Molecular Filters/Support Filters/Topology Readers)
   vtk_module_include(Isthmus::vtkIsthmus
     PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${room}>")
 endforeach ()
