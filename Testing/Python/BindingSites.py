@@ -29,7 +29,7 @@ polarized = simple.PolarizedCurvature(Input=curved, PotentialImage=potential)
 sites = simple.BindingSites(Input=polarized)
 sites.UpdatePipeline()
 
-table = servermanager.Fetch(simple.OutputPort(sites, 1))
+table = servermanager.Fetch(sites, idx=1)
 rows = [
     {table.GetColumnName(c): table.GetValue(r, c).ToDouble() for c in range(table.GetNumberOfColumns())}
     for r in range(table.GetNumberOfRows())
@@ -43,7 +43,7 @@ distance = numpy.linalg.norm(sugar - best, axis=1).min()
 assert distance <= 4.0, distance
 assert rows[0]["MeanPotential"] < 0.0 and rows[0]["SiteClass"] == 4.0  # Glu 35 and Asp 52
 
-surface = servermanager.Fetch(simple.OutputPort(sites, 0))
+surface = servermanager.Fetch(sites, idx=0)
 labels = surface.GetPointData().GetArray("BindingSite")
 assert labels.GetRange() == (0.0, len(rows))
 with tempfile.TemporaryDirectory() as folder:
