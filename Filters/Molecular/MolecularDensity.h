@@ -64,7 +64,7 @@ VTKISTHMUS_EXPORT DensityGrid GridAroundBalls(
 VTKISTHMUS_EXPORT void UnionOfBalls(const std::vector<Ball>& balls,
   const std::array<double, 3>& origin, GridView<float> to, const ProgressCallback& progress = {});
 
-/// The same for the sum of Gaussians with the given decay (> 0), summed up in double.
+/// The same for the sum of Gaussians with the given decay (above 0, up to 500), summed up in double.
 VTKISTHMUS_EXPORT void GaussianSum(const std::vector<Ball>& balls, double decay,
   const std::array<double, 3>& origin, GridView<float> to, const ProgressCallback& progress = {});
 

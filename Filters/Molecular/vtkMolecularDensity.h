@@ -62,7 +62,7 @@ public:
   ///@}
 
   ///@{
-  /// How fast a Gaussian falls off, no unit, > 0. Default 2.3.
+  /// How fast a Gaussian falls off, no unit, above 0, up to 500. Default 2.3.
   vtkSetMacro(Decay, double);
   vtkGetMacro(Decay, double);
   ///@}

@@ -324,6 +324,8 @@ TEST(MolecularDensity, BadInputIsToldInASentence)
   filter->SetSpacing(0.5);
   filter->SetDecay(0.0);
   EXPECT_NE(saidOf(atoms).find("Decay is 0"), std::string::npos);
+  filter->SetDecay(1000.0);
+  EXPECT_NE(saidOf(atoms).find("Decay is 1000"), std::string::npos);
   filter->SetDecay(2.3);
   filter->SetRadiusScale(-1.0);
   EXPECT_NE(saidOf(atoms).find("RadiusScale is -1"), std::string::npos);
