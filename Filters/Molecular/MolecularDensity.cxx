@@ -61,9 +61,12 @@ public:
     , Grid(grid)
   {
     // An order of their own, so that the sums do not depend on that of the input.
-    std::sort(this->Balls.begin(), this->Balls.end(), [](const Ball& a, const Ball& b)
-      { return std::tie(a.Centre[2], a.Centre[1], a.Centre[0], a.Radius) <
-          std::tie(b.Centre[2], b.Centre[1], b.Centre[0], b.Radius); });
+    std::sort(this->Balls.begin(), this->Balls.end(),
+      [](const Ball& a, const Ball& b)
+      {
+        return std::tie(a.Centre[2], a.Centre[1], a.Centre[0], a.Radius) <
+          std::tie(b.Centre[2], b.Centre[1], b.Centre[0], b.Radius);
+      });
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       this->Counts[axis] = (grid.Dimensions[axis] + BrickSize[axis] - 1) / BrickSize[axis];
@@ -90,8 +93,7 @@ public:
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       brick.First[axis] = place[axis] * BrickSize[axis];
-      brick.Last[axis] =
-        std::min(brick.First[axis] + BrickSize[axis], this->Grid.Dimensions[axis]);
+      brick.Last[axis] = std::min(brick.First[axis] + BrickSize[axis], this->Grid.Dimensions[axis]);
     }
     return brick;
   }
@@ -119,8 +121,8 @@ private:
       bool empty = false;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        const Range nodes(this->Balls[ball].Centre[axis], this->Reach * this->Balls[ball].Radius,
-          0, this->Grid.Dimensions[axis]);
+        const Range nodes(this->Balls[ball].Centre[axis], this->Reach * this->Balls[ball].Radius, 0,
+          this->Grid.Dimensions[axis]);
         empty = empty || nodes.IsEmpty();
         first[axis] = nodes.First / BrickSize[axis];
         last[axis] = (nodes.Last - 1) / BrickSize[axis] + 1;
@@ -268,8 +270,7 @@ void Store(const BrickValues& values, const Brick& brick, const GridView<float>&
   {
     for (std::int64_t j = brick.First[1]; j < brick.Last[1]; ++j)
     {
-      const double* from =
-        values.data() + IndexInBrick(0, j - brick.First[1], k - brick.First[2]);
+      const double* from = values.data() + IndexInBrick(0, j - brick.First[1], k - brick.First[2]);
       std::transform(from, from + (brick.Last[0] - brick.First[0]), &to(brick.First[0], j, k),
         [](double value) { return static_cast<float>(value); });
     }
@@ -375,8 +376,8 @@ void UnionOfBalls(const std::vector<Ball>& balls, const std::array<double, 3>& o
     [](const Ball& ball, const Brick& brick, double* values) { AddBall(ball, brick, values); });
 }
 
-void GaussianSum(const std::vector<Ball>& balls, double decay,
-  const std::array<double, 3>& origin, GridView<float> to, const ProgressCallback& progress)
+void GaussianSum(const std::vector<Ball>& balls, double decay, const std::array<double, 3>& origin,
+  GridView<float> to, const ProgressCallback& progress)
 {
   constexpr double steepest = 500.0; // exp(709) is the largest double
   if (!(decay > 0.0) || decay > steepest)

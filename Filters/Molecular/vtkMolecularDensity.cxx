@@ -40,8 +40,9 @@ Atoms AtomsOf(vtkPointSet* input, vtkDataArray* radii, double scale)
 {
   if (!radii)
   {
-    throw std::invalid_argument("The atoms have no point array of radii: read them with "
-                                "vtkMacromoleculeReader, or choose one with SetInputArrayToProcess.");
+    throw std::invalid_argument(
+      "The atoms have no point array of radii: read them with "
+      "vtkMacromoleculeReader, or choose one with SetInputArrayToProcess.");
   }
   if (radii->GetNumberOfComponents() != 1)
   {
@@ -82,10 +83,10 @@ vtkFloatArray* AddDensity(vtkImageData* image, const DensityGrid& grid)
 {
   const double nodes = static_cast<double>(grid.Dimensions[0]) *
     static_cast<double>(grid.Dimensions[1]) * static_cast<double>(grid.Dimensions[2]);
-  const std::string tooLarge = "A Spacing of " + std::to_string(grid.Spacing) + " makes a grid of " +
-    std::to_string(grid.Dimensions[0]) + " x " + std::to_string(grid.Dimensions[1]) + " x " +
-    std::to_string(grid.Dimensions[2]) + " nodes, which takes " +
-    std::to_string(std::llround(nodes * sizeof(float) / 1e9)) +
+  const std::string tooLarge = "A Spacing of " + std::to_string(grid.Spacing) +
+    " makes a grid of " + std::to_string(grid.Dimensions[0]) + " x " +
+    std::to_string(grid.Dimensions[1]) + " x " + std::to_string(grid.Dimensions[2]) +
+    " nodes, which takes " + std::to_string(std::llround(nodes * sizeof(float) / 1e9)) +
     " GB and does not fit into memory: choose a larger one.";
   // Far beyond any memory, and near to what 64 bits count.
   if (nodes > 1e15)

@@ -1,6 +1,6 @@
-// A million atoms from PQR: the whole reader with and without bonds by distance, beside a plain loop
-// of fread and strtod that keeps nothing but the five numbers of each line. A million atoms from
-// PDB beside gemmi's own reader.
+// A million atoms from PQR: the whole reader with and without bonds by distance, beside a plain
+// loop of fread and strtod that keeps nothing but the five numbers of each line. A million atoms
+// from PDB beside gemmi's own reader.
 
 #include "vtkMacromoleculeReader.h"
 

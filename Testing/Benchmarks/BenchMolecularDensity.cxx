@@ -39,7 +39,10 @@ struct Case
     const auto& n = this->Grid.Dimensions;
     this->Nodes.resize(static_cast<std::size_t>(n[0] * n[1] * n[2]));
   }
-  GridView<float> View() { return { this->Nodes.data(), this->Grid.Dimensions, { 0.5, 0.5, 0.5 } }; }
+  GridView<float> View()
+  {
+    return { this->Nodes.data(), this->Grid.Dimensions, { 0.5, 0.5, 0.5 } };
+  }
 
   std::vector<Ball> Balls;
   DensityGrid Grid;
@@ -62,8 +65,7 @@ void Gaussians(benchmark::State& state)
   Case c(state.range(0));
   for (auto _ : state)
   {
-    const double seconds =
-      Timed([&] { GaussianSum(c.Balls, 2.3, c.Grid.Origin, c.View()); });
+    const double seconds = Timed([&] { GaussianSum(c.Balls, 2.3, c.Grid.Origin, c.View()); });
     Ours = state.range(0) == 100000 ? seconds : Ours;
   }
   state.counters["nodes"] = static_cast<double>(c.Nodes.size());

@@ -143,7 +143,8 @@ TEST(MolecularDensity, VolumeOfTwoBallsLessTheirLens)
   const std::vector<Ball> balls{ { { 0.1, 0.2, 0.3 }, r }, { { 0.1 + d, 0.2, 0.3 }, r } };
   const double lens = Pi * (4.0 * r + d) * (2.0 * r - d) * (2.0 * r - d) / 12.0;
   const double exact = 2.0 * 4.0 / 3.0 * Pi * r * r * r - lens;
-  // Paddings that keep the centres off the nodes, where the counts of symmetric nodes jump together.
+  // Paddings that keep the centres off the nodes, where the counts of symmetric nodes jump
+  // together.
   const double found = Make(balls, Form::Union, 0.05, { 0.31, 0.17, 0.23 }).Integral();
   EXPECT_NEAR(found / exact, 1.0, 1e-3);
 }
@@ -240,14 +241,13 @@ TEST(MolecularDensity, AnyRadiusIsSafe)
   for (const double tiny : { 1e-300, 1e-200, 1e-10 })
   {
     const Volume spike = Make({ { { 0.0, 0.0, 0.0 }, tiny } }, Form::Gaussians, 0.5);
-    EXPECT_FALSE(std::any_of(spike.Values.begin(), spike.Values.end(),
-      [](float value) { return std::isnan(value); }));
+    EXPECT_FALSE(std::any_of(
+      spike.Values.begin(), spike.Values.end(), [](float value) { return std::isnan(value); }));
   }
   const double nan = std::nan("");
   EXPECT_THROW(Make({ { { 0.0, 0.0, 0.0 }, -1.0 } }, Form::Union, 0.5), std::invalid_argument);
   EXPECT_THROW(Make({ { { 0.0, nan, 0.0 }, 1.0 } }, Form::Union, 0.5), std::invalid_argument);
-  EXPECT_THROW(
-    Make({ { { 0.0, 0.0, 0.0 }, INFINITY } }, Form::Union, 0.5), std::invalid_argument);
+  EXPECT_THROW(Make({ { { 0.0, 0.0, 0.0 }, INFINITY } }, Form::Union, 0.5), std::invalid_argument);
 }
 
 TEST(MolecularDensity, FloatAndDoubleInputThroughVTK)
