@@ -294,6 +294,11 @@ void vtkHessianCurvature::AddCurvature(
   {
     isthmus::AddCurvatureAtPoints(
       image, values, points, OptionsOf(this), SelectionOf(this), output, progress);
+    // What a view colours by, and the next filter takes, unless told otherwise.
+    if (this->GenerateMeanCurvature)
+    {
+      output->GetPointData()->SetActiveScalars("MeanCurvature");
+    }
   }
   else
   {

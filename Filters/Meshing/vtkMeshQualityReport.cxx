@@ -198,6 +198,7 @@ int vtkMeshQualityReport::RequestData(
       AddArray(marked, "SmallestAngle", cells, &isthmus::CellAngles::Smallest);
       AddArray(marked, "LargestAngle", cells, &isthmus::CellAngles::Largest);
       AddArray(marked, "RadiusEdgeRatio", cells, &isthmus::CellAngles::RadiusEdge);
+      marked->GetCellData()->SetActiveScalars("SmallestAngle");
       AddFieldData(summary, this->Summary, marked->GetFieldData());
       FillHistogram(summary, histogram);
     });
