@@ -78,6 +78,7 @@ set(sources
   Filters/Meshing/TetGenProcess.cxx
   Filters/Meshing/TetrahedralMesher.cxx
   Filters/Support/CellType.cxx
+  Filters/Support/ChosenScalars.cxx
   Filters/Support/GridCells.cxx
   Filters/Support/ImageExtent.cxx
   Filters/Support/ParallelFor.cxx

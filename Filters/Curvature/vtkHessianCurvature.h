@@ -189,7 +189,6 @@ private:
 
   void CheckParameters();
   void WarnIfThin(const int whole[6], bool atPoints);
-  vtkDataArray* ChosenScalars(vtkImageData* image, vtkInformationVector** inputVector);
   void AddCurvature(
     vtkImageData* image, vtkDataArray* scalars, vtkPoints* points, vtkDataSet* output);
   bool AsksForMore(vtkInformation* request, vtkInformation* imageInfo, vtkInformation* pointsInfo,
