@@ -64,10 +64,10 @@ vtkDataArray* ChosenScalars(vtkAlgorithm* filter, vtkImageData* image)
   vtkInformation* chosen = filter->GetInputArrayInformation(0);
   const char* name = chosen->Get(vtkDataObject::FIELD_NAME());
   const bool named = name && *name;
-  const bool onCells = chosen->Get(vtkDataObject::FIELD_ASSOCIATION()) ==
-    vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  vtkDataSetAttributes* data = onCells ? static_cast<vtkDataSetAttributes*>(image->GetCellData())
-                                       : image->GetPointData();
+  const bool onCells =
+    chosen->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  vtkDataSetAttributes* data =
+    onCells ? static_cast<vtkDataSetAttributes*>(image->GetCellData()) : image->GetPointData();
   vtkDataArray* scalars = named ? data->GetArray(name) : data->GetScalars();
   if (!scalars)
   {

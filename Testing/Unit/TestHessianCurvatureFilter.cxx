@@ -513,7 +513,8 @@ TEST(HessianCurvatureFilter, BadInputIsNamed)
   brief->SetNumberOfTuples(7);
   brief->Fill(1.0);
   bare->GetPointData()->SetScalars(brief);
-  EXPECT_NE(ErrorOf(filter, bare).find("Array 'Brief' has 7 values for the 125"), std::string::npos);
+  EXPECT_NE(
+    ErrorOf(filter, bare).find("Array 'Brief' has 7 values for the 125"), std::string::npos);
 
   const auto image = SampledImage(Block(), Spheres);
   vtkNew<vtkDoubleArray> cells;
@@ -524,7 +525,8 @@ TEST(HessianCurvatureFilter, BadInputIsNamed)
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Cells");
   EXPECT_NE(ErrorOf(filter, image).find("Array 'Cells' is not on points"), std::string::npos);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Absent");
-  EXPECT_NE(ErrorOf(filter, image).find("no array 'Absent' to work on; its point arrays are: '"), std::string::npos);
+  EXPECT_NE(ErrorOf(filter, image).find("no array 'Absent' to work on; its point arrays are: '"),
+    std::string::npos);
 }
 
 TEST(HessianCurvatureFilter, SurfaceWithoutAVolume)
