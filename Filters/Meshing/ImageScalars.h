@@ -20,6 +20,20 @@
 namespace isthmus
 {
 
+/// Throws std::invalid_argument, with the axis, unless all spacings are positive and finite.
+inline void RequireSpacing(vtkImageData* image)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double spacing = image->GetSpacing()[axis];
+    if (!(spacing > 0.0) || std::isinf(spacing))
+    {
+      throw std::invalid_argument("The image has the spacing " + std::to_string(spacing) +
+        " along " + "xyz"[axis] + ", but spacings must be positive and finite: set another one.");
+    }
+  }
+}
+
 /// Throws std::invalid_argument, with the node, unless all values are finite numbers.
 template <typename T>
 void CheckFinite(const GridView<const T>& grid)
@@ -42,6 +56,7 @@ void CheckFinite(const GridView<const T>& grid)
 template <typename Use>
 void UseScalars(vtkImageData* image, vtkDataArray* scalars, Use&& use)
 {
+  RequireSpacing(image);
   int dimensions[3];
   double spacing[3];
   image->GetDimensions(dimensions);
