@@ -21,6 +21,7 @@ set(classes
   Filters/Topology/vtkTetCutaway
   Readers/vtkCombinatorialMeshReader
   Readers/vtkCombinatorialMeshWriter
+  Readers/vtkMacromoleculeReader
   Readers/vtkMRCMapReader
   Readers/vtkMSMSReader)
 
@@ -110,10 +111,16 @@ set(sources
   Filters/Topology/SurfaceInComplex.cxx
   Filters/Topology/SurfaceSampling.cxx
   Filters/Topology/TetCutaway.cxx
+  Readers/AtomSelection.cxx
   Readers/ByteSource.cxx
+  Readers/ChemicalElement.cxx
   Readers/CombinatorialMeshParser.cxx
   Readers/CombinatorialMeshWriter.cxx
   Readers/CompressedSource.cxx
+  Readers/CovalentBonds.cxx
+  Readers/GemmiStructure.cxx
+  Readers/MacromoleculeReader.cxx
+  Readers/MoleculeOutput.cxx
   Readers/MRCFieldData.cxx
   Readers/MRCGeometry.cxx
   Readers/MRCHeader.cxx
@@ -123,8 +130,10 @@ set(sources
   Readers/MRCVoxels.cxx
   Readers/MSMSReader.cxx
   Readers/PlainFile.cxx
+  Readers/PQRFile.cxx
   Readers/SkewedLattice.cxx
-  Readers/StridedCopy.cxx)
+  Readers/StridedCopy.cxx
+  Readers/XYZFile.cxx)
 
 # Loops with square roots and comparisons vectorise only without errno and signals for them; values
 # (infinities and NaN too) are the same.
@@ -155,6 +164,12 @@ endif ()
 
 find_package(BZip2 REQUIRED)
 vtk_module_link(Isthmus::vtkIsthmus PRIVATE BZip2::BZip2)
+
+# Headers only; Debian's gemmi-dev has no CMake package. Its CIF grammar is built on PEGTL.
+find_path(GEMMI_INCLUDE_DIR gemmi/pdb.hpp REQUIRED)
+find_path(PEGTL_INCLUDE_DIR tao/pegtl.hpp REQUIRED)
+vtk_module_include(Isthmus::vtkIsthmus SYSTEM PRIVATE
+  "${GEMMI_INCLUDE_DIR}" "${PEGTL_INCLUDE_DIR}")
 
 find_package(Eigen3 REQUIRED NO_MODULE)
 vtk_module_link(Isthmus::vtkIsthmus PRIVATE "$<BUILD_INTERFACE:Eigen3::Eigen>")
