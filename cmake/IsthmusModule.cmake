@@ -2,6 +2,7 @@
 
 set(classes
   Filters/Curvature/vtkHessianCurvature
+  Filters/Curvature/vtkPolarizedCurvature
   Filters/Curvature/vtkScalarRegions
   Filters/Curvature/vtkSurfaceCurvature
   Filters/Imaging/vtkDiffusionAlgorithm
@@ -23,7 +24,9 @@ set(classes
   Readers/vtkCombinatorialMeshWriter
   Readers/vtkMacromoleculeReader
   Readers/vtkMRCMapReader
-  Readers/vtkMSMSReader)
+  Readers/vtkMSMSReader
+  Readers/vtkOpenDXReader
+  Readers/vtkOpenDXWriter)
 
 # The only sources that include CGAL, which needs -frounding-math and is slow to compile.
 set(cgal_sources
@@ -42,6 +45,7 @@ set(sources
   Filters/Curvature/GaussianScale.cxx
   Filters/Curvature/HessianCurvature.cxx
   Filters/Curvature/PointDerivative.cxx
+  Filters/Curvature/PolarizedCurvature.cxx
   Filters/Curvature/RegionTables.cxx
   Filters/Curvature/ScalarRegions.cxx
   Filters/Curvature/ShapeRows.cxx
@@ -129,6 +133,9 @@ set(sources
   Readers/MRCMode.cxx
   Readers/MRCVoxels.cxx
   Readers/MSMSReader.cxx
+  Readers/OpenDXReader.cxx
+  Readers/OpenDXText.cxx
+  Readers/OpenDXWriter.cxx
   Readers/PlainFile.cxx
   Readers/PQRFile.cxx
   Readers/SkewedLattice.cxx
