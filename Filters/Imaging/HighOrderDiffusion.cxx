@@ -266,9 +266,9 @@ void Check(const Parameters& parameters)
 int HaloWidth(const Parameters& parameters)
 {
   const int reach = MakeOperator<float>(parameters).Reach();
-  // The variance at a rank's own nodes looks a window and a gradient further.
+  // At the image's ends a window lies to one side of a node; gradients look a node further.
   const bool local = parameters.EdgeStopping == Parameters::EdgeStoppingType::LocalVariance;
-  return std::max(reach, local ? parameters.Window / 2 + 2 : 0);
+  return std::max(reach, local ? parameters.Window + 1 : 0);
 }
 
 double ExplicitStepLimit(const Parameters& parameters, const std::array<double, 3>& spacing)
