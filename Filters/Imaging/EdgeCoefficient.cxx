@@ -135,9 +135,9 @@ void FillFromLocalVariance(const DiffusionGrid<T>& grid, const DiffusionParamete
     });
 }
 
-/// Heat flow for half the variance; the result is in scratch[0].
+/// Heat flow for half the variance; the result is in scratch[0]. Returns the number of steps.
 template <typename T>
-void Smooth(
+int Smooth(
   const DiffusionGrid<T>& grid, double deviation, const T* values, const std::array<T*, 2>& scratch)
 {
   DiffusionOperator<T> heat;
@@ -155,6 +155,7 @@ void Smooth(
     grid.Exchange(stage.Out);
     stage.Current = stage.Out;
   }
+  return static_cast<int>(steps.size());
 }
 
 }
@@ -168,12 +169,13 @@ bool LooksBeyondNeighbours(const DiffusionParameters& parameters)
 }
 
 template <typename T>
-void FillEdgeCoefficient(const DiffusionGrid<T>& grid, const DiffusionParameters& parameters,
+int FillEdgeCoefficient(const DiffusionGrid<T>& grid, const DiffusionParameters& parameters,
   const T* values, const std::array<T*, 2>& scratch, T* coefficient)
 {
+  int evaluations = 1;
   if (parameters.PreSmoothing > 0.0)
   {
-    Smooth(grid, parameters.PreSmoothing, values, { scratch[0], coefficient });
+    evaluations += Smooth(grid, parameters.PreSmoothing, values, { scratch[0], coefficient });
     values = scratch[0];
   }
   if (parameters.EdgeStopping == DiffusionParameters::EdgeStoppingType::LocalVariance)
@@ -188,11 +190,12 @@ void FillEdgeCoefficient(const DiffusionGrid<T>& grid, const DiffusionParameters
       { coefficient[n] = std::exp(scale * Squared(slope)); });
   }
   grid.Exchange(coefficient);
+  return evaluations;
 }
 
-template void FillEdgeCoefficient(const DiffusionGrid<float>&, const DiffusionParameters&,
+template int FillEdgeCoefficient(const DiffusionGrid<float>&, const DiffusionParameters&,
   const float*, const std::array<float*, 2>&, float*);
-template void FillEdgeCoefficient(const DiffusionGrid<double>&, const DiffusionParameters&,
+template int FillEdgeCoefficient(const DiffusionGrid<double>&, const DiffusionParameters&,
   const double*, const std::array<double*, 2>&, double*);
 
 }

@@ -169,14 +169,14 @@ double TimeOrder(const DiffusionParameters& start, const DiffusionGrid<double>& 
     parameters.Steps = steps;
     return Diffused(grid, parameters, values);
   };
-  const std::vector<double> exact = solution(32 * few);
+  const std::vector<double> exact = solution(16 * few);
   return std::log(Distance(solution(few), exact) / Distance(solution(4 * few), exact)) /
     std::log(4.0);
 }
 
 }
 
-TEST(HighOrderDiffusion, TimeOrderIsTwoWithAConstantCoefficientAndOneWithAChangingOne)
+TEST(HighOrderDiffusion, TimeOrderIsTwo)
 {
   const auto grid = Grid<double>(20, 18, 16);
   std::vector<double> start = NeumannMode(grid, { 2, 1, 1 }).Values;
@@ -189,13 +189,13 @@ TEST(HighOrderDiffusion, TimeOrderIsTwoWithAConstantCoefficientAndOneWithAChangi
     parameters.Sigma = 0.3;
     parameters.Time = std::min(12.0, std::pow(3.0, order + 1));
     parameters.EdgeStopping = Edge::None;
-    const int few = order == 0 ? 8 : order < 3 ? 4 : 16; // q = 3 can't take longer steps
+    const int few = order < 3 ? 8 : 16; // q = 3 can't take longer steps
     const double constant = TimeOrder(parameters, grid, start, few);
     parameters.EdgeStopping = Edge::Gaussian;
-    const double changing = TimeOrder(parameters, grid, start, few);
+    const double changing = TimeOrder(parameters, grid, start, 2 * few);
     std::printf("q = %d: time order %.2f, with edge stopping %.2f\n", order, constant, changing);
     EXPECT_GT(constant, 1.9);
-    EXPECT_GT(changing, 0.9);
+    EXPECT_GT(changing, 1.9);
   }
 }
 
