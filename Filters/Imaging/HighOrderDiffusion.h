@@ -16,8 +16,8 @@
  *
  * Super time stepping is the Runge-Kutta-Legendre method of second order (Meyer, Balsara, Aslam,
  * J. Comput. Phys. 257 (2014) 594): s stages reach (s^2 + s - 2)/4 times as far as one explicit
- * step, so the cost of an end time grows with its square root. The coefficient is that of the
- * step's start: second order in time where it is constant, first where it changes.
+ * step, so the cost of an end time grows with its square root. A coefficient that changes is that
+ * of the step's middle, found by a step of half the length: second order in time.
  */
 #ifndef isthmus_HighOrderDiffusion_h
 #define isthmus_HighOrderDiffusion_h
@@ -72,7 +72,7 @@ struct DiffusionReport
   std::vector<double> Time;     ///< at the end of the step
   std::vector<double> Change;   ///< root mean square of what the step changed
   std::vector<double> Residual; ///< root mean square of the rate of change at the step's start
-  std::int64_t Evaluations = 0; ///< of the right-hand side
+  std::int64_t Evaluations = 0; ///< of a right-hand side, those under PreSmoothing included
 };
 
 /// Throws std::invalid_argument, in a sentence, for parameters that mean nothing.

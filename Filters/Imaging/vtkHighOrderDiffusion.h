@@ -147,8 +147,8 @@ public:
   ///@}
 
   ///@{
-  /// SuperTimeStepping (default; cost grows with the square root of Time, the coefficient is that
-  /// of the step's start) or ForwardEuler.
+  /// SuperTimeStepping (default; second order in time, cost grows with the square root of Time) or
+  /// ForwardEuler.
   vtkSetMacro(Integrator, int);
   vtkGetMacro(Integrator, int);
   ///@}
