@@ -4,6 +4,7 @@
 #include "TextLines.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -58,6 +59,12 @@ public:
     else if (this->Line.compare(0, 6, "CONECT") == 0)
     {
       this->ReadBonds();
+    }
+    else if (this->Line.size() < 80)
+    {
+      // gemmi 0.5.7 keeps SSBOND and LINK lines and reads past the end of short ones.
+      const auto first = static_cast<char>(std::toupper(static_cast<unsigned char>(this->Line[0])));
+      this->Line.resize(first == 'S' || first == 'L' ? 80 : this->Line.size(), ' ');
     }
     this->Line += '\n';
     std::memcpy(to, this->Line.c_str(), this->Line.size() + 1);

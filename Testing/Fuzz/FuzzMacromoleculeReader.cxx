@@ -78,6 +78,13 @@ ATOM 1 C A 1 0.0 0.0 0.0 0.1 1.87
 
 }
 
+extern "C" int LLVMFuzzerInitialize(int*, char***)
+{
+  // Starting threads for each input would take all of the time.
+  setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 1);
+  return 0;
+}
+
 extern "C" size_t LLVMFuzzerCustomMutator(
   uint8_t* data, size_t size, size_t most, unsigned int seed)
 {
