@@ -1,6 +1,7 @@
 # The VTK module Isthmus::vtkIsthmus: every class and algorithm of the library, room by room.
 
 set(classes
+  Filters/Curvature/vtkBindingSites
   Filters/Curvature/vtkHessianCurvature
   Filters/Curvature/vtkPolarizedCurvature
   Filters/Curvature/vtkScalarRegions
@@ -39,12 +40,14 @@ set(cgal_sources
 
 set(sources
   ${cgal_sources}
+  Filters/Curvature/BindingSites.cxx
   Filters/Curvature/CurvatureDescriptors.cxx
   Filters/Curvature/CurvatureOfImage.cxx
   Filters/Curvature/EdgeBends.cxx
   Filters/Curvature/FiniteDifference.cxx
   Filters/Curvature/GaussianScale.cxx
   Filters/Curvature/HessianCurvature.cxx
+  Filters/Curvature/HullDepth.cxx
   Filters/Curvature/PointDerivative.cxx
   Filters/Curvature/PolarizedCurvature.cxx
   Filters/Curvature/RegionTables.cxx
