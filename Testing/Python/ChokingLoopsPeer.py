@@ -1,5 +1,5 @@
-"""The persistence diagram of choking loops against GUDHI's exact alpha complex, on six surfaces (ISTHMUS_LONG_TESTS=1:
-nine).
+"""The persistence diagram of choking loops against GUDHI's exact alpha complex, on six surfaces
+(nine with ISTHMUS_LONG_TESTS=1).
 
 Both get the same points, those of the surface: SampleSpacing is larger than any edge. GUDHI's
 pairs of dimension 2 must be ours, and its deaths of dimension 1, one for one, as far as they lie
@@ -13,6 +13,7 @@ import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdTypeArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 from vtkmodules.vtkIOGeometry import vtkOBJReader
 
 import isthmus
@@ -53,8 +54,11 @@ def read(name):
         return read_off(path)
     reader = vtkOBJReader()
     reader.SetFileName(str(path))
-    reader.Update()
-    return reader.GetOutput()
+    clean = vtkCleanPolyData()  # the reader keeps points that nothing uses
+    clean.SetInputConnection(reader.GetOutputPort())
+    clean.SetTolerance(0.0)
+    clean.Update()
+    return clean.GetOutput()
 
 
 def ours(surface):
