@@ -54,8 +54,10 @@ def read(name):
         return read_off(path)
     reader = vtkOBJReader()
     reader.SetFileName(str(path))
+    surface = reader.GetOutput()
+    surface.GetPointData().Initialize()  # normals fewer than points, which vtkCleanPolyData trusts
     clean = vtkCleanPolyData()  # the reader keeps points that nothing uses
-    clean.SetInputConnection(reader.GetOutputPort())
+    clean.SetInputData(surface)
     clean.SetTolerance(0.0)
     clean.Update()
     return clean.GetOutput()
