@@ -11,10 +11,8 @@ import time
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkIdTypeArray, vtkPoints
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkCleanPolyData
-from vtkmodules.vtkIOGeometry import vtkOBJReader
 
 import isthmus
 from shared_data import shared_data
@@ -29,38 +27,29 @@ TOLERANCE = 1e-9  # of radii, relative; the issue asks for 1e-6
 SHORTEST = 1e-6   # pairs whose radii are nearer to each other than this, relative, are rounding's
 
 
-def read_off(path):
-    words = iter(path.read_text().split("OFF", 1)[1].split("\n"))
-    rows = [line.split("#")[0].split() for line in words]
-    rows = [row for row in rows if row]
-    points, faces = int(rows[0][0]), int(rows[0][1])
-    coordinates = numpy.array([row[:3] for row in rows[1:points + 1]], dtype=float)
-    triangles = numpy.array([row[1:4] for row in rows[points + 1:points + faces + 1]], dtype=int)
-    surface = vtkPolyData()
+def read(name):
+    """Points and triangles of an OFF or OBJ file, without points that nothing uses."""
+    lines = [line.split() for line in shared_data("surfaces/" + name).read_text().split("\n")]
+    if name.endswith(".off"):
+        rows = [row for row in lines if row and not row[0].startswith(("#", "OFF"))]
+        count, faces = int(rows[0][0]), int(rows[0][1])
+        points = [row[:3] for row in rows[1:count + 1]]
+        triangles = numpy.array([row[1:4] for row in rows[count + 1:count + faces + 1]], dtype=int)
+    else:
+        points = [row[1:4] for row in lines if row and row[0] == "v"]
+        triangles = numpy.array([[corner.split("/")[0] for corner in row[1:4]]
+                                 for row in lines if row and row[0] == "f"], dtype=int) - 1
+    used, numbers = numpy.unique(triangles, return_inverse=True)
     holder = vtkPoints()
     holder.SetDataTypeToDouble()
-    holder.SetData(numpy_to_vtk(coordinates, deep=True))
+    holder.SetData(numpy_to_vtk(numpy.array(points, dtype=float)[used], deep=True))
     cells = vtkCellArray()
-    for triangle in triangles:
+    for triangle in numbers.reshape(-1, 3):
         cells.InsertNextCell(3, [int(p) for p in triangle])
+    surface = vtkPolyData()
     surface.SetPoints(holder)
     surface.SetPolys(cells)
     return surface
-
-
-def read(name):
-    path = shared_data("surfaces/" + name)
-    if name.endswith(".off"):
-        return read_off(path)
-    reader = vtkOBJReader()
-    reader.SetFileName(str(path))
-    surface = reader.GetOutput()
-    surface.GetPointData().Initialize()  # normals fewer than points, which vtkCleanPolyData trusts
-    clean = vtkCleanPolyData()  # the reader keeps points that nothing uses
-    clean.SetInputData(surface)
-    clean.SetTolerance(0.0)
-    clean.Update()
-    return clean.GetOutput()
 
 
 def ours(surface):
