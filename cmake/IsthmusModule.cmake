@@ -100,12 +100,14 @@ set(sources
   Filters/Topology/ChokingLoopsOutput.cxx
   Filters/Topology/ChokingSurface.cxx
   Filters/Topology/CompactCombinatorialMap.cxx
+  Filters/Topology/ConformingGenerators.cxx
   Filters/Topology/CutAndMerge.cxx
   Filters/Topology/EdgeTable.cxx
   Filters/Topology/EnclosureTest.cxx
   Filters/Topology/FaceTable.cxx
   Filters/Topology/FeatureMembrane.cxx
   Filters/Topology/FiltrationPairs.cxx
+  Filters/Topology/GeneratorCompletion.cxx
   Filters/Topology/HalfFaceMatching.cxx
   Filters/Topology/LoopFeature.cxx
   Filters/Topology/LoopShortening.cxx
