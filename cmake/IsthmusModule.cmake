@@ -68,6 +68,7 @@ set(sources
   Filters/Imaging/NoiseEstimate.cxx
   Filters/Imaging/PDETransform.cxx
   Filters/Imaging/RankParts.cxx
+  Filters/Imaging/ResidualReturn.cxx
   Filters/Imaging/TimeSteps.cxx
   Filters/Meshing/CartesianMeasures.cxx
   Filters/Meshing/ChildProcess.cxx

@@ -282,6 +282,8 @@ void Check(const Parameters& parameters)
     parameters.Fidelity, "finite and not negative");
   Require(parameters.PreSmoothing >= 0.0 && std::isfinite(parameters.PreSmoothing), "PreSmoothing",
     parameters.PreSmoothing, "finite and not negative");
+  Require(parameters.ResidualSmoothing >= 0.0 && std::isfinite(parameters.ResidualSmoothing),
+    "ResidualSmoothing", parameters.ResidualSmoothing, "finite and not negative");
   for (const double diffusivity : parameters.Diffusivity)
   {
     Require(diffusivity >= 0.0 && std::isfinite(diffusivity), "A diffusivity", diffusivity,

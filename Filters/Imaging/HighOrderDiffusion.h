@@ -61,9 +61,12 @@ struct DiffusionParameters
   double Sigma = 1.0;        ///< Scale of gradients: data unit / length.
   int Window = 5;            ///< Nodes across the window of LocalVariance: odd, 3 or more.
   double PreSmoothing = 0.0; ///< Standard deviation (length) of the Gaussian under the gradient.
-  double Fidelity = 0.0;     ///< 1 / time
-  double Time = 1.0;         ///< End time.
-  int Steps = 0;             ///< That many equal steps; 0 chooses them (see README).
+  /// Standard deviation (length) of the Gaussian of ReturnResidual, for whoever calls it after
+  /// Diffuse, which does not read this; 0: nothing is returned.
+  double ResidualSmoothing = 0.0;
+  double Fidelity = 0.0; ///< 1 / time
+  double Time = 1.0;     ///< End time.
+  int Steps = 0;         ///< That many equal steps; 0 chooses them (see README).
 };
 
 /// What happened, step by step: a curve to plot.

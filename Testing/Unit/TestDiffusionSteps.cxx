@@ -181,6 +181,7 @@ TEST(DiffusionSteps, BadParametersAreRefusedInASentence)
     { "Sigma is 0", [](auto& p) { p.Sigma = 0.0; } },
     { "Fidelity is -1", [](auto& p) { p.Fidelity = -1.0; } },
     { "PreSmoothing is -1", [](auto& p) { p.PreSmoothing = -1.0; } },
+    { "ResidualSmoothing is -1", [](auto& p) { p.ResidualSmoothing = -1.0; } },
     { "diffusivity of the highest order is 0", [](auto& p) { p.Diffusivity[1] = 0.0; } },
     { "A diffusivity is -1", [](auto& p) { p.Diffusivity[0] = -1.0; } },
     { "Window is 4",
