@@ -1,7 +1,9 @@
 # The VTK module Isthmus::vtkIsthmus: every class and algorithm of the library, room by room.
 
 set(classes
+  Filters/Curvature/vtkBindingSites
   Filters/Curvature/vtkHessianCurvature
+  Filters/Curvature/vtkPolarizedCurvature
   Filters/Curvature/vtkScalarRegions
   Filters/Curvature/vtkSurfaceCurvature
   Filters/Imaging/vtkDiffusionAlgorithm
@@ -24,7 +26,9 @@ set(classes
   Readers/vtkCombinatorialMeshWriter
   Readers/vtkMacromoleculeReader
   Readers/vtkMRCMapReader
-  Readers/vtkMSMSReader)
+  Readers/vtkMSMSReader
+  Readers/vtkOpenDXReader
+  Readers/vtkOpenDXWriter)
 
 # The only sources that include CGAL, which needs -frounding-math and is slow to compile.
 set(cgal_sources
@@ -36,13 +40,16 @@ set(cgal_sources
 
 set(sources
   ${cgal_sources}
+  Filters/Curvature/BindingSites.cxx
   Filters/Curvature/CurvatureDescriptors.cxx
   Filters/Curvature/CurvatureOfImage.cxx
   Filters/Curvature/EdgeBends.cxx
   Filters/Curvature/FiniteDifference.cxx
   Filters/Curvature/GaussianScale.cxx
   Filters/Curvature/HessianCurvature.cxx
+  Filters/Curvature/HullDepth.cxx
   Filters/Curvature/PointDerivative.cxx
+  Filters/Curvature/PolarizedCurvature.cxx
   Filters/Curvature/RegionTables.cxx
   Filters/Curvature/ScalarRegions.cxx
   Filters/Curvature/ShapeRows.cxx
@@ -61,6 +68,7 @@ set(sources
   Filters/Imaging/NoiseEstimate.cxx
   Filters/Imaging/PDETransform.cxx
   Filters/Imaging/RankParts.cxx
+  Filters/Imaging/ResidualReturn.cxx
   Filters/Imaging/TimeSteps.cxx
   Filters/Meshing/CartesianMeasures.cxx
   Filters/Meshing/ChildProcess.cxx
@@ -81,6 +89,7 @@ set(sources
   Filters/Meshing/TetrahedralMesher.cxx
   Filters/Molecular/MolecularDensity.cxx
   Filters/Support/CellType.cxx
+  Filters/Support/ChosenScalars.cxx
   Filters/Support/GridCells.cxx
   Filters/Support/ImageExtent.cxx
   Filters/Support/ParallelFor.cxx
@@ -92,12 +101,14 @@ set(sources
   Filters/Topology/ChokingLoopsOutput.cxx
   Filters/Topology/ChokingSurface.cxx
   Filters/Topology/CompactCombinatorialMap.cxx
+  Filters/Topology/ConformingGenerators.cxx
   Filters/Topology/CutAndMerge.cxx
   Filters/Topology/EdgeTable.cxx
   Filters/Topology/EnclosureTest.cxx
   Filters/Topology/FaceTable.cxx
   Filters/Topology/FeatureMembrane.cxx
   Filters/Topology/FiltrationPairs.cxx
+  Filters/Topology/GeneratorCompletion.cxx
   Filters/Topology/HalfFaceMatching.cxx
   Filters/Topology/LoopFeature.cxx
   Filters/Topology/LoopShortening.cxx
@@ -130,6 +141,9 @@ set(sources
   Readers/MRCMode.cxx
   Readers/MRCVoxels.cxx
   Readers/MSMSReader.cxx
+  Readers/OpenDXReader.cxx
+  Readers/OpenDXText.cxx
+  Readers/OpenDXWriter.cxx
   Readers/PlainFile.cxx
   Readers/PQRFile.cxx
   Readers/SkewedLattice.cxx
