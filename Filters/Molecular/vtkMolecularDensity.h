@@ -95,7 +95,7 @@ private:
   vtkMolecularDensity(const vtkMolecularDensity&) = delete;
   void operator=(const vtkMolecularDensity&) = delete;
 
-  void FillImage(vtkInformationVector** inputVector, vtkPointSet* atoms, vtkImageData* output);
+  void FillImage(vtkPointSet* atoms, vtkImageData* output);
 
   int Form = GaussianSum;
   double RadiusScale = 1.0;

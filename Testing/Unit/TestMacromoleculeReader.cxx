@@ -393,9 +393,14 @@ TEST(MacromoleculeReader, ErrorsOfTheVTKClass)
   {
     std::string Path;
     const char* Words;
-  } cases[] = { { "", "set FileName" }, { "/nowhere/at/all.pdb", "there is no such file" },
-    { ::testing::TempDir(), "this is a folder" }, { empty.Path(), "empty" },
-    { letter.Path(), "mmCIF" }, { cut.Path(), "break off" }, { noChecksum.Path(), "break off" } };
+    unsigned long Code;
+  } cases[] = { { "", "set FileName", vtkErrorCode::NoFileNameError },
+    { "/nowhere/at/all.pdb", "there is no such file", vtkErrorCode::FileNotFoundError },
+    { ::testing::TempDir(), "this is a folder", vtkErrorCode::CannotOpenFileError },
+    { empty.Path(), "empty", vtkErrorCode::PrematureEndOfFileError },
+    { letter.Path(), "mmCIF", vtkErrorCode::FileFormatError },
+    { cut.Path(), "break off", vtkErrorCode::PrematureEndOfFileError },
+    { noChecksum.Path(), "break off", vtkErrorCode::PrematureEndOfFileError } };
   for (const auto& c : cases)
   {
     Reading reading;
@@ -404,8 +409,7 @@ TEST(MacromoleculeReader, ErrorsOfTheVTKClass)
       << reading.Observer->GetErrorMessage();
     EXPECT_EQ(atoms->GetNumberOfPoints(), 0);
     EXPECT_EQ(reading.Reader->GetMolecule()->GetNumberOfAtoms(), 0);
-    EXPECT_EQ(
-      reading.Reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::FileFormatError));
+    EXPECT_EQ(reading.Reader->GetErrorCode(), c.Code) << c.Path;
   }
   const TemporaryFile document(SmallPDB, "a.doc");
   const TemporaryFile binary(std::string("\0\1\2", 3), "binary.pdb");

@@ -298,7 +298,8 @@ TEST(MolecularDensity, BadInputIsToldInASentence)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   const auto noRadii = Atoms(sound);
   noRadii->GetPointData()->RemoveArray("Radius");
-  EXPECT_NE(saidOf(noRadii).find("no point array of radii"), std::string::npos);
+  EXPECT_NE(
+    saidOf(noRadii).find("no point array Radius of radii; they have: none"), std::string::npos);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   std::vector<Ball> bad = sound;
   bad[1].Centre[2] = std::nan("");
