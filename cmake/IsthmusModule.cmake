@@ -78,6 +78,7 @@ set(sources
   Filters/Meshing/TetGenFiles.cxx
   Filters/Meshing/TetGenProcess.cxx
   Filters/Meshing/TetrahedralMesher.cxx
+  Filters/Meshing/TriangleTree.cxx
   Filters/Support/CellType.cxx
   Filters/Support/GridCells.cxx
   Filters/Support/ImageExtent.cxx
