@@ -1,6 +1,7 @@
 #include "vtkSurfaceToGrid.h"
 
 #include "AlgorithmGuard.h"
+#include "ChosenScalars.h"
 #include "GridDistance.h"
 #include "GridImages.h"
 #include "ImageScalars.h"

@@ -59,7 +59,7 @@ TEST(HighOrderDiffusionFilter, KeepsGeometryArraysAndInput)
   EXPECT_EQ(Values(image->GetPointData()->GetScalars()), before);
   EXPECT_LT(Deviation(Values(filter.Result())), Deviation(before));
   for (const char* name : { "StepTime", "StepChange", "StepResidual", "NoiseLevel", "UsedSigma",
-         "UsedPreSmoothing", "UsedTime" })
+         "UsedPreSmoothing", "UsedTime", "UsedResidualSmoothing" })
   {
     ASSERT_TRUE(output->GetFieldData()->GetArray(name)) << name;
     EXPECT_GT(output->GetFieldData()->GetArray(name)->GetTuple1(0), 0.0) << name;
