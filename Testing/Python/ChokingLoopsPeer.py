@@ -101,7 +101,7 @@ def agree(name, what, mine, peer):
     return worst
 
 
-surfaces = ["eight.off", "knot1.off", "Kitten.off", "bunny.off", "fertility.off", "two-tori.obj"]
+surfaces = ["eight.off", "knot1.off", "Kitten.off", "bunny.off", "fertility.off", "genus3.off"]
 if os.environ.get("ISTHMUS_LONG_TESTS") == "1":
     surfaces += ["armadillo.obj", "soccerball.obj", "emd_5043.obj"]
 for name in surfaces:
