@@ -68,6 +68,7 @@ set(sources
   Filters/Imaging/NoiseEstimate.cxx
   Filters/Imaging/PDETransform.cxx
   Filters/Imaging/RankParts.cxx
+  Filters/Imaging/ResidualReturn.cxx
   Filters/Imaging/TimeSteps.cxx
   Filters/Meshing/CartesianMeasures.cxx
   Filters/Meshing/ChildProcess.cxx
@@ -86,8 +87,10 @@ set(sources
   Filters/Meshing/TetGenFiles.cxx
   Filters/Meshing/TetGenProcess.cxx
   Filters/Meshing/TetrahedralMesher.cxx
+  Filters/Meshing/TriangleTree.cxx
   Filters/Molecular/MolecularDensity.cxx
   Filters/Support/CellType.cxx
+  Filters/Support/ChosenScalars.cxx
   Filters/Support/GridCells.cxx
   Filters/Support/ImageExtent.cxx
   Filters/Support/ParallelFor.cxx
@@ -99,12 +102,14 @@ set(sources
   Filters/Topology/ChokingLoopsOutput.cxx
   Filters/Topology/ChokingSurface.cxx
   Filters/Topology/CompactCombinatorialMap.cxx
+  Filters/Topology/ConformingGenerators.cxx
   Filters/Topology/CutAndMerge.cxx
   Filters/Topology/EdgeTable.cxx
   Filters/Topology/EnclosureTest.cxx
   Filters/Topology/FaceTable.cxx
   Filters/Topology/FeatureMembrane.cxx
   Filters/Topology/FiltrationPairs.cxx
+  Filters/Topology/GeneratorCompletion.cxx
   Filters/Topology/HalfFaceMatching.cxx
   Filters/Topology/LoopFeature.cxx
   Filters/Topology/LoopShortening.cxx

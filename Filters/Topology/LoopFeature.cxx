@@ -98,6 +98,7 @@ LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds)
   LoopFeature feature;
   feature.Loops = membrane.Loops;
   feature.Membrane = membrane.Triangles;
+  feature.Extra = membrane.Extra;
   if (rounds > 0)
   {
     LoopShorteningParameters parameters;

@@ -1,9 +1,18 @@
-// Choking loops against GUDHI's alpha complex and persistence on the same points, and their growth.
+// Choking loops against GUDHI's alpha complex and persistence on the same points; their growth and
+// peak memory; how fast they answer to sliders.
 
 #include "ChokingSurfaces.h"
 #include "LoopFeature.h"
+#include "PeakMemory.h"
+#include "SurfaceSampling.h"
+#include "vtkChokingLoops.h"
+
+#include <vtkLogger.h>
+#include <vtkLoopSubdivisionFilter.h>
 
 #include <benchmark/benchmark.h>
+
+#include <chrono>
 
 #if ISTHMUS_HAS_GUDHI
 #include <gudhi/Alpha_complex_3d.h>
@@ -17,18 +26,52 @@ using namespace isthmus::testing;
 namespace
 {
 
+/// Loops and membranes of both sides; how many features they belong to.
+std::size_t LoopsAndMembranes(ChokingLoops& loops)
+{
+  FeatureSelection selection;
+  selection.MinimumPersistence = { 4.0, true };
+  const std::vector<std::size_t> chosen = loops.Select(selection);
+  for (const std::size_t i : chosen)
+  {
+    benchmark::DoNotOptimize(MakeLoopFeature(loops, i, 0));
+  }
+  return chosen.size();
+}
+
+double Seconds(const std::function<void()>& work)
+{
+  const auto started = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+}
+
+/// Everything for a surface; seconds by stage, microseconds a sample, peak memory.
 void WholeOf(benchmark::State& state, const TriangleMesh& mesh)
 {
   for (auto _ : state)
   {
-    ChokingLoops loops{ TriangleMesh(mesh) };
-    FeatureSelection selection;
-    selection.MinimumPersistence = { 4.0, true };
-    for (const std::size_t i : loops.Select(selection))
-    {
-      benchmark::DoNotOptimize(MakeLoopFeature(loops, i, 0));
-    }
-    state.counters["points"] = static_cast<double>(loops.Samples().Points.size());
+    ResetPeakMemory();
+    std::optional<ChokingLoops> loops;
+    std::size_t features = 0;
+    const double took = Seconds(
+      [&]
+      {
+        loops.emplace(TriangleMesh(mesh));
+        features = LoopsAndMembranes(*loops);
+      });
+    const auto samples = static_cast<double>(loops->Samples().Points.size());
+    const ChokingLoopTimes& t = loops->Times();
+    state.counters["points"] = static_cast<double>(mesh.Points.size());
+    state.counters["samples"] = samples;
+    state.counters["features"] = static_cast<double>(features);
+    state.counters["us_a_sample"] = 1e6 * took / samples;
+    state.counters["peak_GB"] = PeakMemory() / 1e9;
+    state.counters["1_check"] = t.Check;
+    state.counters["2_sampling"] = t.Sampling;
+    state.counters["3_filtration"] = t.Filtration;
+    state.counters["4_pairing"] = t.Pairing;
+    state.counters["5_features"] = t.Features;
   }
 }
 
@@ -39,30 +82,61 @@ void BM_Soccerball(benchmark::State& state)
 BENCHMARK(BM_Soccerball)->Unit(benchmark::kMillisecond)->UseRealTime()->MinTime(3.0);
 
 #if ISTHMUS_HAS_GUDHI
-void BM_SoccerballGudhi(benchmark::State& state)
+/// Alpha complex and persistence over Z/2 by GUDHI: no sides, no loops, no membranes.
+template <Gudhi::alpha_complex::complexity Accuracy>
+void PairsByGudhi(const TriangleMesh& mesh)
 {
-  using Alpha = Gudhi::alpha_complex::Alpha_complex_3d<Gudhi::alpha_complex::complexity::SAFE>;
+  using Alpha = Gudhi::alpha_complex::Alpha_complex_3d<Accuracy>;
   using Tree = Gudhi::Simplex_tree<>;
   using Persistence = Gudhi::persistent_cohomology::Persistent_cohomology<Tree,
     Gudhi::persistent_cohomology::Field_Zp>;
-  const TriangleMesh mesh = ReadSurface("soccerball.obj");
-  std::vector<Alpha::Bare_point_3> points;
+  std::vector<typename Alpha::Bare_point_3> points;
   for (const Point3& p : mesh.Points)
   {
     points.emplace_back(p[0], p[1], p[2]);
   }
+  Alpha alpha(points);
+  Tree tree;
+  alpha.create_complex(tree);
+  Persistence persistence(tree);
+  persistence.init_coefficients(2);
+  persistence.compute_persistent_cohomology();
+  benchmark::DoNotOptimize(persistence.get_persistent_pairs().size());
+}
+
+/// GUDHI's time on the points that we sample, ours beside it, and ours as a part of GUDHI's.
+/// SAFE has exact predicates and filtered values as ours, FAST has plain doubles.
+template <Gudhi::alpha_complex::complexity Accuracy>
+void BM_SoccerballGudhi(benchmark::State& state)
+{
+  const TriangleMesh mesh = ReadSurface("soccerball.obj");
+  const TriangleMesh samples = ChokingLoops(TriangleMesh(mesh)).Samples();
+  double ours = 0.0;
+  double gudhi = 0.0;
   for (auto _ : state)
   {
-    Alpha alpha(points);
-    Tree tree;
-    alpha.create_complex(tree);
-    Persistence persistence(tree);
-    persistence.init_coefficients(2);
-    persistence.compute_persistent_cohomology();
-    benchmark::DoNotOptimize(persistence.get_persistent_pairs().size());
+    gudhi += Seconds([&] { PairsByGudhi<Accuracy>(samples); });
+    state.PauseTiming();
+    ours += Seconds(
+      [&mesh]
+      {
+        ChokingLoops loops{ TriangleMesh(mesh) };
+        LoopsAndMembranes(loops);
+      });
+    state.ResumeTiming();
   }
+  state.counters["ours_s"] = ours / static_cast<double>(state.iterations());
+  state.counters["gudhi_s"] = gudhi / static_cast<double>(state.iterations());
+  state.counters["ours/gudhi"] = ours / gudhi;
 }
-BENCHMARK(BM_SoccerballGudhi)->Unit(benchmark::kMillisecond)->UseRealTime()->MinTime(3.0);
+BENCHMARK(BM_SoccerballGudhi<Gudhi::alpha_complex::complexity::SAFE>)
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime()
+  ->Iterations(3);
+BENCHMARK(BM_SoccerballGudhi<Gudhi::alpha_complex::complexity::FAST>)
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime()
+  ->Iterations(5);
 #endif
 
 /// A torus of about the given number of points: growth of time with size.
@@ -81,43 +155,98 @@ void BM_Growth(benchmark::State& state)
 }
 BENCHMARK(BM_Growth)
   ->Arg(10000)
+  ->Arg(30000)
   ->Arg(100000)
+  ->Arg(300000)
   ->Arg(1000000)
   ->Unit(benchmark::kMillisecond)
   ->UseRealTime()
   ->Iterations(1);
 
-void BM_SlidersOfSoccerball(benchmark::State& state)
+/// `mesh` with edges split until it has at least `points` points, and hardly more.
+TriangleMesh SplitTo(const TriangleMesh& mesh, std::size_t points)
 {
-  ChokingLoops loops(ReadSurface("soccerball.obj"));
-  double percent = 4.0;
-  for (auto _ : state)
+  TriangleMesh split;
+  for (double factor = 1.7; split.Points.size() < points; factor *= 0.99)
   {
-    FeatureSelection selection;
-    selection.MinimumPersistence = { percent, true };
-    percent = percent > 6.0 ? 4.0 : percent + 0.1;
-    for (const std::size_t i : loops.Select(selection))
-    {
-      benchmark::DoNotOptimize(MakeLoopFeature(loops, i, 0));
-    }
+    const double longest = factor * EdgeLengthFor(mesh, static_cast<double>(points));
+    split = SplitLongEdges(
+      mesh, [longest](const Point3&, const Point3&) { return longest; }, 2 * points);
   }
+  return split;
 }
-BENCHMARK(BM_SlidersOfSoccerball)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-void BM_GeodesicsOfSoccerball(benchmark::State& state)
+/// Flat pieces: the most degenerate input, since new points lie in the planes of the old triangles.
+void BM_ArmadilloSplit(benchmark::State& state)
 {
-  ChokingLoops loops(ReadSurface("soccerball.obj"));
-  FeatureSelection selection;
-  selection.MinimumPersistence = { 4.0, true };
+  WholeOf(
+    state, SplitTo(ReadSurface("armadillo.obj"), static_cast<std::size_t>(state.range(0))));
+}
+BENCHMARK(BM_ArmadilloSplit)
+  ->Arg(30000)
+  ->Arg(100000)
+  ->Arg(300000)
+  ->Arg(1000000)
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime()
+  ->Iterations(1);
+
+/// Smooth: Loop's subdivision three times, and as many edges split as a million points take.
+void BM_ArmadilloSmooth(benchmark::State& state)
+{
+  vtkNew<vtkPolyData> coarse;
+  SetMesh(ReadSurface("armadillo.obj"), coarse);
+  vtkNew<vtkLoopSubdivisionFilter> subdivision;
+  subdivision->SetInputData(coarse);
+  subdivision->SetNumberOfSubdivisions(3);
+  subdivision->Update();
+  WholeOf(state, SplitTo(MeshOf(subdivision->GetOutput()), 1000000));
+}
+BENCHMARK(BM_ArmadilloSmooth)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
+
+/// How long the filter takes to answer the first time that something is asked of it.
+void Steering(benchmark::State& state, const std::function<void(vtkChokingLoops*)>& change)
+{
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_WARNING); // no estimates between the figures
+  vtkNew<vtkPolyData> surface;
+  SetMesh(ReadSurface("soccerball.obj"), surface);
   for (auto _ : state)
   {
-    for (const std::size_t i : loops.Select(selection))
-    {
-      benchmark::DoNotOptimize(MakeLoopFeature(loops, i, 1000));
-    }
+    state.PauseTiming();
+    vtkNew<vtkChokingLoops> loops;
+    loops->SetInputData(surface);
+    loops->SetMinimumPersistence(50.0);
+    loops->SetSide(vtkChokingLoops::Inside);
+    loops->Update();
+    state.ResumeTiming();
+    change(loops);
+    loops->Update();
   }
 }
-BENCHMARK(BM_GeodesicsOfSoccerball)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void BM_SteerThreshold(benchmark::State& state)
+{
+  Steering(state, [](vtkChokingLoops* loops) { loops->SetMinimumPersistence(0.0); });
+}
+BENCHMARK(BM_SteerThreshold)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(5);
+
+void BM_SteerSide(benchmark::State& state)
+{
+  Steering(state, [](vtkChokingLoops* loops) { loops->SetSide(vtkChokingLoops::Both); });
+}
+BENCHMARK(BM_SteerSide)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(5);
+
+void BM_SteerEverything(benchmark::State& state)
+{
+  Steering(state,
+    [](vtkChokingLoops* loops)
+    {
+      loops->SetMinimumPersistence(4.0);
+      loops->SetSide(vtkChokingLoops::Both);
+      loops->SetShortening(vtkChokingLoops::Geodesic);
+    });
+}
+BENCHMARK(BM_SteerEverything)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(5);
 
 }
 

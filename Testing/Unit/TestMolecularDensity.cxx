@@ -143,7 +143,8 @@ TEST(MolecularDensity, VolumeOfTwoBallsLessTheirLens)
   const std::vector<Ball> balls{ { { 0.1, 0.2, 0.3 }, r }, { { 0.1 + d, 0.2, 0.3 }, r } };
   const double lens = Pi * (4.0 * r + d) * (2.0 * r - d) * (2.0 * r - d) / 12.0;
   const double exact = 2.0 * 4.0 / 3.0 * Pi * r * r * r - lens;
-  // Paddings that keep the centres off the nodes, where the counts of symmetric nodes jump together.
+  // Paddings that keep the centres off the nodes, where the counts of symmetric nodes jump
+  // together.
   const double found = Make(balls, Form::Union, 0.05, { 0.31, 0.17, 0.23 }).Integral();
   EXPECT_NEAR(found / exact, 1.0, 1e-3);
 }
@@ -240,14 +241,13 @@ TEST(MolecularDensity, AnyRadiusIsSafe)
   for (const double tiny : { 1e-300, 1e-200, 1e-10 })
   {
     const Volume spike = Make({ { { 0.0, 0.0, 0.0 }, tiny } }, Form::Gaussians, 0.5);
-    EXPECT_FALSE(std::any_of(spike.Values.begin(), spike.Values.end(),
-      [](float value) { return std::isnan(value); }));
+    EXPECT_FALSE(std::any_of(
+      spike.Values.begin(), spike.Values.end(), [](float value) { return std::isnan(value); }));
   }
   const double nan = std::nan("");
   EXPECT_THROW(Make({ { { 0.0, 0.0, 0.0 }, -1.0 } }, Form::Union, 0.5), std::invalid_argument);
   EXPECT_THROW(Make({ { { 0.0, nan, 0.0 }, 1.0 } }, Form::Union, 0.5), std::invalid_argument);
-  EXPECT_THROW(
-    Make({ { { 0.0, 0.0, 0.0 }, INFINITY } }, Form::Union, 0.5), std::invalid_argument);
+  EXPECT_THROW(Make({ { { 0.0, 0.0, 0.0 }, INFINITY } }, Form::Union, 0.5), std::invalid_argument);
 }
 
 TEST(MolecularDensity, FloatAndDoubleInputThroughVTK)
@@ -298,7 +298,8 @@ TEST(MolecularDensity, BadInputIsToldInASentence)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   const auto noRadii = Atoms(sound);
   noRadii->GetPointData()->RemoveArray("Radius");
-  EXPECT_NE(saidOf(noRadii).find("no point array of radii"), std::string::npos);
+  EXPECT_NE(
+    saidOf(noRadii).find("no point array Radius of radii; they have: none"), std::string::npos);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   std::vector<Ball> bad = sound;
   bad[1].Centre[2] = std::nan("");
@@ -324,6 +325,8 @@ TEST(MolecularDensity, BadInputIsToldInASentence)
   filter->SetSpacing(0.5);
   filter->SetDecay(0.0);
   EXPECT_NE(saidOf(atoms).find("Decay is 0"), std::string::npos);
+  filter->SetDecay(1000.0);
+  EXPECT_NE(saidOf(atoms).find("Decay is 1000"), std::string::npos);
   filter->SetDecay(2.3);
   filter->SetRadiusScale(-1.0);
   EXPECT_NE(saidOf(atoms).find("RadiusScale is -1"), std::string::npos);
