@@ -38,30 +38,23 @@ def arguments():
 
 
 def charged_atoms(protein, folder, name):
-    """(PQR file, rows x, y, z, radius) of the protein by pdb2pqr, or (None, None) without it."""
+    """PQR file of the protein by pdb2pqr, None without it."""
     if not apbs_potential.programs()[0]:
-        return None, None
+        return None
     pqr, removed, dropped = apbs_potential.charges(protein, folder, name)
     print("Charges and radii by pdb2pqr (AMBER), without the ligand.")
     if removed:
         print("  Removed, since pdb2pqr can't build them: " + ", ".join(removed))
     if dropped:
         print("  Not in its force field, left out: " + ", ".join(dropped))
-    rows = numpy.array(apbs_potential.read_pqr(pqr))
-    rows = rows[rows[:, 4] > 0.0]  # AMBER's hydroxyl hydrogens lie within their oxygens
-    return pqr, rows[:, [0, 1, 2, 4]]
+    return pqr
 
 
-def bare_atoms(protein, folder, name):
-    """Rows x, y, z, radius of the heavy atoms, radii by the reader's table."""
+def heavy_atoms(protein, folder, name):
+    """PDB file of the heavy atoms of the protein."""
     path = Path(folder) / f"{name}_heavy.pdb"
     path.write_text("".join(line for line in protein if apbs_potential.is_heavy(line)) + "END\n")
-    reader = isthmus.vtkMacromoleculeReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    atoms = reader.GetOutput()
-    radii = site_pipeline.values(atoms, "Radius")
-    return numpy.column_stack([site_pipeline.points_of(atoms), radii])[numpy.isfinite(radii)]
+    return path
 
 
 def given_surface(path):
@@ -69,11 +62,12 @@ def given_surface(path):
     return simple.servermanager.Fetch(simple.Triangulate(Input=simple.ExtractSurface(Input=source)))
 
 
-def make_surface(arguments, atoms):
-    if not arguments.surface:
-        return site_pipeline.outer_surface(site_pipeline.gaussian_image(atoms))
+def make_surface(options, molecule):
+    if not options.surface:
+        atoms = site_pipeline.read_atoms(molecule)
+        return site_pipeline.outer_surface(site_pipeline.density(atoms))
     curvature = isthmus.vtkSurfaceCurvature()
-    curvature.SetInputData(given_surface(arguments.surface))
+    curvature.SetInputData(given_surface(options.surface))
     curvature.SetMethod(isthmus.vtkSurfaceCurvature.EdgeTensor)
     curvature.SetNeighbourhood(isthmus.vtkSurfaceCurvature.Ball)
     curvature.SetRadius(1.5)
@@ -205,7 +199,7 @@ def main():
         sys.exit(f"{options.protein} has no residue {options.ligand}.")
     print(f"Ligand: {ligand_name}, {len(ligand)} heavy atoms." if ligand else "No ligand found.")
     with tempfile.TemporaryDirectory() as folder:
-        pqr, atoms = charged_atoms(protein, folder, name)
+        molecule = pqr = charged_atoms(protein, folder, name)
         if options.potential is None:
             if not pqr or not apbs_potential.programs()[1]:
                 sys.exit(
@@ -214,11 +208,11 @@ def main():
                 )
             print("No potential is given: running APBS.", flush=True)
             options.potential = apbs_potential.potential(pqr, folder, name)
-        if atoms is None:
+        if not pqr:
             print("pdb2pqr is not installed: heavy atoms with Bondi's radii make the surface.")
-            atoms = bare_atoms(protein, folder, name)
+            molecule = heavy_atoms(protein, folder, name)
         surface = site_pipeline.polarized(
-            make_surface(options, atoms), site_pipeline.read_potential(options.potential)
+            make_surface(options, molecule), site_pipeline.read_potential(options.potential)
         )
         surface, rows = site_pipeline.sites(surface)
         if not rows:

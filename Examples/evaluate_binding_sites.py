@@ -32,8 +32,8 @@ METHODS = {
     "kappa_2 alone": {"array": "MinimumCurvature", "Classes": ALL_POINTS, "Amplitude": NEGATIVE},
     "potential alone": {"array": "Potential", "Classes": ALL_POINTS, "Amplitude": ABSOLUTE},
 }
-SWEEP = {"decay": (0.8, 1.0, 1.2, 1.5), "Quantile": (0.9, 0.92, 0.93, 0.94, 0.95, 0.96),
-         "MergeDistance": (0.0, 1.0, 1.5, 3.0)}
+SWEEP = {"decay": (0.8, 1.0, 1.2, 1.5, 2.3), "Quantile": (0.9, 0.93, 0.96),
+         "MergeDistance": (0.0, 1.0, 2.0)}
 
 
 class Complex:
@@ -52,8 +52,7 @@ class Complex:
             text += [f"left out {residue}" for residue in dropped]
             notes.write_text(", ".join(text))
         self.notes = notes.read_text()
-        rows = numpy.array(apbs_potential.read_pqr(pqr))
-        self.atoms = rows[rows[:, 4] > 0.0][:, [0, 1, 2, 4]]
+        self.atoms = site_pipeline.read_atoms(pqr)
         self.potential = site_pipeline.read_potential(
             next(work.glob(f"{self.name}_potential*.dx"))
         )
@@ -61,8 +60,7 @@ class Complex:
 
     def surface(self, decay):
         if decay not in self.surfaces:
-            image = site_pipeline.gaussian_image(self.atoms, decay)
-            bare = site_pipeline.outer_surface(image)
+            bare = site_pipeline.outer_surface(site_pipeline.density(self.atoms, decay))
             self.surfaces[decay] = site_pipeline.polarized(bare, self.potential)
         return self.surfaces[decay]
 

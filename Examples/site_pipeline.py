@@ -1,8 +1,7 @@
 """From charges or atoms to ranked binding sites: the steps of binding_sites.py, without pictures."""
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import (
     vtkCleanPolyData,
     vtkFlyingEdges3D,
@@ -15,33 +14,22 @@ DECAY = 1.2  # of the Gaussians: see BindingSites.md for what it was tuned on
 SPACING = 0.6  # angstrom
 
 
-def gaussian_image(atoms, decay=DECAY, spacing=SPACING, padding=6.0):
-    """sum of exp(-decay (|x - x_i|^2 / R_i^2 - 1)) over atoms (rows x, y, z, R), as an image.
+def read_atoms(path):
+    """Atoms with Radius from a PQR file (its own radii) or a PDB file (the reader's table)."""
+    reader = isthmus.vtkMacromoleculeReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
 
-    Its level 1 encloses the balls of all atoms.
-    """
-    centres, radii = atoms[:, :3], atoms[:, 3]
-    origin = centres.min(axis=0) - padding
-    size = numpy.ceil((centres.max(axis=0) + padding - origin) / spacing).astype(int) + 1
-    values = numpy.zeros(size, numpy.float32)
-    for centre, radius in zip(centres, radii):
-        reach = radius * numpy.sqrt(1.0 + 7.0 / decay)  # where a term has fallen to e^-7
-        low = numpy.maximum(numpy.floor((centre - reach - origin) / spacing).astype(int), 0)
-        high = numpy.minimum(numpy.ceil((centre + reach - origin) / spacing).astype(int) + 1, size)
-        axes = [origin[a] + spacing * numpy.arange(low[a], high[a]) - centre[a] for a in range(3)]
-        squares = (
-            (axes[0] ** 2)[:, None, None] + (axes[1] ** 2)[None, :, None] + axes[2] ** 2
-        ) / radius**2
-        block = tuple(slice(low[a], high[a]) for a in range(3))
-        values[block] += numpy.exp(-decay * (squares - 1.0))
-    image = vtkImageData()
-    image.SetDimensions(*(int(n) for n in size))
-    image.SetSpacing(spacing, spacing, spacing)
-    image.SetOrigin(*origin)
-    array = numpy_to_vtk(values.ravel(order="F"), deep=True)
-    array.SetName("Density")
-    image.GetPointData().SetScalars(array)
-    return image
+
+def density(atoms, decay=DECAY, spacing=SPACING):
+    """Sum of Gaussians whose level 1 encloses the balls of all atoms."""
+    gaussians = isthmus.vtkMolecularDensity()
+    gaussians.SetInputData(atoms)
+    gaussians.SetDecay(decay)
+    gaussians.SetSpacing(spacing)
+    gaussians.Update()
+    return gaussians.GetOutput()
 
 
 def outer_surface(image, level=1.0):

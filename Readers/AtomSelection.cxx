@@ -73,8 +73,8 @@ struct Locations
 private:
   static char Highest(const std::map<char, double>& sums)
   {
-    return std::max_element(sums.begin(), sums.end(),
-      [](const auto& a, const auto& b) { return a.second < b.second; })
+    return std::max_element(
+      sums.begin(), sums.end(), [](const auto& a, const auto& b) { return a.second < b.second; })
       ->first;
   }
 };

@@ -90,7 +90,8 @@ bool IsOneOf(std::string_view text, std::string_view list)
 /// Residues in which no atom is of an element with two letters, whatever its name.
 bool IsBiopolymerResidue(std::string_view name)
 {
-  // AMBER's and CHARMM's names of terminal and protonated residues end or begin with one letter more.
+  // AMBER's and CHARMM's names of terminal and protonated residues end or begin with one letter
+  // more.
   constexpr std::string_view names =
     "ALA ARG ASN ASP CYS GLN GLU GLY HIS ILE LEU LYS MET PHE PRO SER THR TRP TYR VAL HID HIE HIP "
     "HSD HSE HSP CYX CYM ASH GLH LYN A C G U DA DC DG DT DU RA RC RG RU ";

@@ -61,8 +61,8 @@ std::vector<Candidate> SortedCandidates(const Macromolecule& molecule)
     {
       low[axis] = std::min(low[axis], atom.Position[axis]);
     }
-    candidates.push_back({ 0, static_cast<std::int64_t>(i), atom.Position, radius, atom.AltLoc,
-      atom.Element == 1 });
+    candidates.push_back(
+      { 0, static_cast<std::int64_t>(i), atom.Position, radius, atom.AltLoc, atom.Element == 1 });
   }
   const double width = 2.0 * longest + Tolerance;
   constexpr double cells = (1 << BitsOfAnAxis) - 3;
@@ -77,7 +77,8 @@ std::vector<Candidate> SortedCandidates(const Macromolecule& molecule)
       c.Cell = (c.Cell << BitsOfAnAxis) | static_cast<std::uint64_t>(cell);
     }
   }
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b)
+  std::sort(candidates.begin(), candidates.end(),
+    [](const Candidate& a, const Candidate& b)
     { return std::tie(a.Cell, a.Index) < std::tie(b.Cell, b.Index); });
   return candidates;
 }
@@ -94,7 +95,8 @@ bool TooCrowded(const std::vector<Candidate>& sorted)
   return false;
 }
 
-/// Bonds from candidates [first, last) to later ones, in the half of the cells around that is later.
+/// Bonds from candidates [first, last) to later ones, in the half of the cells around that is
+/// later.
 void FindBonds(
   const std::vector<Candidate>& sorted, std::size_t first, std::size_t last, std::vector<Bond>& to)
 {
@@ -127,8 +129,8 @@ void FindBonds(
         }
         if (Bonded(atom, sorted[j]))
         {
-          to.push_back(
-            { std::min(atom.Index, sorted[j].Index), std::max(atom.Index, sorted[j].Index), false });
+          to.push_back({ std::min(atom.Index, sorted[j].Index),
+            std::max(atom.Index, sorted[j].Index), false });
         }
       }
     }
@@ -140,10 +142,13 @@ void FindBonds(
 void SortBonds(Macromolecule& molecule)
 {
   auto& bonds = molecule.Bonds;
-  std::sort(bonds.begin(), bonds.end(), [](const Bond& a, const Bond& b)
-    { return std::tuple(a.First, a.Second, b.FromFile) < std::tuple(b.First, b.Second, a.FromFile); });
-  bonds.erase(std::unique(bonds.begin(), bonds.end(), [](const Bond& a, const Bond& b)
-                { return a.First == b.First && a.Second == b.Second; }),
+  std::sort(bonds.begin(), bonds.end(),
+    [](const Bond& a, const Bond& b) {
+      return std::tuple(a.First, a.Second, b.FromFile) < std::tuple(b.First, b.Second, a.FromFile);
+    });
+  bonds.erase(
+    std::unique(bonds.begin(), bonds.end(),
+      [](const Bond& a, const Bond& b) { return a.First == b.First && a.Second == b.Second; }),
     bonds.end());
 }
 

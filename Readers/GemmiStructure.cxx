@@ -88,8 +88,8 @@ private:
           " hold no coordinate (a finite number). Is it a PDB file, and whole?");
       }
     }
-    const bool noElement = Columns(this->Line, 76, 2).find_first_not_of("0123456789") ==
-      std::string_view::npos;
+    const bool noElement =
+      Columns(this->Line, 76, 2).find_first_not_of("0123456789") == std::string_view::npos;
     const std::string_view charge = Columns(this->Line, 78, 2);
     if (noElement && !charge.empty() && charge.find_first_of("+-") == std::string_view::npos)
     {
@@ -359,8 +359,7 @@ Macromolecule ParseMMCIF(std::string_view text, const std::string& path, std::in
   Macromolecule molecule;
   try
   {
-    gemmi::cif::Document document =
-      gemmi::cif::read_memory(text.data(), text.size(), path.c_str());
+    gemmi::cif::Document document = gemmi::cif::read_memory(text.data(), text.size(), path.c_str());
     Report(progress, 0.5);
     for (gemmi::cif::Block& block : document.blocks)
     {
@@ -381,8 +380,8 @@ Macromolecule ParseMMCIF(std::string_view text, const std::string& path, std::in
   {
     if (!std::isfinite(atom.Position[0] + atom.Position[1] + atom.Position[2]))
     {
-      throw std::runtime_error(path + ": a coordinate of " + Describe(atom) +
-        " is no finite number. Is the file whole?");
+      throw std::runtime_error(
+        path + ": a coordinate of " + Describe(atom) + " is no finite number. Is the file whole?");
     }
   }
   return molecule;

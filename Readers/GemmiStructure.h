@@ -5,8 +5,9 @@
  * gemmi (M. Wojdyr, J. Open Source Softw. 7 (2022) 4200) reads wwPDB's format 3.3, hybrid-36
  * numbers and PDBx/mmCIF. Around it, what it leaves out: coordinates that are no numbers are
  * refused, occupancies and B factors that are blank are unknown (not 1 and 20), CONECT records are
- * bonds, old files with text in columns 73-80 are read without those columns, and files whose values
- * stand elsewhere than in PDB's columns are read by the blanks between them; both with a warning.
+ * bonds, old files with text in columns 73-80 are read without those columns, and files whose
+ * values stand elsewhere than in PDB's columns are read by the blanks between them; both with a
+ * warning.
  */
 #ifndef isthmus_GemmiStructure_h
 #define isthmus_GemmiStructure_h

@@ -124,8 +124,8 @@ std::string SentenceAbout(const Macromolecule& molecule, const char* what, Predi
   {
     return {};
   }
-  return std::to_string(count) + (count == 1 ? " atom has " : " atoms have ") + what + ": " + names +
-    (count > mostNamed ? ", ..." : "") + ".";
+  return std::to_string(count) + (count == 1 ? " atom has " : " atoms have ") + what + ": " +
+    names + (count > mostNamed ? ", ..." : "") + ".";
 }
 
 void AddSentence(std::vector<std::string>& to, const std::string& sentence)

@@ -61,7 +61,8 @@ void AddLetters(const Macromolecule& molecule, const char* name, vtkPolyData* to
   if (std::any_of(molecule.Atoms.begin(), molecule.Atoms.end(),
         [&](const Atom& atom) { return letter(atom) != ' '; }))
   {
-    AddTexts(molecule, name, to, [&](const Atom& atom)
+    AddTexts(molecule, name, to,
+      [&](const Atom& atom)
       { return letter(atom) == ' ' ? std::string() : std::string(1, letter(atom)); });
   }
 }
@@ -70,8 +71,8 @@ void AddPointArrays(const Macromolecule& molecule, bool withAltLoc, vtkPolyData*
 {
   AddNumbers<vtkDoubleArray>(molecule, "Radius", to, [](const Atom& a) { return a.Radius; });
   AddNumbers<vtkDoubleArray>(molecule, "Charge", to, [](const Atom& a) { return a.Charge; });
-  AddNumbers<vtkUnsignedShortArray>(molecule, "Element", to,
-    [](const Atom& a) { return static_cast<unsigned short>(a.Element); });
+  AddNumbers<vtkUnsignedShortArray>(
+    molecule, "Element", to, [](const Atom& a) { return static_cast<unsigned short>(a.Element); });
   using Text = const std::string&;
   AddTexts(molecule, "AtomName", to, [](const Atom& a) -> Text { return a.Name; });
   AddTexts(molecule, "ResidueName", to, [](const Atom& a) -> Text { return a.ResidueName; });
@@ -133,8 +134,7 @@ void SetCells(const Macromolecule& molecule, vtkPolyData* to)
   to->GetCellData()->AddArray(source);
 }
 
-void AddSentences(
-  vtkFieldData* to, const char* name, const std::vector<std::string>& sentences)
+void AddSentences(vtkFieldData* to, const char* name, const std::vector<std::string>& sentences)
 {
   vtkNew<vtkStringArray> array;
   array->SetName(name);
@@ -181,8 +181,8 @@ void FillAtoms(const Macromolecule& molecule, bool withAltLoc, vtkPolyData* atom
 
 void FillMolecule(const Macromolecule& from, vtkPolyData* atoms, vtkMolecule* molecule)
 {
-  if (!molecule->Initialize(atoms->GetPoints(),
-        atoms->GetPointData()->GetArray("Element"), atoms->GetPointData()))
+  if (!molecule->Initialize(
+        atoms->GetPoints(), atoms->GetPointData()->GetArray("Element"), atoms->GetPointData()))
   {
     throw std::runtime_error("VTK could not make a molecule of these atoms.");
   }

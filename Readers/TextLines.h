@@ -46,7 +46,8 @@ public:
     constexpr std::int64_t linesBetweenReports = 1 << 14;
     if (++this->Number % linesBetweenReports == 0)
     {
-      Report(this->Progress, static_cast<double>(this->At) / static_cast<double>(this->Text.size()));
+      Report(
+        this->Progress, static_cast<double>(this->At) / static_cast<double>(this->Text.size()));
     }
     return true;
   }

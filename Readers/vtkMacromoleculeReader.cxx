@@ -1,6 +1,7 @@
 #include "vtkMacromoleculeReader.h"
 
 #include "AlgorithmGuard.h"
+#include "MRCErrorCode.h"
 #include "MacromoleculeReader.h"
 #include "MoleculeOutput.h"
 
@@ -64,12 +65,24 @@ int vtkMacromoleculeReader::RequestData(
   {
     return 1; // the first rank has the molecule
   }
-  const int result = isthmus::Guarded(this, atoms, [&] { this->Read(atoms, molecule); });
+  const int result = isthmus::Guarded(this, atoms,
+    [&]
+    {
+      try
+      {
+        this->Read(atoms, molecule);
+      }
+      catch (const isthmus::MRCError& error)
+      {
+        this->SetErrorCode(isthmus::ErrorCodeOf(error.Kind));
+        throw;
+      }
+    });
   if (atoms->GetNumberOfPoints() == 0)
   {
     molecule->Initialize();
   }
-  if (!result)
+  if (!result && this->GetErrorCode() == vtkErrorCode::NoError)
   {
     this->SetErrorCode(vtkErrorCode::FileFormatError);
   }
@@ -80,6 +93,7 @@ void vtkMacromoleculeReader::Read(vtkPolyData* atoms, vtkMolecule* molecule)
 {
   if (!this->FileName || !*this->FileName)
   {
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
     throw std::invalid_argument("No file is named: set FileName.");
   }
   isthmus::MoleculeOptions options;

@@ -9,14 +9,13 @@
  *
  * | array | type | what |
  * |---|---|---|
- * | `Radius` | double | van der Waals radius, angstrom: the file's (PQR) or the RadiusTable's; NaN: none |
- * | `Charge` | double | e: the file's (PQR), or its formal charge (PDB, mmCIF) where not 0; NaN: none |
- * | `Element` | unsigned short | atomic number, 0: unknown; its symbol is `ElementSymbols` of the field data |
- * | `AtomName`, `ResidueName`, `Chain` | string | the authors' names (auth_ of mmCIF); empty: none |
- * | `ResidueId` | int | the authors' residue number |
- * | `BFactor` | double | angstrom^2; NaN: none |
- * | `Occupancy` | double | NaN: none |
- * | `IsHetero` | unsigned char | 1: a HETATM record |
+ * | `Radius` | double | van der Waals radius, angstrom: the file's (PQR) or the RadiusTable's; NaN:
+ * none | | `Charge` | double | e: the file's (PQR), or its formal charge (PDB, mmCIF) where not 0;
+ * NaN: none | | `Element` | unsigned short | atomic number, 0: unknown; its symbol is
+ * `ElementSymbols` of the field data | | `AtomName`, `ResidueName`, `Chain` | string | the authors'
+ * names (auth_ of mmCIF); empty: none | | `ResidueId` | int | the authors' residue number | |
+ * `BFactor` | double | angstrom^2; NaN: none | | `Occupancy` | double | NaN: none | | `IsHetero` |
+ * unsigned char | 1: a HETATM record |
  *
  * and, where the file has any, `InsertionCode` and (with AltLoc "*") `AltLoc`, strings. Cell array
  * `BondSource` (unsigned char): 0 vertex, 1 bond named by the file (CONECT, SSBOND, LINK,
@@ -34,8 +33,8 @@
  * atoms, with coordinates that are no finite numbers; a model, chain or alternate location that it
  * has not.
  *
- * **Cost.** A million atoms from PQR: about 2 s on two cores with all bonds, 1 GB. Progress and abort
- * work while reading, save that gemmi parses mmCIF in one go (about 50 MB/s). On several MPI
+ * **Cost.** A million atoms from PQR: about 2 s on two cores with all bonds, 1 GB. Progress and
+ * abort work while reading, save that gemmi parses mmCIF in one go (about 50 MB/s). On several MPI
  * ranks, the first one has everything.
  */
 #ifndef vtkMacromoleculeReader_h

@@ -87,6 +87,7 @@ set(sources
   Filters/Meshing/TetGenFiles.cxx
   Filters/Meshing/TetGenProcess.cxx
   Filters/Meshing/TetrahedralMesher.cxx
+  Filters/Meshing/TriangleTree.cxx
   Filters/Molecular/MolecularDensity.cxx
   Filters/Support/CellType.cxx
   Filters/Support/ChosenScalars.cxx

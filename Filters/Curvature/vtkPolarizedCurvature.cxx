@@ -5,7 +5,6 @@
 #include "PolarizedCurvature.h"
 
 #include <vtkDataArray.h>
-#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
@@ -17,6 +16,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -71,6 +71,16 @@ void AddSiteClassNames(vtkFieldData* fields)
   fields->AddArray(names);
 }
 
+void CheckScalar(vtkDataArray* array, vtkDataSet* data, const char* what)
+{
+  if (array->GetNumberOfComponents() != 1 ||
+    array->GetNumberOfTuples() != data->GetNumberOfPoints())
+  {
+    throw std::invalid_argument("The array for the " + std::string(what) +
+      " is not one number for each point: choose another.");
+  }
+}
+
 template <typename Array>
 Array* NewPointArray(vtkPolyData* output, const char* name)
 {
@@ -90,7 +100,6 @@ vtkPolarizedCurvature::vtkPolarizedCurvature()
   this->SetInputArrayToProcess(0, 0, 0, points, "MaximumCurvature");
   this->SetInputArrayToProcess(1, 0, 0, points, "MinimumCurvature");
   this->SetInputArrayToProcess(2, 0, 0, points, "Potential");
-  this->SetInputArrayToProcess(3, 1, 0, points, vtkDataSetAttributes::SCALARS);
 }
 
 int vtkPolarizedCurvature::FillInputPortInformation(int port, vtkInformation* info)
@@ -109,24 +118,31 @@ void vtkPolarizedCurvature::SetPotentialData(vtkImageData* image)
 }
 
 vtkDataArray* vtkPolarizedCurvature::Scalar(
-  int index, vtkDataSet* data, const char* what, const char* remedy)
+  int index, vtkPolyData* surface, const char* what, const char* remedy)
 {
-  // A panel that has seen no data yet sends an empty name: the active scalars are meant then.
-  const char* chosen = this->GetInputArrayInformation(index)->Get(vtkDataObject::FIELD_NAME());
-  vtkDataArray* array = chosen && !*chosen ? data->GetPointData()->GetScalars()
-                                           : this->GetInputArrayToProcess(index, data);
+  vtkDataArray* array = this->GetInputArrayToProcess(index, surface);
   if (!array)
   {
+    const char* name = this->GetInputArrayInformation(index)->Get(vtkDataObject::FIELD_NAME());
     throw std::invalid_argument("There is no point array for the " + std::string(what) +
-      (chosen && *chosen ? ", " + std::string(chosen) : std::string()) + ": " + remedy);
+      (name ? ", " + std::string(name) : std::string()) + ": " + remedy);
   }
-  if (array->GetNumberOfComponents() != 1 ||
-    array->GetNumberOfTuples() != data->GetNumberOfPoints())
-  {
-    throw std::invalid_argument("The array for the " + std::string(what) +
-      " is not one number for each point: choose another.");
-  }
+  CheckScalar(array, surface, what);
   return array;
+}
+
+int vtkPolarizedCurvature::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // Any part of the image may be needed, wherever the surface's piece lies.
+  if (vtkInformation* image = inputVector[1]->GetInformationObject(0))
+  {
+    using Pipeline = vtkStreamingDemandDrivenPipeline;
+    image->Set(Pipeline::UPDATE_EXTENT(), image->Get(Pipeline::WHOLE_EXTENT()), 6);
+    image->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+    image->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  }
+  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }
 
 int vtkPolarizedCurvature::RequestData(
@@ -165,8 +181,14 @@ void vtkPolarizedCurvature::Copy(vtkPolyData* surface, vtkDoubleArray* potential
 void vtkPolarizedCurvature::Sample(
   vtkPolyData* surface, vtkImageData* image, vtkDoubleArray* potential)
 {
-  vtkDataArray* scalars =
-    this->Scalar(3, image, "potential of the image", "choose one of the image's point arrays.");
+  vtkDataArray* scalars = image->GetPointData()->GetArray(this->ImageArrayName.c_str());
+  scalars = scalars ? scalars : image->GetPointData()->GetScalars();
+  if (!scalars)
+  {
+    throw std::invalid_argument("The image has neither a point array " + this->ImageArrayName +
+      " nor scalars: give one of the image's point arrays as ImageArrayName.");
+  }
+  CheckScalar(scalars, image, "potential");
   const vtkIdType count = surface->GetNumberOfPoints();
   const auto points = Plain<vtkDoubleArray>(surface->GetPoints()->GetData());
   const auto sample =
@@ -231,5 +253,6 @@ void vtkPolarizedCurvature::AddProducts(
 void vtkPolarizedCurvature::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "ImageArrayName: " << this->ImageArrayName << "\n";
   os << indent << "ClassThreshold: " << this->ClassThreshold << "\n";
 }

@@ -4,7 +4,7 @@
  *
  * Input 0: a vtkPolyData with the point arrays `MaximumCurvature` and `MinimumCurvature` (input
  * arrays 0 and 1), as vtkSurfaceCurvature and vtkHessianCurvature make them. The potential comes
- * from input 1, a vtkImageData (input array 3: its active scalars), interpolated trilinearly at the
+ * from input 1, a vtkImageData (its point array ImageArrayName), interpolated trilinearly at the
  * points in world coordinates; without that input, from a point array of the surface (input array
  * 2: `Potential`).
  *
@@ -29,6 +29,8 @@
  * whole surface. One that misses some points gives a warning with their number. An empty surface is
  * none.
  *
+ * **Ranks.** Each MPI rank works on its piece of the surface and asks for the whole potential.
+ *
  * **Cost.** 30 ns a point and thread, in parallel, the same bits on any number of threads; 57 bytes
  * a point.
  */
@@ -38,9 +40,10 @@
 #include "vtkIsthmusModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <string> // for the name of an array
+
 class vtkAlgorithmOutput;
 class vtkDataArray;
-class vtkDataSet;
 class vtkDoubleArray;
 class vtkImageData;
 
@@ -58,6 +61,13 @@ public:
   ///@}
 
   ///@{
+  /// Point array of the image that is the potential. Default: `Potential`. If the image has none of
+  /// that name, its active scalars are taken.
+  vtkSetMacro(ImageArrayName, std::string);
+  vtkGetMacro(ImageArrayName, std::string);
+  ///@}
+
+  ///@{
   /// Amplitude |Phi kappa| up to which a point has class 0, kT/(e angstrom). Default: 0.
   vtkSetClampMacro(ClassThreshold, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ClassThreshold, double);
@@ -68,16 +78,19 @@ protected:
   ~vtkPolarizedCurvature() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
+  std::string ImageArrayName = "Potential";
   double ClassThreshold = 0.0;
 
 private:
   vtkPolarizedCurvature(const vtkPolarizedCurvature&) = delete;
   void operator=(const vtkPolarizedCurvature&) = delete;
 
-  vtkDataArray* Scalar(int index, vtkDataSet* data, const char* what, const char* remedy);
+  vtkDataArray* Scalar(int index, vtkPolyData* surface, const char* what, const char* remedy);
   void Sample(vtkPolyData* surface, vtkImageData* image, vtkDoubleArray* potential);
   void Copy(vtkPolyData* surface, vtkDoubleArray* potential);
   void AddProducts(vtkPolyData* surface, vtkDoubleArray* potential, vtkPolyData* output);

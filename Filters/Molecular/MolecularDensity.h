@@ -13,8 +13,8 @@
  * (J. F. Blinn, ACM Trans. Graph. 1 (1982) 235; in this form Y. Zhang, G. Xu, C. Bajaj, Comput.
  * Aided Geom. Des. 23 (2006) 510, with beta = -d). Each term is 1 on its ball's sphere, so **the
  * level 1 of either form encloses all balls**: exactly the sphere for an atom alone, a little more
- * where atoms meet, the less the greater the decay d. Terms below 1e-6 are left out. The integral is
- * e^d (pi / d)^(3/2) sum R_i^3.
+ * where atoms meet, the less the greater the decay d. Terms below 1e-6 are left out. The integral
+ * is e^d (pi / d)^(3/2) sum R_i^3.
  */
 #ifndef isthmus_MolecularDensity_h
 #define isthmus_MolecularDensity_h
@@ -64,7 +64,8 @@ VTKISTHMUS_EXPORT DensityGrid GridAroundBalls(
 VTKISTHMUS_EXPORT void UnionOfBalls(const std::vector<Ball>& balls,
   const std::array<double, 3>& origin, GridView<float> to, const ProgressCallback& progress = {});
 
-/// The same for the sum of Gaussians with the given decay (> 0), summed up in double.
+/// The same for the sum of Gaussians with the given decay (above 0, up to 500), summed up in
+/// double.
 VTKISTHMUS_EXPORT void GaussianSum(const std::vector<Ball>& balls, double decay,
   const std::array<double, 3>& origin, GridView<float> to, const ProgressCallback& progress = {});
 

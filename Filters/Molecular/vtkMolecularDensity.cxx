@@ -36,13 +36,28 @@ struct Atoms
   vtkIdType WithoutRadius = 0;
 };
 
-Atoms AtomsOf(vtkPointSet* input, vtkDataArray* radii, double scale)
+/// The point array that the filter's input array 0 names. Throws when it is not there.
+vtkDataArray* RadiiOf(vtkAlgorithm* filter, vtkPointSet* input)
 {
+  const char* name = filter->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  vtkDataArray* radii = name ? input->GetPointData()->GetArray(name) : nullptr;
   if (!radii)
   {
-    throw std::invalid_argument("The atoms have no point array of radii: read them with "
-                                "vtkMacromoleculeReader, or choose one with SetInputArrayToProcess.");
+    std::string there;
+    for (int i = 0; i < input->GetPointData()->GetNumberOfArrays(); ++i)
+    {
+      const char* other = input->GetPointData()->GetArrayName(i);
+      there += std::string(" ") + (other ? other : "(unnamed)");
+    }
+    throw std::invalid_argument("The atoms have no point array " + std::string(name ? name : "") +
+      " of radii; they have:" + (there.empty() ? " none" : there) +
+      ". Read them with vtkMacromoleculeReader, or choose one of these.");
   }
+  return radii;
+}
+
+Atoms AtomsOf(vtkPointSet* input, vtkDataArray* radii, double scale)
+{
   if (radii->GetNumberOfComponents() != 1)
   {
     throw std::invalid_argument("The array of radii has several components, but one number for "
@@ -82,10 +97,10 @@ vtkFloatArray* AddDensity(vtkImageData* image, const DensityGrid& grid)
 {
   const double nodes = static_cast<double>(grid.Dimensions[0]) *
     static_cast<double>(grid.Dimensions[1]) * static_cast<double>(grid.Dimensions[2]);
-  const std::string tooLarge = "A Spacing of " + std::to_string(grid.Spacing) + " makes a grid of " +
-    std::to_string(grid.Dimensions[0]) + " x " + std::to_string(grid.Dimensions[1]) + " x " +
-    std::to_string(grid.Dimensions[2]) + " nodes, which takes " +
-    std::to_string(std::llround(nodes * sizeof(float) / 1e9)) +
+  const std::string tooLarge = "A Spacing of " + std::to_string(grid.Spacing) +
+    " makes a grid of " + std::to_string(grid.Dimensions[0]) + " x " +
+    std::to_string(grid.Dimensions[1]) + " x " + std::to_string(grid.Dimensions[2]) +
+    " nodes, which takes " + std::to_string(std::llround(nodes * sizeof(float) / 1e9)) +
     " GB and does not fit into memory: choose a larger one.";
   // Far beyond any memory, and near to what 64 bits count.
   if (nodes > 1e15)
@@ -133,8 +148,7 @@ int vtkMolecularDensity::RequestInformation(
     {
       if (input && input->GetNumberOfPoints() > 0)
       {
-        const Atoms atoms =
-          AtomsOf(input, this->GetInputArrayToProcess(0, inputVector), this->RadiusScale);
+        const Atoms atoms = AtomsOf(input, RadiiOf(this, input), this->RadiusScale);
         SetGeometry(isthmus::GridAroundBalls(atoms.Balls, this->Spacing,
                       { this->Padding[0], this->Padding[1], this->Padding[2] }),
           image);
@@ -159,16 +173,14 @@ int vtkMolecularDensity::RequestData(
     {
       if (input && input->GetNumberOfPoints() > 0)
       {
-        this->FillImage(inputVector, input, output);
+        this->FillImage(input, output);
       }
     });
 }
 
-void vtkMolecularDensity::FillImage(
-  vtkInformationVector** inputVector, vtkPointSet* input, vtkImageData* output)
+void vtkMolecularDensity::FillImage(vtkPointSet* input, vtkImageData* output)
 {
-  const Atoms atoms =
-    AtomsOf(input, this->GetInputArrayToProcess(0, inputVector), this->RadiusScale);
+  const Atoms atoms = AtomsOf(input, RadiiOf(this, input), this->RadiusScale);
   if (atoms.WithoutRadius > 0)
   {
     vtkWarningMacro(<< atoms.WithoutRadius << " of " << input->GetNumberOfPoints()

@@ -11,9 +11,10 @@
  *  - UnionOfBalls: 1 within a distance of R_i of an atom, else 0;
  *  - GaussianSum (default): sum of exp(-Decay (|x - x_i|^2 / R_i^2 - 1)).
  *
- * **Surface.** Contour at 1 (GaussianSum) or 0.5 (UnionOfBalls): the first encloses all balls and is
- * smooth, the second has the steps of the grid. Decay 2.3 gives a surface near the
- * solvent-excluded one; smaller values close more crevices. Formulas and sources: MolecularDensity.h.
+ * **Surface.** Contour at 1 (GaussianSum) or 0.5 (UnionOfBalls): the first encloses all balls and
+ * is smooth, the second has the steps of the grid. Decay 2.3 gives a surface near the
+ * solvent-excluded one; smaller values close more crevices. Formulas and sources:
+ * MolecularDensity.h.
  *
  * The grid has cubic cells; its first node lies Padding beyond the outermost ball. It is the whole
  * grid whatever part is asked for. Atoms without radius (NaN) are left out, with a warning; atoms
@@ -24,9 +25,9 @@
  * empty image and no error.
  *
  * **Cost.** Linear in atoms and nodes: 100,000 atoms at 0.5 angstrom well under a second on two
- * threads. Memory 4 bytes a node and about 100 bytes an atom. The same bits on any number of threads
- * and in any order of the atoms. On several MPI ranks, each makes the density of its own atoms:
- * gather them first.
+ * threads. Memory 4 bytes a node and about 100 bytes an atom. The same bits on any number of
+ * threads and in any order of the atoms. On several MPI ranks, each makes the density of its own
+ * atoms: gather them first.
  */
 #ifndef vtkMolecularDensity_h
 #define vtkMolecularDensity_h
@@ -62,7 +63,7 @@ public:
   ///@}
 
   ///@{
-  /// How fast a Gaussian falls off, no unit, > 0. Default 2.3.
+  /// How fast a Gaussian falls off, no unit, above 0, up to 500. Default 2.3.
   vtkSetMacro(Decay, double);
   vtkGetMacro(Decay, double);
   ///@}
@@ -94,7 +95,7 @@ private:
   vtkMolecularDensity(const vtkMolecularDensity&) = delete;
   void operator=(const vtkMolecularDensity&) = delete;
 
-  void FillImage(vtkInformationVector** inputVector, vtkPointSet* atoms, vtkImageData* output);
+  void FillImage(vtkPointSet* atoms, vtkImageData* output);
 
   int Form = GaussianSum;
   double RadiusScale = 1.0;

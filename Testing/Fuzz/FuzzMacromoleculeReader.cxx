@@ -74,7 +74,8 @@ HETATM100000 ZN  ZN  B1004       1.459  10.365   9.364  2.0000 0.0000
 ENDMDL
 ATOM 1 C A 1 0.0 0.0 0.0 0.1 1.87
 )",
-  std::string("\x04\x00", 2) + "3\nwater\nO 0 0 0\nH 0.96 0 0 1 2 3\n1 -.24 0.93 0\n\n1\nc\nFe1 0 0 1e3\n" };
+  std::string("\x04\x00", 2) +
+    "3\nwater\nO 0 0 0\nH 0.96 0 0 1 2 3\n1 -.24 0.93 0\n\n1\nc\nFe1 0 0 1e3\n" };
 
 }
 

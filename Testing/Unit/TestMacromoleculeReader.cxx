@@ -144,8 +144,8 @@ TEST(MacromoleculeReader, PQRChainsInsertionCodesAndLongNumbers)
   EXPECT_EQ(zinc.Atoms[0].Element, 30);
   EXPECT_TRUE(zinc.Atoms[0].IsHetero);
   ASSERT_EQ(zinc.Notes.size(), 1u);
-  EXPECT_NE(zinc.Notes[0].find("radius 0 in the file, and a charge: ZN of ZN 1004 B"),
-    std::string::npos);
+  EXPECT_NE(
+    zinc.Notes[0].find("radius 0 in the file, and a charge: ZN of ZN 1004 B"), std::string::npos);
 }
 
 TEST(MacromoleculeReader, ElementsFromNames)
@@ -232,15 +232,15 @@ TEST(MacromoleculeReader, Selections)
 
   options = MoleculeOptions();
   options.Chains = "A X";
-  EXPECT_EQ(WhyRefused(SmallPDB, MoleculeFormat::PDB, options),
-    "There is no chain X; there are: A B C.");
+  EXPECT_EQ(
+    WhyRefused(SmallPDB, MoleculeFormat::PDB, options), "There is no chain X; there are: A B C.");
   options = MoleculeOptions();
   options.AltLoc = "Q";
-  EXPECT_NE(WhyRefused(SmallPDB, MoleculeFormat::PDB, options).find("location Q"),
-    std::string::npos);
+  EXPECT_NE(
+    WhyRefused(SmallPDB, MoleculeFormat::PDB, options).find("location Q"), std::string::npos);
   options.AltLoc = "AB";
-  EXPECT_NE(WhyRefused(SmallPDB, MoleculeFormat::PDB, options).find("one letter"),
-    std::string::npos);
+  EXPECT_NE(
+    WhyRefused(SmallPDB, MoleculeFormat::PDB, options).find("one letter"), std::string::npos);
   options = MoleculeOptions();
   options.Model = 2;
   EXPECT_EQ(WhyRefused(SmallPDB, MoleculeFormat::PDB, options),
@@ -274,15 +274,16 @@ TEST(MacromoleculeReader, OldColumnsAreLeftOutWithAWarning)
   ASSERT_EQ(molecule.Warnings.size(), 1u);
   EXPECT_NE(molecule.Warnings[0].find("Columns 73-80"), std::string::npos);
   // One digit would pass for a charge.
-  const Macromolecule five = Parsed(
-    "ATOM      1  C   FOR A   0      -1.409   0.501   0.859  1.00  1.00      1GRM   5\n",
-    MoleculeFormat::PDB);
+  const Macromolecule five =
+    Parsed("ATOM      1  C   FOR A   0      -1.409   0.501   0.859  1.00  1.00      1GRM   5\n",
+      MoleculeFormat::PDB);
   EXPECT_TRUE(std::isnan(five.Atoms.at(0).Charge));
 }
 
 TEST(MacromoleculeReader, XYZFrames)
 {
-  const std::string text = "3\nwater\nO 0 0 0 7 8\nH 0.96 0 0\n1 -0.24 0.93 0\n2\n\nC 0 0 0\nFe 0 0 2\n";
+  const std::string text =
+    "3\nwater\nO 0 0 0 7 8\nH 0.96 0 0\n1 -0.24 0.93 0\n2\n\nC 0 0 0\nFe 0 0 2\n";
   const Macromolecule water = Parsed(text, MoleculeFormat::XYZ);
   EXPECT_EQ(NamesOf(water), "O H H ");
   EXPECT_EQ(water.NumberOfModels, 2);
@@ -291,9 +292,9 @@ TEST(MacromoleculeReader, XYZFrames)
   MoleculeOptions second;
   second.Model = 1;
   EXPECT_EQ(NamesOf(Parsed(text, MoleculeFormat::XYZ, second)), "C Fe ");
-  EXPECT_EQ(Parsed("1\nProperties=species:S:1:pos:R:3:forces:R:3\nC 0 0 0 1 1 1\n",
-              MoleculeFormat::XYZ)
-              .Atoms.size(),
+  EXPECT_EQ(
+    Parsed("1\nProperties=species:S:1:pos:R:3:forces:R:3\nC 0 0 0 1 1 1\n", MoleculeFormat::XYZ)
+      .Atoms.size(),
     1u);
   EXPECT_NE(WhyRefused("1\nProperties=pos:R:3:species:S:1\n0 0 0 C\n", MoleculeFormat::XYZ)
               .find("columns are others"),
@@ -392,9 +393,14 @@ TEST(MacromoleculeReader, ErrorsOfTheVTKClass)
   {
     std::string Path;
     const char* Words;
-  } cases[] = { { "", "set FileName" }, { "/nowhere/at/all.pdb", "there is no such file" },
-    { ::testing::TempDir(), "this is a folder" }, { empty.Path(), "empty" },
-    { letter.Path(), "mmCIF" }, { cut.Path(), "break off" }, { noChecksum.Path(), "break off" } };
+    unsigned long Code;
+  } cases[] = { { "", "set FileName", vtkErrorCode::NoFileNameError },
+    { "/nowhere/at/all.pdb", "there is no such file", vtkErrorCode::FileNotFoundError },
+    { ::testing::TempDir(), "this is a folder", vtkErrorCode::CannotOpenFileError },
+    { empty.Path(), "empty", vtkErrorCode::PrematureEndOfFileError },
+    { letter.Path(), "mmCIF", vtkErrorCode::FileFormatError },
+    { cut.Path(), "break off", vtkErrorCode::PrematureEndOfFileError },
+    { noChecksum.Path(), "break off", vtkErrorCode::PrematureEndOfFileError } };
   for (const auto& c : cases)
   {
     Reading reading;
@@ -403,8 +409,7 @@ TEST(MacromoleculeReader, ErrorsOfTheVTKClass)
       << reading.Observer->GetErrorMessage();
     EXPECT_EQ(atoms->GetNumberOfPoints(), 0);
     EXPECT_EQ(reading.Reader->GetMolecule()->GetNumberOfAtoms(), 0);
-    EXPECT_EQ(
-      reading.Reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::FileFormatError));
+    EXPECT_EQ(reading.Reader->GetErrorCode(), c.Code) << c.Path;
   }
   const TemporaryFile document(SmallPDB, "a.doc");
   const TemporaryFile binary(std::string("\0\1\2", 3), "binary.pdb");
