@@ -90,6 +90,7 @@ set(sources
   Filters/Topology/ChokingSurface.cxx
   Filters/Topology/CompactCombinatorialMap.cxx
   Filters/Topology/CutAndMerge.cxx
+  Filters/Topology/EdgeStrip.cxx
   Filters/Topology/EdgeTable.cxx
   Filters/Topology/EnclosureTest.cxx
   Filters/Topology/FaceTable.cxx
@@ -99,9 +100,11 @@ set(sources
   Filters/Topology/LoopFeature.cxx
   Filters/Topology/LoopShortening.cxx
   Filters/Topology/LowerStarFiltration.cxx
+  Filters/Topology/OffsetSurface.cxx
   Filters/Topology/ShapeFeatures.cxx
   Filters/Topology/SpaceRegions.cxx
   Filters/Topology/StarTable.cxx
+  Filters/Topology/StripFunnel.cxx
   Filters/Topology/SurfaceAdjacency.cxx
   Filters/Topology/SurfaceDistance.cxx
   Filters/Topology/SurfaceGenerators.cxx
@@ -109,6 +112,7 @@ set(sources
   Filters/Topology/SurfaceInComplex.cxx
   Filters/Topology/SurfaceSampling.cxx
   Filters/Topology/TetCutaway.cxx
+  Filters/Topology/TriangleTree.cxx
   Readers/ByteSource.cxx
   Readers/CombinatorialMeshParser.cxx
   Readers/CombinatorialMeshWriter.cxx

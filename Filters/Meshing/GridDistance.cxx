@@ -1,6 +1,7 @@
 #include "GridDistance.h"
 
 #include "ParallelFor.h"
+#include "TriangleDistance.h"
 
 #include <Eigen/Dense>
 
@@ -19,49 +20,6 @@ using Eigen::Vector3d;
 using PointMap = Eigen::Map<const Vector3d>;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-double SquaredDistanceToSegment(const Vector3d& x, const Vector3d& a, const Vector3d& b)
-{
-  const Vector3d d = b - a;
-  const double dd = d.squaredNorm();
-  const double t = dd > 0.0 ? std::clamp((x - a).dot(d) / dd, 0.0, 1.0) : 0.0;
-  return (x - a - t * d).squaredNorm();
-}
-
-/// Squared distance of `x` from the triangle: to its plane over the inside, else to its border.
-double SquaredDistanceTo(const SurfaceView& mesh, vtkIdType triangle, const Vector3d& x)
-{
-  const vtkIdType* const id = mesh.Triangle(triangle);
-  const PointMap a(mesh.Point(id[0]));
-  const PointMap b(mesh.Point(id[1]));
-  const PointMap c(mesh.Point(id[2]));
-  const Vector3d normal = (b - a).cross(c - a);
-  const double nn = normal.squaredNorm();
-  const bool flat = !(nn > 0.0);
-  const bool beyond[3] = { flat || (b - a).cross(x - a).dot(normal) < 0.0,
-    flat || (c - b).cross(x - b).dot(normal) < 0.0,
-    flat || (a - c).cross(x - c).dot(normal) < 0.0 };
-  if (!beyond[0] && !beyond[1] && !beyond[2])
-  {
-    const double height = normal.dot(x - a);
-    return height * height / nn;
-  }
-  // The nearest border point is on an edge that x is beyond.
-  double nearest = Infinity;
-  if (beyond[0])
-  {
-    nearest = std::min(nearest, SquaredDistanceToSegment(x, a, b));
-  }
-  if (beyond[1])
-  {
-    nearest = std::min(nearest, SquaredDistanceToSegment(x, b, c));
-  }
-  if (beyond[2])
-  {
-    nearest = std::min(nearest, SquaredDistanceToSegment(x, c, a));
-  }
-  return nearest;
-}
 
 /// Squared distances within the band, infinite elsewhere.
 class Band
@@ -146,8 +104,9 @@ private:
     const auto z = this->Range(triangle, 2, band);
     const vtkIdType* const id = this->Mesh.Triangle(triangle);
     const PointMap a(this->Mesh.Point(id[0]));
-    const Vector3d normal =
-      (PointMap(this->Mesh.Point(id[1])) - a).cross(PointMap(this->Mesh.Point(id[2])) - a);
+    const PointMap b(this->Mesh.Point(id[1]));
+    const PointMap c(this->Mesh.Point(id[2]));
+    const Vector3d normal = (b - a).cross(c - a);
     const double limit = band * band * normal.squaredNorm();
     const std::int64_t lastLayer = std::min(z.second, (slab + 1) * SlabLayers - 1);
     for (std::int64_t k = std::max(z.first, slab * SlabLayers); k <= lastLayer; ++k)
@@ -162,7 +121,7 @@ private:
           {
             double& nearest =
               this->Squared[static_cast<std::size_t>(i + this->Step[1] * j + this->Step[2] * k)];
-            nearest = std::min(nearest, SquaredDistanceTo(this->Mesh, triangle, node));
+            nearest = std::min(nearest, SquaredDistanceToTriangle(node, a, b, c));
           }
         }
       }
@@ -337,7 +296,7 @@ std::vector<double> DistanceToSurface(
   band = std::max(band, spacing);
   std::vector<double> squared = Band(mesh, grid).Run(band, Between(progress, 0.0, 0.5));
   const auto crossings =
-    SurfaceCrossings(mesh, grid, CrossingNormal::Triangle, Between(progress, 0.5, 0.6));
+    SurfaceCrossings(mesh, grid, CrossingNormal::Triangles, Between(progress, 0.5, 0.6));
   // A node beyond the band takes the nearest of the crossings along x, y and z.
   std::vector<double> far(squared.size(), Infinity);
   for (const int axis : { 0, 1, 2 })

@@ -68,8 +68,8 @@ constexpr std::size_t ManyPlaces = 64;
 constexpr std::size_t MorePoints = 100000;
 
 /// An empty mesh when it would take too many points.
-TriangleMesh Refined(
-  const TriangleMesh& mesh, const std::vector<Refinement>& wanted, double spacing)
+TriangleMesh Refined(const TriangleMesh& mesh, const std::vector<Refinement>& wanted,
+  double spacing, const ProgressCallback& progress)
 {
   const double everywhere = wanted.size() > ManyPlaces ? 0.6 * spacing : HUGE_VAL;
   return SplitLongEdges(
@@ -91,7 +91,7 @@ TriangleMesh Refined(
       }
       return limit;
     },
-    MorePoints + 2 * mesh.Points.size());
+    MorePoints + 2 * mesh.Points.size(), progress);
 }
 
 }
@@ -108,21 +108,22 @@ struct ChokingLoops::Analysis
     , Homology(Adjacency)
     , Embedding(Adjacency, Filtration)
     , Context{ Filtration, Pairs, Homology, Embedding, Adjacency, std::move(errors) }
-    , Regions(Context)
+    , Regions(Context, Between(progress, 0.5, 0.6))
   {
     times.Pairing += this->Watch.Lap();
-    this->Diagram = ShapeFeatures(this->Context, this->Regions, Between(progress, 0.5, 0.9));
+    this->Diagram = ShapeFeatures(this->Context, this->Regions, Between(progress, 0.6, 0.9));
     this->Membranes.resize(this->Diagram.Features.size());
-    this->MakeGeneratorLoops();
+    this->MakeGeneratorLoops(Between(progress, 0.9, 1.0));
     times.Features += this->Watch.Lap();
   }
 
   // All at once, since each must be independent of those before.
-  void MakeGeneratorLoops()
+  void MakeGeneratorLoops(const ProgressCallback& progress)
   {
     HomologySpan span;
     for (std::size_t i = 0; i < this->Membranes.size(); ++i)
     {
+      Report(progress, static_cast<double>(i) / static_cast<double>(this->Membranes.size()));
       if (IsGenerator(this->Diagram.Features[i]))
       {
         this->Membranes[i] =
@@ -187,10 +188,11 @@ ChokingLoops::ChokingLoops(
   // Edges of a good mesh scatter round their mean: those up to 1.7 times it stay whole.
   double spacing =
     automatic ? 1.7 * EdgeLengthFor(surface, UsualSamples) : parameters.SampleSpacing;
-  const auto split = [&surface, &spacing](std::size_t most)
+  const auto split = [&surface, &spacing, automatic, &progress](std::size_t most)
   {
     return SplitLongEdges(
-      surface, [&spacing](const Point3&, const Point3&) { return spacing; }, most);
+      surface, [&spacing](const Point3&, const Point3&) { return spacing; }, most,
+      Between(progress, 0.2, automatic ? 0.2 : 0.25)); // automatic: quick, but maybe repeated
   };
   TriangleMesh samples;
   if (automatic)
@@ -217,8 +219,9 @@ ChokingLoops::ChokingLoops(
   for (int round = 0;; ++round)
   {
     // Later rounds are the exception: each takes half of what is left of the bar.
-    const double from = 1.0 - 0.8 * std::pow(0.5, round);
-    const auto part = Between(progress, from, 0.5 * (1.0 + from));
+    const double from = 1.0 - 0.75 * std::pow(0.5, round);
+    const double to = 0.5 * (1.0 + from);
+    const auto part = Between(progress, from, to);
     std::vector<double> errors = SamplingErrors(surface);
     CellFiltration filtration = DelaunayFiltration(surface.Points, Between(part, 0.0, 0.6));
     times.Filtration += watch.Lap();
@@ -230,7 +233,8 @@ ChokingLoops::ChokingLoops(
     {
       break;
     }
-    surface = Refined(this->State->Samples, blurred, spacing * std::pow(0.6, round));
+    surface = Refined(this->State->Samples, blurred, spacing * std::pow(0.6, round),
+      Between(progress, to, to));
     times.Sampling += watch.Lap();
     if (surface.Points.empty())
     {
