@@ -131,7 +131,8 @@ TEST(ChokingLoopsFilter, SteeringDoesNotAnalyseAgain)
 
 TEST(ChokingLoopsFilter, ProgressOnlyMovesForward)
 {
-  Steered steered(Torus(1.0, 0.3, 90, 30));
+  Steered steered(Torus(1.0, 0.3, 60, 20));
+  steered.Loops->SetSampleSpacing(0.2);
   steered.Loops->SetShortening(vtkChokingLoops::Geodesic);
   steered.Run();
   EXPECT_TRUE(std::is_sorted(steered.Heard.begin(), steered.Heard.end()));
@@ -163,15 +164,15 @@ void ExpectStops(Steered& steered)
 
 TEST(ChokingLoopsFilter, StopsInEveryStage)
 {
-  Steered steered(Torus(1.0, 0.3, 90, 30));
-  steered.Loops->SetSampleSpacing(0.05);
+  Steered steered(Torus(1.0, 0.3, 60, 20));
+  steered.Loops->SetSampleSpacing(0.2);
   steered.Loops->SetShortening(vtkChokingLoops::Geodesic);
   ExpectStops(steered);
 }
 
 TEST(ChokingLoopsFilter, StopsWhileTetGenRuns)
 {
-  Steered steered(Torus(1.0, 0.3, 90, 30));
+  Steered steered(Torus(1.0, 0.3, 30, 12));
   steered.Loops->SetFiltration(vtkChokingLoops::TetrahedralMesh);
   steered.Run();
   if (steered.Complained())
@@ -181,18 +182,20 @@ TEST(ChokingLoopsFilter, StopsWhileTetGenRuns)
   ExpectStops(steered);
 }
 
-// In the stages that need no VTK, at every single report.
-TEST(ChokingLoopsFilter, StopsAtEveryReport)
+// At reports anywhere between the first and the last.
+TEST(ChokingLoopsFilter, StopsAtAnyReport)
 {
   const TriangleMesh torus = Torus(1.0, 0.3, 60, 20);
+  ChokingLoopParameters parameters;
+  parameters.SampleSpacing = 0.2;
   int calls = 0;
-  const ChokingLoops all(TriangleMesh(torus), {}, [&calls](double) { return ++calls > 0; });
+  const ChokingLoops all(TriangleMesh(torus), parameters, [&calls](double) { return ++calls > 0; });
   ASSERT_GT(calls, 20);
-  for (int stop = 0; stop < calls; stop += 7)
+  for (int stop = 0; stop < calls; stop += 1 + calls / 25)
   {
     int call = 0;
-    EXPECT_THROW(
-      ChokingLoops(TriangleMesh(torus), {}, [&call, stop](double) { return call++ < stop; }),
+    EXPECT_THROW(ChokingLoops(TriangleMesh(torus), parameters,
+                   [&call, stop](double) { return call++ < stop; }),
       Cancelled)
       << stop << " of " << calls;
   }
