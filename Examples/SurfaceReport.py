@@ -100,8 +100,7 @@ def as_text(report):
         f"spacing {' x '.join(f'{s:.4g}' for s in grid['spacing_A'])} A, "
         f"values {grid['range'][0]:.4g} to {grid['range'][1]:.4g}",
         f"Level     {level['value']:.6g} ({level['rule']})",
-        f"Noise     {report['noise_level']['before']:.4g} before denoising, "
-        f"{report['noise_level']['after']:.4g} after",
+        *(f"Noise     {value:.4g} ({name})" for name, value in report["noise_level"].items()),
         f"Surface   {surface['triangles']} triangles, {surface['components']} components, "
         f"{'closed' if surface['closed'] else 'open at the border of the map'}",
         f"Area      {surface['area_A2']:.6g} A^2",

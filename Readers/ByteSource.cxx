@@ -1,9 +1,11 @@
 #include "ByteSource.h"
 
 #include "CompressedSource.h"
+#include "MRCError.h"
 #include "PlainFile.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace isthmus
 {
@@ -30,6 +32,7 @@ public:
   }
   void SkipTo(std::uint64_t, const ProgressCallback&) override {}
   void CheckEnd() override {}
+  bool IsCut() const override { return false; }
   std::string Compression() const override { return "none"; }
   std::uint64_t FileSize() const override { return this->File.Size(); }
   const std::string& Path() const override { return this->File.Path(); }
@@ -54,6 +57,28 @@ std::unique_ptr<ByteSource> OpenByteSource(const std::string& path)
     return OpenBzip2(std::move(file));
   }
   return std::make_unique<PlainSource>(std::move(file));
+}
+
+std::string ReadAll(ByteSource& source, const ProgressCallback& progress)
+{
+  constexpr std::size_t piece = std::size_t{ 1 } << 23;
+  std::string text;
+  for (std::size_t got = piece; got == piece;)
+  {
+    const std::size_t at = text.size();
+    text.resize(at + piece);
+    got = source.Read(at, &text[at], piece);
+    text.resize(at + got);
+    Report(progress, 1.0 - std::exp2(-static_cast<double>(text.size()) / double{ 1 << 26 }));
+  }
+  source.CheckEnd();
+  if (source.IsCut())
+  {
+    throw MRCError(MRCFailure::Truncated,
+      source.Path() + ": the " + source.Compression() +
+        " data break off before their end. Fetch the file again.");
+  }
+  return text;
 }
 
 }

@@ -47,6 +47,9 @@ public:
   /// After the last Read: lets a compressed stream check its checksum. Throws MRCError.
   virtual void CheckEnd() = 0;
 
+  /// After the last Read: whether a compressed stream broke off before its end.
+  virtual bool IsCut() const = 0;
+
   /// How the file is stored: "none", "gzip" or "bzip2".
   virtual std::string Compression() const = 0;
 
@@ -58,6 +61,10 @@ public:
 
 /// Opens a regular file. Throws MRCError for a missing, unreadable or empty one and for folders.
 std::unique_ptr<ByteSource> OpenByteSource(const std::string& path);
+
+/// All of the content, checksum checked. Throws MRCError as Read does and when it is cut, and
+/// std::bad_alloc.
+std::string ReadAll(ByteSource& source, const ProgressCallback& progress = {});
 
 }
 

@@ -169,13 +169,15 @@ public:
     this->SkipTo(this->Position + 4 * bufferBytes, {});
   }
 
+  bool IsCut() const override { return this->Cut; }
+
 private:
   void Restart()
   {
     this->Decoder = std::make_unique<Codec>();
     this->Position = this->FilePosition = 0;
     this->Left = 0;
-    this->Ended = false;
+    this->Ended = this->Cut = false;
   }
 
   std::size_t Decompress(unsigned char* to, std::size_t size)
@@ -200,7 +202,7 @@ private:
       }
       else if (wanted + this->Left == before)
       {
-        this->Ended = true; // the file ends within the stream
+        this->Ended = this->Cut = true; // the file ends within the stream
       }
     }
     this->Position += size - wanted;
@@ -242,6 +244,7 @@ private:
   unsigned char* Next = nullptr;
   std::size_t Left = 0;
   bool Ended = false;
+  bool Cut = false;
 };
 
 }

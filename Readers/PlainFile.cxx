@@ -42,7 +42,7 @@ PlainFile::PlainFile(const std::string& path)
   const char* wrong = nullptr;
   if (::fstat(this->Descriptor, &status) != 0 || !S_ISREG(status.st_mode))
   {
-    wrong = S_ISDIR(status.st_mode) ? ": this is a folder. Choose a map file in it."
+    wrong = S_ISDIR(status.st_mode) ? ": this is a folder. Choose a file in it."
                                     : ": this is not a regular file. Copy it to one first.";
   }
   else if (status.st_size == 0)

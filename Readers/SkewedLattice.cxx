@@ -137,12 +137,14 @@ struct Sampler
   }
 };
 
+}
+
 template <typename T>
-void ResampleAs(const MRCVoxelType& type, const MRCLattice& lattice, const void* nodes,
-  const NodeBox& have, const MRCLattice& grid, const NodeBox& region, void* out,
-  unsigned char* inside, const ProgressCallback& progress)
+void ResampleValues(int components, const MRCLattice& lattice, const T* nodes, const NodeBox& have,
+  const MRCLattice& grid, const NodeBox& region, T* out, unsigned char* inside,
+  const ProgressCallback& progress)
 {
-  const Sampler<T> sample{ static_cast<const T*>(nodes), have, type.Components };
+  const Sampler<T> sample{ nodes, have, components };
   const NodeMap map(lattice, grid);
   const std::int64_t nx = region[1] - region[0] + 1;
   const std::int64_t ny = region[3] - region[2] + 1;
@@ -156,18 +158,19 @@ void ResampleAs(const MRCVoxelType& type, const MRCLattice& lattice, const void*
       const std::int64_t row = node / nx;
       const Point at = map(static_cast<double>(region[0] + node % nx),
         static_cast<double>(region[2] + row % ny), static_cast<double>(region[4] + row / ny));
-      T* const value = static_cast<T*>(out) + node * type.Components;
+      T* const value = out + node * components;
       const bool within = Locate(at[0], lattice.Dimensions[0], where[0]) &&
         Locate(at[1], lattice.Dimensions[1], where[1]) &&
         Locate(at[2], lattice.Dimensions[2], where[2]);
       inside[node] = within ? 1 : 0;
-      within ? sample(where, value) : static_cast<void>(std::fill_n(value, type.Components, T(0)));
+      within ? sample(where, value) : static_cast<void>(std::fill_n(value, components, T(0)));
     }
   };
   ParallelFor(0, rows, grain, body, progress);
 }
 
-}
+template void ResampleValues(int, const MRCLattice&, const double*, const NodeBox&,
+  const MRCLattice&, const NodeBox&, double*, unsigned char*, const ProgressCallback&);
 
 MRCLattice GridAround(const MRCLattice& lattice)
 {
@@ -235,7 +238,11 @@ void Resample(const MRCVoxelType& type, const MRCLattice& lattice, const void* n
   unsigned char* inside, const ProgressCallback& progress)
 {
   const auto as = [&](auto value)
-  { ResampleAs<decltype(value)>(type, lattice, nodes, have, grid, region, out, inside, progress); };
+  {
+    using T = decltype(value);
+    ResampleValues(type.Components, lattice, static_cast<const T*>(nodes), have, grid, region,
+      static_cast<T*>(out), inside, progress);
+  };
   switch (type.Value)
   {
     case MRCValue::SignedChar:

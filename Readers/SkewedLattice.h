@@ -42,6 +42,12 @@ void Resample(const MRCVoxelType& type, const MRCLattice& lattice, const void* n
   const NodeBox& have, const MRCLattice& grid, const NodeBox& region, void* out,
   unsigned char* inside, const ProgressCallback& progress);
 
+/// The same for values of a type known when compiling: those of MRCValue, and double.
+template <typename T>
+void ResampleValues(int components, const MRCLattice& lattice, const T* nodes, const NodeBox& have,
+  const MRCLattice& grid, const NodeBox& region, T* out, unsigned char* inside,
+  const ProgressCallback& progress);
+
 }
 
 #endif

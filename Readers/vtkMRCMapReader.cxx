@@ -2,6 +2,7 @@
 
 #include "AlgorithmGuard.h"
 #include "MRCError.h"
+#include "MRCErrorCode.h"
 #include "MRCFieldData.h"
 #include "MRCMap.h"
 
@@ -28,26 +29,6 @@ using isthmus::MRCError;
 using isthmus::MRCFailure;
 using isthmus::MRCMap;
 using Pipeline = vtkStreamingDemandDrivenPipeline;
-
-unsigned long ErrorCodeOf(MRCFailure kind)
-{
-  switch (kind)
-  {
-    case MRCFailure::NoSuchFile:
-      return vtkErrorCode::FileNotFoundError;
-    case MRCFailure::CannotRead:
-      return vtkErrorCode::CannotOpenFileError;
-    case MRCFailure::NotAMap:
-      return vtkErrorCode::UnrecognizedFileTypeError;
-    case MRCFailure::Truncated:
-      return vtkErrorCode::PrematureEndOfFileError;
-    case MRCFailure::Damaged:
-      return vtkErrorCode::FileFormatError;
-    case MRCFailure::BadRequest:
-      break;
-  }
-  return vtkErrorCode::UserError;
-}
 
 int ScalarTypeOf(isthmus::MRCValue value)
 {
@@ -163,7 +144,7 @@ int vtkMRCMapReader::Try(vtkInformation* info, Body&& body)
       }
       catch (const MRCError& error)
       {
-        this->SetErrorCode(ErrorCodeOf(error.Kind));
+        this->SetErrorCode(isthmus::ErrorCodeOf(error.Kind));
         throw;
       }
     });

@@ -1,7 +1,9 @@
 # The VTK module Isthmus::vtkIsthmus: every class and algorithm of the library, room by room.
 
 set(classes
+  Filters/Curvature/vtkBindingSites
   Filters/Curvature/vtkHessianCurvature
+  Filters/Curvature/vtkPolarizedCurvature
   Filters/Curvature/vtkScalarRegions
   Filters/Curvature/vtkSurfaceCurvature
   Filters/Imaging/vtkDiffusionAlgorithm
@@ -14,6 +16,7 @@ set(classes
   Filters/Meshing/vtkSurfaceRemesh
   Filters/Meshing/vtkSurfaceToGrid
   Filters/Meshing/vtkTetrahedralMesher
+  Filters/Molecular/vtkMolecularDensity
   Filters/Topology/vtkCellIncidence
   Filters/Topology/vtkChokingLoops
   Filters/Topology/vtkLoopShortening
@@ -21,8 +24,11 @@ set(classes
   Filters/Topology/vtkTetCutaway
   Readers/vtkCombinatorialMeshReader
   Readers/vtkCombinatorialMeshWriter
+  Readers/vtkMacromoleculeReader
   Readers/vtkMRCMapReader
-  Readers/vtkMSMSReader)
+  Readers/vtkMSMSReader
+  Readers/vtkOpenDXReader
+  Readers/vtkOpenDXWriter)
 
 # The only sources that include CGAL, which needs -frounding-math and is slow to compile.
 set(cgal_sources
@@ -34,13 +40,16 @@ set(cgal_sources
 
 set(sources
   ${cgal_sources}
+  Filters/Curvature/BindingSites.cxx
   Filters/Curvature/CurvatureDescriptors.cxx
   Filters/Curvature/CurvatureOfImage.cxx
   Filters/Curvature/EdgeBends.cxx
   Filters/Curvature/FiniteDifference.cxx
   Filters/Curvature/GaussianScale.cxx
   Filters/Curvature/HessianCurvature.cxx
+  Filters/Curvature/HullDepth.cxx
   Filters/Curvature/PointDerivative.cxx
+  Filters/Curvature/PolarizedCurvature.cxx
   Filters/Curvature/RegionTables.cxx
   Filters/Curvature/ScalarRegions.cxx
   Filters/Curvature/ShapeRows.cxx
@@ -59,6 +68,7 @@ set(sources
   Filters/Imaging/NoiseEstimate.cxx
   Filters/Imaging/PDETransform.cxx
   Filters/Imaging/RankParts.cxx
+  Filters/Imaging/ResidualReturn.cxx
   Filters/Imaging/TimeSteps.cxx
   Filters/Meshing/CartesianMeasures.cxx
   Filters/Meshing/ChildProcess.cxx
@@ -77,7 +87,10 @@ set(sources
   Filters/Meshing/TetGenFiles.cxx
   Filters/Meshing/TetGenProcess.cxx
   Filters/Meshing/TetrahedralMesher.cxx
+  Filters/Meshing/TriangleTree.cxx
+  Filters/Molecular/MolecularDensity.cxx
   Filters/Support/CellType.cxx
+  Filters/Support/ChosenScalars.cxx
   Filters/Support/GridCells.cxx
   Filters/Support/ImageExtent.cxx
   Filters/Support/ParallelFor.cxx
@@ -89,6 +102,7 @@ set(sources
   Filters/Topology/ChokingLoopsOutput.cxx
   Filters/Topology/ChokingSurface.cxx
   Filters/Topology/CompactCombinatorialMap.cxx
+  Filters/Topology/ConformingGenerators.cxx
   Filters/Topology/CutAndMerge.cxx
   Filters/Topology/EdgeStrip.cxx
   Filters/Topology/EdgeTable.cxx
@@ -96,6 +110,7 @@ set(sources
   Filters/Topology/FaceTable.cxx
   Filters/Topology/FeatureMembrane.cxx
   Filters/Topology/FiltrationPairs.cxx
+  Filters/Topology/GeneratorCompletion.cxx
   Filters/Topology/HalfFaceMatching.cxx
   Filters/Topology/LoopFeature.cxx
   Filters/Topology/LoopShortening.cxx
@@ -112,11 +127,16 @@ set(sources
   Filters/Topology/SurfaceInComplex.cxx
   Filters/Topology/SurfaceSampling.cxx
   Filters/Topology/TetCutaway.cxx
-  Filters/Topology/TriangleTree.cxx
+  Readers/AtomSelection.cxx
   Readers/ByteSource.cxx
+  Readers/ChemicalElement.cxx
   Readers/CombinatorialMeshParser.cxx
   Readers/CombinatorialMeshWriter.cxx
   Readers/CompressedSource.cxx
+  Readers/CovalentBonds.cxx
+  Readers/GemmiStructure.cxx
+  Readers/MacromoleculeReader.cxx
+  Readers/MoleculeOutput.cxx
   Readers/MRCFieldData.cxx
   Readers/MRCGeometry.cxx
   Readers/MRCHeader.cxx
@@ -125,9 +145,14 @@ set(sources
   Readers/MRCMode.cxx
   Readers/MRCVoxels.cxx
   Readers/MSMSReader.cxx
+  Readers/OpenDXReader.cxx
+  Readers/OpenDXText.cxx
+  Readers/OpenDXWriter.cxx
   Readers/PlainFile.cxx
+  Readers/PQRFile.cxx
   Readers/SkewedLattice.cxx
-  Readers/StridedCopy.cxx)
+  Readers/StridedCopy.cxx
+  Readers/XYZFile.cxx)
 
 # Loops with square roots and comparisons vectorise only without errno and signals for them; values
 # (infinities and NaN too) are the same.
@@ -144,8 +169,8 @@ vtk_module_add_module(Isthmus::vtkIsthmus
   SOURCES ${sources})
 
 # Public, since the wrappers include every class by its bare name; installed headers lie flat.
-foreach (room IN ITEMS Filters/Curvature Filters/Imaging Filters/Meshing Filters/Support
-  Filters/Topology Readers)
+foreach (room IN ITEMS Filters/Curvature Filters/Imaging Filters/Meshing
+  Filters/Molecular Filters/Support Filters/Topology Readers)
   vtk_module_include(Isthmus::vtkIsthmus
     PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${room}>")
 endforeach ()
@@ -158,6 +183,18 @@ endif ()
 
 find_package(BZip2 REQUIRED)
 vtk_module_link(Isthmus::vtkIsthmus PRIVATE BZip2::BZip2)
+
+# Headers only; Debian's gemmi-dev has no CMake package. Its CIF grammar is built on PEGTL.
+find_path(GEMMI_INCLUDE_DIR gemmi/pdb.hpp REQUIRED)
+find_path(PEGTL_INCLUDE_DIR tao/pegtl.hpp REQUIRED)
+vtk_module_include(Isthmus::vtkIsthmus SYSTEM PRIVATE
+  "${GEMMI_INCLUDE_DIR}" "${PEGTL_INCLUDE_DIR}")
+if (ISTHMUS_SANITIZE)
+  # gemmi shifts negative characters and lets over-long numbers wrap, on purpose or not: harmless
+  # with every compiler we know, and what it makes of them is checked.
+  set_source_files_properties(Readers/GemmiStructure.cxx PROPERTIES
+    COMPILE_OPTIONS "-fno-sanitize=shift,signed-integer-overflow")
+endif ()
 
 find_package(Eigen3 REQUIRED NO_MODULE)
 vtk_module_link(Isthmus::vtkIsthmus PRIVATE "$<BUILD_INTERFACE:Eigen3::Eigen>")

@@ -11,7 +11,7 @@ jobs=$(nproc)
 build_packages=(
   g++ cmake ninja-build
   paraview paraview-dev python3-paraview
-  libbz2-dev zlib1g-dev libeigen3-dev libcgal-dev tetgen xvfb xauth)
+  libbz2-dev zlib1g-dev libeigen3-dev libcgal-dev gemmi-dev tao-pegtl-dev tetgen xvfb xauth)
 
 # What find_package(ParaView) of Debian's paraview-dev asks for without depending on it.
 paraview_packages=(
@@ -25,8 +25,8 @@ paraview_packages=(
 
 # What the tests compare with and look through.
 test_packages=(
-  libgtest-dev libbenchmark-dev libgudhi-dev python3-gemmi python3-mrcfile openmpi-bin imagemagick
-  clang libclang-rt-14-dev)
+  libgtest-dev libbenchmark-dev libgudhi-dev python3-gudhi python3-gemmi python3-mrcfile
+  openmpi-bin imagemagick clang libclang-rt-14-dev)
 
 say() { printf '\n== %s\n' "$*"; }
 

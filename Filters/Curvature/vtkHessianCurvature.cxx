@@ -1,6 +1,7 @@
 #include "vtkHessianCurvature.h"
 
 #include "AlgorithmGuard.h"
+#include "ChosenScalars.h"
 #include "CurvatureOfImage.h"
 #include "FiniteDifference.h"
 #include "GaussianScale.h"
@@ -238,46 +239,6 @@ void vtkHessianCurvature::WarnIfThin(const int whole[6], bool atPoints)
   }
 }
 
-vtkDataArray* vtkHessianCurvature::ChosenScalars(
-  vtkImageData* image, vtkInformationVector** inputVector)
-{
-  if (image->GetNumberOfPoints() == 0)
-  {
-    throw std::invalid_argument("The image is empty, so the surface gets no curvature: give the "
-                                "volume that the surface was taken from.");
-  }
-  // A panel that has seen no data yet sends an empty name: the active scalars are meant then.
-  const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* scalars = chosen && !*chosen
-    ? image->GetPointData()->GetScalars()
-    : this->GetInputArrayToProcess(0, inputVector, association);
-  if (!scalars)
-  {
-    throw std::invalid_argument("The image has no such array of point scalars: choose the array to "
-                                "take curvature from (active scalars by default).");
-  }
-  const std::string name = scalars->GetName() ? scalars->GetName() : "(unnamed)";
-  if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
-  {
-    throw std::invalid_argument("Array " + name +
-      " is not on points: convert it first, with vtkCellDataToPointData for instance.");
-  }
-  if (scalars->GetNumberOfComponents() != 1)
-  {
-    throw std::invalid_argument("Array " + name + " has " +
-      std::to_string(scalars->GetNumberOfComponents()) +
-      " components, but level sets need one: take a component or the magnitude first.");
-  }
-  if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
-  {
-    throw std::invalid_argument("Array " + name + " has " +
-      std::to_string(scalars->GetNumberOfTuples()) + " values for the " +
-      std::to_string(image->GetNumberOfPoints()) + " nodes of the image: it is damaged.");
-  }
-  return scalars;
-}
-
 void vtkHessianCurvature::AddCurvature(
   vtkImageData* image, vtkDataArray* scalars, vtkPoints* points, vtkDataSet* output)
 {
@@ -294,6 +255,11 @@ void vtkHessianCurvature::AddCurvature(
   {
     isthmus::AddCurvatureAtPoints(
       image, values, points, OptionsOf(this), SelectionOf(this), output, progress);
+    // What a view colours by, and the next filter takes, unless told otherwise.
+    if (this->GenerateMeanCurvature)
+    {
+      output->GetPointData()->SetActiveScalars("MeanCurvature");
+    }
   }
   else
   {
@@ -337,7 +303,12 @@ int vtkHessianCurvature::RequestData(
         isthmus::AddNoCurvature(SelectionOf(this), output);
         return;
       }
-      vtkDataArray* scalars = this->ChosenScalars(image, inputVector);
+      if (image->GetNumberOfPoints() == 0)
+      {
+        throw std::invalid_argument("The image is empty, so the surface gets no curvature: give "
+                                    "the volume that the surface was taken from.");
+      }
+      vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
       this->WarnIfThin(imageInfo->Get(Pipeline::WHOLE_EXTENT()), points != nullptr);
       this->AddCurvature(image, scalars, points, output);
     });

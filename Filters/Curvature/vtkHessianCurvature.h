@@ -14,7 +14,7 @@
  * `PrincipalDirection1`, `PrincipalDirection2` (unit vectors in world axes, tangent to the level
  * set; their sign means nothing) and `SurfaceType` (unsigned char; names below and in the field
  * array `SurfaceTypeNames`). Lengths are in the image's unit, angstrom for molecular maps. All
- * other arrays of the input are kept.
+ * other arrays of the input are kept; on a surface MeanCurvature becomes the active scalars.
  *
  * **Validity.** `CurvatureValid` is 1 where the values mean something. It is 0, and with it all
  * values, where the stencil leaves the grid (the outer 1 or 2 layers of nodes for Accuracy 2 or 4,
@@ -189,7 +189,6 @@ private:
 
   void CheckParameters();
   void WarnIfThin(const int whole[6], bool atPoints);
-  vtkDataArray* ChosenScalars(vtkImageData* image, vtkInformationVector** inputVector);
   void AddCurvature(
     vtkImageData* image, vtkDataArray* scalars, vtkPoints* points, vtkDataSet* output);
   bool AsksForMore(vtkInformation* request, vtkInformation* imageInfo, vtkInformation* pointsInfo,

@@ -252,6 +252,7 @@ void vtkScalarRegions::Compute(vtkPolyData* input, vtkPolyData* output)
   output->BuildCells();
   const Labels labels(first, output, "Region");
   labels.AddTo(output);
+  output->GetPointData()->SetActiveScalars("Region");
   AddToonColors(output, labels.OnPoints, first.Regions());
   if (this->UseSecondScalar)
   {

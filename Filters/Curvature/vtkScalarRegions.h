@@ -11,6 +11,7 @@
  * `SecondRegion` and `JointRegion` (Region x number of second regions + SecondRegion); a cell has
  * the middle one of its corners' regions (of a triangle's: the one that two of them have). On
  * points, `ToonColor` (red, green, blue): the lowest region red, the highest blue, all else grey.
+ * `Region` becomes the active scalars.
  *
  * **Output 1**, table of regions, a row each: `Region`, `From`, `To` (infinite at the ends), `Area`
  * (length^2), `Fraction`; with a second scalar also a column for each of its regions, named

@@ -168,6 +168,11 @@ void vtkSurfaceCurvature::AddArrays(const SurfaceCurvatureResult& result, vtkPol
   }
   AddDescriptor<vtkUnsignedCharArray>(
     output, result, 1, "CurvatureValid", [](std::size_t) { return 1; });
+  // What a view colours by, and the next filter takes, unless told otherwise.
+  if (this->GenerateMeanCurvature)
+  {
+    output->GetPointData()->SetActiveScalars("MeanCurvature");
+  }
 }
 
 void vtkSurfaceCurvature::PrintSelf(ostream& os, vtkIndent indent)

@@ -28,9 +28,10 @@ void ChooseDenoising(
   parameters.PreSmoothing = voxel * std::clamp(0.9 * std::pow(ratio, 0.25), 0.5, 3.0);
   // Lower orders spread wider for the same detail kept, higher ones less.
   constexpr double ofOrder[] = { 1.6, 1.0, 0.85, 0.75 };
-  const double length = voxel * ofOrder[parameters.Order] * 1.26 *
-    std::pow(std::min(ratio, 10.0), 0.35) * std::exp2(strength - 0.5);
-  parameters.Time = std::pow(length, 2 * parameters.Order + 2) /
+  const double length =
+    voxel * 1.26 * std::pow(std::min(ratio, 10.0), 0.35) * std::exp2(strength - 0.5);
+  parameters.ResidualSmoothing = 1.45 * length;
+  parameters.Time = std::pow(ofOrder[parameters.Order] * length, 2 * parameters.Order + 2) /
     parameters.Diffusivity[static_cast<std::size_t>(parameters.Order)];
 }
 

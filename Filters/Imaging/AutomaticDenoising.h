@@ -16,10 +16,11 @@ namespace isthmus
 VTKISTHMUS_EXPORT double NoiseSigma(const NoiseEstimate& noise, double voxel);
 
 /**
- * Sets Sigma, PreSmoothing and Time for parameters.Order, its diffusivity, and a `strength` from
- * 0 (light) to 1 (strong); `voxel` is the length between nodes. Sigma is a third of the signal's
- * standard deviation (that of all values without the noise's share), PreSmoothing and the length to
- * smooth over grow with the ratio of noise to signal. Without noise, Time is 0.
+ * Sets Sigma, PreSmoothing, Time and ResidualSmoothing for parameters.Order, its diffusivity, and a
+ * `strength` from 0 (light) to 1 (strong); `voxel` is the length between nodes. Sigma is a third of
+ * the signal's standard deviation (that of all values without the noise's share), PreSmoothing and
+ * the length to smooth over grow with the ratio of noise to signal; the residual is smoothed a
+ * little more than the image. Without noise, Time is 0.
  */
 VTKISTHMUS_EXPORT void ChooseDenoising(
   const NoiseEstimate& noise, double strength, double voxel, DiffusionParameters& parameters);

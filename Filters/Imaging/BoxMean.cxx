@@ -13,32 +13,37 @@ namespace
 /// Running means along lines that lie side by side: `width` lines, `step` values from node to node.
 template <typename T>
 void MeanAlongLines(
-  T* lines, std::int64_t width, std::int64_t length, std::int64_t step, std::int64_t radius)
+  T* lines, std::int64_t width, std::int64_t length, std::int64_t step, std::int64_t window)
 {
-  const auto at = [&](std::int64_t node) { return std::clamp<std::int64_t>(node, 0, length - 1); };
+  window = std::min(window, length);
   std::vector<T> copy(static_cast<std::size_t>(width * length));
   for (std::int64_t n = 0; n < length; ++n)
   {
     std::copy_n(lines + n * step, width, copy.data() + n * width);
   }
   std::vector<double> sums(static_cast<std::size_t>(width), 0.0);
-  for (std::int64_t n = -radius; n <= radius; ++n)
+  for (std::int64_t n = 0; n < window; ++n)
   {
-    const T* row = copy.data() + at(n) * width;
+    const T* row = copy.data() + n * width;
     std::transform(sums.begin(), sums.end(), row, sums.begin(),
       [](double sum, T value) { return sum + static_cast<double>(value); });
   }
-  const double scale = 1.0 / static_cast<double>(2 * radius + 1);
-  for (std::int64_t n = 0; n < length; ++n)
+  const double scale = 1.0 / static_cast<double>(window);
+  for (std::int64_t n = 0, begin = 0; n < length; ++n)
   {
-    const T* enters = copy.data() + at(n + radius + 1) * width;
-    const T* leaves = copy.data() + at(n - radius) * width;
-    for (std::int64_t i = 0; i < width; ++i)
+    if (n > window / 2 && begin + window < length)
     {
-      double& sum = sums[static_cast<std::size_t>(i)];
-      lines[n * step + i] = static_cast<T>(sum * scale);
-      sum += static_cast<double>(enters[i]) - static_cast<double>(leaves[i]);
+      const T* leaves = copy.data() + begin * width;
+      const T* enters = leaves + window * width;
+      for (std::int64_t i = 0; i < width; ++i)
+      {
+        sums[static_cast<std::size_t>(i)] +=
+          static_cast<double>(enters[i]) - static_cast<double>(leaves[i]);
+      }
+      ++begin;
     }
+    std::transform(sums.begin(), sums.end(), lines + n * step,
+      [scale](double sum) { return static_cast<T>(sum * scale); });
   }
 }
 
@@ -48,7 +53,7 @@ template <typename T>
 void BoxMean(const std::array<std::int64_t, 3>& dimensions, int window, T* values)
 {
   const auto [nx, ny, nz] = dimensions;
-  const std::int64_t radius = window / 2, plane = nx * ny, length = nz;
+  const std::int64_t plane = nx * ny, length = nz;
   const std::int64_t rowLength = nx, rows = ny;
   ParallelFor(0, length, 1,
     [=](std::int64_t first, std::int64_t last)
@@ -57,9 +62,9 @@ void BoxMean(const std::array<std::int64_t, 3>& dimensions, int window, T* value
       {
         for (std::int64_t j = 0; j < rows; ++j)
         {
-          MeanAlongLines(values + k * plane + j * rowLength, 1, rowLength, 1, radius);
+          MeanAlongLines(values + k * plane + j * rowLength, 1, rowLength, 1, window);
         }
-        MeanAlongLines(values + k * plane, rowLength, rows, rowLength, radius);
+        MeanAlongLines(values + k * plane, rowLength, rows, rowLength, window);
       }
     });
   ParallelFor(0, rows, 1,
@@ -67,7 +72,7 @@ void BoxMean(const std::array<std::int64_t, 3>& dimensions, int window, T* value
     {
       for (std::int64_t j = first; j < last; ++j)
       {
-        MeanAlongLines(values + j * rowLength, rowLength, length, plane, radius);
+        MeanAlongLines(values + j * rowLength, rowLength, length, plane, window);
       }
     });
 }

@@ -205,6 +205,7 @@ template <typename T>
 void DiffusionImage<T>::Mask(T* values)
 {
   const std::int64_t size = this->Grid.Size();
+  this->Invalid.clear();
   for (std::int64_t node = 0; node < size; ++node)
   {
     if (!std::isfinite(values[node]))

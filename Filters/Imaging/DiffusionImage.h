@@ -39,7 +39,8 @@ public:
 
   /// A new volume with the values of a point array of the input, named as it. An array that is
   /// missing or of the wrong size throws std::invalid_argument; values that are not
-  /// finite throw std::invalid_argument, or are replaced and remembered if `mask` is true.
+  /// finite throw std::invalid_argument, or are replaced and remembered (those of the last such
+  /// array) if `mask` is true.
   vtkSmartPointer<Array> Copy(vtkDataArray* array, bool mask);
 
   /// A new volume like `volume`, with the same values and another name.

@@ -43,14 +43,22 @@ ISTHMUS_INLINE void GradientSquared(
   const RowStencil<T>& in, const std::array<T, 3>& weights, std::int64_t n, T* __restrict out)
 {
   const T *c = in.Centre, *f = in.Front, *b = in.Back, *d = in.Below, *u = in.Above;
-  const T x = weights[0], y = weights[1], z = weights[2];
-  for (std::int64_t i = 0; i < PaddedLength(n); ++i)
+  // A repeated neighbour halves the distance too.
+  const T x = weights[0], y = f == c || b == c ? 2 * weights[1] : weights[1],
+          z = d == c || u == c ? 2 * weights[2] : weights[2];
+  auto node = [=](std::int64_t i, T ofX)
   {
-    const T dx = x * (c[i + 1] - c[i - 1]);
+    const T dx = ofX * (c[i + 1] - c[i - 1]);
     const T dy = y * (b[i] - f[i]);
     const T dz = z * (u[i] - d[i]);
-    out[i] = dx * dx + dy * dy + dz * dz;
+    return dx * dx + dy * dy + dz * dz;
+  };
+  for (std::int64_t i = 0; i < PaddedLength(n); ++i)
+  {
+    out[i] = node(i, x);
   }
+  out[0] = node(0, 2 * x);
+  out[n - 1] = node(n - 1, 2 * x);
 }
 
 /// exp(x) for x <= 0 without a branch: 2^n by its bits, times Taylor's series on |r| <= ln(2)/2.

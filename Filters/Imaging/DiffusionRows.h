@@ -45,7 +45,9 @@ void LaplacianRow(const RowStencil<double>& in, const double* own, double source
   const std::array<double, 3>& weights, std::int64_t n, double* out);
 
 /// out = |gradient|^2 by central differences, with weights 1/(2h) (or that over a gradient's scale:
-/// scaled before it is squared, so that tiny and huge values neither vanish nor overflow).
+/// scaled before it is squared, so that tiny and huge values neither vanish nor overflow). At the
+/// grid's ends, where a stencil repeats its centre, differences are one-sided: the gradient of a
+/// linear field is the same everywhere.
 void GradientSquaredRow(
   const RowStencil<float>& in, const std::array<float, 3>& weights, std::int64_t n, float* out);
 void GradientSquaredRow(

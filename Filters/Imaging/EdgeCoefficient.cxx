@@ -12,34 +12,56 @@ namespace isthmus
 namespace
 {
 
-/// Calls body(index, |gradient|^2 of `values`) for every node, in parallel.
+/// Calls body(index, gradient of `values`) for every node, in parallel; one-sided at the ends.
 template <typename T, typename Body>
 void ForGradients(const DiffusionGrid<T>& grid, const T* values, Body&& body)
 {
   const auto [nx, ny, nz] = grid.Dimensions;
   const std::array<std::int64_t, 3> size{ nx, ny, nz }, step{ 1, nx, nx * ny };
-  const std::array<T, 3> half{ static_cast<T>(0.5 / grid.Spacing[0]),
-    static_cast<T>(0.5 / grid.Spacing[1]), static_cast<T>(0.5 / grid.Spacing[2]) };
+  /// Neighbours along an axis as offsets, and one over the distance between them.
+  struct Pair
+  {
+    std::int64_t Before, After;
+    T Weight;
+  };
+  auto pair = [&](std::size_t axis, std::int64_t at)
+  {
+    const std::int64_t before = at > 0 ? step[axis] : 0;
+    const std::int64_t after = at + 1 < size[axis] ? step[axis] : 0;
+    const double one = 1.0 / grid.Spacing[axis];
+    return Pair{ before, after, static_cast<T>(before > 0 && after > 0 ? 0.5 * one : one) };
+  };
   ParallelFor(0, size[1] * size[2], 64,
     [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t line = first; line < last; ++line)
       {
-        const std::int64_t j = line % size[1], k = line / size[1];
         const T* row = values + line * size[0];
-        const T* front = row - (j > 0 ? step[1] : 0);
-        const T* back = row + (j + 1 < size[1] ? step[1] : 0);
-        const T* below = row - (k > 0 ? step[2] : 0);
-        const T* above = row + (k + 1 < size[2] ? step[2] : 0);
-        for (std::int64_t i = 0; i < size[0]; ++i)
+        const Pair y = pair(1, line % size[1]), z = pair(2, line / size[1]);
+        auto node = [&](std::int64_t i, const Pair& x)
         {
-          const T dx = half[0] * (row[std::min(i + 1, size[0] - 1)] - row[i > 0 ? i - 1 : 0]);
-          const T dy = half[1] * (back[i] - front[i]);
-          const T dz = half[2] * (above[i] - below[i]);
-          body(line * size[0] + i, dx * dx + dy * dy + dz * dz);
+          auto along = [&](const Pair& p)
+          { return p.Weight * (row[i + p.After] - row[i - p.Before]); };
+          body(line * size[0] + i, std::array<T, 3>{ along(x), along(y), along(z) });
+        };
+        const Pair inside{ 1, 1, static_cast<T>(0.5 / grid.Spacing[0]) };
+        node(0, pair(0, 0));
+        for (std::int64_t i = 1; i + 1 < size[0]; ++i)
+        {
+          node(i, inside);
+        }
+        if (size[0] > 1)
+        {
+          node(size[0] - 1, pair(0, size[0] - 1));
         }
       }
     });
+}
+
+template <typename T>
+T Squared(const std::array<T, 3>& vector)
+{
+  return vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2];
 }
 
 template <typename T>
@@ -57,41 +79,65 @@ double Mean(const DiffusionGrid<T>& grid, const T* values)
   return sums[0] / sums[1];
 }
 
-/// c = exp(-|grad u|^2 / (2 sigma^2)), sigma^2 the window's mean square less its squared mean.
+/// Takes the squared window mean of a component from `variance`, which holds the mean square.
 template <typename T>
-void FillFromLocalVariance(const DiffusionGrid<T>& grid, const DiffusionParameters& parameters,
-  const T* values, const std::array<T*, 2>& scratch, T* c)
+void TakeSquaredMean(
+  const std::array<std::int64_t, 3>& dimensions, int window, T* component, T* variance)
 {
-  T* mean = scratch[0];
-  T* square = scratch[1];
-  const bool ofValues = parameters.Order == 0;
-  // Squares of values far from zero would cancel.
-  const T centre = ofValues ? static_cast<T>(Mean(grid, values)) : T(0);
-  ForGradients(grid, values, [&](std::int64_t n, T slope) { c[n] = slope; });
-  ParallelFor(0, grid.Size(), 1 << 16,
-    [&](std::int64_t first, std::int64_t last)
+  BoxMean(dimensions, window, component);
+  ParallelFor(0, dimensions[0] * dimensions[1] * dimensions[2], 1 << 16,
+    [=](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t n = first; n < last; ++n)
       {
-        mean[n] = values[n] - centre; // `values` may be this very volume
-        square[n] = ofValues ? mean[n] * mean[n] : c[n];
+        variance[n] -= component[n] * component[n];
       }
-    });
-  BoxMean(grid.Dimensions, parameters.Window, mean);
-  BoxMean(grid.Dimensions, parameters.Window, square);
-  // The mean of the gradient is the gradient of the mean.
-  ForGradients(grid, mean,
-    [&](std::int64_t n, T slopeOfMean)
-    {
-      const T variance = square[n] - (ofValues ? mean[n] * mean[n] : slopeOfMean);
-      const T exponent = -c[n] / (2 * std::max(variance, std::numeric_limits<T>::min()));
-      c[n] = std::exp(exponent);
     });
 }
 
-/// Heat flow for half the variance; the result is in scratch[0].
+/// c = exp(-|grad u|^2 / (2 sigma^2)), sigma^2 the window's mean square less its squared mean.
 template <typename T>
-void Smooth(
+void FillFromLocalVariance(const DiffusionGrid<T>& grid, const DiffusionParameters& parameters,
+  const T* values, T* variance, T* c)
+{
+  const int window = parameters.Window;
+  if (parameters.Order == 0)
+  {
+    // Squares of values far from zero would cancel.
+    const T centre = static_cast<T>(Mean(grid, values));
+    ParallelFor(0, grid.Size(), 1 << 16,
+      [=](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t n = first; n < last; ++n)
+        {
+          c[n] = values[n] - centre;
+          variance[n] = c[n] * c[n];
+        }
+      });
+    BoxMean(grid.Dimensions, window, variance);
+    TakeSquaredMean(grid.Dimensions, window, c, variance);
+  }
+  else
+  {
+    ForGradients(grid, values,
+      [=](std::int64_t n, const std::array<T, 3>& slope) { variance[n] = Squared(slope); });
+    BoxMean(grid.Dimensions, window, variance);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      ForGradients(
+        grid, values, [=](std::int64_t n, const std::array<T, 3>& slope) { c[n] = slope[axis]; });
+      TakeSquaredMean(grid.Dimensions, window, c, variance);
+    }
+  }
+  ForGradients(grid, values,
+    [=](std::int64_t n, const std::array<T, 3>& slope) {
+      c[n] = std::exp(-Squared(slope) / (2 * std::max(variance[n], std::numeric_limits<T>::min())));
+    });
+}
+
+/// Heat flow for half the variance; the result is in scratch[0]. Returns the number of steps.
+template <typename T>
+int Smooth(
   const DiffusionGrid<T>& grid, double deviation, const T* values, const std::array<T*, 2>& scratch)
 {
   DiffusionOperator<T> heat;
@@ -109,6 +155,7 @@ void Smooth(
     grid.Exchange(stage.Out);
     stage.Current = stage.Out;
   }
+  return static_cast<int>(steps.size());
 }
 
 }
@@ -122,30 +169,33 @@ bool LooksBeyondNeighbours(const DiffusionParameters& parameters)
 }
 
 template <typename T>
-void FillEdgeCoefficient(const DiffusionGrid<T>& grid, const DiffusionParameters& parameters,
+int FillEdgeCoefficient(const DiffusionGrid<T>& grid, const DiffusionParameters& parameters,
   const T* values, const std::array<T*, 2>& scratch, T* coefficient)
 {
+  int evaluations = 1;
   if (parameters.PreSmoothing > 0.0)
   {
-    Smooth(grid, parameters.PreSmoothing, values, { scratch[0], coefficient });
+    evaluations += Smooth(grid, parameters.PreSmoothing, values, { scratch[0], coefficient });
     values = scratch[0];
   }
   if (parameters.EdgeStopping == DiffusionParameters::EdgeStoppingType::LocalVariance)
   {
-    FillFromLocalVariance(grid, parameters, values, scratch, coefficient);
+    FillFromLocalVariance(grid, parameters, values, scratch[1], coefficient);
   }
   else
   {
     const T scale = static_cast<T>(-0.5 / (parameters.Sigma * parameters.Sigma));
-    ForGradients(
-      grid, values, [=](std::int64_t n, T slope) { coefficient[n] = std::exp(scale * slope); });
+    ForGradients(grid, values,
+      [=](std::int64_t n, const std::array<T, 3>& slope)
+      { coefficient[n] = std::exp(scale * Squared(slope)); });
   }
   grid.Exchange(coefficient);
+  return evaluations;
 }
 
-template void FillEdgeCoefficient(const DiffusionGrid<float>&, const DiffusionParameters&,
+template int FillEdgeCoefficient(const DiffusionGrid<float>&, const DiffusionParameters&,
   const float*, const std::array<float*, 2>&, float*);
-template void FillEdgeCoefficient(const DiffusionGrid<double>&, const DiffusionParameters&,
+template int FillEdgeCoefficient(const DiffusionGrid<double>&, const DiffusionParameters&,
   const double*, const std::array<double*, 2>&, double*);
 
 }

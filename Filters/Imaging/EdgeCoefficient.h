@@ -19,10 +19,11 @@ bool LooksBeyondNeighbours(const DiffusionParameters& parameters);
  * v is `values` under a Gaussian of standard deviation PreSmoothing (F. Catte, P.-L. Lions,
  * J.-M. Morel, T. Coll, SIAM J. Numer. Anal. 29 (1992) 182), done by heat flow. sigma is given, or
  * with LocalVariance the standard deviation of u (order 0) or of grad u (orders 1 to 3) in the
- * window around the node (4.35). `scratch` are two volumes to work in.
+ * window around the node (4.35). `scratch` are two volumes to work in. Returns how many evaluations
+ * of a right-hand side this counts for: the heat flow's and one more.
  */
 template <typename T>
-void FillEdgeCoefficient(const DiffusionGrid<T>& grid, const DiffusionParameters& parameters,
+int FillEdgeCoefficient(const DiffusionGrid<T>& grid, const DiffusionParameters& parameters,
   const T* values, const std::array<T*, 2>& scratch, T* coefficient);
 
 }

@@ -74,6 +74,8 @@ private:
   void Evaluate(const DiffusionStage<T>& stage, const ProgressCallback& progress) const;
   std::size_t EulerStep(const TimeStep& step, const ProgressCallback& progress);
   std::size_t SuperStep(const TimeStep& step, const ProgressCallback& progress);
+  int ToMidpoint(double length, const ProgressCallback& progress);
+  int FillCoefficient(std::size_t values, std::size_t scratch, std::size_t moreScratch);
   void Record(const TimeStep& step, const T* after, DiffusionReport& report) const;
 
   const DiffusionGrid<T>& Grid;
@@ -81,7 +83,7 @@ private:
   DiffusionOperator<T> Diffusion;
   std::vector<std::unique_ptr<T[]>> Owned;
   std::array<T*, 4> Volumes{}; ///< the values, two for stages, the first rate
-  T* Coefficient = nullptr;    ///< of the present step
+  T* Coefficient = nullptr;    ///< stored for many stages or since it is costly; or null
   double Time = 0.0;
 };
 
@@ -161,8 +163,6 @@ std::size_t Solver<T>::SuperStep(const TimeStep& step, const ProgressCallback& p
     if (j == 1)
     {
       stage.StoreRate = this->Volumes[3];
-      // The coefficient stays for the whole step: in a changing one a long step would not be
-      // stable.
       stage.StoreCoefficient = this->Diffusion.StoredCoefficient ? nullptr : this->Coefficient;
     }
     this->Evaluate(stage, Between(progress, double(j - 1) / step.Stages, double(j) / step.Stages));
@@ -175,6 +175,41 @@ std::size_t Solver<T>::SuperStep(const TimeStep& step, const ProgressCallback& p
   return out;
 }
 
+/// Stores the coefficient of Volumes[values]; the two scratch volumes are overwritten. Returns for
+/// how many evaluations this counts.
+template <typename T>
+int Solver<T>::FillCoefficient(std::size_t values, std::size_t scratch, std::size_t moreScratch)
+{
+  int evaluations = 1;
+  if (LooksBeyondNeighbours(this->Parameter))
+  {
+    evaluations = FillEdgeCoefficient<T>(this->Grid, this->Parameter, this->Volumes[values],
+      { this->Volumes[scratch], this->Volumes[moreScratch] }, this->Coefficient);
+  }
+  else
+  {
+    this->Diffusion.StoredCoefficient = nullptr;
+    DiffusionStage<T> stage;
+    stage.Current = this->Volumes[values];
+    stage.Out = this->Volumes[scratch];
+    stage.StoreCoefficient = this->Coefficient;
+    isthmus::Evaluate(this->Diffusion, stage);
+    this->Grid.Exchange(this->Coefficient);
+  }
+  this->Diffusion.StoredCoefficient = this->Coefficient;
+  return evaluations;
+}
+
+/// Half a step ahead, for the coefficient there. Returns the number of evaluations.
+template <typename T>
+int Solver<T>::ToMidpoint(double length, const ProgressCallback& progress)
+{
+  const double limit = ExplicitStepLimit(this->Parameter, this->Grid.Spacing);
+  const TimeStep half{ length / 2, SuperStages(length / 2, limit) };
+  const std::size_t middle = this->SuperStep(half, progress);
+  return half.Stages + this->FillCoefficient(middle, 3 - middle, 3);
+}
+
 template <typename T>
 void Solver<T>::Advance(
   const TimeStep& step, bool record, DiffusionReport& report, const ProgressCallback& progress)
@@ -182,13 +217,18 @@ void Solver<T>::Advance(
   this->Diffusion.StoredCoefficient = nullptr;
   if (LooksBeyondNeighbours(this->Parameter))
   {
-    FillEdgeCoefficient<T>(this->Grid, this->Parameter, this->Volumes[0],
-      { this->Volumes[1], this->Volumes[2] }, this->Coefficient);
-    this->Diffusion.StoredCoefficient = this->Coefficient;
+    report.Evaluations += this->FillCoefficient(0, 1, 2);
   }
   const bool super = this->Parameter.Integrator == Parameters::IntegratorType::SuperTimeStepping;
-  const std::size_t result =
-    super ? this->SuperStep(step, progress) : this->EulerStep(step, progress);
+  const double ahead = super && this->Coefficient ? 0.4 : 0.0;
+  if (ahead > 0.0)
+  {
+    // All stages need one coefficient: in a changing one a long step would not be stable. That of
+    // the step's middle makes it of second order.
+    report.Evaluations += this->ToMidpoint(step.Length, Between(progress, 0.0, ahead));
+  }
+  const ProgressCallback rest = Between(progress, ahead, 1.0);
+  const std::size_t result = super ? this->SuperStep(step, rest) : this->EulerStep(step, rest);
   report.Evaluations += step.Stages;
   this->Time += step.Length;
   if (record)
@@ -242,6 +282,8 @@ void Check(const Parameters& parameters)
     parameters.Fidelity, "finite and not negative");
   Require(parameters.PreSmoothing >= 0.0 && std::isfinite(parameters.PreSmoothing), "PreSmoothing",
     parameters.PreSmoothing, "finite and not negative");
+  Require(parameters.ResidualSmoothing >= 0.0 && std::isfinite(parameters.ResidualSmoothing),
+    "ResidualSmoothing", parameters.ResidualSmoothing, "finite and not negative");
   for (const double diffusivity : parameters.Diffusivity)
   {
     Require(diffusivity >= 0.0 && std::isfinite(diffusivity), "A diffusivity", diffusivity,
@@ -266,9 +308,9 @@ void Check(const Parameters& parameters)
 int HaloWidth(const Parameters& parameters)
 {
   const int reach = MakeOperator<float>(parameters).Reach();
-  // The variance at a rank's own nodes looks a window and a gradient further.
+  // At the image's ends a window lies to one side of a node; gradients look a node further.
   const bool local = parameters.EdgeStopping == Parameters::EdgeStoppingType::LocalVariance;
-  return std::max(reach, local ? parameters.Window / 2 + 2 : 0);
+  return std::max(reach, local ? parameters.Window + 1 : 0);
 }
 
 double ExplicitStepLimit(const Parameters& parameters, const std::array<double, 3>& spacing)

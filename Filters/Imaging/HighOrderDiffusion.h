@@ -16,8 +16,8 @@
  *
  * Super time stepping is the Runge-Kutta-Legendre method of second order (Meyer, Balsara, Aslam,
  * J. Comput. Phys. 257 (2014) 594): s stages reach (s^2 + s - 2)/4 times as far as one explicit
- * step, so the cost of an end time grows with its square root. The coefficient is that of the
- * step's start: second order in time where it is constant, first where it changes.
+ * step, so the cost of an end time grows with its square root. A coefficient that changes is that
+ * of the step's middle, found by a step of half the length: second order in time.
  */
 #ifndef isthmus_HighOrderDiffusion_h
 #define isthmus_HighOrderDiffusion_h
@@ -61,9 +61,12 @@ struct DiffusionParameters
   double Sigma = 1.0;        ///< Scale of gradients: data unit / length.
   int Window = 5;            ///< Nodes across the window of LocalVariance: odd, 3 or more.
   double PreSmoothing = 0.0; ///< Standard deviation (length) of the Gaussian under the gradient.
-  double Fidelity = 0.0;     ///< 1 / time
-  double Time = 1.0;         ///< End time.
-  int Steps = 0;             ///< That many equal steps; 0 chooses them (see README).
+  /// Standard deviation (length) of the Gaussian of ReturnResidual, for whoever calls it after
+  /// Diffuse, which does not read this; 0: nothing is returned.
+  double ResidualSmoothing = 0.0;
+  double Fidelity = 0.0; ///< 1 / time
+  double Time = 1.0;     ///< End time.
+  int Steps = 0;         ///< That many equal steps; 0 chooses them (see README).
 };
 
 /// What happened, step by step: a curve to plot.
@@ -72,7 +75,7 @@ struct DiffusionReport
   std::vector<double> Time;     ///< at the end of the step
   std::vector<double> Change;   ///< root mean square of what the step changed
   std::vector<double> Residual; ///< root mean square of the rate of change at the step's start
-  std::int64_t Evaluations = 0; ///< of the right-hand side
+  std::int64_t Evaluations = 0; ///< of a right-hand side, those under PreSmoothing included
 };
 
 /// Throws std::invalid_argument, in a sentence, for parameters that mean nothing.

@@ -26,19 +26,18 @@ double Reach(int stages)
   return (s * s + s - 2.0) / 4.0;
 }
 
-/// An odd number of stages (even ones damp the fastest mode less), at least three.
-int StagesFor(double length, double limit)
-{
-  const double needed = (std::sqrt(9.0 + 16.0 * length / limit) - 1.0) / 2.0;
-  const auto stages = static_cast<int>(std::ceil(needed * (1.0 - 1e-12)));
-  return std::max(3, stages + (stages % 2 == 0));
-}
-
 double B(int j)
 {
   return j < 2 ? 1.0 / 3.0 : (j * j + j - 2.0) / (2.0 * j * (j + 1.0));
 }
 
+}
+
+int SuperStages(double length, double limit)
+{
+  const double needed = (std::sqrt(9.0 + 16.0 * length / limit) - 1.0) / 2.0;
+  const auto stages = static_cast<int>(std::ceil(needed * (1.0 - 1e-12)));
+  return std::max(3, stages + (stages % 2 == 0)); // even ones damp the fastest mode less
 }
 
 std::vector<TimeStep> EulerSteps(double time, double limit, int count)
@@ -66,10 +65,10 @@ std::vector<TimeStep> SuperSteps(double time, double limit, int count)
   }
   else
   {
-    constexpr double growth = 1.5, largestPart = 1.0 / 8.0;
-    const double first = limit * Reach(3);
-    const double last = std::min(longest, std::max(first, time * largestPart));
-    double length = first;
+    constexpr double growth = 2.0;
+    const double parts = std::max(12.0, 0.19 * std::sqrt(time / limit));
+    const double last = std::min(longest, std::max(limit * Reach(5), time / parts));
+    double length = limit;
     double sum = 0.0;
     while (sum < time)
     {
@@ -84,7 +83,7 @@ std::vector<TimeStep> SuperSteps(double time, double limit, int count)
   }
   for (TimeStep& step : steps)
   {
-    step.Stages = StagesFor(step.Length, limit);
+    step.Stages = SuperStages(step.Length, limit);
   }
   return steps;
 }

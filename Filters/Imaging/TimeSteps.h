@@ -29,13 +29,18 @@ VTKISTHMUS_EXPORT std::vector<TimeStep> EulerSteps(double time, double limit, in
 /**
  * Super steps that lead to `time`, where one explicit step may be at most `limit`.
  *
- * By default each is half as long again as the one before, from 2.5 explicit steps' length up to an
- * eighth of the time: one super step only halves what decays much faster than it is long, so that
- * fast modes need early short steps, and so do the edges, which appear while the noise goes. With
+ * By default each is twice as long as the one before, from one explicit step's length up to the
+ * time over max(12, 0.19 sqrt(time / limit)), or seven explicit steps' length: one super step only
+ * halves what decays much faster than it is long, so that fast modes need early short steps, and so
+ * do the edges, which appear while the noise goes; and what happened early counts for more later
+ * (README has the measurements). With
  * `count`, that many equal ones; throws std::invalid_argument, naming the limit, if one would need
  * more than MaximumStages.
  */
 VTKISTHMUS_EXPORT std::vector<TimeStep> SuperSteps(double time, double limit, int count);
+
+/// How many stages a super step of this length takes: odd, at least three.
+int SuperStages(double length, double limit);
 
 /// Factors of stage j (1 to `stages`) of a Runge-Kutta-Legendre step, second order.
 template <typename T>

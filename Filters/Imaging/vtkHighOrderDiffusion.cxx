@@ -3,6 +3,7 @@
 #include "AutomaticDenoising.h"
 #include "DiffusionImage.h"
 #include "HighOrderDiffusion.h"
+#include "ResidualReturn.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -46,6 +47,7 @@ isthmus::DiffusionParameters vtkHighOrderDiffusion::GetParameters()
   parameters.Sigma = this->Sigma > 0.0 || this->Sigma < 0.0 ? this->Sigma : 1.0;
   parameters.Window = this->Window;
   parameters.PreSmoothing = this->PreSmoothing;
+  parameters.ResidualSmoothing = this->ResidualSmoothing;
   parameters.Fidelity = this->Fidelity;
   parameters.Time = this->Time;
   parameters.Steps = this->Steps;
@@ -95,7 +97,15 @@ void vtkHighOrderDiffusion::Denoise(isthmus::DiffusionImage<T>& image)
   }
   const isthmus::DiffusionReport report = isthmus::Diffuse<T>(image.GetGrid(), parameters,
     values->GetPointer(0), input ? input->GetPointer(0) : nullptr,
-    source ? source->GetPointer(0) : nullptr, image.GetProgress());
+    source ? source->GetPointer(0) : nullptr, isthmus::Between(image.GetProgress(), 0.0, 0.85));
+  if (parameters.ResidualSmoothing > 0.0)
+  {
+    // Copied only now that the steps' volumes are free again.
+    auto residual = image.Copy(this->ChosenScalars(image.GetInput()), this->GetMaskInvalid());
+    isthmus::ReturnResidual<T>(image.GetGrid(), parameters.ResidualSmoothing,
+      residual->GetPointer(0), values->GetPointer(0),
+      isthmus::Between(image.GetProgress(), 0.85, 1.0));
+  }
   image.AddResult(values, true);
   image.AddFieldData("StepTime", report.Time);
   image.AddFieldData("StepChange", report.Change);
@@ -103,6 +113,7 @@ void vtkHighOrderDiffusion::Denoise(isthmus::DiffusionImage<T>& image)
   image.AddFieldData("NoiseLevel", { noise.Noise });
   image.AddFieldData("UsedSigma", { parameters.Sigma });
   image.AddFieldData("UsedPreSmoothing", { parameters.PreSmoothing });
+  image.AddFieldData("UsedResidualSmoothing", { parameters.ResidualSmoothing });
   image.AddFieldData("UsedTime", { parameters.Time });
 }
 
@@ -130,6 +141,7 @@ void vtkHighOrderDiffusion::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Sigma: " << this->Sigma << '\n';
   os << indent << "Window: " << this->Window << '\n';
   os << indent << "PreSmoothing: " << this->PreSmoothing << '\n';
+  os << indent << "ResidualSmoothing: " << this->ResidualSmoothing << '\n';
   os << indent << "Fidelity: " << this->Fidelity << '\n';
   os << indent << "UseSource: " << this->UseSource << '\n';
   os << indent << "Time: " << this->Time << '\n';

@@ -12,13 +12,15 @@
  * with Neumann boundaries: no flux, so that Hyperdiffusion keeps the mean. The odd orders carry
  * the sign that makes them diffuse.
  *
- * Automatic (the default) chooses Sigma, PreSmoothing and Time from the noise in the image and
- * Strength, for people who do not know such equations. Without it all parameters are taken as they
- * are, except that a Sigma of 0 is replaced by the noise level.
+ * In the end, with ResidualSmoothing, long waves that were taken away are given back.
+ *
+ * Automatic (the default) chooses Sigma, PreSmoothing, Time and ResidualSmoothing from the noise in
+ * the image and Strength, for people who do not know such equations. Without it all parameters are
+ * taken as they are, except that a Sigma of 0 is replaced by the noise level.
  *
  * The output array has the input array's name. Field data: the curves `StepTime`, `StepChange` (rms
  * of what a step changed) and `StepResidual` (rms of the rate at its start), and `NoiseLevel`,
- * `UsedSigma`, `UsedPreSmoothing`, `UsedTime`.
+ * `UsedSigma`, `UsedPreSmoothing`, `UsedTime`, `UsedResidualSmoothing`.
  *
  * Cost: time in proportion to nodes x sqrt(Time) with SuperTimeStepping, nodes x Time with
  * ForwardEuler. Memory beside input and output, in volumes of the output's type: 4 with
@@ -62,7 +64,8 @@ public:
   };
 
   ///@{
-  /// Choose Sigma, PreSmoothing and Time from the noise level and Strength. Default on.
+  /// Choose Sigma, PreSmoothing, Time and ResidualSmoothing from the noise level and Strength.
+  /// Default on.
   vtkSetMacro(Automatic, bool);
   vtkGetMacro(Automatic, bool);
   vtkBooleanMacro(Automatic, bool);
@@ -127,6 +130,13 @@ public:
   ///@}
 
   ///@{
+  /// Standard deviation (length) of a Gaussian; what it leaves of input - result is added to the
+  /// result, which so keeps the input's long waves (ResidualReturn.h). Default 0: nothing is.
+  vtkSetMacro(ResidualSmoothing, double);
+  vtkGetMacro(ResidualSmoothing, double);
+  ///@}
+
+  ///@{
   /// Pull back to the input, per unit of time. Default 0.
   vtkSetMacro(Fidelity, double);
   vtkGetMacro(Fidelity, double);
@@ -147,8 +157,8 @@ public:
   ///@}
 
   ///@{
-  /// SuperTimeStepping (default; cost grows with the square root of Time, the coefficient is that
-  /// of the step's start) or ForwardEuler.
+  /// SuperTimeStepping (default; second order in time, cost grows with the square root of Time) or
+  /// ForwardEuler.
   vtkSetMacro(Integrator, int);
   vtkGetMacro(Integrator, int);
   ///@}
@@ -185,6 +195,7 @@ private:
   double Sigma = 0.0;
   int Window = 5;
   double PreSmoothing = 0.0;
+  double ResidualSmoothing = 0.0;
   double Fidelity = 0.0;
   bool UseSource = false;
   double Time = 1.0;

@@ -1,5 +1,6 @@
 #include "ClosedLevelSet.h"
 
+#include "ImageScalars.h"
 #include "PolyDataMesh.h"
 #include "TrilinearField.h"
 
@@ -114,6 +115,7 @@ ClosedLevelSet Close(const GridView<const T>& grid, double level, bool insideIsH
 ClosedLevelSet CloseLevelSet(
   vtkImageData* image, vtkDataArray* scalars, double level, bool insideIsHigher)
 {
+  RequireSpacing(image);
   // GetVoidPointer copies arrays that are not plain into a buffer that they keep.
   const int* n = image->GetDimensions();
   if (n[0] < 2 || n[1] < 2 || n[2] < 2)

@@ -1,9 +1,7 @@
 #include "GridDistance.h"
 
 #include "ParallelFor.h"
-#include "TriangleDistance.h"
-
-#include <Eigen/Dense>
+#include "TriangleTree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +13,6 @@ namespace isthmus
 {
 namespace
 {
-
-using Eigen::Vector3d;
-using PointMap = Eigen::Map<const Vector3d>;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
@@ -42,7 +37,7 @@ public:
 private:
   static constexpr std::int64_t SlabLayers = 4;
 
-  Vector3d Node(std::int64_t i, std::int64_t j, std::int64_t k) const
+  Point3 Node(std::int64_t i, std::int64_t j, std::int64_t k) const
   {
     const auto& h = this->Grid.Spacing;
     return { static_cast<double>(i) * h[0], static_cast<double>(j) * h[1],
@@ -103,11 +98,14 @@ private:
     const auto y = this->Range(triangle, 1, band);
     const auto z = this->Range(triangle, 2, band);
     const vtkIdType* const id = this->Mesh.Triangle(triangle);
-    const PointMap a(this->Mesh.Point(id[0]));
-    const PointMap b(this->Mesh.Point(id[1]));
-    const PointMap c(this->Mesh.Point(id[2]));
-    const Vector3d normal = (b - a).cross(c - a);
-    const double limit = band * band * normal.squaredNorm();
+    std::array<Point3, 3> corners;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      std::copy_n(this->Mesh.Point(id[c]), 3, corners[c].begin());
+    }
+    const Point3& a = corners[0];
+    const Point3 normal = Cross(corners[1] - a, corners[2] - a);
+    const double limit = band * band * Dot(normal, normal);
     const std::int64_t lastLayer = std::min(z.second, (slab + 1) * SlabLayers - 1);
     for (std::int64_t k = std::max(z.first, slab * SlabLayers); k <= lastLayer; ++k)
     {
@@ -115,13 +113,13 @@ private:
       {
         for (std::int64_t i = x.first; i <= x.second; ++i)
         {
-          const Vector3d node = this->Node(i, j, k);
-          const double height = normal.dot(node - a); // times |normal|
+          const Point3 node = this->Node(i, j, k);
+          const double height = Dot(normal, node - a); // times |normal|
           if (height * height <= limit)
           {
             double& nearest =
               this->Squared[static_cast<std::size_t>(i + this->Step[1] * j + this->Step[2] * k)];
-            nearest = std::min(nearest, SquaredDistanceToTriangle(node, a, b, c));
+            nearest = std::min(nearest, SquaredDistanceToTriangle(node, corners));
           }
         }
       }
@@ -314,6 +312,36 @@ std::vector<double> DistanceToSurface(
       std::sqrt(squared[node] <= band * band ? squared[node] : std::min(squared[node], far[node]));
   }
   return squared;
+}
+
+std::vector<double> ExactDistanceToSurface(
+  const SurfaceView& mesh, const GridShape& grid, const ProgressCallback& progress)
+{
+  const TriangleTree tree(mesh);
+  Report(progress, 0.1);
+  const auto& n = grid.Dimensions;
+  std::vector<double> distance(static_cast<std::size_t>(grid.Size()));
+  ParallelFor(
+    0, n[1] * n[2], 4,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t line = first; line < last; ++line)
+      {
+        // The guess starts anew on each line, so that the bits do not depend on the pieces.
+        std::int64_t guess = -1;
+        for (std::int64_t i = 0; i < n[0]; ++i)
+        {
+          const Point3 node{ static_cast<double>(i) * grid.Spacing[0],
+            static_cast<double>(line % n[1]) * grid.Spacing[1],
+            static_cast<double>(line / n[1]) * grid.Spacing[2] };
+          const TriangleTree::Nearest nearest = tree.Find(node, guess);
+          guess = nearest.Triangle;
+          distance[static_cast<std::size_t>(line * n[0] + i)] = std::sqrt(nearest.Squared);
+        }
+      }
+    },
+    Between(progress, 0.1, 1.0));
+  return distance;
 }
 
 }

@@ -28,6 +28,18 @@ namespace isthmus
 VTKISTHMUS_EXPORT std::vector<double> DistanceToSurface(const SurfaceView& mesh,
   const GridShape& grid, double band, const ProgressCallback& progress = {});
 
+/**
+ * The same, exact at every node to the rounding of doubles: the least of the distances from all
+ * triangles, found in a TriangleTree that each node of a line enters with the nearest triangle of
+ * the node before.
+ *
+ * Time: O(#triangles log #triangles) for the tree, then some microseconds a node and thread, more
+ * where a large part of the surface is equally far (the centre of a sphere). Memory 8 bytes a node
+ * and 150 a triangle. Parallel, the same bits on any number of threads. Throws Cancelled.
+ */
+VTKISTHMUS_EXPORT std::vector<double> ExactDistanceToSurface(
+  const SurfaceView& mesh, const GridShape& grid, const ProgressCallback& progress = {});
+
 }
 
 #endif

@@ -1,5 +1,7 @@
 #include "GridImages.h"
 
+#include "ImageScalars.h"
+
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFlyingEdges3D.h>
@@ -22,17 +24,12 @@ namespace isthmus
 
 GridShape ShapeOf(vtkImageData* image)
 {
+  RequireSpacing(image);
   GridShape shape;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     shape.Dimensions[axis] = image->GetDimensions()[axis];
     shape.Spacing[axis] = image->GetSpacing()[axis];
-    if (!(shape.Spacing[axis] > 0.0))
-    {
-      throw std::invalid_argument("The grid has the spacing " +
-        std::to_string(shape.Spacing[axis]) + " along " + "xyz"[axis] +
-        ", but spacings must be positive.");
-    }
     if (shape.Dimensions[axis] < 2)
     {
       throw std::invalid_argument(std::string("The grid has a single layer of nodes along ") +

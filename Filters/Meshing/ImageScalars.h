@@ -7,13 +7,10 @@
 
 #include "GridView.h"
 
-#include <vtkAlgorithm.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
-#include <vtkInformation.h>
-#include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 
 #include <cmath>
@@ -23,36 +20,17 @@
 namespace isthmus
 {
 
-/// The array that the filter's input array 0 names, the active scalars where it names none: a panel
-/// that has seen no data yet sends an empty name. Null if there is no such array.
-inline vtkDataArray* ChosenScalars(vtkAlgorithm* filter, vtkImageData* image)
+/// Throws std::invalid_argument, with the axis, unless all spacings are positive and finite.
+inline void RequireSpacing(vtkImageData* image)
 {
-  vtkInformation* chosen = filter->GetInputArrayInformation(0);
-  const char* name = chosen->Get(vtkDataObject::FIELD_NAME());
-  return name && *name ? image->GetPointData()->GetArray(name)
-                       : image->GetPointData()->GetScalars();
-}
-
-/// Throws std::invalid_argument unless `scalars` is one number for each node of `image`.
-inline void CheckScalars(vtkImageData* image, vtkDataArray* scalars)
-{
-  if (!scalars)
+  for (int axis = 0; axis < 3; ++axis)
   {
-    throw std::invalid_argument(
-      "The image has no point array to work on: choose one with SetInputArrayToProcess.");
-  }
-  if (scalars->GetNumberOfComponents() != 1)
-  {
-    throw std::invalid_argument("The array " +
-      std::string(scalars->GetName() ? scalars->GetName() : "(unnamed)") + " has " +
-      std::to_string(scalars->GetNumberOfComponents()) +
-      " components, but one number for each node is needed: extract one component first.");
-  }
-  if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
-  {
-    throw std::invalid_argument("The array has " + std::to_string(scalars->GetNumberOfTuples()) +
-      " values for " + std::to_string(image->GetNumberOfPoints()) +
-      " nodes: choose an array of points, not of cells.");
+    const double spacing = image->GetSpacing()[axis];
+    if (!(spacing > 0.0) || std::isinf(spacing))
+    {
+      throw std::invalid_argument("The image has the spacing " + std::to_string(spacing) +
+        " along " + "xyz"[axis] + ", but spacings must be positive and finite: set another one.");
+    }
   }
 }
 
@@ -78,7 +56,7 @@ void CheckFinite(const GridView<const T>& grid)
 template <typename Use>
 void UseScalars(vtkImageData* image, vtkDataArray* scalars, Use&& use)
 {
-  CheckScalars(image, scalars);
+  RequireSpacing(image);
   int dimensions[3];
   double spacing[3];
   image->GetDimensions(dimensions);

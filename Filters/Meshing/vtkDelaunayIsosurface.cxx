@@ -1,6 +1,7 @@
 #include "vtkDelaunayIsosurface.h"
 
 #include "AlgorithmGuard.h"
+#include "ChosenScalars.h"
 #include "ClosedLevelSet.h"
 #include "DelaunayIsosurface.h"
 #include "PolyDataMesh.h"
@@ -12,7 +13,6 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
@@ -58,15 +58,7 @@ int vtkDelaunayIsosurface::RequestData(
       {
         return;
       }
-      // ParaView names no array until its panel was applied once.
-      const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-      vtkDataArray* scalars = chosen && !*chosen ? image->GetPointData()->GetScalars()
-                                                 : this->GetInputArrayToProcess(0, input);
-      if (!scalars || scalars->GetNumberOfComponents() != 1)
-      {
-        throw std::invalid_argument(
-          "The volume has no point array of one component: choose one as scalars.");
-      }
+      vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
       const double* h = image->GetSpacing();
       const double spacing = std::min({ h[0], h[1], h[2] });
       isthmus::DelaunayIsosurfaceParameters parameters;

@@ -19,6 +19,7 @@
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
@@ -27,7 +28,8 @@ vtkStandardNewMacro(vtkMeshQualityReport);
 namespace
 {
 
-/// All cells of `mesh`, which must be of that type.
+/// All cells of `mesh`, which must be of that type. Throws std::invalid_argument, with the cell,
+/// where one is not, or names a point that does not exist.
 template <std::size_t Corners>
 std::vector<std::array<std::int64_t, Corners>> CellsOf(vtkPointSet* mesh, int type)
 {
@@ -47,7 +49,14 @@ std::vector<std::array<std::int64_t, Corners>> CellsOf(vtkPointSet* mesh, int ty
     mesh->GetCellPoints(id, ids);
     for (std::size_t c = 0; c < Corners; ++c)
     {
-      cells[i][c] = ids->GetId(static_cast<vtkIdType>(c));
+      const vtkIdType corner = ids->GetId(static_cast<vtkIdType>(c));
+      if (corner < 0 || corner >= mesh->GetNumberOfPoints())
+      {
+        throw std::invalid_argument("Cell " + std::to_string(i) + " has the corner " +
+          std::to_string(corner) + ", but the mesh has " +
+          std::to_string(mesh->GetNumberOfPoints()) + " points: the mesh is damaged.");
+      }
+      cells[i][c] = corner;
     }
   }
   return cells;
@@ -59,6 +68,14 @@ std::vector<isthmus::Point3> PointsOf(vtkPointSet* mesh)
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     mesh->GetPoint(static_cast<vtkIdType>(i), points[i].data());
+    for (const double coordinate : points[i])
+    {
+      if (!std::isfinite(coordinate))
+      {
+        throw std::invalid_argument("Point " + std::to_string(i) +
+          " has a coordinate that is not a finite number: remove or mend it first.");
+      }
+    }
   }
   return points;
 }
@@ -198,6 +215,7 @@ int vtkMeshQualityReport::RequestData(
       AddArray(marked, "SmallestAngle", cells, &isthmus::CellAngles::Smallest);
       AddArray(marked, "LargestAngle", cells, &isthmus::CellAngles::Largest);
       AddArray(marked, "RadiusEdgeRatio", cells, &isthmus::CellAngles::RadiusEdge);
+      marked->GetCellData()->SetActiveScalars("SmallestAngle");
       AddFieldData(summary, this->Summary, marked->GetFieldData());
       FillHistogram(summary, histogram);
     });

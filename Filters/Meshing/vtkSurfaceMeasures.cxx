@@ -2,6 +2,7 @@
 
 #include "AlgorithmGuard.h"
 #include "CartesianMeasures.h"
+#include "ChosenScalars.h"
 #include "ImageScalars.h"
 #include "PolyDataTriangles.h"
 #include "SurfaceMeasures.h"

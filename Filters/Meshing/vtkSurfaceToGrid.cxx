@@ -1,6 +1,7 @@
 #include "vtkSurfaceToGrid.h"
 
 #include "AlgorithmGuard.h"
+#include "ChosenScalars.h"
 #include "GridDistance.h"
 #include "GridImages.h"
 #include "ImageScalars.h"
@@ -215,11 +216,18 @@ void vtkSurfaceToGrid::FromSurface(
   }
   if (this->GenerateSignedDistance)
   {
-    const double h = *std::max_element(shape.Spacing.begin(), shape.Spacing.end());
-    isthmus::AddSignedDistance(output, inside,
-      isthmus::DistanceToSurface(
-        mesh, shape, this->BandWidth * h, isthmus::Between(progress, 0.35, 1.0)));
+    isthmus::AddSignedDistance(
+      output, inside, this->Distance(mesh, shape, isthmus::Between(progress, 0.35, 1.0)));
   }
+}
+
+std::vector<double> vtkSurfaceToGrid::Distance(const isthmus::SurfaceView& mesh,
+  const GridShape& shape, const isthmus::ProgressCallback& progress)
+{
+  const double h = *std::max_element(shape.Spacing.begin(), shape.Spacing.end());
+  return this->ExactEverywhere
+    ? isthmus::ExactDistanceToSurface(mesh, shape, progress)
+    : isthmus::DistanceToSurface(mesh, shape, this->BandWidth * h, progress);
 }
 
 void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkPolyData* crossings)
@@ -254,10 +262,8 @@ void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkP
   {
     const isthmus::PolyDataTriangles triangles(
       isthmus::IsosurfaceInGridAxes(image, scalars, this->IsoValue));
-    const double h = *std::max_element(shape.Spacing.begin(), shape.Spacing.end());
     isthmus::AddSignedDistance(output, inside,
-      isthmus::DistanceToSurface(
-        triangles.View(), shape, this->BandWidth * h, isthmus::Between(progress, 0.35, 1.0)));
+      this->Distance(triangles.View(), shape, isthmus::Between(progress, 0.35, 1.0)));
   }
 }
 
@@ -277,4 +283,5 @@ void vtkSurfaceToGrid::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateInside: " << this->GenerateInside << "\n";
   os << indent << "GenerateSignedDistance: " << this->GenerateSignedDistance << "\n";
   os << indent << "BandWidth: " << this->BandWidth << "\n";
+  os << indent << "ExactEverywhere: " << this->ExactEverywhere << "\n";
 }

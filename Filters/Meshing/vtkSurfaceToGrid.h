@@ -22,7 +22,7 @@
  *
  * **Accuracy.** Crossings lie on the surface to rounding. Distances are exact within BandWidth
  * spacings h of the surface; farther away they are those to the nearest crossing, never too small
- * and too large by at most about h^2 / (2 distance).
+ * and too large by at most about h^2 / (2 distance), unless ExactEverywhere is on.
  *
  * Formulas and sources: SurfaceCrossings.h, LevelCrossings.h, GridDistance.h.
  *
@@ -41,6 +41,15 @@
 #include "vtkIsthmusModule.h" // for the export macro
 
 class vtkPolyData;
+
+#include <functional> // for progress
+#include <vector>     // for distances
+
+namespace isthmus
+{
+struct GridShape;
+struct SurfaceView;
+}
 
 class VTKISTHMUS_EXPORT vtkSurfaceToGrid : public vtkImageAlgorithm
 {
@@ -106,6 +115,13 @@ public:
   vtkGetMacro(BandWidth, double);
   ///@}
 
+  ///@{
+  /// Whether distances are exact outside the band, too, at some microseconds a node. Default: off.
+  vtkSetMacro(ExactEverywhere, vtkTypeBool);
+  vtkGetMacro(ExactEverywhere, vtkTypeBool);
+  vtkBooleanMacro(ExactEverywhere, vtkTypeBool);
+  ///@}
+
   /// Output 1.
   vtkPolyData* GetCrossings();
 
@@ -130,12 +146,15 @@ protected:
   vtkTypeBool GenerateInside = 1;
   vtkTypeBool GenerateSignedDistance = 1;
   double BandWidth = 2.0;
+  vtkTypeBool ExactEverywhere = 0;
 
 private:
   vtkSurfaceToGrid(const vtkSurfaceToGrid&) = delete;
   void operator=(const vtkSurfaceToGrid&) = delete;
 
   void GridAround(vtkPolyData* surface, vtkImageData* grid);
+  std::vector<double> Distance(const isthmus::SurfaceView& mesh, const isthmus::GridShape& shape,
+    const std::function<bool(double)>& progress);
   void FromSurface(vtkPolyData* surface, vtkImageData* output, vtkPolyData* crossings);
   void FromImage(vtkImageData* image, vtkImageData* output, vtkPolyData* crossings);
 };

@@ -79,7 +79,7 @@ void SetGrid(const isthmus::TetrahedralMesh& mesh, vtkUnstructuredGrid* grid)
   grid->SetPoints(points);
   grid->SetCells(VTK_TETRA, cells);
   grid->GetPointData()->AddArray(original);
-  grid->GetCellData()->AddArray(regions);
+  grid->GetCellData()->SetScalars(regions);
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "ChokingSurface.h"
 #include "DelaunayFiltration.h"
+#include "GeneratorCompletion.h"
 #include "LowerStarFiltration.h"
 #include "SurfaceSampling.h"
 
@@ -48,11 +49,6 @@ private:
   std::chrono::steady_clock::time_point Last = std::chrono::steady_clock::now();
 };
 
-bool IsGenerator(const ShapeFeature& feature)
-{
-  return feature.Kind == FeatureKind::Handle || feature.Kind == FeatureKind::Tunnel;
-}
-
 /// Where the samples should lie closer, and how close.
 struct Refinement
 {
@@ -94,6 +90,38 @@ TriangleMesh Refined(const TriangleMesh& mesh, const std::vector<Refinement>& wa
     MorePoints + 2 * mesh.Points.size(), progress);
 }
 
+/// The surface split to `spacing`, which becomes the one taken where it is 0.
+TriangleMesh FirstSamples(
+  const TriangleMesh& surface, double& spacing, const ProgressCallback& progress)
+{
+  const auto split = [&surface, &spacing](std::size_t most, const ProgressCallback& part)
+  {
+    return SplitLongEdges(
+      surface, [&spacing](const Point3&, const Point3&) { return spacing; }, most, part);
+  };
+  if (spacing > 0.0)
+  {
+    TriangleMesh samples = split(MostSamples, progress);
+    if (samples.Points.empty())
+    {
+      throw std::runtime_error("Sampling the surface so finely takes more than " +
+        std::to_string(MostSamples) + " points: raise the sample spacing.");
+    }
+    return samples;
+  }
+  // Edges of a good mesh scatter round their mean: those up to 1.7 times it stay whole.
+  spacing = 1.7 * EdgeLengthFor(surface, UsualSamples);
+  // Needles take far more points than their area suggests.
+  const std::size_t most = 4 * surface.Points.size() + static_cast<std::size_t>(5.0 * UsualSamples);
+  const auto still = Between(progress, 0.0, 0.0); // quick, but may have to be repeated
+  TriangleMesh samples = split(most, still);
+  for (; samples.Points.empty(); samples = split(most, still))
+  {
+    spacing *= 1.5;
+  }
+  return samples;
+}
+
 }
 
 /// Everything known about a surface. Built in order, since each part refers to those before.
@@ -111,8 +139,12 @@ struct ChokingLoops::Analysis
     , Regions(Context, Between(progress, 0.5, 0.6))
   {
     times.Pairing += this->Watch.Lap();
-    this->Diagram = ShapeFeatures(this->Context, this->Regions, Between(progress, 0.6, 0.9));
-    this->Membranes.resize(this->Diagram.Features.size());
+    this->Found.Diagram = ShapeFeatures(this->Context, this->Regions, Between(progress, 0.6, 0.9));
+    this->Found.Membranes.resize(this->Found.Diagram.Features.size());
+    for (const ShapeFeature& feature : this->Found.Diagram.Features)
+    {
+      this->Found.Centres.push_back(this->Centre(feature));
+    }
     this->MakeGeneratorLoops(Between(progress, 0.9, 1.0));
     times.Features += this->Watch.Lap();
   }
@@ -121,14 +153,42 @@ struct ChokingLoops::Analysis
   void MakeGeneratorLoops(const ProgressCallback& progress)
   {
     HomologySpan span;
-    for (std::size_t i = 0; i < this->Membranes.size(); ++i)
+    const auto count = static_cast<double>(this->Found.Membranes.size());
+    for (std::size_t i = 0; i < this->Found.Membranes.size(); ++i)
     {
-      Report(progress, static_cast<double>(i) / static_cast<double>(this->Membranes.size()));
-      if (IsGenerator(this->Diagram.Features[i]))
+      Report(progress, static_cast<double>(i) / count);
+      if (IsGenerator(this->Found.Diagram.Features[i]))
       {
-        this->Membranes[i] =
-          FeatureMembrane(this->Context, this->Regions, this->Diagram.Features[i], &span);
+        this->Found.Membranes[i] =
+          FeatureMembrane(this->Context, this->Regions, this->Found.Diagram.Features[i], &span);
       }
+    }
+  }
+
+  /// Handles and tunnels that the samples did not settle, from tetrahedra that keep `surface`.
+  void Complete(const TriangleMesh& surface, const ProgressCallback& progress)
+  {
+    if (AllSettled(this->Found))
+    {
+      return;
+    }
+    try
+    {
+      CompleteGenerators(this->Context, surface, this->Found, progress);
+      this->Remark = "Some handles or tunnels are narrower than the sampling error: they are "
+                     "marked as not trusted, and their radius is an upper bound. Lower the sample "
+                     "spacing to measure it.";
+    }
+    catch (const Cancelled&)
+    {
+      throw;
+    }
+    catch (const std::exception& error)
+    {
+      this->Remark = std::string("Some handles or tunnels are narrower than the sampling error, "
+                                 "and could not be found on the surface itself: their number and "
+                                 "side are not assured. ") +
+        error.what();
     }
   }
 
@@ -145,17 +205,17 @@ struct ChokingLoops::Analysis
   std::vector<Refinement> Blurred() const
   {
     std::vector<Refinement> wanted;
-    for (std::size_t i = 0; i < this->Membranes.size(); ++i)
+    for (std::size_t i = 0; i < this->Found.Membranes.size(); ++i)
     {
-      const ShapeFeature& f = this->Diagram.Features[i];
-      const double reference = this->Diagram.Reference[static_cast<std::size_t>(f.Side)];
-      const bool generator = IsGenerator(f) && (!f.Trusted || this->Membranes[i]->Loops.empty());
+      const ShapeFeature& f = this->Found.Diagram.Features[i];
+      const double reference = this->Found.Diagram.Reference[static_cast<std::size_t>(f.Side)];
+      const bool generator = IsGenerator(f) && (!f.Trusted || this->Found.Membranes[i]->Loops.empty());
       const bool blurredVoid = f.Kind == FeatureKind::Noise && f.Dimension == 2 && !f.Trusted &&
         f.Persistence() > WorthRefining * reference;
       if (generator || blurredVoid)
       {
         const double gap = std::sqrt(std::max(0.0, f.Death * f.Death - f.Birth * f.Birth));
-        wanted.push_back({ this->Centre(f), 2.0 * f.Distance() + f.Error,
+        wanted.push_back({ this->Found.Centres[i], 2.0 * f.Distance() + f.Error,
           std::min(0.9 * gap, 0.7 * std::sqrt(3.0) * f.Error) });
       }
     }
@@ -171,9 +231,9 @@ struct ChokingLoops::Analysis
   SurfaceInComplex Embedding;
   FeatureContext Context;
   SpaceRegions Regions;
-  FeatureDiagram Diagram;
-  std::vector<std::optional<Membrane>> Membranes;
+  LocatedFeatures Found;
   ChokingLoopTimes Times;
+  std::string Remark;
 };
 
 ChokingLoops::ChokingLoops(
@@ -185,36 +245,8 @@ ChokingLoops::ChokingLoops(
     std::move(surface), parameters.AllowSelfIntersections, Between(progress, 0.0, 0.2));
   times.Check = watch.Lap();
   const bool automatic = parameters.SampleSpacing <= 0.0;
-  // Edges of a good mesh scatter round their mean: those up to 1.7 times it stay whole.
-  double spacing =
-    automatic ? 1.7 * EdgeLengthFor(surface, UsualSamples) : parameters.SampleSpacing;
-  const auto split = [&surface, &spacing, automatic, &progress](std::size_t most)
-  {
-    return SplitLongEdges(
-      surface, [&spacing](const Point3&, const Point3&) { return spacing; }, most,
-      Between(progress, 0.2, automatic ? 0.2 : 0.25)); // automatic: quick, but maybe repeated
-  };
-  TriangleMesh samples;
-  if (automatic)
-  {
-    // Needles take far more points than their area suggests.
-    const std::size_t most =
-      4 * surface.Points.size() + static_cast<std::size_t>(5.0 * UsualSamples);
-    for (samples = split(most); samples.Points.empty(); samples = split(most))
-    {
-      spacing *= 1.5;
-    }
-  }
-  else
-  {
-    samples = split(MostSamples);
-  }
-  surface = std::move(samples);
-  if (surface.Points.empty())
-  {
-    throw std::runtime_error("Sampling the surface so finely takes more than " +
-      std::to_string(MostSamples) + " points: raise the sample spacing.");
-  }
+  double spacing = parameters.SampleSpacing;
+  TriangleMesh samples = FirstSamples(surface, spacing, Between(progress, 0.2, 0.25));
   times.Sampling = watch.Lap();
   for (int round = 0;; ++round)
   {
@@ -222,25 +254,27 @@ ChokingLoops::ChokingLoops(
     const double from = 1.0 - 0.75 * std::pow(0.5, round);
     const double to = 0.5 * (1.0 + from);
     const auto part = Between(progress, from, to);
-    std::vector<double> errors = SamplingErrors(surface);
-    CellFiltration filtration = DelaunayFiltration(surface.Points, Between(part, 0.0, 0.6));
+    std::vector<double> errors = SamplingErrors(samples);
+    CellFiltration filtration = DelaunayFiltration(samples.Points, Between(part, 0.0, 0.6));
     times.Filtration += watch.Lap();
     this->State = std::make_unique<Analysis>(
-      std::move(surface), std::move(filtration), std::move(errors), times, Between(part, 0.6, 1.0));
+      std::move(samples), std::move(filtration), std::move(errors), times, Between(part, 0.6, 1.0));
     watch.Lap();
     const std::vector<Refinement> blurred = this->State->Blurred();
     if (!automatic || round == Rounds || blurred.empty())
     {
       break;
     }
-    surface = Refined(this->State->Samples, blurred, spacing * std::pow(0.6, round),
+    samples = Refined(this->State->Samples, blurred, spacing * std::pow(0.6, round),
       Between(progress, to, to));
     times.Sampling += watch.Lap();
-    if (surface.Points.empty())
+    if (samples.Points.empty())
     {
       break; // too much to ask: what is blurred stays marked as not trusted
     }
   }
+  this->State->Complete(surface, Between(progress, 0.96, 1.0));
+  times.Features += watch.Lap();
   this->State->Times = times;
   Report(progress, 1.0);
 }
@@ -266,7 +300,7 @@ ChokingLoops& ChokingLoops::operator=(ChokingLoops&&) noexcept = default;
 
 const FeatureDiagram& ChokingLoops::Diagram() const
 {
-  return this->State->Diagram;
+  return this->State->Found.Diagram;
 }
 
 const TriangleMesh& ChokingLoops::Samples() const
@@ -298,10 +332,10 @@ double ChokingLoops::LargestError() const
 std::vector<std::size_t> ChokingLoops::Select(const FeatureSelection& selection) const
 {
   std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < this->State->Diagram.Features.size(); ++i)
+  for (std::size_t i = 0; i < this->State->Found.Diagram.Features.size(); ++i)
   {
-    const ShapeFeature& f = this->State->Diagram.Features[i];
-    const double reference = this->State->Diagram.Reference[static_cast<std::size_t>(f.Side)];
+    const ShapeFeature& f = this->State->Found.Diagram.Features[i];
+    const double reference = this->State->Found.Diagram.Reference[static_cast<std::size_t>(f.Side)];
     const bool near = f.Distance() <= selection.MaximumDistance.Of(reference) * (1.0 + 1e-9);
     const bool side = f.Side == SpaceSide::Inside ? selection.Inside : selection.Outside;
     const bool wanted = IsGenerator(f) ? near || selection.AlwaysReportHandles
@@ -317,23 +351,28 @@ std::vector<std::size_t> ChokingLoops::Select(const FeatureSelection& selection)
 
 const Membrane& ChokingLoops::MembraneOf(std::size_t feature)
 {
-  std::optional<Membrane>& membrane = this->State->Membranes[feature];
+  std::optional<Membrane>& membrane = this->State->Found.Membranes[feature];
   if (!membrane)
   {
     membrane = FeatureMembrane(
-      this->State->Context, this->State->Regions, this->State->Diagram.Features[feature]);
+      this->State->Context, this->State->Regions, this->State->Found.Diagram.Features[feature]);
   }
   return *membrane;
 }
 
 const Membrane& ChokingLoops::MembraneOfMade(std::size_t feature) const
 {
-  return this->State->Membranes[feature].value();
+  return this->State->Found.Membranes[feature].value();
+}
+
+const std::string& ChokingLoops::Remark() const
+{
+  return this->State->Remark;
 }
 
 Point3 ChokingLoops::ChokePoint(std::size_t feature) const
 {
-  return this->State->Centre(this->State->Diagram.Features[feature]);
+  return this->State->Found.Centres[feature];
 }
 
 }

@@ -15,6 +15,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace isthmus
 {
@@ -103,6 +104,9 @@ public:
   VTKISTHMUS_EXPORT const SurfaceAdjacency& Adjacency() const;
   VTKISTHMUS_EXPORT const SurfaceHomology& Homology() const;
   VTKISTHMUS_EXPORT const ChokingLoopTimes& Times() const;
+
+  /// What the user should know about the result: a sentence or two, or nothing.
+  VTKISTHMUS_EXPORT const std::string& Remark() const;
 
   /// Largest sampling error anywhere: the least radius that can be trusted everywhere.
   VTKISTHMUS_EXPORT double LargestError() const;

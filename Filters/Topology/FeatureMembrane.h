@@ -17,6 +17,7 @@ struct Membrane
   /// where the ball is stuck between two parts of M, such as two rings side by side.
   std::vector<std::vector<SimplexId>> Loops;
   std::vector<std::array<SimplexId, 3>> Triangles;
+  std::vector<Point3> Extra; ///< points off M: their ids follow those of the sampled surface
   bool OnSurface = true; ///< false: an obstacle kept the loop from reaching M; it was closed on M
 };
 

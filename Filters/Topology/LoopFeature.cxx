@@ -99,6 +99,7 @@ LoopFeature MakeLoopFeature(
   LoopFeature feature;
   feature.Loops = membrane.Loops;
   feature.Membrane = membrane.Triangles;
+  feature.Extra = membrane.Extra;
   if (rounds > 0)
   {
     LoopShorteningParameters parameters;

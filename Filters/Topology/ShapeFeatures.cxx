@@ -38,7 +38,6 @@ public:
   void AddVoids();
   void AddLoops(const std::vector<SurfaceGenerator>& generators);
   FeatureDiagram Finish(std::size_t expected);
-  void Balance(std::size_t expected);
 
 private:
   ShapeFeature Make(int dimension, SimplexId choke, double birth, double death, double error2) const
@@ -134,44 +133,8 @@ void Collector::AddLoops(const std::vector<SurfaceGenerator>& generators)
   }
 }
 
-// Half of all generators die inside and half outside. Where that is not what the sides say, some
-// below the sampling error were taken for the wrong side: the smallest change over.
-void Collector::Balance(std::size_t expected)
-{
-  std::vector<ShapeFeature*> generators;
-  std::size_t handles = 0;
-  for (auto& entry : this->Found)
-  {
-    const FeatureKind kind = entry.first.Kind;
-    if (kind == FeatureKind::Handle || kind == FeatureKind::Tunnel)
-    {
-      generators.push_back(&entry.first);
-      handles += kind == FeatureKind::Handle;
-    }
-  }
-  if (generators.size() != expected)
-  {
-    return; // a mesh of one side only
-  }
-  std::sort(generators.begin(), generators.end(),
-    [](const ShapeFeature* a, const ShapeFeature* b) { return a->Death < b->Death; });
-  for (ShapeFeature* f : generators)
-  {
-    const FeatureKind surplus = 2 * handles > expected ? FeatureKind::Handle : FeatureKind::Tunnel;
-    if (2 * handles == expected || f->Trusted || f->Kind != surplus)
-    {
-      continue;
-    }
-    const bool toTunnel = surplus == FeatureKind::Handle;
-    f->Kind = toTunnel ? FeatureKind::Tunnel : FeatureKind::Handle;
-    f->Side = toTunnel ? SpaceSide::Outside : SpaceSide::Inside;
-    handles = toTunnel ? handles - 1 : handles + 1;
-  }
-}
-
 FeatureDiagram Collector::Finish(std::size_t expected)
 {
-  this->Balance(expected);
   FeatureDiagram diagram;
   diagram.ExpectedGenerators = expected;
   std::map<std::vector<int>, double> fill; // per region: the last thing filled

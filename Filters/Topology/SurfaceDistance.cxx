@@ -11,15 +11,24 @@ namespace isthmus
 std::vector<double> SurfaceDistances(
   const TriangleMesh& surface, const std::vector<Point3>& points, const ProgressCallback& progress)
 {
-  const TriangleTree tree(surface);
+  const MeshOnGrid mesh(surface, { 0, 0, 0 });
+  const TriangleTree tree(mesh.View());
+  constexpr std::size_t Block = 256; // a guess starts anew in each: same bits on any threads
   std::vector<double> distance(points.size());
   ParallelFor(
-    0, static_cast<std::int64_t>(points.size()), 1024,
+    0, static_cast<std::int64_t>((points.size() + Block - 1) / Block), 4,
     [&](std::int64_t begin, std::int64_t end)
     {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      for (auto block = static_cast<std::size_t>(begin); block < static_cast<std::size_t>(end);
+           ++block)
       {
-        distance[i] = std::sqrt(tree.SquaredDistance(points[i]));
+        TriangleTree::Nearest nearest{ 0.0, -1 };
+        const std::size_t last = std::min(points.size(), (block + 1) * Block);
+        for (std::size_t i = block * Block; i < last; ++i)
+        {
+          nearest = tree.Find(points[i], nearest.Triangle);
+          distance[i] = std::sqrt(nearest.Squared);
+        }
       }
     },
     progress);

@@ -169,7 +169,7 @@ HomologyClass SurfaceHomology::ClassOf(const Chain& edges) const
   return c;
 }
 
-bool HomologySpan::Add(HomologyClass c)
+void HomologySpan::Reduce(HomologyClass& c) const
 {
   for (const auto& [bit, row] : this->Rows)
   {
@@ -181,6 +181,11 @@ bool HomologySpan::Add(HomologyClass c)
       }
     }
   }
+}
+
+bool HomologySpan::Add(HomologyClass c)
+{
+  this->Reduce(c);
   const auto word = std::find_if(c.begin(), c.end(), [](std::uint64_t w) { return w != 0; });
   if (word == c.end())
   {

@@ -71,9 +71,17 @@ public:
   /// Adds a class; true when it was not in the subspace before.
   VTKISTHMUS_EXPORT bool Add(HomologyClass c);
 
+  bool Contains(HomologyClass c) const
+  {
+    this->Reduce(c);
+    return IsZero(c);
+  }
+
   std::size_t Rank() const { return this->Rows.size(); }
 
 private:
+  VTKISTHMUS_EXPORT void Reduce(HomologyClass& c) const;
+
   std::vector<std::pair<std::size_t, HomologyClass>> Rows; ///< leading bit, reduced class
 };
 

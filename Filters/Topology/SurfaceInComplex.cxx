@@ -36,7 +36,8 @@ SurfaceInComplex::SurfaceInComplex(const SurfaceAdjacency& surface, const CellFi
     }
     this->OnSurface[At(image)] = e;
     const double half = 0.5 * surface.Length(h);
-    if (f.EdgeValue[At(image)] <= half * half * (1.0 + 1e-9))
+    const bool first = !f.EdgeFirst.empty() && f.EdgeFirst[At(image)];
+    if (first || f.EdgeValue[At(image)] <= half * half * (1.0 + 1e-9))
     {
       this->InComplex[At(e)] = image; // else it enters late, and the walk goes round it
     }

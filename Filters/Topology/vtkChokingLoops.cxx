@@ -134,6 +134,10 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
     made->Loops = std::make_unique<isthmus::ChokingLoops>(triangles, mesh,
       this->MorseValues(triangles, mesh, given), isthmus::Between(progress, 0.5, 1.0));
   }
+  if (!made->Loops->Remark().empty())
+  {
+    vtkWarningMacro(<< made->Loops->Remark());
+  }
   this->Kept = std::move(made);
 }
 

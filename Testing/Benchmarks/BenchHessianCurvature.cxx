@@ -1,6 +1,7 @@
 // Nodes and points a second of the curvature filter, beside the machine's memory bandwidth and
 // vtkCurvatures on the same isosurface. Each is the whole filter, allocation of its output
 // included. The CPU column counts all threads, so that it says something on a busy machine, too.
+#include "CopyBandwidth.h"
 #include "FieldImage.h"
 #include "ParallelFor.h"
 #include "vtkHessianCurvature.h"
@@ -54,31 +55,6 @@ vtkPolyData* Isosurface()
   return surface;
 }
 
-/// Bytes a second, read plus written, of the best of several parallel copies of 256 MB.
-double CopyBandwidth()
-{
-  static const double bandwidth = []()
-  {
-    constexpr std::int64_t bytes = 256 << 20;
-    const std::vector<char> from(bytes, 1);
-    std::vector<char> to(bytes, 2);
-    double best = 0.0;
-    for (int n = 0; n < 10; ++n)
-    {
-      const auto start = std::chrono::steady_clock::now();
-      isthmus::ParallelFor(0, bytes, 1 << 20,
-        [&](std::int64_t first, std::int64_t last) {
-          std::memcpy(
-            to.data() + first, from.data() + first, static_cast<std::size_t>(last - first));
-        });
-      const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-      best = std::max(best, 2.0 * static_cast<double>(bytes) / seconds.count());
-    }
-    return best;
-  }();
-  return bandwidth;
-}
-
 /// Times `filter` on its own, without what freeing the last output takes, and counts `places` with
 /// `bytes` moved for each. Rates are those of the best run, since a shared machine has bad ones.
 void Time(benchmark::State& state, vtkAlgorithm* filter, vtkIdType places, double bytes)
@@ -97,7 +73,7 @@ void Time(benchmark::State& state, vtkAlgorithm* filter, vtkIdType places, doubl
   const double rate = static_cast<double>(places) / best;
   state.counters["places"] = static_cast<double>(places);
   state.counters["places/s"] = rate;
-  state.counters["of_bandwidth"] = rate * bytes / CopyBandwidth();
+  state.counters["of_bandwidth"] = rate * bytes / isthmus::testing::CopyBandwidth();
   state.counters["threads"] = isthmus::ParallelThreads();
 }
 
@@ -133,9 +109,9 @@ void Copy(benchmark::State& state)
 {
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(CopyBandwidth());
+    benchmark::DoNotOptimize(isthmus::testing::CopyBandwidth());
   }
-  state.counters["bytes/s"] = CopyBandwidth();
+  state.counters["bytes/s"] = isthmus::testing::CopyBandwidth();
 }
 
 BENCHMARK(Copy)->Iterations(1);

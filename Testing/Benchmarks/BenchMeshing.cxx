@@ -1,6 +1,6 @@
 // The meshers beside what they stand next to: tetrahedra a second and memory by number, the
 // Delaunay isosurface beside vtkFlyingEdges3D, remeshing and quality. Run by hand;
-// --benchmark_filter=Tetra10M for the largest (some minutes and 5 GB).
+// --benchmark_filter=10000000 for the largest (some minutes and 5 GB).
 
 #include "ClosedLevelSet.h"
 #include "DelaunayIsosurface.h"

@@ -3,7 +3,7 @@
 import math
 
 from paraview import servermanager
-from paraview.simple import Sphere, SurfaceMeasures, Wavelet
+from paraview.simple import Sphere, SurfaceMeasures, SurfaceToGrid, Wavelet
 
 sphere = Sphere(Radius=2.0, ThetaResolution=128, PhiResolution=128)
 measures = SurfaceMeasures(Input=sphere)
@@ -28,3 +28,9 @@ inside = level.FieldData["Volume"].GetRange()[0]
 values = servermanager.Fetch(wave).GetPointData().GetArray("RTData")
 count = sum(values.GetValue(i) > 160.0 for i in range(values.GetNumberOfTuples()))
 assert inside == count, (inside, count)
+
+# A volume straight from a reader: its active scalars are taken unless told otherwise.
+wavelet = Wavelet()
+for create in (SurfaceMeasures, SurfaceToGrid):
+    volume = create(Input=wavelet)
+    assert servermanager.Fetch(volume).GetNumberOfPoints() > 0

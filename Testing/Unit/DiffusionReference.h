@@ -66,18 +66,36 @@ public:
       });
   }
 
-  ReferenceVolume GradientSquared() const
+  /// A component of the gradient, one-sided at the ends.
+  ReferenceVolume Slope(std::size_t axis) const
   {
     const ReferenceVolume& u = *this;
-    const auto& h = this->Grid.Spacing;
     return this->Map(
       [&](auto i, auto j, auto k)
       {
-        const double x = (u(i + 1, j, k) - u(i - 1, j, k)) / (2 * h[0]);
-        const double y = (u(i, j + 1, k) - u(i, j - 1, k)) / (2 * h[1]);
-        const double z = (u(i, j, k + 1) - u(i, j, k - 1)) / (2 * h[2]);
-        return x * x + y * y + z * z;
+        const std::int64_t at[3] = { i, j, k };
+        const bool end = at[axis] == 0 || at[axis] == this->Grid.Dimensions[axis] - 1;
+        const auto x = std::int64_t(axis == 0), y = std::int64_t(axis == 1),
+                   z = std::int64_t(axis == 2);
+        return (u(i + x, j + y, k + z) - u(i - x, j - y, k - z)) /
+          ((end ? 1 : 2) * this->Grid.Spacing[axis]);
       });
+  }
+
+  ReferenceVolume Squared() const
+  {
+    const ReferenceVolume& u = *this;
+    return this->Map([&](auto i, auto j, auto k) { return u(i, j, k) * u(i, j, k); });
+  }
+
+  ReferenceVolume operator+(const ReferenceVolume& other) const
+  {
+    return this->Map([&](auto i, auto j, auto k) { return (*this)(i, j, k) + other(i, j, k); });
+  }
+
+  ReferenceVolume GradientSquared() const
+  {
+    return this->Slope(0).Squared() + this->Slope(1).Squared() + this->Slope(2).Squared();
   }
 
   /// div(f grad u), with face(a, b) the coefficient between nodes where `at` has a and b.
@@ -104,24 +122,24 @@ public:
       });
   }
 
-  /// Mean over a window of nodes.
+  /// Mean over a window of nodes, moved inwards where it would leave the grid.
   ReferenceVolume WindowMean(int window) const
   {
     const ReferenceVolume& u = *this;
     return this->Map(
       [&](auto i, auto j, auto k)
       {
-        const int r = window / 2;
-        double sum = 0.0;
-        for (int c = -r; c <= r; ++c)
+        std::int64_t begin[3] = { i, j, k };
+        for (std::size_t axis = 0; axis < 3; ++axis)
         {
-          for (int b = -r; b <= r; ++b)
-          {
-            for (int a = -r; a <= r; ++a)
-            {
-              sum += u(i + a, j + b, k + c);
-            }
-          }
+          begin[axis] = std::clamp<std::int64_t>(
+            begin[axis] - window / 2, 0, this->Grid.Dimensions[axis] - window);
+        }
+        double sum = 0.0;
+        for (int n = 0; n < window * window * window; ++n)
+        {
+          sum += u(
+            begin[0] + n % window, begin[1] + n / window % window, begin[2] + n / window / window);
         }
         return sum / std::pow(window, 3);
       });
@@ -136,13 +154,16 @@ inline ReferenceVolume ReferenceCoefficient(
   const ReferenceVolume& u, const DiffusionParameters& parameters)
 {
   using Type = DiffusionParameters::EdgeStoppingType;
+  const int window = parameters.Window;
   const ReferenceVolume slope = u.GradientSquared();
-  const ReferenceVolume square = parameters.Order == 0
-    ? u.Map([&](auto i, auto j, auto k) { return u(i, j, k) * u(i, j, k); })
-    : slope;
-  const ReferenceVolume meanSquare = square.WindowMean(parameters.Window);
-  const ReferenceVolume mean = u.WindowMean(parameters.Window);
-  const ReferenceVolume slopeOfMean = mean.GradientSquared();
+  ReferenceVolume meanSquare = u.Squared().WindowMean(window);
+  ReferenceVolume squaredMean = u.WindowMean(window).Squared();
+  if (parameters.Order > 0)
+  {
+    meanSquare = slope.WindowMean(window);
+    squaredMean = u.Slope(0).WindowMean(window).Squared() +
+      u.Slope(1).WindowMean(window).Squared() + u.Slope(2).WindowMean(window).Squared();
+  }
   return u.Map(
     [&](auto i, auto j, auto k)
     {
@@ -153,8 +174,7 @@ inline ReferenceVolume ReferenceCoefficient(
       }
       if (parameters.EdgeStopping == Type::LocalVariance)
       {
-        variance = meanSquare(i, j, k) -
-          (parameters.Order == 0 ? mean(i, j, k) * mean(i, j, k) : slopeOfMean(i, j, k));
+        variance = meanSquare(i, j, k) - squaredMean(i, j, k);
       }
       return std::exp(-slope(i, j, k) / (2 * variance));
     });

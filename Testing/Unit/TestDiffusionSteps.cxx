@@ -105,21 +105,27 @@ TEST(DiffusionSteps, SuperStepsReachTheEndOfForwardEulerWithATenthOfItsWork)
   {
     start[static_cast<std::size_t>(n)] += static_cast<float>(n % 32 / 8 % 2) * 2.0f; // slabs
   }
-  DiffusionParameters parameters;
-  parameters.Order = 1;
-  parameters.Sigma = 1.0;
-  parameters.PreSmoothing = 1.0;
-  parameters.Time = 100.0;
-  DiffusionReport super, euler;
-  const auto fast = Diffused(grid, parameters, start, &super);
-  parameters.Integrator = Integrator::ForwardEuler;
-  const auto slow = Diffused(grid, parameters, start, &euler);
-  const double difference = Distance(fast, slow) / Deviation(slow);
-  std::printf("q = 1, time 100: %lld explicit steps, %lld super stages, difference %.2f %%\n",
-    static_cast<long long>(euler.Evaluations), static_cast<long long>(super.Evaluations),
-    100 * difference);
-  EXPECT_LT(difference, 0.01);
-  EXPECT_GT(euler.Evaluations, 10 * super.Evaluations);
+  for (const double sigma : { 1.0, 0.3 }) // of a signal with standard deviation 1
+  {
+    for (const double time : { 20.0, 60.0 })
+    {
+      DiffusionParameters parameters;
+      parameters.Order = 1;
+      parameters.Sigma = sigma;
+      parameters.PreSmoothing = 1.0;
+      parameters.Time = time;
+      DiffusionReport super, euler;
+      const auto fast = Diffused(grid, parameters, start, &super);
+      parameters.Integrator = Integrator::ForwardEuler;
+      const auto slow = Diffused(grid, parameters, start, &euler);
+      const double difference = Distance(fast, slow) / Deviation(slow);
+      std::printf("q = 1, sigma %.1f, time %2.0f: evaluations %lld and %lld, difference %.2f %%\n",
+        sigma, time, static_cast<long long>(euler.Evaluations),
+        static_cast<long long>(super.Evaluations), 100 * difference);
+      EXPECT_LT(difference, 0.01);
+      EXPECT_GT(euler.Evaluations, 10 * super.Evaluations);
+    }
+  }
 }
 
 TEST(DiffusionSteps, ResultsDoNotDependOnThreads)
@@ -175,6 +181,7 @@ TEST(DiffusionSteps, BadParametersAreRefusedInASentence)
     { "Sigma is 0", [](auto& p) { p.Sigma = 0.0; } },
     { "Fidelity is -1", [](auto& p) { p.Fidelity = -1.0; } },
     { "PreSmoothing is -1", [](auto& p) { p.PreSmoothing = -1.0; } },
+    { "ResidualSmoothing is -1", [](auto& p) { p.ResidualSmoothing = -1.0; } },
     { "diffusivity of the highest order is 0", [](auto& p) { p.Diffusivity[1] = 0.0; } },
     { "A diffusivity is -1", [](auto& p) { p.Diffusivity[0] = -1.0; } },
     { "Window is 4",

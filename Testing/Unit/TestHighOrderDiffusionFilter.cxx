@@ -59,7 +59,7 @@ TEST(HighOrderDiffusionFilter, KeepsGeometryArraysAndInput)
   EXPECT_EQ(Values(image->GetPointData()->GetScalars()), before);
   EXPECT_LT(Deviation(Values(filter.Result())), Deviation(before));
   for (const char* name : { "StepTime", "StepChange", "StepResidual", "NoiseLevel", "UsedSigma",
-         "UsedPreSmoothing", "UsedTime" })
+         "UsedPreSmoothing", "UsedTime", "UsedResidualSmoothing" })
   {
     ASSERT_TRUE(output->GetFieldData()->GetArray(name)) << name;
     EXPECT_GT(output->GetFieldData()->GetArray(name)->GetTuple1(0), 0.0) << name;
@@ -98,15 +98,48 @@ TEST(HighOrderDiffusionFilter, TakesSlicesRowsPointsAndNothing)
   const int sizes[][3] = { { 14, 12, 1 }, { 1, 12, 10 }, { 14, 1, 1 }, { 1, 1, 1 } };
   for (const auto& size : sizes)
   {
-    Filter filter(BumpImage(VTK_FLOAT, size[0], size[1], size[2]));
-    filter->AutomaticOff();
-    EXPECT_EQ(filter.Update()->GetNumberOfPoints(), size[0] * size[1] * size[2]);
-    EXPECT_TRUE(std::isfinite(filter.Result()->GetTuple1(0)));
+    for (int edge = vtkHighOrderDiffusion::None; edge <= vtkHighOrderDiffusion::LocalVariance + 1;
+         ++edge)
+    {
+      Filter filter(BumpImage(VTK_FLOAT, size[0], size[1], size[2]));
+      filter->SetAutomatic(edge == vtkHighOrderDiffusion::Gaussian);
+      filter->SetEdgeStopping(edge % 3);
+      filter->SetFlow(edge / 3);
+      EXPECT_EQ(filter.Update()->GetNumberOfPoints(), size[0] * size[1] * size[2]);
+      const std::vector<double> values = Values(filter.Result());
+      EXPECT_TRUE(std::all_of(
+        values.begin(), values.end(), [](double value) { return std::isfinite(value); }));
+    }
   }
   vtkNew<vtkImageData> nothing;
   Filter filter(nothing);
   EXPECT_EQ(filter.Complaint(), "");
   EXPECT_EQ(filter.Update()->GetNumberOfPoints(), 0);
+}
+
+// A slice is the plane of a volume that does not change along the third axis.
+TEST(HighOrderDiffusionFilter, ASliceIsAPlaneOfALayeredVolume)
+{
+  const auto slice = BumpImage(VTK_DOUBLE, 14, 12, 1), volume = BumpImage(VTK_DOUBLE, 14, 12, 5);
+  vtkDataArray* const plane = slice->GetPointData()->GetScalars();
+  vtkDataArray* const layers = volume->GetPointData()->GetScalars();
+  for (vtkIdType n = 0; n < layers->GetNumberOfTuples(); ++n)
+  {
+    layers->SetTuple1(n, plane->GetTuple1(n % plane->GetNumberOfTuples()));
+  }
+  Filter ofSlice(slice), ofVolume(volume);
+  for (Filter* filter : { &ofSlice, &ofVolume })
+  {
+    (*filter)->AutomaticOff();
+    (*filter)->SetOrder(1);
+    (*filter)->SetSigma(5.0);
+  }
+  const std::vector<double> expected = Values(ofSlice.Result());
+  const std::vector<double> result = Values(ofVolume.Result());
+  for (std::size_t n = 0; n < result.size(); ++n)
+  {
+    EXPECT_NEAR(result[n], expected[n % expected.size()], 1e-9);
+  }
 }
 
 TEST(HighOrderDiffusionFilter, NamesTheFirstInvalidValueOrMasksIt)

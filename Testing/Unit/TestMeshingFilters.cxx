@@ -153,7 +153,7 @@ TEST(MeshingFilters, WrongInputEndsInASentence)
   Observer observer = Watch(isosurface);
   isosurface->SetInputData(image);
   isosurface->Update();
-  EXPECT_NE(observer->GetErrorMessage().find("no point array"), std::string::npos);
+  EXPECT_NE(observer->GetErrorMessage().find("no active scalars"), std::string::npos);
 
   vtkNew<vtkUnstructuredGrid> cubes;
   vtkNew<vtkPoints> points;

@@ -342,7 +342,7 @@ TEST(vtkSurfaceMeasures, BadInputIsToldInASentence)
   noScalars->SetDimensions(4, 4, 4);
   filter->SetInputData(noScalars);
   filter->Update();
-  EXPECT_NE(observer->GetErrorMessage().find("no point array"), std::string::npos);
+  EXPECT_NE(observer->GetErrorMessage().find("no active scalars"), std::string::npos);
   observer->Clear();
 
   Model open = Icosphere(2, 1.0);

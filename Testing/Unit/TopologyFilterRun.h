@@ -1,6 +1,6 @@
 /**
  * @file TopologyFilterRun.h
- * @brief One run of a filter of unstructured grids with its messages caught.
+ * @brief One run of a filter with its messages caught.
  */
 #ifndef isthmus_TopologyFilterRun_h
 #define isthmus_TopologyFilterRun_h
@@ -23,7 +23,7 @@ class TopologyFilterRun
 {
 public:
   explicit TopologyFilterRun(
-    vtkUnstructuredGrid* input, const std::function<void(Filter*)>& prepare = {})
+    vtkDataObject* input, const std::function<void(Filter*)>& prepare = {})
   {
     this->Filtering->AddObserver(vtkCommand::ErrorEvent, this->Observer);
     this->Filtering->AddObserver(vtkCommand::WarningEvent, this->Observer);

@@ -6,10 +6,10 @@
 #define isthmus_TrilinearField_h
 
 #include "GridView.h"
-#include "TriangleMesh.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace isthmus
 {
@@ -25,7 +25,7 @@ struct TrilinearField
   GridView<const T> Grid;
   double Outside = 0.0;
 
-  double operator()(const Point3& p) const
+  double operator()(const std::array<double, 3>& p) const
   {
     std::int64_t low[3];
     double t[3];

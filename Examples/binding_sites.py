@@ -1,0 +1,235 @@
+"""Likely binding sites of a protein, as Fig. 5.9 of the thesis: the electrostatic potential on the
+surface above, the polarized curvature below, the ligand (if there is one) as sticks, and a table.
+
+Usage: pvpython binding_sites.py PROTEIN [POTENTIAL] [--ligand NAME] [--surface FILE]
+                                 [--output FOLDER]
+
+PROTEIN    PDB file (.pdb, .ent, plain or .gz). Its ligand, the residue NAME or else the largest
+           HETATM residue that is not part of a chain, is taken out before anything is computed.
+POTENTIAL  OpenDX file in kT/e (.dx, .dx.gz). Without it, pdb2pqr and APBS are run.
+FILE       surface to use instead of a Gaussian one of the protein: MSMS .vert (with its .face), or
+           anything else that ParaView reads as triangles.
+FOLDER     where picture and table go; default: binding_sites.
+"""
+
+import argparse
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy
+from paraview import simple
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import apbs_potential  # noqa: E402
+import site_pipeline  # noqa: E402
+
+import isthmus  # noqa: E402
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("protein", type=Path)
+    parser.add_argument("potential", type=Path, nargs="?")
+    parser.add_argument("--ligand")
+    parser.add_argument("--surface", type=Path)
+    parser.add_argument("--output", type=Path, default=Path("binding_sites"))
+    return parser.parse_args()
+
+
+def charged_atoms(protein, folder, name):
+    """PQR file of the protein by pdb2pqr, None without it."""
+    if not apbs_potential.programs()[0]:
+        return None
+    pqr, removed, dropped = apbs_potential.charges(protein, folder, name)
+    print("Charges and radii by pdb2pqr (AMBER), without the ligand.")
+    if removed:
+        print("  Removed, since pdb2pqr can't build them: " + ", ".join(removed))
+    if dropped:
+        print("  Not in its force field, left out: " + ", ".join(dropped))
+    return pqr
+
+
+def heavy_atoms(protein, folder, name):
+    """PDB file of the heavy atoms of the protein."""
+    path = Path(folder) / f"{name}_heavy.pdb"
+    path.write_text("".join(line for line in protein if apbs_potential.is_heavy(line)) + "END\n")
+    return path
+
+
+def given_surface(path):
+    source = simple.OpenDataFile(str(path))
+    return simple.servermanager.Fetch(simple.Triangulate(Input=simple.ExtractSurface(Input=source)))
+
+
+def make_surface(options, molecule):
+    if not options.surface:
+        atoms = site_pipeline.read_atoms(molecule)
+        return site_pipeline.outer_surface(site_pipeline.density(atoms))
+    curvature = isthmus.vtkSurfaceCurvature()
+    curvature.SetInputData(given_surface(options.surface))
+    curvature.SetMethod(isthmus.vtkSurfaceCurvature.EdgeTensor)
+    curvature.SetNeighbourhood(isthmus.vtkSurfaceCurvature.Ball)
+    curvature.SetRadius(1.5)
+    curvature.Update()
+    return curvature.GetOutput()
+
+
+def table_text(rows, ligand):
+    """The ten best sites as text."""
+    head = f"{'rank':>4} {'class':>5} {'score':>8} {'area':>7} {'depth':>6} {'potential':>9}"
+    head += "   centre" + " " * 20 + ("to ligand" if ligand is not None else "")
+    lines = [head]
+    for row in rows[:10]:
+        place = site_pipeline.centre(row)
+        line = (
+            f"{row['Rank']:4.0f} {row['SiteClass']:5.0f} {row['Score']:8.1f} {row['Area']:7.1f} "
+            f"{row['MeanDepth']:6.2f} {row['MeanPotential']:9.2f}   "
+            f"({place[0]:7.2f} {place[1]:7.2f} {place[2]:7.2f})"
+        )
+        if ligand is not None:
+            line += f" {site_pipeline.distance_to(ligand, place):10.2f}"
+        lines.append(line)
+    lines.append(
+        "score: integral of |potential x kappa_2|, kT A/e; area: A^2; depth: A below the convex hull;"
+        "\npotential: kT/e; class 2 (4): site for a negatively (positively) charged small ligand"
+    )
+    if ligand is not None:
+        lines.append("to ligand: distance of the centre from the ligand's nearest heavy atom, A")
+    return "\n".join(lines)
+
+
+def write_csv(rows, path):
+    names = ["Rank", "SiteClass", "Score", "Area", "MeanDepth", "MeanPotential"]
+    names += ["CenterX", "CenterY", "CenterZ", "Points"]
+    lines = [",".join(names)] + [",".join(f"{row[name]:g}" for name in names) for row in rows]
+    path.write_text("\n".join(lines) + "\n")
+
+
+def producer(data):
+    source = simple.TrivialProducer()
+    source.GetClientSideObject().SetOutput(data)
+    return source
+
+
+def show_surface(surface, view, array, title, limit):
+    display = simple.Show(surface, view)
+    simple.ColorBy(display, ("POINTS", array))
+    colours = simple.GetColorTransferFunction(array)
+    colours.ApplyPreset("Cool to Warm", True)
+    # Positive blue, negative red, as chemists draw potentials.
+    colours.InvertTransferFunction()
+    colours.RescaleTransferFunction(-limit, limit)
+    colours.NanColor = [1.0, 0.9, 0.3]
+    bar = simple.GetScalarBar(colours, view)
+    bar.Title, bar.ComponentTitle = title, ""
+    bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
+    bar.TitleFontSize = bar.LabelFontSize = 16
+    bar.Orientation = "Horizontal"
+    bar.WindowLocation = "Lower Center"
+    bar.ScalarBarLength, bar.ScalarBarThickness = 0.4, 12
+    bar.RangeLabelFormat = bar.LabelFormat = "%.1f"
+    display.SetScalarBarVisibility(view, True)
+
+
+def show_ligand(path, views):
+    atoms = simple.OpenDataFile(str(path))
+    sticks = simple.Tube(Input=atoms, Radius=0.25, NumberofSides=12)
+    balls = simple.Glyph(Input=atoms, GlyphType="Sphere", ScaleFactor=0.7, GlyphMode="All Points")
+    for view in views:
+        for part in (sticks, balls):
+            display = simple.Show(part, view)
+            display.ColorArrayName = ["POINTS", ""]
+            display.AmbientColor = display.DiffuseColor = [0.1, 0.65, 0.15]
+            display.Specular = 0.3
+
+
+def show_best(source, view):
+    """Rims of the three best sites, in black."""
+    best = simple.Calculator(
+        Input=source, ResultArrayName="Best", Function="if(BindingSite > 0, if(BindingSite < 4, 1, 0), 0)"
+    )
+    rims = simple.Contour(Input=best, ContourBy=["POINTS", "Best"], Isosurfaces=[0.5])
+    display = simple.Show(simple.Tube(Input=rims, Radius=0.2), view)
+    display.ColorArrayName = ["POINTS", ""]
+    display.AmbientColor = display.DiffuseColor = [0.0, 0.0, 0.0]
+
+
+def picture(surface, target, ligand_file, path):
+    """Potential above, polarized curvature below, both from the side of `target`."""
+    source = producer(surface)
+    layout = simple.CreateLayout()
+    layout.SetSize(900, 1400)
+    layout.SplitVertical(0, 0.5)
+    views = []
+    for cell in (1, 2):
+        view = simple.CreateView("RenderView")
+        layout.AssignView(cell, view)
+        view.UseColorPaletteForBackground = 0
+        view.Background = [1.0, 1.0, 1.0]
+        view.OrientationAxesVisibility = 0
+        views.append(view)
+    show_surface(source, views[0], "Potential", "potential (kT/e)", 5.0)
+    show_surface(source, views[1], "PolarizedCurvature", "potential x kappa_2 (kT/(e A)); rims: three best sites", 3.0)
+    if ligand_file:
+        show_ligand(ligand_file, views[:1])
+    show_best(source, views[1])
+    points = site_pipeline.points_of(surface)
+    middle, extent = points.mean(axis=0), numpy.ptp(points, axis=0).max()
+    outwards = target - middle
+    outwards /= numpy.linalg.norm(outwards)
+    up = numpy.cross(outwards, [1.0, 0.0, 0.0] if abs(outwards[0]) < 0.9 else [0.0, 1.0, 0.0])
+    for view in views:
+        view.CameraFocalPoint = list(middle)
+        view.CameraPosition = list(middle + 3.0 * extent * outwards)
+        view.CameraViewUp = list(up)
+        view.CameraParallelProjection = 1
+        view.CameraParallelScale = 0.66 * extent
+    simple.SaveScreenshot(
+        str(path), layout, ImageResolution=[900, 1400], FontScaling="Do not scale fonts"
+    )
+
+
+def main():
+    options = arguments()
+    options.output.mkdir(parents=True, exist_ok=True)
+    name = options.protein.name.split(".")[0]
+    protein, ligand, ligand_name = apbs_potential.split(options.protein, options.ligand)
+    if options.ligand and not ligand:
+        sys.exit(f"{options.protein} has no residue {options.ligand}.")
+    print(f"Ligand: {ligand_name}, {len(ligand)} heavy atoms." if ligand else "No ligand found.")
+    with tempfile.TemporaryDirectory() as folder:
+        molecule = pqr = charged_atoms(protein, folder, name)
+        if options.potential is None:
+            if not pqr or not apbs_potential.programs()[1]:
+                sys.exit(
+                    "No potential is given, and pdb2pqr and apbs are not both installed: give an "
+                    "OpenDX file, or install them (Debian: pdb2pqr, apbs)."
+                )
+            print("No potential is given: running APBS.", flush=True)
+            options.potential = apbs_potential.potential(pqr, folder, name)
+        if not pqr:
+            print("pdb2pqr is not installed: heavy atoms with Bondi's radii make the surface.")
+            molecule = heavy_atoms(protein, folder, name)
+        surface = site_pipeline.polarized(
+            make_surface(options, molecule), site_pipeline.read_potential(options.potential)
+        )
+        surface, rows = site_pipeline.sites(surface)
+        if not rows:
+            sys.exit("No site was found.")
+        positions = [apbs_potential.position_of(line) for line in ligand] or None
+        text = table_text(rows, positions)
+        print(text)
+        (options.output / f"{name}_sites.txt").write_text(text + "\n")
+        write_csv(rows, options.output / f"{name}_sites.csv")
+        ligand_file = None
+        if ligand:
+            ligand_file = Path(folder) / "ligand.pdb"
+            ligand_file.write_text("".join(ligand) + "END\n")
+        target = numpy.mean(positions, axis=0) if ligand else site_pipeline.centre(rows[0])
+        picture(surface, target, ligand_file, options.output / f"{name}_sites.png")
+    print(f"Picture and table: {options.output}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,116 @@
+"""From charges or atoms to ranked binding sites: the steps of binding_sites.py, without pictures."""
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersCore import (
+    vtkCleanPolyData,
+    vtkFlyingEdges3D,
+    vtkPolyDataConnectivityFilter,
+)
+
+import isthmus
+
+DECAY = 1.2  # of the Gaussians: see BindingSites.md for what it was tuned on
+SPACING = 0.6  # angstrom
+
+
+def read_atoms(path):
+    """Atoms with Radius from a PQR file (its own radii) or a PDB file (the reader's table)."""
+    reader = isthmus.vtkMacromoleculeReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def density(atoms, decay=DECAY, spacing=SPACING):
+    """Sum of Gaussians whose level 1 encloses the balls of all atoms."""
+    gaussians = isthmus.vtkMolecularDensity()
+    gaussians.SetInputData(atoms)
+    gaussians.SetDecay(decay)
+    gaussians.SetSpacing(spacing)
+    gaussians.Update()
+    return gaussians.GetOutput()
+
+
+def outer_surface(image, level=1.0):
+    """The largest component of a level set, with its curvatures."""
+    contour = vtkFlyingEdges3D()
+    contour.SetInputData(image)
+    contour.SetValue(0, level)
+    contour.ComputeNormalsOff()
+    largest = vtkPolyDataConnectivityFilter()
+    largest.SetInputConnection(contour.GetOutputPort())
+    largest.SetExtractionModeToLargestRegion()
+    clean = vtkCleanPolyData()
+    clean.SetInputConnection(largest.GetOutputPort())
+    clean.PointMergingOff()
+    curvature = isthmus.vtkHessianCurvature()
+    curvature.SetInputData(image)
+    curvature.SetInputConnection(1, clean.GetOutputPort())
+    curvature.Update()
+    return curvature.GetOutput()
+
+
+def read_potential(path):
+    reader = isthmus.vtkOpenDXReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def polarized(surface, potential):
+    """The surface with PolarizedCurvature and its siblings."""
+    products = isthmus.vtkPolarizedCurvature()
+    products.SetInputData(surface)
+    products.SetPotentialData(potential)
+    products.Update()
+    return products.GetOutput()
+
+
+def sites(surface, **settings):
+    """(labelled surface, list of rows) of vtkBindingSites; settings are its properties."""
+    array = settings.pop("array", "PolarizedCurvature")
+    finder = isthmus.vtkBindingSites()
+    finder.SetInputData(surface)
+    finder.SetInputArrayToProcess(0, 0, 0, 0, array)
+    for name, value in settings.items():
+        getattr(finder, "Set" + name)(value)
+    finder.Update()
+    table = finder.GetSiteTable()
+    names = [table.GetColumnName(c) for c in range(table.GetNumberOfColumns())]
+    rows = [
+        {name: table.GetValueByName(row, name).ToDouble() for name in names}
+        for row in range(table.GetNumberOfRows())
+    ]
+    return finder.GetOutput(), rows
+
+
+def centre(row):
+    return numpy.array([row["CenterX"], row["CenterY"], row["CenterZ"]])
+
+
+def distance_to(points, place):
+    """From a place to the nearest of some points."""
+    return float(numpy.linalg.norm(numpy.asarray(points) - place, axis=1).min())
+
+
+def values(surface, name):
+    return vtk_to_numpy(surface.GetPointData().GetArray(name)).astype(float)
+
+
+def points_of(surface):
+    return vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+
+
+def triangles_of(surface):
+    return vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+
+
+def point_areas(surface):
+    """A third of the area of the triangles around each point."""
+    points, triangles = points_of(surface), triangles_of(surface)
+    corner = points[triangles]
+    areas = numpy.linalg.norm(
+        numpy.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]), axis=1
+    )
+    return numpy.bincount(triangles.ravel(), numpy.repeat(areas / 6.0, 3), minlength=len(points))

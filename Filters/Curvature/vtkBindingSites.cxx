@@ -1,0 +1,210 @@
+#include "vtkBindingSites.h"
+
+#include "AlgorithmGuard.h"
+#include "BindingSites.h"
+#include "PolyDataTriangles.h"
+
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkBindingSites);
+
+namespace
+{
+
+using isthmus::BindingSite;
+
+double AmplitudeOf(double value, int mode)
+{
+  if (std::isnan(value) || mode == vtkBindingSites::AbsoluteValue)
+  {
+    return std::abs(value);
+  }
+  return std::max(mode == vtkBindingSites::PositivePart ? value : -value, 0.0);
+}
+
+template <typename Array, typename Get>
+void AddColumn(vtkTable* table, const char* name, const std::vector<BindingSite>& sites, Get&& get)
+{
+  vtkNew<Array> column;
+  column->SetName(name);
+  for (const BindingSite& site : sites)
+  {
+    column->InsertNextValue(get(site));
+  }
+  table->AddColumn(column);
+}
+
+void FillTable(vtkTable* table, const isthmus::BindingSiteResult& result)
+{
+  const std::vector<BindingSite>& sites = result.Sites;
+  int rank = 0;
+  AddColumn<vtkIntArray>(table, "Rank", sites, [&](const BindingSite&) { return ++rank; });
+  AddColumn<vtkIntArray>(
+    table, "SiteClass", sites, [](const BindingSite& site) { return int{ site.Kind }; });
+  const auto real = [&](const char* name, auto&& get)
+  { AddColumn<vtkDoubleArray>(table, name, sites, get); };
+  real("Score", [](const BindingSite& site) { return site.Score; });
+  real("Area", [](const BindingSite& site) { return site.Area; });
+  real("MeanDepth", [](const BindingSite& site) { return site.MeanDepth; });
+  real("MeanPotential", [](const BindingSite& site) { return site.MeanPotential; });
+  real("CenterX", [](const BindingSite& site) { return site.Centre[0]; });
+  real("CenterY", [](const BindingSite& site) { return site.Centre[1]; });
+  real("CenterZ", [](const BindingSite& site) { return site.Centre[2]; });
+  AddColumn<vtkIdTypeArray>(
+    table, "Points", sites, [](const BindingSite& site) { return site.Points; });
+  vtkNew<vtkDoubleArray> threshold;
+  threshold->SetName("Threshold");
+  threshold->InsertNextValue(result.Threshold);
+  table->GetFieldData()->AddArray(threshold);
+}
+
+}
+
+vtkBindingSites::vtkBindingSites()
+{
+  this->SetNumberOfOutputPorts(2);
+  constexpr int points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  this->SetInputArrayToProcess(0, 0, 0, points, "PolarizedCurvature");
+  this->SetInputArrayToProcess(1, 0, 0, points, "SiteClass");
+  this->SetInputArrayToProcess(2, 0, 0, points, "Potential");
+}
+
+int vtkBindingSites::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
+  return 1;
+}
+
+vtkTable* vtkBindingSites::GetSiteTable()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkBindingSites::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkTable* table = vtkTable::GetData(outputVector, 1);
+  table->Initialize();
+  return isthmus::Guarded(this, output,
+    [&]()
+    {
+      vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
+      output->ShallowCopy(surface);
+      if (surface->GetNumberOfCells() > 0)
+      {
+        this->Compute(surface, output, table);
+      }
+    });
+}
+
+vtkDataArray* vtkBindingSites::Scalar(int index, vtkPolyData* surface, const char* remedy)
+{
+  vtkDataArray* array = this->GetInputArrayToProcess(index, surface);
+  if (array &&
+    (array->GetNumberOfComponents() != 1 ||
+      array->GetNumberOfTuples() != surface->GetNumberOfPoints()))
+  {
+    throw std::invalid_argument("The array " +
+      std::string(array->GetName() ? array->GetName() : "without a name") +
+      " is not one number for each point: choose another.");
+  }
+  if (!array && remedy)
+  {
+    const char* name = this->GetInputArrayInformation(index)->Get(vtkDataObject::FIELD_NAME());
+    throw std::invalid_argument("The surface has no point array " +
+      std::string(name && *name ? name : "of that kind") + ": " + remedy);
+  }
+  return array;
+}
+
+isthmus::SiteFields vtkBindingSites::Fields(vtkPolyData* surface)
+{
+  const char* remedy = "run Polarized Curvature, which wants the potential, on it first, or choose "
+                       "another array.";
+  vtkDataArray* values = this->Scalar(0, surface, remedy);
+  vtkDataArray* classes = this->Classes == AllPoints ? nullptr : this->Scalar(1, surface, remedy);
+  vtkDataArray* potential = this->Scalar(2, surface, nullptr);
+  const auto count = static_cast<std::size_t>(surface->GetNumberOfPoints());
+  isthmus::SiteFields fields;
+  fields.Amplitude.resize(count);
+  fields.Kind.assign(count, 1);
+  fields.Potential.resize(potential ? count : 0);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto point = static_cast<vtkIdType>(i);
+    fields.Amplitude[i] = AmplitudeOf(values->GetComponent(point, 0), this->Amplitude);
+    if (potential)
+    {
+      fields.Potential[i] = potential->GetComponent(point, 0);
+    }
+    if (classes)
+    {
+      const double site = classes->GetComponent(point, 0);
+      const bool ligand = site == 2.0 || site == 4.0;
+      const bool protein = site == 1.0 || site == 3.0;
+      const bool wanted =
+        (ligand && this->Classes != Proteins) || (protein && this->Classes != Ligands);
+      fields.Kind[i] = static_cast<unsigned char>(wanted ? site : 0.0);
+    }
+  }
+  return fields;
+}
+
+void vtkBindingSites::Compute(vtkPolyData* surface, vtkPolyData* output, vtkTable* table)
+{
+  const isthmus::SiteFields fields = this->Fields(surface);
+  isthmus::BindingSiteOptions options;
+  options.UseQuantile = this->UseQuantile != 0;
+  options.Quantile = this->Quantile;
+  options.Threshold = this->Threshold;
+  options.MergeDistance = this->MergeDistance;
+  options.MinimumArea = this->MinimumArea;
+  options.Ranking = static_cast<isthmus::SiteRanking>(this->RankBy);
+  const isthmus::PolyDataTriangles triangles(surface);
+  const isthmus::BindingSiteResult result =
+    isthmus::FindBindingSites(triangles.View(), fields, options, isthmus::ProgressOf(this));
+  if (result.Sites.empty())
+  {
+    vtkWarningMacro(<< "No patch of at least " << this->MinimumArea
+                    << " (unit of length squared) has values above the threshold of "
+                    << result.Threshold
+                    << ". Is the array constant, or zero where the classes asked for are? Lower "
+                       "the threshold or the quantile.");
+  }
+  vtkNew<vtkIntArray> labels;
+  labels->SetName("BindingSite");
+  labels->SetNumberOfValues(surface->GetNumberOfPoints());
+  std::copy(result.Labels.begin(), result.Labels.end(), labels->GetPointer(0));
+  output->GetPointData()->AddArray(labels);
+  output->GetPointData()->SetActiveScalars("BindingSite");
+  FillTable(table, result);
+}
+
+void vtkBindingSites::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Classes: " << this->Classes << "\n";
+  os << indent << "Amplitude: " << this->Amplitude << "\n";
+  os << indent << "UseQuantile: " << this->UseQuantile << "\n";
+  os << indent << "Quantile: " << this->Quantile << "\n";
+  os << indent << "Threshold: " << this->Threshold << "\n";
+  os << indent << "MergeDistance: " << this->MergeDistance << "\n";
+  os << indent << "MinimumArea: " << this->MinimumArea << "\n";
+  os << indent << "RankBy: " << this->RankBy << "\n";
+}

@@ -1,0 +1,238 @@
+#include "ConformingGenerators.h"
+
+#include "LowerStarFiltration.h"
+#include "TetrahedralMesher.h"
+
+#include <cmath>
+#include <unordered_map>
+
+namespace isthmus
+{
+namespace
+{
+
+std::size_t At(std::int64_t i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+/// TetGen needs seconds where it works; meshes of needles can keep it for ever.
+constexpr double MostSeconds = 120.0;
+
+/// Square of the radius of the smallest ball round three points.
+double SquaredBall(const Point3& p, const Point3& q, const Point3& r)
+{
+  const std::array<double, 3> s{ Dot(q - p, q - p), Dot(r - q, r - q), Dot(p - r, p - r) };
+  const double longest = *std::max_element(s.begin(), s.end());
+  if (2.0 * longest >= s[0] + s[1] + s[2])
+  {
+    return 0.25 * longest; // no acute triangle: half the longest side
+  }
+  const Point3 towards = Circumcentre(p, q, r) - p;
+  return Dot(towards, towards);
+}
+
+Point3 BallCentre(const Point3& p, const Point3& q, const Point3& r)
+{
+  const std::array<double, 3> s{ Dot(q - p, q - p), Dot(r - q, r - q), Dot(p - r, p - r) };
+  const auto longest = std::max_element(s.begin(), s.end());
+  if (2.0 * *longest < s[0] + s[1] + s[2])
+  {
+    return Circumcentre(p, q, r);
+  }
+  return 0.5 * (longest == s.begin() ? p + q : longest == s.begin() + 1 ? q + r : p + r);
+}
+
+/// The complex grows with the balls round its simplices; `surface` gets the ids of its points.
+CellFiltration FiltrationByBalls(const TetrahedralMesh& mesh, TriangleMesh& surface)
+{
+  const std::vector<double> none(mesh.Points.size(), 0.0);
+  CellFiltration f = LowerStarFiltration(mesh, none, surface);
+  const auto point = [&f](SimplexId p) { return f.Points[At(p)]; };
+  for (std::size_t e = 0; e < f.Edges.size(); ++e)
+  {
+    const Point3 d = point(f.Edges[e][1]) - point(f.Edges[e][0]);
+    f.EdgeValue[e] = 0.25 * Dot(d, d);
+  }
+  for (std::size_t t = 0; t < f.Triangles.size(); ++t)
+  {
+    const auto& p = f.Triangles[t];
+    f.TriangleValue[t] = SquaredBall(point(p[0]), point(p[1]), point(p[2]));
+    for (const SimplexId cell : f.TriangleSides[t])
+    {
+      if (cell >= 0)
+      {
+        double& value = f.TetrahedronValue[At(cell)];
+        value = std::max(value, f.TriangleValue[t]);
+      }
+    }
+  }
+  f.Order();
+  return f;
+}
+
+/// Points of the complex as those of the surface given; TetGen's own follow as extra ones.
+class Renamer
+{
+public:
+  Renamer(const TriangleMesh& surface, const TriangleMesh& embedded)
+    : Embedded(embedded)
+    , First(static_cast<SimplexId>(surface.Points.size()))
+  {
+    for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        this->Own[static_cast<SimplexId>(embedded.Triangles[t][k])] =
+          static_cast<SimplexId>(surface.Triangles[t][k]);
+      }
+    }
+  }
+
+  void Rename(Membrane& membrane) const
+  {
+    std::unordered_map<SimplexId, SimplexId> extra;
+    const auto rename = [&](SimplexId& p)
+    {
+      const auto own = this->Own.find(p);
+      if (own != this->Own.end())
+      {
+        p = own->second;
+        return;
+      }
+      const auto next = this->First + static_cast<SimplexId>(membrane.Extra.size());
+      const auto made = extra.emplace(p, next);
+      if (made.second)
+      {
+        membrane.Extra.push_back(this->Embedded.Points[At(p)]);
+      }
+      p = made.first->second;
+    };
+    for (auto& loop : membrane.Loops)
+    {
+      std::for_each(loop.begin(), loop.end(), rename);
+    }
+    for (auto& t : membrane.Triangles)
+    {
+      std::for_each(t.begin(), t.end(), rename);
+    }
+  }
+
+private:
+  const TriangleMesh& Embedded;
+  SimplexId First;
+  std::unordered_map<SimplexId, SimplexId> Own;
+};
+
+}
+
+std::vector<ConformingGenerator> ConformingGenerators(
+  const TriangleMesh& surface, const ProgressCallback& progress)
+{
+  TetrahedralParameters parameters;
+  parameters.Side = MeshedSide::Both;
+  parameters.TetGen.RadiusEdgeRatio = 0.0; // no refinement: M's own points and those of a box
+  parameters.TetGen.Limits.Seconds = MostSeconds;
+  TriangleMesh embedded = surface;
+  const CellFiltration f =
+    FiltrationByBalls(MeshTetrahedra(surface, parameters, Between(progress, 0.0, 0.6)), embedded);
+  const Renamer renamer(surface, embedded);
+  const FiltrationPairs pairs(f, Between(progress, 0.6, 0.8));
+  const SurfaceAdjacency adjacency(embedded);
+  const SurfaceHomology homology(adjacency);
+  const SurfaceInComplex embedding(adjacency, f);
+  const FeatureContext context{ f, pairs, homology, embedding, adjacency, {} };
+  SpaceRegions regions(context);
+  std::vector<ConformingGenerator> found;
+  HomologySpan span;
+  for (const SurfaceGenerator& generator :
+    SurfaceGenerators(homology, embedding, f, pairs, Between(progress, 0.8, 1.0)))
+  {
+    ShapeFeature feature;
+    feature.Dimension = 1;
+    feature.Choke = generator.Filler;
+    feature.Side = SpaceRegions::SideOf(regions.OfTriangle(generator.Filler));
+    feature.Sum = generator.Sum;
+    const auto& t = f.Triangles[At(generator.Filler)];
+    ConformingGenerator made;
+    made.Side = feature.Side;
+    made.Radius = std::sqrt(f.TriangleValue[At(generator.Filler)]);
+    made.Centre = BallCentre(f.Points[At(t[0])], f.Points[At(t[1])], f.Points[At(t[2])]);
+    made.Shape = FeatureMembrane(context, regions, feature, &span);
+    renamer.Rename(made.Shape);
+    found.push_back(std::move(made));
+  }
+  return found;
+}
+
+SplitSurface::SplitSurface(const TriangleMesh& surface, const SurfaceAdjacency& samples)
+  : Samples(samples)
+  , Original(surface)
+{
+  const std::vector<Point3>& points = samples.Mesh().Points;
+  for (std::size_t i = surface.Points.size(); i < points.size(); ++i)
+  {
+    this->Added.emplace(points[i], static_cast<SimplexId>(i));
+  }
+}
+
+bool SplitSurface::IsSplit(SimplexId a, SimplexId b) const
+{
+  return this->Original.Find(a, b) >= 0 && this->Samples.Find(a, b) < 0;
+}
+
+// The points from a (included) to b (not included). Midpoints were made by this very formula.
+void SplitSurface::AddPieces(SimplexId a, SimplexId b, std::vector<SimplexId>& points) const
+{
+  if (this->Samples.Find(a, b) >= 0)
+  {
+    points.push_back(a);
+    return;
+  }
+  const std::vector<Point3>& at = this->Samples.Mesh().Points;
+  const SimplexId middle = this->Added.at(0.5 * (at[At(a)] + at[At(b)]));
+  this->AddPieces(a, middle, points);
+  this->AddPieces(middle, b, points);
+}
+
+Membrane SplitSurface::Of(const Membrane& membrane) const
+{
+  Membrane split;
+  split.OnSurface = membrane.OnSurface;
+  split.Extra = membrane.Extra;
+  const auto own = static_cast<SimplexId>(this->Original.Mesh().Points.size());
+  const auto all = static_cast<SimplexId>(this->Samples.Mesh().Points.size());
+  for (const auto& loop : membrane.Loops)
+  {
+    std::vector<SimplexId> points;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      this->AddPieces(loop[i], loop[(i + 1) % loop.size()], points);
+    }
+    split.Loops.push_back(std::move(points));
+  }
+  for (const auto& t : membrane.Triangles)
+  {
+    std::vector<SimplexId> points;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const SimplexId a = t[k];
+      const SimplexId b = t[(k + 1) % 3];
+      if (a < own && b < own && this->IsSplit(a, b))
+      {
+        this->AddPieces(a, b, points);
+      }
+      else
+      {
+        points.push_back(a < own ? a : a - own + all);
+      }
+    }
+    for (std::size_t i = 1; i + 1 < points.size(); ++i)
+    {
+      split.Triangles.push_back({ points[0], points[i], points[i + 1] });
+    }
+  }
+  return split;
+}
+
+}

@@ -1,0 +1,61 @@
+/**
+ * @file ConformingGenerators.h
+ * @brief Handles and tunnels of a surface from tetrahedra that have its triangles among their faces.
+ */
+#ifndef isthmus_ConformingGenerators_h
+#define isthmus_ConformingGenerators_h
+
+#include "FeatureMembrane.h"
+
+namespace isthmus
+{
+
+/// A handle or tunnel with the loop that it is and the membrane that fills it.
+struct ConformingGenerator
+{
+  SpaceSide Side = SpaceSide::Inside;
+  double Radius = 0.0; ///< at most this one is the true radius at which the loop is filled
+  Point3 Centre{ 0.0, 0.0, 0.0 };
+  Membrane Shape; ///< ids of the surface's points, then Extra
+};
+
+/**
+ * Exactly g handles and g tunnels, whatever the distance of sheets: space is tetrahedralized by
+ * TetGen without a new point on the surface M, the simplices of M enter first, the others by the
+ * radius of the smallest ball round their corners, and M's loops are reduced over Z/2.
+ *
+ * M is part of the complex, so the kernel of H1(M) -> H1(side) is what is reduced, and that has
+ * rank g on either side ("half lives, half dies"). Each membrane lies on its side of M. Points of a
+ * triangle are no farther from its corners than the radius of its ball: hence the bound Radius.
+ *
+ * Per side ascending by Radius; loops of one side are independent in H1(M).
+ * @pre `surface` has passed CheckedSurface().
+ * @throws std::runtime_error or std::invalid_argument with a sentence when TetGen is missing, fails
+ * or takes longer than two minutes; Cancelled. Time and memory: see MeshTetrahedra().
+ */
+VTKISTHMUS_EXPORT std::vector<ConformingGenerator> ConformingGenerators(
+  const TriangleMesh& surface, const ProgressCallback& progress = {});
+
+/**
+ * A loop and membrane of `surface` on the same surface after SplitLongEdges(): each edge of M
+ * becomes the pieces that it was split into. `samples` keeps the surface's points as its first ones.
+ */
+class SplitSurface
+{
+public:
+  VTKISTHMUS_EXPORT SplitSurface(const TriangleMesh& surface, const SurfaceAdjacency& samples);
+
+  VTKISTHMUS_EXPORT Membrane Of(const Membrane& membrane) const;
+
+private:
+  bool IsSplit(SimplexId a, SimplexId b) const;
+  void AddPieces(SimplexId a, SimplexId b, std::vector<SimplexId>& points) const;
+
+  const SurfaceAdjacency& Samples;
+  SurfaceAdjacency Original;
+  std::map<Point3, SimplexId> Added; ///< the points that splitting made
+};
+
+}
+
+#endif

@@ -1,0 +1,182 @@
+#include "AtomSelection.h"
+
+#include "ChemicalElement.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+
+namespace isthmus
+{
+namespace
+{
+
+std::set<std::string> ChainNames(const std::string& list)
+{
+  std::set<std::string> names;
+  for (std::size_t at = 0; at < list.size();)
+  {
+    const std::size_t end = std::min(list.find_first_of(" ,;\t", at), list.size());
+    if (end > at)
+    {
+      names.insert(list.substr(at, end - at));
+    }
+    at = end + 1;
+  }
+  return names;
+}
+
+/// Throws where one of `wanted` is not a chain of the molecule.
+void CheckChains(const Macromolecule& molecule, const std::set<std::string>& wanted)
+{
+  std::set<std::string> there;
+  for (const Atom& atom : molecule.Atoms)
+  {
+    there.insert(atom.Chain.empty() ? "(no name)" : atom.Chain);
+  }
+  for (const std::string& name : wanted)
+  {
+    if (there.count(name) == 0)
+    {
+      std::string list;
+      for (const std::string& other : there)
+      {
+        list += " " + other;
+      }
+      throw std::runtime_error("There is no chain " + name + "; there are:" + list + ".");
+    }
+  }
+}
+
+/// What is known of the alternate locations of one residue.
+struct Locations
+{
+  std::map<char, double> Occupancy; ///< sums, blank left out
+  std::map<std::string, std::map<char, double>> OfAtom;
+  std::set<std::string> ResidueNames;
+
+  char Best() const { return Highest(this->Occupancy); }
+
+  bool Keeps(const Atom& atom) const
+  {
+    const char best = this->Best();
+    if (atom.AltLoc == best || this->ResidueNames.size() > 1)
+    {
+      return atom.AltLoc == best;
+    }
+    const auto& own = this->OfAtom.at(atom.Name);
+    return own.count(best) == 0 && atom.AltLoc == Highest(own);
+  }
+
+private:
+  static char Highest(const std::map<char, double>& sums)
+  {
+    return std::max_element(
+      sums.begin(), sums.end(), [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+  }
+};
+
+class AltLocChoice
+{
+public:
+  AltLocChoice(const Macromolecule& molecule, const std::string& altLoc)
+    : Wanted(altLoc)
+  {
+    bool found = altLoc.empty() || altLoc == "*";
+    for (const Atom& atom : molecule.Atoms)
+    {
+      found = found || altLoc[0] == atom.AltLoc;
+      if (atom.AltLoc != ' ' && altLoc.empty())
+      {
+        const double occupancy = atom.Occupancy > 0.0 ? atom.Occupancy : 0.0;
+        Locations& locations = this->Residues[KeyOf(atom)];
+        locations.Occupancy[atom.AltLoc] += occupancy;
+        locations.OfAtom[atom.Name][atom.AltLoc] += occupancy;
+        locations.ResidueNames.insert(atom.ResidueName);
+      }
+    }
+    if (!found || altLoc.size() > 1)
+    {
+      throw std::runtime_error("No atom has the alternate location " + altLoc +
+        ": give one letter of the file, * for all, or nothing for the most occupied.");
+    }
+  }
+
+  bool Keeps(const Atom& atom) const
+  {
+    if (atom.AltLoc == ' ' || this->Wanted == "*")
+    {
+      return true;
+    }
+    return this->Wanted.empty() ? this->Residues.at(KeyOf(atom)).Keeps(atom)
+                                : this->Wanted[0] == atom.AltLoc;
+  }
+
+private:
+  using Key = std::tuple<std::string, int, char>;
+  static Key KeyOf(const Atom& atom) { return { atom.Chain, atom.ResidueId, atom.InsertionCode }; }
+
+  std::string Wanted;
+  std::map<Key, Locations> Residues;
+};
+
+void KeepAtoms(Macromolecule& molecule, const std::vector<bool>& keep)
+{
+  constexpr std::int64_t gone = -1;
+  std::vector<std::int64_t> place(keep.size(), gone);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < keep.size(); ++i)
+  {
+    if (keep[i])
+    {
+      place[i] = static_cast<std::int64_t>(kept);
+      if (kept != i)
+      {
+        molecule.Atoms[kept] = std::move(molecule.Atoms[i]);
+      }
+      ++kept;
+    }
+  }
+  molecule.Atoms.resize(kept);
+  std::vector<Bond> bonds;
+  for (const Bond& bond : molecule.Bonds)
+  {
+    const std::int64_t a = place[static_cast<std::size_t>(bond.First)];
+    const std::int64_t b = place[static_cast<std::size_t>(bond.Second)];
+    if (a != gone && b != gone)
+    {
+      bonds.push_back({ a, b, bond.FromFile });
+    }
+  }
+  molecule.Bonds = std::move(bonds);
+}
+
+}
+
+void SelectAtoms(Macromolecule& molecule, const MoleculeOptions& options)
+{
+  const std::set<std::string> chains = ChainNames(options.Chains);
+  CheckChains(molecule, chains);
+  const AltLocChoice altLocs(molecule, options.AltLoc);
+  std::vector<bool> keep(molecule.Atoms.size());
+  std::size_t otherLocations = 0;
+  for (std::size_t i = 0; i < keep.size(); ++i)
+  {
+    const Atom& atom = molecule.Atoms[i];
+    const bool kind = IsWater(atom.ResidueName) ? options.Water : options.Hetero || !atom.IsHetero;
+    const bool wanted = kind && (chains.empty() || chains.count(atom.Chain) > 0);
+    keep[i] = wanted && altLocs.Keeps(atom);
+    otherLocations += wanted && !keep[i] ? 1 : 0;
+  }
+  if (otherLocations > 0)
+  {
+    molecule.Notes.emplace_back(
+      "Atoms at other alternate locations, left out: " + std::to_string(otherLocations) + ".");
+  }
+  KeepAtoms(molecule, keep);
+}
+
+}

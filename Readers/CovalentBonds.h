@@ -1,0 +1,36 @@
+/**
+ * @file CovalentBonds.h
+ * @brief Bonds found by distance.
+ */
+#ifndef isthmus_CovalentBonds_h
+#define isthmus_CovalentBonds_h
+
+#include "Macromolecule.h"
+#include "Progress.h"
+#include "vtkIsthmusModule.h"
+
+namespace isthmus
+{
+
+/**
+ * Adds a bond for each pair of atoms with
+ *
+ *   0.4 angstrom < distance < r_1 + r_2 + 0.45 angstrom
+ *
+ * (E. C. Meng, R. A. Lewis, J. Comput. Chem. 12 (1991) 891, with the tolerance of Open Babel, N. M.
+ * O'Boyle et al., J. Cheminform. 3 (2011) 33), where r are the covalent radii of ChemicalElement.h.
+ * Metals and atoms of unknown element get none; neither do two hydrogens, nor atoms of two
+ * different alternate locations. Bonds that are there stay; all come sorted, each once.
+ *
+ * O(n log n) in time for atoms of any density that exists; where more than 1000 would lie in a box
+ * of bond length, none is added, with a warning. Parallel; the result is the same on any number of
+ * threads.
+ */
+VTKISTHMUS_EXPORT void AddCovalentBonds(Macromolecule& molecule, const ProgressCallback& progress);
+
+/// Sorts the bonds and keeps one of each pair, that of the file first.
+VTKISTHMUS_EXPORT void SortBonds(Macromolecule& molecule);
+
+}
+
+#endif

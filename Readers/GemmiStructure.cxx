@@ -1,0 +1,390 @@
+#include "GemmiStructure.h"
+
+#include "PQRFile.h"
+#include "TextLines.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <unordered_map>
+#include <utility>
+
+#include <gemmi/cif.hpp>
+#include <gemmi/mmcif.hpp>
+#include <gemmi/pdb.hpp>
+
+namespace isthmus
+{
+namespace
+{
+
+/// What blank occupancies and B factors are given as to gemmi, which would make 1 and 20 of them.
+constexpr float Blank = 1e38F;
+constexpr const char* BlankText = "  1e38";
+
+/// Thrown on a line whose coordinates are not where PDB has them.
+struct OtherColumns : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// The lines of a PDB file as gemmi asks for them, checked and completed on the way.
+class PDBStream
+{
+public:
+  PDBStream(
+    std::string_view text, const std::string& path, bool cutAt72, const ProgressCallback& progress)
+    : Lines(text, path, progress)
+    , CutAt72(cutAt72)
+  {
+  }
+
+  /// gemmi's contract: at most size - 1 characters, the line end among them; nullptr at the end.
+  char* gets(char* to, int size)
+  {
+    std::string_view next;
+    if (!this->Lines.Next(next))
+    {
+      return nullptr;
+    }
+    this->Line = next.substr(0, this->CutAt72 ? 72 : static_cast<std::size_t>(size - 2));
+    // gemmi's strings end at a zero byte
+    this->Line.erase(std::min(this->Line.find('\0'), this->Line.size()));
+    if (this->Line.compare(0, 6, "HETATM") == 0 || this->Line.compare(0, 4, "ATOM") == 0)
+    {
+      this->CheckAtom();
+    }
+    else if (this->Line.compare(0, 6, "CONECT") == 0)
+    {
+      this->ReadBonds();
+    }
+    else if (this->Line.size() < 80)
+    {
+      // gemmi 0.5.7 keeps SSBOND and LINK lines and reads past the end of short ones.
+      const auto first = static_cast<char>(std::toupper(static_cast<unsigned char>(this->Line[0])));
+      this->Line.resize(first == 'S' || first == 'L' ? 80 : this->Line.size(), ' ');
+    }
+    this->Line += '\n';
+    std::memcpy(to, this->Line.c_str(), this->Line.size() + 1);
+    return to;
+  }
+  int getc() { return '\n'; }
+
+  /// Pairs of serial numbers of CONECT records.
+  std::vector<std::array<int, 2>> Bonded;
+
+private:
+  void CheckAtom()
+  {
+    for (const std::size_t from : { 30, 38, 46 })
+    {
+      double x = 0.0;
+      if (!IsNumber(Columns(this->Line, from, 8), x) || !std::isfinite(x))
+      {
+        throw OtherColumns(this->Lines.Here() + "columns " + std::to_string(from + 1) + " to " +
+          std::to_string(from + 8) +
+          " hold no coordinate (a finite number). Is it a PDB file, and whole?");
+      }
+    }
+    const bool noElement =
+      Columns(this->Line, 76, 2).find_first_not_of("0123456789") == std::string_view::npos;
+    const std::string_view charge = Columns(this->Line, 78, 2);
+    if (noElement && !charge.empty() && charge.find_first_of("+-") == std::string_view::npos)
+    {
+      throw std::runtime_error(this->Lines.Here() + "columns 79-80 hold no charge.");
+    }
+    for (const std::size_t from : { 54, 60 })
+    {
+      if (Columns(this->Line, from, 6).empty())
+      {
+        this->Line.resize(std::max<std::size_t>(this->Line.size(), from + 6), ' ');
+        this->Line.replace(from, 6, BlankText);
+      }
+    }
+  }
+
+  void ReadBonds()
+  {
+    int from = 0;
+    int to = 0;
+    if (!IsNumber(Columns(this->Line, 6, 5), from))
+    {
+      return;
+    }
+    for (std::size_t at = 11; at < 31; at += 5)
+    {
+      if (IsNumber(Columns(this->Line, at, 5), to))
+      {
+        this->Bonded.push_back({ from, to });
+      }
+    }
+  }
+
+  TextLines Lines;
+  bool CutAt72;
+  std::string Line;
+};
+
+[[noreturn]] void Fail(const std::string& path, const char* format, const std::exception& error)
+{
+  std::string reason = error.what();
+  std::replace(reason.begin(), reason.end(), '\n', ' ');
+  throw std::runtime_error(path + ": this can't be read as " + format + " (" + reason +
+    "). Is the file whole, and what its name says?");
+}
+
+double KnownOrNot(float value)
+{
+  return value == Blank ? Atom::Unknown : static_cast<double>(value);
+}
+
+/// Rounded where gemmi keeps floats, so that 0.7 is 0.7 again in double.
+double Decimal(float value)
+{
+  const double known = KnownOrNot(value);
+  const double rounded = std::round(known * 1e5) / 1e5;
+  return static_cast<float>(rounded) == value ? rounded : known;
+}
+
+Atom AtomOf(const gemmi::Chain& chain, const gemmi::Residue& residue, const gemmi::Atom& from)
+{
+  Atom atom;
+  atom.Position = { from.pos.x, from.pos.y, from.pos.z };
+  atom.Charge = from.charge == 0 ? Atom::Unknown : from.charge;
+  atom.BFactor = Decimal(from.b_iso);
+  atom.Occupancy = Decimal(from.occ);
+  atom.Name = from.name;
+  atom.ResidueName = residue.name;
+  atom.Chain = chain.name;
+  atom.ResidueId = residue.seqid.num.has_value() ? *residue.seqid.num : 0;
+  atom.Serial = from.serial;
+  atom.Element = from.element == gemmi::El::D ? 1 : from.element.ordinal();
+  atom.InsertionCode = residue.seqid.icode;
+  atom.AltLoc = from.altloc_or(' ');
+  atom.IsHetero = residue.het_flag == 'H';
+  return atom;
+}
+
+void AddBond(Macromolecule& molecule, std::int64_t a, std::int64_t b)
+{
+  if (a != b)
+  {
+    molecule.Bonds.push_back({ std::min(a, b), std::max(a, b), true });
+  }
+}
+
+/// Copies one model and the connections that gemmi knows.
+Macromolecule Flatten(const gemmi::Structure& structure, std::int64_t wanted)
+{
+  Macromolecule molecule;
+  molecule.NumberOfModels = static_cast<std::int64_t>(structure.models.size());
+  if (wanted < 0 || wanted >= molecule.NumberOfModels)
+  {
+    return molecule;
+  }
+  const gemmi::Model& model = structure.models[static_cast<std::size_t>(wanted)];
+  std::unordered_map<const gemmi::Atom*, std::int64_t> place;
+  for (const gemmi::Chain& chain : model.chains)
+  {
+    for (const gemmi::Residue& residue : chain.residues)
+    {
+      for (const gemmi::Atom& atom : residue.atoms)
+      {
+        if (!structure.connections.empty())
+        {
+          place.emplace(&atom, static_cast<std::int64_t>(molecule.Atoms.size()));
+        }
+        molecule.Atoms.push_back(AtomOf(chain, residue, atom));
+      }
+    }
+  }
+  for (const gemmi::Connection& connection : structure.connections)
+  {
+    if (connection.type == gemmi::Connection::Hydrog || connection.asu == gemmi::Asu::Different)
+    {
+      continue;
+    }
+    const auto first = place.find(model.find_cra(connection.partner1, true).atom);
+    const auto second = place.find(model.find_cra(connection.partner2, true).atom);
+    if (first != place.end() && second != place.end())
+    {
+      AddBond(molecule, first->second, second->second);
+    }
+  }
+  return molecule;
+}
+
+void AddConect(const std::vector<std::array<int, 2>>& bonded, Macromolecule& molecule)
+{
+  if (bonded.empty())
+  {
+    return;
+  }
+  std::unordered_map<int, std::int64_t> place;
+  for (const Atom& atom : molecule.Atoms)
+  {
+    if (!place.emplace(atom.Serial, static_cast<std::int64_t>(place.size())).second)
+    {
+      molecule.Notes.emplace_back("Serial number " + std::to_string(atom.Serial) +
+        " comes more than once, so the CONECT records are ambiguous: they were left out.");
+      return;
+    }
+  }
+  std::size_t missing = 0;
+  for (const auto& pair : bonded)
+  {
+    const auto first = place.find(pair[0]);
+    const auto second = place.find(pair[1]);
+    if (first == place.end() || second == place.end())
+    {
+      ++missing;
+      continue;
+    }
+    AddBond(molecule, first->second, second->second);
+  }
+  if (missing > 0)
+  {
+    molecule.Notes.emplace_back(std::to_string(missing) +
+      " bonds of CONECT records name atoms that this model has not: they were left out.");
+  }
+}
+
+Macromolecule TryPDB(std::string_view text, const std::string& path, bool cutAt72,
+  std::int64_t model, const ProgressCallback& progress)
+{
+  PDBStream stream(text, path, cutAt72, progress);
+  const gemmi::Structure structure =
+    gemmi::pdb_impl::read_pdb_from_stream(stream, path, gemmi::PdbReadOptions());
+  Macromolecule molecule = Flatten(structure, model);
+  AddConect(stream.Bonded, molecule);
+  return molecule;
+}
+
+/// Asks whether to go on, but reports nothing.
+ProgressCallback AbortOnly(const ProgressCallback& progress)
+{
+  return progress ? [progress](double) { return progress(0.6); } : ProgressCallback();
+}
+
+/// Some programs, APBS among them, separate the values by blanks wherever the columns are.
+Macromolecule PDBInWords(std::string_view text, const std::string& path, std::int64_t model,
+  const OtherColumns& first, const ProgressCallback& progress)
+{
+  Macromolecule molecule;
+  try
+  {
+    molecule = ParsePQR(text, path, model, progress);
+  }
+  catch (const Cancelled&)
+  {
+    throw;
+  }
+  catch (const std::runtime_error&)
+  {
+    throw first;
+  }
+  for (Atom& atom : molecule.Atoms)
+  {
+    atom.Occupancy = std::exchange(atom.Charge, Atom::Unknown);
+    atom.BFactor = std::exchange(atom.Radius, Atom::Unknown);
+  }
+  molecule.Warnings.emplace_back(
+    "The values are not in the columns of a PDB file: read by the blanks between them.");
+  return molecule;
+}
+
+Macromolecule PDBWithoutOldColumns(std::string_view text, const std::string& path,
+  std::int64_t model, const std::runtime_error& first, const ProgressCallback& progress)
+{
+  try
+  {
+    Macromolecule molecule = TryPDB(text, path, true, model, progress);
+    molecule.Warnings.emplace_back("Columns 73-80 hold something else than segment, element and "
+                                   "charge, as in old PDB files: read without them.");
+    return molecule;
+  }
+  catch (const Cancelled&)
+  {
+    throw;
+  }
+  catch (const std::runtime_error&)
+  {
+    // The first reason is the one to tell: it was found in the file as it is.
+    Fail(path, "PDB", first);
+  }
+}
+
+/// Gives unknown values of a column a number by which they are found again.
+void MarkBlanks(gemmi::cif::Block& block, const char* tag)
+{
+  for (std::string& value : block.find_values(tag))
+  {
+    if (gemmi::cif::is_null(value))
+    {
+      value = BlankText + 2;
+    }
+  }
+}
+
+}
+
+Macromolecule ParsePDB(std::string_view text, const std::string& path, std::int64_t model,
+  const ProgressCallback& progress)
+{
+  // Each further way is tried without progress from the start again, which would not be monotone.
+  const ProgressCallback stopOnly = AbortOnly(progress);
+  try
+  {
+    return TryPDB(text, path, false, model, progress);
+  }
+  catch (const Cancelled&)
+  {
+    throw;
+  }
+  catch (const OtherColumns& error)
+  {
+    return PDBInWords(text, path, model, error, stopOnly);
+  }
+  catch (const std::runtime_error& error)
+  {
+    return PDBWithoutOldColumns(text, path, model, error, stopOnly);
+  }
+}
+
+Macromolecule ParseMMCIF(std::string_view text, const std::string& path, std::int64_t model,
+  const ProgressCallback& progress)
+{
+  Macromolecule molecule;
+  try
+  {
+    gemmi::cif::Document document = gemmi::cif::read_memory(text.data(), text.size(), path.c_str());
+    Report(progress, 0.5);
+    for (gemmi::cif::Block& block : document.blocks)
+    {
+      MarkBlanks(block, "_atom_site.occupancy");
+      MarkBlanks(block, "_atom_site.B_iso_or_equiv");
+    }
+    molecule = Flatten(gemmi::make_structure(document), model);
+  }
+  catch (const Cancelled&)
+  {
+    throw;
+  }
+  catch (const std::exception& error)
+  {
+    Fail(path, "mmCIF", error);
+  }
+  for (const Atom& atom : molecule.Atoms)
+  {
+    if (!std::isfinite(atom.Position[0] + atom.Position[1] + atom.Position[2]))
+    {
+      throw std::runtime_error(
+        path + ": a coordinate of " + Describe(atom) + " is no finite number. Is the file whole?");
+    }
+  }
+  return molecule;
+}
+
+}

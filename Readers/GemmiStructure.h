@@ -1,0 +1,40 @@
+/**
+ * @file GemmiStructure.h
+ * @brief Atoms from PDB and mmCIF files, by gemmi.
+ *
+ * gemmi (M. Wojdyr, J. Open Source Softw. 7 (2022) 4200) reads wwPDB's format 3.3, hybrid-36
+ * numbers and PDBx/mmCIF. Around it, what it leaves out: coordinates that are no numbers are
+ * refused, occupancies and B factors that are blank are unknown (not 1 and 20), CONECT records are
+ * bonds, old files with text in columns 73-80 are read without those columns, and files whose
+ * values stand elsewhere than in PDB's columns are read by the blanks between them; both with a
+ * warning.
+ */
+#ifndef isthmus_GemmiStructure_h
+#define isthmus_GemmiStructure_h
+
+#include "Macromolecule.h"
+#include "Progress.h"
+#include "vtkIsthmusModule.h"
+
+#include <string>
+#include <string_view>
+
+namespace isthmus
+{
+
+/**
+ * The atoms of model `model` (from 0) in gemmi's order: that of the file, except that atoms of one
+ * residue come together. Bonds are those of CONECT, SSBOND and LINK within the asymmetric unit;
+ * charges are formal ones, where the file gives any other than 0. Radii are not set. Throws
+ * std::runtime_error with file and reason. Time and memory O(bytes).
+ */
+VTKISTHMUS_EXPORT Macromolecule ParsePDB(std::string_view text, const std::string& path,
+  std::int64_t model, const ProgressCallback& progress);
+
+/// The same for mmCIF; bonds are those of struct_conn, hydrogen bonds left out.
+VTKISTHMUS_EXPORT Macromolecule ParseMMCIF(std::string_view text, const std::string& path,
+  std::int64_t model, const ProgressCallback& progress);
+
+}
+
+#endif

@@ -1,0 +1,73 @@
+/**
+ * @file Macromolecule.h
+ * @brief The atoms and bonds of a molecule, as a file names them.
+ */
+#ifndef isthmus_Macromolecule_h
+#define isthmus_Macromolecule_h
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace isthmus
+{
+
+/// One atom. What a file does not give is NaN, 0 or empty, as each member says.
+struct Atom
+{
+  static constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
+
+  std::array<double, 3> Position{ 0.0, 0.0, 0.0 }; ///< angstrom
+  double Radius = Unknown;                         ///< angstrom
+  double Charge = Unknown;                         ///< e
+  double BFactor = Unknown;                        ///< angstrom^2
+  double Occupancy = Unknown;
+  std::string Name;        ///< "CA"
+  std::string ResidueName; ///< "LYS"
+  std::string Chain;       ///< the authors' name, empty if none
+  int ResidueId = 0;       ///< the authors' number
+  int Serial = 0;          ///< number in the file
+  int Element = 0;         ///< atomic number, 0: unknown
+  char InsertionCode = ' ';
+  char AltLoc = ' '; ///< alternate location, blank: the only one
+  bool IsHetero = false;
+};
+
+/// A bond between two atoms, by their places in the list of atoms; First < Second.
+struct Bond
+{
+  std::int64_t First;
+  std::int64_t Second;
+  bool FromFile; ///< named by the file; else found by distance
+};
+
+/// One model of a file. Notes are sentences worth reading, warnings are sentences worth showing.
+struct Macromolecule
+{
+  std::vector<Atom> Atoms;
+  std::vector<Bond> Bonds;
+  std::int64_t NumberOfModels = 0; ///< in the file
+  std::vector<std::string> Notes;
+  std::vector<std::string> Warnings;
+};
+
+/// "FE of HEM 142 A", for sentences.
+inline std::string Describe(const Atom& atom)
+{
+  if (atom.ResidueName.empty())
+  {
+    return atom.Name;
+  }
+  std::string text = atom.Name + " of " + atom.ResidueName + " " + std::to_string(atom.ResidueId);
+  if (atom.InsertionCode != ' ')
+  {
+    text += atom.InsertionCode;
+  }
+  return atom.Chain.empty() ? text : text + " " + atom.Chain;
+}
+
+}
+
+#endif

@@ -1,0 +1,63 @@
+/**
+ * @file MacromoleculeReader.h
+ * @brief Reads molecules from PDB, mmCIF, PQR and XYZ files, plain or compressed.
+ *
+ * The formats are described in GemmiStructure.h, PQRFile.h and XYZFile.h.
+ */
+#ifndef isthmus_MacromoleculeReader_h
+#define isthmus_MacromoleculeReader_h
+
+#include "ChemicalElement.h"
+#include "Macromolecule.h"
+#include "Progress.h"
+#include "vtkIsthmusModule.h"
+
+#include <string>
+
+namespace isthmus
+{
+
+enum class MoleculeFormat
+{
+  ByName, ///< from the file's extension (.gz and .bz2 left out), else from its first lines
+  PDB,
+  MMCIF,
+  PQR,
+  XYZ
+};
+
+/// Which atoms to read, and what to add to them.
+struct MoleculeOptions
+{
+  MoleculeFormat Format = MoleculeFormat::ByName;
+  std::int64_t Model = 0; ///< from 0, in the order of the file
+  std::string Chains;     ///< names between blanks or commas; empty: all
+  /// Empty: of each residue the location with the highest occupancy; "*": all; else that letter.
+  std::string AltLoc;
+  bool Hetero = true; ///< HETATM atoms, water aside
+  bool Water = true;
+  RadiusTable Radii = RadiusTable::Bondi;
+  bool BondsByDistance = true;
+};
+
+/**
+ * Reads one model. Radii are those of the file (PQR) or of the table; atoms without are NaN and
+ * named in a warning. Bonds are those of the file and, when asked for, those by distance
+ * (CovalentBonds.h). Throws std::runtime_error with a sentence for a file that is missing, damaged
+ * or foreign, without any atom, or without the model or chain that was asked for; Cancelled.
+ *
+ * Time O(bytes + n log n); memory: the text and about 250 bytes an atom.
+ */
+VTKISTHMUS_EXPORT Macromolecule ReadMacromolecule(
+  const std::string& path, const MoleculeOptions& options, const ProgressCallback& progress = {});
+
+/// The same from a text in memory, whose format must be named; `path` is for the sentences.
+VTKISTHMUS_EXPORT Macromolecule ParseMacromolecule(std::string_view text, const std::string& path,
+  const MoleculeOptions& options, const ProgressCallback& progress = {});
+
+/// Is the file there, named as one of the formats, and does it begin with text?
+VTKISTHMUS_EXPORT bool LooksLikeMolecule(const std::string& path);
+
+}
+
+#endif

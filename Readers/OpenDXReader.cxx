@@ -1,0 +1,404 @@
+#include "OpenDXReader.h"
+
+#include "MRCError.h"
+#include "NumberTypes.h"
+#include "ParallelFor.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace isthmus
+{
+namespace
+{
+
+/// A number of the file's binary form, in this machine's byte order, as T.
+template <typename Stored, typename T>
+void Decode(const unsigned char* bytes, bool swap, std::int64_t count, T* values)
+{
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    std::array<unsigned char, sizeof(Stored)> one;
+    std::memcpy(one.data(), bytes + i * static_cast<std::int64_t>(sizeof(Stored)), sizeof(Stored));
+    if (swap)
+    {
+      std::reverse(one.begin(), one.end());
+    }
+    Stored value;
+    std::memcpy(&value, one.data(), sizeof(Stored));
+    values[i] = static_cast<T>(value);
+  }
+}
+
+}
+
+OpenDXReader::OpenDXReader(const std::string& path, int index, const ProgressCallback& progress)
+  : Source(OpenByteSource(path))
+  , Text(*this->Source)
+{
+  this->Word = this->Text.Word();
+  if (this->Word != "object")
+  {
+    throw MRCError(MRCFailure::NotAMap,
+      path + ": this is no OpenDX file: it begins with '" + this->Word.substr(0, 40) +
+        "', not with the word object.");
+  }
+  for (int array = 0; this->NextArray(); ++array)
+  {
+    this->CheckArray();
+    this->CheckPromisedSize(progress);
+    if (array == index)
+    {
+      return;
+    }
+    this->SkipValues(progress);
+    this->Word = this->Text.Word();
+  }
+  throw MRCError(index == 0 ? MRCFailure::Damaged : MRCFailure::BadRequest,
+    path + ": there is no array of values number " + std::to_string(index) +
+      " (counted from 0) in the file. Choose another FieldIndex, or fetch the file again.");
+}
+
+bool OpenDXReader::NextArray()
+{
+  while (!this->Word.empty())
+  {
+    if (this->Word != "object")
+    {
+      this->Word = this->Text.Word(); // attributes, components: of no use before the values
+      continue;
+    }
+    this->ReadObject();
+    if (this->Word == "gridpositions")
+    {
+      this->ReadPositions();
+    }
+    else if (this->Word == "array")
+    {
+      this->ReadArrayHeader();
+      return true;
+    }
+    else if (this->Word == "regulararray" || this->Word == "product" || this->Word == "path")
+    {
+      this->Text.Refuse("positions of class " + this->Word +
+        " are not read: write the grid as gridpositions with counts, origin and deltas.");
+    }
+    else
+    {
+      this->Word = this->Text.Word();
+    }
+  }
+  return false;
+}
+
+void OpenDXReader::ReadObject()
+{
+  this->ObjectName = this->Text.Word();
+  this->Word = this->Text.Word();
+  if (this->Word != "class")
+  {
+    this->Text.Refuse("an object should have a name or number and a class, but '" + this->Word +
+      "' stands where class should.");
+  }
+  this->Word = this->Text.Word();
+}
+
+void OpenDXReader::ReadPositions()
+{
+  MRCLattice grid;
+  this->Word = this->Text.Word();
+  if (this->Word != "counts")
+  {
+    this->Text.Refuse("the grid should have its counts, not '" + this->Word + "'.");
+  }
+  for (std::int64_t& count : grid.Dimensions)
+  {
+    count = this->Text.Whole("a count of the grid");
+    if (count < 1 || count > std::numeric_limits<int>::max())
+    {
+      this->Text.Refuse("a count of the grid is " + std::to_string(count) +
+        ", but should be between 1 and 2147483647.");
+    }
+  }
+  this->Word = this->Text.Word();
+  if (this->Word == "origin")
+  {
+    for (double& position : grid.Origin)
+    {
+      position = this->Text.Number("a coordinate of the origin");
+    }
+    this->Word = this->Text.Word();
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (this->Word != "delta")
+    {
+      this->Text.Refuse(
+        "three rows of delta should follow, but '" + this->Word + "' stands where one should.");
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      grid.Steps[i][axis] = this->Text.Number("a delta");
+    }
+    this->Word = this->Text.Word();
+  }
+  const std::array<double, 3> spacing = grid.Spacing();
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    if (!(spacing[a] > 0.0) || !std::isfinite(spacing[a]) || !std::isfinite(grid.Origin[a]))
+    {
+      this->Text.Refuse("origin and deltas should be finite, and no delta of length zero.");
+    }
+  }
+  const Matrix3& m = grid.Steps;
+  const double volume = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+    m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+    m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+  if (!(std::abs(volume / (spacing[0] * spacing[1] * spacing[2])) > 1e-6))
+  {
+    this->Text.Refuse("the three deltas lie in one plane, so they span no grid.");
+  }
+  this->Grid = grid;
+  this->HasGrid = true;
+}
+
+void OpenDXReader::ReadArrayType()
+{
+  this->Word = this->Text.Word();
+  if (this->Word == "signed" || this->Word == "unsigned")
+  {
+    this->Word = this->Text.Word();
+  }
+  this->Values.Single = this->Word == "float";
+  this->Values.Whole = this->Word == "int";
+  this->Values.ItemBytes = this->Word == "double" ? 8 : 4;
+  if (!this->Values.Single && !this->Values.Whole && this->Word != "double")
+  {
+    this->Text.Refuse(
+      "values of type " + this->Word + " are not read, only float, double and int.");
+  }
+}
+
+void OpenDXReader::ReadArrayHeader()
+{
+  this->Values = OpenDXArray();
+  this->Values.Single = true; // OpenDX' default
+  this->Values.ItemBytes = 4;
+  bool bigEndian = !IsLittleEndian();
+  for (this->Word = this->Text.Word(); this->Word != "follows"; this->Word = this->Text.Word())
+  {
+    if (this->Word == "type")
+    {
+      this->ReadArrayType();
+    }
+    else if (this->Word == "rank")
+    {
+      if (this->Text.Whole("the rank") > 1)
+      {
+        this->Text.Refuse("values of rank 2 and more (matrices) are not read.");
+      }
+    }
+    else if (this->Word == "shape")
+    {
+      const std::int64_t shape = this->Text.Whole("the shape");
+      this->Values.Components = static_cast<int>(std::clamp<std::int64_t>(shape, 0, 1000));
+    }
+    else if (this->Word == "items")
+    {
+      this->Values.Items = this->Text.Whole("the number of items");
+    }
+    else if (this->Word == "lsb" || this->Word == "msb")
+    {
+      bigEndian = this->Word == "msb";
+      this->Values.Binary = true;
+    }
+    else if (this->Word == "binary" || this->Word == "ieee")
+    {
+      this->Values.Binary = true;
+    }
+    else if (this->Word == "text" || this->Word == "ascii")
+    {
+      this->Values.Binary = false;
+    }
+    else if (this->Word != "data" && this->Word != "category" && this->Word != "real")
+    {
+      this->Text.Refuse(this->Word.empty()
+          ? std::string("the file ends within the description of an array.")
+          : "'" + this->Word +
+            "' is not understood in the description of an array: its values "
+            "should follow in this file, as text or IEEE numbers.");
+    }
+  }
+  this->Values.Swap = bigEndian == IsLittleEndian();
+}
+
+void OpenDXReader::CheckArray() const
+{
+  if (!this->HasGrid)
+  {
+    this->Text.Refuse("values come before the grid (gridpositions) that they lie on.");
+  }
+  std::int64_t nodes = 1;
+  for (const std::int64_t count : this->Grid.Dimensions)
+  {
+    if (__builtin_mul_overflow(nodes, count, &nodes))
+    {
+      this->Text.Refuse("the grid has more nodes than 64 bits can count.");
+    }
+  }
+  if (this->Values.Items != nodes)
+  {
+    this->Text.Refuse("the array has " + std::to_string(this->Values.Items) +
+      " items, but the grid has " + std::to_string(nodes) + " nodes.");
+  }
+  if (this->Values.Components < 1 || nodes > std::numeric_limits<std::int64_t>::max() / 16000)
+  {
+    this->Text.Refuse("the shape of the array should be 1 to 1000 numbers for each node of a grid "
+                      "that memory can hold.");
+  }
+}
+
+void OpenDXReader::CheckPromisedSize(const ProgressCallback& progress)
+{
+  constexpr std::uint64_t harmless = std::uint64_t{ 1 } << 25;
+  constexpr std::uint64_t usual = 32; // times that gzip shrinks such text; more is rare
+  const auto numbers = static_cast<std::uint64_t>(this->Values.Items) *
+    static_cast<std::uint64_t>(this->Values.Components);
+  const std::uint64_t least = this->Values.Binary ? numbers * this->Values.ItemBytes : 2 * numbers;
+  std::uint64_t most = this->Source->MostBytes();
+  if (least <= most && !this->Source->RandomAccess() &&
+    least > std::max(harmless, usual * this->Source->FileSize()))
+  {
+    most = this->Source->CountUpTo(least, progress);
+  }
+  if (least > most + 1) // the last number of a text may end the file
+  {
+    throw MRCError(MRCFailure::Truncated,
+      this->Source->Path() + ": the file is truncated or its counts lie: " +
+        std::to_string(numbers) + " values need " + std::to_string(least) +
+        " bytes, and it has at most " + std::to_string(most) + ". Fetch the file again.");
+  }
+}
+
+template <typename T>
+void OpenDXReader::ReadNumbers(T* values, std::int64_t count)
+{
+  if (!this->Values.Binary)
+  {
+    this->Text.Numbers(values, count);
+    return;
+  }
+  const std::size_t each = this->Values.ItemBytes;
+  std::vector<unsigned char> bytes(static_cast<std::size_t>(count) * each);
+  this->Text.Bytes(bytes.data(), bytes.size());
+  if (this->Values.Whole)
+  {
+    Decode<std::int32_t>(bytes.data(), this->Values.Swap, count, values);
+  }
+  else if (this->Values.Single)
+  {
+    Decode<float>(bytes.data(), this->Values.Swap, count, values);
+  }
+  else
+  {
+    Decode<double>(bytes.data(), this->Values.Swap, count, values);
+  }
+}
+
+void OpenDXReader::SkipValues(const ProgressCallback& progress)
+{
+  NodeBox nothing{ 0, -1, 0, -1, 0, -1 };
+  this->Read<double>(nothing, nullptr, progress);
+}
+
+template <typename T>
+void OpenDXReader::Read(const NodeBox& box, T* out, const ProgressCallback& progress)
+{
+  if (this->Values.Binary)
+  {
+    this->Text.EndLine();
+  }
+  const auto& n = this->Grid.Dimensions;
+  const std::int64_t components = this->Values.Components;
+  const std::int64_t plane = n[1] * n[2] * components;
+  // Enough planes that whole cache lines of the output are written at once.
+  const std::int64_t thick = std::clamp<std::int64_t>((1 << 21) / plane, 1, n[0]);
+  std::vector<T> values(static_cast<std::size_t>(thick * plane));
+  const std::int64_t nx = box[1] - box[0] + 1;
+  const std::int64_t ny = box[3] - box[2] + 1;
+  for (std::int64_t first = 0; first < n[0]; first += thick)
+  {
+    const std::int64_t planes = std::min(thick, n[0] - first);
+    this->ReadNumbers(values.data(), planes * plane);
+    const std::int64_t low = std::max(first, box[0]);
+    const std::int64_t high = std::min(first + planes - 1, box[1]);
+    const auto copy = [&](std::int64_t beginZ, std::int64_t endZ)
+    {
+      for (std::int64_t k = beginZ; k < endZ; ++k)
+      {
+        for (std::int64_t j = box[2]; j <= box[3]; ++j)
+        {
+          T* to = out + (low - box[0] + nx * (j - box[2] + ny * (k - box[4]))) * components;
+          const T* from = values.data() + (low - first) * plane + (j * n[2] + k) * components;
+          for (std::int64_t i = low; i <= high; ++i, from += plane, to += components)
+          {
+            std::copy_n(from, components, to);
+          }
+        }
+      }
+    };
+    ParallelFor(box[4], low <= high ? box[5] + 1 : box[4], 8, copy);
+    Report(progress, static_cast<double>(first + planes) / static_cast<double>(n[0]));
+  }
+}
+
+template void OpenDXReader::Read(const NodeBox&, float*, const ProgressCallback&);
+template void OpenDXReader::Read(const NodeBox&, double*, const ProgressCallback&);
+
+void OpenDXReader::ReadRest()
+{
+  this->Word = this->Text.Word();
+  double value;
+  if (FromText(std::string_view(this->Word), value))
+  {
+    this->Text.Refuse("there are more values than the " + std::to_string(this->Values.Items) +
+      " items that the array promises.");
+  }
+  for (; !this->Word.empty(); this->Word = this->Text.Word())
+  {
+    if (this->Word == "object")
+    {
+      this->ReadObject();
+      if (this->Word == "field")
+      {
+        this->Name = this->ObjectName;
+      }
+      if (this->Word == "field" || this->Word == "array")
+      {
+        break; // what follows belongs to other fields
+      }
+    }
+  }
+  if (this->Word.empty())
+  {
+    this->Source->CheckEnd();
+  }
+}
+
+bool LooksLikeOpenDXFile(const std::string& path)
+{
+  try
+  {
+    const std::unique_ptr<ByteSource> source = OpenByteSource(path);
+    return OpenDXText(*source).Word() == "object";
+  }
+  catch (const std::exception&)
+  {
+    return false;
+  }
+}
+
+}

@@ -1,0 +1,241 @@
+#include "OpenDXText.h"
+
+#include "MRCError.h"
+#include "NumberTypes.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace isthmus
+{
+namespace
+{
+
+constexpr std::size_t bufferBytes = std::size_t{ 1 } << 20;
+constexpr std::size_t longestWord = 1024;
+constexpr std::size_t mostComments = 100;
+
+bool IsBlank(char c)
+{
+  return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == ',' || c == '\f' || c == '\v';
+}
+
+/// A plus before a number is no part of one for from_chars.
+const char* BehindPlus(const char* begin, const char* end)
+{
+  return begin + 1 < end && *begin == '+' && begin[1] != '-' ? begin + 1 : begin;
+}
+
+}
+
+OpenDXText::OpenDXText(ByteSource& source)
+  : Source(source)
+  , Buffer(bufferBytes)
+{
+  this->Next = this->End = this->Buffer.data();
+}
+
+void OpenDXText::Refuse(const std::string& sentence) const
+{
+  throw MRCError(MRCFailure::Damaged,
+    this->Source.Path() + ", line " + std::to_string(this->Line) + ": " + sentence);
+}
+
+bool OpenDXText::Refill()
+{
+  const auto left = static_cast<std::size_t>(this->End - this->Next);
+  std::memmove(this->Buffer.data(), this->Next, left);
+  const std::size_t got =
+    this->Source.Read(this->Position, this->Buffer.data() + left, this->Buffer.size() - left);
+  this->Position += got;
+  this->Next = this->Buffer.data();
+  this->End = this->Next + left + got;
+  return got > 0;
+}
+
+void OpenDXText::SkipComment()
+{
+  std::string comment;
+  for (++this->Next; this->Next != this->End || this->Refill(); ++this->Next)
+  {
+    if (*this->Next == '\n')
+    {
+      break;
+    }
+    if (comment.size() < longestWord)
+    {
+      comment += *this->Next;
+    }
+  }
+  const std::size_t first = comment.find_first_not_of(" \t\r");
+  if (first != std::string::npos && this->Notes.size() < mostComments)
+  {
+    this->Notes.push_back(comment.substr(first, comment.find_last_not_of(" \t\r") + 1 - first));
+  }
+}
+
+bool OpenDXText::SkipToWord()
+{
+  while (this->Next != this->End || this->Refill())
+  {
+    if (*this->Next == '#')
+    {
+      this->SkipComment();
+    }
+    else if (IsBlank(*this->Next))
+    {
+      this->Line += *this->Next == '\n' ? 1 : 0;
+      ++this->Next;
+    }
+    else
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::string_view OpenDXText::Word()
+{
+  if (!this->SkipToWord())
+  {
+    return {};
+  }
+  if (static_cast<std::size_t>(this->End - this->Next) < longestWord + 2)
+  {
+    this->Refill();
+  }
+  const char* const last = std::min(this->End, this->Next + longestWord + 1);
+  if (*this->Next == '"')
+  {
+    const char* const close = std::find(this->Next + 1, last, '"');
+    if (close == last)
+    {
+      this->Refuse("a text in quotes has no end. Fetch or write the file again.");
+    }
+    this->Quoted.assign(this->Next + 1, close);
+    this->Line += std::count(this->Next, close, '\n');
+    this->Next = close + 1;
+    return this->Quoted.empty() ? std::string_view("\"\"") : std::string_view(this->Quoted);
+  }
+  const char* const begin = this->Next;
+  const char* const end = std::find_if(begin, last, [](char c) { return IsBlank(c); });
+  if (end == begin + longestWord + 1)
+  {
+    this->Refuse("a word of more than 1024 characters: this is no OpenDX text.");
+  }
+  this->Next = end;
+  return { begin, static_cast<std::size_t>(end - begin) };
+}
+
+std::int64_t OpenDXText::Whole(const char* what)
+{
+  const std::string_view word = this->Word();
+  std::int64_t value = 0;
+  if (!FromText(word, value))
+  {
+    this->Refuse(
+      std::string(what) + " should be a whole number, but is '" + std::string(word) + "'.");
+  }
+  return value;
+}
+
+double OpenDXText::Number(const char* what)
+{
+  return this->SlowNumber<double>(what);
+}
+
+template <typename T>
+T OpenDXText::SlowNumber(const char* what)
+{
+  const std::string_view word = this->Word();
+  if (word.empty())
+  {
+    throw MRCError(MRCFailure::Truncated,
+      this->Source.Path() + ": the file ends at line " + std::to_string(this->Line) + " before " +
+        what + ". It is truncated or not all there; fetch or write it again.");
+  }
+  const char* const end = word.data() + word.size();
+  T value{};
+  const auto result = std::from_chars(BehindPlus(word.data(), end), end, value);
+  if (result.ec == std::errc::result_out_of_range && result.ptr == end)
+  {
+    // Too small is zero, as strtod has it; too large has no value.
+    if (word.find("e-") != word.npos || word.find("E-") != word.npos)
+    {
+      return T(0);
+    }
+    this->Refuse(std::string(word) + " is too large a number for " + what + ".");
+  }
+  if (result.ec != std::errc() || result.ptr != end)
+  {
+    this->Refuse(std::string(what) + " should be a number, but is '" + std::string(word) + "'.");
+  }
+  return value;
+}
+
+template <typename T>
+void OpenDXText::Numbers(T* values, std::int64_t count)
+{
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    if (!this->SkipToWord())
+    {
+      this->SlowNumber<T>("the last of its values"); // throws
+    }
+    if (static_cast<std::size_t>(this->End - this->Next) < longestWord)
+    {
+      this->Refill();
+    }
+    const auto result = std::from_chars(BehindPlus(this->Next, this->End), this->End, values[i]);
+    if (result.ec == std::errc() && (result.ptr == this->End || IsBlank(*result.ptr)))
+    {
+      this->Next = result.ptr;
+    }
+    else
+    {
+      values[i] = this->SlowNumber<T>("a value");
+    }
+  }
+}
+
+template void OpenDXText::Numbers(float*, std::int64_t);
+template void OpenDXText::Numbers(double*, std::int64_t);
+
+void OpenDXText::EndLine()
+{
+  while (this->Next != this->End || this->Refill())
+  {
+    const char c = *this->Next;
+    if (!IsBlank(c))
+    {
+      this->Refuse("raw bytes should begin on a line of their own.");
+    }
+    ++this->Next;
+    if (c == '\n')
+    {
+      ++this->Line;
+      return;
+    }
+  }
+}
+
+void OpenDXText::Bytes(unsigned char* to, std::size_t count)
+{
+  while (count > 0)
+  {
+    if (this->Next == this->End && !this->Refill())
+    {
+      throw MRCError(MRCFailure::Truncated,
+        this->Source.Path() + ": the file ends " + std::to_string(count) +
+          " bytes before the last of its values. Fetch or write it again.");
+    }
+    const std::size_t part = std::min(count, static_cast<std::size_t>(this->End - this->Next));
+    std::memcpy(to, this->Next, part);
+    this->Next += part;
+    to += part;
+    count -= part;
+  }
+}
+
+}

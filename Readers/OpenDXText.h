@@ -1,0 +1,71 @@
+/**
+ * @file OpenDXText.h
+ * @brief Words, numbers and raw bytes of an OpenDX file, read from front to back.
+ */
+#ifndef isthmus_OpenDXText_h
+#define isthmus_OpenDXText_h
+
+#include "ByteSource.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isthmus
+{
+
+/**
+ * White space and commas separate words; a text in double quotes is one word, without its quotes;
+ * from # to the end of the line is a comment.
+ *
+ * Memory: a buffer of 1 MiB, however large the file. Everything throws MRCError with the path and
+ * the line for what can't be read.
+ */
+class OpenDXText
+{
+public:
+  explicit OpenDXText(ByteSource& source);
+
+  /// The next word, empty at the end of the file; it is valid until the next call of any kind.
+  std::string_view Word();
+
+  /// The next word as a number. `what` names it in the sentence when it is none.
+  std::int64_t Whole(const char* what);
+  double Number(const char* what);
+
+  /// The next `count` numbers into `values`, T float or double, each the nearest that T has.
+  template <typename T>
+  void Numbers(T* values, std::int64_t count);
+
+  /// The rest of this line, when it is blank, and after it `count` raw bytes into `to`.
+  void EndLine();
+  void Bytes(unsigned char* to, std::size_t count);
+
+  /// Up to 100 comments so far, without their # and blanks around them.
+  const std::vector<std::string>& Comments() const { return this->Notes; }
+
+  /// Throws MRCError (Damaged): path, line, `sentence`.
+  [[noreturn]] void Refuse(const std::string& sentence) const;
+
+private:
+  bool Refill();
+  bool SkipToWord();
+  void SkipComment();
+  template <typename T>
+  T SlowNumber(const char* what);
+
+  ByteSource& Source;
+  std::vector<char> Buffer;
+  const char* Next = nullptr;
+  const char* End = nullptr;
+  std::uint64_t Position = 0; ///< of End in the content
+  std::int64_t Line = 1;
+  std::string Quoted;
+  std::vector<std::string> Notes;
+};
+
+}
+
+#endif

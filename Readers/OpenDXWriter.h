@@ -1,0 +1,38 @@
+/**
+ * @file OpenDXWriter.h
+ * @brief Values on a regular grid as an OpenDX file, plain text or gzip-compressed.
+ */
+#ifndef isthmus_OpenDXWriter_h
+#define isthmus_OpenDXWriter_h
+
+#include "MRCGeometry.h"
+#include "Progress.h"
+
+#include <string>
+#include <vector>
+
+namespace isthmus
+{
+
+/// What stands around the values in the file.
+struct OpenDXLabels
+{
+  std::string FieldName;
+  std::vector<std::string> Comments;
+};
+
+/**
+ * Writes `values` (components for each node of `grid`, x fastest; T float or double) to `path`;
+ * gzip-compressed where the path ends in .gz. Each number has the fewest digits from which the same
+ * bits are read, the grid's numbers too.
+ *
+ * Throws std::runtime_error when the file can't be written to its end, and Cancelled; either leaves
+ * no file behind. Time: about 0.1 us a number, gzip 1 us. Memory: 1 MiB.
+ */
+template <typename T>
+void WriteOpenDX(const std::string& path, const MRCLattice& grid, const T* values, int components,
+  const OpenDXLabels& labels, const ProgressCallback& progress);
+
+}
+
+#endif

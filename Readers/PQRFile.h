@@ -1,0 +1,36 @@
+/**
+ * @file PQRFile.h
+ * @brief Atoms with charges and radii from PQR files.
+ *
+ * PQR (T. J. Dolinsky et al., Nucleic Acids Res. 32 (2004) W665; apbs.readthedocs.io, PQR) has a
+ * line for each atom. Two dialects are in use, and each line is taken for what it is:
+ *  - words: ATOM serial name residue [chain] number[insertion code] x y z charge radius [element];
+ *    chain and number may run together (A1003), as may the first word and the serial (ATOM100000);
+ *  - columns as in PDB files, where numbers may run together: name 13-16, residue 17-21, chain 22,
+ *    number 23-26, insertion code 27, x 31-38, y 39-46, z 47-54, then charge and radius as two
+ *    words or in columns 55-62 and 63-70.
+ * Lines that begin with HETATM are hetero atoms; ENDMDL ends a model; other lines are left out.
+ */
+#ifndef isthmus_PQRFile_h
+#define isthmus_PQRFile_h
+
+#include "Macromolecule.h"
+#include "Progress.h"
+#include "vtkIsthmusModule.h"
+
+#include <string>
+#include <string_view>
+
+namespace isthmus
+{
+
+/**
+ * The atoms of model `model` (from 0). Charges and radii are the nearest doubles to the text;
+ * elements are guessed from names. Throws std::runtime_error with file, line and reason. O(bytes).
+ */
+VTKISTHMUS_EXPORT Macromolecule ParsePQR(std::string_view text, const std::string& path,
+  std::int64_t model, const ProgressCallback& progress);
+
+}
+
+#endif

@@ -1,0 +1,112 @@
+/**
+ * @file TextLines.h
+ * @brief Lines, words and numbers of a text that is in memory, without copies.
+ */
+#ifndef isthmus_TextLines_h
+#define isthmus_TextLines_h
+
+#include "Progress.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace isthmus
+{
+
+/// Goes through a text line by line, with progress, and makes sentences about the line it is at.
+class TextLines
+{
+public:
+  TextLines(std::string_view text, std::string path, ProgressCallback progress)
+    : Text(text)
+    , Path(std::move(path))
+    , Progress(std::move(progress))
+  {
+  }
+
+  /// False at the end; `line` comes without its line end.
+  bool Next(std::string_view& line)
+  {
+    if (this->At >= this->Text.size())
+    {
+      return false;
+    }
+    const std::size_t end = std::min(this->Text.find('\n', this->At), this->Text.size());
+    line = this->Text.substr(this->At, end - this->At);
+    if (!line.empty() && line.back() == '\r')
+    {
+      line.remove_suffix(1);
+    }
+    this->At = end + 1;
+    constexpr std::int64_t linesBetweenReports = 1 << 14;
+    if (++this->Number % linesBetweenReports == 0)
+    {
+      Report(
+        this->Progress, static_cast<double>(this->At) / static_cast<double>(this->Text.size()));
+    }
+    return true;
+  }
+
+  /// "PATH, line 7: "
+  std::string Here() const { return this->Path + ", line " + std::to_string(this->Number) + ": "; }
+
+  [[noreturn]] void Fail(const std::string& reason) const
+  {
+    throw std::runtime_error(this->Here() + reason);
+  }
+
+private:
+  std::string_view Text;
+  std::string Path;
+  ProgressCallback Progress;
+  std::size_t At = 0;
+  std::int64_t Number = 0;
+};
+
+inline std::string_view Trimmed(std::string_view text)
+{
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos)
+  {
+    return {};
+  }
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// Characters [from, from + count) of `line`, as far as there are any, blanks around left out.
+inline std::string_view Columns(std::string_view line, std::size_t from, std::size_t count)
+{
+  return from < line.size() ? Trimmed(line.substr(from, count)) : std::string_view();
+}
+
+/// The next word of `rest`, which then begins behind it; empty at the end.
+inline std::string_view NextWord(std::string_view& rest)
+{
+  const auto first = std::min(rest.find_first_not_of(" \t"), rest.size());
+  const auto end = std::min(rest.find_first_of(" \t", first), rest.size());
+  const std::string_view word = rest.substr(first, end - first);
+  rest.remove_prefix(end);
+  return word;
+}
+
+/// Whether all of `text` is one number; a leading + is allowed.
+template <typename T>
+bool IsNumber(std::string_view text, T& value)
+{
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-')
+  {
+    text.remove_prefix(1);
+  }
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  return !text.empty() && result.ec == std::errc() && result.ptr == end;
+}
+
+}
+
+#endif

@@ -1,0 +1,300 @@
+#include "vtkOpenDXReader.h"
+
+#include "AlgorithmGuard.h"
+#include "MRCError.h"
+#include "MRCErrorCode.h"
+#include "OpenDXReader.h"
+#include "ParallelReduce.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkErrorCode.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+vtkStandardNewMacro(vtkOpenDXReader);
+
+namespace
+{
+
+using isthmus::MRCLattice;
+using isthmus::NodeBox;
+using isthmus::OpenDXReader;
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+bool IsOrthogonal(const MRCLattice& lattice)
+{
+  const std::array<double, 3> length = lattice.Spacing();
+  const double tolerance = std::sin(0.01 * M_PI / 180.0);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const std::size_t b = (a + 1) % 3;
+    double product = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      product += lattice.Steps[i][a] / length[a] * (lattice.Steps[i][b] / length[b]);
+    }
+    if (!(std::abs(product) <= tolerance))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The grid of the output: the file's own, or an orthogonal one around it.
+MRCLattice TargetOf(const OpenDXReader& file, const char* path)
+{
+  if (IsOrthogonal(file.Lattice()))
+  {
+    return file.Lattice();
+  }
+  try
+  {
+    return isthmus::GridAround(file.Lattice());
+  }
+  catch (const isthmus::MRCError&)
+  {
+    throw isthmus::MRCError(isthmus::MRCFailure::Damaged,
+      std::string(path) +
+        ": the deltas are so oblique that an orthogonal grid around them would need more than 64 "
+        "nodes for each of the file's. Check the delta rows.");
+  }
+}
+
+NodeBox AllNodes(const MRCLattice& lattice)
+{
+  const auto& n = lattice.Dimensions;
+  return { 0, n[0] - 1, 0, n[1] - 1, 0, n[2] - 1 };
+}
+
+void Describe(const MRCLattice& grid, vtkInformation* info)
+{
+  const std::array<double, 3> spacing = grid.Spacing();
+  int whole[6];
+  double direction[9];
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    whole[2 * a] = 0;
+    whole[2 * a + 1] = static_cast<int>(grid.Dimensions[a] - 1);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      direction[3 * i + a] = grid.Steps[i][a] / spacing[a];
+    }
+  }
+  info->Set(Pipeline::WHOLE_EXTENT(), whole, 6);
+  info->Set(vtkDataObject::SPACING(), spacing.data(), 3);
+  info->Set(vtkDataObject::ORIGIN(), grid.Origin.data(), 3);
+  info->Set(vtkDataObject::DIRECTION(), direction, 9);
+}
+
+void AddTexts(vtkFieldData* fields, const char* name, const std::vector<std::string>& texts)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  for (const std::string& text : texts)
+  {
+    if (!text.empty())
+    {
+      array->InsertNextValue(text);
+    }
+  }
+  if (array->GetNumberOfValues() > 0)
+  {
+    fields->AddArray(array);
+  }
+}
+
+template <typename T>
+std::int64_t CountNotFinite(const T* values, std::int64_t count)
+{
+  return isthmus::ParallelReduce(count, 65536, std::int64_t{ 0 },
+    [values](std::int64_t& partial, std::int64_t first, std::int64_t last)
+    {
+      partial +=
+        std::count_if(values + first, values + last, [](T value) { return !std::isfinite(value); });
+    });
+}
+
+/// Interpolates to the nodes `box` of `target`; what lies outside becomes NaN. Returns InsideMap.
+template <typename T>
+vtkSmartPointer<vtkUnsignedCharArray> Resampled(OpenDXReader& file, const MRCLattice& target,
+  const NodeBox& box, T* out, const isthmus::ProgressCallback& progress)
+{
+  const std::int64_t components = file.Array().Components;
+  const NodeBox needed = isthmus::NodesNeeded(file.Lattice(), target, box);
+  std::int64_t size = components;
+  vtkIdType nodes = 1;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    size *= std::max<std::int64_t>(0, needed[2 * a + 1] - needed[2 * a] + 1);
+    nodes *= box[2 * a + 1] - box[2 * a] + 1;
+  }
+  std::vector<T> values(static_cast<std::size_t>(size));
+  file.Read(needed, values.data(), isthmus::Between(progress, 0.0, 0.7));
+  auto inside = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  inside->SetName("InsideMap");
+  inside->SetNumberOfValues(nodes);
+  isthmus::ResampleValues(file.Array().Components, file.Lattice(), values.data(), needed, target,
+    box, out, inside->GetPointer(0), isthmus::Between(progress, 0.7, 1.0));
+  for (vtkIdType i = 0; i < nodes; ++i)
+  {
+    if (!inside->GetValue(i))
+    {
+      std::fill_n(out + i * components, components, std::numeric_limits<T>::quiet_NaN());
+    }
+  }
+  return inside;
+}
+
+}
+
+vtkOpenDXReader::vtkOpenDXReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkOpenDXReader::~vtkOpenDXReader()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkOpenDXReader::CanReadFile(const char* fileName)
+{
+  return fileName && isthmus::LooksLikeOpenDXFile(fileName) ? 1 : 0;
+}
+
+template <typename Body>
+int vtkOpenDXReader::Try(vtkInformation* info, Body&& body)
+{
+  return isthmus::Guarded(this, vtkDataObject::GetData(info),
+    [&]()
+    {
+      try
+      {
+        this->SetErrorCode(vtkErrorCode::NoError);
+        if (!this->FileName || !*this->FileName)
+        {
+          this->SetErrorCode(vtkErrorCode::NoFileNameError);
+          throw std::invalid_argument("There is no file to read: set FileName.");
+        }
+        body();
+      }
+      catch (const isthmus::MRCError& error)
+      {
+        this->SetErrorCode(isthmus::ErrorCodeOf(error.Kind));
+        throw;
+      }
+    });
+}
+
+int vtkOpenDXReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* const info = outputVector->GetInformationObject(0);
+  MRCLattice nothing;
+  nothing.Dimensions = { 0, 0, 0 };
+  Describe(nothing, info); // what stays when the file can't be read
+  return this->Try(info,
+    [&]()
+    {
+      const OpenDXReader file(this->FileName, this->FieldIndex);
+      const MRCLattice grid = TargetOf(file, this->FileName);
+      Describe(grid, info);
+      vtkDataObject::SetPointDataActiveScalarInfo(
+        info, file.Array().Single ? VTK_FLOAT : VTK_DOUBLE, file.Array().Components);
+      info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+    });
+}
+
+int vtkOpenDXReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* const info = outputVector->GetInformationObject(0);
+  vtkImageData* const output = vtkImageData::GetData(info);
+  return this->Try(info,
+    [&]()
+    {
+      OpenDXReader file(
+        this->FileName, this->FieldIndex, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.2));
+      int extent[6];
+      info->Get(Pipeline::UPDATE_EXTENT(), extent);
+      output->SetExtent(extent);
+      output->SetSpacing(info->Get(vtkDataObject::SPACING()));
+      output->SetOrigin(info->Get(vtkDataObject::ORIGIN()));
+      output->SetDirectionMatrix(info->Get(vtkDataObject::DIRECTION()));
+      if (output->GetNumberOfPoints() > 0)
+      {
+        file.Array().Single ? this->ReadValues<vtkFloatArray>(file, output)
+                            : this->ReadValues<vtkDoubleArray>(file, output);
+      }
+    });
+}
+
+template <typename Array>
+void vtkOpenDXReader::ReadValues(OpenDXReader& file, vtkImageData* output)
+{
+  const isthmus::ProgressCallback progress = isthmus::Between(isthmus::ProgressOf(this), 0.2, 1.0);
+  const MRCLattice target = TargetOf(file, this->FileName);
+  NodeBox box{};
+  std::copy_n(output->GetExtent(), 6, box.begin());
+  const NodeBox all = AllNodes(target);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    if (box[2 * a] < 0 || box[2 * a + 1] > all[2 * a + 1])
+    {
+      throw isthmus::MRCError(isthmus::MRCFailure::BadRequest,
+        std::string(this->FileName) +
+          ": nodes are asked for that the grid does not have. If the file has changed, read it "
+          "again.");
+    }
+  }
+  vtkNew<Array> values;
+  values->SetName(this->ArrayName.c_str());
+  values->SetNumberOfComponents(file.Array().Components);
+  values->SetNumberOfTuples(output->GetNumberOfPoints());
+  std::string note;
+  if (IsOrthogonal(file.Lattice()))
+  {
+    file.Read(box, values->GetPointer(0), progress);
+    const auto notFinite = CountNotFinite(values->GetPointer(0), values->GetNumberOfValues());
+    note = notFinite == 0 ? "" : std::to_string(notFinite) + " values are not finite numbers.";
+  }
+  else
+  {
+    output->GetPointData()->AddArray(Resampled(file, target, box, values->GetPointer(0), progress));
+    note = "the deltas are skewed: the values are interpolated (trilinearly) to an orthogonal grid "
+           "around the file's; outside, they are NaN and InsideMap is 0.";
+  }
+  file.ReadRest();
+  output->GetPointData()->SetScalars(values);
+  AddTexts(output->GetFieldData(), "Comments", file.Comments());
+  AddTexts(output->GetFieldData(), "FieldName", { file.FieldName() });
+  AddTexts(output->GetFieldData(), "Notes", { note });
+  if (!note.empty())
+  {
+    vtkWarningMacro(<< this->FileName << ": " << note);
+  }
+}
+
+void vtkOpenDXReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "FieldIndex: " << this->FieldIndex << "\n";
+  os << indent << "ArrayName: " << this->ArrayName << "\n";
+}

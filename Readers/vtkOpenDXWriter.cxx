@@ -1,0 +1,137 @@
+#include "vtkOpenDXWriter.h"
+
+#include "AlgorithmGuard.h"
+#include "OpenDXWriter.h"
+
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkErrorCode.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkMatrix3x3.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkStringArray.h>
+
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkOpenDXWriter);
+
+namespace
+{
+
+isthmus::MRCLattice LatticeOf(vtkImageData* image)
+{
+  isthmus::MRCLattice lattice;
+  const int* extent = image->GetExtent();
+  const int* dimensions = image->GetDimensions();
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    lattice.Dimensions[a] = dimensions[a];
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      lattice.Steps[i][a] =
+        image->GetDirectionMatrix()->GetElement(static_cast<int>(i), static_cast<int>(a)) *
+        image->GetSpacing()[a];
+    }
+  }
+  image->TransformIndexToPhysicalPoint(extent[0], extent[2], extent[4], lattice.Origin.data());
+  return lattice;
+}
+
+vtkDataArray* ArrayOf(vtkImageData* image, const std::string& name)
+{
+  vtkPointData* const data = image->GetPointData();
+  vtkDataArray* array = data->GetArray(name.empty() ? "Potential" : name.c_str());
+  if (!array && name.empty())
+  {
+    array = data->GetScalars() ? data->GetScalars() : data->GetArray(0);
+  }
+  if (!array)
+  {
+    throw std::invalid_argument(name.empty()
+        ? std::string("The image has no point array of numbers to write.")
+        : "The image has no point array of numbers named '" + name + "': choose another.");
+  }
+  return array;
+}
+
+std::vector<std::string> Texts(vtkFieldData* fields, const char* name)
+{
+  std::vector<std::string> texts;
+  if (auto* array = vtkStringArray::SafeDownCast(fields->GetAbstractArray(name)))
+  {
+    for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
+    {
+      texts.push_back(array->GetValue(i));
+    }
+  }
+  return texts;
+}
+
+/// Writes a copy of `array` in the plain layout of `Array`.
+template <typename Array>
+void WriteAs(vtkDataArray* array, const std::string& path, const isthmus::MRCLattice& lattice,
+  const isthmus::OpenDXLabels& labels, const isthmus::ProgressCallback& progress)
+{
+  vtkNew<Array> plain;
+  plain->ShallowCopy(array); // copies only where type or layout differ
+  isthmus::WriteOpenDX(
+    path, lattice, plain->GetPointer(0), plain->GetNumberOfComponents(), labels, progress);
+}
+
+}
+
+vtkOpenDXWriter::~vtkOpenDXWriter()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkOpenDXWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+void vtkOpenDXWriter::WriteData()
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  try
+  {
+    if (!this->FileName || !*this->FileName)
+    {
+      throw std::invalid_argument("There is no file name: set FileName.");
+    }
+    auto* const image = vtkImageData::SafeDownCast(this->GetInput());
+    if (image->GetNumberOfPoints() == 0)
+    {
+      throw std::invalid_argument("The image has no nodes: there is nothing to write.");
+    }
+    vtkDataArray* const array = ArrayOf(image, this->ArrayName);
+    const std::vector<std::string> names = Texts(image->GetFieldData(), "FieldName");
+    isthmus::OpenDXLabels labels{ names.empty() ? (array->GetName() ? array->GetName() : "data")
+                                                : names.front(),
+      Texts(image->GetFieldData(), "Comments") };
+    const auto write =
+      array->GetDataType() == VTK_FLOAT ? &WriteAs<vtkFloatArray> : &WriteAs<vtkDoubleArray>;
+    write(array, this->FileName, LatticeOf(image), labels, isthmus::ProgressOf(this));
+  }
+  catch (const isthmus::Cancelled&)
+  {
+  }
+  catch (const std::exception& error)
+  {
+    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
+    vtkErrorMacro(<< error.what());
+  }
+}
+
+void vtkOpenDXWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "ArrayName: " << this->ArrayName << "\n";
+}

@@ -1,0 +1,164 @@
+// A million atoms from PQR: the whole reader with and without bonds by distance, beside a plain
+// loop of fread and strtod that keeps nothing but the five numbers of each line. A million atoms
+// from PDB beside gemmi's own reader.
+
+#include "vtkMacromoleculeReader.h"
+
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include <benchmark/benchmark.h>
+
+#include <gemmi/pdb.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+constexpr int Atoms = 1000000;
+
+/// A protein-like density of atoms: a lattice 2.15 angstrom wide with jitter.
+class Files
+{
+public:
+  Files()
+  {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> jitter(-0.6, 0.6);
+    std::ofstream pqr(this->PQR);
+    std::ofstream pdb(this->PDB);
+    std::array<char, 128> line;
+    for (int i = 0; i < Atoms; ++i)
+    {
+      const double x = 2.15 * (i % 100) + jitter(random);
+      const double y = 2.15 * (i / 100 % 100) + jitter(random);
+      const double z = 2.15 * (i / 10000) + jitter(random);
+      const char* name = std::array{ "N", "CA", "C", "O", "CB" }[static_cast<std::size_t>(i % 5)];
+      std::snprintf(line.data(), line.size(),
+        "ATOM  %5d  %-3s ALA A%4d    %8.3f%8.3f%8.3f %7.4f %6.4f\n", i % 100000, name,
+        i / 5 % 10000, x, y, z, 0.1 * (i % 7) - 0.3, 1.5 + 0.1 * (i % 4));
+      pqr << line.data();
+      std::snprintf(line.data(), line.size(),
+        "ATOM  %5d  %-3s ALA A%4d    %8.3f%8.3f%8.3f  1.00 20.00           %c  \n", i % 100000,
+        name, i / 5 % 10000, x, y, z, name[0]);
+      pdb << line.data();
+    }
+  }
+  ~Files()
+  {
+    std::filesystem::remove(this->PQR);
+    std::filesystem::remove(this->PDB);
+  }
+  std::string PQR = (std::filesystem::temp_directory_path() / "isthmus_million.pqr").string();
+  std::string PDB = (std::filesystem::temp_directory_path() / "isthmus_million.pdb").string();
+};
+
+const Files& TheFiles()
+{
+  static const Files files;
+  return files;
+}
+
+/// Seconds of one reading of PQR and PDB, kept for the ratios that the peers print.
+std::array<double, 2> Ours{ 0.0, 0.0 };
+
+template <typename Work>
+double Timed(Work&& work)
+{
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void ReadOnce(benchmark::State& state, const std::string& file, bool bonds)
+{
+  vtkNew<vtkMacromoleculeReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->SetBondsByDistance(bonds);
+  reader->Update();
+  if (reader->GetOutput()->GetNumberOfPoints() != Atoms)
+  {
+    state.SkipWithError("wrong number of atoms");
+  }
+  state.counters["bonds"] = static_cast<double>(reader->GetOutput()->GetNumberOfLines());
+}
+
+void Read(benchmark::State& state, const std::string& file, bool bonds)
+{
+  for (auto _ : state)
+  {
+    Ours[file == TheFiles().PQR ? 0 : 1] = Timed([&] { ReadOnce(state, file, bonds); });
+  }
+}
+
+/// The least that reading the numbers costs in plain C.
+void FreadStrtodOnce(benchmark::State& state)
+{
+  std::FILE* file = std::fopen(TheFiles().PQR.c_str(), "rb");
+  std::string text(std::filesystem::file_size(TheFiles().PQR), '\0');
+  const std::size_t got = std::fread(&text[0], 1, text.size(), file);
+  std::fclose(file);
+  std::vector<double> numbers;
+  const char* at = text.data();
+  for (; at + 55 < text.data() + got; at = std::strchr(at, '\n') + 1)
+  {
+    for (const int column : { 30, 38, 46 })
+    {
+      std::array<char, 9> field{};
+      std::copy_n(at + column, 8, field.begin());
+      numbers.push_back(std::strtod(field.data(), nullptr));
+    }
+    char* end = nullptr;
+    numbers.push_back(std::strtod(at + 54, &end));
+    numbers.push_back(std::strtod(end, nullptr));
+  }
+  if (numbers.size() != std::size_t{ 5 } * Atoms)
+  {
+    state.SkipWithError("wrong number of numbers");
+  }
+  benchmark::DoNotOptimize(numbers.data());
+}
+
+void FreadStrtod(benchmark::State& state)
+{
+  for (auto _ : state)
+  {
+    state.counters["reader/this"] = Ours[0] / Timed([&] { FreadStrtodOnce(state); });
+  }
+}
+
+void GemmiPDB(benchmark::State& state)
+{
+  for (auto _ : state)
+  {
+    const double seconds =
+      Timed([] { benchmark::DoNotOptimize(gemmi::read_pdb_file(TheFiles().PDB)); });
+    state.counters["reader/this"] = Ours[1] / seconds;
+  }
+}
+
+}
+
+BENCHMARK_CAPTURE(Read, PQRWithoutDistances, TheFiles().PQR, false)
+  ->Unit(benchmark::kSecond)
+  ->UseRealTime();
+// All that a user gets: atoms, arrays, bonds, both outputs.
+BENCHMARK_CAPTURE(Read, PQR, TheFiles().PQR, true)->Unit(benchmark::kSecond)->UseRealTime();
+BENCHMARK(FreadStrtod)->Unit(benchmark::kSecond)->UseRealTime();
+BENCHMARK_CAPTURE(Read, PDBWithoutDistances, TheFiles().PDB, false)
+  ->Unit(benchmark::kSecond)
+  ->UseRealTime();
+BENCHMARK(GemmiPDB)->Unit(benchmark::kSecond)->UseRealTime();
+
+BENCHMARK_MAIN();

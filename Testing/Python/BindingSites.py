@@ -1,0 +1,53 @@
+"""1HEW through ParaView's proxies: the best site is the cleft in which the crystal has the sugar."""
+
+import csv
+import os
+import tempfile
+
+import numpy
+from paraview import servermanager, simple
+
+from shared_data import shared_data
+
+with open(shared_data("molecules/1hew.pdb")) as file:
+    sugar = numpy.array(
+        [
+            [float(line[start : start + 8]) for start in (30, 38, 46)]
+            for line in file
+            if line.startswith("HETATM") and line[17:20] == "NAG"
+        ]
+    )
+assert len(sugar) == 43
+
+atoms = simple.OpenDataFile(str(shared_data("molecules/1hew/1hew.pqr")))
+density = simple.MolecularDensity(Input=atoms, Decay=1.2, Spacing=0.6)
+contour = simple.Contour(Input=density, ContourBy=["POINTS", "Density"], Isosurfaces=[1.0])
+outer = simple.Connectivity(Input=contour, ExtractionMode="Extract Largest Region")
+curved = simple.HessianCurvature(Input=density, Surface=simple.ExtractSurface(Input=outer))
+potential = simple.OpenDataFile(str(shared_data("molecules/1hew/1hew_potential.dx.gz")))
+polarized = simple.PolarizedCurvature(Input=curved, PotentialImage=potential)
+sites = simple.BindingSites(Input=polarized)
+sites.UpdatePipeline()
+
+table = servermanager.Fetch(sites, idx=1)
+rows = [
+    {table.GetColumnName(c): table.GetValue(r, c).ToDouble() for c in range(table.GetNumberOfColumns())}
+    for r in range(table.GetNumberOfRows())
+]
+assert len(rows) > 5, len(rows)
+assert [row["Rank"] for row in rows] == list(range(1, len(rows) + 1))
+scores = [row["Score"] for row in rows]
+assert scores == sorted(scores, reverse=True)
+best = numpy.array([rows[0][name] for name in ("CenterX", "CenterY", "CenterZ")])
+distance = numpy.linalg.norm(sugar - best, axis=1).min()
+assert distance <= 4.0, distance
+assert rows[0]["MeanPotential"] < 0.0 and rows[0]["SiteClass"] == 4.0  # Glu 35 and Asp 52
+
+surface = servermanager.Fetch(sites, idx=0)
+labels = surface.GetPointData().GetArray("BindingSite")
+assert labels.GetRange() == (0.0, len(rows))
+with tempfile.TemporaryDirectory() as folder:
+    path = os.path.join(folder, "sites.csv")
+    simple.SaveData(path, simple.OutputPort(sites, 1))
+    assert len(list(csv.DictReader(open(path)))) == len(rows)
+print(f"the best of {len(rows)} sites is {distance:.1f} angstrom from the sugar")

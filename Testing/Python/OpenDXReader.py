@@ -1,0 +1,73 @@
+"""An APBS potential opened through ParaView, sampled at atoms beside scipy, written and read back."""
+
+import gzip
+import os
+import tempfile
+
+import numpy
+from paraview import servermanager, simple
+from paraview.vtk.util.numpy_support import vtk_to_numpy
+from scipy.interpolate import RegularGridInterpolator
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkProbeFilter
+
+from shared_data import shared_data
+
+
+def independent_grid(path):
+    """The file by numpy alone: axes x, y, z and the values indexed by them."""
+    with gzip.open(path, "rt") as file:
+        lines = file.read().splitlines()
+    head = next(i for i, line in enumerate(lines) if "follows" in line)
+    counts = [int(w) for line in lines if "gridpositions" in line for w in line.split()[-3:]]
+    origin = [float(w) for line in lines if line.startswith("origin") for w in line.split()[1:]]
+    deltas = numpy.array([line.split()[1:] for line in lines if line.startswith("delta")], float)
+    words = " ".join(lines[head + 1 : head + 1 + -(-numpy.prod(counts) // 3)])
+    values = numpy.array(words.split(), float).reshape(counts)
+    axes = [origin[a] + deltas[a, a] * numpy.arange(counts[a]) for a in range(3)]
+    return axes, values
+
+
+def atoms(path):
+    return numpy.array(
+        [[float(w) for w in line.split()[-5:-2]] for line in open(path) if line.startswith("ATOM")]
+    )
+
+
+potential_file = shared_data("molecules/1hew/1hew_potential.dx.gz")
+source = simple.OpenDataFile(str(potential_file))
+assert source.GetXMLName() == "OpenDXReader", source.GetXMLName()
+image = servermanager.Fetch(source)
+axes, values = independent_grid(potential_file)
+read = vtk_to_numpy(image.GetPointData().GetArray("Potential")).reshape(values.shape, order="F")
+assert (read == values).all()
+for extreme in (numpy.argmin, numpy.argmax):
+    index = numpy.unravel_index(extreme(values), values.shape)
+    found = image.GetPoint(int(extreme(read.ravel(order="F"))))
+    assert numpy.allclose(found, [axes[a][index[a]] for a in range(3)], atol=1e-12)
+
+points = atoms(shared_data("molecules/1hew/1hew.pqr"))
+assert len(points) == 1960
+poly = vtkPolyData()
+poly.SetPoints(vtkPoints())
+poly.GetPoints().SetDataTypeToDouble()
+for point in points:
+    poly.GetPoints().InsertNextPoint(point)
+probe = vtkProbeFilter()
+probe.SetInputData(poly)
+probe.SetSourceData(image)
+probe.Update()
+sampled = vtk_to_numpy(probe.GetOutput().GetPointData().GetArray("Potential"))
+expected = RegularGridInterpolator(axes, values)(points)
+assert numpy.abs(sampled - expected).max() <= 1e-10 * numpy.abs(expected).max()
+
+with tempfile.TemporaryDirectory() as folder:
+    for name in ("copy.dx", "copy.dx.gz"):
+        path = os.path.join(folder, name)
+        simple.SaveData(path, source)
+        again = servermanager.Fetch(simple.OpenDataFile(path))
+        assert again.GetOrigin() == image.GetOrigin() and again.GetSpacing() == image.GetSpacing()
+        copied = vtk_to_numpy(again.GetPointData().GetArray("Potential"))
+        assert (copied == read.ravel(order="F")).all()
+print("the potential is the file's")

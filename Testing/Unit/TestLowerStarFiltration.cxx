@@ -1,0 +1,595 @@
+// The thesis' filtration, a function on a tetrahedral mesh: pairs against a plain reduction of the
+// boundary matrix, its two-tetrahedra example, and the four Morse functions through the filter.
+
+#include "ChokingSurfaces.h"
+#include "LoopChecks.h"
+#include "LowerStarFiltration.h"
+#include "SurfaceDistance.h"
+#include "TetrahedralMesher.h"
+#include "TopologyFilterRun.h"
+
+#include <vtkCellData.h>
+#include <vtkChokingLoops.h>
+#include <vtkTable.h>
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+using namespace isthmus;
+using namespace isthmus::testing;
+
+namespace
+{
+
+/// Thesis, 6.2.1: tetrahedra 0123 and 1234, in the order of its list.
+TEST(LowerStarFiltration, TwoTetrahedraOfTheThesis)
+{
+  const std::vector<std::string> order{ "0", "1", "01", "2", "02", "12", "012", "3", "03", "13",
+    "013", "23", "023", "4", "14", "24", "124", "34", "134", "234", "123", "0123", "1234" };
+  const auto time = [&order](const auto& corners)
+  {
+    std::string name;
+    for (const SimplexId p : corners)
+    {
+      name += static_cast<char>('0' + p);
+    }
+    std::sort(name.begin(), name.end());
+    return static_cast<double>(std::find(order.begin(), order.end(), name) - order.begin());
+  };
+  CellFiltration f;
+  f.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 } };
+  f.Tetrahedra = { { 0, 1, 2, 3 }, { 4, 1, 2, 3 } };
+  f.Neighbours = { { 1, -1, -1, -1 }, { 0, -1, -1, -1 } };
+  f.Connect();
+  for (const auto& t : f.Tetrahedra)
+  {
+    f.TetrahedronValue.push_back(time(t));
+  }
+  for (const auto& t : f.Triangles)
+  {
+    f.TriangleValue.push_back(time(t));
+  }
+  for (const auto& e : f.Edges)
+  {
+    f.EdgeValue.push_back(time(e));
+  }
+  f.Order();
+  const FiltrationPairs pairs(f);
+  std::map<std::string, std::string> found;
+  const auto name = [&order](double value) { return order[static_cast<std::size_t>(value)]; };
+  for (std::size_t e = 0; e < f.Edges.size(); ++e)
+  {
+    const SimplexId filler = pairs.LoopFilled(static_cast<SimplexId>(e));
+    if (filler >= 0)
+    {
+      found[name(f.EdgeValue[e])] = name(f.TriangleValue[static_cast<std::size_t>(filler)]);
+    }
+  }
+  for (std::size_t t = 0; t < f.Triangles.size(); ++t)
+  {
+    const SimplexId filler = pairs.VoidFilled(static_cast<SimplexId>(t));
+    if (filler >= 0)
+    {
+      const double death = f.TetrahedronValue[static_cast<std::size_t>(filler)];
+      found[name(f.TriangleValue[t])] = name(death);
+      // The closed membrane 234 alone is not filled at once.
+      EXPECT_EQ(death - f.TriangleValue[t], name(death) == "1234" ? 3.0 : 1.0);
+    }
+  }
+  const std::map<std::string, std::string> published{ { "12", "012" }, { "13", "013" },
+    { "23", "023" }, { "24", "124" }, { "34", "134" }, { "123", "0123" }, { "234", "1234" } };
+  EXPECT_EQ(found, published);
+}
+
+/// A box of cubes, each cut into six tetrahedra along its diagonal, some cubes solid.
+struct Blocks
+{
+  std::array<std::int64_t, 3> Size;
+  std::function<bool(std::int64_t, std::int64_t, std::int64_t)> Solid;
+  TetrahedralMesh Mesh;
+  TriangleMesh Surface;
+
+  std::int64_t Point(const std::array<std::int64_t, 3>& p) const
+  {
+    return p[0] + (this->Size[0] + 1) * (p[1] + (this->Size[1] + 1) * p[2]);
+  }
+
+  Blocks(std::array<std::int64_t, 3> size, decltype(Solid) solid, bool withOutside)
+    : Size(size)
+    , Solid(std::move(solid))
+  {
+    for (std::int64_t k = 0; k <= size[2]; ++k)
+    {
+      for (std::int64_t j = 0; j <= size[1]; ++j)
+      {
+        for (std::int64_t i = 0; i <= size[0]; ++i)
+        {
+          this->Mesh.Points.push_back(
+            { static_cast<double>(i), static_cast<double>(j), static_cast<double>(k) });
+        }
+      }
+    }
+    std::map<std::set<std::int64_t>, Triangle> open; // faces of solid tetrahedra seen once
+    std::set<std::set<std::int64_t>> empty;          // faces of the others
+    for (std::int64_t k = 0; k < size[2]; ++k)
+    {
+      for (std::int64_t j = 0; j < size[1]; ++j)
+      {
+        for (std::int64_t i = 0; i < size[0]; ++i)
+        {
+          this->AddCube({ i, j, k }, withOutside, open, empty);
+        }
+      }
+    }
+    for (const auto& [face, triangle] : open)
+    {
+      if (empty.count(face) > 0)
+      {
+        this->Surface.Triangles.push_back(triangle);
+      }
+    }
+    this->Surface.Points = this->Mesh.Points;
+    this->DropUnused();
+  }
+
+private:
+  void AddCube(const std::array<std::int64_t, 3>& at, bool withOutside,
+    std::map<std::set<std::int64_t>, Triangle>& open, std::set<std::set<std::int64_t>>& empty)
+  {
+    const bool solid = this->Solid(at[0], at[1], at[2]);
+    std::array<std::size_t, 3> axes{ 0, 1, 2 };
+    do
+    {
+      Tetrahedron t;
+      std::array<std::int64_t, 3> p = at;
+      t[0] = this->Point(p);
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        ++p[axes[a]];
+        t[a + 1] = this->Point(p);
+      }
+      const auto& x = this->Mesh.Points;
+      const auto point = [&](std::int64_t id) { return x[static_cast<std::size_t>(id)]; };
+      if (Dot(Cross(point(t[1]) - point(t[0]), point(t[2]) - point(t[0])),
+            point(t[3]) - point(t[0])) < 0.0)
+      {
+        std::swap(t[2], t[3]);
+      }
+      if (solid || withOutside)
+      {
+        this->Mesh.Tetrahedra.push_back(t);
+      }
+      const std::array<Triangle, 4> outward{ { { t[0], t[2], t[1] }, { t[0], t[1], t[3] },
+        { t[0], t[3], t[2] }, { t[1], t[2], t[3] } } };
+      for (const Triangle& face : outward)
+      {
+        const std::set<std::int64_t> key(face.begin(), face.end());
+        if (solid)
+        {
+          open.emplace(key, face);
+        }
+        else
+        {
+          empty.insert(key);
+        }
+      }
+    } while (std::next_permutation(axes.begin(), axes.end()));
+  }
+
+  /// The mesh of the solid alone has no use for the points of the rest.
+  void DropUnused()
+  {
+    std::map<std::int64_t, std::int64_t> kept;
+    std::vector<Point3> points;
+    for (Tetrahedron& t : this->Mesh.Tetrahedra)
+    {
+      for (std::int64_t& p : t)
+      {
+        const auto made = kept.emplace(p, static_cast<std::int64_t>(points.size()));
+        if (made.second)
+        {
+          points.push_back(this->Mesh.Points[static_cast<std::size_t>(p)]);
+        }
+        p = made.first->second;
+      }
+    }
+    this->Mesh.Points = points;
+  }
+};
+
+/// A pair as (dimension, birth, death); handles and tunnels are born with the surface, at 0.
+using Pair = std::tuple<int, double, double>;
+
+/// Reduces the boundary matrix of the whole complex, column by column, nothing clever.
+std::multiset<Pair> PairsByReduction(const Blocks& blocks, const std::vector<double>& values)
+{
+  using Simplex = std::vector<std::int64_t>;
+  std::map<Point3, std::int64_t> ids;
+  for (std::size_t i = 0; i < blocks.Mesh.Points.size(); ++i)
+  {
+    ids[blocks.Mesh.Points[i]] = static_cast<std::int64_t>(i);
+  }
+  std::set<Simplex> all;
+  std::set<Simplex> surface;
+  const auto addFaces = [](const Simplex& corners, std::set<Simplex>& to)
+  {
+    for (unsigned bits = 1; bits < (1U << corners.size()); ++bits)
+    {
+      Simplex face;
+      for (std::size_t k = 0; k < corners.size(); ++k)
+      {
+        if (bits >> k & 1U)
+        {
+          face.push_back(corners[k]);
+        }
+      }
+      to.insert(face);
+    }
+  };
+  for (const Tetrahedron& t : blocks.Mesh.Tetrahedra)
+  {
+    Simplex corners(t.begin(), t.end());
+    std::sort(corners.begin(), corners.end());
+    addFaces(corners, all);
+  }
+  for (const Triangle& t : blocks.Surface.Triangles)
+  {
+    Simplex corners;
+    for (const std::int64_t p : t)
+    {
+      corners.push_back(ids.at(blocks.Surface.Points[static_cast<std::size_t>(p)]));
+    }
+    std::sort(corners.begin(), corners.end());
+    addFaces(corners, surface);
+  }
+  const auto value = [&values](const Simplex& s)
+  {
+    double latest = 0.0;
+    for (const std::int64_t p : s)
+    {
+      latest = std::max(latest, values[static_cast<std::size_t>(p)]);
+    }
+    return latest;
+  };
+  std::vector<Simplex> order(all.begin(), all.end());
+  std::stable_sort(order.begin(), order.end(),
+    [&](const Simplex& a, const Simplex& b)
+    {
+      const auto key = [&](const Simplex& s)
+      { return std::make_tuple(surface.count(s) == 0, value(s), s.size()); };
+      return key(a) < key(b);
+    });
+  std::map<Simplex, std::size_t> position;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    position[order[i]] = i;
+  }
+  std::map<std::size_t, std::set<std::size_t>> columns; // by their lowest entry
+  std::multiset<Pair> pairs;
+  for (const Simplex& s : order)
+  {
+    std::set<std::size_t> column;
+    for (std::size_t k = 0; s.size() > 1 && k < s.size(); ++k)
+    {
+      Simplex face = s;
+      face.erase(face.begin() + static_cast<std::ptrdiff_t>(k));
+      column.insert(position.at(face));
+    }
+    for (auto other = columns.end(); !column.empty() &&
+         (other = columns.find(*column.rbegin())) != columns.end();)
+    {
+      for (const std::size_t entry : other->second)
+      {
+        if (!column.erase(entry))
+        {
+          column.insert(entry);
+        }
+      }
+    }
+    if (column.empty())
+    {
+      continue;
+    }
+    const Simplex& born = order[*column.rbegin()];
+    const int dimension = static_cast<int>(born.size()) - 1;
+    const bool generator =
+      dimension == 1 && surface.count(born) > 0 && surface.count(s) == 0;
+    if (dimension > 0 && (generator || value(s) > value(born)))
+    {
+      pairs.emplace(dimension, generator ? 0.0 : value(born), value(s));
+    }
+    columns.emplace(*column.rbegin(), std::move(column));
+  }
+  return pairs;
+}
+
+/// Random values, 0 on the surface; every third one equal to another, so that ties occur.
+std::vector<double> RandomValues(const Blocks& blocks, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0.1, 1.0);
+  std::set<Point3> surface;
+  for (const Triangle& t : blocks.Surface.Triangles)
+  {
+    for (const std::int64_t p : t)
+    {
+      surface.insert(blocks.Surface.Points[static_cast<std::size_t>(p)]);
+    }
+  }
+  std::vector<double> values;
+  for (const Point3& p : blocks.Mesh.Points)
+  {
+    const double drawn = uniform(random);
+    values.push_back(surface.count(p) > 0 ? 0.0
+        : values.size() % 3 == 0          ? 0.5
+                                          : drawn);
+  }
+  return values;
+}
+
+struct BlockCase
+{
+  const char* Name;
+  std::array<std::int64_t, 3> Size;
+  std::function<bool(std::int64_t, std::int64_t, std::int64_t)> Solid;
+  std::size_t Genus;
+};
+
+/// A ball, a ring two cubes thick and a ring one cube thick (all of whose points lie on it), and
+/// two balls with a neck.
+std::vector<BlockCase> BlockCases()
+{
+  const auto within = [](std::int64_t v, std::int64_t low, std::int64_t high)
+  { return v >= low && v < high; };
+  return { { "ball", { 5, 5, 5 },
+             [within](auto i, auto j, auto k)
+             { return within(i, 1, 4) && within(j, 1, 4) && within(k, 1, 4); },
+             0 },
+    { "ring", { 8, 8, 4 },
+      [within](auto i, auto j, auto k) {
+        return within(i, 1, 7) && within(j, 1, 7) && within(k, 1, 3) &&
+          !(within(i, 3, 5) && within(j, 3, 5));
+      },
+      1 },
+    { "thin ring", { 5, 5, 3 },
+      [within](auto i, auto j, auto k)
+      { return within(i, 1, 4) && within(j, 1, 4) && k == 1 && !(i == 2 && j == 2); },
+      1 },
+    { "neck", { 9, 5, 5 },
+      [within](auto i, auto j, auto k)
+      {
+        return (within(i, 1, 4) || within(i, 5, 8) || (i == 4 && j == 2 && k == 2)) &&
+          within(j, 1, 4) && within(k, 1, 4);
+      },
+      0 } };
+}
+
+TEST(LowerStarFiltration, PairsAreThoseOfThePlainReduction)
+{
+  for (const BlockCase& c : BlockCases())
+  {
+    for (const bool withOutside : { true, false })
+    {
+      const Blocks blocks(c.Size, c.Solid, withOutside);
+      for (unsigned seed = 1; seed <= 3; ++seed)
+      {
+        const std::vector<double> values = RandomValues(blocks, seed);
+        ChokingLoops loops(blocks.Surface, blocks.Mesh, values);
+        const std::multiset<Pair> expected = PairsByReduction(blocks, values);
+        std::multiset<Pair> found;
+        for (const ShapeFeature& f : loops.Diagram().Features)
+        {
+          found.emplace(f.Dimension, f.Birth, f.Death);
+        }
+        ASSERT_EQ(found.size(), expected.size()) << c.Name << ", seed " << seed;
+        for (auto a = found.begin(), b = expected.begin(); a != found.end(); ++a, ++b)
+        {
+          EXPECT_EQ(std::get<0>(*a), std::get<0>(*b)) << c.Name;
+          EXPECT_NEAR(std::get<1>(*a), std::get<1>(*b), 1e-12) << c.Name;
+          EXPECT_NEAR(std::get<2>(*a), std::get<2>(*b), 1e-12) << c.Name;
+        }
+        const auto [handles, tunnels] = Generators(loops);
+        EXPECT_EQ(handles.size(), c.Genus) << c.Name;
+        EXPECT_EQ(tunnels.size(), withOutside ? c.Genus : 0) << c.Name;
+        for (const auto& kind : { handles, tunnels })
+        {
+          std::for_each(kind.begin(), kind.end(), [&](std::size_t i) { ExpectSound(loops, i); });
+        }
+        if (withOutside)
+        {
+          ExpectGenerators(loops, c.Genus);
+        }
+      }
+    }
+  }
+}
+
+/// The filter on a mesh of both sides of a torus that has points within.
+class MorseFunctions : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    TetrahedralParameters parameters;
+    parameters.Side = MeshedSide::Both;
+    parameters.BoxMargin = 0.1;
+    parameters.TetGen.MaximumVolume = 2e-4;
+    this->Ring = Torus(1.0, 0.3, 48, 24);
+    this->Mesh = MeshTetrahedra(this->Ring, parameters);
+    SetMesh(this->Ring, this->Surface);
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (const Point3& p : this->Mesh.Points)
+    {
+      points->InsertNextPoint(p.data());
+    }
+    this->Grid->SetPoints(points);
+    for (const Tetrahedron& t : this->Mesh.Tetrahedra)
+    {
+      const std::array<vtkIdType, 4> ids{ t[0], t[1], t[2], t[3] };
+      this->Grid->InsertNextCell(VTK_TETRA, 4, ids.data());
+    }
+    this->Exact = SurfaceDistances(this->Ring, this->Mesh.Points);
+    this->AddArray("depth", 1.0);
+  }
+
+  void AddArray(const char* name, double factor)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    for (const double d : this->Exact)
+    {
+      array->InsertNextValue(factor * d);
+    }
+    this->Grid->GetPointData()->AddArray(array);
+  }
+
+  /// Of the tetrahedra near the ring, where its handle and tunnel are filled.
+  double LongestEdge() const
+  {
+    double longest = 0.0;
+    for (const Tetrahedron& t : this->Mesh.Tetrahedra)
+    {
+      for (std::size_t a = 0; a < 4; ++a)
+      {
+        const Point3& p = this->Mesh.Points[static_cast<std::size_t>(t[a])];
+        const Point3& q = this->Mesh.Points[static_cast<std::size_t>(t[(a + 1) % 4])];
+        if (std::max(Dot(p, p), Dot(q, q)) < 1.3 * 1.3)
+        {
+          longest = std::max(longest, std::sqrt(Dot(q - p, q - p)));
+        }
+      }
+    }
+    return longest;
+  }
+
+  /// Radii of handle and tunnel.
+  std::array<double, 2> Radii(int function, const char* array = "depth")
+  {
+    TopologyFilterRun<vtkChokingLoops> run(this->Surface,
+      [&](vtkChokingLoops* filter)
+      {
+        filter->SetInputData(1, this->Grid);
+        filter->SetFiltration(vtkChokingLoops::TetrahedralMesh);
+        filter->SetMorseFunction(function);
+        filter->SetMorseArrayName(array);
+        filter->SetMinimumPersistence(30.0);
+      });
+    EXPECT_EQ(run.Messages(), "");
+    auto* kinds = run.Surface(0)->GetCellData()->GetArray("Kind");
+    std::array<double, 2> radii{ -1.0, -1.0 };
+    EXPECT_GE(run.Surface(0)->GetNumberOfCells(), 2);
+    for (vtkIdType i = 0; i < run.Surface(0)->GetNumberOfCells(); ++i)
+    {
+      const int kind = static_cast<int>(kinds->GetTuple1(i));
+      if (kind < 2)
+      {
+        EXPECT_EQ(radii[static_cast<std::size_t>(kind)], -1.0) << "two of a kind";
+        radii[static_cast<std::size_t>(kind)] =
+          run.Surface(0)->GetCellData()->GetArray("Distance")->GetTuple1(i);
+      }
+    }
+    return radii;
+  }
+
+  TriangleMesh Ring;
+  TetrahedralMesh Mesh;
+  std::vector<double> Exact;
+  vtkNew<vtkPolyData> Surface;
+  vtkNew<vtkUnstructuredGrid> Grid;
+};
+
+// Persistence is stable: two functions that differ by at most s give radii that do.
+TEST_F(MorseFunctions, AgreeAsFarAsTheyAreTheSameFunction)
+{
+  const std::array<double, 2> exact = this->Radii(vtkChokingLoops::ClosestPoint);
+  EXPECT_EQ(this->Radii(vtkChokingLoops::PointArray), exact);
+  // Linear between points at most an edge apart, the function is wrong by at most that.
+  const double longest = this->LongestEdge();
+  EXPECT_NEAR(exact[0], 0.3, longest);
+  EXPECT_NEAR(exact[1], 0.7, longest);
+
+  this->AddArray("double depth", 2.0);
+  const std::array<double, 2> twice =
+    this->Radii(vtkChokingLoops::PointArray, "double depth");
+
+  std::vector<std::int64_t> sources;
+  for (std::size_t i = 0; i < this->Exact.size(); ++i)
+  {
+    if (this->Exact[i] < 1e-12)
+    {
+      sources.push_back(static_cast<std::int64_t>(i));
+    }
+  }
+  const std::vector<double> paths = EdgeDistances(this->Mesh, sources);
+  double excess = 0.0;
+  for (std::size_t i = 0; i < paths.size(); ++i)
+  {
+    EXPECT_GE(paths[i], this->Exact[i] - 1e-12);
+    excess = std::max(excess, paths[i] - this->Exact[i]);
+  }
+  Bounds3 box{ this->Mesh.Points[0], this->Mesh.Points[0] };
+  std::for_each(this->Mesh.Points.begin(), this->Mesh.Points.end(),
+    [&box](const Point3& p) { box.Add(p); });
+  const Point3 size = box.Max - box.Min;
+  const double cell = std::max({ size[0], size[1], size[2] }) / 100.0;
+
+  const std::array<double, 2> edge = this->Radii(vtkChokingLoops::EdgePaths);
+  const std::array<double, 2> grid = this->Radii(vtkChokingLoops::GridDistance);
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    EXPECT_NEAR(twice[k], 2.0 * exact[k], 1e-12);
+    EXPECT_GE(edge[k], exact[k] - 1e-12);
+    EXPECT_LE(edge[k], exact[k] + excess);
+    // A distance changes by no more than one goes, and a trilinear mean is at most a diagonal away.
+    EXPECT_NEAR(grid[k], exact[k], std::sqrt(3.0) * cell);
+  }
+}
+
+TEST_F(MorseFunctions, MeshMadeInside)
+{
+  TopologyFilterRun<vtkChokingLoops> run(this->Surface,
+    [](vtkChokingLoops* filter)
+    {
+      filter->SetFiltration(vtkChokingLoops::TetrahedralMesh);
+      filter->SetMinimumPersistence(30.0);
+    });
+  EXPECT_EQ(run.Messages(), "");
+  auto* facts = run.Surface(0)->GetFieldData();
+  EXPECT_EQ(facts->GetArray("NumberOfHandles")->GetTuple1(0), 1.0);
+  EXPECT_EQ(facts->GetArray("NumberOfTunnels")->GetTuple1(0), 1.0);
+}
+
+TEST_F(MorseFunctions, BadOnesEndInASentence)
+{
+  const auto message = [&](const char* array, vtkUnstructuredGrid* grid)
+  {
+    TopologyFilterRun<vtkChokingLoops> run(this->Surface,
+      [&](vtkChokingLoops* filter)
+      {
+        filter->SetInputData(1, grid);
+        filter->SetFiltration(vtkChokingLoops::TetrahedralMesh);
+        filter->SetMorseFunction(vtkChokingLoops::PointArray);
+        filter->SetMorseArrayName(array);
+      });
+    EXPECT_EQ(run.Surface(0)->GetNumberOfCells(), 0);
+    EXPECT_EQ(run.Surface(1)->GetNumberOfCells(), 0);
+    return run.Messages();
+  };
+  EXPECT_NE(message("height", this->Grid).find("has no point array 'height'"), std::string::npos);
+  this->AddArray("negative", -1.0);
+  EXPECT_NE(message("negative", this->Grid).find("negative or not finite"), std::string::npos);
+  this->AddArray("not a number", NAN);
+  EXPECT_NE(message("not a number", this->Grid).find("negative or not finite"), std::string::npos);
+  vtkNew<vtkUnstructuredGrid> moved;
+  moved->DeepCopy(this->Grid);
+  moved->GetPoints()->SetPoint(0, 0.123, 0.2, 0.3);
+  EXPECT_NE(message("depth", moved).find("no point of the tetrahedral mesh"), std::string::npos);
+  const std::array<vtkIdType, 8> cube{ 0, 1, 2, 3, 4, 5, 6, 7 };
+  moved->InsertNextCell(VTK_HEXAHEDRON, 8, cube.data());
+  EXPECT_NE(message("depth", moved).find("is no tetrahedron"), std::string::npos);
+}
+
+}
