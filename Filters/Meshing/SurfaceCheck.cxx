@@ -169,7 +169,7 @@ std::string SurfaceDefects::Sentence() const
   return text.empty() ? text : "The surface has " + text + ".";
 }
 
-SurfaceDefects FindDefects(const TriangleMesh& mesh)
+SurfaceDefects FindDefects(const TriangleMesh& mesh, const ProgressCallback& progress)
 {
   SurfaceDefects found;
   for (std::size_t i = 0; i < mesh.Points.size(); ++i)
@@ -181,9 +181,12 @@ SurfaceDefects FindDefects(const TriangleMesh& mesh)
     }
   }
   const std::vector<bool> skip = CheckTriangles(mesh, found);
+  Report(progress, 0.3);
   const std::vector<HalfEdge> edges = SortedHalfEdges(mesh, skip);
+  Report(progress, 0.8);
   CheckEdges(edges, found);
   CheckFans(mesh, edges, skip, found);
+  Report(progress, 1.0);
   return found;
 }
 
