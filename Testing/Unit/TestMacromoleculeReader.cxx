@@ -344,6 +344,11 @@ TEST(MacromoleculeReader, BadFilesEndInASentence)
     EXPECT_NE(WhyRefused(c.Text, c.Format).find(c.Words), std::string::npos)
       << c.Text << "\nsaid: " << WhyRefused(c.Text, c.Format);
   }
+  // gemmi takes small letters as well, and would make 0 of what is no number.
+  EXPECT_NE(WhyRefused("atom      1  ca  ser a  10       0.000   0.000     nan  1.00 10.00\n",
+              MoleculeFormat::PDB)
+              .find("columns 47 to 54"),
+    std::string::npos);
   // Cut anywhere within the coordinates or later fields, no cut file is taken for another molecule.
   const std::string whole = "ATOM 1 CA SER 1 1.5 2.5 3.5 0.1 1.8\n";
   for (std::size_t size = 1; size + 4 < whole.size(); ++size)
