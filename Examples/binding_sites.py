@@ -64,10 +64,11 @@ def given_surface(path):
     return simple.servermanager.Fetch(simple.Triangulate(Input=simple.ExtractSurface(Input=source)))
 
 
-def make_surface(options, molecule):
+def make_surface(options, molecule, scale):
     if not options.surface:
         atoms = site_pipeline.read_atoms(molecule)
-        return site_pipeline.outer_surface(site_pipeline.density(atoms, options.decay))
+        image = site_pipeline.density(atoms, options.decay, scale=scale)
+        return site_pipeline.outer_surface(image)
     curvature = isthmus.vtkSurfaceCurvature()
     curvature.SetInputData(given_surface(options.surface))
     curvature.SetMethod(isthmus.vtkSurfaceCurvature.EdgeTensor)
@@ -209,11 +210,13 @@ def prepare(options, folder):
             )
         print("No potential is given: running APBS.", flush=True)
         potential = apbs_potential.potential(pqr, folder, name)
+    scale = 1.0
     if not pqr:
-        print("pdb2pqr is not installed: heavy atoms with Bondi's radii make the surface.")
+        scale = site_pipeline.WITHOUT_HYDROGENS
+        print(f"pdb2pqr is not installed: heavy atoms, Bondi's radii x {scale}, make the surface.")
         molecule = heavy_atoms(protein, folder, name)
     surface = site_pipeline.polarized(
-        make_surface(options, molecule), site_pipeline.read_potential(potential)
+        make_surface(options, molecule, scale), site_pipeline.read_potential(potential)
     )
     return surface, ligand, name
 
