@@ -104,6 +104,7 @@ set(sources
   Filters/Topology/CompactCombinatorialMap.cxx
   Filters/Topology/ConformingGenerators.cxx
   Filters/Topology/CutAndMerge.cxx
+  Filters/Topology/EdgeStrip.cxx
   Filters/Topology/EdgeTable.cxx
   Filters/Topology/EnclosureTest.cxx
   Filters/Topology/FaceTable.cxx
@@ -114,9 +115,11 @@ set(sources
   Filters/Topology/LoopFeature.cxx
   Filters/Topology/LoopShortening.cxx
   Filters/Topology/LowerStarFiltration.cxx
+  Filters/Topology/OffsetSurface.cxx
   Filters/Topology/ShapeFeatures.cxx
   Filters/Topology/SpaceRegions.cxx
   Filters/Topology/StarTable.cxx
+  Filters/Topology/StripFunnel.cxx
   Filters/Topology/SurfaceAdjacency.cxx
   Filters/Topology/SurfaceDistance.cxx
   Filters/Topology/SurfaceGenerators.cxx

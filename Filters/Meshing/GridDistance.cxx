@@ -294,7 +294,7 @@ std::vector<double> DistanceToSurface(
   band = std::max(band, spacing);
   std::vector<double> squared = Band(mesh, grid).Run(band, Between(progress, 0.0, 0.5));
   const auto crossings =
-    SurfaceCrossings(mesh, grid, CrossingNormal::Triangle, Between(progress, 0.5, 0.6));
+    SurfaceCrossings(mesh, grid, CrossingNormal::Triangles, Between(progress, 0.5, 0.6));
   // A node beyond the band takes the nearest of the crossings along x, y and z.
   std::vector<double> far(squared.size(), Infinity);
   for (const int axis : { 0, 1, 2 })

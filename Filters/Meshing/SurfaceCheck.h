@@ -5,6 +5,7 @@
 #ifndef isthmus_SurfaceCheck_h
 #define isthmus_SurfaceCheck_h
 
+#include "Progress.h"
 #include "TriangleMesh.h"
 #include "vtkIsthmusModule.h"
 
@@ -37,7 +38,8 @@ struct SurfaceDefects
 };
 
 /// Defects of `mesh`. O(n log n) in time, some 60 bytes a triangle.
-VTKISTHMUS_EXPORT SurfaceDefects FindDefects(const TriangleMesh& mesh);
+VTKISTHMUS_EXPORT SurfaceDefects FindDefects(
+  const TriangleMesh& mesh, const ProgressCallback& progress = {});
 
 /// "3, 17, 20 and 4 more"
 VTKISTHMUS_EXPORT std::string FirstIds(const std::vector<std::int64_t>& ids);

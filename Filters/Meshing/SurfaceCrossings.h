@@ -41,8 +41,8 @@ struct GridShape
 
 enum class CrossingNormal
 {
-  Triangle = 0, ///< unit normal of the triangle
-  Points = 1    ///< interpolated from the points' normals (area-weighted means of their triangles')
+  Triangles = 0, ///< unit normal of the triangle
+  Points = 1     ///< interpolated from the points' normals (area-weighted means of their triangles')
 };
 
 /**

@@ -61,10 +61,10 @@ struct CellFiltration
 
   /// Derives triangles and edges from tetrahedra and their neighbours. O(n), some 250 bytes a
   /// tetrahedron in all. Throws std::runtime_error beyond 2^31 triangles.
-  VTKISTHMUS_EXPORT void Connect();
+  VTKISTHMUS_EXPORT void Connect(const ProgressCallback& progress = {});
 
   /// Sorts the simplices of each dimension by value, ties by index. O(n log n).
-  VTKISTHMUS_EXPORT void Order();
+  VTKISTHMUS_EXPORT void Order(const ProgressCallback& progress = {});
 
   /// The edge between two points, or -1.
   VTKISTHMUS_EXPORT SimplexId FindEdge(SimplexId a, SimplexId b) const;

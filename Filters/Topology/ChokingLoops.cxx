@@ -64,8 +64,8 @@ constexpr std::size_t ManyPlaces = 64;
 constexpr std::size_t MorePoints = 100000;
 
 /// An empty mesh when it would take too many points.
-TriangleMesh Refined(
-  const TriangleMesh& mesh, const std::vector<Refinement>& wanted, double spacing)
+TriangleMesh Refined(const TriangleMesh& mesh, const std::vector<Refinement>& wanted,
+  double spacing, const ProgressCallback& progress)
 {
   const double everywhere = wanted.size() > ManyPlaces ? 0.6 * spacing : HUGE_VAL;
   return SplitLongEdges(
@@ -87,20 +87,21 @@ TriangleMesh Refined(
       }
       return limit;
     },
-    MorePoints + 2 * mesh.Points.size());
+    MorePoints + 2 * mesh.Points.size(), progress);
 }
 
 /// The surface split to `spacing`, which becomes the one taken where it is 0.
-TriangleMesh FirstSamples(const TriangleMesh& surface, double& spacing)
+TriangleMesh FirstSamples(
+  const TriangleMesh& surface, double& spacing, const ProgressCallback& progress)
 {
-  const auto split = [&surface, &spacing](std::size_t most)
+  const auto split = [&surface, &spacing](std::size_t most, const ProgressCallback& part)
   {
     return SplitLongEdges(
-      surface, [&spacing](const Point3&, const Point3&) { return spacing; }, most);
+      surface, [&spacing](const Point3&, const Point3&) { return spacing; }, most, part);
   };
   if (spacing > 0.0)
   {
-    TriangleMesh samples = split(MostSamples);
+    TriangleMesh samples = split(MostSamples, progress);
     if (samples.Points.empty())
     {
       throw std::runtime_error("Sampling the surface so finely takes more than " +
@@ -112,8 +113,9 @@ TriangleMesh FirstSamples(const TriangleMesh& surface, double& spacing)
   spacing = 1.7 * EdgeLengthFor(surface, UsualSamples);
   // Needles take far more points than their area suggests.
   const std::size_t most = 4 * surface.Points.size() + static_cast<std::size_t>(5.0 * UsualSamples);
-  TriangleMesh samples = split(most);
-  for (; samples.Points.empty(); samples = split(most))
+  const auto still = Between(progress, 0.0, 0.0); // quick, but may have to be repeated
+  TriangleMesh samples = split(most, still);
+  for (; samples.Points.empty(); samples = split(most, still))
   {
     spacing *= 1.5;
   }
@@ -134,25 +136,27 @@ struct ChokingLoops::Analysis
     , Homology(Adjacency)
     , Embedding(Adjacency, Filtration)
     , Context{ Filtration, Pairs, Homology, Embedding, Adjacency, std::move(errors) }
-    , Regions(Context)
+    , Regions(Context, Between(progress, 0.5, 0.6))
   {
     times.Pairing += this->Watch.Lap();
-    this->Found.Diagram = ShapeFeatures(this->Context, this->Regions, Between(progress, 0.5, 0.9));
+    this->Found.Diagram = ShapeFeatures(this->Context, this->Regions, Between(progress, 0.6, 0.9));
     this->Found.Membranes.resize(this->Found.Diagram.Features.size());
     for (const ShapeFeature& feature : this->Found.Diagram.Features)
     {
       this->Found.Centres.push_back(this->Centre(feature));
     }
-    this->MakeGeneratorLoops();
+    this->MakeGeneratorLoops(Between(progress, 0.9, 1.0));
     times.Features += this->Watch.Lap();
   }
 
   // All at once, since each must be independent of those before.
-  void MakeGeneratorLoops()
+  void MakeGeneratorLoops(const ProgressCallback& progress)
   {
     HomologySpan span;
+    const auto count = static_cast<double>(this->Found.Membranes.size());
     for (std::size_t i = 0; i < this->Found.Membranes.size(); ++i)
     {
+      Report(progress, static_cast<double>(i) / count);
       if (IsGenerator(this->Found.Diagram.Features[i]))
       {
         this->Found.Membranes[i] =
@@ -242,13 +246,14 @@ ChokingLoops::ChokingLoops(
   times.Check = watch.Lap();
   const bool automatic = parameters.SampleSpacing <= 0.0;
   double spacing = parameters.SampleSpacing;
-  TriangleMesh samples = FirstSamples(surface, spacing);
+  TriangleMesh samples = FirstSamples(surface, spacing, Between(progress, 0.2, 0.25));
   times.Sampling = watch.Lap();
   for (int round = 0;; ++round)
   {
     // Later rounds are the exception: each takes half of what is left of the bar.
-    const double from = 1.0 - 0.8 * std::pow(0.5, round);
-    const auto part = Between(progress, from, 0.5 * (1.0 + from));
+    const double from = 1.0 - 0.75 * std::pow(0.5, round);
+    const double to = 0.5 * (1.0 + from);
+    const auto part = Between(progress, from, to);
     std::vector<double> errors = SamplingErrors(samples);
     CellFiltration filtration = DelaunayFiltration(samples.Points, Between(part, 0.0, 0.6));
     times.Filtration += watch.Lap();
@@ -260,14 +265,15 @@ ChokingLoops::ChokingLoops(
     {
       break;
     }
-    samples = Refined(this->State->Samples, blurred, spacing * std::pow(0.6, round));
+    samples = Refined(this->State->Samples, blurred, spacing * std::pow(0.6, round),
+      Between(progress, to, to));
     times.Sampling += watch.Lap();
     if (samples.Points.empty())
     {
       break; // too much to ask: what is blurred stays marked as not trusted
     }
   }
-  this->State->Complete(surface, Between(progress, 0.95, 1.0));
+  this->State->Complete(surface, Between(progress, 0.96, 1.0));
   times.Features += watch.Lap();
   this->State->Times = times;
   Report(progress, 1.0);

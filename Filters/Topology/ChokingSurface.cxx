@@ -108,14 +108,15 @@ TriangleMesh CheckedSurface(
     throw std::invalid_argument("The surface has no triangles: choking loops need a closed one.");
   }
   DemandUsableSize(surface);
+  Report(progress, 0.0);
   surface = Merged(surface);
-  const SurfaceDefects defects = FindDefects(surface);
+  Report(progress, 0.1);
+  const SurfaceDefects defects = FindDefects(surface, Between(progress, 0.1, 0.2));
   if (!defects.None())
   {
     throw std::invalid_argument(defects.Sentence() +
       " Choking loops need a closed, manifold, consistently oriented surface: repair it first.");
   }
-  Report(progress, 0.2);
   if (!allowCrossings)
   {
     const std::vector<std::int64_t> crossing =

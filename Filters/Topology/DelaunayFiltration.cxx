@@ -93,6 +93,7 @@ void Triangulate(
     sites.push_back(PointOf<Kernel>(p));
   }
   using Map = CGAL::Pointer_property_map<Kernel::Point_3>::type;
+  Report(progress, 0.0);
   CGAL::spatial_sort(order.begin(), order.end(),
     CGAL::Spatial_sort_traits_adapter_3<Kernel, Map>(CGAL::make_property_map(sites)));
   Delaunay::Vertex_handle hint;
@@ -112,7 +113,10 @@ void Triangulate(
   }
 }
 
-void TakeCells(const Delaunay& triangulation, CellFiltration& f)
+constexpr SimplexId ReportEvery = 1 << 18;
+
+void TakeCells(
+  const Delaunay& triangulation, CellFiltration& f, const ProgressCallback& progress)
 {
   for (auto c = triangulation.all_cells_begin(); c != triangulation.all_cells_end(); ++c)
   {
@@ -127,6 +131,10 @@ void TakeCells(const Delaunay& triangulation, CellFiltration& f)
   f.Neighbours.resize(At(count));
   for (auto c = triangulation.finite_cells_begin(); c != triangulation.finite_cells_end(); ++c)
   {
+    if (c->info() % ReportEvery == 0)
+    {
+      Report(progress, static_cast<double>(c->info()) / static_cast<double>(count));
+    }
     for (int k = 0; k < 4; ++k)
     {
       f.Tetrahedra[At(c->info())][At(k)] = c->vertex(k)->info();
@@ -175,12 +183,16 @@ double TriangleValue(const CellFiltration& f, std::size_t i)
 }
 
 /// Edges: the triangles beside decide whether the edge's own sphere is empty.
-void ValueEdges(CellFiltration& f)
+void ValueEdges(CellFiltration& f, const ProgressCallback& progress)
 {
   f.EdgeValue.assign(f.Edges.size(), HUGE_VAL);
   std::vector<char> gabriel(f.Edges.size(), 1);
   for (std::size_t i = 0; i < f.Triangles.size(); ++i)
   {
+    if (i % At(ReportEvery) == 0)
+    {
+      Report(progress, static_cast<double>(i) / static_cast<double>(f.Triangles.size()));
+    }
     for (std::size_t k = 0; k < 3; ++k)
     {
       const auto e = At(f.TriangleEdges[i][k]);
@@ -223,7 +235,7 @@ void ValueCells(CellFiltration& f, const ProgressCallback& progress)
           f.Points[At(t[0])], f.Points[At(t[1])], f.Points[At(t[2])], f.Points[At(t[3])]);
       }
     },
-    Between(progress, 0.6, 0.7));
+    Between(progress, 0.0, 0.3));
   f.TriangleValue.resize(f.Triangles.size());
   ParallelFor(
     0, static_cast<std::int64_t>(f.Triangles.size()), 4096,
@@ -234,8 +246,8 @@ void ValueCells(CellFiltration& f, const ProgressCallback& progress)
         f.TriangleValue[i] = TriangleValue(f, i);
       }
     },
-    Between(progress, 0.7, 0.85));
-  ValueEdges(f);
+    Between(progress, 0.3, 0.6));
+  ValueEdges(f, Between(progress, 0.6, 1.0));
 }
 
 }
@@ -247,13 +259,11 @@ CellFiltration DelaunayFiltration(std::vector<Point3> points, const ProgressCall
   {
     Delaunay triangulation;
     Triangulate(f.Points, triangulation, Between(progress, 0.0, 0.4));
-    TakeCells(triangulation, f);
+    TakeCells(triangulation, f, Between(progress, 0.4, 0.45));
   }
-  f.Connect();
-  Report(progress, 0.6);
-  ValueCells(f, progress);
-  f.Order();
-  Report(progress, 1.0);
+  f.Connect(Between(progress, 0.45, 0.6));
+  ValueCells(f, Between(progress, 0.6, 0.85));
+  f.Order(Between(progress, 0.85, 1.0));
   return f;
 }
 

@@ -137,15 +137,22 @@ void FiltrationPairs::PairLoops(const ProgressCallback& progress)
   this->LoopClosedBy.assign(this->F.Triangles.size(), -1);
   this->Reduced.assign(this->F.Triangles.size(), -1);
   std::int64_t done = 0;
-  for (const SimplexId t : this->F.TrianglesInOrder)
+  std::int64_t steps = 0;
+  // Columns added count too: those of a few triangles may take longer than all others.
+  const auto tick = [&]
   {
-    if (++done % ReportEvery == 0)
+    if (++steps % ReportEvery == 0)
     {
       Report(progress, static_cast<double>(done) / static_cast<double>(this->F.Triangles.size()));
     }
+  };
+  for (const SimplexId t : this->F.TrianglesInOrder)
+  {
+    ++done;
+    tick();
     if (this->VoidFilledBy[At(t)] == -1)
     {
-      this->Reduce(t);
+      this->Reduce(t, tick);
     }
   }
 }
@@ -168,7 +175,7 @@ void FiltrationPairs::AddColumn(SimplexId triangle, Heap& heap) const
   }
 }
 
-void FiltrationPairs::Reduce(SimplexId t)
+void FiltrationPairs::Reduce(SimplexId t, const std::function<void()>& tick)
 {
   const auto& edges = this->F.TriangleEdges[At(t)];
   const auto& edgeRank = this->F.EdgeRank;
@@ -187,6 +194,7 @@ void FiltrationPairs::Reduce(SimplexId t)
     while (low >= 0 && this->LoopFilledBy[At(this->F.EdgesInOrder[At(low)])] >= 0)
     {
       const SimplexId other = this->LoopFilledBy[At(this->F.EdgesInOrder[At(low)])];
+      tick();
       added.push_back(other);
       column.Add(low);
       this->AddColumn(other, column);

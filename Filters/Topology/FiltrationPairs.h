@@ -67,7 +67,7 @@ public:
 private:
   void PairVoids(const ProgressCallback& progress);
   void PairLoops(const ProgressCallback& progress);
-  void Reduce(SimplexId triangle);
+  void Reduce(SimplexId triangle, const std::function<void()>& tick);
   template <typename Heap>
   void AddColumn(SimplexId triangle, Heap& heap) const;
 

@@ -91,7 +91,8 @@ std::vector<SimplexId> AddCurve(
 
 }
 
-LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds)
+LoopFeature MakeLoopFeature(
+  ChokingLoops& loops, std::size_t index, int rounds, const ProgressCallback& progress)
 {
   const Membrane& membrane = loops.MembraneOf(index);
   const TriangleMesh& samples = loops.Samples();
@@ -103,9 +104,13 @@ LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds)
   {
     LoopShorteningParameters parameters;
     parameters.MaximumRounds = rounds;
-    for (auto& loop : feature.Loops)
+    const auto count = static_cast<double>(feature.Loops.size());
+    for (std::size_t i = 0; i < feature.Loops.size(); ++i)
     {
-      const SurfaceCurve curve = ShortenLoop(loops.Adjacency(), loop, parameters);
+      auto& loop = feature.Loops[i];
+      const auto part = Between(
+        progress, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+      const SurfaceCurve curve = ShortenLoop(loops.Adjacency(), loop, parameters, part);
       if (curve.Contractible)
       {
         continue;

@@ -31,8 +31,10 @@ struct LoopFeature
 /**
  * Loops and membrane of a feature; with `rounds` above 0 the loops are shortened that often, and a
  * strip of triangles between the old and the new loop keeps the membrane's boundary theirs.
+ * Throws Cancelled.
  */
-VTKISTHMUS_EXPORT LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t feature, int rounds);
+VTKISTHMUS_EXPORT LoopFeature MakeLoopFeature(
+  ChokingLoops& loops, std::size_t feature, int rounds, const ProgressCallback& progress = {});
 
 }
 

@@ -10,17 +10,11 @@
 #ifndef isthmus_LoopShortening_h
 #define isthmus_LoopShortening_h
 
-#include "SurfaceAdjacency.h"
+#include "EdgeStrip.h"
+#include "Progress.h"
 
 namespace isthmus
 {
-
-/// A point of a curve on a surface: on half edge Edge, at a fraction of it from From to To.
-struct SurfaceCurvePoint
-{
-  SimplexId HalfEdge;
-  double Fraction;
-};
 
 /// A closed curve that runs straight through triangles.
 struct SurfaceCurve
@@ -41,13 +35,12 @@ struct LoopShorteningParameters
 /**
  * Shortens the closed curve through the points `loop`, consecutive ones joined by an edge.
  *
- * Never longer than the curve given. Cost of a round: the number of edges crossed.
+ * Never longer than the curve given. Cost of a round: the number of edges crossed. Throws
+ * std::invalid_argument for a loop with consecutive points that no edge joins, and Cancelled.
  */
 VTKISTHMUS_EXPORT SurfaceCurve ShortenLoop(const SurfaceAdjacency& surface,
-  const std::vector<SimplexId>& loop, const LoopShorteningParameters& parameters = {});
-
-/// Where a point of a curve lies.
-VTKISTHMUS_EXPORT Point3 PositionOf(const SurfaceAdjacency& surface, const SurfaceCurvePoint& p);
+  const std::vector<SimplexId>& loop, const LoopShorteningParameters& parameters = {},
+  const ProgressCallback& progress = {});
 
 }
 

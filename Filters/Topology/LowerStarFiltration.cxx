@@ -162,19 +162,19 @@ CellFiltration LowerStarFiltration(const TetrahedralMesh& mesh, const std::vecto
   }
   FindNeighbours(f);
   Report(progress, 0.4);
-  f.Connect();
+  f.Connect(Between(progress, 0.4, 0.6));
   Match(f, surface);
   MarkSurface(f, surface);
   Report(progress, 0.8);
   f.TetrahedronValue = LastValues(f.Tetrahedra, square);
   f.TriangleValue = LastValues(f.Triangles, square);
   f.EdgeValue = LastValues(f.Edges, square);
-  f.Order();
+  f.Order(Between(progress, 0.8, 1.0));
   return f;
 }
 
-std::vector<double> EdgeDistances(
-  const TetrahedralMesh& mesh, const std::vector<std::int64_t>& sources)
+std::vector<double> EdgeDistances(const TetrahedralMesh& mesh,
+  const std::vector<std::int64_t>& sources, const ProgressCallback& progress)
 {
   std::vector<std::vector<std::int64_t>> beside(mesh.Points.size());
   for (const Tetrahedron& t : mesh.Tetrahedra)
@@ -198,6 +198,8 @@ std::vector<double> EdgeDistances(
     distance[At(p)] = 0.0;
     queue.push({ 0.0, p });
   }
+  Report(progress, 0.0);
+  std::size_t settled = 0;
   while (!queue.empty())
   {
     const auto [d, p] = queue.top();
@@ -205,6 +207,10 @@ std::vector<double> EdgeDistances(
     if (d > distance[At(p)])
     {
       continue;
+    }
+    if (settled++ % (1U << 16) == 0)
+    {
+      Report(progress, static_cast<double>(settled) / static_cast<double>(mesh.Points.size()));
     }
     for (const std::int64_t q : beside[At(p)])
     {

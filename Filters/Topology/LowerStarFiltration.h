@@ -27,8 +27,8 @@ VTKISTHMUS_EXPORT CellFiltration LowerStarFiltration(const TetrahedralMesh& mesh
  * Length of the shortest path along edges of the mesh from each of its points to a point of
  * `sources` (Dijkstra). Infinity where there is none. O(n log n).
  */
-VTKISTHMUS_EXPORT std::vector<double> EdgeDistances(
-  const TetrahedralMesh& mesh, const std::vector<std::int64_t>& sources);
+VTKISTHMUS_EXPORT std::vector<double> EdgeDistances(const TetrahedralMesh& mesh,
+  const std::vector<std::int64_t>& sources, const ProgressCallback& progress = {});
 
 }
 

@@ -12,7 +12,7 @@ std::size_t At(std::int64_t i)
 
 }
 
-SpaceRegions::SpaceRegions(const FeatureContext& context)
+SpaceRegions::SpaceRegions(const FeatureContext& context, const ProgressCallback& progress)
   : Context(context)
   , Groups(context.Filtration.Tetrahedra.size())
   , Deepest(context.Filtration.Tetrahedra.size())
@@ -22,6 +22,10 @@ SpaceRegions::SpaceRegions(const FeatureContext& context)
   const CellFiltration& f = context.Filtration;
   for (std::size_t t = 0; t < f.Triangles.size(); ++t)
   {
+    if (t % (1U << 18) == 0)
+    {
+      Report(progress, static_cast<double>(t) / static_cast<double>(f.Triangles.size()));
+    }
     const auto& sides = f.TriangleSides[t];
     if (sides[0] >= 0 && sides[1] >= 0 && !context.IsWall(static_cast<SimplexId>(t)))
     {

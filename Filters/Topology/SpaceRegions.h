@@ -59,7 +59,8 @@ struct FeatureContext
 class SpaceRegions
 {
 public:
-  VTKISTHMUS_EXPORT explicit SpaceRegions(const FeatureContext& context);
+  VTKISTHMUS_EXPORT explicit SpaceRegions(
+    const FeatureContext& context, const ProgressCallback& progress = {});
 
   /// The components of M that enclose a tetrahedron, ascending; none for the exterior (-1).
   VTKISTHMUS_EXPORT const std::vector<int>& Of(SimplexId cell);

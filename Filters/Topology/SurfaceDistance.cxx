@@ -1,14 +1,9 @@
 #include "SurfaceDistance.h"
 
+#include "GridDistance.h"
+#include "MeshOnGrid.h"
 #include "ParallelFor.h"
-#include "PolyDataMesh.h"
-
-#include <vtkGenericCell.h>
-#include <vtkNew.h>
-#include <vtkPolyData.h>
-#include <vtkStaticCellLocator.h>
-
-#include <cmath>
+#include "TriangleTree.h"
 
 namespace isthmus
 {
@@ -16,25 +11,24 @@ namespace isthmus
 std::vector<double> SurfaceDistances(
   const TriangleMesh& surface, const std::vector<Point3>& points, const ProgressCallback& progress)
 {
-  vtkNew<vtkPolyData> data;
-  SetMesh(surface, data);
-  vtkNew<vtkStaticCellLocator> locator;
-  locator->SetDataSet(data);
-  locator->BuildLocator();
+  const MeshOnGrid mesh(surface, { 0, 0, 0 });
+  const TriangleTree tree(mesh.View());
+  constexpr std::size_t Block = 256; // a guess starts anew in each: same bits on any threads
   std::vector<double> distance(points.size());
   ParallelFor(
-    0, static_cast<std::int64_t>(points.size()), 1024,
+    0, static_cast<std::int64_t>((points.size() + Block - 1) / Block), 4,
     [&](std::int64_t begin, std::int64_t end)
     {
-      vtkNew<vtkGenericCell> cell;
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      for (auto block = static_cast<std::size_t>(begin); block < static_cast<std::size_t>(end);
+           ++block)
       {
-        Point3 closest;
-        vtkIdType id = 0;
-        int sub = 0;
-        double squared = 0.0;
-        locator->FindClosestPoint(points[i].data(), closest.data(), cell, id, sub, squared);
-        distance[i] = std::sqrt(squared);
+        TriangleTree::Nearest nearest{ 0.0, -1 };
+        const std::size_t last = std::min(points.size(), (block + 1) * Block);
+        for (std::size_t i = block * Block; i < last; ++i)
+        {
+          nearest = tree.Find(points[i], nearest.Triangle);
+          distance[i] = std::sqrt(nearest.Squared);
+        }
       }
     },
     progress);
@@ -74,25 +68,13 @@ DistanceGrid GridOfDistances(const TriangleMesh& surface, const Bounds3& box, st
   grid.Origin = box.Min;
   const Point3 size = box.Max - box.Min;
   grid.Spacing = std::max({ size[0], size[1], size[2] }) / static_cast<double>(cells);
-  std::vector<Point3> nodes;
   for (std::size_t a = 0; a < 3; ++a)
   {
     grid.Dimensions[a] = static_cast<std::int64_t>(std::ceil(size[a] / grid.Spacing - 1e-9)) + 1;
     grid.Dimensions[a] = std::max<std::int64_t>(grid.Dimensions[a], 2);
   }
-  for (std::int64_t k = 0; k < grid.Dimensions[2]; ++k)
-  {
-    for (std::int64_t j = 0; j < grid.Dimensions[1]; ++j)
-    {
-      for (std::int64_t i = 0; i < grid.Dimensions[0]; ++i)
-      {
-        nodes.push_back(grid.Origin +
-          grid.Spacing *
-            Point3{ static_cast<double>(i), static_cast<double>(j), static_cast<double>(k) });
-      }
-    }
-  }
-  grid.Values = SurfaceDistances(surface, nodes, progress);
+  const MeshOnGrid mesh(surface, grid.Origin);
+  grid.Values = DistanceToSurface(mesh.View(), ShapeOf(grid), 2.0 * grid.Spacing, progress);
   return grid;
 }
 

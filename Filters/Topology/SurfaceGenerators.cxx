@@ -64,6 +64,7 @@ std::vector<SurfaceGenerator> SurfaceGenerators(const SurfaceHomology& homology,
   std::vector<SurfaceGenerator> generators;
   for (std::size_t i = 0; i < columns.size(); ++i)
   {
+    Report(progress, 0.8 + 0.2 * static_cast<double>(i) / static_cast<double>(columns.size()));
     Column& c = columns[i];
     while (!c.Ranks.empty() && pivots.count(c.Ranks.front()) > 0)
     {

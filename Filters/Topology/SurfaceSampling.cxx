@@ -160,16 +160,24 @@ double EdgeLengthFor(const TriangleMesh& mesh, double points)
   return std::sqrt(2.0 * area / (std::sqrt(3.0) * std::max(points, 1.0)));
 }
 
-TriangleMesh SplitLongEdges(TriangleMesh mesh, const Limit& limit, std::size_t maximumPoints)
+TriangleMesh SplitLongEdges(TriangleMesh mesh, const Limit& limit, std::size_t maximumPoints,
+  const ProgressCallback& progress)
 {
+  double left = 1.0; // nobody knows how many rounds there will be: each takes half of the bar
   for (bool again = true; again;)
   {
     const std::size_t before = mesh.Points.size();
     Midpoints midpoints(mesh.Points);
     std::vector<Triangle> pieces;
     pieces.reserve(mesh.Triangles.size());
-    for (const Triangle& t : mesh.Triangles)
+    for (std::size_t i = 0; i < mesh.Triangles.size(); ++i)
     {
+      if (i % (1U << 16) == 0)
+      {
+        const double done = static_cast<double>(i) / static_cast<double>(mesh.Triangles.size());
+        Report(progress, 1.0 - left * (1.0 - 0.5 * done));
+      }
+      const Triangle& t = mesh.Triangles[i];
       const std::array<std::int64_t, 3> m{ midpoints.Of(t[0], t[1], limit),
         midpoints.Of(t[1], t[2], limit), midpoints.Of(t[2], t[0], limit) };
       AddPieces(mesh.Points, t, m, pieces);
@@ -180,6 +188,7 @@ TriangleMesh SplitLongEdges(TriangleMesh mesh, const Limit& limit, std::size_t m
       return {};
     }
     again = mesh.Points.size() > before;
+    left *= 0.5;
   }
   return mesh;
 }

@@ -5,6 +5,7 @@
 #ifndef isthmus_SurfaceSampling_h
 #define isthmus_SurfaceSampling_h
 
+#include "Progress.h"
 #include "TriangleMesh.h"
 #include "vtkIsthmusModule.h"
 
@@ -33,7 +34,8 @@ VTKISTHMUS_EXPORT double EdgeLengthFor(const TriangleMesh& mesh, double points);
  * An empty mesh when that takes more than `maximumPoints`.
  */
 VTKISTHMUS_EXPORT TriangleMesh SplitLongEdges(TriangleMesh mesh,
-  const std::function<double(const Point3&, const Point3&)>& limit, std::size_t maximumPoints);
+  const std::function<double(const Point3&, const Point3&)>& limit, std::size_t maximumPoints,
+  const ProgressCallback& progress = {});
 
 }
 

@@ -29,6 +29,7 @@ namespace
 {
 
 constexpr std::int64_t GridCells = 100; ///< of GridDistance, along the longest side
+constexpr double AnalysisPart = 0.9;    ///< of the progress bar
 constexpr int ManyRounds = 1000;        ///< as good as until nothing gets shorter
 
 isthmus::TetrahedralMesh MeshOf(vtkUnstructuredGrid* grid)
@@ -107,7 +108,7 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
     return;
   }
   this->Kept.reset();
-  const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
+  const auto progress = isthmus::Between(isthmus::ProgressOf(this), 0.0, AnalysisPart);
   auto made = std::make_unique<Cache>();
   made->MadeOf = key;
   isthmus::TriangleMesh triangles = isthmus::MeshOf(surface);
@@ -118,7 +119,8 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
                         << 50 + samples / 600 << " MB.");
   if (this->CapHoles)
   {
-    isthmus::RepairedSurface repaired = isthmus::RepairSurface(triangles);
+    isthmus::RepairedSurface repaired =
+      isthmus::RepairSurface(triangles, isthmus::Between(progress, 0.0, 0.0));
     triangles = std::move(repaired.Mesh);
     if (!repaired.Changes.empty())
     {
@@ -136,7 +138,7 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
   else
   {
     auto* given = vtkUnstructuredGrid::SafeDownCast(grid);
-    const auto part = isthmus::Between(progress, 0.0, 0.5);
+    const auto part = isthmus::Between(progress, 0.0, 0.4);
     isthmus::TetrahedralParameters mesher;
     mesher.Side = isthmus::MeshedSide::Both;
     const isthmus::TetrahedralMesh mesh =
@@ -170,16 +172,18 @@ std::vector<double> vtkChokingLoops::MorseValues(const isthmus::TriangleMesh& su
     }
     return values;
   }
+  const auto progress = isthmus::Between(isthmus::ProgressOf(this), 0.0, AnalysisPart);
+  const auto first = isthmus::Between(progress, 0.4, 0.45);
   if (this->MorseFunction == ClosestPoint)
   {
-    return isthmus::SurfaceDistances(surface, mesh.Points);
+    return isthmus::SurfaceDistances(surface, mesh.Points, first);
   }
   isthmus::Bounds3 box{ mesh.Points.front(), mesh.Points.front() };
   for (const isthmus::Point3& p : mesh.Points)
   {
     box.Add(p);
   }
-  const std::vector<double> exact = isthmus::SurfaceDistances(surface, mesh.Points);
+  const std::vector<double> exact = isthmus::SurfaceDistances(surface, mesh.Points, first);
   std::vector<std::int64_t> sources;
   for (std::size_t i = 0; i < exact.size(); ++i)
   {
@@ -188,11 +192,12 @@ std::vector<double> vtkChokingLoops::MorseValues(const isthmus::TriangleMesh& su
       sources.push_back(static_cast<std::int64_t>(i));
     }
   }
+  const auto second = isthmus::Between(progress, 0.45, 0.5);
   if (this->MorseFunction == EdgePaths)
   {
-    return isthmus::EdgeDistances(mesh, sources);
+    return isthmus::EdgeDistances(mesh, sources, second);
   }
-  const isthmus::DistanceGrid grid = isthmus::GridOfDistances(surface, box, GridCells);
+  const isthmus::DistanceGrid grid = isthmus::GridOfDistances(surface, box, GridCells, second);
   std::vector<double> values;
   for (const isthmus::Point3& p : mesh.Points)
   {
@@ -238,14 +243,21 @@ int vtkChokingLoops::RequestData(
                                                   : ManyRounds;
       isthmus::ChokingLoops& analysis = *this->Kept->Loops;
       std::vector<isthmus::ShownFeature> shown;
-      for (const std::size_t index : analysis.Select(selection))
+      const std::vector<std::size_t> chosen = analysis.Select(selection);
+      const auto progress = isthmus::Between(isthmus::ProgressOf(this), AnalysisPart, 1.0);
+      for (const std::size_t index : chosen)
       {
+        const auto done = [&](std::size_t i)
+        { return static_cast<double>(i) / static_cast<double>(chosen.size()); };
+        const auto part =
+          isthmus::Between(progress, done(shown.size()), done(shown.size() + 1));
+        isthmus::Report(part, 0.0);
         auto geometry = this->Kept->Geometry.find({ index, rounds });
         if (geometry == this->Kept->Geometry.end())
         {
           geometry = this->Kept->Geometry
                        .emplace(std::make_pair(index, rounds),
-                         isthmus::MakeLoopFeature(analysis, index, rounds))
+                         isthmus::MakeLoopFeature(analysis, index, rounds, part))
                        .first;
         }
         shown.push_back({ index, &geometry->second });

@@ -97,79 +97,126 @@ std::vector<SimplexId> WalkOf(const SurfaceAdjacency& s, const std::vector<Simpl
   return walk;
 }
 
+/// The surface, and which of its points is nearest to a given one.
+struct Surface
+{
+  explicit Surface(vtkPolyData* data)
+    : Mesh(isthmus::CheckedSurface(isthmus::MeshOf(data), true))
+    , Adjacency(Mesh)
+  {
+    isthmus::SetMesh(this->Mesh, this->Corners);
+    this->Locator->SetDataSet(this->Corners);
+    this->Locator->BuildLocator();
+  }
+
+  /// A closed polyline of `loops` as a walk along edges.
+  std::vector<SimplexId> Walk(vtkPolyData* loops, vtkIdType cell) const
+  {
+    vtkNew<vtkIdList> ids;
+    loops->GetCellPoints(cell, ids);
+    std::vector<SimplexId> nearest;
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      nearest.push_back(
+        static_cast<SimplexId>(this->Locator->FindClosestPoint(loops->GetPoint(ids->GetId(i)))));
+    }
+    std::vector<SimplexId> walk;
+    if (!nearest.empty())
+    {
+      walk = WalkOf(this->Adjacency, nearest);
+    }
+    if (walk.size() < 3)
+    {
+      throw std::invalid_argument("Loop " + std::to_string(cell - loops->GetNumberOfVerts()) +
+        " is a point or a path there and back: it encloses nothing to shorten.");
+    }
+    return walk;
+  }
+
+  isthmus::TriangleMesh Mesh;
+  SurfaceAdjacency Adjacency;
+  vtkNew<vtkPolyData> Corners;
+  vtkNew<vtkStaticPointLocator> Locator;
+};
+
+/// The output as it grows.
+struct ShortenedLoops
+{
+  explicit ShortenedLoops(vtkPolyData* output)
+    : Output(output)
+  {
+    this->Points->SetDataTypeToDouble();
+    this->Lengths->SetName("Length");
+    this->Converged->SetName("Converged");
+    this->Contractible->SetName("Contractible");
+  }
+
+  void Add(const SurfaceAdjacency& surface, const isthmus::SurfaceCurve& curve)
+  {
+    this->Lines->InsertNextCell(static_cast<int>(curve.Crossings.size() + 1));
+    const vtkIdType start = this->Points->GetNumberOfPoints();
+    for (const isthmus::SurfaceCurvePoint& p : curve.Crossings)
+    {
+      this->Lines->InsertCellPoint(
+        this->Points->InsertNextPoint(isthmus::PositionOf(surface, p).data()));
+    }
+    this->Lines->InsertCellPoint(start);
+    this->Lengths->InsertNextValue(curve.Length);
+    this->Converged->InsertNextValue(curve.Converged);
+    this->Contractible->InsertNextValue(curve.Contractible);
+  }
+
+  void Finish()
+  {
+    this->Output->SetPoints(this->Points);
+    this->Output->SetLines(this->Lines);
+    this->Output->GetCellData()->AddArray(this->Lengths);
+    this->Output->GetCellData()->AddArray(this->Converged);
+    this->Output->GetCellData()->AddArray(this->Contractible);
+  }
+
+  vtkPolyData* Output;
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkCellArray> Lines;
+  vtkNew<vtkDoubleArray> Lengths;
+  vtkNew<vtkIntArray> Converged;
+  vtkNew<vtkIntArray> Contractible;
+};
+
 }
 
 int vtkLoopShortening::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   auto* loops = vtkPolyData::GetData(input[0]);
-  auto* surface = vtkPolyData::GetData(input[1]);
   auto* result = vtkPolyData::GetData(output);
-  if (loops->GetNumberOfLines() == 0)
+  const vtkIdType count = loops->GetNumberOfLines();
+  if (count == 0)
   {
     return 1;
   }
   return isthmus::Guarded(this, result,
     [&]
     {
-      const isthmus::TriangleMesh mesh = isthmus::CheckedSurface(isthmus::MeshOf(surface), true);
-      const SurfaceAdjacency adjacency(mesh);
-      vtkNew<vtkPolyData> corners;
-      isthmus::SetMesh(mesh, corners);
-      vtkNew<vtkStaticPointLocator> locator;
-      locator->SetDataSet(corners);
-      locator->BuildLocator();
-      vtkNew<vtkPoints> points;
-      points->SetDataTypeToDouble();
-      vtkNew<vtkCellArray> lines;
-      vtkNew<vtkDoubleArray> lengths;
-      lengths->SetName("Length");
-      vtkNew<vtkIntArray> converged;
-      converged->SetName("Converged");
-      vtkNew<vtkIntArray> contractible;
-      contractible->SetName("Contractible");
+      const Surface surface(vtkPolyData::GetData(input[1]));
       isthmus::LoopShorteningParameters parameters;
       parameters.MaximumRounds = this->MaximumRounds;
       parameters.Tolerance = this->Tolerance;
       const vtkIdType first = loops->GetNumberOfVerts();
       result->GetCellData()->CopyAllocate(loops->GetCellData());
-      vtkNew<vtkIdList> ids;
-      const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
-      for (vtkIdType c = 0; c < loops->GetNumberOfLines(); ++c)
+      ShortenedLoops shortened(result);
+      for (vtkIdType c = 0; c < count; ++c)
       {
-        isthmus::Report(
-          progress, static_cast<double>(c) / static_cast<double>(loops->GetNumberOfLines()));
-        loops->GetCellPoints(first + c, ids);
-        std::vector<SimplexId> nearest;
-        for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-        {
-          nearest.push_back(
-            static_cast<SimplexId>(locator->FindClosestPoint(loops->GetPoint(ids->GetId(i)))));
-        }
-        const std::vector<SimplexId> walk = WalkOf(adjacency, nearest);
-        if (walk.size() < 3)
-        {
-          throw std::invalid_argument("Loop " + std::to_string(c) +
-            " is a point or a path there and back: it encloses nothing to shorten.");
-        }
-        const isthmus::SurfaceCurve curve = isthmus::ShortenLoop(adjacency, walk, parameters);
-        lines->InsertNextCell(static_cast<int>(curve.Crossings.size() + 1));
-        const vtkIdType start = points->GetNumberOfPoints();
-        for (const isthmus::SurfaceCurvePoint& p : curve.Crossings)
-        {
-          lines->InsertCellPoint(points->InsertNextPoint(isthmus::PositionOf(adjacency, p).data()));
-        }
-        lines->InsertCellPoint(start);
+        const auto done = [count](vtkIdType i)
+        { return static_cast<double>(i) / static_cast<double>(count); };
+        const auto progress = isthmus::Between(isthmus::ProgressOf(this), done(c), done(c + 1));
+        isthmus::Report(progress, 0.0);
+        shortened.Add(surface.Adjacency,
+          isthmus::ShortenLoop(
+            surface.Adjacency, surface.Walk(loops, first + c), parameters, progress));
         result->GetCellData()->CopyData(loops->GetCellData(), first + c, c);
-        lengths->InsertNextValue(curve.Length);
-        converged->InsertNextValue(curve.Converged);
-        contractible->InsertNextValue(curve.Contractible);
       }
-      result->SetPoints(points);
-      result->SetLines(lines);
-      result->GetCellData()->AddArray(lengths);
-      result->GetCellData()->AddArray(converged);
-      result->GetCellData()->AddArray(contractible);
+      shortened.Finish();
     });
 }
 

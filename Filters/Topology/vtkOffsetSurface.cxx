@@ -1,8 +1,8 @@
 #include "vtkOffsetSurface.h"
 
 #include "AlgorithmGuard.h"
+#include "OffsetSurface.h"
 #include "PolyDataMesh.h"
-#include "SurfaceDistance.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -15,7 +15,6 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 vtkStandardNewMacro(vtkOffsetSurface);
 
@@ -31,31 +30,10 @@ int vtkOffsetSurface::RequestData(
   return isthmus::Guarded(this, result,
     [&]
     {
-      if (!(this->Distance > 0.0))
-      {
-        throw std::invalid_argument("The distance of the offset surface must be above 0.");
-      }
-      const isthmus::TriangleMesh mesh = isthmus::MeshOf(surface);
-      if (mesh.Triangles.empty())
-      {
-        throw std::invalid_argument("The input has no triangles to keep a distance from.");
-      }
-      isthmus::Bounds3 box{ mesh.Points.front(), mesh.Points.front() };
-      for (const isthmus::Point3& p : mesh.Points)
-      {
-        box.Add(p);
-      }
-      // Room for the offset and a cell beyond it.
-      const double width =
-        std::max({ box.Max[0] - box.Min[0], box.Max[1] - box.Min[1], box.Max[2] - box.Min[2] });
-      const double margin = this->Distance + 2.0 * width / this->Resolution;
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        box.Min[a] -= margin;
-        box.Max[a] += margin;
-      }
-      const isthmus::DistanceGrid grid = isthmus::GridOfDistances(
-        mesh, box, this->Resolution, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
+      const isthmus::DistanceGrid grid =
+        isthmus::OffsetDistances(isthmus::MeshOf(surface), this->Distance,
+          static_cast<isthmus::OffsetSide>(this->Side), this->Resolution,
+          isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
       vtkNew<vtkDoubleArray> values;
       values->SetName("DistanceToSurface");
       values->SetNumberOfValues(static_cast<vtkIdType>(grid.Values.size()));
@@ -71,6 +49,7 @@ int vtkOffsetSurface::RequestData(
       contour->SetValue(0, this->Distance);
       contour->ComputeNormalsOn();
       contour->Update();
+      isthmus::Report(isthmus::ProgressOf(this), 1.0);
       result->ShallowCopy(contour->GetOutput());
       vtkNew<vtkDoubleArray> spacing;
       spacing->SetName("GridSpacing");
@@ -83,5 +62,6 @@ void vtkOffsetSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Distance: " << this->Distance << "\n";
+  os << indent << "Side: " << this->Side << "\n";
   os << indent << "Resolution: " << this->Resolution << "\n";
 }

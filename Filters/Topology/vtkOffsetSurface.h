@@ -3,13 +3,13 @@
  * @brief The points at a given distance from a surface: what is left for a ball to roll in.
  *
  * Shows what "choked at d" means (thesis, Fig. 6.4): at the `Distance` of a choking loop the offset
- * surface pinches off there. The exact distance to the triangles is sampled on a regular grid and
- * contoured (flying edges), so that the result is right to about the square of the grid spacing
- * over the distance.
+ * surface pinches off there. The distance to the triangles is sampled on a regular grid, exactly
+ * where it matters, and contoured (flying edges), so that the result is right to about the square
+ * of the grid spacing over the distance.
  *
- * Input: triangles (vtkPolyData), closed or not. Output: the surface at `Distance` on both sides,
- * with the cell spacing as field data `GridSpacing`. Time and memory: Resolution^3 nodes at most,
- * some microseconds and 8 bytes each, times two in memory.
+ * Input: triangles (vtkPolyData), closed unless both sides are asked for. Output: the surface at
+ * `Distance` on the side asked for, with normals that face away from the input and the cell spacing
+ * as field data `GridSpacing`. Formulas, errors and cost: OffsetSurface.h.
  */
 #ifndef vtkOffsetSurface_h
 #define vtkOffsetSurface_h
@@ -30,8 +30,21 @@ public:
   vtkGetMacro(Distance, double);
   ///@}
 
+  enum SideType
+  {
+    Inside,
+    Outside,
+    Both
+  };
+
   ///@{
-  /// Grid cells along the longest side of the surface's box. Default 128.
+  /// Inside, Outside (of a closed surface, whichever way it faces) or Both (default).
+  vtkSetClampMacro(Side, int, Inside, Both);
+  vtkGetMacro(Side, int);
+  ///@}
+
+  ///@{
+  /// Grid cells along the longest side of the offset's box. Default 128.
   vtkSetClampMacro(Resolution, int, 8, 1024);
   vtkGetMacro(Resolution, int);
   ///@}
@@ -48,6 +61,7 @@ private:
   void operator=(const vtkOffsetSurface&) = delete;
 
   double Distance = 1.0;
+  int Side = Both;
   int Resolution = 128;
 };
 

@@ -38,7 +38,7 @@ void Crossings(benchmark::State& state)
   for (auto _ : state)
   {
     benchmark::DoNotOptimize(
-      SurfaceCrossings(TheCase().Mesh.View(), TheCase().Grid, CrossingNormal::Triangle));
+      SurfaceCrossings(TheCase().Mesh.View(), TheCase().Grid, CrossingNormal::Triangles));
   }
 }
 

@@ -170,7 +170,7 @@ TEST(SurfaceCrossings, OrderedAndOnTheSurface)
 {
   const Model torus = Moved(Torus(60, 40, 2.0, 0.8), 3.01, 3.02, 1.03);
   const GridShape grid{ { 40, 31, 25 }, { 0.17, 0.2, 0.1 } };
-  const auto crossings = SurfaceCrossings(torus.View(), grid, CrossingNormal::Triangle);
+  const auto crossings = SurfaceCrossings(torus.View(), grid, CrossingNormal::Triangles);
   double area = 0.0;
   const double cell = 0.17 * 0.2 * 0.1;
   for (std::size_t i = 0; i < crossings.size(); ++i)
@@ -241,7 +241,7 @@ TEST(SurfaceCrossings, InsideAgreesWithSolidAngles)
 
   model.Triangles.erase(model.Triangles.begin(), model.Triangles.begin() + 28);
   EXPECT_THROW(NodesInside(model.View(), grid), std::invalid_argument);
-  EXPECT_THROW(SurfaceCrossings(Moved(model, 1e9, 0, 0).View(), grid, CrossingNormal::Triangle),
+  EXPECT_THROW(SurfaceCrossings(Moved(model, 1e9, 0, 0).View(), grid, CrossingNormal::Triangles),
     std::invalid_argument);
 }
 

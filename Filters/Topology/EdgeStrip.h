@@ -1,0 +1,57 @@
+/**
+ * @file EdgeStrip.h
+ * @brief The triangles that a closed curve on a surface passes, as edges crossed, and unfolded.
+ */
+#ifndef isthmus_EdgeStrip_h
+#define isthmus_EdgeStrip_h
+
+#include "SurfaceAdjacency.h"
+
+namespace isthmus
+{
+
+/// A point of a curve on a surface: on half edge HalfEdge, at a fraction of it from From to To.
+struct SurfaceCurvePoint
+{
+  SimplexId HalfEdge;
+  double Fraction;
+};
+
+/// Where a point of a curve lies.
+VTKISTHMUS_EXPORT Point3 PositionOf(const SurfaceAdjacency& surface, const SurfaceCurvePoint& p);
+
+/// The edges that a closed curve crosses, each as half edge of the triangle that the curve enters
+/// there: seen along the curve, From is on the left and To on the right.
+using EdgeStrip = std::vector<SurfaceCurvePoint>;
+
+/// Takes out crossings that go back at once over the same edge.
+VTKISTHMUS_EXPORT void CancelReturns(const SurfaceAdjacency& surface, EdgeStrip& strip);
+
+/// The strip just left of a closed loop of points, consecutive ones joined by an edge: at each
+/// point, the edges between the ways in and out. Throws std::invalid_argument where no edge joins
+/// two of them.
+VTKISTHMUS_EXPORT EdgeStrip StripLeftOf(
+  const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop);
+
+using Point2 = std::array<double, 2>;
+
+/// Twice the signed area of (o, a, b).
+inline double Cross2(const Point2& o, const Point2& a, const Point2& b)
+{
+  return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+}
+
+/// A strip laid into the plane from one edge round to its copy: both ends of every edge.
+struct UnfoldedStrip
+{
+  std::vector<Point2> From;
+  std::vector<Point2> To;
+};
+
+/// Triangles keep their lengths, neighbours their common edge. One edge more than the strip has.
+VTKISTHMUS_EXPORT UnfoldedStrip Unfold(
+  const SurfaceAdjacency& surface, const EdgeStrip& strip, std::size_t start);
+
+}
+
+#endif

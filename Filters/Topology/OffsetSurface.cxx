@@ -1,0 +1,107 @@
+#include "OffsetSurface.h"
+
+#include "MeshOnGrid.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace isthmus
+{
+namespace
+{
+
+Point3 NodeOf(const DistanceGrid& grid, std::size_t i)
+{
+  const auto node = static_cast<std::int64_t>(i);
+  const std::int64_t layer = grid.Dimensions[0] * grid.Dimensions[1];
+  return grid.Origin +
+    grid.Spacing *
+    Point3{ static_cast<double>(node % grid.Dimensions[0]),
+      static_cast<double>(node % layer / grid.Dimensions[0]), static_cast<double>(node / layer) };
+}
+
+/// Room for the offset and two cells beyond it.
+Bounds3 BoxAround(const TriangleMesh& surface, double distance, std::int64_t cells)
+{
+  if (surface.Triangles.empty())
+  {
+    throw std::invalid_argument("The surface has no triangles to keep a distance from.");
+  }
+  if (!(distance > 0.0) || std::isinf(distance))
+  {
+    throw std::invalid_argument("The distance of the offset surface is " +
+      std::to_string(distance) + ", but it must be a number above 0.");
+  }
+  const auto& first = surface.Points[static_cast<std::size_t>(surface.Triangles[0][0])];
+  Bounds3 box{ first, first };
+  for (const Triangle& t : surface.Triangles)
+  {
+    for (const std::int64_t id : t)
+    {
+      const Point3& p = surface.Points[static_cast<std::size_t>(id)];
+      if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+      {
+        throw std::invalid_argument("Point " + std::to_string(id) +
+          " of the surface is not finite: remove it or repair the surface.");
+      }
+      box.Add(p);
+    }
+  }
+  const Point3 size = box.Max - box.Min;
+  const double width = std::max({ size[0], size[1], size[2] }) + 2.0 * distance;
+  const double margin = distance + 2.0 * width / static_cast<double>(cells - 4);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    box.Min[a] -= margin;
+    box.Max[a] += margin;
+  }
+  return box;
+}
+
+/// Replaces values within two spacings of the level by exact ones.
+void MakeExact(const TriangleMesh& surface, double distance, DistanceGrid& grid,
+  const ProgressCallback& progress)
+{
+  std::vector<std::size_t> near;
+  std::vector<Point3> points;
+  for (std::size_t i = 0; i < grid.Values.size(); ++i)
+  {
+    if (std::abs(grid.Values[i] - distance) < 2.0 * grid.Spacing)
+    {
+      near.push_back(i);
+      points.push_back(NodeOf(grid, i));
+    }
+  }
+  const std::vector<double> exact = SurfaceDistances(surface, points, progress);
+  for (std::size_t k = 0; k < near.size(); ++k)
+  {
+    grid.Values[near[k]] = exact[k];
+  }
+}
+
+}
+
+DistanceGrid OffsetDistances(const TriangleMesh& surface, double distance, OffsetSide side,
+  std::int64_t cells, const ProgressCallback& progress)
+{
+  const Bounds3 box = BoxAround(surface, distance, cells);
+  DistanceGrid grid = GridOfDistances(surface, box, cells, Between(progress, 0.0, 0.5));
+  if (distance > 2.0 * grid.Spacing)
+  {
+    MakeExact(surface, distance, grid, Between(progress, 0.5, 0.9));
+  }
+  if (side != OffsetSide::Both)
+  {
+    const MeshOnGrid mesh(surface, grid.Origin);
+    const std::vector<unsigned char> inside = NodesInside(mesh.View(), ShapeOf(grid));
+    const bool wanted = side == OffsetSide::Inside;
+    for (std::size_t i = 0; i < inside.size(); ++i)
+    {
+      grid.Values[i] = (inside[i] != 0) == wanted ? grid.Values[i] : -grid.Values[i];
+    }
+  }
+  Report(progress, 1.0);
+  return grid;
+}
+
+}

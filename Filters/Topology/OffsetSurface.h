@@ -1,0 +1,41 @@
+/**
+ * @file OffsetSurface.h
+ * @brief The points at a given distance from a surface, as a level of a function on a grid.
+ */
+#ifndef isthmus_OffsetSurface_h
+#define isthmus_OffsetSurface_h
+
+#include "SurfaceDistance.h"
+
+namespace isthmus
+{
+
+enum class OffsetSide
+{
+  Inside = 0,
+  Outside = 1,
+  Both = 2
+};
+
+/**
+ * Distances on a grid of `cells` cells along its longest side, which has room for the offset: its
+ * level `distance` is the offset of `surface` on the side asked for. With one side only, distances
+ * on the other are negative.
+ *
+ * Values within two spacings h of that level are exact, so that a contour lies
+ * within about h^2 / (8 distance) of a smooth offset. Others tell on which side of the level they
+ * are.
+ *
+ * @throws std::invalid_argument with a sentence: `distance` or a point is not finite, `distance` is
+ * not above 0, there are no triangles, or one side is asked for and the surface is not closed;
+ * Cancelled.
+ *
+ * Time: cells^3 nodes at some 50 ns, and some microseconds for each node near the level. Memory: 32
+ * bytes a node.
+ */
+VTKISTHMUS_EXPORT DistanceGrid OffsetDistances(const TriangleMesh& surface, double distance,
+  OffsetSide side, std::int64_t cells, const ProgressCallback& progress = {});
+
+}
+
+#endif

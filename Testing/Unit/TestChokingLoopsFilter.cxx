@@ -1,0 +1,204 @@
+// vtkChokingLoops as it is steered: what is not computed again, how it stops, how it tells.
+
+#include "ChokingLoops.h"
+#include "ChokingSurfaces.h"
+#include "vtkChokingLoops.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkExecutive.h>
+#include <vtkFieldData.h>
+#include <vtkLogger.h>
+#include <vtkTable.h>
+#include <vtkTestErrorObserver.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+using namespace isthmus;
+using namespace isthmus::testing;
+
+namespace
+{
+
+class Steered
+{
+public:
+  explicit Steered(const TriangleMesh& mesh)
+  {
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_WARNING);
+    vtkNew<vtkPolyData> surface;
+    SetMesh(mesh, surface);
+    this->Loops->AddObserver(vtkCommand::ErrorEvent, this->Observer);
+    this->Loops->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Pipeline);
+    this->Loops->SetInputData(surface);
+    this->Watch->SetClientData(this);
+    this->Watch->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void* fraction)
+      { static_cast<Steered*>(self)->Hear(*static_cast<double*>(fraction)); });
+    this->Loops->AddObserver(vtkCommand::ProgressEvent, this->Watch);
+  }
+
+  /// One update; stopped at the first progress that reaches `stop`.
+  void Run(double stop = 2.0)
+  {
+    this->Stop = stop;
+    this->Heard.clear();
+    this->Loops->SetAbortExecute(0);
+    this->Loops->Modified();
+    this->Loops->Update();
+  }
+
+  std::vector<double> Times()
+  {
+    vtkDataArray* times = this->Loops->GetOutput()->GetFieldData()->GetArray("StageTimes");
+    std::vector<double> seconds;
+    for (vtkIdType i = 0; times && i < times->GetNumberOfTuples(); ++i)
+    {
+      seconds.push_back(times->GetTuple1(i));
+    }
+    return seconds;
+  }
+
+  bool Empty()
+  {
+    for (int port = 0; port < 3; ++port)
+    {
+      if (vtkPolyData::SafeDownCast(this->Loops->GetOutputDataObject(port))->GetNumberOfPoints() >
+        0)
+      {
+        return false;
+      }
+    }
+    return vtkTable::SafeDownCast(this->Loops->GetOutputDataObject(3))->GetNumberOfRows() == 0;
+  }
+
+  bool Complained() const { return this->Observer->GetError() || this->Observer->GetWarning(); }
+
+  vtkNew<vtkChokingLoops> Loops;
+  std::vector<double> Heard; ///< progress of the last run
+
+private:
+  void Hear(double fraction)
+  {
+    this->Heard.push_back(fraction);
+    if (fraction >= this->Stop)
+    {
+      this->Loops->SetAbortExecute(1);
+    }
+  }
+
+  double Stop = 2.0;
+  vtkNew<vtkCallbackCommand> Watch;
+  vtkNew<vtkTest::ErrorObserver> Observer, Pipeline;
+};
+
+// The times of an analysis are as good as a fingerprint: a second one would not take the same
+// nanoseconds in all of its stages.
+TEST(ChokingLoopsFilter, SteeringDoesNotAnalyseAgain)
+{
+  ISTHMUS_NEEDS_SHARED_DATA("surfaces/soccerball.obj");
+  Steered steered(ReadSurface("soccerball.obj"));
+  vtkChokingLoops* loops = steered.Loops;
+  steered.Run();
+  const std::vector<double> first = steered.Times();
+  ASSERT_EQ(first.size(), 5U);
+  const std::vector<std::pair<std::function<void()>, vtkIdType>> changes = {
+    { [loops] { loops->SetMinimumPersistence(4.0); }, 31 + 59 + 31 + 1 },
+    { [loops] { loops->SetSide(vtkChokingLoops::Inside); }, 31 + 59 },
+    { [loops] { loops->SetShortening(vtkChokingLoops::Geodesic); }, 31 + 59 },
+    { [loops] { loops->SetSide(vtkChokingLoops::Outside); }, 31 + 1 },
+    { [loops] { loops->SetMaximumDistance(25.0); }, 31 },
+    { [loops] { loops->SetAlwaysReportHandles(false); }, 12 },
+    { [loops] { loops->SetMaximumDistanceUnit(vtkChokingLoops::Absolute); }, 31 + 1 },
+    { [loops] { loops->SetShorteningRounds(2); }, 31 + 1 },
+  };
+  for (const auto& [change, count] : changes)
+  {
+    change();
+    steered.Run();
+    EXPECT_EQ(steered.Times(), first);
+    EXPECT_EQ(
+      vtkPolyData::SafeDownCast(loops->GetOutputDataObject(2))->GetNumberOfPoints(), count);
+  }
+  // And the opposite, lest the times never change at all.
+  loops->SetSampleSpacing(1.0);
+  steered.Run();
+  EXPECT_NE(steered.Times(), first);
+}
+
+TEST(ChokingLoopsFilter, ProgressOnlyMovesForward)
+{
+  Steered steered(Torus(1.0, 0.3, 60, 20));
+  steered.Loops->SetSampleSpacing(0.2);
+  steered.Loops->SetShortening(vtkChokingLoops::Geodesic);
+  steered.Run();
+  EXPECT_TRUE(std::is_sorted(steered.Heard.begin(), steered.Heard.end()));
+  ASSERT_FALSE(steered.Heard.empty());
+  EXPECT_LE(steered.Heard.back(), 1.0);
+  // It moves: no step takes a third of the bar, and few reports stand still.
+  const auto distinct = std::set<double>(steered.Heard.begin(), steered.Heard.end());
+  EXPECT_GT(distinct.size(), steered.Heard.size() / 2);
+  for (std::size_t i = 1; i < steered.Heard.size(); ++i)
+  {
+    EXPECT_LT(steered.Heard[i] - steered.Heard[i - 1], 0.45);
+  }
+}
+
+/// Stopped at every tenth of the bar: empty outputs, no message; then a full run.
+void ExpectStops(Steered& steered)
+{
+  for (double stop = 0.0; stop < 0.995; stop += 0.1)
+  {
+    steered.Run(stop);
+    EXPECT_TRUE(steered.Empty()) << "stopped at " << stop;
+    EXPECT_FALSE(steered.Complained()) << "stopped at " << stop;
+    // What had been done can't be told apart: the next run starts from what is kept.
+    steered.Loops->SetSampleSpacing(steered.Loops->GetSampleSpacing() + 1e-9);
+  }
+  steered.Run();
+  EXPECT_FALSE(steered.Empty());
+}
+
+TEST(ChokingLoopsFilter, StopsInEveryStage)
+{
+  Steered steered(Torus(1.0, 0.3, 60, 20));
+  steered.Loops->SetSampleSpacing(0.2);
+  steered.Loops->SetShortening(vtkChokingLoops::Geodesic);
+  ExpectStops(steered);
+}
+
+TEST(ChokingLoopsFilter, StopsWhileTetGenRuns)
+{
+  Steered steered(Torus(1.0, 0.3, 30, 12));
+  steered.Loops->SetFiltration(vtkChokingLoops::TetrahedralMesh);
+  steered.Run();
+  if (steered.Complained())
+  {
+    GTEST_SKIP() << "needs tetgen";
+  }
+  ExpectStops(steered);
+}
+
+// At reports anywhere between the first and the last.
+TEST(ChokingLoopsFilter, StopsAtAnyReport)
+{
+  const TriangleMesh torus = Torus(1.0, 0.3, 60, 20);
+  ChokingLoopParameters parameters;
+  parameters.SampleSpacing = 0.2;
+  int calls = 0;
+  const ChokingLoops all(TriangleMesh(torus), parameters, [&calls](double) { return ++calls > 0; });
+  ASSERT_GT(calls, 20);
+  for (int stop = 0; stop < calls; stop += 1 + calls / 25)
+  {
+    int call = 0;
+    EXPECT_THROW(ChokingLoops(TriangleMesh(torus), parameters,
+                   [&call, stop](double) { return call++ < stop; }),
+      Cancelled)
+      << stop << " of " << calls;
+  }
+}
+
+}
