@@ -6,6 +6,7 @@
 #include "PolyDataMesh.h"
 #include "SurfaceDistance.h"
 #include "SurfaceRepair.h"
+#include "SurfaceSampling.h"
 #include "TetrahedralMesher.h"
 
 #include <vtkDataArray.h>
@@ -18,6 +19,7 @@
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -51,6 +53,15 @@ isthmus::TetrahedralMesh MeshOf(vtkUnstructuredGrid* grid)
     mesh.Tetrahedra.push_back({ p[0], p[1], p[2], p[3] });
   }
   return mesh;
+}
+
+/// Edges that are split end up between half the spacing and the whole: some three times as many
+/// points as a lattice of that spacing has.
+std::size_t ExpectedSamples(const isthmus::TriangleMesh& surface, double spacing)
+{
+  const double lattice = isthmus::EdgeLengthFor(surface, 1.0);
+  const double split = spacing > 0.0 ? 3.0 * std::pow(lattice / spacing, 2.0) : 20000.0;
+  return std::max(surface.Points.size(), static_cast<std::size_t>(std::min(split, 1e12)));
 }
 
 }
@@ -101,10 +112,11 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
   auto made = std::make_unique<Cache>();
   made->MadeOf = key;
   isthmus::TriangleMesh triangles = isthmus::MeshOf(surface);
+  const std::size_t samples = ExpectedSamples(triangles, this->SampleSpacing);
   vtkLog(INFO,
-    "Choking loops of " << triangles.Points.size() << " points: some "
-                        << 1 + triangles.Points.size() / 60000 << " s and "
-                        << 50 + triangles.Points.size() / 600 << " MB.");
+    "Choking loops of " << triangles.Points.size() << " points, some " << samples
+                        << " samples: about " << 1 + samples / 30000 << " s and "
+                        << 50 + samples / 600 << " MB.");
   if (this->CapHoles)
   {
     isthmus::RepairedSurface repaired =
