@@ -7,8 +7,6 @@
 
 #include "TriangleMesh.h"
 
-#include <numeric>
-
 namespace isthmus
 {
 
@@ -68,36 +66,6 @@ void ForEachEdge(const std::vector<HalfEdge>& edges, Visit&& visit)
     first = last;
   }
 }
-
-/// Union-find with path halving.
-class TriangleSets
-{
-public:
-  explicit TriangleSets(std::size_t n)
-    : Parent(n)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), std::size_t{ 0 });
-  }
-
-  std::size_t Find(std::size_t i)
-  {
-    while (this->Parent[i] != i)
-    {
-      i = this->Parent[i] = this->Parent[this->Parent[i]];
-    }
-    return i;
-  }
-
-  void Join(std::size_t a, std::size_t b)
-  {
-    a = this->Find(a);
-    b = this->Find(b);
-    this->Parent[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<std::size_t> Parent;
-};
 
 }
 

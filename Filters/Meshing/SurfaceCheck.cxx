@@ -1,5 +1,6 @@
 #include "SurfaceCheck.h"
 
+#include "DisjointSets.h"
 #include "MeshEdges.h"
 
 #include <algorithm>
@@ -92,9 +93,9 @@ void CheckFans(const TriangleMesh& mesh, const std::vector<HalfEdge>& edges,
   {
     const Triangle& ids = mesh.Triangles[static_cast<std::size_t>(triangle)];
     const auto corner = std::find(ids.begin(), ids.end(), point) - ids.begin();
-    return static_cast<std::size_t>(3 * triangle + corner);
+    return 3 * triangle + corner;
   };
-  TriangleSets corners(3 * mesh.Triangles.size());
+  DisjointSets corners(static_cast<std::int64_t>(3 * mesh.Triangles.size()));
   ForEachEdge(edges,
     [&](auto first, auto last)
     {
@@ -113,7 +114,7 @@ void CheckFans(const TriangleMesh& mesh, const std::vector<HalfEdge>& edges,
     }
     const std::int64_t point = mesh.Triangles[c / 3][c % 3];
     std::int64_t& root = fan[static_cast<std::size_t>(point)];
-    const auto mine = static_cast<std::int64_t>(corners.Find(c));
+    const std::int64_t mine = corners.Find(static_cast<std::int64_t>(c));
     if (root < 0)
     {
       root = mine;

@@ -1,5 +1,6 @@
 #include "SurfaceTopology.h"
 
+#include "DisjointSets.h"
 #include "MeshEdges.h"
 
 namespace isthmus
@@ -8,21 +9,21 @@ namespace isthmus
 std::vector<int> Components(const TriangleMesh& mesh)
 {
   const std::size_t n = mesh.Triangles.size();
-  TriangleSets sets(n);
+  DisjointSets sets(static_cast<std::int64_t>(n));
   ForEachEdge(SortedHalfEdges(mesh, {}),
     [&sets](auto first, auto last)
     {
       for (auto e = first + 1; e != last; ++e)
       {
-        sets.Join(static_cast<std::size_t>(first->Triangle), static_cast<std::size_t>(e->Triangle));
+        sets.Join(first->Triangle, e->Triangle);
       }
     });
   std::vector<int> label(n, -1);
   int count = 0;
   for (std::size_t t = 0; t < n; ++t)
   {
-    const std::size_t root = sets.Find(t); // the smallest triangle id, so met first
-    label[t] = root == t ? count++ : label[root];
+    const auto root = static_cast<std::size_t>(sets.Find(static_cast<std::int64_t>(t)));
+    label[t] = root == t ? count++ : label[root]; // the smallest triangle id, so met first
   }
   return label;
 }

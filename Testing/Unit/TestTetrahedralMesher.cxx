@@ -7,6 +7,10 @@
 #include "SurfaceRepair.h"
 #include "SurfaceTable.h"
 #include "SurfaceTopology.h"
+#include "vtkMSMSReader.h"
+
+#include <vtkNew.h>
+#include <vtkPolyData.h>
 
 #include <gtest/gtest.h>
 
@@ -287,6 +291,32 @@ TEST(TetrahedralMesher, EverySharedSurfaceIsFilledOrRefused)
       EXPECT_EQ(refusal, "");
     }
   }
+}
+
+// MSMS's surface of lysozyme, a shell and three cavities, crosses itself in 43 triangles.
+TEST(TetrahedralMesher, LysozymeIsFilledOnceRepaired)
+{
+  ISTHMUS_NEEDS_SHARED_DATA("surfaces/lysozyme_msms/Lys1.vert");
+  vtkNew<vtkMSMSReader> reader;
+  reader->SetFileName(
+    (isthmus::testing::SharedDataFolder() / "surfaces/lysozyme_msms/Lys1.face").c_str());
+  reader->Update();
+  const TriangleMesh surface = MeshOf(reader->GetOutput());
+  EXPECT_NE(WhyRefused(surface, {}).find("43 triangles"), std::string::npos);
+  const RepairedSurface repaired = RepairSurface(surface);
+  DemandCleanSurface(repaired.Mesh);
+  EXPECT_EQ(EulerCharacteristic(repaired.Mesh), 8);
+  double filled = 0.0;
+  const TetrahedralMesh mesh = MeshTetrahedra(repaired.Mesh, {});
+  for (const auto& [region, volume] : Volumes(mesh))
+  {
+    filled += volume;
+  }
+  const double before = SignedVolume(surface), after = SignedVolume(repaired.Mesh);
+  std::printf("lysozyme: volume %.3f, repaired %.3f, %zu tetrahedra %.3f; %s\n", before, after,
+    mesh.Tetrahedra.size(), filled, repaired.Changes.c_str());
+  EXPECT_NEAR(after / before, 1.0, 1e-3); // 0.3 % of its triangles crossed others
+  EXPECT_NEAR(filled / after, 1.0, 1e-9);
 }
 
 /// Acceptance 1, second half: with quality refinement by TetGen (surface free and kept) and with

@@ -1,0 +1,146 @@
+// libFuzzer target: vtkOpenDXReader reads the bytes as a file (the first byte chooses the array);
+// what it reads is all there and, written by vtkOpenDXWriter, comes back the same.
+//
+// Seeds come from LLVMFuzzerCustomMutator, which now and then starts from a sound file.
+
+#include "vtkOpenDXReader.h"
+#include "vtkOpenDXWriter.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkObject.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t most);
+
+namespace
+{
+
+const std::string Head = R"(# POTENTIAL (kT/e)
+object 1 class gridpositions counts 2 3 2
+origin -1.5 2e-3 +3
+)";
+const std::string Straight = "delta 0.5 0 0\ndelta 0 0.25 0\ndelta 0 0 2\n";
+const std::string Skewed = "delta 0.5 0 0\ndelta 0.1 0.25 0\ndelta 0 -0.3 2\n";
+const std::string Values = R"(object 2 class gridconnections counts 2 3 2
+object 3 class array type "double" rank 0 items 12 data follows
+0 1 -2.5e-3
+nan 4 5, 6 7 # comment
+8 9 10 1e-400
+attribute "dep" string "positions"
+object 4 class array type float rank 1 shape 2 items 12 data follows
+1 2 3 4 5 6 7 8 9 10 11 12 1 2 3 4 5 6 7 8 9 10 11 12
+object "regular positions" class field
+component "positions" value 1
+component "data" value 3
+)";
+const std::string Raw = "object 3 class array type float items 12 lsb ieee data follows\n";
+
+/// A file in memory with a path that can be opened.
+class MemoryFile
+{
+public:
+  MemoryFile(const void* bytes, std::size_t size)
+    : Descriptor(memfd_create("grid", 0))
+  {
+    if (::write(this->Descriptor, bytes, size) != static_cast<ssize_t>(size))
+    {
+      std::abort();
+    }
+  }
+  ~MemoryFile() { ::close(this->Descriptor); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  std::string Path() const { return "/proc/self/fd/" + std::to_string(this->Descriptor); }
+
+private:
+  int Descriptor;
+};
+
+void ReadFrom(const std::string& path, int index, vtkImageData* image)
+{
+  vtkNew<vtkOpenDXReader> reader;
+  vtkOpenDXReader::CanReadFile(path.c_str());
+  reader->SetFileName(path.c_str());
+  reader->SetFieldIndex(index);
+  reader->Update();
+  image->ShallowCopy(reader->GetOutput());
+}
+
+void ExpectSame(vtkImageData* a, vtkImageData* b)
+{
+  vtkDataArray* const first = a->GetPointData()->GetArray("Potential");
+  vtkDataArray* const second = b->GetPointData()->GetArray("Potential");
+  if (!second || first->GetNumberOfValues() != second->GetNumberOfValues() ||
+    first->GetDataType() != second->GetDataType())
+  {
+    std::abort();
+  }
+  for (vtkIdType i = 0; i < first->GetNumberOfValues(); ++i)
+  {
+    const double was = first->GetVariantValue(i).ToDouble();
+    const double is = second->GetVariantValue(i).ToDouble();
+    if (!(was == is || (std::isnan(was) && std::isnan(is))))
+    {
+      std::abort();
+    }
+  }
+}
+
+}
+
+extern "C" int LLVMFuzzerInitialize(int*, char***)
+{
+  vtkObject::GlobalWarningDisplayOff(); // sentences are expected and not the point here
+  return 0;
+}
+
+extern "C" size_t LLVMFuzzerCustomMutator(
+  uint8_t* data, size_t size, size_t most, unsigned int seed)
+{
+  if (size < 2 || seed % 64 == 0)
+  {
+    const std::string bodies[] = { Straight + Values, Skewed + Values,
+      Straight + Raw + std::string(48, '\x3f') + "\nend\n" };
+    const std::string sound = '\0' + Head + bodies[seed / 64 % 3];
+    size = std::min(most, sound.size());
+    std::memcpy(data, sound.data(), size);
+  }
+  return LLVMFuzzerMutate(data, size, most);
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
+{
+  if (size < 2)
+  {
+    return 0;
+  }
+  const MemoryFile file(data + 1, size - 1);
+  vtkNew<vtkImageData> image;
+  ReadFrom(file.Path(), data[0] % 3, image);
+  if (image->GetNumberOfPoints() == 0)
+  {
+    return 0; // refused with a sentence
+  }
+  const MemoryFile copy("", 0);
+  vtkNew<vtkOpenDXWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(copy.Path().c_str());
+  writer->Write();
+  vtkNew<vtkImageData> back;
+  ReadFrom(copy.Path(), 0, back);
+  ExpectSame(image, back);
+  return 0;
+}
