@@ -249,8 +249,7 @@ int vtkChokingLoops::RequestData(
       {
         const auto done = [&](std::size_t i)
         { return static_cast<double>(i) / static_cast<double>(chosen.size()); };
-        const auto part =
-          isthmus::Between(progress, done(shown.size()), done(shown.size() + 1));
+        const auto part = isthmus::Between(progress, done(shown.size()), done(shown.size() + 1));
         isthmus::Report(part, 0.0);
         auto geometry = this->Kept->Geometry.find({ index, rounds });
         if (geometry == this->Kept->Geometry.end())
