@@ -192,13 +192,14 @@ TEST(ChokingInput, CostIsToldBefore)
   std::string log;
   vtkLogger::AddCallback("cost", Append, &log, vtkLogger::VERBOSITY_INFO);
   FilterRun plain(DataOf(Ring()));
-  EXPECT_NE(log.find("Choking loops of 600 points, some 20000 samples: about 1 s and 83 MB"),
+  EXPECT_NE(log.find("Choking loops of some 20000 samples: about 1 s and 100 MB"),
     std::string::npos)
     << log;
   log.clear();
   FilterRun finer(DataOf(Ring()), [](vtkChokingLoops* f) { f->SetSampleSpacing(0.05); });
   vtkLogger::RemoveCallback("cost");
-  const double samples = finer.Surface(0)->GetFieldData()->GetArray("NumberOfSamples")->GetTuple1(0);
+  const double samples =
+    finer.Surface(0)->GetFieldData()->GetArray("NumberOfSamples")->GetTuple1(0);
   const auto at = log.find("some ");
   ASSERT_NE(at, std::string::npos) << log;
   const double told = std::stod(log.substr(at + 5));
@@ -229,22 +230,27 @@ std::vector<double> Numbers(vtkPolyData* data)
 
 TEST(ChokingInput, ThreadsDoNotMatter)
 {
-  ISTHMUS_NEEDS_SHARED_DATA("surfaces/casting.off"); // refined, and completed from tetrahedra
-  for (const TriangleMesh& mesh : { TangleCube(40), ReadSurface("casting.off") })
+  ISTHMUS_NEEDS_SHARED_DATA("surfaces/Kitten.off");
+  // So coarse that its generators must be completed from tetrahedra; refined where it is blurred.
+  const std::array<std::pair<TriangleMesh, double>, 2> cases{ { { ReadSurface("Kitten.off"), 1e30 },
+    { TangleCube(30), 0.0 } } };
+  for (const auto& [mesh, spacing] : cases)
   {
+    const TriangleMesh& surface = mesh; // what a lambda can capture
+    const double size = spacing;
     std::vector<std::vector<double>> results;
     for (const int threads : { 1, 4 })
     {
       vtkSMPTools::LocalScope(vtkSMPTools::Config(threads, std::string("STDThread"), false),
         [&]
         {
-          FilterRun run(DataOf(mesh));
+          FilterRun run(DataOf(surface), [size](vtkChokingLoops* f) { f->SetSampleSpacing(size); });
           results.push_back(Numbers(run.Surface(0)));
           const std::vector<double> membranes = Numbers(run.Surface(1));
           results.back().insert(results.back().end(), membranes.begin(), membranes.end());
         });
     }
-    EXPECT_GT(results[0].size(), 1000U);
+    EXPECT_GT(results[0].size(), 100U);
     EXPECT_EQ(results[0], results[1]);
   }
 }
