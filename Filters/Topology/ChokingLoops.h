@@ -80,7 +80,7 @@ public:
    * consistently oriented, finite, free of self-intersections (unless allowed), or whose size is
    * not between 1e-40 and 1e40; std::runtime_error when it would take too many samples; Cancelled.
    *
-   * Time is near linear: some 15 s and 1.5 GB for a million points, on two threads.
+   * Time is near linear: some 30 s and 2.5 GB for a million points, on two threads.
    */
   VTKISTHMUS_EXPORT explicit ChokingLoops(TriangleMesh surface,
     const ChokingLoopParameters& parameters = {}, const ProgressCallback& progress = {});

@@ -6,6 +6,7 @@
 #include "PolyDataMesh.h"
 #include "SurfaceDistance.h"
 #include "SurfaceRepair.h"
+#include "SurfaceSampling.h"
 #include "TetrahedralMesher.h"
 
 #include <vtkDataArray.h>
@@ -18,6 +19,7 @@
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -29,6 +31,19 @@ namespace
 constexpr std::int64_t GridCells = 100; ///< of GridDistance, along the longest side
 constexpr double AnalysisPart = 0.9;    ///< of the progress bar
 constexpr int ManyRounds = 1000;        ///< as good as until nothing gets shorter
+
+/// What an analysis is going to take, from the times of BenchChokingLoops on two threads.
+void TellEstimate(const isthmus::TriangleMesh& surface, double spacing)
+{
+  // Halved edges are three quarters of the spacing long, on average.
+  const double asked =
+    spacing > 0.0 ? 2.0 * std::pow(isthmus::EdgeLengthFor(surface, 1.0) / spacing, 2.0) : 20000.0;
+  const double samples = std::max(static_cast<double>(surface.Points.size()), asked);
+  const auto whole = [](double x) { return x < 1e15 ? static_cast<vtkIdType>(std::ceil(x)) : -1; };
+  vtkLog(INFO,
+    "Choking loops of some " << whole(samples) << " samples: about " << whole(samples / 33000.0)
+                             << " s and " << whole(50.0 + samples / 400.0) << " MB.");
+}
 
 isthmus::TetrahedralMesh MeshOf(vtkUnstructuredGrid* grid)
 {
@@ -101,10 +116,7 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
   auto made = std::make_unique<Cache>();
   made->MadeOf = key;
   isthmus::TriangleMesh triangles = isthmus::MeshOf(surface);
-  vtkLog(INFO,
-    "Choking loops of " << triangles.Points.size() << " points: some "
-                        << 1 + triangles.Points.size() / 60000 << " s and "
-                        << 50 + triangles.Points.size() / 600 << " MB.");
+  TellEstimate(triangles, this->Filtration == Delaunay ? this->SampleSpacing : 0.0);
   if (this->CapHoles)
   {
     isthmus::RepairedSurface repaired =
@@ -237,8 +249,7 @@ int vtkChokingLoops::RequestData(
       {
         const auto done = [&](std::size_t i)
         { return static_cast<double>(i) / static_cast<double>(chosen.size()); };
-        const auto part =
-          isthmus::Between(progress, done(shown.size()), done(shown.size() + 1));
+        const auto part = isthmus::Between(progress, done(shown.size()), done(shown.size() + 1));
         isthmus::Report(part, 0.0);
         auto geometry = this->Kept->Geometry.find({ index, rounds });
         if (geometry == this->Kept->Geometry.end())

@@ -237,7 +237,7 @@ TEST(HighOrderDiffusionFilter, RefusesSeveralComponentsAndMissingScalars)
   EXPECT_NE(Filter(image).Complaint().find("of 3 components"), std::string::npos);
   const auto bare = BumpImage();
   bare->GetPointData()->Initialize();
-  EXPECT_NE(Filter(bare).Complaint().find("no point array"), std::string::npos);
+  EXPECT_NE(Filter(bare).Complaint().find("no active scalars"), std::string::npos);
 }
 
 TEST(HighOrderDiffusionFilter, ShowsProgressAndStops)
