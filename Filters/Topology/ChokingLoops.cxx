@@ -134,9 +134,9 @@ struct ChokingLoops::Analysis
     , Pairs(Filtration, Between(progress, 0.0, 0.5))
     , Adjacency(Samples)
     , Homology(Adjacency)
-    , Embedding(Adjacency, Filtration)
+    , Embedding(Adjacency, Filtration, Between(progress, 0.5, 0.55))
     , Context{ Filtration, Pairs, Homology, Embedding, Adjacency, std::move(errors) }
-    , Regions(Context, Between(progress, 0.5, 0.6))
+    , Regions(Context, Between(progress, 0.55, 0.6))
   {
     times.Pairing += this->Watch.Lap();
     this->Found.Diagram = ShapeFeatures(this->Context, this->Regions, Between(progress, 0.6, 0.9));
@@ -209,7 +209,8 @@ struct ChokingLoops::Analysis
     {
       const ShapeFeature& f = this->Found.Diagram.Features[i];
       const double reference = this->Found.Diagram.Reference[static_cast<std::size_t>(f.Side)];
-      const bool generator = IsGenerator(f) && (!f.Trusted || this->Found.Membranes[i]->Loops.empty());
+      const bool generator =
+        IsGenerator(f) && (!f.Trusted || this->Found.Membranes[i]->Loops.empty());
       const bool blurredVoid = f.Kind == FeatureKind::Noise && f.Dimension == 2 && !f.Trusted &&
         f.Persistence() > WorthRefining * reference;
       if (generator || blurredVoid)
@@ -265,8 +266,8 @@ ChokingLoops::ChokingLoops(
     {
       break;
     }
-    samples = Refined(this->State->Samples, blurred, spacing * std::pow(0.6, round),
-      Between(progress, to, to));
+    samples = Refined(
+      this->State->Samples, blurred, spacing * std::pow(0.6, round), Between(progress, to, to));
     times.Sampling += watch.Lap();
     if (samples.Points.empty())
     {
