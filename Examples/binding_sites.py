@@ -2,13 +2,14 @@
 surface above, the polarized curvature below, the ligand (if there is one) as sticks, and a table.
 
 Usage: pvpython binding_sites.py PROTEIN [POTENTIAL] [--ligand NAME] [--surface FILE]
-                                 [--output FOLDER]
+                                 [--decay NUMBER] [--output FOLDER]
 
 PROTEIN    PDB file (.pdb, .ent, plain or .gz). Its ligand, the residue NAME or else the largest
            HETATM residue that is not part of a chain, is taken out before anything is computed.
 POTENTIAL  OpenDX file in kT/e (.dx, .dx.gz). Without it, pdb2pqr and APBS are run.
 FILE       surface to use instead of a Gaussian one of the protein: MSMS .vert (with its .face), or
            anything else that ParaView reads as triangles.
+NUMBER     decay of the Gaussians of the surface: smaller is coarser. Default: 1.2.
 FOLDER     where picture and table go; default: binding_sites.
 """
 
@@ -27,12 +28,13 @@ import site_pipeline  # noqa: E402
 import isthmus  # noqa: E402
 
 
-def arguments():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+def arguments(description=__doc__):
+    parser = argparse.ArgumentParser(description=description.split("\n\n")[0])
     parser.add_argument("protein", type=Path)
     parser.add_argument("potential", type=Path, nargs="?")
     parser.add_argument("--ligand")
     parser.add_argument("--surface", type=Path)
+    parser.add_argument("--decay", type=float, default=site_pipeline.DECAY)
     parser.add_argument("--output", type=Path, default=Path("binding_sites"))
     return parser.parse_args()
 
@@ -62,10 +64,11 @@ def given_surface(path):
     return simple.servermanager.Fetch(simple.Triangulate(Input=simple.ExtractSurface(Input=source)))
 
 
-def make_surface(options, molecule):
+def make_surface(options, molecule, scale):
     if not options.surface:
         atoms = site_pipeline.read_atoms(molecule)
-        return site_pipeline.outer_surface(site_pipeline.density(atoms))
+        image = site_pipeline.density(atoms, options.decay, scale=scale)
+        return site_pipeline.outer_surface(image)
     curvature = isthmus.vtkSurfaceCurvature()
     curvature.SetInputData(given_surface(options.surface))
     curvature.SetMethod(isthmus.vtkSurfaceCurvature.EdgeTensor)
@@ -190,30 +193,39 @@ def picture(surface, target, ligand_file, path):
     )
 
 
-def main():
-    options = arguments()
-    options.output.mkdir(parents=True, exist_ok=True)
+def prepare(options, folder):
+    """The surface with polarized curvature, the PDB lines of the ligand, and the protein's name."""
     name = options.protein.name.split(".")[0]
     protein, ligand, ligand_name = apbs_potential.split(options.protein, options.ligand)
     if options.ligand and not ligand:
         sys.exit(f"{options.protein} has no residue {options.ligand}.")
     print(f"Ligand: {ligand_name}, {len(ligand)} heavy atoms." if ligand else "No ligand found.")
+    molecule = pqr = charged_atoms(protein, folder, name)
+    potential = options.potential
+    if potential is None:
+        if not pqr or not apbs_potential.programs()[1]:
+            sys.exit(
+                "No potential is given, and pdb2pqr and apbs are not both installed: give an "
+                "OpenDX file, or install them (Debian: pdb2pqr, apbs)."
+            )
+        print("No potential is given: running APBS.", flush=True)
+        potential = apbs_potential.potential(pqr, folder, name)
+    scale = 1.0
+    if not pqr:
+        scale = site_pipeline.WITHOUT_HYDROGENS
+        print(f"pdb2pqr is not installed: heavy atoms, Bondi's radii x {scale}, make the surface.")
+        molecule = heavy_atoms(protein, folder, name)
+    surface = site_pipeline.polarized(
+        make_surface(options, molecule, scale), site_pipeline.read_potential(potential)
+    )
+    return surface, ligand, name
+
+
+def main():
+    options = arguments()
+    options.output.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
-        molecule = pqr = charged_atoms(protein, folder, name)
-        if options.potential is None:
-            if not pqr or not apbs_potential.programs()[1]:
-                sys.exit(
-                    "No potential is given, and pdb2pqr and apbs are not both installed: give an "
-                    "OpenDX file, or install them (Debian: pdb2pqr, apbs)."
-                )
-            print("No potential is given: running APBS.", flush=True)
-            options.potential = apbs_potential.potential(pqr, folder, name)
-        if not pqr:
-            print("pdb2pqr is not installed: heavy atoms with Bondi's radii make the surface.")
-            molecule = heavy_atoms(protein, folder, name)
-        surface = site_pipeline.polarized(
-            make_surface(options, molecule), site_pipeline.read_potential(options.potential)
-        )
+        surface, ligand, name = prepare(options, folder)
         surface, rows = site_pipeline.sites(surface)
         if not rows:
             sys.exit("No site was found.")

@@ -12,6 +12,7 @@ import isthmus
 
 DECAY = 1.2  # of the Gaussians: see BindingSites.md for what it was tuned on
 SPACING = 0.6  # angstrom
+WITHOUT_HYDROGENS = 1.25  # makes up for the hydrogens in the radii of heavy atoms, roughly
 
 
 def read_atoms(path):
@@ -22,12 +23,13 @@ def read_atoms(path):
     return reader.GetOutput()
 
 
-def density(atoms, decay=DECAY, spacing=SPACING):
-    """Sum of Gaussians whose level 1 encloses the balls of all atoms."""
+def density(atoms, decay=DECAY, spacing=SPACING, scale=1.0):
+    """Sum of Gaussians whose level 1 encloses the balls of all atoms, their radii times `scale`."""
     gaussians = isthmus.vtkMolecularDensity()
     gaussians.SetInputData(atoms)
     gaussians.SetDecay(decay)
     gaussians.SetSpacing(spacing)
+    gaussians.SetRadiusScale(scale)
     gaussians.Update()
     return gaussians.GetOutput()
 

@@ -1,13 +1,11 @@
 #include "GemmiStructure.h"
 
+#include "PDBStream.h"
 #include "PQRFile.h"
-#include "TextLines.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <unordered_map>
 #include <utility>
 
@@ -20,113 +18,6 @@ namespace isthmus
 namespace
 {
 
-/// What blank occupancies and B factors are given as to gemmi, which would make 1 and 20 of them.
-constexpr float Blank = 1e38F;
-constexpr const char* BlankText = "  1e38";
-
-/// Thrown on a line whose coordinates are not where PDB has them.
-struct OtherColumns : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
-
-/// The lines of a PDB file as gemmi asks for them, checked and completed on the way.
-class PDBStream
-{
-public:
-  PDBStream(
-    std::string_view text, const std::string& path, bool cutAt72, const ProgressCallback& progress)
-    : Lines(text, path, progress)
-    , CutAt72(cutAt72)
-  {
-  }
-
-  /// gemmi's contract: at most size - 1 characters, the line end among them; nullptr at the end.
-  char* gets(char* to, int size)
-  {
-    std::string_view next;
-    if (!this->Lines.Next(next))
-    {
-      return nullptr;
-    }
-    this->Line = next.substr(0, this->CutAt72 ? 72 : static_cast<std::size_t>(size - 2));
-    // gemmi's strings end at a zero byte
-    this->Line.erase(std::min(this->Line.find('\0'), this->Line.size()));
-    if (this->Line.compare(0, 6, "HETATM") == 0 || this->Line.compare(0, 4, "ATOM") == 0)
-    {
-      this->CheckAtom();
-    }
-    else if (this->Line.compare(0, 6, "CONECT") == 0)
-    {
-      this->ReadBonds();
-    }
-    else if (this->Line.size() < 80)
-    {
-      // gemmi 0.5.7 keeps SSBOND and LINK lines and reads past the end of short ones.
-      const auto first = static_cast<char>(std::toupper(static_cast<unsigned char>(this->Line[0])));
-      this->Line.resize(first == 'S' || first == 'L' ? 80 : this->Line.size(), ' ');
-    }
-    this->Line += '\n';
-    std::memcpy(to, this->Line.c_str(), this->Line.size() + 1);
-    return to;
-  }
-  int getc() { return '\n'; }
-
-  /// Pairs of serial numbers of CONECT records.
-  std::vector<std::array<int, 2>> Bonded;
-
-private:
-  void CheckAtom()
-  {
-    for (const std::size_t from : { 30, 38, 46 })
-    {
-      double x = 0.0;
-      if (!IsNumber(Columns(this->Line, from, 8), x) || !std::isfinite(x))
-      {
-        throw OtherColumns(this->Lines.Here() + "columns " + std::to_string(from + 1) + " to " +
-          std::to_string(from + 8) +
-          " hold no coordinate (a finite number). Is it a PDB file, and whole?");
-      }
-    }
-    const bool noElement =
-      Columns(this->Line, 76, 2).find_first_not_of("0123456789") == std::string_view::npos;
-    const std::string_view charge = Columns(this->Line, 78, 2);
-    if (noElement && !charge.empty() && charge.find_first_of("+-") == std::string_view::npos)
-    {
-      throw std::runtime_error(this->Lines.Here() + "columns 79-80 hold no charge.");
-    }
-    for (const std::size_t from : { 54, 60 })
-    {
-      if (Columns(this->Line, from, 6).empty())
-      {
-        this->Line.resize(std::max<std::size_t>(this->Line.size(), from + 6), ' ');
-        this->Line.replace(from, 6, BlankText);
-      }
-    }
-  }
-
-  void ReadBonds()
-  {
-    int from = 0;
-    int to = 0;
-    if (!IsNumber(Columns(this->Line, 6, 5), from))
-    {
-      return;
-    }
-    for (std::size_t at = 11; at < 31; at += 5)
-    {
-      if (IsNumber(Columns(this->Line, at, 5), to))
-      {
-        this->Bonded.push_back({ from, to });
-      }
-    }
-  }
-
-  TextLines Lines;
-  bool CutAt72;
-  std::string Line;
-};
-
 [[noreturn]] void Fail(const std::string& path, const char* format, const std::exception& error)
 {
   std::string reason = error.what();
@@ -137,7 +28,7 @@ private:
 
 double KnownOrNot(float value)
 {
-  return value == Blank ? Atom::Unknown : static_cast<double>(value);
+  return value == PDBStream::Blank ? Atom::Unknown : static_cast<double>(value);
 }
 
 /// Rounded where gemmi keeps floats, so that 0.7 is 0.7 again in double.
@@ -258,7 +149,7 @@ Macromolecule TryPDB(std::string_view text, const std::string& path, bool cutAt7
   const gemmi::Structure structure =
     gemmi::pdb_impl::read_pdb_from_stream(stream, path, gemmi::PdbReadOptions());
   Macromolecule molecule = Flatten(structure, model);
-  AddConect(stream.Bonded, molecule);
+  AddConect(stream.Bonded(), molecule);
   return molecule;
 }
 
@@ -282,6 +173,10 @@ Macromolecule PDBInWords(std::string_view text, const std::string& path, std::in
     throw;
   }
   catch (const std::runtime_error&)
+  {
+    throw first;
+  }
+  if (molecule.NumberOfModels == 0) // records in small letters
   {
     throw first;
   }
@@ -323,7 +218,7 @@ void MarkBlanks(gemmi::cif::Block& block, const char* tag)
   {
     if (gemmi::cif::is_null(value))
     {
-      value = BlankText + 2;
+      value = PDBStream::BlankText;
     }
   }
 }

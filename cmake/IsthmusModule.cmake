@@ -88,6 +88,7 @@ set(sources
   Filters/Meshing/TetGenProcess.cxx
   Filters/Meshing/TetrahedralMesher.cxx
   Filters/Meshing/TriangleTree.cxx
+  Filters/Molecular/BallBricks.cxx
   Filters/Molecular/MolecularDensity.cxx
   Filters/Support/CellType.cxx
   Filters/Support/ChosenScalars.cxx
@@ -148,6 +149,7 @@ set(sources
   Readers/OpenDXReader.cxx
   Readers/OpenDXText.cxx
   Readers/OpenDXWriter.cxx
+  Readers/PDBStream.cxx
   Readers/PlainFile.cxx
   Readers/PQRFile.cxx
   Readers/SkewedLattice.cxx

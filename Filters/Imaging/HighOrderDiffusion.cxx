@@ -73,7 +73,8 @@ private:
   T* NewVolume();
   void Evaluate(const DiffusionStage<T>& stage, const ProgressCallback& progress) const;
   std::size_t EulerStep(const TimeStep& step, const ProgressCallback& progress);
-  std::size_t SuperStep(const TimeStep& step, const ProgressCallback& progress);
+  using StageOf = RowUpdate<T> (*)(int j, int stages, double length);
+  std::size_t SuperStep(const TimeStep& step, StageOf stageOf, const ProgressCallback& progress);
   int ToMidpoint(double length, const ProgressCallback& progress);
   int FillCoefficient(std::size_t values, std::size_t scratch, std::size_t moreScratch);
   void Record(const TimeStep& step, const T* after, DiffusionReport& report) const;
@@ -146,7 +147,8 @@ std::size_t Solver<T>::EulerStep(const TimeStep& step, const ProgressCallback& p
 }
 
 template <typename T>
-std::size_t Solver<T>::SuperStep(const TimeStep& step, const ProgressCallback& progress)
+std::size_t Solver<T>::SuperStep(
+  const TimeStep& step, StageOf stageOf, const ProgressCallback& progress)
 {
   std::size_t out = 0;
   for (int j = 1; j <= step.Stages; ++j)
@@ -154,7 +156,7 @@ std::size_t Solver<T>::SuperStep(const TimeStep& step, const ProgressCallback& p
     const std::size_t in = out;
     out = in == 1 ? 2 : 1; // stages alternate between two volumes
     DiffusionStage<T> stage;
-    stage.Update = LegendreStage<T>(j, step.Stages, step.Length);
+    stage.Update = stageOf(j, step.Stages, step.Length);
     stage.Current = this->Volumes[in];
     stage.Previous = j == 1 ? nullptr : this->Volumes[j == 2 ? 0 : out];
     stage.First = this->Volumes[0];
@@ -205,8 +207,8 @@ template <typename T>
 int Solver<T>::ToMidpoint(double length, const ProgressCallback& progress)
 {
   const double limit = ExplicitStepLimit(this->Parameter, this->Grid.Spacing);
-  const TimeStep half{ length / 2, SuperStages(length / 2, limit) };
-  const std::size_t middle = this->SuperStep(half, progress);
+  const TimeStep half{ length / 2, FirstOrderStages(length / 2, limit) };
+  const std::size_t middle = this->SuperStep(half, FirstOrderLegendreStage<T>, progress);
   return half.Stages + this->FillCoefficient(middle, 3 - middle, 3);
 }
 
@@ -220,7 +222,7 @@ void Solver<T>::Advance(
     report.Evaluations += this->FillCoefficient(0, 1, 2);
   }
   const bool super = this->Parameter.Integrator == Parameters::IntegratorType::SuperTimeStepping;
-  const double ahead = super && this->Coefficient ? 0.4 : 0.0;
+  const double ahead = super && this->Coefficient ? 0.33 : 0.0;
   if (ahead > 0.0)
   {
     // All stages need one coefficient: in a changing one a long step would not be stable. That of
@@ -228,7 +230,8 @@ void Solver<T>::Advance(
     report.Evaluations += this->ToMidpoint(step.Length, Between(progress, 0.0, ahead));
   }
   const ProgressCallback rest = Between(progress, ahead, 1.0);
-  const std::size_t result = super ? this->SuperStep(step, rest) : this->EulerStep(step, rest);
+  const std::size_t result =
+    super ? this->SuperStep(step, LegendreStage<T>, rest) : this->EulerStep(step, rest);
   report.Evaluations += step.Stages;
   this->Time += step.Length;
   if (record)

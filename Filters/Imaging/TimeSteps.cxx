@@ -26,6 +26,20 @@ double Reach(int stages)
   return (s * s + s - 2.0) / 4.0;
 }
 
+/// The same of the first-order method.
+double FirstOrderReach(int stages)
+{
+  const double s = stages;
+  return (s * s + s) / 2.0;
+}
+
+/// The next odd number, at least `fewest`: even ones damp the fastest mode less.
+int OddStages(double needed, int fewest)
+{
+  const auto stages = static_cast<int>(std::ceil(needed * (1.0 - 1e-12)));
+  return std::max(fewest, stages + (stages % 2 == 0));
+}
+
 double B(int j)
 {
   return j < 2 ? 1.0 / 3.0 : (j * j + j - 2.0) / (2.0 * j * (j + 1.0));
@@ -35,9 +49,12 @@ double B(int j)
 
 int SuperStages(double length, double limit)
 {
-  const double needed = (std::sqrt(9.0 + 16.0 * length / limit) - 1.0) / 2.0;
-  const auto stages = static_cast<int>(std::ceil(needed * (1.0 - 1e-12)));
-  return std::max(3, stages + (stages % 2 == 0)); // even ones damp the fastest mode less
+  return OddStages((std::sqrt(9.0 + 16.0 * length / limit) - 1.0) / 2.0, 3);
+}
+
+int FirstOrderStages(double length, double limit)
+{
+  return OddStages((std::sqrt(1.0 + 8.0 * length / limit) - 1.0) / 2.0, 1);
 }
 
 std::vector<TimeStep> EulerSteps(double time, double limit, int count)
@@ -107,7 +124,20 @@ RowUpdate<T> LegendreStage(int j, int stages, double length)
   return update;
 }
 
+template <typename T>
+RowUpdate<T> FirstOrderLegendreStage(int j, int stages, double length)
+{
+  const double w = 1.0 / FirstOrderReach(stages), mu = (2.0 * j - 1.0) / j;
+  RowUpdate<T> update;
+  update.OfCurrent = static_cast<T>(mu);
+  update.OfPrevious = static_cast<T>(1.0 - mu);
+  update.OfRate = static_cast<T>(mu * w * length);
+  return update;
+}
+
 template RowUpdate<float> LegendreStage(int, int, double);
 template RowUpdate<double> LegendreStage(int, int, double);
+template RowUpdate<float> FirstOrderLegendreStage(int, int, double);
+template RowUpdate<double> FirstOrderLegendreStage(int, int, double);
 
 }

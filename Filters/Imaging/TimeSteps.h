@@ -42,9 +42,16 @@ VTKISTHMUS_EXPORT std::vector<TimeStep> SuperSteps(double time, double limit, in
 /// How many stages a super step of this length takes: odd, at least three.
 int SuperStages(double length, double limit);
 
+/// The same for a step of the first-order method: about 0.7 times as many, at least one.
+int FirstOrderStages(double length, double limit);
+
 /// Factors of stage j (1 to `stages`) of a Runge-Kutta-Legendre step, second order.
 template <typename T>
 RowUpdate<T> LegendreStage(int j, int stages, double length);
+
+/// The same of first order, for where a step is only to be looked ahead.
+template <typename T>
+RowUpdate<T> FirstOrderLegendreStage(int j, int stages, double length);
 
 }
 

@@ -1,6 +1,7 @@
 #include "vtkDiffusionAlgorithm.h"
 
 #include "AlgorithmGuard.h"
+#include "ChosenScalars.h"
 #include "DiffusionImage.h"
 #include "RankParts.h"
 
@@ -14,6 +15,7 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <stdexcept>
+#include <string>
 
 vtkCxxSetObjectMacro(vtkDiffusionAlgorithm, Controller, vtkMultiProcessController);
 
@@ -41,17 +43,6 @@ isthmus::ProgressCallback SharedProgress(
     parts.Sum(&stops, 1);
     return stops == 0.0;
   };
-}
-
-/// Throws on all ranks if `holds` is false on one.
-void RequireOnAllRanks(bool holds, const isthmus::RankParts& parts, const char* sentence)
-{
-  double broken = holds ? 0.0 : 1.0;
-  parts.Sum(&broken, 1);
-  if (broken > 0.0)
-  {
-    throw std::invalid_argument(sentence);
-  }
 }
 
 }
@@ -129,9 +120,7 @@ int vtkDiffusionAlgorithm::RequestData(
     {
       isthmus::Extent own = this->OwnPart(input, outputs->GetInformationObject(0), whole);
       const isthmus::RankParts parts(this->Controller, whole, own, this->HaloWidth());
-      vtkDataArray* scalars = this->ChosenScalars(input);
-      RequireOnAllRanks(scalars || input->GetNumberOfPoints() == 0, parts,
-        "The input has no point array to work on: choose one with SetInputArrayToProcess.");
+      vtkDataArray* scalars = this->ScalarsOnAllRanks(input, parts);
       output->ShallowCopy(input);
       output->Crop(own.data());
       double anyDouble = scalars && !FitsFloat(scalars) ? 1.0 : 0.0;
@@ -149,9 +138,30 @@ int vtkDiffusionAlgorithm::RequestData(
 
 vtkDataArray* vtkDiffusionAlgorithm::ChosenScalars(vtkImageData* image)
 {
-  const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  return chosen && !*chosen ? image->GetPointData()->GetScalars()
-                            : this->GetInputArrayToProcess(0, image);
+  return image->GetNumberOfPoints() == 0 ? nullptr : isthmus::ChosenScalars(this, image);
+}
+
+vtkDataArray* vtkDiffusionAlgorithm::ScalarsOnAllRanks(
+  vtkImageData* image, const isthmus::RankParts& parts)
+{
+  vtkDataArray* scalars = nullptr;
+  std::string complaint;
+  try
+  {
+    scalars = this->ChosenScalars(image);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    complaint = error.what();
+  }
+  double refusals = complaint.empty() ? 0.0 : 1.0;
+  parts.Sum(&refusals, 1);
+  if (refusals > 0.0)
+  {
+    throw std::invalid_argument(
+      complaint.empty() ? "Another rank has no array to work on: see its message." : complaint);
+  }
+  return scalars;
 }
 
 template <typename T>

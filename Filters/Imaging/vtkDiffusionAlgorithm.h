@@ -78,7 +78,7 @@ protected:
   virtual void Process(isthmus::DiffusionImage<double>& image) = 0;
   ///@}
 
-  /// The array to work on; the active scalars where a panel has sent no name yet. May be null.
+  /// The array to work on (Support/ChosenScalars.h); null on a rank without nodes.
   vtkDataArray* ChosenScalars(vtkImageData* image);
 
 private:
@@ -87,6 +87,9 @@ private:
   /// The nodes this rank has to compute, of what the input delivered.
   std::array<int, 6> OwnPart(
     vtkImageData* input, vtkInformation* request, const std::array<int, 6>& whole);
+
+  /// The array to work on; refuses on all ranks if one has none.
+  vtkDataArray* ScalarsOnAllRanks(vtkImageData* image, const isthmus::RankParts& parts);
 
   template <typename T>
   void Compute(vtkImageData* input, vtkImageData* output, const isthmus::RankParts& parts);

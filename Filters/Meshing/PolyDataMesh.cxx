@@ -7,6 +7,8 @@
 #include <vtkSmartPointer.h>
 #include <vtkTriangleFilter.h>
 
+#include <algorithm>
+
 namespace isthmus
 {
 
@@ -44,6 +46,22 @@ TriangleMesh MeshOf(vtkPolyData* surface)
     {
       mesh.Triangles.push_back({ ids[0], ids[1], ids[2] });
     }
+  }
+  return mesh;
+}
+
+TriangleMesh MeshOf(const SurfaceView& surface)
+{
+  TriangleMesh mesh;
+  mesh.Points.resize(static_cast<std::size_t>(surface.NumberOfPoints));
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    std::copy_n(surface.Point(static_cast<vtkIdType>(i)), 3, mesh.Points[i].begin());
+  }
+  mesh.Triangles.resize(static_cast<std::size_t>(surface.NumberOfTriangles));
+  for (std::size_t i = 0; i < mesh.Triangles.size(); ++i)
+  {
+    std::copy_n(surface.Triangle(static_cast<vtkIdType>(i)), 3, mesh.Triangles[i].begin());
   }
   return mesh;
 }

@@ -1,5 +1,6 @@
 #include "MolecularDensity.h"
 
+#include "BallBricks.h"
 #include "ParallelFor.h"
 #include "VectorClones.h"
 
@@ -8,162 +9,21 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <tuple>
+#include <utility>
 
 namespace isthmus
 {
 namespace
 {
 
-using Index3 = std::array<std::int64_t, 3>;
-
-/// Nodes of a brick: its sums in double fit into the second-level cache.
-constexpr Index3 BrickSize{ 64, 32, 16 };
-constexpr std::int64_t MostEntries = std::int64_t{ 1 } << 31;
 constexpr double SmallestTerm = 1e-6;
-
-/// Nodes [First, Last) of the grid.
-struct Brick
-{
-  Index3 First;
-  Index3 Last;
-};
-
-/// The nodes along an axis within `reach` of `centre` (in spacings), kept within [first, last).
-struct Range
-{
-  Range(double centre, double reach, std::int64_t first, std::int64_t last)
-  {
-    // The comparisons come before the conversion, which is undefined for what doesn't fit.
-    const double from = std::ceil(centre - reach);
-    const double to = std::floor(centre + reach) + 1.0;
-    this->First = from > static_cast<double>(first)
-      ? (from < static_cast<double>(last) ? static_cast<std::int64_t>(from) : last)
-      : first;
-    this->Last = to < static_cast<double>(last)
-      ? (to > static_cast<double>(first) ? static_cast<std::int64_t>(to) : first)
-      : last;
-  }
-  bool IsEmpty() const { return this->First >= this->Last; }
-
-  std::int64_t First;
-  std::int64_t Last;
-};
-
-/// What the two forms share: bricks, and which balls reach into each.
-class Bricks
-{
-public:
-  /// Balls in spacings from the grid's first node; `reach` times the radius is covered.
-  Bricks(std::vector<Ball> balls, double reach, const GridView<float>& grid)
-    : Balls(std::move(balls))
-    , Reach(reach)
-    , Grid(grid)
-  {
-    // An order of their own, so that the sums do not depend on that of the input.
-    std::sort(this->Balls.begin(), this->Balls.end(),
-      [](const Ball& a, const Ball& b)
-      {
-        return std::tie(a.Centre[2], a.Centre[1], a.Centre[0], a.Radius) <
-          std::tie(b.Centre[2], b.Centre[1], b.Centre[0], b.Radius);
-      });
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      this->Counts[axis] = (grid.Dimensions[axis] + BrickSize[axis] - 1) / BrickSize[axis];
-    }
-    this->Start.assign(static_cast<std::size_t>(this->Size()) + 1, 0);
-    this->ForEachEntry([this](std::size_t brick, std::size_t) { ++this->Start[brick + 1]; });
-    for (std::size_t b = 1; b < this->Start.size(); ++b)
-    {
-      this->Start[b] += this->Start[b - 1];
-    }
-    this->Entries.resize(static_cast<std::size_t>(this->Start.back()));
-    std::vector<std::int64_t> next(this->Start);
-    this->ForEachEntry([&](std::size_t brick, std::size_t ball)
-      { this->Entries[static_cast<std::size_t>(next[brick]++)] = ball; });
-  }
-
-  std::int64_t Size() const { return this->Counts[0] * this->Counts[1] * this->Counts[2]; }
-
-  Brick At(std::int64_t b) const
-  {
-    const Index3 place{ b % this->Counts[0], b / this->Counts[0] % this->Counts[1],
-      b / (this->Counts[0] * this->Counts[1]) };
-    Brick brick;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      brick.First[axis] = place[axis] * BrickSize[axis];
-      brick.Last[axis] = std::min(brick.First[axis] + BrickSize[axis], this->Grid.Dimensions[axis]);
-    }
-    return brick;
-  }
-
-  /// Calls `use(ball)` for those that reach into brick `b`.
-  template <typename Use>
-  void ForEachBall(std::int64_t b, Use use) const
-  {
-    const auto at = static_cast<std::size_t>(b);
-    for (std::int64_t e = this->Start[at]; e < this->Start[at + 1]; ++e)
-    {
-      use(this->Balls[this->Entries[static_cast<std::size_t>(e)]]);
-    }
-  }
-
-private:
-  template <typename Use>
-  void ForEachEntry(Use use)
-  {
-    std::int64_t entries = 0;
-    for (std::size_t ball = 0; ball < this->Balls.size(); ++ball)
-    {
-      Index3 first;
-      Index3 last;
-      bool empty = false;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        const Range nodes(this->Balls[ball].Centre[axis], this->Reach * this->Balls[ball].Radius, 0,
-          this->Grid.Dimensions[axis]);
-        empty = empty || nodes.IsEmpty();
-        first[axis] = nodes.First / BrickSize[axis];
-        last[axis] = (nodes.Last - 1) / BrickSize[axis] + 1;
-      }
-      if (empty)
-      {
-        continue;
-      }
-      entries += (last[0] - first[0]) * (last[1] - first[1]) * (last[2] - first[2]);
-      if (entries > MostEntries)
-      {
-        throw std::invalid_argument("The balls are so large against the spacing that too many of "
-                                    "them reach every node: choose a larger spacing.");
-      }
-      for (std::int64_t k = first[2]; k < last[2]; ++k)
-      {
-        for (std::int64_t j = first[1]; j < last[1]; ++j)
-        {
-          for (std::int64_t i = first[0]; i < last[0]; ++i)
-          {
-            use(static_cast<std::size_t>(i + this->Counts[0] * (j + this->Counts[1] * k)), ball);
-          }
-        }
-      }
-    }
-  }
-
-  std::vector<Ball> Balls;
-  double Reach;
-  GridView<float> Grid;
-  Index3 Counts{ 0, 0, 0 };
-  std::vector<std::int64_t> Start;
-  std::vector<std::size_t> Entries;
-};
 
 /// The values of a brick, x fastest.
 using BrickValues = std::vector<double>;
 
 constexpr std::int64_t IndexInBrick(std::int64_t i, std::int64_t j, std::int64_t k)
 {
-  return i + BrickSize[0] * (j + BrickSize[1] * k);
+  return i + BallBricks::BrickSize[0] * (j + BallBricks::BrickSize[1] * k);
 }
 
 /// Calls row(j, k, rest) for each row of nodes that the sphere may meet, where the nodes within are
@@ -171,8 +31,8 @@ constexpr std::int64_t IndexInBrick(std::int64_t i, std::int64_t j, std::int64_t
 template <typename Row>
 inline void ForEachRow(const Ball& ball, double reach, const Brick& brick, Row row)
 {
-  const Range z(ball.Centre[2], reach, brick.First[2], brick.Last[2]);
-  const Range y(ball.Centre[1], reach, brick.First[1], brick.Last[1]);
+  const NodeRange z(ball.Centre[2], reach, brick.First[2], brick.Last[2]);
+  const NodeRange y(ball.Centre[1], reach, brick.First[1], brick.Last[1]);
   for (std::int64_t k = z.First; k < z.Last; ++k)
   {
     const double dz = static_cast<double>(k) - ball.Centre[2];
@@ -189,15 +49,15 @@ inline void ForEachRow(const Ball& ball, double reach, const Brick& brick, Row r
 }
 
 /// Values of the nodes of a brick along its longest axis, or another.
-using AxisValues = std::array<double, BrickSize[0]>;
+using AxisValues = std::array<double, BallBricks::BrickSize[0]>;
 
 /// exp(-decay (node - centre)^2 / radius^2) of the nodes of a brick along an axis that are in
 /// reach, which are returned; 0 of the others.
-Range Gaussian(const Ball& ball, std::size_t axis, double decay, double reach, const Brick& brick,
-  AxisValues& values)
+NodeRange Gaussian(const Ball& ball, std::size_t axis, double decay, double reach,
+  const Brick& brick, AxisValues& values)
 {
   values.fill(0.0);
-  const Range nodes(ball.Centre[axis], reach, brick.First[axis], brick.Last[axis]);
+  const NodeRange nodes(ball.Centre[axis], reach, brick.First[axis], brick.Last[axis]);
   for (std::int64_t i = nodes.First; i < nodes.Last; ++i)
   {
     const double t = (static_cast<double>(i) - ball.Centre[axis]) / ball.Radius;
@@ -208,7 +68,7 @@ Range Gaussian(const Ball& ball, std::size_t axis, double decay, double reach, c
 
 /// Nodes that are worked on together along x, so that the compiler needs no loop for the rest.
 constexpr std::int64_t Chunk = 8;
-static_assert(BrickSize[0] % Chunk == 0);
+static_assert(BallBricks::BrickSize[0] % Chunk == 0);
 
 /// Adds the products of the three axes' values: no exponential and no root in the loops. `x` is for
 /// nodes [firstChunk, lastChunk) in chunks; beyond the ball it adds zeros.
@@ -240,7 +100,7 @@ void AddGaussian(const Ball& ball, double decay, double reach, const Brick& bric
   AxisValues x;
   AxisValues y;
   AxisValues z;
-  const Range nodes = Gaussian(ball, 0, decay, reach, brick, x);
+  const NodeRange nodes = Gaussian(ball, 0, decay, reach, brick, x);
   Gaussian(ball, 1, decay, reach, brick, y);
   Gaussian(ball, 2, decay, reach, brick, z);
   const double top = std::exp(decay);
@@ -255,7 +115,7 @@ void AddBall(const Ball& ball, const Brick& brick, double* values)
   ForEachRow(ball, ball.Radius, brick,
     [&](std::int64_t j, std::int64_t k, double rest)
     {
-      const Range row(ball.Centre[0], std::sqrt(rest), first[0], brick.Last[0]);
+      const NodeRange row(ball.Centre[0], std::sqrt(rest), first[0], brick.Last[0]);
       if (!row.IsEmpty())
       {
         double* to = values + IndexInBrick(-first[0], j - first[1], k - first[2]);
@@ -310,7 +170,7 @@ void Fill(const std::vector<Ball>& balls, double reach, const std::array<double,
         ball.Radius / h });
     }
   }
-  const Bricks bricks(std::move(inSpacings), reach, to);
+  const BallBricks bricks(std::move(inSpacings), reach, to.Dimensions);
   Report(progress, 0.1);
   constexpr std::int64_t bricksAtOnce = 4; // their memory is taken once for all of them
   ParallelFor(
@@ -320,7 +180,9 @@ void Fill(const std::vector<Ball>& balls, double reach, const std::array<double,
       BrickValues values;
       for (std::int64_t b = firstBrick; b < lastBrick; ++b)
       {
-        values.assign(static_cast<std::size_t>(BrickSize[0] * BrickSize[1] * BrickSize[2]), 0.0);
+        values.assign(static_cast<std::size_t>(BallBricks::BrickSize[0] * BallBricks::BrickSize[1] *
+                        BallBricks::BrickSize[2]),
+          0.0);
         const Brick brick = bricks.At(b);
         bricks.ForEachBall(b, [&](const Ball& ball) { add(ball, brick, values.data()); });
         Store(values, brick, to);

@@ -1,6 +1,7 @@
 /**
  * @file ConformingGenerators.h
- * @brief Handles and tunnels of a surface from tetrahedra that have its triangles among their faces.
+ * @brief Handles and tunnels of a surface from tetrahedra that have its triangles among their
+ * faces.
  */
 #ifndef isthmus_ConformingGenerators_h
 #define isthmus_ConformingGenerators_h
@@ -38,7 +39,8 @@ VTKISTHMUS_EXPORT std::vector<ConformingGenerator> ConformingGenerators(
 
 /**
  * A loop and membrane of `surface` on the same surface after SplitLongEdges(): each edge of M
- * becomes the pieces that it was split into. `samples` keeps the surface's points as its first ones.
+ * becomes the pieces that it was split into. `samples` keeps the surface's points as its first
+ * ones.
  */
 class SplitSurface
 {

@@ -33,8 +33,7 @@ ShapeFeature FeatureOf(const ConformingGenerator& generator, double reference)
   ShapeFeature feature;
   feature.Dimension = 1;
   feature.Side = generator.Side;
-  feature.Kind =
-    generator.Side == SpaceSide::Inside ? FeatureKind::Handle : FeatureKind::Tunnel;
+  feature.Kind = generator.Side == SpaceSide::Inside ? FeatureKind::Handle : FeatureKind::Tunnel;
   feature.Death = generator.Radius;
   feature.Error = generator.Radius;
   feature.Fill = std::max(generator.Radius, reference);

@@ -25,7 +25,8 @@ struct SurfaceGenerator
  *
  * When the complex fills space, that is all 2g classes: where inside and outside are apart from
  * each other (above the sampling error), g of them die inside and g outside ("half lives, half
- * dies"). Ascending by value. Time: 2g reductions of cycles and an elimination of 2g columns.
+ * dies"), and what a filler closes is a class of its side plus, perhaps, one that died before on
+ * the other. Ascending by value. Time: 2g reductions of cycles and an elimination of 2g columns.
  */
 VTKISTHMUS_EXPORT std::vector<SurfaceGenerator> SurfaceGenerators(const SurfaceHomology& homology,
   const SurfaceInComplex& surface, const CellFiltration& f, const FiltrationPairs& pairs,

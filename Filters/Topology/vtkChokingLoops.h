@@ -35,7 +35,10 @@
  * (s: check, sampling, filtration, pairing, features).
  *
  * A surface that is not closed, manifold, consistently oriented, finite and free of
- * self-intersections ends in an error that names triangles, and empty outputs.
+ * self-intersections ends in an error that names triangles, and empty outputs. Handles and tunnels
+ * that are narrower than the sampling error are found on a mesh that TetGen makes of both sides; a
+ * warning then says that their `Distance` is an upper bound, or, where TetGen fails, that their
+ * number and side are not assured.
  *
  * The analysis is kept: thresholds, sides and shortening are answered from it. Time is near linear,
  * some 30 s and 2.5 GB for a million points on two threads; loops and membranes cost little.

@@ -3,6 +3,7 @@
 #include "AlgorithmGuard.h"
 #include "OffsetSurface.h"
 #include "PolyDataMesh.h"
+#include "PolyDataTriangles.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -30,8 +31,9 @@ int vtkOffsetSurface::RequestData(
   return isthmus::Guarded(this, result,
     [&]
     {
+      const isthmus::PolyDataTriangles triangles(surface);
       const isthmus::DistanceGrid grid =
-        isthmus::OffsetDistances(isthmus::MeshOf(surface), this->Distance,
+        isthmus::OffsetDistances(isthmus::MeshOf(triangles.View()), this->Distance,
           static_cast<isthmus::OffsetSide>(this->Side), this->Resolution,
           isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
       vtkNew<vtkDoubleArray> values;

@@ -62,12 +62,14 @@ sampled = vtk_to_numpy(probe.GetOutput().GetPointData().GetArray("Potential"))
 expected = RegularGridInterpolator(axes, values)(points)
 assert numpy.abs(sampled - expected).max() <= 1e-10 * numpy.abs(expected).max()
 
+corner = simple.ExtractSubset(Input=source, VOI=[10, 60, 20, 50, 30, 90])
 with tempfile.TemporaryDirectory() as folder:
     for name in ("copy.dx", "copy.dx.gz"):
         path = os.path.join(folder, name)
-        simple.SaveData(path, source)
+        simple.SaveData(path, corner)
         again = servermanager.Fetch(simple.OpenDataFile(path))
-        assert again.GetOrigin() == image.GetOrigin() and again.GetSpacing() == image.GetSpacing()
+        assert again.GetSpacing() == image.GetSpacing()
+        assert again.GetOrigin() == image.GetPoint(image.ComputePointId([10, 20, 30]))
         copied = vtk_to_numpy(again.GetPointData().GetArray("Potential"))
-        assert (copied == read.ravel(order="F")).all()
+        assert (copied == read[10:61, 20:51, 30:91].ravel(order="F")).all()
 print("the potential is the file's")

@@ -230,8 +230,8 @@ inline std::array<std::vector<std::size_t>, 2> Generators(const ChokingLoops& lo
 
 /// Intersection numbers on M of the loops of features, mod 2: one loop is pushed to its left and
 /// crosses the other along its edges.
-inline Bits Intersections(
-  ChokingLoops& loops, const std::vector<std::size_t>& rows, const std::vector<std::size_t>& columns)
+inline Bits Intersections(ChokingLoops& loops, const std::vector<std::size_t>& rows,
+  const std::vector<std::size_t>& columns)
 {
   Bits numbers;
   for (const std::size_t r : rows)

@@ -93,8 +93,8 @@ std::vector<std::array<Point3, 2>> BuckyballEdges()
 {
   const double g = 0.5 * (1.0 + std::sqrt(5.0));
   std::vector<Point3> corners;
-  for (const Point3& p : { Point3{ 0, 1, 3 * g }, Point3{ 1, 2 + g, 2 * g },
-         Point3{ g, 2, 2 * g + 1 } })
+  for (const Point3& p :
+    { Point3{ 0, 1, 3 * g }, Point3{ 1, 2 + g, 2 * g }, Point3{ g, 2, 2 * g + 1 } })
   {
     for (int signs = 0; signs < 8; ++signs)
     {

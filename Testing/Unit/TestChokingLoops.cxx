@@ -7,8 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
-#include <random>
 
 using namespace isthmus;
 using namespace isthmus::testing;
@@ -193,42 +191,6 @@ TEST(ChokingLoops, GroELHasItsSymmetry)
   EXPECT_EQ(Near(loops, selection, SpaceSide::Inside, 8.37, 0.03), 14);
 }
 
-TEST(ChokingLoops, OrderAndRotationDoNotMatter)
-{
-  TriangleMesh mesh = TangleCube(40);
-  const ChokingLoops first{ TriangleMesh(mesh) };
-  std::mt19937 random(7);
-  std::vector<std::int64_t> order(mesh.Points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::shuffle(order.begin(), order.end(), random);
-  TriangleMesh other = mesh;
-  const Point3 x{ 2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0 };
-  const Point3 y{ 2.0 / 3.0, 2.0 / 3.0, -1.0 / 3.0 };
-  const Point3 z = Cross(x, y);
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    const Point3& p = mesh.Points[i];
-    other.Points[static_cast<std::size_t>(order[i])] = { Dot(x, p), Dot(y, p), Dot(z, p) };
-  }
-  for (Triangle& t : other.Triangles)
-  {
-    for (std::int64_t& p : t)
-    {
-      p = order[static_cast<std::size_t>(p)];
-    }
-  }
-  std::shuffle(other.Triangles.begin(), other.Triangles.end(), random);
-  const ChokingLoops second{ std::move(other) };
-  const auto a = first.Select(Percent(100, 5));
-  const auto b = second.Select(Percent(100, 5));
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    const double d = first.Diagram().Features[a[i]].Distance();
-    EXPECT_NEAR(second.Diagram().Features[b[i]].Distance(), d, 1e-6 * d);
-  }
-}
-
 TEST(ChokingLoops, CubeHasNone)
 {
   const TriangleMesh cube = LevelSet(
@@ -251,33 +213,6 @@ void ExpectRefused(TriangleMesh mesh, const std::string& words)
   {
     EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
   }
-}
-
-TEST(ChokingLoops, RefusesWhatItCannotDo)
-{
-  const TriangleMesh torus = Torus(1.0, 0.3, 30, 20);
-  TriangleMesh open = torus;
-  open.Triangles.pop_back();
-  ExpectRefused(open, "hole");
-  TriangleMesh flipped = torus;
-  std::swap(flipped.Triangles[5][0], flipped.Triangles[5][1]);
-  ExpectRefused(flipped, "orientation");
-  TriangleMesh invalid = torus;
-  invalid.Points[3][1] = NAN;
-  ExpectRefused(invalid, "not finite");
-  TriangleMesh tiny = torus;
-  for (Point3& p : tiny.Points)
-  {
-    p = 1e-60 * p;
-  }
-  ExpectRefused(tiny, "out of range");
-  TriangleMesh flat = torus;
-  for (Point3& p : flat.Points)
-  {
-    p[2] = 0.0;
-  }
-  ExpectRefused(flat, "");
-  ExpectRefused({}, "no triangles");
 }
 
 TEST(ChokingLoops, NamesSelfIntersections)

@@ -128,8 +128,8 @@ TriangleMesh Subdivided(const TriangleMesh& mesh)
   std::map<std::pair<std::int64_t, std::int64_t>, std::int64_t> middles;
   const auto middle = [&](std::int64_t a, std::int64_t b)
   {
-    const auto made = middles.emplace(
-      std::minmax(a, b), static_cast<std::int64_t>(fine.Points.size()));
+    const auto made =
+      middles.emplace(std::minmax(a, b), static_cast<std::int64_t>(fine.Points.size()));
     if (made.second)
     {
       fine.Points.push_back(0.5 *
@@ -230,13 +230,12 @@ TEST_P(Stability, CountsStay)
     "simplification" };
   std::cout << "| " << name << " | " << ways[static_cast<std::size_t>(way)] << " | " << expected[0]
             << " + " << expected[1] << " | " << expected[2] << " + " << expected[3] << " | "
-            << gaps[0].Width << ", " << gaps[1].Width << " | " << same << ", "
-            << sameThreshold << " of " << runs << " | " << redrawn << " |\n";
+            << gaps[0].Width << ", " << gaps[1].Width << " | " << same << ", " << sameThreshold
+            << " of " << runs << " | " << redrawn << " |\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(Runs, Stability,
-  ::testing::Combine(
-    ::testing::Values("Kitten.off", "tangle", "soccerball.obj", "emd_5043.obj"),
+  ::testing::Combine(::testing::Values("Kitten.off", "tangle", "soccerball.obj", "emd_5043.obj"),
     ::testing::Values(Way::Jitter, Way::Rotation, Way::Subdivision, Way::Simplification),
     ::testing::Range(0, Blocks)));
 

@@ -277,8 +277,8 @@ std::multiset<Pair> PairsByReduction(const Blocks& blocks, const std::vector<dou
       face.erase(face.begin() + static_cast<std::ptrdiff_t>(k));
       column.insert(position.at(face));
     }
-    for (auto other = columns.end(); !column.empty() &&
-         (other = columns.find(*column.rbegin())) != columns.end();)
+    for (auto other = columns.end();
+         !column.empty() && (other = columns.find(*column.rbegin())) != columns.end();)
     {
       for (const std::size_t entry : other->second)
       {
@@ -294,8 +294,7 @@ std::multiset<Pair> PairsByReduction(const Blocks& blocks, const std::vector<dou
     }
     const Simplex& born = order[*column.rbegin()];
     const int dimension = static_cast<int>(born.size()) - 1;
-    const bool generator =
-      dimension == 1 && surface.count(born) > 0 && surface.count(s) == 0;
+    const bool generator = dimension == 1 && surface.count(born) > 0 && surface.count(s) == 0;
     if (dimension > 0 && (generator || value(s) > value(born)))
     {
       pairs.emplace(dimension, generator ? 0.0 : value(born), value(s));
@@ -322,9 +321,7 @@ std::vector<double> RandomValues(const Blocks& blocks, unsigned seed)
   for (const Point3& p : blocks.Mesh.Points)
   {
     const double drawn = uniform(random);
-    values.push_back(surface.count(p) > 0 ? 0.0
-        : values.size() % 3 == 0          ? 0.5
-                                          : drawn);
+    values.push_back(surface.count(p) > 0 ? 0.0 : values.size() % 3 == 0 ? 0.5 : drawn);
   }
   return values;
 }
@@ -348,7 +345,8 @@ std::vector<BlockCase> BlockCases()
              { return within(i, 1, 4) && within(j, 1, 4) && within(k, 1, 4); },
              0 },
     { "ring", { 8, 8, 4 },
-      [within](auto i, auto j, auto k) {
+      [within](auto i, auto j, auto k)
+      {
         return within(i, 1, 7) && within(j, 1, 7) && within(k, 1, 3) &&
           !(within(i, 3, 5) && within(j, 3, 5));
       },
@@ -512,8 +510,7 @@ TEST_F(MorseFunctions, AgreeAsFarAsTheyAreTheSameFunction)
   EXPECT_NEAR(exact[1], 0.7, longest);
 
   this->AddArray("double depth", 2.0);
-  const std::array<double, 2> twice =
-    this->Radii(vtkChokingLoops::PointArray, "double depth");
+  const std::array<double, 2> twice = this->Radii(vtkChokingLoops::PointArray, "double depth");
 
   std::vector<std::int64_t> sources;
   for (std::size_t i = 0; i < this->Exact.size(); ++i)
@@ -531,8 +528,8 @@ TEST_F(MorseFunctions, AgreeAsFarAsTheyAreTheSameFunction)
     excess = std::max(excess, paths[i] - this->Exact[i]);
   }
   Bounds3 box{ this->Mesh.Points[0], this->Mesh.Points[0] };
-  std::for_each(this->Mesh.Points.begin(), this->Mesh.Points.end(),
-    [&box](const Point3& p) { box.Add(p); });
+  std::for_each(
+    this->Mesh.Points.begin(), this->Mesh.Points.end(), [&box](const Point3& p) { box.Add(p); });
   const Point3 size = box.Max - box.Min;
   const double cell = std::max({ size[0], size[1], size[2] }) / 100.0;
 

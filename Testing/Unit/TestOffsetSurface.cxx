@@ -172,7 +172,7 @@ TEST(OffsetSurface, SaysWhatItCannotDo)
   EXPECT_NE(Offset(Cube(), NAN).Error().find("above 0"), std::string::npos);
   TriangleMesh invalid = Cube();
   invalid.Points[5][1] = NAN;
-  EXPECT_NE(Offset(invalid, 0.3).Error().find("not finite"), std::string::npos);
+  EXPECT_NE(Offset(invalid, 0.3).Error().find("not a finite"), std::string::npos);
   TriangleMesh bare = Cube();
   bare.Triangles.clear();
   EXPECT_NE(Offset(bare, 0.3).Error().find("no triangles"), std::string::npos);

@@ -1,0 +1,60 @@
+/**
+ * @file PDBStream.h
+ * @brief The lines of a PDB file as gemmi asks for them, checked and completed on the way.
+ */
+#ifndef isthmus_PDBStream_h
+#define isthmus_PDBStream_h
+
+#include "Progress.h"
+#include "TextLines.h"
+
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isthmus
+{
+
+/// Thrown on a line whose coordinates are not where PDB has them.
+struct OtherColumns : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/**
+ * A stream for gemmi's PDB parser. Atoms' coordinates must be finite numbers (else OtherColumns)
+ * and columns 79-80 a charge (else std::runtime_error), both with the line; blank occupancies and B
+ * factors, of which gemmi would make 1 and 20, are given as the number Blank. With `cutAt72`, the
+ * columns beyond are left out.
+ */
+class PDBStream
+{
+public:
+  static constexpr float Blank = 1e38F;
+  static constexpr const char* BlankText = "1e38";
+
+  PDBStream(
+    std::string_view text, const std::string& path, bool cutAt72, const ProgressCallback& progress);
+
+  /// gemmi's contract: at most size - 1 characters, the line end among them; nullptr at the end.
+  char* gets(char* to, int size);
+  int getc() { return '\n'; }
+
+  /// Pairs of serial numbers of the CONECT records so far.
+  const std::vector<std::array<int, 2>>& Bonded() const { return this->Bonds; }
+
+private:
+  void CheckAtom();
+  void ReadBonds();
+
+  TextLines Lines;
+  bool CutAt72;
+  std::string Line;
+  std::vector<std::array<int, 2>> Bonds;
+};
+
+}
+
+#endif

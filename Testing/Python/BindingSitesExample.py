@@ -1,0 +1,35 @@
+"""Examples/binding_sites.py on 1HEW with a potential given: table, picture, and the cleft first.
+
+Only with ISTHMUS_LONG_TESTS=1: BindingSites.py has the same pipeline.
+"""
+
+import csv
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from shared_data import shared_data
+
+if os.environ.get("ISTHMUS_LONG_TESTS") != "1":
+    print("runs with ISTHMUS_LONG_TESTS=1 only")
+    sys.exit(77)
+protein = shared_data("molecules/1hew.pdb")
+potential = shared_data("molecules/1hew/1hew_potential.dx.gz")
+script = Path(os.environ["ISTHMUS_EXAMPLES_DIR"]) / "binding_sites.py"
+with tempfile.TemporaryDirectory() as folder:
+    command = ["pvpython", str(script), str(protein), str(potential), "--output", folder]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "Ligand: NAG, 43 heavy atoms." in done.stdout
+    best = next(line for line in done.stdout.splitlines() if line.split()[:1] == ["1"])
+    assert float(best.split()[-1]) <= 4.0, done.stdout
+    with open(Path(folder) / "1hew_sites.csv") as file:
+        assert len(list(csv.DictReader(file))) > 5
+    assert (Path(folder) / "1hew_sites.png").stat().st_size > 20000
+    # A ligand that is not there is a sentence, not a traceback.
+    wrong = subprocess.run([*command, "--ligand", "XYZ"], capture_output=True, text=True, timeout=300)
+    assert wrong.returncode != 0 and "has no residue XYZ" in wrong.stdout + wrong.stderr
+    assert "Traceback" not in wrong.stderr
+print("the example finds the cleft")
