@@ -134,9 +134,9 @@ struct ChokingLoops::Analysis
     , Pairs(Filtration, Between(progress, 0.0, 0.5))
     , Adjacency(Samples)
     , Homology(Adjacency)
-    , Embedding(Adjacency, Filtration)
+    , Embedding(Adjacency, Filtration, Between(progress, 0.5, 0.55))
     , Context{ Filtration, Pairs, Homology, Embedding, Adjacency, std::move(errors) }
-    , Regions(Context, Between(progress, 0.5, 0.6))
+    , Regions(Context, Between(progress, 0.55, 0.6))
   {
     times.Pairing += this->Watch.Lap();
     this->Found.Diagram = ShapeFeatures(this->Context, this->Regions, Between(progress, 0.6, 0.9));

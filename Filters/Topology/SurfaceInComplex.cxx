@@ -18,7 +18,8 @@ std::size_t At(std::int64_t i)
 
 }
 
-SurfaceInComplex::SurfaceInComplex(const SurfaceAdjacency& surface, const CellFiltration& f)
+SurfaceInComplex::SurfaceInComplex(
+  const SurfaceAdjacency& surface, const CellFiltration& f, const ProgressCallback& progress)
   : Surface(surface)
   , F(f)
   , OnSurface(f.Edges.size(), -1)
@@ -28,6 +29,10 @@ SurfaceInComplex::SurfaceInComplex(const SurfaceAdjacency& surface, const CellFi
 {
   for (SimplexId e = 0; e < surface.Edges(); ++e)
   {
+    if (e % (1 << 18) == 0)
+    {
+      Report(progress, 0.7 * static_cast<double>(e) / static_cast<double>(surface.Edges()));
+    }
     const SimplexId h = surface.HalfEdgeOf(e);
     const SimplexId image = f.FindEdge(surface.From(h), surface.To(h));
     if (image < 0)
@@ -42,6 +47,7 @@ SurfaceInComplex::SurfaceInComplex(const SurfaceAdjacency& surface, const CellFi
       this->InComplex[At(e)] = image; // else it enters late, and the walk goes round it
     }
   }
+  Report(progress, 0.7);
   for (const auto& edge : f.Edges)
   {
     ++this->FirstSmaller[At(edge[1]) + 1];

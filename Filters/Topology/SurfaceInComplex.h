@@ -16,7 +16,8 @@ class SurfaceInComplex
 {
 public:
   /// O(n). Keeps references to both.
-  VTKISTHMUS_EXPORT SurfaceInComplex(const SurfaceAdjacency& surface, const CellFiltration& f);
+  VTKISTHMUS_EXPORT SurfaceInComplex(const SurfaceAdjacency& surface, const CellFiltration& f,
+    const ProgressCallback& progress = {});
 
   /// The surface's edge that an edge of the complex is; -1: none.
   SimplexId SurfaceEdge(SimplexId complexEdge) const

@@ -234,7 +234,7 @@ TEST(HighOrderDiffusionFilter, RefusesSeveralComponentsAndMissingScalars)
 {
   const auto image = BumpImage();
   image->AllocateScalars(VTK_FLOAT, 3);
-  EXPECT_NE(Filter(image).Complaint().find("of 3 components"), std::string::npos);
+  EXPECT_NE(Filter(image).Complaint().find("has 3 components"), std::string::npos);
   const auto bare = BumpImage();
   bare->GetPointData()->Initialize();
   EXPECT_NE(Filter(bare).Complaint().find("no active scalars"), std::string::npos);
