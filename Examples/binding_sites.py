@@ -149,9 +149,8 @@ def show_ligand(path, views):
 
 def show_best(source, view):
     """Rims of the three best sites, in black."""
-    best = simple.Calculator(
-        Input=source, ResultArrayName="Best", Function="if(BindingSite > 0, if(BindingSite < 4, 1, 0), 0)"
-    )
+    best = simple.Calculator(Input=source, ResultArrayName="Best")
+    best.Function = "if(BindingSite > 0, if(BindingSite < 4, 1, 0), 0)"
     rims = simple.Contour(Input=best, ContourBy=["POINTS", "Best"], Isosurfaces=[0.5])
     display = simple.Show(simple.Tube(Input=rims, Radius=0.2), view)
     display.ColorArrayName = ["POINTS", ""]
@@ -173,7 +172,8 @@ def picture(surface, target, ligand_file, path):
         view.OrientationAxesVisibility = 0
         views.append(view)
     show_surface(source, views[0], "Potential", "potential (kT/e)", 5.0)
-    show_surface(source, views[1], "PolarizedCurvature", "potential x kappa_2 (kT/(e A)); rims: three best sites", 3.0)
+    title = "potential x kappa_2 (kT/(e A)); rims: three best sites"
+    show_surface(source, views[1], "PolarizedCurvature", title, 3.0)
     if ligand_file:
         show_ligand(ligand_file, views[:1])
     show_best(source, views[1])

@@ -47,7 +47,8 @@ def column(table, name):
 
 def area_table(surface, array, unit, pairs):
     """Areas below, between and above each pair of thresholds."""
-    lines = [f"{array} ({unit}): areas (A^2)", f"{'thresholds':>16} {'below':>9} {'between':>9} {'above':>9}"]
+    lines = [f"{array} ({unit}): areas (A^2)"]
+    lines += [f"{'thresholds':>16} {'below':>9} {'between':>9} {'above':>9}"]
     for pair in pairs:
         areas = column(regions(surface, array, pair).GetRegionTable(), "Area")
         lines.append(f"{pair[0]:7g}, {pair[1]:7g} " + " ".join(f"{area:9.1f}" for area in areas))
@@ -77,7 +78,8 @@ def show_toon(finder, view):
 
 
 def show_histogram(finder, view, title):
-    display = simple.Show(binding_sites.producer(finder.GetHistogram()), view, "XYBarChartRepresentation")
+    table = binding_sites.producer(finder.GetHistogram())
+    display = simple.Show(table, view, "XYBarChartRepresentation")
     display.UseIndexForXAxis = 0
     display.XArrayName = "Value"
     display.SeriesVisibility = ["Area"]

@@ -31,7 +31,10 @@ sites.UpdatePipeline()
 
 table = servermanager.Fetch(sites, idx=1)
 rows = [
-    {table.GetColumnName(c): table.GetValue(r, c).ToDouble() for c in range(table.GetNumberOfColumns())}
+    {
+        table.GetColumnName(c): table.GetValue(r, c).ToDouble()
+        for c in range(table.GetNumberOfColumns())
+    }
     for r in range(table.GetNumberOfRows())
 ]
 assert len(rows) > 5, len(rows)

@@ -29,7 +29,8 @@ with tempfile.TemporaryDirectory() as folder:
         assert len(list(csv.DictReader(file))) > 5
     assert (Path(folder) / "1hew_sites.png").stat().st_size > 20000
     # A ligand that is not there is a sentence, not a traceback.
-    wrong = subprocess.run([*command, "--ligand", "XYZ"], capture_output=True, text=True, timeout=300)
+    command += ["--ligand", "XYZ"]
+    wrong = subprocess.run(command, capture_output=True, text=True, timeout=300)
     assert wrong.returncode != 0 and "has no residue XYZ" in wrong.stdout + wrong.stderr
     assert "Traceback" not in wrong.stderr
 print("the example finds the cleft")

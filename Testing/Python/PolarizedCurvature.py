@@ -22,7 +22,8 @@ def write_dx(path, values):
     steps = [axis[1] - axis[0] for axis in AXES]
     with open(path, "w") as file:
         file.write("object 1 class gridpositions counts %d %d %d\n" % values.shape)
-        file.write("origin -4 -4 -4\ndelta %.17g 0 0\ndelta 0 %.17g 0\ndelta 0 0 %.17g\n" % tuple(steps))
+        file.write("origin -4 -4 -4\n")
+        file.write("delta %.17g 0 0\ndelta 0 %.17g 0\ndelta 0 0 %.17g\n" % tuple(steps))
         file.write(f"object 3 class array type double rank 0 items {values.size} data follows\n")
         file.write("\n".join("%.17g" % value for value in values.ravel()) + "\n")
 

@@ -107,24 +107,21 @@ TEST(DiffusionSteps, SuperStepsReachTheEndOfForwardEulerWithATenthOfItsWork)
   }
   for (const double sigma : { 1.0, 0.3 }) // of a signal with standard deviation 1
   {
-    for (const double time : { 20.0, 60.0 })
-    {
-      DiffusionParameters parameters;
-      parameters.Order = 1;
-      parameters.Sigma = sigma;
-      parameters.PreSmoothing = 1.0;
-      parameters.Time = time;
-      DiffusionReport super, euler;
-      const auto fast = Diffused(grid, parameters, start, &super);
-      parameters.Integrator = Integrator::ForwardEuler;
-      const auto slow = Diffused(grid, parameters, start, &euler);
-      const double difference = Distance(fast, slow) / Deviation(slow);
-      std::printf("q = 1, sigma %.1f, time %2.0f: evaluations %lld and %lld, difference %.2f %%\n",
-        sigma, time, static_cast<long long>(euler.Evaluations),
-        static_cast<long long>(super.Evaluations), 100 * difference);
-      EXPECT_LT(difference, 0.01);
-      EXPECT_GT(euler.Evaluations, 10 * super.Evaluations);
-    }
+    DiffusionParameters parameters;
+    parameters.Order = 1;
+    parameters.Sigma = sigma;
+    parameters.PreSmoothing = 1.0;
+    parameters.Time = 20.0;
+    DiffusionReport super, euler;
+    const auto fast = Diffused(grid, parameters, start, &super);
+    parameters.Integrator = Integrator::ForwardEuler;
+    const auto slow = Diffused(grid, parameters, start, &euler);
+    const double difference = Distance(fast, slow) / Deviation(slow);
+    std::printf("q = 1, sigma %.1f, time 20: evaluations %lld and %lld, difference %.2f %%\n",
+      sigma, static_cast<long long>(euler.Evaluations), static_cast<long long>(super.Evaluations),
+      100 * difference);
+    EXPECT_LT(difference, 0.01);
+    EXPECT_GT(euler.Evaluations, 10 * super.Evaluations);
   }
 }
 

@@ -5,6 +5,7 @@
 #include "vtkOpenDXReader.h"
 #include "vtkOpenDXWriter.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
@@ -22,6 +23,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -464,6 +466,49 @@ TEST(OpenDXReader, NoFileIsASentence)
   EXPECT_EQ(vtkOpenDXReader::CanReadFile("no/such.dx"), 0);
   const File text("objection, my lord\n");
   EXPECT_EQ(vtkOpenDXReader::CanReadFile(text.Path.c_str()), 0);
+}
+
+TEST(OpenDXReader, ProgressRisesAndAStopLeavesNothing)
+{
+  const File file("", "large.dx");
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(300, 100, 100); // several pieces of work
+  vtkNew<vtkFloatArray> values;
+  values->SetName("Potential");
+  values->SetNumberOfValues(image->GetNumberOfPoints());
+  values->Fill(1.5);
+  image->GetPointData()->SetScalars(values);
+  vtkNew<vtkOpenDXWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(file.Path.c_str());
+  writer->Write();
+  for (const bool stop : { false, true })
+  {
+    vtkNew<vtkOpenDXReader> reader;
+    reader->SetFileName(file.Path.c_str());
+    struct Seen
+    {
+      std::vector<double> Fractions;
+      bool Stop;
+    } seen{ {}, stop };
+    vtkNew<vtkCallbackCommand> watch;
+    watch->SetClientData(&seen);
+    watch->SetCallback(
+      [](vtkObject* caller, unsigned long, void* data, void* fraction)
+      {
+        auto* all = static_cast<Seen*>(data);
+        all->Fractions.push_back(*static_cast<double*>(fraction));
+        if (all->Stop && all->Fractions.back() > 0.2)
+        {
+          static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+        }
+      });
+    reader->AddObserver(vtkCommand::ProgressEvent, watch);
+    reader->Update();
+    EXPECT_GT(seen.Fractions.size(), 2u);
+    EXPECT_TRUE(std::is_sorted(seen.Fractions.begin(), seen.Fractions.end()) || stop);
+    EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), stop ? 0 : 3000000);
+  }
 }
 
 TEST(OpenDXReader, ValuesThatAreNotFiniteAreKeptAndTold)

@@ -6,16 +6,19 @@
 #include "vtkScalarRegions.h"
 #include "vtkSurfaceCurvature.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPlatonicSolidSource.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkSMPTools.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
@@ -395,6 +398,45 @@ TEST(PolarizedCurvature, WhatIsMissingIsASentence)
   Trial run(empty, image);
   EXPECT_EQ(run.Update()->GetNumberOfPoints(), 0);
   EXPECT_EQ(run.Error(), "");
+}
+
+TEST(PolarizedCurvature, AStopLeavesNothing)
+{
+  Trial run(Ellipsoid(5.0, 5.0, 5.0, 40), DipoleImage());
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  run.Filter->AddObserver(vtkCommand::ProgressEvent, stop);
+  EXPECT_EQ(run.Update()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(run.Error(), "");
+}
+
+TEST(PolarizedCurvature, SameBitsOnAnyNumberOfThreadsAndFromWholeNumbers)
+{
+  // A potential of whole numbers, and the same as double: the same products.
+  const auto sphere = Ellipsoid(5.0, 4.0, 3.0, 60);
+  const auto image = Image(6.0, 25, [](const double* p) { return std::round(3.0 * p[0] - p[2]); });
+  const auto products = [&](vtkImageData* potential, int threads)
+  {
+    vtkNew<vtkDoubleArray> result;
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, std::string("STDThread"), false },
+      [&]()
+      {
+        Trial run(sphere, potential);
+        result->DeepCopy(run.Update()->GetPointData()->GetArray("PolarizedCurvature"));
+      });
+    return std::vector<double>(
+      result->GetPointer(0), result->GetPointer(0) + result->GetNumberOfValues());
+  };
+  vtkNew<vtkImageData> whole;
+  whole->CopyStructure(image);
+  vtkNew<vtkIntArray> values;
+  values->DeepCopy(image->GetPointData()->GetScalars());
+  values->SetName("AnyName");
+  whole->GetPointData()->SetScalars(values);
+  const std::vector<double> expected = products(image, 1);
+  EXPECT_EQ(products(image, 4), expected);
+  EXPECT_EQ(products(whole, 2), expected);
 }
 
 TEST(PolarizedCurvature, AConstantPotentialOfZeroHasNoClass)
