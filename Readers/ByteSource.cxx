@@ -1,8 +1,8 @@
 #include "ByteSource.h"
 
 #include "CompressedSource.h"
-#include "MRCError.h"
 #include "PlainFile.h"
+#include "ReaderError.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +74,7 @@ std::string ReadAll(ByteSource& source, const ProgressCallback& progress)
   source.CheckEnd();
   if (source.IsCut())
   {
-    throw MRCError(MRCFailure::Truncated,
+    throw ReaderError(ReaderFailure::Truncated,
       source.Path() + ": the " + source.Compression() +
         " data break off before their end. Fetch the file again.");
   }

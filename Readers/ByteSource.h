@@ -28,7 +28,7 @@ public:
    *
    * With RandomAccess() any number of threads may read at once. Without it one thread at a time,
    * and an offset before the last one starts decompressing from the beginning again.
-   * Throws MRCError on an input error or a damaged compressed stream.
+   * Throws ReaderError on an input error or a damaged compressed stream.
    */
   virtual std::size_t Read(std::uint64_t offset, void* to, std::size_t size) = 0;
 
@@ -44,7 +44,7 @@ public:
   /// Goes to `offset` before a Read there, with progress, since decompressing may take long.
   virtual void SkipTo(std::uint64_t offset, const ProgressCallback& progress) = 0;
 
-  /// After the last Read: lets a compressed stream check its checksum. Throws MRCError.
+  /// After the last Read: lets a compressed stream check its checksum. Throws ReaderError.
   virtual void CheckEnd() = 0;
 
   /// After the last Read: whether a compressed stream broke off before its end.
@@ -59,10 +59,10 @@ public:
   virtual const std::string& Path() const = 0;
 };
 
-/// Opens a regular file. Throws MRCError for a missing, unreadable or empty one and for folders.
+/// Opens a regular file. Throws ReaderError for a missing, unreadable or empty one and for folders.
 std::unique_ptr<ByteSource> OpenByteSource(const std::string& path);
 
-/// All of the content, checksum checked. Throws MRCError as Read does and when it is cut, and
+/// All of the content, checksum checked. Throws ReaderError as Read does and when it is cut, and
 /// std::bad_alloc.
 std::string ReadAll(ByteSource& source, const ProgressCallback& progress = {});
 

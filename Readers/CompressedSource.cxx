@@ -1,6 +1,6 @@
 #include "CompressedSource.h"
 
-#include "MRCError.h"
+#include "ReaderError.h"
 
 #include <vtk_zlib.h>
 
@@ -195,7 +195,7 @@ private:
       }
       else if (state == CodecState::Damaged)
       {
-        throw MRCError(MRCFailure::Damaged,
+        throw ReaderError(ReaderFailure::Damaged,
           this->Path() + ": the " + Codec::Name + " data are damaged before byte " +
             std::to_string(this->FilePosition - this->Left) + " of the file. Test it with '" +
             Codec::Name + " -t', or fetch it again.");

@@ -1,7 +1,7 @@
 #include "MRCHeader.h"
 
-#include "MRCError.h"
 #include "MRCHeaderWords.h"
+#include "ReaderError.h"
 
 #include <vtkMath.h>
 
@@ -275,14 +275,14 @@ private:
 {
   if (!words.HasMapWord())
   {
-    throw MRCError(MRCFailure::NotAMap,
+    throw ReaderError(ReaderFailure::ForeignFormat,
       path + ": this is not an MRC, CCP4 or EMDB map: grid " + Text(words.Ints(1)) + " and mode " +
         Text(words.Int(4)) +
         " (words 1-4) make no sense in either byte order, and the word "
         "\"MAP \" is missing. Choose another file.");
   }
   const bool badMode = !IsKnownMRCMode(words.Int(4));
-  throw MRCError(MRCFailure::NotAMap,
+  throw ReaderError(ReaderFailure::ForeignFormat,
     path + ": the header is damaged: " +
       (badMode ? "mode (word 4) is " + Text(words.Int(4)) +
             ", known are 0, 1, 2, 3, 4, 6, 12, 16 and 101"
@@ -305,7 +305,7 @@ void CheckSize(MRCHeader& header, const std::string& path, std::uint64_t content
   const std::uint64_t expected = header.FileBytes();
   if (expected > contentBytes)
   {
-    throw MRCError(MRCFailure::Truncated,
+    throw ReaderError(ReaderFailure::Truncated,
       path + ": the file is truncated or its header lies: " + std::to_string(expected) +
         " bytes expected (header 1024, extended header " +
         std::to_string(header.ExtendedHeaderBytes) + ", " + std::to_string(header.Counts[0]) +

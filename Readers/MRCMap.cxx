@@ -1,7 +1,7 @@
 #include "MRCMap.h"
 
-#include "MRCError.h"
 #include "MRCHeaderWords.h"
+#include "ReaderError.h"
 
 #include <algorithm>
 #include <exception>
@@ -12,14 +12,14 @@ namespace isthmus
 namespace
 {
 
-/// The first bytes of the content; throws MRCError when there are too few.
+/// The first bytes of the content; throws ReaderError when there are too few.
 MRCHeaderBytes ReadHeaderBytes(ByteSource& source)
 {
   MRCHeaderBytes bytes{};
   const std::size_t got = source.Read(0, bytes.data(), bytes.size());
   if (got < bytes.size())
   {
-    throw MRCError(MRCFailure::Truncated,
+    throw ReaderError(ReaderFailure::Truncated,
       source.Path() + ": " + std::to_string(got) + " bytes" +
         (source.RandomAccess() ? "" : " after decompression") +
         " are too few for the header of a map, which has 1024. Fetch the file again.");
@@ -49,7 +49,7 @@ MRCMap::MRCMap(const std::string& path)
     this->Head =
       ParseMRCHeader(bytes, path, this->Source->MostBytes(), this->Source->RandomAccess());
   }
-  catch (const MRCError&)
+  catch (const ReaderError&)
   {
     this->Source->CheckEnd(); // a damaged stream is the better explanation
     throw;
@@ -59,7 +59,7 @@ MRCMap::MRCMap(const std::string& path)
 
 void MRCMap::Refuse(const std::string& sentence) const
 {
-  throw MRCError(MRCFailure::BadRequest, this->Source->Path() + ": " + sentence);
+  throw ReaderError(ReaderFailure::BadRequest, this->Source->Path() + ": " + sentence);
 }
 
 MRCLattice MRCMap::SelectVolume(const MRCOptions& options)
@@ -130,7 +130,7 @@ void MRCMap::Select(const MRCOptions& options)
     {
       this->Target = GridAround(this->Lattice);
     }
-    catch (const MRCError& error)
+    catch (const ReaderError& error)
     {
       this->Refuse(error.what());
     }
@@ -201,7 +201,7 @@ bool MRCMap::CheckBeforeAllocating(std::uint64_t bytes, const ProgressCallback& 
   const std::uint64_t found = this->Source->CountUpTo(expected, progress);
   if (found < expected)
   {
-    throw MRCError(MRCFailure::Truncated,
+    throw ReaderError(ReaderFailure::Truncated,
       this->Source->Path() + ": the file is truncated or its header lies: " +
         std::to_string(expected) + " bytes expected after decompression, found " +
         std::to_string(found) + ". Fetch the file again.");

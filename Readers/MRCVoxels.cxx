@@ -1,7 +1,7 @@
 #include "MRCVoxels.h"
 
-#include "MRCError.h"
 #include "ParallelFor.h"
+#include "ReaderError.h"
 #include "StridedCopy.h"
 
 #include <algorithm>
@@ -204,7 +204,7 @@ void Reading::ReadExactly(std::uint64_t offset, unsigned char* to, std::size_t s
     const std::array<std::int64_t, 3>& counts = this->Layout.Counts;
     const std::uint64_t end =
       this->Layout.Offset + this->RowBytes * static_cast<std::uint64_t>(counts[1] * counts[2]);
-    throw MRCError(MRCFailure::Truncated,
+    throw ReaderError(ReaderFailure::Truncated,
       this->Source.Path() + ": the file is truncated: " + std::to_string(end) + " bytes expected" +
         (this->Source.RandomAccess() ? "" : " after decompression") + ", found " +
         std::to_string(this->Source.CountUpTo(end, {})) + ". Fetch the file again.");

@@ -40,7 +40,7 @@ struct MRCSelection
  * A plain file is read in bricks by several threads, only where the selection lies; a compressed
  * one from front to back up to the last selected voxel, the next part being decompressed while
  * the one before is decoded. Scratch memory: 1 MiB a thread, or 32 MiB for a compressed file, at
- * least one row. Throws MRCError (Truncated, Damaged, CannotRead) and Cancelled.
+ * least one row. Throws ReaderError (Truncated, Damaged, CannotRead) and Cancelled.
  */
 void ReadMRCVoxels(ByteSource& source, const MRCVoxelLayout& layout, const MRCSelection& selection,
   void* out, const ProgressCallback& progress);

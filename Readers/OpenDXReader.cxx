@@ -1,8 +1,8 @@
 #include "OpenDXReader.h"
 
-#include "MRCError.h"
 #include "NumberTypes.h"
 #include "ParallelFor.h"
+#include "ReaderError.h"
 
 #include <algorithm>
 #include <array>
@@ -42,7 +42,7 @@ OpenDXReader::OpenDXReader(const std::string& path, int index, const ProgressCal
   this->Word = this->Text.Word();
   if (this->Word != "object")
   {
-    throw MRCError(MRCFailure::NotAMap,
+    throw ReaderError(ReaderFailure::ForeignFormat,
       path + ": this is no OpenDX file: it begins with '" + this->Word.substr(0, 40) +
         "', not with the word object.");
   }
@@ -57,7 +57,7 @@ OpenDXReader::OpenDXReader(const std::string& path, int index, const ProgressCal
     this->SkipValues(progress);
     this->Word = this->Text.Word();
   }
-  throw MRCError(index == 0 ? MRCFailure::Damaged : MRCFailure::BadRequest,
+  throw ReaderError(index == 0 ? ReaderFailure::Damaged : ReaderFailure::BadRequest,
     path + ": there is no array of values number " + std::to_string(index) +
       " (counted from 0) in the file. Choose another FieldIndex, or fetch the file again.");
 }
@@ -276,7 +276,7 @@ void OpenDXReader::CheckPromisedSize(const ProgressCallback& progress)
   }
   if (least > most + 1) // the last number of a text may end the file
   {
-    throw MRCError(MRCFailure::Truncated,
+    throw ReaderError(ReaderFailure::Truncated,
       this->Source->Path() + ": the file is truncated or its counts lie: " +
         std::to_string(numbers) + " values need " + std::to_string(least) +
         " bytes, and it has at most " + std::to_string(most) + ". Fetch the file again.");

@@ -35,7 +35,7 @@ struct OpenDXArray
   bool Whole = false;        ///< binary whole numbers
 };
 
-/// A file opened at one of its arrays. Throws MRCError throughout; sentences name file and line.
+/// A file opened at one of its arrays. Throws ReaderError throughout; sentences name file and line.
 class OpenDXReader
 {
 public:

@@ -1,7 +1,7 @@
 #include "OpenDXText.h"
 
-#include "MRCError.h"
 #include "NumberTypes.h"
+#include "ReaderError.h"
 
 #include <algorithm>
 #include <cstring>
@@ -37,7 +37,7 @@ OpenDXText::OpenDXText(ByteSource& source)
 
 void OpenDXText::Refuse(const std::string& sentence) const
 {
-  throw MRCError(MRCFailure::Damaged,
+  throw ReaderError(ReaderFailure::Damaged,
     this->Source.Path() + ", line " + std::to_string(this->Line) + ": " + sentence);
 }
 
@@ -151,7 +151,7 @@ T OpenDXText::SlowNumber(const char* what)
   const std::string_view word = this->Word();
   if (word.empty())
   {
-    throw MRCError(MRCFailure::Truncated,
+    throw ReaderError(ReaderFailure::Truncated,
       this->Source.Path() + ": the file ends at line " + std::to_string(this->Line) + " before " +
         what + ". It is truncated or not all there; fetch or write it again.");
   }
@@ -226,7 +226,7 @@ void OpenDXText::Bytes(unsigned char* to, std::size_t count)
   {
     if (this->Next == this->End && !this->Refill())
     {
-      throw MRCError(MRCFailure::Truncated,
+      throw ReaderError(ReaderFailure::Truncated,
         this->Source.Path() + ": the file ends " + std::to_string(count) +
           " bytes before the last of its values. Fetch or write it again.");
     }

@@ -20,8 +20,8 @@ namespace isthmus
  * White space and commas separate words; a text in double quotes is one word, without its quotes;
  * from # to the end of the line is a comment.
  *
- * Memory: a buffer of 1 MiB, however large the file. Everything throws MRCError with the path and
- * the line for what can't be read.
+ * Memory: a buffer of 1 MiB, however large the file. Everything throws ReaderError with the path
+ * and the line for what can't be read.
  */
 class OpenDXText
 {
@@ -46,7 +46,7 @@ public:
   /// Up to 100 comments so far, without their # and blanks around them.
   const std::vector<std::string>& Comments() const { return this->Notes; }
 
-  /// Throws MRCError (Damaged): path, line, `sentence`.
+  /// Throws ReaderError (Damaged): path, line, `sentence`.
   [[noreturn]] void Refuse(const std::string& sentence) const;
 
 private:

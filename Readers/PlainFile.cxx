@@ -1,6 +1,6 @@
 #include "PlainFile.h"
 
-#include "MRCError.h"
+#include "ReaderError.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -26,9 +26,9 @@ int OpenForReading(const std::string& path)
   }
   if (errno == ENOENT || errno == ENOTDIR)
   {
-    throw MRCError(MRCFailure::NoSuchFile, path + ": there is no such file. Check its name.");
+    throw ReaderError(ReaderFailure::NoSuchFile, path + ": there is no such file. Check its name.");
   }
-  throw MRCError(MRCFailure::CannotRead,
+  throw ReaderError(ReaderFailure::CannotRead,
     path + ": the file can't be opened (" + std::strerror(errno) + "). Check its permissions.");
 }
 
@@ -53,7 +53,7 @@ PlainFile::PlainFile(const std::string& path)
   {
     ::close(this->Descriptor); // the destructor does not run after a throw
     const bool empty = S_ISREG(status.st_mode);
-    throw MRCError(empty ? MRCFailure::Truncated : MRCFailure::CannotRead, path + wrong);
+    throw ReaderError(empty ? ReaderFailure::Truncated : ReaderFailure::CannotRead, path + wrong);
   }
   this->Bytes = static_cast<std::uint64_t>(status.st_size);
 }
@@ -84,7 +84,7 @@ std::size_t PlainFile::Read(std::uint64_t offset, void* to, std::size_t size) co
       std::min(size - done, most), static_cast<off_t>(offset + done));
     if (got < 0 && errno != EINTR)
     {
-      throw MRCError(MRCFailure::CannotRead,
+      throw ReaderError(ReaderFailure::CannotRead,
         this->Name + ": reading failed at byte " + std::to_string(offset + done) + " (" +
           std::strerror(errno) + ").");
     }

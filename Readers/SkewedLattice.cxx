@@ -1,7 +1,7 @@
 #include "SkewedLattice.h"
 
-#include "MRCError.h"
 #include "ParallelFor.h"
+#include "ReaderError.h"
 
 #include <vtkMath.h>
 
@@ -198,7 +198,7 @@ MRCLattice GridAround(const MRCLattice& lattice)
     static_cast<double>(lattice.Dimensions[1]) * static_cast<double>(lattice.Dimensions[2]);
   if (!(nodes <= 64.0 * had + 4096.0))
   {
-    throw MRCError(MRCFailure::BadRequest,
+    throw ReaderError(ReaderFailure::BadRequest,
       "an orthogonal grid around a cell this oblique needs more than 64 nodes for each of the "
       "map's. Set NonOrthogonalCell to KeepCellAxes.");
   }

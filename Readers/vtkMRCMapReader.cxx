@@ -1,13 +1,11 @@
 #include "vtkMRCMapReader.h"
 
-#include "AlgorithmGuard.h"
-#include "MRCError.h"
-#include "MRCErrorCode.h"
 #include "MRCFieldData.h"
 #include "MRCMap.h"
+#include "ReaderError.h"
+#include "ReaderGuard.h"
 
 #include <vtkDataArray.h>
-#include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -25,9 +23,9 @@ vtkStandardNewMacro(vtkMRCMapReader);
 namespace
 {
 
-using isthmus::MRCError;
-using isthmus::MRCFailure;
 using isthmus::MRCMap;
+using isthmus::ReaderError;
+using isthmus::ReaderFailure;
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 int ScalarTypeOf(isthmus::MRCValue value)
@@ -129,25 +127,9 @@ int vtkMRCMapReader::CanReadFile(const char* fileName)
 template <typename Body>
 int vtkMRCMapReader::Try(vtkInformation* info, Body&& body)
 {
-  return isthmus::Guarded(this, vtkDataObject::GetData(info),
-    [&]()
-    {
-      try
-      {
-        this->SetErrorCode(vtkErrorCode::NoError);
-        if (!this->FileName || !*this->FileName)
-        {
-          this->SetErrorCode(vtkErrorCode::NoFileNameError);
-          throw std::invalid_argument("There is no file to read: set FileName.");
-        }
-        body();
-      }
-      catch (const MRCError& error)
-      {
-        this->SetErrorCode(isthmus::ErrorCodeOf(error.Kind));
-        throw;
-      }
-    });
+  return isthmus::GuardedRead(
+    this, this->FileName, vtkDataObject::GetData(info),
+    [this](unsigned long code) { this->SetErrorCode(code); }, body);
 }
 
 void vtkMRCMapReader::Tell(const MRCMap& map)
@@ -155,7 +137,7 @@ void vtkMRCMapReader::Tell(const MRCMap& map)
   std::vector<std::string> sentences = map.Header().Repairs;
   if (this->Strict && !sentences.empty())
   {
-    throw MRCError(MRCFailure::Damaged,
+    throw ReaderError(ReaderFailure::Damaged,
       std::string(this->FileName) + ": the header needs repair, which Strict forbids." +
         Sentences(sentences));
   }
@@ -221,7 +203,7 @@ void vtkMRCMapReader::ReadArrays(MRCMap& map, const int extent[6], vtkImageData*
   {
     if (box[2 * a] < 0 || box[2 * a + 1] > whole[2 * a + 1])
     {
-      throw MRCError(MRCFailure::BadRequest,
+      throw ReaderError(ReaderFailure::BadRequest,
         std::string(this->FileName) +
           ": nodes are asked for that the map does not have. If the "
           "file has changed, read it again.");

@@ -1,9 +1,8 @@
 #include "vtkMacromoleculeReader.h"
 
-#include "AlgorithmGuard.h"
-#include "MRCErrorCode.h"
 #include "MacromoleculeReader.h"
 #include "MoleculeOutput.h"
+#include "ReaderGuard.h"
 
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>
@@ -12,8 +11,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
-
-#include <stdexcept>
 
 vtkStandardNewMacro(vtkMacromoleculeReader);
 
@@ -59,25 +56,14 @@ int vtkMacromoleculeReader::RequestData(
 {
   auto* atoms = vtkPolyData::GetData(outputVector, 0);
   auto* molecule = vtkMolecule::SafeDownCast(vtkDataObject::GetData(outputVector, 1));
-  this->SetErrorCode(vtkErrorCode::NoError);
   vtkInformation* request = outputVector->GetInformationObject(0);
   if (request->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
     return 1; // the first rank has the molecule
   }
-  const int result = isthmus::Guarded(this, atoms,
-    [&]
-    {
-      try
-      {
-        this->Read(atoms, molecule);
-      }
-      catch (const isthmus::MRCError& error)
-      {
-        this->SetErrorCode(isthmus::ErrorCodeOf(error.Kind));
-        throw;
-      }
-    });
+  const int result = isthmus::GuardedRead(
+    this, this->FileName, atoms, [this](unsigned long code) { this->SetErrorCode(code); },
+    [&] { this->Read(atoms, molecule); });
   if (atoms->GetNumberOfPoints() == 0)
   {
     molecule->Initialize();
@@ -91,11 +77,6 @@ int vtkMacromoleculeReader::RequestData(
 
 void vtkMacromoleculeReader::Read(vtkPolyData* atoms, vtkMolecule* molecule)
 {
-  if (!this->FileName || !*this->FileName)
-  {
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    throw std::invalid_argument("No file is named: set FileName.");
-  }
   isthmus::MoleculeOptions options;
   options.Format = static_cast<isthmus::MoleculeFormat>(this->Format);
   options.Model = this->ModelIndex;

@@ -1,13 +1,11 @@
 #include "vtkOpenDXReader.h"
 
-#include "AlgorithmGuard.h"
-#include "MRCError.h"
-#include "MRCErrorCode.h"
 #include "OpenDXReader.h"
 #include "ParallelReduce.h"
+#include "ReaderError.h"
+#include "ReaderGuard.h"
 
 #include <vtkDoubleArray.h>
-#include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
@@ -67,9 +65,9 @@ MRCLattice TargetOf(const OpenDXReader& file, const char* path)
   {
     return isthmus::GridAround(file.Lattice());
   }
-  catch (const isthmus::MRCError&)
+  catch (const isthmus::ReaderError&)
   {
-    throw isthmus::MRCError(isthmus::MRCFailure::Damaged,
+    throw isthmus::ReaderError(isthmus::ReaderFailure::Damaged,
       std::string(path) +
         ": the deltas are so oblique that an orthogonal grid around them would need more than 64 "
         "nodes for each of the file's. Check the delta rows.");
@@ -181,25 +179,9 @@ int vtkOpenDXReader::CanReadFile(const char* fileName)
 template <typename Body>
 int vtkOpenDXReader::Try(vtkInformation* info, Body&& body)
 {
-  return isthmus::Guarded(this, vtkDataObject::GetData(info),
-    [&]()
-    {
-      try
-      {
-        this->SetErrorCode(vtkErrorCode::NoError);
-        if (!this->FileName || !*this->FileName)
-        {
-          this->SetErrorCode(vtkErrorCode::NoFileNameError);
-          throw std::invalid_argument("There is no file to read: set FileName.");
-        }
-        body();
-      }
-      catch (const isthmus::MRCError& error)
-      {
-        this->SetErrorCode(isthmus::ErrorCodeOf(error.Kind));
-        throw;
-      }
-    });
+  return isthmus::GuardedRead(
+    this, this->FileName, vtkDataObject::GetData(info),
+    [this](unsigned long code) { this->SetErrorCode(code); }, body);
 }
 
 int vtkOpenDXReader::RequestInformation(
@@ -257,7 +239,7 @@ void vtkOpenDXReader::ReadValues(OpenDXReader& file, vtkImageData* output)
   {
     if (box[2 * a] < 0 || box[2 * a + 1] > all[2 * a + 1])
     {
-      throw isthmus::MRCError(isthmus::MRCFailure::BadRequest,
+      throw isthmus::ReaderError(isthmus::ReaderFailure::BadRequest,
         std::string(this->FileName) +
           ": nodes are asked for that the grid does not have. If the file has changed, read it "
           "again.");

@@ -80,7 +80,7 @@ TEST(MRCErrors, NotAFile)
   ExpectFailure(reading, "set FileName", vtkErrorCode::NoFileNameError, nullptr);
 }
 
-TEST(MRCErrors, NotAMap)
+TEST(MRCErrors, ForeignFormat)
 {
   ExpectFailure("", "the file is empty", vtkErrorCode::PrematureEndOfFileError);
   ExpectFailure("12345", "5 bytes are too few", vtkErrorCode::PrematureEndOfFileError);

@@ -1,0 +1,39 @@
+/**
+ * @file ReaderError.h
+ * @brief Why a file could not be read, for callers who must tell the cases apart.
+ */
+#ifndef isthmus_ReaderError_h
+#define isthmus_ReaderError_h
+
+#include <stdexcept>
+#include <string>
+
+namespace isthmus
+{
+
+enum class ReaderFailure
+{
+  NoSuchFile,
+  CannotRead,    ///< no permission, a folder, an input error
+  ForeignFormat, ///< the content is not of this kind of file
+  Truncated,     ///< fewer bytes than the header describes
+  Damaged,       ///< contradictory content, a failed checksum
+  BadRequest,    ///< what was asked for is not in the file
+};
+
+/// A sentence that says what is wrong, in which file, and what can be done.
+class ReaderError : public std::runtime_error
+{
+public:
+  ReaderError(ReaderFailure kind, const std::string& sentence)
+    : std::runtime_error(sentence)
+    , Kind(kind)
+  {
+  }
+
+  const ReaderFailure Kind;
+};
+
+}
+
+#endif
