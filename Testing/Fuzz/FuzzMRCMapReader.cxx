@@ -6,6 +6,7 @@
 // Readers and Filters/Support. Seeds come from LLVMFuzzerCustomMutator, which now and then starts
 // from a sound map.
 
+#include "TemporaryFile.h"
 #include "vtkMRCMapReader.h"
 
 #include <vtkCommand.h>
@@ -14,9 +15,6 @@
 #include <vtkNew.h>
 #include <vtkObject.h>
 #include <vtkPointData.h>
-
-#include <bzlib.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,30 +35,8 @@ namespace
 
 constexpr std::size_t choices = 8;
 
-std::string Gzip(const std::string& content)
-{
-  z_stream stream{};
-  deflateInit2(&stream, 1, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
-  std::string packed(deflateBound(&stream, content.size()) + 32, '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
-  stream.avail_in = static_cast<uInt>(content.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = static_cast<uInt>(packed.size());
-  deflate(&stream, Z_FINISH);
-  packed.resize(stream.total_out);
-  deflateEnd(&stream);
-  return packed;
-}
-
-std::string Bzip2(const std::string& content)
-{
-  auto size = static_cast<unsigned int>(content.size() + content.size() / 50 + 1000);
-  std::string packed(size, '\0');
-  BZ2_bzBuffToBuffCompress(packed.data(), &size, const_cast<char*>(content.data()),
-    static_cast<unsigned int>(content.size()), 1, 0, 0);
-  packed.resize(size);
-  return packed;
-}
+using isthmus::testing::Bzip2;
+using isthmus::testing::Gzip;
 
 /// A file in memory with a path that can be opened and ends as asked.
 class MemoryFile
@@ -207,10 +183,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
   switch (data[0] % 4)
   {
     case 1:
-      content = Gzip(content);
+      content = Gzip(content, 1);
       break;
     case 2:
-      content = Bzip2(content);
+      content = Bzip2(content, 1);
       break;
     default:
       break; // as it is: plain, or a compressed stream of the fuzzer's own making

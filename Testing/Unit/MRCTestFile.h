@@ -1,24 +1,19 @@
 /**
  * @file MRCTestFile.h
- * @brief Writes map files of any mode, byte order, axis order and compression, for the tests.
+ * @brief Writes map files of any mode, byte order and axis order, for the tests.
  *
  * It shares no code with the reader: what it writes follows the format's tables alone.
  */
 #ifndef isthmus_MRCTestFile_h
 #define isthmus_MRCTestFile_h
 
-#include <bzlib.h>
-#include <zlib.h>
+#include "TemporaryFile.h"
 
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <string>
-
-#include <unistd.h>
 
 namespace isthmus::testing
 {
@@ -170,57 +165,6 @@ private:
   int Mode;
   bool BigEndian;
   std::string Content;
-};
-
-inline std::string Gzip(const std::string& content)
-{
-  z_stream stream{};
-  deflateInit2(&stream, 6, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
-  std::string packed(deflateBound(&stream, content.size()) + 32, '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
-  stream.avail_in = static_cast<uInt>(content.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = static_cast<uInt>(packed.size());
-  deflate(&stream, Z_FINISH);
-  packed.resize(stream.total_out);
-  deflateEnd(&stream);
-  return packed;
-}
-
-inline std::string Bzip2(const std::string& content)
-{
-  auto size = static_cast<unsigned int>(content.size() + content.size() / 50 + 1000);
-  std::string packed(size, '\0');
-  BZ2_bzBuffToBuffCompress(packed.data(), &size, const_cast<char*>(content.data()),
-    static_cast<unsigned int>(content.size()), 9, 0, 0);
-  packed.resize(size);
-  return packed;
-}
-
-/// A file of this content, in a folder of its own, as long as it lives.
-class TemporaryFile
-{
-public:
-  explicit TemporaryFile(const std::string& content, const std::string& name = "map.mrc")
-  {
-    std::string pattern = (std::filesystem::temp_directory_path() / "isthmus-XXXXXX").string();
-    this->Folder = ::mkdtemp(pattern.data());
-    this->File = (this->Folder / name).string();
-    std::ofstream(this->File, std::ios::binary) << content;
-  }
-  ~TemporaryFile()
-  {
-    std::error_code ignored;
-    std::filesystem::remove_all(this->Folder, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  const char* Path() const { return this->File.c_str(); }
-
-private:
-  std::filesystem::path Folder;
-  std::string File;
 };
 
 }

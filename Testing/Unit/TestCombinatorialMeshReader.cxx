@@ -4,7 +4,7 @@
 
 #include "CombinatorialMeshFile.h"
 #include "GridFixtures.h"
-#include "MRCTestFile.h"
+#include "TemporaryFile.h"
 #include "vtkCombinatorialMeshWriter.h"
 
 #include <vtkCellData.h>

@@ -4,8 +4,8 @@
 #include "vtkMacromoleculeReader.h"
 
 #include "ChemicalElement.h"
-#include "MRCTestFile.h"
 #include "MacromoleculeReader.h"
+#include "TemporaryFile.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
