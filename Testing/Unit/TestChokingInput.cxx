@@ -192,8 +192,8 @@ TEST(ChokingInput, CostIsToldBefore)
   std::string log;
   vtkLogger::AddCallback("cost", Append, &log, vtkLogger::VERBOSITY_INFO);
   FilterRun plain(DataOf(Ring()));
-  EXPECT_NE(log.find("Choking loops of some 20000 samples: about 1 s and 100 MB"),
-    std::string::npos)
+  EXPECT_NE(
+    log.find("Choking loops of some 20000 samples: about 1 s and 100 MB"), std::string::npos)
     << log;
   log.clear();
   FilterRun finer(DataOf(Ring()), [](vtkChokingLoops* f) { f->SetSampleSpacing(0.05); });
@@ -311,6 +311,11 @@ struct InvariantCase
   double Spacing; ///< 0: automatic
   bool Quick;
 };
+
+std::ostream& operator<<(std::ostream& out, const InvariantCase& c)
+{
+  return out << c.File;
+}
 
 class Invariance : public ::testing::TestWithParam<InvariantCase>
 {

@@ -45,6 +45,11 @@ struct Expected
   int Outside;
 };
 
+std::ostream& operator<<(std::ostream& out, const Expected& expected)
+{
+  return out << expected.File;
+}
+
 class SharedSurface : public ::testing::TestWithParam<Expected>
 {
 };
