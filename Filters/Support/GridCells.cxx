@@ -140,9 +140,9 @@ private:
 
   void AddLinear(vtkIdType id, const GridCellType& type, std::size_t known)
   {
-    vtkIdType count;
-    const vtkIdType* points;
-    this->Grid->GetCellPoints(id, count, points, this->PointBuffer);
+    this->Grid->GetCellPoints(id, this->PointBuffer);
+    const vtkIdType count = this->PointBuffer->GetNumberOfIds();
+    const vtkIdType* const points = this->PointBuffer->GetPointer(0);
     const auto corners = static_cast<std::size_t>(type.Type.NumberOfVertices());
     if (count < type.Type.NumberOfVertices())
     {
@@ -166,9 +166,9 @@ private:
 
   void AddPolyhedron(vtkIdType id)
   {
-    vtkIdType count;
-    const vtkIdType* points;
-    this->Grid->GetCellPoints(id, count, points, this->PointBuffer);
+    this->Grid->GetCellPoints(id, this->PointBuffer);
+    const vtkIdType count = this->PointBuffer->GetNumberOfIds();
+    const vtkIdType* const points = this->PointBuffer->GetPointer(0);
     std::map<vtkIdType, int> local;
     for (vtkIdType i = 0; i < count; ++i)
     {
