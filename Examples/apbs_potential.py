@@ -8,6 +8,7 @@ import gzip
 import re
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 WATER = ("HOH", "WAT", "DOD")
@@ -48,7 +49,17 @@ def programs():
 
 
 def open_text(path):
-    return gzip.open(path, "rt") if str(path).endswith(".gz") else open(path)
+    """A molecule's file for reading. What is no text has no atom lines, which is told later."""
+    plain = gzip.open if str(path).endswith(".gz") else open
+    return plain(path, "rt", encoding="ascii", errors="replace")
+
+
+def require_atoms(path):
+    """Ends with a sentence unless `path` is a PDB file."""
+    if not Path(path).is_file():
+        sys.exit(f"There is no file {path}.")
+    if next(atom_lines(path), None) is None:
+        sys.exit(f"{path} has no ATOM records: a PDB file is needed.")
 
 
 def atom_lines(path):

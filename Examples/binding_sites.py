@@ -195,6 +195,7 @@ def picture(surface, target, ligand_file, path):
 
 def prepare(options, folder):
     """The surface with polarized curvature, the PDB lines of the ligand, and the protein's name."""
+    apbs_potential.require_atoms(options.protein)
     name = options.protein.name.split(".")[0]
     protein, ligand, ligand_name = apbs_potential.split(options.protein, options.ligand)
     if options.ligand and not ligand:

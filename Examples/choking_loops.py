@@ -266,8 +266,12 @@ def tell(found):
 
 
 def main(surface, picture="choking_loops.png", distance=100.0, persistence=5.0, side="Both"):
+    if not Path(surface).is_file():
+        sys.exit(f"There is no file {surface}.")
     source = open_surface(surface)
     simple.UpdatePipeline(proxy=source)
+    if source.GetDataInformation().GetDataSetTypeAsString() != "vtkPolyData":
+        sys.exit(f"{surface} is no surface: make one first, of a map with MapToMesh.py for instance.")
     tell(choking_picture(source, picture, distance, persistence, side))
     print("picture:", picture)
 

@@ -29,10 +29,14 @@ def resample(volume, nodes):
 
 
 def main(path, output, *counts):
-    nodes = [int(count) for count in counts]
-    if len(nodes) not in (1, 3) or min(nodes) < 2:
+    if len(counts) not in (1, 3) or not all(count.isdigit() and int(count) > 1 for count in counts):
         sys.exit(__doc__)
-    resampled = resample(simple.OpenDataFile(path), nodes * 3 if len(nodes) == 1 else nodes)
+    nodes = [int(count) for count in counts]
+    volume = simple.OpenDataFile(path)
+    volume.UpdatePipeline()
+    if volume.GetDataInformation().GetDataSetTypeAsString() != "vtkImageData":
+        sys.exit(f"{path} is no volume that ParaView could read.")
+    resampled = resample(volume, nodes * 3 if len(nodes) == 1 else nodes)
     simple.SaveData(output, resampled)
     print(f"{path}: {' x '.join(map(str, resampled.SamplingDimensions))} nodes in {output}")
 

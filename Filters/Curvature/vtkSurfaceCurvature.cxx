@@ -90,7 +90,7 @@ std::string Complaints(const SurfaceCurvatureResult& result)
     "surface. ");
   add(result.AreaNotPositive,
     " points have no curvature because obtuse triangles make their Voronoi area negative: choose "
-    "the mixed area. ");
+    "the mixed one (Point Area Rule; SetDualArea in C++), or remesh the surface. ");
   return text;
 }
 

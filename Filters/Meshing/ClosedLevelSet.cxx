@@ -43,6 +43,23 @@ std::array<double, 2> FiniteRange(const GridView<const T>& grid)
   return { low, high };
 }
 
+/// A level of a mask has a corner at each node, where no triangle is fine enough.
+template <typename T>
+void RefuseMask(const GridView<const T>& grid, double low, double high)
+{
+  const bool mask = low < high &&
+    std::all_of(grid.Data, grid.Data + grid.Size(),
+      [low, high](T value)
+      { return static_cast<double>(value) == low || static_cast<double>(value) == high; });
+  if (mask)
+  {
+    throw std::invalid_argument("The volume has only the two values " + std::to_string(low) +
+      " and " + std::to_string(high) +
+      ", so its level sets have a corner at every node and refinement would not end: smooth it "
+      "first (High-Order Diffusion, Gaussian sum of Molecular Density), or take Contour.");
+  }
+}
+
 /// `grid` with a layer of `outside` around it, as an image in the frame of the grid.
 template <typename Array, typename T>
 vtkSmartPointer<vtkImageData> Padded(const GridView<const T>& grid, double outside)
@@ -94,10 +111,12 @@ ClosedLevelSet Close(const GridView<const T>& grid, double level, bool insideIsH
     result.Bounds.Min[a] = -grid.Spacing[a];
     result.Bounds.Max[a] = grid.Spacing[a] * static_cast<double>(grid.Dimensions[a]);
   }
+  result.Range = { low, high };
   if (insideIsHigher ? high <= level : low >= level)
   {
     return result; // nothing is inside
   }
+  RefuseMask(grid, low, high);
   result.Field = TrilinearField<T>{ grid, outside };
   using Array = std::conditional_t<std::is_same_v<T, double>, vtkDoubleArray, vtkFloatArray>;
   vtkNew<vtkFlyingEdges3D> edges;

@@ -9,6 +9,8 @@
 #include "TriangleMesh.h"
 #include "vtkIsthmusModule.h"
 
+#include <array>
+
 class vtkDataArray;
 class vtkImageData;
 
@@ -17,15 +19,17 @@ namespace isthmus
 
 struct ClosedLevelSet
 {
-  ScalarField Field;  ///< valid as long as the image's scalars are
-  Bounds3 Bounds;     ///< of the image and one layer of cells around it
-  TriangleMesh Guide; ///< by vtkFlyingEdges3D
+  ScalarField Field;             ///< valid as long as the image's scalars are
+  Bounds3 Bounds;                ///< of the image and one layer of cells around it
+  TriangleMesh Guide;            ///< by vtkFlyingEdges3D
+  std::array<double, 2> Range{}; ///< of the values
 };
 
 /**
  * The level set of `scalars` (points of `image`, one component) in the frame of the grid: first
  * node at the origin, axes along the grid, lengths by spacing. Throws std::invalid_argument when a
- * value is not finite or the image has fewer than two nodes along an axis. Copies the image (with
+ * value is not finite, the image has fewer than two nodes along an axis, or it is a mask of two
+ * values, on whose corners refinement would not end. Copies the image (with
  * its layer of cells) once as float, or as double where it is double, for the guide.
  */
 VTKISTHMUS_EXPORT ClosedLevelSet CloseLevelSet(

@@ -215,9 +215,10 @@ std::string Differences(
 {
   if (!lost.empty())
   {
-    return std::to_string(lost.size()) +
-      " components are too small for the sizes asked for and were left out, the first at " +
-      lost.front() + ".";
+    return "Left out, since too small for the sizes asked for (lower Radius and Distance to keep "
+           "them): " +
+      std::to_string(lost.size()) + " of the level set's components, the first at " + lost.front() +
+      ".";
   }
   const SurfaceDefects defects = FindDefects(surface);
   if (!defects.None())

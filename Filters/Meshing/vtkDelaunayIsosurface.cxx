@@ -73,6 +73,12 @@ int vtkDelaunayIsosurface::RequestData(
       const isthmus::ClosedLevelSet level =
         isthmus::CloseLevelSet(image, scalars, this->Level, this->InsideIsHigher);
       isthmus::Report(progress, 0.05);
+      if (level.Guide.Triangles.empty())
+      {
+        vtkWarningMacro(<< "Nothing is inside Level " << this->Level
+                        << ": the volume has values from " << level.Range[0] << " to "
+                        << level.Range[1] << ".");
+      }
       isthmus::DelaunayIsosurfaceResult result = isthmus::DelaunayIsosurface(
         level.Field, level.Bounds, level.Guide, parameters, isthmus::Between(progress, 0.05, 1.0));
       isthmus::ToWorld(image, result.Surface);

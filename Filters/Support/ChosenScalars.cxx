@@ -32,7 +32,7 @@ std::string NamesOf(vtkPointData* data)
   throw std::invalid_argument((name ? "The image has no array '" + std::string(name) + "'"
                                     : std::string("The image has no active scalars")) +
     " to work on; its point arrays are: " + NamesOf(image->GetPointData()) +
-    ". Choose one of them as Scalars (SetInputArrayToProcess).");
+    ". Choose one of them as Scalars (in C++ by SetInputArrayToProcess).");
 }
 
 void RequireOnePerNode(vtkImageData* image, vtkDataArray* scalars, bool onCells)

@@ -115,7 +115,8 @@ TriangleMesh CheckedSurface(
   if (!defects.None())
   {
     throw std::invalid_argument(defects.Sentence() +
-      " Choking loops need a closed, manifold, consistently oriented surface: repair it first.");
+      " Choking loops need a closed, manifold, consistently oriented surface: repair it first "
+      "(CapHoles fills holes).");
   }
   if (!allowCrossings)
   {
