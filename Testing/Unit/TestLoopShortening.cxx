@@ -45,7 +45,7 @@ struct TorusGrid
     for (int j = 0; j < this->Across; ++j)
     {
       loop.push_back(this->Id(i, j));
-      if (j % 3 == 1)
+      if (j % 3 == 1 && j + 1 < this->Across)
       {
         loop.push_back(this->Id(i + 1, j + i % 2));
         loop.push_back(this->Id(i, j + 1));
@@ -106,7 +106,9 @@ int Crossings(const SurfaceAdjacency& surface, const SurfaceCurve& curve,
   std::set<SimplexId> edges;
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
-    edges.insert(surface.Edge(surface.Find(loop[i], loop[(i + 1) % loop.size()])));
+    const SimplexId half = surface.Find(loop[i], loop[(i + 1) % loop.size()]);
+    EXPECT_GE(half, 0) << "no edge after point " << i << " of the loop";
+    edges.insert(half < 0 ? half : surface.Edge(half));
   }
   int count = 0;
   for (const SurfaceCurvePoint& c : curve.Crossings)
