@@ -1,0 +1,13 @@
+isthmus_room(
+  CLASSES
+    vtkCellIncidence
+    vtkTetCutaway
+  SOURCES
+    CellEdgeTable
+    CompactCombinatorialMap
+    CutAndMerge
+    EdgeTable
+    FaceTable
+    HalfFaceMatching
+    StarTable
+    TetCutaway)

@@ -1,0 +1,26 @@
+isthmus_room(
+  CLASSES
+    vtkChokingLoops
+    vtkLoopShortening
+    vtkOffsetSurface
+  SOURCES
+    ChokingLoops
+    ChokingLoopsOutput
+    ChokingSurface
+    ConformingGenerators
+    EdgeStrip
+    EnclosureTest
+    FeatureMembrane
+    GeneratorCompletion
+    LoopFeature
+    LoopShortening
+    OffsetSurface
+    ShapeFeatures
+    SpaceRegions
+    StripFunnel
+    SurfaceAdjacency
+    SurfaceDistance
+    SurfaceGenerators
+    SurfaceHomology
+    SurfaceInComplex
+    SurfaceSampling)

@@ -1,0 +1,20 @@
+isthmus_room(
+  CLASSES
+    vtkHessianCurvature
+    vtkScalarRegions
+    vtkSurfaceCurvature
+  SOURCES
+    CurvatureDescriptors
+    CurvatureOfImage
+    EdgeBends
+    GaussianScale
+    HessianCurvature
+    PointDerivative
+    RegionTables
+    ScalarRegions
+    StarCurvature
+    SurfaceCurvature
+    SurfacePatch
+  VECTORISED
+    FiniteDifference
+    ShapeRows)

@@ -1,0 +1,22 @@
+isthmus_room(
+  CLASSES
+    vtkDiffusionAlgorithm
+    vtkDiffusionHighPass
+    vtkHighOrderDiffusion
+    vtkPDETransform
+  SOURCES
+    AutomaticDenoising
+    BoxMean
+    DiffusionHighPass
+    DiffusionImage
+    DiffusionOperator
+    DiffusionPipeline
+    EdgeCoefficient
+    HighOrderDiffusion
+    NoiseEstimate
+    PDETransform
+    RankParts
+    ResidualReturn
+    TimeSteps
+  VECTORISED
+    DiffusionRows)

@@ -1,0 +1,13 @@
+isthmus_room(
+  CLASSES
+    vtkSurfaceMeasures
+    vtkSurfaceToGrid
+  SOURCES
+    CartesianMeasures
+    GridDistance
+    GridImages
+    LevelCrossings
+    SurfaceCheck
+    SurfaceCrossings
+    SurfaceMeasures
+    TriangleTree)

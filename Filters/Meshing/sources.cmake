@@ -1,0 +1,21 @@
+isthmus_room(
+  CLASSES
+    vtkDelaunayIsosurface
+    vtkMeshQualityReport
+    vtkSurfaceRemesh
+    vtkTetrahedralMesher
+  SOURCES
+    ChildProcess
+    ClosedLevelSet
+    MeshQuality
+    ShellNesting
+    SurfaceSeeds
+    SurfaceTopology
+    TetGenFiles
+    TetGenProcess
+    TetrahedralMesher
+  CGAL
+    CGALTetrahedra
+    DelaunayIsosurface
+    SurfaceRemesh
+    SurfaceRepair)

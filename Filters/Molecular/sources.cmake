@@ -1,0 +1,11 @@
+isthmus_room(
+  CLASSES
+    vtkBindingSites
+    vtkMolecularDensity
+    vtkPolarizedCurvature
+  SOURCES
+    BallBricks
+    BindingSites
+    HullDepth
+    MolecularDensity
+    PolarizedCurvature)

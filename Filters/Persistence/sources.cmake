@@ -1,0 +1,7 @@
+isthmus_room(
+  SOURCES
+    CellFiltration
+    FiltrationPairs
+    LowerStarFiltration
+  CGAL
+    DelaunayFiltration)

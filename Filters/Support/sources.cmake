@@ -1,0 +1,11 @@
+isthmus_room(
+  SOURCES
+    CellType
+    ChemicalElement
+    ChosenScalars
+    GridCells
+    ImageExtent
+    ParallelFor
+    PolyDataMesh
+    PolyDataTriangles
+    TriangleStars)

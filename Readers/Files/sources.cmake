@@ -1,0 +1,7 @@
+isthmus_room(
+  SOURCES
+    ByteSource
+    CompressedSource
+    PlainFile
+    SkewedLattice
+    StridedCopy)

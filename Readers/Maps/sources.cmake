@@ -1,0 +1,11 @@
+isthmus_room(
+  CLASSES
+    vtkMRCMapReader
+  SOURCES
+    MRCFieldData
+    MRCGeometry
+    MRCHeader
+    MRCHeaderWords
+    MRCMap
+    MRCMode
+    MRCVoxels)

@@ -1,0 +1,9 @@
+isthmus_room(
+  CLASSES
+    vtkCombinatorialMeshReader
+    vtkCombinatorialMeshWriter
+    vtkMSMSReader
+  SOURCES
+    CombinatorialMeshParser
+    CombinatorialMeshWriter
+    MSMSReader)

@@ -1,0 +1,19 @@
+isthmus_room(
+  CLASSES
+    vtkMacromoleculeReader
+  SOURCES
+    AtomSelection
+    CovalentBonds
+    GemmiStructure
+    MacromoleculeReader
+    MoleculeOutput
+    PDBStream
+    PQRFile
+    XYZFile)
+
+if (ISTHMUS_SANITIZE)
+  # gemmi shifts negative characters and lets over-long numbers wrap, on purpose or not: harmless
+  # with every compiler we know, and what it makes of them is checked.
+  set_source_files_properties(Readers/Molecules/GemmiStructure.cxx PROPERTIES
+    COMPILE_OPTIONS "-fno-sanitize=shift,signed-integer-overflow")
+endif ()

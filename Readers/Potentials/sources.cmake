@@ -1,0 +1,8 @@
+isthmus_room(
+  CLASSES
+    vtkOpenDXReader
+    vtkOpenDXWriter
+  SOURCES
+    OpenDXReader
+    OpenDXText
+    OpenDXWriter)
