@@ -1,18 +1,16 @@
 #include "CellEdgeTable.h"
 
-#include "EdgeTable.h"
 #include "ParallelFor.h"
 
 namespace isthmus
 {
 
 template <typename Id>
-CellEdgeTable<Id>::CellEdgeTable(const Map& map)
+CellEdgeTable<Id>::CellEdgeTable(const Map& map, const EdgeTable<Id>& edges)
   : Mesh(map)
   , C2E(map.NumberOfDarts() / 2)
 {
   constexpr std::int64_t cellsPerPiece = 1 << 14;
-  const EdgeTable<Id>& edges = map.Edges();
   ParallelFor(0, static_cast<std::int64_t>(map.NumberOfCells()), cellsPerPiece,
     [&](std::int64_t first, std::int64_t last)
     {

@@ -8,22 +8,22 @@
 #ifndef isthmus_CellEdgeTable_h
 #define isthmus_CellEdgeTable_h
 
-#include "CompactCombinatorialMap.h"
+#include "EdgeTable.h"
 
 namespace isthmus
 {
 
-/// Memory: one id for each edge of each cell. Built in parallel with Edges() of the map.
+/// Memory: one id for each edge of each cell. Built in parallel from the table of edges.
 template <typename Id>
 class VTKISTHMUS_EXPORT CellEdgeTable
 {
 public:
-  using Map = CompactCombinatorialMap<Id>;
+  using Map = DartMap<Id>;
   using Edge = typename Map::Edge;
   using Cell = typename Map::Cell;
   using Dart = typename Map::Dart;
 
-  explicit CellEdgeTable(const Map& map);
+  CellEdgeTable(const Map& map, const EdgeTable<Id>& edges);
 
   Edge Of(Dart dart) const { return this->C2E[this->Mesh.IndexOf(dart) / 2]; }
   /// The edges of a cell, in the order of the map's EdgeDarts(cell).

@@ -6,7 +6,7 @@
 #include "HalfFaceMatching.h"
 #include "ParallelFor.h"
 #include "StarTable.h"
-#include "VertexStar.h"
+#include "StarWalk.h"
 
 #include <algorithm>
 #include <atomic>
@@ -101,9 +101,9 @@ bool CompactCombinatorialMap<Id>::FitsIn(const CellList& mesh)
 template <typename Id>
 CompactCombinatorialMap<Id>::CompactCombinatorialMap(
   CellList mesh, const ProgressCallback& progress)
-  : Types(std::move(mesh.Types))
-  , Bits(BitsFor(this->Types))
 {
+  this->Types = std::move(mesh.Types);
+  this->Bits = BitsFor(this->Types);
   const auto vertices = static_cast<std::size_t>(mesh.NumberOfVertices);
   if (Count(mesh.Runs) > (std::numeric_limits<Id>::max() >> this->Bits) ||
     vertices > std::numeric_limits<Id>::max())
@@ -281,7 +281,7 @@ void CompactCombinatorialMap<Id>::FindUmbrellas(const ProgressCallback& progress
     0, static_cast<std::int64_t>(this->V2D.size()), VerticesPerPiece,
     [&](std::int64_t first, std::int64_t last)
     {
-      VertexStar<Id> star(*this);
+      StarWalk<Id> star(*this);
       std::size_t cells = 0;
       for (std::int64_t v = first; v < last; ++v)
       {
@@ -294,7 +294,7 @@ void CompactCombinatorialMap<Id>::FindUmbrellas(const ProgressCallback& progress
   {
     return;
   }
-  VertexStar<Id> star(*this);
+  StarWalk<Id> star(*this);
   const std::vector<std::pair<Vertex, Dart>> corners = this->CornersOfPinchedVertices();
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
@@ -320,7 +320,7 @@ auto CompactCombinatorialMap<Id>::CornersOfPinchedVertices() const
   {
     ++missing[vertex.Value];
   }
-  VertexStar<Id> star(*this);
+  StarWalk<Id> star(*this);
   for (std::size_t v = 0; v < missing.size(); ++v)
   {
     missing[v] -= star.Gather(Vertex(static_cast<Id>(v))).size();
@@ -341,21 +341,6 @@ auto CompactCombinatorialMap<Id>::CornersOfPinchedVertices() const
   }
   std::sort(corners.begin(), corners.end());
   return corners;
-}
-
-template <typename Id>
-auto CompactCombinatorialMap<Id>::FurtherUmbrellas(Vertex vertex) const
-  -> View<std::pair<Vertex, Dart>>
-{
-  if (this->Umbrellas.empty())
-  {
-    return {};
-  }
-  const auto range = std::equal_range(this->Umbrellas.begin(), this->Umbrellas.end(),
-    std::pair<Vertex, Dart>(vertex, Dart()),
-    [](const auto& a, const auto& b) { return a.first < b.first; });
-  return { this->Umbrellas.data() + (range.first - this->Umbrellas.begin()),
-    static_cast<std::size_t>(range.second - range.first) };
 }
 
 template <typename Id>
@@ -386,7 +371,7 @@ template <typename Id>
 const CellEdgeTable<Id>& CompactCombinatorialMap<Id>::CellEdges() const
 {
   std::call_once(this->CellEdgesOnce,
-    [this]() { this->CellEdgesBuilt = std::make_unique<CellEdgeTable<Id>>(*this); });
+    [this]() { this->CellEdgesBuilt = std::make_unique<CellEdgeTable<Id>>(*this, this->Edges()); });
   return *this->CellEdgesBuilt;
 }
 

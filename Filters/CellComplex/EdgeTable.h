@@ -9,7 +9,8 @@
 #ifndef isthmus_EdgeTable_h
 #define isthmus_EdgeTable_h
 
-#include "CompactCombinatorialMap.h"
+#include "DartMap.h"
+#include "Progress.h"
 
 #include <algorithm>
 
@@ -30,7 +31,7 @@ template <typename Id>
 class VTKISTHMUS_EXPORT EdgeTable
 {
 public:
-  using Map = CompactCombinatorialMap<Id>;
+  using Map = DartMap<Id>;
   using Vertex = typename Map::Vertex;
   using Edge = typename Map::Edge;
   using Dart = typename Map::Dart;

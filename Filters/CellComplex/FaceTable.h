@@ -8,7 +8,8 @@
 #ifndef isthmus_FaceTable_h
 #define isthmus_FaceTable_h
 
-#include "CompactCombinatorialMap.h"
+#include "DartMap.h"
+#include "Progress.h"
 
 #include <algorithm>
 
@@ -25,7 +26,7 @@ template <typename Id>
 class VTKISTHMUS_EXPORT FaceTable
 {
 public:
-  using Map = CompactCombinatorialMap<Id>;
+  using Map = DartMap<Id>;
   using Vertex = typename Map::Vertex;
   using Face = typename Map::Face;
   using HalfFace = typename Map::HalfFace;

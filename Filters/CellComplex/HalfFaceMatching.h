@@ -11,7 +11,9 @@
 #ifndef isthmus_HalfFaceMatching_h
 #define isthmus_HalfFaceMatching_h
 
-#include "CompactCombinatorialMap.h"
+#include "DartMap.h"
+#include "MeshError.h"
+#include "Progress.h"
 
 #include <array>
 #include <memory>
@@ -25,11 +27,11 @@ template <typename Id>
 class HalfFaceMatching
 {
 public:
-  explicit HalfFaceMatching(CompactCombinatorialMap<Id>& map);
+  explicit HalfFaceMatching(DartMap<Id>& map);
   void Run(const ProgressCallback& progress);
 
 private:
-  using Map = CompactCombinatorialMap<Id>;
+  using Map = DartMap<Id>;
   using HalfFace = typename Map::HalfFace;
   using Reason = MeshError::Reason;
 

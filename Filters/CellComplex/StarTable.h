@@ -8,7 +8,7 @@
 #ifndef isthmus_StarTable_h
 #define isthmus_StarTable_h
 
-#include "CompactCombinatorialMap.h"
+#include "DartMap.h"
 
 namespace isthmus
 {
@@ -18,7 +18,7 @@ template <typename Id>
 class VTKISTHMUS_EXPORT StarTable
 {
 public:
-  using Map = CompactCombinatorialMap<Id>;
+  using Map = DartMap<Id>;
   using Vertex = typename Map::Vertex;
   using Dart = typename Map::Dart;
 

@@ -6,6 +6,7 @@ isthmus_room(
     CellEdgeTable
     CompactCombinatorialMap
     CutAndMerge
+    DartMap
     EdgeTable
     FaceTable
     HalfFaceMatching

@@ -6,7 +6,9 @@
 #define isthmus_MeshOnGrid_h
 
 #include "SurfaceCrossings.h"
-#include "SurfaceDistance.h"
+#include "TriangleMesh.h"
+
+#include <vector>
 
 namespace isthmus
 {

@@ -32,8 +32,8 @@
 #ifndef isthmus_HessianCurvature_h
 #define isthmus_HessianCurvature_h
 
-#include "CurvatureDescriptors.h"
 #include "GridView.h"
+#include "HessianCurvatureParameters.h"
 #include "Progress.h"
 #include "ScalarTypes.h"
 #include "vtkIsthmusModule.h" // for the export macro
@@ -44,32 +44,6 @@
 
 namespace isthmus
 {
-
-struct HessianCurvatureOptions
-{
-  int Accuracy = 2;           ///< Order of the differences: 2 or 4.
-  bool InsideIsHigher = true; ///< Whether the scalar grows inwards.
-  ShapeIndexConvention Convention = ShapeIndexConvention::Thesis;
-  SurfaceTypeTolerance Tolerance;
-  /// Row-major 3 x 3 matrix, columns the grid's axes in the world; only directions depend on it.
-  std::array<double, 9> Axes{ 1, 0, 0, 0, 1, 0, 0, 0, 1 };
-};
-
-/// Where results go, one value (three for directions) for each place; null for what isn't wanted.
-template <typename T>
-struct CurvatureArrays
-{
-  T* Gaussian = nullptr;
-  T* Mean = nullptr;
-  T* Maximum = nullptr;
-  T* Minimum = nullptr;
-  T* ShapeIndex = nullptr;
-  T* Curvedness = nullptr;
-  T* Direction1 = nullptr;              ///< Unit vectors of kappa_1; their sign means nothing.
-  T* Direction2 = nullptr;              ///< Unit vectors of kappa_2, likewise.
-  unsigned char* SurfaceType = nullptr; ///< Values of enum SurfaceType.
-  unsigned char* Valid = nullptr;       ///< 1 or 0.
-};
 
 /// A box of nodes of a grid.
 struct NodeBox

@@ -8,7 +8,7 @@
 #define isthmus_ShapeRows_h
 
 #include "FiniteDifference.h"
-#include "HessianCurvature.h"
+#include "HessianCurvatureParameters.h"
 
 namespace isthmus
 {

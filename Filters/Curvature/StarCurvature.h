@@ -5,7 +5,8 @@
 #ifndef isthmus_StarCurvature_h
 #define isthmus_StarCurvature_h
 
-#include "SurfaceCurvature.h"
+#include "SurfaceCurvatureParameters.h"
+#include "SurfaceView.h"
 #include "TriangleStars.h"
 
 #include <Eigen/Dense>

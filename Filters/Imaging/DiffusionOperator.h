@@ -1,20 +1,18 @@
 /**
  * @file DiffusionOperator.h
- * @brief The right-hand side of a high-order diffusion equation, evaluated in one pass.
+ * @brief The right-hand side of a high-order diffusion equation.
  *
  * The rate of change of u is
  *
  *     leading * div(c grad W) + fidelity * (input - u) + source,   W = sum_p weight_p L^p u,
  *
- * with L the 7-point Laplacian, L^p by repetition, c one coefficient for all orders. One pass walks
- * through tiles of rows, plane after plane; what lies between u and the rate (W at every order, c)
- * lives in rings of a few planes that stay in cache, so that each volume crosses memory once.
+ * with L the 7-point Laplacian, L^p by repetition, c one coefficient for all orders. It is
+ * evaluated by DiffusionEvaluation.h.
  */
 #ifndef isthmus_DiffusionOperator_h
 #define isthmus_DiffusionOperator_h
 
 #include "DiffusionRows.h"
-#include "Progress.h"
 
 #include <array>
 #include <cstdint>
@@ -61,6 +59,17 @@ struct DiffusionOperator
   double SpectralBound() const;
 };
 
+/// How many planes each quantity runs behind the plane of u that an evaluation reads.
+struct DiffusionLags
+{
+  template <typename T>
+  explicit DiffusionLags(const DiffusionOperator<T>& diffusion);
+
+  int W; ///< and L^m u: m
+  int C;
+  int Out;
+};
+
 /// One stage of a time step: out = update of (current, previous, first, rate, first rate).
 template <typename T>
 struct DiffusionStage
@@ -74,16 +83,6 @@ struct DiffusionStage
   T* StoreRate = nullptr;        ///< Receives the rate of Current, if not null.
   T* StoreCoefficient = nullptr; ///< Receives what a StoredCoefficient would hold, if not null.
 };
-
-/**
- * Evaluates one stage on all nodes, in parallel, bit for bit the same on any number of threads.
- *
- * Memory: per thread about half a MiB of scratch, or a few planes of very long rows.
- * `progress` is asked about every tenth of a second; false throws Cancelled.
- */
-template <typename T>
-void Evaluate(const DiffusionOperator<T>& diffusion, const DiffusionStage<T>& stage,
-  const ProgressCallback& progress = {});
 
 }
 

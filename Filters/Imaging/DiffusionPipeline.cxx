@@ -61,18 +61,6 @@ void PlaneRing<T>::Place(std::int64_t first, std::int64_t rows, std::int64_t pla
 }
 
 template <typename T>
-DiffusionLags::DiffusionLags(const DiffusionOperator<T>& diffusion)
-  : W(diffusion.Order())
-  , C(0)
-{
-  if (NeedsCoefficient(diffusion.Coefficient) && !diffusion.StoredCoefficient)
-  {
-    this->C = diffusion.Coefficient == DiffusionCoefficient::Gram ? this->W + 1 : 1;
-  }
-  this->Out = std::max(this->W, this->C) + 1;
-}
-
-template <typename T>
 std::int64_t DiffusionPipeline<T>::TileRowsThatFit(const DiffusionOperator<T>& diffusion)
 {
   constexpr std::int64_t cacheBytes = 512 * 1024;
@@ -268,8 +256,6 @@ void DiffusionPipeline<T>::AddReactions(const T* current, std::int64_t offset)
   }
 }
 
-template DiffusionLags::DiffusionLags(const DiffusionOperator<float>&);
-template DiffusionLags::DiffusionLags(const DiffusionOperator<double>&);
 template class PlaneRing<float>;
 template class PlaneRing<double>;
 template class DiffusionPipeline<float>;

@@ -46,17 +46,6 @@ private:
   std::vector<T> Values;
 };
 
-/// How many planes each quantity runs behind the plane of u that is being read.
-struct DiffusionLags
-{
-  template <typename T>
-  explicit DiffusionLags(const DiffusionOperator<T>& diffusion);
-
-  int W; ///< and L^m u: m
-  int C;
-  int Out;
-};
-
 template <typename T>
 class DiffusionPipeline
 {

@@ -1,6 +1,7 @@
 #include "EdgeCoefficient.h"
 
 #include "BoxMean.h"
+#include "DiffusionEvaluation.h"
 #include "TimeSteps.h"
 
 #include <algorithm>

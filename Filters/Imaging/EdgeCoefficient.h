@@ -5,7 +5,8 @@
 #ifndef isthmus_EdgeCoefficient_h
 #define isthmus_EdgeCoefficient_h
 
-#include "HighOrderDiffusion.h"
+#include "DiffusionGrid.h"
+#include "DiffusionParameters.h"
 
 namespace isthmus
 {

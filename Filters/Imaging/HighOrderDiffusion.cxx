@@ -1,5 +1,6 @@
 #include "HighOrderDiffusion.h"
 
+#include "DiffusionEvaluation.h"
 #include "EdgeCoefficient.h"
 #include "TimeSteps.h"
 

@@ -8,6 +8,7 @@ isthmus_room(
     AutomaticDenoising
     BoxMean
     DiffusionHighPass
+    DiffusionEvaluation
     DiffusionImage
     DiffusionOperator
     DiffusionPipeline

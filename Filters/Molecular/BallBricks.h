@@ -5,7 +5,7 @@
 #ifndef isthmus_BallBricks_h
 #define isthmus_BallBricks_h
 
-#include "MolecularDensity.h"
+#include "Ball.h"
 
 #include <array>
 #include <cmath>

@@ -19,6 +19,7 @@
 #ifndef isthmus_MolecularDensity_h
 #define isthmus_MolecularDensity_h
 
+#include "Ball.h"
 #include "GridView.h"
 #include "Progress.h"
 #include "vtkIsthmusModule.h"
@@ -28,13 +29,6 @@
 
 namespace isthmus
 {
-
-/// Lengths in one unit, angstrom for molecules.
-struct Ball
-{
-  std::array<double, 3> Centre;
-  double Radius;
-};
 
 /// Cubic cells around balls.
 struct DensityGrid

@@ -11,7 +11,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <string>
 
 namespace isthmus
@@ -58,13 +57,6 @@ public:
 
   virtual const std::string& Path() const = 0;
 };
-
-/// Opens a regular file. Throws ReaderError for a missing, unreadable or empty one and for folders.
-std::unique_ptr<ByteSource> OpenByteSource(const std::string& path);
-
-/// All of the content, checksum checked. Throws ReaderError as Read does and when it is cut, and
-/// std::bad_alloc.
-std::string ReadAll(ByteSource& source, const ProgressCallback& progress = {});
 
 }
 

@@ -11,6 +11,8 @@
 #include "ByteSource.h"
 #include "PlainFile.h"
 
+#include <memory>
+
 namespace isthmus
 {
 

@@ -1,24 +1,31 @@
 /**
  * @file NumberTypes.h
- * @brief Names, text and bytes of the numbers in a combinatorial mesh file.
+ * @brief Lists of numbers of any type, and their names, text and bytes in a file.
  */
 #ifndef isthmus_NumberTypes_h
 #define isthmus_NumberTypes_h
 
-#include "CombinatorialMeshFile.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <variant>
+#include <vector>
 
 namespace isthmus
 {
+
+/// Numbers of any of these types: int8 uint8 ... int64 uint64 float32 float64.
+using NumberList =
+  std::variant<std::vector<std::int8_t>, std::vector<std::uint8_t>, std::vector<std::int16_t>,
+    std::vector<std::uint16_t>, std::vector<std::int32_t>, std::vector<std::uint32_t>,
+    std::vector<std::int64_t>, std::vector<std::uint64_t>, std::vector<float>, std::vector<double>>;
 
 /// In the order of NumberList's alternatives.
 inline constexpr std::array<std::string_view, 10> NumberTypeNames{ "int8", "uint8", "int16",

@@ -24,7 +24,7 @@ using Point = std::array<double, 3>;
 class NodeMap
 {
 public:
-  NodeMap(const MRCLattice& lattice, const MRCLattice& grid)
+  NodeMap(const VoxelLattice& lattice, const VoxelLattice& grid)
   {
     double steps[3][3];
     double inverse[3][3];
@@ -140,9 +140,9 @@ struct Sampler
 }
 
 template <typename T>
-void ResampleValues(int components, const MRCLattice& lattice, const T* nodes, const NodeBox& have,
-  const MRCLattice& grid, const NodeBox& region, T* out, unsigned char* inside,
-  const ProgressCallback& progress)
+void ResampleValues(int components, const VoxelLattice& lattice, const T* nodes,
+  const NodeBox& have, const VoxelLattice& grid, const NodeBox& region, T* out,
+  unsigned char* inside, const ProgressCallback& progress)
 {
   const Sampler<T> sample{ nodes, have, components };
   const NodeMap map(lattice, grid);
@@ -169,12 +169,9 @@ void ResampleValues(int components, const MRCLattice& lattice, const T* nodes, c
   ParallelFor(0, rows, grain, body, progress);
 }
 
-template void ResampleValues(int, const MRCLattice&, const double*, const NodeBox&,
-  const MRCLattice&, const NodeBox&, double*, unsigned char*, const ProgressCallback&);
-
-MRCLattice GridAround(const MRCLattice& lattice)
+VoxelLattice GridAround(const VoxelLattice& lattice)
 {
-  MRCLattice grid = lattice;
+  VoxelLattice grid = lattice;
   const Point spacing = lattice.Spacing();
   double nodes = 1.0;
   for (std::size_t i = 0; i < 3; ++i)
@@ -205,7 +202,7 @@ MRCLattice GridAround(const MRCLattice& lattice)
   return grid;
 }
 
-NodeBox NodesNeeded(const MRCLattice& lattice, const MRCLattice& grid, const NodeBox& region)
+NodeBox NodesNeeded(const VoxelLattice& lattice, const VoxelLattice& grid, const NodeBox& region)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const NodeMap map(lattice, grid);
@@ -233,29 +230,17 @@ NodeBox NodesNeeded(const MRCLattice& lattice, const MRCLattice& grid, const Nod
   return box;
 }
 
-void Resample(const MRCVoxelType& type, const MRCLattice& lattice, const void* nodes,
-  const NodeBox& have, const MRCLattice& grid, const NodeBox& region, void* out,
-  unsigned char* inside, const ProgressCallback& progress)
-{
-  const auto as = [&](auto value)
-  {
-    using T = decltype(value);
-    ResampleValues(type.Components, lattice, static_cast<const T*>(nodes), have, grid, region,
-      static_cast<T*>(out), inside, progress);
-  };
-  switch (type.Value)
-  {
-    case MRCValue::SignedChar:
-      return as(static_cast<signed char>(0));
-    case MRCValue::UnsignedChar:
-      return as(static_cast<unsigned char>(0));
-    case MRCValue::Short:
-      return as(short(0));
-    case MRCValue::UnsignedShort:
-      return as(static_cast<unsigned short>(0));
-    case MRCValue::Float:
-      return as(0.0f);
-  }
-}
+template void ResampleValues(int, const VoxelLattice&, const signed char*, const NodeBox&,
+  const VoxelLattice&, const NodeBox&, signed char*, unsigned char*, const ProgressCallback&);
+template void ResampleValues(int, const VoxelLattice&, const unsigned char*, const NodeBox&,
+  const VoxelLattice&, const NodeBox&, unsigned char*, unsigned char*, const ProgressCallback&);
+template void ResampleValues(int, const VoxelLattice&, const short*, const NodeBox&,
+  const VoxelLattice&, const NodeBox&, short*, unsigned char*, const ProgressCallback&);
+template void ResampleValues(int, const VoxelLattice&, const unsigned short*, const NodeBox&,
+  const VoxelLattice&, const NodeBox&, unsigned short*, unsigned char*, const ProgressCallback&);
+template void ResampleValues(int, const VoxelLattice&, const float*, const NodeBox&,
+  const VoxelLattice&, const NodeBox&, float*, unsigned char*, const ProgressCallback&);
+template void ResampleValues(int, const VoxelLattice&, const double*, const NodeBox&,
+  const VoxelLattice&, const NodeBox&, double*, unsigned char*, const ProgressCallback&);
 
 }

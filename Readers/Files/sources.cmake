@@ -1,7 +1,8 @@
 isthmus_room(
   SOURCES
-    ByteSource
     CompressedSource
+    OpenByteSource
     PlainFile
     SkewedLattice
-    StridedCopy)
+    StridedCopy
+    VoxelLattice)

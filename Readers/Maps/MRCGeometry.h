@@ -9,33 +9,12 @@
 #define isthmus_MRCGeometry_h
 
 #include "MRCHeader.h"
+#include "VoxelLattice.h"
 
-#include <array>
-#include <cstdint>
 #include <string>
 
 namespace isthmus
 {
-
-/**
- * Nodes of a map: node (i, j, k) lies at Origin + Steps (i, j, k) in the map's own frame, and the
- * map's frame in the world by x_world = Rotation x_map + Translation.
- */
-struct MRCLattice
-{
-  std::array<std::int64_t, 3> Dimensions{ 1, 1, 1 };
-  Matrix3 Steps{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } }; ///< column a: one node along axis a
-  std::array<double, 3> Origin{ 0.0, 0.0, 0.0 };
-  Matrix3 Rotation{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
-  std::array<double, 3> Translation{ 0.0, 0.0, 0.0 };
-
-  /// Lengths of the three steps.
-  std::array<double, 3> Spacing() const;
-  /// Position of a node, whole or between nodes, in the map's frame.
-  std::array<double, 3> At(const std::array<double, 3>& node) const;
-  /// `position` of the map's frame in the world.
-  std::array<double, 3> World(const std::array<double, 3>& position) const;
-};
 
 /// How the sections of a file belong together.
 struct MRCStack
@@ -68,14 +47,10 @@ MRCStack StackOf(MRCHeader& header, const std::string& path);
  * of CCP4, x_map = SKWMAT (x_world - SKWTRN), comes on top.
  * `keepCellAxes`: the cell's angles are taken as 90 degrees.
  */
-MRCLattice LatticeOf(const MRCHeader& header, int sections, bool keepCellAxes);
+VoxelLattice LatticeOf(const MRCHeader& header, int sections, bool keepCellAxes);
 
 /// False when an angle of the cell is off 90 degrees by more than 0.01.
 bool HasOrthogonalCell(const MRCHeader& header);
-
-/// `lattice` reduced to nodes first, first + stride, ... (`count` of them) along each axis.
-MRCLattice Selected(const MRCLattice& lattice, const std::array<std::int64_t, 3>& first,
-  const std::array<std::int64_t, 3>& count, const std::array<std::int64_t, 3>& stride);
 
 }
 

@@ -9,6 +9,7 @@
 #define isthmus_MRCHeader_h
 
 #include "MRCMode.h"
+#include "VoxelLattice.h"
 
 #include <array>
 #include <cstdint>
@@ -19,9 +20,6 @@ namespace isthmus
 {
 
 constexpr std::size_t mrcHeaderBytes = 1024;
-
-/// Three rows of three.
-using Matrix3 = std::array<std::array<double, 3>, 3>;
 
 /**
  * The header after repair: every value can be used as it is.

@@ -1,6 +1,7 @@
 #include "MRCMap.h"
 
 #include "MRCHeaderWords.h"
+#include "OpenByteSource.h"
 #include "ReaderError.h"
 
 #include <algorithm>
@@ -38,6 +39,32 @@ std::string Range(std::int64_t first, std::int64_t last)
   return std::to_string(first) + " to " + std::to_string(last);
 }
 
+/// ResampleValues for the type of a map's voxels.
+void ResampleVoxels(const MRCVoxelType& type, const VoxelLattice& lattice, const void* nodes,
+  const NodeBox& have, const VoxelLattice& grid, const NodeBox& region, void* out,
+  unsigned char* inside, const ProgressCallback& progress)
+{
+  const auto as = [&](auto value)
+  {
+    using T = decltype(value);
+    ResampleValues(type.Components, lattice, static_cast<const T*>(nodes), have, grid, region,
+      static_cast<T*>(out), inside, progress);
+  };
+  switch (type.Value)
+  {
+    case MRCValue::SignedChar:
+      return as(static_cast<signed char>(0));
+    case MRCValue::UnsignedChar:
+      return as(static_cast<unsigned char>(0));
+    case MRCValue::Short:
+      return as(short(0));
+    case MRCValue::UnsignedShort:
+      return as(static_cast<unsigned short>(0));
+    case MRCValue::Float:
+      return as(0.0f);
+  }
+}
+
 }
 
 MRCMap::MRCMap(const std::string& path)
@@ -62,7 +89,7 @@ void MRCMap::Refuse(const std::string& sentence) const
   throw ReaderError(ReaderFailure::BadRequest, this->Source->Path() + ": " + sentence);
 }
 
-MRCLattice MRCMap::SelectVolume(const MRCOptions& options)
+VoxelLattice MRCMap::SelectVolume(const MRCOptions& options)
 {
   const int index = options.VolumeIndex;
   if (index < -1 || index >= this->Sections.Items)
@@ -92,7 +119,7 @@ MRCLattice MRCMap::SelectVolume(const MRCOptions& options)
   return LatticeOf(this->Head, sections, options.KeepCellAxes);
 }
 
-void MRCMap::SelectNodes(const MRCOptions& options, const MRCLattice& whole)
+void MRCMap::SelectNodes(const MRCOptions& options, const VoxelLattice& whole)
 {
   for (std::size_t a = 0; a < 3; ++a)
   {
@@ -119,7 +146,7 @@ void MRCMap::SelectNodes(const MRCOptions& options, const MRCLattice& whole)
 
 void MRCMap::Select(const MRCOptions& options)
 {
-  const MRCLattice whole = this->SelectVolume(options);
+  const VoxelLattice whole = this->SelectVolume(options);
   this->SelectNodes(options, whole);
   this->Lattice = Selected(whole, this->Nodes.First, this->Nodes.Count, this->Nodes.Stride);
   this->Interpolated = !options.KeepCellAxes && !HasOrthogonalCell(this->Head);
@@ -185,8 +212,8 @@ void MRCMap::Read(
   {
     this->ReadNodes(needed, values.get(), Between(progress, 0.0, 0.5));
   }
-  Resample(this->Head.Voxel, this->Lattice, values.get(), needed, this->Target, box, out, inside,
-    Between(progress, 0.5, 1.0));
+  ResampleVoxels(this->Head.Voxel, this->Lattice, values.get(), needed, this->Target, box, out,
+    inside, Between(progress, 0.5, 1.0));
 }
 
 bool MRCMap::CheckBeforeAllocating(std::uint64_t bytes, const ProgressCallback& progress)

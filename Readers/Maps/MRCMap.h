@@ -56,7 +56,7 @@ public:
   void Select(const MRCOptions& options);
 
   /// The orthogonal grid of the output; node 0 is the first selected one.
-  const MRCLattice& Grid() const { return this->Target; }
+  const VoxelLattice& Grid() const { return this->Target; }
   /// True when the cell is not orthogonal and Read() interpolates.
   bool Resampled() const { return this->Interpolated; }
   /// All nodes of Grid().
@@ -86,8 +86,8 @@ public:
 
 private:
   [[noreturn]] void Refuse(const std::string& sentence) const;
-  MRCLattice SelectVolume(const MRCOptions& options);
-  void SelectNodes(const MRCOptions& options, const MRCLattice& whole);
+  VoxelLattice SelectVolume(const MRCOptions& options);
+  void SelectNodes(const MRCOptions& options, const VoxelLattice& whole);
   void ReadNodes(const NodeBox& box, void* out, const ProgressCallback& progress);
 
   std::unique_ptr<ByteSource> Source;
@@ -95,8 +95,8 @@ private:
   MRCStack Sections;
   MRCVoxelLayout Layout;
   MRCSelection Nodes;
-  MRCLattice Lattice; ///< of the selected nodes
-  MRCLattice Target;
+  VoxelLattice Lattice; ///< of the selected nodes
+  VoxelLattice Target;
   bool Interpolated = false;
 };
 

@@ -68,7 +68,7 @@ vtkSmartPointer<vtkDataArray> NewArray(const char* name, int type, int component
 }
 
 /// The direction matrix and origin that place `grid` in the world.
-void Describe(const isthmus::MRCLattice& grid, vtkInformation* info)
+void Describe(const isthmus::VoxelLattice& grid, vtkInformation* info)
 {
   int whole[6];
   double direction[9];
@@ -155,7 +155,7 @@ int vtkMRCMapReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* const info = outputVector->GetInformationObject(0);
-  isthmus::MRCLattice nothing;
+  isthmus::VoxelLattice nothing;
   nothing.Dimensions = { 0, 0, 0 };
   Describe(nothing, info); // what stays when the file can't be read
   return this->Try(info,

@@ -10,6 +10,7 @@
 #define isthmus_CombinatorialMeshFile_h
 
 #include "CellList.h"
+#include "NumberTypes.h"
 
 #include "vtkIsthmusModule.h" // for the export macro
 
@@ -17,17 +18,10 @@
 #include <iosfwd>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace isthmus
 {
-
-/// Numbers of any of the file's types: int8 uint8 ... int64 uint64 float32 float64.
-using NumberList =
-  std::variant<std::vector<std::int8_t>, std::vector<std::uint8_t>, std::vector<std::int16_t>,
-    std::vector<std::uint16_t>, std::vector<std::int32_t>, std::vector<std::uint32_t>,
-    std::vector<std::int64_t>, std::vector<std::uint64_t>, std::vector<float>, std::vector<double>>;
 
 /// One array on the vertices or on the cells.
 struct MeshAttribute

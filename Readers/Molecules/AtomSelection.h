@@ -6,7 +6,7 @@
 #define isthmus_AtomSelection_h
 
 #include "Macromolecule.h"
-#include "MacromoleculeReader.h"
+#include "MoleculeOptions.h"
 
 namespace isthmus
 {

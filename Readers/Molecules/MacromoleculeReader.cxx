@@ -1,9 +1,9 @@
 #include "MacromoleculeReader.h"
 
 #include "AtomSelection.h"
-#include "ByteSource.h"
 #include "CovalentBonds.h"
 #include "GemmiStructure.h"
+#include "OpenByteSource.h"
 #include "PQRFile.h"
 #include "XYZFile.h"
 

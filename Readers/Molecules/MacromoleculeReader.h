@@ -7,8 +7,8 @@
 #ifndef isthmus_MacromoleculeReader_h
 #define isthmus_MacromoleculeReader_h
 
-#include "ChemicalElement.h"
 #include "Macromolecule.h"
+#include "MoleculeOptions.h"
 #include "Progress.h"
 #include "vtkIsthmusModule.h"
 
@@ -16,29 +16,6 @@
 
 namespace isthmus
 {
-
-enum class MoleculeFormat
-{
-  ByName, ///< from the file's extension (.gz and .bz2 left out), else from its first lines
-  PDB,
-  MMCIF,
-  PQR,
-  XYZ
-};
-
-/// Which atoms to read, and what to add to them.
-struct MoleculeOptions
-{
-  MoleculeFormat Format = MoleculeFormat::ByName;
-  std::int64_t Model = 0; ///< from 0, in the order of the file
-  std::string Chains;     ///< names between blanks or commas; empty: all
-  /// Empty: of each residue the location with the highest occupancy; "*": all; else that letter.
-  std::string AltLoc;
-  bool Hetero = true; ///< HETATM atoms, water aside
-  bool Water = true;
-  RadiusTable Radii = RadiusTable::Bondi;
-  bool BondsByDistance = true;
-};
 
 /**
  * Reads one model. Radii are those of the file (PQR) or of the table; atoms without are NaN and

@@ -1,6 +1,7 @@
 #include "OpenDXReader.h"
 
 #include "NumberTypes.h"
+#include "OpenByteSource.h"
 #include "ParallelFor.h"
 #include "ReaderError.h"
 
@@ -108,7 +109,7 @@ void OpenDXReader::ReadObject()
 
 void OpenDXReader::ReadPositions()
 {
-  MRCLattice grid;
+  VoxelLattice grid;
   this->Word = this->Text.Word();
   if (this->Word != "counts")
   {

@@ -11,9 +11,9 @@
 #define isthmus_OpenDXReader_h
 
 #include "ByteSource.h"
-#include "MRCGeometry.h"
 #include "OpenDXText.h"
 #include "SkewedLattice.h"
+#include "VoxelLattice.h"
 
 #include <cstdint>
 #include <memory>
@@ -43,7 +43,7 @@ public:
   OpenDXReader(const std::string& path, int index, const ProgressCallback& progress = {});
 
   /// Grid of the array: the last gridpositions before it. Its steps need not be orthogonal.
-  const MRCLattice& Lattice() const { return this->Grid; }
+  const VoxelLattice& Lattice() const { return this->Grid; }
   const OpenDXArray& Array() const { return this->Values; }
 
   /**
@@ -75,7 +75,7 @@ private:
 
   std::unique_ptr<ByteSource> Source;
   OpenDXText Text;
-  MRCLattice Grid;
+  VoxelLattice Grid;
   bool HasGrid = false;
   OpenDXArray Values;
   std::string Word; ///< read ahead

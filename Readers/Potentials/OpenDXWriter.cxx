@@ -105,7 +105,7 @@ private:
   std::string Buffer;
 };
 
-void WriteGrid(TextFile& file, const MRCLattice& grid)
+void WriteGrid(TextFile& file, const VoxelLattice& grid)
 {
   const auto& n = grid.Dimensions;
   const auto counts = [&](const char* object)
@@ -133,7 +133,7 @@ std::string OneLine(std::string text)
 }
 
 template <typename T>
-void WriteOpenDX(const std::string& path, const MRCLattice& grid, const T* values, int components,
+void WriteOpenDX(const std::string& path, const VoxelLattice& grid, const T* values, int components,
   const OpenDXLabels& labels, const ProgressCallback& progress)
 {
   TextFile file(path);
@@ -174,9 +174,9 @@ void WriteOpenDX(const std::string& path, const MRCLattice& grid, const T* value
   file.Close();
 }
 
-template void WriteOpenDX(const std::string&, const MRCLattice&, const float*, int,
+template void WriteOpenDX(const std::string&, const VoxelLattice&, const float*, int,
   const OpenDXLabels&, const ProgressCallback&);
-template void WriteOpenDX(const std::string&, const MRCLattice&, const double*, int,
+template void WriteOpenDX(const std::string&, const VoxelLattice&, const double*, int,
   const OpenDXLabels&, const ProgressCallback&);
 
 }

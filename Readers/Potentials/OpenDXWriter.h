@@ -5,8 +5,8 @@
 #ifndef isthmus_OpenDXWriter_h
 #define isthmus_OpenDXWriter_h
 
-#include "MRCGeometry.h"
 #include "Progress.h"
+#include "VoxelLattice.h"
 
 #include <string>
 #include <vector>
@@ -30,7 +30,7 @@ struct OpenDXLabels
  * no file behind. Time: about 0.1 us a number, gzip 1 us. Memory: 1 MiB.
  */
 template <typename T>
-void WriteOpenDX(const std::string& path, const MRCLattice& grid, const T* values, int components,
+void WriteOpenDX(const std::string& path, const VoxelLattice& grid, const T* values, int components,
   const OpenDXLabels& labels, const ProgressCallback& progress);
 
 }

@@ -29,12 +29,12 @@ vtkStandardNewMacro(vtkOpenDXReader);
 namespace
 {
 
-using isthmus::MRCLattice;
 using isthmus::NodeBox;
 using isthmus::OpenDXReader;
+using isthmus::VoxelLattice;
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-bool IsOrthogonal(const MRCLattice& lattice)
+bool IsOrthogonal(const VoxelLattice& lattice)
 {
   const std::array<double, 3> length = lattice.Spacing();
   const double tolerance = std::sin(0.01 * M_PI / 180.0);
@@ -55,7 +55,7 @@ bool IsOrthogonal(const MRCLattice& lattice)
 }
 
 /// The grid of the output: the file's own, or an orthogonal one around it.
-MRCLattice TargetOf(const OpenDXReader& file, const char* path)
+VoxelLattice TargetOf(const OpenDXReader& file, const char* path)
 {
   if (IsOrthogonal(file.Lattice()))
   {
@@ -74,13 +74,13 @@ MRCLattice TargetOf(const OpenDXReader& file, const char* path)
   }
 }
 
-NodeBox AllNodes(const MRCLattice& lattice)
+NodeBox AllNodes(const VoxelLattice& lattice)
 {
   const auto& n = lattice.Dimensions;
   return { 0, n[0] - 1, 0, n[1] - 1, 0, n[2] - 1 };
 }
 
-void Describe(const MRCLattice& grid, vtkInformation* info)
+void Describe(const VoxelLattice& grid, vtkInformation* info)
 {
   const std::array<double, 3> spacing = grid.Spacing();
   int whole[6];
@@ -130,7 +130,7 @@ std::int64_t CountNotFinite(const T* values, std::int64_t count)
 
 /// Interpolates to the nodes `box` of `target`; what lies outside becomes NaN. Returns InsideMap.
 template <typename T>
-vtkSmartPointer<vtkUnsignedCharArray> Resampled(OpenDXReader& file, const MRCLattice& target,
+vtkSmartPointer<vtkUnsignedCharArray> Resampled(OpenDXReader& file, const VoxelLattice& target,
   const NodeBox& box, T* out, const isthmus::ProgressCallback& progress)
 {
   const std::int64_t components = file.Array().Components;
@@ -188,14 +188,14 @@ int vtkOpenDXReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* const info = outputVector->GetInformationObject(0);
-  MRCLattice nothing;
+  VoxelLattice nothing;
   nothing.Dimensions = { 0, 0, 0 };
   Describe(nothing, info); // what stays when the file can't be read
   return this->Try(info,
     [&]()
     {
       const OpenDXReader file(this->FileName, this->FieldIndex);
-      const MRCLattice grid = TargetOf(file, this->FileName);
+      const VoxelLattice grid = TargetOf(file, this->FileName);
       Describe(grid, info);
       vtkDataObject::SetPointDataActiveScalarInfo(
         info, file.Array().Single ? VTK_FLOAT : VTK_DOUBLE, file.Array().Components);
@@ -231,7 +231,7 @@ template <typename Array>
 void vtkOpenDXReader::ReadValues(OpenDXReader& file, vtkImageData* output)
 {
   const isthmus::ProgressCallback progress = isthmus::Between(isthmus::ProgressOf(this), 0.2, 1.0);
-  const MRCLattice target = TargetOf(file, this->FileName);
+  const VoxelLattice target = TargetOf(file, this->FileName);
   NodeBox box{};
   std::copy_n(output->GetExtent(), 6, box.begin());
   const NodeBox all = AllNodes(target);

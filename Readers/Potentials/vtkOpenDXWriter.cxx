@@ -23,9 +23,9 @@ vtkStandardNewMacro(vtkOpenDXWriter);
 namespace
 {
 
-isthmus::MRCLattice LatticeOf(vtkImageData* image)
+isthmus::VoxelLattice LatticeOf(vtkImageData* image)
 {
-  isthmus::MRCLattice lattice;
+  isthmus::VoxelLattice lattice;
   const int* extent = image->GetExtent();
   const int* dimensions = image->GetDimensions();
   for (std::size_t a = 0; a < 3; ++a)
@@ -74,7 +74,7 @@ std::vector<std::string> Texts(vtkFieldData* fields, const char* name)
 
 /// Writes a copy of `array` in the plain layout of `Array`.
 template <typename Array>
-void WriteAs(vtkDataArray* array, const std::string& path, const isthmus::MRCLattice& lattice,
+void WriteAs(vtkDataArray* array, const std::string& path, const isthmus::VoxelLattice& lattice,
   const isthmus::OpenDXLabels& labels, const isthmus::ProgressCallback& progress)
 {
   vtkNew<Array> plain;

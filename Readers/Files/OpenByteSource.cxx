@@ -1,4 +1,4 @@
-#include "ByteSource.h"
+#include "OpenByteSource.h"
 
 #include "CompressedSource.h"
 #include "PlainFile.h"

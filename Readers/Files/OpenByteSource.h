@@ -1,0 +1,26 @@
+/**
+ * @file OpenByteSource.h
+ * @brief From a path to the bytes of its file.
+ */
+#ifndef isthmus_OpenByteSource_h
+#define isthmus_OpenByteSource_h
+
+#include "ByteSource.h"
+#include "Progress.h"
+
+#include <memory>
+#include <string>
+
+namespace isthmus
+{
+
+/// Opens a regular file. Throws ReaderError for a missing, unreadable or empty one and for folders.
+std::unique_ptr<ByteSource> OpenByteSource(const std::string& path);
+
+/// All of the content, checksum checked. Throws ReaderError as Read does and when it is cut, and
+/// std::bad_alloc.
+std::string ReadAll(ByteSource& source, const ProgressCallback& progress = {});
+
+}
+
+#endif
