@@ -17,7 +17,7 @@
  * array `Threshold` is the amplitude that was used.
  * BindingSites.h has definitions.
  *
- * **Defaults** were tuned on the eight complexes of Filters/Curvature/BindingSites.md, which says
+ * **Defaults** were tuned on the eight complexes of Filters/Molecular/BindingSites.md, which says
  * how well they predict.
  *
  * **Errors** (sentence, empty outputs): no such arrays; a quantile, threshold, distance or area out
