@@ -52,6 +52,7 @@ TABLE = {
     "apbs/point-pmf/mol2.pqr": (1, ""), "apbs/point-pmf/mol3.pqr": (1, ""),
     "apbs/point-pmf/mol4.pqr": (1, ""), "apbs/solv/methanol.pqr": (3, ""),
     "apbs/solv/methoxide.pqr": (2, ""), "complexes/1atp.pdb.gz": (3070, "EI"),
+    "channels/1grm_hole_example.pdb": (272, "AB"),
     "complexes/1drf.pdb.gz": (1788, "A"), "complexes/1lee.pdb.gz": (3008, "A"),
     "complexes/1pwc.pdb.gz": (3191, "A"), "complexes/1uyd.pdb.gz": (1950, "A"),
     "complexes/2src.pdb.gz": (3915, "A"), "complexes/3pa3.pdb.gz": (2444, "A"),
@@ -63,6 +64,7 @@ TABLE = {
 # What must be told of a file; all others need no warning.
 WARNED = {
     "1grm_gramicidin_model1.pdb": "Columns 73-80",
+    "channels/1grm_hole_example.pdb": "Columns 73-80",
     "apbs/geoflow/gly.pdb": "not in the columns",
     "apbs/ion-pmf/ion-pmf.pdb": "not in the columns",
     "complexes/1atp.pdb.gz": "2 atoms have no radius",
