@@ -108,8 +108,8 @@ LoopFeature MakeLoopFeature(
     for (std::size_t i = 0; i < feature.Loops.size(); ++i)
     {
       auto& loop = feature.Loops[i];
-      const auto part = Between(
-        progress, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+      const auto part =
+        Between(progress, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
       const SurfaceCurve curve = ShortenLoop(loops.Adjacency(), loop, parameters, part);
       if (curve.Contractible)
       {

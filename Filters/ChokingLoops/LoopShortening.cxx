@@ -88,8 +88,9 @@ void Shortener::StraightenFrom(std::size_t start)
 {
   const UnfoldedStrip plane = Unfold(this->Surface, this->Edges, start);
   const double u = this->Edges[start].Fraction;
-  const auto onEdge = [u](const Point2& from, const Point2& to)
-  { return Point2{ from[0] + u * (to[0] - from[0]), from[1] + u * (to[1] - from[1]) }; };
+  const auto onEdge = [u](const Point2& from, const Point2& to) {
+    return Point2{ from[0] + u * (to[0] - from[0]), from[1] + u * (to[1] - from[1]) };
+  };
   const Point2 p = onEdge(plane.From.front(), plane.To.front());
   const Point2 q = onEdge(plane.From.back(), plane.To.back());
   const std::vector<double> fraction = ShortestCrossings(plane, p, q);

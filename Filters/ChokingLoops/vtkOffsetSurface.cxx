@@ -32,10 +32,9 @@ int vtkOffsetSurface::RequestData(
     [&]
     {
       const isthmus::PolyDataTriangles triangles(surface);
-      const isthmus::DistanceGrid grid =
-        isthmus::OffsetDistances(isthmus::MeshOf(triangles.View()), this->Distance,
-          static_cast<isthmus::OffsetSide>(this->Side), this->Resolution,
-          isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
+      const isthmus::DistanceGrid grid = isthmus::OffsetDistances(isthmus::MeshOf(triangles.View()),
+        this->Distance, static_cast<isthmus::OffsetSide>(this->Side), this->Resolution,
+        isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
       vtkNew<vtkDoubleArray> values;
       values->SetName("DistanceToSurface");
       values->SetNumberOfValues(static_cast<vtkIdType>(grid.Values.size()));

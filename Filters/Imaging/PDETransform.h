@@ -2,9 +2,9 @@
  * @file PDETransform.h
  * @brief Splits a volume into modes, from the finest detail to a smooth rest, that add up to it.
  *
- * The PDE transform (Y. Wang, G. W. Wei, S. Yang, Int. J. Numer. Methods Biomed. Eng. 27 (2011) 1996;
- * J. Sci. Comput. 50 (2012) 495):
- * repeated high-pass filters made of diffusion of high, then falling order,
+ * The PDE transform (Y. Wang, G. W. Wei, S. Yang, Int. J. Numer. Methods Biomed. Eng. 27 (2011)
+ * 1996; J. Sci. Comput. 50 (2012) 495): repeated high-pass filters made of diffusion of high, then
+ * falling order,
  *
  *     X_1 = input,   X_(k+1) = low-pass_k(X_k),   mode_k = X_k - X_(k+1),   residue = X_(n+1).
  *

@@ -21,8 +21,8 @@ namespace isthmus
 
 /**
  * Adds the smoothed residual to `values`. `deviation` (length, above 0) is G's; `residual` holds
- * the input, which is overwritten. Memory: a volume beside these two. Cost: about 5 (deviation / spacing)^2
- * evaluations of the heat equation. Throws as Diffuse does.
+ * the input, which is overwritten. Memory: a volume beside these two. Cost: about 5 (deviation /
+ * spacing)^2 evaluations of the heat equation. Throws as Diffuse does.
  */
 template <typename T>
 VTKISTHMUS_EXPORT void ReturnResidual(const DiffusionGrid<T>& grid, double deviation, T* residual,

@@ -42,7 +42,7 @@ struct GridShape
 enum class CrossingNormal
 {
   Triangles = 0, ///< unit normal of the triangle
-  Points = 1     ///< interpolated from the points' normals (area-weighted means of their triangles')
+  Points = 1 ///< interpolated from the points' normals (area-weighted means of their triangles')
 };
 
 /**

@@ -115,8 +115,7 @@ void Triangulate(
 
 constexpr SimplexId ReportEvery = 1 << 18;
 
-void TakeCells(
-  const Delaunay& triangulation, CellFiltration& f, const ProgressCallback& progress)
+void TakeCells(const Delaunay& triangulation, CellFiltration& f, const ProgressCallback& progress)
 {
   for (auto c = triangulation.all_cells_begin(); c != triangulation.all_cells_end(); ++c)
   {

@@ -179,8 +179,7 @@ TriangleMesh SplitTo(const TriangleMesh& mesh, std::size_t points)
 /// Flat pieces: the most degenerate input, since new points lie in the planes of the old triangles.
 void BM_ArmadilloSplit(benchmark::State& state)
 {
-  WholeOf(
-    state, SplitTo(ReadSurface("armadillo.obj"), static_cast<std::size_t>(state.range(0))));
+  WholeOf(state, SplitTo(ReadSurface("armadillo.obj"), static_cast<std::size_t>(state.range(0))));
 }
 BENCHMARK(BM_ArmadilloSplit)
   ->Arg(30000)

@@ -77,8 +77,7 @@ double Sum(const SurfaceAdjacency& surface, const SurfaceCurve& curve)
   double length = 0.0;
   for (std::size_t i = 0; i < curve.Crossings.size(); ++i)
   {
-    const Point3 d =
-      PositionOf(surface, curve.Crossings[(i + 1) % curve.Crossings.size()]) -
+    const Point3 d = PositionOf(surface, curve.Crossings[(i + 1) % curve.Crossings.size()]) -
       PositionOf(surface, curve.Crossings[i]);
     length += std::sqrt(Dot(d, d));
   }
@@ -93,15 +92,14 @@ void ExpectSimpleAndClosed(const SurfaceCurve& curve, const SurfaceAdjacency& su
   {
     const SimplexId here = curve.Crossings[i].HalfEdge;
     const SimplexId next = curve.Crossings[(i + 1) % curve.Crossings.size()].HalfEdge;
-    EXPECT_EQ(
-      SurfaceAdjacency::Triangle(here), SurfaceAdjacency::Triangle(surface.Opposite(next)));
+    EXPECT_EQ(SurfaceAdjacency::Triangle(here), SurfaceAdjacency::Triangle(surface.Opposite(next)));
     EXPECT_TRUE(entered.insert(SurfaceAdjacency::Triangle(here)).second);
   }
 }
 
 /// How often, mod 2, a curve crosses a loop of edges.
-int Crossings(const SurfaceAdjacency& surface, const SurfaceCurve& curve,
-  const std::vector<SimplexId>& loop)
+int Crossings(
+  const SurfaceAdjacency& surface, const SurfaceCurve& curve, const std::vector<SimplexId>& loop)
 {
   std::set<SimplexId> edges;
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -171,8 +169,7 @@ TEST(LoopShortening, IsExactOnACylinder)
 {
   const int around = 24;
   const double radius = 0.5;
-  const TriangleMesh mesh =
-    Revolution([radius](double) { return radius; }, -2.0, 2.0, around, 30);
+  const TriangleMesh mesh = Revolution([radius](double) { return radius; }, -2.0, 2.0, around, 30);
   const SurfaceAdjacency adjacency(mesh);
   const auto id = [](int i, int j)
   { return static_cast<SimplexId>(1 + (j - 1) * around + (i + around) % around); };

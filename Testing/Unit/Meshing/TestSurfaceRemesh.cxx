@@ -4,8 +4,8 @@
 #include "PolyDataMesh.h"
 #include "SharedData.h"
 #include "SurfaceCheck.h"
-#include "SurfaceTopology.h"
 #include "SurfaceFiles.h"
+#include "SurfaceTopology.h"
 #include "vtkSurfaceRemesh.h"
 
 #include <vtkDoubleArray.h>

@@ -22,8 +22,7 @@ template <typename Filter>
 class TopologyFilterRun
 {
 public:
-  explicit TopologyFilterRun(
-    vtkDataObject* input, const std::function<void(Filter*)>& prepare = {})
+  explicit TopologyFilterRun(vtkDataObject* input, const std::function<void(Filter*)>& prepare = {})
   {
     this->Filtering->AddObserver(vtkCommand::ErrorEvent, this->Observer);
     this->Filtering->AddObserver(vtkCommand::WarningEvent, this->Observer);

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# What can be checked without building, in seconds: run it before each commit, or as a hook:
+#   ln -s ../../Testing/check.sh .git/hooks/pre-commit
+# Floors, READMEs, links, panels, format, paths of one machine, sizes.
+set -uo pipefail
+cd "$(git -C "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" rev-parse --show-toplevel)" || exit 1
+
+failed=0
+# complain HEADING: fails if there is anything on standard input, and shows it.
+complain()
+{
+  local found
+  found=$(cat)
+  [ -z "$found" ] && return
+  printf '%s\n%s\n' "$1:" "$found"
+  failed=1
+}
+
+for check in check_floors check_readmes check_links; do
+  said=$(python3 -B "Testing/$check.py") || { echo "$said"; failed=1; }
+done
+
+for panel in Plugin/*.xml; do
+  python3 -c 'import sys, xml.dom.minidom as m; m.parse(sys.argv[1])' "$panel" 2>&1 | tail -n 1
+done | complain "Panels that are no XML"
+
+if command -v clang-format >/dev/null; then
+  git ls-files '*.h' '*.cxx' | xargs -P "$(nproc)" -n 24 clang-format -n --Werror 2>&1 |
+    grep error | cut -d: -f1 | sort | uniq -c | complain "Places that clang-format would change"
+else
+  echo "clang-format is not installed: format not checked." >&2
+fi
+
+git grep -nIE '"/(work|tmp|home|root)/' -- '*.cxx' '*.h' '*.py' '*.md' '*.txt' '*.cmake' '*.xml' |
+  complain "Paths of one machine"
+git ls-files -z | xargs -0 -r stat -c '%s %n' 2>/dev/null | awk '$1 > 200000' |
+  complain "Files over 200 KB"
+exit $failed
