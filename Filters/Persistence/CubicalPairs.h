@@ -1,0 +1,71 @@
+/**
+ * @file CubicalPairs.h
+ * @brief What the persistence of a volume is asked for and what it gives.
+ */
+#ifndef isthmus_CubicalPairs_h
+#define isthmus_CubicalPairs_h
+
+#include <cstdint>
+#include <vector>
+
+namespace isthmus
+{
+
+/**
+ * A cell of the cubical complex on the nodes of a grid, named by the node it enters with (the last
+ * of its corners) and the direction from there to its opposite corner.
+ */
+struct CubicalCell
+{
+  std::int64_t Node = -1;    ///< -1: no cell, of a class that never ends
+  std::int8_t Direction = 0; ///< (dx + 1) + 3 (dy + 1) + 9 (dz + 1), each of -1, 0, 1; 13: a node
+
+  /// Step along an axis from Node to the opposite corner: -1, 0 or 1.
+  int Step(int axis) const
+  {
+    const int power = axis == 0 ? 1 : axis == 1 ? 3 : 9;
+    return this->Direction / power % 3 - 1;
+  }
+  bool operator==(const CubicalCell& other) const
+  {
+    return this->Node == other.Node && this->Direction == other.Direction;
+  }
+};
+
+/// A class of homology: the cell that gives birth to it, and the cell one dimension up that ends it.
+struct CubicalPair
+{
+  CubicalCell Birth;
+  CubicalCell Death;
+  std::int8_t Dimension = 0; ///< 0: component, 1: loop, 2: void
+
+  bool operator==(const CubicalPair& other) const
+  {
+    return this->Birth == other.Birth && this->Death == other.Death &&
+      this->Dimension == other.Dimension;
+  }
+};
+
+/// Cells that give birth or end a class, by dimension; plateaus count, so they are at least as many
+/// as the classes need.
+struct CubicalDiagram
+{
+  /// Those with birth and death at different values, and the one that never ends; by dimension,
+  /// then in the order of the cells that end them (voids: that give birth to them).
+  std::vector<CubicalPair> Pairs;
+  /// Euler number of the sublevel (superlevel) set at each of the levels asked for, counted from
+  /// cells, not from pairs.
+  std::vector<std::int64_t> EulerNumbers;
+};
+
+struct CubicalParameters
+{
+  /// Grow from the highest value down instead of from the lowest up.
+  bool Superlevel = false;
+  /// Levels at which the Euler number is wanted, ascending, finite.
+  std::vector<double> Levels;
+};
+
+}
+
+#endif
