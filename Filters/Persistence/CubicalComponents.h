@@ -51,10 +51,10 @@ void PairComponents(const Gradient& gradient, const std::vector<typename Gradien
     if (!gradient.EdgeKey(younger, 0).SameValue(edges[i]))
     {
       pairs.push_back({ gradient.Named(younger, Star::Node),
-        gradient.Named(edges[i].Node(), edges[i].Place()), 0 });
+        gradient.Named(edges[i].Node(), edges[i].Place()), 0, gradient.Named(elder, Star::Node) });
     }
   }
-  pairs.push_back({ gradient.Named(forest.Root(0), Star::Node), CubicalCell(), 0 });
+  pairs.push_back({ gradient.Named(forest.Root(0), Star::Node), CubicalCell(), 0, CubicalCell() });
 }
 
 /**
@@ -83,6 +83,11 @@ void PairVoids(const Gradient& gradient, std::vector<typename Gradient::Key>& fa
     return sides[0] == cube ? sides[1] : sides[0];
   };
   LinkForest<typename Gradient::Key::Link, decltype(ascend)> forest(stars.NodeCount() + 1, ascend);
+  const auto nameOf = [&](std::int64_t cube)
+  {
+    const auto [node, cell] = gradient.StarCube(cube);
+    return gradient.Named(node, cell);
+  };
   const auto keyOf = [&](std::int64_t cube)
   {
     const auto [node, cell] = gradient.StarCube(cube);
@@ -108,7 +113,7 @@ void PairVoids(const Gradient& gradient, std::vector<typename Gradient::Key>& fa
     if (!gradient.CubeKey(node, cell).SameValue(faces[i]))
     {
       pairs.push_back({ gradient.Named(faces[i].Node(), Gradient::FaceOf(faces[i])),
-        gradient.Named(node, cell), 2 });
+        gradient.Named(node, cell), 2, stays == outside ? CubicalCell() : nameOf(stays) });
     }
   }
   faces.erase(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(kept));

@@ -59,6 +59,13 @@ public:
     return { edge.Node(), edge.Node() + this->Stars.Offset(edge.Place()) };
   }
 
+  /// The edge from a node one step along an axis, forwards or back.
+  Key EdgeAlong(std::int64_t node, std::size_t axis, bool forwards) const
+  {
+    const int cell = forwards ? 3 + static_cast<int>(axis) : 2 - static_cast<int>(axis);
+    return this->EdgeBetween(node, node + this->Stars.Offset(cell), cell);
+  }
+
   /// The four edges of a face of the star of `node`; the first two are of the same star.
   std::array<Key, 4> BoundaryOf(std::int64_t node, int face) const
   {

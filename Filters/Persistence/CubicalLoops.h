@@ -92,15 +92,22 @@ public:
   /// left out.
   Key Fill(const Key& face)
   {
-    this->Heap.clear();
-    this->Add(face.Node(), Gradient::FaceOf(face));
-    const std::size_t pivot = this->Reduce();
-    if (pivot == this->Edges.size())
-    {
-      throw std::logic_error("A face that closes no void fills no loop: the pairing is wrong.");
-    }
+    const std::size_t pivot = this->ReduceFace(face);
     this->Store(pivot);
     return this->Edges[pivot];
+  }
+
+  /// What Fill would return; nothing is kept.
+  Key Find(const Key& face) { return this->Edges[this->ReduceFace(face)]; }
+
+  /// The edges of the column of a face that Fill has returned `edge` for, without those that join
+  /// components.
+  std::vector<Key> ColumnOf(const Key& edge) const
+  {
+    const Column& column = this->Columns[this->NumberOf(edge)];
+    std::vector<Key> edges(column.First, column.First + column.Count);
+    edges.push_back(edge);
+    return edges;
   }
 
   /// Whether the loop of these edges is filled by the faces given so far.
@@ -115,6 +122,18 @@ public:
   std::int64_t Steps() const { return this->Work; }
 
 private:
+  std::size_t ReduceFace(const Key& face)
+  {
+    this->Heap.clear();
+    this->Add(face.Node(), Gradient::FaceOf(face));
+    const std::size_t pivot = this->Reduce();
+    if (pivot == this->Edges.size())
+    {
+      throw std::logic_error("A face that closes no void fills no loop: the pairing is wrong.");
+    }
+    return pivot;
+  }
+
   struct Column
   {
     const Key* First = nullptr;

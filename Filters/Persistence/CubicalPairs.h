@@ -32,22 +32,25 @@ struct CubicalCell
   }
 };
 
-/// A class of homology: the cell that gives birth to it, and the cell one dimension up that ends it.
+/// A class of homology: the cell that gives birth to it, and the cell one dimension up that ends
+/// it.
 struct CubicalPair
 {
   CubicalCell Birth;
   CubicalCell Death;
   std::int8_t Dimension = 0; ///< 0: component, 1: loop, 2: void
+  /// What it is joined to when it ends: the node where the elder component began, or the cube where
+  /// the void on the other side will end; none for loops and where that is the outside.
+  CubicalCell Elder;
 
   bool operator==(const CubicalPair& other) const
   {
     return this->Birth == other.Birth && this->Death == other.Death &&
-      this->Dimension == other.Dimension;
+      this->Dimension == other.Dimension && this->Elder == other.Elder;
   }
 };
 
-/// Cells that give birth or end a class, by dimension; plateaus count, so they are at least as many
-/// as the classes need.
+/// The classes of a volume, and its Euler numbers.
 struct CubicalDiagram
 {
   /// Those with birth and death at different values, and the one that never ends; by dimension,

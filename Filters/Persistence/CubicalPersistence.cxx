@@ -1,13 +1,10 @@
 #include "CubicalPersistence.h"
 
-#include "CubicalComponents.h"
+#include "CubicalCritical.h"
 #include "CubicalLoops.h"
-#include "ParallelFor.h"
 #include "ParallelReduce.h"
 
 #include <algorithm>
-#include <iterator>
-#include <type_traits>
 
 namespace isthmus
 {
@@ -77,56 +74,6 @@ std::vector<std::int64_t> EulerNumbers(
   return counts;
 }
 
-/// Keys of the critical edges and faces, in the order of the nodes.
-template <typename Gradient>
-void CollectCritical(const Gradient& gradient, std::vector<typename Gradient::Key>& edges,
-  std::vector<typename Gradient::Key>& faces)
-{
-  using Keys = std::vector<typename Gradient::Key>;
-  const LowerStars& stars = gradient.Lower();
-  const std::int64_t count = stars.NodeCount();
-  constexpr std::int64_t block = 262144;
-  std::vector<Keys> edgesOf(static_cast<std::size_t>((count + block - 1) / block));
-  std::vector<Keys> facesOf(edgesOf.size());
-  ParallelFor(0, static_cast<std::int64_t>(edgesOf.size()), 1,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (std::int64_t node = first * block; node < std::min(count, last * block); ++node)
-      {
-        const auto part = static_cast<std::size_t>(node / block);
-        std::uint32_t critical = stars[node].Critical & ~(1U << Star::Node);
-        for (int cell = 0; critical != 0 && cell < Star::FirstCube; ++cell)
-        {
-          if ((critical >> cell & 1U) != 0 && cell < Star::FirstFace)
-          {
-            edgesOf[part].push_back(gradient.EdgeKey(node, cell));
-          }
-          else if ((critical >> cell & 1U) != 0)
-          {
-            facesOf[part].push_back(gradient.FaceKey(node, cell));
-          }
-          critical &= ~(1U << cell);
-        }
-      }
-    });
-  const auto join = [](std::vector<Keys>& parts, Keys& all)
-  {
-    std::size_t size = 0;
-    for (const Keys& part : parts)
-    {
-      size += part.size();
-    }
-    all.reserve(size);
-    for (Keys& part : parts)
-    {
-      all.insert(all.end(), part.begin(), part.end());
-      Keys().swap(part);
-    }
-  };
-  join(edgesOf, edges);
-  join(facesOf, faces);
-}
-
 template <typename Gradient>
 void PairLoops(const Gradient& gradient, const std::vector<typename Gradient::Key>& edges,
   const std::vector<char>& negative, const std::vector<typename Gradient::Key>& faces,
@@ -140,7 +87,7 @@ void PairLoops(const Gradient& gradient, const std::vector<typename Gradient::Ke
     if (!edge.SameValue(faces[i]))
     {
       pairs.push_back({ gradient.Named(edge.Node(), edge.Place()),
-        gradient.Named(faces[i].Node(), Gradient::FaceOf(faces[i])), 1 });
+        gradient.Named(faces[i].Node(), Gradient::FaceOf(faces[i])), 1, CubicalCell() });
     }
     if (reduction.Steps() >= nextReport)
     {
@@ -153,75 +100,20 @@ void PairLoops(const Gradient& gradient, const std::vector<typename Gradient::Ke
 template <typename Gradient>
 std::vector<CubicalPair> PairAll(const Gradient& gradient, const ProgressCallback& progress)
 {
-  using Keys = std::vector<typename Gradient::Key>;
-  Keys edges;
-  Keys faces;
-  CollectCritical(gradient, edges, faces);
-  Report(progress, 0.1);
-  std::vector<char> negative;
+  CubicalCritical<Gradient> critical(gradient);
+  Report(progress, 0.3);
   std::vector<CubicalPair> pairs;
-  std::vector<CubicalPair> voids;
-  // Dimensions 0 and 2 do not know of each other.
-  ParallelFor(0, 2, 1,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (std::int64_t task = first; task < last; ++task)
-      {
-        if (task == 0)
-        {
-          std::sort(edges.begin(), edges.end());
-          PairComponents(gradient, edges, negative, pairs);
-        }
-        else
-        {
-          std::sort(faces.begin(), faces.end());
-          PairVoids(gradient, faces, voids);
-        }
-      }
-    });
-  Report(progress, 0.4);
-  PairLoops(gradient, edges, negative, faces, pairs, Between(progress, 0.4, 1.0));
-  pairs.insert(pairs.end(), voids.begin(), voids.end());
+  pairs.swap(critical.Components);
+  PairLoops(gradient, critical.Edges, critical.Negative, critical.Faces, pairs,
+    Between(progress, 0.3, 1.0));
+  pairs.insert(pairs.end(), critical.Voids.begin(), critical.Voids.end());
   return pairs;
 }
 
-template <typename Stored>
-CubicalDiagram PairsOf(const VolumeView& volume, const Stored* stored,
-  const CubicalParameters& parameters, const ProgressCallback& progress)
-{
-  const OrderedValues<Stored> values(stored, volume.Signed, parameters.Superlevel);
-  const LowerStars stars(values, volume.Dimensions, Between(progress, 0.0, 0.4));
-  CubicalDiagram diagram;
-  diagram.EulerNumbers = EulerNumbers(volume, stars, parameters);
-  const ProgressCallback rest = Between(progress, 0.4, 1.0);
-  if constexpr (sizeof(Stored) <= 4)
-  {
-    if (volume.NodeCount() <= NarrowKey::MostNodes)
-    {
-      diagram.Pairs = PairAll(CubicalGradient<Stored, NarrowKey>(values, stars), rest);
-      return diagram;
-    }
-  }
-  diagram.Pairs = PairAll(CubicalGradient<Stored, WideKey>(values, stars), rest);
-  return diagram;
 }
 
-/// The unsigned integer of the same size, or the floating-point type itself.
-template <typename T, bool Floating = std::is_floating_point_v<T>>
-struct StoredAs
-{
-  using Type = T;
-};
-template <typename T>
-struct StoredAs<T, false>
-{
-  using Type = std::make_unsigned_t<T>;
-};
-
-}
-
-CubicalDiagram CubicalPersistence(const VolumeView& volume, const CubicalParameters& parameters,
-  const ProgressCallback& progress)
+CubicalDiagram CubicalPersistence(
+  const VolumeView& volume, const CubicalParameters& parameters, const ProgressCallback& progress)
 {
   if (volume.NodeCount() == 0)
   {
@@ -232,12 +124,14 @@ CubicalDiagram CubicalPersistence(const VolumeView& volume, const CubicalParamet
     MeasureVolume(volume); // refuses what is not a number
   }
   Report(progress, 0.0);
-  return WithTypedValues(volume,
-    [&](const auto* typed)
+  CubicalDiagram diagram;
+  WithGradient(volume, parameters.Superlevel, Between(progress, 0.0, 0.4),
+    [&](const auto& gradient)
     {
-      using Stored = typename StoredAs<std::decay_t<decltype(*typed)>>::Type;
-      return PairsOf(volume, static_cast<const Stored*>(volume.Data), parameters, progress);
+      diagram.EulerNumbers = EulerNumbers(volume, gradient.Lower(), parameters);
+      diagram.Pairs = PairAll(gradient, Between(progress, 0.4, 1.0));
     });
+  return diagram;
 }
 
 }

@@ -41,8 +41,8 @@ public:
       {
         if (j + dy >= 0 && j + dy < n[1] && k + dz >= 0 && k + dz < n[2])
         {
-          values.Convert(
-            n[0] * (j + dy + n[1] * (k + dz)), n[0], plane[static_cast<std::size_t>(dy + 1)].data() + 1);
+          values.Convert(n[0] * (j + dy + n[1] * (k + dz)), n[0],
+            plane[static_cast<std::size_t>(dy + 1)].data() + 1);
         }
       }
     }
@@ -93,7 +93,8 @@ private:
   const Order* Neighbours(std::size_t cell) const
   {
     const auto& step = Star::Steps[cell];
-    return this->Rows[static_cast<std::size_t>(step[1] + 1 + 3 * (step[2] + 1))].data() + 1 + step[0];
+    return this->Rows[static_cast<std::size_t>(step[1] + 1 + 3 * (step[2] + 1))].data() + 1 +
+      step[0];
   }
 
   /// Cells are numbered by direction within a dimension, so the first half steps backwards.
@@ -107,7 +108,8 @@ private:
 };
 
 /// Adds masks to the set. Threads write to it only what is new, which is soon nothing.
-void Mark(const std::uint32_t* masks, std::int64_t count, std::vector<std::atomic<std::uint64_t>>& set)
+void Mark(
+  const std::uint32_t* masks, std::int64_t count, std::vector<std::atomic<std::uint64_t>>& set)
 {
   std::uint32_t previous = ~0U;
   for (std::int64_t i = 0; i < count; ++i)
@@ -202,8 +204,8 @@ void LowerStars::NumberKinds(const MaskSet& masks, const ProgressCallback& progr
         if (kinds[node] != mask)
         {
           mask = kinds[node];
-          const std::uint64_t below =
-            masks[mask >> 6].load(std::memory_order_relaxed) & ((std::uint64_t{ 1 } << (mask & 63U)) - 1);
+          const std::uint64_t below = masks[mask >> 6].load(std::memory_order_relaxed) &
+            ((std::uint64_t{ 1 } << (mask & 63U)) - 1);
           kind = before[mask >> 6] + static_cast<std::uint32_t>(std::bitset<64>(below).count());
         }
         kinds[node] = kind;
@@ -212,10 +214,8 @@ void LowerStars::NumberKinds(const MaskSet& masks, const ProgressCallback& progr
     progress);
 }
 
-template LowerStars::LowerStars(
-  const OrderedValues<float>&, const Size&, const ProgressCallback&);
-template LowerStars::LowerStars(
-  const OrderedValues<double>&, const Size&, const ProgressCallback&);
+template LowerStars::LowerStars(const OrderedValues<float>&, const Size&, const ProgressCallback&);
+template LowerStars::LowerStars(const OrderedValues<double>&, const Size&, const ProgressCallback&);
 template LowerStars::LowerStars(
   const OrderedValues<std::uint8_t>&, const Size&, const ProgressCallback&);
 template LowerStars::LowerStars(

@@ -59,7 +59,8 @@ private:
     {
       // Widened with its sign, if it has one.
       const Order plain = static_cast<Order>(value);
-      const Order top = this->Signed ? static_cast<Order>(Order{ 1 } << (8 * sizeof(Stored) - 1)) : 0;
+      const Order top =
+        this->Signed ? static_cast<Order>(Order{ 1 } << (8 * sizeof(Stored) - 1)) : 0;
       return ((plain ^ top) - top) ^ this->Flip;
     }
     else

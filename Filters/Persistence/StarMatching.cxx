@@ -28,8 +28,8 @@ std::array<std::int8_t, 27> MakeDirections()
   const auto steps = MakeSteps();
   for (std::size_t cell = 0; cell < 27; ++cell)
   {
-    directions[cell] =
-      static_cast<std::int8_t>(steps[cell][0] + 1 + 3 * (steps[cell][1] + 1) + 9 * (steps[cell][2] + 1));
+    directions[cell] = static_cast<std::int8_t>(
+      steps[cell][0] + 1 + 3 * (steps[cell][1] + 1) + 9 * (steps[cell][2] + 1));
   }
   return directions;
 }
@@ -57,8 +57,8 @@ std::uint32_t FacetsOf(std::size_t cell)
     {
       auto step = steps[cell];
       step[axis] = 0;
-      facets |= 1U << cells[static_cast<std::size_t>(
-                  step[0] + 1 + 3 * (step[1] + 1) + 9 * (step[2] + 1))];
+      facets |=
+        1U << cells[static_cast<std::size_t>(step[0] + 1 + 3 * (step[1] + 1) + 9 * (step[2] + 1))];
     }
   }
   return facets;

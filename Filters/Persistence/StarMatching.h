@@ -65,7 +65,6 @@ struct StarMatching
  */
 StarMatching MatchStar(std::uint32_t mask);
 
-
 }
 
 #endif

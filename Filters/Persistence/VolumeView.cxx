@@ -105,7 +105,8 @@ VolumeStatistics MeasureVolume(const VolumeView& volume)
     const auto count = static_cast<double>(second.Count);
     const double mean = second.Sum / count;
     statistics.Mean = first.Minimum + scale * mean;
-    statistics.StandardDeviation = scale * std::sqrt(std::max(0.0, second.Squares / count - mean * mean));
+    statistics.StandardDeviation =
+      scale * std::sqrt(std::max(0.0, second.Squares / count - mean * mean));
   }
   return statistics;
 }

@@ -1,7 +1,18 @@
 isthmus_room(
+  CLASSES
+    vtkScalarPersistence
   SOURCES
     CellFiltration
+    CubicalCycles
+    CubicalPersistence
     FiltrationPairs
     LowerStarFiltration
+    PersistenceTables
+    ScalarFeatures
+    ScalarSimplification
+    StarMatching
+    VolumeView
   CGAL
-    DelaunayFiltration)
+    DelaunayFiltration
+  VECTORISED
+    LowerStars)
