@@ -1,11 +1,15 @@
 isthmus_room(
   CLASSES
+    vtkFullereneStability
     vtkScalarPersistence
   SOURCES
+    AtomDistanceGrid
     CellFiltration
     CubicalCycles
     CubicalPersistence
+    FastMarching
     FiltrationPairs
+    FullereneStability
     LowerStarFiltration
     PersistenceTables
     ScalarFeatures
