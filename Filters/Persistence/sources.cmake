@@ -10,6 +10,7 @@ isthmus_room(
     FastMarching
     FiltrationPairs
     FullereneStability
+    ImageDiagram
     LowerStarFiltration
     PersistenceTables
     ScalarFeatures

@@ -2,11 +2,10 @@
 
 #include "AlgorithmGuard.h"
 #include "ChosenScalars.h"
-#include "CubicalPersistence.h"
+#include "ImageDiagram.h"
 #include "PersistenceTables.h"
 #include "ScalarSimplification.h"
 
-#include <vtkArrayDispatch.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -42,41 +41,7 @@ enum Port
   PortCount
 };
 
-template <typename T>
-VolumeView ViewOf(const void* values, const std::array<std::int64_t, 3>& dimensions)
-{
-  return VolumeView(static_cast<const T*>(values), dimensions);
 }
-
-/// The values as they lie in memory. Throws for arrays that are not plain numbers in one piece.
-VolumeView ViewOf(vtkDataArray* scalars, vtkImageData* image)
-{
-  const int* n = image->GetDimensions();
-  const std::array<std::int64_t, 3> dimensions{ n[0], n[1], n[2] };
-  if (scalars->HasStandardMemoryLayout())
-  {
-    switch (scalars->GetDataType())
-    {
-      vtkTemplateMacro(return ViewOf<VTK_TT>(scalars->GetVoidPointer(0), dimensions));
-    }
-  }
-  throw std::invalid_argument("The scalars are stored as " + std::string(scalars->GetClassName()) +
-    ", but a plain array of numbers is needed: copy them to one first (Calculator, for instance).");
-}
-
-}
-
-/// The diagram does not depend on thresholds; it is made anew when one of these has changed.
-struct vtkScalarPersistence::Known
-{
-  const void* Scalars = nullptr;
-  vtkMTimeType Time = 0;
-  std::array<std::int64_t, 3> Dimensions{ -1, -1, -1 };
-  bool Superlevel = false;
-  isthmus::VolumeStatistics Statistics;
-  std::vector<double> Levels;
-  isthmus::CubicalDiagram Diagram;
-};
 
 /// What one run works with.
 struct vtkScalarPersistence::Work
@@ -85,11 +50,13 @@ struct vtkScalarPersistence::Work
   vtkDataArray* Scalars = nullptr;
   VolumeView Volume;
   isthmus::FeatureList Features;
+  std::vector<double> Levels;
+  std::vector<std::int64_t> EulerNumbers;
   double End = 0.0; ///< where deaths that never come are drawn
 };
 
 vtkScalarPersistence::vtkScalarPersistence()
-  : Last(new Known)
+  : Last(new isthmus::ImageDiagram)
 {
   this->SetNumberOfOutputPorts(PortCount);
   this->SetInputArrayToProcess(
@@ -165,34 +132,19 @@ void vtkScalarPersistence::CheckParameters() const
 
 void vtkScalarPersistence::FindPairs(Work& work)
 {
-  Known& known = *this->Last;
-  const bool sameValues = known.Scalars == work.Scalars && known.Time == work.Scalars->GetMTime() &&
-    known.Dimensions == work.Volume.Dimensions;
-  if (!sameValues)
-  {
-    known = Known();
-    known.Statistics = isthmus::MeasureVolume(work.Volume);
-  }
-  const auto& statistics = known.Statistics;
+  const auto& statistics = this->Last->Statistics(work.Scalars, work.Volume);
   const double low = this->UseRange ? this->Range[0] : statistics.Minimum;
   const double high = this->UseRange ? this->Range[1] : statistics.Maximum;
-  // A volume of infinities has no range.
-  const std::vector<double> levels =
-    low <= high ? isthmus::EvenLevels(low, high, this->NumberOfLevels) : std::vector<double>();
-  if (!sameValues || known.Superlevel != this->Superlevel || known.Levels != levels)
+  isthmus::CubicalParameters parameters;
+  parameters.Superlevel = this->Superlevel;
+  if (low <= high) // a volume of infinities has no range
   {
-    known.Scalars = nullptr;
-    isthmus::CubicalParameters parameters;
-    parameters.Superlevel = this->Superlevel;
-    parameters.Levels = levels;
-    known.Diagram = isthmus::CubicalPersistence(
-      work.Volume, parameters, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.7));
-    known.Levels = levels;
-    known.Superlevel = this->Superlevel;
-    known.Scalars = work.Scalars;
-    known.Time = work.Scalars->GetMTime();
-    known.Dimensions = work.Volume.Dimensions;
+    parameters.Levels = isthmus::EvenLevels(low, high, this->NumberOfLevels);
   }
+  const auto& diagram = this->Last->Pairs(
+    work.Volume, parameters, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.7));
+  work.Levels = parameters.Levels;
+  work.EulerNumbers = diagram.EulerNumbers;
   isthmus::FeatureParameters wanted;
   wanted.Superlevel = this->Superlevel;
   if (this->UseRange)
@@ -201,16 +153,15 @@ void vtkScalarPersistence::FindPairs(Work& work)
   }
   wanted.MinimumPersistence = this->MinimumPersistence;
   wanted.PersistenceUnit = this->PersistenceUnit;
-  work.Features = isthmus::ScalarFeatures(work.Volume, statistics, known.Diagram, wanted);
+  work.Features = isthmus::ScalarFeatures(work.Volume, statistics, diagram, wanted);
   work.End = this->Superlevel ? low : high;
 }
 
 void vtkScalarPersistence::FillTables(const Work& work, vtkInformationVector* outputVector)
 {
-  const Known& known = *this->Last;
   const auto progress = isthmus::Between(isthmus::ProgressOf(this), 0.7, 0.9);
-  isthmus::FillCurves(isthmus::CountBetti(work.Features, this->Superlevel, known.Levels),
-    known.Diagram.EulerNumbers, vtkTable::GetData(outputVector, CurvesPort));
+  isthmus::FillCurves(isthmus::CountBetti(work.Features, this->Superlevel, work.Levels),
+    work.EulerNumbers, vtkTable::GetData(outputVector, CurvesPort));
   isthmus::FillDiagram(work.Features, work.End, vtkTable::GetData(outputVector, DiagramPort));
   isthmus::FillSaddles(work.Features, work.End, work.Image, work.Volume,
     vtkPolyData::GetData(outputVector, SaddlesPort));
@@ -279,7 +230,7 @@ int vtkScalarPersistence::RequestData(
       if (isFirst || this->Simplify)
       {
         work.Scalars = isthmus::ChosenScalars(this, work.Image);
-        work.Volume = ViewOf(work.Scalars, work.Image);
+        work.Volume = isthmus::VolumeOf(work.Scalars, work.Image);
         this->FindPairs(work);
       }
       if (isFirst)

@@ -56,10 +56,14 @@
 
 #include <memory> // for the cache
 
-class vtkDataObject;
 class vtkImageData;
 class vtkPolyData;
 class vtkTable;
+
+namespace isthmus
+{
+class ImageDiagram;
+}
 
 class VTKISTHMUS_EXPORT vtkScalarPersistence : public vtkTableAlgorithm
 {
@@ -158,7 +162,6 @@ private:
   void operator=(const vtkScalarPersistence&) = delete;
 
   struct Work;
-  struct Known;
   void CheckParameters() const;
   void FindPairs(Work& work);
   void FillTables(const Work& work, vtkInformationVector* outputVector);
@@ -173,7 +176,7 @@ private:
   bool Cycles = false;
   int MaximumNumberOfCycles = 100;
   bool Simplify = false;
-  std::unique_ptr<Known> Last; ///< what the last run found out, for the same input
+  std::unique_ptr<isthmus::ImageDiagram> Last; ///< kept for the same input
 };
 
 #endif

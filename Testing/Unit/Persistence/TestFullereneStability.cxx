@@ -261,7 +261,7 @@ TEST(FullereneStability, ScalesGrowBallsByRadius)
 TEST(FullereneStability, TableOfSeveralMolecules)
 {
   vtkNew<vtkFullereneStability> filter;
-  filter->AddInputData(Points(Polygon(6, 1.4)));
+  filter->AddInputDataObject(Points(Polygon(6, 1.4)));
   vtkNew<vtkMolecule> molecule;
   for (const Point3& atom : Polygon(5, 1.2))
   {

@@ -8,6 +8,7 @@
 #include "ScalarSimplification.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkCellData.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -354,9 +355,9 @@ TEST(ScalarPersistence, RangeUnitsAndTheLargestGap)
   vtkNew<vtkImageData> image;
   image->SetDimensions(9, 1, 1);
   vtkNew<vtkShortArray> values;
-  for (const short v : { 10, 20, 14, 20, 19, 20, 20, 20, 20 })
+  for (const int v : { 10, 20, 14, 20, 19, 20, 20, 20, 20 })
   {
-    values->InsertNextValue(v);
+    values->InsertNextValue(static_cast<short>(v));
   }
   image->GetPointData()->SetScalars(values);
   vtkNew<vtkScalarPersistence> filter;
