@@ -89,11 +89,17 @@ Spread SpreadOf(const std::vector<Point3>& points)
 /// Relative to the size: what the rounding of coordinates makes of a line or a plane.
 constexpr double Flat = 1e-12;
 
+/// Atoms on one circle or sphere make bars that have no length but for the rounding of radii, whose
+/// relative error is at most this (DelaunayFiltration.h): they are left out.
+constexpr double Rounding = 1e-9;
+
+/// Values of the filtration are squared radii.
 void AddBar(int dimension, double birth, double death, std::vector<DistanceBar>& bars)
 {
-  if (birth < death)
+  const DistanceBar bar{ dimension, std::sqrt(birth), std::sqrt(death) };
+  if (bar.Length() > Rounding * bar.Death)
   {
-    bars.push_back({ dimension, std::sqrt(birth), std::sqrt(death) });
+    bars.push_back(bar);
   }
 }
 

@@ -259,7 +259,7 @@ TEST(ScalarPersistence, CycleRoundARing)
   EXPECT_NEAR(std::abs(turns), 1.0, 1e-9);
   const double length = lines->GetCellData()->GetArray("Length")->GetComponent(0, 0);
   EXPECT_GT(length, 0.9 * 8.0 * Pi);
-  EXPECT_LT(length, 1.15 * 8.0 * Pi);
+  EXPECT_LT(length, 1.25 * 8.0 * Pi); // along the grid it would be 4 / Pi, and the ring is thin
 }
 
 TEST(ScalarPersistence, EveryCycleIsOneOfItsClass)
