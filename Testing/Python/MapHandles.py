@@ -3,7 +3,6 @@
 import os
 from pathlib import Path
 
-from paraview import servermanager
 from paraview.simple import (ColorBy, CreateView, MapHandles, OpenDataFile, OutputPort, ResetCamera,
                              SaveScreenshot, Show)
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -13,19 +12,25 @@ from shared_data import shared_data
 OUTPUT = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "MapHandles"
 OUTPUT.mkdir(parents=True, exist_ok=True)
 
+
+
+def output(port):
+    return handles.GetClientSideObject().GetOutputDataObject(port)
+
+
 density = OpenDataFile(str(shared_data("maps/emd_5043.map")))
 handles = MapHandles(Input=density, MinimumPersistence=0.45, UseRange=1, Range=[0.2, 5.0],
                      RecommendedLevel=1.5)
 handles.UpdatePipeline()
 handles.UpdatePropertyInformation()
-intervals = servermanager.Fetch(handles, idx=3)
+intervals = output(3)
 first = {intervals.GetColumnName(i): intervals.GetColumn(i).GetValue(0)
          for i in range(intervals.GetNumberOfColumns())}
 print("stable level", handles.StableLevel, first)
 # Below the level at which the subunits part, the widest run of levels holds the authors' 1.5.
 assert abs(handles.StableLevel - first["Middle"]) < 1e-12
 assert first["From"] < 1.5 < first["To"] and first["Beta1"] == 36, first
-bridges = servermanager.Fetch(handles, idx=0)
+bridges = output(0)
 level = vtk_to_numpy(bridges.GetPointData().GetArray("Level"))
 for low, high, count in ((3.42, 3.57, 14), (2.96, 3.13, 7), (2.22, 2.31, 14), (0.78, 0.965, 7)):
     assert ((level >= low) & (level <= high)).sum() == count, (low, high)

@@ -97,6 +97,8 @@ TEST(MapHandles, NecklaceHasABridgeForEachPairOfBeads)
   vtkNew<vtkMapHandles> filter;
   filter->SetInputData(image);
   filter->SetMinimumPersistence(0.2);
+  filter->UseRangeOn();
+  filter->SetRange(0.001, 1.1); // the window in the middle closes below the mean
   filter->Update();
   // Seven bridges at one level: six join components, one closes the ring.
   vtkPolyData* bridges = Points(filter, 0);
@@ -142,7 +144,7 @@ TEST(MapHandles, ContourAndLoopsAtTheLevelChosen)
   vtkNew<vtkMapHandles> filter;
   filter->SetInputData(image);
   filter->UseStableLevelOff();
-  filter->SetLevel(0.4);
+  filter->SetLevel(0.2);
   filter->SetRecommendedLevel(0.5);
   filter->LoopsOn();
   filter->Update();
@@ -151,9 +153,9 @@ TEST(MapHandles, ContourAndLoopsAtTheLevelChosen)
   for (vtkIdType i = 0; i < contour->GetNumberOfPoints(); i += 17)
   {
     const double* p = contour->GetPoint(i);
-    EXPECT_NEAR(Necklace(5, p[0], p[1], p[2]), 0.4, 0.02);
+    EXPECT_NEAR(Necklace(5, p[0], p[1], p[2]), 0.2, 0.02);
   }
-  EXPECT_EQ(Fact(contour, "ChosenLevel"), 0.4);
+  EXPECT_EQ(Fact(contour, "ChosenLevel"), 0.2);
   EXPECT_EQ(Fact(contour, "RecommendedLevel"), 0.5);
   // A ring: at least one handle and one tunnel.
   EXPECT_GE(Points(filter, 5)->GetNumberOfCells(), 2);
