@@ -3,10 +3,10 @@
 #include "CubicalCritical.h"
 #include "CubicalLoops.h"
 #include "LoopCompletion.h"
+#include "WayRound.h"
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 #include <unordered_map>
 
 namespace isthmus
@@ -15,144 +15,6 @@ namespace
 {
 
 using Nodes = std::vector<std::int64_t>;
-
-/// Shortest way from the far end of an edge round to its node, through cells that were there
-/// before. Empty where there is none.
-template <typename Gradient>
-class WayRound
-{
-public:
-  WayRound(const Gradient& gradient, const std::array<double, 3>& spacing)
-    : Cells(gradient)
-  {
-    for (std::size_t cell = 0; cell < 26; ++cell)
-    {
-      double squared = 0.0;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        const double step = Star::Steps[cell][axis] * spacing[axis];
-        squared += step * step;
-      }
-      this->Lengths[cell] = std::sqrt(squared);
-    }
-  }
-
-  /// Nodes from the far end to the edge's own node.
-  Nodes Find(std::int64_t node, std::int64_t far)
-  {
-    this->Goal = node;
-    this->Start = far;
-    this->Reached.clear();
-    Open open;
-    this->Offer(open, far, 0.0, far);
-    while (!open.empty())
-    {
-      const auto [length, at] = open.top();
-      open.pop();
-      if (at == node)
-      {
-        return this->Trace();
-      }
-      if (length <= this->Reached[at].Length)
-      {
-        this->Spread(open, at, length);
-      }
-    }
-    return {};
-  }
-
-  double StepLength(int cell) const { return this->Lengths[static_cast<std::size_t>(cell)]; }
-
-private:
-  struct Visit
-  {
-    double Length;
-    std::int64_t From;
-  };
-  using Entry = std::pair<double, std::int64_t>;
-  using Open = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
-
-  void Offer(Open& open, std::int64_t node, double length, std::int64_t from)
-  {
-    const auto [visit, isNew] = this->Reached.try_emplace(node, Visit{ length, from });
-    if (isNew || length < visit->second.Length)
-    {
-      visit->second = { length, from };
-      open.push({ length, node });
-    }
-  }
-
-  void Spread(Open& open, std::int64_t at, double length)
-  {
-    const LowerStars& stars = this->Cells.Lower();
-    for (int cell = 0; cell < Star::Node; ++cell)
-    {
-      if (!this->StaysInside(at, cell))
-      {
-        continue;
-      }
-      const std::int64_t next = at + stars.Offset(cell);
-      // The last step is along another edge of the node; diagonals keep away from it, so that
-      // they do not run along the edge itself.
-      const bool arrives = next == this->Goal && cell < Star::FirstFace && at != this->Start;
-      if (arrives || this->WasThere(at, cell))
-      {
-        this->Offer(open, next, length + this->StepLength(cell), at);
-      }
-    }
-  }
-
-  bool StaysInside(std::int64_t node, int cell) const
-  {
-    const LowerStars& stars = this->Cells.Lower();
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const std::int64_t at = node / stars.Stride(axis) % stars.Dimensions()[axis];
-      const std::int64_t to = at + Star::Steps[static_cast<std::size_t>(cell)][axis];
-      if (to < 0 || to >= stars.Dimensions()[axis])
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /// Whether all corners of the cell entered before the goal.
-  bool WasThere(std::int64_t node, int cell) const
-  {
-    const auto& step = Star::Steps[static_cast<std::size_t>(cell)];
-    for (int corner = 1; corner < 8; ++corner)
-    {
-      std::int64_t at = node;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        at += (corner >> axis & 1) != 0 ? step[axis] * this->Cells.Lower().Stride(axis) : 0;
-      }
-      if (!this->Cells.IsLater(this->Goal, at))
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  Nodes Trace()
-  {
-    Nodes nodes{ this->Goal };
-    while (nodes.back() != this->Start)
-    {
-      nodes.push_back(this->Reached[nodes.back()].From);
-    }
-    std::reverse(nodes.begin(), nodes.end());
-    return nodes;
-  }
-
-  const Gradient& Cells;
-  std::array<double, 26> Lengths{};
-  std::int64_t Goal = 0;
-  std::int64_t Start = 0;
-  std::unordered_map<std::int64_t, Visit> Reached;
-};
 
 /// The grid's edges along a closed way; diagonals are taken axis by axis.
 template <typename Gradient>
@@ -198,6 +60,83 @@ double LengthOf(const Nodes& loop, const LowerStars& stars, const std::array<dou
   return length;
 }
 
+/// Makes cycles shorter and keeps their class.
+template <typename Gradient>
+class CycleShortening
+{
+public:
+  CycleShortening(const Gradient& gradient, LoopReduction<Gradient>& reduction,
+    const std::array<double, 3>& spacing)
+    : Cells(gradient)
+    , Reduction(reduction)
+    , Ways(gradient, spacing)
+    , Spacing(spacing)
+  {
+  }
+
+  WayRound<Gradient>& Shortest() { return this->Ways; }
+
+  /**
+   * Replaces arcs, longer ones first, by shorter ways where what lies between is filled by the
+   * faces given to the reduction so far. Arcs with the node `latest` stay.
+   */
+  void Shorten(Nodes& loop, std::int64_t latest)
+  {
+    const auto own = std::find(loop.begin(), loop.end(), latest);
+    if (own != loop.end())
+    {
+      std::rotate(loop.begin(), own, loop.end());
+    }
+    for (int round = 0; round < 3; ++round)
+    {
+      bool changed = false;
+      for (std::size_t width = loop.size() / 2; width >= 2; width /= 2)
+      {
+        for (std::size_t i = 1; i + width < loop.size(); i += std::max<std::size_t>(1, width / 2))
+        {
+          changed = this->Replace(loop, i, width, latest) || changed;
+        }
+      }
+      if (!changed)
+      {
+        break;
+      }
+    }
+  }
+
+private:
+  bool Replace(Nodes& loop, std::size_t first, std::size_t width, std::int64_t latest)
+  {
+    const auto begin = loop.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = begin + static_cast<std::ptrdiff_t>(width + 1);
+    const Nodes arc(begin, end);
+    const LowerStars& stars = this->Cells.Lower();
+    const double length = LengthOf(arc, stars, this->Spacing) -
+      LengthOf({ arc.back(), arc.front() }, stars, this->Spacing) / 2.0;
+    const Nodes way = this->Ways.Between(arc.front(), arc.back(), latest, 0.999 * length);
+    if (way.empty())
+    {
+      return false;
+    }
+    Nodes between(arc);
+    between.insert(between.end(), way.rbegin() + 1, way.rend() - 1);
+    if (!this->Reduction.IsFilled(EdgesAlong(this->Cells, between)))
+    {
+      return false;
+    }
+    Nodes shorter(loop.begin(), begin);
+    shorter.insert(shorter.end(), way.begin(), way.end());
+    shorter.insert(shorter.end(), end, loop.end());
+    loop.swap(shorter);
+    return true;
+  }
+
+  const Gradient& Cells;
+  LoopReduction<Gradient>& Reduction;
+  WayRound<Gradient> Ways;
+  std::array<double, 3> Spacing;
+};
+
 /// Features of dimension 1 by the face that ends them.
 using Wanted = std::unordered_map<std::uint64_t, std::int64_t>;
 
@@ -227,7 +166,7 @@ std::vector<CubicalCycle> Trace(const Gradient& gradient, const std::array<doubl
   const CubicalCritical<Gradient> critical(gradient);
   LoopReduction<Gradient> reduction(gradient, critical.Edges, critical.Negative);
   LoopCompletion<Gradient> completion(gradient, critical.Edges, critical.Negative);
-  WayRound<Gradient> wayRound(gradient, spacing);
+  CycleShortening<Gradient> shortening(gradient, reduction, spacing);
   std::vector<CubicalCycle> cycles;
   const auto keep = [&](std::int64_t feature, const Nodes& loop) {
     cycles.push_back({ feature, loop, LengthOf(loop, gradient.Lower(), spacing) });
@@ -246,7 +185,7 @@ std::vector<CubicalCycle> Trace(const Gradient& gradient, const std::array<doubl
     ++done;
     const auto edge = reduction.Find(face);
     const auto ends = gradient.EndsOf(edge);
-    const Nodes loop = wayRound.Find(ends[0], ends[1]);
+    const Nodes loop = shortening.Shortest().Round(ends[0], ends[1]);
     const auto edges =
       loop.empty() ? std::vector<typename Gradient::Key>() : EdgesAlong(gradient, loop);
     // Filled by this face, and not before.
@@ -257,10 +196,18 @@ std::vector<CubicalCycle> Trace(const Gradient& gradient, const std::array<doubl
       keep(found->second, loop);
       continue;
     }
-    for (const Nodes& part : completion.Close(reduction.ColumnOf(edge)))
+    // Another tunnel was in the way. As long as this one lives, what is filled can be passed.
+    std::vector<Nodes> parts = completion.Close(reduction.ColumnOf(edge));
+    reduction.SetUsed(edge, false);
+    for (Nodes& part : parts)
     {
-      keep(found->second, part);
+      if (!reduction.IsFilled(EdgesAlong(gradient, part)))
+      {
+        shortening.Shorten(part, edge.Node());
+        keep(found->second, part);
+      }
     }
+    reduction.SetUsed(edge, true);
   }
   std::stable_sort(cycles.begin(), cycles.end(),
     [](const CubicalCycle& a, const CubicalCycle& b) { return a.Feature < b.Feature; });

@@ -25,11 +25,13 @@ struct CubicalCycle
 /**
  * A cycle for each of the first `most` features of dimension 1 that are kept.
  *
- * The edge that closes the loop is joined with the shortest path between its ends in what was there
- * before it (Dijkstra over the grid's edges, lengths by `spacing`), and it is checked that the face
- * that ends the feature fills this very loop: by reducing it with all faces up to that one. Where
- * the shortest path runs round another tunnel as well and is not filled then, the boundary that the
- * reduction itself found is taken: longer, but of the right class.
+ * The edge that closes the loop is joined with the shortest way between its ends in what was there
+ * before it (Dijkstra through the grid's cells, lengths by `spacing`), and it is checked that the
+ * face that ends the feature fills this very loop, and not an earlier one: by reducing it. Where
+ * the shortest way runs round another tunnel as well, the boundary that the pairing itself found is
+ * taken and shortened arc by arc, each time with the check that what lies between is filled while
+ * the feature lives. Such a boundary can have several loops; those filled by themselves are left
+ * out.
  *
  * Costs the pairing once more, and a search of at most the whole volume for each cycle.
  */

@@ -110,6 +110,9 @@ public:
     return edges;
   }
 
+  /// Takes the face that fills the loop of `edge` out, or puts it back.
+  void SetUsed(const Key& edge, bool used) { this->Columns[this->NumberOf(edge)].Used = used; }
+
   /// Whether the loop of these edges is filled by the faces given so far.
   bool IsFilled(const std::vector<Key>& loop)
   {
