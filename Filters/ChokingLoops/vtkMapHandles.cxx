@@ -202,10 +202,10 @@ void vtkMapHandles::CheckParameters() const
     throw std::invalid_argument("Level is " + std::to_string(this->Level) +
       ": give a value of the map, or switch UseStableLevel on.");
   }
-  if (std::isinf(this->RecommendedLevel))
+  if (this->UseRecommendedLevel && !std::isfinite(this->RecommendedLevel))
   {
-    throw std::invalid_argument("RecommendedLevel is infinite: give a value of the map, or NaN for "
-                                "none.");
+    throw std::invalid_argument("RecommendedLevel is " + std::to_string(this->RecommendedLevel) +
+      ": give a value of the map, or switch UseRecommendedLevel off.");
   }
 }
 
@@ -278,7 +278,7 @@ void vtkMapHandles::FillLevels(const Work& work, vtkInformationVector* outputVec
     const auto loops = static_cast<double>(curves.Filtered[1][i]);
     stable->InsertNextValue(!std::isnan(this->StableLevel) && i == stableRow ? loops : NotANumber);
     recommended->InsertNextValue(
-      !std::isnan(this->RecommendedLevel) && i == recommendedRow ? loops : NotANumber);
+      this->UseRecommendedLevel && i == recommendedRow ? loops : NotANumber);
   }
   vtkDataSetAttributes* intervals = vtkTable::GetData(outputVector, IntervalsPort)->GetRowData();
   const char* names[] = { "From", "To", "Middle", "Length" };
@@ -385,7 +385,7 @@ int vtkMapHandles::RequestData(
         vtkDataObject* output = vtkDataObject::GetData(outputVector, port);
         AddFact(output, "StableLevel", this->StableLevel);
         AddFact(output, "ChosenLevel", work.Level);
-        if (!std::isnan(this->RecommendedLevel))
+        if (this->UseRecommendedLevel)
         {
           AddFact(output, "RecommendedLevel", this->RecommendedLevel);
         }
@@ -409,6 +409,7 @@ void vtkMapHandles::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Range: " << this->Range[0] << " " << this->Range[1] << "\n";
   os << indent << "UseStableLevel: " << this->UseStableLevel << "\n";
   os << indent << "Level: " << this->Level << "\n";
+  os << indent << "UseRecommendedLevel: " << this->UseRecommendedLevel << "\n";
   os << indent << "RecommendedLevel: " << this->RecommendedLevel << "\n";
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent << "Loops: " << this->Loops << "\n";

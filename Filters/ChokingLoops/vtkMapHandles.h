@@ -89,7 +89,10 @@ public:
   ///@}
 
   ///@{
-  /// The level that the map's authors recommend (EMDB), for comparison. Default: none (NaN).
+  /// The level that the map's authors recommend (EMDB), for comparison. Default: none.
+  vtkSetMacro(UseRecommendedLevel, bool);
+  vtkGetMacro(UseRecommendedLevel, bool);
+  vtkBooleanMacro(UseRecommendedLevel, bool);
   vtkSetMacro(RecommendedLevel, double);
   vtkGetMacro(RecommendedLevel, double);
   ///@}
@@ -139,7 +142,8 @@ private:
   double Range[2] = { 0.0, 1.0 };
   bool UseStableLevel = true;
   double Level = 0.0;
-  double RecommendedLevel = std::numeric_limits<double>::quiet_NaN();
+  bool UseRecommendedLevel = false;
+  double RecommendedLevel = 0.0;
   int NumberOfLevels = 256;
   bool Loops = false;
   double StableLevel = std::numeric_limits<double>::quiet_NaN();

@@ -20,7 +20,7 @@ def output(port):
 
 density = OpenDataFile(str(shared_data("maps/emd_5043.map")))
 handles = MapHandles(Input=density, MinimumPersistence=0.45, UseRange=1, Range=[0.2, 5.0],
-                     RecommendedLevel=1.5)
+                     UseRecommendedLevel=1, RecommendedLevel=1.5)
 handles.UpdatePipeline()
 handles.UpdatePropertyInformation()
 intervals = output(3)

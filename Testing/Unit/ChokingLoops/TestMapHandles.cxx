@@ -145,6 +145,7 @@ TEST(MapHandles, ContourAndLoopsAtTheLevelChosen)
   filter->SetInputData(image);
   filter->UseStableLevelOff();
   filter->SetLevel(0.2);
+  filter->UseRecommendedLevelOn();
   filter->SetRecommendedLevel(0.5);
   filter->LoopsOn();
   filter->Update();
@@ -268,6 +269,10 @@ TEST(MapHandles, BadInputIsToldInASentence)
   filter->SetNumberOfLevels(0);
   EXPECT_NE(said().find("NumberOfLevels is 0"), std::string::npos);
   filter->SetNumberOfLevels(64);
+  filter->UseRecommendedLevelOn();
+  filter->SetRecommendedLevel(std::nan(""));
+  EXPECT_NE(said().find("RecommendedLevel is nan"), std::string::npos);
+  filter->UseRecommendedLevelOff();
   EXPECT_EQ(said(), "");
   image->GetPointData()->GetScalars()->SetComponent(22, 0, std::nan(""));
   image->GetPointData()->GetScalars()->Modified();
