@@ -19,6 +19,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <malloc.h>
+
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -159,9 +161,11 @@ double PeakOver(double before)
   return PeakMemory() - before;
 }
 
-/// Resident now, as the peak just after it was reset.
+/// Resident now, as the peak just after it was reset. What was freed goes back first, or the next
+/// one would use it unseen.
 double MemoryNow()
 {
+  malloc_trim(0);
   ResetPeakMemory();
   return PeakMemory();
 }
