@@ -22,7 +22,7 @@ MapHandle HandleAt(const VolumeView& volume, const FeatureList& features, std::s
   handle.Feature = static_cast<std::int64_t>(i);
   const int index = feature.Pair.Dimension + (isDeath ? 1 : 0);
   handle.IsBridge = index == 1;
-  handle.Node = isDeath ? feature.Pair.Death.Node : feature.Pair.Birth.Node;
+  handle.Node = isDeath ? feature.Pair.Death.Node() : feature.Pair.Birth.Node();
   handle.Level = volume.Value(handle.Node);
   // A tunnel has a bridge and a window as long as it lives. A bridge between two components stays;
   // the window that closes a void has been open from the start.
@@ -54,7 +54,7 @@ std::vector<MapHandle> MapHandles(
       for (const bool isDeath : { false, true })
       {
         const int index = pair.Dimension + (isDeath ? 1 : 0);
-        if (pair.Death.Node >= 0 && index == (bridges ? 1 : 2))
+        if (pair.Death.Node() >= 0 && index == (bridges ? 1 : 2))
         {
           const MapHandle handle = HandleAt(volume, features, i, isDeath, parameters);
           if (handle.Level >= parameters.Range[0] && handle.Level <= parameters.Range[1])

@@ -138,12 +138,7 @@ private:
 };
 
 /// Features of dimension 1 by the face that ends them.
-using Wanted = std::unordered_map<std::uint64_t, std::int64_t>;
-
-std::uint64_t NameOf(const CubicalCell& cell)
-{
-  return static_cast<std::uint64_t>(cell.Node) * 27U + static_cast<std::uint64_t>(cell.Direction);
-}
+using Wanted = std::unordered_map<std::int64_t, std::int64_t>;
 
 Wanted WantedOf(const FeatureList& features, std::size_t most)
 {
@@ -153,7 +148,7 @@ Wanted WantedOf(const FeatureList& features, std::size_t most)
     const CubicalPair& pair = features.Features[i].Pair;
     if (pair.Dimension == 1)
     {
-      wanted[NameOf(pair.Death)] = static_cast<std::int64_t>(i);
+      wanted[pair.Death.Name()] = static_cast<std::int64_t>(i);
     }
   }
   return wanted;
@@ -175,7 +170,7 @@ std::vector<CubicalCycle> Trace(const Gradient& gradient, const std::array<doubl
   for (std::size_t i = 0; i < critical.Faces.size() && done < wanted.size(); ++i)
   {
     const auto& face = critical.Faces[i];
-    const auto found = wanted.find(NameOf(gradient.Named(face.Node(), Gradient::FaceOf(face))));
+    const auto found = wanted.find(gradient.Named(face.Node(), Gradient::FaceOf(face)).Name());
     if (found == wanted.end())
     {
       reduction.Fill(face);

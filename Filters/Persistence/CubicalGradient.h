@@ -43,7 +43,7 @@ public:
 
   static CubicalCell Named(std::int64_t node, int cell)
   {
-    return { node, Star::DirectionOf[static_cast<std::size_t>(cell)] };
+    return CubicalCell(node, Star::DirectionOf[static_cast<std::size_t>(cell)]);
   }
 
   bool IsLater(std::int64_t a, std::int64_t b) const

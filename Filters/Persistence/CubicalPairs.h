@@ -15,21 +15,36 @@ namespace isthmus
  * A cell of the cubical complex on the nodes of a grid, named by the node it enters with (the last
  * of its corners) and the direction from there to its opposite corner.
  */
-struct CubicalCell
+class CubicalCell
 {
-  std::int64_t Node = -1;    ///< -1: no cell, of a class that never ends
-  std::int8_t Direction = 0; ///< (dx + 1) + 3 (dy + 1) + 9 (dz + 1), each of -1, 0, 1; 13: a node
+public:
+  CubicalCell() = default; ///< no cell: of a class that never ends
+  CubicalCell(std::int64_t node, int direction)
+    : Code(27 * node + direction)
+  {
+  }
 
-  /// Step along an axis from Node to the opposite corner: -1, 0 or 1.
+  /// -1: no cell.
+  std::int64_t Node() const { return this->Code < 0 ? -1 : this->Code / 27; }
+
+  /// (dx + 1) + 3 (dy + 1) + 9 (dz + 1), each of -1, 0, 1, from the node to the opposite corner;
+  /// 13: the node itself.
+  int Direction() const { return static_cast<int>(this->Code % 27); }
+
+  /// Step along an axis from the node to the opposite corner: -1, 0 or 1.
   int Step(int axis) const
   {
     const int power = axis == 0 ? 1 : axis == 1 ? 3 : 9;
-    return this->Direction / power % 3 - 1;
+    return this->Direction() / power % 3 - 1;
   }
-  bool operator==(const CubicalCell& other) const
-  {
-    return this->Node == other.Node && this->Direction == other.Direction;
-  }
+
+  /// Node and direction in one number, in the order of nodes.
+  std::int64_t Name() const { return this->Code; }
+
+  bool operator==(const CubicalCell& other) const { return this->Code == other.Code; }
+
+private:
+  std::int64_t Code = -1; ///< 8 bytes, since noise has millions of pairs
 };
 
 /// A class of homology: the cell that gives birth to it, and the cell one dimension up that ends

@@ -55,8 +55,8 @@ public:
     this->Birth->SetValue(at, feature.Birth);
     this->Death->SetValue(at, feature.Death);
     this->Persistence->SetValue(at, feature.Persistence);
-    this->DeathShown->SetValue(
-      at, feature.Pair.Death.Node < 0 || !std::isfinite(feature.Death) ? this->End : feature.Death);
+    this->DeathShown->SetValue(at,
+      feature.Pair.Death.Node() < 0 || !std::isfinite(feature.Death) ? this->End : feature.Death);
     this->Joins->SetValue(at, static_cast<vtkIdType>(feature.Joined));
   }
 
@@ -139,7 +139,7 @@ void FillSaddles(const FeatureList& features, double end, vtkImageData* image,
     {
       const CubicalPair& pair = features.Features[i].Pair;
       const bool isDeath = (pair.Dimension == 0) == (round == 0);
-      if (pair.Death.Node >= 0)
+      if (pair.Death.Node() >= 0)
       {
         ends.emplace_back(i, isDeath ? pair.Death : pair.Birth);
       }
@@ -159,10 +159,10 @@ void FillSaddles(const FeatureList& features, double end, vtkImageData* image,
   for (std::size_t i = 0; i < ends.size(); ++i)
   {
     const auto at = static_cast<vtkIdType>(i);
-    places->SetPoint(at, PlaceOf(image, ends[i].second.Node).data());
+    places->SetPoint(at, PlaceOf(image, ends[i].second.Node()).data());
     vertices->InsertNextCell(1, &at);
     columns.Set(at, features, ends[i].first);
-    value->SetValue(at, volume.Value(ends[i].second.Node));
+    value->SetValue(at, volume.Value(ends[i].second.Node()));
     index->SetValue(at, DimensionOf(ends[i].second));
   }
   points->SetPoints(places);

@@ -30,34 +30,28 @@ void Check(const FeatureParameters& parameters)
   }
 }
 
-/// Key of a cell among those of one dimension.
-std::uint64_t NameOf(const CubicalCell& cell)
-{
-  return static_cast<std::uint64_t>(cell.Node) * 27U + static_cast<std::uint64_t>(cell.Direction);
-}
-
 /// Numbers of the features that components and voids are joined to.
 void LinkElders(std::vector<ScalarFeature>& features)
 {
-  std::unordered_map<std::uint64_t, std::int64_t> components;
-  std::unordered_map<std::uint64_t, std::int64_t> voids;
+  std::unordered_map<std::int64_t, std::int64_t> components;
+  std::unordered_map<std::int64_t, std::int64_t> voids;
   for (std::size_t i = 0; i < features.size(); ++i)
   {
     const CubicalPair& pair = features[i].Pair;
     if (pair.Dimension == 0)
     {
-      components[NameOf(pair.Birth)] = static_cast<std::int64_t>(i);
+      components[pair.Birth.Name()] = static_cast<std::int64_t>(i);
     }
     else if (pair.Dimension == 2)
     {
-      voids[NameOf(pair.Death)] = static_cast<std::int64_t>(i);
+      voids[pair.Death.Name()] = static_cast<std::int64_t>(i);
     }
   }
   for (ScalarFeature& feature : features)
   {
     const auto& known = feature.Pair.Dimension == 0 ? components : voids;
-    const auto found = known.find(NameOf(feature.Pair.Elder));
-    if (feature.Pair.Elder.Node >= 0 && found != known.end())
+    const auto found = known.find(feature.Pair.Elder.Name());
+    if (feature.Pair.Elder.Node() >= 0 && found != known.end())
     {
       feature.Joined = found->second;
     }
@@ -68,8 +62,8 @@ bool IsBefore(const ScalarFeature& a, const ScalarFeature& b)
 {
   const auto place = [](const ScalarFeature& f)
   {
-    return std::make_tuple(-f.Persistence, f.Pair.Dimension, f.Pair.Birth.Node,
-      f.Pair.Birth.Direction, f.Pair.Death.Node, f.Pair.Death.Direction);
+    return std::make_tuple(
+      -f.Persistence, f.Pair.Dimension, f.Pair.Birth.Name(), f.Pair.Death.Name());
   };
   return place(a) < place(b);
 }
@@ -173,12 +167,12 @@ FeatureList ScalarFeatures(const VolumeView& volume, const VolumeStatistics& sta
   {
     ScalarFeature feature;
     feature.Pair = pair;
-    feature.Birth = volume.Value(pair.Birth.Node);
-    feature.Death = pair.Death.Node < 0 ? never : volume.Value(pair.Death.Node);
+    feature.Birth = volume.Value(pair.Birth.Node());
+    feature.Death = pair.Death.Node() < 0 ? never : volume.Value(pair.Death.Node());
     const double low = std::max(std::min(feature.Birth, feature.Death), parameters.Range[0]);
     const double high = std::min(std::max(feature.Birth, feature.Death), parameters.Range[1]);
     // Values of 64 bits can differ and be one double: such a class is listed, with persistence 0.
-    feature.Persistence = pair.Death.Node < 0 ? Infinity : high > low ? high - low : 0.0;
+    feature.Persistence = pair.Death.Node() < 0 ? Infinity : high > low ? high - low : 0.0;
     if (high > low || (high == low && feature.Birth == feature.Death))
     {
       list.Features.push_back(feature);

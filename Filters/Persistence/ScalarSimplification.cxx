@@ -106,7 +106,7 @@ void FloodMinima(T* values, const VolumeView& volume, const FeatureList& feature
     const CubicalPair& pair = features.Features[i].Pair;
     if (pair.Dimension == 0)
     {
-      flood.Seed(pair.Birth.Node);
+      flood.Seed(pair.Birth.Node());
     }
   }
   flood.Run(false, progress);
@@ -134,7 +134,7 @@ void FloodVoids(T* values, const VolumeView& volume, const FeatureList& features
     const CubicalPair& pair = features.Features[i].Pair;
     if (pair.Dimension == 2)
     {
-      flood.Seed(pair.Death.Node);
+      flood.Seed(pair.Death.Node());
     }
   }
   flood.Run(true, progress);

@@ -43,8 +43,8 @@ inline Bars BarsOf(const VolumeView& volume, bool superlevel = false)
   const double never = (superlevel ? -1.0 : 1.0) * std::numeric_limits<double>::infinity();
   for (const CubicalPair& pair : CubicalPersistence(volume, parameters).Pairs)
   {
-    bars.push_back({ static_cast<double>(pair.Dimension), volume.Value(pair.Birth.Node),
-      pair.Death.Node < 0 ? never : volume.Value(pair.Death.Node) });
+    bars.push_back({ static_cast<double>(pair.Dimension), volume.Value(pair.Birth.Node()),
+      pair.Death.Node() < 0 ? never : volume.Value(pair.Death.Node()) });
   }
   std::sort(bars.begin(), bars.end());
   return bars;
