@@ -2,6 +2,7 @@ isthmus_room(
   CLASSES
     vtkChokingLoops
     vtkLoopShortening
+    vtkMapHandles
     vtkOffsetSurface
   SOURCES
     ChokingLoops
@@ -14,6 +15,7 @@ isthmus_room(
     GeneratorCompletion
     LoopFeature
     LoopShortening
+    MapHandles
     OffsetSurface
     ShapeFeatures
     SpaceRegions

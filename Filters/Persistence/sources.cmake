@@ -1,7 +1,23 @@
 isthmus_room(
+  CLASSES
+    vtkFullereneStability
+    vtkScalarPersistence
   SOURCES
+    AtomDistanceGrid
     CellFiltration
+    CubicalCycles
+    CubicalPersistence
+    FastMarching
     FiltrationPairs
+    FullereneStability
+    ImageDiagram
     LowerStarFiltration
+    PersistenceTables
+    ScalarFeatures
+    ScalarSimplification
+    StarMatching
+    VolumeView
   CGAL
-    DelaunayFiltration)
+    DelaunayFiltration
+  VECTORISED
+    LowerStars)

@@ -1,0 +1,163 @@
+#include "AtomDistanceGrid.h"
+
+#include "FastMarching.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+namespace isthmus
+{
+namespace
+{
+
+void RequirePositive(const char* name, double value)
+{
+  if (!(value > 0.0) || std::isinf(value))
+  {
+    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+      ", but it is a length: give a positive number.");
+  }
+}
+
+void Check(const std::vector<Point3>& atoms, const std::vector<double>& scales,
+  const GridDistanceParameters& parameters)
+{
+  RequirePositive("Spacing", parameters.Spacing);
+  RequirePositive("Theta", parameters.Theta);
+  for (std::size_t i = 0; i < atoms.size(); ++i)
+  {
+    if (!std::isfinite(atoms[i][0] + atoms[i][1] + atoms[i][2]))
+    {
+      throw std::invalid_argument("Atom " + std::to_string(i) +
+        " has a coordinate that is not a "
+        "finite number.");
+    }
+    if (!scales.empty() && (!(scales[i] > 0.0) || std::isinf(scales[i])))
+    {
+      throw std::invalid_argument("Atom " + std::to_string(i) + " has the radius " +
+        std::to_string(scales[i]) +
+        ", but distances are to be divided by it: give a positive one.");
+    }
+  }
+}
+
+DistanceGrid GridAround(const std::vector<Point3>& atoms, double reach, double spacing)
+{
+  DistanceGrid grid;
+  grid.Spacing = spacing;
+  double nodes = 1.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto ends = std::minmax_element(atoms.begin(), atoms.end(),
+      [axis](const Point3& a, const Point3& b) { return a[axis] < b[axis]; });
+    const double low = (*ends.first)[axis] - reach;
+    const double cells = std::ceil(((*ends.second)[axis] + reach - low) / spacing);
+    nodes *= cells + 1.0;
+    if (!(nodes < 2147483648.0))
+    {
+      throw std::runtime_error("A Spacing of " + std::to_string(spacing) +
+        " makes a grid of more than 2^31 nodes: choose a larger one.");
+    }
+    grid.Origin[axis] = low;
+    grid.Dimensions[axis] = static_cast<std::int64_t>(cells) + 1;
+  }
+  return grid;
+}
+
+/// Lowers the nodes within `reach` of an atom to their distance over `scale`.
+void PutAtom(const Point3& atom, double scale, double reach, DistanceGrid& grid)
+{
+  std::array<std::int64_t, 3> low{};
+  std::array<std::int64_t, 3> high{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double at = (atom[axis] - grid.Origin[axis]) / grid.Spacing;
+    const double steps = reach / grid.Spacing;
+    low[axis] = std::max<std::int64_t>(0, static_cast<std::int64_t>(std::ceil(at - steps)));
+    high[axis] = std::min<std::int64_t>(
+      grid.Dimensions[axis] - 1, static_cast<std::int64_t>(std::floor(at + steps)));
+  }
+  for (std::int64_t k = low[2]; k <= high[2]; ++k)
+  {
+    for (std::int64_t j = low[1]; j <= high[1]; ++j)
+    {
+      for (std::int64_t i = low[0]; i <= high[0]; ++i)
+      {
+        const double x = grid.Origin[0] + grid.Spacing * static_cast<double>(i) - atom[0];
+        const double y = grid.Origin[1] + grid.Spacing * static_cast<double>(j) - atom[1];
+        const double z = grid.Origin[2] + grid.Spacing * static_cast<double>(k) - atom[2];
+        float& value = grid.Values[static_cast<std::size_t>(
+          i + grid.Dimensions[0] * (j + grid.Dimensions[1] * k))];
+        value = std::min(value, static_cast<float>(std::sqrt(x * x + y * y + z * z) / scale));
+      }
+    }
+  }
+}
+
+/// Fast marching from the nodes round the atoms of one type, whose distances are exact.
+void MarchType(const std::vector<Point3>& atoms, double scale, double theta, DistanceGrid& grid)
+{
+  DistanceGrid own = grid;
+  const auto far = static_cast<float>(theta);
+  std::fill(own.Values.begin(), own.Values.end(), far);
+  for (const Point3& atom : atoms)
+  {
+    PutAtom(atom, scale, 1.0001 * std::sqrt(3.0) * grid.Spacing, own);
+  }
+  std::vector<std::int64_t> known;
+  for (std::size_t i = 0; i < own.Values.size(); ++i)
+  {
+    if (own.Values[i] < far)
+    {
+      known.push_back(static_cast<std::int64_t>(i));
+    }
+  }
+  FastMarch(own.Dimensions, own.Spacing / scale, known, far, own.Values);
+  std::transform(own.Values.begin(), own.Values.end(), grid.Values.begin(), grid.Values.begin(),
+    [](float a, float b) { return std::min(a, b); });
+}
+
+}
+
+DistanceGrid AtomDistance(const std::vector<Point3>& atoms, const std::vector<double>& scales,
+  const GridDistanceParameters& parameters, const ProgressCallback& progress)
+{
+  Check(atoms, scales, parameters);
+  if (atoms.empty())
+  {
+    return {};
+  }
+  const double largest = scales.empty() ? 1.0 : *std::max_element(scales.begin(), scales.end());
+  const double theta = parameters.Theta;
+  DistanceGrid grid = GridAround(atoms, theta * largest + parameters.Spacing, parameters.Spacing);
+  grid.Values.assign(
+    static_cast<std::size_t>(grid.Dimensions[0] * grid.Dimensions[1] * grid.Dimensions[2]),
+    static_cast<float>(theta));
+  if (!parameters.FastMarching)
+  {
+    for (std::size_t i = 0; i < atoms.size(); ++i)
+    {
+      const double scale = scales.empty() ? 1.0 : scales[i];
+      PutAtom(atoms[i], scale, theta * scale, grid);
+      Report(progress, static_cast<double>(i + 1) / static_cast<double>(atoms.size()));
+    }
+    return grid;
+  }
+  std::map<double, std::vector<Point3>> types;
+  for (std::size_t i = 0; i < atoms.size(); ++i)
+  {
+    types[scales.empty() ? 1.0 : scales[i]].push_back(atoms[i]);
+  }
+  std::size_t done = 0;
+  for (const auto& type : types)
+  {
+    MarchType(type.second, type.first, theta, grid);
+    Report(progress, static_cast<double>(++done) / static_cast<double>(types.size()));
+  }
+  return grid;
+}
+
+}

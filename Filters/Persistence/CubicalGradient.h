@@ -1,0 +1,132 @@
+/**
+ * @file CubicalGradient.h
+ * @brief Cells of a volume by key, their boundaries and cofaces, seen through the lower stars.
+ */
+#ifndef isthmus_CubicalGradient_h
+#define isthmus_CubicalGradient_h
+
+#include "CubicalPairs.h"
+#include "LowerStars.h"
+#include "OrderedValues.h"
+
+#include <array>
+#include <cstdint>
+
+namespace isthmus
+{
+
+template <typename Stored, typename KeyType>
+class CubicalGradient
+{
+public:
+  using Key = KeyType;
+
+  CubicalGradient(const OrderedValues<Stored>& values, const LowerStars& stars)
+    : Values(values)
+    , Stars(stars)
+  {
+  }
+
+  const LowerStars& Lower() const { return this->Stars; }
+
+  /// `cell` of the lower star of `node`; the place in the key counts within its dimension.
+  Key EdgeKey(std::int64_t node, int cell) const { return Key(this->Values[node], node, cell); }
+  Key FaceKey(std::int64_t node, int cell) const
+  {
+    return Key(this->Values[node], node, cell - Star::FirstFace);
+  }
+  Key CubeKey(std::int64_t node, int cell) const
+  {
+    return Key(this->Values[node], node, cell - Star::FirstCube);
+  }
+  static int FaceOf(const Key& key) { return key.Place() + Star::FirstFace; }
+
+  static CubicalCell Named(std::int64_t node, int cell)
+  {
+    return CubicalCell(node, Star::DirectionOf[static_cast<std::size_t>(cell)]);
+  }
+
+  bool IsLater(std::int64_t a, std::int64_t b) const
+  {
+    const auto first = this->Values[a];
+    const auto second = this->Values[b];
+    return first != second ? first > second : a > b;
+  }
+
+  /// The two nodes of an edge.
+  std::array<std::int64_t, 2> EndsOf(const Key& edge) const
+  {
+    return { edge.Node(), edge.Node() + this->Stars.Offset(edge.Place()) };
+  }
+
+  /// The edge from a node one step along an axis, forwards or back.
+  Key EdgeAlong(std::int64_t node, std::size_t axis, bool forwards) const
+  {
+    const int cell = forwards ? 3 + static_cast<int>(axis) : 2 - static_cast<int>(axis);
+    return this->EdgeBetween(node, node + this->Stars.Offset(cell), cell);
+  }
+
+  /// The four edges of a face of the star of `node`; the first two are of the same star.
+  std::array<Key, 4> BoundaryOf(std::int64_t node, int face) const
+  {
+    const auto& edges = Star::FaceEdges[static_cast<std::size_t>(face - Star::FirstFace)];
+    const std::int64_t far = node + this->Stars.Offset(face);
+    return { this->EdgeKey(node, edges[0]), this->EdgeKey(node, edges[1]),
+      this->EdgeBetween(node + this->Stars.Offset(edges[0]), far, edges[1]),
+      this->EdgeBetween(node + this->Stars.Offset(edges[1]), far, edges[0]) };
+  }
+
+  /// The cubes on both sides of a face, as their lowest corners; NodeCount(): outside of the grid.
+  std::array<std::int64_t, 2> CofacesOf(std::int64_t node, int face) const
+  {
+    const auto& step = Star::Steps[static_cast<std::size_t>(face)];
+    const std::size_t normal = step[0] == 0 ? 0 : step[1] == 0 ? 1 : 2;
+    std::int64_t low = node;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      low -= step[axis] < 0 ? this->Stars.Stride(axis) : 0;
+    }
+    const std::int64_t length = this->Stars.Dimensions()[normal];
+    const std::int64_t at = node / this->Stars.Stride(normal) % length;
+    const std::int64_t outside = this->Stars.NodeCount();
+    return { at + 1 < length ? low : outside, at > 0 ? low - this->Stars.Stride(normal) : outside };
+  }
+
+  /// The cube with that lowest corner, by its last corner and its number in that one's star.
+  std::pair<std::int64_t, int> StarCube(std::int64_t low) const
+  {
+    std::int64_t last = low;
+    std::size_t corner = 0;
+    for (std::size_t c = 1; c < 8; ++c)
+    {
+      const std::int64_t node = low + (c & 1U ? 1 : 0) + (c & 2U ? this->Stars.Stride(1) : 0) +
+        (c & 4U ? this->Stars.Stride(2) : 0);
+      if (this->IsLater(node, last))
+      {
+        last = node;
+        corner = c;
+      }
+    }
+    // Cubes are numbered by direction, x fastest, so the one back from the last corner is the
+    // opposite number.
+    return { last, Star::FirstCube + 7 - static_cast<int>(corner) };
+  }
+
+  std::int64_t NodeOutside() const { return this->Stars.NodeCount(); }
+
+private:
+  Key EdgeBetween(std::int64_t near, std::int64_t far, int cell) const
+  {
+    // Edges are numbered so that 5 - cell is the opposite direction.
+    const auto a = this->Values[near];
+    const auto b = this->Values[far];
+    return b > a || (b == a && far > near) ? Key(b, far, 5 - cell) : Key(a, near, cell);
+  }
+
+  const OrderedValues<Stored>& Values;
+  const LowerStars& Stars;
+};
+
+}
+
+#endif

@@ -1,0 +1,27 @@
+/**
+ * @file FastMarching.h
+ * @brief First-order fast marching: distance from nodes whose distance is known.
+ */
+#ifndef isthmus_FastMarching_h
+#define isthmus_FastMarching_h
+
+#include "vtkIsthmusModule.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace isthmus
+{
+
+/**
+ * Solves |grad d| = 1 on a grid with cells of side `spacing`, by upwind differences (J. A. Sethian,
+ * PNAS 93, 1996). `values` holds the distances of the nodes listed as `known` and is filled
+ * elsewhere, up to `greatest`. Error O(spacing log spacing). O(n log n).
+ */
+VTKISTHMUS_EXPORT void FastMarch(const std::array<std::int64_t, 3>& dimensions, double spacing,
+  const std::vector<std::int64_t>& known, float greatest, std::vector<float>& values);
+
+}
+
+#endif

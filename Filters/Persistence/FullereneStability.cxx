@@ -1,0 +1,219 @@
+#include "FullereneStability.h"
+
+#include "AtomDistanceGrid.h"
+#include "CubicalPersistence.h"
+#include "DelaunayFiltration.h"
+#include "FiltrationPairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace isthmus
+{
+namespace
+{
+
+/// The atoms, each place once. Throws where one is not finite.
+std::vector<Point3> Places(const std::vector<Point3>& atoms)
+{
+  for (std::size_t i = 0; i < atoms.size(); ++i)
+  {
+    if (!std::isfinite(atoms[i][0]) || !std::isfinite(atoms[i][1]) || !std::isfinite(atoms[i][2]))
+    {
+      throw std::invalid_argument(
+        "Atom " + std::to_string(i) + " has a coordinate that is not a finite number.");
+    }
+  }
+  std::vector<Point3> places(atoms);
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
+double Norm(const Point3& a)
+{
+  return std::sqrt(Dot(a, a));
+}
+
+/// How flat a set of points is.
+struct Spread
+{
+  double Size = 0.0;   ///< greatest distance from the first point
+  double Width = 0.0;  ///< greatest distance from the line to that point
+  double Height = 0.0; ///< greatest distance from the plane to a third one
+  Point3 Normal{ 0.0, 0.0, 0.0 };
+};
+
+/// The member of `points` with the greatest `measure`, and that.
+template <typename Measure>
+std::pair<Point3, double> Farthest(const std::vector<Point3>& points, Measure&& measure)
+{
+  std::pair<Point3, double> best{ points.front(), 0.0 };
+  for (const Point3& point : points)
+  {
+    const double value = measure(point);
+    best = value > best.second ? std::make_pair(point, value) : best;
+  }
+  return best;
+}
+
+Spread SpreadOf(const std::vector<Point3>& points)
+{
+  Spread spread;
+  const Point3 first = points.front();
+  const auto far = Farthest(points, [&](const Point3& p) { return Norm(p - first); });
+  spread.Size = far.second;
+  if (!(spread.Size > 0.0))
+  {
+    return spread;
+  }
+  const Point3 along = (1.0 / spread.Size) * (far.first - first);
+  const auto wide =
+    Farthest(points, [&](const Point3& p) { return Norm(Cross(along, p - first)); });
+  spread.Width = wide.second;
+  if (spread.Width > 0.0)
+  {
+    spread.Normal = (1.0 / spread.Width) * Cross(along, wide.first - first);
+    spread.Height = Farthest(points,
+      [&](const Point3& p) {
+        return std::abs(Dot(spread.Normal, p - first));
+      }).second;
+  }
+  return spread;
+}
+
+/// Relative to the size: what the rounding of coordinates makes of a line or a plane.
+constexpr double Flat = 1e-12;
+
+/// Atoms on one circle or sphere make bars that have no length but for the rounding of radii, whose
+/// relative error is at most this (DelaunayFiltration.h): they are left out.
+constexpr double Rounding = 1e-9;
+
+/// Values of the filtration are squared radii.
+void AddBar(int dimension, double birth, double death, std::vector<DistanceBar>& bars)
+{
+  const DistanceBar bar{ dimension, std::sqrt(birth), std::sqrt(death) };
+  if (bar.Length() > Rounding * bar.Death)
+  {
+    bars.push_back(bar);
+  }
+}
+
+/// Longest first within a dimension.
+void Sort(std::vector<DistanceBar>& bars)
+{
+  std::sort(bars.begin(), bars.end(),
+    [](const DistanceBar& a, const DistanceBar& b)
+    {
+      return a.Dimension != b.Dimension ? a.Dimension < b.Dimension
+        : a.Length() != b.Length()      ? a.Length() > b.Length()
+        : a.Birth != b.Birth            ? a.Birth < b.Birth
+                                        : a.Death < b.Death;
+    });
+}
+
+}
+
+std::vector<DistanceBar> AlphaBars(
+  const std::vector<Point3>& atoms, const ProgressCallback& progress)
+{
+  std::vector<Point3> places = Places(atoms);
+  if (places.size() < 3)
+  {
+    return {};
+  }
+  const Spread spread = SpreadOf(places);
+  if (spread.Width <= Flat * spread.Size)
+  {
+    return {}; // in a line
+  }
+  const bool inPlane = spread.Height <= Flat * spread.Size;
+  double end = std::numeric_limits<double>::infinity();
+  if (inPlane)
+  {
+    // What the far point takes part in enters at half its distance or later; in the plane all is
+    // over at the radius of the largest circle, which for obtuse triangles can be large as well,
+    // but no ring ends there.
+    places.push_back(places.front() + (1e4 * spread.Size) * spread.Normal);
+    end = spread.Size * spread.Size * 1e6;
+  }
+  const CellFiltration filtration = DelaunayFiltration(places, Between(progress, 0.0, 0.7));
+  const FiltrationPairs pairs(filtration, Between(progress, 0.7, 1.0));
+  std::vector<DistanceBar> bars;
+  for (std::size_t edge = 0; edge < filtration.Edges.size(); ++edge)
+  {
+    const SimplexId filler = pairs.LoopFilled(static_cast<SimplexId>(edge));
+    if (filler >= 0 && filtration.EdgeValue[edge] < end)
+    {
+      AddBar(1, filtration.EdgeValue[edge],
+        filtration.TriangleValue[static_cast<std::size_t>(filler)], bars);
+    }
+  }
+  for (std::size_t triangle = 0; triangle < filtration.Triangles.size() && !inPlane; ++triangle)
+  {
+    const SimplexId filler = pairs.VoidFilled(static_cast<SimplexId>(triangle));
+    if (filler >= 0)
+    {
+      AddBar(2, filtration.TriangleValue[triangle],
+        filtration.TetrahedronValue[static_cast<std::size_t>(filler)], bars);
+    }
+  }
+  Sort(bars);
+  return bars;
+}
+
+std::vector<DistanceBar> GridBars(const std::vector<Point3>& atoms,
+  const std::vector<double>& scales, const GridDistanceParameters& parameters,
+  const ProgressCallback& progress)
+{
+  const DistanceGrid grid = AtomDistance(atoms, scales, parameters, Between(progress, 0.0, 0.5));
+  const VolumeView volume(grid.Values.data(), grid.Dimensions);
+  std::vector<DistanceBar> bars;
+  for (const CubicalPair& pair : CubicalPersistence(volume, {}, Between(progress, 0.5, 1.0)).Pairs)
+  {
+    if (pair.Dimension > 0)
+    {
+      // What reaches Theta there ends at Theta itself, not at its float.
+      const double death = volume.Value(pair.Death.Node());
+      bars.push_back({ pair.Dimension, volume.Value(pair.Birth.Node()),
+        death < static_cast<float>(parameters.Theta) ? death : parameters.Theta });
+    }
+  }
+  Sort(bars);
+  return bars;
+}
+
+FullereneStability StabilityOf(const std::vector<Point3>& atoms,
+  const std::vector<DistanceBar>& bars, double filterDelta, double theta)
+{
+  FullereneStability row;
+  row.Atoms = static_cast<std::int64_t>(atoms.size());
+  for (const DistanceBar& bar : bars)
+  {
+    if (bar.Dimension == 2)
+    {
+      row.Cavity = std::max(row.Cavity, bar.Length());
+      continue;
+    }
+    row.Integral += bar.Length();
+    if (bar.Length() >= filterDelta || bar.Death >= theta)
+    {
+      ++row.Bars;
+      row.FilteredIntegral += bar.Length();
+    }
+  }
+  for (std::size_t axis = 0; axis < 3 && !atoms.empty(); ++axis)
+  {
+    const auto ends = std::minmax_element(atoms.begin(), atoms.end(),
+      [axis](const Point3& a, const Point3& b) { return a[axis] < b[axis]; });
+    row.BoxLength = std::max(row.BoxLength, (*ends.second)[axis] - (*ends.first)[axis]);
+  }
+  row.EnergyProxy = atoms.empty() ? 0.0 : -row.FilteredIntegral / static_cast<double>(row.Atoms);
+  return row;
+}
+
+}

@@ -1,0 +1,62 @@
+/**
+ * @file LowerStars.h
+ * @brief The lower star of every node of a grid, as the number of its kind, and their matchings.
+ */
+#ifndef isthmus_LowerStars_h
+#define isthmus_LowerStars_h
+
+#include "OrderedValues.h"
+#include "Progress.h"
+#include "StarMatching.h"
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace isthmus
+{
+
+/**
+ * The discrete gradient of a volume. A cell belongs to the last of its corners (ties: the higher
+ * index); which cells a node has that way depends on which of its 26 neighbours are lower, and so
+ * does their matching, which is made once for each kind: some thousand on a map, ten times as many
+ * in noise. 4 bytes a node; about 12 ns a node on one thread. The same on any number of threads.
+ */
+class LowerStars
+{
+public:
+  using Size = std::array<std::int64_t, 3>;
+
+  template <typename Stored>
+  LowerStars(
+    const OrderedValues<Stored>& values, const Size& dimensions, const ProgressCallback& progress);
+
+  const StarMatching& operator[](std::int64_t node) const
+  {
+    return this->Matchings[this->Kinds[static_cast<std::size_t>(node)]];
+  }
+
+  const Size& Dimensions() const { return this->Grid; }
+  std::int64_t NodeCount() const { return this->Grid[0] * this->Grid[1] * this->Grid[2]; }
+  std::size_t KindCount() const { return this->Matchings.size(); }
+
+  /// From a node to the opposite corner of a cell of its star, as a difference of indices.
+  std::int64_t Offset(int cell) const { return this->Offsets[static_cast<std::size_t>(cell)]; }
+  std::int64_t Stride(std::size_t axis) const { return this->Strides[axis]; }
+
+private:
+  using MaskSet = std::vector<std::atomic<std::uint64_t>>; ///< a bit for each possible mask
+  void NumberKinds(const MaskSet& masks, const ProgressCallback& progress);
+
+  Size Grid;
+  Size Strides;
+  std::array<std::int64_t, 27> Offsets;
+  std::unique_ptr<std::uint32_t[]> Kinds; ///< not initialised: each thread touches its own pages
+  std::vector<StarMatching> Matchings;
+};
+
+}
+
+#endif

@@ -1,0 +1,35 @@
+/**
+ * @file PersistenceTables.h
+ * @brief The features of a volume as VTK's tables and points.
+ */
+#ifndef isthmus_PersistenceTables_h
+#define isthmus_PersistenceTables_h
+
+#include "CubicalCycles.h"
+#include "ScalarFeatures.h"
+
+class vtkImageData;
+class vtkPolyData;
+class vtkTable;
+
+namespace isthmus
+{
+
+/// Betti curves: see vtkScalarPersistence.
+void FillCurves(
+  const BettiCurves& curves, const std::vector<std::int64_t>& eulerNumbers, vtkTable* table);
+
+/// One row for each feature kept. `end` is where a death that never comes is drawn.
+void FillDiagram(const FeatureList& features, double end, vtkTable* table);
+
+/// The saddle of each feature kept, then the other ends, at the nodes of `image`.
+void FillSaddles(const FeatureList& features, double end, vtkImageData* image,
+  const VolumeView& volume, vtkPolyData* points);
+
+/// A closed polyline for each cycle.
+void FillCycles(const FeatureList& features, const std::vector<CubicalCycle>& cycles,
+  vtkImageData* image, vtkPolyData* lines);
+
+}
+
+#endif

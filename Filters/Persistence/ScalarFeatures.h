@@ -1,0 +1,82 @@
+/**
+ * @file ScalarFeatures.h
+ * @brief The classes of a volume as numbered features, longest first, and their Betti curves.
+ */
+#ifndef isthmus_ScalarFeatures_h
+#define isthmus_ScalarFeatures_h
+
+#include "CubicalPairs.h"
+#include "VolumeView.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace isthmus
+{
+
+/// Which of the features count.
+struct FeatureParameters
+{
+  enum Unit
+  {
+    Absolute,           ///< MinimumPersistence is a difference of values
+    StandardDeviations, ///< ... in standard deviations of the volume
+    LargestGap          ///< MinimumPersistence is not used: what lies above the widest gap counts
+  };
+
+  bool Superlevel = false;
+  /// Only what exists between these levels; a bar counts as long as its part in here.
+  std::array<double, 2> Range{ -std::numeric_limits<double>::infinity(),
+    std::numeric_limits<double>::infinity() };
+  double MinimumPersistence = 0.0;
+  int PersistenceUnit = Absolute;
+};
+
+struct ScalarFeature
+{
+  CubicalPair Pair;
+  double Birth = 0.0;
+  double Death = 0.0; ///< infinite (-infinite for superlevels) where it never ends
+  /// Length of the part in the range; infinite for the class that never ends.
+  double Persistence = 0.0;
+  /// Number of the feature it is joined to when it ends; -1: none, or the outside.
+  std::int64_t Joined = -1;
+};
+
+struct FeatureList
+{
+  /// Longest first; ties by dimension and place. The place in this list is the FeatureId: it does
+  /// not change with the threshold.
+  std::vector<ScalarFeature> Features;
+  double Threshold = 0.0; ///< what a persistence must reach, in units of the values
+  std::size_t Kept = 0;   ///< the first so many reach it
+};
+
+/// Throws std::invalid_argument for a range or a persistence that is none.
+VTKISTHMUS_EXPORT FeatureList ScalarFeatures(const VolumeView& volume,
+  const VolumeStatistics& statistics, const CubicalDiagram& diagram,
+  const FeatureParameters& parameters);
+
+/// Betti numbers by level; the integrals run from the first level (superlevels: the last) on and
+/// are exact, not sums over the levels.
+struct BettiCurves
+{
+  std::vector<double> Levels; ///< ascending
+  std::array<std::vector<std::int64_t>, 3> All;
+  std::array<std::vector<std::int64_t>, 3> Filtered;
+  std::array<std::vector<double>, 3> Integral;
+  std::array<std::vector<double>, 3> FilteredIntegral;
+};
+
+/// Cost O((features + levels) log levels).
+VTKISTHMUS_EXPORT BettiCurves CountBetti(
+  const FeatureList& features, bool superlevel, const std::vector<double>& levels);
+
+/// `count` levels from `low` to `high`, both included exactly; one where they are equal.
+VTKISTHMUS_EXPORT std::vector<double> EvenLevels(double low, double high, std::int64_t count);
+
+}
+
+#endif

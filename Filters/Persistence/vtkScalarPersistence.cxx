@@ -1,0 +1,294 @@
+#include "vtkScalarPersistence.h"
+
+#include "AlgorithmGuard.h"
+#include "ChosenScalars.h"
+#include "ImageDiagram.h"
+#include "PersistenceTables.h"
+#include "ScalarSimplification.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTable.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkScalarPersistence);
+
+namespace
+{
+
+using isthmus::VolumeView;
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+enum Port
+{
+  CurvesPort,
+  DiagramPort,
+  SaddlesPort,
+  CyclesPort,
+  SimplifiedPort,
+  PortCount
+};
+
+}
+
+/// What one run works with.
+struct vtkScalarPersistence::Work
+{
+  vtkImageData* Image = nullptr;
+  vtkDataArray* Scalars = nullptr;
+  VolumeView Volume;
+  isthmus::FeatureList Features;
+  std::vector<double> Levels;
+  std::vector<std::int64_t> EulerNumbers;
+  double End = 0.0; ///< where deaths that never come are drawn
+};
+
+vtkScalarPersistence::vtkScalarPersistence()
+  : Last(new isthmus::ImageDiagram)
+{
+  this->SetNumberOfOutputPorts(PortCount);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+vtkScalarPersistence::~vtkScalarPersistence() = default;
+
+int vtkScalarPersistence::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+int vtkScalarPersistence::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  const char* types[] = { "vtkTable", "vtkTable", "vtkPolyData", "vtkPolyData", "vtkImageData" };
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
+  return 1;
+}
+
+int vtkScalarPersistence::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* image = outputVector->GetInformationObject(SimplifiedPort);
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  if (this->Simplify)
+  {
+    image->CopyEntry(input, Pipeline::WHOLE_EXTENT());
+  }
+  else
+  {
+    const int none[6] = { 0, -1, 0, -1, 0, -1 };
+    image->Set(Pipeline::WHOLE_EXTENT(), none, 6);
+  }
+  image->CopyEntry(input, vtkDataObject::ORIGIN());
+  image->CopyEntry(input, vtkDataObject::SPACING());
+  image->CopyEntry(input, vtkDataObject::DIRECTION());
+  return 1;
+}
+
+int vtkScalarPersistence::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  // A loop can run anywhere, so all of the volume is needed whatever part is asked for.
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  int whole[6];
+  input->Get(Pipeline::WHOLE_EXTENT(), whole);
+  input->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
+  return 1;
+}
+
+void vtkScalarPersistence::CheckParameters() const
+{
+  if (this->NumberOfLevels < 2 || this->NumberOfLevels > 1000000)
+  {
+    throw std::invalid_argument("NumberOfLevels is " + std::to_string(this->NumberOfLevels) +
+      ", but a curve has from 2 to a million levels.");
+  }
+  if (this->MaximumNumberOfCycles < 1)
+  {
+    throw std::invalid_argument("MaximumNumberOfCycles is " +
+      std::to_string(this->MaximumNumberOfCycles) + ": give at least 1, or switch Cycles off.");
+  }
+  if (this->UseRange &&
+    !(std::isfinite(this->Range[0]) && std::isfinite(this->Range[1]) &&
+      this->Range[0] < this->Range[1]))
+  {
+    throw std::invalid_argument("Range goes from " + std::to_string(this->Range[0]) + " to " +
+      std::to_string(this->Range[1]) + ", but the first has to be below the second.");
+  }
+}
+
+void vtkScalarPersistence::FindPairs(Work& work)
+{
+  const auto& statistics = this->Last->Statistics(work.Scalars, work.Volume);
+  const double low = this->UseRange ? this->Range[0] : statistics.Minimum;
+  const double high = this->UseRange ? this->Range[1] : statistics.Maximum;
+  isthmus::CubicalParameters parameters;
+  parameters.Superlevel = this->Superlevel;
+  if (low <= high) // a volume of infinities has no range
+  {
+    parameters.Levels = isthmus::EvenLevels(low, high, this->NumberOfLevels);
+  }
+  const auto& diagram = this->Last->Pairs(
+    work.Volume, parameters, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.7));
+  work.Levels = parameters.Levels;
+  work.EulerNumbers = diagram.EulerNumbers;
+  isthmus::FeatureParameters wanted;
+  wanted.Superlevel = this->Superlevel;
+  if (this->UseRange)
+  {
+    wanted.Range = { this->Range[0], this->Range[1] };
+  }
+  wanted.MinimumPersistence = this->MinimumPersistence;
+  wanted.PersistenceUnit = this->PersistenceUnit;
+  work.Features = isthmus::ScalarFeatures(work.Volume, statistics, diagram, wanted);
+  work.End = this->Superlevel ? low : high;
+}
+
+void vtkScalarPersistence::FillTables(const Work& work, vtkInformationVector* outputVector)
+{
+  const auto progress = isthmus::Between(isthmus::ProgressOf(this), 0.7, 0.9);
+  isthmus::FillCurves(isthmus::CountBetti(work.Features, this->Superlevel, work.Levels),
+    work.EulerNumbers, vtkTable::GetData(outputVector, CurvesPort));
+  isthmus::FillDiagram(work.Features, work.End, vtkTable::GetData(outputVector, DiagramPort));
+  isthmus::FillSaddles(work.Features, work.End, work.Image, work.Volume,
+    vtkPolyData::GetData(outputVector, SaddlesPort));
+  if (this->Cycles)
+  {
+    const double* spacing = work.Image->GetSpacing();
+    isthmus::FillCycles(work.Features,
+      isthmus::CubicalCycles(work.Volume, { spacing[0], spacing[1], spacing[2] }, work.Features,
+        this->Superlevel, static_cast<std::size_t>(this->MaximumNumberOfCycles), progress),
+      work.Image, vtkPolyData::GetData(outputVector, CyclesPort));
+  }
+}
+
+void vtkScalarPersistence::FillSimplified(const Work& work, vtkInformationVector* outputVector)
+{
+  const auto values =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(work.Scalars->GetDataType()));
+  values->SetName(work.Scalars->GetName());
+  values->SetNumberOfTuples(work.Scalars->GetNumberOfTuples());
+  isthmus::SimplifyScalar(work.Volume, work.Features, this->Superlevel, values->GetVoidPointer(0),
+    isthmus::Between(isthmus::ProgressOf(this), 0.9, 1.0));
+  vtkImageData* output = vtkImageData::GetData(outputVector, SimplifiedPort);
+  output->ShallowCopy(work.Image);
+  if (values->GetName())
+  {
+    output->GetPointData()->AddArray(values);
+    output->GetPointData()->SetActiveScalars(values->GetName());
+  }
+  else
+  {
+    output->GetPointData()->SetScalars(values);
+  }
+  vtkInformation* info = outputVector->GetInformationObject(SimplifiedPort);
+  if (info->Has(Pipeline::UPDATE_EXTENT()) && info->Length(Pipeline::UPDATE_EXTENT()) == 6)
+  {
+    int asked[6];
+    info->Get(Pipeline::UPDATE_EXTENT(), asked);
+    if (asked[0] <= asked[1] && asked[2] <= asked[3] && asked[4] <= asked[5])
+    {
+      output->Crop(asked);
+    }
+  }
+}
+
+int vtkScalarPersistence::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  for (int port = 0; port < PortCount; ++port)
+  {
+    vtkDataObject::GetData(outputVector, port)->Initialize();
+  }
+  Work work;
+  work.Image = vtkImageData::GetData(inputVector[0], 0);
+  if (!work.Image || work.Image->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  vtkInformation* info = outputVector->GetInformationObject(CurvesPort);
+  const bool isFirst =
+    !info->Has(Pipeline::UPDATE_PIECE_NUMBER()) || info->Get(Pipeline::UPDATE_PIECE_NUMBER()) <= 0;
+  bool whole = false;
+  const int result = isthmus::Guarded(this, vtkDataObject::GetData(outputVector, CurvesPort),
+    [&]()
+    {
+      this->CheckParameters();
+      if (isFirst || this->Simplify)
+      {
+        work.Scalars = isthmus::ChosenScalars(this, work.Image);
+        work.Volume = isthmus::VolumeOf(work.Scalars, work.Image);
+        this->FindPairs(work);
+      }
+      if (isFirst)
+      {
+        this->FillTables(work, outputVector);
+      }
+      if (this->Simplify)
+      {
+        this->FillSimplified(work, outputVector);
+      }
+      this->UpdateProgress(1.0);
+      whole = true;
+    });
+  if (!whole)
+  {
+    for (int port = 0; port < PortCount; ++port)
+    {
+      vtkDataObject::GetData(outputVector, port)->Initialize();
+    }
+  }
+  return result;
+}
+
+vtkTable* vtkScalarPersistence::GetBettiCurves()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(CurvesPort));
+}
+
+vtkTable* vtkScalarPersistence::GetDiagram()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(DiagramPort));
+}
+
+vtkPolyData* vtkScalarPersistence::GetSaddles()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(SaddlesPort));
+}
+
+vtkPolyData* vtkScalarPersistence::GetCycleLines()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(CyclesPort));
+}
+
+vtkImageData* vtkScalarPersistence::GetSimplified()
+{
+  return vtkImageData::SafeDownCast(this->GetOutputDataObject(SimplifiedPort));
+}
+
+void vtkScalarPersistence::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Superlevel: " << this->Superlevel << "\n";
+  os << indent << "MinimumPersistence: " << this->MinimumPersistence << "\n";
+  os << indent << "PersistenceUnit: " << this->PersistenceUnit << "\n";
+  os << indent << "UseRange: " << this->UseRange << "\n";
+  os << indent << "Range: " << this->Range[0] << " " << this->Range[1] << "\n";
+  os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
+  os << indent << "Cycles: " << this->Cycles << "\n";
+  os << indent << "MaximumNumberOfCycles: " << this->MaximumNumberOfCycles << "\n";
+  os << indent << "Simplify: " << this->Simplify << "\n";
+}

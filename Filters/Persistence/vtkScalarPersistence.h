@@ -1,0 +1,182 @@
+/**
+ * @class   vtkScalarPersistence
+ * @brief   components, tunnels and cavities of a volume: between which levels each exists
+ *
+ * Input: vtkImageData with one number per node (float, double or any integer). As the level rises
+ * (falls, with Superlevel), the set of nodes below (above) it grows; the filter says when each of
+ * its components, tunnels and cavities appears and when it goes, over Z/2.
+ *
+ * **Who touches whom.** The V-construction: the nodes are the points of the complex, and an edge,
+ * face or cube of the grid is in it as soon as all of its corners are. So two nodes of the object
+ * are connected along the axes (6 neighbours), two of the background also across edges and corners
+ * (26). The box itself is solid: a tunnel or cavity that only the world beyond the border closes
+ * is none, so leave a margin round an object.
+ *
+ * Outputs:
+ *  - 0, *Betti Curves* (vtkTable): `Level`, `Beta0`, `Beta1`, `Beta2` at NumberOfLevels levels,
+ *    `FilteredBeta0` ... of the classes kept, `EulerNumber` (counted from cells), and the integrals
+ *    of each from the first level (superlevels: the highest) to this one, exact: `IntegralBeta0`
+ *    ..., `IntegralFilteredBeta0` ...
+ *  - 1, *Persistence Diagram* (vtkTable): one row for each class kept, the longest first:
+ *    `FeatureId`, `Dimension` (0 component, 1 tunnel, 2 cavity), `Birth`, `Death` (infinite for the
+ *    class that never dies; -infinite for superlevels), `Persistence`, `DeathShown` (finite: cut at
+ *    the end of the range, for charts), `Joins` (FeatureId of what a component or cavity becomes
+ *    part of when it ends; -1: none).
+ *  - 2, *Saddles and Extrema* (vtkPolyData): the nodes where classes begin and end, with these
+ *    columns as point arrays, `Value` and `CriticalIndex` (dimension of the critical cell in the
+ *    filtration: 0 where components begin, 1 where they meet or tunnels begin, 2 where tunnels are
+ *    filled or cavities close, 3 where cavities are filled). Point i is the saddle of row i of the
+ *    diagram (the extremum, for the class that never dies), so that a selection link from the
+ *    diagram shows it; the other ends follow.
+ *  - 3, *Cycles* (vtkPolyData; with Cycles on): a closed polyline round each tunnel kept, on the
+ * grid's edges, short, with `FeatureId`, `Birth`, `Death`, `Persistence`, `Length` on cells.
+ *  - 4, *Simplified* (vtkImageData; with Simplify on): the input with the minima and maxima of the
+ *    classes that are left out flattened (as TTK's topological simplification does).
+ *
+ * **What is listed.** Classes with Death - Birth of at least MinimumPersistence (absolute values;
+ * the part within Range, where UseRange is on), and always the class that never dies. A class that
+ * begins and ends at one value is never listed. FeatureId counts all classes from the longest down
+ * and so stays the same when the threshold moves.
+ *
+ * **Errors** (sentence, empty outputs): a value that is not a number, with its place; a range or a
+ * persistence that is none. An empty image gives empty outputs.
+ *
+ * **Cost.** On maps 60-200 ns and 4-20 bytes a node beside the input, in white noise 2 us and 100
+ * bytes; changing MinimumPersistence only looks up what is known. The same on any number of
+ * threads. On several MPI ranks each asks for the whole volume, and the first one computes and
+ * holds the tables and points (the simplified volume is computed on each, which keeps its part).
+ *
+ * Method and sources: CubicalPersistence.h, ScalarSimplification.h, CubicalCycles.h.
+ */
+#ifndef vtkScalarPersistence_h
+#define vtkScalarPersistence_h
+
+#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkTableAlgorithm.h"
+
+#include <memory> // for the cache
+
+class vtkImageData;
+class vtkPolyData;
+class vtkTable;
+
+namespace isthmus
+{
+class ImageDiagram;
+}
+
+class VTKISTHMUS_EXPORT vtkScalarPersistence : public vtkTableAlgorithm
+{
+public:
+  static vtkScalarPersistence* New();
+  vtkTypeMacro(vtkScalarPersistence, vtkTableAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Grow from the highest value down (density maps) instead of from the lowest up. Default off.
+  vtkSetMacro(Superlevel, bool);
+  vtkGetMacro(Superlevel, bool);
+  vtkBooleanMacro(Superlevel, bool);
+  ///@}
+
+  ///@{
+  /// Least persistence of the classes listed, in PersistenceUnit; at least 0. Default 0.
+  vtkSetMacro(MinimumPersistence, double);
+  vtkGetMacro(MinimumPersistence, double);
+  ///@}
+
+  enum PersistenceUnits
+  {
+    Absolute = 0,
+    StandardDeviations = 1,
+    LargestGap = 2
+  };
+
+  ///@{
+  /// MinimumPersistence is a difference of values (Absolute, default) or counts standard deviations
+  /// of the volume; with LargestGap it is not used: what lies above the widest gap is kept.
+  vtkSetClampMacro(PersistenceUnit, int, Absolute, LargestGap);
+  vtkGetMacro(PersistenceUnit, int);
+  ///@}
+
+  ///@{
+  /// Look only at levels within Range: classes without a part there are left out, and persistence
+  /// is the length of that part. Default off.
+  vtkSetMacro(UseRange, bool);
+  vtkGetMacro(UseRange, bool);
+  vtkBooleanMacro(UseRange, bool);
+  vtkSetVector2Macro(Range, double);
+  vtkGetVector2Macro(Range, double);
+  ///@}
+
+  ///@{
+  /// Rows of the Betti curves, from 2 to a million. Default 256.
+  vtkSetMacro(NumberOfLevels, int);
+  vtkGetMacro(NumberOfLevels, int);
+  ///@}
+
+  ///@{
+  /// Make output 3. Default off.
+  vtkSetMacro(Cycles, bool);
+  vtkGetMacro(Cycles, bool);
+  vtkBooleanMacro(Cycles, bool);
+  ///@}
+
+  ///@{
+  /// The longest-lived tunnels only get a cycle, at most so many; at least 1. Default 100.
+  vtkSetMacro(MaximumNumberOfCycles, int);
+  vtkGetMacro(MaximumNumberOfCycles, int);
+  ///@}
+
+  ///@{
+  /// Make output 4. Default off.
+  vtkSetMacro(Simplify, bool);
+  vtkGetMacro(Simplify, bool);
+  vtkBooleanMacro(Simplify, bool);
+  ///@}
+
+  ///@{
+  /// The outputs, by name.
+  vtkTable* GetBettiCurves();
+  vtkTable* GetDiagram();
+  vtkPolyData* GetSaddles();
+  vtkPolyData* GetCycleLines();
+  vtkImageData* GetSimplified();
+  ///@}
+
+protected:
+  vtkScalarPersistence();
+  ~vtkScalarPersistence() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkScalarPersistence(const vtkScalarPersistence&) = delete;
+  void operator=(const vtkScalarPersistence&) = delete;
+
+  struct Work;
+  void CheckParameters() const;
+  void FindPairs(Work& work);
+  void FillTables(const Work& work, vtkInformationVector* outputVector);
+  void FillSimplified(const Work& work, vtkInformationVector* outputVector);
+
+  bool Superlevel = false;
+  double MinimumPersistence = 0.0;
+  int PersistenceUnit = Absolute;
+  bool UseRange = false;
+  double Range[2] = { 0.0, 1.0 };
+  int NumberOfLevels = 256;
+  bool Cycles = false;
+  int MaximumNumberOfCycles = 100;
+  bool Simplify = false;
+  std::unique_ptr<isthmus::ImageDiagram> Last; ///< kept for the same input
+};
+
+#endif

@@ -1,0 +1,286 @@
+// Bridges and windows of shapes known by hand, the seven-fold groups of GroEL, stable levels, bad
+// input.
+
+#include "vtkMapHandles.h"
+
+#include "SharedData.h"
+#include "vtkMRCMapReader.h"
+
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkExecutive.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkTable.h>
+#include <vtkTestErrorObserver.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+using Place = std::array<double, 3>;
+
+template <typename Function>
+vtkSmartPointer<vtkImageData> Image(int n, Function&& f)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(n, n, n);
+  image->SetOrigin(-0.5 * (n - 1), -0.5 * (n - 1), -0.5 * (n - 1));
+  vtkNew<vtkFloatArray> values;
+  values->SetName("Density");
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    image->GetPoint(i, p);
+    values->InsertNextValue(static_cast<float>(f(p[0], p[1], p[2])));
+  }
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+
+/// `beads` Gaussians on a circle of radius 10 round z.
+double Necklace(int beads, double x, double y, double z)
+{
+  double sum = 0.0;
+  for (int i = 0; i < beads; ++i)
+  {
+    const double a = 2.0 * Pi * i / beads + 0.2;
+    const double dx = x - 10.0 * std::cos(a);
+    const double dy = y - 10.0 * std::sin(a);
+    sum += std::exp(-(dx * dx + dy * dy + z * z) / 18.0);
+  }
+  return sum;
+}
+
+double At(vtkDataSetAttributes* data, const char* name, vtkIdType i)
+{
+  auto* array = data->GetArray(name);
+  EXPECT_NE(array, nullptr) << name;
+  return array ? array->GetComponent(i, 0) : std::nan("");
+}
+
+double Fact(vtkDataObject* output, const char* name)
+{
+  auto* array = output->GetFieldData()->GetArray(name);
+  return array ? array->GetComponent(0, 0) : std::nan("");
+}
+
+vtkPolyData* Points(vtkMapHandles* filter, int port)
+{
+  return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port));
+}
+
+vtkTable* Table(vtkMapHandles* filter, int port)
+{
+  return vtkTable::SafeDownCast(filter->GetOutputDataObject(port));
+}
+
+}
+
+TEST(MapHandles, NecklaceHasABridgeForEachPairOfBeads)
+{
+  const auto image = Image(41, [](double x, double y, double z) { return Necklace(7, x, y, z); });
+  vtkNew<vtkMapHandles> filter;
+  filter->SetInputData(image);
+  filter->SetMinimumPersistence(0.2);
+  filter->UseRangeOn();
+  filter->SetRange(0.001, 1.1); // the window in the middle closes below the mean
+  filter->Update();
+  // Seven bridges at one level: six join components, one closes the ring.
+  vtkPolyData* bridges = Points(filter, 0);
+  ASSERT_EQ(bridges->GetNumberOfPoints(), 7);
+  int joining = 0;
+  for (vtkIdType i = 0; i < 7; ++i)
+  {
+    joining += At(bridges->GetPointData(), "Dimension", i) == 0.0;
+    const double level = At(bridges->GetPointData(), "Level", i);
+    EXPECT_NEAR(level, Necklace(7, 10.0 * std::cos(Pi / 7), 10.0 * std::sin(Pi / 7), 0.0), 0.25);
+    EXPECT_EQ(At(bridges->GetPointData(), "To", i), level);
+    const double* p = bridges->GetPoint(i);
+    EXPECT_NEAR(std::hypot(p[0], p[1]), 9.0, 1.5);
+    EXPECT_NEAR(p[2], 0.0, 0.8);
+  }
+  EXPECT_EQ(joining, 6);
+  // The ring's window is in the middle.
+  vtkPolyData* windows = Points(filter, 1);
+  ASSERT_EQ(windows->GetNumberOfPoints(), 1);
+  EXPECT_LT(std::hypot(windows->GetPoint(0)[0], windows->GetPoint(0)[1]), 2.0);
+  // Stable intervals: between events, longest first, with what is there.
+  vtkTable* intervals = Table(filter, 3);
+  ASSERT_GE(intervals->GetNumberOfRows(), 2);
+  bool ring = false;
+  bool beads = false;
+  for (vtkIdType i = 0; i < intervals->GetNumberOfRows(); ++i)
+  {
+    const double b0 = At(intervals->GetRowData(), "Beta0", i);
+    const double b1 = At(intervals->GetRowData(), "Beta1", i);
+    ring = ring || (b0 == 1.0 && b1 == 1.0);
+    beads = beads || (b0 == 7.0 && b1 == 0.0);
+    EXPECT_TRUE(i == 0 ||
+      At(intervals->GetRowData(), "Length", i) <= At(intervals->GetRowData(), "Length", i - 1));
+  }
+  EXPECT_TRUE(ring && beads);
+  EXPECT_EQ(filter->GetStableLevel(), At(intervals->GetRowData(), "Middle", 0));
+  EXPECT_EQ(Fact(bridges, "StableLevel"), filter->GetStableLevel());
+}
+
+TEST(MapHandles, ContourAndLoopsAtTheLevelChosen)
+{
+  const auto image = Image(31, [](double x, double y, double z) { return Necklace(5, x, y, z); });
+  vtkNew<vtkMapHandles> filter;
+  filter->SetInputData(image);
+  filter->UseStableLevelOff();
+  filter->SetLevel(0.2);
+  filter->UseRecommendedLevelOn();
+  filter->SetRecommendedLevel(0.5);
+  filter->LoopsOn();
+  filter->Update();
+  vtkPolyData* contour = Points(filter, 4);
+  ASSERT_GT(contour->GetNumberOfPolys(), 100);
+  for (vtkIdType i = 0; i < contour->GetNumberOfPoints(); i += 17)
+  {
+    const double* p = contour->GetPoint(i);
+    EXPECT_NEAR(Necklace(5, p[0], p[1], p[2]), 0.2, 0.02);
+  }
+  EXPECT_EQ(Fact(contour, "ChosenLevel"), 0.2);
+  EXPECT_EQ(Fact(contour, "RecommendedLevel"), 0.5);
+  // A ring: at least one handle and one tunnel.
+  EXPECT_GE(Points(filter, 5)->GetNumberOfCells(), 2);
+  EXPECT_GE(Points(filter, 6)->GetNumberOfPoints(), 2);
+  // Each mark of the chart is in one row.
+  vtkTable* levels = Table(filter, 2);
+  int marks = 0;
+  for (vtkIdType i = 0; i < levels->GetNumberOfRows(); ++i)
+  {
+    if (!std::isnan(At(levels->GetRowData(), "RecommendedLevel", i)))
+    {
+      EXPECT_NEAR(At(levels->GetRowData(), "Level", i), 0.5, 0.01);
+      ++marks;
+    }
+  }
+  EXPECT_EQ(marks, 1);
+}
+
+TEST(MapHandles, SevenFoldGroupsOfGroEL)
+{
+  ISTHMUS_NEEDS_SHARED_DATA("maps/emd_5043.map");
+  vtkNew<vtkMRCMapReader> reader;
+  reader->SetFileName(
+    (isthmus::testing::SharedDataFolder() / "maps/emd_5043.map").string().c_str());
+  vtkNew<vtkMapHandles> filter;
+  filter->SetInputConnection(reader->GetOutputPort());
+  filter->SetMinimumPersistence(0.45);
+  filter->Update();
+  vtkPolyData* bridges = Points(filter, 0);
+  auto* image = reader->GetOutput();
+  const double* h = image->GetSpacing();
+  double centre[3];
+  image->GetCenter(centre);
+  // density from, to, how many
+  const double groups[5][3] = { { 5.38, 5.53, 14 }, { 3.42, 3.57, 14 }, { 2.96, 3.13, 7 },
+    { 2.22, 2.31, 14 }, { 0.78, 0.965, 7 } };
+  for (const auto& group : groups)
+  {
+    std::vector<Place> places;
+    for (vtkIdType i = 0; i < bridges->GetNumberOfPoints(); ++i)
+    {
+      const double level = At(bridges->GetPointData(), "Level", i);
+      if (level >= group[0] && level <= group[1])
+      {
+        const double* p = bridges->GetPoint(i);
+        places.push_back({ p[0], p[1], p[2] });
+      }
+    }
+    EXPECT_EQ(places.size(), static_cast<std::size_t>(group[2])) << group[0];
+    // Turned by a seventh about y, each lies on another of the group.
+    for (const Place& p : places)
+    {
+      const double a = 2.0 * Pi / 7.0;
+      const double x = p[0] - centre[0];
+      const double z = p[2] - centre[2];
+      const Place turned{ centre[0] + x * std::cos(a) - z * std::sin(a), p[1],
+        centre[2] + x * std::sin(a) + z * std::cos(a) };
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const Place& q : places)
+      {
+        nearest =
+          std::min(nearest, std::hypot(turned[0] - q[0], turned[1] - q[1], turned[2] - q[2]));
+      }
+      EXPECT_LT(nearest / h[0], 2.0) << group[0];
+    }
+  }
+  // Among the longest stable intervals is the one round the authors' level, with 36 tunnels.
+  vtkTable* intervals = Table(filter, 3);
+  bool found = false;
+  for (vtkIdType i = 0; i < std::min<vtkIdType>(3, intervals->GetNumberOfRows()); ++i)
+  {
+    found = found ||
+      (At(intervals->GetRowData(), "From", i) < 1.5 && At(intervals->GetRowData(), "To", i) > 1.5 &&
+        At(intervals->GetRowData(), "Beta1", i) == 36.0);
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(MapHandles, BadInputIsToldInASentence)
+{
+  vtkNew<vtkMapHandles> filter;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  vtkNew<vtkTest::ErrorObserver> pipeline;
+  filter->AddObserver(vtkCommand::ErrorEvent, observer);
+  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, pipeline);
+  const auto said = [&]()
+  {
+    observer->Clear();
+    filter->Modified();
+    filter->Update();
+    EXPECT_EQ(Points(filter, 4)->GetNumberOfPoints() == 0, observer->GetError());
+    return observer->GetErrorMessage();
+  };
+  const auto image = Image(21, [](double x, double y, double z) { return Necklace(5, x, y, z); });
+  filter->SetInputData(image);
+  EXPECT_EQ(said(), "");
+  filter->SetMinimumPersistence(std::nan(""));
+  EXPECT_NE(said().find("MinimumPersistence is nan"), std::string::npos);
+  filter->SetMinimumPersistence(0.5);
+  filter->UseRangeOn();
+  filter->SetRange(2.0, 1.0);
+  EXPECT_NE(said().find("Range goes from 2"), std::string::npos);
+  filter->SetRange(50.0, 60.0);
+  EXPECT_NE(said().find("no stable level"), std::string::npos);
+  filter->UseRangeOff();
+  filter->UseStableLevelOff();
+  filter->SetLevel(std::nan(""));
+  EXPECT_NE(said().find("Level is nan"), std::string::npos);
+  filter->UseStableLevelOn();
+  filter->SetNumberOfLevels(0);
+  EXPECT_NE(said().find("NumberOfLevels is 0"), std::string::npos);
+  filter->SetNumberOfLevels(64);
+  filter->UseRecommendedLevelOn();
+  filter->SetRecommendedLevel(std::nan(""));
+  EXPECT_NE(said().find("RecommendedLevel is nan"), std::string::npos);
+  filter->UseRecommendedLevelOff();
+  EXPECT_EQ(said(), "");
+  image->GetPointData()->GetScalars()->SetComponent(22, 0, std::nan(""));
+  image->GetPointData()->GetScalars()->Modified();
+  EXPECT_NE(said().find("node (1, 1, 0) is not a number"), std::string::npos);
+  filter->SetInputData(Image(5, [](double, double, double) { return 1.0; }));
+  EXPECT_NE(said().find("one value everywhere"), std::string::npos);
+  observer->Clear();
+  filter->SetInputData(vtkNew<vtkImageData>());
+  filter->Update();
+  EXPECT_FALSE(observer->GetError());
+}
