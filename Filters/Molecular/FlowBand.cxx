@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace isthmus
 {
@@ -19,17 +18,18 @@ enum : unsigned char
 /// Cuts the distances of a chunk, copies them to Next, and tells what of it lies in the band.
 unsigned char Settle(float* distance, float* next)
 {
-  unsigned char near = 0;
+  bool any = false;
   for (std::int64_t i = 0; i < FlowGrid::Chunk; ++i)
   {
     const float value = std::clamp(distance[i], -FlowGrid::Band, FlowGrid::Band);
     distance[i] = value;
     next[i] = value;
-    near |= std::abs(value) < FlowGrid::Band ? HasNear : 0;
+    any = any || std::abs(value) < FlowGrid::Band;
   }
-  near |= std::abs(distance[0]) < FlowGrid::Band ? FirstIsNear : 0;
-  near |= std::abs(distance[FlowGrid::Chunk - 1]) < FlowGrid::Band ? LastIsNear : 0;
-  return near;
+  const bool first = std::abs(distance[0]) < FlowGrid::Band;
+  const bool last = std::abs(distance[FlowGrid::Chunk - 1]) < FlowGrid::Band;
+  return static_cast<unsigned char>(
+    (any ? HasNear : 0) | (first ? FirstIsNear : 0) | (last ? LastIsNear : 0));
 }
 
 void SettleRange(FlowField& field, std::int64_t first, std::int64_t last)

@@ -16,19 +16,15 @@
 #ifndef isthmus_SurfaceFlow_h
 #define isthmus_SurfaceFlow_h
 
-#include "FlowGrid.h"
+#include "FlowStart.h"
 #include "Progress.h"
 #include "SurfaceFlowParameters.h"
 #include "vtkIsthmusModule.h"
 
-#include <functional>
 #include <vector>
 
 namespace isthmus
 {
-
-/// Fills in -V / gamma at the nodes of a grid, in 1/angstrom: positive pulls to the atoms.
-using PullField = std::function<void(const FlowGrid& grid, std::vector<float>& pull)>;
 
 /**
  * The grid that the result will have, and what SurfaceFlow will take of memory: `bytes` in all.

@@ -5,7 +5,19 @@ isthmus_room(
     vtkPolarizedCurvature
   SOURCES
     BallBricks
+    BallDistance
+    BallNeighbours
     BindingSites
+    FlowBand
+    FlowGrid
+    FlowMemory
+    FlowStart
+    FlowSteps
     HullDepth
+    LevelMeasure
     MolecularDensity
-    PolarizedCurvature)
+    PolarizedCurvature
+    SolventExcludedDistance
+    SurfaceFlow
+  VECTORISED
+    FlowLoops)
