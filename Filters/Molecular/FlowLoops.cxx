@@ -88,7 +88,7 @@ void AdvanceRow(const FlowStep& step, FlowStrides strides, std::int64_t first, s
 
 ISTHMUS_VECTOR_CLONES
 void HoldSurfaceRow(const float* from, float* __restrict to, unsigned char* __restrict free,
-  FlowStrides strides, std::int64_t first, std::int64_t last)
+  bool trusted, FlowStrides strides, std::int64_t first, std::int64_t last)
 {
   const std::int64_t row = strides.Row;
   const std::int64_t plane = strides.Plane;
@@ -105,7 +105,7 @@ void HoldSurfaceRow(const float* from, float* __restrict to, unsigned char* __re
     const float y = 0.5F * (at[row] - at[-row]);
     const float z = 0.5F * (at[plane] - at[-plane]);
     const float slope = std::max(LeastGradient, std::sqrt(x * x + y * y + z * z));
-    to[n] = held ? c / slope : c;
+    to[n] = held && !trusted ? c / slope : c;
     free[n] = held ? 0 : 1;
   }
 }

@@ -44,9 +44,10 @@ struct FlowStep
 /// One step of the flow on nodes [first, last).
 void AdvanceRow(const FlowStep& step, FlowStrides strides, std::int64_t first, std::int64_t last);
 
-/// Sets nodes next to the surface to phi / |grad phi| with free = 0; others keep theirs, free = 1.
-void HoldSurfaceRow(const float* from, float* to, unsigned char* free, FlowStrides strides,
-  std::int64_t first, std::int64_t last);
+/// Sets nodes next to the surface to phi / |grad phi| (where `trusted`, to phi) with free = 0;
+/// others keep theirs, free = 1.
+void HoldSurfaceRow(const float* from, float* to, unsigned char* free, bool trusted,
+  FlowStrides strides, std::int64_t first, std::int64_t last);
 
 /// One step of redistancing on the free nodes of [first, last).
 void RedistanceRow(const float* from, float* to, const unsigned char* free, FlowStrides strides,

@@ -172,7 +172,7 @@ FlowField StartField(const std::vector<Ball>& balls, const SurfaceFlowParameters
     std::for_each(field.Pull.begin(), field.Pull.end(), [h](float& value) { value *= h; });
   }
   FindBand(field);
-  Redistance(field, iterations);
+  Redistance(field, iterations, true);
   Advance(field, 0.0); // back between the bounds
   Report(progress, 1.0);
   return field;

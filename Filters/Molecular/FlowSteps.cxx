@@ -19,14 +19,14 @@ void Advance(FlowField& field, double lambda)
   std::swap(field.Distance, field.Next);
 }
 
-void Redistance(FlowField& field, int iterations)
+void Redistance(FlowField& field, int iterations, bool trusted)
 {
   const FlowStrides strides{ field.Grid.Row(), field.Grid.Plane() };
   ForEachRun(field,
     [&](std::int64_t first, std::int64_t last)
     {
       HoldSurfaceRow(
-        field.Distance.data(), field.Next.data(), field.Free.data(), strides, first, last);
+        field.Distance.data(), field.Next.data(), field.Free.data(), trusted, strides, first, last);
     });
   std::swap(field.Distance, field.Next);
   for (int i = 0; i < iterations; ++i)

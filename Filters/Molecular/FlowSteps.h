@@ -16,8 +16,9 @@ namespace isthmus
 VTKISTHMUS_EXPORT void Advance(FlowField& field, double lambda);
 
 /// Makes distances of the values in the band, the surface staying where it is, and moves the band
-/// along. Each iteration carries the distance 0.45 spacings further from the surface.
-VTKISTHMUS_EXPORT void Redistance(FlowField& field, int iterations);
+/// along. Each iteration carries the distance 0.45 spacings further from the surface. Values next
+/// to the surface are made distances as well, or where `trusted` taken as such.
+VTKISTHMUS_EXPORT void Redistance(FlowField& field, int iterations, bool trusted = false);
 
 }
 

@@ -17,10 +17,10 @@ namespace
 {
 
 constexpr double Lambda = 0.16;          // dt / spacing^2; 0.25 is where it becomes unstable
-constexpr int StepsToRedistance = 5;     // in which a surface moves by less than a spacing
+constexpr int StepsToRedistance = 4;     // see the README: more seldom, necks break too early
 constexpr int RedistanceIterations = 2;  // by 0.45 spacings each
 constexpr int FinalIterations = 10;      // through the whole band
-constexpr int StepsToLook = 50;          // between two measures of a steady flow
+constexpr int StepsToLook = 48;          // between two measures, a multiple of the above
 constexpr double Rest = 1e-5;            // relative change of the volume in StepsToLook
 constexpr int CoarseSteps = 1000;        // at most, on each coarser level
 constexpr int FinestSteps = 20000;       // at most, on the finest
@@ -72,7 +72,9 @@ void RunForTime(
   }
   const int steps = static_cast<int>(wanted);
   const double dt = steps > 0 ? time / steps : 0.0;
-  const int between = std::max(1, steps / looks);
+  // Where redistancing has just been, since the volume swings a little in between.
+  const int between =
+    StepsToRedistance * std::max(1, steps / (looks * StepsToRedistance));
   chronicle.Look(field);
   for (int step = 1; step <= steps; ++step)
   {
@@ -184,7 +186,7 @@ SurfaceFlowResult SurfaceFlow(const std::vector<Ball>& balls,
   {
     RunForTime(field, parameters.EvolutionTime, chronicle, Between(progress, 0.3, 0.95));
   }
-  Redistance(field, FinalIterations);
+  Redistance(field, FinalIterations, true);
   Advance(field, 0.0);
   result.Band = static_cast<double>(FlowGrid::Band) * parameters.Spacing;
   result.Distance = InnerDistances(field);
