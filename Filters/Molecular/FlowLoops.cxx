@@ -2,7 +2,6 @@
 
 #include "VectorClones.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace isthmus
@@ -15,6 +14,17 @@ constexpr float Faded = 4.0F;          // where they have
 constexpr float Flat = 1e-6F;          // keeps 0 / 0 out where the distance has a ridge
 constexpr float LeastGradient = 0.5F;  // a node is moved to at most twice its distance
 constexpr float PseudoTime = 0.45F;    // of a step of redistancing
+
+// By value: std::min of references keeps GCC from vectorising.
+inline float Lesser(float a, float b)
+{
+  return a < b ? a : b;
+}
+
+inline float Greater(float a, float b)
+{
+  return a > b ? a : b;
+}
 
 inline float Minmod(float a, float b)
 {
@@ -36,54 +46,81 @@ inline float UpwindSquared(float mm, float m, float c, float p, float pp, float 
   return slope * slope;
 }
 
-/// One node: the rate of change by mean curvature, and |grad phi|^2.
-inline float CurvatureRate(const float* at, std::int64_t row, std::int64_t plane, float& squared)
+inline float Slope(float below, float above)
 {
-  const float c2 = 2.0F * at[0];
-  const float x = 0.5F * (at[1] - at[-1]);
-  const float y = 0.5F * (at[row] - at[-row]);
-  const float z = 0.5F * (at[plane] - at[-plane]);
-  const float xx = at[1] + at[-1] - c2;
-  const float yy = at[row] + at[-row] - c2;
-  const float zz = at[plane] + at[-plane] - c2;
-  const float xy = 0.25F * (at[1 + row] - at[1 - row] - at[row - 1] + at[-1 - row]);
-  const float xz = 0.25F * (at[1 + plane] - at[1 - plane] - at[plane - 1] + at[-1 - plane]);
-  const float yz = 0.25F * (at[row + plane] - at[row - plane] - at[plane - row] + at[-row - plane]);
-  const float x2 = x * x;
-  const float y2 = y * y;
-  const float z2 = z * z;
-  squared = x2 + y2 + z2;
-  return ((y2 + z2) * xx + (x2 + z2) * yy + (x2 + y2) * zz -
-           2.0F * (x * y * xy + x * z * xz + y * z * yz)) /
-    (squared + Flat);
+  return 0.5F * (above - below);
 }
 
+inline float Bend(float below, float here, float above)
+{
+  return above - 2.0F * here + below;
 }
 
+inline float Twist(float belowBelow, float belowAbove, float aboveBelow, float aboveAbove)
+{
+  return 0.25F * (aboveAbove - aboveBelow - belowAbove + belowBelow);
+}
+
+/// Stands for Factor * Values[n] + Shift.
+struct ScaledRow
+{
+  const float* Values;
+  float Factor;
+  float Shift;
+};
+
+/// 1 near the surface, 0 from Faded on.
+inline float Fade(float value)
+{
+  return Lesser(1.0F, Greater(0.0F, (Faded - std::fabs(value)) / (Faded - Fading)));
+}
+
+// Plain pointers, since GCC 12 does not vectorise loads through a struct in clones.
 ISTHMUS_VECTOR_CLONES
-void AdvanceRow(const FlowStep& step, FlowStrides strides, std::int64_t first, std::int64_t last)
+void AdvanceNodes(const float* from, float* __restrict to, const float* ceiling,
+  const ScaledRow& floor, const ScaledRow& pull, float lambda, FlowStrides strides,
+  std::int64_t first, std::int64_t last)
 {
-  const float* from = step.From;
-  const float* ceiling = step.Ceiling;
-  // Without a floor or a pull, stand-ins that change nothing: one loop for all.
-  const bool floored = step.Floor != nullptr;
-  const float* floor = floored ? step.Floor : ceiling;
-  const bool pulled = step.Pull != nullptr;
-  const float* pull = pulled ? step.Pull : ceiling;
-  float* __restrict to = step.To;
-  const float lambda = step.Lambda;
+  const float* floorAt = floor.Values;
+  const float floorFactor = floor.Factor;
+  const float floorShift = floor.Shift;
+  const float* pullAt = pull.Values;
+  const float pullFactor = pull.Factor;
+  const std::int64_t row = strides.Row;
+  const std::int64_t plane = strides.Plane;
   for (std::int64_t n = first; n < last; ++n)
   {
-    float squared = 0.0F;
-    float rate = CurvatureRate(from + n, strides.Row, strides.Plane, squared);
-    rate += pulled ? pull[n] * std::sqrt(squared) : 0.0F;
-    const float value = from[n];
-    const float fade =
-      std::min(1.0F, std::max(0.0F, (Faded - std::fabs(value)) / (Faded - Fading)));
-    float moved = std::min(value + lambda * fade * rate, ceiling[n]);
-    moved = floored ? std::max(moved, floor[n]) : moved;
-    to[n] = moved;
+    const float* at = from + n;
+    const float c = at[0];
+    const float x = Slope(at[-1], at[1]);
+    const float y = Slope(at[-row], at[row]);
+    const float z = Slope(at[-plane], at[plane]);
+    const float xx = Bend(at[-1], c, at[1]);
+    const float yy = Bend(at[-row], c, at[row]);
+    const float zz = Bend(at[-plane], c, at[plane]);
+    const float xy = Twist(at[-1 - row], at[row - 1], at[1 - row], at[1 + row]);
+    const float xz = Twist(at[-1 - plane], at[plane - 1], at[1 - plane], at[1 + plane]);
+    const float yz = Twist(at[-row - plane], at[plane - row], at[row - plane], at[row + plane]);
+    const float squared = x * x + y * y + z * z;
+    const float bent = (y * y + z * z) * xx + (x * x + z * z) * yy + (x * x + y * y) * zz -
+      2.0F * (x * y * xy + x * z * xz + y * z * yz);
+    const float rate =
+      bent / (squared + Flat) + pullFactor * pullAt[n] * std::sqrt(squared);
+    const float moved = Lesser(c + lambda * Fade(c) * rate, ceiling[n]);
+    to[n] = Greater(moved, floorFactor * floorAt[n] + floorShift);
   }
+}
+
+}
+
+void AdvanceRow(const FlowStep& step, FlowStrides strides, std::int64_t first, std::int64_t last)
+{
+  // Without floor or pull, the ceiling stands in, with factors that leave nothing of it: one loop
+  // for all cases, and no condition in it.
+  const ScaledRow nowhere{ step.Ceiling, 0.0F, -1e6F };
+  const ScaledRow floor = step.Floor ? ScaledRow{ step.Floor, 1.0F, 0.0F } : nowhere;
+  const ScaledRow pull = step.Pull ? ScaledRow{ step.Pull, 1.0F, 0.0F } : nowhere;
+  AdvanceNodes(step.From, step.To, step.Ceiling, floor, pull, step.Lambda, strides, first, last);
 }
 
 ISTHMUS_VECTOR_CLONES
@@ -92,20 +129,24 @@ void HoldSurfaceRow(const float* from, float* __restrict to, unsigned char* __re
 {
   const std::int64_t row = strides.Row;
   const std::int64_t plane = strides.Plane;
+  // Trusted values are divided by 1.
+  const float least = trusted ? 1.0F : LeastGradient;
+  const float steepest = trusted ? 1.0F : 10.0F;
   for (std::int64_t n = first; n < last; ++n)
   {
     const float* at = from + n;
     const float c = at[0];
-    const float lowest = std::min(std::min(std::min(at[1], at[-1]), std::min(at[row], at[-row])),
-      std::min(at[plane], at[-plane]));
-    const float highest = std::max(std::max(std::max(at[1], at[-1]), std::max(at[row], at[-row])),
-      std::max(at[plane], at[-plane]));
-    const bool held = c > 0.0F ? lowest <= 0.0F : highest > 0.0F;
+    const float lowest = Lesser(
+      Lesser(Lesser(at[1], at[-1]), Lesser(at[row], at[-row])), Lesser(at[plane], at[-plane]));
+    const float highest = Greater(Greater(Greater(at[1], at[-1]), Greater(at[row], at[-row])),
+      Greater(at[plane], at[-plane]));
+    // Bit by bit, without jumps; 0 counts as inside.
+    const bool held = ((c > 0.0F) & (lowest <= 0.0F)) | ((c <= 0.0F) & (highest > 0.0F));
     const float x = 0.5F * (at[1] - at[-1]);
     const float y = 0.5F * (at[row] - at[-row]);
     const float z = 0.5F * (at[plane] - at[-plane]);
-    const float slope = std::max(LeastGradient, std::sqrt(x * x + y * y + z * z));
-    to[n] = held && !trusted ? c / slope : c;
+    const float slope = Lesser(steepest, Greater(least, std::sqrt(x * x + y * y + z * z)));
+    to[n] = held ? c / slope : c;
     free[n] = held ? 0 : 1;
   }
 }

@@ -58,21 +58,6 @@ float Higher(float a, float b)
   return std::max(a, b);
 }
 
-void CheckAnythingInside(
-  const FlowField& field, const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters)
-{
-  if (std::all_of(
-        field.Ceiling.begin(), field.Ceiling.end(), [](float value) { return value > 0.0F; }))
-  {
-    const double largest = std::max_element(balls.begin(), balls.end(),
-      [](const Ball& a, const Ball& b) { return a.Radius < b.Radius; })->Radius;
-    throw std::runtime_error("No node of the grid lies inside of an atom, so the surface vanishes: "
-                             "the Spacing is " +
-      std::to_string(parameters.Spacing) + ", the largest radius " + std::to_string(largest) +
-      ". Choose a Spacing below that.");
-  }
-}
-
 /// Where along a coarse axis each fine node lies: the node below and the part of the way.
 struct AxisPlaces
 {
@@ -114,6 +99,21 @@ void CheckFlow(const std::vector<Ball>& balls, const SurfaceFlowParameters& para
         " has a coordinate that is not finite, or a radius that is not a positive length: correct "
         "it or leave it out.");
     }
+  }
+}
+
+void CheckAnythingInside(
+  const FlowField& field, const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters)
+{
+  if (std::all_of(
+        field.Ceiling.begin(), field.Ceiling.end(), [](float value) { return value > 0.0F; }))
+  {
+    const double largest = std::max_element(balls.begin(), balls.end(),
+      [](const Ball& a, const Ball& b) { return a.Radius < b.Radius; })->Radius;
+    throw std::runtime_error("No node of the grid lies inside of an atom, so the surface vanishes: "
+                             "the Spacing is " +
+      std::to_string(parameters.Spacing) + ", the largest radius " + std::to_string(largest) +
+      ". Choose a Spacing below that.");
   }
 }
 

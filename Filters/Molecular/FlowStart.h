@@ -21,6 +21,10 @@ using PullField = std::function<void(const FlowGrid& grid, std::vector<float>& p
 /// Throws std::invalid_argument for what is out of range.
 void CheckFlow(const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters);
 
+/// Throws std::runtime_error when no node of the field's grid lies inside of a ball.
+void CheckAnythingInside(const FlowField& field, const std::vector<Ball>& balls,
+  const SurfaceFlowParameters& parameters);
+
 /// The grid around the enlarged balls at a spacing of `factor` times that of the parameters.
 DensityGrid FlowGridAround(
   const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters, double factor = 1.0);

@@ -1,9 +1,8 @@
 #include "SurfaceFlow.h"
 
 #include "FlowMemory.h"
+#include "FlowResult.h"
 #include "FlowSteps.h"
-#include "LevelMeasure.h"
-#include "ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,32 +21,22 @@ constexpr int RedistanceIterations = 2;  // by 0.45 spacings each
 constexpr int FinalIterations = 10;      // through the whole band
 constexpr int StepsToLook = 48;          // between two measures, a multiple of the above
 constexpr double Rest = 1e-5;            // relative change of the volume in StepsToLook
-constexpr int CoarseSteps = 1000;        // at most, on each coarser level
-constexpr int FinestSteps = 20000;       // at most, on the finest
+constexpr int MostSteps = 20000;         // on one grid, or on the coarsest of several
+constexpr int FinerSteps = 4 * StepsToLook; // on finer grids: only details are left to settle
+constexpr double NearRest = 1e-3;        // change of the volume that is no rest any more
 constexpr double StartAgain = 1.3;       // enlargement of what is added on finer levels
 
-/// What a run of a flow writes down.
-class Chronicle
+/// Where a run of a flow is, and what it writes down.
+struct Chronicle
 {
-public:
-  explicit Chronicle(std::vector<FlowRecord>& history)
-    : History(history)
+  const FlowRecord& Look(const FlowField& field)
   {
+    Record(field, this->Time, this->Result);
+    return this->Result.History.back();
   }
 
-  const LevelMeasure& Look(const FlowField& field)
-  {
-    this->Last = MeasureLevel(field);
-    this->History.push_back(
-      { this->Time, field.Grid.Spacing(), this->Last.Area, this->Last.Volume });
-    return this->Last;
-  }
-
+  SurfaceFlowResult& Result;
   double Time = 0.0;
-
-private:
-  std::vector<FlowRecord>& History;
-  LevelMeasure Last;
 };
 
 void Step(FlowField& field, int step, double lambda)
@@ -88,12 +77,14 @@ void RunForTime(
   }
 }
 
-/// Runs until the volume stays: twice in a row, since it may pass through a turning point.
+/// Runs until the volume stays: twice in a row, since it may pass through a turning point. Tells
+/// whether it has come near to that.
 bool RunToRest(
   FlowField& field, int most, Chronicle& chronicle, const ProgressCallback& progress)
 {
   const double dt = Lambda * field.Grid.Spacing() * field.Grid.Spacing();
   double volume = chronicle.Look(field).Volume;
+  double change = 1.0;
   int calm = 0;
   for (int step = 1; step <= most && calm < 2; ++step)
   {
@@ -102,17 +93,18 @@ bool RunToRest(
     if (step % StepsToLook == 0)
     {
       const double now = chronicle.Look(field).Volume;
-      calm = std::abs(now - volume) < Rest * volume ? calm + 1 : 0;
+      change = std::abs(now - volume) / volume;
+      calm = change < Rest ? calm + 1 : 0;
       volume = now;
     }
     // How long it takes is not known, so progress slows down: half after 200 steps.
     Report(progress, step / (step + 200.0));
   }
-  return calm == 2;
+  return change < NearRest;
 }
 
 FlowField SteadyField(const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters,
-  const PullField& pull, Chronicle& chronicle, bool& rests, const ProgressCallback& progress)
+  const PullField& pull, Chronicle& chronicle, const ProgressCallback& progress)
 {
   // With a probe, flows are short; with a pull, coarse grids see too little of it.
   const bool coarse = parameters.CoarseToFine && parameters.ProbeRadius == 0.0 && !pull;
@@ -120,7 +112,7 @@ FlowField SteadyField(const std::vector<Ball>& balls, const SurfaceFlowParameter
   const auto part = [&](int level) { return static_cast<double>(level) / (levels + 1); };
   FlowField field = StartField(balls, parameters, std::pow(2.0, levels), parameters.Enlargement,
     pull, Between(progress, 0.0, 0.3 * part(1)));
-  rests = RunToRest(field, levels > 0 ? CoarseSteps : FinestSteps, chronicle,
+  bool rests = RunToRest(field, MostSteps, chronicle,
     Between(progress, 0.3 * part(1), part(1)));
   for (int level = levels - 1; level >= 0; --level)
   {
@@ -130,28 +122,11 @@ FlowField SteadyField(const std::vector<Ball>& balls, const SurfaceFlowParameter
       std::min(parameters.Enlargement, StartAgain), pull, Between(progress, part(done), third));
     AddCoarse(field, finer);
     field = std::move(finer);
-    rests = RunToRest(field, level > 0 ? CoarseSteps : FinestSteps, chronicle,
+    rests = RunToRest(field, FinerSteps, chronicle,
       Between(progress, third, part(done + 1)));
   }
+  chronicle.Result.Rests = rests;
   return field;
-}
-
-std::vector<float> InnerDistances(const FlowField& field)
-{
-  const auto& n = field.Grid.Inner().Dimensions;
-  const auto h = static_cast<float>(field.Grid.Spacing());
-  std::vector<float> inner(static_cast<std::size_t>(n[0] * n[1] * n[2]));
-  ParallelFor(0, n[1] * n[2], 256,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (std::int64_t line = first; line < last; ++line)
-      {
-        const float* from = field.Distance.data() + field.Grid.Index(0, line % n[1], line / n[1]);
-        std::transform(from, from + n[0], inner.data() + n[0] * line,
-          [h](float value) { return h * value; });
-      }
-    });
-  return inner;
 }
 
 }
@@ -178,9 +153,9 @@ SurfaceFlowResult SurfaceFlow(const std::vector<Ball>& balls,
     return result;
   }
   CheckFlowMemory(balls, result.Grid);
-  Chronicle chronicle(result.History);
+  Chronicle chronicle{ result };
   FlowField field = parameters.Steady
-    ? SteadyField(balls, parameters, pull, chronicle, result.Rests, Between(progress, 0.0, 0.95))
+    ? SteadyField(balls, parameters, pull, chronicle, Between(progress, 0.0, 0.95))
     : StartField(balls, parameters, 1.0, parameters.Enlargement, pull, Between(progress, 0.0, 0.3));
   if (!parameters.Steady)
   {
@@ -188,8 +163,7 @@ SurfaceFlowResult SurfaceFlow(const std::vector<Ball>& balls,
   }
   Redistance(field, FinalIterations, true);
   Advance(field, 0.0);
-  result.Band = static_cast<double>(FlowGrid::Band) * parameters.Spacing;
-  result.Distance = InnerDistances(field);
+  StoreDistances(field, result);
   Report(progress, 1.0);
   return result;
 }

@@ -41,6 +41,7 @@ struct SurfaceFlowResult
   std::vector<float> Distance; ///< angstrom, negative inside, cut at Band
   double Band = 0.0;           ///< angstrom
   std::vector<FlowRecord> History;
+  std::vector<float> S;        ///< by the thesis' scheme only: 1 inside, 0 outside
   bool Rests = true;           ///< false: a Steady flow reached its limit of steps still moving
 };
 

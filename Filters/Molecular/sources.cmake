@@ -2,22 +2,30 @@ isthmus_room(
   CLASSES
     vtkBindingSites
     vtkMolecularDensity
+    vtkMolecularFlowSurface
     vtkPolarizedCurvature
   SOURCES
+    AtomBalls
     BallBricks
     BallDistance
     BallNeighbours
     BindingSites
+    Dispersion
+    DispersionAtoms
     FlowBand
     FlowGrid
     FlowMemory
+    FlowResult
     FlowStart
     FlowSteps
+    FlowSurfaceOutput
     HullDepth
     LevelMeasure
     MolecularDensity
     PolarizedCurvature
     SolventExcludedDistance
+    SolventExcludedSurface
     SurfaceFlow
+    ThesisFlow
   VECTORISED
     FlowLoops)
