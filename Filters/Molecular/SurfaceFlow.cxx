@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -22,8 +23,8 @@ constexpr int FinalIterations = 10;      // through the whole band
 constexpr int StepsToLook = 48;          // between two measures, a multiple of the above
 constexpr double Rest = 1e-5;            // relative change of the volume in StepsToLook
 constexpr int MostSteps = 20000;         // on one grid, or on the coarsest of several
-constexpr int FinerSteps = 4 * StepsToLook; // on finer grids: only details are left to settle
-constexpr double NearRest = 1e-3;        // change of the volume that is no rest any more
+constexpr int FinerSteps = 4 * StepsToLook; // at least, on finer grids: details only are left
+constexpr double Slow = 1.5e-4;          // relative change of the volume in a square angstrom
 constexpr double StartAgain = 1.3;       // enlargement of what is added on finer levels
 
 /// Where a run of a flow is, and what it writes down.
@@ -77,30 +78,69 @@ void RunForTime(
   }
 }
 
-/// Runs until the volume stays: twice in a row, since it may pass through a turning point. Tells
-/// whether it has come near to that.
+/// The volumes at the last looks, and what they say.
+class Trend
+{
+public:
+  void Add(double volume) { this->Volumes.push_back(volume); }
+
+  /// Relative change since the look before.
+  double Change() const
+  {
+    const std::size_t n = this->Volumes.size();
+    return n < 2 ? 1.0 : std::abs(this->Volumes[n - 1] / this->Volumes[n - 2] - 1.0);
+  }
+
+  /// Has it come to rest? By two looks, since it may pass through a turning point; or by the means of
+  /// four and the four before, since small surfaces can swing a little for ever.
+  bool IsCalm() const
+  {
+    const std::size_t n = this->Volumes.size();
+    if (n < 3)
+    {
+      return false;
+    }
+    const double last = this->Volumes[n - 1];
+    const bool still = std::abs(last - this->Volumes[n - 2]) < Rest * last &&
+      std::abs(this->Volumes[n - 2] - this->Volumes[n - 3]) < Rest * last;
+    return still ||
+      (n >= 12 && std::abs(this->MeanOfFour(4) - this->MeanOfFour(8)) < 4.0 * Rest * last);
+  }
+
+private:
+  double MeanOfFour(std::size_t back) const
+  {
+    const auto first = this->Volumes.end() - static_cast<std::ptrdiff_t>(back);
+    return 0.25 * std::accumulate(first, first + 4, 0.0);
+  }
+
+  std::vector<double> Volumes;
+};
+
+/// Runs until the volume rests, or from `enough` steps on until what still happens is slow. Tells
+/// whether either came about in MostSteps.
 bool RunToRest(
-  FlowField& field, int most, Chronicle& chronicle, const ProgressCallback& progress)
+  FlowField& field, int enough, Chronicle& chronicle, const ProgressCallback& progress)
 {
   const double dt = Lambda * field.Grid.Spacing() * field.Grid.Spacing();
-  double volume = chronicle.Look(field).Volume;
-  double change = 1.0;
-  int calm = 0;
-  for (int step = 1; step <= most && calm < 2; ++step)
+  Trend trend;
+  trend.Add(chronicle.Look(field).Volume);
+  for (int step = 1; step <= MostSteps; ++step)
   {
     Step(field, step, Lambda);
     chronicle.Time += dt;
-    if (step % StepsToLook == 0)
-    {
-      const double now = chronicle.Look(field).Volume;
-      change = std::abs(now - volume) / volume;
-      calm = change < Rest ? calm + 1 : 0;
-      volume = now;
-    }
     // How long it takes is not known, so progress slows down: half after 200 steps.
     Report(progress, step / (step + 200.0));
+    if (step % StepsToLook == 0)
+    {
+      trend.Add(chronicle.Look(field).Volume);
+      if (trend.IsCalm() || (step >= enough && trend.Change() < Slow * dt * StepsToLook))
+      {
+        return true;
+      }
+    }
   }
-  return change < NearRest;
+  return false;
 }
 
 FlowField SteadyField(const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters,
