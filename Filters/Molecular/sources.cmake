@@ -3,6 +3,7 @@ isthmus_room(
     vtkBindingSites
     vtkMolecularDensity
     vtkMolecularFlowSurface
+    vtkNonpolarSolvation
     vtkPolarizedCurvature
   SOURCES
     AtomBalls
@@ -22,6 +23,8 @@ isthmus_room(
     HullDepth
     LevelMeasure
     MolecularDensity
+    NearestBall
+    NonpolarEnergy
     PolarizedCurvature
     SolventExcludedDistance
     SolventExcludedSurface

@@ -93,7 +93,7 @@ SurfaceFlowParameters vtkMolecularFlowSurface::Internals::Parameters() const
   parameters.Enlargement = self->Preset == Coarse ? 2.0 : 1.3;
   parameters.EvolutionTime = 2.5;
   parameters.Steady = self->Preset == Hull || self->Preset == Channel;
-  parameters.ProbeRadius = self->Preset == Channel ? 1.0 : 0.0;
+  parameters.ProbeRadius = self->Preset == Channel ? 1.4 : 0.0;
   return parameters;
 }
 

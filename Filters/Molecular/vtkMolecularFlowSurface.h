@@ -21,8 +21,8 @@
  * open, and the rest is smooth without the cusps of that surface. Formulas, sources: SurfaceFlow.h.
  *
  * **What users call a molecular surface** is the solvent-excluded one of water (probe 1.4): for
- * electrostatics and for channels set a ProbeRadius (1.4; the preset Channel takes 1.0, by which
- * also pores that a file of water passes stay open). The default is the thesis', without a probe.
+ * electrostatics and for channels set a ProbeRadius of 1.4, or the preset Channel; for radii of united
+ * atoms, which close narrow pores to it, 1.0. The default is the thesis', without a probe.
  *
  * **Errors** (sentence, empty outputs): atoms without radii and elements; coordinates or radii that
  * are not finite, negative radii, none above 0; parameters out of range; a grid that does not fit
@@ -56,7 +56,7 @@ public:
     Fine = 1,    ///< Enlargement 1.3, EvolutionTime 2.5: the thesis' fine surface
     Coarse = 2,  ///< Enlargement 2.0, EvolutionTime 2.5: the thesis' coarse surface
     Hull = 3,    ///< Enlargement 1.3, Steady, no probe: the minimal molecular surface
-    Channel = 4  ///< Enlargement 1.3, Steady, ProbeRadius 1.0: pores and pockets stay open
+    Channel = 4  ///< Enlargement 1.3, Steady, ProbeRadius 1.4: what water enters stays open
   };
 
   enum Methods

@@ -4,7 +4,7 @@ import os
 from pathlib import Path
 
 from paraview import servermanager
-from paraview.simple import (CreateView, MolecularFlowSurface, OpenDataFile,
+from paraview.simple import (Calculator, CreateView, MolecularFlowSurface, OpenDataFile,
                              ResetCamera, SaveScreenshot, Show, SurfaceMeasures)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -48,14 +48,27 @@ Show(flow, view)
 ResetCamera(view)
 SaveScreenshot(str(OUTPUT / "lysozyme.png"), view)
 
-# Gramicidin: the probe keeps its pore open, the hull closes it.
+# Gramicidin, radii by element: water's probe keeps its pore open, the hull closes it.
 gramicidin = OpenDataFile(str(shared_data("molecules/1grm_gramicidin_model1.pdb")))
-pore = MolecularFlowSurface(Input=gramicidin, Preset="Channel")
+channel = MolecularFlowSurface(Input=gramicidin, Preset="Channel")
 hull = MolecularFlowSurface(Input=gramicidin, Preset="Hull")
+excluded = MolecularFlowSurface(Input=gramicidin, Method="Solvent Excluded", ProbeRadius=1.4)
 found = {}
-for name, surface in (("channel", pore), ("hull", hull)):
+for name, surface in (("channel", channel), ("hull", hull), ("excluded", excluded)):
     surface.UpdatePipeline()
     found[name] = measures(surface)
     print(name, found[name])
-assert found["channel"]["Genus"] == 1, found
+assert found["channel"]["Genus"] == 1 == found["channel"]["Components"], found
 assert found["hull"]["Genus"] == 0, found
+# The flow lies within the probe's surface and has no more area than it.
+assert found["channel"]["Area"] <= found["excluded"]["Area"], found
+assert found["channel"]["Volume"] <= found["excluded"]["Volume"], found
+
+# With united atoms (the file has no hydrogens), the pore is narrower: a probe of 1.0 passes.
+united = Calculator(Input=gramicidin, ResultArrayName="Wide",
+                    Function="(Element == 6)*2.0 + (Element == 7)*1.6 + (Element == 8)*1.6")
+pore = MolecularFlowSurface(Input=united, Radii=["POINTS", "Wide"], ProbeRadius=1.0, Steady=1)
+pore.UpdatePipeline()
+found = measures(pore)
+print("united atoms", found)
+assert found["Genus"] == 1 == found["Components"], found
