@@ -6,6 +6,7 @@
 #define isthmus_AtomBalls_h
 
 #include "Ball.h"
+#include "vtkIsthmusModule.h"
 
 #include <vtkType.h>
 
@@ -43,7 +44,7 @@ std::vector<int> AtomElements(vtkDataObject* atoms);
  * number are counted. Throws std::invalid_argument where there are neither radii nor elements, for a
  * radius that is negative or infinite, a coordinate that is not finite, and when no atom is left.
  */
-AtomBalls BallsOf(vtkDataObject* atoms, const char* radii);
+VTKISTHMUS_EXPORT AtomBalls BallsOf(vtkDataObject* atoms, const char* radii);
 
 }
 

@@ -34,8 +34,8 @@ struct DispersionAtom
 /// Energies in kcal/mol, lengths in angstrom. Water: TIP3P's oxygen, 1 g/cm^3.
 struct SolventParameters
 {
-  double SurfaceTension = 0.0663;
-  double Pressure = 0.0492;
+  double SurfaceTension = 0.0700;
+  double Pressure = 0.0464;
   double Density = 0.033428; ///< molecules a cubic angstrom
   double Radius = 1.7683;
   double WellDepth = 0.1521;

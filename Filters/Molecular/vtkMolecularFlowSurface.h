@@ -140,13 +140,13 @@ public:
 
   ///@{
   /// In kcal/mol per square angstrom, above 0: for Energy, and against the solvent's pull. Default
-  /// 0.0663, see vtkNonpolarSolvation.
+  /// 0.0700, see vtkNonpolarSolvation.
   vtkSetMacro(SurfaceTension, double);
   vtkGetMacro(SurfaceTension, double);
   ///@}
 
   ///@{
-  /// In kcal/mol per cubic angstrom, with Solvent on. Default 0.0492, see vtkNonpolarSolvation.
+  /// In kcal/mol per cubic angstrom, with Solvent on. Default 0.0464, see vtkNonpolarSolvation.
   vtkSetMacro(Pressure, double);
   vtkGetMacro(Pressure, double);
   ///@}
@@ -193,8 +193,8 @@ private:
   double IsoValue = 0.5;
   bool CoarseToFine = true;
   bool Solvent = false;
-  double SurfaceTension = 0.0663;
-  double Pressure = 0.0492;
+  double SurfaceTension = 0.0700;
+  double Pressure = 0.0464;
   bool DelaunayQuality = false;
 };
 

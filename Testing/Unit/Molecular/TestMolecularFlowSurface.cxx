@@ -171,7 +171,7 @@ TEST(MolecularFlowSurface, OutputsFitEachOther)
   EXPECT_NEAR(LastOf(history, "Time"), 2.5, 1e-9);
   EXPECT_NEAR(LastOf(history, "Area") / whole.Area, 1.0, 5e-3);
   EXPECT_NEAR(LastOf(history, "Volume") / whole.Volume, 1.0, 5e-3);
-  EXPECT_NEAR(LastOf(history, "Energy"), 0.0663 * LastOf(history, "Area"), 1e-9);
+  EXPECT_NEAR(LastOf(history, "Energy"), 0.0700 * LastOf(history, "Area"), 1e-9);
 }
 
 TEST(MolecularFlowSurface, AtomsStayInside)
@@ -347,8 +347,8 @@ TEST(MolecularFlowSurface, NumbersOutOfRangeAreToldInASentence)
     { "EvolutionTime", &Filter::SetEvolutionTime, 2.5, { -1.0, nan, 1.0 / 0.0 } },
     { "ProbeRadius", &Filter::SetProbeRadius, 0.0, { -1.0, nan, 1.0 / 0.0 } },
     { "IsoValue", &Filter::SetIsoValue, 0.5, { 0.0, 1.0, -1.0, nan } },
-    { "SurfaceTension", &Filter::SetSurfaceTension, 0.0663, { 0.0, -1.0, nan, 1.0 / 0.0 } },
-    { "Pressure", &Filter::SetPressure, 0.0492, { nan, 1.0 / 0.0 } },
+    { "SurfaceTension", &Filter::SetSurfaceTension, 0.0700, { 0.0, -1.0, nan, 1.0 / 0.0 } },
+    { "Pressure", &Filter::SetPressure, 0.0464, { nan, 1.0 / 0.0 } },
   };
   for (const Property& property : properties)
   {
