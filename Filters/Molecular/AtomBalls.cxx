@@ -72,7 +72,8 @@ void CheckBall(const Ball& ball, vtkIdType atom)
     !std::isfinite(ball.Centre[2]) || std::isinf(ball.Radius) || ball.Radius < 0.0)
   {
     throw std::invalid_argument("Atom " + std::to_string(atom) +
-      " has a coordinate or radius that is not finite, or a negative radius: correct it or leave it "
+      " has a coordinate or radius that is not finite, or a negative radius: correct it or leave "
+      "it "
       "out.");
   }
 }

@@ -21,11 +21,11 @@ namespace isthmus
 
 struct AtomBalls
 {
-  std::vector<Ball> Balls;          ///< of the atoms that have a radius above 0
-  std::vector<vtkIdType> Ids;       ///< their numbers in the input
-  vtkIdType NumberOfAtoms = 0;      ///< of the input
-  vtkIdType WithoutRadius = 0;      ///< atoms left out since their radius is not a number
-  bool ByElement = false;           ///< whether radii come from the elements
+  std::vector<Ball> Balls;     ///< of the atoms that have a radius above 0
+  std::vector<vtkIdType> Ids;  ///< their numbers in the input
+  vtkIdType NumberOfAtoms = 0; ///< of the input
+  vtkIdType WithoutRadius = 0; ///< atoms left out since their radius is not a number
+  bool ByElement = false;      ///< whether radii come from the elements
 };
 
 /// Points of a vtkPointSet or a vtkMolecule; null for anything else.
@@ -41,8 +41,8 @@ std::vector<int> AtomElements(vtkDataObject* atoms);
 /**
  * Balls from the point array `radii`; where there is none, from the elements, by Bondi's table and
  * Alvarez' where that has none. Atoms whose radius is 0 have no ball; those whose radius is not a
- * number are counted. Throws std::invalid_argument where there are neither radii nor elements, for a
- * radius that is negative or infinite, a coordinate that is not finite, and when no atom is left.
+ * number are counted. Throws std::invalid_argument where there are neither radii nor elements, for
+ * a radius that is negative or infinite, a coordinate that is not finite, and when no atom is left.
  */
 VTKISTHMUS_EXPORT AtomBalls BallsOf(vtkDataObject* atoms, const char* radii);
 

@@ -147,8 +147,8 @@ BallNeighbours::BallNeighbours(const std::vector<Ball>& balls)
   }
 }
 
-void BallNeighbours::FindOf(std::size_t ball, const std::vector<isthmus::Cell>& cells,
-  std::vector<std::int64_t>& found) const
+void BallNeighbours::FindOf(
+  std::size_t ball, const std::vector<isthmus::Cell>& cells, std::vector<std::int64_t>& found) const
 {
   const Ball& self = this->Balls[ball];
   const isthmus::Cell cell = CellOf(self, this->Cell, 0);
@@ -163,8 +163,7 @@ void BallNeighbours::FindOf(std::size_t ball, const std::vector<isthmus::Cell>& 
     {
       const auto other = static_cast<std::size_t>((*at)[3]);
       const double reach = self.Radius + this->Balls[other].Radius;
-      if (other != ball &&
-        SquaredDistance(self.Centre, this->Balls[other].Centre) < reach * reach)
+      if (other != ball && SquaredDistance(self.Centre, this->Balls[other].Centre) < reach * reach)
       {
         found.push_back((*at)[3]);
       }
@@ -213,8 +212,8 @@ std::vector<Place> FreeCirclePoints(
           if (*o > b && circle.Radius > 0.0)
           {
             AddCircle(
-              circle, step,
-              [&](const Place& place) { return neighbours.IsFree(ball, place, by); }, of[ball]);
+              circle, step, [&](const Place& place) { return neighbours.IsFree(ball, place, by); },
+              of[ball]);
           }
         }
       }

@@ -16,8 +16,8 @@ namespace
 constexpr double Reach = 10.0; // angstrom; beyond, a pair gives less than 1/1000 of its depth
 
 /// Adds the energy of one pair to the nodes of a brick. Lengths in angstrom but for the ball.
-void AddPair(const FlowGrid& grid, const Ball& ball, const DispersionPair& pair,
-  const Brick& brick, std::vector<float>& energy)
+void AddPair(const FlowGrid& grid, const Ball& ball, const DispersionPair& pair, const Brick& brick,
+  std::vector<float>& energy)
 {
   const double h = grid.Spacing();
   const NodeRange planes(ball.Centre[2], ball.Radius, brick.First[2], brick.Last[2]);
@@ -73,8 +73,8 @@ void AddEnergy(const FlowGrid& grid, const std::vector<DispersionAtom>& atoms,
       for (std::int64_t b = first; b < last; ++b)
       {
         const Brick brick = bricks.At(b);
-        bricks.ForEachIndex(b,
-          [&](std::size_t atom) { AddPair(grid, balls[atom], pairs[atom], brick, energy); });
+        bricks.ForEachIndex(
+          b, [&](std::size_t atom) { AddPair(grid, balls[atom], pairs[atom], brick, energy); });
       }
     });
 }

@@ -2,14 +2,14 @@
  * @file Dispersion.h
  * @brief The attraction between atoms and the solvent around them.
  *
- * The attractive part of a Lennard-Jones pair by Weeks, Chandler and Andersen (J. Chem. Phys. 54 (1971)
- * 5237), with the well's depth eps at the distance m:
+ * The attractive part of a Lennard-Jones pair by Weeks, Chandler and Andersen (J. Chem. Phys. 54
+ * (1971) 5237), with the well's depth eps at the distance m:
  *
  *   u(r) = -eps for r < m,   eps ((m / r)^12 - 2 (m / r)^6) beyond,
  *
  * m = R_i + R_s and eps = sqrt(eps_i eps_s) of half the minimum's distance and depth of atom and
- * solvent. The thesis' 4.6 writes the pair with its depth times 4 and calls that the depth; here eps
- * is the depth.
+ * solvent. The thesis' 4.6 writes the pair with its depth times 4 and calls that the depth; here
+ * eps is the depth.
  */
 #ifndef isthmus_Dispersion_h
 #define isthmus_Dispersion_h
@@ -54,9 +54,9 @@ struct DispersionPair
   double Depth;   ///< eps, kcal/mol
 };
 
-/// Half the minimum's distance and the depth of an element by AMBER's parm99 (W. D. Cornell et al., J.
-/// Am. Chem. Soc. 117 (1995) 5179): H of alkyl groups, C sp3, N, O of carbonyl groups, F, P, S, Cl,
-/// Br, I. Depth 0 for others.
+/// Half the minimum's distance and the depth of an element by AMBER's parm99 (W. D. Cornell et al.,
+/// J. Am. Chem. Soc. 117 (1995) 5179): H of alkyl groups, C sp3, N, O of carbonyl groups, F, P, S,
+/// Cl, Br, I. Depth 0 for others.
 VTKISTHMUS_EXPORT std::array<double, 2> DispersionOfElement(int element);
 
 /// -V / gamma = (pressure - density U) / gamma of equation 4.9, U from atoms within 10 angstrom.

@@ -21,8 +21,9 @@ std::vector<DispersionAtom> DispersionAtomsOf(vtkDataObject* input, const AtomBa
   const std::vector<int> elements = depths ? std::vector<int>() : AtomElements(input);
   if (!depths && elements.empty())
   {
-    throw std::invalid_argument("The solvent's attraction needs a point array WellDepth (kcal/mol, "
-                                "from a force field) or Element of the atoms, and they have neither.");
+    throw std::invalid_argument(
+      "The solvent's attraction needs a point array WellDepth (kcal/mol, "
+      "from a force field) or Element of the atoms, and they have neither.");
   }
   for (std::size_t i = 0; i < atoms.Balls.size(); ++i)
   {

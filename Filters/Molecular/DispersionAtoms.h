@@ -16,9 +16,10 @@ namespace isthmus
 {
 
 /**
- * One for each ball, in their order. From the point array `WellDepth` (kcal/mol) with the balls' radii
- * as half the minimum's distance, as force fields list them; where it is not there, both by element.
- * Throws std::invalid_argument where there are neither, or a depth is negative or not finite.
+ * One for each ball, in their order. From the point array `WellDepth` (kcal/mol) with the balls'
+ * radii as half the minimum's distance, as force fields list them; where it is not there, both by
+ * element. Throws std::invalid_argument where there are neither, or a depth is negative or not
+ * finite.
  */
 std::vector<DispersionAtom> DispersionAtomsOf(vtkDataObject* input, const AtomBalls& atoms);
 

@@ -9,11 +9,11 @@ namespace isthmus
 namespace
 {
 
-constexpr float Fading = 2.0F;         // where steps begin to fade out
-constexpr float Faded = 4.0F;          // where they have
-constexpr float Flat = 1e-6F;          // keeps 0 / 0 out where the distance has a ridge
-constexpr float LeastGradient = 0.5F;  // a node is moved to at most twice its distance
-constexpr float PseudoTime = 0.45F;    // of a step of redistancing
+constexpr float Fading = 2.0F;        // where steps begin to fade out
+constexpr float Faded = 4.0F;         // where they have
+constexpr float Flat = 1e-6F;         // keeps 0 / 0 out where the distance has a ridge
+constexpr float LeastGradient = 0.5F; // a node is moved to at most twice its distance
+constexpr float PseudoTime = 0.45F;   // of a step of redistancing
 
 // By value: std::min of references keeps GCC from vectorising.
 inline float Lesser(float a, float b)
@@ -104,8 +104,7 @@ void AdvanceNodes(const float* from, float* __restrict to, const float* ceiling,
     const float squared = x * x + y * y + z * z;
     const float bent = (y * y + z * z) * xx + (x * x + z * z) * yy + (x * x + y * y) * zz -
       2.0F * (x * y * xy + x * z * xz + y * z * yz);
-    const float rate =
-      bent / (squared + Flat) + pullFactor * pullAt[n] * std::sqrt(squared);
+    const float rate = bent / (squared + Flat) + pullFactor * pullAt[n] * std::sqrt(squared);
     const float moved = Lesser(c + lambda * Fade(c) * rate, ceiling[n]);
     to[n] = Greater(moved, floorFactor * floorAt[n] + floorShift);
   }
@@ -138,8 +137,8 @@ void HoldSurfaceRow(const float* from, float* __restrict to, unsigned char* __re
     const float c = at[0];
     const float lowest = Lesser(
       Lesser(Lesser(at[1], at[-1]), Lesser(at[row], at[-row])), Lesser(at[plane], at[-plane]));
-    const float highest = Greater(Greater(Greater(at[1], at[-1]), Greater(at[row], at[-row])),
-      Greater(at[plane], at[-plane]));
+    const float highest = Greater(
+      Greater(Greater(at[1], at[-1]), Greater(at[row], at[-row])), Greater(at[plane], at[-plane]));
     // Bit by bit, without jumps; 0 counts as inside.
     const bool held = ((c > 0.0F) & (lowest <= 0.0F)) | ((c <= 0.0F) & (highest > 0.0F));
     const float x = 0.5F * (at[1] - at[-1]);

@@ -84,8 +84,9 @@ void CheckFlowMemory(const std::vector<Ball>& balls, const DensityGrid& grid)
   const auto& n = grid.Dimensions;
   std::ostringstream text;
   text << "A Spacing of " << grid.Spacing << " makes a grid of " << n[0] << " x " << n[1] << " x "
-       << n[2] << " nodes, and the flow on it takes " << MemoryText(needed) << " of memory, of which "
-       << MemoryText(available) << " are available: choose a Spacing of about "
+       << n[2] << " nodes, and the flow on it takes " << MemoryText(needed)
+       << " of memory, of which " << MemoryText(available)
+       << " are available: choose a Spacing of about "
        << 1.1 * grid.Spacing * std::cbrt(needed / std::max(available, 1e6)) << " or more."
        << OutlierText(balls);
   throw std::runtime_error(text.str());

@@ -13,7 +13,8 @@
 namespace isthmus
 {
 
-/// Bytes for a flow on `grid`, result and output included: some 36 a node.
+/// Bytes for a flow on `grid`, result and output included: 36 a node, and 24 for each of the
+/// margin's.
 double FlowBytes(const DensityGrid& grid);
 
 /// Throws std::runtime_error with the size that `grid` would need unless it is available; names the

@@ -23,8 +23,8 @@ void CheckNumber(const char* name, double value, double least, bool allowed, con
 {
   if (!(value > least || (allowed && value == least)) || !std::isfinite(value))
   {
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) + ", but it is " +
-      what + ": give a number " + (allowed ? "of at least " : "above ") +
+    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+      ", but it is " + what + ": give a number " + (allowed ? "of at least " : "above ") +
       std::to_string(static_cast<int>(least)) + ".");
   }
 }
@@ -41,10 +41,8 @@ template <typename Choose>
 void Combine(std::vector<float>& a, const std::vector<float>& b, Choose choose)
 {
   ParallelFor(0, static_cast<std::int64_t>(a.size()), 1 << 18,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      std::transform(
-        a.data() + first, a.data() + last, b.data() + first, a.data() + first, choose);
+    [&](std::int64_t first, std::int64_t last) {
+      std::transform(a.data() + first, a.data() + last, b.data() + first, a.data() + first, choose);
     });
 }
 
@@ -109,7 +107,9 @@ void CheckAnythingInside(
         field.Ceiling.begin(), field.Ceiling.end(), [](float value) { return value > 0.0F; }))
   {
     const double largest = std::max_element(balls.begin(), balls.end(),
-      [](const Ball& a, const Ball& b) { return a.Radius < b.Radius; })->Radius;
+      [](const Ball& a, const Ball& b) {
+        return a.Radius < b.Radius;
+      })->Radius;
     throw std::runtime_error("No node of the grid lies inside of an atom, so the surface vanishes: "
                              "the Spacing is " +
       std::to_string(parameters.Spacing) + ", the largest radius " + std::to_string(largest) +
@@ -122,8 +122,7 @@ DensityGrid FlowGridAround(
 {
   const double h = factor * parameters.Spacing;
   const double padding = std::max(parameters.Padding, LeastPadding * h);
-  return GridAroundBalls(
-    Enlarged(balls, parameters.Enlargement), h, { padding, padding, padding });
+  return GridAroundBalls(Enlarged(balls, parameters.Enlargement), h, { padding, padding, padding });
 }
 
 int CoarserLevels(const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters)
@@ -201,8 +200,8 @@ void AddCoarse(const FlowField& coarse, FlowField& fine)
         {
           const float* at = from + x.Below[i];
           const float t = x.Part[i];
-          const float low = between(
-            between(at[0], at[1], t), between(at[row], at[row + 1], t), y.Part[j]);
+          const float low =
+            between(between(at[0], at[1], t), between(at[row], at[row + 1], t), y.Part[j]);
           const float high = between(between(at[plane], at[plane + 1], t),
             between(at[plane + row], at[plane + row + 1], t), y.Part[j]);
           to[i] = std::min(to[i], scale * between(low, high, z.Part[k]));

@@ -22,8 +22,8 @@ using PullField = std::function<void(const FlowGrid& grid, std::vector<float>& p
 void CheckFlow(const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters);
 
 /// Throws std::runtime_error when no node of the field's grid lies inside of a ball.
-void CheckAnythingInside(const FlowField& field, const std::vector<Ball>& balls,
-  const SurfaceFlowParameters& parameters);
+void CheckAnythingInside(
+  const FlowField& field, const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters);
 
 /// The grid around the enlarged balls at a spacing of `factor` times that of the parameters.
 DensityGrid FlowGridAround(

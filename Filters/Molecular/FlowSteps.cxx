@@ -14,8 +14,8 @@ void Advance(FlowField& field, double lambda)
     field.Floor.empty() ? nullptr : field.Floor.data(),
     field.Pull.empty() ? nullptr : field.Pull.data(), static_cast<float>(lambda) };
   const FlowStrides strides{ field.Grid.Row(), field.Grid.Plane() };
-  ForEachRun(field,
-    [&](std::int64_t first, std::int64_t last) { AdvanceRow(step, strides, first, last); });
+  ForEachRun(
+    field, [&](std::int64_t first, std::int64_t last) { AdvanceRow(step, strides, first, last); });
   std::swap(field.Distance, field.Next);
 }
 

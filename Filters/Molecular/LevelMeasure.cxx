@@ -28,8 +28,8 @@ double Dot(const Vector& a, const Vector& b)
 }
 
 /// Adds a triangle, turned so that it faces along `outward`.
-void Add(LevelMeasure& sum, const Vector& a, const Vector& b, const Vector& c,
-  const Vector& outward)
+void Add(
+  LevelMeasure& sum, const Vector& a, const Vector& b, const Vector& c, const Vector& outward)
 {
   const Vector normal = Cross(Minus(b, a), Minus(c, a));
   const double volume = Dot(a, normal) / 6.0;
@@ -112,7 +112,8 @@ void AddCell(LevelMeasure& sum, const FlowField& field, std::int64_t node, const
     return;
   }
   // Paths from corner 0 to 7, one axis after the other.
-  constexpr std::size_t steps[6][2] = { { 1, 3 }, { 1, 5 }, { 2, 3 }, { 2, 6 }, { 4, 5 }, { 4, 6 } };
+  constexpr std::size_t steps[6][2] = { { 1, 3 }, { 1, 5 }, { 2, 3 }, { 2, 6 }, { 4, 5 },
+    { 4, 6 } };
   for (const auto& step : steps)
   {
     AddTetrahedron(sum, { &corners[0], &corners[step[0]], &corners[step[1]], &corners[7] });
@@ -142,15 +143,15 @@ void AddRun(LevelMeasure& sum, const FlowField& field, const ChunkRun& run)
 
 LevelMeasure MeasureLevel(const FlowField& field)
 {
-  LevelMeasure sum = ParallelReduce(static_cast<std::int64_t>(field.Runs.size()), 1024,
-    LevelMeasure(),
-    [&](LevelMeasure& partial, std::int64_t first, std::int64_t last)
-    {
-      for (std::int64_t r = first; r < last; ++r)
+  LevelMeasure sum =
+    ParallelReduce(static_cast<std::int64_t>(field.Runs.size()), 1024, LevelMeasure(),
+      [&](LevelMeasure& partial, std::int64_t first, std::int64_t last)
       {
-        AddRun(partial, field, field.Runs[static_cast<std::size_t>(r)]);
-      }
-    });
+        for (std::int64_t r = first; r < last; ++r)
+        {
+          AddRun(partial, field, field.Runs[static_cast<std::size_t>(r)]);
+        }
+      });
   const double h = field.Grid.Spacing();
   sum.Area *= h * h;
   sum.Volume *= h * h * h;

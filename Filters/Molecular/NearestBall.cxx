@@ -40,8 +40,8 @@ NearestBall::NearestBall(const std::vector<Ball>& balls)
   for (std::size_t ball = 0; ball < balls.size(); ++ball)
   {
     const Cell c = this->CellOf(balls[ball].Centre);
-    this->Members[static_cast<std::size_t>(
-                    c[0] + this->Counts[0] * (c[1] + this->Counts[1] * c[2]))]
+    this
+      ->Members[static_cast<std::size_t>(c[0] + this->Counts[0] * (c[1] + this->Counts[1] * c[2]))]
       .push_back(ball);
   }
 }
@@ -52,8 +52,8 @@ NearestBall::Cell NearestBall::CellOf(const std::array<double, 3>& place) const
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const double at = std::floor((place[axis] - this->Low[axis]) / this->Size);
-    cell[axis] = static_cast<std::int64_t>(
-      std::clamp(at, 0.0, static_cast<double>(this->Counts[axis] - 1)));
+    cell[axis] =
+      static_cast<std::int64_t>(std::clamp(at, 0.0, static_cast<double>(this->Counts[axis] - 1)));
   }
   return cell;
 }
@@ -61,8 +61,7 @@ NearestBall::Cell NearestBall::CellOf(const std::array<double, 3>& place) const
 std::size_t NearestBall::At(const std::array<double, 3>& place) const
 {
   const Cell centre = this->CellOf(place);
-  const std::int64_t last =
-    std::max({ this->Counts[0], this->Counts[1], this->Counts[2] });
+  const std::int64_t last = std::max({ this->Counts[0], this->Counts[1], this->Counts[2] });
   double best = std::numeric_limits<double>::infinity();
   std::size_t nearest = 0;
   for (std::int64_t shell = 0; shell <= last; ++shell)
@@ -90,12 +89,12 @@ std::size_t NearestBall::At(const std::array<double, 3>& place) const
           {
             continue;
           }
-          for (const std::size_t ball : this->Members[static_cast<std::size_t>(
-                 i + this->Counts[0] * (j + this->Counts[1] * k))])
+          for (const std::size_t ball :
+            this
+              ->Members[static_cast<std::size_t>(i + this->Counts[0] * (j + this->Counts[1] * k))])
           {
             const auto& c = this->Balls[ball].Centre;
-            const double distance =
-              std::hypot(place[0] - c[0], place[1] - c[1], place[2] - c[2]) -
+            const double distance = std::hypot(place[0] - c[0], place[1] - c[1], place[2] - c[2]) -
               this->Balls[ball].Radius;
             if (distance < best || (distance == best && ball < nearest))
             {

@@ -17,8 +17,8 @@ namespace
 
 using Place = std::array<double, 3>;
 
-constexpr double Near = 12.0;      // angstrom, within which an atom sees single nodes
-constexpr std::int64_t Side = 8;   // nodes along a block
+constexpr double Near = 12.0;    // angstrom, within which an atom sees single nodes
+constexpr std::int64_t Side = 8; // nodes along a block
 
 /// An inside node's share of its cell, or a block of them.
 struct Piece
@@ -147,8 +147,8 @@ void ShareOut(const std::vector<Ball>& balls, const DensityGrid& grid, const flo
       {
         if (static_cast<double>(distance[node]) < reach)
         {
-          owner[static_cast<std::size_t>(node)] = static_cast<std::int64_t>(nearest.At(
-            PlaceOf(grid, node % n[0], node / n[0] % n[1], node / (n[0] * n[1]))));
+          owner[static_cast<std::size_t>(node)] = static_cast<std::int64_t>(
+            nearest.At(PlaceOf(grid, node % n[0], node / n[0] % n[1], node / (n[0] * n[1]))));
         }
       }
     },
@@ -181,8 +181,8 @@ LevelMeasure MeasureOf(const DensityGrid& grid, const float* distance)
 }
 
 /// Scales the shares to the measures of the surface, and gives each its energy.
-void Finish(const LevelMeasure& measure, const SolventParameters& solvent,
-  NonpolarEnergies& energies)
+void Finish(
+  const LevelMeasure& measure, const SolventParameters& solvent, NonpolarEnergies& energies)
 {
   NonpolarTerms& whole = energies.Whole;
   NonpolarTerms shares;
@@ -233,8 +233,7 @@ NonpolarEnergies NonpolarEnergy(const std::vector<Ball>& balls,
       {
         const DispersionAtom& atom = atoms[static_cast<std::size_t>(a)];
         const DispersionPair pair(atom, solvent);
-        const double outside =
-          pair.Integral() - InsideIntegral(atom.Centre, pair, blocks, radius);
+        const double outside = pair.Integral() - InsideIntegral(atom.Centre, pair, blocks, radius);
         energies.Atoms[static_cast<std::size_t>(a)].DispersionEnergy = solvent.Density * outside;
       }
     },

@@ -18,7 +18,7 @@ constexpr std::size_t BrickNodes = static_cast<std::size_t>(
 /// What is known of the nodes of a brick.
 struct BrickScratch
 {
-  std::vector<float> Depth = std::vector<float>(BrickNodes);       // to the spheres, < 0 within
+  std::vector<float> Depth = std::vector<float>(BrickNodes); // to the spheres, < 0 within
   std::vector<std::int32_t> Deepest = std::vector<std::int32_t>(BrickNodes);
   std::vector<float> ToCircle = std::vector<float>(BrickNodes); // squared distance
 };
@@ -90,9 +90,9 @@ public:
         for (std::int64_t i = brick.First[0]; i < brick.Last[0]; ++i)
         {
           const auto node = static_cast<std::size_t>(line + i - brick.First[0]);
-          row[i] = this->ValueAt({ static_cast<double>(i), static_cast<double>(j),
-                                   static_cast<double>(k) },
-            node, scratch);
+          row[i] = this->ValueAt(
+            { static_cast<double>(i), static_cast<double>(j), static_cast<double>(k) }, node,
+            scratch);
         }
       }
     }

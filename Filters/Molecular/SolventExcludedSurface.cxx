@@ -26,8 +26,8 @@ SurfaceFlowResult SolventExcludedSurface(const std::vector<Ball>& balls,
   CheckAnythingInside(field, balls, parameters);
   if (parameters.ProbeRadius > 0.0)
   {
-    SolventExcludedDistance(field.Grid, balls, parameters.ProbeRadius, field.Distance,
-      Between(progress, 0.2, 0.9));
+    SolventExcludedDistance(
+      field.Grid, balls, parameters.ProbeRadius, field.Distance, Between(progress, 0.2, 0.9));
   }
   else
   {

@@ -16,16 +16,16 @@ namespace isthmus
 namespace
 {
 
-constexpr double Lambda = 0.16;          // dt / spacing^2; 0.25 is where it becomes unstable
-constexpr int StepsToRedistance = 4;     // see the README: more seldom, necks break too early
-constexpr int RedistanceIterations = 2;  // by 0.45 spacings each
-constexpr int FinalIterations = 10;      // through the whole band
-constexpr int StepsToLook = 48;          // between two measures, a multiple of the above
-constexpr double Rest = 1e-5;            // relative change of the volume in StepsToLook
-constexpr int MostSteps = 20000;         // on one grid, or on the coarsest of several
+constexpr double Lambda = 0.16;             // dt / spacing^2; 0.25 is where it becomes unstable
+constexpr int StepsToRedistance = 4;        // see the README: more seldom, necks break too early
+constexpr int RedistanceIterations = 2;     // by 0.45 spacings each
+constexpr int FinalIterations = 10;         // through the whole band
+constexpr int StepsToLook = 48;             // between two measures, a multiple of the above
+constexpr double Rest = 1e-5;               // relative change of the volume in StepsToLook
+constexpr int MostSteps = 20000;            // on one grid, or on the coarsest of several
 constexpr int FinerSteps = 4 * StepsToLook; // at least, on finer grids: details only are left
-constexpr double Slow = 1.5e-4;          // relative change of the volume in a square angstrom
-constexpr double StartAgain = 1.3;       // enlargement of what is added on finer levels
+constexpr double Slow = 1.5e-4;             // relative change of the volume in a square angstrom
+constexpr double StartAgain = 1.3;          // enlargement of what is added on finer levels
 
 /// Where a run of a flow is, and what it writes down.
 struct Chronicle
@@ -63,8 +63,7 @@ void RunForTime(
   const int steps = static_cast<int>(wanted);
   const double dt = steps > 0 ? time / steps : 0.0;
   // Where redistancing has just been, since the volume swings a little in between.
-  const int between =
-    StepsToRedistance * std::max(1, steps / (looks * StepsToRedistance));
+  const int between = StepsToRedistance * std::max(1, steps / (looks * StepsToRedistance));
   chronicle.Look(field);
   for (int step = 1; step <= steps; ++step)
   {
@@ -91,8 +90,8 @@ public:
     return n < 2 ? 1.0 : std::abs(this->Volumes[n - 1] / this->Volumes[n - 2] - 1.0);
   }
 
-  /// Has it come to rest? By two looks, since it may pass through a turning point; or by the means of
-  /// four and the four before, since small surfaces can swing a little for ever.
+  /// Has it come to rest? By two looks, since it may pass through a turning point; or by the means
+  /// of four and the four before, since small surfaces can swing a little for ever.
   bool IsCalm() const
   {
     const std::size_t n = this->Volumes.size();
@@ -119,8 +118,7 @@ private:
 
 /// Runs until the volume rests, or from `enough` steps on until what still happens is slow. Tells
 /// whether either came about in MostSteps.
-bool RunToRest(
-  FlowField& field, int enough, Chronicle& chronicle, const ProgressCallback& progress)
+bool RunToRest(FlowField& field, int enough, Chronicle& chronicle, const ProgressCallback& progress)
 {
   const double dt = Lambda * field.Grid.Spacing() * field.Grid.Spacing();
   Trend trend;
@@ -152,8 +150,7 @@ FlowField SteadyField(const std::vector<Ball>& balls, const SurfaceFlowParameter
   const auto part = [&](int level) { return static_cast<double>(level) / (levels + 1); };
   FlowField field = StartField(balls, parameters, std::pow(2.0, levels), parameters.Enlargement,
     pull, Between(progress, 0.0, 0.3 * part(1)));
-  bool rests = RunToRest(field, MostSteps, chronicle,
-    Between(progress, 0.3 * part(1), part(1)));
+  bool rests = RunToRest(field, MostSteps, chronicle, Between(progress, 0.3 * part(1), part(1)));
   for (int level = levels - 1; level >= 0; --level)
   {
     const int done = levels - level;
@@ -162,8 +159,7 @@ FlowField SteadyField(const std::vector<Ball>& balls, const SurfaceFlowParameter
       std::min(parameters.Enlargement, StartAgain), pull, Between(progress, part(done), third));
     AddCoarse(field, finer);
     field = std::move(finer);
-    rests = RunToRest(field, FinerSteps, chronicle,
-      Between(progress, third, part(done + 1)));
+    rests = RunToRest(field, FinerSteps, chronicle, Between(progress, third, part(done + 1)));
   }
   chronicle.Result.Rests = rests;
   return field;

@@ -22,7 +22,7 @@ struct SurfaceFlowParameters
   bool Steady = false;        ///< until the surface rests
   double ProbeRadius = 0.0;   ///< of the second obstacle, the solvent's side; 0: none
   double Spacing = 0.5;
-  double Padding = 1.7; ///< from the enlarged balls to the border; two spacings are always kept
+  double Padding = 1.7;     ///< from the enlarged balls to the border; two spacings are always kept
   bool CoarseToFine = true; ///< steady surfaces begin on coarser grids
 };
 
@@ -41,8 +41,8 @@ struct SurfaceFlowResult
   std::vector<float> Distance; ///< angstrom, negative inside, cut at Band
   double Band = 0.0;           ///< angstrom
   std::vector<FlowRecord> History;
-  std::vector<float> S;        ///< by the thesis' scheme only: 1 inside, 0 outside
-  bool Rests = true;           ///< false: a Steady flow reached its limit of steps still moving
+  std::vector<float> S; ///< by the thesis' scheme only: 1 inside, 0 outside
+  bool Rests = true;    ///< false: a Steady flow reached its limit of steps still moving
 };
 
 }

@@ -16,12 +16,12 @@ namespace isthmus
 namespace
 {
 
-constexpr double Lambda = 0.1;       // dt / spacing^2, the thesis' stability aside
-constexpr int StepsToLook = 50;      // between two measures
-constexpr int MostSteps = 5000;      // when Steady
-constexpr double Rest = 1e-5;        // relative change of the volume in StepsToLook
-constexpr float Half = 0.5F;         // the field is 1/2 - S, negative inside as distances are
-constexpr float SpacingsToS = 2.4F;  // S changes by 1 in this distance, as in the filter's S
+constexpr double Lambda = 0.1;      // dt / spacing^2, the thesis' stability aside
+constexpr int StepsToLook = 50;     // between two measures
+constexpr int MostSteps = 5000;     // when Steady
+constexpr double Rest = 1e-5;       // relative change of the volume in StepsToLook
+constexpr float Half = 0.5F;        // the field is 1/2 - S, negative inside as distances are
+constexpr float SpacingsToS = 2.4F; // S changes by 1 in this distance, as in the filter's S
 
 /// All nodes but the border's and the margin's run; those of the balls are held at S = 1.
 FlowField ThesisField(const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters,
@@ -78,10 +78,9 @@ SurfaceFlowResult ThesisFlow(const std::vector<Ball>& balls,
   FlowField field = ThesisField(balls, parameters, Between(progress, 0.0, 0.1));
   const double h = parameters.Spacing;
   const double wanted = std::ceil(parameters.EvolutionTime / (Lambda * h * h));
-  const int steps =
-    parameters.Steady ? MostSteps : static_cast<int>(std::min<double>(wanted, 1e7));
-  const double dt = parameters.Steady ? Lambda * h * h
-                                      : (steps > 0 ? parameters.EvolutionTime / steps : 0.0);
+  const int steps = parameters.Steady ? MostSteps : static_cast<int>(std::min<double>(wanted, 1e7));
+  const double dt =
+    parameters.Steady ? Lambda * h * h : (steps > 0 ? parameters.EvolutionTime / steps : 0.0);
   Record(field, 0.0, result);
   bool rests = false;
   for (int step = 1; step <= steps && !(rests && parameters.Steady); ++step)
@@ -97,8 +96,8 @@ SurfaceFlowResult ThesisFlow(const std::vector<Ball>& balls,
   }
   result.Rests = rests || !parameters.Steady;
   result.S = InnerValues(field.Grid, field.Distance, -1.0F, Half);
-  std::for_each(field.Distance.begin(), field.Distance.end(),
-    [](float& value) { value *= SpacingsToS; });
+  std::for_each(
+    field.Distance.begin(), field.Distance.end(), [](float& value) { value *= SpacingsToS; });
   field.Next = field.Distance;
   FindBand(field);
   Redistance(field, iterations);

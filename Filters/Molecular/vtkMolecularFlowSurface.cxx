@@ -38,8 +38,8 @@ void CheckRange(const char* name, double value, double low, double high, const c
 {
   if (!(value > low && value < high))
   {
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) + ", but it is " +
-      what);
+    throw std::invalid_argument(
+      std::string(name) + " is " + std::to_string(value) + ", but it is " + what);
   }
 }
 
@@ -61,8 +61,8 @@ struct vtkMolecularFlowSurface::Internals
 
   SurfaceFlowParameters Parameters() const;
   void Check() const;
-  SurfaceFlowResult Flow(const AtomBalls& atoms, vtkDataObject* input,
-    const isthmus::ProgressCallback& progress) const;
+  SurfaceFlowResult Flow(
+    const AtomBalls& atoms, vtkDataObject* input, const isthmus::ProgressCallback& progress) const;
   void Warn(const AtomBalls& atoms, const SurfaceFlowResult& result) const;
   void Surface(vtkImageData* image, bool ofS, vtkPolyData* surface) const;
 
@@ -108,8 +108,8 @@ void vtkMolecularFlowSurface::Internals::Check() const
     "an energy for each cubic angstrom: give a finite number.");
 }
 
-SurfaceFlowResult vtkMolecularFlowSurface::Internals::Flow(const AtomBalls& atoms,
-  vtkDataObject* input, const isthmus::ProgressCallback& progress) const
+SurfaceFlowResult vtkMolecularFlowSurface::Internals::Flow(
+  const AtomBalls& atoms, vtkDataObject* input, const isthmus::ProgressCallback& progress) const
 {
   const SurfaceFlowParameters parameters = this->Parameters();
   if (this->Self->Method == ThesisFlow)
@@ -152,18 +152,29 @@ void vtkMolecularFlowSurface::Internals::Warn(
 void vtkMolecularFlowSurface::Internals::Surface(
   vtkImageData* image, bool ofS, vtkPolyData* surface) const
 {
+  isthmus::ContourImage(image, ofS, this->Self->IsoValue, this->Offset(), surface);
+  if (surface->GetNumberOfPoints() == 0)
+  {
+    throw std::runtime_error("The surface vanishes at an IsoValue of " +
+      std::to_string(this->Self->IsoValue) +
+      ": nothing lies that deep inside. Choose a lower one, or a smaller Spacing.");
+  }
   if (!this->Self->DelaunayQuality)
   {
-    isthmus::ContourImage(image, ofS, this->Self->IsoValue, this->Offset(), surface);
     return;
   }
   vtkNew<vtkDelaunayIsosurface> delaunay;
   delaunay->SetInputData(image);
-  delaunay->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS,
-    ofS ? "S" : "SignedDistance");
+  delaunay->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, ofS ? "S" : "SignedDistance");
   delaunay->SetLevel(ofS ? this->Self->IsoValue : this->Offset());
   delaunay->SetInsideIsHigher(ofS);
   delaunay->Update();
+  if (delaunay->GetOutput()->GetNumberOfPoints() == 0)
+  {
+    throw std::runtime_error("Delaunay refinement of the surface failed, as told before: switch "
+                             "DelaunayQuality off, or choose another Spacing.");
+  }
   surface->ShallowCopy(delaunay->GetOutput());
 }
 

@@ -9,30 +9,32 @@
  *
  * Outputs:
  *  - 0: vtkPolyData, the surface: closed, facing outwards, with Normals;
- *  - 1: vtkImageData with `SignedDistance` (angstrom, negative inside; exact to second order within 4.5
- *    spacings of the surface, cut there) and `S` in [0, 1] (1/2 on the surface, over 2.4 spacings);
+ *  - 1: vtkImageData with `SignedDistance` (angstrom, negative inside; exact to second order
+ * within 4.5 spacings of the surface, cut there) and `S` in [0, 1] (1/2 on the surface, over 2.4
+ * spacings);
  *  - 2: vtkTable, the history: `Time` (square angstrom), `Spacing` (of the grid it ran on), `Area`,
  *    `Volume`, `Energy` (kcal/mol: SurfaceTension x Area, and + Pressure x Volume with Solvent on).
  *
- * The flow starts from balls of Enlargement times the radius and goes on for EvolutionTime, or until
- * it rests (Steady): then it is the *minimal molecular surface*, which has the least area around the
- * atoms and is a hull: it fills pockets, pores and tunnels. A ProbeRadius adds a second obstacle, the
- * solvent-excluded surface of that probe, which the flow can't cross: what the probe can enter stays
- * open, and the rest is smooth without the cusps of that surface. Formulas, sources: SurfaceFlow.h.
+ * The flow starts from balls of Enlargement times the radius and goes on for EvolutionTime, or
+ * until it rests (Steady): then it is the *minimal molecular surface*, which has the least area
+ * around the atoms and is a hull: it fills pockets, pores and tunnels. A ProbeRadius adds a second
+ * obstacle, the solvent-excluded surface of that probe, which the flow can't cross: what the probe
+ * can enter stays open, and the rest is smooth without the cusps of that surface. Formulas,
+ * sources: SurfaceFlow.h.
  *
  * **What users call a molecular surface** is the solvent-excluded one of water (probe 1.4): for
- * electrostatics and for channels set a ProbeRadius of 1.4, or the preset Channel; for radii of united
- * atoms, which close narrow pores to it, 1.0. The default is the thesis', without a probe.
+ * electrostatics and for channels set a ProbeRadius of 1.4, or the preset Channel; for radii of
+ * united atoms, which close narrow pores to it, 1.0. The default is the thesis', without a probe.
  *
  * **Errors** (sentence, empty outputs): atoms without radii and elements; coordinates or radii that
  * are not finite, negative radii, none above 0; parameters out of range; a grid that does not fit
- * into memory, told with its size before anything is allocated; a Spacing so large that no node lies
- * inside of an atom. Atoms with radius NaN are left out with a warning. No atoms: empty outputs, no
- * error.
+ * into memory, told with its size before anything is allocated; a Spacing so large that no node
+ * lies inside of an atom. Atoms with radius NaN are left out with a warning. No atoms: empty
+ * outputs, no error.
  *
- * **Cost.** Lysozyme (1960 atoms) at 0.5 angstrom: 0.3 s to the thesis' time, 1 s to rest on a busy
- * core; growth is linear in the area / Spacing^2, and times 1 / Spacing^2 for a given time. Memory: 36
- * bytes a node. The same bits on any number of threads. All atoms are needed on one rank.
+ * **Cost.** Lysozyme (1960 atoms, 0.5 angstrom): some 60 steps to the thesis' time, 200 fine ones
+ * to rest. A step goes with area / Spacing, steps for a given time with 1 / Spacing^2. Memory: 40
+ * to 50 bytes a node. The same bits on any number of threads. All atoms are needed on one rank.
  */
 #ifndef vtkMolecularFlowSurface_h
 #define vtkMolecularFlowSurface_h
@@ -52,11 +54,11 @@ public:
 
   enum Presets
   {
-    Custom = 0,  ///< the properties below
-    Fine = 1,    ///< Enlargement 1.3, EvolutionTime 2.5: the thesis' fine surface
-    Coarse = 2,  ///< Enlargement 2.0, EvolutionTime 2.5: the thesis' coarse surface
-    Hull = 3,    ///< Enlargement 1.3, Steady, no probe: the minimal molecular surface
-    Channel = 4  ///< Enlargement 1.3, Steady, ProbeRadius 1.4: what water enters stays open
+    Custom = 0, ///< the properties below
+    Fine = 1,   ///< Enlargement 1.3, EvolutionTime 2.5: the thesis' fine surface
+    Coarse = 2, ///< Enlargement 2.0, EvolutionTime 2.5: the thesis' coarse surface
+    Hull = 3,   ///< Enlargement 1.3, Steady, no probe: the minimal molecular surface
+    Channel = 4 ///< Enlargement 1.3, Steady, ProbeRadius 1.4: what water enters stays open
   };
 
   enum Methods
@@ -86,7 +88,8 @@ public:
   ///@}
 
   ///@{
-  /// How long the flow goes on, in square angstrom, unless Steady. Default 2.5, the thesis' 100 steps.
+  /// How long the flow goes on, in square angstrom, unless Steady. Default 2.5, the thesis' 100
+  /// steps.
   vtkSetMacro(EvolutionTime, double);
   vtkGetMacro(EvolutionTime, double);
   ///@}
@@ -132,7 +135,8 @@ public:
   ///@}
 
   ///@{
-  /// Let the solvent pull: pressure and dispersion (thesis 4.9) beside the surface tension. Default off.
+  /// Let the solvent pull: pressure and dispersion (thesis 4.9) beside the surface tension. Default
+  /// off.
   vtkSetMacro(Solvent, bool);
   vtkGetMacro(Solvent, bool);
   vtkBooleanMacro(Solvent, bool);
@@ -152,8 +156,8 @@ public:
   ///@}
 
   ///@{
-  /// Triangles with no angle below 30 degrees by Delaunay refinement (vtkDelaunayIsosurface) in place
-  /// of those of the grid's cells; some ten times as long. Default off.
+  /// Triangles with no angle below 30 degrees by Delaunay refinement (vtkDelaunayIsosurface) in
+  /// place of those of the grid's cells; some ten times as long. Default off.
   vtkSetMacro(DelaunayQuality, bool);
   vtkGetMacro(DelaunayQuality, bool);
   vtkBooleanMacro(DelaunayQuality, bool);

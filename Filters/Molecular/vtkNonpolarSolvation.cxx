@@ -91,8 +91,8 @@ std::vector<float> DistancesOf(vtkImageData* image)
     const double value = array->GetComponent(node, 0);
     if (std::isnan(value))
     {
-      throw std::invalid_argument("SignedDistance is not a number at node " + std::to_string(node) +
-        ": fill it in first.");
+      throw std::invalid_argument(
+        "SignedDistance is not a number at node " + std::to_string(node) + ": fill it in first.");
     }
     distances[static_cast<std::size_t>(node)] = static_cast<float>(value);
   }

@@ -53,8 +53,8 @@ void Tell(benchmark::State& state, const std::vector<Ball>& balls,
   state.counters["atoms"] = static_cast<double>(balls.size());
 }
 
-void Run(benchmark::State& state, const std::vector<Ball>& balls,
-  const SurfaceFlowParameters& parameters)
+void Run(
+  benchmark::State& state, const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters)
 {
   SurfaceFlowResult result;
   for (auto _ : state)

@@ -6,8 +6,8 @@
 #define isthmus_FlowCases_h
 
 #include "PolyDataTriangles.h"
-#include "SurfaceMeasures.h"
 #include "SurfaceFlowParameters.h"
+#include "SurfaceMeasures.h"
 #include "vtkMolecularFlowSurface.h"
 
 #include <vtkDoubleArray.h>
@@ -116,8 +116,7 @@ inline std::vector<Ball> BallsOfPQR(const std::string& file)
   return balls;
 }
 
-inline vtkSmartPointer<vtkPolyData> AtomsOf(
-  const std::vector<Ball>& balls, int type = VTK_DOUBLE)
+inline vtkSmartPointer<vtkPolyData> AtomsOf(const std::vector<Ball>& balls, int type = VTK_DOUBLE)
 {
   auto atoms = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;

@@ -149,7 +149,8 @@ TEST(MolecularFlowSurface, OutputsFitEachOther)
   {
     vtkTriangle* triangle = vtkTriangle::SafeDownCast(surface->GetCell(cell));
     ASSERT_NE(triangle, nullptr);
-    vtkTriangle::ComputeNormal(surface->GetPoints(), 3, triangle->GetPointIds()->GetPointer(0), ids);
+    vtkTriangle::ComputeNormal(
+      surface->GetPoints(), 3, triangle->GetPointIds()->GetPointer(0), ids);
     along += vtkMath::Dot(ids, normals->GetTuple(triangle->GetPointId(0))) > 0.0 ? 1 : 0;
   }
   EXPECT_GT(along, surface->GetNumberOfCells() * 99 / 100);
@@ -363,6 +364,11 @@ TEST(MolecularFlowSurface, NumbersOutOfRangeAreToldInASentence)
     (filter->*property.Setter)(property.Sound);
     EXPECT_EQ(errors.Of(atoms), "") << property.Name;
   }
+  const auto small = AtomsOf({ { { 0.0, 0.0, 0.0 }, 0.4 } });
+  filter->SetIsoValue(0.99);
+  EXPECT_NE(errors.Of(small).find("vanishes at an IsoValue"), std::string::npos);
+  EXPECT_TRUE(errors.IsEmpty());
+  filter->SetIsoValue(0.5);
   filter->SetSpacing(1e-3);
   EXPECT_NE(errors.Of(atoms).find("of memory, of which"), std::string::npos);
   filter->SetSpacing(1e-12);
@@ -418,11 +424,11 @@ TEST(MolecularFlowSurface, LysozymeByTime)
     vtkIdType Genus;
   };
   // ../shared/flows.md, section 2.
-  for (const Case& c : { Case{ 1.0, 0.5, 6259.0, 17092.0, 0, 0 },
-         Case{ 1.0, 2.5, 4956.0, 18891.0, 1, 0 }, Case{ 1.3, 0.0, 7216.0, 19904.0, 0, 0 },
-         Case{ 1.3, 0.5, 5228.0, 19562.0, 0, 0 }, Case{ 1.3, 2.5, 4768.0, 19862.0, 1, 0 },
-         Case{ 1.3, 10.0, 4569.0, 21284.0, 1, 0 }, Case{ 2.0, 0.0, 6630.0, 28247.0, 0, 0 },
-         Case{ 2.0, 2.5, 5018.0, 26635.0, 1, 0 } })
+  for (const Case& c :
+    { Case{ 1.0, 0.5, 6259.0, 17092.0, 0, 0 }, Case{ 1.0, 2.5, 4956.0, 18891.0, 1, 0 },
+      Case{ 1.3, 0.0, 7216.0, 19904.0, 0, 0 }, Case{ 1.3, 0.5, 5228.0, 19562.0, 0, 0 },
+      Case{ 1.3, 2.5, 4768.0, 19862.0, 1, 0 }, Case{ 1.3, 10.0, 4569.0, 21284.0, 1, 0 },
+      Case{ 2.0, 0.0, 6630.0, 28247.0, 0, 0 }, Case{ 2.0, 2.5, 5018.0, 26635.0, 1, 0 } })
   {
     filter->SetEnlargement(c.Enlargement);
     filter->SetEvolutionTime(c.Time);

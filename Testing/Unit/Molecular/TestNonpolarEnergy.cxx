@@ -59,7 +59,8 @@ TEST(NonpolarEnergy, OneAtomInABall)
     const Ball ball{ atom.Centre, 4.5 };
     const DensityGrid grid = GridAroundBalls({ ball }, h, { 1.5, 1.5, 1.5 });
     const std::vector<float> distance = BallDistances(grid, ball);
-    const NonpolarEnergies found = NonpolarEnergy({ ball }, { atom }, grid, distance.data(), solvent);
+    const NonpolarEnergies found =
+      NonpolarEnergy({ ball }, { atom }, grid, distance.data(), solvent);
     const double exact = solvent.Density * Outside(depth, minimum, 4.5);
     errors.push_back(std::abs(found.Whole.DispersionEnergy / exact - 1.0));
     EXPECT_NEAR(found.Whole.Area / (4.0 * Pi * 4.5 * 4.5), 1.0, 5e-3);
@@ -109,8 +110,7 @@ TEST(NonpolarEnergy, FarAtomsByBlocksAndSharesThatAddUp)
   EXPECT_EQ(found.Atoms[2].Area, 0.0);
   EXPECT_NEAR(found.Atoms[0].Volume + found.Atoms[1].Volume, found.Whole.Volume, 1e-9);
   EXPECT_NEAR(found.Atoms[0].Area + found.Atoms[1].Area, found.Whole.Area, 1e-9);
-  EXPECT_THROW(
-    NonpolarEnergy(balls, {}, grid, distance.data(), solvent), std::invalid_argument);
+  EXPECT_THROW(NonpolarEnergy(balls, {}, grid, distance.data(), solvent), std::invalid_argument);
 }
 
 TEST(NonpolarEnergy, NearestBallIsTheNearest)
@@ -123,9 +123,9 @@ TEST(NonpolarEnergy, NearestBallIsTheNearest)
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t b = 0; b < balls.size(); ++b)
     {
-      const double d = std::hypot(place.Centre[0] - balls[b].Centre[0],
-                         place.Centre[1] - balls[b].Centre[1],
-                         place.Centre[2] - balls[b].Centre[2]) -
+      const double d =
+        std::hypot(place.Centre[0] - balls[b].Centre[0], place.Centre[1] - balls[b].Centre[1],
+          place.Centre[2] - balls[b].Centre[2]) -
         balls[b].Radius;
       if (d < least)
       {

@@ -83,11 +83,10 @@ double RmsDifference(const SurfaceFlowResult& a, const SurfaceFlowResult& b)
     if (std::abs(static_cast<double>(a.Distance[node])) < a.Grid.Spacing)
     {
       const auto i = static_cast<std::int64_t>(node);
-      const std::array<double, 3> at{
-        a.Grid.Origin[0] + a.Grid.Spacing * static_cast<double>(i % n[0]),
+      const std::array<double, 3> at{ a.Grid.Origin[0] +
+          a.Grid.Spacing * static_cast<double>(i % n[0]),
         a.Grid.Origin[1] + a.Grid.Spacing * static_cast<double>(i / n[0] % n[1]),
-        a.Grid.Origin[2] + a.Grid.Spacing * static_cast<double>(i / n[0] / n[1])
-      };
+        a.Grid.Origin[2] + a.Grid.Spacing * static_cast<double>(i / n[0] / n[1]) };
       const double by = static_cast<double>(a.Distance[node]) - Trilinear(b, at);
       sum += by * by;
       count += 1.0;
@@ -230,8 +229,8 @@ TEST(SolventExcludedSurface, TwoBallsAndTheProbesSaddle)
     SurfaceFlowParameters parameters;
     parameters.Spacing = h;
     parameters.ProbeRadius = p;
-    const SurfaceFlowResult found = SolventExcludedSurface(
-      { { { -a, 0.03, 0.01 }, r }, { { a, 0.03, 0.01 }, r } }, parameters);
+    const SurfaceFlowResult found =
+      SolventExcludedSurface({ { { -a, 0.03, 0.01 }, r }, { { a, 0.03, 0.01 }, r } }, parameters);
     errors.push_back(Last(found).Area / exact - 1.0);
     std::cout << "solvent-excluded, h " << h << ": " << errors.back() << "\n";
   }
@@ -316,10 +315,11 @@ TEST(ThesisFlow, ComesToRestOutsideOfTheMinimalSurface)
     // S = 1 in the balls, and 0 on the border.
     const auto& n = thesis.Grid.Dimensions;
     EXPECT_EQ(thesis.S.front(), 0.0F);
-    const auto middle = static_cast<std::size_t>(
-      std::lround((-2.2 - thesis.Grid.Origin[0]) / spacings[i]) +
-      n[0] * (std::lround(-thesis.Grid.Origin[1] / spacings[i]) +
-        n[1] * std::lround(-thesis.Grid.Origin[2] / spacings[i])));
+    const auto middle =
+      static_cast<std::size_t>(std::lround((-2.2 - thesis.Grid.Origin[0]) / spacings[i]) +
+        n[0] *
+          (std::lround(-thesis.Grid.Origin[1] / spacings[i]) +
+            n[1] * std::lround(-thesis.Grid.Origin[2] / spacings[i])));
     EXPECT_EQ(thesis.S[middle], 1.0F);
   }
   EXPECT_NEAR(area[0], 0.148, 0.03);
