@@ -67,12 +67,22 @@ public:
   template <typename Use>
   void ForEachBall(std::int64_t b, Use use) const
   {
+    this->ForEachIndex(b, [&](std::size_t ball) { use(this->Balls[ball]); });
+  }
+
+  /// Calls `use(index)` with their numbers in Sorted().
+  template <typename Use>
+  void ForEachIndex(std::int64_t b, Use use) const
+  {
     const auto at = static_cast<std::size_t>(b);
     for (std::int64_t e = this->Start[at]; e < this->Start[at + 1]; ++e)
     {
-      use(this->Balls[this->Entries[static_cast<std::size_t>(e)]]);
+      use(this->Entries[static_cast<std::size_t>(e)]);
     }
   }
+
+  /// The balls in the order that does not depend on the input's.
+  const std::vector<Ball>& Sorted() const { return this->Balls; }
 
 private:
   template <typename Use>

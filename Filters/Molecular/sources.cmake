@@ -2,10 +2,33 @@ isthmus_room(
   CLASSES
     vtkBindingSites
     vtkMolecularDensity
+    vtkMolecularFlowSurface
+    vtkNonpolarSolvation
     vtkPolarizedCurvature
   SOURCES
+    AtomBalls
     BallBricks
+    BallDistance
+    BallNeighbours
     BindingSites
+    Dispersion
+    DispersionAtoms
+    FlowBand
+    FlowGrid
+    FlowMemory
+    FlowResult
+    FlowStart
+    FlowSteps
+    FlowSurfaceOutput
     HullDepth
+    LevelMeasure
     MolecularDensity
-    PolarizedCurvature)
+    NearestBall
+    NonpolarEnergy
+    PolarizedCurvature
+    SolventExcludedDistance
+    SolventExcludedSurface
+    SurfaceFlow
+    ThesisFlow
+  VECTORISED
+    FlowLoops)

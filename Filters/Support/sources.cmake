@@ -1,5 +1,6 @@
 isthmus_room(
   SOURCES
+    AvailableMemory
     CellType
     ChemicalElement
     ChosenScalars

@@ -1,0 +1,157 @@
+#include "AtomBalls.h"
+
+#include "ChemicalElement.h"
+
+#include <vtkDataArray.h>
+#include <vtkMolecule.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedShortArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace isthmus
+{
+namespace
+{
+
+double RadiusOfElement(int element)
+{
+  const double radius = VanDerWaalsRadius(element, RadiusTable::Bondi);
+  return std::isnan(radius) ? VanDerWaalsRadius(element, RadiusTable::Alvarez) : radius;
+}
+
+std::string ArrayNames(vtkDataSetAttributes* data)
+{
+  std::string names;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    const char* name = data->GetArrayName(i);
+    names += std::string(" ") + (name ? name : "(unnamed)");
+  }
+  return names.empty() ? " none" : names;
+}
+
+std::vector<double> RadiiOf(vtkDataObject* atoms, const char* name, bool& byElement)
+{
+  vtkDataArray* array = name ? AtomData(atoms)->GetArray(name) : nullptr;
+  const vtkIdType count = AtomPoints(atoms)->GetNumberOfPoints();
+  std::vector<double> radii(static_cast<std::size_t>(count));
+  byElement = array == nullptr;
+  if (array)
+  {
+    if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() < count)
+    {
+      throw std::invalid_argument("The array " + std::string(name) +
+        " of radii does not have one number for each atom: extract one component first.");
+    }
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      radii[static_cast<std::size_t>(i)] = array->GetComponent(i, 0);
+    }
+    return radii;
+  }
+  const std::vector<int> elements = AtomElements(atoms);
+  if (elements.empty())
+  {
+    throw std::invalid_argument("The atoms have no point array " + std::string(name ? name : "") +
+      " of radii, and no array Element either; they have:" + ArrayNames(AtomData(atoms)) +
+      ". Read them with vtkMacromoleculeReader, or choose one of these.");
+  }
+  std::transform(elements.begin(), elements.end(), radii.begin(), RadiusOfElement);
+  return radii;
+}
+
+void CheckBall(const Ball& ball, vtkIdType atom)
+{
+  if (!std::isfinite(ball.Centre[0]) || !std::isfinite(ball.Centre[1]) ||
+    !std::isfinite(ball.Centre[2]) || std::isinf(ball.Radius) || ball.Radius < 0.0)
+  {
+    throw std::invalid_argument("Atom " + std::to_string(atom) +
+      " has a coordinate or radius that is not finite, or a negative radius: correct it or leave "
+      "it "
+      "out.");
+  }
+}
+
+}
+
+vtkPoints* AtomPoints(vtkDataObject* atoms)
+{
+  if (auto* molecule = vtkMolecule::SafeDownCast(atoms))
+  {
+    return molecule->GetAtomicPositionArray();
+  }
+  auto* points = vtkPointSet::SafeDownCast(atoms);
+  return points ? points->GetPoints() : nullptr;
+}
+
+vtkDataSetAttributes* AtomData(vtkDataObject* atoms)
+{
+  if (auto* molecule = vtkMolecule::SafeDownCast(atoms))
+  {
+    return molecule->GetVertexData();
+  }
+  return vtkPointSet::SafeDownCast(atoms)->GetPointData();
+}
+
+std::vector<int> AtomElements(vtkDataObject* atoms)
+{
+  std::vector<int> elements;
+  vtkDataArray* array = AtomData(atoms)->GetArray("Element");
+  if (auto* molecule = vtkMolecule::SafeDownCast(atoms))
+  {
+    array = molecule->GetAtomicNumberArray();
+  }
+  if (array && array->GetNumberOfComponents() == 1)
+  {
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      const double element = array->GetComponent(i, 0);
+      const bool known = element >= 0.0 && element < NumberOfElements;
+      elements.push_back(known ? static_cast<int>(element) : 0);
+    }
+  }
+  return elements;
+}
+
+AtomBalls BallsOf(vtkDataObject* atoms, const char* name)
+{
+  AtomBalls result;
+  vtkPoints* points = AtomPoints(atoms);
+  result.NumberOfAtoms = points ? points->GetNumberOfPoints() : 0;
+  if (result.NumberOfAtoms == 0)
+  {
+    return result;
+  }
+  const std::vector<double> radii = RadiiOf(atoms, name, result.ByElement);
+  for (vtkIdType i = 0; i < result.NumberOfAtoms; ++i)
+  {
+    Ball ball{ {}, radii[static_cast<std::size_t>(i)] };
+    points->GetPoint(i, ball.Centre.data());
+    if (std::isnan(ball.Radius))
+    {
+      ++result.WithoutRadius;
+      continue;
+    }
+    CheckBall(ball, i);
+    if (ball.Radius > 0.0)
+    {
+      result.Balls.push_back(ball);
+      result.Ids.push_back(i);
+    }
+  }
+  if (result.Balls.empty())
+  {
+    throw std::invalid_argument("None of the " + std::to_string(result.NumberOfAtoms) +
+      " atoms has a radius above 0, so there is nothing to make a surface of: choose another table "
+      "of radii in the reader, or another array.");
+  }
+  return result;
+}
+
+}

@@ -1,0 +1,51 @@
+/**
+ * @file AtomBalls.h
+ * @brief The atoms of a VTK data set as balls: radii from an array, or by element.
+ */
+#ifndef isthmus_AtomBalls_h
+#define isthmus_AtomBalls_h
+
+#include "Ball.h"
+#include "vtkIsthmusModule.h"
+
+#include <vtkType.h>
+
+#include <vector>
+
+class vtkDataObject;
+class vtkDataSetAttributes;
+class vtkPoints;
+
+namespace isthmus
+{
+
+struct AtomBalls
+{
+  std::vector<Ball> Balls;     ///< of the atoms that have a radius above 0
+  std::vector<vtkIdType> Ids;  ///< their numbers in the input
+  vtkIdType NumberOfAtoms = 0; ///< of the input
+  vtkIdType WithoutRadius = 0; ///< atoms left out since their radius is not a number
+  bool ByElement = false;      ///< whether radii come from the elements
+};
+
+/// Points of a vtkPointSet or a vtkMolecule; null for anything else.
+vtkPoints* AtomPoints(vtkDataObject* atoms);
+
+/// Point data of a vtkPointSet, vertex data of a vtkMolecule.
+vtkDataSetAttributes* AtomData(vtkDataObject* atoms);
+
+/// Number of the element of each atom, from a molecule or the array `Element`; empty where neither
+/// is there.
+std::vector<int> AtomElements(vtkDataObject* atoms);
+
+/**
+ * Balls from the point array `radii`; where there is none, from the elements, by Bondi's table and
+ * Alvarez' where that has none. Atoms whose radius is 0 have no ball; those whose radius is not a
+ * number are counted. Throws std::invalid_argument where there are neither radii nor elements, for
+ * a radius that is negative or infinite, a coordinate that is not finite, and when no atom is left.
+ */
+VTKISTHMUS_EXPORT AtomBalls BallsOf(vtkDataObject* atoms, const char* radii);
+
+}
+
+#endif

@@ -1,0 +1,153 @@
+#include "Dispersion.h"
+
+#include "BallBricks.h"
+#include "ParallelFor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace isthmus
+{
+namespace
+{
+
+constexpr double Reach = 10.0; // angstrom; beyond, a pair gives less than 1/1000 of its depth
+
+/// Adds the energy of one pair to the nodes of a brick. Lengths in angstrom but for the ball.
+void AddPair(const FlowGrid& grid, const Ball& ball, const DispersionPair& pair, const Brick& brick,
+  std::vector<float>& energy)
+{
+  const double h = grid.Spacing();
+  const NodeRange planes(ball.Centre[2], ball.Radius, brick.First[2], brick.Last[2]);
+  for (std::int64_t k = planes.First; k < planes.Last; ++k)
+  {
+    const double z = static_cast<double>(k) - ball.Centre[2];
+    const double left = std::max(0.0, ball.Radius * ball.Radius - z * z);
+    const NodeRange rows(ball.Centre[1], std::sqrt(left), brick.First[1], brick.Last[1]);
+    for (std::int64_t j = rows.First; j < rows.Last; ++j)
+    {
+      const double y = static_cast<double>(j) - ball.Centre[1];
+      const double reach = std::sqrt(std::max(0.0, left - y * y));
+      const NodeRange row(ball.Centre[0], reach, brick.First[0], brick.Last[0]);
+      float* to = energy.data() + grid.Row() * j + grid.Plane() * k;
+      for (std::int64_t i = row.First; i < row.Last; ++i)
+      {
+        const double x = static_cast<double>(i) - ball.Centre[0];
+        to[i] += static_cast<float>(pair.At(h * h * (x * x + y * y + z * z)));
+      }
+    }
+  }
+}
+
+void AddEnergy(const FlowGrid& grid, const std::vector<DispersionAtom>& atoms,
+  const SolventParameters& solvent, std::vector<float>& energy)
+{
+  const double h = grid.Spacing();
+  const std::array<double, 3> origin = grid.Origin();
+  // Bricks sort equal balls by place: the pairs go into that order, too.
+  std::vector<DispersionAtom> sorted = atoms;
+  std::sort(sorted.begin(), sorted.end(),
+    [](const DispersionAtom& a, const DispersionAtom& b)
+    {
+      return std::tie(a.Centre[2], a.Centre[1], a.Centre[0], a.WellDepth, a.Radius) <
+        std::tie(b.Centre[2], b.Centre[1], b.Centre[0], b.WellDepth, b.Radius);
+    });
+  std::vector<Ball> balls;
+  std::vector<DispersionPair> pairs;
+  for (const DispersionAtom& atom : sorted)
+  {
+    Ball ball{ {}, Reach / h };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      ball.Centre[axis] = (atom.Centre[axis] - origin[axis]) / h;
+    }
+    balls.push_back(ball);
+    pairs.emplace_back(atom, solvent);
+  }
+  const BallBricks bricks(balls, 1.0, grid.Dimensions());
+  ParallelFor(0, bricks.Size(), 1,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t b = first; b < last; ++b)
+      {
+        const Brick brick = bricks.At(b);
+        bricks.ForEachIndex(
+          b, [&](std::size_t atom) { AddPair(grid, balls[atom], pairs[atom], brick, energy); });
+      }
+    });
+}
+
+}
+
+DispersionPair::DispersionPair(const DispersionAtom& atom, const SolventParameters& solvent)
+  : Minimum(atom.Radius + solvent.Radius)
+  , Depth(std::sqrt(atom.WellDepth * solvent.WellDepth))
+{
+}
+
+double DispersionPair::At(double squaredDistance) const
+{
+  const double squared = this->Minimum * this->Minimum;
+  if (squaredDistance < squared)
+  {
+    return -this->Depth;
+  }
+  const double ratio = squared / squaredDistance;
+  const double sixth = ratio * ratio * ratio;
+  return this->Depth * (sixth * sixth - 2.0 * sixth);
+}
+
+double DispersionPair::Integral() const
+{
+  // 4 pi m^3 eps (-1/3 + 1/9 - 2/3), by powers of r.
+  constexpr double pi = 3.14159265358979323846;
+  return -32.0 / 9.0 * pi * std::pow(this->Minimum, 3) * this->Depth;
+}
+
+std::array<double, 2> DispersionOfElement(int element)
+{
+  switch (element)
+  {
+    case 1:
+      return { 1.4870, 0.0157 };
+    case 6:
+      return { 1.9080, 0.1094 };
+    case 7:
+      return { 1.8240, 0.1700 };
+    case 8:
+      return { 1.6612, 0.2100 };
+    case 9:
+      return { 1.7500, 0.0610 };
+    case 15:
+      return { 2.1000, 0.2000 };
+    case 16:
+      return { 2.0000, 0.2500 };
+    case 17:
+      return { 1.9480, 0.2650 };
+    case 35:
+      return { 2.2200, 0.3200 };
+    case 53:
+      return { 2.3500, 0.4000 };
+    default:
+      return { 1.9080, 0.0 };
+  }
+}
+
+PullField SolventPull(std::vector<DispersionAtom> atoms, const SolventParameters& solvent)
+{
+  return [atoms = std::move(atoms), solvent](const FlowGrid& grid, std::vector<float>& pull)
+  {
+    AddEnergy(grid, atoms, solvent, pull);
+    const double tension = solvent.SurfaceTension;
+    std::for_each(pull.begin(), pull.end(),
+      [&](float& value)
+      {
+        value = static_cast<float>(
+          (solvent.Pressure - solvent.Density * static_cast<double>(value)) / tension);
+      });
+  };
+}
+
+}

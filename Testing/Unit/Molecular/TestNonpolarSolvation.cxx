@@ -1,0 +1,119 @@
+// vtkNonpolarSolvation: its outputs, and what it refuses.
+
+#include "vtkNonpolarSolvation.h"
+
+#include "FlowCases.h"
+
+#include <vtkCommand.h>
+#include <vtkExecutive.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkTable.h>
+#include <vtkTestErrorObserver.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace isthmus;
+using namespace isthmus::testing;
+
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> WithDepths(const std::vector<Ball>& balls, double depth)
+{
+  auto atoms = AtomsOf(balls);
+  vtkNew<vtkDoubleArray> depths;
+  depths->SetName("WellDepth");
+  for (std::size_t i = 0; i < balls.size(); ++i)
+  {
+    depths->InsertNextValue(depth);
+  }
+  atoms->GetPointData()->AddArray(depths);
+  return atoms;
+}
+
+}
+
+TEST(NonpolarSolvation, ArraysAndTableAddUp)
+{
+  const std::vector<Ball> balls = RandomBalls(40, 9.0);
+  const auto atoms = WithDepths(balls, 0.1);
+  vtkNew<vtkMolecularFlowSurface> flow;
+  flow->SetInputData(atoms);
+  vtkNew<vtkNonpolarSolvation> energy;
+  energy->SetInputData(0, atoms);
+  energy->SetInputConnection(1, flow->GetOutputPort(1));
+  energy->Update();
+  auto* table = vtkTable::SafeDownCast(energy->GetOutputDataObject(1));
+  ASSERT_EQ(table->GetNumberOfRows(), 1);
+  for (const char* name :
+    { "Area", "Volume", "SurfaceEnergy", "VolumeEnergy", "DispersionEnergy", "NonpolarEnergy" })
+  {
+    vtkDataArray* parts = energy->GetOutput()->GetPointData()->GetArray(name);
+    ASSERT_NE(parts, nullptr) << name;
+    double sum = 0.0;
+    for (vtkIdType i = 0; i < parts->GetNumberOfTuples(); ++i)
+    {
+      sum += parts->GetComponent(i, 0);
+    }
+    const double whole = table->GetValueByName(0, name).ToDouble();
+    EXPECT_NEAR(sum, whole, 1e-9 * std::abs(whole)) << name;
+  }
+  EXPECT_NEAR(
+    table->GetValueByName(0, "Area").ToDouble() / MeasuresOf(flow->GetOutput()).Whole.Area, 1.0,
+    5e-3);
+  EXPECT_LT(table->GetValueByName(0, "DispersionEnergy").ToDouble(), 0.0);
+  EXPECT_EQ(atoms->GetPointData()->GetArray("Area"), nullptr); // the input stays as it was
+}
+
+TEST(NonpolarSolvation, BadInputIsToldInASentence)
+{
+  const std::vector<Ball> balls{ { { 0.0, 0.0, 0.0 }, 1.7 } };
+  vtkNew<vtkMolecularFlowSurface> flow;
+  flow->SetInputData(AtomsOf(balls));
+  flow->Update();
+  vtkNew<vtkImageData> image;
+  image->DeepCopy(flow->GetImage());
+  vtkNew<vtkTest::ErrorObserver> said;
+  vtkNew<vtkTest::ErrorObserver> pipeline;
+  vtkNew<vtkNonpolarSolvation> energy;
+  energy->AddObserver(vtkCommand::ErrorEvent, said);
+  energy->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, pipeline);
+  const auto of = [&](vtkPolyData* atoms, vtkImageData* volume)
+  {
+    said->Clear();
+    energy->SetInputData(0, atoms);
+    energy->SetInputData(1, volume);
+    energy->Modified();
+    energy->Update();
+    return said->GetErrorMessage();
+  };
+  const auto empty = [&] { return energy->GetOutput()->GetNumberOfPoints() == 0; };
+  EXPECT_EQ(of(WithDepths(balls, 0.1), image), "");
+  EXPECT_FALSE(empty());
+  EXPECT_NE(of(AtomsOf(balls), image).find("WellDepth (kcal/mol"), std::string::npos);
+  EXPECT_TRUE(empty());
+  EXPECT_NE(of(WithDepths(balls, -0.1), image).find("has a WellDepth of -0.1"), std::string::npos);
+  EXPECT_NE(of(WithDepths(balls, std::nan("")), image).find("WellDepth"), std::string::npos);
+  vtkNew<vtkImageData> bare;
+  bare->CopyStructure(image);
+  EXPECT_NE(of(WithDepths(balls, 0.1), bare).find("no array SignedDistance"), std::string::npos);
+  vtkNew<vtkImageData> holed;
+  holed->DeepCopy(image);
+  holed->GetPointData()->GetArray("SignedDistance")->SetComponent(5, 0, std::nan(""));
+  EXPECT_NE(of(WithDepths(balls, 0.1), holed).find("not a number at node 5"), std::string::npos);
+  vtkNew<vtkImageData> flat;
+  flat->DeepCopy(image);
+  flat->SetSpacing(0.5, 0.5, 0.7);
+  EXPECT_NE(of(WithDepths(balls, 0.1), flat).find("not cubes"), std::string::npos);
+  energy->SetSolventDensity(-1.0);
+  EXPECT_NE(of(WithDepths(balls, 0.1), image).find("SolventDensity is -1"), std::string::npos);
+  energy->SetSolventDensity(0.033);
+  energy->SetPressure(std::nan(""));
+  EXPECT_NE(of(WithDepths(balls, 0.1), image).find("Pressure is nan"), std::string::npos);
+  energy->SetPressure(0.05);
+  EXPECT_EQ(of(vtkNew<vtkPolyData>(), image), "");
+  EXPECT_TRUE(empty());
+}
