@@ -14,7 +14,7 @@ constexpr int LinearUnknowns = 4; // phi0, a, b1, b2
 constexpr std::size_t FewestForQuadratic = 14;
 constexpr std::size_t FewestForLinear = 5;
 /// Fits whose answer amplifies the data more than this are not believed.
-constexpr double LargestGain = 10.0;
+constexpr double LargestGain = 1e3;
 
 using Basis = std::array<double, Unknowns>;
 

@@ -1,0 +1,16 @@
+isthmus_room(
+  SOURCES
+    BoundaryPotential
+    HarmonicFit
+    InterfaceFit
+    InterfaceGeometry
+    InterfaceOperator
+    InterfaceSolver
+    IonAtmosphere
+    IrregularRows
+    MultigridLevel
+    MultigridPoisson
+    PoissonBoltzmann
+    PotentialOnBox
+  VECTORISED
+    ChargeSums)
