@@ -42,6 +42,23 @@ ISTHMUS_VECTOR_CLONES void CoulombLoop(std::size_t blocks, const double* px, con
   }
 }
 
+/// The potential alone, with squared distances of `least` at least.
+ISTHMUS_VECTOR_CLONES void ValueLoop(std::size_t blocks, const double* px, const double* py,
+  const double* pz, const double* pq, const double* at, double least, double* sums)
+{
+  for (std::size_t b = 0; b < blocks; ++b)
+  {
+    for (std::size_t l = 0; l < Lanes; ++l)
+    {
+      const double dx = at[0] - px[b * Lanes + l];
+      const double dy = at[1] - py[b * Lanes + l];
+      const double dz = at[2] - pz[b * Lanes + l];
+      const double r2 = dx * dx + dy * dy + dz * dz;
+      sums[l] += pq[b * Lanes + l] / std::sqrt(r2 > least ? r2 : least);
+    }
+  }
+}
+
 /// One charge by itself, into lane 0.
 void AddOne(const ChargeList& charges, std::size_t i, const Vector3& x, double (*sums)[Lanes])
 {
@@ -75,6 +92,25 @@ SecondOrderTaylor CoulombSum(const ChargeList& charges, const Vector3& x)
     }
   }
   return { s[0], { s[1], s[2], s[3] }, { s[4], s[5], s[6], s[7], s[8], s[9] } };
+}
+
+double CoulombValue(const ChargeList& charges, const Vector3& x, double nearest)
+{
+  double lanes[Lanes] = {};
+  const std::size_t blocks = charges.Size() / Lanes;
+  ValueLoop(blocks, charges.X.data(), charges.Y.data(), charges.Z.data(), charges.Charge.data(),
+    x.data(), nearest * nearest, lanes);
+  double sum = 0.0;
+  for (const double lane : lanes)
+  {
+    sum += lane;
+  }
+  for (std::size_t i = blocks * Lanes; i < charges.Size(); ++i)
+  {
+    const double r = std::hypot(x[0] - charges.X[i], x[1] - charges.Y[i], x[2] - charges.Z[i]);
+    sum += charges.Charge[i] / std::max(r, nearest);
+  }
+  return sum;
 }
 
 double ScreenedSum(const ChargeList& charges, double kappa, const Vector3& x)

@@ -55,6 +55,9 @@ struct SecondOrderTaylor
 /// sum q / |x - r| and its derivatives; about a nanosecond for each charge.
 VTKISTHMUS_EXPORT SecondOrderTaylor CoulombSum(const ChargeList& charges, const Vector3& x);
 
+/// sum q / max(|x - r|, nearest).
+VTKISTHMUS_EXPORT double CoulombValue(const ChargeList& charges, const Vector3& x, double nearest);
+
 /// sum q exp(-kappa |x - r|) / |x - r|.
 VTKISTHMUS_EXPORT double ScreenedSum(const ChargeList& charges, double kappa, const Vector3& x);
 

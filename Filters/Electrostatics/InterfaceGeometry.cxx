@@ -231,6 +231,56 @@ double Largest(const Vector3& h)
   return std::max({ h[0], h[1], h[2] });
 }
 
+/// The polynomial through the 6^3 nodes around a point.
+struct LocalPolynomial
+{
+  double Value = 0.0;
+  Vector3 Gradient{ 0.0, 0.0, 0.0 };
+  double Hessian[3][3] = {};
+
+  LocalPolynomial(const LevelFunction& level, const SolverBox& box, const Vector3& x)
+  {
+    std::array<std::int64_t, 3> low;
+    LineWeights w[3];
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const double place = (x[a] - box.Corner[a]) / box.Spacing[a];
+      low[a] = static_cast<std::int64_t>(std::floor(place));
+      w[a] = WeightsAt(place - std::floor(place));
+      for (int i = 0; i < Reach; ++i)
+      {
+        w[a].First[i] /= box.Spacing[a];
+        w[a].Second[i] /= box.Spacing[a] * box.Spacing[a];
+      }
+    }
+    for (int k = 0; k < Reach; ++k)
+    {
+      for (int j = 0; j < Reach; ++j)
+      {
+        for (int i = 0; i < Reach; ++i)
+        {
+          const double s =
+            Sample(level, box, { low[0] + i - Before, low[1] + j - Before, low[2] + k - Before });
+          const double vx = w[0].Value[i], vy = w[1].Value[j], vz = w[2].Value[k];
+          this->Value += s * vx * vy * vz;
+          this->Gradient[0] += s * w[0].First[i] * vy * vz;
+          this->Gradient[1] += s * vx * w[1].First[j] * vz;
+          this->Gradient[2] += s * vx * vy * w[2].First[k];
+          this->Hessian[0][0] += s * w[0].Second[i] * vy * vz;
+          this->Hessian[1][1] += s * vx * w[1].Second[j] * vz;
+          this->Hessian[2][2] += s * vx * vy * w[2].Second[k];
+          this->Hessian[0][1] += s * w[0].First[i] * w[1].First[j] * vz;
+          this->Hessian[0][2] += s * w[0].First[i] * vy * w[2].First[k];
+          this->Hessian[1][2] += s * vx * w[1].First[j] * w[2].First[k];
+        }
+      }
+    }
+    this->Hessian[1][0] = this->Hessian[0][1];
+    this->Hessian[2][0] = this->Hessian[0][2];
+    this->Hessian[2][1] = this->Hessian[1][2];
+  }
+};
+
 }
 
 std::vector<unsigned char> SidesOfNodes(const LevelFunction& level, const SolverBox& box)
@@ -312,46 +362,31 @@ std::vector<InterfaceCrossing> FindCrossings(const LevelFunction& level, const S
   return all;
 }
 
-SurfaceFrame FrameAt(const LevelFunction& level, const SolverBox& box, const Vector3& x)
+Vector3 OnLevel(const LevelFunction& level, const SolverBox& box, Vector3 x)
 {
-  std::array<std::int64_t, 3> low;
-  LineWeights w[3];
-  for (std::size_t a = 0; a < 3; ++a)
+  const double furthest = Largest(box.Spacing);
+  for (int step = 0; step < 3; ++step)
   {
-    const double place = (x[a] - box.Corner[a]) / box.Spacing[a];
-    low[a] = static_cast<std::int64_t>(std::floor(place));
-    w[a] = WeightsAt(place - std::floor(place));
-  }
-  Vector3 g{ 0.0, 0.0, 0.0 };
-  double hessian[3][3] = {};
-  const auto& h = box.Spacing;
-  for (int i = 0; i < Reach; ++i)
-  {
-    for (int j = 0; j < Reach; ++j)
+    const LocalPolynomial f(level, box, x);
+    const auto& g = f.Gradient;
+    const double g2 = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
+    const double move = f.Value / g2;
+    if (!(std::abs(move) * std::sqrt(g2) < furthest))
     {
-      for (int k = 0; k < Reach; ++k)
-      {
-        const double s =
-          Sample(level, box, { low[0] + i - Before, low[1] + j - Before, low[2] + k - Before });
-        const double vx = w[0].Value[i], vy = w[1].Value[j], vz = w[2].Value[k];
-        const double dx = w[0].First[i] / h[0], dy = w[1].First[j] / h[1];
-        const double dz = w[2].First[k] / h[2];
-        g[0] += s * dx * vy * vz;
-        g[1] += s * vx * dy * vz;
-        g[2] += s * vx * vy * dz;
-        hessian[0][0] += s * w[0].Second[i] * vy * vz / (h[0] * h[0]);
-        hessian[1][1] += s * vx * w[1].Second[j] * vz / (h[1] * h[1]);
-        hessian[2][2] += s * vx * vy * w[2].Second[k] / (h[2] * h[2]);
-        hessian[0][1] += s * dx * dy * vz;
-        hessian[0][2] += s * dx * vy * dz;
-        hessian[1][2] += s * vx * dy * dz;
-      }
+      break;
+    }
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      x[a] -= move * g[a];
     }
   }
-  hessian[1][0] = hessian[0][1];
-  hessian[2][0] = hessian[0][2];
-  hessian[2][1] = hessian[1][2];
-  return FrameOf(g, hessian, Largest(h), 2, 1.0);
+  return x;
+}
+
+SurfaceFrame FrameAt(const LevelFunction& level, const SolverBox& box, const Vector3& x)
+{
+  const LocalPolynomial f(level, box, x);
+  return FrameOf(f.Gradient, f.Hessian, Largest(box.Spacing), 2, 1.0);
 }
 
 }

@@ -85,10 +85,10 @@ PotentialFunction SelfConsistentBorder(const LevelFunction& level, const SolverB
   const std::vector<ChargedAtom>& atoms, const PoissonBoltzmannParameters& parameters,
   const IonAtmosphere& ions, const ProgressCallback& progress)
 {
-  constexpr double coarsest = 1.01; // angstrom
-  std::int64_t stride = 1;
-  while (2.0 * static_cast<double>(stride) *
-      *std::max_element(box.Spacing.begin(), box.Spacing.end()) <= coarsest)
+  // Twice the spacing where that still shows the surface, half an angstrom where it is very fine.
+  const double h = *std::max_element(box.Spacing.begin(), box.Spacing.end());
+  std::int64_t stride = 2.0 * h <= 1.01 ? 2 : 1;
+  while (2.0 * static_cast<double>(stride) * h <= 0.51)
   {
     stride *= 2;
   }

@@ -10,7 +10,7 @@
  * least `Padding` of solvent, and the answer is for the caller to crop.
  *
  * **Border** (SelfConsistent): charges' Debye-Hueckel sum first; the equation is solved on a grid of
- * spacing up to 1 angstrom; what that solution differs by from the sum, on a box between surface and
+ * twice the spacing (of the same, where that is beyond 1 angstrom); what that solution differs by from the sum, on a box between surface and
  * border, is continued outwards by Green's third identity; the same once more; then the grid proper.
  * With the sum alone the potential of a dipole in a cavity is off by 0.15 kT/e at 12 angstrom.
  */

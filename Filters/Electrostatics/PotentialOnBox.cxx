@@ -1,5 +1,6 @@
 #include "PotentialOnBox.h"
 
+#include "ChargesOnGrid.h"
 #include "ElectrostaticUnits.h"
 #include "HarmonicFit.h"
 #include "ParallelFor.h"
@@ -109,21 +110,7 @@ void PotentialOnBox::EvaluateCharges(const ProgressCallback& progress)
       this->Charges.Add(atom.Position, factor * atom.Charge);
     }
   }
-  this->AtCrossing.resize(this->Crossings.size());
-  ParallelFor(
-    0, static_cast<std::int64_t>(this->Crossings.size()), 64,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c)
-      {
-        const InterfaceCrossing& crossing = this->Crossings[c];
-        Vector3 x = this->Box.Position(crossing.Node);
-        const auto a = static_cast<std::size_t>(crossing.Axis);
-        x[a] += crossing.Fraction * this->Box.Spacing[a];
-        this->AtCrossing[c] = CoulombSum(this->Charges, x);
-      }
-    },
-    progress);
+  this->AtCrossing = ChargesAtCrossings(this->Charges, this->Box, this->Crossings, progress);
 }
 
 void PotentialOnBox::Assemble(std::vector<double> kappaSquared, const ProgressCallback& progress)

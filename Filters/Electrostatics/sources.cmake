@@ -1,6 +1,10 @@
 isthmus_room(
+  CLASSES
+    vtkPoissonBoltzmann
   SOURCES
     BoundaryPotential
+    ChargesOnGrid
+    ChargeTree
     HarmonicFit
     InterfaceFit
     InterfaceGeometry
@@ -11,6 +15,10 @@ isthmus_room(
     MultigridLevel
     MultigridPoisson
     PoissonBoltzmann
+    PoissonBoltzmannInput
+    PoissonBoltzmannOutput
     PotentialOnBox
+    SoluteVolume
+    SurfacePotential
   VECTORISED
     ChargeSums)

@@ -72,24 +72,51 @@ public:
   }
 
 private:
-  static constexpr int Degrees = 120;
+  static constexpr int Degrees = 160;
 
-  /// k_l and k_l' of x, times e^x x.
-  static std::pair<double, double> Bessel(int l, double x)
+  /// Joins the pieces at R and R + Layer for one degree, for a charge term g = 1 at the surface:
+  /// reaction b, layer e (d (r/R)^l + (r/R)^-(l+1)), and beyond `outer` times k_l(r) / k_l(a).
+  struct Joint
   {
-    double before = 1.0;            // k_0
-    double now = 1.0 + 1.0 / x;     // k_1
-    if (l == 0)
+    double b, d, e, outer;
+  };
+
+  /// Recursion of k_l e^x x upwards: k_(l+1) = k_(l-1) + (2l + 1) / x k_l.
+  struct Bessel
+  {
+    double x, now = 1.0, next;
+    int l = 0;
+    explicit Bessel(double at)
+      : x(at)
+      , next(1.0 + 1.0 / at)
     {
-      return { before, -now };
     }
-    for (int i = 1; i < l; ++i)
+    double Slope() const { return this->l / this->x * this->now - this->next; }
+    void Up()
     {
-      const double next = before + (2.0 * i + 1.0) / x * now;
-      before = now;
-      now = next;
+      const double after = this->now + (2.0 * this->l + 3.0) / this->x * this->next;
+      this->now = this->next;
+      this->next = after;
+      ++this->l;
     }
-    return { now, -before - (l + 1.0) / x * now };
+  };
+
+  Joint Join(int l, const Bessel* k) const
+  {
+    const double a = (this->Radius + this->Layer) / this->Radius;
+    // From beyond, phi' / phi at a is s / a.
+    const double s = k ? k->x * k->Slope() / k->now : -(l + 1.0);
+    const double up = std::pow(a, l);
+    const double down = std::pow(a, -(l + 1.0));
+    Joint j;
+    // d up (l - s) = down (s + l + 1).
+    j.d = down * (s + l + 1.0) / (up * (l - s));
+    // 1 + b = e (1 + d);  eps_m (-(l+1) + l b) = eps_s e (l d - (l + 1)).
+    const double flux = this->Solvent * (l * j.d - (l + 1.0)) / (1.0 + j.d);
+    j.b = (this->Solute * (l + 1.0) + flux) / (this->Solute * l - flux);
+    j.e = (1.0 + j.b) / (1.0 + j.d);
+    j.outer = j.e * (j.d * up + down) / (k ? k->now : 1.0);
+    return j;
   }
 
   /// One charge's potential at x over C: the outside's or the reaction field inside.
@@ -106,50 +133,31 @@ private:
         cosine += (charge[a] - this->Centre[a]) * (x[a] - this->Centre[a]) / (rq * r);
       }
     }
-    double legendre = 1.0, previous = 0.0, sum = 0.0;
-    for (int l = 0; l < Degrees; ++l)
+    const double R = this->Radius;
+    const double a = R + this->Layer;
+    const bool salt = this->Kappa > 0.0;
+    Bessel there(salt ? this->Kappa * a : 1.0), here(salt ? this->Kappa * r : 1.0);
+    const double decay = salt ? std::exp(-this->Kappa * (r - a)) * a / r : 1.0;
+    double legendre = 1.0, previous = 0.0, sum = 0.0, g = 1.0 / (this->Solute * R);
+    double rl = 1.0; // (r / R)^l
+    for (int l = 0; l < Degrees && g > 1e-14; ++l)
     {
-      sum += this->Term(l, rq, r, outside) * legendre;
+      const Joint j = this->Join(l, salt ? &there : nullptr);
+      double term = j.b * rl;
+      if (outside)
+      {
+        term = salt && r > a ? j.outer * here.now * decay : j.e * (j.d * rl + R / (r * rl));
+      }
+      sum += g * term * legendre;
       const double next = ((2.0 * l + 1.0) * cosine * legendre - l * previous) / (l + 1.0);
       previous = legendre;
       legendre = next;
+      g *= rq / R;
+      rl *= r / R;
+      there.Up();
+      here.Up();
     }
     return sum;
-  }
-
-  double Term(int l, double rq, double r, bool outside) const
-  {
-    const double R = this->Radius;
-    const double a = R + this->Layer;
-    // In the layer D (r/R)^l + E (r/R)^-(l+1); from beyond, phi' / phi at a is s / a.
-    double s = -(l + 1.0);
-    const bool salt = this->Kappa > 0.0;
-    if (salt)
-    {
-      const auto k = Bessel(l, this->Kappa * a);
-      s = this->Kappa * a * k.second / k.first;
-    }
-    const double up = std::pow(a / R, l);
-    const double down = std::pow(a / R, -(l + 1.0));
-    // D up (l - s) = E down (s + l + 1).
-    const double d = down * (s + l + 1.0) / (up * (l - s)); // D / E
-    // Charge: g (r/R)^-(l+1), g = rq^l / (eps_m R^(l+1)); reaction B (r/R)^l.
-    const double g = (l == 0 ? 1.0 : std::pow(rq / R, l)) / (this->Solute * R);
-    // g + B = E (1 + d);  eps_m (-(l+1) g + l B) = eps_s E (l d - (l + 1)).
-    const double flux = this->Solvent * (l * d - (l + 1.0)) / (1.0 + d);
-    const double b = g * (this->Solute * (l + 1.0) + flux) / (this->Solute * l - flux);
-    if (!outside)
-    {
-      return b * (l == 0 ? 1.0 : std::pow(r / R, l));
-    }
-    const double e = (g + b) / (1.0 + d);
-    if (r <= a || !salt)
-    {
-      return e * (d * std::pow(r / R, l) + std::pow(r / R, -(l + 1.0)));
-    }
-    const auto here = Bessel(l, this->Kappa * r);
-    const auto there = Bessel(l, this->Kappa * a);
-    return e * (d * up + down) * here.first / there.first * std::exp(-this->Kappa * (r - a)) * a / r;
   }
 };
 
