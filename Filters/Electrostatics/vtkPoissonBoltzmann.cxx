@@ -42,6 +42,16 @@ vtkPoissonBoltzmann::vtkPoissonBoltzmann()
 
 vtkPoissonBoltzmann::~vtkPoissonBoltzmann() = default;
 
+void vtkPoissonBoltzmann::SetChargeArrayName(const char* name)
+{
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+}
+
+void vtkPoissonBoltzmann::SetRadiusArrayName(const char* name)
+{
+  this->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+}
+
 void vtkPoissonBoltzmann::AddIon(double valence, double concentration)
 {
   this->Ions->Species.push_back({ valence, concentration });

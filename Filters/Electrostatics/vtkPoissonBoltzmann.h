@@ -171,6 +171,12 @@ public:
   vtkGetMacro(MaximumIterations, int);
   ///@}
 
+  ///@{
+  /// Point arrays of input 0, the short way. Default `Charge` and `Radius`.
+  void SetChargeArrayName(const char* name);
+  void SetRadiusArrayName(const char* name);
+  ///@}
+
   /// The solute's surface: input 1.
   void SetSurfaceConnection(vtkAlgorithmOutput* surface) { this->SetInputConnection(1, surface); }
   /// A potential for the border or to start from: input 2.
