@@ -111,7 +111,9 @@ void FillImage(
       in[node] = inside ? 1 : 0;
     },
     progress);
-  image->GetPointData()->SetScalars(potential);
+  // Not SetScalars, which would take the input's active array away.
+  image->GetPointData()->AddArray(potential);
+  image->GetPointData()->SetActiveScalars("Potential");
   image->GetPointData()->AddArray(reaction);
   image->GetPointData()->AddArray(side);
 }
@@ -177,10 +179,12 @@ void FillSurface(const PotentialOnBox& solution, const SoluteVolume& volume, dou
     volume.Grid->GetDirectionMatrix()->MultiplyPoint(values.Normal[i].data(), world);
     normals->SetTuple(static_cast<vtkIdType>(i), world);
   }
-  output->GetPointData()->SetScalars(Copy("Potential", values.Potential));
+  output->GetPointData()->AddArray(Copy("Potential", values.Potential));
+  output->GetPointData()->SetActiveScalars("Potential");
   output->GetPointData()->AddArray(Copy("NormalField", values.NormalField));
   output->GetPointData()->AddArray(Copy("SurfaceChargeDensity", values.ChargeDensity));
-  output->GetPointData()->SetNormals(normals);
+  output->GetPointData()->AddArray(normals);
+  output->GetPointData()->SetActiveNormals("Normals");
 }
 
 void FillAtoms(const PotentialOnBox& solution, double kelvin, vtkPointSet* atoms)

@@ -229,6 +229,11 @@ isthmus::PoissonBoltzmannParameters vtkPoissonBoltzmann::Parameters() const
   {
     p.Ions = { { 1.0, this->IonicStrength }, { -1.0, this->IonicStrength } };
   }
+  if (!std::isfinite(this->IsoValue))
+  {
+    throw std::invalid_argument("IsoValue is " + std::to_string(this->IsoValue) +
+      ", but it is a level of the surface's scalars: give a finite number.");
+  }
   isthmus::CheckParameters(p);
   return p;
 }
