@@ -5,7 +5,10 @@
 #ifndef isthmus_MultigridLevel_h
 #define isthmus_MultigridLevel_h
 
-#include "MultigridPoisson.h"
+#include "EdgePermittivity.h"
+
+#include <cstdint>
+#include <memory>
 
 namespace isthmus
 {

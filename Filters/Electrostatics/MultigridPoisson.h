@@ -16,6 +16,7 @@
 #ifndef isthmus_MultigridPoisson_h
 #define isthmus_MultigridPoisson_h
 
+#include "EdgePermittivity.h"
 #include "vtkIsthmusModule.h"
 
 #include <array>
@@ -27,16 +28,6 @@ namespace isthmus
 {
 
 struct MultigridLevel;
-
-/**
- * Permittivities by code, so that the finest grid takes three bytes a node: `Code[a][node]` names
- * the permittivity `Table[Code]` of the edge from the node to the next along axis a.
- */
-struct EdgePermittivity
-{
-  std::array<std::vector<unsigned char>, 3> Code;
-  std::array<float, 256> Table{};
-};
 
 /// Memory: 12.6 bytes a node beside the codes' three, 4.6 more with a diagonal.
 class VTKISTHMUS_EXPORT MultigridPoisson

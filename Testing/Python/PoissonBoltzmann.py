@@ -55,7 +55,8 @@ induced = (areas * density[triangles].mean(axis=1)).sum()
 assert abs(induced + 8.0 * (1 / 2.0 - 1 / 80.0)) < 0.6, induced  # charges lie nearer to it than nodes
 
 # The same surface as a volume that is passed in gives the same energy.
-volume = MolecularDensity(Input=atoms, Spacing=1.0, Padding=[4.0, 4.0, 4.0])
+volume = MolecularDensity(Input=atoms, Radii=["POINTS", "Radius"], Spacing=1.0,
+                          Padding=[4.0, 4.0, 4.0])
 given = PoissonBoltzmann(Input=atoms, Surface=volume, IsoValue=1.0)
 given.UpdatePipeline()
 other = output(given, 0)
