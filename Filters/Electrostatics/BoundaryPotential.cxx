@@ -11,6 +11,8 @@ namespace isthmus
 namespace
 {
 
+constexpr double SampleLength = 3.0; // angstrom, on the border
+
 /// A piece of the surface: charge and dipole that radiate.
 struct Radiator
 {
@@ -30,7 +32,8 @@ double Radiated(const std::vector<Radiator>& all, double kappa, const Vector3& x
     const double inverse = 1.0 / std::sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2]);
     const double g = inverse * (kappa > 0.0 ? std::exp(-kappa / inverse) : 1.0);
     // The derivative of g along n at the source, n = Sign e_Axis.
-    const double slope = s.Sign * y[static_cast<std::size_t>(s.Axis)] * inverse * g * (kappa + inverse);
+    const double slope =
+      s.Sign * y[static_cast<std::size_t>(s.Axis)] * inverse * g * (kappa + inverse);
     sum += s.Source * g + s.Dipole * slope;
   }
   return sum;
@@ -77,9 +80,10 @@ void AddFace(const SolverBox& box, const std::vector<double>& u, const NodeRange
   const auto steps = box.Steps();
   const double sign = upper ? 1.0 : -1.0;
   const double h = box.Spacing[axis];
-  constexpr double patch = 1.5; // angstrom
+  constexpr double patch = 2.5; // angstrom
   const Rule along(range.First[b], range.Last[b], StrideFor(box.Spacing[b], patch), box.Spacing[b]);
-  const Rule across(range.First[c], range.Last[c], StrideFor(box.Spacing[c], patch), box.Spacing[c]);
+  const Rule across(
+    range.First[c], range.Last[c], StrideFor(box.Spacing[c], patch), box.Spacing[c]);
   for (std::size_t j = 0; j < along.Node.size(); ++j)
   {
     for (std::size_t k = 0; k < across.Node.size(); ++k)
@@ -119,8 +123,8 @@ void FillFace(const SolverBox& box, const PotentialFunction& f, bool sampled, st
   const std::size_t b = (axis + 1) % 3;
   const std::size_t c = (axis + 2) % 3;
   const auto steps = box.Steps();
-  const std::int64_t sb = sampled ? StrideFor(box.Spacing[b], 2.0) : 1;
-  const std::int64_t sc = sampled ? StrideFor(box.Spacing[c], 2.0) : 1;
+  const std::int64_t sb = sampled ? StrideFor(box.Spacing[b], SampleLength) : 1;
+  const std::int64_t sc = sampled ? StrideFor(box.Spacing[c], SampleLength) : 1;
   const std::int64_t nb = (box.Dimensions[b] - 1) / sb + 4; // from one before to two after
   const std::int64_t nc = (box.Dimensions[c] - 1) / sc + 4;
   std::vector<double> sample(static_cast<std::size_t>(nb * nc));
@@ -134,7 +138,8 @@ void FillFace(const SolverBox& box, const PotentialFunction& f, bool sampled, st
         p[b] = (s % nb - 1) * sb;
         p[c] = (s / nb - 1) * sc;
         // Without sampling the function may end at the border.
-        const bool beyond = p[b] < 0 || p[c] < 0 || p[b] >= box.Dimensions[b] || p[c] >= box.Dimensions[c];
+        const bool beyond =
+          p[b] < 0 || p[c] < 0 || p[b] >= box.Dimensions[b] || p[c] >= box.Dimensions[c];
         sample[static_cast<std::size_t>(s)] =
           !sampled && beyond ? 0.0 : f(box.Position(p[0], p[1], p[2]));
       }

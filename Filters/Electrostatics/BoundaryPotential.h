@@ -15,9 +15,9 @@ namespace isthmus
 using PotentialFunction = std::function<double(const Vector3&)>;
 
 /**
- * sum C q_i exp(-kappa (|x - r_i| - a_i)) / (eps_s |x - r_i| (1 + kappa a_i)), each charge by itself
- * in the solvent. It decays and solves the linear equation outside, but knows nothing of the cavity
- * that the solute is.
+ * sum C q_i exp(-kappa (|x - r_i| - a_i)) / (eps_s |x - r_i| (1 + kappa a_i)), each charge by
+ * itself in the solvent. It decays and solves the linear equation outside, but knows nothing of the
+ * cavity that the solute is.
  */
 VTKISTHMUS_EXPORT PotentialFunction MultipleDebyeHueckel(const std::vector<ChargedAtom>& atoms,
   double coulombLength, double solventDielectric, double kappa);
@@ -44,7 +44,7 @@ struct NodeRange
 VTKISTHMUS_EXPORT PotentialFunction RadiatedPotential(const SolverBox& box,
   const std::vector<double>& u, const NodeRange& range, double kappa, PotentialFunction base);
 
-/// Sets the border nodes of u to f. With `sampled`, f is called at every 2 angstrom or so only,
+/// Sets the border nodes of u to f. With `sampled`, f is called at every 3 angstrom or so only,
 /// also a little beyond the border, and interpolated by cubics: f must be smooth there.
 VTKISTHMUS_EXPORT void FillBorder(
   const SolverBox& box, const PotentialFunction& f, bool sampled, std::vector<double>& u);

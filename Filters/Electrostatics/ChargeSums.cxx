@@ -118,8 +118,7 @@ double ScreenedSum(const ChargeList& charges, double kappa, const Vector3& x)
   double sum = 0.0;
   for (std::size_t i = 0; i < charges.Size(); ++i)
   {
-    const double r =
-      std::hypot(x[0] - charges.X[i], x[1] - charges.Y[i], x[2] - charges.Z[i]);
+    const double r = std::hypot(x[0] - charges.X[i], x[1] - charges.Y[i], x[2] - charges.Z[i]);
     sum += charges.Charge[i] * (kappa > 0.0 ? std::exp(-kappa * r) : 1.0) / r;
   }
   return sum;

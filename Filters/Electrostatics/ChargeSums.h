@@ -47,8 +47,9 @@ struct SecondOrderTaylor
   {
     const auto& h = this->Hessian;
     return this->Value + this->Gradient[0] * y[0] + this->Gradient[1] * y[1] +
-      this->Gradient[2] * y[2] + 0.5 * (h[0] * y[0] * y[0] + h[1] * y[1] * y[1] + h[2] * y[2] * y[2]) +
-      h[3] * y[0] * y[1] + h[4] * y[0] * y[2] + h[5] * y[1] * y[2];
+      this->Gradient[2] * y[2] +
+      0.5 * (h[0] * y[0] * y[0] + h[1] * y[1] * y[1] + h[2] * y[2] * y[2]) + h[3] * y[0] * y[1] +
+      h[4] * y[0] * y[2] + h[5] * y[1] * y[2];
   }
 };
 

@@ -169,8 +169,8 @@ void ChargeTree::Gather(
     for (std::size_t i = box.First; i < box.Last; ++i)
     {
       const std::size_t c = this->Order[i];
-      seen.Add({ this->Charges.X[c], this->Charges.Y[c], this->Charges.Z[c] },
-        this->Charges.Charge[c]);
+      seen.Add(
+        { this->Charges.X[c], this->Charges.Y[c], this->Charges.Z[c] }, this->Charges.Charge[c]);
     }
     return;
   }

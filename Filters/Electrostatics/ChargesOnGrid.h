@@ -11,8 +11,8 @@
 namespace isthmus
 {
 
-/// G with derivatives at each point, directly or, with many charges, by a tree for each brick of 8^3
-/// nodes of the box. Parallel.
+/// G with derivatives at each point, directly or, with many charges, by a tree for each brick of
+/// 8^3 nodes of the box. Parallel.
 VTKISTHMUS_EXPORT std::vector<SecondOrderTaylor> ChargesAtPoints(const ChargeList& charges,
   const SolverBox& box, const std::vector<Vector3>& points, const ProgressCallback& progress = {});
 
@@ -21,9 +21,9 @@ std::vector<SecondOrderTaylor> ChargesAtCrossings(const ChargeList& charges, con
   const std::vector<InterfaceCrossing>& crossings, const ProgressCallback& progress = {});
 
 /**
- * Calls use(node, G) for the nodes of the box, in parallel, bricks of 8^3 at a time. Nodes nearer to
- * a charge than a quarter of the shortest spacing take its potential from there. By a tree from some
- * hundred charges on; relative error 1e-5.
+ * Calls use(node, G) for the nodes of the box, in parallel, bricks of 8^3 at a time. Nodes nearer
+ * to a charge than a quarter of the shortest spacing take its potential from there. By a tree from
+ * some hundred charges on; relative error 1e-5.
  */
 VTKISTHMUS_EXPORT void ChargesAtNodes(const ChargeList& charges, const SolverBox& box,
   const std::function<void(std::int64_t node, double g)>& use,

@@ -17,8 +17,8 @@ constexpr double VacuumPermittivity = 8.8541878128e-12; ///< F/m
 constexpr double JoulePerCalorie = 4.184;               ///< thermochemical
 constexpr double Pi = 3.14159265358979323846;
 
-/// C = e^2 / (4 pi eps0 k T) in angstrom: the potential, in kT/e, at 1 angstrom from a charge of 1 e
-/// in vacuum. 560.45 at 298.15 K.
+/// C = e^2 / (4 pi eps0 k T) in angstrom: the potential, in kT/e, at 1 angstrom from a charge of 1
+/// e in vacuum. 560.45 at 298.15 K.
 constexpr double CoulombLength(double kelvin)
 {
   return 1e10 * ElementaryCharge * ElementaryCharge /

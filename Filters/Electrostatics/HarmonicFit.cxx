@@ -106,7 +106,8 @@ ValueAndGradient HarmonicAt(const SolverBox& box, const std::vector<unsigned cha
       return result;
     }
   }
-  throw std::invalid_argument("There is no node of the grid inside the surface around the charge at (" +
+  throw std::invalid_argument(
+    "There is no node of the grid inside the surface around the charge at (" +
     std::to_string(x[0]) + ", " + std::to_string(x[1]) + ", " + std::to_string(x[2]) +
     "): choose a finer grid.");
 }

@@ -2,9 +2,9 @@
  * @file HarmonicFit.h
  * @brief The reaction potential at a point inside, from the nodes inside around it.
  *
- * It is harmonic there, so a polynomial of degree 3 has 16 coefficients instead of 20: r^l Y_lm up to
- * l = 3, fitted by weighted least squares to the nodes inside within three spacings; of degree 2, 1
- * or 0 where there are too few. Fourth order for degree 3.
+ * It is harmonic there, so a polynomial of degree 3 has 16 coefficients instead of 20: r^l Y_lm up
+ * to l = 3, fitted by weighted least squares to the nodes inside within three spacings; of degree
+ * 2, 1 or 0 where there are too few. Fourth order for degree 3.
  */
 #ifndef isthmus_HarmonicFit_h
 #define isthmus_HarmonicFit_h

@@ -82,8 +82,7 @@ Basis OutsideBasis(const Vector3& y, const LocalFrame& f, double rho, double k)
   const double n = y[0], t = y[1], s = y[2];
   const double tt = 0.5 * (t * t - n * n);
   const double ss = 0.5 * (s * s - n * n);
-  return { 1.0 + 0.5 * k * n * n,
-    rho * n + (rho - 1.0) * (f.W11 * tt + f.W22 * ss + f.W12 * t * s),
+  return { 1.0 + 0.5 * k * n * n, rho * n + (rho - 1.0) * (f.W11 * tt + f.W22 * ss + f.W12 * t * s),
     t - (1.0 - rho) * n * (f.W11 * t + f.W12 * s), s - (1.0 - rho) * n * (f.W12 * t + f.W22 * s),
     rho * n * t, rho * n * s, tt, ss, t * s };
 }
@@ -130,8 +129,8 @@ Rows UsableRows(const FitMedium& medium, const LocalFrame& f, const FitNodes& no
     const FitNode& node = nodes.Node[i];
     const Vector3 y = f.Local(node.Offset);
     // A node on the wrong side of the osculating paraboloid belongs to another sheet.
-    const double side = y[0] +
-      0.5 * (f.W11 * y[1] * y[1] + f.W22 * y[2] * y[2] + 2.0 * f.W12 * y[1] * y[2]);
+    const double side =
+      y[0] + 0.5 * (f.W11 * y[1] * y[1] + f.W22 * y[2] * y[2] + 2.0 * f.W12 * y[1] * y[2]);
     if ((node.Inside ? side : -side) > 0.25)
     {
       continue;

@@ -10,7 +10,7 @@ namespace isthmus
 namespace
 {
 
-constexpr int Reach = 6; // nodes along the line
+constexpr int Reach = 6;  // nodes along the line
 constexpr int Before = 2; // of them, before the first end of the edge
 
 /// Weights of the six nodes -2..3 for value and two derivatives at t, per spacing.
@@ -60,7 +60,8 @@ struct Line
   int Axis;
 };
 
-double Sample(const LevelFunction& level, const SolverBox& box, const std::array<std::int64_t, 3>& p)
+double Sample(
+  const LevelFunction& level, const SolverBox& box, const std::array<std::int64_t, 3>& p)
 {
   return level(box.First[0] + p[0] * box.Stride, box.First[1] + p[1] * box.Stride,
     box.First[2] + p[2] * box.Stride);
@@ -171,8 +172,8 @@ void Derivatives(const Samples& s, const LineWeights& w, int axis, const Vector3
 }
 
 /// P H P / |g|, held below one over the spacing: sharper bends are below what the grid shows.
-SurfaceFrame FrameOf(const Vector3& g, const double (&hessian)[3][3], double spacing, int axis,
-  double towards)
+SurfaceFrame FrameOf(
+  const Vector3& g, const double (&hessian)[3][3], double spacing, int axis, double towards)
 {
   SurfaceFrame frame;
   const double length = std::hypot(g[0], g[1], g[2]);

@@ -49,8 +49,8 @@ VTKISTHMUS_EXPORT std::vector<InterfaceCrossing> FindCrossings(const LevelFuncti
   const SolverBox& box, const std::vector<unsigned char>& inside,
   const ProgressCallback& progress = {});
 
-/// The point of the level set next to `x`, which lies near it (within a spacing or so): Newton steps
-/// along the gradient of the polynomial through 6^3 nodes.
+/// The point of the level set next to `x`, which lies near it (within a spacing or so): Newton
+/// steps along the gradient of the polynomial through 6^3 nodes.
 VTKISTHMUS_EXPORT Vector3 OnLevel(const LevelFunction& level, const SolverBox& box, Vector3 x);
 
 /// The frame of the level set through the point `x` (frame of the volume).

@@ -5,8 +5,8 @@
 namespace isthmus
 {
 
-InterfaceOperator::InterfaceOperator(const SolverBox& box,
-  const std::vector<unsigned char>& inside, double soluteDielectric, double solventDielectric)
+InterfaceOperator::InterfaceOperator(const SolverBox& box, const std::vector<unsigned char>& inside,
+  double soluteDielectric, double solventDielectric)
   : Box(box)
   , Inside(inside)
   , Solute(soluteDielectric)
@@ -47,7 +47,8 @@ void InterfaceOperator::ApplyTo(
               sign * (this->Inside[static_cast<std::size_t>(p)] ? this->Solute : this->Solvent);
             const double here = static_cast<double>(u[p]);
             to[p] = eps *
-              (centre * here - wx * (static_cast<double>(u[p - 1]) + static_cast<double>(u[p + 1])) -
+              (centre * here -
+                wx * (static_cast<double>(u[p - 1]) + static_cast<double>(u[p + 1])) -
                 wy * (static_cast<double>(u[p - nx]) + static_cast<double>(u[p + nx])) -
                 wz * (static_cast<double>(u[p - nxy]) + static_cast<double>(u[p + nxy])));
           }
@@ -68,8 +69,8 @@ void InterfaceOperator::ApplyTo(
       for (auto r = static_cast<std::size_t>(first); r < static_cast<std::size_t>(last); ++r)
       {
         const T* u = z.data() + rows.Node[r];
-        double sum = d ? rows.Scale[r] * static_cast<double>(d[rows.Node[r]]) * static_cast<double>(*u)
-                       : 0.0;
+        double sum =
+          d ? rows.Scale[r] * static_cast<double>(d[rows.Node[r]]) * static_cast<double>(*u) : 0.0;
         for (auto e = static_cast<std::size_t>(rows.Start[r]);
              e < static_cast<std::size_t>(rows.Start[r + 1]); ++e)
         {

@@ -45,7 +45,8 @@ public:
 
 private:
   template <typename T>
-  void ApplyTo(const std::vector<T>& z, std::vector<double>& out, double sign, bool withRight) const;
+  void ApplyTo(
+    const std::vector<T>& z, std::vector<double>& out, double sign, bool withRight) const;
 
   const SolverBox& Box;
   const std::vector<unsigned char>& Inside;

@@ -4,8 +4,8 @@
  *
  * H. A. van der Vorst, SIAM J. Sci. Stat. Comput. 13 (1992) 631, with right preconditioning: one
  * V(1,1) cycle of the symmetric operator with the permittivities of edges in series at the surface,
- * then one Gauss-Seidel pass over the fitted rows of the true matrix. Sums are made in fixed blocks,
- * so the answer is the same bits on any number of threads.
+ * then one Gauss-Seidel pass over the fitted rows of the true matrix. Sums are made in fixed
+ * blocks, so the answer is the same bits on any number of threads.
  */
 #ifndef isthmus_InterfaceSolver_h
 #define isthmus_InterfaceSolver_h

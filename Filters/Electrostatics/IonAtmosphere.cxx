@@ -82,7 +82,8 @@ public:
   double At(std::int64_t node) const
   {
     const std::int32_t c = this->Nearest[static_cast<std::size_t>(node)];
-    return c < 0 ? -1.0 : Distance(this->Crossings[static_cast<std::size_t>(c)], this->From(node, c));
+    return c < 0 ? -1.0
+                 : Distance(this->Crossings[static_cast<std::size_t>(c)], this->From(node, c));
   }
 
 private:

@@ -59,8 +59,10 @@ void GhostFluid(const InterfaceProblem& problem, const InterfaceCrossing& c,
   const std::int64_t step = problem.Box->Steps()[a];
   const bool lowerInside = (*problem.Inside)[static_cast<std::size_t>(c.Node)] != 0;
   const double theta = std::min(std::max(c.Fraction, 1e-6), 1.0 - 1e-6);
-  const double epsLower = lowerInside ? problem.Medium.SoluteDielectric : problem.Medium.SolventDielectric;
-  const double epsUpper = lowerInside ? problem.Medium.SolventDielectric : problem.Medium.SoluteDielectric;
+  const double epsLower =
+    lowerInside ? problem.Medium.SoluteDielectric : problem.Medium.SolventDielectric;
+  const double epsUpper =
+    lowerInside ? problem.Medium.SolventDielectric : problem.Medium.SoluteDielectric;
   const double sl = epsLower / theta;
   const double su = epsUpper / (1.0 - theta);
   // Totals at the ends; the value on the surface makes the flux along the edge continuous.
@@ -77,8 +79,7 @@ void GhostFluid(const InterfaceProblem& problem, const InterfaceCrossing& c,
     lower[i] = (share - (isLower ? 1.0 - theta : 0.0)) / theta;
     upper[i] = (share - (isUpper ? theta : 0.0)) / (1.0 - theta);
   }
-  values.AtUpper =
-    InTermsOfU(lower, nodes, charges, lowerInside, EndOffset(*problem.Box, c, true));
+  values.AtUpper = InTermsOfU(lower, nodes, charges, lowerInside, EndOffset(*problem.Box, c, true));
   values.AtLower =
     InTermsOfU(upper, nodes, charges, !lowerInside, EndOffset(*problem.Box, c, false));
 }
@@ -162,8 +163,7 @@ public:
 };
 
 /// Index of the crossing on the edge from `node` along `axis`.
-std::size_t FindCrossing(
-  const std::vector<InterfaceCrossing>& all, std::int64_t node, int axis)
+std::size_t FindCrossing(const std::vector<InterfaceCrossing>& all, std::int64_t node, int axis)
 {
   const auto found = std::lower_bound(all.begin(), all.end(), std::make_pair(node, axis),
     [](const InterfaceCrossing& c, const std::pair<std::int64_t, int>& key)
@@ -193,13 +193,13 @@ void BuildRow(const InterfaceProblem& problem, const std::vector<CrossingValues>
         preconditioner += w;
         continue;
       }
-      const std::size_t c =
-        FindCrossing(*problem.Crossings, std::min(row.Node, other), axis);
+      const std::size_t c = FindCrossing(*problem.Crossings, std::min(row.Node, other), axis);
       row.Add(values[c], step > 0 ? values[c].AtUpper : values[c].AtLower, -w);
       const double fromHere =
         step > 0 ? (*problem.Crossings)[c].Fraction : 1.0 - (*problem.Crossings)[c].Fraction;
       preconditioner += row.Weights[a] *
-        SeriesPermittivity(m.SoluteDielectric, m.SolventDielectric, here ? fromHere : 1.0 - fromHere);
+        SeriesPermittivity(
+          m.SoluteDielectric, m.SolventDielectric, here ? fromHere : 1.0 - fromHere);
     }
   }
 }

@@ -61,7 +61,6 @@ void WithEdges(const MultigridLevel& level, Use&& use)
   }
 }
 
-
 template <typename Edges>
 struct Stencil
 {
@@ -71,8 +70,8 @@ struct Stencil
   {
     const float w0 = e(0, p - 1), w1 = e(0, p), s0 = e(1, p - nx), s1 = e(1, p);
     const float b0 = e(2, p - nxy), b1 = e(2, p);
-    this->Sum = w0 * u[p - 1] + w1 * u[p + 1] + s0 * u[p - nx] + s1 * u[p + nx] +
-      b0 * u[p - nxy] + b1 * u[p + nxy];
+    this->Sum = w0 * u[p - 1] + w1 * u[p + 1] + s0 * u[p - nx] + s1 * u[p + nx] + b0 * u[p - nxy] +
+      b1 * u[p + nxy];
     this->Diagonal = w0 + w1 + s0 + s1 + b0 + b1;
   }
 };
@@ -104,7 +103,8 @@ void SmoothLine(MultigridLevel& level, const Edges& edges, std::int64_t start, s
   float* u = level.X.data();
   const float* b = level.B.data();
   const float* d = level.Diagonal ? level.Diagonal->data() : nullptr;
-  const float eps = level.Finest() ? level.LinePermittivity[static_cast<std::size_t>(start / nx)] : 0.0F;
+  const float eps =
+    level.Finest() ? level.LinePermittivity[static_cast<std::size_t>(start / nx)] : 0.0F;
   const std::int64_t last = start + nx - 1;
   if (eps > 0.0F)
   {

@@ -17,8 +17,8 @@ namespace isthmus
 struct MultigridLevel
 {
   std::array<std::int64_t, 3> Dimensions;
-  std::array<float, 3> Weight;         ///< (h_finest / h_axis)^2 of this level
-  EdgePermittivity Coded;              ///< finest level
+  std::array<float, 3> Weight;            ///< (h_finest / h_axis)^2 of this level
+  EdgePermittivity Coded;                 ///< finest level
   std::array<std::vector<float>, 3> Edge; ///< coarser levels, weights included
   /// Finest level: for each line along x, the one permittivity of all edges it meets, or 0.
   std::vector<float> LinePermittivity;

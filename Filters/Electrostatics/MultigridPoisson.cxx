@@ -39,8 +39,7 @@ void MultigridPoisson::SetDiagonal(std::shared_ptr<const std::vector<float>> dia
   this->Levels.front()->Diagonal = diagonal && !diagonal->empty() ? std::move(diagonal) : nullptr;
   for (std::size_t level = 1; level < this->Levels.size(); ++level)
   {
-    this->Levels[level]->Diagonal =
-      CoarsenDiagonal(*this->Levels[level - 1], *this->Levels[level]);
+    this->Levels[level]->Diagonal = CoarsenDiagonal(*this->Levels[level - 1], *this->Levels[level]);
   }
 }
 
@@ -66,8 +65,8 @@ void MultigridPoisson::Descend(std::size_t index)
   std::fill(coarse.X.begin(), coarse.X.end(), 0.0F);
   this->Descend(index + 1);
   AddCorrection(coarse, level);
-  SmoothColour(level, 1);
   SmoothColour(level, 0);
+  SmoothColour(level, 1);
 }
 
 void MultigridPoisson::Cycle(const std::vector<double>& r, std::vector<float>& z)

@@ -3,15 +3,16 @@
  * @brief One multigrid cycle for -div(eps grad z) + d z = r on a box, as a preconditioner.
  *
  * The operator is the symmetric 7-point one with a permittivity on each edge and z = 0 on the
- * border. A cycle V(1,1) smooths by red-black Gauss-Seidel, black and red the other way round on
- * the way up (so that the cycle is symmetric and conjugate gradients may use it), restricts by full
- * weighting and prolongs trilinearly. Coarse permittivities are made from the finer ones: harmonic
- * mean along the edge, 1/4 1/2 1/4 across it. Axes whose spacing is more than 1.5 times the
- * shortest are left alone until the others have caught up, and any number of nodes along an axis is
- * fine: a coarse grid may reach half a cell beyond the border. All in float: as a preconditioner it
- * needs no more, and memory traffic is what costs.
+ * border. A cycle V(1,1) smooths by red-black Gauss-Seidel, restricts by full weighting and
+ * prolongs trilinearly. Coarse permittivities are made from the finer ones: harmonic mean along the
+ * edge, 1/4 1/2 1/4 across it. Axes whose spacing is more than 1.5 times the shortest are left
+ * alone until the others have caught up, and any number of nodes along an axis is fine: a coarse
+ * grid may reach half a cell beyond the border (a cycle leaves a fifth of the residual on 2^k + 1
+ * nodes, half of it on others). All in float: as a preconditioner it needs no more, and memory
+ * traffic is what costs.
  *
- * A. Brandt, Math. Comp. 31 (1977) 333; U. Trottenberg, C. Oosterlee, A. Schueller, Multigrid (2001).
+ * A. Brandt, Math. Comp. 31 (1977) 333; U. Trottenberg, C. Oosterlee, A. Schueller, Multigrid
+ * (2001).
  */
 #ifndef isthmus_MultigridPoisson_h
 #define isthmus_MultigridPoisson_h

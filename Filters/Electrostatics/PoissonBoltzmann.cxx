@@ -87,7 +87,7 @@ PotentialFunction SelfConsistentBorder(const LevelFunction& level, const SolverB
 {
   // Twice the spacing where that still shows the surface, half an angstrom where it is very fine.
   const double h = *std::max_element(box.Spacing.begin(), box.Spacing.end());
-  std::int64_t stride = 2.0 * h <= 1.01 ? 2 : 1;
+  std::int64_t stride = 2.0 * h <= 1.1 ? 2 : 1;
   while (2.0 * static_cast<double>(stride) * h <= 0.51)
   {
     stride *= 2;
@@ -103,8 +103,7 @@ PotentialFunction SelfConsistentBorder(const LevelFunction& level, const SolverB
   for (int round = 0; round < rounds; ++round)
   {
     problem.SetBorder(border, true);
-    Solve(problem, parameters.Nonlinear,
-      Between(progress, 0.3 + 0.3 * round, 0.6 + 0.3 * round));
+    Solve(problem, parameters.Nonlinear, Between(progress, 0.3 + 0.3 * round, 0.6 + 0.3 * round));
     border = RadiatedPotential(coarse, problem.GetPotential(), range, problem.Kappa(), base);
   }
   return border;
@@ -127,8 +126,8 @@ void CheckParameters(const PoissonBoltzmannParameters& p)
     "a length between 0 and a million angstrom is wanted");
   Require(p.Tolerance > 0.0 && p.Tolerance < 1.0, "Tolerance", p.Tolerance,
     "a part of the first residual is wanted: above 0, below 1");
-  Require(p.MaximumIterations > 0, "MaximumIterations", p.MaximumIterations,
-    "at least one is needed");
+  Require(
+    p.MaximumIterations > 0, "MaximumIterations", p.MaximumIterations, "at least one is needed");
 }
 
 SolverBox BoxAround(const LevelFunction& level, double padding)
@@ -193,7 +192,8 @@ std::unique_ptr<PotentialOnBox> SolvePoissonBoltzmann(const LevelFunction& level
       sampled = false;
       break;
     case BoundaryCondition::SelfConsistent:
-      border = SelfConsistentBorder(level, box, atoms, parameters, ions, Between(progress, 0.0, 0.25));
+      border =
+        SelfConsistentBorder(level, box, atoms, parameters, ions, Between(progress, 0.0, 0.25));
       break;
     default:
       border = DebyeHueckel(atoms, parameters, kappa);

@@ -1,6 +1,7 @@
 /**
  * @file PoissonBoltzmann.h
- * @brief The electrostatic potential of charges in a solute in salt water, second order at its surface.
+ * @brief The electrostatic potential of charges in a solute in salt water, second order at its
+ * surface.
  *
  * Linear or nonlinear Poisson-Boltzmann equation with two dielectric constants that jump at a level
  * set; formulation in PotentialOnBox.h, the surface in InterfaceFit.h, the solver in
@@ -9,10 +10,11 @@
  * The volume that holds the level set may end close to it: the equation is solved on a box with at
  * least `Padding` of solvent, and the answer is for the caller to crop.
  *
- * **Border** (SelfConsistent): charges' Debye-Hueckel sum first; the equation is solved on a grid of
- * twice the spacing (of the same, where that is beyond 1 angstrom); what that solution differs by from the sum, on a box between surface and
- * border, is continued outwards by Green's third identity; the same once more; then the grid proper.
- * With the sum alone the potential of a dipole in a cavity is off by 0.15 kT/e at 12 angstrom.
+ * **Border** (SelfConsistent): charges' Debye-Hueckel sum first; the equation is solved on a grid
+ * of twice the spacing (of the same, where that is beyond 1 angstrom); what that solution differs
+ * by from the sum, on a box between surface and border, is continued outwards by Green's third
+ * identity; the same once more; then the grid proper. With the sum alone the potential of a dipole
+ * in a cavity is off by 0.15 kT/e at 12 angstrom.
  */
 #ifndef isthmus_PoissonBoltzmann_h
 #define isthmus_PoissonBoltzmann_h

@@ -87,8 +87,8 @@ std::function<double(const Vector3&)> OnItsGrid(
   vtkImageData* potential, vtkDataArray* values, vtkImageData* grid)
 {
   // A copy: the filter's input may go before the function.
-  auto copy = std::make_shared<std::vector<double>>(
-    static_cast<std::size_t>(potential->GetNumberOfPoints()));
+  auto copy =
+    std::make_shared<std::vector<double>>(static_cast<std::size_t>(potential->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < potential->GetNumberOfPoints(); ++i)
   {
     const double value = values->GetComponent(i, 0);
@@ -126,8 +126,8 @@ AtomInput AtomsOf(vtkAlgorithm* filter, vtkPointSet* points, bool radiiNeeded)
   vtkDataArray* charges = NamedArray(filter, 0, points);
   if (!charges)
   {
-    throw std::invalid_argument("The atoms have no point array of charges; they have:" +
-      ArraysOf(points) +
+    throw std::invalid_argument(
+      "The atoms have no point array of charges; they have:" + ArraysOf(points) +
       ". Read a PQR file: pdb2pqr makes one from a PDB file, with the charges of a force field.");
   }
   RequireOneComponent(charges, "charges");

@@ -102,8 +102,8 @@ void FillImage(
       const std::int64_t i = node % crop.Dimensions[0] - box.First[0];
       const std::int64_t j = node / crop.Dimensions[0] % crop.Dimensions[1] - box.First[1];
       const std::int64_t k = node / (crop.Dimensions[0] * crop.Dimensions[1]) - box.First[2];
-      const auto from = static_cast<std::size_t>(
-        i + box.Dimensions[0] * (j + box.Dimensions[1] * k));
+      const auto from =
+        static_cast<std::size_t>(i + box.Dimensions[0] * (j + box.Dimensions[1] * k));
       const double u = solution.GetPotential()[from];
       const bool inside = solution.GetInside()[from] != 0;
       total[node] = inside ? u + g : u;
@@ -123,10 +123,11 @@ void FillFieldData(const PotentialOnBox& solution, const PoissonBoltzmannParamet
 {
   const PoissonBoltzmannReport& report = solution.GetReport();
   const double kelvin = parameters.Temperature;
-  AddNumbers(image, "SolvationEnergy", { report.SolvationEnergy * units::ThermalKilocalorie(kelvin) });
-  AddNumbers(image, "SolvationEnergyKT", { report.SolvationEnergy });
   AddNumbers(
-    image, "SolvationEnergyKilojoule", { report.SolvationEnergy * units::ThermalKilojoule(kelvin) });
+    image, "SolvationEnergy", { report.SolvationEnergy * units::ThermalKilocalorie(kelvin) });
+  AddNumbers(image, "SolvationEnergyKT", { report.SolvationEnergy });
+  AddNumbers(image, "SolvationEnergyKilojoule",
+    { report.SolvationEnergy * units::ThermalKilojoule(kelvin) });
   AddNumbers(image, "Iterations", { static_cast<double>(report.Iterations) });
   AddNumbers(image, "NewtonSteps", { static_cast<double>(report.NewtonSteps) });
   AddNumbers(image, "ResidualHistory", report.Residuals);
@@ -170,8 +171,7 @@ void FillSurface(const PotentialOnBox& solution, const SoluteVolume& volume, dou
     output->SetPoints(points);
     output->SetPolys(triangles->GetPolys());
   }
-  const SurfaceValues values =
-    EvaluateAtSurface(solution, volume.Level, places, kelvin, progress);
+  const SurfaceValues values = EvaluateAtSurface(solution, volume.Level, places, kelvin, progress);
   auto normals = Doubles("Normals", places.size(), 3);
   for (std::size_t i = 0; i < places.size(); ++i)
   {

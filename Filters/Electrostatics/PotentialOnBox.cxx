@@ -71,8 +71,7 @@ PotentialOnBox::PotentialOnBox(const LevelFunction& level, const SolverBox& box,
   , Spacing(*std::min_element(box.Spacing.begin(), box.Spacing.end()))
 {
   this->Inside = SidesOfNodes(level, this->Box);
-  this->Crossings =
-    FindCrossings(level, this->Box, this->Inside, Between(progress, 0.0, 0.2));
+  this->Crossings = FindCrossings(level, this->Box, this->Inside, Between(progress, 0.0, 0.2));
   this->EvaluateCharges(Between(progress, 0.2, 0.6));
   this->Medium = { parameters.SoluteDielectric, parameters.SolventDielectric,
     std::pow(parameters.SoluteDielectric / parameters.SolventDielectric, parameters.FitExponent),
@@ -253,8 +252,8 @@ double PotentialOnBox::NonlinearResidual(
     {
       if (this->Access[i] > 0.0F && !OnBorder(this->Box, static_cast<std::int64_t>(i)))
       {
-        const auto row = std::lower_bound(
-          rows.Node.begin(), rows.Node.end(), static_cast<std::int64_t>(i));
+        const auto row =
+          std::lower_bound(rows.Node.begin(), rows.Node.end(), static_cast<std::int64_t>(i));
         const bool fitted = row != rows.Node.end() && *row == static_cast<std::int64_t>(i);
         const double scale =
           fitted ? rows.Scale[static_cast<std::size_t>(row - rows.Node.begin())] : 1.0;
@@ -279,9 +278,10 @@ double PotentialOnBox::TakeStep(const std::vector<double>& step, double before)
     }
     factor *= 0.5;
   }
-  throw std::runtime_error("Newton's method for the nonlinear Poisson-Boltzmann equation found no "
-                           "step that makes the residual smaller: solve the linear equation, give a "
-                           "potential to start from, or choose a finer grid.");
+  throw std::runtime_error(
+    "Newton's method for the nonlinear Poisson-Boltzmann equation found no "
+    "step that makes the residual smaller: solve the linear equation, give a "
+    "potential to start from, or choose a finer grid.");
 }
 
 void PotentialOnBox::SolveNonlinear(const ProgressCallback& progress)
@@ -323,7 +323,8 @@ void PotentialOnBox::SolveNonlinear(const ProgressCallback& progress)
     if (newton >= this->Parameters.MaximumNewtonSteps)
     {
       throw std::runtime_error("Newton's method did not converge in " + std::to_string(newton) +
-        " steps: the residual is " + std::to_string(norm / reference) + " of that of no potential.");
+        " steps: the residual is " + std::to_string(norm / reference) +
+        " of that of no potential.");
     }
     this->FillDiagonal(true);
     SolverControl control;

@@ -6,8 +6,8 @@
  *     outside:  phi = u,      -eps_s Laplace u + f(u) = 0  (f: IonAtmosphere)
  *     surface:  phi and eps d_n phi go through
  *
- * so u inside is the reaction potential, without any self-energy to subtract, and no second solution
- * is needed for an energy.
+ * so u inside is the reaction potential, without any self-energy to subtract, and no second
+ * solution is needed for an energy.
  */
 #ifndef isthmus_PotentialOnBox_h
 #define isthmus_PotentialOnBox_h
@@ -72,7 +72,7 @@ private:
   double Spacing; ///< the shortest
   std::vector<unsigned char> Inside;
   std::vector<InterfaceCrossing> Crossings;
-  ChargeList Charges;                       ///< C q / eps_m
+  ChargeList Charges;                        ///< C q / eps_m
   std::vector<SecondOrderTaylor> AtCrossing; ///< G
   FitMedium Medium;
   std::unique_ptr<InterfaceOperator> Matrix;

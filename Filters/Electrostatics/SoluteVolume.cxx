@@ -48,8 +48,8 @@ vtkSmartPointer<vtkImageData> ImageOf(
   }
   if (!(all < 1e11) || dimensions[0] < 1 || dimensions[1] < 1 || dimensions[2] < 1)
   {
-    throw std::invalid_argument("A Spacing of " + std::to_string(spacing) +
-      " makes a grid of " + std::to_string(all) + " nodes, too many: choose a larger one.");
+    throw std::invalid_argument("A Spacing of " + std::to_string(spacing) + " makes a grid of " +
+      std::to_string(all) + " nodes, too many: choose a larger one.");
   }
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(dimensions);
@@ -130,7 +130,8 @@ void Add(const double (&s)[6], const Plateaus& plateaus, Straightness& sum)
   sum.Positive = sum.Positive && s[1] > 0.0 && s[2] > 0.0 && s[3] > 0.0 && s[4] > 0.0;
   if (sum.Positive)
   {
-    sum.Logarithm += std::abs(std::log(s[1] / s[2] * s[4] / s[3])) / std::abs(std::log(s[3] / s[2]));
+    sum.Logarithm +=
+      std::abs(std::log(s[1] / s[2] * s[4] / s[3])) / std::abs(std::log(s[3] / s[2]));
   }
 }
 
@@ -174,8 +175,8 @@ Straightness Measure(const LevelFunction& level)
 }
 
 /// Makes the level that of the signed distance from `surface` (in grid axes).
-void SetDistance(SoluteVolume& volume, vtkPolyData* surface, const std::vector<unsigned char>* sides,
-  const ProgressCallback& progress)
+void SetDistance(SoluteVolume& volume, vtkPolyData* surface,
+  const std::vector<unsigned char>* sides, const ProgressCallback& progress)
 {
   const GridShape shape = ShapeOf(volume.Grid);
   const PolyDataTriangles triangles(surface);
@@ -220,8 +221,8 @@ vtkSmartPointer<vtkImageData> GridAroundAtoms(
   const std::vector<ChargedAtom>& atoms, const GridWish& wish)
 {
   RequireWish(wish);
-  const DensityGrid grid = GridAroundBalls(
-    BallsOf(atoms), wish.Spacing, { wish.Padding, wish.Padding, wish.Padding });
+  const DensityGrid grid =
+    GridAroundBalls(BallsOf(atoms), wish.Spacing, { wish.Padding, wish.Padding, wish.Padding });
   return ImageOf(grid.Origin,
     { static_cast<double>(grid.Dimensions[0]), static_cast<double>(grid.Dimensions[1]),
       static_cast<double>(grid.Dimensions[2]) },
@@ -273,8 +274,7 @@ SoluteVolume VolumeOfImage(vtkImageData* image, vtkDataArray* scalars, double le
     volume.Kind += ", by distance since the values are cut off near it";
     return volume;
   }
-  volume.Level.Logarithm =
-    level > 0.0 && straight.Positive && straight.Logarithm < straight.Plain;
+  volume.Level.Logarithm = level > 0.0 && straight.Positive && straight.Logarithm < straight.Plain;
   return volume;
 }
 

@@ -52,12 +52,14 @@ vtkSmartPointer<vtkImageData> GridAroundAtoms(
 SoluteVolume VolumeOfImage(vtkImageData* image, vtkDataArray* scalars, double level,
   bool insideIsHigher, const ProgressCallback& progress = {});
 
-/// The signed distance from closed triangles. Throws std::invalid_argument where they are not closed.
-SoluteVolume VolumeOfSurface(vtkPolyData* surface, const GridWish& wish, const ProgressCallback& progress = {});
+/// The signed distance from closed triangles. Throws std::invalid_argument where they are not
+/// closed.
+SoluteVolume VolumeOfSurface(
+  vtkPolyData* surface, const GridWish& wish, const ProgressCallback& progress = {});
 
 /// Level 1 of the sum of Gaussians of MolecularDensity.h with decay 2.3.
-SoluteVolume VolumeOfAtoms(
-  const std::vector<ChargedAtom>& atoms, const GridWish& wish, const ProgressCallback& progress = {});
+SoluteVolume VolumeOfAtoms(const std::vector<ChargedAtom>& atoms, const GridWish& wish,
+  const ProgressCallback& progress = {});
 
 /// From world coordinates to lengths along the grid's axes from its first node, and back.
 Vector3 ToGrid(vtkImageData* grid, const Vector3& world);

@@ -13,8 +13,8 @@ namespace
 {
 
 /// The 4 x 4 x 4 nodes around a point that are within the box.
-FitNodes NodesAroundPoint(const SolverBox& box, const std::vector<unsigned char>& inside,
-  const Vector3& x, double length)
+FitNodes NodesAroundPoint(
+  const SolverBox& box, const std::vector<unsigned char>& inside, const Vector3& x, double length)
 {
   std::array<std::int64_t, 3> low;
   for (std::size_t a = 0; a < 3; ++a)
@@ -74,8 +74,7 @@ SurfaceValues EvaluateAtSurface(const PotentialOnBox& problem, const LevelFuncti
       {
         const SurfaceFrame frame = FrameAt(level, box, points[p]);
         values.Normal[p] = frame.Normal;
-        const FitNodes nodes =
-          NodesAroundPoint(box, problem.GetInside(), points[p], medium.Length);
+        const FitNodes nodes = NodesAroundPoint(box, problem.GetInside(), points[p], medium.Length);
         if (FitInterface(medium, frame, nodes, targets, functionals) == FitQuality::None)
         {
           continue;

@@ -93,8 +93,8 @@ int vtkPoissonBoltzmann::FillOutputPortInformation(int port, vtkInformation* inf
   return 1;
 }
 
-vtkTypeBool vtkPoissonBoltzmann::ProcessRequest(vtkInformation* request,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+vtkTypeBool vtkPoissonBoltzmann::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
   {
@@ -112,7 +112,8 @@ int vtkPoissonBoltzmann::MakeOutputs(
     vtkDataObject* present = info->Get(vtkDataObject::DATA_OBJECT());
     if (!present || !present->IsA(wanted->GetClassName()))
     {
-      vtkSmartPointer<vtkDataObject> made = vtkSmartPointer<vtkDataObject>::Take(wanted->NewInstance());
+      vtkSmartPointer<vtkDataObject> made =
+        vtkSmartPointer<vtkDataObject>::Take(wanted->NewInstance());
       info->Set(vtkDataObject::DATA_OBJECT(), made);
     }
   };
@@ -152,9 +153,9 @@ int vtkPoissonBoltzmann::RequestInformation(
       vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
       if (surface ? surface->GetNumberOfPoints() > 0 : atoms && atoms->GetNumberOfPoints() > 0)
       {
-        grid->CopyStructure(surface ? isthmus::GridAroundSurface(surface, wish)
-                                    : isthmus::GridAroundAtoms(
-                                        isthmus::AtomsOf(this, atoms, true).Atoms, wish));
+        grid->CopyStructure(surface
+            ? isthmus::GridAroundSurface(surface, wish)
+            : isthmus::GridAroundAtoms(isthmus::AtomsOf(this, atoms, true).Atoms, wish));
       }
     });
   outInfo->Set(Pipeline::WHOLE_EXTENT(), grid->GetExtent(), 6);
@@ -255,9 +256,8 @@ void vtkPoissonBoltzmann::Solve(
   isthmus::SoluteVolume volume = image
     ? isthmus::VolumeOfImage(image, isthmus::SurfaceScalars(this, image), this->IsoValue,
         this->InsideIsHigher != 0, isthmus::Between(progress, 0.0, 0.05))
-    : polygons
-    ? isthmus::VolumeOfSurface(polygons, wish, isthmus::Between(progress, 0.0, 0.05))
-    : isthmus::VolumeOfAtoms(atoms.Atoms, wish, isthmus::Between(progress, 0.0, 0.05));
+    : polygons ? isthmus::VolumeOfSurface(polygons, wish, isthmus::Between(progress, 0.0, 0.05))
+               : isthmus::VolumeOfAtoms(atoms.Atoms, wish, isthmus::Between(progress, 0.0, 0.05));
   isthmus::PlaceOnGrid(volume, atoms.Atoms);
   isthmus::SetPotentialInput(
     this, vtkImageData::GetData(inputVector[2], 0), volume.Grid, parameters);

@@ -2,8 +2,9 @@
  * @class   vtkPoissonBoltzmann
  * @brief   electrostatic potential of a molecule in salt water, second order at its surface
  *
- * **Input 0**: the atoms, any vtkPointSet with the point arrays `Charge` (e) and `Radius` (angstrom;
- * others by SetInputArrayToProcess 0 and 1), as vtkMacromoleculeReader makes from a PQR file.
+ * **Input 0**: the atoms, any vtkPointSet with the point arrays `Charge` (e) and `Radius`
+ * (angstrom; others by SetInputArrayToProcess 0 and 1), as vtkMacromoleculeReader makes from a PQR
+ * file.
  *
  * **Input 1**, optional: the solute's surface. A volume (vtkImageData): the level IsoValue of its
  * scalars, which are higher inside unless InsideIsHigher is off. Or a closed surface (vtkPolyData).
@@ -11,15 +12,17 @@
  * solvent-excluded surface.
  *
  * **Input 2**, optional: a potential (image, kT/e). With BoundaryCondition FromInput it gives the
- * values on the border (focusing; it has to cover the grid), otherwise the iteration starts from it.
+ * values on the border (focusing; it has to cover the grid), otherwise the iteration starts from
+ * it.
  *
  * **Equation**: -div(eps grad phi) + ions = charges, with eps SoluteDielectric inside and
- * SolventDielectric outside, ions by Boltzmann's law, linearised unless Nonlinear is on. It is solved
- * with the jump of eps at the surface itself, not smeared over cells: for spheres with known answers,
- * errors are a tenth of usual solvers' on the same grid and fall with the square of the spacing.
+ * SolventDielectric outside, ions by Boltzmann's law, linearised unless Nonlinear is on. It is
+ * solved with the jump of eps at the surface itself, not smeared over cells: for spheres with known
+ * answers, errors are a tenth of usual solvers' on the same grid and fall with the square of the
+ * spacing.
  *
- * **Output 0**: image with, on points, double: `Potential` (kT/e) and `ReactionPotential` (kT/e: the
- * potential less that of the charges in a medium with SoluteDielectric everywhere), and `Side`
+ * **Output 0**: image with, on points, double: `Potential` (kT/e) and `ReactionPotential` (kT/e:
+ * the potential less that of the charges in a medium with SoluteDielectric everywhere), and `Side`
  * (unsigned char, 1 inside). On the grid of input 1 where that is a volume, else on one of Spacing
  * with Padding around. Field data: `SolvationEnergy` (kcal/mol; from a medium with SoluteDielectric
  * everywhere into the solvent), `SolvationEnergyKT`, `SolvationEnergyKilojoule`, `Iterations`,
@@ -30,18 +33,18 @@
  * outside, kT/(e angstrom)), `SurfaceChargeDensity` (induced, e/angstrom^2), `Normals`; fitted from
  * both sides.
  *
- * **Output 2**: the atoms with `ReactionPotential` (kT/e) and `AtomEnergy` (kcal/mol: its part of the
- * solvation energy, which they add up to unless Nonlinear).
+ * **Output 2**: the atoms with `ReactionPotential` (kT/e) and `AtomEnergy` (kcal/mol: its part of
+ * the solvation energy, which they add up to unless Nonlinear).
  *
- * A volume that ends near the surface is no trouble: the equation is solved with Padding angstrom of
- * solvent around, and cropped. Nodes nearer to a charge than a quarter of the spacing have the
+ * A volume that ends near the surface is no trouble: the equation is solved with Padding angstrom
+ * of solvent around, and cropped. Nodes nearer to a charge than a quarter of the spacing have the
  * charge's potential at that distance.
  *
  * **Errors** (sentence, empty outputs): no charges, or all 0; charges outside the surface; negative
- * radii; numbers that are not finite; a surface that is open, empty or leaves the volume; properties
- * out of range; an input 2 that does not cover the border or is not finite; no convergence. A net
- * charge that is not integral, or a box small for the Debye length, gives a warning. No atoms: empty
- * outputs and no error.
+ * radii; numbers that are not finite; a surface that is open, empty or leaves the volume;
+ * properties out of range; an input 2 that does not cover the border or is not finite; no
+ * convergence. A net charge that is not integral, or a box small for the Debye length, gives a
+ * warning. No atoms: empty outputs and no error.
  *
  * **Cost.** Linear in nodes (6 to 12 iterations at any size) and in charges x crossings, by a tree
  * above 5000 charges; memory about 110 bytes a node. In parallel, the same bits on any number of
@@ -105,7 +108,8 @@ public:
   ///@}
 
   ///@{
-  /// A salt of any ions instead: valence with sign, and concentration in mol/l. Charges must cancel.
+  /// A salt of any ions instead: valence with sign, and concentration in mol/l. Charges must
+  /// cancel.
   void AddIon(double valence, double concentration);
   void ClearIons();
   int GetNumberOfIons();
@@ -152,9 +156,9 @@ public:
   };
 
   ///@{
-  /// Values on the border of the box: 0; the net charge's or every charge's Debye-Hueckel potential;
-  /// the latter corrected by what a coarser solution radiates (SelfConsistent, the default); or
-  /// input 2's.
+  /// Values on the border of the box: 0; the net charge's or every charge's Debye-Hueckel
+  /// potential; the latter corrected by what a coarser solution radiates (SelfConsistent, the
+  /// default); or input 2's.
   vtkSetClampMacro(BoundaryCondition, int, Zero, FromInput);
   vtkGetMacro(BoundaryCondition, int);
   ///@}

@@ -1,7 +1,8 @@
-// Lysozyme (1HEW) on grids of 65^3 to 257^3 over the same cube: CPU and wall time, iterations, bytes
-// a node; the same charges, radii and grid by APBS (two solutions: solvated and reference) and the
-// ratios. The same spheres as TestPoissonBoltzmann by APBS, with the ratio of the errors. CPU time is
-// what a busy machine leaves meaningful. Needs ISTHMUS_DATA_DIR or the default data, and `apbs`.
+// Lysozyme (1HEW) on grids of 65^3 to 257^3 over the same cube: CPU and wall time, iterations,
+// bytes a node; the same charges, radii and grid by APBS (two solutions: solvated and reference)
+// and the ratios. The same spheres as TestPoissonBoltzmann by APBS, with the ratio of the errors.
+// CPU time is what a busy machine leaves meaningful. Needs ISTHMUS_DATA_DIR or the default data,
+// and `apbs`.
 
 #include "ElectrostaticUnits.h"
 #include "MolecularDensity.h"
@@ -149,9 +150,9 @@ void Apbs(benchmark::State& state)
   input << "read mol pqr " << Lysozyme().string() << " end\n";
   for (const char* kind : { "solv", "ref" })
   {
-    input << "elec name " << kind << " mg-manual dime " << n << " " << n << " " << n << " grid " << h
-          << " " << h << " " << h << " gcent " << centre[0] << " " << centre[1] << " " << centre[2]
-          << " mol 1 lpbe bcfl mdh pdie 2.0 sdie " << (kind[0] == 's' ? 80.0 : 2.0)
+    input << "elec name " << kind << " mg-manual dime " << n << " " << n << " " << n << " grid "
+          << h << " " << h << " " << h << " gcent " << centre[0] << " " << centre[1] << " "
+          << centre[2] << " mol 1 lpbe bcfl mdh pdie 2.0 sdie " << (kind[0] == 's' ? 80.0 : 2.0)
           << " chgm spl0 srfm mol srad 1.4 swin 0.3 sdens 10.0 temp 298.15 calcenergy total"
              " calcforce no end\n";
   }
@@ -190,6 +191,9 @@ void Apbs(benchmark::State& state)
 
 }
 
-BENCHMARK(Lysozyme)->ArgsProduct({ { 65, 97, 129, 193, 257 }, { 2, 3 } })->Iterations(1)->Unit(benchmark::kSecond);
+BENCHMARK(Lysozyme)
+  ->ArgsProduct({ { 65, 97, 129, 193, 257 }, { 2, 3 } })
+  ->Iterations(1)
+  ->Unit(benchmark::kSecond);
 BENCHMARK(Apbs)->Arg(65)->Arg(97)->Arg(129)->Arg(193)->Iterations(1)->Unit(benchmark::kSecond);
 BENCHMARK_MAIN();

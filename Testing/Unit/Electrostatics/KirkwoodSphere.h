@@ -2,8 +2,8 @@
  * @file KirkwoodSphere.h
  * @brief Charges in a dielectric sphere in salt water, by series.
  *
- * J. G. Kirkwood, J. Chem. Phys. 2 (1934) 351: for each degree l, r^l and r^-(l+1) in the sphere and
- * in the layer without ions, k_l(kappa r) beyond, joined by continuity of phi and eps phi'.
+ * J. G. Kirkwood, J. Chem. Phys. 2 (1934) 351: for each degree l, r^l and r^-(l+1) in the sphere
+ * and in the layer without ions, k_l(kappa r) beyond, joined by continuity of phi and eps phi'.
  */
 #ifndef isthmus_KirkwoodSphere_h
 #define isthmus_KirkwoodSphere_h

@@ -19,8 +19,9 @@ inline KirkwoodSphere Kirkwood(int number)
 {
   KirkwoodSphere s;
   s.Centre = { 0.11, -0.07, 0.05 };
-  const auto add = [&](double q, double x, double y, double z)
-  { s.Charges.push_back({ { s.Centre[0] + x, s.Centre[1] + y, s.Centre[2] + z }, q, 1.0 }); };
+  const auto add = [&](double q, double x, double y, double z) {
+    s.Charges.push_back({ { s.Centre[0] + x, s.Centre[1] + y, s.Centre[2] + z }, q, 1.0 });
+  };
   s.Radius = number == 1 ? 2.0 : 5.0;
   s.Solute = number == 1 ? 1.0 : 2.0;
   s.Kappa = number == 3 ? 0.1 : 0.0;
@@ -68,9 +69,9 @@ struct SphereProblem
     const auto n = static_cast<std::int64_t>(std::llround(2.0 * half / h)) + 1;
     for (std::int64_t node = 0; node < n * n * n; ++node)
     {
-      this->Distance.push_back(this->Sphere.Distance(this->World({ h * static_cast<double>(node % n),
-                                 h * static_cast<double>(node / n % n),
-                                 h * static_cast<double>(node / (n * n)) })) -
+      this->Distance.push_back(
+        this->Sphere.Distance(this->World({ h * static_cast<double>(node % n),
+          h * static_cast<double>(node / n % n), h * static_cast<double>(node / (n * n)) })) -
         this->Sphere.Radius);
     }
     this->Level.Doubles = { this->Distance.data(), { n, n, n }, { h, h, h } };
@@ -139,8 +140,7 @@ inline SphereErrors ErrorsOf(const SphereProblem& problem, const PotentialOnBox&
     double& error = inside ? errors.Inside : errors.Outside;
     error = std::max(error, std::abs(solution.GetPotential()[i] - exact));
   }
-  errors.Energy =
-    std::abs(solution.GetReport().SolvationEnergy / problem.Sphere.Energy() - 1.0);
+  errors.Energy = std::abs(solution.GetReport().SolvationEnergy / problem.Sphere.Energy() - 1.0);
   return errors;
 }
 

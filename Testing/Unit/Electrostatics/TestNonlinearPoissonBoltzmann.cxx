@@ -12,8 +12,8 @@ namespace
 {
 
 /// phi(r) outside a sphere of charge q at its centre: (r^2 phi')' = r^2 f(phi) / eps_s from a on,
-/// phi' = -C q / (eps_s r^2) before. Integrated inwards from the Debye-Hueckel tail, whose height is
-/// found by bisection.
+/// phi' = -C q / (eps_s r^2) before. Integrated inwards from the Debye-Hueckel tail, whose height
+/// is found by bisection.
 class RadialSolution
 {
 public:
@@ -57,8 +57,9 @@ private:
     double flux = -r * (1.0 + kappa * r) * phi; // r^2 phi'
     this->Values.assign(Count + 1, 0.0);
     this->Values[Count] = phi;
-    const auto slopes = [&](double x, double p, double f)
-    { return std::pair<double, double>(f / (x * x), x * x * this->Ions.Charge(p) / this->Solvent); };
+    const auto slopes = [&](double x, double p, double f) {
+      return std::pair<double, double>(f / (x * x), x * x * this->Ions.Charge(p) / this->Solvent);
+    };
     for (std::size_t i = Count; i-- > 0;)
     {
       const double d = -Step;
@@ -160,17 +161,20 @@ TEST(NonlinearPoissonBoltzmann, SmallChargesAreLinear)
 TEST(IonAtmosphere, OneToOneSaltIsASinh)
 {
   const IonAtmosphere ions({ { 1.0, 0.1 }, { -1.0, 0.1 } }, 298.15);
-  const double f0 = 8.0 * units::Pi * units::CoulombLength(298.15) * 0.1 * units::IonsPerCubicAngstrom;
+  const double f0 =
+    8.0 * units::Pi * units::CoulombLength(298.15) * 0.1 * units::IonsPerCubicAngstrom;
   for (const double u : { -3.0, -0.1, 0.0, 0.5, 4.0 })
   {
     EXPECT_NEAR(ions.Charge(u), f0 * std::sinh(u), 1e-12 * std::cosh(u));
     EXPECT_NEAR(ions.Derivative(u), f0 * std::cosh(u), 1e-12 * std::cosh(u));
     const double c = 0.1 * units::IonsPerCubicAngstrom;
-    EXPECT_NEAR(ions.Energy(u), c * (u * std::sinh(u) - 2.0 * (std::cosh(u) - 1.0)), 1e-15 * std::cosh(u));
+    EXPECT_NEAR(
+      ions.Energy(u), c * (u * std::sinh(u) - 2.0 * (std::cosh(u) - 1.0)), 1e-15 * std::cosh(u));
   }
   // Beyond 50 kT/e it goes on linearly, and stays finite.
   EXPECT_TRUE(std::isfinite(ions.Charge(1e4)));
-  EXPECT_NEAR(ions.Charge(60.0) - ions.Charge(50.0), 10.0 * ions.Derivative(50.0), 1e-6 * ions.Charge(60.0));
+  EXPECT_NEAR(
+    ions.Charge(60.0) - ions.Charge(50.0), 10.0 * ions.Derivative(50.0), 1e-6 * ions.Charge(60.0));
   // Debye length at 0.1 M: 9.6 angstrom.
   EXPECT_NEAR(1.0 / std::sqrt(ions.Linear() / 80.0), 9.7, 0.15);
 }

@@ -32,8 +32,7 @@ TEST_P(KirkwoodTest, SolutionIsWithinTheDemand)
   const auto solution = problem.Solve();
   const SphereErrors errors = ErrorsOf(problem, *solution);
   std::printf("K%d h=%g: energy %.2e outside %.4f inside %.4f iterations %d\n", demand.Number,
-    demand.Spacing, errors.Energy, errors.Outside, errors.Inside,
-    solution->GetReport().Iterations);
+    demand.Spacing, errors.Energy, errors.Outside, errors.Inside, solution->GetReport().Iterations);
   EXPECT_LE(errors.Energy, demand.Energy);
   EXPECT_LE(errors.Outside, demand.Outside);
   EXPECT_LE(errors.Inside, demand.Inside);
@@ -77,7 +76,8 @@ TEST(PoissonBoltzmann, ErrorsFallWithTheSquareOfTheSpacing)
     SphereProblem problem(Kirkwood(1), 6, spacings[i]);
     errors[i] = ErrorsOf(problem, *problem.Solve()).Outside;
   }
-  // Mean order over both halvings: the nearest node's place on the surface changes from grid to grid.
+  // Mean order over both halvings: the nearest node's place on the surface changes from grid to
+  // grid.
   EXPECT_GT(0.5 * std::log2(errors[0] / errors[2]), 1.7);
 }
 
@@ -119,8 +119,7 @@ TEST(PoissonBoltzmann, SurfaceValuesComeFromBothSides)
     {
       beyond[a] += 1e-3 * values.Normal[i][a];
     }
-    const double field =
-      -(problem.Sphere.Outside(beyond) - problem.Sphere.Outside(x)) / 1e-3;
+    const double field = -(problem.Sphere.Outside(beyond) - problem.Sphere.Outside(x)) / 1e-3;
     EXPECT_NEAR(values.NormalField[i], field, 0.06);
     sum += values.ChargeDensity[i] * 4.0 * units::Pi * 25.0 / static_cast<double>(points.size());
   }

@@ -6,6 +6,7 @@
 
 #include "KirkwoodSphere.h"
 
+#include <vtkCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
@@ -17,7 +18,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSphereSource.h>
-#include <vtkCommand.h>
 #include <vtkTestErrorObserver.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -36,8 +36,9 @@ KirkwoodSphere Sphere()
   KirkwoodSphere s;
   s.Centre = { 100.11, -50.07, 7.05 };
   s.Radius = 5.0;
-  const auto add = [&](double q, double x, double y, double z)
-  { s.Charges.push_back({ { s.Centre[0] + x, s.Centre[1] + y, s.Centre[2] + z }, q, 1.5 }); };
+  const auto add = [&](double q, double x, double y, double z) {
+    s.Charges.push_back({ { s.Centre[0] + x, s.Centre[1] + y, s.Centre[2] + z }, q, 1.5 });
+  };
   add(1, 2.5, 0, 0);
   add(-1, 0, -3, 0.5);
   add(1, -1, 1.5, 3);
@@ -73,8 +74,8 @@ struct GridChoice
 };
 
 /// f(distance from the centre) on a grid around the sphere.
-vtkSmartPointer<vtkImageData> Volume(const KirkwoodSphere& sphere, const GridChoice& choice,
-  const std::function<double(double)>& f)
+vtkSmartPointer<vtkImageData> Volume(
+  const KirkwoodSphere& sphere, const GridChoice& choice, const std::function<double(double)>& f)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   int extent[6];
@@ -98,8 +99,8 @@ vtkSmartPointer<vtkImageData> Volume(const KirkwoodSphere& sphere, const GridCho
     ijk[a] += std::floor(choice.Half / image->GetSpacing()[a]) + 0.13;
   }
   image->TransformContinuousIndexToPhysicalPoint(ijk, first);
-  image->SetOrigin(sphere.Centre[0] - first[0], sphere.Centre[1] - first[1],
-    sphere.Centre[2] - first[2]);
+  image->SetOrigin(
+    sphere.Centre[0] - first[0], sphere.Centre[1] - first[1], sphere.Centre[2] - first[2]);
   vtkSmartPointer<vtkDataArray> values = choice.Float
     ? vtkSmartPointer<vtkDataArray>(vtkSmartPointer<vtkFloatArray>::New())
     : vtkSmartPointer<vtkDataArray>(vtkSmartPointer<vtkDoubleArray>::New());
@@ -307,7 +308,8 @@ TEST(PoissonBoltzmannFilter, FocusingTakesTheBorderFromInput2)
 }
 
 /// Runs a changed filter that has to fail with a sentence that holds `words`.
-void ExpectError(const std::function<void(vtkPoissonBoltzmann*, vtkPolyData*)>& change, const char* words)
+void ExpectError(
+  const std::function<void(vtkPoissonBoltzmann*, vtkPolyData*)>& change, const char* words)
 {
   const KirkwoodSphere sphere = Sphere();
   GridChoice choice;
@@ -335,10 +337,13 @@ TEST(PoissonBoltzmannFilter, EveryRefusalIsASentence)
   using Filter = vtkPoissonBoltzmann*;
   const auto charges = [](vtkPolyData* atoms) { return atoms->GetPointData()->GetArray("Charge"); };
   ExpectError([&](Filter, vtkPolyData* a) { a->GetPointData()->RemoveArray("Charge"); }, "pdb2pqr");
-  ExpectError([&](Filter, vtkPolyData* a) { charges(a)->FillComponent(0, 0.0); }, "All charges are 0");
+  ExpectError(
+    [&](Filter, vtkPolyData* a) { charges(a)->FillComponent(0, 0.0); }, "All charges are 0");
   ExpectError([&](Filter, vtkPolyData* a) { charges(a)->SetTuple1(1, nan); }, "charge of atom 1");
-  ExpectError([&](Filter, vtkPolyData* a) { a->GetPoints()->SetPoint(2, 0, 0, 0); }, "outside the surface");
-  ExpectError([&](Filter, vtkPolyData* a) { a->GetPointData()->GetArray("Radius")->SetTuple1(0, -1.0); },
+  ExpectError(
+    [&](Filter, vtkPolyData* a) { a->GetPoints()->SetPoint(2, 0, 0, 0); }, "outside the surface");
+  ExpectError([&](Filter, vtkPolyData* a)
+    { a->GetPointData()->GetArray("Radius")->SetTuple1(0, -1.0); },
     "radius of atom 0");
   ExpectError([&](Filter f, vtkPolyData*) { f->SetIsoValue(nan); }, "IsoValue");
   ExpectError([&](Filter f, vtkPolyData*) { f->SetInsideIsHigher(0); }, "surface");
@@ -348,7 +353,8 @@ TEST(PoissonBoltzmannFilter, EveryRefusalIsASentence)
   ExpectError([&](Filter f, vtkPolyData*) { f->SetPadding(-1.0); }, "Padding");
   ExpectError([&](Filter f, vtkPolyData*) { f->SetPadding(9e5); }, "GB");
   ExpectError([&](Filter f, vtkPolyData*) { f->AddIon(2.0, 0.1); }, "neutral");
-  ExpectError([&](Filter f, vtkPolyData*) { f->SetBoundaryCondition(vtkPoissonBoltzmann::FromInput); },
+  ExpectError([&](Filter f, vtkPolyData*)
+    { f->SetBoundaryCondition(vtkPoissonBoltzmann::FromInput); },
     "input 2");
   ExpectError([&](Filter f, vtkPolyData*) { f->SetMaximumIterations(1); }, "did not converge");
 }
