@@ -1,5 +1,6 @@
 #include "BoundaryPotential.h"
 
+#include "ChargeTree.h"
 #include "ElectrostaticUnits.h"
 #include "ParallelFor.h"
 
@@ -176,7 +177,18 @@ PotentialFunction MultipleDebyeHueckel(const std::vector<ChargedAtom>& atoms, do
     charges->Add(
       atom.Position, coulombLength / solventDielectric * atom.Charge * std::exp(ka) / (1.0 + ka));
   }
-  return [charges, kappa](const Vector3& x) { return ScreenedSum(*charges, kappa, x); };
+  if (charges->Size() < FewestForTree)
+  {
+    return [charges, kappa](const Vector3& x) { return ScreenedSum(*charges, kappa, x); };
+  }
+  // The tree refers to the charges, so both are kept.
+  auto tree = std::make_shared<ChargeTree>(*charges);
+  return [charges, tree, kappa](const Vector3& x)
+  {
+    thread_local ChargeList seen;
+    tree->Gather(x, 0.0, seen);
+    return ScreenedSum(seen, kappa, x);
+  };
 }
 
 PotentialFunction SingleDebyeHueckel(const std::vector<ChargedAtom>& atoms, double coulombLength,

@@ -115,11 +115,18 @@ double CoulombValue(const ChargeList& charges, const Vector3& x, double nearest)
 
 double ScreenedSum(const ChargeList& charges, double kappa, const Vector3& x)
 {
+  if (!(kappa > 0.0))
+  {
+    return CoulombValue(charges, x, 0.0);
+  }
   double sum = 0.0;
   for (std::size_t i = 0; i < charges.Size(); ++i)
   {
-    const double r = std::hypot(x[0] - charges.X[i], x[1] - charges.Y[i], x[2] - charges.Z[i]);
-    sum += charges.Charge[i] * (kappa > 0.0 ? std::exp(-kappa * r) : 1.0) / r;
+    const double dx = x[0] - charges.X[i];
+    const double dy = x[1] - charges.Y[i];
+    const double dz = x[2] - charges.Z[i];
+    const double r = std::sqrt(dx * dx + dy * dy + dz * dz);
+    sum += charges.Charge[i] * std::exp(-kappa * r) / r;
   }
   return sum;
 }
