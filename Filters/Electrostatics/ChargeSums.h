@@ -1,0 +1,67 @@
+/**
+ * @file ChargeSums.h
+ * @brief Sums over point charges: the Coulomb potential with two derivatives, Debye-Hueckel's.
+ */
+#ifndef isthmus_ChargeSums_h
+#define isthmus_ChargeSums_h
+
+#include "PoissonBoltzmannParameters.h"
+#include "vtkIsthmusModule.h"
+
+#include <vector>
+
+namespace isthmus
+{
+
+/// Charges in four arrays, so that loops over them use vector instructions.
+struct ChargeList
+{
+  std::vector<double> X, Y, Z, Charge;
+
+  void Add(const Vector3& position, double charge)
+  {
+    this->X.push_back(position[0]);
+    this->Y.push_back(position[1]);
+    this->Z.push_back(position[2]);
+    this->Charge.push_back(charge);
+  }
+  void Clear()
+  {
+    this->X.clear();
+    this->Y.clear();
+    this->Z.clear();
+    this->Charge.clear();
+  }
+  std::size_t Size() const { return this->X.size(); }
+};
+
+/// A function at a point: value, gradient, and second derivatives xx, yy, zz, xy, xz, yz.
+struct SecondOrderTaylor
+{
+  double Value = 0.0;
+  Vector3 Gradient{ 0.0, 0.0, 0.0 };
+  std::array<double, 6> Hessian{ 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+
+  /// Of the Taylor polynomial at `y` from the point.
+  double At(const Vector3& y) const
+  {
+    const auto& h = this->Hessian;
+    return this->Value + this->Gradient[0] * y[0] + this->Gradient[1] * y[1] +
+      this->Gradient[2] * y[2] +
+      0.5 * (h[0] * y[0] * y[0] + h[1] * y[1] * y[1] + h[2] * y[2] * y[2]) + h[3] * y[0] * y[1] +
+      h[4] * y[0] * y[2] + h[5] * y[1] * y[2];
+  }
+};
+
+/// sum q / |x - r| and its derivatives; about a nanosecond for each charge.
+VTKISTHMUS_EXPORT SecondOrderTaylor CoulombSum(const ChargeList& charges, const Vector3& x);
+
+/// sum q / max(|x - r|, nearest).
+VTKISTHMUS_EXPORT double CoulombValue(const ChargeList& charges, const Vector3& x, double nearest);
+
+/// sum q exp(-kappa |x - r|) / |x - r|.
+VTKISTHMUS_EXPORT double ScreenedSum(const ChargeList& charges, double kappa, const Vector3& x);
+
+}
+
+#endif

@@ -1,0 +1,34 @@
+/**
+ * @file ChargesOnGrid.h
+ * @brief The charges' own potential G where a solution needs it: at crossings and at nodes.
+ */
+#ifndef isthmus_ChargesOnGrid_h
+#define isthmus_ChargesOnGrid_h
+
+#include "ChargeSums.h"
+#include "InterfaceGeometry.h"
+
+namespace isthmus
+{
+
+/// G with derivatives at each point, directly or, with many charges, by a tree for each brick of
+/// 8^3 nodes of the box. Parallel.
+VTKISTHMUS_EXPORT std::vector<SecondOrderTaylor> ChargesAtPoints(const ChargeList& charges,
+  const SolverBox& box, const std::vector<Vector3>& points, const ProgressCallback& progress = {});
+
+/// The same at each crossing.
+std::vector<SecondOrderTaylor> ChargesAtCrossings(const ChargeList& charges, const SolverBox& box,
+  const std::vector<InterfaceCrossing>& crossings, const ProgressCallback& progress = {});
+
+/**
+ * Calls use(node, G) for the nodes of the box, in parallel, bricks of 8^3 at a time. Nodes nearer
+ * to a charge than a quarter of the shortest spacing take its potential from there. By a tree from
+ * some hundred charges on; relative error 1e-5.
+ */
+VTKISTHMUS_EXPORT void ChargesAtNodes(const ChargeList& charges, const SolverBox& box,
+  const std::function<void(std::int64_t node, double g)>& use,
+  const ProgressCallback& progress = {});
+
+}
+
+#endif

@@ -1,0 +1,115 @@
+#include "HarmonicFit.h"
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace isthmus
+{
+namespace
+{
+
+constexpr int Most = 16;
+using Terms = std::array<double, Most>;
+
+/// Harmonic polynomials of degree 0 to 3.
+Terms Harmonics(const Vector3& y)
+{
+  const double a = y[0], b = y[1], c = y[2];
+  return { 1.0, a, b, c, a * b, a * c, b * c, a * a - b * b, 2.0 * c * c - a * a - b * b, a * b * c,
+    c * (a * a - b * b), a * (a * a - 3.0 * b * b), b * (3.0 * a * a - b * b),
+    c * (2.0 * c * c - 3.0 * a * a - 3.0 * b * b), a * (4.0 * c * c - a * a - b * b),
+    b * (4.0 * c * c - a * a - b * b) };
+}
+
+struct Datum
+{
+  Terms Row;
+  double Value, Weight;
+};
+
+/// The nodes inside within three spacings, offsets in units of the largest.
+std::vector<Datum> DataAround(const SolverBox& box, const std::vector<unsigned char>& inside,
+  const std::vector<double>& u, const Vector3& x, double unit)
+{
+  std::array<std::int64_t, 3> low, high;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const double place = (x[a] - box.Corner[a]) / box.Spacing[a];
+    const double reach = 3.0 * unit / box.Spacing[a];
+    const double end = static_cast<double>(box.Dimensions[a] - 1);
+    low[a] = static_cast<std::int64_t>(std::clamp(std::ceil(place - reach), 0.0, end));
+    high[a] = static_cast<std::int64_t>(std::clamp(std::floor(place + reach), 0.0, end));
+  }
+  std::vector<Datum> data;
+  const auto steps = box.Steps();
+  for (std::int64_t k = low[2]; k <= high[2]; ++k)
+  {
+    for (std::int64_t j = low[1]; j <= high[1]; ++j)
+    {
+      for (std::int64_t i = low[0]; i <= high[0]; ++i)
+      {
+        const auto node = static_cast<std::size_t>(i + j * steps[1] + k * steps[2]);
+        const Vector3 p = box.Position(i, j, k);
+        const Vector3 y{ (p[0] - x[0]) / unit, (p[1] - x[1]) / unit, (p[2] - x[2]) / unit };
+        const double r2 = y[0] * y[0] + y[1] * y[1] + y[2] * y[2];
+        if (inside[node] && r2 <= 9.0)
+        {
+          const double w = 1.0 / (r2 + 0.25);
+          data.push_back({ Harmonics(y), u[node], w * w * w });
+        }
+      }
+    }
+  }
+  return data;
+}
+
+bool Solve(const std::vector<Datum>& data, int terms, Eigen::VectorXd& answer)
+{
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(terms, terms);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(terms);
+  for (const Datum& d : data)
+  {
+    const Eigen::Map<const Eigen::VectorXd> row(d.Row.data(), terms);
+    normal.noalias() += d.Weight * row * row.transpose();
+    right += d.Weight * d.Value * row;
+  }
+  const Eigen::LDLT<Eigen::MatrixXd> factor(normal);
+  const auto pivots = factor.vectorD();
+  if (factor.info() != Eigen::Success || !(pivots.minCoeff() > 1e-8 * pivots.maxCoeff()))
+  {
+    return false;
+  }
+  answer = factor.solve(right);
+  return answer.allFinite();
+}
+
+}
+
+ValueAndGradient HarmonicAt(const SolverBox& box, const std::vector<unsigned char>& inside,
+  const std::vector<double>& u, const Vector3& x)
+{
+  const double unit = *std::max_element(box.Spacing.begin(), box.Spacing.end());
+  const std::vector<Datum> data = DataAround(box, inside, u, x, unit);
+  // Half as many nodes again as coefficients, so that one-sided neighbourhoods stay well-posed.
+  for (const int terms : { 16, 9, 4, 1 })
+  {
+    Eigen::VectorXd c;
+    if (static_cast<int>(data.size()) * 2 >= 3 * terms && Solve(data, terms, c))
+    {
+      ValueAndGradient result{ c[0], { 0.0, 0.0, 0.0 } };
+      for (int a = 0; a < 3 && terms > 1; ++a)
+      {
+        result.Gradient[static_cast<std::size_t>(a)] = c[a + 1] / unit;
+      }
+      return result;
+    }
+  }
+  throw std::invalid_argument(
+    "There is no node of the grid inside the surface around the charge at (" +
+    std::to_string(x[0]) + ", " + std::to_string(x[1]) + ", " + std::to_string(x[2]) +
+    "): choose a finer grid.");
+}
+
+}

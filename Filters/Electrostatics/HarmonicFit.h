@@ -1,0 +1,30 @@
+/**
+ * @file HarmonicFit.h
+ * @brief The reaction potential at a point inside, from the nodes inside around it.
+ *
+ * It is harmonic there, so a polynomial of degree 3 has 16 coefficients instead of 20: r^l Y_lm up
+ * to l = 3, fitted by weighted least squares to the nodes inside within three spacings; of degree
+ * 2, 1 or 0 where there are too few. Fourth order for degree 3.
+ */
+#ifndef isthmus_HarmonicFit_h
+#define isthmus_HarmonicFit_h
+
+#include "LevelFunction.h"
+#include "vtkIsthmusModule.h"
+
+namespace isthmus
+{
+
+struct ValueAndGradient
+{
+  double Value = 0.0;
+  Vector3 Gradient{ 0.0, 0.0, 0.0 };
+};
+
+/// Of u at x (frame of the volume). Throws std::invalid_argument where no node around is inside.
+VTKISTHMUS_EXPORT ValueAndGradient HarmonicAt(const SolverBox& box,
+  const std::vector<unsigned char>& inside, const std::vector<double>& u, const Vector3& x);
+
+}
+
+#endif

@@ -1,0 +1,393 @@
+#include "InterfaceGeometry.h"
+
+#include "ParallelFor.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace isthmus
+{
+namespace
+{
+
+constexpr int Reach = 6;  // nodes along the line
+constexpr int Before = 2; // of them, before the first end of the edge
+
+/// Weights of the six nodes -2..3 for value and two derivatives at t, per spacing.
+struct LineWeights
+{
+  double Value[Reach], First[Reach], Second[Reach];
+};
+
+LineWeights WeightsAt(double t)
+{
+  LineWeights w{};
+  for (int i = 0; i < Reach; ++i)
+  {
+    // The Lagrange polynomial as a product, carried along with its two derivatives.
+    double p = 1.0, d = 0.0, s = 0.0;
+    for (int j = 0; j < Reach; ++j)
+    {
+      if (j == i)
+      {
+        continue;
+      }
+      const double c = 1.0 / static_cast<double>(i - j);
+      const double f = (t - static_cast<double>(j - Before)) * c;
+      s = s * f + 2.0 * d * c;
+      d = d * f + p * c;
+      p *= f;
+    }
+    w.Value[i] = p;
+    w.First[i] = d;
+    w.Second[i] = s;
+  }
+  return w;
+}
+
+constexpr double Central1[5] = { 1.0 / 12, -8.0 / 12, 0.0, 8.0 / 12, -1.0 / 12 };
+constexpr double Central2[5] = { -1.0 / 12, 16.0 / 12, -30.0 / 12, 16.0 / 12, -1.0 / 12 };
+
+/// The 6 x 5 x 5 samples around an edge: along it first.
+struct Samples
+{
+  double At[Reach][5][5];
+};
+
+struct Line
+{
+  std::array<std::int64_t, 3> Node;
+  int Axis;
+};
+
+double Sample(
+  const LevelFunction& level, const SolverBox& box, const std::array<std::int64_t, 3>& p)
+{
+  return level(box.First[0] + p[0] * box.Stride, box.First[1] + p[1] * box.Stride,
+    box.First[2] + p[2] * box.Stride);
+}
+
+void Gather(const LevelFunction& level, const SolverBox& box, const Line& line, Samples& samples)
+{
+  const auto a = static_cast<std::size_t>(line.Axis);
+  const std::size_t b = (a + 1) % 3;
+  const std::size_t c = (a + 2) % 3;
+  for (int i = 0; i < Reach; ++i)
+  {
+    for (int j = 0; j < 5; ++j)
+    {
+      for (int k = 0; k < 5; ++k)
+      {
+        auto p = line.Node;
+        p[a] += i - Before;
+        p[b] += j - 2;
+        p[c] += k - 2;
+        samples.At[i][j][k] = Sample(level, box, p);
+      }
+    }
+  }
+}
+
+/// Root of the sixth-order polynomial between the ends, which lie on two sides; linear where the
+/// samples are no smooth function.
+double RootOnEdge(const LevelFunction& level, const SolverBox& box, const Line& line)
+{
+  double values[Reach];
+  const auto a = static_cast<std::size_t>(line.Axis);
+  for (int i = 0; i < Reach; ++i)
+  {
+    auto p = line.Node;
+    p[a] += i - Before;
+    values[i] = Sample(level, box, p);
+  }
+  const double first = values[Before];
+  const double last = values[Before + 1];
+  double low = 0.0, high = 1.0;
+  double t = first / (first - last);
+  for (int step = 0; step < 60 && high - low > 1e-14; ++step)
+  {
+    const LineWeights w = WeightsAt(t);
+    double f = 0.0, d = 0.0;
+    for (int i = 0; i < Reach; ++i)
+    {
+      f += w.Value[i] * values[i];
+      d += w.First[i] * values[i];
+    }
+    ((f < 0.0) == (first < 0.0) ? low : high) = t;
+    const double newton = t - f / d;
+    const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
+    if (std::abs(next - t) < 1e-13)
+    {
+      t = next;
+      break;
+    }
+    t = next;
+  }
+  return std::isfinite(t) ? std::min(std::max(t, 0.0), 1.0) : 0.5;
+}
+
+/// Gradient and second derivatives from samples and weights along the line; with weights along
+/// the line only, the point has to lie on the line.
+void Derivatives(const Samples& s, const LineWeights& w, int axis, const Vector3& h,
+  Vector3& gradient, double (&hessian)[3][3])
+{
+  const auto a = static_cast<std::size_t>(axis);
+  const std::size_t b = (a + 1) % 3;
+  const std::size_t c = (a + 2) % 3;
+  gradient = { 0.0, 0.0, 0.0 };
+  for (auto& row : hessian)
+  {
+    row[0] = row[1] = row[2] = 0.0;
+  }
+  for (int i = 0; i < Reach; ++i)
+  {
+    double fb = 0.0, fc = 0.0, fbb = 0.0, fcc = 0.0, fbc = 0.0;
+    for (int j = 0; j < 5; ++j)
+    {
+      fb += Central1[j] * s.At[i][j][2];
+      fc += Central1[j] * s.At[i][2][j];
+      fbb += Central2[j] * s.At[i][j][2];
+      fcc += Central2[j] * s.At[i][2][j];
+      for (int k = 0; k < 5; ++k)
+      {
+        if (j != 2 && k != 2)
+        {
+          fbc += Central1[j] * Central1[k] * s.At[i][j][k];
+        }
+      }
+    }
+    gradient[a] += w.First[i] * s.At[i][2][2] / h[a];
+    gradient[b] += w.Value[i] * fb / h[b];
+    gradient[c] += w.Value[i] * fc / h[c];
+    hessian[a][a] += w.Second[i] * s.At[i][2][2] / (h[a] * h[a]);
+    hessian[b][b] += w.Value[i] * fbb / (h[b] * h[b]);
+    hessian[c][c] += w.Value[i] * fcc / (h[c] * h[c]);
+    hessian[a][b] += w.First[i] * fb / (h[a] * h[b]);
+    hessian[a][c] += w.First[i] * fc / (h[a] * h[c]);
+    hessian[b][c] += w.Value[i] * fbc / (h[b] * h[c]);
+  }
+  hessian[b][a] = hessian[a][b];
+  hessian[c][a] = hessian[a][c];
+  hessian[c][b] = hessian[b][c];
+}
+
+/// P H P / |g|, held below one over the spacing: sharper bends are below what the grid shows.
+SurfaceFrame FrameOf(
+  const Vector3& g, const double (&hessian)[3][3], double spacing, int axis, double towards)
+{
+  SurfaceFrame frame;
+  const double length = std::hypot(g[0], g[1], g[2]);
+  if (!(length > 0.0) || !std::isfinite(length))
+  {
+    frame.Normal = { 0.0, 0.0, 0.0 };
+    frame.Normal[static_cast<std::size_t>(axis)] = towards;
+    return frame;
+  }
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    frame.Normal[a] = g[a] / length;
+  }
+  double p[3][3], hp[3][3], w[3][3];
+  double largest = 0.0;
+  const auto product = [](const double(&x)[3][3], const double(&y)[3][3], double(&z)[3][3])
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int j = 0; j < 3; ++j)
+      {
+        z[i][j] = x[i][0] * y[0][j] + x[i][1] * y[1][j] + x[i][2] * y[2][j];
+      }
+    }
+  };
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      p[i][j] = (i == j ? 1.0 : 0.0) - frame.Normal[i] * frame.Normal[j];
+    }
+  }
+  product(hessian, p, hp);
+  product(p, hp, w);
+  for (auto& row : w)
+  {
+    for (double& entry : row)
+    {
+      entry /= length;
+      largest += entry * entry;
+    }
+  }
+  largest = std::sqrt(largest);
+  if (!std::isfinite(largest))
+  {
+    return frame;
+  }
+  const double scale = largest * spacing > 1.0 ? 1.0 / (largest * spacing) : 1.0;
+  frame.Curvature = { scale * w[0][0], scale * w[1][1], scale * w[2][2], scale * w[0][1],
+    scale * w[0][2], scale * w[1][2] };
+  return frame;
+}
+
+double Largest(const Vector3& h)
+{
+  return std::max({ h[0], h[1], h[2] });
+}
+
+/// The polynomial through the 6^3 nodes around a point.
+struct LocalPolynomial
+{
+  double Value = 0.0;
+  Vector3 Gradient{ 0.0, 0.0, 0.0 };
+  double Hessian[3][3] = {};
+
+  LocalPolynomial(const LevelFunction& level, const SolverBox& box, const Vector3& x)
+  {
+    std::array<std::int64_t, 3> low;
+    LineWeights w[3];
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const double place = (x[a] - box.Corner[a]) / box.Spacing[a];
+      low[a] = static_cast<std::int64_t>(std::floor(place));
+      w[a] = WeightsAt(place - std::floor(place));
+      for (int i = 0; i < Reach; ++i)
+      {
+        w[a].First[i] /= box.Spacing[a];
+        w[a].Second[i] /= box.Spacing[a] * box.Spacing[a];
+      }
+    }
+    for (int k = 0; k < Reach; ++k)
+    {
+      for (int j = 0; j < Reach; ++j)
+      {
+        for (int i = 0; i < Reach; ++i)
+        {
+          const double s =
+            Sample(level, box, { low[0] + i - Before, low[1] + j - Before, low[2] + k - Before });
+          const double vx = w[0].Value[i], vy = w[1].Value[j], vz = w[2].Value[k];
+          this->Value += s * vx * vy * vz;
+          this->Gradient[0] += s * w[0].First[i] * vy * vz;
+          this->Gradient[1] += s * vx * w[1].First[j] * vz;
+          this->Gradient[2] += s * vx * vy * w[2].First[k];
+          this->Hessian[0][0] += s * w[0].Second[i] * vy * vz;
+          this->Hessian[1][1] += s * vx * w[1].Second[j] * vz;
+          this->Hessian[2][2] += s * vx * vy * w[2].Second[k];
+          this->Hessian[0][1] += s * w[0].First[i] * w[1].First[j] * vz;
+          this->Hessian[0][2] += s * w[0].First[i] * vy * w[2].First[k];
+          this->Hessian[1][2] += s * vx * w[1].First[j] * w[2].First[k];
+        }
+      }
+    }
+    this->Hessian[1][0] = this->Hessian[0][1];
+    this->Hessian[2][0] = this->Hessian[0][2];
+    this->Hessian[2][1] = this->Hessian[1][2];
+  }
+};
+
+}
+
+std::vector<unsigned char> SidesOfNodes(const LevelFunction& level, const SolverBox& box)
+{
+  std::vector<unsigned char> inside(static_cast<std::size_t>(box.Size()), 0);
+  const auto& n = box.Dimensions;
+  ParallelFor(0, n[2], 1,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t k = first; k < last; ++k)
+      {
+        for (std::int64_t j = 0; j < n[1]; ++j)
+        {
+          for (std::int64_t i = 0; i < n[0]; ++i)
+          {
+            const std::int64_t at[3] = { box.First[0] + i * box.Stride,
+              box.First[1] + j * box.Stride, box.First[2] + k * box.Stride };
+            const auto& m = level.Dimensions();
+            const bool within = at[0] >= 0 && at[0] < m[0] && at[1] >= 0 && at[1] < m[1] &&
+              at[2] >= 0 && at[2] < m[2];
+            inside[static_cast<std::size_t>(i + n[0] * (j + n[1] * k))] =
+              within && level.Inside(at[0], at[1], at[2]) ? 1 : 0;
+          }
+        }
+      }
+    });
+  return inside;
+}
+
+std::vector<InterfaceCrossing> FindCrossings(const LevelFunction& level, const SolverBox& box,
+  const std::vector<unsigned char>& inside, const ProgressCallback& progress)
+{
+  const auto& n = box.Dimensions;
+  const auto step = box.Steps();
+  std::vector<std::vector<InterfaceCrossing>> layers(static_cast<std::size_t>(n[2]));
+  ParallelFor(
+    0, n[2], 1,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t node = first * step[2]; node < last * step[2]; ++node)
+      {
+        const std::array<std::int64_t, 3> at{ node % n[0], node / n[0] % n[1], node / step[2] };
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const auto a = static_cast<std::size_t>(axis);
+          if (at[a] + 1 >= n[a] ||
+            inside[static_cast<std::size_t>(node)] ==
+              inside[static_cast<std::size_t>(node + step[a])])
+          {
+            continue;
+          }
+          for (std::size_t b = 0; b < 3; ++b)
+          {
+            if (at[b] < 3 || at[b] + 4 > n[b] - 1)
+            {
+              throw std::invalid_argument("The surface comes nearer than three nodes to the border "
+                                          "of the box: give it more solvent around.");
+            }
+          }
+          Samples samples;
+          const Line line{ at, axis };
+          InterfaceCrossing crossing{ node, axis, RootOnEdge(level, box, line), {} };
+          Gather(level, box, line, samples);
+          Vector3 g;
+          double hessian[3][3];
+          Derivatives(samples, WeightsAt(crossing.Fraction), axis, box.Spacing, g, hessian);
+          crossing.Frame = FrameOf(g, hessian, Largest(box.Spacing), axis,
+            inside[static_cast<std::size_t>(node)] ? 1.0 : -1.0);
+          layers[static_cast<std::size_t>(at[2])].push_back(crossing);
+        }
+      }
+    },
+    progress);
+  std::vector<InterfaceCrossing> all;
+  for (const auto& layer : layers)
+  {
+    all.insert(all.end(), layer.begin(), layer.end());
+  }
+  return all;
+}
+
+Vector3 OnLevel(const LevelFunction& level, const SolverBox& box, Vector3 x)
+{
+  const double furthest = Largest(box.Spacing);
+  for (int step = 0; step < 3; ++step)
+  {
+    const LocalPolynomial f(level, box, x);
+    const auto& g = f.Gradient;
+    const double g2 = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
+    const double move = f.Value / g2;
+    if (!(std::abs(move) * std::sqrt(g2) < furthest))
+    {
+      break;
+    }
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      x[a] -= move * g[a];
+    }
+  }
+  return x;
+}
+
+SurfaceFrame FrameAt(const LevelFunction& level, const SolverBox& box, const Vector3& x)
+{
+  const LocalPolynomial f(level, box, x);
+  return FrameOf(f.Gradient, f.Hessian, Largest(box.Spacing), 2, 1.0);
+}
+
+}

@@ -1,0 +1,114 @@
+#include "InterfaceOperator.h"
+
+#include "ParallelFor.h"
+
+namespace isthmus
+{
+
+InterfaceOperator::InterfaceOperator(const SolverBox& box, const std::vector<unsigned char>& inside,
+  double soluteDielectric, double solventDielectric)
+  : Box(box)
+  , Inside(inside)
+  , Solute(soluteDielectric)
+  , Solvent(solventDielectric)
+  , Weights(AxisWeights(box))
+{
+}
+
+template <typename T>
+void InterfaceOperator::ApplyTo(
+  const std::vector<T>& z, std::vector<double>& out, double sign, bool withRight) const
+{
+  const auto& n = this->Box.Dimensions;
+  const std::int64_t nx = n[0];
+  const std::int64_t nxy = n[0] * n[1];
+  const double wx = this->Weights[0], wy = this->Weights[1], wz = this->Weights[2];
+  const double centre = 2.0 * (wx + wy + wz);
+  const float* d = this->Diagonal ? this->Diagonal->data() : nullptr;
+  ParallelFor(0, n[2], 1,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      const T* u = z.data();
+      double* to = out.data();
+      for (std::int64_t k = first; k < last; ++k)
+      {
+        for (std::int64_t j = 0; j < n[1]; ++j)
+        {
+          const std::int64_t start = nx * (j + n[1] * k);
+          if (k == 0 || j == 0 || k == n[2] - 1 || j == n[1] - 1)
+          {
+            std::fill(to + start, to + start + nx, 0.0);
+            continue;
+          }
+          to[start] = to[start + nx - 1] = 0.0;
+          for (std::int64_t p = start + 1; p < start + nx - 1; ++p)
+          {
+            const double eps =
+              sign * (this->Inside[static_cast<std::size_t>(p)] ? this->Solute : this->Solvent);
+            const double here = static_cast<double>(u[p]);
+            to[p] = eps *
+              (centre * here -
+                wx * (static_cast<double>(u[p - 1]) + static_cast<double>(u[p + 1])) -
+                wy * (static_cast<double>(u[p - nx]) + static_cast<double>(u[p + nx])) -
+                wz * (static_cast<double>(u[p - nxy]) + static_cast<double>(u[p + nxy])));
+          }
+          if (d)
+          {
+            for (std::int64_t p = start + 1; p < start + nx - 1; ++p)
+            {
+              to[p] += sign * static_cast<double>(d[p]) * static_cast<double>(u[p]);
+            }
+          }
+        }
+      }
+    });
+  const IrregularRows& rows = this->Rows;
+  ParallelFor(0, static_cast<std::int64_t>(rows.Node.size()), 4096,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (auto r = static_cast<std::size_t>(first); r < static_cast<std::size_t>(last); ++r)
+      {
+        const T* u = z.data() + rows.Node[r];
+        double sum =
+          d ? rows.Scale[r] * static_cast<double>(d[rows.Node[r]]) * static_cast<double>(*u) : 0.0;
+        for (auto e = static_cast<std::size_t>(rows.Start[r]);
+             e < static_cast<std::size_t>(rows.Start[r + 1]); ++e)
+        {
+          sum += rows.Value[e] * static_cast<double>(u[rows.Column[e]]);
+        }
+        out[static_cast<std::size_t>(rows.Node[r])] =
+          sign * sum + (withRight ? rows.RightSide[r] : 0.0);
+      }
+    });
+}
+
+void InterfaceOperator::Apply(const std::vector<float>& z, std::vector<double>& out) const
+{
+  this->ApplyTo(z, out, 1.0, false);
+}
+
+void InterfaceOperator::Residual(const std::vector<double>& u, std::vector<double>& out) const
+{
+  this->ApplyTo(u, out, -1.0, true);
+}
+
+void InterfaceOperator::SmoothIrregular(const std::vector<double>& r, std::vector<float>& z) const
+{
+  const IrregularRows& rows = this->Rows;
+  const float* d = this->Diagonal ? this->Diagonal->data() : nullptr;
+  for (std::size_t row = 0; row < rows.Node.size(); ++row)
+  {
+    float* u = z.data() + rows.Node[row];
+    const double extra = d ? rows.Scale[row] * static_cast<double>(d[rows.Node[row]]) : 0.0;
+    double sum = extra * static_cast<double>(*u);
+    for (auto e = static_cast<std::size_t>(rows.Start[row]);
+         e < static_cast<std::size_t>(rows.Start[row + 1]); ++e)
+    {
+      sum += rows.Value[e] * static_cast<double>(u[rows.Column[e]]);
+    }
+    *u += static_cast<float>(
+      (r[static_cast<std::size_t>(rows.Node[row])] - sum) / (rows.Diagonal[row] + extra));
+  }
+}
+
+}

@@ -1,0 +1,61 @@
+/**
+ * @file InterfaceOperator.h
+ * @brief The Poisson-Boltzmann equation on a box: 7-point rows, fitted rows at the surface, ions.
+ *
+ * Rows times h^2 (h the shortest spacing). The border is Dirichlet: the operator is 0 there, and
+ * border values of the argument enter the rows beside it.
+ */
+#ifndef isthmus_InterfaceOperator_h
+#define isthmus_InterfaceOperator_h
+
+#include "IrregularRows.h"
+
+#include <memory>
+
+namespace isthmus
+{
+
+class VTKISTHMUS_EXPORT InterfaceOperator
+{
+public:
+  /// Box and sides are referred to, not copied.
+  InterfaceOperator(const SolverBox& box, const std::vector<unsigned char>& inside,
+    double soluteDielectric, double solventDielectric);
+
+  void SetRows(IrregularRows rows) { this->Rows = std::move(rows); }
+  const IrregularRows& GetRows() const { return this->Rows; }
+
+  /// The ions' derivative h^2 d(charge)/du at each node; null for none. It is kept, not copied.
+  void SetDiagonal(std::shared_ptr<const std::vector<float>> diagonal)
+  {
+    this->Diagonal = std::move(diagonal);
+  }
+
+  /// out = A z for a correction z, 0 on the border.
+  void Apply(const std::vector<float>& z, std::vector<double>& out) const;
+
+  /// out = b - A u with the values at the surface in b.
+  void Residual(const std::vector<double>& u, std::vector<double>& out) const;
+
+  /// One Gauss-Seidel pass over the fitted rows of A z = r.
+  void SmoothIrregular(const std::vector<double>& r, std::vector<float>& z) const;
+
+  /// The factor that the ions' term has in the equation of irregular row `row`.
+  double RowScale(std::size_t row) const { return this->Rows.Scale[row]; }
+
+private:
+  template <typename T>
+  void ApplyTo(
+    const std::vector<T>& z, std::vector<double>& out, double sign, bool withRight) const;
+
+  const SolverBox& Box;
+  const std::vector<unsigned char>& Inside;
+  double Solute, Solvent;
+  Vector3 Weights;
+  IrregularRows Rows;
+  std::shared_ptr<const std::vector<float>> Diagonal;
+};
+
+}
+
+#endif

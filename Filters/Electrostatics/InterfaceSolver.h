@@ -1,0 +1,54 @@
+/**
+ * @file InterfaceSolver.h
+ * @brief BiCGSTAB for InterfaceOperator, preconditioned by a multigrid cycle.
+ *
+ * H. A. van der Vorst, SIAM J. Sci. Stat. Comput. 13 (1992) 631, with right preconditioning: one
+ * V(1,1) cycle of the symmetric operator with the permittivities of edges in series at the surface,
+ * then one Gauss-Seidel pass over the fitted rows of the true matrix. Sums are made in fixed
+ * blocks, so the answer is the same bits on any number of threads.
+ */
+#ifndef isthmus_InterfaceSolver_h
+#define isthmus_InterfaceSolver_h
+
+#include "InterfaceOperator.h"
+#include "MultigridPoisson.h"
+#include "Progress.h"
+
+namespace isthmus
+{
+
+struct SolverControl
+{
+  double Tolerance = 1e-6; ///< of the residual, relative to `Reference`
+  double Reference = 0.0;  ///< 0: the residual of the start
+  int MaximumIterations = 100;
+};
+
+struct SolverReport
+{
+  int Iterations = 0;
+  bool Converged = false;
+  std::vector<double> Residuals; ///< relative to Reference, after each iteration
+};
+
+/// Work arrays, kept between Newton steps: 40 bytes a node.
+struct SolverWorkspace
+{
+  std::vector<double> Residual, Direction, Image, Second;
+  std::vector<float> Shadow, Preconditioned;
+};
+
+/**
+ * Improves u, whose residual b - A u is in `work.Residual`, until the residual is small enough.
+ * Throws std::runtime_error when the residual is not finite.
+ */
+VTKISTHMUS_EXPORT SolverReport SolveInterface(const InterfaceOperator& matrix,
+  MultigridPoisson& multigrid, const SolverControl& control, SolverWorkspace& work,
+  std::vector<double>& u, const ProgressCallback& progress = {});
+
+/// sqrt(sum a_i^2), the same bits on any number of threads.
+VTKISTHMUS_EXPORT double NormOf(const std::vector<double>& a);
+
+}
+
+#endif

@@ -1,0 +1,355 @@
+#include "IrregularRows.h"
+
+#include "ParallelFor.h"
+
+#include <cmath>
+#include <limits>
+
+namespace isthmus
+{
+namespace
+{
+
+/// A fictitious value as a sum over nodes and a constant.
+struct Continuation
+{
+  std::array<double, 36> Coefficient;
+  double Constant;
+};
+
+/// Of a crossing: the function of the lower end's side at the upper end, and the reverse.
+struct CrossingValues
+{
+  std::array<std::int64_t, 36> Id;
+  Continuation AtUpper, AtLower;
+  FitQuality Quality;
+};
+
+Vector3 EndOffset(const SolverBox& box, const InterfaceCrossing& c, bool upper)
+{
+  Vector3 y{ 0.0, 0.0, 0.0 };
+  const auto a = static_cast<std::size_t>(c.Axis);
+  y[a] = (upper ? 1.0 - c.Fraction : -c.Fraction) * box.Spacing[a];
+  return y;
+}
+
+/// Turns a functional of total potentials into one of u: the charges' part becomes a constant.
+Continuation InTermsOfU(const FitFunctional& functional, const FitNodes& nodes,
+  const SecondOrderTaylor& charges, bool insideFunction, const Vector3& target)
+{
+  Continuation c{};
+  c.Constant = insideFunction ? -charges.At(target) : 0.0;
+  for (std::size_t i = 0; i < nodes.Count; ++i)
+  {
+    c.Coefficient[i] = functional[i];
+    if (functional[i] != 0.0 && nodes.Node[i].Inside)
+    {
+      c.Constant += functional[i] * charges.At(nodes.Node[i].Offset);
+    }
+  }
+  return c;
+}
+
+/// The ghost-fluid values of X.-D. Liu, R. Fedkiw and M. Kang (J. Comput. Phys. 160 (2000) 151):
+/// jumps taken along the edge alone. Only where not even a linear function could be fitted.
+void GhostFluid(const InterfaceProblem& problem, const InterfaceCrossing& c,
+  const SecondOrderTaylor& charges, const FitNodes& nodes, CrossingValues& values)
+{
+  const auto a = static_cast<std::size_t>(c.Axis);
+  const std::int64_t step = problem.Box->Steps()[a];
+  const bool lowerInside = (*problem.Inside)[static_cast<std::size_t>(c.Node)] != 0;
+  const double theta = std::min(std::max(c.Fraction, 1e-6), 1.0 - 1e-6);
+  const double epsLower =
+    lowerInside ? problem.Medium.SoluteDielectric : problem.Medium.SolventDielectric;
+  const double epsUpper =
+    lowerInside ? problem.Medium.SolventDielectric : problem.Medium.SoluteDielectric;
+  const double sl = epsLower / theta;
+  const double su = epsUpper / (1.0 - theta);
+  // Totals at the ends; the value on the surface makes the flux along the edge continuous.
+  FitFunctional lower{}, upper{};
+  for (std::size_t i = 0; i < nodes.Count; ++i)
+  {
+    const bool isLower = nodes.Id[i] == c.Node;
+    const bool isUpper = nodes.Id[i] == c.Node + step;
+    if (!isLower && !isUpper)
+    {
+      continue;
+    }
+    const double share = (isLower ? sl : su) / (sl + su);
+    lower[i] = (share - (isLower ? 1.0 - theta : 0.0)) / theta;
+    upper[i] = (share - (isUpper ? theta : 0.0)) / (1.0 - theta);
+  }
+  values.AtUpper = InTermsOfU(lower, nodes, charges, lowerInside, EndOffset(*problem.Box, c, true));
+  values.AtLower =
+    InTermsOfU(upper, nodes, charges, !lowerInside, EndOffset(*problem.Box, c, false));
+}
+
+CrossingValues ValuesOf(const InterfaceProblem& problem, std::size_t index)
+{
+  const InterfaceCrossing& c = (*problem.Crossings)[index];
+  const SecondOrderTaylor& charges = (*problem.Charges)[index];
+  const FitNodes nodes =
+    NodesAroundCrossing(*problem.Box, *problem.Inside, c, problem.Medium.Length);
+  const bool lowerInside = (*problem.Inside)[static_cast<std::size_t>(c.Node)] != 0;
+  FitMedium medium = problem.Medium;
+  if (!problem.KappaSquared.empty())
+  {
+    medium.KappaSquared = problem.KappaSquared[index];
+  }
+  const Vector3 up = EndOffset(*problem.Box, c, true);
+  const Vector3 down = EndOffset(*problem.Box, c, false);
+  const auto side = [](bool insideFunction)
+  { return insideFunction ? FitTarget::InsideValue : FitTarget::OutsideValue; };
+  const std::vector<FitTarget> targets{ { side(lowerInside), up }, { side(!lowerInside), down } };
+  std::vector<FitFunctional> functionals;
+  CrossingValues values{};
+  std::copy_n(nodes.Id.begin(), nodes.Count, values.Id.begin());
+  values.Quality = FitInterface(medium, c.Frame, nodes, targets, functionals);
+  if (values.Quality == FitQuality::None)
+  {
+    GhostFluid(problem, c, charges, nodes, values);
+    return values;
+  }
+  values.AtUpper = InTermsOfU(functionals[0], nodes, charges, lowerInside, up);
+  values.AtLower = InTermsOfU(functionals[1], nodes, charges, !lowerInside, down);
+  return values;
+}
+
+/// One row under construction: entries in a small box around the node.
+class RowBuilder
+{
+public:
+  explicit RowBuilder(const SolverBox& box)
+    : Steps(box.Steps())
+    , Weights(AxisWeights(box))
+  {
+  }
+
+  void Begin(std::int64_t node)
+  {
+    this->Node = node;
+    this->Entries.clear();
+    this->Right = 0.0;
+  }
+  void Add(std::int64_t column, double value)
+  {
+    for (auto& entry : this->Entries)
+    {
+      if (entry.first == column)
+      {
+        entry.second += value;
+        return;
+      }
+    }
+    this->Entries.emplace_back(column, value);
+  }
+  void Add(const CrossingValues& values, const Continuation& v, double factor)
+  {
+    for (std::size_t i = 0; i < v.Coefficient.size(); ++i)
+    {
+      if (v.Coefficient[i] != 0.0)
+      {
+        this->Add(values.Id[i], factor * v.Coefficient[i]);
+      }
+    }
+    this->Right -= factor * v.Constant;
+  }
+
+  std::array<std::int64_t, 3> Steps;
+  Vector3 Weights;
+  std::int64_t Node = 0;
+  std::vector<std::pair<std::int64_t, double>> Entries;
+  double Right = 0.0;
+};
+
+/// Index of the crossing on the edge from `node` along `axis`.
+std::size_t FindCrossing(const std::vector<InterfaceCrossing>& all, std::int64_t node, int axis)
+{
+  const auto found = std::lower_bound(all.begin(), all.end(), std::make_pair(node, axis),
+    [](const InterfaceCrossing& c, const std::pair<std::int64_t, int>& key)
+    { return c.Node != key.first ? c.Node < key.first : c.Axis < key.second; });
+  return static_cast<std::size_t>(found - all.begin());
+}
+
+void BuildRow(const InterfaceProblem& problem, const std::vector<CrossingValues>& values,
+  RowBuilder& row, double& preconditioner)
+{
+  const auto& inside = *problem.Inside;
+  const bool here = inside[static_cast<std::size_t>(row.Node)] != 0;
+  const FitMedium& m = problem.Medium;
+  const double eps = here ? m.SoluteDielectric : m.SolventDielectric;
+  preconditioner = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto a = static_cast<std::size_t>(axis);
+    const double w = eps * row.Weights[a];
+    row.Add(row.Node, 2.0 * w);
+    for (const std::int64_t step : { -row.Steps[a], row.Steps[a] })
+    {
+      const std::int64_t other = row.Node + step;
+      if ((inside[static_cast<std::size_t>(other)] != 0) == here)
+      {
+        row.Add(other, -w);
+        preconditioner += w;
+        continue;
+      }
+      const std::size_t c = FindCrossing(*problem.Crossings, std::min(row.Node, other), axis);
+      row.Add(values[c], step > 0 ? values[c].AtUpper : values[c].AtLower, -w);
+      const double fromHere =
+        step > 0 ? (*problem.Crossings)[c].Fraction : 1.0 - (*problem.Crossings)[c].Fraction;
+      preconditioner += row.Weights[a] *
+        SeriesPermittivity(
+          m.SoluteDielectric, m.SolventDielectric, here ? fromHere : 1.0 - fromHere);
+    }
+  }
+}
+
+/// Nodes with a crossing on one of their edges, in increasing order.
+std::vector<std::int64_t> IrregularNodesOf(
+  const std::vector<InterfaceCrossing>& crossings, const std::array<std::int64_t, 3>& steps)
+{
+  std::vector<std::int64_t> nodes;
+  nodes.reserve(2 * crossings.size());
+  for (const InterfaceCrossing& c : crossings)
+  {
+    nodes.push_back(c.Node);
+    nodes.push_back(c.Node + steps[static_cast<std::size_t>(c.Axis)]);
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+/// Rows [first, last) of the matrix, appended to `part`.
+void AssembleRange(const InterfaceProblem& problem, const std::vector<CrossingValues>& values,
+  const std::vector<std::int64_t>& nodes, std::int64_t first, std::int64_t last,
+  IrregularRows& part)
+{
+  RowBuilder row(*problem.Box);
+  for (std::int64_t r = first; r < last; ++r)
+  {
+    row.Begin(nodes[static_cast<std::size_t>(r)]);
+    double wanted = 0.0;
+    BuildRow(problem, values, row, wanted);
+    const double diagonal = row.Entries.front().second; // the node itself came first
+    // A diagonal that the fits have all but cancelled is no measure of the row.
+    const double scale = diagonal > 0.1 * wanted ? wanted / diagonal : 1.0;
+    part.Start.push_back(static_cast<std::int64_t>(part.Column.size()));
+    for (const auto& [column, value] : row.Entries)
+    {
+      part.Column.push_back(static_cast<std::int32_t>(column - row.Node));
+      part.Value.push_back(scale * value);
+    }
+    part.RightSide.push_back(scale * row.Right);
+    part.Scale.push_back(scale);
+    part.Diagonal.push_back(scale * diagonal);
+  }
+}
+
+void Append(const IrregularRows& part, IrregularRows& all)
+{
+  const auto offset = static_cast<std::int64_t>(all.Column.size());
+  for (const std::int64_t start : part.Start)
+  {
+    all.Start.push_back(start + offset);
+  }
+  const auto append = [](auto& to, const auto& from)
+  { to.insert(to.end(), from.begin(), from.end()); };
+  append(all.Column, part.Column);
+  append(all.Value, part.Value);
+  append(all.RightSide, part.RightSide);
+  append(all.Scale, part.Scale);
+  append(all.Diagonal, part.Diagonal);
+}
+
+}
+
+Vector3 AxisWeights(const SolverBox& box)
+{
+  const double h = *std::min_element(box.Spacing.begin(), box.Spacing.end());
+  Vector3 w;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    w[a] = h * h / (box.Spacing[a] * box.Spacing[a]);
+  }
+  return w;
+}
+
+FitNodes NodesAroundCrossing(const SolverBox& box, const std::vector<unsigned char>& inside,
+  const InterfaceCrossing& crossing, double length)
+{
+  const auto a = static_cast<std::size_t>(crossing.Axis);
+  const auto steps = box.Steps();
+  FitNodes nodes;
+  const std::size_t b = (a + 1) % 3;
+  const std::size_t c = (a + 2) % 3;
+  for (int k = -1; k <= 1; ++k)
+  {
+    for (int j = -1; j <= 1; ++j)
+    {
+      for (int i = -1; i <= 2; ++i)
+      {
+        FitNode& node = nodes.Node[nodes.Count];
+        node.Offset[a] = (i - crossing.Fraction) * box.Spacing[a];
+        node.Offset[b] = j * box.Spacing[b];
+        node.Offset[c] = k * box.Spacing[c];
+        const std::int64_t id = crossing.Node + i * steps[a] + j * steps[b] + k * steps[c];
+        node.Inside = inside[static_cast<std::size_t>(id)] != 0;
+        const auto& y = node.Offset;
+        const double r2 = (y[0] * y[0] + y[1] * y[1] + y[2] * y[2]) / (length * length);
+        const bool ends = j == 0 && k == 0 && (i == 0 || i == 1);
+        node.Weight = (ends ? 1000.0 : 1.0) / ((r2 + 0.25) * (r2 + 0.25) * (r2 + 0.25));
+        nodes.Id[nodes.Count++] = id;
+      }
+    }
+  }
+  return nodes;
+}
+
+IrregularRows AssembleIrregularRows(
+  const InterfaceProblem& problem, const ProgressCallback& progress)
+{
+  const auto count = static_cast<std::int64_t>(problem.Crossings->size());
+  std::vector<CrossingValues> values(static_cast<std::size_t>(count));
+  ParallelFor(
+    0, count, 256,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t c = first; c < last; ++c)
+      {
+        values[static_cast<std::size_t>(c)] = ValuesOf(problem, static_cast<std::size_t>(c));
+      }
+    },
+    Between(progress, 0.0, 0.7));
+  IrregularRows rows;
+  rows.Node = IrregularNodesOf(*problem.Crossings, problem.Box->Steps());
+  const auto total = static_cast<std::int64_t>(rows.Node.size());
+  constexpr std::int64_t block = 1024;
+  std::vector<IrregularRows> parts(static_cast<std::size_t>((total + block - 1) / block));
+  ParallelFor(
+    0, static_cast<std::int64_t>(parts.size()), 1,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t p = first; p < last; ++p)
+      {
+        AssembleRange(problem, values, rows.Node, p * block, std::min(total, (p + 1) * block),
+          parts[static_cast<std::size_t>(p)]);
+      }
+    },
+    Between(progress, 0.7, 1.0));
+  for (const CrossingValues& v : values)
+  {
+    rows.LinearFits += v.Quality == FitQuality::Linear ? 1 : 0;
+    rows.GhostFits += v.Quality == FitQuality::None ? 1 : 0;
+  }
+  values = {};
+  for (IrregularRows& part : parts)
+  {
+    Append(part, rows);
+    part = {};
+  }
+  rows.Start.push_back(static_cast<std::int64_t>(rows.Column.size()));
+  return rows;
+}
+
+}

@@ -1,0 +1,66 @@
+/**
+ * @file IrregularRows.h
+ * @brief The equations of the nodes next to the surface, as rows of a sparse matrix.
+ *
+ * Row of a node p on a side with permittivity eps, times h^2 (h the shortest spacing):
+ * eps sum_axes (h / h_a)^2 (2 u_p - v_before - v_after) = 0, where v is the value of a neighbour on
+ * the same side, and the value that InterfaceFit continues across the surface for one on the other.
+ * The term of the ions is not in the row; it is added by InterfaceOperator. Rows are scaled such
+ * that their diagonal is that of the preconditioner.
+ */
+#ifndef isthmus_IrregularRows_h
+#define isthmus_IrregularRows_h
+
+#include "ChargeSums.h"
+#include "InterfaceFit.h"
+#include "vtkIsthmusModule.h"
+
+namespace isthmus
+{
+
+/// Compressed rows; columns are distances in nodes from the row's own node.
+struct IrregularRows
+{
+  std::vector<std::int64_t> Node;  ///< in increasing order
+  std::vector<std::int64_t> Start; ///< of each row, and the end
+  std::vector<std::int32_t> Column;
+  std::vector<double> Value;
+  std::vector<double> RightSide;
+  std::vector<double> Scale;    ///< that the row was multiplied with
+  std::vector<double> Diagonal; ///< after scaling
+  std::int64_t LinearFits = 0;
+  std::int64_t GhostFits = 0;
+};
+
+/// What the rows are made of.
+struct InterfaceProblem
+{
+  const SolverBox* Box = nullptr;
+  const std::vector<unsigned char>* Inside = nullptr;
+  const std::vector<InterfaceCrossing>* Crossings = nullptr;
+  const std::vector<SecondOrderTaylor>* Charges = nullptr; ///< G at each crossing, kT/e
+  FitMedium Medium;
+  /// K / phi0 at each crossing where the ions reach the surface; empty: Medium.KappaSquared.
+  std::vector<double> KappaSquared;
+};
+
+/// The nodes around the edge of a crossing, with weights, for a fit at the crossing.
+VTKISTHMUS_EXPORT FitNodes NodesAroundCrossing(const SolverBox& box,
+  const std::vector<unsigned char>& inside, const InterfaceCrossing& crossing, double length);
+
+/// O(crossings), about 10 microseconds each; parallel; the same bits on any number of threads.
+VTKISTHMUS_EXPORT IrregularRows AssembleIrregularRows(
+  const InterfaceProblem& problem, const ProgressCallback& progress = {});
+
+/// Weights (h / h_a)^2 of the axes, h the shortest spacing.
+Vector3 AxisWeights(const SolverBox& box);
+
+/// The permittivity of an edge that the surface crosses, `fraction` of it in the solute.
+inline double SeriesPermittivity(double solute, double solvent, double fraction)
+{
+  return 1.0 / (fraction / solute + (1.0 - fraction) / solvent);
+}
+
+}
+
+#endif

@@ -1,0 +1,214 @@
+#include "PoissonBoltzmann.h"
+
+#include "ElectrostaticUnits.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace isthmus
+{
+namespace
+{
+
+void Require(bool holds, const char* name, double value, const char* what)
+{
+  if (!holds)
+  {
+    throw std::invalid_argument(
+      std::string(name) + " is " + std::to_string(value) + ", but " + what + ".");
+  }
+}
+
+/// First and last nodes of the volume inside the level.
+NodeRange RangeOfLevel(const LevelFunction& level)
+{
+  const auto& n = level.Dimensions();
+  NodeRange range{ { n[0], n[1], n[2] }, { -1, -1, -1 } };
+  for (std::int64_t k = 0; k < n[2]; ++k)
+  {
+    for (std::int64_t j = 0; j < n[1]; ++j)
+    {
+      for (std::int64_t i = 0; i < n[0]; ++i)
+      {
+        if (level.Inside(i, j, k))
+        {
+          const std::int64_t at[3] = { i, j, k };
+          for (std::size_t a = 0; a < 3; ++a)
+          {
+            range.First[a] = std::min(range.First[a], at[a]);
+            range.Last[a] = std::max(range.Last[a], at[a]);
+          }
+        }
+      }
+    }
+  }
+  return range;
+}
+
+/// A box between the surface and the border: in the middle, two nodes off either.
+NodeRange BetweenSurfaceAndBorder(const NodeRange& inside, const SolverBox& box)
+{
+  NodeRange range;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const std::int64_t end = box.Dimensions[a] - 1;
+    range.First[a] = std::max<std::int64_t>(2, inside.First[a] / 2);
+    range.Last[a] = std::min(end - 2, (inside.Last[a] + end + 1) / 2);
+  }
+  return range;
+}
+
+PotentialFunction DebyeHueckel(
+  const std::vector<ChargedAtom>& atoms, const PoissonBoltzmannParameters& p, double kappa)
+{
+  const double c = units::CoulombLength(p.Temperature);
+  return p.Condition == BoundaryCondition::SingleDebyeHueckel
+    ? SingleDebyeHueckel(atoms, c, p.SolventDielectric, kappa)
+    : MultipleDebyeHueckel(atoms, c, p.SolventDielectric, kappa);
+}
+
+void Solve(PotentialOnBox& problem, bool nonlinear, const ProgressCallback& progress)
+{
+  if (nonlinear)
+  {
+    problem.SolveNonlinear(progress);
+  }
+  else
+  {
+    problem.SolveLinear(progress);
+  }
+}
+
+/// The border function of SelfConsistent.
+PotentialFunction SelfConsistentBorder(const LevelFunction& level, const SolverBox& box,
+  const std::vector<ChargedAtom>& atoms, const PoissonBoltzmannParameters& parameters,
+  const IonAtmosphere& ions, const ProgressCallback& progress)
+{
+  // Twice the spacing where that still shows the surface, half an angstrom where it is very fine.
+  const double h = *std::max_element(box.Spacing.begin(), box.Spacing.end());
+  std::int64_t stride = 2.0 * h <= 1.1 ? 2 : 1;
+  while (2.0 * static_cast<double>(stride) * h <= 0.51)
+  {
+    stride *= 2;
+  }
+  const SolverBox coarse = CoarserBox(box, stride);
+  PoissonBoltzmannParameters rough = parameters;
+  rough.Tolerance = std::max(parameters.Tolerance, 1e-4);
+  PotentialOnBox problem(level, coarse, atoms, rough, ions, Between(progress, 0.0, 0.3));
+  const PotentialFunction base = DebyeHueckel(atoms, parameters, problem.Kappa());
+  const NodeRange range = BetweenSurfaceAndBorder(problem.RangeInside(), coarse);
+  PotentialFunction border = base;
+  constexpr int rounds = 2;
+  for (int round = 0; round < rounds; ++round)
+  {
+    problem.SetBorder(border, true);
+    Solve(problem, parameters.Nonlinear, Between(progress, 0.3 + 0.3 * round, 0.6 + 0.3 * round));
+    border = RadiatedPotential(coarse, problem.GetPotential(), range, problem.Kappa(), base);
+  }
+  return border;
+}
+
+}
+
+void CheckParameters(const PoissonBoltzmannParameters& p)
+{
+  const auto positive = [](double x) { return x > 0.0 && std::isfinite(x); };
+  const auto notNegative = [](double x) { return x >= 0.0 && std::isfinite(x); };
+  Require(positive(p.SoluteDielectric), "SoluteDielectric", p.SoluteDielectric,
+    "a dielectric constant is a positive number: 1 to 20 for proteins");
+  Require(positive(p.SolventDielectric), "SolventDielectric", p.SolventDielectric,
+    "a dielectric constant is a positive number: 80 for water");
+  Require(positive(p.Temperature), "Temperature", p.Temperature,
+    "it is counted in kelvin from absolute zero: 298.15 at 25 degrees Celsius");
+  Require(notNegative(p.IonRadius), "IonRadius", p.IonRadius, "a radius is 0 or more");
+  Require(notNegative(p.Padding) && p.Padding <= 1e6, "Padding", p.Padding,
+    "a length between 0 and a million angstrom is wanted");
+  Require(p.Tolerance > 0.0 && p.Tolerance < 1.0, "Tolerance", p.Tolerance,
+    "a part of the first residual is wanted: above 0, below 1");
+  Require(
+    p.MaximumIterations > 0, "MaximumIterations", p.MaximumIterations, "at least one is needed");
+}
+
+SolverBox BoxAround(const LevelFunction& level, double padding)
+{
+  const auto& n = level.Dimensions();
+  const NodeRange inside = RangeOfLevel(level);
+  if (inside.Last[0] < 0)
+  {
+    throw std::invalid_argument("No node is inside the surface: choose another IsoValue, switch "
+                                "InsideIsHigher, or make the grid finer.");
+  }
+  SolverBox box;
+  box.Spacing = level.Spacing();
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    if (inside.First[a] == 0 || inside.Last[a] == n[a] - 1)
+    {
+      throw std::invalid_argument(std::string("The surface leaves the volume along ") + "xyz"[a] +
+        ", so it is not closed: choose another IsoValue, switch InsideIsHigher, or make the volume "
+        "larger.");
+    }
+    // At least six nodes: stencils at the surface reach three, the border's function two.
+    const auto wanted = std::max<std::int64_t>(
+      6, static_cast<std::int64_t>(std::ceil(padding / box.Spacing[a] - 1e-9)));
+    const std::int64_t first = std::min<std::int64_t>(0, inside.First[a] - wanted);
+    const std::int64_t last = std::max(n[a] - 1, inside.Last[a] + wanted);
+    box.First[a] = first;
+    box.Dimensions[a] = last - first + 1;
+    box.Corner[a] = static_cast<double>(first) * box.Spacing[a];
+  }
+  return box;
+}
+
+SolverBox CoarserBox(const SolverBox& box, std::int64_t stride)
+{
+  SolverBox coarse = box;
+  coarse.Stride = box.Stride * stride;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    coarse.Dimensions[a] = (box.Dimensions[a] - 1 + stride - 1) / stride + 1;
+    coarse.Spacing[a] = box.Spacing[a] * static_cast<double>(stride);
+  }
+  return coarse;
+}
+
+std::unique_ptr<PotentialOnBox> SolvePoissonBoltzmann(const LevelFunction& level,
+  const SolverBox& box, const std::vector<ChargedAtom>& atoms,
+  const PoissonBoltzmannParameters& parameters, const IonAtmosphere& ions,
+  const ProgressCallback& progress)
+{
+  CheckParameters(parameters);
+  PotentialFunction border;
+  const double kappa = std::sqrt(ions.Linear() / parameters.SolventDielectric);
+  bool sampled = true;
+  switch (parameters.Condition)
+  {
+    case BoundaryCondition::Zero:
+      border = [](const Vector3&) { return 0.0; };
+      break;
+    case BoundaryCondition::Given:
+      border = parameters.Boundary;
+      sampled = false;
+      break;
+    case BoundaryCondition::SelfConsistent:
+      border =
+        SelfConsistentBorder(level, box, atoms, parameters, ions, Between(progress, 0.0, 0.25));
+      break;
+    default:
+      border = DebyeHueckel(atoms, parameters, kappa);
+      break;
+  }
+  auto problem = std::make_unique<PotentialOnBox>(
+    level, box, atoms, parameters, ions, Between(progress, 0.25, 0.5));
+  problem->SetBorder(border, sampled);
+  if (parameters.Start)
+  {
+    problem->SetStart(parameters.Start);
+  }
+  Solve(*problem, parameters.Nonlinear, Between(progress, 0.5, 0.95));
+  problem->Evaluate();
+  return problem;
+}
+
+}

@@ -1,0 +1,274 @@
+#include "PoissonBoltzmannInput.h"
+
+#include "GridImages.h"
+#include "ImageScalars.h"
+#include "SoluteVolume.h"
+#include "TrilinearField.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+
+#include <vtksys/SystemInformation.hxx>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+
+namespace isthmus
+{
+namespace
+{
+
+/// The point array that the filter's input array `index` names, or null.
+vtkDataArray* NamedArray(vtkAlgorithm* filter, int index, vtkDataSet* data)
+{
+  const char* name = filter->GetInputArrayInformation(index)->Get(vtkDataObject::FIELD_NAME());
+  vtkPointData* arrays = data->GetPointData();
+  return name && *name ? arrays->GetArray(name) : nullptr;
+}
+
+std::string ArraysOf(vtkDataSet* data)
+{
+  std::string there;
+  for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    const char* name = data->GetPointData()->GetArrayName(i);
+    there += std::string(" ") + (name ? name : "(unnamed)");
+  }
+  return there.empty() ? " none" : there;
+}
+
+void RequireOneComponent(vtkDataArray* array, const char* what)
+{
+  if (array->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument(std::string("The array of ") + what +
+      " has several components, but one number for each point is needed: extract one first.");
+  }
+}
+
+void RequireFinite(double value, const char* what, vtkIdType atom)
+{
+  if (!std::isfinite(value))
+  {
+    throw std::invalid_argument(std::string("The ") + what + " of atom " + std::to_string(atom) +
+      " is not a finite number: correct it, or leave the atom out.");
+  }
+}
+
+/// Trilinear in the level function, which goes on beyond the volume.
+double LevelAt(const LevelFunction& level, const Vector3& x)
+{
+  std::array<std::int64_t, 3> low;
+  double t[3];
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const double place = x[a] / level.Spacing()[a];
+    low[a] = static_cast<std::int64_t>(std::floor(place));
+    t[a] = place - std::floor(place);
+  }
+  double value = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const int i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
+    value += (i ? t[0] : 1.0 - t[0]) * (j ? t[1] : 1.0 - t[1]) * (k ? t[2] : 1.0 - t[2]) *
+      level(low[0] + i, low[1] + j, low[2] + k);
+  }
+  return value;
+}
+
+/// A potential on a grid of its own, trilinear; NaN beyond it.
+std::function<double(const Vector3&)> OnItsGrid(
+  vtkImageData* potential, vtkDataArray* values, vtkImageData* grid)
+{
+  // A copy: the filter's input may go before the function.
+  auto copy =
+    std::make_shared<std::vector<double>>(static_cast<std::size_t>(potential->GetNumberOfPoints()));
+  for (vtkIdType i = 0; i < potential->GetNumberOfPoints(); ++i)
+  {
+    const double value = values->GetComponent(i, 0);
+    if (!std::isfinite(value))
+    {
+      throw std::invalid_argument("The potential of input 2 is not a finite number at node " +
+        std::to_string(i) + ": replace it, or take the input away.");
+    }
+    (*copy)[static_cast<std::size_t>(i)] = value;
+  }
+  const GridShape shape = ShapeOf(potential);
+  const vtkSmartPointer<vtkImageData> here = grid;
+  const vtkSmartPointer<vtkImageData> there = potential;
+  return [copy, shape, here, there](const Vector3& place)
+  {
+    Vector3 x = ToGrid(there, ToWorld(here, place));
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const double end = shape.Spacing[a] * static_cast<double>(shape.Dimensions[a] - 1);
+      const double rounding = 1e-6 * shape.Spacing[a];
+      if (x[a] < -rounding || x[a] > end + rounding)
+      {
+        return std::numeric_limits<double>::quiet_NaN();
+      }
+      x[a] = std::min(std::max(x[a], 0.0), end);
+    }
+    return TrilinearField<double>{ { copy->data(), shape.Dimensions, shape.Spacing } }(x);
+  };
+}
+
+}
+
+AtomInput AtomsOf(vtkAlgorithm* filter, vtkPointSet* points, bool radiiNeeded)
+{
+  vtkDataArray* charges = NamedArray(filter, 0, points);
+  if (!charges)
+  {
+    throw std::invalid_argument(
+      "The atoms have no point array of charges; they have:" + ArraysOf(points) +
+      ". Read a PQR file: pdb2pqr makes one from a PDB file, with the charges of a force field.");
+  }
+  RequireOneComponent(charges, "charges");
+  vtkDataArray* radii = NamedArray(filter, 1, points);
+  if (!radii && radiiNeeded)
+  {
+    throw std::invalid_argument("The atoms have no point array of radii; they have:" +
+      ArraysOf(points) + ". Without a surface on input 1 they are needed to make one.");
+  }
+  AtomInput input;
+  double absolute = 0.0;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    ChargedAtom atom{ {}, charges->GetComponent(i, 0), radii ? radii->GetComponent(i, 0) : 0.0 };
+    points->GetPoint(i, atom.Position.data());
+    RequireFinite(atom.Charge, "charge", i);
+    RequireFinite(atom.Radius, "radius", i);
+    for (const double x : atom.Position)
+    {
+      RequireFinite(x, "position", i);
+    }
+    if (atom.Radius < 0.0)
+    {
+      throw std::invalid_argument("The radius of atom " + std::to_string(i) + " is " +
+        std::to_string(atom.Radius) + ", but a radius is 0 or more.");
+    }
+    input.NetCharge += atom.Charge;
+    absolute += std::abs(atom.Charge);
+    input.Atoms.push_back(atom);
+  }
+  if (!(absolute > 0.0))
+  {
+    throw std::invalid_argument("All charges are 0, so there is no potential: read a PQR file, or "
+                                "choose another array of charges.");
+  }
+  if (std::abs(input.NetCharge - std::round(input.NetCharge)) > 0.01)
+  {
+    input.Warning = "The net charge is " + std::to_string(input.NetCharge) +
+      " e, not a whole number: atoms may be missing, or their charges.";
+  }
+  return input;
+}
+
+vtkDataArray* SurfaceScalars(vtkAlgorithm* filter, vtkImageData* image)
+{
+  vtkDataArray* scalars = NamedArray(filter, 2, image);
+  scalars = scalars ? scalars : image->GetPointData()->GetScalars();
+  if (!scalars && image->GetPointData()->GetNumberOfArrays() == 1)
+  {
+    scalars = image->GetPointData()->GetArray(0);
+  }
+  if (!scalars)
+  {
+    throw std::invalid_argument("The volume on input 1 has no active point scalars whose level "
+                                "would be the surface; it has:" +
+      ArraysOf(image) + ". Choose one of these.");
+  }
+  RequireOneComponent(scalars, "the surface's scalars");
+  return scalars;
+}
+
+void PlaceOnGrid(const SoluteVolume& volume, std::vector<ChargedAtom>& atoms)
+{
+  std::size_t outside = 0;
+  std::size_t first = 0;
+  std::size_t index = 0;
+  for (ChargedAtom& atom : atoms)
+  {
+    atom.Position = ToGrid(volume.Grid, atom.Position);
+    if (atom.Charge != 0.0 && !(LevelAt(volume.Level, atom.Position) < 0.0))
+    {
+      first = outside++ == 0 ? index : first;
+    }
+    ++index;
+  }
+  if (outside > 0)
+  {
+    throw std::invalid_argument(std::to_string(outside) +
+      " charged atoms lie outside the surface, the first is atom " + std::to_string(first) +
+      ": charges belong inside. Choose another IsoValue, switch InsideIsHigher, give a surface "
+      "farther out, or leave these atoms out.");
+  }
+}
+
+void SetPotentialInput(vtkAlgorithm* filter, vtkImageData* potential, vtkImageData* grid,
+  PoissonBoltzmannParameters& parameters)
+{
+  const bool border = parameters.Condition == BoundaryCondition::Given;
+  if (!potential || potential->GetNumberOfPoints() == 0)
+  {
+    if (border)
+    {
+      throw std::invalid_argument("BoundaryCondition is FromInput, but there is no potential on "
+                                  "input 2: give one, or choose another condition.");
+    }
+    return;
+  }
+  vtkDataArray* values = NamedArray(filter, 3, potential);
+  values = values ? values : potential->GetPointData()->GetScalars();
+  if (!values)
+  {
+    throw std::invalid_argument(
+      "The potential on input 2 has no such point array; it has:" + ArraysOf(potential) + ".");
+  }
+  RequireOneComponent(values, "the potential");
+  const auto function = OnItsGrid(potential, values, grid);
+  if (!border)
+  {
+    parameters.Start = [function](const Vector3& x)
+    {
+      const double value = function(x);
+      return std::isnan(value) ? 0.0 : value;
+    };
+    return;
+  }
+  parameters.Boundary = [function](const Vector3& x)
+  {
+    const double value = function(x);
+    if (std::isnan(value))
+    {
+      throw std::invalid_argument("The potential on input 2 does not cover the border of the grid: "
+                                  "give a larger one, or choose another BoundaryCondition.");
+    }
+    return value;
+  };
+}
+
+void RequireMemory(const SolverBox& box)
+{
+  constexpr double bytesPerNode = 130.0;
+  vtksys::SystemInformation machine;
+  machine.RunMemoryCheck();
+  const double needed = bytesPerNode * static_cast<double>(box.Size()) / 1e9;
+  const double there = static_cast<double>(machine.GetTotalPhysicalMemory()) * 1.048576e-3;
+  if (there > 0.0 && needed > there)
+  {
+    throw std::runtime_error("A grid of " + std::to_string(box.Dimensions[0]) + " x " +
+      std::to_string(box.Dimensions[1]) + " x " + std::to_string(box.Dimensions[2]) +
+      " nodes takes about " + std::to_string(std::llround(needed)) +
+      " GB, more than this machine has: choose a larger Spacing or a smaller Padding.");
+  }
+}
+
+}

@@ -1,0 +1,49 @@
+/**
+ * @file PoissonBoltzmannInput.h
+ * @brief What vtkPoissonBoltzmann is given, checked and put on its grid.
+ */
+#ifndef isthmus_PoissonBoltzmannInput_h
+#define isthmus_PoissonBoltzmannInput_h
+
+#include "LevelFunction.h"
+
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataArray;
+class vtkImageData;
+class vtkPointSet;
+
+namespace isthmus
+{
+
+struct SoluteVolume;
+
+struct AtomInput
+{
+  std::vector<ChargedAtom> Atoms; ///< all points, in world coordinates
+  double NetCharge = 0.0;         ///< e
+  std::string Warning;            ///< empty where there is nothing to warn of
+};
+
+/// By the filter's input arrays 0 (charges) and 1 (radii; 0 where there are none and none are
+/// needed). Throws std::invalid_argument for what the filter's documentation lists.
+AtomInput AtomsOf(vtkAlgorithm* filter, vtkPointSet* points, bool radiiNeeded);
+
+/// The array of input 1 that the filter's input array 2 names, or the active scalars.
+vtkDataArray* SurfaceScalars(vtkAlgorithm* filter, vtkImageData* image);
+
+/// Moves the atoms into the frame of the grid. Throws where a charge is not inside the surface.
+void PlaceOnGrid(const SoluteVolume& volume, std::vector<ChargedAtom>& atoms);
+
+/// Makes `potential` (may be null) the border's values, or the start, of the parameters.
+void SetPotentialInput(vtkAlgorithm* filter, vtkImageData* potential, vtkImageData* grid,
+  PoissonBoltzmannParameters& parameters);
+
+/// Throws std::runtime_error, with the size, where the machine has not enough memory for the box.
+void RequireMemory(const SolverBox& box);
+
+}
+
+#endif

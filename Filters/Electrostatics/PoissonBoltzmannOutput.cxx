@@ -1,0 +1,202 @@
+#include "PoissonBoltzmannOutput.h"
+
+#include "ChargesOnGrid.h"
+#include "ElectrostaticUnits.h"
+#include "GridImages.h"
+#include "SoluteVolume.h"
+#include "SurfacePotential.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <stdexcept>
+
+namespace isthmus
+{
+namespace
+{
+
+vtkSmartPointer<vtkDoubleArray> Doubles(const char* name, std::size_t count, int components = 1)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  return array;
+}
+
+void AddNumbers(vtkImageData* image, const char* name, const std::vector<double>& values)
+{
+  auto array = Doubles(name, values.size());
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  image->GetFieldData()->AddArray(array);
+}
+
+vtkSmartPointer<vtkDoubleArray> Copy(const char* name, const std::vector<double>& values)
+{
+  auto array = Doubles(name, values.size());
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
+
+/// The level as an image of -f, so that vtkFlyingEdges3D orients triangles outwards.
+vtkSmartPointer<vtkPolyData> LevelTriangles(const SoluteVolume& volume)
+{
+  const LevelFunction& level = volume.Level;
+  const auto& n = level.Dimensions();
+  vtkNew<vtkFloatArray> values;
+  values->SetName("Level");
+  values->SetNumberOfTuples(static_cast<vtkIdType>(n[0] * n[1] * n[2]));
+  vtkIdType id = 0;
+  for (std::int64_t k = 0; k < n[2]; ++k)
+  {
+    for (std::int64_t j = 0; j < n[1]; ++j)
+    {
+      for (std::int64_t i = 0; i < n[0]; ++i)
+      {
+        values->SetValue(id++, static_cast<float>(-level.Node(i, j, k)));
+      }
+    }
+  }
+  return IsosurfaceInGridAxes(volume.Grid, values, 0.0);
+}
+
+}
+
+void FillImage(
+  const PotentialOnBox& solution, vtkImageData* image, const ProgressCallback& progress)
+{
+  const SolverBox& box = solution.GetBox();
+  SolverBox crop = box;
+  int dimensions[3];
+  image->GetDimensions(dimensions);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    crop.First[a] = 0;
+    crop.Corner[a] = 0.0;
+    crop.Dimensions[a] = dimensions[a];
+  }
+  const auto count = static_cast<std::size_t>(crop.Size());
+  auto potential = Doubles("Potential", count);
+  auto reaction = Doubles("ReactionPotential", count);
+  vtkNew<vtkUnsignedCharArray> side;
+  side->SetName("Side");
+  side->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  double* const total = potential->GetPointer(0);
+  double* const rest = reaction->GetPointer(0);
+  unsigned char* const in = side->GetPointer(0);
+  ChargesAtNodes(
+    solution.GetCharges(), crop,
+    [&](std::int64_t node, double g)
+    {
+      const std::int64_t i = node % crop.Dimensions[0] - box.First[0];
+      const std::int64_t j = node / crop.Dimensions[0] % crop.Dimensions[1] - box.First[1];
+      const std::int64_t k = node / (crop.Dimensions[0] * crop.Dimensions[1]) - box.First[2];
+      const auto from =
+        static_cast<std::size_t>(i + box.Dimensions[0] * (j + box.Dimensions[1] * k));
+      const double u = solution.GetPotential()[from];
+      const bool inside = solution.GetInside()[from] != 0;
+      total[node] = inside ? u + g : u;
+      rest[node] = inside ? u : u - g;
+      in[node] = inside ? 1 : 0;
+    },
+    progress);
+  // Not SetScalars, which would take the input's active array away.
+  image->GetPointData()->AddArray(potential);
+  image->GetPointData()->SetActiveScalars("Potential");
+  image->GetPointData()->AddArray(reaction);
+  image->GetPointData()->AddArray(side);
+}
+
+void FillFieldData(const PotentialOnBox& solution, const PoissonBoltzmannParameters& parameters,
+  double netCharge, const std::string& surface, vtkImageData* image)
+{
+  const PoissonBoltzmannReport& report = solution.GetReport();
+  const double kelvin = parameters.Temperature;
+  AddNumbers(
+    image, "SolvationEnergy", { report.SolvationEnergy * units::ThermalKilocalorie(kelvin) });
+  AddNumbers(image, "SolvationEnergyKT", { report.SolvationEnergy });
+  AddNumbers(image, "SolvationEnergyKilojoule",
+    { report.SolvationEnergy * units::ThermalKilojoule(kelvin) });
+  AddNumbers(image, "Iterations", { static_cast<double>(report.Iterations) });
+  AddNumbers(image, "NewtonSteps", { static_cast<double>(report.NewtonSteps) });
+  AddNumbers(image, "ResidualHistory", report.Residuals);
+  AddNumbers(image, "Crossings", { static_cast<double>(report.Crossings) });
+  AddNumbers(image, "LinearFits", { static_cast<double>(report.LinearFits) });
+  AddNumbers(image, "GhostFits", { static_cast<double>(report.GhostFits) });
+  AddNumbers(image, "DebyeLength", { solution.Kappa() > 0.0 ? 1.0 / solution.Kappa() : 0.0 });
+  AddNumbers(image, "NetCharge", { netCharge });
+  vtkNew<vtkStringArray> kind;
+  kind->SetName("Surface");
+  kind->InsertNextValue(surface);
+  image->GetFieldData()->AddArray(kind);
+}
+
+void FillSurface(const PotentialOnBox& solution, const SoluteVolume& volume, double kelvin,
+  vtkPolyData* polygons, vtkPolyData* output, const ProgressCallback& progress)
+{
+  std::vector<Vector3> places;
+  if (polygons)
+  {
+    output->ShallowCopy(polygons);
+    for (vtkIdType i = 0; i < polygons->GetNumberOfPoints(); ++i)
+    {
+      Vector3 x;
+      polygons->GetPoint(i, x.data());
+      places.push_back(ToGrid(volume.Grid, x));
+    }
+  }
+  else
+  {
+    const vtkSmartPointer<vtkPolyData> triangles = LevelTriangles(volume);
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (vtkIdType i = 0; i < triangles->GetNumberOfPoints(); ++i)
+    {
+      Vector3 x;
+      triangles->GetPoint(i, x.data());
+      places.push_back(OnLevel(volume.Level, solution.GetBox(), x));
+      points->InsertNextPoint(ToWorld(volume.Grid, places.back()).data());
+    }
+    output->SetPoints(points);
+    output->SetPolys(triangles->GetPolys());
+  }
+  const SurfaceValues values = EvaluateAtSurface(solution, volume.Level, places, kelvin, progress);
+  auto normals = Doubles("Normals", places.size(), 3);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    double world[3];
+    volume.Grid->GetDirectionMatrix()->MultiplyPoint(values.Normal[i].data(), world);
+    normals->SetTuple(static_cast<vtkIdType>(i), world);
+  }
+  output->GetPointData()->AddArray(Copy("Potential", values.Potential));
+  output->GetPointData()->SetActiveScalars("Potential");
+  output->GetPointData()->AddArray(Copy("NormalField", values.NormalField));
+  output->GetPointData()->AddArray(Copy("SurfaceChargeDensity", values.ChargeDensity));
+  output->GetPointData()->AddArray(normals);
+  output->GetPointData()->SetActiveNormals("Normals");
+}
+
+void FillAtoms(const PotentialOnBox& solution, double kelvin, vtkPointSet* atoms)
+{
+  const PoissonBoltzmannReport& report = solution.GetReport();
+  std::vector<double> energies = report.AtomEnergies;
+  for (double& energy : energies)
+  {
+    energy *= units::ThermalKilocalorie(kelvin);
+  }
+  atoms->GetPointData()->AddArray(Copy("ReactionPotential", report.AtomPotentials));
+  atoms->GetPointData()->AddArray(Copy("AtomEnergy", energies));
+}
+
+}

@@ -1,0 +1,37 @@
+/**
+ * @file PoissonBoltzmannOutput.h
+ * @brief A solution as VTK's data: image, field data, surface and atoms.
+ */
+#ifndef isthmus_PoissonBoltzmannOutput_h
+#define isthmus_PoissonBoltzmannOutput_h
+
+#include "PotentialOnBox.h"
+#include "Progress.h"
+
+#include <string>
+
+class vtkImageData;
+class vtkPointSet;
+class vtkPolyData;
+
+namespace isthmus
+{
+
+struct SoluteVolume;
+
+/// Adds Potential (active), ReactionPotential and Side, cropped to the image.
+void FillImage(
+  const PotentialOnBox& solution, vtkImageData* image, const ProgressCallback& progress = {});
+
+void FillFieldData(const PotentialOnBox& solution, const PoissonBoltzmannParameters& parameters,
+  double netCharge, const std::string& surface, vtkImageData* image);
+
+/// `polygons` with the values at its points, or, where it is null, the volume's level.
+void FillSurface(const PotentialOnBox& solution, const SoluteVolume& volume, double kelvin,
+  vtkPolyData* polygons, vtkPolyData* output, const ProgressCallback& progress = {});
+
+void FillAtoms(const PotentialOnBox& solution, double kelvin, vtkPointSet* atoms);
+
+}
+
+#endif

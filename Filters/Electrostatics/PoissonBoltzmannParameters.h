@@ -1,0 +1,82 @@
+/**
+ * @file PoissonBoltzmannParameters.h
+ * @brief What the Poisson-Boltzmann solver is given and what it returns.
+ */
+#ifndef isthmus_PoissonBoltzmannParameters_h
+#define isthmus_PoissonBoltzmannParameters_h
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace isthmus
+{
+
+using Vector3 = std::array<double, 3>;
+
+/// Position and radius in angstrom, charge in e.
+struct ChargedAtom
+{
+  Vector3 Position;
+  double Charge;
+  double Radius;
+};
+
+/// One kind of ion of the salt: valence (with sign) and concentration in mol/l.
+struct IonSpecies
+{
+  double Valence;
+  double Concentration;
+};
+
+enum class BoundaryCondition
+{
+  Zero = 0,                 ///< u = 0
+  SingleDebyeHueckel = 1,   ///< the net charge at the centre of charge, in a sphere of the solute
+  MultipleDebyeHueckel = 2, ///< every charge by itself
+  SelfConsistent = 3,       ///< the former, corrected by what a solution on a coarser grid radiates
+  Given = 4                 ///< by PoissonBoltzmannParameters::Boundary
+};
+
+struct PoissonBoltzmannParameters
+{
+  double SoluteDielectric = 2.0;
+  double SolventDielectric = 80.0;
+  std::vector<IonSpecies> Ions; ///< none: pure solvent; their charges must cancel
+  double IonRadius = 2.0;       ///< angstrom: ions keep that far from the surface
+  double Temperature = 298.15;  ///< K
+  double Padding = 10.0;        ///< angstrom of solvent around the surface, at least
+  bool Nonlinear = false;
+  BoundaryCondition Condition = BoundaryCondition::SelfConsistent;
+  double Tolerance = 1e-6;     ///< of the residual, relative to that of the start
+  int MaximumIterations = 100; ///< of BiCGSTAB in each linear system
+  int MaximumNewtonSteps = 30;
+  /// Weight of the equations inside against those outside in the fits at the surface, as a power
+  /// of SoluteDielectric / SolventDielectric.
+  double FitExponent = 1.5;
+  /// Potential (kT/e) on the border of the box, for Given; in the frame of the level set's grid.
+  std::function<double(const Vector3&)> Boundary;
+  /// Potential to start from, if any, on the whole box.
+  std::function<double(const Vector3&)> Start;
+};
+
+/// Numbers about a solution. Energies in kT.
+struct PoissonBoltzmannReport
+{
+  double SolvationEnergy = 0.0;       ///< 1/2 sum q u, and the ions' term where nonlinear
+  double IonEnergy = 0.0;             ///< that term alone
+  std::vector<double> AtomEnergies;   ///< 1/2 q u of each atom
+  std::vector<double> AtomPotentials; ///< reaction potential u at each atom, kT/e
+  int Iterations = 0;                 ///< of BiCGSTAB on the fine grid
+  int NewtonSteps = 0;
+  std::vector<double> Residuals; ///< relative, after each iteration
+  std::int64_t Crossings = 0;    ///< of the surface with edges of the grid
+  std::int64_t LinearFits = 0;   ///< of them, those for which a quadratic could not be fitted
+  std::int64_t GhostFits = 0;    ///< and not even a linear function
+};
+
+}
+
+#endif

@@ -1,0 +1,89 @@
+/**
+ * @file PotentialOnBox.h
+ * @brief The Poisson-Boltzmann problem of a surface and charges on one box of nodes.
+ *
+ *     inside:   phi = G + u,  G = sum C q_i / (eps_m |x - r_i|),  Laplace u = 0
+ *     outside:  phi = u,      -eps_s Laplace u + f(u) = 0  (f: IonAtmosphere)
+ *     surface:  phi and eps d_n phi go through
+ *
+ * so u inside is the reaction potential, without any self-energy to subtract, and no second
+ * solution is needed for an energy.
+ */
+#ifndef isthmus_PotentialOnBox_h
+#define isthmus_PotentialOnBox_h
+
+#include "BoundaryPotential.h"
+#include "InterfaceSolver.h"
+#include "IonAtmosphere.h"
+
+#include <memory>
+
+namespace isthmus
+{
+
+/// Memory: see PoissonBoltzmann.h.
+class VTKISTHMUS_EXPORT PotentialOnBox
+{
+public:
+  /// Finds the surface and fits the rows at it. What is passed is referred to, not copied.
+  PotentialOnBox(const LevelFunction& level, const SolverBox& box,
+    const std::vector<ChargedAtom>& atoms, const PoissonBoltzmannParameters& parameters,
+    const IonAtmosphere& ions, const ProgressCallback& progress = {});
+
+  /// Sets border values, and the interior to 0 or, with a function, to a start.
+  void SetBorder(const PotentialFunction& border, bool sampled);
+  void SetStart(const PotentialFunction& start);
+
+  void SolveLinear(const ProgressCallback& progress = {});
+  /// Newton from what there is.
+  void SolveNonlinear(const ProgressCallback& progress = {});
+
+  /// Energies, and u at the atoms.
+  void Evaluate();
+
+  /// Frees what only solving needs.
+  void Release();
+
+  const SolverBox& GetBox() const { return this->Box; }
+  const std::vector<double>& GetPotential() const { return this->U; }
+  std::vector<double>& GetPotential() { return this->U; }
+  const std::vector<unsigned char>& GetInside() const { return this->Inside; }
+  const std::vector<InterfaceCrossing>& GetCrossings() const { return this->Crossings; }
+  const FitMedium& GetMedium() const { return this->Medium; }
+  const ChargeList& GetCharges() const { return this->Charges; }
+  const PoissonBoltzmannReport& GetReport() const { return this->Report; }
+  double Kappa() const;
+  /// First and last nodes inside the surface; Last < First where there are none.
+  NodeRange RangeInside() const;
+
+private:
+  void EvaluateCharges(const ProgressCallback& progress);
+  void Assemble(std::vector<double> kappaSquared, const ProgressCallback& progress);
+  EdgePermittivity Permittivities() const;
+  std::vector<double> LaggedKappa() const;
+  double NonlinearResidual(const std::vector<double>& u, std::vector<double>& out) const;
+  void FillDiagonal(bool nonlinear);
+  double TakeStep(const std::vector<double>& step, double before);
+
+  const SolverBox Box;
+  const std::vector<ChargedAtom>& Atoms;
+  const PoissonBoltzmannParameters& Parameters;
+  const IonAtmosphere& Ions;
+  double Spacing; ///< the shortest
+  std::vector<unsigned char> Inside;
+  std::vector<InterfaceCrossing> Crossings;
+  ChargeList Charges;                        ///< C q / eps_m
+  std::vector<SecondOrderTaylor> AtCrossing; ///< G
+  FitMedium Medium;
+  std::unique_ptr<InterfaceOperator> Matrix;
+  std::unique_ptr<MultigridPoisson> Multigrid;
+  std::vector<float> Access;                       ///< of ions, by node; empty without any
+  std::shared_ptr<std::vector<float>> IonDiagonal; ///< h^2 access f'(u)
+  std::vector<double> U;
+  SolverWorkspace Work;
+  PoissonBoltzmannReport Report;
+};
+
+}
+
+#endif

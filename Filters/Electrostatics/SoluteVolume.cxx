@@ -1,0 +1,334 @@
+#include "SoluteVolume.h"
+
+#include "GridDistance.h"
+#include "GridImages.h"
+#include "ImageScalars.h"
+#include "MolecularDensity.h"
+#include "PolyDataTriangles.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkPolyData.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace isthmus
+{
+namespace
+{
+
+/// Width of the band in which distances are exact, in spacings: stencils reach three diagonally.
+constexpr double Band = 6.0;
+
+void RequireWish(const GridWish& wish)
+{
+  if (!(wish.Spacing > 0.0) || std::isinf(wish.Spacing))
+  {
+    throw std::invalid_argument("Spacing is " + std::to_string(wish.Spacing) +
+      ", but it is the distance of nodes: give a positive length.");
+  }
+  if (!(wish.Padding >= 0.0) || std::isinf(wish.Padding))
+  {
+    throw std::invalid_argument(
+      "Padding is " + std::to_string(wish.Padding) + ", but a length of 0 or more is wanted.");
+  }
+}
+
+vtkSmartPointer<vtkImageData> ImageOf(
+  const Vector3& origin, const std::array<double, 3>& nodes, double spacing)
+{
+  int dimensions[3];
+  double all = 1.0;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    all *= nodes[a];
+    dimensions[a] = nodes[a] < 2e9 ? static_cast<int>(nodes[a]) : 0;
+  }
+  if (!(all < 1e11) || dimensions[0] < 1 || dimensions[1] < 1 || dimensions[2] < 1)
+  {
+    throw std::invalid_argument("A Spacing of " + std::to_string(spacing) + " makes a grid of " +
+      std::to_string(all) + " nodes, too many: choose a larger one.");
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(dimensions);
+  image->SetOrigin(origin[0], origin[1], origin[2]);
+  image->SetSpacing(spacing, spacing, spacing);
+  return image;
+}
+
+std::vector<Ball> BallsOf(const std::vector<ChargedAtom>& atoms)
+{
+  std::vector<Ball> balls;
+  for (const ChargedAtom& atom : atoms)
+  {
+    if (atom.Radius > 0.0)
+    {
+      balls.push_back({ atom.Position, atom.Radius });
+    }
+  }
+  if (balls.empty())
+  {
+    throw std::invalid_argument("No atom has a radius above 0, so there is no surface around them: "
+                                "give a surface on input 1, or atoms with radii (a PQR file).");
+  }
+  return balls;
+}
+
+/// Bends of S and of log S across the level, over its slopes; and whether S is cut off near it.
+struct Straightness
+{
+  double Plain = 0.0, Logarithm = 0.0;
+  bool Positive = true;
+  std::int64_t Edges = 0, Flat = 0;
+};
+
+/// The least and greatest value where many nodes have it: there the values were cut off.
+struct Plateaus
+{
+  double Low = -std::numeric_limits<double>::infinity();
+  double High = std::numeric_limits<double>::infinity();
+
+  bool Has(double s) const { return s <= this->Low || s >= this->High; }
+};
+
+Plateaus FindPlateaus(const LevelFunction& level)
+{
+  const auto& n = level.Dimensions();
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  std::int64_t atLow = 0, atHigh = 0;
+  for (std::int64_t k = 0; k < n[2]; ++k)
+  {
+    for (std::int64_t j = 0; j < n[1]; ++j)
+    {
+      for (std::int64_t i = 0; i < n[0]; ++i)
+      {
+        const double s = level.Scalar(i, j, k);
+        atLow = s < low ? 1 : atLow + (s == low ? 1 : 0);
+        atHigh = s > high ? 1 : atHigh + (s == high ? 1 : 0);
+        low = std::min(low, s);
+        high = std::max(high, s);
+      }
+    }
+  }
+  const std::int64_t many = std::max<std::int64_t>(27, n[0] * n[1] * n[2] / 1000);
+  Plateaus plateaus;
+  plateaus.Low = atLow >= many ? low : plateaus.Low;
+  plateaus.High = atHigh >= many ? high : plateaus.High;
+  return plateaus;
+}
+
+void Add(const double (&s)[6], const Plateaus& plateaus, Straightness& sum)
+{
+  // Nodes 0..5 along a line, the level between 2 and 3.
+  const double slope = std::abs(s[3] - s[2]);
+  sum.Plain += std::abs(s[1] - s[2] - s[3] + s[4]) / slope;
+  ++sum.Edges;
+  sum.Flat += std::any_of(s, s + 6, [&](double v) { return plateaus.Has(v); }) ? 1 : 0;
+  sum.Positive = sum.Positive && s[1] > 0.0 && s[2] > 0.0 && s[3] > 0.0 && s[4] > 0.0;
+  if (sum.Positive)
+  {
+    sum.Logarithm +=
+      std::abs(std::log(s[1] / s[2] * s[4] / s[3])) / std::abs(std::log(s[3] / s[2]));
+  }
+}
+
+Straightness Measure(const LevelFunction& level)
+{
+  Straightness sum;
+  const Plateaus plateaus = FindPlateaus(level);
+  const auto& n = level.Dimensions();
+  for (std::int64_t k = 0; k < n[2]; ++k)
+  {
+    for (std::int64_t j = 0; j < n[1]; ++j)
+    {
+      for (std::int64_t i = 0; i < n[0]; ++i)
+      {
+        const std::array<std::int64_t, 3> at{ i, j, k };
+        for (std::size_t a = 0; a < 3; ++a)
+        {
+          if (at[a] < 2 || at[a] + 3 >= n[a])
+          {
+            continue;
+          }
+          auto next = at;
+          ++next[a];
+          if (level.Inside(i, j, k) == level.Inside(next[0], next[1], next[2]))
+          {
+            continue;
+          }
+          double s[6];
+          for (int m = 0; m < 6; ++m)
+          {
+            auto p = at;
+            p[a] += m - 2;
+            s[m] = level.Scalar(p[0], p[1], p[2]);
+          }
+          Add(s, plateaus, sum);
+        }
+      }
+    }
+  }
+  return sum;
+}
+
+/// Makes the level that of the signed distance from `surface` (in grid axes).
+void SetDistance(SoluteVolume& volume, vtkPolyData* surface,
+  const std::vector<unsigned char>* sides, const ProgressCallback& progress)
+{
+  const GridShape shape = ShapeOf(volume.Grid);
+  const PolyDataTriangles triangles(surface);
+  const std::vector<unsigned char> inside = sides ? *sides : NodesInside(triangles.View(), shape);
+  const double h = *std::max_element(shape.Spacing.begin(), shape.Spacing.end());
+  volume.Doubles = DistanceToSurface(triangles.View(), shape, Band * h, progress);
+  for (std::size_t i = 0; i < inside.size(); ++i)
+  {
+    // A node on the surface stays outside, as in the level.
+    volume.Doubles[i] = inside[i] ? -std::max(volume.Doubles[i], 1e-12 * h) : volume.Doubles[i];
+  }
+  volume.Level = LevelFunction{};
+  volume.Level.Doubles = { volume.Doubles.data(), shape.Dimensions, shape.Spacing };
+  volume.Level.InsideIsHigher = false;
+}
+
+vtkSmartPointer<vtkImageData> StructureOf(vtkImageData* image)
+{
+  auto grid = vtkSmartPointer<vtkImageData>::New();
+  grid->CopyStructure(image);
+  return grid;
+}
+
+}
+
+vtkSmartPointer<vtkImageData> GridAroundSurface(vtkPolyData* surface, const GridWish& wish)
+{
+  RequireWish(wish);
+  double box[6];
+  surface->GetBounds(box);
+  Vector3 origin;
+  std::array<double, 3> nodes;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    origin[a] = box[2 * a] - wish.Padding;
+    nodes[a] = std::ceil((box[2 * a + 1] + wish.Padding - origin[a]) / wish.Spacing) + 1.0;
+  }
+  return ImageOf(origin, nodes, wish.Spacing);
+}
+
+vtkSmartPointer<vtkImageData> GridAroundAtoms(
+  const std::vector<ChargedAtom>& atoms, const GridWish& wish)
+{
+  RequireWish(wish);
+  const DensityGrid grid =
+    GridAroundBalls(BallsOf(atoms), wish.Spacing, { wish.Padding, wish.Padding, wish.Padding });
+  return ImageOf(grid.Origin,
+    { static_cast<double>(grid.Dimensions[0]), static_cast<double>(grid.Dimensions[1]),
+      static_cast<double>(grid.Dimensions[2]) },
+    wish.Spacing);
+}
+
+SoluteVolume VolumeOfImage(vtkImageData* image, vtkDataArray* scalars, double level,
+  bool insideIsHigher, const ProgressCallback& progress)
+{
+  SoluteVolume volume;
+  volume.Grid = StructureOf(image);
+  volume.Scalars = scalars;
+  volume.Kind = std::string("level ") + std::to_string(level) + " of " +
+    (scalars->GetName() ? scalars->GetName() : "the scalars");
+  ShapeOf(image);
+  UseScalars(image, scalars,
+    [&](const auto& grid)
+    {
+      CheckFinite(grid);
+      using T = std::remove_const_t<std::remove_pointer_t<decltype(grid.Data)>>;
+      if constexpr (std::is_same_v<T, float>)
+      {
+        volume.Level.Floats = grid;
+      }
+      else if (vtkArrayDownCast<vtkDoubleArray>(scalars))
+      {
+        volume.Level.Doubles = grid;
+      }
+      else
+      {
+        // The view's values are a passing copy.
+        volume.Doubles.assign(grid.Data, grid.Data + grid.Size());
+        volume.Level.Doubles = { volume.Doubles.data(), grid.Dimensions, grid.Spacing };
+      }
+    });
+  volume.Level.Level = level;
+  volume.Level.InsideIsHigher = insideIsHigher;
+  const Straightness straight = Measure(volume.Level);
+  if (straight.Flat * 20 > straight.Edges)
+  {
+    std::vector<unsigned char> inside(static_cast<std::size_t>(image->GetNumberOfPoints()));
+    const auto& n = volume.Level.Dimensions();
+    for (std::size_t node = 0; node < inside.size(); ++node)
+    {
+      const auto p = static_cast<std::int64_t>(node);
+      inside[node] = volume.Level.Inside(p % n[0], p / n[0] % n[1], p / (n[0] * n[1])) ? 1 : 0;
+    }
+    SetDistance(volume, IsosurfaceInGridAxes(image, scalars, level), &inside, progress);
+    volume.Kind += ", by distance since the values are cut off near it";
+    return volume;
+  }
+  volume.Level.Logarithm = level > 0.0 && straight.Positive && straight.Logarithm < straight.Plain;
+  return volume;
+}
+
+SoluteVolume VolumeOfSurface(
+  vtkPolyData* surface, const GridWish& wish, const ProgressCallback& progress)
+{
+  SoluteVolume volume;
+  volume.Grid = GridAroundSurface(surface, wish);
+  volume.Kind = "closed polygons";
+  SetDistance(volume, InGridAxes(surface, volume.Grid), nullptr, progress);
+  return volume;
+}
+
+SoluteVolume VolumeOfAtoms(
+  const std::vector<ChargedAtom>& atoms, const GridWish& wish, const ProgressCallback& progress)
+{
+  constexpr double decay = 2.3;
+  SoluteVolume volume;
+  volume.Grid = GridAroundAtoms(atoms, wish);
+  volume.Kind = "level 1 of a sum of Gaussians, decay 2.3";
+  const GridShape shape = ShapeOf(volume.Grid);
+  volume.Floats.resize(static_cast<std::size_t>(shape.Size()));
+  Vector3 origin;
+  volume.Grid->GetOrigin(origin.data());
+  GaussianSum(BallsOf(atoms), decay, origin,
+    { volume.Floats.data(), shape.Dimensions, shape.Spacing }, progress);
+  volume.Level.Floats = { volume.Floats.data(), shape.Dimensions, shape.Spacing };
+  volume.Level.Level = 1.0;
+  volume.Level.Logarithm = true;
+  return volume;
+}
+
+Vector3 ToGrid(vtkImageData* grid, const Vector3& world)
+{
+  const int* const extent = grid->GetExtent();
+  Vector3 index;
+  grid->TransformPhysicalPointToContinuousIndex(world.data(), index.data());
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    index[a] = (index[a] - extent[2 * a]) * grid->GetSpacing()[a];
+  }
+  return index;
+}
+
+Vector3 ToWorld(vtkImageData* grid, const Vector3& place)
+{
+  const int* const extent = grid->GetExtent();
+  Vector3 index, world;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    index[a] = place[a] / grid->GetSpacing()[a] + extent[2 * a];
+  }
+  grid->TransformContinuousIndexToPhysicalPoint(index.data(), world.data());
+  return world;
+}
+
+}

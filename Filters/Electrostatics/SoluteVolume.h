@@ -1,0 +1,70 @@
+/**
+ * @file SoluteVolume.h
+ * @brief A solute's surface, as image, closed polygons or atoms, made ready for the solver.
+ */
+#ifndef isthmus_SoluteVolume_h
+#define isthmus_SoluteVolume_h
+
+#include "LevelFunction.h"
+#include "Progress.h"
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkImageData;
+class vtkPolyData;
+
+namespace isthmus
+{
+
+/// A volume (geometry in `Grid`, which holds no arrays of ours) and the level in it.
+struct SoluteVolume
+{
+  vtkSmartPointer<vtkImageData> Grid;
+  LevelFunction Level;
+  std::string Kind; ///< what the surface is, for people
+  std::vector<float> Floats;
+  std::vector<double> Doubles;
+  vtkSmartPointer<vtkDataArray> Scalars; ///< kept alive
+};
+
+/// How a grid is made where none is given.
+struct GridWish
+{
+  double Spacing = 0.5;
+  double Padding = 10.0;
+};
+
+/// The grid that VolumeOfSurface and VolumeOfAtoms will use. Throws std::invalid_argument.
+vtkSmartPointer<vtkImageData> GridAroundSurface(vtkPolyData* surface, const GridWish& wish);
+vtkSmartPointer<vtkImageData> GridAroundAtoms(
+  const std::vector<ChargedAtom>& atoms, const GridWish& wish);
+
+/**
+ * An image's level. Values that are cut off near the surface (masks, clamped distances) are
+ * replaced by the distance from the level's triangles, as are scalars whose logarithm is the
+ * straighter function by their logarithm. Throws std::invalid_argument for values that are not
+ * finite.
+ */
+SoluteVolume VolumeOfImage(vtkImageData* image, vtkDataArray* scalars, double level,
+  bool insideIsHigher, const ProgressCallback& progress = {});
+
+/// The signed distance from closed triangles. Throws std::invalid_argument where they are not
+/// closed.
+SoluteVolume VolumeOfSurface(
+  vtkPolyData* surface, const GridWish& wish, const ProgressCallback& progress = {});
+
+/// Level 1 of the sum of Gaussians of MolecularDensity.h with decay 2.3.
+SoluteVolume VolumeOfAtoms(const std::vector<ChargedAtom>& atoms, const GridWish& wish,
+  const ProgressCallback& progress = {});
+
+/// From world coordinates to lengths along the grid's axes from its first node, and back.
+Vector3 ToGrid(vtkImageData* grid, const Vector3& world);
+Vector3 ToWorld(vtkImageData* grid, const Vector3& place);
+
+}
+
+#endif

@@ -1,0 +1,32 @@
+/**
+ * @file SurfacePotential.h
+ * @brief Potential, field and induced charge at points of the surface, fitted from both sides.
+ *
+ * The fit of InterfaceFit.h at the point itself, to the 4 x 4 x 4 nodes around: nothing is
+ * interpolated across the surface, where the field jumps.
+ */
+#ifndef isthmus_SurfacePotential_h
+#define isthmus_SurfacePotential_h
+
+#include "PotentialOnBox.h"
+
+namespace isthmus
+{
+
+struct SurfaceValues
+{
+  std::vector<double> Potential;     ///< kT/e
+  std::vector<double> NormalField;   ///< -d_n phi just outside, kT/(e angstrom), outwards
+  std::vector<double> ChargeDensity; ///< induced, e / angstrom^2
+  std::vector<Vector3> Normal;       ///< outwards
+  std::int64_t Failed = 0;           ///< points without enough nodes, NaN
+};
+
+/// At points of the surface of a solved problem (frame of the volume). Parallel.
+VTKISTHMUS_EXPORT SurfaceValues EvaluateAtSurface(const PotentialOnBox& problem,
+  const LevelFunction& level, const std::vector<Vector3>& points, double kelvin,
+  const ProgressCallback& progress = {});
+
+}
+
+#endif

@@ -1,0 +1,24 @@
+isthmus_room(
+  CLASSES
+    vtkPoissonBoltzmann
+  SOURCES
+    BoundaryPotential
+    ChargesOnGrid
+    ChargeTree
+    HarmonicFit
+    InterfaceFit
+    InterfaceGeometry
+    InterfaceOperator
+    InterfaceSolver
+    IonAtmosphere
+    IrregularRows
+    MultigridLevel
+    MultigridPoisson
+    PoissonBoltzmann
+    PoissonBoltzmannInput
+    PoissonBoltzmannOutput
+    PotentialOnBox
+    SoluteVolume
+    SurfacePotential
+  VECTORISED
+    ChargeSums)

@@ -1,0 +1,374 @@
+// vtkPoissonBoltzmann on spheres given in all the ways a surface can be given: levels of distances
+// and densities in float and double, cut off, on anisotropic and turned grids off the origin, as
+// polygons, and made of the atoms; and what it refuses.
+
+#include "vtkPoissonBoltzmann.h"
+
+#include "KirkwoodSphere.h"
+
+#include <vtkCommand.h>
+#include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSphereSource.h>
+#include <vtkTestErrorObserver.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+using namespace isthmus;
+using isthmus::testing::KirkwoodSphere;
+
+namespace
+{
+
+KirkwoodSphere Sphere()
+{
+  KirkwoodSphere s;
+  s.Centre = { 100.11, -50.07, 7.05 };
+  s.Radius = 5.0;
+  const auto add = [&](double q, double x, double y, double z) {
+    s.Charges.push_back({ { s.Centre[0] + x, s.Centre[1] + y, s.Centre[2] + z }, q, 1.5 });
+  };
+  add(1, 2.5, 0, 0);
+  add(-1, 0, -3, 0.5);
+  add(1, -1, 1.5, 3);
+  return s;
+}
+
+vtkSmartPointer<vtkPolyData> Atoms(const KirkwoodSphere& sphere)
+{
+  auto atoms = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> charges, radii;
+  charges->SetName("Charge");
+  radii->SetName("Radius");
+  for (const ChargedAtom& atom : sphere.Charges)
+  {
+    points->InsertNextPoint(atom.Position.data());
+    charges->InsertNextValue(atom.Charge);
+    radii->InsertNextValue(atom.Radius);
+  }
+  atoms->SetPoints(points);
+  atoms->GetPointData()->AddArray(charges);
+  atoms->GetPointData()->AddArray(radii);
+  return atoms;
+}
+
+struct GridChoice
+{
+  Vector3 Spacing{ 0.5, 0.5, 0.5 };
+  double Half = 9.0;
+  bool Turned = false;
+  bool Float = false;
+};
+
+/// f(distance from the centre) on a grid around the sphere.
+vtkSmartPointer<vtkImageData> Volume(
+  const KirkwoodSphere& sphere, const GridChoice& choice, const std::function<double(double)>& f)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  int extent[6];
+  for (int a = 0; a < 3; ++a)
+  {
+    const double h = choice.Spacing[static_cast<std::size_t>(a)];
+    extent[2 * a] = 3 - 4 * a; // no grid needs to begin at 0
+    extent[2 * a + 1] = extent[2 * a] + static_cast<int>(2.0 * choice.Half / h);
+  }
+  image->SetExtent(extent);
+  image->SetSpacing(choice.Spacing.data());
+  if (choice.Turned)
+  {
+    const double c = 0.6, s = 0.8;
+    image->SetDirectionMatrix(c, -s, 0, s, c, 0, 0, 0, 1);
+  }
+  // The first node half a box from the centre along each axis of the grid.
+  double first[3], ijk[3] = { double(extent[0]), double(extent[2]), double(extent[4]) };
+  for (int a = 0; a < 3; ++a)
+  {
+    ijk[a] += std::floor(choice.Half / image->GetSpacing()[a]) + 0.13;
+  }
+  image->TransformContinuousIndexToPhysicalPoint(ijk, first);
+  image->SetOrigin(
+    sphere.Centre[0] - first[0], sphere.Centre[1] - first[1], sphere.Centre[2] - first[2]);
+  vtkSmartPointer<vtkDataArray> values = choice.Float
+    ? vtkSmartPointer<vtkDataArray>(vtkSmartPointer<vtkFloatArray>::New())
+    : vtkSmartPointer<vtkDataArray>(vtkSmartPointer<vtkDoubleArray>::New());
+  values->SetName("f");
+  values->SetNumberOfTuples(image->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    Vector3 x;
+    image->GetPoint(i, x.data());
+    values->SetTuple1(i, f(sphere.Distance(x)));
+  }
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+
+double Field(vtkImageData* image, const char* name)
+{
+  return vtkArrayDownCast<vtkDoubleArray>(image->GetFieldData()->GetArray(name))->GetValue(0);
+}
+
+struct Errors
+{
+  double Energy = 0.0, Outside = 0.0, Reaction = 0.0, Surface = 0.0;
+};
+
+Errors ErrorsOf(vtkPoissonBoltzmann* filter, const KirkwoodSphere& sphere)
+{
+  Errors errors;
+  vtkImageData* image = filter->GetOutput();
+  const double exact = sphere.Energy() * units::ThermalKilocalorie(298.15);
+  errors.Energy = std::abs(Field(image, "SolvationEnergy") / exact - 1.0);
+  auto* potential = image->GetPointData()->GetArray("Potential");
+  auto* reaction = image->GetPointData()->GetArray("ReactionPotential");
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    Vector3 x;
+    image->GetPoint(i, x.data());
+    const bool inside = sphere.Distance(x) < sphere.Radius;
+    const double outside = inside ? 0.0 : sphere.Outside(x);
+    const double rest = inside ? sphere.Reaction(x) : outside - sphere.Coulomb(x);
+    errors.Reaction = std::max(errors.Reaction, std::abs(reaction->GetTuple1(i) - rest));
+    if (!inside)
+    {
+      errors.Outside = std::max(errors.Outside, std::abs(potential->GetTuple1(i) - outside));
+    }
+  }
+  vtkPolyData* surface = filter->GetSurface();
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    Vector3 x;
+    surface->GetPoint(i, x.data());
+    errors.Surface = std::max(errors.Surface,
+      std::abs(surface->GetPointData()->GetArray("Potential")->GetTuple1(i) - sphere.Outside(x)));
+  }
+  return errors;
+}
+
+Errors RunOn(vtkDataObject* surface, double isoValue, bool insideIsHigher)
+{
+  const KirkwoodSphere sphere = Sphere();
+  vtkNew<vtkPoissonBoltzmann> filter;
+  filter->SetInputDataObject(0, Atoms(sphere));
+  filter->SetInputDataObject(1, surface);
+  filter->SetIsoValue(isoValue);
+  filter->SetInsideIsHigher(insideIsHigher);
+  filter->SetIonicStrength(0.0);
+  filter->Update();
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
+  if (auto* image = vtkImageData::SafeDownCast(surface))
+  {
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), image->GetNumberOfPoints());
+    EXPECT_EQ(filter->GetOutput()->GetExtent()[0], image->GetExtent()[0]);
+    EXPECT_NE(filter->GetOutput()->GetPointData()->GetArray("f"), nullptr);
+  }
+  EXPECT_GT(filter->GetSurface()->GetNumberOfPolys(), 1000);
+  return ErrorsOf(filter, sphere);
+}
+
+void ExpectSmall(const Errors& errors)
+{
+  std::printf("energy %.2e outside %.4f reaction %.4f surface %.4f\n", errors.Energy,
+    errors.Outside, errors.Reaction, errors.Surface);
+  EXPECT_LT(errors.Energy, 1e-3);
+  EXPECT_LT(errors.Outside, 0.1);
+  EXPECT_LT(errors.Reaction, 0.25);
+  EXPECT_LT(errors.Surface, 0.2);
+}
+
+double Minus(double r)
+{
+  return 5.0 - r;
+}
+double Plus(double r)
+{
+  return r - 5.0;
+}
+double Gaussian(double r)
+{
+  return std::exp(-2.3 * (r * r / 25.0 - 1.0));
+}
+
+TEST(PoissonBoltzmannFilter, NegatedDistance)
+{
+  ExpectSmall(RunOn(Volume(Sphere(), {}, Minus), 0.0, true));
+}
+
+TEST(PoissonBoltzmannFilter, DistanceInFloat)
+{
+  GridChoice choice;
+  choice.Float = true;
+  ExpectSmall(RunOn(Volume(Sphere(), choice, Plus), 0.0, false));
+}
+
+TEST(PoissonBoltzmannFilter, GaussiansInFloat)
+{
+  GridChoice choice;
+  choice.Float = true;
+  ExpectSmall(RunOn(Volume(Sphere(), choice, Gaussian), 1.0, true));
+}
+
+TEST(PoissonBoltzmannFilter, AnisotropicSpacing)
+{
+  GridChoice choice;
+  choice.Spacing = { 0.4, 0.5, 0.65 };
+  ExpectSmall(RunOn(Volume(Sphere(), choice, Minus), 0.0, true));
+}
+
+TEST(PoissonBoltzmannFilter, TurnedGrid)
+{
+  GridChoice choice;
+  choice.Turned = true;
+  ExpectSmall(RunOn(Volume(Sphere(), choice, Gaussian), 1.0, true));
+}
+
+TEST(PoissonBoltzmannFilter, GridThatEndsNearTheSurface)
+{
+  GridChoice choice;
+  choice.Half = 6.7;
+  ExpectSmall(RunOn(Volume(Sphere(), choice, Minus), 0.0, true));
+}
+
+TEST(PoissonBoltzmannFilter, CutOffValuesAreReplacedByDistance)
+{
+  const auto cut = [](double r) { return std::min(std::max(Minus(r), -0.6), 0.6); };
+  const Errors errors = RunOn(Volume(Sphere(), {}, cut), 0.0, true);
+  EXPECT_LT(errors.Energy, 5e-3);
+  EXPECT_LT(errors.Outside, 0.2);
+}
+
+TEST(PoissonBoltzmannFilter, Polygons)
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(5.0);
+  ball->SetCenter(100.11, -50.07, 7.05);
+  ball->SetThetaResolution(96);
+  ball->SetPhiResolution(96);
+  ball->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  ball->Update();
+  const Errors errors = RunOn(ball->GetOutput(), 0.0, true);
+  EXPECT_LT(errors.Energy, 3e-3);
+  EXPECT_LT(errors.Outside, 0.3);
+}
+
+TEST(PoissonBoltzmannFilter, BornIonWithoutASurface)
+{
+  // An atom alone: the level of its Gaussian is its sphere, and defaults are 2 and 80.
+  KirkwoodSphere ion;
+  ion.Radius = 2.5;
+  ion.Charges.push_back({ { 0.2, 0.1, -0.3 }, 1.0, 2.5 });
+  ion.Centre = ion.Charges.front().Position;
+  vtkNew<vtkPoissonBoltzmann> filter;
+  filter->SetInputDataObject(0, Atoms(ion));
+  filter->SetSpacing(0.25);
+  filter->SetPadding(5.0);
+  filter->Update();
+  // Born: -1/2 C q^2 (1/2 - 1/80) / R, with C = 332.0637 kcal angstrom / mol.
+  EXPECT_NEAR(Field(filter->GetOutput(), "SolvationEnergy"),
+    -0.5 * 332.0637 * (0.5 - 1.0 / 80.0) / 2.5, 5e-3);
+  EXPECT_NEAR(Field(filter->GetOutput(), "SolvationEnergyKilojoule"),
+    4.184 * Field(filter->GetOutput(), "SolvationEnergy"), 1e-9);
+  EXPECT_EQ(filter->GetAtoms()->GetPointData()->GetArray("AtomEnergy")->GetTuple1(0),
+    Field(filter->GetOutput(), "SolvationEnergy"));
+  EXPECT_GT(Field(filter->GetOutput(), "Iterations"), 0.0);
+}
+
+TEST(PoissonBoltzmannFilter, FocusingTakesTheBorderFromInput2)
+{
+  const KirkwoodSphere sphere = Sphere();
+  GridChoice wide;
+  wide.Half = 16.0;
+  wide.Spacing = { 1.0, 1.0, 1.0 };
+  GridChoice narrow;
+  narrow.Half = 8.0;
+  vtkNew<vtkPoissonBoltzmann> outer, inner;
+  outer->SetInputDataObject(0, Atoms(sphere));
+  outer->SetInputDataObject(1, Volume(sphere, wide, Minus));
+  outer->SetIsoValue(0.0);
+  inner->SetInputDataObject(0, Atoms(sphere));
+  inner->SetInputDataObject(1, Volume(sphere, narrow, Minus));
+  inner->SetInputConnection(2, outer->GetOutputPort());
+  inner->SetIsoValue(0.0);
+  inner->SetBoundaryCondition(vtkPoissonBoltzmann::FromInput);
+  inner->Update();
+  EXPECT_LT(ErrorsOf(inner, sphere).Outside, 0.15);
+}
+
+/// Runs a changed filter that has to fail with a sentence that holds `words`.
+void ExpectError(
+  const std::function<void(vtkPoissonBoltzmann*, vtkPolyData*)>& change, const char* words)
+{
+  const KirkwoodSphere sphere = Sphere();
+  GridChoice choice;
+  choice.Spacing = { 1.0, 1.0, 1.0 };
+  const auto atoms = Atoms(sphere);
+  vtkNew<vtkPoissonBoltzmann> filter;
+  vtkNew<vtkTest::ErrorObserver> observer, executive;
+  filter->AddObserver(vtkCommand::ErrorEvent, observer);
+  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, executive);
+  filter->SetInputDataObject(0, atoms);
+  filter->SetInputDataObject(1, Volume(sphere, choice, Minus));
+  filter->SetIsoValue(0.0);
+  change(filter, atoms);
+  filter->Update();
+  EXPECT_TRUE(observer->GetError()) << words;
+  EXPECT_NE(observer->GetErrorMessage().find(words), std::string::npos)
+    << observer->GetErrorMessage();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(filter->GetSurface()->GetNumberOfPoints(), 0);
+}
+
+TEST(PoissonBoltzmannFilter, EveryRefusalIsASentence)
+{
+  const double nan = vtkMath::Nan();
+  using Filter = vtkPoissonBoltzmann*;
+  const auto charges = [](vtkPolyData* atoms) { return atoms->GetPointData()->GetArray("Charge"); };
+  ExpectError([&](Filter, vtkPolyData* a) { a->GetPointData()->RemoveArray("Charge"); }, "pdb2pqr");
+  ExpectError(
+    [&](Filter, vtkPolyData* a) { charges(a)->FillComponent(0, 0.0); }, "All charges are 0");
+  ExpectError([&](Filter, vtkPolyData* a) { charges(a)->SetTuple1(1, nan); }, "charge of atom 1");
+  ExpectError(
+    [&](Filter, vtkPolyData* a) { a->GetPoints()->SetPoint(2, 0, 0, 0); }, "outside the surface");
+  ExpectError([&](Filter, vtkPolyData* a)
+    { a->GetPointData()->GetArray("Radius")->SetTuple1(0, -1.0); },
+    "radius of atom 0");
+  ExpectError([&](Filter f, vtkPolyData*) { f->SetIsoValue(nan); }, "IsoValue");
+  ExpectError([&](Filter f, vtkPolyData*) { f->SetInsideIsHigher(0); }, "surface");
+  ExpectError([&](Filter f, vtkPolyData*) { f->SetIonicStrength(nan); }, "IonicStrength");
+  ExpectError([&](Filter f, vtkPolyData*) { f->SetIonicStrength(-0.1); }, "IonicStrength");
+  ExpectError([&](Filter f, vtkPolyData*) { f->SetSoluteDielectric(0.0); }, "SoluteDielectric");
+  ExpectError([&](Filter f, vtkPolyData*) { f->SetPadding(-1.0); }, "Padding");
+  ExpectError([&](Filter f, vtkPolyData*) { f->SetPadding(9e5); }, "GB");
+  ExpectError([&](Filter f, vtkPolyData*) { f->AddIon(2.0, 0.1); }, "neutral");
+  ExpectError([&](Filter f, vtkPolyData*)
+    { f->SetBoundaryCondition(vtkPoissonBoltzmann::FromInput); },
+    "input 2");
+  ExpectError([&](Filter f, vtkPolyData*) { f->SetMaximumIterations(1); }, "did not converge");
+}
+
+TEST(PoissonBoltzmannFilter, NoAtomsNoError)
+{
+  vtkNew<vtkPolyData> nothing;
+  vtkNew<vtkPoissonBoltzmann> filter;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::ErrorEvent, observer);
+  filter->SetInputDataObject(0, nothing);
+  filter->Update();
+  EXPECT_FALSE(observer->GetError());
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+}
