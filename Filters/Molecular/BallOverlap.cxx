@@ -15,7 +15,7 @@ double Length(const Point3& v)
 }
 
 /// Of the two points that the three spheres share, one; the centre of both where they just touch.
-Point3 CommonPoint(const CentredBall& a, const CentredBall& b, const CentredBall& c)
+Point3 CommonPoint(const Ball& a, const Ball& b, const Ball& c)
 {
   const Point3 u = b.Centre - a.Centre;
   const Point3 v = c.Centre - a.Centre;
@@ -31,13 +31,13 @@ Point3 CommonPoint(const CentredBall& a, const CentredBall& b, const CentredBall
 
 }
 
-Overlap<1> WholeBall(const CentredBall& a)
+Overlap<1> WholeBall(const Ball& a)
 {
   const double area = 4.0 * Pi * a.Radius * a.Radius;
   return { area * a.Radius / 3.0, { area } };
 }
 
-Overlap<2> Lens(const CentredBall& a, const CentredBall& b)
+Overlap<2> Lens(const Ball& a, const Ball& b)
 {
   const double d = Length(b.Centre - a.Centre);
   const double plane = 0.5 * (d + (a.Radius - b.Radius) * (a.Radius + b.Radius) / d);
@@ -47,9 +47,9 @@ Overlap<2> Lens(const CentredBall& a, const CentredBall& b)
     { 2.0 * Pi * a.Radius * ha, 2.0 * Pi * b.Radius * hb } };
 }
 
-Overlap<3> HalfOfThree(const CentredBall& a, const CentredBall& b, const CentredBall& c)
+Overlap<3> HalfOfThree(const Ball& a, const Ball& b, const Ball& c)
 {
-  const CentredBall* balls[3] = { &a, &b, &c };
+  const Ball* balls[3] = { &a, &b, &c };
   const Point3 x = CommonPoint(a, b, c);
   Overlap<3> half;
   half.Volume =

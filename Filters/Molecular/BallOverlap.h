@@ -5,6 +5,7 @@
 #ifndef isthmus_BallOverlap_h
 #define isthmus_BallOverlap_h
 
+#include "Ball.h"
 #include "TriangleMesh.h"
 #include "vtkIsthmusModule.h"
 
@@ -12,13 +13,6 @@
 
 namespace isthmus
 {
-
-/// A ball with its centre.
-struct CentredBall
-{
-  Point3 Centre;
-  double Radius;
-};
 
 /// Volume of a body that balls have in common, and the parts of its surface on each ball's sphere.
 template <std::size_t N>
@@ -28,10 +22,10 @@ struct Overlap
   std::array<double, N> Area{};
 };
 
-VTKISTHMUS_EXPORT Overlap<1> WholeBall(const CentredBall& a);
+VTKISTHMUS_EXPORT Overlap<1> WholeBall(const Ball& a);
 
 /// The lens of two balls whose spheres meet.
-VTKISTHMUS_EXPORT Overlap<2> Lens(const CentredBall& a, const CentredBall& b);
+VTKISTHMUS_EXPORT Overlap<2> Lens(const Ball& a, const Ball& b);
 
 /**
  * Half of what three balls share, that on one side of the plane of their centres. Their spheres
@@ -42,7 +36,7 @@ VTKISTHMUS_EXPORT Overlap<2> Lens(const CentredBall& a, const CentredBall& b);
  * asked for (H. Edelsbrunner, P. Fu, in "Measuring space filling diagrams and voids", 1994).
  */
 VTKISTHMUS_EXPORT Overlap<3> HalfOfThree(
-  const CentredBall& a, const CentredBall& b, const CentredBall& c);
+  const Ball& a, const Ball& b, const Ball& c);
 
 /// Fraction of all directions from `p` that point into the tetrahedron p, a, b, c.
 VTKISTHMUS_EXPORT double SolidAngle(

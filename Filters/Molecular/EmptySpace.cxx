@@ -12,7 +12,7 @@ std::size_t At(SimplexId i)
   return static_cast<std::size_t>(i);
 }
 
-CentredBall BallOf(const RegularFiltration& f, SimplexId id)
+Ball BallOf(const RegularFiltration& f, SimplexId id)
 {
   return { f.Complex.Points[At(id)], f.Radii[At(id)] };
 }

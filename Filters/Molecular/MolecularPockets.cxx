@@ -56,7 +56,7 @@ void CheckOptions(const PocketOptions& options)
 }
 
 /// The atoms by their place in space, which no order of a file changes.
-std::vector<std::size_t> CanonicalOrder(const std::vector<PocketAtom>& atoms)
+std::vector<std::size_t> CanonicalOrder(const std::vector<Ball>& atoms)
 {
   std::vector<std::size_t> order(atoms.size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });
@@ -69,7 +69,7 @@ std::vector<std::size_t> CanonicalOrder(const std::vector<PocketAtom>& atoms)
   return order;
 }
 
-RegularFiltration Enlarged(const std::vector<PocketAtom>& atoms,
+RegularFiltration Enlarged(const std::vector<Ball>& atoms,
   const std::vector<std::size_t>& order, double probe, const ProgressCallback& progress)
 {
   std::vector<Point3> centres;
@@ -268,7 +268,7 @@ void MeasureWhole(const Space& space, PocketResult& result)
 
 }
 
-PocketResult FindPockets(const std::vector<PocketAtom>& atoms, const PocketOptions& options,
+PocketResult FindPockets(const std::vector<Ball>& atoms, const PocketOptions& options,
   const ProgressCallback& progress)
 {
   CheckOptions(options);

@@ -17,6 +17,7 @@
 #ifndef isthmus_MolecularPockets_h
 #define isthmus_MolecularPockets_h
 
+#include "Ball.h"
 #include "PocketParameters.h"
 #include "Progress.h"
 #include "vtkIsthmusModule.h"
@@ -32,7 +33,7 @@ namespace isthmus
  * The result does not depend on the order of the atoms (save numbers of atoms in it), nor on the
  * number of threads, bit by bit. O(n log n): 60 us and 2 KB an atom.
  */
-VTKISTHMUS_EXPORT PocketResult FindPockets(const std::vector<PocketAtom>& atoms,
+VTKISTHMUS_EXPORT PocketResult FindPockets(const std::vector<Ball>& atoms,
   const PocketOptions& options, const ProgressCallback& progress = {});
 
 }

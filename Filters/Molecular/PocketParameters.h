@@ -23,13 +23,6 @@ struct PocketOptions
   double MinimumVolume = 10.0; ///< angstrom^3; smaller pockets are left out
 };
 
-/// An atom that takes room.
-struct PocketAtom
-{
-  Point3 Centre;
-  double Radius;
-};
-
 /// A way out of a pocket.
 struct PocketMouth
 {

@@ -2,10 +2,21 @@ isthmus_room(
   CLASSES
     vtkBindingSites
     vtkMolecularDensity
+    vtkMolecularPockets
     vtkPolarizedCurvature
   SOURCES
+    AtomInput
     BallBricks
+    BallOverlap
     BindingSites
+    CellAccess
+    EmptySpace
     HullDepth
+    LiningResidues
     MolecularDensity
-    PolarizedCurvature)
+    MolecularPockets
+    PocketMouths
+    PocketOutput
+    PocketSurface
+    PolarizedCurvature
+    PolymerAtoms)

@@ -4,4 +4,5 @@ isthmus_room(
     FiltrationPairs
     LowerStarFiltration
   CGAL
-    DelaunayFiltration)
+    DelaunayFiltration
+    RegularFiltration)

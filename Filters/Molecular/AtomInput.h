@@ -1,0 +1,52 @@
+/**
+ * @file AtomInput.h
+ * @brief The atoms of a vtkPointSet: places, radii and the names that vtkMacromoleculeReader gives.
+ */
+#ifndef isthmus_AtomInput_h
+#define isthmus_AtomInput_h
+
+#include "Ball.h"
+#include "PolymerAtoms.h"
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <vtkType.h>
+
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkPointSet;
+
+namespace isthmus
+{
+
+/// The atoms that a filter works on.
+struct ChosenAtoms
+{
+  std::vector<NamedAtom> Named;    ///< of all points of the input
+  std::vector<Ball> Balls;         ///< of the atoms that were kept
+  std::vector<vtkIdType> Points;   ///< and their points
+  std::vector<std::string> Notes;  ///< what was left out
+  std::vector<std::string> Warnings; ///< what should have been there
+  bool HasNames = false;             ///< any residue names
+  bool HasElements = false;
+};
+
+/**
+ * Reads the arrays Element, AtomName, ResidueName, ResidueId, Chain, InsertionCode, AltLoc, Occupancy
+ * and IsHetero as far as they are there, keeps what `options` says, and takes the radii from the
+ * point array that input array 0 of `filter` names. Where that array is missing, elements have
+ * Bondi's radii. Atoms whose radius is NaN are left out with a warning.
+ *
+ * Throws std::invalid_argument for radii that are not there, negative or infinite, and places that
+ * are not finite.
+ */
+VTKISTHMUS_EXPORT ChosenAtoms ChooseAtoms(
+  vtkAlgorithm* filter, vtkPointSet* input, const PolymerOptions& options);
+
+/// Names between blanks, commas or semicolons.
+VTKISTHMUS_EXPORT std::set<std::string> NamesIn(const std::string& list);
+
+}
+
+#endif
