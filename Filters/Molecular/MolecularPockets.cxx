@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <queue>
 #include <stdexcept>
 #include <string>
 
@@ -125,6 +126,65 @@ std::vector<SimplexId> Label(
   return labels;
 }
 
+/// Empty room around a pocket that one of `Way`s has reached.
+struct Way
+{
+  double Width;
+  SimplexId Cell;
+  SimplexId Pocket;
+
+  bool operator<(const Way& other) const
+  {
+    if (this->Width != other.Width)
+    {
+      return this->Width < other.Width;
+    }
+    return this->Cell != other.Cell ? this->Cell > other.Cell : this->Pocket > other.Pocket;
+  }
+};
+
+/**
+ * Gives the crevices to the pockets: empty tetrahedra too narrow for the inner ball that the probe
+ * reaches from a pocket belong to the one with the widest way. So the room of a void is all of it.
+ */
+std::vector<SimplexId> Widen(const CellFiltration& c,
+  const std::vector<std::array<SimplexId, 4>>& faces, const CellAccess& access, double outer,
+  const std::vector<SimplexId>& cores)
+{
+  std::vector<SimplexId> labels = cores;
+  std::priority_queue<Way> ways;
+  const auto leave = [&](SimplexId cell)
+  {
+    for (const SimplexId face : faces[At(cell)])
+    {
+      const SimplexId next = Across(c, face, cell);
+      if (next >= 0 && labels[At(next)] < 0 && c.TriangleValue[At(face)] > 0.0 &&
+        access.Access[At(next)] < outer)
+      {
+        ways.push({ access.TriangleClearance[At(face)], next, labels[At(cell)] });
+      }
+    }
+  };
+  for (std::size_t i = 0; i < cores.size(); ++i)
+  {
+    if (cores[i] >= 0)
+    {
+      leave(static_cast<SimplexId>(i));
+    }
+  }
+  while (!ways.empty())
+  {
+    const Way way = ways.top();
+    ways.pop();
+    if (labels[At(way.Cell)] < 0)
+    {
+      labels[At(way.Cell)] = way.Pocket;
+      leave(way.Cell);
+    }
+  }
+  return labels;
+}
+
 std::vector<EmptyCell> EmptyCells(const RegularFiltration& f,
   const std::vector<std::array<SimplexId, 4>>& faces, const ProgressCallback& progress)
 {
@@ -151,7 +211,8 @@ struct Space
   RegularFiltration Filtration;
   CellAccess Access;
   std::vector<EmptyCell> Empty;
-  std::vector<SimplexId> Labels;
+  std::vector<SimplexId> Cores;  ///< the pocket of each tetrahedron with room for the inner ball
+  std::vector<SimplexId> Labels; ///< the pocket of each tetrahedron
 };
 
 void FillCells(const Space& space, const PocketOptions& options, std::vector<Pocket>& pockets)
@@ -285,7 +346,9 @@ PocketResult FindPockets(const std::vector<Ball>& atoms, const PocketOptions& op
   space.Access = FindAccess(space.Filtration, faces, options.ProbeRadius);
   Report(progress, 0.5);
   space.Empty = EmptyCells(space.Filtration, faces, Between(progress, 0.5, 0.8));
-  space.Labels = Label(c, space.Access, options);
+  space.Cores = Label(c, space.Access, options);
+  space.Labels =
+    Widen(c, faces, space.Access, options.OuterRadius, space.Cores);
   MeasureWhole(space, result);
   Report(progress, 0.85);
   std::vector<Pocket> pockets(

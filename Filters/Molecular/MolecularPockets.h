@@ -4,7 +4,8 @@
  *
  * **Pocket**: tetrahedra of the regular triangulation with room for a ball of InnerRadius that a ball
  * of OuterRadius does not reach from outside, connected through triangles that let the smaller one
- * pass. Where nothing leads out it is a void.
+ * pass, and the crevices around them: empty tetrahedra that the probe reaches from there, each given
+ * to the pocket with the widest way to it. Where no triangle lets the inner ball out it is a void.
  *
  * **Volume, Area**: what the probe's centre can reach of it, and the part of the accessible surface
  * that faces it, exact sums (EmptySpace.h). **Mouths**: triangles that the smaller ball passes on its
