@@ -5,9 +5,12 @@
 #include <vtkAlgorithm.h>
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkPointData.h>
+#include <vtkNew.h>
 #include <vtkPointSet.h>
+#include <vtkPolyData.h>
 #include <vtkStringArray.h>
 
 #include <cmath>
@@ -85,8 +88,8 @@ std::vector<NamedAtom> NamedAtomsOf(vtkPointSet* input)
   return atoms;
 }
 
-/// The array that the filter's input array 0 names; null where elements have to do.
-vtkDataArray* RadiiOf(vtkAlgorithm* filter, vtkPointSet* input, bool hasElements)
+/// The array that the filter's input array 0 names; null where it is not there and need not.
+vtkDataArray* RadiiOf(vtkAlgorithm* filter, vtkPointSet* input, bool canDoWithout)
 {
   const char* name = filter->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
   vtkDataArray* radii = name ? input->GetPointData()->GetArray(name) : nullptr;
@@ -95,7 +98,7 @@ vtkDataArray* RadiiOf(vtkAlgorithm* filter, vtkPointSet* input, bool hasElements
     throw std::invalid_argument("The array of radii has several components, but one number for "
                                 "each atom is needed: extract one component first.");
   }
-  if (!radii && !hasElements)
+  if (!radii && !canDoWithout)
   {
     throw std::invalid_argument("The atoms have no point array " + std::string(name ? name : "") +
       " of radii, and no array Element to look them up by: read them with vtkMacromoleculeReader, "
@@ -119,13 +122,17 @@ std::set<std::string> NamesIn(const std::string& list)
   return names;
 }
 
-ChosenAtoms ChooseAtoms(vtkAlgorithm* filter, vtkPointSet* input, const PolymerOptions& options)
+ChosenAtoms ChooseAtoms(vtkAlgorithm* filter, vtkPointSet* input, const PolymerOptions& options,
+  WithoutRadii withoutRadii)
 {
   ChosenAtoms chosen;
   chosen.Named = NamedAtomsOf(input);
   chosen.HasNames = TextsOf(input, "ResidueName") != nullptr;
   chosen.HasElements = NumbersOf(input, "Element") != nullptr;
-  vtkDataArray* radii = RadiiOf(filter, input, chosen.HasElements);
+  auto* mesh = vtkPolyData::SafeDownCast(input);
+  const bool isSurface = withoutRadii == WithoutRadii::SurfacePoints && !chosen.HasElements &&
+    mesh && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
+  vtkDataArray* radii = RadiiOf(filter, input, chosen.HasElements || isSurface);
   PolymerChoice choice = ChoosePolymer(chosen.Named, options);
   chosen.Notes = std::move(choice.Notes);
   std::size_t without = 0;
@@ -133,6 +140,7 @@ ChosenAtoms ChooseAtoms(vtkAlgorithm* filter, vtkPointSet* input, const PolymerO
   {
     const NamedAtom& atom = chosen.Named[i];
     const double radius = radii ? radii->GetComponent(static_cast<vtkIdType>(i), 0)
+      : isSurface               ? 0.0
                                 : VanDerWaalsRadius(atom.Element, RadiusTable::Bondi);
     if (std::isnan(radius))
     {
@@ -153,6 +161,17 @@ ChosenAtoms ChooseAtoms(vtkAlgorithm* filter, vtkPointSet* input, const PolymerO
       " atoms have no radius and were left out: choose another table of radii in the reader.");
   }
   return chosen;
+}
+
+void AddNotes(const std::vector<std::string>& notes, vtkDataObject* to)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName("Notes");
+  for (const std::string& note : notes)
+  {
+    array->InsertNextValue(note);
+  }
+  to->GetFieldData()->AddArray(array);
 }
 
 }

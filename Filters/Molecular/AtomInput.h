@@ -15,6 +15,7 @@
 #include <vector>
 
 class vtkAlgorithm;
+class vtkDataObject;
 class vtkPointSet;
 
 namespace isthmus
@@ -32,6 +33,13 @@ struct ChosenAtoms
   bool HasElements = false;
 };
 
+/// What points with neither radii nor elements are.
+enum class WithoutRadii
+{
+  Error,
+  SurfacePoints ///< where the input has polygons: points of radius 0
+};
+
 /**
  * Reads the arrays Element, AtomName, ResidueName, ResidueId, Chain, InsertionCode, AltLoc, Occupancy
  * and IsHetero as far as they are there, keeps what `options` says, and takes the radii from the
@@ -42,7 +50,11 @@ struct ChosenAtoms
  * are not finite.
  */
 VTKISTHMUS_EXPORT ChosenAtoms ChooseAtoms(
-  vtkAlgorithm* filter, vtkPointSet* input, const PolymerOptions& options);
+  vtkAlgorithm* filter, vtkPointSet* input, const PolymerOptions& options,
+  WithoutRadii withoutRadii = WithoutRadii::Error);
+
+/// Adds the field array `Notes`.
+VTKISTHMUS_EXPORT void AddNotes(const std::vector<std::string>& notes, vtkDataObject* to);
 
 /// Names between blanks, commas or semicolons.
 VTKISTHMUS_EXPORT std::set<std::string> NamesIn(const std::string& list);

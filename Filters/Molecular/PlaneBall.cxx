@@ -176,12 +176,28 @@ AtomField::Room AtomField::At(const Point3& place) const
   return room;
 }
 
+std::vector<std::int64_t> AtomField::Touching(const Point3& place, double reach) const
+{
+  std::vector<std::int64_t> near;
+  this->Bins.Near(place, reach + this->Largest,
+    [&](std::int64_t id, double squared)
+    {
+      const double distance = reach + this->Atoms[static_cast<std::size_t>(id)].Radius;
+      if (squared <= distance * distance)
+      {
+        near.push_back(id);
+      }
+    });
+  return near;
+}
+
 std::vector<Ball> AtomField::Near(const Point3& place, double reach) const
 {
   std::vector<Ball> near;
-  this->Bins.Near(place, reach + this->Largest,
-    [&](std::int64_t id, double)
-    { near.push_back(this->Atoms[static_cast<std::size_t>(id)]); });
+  for (const std::int64_t id : this->Touching(place, reach))
+  {
+    near.push_back(this->Atoms[static_cast<std::size_t>(id)]);
+  }
   return near;
 }
 
@@ -229,15 +245,18 @@ PlaneBall LargestBallInPlane(const AtomField& field, const Plane& plane,
   const std::vector<Point3>& starts, double width, double enough)
 {
   const auto axes = Axes(plane.Normal);
-  const Climb rough{ 2.0 * std::max(width, 1.0), enough, 1e-3 };
-  PlaneBall best{ starts.front(), -HUGE_VAL };
+  const Climb rough{ 2.0 * std::max(width, 1.0), enough, 1e-2 };
+  PlaneBall best = ClimbInPlane(field, plane, starts.front(), rough);
+  const PlaneBall first = best;
   const auto offer = [&](const Point3& start)
   {
-    // Climbs that end in one place differ by less: the first of them stays.
+    // Climbs that end in one place differ by less: the first of them stays. A centre outside of the
+    // first ball is another place, of a wider vestibule or another pore.
     const PlaneBall ball = ClimbInPlane(field, plane, start, rough);
-    best = ball.Radius > best.Radius + 1e-4 ? ball : best;
+    const bool here = Length(ball.Centre - first.Centre) <= std::max(first.Radius, 1.0);
+    best = here && ball.Radius > best.Radius + 1e-4 ? ball : best;
   };
-  std::for_each(starts.begin(), starts.end(), offer);
+  std::for_each(starts.begin() + 1, starts.end(), offer);
   constexpr int around = 6;
   for (int i = 0; i < 2 * around && best.Radius < enough; ++i)
   {

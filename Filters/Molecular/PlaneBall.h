@@ -31,6 +31,9 @@ public:
   /// The atoms whose surface is within `reach` of `place`.
   VTKISTHMUS_EXPORT std::vector<Ball> Near(const Point3& place, double reach) const;
 
+  /// Their numbers, in no order that matters.
+  VTKISTHMUS_EXPORT std::vector<std::int64_t> Touching(const Point3& place, double reach) const;
+
 private:
   const std::vector<Ball>& Atoms;
   double Largest = 0.0;

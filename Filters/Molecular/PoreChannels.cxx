@@ -58,11 +58,12 @@ bool AreDisjoint(const std::vector<SimplexId>& a, const std::vector<SimplexId>& 
     b.begin(), b.end(), [&](SimplexId cell) { return cells.count(cell) > 0; });
 }
 
-/// Centres along a way out. Those of flat tetrahedra at the border may lie anywhere outside: the last
-/// one is taken no farther than `end` from the one before.
+/// Centres along a way out. Those of flat tetrahedra at the border may lie anywhere outside: a
+/// step is no longer than five times the channel's radius.
 std::vector<Point3> CentresAlong(
-  const RegularFiltration& f, const std::vector<SimplexId>& way, double end)
+  const RegularFiltration& f, const std::vector<SimplexId>& way, double radius)
 {
+  const double longest = 5.0 * radius;
   std::vector<Point3> centres;
   for (const SimplexId cell : way)
   {
@@ -71,7 +72,7 @@ std::vector<Point3> CentresAlong(
     {
       const Point3 step = centre - centres.back();
       const double length = Length(step);
-      centre = length > end ? centres.back() + (end / length) * step : centre;
+      centre = length > longest ? centres.back() + (longest / length) * step : centre;
     }
     centres.push_back(centre);
   }
@@ -80,14 +81,14 @@ std::vector<Point3> CentresAlong(
 
 /// Both ways as one, from the end of `a` to that of `b`.
 Channel Join(const RegularFiltration& f, const std::vector<SimplexId>& a,
-  const std::vector<SimplexId>& b, double end)
+  const std::vector<SimplexId>& b, double radius)
 {
   Channel channel;
-  channel.End = end;
-  channel.Way = CentresAlong(f, a, end);
+  channel.Radius = radius;
+  channel.Way = CentresAlong(f, a, radius);
   std::reverse(channel.Way.begin(), channel.Way.end());
   channel.Narrowest = channel.Way.size() - 1;
-  const auto rest = CentresAlong(f, b, end);
+  const auto rest = CentresAlong(f, b, radius);
   channel.Way.insert(channel.Way.end(), rest.begin(), rest.end());
   channel.Span = Length(channel.Way.front() - channel.Way.back());
   return channel;
@@ -149,15 +150,17 @@ std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccess& access
     {
       continue;
     }
-    const double end = std::max(options.EndRadius, 2.0 * radius);
+    // A channel wider than EndRadius ends where it leaves the convex hull.
+    const bool isWide = radius >= options.EndRadius;
+    const double end = isWide ? HUGE_VAL : options.EndRadius;
     const auto first = WayOut(c, access, sides[0], end);
     const auto second = WayOut(c, access, sides[1], end);
     if (!AreDisjoint(first, second))
     {
       continue;
     }
-    Channel channel = Join(f, first, second, end);
-    channel.Radius = radius;
+    Channel channel = Join(f, first, second, radius);
+    channel.IsWide = isWide;
     if (channel.Span >= options.MinimumSpan)
     {
       channels.push_back(std::move(channel));
@@ -165,6 +168,7 @@ std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccess& access
   }
   std::stable_sort(channels.begin(), channels.end(),
     [](const Channel& a, const Channel& b) { return a.Span > b.Span; });
+  channels.resize(std::min(channels.size(), options.MaximumPores));
   return channels;
 }
 
@@ -215,7 +219,6 @@ Channel WayBetween(const RegularFiltration& f, const std::vector<std::array<Simp
   }
   std::reverse(channel.Way.begin(), channel.Way.end());
   channel.Span = Length(first - last);
-  channel.End = options.EndRadius;
   return channel;
 }
 

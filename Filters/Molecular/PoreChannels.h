@@ -17,7 +17,7 @@ struct Channel
   std::vector<Point3> Way;
   double Radius = 0.0;       ///< at the triangle where it closes
   double Span = 0.0;         ///< distance of the ends
-  double End = 0.0;          ///< radius at which it ends
+  bool IsWide = false;       ///< wider than EndRadius everywhere
   std::size_t Narrowest = 0; ///< the centre next to that triangle
 };
 
@@ -26,8 +26,8 @@ struct Channel
  * which one triangle fills at last (an H1 death). Kept are those that close at MinimumRadius or
  * wider, after having lasted 0.3 angstrom at least (else the loop is a ring of atoms), whose
  * widest ways out on both sides have no tetrahedron in common and end MinimumSpan apart. A way ends
- * where a ball of EndRadius gets from outside, or, in a channel that is wide itself, one of twice the
- * channel's radius. The longest span comes first. `f` gets ordered. O(n log n), and the reduction of
+ * where a ball of EndRadius gets from outside; a channel that is wider than that itself, where it leaves
+ * the convex hull. The longest span comes first. `f` gets ordered. O(n log n), and the reduction of
  * FiltrationPairs.
  */
 VTKISTHMUS_EXPORT std::vector<Channel> FindChannels(RegularFiltration& f,

@@ -20,6 +20,7 @@ struct PoreOptions
   double Spacing = 0.25;      ///< of the planes
   double MinimumRadius = 1.0; ///< of pores that are found by themselves
   double MinimumSpan = 20.0;  ///< distance of their ends
+  std::size_t MaximumPores = 20; ///< of those, the ones with the longest spans
   double MaximumOffset = 10.0; ///< between two points: distance of the way from the straight line
 };
 

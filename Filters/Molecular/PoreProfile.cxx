@@ -1,6 +1,7 @@
 #include "PoreProfile.h"
 
 #include "EmptySpace.h"
+#include "ParallelFor.h"
 #include "PlaneBall.h"
 #include "PoreChannels.h"
 
@@ -123,6 +124,9 @@ struct Course
 {
   std::vector<Plane> Planes;
   std::vector<Point3> Way;
+  double Least = -HUGE_VAL; ///< the way is at least that wide
+  double Enough = 0.0;      ///< radius beyond which it need not be known
+  double End = 0.0;         ///< radius beyond which the pore ends
 };
 
 /// Planes across a smoothed way.
@@ -148,11 +152,9 @@ Course CourseAlong(const std::vector<Point3>& points, double width)
 class March
 {
 public:
-  March(const AtomField& atoms, const Course& course, double end)
+  March(const AtomField& atoms, const Course& course)
     : Atoms(atoms)
-    , Planes(course.Planes)
-    , Way(course.Way)
-    , End(end)
+    , Along(course)
   {
   }
 
@@ -160,19 +162,26 @@ public:
     std::size_t from, std::int64_t step, PlaneBall ball, const ProgressCallback& progress) const
   {
     std::vector<PlaneBall> balls;
-    const auto n = static_cast<std::int64_t>(this->Planes.size());
-    for (auto i = static_cast<std::int64_t>(from) + step; i >= 0 && i < n && ball.Radius <= this->End;
+    const auto n = static_cast<std::int64_t>(this->Along.Planes.size());
+    for (auto i = static_cast<std::int64_t>(from) + step; i >= 0 && i < n && ball.Radius <= this->Along.End;
          i += step)
     {
       Report(progress,
         static_cast<double>(std::abs(i - static_cast<std::int64_t>(from))) / static_cast<double>(n));
-      const Plane& plane = this->Planes[static_cast<std::size_t>(i)];
+      const Plane& plane = this->Along.Planes[static_cast<std::size_t>(i)];
       std::vector<Point3> starts{ Foot(plane, ball.Centre) };
-      if (!this->Way.empty())
+      if (!this->Along.Way.empty())
       {
-        starts.push_back(Foot(plane, this->Way[static_cast<std::size_t>(i)]));
+        starts.push_back(Foot(plane, this->Along.Way[static_cast<std::size_t>(i)]));
       }
-      ball = LargestBallInPlane(this->Atoms, plane, starts, ball.Radius, this->End);
+      ball = LargestBallInPlane(this->Atoms, plane, starts, ball.Radius, this->Along.Enough);
+      if (ball.Radius < this->Along.Least)
+      {
+        // The way is wider than that everywhere: this is a dead end beside it.
+        const PlaneBall other = LargestBallInPlane(
+          this->Atoms, plane, { starts.back() }, this->Along.Least, this->Along.Enough);
+        ball = other.Radius > ball.Radius ? other : ball;
+      }
       balls.push_back(ball);
     }
     return balls;
@@ -180,9 +189,7 @@ public:
 
 private:
   const AtomField& Atoms;
-  const std::vector<Plane>& Planes;
-  const std::vector<Point3>& Way;
-  double End;
+  const Course& Along;
 };
 
 /// Samples from which the radius rises by `depth` on both sides before it falls below.
@@ -221,18 +228,29 @@ std::vector<std::size_t> Bottlenecks(const std::vector<PoreSample>& samples)
 }
 
 Pore PoreThrough(const AtomField& atoms, const Course& course, std::size_t from,
-  const Point3& start, double end, const ProgressCallback& progress)
+  const Point3& start, const ProgressCallback& progress)
 {
   Pore pore;
   const Point3 in = Foot(course.Planes[from], start);
   const PlaneBall first = LargestBallInPlane(
-    atoms, course.Planes[from], { in }, std::max(1.0, atoms.At(in).Radius), end);
-  const March march(atoms, course, end);
+    atoms, course.Planes[from], { in }, std::max(1.0, atoms.At(in).Radius), course.Enough);
+  const March march(atoms, course);
   std::vector<PlaneBall> balls = march(from, -1, first, Between(progress, 0.0, 0.5));
   std::reverse(balls.begin(), balls.end());
   balls.push_back(first);
   const auto after = march(from, 1, first, Between(progress, 0.5, 1.0));
   balls.insert(balls.end(), after.begin(), after.end());
+  if (course.End > course.Enough)
+  {
+    // What lies beyond the last narrow places on both sides is outside.
+    const auto isNarrow = [&](const PlaneBall& ball) { return ball.Radius < course.Enough; };
+    balls.erase(std::find_if(balls.rbegin(), balls.rend(), isNarrow).base(), balls.end());
+    balls.erase(balls.begin(), std::find_if(balls.begin(), balls.end(), isNarrow));
+  }
+  if (balls.empty())
+  {
+    return pore;
+  }
   double length = 0.0;
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
@@ -250,8 +268,12 @@ Pore PoreOf(const AtomField& atoms, const Channel& channel, const PoreOptions& o
 {
   // A way turns from atom to atom: the pore's course is that over three times their size.
   constexpr double smoothing = 3.0; // angstrom
-  const Course course =
-    CourseAlong(Resample(channel.Way, options.Spacing), smoothing / options.Spacing);
+  // A wide channel is sampled as coarsely as it is wide, and known up to three times its radius.
+  const double spacing = options.Spacing * (channel.IsWide ? 4.0 : 1.0);
+  Course course = CourseAlong(Resample(channel.Way, spacing), smoothing / spacing);
+  course.Least = channel.Radius;
+  course.Enough = channel.IsWide ? 3.0 * channel.Radius : options.EndRadius;
+  course.End = channel.IsWide ? HUGE_VAL : options.EndRadius;
   const auto& planes = course.Planes;
   if (planes.empty())
   {
@@ -263,7 +285,7 @@ Pore PoreOf(const AtomField& atoms, const Channel& channel, const PoreOptions& o
   {
     from = Length(planes[i].Origin - narrow) < Length(planes[from].Origin - narrow) ? i : from;
   }
-  return PoreThrough(atoms, course, from, narrow, channel.End, progress);
+  return PoreThrough(atoms, course, from, narrow, progress);
 }
 
 }
@@ -279,14 +301,22 @@ std::vector<Pore> FindPores(
     return pores;
   }
   const CellAccess access = FindAccess(f, FacesOfCells(f.Complex), Probe);
-  const auto channels = FindChannels(f, access, Probe, options, Between(progress, 0.3, 0.8));
+  const auto channels = FindChannels(f, access, Probe, options, Between(progress, 0.3, 0.7));
   const AtomField field(atoms);
-  for (std::size_t i = 0; i < channels.size(); ++i)
+  std::vector<Pore> found(channels.size());
+  ParallelFor(
+    0, static_cast<std::int64_t>(channels.size()), 1,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        found[i] = PoreOf(field, channels[i], options, {});
+      }
+    },
+    Between(progress, 0.7, 1.0));
+  for (Pore& pore : found)
   {
-    const double each = 0.2 / static_cast<double>(channels.size());
-    const double done = 0.8 + each * static_cast<double>(i);
-    Pore pore = PoreOf(field, channels[i], options, Between(progress, done, done + each));
-    if (pore.Span >= options.MinimumSpan)
+    if (!pore.Samples.empty() && pore.Span >= options.MinimumSpan)
     {
       pores.push_back(std::move(pore));
     }
@@ -359,12 +389,13 @@ Pore PoreAlong(const std::vector<Ball>& atoms, const Point3& point, const Point3
       ", too small for atoms this far apart: give a larger one.");
   }
   Course course;
+  course.Enough = options.EndRadius;
+  course.End = options.EndRadius;
   for (std::int64_t i = -before; i <= after; ++i)
   {
     course.Planes.push_back({ point + (static_cast<double>(i) * options.Spacing) * along, along });
   }
-  return PoreThrough(AtomField(atoms), course, static_cast<std::size_t>(before), point,
-    options.EndRadius, progress);
+  return PoreThrough(AtomField(atoms), course, static_cast<std::size_t>(before), point, progress);
 }
 
 }

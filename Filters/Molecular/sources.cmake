@@ -4,6 +4,7 @@ isthmus_room(
     vtkMolecularDensity
     vtkMolecularPockets
     vtkPolarizedCurvature
+    vtkPoreProfile
   SOURCES
     AtomInput
     BallBricks
@@ -15,8 +16,12 @@ isthmus_room(
     LiningResidues
     MolecularDensity
     MolecularPockets
+    PlaneBall
     PocketMouths
     PocketOutput
     PocketSurface
     PolarizedCurvature
-    PolymerAtoms)
+    PolymerAtoms
+    PoreChannels
+    PoreOutput
+    PoreProfile)

@@ -15,7 +15,6 @@
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPolyData.h>
-#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -25,17 +24,6 @@ vtkStandardNewMacro(vtkMolecularPockets);
 
 namespace
 {
-
-void AddNotes(const std::vector<std::string>& notes, vtkDataObject* to)
-{
-  vtkNew<vtkStringArray> array;
-  array->SetName("Notes");
-  for (const std::string& note : notes)
-  {
-    array->InsertNextValue(note);
-  }
-  to->GetFieldData()->AddArray(array);
-}
 
 void AddNumber(const char* name, double value, vtkDataObject* to)
 {
@@ -195,8 +183,8 @@ void vtkMolecularPockets::Compute(
   isthmus::FillLiningAtoms(report, input, this->ShownPocket, vtkPolyData::GetData(outputs, 5));
   AddNumber("AccessibleArea", result.UnionArea, table);
   AddNumber("AccessibleVolume", result.UnionVolume, table);
-  AddNotes(atoms.Notes, cells);
-  AddNotes(atoms.Notes, table);
+  isthmus::AddNotes(atoms.Notes, cells);
+  isthmus::AddNotes(atoms.Notes, table);
   for (const std::string& warning : atoms.Warnings)
   {
     vtkWarningMacro(<< warning);
