@@ -7,8 +7,8 @@
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
-#include <vtkPointData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
@@ -34,8 +34,7 @@ vtkDataArray* NumbersOf(vtkPointSet* input, const char* name)
 }
 
 template <typename Member>
-void TakeTexts(
-  vtkPointSet* input, const char* name, Member member, std::vector<NamedAtom>& atoms)
+void TakeTexts(vtkPointSet* input, const char* name, Member member, std::vector<NamedAtom>& atoms)
 {
   if (vtkStringArray* array = TextsOf(input, name))
   {
@@ -83,8 +82,8 @@ std::vector<NamedAtom> NamedAtomsOf(vtkPointSet* input)
     { atoms[i].Element = value >= 0.0 && value < NumberOfElements ? static_cast<int>(value) : 0; });
   TakeNumbers(input, "Occupancy", n,
     [&](std::size_t i, double value) { atoms[i].Occupancy = std::isnan(value) ? 1.0 : value; });
-  TakeNumbers(input, "IsHetero", n,
-    [&](std::size_t i, double value) { atoms[i].IsHetero = value != 0.0; });
+  TakeNumbers(
+    input, "IsHetero", n, [&](std::size_t i, double value) { atoms[i].IsHetero = value != 0.0; });
   return atoms;
 }
 

@@ -24,10 +24,10 @@ namespace isthmus
 /// The atoms that a filter works on.
 struct ChosenAtoms
 {
-  std::vector<NamedAtom> Named;    ///< of all points of the input
-  std::vector<Ball> Balls;         ///< of the atoms that were kept
-  std::vector<vtkIdType> Points;   ///< and their points
-  std::vector<std::string> Notes;  ///< what was left out
+  std::vector<NamedAtom> Named;      ///< of all points of the input
+  std::vector<Ball> Balls;           ///< of the atoms that were kept
+  std::vector<vtkIdType> Points;     ///< and their points
+  std::vector<std::string> Notes;    ///< what was left out
   std::vector<std::string> Warnings; ///< what should have been there
   bool HasNames = false;             ///< any residue names
   bool HasElements = false;
@@ -41,17 +41,16 @@ enum class WithoutRadii
 };
 
 /**
- * Reads the arrays Element, AtomName, ResidueName, ResidueId, Chain, InsertionCode, AltLoc, Occupancy
- * and IsHetero as far as they are there, keeps what `options` says, and takes the radii from the
- * point array that input array 0 of `filter` names. Where that array is missing, elements have
- * Bondi's radii. Atoms whose radius is NaN are left out with a warning.
+ * Reads the arrays Element, AtomName, ResidueName, ResidueId, Chain, InsertionCode, AltLoc,
+ * Occupancy and IsHetero as far as they are there, keeps what `options` says, and takes the radii
+ * from the point array that input array 0 of `filter` names. Where that array is missing, elements
+ * have Bondi's radii. Atoms whose radius is NaN are left out with a warning.
  *
  * Throws std::invalid_argument for radii that are not there, negative or infinite, and places that
  * are not finite.
  */
-VTKISTHMUS_EXPORT ChosenAtoms ChooseAtoms(
-  vtkAlgorithm* filter, vtkPointSet* input, const PolymerOptions& options,
-  WithoutRadii withoutRadii = WithoutRadii::Error);
+VTKISTHMUS_EXPORT ChosenAtoms ChooseAtoms(vtkAlgorithm* filter, vtkPointSet* input,
+  const PolymerOptions& options, WithoutRadii withoutRadii = WithoutRadii::Error);
 
 /// Adds the field array `Notes`.
 VTKISTHMUS_EXPORT void AddNotes(const std::vector<std::string>& notes, vtkDataObject* to);

@@ -52,14 +52,12 @@ Overlap<3> HalfOfThree(const Ball& a, const Ball& b, const Ball& c)
   const Ball* balls[3] = { &a, &b, &c };
   const Point3 x = CommonPoint(a, b, c);
   Overlap<3> half;
-  half.Volume =
-    std::fabs(Dot(x - a.Centre, Cross(b.Centre - a.Centre, c.Centre - a.Centre))) / 6.0;
+  half.Volume = std::fabs(Dot(x - a.Centre, Cross(b.Centre - a.Centre, c.Centre - a.Centre))) / 6.0;
   for (std::size_t i = 0; i < 3; ++i)
   {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;
-    const double sector =
-      SolidAngle(balls[i]->Centre, balls[j]->Centre, balls[k]->Centre, x);
+    const double sector = SolidAngle(balls[i]->Centre, balls[j]->Centre, balls[k]->Centre, x);
     const Overlap<1> ball = WholeBall(*balls[i]);
     half.Volume -= sector * ball.Volume;
     half.Area[i] -= sector * ball.Area[0];

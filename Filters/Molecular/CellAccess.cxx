@@ -46,8 +46,8 @@ struct Way
 
 }
 
-CellAccess FindAccess(const RegularFiltration& f,
-  const std::vector<std::array<SimplexId, 4>>& faces, double probe)
+CellAccess FindAccess(
+  const RegularFiltration& f, const std::vector<std::array<SimplexId, 4>>& faces, double probe)
 {
   const CellFiltration& c = f.Complex;
   CellAccess access;
@@ -64,8 +64,8 @@ CellAccess FindAccess(const RegularFiltration& f,
     const auto& sides = c.TriangleSides[i];
     if (sides[0] < 0 || sides[1] < 0)
     {
-      ways.push({ access.TriangleClearance[i], std::max(sides[0], sides[1]),
-        static_cast<SimplexId>(i) });
+      ways.push(
+        { access.TriangleClearance[i], std::max(sides[0], sides[1]), static_cast<SimplexId>(i) });
     }
   }
   access.Access.assign(c.Tetrahedra.size(), 0.0);

@@ -15,8 +15,8 @@ namespace isthmus
  * sphere's centre of a tetrahedron, or of a triangle (where its latest coface is, if attached):
  * sqrt(a + R^2) - r for the value a and the largest of the simplex' atoms, R = r + probe.
  *
- * *Access*: the radius of the largest ball that gets from outside to there, the maximum over all ways
- * through triangles of the least clearance met (the dual, over H2, of where voids are born).
+ * *Access*: the radius of the largest ball that gets from outside to there, the maximum over all
+ * ways through triangles of the least clearance met (the dual, over H2, of where voids are born).
  */
 struct CellAccess
 {
@@ -28,8 +28,8 @@ struct CellAccess
 
 /// `probe` is what the radii of `f` have been enlarged by. O(n log n): one pass of Dijkstra's
 /// algorithm, 1 us a tetrahedron; ties go to the lower id.
-VTKISTHMUS_EXPORT CellAccess FindAccess(const RegularFiltration& f,
-  const std::vector<std::array<SimplexId, 4>>& faces, double probe);
+VTKISTHMUS_EXPORT CellAccess FindAccess(
+  const RegularFiltration& f, const std::vector<std::array<SimplexId, 4>>& faces, double probe);
 
 /// The tetrahedron on the other side of `triangle`; -1: outside.
 inline SimplexId Across(const CellFiltration& complex, SimplexId triangle, SimplexId cell)

@@ -9,9 +9,9 @@
  *
  *   volume - sum of sectors + sum of slices of lenses - sum of halves of threes,
  *
- * and likewise for the area, by atom. A single figure may be negative. Sums over the tetrahedra of a
- * void are exact; where a region ends at a mouth, balls are cut as their sectors are and not by the
- * mouth's triangles, so that the parts of any division of space add up to the whole.
+ * and likewise for the area, by atom. A single figure may be negative. Sums over the tetrahedra of
+ * a void are exact; where a region ends at a mouth, balls are cut as their sectors are and not by
+ * the mouth's triangles, so that the parts of any division of space add up to the whole.
  */
 #ifndef isthmus_EmptySpace_h
 #define isthmus_EmptySpace_h
@@ -24,8 +24,8 @@ namespace isthmus
 
 struct EmptyCell
 {
-  double Volume = 0.0;             ///< not inside of any ball
-  std::array<double, 4> Area{};    ///< of the balls' surface, by the tetrahedron's corners
+  double Volume = 0.0;          ///< not inside of any ball
+  std::array<double, 4> Area{}; ///< of the balls' surface, by the tetrahedron's corners
 };
 
 /// Of tetrahedron `cell`, which must not belong to K (its value is above 0). About 3 us.

@@ -110,9 +110,9 @@ void LiningTable::Add(
 
 void LiningTable::Fill(vtkTable* output)
 {
-  for (vtkAbstractArray* column : std::initializer_list<vtkAbstractArray*>{ this->Feature,
-         this->Chain, this->ResidueId, this->InsertionCode, this->ResidueName, this->Names,
-         this->Ids, this->Count, this->Area })
+  for (vtkAbstractArray* column :
+    std::initializer_list<vtkAbstractArray*>{ this->Feature, this->Chain, this->ResidueId,
+      this->InsertionCode, this->ResidueName, this->Names, this->Ids, this->Count, this->Area })
   {
     output->AddColumn(column);
   }

@@ -34,8 +34,8 @@ struct LiningResidue
 std::vector<LiningResidue> LiningResiduesOf(
   const std::vector<LiningAtom>& lining, const ChosenAtoms& atoms);
 
-/// Columns: the feature's number, Chain, ResidueId, InsertionCode, ResidueName, Atoms (names between
-/// blanks), AtomIds (points of the input), NumberOfAtoms, Area.
+/// Columns: the feature's number, Chain, ResidueId, InsertionCode, ResidueName, Atoms (names
+/// between blanks), AtomIds (points of the input), NumberOfAtoms, Area.
 class LiningTable
 {
 public:

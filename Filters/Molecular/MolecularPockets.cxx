@@ -70,8 +70,8 @@ std::vector<std::size_t> CanonicalOrder(const std::vector<Ball>& atoms)
   return order;
 }
 
-RegularFiltration Enlarged(const std::vector<Ball>& atoms,
-  const std::vector<std::size_t>& order, double probe, const ProgressCallback& progress)
+RegularFiltration Enlarged(const std::vector<Ball>& atoms, const std::vector<std::size_t>& order,
+  double probe, const ProgressCallback& progress)
 {
   std::vector<Point3> centres;
   std::vector<double> radii;
@@ -223,9 +223,9 @@ void FillCells(const Space& space, const PocketOptions& options, std::vector<Poc
     if (space.Labels[i] >= 0)
     {
       const auto& t = c.Tetrahedra[i];
-      pockets[At(space.Labels[i])].Cells.push_back({ { t[0], t[1], t[2], t[3] },
-        space.Filtration.Centres[i], space.Access.CellClearance[i], space.Access.Access[i],
-        space.Empty[i].Volume, 0 });
+      pockets[At(space.Labels[i])].Cells.push_back(
+        { { t[0], t[1], t[2], t[3] }, space.Filtration.Centres[i], space.Access.CellClearance[i],
+          space.Access.Access[i], space.Empty[i].Volume, 0 });
     }
   }
   const PointBins bins(c.Points, 0.5 * options.BurialRadius);
@@ -329,8 +329,8 @@ void MeasureWhole(const Space& space, PocketResult& result)
 
 }
 
-PocketResult FindPockets(const std::vector<Ball>& atoms, const PocketOptions& options,
-  const ProgressCallback& progress)
+PocketResult FindPockets(
+  const std::vector<Ball>& atoms, const PocketOptions& options, const ProgressCallback& progress)
 {
   CheckOptions(options);
   const std::vector<std::size_t> order = CanonicalOrder(atoms);
@@ -347,12 +347,10 @@ PocketResult FindPockets(const std::vector<Ball>& atoms, const PocketOptions& op
   Report(progress, 0.5);
   space.Empty = EmptyCells(space.Filtration, faces, Between(progress, 0.5, 0.8));
   space.Cores = Label(c, space.Access, options);
-  space.Labels =
-    Widen(c, faces, space.Access, options.OuterRadius, space.Cores);
+  space.Labels = Widen(c, faces, space.Access, options.OuterRadius, space.Cores);
   MeasureWhole(space, result);
   Report(progress, 0.85);
-  std::vector<Pocket> pockets(
-    At(*std::max_element(space.Labels.begin(), space.Labels.end()) + 1));
+  std::vector<Pocket> pockets(At(*std::max_element(space.Labels.begin(), space.Labels.end()) + 1));
   FillCells(space, options, pockets);
   FillLining(space, pockets);
   AddMouths(space.Filtration, space.Access, space.Labels, options.InnerRadius, pockets);

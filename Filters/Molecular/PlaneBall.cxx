@@ -135,8 +135,8 @@ std::vector<Linear> ModelsAt(const std::vector<Ball>& atoms, const Point3& place
     const double length = Length(d);
     if (length - atom.Radius <= least + 2.0 * std::sqrt(2.0) * size && length > 0.0)
     {
-      models.push_back({ length - atom.Radius,
-        { Dot(d, axes[0]) / length, Dot(d, axes[1]) / length } });
+      models.push_back(
+        { length - atom.Radius, { Dot(d, axes[0]) / length, Dot(d, axes[1]) / length } });
     }
   }
   std::sort(models.begin(), models.end(),
@@ -165,8 +165,7 @@ AtomField::Room AtomField::At(const Point3& place) const
     this->Bins.Near(place, reach + this->Largest,
       [&](std::int64_t id, double squared)
       {
-        const double radius =
-          std::sqrt(squared) - this->Atoms[static_cast<std::size_t>(id)].Radius;
+        const double radius = std::sqrt(squared) - this->Atoms[static_cast<std::size_t>(id)].Radius;
         if (radius < room.Radius || (radius == room.Radius && id < room.Atom))
         {
           room = { radius, id };
@@ -201,8 +200,8 @@ std::vector<Ball> AtomField::Near(const Point3& place, double reach) const
   return near;
 }
 
-PlaneBall ClimbInPlane(const AtomField& field, const Plane& plane, const Point3& start,
-  const Climb& climb)
+PlaneBall ClimbInPlane(
+  const AtomField& field, const Plane& plane, const Point3& start, const Climb& climb)
 {
   const auto axes = Axes(plane.Normal);
   Point3 place = start - Dot(start - plane.Origin, plane.Normal) * plane.Normal;

@@ -64,14 +64,15 @@ struct Climb
  * Climbs from `start` to a local maximum, within the plane, of the distance from the nearest atom's
  * surface.
  *
- * The distance is the least of smooth functions. Each step maximises their linear models in a square
- * whose size follows the success of the step, so that the last steps converge quadratically to where
- * three atoms touch the ball. Some 30 steps of 2 us.
+ * The distance is the least of smooth functions. Each step maximises their linear models in a
+ * square whose size follows the success of the step, so that the last steps converge quadratically
+ * to where three atoms touch the ball. Some 30 steps of 2 us.
  */
 VTKISTHMUS_EXPORT PlaneBall ClimbInPlane(
   const AtomField& atoms, const Plane& plane, const Point3& start, const Climb& climb);
 
-/// The best of climbs from `starts` and from places around the first within a ball of radius `width`.
+/// The best of climbs from `starts` and from places around the first within a ball of radius
+/// `width`.
 VTKISTHMUS_EXPORT PlaneBall LargestBallInPlane(const AtomField& atoms, const Plane& plane,
   const std::vector<Point3>& starts, double width, double enough);
 

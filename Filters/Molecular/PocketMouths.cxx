@@ -21,8 +21,8 @@ double OpenArea(const RegularFiltration& f, SimplexId triangle)
 {
   const CellFiltration& c = f.Complex;
   const auto& t = c.Triangles[At(triangle)];
-  const Point3 n = Cross(c.Points[At(t[1])] - c.Points[At(t[0])],
-    c.Points[At(t[2])] - c.Points[At(t[0])]);
+  const Point3 n =
+    Cross(c.Points[At(t[1])] - c.Points[At(t[0])], c.Points[At(t[2])] - c.Points[At(t[0])]);
   double area = 0.5 * std::sqrt(Dot(n, n));
   for (std::size_t k = 0; k < 3; ++k)
   {

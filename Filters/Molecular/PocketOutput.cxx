@@ -134,7 +134,8 @@ void FillPocketCells(const PocketReport& report, vtkUnstructuredGrid* output)
   output->SetPoints(points);
   output->GetPointData()->AddArray(ids);
   output->GetCellData()->SetScalars(pocketId);
-  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{ clearance, access, burial, volume })
+  for (vtkDataArray* array :
+    std::initializer_list<vtkDataArray*>{ clearance, access, burial, volume })
   {
     output->GetCellData()->AddArray(array);
   }
@@ -194,10 +195,8 @@ void FillPocketTable(const PocketReport& report, vtkTable* output)
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const auto mean = [&](std::size_t i, double PocketSurfaceMeans::*member)
   { return report.Means.empty() ? unknown : report.Means[i].*member; };
-  add("MeanPotential",
-    [&](P, std::size_t i) { return mean(i, &PocketSurfaceMeans::Potential); });
-  add("MeanPolarized",
-    [&](P, std::size_t i) { return mean(i, &PocketSurfaceMeans::Polarized); });
+  add("MeanPotential", [&](P, std::size_t i) { return mean(i, &PocketSurfaceMeans::Potential); });
+  add("MeanPolarized", [&](P, std::size_t i) { return mean(i, &PocketSurfaceMeans::Polarized); });
 }
 
 void FillMouths(const PocketReport& report, vtkPolyData* output)
@@ -273,8 +272,7 @@ void FillLiningResidues(const PocketReport& report, vtkTable* output)
   table.Fill(output);
 }
 
-void FillLiningAtoms(
-  const PocketReport& report, vtkPointSet* input, int shown, vtkPolyData* output)
+void FillLiningAtoms(const PocketReport& report, vtkPointSet* input, int shown, vtkPolyData* output)
 {
   ResidueAtoms atoms(report.Atoms, input, "PocketId");
   for (std::size_t i = 0; i < report.Pockets.size(); ++i)

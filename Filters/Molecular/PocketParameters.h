@@ -16,9 +16,9 @@ namespace isthmus
 /// Lengths in angstrom.
 struct PocketOptions
 {
-  double ProbeRadius = 1.4;  ///< of water: volumes and areas are those that its centre can reach
-  double InnerRadius = 1.7;  ///< of a ball that has room in a pocket: a united carbon atom
-  double OuterRadius = 3.1;  ///< of a ball that does not get in
+  double ProbeRadius = 1.4; ///< of water: volumes and areas are those that its centre can reach
+  double InnerRadius = 1.7; ///< of a ball that has room in a pocket: a united carbon atom
+  double OuterRadius = 3.1; ///< of a ball that does not get in
   double BurialRadius = 10.0;
   double MinimumVolume = 10.0; ///< angstrom^3; smaller pockets are left out
 };
@@ -26,8 +26,8 @@ struct PocketOptions
 /// A way out of a pocket.
 struct PocketMouth
 {
-  double Radius = 0.0; ///< of the largest ball that passes
-  double Area = 0.0;   ///< open to the probe's centre
+  double Radius = 0.0;                                ///< of the largest ball that passes
+  double Area = 0.0;                                  ///< open to the probe's centre
   std::vector<std::array<std::int64_t, 3>> Triangles; ///< of atoms
   std::vector<double> Clearance;                      ///< one for each
 };
@@ -36,10 +36,10 @@ struct PocketMouth
 struct PocketCell
 {
   std::array<std::int64_t, 4> Atoms;
-  Point3 Centre;          ///< of the ball that is orthogonal to the four atoms enlarged by the probe
-  double Clearance = 0.0; ///< radius of the ball there that touches no atom
-  double Access = 0.0;    ///< radius of the largest ball that gets there from outside
-  double Volume = 0.0;    ///< empty; only sums count
+  Point3 Centre; ///< of the ball that is orthogonal to the four atoms enlarged by the probe
+  double Clearance = 0.0;  ///< radius of the ball there that touches no atom
+  double Access = 0.0;     ///< radius of the largest ball that gets there from outside
+  double Volume = 0.0;     ///< empty; only sums count
   std::int64_t Burial = 0; ///< number of atoms within BurialRadius of Centre
 };
 

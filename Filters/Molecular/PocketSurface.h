@@ -37,8 +37,8 @@ VTKISTHMUS_EXPORT std::vector<PocketSurfaceMeans> MeasureSurface(const SurfaceVi
   const PocketSurfaceFields& fields, const std::vector<Pocket>& pockets, double reach = 0.5);
 
 /**
- * Multiplies each score by the square root of the pocket's mean polarized curvature over that of the
- * whole surface (1 for a pocket that no surface lines) and ranks anew.
+ * Multiplies each score by the square root of the pocket's mean polarized curvature over that of
+ * the whole surface (1 for a pocket that no surface lines) and ranks anew.
  */
 VTKISTHMUS_EXPORT void WeighPockets(const SurfaceView& surface, const PocketSurfaceFields& fields,
   std::vector<Pocket>& pockets, std::vector<PocketSurfaceMeans>& means);

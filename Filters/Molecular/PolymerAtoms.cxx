@@ -72,8 +72,9 @@ std::vector<Residue> Residues(const std::vector<NamedAtom>& atoms, std::vector<s
       a.InsertionCode == atoms[i - 1].InsertionCode;
     of[i] = next
       ? of[i - 1]
-      : numbers.emplace(ResidueKey{ a.Chain, a.ResidueId, a.InsertionCode, a.Residue },
-          residues.size()).first->second;
+      : numbers
+          .emplace(ResidueKey{ a.Chain, a.ResidueId, a.InsertionCode, a.Residue }, residues.size())
+          .first->second;
     if (of[i] == residues.size())
     {
       residues.emplace_back();

@@ -34,16 +34,16 @@ struct PolymerOptions
 {
   bool Hydrogens = false;
   bool Waters = false;
-  bool Ions = false;             ///< residues of one heavy atom
-  bool Ligands = false;          ///< all else that is no part of a chain
-  bool ProstheticGroups = false; ///< hemes, flavins, iron-sulphur clusters, chlorophylls, ...
+  bool Ions = false;              ///< residues of one heavy atom
+  bool Ligands = false;           ///< all else that is no part of a chain
+  bool ProstheticGroups = false;  ///< hemes, flavins, iron-sulphur clusters, chlorophylls, ...
   std::set<std::string> Residues; ///< kept whatever they are
 };
 
 struct PolymerChoice
 {
-  std::vector<std::size_t> Kept;    ///< ascending
-  std::vector<std::string> Notes;   ///< a sentence for each kind that was left out
+  std::vector<std::size_t> Kept;  ///< ascending
+  std::vector<std::string> Notes; ///< a sentence for each kind that was left out
 };
 
 /**

@@ -54,8 +54,7 @@ std::vector<SimplexId> WayOut(
 bool AreDisjoint(const std::vector<SimplexId>& a, const std::vector<SimplexId>& b)
 {
   const std::set<SimplexId> cells(a.begin(), a.end());
-  return std::none_of(
-    b.begin(), b.end(), [&](SimplexId cell) { return cells.count(cell) > 0; });
+  return std::none_of(b.begin(), b.end(), [&](SimplexId cell) { return cells.count(cell) > 0; });
 }
 
 /// Centres along a way out. Those of flat tetrahedra at the border may lie anywhere outside: a
@@ -133,8 +132,8 @@ struct Step
 
 }
 
-std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccess& access, double probe, const PoreOptions& options,
-  const ProgressCallback& progress)
+std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccess& access, double probe,
+  const PoreOptions& options, const ProgressCallback& progress)
 {
   CellFiltration& c = f.Complex;
   c.Order(Between(progress, 0.0, 0.3));

@@ -26,21 +26,20 @@ struct Channel
  * which one triangle fills at last (an H1 death). Kept are those that close at MinimumRadius or
  * wider, after having lasted 0.3 angstrom at least (else the loop is a ring of atoms), whose
  * widest ways out on both sides have no tetrahedron in common and end MinimumSpan apart. A way ends
- * where a ball of EndRadius gets from outside; a channel that is wider than that itself, where it leaves
- * the convex hull. The longest span comes first. `f` gets ordered. O(n log n), and the reduction of
- * FiltrationPairs.
+ * where a ball of EndRadius gets from outside; a channel that is wider than that itself, where it
+ * leaves the convex hull. The longest span comes first. `f` gets ordered. O(n log n), and the
+ * reduction of FiltrationPairs.
  */
-VTKISTHMUS_EXPORT std::vector<Channel> FindChannels(RegularFiltration& f,
-  const CellAccess& access, double probe, const PoreOptions& options,
-  const ProgressCallback& progress = {});
+VTKISTHMUS_EXPORT std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccess& access,
+  double probe, const PoreOptions& options, const ProgressCallback& progress = {});
 
 /**
  * The way from `first` to `last` with the least integral of 1 / clearance^2 among those no farther
  * than MaximumOffset from the straight line. Throws std::runtime_error where there is none.
  */
 VTKISTHMUS_EXPORT Channel WayBetween(const RegularFiltration& f,
-  const std::vector<std::array<SimplexId, 4>>& faces, const CellAccess& access,
-  const Point3& first, const Point3& last, const PoreOptions& options);
+  const std::vector<std::array<SimplexId, 4>>& faces, const CellAccess& access, const Point3& first,
+  const Point3& last, const PoreOptions& options);
 
 }
 

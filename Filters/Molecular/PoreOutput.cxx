@@ -58,9 +58,8 @@ public:
     this->PoreId->InsertNextValue(pore);
     this->Radius->InsertNextValue(sample.Radius);
     this->ArcLength->InsertNextValue(sample.ArcLength);
-    this->Nearest->InsertNextValue(sample.NearestAtom < 0
-        ? -1
-        : atoms.Points[static_cast<std::size_t>(sample.NearestAtom)]);
+    this->Nearest->InsertNextValue(
+      sample.NearestAtom < 0 ? -1 : atoms.Points[static_cast<std::size_t>(sample.NearestAtom)]);
     this->Residue->InsertNextValue(ResidueOf(atoms, sample.NearestAtom));
     this->WidthClass->InsertNextValue(
       sample.Radius < OneWater ? 0 : (sample.Radius < TwoWaters ? 1 : 2));
@@ -151,8 +150,7 @@ void FillPoreTable(const PoreReport& report, vtkTable* output)
 {
   auto poreId = Named<vtkIntArray>("PoreId");
   auto bottlenecks = Named<vtkIntArray>("Bottlenecks");
-  const char* names[] = { "Radius", "Length", "Span", "BottleneckX", "BottleneckY",
-    "BottleneckZ" };
+  const char* names[] = { "Radius", "Length", "Span", "BottleneckX", "BottleneckY", "BottleneckZ" };
   std::vector<vtkNew<vtkDoubleArray>> columns(6);
   for (std::size_t p = 0; p < report.Pores.size(); ++p)
   {

@@ -16,12 +16,12 @@ namespace isthmus
 /// Lengths in angstrom.
 struct PoreOptions
 {
-  double EndRadius = 5.0;     ///< a pore ends where it is wider than this
-  double Spacing = 0.25;      ///< of the planes
-  double MinimumRadius = 1.0; ///< of pores that are found by themselves
-  double MinimumSpan = 20.0;  ///< distance of their ends
+  double EndRadius = 5.0;        ///< a pore ends where it is wider than this
+  double Spacing = 0.25;         ///< of the planes
+  double MinimumRadius = 1.0;    ///< of pores that are found by themselves
+  double MinimumSpan = 20.0;     ///< distance of their ends
   std::size_t MaximumPores = 20; ///< of those, the ones with the longest spans
-  double MaximumOffset = 10.0; ///< between two points: distance of the way from the straight line
+  double MaximumOffset = 10.0;   ///< between two points: distance of the way from the straight line
 };
 
 /// The largest ball in a plane across a pore.

@@ -53,8 +53,7 @@ void CheckPoint(const char* name, const Point3& p)
 {
   if (!std::isfinite(p[0] + p[1] + p[2]))
   {
-    throw std::invalid_argument(
-      std::string(name) + " has a coordinate that is no finite number.");
+    throw std::invalid_argument(std::string(name) + " has a coordinate that is no finite number.");
   }
 }
 
@@ -89,16 +88,15 @@ std::vector<Point3> Resample(const std::vector<Point3>& way, double spacing)
   return points;
 }
 
-/// Running means with a Gaussian of the given width; towards the ends it gets narrower, so that they
-/// stay.
+/// Running means with a Gaussian of the given width; towards the ends it gets narrower, so that
+/// they stay.
 std::vector<Point3> Smooth(const std::vector<Point3>& points, double width)
 {
   const auto n = static_cast<std::int64_t>(points.size());
   std::vector<Point3> smooth(points.size());
   for (std::int64_t i = 0; i < n; ++i)
   {
-    const std::int64_t reach =
-      std::min({ static_cast<std::int64_t>(3.0 * width), i, n - 1 - i });
+    const std::int64_t reach = std::min({ static_cast<std::int64_t>(3.0 * width), i, n - 1 - i });
     const double sigma = std::max(1e-3, static_cast<double>(reach) / 3.0);
     Point3 sum{ 0.0, 0.0, 0.0 };
     double weights = 0.0;
@@ -163,11 +161,12 @@ public:
   {
     std::vector<PlaneBall> balls;
     const auto n = static_cast<std::int64_t>(this->Along.Planes.size());
-    for (auto i = static_cast<std::int64_t>(from) + step; i >= 0 && i < n && ball.Radius <= this->Along.End;
-         i += step)
+    for (auto i = static_cast<std::int64_t>(from) + step;
+         i >= 0 && i < n && ball.Radius <= this->Along.End; i += step)
     {
       Report(progress,
-        static_cast<double>(std::abs(i - static_cast<std::int64_t>(from))) / static_cast<double>(n));
+        static_cast<double>(std::abs(i - static_cast<std::int64_t>(from))) /
+          static_cast<double>(n));
       const Plane& plane = this->Along.Planes[static_cast<std::size_t>(i)];
       std::vector<Point3> starts{ Foot(plane, ball.Centre) };
       if (!this->Along.Way.empty())

@@ -34,8 +34,7 @@ void AddNumber(const char* name, double value, vtkDataObject* to)
 }
 
 /// The numbers of a surface's point array; empty where it is missing and may be.
-std::vector<double> NumbersOf(
-  vtkAlgorithm* filter, int index, vtkPolyData* surface, bool required)
+std::vector<double> NumbersOf(vtkAlgorithm* filter, int index, vtkPolyData* surface, bool required)
 {
   const char* name = filter->GetInputArrayInformation(index)->Get(vtkDataObject::FIELD_NAME());
   vtkDataArray* array = name ? surface->GetPointData()->GetArray(name) : nullptr;

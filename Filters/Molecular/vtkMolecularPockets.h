@@ -1,6 +1,7 @@
 /**
  * @class   vtkMolecularPockets
- * @brief   pockets and voids of a molecule, ranked, with their mouths and the residues that line them
+ * @brief   pockets and voids of a molecule, ranked, with their mouths and the residues that line
+ * them
  *
  * Input 0: atoms, points with the array `Radius` (input array 0), as vtkMacromoleculeReader makes
  * them. Where it gives names, water, ions and ligands are left out, and so are hydrogens; modified
@@ -8,24 +9,27 @@
  * outputs 0 and 1 says what was left out. Points without names are all taken.
  *
  * Input 1 (optional): a surface with the point arrays `PolarizedCurvature` (input array 1) and, for
- * the mean, `Potential` (input array 2; optional), as vtkPolarizedCurvature makes it: then each score
- * is multiplied by the square root of the pocket's mean |polarized curvature| over the surface's.
+ * the mean, `Potential` (input array 2; optional), as vtkPolarizedCurvature makes it: then each
+ * score is multiplied by the square root of the pocket's mean |polarized curvature| over the
+ * surface's.
  *
- * A pocket is room for a ball of InnerRadius that a ball of OuterRadius does not reach from outside;
- * MolecularPockets.h has the definitions. The best pocket has the PocketId (and Rank) 1.
+ * A pocket is room for a ball of InnerRadius that a ball of OuterRadius does not reach from
+ * outside; MolecularPockets.h has the definitions. The best pocket has the PocketId (and Rank) 1.
  *
  * **Output 0**, vtkUnstructuredGrid: the tetrahedra of the pockets, between centres of atoms. Cell
- * arrays `PocketId`, `Clearance` (radius of the ball there that touches no atom), `AccessRadius` (of
- * the largest that gets there from outside), `Burial` (atoms within BurialRadius), `EmptyVolume`
- * (only sums mean anything). Point array `AtomId`: the input's point.
+ * arrays `PocketId`, `Clearance` (radius of the ball there that touches no atom), `AccessRadius`
+ * (of the largest that gets there from outside), `Burial` (atoms within BurialRadius),
+ * `EmptyVolume` (only sums mean anything). Point array `AtomId`: the input's point.
  * **Output 1**, vtkTable: a row for each pocket: `Rank`, `Score` (angstrom^3 x (atoms/100)^2),
  * `CenterX`, `CenterY`, `CenterZ`, `Volume` (angstrom^3) and `Area` (angstrom^2) accessible to the
- * probe's centre, `Mouths` (0: a void), `MouthRadius` (of the widest), `MouthArea`, `Radius` (of the
- * largest ball), `PolarShare`, `ApolarShare` (of Area, on N and O, and on the rest), `LiningAtoms`,
- * `Cells`, `MeanPotential` (kT/e), `MeanPolarized` (kT/(e angstrom), of the absolute value); NaN where
- * not known. Field data: `AccessibleArea`, `AccessibleVolume` of the whole molecule.
+ * probe's centre, `Mouths` (0: a void), `MouthRadius` (of the widest), `MouthArea`, `Radius` (of
+ * the largest ball), `PolarShare`, `ApolarShare` (of Area, on N and O, and on the rest),
+ * `LiningAtoms`, `Cells`, `MeanPotential` (kT/e), `MeanPolarized` (kT/(e angstrom), of the absolute
+ * value); NaN where not known. Field data: `AccessibleArea`, `AccessibleVolume` of the whole
+ * molecule.
  * **Output 2**, vtkPolyData: triangles of the mouths; `PocketId`, `MouthId`, `Clearance`.
- * **Output 3**, vtkPolyData: alpha balls, points with `PocketId`, `Radius`, `AccessRadius`, `Burial`.
+ * **Output 3**, vtkPolyData: alpha balls, points with `PocketId`, `Radius`, `AccessRadius`,
+ * `Burial`.
  * **Output 4**, vtkTable: lining residues: `PocketId`, `Chain`, `ResidueId`, `InsertionCode`,
  * `ResidueName`, `Atoms` (names), `AtomIds` (points of the input), `NumberOfAtoms`, `Area`.
  * **Output 5**, vtkPolyData: those residues whole, with their bonds, the input's point arrays and

@@ -2,29 +2,30 @@
  * @class   vtkPoreProfile
  * @brief   the radius along pores and channels of a molecule, and what lines them
  *
- * Input: atoms, points with the array `Radius` (input array 0), as vtkMacromoleculeReader makes them.
- * Where it gives names, water, ions and ligands are left out (the field array `Notes` says what);
- * hydrogens stay, unlike in vtkMolecularPockets. A closed surface (polygons without a radius) is taken
- * as points of radius 0: its points should lie closer than half the radius of its tunnels.
+ * Input: atoms, points with the array `Radius` (input array 0), as vtkMacromoleculeReader makes
+ * them. Where it gives names, water, ions and ligands are left out (the field array `Notes` says
+ * what); hydrogens stay, unlike in vtkMolecularPockets. A closed surface (polygons without a
+ * radius) is taken as points of radius 0: its points should lie closer than half the radius of its
+ * tunnels.
  *
- * Mode Automatic finds the channels that run through; TwoPoints takes the pore from Point1 to Point2;
- * PointAndDirection takes planes across Direction, both ways from Point, as HOLE does. PoreProfile.h
- * and PoreChannels.h have the definitions.
+ * Mode Automatic finds the channels that run through; TwoPoints takes the pore from Point1 to
+ * Point2; PointAndDirection takes planes across Direction, both ways from Point, as HOLE does.
+ * PoreProfile.h and PoreChannels.h have the definitions.
  *
  * **Output 0**, vtkPolyData: a polyline for each pore, through the centres of the largest balls.
- * Point arrays `Radius`, `ArcLength` (angstrom), `NearestAtom` (point of the input), `NearestResidue`,
- * `WidthClass` (0: narrower than water, radius below 1.15; 1: room for one water; 2: for two, from
- * 2.30, HOLE's colours), `PoreId`; cell array `PoreId`. 1 is the longest.
+ * Point arrays `Radius`, `ArcLength` (angstrom), `NearestAtom` (point of the input),
+ * `NearestResidue`, `WidthClass` (0: narrower than water, radius below 1.15; 1: room for one water;
+ * 2: for two, from 2.30, HOLE's colours), `PoreId`; cell array `PoreId`. 1 is the longest.
  * **Output 1**, vtkTable: the same samples as rows, with X, Y, Z, for a chart.
  * **Output 2**, vtkTable: a row for each pore: `PoreId`, `Radius` (the least), `Length`, `Span`,
  * `Bottlenecks`, `BottleneckX`, `BottleneckY`, `BottleneckZ`.
- * **Output 3**, vtkPolyData: bottlenecks, local minima of the radius: points with `PoreId`, `Rank` (1:
- * the narrowest), `Radius`, `ArcLength`, `NearestAtom`, `NearestResidue`.
+ * **Output 3**, vtkPolyData: bottlenecks, local minima of the radius: points with `PoreId`, `Rank`
+ * (1: the narrowest), `Radius`, `ArcLength`, `NearestAtom`, `NearestResidue`.
  * **Output 4**, vtkTable: lining residues: `PoreId` and the columns of vtkMolecularPockets.
  * **Output 5**, vtkPolyData: tubes of the pores' radii with `Radius`, `WidthClass`, `PoreId`.
  *
- * **Errors** (sentence, empty outputs): no radii, radii, points or options out of range, no way between
- * the points. No pore that runs through is none.
+ * **Errors** (sentence, empty outputs): no radii, radii, points or options out of range, no way
+ * between the points. No pore that runs through is none.
  *
  * **Cost.** Some 1 ms a plane. The same bits on any number of threads.
  */
@@ -68,7 +69,8 @@ public:
   ///@}
 
   ///@{
-  /// A place in the pore (angstrom) and the way along it, for PointAndDirection. Default: origin, z.
+  /// A place in the pore (angstrom) and the way along it, for PointAndDirection. Default: origin,
+  /// z.
   vtkSetVector3Macro(Point, double);
   vtkGetVector3Macro(Point, double);
   vtkSetVector3Macro(Direction, double);

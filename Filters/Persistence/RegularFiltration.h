@@ -1,6 +1,7 @@
 /**
  * @file RegularFiltration.h
- * @brief The union of balls that grow, as the weighted alpha complex of their regular triangulation.
+ * @brief The union of balls that grow, as the weighted alpha complex of their regular
+ * triangulation.
  */
 #ifndef isthmus_RegularFiltration_h
 #define isthmus_RegularFiltration_h
@@ -16,9 +17,9 @@ namespace isthmus
  * A ball of radius R has the weight R^2; at the value a all balls have radius sqrt(R_i^2 + a), so
  * that 0 stands for the balls as given. A simplex enters at the squared radius (power) of the
  * smallest sphere orthogonal to its balls when no other ball is nearer than orthogonal to that
- * sphere, else (it is *attached*) with the earliest of its cofaces. The complex of values up to a is
- * the dual complex of the union at a: of the same homotopy type, and the one over which volumes and
- * areas are summed (H. Edelsbrunner, Discrete Comput. Geom. 13 (1995) 415).
+ * sphere, else (it is *attached*) with the earliest of its cofaces. The complex of values up to a
+ * is the dual complex of the union at a: of the same homotopy type, and the one over which volumes
+ * and areas are summed (H. Edelsbrunner, Discrete Comput. Geom. 13 (1995) 415).
  */
 struct RegularFiltration
 {
@@ -40,8 +41,8 @@ struct RegularFiltration
  *
  * O(n log n) for atoms: 10 us and 1.3 KB a ball. The same bits on any number of threads.
  */
-VTKISTHMUS_EXPORT RegularFiltration MakeRegularFiltration(std::vector<Point3> centres,
-  std::vector<double> radii, const ProgressCallback& progress = {});
+VTKISTHMUS_EXPORT RegularFiltration MakeRegularFiltration(
+  std::vector<Point3> centres, std::vector<double> radii, const ProgressCallback& progress = {});
 
 }
 

@@ -81,7 +81,8 @@ assert lines.GetNumberOfLines() == 1
 data = lines.GetPointData()
 for name in ("Radius", "ArcLength", "NearestAtom", "NearestResidue", "WidthClass", "PoreId"):
     assert data.GetAbstractArray(name), name
-residues = {data.GetAbstractArray("NearestResidue").GetValue(i) for i in range(len(ours))}
+names = data.GetAbstractArray("NearestResidue")
+residues = {names.GetValue(i) for i in range(names.GetNumberOfValues())}
 assert any(residue.startswith("VAL") for residue in residues), residues
 tubes = servermanager.Fetch(proxy, idx=5)
 assert tubes.GetNumberOfPolys() + tubes.GetNumberOfStrips() > 0

@@ -29,7 +29,8 @@ Point3 OnSphere(std::mt19937& random)
   return (1.0 / std::sqrt(Dot(p, p))) * p;
 }
 
-/// Accessible area of each atom's sphere that lies where `counts`, by random points; with its error.
+/// Accessible area of each atom's sphere that lies where `counts`, by random points; with its
+/// error.
 struct Estimate
 {
   double Value = 0.0;
@@ -38,8 +39,7 @@ struct Estimate
 };
 
 template <typename Counts>
-Estimate AreaByPoints(
-  const std::vector<Ball>& balls, double probe, int perBall, Counts counts)
+Estimate AreaByPoints(const std::vector<Ball>& balls, double probe, int perBall, Counts counts)
 {
   std::mt19937 random(5);
   Estimate estimate;
@@ -95,8 +95,9 @@ std::vector<Ball> Shell(int count, double radius)
     const double z = 1.0 - (2.0 * i + 1.0) / count;
     const double angle = Pi * (1.0 + std::sqrt(5.0)) * i;
     const double rho = std::sqrt(1.0 - z * z);
-    balls.push_back({ { radius * rho * std::cos(angle), radius * rho * std::sin(angle), radius * z },
-      radii[i % 4] });
+    balls.push_back(
+      { { radius * rho * std::cos(angle), radius * rho * std::sin(angle), radius * z },
+        radii[i % 4] });
   }
   return balls;
 }
@@ -128,11 +129,10 @@ TEST(BallOverlap, LensOfEqualBallsAsInTheTextbook)
 TEST(BallOverlap, HalvesOfThreeAgainstRandomPoints)
 {
   // Acute, obtuse (the common points' foot lies outside of the triangle), very different sizes.
-  const std::vector<std::vector<Ball>> triples{
-    { { { 0, 0, 0 }, 1.5 }, { { 1.4, 0, 0 }, 1.2 }, { { 0.5, 1.3, 0 }, 1.4 } },
+  const std::vector<std::vector<Ball>> triples{ { { { 0, 0, 0 }, 1.5 }, { { 1.4, 0, 0 }, 1.2 },
+                                                  { { 0.5, 1.3, 0 }, 1.4 } },
     { { { -1.2, 0, 0 }, 1.5 }, { { 1.2, 0, 0 }, 1.5 }, { { 0, 0.3, 0 }, 1.1 } },
-    { { { 0, 0, 0 }, 3.0 }, { { 2.6, 0, 0 }, 0.8 }, { { 2.4, 0.7, 0.3 }, 0.9 } }
-  };
+    { { { 0, 0, 0 }, 3.0 }, { { 2.6, 0, 0 }, 0.8 }, { { 2.4, 0.7, 0.3 }, 0.9 } } };
   for (const auto& b : triples)
   {
     const Overlap<3> half = HalfOfThree(b[0], b[1], b[2]);
@@ -145,8 +145,7 @@ TEST(BallOverlap, HalvesOfThreeAgainstRandomPoints)
       }
       return all;
     };
-    const Estimate volume =
-      VolumeByPoints(4.0, 4000000, [&](const Point3& p) { return in(p, 3); });
+    const Estimate volume = VolumeByPoints(4.0, 4000000, [&](const Point3& p) { return in(p, 3); });
     EXPECT_NEAR(2.0 * half.Volume, volume.Value, 4.0 * volume.Error());
     std::mt19937 random(9);
     for (std::size_t k = 0; k < 3; ++k)
@@ -172,8 +171,8 @@ TEST(EmptySpace, UnionOfRandomBallsAttachedOnesAmongThem)
   PocketOptions options;
   options.ProbeRadius = 0.0;
   const PocketResult result = FindPockets(balls, options);
-  const Estimate volume = VolumeByPoints(
-    9.0, 2000000, [&](const Point3& p) { return Covered(balls, 0.0, p); });
+  const Estimate volume =
+    VolumeByPoints(9.0, 2000000, [&](const Point3& p) { return Covered(balls, 0.0, p); });
   EXPECT_NEAR(result.UnionVolume, volume.Value, 3.0 * volume.Error());
   const Estimate area = AreaByPoints(balls, 0.0, 4000, [](const Point3&) { return true; });
   EXPECT_NEAR(result.UnionArea, area.Value, 3.0 * area.Error());
@@ -213,16 +212,15 @@ TEST(EmptySpace, PocketsAndTheRestAddUp)
 {
   // Wherever mouths cut, what pockets and the rest leave empty is what the balls do not fill.
   auto balls = Shell(400, 9.0);
-  balls.erase(std::remove_if(balls.begin(), balls.end(),
-                [](const Ball& ball) { return ball.Centre[2] > 8.0; }),
+  balls.erase(std::remove_if(
+                balls.begin(), balls.end(), [](const Ball& ball) { return ball.Centre[2] > 8.0; }),
     balls.end());
   PocketOptions options;
   options.OuterRadius = 6.0;
   const PocketResult result = FindPockets(balls, options);
   ASSERT_GE(result.Pockets.size(), 1u);
   EXPECT_GE(result.Pockets[0].Mouths.size(), 1u);
-  EXPECT_NEAR(
-    result.PocketVolume + result.RestVolume + result.FullVolume, result.HullVolume, 1e-8);
+  EXPECT_NEAR(result.PocketVolume + result.RestVolume + result.FullVolume, result.HullVolume, 1e-8);
   const Estimate area =
     AreaByPoints(balls, options.ProbeRadius, 4000, [](const Point3&) { return true; });
   EXPECT_NEAR(result.UnionArea, area.Value, 3.0 * area.Error());
