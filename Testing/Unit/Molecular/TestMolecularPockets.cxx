@@ -133,7 +133,7 @@ vtkNew<vtkPolyData> PointsOf(const std::vector<Ball>& atoms)
   return data;
 }
 
-/// Runs the filter and returns its error messages.
+/// Runs the filter and returns its errors and warnings.
 template <typename Change>
 std::string ErrorsOf(vtkPolyData* input, Change change, vtkIdType& pockets)
 {
@@ -148,7 +148,7 @@ std::string ErrorsOf(vtkPolyData* input, Change change, vtkIdType& pockets)
   change(filter.Get());
   filter->Update();
   pockets = filter->GetPocketTable()->GetNumberOfRows();
-  return observer->GetErrorMessage();
+  return observer->GetErrorMessage() + observer->GetWarningMessage();
 }
 
 NamedAtom Make(const char* name, const char* residue, int number, bool hetero, const Point3& place)
