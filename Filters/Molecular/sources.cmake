@@ -1,6 +1,7 @@
 isthmus_room(
   CLASSES
     vtkBindingSites
+    vtkFeatureTracks
     vtkMolecularDensity
     vtkMolecularPockets
     vtkPolarizedCurvature
@@ -12,6 +13,7 @@ isthmus_room(
     BindingSites
     CellAccess
     EmptySpace
+    FeatureTracks
     HullDepth
     LiningResidues
     MolecularDensity
