@@ -87,11 +87,10 @@ std::vector<NamedAtom> NamedAtomsOf(vtkPointSet* input)
   return atoms;
 }
 
-/// The array that the filter's input array 0 names; null where it is not there and need not.
-vtkDataArray* RadiiOf(vtkAlgorithm* filter, vtkPointSet* input, bool canDoWithout)
+/// The array of that name; null where it is not there and need not.
+vtkDataArray* RadiiOf(const std::string& name, vtkPointSet* input, bool canDoWithout)
 {
-  const char* name = filter->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  vtkDataArray* radii = name ? input->GetPointData()->GetArray(name) : nullptr;
+  vtkDataArray* radii = input->GetPointData()->GetArray(name.c_str());
   if (radii && radii->GetNumberOfComponents() != 1)
   {
     throw std::invalid_argument("The array of radii has several components, but one number for "
@@ -99,13 +98,19 @@ vtkDataArray* RadiiOf(vtkAlgorithm* filter, vtkPointSet* input, bool canDoWithou
   }
   if (!radii && !canDoWithout)
   {
-    throw std::invalid_argument("The atoms have no point array " + std::string(name ? name : "") +
+    throw std::invalid_argument("The atoms have no point array " + name +
       " of radii, and no array Element to look them up by: read them with vtkMacromoleculeReader, "
       "or choose an array.");
   }
   return radii;
 }
 
+}
+
+std::string InputArrayName(vtkAlgorithm* filter, int index)
+{
+  const char* name = filter->GetInputArrayInformation(index)->Get(vtkDataObject::FIELD_NAME());
+  return name ? name : "";
 }
 
 std::set<std::string> NamesIn(const std::string& list)
@@ -121,8 +126,8 @@ std::set<std::string> NamesIn(const std::string& list)
   return names;
 }
 
-ChosenAtoms ChooseAtoms(vtkAlgorithm* filter, vtkPointSet* input, const PolymerOptions& options,
-  WithoutRadii withoutRadii)
+ChosenAtoms ChooseAtoms(const std::string& radiusArray, vtkPointSet* input,
+  const PolymerOptions& options, WithoutRadii withoutRadii)
 {
   ChosenAtoms chosen;
   chosen.Named = NamedAtomsOf(input);
@@ -131,7 +136,7 @@ ChosenAtoms ChooseAtoms(vtkAlgorithm* filter, vtkPointSet* input, const PolymerO
   auto* mesh = vtkPolyData::SafeDownCast(input);
   const bool isSurface = withoutRadii == WithoutRadii::SurfacePoints && !chosen.HasElements &&
     mesh && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
-  vtkDataArray* radii = RadiiOf(filter, input, chosen.HasElements || isSurface);
+  vtkDataArray* radii = RadiiOf(radiusArray, input, chosen.HasElements || isSurface);
   PolymerChoice choice = ChoosePolymer(chosen.Named, options);
   chosen.Notes = std::move(choice.Notes);
   std::size_t without = 0;

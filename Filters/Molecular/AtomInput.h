@@ -49,8 +49,11 @@ enum class WithoutRadii
  * Throws std::invalid_argument for radii that are not there, negative or infinite, and places that
  * are not finite.
  */
-VTKISTHMUS_EXPORT ChosenAtoms ChooseAtoms(vtkAlgorithm* filter, vtkPointSet* input,
+VTKISTHMUS_EXPORT ChosenAtoms ChooseAtoms(const std::string& radii, vtkPointSet* input,
   const PolymerOptions& options, WithoutRadii withoutRadii = WithoutRadii::Error);
+
+/// The name of the array that input array `index` of `filter` is; empty: none.
+VTKISTHMUS_EXPORT std::string InputArrayName(vtkAlgorithm* filter, int index);
 
 /// Adds the field array `Notes`.
 VTKISTHMUS_EXPORT void AddNotes(const std::vector<std::string>& notes, vtkDataObject* to);

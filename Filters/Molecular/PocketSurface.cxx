@@ -2,6 +2,7 @@
 
 #include "PointBins.h"
 
+#include <cmath>
 #include <numeric>
 
 namespace isthmus
@@ -29,6 +30,17 @@ std::vector<double> PointAreas(const SurfaceView& surface)
     }
   }
   return areas;
+}
+
+std::vector<Point3> PointsOf(const SurfaceView& surface)
+{
+  std::vector<Point3> points(static_cast<std::size_t>(surface.NumberOfPoints));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const double* at = surface.Point(static_cast<vtkIdType>(i));
+    points[i] = { at[0], at[1], at[2] };
+  }
+  return points;
 }
 
 /// Sums by area over some points.
@@ -63,12 +75,7 @@ std::vector<PocketSurfaceMeans> MeasureSurface(const SurfaceView& surface,
   const PocketSurfaceFields& fields, const std::vector<Pocket>& pockets, double reach)
 {
   const std::vector<double> areas = PointAreas(surface);
-  std::vector<Point3> points(areas.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    const double* at = surface.Point(static_cast<vtkIdType>(i));
-    points[i] = { at[0], at[1], at[2] };
-  }
+  const std::vector<Point3> points = PointsOf(surface);
   const PointBins bins(points, 3.0);
   std::vector<PocketSurfaceMeans> means;
   std::vector<std::size_t> seenBy(points.size(), pockets.size());
@@ -121,6 +128,27 @@ void WeighPockets(const SurfaceView& surface, const PocketSurfaceFields& fields,
   }
   pockets = std::move(sorted);
   means = std::move(sortedMeans);
+}
+
+std::vector<int> LabelSurface(
+  const SurfaceView& surface, const std::vector<Pocket>& pockets, double reach)
+{
+  const std::vector<Point3> points = PointsOf(surface);
+  const PointBins bins(points, 3.0);
+  std::vector<int> labels(points.size(), 0);
+  for (std::size_t p = 0; p < pockets.size(); ++p)
+  {
+    for (const PocketCell& cell : pockets[p].Cells)
+    {
+      bins.Near(cell.Centre, cell.Clearance + reach,
+        [&](std::int64_t id, double)
+        {
+          int& label = labels[static_cast<std::size_t>(id)];
+          label = label == 0 ? static_cast<int>(p) + 1 : label;
+        });
+    }
+  }
+  return labels;
 }
 
 }

@@ -43,6 +43,10 @@ VTKISTHMUS_EXPORT std::vector<PocketSurfaceMeans> MeasureSurface(const SurfaceVi
 VTKISTHMUS_EXPORT void WeighPockets(const SurfaceView& surface, const PocketSurfaceFields& fields,
   std::vector<Pocket>& pockets, std::vector<PocketSurfaceMeans>& means);
 
+/// For each point of the surface 0, or 1 + the place of the first pocket that it lines.
+VTKISTHMUS_EXPORT std::vector<int> LabelSurface(
+  const SurfaceView& surface, const std::vector<Pocket>& pockets, double reach = 0.5);
+
 }
 
 #endif

@@ -34,16 +34,14 @@ void AddNumber(const char* name, double value, vtkDataObject* to)
 }
 
 /// The numbers of a surface's point array; empty where it is missing and may be.
-std::vector<double> NumbersOf(vtkAlgorithm* filter, int index, vtkPolyData* surface, bool required)
+std::vector<double> NumbersOf(const std::string& name, vtkPolyData* surface, bool required)
 {
-  const char* name = filter->GetInputArrayInformation(index)->Get(vtkDataObject::FIELD_NAME());
-  vtkDataArray* array = name ? surface->GetPointData()->GetArray(name) : nullptr;
+  vtkDataArray* array = surface->GetPointData()->GetArray(name.c_str());
   if (!array || array->GetNumberOfComponents() != 1)
   {
     if (required)
     {
-      throw std::invalid_argument("The surface has no point array " +
-        std::string(name ? name : "") +
+      throw std::invalid_argument("The surface has no point array " + name +
         " with a number for each point: make it with vtkPolarizedCurvature, or choose an array.");
     }
     return {};
@@ -62,10 +60,7 @@ vtkMolecularPockets::vtkMolecularPockets()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(6);
-  const auto points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  this->SetInputArrayToProcess(0, 0, 0, points, "Radius");
-  this->SetInputArrayToProcess(1, 1, 0, points, "PolarizedCurvature");
-  this->SetInputArrayToProcess(2, 1, 0, points, "Potential");
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Radius");
 }
 
 void vtkMolecularPockets::SetSurfaceData(vtkPolyData* surface)
@@ -159,7 +154,7 @@ void vtkMolecularPockets::Compute(
   isthmus::ChosenAtoms atoms;
   if (input->GetNumberOfPoints() > 0)
   {
-    atoms = isthmus::ChooseAtoms(this, input, keep);
+    atoms = isthmus::ChooseAtoms(isthmus::InputArrayName(this, 0), input, keep);
   }
   auto result = isthmus::FindPockets(
     atoms.Balls, options, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
@@ -167,8 +162,8 @@ void vtkMolecularPockets::Compute(
   if (surface && surface->GetNumberOfPoints() > 0 && this->UsePolarizedCurvature)
   {
     const isthmus::PolyDataTriangles triangles(surface);
-    const isthmus::PocketSurfaceFields fields{ NumbersOf(this, 1, surface, true),
-      NumbersOf(this, 2, surface, false) };
+    const isthmus::PocketSurfaceFields fields{ NumbersOf(this->PolarizedArray, surface, true),
+      NumbersOf(this->PotentialArray, surface, false) };
     isthmus::WeighPockets(triangles.View(), fields, result.Pockets, means);
   }
   const isthmus::PocketReport report{ result.Pockets, means, atoms };
@@ -199,6 +194,8 @@ void vtkMolecularPockets::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BurialRadius: " << this->BurialRadius << "\n";
   os << indent << "MinimumVolume: " << this->MinimumVolume << "\n";
   os << indent << "UsePolarizedCurvature: " << this->UsePolarizedCurvature << "\n";
+  os << indent << "PolarizedArray: " << this->PolarizedArray << "\n";
+  os << indent << "PotentialArray: " << this->PotentialArray << "\n";
   os << indent << "KeepHydrogens: " << this->KeepHydrogens << "\n";
   os << indent << "KeepWaters: " << this->KeepWaters << "\n";
   os << indent << "KeepIons: " << this->KeepIons << "\n";

@@ -8,9 +8,9 @@
  * residues and what else is linked into a chain stay (PolymerAtoms.h). The field array `Notes` of
  * outputs 0 and 1 says what was left out. Points without names are all taken.
  *
- * Input 1 (optional): a surface with the point arrays `PolarizedCurvature` (input array 1) and, for
- * the mean, `Potential` (input array 2; optional), as vtkPolarizedCurvature makes it: then each
- * score is multiplied by the square root of the pocket's mean |polarized curvature| over the
+ * Input 1 (optional): a surface with the point arrays `PolarizedCurvature` (PolarizedArray) and,
+ * for the mean, `Potential` (PotentialArray; optional), as vtkPolarizedCurvature makes it: then
+ * each score is multiplied by the square root of the pocket's mean |polarized curvature| over the
  * surface's.
  *
  * A pocket is room for a ball of InnerRadius that a ball of OuterRadius does not reach from
@@ -107,6 +107,15 @@ public:
   ///@}
 
   ///@{
+  /// Names of the surface's point arrays. Default: PolarizedCurvature, Potential. (No input arrays:
+  /// on a second input ParaView 5.11 can't do with them.)
+  vtkSetMacro(PolarizedArray, std::string);
+  vtkGetMacro(PolarizedArray, std::string);
+  vtkSetMacro(PotentialArray, std::string);
+  vtkGetMacro(PotentialArray, std::string);
+  ///@}
+
+  ///@{
   /// What counts as part of the molecule beside its chains. Default: nothing.
   vtkSetMacro(KeepHydrogens, bool);
   vtkGetMacro(KeepHydrogens, bool);
@@ -164,6 +173,8 @@ private:
   double BurialRadius = 10.0;
   double MinimumVolume = 10.0;
   bool UsePolarizedCurvature = true;
+  std::string PolarizedArray = "PolarizedCurvature";
+  std::string PotentialArray = "Potential";
   bool KeepHydrogens = false;
   bool KeepWaters = false;
   bool KeepIons = false;

@@ -109,7 +109,8 @@ void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
   isthmus::ChosenAtoms atoms;
   if (input->GetNumberOfPoints() > 0)
   {
-    atoms = isthmus::ChooseAtoms(this, input, keep, isthmus::WithoutRadii::SurfacePoints);
+    atoms = isthmus::ChooseAtoms(
+      isthmus::InputArrayName(this, 0), input, keep, isthmus::WithoutRadii::SurfacePoints);
   }
   const auto progress = isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.95);
   const auto point = [](const double* p) { return isthmus::Point3{ p[0], p[1], p[2] }; };

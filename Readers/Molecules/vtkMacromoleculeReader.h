@@ -83,8 +83,8 @@ public:
   ///@}
 
   ///@{
-  /// Whether the models are time steps 0, 1, ..., so that the time which the pipeline asks for chooses
-  /// the model. A ModelIndex above 0 chooses that model at all times. Default on.
+  /// Whether the models are time steps 0, 1, ..., so that the time which the pipeline asks for
+  /// chooses the model. A ModelIndex above 0 chooses that model at all times. Default on.
   vtkSetMacro(ModelsAsTimeSteps, bool);
   vtkGetMacro(ModelsAsTimeSteps, bool);
   vtkBooleanMacro(ModelsAsTimeSteps, bool);
