@@ -43,7 +43,7 @@ enum class WithoutRadii
 /**
  * Reads the arrays Element, AtomName, ResidueName, ResidueId, Chain, InsertionCode, AltLoc,
  * Occupancy and IsHetero as far as they are there, keeps what `options` says, and takes the radii
- * from the point array that input array 0 of `filter` names. Where that array is missing, elements
+ * from the point array `radii`. Where that array is missing, elements
  * have Bondi's radii. Atoms whose radius is NaN are left out with a warning.
  *
  * Throws std::invalid_argument for radii that are not there, negative or infinite, and places that
