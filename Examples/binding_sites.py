@@ -1,5 +1,6 @@
-"""Likely binding sites of a protein, as Fig. 5.9 of the thesis: the electrostatic potential on the
-surface above, the polarized curvature below, the ligand (if there is one) as sticks, and a table.
+"""Likely binding sites of a protein: its pockets, ranked with polarized curvature. The picture is as
+Fig. 5.9 of the thesis: the electrostatic potential on the surface above, the polarized curvature
+below, the ligand (if there is one) as sticks.
 
 Usage: pvpython binding_sites.py PROTEIN [POTENTIAL] [--ligand NAME] [--surface FILE]
                                  [--decay NUMBER] [--output FOLDER]
@@ -94,7 +95,8 @@ def table_text(rows, ligand):
             line += f" {site_pipeline.distance_to(ligand, place):10.2f}"
         lines.append(line)
     lines.append(
-        "score: integral of |potential x kappa_2|, kT A/e; area: A^2; depth: A below the convex hull;"
+        "score: room x burial x root of |potential x kappa_2|; area of the surface there: A^2; "
+        "depth of the centre: A below the convex hull;"
         "\npotential: kT/e; class 2 (4): site for a negatively (positively) charged small ligand"
     )
     if ligand is not None:
@@ -219,15 +221,15 @@ def prepare(options, folder):
     surface = site_pipeline.polarized(
         make_surface(options, molecule, scale), site_pipeline.read_potential(potential)
     )
-    return surface, ligand, name
+    return surface, ligand, name, site_pipeline.read_atoms(heavy_atoms(protein, folder, name))
 
 
 def main():
     options = arguments()
     options.output.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
-        surface, ligand, name = prepare(options, folder)
-        surface, rows = site_pipeline.sites(surface)
+        surface, ligand, name, atoms = prepare(options, folder)
+        surface, rows = site_pipeline.sites(surface, atoms)
         if not rows:
             sys.exit("No site was found.")
         positions = [apbs_potential.position_of(line) for line in ligand] or None

@@ -69,11 +69,13 @@ def polarized(surface, potential):
     return products.GetOutput()
 
 
-def sites(surface, **settings):
-    """(labelled surface, list of rows) of vtkBindingSites; settings are its properties."""
+def sites(surface, atoms=None, **settings):
+    """(labelled surface, list of rows) of vtkBindingSites: pockets with atoms, else patches."""
     array = settings.pop("array", "PolarizedCurvature")
     finder = isthmus.vtkBindingSites()
     finder.SetInputData(surface)
+    if atoms:
+        finder.SetAtomsData(atoms)
     finder.SetInputArrayToProcess(0, 0, 0, 0, array)
     for name, value in settings.items():
         getattr(finder, "Set" + name)(value)

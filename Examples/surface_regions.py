@@ -108,7 +108,7 @@ def main():
     options = binding_sites.arguments(__doc__)
     options.output.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
-        surface, _, name = binding_sites.prepare(options, folder)
+        surface, _, name, _ = binding_sites.prepare(options, folder)
     lines = area_table(surface, "MinimumCurvature", "1/A", CURVATURES) + [""]
     lines += area_table(surface, "Potential", "kT/e", POTENTIALS) + [""] + joint_table(surface)
     print("\n".join(lines))

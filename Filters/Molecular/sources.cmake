@@ -1,18 +1,26 @@
 isthmus_room(
   CLASSES
     vtkBindingSites
+    vtkFeatureTracks
     vtkMolecularDensity
     vtkMolecularFlowSurface
+    vtkMolecularPockets
     vtkNonpolarSolvation
     vtkPolarizedCurvature
+    vtkPoreProfile
   SOURCES
     AtomBalls
+    AtomInput
     BallBricks
     BallDistance
     BallNeighbours
+    BallOverlap
     BindingSites
+    CellAccess
     Dispersion
     DispersionAtoms
+    EmptySpace
+    FeatureTracks
     FlowBand
     FlowGrid
     FlowMemory
@@ -22,10 +30,20 @@ isthmus_room(
     FlowSurfaceOutput
     HullDepth
     LevelMeasure
+    LiningResidues
     MolecularDensity
+    MolecularPockets
     NearestBall
     NonpolarEnergy
+    PlaneBall
+    PocketMouths
+    PocketOutput
+    PocketSurface
     PolarizedCurvature
+    PolymerAtoms
+    PoreChannels
+    PoreOutput
+    PoreProfile
     SolventExcludedDistance
     SolventExcludedSurface
     SurfaceFlow

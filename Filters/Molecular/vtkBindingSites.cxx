@@ -1,7 +1,11 @@
 #include "vtkBindingSites.h"
 
 #include "AlgorithmGuard.h"
+#include "AtomInput.h"
 #include "BindingSites.h"
+#include "HullDepth.h"
+#include "MolecularPockets.h"
+#include "PocketSurface.h"
 #include "PolyDataTriangles.h"
 
 #include <vtkDataArray.h>
@@ -11,12 +15,15 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkIntArray.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
+#include <vtkPointSet.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -77,11 +84,24 @@ void FillTable(vtkTable* table, const isthmus::BindingSiteResult& result)
 
 vtkBindingSites::vtkBindingSites()
 {
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
   constexpr int points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   this->SetInputArrayToProcess(0, 0, 0, points, "PolarizedCurvature");
   this->SetInputArrayToProcess(1, 0, 0, points, "SiteClass");
   this->SetInputArrayToProcess(2, 0, 0, points, "Potential");
+}
+
+void vtkBindingSites::SetAtomsData(vtkPointSet* atoms)
+{
+  this->SetInputData(1, atoms);
+}
+
+int vtkBindingSites::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkPointSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
+  return 1;
 }
 
 int vtkBindingSites::FillOutputPortInformation(int port, vtkInformation* info)
@@ -105,10 +125,20 @@ int vtkBindingSites::RequestData(
     [&]()
     {
       vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
+      vtkPointSet* atoms = vtkPointSet::GetData(inputVector[1]);
       output->ShallowCopy(surface);
       if (surface->GetNumberOfCells() > 0)
       {
-        this->Compute(surface, output, table);
+        const bool inPockets = this->UsePockets && atoms && atoms->GetNumberOfPoints() > 0;
+        const isthmus::BindingSiteResult result =
+          inPockets ? this->Pockets(surface, atoms, table) : this->Patches(surface);
+        vtkNew<vtkIntArray> labels;
+        labels->SetName("BindingSite");
+        labels->SetNumberOfValues(surface->GetNumberOfPoints());
+        std::copy(result.Labels.begin(), result.Labels.end(), labels->GetPointer(0));
+        output->GetPointData()->AddArray(labels);
+        output->GetPointData()->SetActiveScalars("BindingSite");
+        FillTable(table, result);
       }
     });
 }
@@ -166,7 +196,7 @@ isthmus::SiteFields vtkBindingSites::Fields(vtkPolyData* surface)
   return fields;
 }
 
-void vtkBindingSites::Compute(vtkPolyData* surface, vtkPolyData* output, vtkTable* table)
+isthmus::BindingSiteResult vtkBindingSites::Patches(vtkPolyData* surface)
 {
   const isthmus::SiteFields fields = this->Fields(surface);
   isthmus::BindingSiteOptions options;
@@ -177,7 +207,7 @@ void vtkBindingSites::Compute(vtkPolyData* surface, vtkPolyData* output, vtkTabl
   options.MinimumArea = this->MinimumArea;
   options.Ranking = static_cast<isthmus::SiteRanking>(this->RankBy);
   const isthmus::PolyDataTriangles triangles(surface);
-  const isthmus::BindingSiteResult result =
+  isthmus::BindingSiteResult result =
     isthmus::FindBindingSites(triangles.View(), fields, options, isthmus::ProgressOf(this));
   if (result.Sites.empty())
   {
@@ -187,18 +217,51 @@ void vtkBindingSites::Compute(vtkPolyData* surface, vtkPolyData* output, vtkTabl
                     << ". Is the array constant, or zero where the classes asked for are? Lower "
                        "the threshold or the quantile.");
   }
-  vtkNew<vtkIntArray> labels;
-  labels->SetName("BindingSite");
-  labels->SetNumberOfValues(surface->GetNumberOfPoints());
-  std::copy(result.Labels.begin(), result.Labels.end(), labels->GetPointer(0));
-  output->GetPointData()->AddArray(labels);
-  output->GetPointData()->SetActiveScalars("BindingSite");
-  FillTable(table, result);
+  return result;
+}
+
+isthmus::BindingSiteResult vtkBindingSites::Pockets(
+  vtkPolyData* surface, vtkPointSet* input, vtkTable* table)
+{
+  const isthmus::ChosenAtoms atoms =
+    isthmus::ChooseAtoms("Radius", input, isthmus::PolymerOptions());
+  auto pockets =
+    isthmus::FindPockets(atoms.Balls, {}, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.8))
+      .Pockets;
+  isthmus::SiteFields fields = this->Fields(surface);
+  const isthmus::PolyDataTriangles triangles(surface);
+  std::vector<isthmus::PocketSurfaceMeans> means;
+  isthmus::WeighPockets(
+    triangles.View(), { std::move(fields.Amplitude), fields.Potential }, pockets, means);
+  isthmus::BindingSiteResult result;
+  result.Threshold = vtkMath::Nan();
+  result.Labels = isthmus::LabelSurface(triangles.View(), pockets);
+  const isthmus::HullDepth depth(triangles.View(), {});
+  for (std::size_t i = 0; i < pockets.size(); ++i)
+  {
+    const double potential = means[i].Potential;
+    isthmus::BindingSite site;
+    site.Kind = static_cast<unsigned char>(potential > 0.0 ? 2 : (potential < 0.0 ? 4 : 0));
+    site.Score = pockets[i].Score;
+    site.Area = means[i].Area;
+    site.MeanDepth = depth(pockets[i].Centre.data());
+    site.MeanPotential = potential;
+    site.Centre = pockets[i].Centre;
+    site.Points = std::count(result.Labels.begin(), result.Labels.end(), static_cast<int>(i) + 1);
+    result.Sites.push_back(site);
+  }
+  isthmus::AddNotes(atoms.Notes, table);
+  for (const std::string& warning : atoms.Warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  return result;
 }
 
 void vtkBindingSites::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "UsePockets: " << this->UsePockets << "\n";
   os << indent << "Classes: " << this->Classes << "\n";
   os << indent << "Amplitude: " << this->Amplitude << "\n";
   os << indent << "UseQuantile: " << this->UseQuantile << "\n";

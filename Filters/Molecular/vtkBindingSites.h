@@ -6,6 +6,14 @@
  * rank by (input array 0: `PolarizedCurvature`), with classes (input array 1: `SiteClass`) unless
  * Classes is AllPoints, and, for the means, a potential (input array 2: `Potential`; optional).
  *
+ * **With atoms** on input 1 (points with `Radius`), sites are the pockets of
+ * vtkMolecularPockets (its defaults), ranked by their score x the square root of the mean
+ * |amplitude| of the surface that lines them. `SiteClass` is then 2 where that surface's mean
+ * potential is positive (a site for a negatively charged ligand), 4 where it is negative, 0 without
+ * a potential; `Area` and `Points` are those of the surface; `MeanDepth` and the centre are the
+ * pocket's. This finds ligands far better: see Filters/Molecular/Pockets.md. What follows is about
+ * patches, without atoms.
+ *
  * Points above the threshold that edges connect and that have the same class form patches; patches
  * of the same class closer than MergeDistance become one; each has a rank, 1 is the best.
  *
@@ -33,7 +41,9 @@
 #include "vtkIsthmusModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
+class vtkAlgorithmOutput;
 class vtkDataArray;
+class vtkPointSet;
 class vtkTable;
 
 namespace isthmus
@@ -48,6 +58,19 @@ public:
   static vtkBindingSites* New();
   vtkTypeMacro(vtkBindingSites, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The molecule's atoms, optional: input 1.
+  void SetAtomsConnection(vtkAlgorithmOutput* atoms) { this->SetInputConnection(1, atoms); }
+  void SetAtomsData(vtkPointSet* atoms);
+  ///@}
+
+  ///@{
+  /// Whether sites are pockets where there are atoms. Default: on. Off: patches.
+  vtkSetMacro(UsePockets, bool);
+  vtkGetMacro(UsePockets, bool);
+  vtkBooleanMacro(UsePockets, bool);
+  ///@}
 
   enum PointClasses
   {
@@ -130,10 +153,12 @@ protected:
   vtkBindingSites();
   ~vtkBindingSites() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
+  bool UsePockets = true;
   int Classes = Ligands;
   int Amplitude = AbsoluteValue;
   vtkTypeBool UseQuantile = 1;
@@ -149,7 +174,8 @@ private:
 
   vtkDataArray* Scalar(int index, vtkPolyData* surface, const char* remedy);
   isthmus::SiteFields Fields(vtkPolyData* surface);
-  void Compute(vtkPolyData* surface, vtkPolyData* output, vtkTable* table);
+  isthmus::BindingSiteResult Patches(vtkPolyData* surface);
+  isthmus::BindingSiteResult Pockets(vtkPolyData* surface, vtkPointSet* atoms, vtkTable* table);
 };
 
 #endif

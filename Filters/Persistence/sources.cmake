@@ -19,5 +19,6 @@ isthmus_room(
     VolumeView
   CGAL
     DelaunayFiltration
+    RegularFiltration
   VECTORISED
     LowerStars)

@@ -193,6 +193,31 @@ Macromolecule ReadMacromolecule(
   return ParseMacromolecule(text, path, named, Between(progress, 0.2, 1.0));
 }
 
+std::int64_t CountModels(const std::string& path, MoleculeFormat format)
+{
+  const std::string text = ReadAll(*OpenByteSource(path));
+  if (format == MoleculeFormat::ByName)
+  {
+    format = FormatOfName(path);
+  }
+  if (format == MoleculeFormat::ByName)
+  {
+    format = FormatOfText(text, path);
+  }
+  if (format == MoleculeFormat::MMCIF || format == MoleculeFormat::XYZ)
+  {
+    return Parse(text, path, format, 0, {}).NumberOfModels;
+  }
+  constexpr std::string_view record = "MODEL ";
+  std::int64_t count = text.compare(0, record.size(), record) == 0 ? 1 : 0;
+  for (std::size_t at = text.find("\nMODEL "); at != std::string::npos;
+       at = text.find("\nMODEL ", at + 1))
+  {
+    ++count;
+  }
+  return std::max<std::int64_t>(count, 1);
+}
+
 bool LooksLikeMolecule(const std::string& path)
 {
   if (FormatOfName(path) == MoleculeFormat::ByName)

@@ -12,6 +12,7 @@
 #include "Progress.h"
 #include "vtkIsthmusModule.h"
 
+#include <cstdint>
 #include <string>
 
 namespace isthmus
@@ -31,6 +32,12 @@ VTKISTHMUS_EXPORT Macromolecule ReadMacromolecule(
 /// The same from a text in memory, whose format must be named; `path` is for the sentences.
 VTKISTHMUS_EXPORT Macromolecule ParseMacromolecule(std::string_view text, const std::string& path,
   const MoleculeOptions& options, const ProgressCallback& progress = {});
+
+/**
+ * The number of models in a file. Of PDB and PQR files the MODEL records are counted; mmCIF and XYZ
+ * are parsed. Throws as ReadMacromolecule.
+ */
+VTKISTHMUS_EXPORT std::int64_t CountModels(const std::string& path, MoleculeFormat format);
 
 /// Is the file there, named as one of the formats, and does it begin with text?
 VTKISTHMUS_EXPORT bool LooksLikeMolecule(const std::string& path);

@@ -12,7 +12,16 @@
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
 vtkStandardNewMacro(vtkMacromoleculeReader);
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 vtkMacromoleculeReader::vtkMacromoleculeReader()
 {
@@ -44,11 +53,67 @@ int vtkMacromoleculeReader::CanReadFile(const char* fileName)
 int vtkMacromoleculeReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
+  const bool inTime = this->ModelsAsTimeSteps && this->ModelIndex == 0;
+  const std::int64_t models = inTime ? this->CountModels() : 1;
+  std::vector<double> times(static_cast<std::size_t>(models));
+  std::iota(times.begin(), times.end(), 0.0);
   for (int port = 0; port < 2; ++port)
   {
-    outputVector->GetInformationObject(port)->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
+    vtkInformation* info = outputVector->GetInformationObject(port);
+    info->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
+    if (models > 1)
+    {
+      const double range[2] = { times.front(), times.back() };
+      info->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(models));
+      info->Set(Pipeline::TIME_RANGE(), range, 2);
+    }
+    else
+    {
+      info->Remove(Pipeline::TIME_STEPS());
+      info->Remove(Pipeline::TIME_RANGE());
+    }
   }
   return 1;
+}
+
+/// 1 also for what can't be read: RequestData says why.
+std::int64_t vtkMacromoleculeReader::CountModels()
+{
+  if (!this->FileName)
+  {
+    return 1;
+  }
+  const std::string name = this->FileName;
+  const long changed = vtksys::SystemTools::ModifiedTime(name);
+  if (name != this->CountedFile || changed != this->CountedTime ||
+    this->Format != this->CountedFormat)
+  {
+    this->CountedFile = name;
+    this->CountedTime = changed;
+    this->CountedFormat = this->Format;
+    this->CountedModels = 1;
+    try
+    {
+      this->CountedModels =
+        isthmus::CountModels(name, static_cast<isthmus::MoleculeFormat>(this->Format));
+    }
+    catch (const std::exception&)
+    {
+    }
+  }
+  return this->CountedModels;
+}
+
+/// The model of the time that is asked for, where models are time steps; else ModelIndex.
+std::int64_t vtkMacromoleculeReader::ModelOf(vtkInformation* request)
+{
+  if (!request->Has(Pipeline::UPDATE_TIME_STEP()) || !request->Has(Pipeline::TIME_STEPS()))
+  {
+    return this->ModelIndex;
+  }
+  const double last = static_cast<double>(request->Length(Pipeline::TIME_STEPS()) - 1);
+  const double time = request->Get(Pipeline::UPDATE_TIME_STEP());
+  return std::isnan(time) ? 0 : std::llround(std::clamp(time, 0.0, last));
 }
 
 int vtkMacromoleculeReader::RequestData(
@@ -63,7 +128,15 @@ int vtkMacromoleculeReader::RequestData(
   }
   const int result = isthmus::GuardedRead(
     this, this->FileName, atoms, [this](unsigned long code) { this->SetErrorCode(code); },
-    [&] { this->Read(atoms, molecule); });
+    [&] { this->Read(this->ModelOf(request), atoms, molecule); });
+  if (request->Has(Pipeline::UPDATE_TIME_STEP()) && request->Has(Pipeline::TIME_STEPS()))
+  {
+    for (vtkDataObject* output : std::initializer_list<vtkDataObject*>{ atoms, molecule })
+    {
+      output->GetInformation()->Set(
+        vtkDataObject::DATA_TIME_STEP(), request->Get(Pipeline::UPDATE_TIME_STEP()));
+    }
+  }
   if (atoms->GetNumberOfPoints() == 0)
   {
     molecule->Initialize();
@@ -75,11 +148,11 @@ int vtkMacromoleculeReader::RequestData(
   return result;
 }
 
-void vtkMacromoleculeReader::Read(vtkPolyData* atoms, vtkMolecule* molecule)
+void vtkMacromoleculeReader::Read(std::int64_t model, vtkPolyData* atoms, vtkMolecule* molecule)
 {
   isthmus::MoleculeOptions options;
   options.Format = static_cast<isthmus::MoleculeFormat>(this->Format);
-  options.Model = this->ModelIndex;
+  options.Model = model;
   options.Chains = this->Chains;
   options.AltLoc = this->AltLoc;
   options.Hetero = this->ReadHetero;
@@ -105,6 +178,7 @@ void vtkMacromoleculeReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "Format: " << this->Format << "\n";
   os << indent << "ModelIndex: " << this->ModelIndex << "\n";
+  os << indent << "ModelsAsTimeSteps: " << this->ModelsAsTimeSteps << "\n";
   os << indent << "Chains: " << this->Chains << "\n";
   os << indent << "AltLoc: " << this->AltLoc << "\n";
   os << indent << "ReadHetero: " << this->ReadHetero << "\n";

@@ -22,9 +22,9 @@
  * struct_conn), 2 bond by distance (CovalentBonds.h). Bond orders are not known. Atoms come in the
  * order of the file, save that gemmi brings those of one residue together.
  *
- * Field data: `NumberOfModels`; `ElementSymbols` (string 6 is "C"); `Notes` and `Warnings`: what
- * was left out or is missing, one sentence each. Warnings also go to vtkWarningMacro: old columns
- * left out, atoms without radius.
+ * Several models are time steps (ModelsAsTimeSteps). Field data: `NumberOfModels`; `ElementSymbols`
+ * (string 6 is "C"); `Notes` and `Warnings`: what was left out or is missing, one sentence each.
+ * Warnings also go to vtkWarningMacro: old columns left out, atoms without radius.
  *
  * **Output 1**, vtkMolecule: the same atoms and bonds (order 1) and point arrays, for molecule
  * mappers.
@@ -43,7 +43,8 @@
 #include "vtkIsthmusModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <string> // for the properties
+#include <cstdint> // for models
+#include <string>  // for the properties
 
 class vtkMolecule;
 
@@ -79,6 +80,14 @@ public:
   /// Which model (MODEL of PDB, frame of XYZ), from 0. Default 0.
   vtkSetMacro(ModelIndex, int);
   vtkGetMacro(ModelIndex, int);
+  ///@}
+
+  ///@{
+  /// Whether the models are time steps 0, 1, ..., so that the time which the pipeline asks for
+  /// chooses the model. A ModelIndex above 0 chooses that model at all times. Default on.
+  vtkSetMacro(ModelsAsTimeSteps, bool);
+  vtkGetMacro(ModelsAsTimeSteps, bool);
+  vtkBooleanMacro(ModelsAsTimeSteps, bool);
   ///@}
 
   ///@{
@@ -144,17 +153,26 @@ private:
   vtkMacromoleculeReader(const vtkMacromoleculeReader&) = delete;
   void operator=(const vtkMacromoleculeReader&) = delete;
 
-  void Read(vtkPolyData* atoms, vtkMolecule* molecule);
+  void Read(std::int64_t model, vtkPolyData* atoms, vtkMolecule* molecule);
+  std::int64_t CountModels();
+  std::int64_t ModelOf(vtkInformation* request);
 
   char* FileName = nullptr;
   int Format = ByName;
   int ModelIndex = 0;
+  bool ModelsAsTimeSteps = true;
   std::string Chains;
   std::string AltLoc;
   bool ReadHetero = true;
   bool ReadWater = true;
   int RadiusTable = Bondi;
   bool BondsByDistance = true;
+
+  // The count of models, kept until file or format change.
+  std::string CountedFile;
+  long CountedTime = 0;
+  int CountedFormat = ByName;
+  std::int64_t CountedModels = 1;
 };
 
 #endif

@@ -54,3 +54,24 @@ with tempfile.TemporaryDirectory() as folder:
     simple.SaveData(path, simple.OutputPort(sites, 1))
     assert len(list(csv.DictReader(open(path)))) == len(rows)
 print(f"the best of {len(rows)} sites is {distance:.1f} angstrom from the sugar")
+
+# With the atoms, sites are pockets: the first is the cleft again, and wants a positive ligand.
+protein = simple.OpenDataFile(str(shared_data("molecules/1hew.pdb")))
+pockets = simple.BindingSites(Input=polarized, Atoms=protein)
+pockets.UpdatePipeline()
+ranking = servermanager.Fetch(pockets, idx=1)
+first = {
+    ranking.GetColumnName(c): ranking.GetValue(0, c).ToDouble()
+    for c in range(ranking.GetNumberOfColumns())
+}
+place = numpy.array([first[name] for name in ("CenterX", "CenterY", "CenterZ")])
+distance = numpy.linalg.norm(sugar - place, axis=1).min()
+assert distance <= 2.0 and first["SiteClass"] == 4.0 and first["Points"] > 0, (distance, first)
+pockets.UsePockets = 0
+pockets.UpdatePipeline()
+assert servermanager.Fetch(pockets, idx=1).GetNumberOfRows() == len(rows)
+weighed = simple.MolecularPockets(Input=protein, Surface=polarized)
+weighed.UpdatePipeline()
+means = servermanager.Fetch(weighed, idx=1)
+assert abs(means.GetValueByName(0, "MeanPotential").ToDouble() - first["MeanPotential"]) < 1e-12
+assert means.GetValueByName(0, "MeanPolarized").ToDouble() > 0.0

@@ -1,0 +1,43 @@
+/**
+ * @file CellAccess.h
+ * @brief Room around atoms: how wide each tetrahedron is, and the widest way to it from outside.
+ */
+#ifndef isthmus_CellAccess_h
+#define isthmus_CellAccess_h
+
+#include "RegularFiltration.h"
+
+namespace isthmus
+{
+
+/**
+ * *Clearance*: the radius of the largest ball that touches no atom, centred at the orthogonal
+ * sphere's centre of a tetrahedron, or of a triangle (where its latest coface is, if attached):
+ * sqrt(a + R^2) - r for the value a and the largest of the simplex' atoms, R = r + probe.
+ *
+ * *Access*: the radius of the largest ball that gets from outside to there, the maximum over all
+ * ways through triangles of the least clearance met (the dual, over H2, of where voids are born).
+ */
+struct CellAccess
+{
+  std::vector<double> CellClearance;
+  std::vector<double> TriangleClearance;
+  std::vector<double> Access;        ///< by tetrahedron
+  std::vector<SimplexId> TowardsOut; ///< by tetrahedron: the triangle that the widest way takes
+};
+
+/// `probe` is what the radii of `f` have been enlarged by. O(n log n): one pass of Dijkstra's
+/// algorithm, 1 us a tetrahedron; ties go to the lower id.
+VTKISTHMUS_EXPORT CellAccess FindAccess(
+  const RegularFiltration& f, const std::vector<std::array<SimplexId, 4>>& faces, double probe);
+
+/// The tetrahedron on the other side of `triangle`; -1: outside.
+inline SimplexId Across(const CellFiltration& complex, SimplexId triangle, SimplexId cell)
+{
+  const auto& sides = complex.TriangleSides[static_cast<std::size_t>(triangle)];
+  return sides[0] == cell ? sides[1] : sides[0];
+}
+
+}
+
+#endif

@@ -1,0 +1,73 @@
+/**
+ * @file FeatureTracks.h
+ * @brief Features of one time step recognised in the next: pockets, pores, loops that move.
+ */
+#ifndef isthmus_FeatureTracks_h
+#define isthmus_FeatureTracks_h
+
+#include "Progress.h"
+#include "TriangleMesh.h"
+#include "vtkIsthmusModule.h"
+
+#include <string>
+#include <vector>
+
+namespace isthmus
+{
+
+/// What a feature is recognised by.
+struct TrackedFeature
+{
+  Point3 Place{ 0.0, 0.0, 0.0 };
+  double Radius = 0.0;             ///< NaN: not known
+  std::vector<std::string> Lining; ///< names of residues, sorted; empty: not known
+};
+
+using TrackFrame = std::vector<TrackedFeature>;
+
+struct TrackOptions
+{
+  double MaximumDistance = 4.0; ///< that a feature moves from one time step to the next
+  int MaximumGap = 3;           ///< time steps that a track may miss
+};
+
+enum class TrackEventKind
+{
+  Merge, ///< Track ended and went on in Other
+  Split  ///< Track began as a part of Other
+};
+
+struct TrackEvent
+{
+  TrackEventKind Kind;
+  std::size_t Frame;
+  int Track;
+  int Other;
+};
+
+struct FeatureTracks
+{
+  std::vector<std::vector<int>> TrackOf; ///< for each feature of each frame, from 0
+  int NumberOfTracks = 0;                ///< numbered in the order in which they begin
+  std::vector<TrackEvent> Events;
+};
+
+/**
+ * Matches the features of each frame with the tracks so far, all at once (the assignment of least
+ * cost, by shortest augmenting paths).
+ *
+ * Cost of a pair: distance over MaximumDistance, plus the difference of radii over their mean, plus
+ * one minus the share of common residues (Jaccard). A pair is possible within MaximumDistance and,
+ * where residues are known, with one in common. A track that ends while half of its residues line
+ * another track's next feature has merged with it; one that begins so has split off. Frames must be
+ * superposed.
+ *
+ * O(frames x n^3) for n features that could be mixed up. Throws std::invalid_argument for options
+ * out of range; Cancelled.
+ */
+VTKISTHMUS_EXPORT FeatureTracks TrackFeatures(const std::vector<TrackFrame>& frames,
+  const TrackOptions& options, const ProgressCallback& progress = {});
+
+}
+
+#endif

@@ -1,0 +1,373 @@
+#include "MolecularPockets.h"
+
+#include "CellAccess.h"
+#include "CompactDisjointSets.h"
+#include "EmptySpace.h"
+#include "ParallelFor.h"
+#include "PocketMouths.h"
+#include "PointBins.h"
+
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <queue>
+#include <stdexcept>
+#include <string>
+
+namespace isthmus
+{
+namespace
+{
+
+std::size_t At(SimplexId i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+void CheckLength(const char* name, double value)
+{
+  if (!(value > 0.0 && value <= 1000.0))
+  {
+    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+      ", but it is a length: give a positive number of angstrom, at most 1000.");
+  }
+}
+
+void CheckOptions(const PocketOptions& options)
+{
+  CheckLength("InnerRadius", options.InnerRadius);
+  CheckLength("OuterRadius", options.OuterRadius);
+  CheckLength("BurialRadius", options.BurialRadius);
+  if (!(options.ProbeRadius >= 0.0 && options.ProbeRadius <= options.InnerRadius))
+  {
+    throw std::invalid_argument("ProbeRadius is " + std::to_string(options.ProbeRadius) +
+      ", but it must lie between 0 and InnerRadius, " + std::to_string(options.InnerRadius) + ".");
+  }
+  if (!(options.OuterRadius > options.InnerRadius))
+  {
+    throw std::invalid_argument("OuterRadius is " + std::to_string(options.OuterRadius) +
+      ", but it must be larger than InnerRadius, " + std::to_string(options.InnerRadius) +
+      ": a pocket is where the inner ball has room and the outer one does not come.");
+  }
+  if (!(options.MinimumVolume >= 0.0) || std::isinf(options.MinimumVolume))
+  {
+    throw std::invalid_argument("MinimumVolume is " + std::to_string(options.MinimumVolume) +
+      ", but it must be a finite number and not negative.");
+  }
+}
+
+/// The atoms by their place in space, which no order of a file changes.
+std::vector<std::size_t> CanonicalOrder(const std::vector<Ball>& atoms)
+{
+  std::vector<std::size_t> order(atoms.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b)
+    {
+      return atoms[a].Centre != atoms[b].Centre ? atoms[a].Centre < atoms[b].Centre
+                                                : atoms[a].Radius < atoms[b].Radius;
+    });
+  return order;
+}
+
+RegularFiltration Enlarged(const std::vector<Ball>& atoms, const std::vector<std::size_t>& order,
+  double probe, const ProgressCallback& progress)
+{
+  std::vector<Point3> centres;
+  std::vector<double> radii;
+  for (const std::size_t i : order)
+  {
+    if (atoms[i].Radius < 0.0)
+    {
+      throw std::invalid_argument("Atom " + std::to_string(i) + " has the radius " +
+        std::to_string(atoms[i].Radius) + ", but a radius is not negative.");
+    }
+    centres.push_back(atoms[i].Centre);
+    radii.push_back(atoms[i].Radius + probe);
+  }
+  return MakeRegularFiltration(std::move(centres), std::move(radii), progress);
+}
+
+/// The number of the pocket of each tetrahedron, by its lowest tetrahedron; -1: in none.
+std::vector<SimplexId> Label(
+  const CellFiltration& c, const CellAccess& access, const PocketOptions& options)
+{
+  const auto inside = [&](SimplexId cell)
+  {
+    return cell >= 0 && access.CellClearance[At(cell)] > options.InnerRadius &&
+      access.Access[At(cell)] < options.OuterRadius;
+  };
+  CompactDisjointSets sets(c.Tetrahedra.size());
+  for (std::size_t i = 0; i < c.Triangles.size(); ++i)
+  {
+    const auto& sides = c.TriangleSides[i];
+    if (access.TriangleClearance[i] > options.InnerRadius && inside(sides[0]) && inside(sides[1]))
+    {
+      const auto a = sets.Find(At(sides[0]));
+      const auto b = sets.Find(At(sides[1]));
+      if (a != b)
+      {
+        sets.Join(a, b);
+      }
+    }
+  }
+  std::vector<SimplexId> numbers(c.Tetrahedra.size(), -1);
+  std::vector<SimplexId> labels(c.Tetrahedra.size(), -1);
+  SimplexId count = 0;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+  {
+    if (inside(static_cast<SimplexId>(i)))
+    {
+      SimplexId& number = numbers[sets.Find(i)];
+      number = number < 0 ? count++ : number;
+      labels[i] = number;
+    }
+  }
+  return labels;
+}
+
+/// Empty room around a pocket that one of `Way`s has reached.
+struct Way
+{
+  double Width;
+  SimplexId Cell;
+  SimplexId Pocket;
+
+  bool operator<(const Way& other) const
+  {
+    if (this->Width != other.Width)
+    {
+      return this->Width < other.Width;
+    }
+    return this->Cell != other.Cell ? this->Cell > other.Cell : this->Pocket > other.Pocket;
+  }
+};
+
+/**
+ * Gives the crevices to the pockets: empty tetrahedra too narrow for the inner ball that the probe
+ * reaches from a pocket belong to the one with the widest way. So the room of a void is all of it.
+ */
+std::vector<SimplexId> Widen(const CellFiltration& c,
+  const std::vector<std::array<SimplexId, 4>>& faces, const CellAccess& access, double outer,
+  const std::vector<SimplexId>& cores)
+{
+  std::vector<SimplexId> labels = cores;
+  std::priority_queue<Way> ways;
+  const auto leave = [&](SimplexId cell)
+  {
+    for (const SimplexId face : faces[At(cell)])
+    {
+      const SimplexId next = Across(c, face, cell);
+      if (next >= 0 && labels[At(next)] < 0 && c.TriangleValue[At(face)] > 0.0 &&
+        access.Access[At(next)] < outer)
+      {
+        ways.push({ access.TriangleClearance[At(face)], next, labels[At(cell)] });
+      }
+    }
+  };
+  for (std::size_t i = 0; i < cores.size(); ++i)
+  {
+    if (cores[i] >= 0)
+    {
+      leave(static_cast<SimplexId>(i));
+    }
+  }
+  while (!ways.empty())
+  {
+    const Way way = ways.top();
+    ways.pop();
+    if (labels[At(way.Cell)] < 0)
+    {
+      labels[At(way.Cell)] = way.Pocket;
+      leave(way.Cell);
+    }
+  }
+  return labels;
+}
+
+std::vector<EmptyCell> EmptyCells(const RegularFiltration& f,
+  const std::vector<std::array<SimplexId, 4>>& faces, const ProgressCallback& progress)
+{
+  std::vector<EmptyCell> empty(f.Complex.Tetrahedra.size());
+  ParallelFor(
+    0, static_cast<std::int64_t>(empty.size()), 1024,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (auto i = begin; i < end; ++i)
+      {
+        if (f.Complex.TetrahedronValue[static_cast<std::size_t>(i)] > 0.0)
+        {
+          empty[static_cast<std::size_t>(i)] = EmptySpaceOf(f, faces, static_cast<SimplexId>(i));
+        }
+      }
+    },
+    progress);
+  return empty;
+}
+
+/// What all pockets are made from.
+struct Space
+{
+  RegularFiltration Filtration;
+  CellAccess Access;
+  std::vector<EmptyCell> Empty;
+  std::vector<SimplexId> Cores;  ///< the pocket of each tetrahedron with room for the inner ball
+  std::vector<SimplexId> Labels; ///< the pocket of each tetrahedron
+};
+
+void FillCells(const Space& space, const PocketOptions& options, std::vector<Pocket>& pockets)
+{
+  const CellFiltration& c = space.Filtration.Complex;
+  for (std::size_t i = 0; i < space.Labels.size(); ++i)
+  {
+    if (space.Labels[i] >= 0)
+    {
+      const auto& t = c.Tetrahedra[i];
+      pockets[At(space.Labels[i])].Cells.push_back(
+        { { t[0], t[1], t[2], t[3] }, space.Filtration.Centres[i], space.Access.CellClearance[i],
+          space.Access.Access[i], space.Empty[i].Volume, 0 });
+    }
+  }
+  const PointBins bins(c.Points, 0.5 * options.BurialRadius);
+  ParallelFor(0, static_cast<std::int64_t>(pockets.size()), 1,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (auto i = begin; i < end; ++i)
+      {
+        for (PocketCell& cell : pockets[static_cast<std::size_t>(i)].Cells)
+        {
+          bins.Near(
+            cell.Centre, options.BurialRadius, [&](std::int64_t, double) { ++cell.Burial; });
+        }
+      }
+    });
+}
+
+void FillLining(const Space& space, std::vector<Pocket>& pockets)
+{
+  std::vector<std::map<std::int64_t, double>> areas(pockets.size());
+  for (std::size_t i = 0; i < space.Labels.size(); ++i)
+  {
+    for (std::size_t k = 0; space.Labels[i] >= 0 && k < 4; ++k)
+    {
+      areas[At(space.Labels[i])][space.Filtration.Complex.Tetrahedra[i][k]] +=
+        space.Empty[i].Area[k];
+    }
+  }
+  constexpr double rounding = 1e-6; // angstrom^2
+  for (std::size_t i = 0; i < pockets.size(); ++i)
+  {
+    for (const auto& [atom, area] : areas[i])
+    {
+      pockets[i].Area += area;
+      if (area > rounding)
+      {
+        pockets[i].Lining.push_back({ atom, area });
+      }
+    }
+  }
+}
+
+void Measure(Pocket& pocket)
+{
+  Point3 sum{ 0.0, 0.0, 0.0 };
+  for (const PocketCell& cell : pocket.Cells)
+  {
+    const double buried = 0.01 * static_cast<double>(cell.Burial);
+    const double share = cell.Volume * buried * buried;
+    pocket.Volume += cell.Volume;
+    pocket.Score += share;
+    sum = sum + share * cell.Centre;
+    pocket.Radius = std::max(pocket.Radius, cell.Clearance);
+    pocket.Access = std::max(pocket.Access, cell.Access);
+  }
+  pocket.Centre = (1.0 / pocket.Score) * sum;
+}
+
+/// Gives back the numbers that the caller's atoms have.
+void Renumber(Pocket& pocket, const std::vector<std::size_t>& order)
+{
+  const auto number = [&](std::int64_t& atom)
+  { atom = static_cast<std::int64_t>(order[static_cast<std::size_t>(atom)]); };
+  for (PocketCell& cell : pocket.Cells)
+  {
+    std::for_each(cell.Atoms.begin(), cell.Atoms.end(), number);
+  }
+  for (PocketMouth& mouth : pocket.Mouths)
+  {
+    for (auto& triangle : mouth.Triangles)
+    {
+      std::for_each(triangle.begin(), triangle.end(), number);
+    }
+  }
+  for (LiningAtom& lining : pocket.Lining)
+  {
+    number(lining.Atom);
+  }
+  std::sort(pocket.Lining.begin(), pocket.Lining.end(),
+    [](const LiningAtom& a, const LiningAtom& b) { return a.Atom < b.Atom; });
+}
+
+void MeasureWhole(const Space& space, PocketResult& result)
+{
+  const CellFiltration& c = space.Filtration.Complex;
+  for (std::size_t i = 0; i < c.Tetrahedra.size(); ++i)
+  {
+    const auto& t = c.Tetrahedra[i];
+    const Point3& p = c.Points[At(t[0])];
+    const double volume = std::fabs(Dot(c.Points[At(t[1])] - p,
+                            Cross(c.Points[At(t[2])] - p, c.Points[At(t[3])] - p))) /
+      6.0;
+    result.HullVolume += volume;
+    result.FullVolume += volume - space.Empty[i].Volume;
+    (space.Labels[i] >= 0 ? result.PocketVolume : result.RestVolume) += space.Empty[i].Volume;
+  }
+  const UnionMeasure whole = MeasureUnion(space.Filtration, space.Empty);
+  result.UnionVolume = whole.Volume;
+  result.UnionArea = whole.Area;
+}
+
+}
+
+PocketResult FindPockets(
+  const std::vector<Ball>& atoms, const PocketOptions& options, const ProgressCallback& progress)
+{
+  CheckOptions(options);
+  const std::vector<std::size_t> order = CanonicalOrder(atoms);
+  Space space;
+  space.Filtration = Enlarged(atoms, order, options.ProbeRadius, Between(progress, 0.0, 0.4));
+  const CellFiltration& c = space.Filtration.Complex;
+  PocketResult result;
+  if (c.Tetrahedra.empty())
+  {
+    return result;
+  }
+  const auto faces = FacesOfCells(c);
+  space.Access = FindAccess(space.Filtration, faces, options.ProbeRadius);
+  Report(progress, 0.5);
+  space.Empty = EmptyCells(space.Filtration, faces, Between(progress, 0.5, 0.8));
+  space.Cores = Label(c, space.Access, options);
+  space.Labels = Widen(c, faces, space.Access, options.OuterRadius, space.Cores);
+  MeasureWhole(space, result);
+  Report(progress, 0.85);
+  std::vector<Pocket> pockets(At(*std::max_element(space.Labels.begin(), space.Labels.end()) + 1));
+  FillCells(space, options, pockets);
+  FillLining(space, pockets);
+  AddMouths(space.Filtration, space.Access, space.Labels, options.InnerRadius, pockets);
+  Report(progress, 0.95);
+  for (Pocket& pocket : pockets)
+  {
+    Measure(pocket);
+    if (pocket.Volume >= options.MinimumVolume && pocket.Score > 0.0)
+    {
+      Renumber(pocket, order);
+      result.Pockets.push_back(std::move(pocket));
+    }
+  }
+  std::stable_sort(result.Pockets.begin(), result.Pockets.end(),
+    [](const Pocket& a, const Pocket& b) { return a.Score > b.Score; });
+  Report(progress, 1.0);
+  return result;
+}
+
+}

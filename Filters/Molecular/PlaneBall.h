@@ -1,0 +1,81 @@
+/**
+ * @file PlaneBall.h
+ * @brief The largest ball between atoms with its centre in a plane.
+ */
+#ifndef isthmus_PlaneBall_h
+#define isthmus_PlaneBall_h
+
+#include "Ball.h"
+#include "PointBins.h"
+#include "vtkIsthmusModule.h"
+
+#include <vector>
+
+namespace isthmus
+{
+
+/// Atoms, to be asked for the room around a place.
+class AtomField
+{
+public:
+  VTKISTHMUS_EXPORT explicit AtomField(const std::vector<Ball>& atoms);
+
+  /// Distance of `place` from the nearest atom's surface, and that atom.
+  struct Room
+  {
+    double Radius;
+    std::int64_t Atom;
+  };
+  VTKISTHMUS_EXPORT Room At(const Point3& place) const;
+
+  /// The atoms whose surface is within `reach` of `place`.
+  VTKISTHMUS_EXPORT std::vector<Ball> Near(const Point3& place, double reach) const;
+
+  /// Their numbers, in no order that matters.
+  VTKISTHMUS_EXPORT std::vector<std::int64_t> Touching(const Point3& place, double reach) const;
+
+private:
+  const std::vector<Ball>& Atoms;
+  double Largest = 0.0;
+  PointBins Bins;
+};
+
+struct Plane
+{
+  Point3 Origin;
+  Point3 Normal; ///< of length 1
+};
+
+struct PlaneBall
+{
+  Point3 Centre;
+  double Radius;
+};
+
+/// How far to climb.
+struct Climb
+{
+  double Reach;     ///< from the start
+  double Enough;    ///< radius at which to stop
+  double Tolerance; ///< length of the last step
+};
+
+/**
+ * Climbs from `start` to a local maximum, within the plane, of the distance from the nearest atom's
+ * surface.
+ *
+ * The distance is the least of smooth functions. Each step maximises their linear models in a
+ * square whose size follows the success of the step, so that the last steps converge quadratically
+ * to where three atoms touch the ball. Some 30 steps of 2 us.
+ */
+VTKISTHMUS_EXPORT PlaneBall ClimbInPlane(
+  const AtomField& atoms, const Plane& plane, const Point3& start, const Climb& climb);
+
+/// The best of climbs from `starts` and from places around the first within a ball of radius
+/// `width`.
+VTKISTHMUS_EXPORT PlaneBall LargestBallInPlane(const AtomField& atoms, const Plane& plane,
+  const std::vector<Point3>& starts, double width, double enough);
+
+}
+
+#endif

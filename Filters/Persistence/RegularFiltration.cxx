@@ -1,0 +1,368 @@
+#include "RegularFiltration.h"
+
+#include "ParallelFor.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Regular_triangulation_3.h>
+#include <CGAL/Regular_triangulation_cell_base_3.h>
+#include <CGAL/Regular_triangulation_vertex_base_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace isthmus
+{
+namespace
+{
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using ExactKernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<SimplexId, Kernel,
+  CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
+using CellBase = CGAL::Triangulation_cell_base_with_info_3<SimplexId, Kernel,
+  CGAL::Regular_triangulation_cell_base_3<Kernel, CGAL::Triangulation_cell_base_3<Kernel>,
+    CGAL::Discard_hidden_points>>;
+using Regular =
+  CGAL::Regular_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
+
+/// Below this sine-like measure the plain formula could be wrong by more than 1e-9.
+constexpr double FlatnessLimit = 1e-5;
+/// Powers nearer to 0 than this, relative to their terms, are decided exactly.
+constexpr double Doubtful = 1e-11;
+
+std::size_t At(SimplexId i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+template <typename K>
+typename K::Weighted_point_3 BallOf(const RegularFiltration& f, SimplexId id)
+{
+  const Point3& p = f.Complex.Points[At(id)];
+  const double r = f.Radii[At(id)];
+  return typename K::Weighted_point_3(typename K::Point_3(p[0], p[1], p[2]), r * r);
+}
+
+double WeightOf(const RegularFiltration& f, SimplexId id)
+{
+  return f.Radii[At(id)] * f.Radii[At(id)];
+}
+
+void CheckBalls(const std::vector<Point3>& centres, const std::vector<double>& radii)
+{
+  // Powers are products of two lengths, orientations of three: beyond this they lose all digits.
+  constexpr double largest = 1e9;
+  if (centres.size() != radii.size())
+  {
+    throw std::invalid_argument("There must be one radius for each ball.");
+  }
+  for (std::size_t i = 0; i < centres.size(); ++i)
+  {
+    const Point3& p = centres[i];
+    if (!(std::max({ std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2]) }) < largest))
+    {
+      throw std::invalid_argument("Ball " + std::to_string(i) +
+        " has a coordinate that is no finite number, or beyond 1e9: these can't be atoms in "
+        "angstrom.");
+    }
+    if (!(radii[i] >= 0.0 && radii[i] < largest))
+    {
+      throw std::invalid_argument("Ball " + std::to_string(i) + " has the radius " +
+        std::to_string(radii[i]) + ", but a radius is a finite number and not negative.");
+    }
+  }
+}
+
+/// A sphere orthogonal to the balls of a simplex: its centre, and its squared radius (power).
+struct Orthosphere
+{
+  Point3 Centre;
+  double Power;
+};
+
+Orthosphere ExactOrthosphere(const RegularFiltration& f, const std::array<SimplexId, 4>& t)
+{
+  const auto centre = CGAL::weighted_circumcenter(BallOf<ExactKernel>(f, t[0]),
+    BallOf<ExactKernel>(f, t[1]), BallOf<ExactKernel>(f, t[2]), BallOf<ExactKernel>(f, t[3]));
+  const auto power = CGAL::squared_distance(centre, BallOf<ExactKernel>(f, t[0]).point()) -
+    BallOf<ExactKernel>(f, t[0]).weight();
+  return { { CGAL::to_double(centre.x()), CGAL::to_double(centre.y()),
+             CGAL::to_double(centre.z()) },
+    CGAL::to_double(power) };
+}
+
+Orthosphere OrthosphereOf(const RegularFiltration& f, const std::array<SimplexId, 4>& t)
+{
+  const auto& p = f.Complex.Points;
+  const Point3 a = p[At(t[1])] - p[At(t[0])];
+  const Point3 b = p[At(t[2])] - p[At(t[0])];
+  const Point3 c = p[At(t[3])] - p[At(t[0])];
+  const double w = WeightOf(f, t[0]);
+  const Point3 bc = Cross(b, c);
+  const double det = Dot(a, bc);
+  const double aa = Dot(a, a);
+  const double bb = Dot(b, b);
+  const double cc = Dot(c, c);
+  if (det * det <= FlatnessLimit * FlatnessLimit * aa * bb * cc)
+  {
+    return ExactOrthosphere(f, t);
+  }
+  const Point3 centre = (0.5 / det) *
+    ((aa + w - WeightOf(f, t[1])) * bc + (bb + w - WeightOf(f, t[2])) * Cross(c, a) +
+      (cc + w - WeightOf(f, t[3])) * Cross(a, b));
+  return { p[At(t[0])] + centre, Dot(centre, centre) - w };
+}
+
+double TrianglePower(const RegularFiltration& f, const std::array<SimplexId, 3>& t)
+{
+  const auto& p = f.Complex.Points;
+  const Point3 a = p[At(t[1])] - p[At(t[0])];
+  const Point3 b = p[At(t[2])] - p[At(t[0])];
+  const Point3 n = Cross(a, b);
+  const double nn = Dot(n, n);
+  const double w = WeightOf(f, t[0]);
+  if (nn <= FlatnessLimit * FlatnessLimit * Dot(a, a) * Dot(b, b))
+  {
+    return CGAL::to_double(CGAL::squared_radius_smallest_orthogonal_sphere(
+      BallOf<ExactKernel>(f, t[0]), BallOf<ExactKernel>(f, t[1]), BallOf<ExactKernel>(f, t[2])));
+  }
+  const Point3 centre = (0.5 / nn) *
+    ((Dot(a, a) + w - WeightOf(f, t[1])) * Cross(b, n) +
+      (Dot(b, b) + w - WeightOf(f, t[2])) * Cross(n, a));
+  return Dot(centre, centre) - w;
+}
+
+/// Power of the edge's smallest orthogonal sphere, and where its centre lies from the first end.
+Orthosphere EdgeOrthosphere(const RegularFiltration& f, const std::array<SimplexId, 2>& e)
+{
+  const auto& p = f.Complex.Points;
+  const Point3 d = p[At(e[1])] - p[At(e[0])];
+  const double dd = Dot(d, d);
+  const double t = 0.5 * (dd + WeightOf(f, e[0]) - WeightOf(f, e[1])) / dd;
+  return { p[At(e[0])] + t * d, t * t * dd - WeightOf(f, e[0]) };
+}
+
+void Triangulate(
+  const RegularFiltration& f, Regular& triangulation, const ProgressCallback& progress)
+{
+  std::vector<std::size_t> order(f.Radii.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::vector<Kernel::Point_3> sites;
+  sites.reserve(order.size());
+  for (const Point3& p : f.Complex.Points)
+  {
+    sites.emplace_back(p[0], p[1], p[2]);
+  }
+  using Map = CGAL::Pointer_property_map<Kernel::Point_3>::type;
+  CGAL::spatial_sort(order.begin(), order.end(),
+    CGAL::Spatial_sort_traits_adapter_3<Kernel, Map>(CGAL::make_property_map(sites)));
+  Regular::Vertex_handle hint;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const auto id = static_cast<SimplexId>(order[i]);
+    const auto vertex = hint == Regular::Vertex_handle()
+      ? triangulation.insert(BallOf<Kernel>(f, id))
+      : triangulation.insert(BallOf<Kernel>(f, id), hint->cell());
+    // A hidden ball gets no vertex, and may later hide others: then the hint is gone.
+    hint = vertex;
+    if (vertex != Regular::Vertex_handle())
+    {
+      vertex->info() = id;
+    }
+    if (i % 8192 == 0)
+    {
+      Report(progress, static_cast<double>(i) / static_cast<double>(order.size()));
+    }
+  }
+}
+
+void TakeCells(const Regular& triangulation, CellFiltration& f)
+{
+  for (auto c = triangulation.all_cells_begin(); c != triangulation.all_cells_end(); ++c)
+  {
+    c->info() = -1;
+  }
+  SimplexId count = 0;
+  for (auto c = triangulation.finite_cells_begin(); c != triangulation.finite_cells_end(); ++c)
+  {
+    c->info() = count++;
+  }
+  f.Tetrahedra.resize(At(count));
+  f.Neighbours.resize(At(count));
+  for (auto c = triangulation.finite_cells_begin(); c != triangulation.finite_cells_end(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      f.Tetrahedra[At(c->info())][At(k)] = c->vertex(k)->info();
+      f.Neighbours[At(c->info())][At(k)] = c->neighbor(k)->info();
+    }
+  }
+}
+
+void ForAll(std::size_t n, const std::function<void(std::size_t)>& body)
+{
+  ParallelFor(0, static_cast<std::int64_t>(n), 4096,
+    [&body](std::int64_t begin, std::int64_t end)
+    {
+      for (auto i = begin; i < end; ++i)
+      {
+        body(static_cast<std::size_t>(i));
+      }
+    });
+}
+
+SimplexId Opposite(
+  const CellFiltration& f, SimplexId cell, const std::array<SimplexId, 3>& triangle)
+{
+  for (const SimplexId p : f.Tetrahedra[At(cell)])
+  {
+    if (p != triangle[0] && p != triangle[1] && p != triangle[2])
+    {
+      return p;
+    }
+  }
+  return -1;
+}
+
+double TriangleValue(const RegularFiltration& f, std::size_t i)
+{
+  const CellFiltration& complex = f.Complex;
+  const auto& t = complex.Triangles[i];
+  bool attached = false;
+  double lowest = HUGE_VAL;
+  for (const SimplexId cell : complex.TriangleSides[i])
+  {
+    if (cell < 0)
+    {
+      continue;
+    }
+    lowest = std::min(lowest, complex.TetrahedronValue[At(cell)]);
+    attached = attached ||
+      Kernel().power_side_of_bounded_power_sphere_3_object()(BallOf<Kernel>(f, t[0]),
+        BallOf<Kernel>(f, t[1]), BallOf<Kernel>(f, t[2]),
+        BallOf<Kernel>(f, Opposite(complex, cell, t))) == CGAL::ON_BOUNDED_SIDE;
+  }
+  return attached ? lowest : std::min(lowest, TrianglePower(f, t));
+}
+
+/// Does the ball `third` cut into the smallest sphere orthogonal to an edge's balls?
+bool CutsInto(const RegularFiltration& f, const std::array<SimplexId, 2>& edge,
+  const Orthosphere& sphere, SimplexId third)
+{
+  const Point3 d = f.Complex.Points[At(third)] - sphere.Centre;
+  const double dd = Dot(d, d);
+  const double power = dd - WeightOf(f, third) - sphere.Power;
+  const double scale = dd + WeightOf(f, third) + std::fabs(sphere.Power) + WeightOf(f, edge[0]);
+  if (std::fabs(power) > Doubtful * scale)
+  {
+    return power < 0.0;
+  }
+  return Kernel().power_side_of_bounded_power_sphere_3_object()(BallOf<Kernel>(f, edge[0]),
+           BallOf<Kernel>(f, edge[1]), BallOf<Kernel>(f, third)) == CGAL::ON_BOUNDED_SIDE;
+}
+
+/// The neighbours in the link decide whether an edge is attached, as for Gabriel edges.
+void ValueEdges(RegularFiltration& f)
+{
+  CellFiltration& c = f.Complex;
+  c.EdgeValue.assign(c.Edges.size(), HUGE_VAL);
+  std::vector<Orthosphere> spheres(c.Edges.size());
+  ForAll(c.Edges.size(), [&](std::size_t e) { spheres[e] = EdgeOrthosphere(f, c.Edges[e]); });
+  std::vector<char> attached(c.Edges.size(), 0);
+  for (std::size_t i = 0; i < c.Triangles.size(); ++i)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const auto e = At(c.TriangleEdges[i][k]);
+      c.EdgeValue[e] = std::min(c.EdgeValue[e], c.TriangleValue[i]);
+      if (!attached[e] && CutsInto(f, c.Edges[e], spheres[e], c.Triangles[i][k]))
+      {
+        attached[e] = 1;
+      }
+    }
+  }
+  for (std::size_t e = 0; e < c.Edges.size(); ++e)
+  {
+    if (!attached[e])
+    {
+      c.EdgeValue[e] = std::min(c.EdgeValue[e], spheres[e].Power);
+    }
+  }
+}
+
+/// A vertex is attached where a neighbour's ball, shrunk as much, still holds its centre.
+void ValueVertices(RegularFiltration& f)
+{
+  const CellFiltration& c = f.Complex;
+  f.VertexValue.assign(c.Points.size(), HUGE_VAL);
+  std::vector<char> attached(c.Points.size(), 0);
+  for (std::size_t e = 0; e < c.Edges.size(); ++e)
+  {
+    const Point3 d = c.Points[At(c.Edges[e][1])] - c.Points[At(c.Edges[e][0])];
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      const SimplexId v = c.Edges[e][k];
+      const SimplexId other = c.Edges[e][1 - k];
+      f.VertexValue[At(v)] = std::min(f.VertexValue[At(v)], c.EdgeValue[e]);
+      if (Dot(d, d) < WeightOf(f, other) - WeightOf(f, v))
+      {
+        attached[At(v)] = 1;
+      }
+    }
+  }
+  for (std::size_t v = 0; v < c.Points.size(); ++v)
+  {
+    if (!attached[v] && f.VertexValue[v] < HUGE_VAL)
+    {
+      f.VertexValue[v] = std::min(f.VertexValue[v], -WeightOf(f, static_cast<SimplexId>(v)));
+    }
+  }
+}
+
+}
+
+RegularFiltration MakeRegularFiltration(
+  std::vector<Point3> centres, std::vector<double> radii, const ProgressCallback& progress)
+{
+  CheckBalls(centres, radii);
+  RegularFiltration f;
+  f.Complex.Points = std::move(centres);
+  f.Radii = std::move(radii);
+  {
+    Regular triangulation;
+    Triangulate(f, triangulation, Between(progress, 0.0, 0.5));
+    if (triangulation.dimension() == 3)
+    {
+      TakeCells(triangulation, f.Complex);
+    }
+  }
+  CellFiltration& c = f.Complex;
+  c.Connect(Between(progress, 0.5, 0.7));
+  f.Centres.resize(c.Tetrahedra.size());
+  c.TetrahedronValue.resize(c.Tetrahedra.size());
+  ForAll(c.Tetrahedra.size(),
+    [&](std::size_t i)
+    {
+      const Orthosphere sphere = OrthosphereOf(f, c.Tetrahedra[i]);
+      f.Centres[i] = sphere.Centre;
+      c.TetrahedronValue[i] = sphere.Power;
+    });
+  Report(progress, 0.8);
+  c.TriangleValue.resize(c.Triangles.size());
+  ForAll(c.Triangles.size(), [&](std::size_t i) { c.TriangleValue[i] = TriangleValue(f, i); });
+  Report(progress, 0.9);
+  ValueEdges(f);
+  ValueVertices(f);
+  Report(progress, 1.0);
+  return f;
+}
+
+}

@@ -1,0 +1,81 @@
+"""Pockets of the eight shared complexes: where the ligands are, whatever becomes of the ligands."""
+
+import numpy
+from paraview import servermanager, simple
+
+import pocket_tools as tools
+from shared_data import shared_data
+
+SUCCESS = 4.0  # angstrom, from the nearest atom of the ligand
+
+
+def moved(lines, mask):
+    """The lines with the ligand 15 angstrom off, into whatever is there."""
+    result = []
+    for line, is_ligand in zip(lines, mask):
+        if is_ligand:
+            x, y, z = tools.place_of(line)
+            line = f"{line[:30]}{x + 15.0:8.3f}{y:8.3f}{z:8.3f}{line[54:]}"
+        result.append(line)
+    return result
+
+
+def same(first, second):
+    a, b = (tools.columns(finder.GetPocketTable()) for finder in (first, second))
+    return a.keys() == b.keys() and all(
+        numpy.array_equal(a[name], b[name], equal_nan=True) for name in a
+    )
+
+
+plateau = [(inner, outer) for inner in (1.5, 1.7, 1.9) for outer in (2.8, 3.1, 3.5)]
+first, three, settings = 0, 0, dict.fromkeys(plateau, 0)
+for name, lines, mask in tools.complexes():
+    ligand = [tools.place_of(line) for line, is_ligand in zip(lines, mask) if is_ligand]
+    removed = tools.read([line for line, is_ligand in zip(lines, mask) if not is_ligand])
+    finder = tools.pockets(removed)
+    assert same(finder, tools.pockets(tools.read(lines))), f"{name}: the ligand was seen"
+    assert same(finder, tools.pockets(tools.read(moved(lines, mask)))), f"{name}: moved"
+    found = tools.distances(finder, ligand)
+    first += found[0] <= SUCCESS
+    three += min(found) <= SUCCESS
+    for inner, outer in plateau:
+        other = tools.pockets(removed, InnerRadius=inner, OuterRadius=outer)
+        settings[inner, outer] += tools.distances(other, ligand, 1)[0] <= SUCCESS
+    print(name, " ".join(f"{distance:.1f}" for distance in found))
+print(f"first {first}, among three {three} of 8; settings: {sorted(settings.values())}")
+assert first >= 7 and three == 8, (first, three)
+assert min(settings.values()) >= 7, settings
+
+# Through ParaView's proxies, as the window has it.
+atoms = simple.OpenDataFile(str(shared_data("molecules/1hew.pdb")))
+pockets = simple.MolecularPockets(Input=atoms)
+pockets.UpdatePipeline()
+cells = servermanager.Fetch(pockets, idx=0)
+table = servermanager.Fetch(pockets, idx=1)
+count = table.GetNumberOfRows()
+assert cells.GetCellData().GetArray("PocketId").GetRange() == (1.0, float(count))
+notes = cells.GetFieldData().GetAbstractArray("Notes")
+texts = [notes.GetValue(i) for i in range(notes.GetNumberOfValues())]
+assert any("NAG" in text for text in texts) and any("Water" in text for text in texts), texts
+residues = servermanager.Fetch(pockets, idx=4)
+best = {
+    residues.GetValueByName(row, "ResidueId").ToInt()
+    for row in range(residues.GetNumberOfRows())
+    if residues.GetValueByName(row, "PocketId").ToInt() == 1
+}
+assert {35, 52} & best and {62, 63, 108} & best, best  # the catalytic acids and the tryptophans
+pockets.ShownPocket = 2
+pockets.UpdatePipeline()
+lining = servermanager.Fetch(pockets, idx=5)
+assert lining.GetPointData().GetArray("PocketId").GetRange() == (2.0, 2.0)
+assert lining.GetNumberOfLines() > 0
+
+# Numbers of one kind come from one place: what cells, balls and table say is the same.
+finder = tools.pockets(tools.read(tools.lines_of(shared_data("molecules/1hew.pdb"))))
+values = tools.columns(finder.GetPocketTable())
+volumes = tools.vtk_to_numpy(finder.GetOutput().GetCellData().GetArray("EmptyVolume"))
+owners = tools.vtk_to_numpy(finder.GetOutput().GetCellData().GetArray("PocketId"))
+sums = numpy.bincount(owners, volumes)[1:]
+assert numpy.allclose(sums, values["Volume"], rtol=1e-12), (sums, values["Volume"])
+assert numpy.allclose(values["PolarShare"] + values["ApolarShare"], 1.0)
+assert finder.GetAlphaBalls().GetNumberOfPoints() == finder.GetOutput().GetNumberOfCells()

@@ -1,0 +1,88 @@
+"""Gramicidin against HOLE's own profile, a potassium channel, and proteins that no pore runs through."""
+
+import csv
+
+import numpy
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
+import isthmus
+import pocket_tools as tools
+from shared_data import shared_data
+
+# HOLE's simple.rad, by atomic number
+HOLE_RADII = {1: 1.0, 6: 1.85, 7: 1.75, 8: 1.65, 15: 2.10, 16: 2.0}
+
+
+def molecule(path, hole_radii=True):
+    reader = isthmus.vtkMacromoleculeReader()
+    reader.SetFileName(str(shared_data(path)))
+    reader.Update()
+    atoms = reader.GetOutput()
+    if hole_radii:
+        elements = vtk_to_numpy(atoms.GetPointData().GetArray("Element"))
+        radii = numpy.array([HOLE_RADII.get(element, 1.8) for element in elements])
+        array = numpy_to_vtk(radii, deep=1)
+        array.SetName("Radius")
+        atoms.GetPointData().AddArray(array)
+    return atoms
+
+
+def profile(atoms, **settings):
+    pores = isthmus.vtkPoreProfile()
+    pores.SetInputData(atoms)
+    for name, value in settings.items():
+        getattr(pores, "Set" + name)(value)
+    pores.Update()
+    return pores
+
+
+gramicidin = molecule("molecules/channels/1grm_hole_example.pdb")
+pores = profile(gramicidin)
+table = tools.columns(pores.GetPoreTable())
+assert len(table["Radius"]) == 1, table
+assert abs(table["Radius"][0] - 1.200) <= 0.005, table["Radius"]
+
+# HOLE's planes lie across y of this file.
+rows = csv.DictReader(open(shared_data("molecules/channels/1grm_hole_profile.csv")))
+hole = numpy.array([[float(value) for value in row.values()] for row in rows])
+middle = len(hole) // 2
+along = profile(
+    gramicidin,
+    Mode=isthmus.vtkPoreProfile.PointAndDirection,
+    Point=(0.1, hole[middle, 0], 3.97),
+    Direction=(0.0, 1.0, 0.0),
+    Spacing=0.125,
+)
+samples = tools.columns(along.GetProfile())
+order = numpy.argsort(samples["Y"])
+ours = numpy.interp(hole[:, 0], samples["Y"][order], samples["Radius"][order])
+inside = numpy.abs(hole[:, 0]) < 11.0  # farther out the mouth is wide open
+difference = (ours - hole[:, 1])[inside]
+print(f"HOLE: mean {abs(difference).mean():.4f}, largest {abs(difference).max():.4f}")
+assert abs(difference).mean() <= 0.005 and abs(difference).max() <= 0.03
+assert difference.min() > -1e-3  # HOLE searches at random, from below
+open_end = numpy.abs(hole[:, 0]) < 16.5
+assert abs(ours - hole[:, 1])[open_end].mean() <= 0.01
+
+potassium = tools.columns(profile(molecule("molecules/2kix.pdb")).GetPoreTable())
+assert abs(potassium["Radius"][0] - 1.40) <= 0.02, potassium["Radius"]
+for name in ("1ubq.pdb", "1hew.pdb", "4pti.pdb"):
+    for hole_radii in (True, False):
+        found = profile(molecule("molecules/" + name, hole_radii)).GetPoreTable()
+        assert found.GetNumberOfRows() == 0, name
+
+# Through ParaView's proxies, with the radii of the reader.
+atoms = simple.OpenDataFile(str(shared_data("molecules/channels/1grm_hole_example.pdb")))
+proxy = simple.PoreProfile(Input=atoms)
+proxy.UpdatePipeline()
+lines = servermanager.Fetch(proxy, idx=0)
+assert lines.GetNumberOfLines() == 1
+data = lines.GetPointData()
+for name in ("Radius", "ArcLength", "NearestAtom", "NearestResidue", "WidthClass", "PoreId"):
+    assert data.GetAbstractArray(name), name
+names = data.GetAbstractArray("NearestResidue")
+residues = {names.GetValue(i) for i in range(names.GetNumberOfValues())}
+assert any(residue.startswith("VAL") for residue in residues), residues
+tubes = servermanager.Fetch(proxy, idx=5)
+assert tubes.GetNumberOfPolys() + tubes.GetNumberOfStrips() > 0
