@@ -10,6 +10,7 @@
 #define isthmus_TetrahedralMesher_h
 
 #include "ChildProcess.h"
+#include "MeshedSide.h"
 #include "Progress.h"
 #include "ShellNesting.h"
 #include "TriangleMesh.h"
@@ -24,13 +25,6 @@ enum class TetrahedralLibrary
 {
   TetGen,
   CGAL
-};
-
-enum class MeshedSide
-{
-  Inside,  ///< the solids
-  Outside, ///< what is between the solids and the box, cavities included
-  Both
 };
 
 /// Criteria of TetGen. Its switches are those of its manual, section 4.2.

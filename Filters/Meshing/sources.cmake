@@ -1,18 +1,28 @@
 isthmus_room(
   CLASSES
     vtkDelaunayIsosurface
+    vtkIsosurfaceStuffing
     vtkMeshQualityReport
     vtkSurfaceRemesh
     vtkTetrahedralMesher
   SOURCES
     ChildProcess
     ClosedLevelSet
+    IsosurfaceStuffing
     MeshQuality
     ShellNesting
+    StuffingAngles
+    StuffingBackground
+    StuffingLattice
+    StuffingOctree
+    StuffingOutput
+    StuffingStencils
+    StuffingWarp
     SurfaceSeeds
     SurfaceTopology
     TetGenFiles
     TetGenProcess
+    TetrahedralGrid
     TetrahedralMesher
   CGAL
     CGALTetrahedra

@@ -1,35 +1,24 @@
 #include "vtkTetrahedralMesher.h"
 
 #include "AlgorithmGuard.h"
+#include "MachineMemory.h"
 #include "PolyDataMesh.h"
 #include "SurfaceRepair.h"
+#include "TetrahedralGrid.h"
 #include "TetrahedralMesher.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
 #include <vtkFieldData.h>
-#include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
-#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
-
-#include <unistd.h>
 
 vtkStandardNewMacro(vtkTetrahedralMesher);
 
 namespace
 {
-
-std::uint64_t ThreeQuartersOfMemory()
-{
-  return static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) / 4 * 3 *
-    static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
-}
 
 isthmus::TetrahedralParameters ParametersOf(vtkTetrahedralMesher* filter)
 {
@@ -39,7 +28,7 @@ isthmus::TetrahedralParameters ParametersOf(vtkTetrahedralMesher* filter)
   parameters.BoxMargin = filter->GetBoxMargin();
   const std::uint64_t bytes = filter->GetMemoryLimit() > 0
     ? static_cast<std::uint64_t>(filter->GetMemoryLimit()) << 20
-    : ThreeQuartersOfMemory();
+    : isthmus::ThreeQuartersOfMemory();
   parameters.TetGen = { filter->GetKeepSurface(), filter->GetRadiusEdgeRatio(),
     filter->GetMinimumDihedralAngle(), filter->GetMaximumVolume(), filter->GetTetGenCommand(),
     { filter->GetTimeLimit(), bytes } };
@@ -49,37 +38,6 @@ isthmus::TetrahedralParameters ParametersOf(vtkTetrahedralMesher* filter)
   parameters.CGAL.CellRadiusEdgeRatio = filter->GetCellRadiusEdgeRatio();
   parameters.CGAL.CellSize = filter->GetCellSize();
   return parameters;
-}
-
-void SetGrid(const isthmus::TetrahedralMesh& mesh, vtkUnstructuredGrid* grid)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.Points.size()));
-  vtkNew<vtkIdTypeArray> original;
-  original->SetName("OriginalPointId");
-  original->SetNumberOfValues(points->GetNumberOfPoints());
-  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
-  {
-    points->SetPoint(static_cast<vtkIdType>(i), mesh.Points[i].data());
-    original->SetValue(static_cast<vtkIdType>(i), mesh.OriginalPoints[i]);
-  }
-  const auto count = static_cast<vtkIdType>(mesh.Tetrahedra.size());
-  vtkNew<vtkCellArray> cells;
-  cells->AllocateExact(count, 4 * count);
-  vtkNew<vtkIntArray> regions;
-  regions->SetName("RegionId");
-  regions->SetNumberOfValues(count);
-  for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
-  {
-    const isthmus::Tetrahedron& t = mesh.Tetrahedra[i];
-    cells->InsertNextCell({ t[0], t[1], t[2], t[3] });
-    regions->SetValue(static_cast<vtkIdType>(i), mesh.Regions[i]);
-  }
-  grid->SetPoints(points);
-  grid->SetCells(VTK_TETRA, cells);
-  grid->GetPointData()->AddArray(original);
-  grid->GetCellData()->SetScalars(regions);
 }
 
 }
@@ -115,7 +73,7 @@ int vtkTetrahedralMesher::RequestData(
           ? id
           : repaired.OriginalPoints[static_cast<std::size_t>(id)];
       }
-      SetGrid(result, grid);
+      isthmus::SetGrid(result, grid);
       grid->GetFieldData()->PassData(surface->GetFieldData());
       if (!repaired.Changes.empty())
       {
