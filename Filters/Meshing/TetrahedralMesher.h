@@ -76,6 +76,9 @@ struct TetrahedralParameters
 VTKISTHMUS_EXPORT TetrahedralMesh MeshTetrahedra(const TriangleMesh& surface,
   const TetrahedralParameters& parameters, const ProgressCallback& progress = {});
 
+/// Throws std::invalid_argument with a sentence unless the parameters of the library can be met.
+VTKISTHMUS_EXPORT void CheckTetrahedralParameters(const TetrahedralParameters& parameters);
+
 /// What the two libraries are given: a checked surface, its regions, the box where there is one.
 struct TetrahedralTask
 {

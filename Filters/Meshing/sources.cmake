@@ -6,11 +6,13 @@ isthmus_room(
     vtkSurfaceRemesh
     vtkTetrahedralMesher
   SOURCES
+    AutomaticMesher
     ChildProcess
     ClosedLevelSet
     IsosurfaceStuffing
     MeshQuality
     ShellNesting
+    SolidStuffing
     StuffingAngles
     StuffingBackground
     StuffingLattice
@@ -18,12 +20,14 @@ isthmus_room(
     StuffingOutput
     StuffingStencils
     StuffingWarp
+    SurfaceMove
     SurfaceSeeds
     SurfaceTopology
     TetGenFiles
     TetGenProcess
     TetrahedralGrid
     TetrahedralMesher
+    WindingNumber
   CGAL
     CGALTetrahedra
     DelaunayIsosurface

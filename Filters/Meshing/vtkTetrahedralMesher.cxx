@@ -1,12 +1,14 @@
 #include "vtkTetrahedralMesher.h"
 
 #include "AlgorithmGuard.h"
+#include "AutomaticMesher.h"
 #include "MachineMemory.h"
 #include "PolyDataMesh.h"
 #include "SurfaceRepair.h"
 #include "TetrahedralGrid.h"
 #include "TetrahedralMesher.h"
 
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkNew.h>
@@ -15,20 +17,30 @@
 #include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkTetrahedralMesher);
 
 namespace
 {
 
+/// What AUTOMATIC may use when nobody says otherwise: it tries again with less after a failure.
+constexpr std::uint64_t AutomaticBytes = std::uint64_t{ 8 } << 30;
+
 isthmus::TetrahedralParameters ParametersOf(vtkTetrahedralMesher* filter)
 {
   isthmus::TetrahedralParameters parameters;
-  parameters.Library = static_cast<isthmus::TetrahedralLibrary>(filter->GetLibrary());
+  const bool automatic = filter->GetLibrary() == vtkTetrahedralMesher::AUTOMATIC;
+  if (!automatic)
+  {
+    parameters.Library = static_cast<isthmus::TetrahedralLibrary>(filter->GetLibrary());
+  }
   parameters.Side = static_cast<isthmus::MeshedSide>(filter->GetSide());
   parameters.BoxMargin = filter->GetBoxMargin();
   const std::uint64_t bytes = filter->GetMemoryLimit() > 0
     ? static_cast<std::uint64_t>(filter->GetMemoryLimit()) << 20
-    : isthmus::ThreeQuartersOfMemory();
+    : automatic ? std::min(isthmus::ThreeQuartersOfMemory(), AutomaticBytes)
+                : isthmus::ThreeQuartersOfMemory();
   parameters.TetGen = { filter->GetKeepSurface(), filter->GetRadiusEdgeRatio(),
     filter->GetMinimumDihedralAngle(), filter->GetMaximumVolume(), filter->GetTetGenCommand(),
     { filter->GetTimeLimit(), bytes } };
@@ -38,6 +50,33 @@ isthmus::TetrahedralParameters ParametersOf(vtkTetrahedralMesher* filter)
   parameters.CGAL.CellRadiusEdgeRatio = filter->GetCellRadiusEdgeRatio();
   parameters.CGAL.CellSize = filter->GetCellSize();
   return parameters;
+}
+
+void AddNumber(vtkFieldData* fields, const char* name, double value)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  fields->AddArray(array);
+}
+
+void AddText(vtkFieldData* fields, const char* name, const std::string& text)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  array->InsertNextValue(text);
+  fields->AddArray(array);
+}
+
+void AddReport(const isthmus::AutomaticMesh& made, vtkFieldData* fields)
+{
+  static const char* const names[] = { "TetGen", "TetGen after repair", "CGAL after repair",
+    "Stuffing" };
+  AddText(fields, "Engine", names[static_cast<int>(made.Way)]);
+  AddText(fields, "EngineReport", made.Report);
+  AddNumber(fields, "HausdorffDistance", made.Hausdorff);
+  AddNumber(fields, "VolumeBefore", made.VolumeBefore);
+  AddNumber(fields, "VolumeAfter", made.VolumeAfter);
 }
 
 }
@@ -59,6 +98,22 @@ int vtkTetrahedralMesher::RequestData(
       const isthmus::TetrahedralParameters parameters = ParametersOf(this);
       const auto progress = isthmus::ProgressOf(this);
       isthmus::TriangleMesh mesh = isthmus::MeshOf(surface);
+      if (this->Library == AUTOMATIC)
+      {
+        const isthmus::AutomaticMesh made =
+          isthmus::AutomaticTetrahedra(mesh, parameters, progress);
+        isthmus::SetGrid(made.Mesh, grid);
+        grid->GetFieldData()->PassData(surface->GetFieldData());
+        if (!made.Mesh.Tetrahedra.empty())
+        {
+          AddReport(made, grid->GetFieldData());
+        }
+        if (made.Hausdorff > 0.0)
+        {
+          vtkWarningMacro(<< made.Report);
+        }
+        return;
+      }
       isthmus::RepairedSurface repaired;
       if (this->Repair && !mesh.Triangles.empty())
       {
@@ -77,10 +132,7 @@ int vtkTetrahedralMesher::RequestData(
       grid->GetFieldData()->PassData(surface->GetFieldData());
       if (!repaired.Changes.empty())
       {
-        vtkNew<vtkStringArray> changes;
-        changes->SetName("Repair");
-        changes->InsertNextValue(repaired.Changes);
-        grid->GetFieldData()->AddArray(changes);
+        AddText(grid->GetFieldData(), "Repair", repaired.Changes);
         vtkWarningMacro(<< repaired.Changes);
       }
     });
@@ -89,7 +141,7 @@ int vtkTetrahedralMesher::RequestData(
 void vtkTetrahedralMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Library: " << (this->Library == TETGEN ? "TetGen" : "CGAL") << "\n";
+  os << indent << "Library: " << (this->Library == TETGEN ? "TetGen" : this->Library == CGAL ? "CGAL" : "Automatic") << "\n";
   os << indent << "Side: " << this->Side << "\n";
   os << indent << "BoxMargin: " << this->BoxMargin << "\n";
   os << indent << "Repair: " << this->Repair << "\n";
