@@ -116,13 +116,25 @@ private:
 
   bool TryRepair()
   {
-    return this->Try("Repair",
+    const bool clean = this->Try("Repair",
       [&]
       {
         this->Repaired = RepairSurface(this->Surface, Between(this->Progress, 0.2, 0.3));
         this->Changes = this->Repaired->Changes;
         DemandCleanSurface(this->Repaired->Mesh);
+        const TriangleMesh sound = SoundPart(this->Surface);
+        const double lost = OneSidedDistance(sound, this->Repaired->Mesh);
+        if (!(lost <= 0.02 * BoundsOf(sound).Diagonal()))
+        {
+          throw std::runtime_error("it would lose parts that are " + Text(lost) + " away.");
+        }
       });
+    if (!clean)
+    {
+      this->Repaired.reset();
+      this->Changes.clear();
+    }
+    return clean;
   }
 
   bool TryCGAL()
@@ -139,9 +151,9 @@ private:
 
   void Stuff()
   {
-    // A surface that repair closed is turned alike; it may cross itself, which does no harm here.
+    // Crossings and holes do no harm here, triangles turned against each other do.
     const TriangleMesh sound =
-      SoundPart(this->Repaired ? this->Repaired->Mesh : this->Surface);
+      this->Repaired ? this->Repaired->Mesh : TurnedAlike(SoundPart(this->Surface));
     const SolidStuffingParameters parameters{ this->Parameters.CGAL.CellSize,
       this->Parameters.Side, this->Parameters.BoxMargin, this->Parameters.TetGen.Limits.Bytes };
     try

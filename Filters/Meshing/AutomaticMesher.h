@@ -35,8 +35,9 @@ struct AutomaticMesh
  *
  * Each run of TetGen has a quarter of `parameters.TetGen.Limits.Seconds`; memory has its limit
  * (stuffing: Limits.Bytes, too). Stuffing takes cells of CGAL.CellSize, or a hundredth of the
- * diagonal, halved up to twice until the volume no longer changes by more than half a percent; it has region 1 for all solids and 0 for
- * all else.
+ * diagonal; it has region 1 for all solids and 0 for all
+ * else. A repair that loses parts of the surface (farther from it than a fiftieth of the diagonal)
+ * is not taken.
  *
  * @throws std::invalid_argument on parameters out of range, and when nothing is enclosed, with what
  * is wrong with the surface; Cancelled.

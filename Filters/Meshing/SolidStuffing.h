@@ -15,7 +15,7 @@ namespace isthmus
 
 struct SolidStuffingParameters
 {
-  double CellSize = 0.0; ///< a length; 0: a hundredth of the diagonal, halved where it must be
+  double CellSize = 0.0; ///< a length; 0: a hundredth of the diagonal
   MeshedSide Side = MeshedSide::Inside;
   double BoxMargin = 0.5; ///< Outside, Both: in diagonals of the surface's box
   std::uint64_t MaximumBytes = 0; ///< of the lattice; 0: no limit
@@ -26,8 +26,7 @@ struct SolidStuffingParameters
  * turned: region 1 inside, 0 outside. Distances to the soup place the new surface between the points of
  * the lattice, so that it is the old one where that is closed, and spans the holes.
  *
- * Without a CellSize, cells are halved up to twice until the volume changes by less than half a
- * percent, as far as MaximumBytes lets them. Throws std::invalid_argument when nothing is enclosed;
+ * Throws std::invalid_argument when nothing is enclosed;
  * otherwise as IsosurfaceStuffing. @pre corners exist and are finite. Cost: some microseconds for
  * each of the two points of a cell, in parallel.
  */

@@ -101,13 +101,15 @@ TriangleMesh SkinOf(const TetrahedralMesh& mesh)
   return skin;
 }
 
+double OneSidedDistance(const TriangleMesh& a, const TriangleMesh& b)
+{
+  return a.Triangles.empty() || b.Triangles.empty() ? std::numeric_limits<double>::infinity()
+                                                    : LargestDistance(a, TreeOf(b));
+}
+
 double HausdorffDistance(const TriangleMesh& a, const TriangleMesh& b)
 {
-  if (a.Triangles.empty() || b.Triangles.empty())
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  return std::max(LargestDistance(a, TreeOf(b)), LargestDistance(b, TreeOf(a)));
+  return std::max(OneSidedDistance(a, b), OneSidedDistance(b, a));
 }
 
 }

@@ -21,6 +21,9 @@ VTKISTHMUS_EXPORT TriangleMesh SkinOf(const TetrahedralMesh& mesh);
  */
 VTKISTHMUS_EXPORT double HausdorffDistance(const TriangleMesh& a, const TriangleMesh& b);
 
+/// The same from `a` to `b` only: how far `a` reaches from `b`.
+VTKISTHMUS_EXPORT double OneSidedDistance(const TriangleMesh& a, const TriangleMesh& b);
+
 }
 
 #endif

@@ -121,6 +121,12 @@ void CheckTetrahedralParameters(const TetrahedralParameters& p)
     "CGAL's sizes must be positive, or 0 for the default.");
   demand(c.CellRadiusEdgeRatio >= 2.0,
     "CGAL's cell radius-edge ratio must be at least 2: below, refinement need not end.");
+  demand(std::min(c.LloydIterations, c.ODTIterations) >= 0 &&
+      std::max(c.LloydIterations, c.ODTIterations) <= 100,
+    "Iterations of Lloyd and ODT must be from 0 to 100.");
+  demand(c.OptimisationSeconds > 0.0 && c.PerturbSeconds >= 0.0 &&
+      std::isfinite(c.OptimisationSeconds + c.PerturbSeconds),
+    "Time limits of the optimisation must be positive.");
 }
 
 TetrahedralMesh MeshTetrahedra(const TriangleMesh& surface, const TetrahedralParameters& parameters,

@@ -1,6 +1,7 @@
 isthmus_room(
   CLASSES
     vtkDelaunayIsosurface
+    vtkDualContouring
     vtkIsosurfaceStuffing
     vtkMeshQualityReport
     vtkSurfaceRemesh
@@ -9,8 +10,11 @@ isthmus_room(
     AutomaticMesher
     ChildProcess
     ClosedLevelSet
+    DualCells
+    DualContouring
     IsosurfaceStuffing
     MeshQuality
+    QuadraticErrors
     ShellNesting
     SolidStuffing
     StuffingAngles

@@ -49,6 +49,11 @@ isthmus::TetrahedralParameters ParametersOf(vtkTetrahedralMesher* filter)
   parameters.CGAL.FacetDistance = filter->GetFacetDistance();
   parameters.CGAL.CellRadiusEdgeRatio = filter->GetCellRadiusEdgeRatio();
   parameters.CGAL.CellSize = filter->GetCellSize();
+  parameters.CGAL.LloydIterations = filter->GetLloydIterations();
+  parameters.CGAL.ODTIterations = filter->GetODTIterations();
+  parameters.CGAL.OptimisationSeconds = filter->GetOptimisationTimeLimit();
+  parameters.CGAL.PerturbSeconds = filter->GetPerturbTimeLimit();
+  parameters.CGAL.Exude = filter->GetExude();
   return parameters;
 }
 
@@ -157,4 +162,9 @@ void vtkTetrahedralMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FacetDistance: " << this->FacetDistance << "\n";
   os << indent << "CellRadiusEdgeRatio: " << this->CellRadiusEdgeRatio << "\n";
   os << indent << "CellSize: " << this->CellSize << "\n";
+  os << indent << "LloydIterations: " << this->LloydIterations << "\n";
+  os << indent << "ODTIterations: " << this->ODTIterations << "\n";
+  os << indent << "OptimisationTimeLimit: " << this->OptimisationTimeLimit << "\n";
+  os << indent << "PerturbTimeLimit: " << this->PerturbTimeLimit << "\n";
+  os << indent << "Exude: " << this->Exude << "\n";
 }

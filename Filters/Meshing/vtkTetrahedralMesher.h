@@ -160,6 +160,34 @@ public:
   vtkGetMacro(CellSize, double);
   ///@}
 
+  ///@{
+  /// CGAL: iterations of Lloyd's and of the ODT optimisation after refinement, 0 to 100. Default 0.
+  vtkSetMacro(LloydIterations, int);
+  vtkGetMacro(LloydIterations, int);
+  vtkSetMacro(ODTIterations, int);
+  vtkGetMacro(ODTIterations, int);
+  ///@}
+
+  ///@{
+  /// CGAL: Lloyd and ODT stop after as many seconds each, which makes them depend on the machine.
+  /// Default 60.
+  vtkSetMacro(OptimisationTimeLimit, double);
+  vtkGetMacro(OptimisationTimeLimit, double);
+  ///@}
+
+  ///@{
+  /// CGAL: seconds for which points of slivers are moved about at most; 0: not at all. Default 0.
+  vtkSetMacro(PerturbTimeLimit, double);
+  vtkGetMacro(PerturbTimeLimit, double);
+  ///@}
+
+  ///@{
+  /// CGAL: remove slivers by weights of their points (exudation) in the end. Default on.
+  vtkSetMacro(Exude, bool);
+  vtkGetMacro(Exude, bool);
+  vtkBooleanMacro(Exude, bool);
+  ///@}
+
 protected:
   vtkTetrahedralMesher() = default;
   ~vtkTetrahedralMesher() override = default;
@@ -187,6 +215,11 @@ private:
   double FacetDistance = 0.0;
   double CellRadiusEdgeRatio = 2.0;
   double CellSize = 0.0;
+  int LloydIterations = 0;
+  int ODTIterations = 0;
+  double OptimisationTimeLimit = 60.0;
+  double PerturbTimeLimit = 0.0;
+  bool Exude = true;
 };
 
 #endif
