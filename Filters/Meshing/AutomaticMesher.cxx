@@ -54,8 +54,8 @@ std::string Text(double value)
 class Attempts
 {
 public:
-  Attempts(const TriangleMesh& surface, TetrahedralParameters parameters,
-    const ProgressCallback& progress)
+  Attempts(
+    const TriangleMesh& surface, TetrahedralParameters parameters, const ProgressCallback& progress)
     : Surface(surface)
     , Parameters(std::move(parameters))
     , Progress(progress)
@@ -143,8 +143,8 @@ private:
       [&]
       {
         this->Parameters.Library = TetrahedralLibrary::CGAL;
-        this->Result.Mesh = MeshTetrahedra(
-          this->Repaired->Mesh, this->Parameters, Between(this->Progress, 0.5, 0.7));
+        this->Result.Mesh =
+          MeshTetrahedra(this->Repaired->Mesh, this->Parameters, Between(this->Progress, 0.5, 0.7));
         this->Result.Way = MeshingWay::RepairedCGAL;
       });
   }
@@ -154,8 +154,8 @@ private:
     // Crossings and holes do no harm here, triangles turned against each other do.
     const TriangleMesh sound =
       this->Repaired ? this->Repaired->Mesh : TurnedAlike(SoundPart(this->Surface));
-    const SolidStuffingParameters parameters{ this->Parameters.CGAL.CellSize,
-      this->Parameters.Side, this->Parameters.BoxMargin, this->Parameters.TetGen.Limits.Bytes };
+    const SolidStuffingParameters parameters{ this->Parameters.CGAL.CellSize, this->Parameters.Side,
+      this->Parameters.BoxMargin, this->Parameters.TetGen.Limits.Bytes };
     try
     {
       this->Result.Mesh = StuffSolid(sound, parameters, Between(this->Progress, 0.7, 0.95));
@@ -177,18 +177,17 @@ private:
         : this->Repaired->OriginalPoints[static_cast<std::size_t>(id)];
     }
     const TriangleMesh sound = SoundPart(this->Surface);
-    result.VolumeBefore =
-      std::abs(SignedVolume(this->Repaired ? this->Repaired->Mesh : sound));
+    result.VolumeBefore = std::abs(SignedVolume(this->Repaired ? this->Repaired->Mesh : sound));
     const TriangleMesh skin = this->SkinOfSolids();
     result.VolumeAfter = std::abs(SignedVolume(skin));
-    const bool kept =
-      result.Way == MeshingWay::TetGen && this->Parameters.TetGen.KeepSurface;
+    const bool kept = result.Way == MeshingWay::TetGen && this->Parameters.TetGen.KeepSurface;
     result.Hausdorff = kept ? 0.0 : HausdorffDistance(sound, skin);
     static const char* const names[] = { "TetGen", "TetGen after repair", "CGAL after repair",
       "isosurface stuffing from the winding number" };
     result.Report = std::string("Tetrahedra by ") + names[static_cast<int>(result.Way)] +
-      (kept ? ": the surface is kept."
-            : ": the surface moved by at most " + Text(result.Hausdorff) + ", the volume went from " +
+      (kept
+          ? ": the surface is kept."
+          : ": the surface moved by at most " + Text(result.Hausdorff) + ", the volume went from " +
             Text(result.VolumeBefore) + " to " + Text(result.VolumeAfter) + ".");
     if (result.Way != MeshingWay::TetGen)
     {
@@ -219,7 +218,8 @@ private:
       {
         for (const double at : { box.Min[a], box.Max[a] })
         {
-          if (std::all_of(t.begin(), t.end(), [&](std::int64_t id)
+          if (std::all_of(t.begin(), t.end(),
+                [&](std::int64_t id)
                 { return std::abs(skin.Points[static_cast<std::size_t>(id)][a] - at) < slack; }))
           {
             return true;

@@ -22,16 +22,17 @@ struct AutomaticMesh
 {
   TetrahedralMesh Mesh; ///< OriginalPoints: of the surface given
   MeshingWay Way = MeshingWay::TetGen;
-  std::string Report;            ///< the way gone, why not another, how far the surface moved
-  double Hausdorff = 0.0;        ///< between the surface and the skin of the solids
-  double VolumeBefore = 0.0;     ///< enclosed by the surface; by winding number when it is not closed
-  double VolumeAfter = 0.0;      ///< of the solids
+  std::string Report;        ///< the way gone, why not another, how far the surface moved
+  double Hausdorff = 0.0;    ///< between the surface and the skin of the solids
+  double VolumeBefore = 0.0; ///< enclosed by the surface; by winding number when it is not closed
+  double VolumeAfter = 0.0;  ///< of the solids
 };
 
 /**
- * Goes on to the next way whenever one ends in an error or passes a limit: TetGen (the surface stays), TetGen
- * after RepairSurface, CGAL after it, and isosurface stuffing (IsosurfaceStuffing.h) of the place
- * where the winding number (WindingNumber.h) is above one half, which needs nothing of the surface.
+ * Goes on to the next way whenever one ends in an error or passes a limit: TetGen (the surface
+ * stays), TetGen after RepairSurface, CGAL after it, and isosurface stuffing (IsosurfaceStuffing.h)
+ * of the place where the winding number (WindingNumber.h) is above one half, which needs nothing of
+ * the surface.
  *
  * Each run of TetGen has a quarter of `parameters.TetGen.Limits.Seconds`; memory has its limit
  * (stuffing: Limits.Bytes, too). Stuffing takes cells of CGAL.CellSize, or a hundredth of the

@@ -81,8 +81,8 @@ DualCells::Face DualCells::FaceOf(std::int64_t cell, std::size_t axis, std::size
 {
   const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
   // Around the face: below, right, above, left.
-  const std::array<std::size_t, 4> edges{ 4 * u + 2 * side, 4 * v + side + 2,
-    4 * u + 1 + 2 * side, 4 * v + side };
+  const std::array<std::size_t, 4> edges{ 4 * u + 2 * side, 4 * v + side + 2, 4 * u + 1 + 2 * side,
+    4 * v + side };
   Face face{ {}, 0 };
   std::array<std::size_t, 4> crossed;
   for (const std::size_t edge : edges)

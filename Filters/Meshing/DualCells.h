@@ -3,10 +3,10 @@
  * @brief The pieces of surface in each cell of a grid: one vertex of dual contouring each.
  *
  * Edges of a cell that the surface crosses belong together when a piece of surface connects them
- * across the faces. A face crossed four times is ambiguous; its inside corners are kept apart, unless
- * that would join two cells twice over the face, where its outside corners are: so every edge of the
- * contour belongs to two polygons (S. Schaefer, T. Ju, J. Warren, IEEE TVCG 13 (2007) 610,
- * doi:10.1109/TVCG.2007.1012; R. Wenger, Isosurfaces, 2013).
+ * across the faces. A face crossed four times is ambiguous; its inside corners are kept apart,
+ * unless that would join two cells twice over the face, where its outside corners are: so every
+ * edge of the contour belongs to two polygons (S. Schaefer, T. Ju, J. Warren, IEEE TVCG 13 (2007)
+ * 610, doi:10.1109/TVCG.2007.1012; R. Wenger, Isosurfaces, 2013).
  */
 #ifndef isthmus_DualCells_h
 #define isthmus_DualCells_h
@@ -32,7 +32,10 @@ public:
   /// Cells that the surface crosses, by the id of their lowest node, ascending.
   const std::vector<std::int64_t>& Active() const { return this->Cells; }
   /// For each of them, the piece that each edge belongs to, from 0.
-  const std::vector<std::array<signed char, CellEdges>>& Pieces() const { return this->PieceOfEdge; }
+  const std::vector<std::array<signed char, CellEdges>>& Pieces() const
+  {
+    return this->PieceOfEdge;
+  }
 
   /// Place of a cell in Active(). @pre it is there.
   std::size_t Find(std::int64_t cell) const;

@@ -63,8 +63,8 @@ private:
     GridCrossing wanted;
     wanted.Node = node;
     wanted.Axis = static_cast<int>(axis);
-    const auto [first, last] = std::equal_range(
-      this->Grid.Crossings.begin(), this->Grid.Crossings.end(), wanted, before);
+    const auto [first, last] =
+      std::equal_range(this->Grid.Crossings.begin(), this->Grid.Crossings.end(), wanted, before);
     if (first == last)
     {
       throw std::runtime_error("The surface changes sides without a crossing between two nodes: it "
@@ -124,9 +124,8 @@ private:
     {
       return;
     }
-    constexpr std::array<std::array<std::size_t, 2>, 4> around{
-      { { 1, 1 }, { 0, 1 }, { 0, 0 }, { 1, 0 } }
-    };
+    constexpr std::array<std::array<std::size_t, 2>, 4> around{ { { 1, 1 }, { 0, 1 }, { 0, 0 },
+      { 1, 0 } } };
     std::array<std::int64_t, 4> polygon;
     for (std::size_t i = 0; i < 4; ++i)
     {
@@ -163,10 +162,10 @@ private:
 
   void AddHalves(const std::array<std::int64_t, 4>& q, const Point3& normal)
   {
-    const double first =
-      std::min(this->Agreement(q[0], q[1], q[2], normal), this->Agreement(q[0], q[2], q[3], normal));
-    const double second =
-      std::min(this->Agreement(q[1], q[2], q[3], normal), this->Agreement(q[1], q[3], q[0], normal));
+    const double first = std::min(
+      this->Agreement(q[0], q[1], q[2], normal), this->Agreement(q[0], q[2], q[3], normal));
+    const double second = std::min(
+      this->Agreement(q[1], q[2], q[3], normal), this->Agreement(q[1], q[3], q[0], normal));
     if (first >= second)
     {
       this->Result.Polygons.push_back({ q[0], q[1], q[2], -1 });

@@ -15,8 +15,8 @@ void Check(const StuffingParameters& p)
 {
   if (!(p.CellSize > 0.0) || std::isinf(p.CellSize))
   {
-    throw std::invalid_argument("The cell size is " + std::to_string(p.CellSize) +
-      ", but it must be a positive length.");
+    throw std::invalid_argument(
+      "The cell size is " + std::to_string(p.CellSize) + ", but it must be a positive length.");
   }
   if (p.GradingLevels < 0 || p.GradingLevels > 8)
   {
@@ -33,8 +33,7 @@ void AddOctant(const StuffingLattice& lattice, const StuffingBackground& backgro
   const Octant& octant, StuffingOutput& output, std::vector<LatticeTetrahedron>& scratch)
 {
   const LatticePoint& c = octant.First;
-  const bool isNear =
-    octant.Level == 0 && lattice.IsNear(lattice.Cell(c[0], c[1], c[2]));
+  const bool isNear = octant.Level == 0 && lattice.IsNear(lattice.Cell(c[0], c[1], c[2]));
   const int side = lattice.IsInside(lattice.Node(octant.Centre())) ? 1 : -1;
   if (!isNear && !output.Wants(side))
   {
@@ -73,9 +72,8 @@ IsosurfaceStuffingResult IsosurfaceStuffing(const std::function<double(const Poi
   for (std::int64_t k = 0; k < layers; ++k)
   {
     Report(progress, 0.7 + 0.3 * static_cast<double>(k) / static_cast<double>(layers));
-    background.ForEachOctant(k,
-      [&](const Octant& octant)
-      { AddOctant(lattice, background, octant, output, scratch); });
+    background.ForEachOctant(
+      k, [&](const Octant& octant) { AddOctant(lattice, background, octant, output, scratch); });
   }
   IsosurfaceStuffingResult result;
   result.OnSurface = output.OnSurface();

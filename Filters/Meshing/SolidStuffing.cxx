@@ -86,7 +86,8 @@ TetrahedralMesh OutsideOf(const TetrahedralMesh& mesh)
 TetrahedralMesh StuffSolid(const TriangleMesh& soup, const SolidStuffingParameters& parameters,
   const ProgressCallback& progress)
 {
-  const char* const nothing = "The surface encloses nothing: it is no closed surface, nor nearly one.";
+  const char* const nothing =
+    "The surface encloses nothing: it is no closed surface, nor nearly one.";
   if (soup.Triangles.empty())
   {
     throw std::invalid_argument(nothing);
@@ -100,8 +101,7 @@ TetrahedralMesh StuffSolid(const TriangleMesh& soup, const SolidStuffingParamete
   const SolidField field(soup);
   StuffingParameters stuffing;
   // Whether anything is enclosed shows on the inside, so it is always made.
-  stuffing.Side =
-    parameters.Side == MeshedSide::Inside ? MeshedSide::Inside : MeshedSide::Both;
+  stuffing.Side = parameters.Side == MeshedSide::Inside ? MeshedSide::Inside : MeshedSide::Both;
   stuffing.Margin = parameters.Side == MeshedSide::Inside ? 0.0 : parameters.BoxMargin * diagonal;
   stuffing.MaximumBytes = parameters.MaximumBytes;
   stuffing.GradingLevels = parameters.Side == MeshedSide::Inside ? 0 : 4;

@@ -17,14 +17,14 @@ struct SolidStuffingParameters
 {
   double CellSize = 0.0; ///< a length; 0: a hundredth of the diagonal
   MeshedSide Side = MeshedSide::Inside;
-  double BoxMargin = 0.5; ///< Outside, Both: in diagonals of the surface's box
+  double BoxMargin = 0.5;         ///< Outside, Both: in diagonals of the surface's box
   std::uint64_t MaximumBytes = 0; ///< of the lattice; 0: no limit
 };
 
 /**
  * Tetrahedra of the points that `soup` winds around by more than one half, whatever way it is
- * turned: region 1 inside, 0 outside. Distances to the soup place the new surface between the points of
- * the lattice, so that it is the old one where that is closed, and spans the holes.
+ * turned: region 1 inside, 0 outside. Distances to the soup place the new surface between the
+ * points of the lattice, so that it is the old one where that is closed, and spans the holes.
  *
  * Throws std::invalid_argument when nothing is enclosed;
  * otherwise as IsosurfaceStuffing. @pre corners exist and are finite. Cost: some microseconds for

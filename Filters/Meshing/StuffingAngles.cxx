@@ -101,7 +101,8 @@ private:
 
 }
 
-void KeepAngles(const StuffingLattice& lattice, StuffingWarp& warp, const ProgressCallback& progress)
+void KeepAngles(
+  const StuffingLattice& lattice, StuffingWarp& warp, const ProgressCallback& progress)
 {
   Straightener straightener(lattice, warp);
   double from = 0.0;

@@ -44,8 +44,9 @@ void StuffingBackground::AppendFan(
   for (std::size_t e = 0; e < 4; ++e)
   {
     this->ForEachPart(face[e], face[(e + 1) % 4], octant.Level,
-      [&](const LatticePoint& a, const LatticePoint& b)
-      { out.push_back({ centre, middle, a, b }); });
+      [&](const LatticePoint& a, const LatticePoint& b) {
+        out.push_back({ centre, middle, a, b });
+      });
   }
 }
 
@@ -112,8 +113,9 @@ void StuffingBackground::Append(const Octant& octant, std::vector<LatticeTetrahe
         for (std::size_t e = 0; e < 4; ++e)
         {
           this->ForEachPart(face[e], face[(e + 1) % 4], octant.Level,
-            [&](const LatticePoint& a, const LatticePoint& b)
-            { out.push_back({ centre, next, a, b }); });
+            [&](const LatticePoint& a, const LatticePoint& b) {
+              out.push_back({ centre, next, a, b });
+            });
         }
       }
     }

@@ -63,7 +63,8 @@ public:
 private:
   using Face = std::array<LatticePoint, 4>;
 
-  void AppendFan(const Octant& octant, const Face& face, std::vector<LatticeTetrahedron>& out) const;
+  void AppendFan(
+    const Octant& octant, const Face& face, std::vector<LatticeTetrahedron>& out) const;
   void AppendHalves(const Octant& octant, const Octant& larger, const Face& face,
     std::vector<LatticeTetrahedron>& out) const;
   bool IsSplit(const LatticePoint& a, const LatticePoint& b, int level) const;

@@ -8,9 +8,9 @@
 namespace isthmus
 {
 
-const std::array<LatticePoint, LatticeEdges> LatticeSteps{ { { 2, 0, 0 }, { -2, 0, 0 },
-  { 0, 2, 0 }, { 0, -2, 0 }, { 0, 0, 2 }, { 0, 0, -2 }, { -1, -1, -1 }, { 1, -1, -1 },
-  { -1, 1, -1 }, { 1, 1, -1 }, { -1, -1, 1 }, { 1, -1, 1 }, { -1, 1, 1 }, { 1, 1, 1 } } };
+const std::array<LatticePoint, LatticeEdges> LatticeSteps{ { { 2, 0, 0 }, { -2, 0, 0 }, { 0, 2, 0 },
+  { 0, -2, 0 }, { 0, 0, 2 }, { 0, 0, -2 }, { -1, -1, -1 }, { 1, -1, -1 }, { -1, 1, -1 },
+  { 1, 1, -1 }, { -1, -1, 1 }, { 1, -1, 1 }, { -1, 1, 1 }, { 1, 1, 1 } } };
 
 namespace
 {
@@ -41,13 +41,12 @@ StuffingLattice::StuffingLattice(const Bounds3& bounds, const StuffingParameters
         " would make more than 262144 cells along an axis: choose a larger one.");
     }
     this->Count[a] = std::max<std::int64_t>(1, static_cast<std::int64_t>(cells));
-    this->Origin[a] = 0.5 *
-      (bounds.Min[a] + bounds.Max[a] - this->Size * static_cast<double>(this->Count[a]));
+    this->Origin[a] =
+      0.5 * (bounds.Min[a] + bounds.Max[a] - this->Size * static_cast<double>(this->Count[a]));
   }
   this->Corners = (this->Count[0] + 1) * (this->Count[1] + 1) * (this->Count[2] + 1);
   this->Centres = this->Count[0] * this->Count[1] * this->Count[2];
-  if (parameters.MaximumBytes > 0 &&
-    this->Bytes() > static_cast<double>(parameters.MaximumBytes))
+  if (parameters.MaximumBytes > 0 && this->Bytes() > static_cast<double>(parameters.MaximumBytes))
   {
     throw std::runtime_error("A cell size of " + std::to_string(this->Size) + " makes " +
       std::to_string(this->Centres) + " cells, whose values need " + Megabytes(this->Bytes()) +

@@ -13,8 +13,7 @@ struct Blocks
 
   std::size_t At(const LatticePoint& b) const
   {
-    return static_cast<std::size_t>(
-      b[0] + this->Count[0] * (b[1] + this->Count[1] * b[2]));
+    return static_cast<std::size_t>(b[0] + this->Count[0] * (b[1] + this->Count[1] * b[2]));
   }
   bool Has(const LatticePoint& b) const { return this->Flags[this->At(b)] != 0; }
 };
@@ -50,15 +49,16 @@ Blocks Parents(const Blocks& children)
       bool all = true;
       for (int c = 0; c < 8; ++c)
       {
-        all = all &&
-          children.Has({ 2 * b[0] + (c & 1), 2 * b[1] + (c >> 1 & 1), 2 * b[2] + (c >> 2) });
+        all =
+          all && children.Has({ 2 * b[0] + (c & 1), 2 * b[1] + (c >> 1 & 1), 2 * b[2] + (c >> 2) });
       }
       parents.Flags[parents.At(b)] = all ? 1 : 0;
     });
   return parents;
 }
 
-/// Flags of those whose up to 26 neighbours are flagged, too: none of them is smaller by two levels.
+/// Flags of those whose up to 26 neighbours are flagged, too: none of them is smaller by two
+/// levels.
 Blocks Balanced(const Blocks& blocks)
 {
   Blocks result = blocks;

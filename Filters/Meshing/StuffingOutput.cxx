@@ -28,7 +28,8 @@ void StuffingOutput::Insert(const StuffingPiece& piece, int side)
   {
     t[c] = this->PointId(piece[c]);
   }
-  const auto at = [&](std::size_t c) { return this->Result.Points[static_cast<std::size_t>(t[c])]; };
+  const auto at = [&](std::size_t c)
+  { return this->Result.Points[static_cast<std::size_t>(t[c])]; };
   if (Dot(Cross(at(1) - at(0), at(2) - at(0)), at(3) - at(0)) < 0.0)
   {
     std::swap(t[2], t[3]);
@@ -39,8 +40,7 @@ void StuffingOutput::Insert(const StuffingPiece& piece, int side)
 
 void StuffingOutput::AddWhole(const LatticeTetrahedron& t, int side)
 {
-  this->Insert(
-    { { { t[0], t[0] }, { t[1], t[1] }, { t[2], t[2] }, { t[3], t[3] } } }, side);
+  this->Insert({ { { t[0], t[0] }, { t[1], t[1] }, { t[2], t[2] }, { t[3], t[3] } } }, side);
 }
 
 void StuffingOutput::AddCut(const LatticeTetrahedron& t)

@@ -17,7 +17,7 @@ struct StuffingParameters
   double CellSize = 1.0; ///< side of the cubes of the lattice, a length
   int GradingLevels = 0; ///< away from the surface cubes may be up to 2^levels as large; 0: uniform
   MeshedSide Side = MeshedSide::Inside;
-  double Margin = 0.0;             ///< length by which the box exceeds the bounds; three cells at least
+  double Margin = 0.0; ///< length by which the box exceeds the bounds; three cells at least
   std::uint64_t MaximumBytes = 0; ///< of the lattice; 0: no limit
 };
 

@@ -132,8 +132,8 @@ void AppendTwoToTwo(const Parts& parts, std::vector<StuffingPiece>& out)
 
 }
 
-void CutTetrahedron(const StuffingWarp& warp, const LatticeTetrahedron& t, int side,
-  std::vector<StuffingPiece>& out)
+void CutTetrahedron(
+  const StuffingWarp& warp, const LatticeTetrahedron& t, int side, std::vector<StuffingPiece>& out)
 {
   const Parts parts(warp, t, side);
   if (parts.Owns == 0)

@@ -31,8 +31,8 @@ using StuffingPiece = std::array<StuffingCorner, 4>;
  * parity rule). The quadrilateral on the surface then has one diagonal left, the same for both
  * sides.
  */
-void CutTetrahedron(const StuffingWarp& warp, const LatticeTetrahedron& t, int side,
-  std::vector<StuffingPiece>& out);
+void CutTetrahedron(
+  const StuffingWarp& warp, const LatticeTetrahedron& t, int side, std::vector<StuffingPiece>& out);
 
 Point3 PositionOf(const StuffingWarp& warp, const StuffingCorner& corner);
 

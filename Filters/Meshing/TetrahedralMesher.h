@@ -49,11 +49,11 @@ struct CGALCriteria
   double CellSize = 0.0;            ///< circumradius of a tetrahedron at most
   std::int64_t MaximumPoints = 5'000'000; ///< refinement that passes it ends in an error
   // Optimisation after refinement, in this order. What ends by the clock need not be repeatable.
-  int LloydIterations = 0;         ///< points to the middles of their Voronoi cells, at most 100
-  int ODTIterations = 0;           ///< points to where tetrahedra follow |x|^2 best, at most 100
+  int LloydIterations = 0;           ///< points to the middles of their Voronoi cells, at most 100
+  int ODTIterations = 0;             ///< points to where tetrahedra follow |x|^2 best, at most 100
   double OptimisationSeconds = 60.0; ///< of Lloyd and of ODT at most, each
-  double PerturbSeconds = 0.0;     ///< moves points of slivers for as long at most; 0: not at all
-  bool Exude = true;               ///< removes slivers by weights of their points
+  double PerturbSeconds = 0.0;       ///< moves points of slivers for as long at most; 0: not at all
+  bool Exude = true;                 ///< removes slivers by weights of their points
 };
 
 struct TetrahedralParameters

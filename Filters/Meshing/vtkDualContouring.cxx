@@ -67,8 +67,9 @@ MovedSurface Move(const isthmus::SurfaceView& surface, double spacing)
     throw std::invalid_argument("Spacing is " + std::to_string(spacing) +
       ", but it is a length: give a positive one, or 0 for 1/64 of the longest side.");
   }
-  const auto at = [&surface](vtkIdType id)
-  { return isthmus::Point3{ surface.Point(id)[0], surface.Point(id)[1], surface.Point(id)[2] }; };
+  const auto at = [&surface](vtkIdType id) {
+    return isthmus::Point3{ surface.Point(id)[0], surface.Point(id)[1], surface.Point(id)[2] };
+  };
   const isthmus::Point3 first = at(surface.Triangle(0)[0]);
   isthmus::Bounds3 box{ first, first };
   for (vtkIdType t = 0; t < 3 * surface.NumberOfTriangles; ++t)
@@ -105,8 +106,7 @@ MovedSurface Move(const isthmus::SurfaceView& surface, double spacing)
   return moved;
 }
 
-isthmus::HermiteGrid HermiteOf(
-  const MovedSurface& moved, const isthmus::ProgressCallback& progress)
+isthmus::HermiteGrid HermiteOf(const MovedSurface& moved, const isthmus::ProgressCallback& progress)
 {
   isthmus::HermiteGrid grid;
   grid.Shape = moved.Shape;

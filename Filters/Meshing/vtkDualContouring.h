@@ -6,11 +6,11 @@
  * closed vtkPolyData (normals are its triangles'), which is met with a grid of Spacing.
  *
  * Output: vtkPolyData in world coordinates, facing outward: triangles, or quadrilaterals. Every
- * edge belongs to two polygons; the surface is open only where a level leaves the volume. Field data of
- * the input are kept.
+ * edge belongs to two polygons; the surface is open only where a level leaves the volume. Field
+ * data of the input are kept.
  *
- * Source: T. Ju et al., doi:10.1145/566654.566586, on a uniform grid, with a vertex for each piece of
- * surface in a cell. Polygons may cross where the surface turns within a cell. On failure: one
+ * Source: T. Ju et al., doi:10.1145/566654.566586, on a uniform grid, with a vertex for each piece
+ * of surface in a cell. Polygons may cross where the surface turns within a cell. On failure: one
  * sentence through vtkErrorMacro and an empty output. Cost: see DualContouring.h. The whole input
  * is needed on one rank.
  */

@@ -154,8 +154,8 @@ int vtkIsosurfaceStuffing::RequestData(
       isthmus::UseScalars(image, isthmus::ChosenScalars(this, image),
         [&](const auto& scalars)
         {
-          result = Stuff(
-            scalars, this->Level, this->InsideIsHigher, ParametersOf(this, image), progress);
+          result =
+            Stuff(scalars, this->Level, this->InsideIsHigher, ParametersOf(this, image), progress);
         });
       ToWorld(image, result.Mesh);
       isthmus::SetGrid(result.Mesh, grid);

@@ -146,7 +146,11 @@ int vtkTetrahedralMesher::RequestData(
 void vtkTetrahedralMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Library: " << (this->Library == TETGEN ? "TetGen" : this->Library == CGAL ? "CGAL" : "Automatic") << "\n";
+  os << indent << "Library: "
+     << (this->Library == TETGEN    ? "TetGen"
+            : this->Library == CGAL ? "CGAL"
+                                    : "Automatic")
+     << "\n";
   os << indent << "Side: " << this->Side << "\n";
   os << indent << "BoxMargin: " << this->BoxMargin << "\n";
   os << indent << "Repair: " << this->Repair << "\n";

@@ -92,8 +92,8 @@ TriangleMesh Turned(TriangleMesh mesh)
 /// Acceptance 2: of solids with flat faces nothing moves: corners and edges are within 0.05 h.
 TEST(DualContouring, EdgesAndCornersOfPolyhedraAreKept)
 {
-  for (const TriangleMesh& solid : { Turned(Cube({ -0.5, -0.5, -0.5 }, 1.0)), Turned(Octahedron(0.8)),
-         Cube({ -0.5, -0.5, -0.5 }, 1.0) })
+  for (const TriangleMesh& solid : { Turned(Cube({ -0.5, -0.5, -0.5 }, 1.0)),
+         Turned(Octahedron(0.8)), Cube({ -0.5, -0.5, -0.5 }, 1.0) })
   {
     const double h = 0.07;
     const TriangleMesh contour = ContourOf(solid, h);
@@ -112,8 +112,8 @@ TEST(DualContouring, SmoothLevelsConvergeWithOrderTwo)
   double last = 0.0;
   for (const int n : { 17, 33, 65 })
   {
-    const TriangleMesh contour = ContourOf(
-      Sampled(n, [](const Point3& p) { return 0.7 - std::sqrt(Dot(p, p) + 1e-12); }));
+    const TriangleMesh contour =
+      ContourOf(Sampled(n, [](const Point3& p) { return 0.7 - std::sqrt(Dot(p, p) + 1e-12); }));
     double worst = 0.0;
     for (const Point3& p : contour.Points)
     {
@@ -166,7 +166,8 @@ TEST(DualContouring, NoiseGivesAManifold)
 
 TEST(DualContouring, QuadrilateralsMirrorsAndThreads)
 {
-  const auto image = Sampled(25, [](const Point3& p) { return 0.6 - std::abs(p[0]) - std::abs(p[1]) - std::abs(p[2]); });
+  const auto image = Sampled(
+    25, [](const Point3& p) { return 0.6 - std::abs(p[0]) - std::abs(p[1]) - std::abs(p[2]); });
   vtkNew<vtkDualContouring> filter;
   filter->SetInputData(image);
   filter->QuadrilateralsOn();

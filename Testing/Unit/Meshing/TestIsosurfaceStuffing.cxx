@@ -116,8 +116,8 @@ bool SkinIsTheBox(const TetrahedralMesh& mesh, const std::set<Triangle>& skin)
       for (const double at : { box.Min[a], box.Max[a] })
       {
         inOneSide = inOneSide ||
-          std::all_of(t.begin(), t.end(), [&](std::int64_t id)
-            { return mesh.Points[static_cast<std::size_t>(id)][a] == at; });
+          std::all_of(t.begin(), t.end(),
+            [&](std::int64_t id) { return mesh.Points[static_cast<std::size_t>(id)][a] == at; });
       }
     }
     if (!inOneSide)
@@ -292,14 +292,17 @@ TEST(IsosurfaceStuffing, ExtremeValuesAndExactLevelsAreFine)
   for (const double scale : { 1e-310, 1e300 })
   {
     const auto result = IsosurfaceStuffing(
-      [scale](const Point3& x)
-      { return scale * (x[0] < 3.0 ? -1.0 : x[0] > 5.0 || x[1] > 6.0 ? -1.0 : 1.0); },
+      [scale](const Point3& x) {
+        return scale * (x[0] < 3.0 ? -1.0 : x[0] > 5.0 || x[1] > 6.0 ? -1.0 : 1.0);
+      },
       { { 0, 0, 0 }, { 8, 8, 8 } }, parameters);
     EXPECT_GE(QualityOf(result.Mesh).SmallestAngle, 10.7) << scale;
   }
   // The level right at lattice points: flat sides come out flat.
   const auto slab = IsosurfaceStuffing(
-    [](const Point3& x) { return std::min({ x[0], 4.0 - x[0], x[1], 4.0 - x[1], x[2], 4.0 - x[2] }); },
+    [](const Point3& x) {
+      return std::min({ x[0], 4.0 - x[0], x[1], 4.0 - x[1], x[2], 4.0 - x[2] });
+    },
     { { 0, 0, 0 }, { 4, 4, 4 } }, parameters);
   EXPECT_GE(QualityOf(slab.Mesh).SmallestAngle, 10.7);
   EXPECT_NEAR(VolumesOf(slab.Mesh).at(1), 64.0, 1.0);
@@ -330,7 +333,7 @@ TEST(IsosurfaceStuffing, WhatCannotBeMetIsRefused)
   EXPECT_NE(fails(0.1, 9, 0).find("0 (uniform) to 8"), std::string::npos);
   EXPECT_NE(fails(0.01, 0, 1 << 20).find("limit of 1 MiB"), std::string::npos);
   EXPECT_EQ(fails(0.5, 0, 0), "");
-  EXPECT_THROW(IsosurfaceStuffing([](const Point3&) { return -1.0; },
-                 { { 0, 0, 0 }, { 1, 1, 1 } }, {}, [](double) { return false; }),
+  EXPECT_THROW(IsosurfaceStuffing([](const Point3&) { return -1.0; }, { { 0, 0, 0 }, { 1, 1, 1 } },
+                 {}, [](double) { return false; }),
     Cancelled);
 }

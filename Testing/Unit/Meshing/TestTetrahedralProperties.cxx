@@ -116,7 +116,8 @@ TEST(TetrahedralProperties, TetGenKeepsRatioVolumeAndDihedral)
   parameters.TetGen.MaximumVolume = 0.002;
   const double before = Measure(MeshTetrahedra(cube, parameters), cube).SmallestDihedral;
   parameters.TetGen.MinimumDihedral = 18.0;
-  EXPECT_GE(Measure(MeshTetrahedra(cube, parameters), cube).SmallestDihedral, std::max(before, 10.0));
+  EXPECT_GE(
+    Measure(MeshTetrahedra(cube, parameters), cube).SmallestDihedral, std::max(before, 10.0));
   parameters.TetGen.RadiusEdgeRatio = 0.0;
   parameters.TetGen.MaximumVolume = 0.0;
   EXPECT_LT(Measure(MeshTetrahedra(cube, parameters), cube).Cells, 20u);
