@@ -105,8 +105,9 @@ private:
     Bounds3 box;
     for (std::size_t a = 0; a < 3; ++a)
     {
-      box.Min[a] = this->Grid.Shape.Spacing[a] * static_cast<double>(index[a]);
-      box.Max[a] = this->Grid.Shape.Spacing[a] * static_cast<double>(index[a] + 1);
+      const double reach = this->Parameters.Reach;
+      box.Min[a] = this->Grid.Shape.Spacing[a] * (static_cast<double>(index[a]) - reach);
+      box.Max[a] = this->Grid.Shape.Spacing[a] * (static_cast<double>(index[a] + 1) + reach);
     }
     for (int piece = 0; piece < count; ++piece)
     {
@@ -190,6 +191,10 @@ DualContour DualContouring(const HermiteGrid& grid, const DualContouringParamete
   if (!(parameters.FeatureThreshold >= 0.0 && parameters.FeatureThreshold <= 1.0))
   {
     throw std::invalid_argument("The feature threshold must be from 0 to 1.");
+  }
+  if (!(parameters.Reach >= 0.0 && parameters.Reach <= 1.0))
+  {
+    throw std::invalid_argument("The reach of a vertex must be from 0 to 1 spacings.");
   }
   const auto& n = grid.Shape.Dimensions;
   if (n[0] < 2 || n[1] < 2 || n[2] < 2)

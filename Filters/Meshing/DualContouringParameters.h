@@ -24,6 +24,9 @@ struct DualContouringParameters
   /// Directions in which the normals of a cell vary less than this part of how they vary most are
   /// left to the mean of its crossings: 0 (all noise is a feature) to 1 (none is).
   double FeatureThreshold = 0.1;
+  /// Spacings by which a vertex may leave its cell, 0 to 1: above 0 corners that poke through a
+  /// face of a cell without crossing its edges are met, too, but polygons cross more easily.
+  double Reach = 0.0;
   bool Triangles = true; ///< quadrilaterals cut in two, else as they are
 };
 

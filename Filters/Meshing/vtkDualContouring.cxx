@@ -177,7 +177,7 @@ int vtkDualContouring::RequestData(
     [&]
     {
       const auto progress = isthmus::ProgressOf(this);
-      const isthmus::DualContouringParameters parameters{ this->FeatureThreshold,
+      const isthmus::DualContouringParameters parameters{ this->FeatureThreshold, this->Reach,
         !this->Quadrilaterals };
       const auto rest = isthmus::Between(progress, 0.3, 1.0);
       if (image && image->GetNumberOfPoints() > 0)
@@ -229,5 +229,6 @@ void vtkDualContouring::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
   os << indent << "Spacing: " << this->Spacing << "\n";
   os << indent << "FeatureThreshold: " << this->FeatureThreshold << "\n";
+  os << indent << "Reach: " << this->Reach << "\n";
   os << indent << "Quadrilaterals: " << this->Quadrilaterals << "\n";
 }

@@ -55,6 +55,14 @@ public:
   ///@}
 
   ///@{
+  /// Spacings by which a vertex may leave its cell, 0 to 1: above 0 corners that poke through a
+  /// face of a cell without crossing its edges are kept, too, but polygons cross more easily.
+  /// Default 0.
+  vtkSetMacro(Reach, double);
+  vtkGetMacro(Reach, double);
+  ///@}
+
+  ///@{
   /// Quadrilaterals, as the method makes them, instead of triangles. Default off.
   vtkSetMacro(Quadrilaterals, bool);
   vtkGetMacro(Quadrilaterals, bool);
@@ -77,6 +85,7 @@ private:
   bool InsideIsHigher = true;
   double Spacing = 0.0;
   double FeatureThreshold = 0.1;
+  double Reach = 0.0;
   bool Quadrilaterals = false;
 };
 
