@@ -170,6 +170,7 @@ private:
   void Tell()
   {
     AutomaticMesh& result = this->Result;
+    result.Changes = this->Changes;
     for (std::int64_t& id : result.Mesh.OriginalPoints)
     {
       id = id < 0 || result.Way != MeshingWay::RepairedTetGen

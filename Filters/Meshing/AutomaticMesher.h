@@ -23,6 +23,7 @@ struct AutomaticMesh
   TetrahedralMesh Mesh; ///< OriginalPoints: of the surface given
   MeshingWay Way = MeshingWay::TetGen;
   std::string Report;        ///< the way gone, why not another, how far the surface moved
+  std::string Changes;       ///< what repair changed on that way; else empty
   double Hausdorff = 0.0;    ///< between the surface and the skin of the solids
   double VolumeBefore = 0.0; ///< enclosed by the surface; by winding number when it is not closed
   double VolumeAfter = 0.0;  ///< of the solids

@@ -79,6 +79,10 @@ void AddReport(const isthmus::AutomaticMesh& made, vtkFieldData* fields)
     "Stuffing" };
   AddText(fields, "Engine", names[static_cast<int>(made.Way)]);
   AddText(fields, "EngineReport", made.Report);
+  if (!made.Changes.empty())
+  {
+    AddText(fields, "Repair", made.Changes);
+  }
   AddNumber(fields, "HausdorffDistance", made.Hausdorff);
   AddNumber(fields, "VolumeBefore", made.VolumeBefore);
   AddNumber(fields, "VolumeAfter", made.VolumeAfter);

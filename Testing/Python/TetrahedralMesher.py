@@ -51,7 +51,7 @@ crossing = simple.MergeBlocks(Input=simple.GroupDatasets(Input=[sphere, other]),
                               OutputDataSetType="Polygonal Mesh")
 filled = servermanager.Fetch(simple.TetrahedralMesher(Input=crossing))
 distance = math.sqrt(4.0 + 0.01 + 0.04)
-lens = math.pi * (4.0 + distance) * (4.0 - distance) ** 2 / 12.0
+lens = math.pi * (8.0 + distance) * (4.0 - distance) ** 2 / 12.0
 union = 2.0 * expected - lens
 assert abs(number(filled, "VolumeAfter") / union - 1.0) < 0.03, (engine(filled), union)
 print(filled.GetFieldData().GetAbstractArray("EngineReport").GetValue(0))
