@@ -146,8 +146,7 @@ TriangleMesh TurnedAlike(const TriangleMesh& mesh)
     [&]
     {
       const SurfaceDefects defects = FindDefects(mesh);
-      if (defects.FlippedTriangles.empty() && defects.DuplicateTriangles.empty() &&
-        defects.BoundaryTriangles.empty() && defects.NonManifoldTriangles.empty())
+      if (defects.FlippedTriangles.empty())
       {
         return mesh; // its parts may face inward: cavities do
       }
