@@ -5,7 +5,10 @@
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_domain_with_polyline_features_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/lloyd_optimize_mesh_3.h>
 #include <CGAL/make_mesh_3.h>
+#include <CGAL/odt_optimize_mesh_3.h>
+#include <CGAL/perturb_mesh_3.h>
 
 #include <unordered_map>
 
@@ -131,6 +134,30 @@ void AddSeeds(
   }
 }
 
+void Optimise(const DomainWithBox& domain, const CGALCriteria& c, Complex& complex)
+{
+  namespace params = CGAL::parameters;
+  if (c.LloydIterations > 0)
+  {
+    CGAL::lloyd_optimize_mesh_3(complex, domain, params::time_limit = c.OptimisationSeconds,
+      params::max_iteration_number = static_cast<std::size_t>(c.LloydIterations));
+  }
+  if (c.ODTIterations > 0)
+  {
+    CGAL::odt_optimize_mesh_3(complex, domain, params::time_limit = c.OptimisationSeconds,
+      params::max_iteration_number = static_cast<std::size_t>(c.ODTIterations));
+  }
+  if (c.PerturbSeconds > 0.0)
+  {
+    CGAL::perturb_mesh_3(
+      complex, domain, params::time_limit = c.PerturbSeconds, params::sliver_bound = 15.0);
+  }
+  if (c.Exude)
+  {
+    CGAL::exude_mesh_3(complex, params::sliver_bound = 8.0);
+  }
+}
+
 Complex Refine(const DomainWithBox& domain, const std::vector<const SurfaceMesh*>& shells,
   const Bounds3& bounds, const CGALCriteria& c)
 {
@@ -144,7 +171,7 @@ Complex Refine(const DomainWithBox& domain, const std::vector<const SurfaceMesh*
   Complex complex;
   CGAL::Mesh_3::internal::init_c3t3_with_features(complex, domain, criteria);
   AddSeeds(shells, domain, complex);
-  // No optimisation stage that stops by the clock, since its result would not be repeatable.
+  // Optimisation comes by itself, below: the stages that stop by the clock only where asked for.
   CGAL::refine_mesh_3(complex, domain, criteria, params::no_reset_c3t3(), params::no_perturb(),
     params::no_exude(),
     params::mesh_3_options(
@@ -155,7 +182,7 @@ Complex Refine(const DomainWithBox& domain, const std::vector<const SurfaceMesh*
     throw std::runtime_error("CGAL's refinement passed " + std::to_string(c.MaximumPoints) +
       " points: ask for larger sizes, a smaller facet angle, or raise the limit.");
   }
-  CGAL::exude_mesh_3(complex, params::sliver_bound = 8.0);
+  Optimise(domain, c, complex);
   return complex;
 }
 

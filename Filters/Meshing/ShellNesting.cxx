@@ -1,6 +1,7 @@
 #include "ShellNesting.h"
 
 #include "SurfaceTopology.h"
+#include "WindingNumber.h"
 
 #include <limits>
 #include <optional>
@@ -15,17 +16,6 @@ namespace
 const Point3& At(const TriangleMesh& mesh, std::int64_t id)
 {
   return mesh.Points[static_cast<std::size_t>(id)];
-}
-
-/// Solid angle of triangle abc seen from the origin (A. van Oosterom, J. Strackee, IEEE Trans.
-/// Biomed. Eng. 30 (1983) 125, doi:10.1109/TBME.1983.325207).
-double SolidAngle(const Point3& a, const Point3& b, const Point3& c)
-{
-  const double la = std::sqrt(Dot(a, a));
-  const double lb = std::sqrt(Dot(b, b));
-  const double lc = std::sqrt(Dot(c, c));
-  const double below = la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb;
-  return 2.0 * std::atan2(Dot(a, Cross(b, c)), below);
 }
 
 bool IsInside(const Point3& p, const TriangleMesh& shell)

@@ -140,6 +140,33 @@ std::string ChangesBetween(const SurfaceDefects& defects, const TriangleMesh& be
 
 }
 
+TriangleMesh TurnedAlike(const TriangleMesh& mesh)
+{
+  return cgal::WithSentence("turning triangles alike",
+    [&]
+    {
+      const SurfaceDefects defects = FindDefects(mesh);
+      if (defects.FlippedTriangles.empty())
+      {
+        return mesh; // its parts may face inward: cavities do
+      }
+      Soup soup = UsablePart(mesh, defects);
+      PMP::repair_polygon_soup(soup.Points, soup.Triangles);
+      PMP::orient_polygon_soup(soup.Points, soup.Triangles);
+      TriangleMesh result;
+      for (const cgal::Point& p : soup.Points)
+      {
+        result.Points.push_back(cgal::FromCGAL(p));
+      }
+      for (const auto& t : soup.Triangles)
+      {
+        result.Triangles.push_back({ static_cast<std::int64_t>(t[0]),
+          static_cast<std::int64_t>(t[1]), static_cast<std::int64_t>(t[2]) });
+      }
+      return result;
+    });
+}
+
 std::vector<std::int64_t> SelfIntersections(
   const TriangleMesh& mesh, const ProgressCallback& progress)
 {

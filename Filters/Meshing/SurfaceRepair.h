@@ -27,6 +27,10 @@ VTKISTHMUS_EXPORT std::vector<std::int64_t> SelfIntersections(
 /// is closed, manifold, oriented and free of self-intersections.
 VTKISTHMUS_EXPORT void DemandCleanSurface(const TriangleMesh& mesh);
 
+/// The triangles of `mesh`, coinciding points merged, duplicates dropped, and
+/// neighbours turned alike; as it is where that is so already. @pre corners exist and are finite.
+VTKISTHMUS_EXPORT TriangleMesh TurnedAlike(const TriangleMesh& mesh);
+
 struct RepairedSurface
 {
   TriangleMesh Mesh;

@@ -12,39 +12,6 @@ namespace isthmus
 namespace
 {
 
-void CheckParameters(const TetrahedralParameters& p)
-{
-  const auto demand = [](bool fine, const char* sentence)
-  {
-    if (!fine)
-    {
-      throw std::invalid_argument(sentence);
-    }
-  };
-  const TetGenCriteria& t = p.TetGen;
-  demand(p.Side == MeshedSide::Inside || (p.BoxMargin > 0.0 && std::isfinite(p.BoxMargin)),
-    "The margin of the box must be positive.");
-  if (p.Library == TetrahedralLibrary::TetGen)
-  {
-    demand(t.RadiusEdgeRatio == 0.0 || (t.RadiusEdgeRatio >= 1.0 && t.RadiusEdgeRatio < 1e6),
-      "TetGen's radius-edge ratio must be 0 (no refinement) or at least 1; below 2 it need not "
-      "end.");
-    demand(t.MinimumDihedral >= 0.0 && t.MinimumDihedral <= 40.0,
-      "TetGen's minimum dihedral angle must be from 0 to 40 degrees.");
-    demand(t.MaximumVolume >= 0.0 && std::isfinite(t.MaximumVolume),
-      "The maximum volume must be positive, or 0 for none.");
-    demand(t.Limits.Seconds > 0.0, "The time limit must be positive.");
-    return;
-  }
-  const CGALCriteria& c = p.CGAL;
-  demand(c.FacetAngle >= 0.0 && c.FacetAngle <= 30.0,
-    "CGAL's facet angle must be from 0 to 30 degrees: above, refinement need not end.");
-  demand(c.FacetSize >= 0.0 && c.FacetDistance >= 0.0 && c.CellSize >= 0.0,
-    "CGAL's sizes must be positive, or 0 for the default.");
-  demand(c.CellRadiusEdgeRatio >= 2.0,
-    "CGAL's cell radius-edge ratio must be at least 2: below, refinement need not end.");
-}
-
 /// The box around `surface`, `margin` of its diagonal away, as 12 triangles facing outward.
 void AddBox(TetrahedralTask& task, const Bounds3& bounds, double margin)
 {
@@ -123,10 +90,49 @@ void CheckVolumes(
 
 }
 
+void CheckTetrahedralParameters(const TetrahedralParameters& p)
+{
+  const auto demand = [](bool fine, const char* sentence)
+  {
+    if (!fine)
+    {
+      throw std::invalid_argument(sentence);
+    }
+  };
+  const TetGenCriteria& t = p.TetGen;
+  demand(p.Side == MeshedSide::Inside || (p.BoxMargin > 0.0 && std::isfinite(p.BoxMargin)),
+    "The margin of the box must be positive.");
+  if (p.Library == TetrahedralLibrary::TetGen)
+  {
+    demand(t.RadiusEdgeRatio == 0.0 || (t.RadiusEdgeRatio >= 1.0 && t.RadiusEdgeRatio < 1e6),
+      "TetGen's radius-edge ratio must be 0 (no refinement) or at least 1; below 2 it need not "
+      "end.");
+    demand(t.MinimumDihedral >= 0.0 && t.MinimumDihedral <= 40.0,
+      "TetGen's minimum dihedral angle must be from 0 to 40 degrees.");
+    demand(t.MaximumVolume >= 0.0 && std::isfinite(t.MaximumVolume),
+      "The maximum volume must be positive, or 0 for none.");
+    demand(t.Limits.Seconds > 0.0, "The time limit must be positive.");
+    return;
+  }
+  const CGALCriteria& c = p.CGAL;
+  demand(c.FacetAngle >= 0.0 && c.FacetAngle <= 30.0,
+    "CGAL's facet angle must be from 0 to 30 degrees: above, refinement need not end.");
+  demand(c.FacetSize >= 0.0 && c.FacetDistance >= 0.0 && c.CellSize >= 0.0,
+    "CGAL's sizes must be positive, or 0 for the default.");
+  demand(c.CellRadiusEdgeRatio >= 2.0,
+    "CGAL's cell radius-edge ratio must be at least 2: below, refinement need not end.");
+  demand(std::min(c.LloydIterations, c.ODTIterations) >= 0 &&
+      std::max(c.LloydIterations, c.ODTIterations) <= 100,
+    "Iterations of Lloyd and ODT must be from 0 to 100.");
+  demand(c.OptimisationSeconds > 0.0 && c.PerturbSeconds >= 0.0 &&
+      std::isfinite(c.OptimisationSeconds + c.PerturbSeconds),
+    "Time limits of the optimisation must be positive.");
+}
+
 TetrahedralMesh MeshTetrahedra(const TriangleMesh& surface, const TetrahedralParameters& parameters,
   const ProgressCallback& progress)
 {
-  CheckParameters(parameters);
+  CheckTetrahedralParameters(parameters);
   if (surface.Triangles.empty())
   {
     return {};

@@ -10,6 +10,7 @@
 #define isthmus_TetrahedralMesher_h
 
 #include "ChildProcess.h"
+#include "MeshedSide.h"
 #include "Progress.h"
 #include "ShellNesting.h"
 #include "TriangleMesh.h"
@@ -24,13 +25,6 @@ enum class TetrahedralLibrary
 {
   TetGen,
   CGAL
-};
-
-enum class MeshedSide
-{
-  Inside,  ///< the solids
-  Outside, ///< what is between the solids and the box, cavities included
-  Both
 };
 
 /// Criteria of TetGen. Its switches are those of its manual, section 4.2.
@@ -54,6 +48,12 @@ struct CGALCriteria
   double CellRadiusEdgeRatio = 2.0; ///< circumradius / shortest edge at most
   double CellSize = 0.0;            ///< circumradius of a tetrahedron at most
   std::int64_t MaximumPoints = 5'000'000; ///< refinement that passes it ends in an error
+  // Optimisation after refinement, in this order. What ends by the clock need not be repeatable.
+  int LloydIterations = 0;           ///< points to the middles of their Voronoi cells, at most 100
+  int ODTIterations = 0;             ///< points to where tetrahedra follow |x|^2 best, at most 100
+  double OptimisationSeconds = 60.0; ///< of Lloyd and of ODT at most, each
+  double PerturbSeconds = 0.0;       ///< moves points of slivers for as long at most; 0: not at all
+  bool Exude = true;                 ///< removes slivers by weights of their points
 };
 
 struct TetrahedralParameters
@@ -81,6 +81,9 @@ struct TetrahedralParameters
  */
 VTKISTHMUS_EXPORT TetrahedralMesh MeshTetrahedra(const TriangleMesh& surface,
   const TetrahedralParameters& parameters, const ProgressCallback& progress = {});
+
+/// Throws std::invalid_argument with a sentence unless the parameters of the library can be met.
+VTKISTHMUS_EXPORT void CheckTetrahedralParameters(const TetrahedralParameters& parameters);
 
 /// What the two libraries are given: a checked surface, its regions, the box where there is one.
 struct TetrahedralTask

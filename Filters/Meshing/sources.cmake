@@ -1,19 +1,37 @@
 isthmus_room(
   CLASSES
     vtkDelaunayIsosurface
+    vtkDualContouring
+    vtkIsosurfaceStuffing
     vtkMeshQualityReport
     vtkSurfaceRemesh
     vtkTetrahedralMesher
   SOURCES
+    AutomaticMesher
     ChildProcess
     ClosedLevelSet
+    DualCells
+    DualContouring
+    IsosurfaceStuffing
     MeshQuality
+    QuadraticErrors
     ShellNesting
+    SolidStuffing
+    StuffingAngles
+    StuffingBackground
+    StuffingLattice
+    StuffingOctree
+    StuffingOutput
+    StuffingStencils
+    StuffingWarp
+    SurfaceMove
     SurfaceSeeds
     SurfaceTopology
     TetGenFiles
     TetGenProcess
+    TetrahedralGrid
     TetrahedralMesher
+    WindingNumber
   CGAL
     CGALTetrahedra
     DelaunayIsosurface

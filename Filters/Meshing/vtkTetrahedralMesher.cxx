@@ -1,45 +1,46 @@
 #include "vtkTetrahedralMesher.h"
 
 #include "AlgorithmGuard.h"
+#include "AutomaticMesher.h"
+#include "MachineMemory.h"
 #include "PolyDataMesh.h"
 #include "SurfaceRepair.h"
+#include "TetrahedralGrid.h"
 #include "TetrahedralMesher.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
-#include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
-#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <unistd.h>
+#include <algorithm>
 
 vtkStandardNewMacro(vtkTetrahedralMesher);
 
 namespace
 {
 
-std::uint64_t ThreeQuartersOfMemory()
-{
-  return static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) / 4 * 3 *
-    static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
-}
+/// What AUTOMATIC may use when nobody says otherwise: it tries again with less after a failure.
+constexpr std::uint64_t AutomaticBytes = std::uint64_t{ 8 } << 30;
 
 isthmus::TetrahedralParameters ParametersOf(vtkTetrahedralMesher* filter)
 {
   isthmus::TetrahedralParameters parameters;
-  parameters.Library = static_cast<isthmus::TetrahedralLibrary>(filter->GetLibrary());
+  const bool automatic = filter->GetLibrary() == vtkTetrahedralMesher::AUTOMATIC;
+  if (!automatic)
+  {
+    parameters.Library = static_cast<isthmus::TetrahedralLibrary>(filter->GetLibrary());
+  }
   parameters.Side = static_cast<isthmus::MeshedSide>(filter->GetSide());
   parameters.BoxMargin = filter->GetBoxMargin();
   const std::uint64_t bytes = filter->GetMemoryLimit() > 0
     ? static_cast<std::uint64_t>(filter->GetMemoryLimit()) << 20
-    : ThreeQuartersOfMemory();
+    : automatic ? std::min(isthmus::ThreeQuartersOfMemory(), AutomaticBytes)
+                : isthmus::ThreeQuartersOfMemory();
   parameters.TetGen = { filter->GetKeepSurface(), filter->GetRadiusEdgeRatio(),
     filter->GetMinimumDihedralAngle(), filter->GetMaximumVolume(), filter->GetTetGenCommand(),
     { filter->GetTimeLimit(), bytes } };
@@ -48,38 +49,43 @@ isthmus::TetrahedralParameters ParametersOf(vtkTetrahedralMesher* filter)
   parameters.CGAL.FacetDistance = filter->GetFacetDistance();
   parameters.CGAL.CellRadiusEdgeRatio = filter->GetCellRadiusEdgeRatio();
   parameters.CGAL.CellSize = filter->GetCellSize();
+  parameters.CGAL.LloydIterations = filter->GetLloydIterations();
+  parameters.CGAL.ODTIterations = filter->GetODTIterations();
+  parameters.CGAL.OptimisationSeconds = filter->GetOptimisationTimeLimit();
+  parameters.CGAL.PerturbSeconds = filter->GetPerturbTimeLimit();
+  parameters.CGAL.Exude = filter->GetExude();
   return parameters;
 }
 
-void SetGrid(const isthmus::TetrahedralMesh& mesh, vtkUnstructuredGrid* grid)
+void AddNumber(vtkFieldData* fields, const char* name, double value)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.Points.size()));
-  vtkNew<vtkIdTypeArray> original;
-  original->SetName("OriginalPointId");
-  original->SetNumberOfValues(points->GetNumberOfPoints());
-  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  fields->AddArray(array);
+}
+
+void AddText(vtkFieldData* fields, const char* name, const std::string& text)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  array->InsertNextValue(text);
+  fields->AddArray(array);
+}
+
+void AddReport(const isthmus::AutomaticMesh& made, vtkFieldData* fields)
+{
+  static const char* const names[] = { "TetGen", "TetGen after repair", "CGAL after repair",
+    "Stuffing" };
+  AddText(fields, "Engine", names[static_cast<int>(made.Way)]);
+  AddText(fields, "EngineReport", made.Report);
+  if (!made.Changes.empty())
   {
-    points->SetPoint(static_cast<vtkIdType>(i), mesh.Points[i].data());
-    original->SetValue(static_cast<vtkIdType>(i), mesh.OriginalPoints[i]);
+    AddText(fields, "Repair", made.Changes);
   }
-  const auto count = static_cast<vtkIdType>(mesh.Tetrahedra.size());
-  vtkNew<vtkCellArray> cells;
-  cells->AllocateExact(count, 4 * count);
-  vtkNew<vtkIntArray> regions;
-  regions->SetName("RegionId");
-  regions->SetNumberOfValues(count);
-  for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
-  {
-    const isthmus::Tetrahedron& t = mesh.Tetrahedra[i];
-    cells->InsertNextCell({ t[0], t[1], t[2], t[3] });
-    regions->SetValue(static_cast<vtkIdType>(i), mesh.Regions[i]);
-  }
-  grid->SetPoints(points);
-  grid->SetCells(VTK_TETRA, cells);
-  grid->GetPointData()->AddArray(original);
-  grid->GetCellData()->SetScalars(regions);
+  AddNumber(fields, "HausdorffDistance", made.Hausdorff);
+  AddNumber(fields, "VolumeBefore", made.VolumeBefore);
+  AddNumber(fields, "VolumeAfter", made.VolumeAfter);
 }
 
 }
@@ -101,6 +107,22 @@ int vtkTetrahedralMesher::RequestData(
       const isthmus::TetrahedralParameters parameters = ParametersOf(this);
       const auto progress = isthmus::ProgressOf(this);
       isthmus::TriangleMesh mesh = isthmus::MeshOf(surface);
+      if (this->Library == AUTOMATIC)
+      {
+        const isthmus::AutomaticMesh made =
+          isthmus::AutomaticTetrahedra(mesh, parameters, progress);
+        isthmus::SetGrid(made.Mesh, grid);
+        grid->GetFieldData()->PassData(surface->GetFieldData());
+        if (!made.Mesh.Tetrahedra.empty())
+        {
+          AddReport(made, grid->GetFieldData());
+        }
+        if (made.Hausdorff > 0.0)
+        {
+          vtkWarningMacro(<< made.Report);
+        }
+        return;
+      }
       isthmus::RepairedSurface repaired;
       if (this->Repair && !mesh.Triangles.empty())
       {
@@ -115,14 +137,11 @@ int vtkTetrahedralMesher::RequestData(
           ? id
           : repaired.OriginalPoints[static_cast<std::size_t>(id)];
       }
-      SetGrid(result, grid);
+      isthmus::SetGrid(result, grid);
       grid->GetFieldData()->PassData(surface->GetFieldData());
       if (!repaired.Changes.empty())
       {
-        vtkNew<vtkStringArray> changes;
-        changes->SetName("Repair");
-        changes->InsertNextValue(repaired.Changes);
-        grid->GetFieldData()->AddArray(changes);
+        AddText(grid->GetFieldData(), "Repair", repaired.Changes);
         vtkWarningMacro(<< repaired.Changes);
       }
     });
@@ -131,7 +150,11 @@ int vtkTetrahedralMesher::RequestData(
 void vtkTetrahedralMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Library: " << (this->Library == TETGEN ? "TetGen" : "CGAL") << "\n";
+  os << indent << "Library: "
+     << (this->Library == TETGEN    ? "TetGen"
+            : this->Library == CGAL ? "CGAL"
+                                    : "Automatic")
+     << "\n";
   os << indent << "Side: " << this->Side << "\n";
   os << indent << "BoxMargin: " << this->BoxMargin << "\n";
   os << indent << "Repair: " << this->Repair << "\n";
@@ -147,4 +170,9 @@ void vtkTetrahedralMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FacetDistance: " << this->FacetDistance << "\n";
   os << indent << "CellRadiusEdgeRatio: " << this->CellRadiusEdgeRatio << "\n";
   os << indent << "CellSize: " << this->CellSize << "\n";
+  os << indent << "LloydIterations: " << this->LloydIterations << "\n";
+  os << indent << "ODTIterations: " << this->ODTIterations << "\n";
+  os << indent << "OptimisationTimeLimit: " << this->OptimisationTimeLimit << "\n";
+  os << indent << "PerturbTimeLimit: " << this->PerturbTimeLimit << "\n";
+  os << indent << "Exude: " << this->Exude << "\n";
 }

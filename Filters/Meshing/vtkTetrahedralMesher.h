@@ -1,6 +1,6 @@
 /**
  * @class vtkTetrahedralMesher
- * @brief Fills a closed surface, or the box around it, with tetrahedra, by TetGen or CGAL.
+ * @brief Fills a closed surface, or the box around it, with tetrahedra: TetGen, CGAL, stuffing.
  *
  * Input: vtkPolyData, a closed, manifold, oriented surface without self-intersections (polygons are
  * triangulated), of any number of components, some of which may be cavities of others. It is
@@ -9,7 +9,10 @@
  * Output: vtkUnstructuredGrid of tetrahedra in the units of the surface. Cell array `RegionId`
  * (int): solids 1, 2, ..., exterior 0, cavities -1, -2, ... Point array `OriginalPointId`
  * (vtkIdType): the point of the surface it was, or -1. Field data of the input is kept; after a
- * repair, string `Repair` says what was changed.
+ * repair, string `Repair` says what was changed. With AUTOMATIC there are the field arrays `Engine`
+ * (string: the way gone), `EngineReport` (string: why, and how far the surface moved, also told as
+ * a warning when it did), `HausdorffDistance`, `VolumeBefore` and `VolumeAfter` (of the solids); by
+ * stuffing, RegionId is 1 in solids and 0 elsewhere.
  *
  * TetGen (H. Si, doi:10.1145/2629697) runs as a program of its own, the command `tetgen` of the
  * Debian package of that name, under TimeLimit and MemoryLimit, killed on abort. CGAL (Mesh_3) runs
@@ -36,7 +39,8 @@ public:
   enum LibraryType
   {
     TETGEN,
-    CGAL
+    CGAL,
+    AUTOMATIC
   };
 
   enum SideType
@@ -47,8 +51,10 @@ public:
   };
 
   ///@{
-  /// The library that makes the tetrahedra. Default TETGEN.
-  vtkSetClampMacro(Library, int, TETGEN, CGAL);
+  /// Who makes the tetrahedra. AUTOMATIC tries what moves the surface least and goes on when that
+  /// fails: TetGen, TetGen after repair, CGAL after repair, isosurface stuffing from the winding
+  /// number (AutomaticMesher.h). Default AUTOMATIC.
+  vtkSetClampMacro(Library, int, TETGEN, AUTOMATIC);
   vtkGetMacro(Library, int);
   ///@}
 
@@ -66,7 +72,8 @@ public:
   ///@}
 
   ///@{
-  /// Mend a surface that is not clean (RepairSurface of SurfaceRepair.h) and say what was changed.
+  /// Mend a surface that is not clean (RepairSurface of SurfaceRepair.h) and say what was changed;
+  /// AUTOMATIC does so by itself where it must.
   /// Default off.
   vtkSetMacro(Repair, bool);
   vtkGetMacro(Repair, bool);
@@ -107,13 +114,15 @@ public:
   ///@}
 
   ///@{
-  /// TetGen: wall time after which it is stopped, in seconds. Default 600.
+  /// TetGen: wall time after which it is stopped, in seconds; each run of AUTOMATIC has a quarter
+  /// of it. Default 600.
   vtkSetMacro(TimeLimit, double);
   vtkGetMacro(TimeLimit, double);
   ///@}
 
   ///@{
-  /// TetGen: memory it may use, in MiB; 0: three quarters of the machine's. Default 0.
+  /// TetGen and stuffing: memory they may use, in MiB; 0: three quarters of the machine's, with
+  /// AUTOMATIC 8 GiB at most. Default 0.
   vtkSetClampMacro(MemoryLimit, int, 0, VTK_INT_MAX);
   vtkGetMacro(MemoryLimit, int);
   ///@}
@@ -151,6 +160,34 @@ public:
   vtkGetMacro(CellSize, double);
   ///@}
 
+  ///@{
+  /// CGAL: iterations of Lloyd's and of the ODT optimisation after refinement, 0 to 100. Default 0.
+  vtkSetMacro(LloydIterations, int);
+  vtkGetMacro(LloydIterations, int);
+  vtkSetMacro(ODTIterations, int);
+  vtkGetMacro(ODTIterations, int);
+  ///@}
+
+  ///@{
+  /// CGAL: Lloyd and ODT stop after as many seconds each, which makes them depend on the machine.
+  /// Default 60.
+  vtkSetMacro(OptimisationTimeLimit, double);
+  vtkGetMacro(OptimisationTimeLimit, double);
+  ///@}
+
+  ///@{
+  /// CGAL: seconds for which points of slivers are moved about at most; 0: not at all. Default 0.
+  vtkSetMacro(PerturbTimeLimit, double);
+  vtkGetMacro(PerturbTimeLimit, double);
+  ///@}
+
+  ///@{
+  /// CGAL: remove slivers by weights of their points (exudation) in the end. Default on.
+  vtkSetMacro(Exude, bool);
+  vtkGetMacro(Exude, bool);
+  vtkBooleanMacro(Exude, bool);
+  ///@}
+
 protected:
   vtkTetrahedralMesher() = default;
   ~vtkTetrahedralMesher() override = default;
@@ -162,7 +199,7 @@ private:
   vtkTetrahedralMesher(const vtkTetrahedralMesher&) = delete;
   void operator=(const vtkTetrahedralMesher&) = delete;
 
-  int Library = TETGEN;
+  int Library = AUTOMATIC;
   int Side = INSIDE;
   double BoxMargin = 0.5;
   bool Repair = false;
@@ -178,6 +215,11 @@ private:
   double FacetDistance = 0.0;
   double CellRadiusEdgeRatio = 2.0;
   double CellSize = 0.0;
+  int LloydIterations = 0;
+  int ODTIterations = 0;
+  double OptimisationTimeLimit = 60.0;
+  double PerturbTimeLimit = 0.0;
+  bool Exude = true;
 };
 
 #endif

@@ -78,6 +78,7 @@ TEST(MeshingFilters, AnOpenSurfaceIsRefusedWithItsTriangles)
   vtkNew<vtkTetrahedralMesher> mesher;
   const Observer observer = Watch(mesher);
   mesher->SetInputData(OpenSphere());
+  mesher->SetLibrary(vtkTetrahedralMesher::TETGEN);
   mesher->Update();
   EXPECT_TRUE(observer->GetError());
   EXPECT_NE(observer->GetErrorMessage().find("triangles at a hole ("), std::string::npos)
@@ -87,19 +88,23 @@ TEST(MeshingFilters, AnOpenSurfaceIsRefusedWithItsTriangles)
 
 TEST(MeshingFilters, RepairFillsItAndSaysSo)
 {
-  vtkNew<vtkTetrahedralMesher> mesher;
-  const Observer observer = Watch(mesher);
-  mesher->SetInputData(OpenSphere());
-  mesher->RepairOn();
-  mesher->Update();
-  EXPECT_FALSE(observer->GetError()) << observer->GetErrorMessage();
-  EXPECT_TRUE(observer->GetWarning());
-  EXPECT_GT(mesher->GetOutput()->GetNumberOfCells(), 100);
-  auto* fields = mesher->GetOutput()->GetFieldData();
-  auto* repair = vtkStringArray::SafeDownCast(fields->GetAbstractArray("Repair"));
-  ASSERT_NE(repair, nullptr);
-  EXPECT_NE(repair->GetValue(0).find("filled 1 hole"), std::string::npos);
-  EXPECT_NE(fields->GetArray("MadeBy"), nullptr);
+  for (const int library : { vtkTetrahedralMesher::TETGEN, vtkTetrahedralMesher::AUTOMATIC })
+  {
+    vtkNew<vtkTetrahedralMesher> mesher;
+    const Observer observer = Watch(mesher);
+    mesher->SetInputData(OpenSphere());
+    mesher->SetLibrary(library);
+    mesher->RepairOn();
+    mesher->Update();
+    EXPECT_FALSE(observer->GetError()) << observer->GetErrorMessage();
+    EXPECT_TRUE(observer->GetWarning());
+    EXPECT_GT(mesher->GetOutput()->GetNumberOfCells(), 100);
+    auto* fields = mesher->GetOutput()->GetFieldData();
+    auto* repair = vtkStringArray::SafeDownCast(fields->GetAbstractArray("Repair"));
+    ASSERT_NE(repair, nullptr);
+    EXPECT_NE(repair->GetValue(0).find("filled 1 hole"), std::string::npos);
+    EXPECT_NE(fields->GetArray("MadeBy"), nullptr);
+  }
 }
 
 TEST(MeshingFilters, AMissingTetGenIsNamed)
@@ -107,6 +112,7 @@ TEST(MeshingFilters, AMissingTetGenIsNamed)
   vtkNew<vtkTetrahedralMesher> mesher;
   const Observer observer = Watch(mesher);
   mesher->SetInputData(Sphere());
+  mesher->SetLibrary(vtkTetrahedralMesher::TETGEN);
   mesher->SetTetGenCommand("no-such-tetgen");
   mesher->Update();
   EXPECT_NE(observer->GetErrorMessage().find("'no-such-tetgen' was not found"), std::string::npos);

@@ -1,0 +1,36 @@
+/**
+ * @file DualContouring.h
+ * @brief A surface with its sharp edges from crossings and normals on a grid.
+ *
+ * T. Ju, F. Losasso, S. Schaefer, J. Warren, ACM Trans. Graph. 21 (2002) 339,
+ * doi:10.1145/566654.566586, on a uniform grid: in each cell the point nearest to the planes
+ * of its crossings (QuadraticErrors.h), around each crossed edge a quadrilateral of four of
+ * them. A cell has a vertex for each piece of surface in it (DualCells.h), so that the surface is
+ * manifold; it is open only where it leaves the grid. Vertices are kept in their cells. That makes
+ * crossing polygons rare but does not rule them out.
+ */
+#ifndef isthmus_DualContouring_h
+#define isthmus_DualContouring_h
+
+#include "DualContouringParameters.h"
+#include "Progress.h"
+#include "vtkIsthmusModule.h"
+
+namespace isthmus
+{
+
+/**
+ * The contour of `grid`, in its frame (first node at the origin). Where an edge is crossed several
+ * times, the middle one counts.
+ *
+ * Throws std::invalid_argument for a threshold outside [0, 1], std::runtime_error where inside and
+ * crossings contradict each other, and Cancelled. Second order on smooth surfaces; edges and
+ * corners of planes come out exact where normals are. O(cells + crossings log crossings), vertices
+ * in parallel with the same bits on any number of threads; 100 bytes a crossed cell.
+ */
+VTKISTHMUS_EXPORT DualContour DualContouring(const HermiteGrid& grid,
+  const DualContouringParameters& parameters, const ProgressCallback& progress = {});
+
+}
+
+#endif

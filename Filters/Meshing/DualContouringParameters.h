@@ -1,0 +1,42 @@
+/**
+ * @file DualContouringParameters.h
+ * @brief What dual contouring is given and asked for.
+ */
+#ifndef isthmus_DualContouringParameters_h
+#define isthmus_DualContouringParameters_h
+
+#include "SurfaceCrossings.h"
+#include "TriangleMesh.h"
+
+namespace isthmus
+{
+
+/// Where a surface crosses the lines of a grid, with its normals there ("Hermite data").
+struct HermiteGrid
+{
+  GridShape Shape;
+  std::vector<unsigned char> Inside;   ///< of each node: 1 inside, else 0
+  std::vector<GridCrossing> Crossings; ///< ordered by node and axis; normals outward
+};
+
+struct DualContouringParameters
+{
+  /// Directions in which the normals of a cell vary less than this part of how they vary most are
+  /// left to the mean of its crossings: 0 (all noise is a feature) to 1 (none is).
+  double FeatureThreshold = 0.1;
+  /// Spacings by which a vertex may leave its cell, 0 to 1: above 0 corners that poke through a
+  /// face of a cell without crossing its edges are met, too, but polygons cross more easily.
+  double Reach = 0.0;
+  bool Triangles = true; ///< quadrilaterals cut in two, else as they are
+};
+
+/// Polygons of three or four corners (the fourth then differs from -1).
+struct DualContour
+{
+  std::vector<Point3> Points;
+  std::vector<std::array<std::int64_t, 4>> Polygons; ///< counter-clockwise seen from outside
+};
+
+}
+
+#endif

@@ -1,0 +1,115 @@
+#include "SurfaceMove.h"
+
+#include "ParallelReduce.h"
+#include "TriangleTree.h"
+
+#include <limits>
+
+namespace isthmus
+{
+namespace
+{
+
+/// A face, its corners sorted, and where it comes from.
+struct SortedFace
+{
+  Triangle Corners;
+  Triangle Outward;
+
+  bool operator<(const SortedFace& o) const { return this->Corners < o.Corners; }
+};
+
+struct Largest
+{
+  double Value = 0.0;
+  Largest& operator+=(const Largest& o)
+  {
+    this->Value = std::max(this->Value, o.Value);
+    return *this;
+  }
+};
+
+TriangleTree TreeOf(const TriangleMesh& mesh)
+{
+  std::vector<vtkIdType> ids;
+  ids.reserve(3 * mesh.Triangles.size());
+  for (const Triangle& t : mesh.Triangles)
+  {
+    ids.insert(ids.end(), t.begin(), t.end());
+  }
+  return TriangleTree({ mesh.Points.front().data(), static_cast<vtkIdType>(mesh.Points.size()),
+    ids.data(), static_cast<vtkIdType>(mesh.Triangles.size()) });
+}
+
+double LargestDistance(const TriangleMesh& from, const TriangleTree& to)
+{
+  const Largest squared = ParallelReduce(static_cast<std::int64_t>(from.Triangles.size()), 1024,
+    Largest{},
+    [&](Largest& largest, std::int64_t first, std::int64_t last)
+    {
+      std::int64_t guess = -1;
+      for (std::int64_t i = first; i < last; ++i)
+      {
+        const Triangle& t = from.Triangles[static_cast<std::size_t>(i)];
+        const auto at = [&](std::size_t c) { return from.Points[static_cast<std::size_t>(t[c])]; };
+        for (const Point3& p : { at(0), at(1), at(2), 0.5 * (at(0) + at(1)), 0.5 * (at(1) + at(2)),
+               0.5 * (at(2) + at(0)), (1.0 / 3.0) * (at(0) + at(1) + at(2)) })
+        {
+          const auto nearest = to.Find(p, guess);
+          guess = nearest.Triangle;
+          largest += { nearest.Squared };
+        }
+      }
+    });
+  return std::sqrt(squared.Value);
+}
+
+}
+
+TriangleMesh SkinOf(const TetrahedralMesh& mesh)
+{
+  std::vector<SortedFace> faces;
+  for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
+  {
+    const Tetrahedron& t = mesh.Tetrahedra[i];
+    if (mesh.Regions[i] > 0)
+    {
+      for (const Triangle& face : { Triangle{ t[0], t[2], t[1] }, Triangle{ t[0], t[1], t[3] },
+             Triangle{ t[1], t[2], t[3] }, Triangle{ t[0], t[3], t[2] } })
+      {
+        Triangle sorted = face;
+        std::sort(sorted.begin(), sorted.end());
+        faces.push_back({ sorted, face });
+      }
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  TriangleMesh skin;
+  skin.Points = mesh.Points;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    const bool sameAsNext = i + 1 < faces.size() && faces[i].Corners == faces[i + 1].Corners;
+    if (sameAsNext)
+    {
+      ++i;
+    }
+    else
+    {
+      skin.Triangles.push_back(faces[i].Outward);
+    }
+  }
+  return skin;
+}
+
+double OneSidedDistance(const TriangleMesh& a, const TriangleMesh& b)
+{
+  return a.Triangles.empty() || b.Triangles.empty() ? std::numeric_limits<double>::infinity()
+                                                    : LargestDistance(a, TreeOf(b));
+}
+
+double HausdorffDistance(const TriangleMesh& a, const TriangleMesh& b)
+{
+  return std::max(OneSidedDistance(a, b), OneSidedDistance(b, a));
+}
+
+}

@@ -1,0 +1,29 @@
+/**
+ * @file SurfaceMove.h
+ * @brief How far the skin of a tetrahedral mesh is from the surface it was made for.
+ */
+#ifndef isthmus_SurfaceMove_h
+#define isthmus_SurfaceMove_h
+
+#include "TriangleMesh.h"
+#include "vtkIsthmusModule.h"
+
+namespace isthmus
+{
+
+/// The faces between tetrahedra of positive region and everything else, facing out of them.
+VTKISTHMUS_EXPORT TriangleMesh SkinOf(const TetrahedralMesh& mesh);
+
+/**
+ * Largest distance of points, middles of edges and middles of triangles of either surface from the
+ * other one: the Hausdorff distance but for what lies between these places. Infinite when one of
+ * them is empty. @pre corners exist and are finite. O(n log n), in parallel.
+ */
+VTKISTHMUS_EXPORT double HausdorffDistance(const TriangleMesh& a, const TriangleMesh& b);
+
+/// The same from `a` to `b` only: how far `a` reaches from `b`.
+VTKISTHMUS_EXPORT double OneSidedDistance(const TriangleMesh& a, const TriangleMesh& b);
+
+}
+
+#endif

@@ -1,0 +1,152 @@
+#include "WindingNumber.h"
+
+#include <numeric>
+
+namespace isthmus
+{
+namespace
+{
+
+constexpr double FourPi = 4.0 * 3.14159265358979323846;
+constexpr std::int64_t LeafSize = 8;
+
+std::array<Point3, 3> CornersOf(const TriangleMesh& mesh, std::int64_t triangle)
+{
+  const Triangle& t = mesh.Triangles[static_cast<std::size_t>(triangle)];
+  const auto at = [&](std::size_t c) { return mesh.Points[static_cast<std::size_t>(t[c])]; };
+  return { at(0), at(1), at(2) };
+}
+
+Point3 MiddleOf(const std::array<Point3, 3>& t)
+{
+  return (1.0 / 3.0) * (t[0] + t[1] + t[2]);
+}
+
+}
+
+double SolidAngle(const Point3& a, const Point3& b, const Point3& c)
+{
+  const double la = std::sqrt(Dot(a, a));
+  const double lb = std::sqrt(Dot(b, b));
+  const double lc = std::sqrt(Dot(c, c));
+  const double below = la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb;
+  return 2.0 * std::atan2(Dot(a, Cross(b, c)), below);
+}
+
+WindingNumber::WindingNumber(const TriangleMesh& mesh)
+{
+  const auto count = static_cast<std::int64_t>(mesh.Triangles.size());
+  if (count == 0)
+  {
+    return;
+  }
+  std::vector<std::int64_t> order(mesh.Triangles.size());
+  std::iota(order.begin(), order.end(), 0);
+  this->Corners.reserve(order.size());
+  this->Parts.resize(1);
+  this->Build(0, 0, count, order, mesh);
+}
+
+void WindingNumber::Summarise(Part& part, std::int64_t first, std::int64_t last,
+  const std::vector<std::int64_t>& order, const TriangleMesh& mesh) const
+{
+  double area = 0.0;
+  Point3 weighted{ 0, 0, 0 }, plain{ 0, 0, 0 };
+  part.AreaNormal = { 0, 0, 0 };
+  for (std::int64_t i = first; i < last; ++i)
+  {
+    const auto t = CornersOf(mesh, order[static_cast<std::size_t>(i)]);
+    const Point3 normal = 0.5 * Cross(t[1] - t[0], t[2] - t[0]);
+    const double size = std::sqrt(Dot(normal, normal));
+    area += size;
+    weighted = weighted + size * MiddleOf(t);
+    plain = plain + MiddleOf(t);
+    part.AreaNormal = part.AreaNormal + normal;
+  }
+  part.Centre =
+    area > 0.0 ? (1.0 / area) * weighted : (1.0 / static_cast<double>(last - first)) * plain;
+  part.Radius = 0.0;
+  for (std::int64_t i = first; i < last; ++i)
+  {
+    for (const Point3& p : CornersOf(mesh, order[static_cast<std::size_t>(i)]))
+    {
+      const Point3 d = p - part.Centre;
+      part.Radius = std::max(part.Radius, std::sqrt(Dot(d, d)));
+    }
+  }
+}
+
+void WindingNumber::Build(std::size_t at, std::int64_t first, std::int64_t last,
+  std::vector<std::int64_t>& order, const TriangleMesh& mesh)
+{
+  this->Summarise(this->Parts[at], first, last, order, mesh);
+  if (last - first <= LeafSize)
+  {
+    this->Parts[at].First = static_cast<std::int64_t>(this->Corners.size());
+    this->Parts[at].Count = last - first;
+    for (std::int64_t i = first; i < last; ++i)
+    {
+      this->Corners.push_back(CornersOf(mesh, order[static_cast<std::size_t>(i)]));
+    }
+    return;
+  }
+  Bounds3 box{ this->Parts[at].Centre, this->Parts[at].Centre };
+  for (std::int64_t i = first; i < last; ++i)
+  {
+    box.Add(MiddleOf(CornersOf(mesh, order[static_cast<std::size_t>(i)])));
+  }
+  const Point3 sides = box.Max - box.Min;
+  const auto axis =
+    static_cast<std::size_t>(std::max_element(sides.begin(), sides.end()) - sides.begin());
+  const std::int64_t middle = (first + last) / 2;
+  std::nth_element(order.begin() + first, order.begin() + middle, order.begin() + last,
+    [&](std::int64_t a, std::int64_t b)
+    {
+      const double x = MiddleOf(CornersOf(mesh, a))[axis], y = MiddleOf(CornersOf(mesh, b))[axis];
+      return x != y ? x < y : a < b;
+    });
+  const std::size_t child = this->Parts.size();
+  this->Parts.resize(child + 2);
+  this->Parts[at].First = static_cast<std::int64_t>(child);
+  this->Parts[at].Count = 0;
+  this->Build(child, first, middle, order, mesh);
+  this->Build(child + 1, middle, last, order, mesh);
+}
+
+double WindingNumber::operator()(const Point3& x) const
+{
+  constexpr double farAway = 3.0;
+  double sum = 0.0;
+  std::array<std::int64_t, 64> stack; // halves: no tree is as deep
+  std::size_t depth = 0;
+  if (!this->Parts.empty())
+  {
+    stack[depth++] = 0;
+  }
+  while (depth > 0)
+  {
+    const Part& part = this->Parts[static_cast<std::size_t>(stack[--depth])];
+    const Point3 d = part.Centre - x;
+    const double distance = std::sqrt(Dot(d, d));
+    if (distance > farAway * part.Radius)
+    {
+      sum += Dot(d, part.AreaNormal) / (distance * distance * distance);
+    }
+    else if (part.Count == 0)
+    {
+      stack[depth++] = part.First;
+      stack[depth++] = part.First + 1;
+    }
+    else
+    {
+      for (std::int64_t i = part.First; i < part.First + part.Count; ++i)
+      {
+        const auto& t = this->Corners[static_cast<std::size_t>(i)];
+        sum += SolidAngle(t[0] - x, t[1] - x, t[2] - x);
+      }
+    }
+  }
+  return sum / FourPi;
+}
+
+}

@@ -1,0 +1,234 @@
+#include "vtkDualContouring.h"
+
+#include "AlgorithmGuard.h"
+#include "ChosenScalars.h"
+#include "ClosedLevelSet.h"
+#include "DualContouring.h"
+#include "ImageScalars.h"
+#include "PolyDataTriangles.h"
+
+#include <vtkCellArray.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMatrix3x3.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkDualContouring);
+
+namespace
+{
+
+using isthmus::operator+;
+using isthmus::operator-;
+
+template <typename T>
+isthmus::HermiteGrid HermiteOf(
+  const isthmus::LevelView<T>& level, const isthmus::ProgressCallback& progress)
+{
+  isthmus::CheckFinite(level.Grid);
+  isthmus::HermiteGrid grid;
+  grid.Shape = { level.Grid.Dimensions, level.Grid.Spacing };
+  grid.Inside.resize(static_cast<std::size_t>(level.Grid.Size()));
+  std::transform(level.Grid.Data, level.Grid.Data + level.Grid.Size(), grid.Inside.begin(),
+    [&level](T value) { return level.IsInside(static_cast<double>(value)) ? 1 : 0; });
+  for (std::int64_t k = 0; k < level.Grid.Dimensions[2]; ++k)
+  {
+    isthmus::AppendLevelCrossings(level, k, grid.Crossings);
+    isthmus::Report(
+      progress, static_cast<double>(k) / static_cast<double>(level.Grid.Dimensions[2]));
+  }
+  return grid;
+}
+
+/// A surface moved to the frame of a grid around it, two layers away.
+struct MovedSurface
+{
+  std::vector<double> Points;
+  isthmus::SurfaceView View;
+  isthmus::GridShape Shape;
+  isthmus::Point3 Origin;
+};
+
+MovedSurface Move(const isthmus::SurfaceView& surface, double spacing)
+{
+  if (!(spacing >= 0.0) || std::isinf(spacing))
+  {
+    throw std::invalid_argument("Spacing is " + std::to_string(spacing) +
+      ", but it is a length: give a positive one, or 0 for 1/64 of the longest side.");
+  }
+  const auto at = [&surface](vtkIdType id) {
+    return isthmus::Point3{ surface.Point(id)[0], surface.Point(id)[1], surface.Point(id)[2] };
+  };
+  const isthmus::Point3 first = at(surface.Triangle(0)[0]);
+  isthmus::Bounds3 box{ first, first };
+  for (vtkIdType t = 0; t < 3 * surface.NumberOfTriangles; ++t)
+  {
+    box.Add(at(surface.Triangles[t]));
+  }
+  const isthmus::Point3 size = box.Max - box.Min;
+  const double h = spacing > 0.0 ? spacing : *std::max_element(size.begin(), size.end()) / 64.0;
+  constexpr double mostNodes = 2e9;
+  double nodes = 1.0;
+  MovedSurface moved;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    // Off by a part of a spacing, so that flat sides do not fall on nodes.
+    constexpr double layers = 2.37;
+    moved.Origin[a] = box.Min[a] - layers * h;
+    const double count = std::ceil(size[a] / h + 2.0 * layers) + 1.0;
+    nodes *= count;
+    moved.Shape.Dimensions[a] = count < mostNodes ? static_cast<std::int64_t>(count) : 0;
+    moved.Shape.Spacing[a] = h;
+  }
+  if (!(h > 0.0) || !(nodes < mostNodes))
+  {
+    throw std::invalid_argument("The surface has no size, or the spacing makes more than two "
+                                "thousand million nodes: choose a larger one.");
+  }
+  moved.Points.resize(static_cast<std::size_t>(3 * surface.NumberOfPoints));
+  for (std::size_t i = 0; i < moved.Points.size(); ++i)
+  {
+    moved.Points[i] = surface.Points[i] - moved.Origin[i % 3];
+  }
+  moved.View = surface;
+  moved.View.Points = moved.Points.data();
+  return moved;
+}
+
+isthmus::HermiteGrid HermiteOf(const MovedSurface& moved, const isthmus::ProgressCallback& progress)
+{
+  isthmus::HermiteGrid grid;
+  grid.Shape = moved.Shape;
+  grid.Crossings = isthmus::SurfaceCrossings(
+    moved.View, moved.Shape, isthmus::CrossingNormal::Triangles, progress);
+  grid.Inside = isthmus::NodesInside(moved.View, moved.Shape);
+  return grid;
+}
+
+void SetContour(const isthmus::DualContour& contour, bool mirrored, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(contour.Points.size()));
+  for (std::size_t i = 0; i < contour.Points.size(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), contour.Points[i].data());
+  }
+  vtkNew<vtkCellArray> cells;
+  for (const auto& polygon : contour.Polygons)
+  {
+    std::array<vtkIdType, 4> ids{ polygon[0], polygon[1], polygon[2], polygon[3] };
+    const vtkIdType count = ids[3] < 0 ? 3 : 4;
+    if (mirrored)
+    {
+      std::reverse(ids.begin(), ids.begin() + count);
+    }
+    cells->InsertNextCell(count, ids.data());
+  }
+  output->SetPoints(points);
+  output->SetPolys(cells);
+}
+
+}
+
+vtkDualContouring::vtkDualContouring()
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+int vtkDualContouring::FillInputPortInformation(int, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  information->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+int vtkDualContouring::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* information = input[0]->GetInformationObject(0);
+  if (information->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    information->Set(Pipeline::UPDATE_EXTENT(), information->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+  return 1;
+}
+
+int vtkDualContouring::RequestData(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  auto* image = vtkImageData::GetData(input[0]);
+  auto* surface = vtkPolyData::GetData(input[0]);
+  auto* result = vtkPolyData::GetData(output);
+  return isthmus::Guarded(this, result,
+    [&]
+    {
+      const auto progress = isthmus::ProgressOf(this);
+      const isthmus::DualContouringParameters parameters{ this->FeatureThreshold, this->Reach,
+        !this->Quadrilaterals };
+      const auto rest = isthmus::Between(progress, 0.3, 1.0);
+      if (image && image->GetNumberOfPoints() > 0)
+      {
+        if (!std::isfinite(this->Level))
+        {
+          throw std::invalid_argument("Level is not a number.");
+        }
+        isthmus::DualContour contour;
+        isthmus::UseScalars(image, isthmus::ChosenScalars(this, image),
+          [&](const auto& grid)
+          {
+            using T = std::remove_const_t<std::remove_pointer_t<decltype(grid.Data)>>;
+            const isthmus::LevelView<T> level{ grid, this->Level, this->InsideIsHigher };
+            contour = isthmus::DualContouring(
+              HermiteOf(level, isthmus::Between(progress, 0.0, 0.3)), parameters, rest);
+          });
+        isthmus::TriangleMesh points;
+        points.Points.swap(contour.Points);
+        isthmus::ToWorld(image, points);
+        points.Points.swap(contour.Points);
+        SetContour(contour, image->GetDirectionMatrix()->Determinant() < 0.0, result);
+        result->GetFieldData()->PassData(image->GetFieldData());
+      }
+      if (surface && surface->GetNumberOfCells() > 0)
+      {
+        const isthmus::PolyDataTriangles triangles(surface);
+        if (triangles.View().NumberOfTriangles == 0)
+        {
+          return;
+        }
+        const MovedSurface moved = Move(triangles.View(), this->Spacing);
+        isthmus::DualContour contour = isthmus::DualContouring(
+          HermiteOf(moved, isthmus::Between(progress, 0.0, 0.3)), parameters, rest);
+        for (isthmus::Point3& p : contour.Points)
+        {
+          p = p + moved.Origin;
+        }
+        SetContour(contour, false, result);
+        result->GetFieldData()->PassData(surface->GetFieldData());
+      }
+    });
+}
+
+void vtkDualContouring::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Level: " << this->Level << "\n";
+  os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "FeatureThreshold: " << this->FeatureThreshold << "\n";
+  os << indent << "Reach: " << this->Reach << "\n";
+  os << indent << "Quadrilaterals: " << this->Quadrilaterals << "\n";
+}
