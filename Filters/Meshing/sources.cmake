@@ -1,13 +1,17 @@
 isthmus_room(
   CLASSES
     vtkDelaunayIsosurface
+    vtkMapSurface
     vtkMeshQualityReport
     vtkSurfaceRemesh
     vtkTetrahedralMesher
   SOURCES
     ChildProcess
     ClosedLevelSet
+    LevelTriangles
+    MapSurface
     MeshQuality
+    SensibleLevel
     ShellNesting
     SurfaceSeeds
     SurfaceTopology
