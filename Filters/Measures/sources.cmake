@@ -1,8 +1,10 @@
 isthmus_room(
   CLASSES
+    vtkAreaQuantiles
     vtkSurfaceMeasures
     vtkSurfaceToGrid
   SOURCES
+    AreaQuantiles
     CartesianMeasures
     GridDistance
     GridImages
