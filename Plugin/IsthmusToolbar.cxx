@@ -2,8 +2,40 @@
 
 #include "RunPython.h"
 
+#include <pqApplicationCore.h>
+#include <pqPipelineSource.h>
+#include <pqServerManagerModel.h>
+
 #include <QApplication>
 #include <QIcon>
+
+namespace
+{
+
+QList<pqPipelineSource*> Sources()
+{
+  return pqApplicationCore::instance()
+    ->getServerManagerModel()
+    ->findItems<pqPipelineSource*>();
+}
+
+/// Runs a pipeline; what it made is up to date, so that Apply has nothing to do.
+void Run(const QString& call)
+{
+  const QList<pqPipelineSource*> before = Sources();
+  QApplication::setOverrideCursor(Qt::WaitCursor);
+  isthmus::RunPipelines(call);
+  QApplication::restoreOverrideCursor();
+  for (pqPipelineSource* source : Sources())
+  {
+    if (!before.contains(source))
+    {
+      source->setModifiedState(pqProxy::UNMODIFIED);
+    }
+  }
+}
+
+}
 
 IsthmusToolbar::IsthmusToolbar(QObject* parent)
   : QActionGroup(parent)
@@ -31,11 +63,5 @@ void IsthmusToolbar::Add(
   action->setToolTip("<b>" + text + "</b><br>" + tip);
   action->setStatusTip(tip);
   const QString call = QString("run(\"%1\")").arg(function);
-  QObject::connect(action, &QAction::triggered, this,
-    [call]
-    {
-      QApplication::setOverrideCursor(Qt::WaitCursor);
-      isthmus::RunPipelines(call);
-      QApplication::restoreOverrideCursor();
-    });
+  QObject::connect(action, &QAction::triggered, this, [call] { Run(call); });
 }

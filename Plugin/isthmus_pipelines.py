@@ -40,6 +40,7 @@ TITLES = {
 VERMILION, ORANGE, SKY, GREEN, YELLOW, BLUE, PURPLE, GREY = (
     (0.835, 0.369, 0.0), (0.902, 0.624, 0.0), (0.337, 0.706, 0.914), (0.0, 0.620, 0.451),
     (0.941, 0.894, 0.259), (0.0, 0.447, 0.698), (0.800, 0.475, 0.655), (0.80, 0.80, 0.80))
+FURTHER = (0.70, 0.64, 0.74)
 CATEGORIES = {
     "Kind": (("0", "handle", VERMILION), ("1", "tunnel", BLUE), ("2", "bottleneck", ORANGE)),
     "SiteClass": (
@@ -259,7 +260,8 @@ def _place_for(source):
     name = name.GetData() if name else "molecule"
     name = name if isinstance(name, str) else name[0]
     folder, base = os.path.split(os.path.abspath(name))
-    if not os.access(folder, os.W_OK):
+    # Root may write everywhere, which is no reason to.
+    if not os.access(folder, os.W_OK) or not os.stat(folder).st_mode & 0o222:
         folder = os.getcwd()
     return os.path.join(folder, base.split(".")[0] + "_potential.dx")
 
@@ -328,6 +330,7 @@ def _set_categories(table, array):
     table.InterpretValuesAsCategories = 1
     table.Annotations = [word for value, name, _ in rows for word in (value, name)]
     table.IndexedColors = [part for _, _, colour in rows for part in colour]
+    table.NanColor = FURTHER  # values without a name of their own
 
 
 def _bar(table, view, array):

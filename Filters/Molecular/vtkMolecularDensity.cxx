@@ -5,6 +5,8 @@
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -205,6 +207,10 @@ void vtkMolecularDensity::FillImage(vtkPointSet* input, vtkImageData* output)
   {
     isthmus::GaussianSum(atoms.Balls, this->Decay, grid.Origin, nodes, progress);
   }
+  vtkNew<vtkDoubleArray> level; // for vtkMapSurface
+  level->SetName("RecommendedLevel");
+  level->InsertNextValue(this->Form == UnionOfBalls ? 0.5 : 1.0);
+  output->GetFieldData()->AddArray(level);
 }
 
 void vtkMolecularDensity::PrintSelf(ostream& os, vtkIndent indent)
