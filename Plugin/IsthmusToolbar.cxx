@@ -14,9 +14,7 @@ namespace
 
 QList<pqPipelineSource*> Sources()
 {
-  return pqApplicationCore::instance()
-    ->getServerManagerModel()
-    ->findItems<pqPipelineSource*>();
+  return pqApplicationCore::instance()->getServerManagerModel()->findItems<pqPipelineSource*>();
 }
 
 /// Runs a pipeline; what it made is up to date, so that Apply has nothing to do.

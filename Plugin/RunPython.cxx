@@ -11,7 +11,8 @@ void RunPipelines(const QString& call)
   {
     vtkPythonInterpreter::Initialize();
   }
-  // The plugin brings the module with it; ParaView puts it in place when its Python package is read.
+  // The plugin brings the module with it; ParaView puts it in place when its Python package is
+  // read.
   const QString statement =
     "import paraview.simple\nimport isthmus_pipelines\nisthmus_pipelines." + call + '\n';
   vtkPythonInterpreter::RunSimpleString(statement.toUtf8().constData());

@@ -27,12 +27,12 @@ struct NoiseEstimate
  * standard deviations. Noise that was low-pass filtered is underestimated.
  *
  * Nodes that have the value of three or more of their neighbours show no noise: a background that
- * was masked or padded with one value (and its border), a constant volume. They do not count, neither here nor in the deviation, so
- * that a map is as noisy as its part within the mask. A mask itself, or labels, has edges there but
- * no noise: then Noise is 0.
+ * was masked or padded with one value (and its border), a constant volume. They do not count,
+ * neither here nor in the deviation, so that a map is as noisy as its part within the mask. A mask
+ * itself, or labels, has edges there but no noise: then Noise is 0.
  *
- * `values` must be finite, its halo valid. Relative accuracy of the median 1e-4; time: five passes, and a search
- * for more than 32 values, which in a map ends soon.
+ * `values` must be finite, its halo valid. Relative accuracy of the median 1e-4; time: five passes,
+ * and a search for more than 32 values, which in a map ends soon.
  */
 template <typename T>
 VTKISTHMUS_EXPORT NoiseEstimate EstimateNoise(const DiffusionGrid<T>& grid, const T* values);

@@ -138,8 +138,7 @@ void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtk
     throw std::invalid_argument("Order must be from 0 to 3.");
   }
   vtkSmartPointer<vtkDataArray> mean;
-  const bool isDouble =
-    scalars->GetDataType() == VTK_DOUBLE || others->GetDataType() == VTK_DOUBLE;
+  const bool isDouble = scalars->GetDataType() == VTK_DOUBLE || others->GetDataType() == VTK_DOUBLE;
   mean.TakeReference(vtkDataArray::CreateDataArray(isDouble ? VTK_DOUBLE : VTK_FLOAT));
   mean->SetName(scalars->GetName());
   mean->SetNumberOfTuples(scalars->GetNumberOfTuples());

@@ -6,8 +6,8 @@
  * (a + b) / 2, whose noise is (a - b) / 2, signal left out: so its standard deviation is known and
  * need not be estimated. The mean goes to vtkHighOrderDiffusion with that KnownNoise.
  *
- * Input 0 and 1: vtkImageData of the same nodes (dimensions, spacing, origin, direction to 1e-4 of a
- * spacing), one-component point scalars each. Nodes where the halves are equal, as outside of a
+ * Input 0 and 1: vtkImageData of the same nodes (dimensions, spacing, origin, direction to 1e-4 of
+ * a spacing), one-component point scalars each. Nodes where the halves are equal, as outside of a
  * mask, do not count for the noise.
  *
  * Output: the denoised mean, with the arrays and field data of vtkHighOrderDiffusion and the name

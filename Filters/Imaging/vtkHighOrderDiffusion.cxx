@@ -135,9 +135,10 @@ void vtkHighOrderDiffusion::Explain(const isthmus::NoiseEstimate& noise, double 
   constexpr char remedy[] = " To smooth it all the same, switch Automatic off and set Time.";
   if (noise.FewValues)
   {
-    vtkWarningMacro(<< "The volume has but a few values, as a mask, labels or a constant have: there "
-                       "is no noise in it, and it is left as it is."
-                    << remedy);
+    vtkWarningMacro(
+      << "The volume has but a few values, as a mask, labels or a constant have: there "
+         "is no noise in it, and it is left as it is."
+      << remedy);
   }
   else if (!(noise.Noise > 0.0))
   {

@@ -7,8 +7,8 @@
  * with the point or cell array of `SetInputArrayToProcess(0, ...)`, one component. Values that are
  * not finite are left out, and those where the point array `CurvatureValid` is 0.
  *
- * Output: vtkTable with the column `Range` of two rows: the quantiles Lower and Upper by area; no row
- * where there is no value. Used by the plugin to choose colour ranges, also on a remote server.
+ * Output: vtkTable with the column `Range` of two rows: the quantiles Lower and Upper by area; no
+ * row where there is no value. Used by the plugin to choose colour ranges, also on a remote server.
  * Memory: 16 bytes a value.
  */
 #ifndef vtkAreaQuantiles_h

@@ -326,8 +326,8 @@ private:
     Point3& point = mesh.Points[static_cast<std::size_t>(id)];
     for (std::size_t a3 = 0; a3 < 3; ++a3)
     {
-      point[a3] = this->Grid.Spacing[a3] *
-        (static_cast<double>(start[a3]) + (a3 == axis ? along : 0.0));
+      point[a3] =
+        this->Grid.Spacing[a3] * (static_cast<double>(start[a3]) + (a3 == axis ? along : 0.0));
     }
   }
 

@@ -79,13 +79,12 @@ std::vector<std::int64_t> RankOf(const std::vector<Component>& components,
   std::stable_sort(order.begin(), order.end(),
     [&](std::size_t a, std::size_t b) { return components[a].Area > components[b].Area; });
   std::vector<std::int64_t> rank(components.size(), -1);
-  const auto most = parameters.Largest == 0 ? order.size()
-                                            : static_cast<std::size_t>(parameters.Largest);
+  const auto most =
+    parameters.Largest == 0 ? order.size() : static_cast<std::size_t>(parameters.Largest);
   for (std::size_t r = 0; r < std::min(most, order.size()); ++r)
   {
     const double area = components[order[r]].Area;
-    if (area < parameters.MinimumArea ||
-      area < parameters.MinimumShare * components[order[0]].Area)
+    if (area < parameters.MinimumArea || area < parameters.MinimumShare * components[order[0]].Area)
     {
       break;
     }

@@ -80,8 +80,9 @@ double SensibleLevel(std::vector<double>& values)
   const double level = std::max(TwoClasses(values), std::min(background, top));
   // A few values only, as in a label map: still below the highest, so that something is inside.
   const auto below = std::lower_bound(values.begin(), values.end(), values.back());
-  return level < values.back() || below == values.begin() ? level
-                                                           : *(below - 1) / 2.0 + values.back() / 2.0;
+  return level < values.back() || below == values.begin()
+    ? level
+    : *(below - 1) / 2.0 + values.back() / 2.0;
 }
 
 }

@@ -161,8 +161,8 @@ double vtkMapSurface::ChooseLevel(vtkImageData* image, vtkDataArray* scalars)
     isthmus::UseScalars(
       image, scalars, [&](const auto& grid) { values = isthmus::SampleValues(grid); });
     const double sign = this->InsideIsHigher ? 1.0 : -1.0;
-    std::transform(values.begin(), values.end(), values.begin(),
-      [sign](double value) { return sign * value; });
+    std::transform(
+      values.begin(), values.end(), values.begin(), [sign](double value) { return sign * value; });
     this->SensibleLevel = sign * isthmus::SensibleLevel(values);
     this->LevelOf = scalars;
     this->LevelTime = time;
@@ -212,11 +212,12 @@ void vtkMapSurface::MakeSurface(vtkImageData* image, vtkPolyData* surface)
   {
     double range[2];
     scalars->GetFiniteRange(range, 0);
-    vtkWarningMacro(<< (result.Found > 0
-          ? "All components of the surface count as dust: lower MinimumComponentArea."
-          : "Nothing is inside the level: choose another one.")
-                    << " The level is " << level << ", the map has values from " << range[0]
-                    << " to " << range[1] << ".");
+    vtkWarningMacro(
+      << (result.Found > 0
+             ? "All components of the surface count as dust: lower MinimumComponentArea."
+             : "Nothing is inside the level: choose another one.")
+      << " The level is " << level << ", the map has values from " << range[0] << " to " << range[1]
+      << ".");
   }
 }
 

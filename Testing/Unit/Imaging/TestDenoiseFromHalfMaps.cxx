@@ -33,7 +33,8 @@ vtkSmartPointer<vtkImageData> Half(double noise, unsigned int seed, double mask 
   {
     const double r = std::hypot(n % N - 19.5, n / N % N - 19.5, n / (N * N) - 19.5);
     const double white = normal(random);
-    values->InsertNextValue(r > mask ? 0.0 : 0.5 - 0.5 * std::tanh((r - 10.0) / 2.0) + noise * white);
+    values->InsertNextValue(
+      r > mask ? 0.0 : 0.5 - 0.5 * std::tanh((r - 10.0) / 2.0) + noise * white);
   }
   image->GetPointData()->SetScalars(values);
   return image;
@@ -134,5 +135,6 @@ TEST(HighOrderDiffusionExplains, NothingWhereAMaskedMapIsDenoised)
   filter->SetInputData(map);
   filter->Update();
   EXPECT_EQ(observer->GetWarningMessage(), "");
-  EXPECT_LT(Distance(filter->GetOutput(), Half(0.0, 5, 14.0)), 0.7 * Distance(map, Half(0.0, 5, 14.0)));
+  EXPECT_LT(
+    Distance(filter->GetOutput(), Half(0.0, 5, 14.0)), 0.7 * Distance(map, Half(0.0, 5, 14.0)));
 }

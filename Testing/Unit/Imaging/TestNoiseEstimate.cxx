@@ -46,7 +46,8 @@ TEST(NoiseEstimate, LooksWithinTheMask)
     }
     else
     {
-      values[static_cast<std::size_t>(n)] += static_cast<float>(std::sin(0.2 * static_cast<double>(i)));
+      values[static_cast<std::size_t>(n)] +=
+        static_cast<float>(std::sin(0.2 * static_cast<double>(i)));
     }
   }
   const NoiseEstimate estimate = EstimateNoise(grid, values.data());

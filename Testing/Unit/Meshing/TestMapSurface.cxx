@@ -122,7 +122,9 @@ TEST(LevelTriangles, AreaAndVolumeOfABallConvergeWithOrderTwo)
   {
     const double h = 4.0 / (n - 1);
     const Grid grid = Sampled({ n, n, n }, { h, h, h },
-      [](double x, double y, double z) { return Ball(x, y, z, { 2.03, 1.98, 2.01 }, 1.4); });
+      [](double x, double y, double z) {
+        return Ball(x, y, z, { 2.03, 1.98, 2.01 }, 1.4);
+      });
     const TriangleMesh mesh = At(grid, 0.0);
     EXPECT_EQ(DefectsOf(mesh), "");
     EXPECT_EQ(EulerCharacteristic(mesh), 2);
@@ -163,8 +165,7 @@ TEST(LevelTriangles, NoiseGivesAClosedManifoldThatFacesOutwards)
 
 TEST(LevelTriangles, ALevelThatLeavesTheGridIsClosedHalfACellBeyondIt)
 {
-  const Grid grid = Sampled(
-    { 5, 4, 6 }, { 1, 2, 0.5 }, [](double, double, double) { return 3.0; });
+  const Grid grid = Sampled({ 5, 4, 6 }, { 1, 2, 0.5 }, [](double, double, double) { return 3.0; });
   const TriangleMesh box = At(grid, 1.0);
   EXPECT_EQ(DefectsOf(box), "");
   EXPECT_EQ(EulerCharacteristic(box), 2);
@@ -190,8 +191,8 @@ TEST(LevelTriangles, ALevelThatLeavesTheGridIsClosedHalfACellBeyondIt)
 
 TEST(LevelTriangles, WhatIsNoNumberIsOutside)
 {
-  Grid grid = Sampled({ 8, 8, 8 }, { 1, 1, 1 },
-    [](double x, double, double) { return x < 3.5 ? Nan : 1.0; });
+  Grid grid =
+    Sampled({ 8, 8, 8 }, { 1, 1, 1 }, [](double x, double, double) { return x < 3.5 ? Nan : 1.0; });
   grid.Values[511] = std::numeric_limits<double>::infinity();
   grid.Values[255] = -1e300;
   const TriangleMesh mesh = At(grid, 0.5);
