@@ -144,12 +144,17 @@ def map_to_curvature(source, level=None):
         registrationName="Curvature", Input=surface, Volume=source,
         Scalars=["POINTS", _point_array(source)], Scale=1.5 * _spacing(source))
     curvature.UpdatePipeline()
+    if _range_by_area(curvature, "POINTS", "MeanCurvature") is None:
+        raise ValueError("The map is too small, or its surface too near its border: curvature needs "
+                         "three nodes inside of the map on every side. Pad the map, or raise the level.")
     return surface, curvature
 
 
 def map_to_loops(source, level=None):
-    """(surface, loops): the map's surface and its choking loops."""
+    """(surface, loops): the map's surface, of no more than its ten largest components, and its
+    choking loops."""
     (surface,) = map_to_surface(source, level)
+    surface.LargestComponents = 10
     return surface, surface_to_loops(surface)[-1]
 
 
