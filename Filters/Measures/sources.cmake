@@ -11,5 +11,6 @@ isthmus_room(
     LevelCrossings
     SurfaceCheck
     SurfaceCrossings
+    SurfaceIntake
     SurfaceMeasures
     TriangleTree)
