@@ -35,7 +35,8 @@ TITLES = {
     "MeanCurvature": "Mean curvature (1/Å)", "GaussianCurvature": "Gaussian curvature (1/Å²)",
     "MaximumCurvature": "Maximum curvature (1/Å)", "MinimumCurvature": "Minimum curvature (1/Å)",
     "Curvedness": "Curvedness (1/Å)", "ShapeIndex": "Shape index", "Potential": "Potential (kT/e)",
-    "PolarizedCurvature": "Polarized curvature (kT/(e Å))"}
+    "PolarizedCurvature": "Polarized curvature (kT/(e Å))", "Kind": "Choking loops",
+    "BindingSite": "Binding sites", "SiteClass": "Kind of site"}
 # Okabe and Ito's colours, which all eyes tell apart.
 VERMILION, ORANGE, SKY, GREEN, YELLOW, BLUE, PURPLE, GREY = (
     (0.835, 0.369, 0.0), (0.902, 0.624, 0.0), (0.337, 0.706, 0.914), (0.0, 0.620, 0.451),
