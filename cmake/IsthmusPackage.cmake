@@ -15,8 +15,9 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION "science")
 set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# What no binary links to: the window, its Python, and the program that makes tetrahedra.
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "paraview (>= 5.11), python3-paraview, tetgen")
+# What no binary links to: the window, its Python, the program that makes tetrahedra, and icons, which
+# a root without recommended packages does not show (seen in one).
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "paraview (>= 5.11), python3-paraview, tetgen, libqt5svg5")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "apbs")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_SOURCE_DIR}/cmake/package/triggers")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION

@@ -42,7 +42,11 @@ struct Atoms
 vtkDataArray* RadiiOf(vtkAlgorithm* filter, vtkPointSet* input)
 {
   const char* name = filter->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  vtkDataArray* radii = name ? input->GetPointData()->GetArray(name) : nullptr;
+  if (!name || !*name)
+  {
+    name = "Radius"; // a panel that has seen no data yet sends an empty name
+  }
+  vtkDataArray* radii = input->GetPointData()->GetArray(name);
   if (!radii)
   {
     std::string there;
@@ -51,7 +55,7 @@ vtkDataArray* RadiiOf(vtkAlgorithm* filter, vtkPointSet* input)
       const char* other = input->GetPointData()->GetArrayName(i);
       there += std::string(" ") + (other ? other : "(unnamed)");
     }
-    throw std::invalid_argument("The atoms have no point array " + std::string(name ? name : "") +
+    throw std::invalid_argument("The atoms have no point array " + std::string(name) +
       " of radii; they have:" + (there.empty() ? " none" : there) +
       ". Read them with vtkMacromoleculeReader, or choose one of these.");
   }
