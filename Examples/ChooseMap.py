@@ -81,6 +81,9 @@ def choose(folder, given):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) < 2 or sys.argv[1] in ("-h", "--help"):
+        print(__doc__)
+        sys.exit(len(sys.argv) < 2)
     output = Path(sys.argv[1])
     output.mkdir(parents=True, exist_ok=True)
     chosen, reason = choose(output, sys.argv[2] if len(sys.argv) > 2 else None)

@@ -242,4 +242,7 @@ def main(path, folder, level):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        print(__doc__)
+        sys.exit(not {"-h", "--help"} & set(sys.argv[1:]))
     main(Path(sys.argv[1]), Path(sys.argv[2]), float(sys.argv[3]) if len(sys.argv) > 3 else None)

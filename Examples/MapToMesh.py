@@ -120,5 +120,6 @@ def main(path, folder, level):
 
 if __name__ == "__main__":
     if len(sys.argv) != 4:
-        sys.exit(__doc__)
+        print(__doc__)
+        sys.exit(not {"-h", "--help"} & set(sys.argv[1:]))
     main(Path(sys.argv[1]), Path(sys.argv[2]), float(sys.argv[3]))

@@ -62,8 +62,40 @@ def require_atoms(path):
         sys.exit(f"{path} has no ATOM records: a PDB file is needed.")
 
 
+def is_mmcif(path):
+    return str(path).lower().removesuffix(".gz").endswith((".cif", ".mmcif"))
+
+
+def lines_of_mmcif(path):
+    """The atoms of an mmCIF file as lines of PDB, in which what follows thinks."""
+    import find_isthmus  # noqa: F401 (before isthmus)
+    import isthmus
+
+    reader = isthmus.vtkMacromoleculeReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    atoms = reader.GetOutput()
+    data, fields = atoms.GetPointData(), atoms.GetFieldData()
+    symbols = fields.GetAbstractArray("ElementSymbols")
+
+    def text(name, i):
+        return data.GetAbstractArray(name).GetValue(i)
+
+    for i in range(atoms.GetNumberOfPoints()):
+        name, element = text("AtomName", i), symbols.GetValue(int(text("Element", i)))
+        name = name if len(name) >= 4 or len(element) == 2 else " " + name
+        record = "HETATM" if text("IsHetero", i) else "ATOM  "
+        yield "%s%5d %-4s %3s %s%4d    %8.3f%8.3f%8.3f%6.2f%6.2f          %2s\n" % (
+            record, (i + 1) % 100000, name, text("ResidueName", i)[:3], (text("Chain", i) or " ")[0],
+            text("ResidueId", i), *atoms.GetPoint(i), text("Occupancy", i), text("BFactor", i),
+            element.upper())
+
+
 def atom_lines(path):
     """ATOM and HETATM lines of the first model."""
+    if is_mmcif(path):
+        yield from lines_of_mmcif(path)
+        return
     with open_text(path) as file:
         for line in file:
             if line.startswith("ENDMDL"):

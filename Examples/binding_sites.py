@@ -23,6 +23,7 @@ import numpy
 from paraview import simple
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+import find_isthmus  # noqa: E402,F401 (before isthmus)
 import apbs_potential  # noqa: E402
 import site_pipeline  # noqa: E402
 

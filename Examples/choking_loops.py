@@ -277,6 +277,7 @@ def main(surface, picture="choking_loops.png", distance=100.0, persistence=5.0, 
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
+    if len(sys.argv) < 2 or sys.argv[1] in ("-h", "--help"):
+        print(__doc__)
+        sys.exit(len(sys.argv) < 2)
     main(*sys.argv[1:])

@@ -97,8 +97,14 @@ def load(folder, work):
     work.mkdir(parents=True, exist_ok=True)
     complexes = []
     for row in csv.DictReader(open(folder / "ligands.csv")):
-        complexes.append(Complex(folder / row["file"], row["ligand_residue"], work))
+        try:
+            complexes.append(Complex(folder / row["file"], row["ligand_residue"], work))
+        except (Exception, SystemExit) as error:  # one bad complex does not end the evaluation
+            print(f"{row['file']}: left out, {error}", file=sys.stderr)
+            continue
         print(f"{complexes[-1].name}: {complexes[-1].notes or 'complete'}", file=sys.stderr)
+    if not complexes:
+        sys.exit("None of the complexes could be prepared.")
     return complexes
 
 

@@ -43,5 +43,6 @@ def main(path, output, *counts):
 
 if __name__ == "__main__":
     if len(sys.argv) < 4:
-        sys.exit(__doc__)
+        print(__doc__)
+        sys.exit(not {"-h", "--help"} & set(sys.argv[1:]))
     main(*sys.argv[1:])

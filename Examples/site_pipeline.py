@@ -8,6 +8,7 @@ from vtkmodules.vtkFiltersCore import (
     vtkPolyDataConnectivityFilter,
 )
 
+import find_isthmus  # noqa: F401 (before isthmus)
 import isthmus
 
 DECAY = 1.2  # of the Gaussians: see BindingSites.md for what it was tuned on

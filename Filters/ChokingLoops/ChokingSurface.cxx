@@ -1,6 +1,7 @@
 #include "ChokingSurface.h"
 
 #include "SurfaceCheck.h"
+#include "SurfaceIntake.h"
 #include "SurfaceRepair.h"
 
 #include <algorithm>
@@ -11,67 +12,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
-
-/// One point for each place that a triangle uses, in order of first use by point id.
-TriangleMesh Merged(const TriangleMesh& surface)
-{
-  std::vector<char> used(surface.Points.size(), 0);
-  for (const Triangle& t : surface.Triangles)
-  {
-    for (const std::int64_t p : t)
-    {
-      if (p < 0 || At(p) >= surface.Points.size())
-      {
-        throw std::invalid_argument(
-          "The surface has a triangle with point " + std::to_string(p) + ", which does not exist.");
-      }
-      used[At(p)] = 1;
-    }
-  }
-  std::vector<std::int64_t> order;
-  for (std::size_t i = 0; i < used.size(); ++i)
-  {
-    if (used[i])
-    {
-      order.push_back(static_cast<std::int64_t>(i));
-    }
-  }
-  std::sort(order.begin(), order.end(),
-    [&surface](std::int64_t a, std::int64_t b)
-    {
-      return surface.Points[At(a)] != surface.Points[At(b)]
-        ? surface.Points[At(a)] < surface.Points[At(b)]
-        : a < b;
-    });
-  std::vector<std::int64_t> first(surface.Points.size(), -1);
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    const bool same = i > 0 && surface.Points[At(order[i])] == surface.Points[At(order[i - 1])];
-    first[At(order[i])] = same ? first[At(order[i - 1])] : order[i];
-  }
-  TriangleMesh merged;
-  std::vector<std::int64_t> id(surface.Points.size(), -1);
-  for (std::size_t i = 0; i < used.size(); ++i)
-  {
-    if (used[i] && first[i] == static_cast<std::int64_t>(i))
-    {
-      id[i] = static_cast<std::int64_t>(merged.Points.size());
-      merged.Points.push_back(surface.Points[i]);
-    }
-  }
-  merged.Triangles.reserve(surface.Triangles.size());
-  for (const Triangle& t : surface.Triangles)
-  {
-    merged.Triangles.push_back(
-      { id[At(first[At(t[0])])], id[At(first[At(t[1])])], id[At(first[At(t[2])])] });
-  }
-  return merged;
-}
 
 void DemandUsableSize(const TriangleMesh& surface)
 {
@@ -109,12 +49,12 @@ TriangleMesh CheckedSurface(
   }
   DemandUsableSize(surface);
   Report(progress, 0.0);
-  surface = Merged(surface);
+  surface = MergePoints(surface);
   Report(progress, 0.1);
   const SurfaceDefects defects = FindDefects(surface, Between(progress, 0.1, 0.2));
   if (!defects.None())
   {
-    throw std::invalid_argument(defects.Sentence() +
+    throw std::invalid_argument(defects.Sentence() + WhyOpen(surface, defects) +
       " Choking loops need a closed, manifold, consistently oriented surface: repair it first "
       "(CapHoles fills holes).");
   }

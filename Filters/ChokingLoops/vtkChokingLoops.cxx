@@ -32,7 +32,7 @@ constexpr std::int64_t GridCells = 100; ///< of GridDistance, along the longest 
 constexpr double AnalysisPart = 0.9;    ///< of the progress bar
 constexpr int ManyRounds = 1000;        ///< as good as until nothing gets shorter
 
-/// What an analysis is going to take, from the times of BenchChokingLoops on two threads.
+/// What an analysis is going to take, as far as it can be known: its time depends on the shape.
 void TellEstimate(const isthmus::TriangleMesh& surface, double spacing)
 {
   // Halved edges are three quarters of the spacing long, on average.
@@ -41,8 +41,8 @@ void TellEstimate(const isthmus::TriangleMesh& surface, double spacing)
   const double samples = std::max(static_cast<double>(surface.Points.size()), asked);
   const auto whole = [](double x) { return x < 1e15 ? static_cast<vtkIdType>(std::ceil(x)) : -1; };
   vtkLog(INFO,
-    "Choking loops of some " << whole(samples) << " samples: about " << whole(samples / 33000.0)
-                             << " s and " << whole(50.0 + samples / 400.0) << " MB.");
+    "Choking loops of at least " << whole(samples) << " samples, from "
+                                 << whole(50.0 + samples / 400.0) << " MB on.");
 }
 
 isthmus::TetrahedralMesh MeshOf(vtkUnstructuredGrid* grid)

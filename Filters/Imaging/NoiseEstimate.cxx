@@ -8,7 +8,8 @@ namespace isthmus
 namespace
 {
 
-/// Calls body(|pseudo-residual|) for the nodes [begin, end) of one row.
+/// Calls body(|pseudo-residual|, value) for those of the nodes [begin, end) of one row whose
+/// value fewer than three of their neighbours have.
 template <typename T, typename Body>
 void ForResiduals(
   const DiffusionGrid<T>& grid, const T* values, std::int64_t begin, std::int64_t end, Body&& body)
@@ -25,10 +26,16 @@ void ForResiduals(
     const T* at = values + n;
     const T left = n > start ? at[-1] : at[0];
     const T right = n + 1 < start + size[0] ? at[1] : at[0];
+    const int equal = (left == at[0]) + (right == at[0]) + (at[front] == at[0]) +
+      (at[back] == at[0]) + (at[below] == at[0]) + (at[above] == at[0]);
+    if (equal >= 3)
+    {
+      continue;
+    }
     const double sum = static_cast<double>(left) + static_cast<double>(right) +
       static_cast<double>(at[front]) + static_cast<double>(at[back]) +
       static_cast<double>(at[below]) + static_cast<double>(at[above]);
-    body(std::abs(static_cast<double>(at[0]) - sum / 6.0));
+    body(std::abs(static_cast<double>(at[0]) - sum / 6.0), static_cast<double>(at[0]));
   }
 }
 
@@ -45,7 +52,7 @@ double MedianResidual(const DiffusionGrid<T>& grid, const T* values, double high
       [&](std::int64_t begin, std::int64_t end, std::array<double, bins>& sum)
       {
         ForResiduals(grid, values, begin, end,
-          [&](double residual)
+          [&](double residual, double)
           {
             const double bin = (residual - low) * scale;
             if (bin >= 0.0 && bin < bins)
@@ -65,32 +72,68 @@ double MedianResidual(const DiffusionGrid<T>& grid, const T* values, double high
   return low > 0.0 ? (low + high) / 2.0 : 0.0; // less than the finest bin is nothing
 }
 
+/// Whether the nodes that count have at most 32 values, on every rank.
+template <typename T>
+bool HasFewValues(const DiffusionGrid<T>& grid, const T* values)
+{
+  std::array<double, 32> seen{};
+  std::size_t count = 0;
+  double many = 0.0;
+  for (std::int64_t row = 0; row < grid.Size() && many == 0.0; row += grid.Dimensions[0])
+  {
+    ForResiduals(grid, values, row, row + grid.Dimensions[0],
+      [&](double, double value)
+      {
+        const auto end = seen.begin() + static_cast<std::ptrdiff_t>(count);
+        if (many > 0.0 || std::find(seen.begin(), end, value) != end)
+        {
+          return;
+        }
+        if (count == seen.size())
+        {
+          many = 1.0;
+          return;
+        }
+        seen[count++] = value;
+      });
+  }
+  if (grid.SumOverRanks)
+  {
+    grid.SumOverRanks(&many, 1);
+  }
+  return many == 0.0;
+}
+
 }
 
 template <typename T>
 NoiseEstimate EstimateNoise(const DiffusionGrid<T>& grid, const T* values)
 {
-  const auto sums = SumRows<4>(grid,
-    [&](std::int64_t begin, std::int64_t end, std::array<double, 4>& sum)
+  const auto sums = SumRows<5>(grid,
+    [&](std::int64_t begin, std::int64_t end, std::array<double, 5>& sum)
     {
-      sum[0] += static_cast<double>(end - begin);
-      for (std::int64_t n = begin; n < end; ++n)
-      {
-        sum[1] += static_cast<double>(values[n]);
-        sum[2] += static_cast<double>(values[n]) * static_cast<double>(values[n]);
-      }
-      ForResiduals(
-        grid, values, begin, end, [&](double residual) { sum[3] += residual * residual; });
+      sum[4] += static_cast<double>(end - begin);
+      ForResiduals(grid, values, begin, end,
+        [&](double residual, double value)
+        {
+          sum[0] += 1.0;
+          sum[1] += value;
+          sum[2] += value * value;
+          sum[3] += residual * residual;
+        });
     });
   NoiseEstimate estimate;
+  estimate.FewValues = HasFewValues(grid, values);
   if (sums[0] > 0.0)
   {
     const double mean = sums[1] / sums[0];
+    estimate.Counted = sums[0] / sums[4];
     estimate.Deviation = std::sqrt(std::max(0.0, sums[2] / sums[0] - mean * mean));
     // By Chebyshev's inequality the median is below sqrt(2) times the root mean square.
     const double bound = 1.5 * std::sqrt(sums[3] / sums[0]);
-    estimate.Noise =
-      MedianResidual(grid, values, bound, sums[0]) / (0.674490 * std::sqrt(7.0 / 6.0));
+    estimate.Noise = estimate.FewValues
+      ? 0.0
+      : MedianResidual(grid, values, bound, sums[0]) / (0.674490 * std::sqrt(7.0 / 6.0));
   }
   return estimate;
 }

@@ -1,5 +1,6 @@
 isthmus_room(
   CLASSES
+    vtkDenoiseFromHalfMaps
     vtkDiffusionAlgorithm
     vtkDiffusionHighPass
     vtkHighOrderDiffusion

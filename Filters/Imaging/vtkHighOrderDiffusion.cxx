@@ -10,6 +10,8 @@
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkHighOrderDiffusion);
@@ -73,8 +75,15 @@ void vtkHighOrderDiffusion::Denoise(isthmus::DiffusionImage<T>& image)
 {
   isthmus::DiffusionParameters parameters = this->GetParameters();
   auto values = image.Copy(this->ChosenScalars(image.GetInput()), this->GetMaskInvalid());
-  const isthmus::NoiseEstimate noise =
-    isthmus::EstimateNoise(image.GetGrid(), values->GetPointer(0));
+  if (!(this->KnownNoise >= 0.0) || std::isinf(this->KnownNoise))
+  {
+    throw std::invalid_argument("KnownNoise must be a finite number, 0 (estimated) or more.");
+  }
+  isthmus::NoiseEstimate noise = isthmus::EstimateNoise(image.GetGrid(), values->GetPointer(0));
+  if (this->KnownNoise > 0.0)
+  {
+    noise.Noise = this->KnownNoise;
+  }
   const auto& spacing = image.GetGrid().Spacing;
   const double voxel = *std::min_element(spacing.begin(), spacing.end());
   if (this->Automatic)
@@ -106,6 +115,10 @@ void vtkHighOrderDiffusion::Denoise(isthmus::DiffusionImage<T>& image)
       residual->GetPointer(0), values->GetPointer(0),
       isthmus::Between(image.GetProgress(), 0.85, 1.0));
   }
+  if (this->Automatic)
+  {
+    this->Explain(noise, std::accumulate(report.Change.begin(), report.Change.end(), 0.0));
+  }
   image.AddResult(values, true);
   image.AddFieldData("StepTime", report.Time);
   image.AddFieldData("StepChange", report.Change);
@@ -115,6 +128,30 @@ void vtkHighOrderDiffusion::Denoise(isthmus::DiffusionImage<T>& image)
   image.AddFieldData("UsedPreSmoothing", { parameters.PreSmoothing });
   image.AddFieldData("UsedResidualSmoothing", { parameters.ResidualSmoothing });
   image.AddFieldData("UsedTime", { parameters.Time });
+}
+
+void vtkHighOrderDiffusion::Explain(const isthmus::NoiseEstimate& noise, double change)
+{
+  constexpr char remedy[] = " To smooth it all the same, switch Automatic off and set Time.";
+  if (noise.FewValues)
+  {
+    vtkWarningMacro(
+      << "The volume has but a few values, as a mask, labels or a constant have: there "
+         "is no noise in it, and it is left as it is."
+      << remedy);
+  }
+  else if (!(noise.Noise > 0.0))
+  {
+    vtkWarningMacro(<< "No noise was found in the volume, which is left as it is: most nodes are "
+                       "the mean of their neighbours."
+                    << remedy);
+  }
+  else if (change < 1e-4 * noise.Deviation)
+  {
+    vtkWarningMacro(<< "Hardly anything was changed: the noise found, " << noise.Noise << ", is "
+                    << 100.0 * noise.Noise / noise.Deviation
+                    << " % of the values' standard deviation. Raise Strength." << remedy);
+  }
 }
 
 void vtkHighOrderDiffusion::Process(isthmus::DiffusionImage<float>& image)
@@ -132,6 +169,7 @@ void vtkHighOrderDiffusion::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Automatic: " << this->Automatic << '\n';
   os << indent << "Strength: " << this->Strength << '\n';
+  os << indent << "KnownNoise: " << this->KnownNoise << '\n';
   os << indent << "Flow: " << this->Flow << '\n';
   os << indent << "Order: " << this->Order << '\n';
   os << indent << "LowerOrders: " << this->LowerOrders << '\n';

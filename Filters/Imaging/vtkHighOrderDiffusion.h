@@ -20,7 +20,8 @@
  *
  * The output array has the input array's name. Field data: the curves `StepTime`, `StepChange` (rms
  * of what a step changed) and `StepResidual` (rms of the rate at its start), and `NoiseLevel`,
- * `UsedSigma`, `UsedPreSmoothing`, `UsedTime`, `UsedResidualSmoothing`.
+ * `UsedSigma`, `UsedPreSmoothing`, `UsedTime`, `UsedResidualSmoothing`. Where Automatic finds no
+ * noise, or so little that nothing changes, a warning says why and what to do.
  *
  * Cost: time in proportion to nodes x sqrt(Time) with SuperTimeStepping, nodes x Time with
  * ForwardEuler. Memory beside input and output, in volumes of the output's type: 4 with
@@ -37,6 +38,7 @@
 namespace isthmus
 {
 struct DiffusionParameters;
+struct NoiseEstimate;
 }
 
 class VTKISTHMUS_EXPORT vtkHighOrderDiffusion : public vtkDiffusionAlgorithm
@@ -75,6 +77,13 @@ public:
   /// How much to denoise, from 0 (light) to 1 (strong). Default 0.5. Read if Automatic is on.
   vtkSetClampMacro(Strength, double, 0.0, 1.0);
   vtkGetMacro(Strength, double);
+  ///@}
+
+  ///@{
+  /// Standard deviation of the noise where it is known, as from half maps; 0 (default): estimated
+  /// from the volume where that is not constant. Read if Automatic is on.
+  vtkSetMacro(KnownNoise, double);
+  vtkGetMacro(KnownNoise, double);
   ///@}
 
   ///@{
@@ -181,12 +190,14 @@ private:
   isthmus::DiffusionParameters GetParameters();
   template <typename T>
   void Denoise(isthmus::DiffusionImage<T>& image);
+  void Explain(const isthmus::NoiseEstimate& noise, double change);
 
   vtkHighOrderDiffusion(const vtkHighOrderDiffusion&) = delete;
   void operator=(const vtkHighOrderDiffusion&) = delete;
 
   bool Automatic = true;
   double Strength = 0.5;
+  double KnownNoise = 0.0;
   int Flow = Hyperdiffusion;
   int Order = 0;
   bool LowerOrders = false;

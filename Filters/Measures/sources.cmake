@@ -1,13 +1,16 @@
 isthmus_room(
   CLASSES
+    vtkAreaQuantiles
     vtkSurfaceMeasures
     vtkSurfaceToGrid
   SOURCES
+    AreaQuantiles
     CartesianMeasures
     GridDistance
     GridImages
     LevelCrossings
     SurfaceCheck
     SurfaceCrossings
+    SurfaceIntake
     SurfaceMeasures
     TriangleTree)

@@ -5,6 +5,7 @@
 #include "ChosenScalars.h"
 #include "ImageScalars.h"
 #include "PolyDataTriangles.h"
+#include "SurfaceIntake.h"
 #include "SurfaceMeasures.h"
 
 #include <vtkDataSetAttributes.h>
@@ -164,7 +165,12 @@ int vtkSurfaceMeasures::RequestData(
 void vtkSurfaceMeasures::Measure(vtkPolyData* surface, vtkDataObject* output, vtkTable* table)
 {
   const isthmus::PolyDataTriangles triangles(surface);
-  const auto measures = isthmus::MeasureSurface(triangles.View(), isthmus::ProgressOf(this));
+  // Points that coincide are one, else each triangle of some files would be a component.
+  isthmus::SurfaceView view = triangles.View();
+  const std::vector<vtkIdType> corners = isthmus::MergedCorners(view);
+  view.Triangles = corners.data();
+  view.NumberOfTriangles = static_cast<vtkIdType>(corners.size() / 3);
+  const auto measures = isthmus::MeasureSurface(view, isthmus::ProgressOf(this));
   const SurfaceMeasure& whole = measures.Whole;
   AddFields(output->GetFieldData(), whole, static_cast<vtkIdType>(measures.Components.size()));
   FillTable(table, measures);

@@ -2,6 +2,7 @@
 
 #include "CGALSurface.h"
 #include "SurfaceCheck.h"
+#include "SurfaceIntake.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -196,7 +197,7 @@ void DemandCleanSurface(const TriangleMesh& mesh)
   const SurfaceDefects defects = FindDefects(mesh);
   if (!defects.None())
   {
-    throw std::invalid_argument(defects.Sentence() + advice);
+    throw std::invalid_argument(defects.Sentence() + WhyOpen(mesh, defects) + advice);
   }
   const std::vector<std::int64_t> crossing = SelfIntersections(mesh);
   if (!crossing.empty())

@@ -3,6 +3,7 @@ isthmus_room(
     vtkDelaunayIsosurface
     vtkDualContouring
     vtkIsosurfaceStuffing
+    vtkMapSurface
     vtkMeshQualityReport
     vtkSurfaceRemesh
     vtkTetrahedralMesher
@@ -13,8 +14,11 @@ isthmus_room(
     DualCells
     DualContouring
     IsosurfaceStuffing
+    LevelTriangles
+    MapSurface
     MeshQuality
     QuadraticErrors
+    SensibleLevel
     ShellNesting
     SolidStuffing
     StuffingAngles

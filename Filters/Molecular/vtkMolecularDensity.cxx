@@ -5,6 +5,8 @@
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -40,7 +42,11 @@ struct Atoms
 vtkDataArray* RadiiOf(vtkAlgorithm* filter, vtkPointSet* input)
 {
   const char* name = filter->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  vtkDataArray* radii = name ? input->GetPointData()->GetArray(name) : nullptr;
+  if (!name || !*name)
+  {
+    name = "Radius"; // a panel that has seen no data yet sends an empty name
+  }
+  vtkDataArray* radii = input->GetPointData()->GetArray(name);
   if (!radii)
   {
     std::string there;
@@ -49,7 +55,7 @@ vtkDataArray* RadiiOf(vtkAlgorithm* filter, vtkPointSet* input)
       const char* other = input->GetPointData()->GetArrayName(i);
       there += std::string(" ") + (other ? other : "(unnamed)");
     }
-    throw std::invalid_argument("The atoms have no point array " + std::string(name ? name : "") +
+    throw std::invalid_argument("The atoms have no point array " + std::string(name) +
       " of radii; they have:" + (there.empty() ? " none" : there) +
       ". Read them with vtkMacromoleculeReader, or choose one of these.");
   }
@@ -205,6 +211,10 @@ void vtkMolecularDensity::FillImage(vtkPointSet* input, vtkImageData* output)
   {
     isthmus::GaussianSum(atoms.Balls, this->Decay, grid.Origin, nodes, progress);
   }
+  vtkNew<vtkDoubleArray> level; // for vtkMapSurface
+  level->SetName("RecommendedLevel");
+  level->InsertNextValue(this->Form == UnionOfBalls ? 0.5 : 1.0);
+  output->GetFieldData()->AddArray(level);
 }
 
 void vtkMolecularDensity::PrintSelf(ostream& os, vtkIndent indent)

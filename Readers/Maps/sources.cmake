@@ -8,4 +8,5 @@ isthmus_room(
     MRCHeaderWords
     MRCMap
     MRCMode
-    MRCVoxels)
+    MRCVoxels
+    RecommendedLevel)

@@ -4,11 +4,15 @@
 #include "MRCMap.h"
 #include "ReaderError.h"
 #include "ReaderGuard.h"
+#include "RecommendedLevel.h"
 
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
@@ -183,6 +187,13 @@ int vtkMRCMapReader::RequestData(
       int extent[6];
       info->Get(Pipeline::UPDATE_EXTENT(), extent);
       isthmus::AddMRCFieldData(map, this->VolumeIndex, output->GetFieldData());
+      if (const auto level = isthmus::RecommendedLevel(this->FileName))
+      {
+        vtkNew<vtkDoubleArray> recommended;
+        recommended->SetName("RecommendedLevel");
+        recommended->InsertNextValue(*level);
+        output->GetFieldData()->AddArray(recommended);
+      }
       output->SetExtent(extent);
       output->SetSpacing(info->Get(vtkDataObject::SPACING()));
       output->SetOrigin(info->Get(vtkDataObject::ORIGIN()));

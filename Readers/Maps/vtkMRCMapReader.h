@@ -32,7 +32,9 @@
  * `Mode`, `SpaceGroup`, `RecordedMinimum`, `RecordedMaximum`, `RecordedMean`, `RecordedRms` (as the
  * header says, which need not be true), `IsStack` (0, 1), `NumberOfVolumes` (or images),
  * `VolumeIndex`, `ExtendedHeaderBytes`, `FormatVersion`; texts `StackType` (none, images, volumes),
- * `ExtendedHeaderType`, `ByteOrder`, `Compression`, `LengthUnit`, `Labels`, `Repairs`, `Notes`.
+ * `ExtendedHeaderType`, `ByteOrder`, `Compression`, `LengthUnit`, `Labels`, `Repairs`, `Notes`;
+ * and, where `emd-NNNN.xml` with one lies beside `emd_NNNN.map`, `RecommendedLevel` for its
+ * surface.
  *
  * **Damaged headers** are read as far as sense can be made of them; each value that had to be
  * replaced is told in a warning and in `Repairs`. With Strict on, the first of them is an error.

@@ -6,11 +6,33 @@ from pathlib import Path
 
 from paraview import servermanager, simple  # noqa: F401 (simple opens the session)
 
+# Optional inputs that are options, not ways of use. HessianCurvature's is for scripts of before.
+OPTIONAL = {("HessianCurvature", "Surface"), ("ChokingLoops", "Mesh"),
+            ("SurfaceToGrid", "Grid")}
 NUMERIC = ("IntVectorProperty", "DoubleVectorProperty", "IdTypeVectorProperty")
 
 
 def is_shown(element):
     return element.get("panel_visibility") != "never" and element.get("information_only") != "1"
+
+
+def complaints_about_entry(group, proxy_element):
+    """What keeps a user from finding and starting it."""
+    name = proxy_element.get("name")
+    help_element = proxy_element.find("Documentation")
+    for attribute in ("short_help", "long_help"):
+        if help_element is None or len((help_element.get(attribute) or "").split()) < 3:
+            yield f"{name}: no {attribute}"
+    hints = proxy_element.find("Hints")
+    menus = [] if hints is None else [menu.get("category") for menu in hints.iter("ShowInMenu")]
+    if group == "filters" and "Isthmus" not in menus:
+        yield f"{name}: not in the menu Isthmus"
+    for element in proxy_element.iter("InputProperty"):
+        if element.get("name") == "Input" and element.get("label", "Input") != "Input":
+            yield f"{name}.Input: scripts know an input by its label, and all write Input="
+        if element.find("Hints/Optional") is not None and (
+                (name, element.get("name")) not in OPTIONAL):
+            yield f"{name}.{element.get('name')}: an optional input, which the window never asks for"
 
 
 def complaints_about(proxy_element):
@@ -40,9 +62,11 @@ complaints = []
 proxies = 0
 for panel in sorted(Path(os.environ["ISTHMUS_PANELS_DIR"]).glob("*.xml")):
     for group in ElementTree.parse(panel).getroot().iter("ProxyGroup"):
-        for proxy_element in group.iter("SourceProxy"):
+        for proxy_element in [*group.iter("SourceProxy"), *group.iter("PSWriterProxy"),
+                              *group.iter("WriterProxy")]:
             proxies += 1
             complaints += complaints_about(proxy_element)
+            complaints += complaints_about_entry(group.get("name"), proxy_element)
             check_live(group.get("name"), proxy_element.get("name"))
 
 assert proxies > 0, "no panel found"

@@ -1,0 +1,186 @@
+#include "vtkDenoiseFromHalfMaps.h"
+
+#include "AlgorithmGuard.h"
+#include "vtkHighOrderDiffusion.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkDenoiseFromHalfMaps);
+
+namespace
+{
+
+vtkDataArray* ScalarsOf(vtkImageData* half, const char* which)
+{
+  vtkDataArray* scalars = half->GetPointData()->GetScalars();
+  if (!scalars || scalars->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument(
+      std::string("The ") + which + " half map has no scalars of one number at each node.");
+  }
+  return scalars;
+}
+
+void RequireSameNodes(vtkImageData* one, vtkImageData* other)
+{
+  const int* n = one->GetDimensions();
+  const int* m = other->GetDimensions();
+  bool same = n[0] == m[0] && n[1] == m[1] && n[2] == m[2];
+  for (int corner = 0; same && corner < 8; ++corner)
+  {
+    double p[3], q[3];
+    const int* e = one->GetExtent();
+    const int* f = other->GetExtent();
+    one->TransformIndexToPhysicalPoint(
+      e[corner & 1], e[2 + (corner >> 1 & 1)], e[4 + (corner >> 2 & 1)], p);
+    other->TransformIndexToPhysicalPoint(
+      f[corner & 1], f[2 + (corner >> 1 & 1)], f[4 + (corner >> 2 & 1)], q);
+    for (int a = 0; a < 3; ++a)
+    {
+      same = same && std::abs(p[a] - q[a]) <= 1e-4 * one->GetSpacing()[a];
+    }
+  }
+  if (!same)
+  {
+    throw std::invalid_argument("The half maps do not have the same nodes: take two halves of one "
+                                "reconstruction, with the same box, spacing and origin.");
+  }
+}
+
+void ForwardProgress(vtkObject* caller, unsigned long, void* self, void*)
+{
+  auto* diffusion = static_cast<vtkAlgorithm*>(caller);
+  auto* filter = static_cast<vtkAlgorithm*>(self);
+  filter->UpdateProgress(diffusion->GetProgress());
+  diffusion->SetAbortExecute(filter->GetAbortExecute());
+}
+
+/// The mean of both as `mean`; returns the standard deviation of half their difference.
+double Average(vtkDataArray* one, vtkDataArray* other, vtkDataArray* mean)
+{
+  double sum = 0.0, squares = 0.0, count = 0.0;
+  for (vtkIdType i = 0; i < one->GetNumberOfTuples(); ++i)
+  {
+    const double a = one->GetComponent(i, 0), b = other->GetComponent(i, 0);
+    mean->SetComponent(i, 0, a / 2.0 + b / 2.0);
+    const double noise = a / 2.0 - b / 2.0;
+    if (noise != 0.0 && std::isfinite(noise))
+    {
+      sum += noise;
+      squares += noise * noise;
+      count += 1.0;
+    }
+  }
+  if (!(count > 0.0))
+  {
+    throw std::invalid_argument("The half maps are equal, so their difference tells no noise: take "
+                                "two halves, not one map twice.");
+  }
+  return std::sqrt(std::max(0.0, squares / count - (sum / count) * (sum / count)));
+}
+
+}
+
+vtkDenoiseFromHalfMaps::vtkDenoiseFromHalfMaps()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+void vtkDenoiseFromHalfMaps::SetOtherHalfData(vtkImageData* half)
+{
+  this->SetInputData(1, half);
+}
+
+int vtkDenoiseFromHalfMaps::FillInputPortInformation(int, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+int vtkDenoiseFromHalfMaps::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int port = 0; port < 2; ++port)
+  {
+    vtkInformation* information = input[port]->GetInformationObject(0);
+    information->Set(Pipeline::UPDATE_EXTENT(), information->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+  return 1;
+}
+
+void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtkImageData* output)
+{
+  vtkDataArray* scalars = ScalarsOf(one, "first");
+  vtkDataArray* others = ScalarsOf(other, "second");
+  RequireSameNodes(one, other);
+  if (!(this->Strength >= 0.0) || !(this->Strength <= 1.0))
+  {
+    throw std::invalid_argument("Strength must be from 0 to 1.");
+  }
+  if (this->Order < 0 || this->Order > 3)
+  {
+    throw std::invalid_argument("Order must be from 0 to 3.");
+  }
+  vtkSmartPointer<vtkDataArray> mean;
+  const bool isDouble = scalars->GetDataType() == VTK_DOUBLE || others->GetDataType() == VTK_DOUBLE;
+  mean.TakeReference(vtkDataArray::CreateDataArray(isDouble ? VTK_DOUBLE : VTK_FLOAT));
+  mean->SetName(scalars->GetName());
+  mean->SetNumberOfTuples(scalars->GetNumberOfTuples());
+  const double noise = Average(scalars, others, mean);
+  vtkNew<vtkImageData> volume;
+  volume->CopyStructure(one);
+  volume->GetFieldData()->PassData(one->GetFieldData());
+  volume->GetPointData()->SetScalars(mean);
+  vtkNew<vtkHighOrderDiffusion> diffusion;
+  diffusion->SetInputData(volume);
+  diffusion->SetStrength(this->Strength);
+  diffusion->SetOrder(this->Order);
+  diffusion->SetKnownNoise(noise);
+  diffusion->SetMaskInvalid(true);
+  diffusion->SetController(nullptr); // every rank has all of the volume
+  vtkNew<vtkCallbackCommand> forward;
+  forward->SetClientData(this);
+  forward->SetCallback(ForwardProgress);
+  diffusion->AddObserver(vtkCommand::ProgressEvent, forward);
+  diffusion->Update();
+  isthmus::Report(isthmus::ProgressOf(this), 1.0); // leaves where it was stopped
+  output->ShallowCopy(diffusion->GetOutput());
+}
+
+int vtkDenoiseFromHalfMaps::RequestData(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  auto* image = vtkImageData::GetData(output);
+  return isthmus::Guarded(this, image,
+    [&]
+    {
+      auto* one = vtkImageData::GetData(input[0]);
+      if (one->GetNumberOfPoints() > 0)
+      {
+        this->Denoise(one, vtkImageData::GetData(input[1]), image);
+      }
+    });
+}
+
+void vtkDenoiseFromHalfMaps::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Strength: " << this->Strength << "\n";
+  os << indent << "Order: " << this->Order << "\n";
+}

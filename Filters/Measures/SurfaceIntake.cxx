@@ -1,0 +1,163 @@
+#include "SurfaceIntake.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+namespace isthmus
+{
+namespace
+{
+
+std::size_t At(std::int64_t i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+/// For each of `count` points the first of those at the same place; `point(i)` gives coordinates.
+template <typename Point>
+std::vector<std::int64_t> FirstAtPlace(std::int64_t count, Point&& point)
+{
+  std::vector<std::int64_t> order(At(count));
+  std::iota(order.begin(), order.end(), std::int64_t{ 0 });
+  std::sort(order.begin(), order.end(),
+    [&point](std::int64_t a, std::int64_t b)
+    {
+      const Point3 p = point(a), q = point(b);
+      return p != q ? p < q : a < b;
+    });
+  std::vector<std::int64_t> first(At(count));
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const bool same = i > 0 && point(order[i]) == point(order[i - 1]);
+    first[At(order[i])] = same ? first[At(order[i - 1])] : order[i];
+  }
+  return first;
+}
+
+bool HasRepeated(const Triangle& t)
+{
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+/// Which of the six faces of `box` a point lies on, one bit each.
+unsigned int FacesOf(const Point3& p, const Bounds3& box, double tolerance)
+{
+  unsigned int faces = 0;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    faces |= p[a] - box.Min[a] <= tolerance ? 1U << 2 * a : 0U;
+    faces |= box.Max[a] - p[a] <= tolerance ? 2U << 2 * a : 0U;
+  }
+  return faces;
+}
+
+}
+
+TriangleMesh MergePoints(const TriangleMesh& surface)
+{
+  std::vector<char> used(surface.Points.size(), 0);
+  for (const Triangle& t : surface.Triangles)
+  {
+    for (const std::int64_t p : t)
+    {
+      if (p < 0 || At(p) >= surface.Points.size())
+      {
+        throw std::invalid_argument(
+          "The surface has a triangle with point " + std::to_string(p) + ", which does not exist.");
+      }
+      used[At(p)] = 1;
+    }
+  }
+  // Those that no triangle uses are first at no place, so that they do not decide the order.
+  std::vector<std::int64_t> ids;
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    if (used[i])
+    {
+      ids.push_back(static_cast<std::int64_t>(i));
+    }
+  }
+  const auto first = FirstAtPlace(static_cast<std::int64_t>(ids.size()),
+    [&](std::int64_t i) { return surface.Points[At(ids[At(i)])]; });
+  TriangleMesh merged;
+  std::vector<std::int64_t> idOf(surface.Points.size(), -1);
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    if (first[i] == static_cast<std::int64_t>(i))
+    {
+      idOf[At(ids[i])] = static_cast<std::int64_t>(merged.Points.size());
+      merged.Points.push_back(surface.Points[At(ids[i])]);
+    }
+    else
+    {
+      idOf[At(ids[i])] = idOf[At(ids[At(first[i])])];
+    }
+  }
+  merged.Triangles.reserve(surface.Triangles.size());
+  for (const Triangle& t : surface.Triangles)
+  {
+    const Triangle corners{ idOf[At(t[0])], idOf[At(t[1])], idOf[At(t[2])] };
+    if (HasRepeated(t) || !HasRepeated(corners)) // what was wrong before is told, not hidden
+    {
+      merged.Triangles.push_back(corners);
+    }
+  }
+  return merged;
+}
+
+std::vector<vtkIdType> MergedCorners(const SurfaceView& surface)
+{
+  const auto first = FirstAtPlace(surface.NumberOfPoints,
+    [&surface](std::int64_t i)
+    {
+      const double* p = surface.Point(i);
+      return Point3{ p[0], p[1], p[2] };
+    });
+  std::vector<vtkIdType> corners;
+  corners.reserve(At(3 * surface.NumberOfTriangles));
+  for (vtkIdType t = 0; t < surface.NumberOfTriangles; ++t)
+  {
+    const vtkIdType* old = surface.Triangle(t);
+    const Triangle before{ old[0], old[1], old[2] };
+    const Triangle after{ first[At(old[0])], first[At(old[1])], first[At(old[2])] };
+    if (HasRepeated(before) || !HasRepeated(after))
+    {
+      corners.insert(corners.end(), after.begin(), after.end());
+    }
+  }
+  return corners;
+}
+
+std::string WhyOpen(const TriangleMesh& surface, const SurfaceDefects& defects)
+{
+  if (defects.BoundaryTriangles.empty() || !defects.InvalidPoints.empty() ||
+    !defects.InvalidTriangles.empty())
+  {
+    return {};
+  }
+  Bounds3 box{ surface.Points.front(), surface.Points.front() };
+  for (const Point3& p : surface.Points)
+  {
+    box.Add(p);
+  }
+  const double tolerance = 1e-5 * box.Diagonal(); // coordinates may be rounded to float
+  for (const std::int64_t triangle : defects.BoundaryTriangles)
+  {
+    const Triangle& t = surface.Triangles[At(triangle)];
+    unsigned int faces[3];
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      faces[c] = FacesOf(surface.Points[At(t[c])], box, tolerance);
+    }
+    if ((faces[0] & faces[1]) == 0 && (faces[1] & faces[2]) == 0 && (faces[2] & faces[0]) == 0)
+    {
+      return {};
+    }
+  }
+  return " It is open only at the faces of its box, as a contour is where the level leaves the "
+         "map: "
+         "Map Surface closes it there.";
+}
+
+}

@@ -1,0 +1,41 @@
+/**
+ * @file SurfaceIntake.h
+ * @brief One rule for surfaces that come in: points that coincide are one, and what is open is
+ * named.
+ */
+#ifndef isthmus_SurfaceIntake_h
+#define isthmus_SurfaceIntake_h
+
+#include "SurfaceCheck.h"
+#include "SurfaceView.h"
+#include "TriangleMesh.h"
+#include "vtkIsthmusModule.h"
+
+#include <string>
+#include <vector>
+
+namespace isthmus
+{
+
+/**
+ * `surface` with one point for each place that a triangle uses, in the order of first use by point
+ * id; files with texture coordinates or normals at corners (OBJ, STL) have several. Triangles that
+ * lose an edge thereby are left out: they had no area. A corner that is no point is refused with
+ * std::invalid_argument. O(n log n).
+ */
+VTKISTHMUS_EXPORT TriangleMesh MergePoints(const TriangleMesh& surface);
+
+/// The corners of the triangles of `surface` after the same merging; its points stay where they
+/// are.
+VTKISTHMUS_EXPORT std::vector<vtkIdType> MergedCorners(const SurfaceView& surface);
+
+/**
+ * Where a surface that FindDefects found to be open is so only at the faces of its own box, as a
+ * contour is where the level leaves the map: a sentence that says so, and the way out, to append to
+ * SurfaceDefects::Sentence(). Else empty.
+ */
+VTKISTHMUS_EXPORT std::string WhyOpen(const TriangleMesh& surface, const SurfaceDefects& defects);
+
+}
+
+#endif

@@ -1,0 +1,32 @@
+/**
+ * @file MapSurface.h
+ * @brief What turns the triangles of a map's level into a surface to look at: no dust, normals.
+ */
+#ifndef isthmus_MapSurface_h
+#define isthmus_MapSurface_h
+
+#include "GridView.h"
+#include "MapSurfaceParameters.h"
+#include "vtkIsthmusModule.h"
+
+namespace isthmus
+{
+
+/**
+ * `mesh` without its small components (triangles connected by points), the others ranked by area,
+ * equal ones by their first triangle. Throws std::invalid_argument for parameters out of range.
+ * O(triangles), two passes.
+ */
+VTKISTHMUS_EXPORT DustResult HideDust(TriangleMesh mesh, const DustParameters& parameters);
+
+/// Unit normals at the points, outwards: the mean of the triangles' weighted by area. 0 for a point
+/// that no triangle uses.
+VTKISTHMUS_EXPORT std::vector<Point3> PointNormals(const TriangleMesh& mesh);
+
+/// A fair sample of at most 2^20 of the grid's values that are finite, for SensibleLevel.
+template <typename T>
+VTKISTHMUS_EXPORT std::vector<double> SampleValues(const GridView<const T>& grid);
+
+}
+
+#endif

@@ -1,0 +1,36 @@
+/**
+ * @file IsthmusFirstLook.h
+ * @brief Makes the first look at our filters' results right: what XML can't say.
+ *
+ * Follows the representations of the window and has isthmus_pipelines.first_look set colours and
+ * their range, tubes and opacity. What the user has changed stays as it is.
+ */
+#ifndef IsthmusFirstLook_h
+#define IsthmusFirstLook_h
+
+#include <QObject>
+#include <QPointer>
+#include <QSet>
+
+class pqDataRepresentation;
+class pqRepresentation;
+
+class IsthmusFirstLook : public QObject
+{
+  Q_OBJECT
+
+public:
+  explicit IsthmusFirstLook(QObject* parent = nullptr);
+
+  void Start();
+  void Stop();
+
+private:
+  void Follow(pqRepresentation* representation);
+  void LookSoon(pqDataRepresentation* representation);
+  void Look();
+
+  QSet<pqDataRepresentation*> Waiting; ///< taken out when they are destroyed
+};
+
+#endif

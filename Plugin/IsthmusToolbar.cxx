@@ -1,0 +1,65 @@
+#include "IsthmusToolbar.h"
+
+#include "RunPython.h"
+
+#include <pqApplicationCore.h>
+#include <pqPipelineSource.h>
+#include <pqServerManagerModel.h>
+
+#include <QApplication>
+#include <QIcon>
+
+namespace
+{
+
+QList<pqPipelineSource*> Sources()
+{
+  return pqApplicationCore::instance()->getServerManagerModel()->findItems<pqPipelineSource*>();
+}
+
+/// Runs a pipeline; what it made is up to date, so that Apply has nothing to do.
+void Run(const QString& call)
+{
+  const QList<pqPipelineSource*> before = Sources();
+  QApplication::setOverrideCursor(Qt::WaitCursor);
+  isthmus::RunPipelines(call);
+  QApplication::restoreOverrideCursor();
+  for (pqPipelineSource* source : Sources())
+  {
+    if (!before.contains(source))
+    {
+      source->setModifiedState(pqProxy::UNMODIFIED);
+    }
+  }
+}
+
+}
+
+IsthmusToolbar::IsthmusToolbar(QObject* parent)
+  : QActionGroup(parent)
+{
+  this->setExclusive(false);
+  this->Add("map_to_surface", "MapToSurface", tr("Map to surface"),
+    tr("The selected map as a closed surface at a sensible level, without dust"));
+  this->Add("map_to_curvature", "MapToCurvature", tr("Map to curvature"),
+    tr("The selected map as a surface coloured by its mean curvature"));
+  this->Add("map_to_loops", "MapToLoops", tr("Map to choking loops"),
+    tr("Where the surface of the selected map is narrow: handles, tunnels, bottlenecks"));
+  this->Add("protein_to_surface", "ProteinToSurface", tr("Protein to surface"),
+    tr("The molecular surface of the selected protein"));
+  this->Add("protein_to_sites", "ProteinToSites", tr("Protein to potential and sites"),
+    tr("Potential, polarized curvature and likely binding sites of the selected protein"));
+  this->Add("surface_to_loops", "SurfaceToLoops", tr("Surface to choking loops"),
+    tr("Where the selected closed surface is narrow: handles, tunnels, bottlenecks"));
+}
+
+void IsthmusToolbar::Add(
+  const char* function, const char* icon, const QString& text, const QString& tip)
+{
+  auto* action = new QAction(QIcon(QString(":/Isthmus/%1.svg").arg(icon)), text, this);
+  action->setObjectName(QString("Isthmus_%1").arg(function));
+  action->setToolTip("<b>" + text + "</b><br>" + tip);
+  action->setStatusTip(tip);
+  const QString call = QString("run(\"%1\")").arg(function);
+  QObject::connect(action, &QAction::triggered, this, [call] { Run(call); });
+}

@@ -1,0 +1,18 @@
+/**
+ * @file RunPython.h
+ * @brief From the window's signals to isthmus_pipelines, the one place that knows what to do.
+ */
+#ifndef isthmus_RunPython_h
+#define isthmus_RunPython_h
+
+#include <QString>
+
+namespace isthmus
+{
+
+/// Runs `isthmus_pipelines.<call>` in ParaView's Python; what it raises goes to the messages.
+void RunPipelines(const QString& call);
+
+}
+
+#endif

@@ -1,0 +1,140 @@
+#include "vtkDenoiseFromHalfMaps.h"
+#include "vtkHighOrderDiffusion.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkTestErrorObserver.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace
+{
+
+constexpr int N = 40;
+
+/// A ball of density 1 with a smooth border, and noise of standard deviation `noise` within `mask`
+/// nodes of the centre.
+vtkSmartPointer<vtkImageData> Half(double noise, unsigned int seed, double mask = 100.0)
+{
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(N, N, N);
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Density");
+  for (int n = 0; n < N * N * N; ++n)
+  {
+    const double r = std::hypot(n % N - 19.5, n / N % N - 19.5, n / (N * N) - 19.5);
+    const double white = normal(random);
+    values->InsertNextValue(
+      r > mask ? 0.0 : 0.5 - 0.5 * std::tanh((r - 10.0) / 2.0) + noise * white);
+  }
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+
+double Distance(vtkImageData* a, vtkImageData* b)
+{
+  double sum = 0.0;
+  for (vtkIdType n = 0; n < a->GetNumberOfPoints(); ++n)
+  {
+    const double d = a->GetPointData()->GetScalars()->GetComponent(n, 0) -
+      b->GetPointData()->GetScalars()->GetComponent(n, 0);
+    sum += d * d;
+  }
+  return std::sqrt(sum / static_cast<double>(a->GetNumberOfPoints()));
+}
+
+void Refused(vtkImageData* one, vtkImageData* other, double strength, const char* sentence)
+{
+  vtkNew<vtkDenoiseFromHalfMaps> filter;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::ErrorEvent, observer);
+  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+  filter->SetInputData(one);
+  filter->SetOtherHalfData(other);
+  filter->SetStrength(strength);
+  filter->Update();
+  EXPECT_NE(observer->GetErrorMessage().find(sentence), std::string::npos)
+    << observer->GetErrorMessage();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+}
+
+TEST(DenoiseFromHalfMaps, KnowsTheNoiseOfTheMeanAndComesCloserToTheTruth)
+{
+  const auto truth = Half(0.0, 1);
+  for (const double mask : { 100.0, 15.0 })
+  {
+    vtkNew<vtkDenoiseFromHalfMaps> filter;
+    filter->SetInputData(Half(0.4, 2, mask));
+    filter->SetOtherHalfData(Half(0.4, 3, mask));
+    filter->Update();
+    const double noise =
+      filter->GetOutput()->GetFieldData()->GetArray("NoiseLevel")->GetComponent(0, 0);
+    EXPECT_NEAR(noise, 0.4 / std::sqrt(2.0), 0.01) << mask;
+    if (mask > 50.0)
+    {
+      // The mean itself is off by its noise.
+      EXPECT_LT(Distance(filter->GetOutput(), truth), 0.4 * noise);
+    }
+  }
+}
+
+TEST(DenoiseFromHalfMaps, RefusesWithASentence)
+{
+  const auto half = Half(0.4, 2);
+  Refused(half, half, 0.5, "are equal");
+  Refused(half, Half(0.4, 3), 1.5, "Strength");
+  Refused(half, Half(0.4, 3), std::nan(""), "Strength");
+  const auto moved = Half(0.4, 3);
+  moved->SetOrigin(0, 0, 1);
+  Refused(half, moved, 0.5, "same nodes");
+  vtkNew<vtkImageData> bare;
+  bare->SetDimensions(N, N, N);
+  Refused(half, bare, 0.5, "second half map");
+}
+
+TEST(HighOrderDiffusionExplains, MasksConstantsAndWhatHasNoNoise)
+{
+  const auto warning = [](vtkImageData* image)
+  {
+    vtkNew<vtkHighOrderDiffusion> filter;
+    vtkNew<vtkTest::ErrorObserver> observer;
+    filter->AddObserver(vtkCommand::WarningEvent, observer);
+    filter->SetInputData(image);
+    filter->Update();
+    EXPECT_EQ(Distance(filter->GetOutput(), image), 0.0);
+    return observer->GetWarningMessage();
+  };
+  const auto mask = Half(0.0, 1);
+  auto* values = mask->GetPointData()->GetScalars();
+  for (vtkIdType n = 0; n < values->GetNumberOfTuples(); ++n)
+  {
+    values->SetComponent(n, 0, values->GetComponent(n, 0) > 0.5 ? 1.0 : 0.0);
+  }
+  EXPECT_NE(warning(mask).find("a mask, labels"), std::string::npos);
+  values->Fill(3.0);
+  EXPECT_NE(warning(mask).find("a constant"), std::string::npos);
+}
+
+TEST(HighOrderDiffusionExplains, NothingWhereAMaskedMapIsDenoised)
+{
+  vtkNew<vtkHighOrderDiffusion> filter;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::WarningEvent, observer);
+  const auto map = Half(0.3, 5, 14.0);
+  filter->SetInputData(map);
+  filter->Update();
+  EXPECT_EQ(observer->GetWarningMessage(), "");
+  EXPECT_LT(
+    Distance(filter->GetOutput(), Half(0.0, 5, 14.0)), 0.7 * Distance(map, Half(0.0, 5, 14.0)));
+}

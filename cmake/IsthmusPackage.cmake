@@ -1,0 +1,29 @@
+# `cpack -G DEB` in the build tree: one Debian package with the library, the plugin where Debian's
+# ParaView loads it by itself, the Python module, headers and CMake files.
+
+set(CPACK_PACKAGE_NAME "isthmus")
+set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
+set(CPACK_PACKAGE_CONTACT "Isthmus maintainers <maintainers@isthmus.example>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "geometry and topology of density maps and proteins in ParaView")
+set(CPACK_PACKAGING_INSTALL_PREFIX "/usr")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_SOURCE_DIR}/cmake/package/layout.cmake")
+set(CPACK_ISTHMUS_COPYRIGHT "${CMAKE_CURRENT_SOURCE_DIR}/cmake/package/copyright")
+set(CPACK_ISTHMUS_CHANGELOG "${CMAKE_CURRENT_SOURCE_DIR}/cmake/package/changelog")
+
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION "science")
+set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "")
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# What no binary links to: the window, its Python, the program that makes tetrahedra, and icons, which
+# a root without recommended packages does not show (seen in one).
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "paraview (>= 5.11), python3-paraview, tetgen, libqt5svg5")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "apbs")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_SOURCE_DIR}/cmake/package/triggers")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+"Readers and filters for cryo-EM maps, proteins and closed surfaces: denoising,
+surfaces, curvature, electrostatics at the surface, likely binding sites, and
+choking loops, the rings where a shape narrows; a toolbar that builds whole
+pipelines from them.")
+
+include(CPack)
