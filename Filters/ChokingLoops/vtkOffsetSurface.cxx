@@ -4,6 +4,7 @@
 #include "OffsetSurface.h"
 #include "PolyDataMesh.h"
 #include "PolyDataTriangles.h"
+#include "WholeSurface.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -22,9 +23,9 @@ vtkStandardNewMacro(vtkOffsetSurface);
 int vtkOffsetSurface::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
-  auto* surface = vtkPolyData::GetData(input[0]);
+  const auto surface = isthmus::WholeSurface(vtkPolyData::GetData(input[0]));
   auto* result = vtkPolyData::GetData(output);
-  if (surface->GetNumberOfPoints() == 0)
+  if (surface && surface->GetNumberOfPoints() == 0)
   {
     return 1;
   }

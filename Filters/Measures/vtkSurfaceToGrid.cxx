@@ -4,12 +4,13 @@
 #include "ChosenScalars.h"
 #include "GridDistance.h"
 #include "GridImages.h"
+#include "ImageExtent.h"
 #include "ImageScalars.h"
 #include "LevelCrossings.h"
 #include "PolyDataTriangles.h"
 #include "SurfaceCrossings.h"
+#include "WholeSurface.h"
 
-#include <vtkAlgorithmOutput.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -117,19 +118,24 @@ int vtkSurfaceToGrid::RequestInformation(
     outInfo->CopyEntry(gridInfo, vtkDataObject::DIRECTION());
     return 1;
   }
+  if (isthmus::NumberOfRanks() > 1)
+  {
+    const int nothing[6] = { 0, -1, 0, -1, 0, -1 };
+    outInfo->Set(Pipeline::WHOLE_EXTENT(), nothing, 6);
+    vtkErrorMacro(<< "The grid around a surface is that of one rank, and there are "
+                  << isthmus::NumberOfRanks() << ": give an image as Grid, or take one rank.");
+    return 0;
+  }
   // The extent of the grid has to be told now, and it is that of the surface: so make the surface.
-  this->GetInputAlgorithm(0, 0)->Update(this->GetInputConnection(0, 0)->GetIndex());
+  this->Advance.Update();
   vtkPolyData* surface = vtkPolyData::GetData(info);
   vtkNew<vtkImageData> grid;
   grid->SetExtent(0, -1, 0, -1, 0, -1);
-  const int result = isthmus::Guarded(this, grid,
-    [&]()
-    {
-      if (surface && surface->GetNumberOfPoints() > 0)
-      {
-        this->GridAround(surface, grid);
-      }
-    });
+  int result = 1;
+  if (surface && surface->GetNumberOfPoints() > 0) // else empty, or blocks that come one by one
+  {
+    result = isthmus::Guarded(this, grid, [&]() { this->GridAround(surface, grid); });
+  }
   outInfo->Set(Pipeline::WHOLE_EXTENT(), grid->GetExtent(), 6);
   outInfo->Set(vtkDataObject::ORIGIN(), grid->GetOrigin(), 3);
   outInfo->Set(vtkDataObject::SPACING(), grid->GetSpacing(), 3);
@@ -172,7 +178,8 @@ int vtkSurfaceToGrid::RequestData(
         }
         return;
       }
-      auto* surface = vtkPolyData::GetData(inputVector[0], 0);
+      const auto surface =
+        isthmus::WholeSurface(vtkPolyData::GetData(inputVector[0], 0), isthmus::WholeOn::EachRank);
       if (auto* grid = vtkImageData::GetData(inputVector[1], 0))
       {
         output->CopyStructure(grid);
@@ -186,9 +193,16 @@ int vtkSurfaceToGrid::RequestData(
         this->FromSurface(surface, output, crossings);
       }
     });
-  if (output->GetNumberOfPoints() == 0)
+  if (output->GetNumberOfPoints() == 0 || !isthmus::OnFirstRank())
   {
     crossings->Initialize();
+  }
+  if (isthmus::NumberOfRanks() > 1 && output->GetNumberOfPoints() > 0)
+  {
+    // All ranks have all of the grid: each keeps its piece.
+    isthmus::Extent all{};
+    output->GetExtent(all.data());
+    output->Crop(isthmus::PieceOf(outputVector->GetInformationObject(0), all).data());
   }
   return result;
 }

@@ -4,6 +4,7 @@
 #include "PolyDataMesh.h"
 #include "SurfaceRepair.h"
 #include "TetrahedralMesher.h"
+#include "WholeSurface.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -93,12 +94,12 @@ int vtkTetrahedralMesher::FillInputPortInformation(int, vtkInformation* informat
 int vtkTetrahedralMesher::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
-  auto* surface = vtkPolyData::GetData(input[0]);
+  const auto surface = isthmus::WholeSurface(vtkPolyData::GetData(input[0]));
   auto* grid = vtkUnstructuredGrid::GetData(output);
   return isthmus::Guarded(this, grid,
     [&]
     {
-      const isthmus::TetrahedralParameters parameters = ParametersOf(this);
+      isthmus::TetrahedralParameters parameters = ParametersOf(this);
       const auto progress = isthmus::ProgressOf(this);
       isthmus::TriangleMesh mesh = isthmus::MeshOf(surface);
       isthmus::RepairedSurface repaired;
@@ -106,6 +107,7 @@ int vtkTetrahedralMesher::RequestData(
       {
         repaired = isthmus::RepairSurface(mesh, isthmus::Between(progress, 0.0, 0.2));
         mesh = repaired.Mesh;
+        parameters.Repaired = true;
       }
       isthmus::TetrahedralMesh result =
         isthmus::MeshTetrahedra(mesh, parameters, isthmus::Between(progress, 0.2, 1.0));

@@ -3,6 +3,7 @@
 #include "AlgorithmGuard.h"
 #include "BindingSites.h"
 #include "PolyDataTriangles.h"
+#include "WholeSurface.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -104,7 +105,7 @@ int vtkBindingSites::RequestData(
   return isthmus::Guarded(this, output,
     [&]()
     {
-      vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
+      const auto surface = isthmus::WholeSurface(vtkPolyData::GetData(inputVector[0]));
       output->ShallowCopy(surface);
       if (surface->GetNumberOfCells() > 0)
       {

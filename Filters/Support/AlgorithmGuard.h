@@ -6,6 +6,8 @@
 #ifndef isthmus_AlgorithmGuard_h
 #define isthmus_AlgorithmGuard_h
 
+#include "PipelineInputs.h"
+#include "PrintableText.h"
 #include "Progress.h"
 
 #include <vtkAlgorithm.h>
@@ -31,7 +33,8 @@ inline ProgressCallback ProgressOf(vtkAlgorithm* algorithm)
 /**
  * Runs `body()` and returns what RequestData should return.
  *
- * A stop on request gives 1 and an empty output; an exception gives 0, an empty output and its
+ * Inputs of another type than asked for, as blocks of composite data can be, are refused first. A
+ * stop on request gives 1 and an empty output; an exception gives 0, an empty output and its
  * sentence through vtkErrorMacro.
  */
 template <typename Body>
@@ -39,6 +42,7 @@ int Guarded(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
 {
   try
   {
+    DemandInputs(self);
     body();
     return 1;
   }
@@ -54,7 +58,7 @@ int Guarded(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
   }
   catch (const std::exception& error)
   {
-    vtkErrorWithObjectMacro(self, << error.what());
+    vtkErrorWithObjectMacro(self, << Printable(error.what()));
   }
   output->Initialize();
   return 0;

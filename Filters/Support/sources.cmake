@@ -6,6 +6,10 @@ isthmus_room(
     GridCells
     ImageExtent
     ParallelFor
+    PipelineInputs
     PolyDataMesh
     PolyDataTriangles
-    TriangleStars)
+    PrintableText
+    RangeGuard
+    TriangleStars
+    WholeSurface)

@@ -95,7 +95,7 @@ void vtkMacromoleculeReader::Read(vtkPolyData* atoms, vtkMolecule* molecule)
   isthmus::Report(progress, 1.0);
   for (const std::string& warning : read.Warnings)
   {
-    vtkWarningMacro(<< this->FileName << ": " << warning);
+    vtkWarningMacro(<< this->FileName << ": " << isthmus::Printable(warning));
   }
 }
 
