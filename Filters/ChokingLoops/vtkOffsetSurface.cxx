@@ -14,11 +14,38 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 
 vtkStandardNewMacro(vtkOffsetSurface);
+
+namespace
+{
+
+/// vtkFlyingEdges3D makes floats, which know neither 1e40 nor thousandths far from the origin: it
+/// works in node units, and here they become places.
+vtkSmartPointer<vtkPoints> InWorld(vtkPoints* nodes, const isthmus::DistanceGrid& grid)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(nodes->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < nodes->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    nodes->GetPoint(i, p);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      p[a] = grid.Origin[a] + grid.Spacing * p[a];
+    }
+    points->SetPoint(i, p);
+  }
+  return points;
+}
+
+}
 
 int vtkOffsetSurface::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
@@ -43,8 +70,6 @@ int vtkOffsetSurface::RequestData(
       vtkNew<vtkImageData> image;
       image->SetDimensions(static_cast<int>(grid.Dimensions[0]),
         static_cast<int>(grid.Dimensions[1]), static_cast<int>(grid.Dimensions[2]));
-      image->SetOrigin(grid.Origin.data());
-      image->SetSpacing(grid.Spacing, grid.Spacing, grid.Spacing);
       image->GetPointData()->SetScalars(values);
       vtkNew<vtkFlyingEdges3D> contour;
       contour->SetInputData(image);
@@ -53,6 +78,7 @@ int vtkOffsetSurface::RequestData(
       contour->Update();
       isthmus::Report(isthmus::ProgressOf(this), 1.0);
       result->ShallowCopy(contour->GetOutput());
+      result->SetPoints(InWorld(contour->GetOutput()->GetPoints(), grid));
       vtkNew<vtkDoubleArray> spacing;
       spacing->SetName("GridSpacing");
       spacing->InsertNextValue(grid.Spacing);

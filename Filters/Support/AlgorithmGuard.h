@@ -30,6 +30,15 @@ inline ProgressCallback ProgressOf(vtkAlgorithm* algorithm)
   };
 }
 
+/// Null is what a filter has for a block of a kind that it can't even make.
+inline void Clear(vtkDataObject* output)
+{
+  if (output)
+  {
+    output->Initialize();
+  }
+}
+
 /**
  * Runs `body()` and returns what RequestData should return.
  *
@@ -48,7 +57,7 @@ int Guarded(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
   }
   catch (const Cancelled&)
   {
-    output->Initialize();
+    Clear(output);
     return 1;
   }
   catch (const std::bad_alloc&)
@@ -60,7 +69,7 @@ int Guarded(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
   {
     vtkErrorWithObjectMacro(self, << Printable(error.what()));
   }
-  output->Initialize();
+  Clear(output);
   return 0;
 }
 

@@ -62,14 +62,14 @@ InputInAdvance::InputInAdvance(vtkAlgorithm* self)
   vtkNew<vtkCallbackCommand> observer;
   observer->SetClientData(&this->Executing);
   observer->SetCallback([](vtkObject*, unsigned long event, void* executing, void*)
-    { *static_cast<bool*>(executing) = event == vtkCommand::StartEvent; });
+    { *static_cast<int*>(executing) += event == vtkCommand::StartEvent ? 1 : -1; });
   self->AddObserver(vtkCommand::StartEvent, observer);
   self->AddObserver(vtkCommand::EndEvent, observer);
 }
 
 void InputInAdvance::Update()
 {
-  if (!this->Executing)
+  if (this->Executing == 0)
   {
     this->Self->GetInputAlgorithm(0, 0)->Update(this->Self->GetInputConnection(0, 0)->GetIndex());
   }

@@ -38,7 +38,7 @@ public:
 
 private:
   vtkAlgorithm* Self;
-  bool Executing = false;
+  int Executing = 0; ///< depth: the execution of a block lies within that of the whole
 };
 
 }

@@ -45,7 +45,7 @@ std::pair<std::string, unsigned long> Complaint(const std::string& path)
   reader->AddObserver(vtkCommand::ErrorEvent, observer);
   reader->AddObserver(vtkCommand::WarningEvent, observer);
   reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, pipeline);
-  Reader::CanReadFile(path.c_str());
+  reader->CanReadFile(path.c_str());
   reader->SetFileName(path.c_str());
   reader->Update();
   return { observer->GetErrorMessage(), reader->GetErrorCode() };
