@@ -8,6 +8,7 @@
 #include "ImageScalars.h"
 #include "LevelCrossings.h"
 #include "PolyDataTriangles.h"
+#include "RangeGuard.h"
 #include "SurfaceCrossings.h"
 #include "WholeSurface.h"
 
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -118,17 +120,10 @@ int vtkSurfaceToGrid::RequestInformation(
     outInfo->CopyEntry(gridInfo, vtkDataObject::DIRECTION());
     return 1;
   }
-  if (isthmus::NumberOfRanks() > 1)
-  {
-    const int nothing[6] = { 0, -1, 0, -1, 0, -1 };
-    outInfo->Set(Pipeline::WHOLE_EXTENT(), nothing, 6);
-    vtkErrorMacro(<< "The grid around a surface is that of one rank, and there are "
-                  << isthmus::NumberOfRanks() << ": give an image as Grid, or take one rank.");
-    return 0;
-  }
   // The extent of the grid has to be told now, and it is that of the surface: so make the surface.
   this->Advance.Update();
-  vtkPolyData* surface = vtkPolyData::GetData(info);
+  const auto surface =
+    isthmus::WholeSurface(vtkPolyData::GetData(info), isthmus::WholeOn::EachRank);
   vtkNew<vtkImageData> grid;
   grid->SetExtent(0, -1, 0, -1, 0, -1);
   int result = 1;
@@ -149,11 +144,13 @@ int vtkSurfaceToGrid::RequestUpdateExtent(
   for (int port = 0; port < 2; ++port)
   {
     vtkInformation* info = inputVector[port]->GetInformationObject(0);
-    if (info && info->Has(Pipeline::WHOLE_EXTENT()))
+    // Not of a surface, whose pieces are put together here.
+    if (info && vtkImageData::GetData(info) && info->Has(Pipeline::WHOLE_EXTENT()))
     {
       int whole[6];
       info->Get(Pipeline::WHOLE_EXTENT(), whole);
       info->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
+      isthmus::AskForAll(info);
     }
   }
   return 1;
@@ -169,6 +166,8 @@ int vtkSurfaceToGrid::RequestData(
   const int result = isthmus::Guarded(this, output,
     [&]()
     {
+      isthmus::DemandAll(inputVector[0]->GetInformationObject(0));
+      isthmus::DemandAll(inputVector[1]->GetInformationObject(0));
       if (auto* image = vtkImageData::GetData(inputVector[0], 0))
       {
         output->ShallowCopy(image);
@@ -248,6 +247,16 @@ void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkP
 {
   const GridShape shape = isthmus::ShapeOf(image);
   vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
+  isthmus::DemandRange("IsoValue", this->IsoValue, -std::numeric_limits<double>::max(),
+    std::numeric_limits<double>::max(), "It is a value of the volume.");
+  double range[2];
+  scalars->GetFiniteRange(range);
+  if (!(range[0] <= this->IsoValue && this->IsoValue <= range[1]))
+  {
+    vtkWarningMacro(<< "There is no surface at IsoValue " << this->IsoValue
+                    << ", so SignedDistance is infinite: the volume has values from " << range[0]
+                    << " to " << range[1] << ". Choose one between.");
+  }
   const auto progress = isthmus::ProgressOf(this);
   std::vector<unsigned char> inside(static_cast<std::size_t>(shape.Size()));
   isthmus::UseScalars(image, scalars,

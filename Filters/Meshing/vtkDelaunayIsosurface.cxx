@@ -4,6 +4,7 @@
 #include "ChosenScalars.h"
 #include "ClosedLevelSet.h"
 #include "DelaunayIsosurface.h"
+#include "ImageExtent.h"
 #include "ImageScalars.h"
 #include "PolyDataMesh.h"
 #include "RangeGuard.h"
@@ -62,6 +63,7 @@ int vtkDelaunayIsosurface::RequestUpdateExtent(
   if (information->Has(Pipeline::WHOLE_EXTENT()))
   {
     information->Set(Pipeline::UPDATE_EXTENT(), information->Get(Pipeline::WHOLE_EXTENT()), 6);
+    isthmus::AskForAll(information);
   }
   return 1;
 }
@@ -74,6 +76,7 @@ int vtkDelaunayIsosurface::RequestData(
   return isthmus::Guarded(this, surface,
     [&]
     {
+      isthmus::DemandAll(input[0]->GetInformationObject(0));
       // Each rank has all of the volume; the surface is made once.
       if (image->GetNumberOfPoints() == 0 || !isthmus::OnFirstRank())
       {

@@ -61,7 +61,11 @@ std::unique_ptr<ByteSource> OpenByteSource(const std::string& path)
 
 std::string ReadAll(ByteSource& source, const ProgressCallback& progress)
 {
-  constexpr std::size_t piece = std::size_t{ 1 } << 23;
+  // Of a small file no more than it has, and one to see its end; compressed ones usually grow less
+  // than 32-fold.
+  constexpr std::uint64_t largest = std::uint64_t{ 1 } << 23;
+  const auto piece = static_cast<std::size_t>(std::min(
+    largest, source.RandomAccess() ? source.MostBytes() + 1 : 4096 + 32 * source.FileSize()));
   constexpr std::uint64_t harmless = std::uint64_t{ 1 } << 26;
   constexpr std::uint64_t usual = 16;
   const std::uint64_t most =

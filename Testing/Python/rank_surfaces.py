@@ -66,7 +66,7 @@ def main(folder):
                               ResultArrayName="Ball", ResultArrayType="Double")
     contour = simple.Contour(Input=field, ContourBy=["POINTS", "Ball"], Isosurfaces=[0.5],
                              ComputeNormals=0, ComputeScalars=0)
-    ghosts = simple.GhostCells(Input=contour)
+    ghosts = simple.GhostCellsGenerator(Input=contour, BuildIfRequired=0)
     proxies = {}
     for name, surface in (("pieces", contour), ("ghosts", ghosts)):
         proxies[f"SurfaceMeasures, {name}"] = simple.SurfaceMeasures(Input=surface)
