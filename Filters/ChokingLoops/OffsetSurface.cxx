@@ -47,10 +47,10 @@ Bounds3 BoxAround(const TriangleMesh& surface, double distance, std::int64_t cel
   const Point3 size = box.Max - box.Min;
   const double farthest = std::max({ std::abs(box.Min[0]), std::abs(box.Min[1]),
     std::abs(box.Min[2]), std::abs(box.Max[0]), std::abs(box.Max[1]), std::abs(box.Max[2]) });
-  if (distance > 1e9 * farthest || distance < 1e-9 * farthest)
+  if (distance > 1e6 * farthest || distance < 1e-9 * farthest)
   {
     throw std::invalid_argument("Distance is " + Shown(distance) + ", but the surface reaches to " +
-      Shown(farthest) + ": from 1e-9 to 1e9 of that can be told apart from 0 and from a ball.");
+      Shown(farthest) + ": from 1e-9 to 1e6 of that can be told apart from 0 and from a ball.");
   }
   const double width = std::max({ size[0], size[1], size[2] }) + 2.0 * distance;
   const double margin = distance + 2.0 * width / static_cast<double>(cells - 4);
@@ -109,6 +109,12 @@ DistanceGrid OffsetDistances(const TriangleMesh& surface, double distance, Offse
   if (distance > 2.0 * grid.Spacing)
   {
     MakeExact(surface, distance, grid, Between(progress, 0.5, 0.9));
+  }
+  if (!std::all_of(grid.Values.begin(), grid.Values.end(), [](double d) { return d < HUGE_VAL; }))
+  {
+    throw std::runtime_error("At a Distance of " + Shown(distance) +
+      " the grid is too coarse for the surface, which no node comes near: take a smaller Distance "
+      "or a higher Resolution.");
   }
   if (side != OffsetSide::Both)
   {

@@ -272,8 +272,14 @@ RemeshedSurface SimplifySurface(
 double MeanEdgeLength(const TriangleMesh& mesh)
 {
   double sum = 0.0;
+  const auto points = static_cast<std::int64_t>(mesh.Points.size());
   for (const Triangle& t : mesh.Triangles)
   {
+    // Corners that are no points are told by what checks the mesh, later.
+    if (std::any_of(t.begin(), t.end(), [points](auto id) { return id < 0 || id >= points; }))
+    {
+      continue;
+    }
     for (std::size_t c = 0; c < 3; ++c)
     {
       const Point3 edge = mesh.Points[static_cast<std::size_t>(t[(c + 1) % 3])] -

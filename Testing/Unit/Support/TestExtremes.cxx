@@ -25,6 +25,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 
 using namespace isthmus::testing;
@@ -307,6 +310,28 @@ TEST(Extremes, SurfaceRemeshInterpolatesFiniteNumbers)
   }
 }
 
+// Found by FuzzSurfaceFilters: the mean edge was taken before corners were checked.
+TEST(Extremes, CornersThatAreNoPointsAreToldByAllThatMesh)
+{
+  for (const vtkIdType corner : { vtkIdType(-1), vtkIdType(1) << 40 })
+  {
+    Model model = Icosphere(3, 1.0);
+    model.Triangles[7][1] = corner;
+    const auto surface = ToPolyData(model);
+    TopologyFilterRun<vtkSurfaceRemesh> remesh(surface);
+    EXPECT_NE(remesh.Messages().find("missing point"), std::string::npos) << remesh.Messages();
+    TopologyFilterRun<vtkTetrahedralMesher> mesher(surface);
+    EXPECT_NE(mesher.Messages().find("missing point"), std::string::npos) << mesher.Messages();
+    TopologyFilterRun<vtkChokingLoops> loops(surface);
+    EXPECT_NE(loops.Messages(), "");
+    // With a quadrangle beside it, the surface goes through vtkTriangleFilter first.
+    const vtkIdType four[4] = { 0, 1, 2, 3 };
+    surface->GetPolys()->InsertNextCell(4, four);
+    TopologyFilterRun<vtkSurfaceRemesh> polygons(surface);
+    EXPECT_NE(polygons.Messages().find("damaged"), std::string::npos) << polygons.Messages();
+  }
+}
+
 TEST(Extremes, SurfaceRemeshOfLongNeedlesIsRefused)
 {
   Model model = Icosphere(3, 1e-9); // and so next to no area
@@ -371,6 +396,38 @@ TEST(Extremes, AnAbortOfTheCGALMesherIsHeardWithinASecond)
   EXPECT_GT(mesher->GetOutput()->GetNumberOfCells(), 1000);
   EXPECT_GT(state.Reports, 50); // where progress is told, a stop is heard
   RecordProperty("LongestSilence", std::to_string(state.LongestSilence));
+}
+
+TEST(Extremes, TetGenCommandsThatAreNoneAreTold)
+{
+  const auto folder = std::filesystem::path(::testing::TempDir()) / "isthmus_tetgen_command";
+  std::filesystem::create_directories(folder);
+  const std::string text = folder / "text";
+  std::ofstream(text) << "no program\n";
+  const std::string killed = folder / "killed";
+  std::ofstream(killed) << "#!/bin/sh\nkill -TERM $$\n";
+  std::filesystem::permissions(killed, std::filesystem::perms::owner_all);
+  const auto messages = [](const std::string& command)
+  {
+    TopologyFilterRun<vtkTetrahedralMesher> run(ToPolyData(Icosphere(2, 1.0)),
+      [&command](vtkTetrahedralMesher* filter)
+      {
+        filter->SetLibrary(vtkTetrahedralMesher::TETGEN);
+        filter->SetTetGenCommand(command.c_str());
+      });
+    return run.Messages();
+  };
+  EXPECT_NE(messages(folder.string()).find("can't be run"), std::string::npos)
+    << messages(folder.string());
+  EXPECT_NE(messages(text).find("can't be run"), std::string::npos) << messages(text);
+  EXPECT_NE(messages(killed).find("from outside"), std::string::npos) << messages(killed);
+  EXPECT_NE(messages(folder / "missing").find("not found"), std::string::npos);
+  const char* before = std::getenv("TMPDIR");
+  const std::string kept = before ? before : "";
+  setenv("TMPDIR", (folder / "nowhere").c_str(), 1);
+  const std::string missing = messages("tetgen");
+  before ? setenv("TMPDIR", kept.c_str(), 1) : unsetenv("TMPDIR");
+  EXPECT_NE(missing.find("set TMPDIR"), std::string::npos) << missing;
 }
 
 TEST(RangeGuard, SaysNumbersInWords)
