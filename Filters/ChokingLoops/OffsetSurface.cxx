@@ -3,6 +3,7 @@
 #include "MeshOnGrid.h"
 #include "RangeGuard.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
