@@ -51,8 +51,8 @@ void DemandBudget(
   const double finest = 1e-6 * bounds.Diagonal();
   if (p.Radius < finest || p.Distance < finest)
   {
-    throw std::invalid_argument("Radius is " + Shown(p.Radius) + " and Distance " +
-      Shown(p.Distance) + ", but the surface is found to some " + Shown(finest) +
+    throw std::runtime_error("Radius is " + Shown(p.Radius) + " and Distance " + Shown(p.Distance) +
+      ", but the surface is found to some " + Shown(finest) +
       " (a millionth of the volume's diagonal): ask for larger ones.");
   }
   double area = 0.0;
@@ -66,8 +66,8 @@ void DemandBudget(
   const double least = area / (2.6 * p.Radius * p.Radius);
   if (least > static_cast<double>(p.MaximumPoints))
   {
-    throw std::invalid_argument("A Radius of " + Shown(p.Radius) + " takes at least " +
-      Shown(least) + " points, and the most is " + Shown(static_cast<double>(p.MaximumPoints)) +
+    throw std::runtime_error("A Radius of " + Shown(p.Radius) + " takes at least " + Shown(least) +
+      " points, and the most is " + Shown(static_cast<double>(p.MaximumPoints)) +
       ": ask for a larger one, or make the spacings of the volume more alike (Resample To Image).");
   }
 }
@@ -292,6 +292,7 @@ DelaunayIsosurfaceResult DelaunayIsosurface(const ScalarField& field, const Boun
   return cgal::WithSentence("refining the isosurface",
     [&]
     {
+      Report(progress, 0.0);
       DemandBudget(parameters, bounds, guide);
       const auto components = SpreadSeeds(guide, 2.0 * parameters.Radius);
       const double expected = 400.0 * static_cast<double>(guide.Points.size());

@@ -131,6 +131,11 @@ std::string ContentOf(const std::filesystem::path& path, const ProgressCallback&
   }
   catch (const ReaderError& error)
   {
+    if (error.Kind == ReaderFailure::NoSuchFile)
+    {
+      throw ReaderError(error.Kind,
+        "There is no file " + path.string() + ": MSMS surfaces come in pairs of .vert and .face.");
+    }
     throw ReaderError(
       error.Kind, std::string(error.what()) + " MSMS surfaces come in pairs of .vert and .face.");
   }

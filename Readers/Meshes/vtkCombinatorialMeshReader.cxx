@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 
@@ -153,6 +154,27 @@ void Fill(const isthmus::CombinatorialMesh& mesh, vtkUnstructuredGrid* grid)
   }
 }
 
+std::string Contents(const std::string& path, const isthmus::ProgressCallback& progress)
+{
+  try
+  {
+    std::error_code none;
+    // An empty file is told by its missing first line.
+    return std::filesystem::is_regular_file(path, none) && std::filesystem::is_empty(path, none)
+      ? std::string()
+      : isthmus::ReadAll(*isthmus::OpenByteSource(path), progress);
+  }
+  catch (const isthmus::ReaderError& error)
+  {
+    if (error.Kind != isthmus::ReaderFailure::NoSuchFile)
+    {
+      throw;
+    }
+    throw isthmus::ReaderError(error.Kind,
+      "The file '" + path + "' can't be opened: check its name and your right to read it.");
+  }
+}
+
 isthmus::CombinatorialMesh Parsed(const std::string& contents, const std::string& path)
 {
   try
@@ -203,8 +225,7 @@ int vtkCombinatorialMeshReader::RequestData(
     this, this->FileName, output, [this](unsigned long code) { this->SetErrorCode(code); },
     [&]()
     {
-      const std::string contents = isthmus::ReadAll(
-        *isthmus::OpenByteSource(this->FileName), isthmus::Between(progress, 0.0, 0.2));
+      const std::string contents = Contents(this->FileName, isthmus::Between(progress, 0.0, 0.2));
       isthmus::Report(progress, 0.2);
       const isthmus::CombinatorialMesh mesh = Parsed(contents, this->FileName);
       isthmus::Report(progress, 0.7);
