@@ -82,7 +82,8 @@ void DemandCGALBudget(const TriangleMesh& surface, const TetrahedralParameters& 
     ? std::abs(SignedVolume(surface)) / (3.6 * c.CellSize * c.CellSize * c.CellSize)
     : 0.0;
   const double least = std::max(points, cells);
-  if (least > static_cast<double>(c.MaximumPoints))
+  constexpr double hopeless = 1e12; // below, refinement ends at MaximumPoints, and can be stopped
+  if (least > hopeless)
   {
     throw std::invalid_argument("The sizes asked of CGAL take at least " + Shown(least) +
       " points, and the most is " + Shown(static_cast<double>(c.MaximumPoints)) +
