@@ -251,7 +251,7 @@ void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkP
     std::numeric_limits<double>::max(), "It is a value of the volume.");
   double range[2];
   scalars->GetFiniteRange(range);
-  if (!(range[0] <= this->IsoValue && this->IsoValue <= range[1]))
+  if (!(range[0] < this->IsoValue && this->IsoValue < range[1]))
   {
     vtkWarningMacro(<< "There is no surface at IsoValue " << this->IsoValue
                     << ", so SignedDistance is infinite: the volume has values from " << range[0]
