@@ -49,14 +49,6 @@ std::string Shown(double value)
   return text;
 }
 
-std::string Quoted(const std::string& text, std::size_t most)
-{
-  std::string result = text.substr(0, most);
-  std::replace_if(
-    result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return result + (text.size() > most ? "..." : "");
-}
-
 void DemandRange(const char* property, double value, double low, double high, const char* meaning)
 {
   if (!(value >= low && value <= high))

@@ -23,10 +23,6 @@ constexpr double LargestLength = 1e100;
 /// A number as sentences show it: six digits at most, and NaN in words.
 VTKISTHMUS_EXPORT std::string Shown(double value);
 
-/// What a file or a program said, fit for a sentence: at most `most` bytes, all of them printable
-/// ASCII; each other byte is a question mark.
-VTKISTHMUS_EXPORT std::string Quoted(const std::string& text, std::size_t most = 60);
-
 /// Throws std::invalid_argument, with the property's name, value and range, unless
 /// low <= value <= high. NaN is refused. `meaning` ends the sentence.
 VTKISTHMUS_EXPORT void DemandRange(
