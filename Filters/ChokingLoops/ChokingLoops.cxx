@@ -4,6 +4,7 @@
 #include "DelaunayFiltration.h"
 #include "GeneratorCompletion.h"
 #include "LowerStarFiltration.h"
+#include "RangeGuard.h"
 #include "SurfaceSampling.h"
 
 #include <algorithm>
@@ -99,6 +100,22 @@ TriangleMesh FirstSamples(
     return SplitLongEdges(
       surface, [&spacing](const Point3&, const Point3&) { return spacing; }, most, part);
   };
+  double edges = 0.0;
+  for (const Triangle& t : surface.Triangles)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const Point3 edge = surface.Points[At(t[(c + 1) % 3])] - surface.Points[At(t[c])];
+      edges += 0.5 * std::sqrt(Dot(edge, edge));
+    }
+  }
+  DemandRange("SampleSpacing", spacing, 0.0, LargestLength, "It is a length; 0 chooses one.");
+  if (spacing > 0.0 && edges / spacing > 2.0 * static_cast<double>(MostSamples))
+  {
+    throw std::invalid_argument("A SampleSpacing of " + Shown(spacing) + " takes some " +
+      Shown(edges / spacing) + " points along the edges alone, and the most is " +
+      Shown(static_cast<double>(MostSamples)) + ": raise it.");
+  }
   if (spacing > 0.0)
   {
     TriangleMesh samples = split(MostSamples, progress);
@@ -113,6 +130,8 @@ TriangleMesh FirstSamples(
   spacing = 1.7 * EdgeLengthFor(surface, UsualSamples);
   // Needles take far more points than their area suggests.
   const std::size_t most = 4 * surface.Points.size() + static_cast<std::size_t>(5.0 * UsualSamples);
+  // Edges are split to it, whatever the area: needles have next to none.
+  spacing = std::max(spacing, edges / (4.0 * static_cast<double>(most)));
   const auto still = Between(progress, 0.0, 0.0); // quick, but may have to be repeated
   TriangleMesh samples = split(most, still);
   for (; samples.Points.empty(); samples = split(most, still))

@@ -1,5 +1,6 @@
 #include "ChokingSurface.h"
 
+#include "RangeGuard.h"
 #include "SurfaceCheck.h"
 #include "SurfaceIntake.h"
 #include "SurfaceRepair.h"
@@ -33,8 +34,8 @@ void DemandUsableSize(const TriangleMesh& surface)
     std::max({ box.Max[0] - box.Min[0], box.Max[1] - box.Min[1], box.Max[2] - box.Min[2] });
   if (!(size > 1e-40 && size < 1e40))
   {
-    throw std::invalid_argument("The surface is " + std::to_string(size) +
-      " wide, which is out of range (1e-40 to 1e40): scale it.");
+    throw std::invalid_argument(
+      "The surface is " + Shown(size) + " wide, which is out of range (1e-40 to 1e40): scale it.");
   }
 }
 

@@ -1,7 +1,9 @@
 #include "OffsetSurface.h"
 
 #include "MeshOnGrid.h"
+#include "RangeGuard.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -27,11 +29,7 @@ Bounds3 BoxAround(const TriangleMesh& surface, double distance, std::int64_t cel
   {
     throw std::invalid_argument("The surface has no triangles to keep a distance from.");
   }
-  if (!(distance > 0.0) || std::isinf(distance))
-  {
-    throw std::invalid_argument("The distance of the offset surface is " +
-      std::to_string(distance) + ", but it must be a number above 0.");
-  }
+  DemandAbove("Distance", distance, 0.0, LargestLength, "It is the distance from the surface.");
   const auto& first = surface.Points[static_cast<std::size_t>(surface.Triangles[0][0])];
   Bounds3 box{ first, first };
   for (const Triangle& t : surface.Triangles)
@@ -48,6 +46,13 @@ Bounds3 BoxAround(const TriangleMesh& surface, double distance, std::int64_t cel
     }
   }
   const Point3 size = box.Max - box.Min;
+  const double farthest = std::max({ std::abs(box.Min[0]), std::abs(box.Min[1]),
+    std::abs(box.Min[2]), std::abs(box.Max[0]), std::abs(box.Max[1]), std::abs(box.Max[2]) });
+  if (distance > 1e6 * farthest || distance < 1e-9 * farthest)
+  {
+    throw std::invalid_argument("Distance is " + Shown(distance) + ", but the surface reaches to " +
+      Shown(farthest) + ": from 1e-9 to 1e6 of that can be told apart from 0 and from a ball.");
+  }
   const double width = std::max({ size[0], size[1], size[2] }) + 2.0 * distance;
   const double margin = distance + 2.0 * width / static_cast<double>(cells - 4);
   for (std::size_t a = 0; a < 3; ++a)
@@ -84,11 +89,33 @@ void MakeExact(const TriangleMesh& surface, double distance, DistanceGrid& grid,
 DistanceGrid OffsetDistances(const TriangleMesh& surface, double distance, OffsetSide side,
   std::int64_t cells, const ProgressCallback& progress)
 {
+  DemandRange("Resolution", static_cast<double>(cells), 8, 1024, "It counts cells along a side.");
+  const UnitScale scale(surface.Points);
+  if (!scale.IsOne())
+  {
+    TriangleMesh scaled = surface;
+    scale.Apply(scaled.Points);
+    DistanceGrid grid = OffsetDistances(scaled, scale.Factor() * distance, side, cells, progress);
+    const double back = 1.0 / scale.Factor();
+    grid.Origin = back * grid.Origin;
+    grid.Spacing *= back;
+    for (double& value : grid.Values)
+    {
+      value *= back;
+    }
+    return grid;
+  }
   const Bounds3 box = BoxAround(surface, distance, cells);
   DistanceGrid grid = GridOfDistances(surface, box, cells, Between(progress, 0.0, 0.5));
   if (distance > 2.0 * grid.Spacing)
   {
     MakeExact(surface, distance, grid, Between(progress, 0.5, 0.9));
+  }
+  if (!std::all_of(grid.Values.begin(), grid.Values.end(), [](double d) { return d < HUGE_VAL; }))
+  {
+    throw std::runtime_error("At a Distance of " + Shown(distance) +
+      " the grid is too coarse for the surface, which no node comes near: take a smaller Distance "
+      "or a higher Resolution.");
   }
   if (side != OffsetSide::Both)
   {

@@ -150,8 +150,14 @@ std::vector<double> SamplingErrors(const TriangleMesh& mesh)
 double EdgeLengthFor(const TriangleMesh& mesh, double points)
 {
   double area = 0.0;
+  const auto count = static_cast<std::int64_t>(mesh.Points.size());
   for (const Triangle& t : mesh.Triangles)
   {
+    // Corners that are no points are told by what checks the mesh, later.
+    if (std::any_of(t.begin(), t.end(), [count](auto id) { return id < 0 || id >= count; }))
+    {
+      continue;
+    }
     const Point3& p = mesh.Points[At(t[0])];
     const Point3 n = Cross(mesh.Points[At(t[1])] - p, mesh.Points[At(t[2])] - p);
     area += 0.5 * std::sqrt(Dot(n, n));

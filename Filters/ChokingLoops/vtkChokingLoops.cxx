@@ -8,6 +8,7 @@
 #include "SurfaceRepair.h"
 #include "SurfaceSampling.h"
 #include "TetrahedralMesher.h"
+#include "WholeSurface.h"
 
 #include <vtkDataArray.h>
 #include <vtkInformation.h>
@@ -65,6 +66,11 @@ isthmus::TetrahedralMesh MeshOf(vtkUnstructuredGrid* grid)
     grid->GetCellPoints(c, count, p);
     mesh.Tetrahedra.push_back({ p[0], p[1], p[2], p[3] });
   }
+  if (mesh.Tetrahedra.empty())
+  {
+    throw std::invalid_argument("The second input has no tetrahedra: give a mesh of one side of "
+                                "the surface or both, or leave it empty.");
+  }
   return mesh;
 }
 
@@ -116,6 +122,12 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
   auto made = std::make_unique<Cache>();
   made->MadeOf = key;
   isthmus::TriangleMesh triangles = isthmus::MeshOf(surface);
+  if (triangles.Triangles.empty())
+  {
+    throw std::invalid_argument("The surface has " + std::to_string(triangles.Points.size()) +
+      " points but no triangles: choking loops need a closed surface. Make one of them (Alpha "
+      "Shape, Contour).");
+  }
   TellEstimate(triangles, this->Filtration == Delaunay ? this->SampleSpacing : 0.0);
   if (this->CapHoles)
   {
@@ -213,12 +225,13 @@ std::vector<double> vtkChokingLoops::MorseValues(const isthmus::TriangleMesh& su
 int vtkChokingLoops::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
-  auto* surface = vtkPolyData::GetData(input[0]);
+  const auto whole = isthmus::WholeSurface(vtkPolyData::GetData(input[0]));
+  vtkPolyData* const surface = whole;
   auto* loops = vtkPolyData::GetData(output, 0);
   auto* membranes = vtkPolyData::GetData(output, 1);
   auto* points = vtkPolyData::GetData(output, 2);
   auto* diagram = vtkTable::GetData(output, 3);
-  if (surface->GetNumberOfPoints() == 0)
+  if (surface && surface->GetNumberOfPoints() == 0)
   {
     return 1;
   }

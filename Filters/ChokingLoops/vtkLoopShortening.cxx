@@ -4,6 +4,7 @@
 #include "ChokingSurface.h"
 #include "LoopShortening.h"
 #include "PolyDataMesh.h"
+#include "WholeSurface.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -190,15 +191,17 @@ int vtkLoopShortening::RequestData(
 {
   auto* loops = vtkPolyData::GetData(input[0]);
   auto* result = vtkPolyData::GetData(output);
-  const vtkIdType count = loops->GetNumberOfLines();
-  if (count == 0)
+  const auto whole =
+    isthmus::WholeSurface(vtkPolyData::GetData(input[1]), isthmus::WholeOn::EachRank);
+  const vtkIdType count = loops ? loops->GetNumberOfLines() : 0;
+  if (loops && count == 0)
   {
     return 1;
   }
   return isthmus::Guarded(this, result,
     [&]
     {
-      const Surface surface(vtkPolyData::GetData(input[1]));
+      const Surface surface(whole);
       isthmus::LoopShorteningParameters parameters;
       parameters.MaximumRounds = this->MaximumRounds;
       parameters.Tolerance = this->Tolerance;

@@ -4,6 +4,7 @@
 #include "OffsetSurface.h"
 #include "PolyDataMesh.h"
 #include "PolyDataTriangles.h"
+#include "WholeSurface.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -13,18 +14,45 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 
 vtkStandardNewMacro(vtkOffsetSurface);
 
+namespace
+{
+
+/// vtkFlyingEdges3D makes floats, which know neither 1e40 nor thousandths far from the origin: it
+/// works in node units, and here they become places.
+vtkSmartPointer<vtkPoints> InWorld(vtkPoints* nodes, const isthmus::DistanceGrid& grid)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(nodes->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < nodes->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    nodes->GetPoint(i, p);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      p[a] = grid.Origin[a] + grid.Spacing * p[a];
+    }
+    points->SetPoint(i, p);
+  }
+  return points;
+}
+
+}
+
 int vtkOffsetSurface::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
-  auto* surface = vtkPolyData::GetData(input[0]);
+  const auto surface = isthmus::WholeSurface(vtkPolyData::GetData(input[0]));
   auto* result = vtkPolyData::GetData(output);
-  if (surface->GetNumberOfPoints() == 0)
+  if (surface && surface->GetNumberOfPoints() == 0)
   {
     return 1;
   }
@@ -42,8 +70,6 @@ int vtkOffsetSurface::RequestData(
       vtkNew<vtkImageData> image;
       image->SetDimensions(static_cast<int>(grid.Dimensions[0]),
         static_cast<int>(grid.Dimensions[1]), static_cast<int>(grid.Dimensions[2]));
-      image->SetOrigin(grid.Origin.data());
-      image->SetSpacing(grid.Spacing, grid.Spacing, grid.Spacing);
       image->GetPointData()->SetScalars(values);
       vtkNew<vtkFlyingEdges3D> contour;
       contour->SetInputData(image);
@@ -52,6 +78,7 @@ int vtkOffsetSurface::RequestData(
       contour->Update();
       isthmus::Report(isthmus::ProgressOf(this), 1.0);
       result->ShallowCopy(contour->GetOutput());
+      result->SetPoints(InWorld(contour->GetOutput()->GetPoints(), grid));
       vtkNew<vtkDoubleArray> spacing;
       spacing->SetName("GridSpacing");
       spacing->InsertNextValue(grid.Spacing);

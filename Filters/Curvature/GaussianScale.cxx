@@ -1,5 +1,7 @@
 #include "GaussianScale.h"
 
+#include "RangeGuard.h"
+
 #include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
@@ -36,6 +38,22 @@ void FollowProgress(vtkObject* caller, unsigned long, void* client, void* fracti
   }
 }
 
+}
+
+void DemandScale(double scale, const double spacing[3], const std::array<std::int64_t, 3>& nodes)
+{
+  constexpr double mostNodes = 1e6; // of the kernel, which vtkImageGaussianSmooth makes whole
+  double longest = 0.0;
+  double most = LargestLength;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double step = std::abs(spacing[axis]);
+    longest = std::max(longest, step * static_cast<double>(nodes[axis]));
+    most = std::min(most, step * mostNodes / cutOff);
+  }
+  DemandRange("Scale", scale, 0.0, std::min(longest, most),
+    "It is the standard deviation of a Gaussian, in the unit of the spacing: at most the longest "
+    "side of the image, and no kernel of a million nodes.");
 }
 
 std::array<int, 3> GaussianReach(double scale, const double spacing[3])

@@ -6,6 +6,7 @@
 #include "FiniteDifference.h"
 #include "GaussianScale.h"
 #include "ImageExtent.h"
+#include "RangeGuard.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataObjectTypes.h>
@@ -308,8 +309,13 @@ int vtkHessianCurvature::RequestData(
         throw std::invalid_argument("The image is empty, so the surface gets no curvature: give "
                                     "the volume that the surface was taken from.");
       }
+      isthmus::DemandFrame(image);
+      const int* whole = imageInfo->Get(Pipeline::WHOLE_EXTENT());
+      isthmus::DemandScale(this->Scale, image->GetSpacing(),
+        { std::int64_t(whole[1]) - whole[0] + 1, std::int64_t(whole[3]) - whole[2] + 1,
+          std::int64_t(whole[5]) - whole[4] + 1 });
       vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
-      this->WarnIfThin(imageInfo->Get(Pipeline::WHOLE_EXTENT()), points != nullptr);
+      this->WarnIfThin(whole, points != nullptr);
       this->AddCurvature(image, scalars, points, output);
     });
 }

@@ -4,6 +4,7 @@
 #include "PolyDataTriangles.h"
 #include "RegionTables.h"
 #include "ScalarRegions.h"
+#include "WholeSurface.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -186,7 +187,7 @@ int vtkScalarRegions::RequestData(
   const int result = isthmus::Guarded(this, output,
     [&]()
     {
-      vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
+      const auto input = isthmus::WholeSurface(vtkPolyData::GetData(inputVector[0], 0));
       output->ShallowCopy(input);
       if (input->GetNumberOfCells() > 0)
       {

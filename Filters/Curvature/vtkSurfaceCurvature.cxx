@@ -5,6 +5,7 @@
 #include "PolyDataTriangles.h"
 #include "SurfaceCurvature.h"
 #include "SurfaceTypeNames.h"
+#include "WholeSurface.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkInformation.h>
@@ -99,7 +100,7 @@ std::string Complaints(const SurfaceCurvatureResult& result)
 int vtkSurfaceCurvature::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
+  const auto input = isthmus::WholeSurface(vtkPolyData::GetData(inputVector[0], 0));
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   return isthmus::Guarded(this, output,
     [&]()

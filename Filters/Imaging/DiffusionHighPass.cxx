@@ -1,5 +1,7 @@
 #include "DiffusionHighPass.h"
 
+#include "TimeSteps.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -45,6 +47,27 @@ int AutomaticSteps(const HighPassParameters& parameters)
   return static_cast<int>(std::clamp(wanted, coupled ? 8.0 : 1.0, 1000.0));
 }
 
+/// At least so many of both diffusions, by the bound of the plain Laplacian in three dimensions.
+double EvaluationsOf(
+  const std::array<double, 3>& spacing, const HighPassParameters& parameters, int steps)
+{
+  double perTime = 0.0;
+  for (const double h : spacing)
+  {
+    perTime += 2.0 / (h * h);
+  }
+  double sum = 0.0;
+  for (const double d : parameters.Diffusivity)
+  {
+    // A super step of s stages reaches about s^2 / 4 explicit ones, and s is at most MaximumStages.
+    const double explicitSteps = d * perTime * parameters.Time / steps;
+    const double stages = std::max(3.0, 2.0 * std::sqrt(explicitSteps));
+    sum += d > 0.0 ? steps * (stages < MaximumStages ? stages : 4.0 * explicitSteps / MaximumStages)
+                   : 0.0;
+  }
+  return std::max(sum, static_cast<double>(steps));
+}
+
 void RequireAll(const std::array<double, 2>& values, const char* what)
 {
   for (const double value : values)
@@ -77,6 +100,7 @@ void EvolveHighPass(const DiffusionGrid<T>& grid, const HighPassParameters& para
 {
   Check(parameters);
   const int steps = parameters.Steps > 0 ? parameters.Steps : AutomaticSteps(parameters);
+  DemandEvaluations(EvaluationsOf(grid.Spacing, parameters, steps));
   const double length = parameters.Time / steps;
   DiffusionParameters diffusion;
   diffusion.Order = 0;

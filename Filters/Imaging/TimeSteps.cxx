@@ -47,6 +47,18 @@ double B(int j)
 
 }
 
+void DemandEvaluations(double evaluations)
+{
+  if (!(evaluations <= MaximumEvaluations))
+  {
+    std::ostringstream text;
+    text << "This takes " << evaluations << " evaluations of the equation, or more; the most is "
+         << MaximumEvaluations
+         << ". Lower the end time or the diffusivities, take SuperTimeStepping, or a coarser grid.";
+    throw std::invalid_argument(text.str());
+  }
+}
+
 int SuperStages(double length, double limit)
 {
   return OddStages((std::sqrt(9.0 + 16.0 * length / limit) - 1.0) / 2.0, 3);
@@ -65,6 +77,7 @@ std::vector<TimeStep> EulerSteps(double time, double limit, int count)
   }
   constexpr double safety = 0.9;
   const double steps = count > 0 ? count : std::max(1.0, std::ceil(time / (safety * limit)));
+  DemandEvaluations(steps);
   return std::vector<TimeStep>(static_cast<std::size_t>(steps), { time / steps, 1 });
 }
 
@@ -72,6 +85,8 @@ std::vector<TimeStep> SuperSteps(double time, double limit, int count)
 {
   const double longest = limit * Reach(MaximumStages);
   std::vector<TimeStep> steps;
+  // Each step has three stages at least; the longest, MaximumStages.
+  DemandEvaluations(count > 0 ? 3.0 * count : time / longest * MaximumStages);
   if (count > 0)
   {
     if (time / count > longest * (1.0 + 1e-9))

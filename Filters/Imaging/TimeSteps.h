@@ -22,6 +22,13 @@ struct TimeStep
 /// The most stages of one super step: round-off grows with their square (see README).
 constexpr int MaximumStages = 199;
 
+/// Evaluations of the right-hand side that one evolution may take: steps are refused, with their
+/// number, before they are made. A hundred times what denoising takes at most.
+constexpr double MaximumEvaluations = 1e6;
+
+/// Throws std::invalid_argument unless `evaluations` is at most MaximumEvaluations.
+VTKISTHMUS_EXPORT void DemandEvaluations(double evaluations);
+
 /// Explicit steps of at most `limit` that lead to `time`; `count` equal ones if it is not 0.
 /// Throws std::invalid_argument, naming the limit, if these would be longer than it.
 VTKISTHMUS_EXPORT std::vector<TimeStep> EulerSteps(double time, double limit, int count);

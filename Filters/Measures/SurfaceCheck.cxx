@@ -17,6 +17,22 @@ void Sort(std::vector<std::int64_t>& ids)
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
+/// Edges are brought to about 1 first, by a power of two: the square of an area of 1e-100 is 0.
+bool HasNoArea(const Point3& p, const Point3& q, const Point3& r)
+{
+  Point3 u = q - p, v = r - p;
+  double largest = 0.0;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    largest = std::max({ largest, std::abs(u[a]), std::abs(v[a]) });
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  const double scale = std::ldexp(1.0, -exponent);
+  const Point3 normal = Cross(scale * u, scale * v);
+  return Dot(normal, normal) == 0.0;
+}
+
 /// Invalid, degenerate and duplicate triangles; returns which ones have no usable point ids.
 std::vector<bool> CheckTriangles(const TriangleMesh& mesh, SurfaceDefects& found)
 {
@@ -36,10 +52,9 @@ std::vector<bool> CheckTriangles(const TriangleMesh& mesh, SurfaceDefects& found
       skip[t] = true;
       continue;
     }
-    const Point3& p = mesh.Points[static_cast<std::size_t>(ids[0])];
-    const Point3 normal = Cross(mesh.Points[static_cast<std::size_t>(ids[1])] - p,
-      mesh.Points[static_cast<std::size_t>(ids[2])] - p);
-    if (Dot(normal, normal) == 0.0)
+    if (HasNoArea(mesh.Points[static_cast<std::size_t>(ids[0])],
+          mesh.Points[static_cast<std::size_t>(ids[1])],
+          mesh.Points[static_cast<std::size_t>(ids[2])]))
     {
       found.DegenerateTriangles.push_back(id);
     }

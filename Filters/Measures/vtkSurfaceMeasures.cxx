@@ -7,6 +7,7 @@
 #include "PolyDataTriangles.h"
 #include "SurfaceIntake.h"
 #include "SurfaceMeasures.h"
+#include "WholeSurface.h"
 
 #include <vtkDataSetAttributes.h>
 #include <vtkFieldData.h>
@@ -164,7 +165,13 @@ int vtkSurfaceMeasures::RequestData(
 
 void vtkSurfaceMeasures::Measure(vtkPolyData* surface, vtkDataObject* output, vtkTable* table)
 {
-  const isthmus::PolyDataTriangles triangles(surface);
+  // The output is this rank's piece; what is measured, on the first rank, is all of them.
+  const auto sewn = isthmus::WholeSurface(surface);
+  if (!isthmus::OnFirstRank())
+  {
+    return;
+  }
+  const isthmus::PolyDataTriangles triangles(sewn);
   // Points that coincide are one, else each triangle of some files would be a component.
   isthmus::SurfaceView view = triangles.View();
   const std::vector<vtkIdType> corners = isthmus::MergedCorners(view);
@@ -193,6 +200,13 @@ void vtkSurfaceMeasures::Measure(vtkImageData* image, vtkDataObject* output, vtk
   if (image->GetNumberOfPoints() == 0)
   {
     return;
+  }
+  if (isthmus::NumberOfRanks() > 1)
+  {
+    throw std::runtime_error("The measures of a level need all of the volume on one rank, and "
+                             "there are " +
+      std::to_string(isthmus::NumberOfRanks()) +
+      ": take the area and volume of its Contour, which are added up, or one rank.");
   }
   isthmus::CartesianMeasures measures;
   isthmus::UseScalars(image, isthmus::ChosenScalars(this, image),

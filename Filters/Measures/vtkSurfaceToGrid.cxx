@@ -4,12 +4,14 @@
 #include "ChosenScalars.h"
 #include "GridDistance.h"
 #include "GridImages.h"
+#include "ImageExtent.h"
 #include "ImageScalars.h"
 #include "LevelCrossings.h"
 #include "PolyDataTriangles.h"
+#include "RangeGuard.h"
 #include "SurfaceCrossings.h"
+#include "WholeSurface.h"
 
-#include <vtkAlgorithmOutput.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -20,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -118,18 +121,16 @@ int vtkSurfaceToGrid::RequestInformation(
     return 1;
   }
   // The extent of the grid has to be told now, and it is that of the surface: so make the surface.
-  this->GetInputAlgorithm(0, 0)->Update(this->GetInputConnection(0, 0)->GetIndex());
-  vtkPolyData* surface = vtkPolyData::GetData(info);
+  this->Advance.Update();
+  const auto surface =
+    isthmus::WholeSurface(vtkPolyData::GetData(info), isthmus::WholeOn::EachRank);
   vtkNew<vtkImageData> grid;
   grid->SetExtent(0, -1, 0, -1, 0, -1);
-  const int result = isthmus::Guarded(this, grid,
-    [&]()
-    {
-      if (surface && surface->GetNumberOfPoints() > 0)
-      {
-        this->GridAround(surface, grid);
-      }
-    });
+  int result = 1;
+  if (surface && surface->GetNumberOfPoints() > 0) // else empty, or blocks that come one by one
+  {
+    result = isthmus::Guarded(this, grid, [&]() { this->GridAround(surface, grid); });
+  }
   outInfo->Set(Pipeline::WHOLE_EXTENT(), grid->GetExtent(), 6);
   outInfo->Set(vtkDataObject::ORIGIN(), grid->GetOrigin(), 3);
   outInfo->Set(vtkDataObject::SPACING(), grid->GetSpacing(), 3);
@@ -143,11 +144,13 @@ int vtkSurfaceToGrid::RequestUpdateExtent(
   for (int port = 0; port < 2; ++port)
   {
     vtkInformation* info = inputVector[port]->GetInformationObject(0);
-    if (info && info->Has(Pipeline::WHOLE_EXTENT()))
+    // Not of a surface, whose pieces are put together here.
+    if (info && vtkImageData::GetData(info) && info->Has(Pipeline::WHOLE_EXTENT()))
     {
       int whole[6];
       info->Get(Pipeline::WHOLE_EXTENT(), whole);
       info->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
+      isthmus::AskForAll(info);
     }
   }
   return 1;
@@ -163,6 +166,8 @@ int vtkSurfaceToGrid::RequestData(
   const int result = isthmus::Guarded(this, output,
     [&]()
     {
+      isthmus::DemandAll(inputVector[0]->GetInformationObject(0));
+      isthmus::DemandAll(inputVector[1]->GetInformationObject(0));
       if (auto* image = vtkImageData::GetData(inputVector[0], 0))
       {
         output->ShallowCopy(image);
@@ -172,7 +177,8 @@ int vtkSurfaceToGrid::RequestData(
         }
         return;
       }
-      auto* surface = vtkPolyData::GetData(inputVector[0], 0);
+      const auto surface =
+        isthmus::WholeSurface(vtkPolyData::GetData(inputVector[0], 0), isthmus::WholeOn::EachRank);
       if (auto* grid = vtkImageData::GetData(inputVector[1], 0))
       {
         output->CopyStructure(grid);
@@ -186,9 +192,16 @@ int vtkSurfaceToGrid::RequestData(
         this->FromSurface(surface, output, crossings);
       }
     });
-  if (output->GetNumberOfPoints() == 0)
+  if (output->GetNumberOfPoints() == 0 || !isthmus::OnFirstRank())
   {
     crossings->Initialize();
+  }
+  if (isthmus::NumberOfRanks() > 1 && output->GetNumberOfPoints() > 0)
+  {
+    // All ranks have all of the grid: each keeps its piece.
+    isthmus::Extent all{};
+    output->GetExtent(all.data());
+    output->Crop(isthmus::PieceOf(outputVector->GetInformationObject(0), all).data());
   }
   return result;
 }
@@ -234,6 +247,16 @@ void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkP
 {
   const GridShape shape = isthmus::ShapeOf(image);
   vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
+  isthmus::DemandRange("IsoValue", this->IsoValue, -std::numeric_limits<double>::max(),
+    std::numeric_limits<double>::max(), "It is a value of the volume.");
+  double range[2];
+  scalars->GetFiniteRange(range);
+  if (!(range[0] < this->IsoValue && this->IsoValue < range[1]))
+  {
+    vtkWarningMacro(<< "There is no surface at IsoValue " << this->IsoValue
+                    << ", so SignedDistance is infinite: the volume has values from " << range[0]
+                    << " to " << range[1] << ". Choose one between.");
+  }
   const auto progress = isthmus::ProgressOf(this);
   std::vector<unsigned char> inside(static_cast<std::size_t>(shape.Size()));
   isthmus::UseScalars(image, scalars,

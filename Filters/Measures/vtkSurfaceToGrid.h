@@ -37,6 +37,7 @@
 #ifndef vtkSurfaceToGrid_h
 #define vtkSurfaceToGrid_h
 
+#include "PipelineInputs.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusModule.h" // for the export macro
 
@@ -157,6 +158,8 @@ private:
     const std::function<bool(double)>& progress);
   void FromSurface(vtkPolyData* surface, vtkImageData* output, vtkPolyData* crossings);
   void FromImage(vtkImageData* image, vtkImageData* output, vtkPolyData* crossings);
+
+  isthmus::InputInAdvance Advance{ this };
 };
 
 #endif

@@ -65,6 +65,17 @@ public:
 
   static int RegionOf(int label) { return label - Shift; }
 
+  /// CGAL can't tell how far it is; questions asked against those expected can, roughly. Throws
+  /// Cancelled on request.
+  void Count() const
+  {
+    if (++this->Queries % 256 == 0)
+    {
+      const auto asked = static_cast<double>(this->Queries);
+      Report(this->Progress, asked / (asked + this->ExpectedQueries));
+    }
+  }
+
   std::vector<const SurfaceMesh*> Meshes() const
   {
     std::vector<const SurfaceMesh*> result;
@@ -97,18 +108,8 @@ private:
     return sum;
   }
 
-  /// CGAL can't tell how far it is; questions asked against those expected can, roughly.
-  void Count() const
-  {
-    if (++this->Queries % 256 == 0)
-    {
-      const auto asked = static_cast<double>(this->Queries);
-      Report(this->Progress, asked / (asked + this->ExpectedQueries));
-    }
-  }
-
   const TetrahedralTask& Task;
-  const ProgressCallback& Progress;
+  ProgressCallback Progress;
   std::vector<std::unique_ptr<SurfaceMesh>> Owned;
   std::vector<std::unique_ptr<CGAL::Side_of_triangle_mesh<SurfaceMesh, Kernel>>> Sides;
   std::vector<double> Volumes;
@@ -139,6 +140,29 @@ public:
     }
   };
   Is_in_domain is_in_domain_object() const { return { this->Regions }; }
+
+  /// Refinement of facets asks for intersections only, and a stop must be heard there, too.
+  struct Construct_intersection : Base::Construct_intersection
+  {
+    explicit Construct_intersection(const Domain& domain)
+      : Base::Construct_intersection(domain)
+      , Regions(domain.Regions)
+    {
+    }
+
+    template <typename Query>
+    auto operator()(const Query& query) const
+    {
+      this->Regions->Count();
+      return Base::Construct_intersection::operator()(query);
+    }
+
+    const Solids* Regions;
+  };
+  Construct_intersection construct_intersection_object() const
+  {
+    return Construct_intersection(*this);
+  }
 
 private:
   const Solids* Regions;

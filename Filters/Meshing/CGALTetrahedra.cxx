@@ -134,7 +134,50 @@ void AddSeeds(
   }
 }
 
-void Optimise(const DomainWithBox& domain, const CGALCriteria& c, Complex& complex)
+/// The criterion of CGAL's exuder, which asks for nothing else of ours: where a stop is heard.
+class ReportingCriterion : public CGAL::Mesh_3::Min_dihedral_angle_criterion<Triangulation>
+{
+  using Base = CGAL::Mesh_3::Min_dihedral_angle_criterion<Triangulation>;
+
+public:
+  ReportingCriterion(double bound, const Triangulation& triangulation, double usual,
+    const ProgressCallback& progress, std::uint64_t& count)
+    : Base(bound, triangulation)
+    , Usual(usual)
+    , Progress(&progress)
+    , Calls(&count)
+  {
+  }
+
+  using Base::operator();
+  double operator()(const Tetrahedron_3& t) const override
+  {
+    if (++*this->Calls % 1024 == 0)
+    {
+      Report(*this->Progress, 1.0 - std::exp(-static_cast<double>(*this->Calls) / this->Usual));
+    }
+    return Base::operator()(t);
+  }
+
+private:
+  double Usual; ///< calls after which some two thirds of the bar are full
+  const ProgressCallback* Progress;
+  std::uint64_t* Calls;
+};
+
+void Exude(Complex& complex, const ProgressCallback& progress)
+{
+  constexpr double slivers = 8.0; // degrees
+  std::uint64_t count = 0;
+  const double usual = 100.0 * static_cast<double>(complex.number_of_cells_in_complex() + 1);
+  const ReportingCriterion criterion(slivers, complex.triangulation(), usual, progress, count);
+  CGAL::Mesh_3::Slivers_exuder<Complex, ReportingCriterion> exuder(complex, criterion);
+  exuder.set_time_limit(0.0);
+  exuder();
+}
+
+void Optimise(const DomainWithBox& domain, const CGALCriteria& c, Complex& complex,
+  const ProgressCallback& progress)
 {
   namespace params = CGAL::parameters;
   if (c.LloydIterations > 0)
@@ -154,12 +197,12 @@ void Optimise(const DomainWithBox& domain, const CGALCriteria& c, Complex& compl
   }
   if (c.Exude)
   {
-    CGAL::exude_mesh_3(complex, params::sliver_bound = 8.0);
+    Exude(complex, progress);
   }
 }
 
 Complex Refine(const DomainWithBox& domain, const std::vector<const SurfaceMesh*>& shells,
-  const Bounds3& bounds, const CGALCriteria& c)
+  const Bounds3& bounds, const CGALCriteria& c, const ProgressCallback& progress)
 {
   namespace params = CGAL::parameters;
   const GrowingSize facets{ bounds, c.FacetSize };
@@ -182,7 +225,7 @@ Complex Refine(const DomainWithBox& domain, const std::vector<const SurfaceMesh*
     throw std::runtime_error("CGAL's refinement passed " + std::to_string(c.MaximumPoints) +
       " points: ask for larger sizes, a smaller facet angle, or raise the limit.");
   }
-  Optimise(domain, c, complex);
+  Optimise(domain, c, complex, progress);
   return complex;
 }
 
@@ -195,13 +238,14 @@ TetrahedralMesh CGALTetrahedra(const TetrahedralTask& task, const ProgressCallba
     {
       const Bounds3 bounds = BoundsOf(task.Surface);
       const CGALCriteria criteria = Sizes(task.Parameters.CGAL, bounds);
-      const Solids solids(task, criteria.CellSize, progress);
+      const Solids solids(task, criteria.CellSize, Between(progress, 0.0, 0.9));
       DomainWithBox domain(&solids, solids.Meshes());
       if (!task.Box.Triangles.empty())
       {
         AddBoxEdges(task.Box, domain);
       }
-      return Extract(Refine(domain, solids.Meshes(), bounds, criteria));
+      return Extract(
+        Refine(domain, solids.Meshes(), bounds, criteria, Between(progress, 0.9, 1.0)));
     });
 }
 

@@ -43,7 +43,8 @@ enum class ChildEnd
   Exited,   ///< by itself; Code is its exit status
   Crashed,  ///< by a signal; Code is its number
   TimedOut, ///< killed after ChildLimits::Seconds
-  NotFound  ///< there is no such program
+  NotFound, ///< there is no such program
+  NotRun    ///< there is, but it is a folder, or no program
 };
 
 struct ChildResult
@@ -57,7 +58,8 @@ struct ChildResult
  * Runs `command` (program, found on PATH, and its arguments) to its end, its output going to the
  * file `log`. `progress` is called about twenty times a second with the fraction of the time limit
  * used; a false answer kills the program and throws Cancelled. However this function is left, the
- * program has ended. Throws std::runtime_error when no process can be started.
+ * program has ended; should this process be killed meanwhile, the program is, too, and the folder
+ * of `log` is removed. Throws std::runtime_error when no process can be started.
  */
 VTKISTHMUS_EXPORT ChildResult RunChild(const std::vector<std::string>& command,
   const ChildLimits& limits, const std::filesystem::path& log, const ProgressCallback& progress);

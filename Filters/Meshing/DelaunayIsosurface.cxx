@@ -1,6 +1,7 @@
 #include "DelaunayIsosurface.h"
 
 #include "CGALSurface.h"
+#include "RangeGuard.h"
 #include "SurfaceCheck.h"
 #include "SurfaceSeeds.h"
 #include "SurfaceTopology.h"
@@ -32,9 +33,42 @@ void CheckParameters(const DelaunayIsosurfaceParameters& p)
     throw std::invalid_argument("The angle is " + std::to_string(p.Angle) +
       " degrees, but it must be from 0 to 30: above, refinement need not end.");
   }
-  if (!(p.Radius > 0.0 && p.Distance > 0.0 && std::isfinite(p.Level)))
+  DemandAbove("Radius", p.Radius, 0.0, LargestLength, "It is a length.");
+  DemandAbove("Distance", p.Distance, 0.0, LargestLength, "It is a length.");
+  if (!std::isfinite(p.Level))
   {
-    throw std::invalid_argument("Radius and distance must be positive, and the level a number.");
+    throw std::invalid_argument("The level is " + Shown(p.Level) + ": it must be a finite number.");
+  }
+  DemandRange("MaximumNumberOfPoints", static_cast<double>(p.MaximumPoints), 4, 1e9,
+    "It bounds the points of the result.");
+}
+
+/// Sizes that the search for points does not resolve, or that take more points than allowed, are
+/// refused before refinement begins.
+void DemandBudget(
+  const DelaunayIsosurfaceParameters& p, const Bounds3& bounds, const TriangleMesh& guide)
+{
+  const double finest = 1e-6 * bounds.Diagonal();
+  if (p.Radius < finest || p.Distance < finest)
+  {
+    throw std::runtime_error("Radius is " + Shown(p.Radius) + " and Distance " + Shown(p.Distance) +
+      ", but the surface is found to some " + Shown(finest) +
+      " (a millionth of the volume's diagonal): ask for larger ones.");
+  }
+  double area = 0.0;
+  for (const Triangle& t : guide.Triangles)
+  {
+    const auto at = [&](std::size_t c) { return guide.Points[static_cast<std::size_t>(t[c])]; };
+    const Point3 n = Cross(at(1) - at(0), at(2) - at(0));
+    area += 0.5 * std::sqrt(Dot(n, n));
+  }
+  // No triangle of circumradius r is larger than (3 sqrt(3) / 4) r^2, and there are two a point.
+  const double least = area / (2.6 * p.Radius * p.Radius);
+  if (least > static_cast<double>(p.MaximumPoints))
+  {
+    throw std::runtime_error("A Radius of " + Shown(p.Radius) + " takes at least " + Shown(least) +
+      " points, and the most is " + Shown(static_cast<double>(p.MaximumPoints)) +
+      ": ask for a larger one, or make the spacings of the volume more alike (Resample To Image).");
   }
 }
 
@@ -258,6 +292,8 @@ DelaunayIsosurfaceResult DelaunayIsosurface(const ScalarField& field, const Boun
   return cgal::WithSentence("refining the isosurface",
     [&]
     {
+      Report(progress, 0.0);
+      DemandBudget(parameters, bounds, guide);
       const auto components = SpreadSeeds(guide, 2.0 * parameters.Radius);
       const double expected = 400.0 * static_cast<double>(guide.Points.size());
       const Side side(field, parameters, expected, progress);

@@ -1,6 +1,7 @@
 #include "MeshQuality.h"
 
 #include "ParallelFor.h"
+#include "RangeGuard.h"
 
 #include <mutex>
 #include <stdexcept>
@@ -10,6 +11,7 @@ namespace isthmus
 namespace
 {
 
+constexpr int MostBins = 1'000'000;
 constexpr double Degrees = 180.0 / 3.14159265358979323846;
 
 double Length(const Point3& v)
@@ -21,6 +23,23 @@ double Length(const Point3& v)
 double Angle(const Point3& u, const Point3& v)
 {
   return Degrees * std::atan2(Length(Cross(u, v)), Dot(u, v));
+}
+
+/// The power of two that brings the longest of these edges to between 1/2 and 1; 1 for none.
+/// Fourth powers of lengths are taken below: of 1e100 they are no doubles, of 1e-100 they are 0.
+double PowerOfTwoFor(std::initializer_list<Point3> edges)
+{
+  double largest = 0.0;
+  for (const Point3& edge : edges)
+  {
+    for (const double x : edge)
+    {
+      largest = std::max(largest, std::abs(x));
+    }
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return std::ldexp(1.0, -exponent);
 }
 
 /// A cell's angles, three or six of them, beside its measures.
@@ -40,10 +59,11 @@ struct Measured
 Measured<3> Measure(const std::array<Point3, 3>& p)
 {
   Measured<3> result;
-  const Point3 u = p[1] - p[0], v = p[2] - p[0], w = p[2] - p[1];
+  const double scale = PowerOfTwoFor({ p[1] - p[0], p[2] - p[0], p[2] - p[1] });
+  const Point3 u = scale * (p[1] - p[0]), v = scale * (p[2] - p[0]), w = scale * (p[2] - p[1]);
   const double area = 0.5 * Length(Cross(u, v));
   const double a = Length(u), b = Length(v), c = Length(w);
-  result.Cell.Size = area;
+  result.Cell.Size = area / scale / scale;
   if (area > 0.0)
   {
     result.Angles = { Angle(u, v), Angle(-1.0 * u, w), Angle(-1.0 * v, -1.0 * w) };
@@ -53,12 +73,14 @@ Measured<3> Measure(const std::array<Point3, 3>& p)
   return result;
 }
 
-Measured<6> Measure(const std::array<Point3, 4>& p)
+Measured<6> Measure(std::array<Point3, 4> p)
 {
   Measured<6> result;
+  const double scale = PowerOfTwoFor({ p[1] - p[0], p[2] - p[0], p[3] - p[0] });
+  p = { Point3{}, scale * (p[1] - p[0]), scale * (p[2] - p[0]), scale * (p[3] - p[0]) };
   const Point3 u = p[1] - p[0], v = p[2] - p[0], w = p[3] - p[0];
   const double six = Dot(Cross(u, v), w);
-  result.Cell.Size = std::abs(six) / 6.0;
+  result.Cell.Size = std::abs(six) / 6.0 / scale / scale / scale;
   if (six == 0.0)
   {
     return result;
@@ -86,10 +108,8 @@ QualitySummary MeasureAll(const std::vector<Point3>& points,
   const std::vector<std::array<std::int64_t, Corners>>& cells, int bins,
   std::vector<CellAngles>& measures, const ProgressCallback& progress)
 {
-  if (bins < 1)
-  {
-    throw std::invalid_argument("The histogram needs at least one bin.");
-  }
+  DemandRange("NumberOfBins", bins, 1, MostBins, "It counts the columns of the histogram.");
+  const UnitScale range(points); // refuses what no product of lengths can be made of
   measures.resize(cells.size());
   QualitySummary summary;
   summary.Bins.assign(static_cast<std::size_t>(bins), 0);
@@ -111,7 +131,7 @@ QualitySummary MeasureAll(const std::vector<Point3>& points,
         for (const double angle : measured.Angles)
         {
           ++counts[static_cast<std::size_t>(
-            std::min(bins - 1, static_cast<int>(angle / 180.0 * bins)))];
+            std::clamp(static_cast<int>(angle / 180.0 * bins), 0, bins - 1))];
         }
       }
       const std::lock_guard<std::mutex> lock(mutex);

@@ -1,6 +1,7 @@
 #include "SurfaceRemesh.h"
 
 #include "CGALSurface.h"
+#include "RangeGuard.h"
 #include "SurfaceCheck.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -49,6 +50,42 @@ double Area(const TriangleMesh& mesh)
   return sum;
 }
 
+/// Triangles of edges of `length`, or more; a length that is none, or that many, is refused.
+double ExpectedTriangles(const TriangleMesh& mesh, double length)
+{
+  DemandAbove("The edge length", length, 0.0, LargestLength, "It is a length.");
+  double edges = 0.0; // of needles: they have no area, and are split all the same
+  double longest = 0.0;
+  for (const Triangle& t : mesh.Triangles)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const Point3 edge = mesh.Points[static_cast<std::size_t>(t[(c + 1) % 3])] -
+        mesh.Points[static_cast<std::size_t>(t[c])];
+      const double size = std::sqrt(Dot(edge, edge));
+      edges += 0.5 * std::max(0.0, size / length - 1.0);
+      longest = std::max(longest, size);
+    }
+  }
+  const double expected = std::max(Area(mesh) / (0.433 * length * length), edges);
+  if (!(expected < MostTriangles) || length < 1e-9 * longest)
+  {
+    throw std::invalid_argument("An edge length of " + Shown(length) +
+      " is so small that more than 50 million triangles would come out: ask for a larger one.");
+  }
+  return expected;
+}
+
+/// What `remesh` makes of a mesh brought to about 1, at the scale of the mesh again.
+template <typename Remesh>
+RemeshedSurface AtUnitScale(TriangleMesh mesh, const UnitScale& scale, Remesh&& remesh)
+{
+  scale.Apply(mesh.Points);
+  RemeshedSurface result = remesh(mesh);
+  scale.Undo(result.Mesh.Points);
+  return result;
+}
+
 /// The nearest points on the old surface.
 class OldSurface
 {
@@ -72,7 +109,14 @@ public:
     const Point3 u = at(1) - at(0);
     const Point3 v = at(2) - at(0);
     const double uu = Dot(u, u), uv = Dot(u, v), vv = Dot(v, v), xu = Dot(x, u), xv = Dot(x, v);
-    const double det = uu * vv - uv * uv; // not 0: triangles without area were refused
+    const double det = uu * vv - uv * uv;
+    if (!(det > 0.0)) // a needle, whose area is lost in rounding: by its longer side
+    {
+      const bool first = uu >= vv;
+      const double along = std::clamp(first ? xu / uu : xv / vv, 0.0, 1.0);
+      return { static_cast<std::int64_t>(face.idx()),
+        { 1.0 - along, first ? along : 0.0, first ? 0.0 : along } };
+    }
     const double b = std::clamp((xu * vv - xv * uv) / det, 0.0, 1.0);
     const double c = std::clamp((xv * uu - xu * uv) / det, 0.0, 1.0 - b);
     return { static_cast<std::int64_t>(face.idx()), { 1.0 - b - c, b, c } };
@@ -97,6 +141,9 @@ RemeshedSurface Located(SurfaceMesh& remeshed, const OldSurface& old)
   return result;
 }
 
+/// Visits of points, against those expected, after which remeshing has no end.
+constexpr double ManyTimes = 100.0;
+
 /// Puts moved points back onto the old surface; the only place where CGAL lets us speak.
 struct Projection
 {
@@ -108,7 +155,12 @@ struct Projection
 
   cgal::Point operator()(SurfaceMesh::Vertex_index v) const
   {
-    if (++*this->Done % 256 == 0)
+    if (static_cast<double>(++*this->Done) > ManyTimes * this->Expected + 1e5)
+    {
+      throw std::runtime_error("Remeshing came to no end: the surface has needles or folds that "
+                               "splitting makes no better. Repair it, or ask for a longer edge.");
+    }
+    if (*this->Done % 256 == 0)
     {
       Report(*this->Progress, std::min(1.0, static_cast<double>(*this->Done) / this->Expected));
     }
@@ -144,13 +196,18 @@ RemeshedSurface RemeshSurface(const TriangleMesh& mesh, const SurfaceRemeshParam
     return {};
   }
   DemandManifold(mesh);
-  const double length = parameters.EdgeLength;
-  const double expected = Area(mesh) / (0.433 * length * length);
-  if (!(length > 0.0) || !(expected < MostTriangles))
+  const UnitScale scale(mesh.Points);
+  if (!scale.IsOne())
   {
-    throw std::invalid_argument("An edge length of " + std::to_string(length) +
-      " is not positive, or so small that more than 50 million triangles would come out.");
+    SurfaceRemeshParameters scaled = parameters;
+    scaled.EdgeLength *= scale.Factor();
+    return AtUnitScale(mesh, scale,
+      [&](const TriangleMesh& small) { return RemeshSurface(small, scaled, progress); });
   }
+  const double length = parameters.EdgeLength;
+  const double expected = ExpectedTriangles(mesh, length);
+  DemandRange("NumberOfIterations", parameters.Iterations, 0, 1000, "It counts rounds.");
+  DemandRange("FeatureAngle", parameters.FeatureAngle, 0.0, 180.0, "It is an angle in degrees.");
   return cgal::WithSentence("remeshing the surface",
     [&]
     {
@@ -181,6 +238,12 @@ RemeshedSurface SimplifySurface(
     return {};
   }
   DemandManifold(mesh);
+  const UnitScale scale(mesh.Points);
+  if (!scale.IsOne())
+  {
+    return AtUnitScale(mesh, scale,
+      [&](const TriangleMesh& small) { return SimplifySurface(small, triangles, progress); });
+  }
   if (triangles < 1)
   {
     throw std::invalid_argument("The number of triangles to keep must be positive.");
@@ -209,8 +272,14 @@ RemeshedSurface SimplifySurface(
 double MeanEdgeLength(const TriangleMesh& mesh)
 {
   double sum = 0.0;
+  const auto points = static_cast<std::int64_t>(mesh.Points.size());
   for (const Triangle& t : mesh.Triangles)
   {
+    // Corners that are no points are told by what checks the mesh, later.
+    if (std::any_of(t.begin(), t.end(), [points](auto id) { return id < 0 || id >= points; }))
+    {
+      continue;
+    }
     for (std::size_t c = 0; c < 3; ++c)
     {
       const Point3 edge = mesh.Points[static_cast<std::size_t>(t[(c + 1) % 3])] -

@@ -1,6 +1,7 @@
 #include "SurfaceRepair.h"
 
 #include "CGALSurface.h"
+#include "RangeGuard.h"
 #include "SurfaceCheck.h"
 #include "SurfaceIntake.h"
 
@@ -171,6 +172,13 @@ TriangleMesh TurnedAlike(const TriangleMesh& mesh)
 std::vector<std::int64_t> SelfIntersections(
   const TriangleMesh& mesh, const ProgressCallback& progress)
 {
+  const UnitScale scale(mesh.Points);
+  if (!scale.IsOne())
+  {
+    TriangleMesh scaled = mesh;
+    scale.Apply(scaled.Points);
+    return SelfIntersections(scaled, progress);
+  }
   return cgal::WithSentence("looking for self-intersections",
     [&]
     {
@@ -191,15 +199,18 @@ std::vector<std::int64_t> SelfIntersections(
     });
 }
 
-void DemandCleanSurface(const TriangleMesh& mesh)
+void DemandCleanSurface(const TriangleMesh& mesh, const ProgressCallback& progress, bool repaired)
 {
-  const std::string advice = " Switch on Repair, or mend the surface before.";
-  const SurfaceDefects defects = FindDefects(mesh);
+  const std::string advice = repaired
+    ? " Repair could not mend it: make the surface anew (Contour, Offset Surface), or remove the "
+      "part."
+    : " Switch on Repair, or mend the surface before.";
+  const SurfaceDefects defects = FindDefects(mesh, Between(progress, 0.0, 0.3));
   if (!defects.None())
   {
     throw std::invalid_argument(defects.Sentence() + WhyOpen(mesh, defects) + advice);
   }
-  const std::vector<std::int64_t> crossing = SelfIntersections(mesh);
+  const std::vector<std::int64_t> crossing = SelfIntersections(mesh, Between(progress, 0.3, 1.0));
   if (!crossing.empty())
   {
     throw std::invalid_argument("The surface intersects itself in " +
@@ -209,6 +220,15 @@ void DemandCleanSurface(const TriangleMesh& mesh)
 
 RepairedSurface RepairSurface(const TriangleMesh& mesh, const ProgressCallback& progress)
 {
+  const UnitScale scale(mesh.Points);
+  if (!scale.IsOne())
+  {
+    TriangleMesh scaled = mesh;
+    scale.Apply(scaled.Points);
+    RepairedSurface result = RepairSurface(scaled, progress);
+    scale.Undo(result.Mesh.Points);
+    return result;
+  }
   return cgal::WithSentence("repairing the surface",
     [&]
     {

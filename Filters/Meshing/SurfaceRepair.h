@@ -24,8 +24,10 @@ VTKISTHMUS_EXPORT std::vector<std::int64_t> SelfIntersections(
   const TriangleMesh& mesh, const ProgressCallback& progress = {});
 
 /// Throws std::invalid_argument with a sentence that names what is wrong, and where, unless `mesh`
-/// is closed, manifold, oriented and free of self-intersections.
-VTKISTHMUS_EXPORT void DemandCleanSurface(const TriangleMesh& mesh);
+/// is closed, manifold, oriented and free of self-intersections. The way out that it names is not
+/// repair where the surface is `repaired` already.
+VTKISTHMUS_EXPORT void DemandCleanSurface(
+  const TriangleMesh& mesh, const ProgressCallback& progress = {}, bool repaired = false);
 
 /// The triangles of `mesh`, coinciding points merged, duplicates dropped, and
 /// neighbours turned alike; as it is where that is so already. @pre corners exist and are finite.

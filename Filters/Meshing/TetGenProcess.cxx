@@ -2,7 +2,9 @@
 #include "TetGenFiles.h"
 #include "TetrahedralMesher.h"
 
+#include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <stdexcept>
 
 namespace isthmus
@@ -63,6 +65,13 @@ std::string Complaint(const std::string& output)
   return " (it says: " + output.substr(from, output.find('\n', from) - from) + ")";
 }
 
+/// Signals that no program brings upon itself.
+bool FromOutside(int signal)
+{
+  return signal == SIGKILL || signal == SIGTERM || signal == SIGINT || signal == SIGHUP ||
+    signal == SIGQUIT || signal == SIGXCPU;
+}
+
 /// Ends in a sentence unless TetGen ended well.
 void Demand(const ChildResult& result, const TetGenCriteria& criteria)
 {
@@ -74,6 +83,19 @@ void Demand(const ChildResult& result, const TetGenCriteria& criteria)
     throw std::runtime_error("TetGen's program '" + criteria.Command +
       "' was not found: install it (Debian: package tetgen), name its path as TetGenCommand, or "
       "use CGAL instead.");
+  }
+  if (result.End == ChildEnd::NotRun)
+  {
+    throw std::runtime_error("TetGenCommand names '" + criteria.Command +
+      "', which can't be run: it is a folder, or no program. Name the path of TetGen's program, or "
+      "use CGAL instead.");
+  }
+  if (result.End == ChildEnd::Crashed && FromOutside(result.Code))
+  {
+    throw std::runtime_error("TetGen was ended from outside by the signal " +
+      std::string(strsignal(result.Code)) +
+      ": by somebody, or by the system for want of memory. Run it again, with a lower limit of "
+      "memory or for fewer tetrahedra.");
   }
   if (result.End == ChildEnd::TimedOut)
   {

@@ -1,5 +1,6 @@
 #include "TetrahedralMesher.h"
 
+#include "RangeGuard.h"
 #include "SurfaceRepair.h"
 #include "SurfaceTopology.h"
 
@@ -11,6 +12,56 @@ namespace isthmus
 {
 namespace
 {
+
+/// The same demands for a surface whose lengths are `factor` times as large.
+TetrahedralParameters Scaled(TetrahedralParameters p, double factor)
+{
+  p.TetGen.MaximumVolume *= factor * factor * factor;
+  p.CGAL.FacetSize *= factor;
+  p.CGAL.FacetDistance *= factor;
+  p.CGAL.CellSize *= factor;
+  return p;
+}
+
+/// Sizes so small that refinement would pass MaximumPoints are refused before it begins.
+void DemandCGALBudget(const TriangleMesh& surface, const TetrahedralParameters& parameters)
+{
+  const CGALCriteria& c = parameters.CGAL;
+  if (parameters.Library != TetrahedralLibrary::CGAL)
+  {
+    return;
+  }
+  double area = 0.0;
+  for (const Triangle& t : surface.Triangles)
+  {
+    const auto at = [&](std::size_t k) { return surface.Points[static_cast<std::size_t>(t[k])]; };
+    const Point3 n = Cross(at(1) - at(0), at(2) - at(0));
+    area += 0.5 * std::sqrt(Dot(n, n));
+  }
+  // No triangle of circumradius r is larger than (3 sqrt(3) / 4) r^2, and there are two a point.
+  const double points = c.FacetSize > 0.0 ? area / (2.6 * c.FacetSize * c.FacetSize) : 0.0;
+  const double cells = c.CellSize > 0.0
+    ? std::abs(SignedVolume(surface)) / (3.6 * c.CellSize * c.CellSize * c.CellSize)
+    : 0.0;
+  const double least = std::max(points, cells);
+  constexpr double hopeless = 1e12; // below, refinement ends at MaximumPoints, and can be stopped
+  if (least > hopeless)
+  {
+    throw std::invalid_argument("The sizes asked of CGAL take at least " + Shown(least) +
+      " points, and the most is " + Shown(static_cast<double>(c.MaximumPoints)) +
+      ": ask for larger ones.");
+  }
+  const double finest = 1e-7 * BoundsOf(surface).Diagonal();
+  for (const double length : { c.FacetSize, c.FacetDistance, c.CellSize })
+  {
+    if (length > 0.0 && length < finest)
+    {
+      throw std::invalid_argument("A size of " + Shown(length) +
+        " is asked of CGAL, but it finds points to " + Shown(finest) +
+        " only (1e-7 of the surface's diagonal): ask for larger ones.");
+    }
+  }
+}
 
 /// The box around `surface`, `margin` of its diagonal away, as 12 triangles facing outward.
 void AddBox(TetrahedralTask& task, const Bounds3& bounds, double margin)
@@ -76,14 +127,13 @@ void CheckVolumes(
     if (found == volumes.end())
     {
       throw std::runtime_error("Region " + std::to_string(region.Id) + " of volume " +
-        std::to_string(region.Volume) +
-        " got no tetrahedra: it is smaller than the sizes asked for.");
+        Shown(region.Volume) + " got no tetrahedra: it is smaller than the sizes asked for.");
     }
     if (std::abs(found->second - region.Volume) > tolerance * region.Volume)
     {
       throw std::runtime_error("The tetrahedra of region " + std::to_string(region.Id) +
-        " fill a volume of " + std::to_string(found->second) + " instead of " +
-        std::to_string(region.Volume) + ": remesh the surface or use the other library.");
+        " fill a volume of " + Shown(found->second) + " instead of " + Shown(region.Volume) +
+        ": remesh the surface or use the other library.");
     }
   }
 }
@@ -100,8 +150,8 @@ void CheckTetrahedralParameters(const TetrahedralParameters& p)
     }
   };
   const TetGenCriteria& t = p.TetGen;
-  demand(p.Side == MeshedSide::Inside || (p.BoxMargin > 0.0 && std::isfinite(p.BoxMargin)),
-    "The margin of the box must be positive.");
+  demand(p.Side == MeshedSide::Inside || (p.BoxMargin >= 1e-3 && p.BoxMargin <= 1e3),
+    "The margin of the box must be from 0.001 to 1000 diagonals of the surface.");
   if (p.Library == TetrahedralLibrary::TetGen)
   {
     demand(t.RadiusEdgeRatio == 0.0 || (t.RadiusEdgeRatio >= 1.0 && t.RadiusEdgeRatio < 1e6),
@@ -111,10 +161,15 @@ void CheckTetrahedralParameters(const TetrahedralParameters& p)
       "TetGen's minimum dihedral angle must be from 0 to 40 degrees.");
     demand(t.MaximumVolume >= 0.0 && std::isfinite(t.MaximumVolume),
       "The maximum volume must be positive, or 0 for none.");
-    demand(t.Limits.Seconds > 0.0, "The time limit must be positive.");
+    demand(t.Limits.Seconds > 0.0 && t.Limits.Seconds <= 1e7,
+      "The time limit must be positive, and at most 1e7 s.");
     return;
   }
   const CGALCriteria& c = p.CGAL;
+  for (const double value : { c.FacetSize, c.FacetDistance, c.CellSize, c.CellRadiusEdgeRatio })
+  {
+    demand(value <= LargestLength, "CGAL's sizes and ratios must be numbers of at most 1e100.");
+  }
   demand(c.FacetAngle >= 0.0 && c.FacetAngle <= 30.0,
     "CGAL's facet angle must be from 0 to 30 degrees: above, refinement need not end.");
   demand(c.FacetSize >= 0.0 && c.FacetDistance >= 0.0 && c.CellSize >= 0.0,
@@ -137,7 +192,17 @@ TetrahedralMesh MeshTetrahedra(const TriangleMesh& surface, const TetrahedralPar
   {
     return {};
   }
-  DemandCleanSurface(surface);
+  const UnitScale scale(surface.Points);
+  if (!scale.IsOne())
+  {
+    TriangleMesh scaled = surface;
+    scale.Apply(scaled.Points);
+    TetrahedralMesh mesh = MeshTetrahedra(scaled, Scaled(parameters, scale.Factor()), progress);
+    scale.Undo(mesh.Points);
+    return mesh;
+  }
+  DemandCleanSurface(surface, Between(progress, 0.0, 0.05), parameters.Repaired);
+  DemandCGALBudget(surface, parameters);
   Report(progress, 0.05);
   const ShellNesting nesting = FindNesting(surface);
   TetrahedralTask task{ surface, nesting, parameters, {}, {} };

@@ -62,6 +62,7 @@ struct TetrahedralParameters
   MeshedSide Side = MeshedSide::Inside;
   double BoxMargin = 0.5; ///< Outside, Both: distance of surface and box, in diagonals of the
                           ///< surface's box
+  bool Repaired = false;  ///< repair was tried: a surface that still has defects is told so
   TetGenCriteria TetGen;
   CGALCriteria CGAL;
 };

@@ -4,7 +4,11 @@
 #include "ChosenScalars.h"
 #include "ClosedLevelSet.h"
 #include "DelaunayIsosurface.h"
+#include "ImageExtent.h"
+#include "ImageScalars.h"
 #include "PolyDataMesh.h"
+#include "RangeGuard.h"
+#include "WholeSurface.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
@@ -12,14 +16,31 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkDelaunayIsosurface);
+
+namespace
+{
+
+/// A power of two that brings spacings of 1e-100 or 1e100 to about 1; 1 for usual ones.
+double ScaleOf(vtkImageData* image)
+{
+  const double* h = image->GetSpacing();
+  int exponent = 0;
+  std::frexp(std::max({ h[0], h[1], h[2] }), &exponent);
+  constexpr int usual = 20;
+  return std::abs(exponent) > usual ? std::ldexp(1.0, -exponent) : 1.0;
+}
+
+}
 
 vtkDelaunayIsosurface::vtkDelaunayIsosurface()
 {
@@ -42,6 +63,7 @@ int vtkDelaunayIsosurface::RequestUpdateExtent(
   if (information->Has(Pipeline::WHOLE_EXTENT()))
   {
     information->Set(Pipeline::UPDATE_EXTENT(), information->Get(Pipeline::WHOLE_EXTENT()), 6);
+    isthmus::AskForAll(information);
   }
   return 1;
 }
@@ -54,24 +76,33 @@ int vtkDelaunayIsosurface::RequestData(
   return isthmus::Guarded(this, surface,
     [&]
     {
-      if (image->GetNumberOfPoints() == 0)
+      isthmus::DemandAll(input[0]->GetInformationObject(0));
+      // Each rank has all of the volume; the surface is made once.
+      if (image->GetNumberOfPoints() == 0 || !isthmus::OnFirstRank())
       {
         return;
       }
       vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
-      const double* h = image->GetSpacing();
+      isthmus::RequireSpacing(image);
+      isthmus::DemandFrame(image);
+      const double factor = ScaleOf(image);
+      vtkNew<vtkImageData> scaled;
+      scaled->CopyStructure(image);
+      const double* own = image->GetSpacing();
+      scaled->SetSpacing(factor * own[0], factor * own[1], factor * own[2]);
+      const double* h = scaled->GetSpacing();
       const double spacing = std::min({ h[0], h[1], h[2] });
       isthmus::DelaunayIsosurfaceParameters parameters;
       parameters.Level = this->Level;
       parameters.InsideIsHigher = this->InsideIsHigher;
       parameters.Angle = this->Angle;
-      parameters.Radius = this->Radius == 0.0 ? 1.5 * spacing : this->Radius;
-      parameters.Distance = this->Distance == 0.0 ? 0.25 * spacing : this->Distance;
+      parameters.Radius = this->Radius == 0.0 ? 1.5 * spacing : factor * this->Radius;
+      parameters.Distance = this->Distance == 0.0 ? 0.25 * spacing : factor * this->Distance;
       parameters.MaximumPoints = this->MaximumNumberOfPoints;
 
       const auto progress = isthmus::ProgressOf(this);
       const isthmus::ClosedLevelSet level =
-        isthmus::CloseLevelSet(image, scalars, this->Level, this->InsideIsHigher);
+        isthmus::CloseLevelSet(scaled, scalars, this->Level, this->InsideIsHigher);
       isthmus::Report(progress, 0.05);
       if (level.Guide.Triangles.empty())
       {
@@ -81,6 +112,10 @@ int vtkDelaunayIsosurface::RequestData(
       }
       isthmus::DelaunayIsosurfaceResult result = isthmus::DelaunayIsosurface(
         level.Field, level.Bounds, level.Guide, parameters, isthmus::Between(progress, 0.05, 1.0));
+      for (isthmus::Point3& p : result.Surface.Points)
+      {
+        std::transform(p.begin(), p.end(), p.begin(), [factor](double x) { return x / factor; });
+      }
       isthmus::ToWorld(image, result.Surface);
       isthmus::SetMesh(result.Surface, surface);
       surface->GetFieldData()->PassData(image->GetFieldData());

@@ -3,6 +3,7 @@
 #include "AlgorithmGuard.h"
 #include "PolyDataMesh.h"
 #include "SurfaceRemesh.h"
+#include "WholeSurface.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -62,7 +63,7 @@ void InterpolatePointData(vtkPolyData* from, const isthmus::TriangleMesh& old,
 int vtkSurfaceRemesh::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
-  auto* before = vtkPolyData::GetData(input[0]);
+  const auto before = isthmus::WholeSurface(vtkPolyData::GetData(input[0]));
   auto* after = vtkPolyData::GetData(output);
   return isthmus::Guarded(this, after,
     [&]

@@ -7,6 +7,7 @@
 #include "SurfaceRepair.h"
 #include "TetrahedralGrid.h"
 #include "TetrahedralMesher.h"
+#include "WholeSurface.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -99,12 +100,12 @@ int vtkTetrahedralMesher::FillInputPortInformation(int, vtkInformation* informat
 int vtkTetrahedralMesher::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
-  auto* surface = vtkPolyData::GetData(input[0]);
+  const auto surface = isthmus::WholeSurface(vtkPolyData::GetData(input[0]));
   auto* grid = vtkUnstructuredGrid::GetData(output);
   return isthmus::Guarded(this, grid,
     [&]
     {
-      const isthmus::TetrahedralParameters parameters = ParametersOf(this);
+      isthmus::TetrahedralParameters parameters = ParametersOf(this);
       const auto progress = isthmus::ProgressOf(this);
       isthmus::TriangleMesh mesh = isthmus::MeshOf(surface);
       if (this->Library == AUTOMATIC)
@@ -128,6 +129,7 @@ int vtkTetrahedralMesher::RequestData(
       {
         repaired = isthmus::RepairSurface(mesh, isthmus::Between(progress, 0.0, 0.2));
         mesh = repaired.Mesh;
+        parameters.Repaired = true;
       }
       isthmus::TetrahedralMesh result =
         isthmus::MeshTetrahedra(mesh, parameters, isthmus::Between(progress, 0.2, 1.0));

@@ -7,6 +7,7 @@
 #include "MolecularPockets.h"
 #include "PocketSurface.h"
 #include "PolyDataTriangles.h"
+#include "WholeSurface.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -124,7 +125,7 @@ int vtkBindingSites::RequestData(
   return isthmus::Guarded(this, output,
     [&]()
     {
-      vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
+      const auto surface = isthmus::WholeSurface(vtkPolyData::GetData(inputVector[0]));
       vtkPointSet* atoms = vtkPointSet::GetData(inputVector[1]);
       output->ShallowCopy(surface);
       if (surface->GetNumberOfCells() > 0)

@@ -3,7 +3,6 @@
 #include "AlgorithmGuard.h"
 #include "MolecularDensity.h"
 
-#include <vtkAlgorithmOutput.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -145,21 +144,22 @@ int vtkMolecularDensity::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   // The extent of the grid has to be told now, and it is that of the atoms: so make the atoms.
-  this->GetInputAlgorithm(0, 0)->Update(this->GetInputConnection(0, 0)->GetIndex());
+  this->Advance.Update();
   vtkPointSet* input = vtkPointSet::GetData(inputVector[0], 0);
   vtkNew<vtkImageData> image;
   image->SetExtent(0, -1, 0, -1, 0, -1);
-  const int result = isthmus::Guarded(this, image,
-    [&]()
-    {
-      if (input && input->GetNumberOfPoints() > 0)
+  int result = 1;
+  if (input && input->GetNumberOfPoints() > 0) // else empty, or blocks that come one by one
+  {
+    result = isthmus::Guarded(this, image,
+      [&]()
       {
         const Atoms atoms = AtomsOf(input, RadiiOf(this, input), this->RadiusScale);
         SetGeometry(isthmus::GridAroundBalls(atoms.Balls, this->Spacing,
                       { this->Padding[0], this->Padding[1], this->Padding[2] }),
           image);
-      }
-    });
+      });
+  }
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   outInfo->Set(Pipeline::WHOLE_EXTENT(), image->GetExtent(), 6);
   outInfo->Set(vtkDataObject::ORIGIN(), image->GetOrigin(), 3);

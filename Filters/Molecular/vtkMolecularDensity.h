@@ -32,6 +32,7 @@
 #ifndef vtkMolecularDensity_h
 #define vtkMolecularDensity_h
 
+#include "PipelineInputs.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusModule.h" // for the export macro
 
@@ -102,6 +103,7 @@ private:
   double Decay = 2.3;
   double Spacing = 0.5;
   double Padding[3] = { 3.0, 3.0, 3.0 };
+  isthmus::InputInAdvance Advance{ this };
 };
 
 #endif

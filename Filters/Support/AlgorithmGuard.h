@@ -6,6 +6,8 @@
 #ifndef isthmus_AlgorithmGuard_h
 #define isthmus_AlgorithmGuard_h
 
+#include "PipelineInputs.h"
+#include "PrintableText.h"
 #include "Progress.h"
 
 #include <vtkAlgorithm.h>
@@ -28,10 +30,20 @@ inline ProgressCallback ProgressOf(vtkAlgorithm* algorithm)
   };
 }
 
+/// Null is what a filter has for a block of a kind that it can't even make.
+inline void Clear(vtkDataObject* output)
+{
+  if (output)
+  {
+    output->Initialize();
+  }
+}
+
 /**
  * Runs `body()` and returns what RequestData should return.
  *
- * A stop on request gives 1 and an empty output; an exception gives 0, an empty output and its
+ * Inputs of another type than asked for, as blocks of composite data can be, are refused first. A
+ * stop on request gives 1 and an empty output; an exception gives 0, an empty output and its
  * sentence through vtkErrorMacro.
  */
 template <typename Body>
@@ -39,12 +51,13 @@ int Guarded(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
 {
   try
   {
+    DemandInputs(self);
     body();
     return 1;
   }
   catch (const Cancelled&)
   {
-    output->Initialize();
+    Clear(output);
     return 1;
   }
   catch (const std::bad_alloc&)
@@ -54,9 +67,9 @@ int Guarded(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
   }
   catch (const std::exception& error)
   {
-    vtkErrorWithObjectMacro(self, << error.what());
+    vtkErrorWithObjectMacro(self, << Printable(error.what()));
   }
-  output->Initialize();
+  Clear(output);
   return 0;
 }
 

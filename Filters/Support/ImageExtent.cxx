@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace isthmus
 {
@@ -48,6 +49,34 @@ Extent PieceOf(vtkInformation* request, const Extent& all)
     Pipeline::GetUpdateGhostLevel(request), whole.data(), piece.data(),
     vtkExtentTranslator::BLOCK_MODE, 0);
   return piece;
+}
+
+void AskForAll(vtkInformation* request)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  request->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  request->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  request->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+}
+
+void DemandAll(vtkInformation* info)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkImageData* image = info ? vtkImageData::GetData(info) : nullptr;
+  // Blocks of composite data come without a whole extent of their own.
+  if (!image || !info->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    return;
+  }
+  Extent delivered{};
+  image->GetExtent(delivered.data());
+  if (!Contains(delivered, ExtentOf(info, Pipeline::WHOLE_EXTENT())))
+  {
+    throw std::runtime_error(
+      "Only a part of the image is on this rank, and all of it is needed: "
+      "run on one rank, or read the image with a reader that gives each rank "
+      "what it asks for.");
+  }
 }
 
 bool IsEmpty(const Extent& extent)

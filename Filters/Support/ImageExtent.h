@@ -26,6 +26,13 @@ Extent ExtentOf(vtkInformation* info, vtkInformationIntegerVectorKey* key);
 /// included.
 Extent PieceOf(vtkInformation* request, const Extent& all);
 
+/// Makes a request for an image one for all of it, on each rank.
+void AskForAll(vtkInformation* request);
+
+/// Throws std::runtime_error where the image that `info` holds is not all that there is: a source
+/// that splits it whatever is asked for.
+void DemandAll(vtkInformation* info);
+
 bool IsEmpty(const Extent& extent);
 
 /// `extent` with `reach` more nodes to each side, kept within `whole`. An empty one stays as it is.

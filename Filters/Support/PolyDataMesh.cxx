@@ -8,9 +8,37 @@
 #include <vtkTriangleFilter.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace isthmus
 {
+
+namespace
+{
+
+/// vtkTriangleFilter follows corners wherever they point.
+void DemandCorners(vtkCellArray* cells, vtkIdType points)
+{
+  const auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    cell->GetCurrentCell(count, ids);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      if (ids[i] < 0 || ids[i] >= points)
+      {
+        throw std::invalid_argument("A polygon of the surface has the corner " +
+          std::to_string(ids[i]) + ", but there are " + std::to_string(points) +
+          " points, counted from 0. The file is damaged.");
+      }
+    }
+  }
+}
+
+}
 
 TriangleMesh MeshOf(vtkPolyData* surface)
 {
@@ -18,6 +46,8 @@ TriangleMesh MeshOf(vtkPolyData* surface)
   if (surface->GetNumberOfStrips() > 0 ||
     (surface->GetNumberOfPolys() > 0 && surface->GetPolys()->IsHomogeneous() != 3))
   {
+    DemandCorners(surface->GetPolys(), surface->GetNumberOfPoints());
+    DemandCorners(surface->GetStrips(), surface->GetNumberOfPoints());
     vtkNew<vtkPolyData> bare;
     bare->SetPoints(surface->GetPoints());
     bare->SetPolys(surface->GetPolys());

@@ -15,8 +15,8 @@ namespace isthmus
 {
 
 /// The polygons and strips of `surface` as triangles (vtkTriangleFilter where they are not), with
-/// all its points in their order. Vertices and lines are left out. Nothing is checked: for what
-/// checks (SurfaceCheck.h) or mends the mesh itself.
+/// all its points in their order. Vertices and lines are left out. Triangles are not checked: for
+/// what checks (SurfaceCheck.h) or mends the mesh itself.
 VTKISTHMUS_EXPORT TriangleMesh MeshOf(vtkPolyData* surface);
 
 /// The same of a surface whose corners and points PolyDataTriangles found to be sound.

@@ -7,6 +7,10 @@ isthmus_room(
     GridCells
     ImageExtent
     ParallelFor
+    PipelineInputs
     PolyDataMesh
     PolyDataTriangles
-    TriangleStars)
+    PrintableText
+    RangeGuard
+    TriangleStars
+    WholeSurface)

@@ -61,7 +61,15 @@ std::unique_ptr<ByteSource> OpenByteSource(const std::string& path)
 
 std::string ReadAll(ByteSource& source, const ProgressCallback& progress)
 {
-  constexpr std::size_t piece = std::size_t{ 1 } << 23;
+  // Of a small file no more than it has, and one to see its end; compressed ones usually grow less
+  // than 32-fold.
+  constexpr std::uint64_t largest = std::uint64_t{ 1 } << 23;
+  const auto piece = static_cast<std::size_t>(std::min(
+    largest, source.RandomAccess() ? source.MostBytes() + 1 : 4096 + 32 * source.FileSize()));
+  constexpr std::uint64_t harmless = std::uint64_t{ 1 } << 26;
+  constexpr std::uint64_t usual = 16;
+  const std::uint64_t most =
+    source.RandomAccess() ? source.MostBytes() : std::max(harmless, usual * source.FileSize());
   std::string text;
   for (std::size_t got = piece; got == piece;)
   {
@@ -69,6 +77,13 @@ std::string ReadAll(ByteSource& source, const ProgressCallback& progress)
     text.resize(at + piece);
     got = source.Read(at, &text[at], piece);
     text.resize(at + got);
+    if (text.size() > most)
+    {
+      throw ReaderError(ReaderFailure::Damaged,
+        source.Path() + ": the " + source.Compression() + " data unpack to more than " +
+          std::to_string(most >> 20) + " MiB, " + std::to_string(usual) +
+          " times their size and more: no text of numbers does. If it is sound, unpack it first.");
+    }
     Report(progress, 1.0 - std::exp2(-static_cast<double>(text.size()) / double{ 1 << 26 }));
   }
   source.CheckEnd();

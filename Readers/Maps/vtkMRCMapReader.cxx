@@ -101,6 +101,22 @@ MRCMap Open(vtkMRCMapReader* reader)
   return map;
 }
 
+/// A file that was replaced since its information was read would be shown in the old geometry.
+void DemandUnchanged(const isthmus::VoxelLattice& grid, vtkInformation* info, const char* path)
+{
+  vtkNew<vtkInformation> now;
+  Describe(grid, now);
+  const auto same = [info, now = now.Get()](auto* key, int count)
+  { return std::equal(now->Get(key), now->Get(key) + count, info->Get(key)); };
+  if (!same(Pipeline::WHOLE_EXTENT(), 6) || !same(vtkDataObject::SPACING(), 3) ||
+    !same(vtkDataObject::ORIGIN(), 3) || !same(vtkDataObject::DIRECTION(), 9))
+  {
+    throw ReaderError(ReaderFailure::BadRequest,
+      std::string(path) +
+        ": the file has changed since its header was read: reload it (Reload Files).");
+  }
+}
+
 std::string Sentences(const std::vector<std::string>& sentences)
 {
   std::string text;
@@ -150,7 +166,7 @@ void vtkMRCMapReader::Tell(const MRCMap& map)
   const std::string warning = std::string(this->FileName) + ":" + Sentences(sentences);
   if (!sentences.empty() && warning != this->LastWarning)
   {
-    vtkWarningMacro(<< warning);
+    vtkWarningMacro(<< isthmus::Printable(warning));
   }
   this->LastWarning = warning;
 }
@@ -184,6 +200,7 @@ int vtkMRCMapReader::RequestData(
     [&]()
     {
       MRCMap map = Open(this);
+      DemandUnchanged(map.Grid(), info, this->FileName);
       int extent[6];
       info->Get(Pipeline::UPDATE_EXTENT(), extent);
       isthmus::AddMRCFieldData(map, this->VolumeIndex, output->GetFieldData());

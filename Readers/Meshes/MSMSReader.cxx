@@ -1,8 +1,12 @@
 #include "MSMSReader.h"
 
+#include "OpenByteSource.h"
+#include "RangeGuard.h"
+#include "ReaderError.h"
+#include "TextLines.h"
+
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <stdexcept>
 
 namespace isthmus
@@ -32,24 +36,22 @@ std::vector<double> NumbersOf(const std::string& line)
 class Rows
 {
 public:
-  Rows(const std::filesystem::path& path, std::size_t columns)
+  Rows(const std::filesystem::path& path, std::string_view text, std::size_t columns,
+    const ProgressCallback& progress = {})
     : Path(path)
-    , File(path)
+    , Lines(text, path.string(), progress)
     , Columns(columns)
   {
-    if (!this->File)
-    {
-      throw std::runtime_error("There is no file " + path.string() +
-        ", or it can't be read: MSMS surfaces come in pairs of .vert and .face.");
-    }
   }
 
   /// False at the end of the file.
   bool Next(std::vector<double>& row)
   {
-    for (std::string text; std::getline(this->File, text);)
+    std::string text;
+    for (std::string_view line; this->Lines.Next(line);)
     {
       ++this->Line;
+      text = line;
       if (text.find_first_not_of(" \t\r") == std::string::npos || text[0] == '#')
       {
         continue;
@@ -59,6 +61,7 @@ public:
       this->First = false;
       if (counts)
       {
+        this->Promised = row[0];
         continue;
       }
       if (row.size() < this->Columns)
@@ -66,9 +69,22 @@ public:
         this->Fail("has " + std::to_string(row.size()) + " numbers instead of " +
           std::to_string(this->Columns));
       }
+      ++this->Count;
       return true;
     }
     return false;
+  }
+
+  /// Were there as many rows as the line of counts says, if there is one?
+  void CheckCount(const char* what) const
+  {
+    if (this->Promised >= 0.0 && this->Promised != static_cast<double>(this->Count))
+    {
+      throw ReaderError(ReaderFailure::Truncated,
+        this->Path.string() + ": its first line promises " + Shown(this->Promised) + " " + what +
+          ", but there are " + std::to_string(this->Count) +
+          ". The file is cut or damaged: run MSMS again.");
+    }
   }
 
   [[noreturn]] void Fail(const std::string& reason) const
@@ -98,15 +114,38 @@ public:
 
 private:
   std::filesystem::path Path;
-  std::ifstream File;
+  TextLines Lines;
   std::size_t Columns;
   std::size_t Line = 0;
+  std::int64_t Count = 0;
+  double Promised = -1.0; ///< rows, by the line of counts; negative: there is none
   bool First = true;
 };
 
-void ReadVertices(const std::filesystem::path& path, MSMSSurface& surface)
+/// All of the file. Folders, pipes and what else is no regular file are refused, not waited for.
+std::string ContentOf(const std::filesystem::path& path, const ProgressCallback& progress)
 {
-  Rows rows(path, VertexColumns);
+  try
+  {
+    return ReadAll(*OpenByteSource(path.string()), progress);
+  }
+  catch (const ReaderError& error)
+  {
+    if (error.Kind == ReaderFailure::NoSuchFile)
+    {
+      throw ReaderError(error.Kind,
+        "There is no file " + path.string() + ": MSMS surfaces come in pairs of .vert and .face.");
+    }
+    throw ReaderError(
+      error.Kind, std::string(error.what()) + " MSMS surfaces come in pairs of .vert and .face.");
+  }
+}
+
+void ReadVertices(
+  const std::filesystem::path& path, MSMSSurface& surface, const ProgressCallback& progress)
+{
+  const std::string text = ContentOf(path, Between(progress, 0.0, 0.2));
+  Rows rows(path, text, VertexColumns, Between(progress, 0.2, 1.0));
   for (std::vector<double> row; rows.Next(row);)
   {
     for (std::size_t c = 0; c < 6; ++c)
@@ -122,13 +161,15 @@ void ReadVertices(const std::filesystem::path& path, MSMSSurface& surface)
     surface.SphereOfPoint.push_back(rows.SmallInteger(row[7]) - 1);
     surface.TypeOfPoint.push_back(rows.SmallInteger(row[8]));
   }
+  rows.CheckCount("vertices");
 }
 
-void ReadFaces(
-  const std::filesystem::path& path, int component, std::int64_t firstPoint, MSMSSurface& surface)
+void ReadFaces(const std::filesystem::path& path, int component, std::int64_t firstPoint,
+  MSMSSurface& surface, const ProgressCallback& progress)
 {
   const auto points = static_cast<std::int64_t>(surface.Points.size()) - firstPoint;
-  Rows rows(path, FaceColumns);
+  const std::string text = ContentOf(path, Between(progress, 0.0, 0.2));
+  Rows rows(path, text, FaceColumns, Between(progress, 0.2, 1.0));
   for (std::vector<double> row; rows.Next(row);)
   {
     std::array<std::int64_t, 3> triangle{};
@@ -147,6 +188,7 @@ void ReadFaces(
     surface.AnalyticFaceOfTriangle.push_back(rows.SmallInteger(row[4]));
     surface.ComponentOfTriangle.push_back(component);
   }
+  rows.CheckCount("faces");
 }
 
 std::filesystem::path WithExtension(std::filesystem::path file, const char* extension)
@@ -156,11 +198,13 @@ std::filesystem::path WithExtension(std::filesystem::path file, const char* exte
 
 }
 
-void ReadMSMS(const std::filesystem::path& file, int component, MSMSSurface& surface)
+void ReadMSMS(const std::filesystem::path& file, int component, MSMSSurface& surface,
+  const ProgressCallback& progress)
 {
   const auto firstPoint = static_cast<std::int64_t>(surface.Points.size());
-  ReadVertices(WithExtension(file, ".vert"), surface);
-  ReadFaces(WithExtension(file, ".face"), component, firstPoint, surface);
+  ReadVertices(WithExtension(file, ".vert"), surface, Between(progress, 0.0, 0.5));
+  ReadFaces(
+    WithExtension(file, ".face"), component, firstPoint, surface, Between(progress, 0.5, 1.0));
 }
 
 std::vector<std::filesystem::path> MSMSComponents(const std::filesystem::path& file)
@@ -187,7 +231,9 @@ bool LooksLikeMSMS(const std::filesystem::path& file)
   }
   try
   {
-    Rows rows(file, vertices ? VertexColumns : FaceColumns);
+    std::string begin(std::size_t{ 1 } << 16, '\0');
+    begin.resize(OpenByteSource(file.string())->Read(0, begin.data(), begin.size()));
+    Rows rows(file, begin, vertices ? VertexColumns : FaceColumns);
     std::vector<double> row;
     return rows.Next(row);
   }

@@ -9,6 +9,7 @@
 #ifndef isthmus_MSMSReader_h
 #define isthmus_MSMSReader_h
 
+#include "Progress.h"
 #include "vtkIsthmusModule.h"
 
 #include <array>
@@ -37,11 +38,11 @@ struct MSMSSurface
 
 /**
  * Appends the surface of `file` (either of a pair) and its partner to `surface`. Throws
- * std::runtime_error with file, line and reason when one of them is missing or not as described
- * above. O(bytes).
+ * std::runtime_error with file, line and reason when one of them is missing, no regular file, not
+ * as described above, or has not as many rows as its line of counts says. O(bytes).
  */
-VTKISTHMUS_EXPORT void ReadMSMS(
-  const std::filesystem::path& file, int component, MSMSSurface& surface);
+VTKISTHMUS_EXPORT void ReadMSMS(const std::filesystem::path& file, int component,
+  MSMSSurface& surface, const ProgressCallback& progress = {});
 
 /// The pairs that belong together: `file`, then X_1, X_2, ... as long as they exist.
 VTKISTHMUS_EXPORT std::vector<std::filesystem::path> MSMSComponents(

@@ -1,8 +1,9 @@
 #include "vtkCombinatorialMeshReader.h"
 
-#include "AlgorithmGuard.h"
 #include "CombinatorialMeshFile.h"
 #include "GridCells.h"
+#include "OpenByteSource.h"
+#include "ReaderGuard.h"
 
 #include <vtkCellData.h>
 #include <vtkCellType.h>
@@ -21,7 +22,7 @@
 
 #include <algorithm>
 #include <cstring>
-#include <fstream>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 
@@ -153,21 +154,38 @@ void Fill(const isthmus::CombinatorialMesh& mesh, vtkUnstructuredGrid* grid)
   }
 }
 
-std::string Contents(const char* fileName)
+std::string Contents(const std::string& path, const isthmus::ProgressCallback& progress)
 {
-  std::ifstream file(fileName, std::ios::binary | std::ios::ate);
-  if (!file)
+  try
   {
-    throw std::runtime_error("The file '" + std::string(fileName) +
-      "' can't be opened: check its name and your right to read it.");
+    std::error_code none;
+    // An empty file is told by its missing first line.
+    return std::filesystem::is_regular_file(path, none) && std::filesystem::is_empty(path, none)
+      ? std::string()
+      : isthmus::ReadAll(*isthmus::OpenByteSource(path), progress);
   }
-  std::string contents(static_cast<std::size_t>(std::max<std::streamoff>(file.tellg(), 0)), '\0');
-  file.seekg(0);
-  if (!file.read(contents.data(), static_cast<std::streamsize>(contents.size())))
+  catch (const isthmus::ReaderError& error)
   {
-    throw std::runtime_error("The file '" + std::string(fileName) + "' can't be read to its end.");
+    if (error.Kind != isthmus::ReaderFailure::NoSuchFile)
+    {
+      throw;
+    }
+    throw isthmus::ReaderError(error.Kind,
+      "The file '" + path + "' can't be opened: check its name and your right to read it.");
   }
-  return contents;
+}
+
+isthmus::CombinatorialMesh Parsed(const std::string& contents, const std::string& path)
+{
+  try
+  {
+    return isthmus::ParseCombinatorialMesh(contents);
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw isthmus::ReaderError(
+      isthmus::ReaderFailure::Damaged, path + ": " + std::string(error.what()));
+  }
 }
 
 }
@@ -186,8 +204,16 @@ int vtkCombinatorialMeshReader::CanReadFile(const char* fileName)
 {
   const std::string magic = "isthmus-combinatorial-mesh";
   std::string begin(magic.size(), '\0');
-  std::ifstream file(fileName ? fileName : "", std::ios::binary);
-  return file.read(begin.data(), static_cast<std::streamsize>(begin.size())) && begin == magic;
+  try
+  {
+    // Folders, pipes and what else is no regular file are refused, not waited for.
+    const auto source = isthmus::OpenByteSource(fileName ? fileName : "");
+    return source->Read(0, begin.data(), begin.size()) == begin.size() && begin == magic;
+  }
+  catch (const std::exception&)
+  {
+    return 0;
+  }
 }
 
 int vtkCombinatorialMeshReader::RequestData(
@@ -195,26 +221,17 @@ int vtkCombinatorialMeshReader::RequestData(
 {
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
   const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
-  this->SetErrorCode(vtkErrorCode::NoError);
-  const int result = isthmus::Guarded(this, output,
+  return isthmus::GuardedRead(
+    this, this->FileName, output, [this](unsigned long code) { this->SetErrorCode(code); },
     [&]()
     {
-      if (!this->FileName || !*this->FileName)
-      {
-        throw std::invalid_argument("No file name is given: set FileName.");
-      }
-      const std::string contents = Contents(this->FileName);
+      const std::string contents = Contents(this->FileName, isthmus::Between(progress, 0.0, 0.2));
       isthmus::Report(progress, 0.2);
-      const isthmus::CombinatorialMesh mesh = isthmus::ParseCombinatorialMesh(contents);
+      const isthmus::CombinatorialMesh mesh = Parsed(contents, this->FileName);
       isthmus::Report(progress, 0.7);
       Fill(mesh, output);
       isthmus::Report(progress, 1.0);
     });
-  if (result == 0)
-  {
-    this->SetErrorCode(vtkErrorCode::FileFormatError);
-  }
-  return result;
 }
 
 void vtkCombinatorialMeshReader::PrintSelf(ostream& os, vtkIndent indent)

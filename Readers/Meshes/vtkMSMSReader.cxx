@@ -1,7 +1,7 @@
 #include "vtkMSMSReader.h"
 
-#include "AlgorithmGuard.h"
 #include "MSMSReader.h"
+#include "ReaderGuard.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -14,8 +14,6 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-
-#include <stdexcept>
 
 vtkStandardNewMacro(vtkMSMSReader);
 
@@ -80,30 +78,23 @@ int vtkMSMSReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
   auto* surface = vtkPolyData::GetData(output);
-  this->SetErrorCode(vtkErrorCode::NoError);
-  const int result = isthmus::Guarded(this, surface,
+  return isthmus::GuardedRead(
+    this, this->FileName, surface, [this](unsigned long code) { this->SetErrorCode(code); },
     [&]
     {
-      if (!this->FileName || !*this->FileName)
-      {
-        throw std::invalid_argument("No file is named: set FileName to a .vert or .face file.");
-      }
       const auto files = this->AllComponents ? isthmus::MSMSComponents(this->FileName)
                                              : std::vector<std::filesystem::path>{ this->FileName };
       isthmus::MSMSSurface read;
       const auto progress = isthmus::ProgressOf(this);
       for (std::size_t i = 0; i < files.size(); ++i)
       {
-        isthmus::Report(progress, static_cast<double>(i) / static_cast<double>(files.size()));
-        isthmus::ReadMSMS(files[i], static_cast<int>(i), read);
+        const auto share = 1.0 / static_cast<double>(files.size());
+        isthmus::ReadMSMS(files[i], static_cast<int>(i), read,
+          isthmus::Between(
+            progress, share * static_cast<double>(i), share * static_cast<double>(i + 1)));
       }
       SetSurface(read, surface);
     });
-  if (!result)
-  {
-    this->SetErrorCode(vtkErrorCode::FileFormatError);
-  }
-  return result;
 }
 
 void vtkMSMSReader::PrintSelf(ostream& os, vtkIndent indent)

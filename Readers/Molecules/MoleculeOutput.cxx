@@ -2,6 +2,7 @@
 
 #include "ChemicalElement.h"
 #include "Macromolecule.h"
+#include "PrintableText.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -140,7 +141,7 @@ void AddSentences(vtkFieldData* to, const char* name, const std::vector<std::str
   array->SetName(name);
   for (const std::string& sentence : sentences)
   {
-    array->InsertNextValue(sentence);
+    array->InsertNextValue(Printable(sentence));
   }
   to->AddArray(array);
 }

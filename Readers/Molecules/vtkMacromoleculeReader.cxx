@@ -168,7 +168,7 @@ void vtkMacromoleculeReader::Read(std::int64_t model, vtkPolyData* atoms, vtkMol
   isthmus::Report(progress, 1.0);
   for (const std::string& warning : read.Warnings)
   {
-    vtkWarningMacro(<< this->FileName << ": " << warning);
+    vtkWarningMacro(<< this->FileName << ": " << isthmus::Printable(warning));
   }
 }
 

@@ -79,6 +79,7 @@ bool OpenDXReader::NextArray()
     }
     else if (this->Word == "array")
     {
+      this->ArrayName = this->ObjectName;
       this->ReadArrayHeader();
       return true;
     }
@@ -163,12 +164,14 @@ void OpenDXReader::ReadPositions()
     this->Text.Refuse("the three deltas lie in one plane, so they span no grid.");
   }
   this->Grid = grid;
+  this->GridName = this->ObjectName;
   this->HasGrid = true;
 }
 
 void OpenDXReader::ReadArrayType()
 {
   this->Word = this->Text.Word();
+  this->Values.Unsigned = this->Word == "unsigned";
   if (this->Word == "signed" || this->Word == "unsigned")
   {
     this->Word = this->Text.Word();
@@ -295,7 +298,11 @@ void OpenDXReader::ReadNumbers(T* values, std::int64_t count)
   const std::size_t each = this->Values.ItemBytes;
   std::vector<unsigned char> bytes(static_cast<std::size_t>(count) * each);
   this->Text.Bytes(bytes.data(), bytes.size());
-  if (this->Values.Whole)
+  if (this->Values.Whole && this->Values.Unsigned)
+  {
+    Decode<std::uint32_t>(bytes.data(), this->Values.Swap, count, values);
+  }
+  else if (this->Values.Whole)
   {
     Decode<std::int32_t>(bytes.data(), this->Values.Swap, count, values);
   }
@@ -376,6 +383,7 @@ void OpenDXReader::ReadRest()
       if (this->Word == "field")
       {
         this->Name = this->ObjectName;
+        this->CheckField();
       }
       if (this->Word == "field" || this->Word == "array")
       {
@@ -387,6 +395,29 @@ void OpenDXReader::ReadRest()
   {
     this->Source->CheckEnd();
   }
+}
+
+void OpenDXReader::CheckField()
+{
+  std::string positions, data, other;
+  for (this->Word = this->Text.Word(); !this->Word.empty() && this->Word != "object";
+       this->Word = this->Text.Word())
+  {
+    if (this->Word == "component")
+    {
+      const std::string component(this->Text.Word());
+      const bool named = this->Text.Word() == "value";
+      const std::string value(named ? this->Text.Word() : std::string_view());
+      (component == "positions" ? positions : component == "data" ? data : other) = value;
+    }
+  }
+  if (data == this->ArrayName && !positions.empty() && positions != this->GridName)
+  {
+    this->Text.Refuse("the field says that array " + data + " lies on the grid " + positions +
+      ", but the grid before the array is " + this->GridName +
+      ": files whose grids and arrays do not take turns are not read. Write one field a file.");
+  }
+  this->Word = "field"; // what follows belongs to other fields
 }
 
 bool LooksLikeOpenDXFile(const std::string& path)

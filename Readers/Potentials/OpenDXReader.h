@@ -33,6 +33,7 @@ struct OpenDXArray
   bool Swap = false;         ///< bytes not in this machine's order
   std::size_t ItemBytes = 8; ///< of one binary number
   bool Whole = false;        ///< binary whole numbers
+  bool Unsigned = false;     ///< of these: without a sign
 };
 
 /// A file opened at one of its arrays. Throws ReaderError throughout; sentences name file and line.
@@ -68,6 +69,7 @@ private:
   void ReadArrayHeader();
   void ReadArrayType();
   void CheckArray() const;
+  void CheckField();
   void CheckPromisedSize(const ProgressCallback& progress);
   void SkipValues(const ProgressCallback& progress);
   template <typename T>
@@ -80,6 +82,8 @@ private:
   OpenDXArray Values;
   std::string Word; ///< read ahead
   std::string ObjectName;
+  std::string GridName;  ///< of the gridpositions read last
+  std::string ArrayName; ///< of the array read last
   std::string Name;
 };
 

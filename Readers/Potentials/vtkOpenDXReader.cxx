@@ -100,6 +100,22 @@ void Describe(const VoxelLattice& grid, vtkInformation* info)
   info->Set(vtkDataObject::DIRECTION(), direction, 9);
 }
 
+/// A file that was replaced since its information was read would be shown in the old geometry.
+void DemandUnchanged(const VoxelLattice& grid, vtkInformation* info, const char* path)
+{
+  vtkNew<vtkInformation> now;
+  Describe(grid, now);
+  const auto same = [info, now = now.Get()](auto* key, int count)
+  { return std::equal(now->Get(key), now->Get(key) + count, info->Get(key)); };
+  if (!same(Pipeline::WHOLE_EXTENT(), 6) || !same(vtkDataObject::SPACING(), 3) ||
+    !same(vtkDataObject::ORIGIN(), 3) || !same(vtkDataObject::DIRECTION(), 9))
+  {
+    throw isthmus::ReaderError(isthmus::ReaderFailure::BadRequest,
+      std::string(path) +
+        ": the file has changed since its header was read: reload it (Reload Files).");
+  }
+}
+
 void AddTexts(vtkFieldData* fields, const char* name, const std::vector<std::string>& texts)
 {
   vtkNew<vtkStringArray> array;
@@ -213,6 +229,7 @@ int vtkOpenDXReader::RequestData(
     {
       OpenDXReader file(
         this->FileName, this->FieldIndex, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.2));
+      DemandUnchanged(TargetOf(file, this->FileName), info, this->FileName);
       int extent[6];
       info->Get(Pipeline::UPDATE_EXTENT(), extent);
       output->SetExtent(extent);

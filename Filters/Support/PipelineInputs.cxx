@@ -1,0 +1,78 @@
+#include "PipelineInputs.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkAlgorithmOutput.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkDataObject.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringVectorKey.h>
+#include <vtkNew.h>
+#include <vtkObject.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace isthmus
+{
+namespace
+{
+
+/// Is `data` of one of the types of the port? If not, what these are is left in `wanted`.
+bool Fits(vtkAlgorithm* self, int port, vtkDataObject* data, std::string& wanted)
+{
+  vtkInformation* demand = self->GetInputPortInformation(port);
+  auto* key = vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE();
+  wanted.clear();
+  for (int i = 0; i < key->Length(demand); ++i)
+  {
+    const char* type = key->Get(demand, i);
+    if (data->IsA(type))
+    {
+      return true;
+    }
+    wanted += (i > 0 ? " or a " : "") + std::string(type);
+  }
+  return wanted.empty();
+}
+
+}
+
+void DemandInputs(vtkAlgorithm* self)
+{
+  for (int port = 0; port < self->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < self->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkDataObject* data = self->GetInputDataObject(port, i);
+      std::string wanted;
+      if (data && !Fits(self, port, data, wanted))
+      {
+        throw std::invalid_argument("Input " + std::to_string(port) + " got a " +
+          data->GetClassName() + ", but this filter works on a " + wanted +
+          " there: take out what is of another kind (Extract Block), or convert it.");
+      }
+    }
+  }
+}
+
+InputInAdvance::InputInAdvance(vtkAlgorithm* self)
+  : Self(self)
+{
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&this->Executing);
+  observer->SetCallback([](vtkObject*, unsigned long event, void* executing, void*)
+    { *static_cast<int*>(executing) += event == vtkCommand::StartEvent ? 1 : -1; });
+  self->AddObserver(vtkCommand::StartEvent, observer);
+  self->AddObserver(vtkCommand::EndEvent, observer);
+}
+
+void InputInAdvance::Update()
+{
+  if (this->Executing == 0)
+  {
+    this->Self->GetInputAlgorithm(0, 0)->Update(this->Self->GetInputConnection(0, 0)->GetIndex());
+  }
+}
+
+}

@@ -1,0 +1,46 @@
+/**
+ * @file PipelineInputs.h
+ * @brief What a filter must know of its inputs before it takes them for what it asked for.
+ *
+ * A window and a script can connect anything: blocks of several kinds, a table for a surface.
+ * VTK's executive checks the type of the whole only, and hands a filter the blocks as they come.
+ */
+#ifndef isthmus_PipelineInputs_h
+#define isthmus_PipelineInputs_h
+
+#include "vtkIsthmusModule.h"
+
+class vtkAlgorithm;
+
+namespace isthmus
+{
+
+/// Throws std::invalid_argument, with both types, where an input is not of a type that its port
+/// asks for. Guarded (AlgorithmGuard.h) begins with it.
+VTKISTHMUS_EXPORT void DemandInputs(vtkAlgorithm* self);
+
+/**
+ * For a filter whose RequestInformation needs the data of its first input: makes them, but not
+ * while the filter itself is being executed. VTK asks for the information of each block of
+ * composite data in the middle of an execution; an update there runs the source again onto the
+ * block, and ends the program.
+ *
+ * A member of the filter, made with it.
+ */
+class VTKISTHMUS_EXPORT InputInAdvance
+{
+public:
+  explicit InputInAdvance(vtkAlgorithm* self);
+  InputInAdvance(const InputInAdvance&) = delete;
+  InputInAdvance& operator=(const InputInAdvance&) = delete;
+
+  void Update();
+
+private:
+  vtkAlgorithm* Self;
+  int Executing = 0; ///< depth: the execution of a block lies within that of the whole
+};
+
+}
+
+#endif

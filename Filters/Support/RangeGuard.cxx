@@ -1,0 +1,147 @@
+#include "RangeGuard.h"
+
+#include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace isthmus
+{
+namespace
+{
+
+/// Powers of two within which coordinates are left alone.
+constexpr int UsualExponent = 20;
+
+[[noreturn]] void Refuse(
+  const char* property, double value, const std::string& range, const char* meaning)
+{
+  throw std::invalid_argument(std::string(property) + " is " + Shown(value) + ", but it must be " +
+    range + "." + (*meaning ? " " : "") + meaning);
+}
+
+bool IsFinite(const Point3& p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+void Multiply(std::vector<Point3>& points, double factor)
+{
+  for (Point3& p : points)
+  {
+    p = factor * p;
+  }
+}
+
+}
+
+std::string Shown(double value)
+{
+  if (std::isnan(value))
+  {
+    return "not a number";
+  }
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+void DemandRange(const char* property, double value, double low, double high, const char* meaning)
+{
+  if (!(value >= low && value <= high))
+  {
+    Refuse(property, value, "from " + Shown(low) + " to " + Shown(high), meaning);
+  }
+}
+
+void DemandAbove(const char* property, double value, double low, double high, const char* meaning)
+{
+  if (!(value > low && value <= high))
+  {
+    Refuse(property, value, "above " + Shown(low) + " and at most " + Shown(high), meaning);
+  }
+}
+
+void DemandFrame(vtkImageData* image)
+{
+  const int* extent = image->GetExtent();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double spacing = std::abs(image->GetSpacing()[axis]);
+    const double origin = image->GetOrigin()[axis];
+    const std::string along = std::string(" of the image along ") + "xyz"[axis];
+    DemandRange(
+      ("The spacing" + along).c_str(), spacing, SmallestLength, LargestLength, "Set another one.");
+    DemandRange(
+      ("The origin" + along).c_str(), origin, -LargestLength, LargestLength, "Set another one.");
+    const double far = spacing *
+      std::max(std::abs(double(extent[2 * axis])), std::abs(double(extent[2 * axis + 1])));
+    DemandRange(("The farthest node" + along).c_str(), far, 0.0, LargestLength,
+      "Choose another unit of length.");
+    for (int row = 0; row < 3; ++row)
+    {
+      DemandRange("An entry of the image's direction matrix",
+        image->GetDirectionMatrix()->GetElement(row, axis), -2.0, 2.0,
+        "It should be a rotation: set another one.");
+    }
+  }
+}
+
+UnitScale::UnitScale(const std::vector<Point3>& points)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (!IsFinite(points[i]))
+    {
+      continue;
+    }
+    for (const double x : points[i])
+    {
+      largest = std::max(largest, std::abs(x));
+    }
+    if (largest > LargestLength)
+    {
+      throw std::invalid_argument("Point " + std::to_string(i) + " has the coordinate " +
+        Shown(largest) + ": at most " + Shown(LargestLength) +
+        " can be worked with. Remove the point, or choose another unit of length.");
+    }
+  }
+  if (largest == 0.0)
+  {
+    return;
+  }
+  if (largest < SmallestLength)
+  {
+    throw std::invalid_argument("The largest coordinate of the surface is " + Shown(largest) +
+      ": it should be at least " + Shown(SmallestLength) +
+      ". Choose another unit of length (Transform).");
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  if (std::abs(exponent) > UsualExponent)
+  {
+    this->TheFactor = std::ldexp(1.0, -exponent);
+  }
+}
+
+void UnitScale::Apply(std::vector<Point3>& points) const
+{
+  if (!this->IsOne())
+  {
+    Multiply(points, this->TheFactor);
+  }
+}
+
+void UnitScale::Undo(std::vector<Point3>& points) const
+{
+  if (!this->IsOne())
+  {
+    Multiply(points, 1.0 / this->TheFactor);
+  }
+}
+
+}

@@ -1,0 +1,65 @@
+/**
+ * @file RangeGuard.h
+ * @brief Numbers that no algorithm should meet are refused here, with a sentence, before
+ * third-party code sees them: properties out of their range, frames of images, coordinates.
+ */
+#ifndef isthmus_RangeGuard_h
+#define isthmus_RangeGuard_h
+
+#include "TriangleMesh.h"
+#include "vtkIsthmusModule.h"
+
+#include <string>
+
+class vtkImageData;
+
+namespace isthmus
+{
+
+/// Lengths and coordinates that are worked with: beyond, products of a few of them are no doubles.
+constexpr double SmallestLength = 1e-100;
+constexpr double LargestLength = 1e100;
+
+/// A number as sentences show it: six digits at most, and NaN in words.
+VTKISTHMUS_EXPORT std::string Shown(double value);
+
+/// Throws std::invalid_argument, with the property's name, value and range, unless
+/// low <= value <= high. NaN is refused. `meaning` ends the sentence.
+VTKISTHMUS_EXPORT void DemandRange(
+  const char* property, double value, double low, double high, const char* meaning = "");
+
+/// The same for low < value <= high.
+VTKISTHMUS_EXPORT void DemandAbove(
+  const char* property, double value, double low, double high, const char* meaning = "");
+
+/// Throws std::invalid_argument, with the axis, unless origin, spacing and direction are finite,
+/// spacings not 0, and all coordinates and spacings between SmallestLength and LargestLength.
+VTKISTHMUS_EXPORT void DemandFrame(vtkImageData* image);
+
+/**
+ * Brings coordinates to about 1 for code that takes fourth powers of lengths, and back.
+ *
+ * The factor is a power of two, so nothing is rounded; it is 1 where the largest coordinate is
+ * between 2^-20 and 2^20, so ordinary data come as they are. O(points).
+ */
+class VTKISTHMUS_EXPORT UnitScale
+{
+public:
+  /// Points that are not finite are not looked at. Throws std::invalid_argument, with the point,
+  /// for a coordinate beyond LargestLength, and where all are below SmallestLength but not 0.
+  explicit UnitScale(const std::vector<Point3>& points);
+
+  /// Of a length, to the scale that is worked in.
+  double Factor() const { return this->TheFactor; }
+  bool IsOne() const { return this->TheFactor == 1.0; }
+
+  void Apply(std::vector<Point3>& points) const;
+  void Undo(std::vector<Point3>& points) const;
+
+private:
+  double TheFactor = 1.0;
+};
+
+}
+
+#endif

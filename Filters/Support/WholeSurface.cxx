@@ -1,0 +1,175 @@
+#include "WholeSurface.h"
+
+#include <vtkAppendPolyData.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkIdList.h>
+#include <vtkMultiProcessController.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <numeric>
+#include <vector>
+
+namespace isthmus
+{
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> WithoutGhosts(vtkPolyData* piece)
+{
+  if (!piece->GetCellGhostArray() && !piece->GetPointGhostArray())
+  {
+    return piece;
+  }
+  auto own = vtkSmartPointer<vtkPolyData>::New();
+  own->DeepCopy(piece); // its cells are changed in place
+  own->RemoveGhostCells();
+  own->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  own->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  return own;
+}
+
+/// For each point the lowest id of those at the same place.
+std::vector<vtkIdType> FirstAtSamePlace(vtkPolyData* surface)
+{
+  const auto count = static_cast<std::size_t>(surface->GetNumberOfPoints());
+  std::vector<std::array<double, 3>> places(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    surface->GetPoint(static_cast<vtkIdType>(i), places[i].data());
+    for (double& x : places[i])
+    {
+      x += 0.0; // -0 becomes 0
+    }
+  }
+  // By their bytes, so that what is not a number has its place, too.
+  const auto compare = [&places](vtkIdType a, vtkIdType b)
+  {
+    return std::memcmp(places[static_cast<std::size_t>(a)].data(),
+      places[static_cast<std::size_t>(b)].data(), sizeof(double[3]));
+  };
+  std::vector<vtkIdType> order(count);
+  std::iota(order.begin(), order.end(), vtkIdType{ 0 });
+  std::sort(order.begin(), order.end(),
+    [&compare](vtkIdType a, vtkIdType b)
+    {
+      const int difference = compare(a, b);
+      return difference != 0 ? difference < 0 : a < b;
+    });
+  std::vector<vtkIdType> first(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const bool same = i > 0 && compare(order[i - 1], order[i]) == 0;
+    first[static_cast<std::size_t>(order[i])] =
+      same ? first[static_cast<std::size_t>(order[i - 1])] : order[i];
+  }
+  return first;
+}
+
+vtkSmartPointer<vtkCellArray> Renumbered(vtkCellArray* cells, const std::vector<vtkIdType>& id)
+{
+  auto result = vtkSmartPointer<vtkCellArray>::New();
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c)
+  {
+    cells->GetCellAtId(c, corners);
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    {
+      corners->SetId(k, id[static_cast<std::size_t>(corners->GetId(k))]);
+    }
+    result->InsertNextCell(corners);
+  }
+  return result;
+}
+
+/// One point for each place. Ranks cut a surface along edges, whose ends each of them has.
+vtkSmartPointer<vtkPolyData> Sewn(vtkPolyData* surface)
+{
+  std::vector<vtkIdType> id = FirstAtSamePlace(surface);
+  vtkNew<vtkIdList> kept;
+  for (std::size_t i = 0; i < id.size(); ++i)
+  {
+    const bool isFirst = id[i] == static_cast<vtkIdType>(i);
+    id[i] = isFirst ? kept->InsertNextId(id[i]) : id[static_cast<std::size_t>(id[i])];
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(surface->GetPoints() ? surface->GetPoints()->GetDataType() : VTK_DOUBLE);
+  points->SetNumberOfPoints(kept->GetNumberOfIds());
+  result->GetPointData()->CopyAllOn();
+  result->GetPointData()->CopyAllocate(surface->GetPointData(), kept->GetNumberOfIds());
+  for (vtkIdType i = 0; i < kept->GetNumberOfIds(); ++i)
+  {
+    points->SetPoint(i, surface->GetPoint(kept->GetId(i)));
+    result->GetPointData()->CopyData(surface->GetPointData(), kept->GetId(i), i);
+  }
+  result->SetPoints(points);
+  result->SetVerts(Renumbered(surface->GetVerts(), id));
+  result->SetLines(Renumbered(surface->GetLines(), id));
+  result->SetPolys(Renumbered(surface->GetPolys(), id));
+  result->SetStrips(Renumbered(surface->GetStrips(), id));
+  result->GetCellData()->ShallowCopy(surface->GetCellData());
+  result->GetFieldData()->ShallowCopy(surface->GetFieldData());
+  return result;
+}
+
+}
+
+int NumberOfRanks()
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return controller ? controller->GetNumberOfProcesses() : 1;
+}
+
+bool OnFirstRank()
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return !controller || controller->GetLocalProcessId() == 0;
+}
+
+vtkSmartPointer<vtkPolyData> WholeSurface(vtkPolyData* piece, WholeOn where)
+{
+  if (!piece)
+  {
+    return piece;
+  }
+  vtkSmartPointer<vtkPolyData> own = WithoutGhosts(piece);
+  if (NumberOfRanks() == 1)
+  {
+    return own;
+  }
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  std::vector<vtkSmartPointer<vtkDataObject>> pieces;
+  controller->Gather(own, pieces, 0);
+  auto whole = vtkSmartPointer<vtkPolyData>::New();
+  if (controller->GetLocalProcessId() == 0)
+  {
+    vtkNew<vtkAppendPolyData> append;
+    for (vtkDataObject* one : pieces)
+    {
+      auto* part = vtkPolyData::SafeDownCast(one);
+      if (part && part->GetNumberOfPoints() > 0)
+      {
+        append->AddInputData(part);
+      }
+    }
+    if (append->GetNumberOfInputConnections(0) > 0)
+    {
+      append->Update();
+      whole = Sewn(append->GetOutput());
+    }
+  }
+  if (where == WholeOn::EachRank)
+  {
+    controller->Broadcast(whole, 0);
+  }
+  return whole;
+}
+
+}

@@ -1,0 +1,155 @@
+"""The filters of the plugin, found in its panels, and small sound inputs for each of their ports."""
+
+import os
+import xml.etree.ElementTree as Tree
+
+import numpy
+from paraview import servermanager
+from paraview.simple import PVTrivialProducer
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    VTK_TETRA, vtkCellArray, vtkImageData, vtkPolyData, vtkUnstructuredGrid)
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkDelaunay3D, vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+
+def panels():
+    folder = os.environ["ISTHMUS_PANELS_DIR"]
+    for file in sorted(os.listdir(folder)):
+        if file.endswith(".xml"):
+            yield Tree.parse(os.path.join(folder, file)).getroot()
+
+
+def ports_of_filters():
+    """{proxy: [(input property, accepted types, is optional), ...]} of group 'filters'."""
+    found = {}
+    for root in panels():
+        for group in root.iter("ProxyGroup"):
+            for proxy in group.iter("SourceProxy"):
+                if group.get("name") != "filters":
+                    continue
+                found[proxy.get("name")] = [
+                    (port.get("name"), [kind.get("value") for kind in port.find("DataTypeDomain").findall("DataType")],
+                     port.find("Hints/Optional") is not None)
+                    for port in proxy.findall("InputProperty")]
+    return found
+
+
+def add(data, name, values, components=1):
+    array = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
+    array.SetName(name)
+    data.AddArray(array)
+
+
+def surface():
+    """A closed sphere of 5 angstrom with what filters of sites and atoms ask for on it."""
+    source = vtkSphereSource()
+    source.SetRadius(5.0)
+    source.SetThetaResolution(10)
+    source.SetPhiResolution(8)
+    triangles = vtkTriangleFilter()
+    triangles.SetInputConnection(source.GetOutputPort())
+    clean = vtkCleanPolyData()
+    clean.SetInputConnection(triangles.GetOutputPort())
+    clean.Update()
+    result = vtkPolyData()
+    result.ShallowCopy(clean.GetOutput())
+    z = vtk_to_numpy(result.GetPoints().GetData())[:, 2].astype(float)
+    data = result.GetPointData()
+    data.Initialize()
+    for name, values in (("Radius", 0 * z + 1.5), ("MaximumCurvature", 0 * z + 0.2),
+                         ("MinimumCurvature", 0 * z + 0.1), ("Potential", z),
+                         ("PolarizedCurvature", 0.2 * z), ("Charge", z)):
+        add(data, name, values)
+    add(data, "SiteClass", numpy.where(z > 0, 1, 2).astype(numpy.int32))
+    data.SetActiveScalars("Potential")
+    return result
+
+
+def loop():
+    """The equator of the surface as a closed polyline."""
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    angles = numpy.arange(10) * numpy.pi / 5
+    lines = vtkCellArray()
+    for angle in angles:
+        points.InsertNextPoint(4.9 * numpy.cos(angle), 4.9 * numpy.sin(angle), 0.7)
+    lines.InsertNextCell(11, list(range(10)) + [0])
+    result = vtkPolyData()
+    result.SetPoints(points)
+    result.SetLines(lines)
+    return result
+
+
+def image():
+    """A ball of density that falls off smoothly, 12 nodes each way, 1 angstrom apart."""
+    result = vtkImageData()
+    result.SetDimensions(12, 12, 12)
+    result.SetOrigin(-5.5, -5.5, -5.5)
+    axis = numpy.arange(12) - 5.5
+    z, y, x = numpy.meshgrid(axis, axis, axis, indexing="ij")
+    add(result.GetPointData(), "Density", numpy.exp(-(x * x + y * y + z * z) / 12).ravel())
+    result.GetPointData().SetActiveScalars("Density")
+    return result
+
+
+def tetrahedra():
+    """The points of the surface and its middle, as tetrahedra."""
+    delaunay = vtkDelaunay3D()
+    delaunay.SetInputData(surface())
+    delaunay.Update()
+    result = vtkUnstructuredGrid()
+    result.SetPoints(delaunay.GetOutput().GetPoints())
+    cells = delaunay.GetOutput()
+    for i in range(cells.GetNumberOfCells()):
+        cell = cells.GetCell(i)
+        if cell.GetCellType() == VTK_TETRA:
+            result.InsertNextCell(VTK_TETRA, 4, [cell.GetPointId(k) for k in range(4)])
+    z = vtk_to_numpy(result.GetPoints().GetData())[:, 2].astype(float)
+    add(result.GetPointData(), "Height", z)
+    result.GetPointData().SetActiveScalars("Height")
+    return result
+
+
+MAKERS = {"vtkPolyData": surface, "vtkPointSet": surface, "vtkImageData": image,
+          "vtkUnstructuredGrid": tetrahedra, "vtkDataSet": surface, "vtkDataObject": surface}
+# Ports whose type does not tell what they want.
+SPECIAL = {("LoopShortening", "Input"): loop}
+INPUTS = ports_of_filters()
+
+
+def filters():
+    return sorted(INPUTS)
+
+
+def kinds(name):
+    """The types that the first input of a filter takes."""
+    return INPUTS[name][0][1]
+
+
+def producer(data):
+    source = PVTrivialProducer()
+    source.GetClientSideObject().SetOutput(data)
+    source.UpdatePipeline()
+    return source
+
+
+def sound(name, port, kind):
+    return SPECIAL.get((name, port), MAKERS.get(kind))()
+
+
+def made(name, kind=None, replaced=None, optional=True):
+    """A fresh proxy with sound inputs, of type `kind` on the first port; `replaced` gives other data
+    for some ports. Ports that may stay empty are filled unless `optional` is off.
+    """
+    inputs = {}
+    for number, (port, accepted, can_miss) in enumerate(INPUTS[name]):
+        if replaced and port in replaced:
+            inputs[port] = producer(replaced[port])
+        elif optional or not can_miss:
+            of_kind = kind if kind and number == 0 else accepted[0]
+            inputs[port] = producer(sound(name, port, of_kind))
+    proxy = getattr(servermanager.filters, name)(**inputs)
+    proxy.UpdateVTKObjects()
+    return proxy

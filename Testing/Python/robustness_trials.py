@@ -1,0 +1,119 @@
+"""Trials that may crash, hang or eat memory: each in a forked child, under a clock and a bound.
+
+The parent makes the data and loads the plugin once; a trial costs a fork, some milliseconds.
+"""
+
+import math
+import os
+import resource
+import signal
+import sys
+import time
+import traceback
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_STRING
+
+import numpy
+
+SECONDS, MEGABYTES = 10.0, 1024
+
+
+def run(body, seconds=SECONDS, megabytes=MEGABYTES):
+    """What becomes of body() in a child: (word, sentence, seconds).
+
+    The word is 'done' with what body returned, or 'signal', 'time', 'memory', 'failed'. The bound
+    is on memory beyond what the parent has, by the address space of the child.
+    """
+    read, write = os.pipe()
+    began = time.monotonic()
+    child = os.fork()
+    if child == 0:
+        os.close(read)
+        result, code = "", 0
+        try:
+            with open("/proc/self/statm", encoding="ascii") as pages:
+                used = int(pages.read().split()[0]) * resource.getpagesize()
+            # Threads' stacks and allocator arenas reserve address space that nothing is ever kept
+            # in: room for them beside the bound; the resident set is judged by the parent.
+            room = used + (megabytes << 20) + (4 << 30)
+            resource.setrlimit(resource.RLIMIT_AS, (room, room))
+            resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+            null = os.open(os.devnull, os.O_WRONLY)
+            os.dup2(null, 1)
+            os.dup2(null, 2)
+            signal.alarm(int(seconds) + 1)
+            result = str(body())
+        except BaseException:  # whatever it is, the parent has to hear of it
+            result, code = traceback.format_exc(), 7
+        os.write(write, result.encode("utf-8", "replace")[:30000])
+        os._exit(code)
+    os.close(write)
+    with os.fdopen(read, "rb") as pipe:
+        said = pipe.read().decode("utf-8", "replace")
+    _, status, usage = os.wait4(child, 0)
+    took = time.monotonic() - began
+    if os.WIFSIGNALED(status):
+        number = os.WTERMSIG(status)
+        return ("time" if number == signal.SIGALRM else "signal"), signal.Signals(number).name, took
+    if os.WEXITSTATUS(status) != 0:
+        return "failed", said, took
+    own = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    if usage.ru_maxrss > own + megabytes * 1024:
+        return "memory", f"{usage.ru_maxrss // 1024} MB", took
+    return "done", said, took
+
+
+class Listener:
+    """Keeps the sentences of errors and warnings of an algorithm."""
+
+    def __init__(self, algorithm):
+        self.errors, self.warnings = [], []
+        self._listen(algorithm, "ErrorEvent", self.errors)
+        self._listen(algorithm, "WarningEvent", self.warnings)
+        if hasattr(algorithm, "GetExecutive"):
+            self._listen(algorithm.GetExecutive(), "ErrorEvent", [])
+
+    @staticmethod
+    def _listen(who, event, sentences):
+        def keep(_, __, sentence):
+            sentences.append(sentence)
+
+        keep.CallDataType = VTK_STRING
+        who.AddObserver(event, keep)
+
+
+def leaves(data):
+    """The data sets of `data`, which may be of blocks."""
+    if data is None:
+        return
+    if data.IsA("vtkCompositeDataSet"):
+        iterator = data.NewIterator()
+        iterator.InitTraversal()
+        while not iterator.IsDoneWithTraversal():
+            yield iterator.GetCurrentDataObject()
+            iterator.GoToNextItem()
+    else:
+        yield data
+
+
+def size_of(data):
+    return sum(leaf.GetNumberOfElements(kind) for leaf in leaves(data) for kind in range(7))
+
+
+def not_finite(data):
+    """Names of point arrays (and 'points') of `data` with numbers that are none."""
+    names = set()
+    for leaf in leaves(data):
+        if hasattr(leaf, "GetPoints") and leaf.GetPoints():
+            points = leaf.GetPoints()
+            if points.GetNumberOfPoints() and hasattr(points, "GetData"):
+                if not numpy.isfinite(vtk_to_numpy(points.GetData())).all():
+                    names.add("points")
+        for attributes in (getattr(leaf, "GetPointData", None), getattr(leaf, "GetCellData", None)):
+            for i in range(attributes().GetNumberOfArrays() if attributes else 0):
+                array = attributes().GetArray(i)
+                if array and array.GetNumberOfValues() and not numpy.isfinite(
+                        vtk_to_numpy(array).astype(float)).all():
+                    names.add(array.GetName() or "(unnamed)")
+    return names

@@ -1,0 +1,91 @@
+#!/usr/bin/env bash
+# Everything random, with new seeds, for HOURS: fuzz targets under address and undefined-behaviour
+# checks, damaged surfaces and volumes through every filter, property and composite sweeps.
+# Usage: Testing/soak.sh HOURS [FOLDER]      (FOLDER, default build/soak, keeps seeds and failures)
+#
+# FOLDER/corpus/X   what each fuzz target found worth keeping, taken up again by the next run
+# FOLDER/failed/X   inputs that crash, hang or leak: each becomes a unit test
+# FOLDER/log/X      what each part said; the last lines of this script's output count
+set -uo pipefail
+
+hours=${1:?usage: Testing/soak.sh HOURS [FOLDER]}
+source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build_dir=${ISTHMUS_BUILD_DIR:-$source_dir/build}
+folder=${2:-$build_dir/soak}
+sanitized=${ISTHMUS_SANITIZED_DIR:-$build_dir/Testing/Builds/sanitized}
+seconds=$(awk "BEGIN { printf \"%d\", 3600 * $hours }")
+seed=${ISTHMUS_SOAK_SEED:-$(date +%s)}
+mkdir -p "$folder"/{corpus,failed,log}
+failures=0
+
+targets=()
+while IFS= read -r target; do targets+=("$target"); done < <(
+  find "$sanitized/Testing/Fuzz" -maxdepth 1 -type f -perm -u+x -name 'Fuzz*' 2>/dev/null | sort)
+if [ ${#targets[@]} -eq 0 ]; then
+  echo "no fuzz targets in $sanitized/Testing/Fuzz: build them with 'ctest -R Build.Sanitized', or" \
+    "name a sanitized build in ISTHMUS_SANITIZED_DIR" >&2
+  exit 2
+fi
+
+# Two thirds of the time for the fuzz targets, two at a time; the rest for damaged data.
+share=$((seconds * 2 / 3 * 2 / ${#targets[@]}))
+[ "$share" -gt 0 ] || share=1
+export ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=1:allocator_may_return_null=1}
+
+fuzz() {
+  local name
+  name=$(basename "$1")
+  mkdir -p "$folder/corpus/$name" "$folder/failed/$name"
+  # A crash ends a process, not the soak: it starts again with the next seed until its time is up.
+  local end=$((SECONDS + share)) round=0
+  while [ $SECONDS -lt $end ]; do
+    "$1" "$folder/corpus/$name" -seed=$((seed + round)) -max_total_time=$((end - SECONDS)) \
+      -rss_limit_mb=2048 -timeout=10 -print_final_stats=1 \
+      -artifact_prefix="$folder/failed/$name/" >>"$folder/log/$name" 2>&1
+    round=$((round + 1))
+  done
+}
+
+echo "seed $seed, $hours h, ${#targets[@]} fuzz targets, $share s each"
+: >"$folder/log/seed"
+for target in "${targets[@]}"; do
+  : >"$folder/log/$(basename "$target")"
+  while [ "$(jobs -rp | wc -l)" -ge 2 ]; do wait -n; done
+  fuzz "$target" &
+done
+wait
+
+total=0
+for target in "${targets[@]}"; do
+  name=$(basename "$target")
+  runs=$(awk '/stat::number_of_executed_units/ { n += $2 } END { printf "%d", n }' "$folder/log/$name")
+  bad=$(find "$folder/failed/$name" -type f | wc -l)
+  total=$((total + runs)) failures=$((failures + bad))
+  echo "$name: $runs inputs, $bad kept in $folder/failed/$name"
+done
+echo "all readers and filters: $total inputs"
+
+# Damaged surfaces and volumes through every filter, a new seed a round, until the time is up.
+part() {
+  echo "$1 $2" >>"$folder/log/seed"
+  ISTHMUS_SEED=$2 xvfb-run -a pvpython "$source_dir/Testing/Python/$1.py" "${@:3}" \
+    >>"$folder/log/$1" 2>&1
+}
+export PV_PLUGIN_PATH=${PV_PLUGIN_PATH:-$build_dir/lib/isthmus/plugins}
+export PYTHONPATH=${PYTHONPATH:-$(echo "$build_dir"/lib/python3*/site-packages)}
+export ISTHMUS_PANELS_DIR=$source_dir/Plugin
+end=$((SECONDS + seconds / 3)) round=0
+while [ $SECONDS -lt $end ]; do
+  for script in RandomDamage Reexecution; do
+    if ! part $script $((seed + round)) 200; then
+      failures=$((failures + 1))
+      echo "$script failed with ISTHMUS_SEED=$((seed + round)): see $folder/log/$script"
+    fi
+  done
+  round=$((round + 1))
+done
+grep -h "^soak:" "$folder/log/RandomDamage" "$folder/log/Reexecution" 2>/dev/null |
+  awk '{ surfaces += $3; volumes += $5; runs += $7 } END {
+    print surfaces + 0 " damaged surfaces, " volumes + 0 " damaged volumes, " runs + 0 " runs of filters" }'
+echo "$failures failures"
+[ $failures -eq 0 ]
