@@ -1,8 +1,7 @@
 // Lysozyme (1HEW) on grids of 65^3 to 257^3 over the same cube: CPU and wall time, iterations,
 // bytes a node; the same charges, radii and grid by APBS (two solutions: solvated and reference)
-// and the ratios. The same spheres as TestPoissonBoltzmann by APBS, with the ratio of the errors.
-// CPU time is what a busy machine leaves meaningful. Needs ISTHMUS_DATA_DIR or the default data,
-// and `apbs`.
+// and the ratios. CPU time is what a busy machine leaves meaningful. Needs ISTHMUS_DATA_DIR or the
+// default data, and `apbs`.
 
 #include "ElectrostaticUnits.h"
 #include "MolecularDensity.h"
