@@ -18,6 +18,7 @@ from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
+import find_isthmus  # noqa: F401 (before isthmus)
 import isthmus
 
 # Name, file, dielectric constants of solute, solvent and reference, K, APBS' published kJ/mol.

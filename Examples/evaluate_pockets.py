@@ -17,6 +17,7 @@ from pathlib import Path
 
 import numpy
 
+import find_isthmus  # noqa: F401 (before isthmus)
 import isthmus
 
 SUCCESS = 4.0  # angstrom

@@ -9,6 +9,7 @@ Needs the Python module on PYTHONPATH; without a screen, put xvfb-run -a in fron
 import sys
 from pathlib import Path
 
+import find_isthmus  # noqa: F401 (before isthmus)
 import isthmus
 import vtkmodules.vtkInteractionStyle  # noqa: F401
 import vtkmodules.vtkRenderingFreeType  # noqa: F401

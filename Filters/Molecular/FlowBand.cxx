@@ -41,13 +41,16 @@ void SettleRange(FlowField& field, std::int64_t first, std::int64_t last)
   }
 }
 
+/// Stencils of redistancing reach so far, so that rows and planes at the border are never in a run.
+constexpr std::int64_t Reach = 2;
+
 /// The runs of one plane: its chunks that are near, or next to a node that is.
 void RunsOfPlane(const FlowField& field, std::int64_t plane, std::vector<ChunkRun>& runs)
 {
   const std::int64_t row = field.Grid.Row() / FlowGrid::Chunk;
   const std::int64_t rows = field.Grid.Dimensions()[1];
   const std::int64_t planeChunks = row * rows;
-  for (std::int64_t j = 1; j + 1 < rows; ++j)
+  for (std::int64_t j = Reach; j + Reach < rows; ++j)
   {
     const unsigned char* near = field.Near.data() + planeChunks * plane + row * j;
     for (std::int64_t c = 0; c < row; ++c)
@@ -77,7 +80,7 @@ void GatherRuns(FlowField& field)
 {
   const std::int64_t planes = field.Grid.Dimensions()[2];
   std::vector<std::vector<ChunkRun>> ofPlane(static_cast<std::size_t>(planes));
-  ParallelFor(1, planes - 1, 16,
+  ParallelFor(Reach, planes - Reach, 16,
     [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t k = first; k < last; ++k)

@@ -96,8 +96,12 @@ SurfaceFlowResult ThesisFlow(const std::vector<Ball>& balls,
   }
   result.Rests = rests || !parameters.Steady;
   result.S = InnerValues(field.Grid, field.Distance, -1.0F, Half);
-  std::for_each(
-    field.Distance.begin(), field.Distance.end(), [](float& value) { value *= SpacingsToS; });
+  // Where S is 0 or 1 it tells no distance: such nodes lie beyond the band, the whole margin too.
+  std::for_each(field.Distance.begin(), field.Distance.end(),
+    [](float& value)
+    {
+      value = std::abs(value) < Half ? value * SpacingsToS : std::copysign(FlowGrid::Band, value);
+    });
   field.Next = field.Distance;
   FindBand(field);
   Redistance(field, iterations);
