@@ -171,6 +171,9 @@ def growth(atoms, output):
 
 
 def main(arguments):
+    if {"-h", "--help"} & set(arguments):
+        print(__doc__)
+        return
     options = [word for word in arguments if word in ("--grid", "--growth")]
     arguments = [word for word in arguments if word not in options]
     energies = None

@@ -47,6 +47,9 @@ def show_levels(handles, view):
 
 
 def main(arguments):
+    if {"-h", "--help"} & set(arguments):
+        print(__doc__)
+        return
     if not arguments:
         sys.exit(__doc__)
     picture = arguments[1] if len(arguments) > 1 else "map_handles.png"

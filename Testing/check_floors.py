@@ -6,7 +6,7 @@
 An arrow leads from a file to a header it includes. Between rooms, arrows lead to lower floors only;
 within a room they never run in a circle, a concept (X.h and X.cxx) counting as one place. Readers
 use Filters/Support alone of all Filters. Every source stands in its room's sources.cmake, and every
-name there is a file. Prints what is wrong, a line each, and ends with 1 then.
+name there is a file. No two headers define a class of one name: the linker would take either. Prints what is wrong, a line each, and ends with 1 then.
 """
 import collections
 import pathlib
@@ -98,6 +98,25 @@ def check_sources(root, rooms):
     return complaints
 
 
+def classes_of(path):
+    """Names of the classes that a header defines in the namespace itself, not within another."""
+    text = re.sub(r"//[^\n]*|/\*.*?\*/", "", path.read_text(), flags=re.DOTALL)
+    found = re.finditer(r"\b(?:struct|class)\s+(?:VTKISTHMUS_EXPORT\s+)?(\w+)\s*(?:final\s*)?"
+                        r"(?::[^;{()]*)?\{", text)
+    return [match.group(1) for match in found
+            if text[:match.start()].count("{") - text[:match.start()].count("}") == 1]
+
+
+def check_names(headers):
+    """Complaints about classes that two headers define, each of them in namespace isthmus."""
+    places = collections.defaultdict(set)
+    for path in headers:
+        for name in classes_of(path):
+            places[name].add(path.name)
+    return [f"class {name} is defined in " + " and in ".join(sorted(names))
+            for name, names in sorted(places.items()) if len(names) > 1]
+
+
 def check(root):
     """All complaints about the tree under `root`, and how many arrows were looked at."""
     floors = floors_of_rooms()
@@ -126,6 +145,7 @@ def check(root):
             if path.stem != pathlib.Path(name).stem:
                 graph[f"{room}/{path.stem}"].add(f"{other}/{pathlib.Path(name).stem}")
     complaints += ["a circle of includes: " + ", ".join(circle) for circle in circles(graph)]
+    complaints += check_names(path for _, path in by_name.values() if path.suffix == ".h")
     return complaints + check_sources(root, rooms), arrows
 
 

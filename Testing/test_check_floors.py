@@ -67,6 +67,12 @@ class CheckFloors(unittest.TestCase):
         self.write("Filters/Meshing/sources.cmake", SOURCES.format(names="Mesher\n    Gone"))
         self.assert_complains("names Gone")
 
+    def test_two_classes_of_one_name(self):
+        self.write("Filters/Support/View.h", "namespace isthmus\n{\nstruct Box\n{\n};\n}\n")
+        self.write("Filters/Meshing/Mesher.h",
+                   '#include "View.h"\nnamespace isthmus\n{\nclass Box : public View\n{\n};\n}\n')
+        self.assert_complains("class Box is defined in Mesher.h and in View.h")
+
     def test_two_headers_of_one_name(self):
         self.write("Filters/Support/Mesher.h")
         self.assert_complains("Mesher.h is in")

@@ -73,7 +73,7 @@ std::int64_t StrideFor(double spacing, double length)
 }
 
 /// One face of the range: `axis` is fixed at node `at`, outwards by `sign`.
-void AddFace(const SolverBox& box, const std::vector<double>& u, const NodeRange& range,
+void AddFace(const SolverBox& box, const std::vector<double>& u, const BoxNodes& range,
   const PotentialFunction& base, std::size_t axis, bool upper, std::vector<Radiator>& all)
 {
   const std::size_t b = (axis + 1) % 3;
@@ -214,7 +214,7 @@ PotentialFunction SingleDebyeHueckel(const std::vector<ChargedAtom>& atoms, doub
 }
 
 PotentialFunction RadiatedPotential(const SolverBox& box, const std::vector<double>& u,
-  const NodeRange& range, double kappa, PotentialFunction base)
+  const BoxNodes& range, double kappa, PotentialFunction base)
 {
   auto sources = std::make_shared<std::vector<Radiator>>();
   for (std::size_t axis = 0; axis < 3; ++axis)

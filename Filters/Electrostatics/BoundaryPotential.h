@@ -27,7 +27,7 @@ VTKISTHMUS_EXPORT PotentialFunction SingleDebyeHueckel(const std::vector<Charged
   double coulombLength, double solventDielectric, double kappa);
 
 /// Nodes first and last along each axis.
-struct NodeRange
+struct BoxNodes
 {
   std::array<std::int64_t, 3> First, Last;
 };
@@ -42,7 +42,7 @@ struct NodeRange
  * keep two nodes from the border and lie where the equation is linear, in the solvent.
  */
 VTKISTHMUS_EXPORT PotentialFunction RadiatedPotential(const SolverBox& box,
-  const std::vector<double>& u, const NodeRange& range, double kappa, PotentialFunction base);
+  const std::vector<double>& u, const BoxNodes& range, double kappa, PotentialFunction base);
 
 /// Sets the border nodes of u to f. With `sampled`, f is called at every 3 angstrom or so only,
 /// also a little beyond the border, and interpolated by cubics: f must be smooth there.

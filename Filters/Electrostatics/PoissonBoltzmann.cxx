@@ -21,10 +21,10 @@ void Require(bool holds, const char* name, double value, const char* what)
 }
 
 /// First and last nodes of the volume inside the level.
-NodeRange RangeOfLevel(const LevelFunction& level)
+BoxNodes RangeOfLevel(const LevelFunction& level)
 {
   const auto& n = level.Dimensions();
-  NodeRange range{ { n[0], n[1], n[2] }, { -1, -1, -1 } };
+  BoxNodes range{ { n[0], n[1], n[2] }, { -1, -1, -1 } };
   for (std::int64_t k = 0; k < n[2]; ++k)
   {
     for (std::int64_t j = 0; j < n[1]; ++j)
@@ -47,9 +47,9 @@ NodeRange RangeOfLevel(const LevelFunction& level)
 }
 
 /// A box between the surface and the border: in the middle, two nodes off either.
-NodeRange BetweenSurfaceAndBorder(const NodeRange& inside, const SolverBox& box)
+BoxNodes BetweenSurfaceAndBorder(const BoxNodes& inside, const SolverBox& box)
 {
-  NodeRange range;
+  BoxNodes range;
   for (std::size_t a = 0; a < 3; ++a)
   {
     const std::int64_t end = box.Dimensions[a] - 1;
@@ -97,7 +97,7 @@ PotentialFunction SelfConsistentBorder(const LevelFunction& level, const SolverB
   rough.Tolerance = std::max(parameters.Tolerance, 1e-4);
   PotentialOnBox problem(level, coarse, atoms, rough, ions, Between(progress, 0.0, 0.3));
   const PotentialFunction base = DebyeHueckel(atoms, parameters, problem.Kappa());
-  const NodeRange range = BetweenSurfaceAndBorder(problem.RangeInside(), coarse);
+  const BoxNodes range = BetweenSurfaceAndBorder(problem.RangeInside(), coarse);
   PotentialFunction border = base;
   constexpr int rounds = 2;
   for (int round = 0; round < rounds; ++round)
@@ -133,7 +133,7 @@ void CheckParameters(const PoissonBoltzmannParameters& p)
 SolverBox BoxAround(const LevelFunction& level, double padding)
 {
   const auto& n = level.Dimensions();
-  const NodeRange inside = RangeOfLevel(level);
+  const BoxNodes inside = RangeOfLevel(level);
   if (inside.Last[0] < 0)
   {
     throw std::invalid_argument("No node is inside the surface: choose another IsoValue, switch "

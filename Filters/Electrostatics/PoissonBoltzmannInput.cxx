@@ -171,10 +171,9 @@ AtomInput AtomsOf(vtkAlgorithm* filter, vtkPointSet* points, bool radiiNeeded)
   return input;
 }
 
-vtkDataArray* SurfaceScalars(vtkAlgorithm* filter, vtkImageData* image)
+vtkDataArray* SurfaceScalars(vtkImageData* image)
 {
-  vtkDataArray* scalars = NamedArray(filter, 2, image);
-  scalars = scalars ? scalars : image->GetPointData()->GetScalars();
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
   if (!scalars && image->GetPointData()->GetNumberOfArrays() == 1)
   {
     scalars = image->GetPointData()->GetArray(0);
@@ -183,7 +182,7 @@ vtkDataArray* SurfaceScalars(vtkAlgorithm* filter, vtkImageData* image)
   {
     throw std::invalid_argument("The volume on input 1 has no active point scalars whose level "
                                 "would be the surface; it has:" +
-      ArraysOf(image) + ". Choose one of these.");
+      ArraysOf(image) + ". Make one of these active.");
   }
   RequireOneComponent(scalars, "the surface's scalars");
   return scalars;
@@ -212,8 +211,8 @@ void PlaceOnGrid(const SoluteVolume& volume, std::vector<ChargedAtom>& atoms)
   }
 }
 
-void SetPotentialInput(vtkAlgorithm* filter, vtkImageData* potential, vtkImageData* grid,
-  PoissonBoltzmannParameters& parameters)
+void SetPotentialInput(
+  vtkImageData* potential, vtkImageData* grid, PoissonBoltzmannParameters& parameters)
 {
   const bool border = parameters.Condition == BoundaryCondition::Given;
   if (!potential || potential->GetNumberOfPoints() == 0)
@@ -225,7 +224,7 @@ void SetPotentialInput(vtkAlgorithm* filter, vtkImageData* potential, vtkImageDa
     }
     return;
   }
-  vtkDataArray* values = NamedArray(filter, 3, potential);
+  vtkDataArray* values = potential->GetPointData()->GetArray("Potential");
   values = values ? values : potential->GetPointData()->GetScalars();
   if (!values)
   {

@@ -31,15 +31,15 @@ struct AtomInput
 /// needed). Throws std::invalid_argument for what the filter's documentation lists.
 AtomInput AtomsOf(vtkAlgorithm* filter, vtkPointSet* points, bool radiiNeeded);
 
-/// The array of input 1 that the filter's input array 2 names, or the active scalars.
-vtkDataArray* SurfaceScalars(vtkAlgorithm* filter, vtkImageData* image);
+/// The active scalars of input 1, or its only array.
+vtkDataArray* SurfaceScalars(vtkImageData* image);
 
 /// Moves the atoms into the frame of the grid. Throws where a charge is not inside the surface.
 void PlaceOnGrid(const SoluteVolume& volume, std::vector<ChargedAtom>& atoms);
 
 /// Makes `potential` (may be null) the border's values, or the start, of the parameters.
-void SetPotentialInput(vtkAlgorithm* filter, vtkImageData* potential, vtkImageData* grid,
-  PoissonBoltzmannParameters& parameters);
+void SetPotentialInput(
+  vtkImageData* potential, vtkImageData* grid, PoissonBoltzmannParameters& parameters);
 
 /// Throws std::runtime_error, with the size, where the machine has not enough memory for the box.
 void RequireMemory(const SolverBox& box);

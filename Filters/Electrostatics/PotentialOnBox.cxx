@@ -390,10 +390,10 @@ void PotentialOnBox::Release()
   this->Access = {};
 }
 
-NodeRange PotentialOnBox::RangeInside() const
+BoxNodes PotentialOnBox::RangeInside() const
 {
   const auto& n = this->Box.Dimensions;
-  NodeRange range{ { n[0], n[1], n[2] }, { -1, -1, -1 } };
+  BoxNodes range{ { n[0], n[1], n[2] }, { -1, -1, -1 } };
   for (std::size_t node = 0; node < this->Inside.size(); ++node)
   {
     if (this->Inside[node])

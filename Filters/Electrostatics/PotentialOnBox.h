@@ -54,7 +54,7 @@ public:
   const PoissonBoltzmannReport& GetReport() const { return this->Report; }
   double Kappa() const;
   /// First and last nodes inside the surface; Last < First where there are none.
-  NodeRange RangeInside() const;
+  BoxNodes RangeInside() const;
 
 private:
   void EvaluateCharges(const ProgressCallback& progress);

@@ -36,8 +36,7 @@ vtkPoissonBoltzmann::vtkPoissonBoltzmann()
   const int points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   this->SetInputArrayToProcess(0, 0, 0, points, "Charge");
   this->SetInputArrayToProcess(1, 0, 0, points, "Radius");
-  this->SetInputArrayToProcess(2, 1, 0, points, vtkDataSetAttributes::SCALARS);
-  this->SetInputArrayToProcess(3, 2, 0, points, "Potential");
+  // None for the other ports: ParaView 5.11 aborts on arrays to process there.
 }
 
 vtkPoissonBoltzmann::~vtkPoissonBoltzmann() = default;
@@ -254,13 +253,12 @@ void vtkPoissonBoltzmann::Solve(
   }
   const isthmus::GridWish wish{ this->Spacing, this->Padding };
   isthmus::SoluteVolume volume = image
-    ? isthmus::VolumeOfImage(image, isthmus::SurfaceScalars(this, image), this->IsoValue,
+    ? isthmus::VolumeOfImage(image, isthmus::SurfaceScalars(image), this->IsoValue,
         this->InsideIsHigher != 0, isthmus::Between(progress, 0.0, 0.05))
     : polygons ? isthmus::VolumeOfSurface(polygons, wish, isthmus::Between(progress, 0.0, 0.05))
                : isthmus::VolumeOfAtoms(atoms.Atoms, wish, isthmus::Between(progress, 0.0, 0.05));
   isthmus::PlaceOnGrid(volume, atoms.Atoms);
-  isthmus::SetPotentialInput(
-    this, vtkImageData::GetData(inputVector[2], 0), volume.Grid, parameters);
+  isthmus::SetPotentialInput(vtkImageData::GetData(inputVector[2], 0), volume.Grid, parameters);
   const double padding =
     parameters.Condition == isthmus::BoundaryCondition::Given ? 0.0 : parameters.Padding;
   const isthmus::SolverBox box = isthmus::BoxAround(volume.Level, padding);

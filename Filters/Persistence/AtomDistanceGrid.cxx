@@ -44,9 +44,9 @@ void Check(const std::vector<Point3>& atoms, const std::vector<double>& scales,
   }
 }
 
-DistanceGrid GridAround(const std::vector<Point3>& atoms, double reach, double spacing)
+AtomDistances GridAround(const std::vector<Point3>& atoms, double reach, double spacing)
 {
-  DistanceGrid grid;
+  AtomDistances grid;
   grid.Spacing = spacing;
   double nodes = 1.0;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -68,7 +68,7 @@ DistanceGrid GridAround(const std::vector<Point3>& atoms, double reach, double s
 }
 
 /// Lowers the nodes within `reach` of an atom to their distance over `scale`.
-void PutAtom(const Point3& atom, double scale, double reach, DistanceGrid& grid)
+void PutAtom(const Point3& atom, double scale, double reach, AtomDistances& grid)
 {
   std::array<std::int64_t, 3> low{};
   std::array<std::int64_t, 3> high{};
@@ -98,9 +98,9 @@ void PutAtom(const Point3& atom, double scale, double reach, DistanceGrid& grid)
 }
 
 /// Fast marching from the nodes round the atoms of one type, whose distances are exact.
-void MarchType(const std::vector<Point3>& atoms, double scale, double theta, DistanceGrid& grid)
+void MarchType(const std::vector<Point3>& atoms, double scale, double theta, AtomDistances& grid)
 {
-  DistanceGrid own = grid;
+  AtomDistances own = grid;
   const auto far = static_cast<float>(theta);
   std::fill(own.Values.begin(), own.Values.end(), far);
   for (const Point3& atom : atoms)
@@ -122,7 +122,7 @@ void MarchType(const std::vector<Point3>& atoms, double scale, double theta, Dis
 
 }
 
-DistanceGrid AtomDistance(const std::vector<Point3>& atoms, const std::vector<double>& scales,
+AtomDistances AtomDistance(const std::vector<Point3>& atoms, const std::vector<double>& scales,
   const GridDistanceParameters& parameters, const ProgressCallback& progress)
 {
   Check(atoms, scales, parameters);
@@ -132,7 +132,7 @@ DistanceGrid AtomDistance(const std::vector<Point3>& atoms, const std::vector<do
   }
   const double largest = scales.empty() ? 1.0 : *std::max_element(scales.begin(), scales.end());
   const double theta = parameters.Theta;
-  DistanceGrid grid = GridAround(atoms, theta * largest + parameters.Spacing, parameters.Spacing);
+  AtomDistances grid = GridAround(atoms, theta * largest + parameters.Spacing, parameters.Spacing);
   grid.Values.assign(
     static_cast<std::size_t>(grid.Dimensions[0] * grid.Dimensions[1] * grid.Dimensions[2]),
     static_cast<float>(theta));

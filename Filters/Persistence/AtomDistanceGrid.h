@@ -15,7 +15,7 @@ namespace isthmus
 {
 
 /// Values at nodes, x fastest, cut at the greatest distance asked for.
-struct DistanceGrid
+struct AtomDistances
 {
   std::array<std::int64_t, 3> Dimensions{ 0, 0, 0 };
   Point3 Origin{};
@@ -26,7 +26,7 @@ struct DistanceGrid
 /// See GridBars (FullereneStability.h). The grid reaches Theta beyond the outermost atom. Cost:
 /// with exact distances some (Theta / Spacing)^3 steps an atom, with fast marching O(nodes log
 /// nodes) a type; 4 to 13 bytes a node. The same on any number of threads.
-VTKISTHMUS_EXPORT DistanceGrid AtomDistance(const std::vector<Point3>& atoms,
+VTKISTHMUS_EXPORT AtomDistances AtomDistance(const std::vector<Point3>& atoms,
   const std::vector<double>& scales, const GridDistanceParameters& parameters,
   const ProgressCallback& progress = {});
 

@@ -170,7 +170,7 @@ std::vector<DistanceBar> GridBars(const std::vector<Point3>& atoms,
   const std::vector<double>& scales, const GridDistanceParameters& parameters,
   const ProgressCallback& progress)
 {
-  const DistanceGrid grid = AtomDistance(atoms, scales, parameters, Between(progress, 0.0, 0.5));
+  const AtomDistances grid = AtomDistance(atoms, scales, parameters, Between(progress, 0.0, 0.5));
   const VolumeView volume(grid.Values.data(), grid.Dimensions);
   std::vector<DistanceBar> bars;
   for (const CubicalPair& pair : CubicalPersistence(volume, {}, Between(progress, 0.5, 1.0)).Pairs)

@@ -38,7 +38,7 @@ def takes(algorithm, port, data):
 
 def attack(name, kind, case, data):
     """Runs a filter with `data` on each input that takes it; what it complained."""
-    algorithm, complaints = kind(), []
+    algorithm, complaints, warnings = kind(), [], []
 
     def complain(_, event, sentence):
         complaints.append(sentence)
@@ -46,7 +46,7 @@ def attack(name, kind, case, data):
     complain.CallDataType = VTK_STRING
     algorithm.AddObserver("ErrorEvent", complain)
     algorithm.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
-    algorithm.AddObserver("WarningEvent", lambda *_: None)
+    algorithm.AddObserver("WarningEvent", lambda *_: warnings.append(1))
     ports = [p for p in range(algorithm.GetNumberOfInputPorts()) if takes(algorithm, p, data)]
     if 0 not in ports:
         return None
@@ -60,7 +60,8 @@ def attack(name, kind, case, data):
         assert all(len(sentence) > 40 for sentence in complaints), (name, case, complaints)
     else:
         hopeless = case in HOPELESS and name not in WITHOUT_GEOMETRY
-        assert not hopeless or size == 0, f"{name}, {case}: {size} points and no word"
+        # The mesher leaves out what is hopeless and says so in a warning.
+        assert not hopeless or size == 0 or warnings, f"{name}, {case}: {size} points and no word"
     return complaints
 
 

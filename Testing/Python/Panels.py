@@ -6,9 +6,12 @@ from pathlib import Path
 
 from paraview import servermanager, simple  # noqa: F401 (simple opens the session)
 
-# Optional inputs that are options, not ways of use. HessianCurvature's is for scripts of before.
-OPTIONAL = {("HessianCurvature", "Surface"), ("ChokingLoops", "Mesh"),
-            ("SurfaceToGrid", "Grid")}
+# Optional inputs that are options, not ways of use. HessianCurvature's is for scripts of before;
+# BindingSites and PoissonBoltzmann have a second entry each, with the input required.
+OPTIONAL = {("HessianCurvature", "Surface"), ("ChokingLoops", "Mesh"), ("SurfaceToGrid", "Grid"),
+            ("BindingSites", "Atoms"), ("PoissonBoltzmann", "Surface"),
+            ("PoissonBoltzmann", "PotentialInput"), ("PoissonBoltzmannOnSurface", "PotentialInput"),
+            ("MolecularPockets", "Surface"), ("FeatureTracks", "Lining")}
 NUMERIC = ("IntVectorProperty", "DoubleVectorProperty", "IdTypeVectorProperty")
 
 

@@ -9,7 +9,7 @@ from paraview.simple import PVTrivialProducer
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
-    VTK_TETRA, vtkCellArray, vtkImageData, vtkPolyData, vtkUnstructuredGrid)
+    VTK_TETRA, vtkCellArray, vtkImageData, vtkMolecule, vtkPolyData, vtkTable, vtkUnstructuredGrid)
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkDelaunay3D, vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
@@ -22,24 +22,30 @@ def panels():
 
 
 def ports_of_filters():
-    """{proxy: [(input property, accepted types, is optional), ...]} of group 'filters'."""
-    found = {}
+    """{proxy: [(input property, accepted types, is optional), ...]} of group 'filters'; a proxy with a
+    base has the ports of that, some of them its own way."""
+    found, bases = {}, {}
     for root in panels():
         for group in root.iter("ProxyGroup"):
             for proxy in group.iter("SourceProxy"):
                 if group.get("name") != "filters":
                     continue
+                bases[proxy.get("name")] = proxy.get("base_proxyname")
                 found[proxy.get("name")] = [
                     (port.get("name"), [kind.get("value") for kind in port.find("DataTypeDomain").findall("DataType")],
                      port.find("Hints/Optional") is not None)
                     for port in proxy.findall("InputProperty")]
+    for name, base in bases.items():
+        own = {port[0]: port for port in found[name]}
+        if base:
+            found[name] = [own.get(port[0], port) for port in found[base]]
     return found
 
 
 def add(data, name, values, components=1):
     array = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
     array.SetName(name)
-    data.AddArray(array)
+    (data.AddColumn if hasattr(data, "AddColumn") else data.AddArray)(array)
 
 
 def surface():
@@ -112,7 +118,23 @@ def tetrahedra():
     return result
 
 
-MAKERS = {"vtkPolyData": surface, "vtkPointSet": surface, "vtkImageData": image,
+def features():
+    """Three places, as filters that rank features give them."""
+    result = vtkTable()
+    for name in ("CenterX", "CenterY", "CenterZ", "Radius", "Score"):
+        add(result, name, numpy.array([1.0, 5.0, 9.0]))
+    return result
+
+
+def molecule():
+    """Three carbon atoms in a row."""
+    result = vtkMolecule()
+    for x in (0.0, 1.5, 3.0):
+        result.AppendAtom(6, x, 0.0, 0.0)
+    return result
+
+
+MAKERS = {"vtkTable": features, "vtkMolecule": molecule, "vtkPolyData": surface, "vtkPointSet": surface, "vtkImageData": image,
           "vtkUnstructuredGrid": tetrahedra, "vtkDataSet": surface, "vtkDataObject": surface}
 # Ports whose type does not tell what they want.
 SPECIAL = {("LoopShortening", "Input"): loop}
