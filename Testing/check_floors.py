@@ -6,7 +6,7 @@
 An arrow leads from a file to a header it includes. Between rooms, arrows lead to lower floors only;
 within a room they never run in a circle, a concept (X.h and X.cxx) counting as one place. Readers
 use Filters/Support alone of all Filters. Every source stands in its room's sources.cmake, and every
-name there is a file. No two headers define a class of one name: the linker would take either. Prints what is wrong, a line each, and ends with 1 then.
+name there is a file. Headers vtkX.h, which are installed, include no others. No two headers define a class of one name: the linker would take either. Prints what is wrong, a line each, and ends with 1 then.
 """
 import collections
 import pathlib
@@ -140,6 +140,8 @@ def check(root):
                 continue
             arrows += 1
             other = by_name[name][0]
+            if re.match(r"vtk.*\.h$", path.name) and not name.startswith("vtk"):
+                complaints.append(f"{room}/{path.name} includes {name}, which is not installed")
             if not may_use(room, other, floors):
                 complaints.append(f"{room}/{path.name} includes {name} of {other}: not a lower floor")
             if path.stem != pathlib.Path(name).stem:

@@ -67,6 +67,10 @@ class CheckFloors(unittest.TestCase):
         self.write("Filters/Meshing/sources.cmake", SOURCES.format(names="Mesher\n    Gone"))
         self.assert_complains("names Gone")
 
+    def test_installed_header_that_includes_another(self):
+        self.write("Filters/Meshing/vtkMesher.h", '#include "View.h"\n')
+        self.assert_complains("vtkMesher.h includes View.h, which is not installed")
+
     def test_two_classes_of_one_name(self):
         self.write("Filters/Support/View.h", "namespace isthmus\n{\nstruct Box\n{\n};\n}\n")
         self.write("Filters/Meshing/Mesher.h",

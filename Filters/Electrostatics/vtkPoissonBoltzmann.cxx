@@ -1,6 +1,7 @@
 #include "vtkPoissonBoltzmann.h"
 
 #include "AlgorithmGuard.h"
+#include "PipelineInputs.h"
 #include "PoissonBoltzmann.h"
 #include "PoissonBoltzmannInput.h"
 #include "PoissonBoltzmannOutput.h"
@@ -30,6 +31,7 @@ struct vtkPoissonBoltzmann::Salt
 
 vtkPoissonBoltzmann::vtkPoissonBoltzmann()
   : Ions(std::make_unique<Salt>())
+  , Advance(std::make_unique<isthmus::InputInAdvance>(this))
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
@@ -141,7 +143,7 @@ int vtkPoissonBoltzmann::RequestInformation(
   }
   // The extent of the grid has to be told now, and it is that of surface or atoms: so make them.
   const int port = vtkPolyData::GetData(info) ? 1 : 0;
-  this->GetInputAlgorithm(port, 0)->Update(this->GetInputConnection(port, 0)->GetIndex());
+  this->Advance->Update(port);
   vtkNew<vtkImageData> grid;
   grid->SetExtent(0, -1, 0, -1, 0, -1);
   const int result = isthmus::Guarded(this, grid,

@@ -68,6 +68,11 @@ struct PoissonBoltzmannParameters;
 struct SoluteVolume;
 }
 
+namespace isthmus
+{
+class InputInAdvance;
+}
+
 class VTKISTHMUS_EXPORT vtkPoissonBoltzmann : public vtkImageAlgorithm
 {
 public:
@@ -230,6 +235,7 @@ private:
 
   struct Salt;
   std::unique_ptr<Salt> Ions;
+  std::unique_ptr<isthmus::InputInAdvance> Advance;
 };
 
 #endif

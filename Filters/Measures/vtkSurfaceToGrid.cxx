@@ -7,6 +7,7 @@
 #include "ImageExtent.h"
 #include "ImageScalars.h"
 #include "LevelCrossings.h"
+#include "PipelineInputs.h"
 #include "PolyDataTriangles.h"
 #include "RangeGuard.h"
 #include "SurfaceCrossings.h"
@@ -41,12 +42,15 @@ constexpr double MostNodesAlongAnAxis = 2147483000.0;
 }
 
 vtkSurfaceToGrid::vtkSurfaceToGrid()
+  : Advance(std::make_unique<isthmus::InputInAdvance>(this))
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
+
+vtkSurfaceToGrid::~vtkSurfaceToGrid() = default;
 
 int vtkSurfaceToGrid::FillInputPortInformation(int port, vtkInformation* info)
 {
@@ -121,7 +125,7 @@ int vtkSurfaceToGrid::RequestInformation(
     return 1;
   }
   // The extent of the grid has to be told now, and it is that of the surface: so make the surface.
-  this->Advance.Update();
+  this->Advance->Update();
   const auto surface =
     isthmus::WholeSurface(vtkPolyData::GetData(info), isthmus::WholeOn::EachRank);
   vtkNew<vtkImageData> grid;

@@ -37,9 +37,10 @@
 #ifndef vtkSurfaceToGrid_h
 #define vtkSurfaceToGrid_h
 
-#include "PipelineInputs.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusModule.h" // for the export macro
+
+#include <memory> // for what it asks of its input
 
 class vtkPolyData;
 
@@ -50,6 +51,11 @@ namespace isthmus
 {
 struct GridShape;
 struct SurfaceView;
+}
+
+namespace isthmus
+{
+class InputInAdvance;
 }
 
 class VTKISTHMUS_EXPORT vtkSurfaceToGrid : public vtkImageAlgorithm
@@ -128,7 +134,7 @@ public:
 
 protected:
   vtkSurfaceToGrid();
-  ~vtkSurfaceToGrid() override = default;
+  ~vtkSurfaceToGrid() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
@@ -159,7 +165,7 @@ private:
   void FromSurface(vtkPolyData* surface, vtkImageData* output, vtkPolyData* crossings);
   void FromImage(vtkImageData* image, vtkImageData* output, vtkPolyData* crossings);
 
-  isthmus::InputInAdvance Advance{ this };
+  std::unique_ptr<isthmus::InputInAdvance> Advance;
 };
 
 #endif

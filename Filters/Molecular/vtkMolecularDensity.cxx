@@ -2,6 +2,7 @@
 
 #include "AlgorithmGuard.h"
 #include "MolecularDensity.h"
+#include "PipelineInputs.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -130,9 +131,12 @@ vtkFloatArray* AddDensity(vtkImageData* image, const DensityGrid& grid)
 }
 
 vtkMolecularDensity::vtkMolecularDensity()
+  : Advance(std::make_unique<isthmus::InputInAdvance>(this))
 {
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Radius");
 }
+
+vtkMolecularDensity::~vtkMolecularDensity() = default;
 
 int vtkMolecularDensity::FillInputPortInformation(int, vtkInformation* info)
 {
@@ -144,7 +148,7 @@ int vtkMolecularDensity::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   // The extent of the grid has to be told now, and it is that of the atoms: so make the atoms.
-  this->Advance.Update();
+  this->Advance->Update();
   vtkPointSet* input = vtkPointSet::GetData(inputVector[0], 0);
   vtkNew<vtkImageData> image;
   image->SetExtent(0, -1, 0, -1, 0, -1);

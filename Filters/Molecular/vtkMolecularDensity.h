@@ -32,11 +32,17 @@
 #ifndef vtkMolecularDensity_h
 #define vtkMolecularDensity_h
 
-#include "PipelineInputs.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusModule.h" // for the export macro
 
+#include <memory> // for what it asks of its input
+
 class vtkPointSet;
+
+namespace isthmus
+{
+class InputInAdvance;
+}
 
 class VTKISTHMUS_EXPORT vtkMolecularDensity : public vtkImageAlgorithm
 {
@@ -84,7 +90,7 @@ public:
 
 protected:
   vtkMolecularDensity();
-  ~vtkMolecularDensity() override = default;
+  ~vtkMolecularDensity() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
@@ -103,7 +109,7 @@ private:
   double Decay = 2.3;
   double Spacing = 0.5;
   double Padding[3] = { 3.0, 3.0, 3.0 };
-  isthmus::InputInAdvance Advance{ this };
+  std::unique_ptr<isthmus::InputInAdvance> Advance;
 };
 
 #endif

@@ -4,6 +4,7 @@
 #include "AtomBalls.h"
 #include "DispersionAtoms.h"
 #include "FlowSurfaceOutput.h"
+#include "PipelineInputs.h"
 #include "SolventExcludedSurface.h"
 #include "SurfaceFlow.h"
 #include "ThesisFlow.h"
@@ -179,10 +180,13 @@ void vtkMolecularFlowSurface::Internals::Surface(
 }
 
 vtkMolecularFlowSurface::vtkMolecularFlowSurface()
+  : Advance(std::make_unique<isthmus::InputInAdvance>(this))
 {
   this->SetNumberOfOutputPorts(3);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Radius");
 }
+
+vtkMolecularFlowSurface::~vtkMolecularFlowSurface() = default;
 
 vtkImageData* vtkMolecularFlowSurface::GetImage()
 {
@@ -213,7 +217,7 @@ int vtkMolecularFlowSurface::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   // The extent of the image has to be told now, and it is that of the atoms: so make the atoms.
-  this->GetInputAlgorithm(0, 0)->Update(this->GetInputConnection(0, 0)->GetIndex());
+  this->Advance->Update();
   vtkNew<vtkImageData> image;
   image->SetExtent(0, -1, 0, -1, 0, -1);
   try

@@ -42,8 +42,15 @@
 #include "vtkIsthmusModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // for what it asks of its input
+
 class vtkImageData;
 class vtkTable;
+
+namespace isthmus
+{
+class InputInAdvance;
+}
 
 class VTKISTHMUS_EXPORT vtkMolecularFlowSurface : public vtkPolyDataAlgorithm
 {
@@ -169,7 +176,7 @@ public:
 
 protected:
   vtkMolecularFlowSurface();
-  ~vtkMolecularFlowSurface() override = default;
+  ~vtkMolecularFlowSurface() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
@@ -200,6 +207,7 @@ private:
   double SurfaceTension = 0.0700;
   double Pressure = 0.0464;
   bool DelaunayQuality = false;
+  std::unique_ptr<isthmus::InputInAdvance> Advance;
 };
 
 #endif

@@ -67,11 +67,12 @@ InputInAdvance::InputInAdvance(vtkAlgorithm* self)
   self->AddObserver(vtkCommand::EndEvent, observer);
 }
 
-void InputInAdvance::Update()
+void InputInAdvance::Update(int port)
 {
   if (this->Executing == 0)
   {
-    this->Self->GetInputAlgorithm(0, 0)->Update(this->Self->GetInputConnection(0, 0)->GetIndex());
+    this->Self->GetInputAlgorithm(port, 0)->Update(
+      this->Self->GetInputConnection(port, 0)->GetIndex());
   }
 }
 

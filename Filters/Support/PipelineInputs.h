@@ -20,12 +20,12 @@ namespace isthmus
 VTKISTHMUS_EXPORT void DemandInputs(vtkAlgorithm* self);
 
 /**
- * For a filter whose RequestInformation needs the data of its first input: makes them, but not
+ * For a filter whose RequestInformation needs the data of an input: makes them, but not
  * while the filter itself is being executed. VTK asks for the information of each block of
  * composite data in the middle of an execution; an update there runs the source again onto the
  * block, and ends the program.
  *
- * A member of the filter, made with it.
+ * A member of the filter, made with it; by pointer, since the filter's header is installed.
  */
 class VTKISTHMUS_EXPORT InputInAdvance
 {
@@ -34,7 +34,7 @@ public:
   InputInAdvance(const InputInAdvance&) = delete;
   InputInAdvance& operator=(const InputInAdvance&) = delete;
 
-  void Update();
+  void Update(int port = 0);
 
 private:
   vtkAlgorithm* Self;

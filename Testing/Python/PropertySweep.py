@@ -18,6 +18,7 @@ MAY_BE_NAN = {"Death", "Persistence", "Potential"}
 # Values that ask for long work by their very meaning, within the documented range, with the reason;
 # all of them can be stopped.
 LEFT_OUT = {
+    ("MolecularFlowSurface", "Spacing", 0.1): "three million nodes for a ball of 5 angstrom",
     ("OffsetSurface", "Resolution", 512): "512^3 nodes are 1 GB",
     ("PDETransform", "LastOrder", 3): "order 8 takes some 10^5 evaluations for a wavelength of 20",
     ("PDETransform", "NumberOfModes", 16): "wavelengths that grow sixteen times over",
