@@ -69,9 +69,21 @@ RegularFiltration Enlarged(const std::vector<Ball>& atoms, const ProgressCallbac
   return MakeRegularFiltration(std::move(centres), std::move(radii), progress);
 }
 
-/// The way at equal distances.
+/// The way at equal distances. Throws where that takes more planes than anybody waits for.
 std::vector<Point3> Resample(const std::vector<Point3>& way, double spacing)
 {
+  constexpr double mostPlanes = 1e5;
+  double whole = 0.0;
+  for (std::size_t i = 0; i + 1 < way.size(); ++i)
+  {
+    whole += Length(way[i + 1] - way[i]);
+  }
+  if (!(whole / spacing <= mostPlanes))
+  {
+    throw std::invalid_argument("A pore here is " + std::to_string(whole) +
+      " angstrom long, which takes more than 100000 planes at this Spacing: raise it, or check the "
+      "unit of the atoms' coordinates.");
+  }
   std::vector<Point3> points{ way.front() };
   double rest = spacing;
   for (std::size_t i = 0; i + 1 < way.size(); ++i)

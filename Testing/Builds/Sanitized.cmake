@@ -9,7 +9,10 @@ build_plain("${folder}" -DISTHMUS_WERROR=OFF -DISTHMUS_TESTING=ON -DISTHMUS_FUZZ
 # Left out: tests of seconds that become minutes here, of code that shorter ones reach as well.
 set(long_tests "SuperStepsReachTheEnd|TimeOrderIsTwo|FourierModesDecay|IsosurfacesOfNoise"
   "|EverySharedSurfaceIsFilled|HasItsLoops/(129110|65004)|StrutsOfABuckyball|Runs/Stability"
-  "|ErrorFallsWithRefinement|TheLongestSuperStep|MeanIsKept|PlateauOnIrregularMeshes|TestGridMap")
+  "|ErrorFallsWithRefinement|TheLongestSuperStep|MeanIsKept|PlateauOnIrregularMeshes|TestGridMap"
+  "|EqualsGudhiOn|DamagedSurfacesAreFilled|ChokingLoopsOfNeedlesEnd|TestPoissonBoltzmann.All"
+  "|ProbeBetweenThreeBalls|SpheresThatCross|SteadyLysozyme|LysozymeByTime|AnglesStayWithinTheBounds"
+  "|GradingKeepsTheSurface|SurfaceFlow.ThreadsLeaveNoTrace|CoarseToFineEnds|ThesisFlow.ComesToRest")
 string(CONCAT long_tests ${long_tests})
 run("${CMAKE_CTEST_COMMAND}" --test-dir "${folder}" --output-on-failure --parallel 2
   --exclude-regex "${long_tests}")
