@@ -98,8 +98,7 @@ SurfaceFlowResult ThesisFlow(const std::vector<Ball>& balls,
   result.S = InnerValues(field.Grid, field.Distance, -1.0F, Half);
   // Where S is 0 or 1 it tells no distance: such nodes lie beyond the band, the whole margin too.
   std::for_each(field.Distance.begin(), field.Distance.end(),
-    [](float& value)
-    {
+    [](float& value) {
       value = std::abs(value) < Half ? value * SpacingsToS : std::copysign(FlowGrid::Band, value);
     });
   field.Next = field.Distance;
