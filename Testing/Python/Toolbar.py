@@ -22,8 +22,10 @@ PATIENCE = 200  # seconds for one session, on a machine with other things to do
 APPLY = ("pqClientMainWindow/propertiesDock/propertiesPanel/Accept", "activate", "")
 BUTTON = "pqClientMainWindow/Isthmus/1QToolButton%d"
 MENU = "pqClientMainWindow/menubar/menuFilters/Isthmus"
-# In a window of 1600 x 1000: the dialog's Volume, the first source of its list, OK, and Apply.
-ANSWERS = ((557, 334), (771, 308), (902, 636), (48, 508))
+# In the dialog that asks for the second input: Volume, the first source of its list, OK. Then Apply, in
+# a window of 1600 x 1000.
+ANSWERS = ((17, 74), (231, 48), (362, 376))
+APPLY_AT = (48, 508)
 
 
 def button(index):
@@ -71,16 +73,41 @@ def widen():
                        capture_output=True)
 
 
-def click(places):
-    """Waits for the dialog, and clicks."""
-    for _ in range(60):
-        time.sleep(1)
-        if subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "Change Input"],
-                          capture_output=True).returncode == 0:
+def place_of(title):
+    """(x, y) of the window of that title, or None while it is not there."""
+    found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title],
+                           capture_output=True, text=True).stdout.split()
+    for window in found[-1:]:
+        said = subprocess.run(["xdotool", "getwindowgeometry", "--shell", window],
+                              capture_output=True, text=True).stdout
+        values = dict(line.split("=", 1) for line in said.split() if "=" in line)
+        if "X" in values and "Y" in values:
+            return int(values["X"]), int(values["Y"])
+    return None
+
+
+def click(x, y):
+    time.sleep(1.5)
+    subprocess.run(["xdotool", "mousemove", str(x), str(y), "click", "1"], check=True)
+
+
+def answer(places):
+    """Answers the dialog by clicks at places in it, again where the machine was too busy to heed one;
+    then Apply.
+    """
+    began = time.monotonic()
+    asked = False
+    while time.monotonic() - began < PATIENCE:
+        corner = place_of("Change Input")
+        if corner:
+            asked = True
+            for x, y in places:
+                click(corner[0] + x, corner[1] + y)
+        elif asked:
             break
-    for x, y in places:
         time.sleep(2)
-        subprocess.run(["xdotool", "mousemove", str(x), str(y), "click", "1"], check=True)
+    widen()
+    click(*APPLY_AT)
 
 
 def play(name, data, events, clicks, folder):
@@ -104,7 +131,7 @@ def play(name, data, events, clicks, folder):
             widen()
             time.sleep(0.5)
             if clicks and "Playing" in log.read_text(errors="replace"):
-                click(clicks)
+                answer(clicks)
                 clicks = ()
         time.sleep(5)  # the window paints after the script
         subprocess.run(["import", "-window", "root", str(picture)], check=True, timeout=60)
