@@ -41,11 +41,12 @@ StuffingWarp::StuffingWarp(const StuffingLattice& lattice, const ProgressCallbac
 }
 
 /// How far along the edge from `node` the surface crosses it; by quotients, so that no value is too
-/// large. @pre they are on different sides.
+/// large. The middle of a face of the box (-1) has no value: the surface is closed there, so it is
+/// taken to lie on it. @pre they are on different sides.
 double StuffingWarp::FractionFrom(std::int64_t node, std::int64_t other) const
 {
-  const double a = std::abs(this->Lattice.Value(node));
-  const double b = std::abs(this->Lattice.Value(other));
+  const double a = node < 0 ? 0.0 : std::abs(this->Lattice.Value(node));
+  const double b = other < 0 ? 0.0 : std::abs(this->Lattice.Value(other));
   return a == 0.0 ? 0.0 : 1.0 / (1.0 + b / a);
 }
 
