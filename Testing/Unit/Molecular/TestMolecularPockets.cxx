@@ -4,6 +4,7 @@
 
 #include "MolecularPockets.h"
 #include "PolymerAtoms.h"
+#include "SharedData.h"
 #include "vtkMacromoleculeReader.h"
 
 #include <vtkCommand.h>
@@ -24,8 +25,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <random>
 #include <utility>
 
@@ -35,20 +34,6 @@ namespace
 {
 
 constexpr double Pi = 3.14159265358979323846;
-
-std::string DataPath(const char* relative)
-{
-  const char* given = std::getenv("ISTHMUS_DATA_DIR");
-  return std::string(given ? given : ISTHMUS_DEFAULT_DATA_DIR) + "/" + relative;
-}
-
-bool IsMissing(const std::string& path)
-{
-  const char* required = std::getenv("ISTHMUS_REQUIRE_DATA");
-  const bool missing = !std::filesystem::exists(path);
-  EXPECT_FALSE(missing && required && std::string(required) == "1") << path;
-  return missing;
-}
 
 /// The chain's heavy atoms of a file.
 std::vector<Ball> AtomsOf(const std::string& path)
@@ -168,11 +153,8 @@ NamedAtom Make(const char* name, const char* residue, int number, bool hetero, c
 
 TEST(MolecularPockets, AreaOfLysozymeByASecondMethod)
 {
-  const std::string path = DataPath("molecules/1hew.pdb");
-  if (IsMissing(path))
-  {
-    GTEST_SKIP() << path;
-  }
+  ISTHMUS_NEEDS_SHARED_DATA("molecules/1hew.pdb");
+  const std::string path = (isthmus::testing::SharedDataFolder() / "molecules/1hew.pdb").string();
   const auto atoms = AtomsOf(path);
   const PocketResult result = FindPockets(atoms, {});
   const double area = AreaByPoints(atoms, 1.4, 2000);
@@ -182,11 +164,8 @@ TEST(MolecularPockets, AreaOfLysozymeByASecondMethod)
 
 TEST(MolecularPockets, TurnedMovedAndShuffledTheyAreTheSame)
 {
-  const std::string path = DataPath("molecules/1hew.pdb");
-  if (IsMissing(path))
-  {
-    GTEST_SKIP() << path;
-  }
+  ISTHMUS_NEEDS_SHARED_DATA("molecules/1hew.pdb");
+  const std::string path = (isthmus::testing::SharedDataFolder() / "molecules/1hew.pdb").string();
   auto atoms = AtomsOf(path);
   const PocketResult before = FindPockets(atoms, {});
   auto shuffled = atoms;
@@ -217,11 +196,8 @@ TEST(MolecularPockets, TurnedMovedAndShuffledTheyAreTheSame)
 
 TEST(MolecularPockets, SameBitsOnAnyNumberOfThreads)
 {
-  const std::string path = DataPath("molecules/1hew.pdb");
-  if (IsMissing(path))
-  {
-    GTEST_SKIP() << path;
-  }
+  ISTHMUS_NEEDS_SHARED_DATA("molecules/1hew.pdb");
+  const std::string path = (isthmus::testing::SharedDataFolder() / "molecules/1hew.pdb").string();
   const auto data = PointsOf(AtomsOf(path));
   const auto scores = [&](int threads)
   {
