@@ -5,6 +5,8 @@
 #ifndef isthmus_DiffusionParameters_h
 #define isthmus_DiffusionParameters_h
 
+#include "vtkIsthmusModule.h"
+
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -47,6 +49,9 @@ struct DiffusionParameters
   double Time = 1.0;     ///< End time.
   int Steps = 0;         ///< That many equal steps; 0 chooses them (see README).
 };
+
+/// @throws std::invalid_argument, in a sentence, for parameters that mean nothing.
+VTKISTHMUS_EXPORT void Check(const DiffusionParameters& parameters);
 
 /// What happened, step by step: a curve to plot.
 struct DiffusionReport

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 
 namespace isthmus
@@ -16,16 +15,6 @@ namespace
 {
 
 using Parameters = DiffusionParameters;
-
-void Require(bool holds, const char* what, double value, const char* rule)
-{
-  if (!holds)
-  {
-    std::ostringstream text;
-    text << what << " is " << value << ", but must be " << rule << '.';
-    throw std::invalid_argument(text.str());
-  }
-}
 
 /// The operator of these parameters, without volumes.
 template <typename T>
@@ -56,6 +45,16 @@ DiffusionOperator<T> MakeOperator(const Parameters& parameters)
   return diffusion;
 }
 
+/// Volumes of T that steps go through; the values and the result of a step change places.
+enum Volume : std::size_t
+{
+  Now,        ///< the values
+  Stage,      ///< the first stage, and each second one after it
+  OtherStage, ///< the stages between
+  FirstRate,  ///< rate of change at the step's start
+  NumberOfVolumes
+};
+
 /// A diffusion between two steps.
 template <typename T>
 class Solver
@@ -68,24 +67,24 @@ public:
   void Advance(
     const TimeStep& step, bool record, DiffusionReport& report, const ProgressCallback& progress);
 
-  const T* Values() const { return this->Volumes[0]; }
+  const T* Values() const { return this->Volumes[Now]; }
 
 private:
   T* NewVolume();
   void Evaluate(const DiffusionStage<T>& stage, const ProgressCallback& progress) const;
-  std::size_t EulerStep(const TimeStep& step, const ProgressCallback& progress);
+  Volume EulerStep(const TimeStep& step, const ProgressCallback& progress);
   using StageOf = RowUpdate<T> (*)(int j, int stages, double length);
-  std::size_t SuperStep(const TimeStep& step, StageOf stageOf, const ProgressCallback& progress);
+  Volume SuperStep(const TimeStep& step, StageOf stageOf, const ProgressCallback& progress);
   int ToMidpoint(double length, const ProgressCallback& progress);
-  int FillCoefficient(std::size_t values, std::size_t scratch, std::size_t moreScratch);
+  int FillCoefficient(Volume values, Volume scratch, Volume moreScratch);
   void Record(const TimeStep& step, const T* after, DiffusionReport& report) const;
 
   const DiffusionGrid<T>& Grid;
   const Parameters& Parameter;
   DiffusionOperator<T> Diffusion;
   std::vector<std::unique_ptr<T[]>> Owned;
-  std::array<T*, 4> Volumes{}; ///< the values, two for stages, the first rate
-  T* Coefficient = nullptr;    ///< stored for many stages or since it is costly; or null
+  std::array<T*, NumberOfVolumes> Volumes{};
+  T* Coefficient = nullptr; ///< stored for many stages or since it is costly; or null
   double Time = 0.0;
 };
 
@@ -100,17 +99,17 @@ Solver<T>::Solver(const DiffusionGrid<T>& grid, const Parameters& parameters, T*
   this->Diffusion.Spacing = grid.Spacing;
   this->Diffusion.Input = input;
   this->Diffusion.Source = source;
-  this->Volumes[0] = values;
-  this->Volumes[1] = this->NewVolume();
+  this->Volumes[Now] = values;
+  this->Volumes[Stage] = this->NewVolume();
   const bool super = parameters.Integrator == Parameters::IntegratorType::SuperTimeStepping;
   const bool constant = this->Diffusion.Coefficient == DiffusionCoefficient::Constant;
   if (super || LooksBeyondNeighbours(parameters))
   {
-    this->Volumes[2] = this->NewVolume();
+    this->Volumes[OtherStage] = this->NewVolume();
   }
   if (super)
   {
-    this->Volumes[3] = this->NewVolume();
+    this->Volumes[FirstRate] = this->NewVolume();
   }
   if (LooksBeyondNeighbours(parameters) || (super && !constant))
   {
@@ -137,35 +136,34 @@ void Solver<T>::Evaluate(const DiffusionStage<T>& stage, const ProgressCallback&
 
 /// Returns which volume holds the result.
 template <typename T>
-std::size_t Solver<T>::EulerStep(const TimeStep& step, const ProgressCallback& progress)
+Volume Solver<T>::EulerStep(const TimeStep& step, const ProgressCallback& progress)
 {
   DiffusionStage<T> stage;
   stage.Update.OfRate = static_cast<T>(step.Length);
-  stage.Current = this->Volumes[0];
-  stage.Out = this->Volumes[1];
+  stage.Current = this->Volumes[Now];
+  stage.Out = this->Volumes[Stage];
   this->Evaluate(stage, progress);
-  return 1;
+  return Stage;
 }
 
 template <typename T>
-std::size_t Solver<T>::SuperStep(
-  const TimeStep& step, StageOf stageOf, const ProgressCallback& progress)
+Volume Solver<T>::SuperStep(const TimeStep& step, StageOf stageOf, const ProgressCallback& progress)
 {
-  std::size_t out = 0;
+  Volume out = Now;
   for (int j = 1; j <= step.Stages; ++j)
   {
-    const std::size_t in = out;
-    out = in == 1 ? 2 : 1; // stages alternate between two volumes
+    const Volume in = out;
+    out = in == Stage ? OtherStage : Stage;
     DiffusionStage<T> stage;
     stage.Update = stageOf(j, step.Stages, step.Length);
     stage.Current = this->Volumes[in];
-    stage.Previous = j == 1 ? nullptr : this->Volumes[j == 2 ? 0 : out];
-    stage.First = this->Volumes[0];
-    stage.FirstRate = this->Volumes[3];
+    stage.Previous = j == 1 ? nullptr : this->Volumes[j == 2 ? Now : out];
+    stage.First = this->Volumes[Now];
+    stage.FirstRate = this->Volumes[FirstRate];
     stage.Out = this->Volumes[out];
     if (j == 1)
     {
-      stage.StoreRate = this->Volumes[3];
+      stage.StoreRate = this->Volumes[FirstRate];
       stage.StoreCoefficient = this->Diffusion.StoredCoefficient ? nullptr : this->Coefficient;
     }
     this->Evaluate(stage, Between(progress, double(j - 1) / step.Stages, double(j) / step.Stages));
@@ -181,7 +179,7 @@ std::size_t Solver<T>::SuperStep(
 /// Stores the coefficient of Volumes[values]; the two scratch volumes are overwritten. Returns for
 /// how many evaluations this counts.
 template <typename T>
-int Solver<T>::FillCoefficient(std::size_t values, std::size_t scratch, std::size_t moreScratch)
+int Solver<T>::FillCoefficient(Volume values, Volume scratch, Volume moreScratch)
 {
   int evaluations = 1;
   if (LooksBeyondNeighbours(this->Parameter))
@@ -209,8 +207,9 @@ int Solver<T>::ToMidpoint(double length, const ProgressCallback& progress)
 {
   const double limit = ExplicitStepLimit(this->Parameter, this->Grid.Spacing);
   const TimeStep half{ length / 2, FirstOrderStages(length / 2, limit) };
-  const std::size_t middle = this->SuperStep(half, FirstOrderLegendreStage<T>, progress);
-  return half.Stages + this->FillCoefficient(middle, 3 - middle, 3);
+  const Volume middle = this->SuperStep(half, FirstOrderLegendreStage<T>, progress);
+  return half.Stages +
+    this->FillCoefficient(middle, middle == Stage ? OtherStage : Stage, FirstRate);
 }
 
 template <typename T>
@@ -220,7 +219,7 @@ void Solver<T>::Advance(
   this->Diffusion.StoredCoefficient = nullptr;
   if (LooksBeyondNeighbours(this->Parameter))
   {
-    report.Evaluations += this->FillCoefficient(0, 1, 2);
+    report.Evaluations += this->FillCoefficient(Now, Stage, OtherStage);
   }
   const bool super = this->Parameter.Integrator == Parameters::IntegratorType::SuperTimeStepping;
   const double ahead = super && this->Coefficient ? 0.33 : 0.0;
@@ -231,7 +230,7 @@ void Solver<T>::Advance(
     report.Evaluations += this->ToMidpoint(step.Length, Between(progress, 0.0, ahead));
   }
   const ProgressCallback rest = Between(progress, ahead, 1.0);
-  const std::size_t result =
+  const Volume result =
     super ? this->SuperStep(step, LegendreStage<T>, rest) : this->EulerStep(step, rest);
   report.Evaluations += step.Stages;
   this->Time += step.Length;
@@ -239,15 +238,15 @@ void Solver<T>::Advance(
   {
     this->Record(step, this->Volumes[result], report);
   }
-  std::swap(this->Volumes[0], this->Volumes[result]);
+  std::swap(this->Volumes[Now], this->Volumes[result]);
 }
 
 template <typename T>
 void Solver<T>::Record(const TimeStep& step, const T* after, DiffusionReport& report) const
 {
-  const T* before = this->Volumes[0];
+  const T* before = this->Volumes[Now];
   const bool super = this->Parameter.Integrator == Parameters::IntegratorType::SuperTimeStepping;
-  const T* rate = super ? this->Volumes[3] : nullptr;
+  const T* rate = super ? this->Volumes[FirstRate] : nullptr;
   const auto sums = SumRows<3>(this->Grid,
     [=](std::int64_t begin, std::int64_t end, std::array<double, 3>& sum)
     {
@@ -273,40 +272,6 @@ void Solver<T>::Record(const TimeStep& step, const T* after, DiffusionReport& re
   report.Residual.push_back(super ? std::sqrt(sums[1] / sums[2]) : change / step.Length);
 }
 
-}
-
-void Check(const Parameters& parameters)
-{
-  Require(
-    parameters.Order >= 0 && parameters.Order <= 3, "Order", parameters.Order, "0, 1, 2 or 3");
-  Require(parameters.Time >= 0.0 && std::isfinite(parameters.Time), "Time", parameters.Time,
-    "finite and not negative");
-  Require(parameters.Steps >= 0, "Steps", parameters.Steps, "positive, or 0 for automatic steps");
-  Require(parameters.Fidelity >= 0.0 && std::isfinite(parameters.Fidelity), "Fidelity",
-    parameters.Fidelity, "finite and not negative");
-  Require(parameters.PreSmoothing >= 0.0 && std::isfinite(parameters.PreSmoothing), "PreSmoothing",
-    parameters.PreSmoothing, "finite and not negative");
-  Require(parameters.ResidualSmoothing >= 0.0 && std::isfinite(parameters.ResidualSmoothing),
-    "ResidualSmoothing", parameters.ResidualSmoothing, "finite and not negative");
-  for (const double diffusivity : parameters.Diffusivity)
-  {
-    Require(diffusivity >= 0.0 && std::isfinite(diffusivity), "A diffusivity", diffusivity,
-      "finite and not negative");
-  }
-  const double highest = parameters.Diffusivity[static_cast<std::size_t>(parameters.Order)];
-  Require(highest > 0.0, "The diffusivity of the highest order", highest, "positive");
-  const bool geometric = parameters.Flow == Parameters::FlowType::GeometricFlow;
-  const bool local = parameters.EdgeStopping == Parameters::EdgeStoppingType::LocalVariance;
-  if (geometric || parameters.EdgeStopping == Parameters::EdgeStoppingType::Gaussian)
-  {
-    Require(parameters.Sigma > 0.0 && std::isfinite(parameters.Sigma), "Sigma", parameters.Sigma,
-      "finite and positive");
-  }
-  if (local)
-  {
-    Require(parameters.Window >= 3 && parameters.Window % 2 == 1, "Window", parameters.Window,
-      "odd and at least 3, so that it has a middle");
-  }
 }
 
 int HaloWidth(const Parameters& parameters)

@@ -31,9 +31,6 @@
 namespace isthmus
 {
 
-/// Throws std::invalid_argument, in a sentence, for parameters that mean nothing.
-VTKISTHMUS_EXPORT void Check(const DiffusionParameters& parameters);
-
 /// Nodes around a rank's own ones that the computation needs from other ranks.
 VTKISTHMUS_EXPORT int HaloWidth(const DiffusionParameters& parameters);
 

@@ -12,6 +12,7 @@ isthmus_room(
     DiffusionEvaluation
     DiffusionImage
     DiffusionOperator
+    DiffusionParameters
     DiffusionPipeline
     EdgeCoefficient
     HighOrderDiffusion

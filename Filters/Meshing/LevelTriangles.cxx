@@ -1,5 +1,6 @@
 #include "LevelTriangles.h"
 
+#include "LayerCuts.h"
 #include "ParallelFor.h"
 
 #include <vtkMarchingCubesTriangleCases.h>
@@ -13,17 +14,7 @@ namespace isthmus
 namespace
 {
 
-using Flags = std::vector<std::uint8_t>; ///< inside or not, a layer of nodes
-
 constexpr std::int64_t LayersAPiece = 8;
-
-/// From a node to the next along each axis of a layer, and the edges that start at each node.
-enum Axis : std::size_t
-{
-  X,
-  Y,
-  Z
-};
 
 /// For each of VTK's twelve edges of a cell: where it starts within the cell, and along which axis.
 struct CellEdge
@@ -61,6 +52,7 @@ public:
     {
       this->N[a] = grid.Dimensions[a] + 2 * this->Pad;
     }
+    this->Cuts = { this->N[0], this->N[1] };
     for (int cell = 0; cell < 256; ++cell)
     {
       this->Counts[cell] = TrianglesOf(static_cast<std::uint8_t>(cell));
@@ -126,83 +118,6 @@ private:
     }
   }
 
-  /// Calls visit(axis, i, j) for each cut edge within a layer, in the order of their numbers.
-  template <typename Visit>
-  void ForCutsWithin(const Flags& flags, Visit&& visit) const
-  {
-    const std::int64_t nx = this->N[0], ny = this->N[1];
-    for (std::int64_t j = 0; j < ny; ++j)
-    {
-      const std::uint8_t* row = flags.data() + nx * j;
-      const std::uint8_t* next = j + 1 < ny ? row + nx : row;
-      if (std::equal(row, row + nx, next) && std::equal(row + 1, row + nx, row))
-      {
-        continue;
-      }
-      for (std::int64_t i = 0; i < nx; ++i)
-      {
-        if (i + 1 < nx && row[i] != row[i + 1])
-        {
-          visit(X, i, j);
-        }
-        if (row[i] != next[i])
-        {
-          visit(Y, i, j);
-        }
-      }
-    }
-  }
-
-  /// The same for the edges from a layer to the next.
-  template <typename Visit>
-  void ForCutsBetween(const Flags& flags, const Flags& above, Visit&& visit) const
-  {
-    const std::int64_t nx = this->N[0];
-    for (std::int64_t j = 0; j < this->N[1]; ++j)
-    {
-      const std::uint8_t* row = flags.data() + nx * j;
-      const std::uint8_t* top = above.data() + nx * j;
-      if (std::equal(row, row + nx, top))
-      {
-        continue;
-      }
-      for (std::int64_t i = 0; i < nx; ++i)
-      {
-        if (row[i] != top[i])
-        {
-          visit(Z, i, j);
-        }
-      }
-    }
-  }
-
-  /// Calls visit(case, i, j) for each cell between two layers that the level goes through.
-  template <typename Visit>
-  void ForCutCells(
-    const Flags& flags, const Flags& above, std::vector<std::uint8_t>& cases, Visit&& visit) const
-  {
-    const std::int64_t nx = this->N[0];
-    cases.resize(static_cast<std::size_t>(nx));
-    for (std::int64_t j = 0; j + 1 < this->N[1]; ++j)
-    {
-      const std::uint8_t* a = flags.data() + nx * j;
-      const std::uint8_t* b = above.data() + nx * j;
-      std::uint8_t* cell = cases.data();
-      for (std::int64_t i = 0; i + 1 < nx; ++i)
-      {
-        cell[i] = static_cast<std::uint8_t>(a[i] | a[i + 1] << 1 | a[i + nx + 1] << 2 |
-          a[i + nx] << 3 | b[i] << 4 | b[i + 1] << 5 | b[i + nx + 1] << 6 | b[i + nx] << 7);
-      }
-      for (std::int64_t i = 0; i + 1 < nx; ++i)
-      {
-        if (cell[i] != 0 && cell[i] != 255)
-        {
-          visit(cell[i], i, j);
-        }
-      }
-    }
-  }
-
   void Count(std::int64_t first, std::int64_t last)
   {
     Flags flags, above;
@@ -212,12 +127,12 @@ private:
     {
       std::int64_t points = 0, triangles = 0;
       const auto one = [&points](Axis, std::int64_t, std::int64_t) { ++points; };
-      this->ForCutsWithin(flags, one);
+      this->Cuts.Within(flags, one);
       if (k + 1 < this->N[2])
       {
         this->Mark(k + 1, above);
-        this->ForCutsBetween(flags, above, one);
-        this->ForCutCells(flags, above, cases,
+        this->Cuts.Between(flags, above, one);
+        this->Cuts.Cells(flags, above, cases,
           [&](std::uint8_t cell, std::int64_t, std::int64_t) { triangles += this->Counts[cell]; });
         flags.swap(above);
       }
@@ -240,7 +155,7 @@ private:
     std::int64_t point = this->Number(first, flags, ids);
     for (std::int64_t k = first; k < last; ++k)
     {
-      this->ForCutsWithin(flags,
+      this->Cuts.Within(flags,
         [&](Axis axis, std::int64_t i, std::int64_t j)
         { this->SetPoint(axis, i, j, k, ids[axis][this->NodeOf(i, j)], mesh); });
       if (k + 1 == this->N[2])
@@ -248,7 +163,7 @@ private:
         break;
       }
       this->Mark(k + 1, above);
-      this->ForCutsBetween(flags, above,
+      this->Cuts.Between(flags, above,
         [&](Axis axis, std::int64_t i, std::int64_t j)
         {
           ids[axis][this->NodeOf(i, j)] = point;
@@ -256,7 +171,7 @@ private:
         });
       point = this->Number(k + 1, above, next);
       std::int64_t triangle = this->FirstTriangle[static_cast<std::size_t>(k)];
-      this->ForCutCells(flags, above, cases,
+      this->Cuts.Cells(flags, above, cases,
         [&](std::uint8_t cell, std::int64_t i, std::int64_t j)
         { this->AddCell(cell, i, j, ids, next, triangle, mesh); });
       flags.swap(above);
@@ -273,7 +188,7 @@ private:
   std::int64_t Number(std::int64_t layer, const Flags& flags, Ids& ids) const
   {
     std::int64_t point = this->FirstPoint[static_cast<std::size_t>(layer)];
-    this->ForCutsWithin(flags,
+    this->Cuts.Within(flags,
       [&](Axis axis, std::int64_t i, std::int64_t j) { ids[axis][this->NodeOf(i, j)] = point++; });
     return point;
   }
@@ -336,6 +251,7 @@ private:
   bool Higher;
   std::int64_t Pad;
   std::array<std::int64_t, 3> N{};
+  LayerCuts Cuts;
   std::array<int, 256> Counts{};
   std::vector<std::int64_t> FirstPoint;    ///< of each layer, and the number of all
   std::vector<std::int64_t> FirstTriangle; ///< of the cells above each layer

@@ -6,6 +6,57 @@
 
 namespace isthmus
 {
+namespace
+{
+
+/// Where each coordinate of the least point is sought: anywhere, or on a side of the box.
+enum class Place
+{
+  Free,
+  LowerSide,
+  UpperSide
+};
+
+/// All 27 combinations, with all free first.
+std::array<Place, 3> PlacesOf(int combination)
+{
+  return { static_cast<Place>(combination % 3), static_cast<Place>(combination / 3 % 3),
+    static_cast<Place>(combination / 9) };
+}
+
+/**
+ * The x with the least |a^(1/2) x|^2 - 2 b.x whose coordinates at sides are fixed; along directions
+ * whose eigenvalue is not over `negligible`, 0. Box and x are relative to the mean.
+ */
+Eigen::Vector3d LeastOnSides(const Eigen::Matrix3d& a, const Eigen::Vector3d& b, const Bounds3& box,
+  const std::array<Place, 3>& places, double negligible)
+{
+  Eigen::Vector3d x = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d free = Eigen::Matrix3d::Identity();
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    if (places[i] != Place::Free)
+    {
+      const auto axis = static_cast<Eigen::Index>(i);
+      x[axis] = places[i] == Place::LowerSide ? box.Min[i] : box.Max[i];
+      free(axis, axis) = 0.0;
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(free * a * free);
+  const Eigen::Vector3d rest = free * (b - a * x);
+  for (int k = 0; k < 3; ++k)
+  {
+    const double value = solver.eigenvalues()[k];
+    if (value > negligible && value > 0.0)
+    {
+      const Eigen::Vector3d v = solver.eigenvectors().col(k);
+      x += (v.dot(rest) / value) * v;
+    }
+  }
+  return x;
+}
+
+}
 
 void QuadraticErrors::Add(const Point3& p, const Point3& n)
 {
@@ -46,32 +97,11 @@ Point3 QuadraticErrors::Least(const Bounds3& box, double threshold) const
 
   Point3 best = mean;
   double least = std::numeric_limits<double>::infinity();
-  // Each coordinate is free (0) or at the lower (1) or upper (2) side: 27 cases, all free first.
-  for (int sides = 0; sides < 27; ++sides)
+  const Bounds3 around{ box.Min - mean, box.Max - mean };
+  for (int combination = 0; combination < 27; ++combination)
   {
-    const std::array<int, 3> side{ sides % 3, sides / 3 % 3, sides / 9 };
-    Eigen::Vector3d x = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d free = Eigen::Matrix3d::Identity();
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const auto i = static_cast<std::size_t>(axis);
-      if (side[i] > 0)
-      {
-        x[axis] = (side[i] == 1 ? box.Min[i] : box.Max[i]) - mean[i];
-        free(axis, axis) = 0.0;
-      }
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(free * a * free);
-    const Eigen::Vector3d rest = free * (b - a * x);
-    for (int k = 0; k < 3; ++k)
-    {
-      const double value = solver.eigenvalues()[k];
-      if (value > threshold * largest && value > 0.0)
-      {
-        const Eigen::Vector3d v = solver.eigenvectors().col(k);
-        x += (v.dot(rest) / value) * v;
-      }
-    }
+    const Eigen::Vector3d x =
+      LeastOnSides(a, b, around, PlacesOf(combination), threshold * largest);
     Point3 candidate;
     bool fits = true;
     for (std::size_t i = 0; i < 3; ++i)
@@ -87,7 +117,7 @@ Point3 QuadraticErrors::Least(const Bounds3& box, double threshold) const
       best = candidate;
       least = value;
     }
-    if (fits && sides == 0)
+    if (fits && combination == 0)
     {
       break;
     }

@@ -1,5 +1,6 @@
 #include "MRCMap.h"
 
+#include "MRCHeaderParser.h"
 #include "MRCHeaderWords.h"
 #include "OpenByteSource.h"
 #include "ReaderError.h"

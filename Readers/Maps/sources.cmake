@@ -5,6 +5,8 @@ isthmus_room(
     MRCFieldData
     MRCGeometry
     MRCHeader
+    MRCHeaderDecoder
+    MRCHeaderParser
     MRCHeaderWords
     MRCMap
     MRCMode

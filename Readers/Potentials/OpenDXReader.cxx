@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -75,12 +74,14 @@ bool OpenDXReader::NextArray()
     this->ReadObject();
     if (this->Word == "gridpositions")
     {
-      this->ReadPositions();
+      this->Grid = ReadOpenDXPositions(this->Text, this->Word);
+      this->GridName = this->ObjectName;
+      this->HasGrid = true;
     }
     else if (this->Word == "array")
     {
       this->ArrayName = this->ObjectName;
-      this->ReadArrayHeader();
+      this->Values = ReadOpenDXArray(this->Text, this->Word);
       return true;
     }
     else if (this->Word == "regulararray" || this->Word == "product" || this->Word == "path")
@@ -106,137 +107,6 @@ void OpenDXReader::ReadObject()
       "' stands where class should.");
   }
   this->Word = this->Text.Word();
-}
-
-void OpenDXReader::ReadPositions()
-{
-  VoxelLattice grid;
-  this->Word = this->Text.Word();
-  if (this->Word != "counts")
-  {
-    this->Text.Refuse("the grid should have its counts, not '" + this->Word + "'.");
-  }
-  for (std::int64_t& count : grid.Dimensions)
-  {
-    count = this->Text.Whole("a count of the grid");
-    if (count < 1 || count > std::numeric_limits<int>::max())
-    {
-      this->Text.Refuse("a count of the grid is " + std::to_string(count) +
-        ", but should be between 1 and 2147483647.");
-    }
-  }
-  this->Word = this->Text.Word();
-  if (this->Word == "origin")
-  {
-    for (double& position : grid.Origin)
-    {
-      position = this->Text.Number("a coordinate of the origin");
-    }
-    this->Word = this->Text.Word();
-  }
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    if (this->Word != "delta")
-    {
-      this->Text.Refuse(
-        "three rows of delta should follow, but '" + this->Word + "' stands where one should.");
-    }
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      grid.Steps[i][axis] = this->Text.Number("a delta");
-    }
-    this->Word = this->Text.Word();
-  }
-  const std::array<double, 3> spacing = grid.Spacing();
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    if (!(spacing[a] > 0.0) || !std::isfinite(spacing[a]) || !std::isfinite(grid.Origin[a]))
-    {
-      this->Text.Refuse("origin and deltas should be finite, and no delta of length zero.");
-    }
-  }
-  const Matrix3& m = grid.Steps;
-  const double volume = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-    m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-    m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-  if (!(std::abs(volume / (spacing[0] * spacing[1] * spacing[2])) > 1e-6))
-  {
-    this->Text.Refuse("the three deltas lie in one plane, so they span no grid.");
-  }
-  this->Grid = grid;
-  this->GridName = this->ObjectName;
-  this->HasGrid = true;
-}
-
-void OpenDXReader::ReadArrayType()
-{
-  this->Word = this->Text.Word();
-  this->Values.Unsigned = this->Word == "unsigned";
-  if (this->Word == "signed" || this->Word == "unsigned")
-  {
-    this->Word = this->Text.Word();
-  }
-  this->Values.Single = this->Word == "float";
-  this->Values.Whole = this->Word == "int";
-  this->Values.ItemBytes = this->Word == "double" ? 8 : 4;
-  if (!this->Values.Single && !this->Values.Whole && this->Word != "double")
-  {
-    this->Text.Refuse(
-      "values of type " + this->Word + " are not read, only float, double and int.");
-  }
-}
-
-void OpenDXReader::ReadArrayHeader()
-{
-  this->Values = OpenDXArray();
-  this->Values.Single = true; // OpenDX' default
-  this->Values.ItemBytes = 4;
-  bool bigEndian = !IsLittleEndian();
-  for (this->Word = this->Text.Word(); this->Word != "follows"; this->Word = this->Text.Word())
-  {
-    if (this->Word == "type")
-    {
-      this->ReadArrayType();
-    }
-    else if (this->Word == "rank")
-    {
-      if (this->Text.Whole("the rank") > 1)
-      {
-        this->Text.Refuse("values of rank 2 and more (matrices) are not read.");
-      }
-    }
-    else if (this->Word == "shape")
-    {
-      const std::int64_t shape = this->Text.Whole("the shape");
-      this->Values.Components = static_cast<int>(std::clamp<std::int64_t>(shape, 0, 1000));
-    }
-    else if (this->Word == "items")
-    {
-      this->Values.Items = this->Text.Whole("the number of items");
-    }
-    else if (this->Word == "lsb" || this->Word == "msb")
-    {
-      bigEndian = this->Word == "msb";
-      this->Values.Binary = true;
-    }
-    else if (this->Word == "binary" || this->Word == "ieee")
-    {
-      this->Values.Binary = true;
-    }
-    else if (this->Word == "text" || this->Word == "ascii")
-    {
-      this->Values.Binary = false;
-    }
-    else if (this->Word != "data" && this->Word != "category" && this->Word != "real")
-    {
-      this->Text.Refuse(this->Word.empty()
-          ? std::string("the file ends within the description of an array.")
-          : "'" + this->Word +
-            "' is not understood in the description of an array: its values "
-            "should follow in this file, as text or IEEE numbers.");
-    }
-  }
-  this->Values.Swap = bigEndian == IsLittleEndian();
 }
 
 void OpenDXReader::CheckArray() const

@@ -11,9 +11,8 @@
 #define isthmus_OpenDXReader_h
 
 #include "ByteSource.h"
-#include "OpenDXText.h"
+#include "OpenDXObjects.h"
 #include "SkewedLattice.h"
-#include "VoxelLattice.h"
 
 #include <cstdint>
 #include <memory>
@@ -22,19 +21,6 @@
 
 namespace isthmus
 {
-
-/// One array of a file: its values follow in the file.
-struct OpenDXArray
-{
-  bool Single = false; ///< float; all other types come as double
-  int Components = 1;
-  std::int64_t Items = 0;
-  bool Binary = false;
-  bool Swap = false;         ///< bytes not in this machine's order
-  std::size_t ItemBytes = 8; ///< of one binary number
-  bool Whole = false;        ///< binary whole numbers
-  bool Unsigned = false;     ///< of these: without a sign
-};
 
 /// A file opened at one of its arrays. Throws ReaderError throughout; sentences name file and line.
 class OpenDXReader
@@ -65,9 +51,6 @@ public:
 private:
   bool NextArray();
   void ReadObject();
-  void ReadPositions();
-  void ReadArrayHeader();
-  void ReadArrayType();
   void CheckArray() const;
   void CheckField();
   void CheckPromisedSize(const ProgressCallback& progress);

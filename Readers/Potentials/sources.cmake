@@ -3,6 +3,7 @@ isthmus_room(
     vtkOpenDXReader
     vtkOpenDXWriter
   SOURCES
+    OpenDXObjects
     OpenDXReader
     OpenDXText
     OpenDXWriter)
