@@ -6,7 +6,9 @@
 An arrow leads from a file to a header it includes. Between rooms, arrows lead to lower floors only;
 within a room they never run in a circle, a concept (X.h and X.cxx) counting as one place. Readers
 use Filters/Support alone of all Filters. Every source stands in its room's sources.cmake, and every
-name there is a file. Headers vtkX.h, which are installed, include no others. No two headers define a class of one name: the linker would take either. Prints what is wrong, a line each, and ends with 1 then.
+name there is a file. Headers that are installed (vtkX.h and those under HEADERS in a sources.cmake)
+include no others. No two headers define a class of one name: the linker would take either. Prints
+what is wrong, a line each, and ends with 1 then.
 """
 import collections
 import pathlib
@@ -80,6 +82,18 @@ def circles(graph):
     return found
 
 
+def words_of(listing):
+    """{heading: names under it} of the call of isthmus_room in a sources.cmake."""
+    call = re.search(r"isthmus_room\((.*?)\)", listing.read_text(), re.DOTALL)
+    found, heading = collections.defaultdict(set), ""
+    for word in re.sub(r"#.*", "", call.group(1) if call else "").split():
+        if word.isupper():
+            heading = word
+        else:
+            found[heading].add(word)
+    return found
+
+
 def check_sources(root, rooms):
     """Complaints about files that no sources.cmake names, and names without a file."""
     complaints = []
@@ -88,10 +102,11 @@ def check_sources(root, rooms):
         if not listing.exists():
             complaints.append(f"{room} has no sources.cmake")
             continue
-        call = re.search(r"isthmus_room\((.*?)\)", listing.read_text(), re.DOTALL)
-        words = re.sub(r"#.*", "", call.group(1) if call else "").split()
-        named = {word for word in words if not word.isupper()}
+        words = words_of(listing)
+        named = set().union(*(names for heading, names in words.items() if heading != "HEADERS"))
         there = {path.stem for path in (root / room).glob("*.cxx")}
+        complaints += [f"{room}/sources.cmake names {name}.h, which is not there"
+                       for name in sorted(words["HEADERS"]) if not (root / room / f"{name}.h").exists()]
         complaints += [f"{room}/{name}.cxx is not in sources.cmake" for name in sorted(there - named)]
         complaints += [f"{room}/sources.cmake names {name}, which is not there"
                        for name in sorted(named - there)]
@@ -132,6 +147,9 @@ def check(root):
                               "go by bare names")
         by_name[path.name] = (room, path)
 
+    installed = {f"{name}.h" for room in rooms if (root / room / "sources.cmake").exists()
+                 for name in words_of(root / room / "sources.cmake")["HEADERS"]}
+    installed |= {name for name in by_name if re.match(r"vtk.*\.h$", name)}
     arrows = 0
     graph = collections.defaultdict(set)
     for room, path in by_name.values():
@@ -140,7 +158,7 @@ def check(root):
                 continue
             arrows += 1
             other = by_name[name][0]
-            if re.match(r"vtk.*\.h$", path.name) and not name.startswith("vtk"):
+            if path.name in installed and name not in installed:
                 complaints.append(f"{room}/{path.name} includes {name}, which is not installed")
             if not may_use(room, other, floors):
                 complaints.append(f"{room}/{path.name} includes {name} of {other}: not a lower floor")

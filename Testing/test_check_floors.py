@@ -71,6 +71,18 @@ class CheckFloors(unittest.TestCase):
         self.write("Filters/Meshing/vtkMesher.h", '#include "View.h"\n')
         self.assert_complains("vtkMesher.h includes View.h, which is not installed")
 
+    def test_installed_headers_beside_the_classes(self):
+        self.write("Filters/Support/sources.cmake", "isthmus_room(\n  HEADERS\n    View)\n")
+        self.write("Filters/Meshing/vtkMesher.h", '#include "View.h"\n')
+        self.assertEqual(check_floors.check(self.root)[0], [])
+        self.write("Filters/Support/View.h", '#include "Hidden.h"\n')
+        self.write("Filters/Support/Hidden.h")
+        self.assert_complains("Support/View.h includes Hidden.h, which is not installed")
+
+    def test_installed_header_that_is_not_there(self):
+        self.write("Filters/Support/sources.cmake", "isthmus_room(\n  HEADERS\n    Gone)\n")
+        self.assert_complains("names Gone.h, which is not there")
+
     def test_two_classes_of_one_name(self):
         self.write("Filters/Support/View.h", "namespace isthmus\n{\nstruct Box\n{\n};\n}\n")
         self.write("Filters/Meshing/Mesher.h",

@@ -3,6 +3,7 @@
 #
 #   isthmus_room(
 #     [CLASSES vtkX ...]        VTK classes, wrapped and installed
+#     [HEADERS X ...]           headers for C++ users, installed beside those of the classes
 #     [SOURCES X ...]           what they are made of
 #     [CGAL X ...]              sources that include CGAL
 #     [VECTORISED X ...])       sources whose loops must vectorise
@@ -10,20 +11,22 @@
 # all without extension and folder.
 
 # Adds a room's files to the lists of the caller: classes, sources, cgal_sources, vectorised_sources
-# (the last two are in `sources`, too) and rooms.
+# (the last two are in `sources`, too), headers and rooms.
 function (isthmus_room)
-  cmake_parse_arguments(PARSE_ARGV 0 room "" "" "CLASSES;SOURCES;CGAL;VECTORISED")
+  cmake_parse_arguments(PARSE_ARGV 0 room "" "" "CLASSES;HEADERS;SOURCES;CGAL;VECTORISED")
   if (room_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "isthmus_room: not a list of its own: ${room_UNPARSED_ARGUMENTS}")
   endif ()
   file(RELATIVE_PATH folder "${CMAKE_CURRENT_SOURCE_DIR}" "${CMAKE_CURRENT_LIST_DIR}")
   list(TRANSFORM room_CLASSES PREPEND "${folder}/")
+  list(TRANSFORM room_HEADERS REPLACE "(.+)" "${folder}/\\1.h")
   foreach (kind IN ITEMS SOURCES CGAL VECTORISED)
     list(TRANSFORM room_${kind} PREPEND "${folder}/")
     list(TRANSFORM room_${kind} APPEND ".cxx")
   endforeach ()
   set(rooms ${rooms} "${folder}" PARENT_SCOPE)
   set(classes ${classes} ${room_CLASSES} PARENT_SCOPE)
+  set(headers ${headers} ${room_HEADERS} PARENT_SCOPE)
   set(sources ${sources} ${room_SOURCES} ${room_CGAL} ${room_VECTORISED} PARENT_SCOPE)
   set(cgal_sources ${cgal_sources} ${room_CGAL} PARENT_SCOPE)
   set(vectorised_sources ${vectorised_sources} ${room_VECTORISED} PARENT_SCOPE)
@@ -45,7 +48,8 @@ endif ()
 
 vtk_module_add_module(Isthmus::vtkIsthmus
   CLASSES ${classes}
-  SOURCES ${sources})
+  SOURCES ${sources}
+  NOWRAP_HEADERS ${headers})
 
 # Public, since the wrappers include every class by its bare name; installed headers lie flat.
 foreach (room IN LISTS rooms)

@@ -5,6 +5,7 @@
 #ifndef isthmus_Attribute_h
 #define isthmus_Attribute_h
 
+#include "CompactCombinatorialMap.h"
 #include "EdgeTable.h"
 #include "FaceTable.h"
 

@@ -1,6 +1,7 @@
 #include "CompactCombinatorialMap.h"
 
 #include "CellEdgeTable.h"
+#include "CellVertexCheck.h"
 #include "EdgeTable.h"
 #include "FaceTable.h"
 #include "HalfFaceMatching.h"
@@ -20,7 +21,6 @@ namespace
 
 constexpr std::int64_t CellsPerPiece = 1 << 14;
 constexpr std::int64_t VerticesPerPiece = 1 << 12;
-constexpr std::size_t NamedCells = 5;
 
 /// Low bits that hold 0 and every local dart.
 unsigned BitsFor(const std::vector<CellType>& types)
@@ -45,48 +45,6 @@ std::size_t Count(const std::vector<CellRun>& runs)
   }
   return cells;
 }
-
-/// The cells of one complaint, in any order, as a sentence's subject.
-std::string Named(std::vector<std::size_t> cells)
-{
-  std::sort(cells.begin(), cells.end());
-  std::string text = cells.size() == 1 ? "Cell " : "Cells ";
-  for (std::size_t i = 0; i < std::min(cells.size(), NamedCells); ++i)
-  {
-    text += (i ? ", " : "") + std::to_string(cells[i]);
-  }
-  return cells.size() > NamedCells
-    ? text + " and " + std::to_string(cells.size() - NamedCells) + " more"
-    : text;
-}
-
-/// Whether all of a cell's vertices exist, and each is there once.
-struct VertexCheck
-{
-  bool InRange = true, Distinct = true;
-
-  VertexCheck(const std::int64_t* vertices, unsigned count, std::int64_t numberOfVertices)
-  {
-    for (unsigned i = 0; i < count; ++i)
-    {
-      this->InRange = this->InRange && vertices[i] >= 0 && vertices[i] < numberOfVertices;
-    }
-    if (count <= 8)
-    {
-      for (unsigned i = 1; i < count; ++i)
-      {
-        for (unsigned j = 0; j < i; ++j)
-        {
-          this->Distinct = this->Distinct && vertices[i] != vertices[j];
-        }
-      }
-      return;
-    }
-    std::vector<std::int64_t> sorted(vertices, vertices + count);
-    std::sort(sorted.begin(), sorted.end());
-    this->Distinct = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
-  }
-};
 
 }
 
@@ -183,8 +141,7 @@ void CompactCombinatorialMap<Id>::CopyVertices(
       "The cells need " + std::to_string(this->Cv2V.size()) + " vertex numbers, but " +
         std::to_string(cellVertices.size()) + " were given: the list does not fit their types.");
   }
-  std::mutex mutex;
-  std::vector<std::size_t> outOfRange, degenerate;
+  CellVertexCheck check(static_cast<std::int64_t>(numberOfVertices));
   ParallelFor(0, static_cast<std::int64_t>(this->CellCount), CellsPerPiece,
     [&](std::int64_t first, std::int64_t last)
     {
@@ -193,31 +150,14 @@ void CompactCombinatorialMap<Id>::CopyVertices(
         const Block& block = this->BlockOf(Cell(static_cast<Id>(c)));
         const std::size_t base = block.VertexIndex(c, 0);
         const std::int64_t* vertices = &cellVertices[base];
-        const VertexCheck check(
-          vertices, block.VertexCount, static_cast<std::int64_t>(numberOfVertices));
-        if (!check.InRange || !check.Distinct)
-        {
-          const std::lock_guard<std::mutex> lock(mutex);
-          (check.InRange ? degenerate : outOfRange).push_back(c);
-        }
+        check.Look(c, { vertices, block.VertexCount });
         for (unsigned v = 0; v < block.VertexCount; ++v)
         {
           this->Cv2V[base + v] = Vertex(static_cast<Id>(vertices[v]));
         }
       }
     });
-  if (!outOfRange.empty())
-  {
-    throw MeshError(MeshError::Reason::OutOfRange,
-      Named(std::move(outOfRange)) + ": a vertex number is not in 0 ... " +
-        std::to_string(static_cast<std::int64_t>(numberOfVertices) - 1) +
-        ". Correct the list of cells.");
-  }
-  if (!degenerate.empty())
-  {
-    throw MeshError(MeshError::Reason::Degenerate,
-      Named(std::move(degenerate)) + ": the same vertex occurs twice. Remove degenerate cells.");
-  }
+  check.Demand();
 }
 
 template <typename Id>

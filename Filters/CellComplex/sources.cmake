@@ -2,8 +2,23 @@ isthmus_room(
   CLASSES
     vtkCellIncidence
     vtkTetCutaway
+  HEADERS
+    Attribute
+    CellEdgeTable
+    CombinatorialHandles
+    CompactCombinatorialMap
+    CutAndMerge
+    DartMap
+    EdgeTable
+    FaceTable
+    GridMap
+    MeshError
+    StarTable
+    StarWalk
+    VertexStar
   SOURCES
     CellEdgeTable
+    CellVertexCheck
     CompactCombinatorialMap
     CutAndMerge
     DartMap

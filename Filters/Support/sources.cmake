@@ -1,4 +1,10 @@
 isthmus_room(
+  HEADERS
+    CellList
+    CellType
+    GridCells
+    Progress
+    View
   SOURCES
     AvailableMemory
     CellType
