@@ -7,6 +7,7 @@
 
 #include "SurfaceView.h"
 #include "TriangleStars.h"
+#include "vtkIsthmusModule.h"
 
 #include <Eigen/Dense>
 
@@ -34,7 +35,7 @@ struct PrincipalFrame
 
 /// The neighbour and the bending angle across each edge of each triangle; edge e of a triangle runs
 /// from its corner e to the next. Building is parallel; 64 bytes a triangle.
-class EdgeBends
+class VTKISTHMUS_EXPORT EdgeBends
 {
 public:
   EdgeBends(const SurfaceView& mesh, const TriangleStars& stars);

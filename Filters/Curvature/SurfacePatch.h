@@ -15,7 +15,7 @@ namespace isthmus
 
 /// Sums over balls and geodesic discs about points of one surface. It keeps scratch memory (4 bytes
 /// a triangle, 16 a point for discs), so make one for many points, and one for each thread.
-class SurfacePatch
+class VTKISTHMUS_EXPORT SurfacePatch
 {
 public:
   SurfacePatch(

@@ -31,6 +31,7 @@ struct BruteForce
 {
   std::map<Pair, Numbers> CellsOfEdge;
   std::map<Corners, std::vector<std::int64_t>> CellsOfFace;
+  std::map<Pair, std::set<Corners>> FacesOfEdge;
   std::map<std::int64_t, Numbers> CellsOfVertex, NeighboursOfVertex;
   std::map<std::int64_t, std::set<Corners>> FacesOfVertex, LinkOfVertex;
   std::set<Pair> BoundaryEdges;
@@ -51,6 +52,35 @@ struct BruteForce
     }
     this->NeighboursOfCell.resize(static_cast<std::size_t>(cell));
     this->LookAtFaces();
+  }
+
+  /// How many pieces the cells around an edge make, those with a common face there being one.
+  std::size_t FansOfEdge(const Pair& edge) const
+  {
+    const Numbers& cells = this->CellsOfEdge.at(edge);
+    std::map<std::int64_t, std::int64_t> piece;
+    for (const std::int64_t cell : cells)
+    {
+      piece[cell] = cell;
+    }
+    for (const Corners& face : this->FacesOfEdge.at(edge))
+    {
+      const std::vector<std::int64_t>& sides = this->CellsOfFace.at(face);
+      if (sides.size() == 2)
+      {
+        const std::int64_t from = piece.at(sides[0]), to = piece.at(sides[1]);
+        for (auto& entry : piece)
+        {
+          entry.second = entry.second == from ? to : entry.second;
+        }
+      }
+    }
+    Numbers pieces;
+    for (const auto& entry : piece)
+    {
+      pieces.insert(entry.second);
+    }
+    return pieces.size();
   }
 
   /// Vertices - edges + faces of the boundary.
@@ -140,8 +170,9 @@ private:
       this->Sides[corners].clear();
       for (std::size_t i = 0; i < face.size(); ++i)
       {
-        this->Sides[corners].push_back(
-          std::minmax(vertices[face[i]], vertices[face[(i + 1) % face.size()]]));
+        const Pair side = std::minmax(vertices[face[i]], vertices[face[(i + 1) % face.size()]]);
+        this->Sides[corners].push_back(side);
+        this->FacesOfEdge[side].insert(corners);
       }
     }
   }
@@ -221,6 +252,51 @@ void CheckAxioms(const Map& map)
   ASSERT_EQ(places.size(), darts);
 }
 
+/// The faces at an edge that a cell has, by their corners: two, found without darts.
+inline std::set<Corners> FacesAtEdge(const BruteForce& truth, const Pair& edge, std::int64_t cell)
+{
+  std::set<Corners> faces;
+  for (const Corners& corners : truth.FacesOfEdge.at(edge))
+  {
+    const std::vector<std::int64_t>& cells = truth.CellsOfFace.at(corners);
+    if (std::find(cells.begin(), cells.end(), cell) != cells.end())
+    {
+      faces.insert(corners);
+    }
+  }
+  return faces;
+}
+
+/// The order of a fan: the face by which each cell is left is that by which the next is entered;
+/// the face of a dart is the one of its cell that lies ahead, that of its beta2 the one behind. At
+/// the boundary a fan begins and ends with a face of one cell, and a pinched edge has several.
+template <typename Map>
+void CheckFanOrder(const Map& map, const BruteForce& truth, const Pair& ends,
+  const std::vector<typename Map::Dart>& fan)
+{
+  std::size_t fans = 0;
+  Corners first, ahead; // of the fan at hand: where it began, where the last cell was left
+  const auto isBorder = [&truth](const Corners& face)
+  { return truth.CellsOfFace.at(face).size() == 1; };
+  for (const auto dart : fan)
+  {
+    const Corners in = CornersOf(map, map.HalfFaceOf(map.Beta2(dart)));
+    const Corners out = CornersOf(map, map.HalfFaceOf(dart));
+    const std::set<Corners> both{ in, out };
+    ASSERT_EQ(both, FacesAtEdge(truth, ends, Number(map.CellOf(dart))));
+    if (fans == 0 || in != ahead)
+    {
+      ASSERT_TRUE(fans == 0 || ahead == first || isBorder(ahead)) << "a fan breaks off";
+      ++fans;
+      first = in;
+    }
+    ahead = out;
+  }
+  ASSERT_TRUE(ahead == first || isBorder(ahead));
+  ASSERT_TRUE(ahead == first || isBorder(first)) << "a fan begins in the middle";
+  ASSERT_EQ(fans, truth.FansOfEdge(ends));
+}
+
 template <typename Map>
 void CheckEdges(const Map& map, const BruteForce& truth)
 {
@@ -234,12 +310,19 @@ void CheckEdges(const Map& map, const BruteForce& truth)
     ASSERT_EQ(Ends(map, edges.DartOf(edge)), expected->first);
     ASSERT_EQ(edges.IsBoundary(edge), truth.BoundaryEdges.count(expected->first) == 1);
     Numbers cells;
+    std::vector<typename Map::Dart> fan;
     for (const auto dart : edges.Fan(edge))
     {
       ASSERT_EQ(Ends(map, dart), expected->first);
       ASSERT_TRUE(cells.insert(Number(map.CellOf(dart))).second);
+      fan.push_back(dart);
     }
     ASSERT_EQ(cells, expected->second);
+    CheckFanOrder(map, truth, expected->first, fan);
+    if (::testing::Test::HasFatalFailure())
+    {
+      return;
+    }
   }
 }
 

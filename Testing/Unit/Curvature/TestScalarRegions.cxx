@@ -13,6 +13,7 @@
 #include <vtkTable.h>
 #include <vtkTestErrorObserver.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -109,54 +110,65 @@ TEST(ScalarRegions, OneTriangleByHand)
   EXPECT_EQ(MiddleRegion(2, 0, 2), 2u);
 }
 
-TEST(ScalarRegions, PartitionsAndMargins)
+namespace
 {
-  std::vector<Model> meshes{ Torus(60, 40, 2.0, 0.8), Icosphere(20, 7.0) };
-  if (std::filesystem::exists(SharedDataFolder() / "surfaces/fertility.off"))
+
+/// Regions of two scalars make up the surface, and their joint table has the single ones as
+/// margins.
+void CheckPartitions(const Model& mesh)
+{
+  const auto a = Wave(mesh, 9.0, { -0.4, -0.1, 0.0, 0.3 });
+  const auto b = Wave(mesh, 14.0, { -0.2, 0.1, 0.11 });
+  const ThresholdedScalar one{ a.Values, {} };
+  const double total = RegionAreas(mesh.View(), one, one, AreaRule::WholeTriangles)[0];
+  for (const AreaRule rule : { AreaRule::Fractional, AreaRule::WholeTriangles })
   {
-    meshes.push_back(ReadOFF((SharedDataFolder() / "surfaces/fertility.off").string()));
-  }
-  for (const Model& mesh : meshes)
-  {
-    const auto a = Wave(mesh, 9.0, { -0.4, -0.1, 0.0, 0.3 });
-    const auto b = Wave(mesh, 14.0, { -0.2, 0.1, 0.11 });
-    const ThresholdedScalar one{ a.Values, {} };
-    const double total = RegionAreas(mesh.View(), one, one, AreaRule::WholeTriangles)[0];
-    for (const AreaRule rule : { AreaRule::Fractional, AreaRule::WholeTriangles })
+    const auto singleA = RegionAreas(mesh.View(), a, one, rule);
+    const auto singleB = RegionAreas(mesh.View(), b, one, rule);
+    const auto joint = RegionAreas(mesh.View(), a, b, rule);
+    EXPECT_NEAR(Sum(singleA) / total, 1.0, 1e-12);
+    EXPECT_NEAR(Sum(joint) / total, 1.0, 1e-12);
+    for (std::size_t i = 0; i < a.Regions(); ++i)
     {
-      const auto singleA = RegionAreas(mesh.View(), a, one, rule);
-      const auto singleB = RegionAreas(mesh.View(), b, one, rule);
-      const auto joint = RegionAreas(mesh.View(), a, b, rule);
-      EXPECT_NEAR(Sum(singleA) / total, 1.0, 1e-12);
-      EXPECT_NEAR(Sum(joint) / total, 1.0, 1e-12);
-      for (std::size_t i = 0; i < a.Regions(); ++i)
-      {
-        double row = 0.0;
-        for (std::size_t j = 0; j < b.Regions(); ++j)
-        {
-          EXPECT_GE(joint[i * b.Regions() + j], -1e-12 * total);
-          row += joint[i * b.Regions() + j];
-        }
-        EXPECT_NEAR(row, singleA[i], 1e-12 * total);
-      }
+      double row = 0.0;
       for (std::size_t j = 0; j < b.Regions(); ++j)
       {
-        double column = 0.0;
-        for (std::size_t i = 0; i < a.Regions(); ++i)
-        {
-          column += joint[i * b.Regions() + j];
-        }
-        EXPECT_NEAR(column, singleB[j], 1e-12 * total);
+        EXPECT_GE(joint[i * b.Regions() + j], -1e-12 * total);
+        row += joint[i * b.Regions() + j];
       }
+      EXPECT_NEAR(row, singleA[i], 1e-12 * total);
     }
-    double below = 0.0;
-    const auto single = RegionAreas(mesh.View(), a, one, AreaRule::Fractional);
-    for (std::size_t i = 0; i < a.Thresholds.size(); ++i)
+    for (std::size_t j = 0; j < b.Regions(); ++j)
     {
-      below += single[i];
-      EXPECT_NEAR(below / AreaBelow(mesh, a.Values, a.Thresholds[i]), 1.0, 1e-10);
+      double column = 0.0;
+      for (std::size_t i = 0; i < a.Regions(); ++i)
+      {
+        column += joint[i * b.Regions() + j];
+      }
+      EXPECT_NEAR(column, singleB[j], 1e-12 * total);
     }
   }
+  double below = 0.0;
+  const auto single = RegionAreas(mesh.View(), a, one, AreaRule::Fractional);
+  for (std::size_t i = 0; i < a.Thresholds.size(); ++i)
+  {
+    below += single[i];
+    EXPECT_NEAR(below / AreaBelow(mesh, a.Values, a.Thresholds[i]), 1.0, 1e-10);
+  }
+}
+
+}
+
+TEST(ScalarRegions, PartitionsAndMargins)
+{
+  CheckPartitions(Torus(60, 40, 2.0, 0.8));
+  CheckPartitions(Icosphere(20, 7.0));
+}
+
+TEST(ScalarRegions, PartitionsAndMarginsOfAScannedSurface)
+{
+  ISTHMUS_NEEDS_SHARED_DATA("surfaces/fertility.off");
+  CheckPartitions(ReadOFF((SharedDataFolder() / "surfaces/fertility.off").string()));
 }
 
 TEST(ScalarRegions, FractionalAreasConvergeToTheExactOnes)
@@ -260,9 +272,20 @@ TEST(vtkScalarRegions, TablesLabelsAndColors)
 
   vtkTable* histogram = filter->GetHistogram();
   ASSERT_EQ(histogram->GetNumberOfRows(), 10);
+  const Model torus = Torus(60, 40, 2.0, 0.8);
+  const std::vector<double> kappa = Wave(torus, 9.0, {}).Values;
+  const auto [lowest, highest] = std::minmax_element(kappa.begin(), kappa.end());
+  const double width = (*highest - *lowest) / 10.0;
   double fractions = 0.0;
   for (vtkIdType row = 0; row < 10; ++row)
   {
+    // A bin is what lies below its upper end and not below its lower one (Fig. 4.1 twice).
+    const double from = *lowest + width * static_cast<double>(row);
+    const double below = row == 9 ? total : AreaBelow(torus, kappa, from + width);
+    const double area = below - AreaBelow(torus, kappa, from);
+    EXPECT_NEAR(Cell(histogram, row, "Value"), from + 0.5 * width, 1e-12);
+    EXPECT_NEAR(Cell(histogram, row, "Area"), area, 1e-9 * total) << "bin " << row;
+    EXPECT_NEAR(Cell(histogram, row, "Fraction"), area / total, 1e-9) << "bin " << row;
     fractions += Cell(histogram, row, "Fraction");
   }
   EXPECT_NEAR(fractions, 1.0, 1e-12);

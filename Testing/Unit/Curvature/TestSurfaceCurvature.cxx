@@ -1,9 +1,14 @@
-#include "SharedData.h"
 #include "SurfaceCurvature.h"
+
+#include "EdgeBends.h"
+#include "SharedData.h"
 #include "SurfaceModels.h"
+#include "SurfacePatch.h"
+#include "TriangleStars.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -293,9 +298,37 @@ TEST(SurfaceCurvature, TensorOnCylinder)
 
 TEST(SurfaceCurvature, BallAndDiscHaveTheirAreas)
 {
-  // On a plane both are circles; on a sphere of radius 1, the ball is a cap of area pi r^2.
+  // On a plane both are circles. On a sphere of radius 1, the ball cuts out a cap of area pi r^2
+  // (Archimedes), the geodesic disc one of 2 pi (1 - cos r).
   const Model plane = Sheet(40, [](double u, double v) { return Vector{ u, v, 0.0 }; });
   const Model sphere = Icosphere(14, 1.0);
+  const auto areasOf = [](const Model& mesh, double radius, vtkIdType point)
+  {
+    const TriangleStars stars(mesh.View());
+    const EdgeBends bends(mesh.View(), stars);
+    SurfacePatch patch(mesh.View(), stars, bends, radius);
+    const double ball = patch.OverBall(point).Area;
+    return std::array<double, 2>{ ball, patch.OverDisc(point).Area };
+  };
+  for (const double radius : { 0.11, 0.21, 0.35 })
+  {
+    const auto flat = areasOf(plane, radius, 20 * 41 + 20);
+    EXPECT_NEAR(flat[0] / (pi * radius * radius), 1.0, 1e-12) << radius;
+    EXPECT_NEAR(flat[1] / (pi * radius * radius), 1.0, 0.02) << radius;
+    for (const vtkIdType point : { 0, 12, 500 })
+    {
+      const auto curved = areasOf(sphere, radius, point);
+      EXPECT_NEAR(curved[0] / (pi * radius * radius), 1.0, 0.02) << radius << " at " << point;
+    }
+  }
+  // The disc's border is a chord in each triangle: its error falls as the square of the edges.
+  const double cap = 2.0 * pi * (1.0 - std::cos(0.35));
+  const double coarse = std::abs(areasOf(sphere, 0.35, 0)[1] / cap - 1.0);
+  const double fine = std::abs(areasOf(Icosphere(28, 1.0), 0.35, 0)[1] / cap - 1.0);
+  std::printf(
+    "disc of 0.35 on the sphere: area off by %.4f, with half the edges %.4f\n", coarse, fine);
+  EXPECT_LT(coarse, 0.02);
+  EXPECT_LT(fine, coarse / 2.5);
   for (const auto neighbourhood :
     { CurvatureNeighbourhood::Ball, CurvatureNeighbourhood::GeodesicDisc })
   {

@@ -421,6 +421,27 @@ TEST(vtkSurfaceToGrid, LevelOfAnImage)
     EXPECT_EQ(Nodes(filter, "Inside")->GetComponent(i, 0), exact < 0.0);
     EXPECT_TRUE(!below.count(i) || Nodes(filter, "Irregular")->GetComponent(i, 0) == 1.0);
   }
+  // Irregular, as documented: one of the six neighbours is on the other side of the sphere.
+  vtkIdType irregular = 0;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const double* x = image->GetPoint(i);
+    const bool inside = vtkMath::Norm(x) < 1.27;
+    bool other = false;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (const double step : { -image->GetSpacing()[axis], image->GetSpacing()[axis] })
+      {
+        double y[3] = { x[0], x[1], x[2] };
+        y[axis] += step;
+        other = other || (image->FindPoint(y) >= 0 && (vtkMath::Norm(y) < 1.27) != inside);
+      }
+    }
+    irregular += other;
+    ASSERT_EQ(Nodes(filter, "Irregular")->GetComponent(i, 0), other ? 1.0 : 0.0) << "node " << i;
+  }
+  EXPECT_GT(irregular, 100);
+  EXPECT_LT(irregular, image->GetNumberOfPoints() / 2);
 }
 
 TEST(vtkSurfaceToGrid, SameBitsOnAnyNumberOfThreads)

@@ -7,6 +7,7 @@
 #include <vtkDataSet.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkMath.h>
 #include <vtkMeshQuality.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -17,7 +18,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+#include <vector>
 
 using namespace isthmus;
 
@@ -146,20 +149,73 @@ TEST(MeshQuality, TrianglesAgreeWithVTK)
   }
 }
 
+namespace
+{
+
+/// The six dihedral angles of each tetrahedron between the normals of its faces, by vtkMath alone.
+std::vector<double> DihedralHistogram(vtkUnstructuredGrid* grid, int bins)
+{
+  std::vector<double> counts(static_cast<std::size_t>(bins), 0.0);
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    double at[4][3];
+    for (int k = 0; k < 4; ++k)
+    {
+      grid->GetCell(c)->GetPoints()->GetPoint(k, at[k]);
+    }
+    for (int a = 0; a < 4; ++a)
+    {
+      for (int b = a + 1; b < 4; ++b)
+      {
+        // Seen along the edge from a to b, the angle between the directions to the other two
+        // points.
+        double edge[3], side[2][3];
+        vtkMath::Subtract(at[b], at[a], edge);
+        vtkMath::Normalize(edge);
+        for (int k = 0, s = 0; k < 4; ++k)
+        {
+          if (k != a && k != b)
+          {
+            vtkMath::Subtract(at[k], at[a], side[s]);
+            const double along = vtkMath::Dot(side[s], edge);
+            for (int i = 0; i < 3; ++i)
+            {
+              side[s][i] -= along * edge[i];
+            }
+            ++s;
+          }
+        }
+        const double degrees =
+          vtkMath::DegreesFromRadians(vtkMath::AngleBetweenVectors(side[0], side[1]));
+        ++counts[static_cast<std::size_t>(
+          std::min(bins - 1, static_cast<int>(degrees * bins / 180.0)))];
+      }
+    }
+  }
+  return counts;
+}
+
+}
+
 TEST(MeshQuality, HistogramCountsEveryAngleOnce)
 {
+  const auto grid = RandomTetrahedra(200);
   vtkNew<vtkMeshQualityReport> report;
-  report->SetInputData(RandomTetrahedra(200));
+  report->SetInputData(grid);
   report->SetNumberOfBins(18);
   report->Update();
   auto* table = vtkTable::SafeDownCast(report->GetOutputDataObject(1));
   ASSERT_EQ(table->GetNumberOfRows(), 18);
+  const std::vector<double> expected = DihedralHistogram(grid, 18);
   double count = 0.0;
   double fraction = 0.0;
   for (vtkIdType i = 0; i < 18; ++i)
   {
     EXPECT_DOUBLE_EQ(
       table->GetValueByName(i, "Angle").ToDouble(), 10.0 * static_cast<double>(i) + 5.0);
+    EXPECT_EQ(table->GetValueByName(i, "Count").ToDouble(), expected[static_cast<std::size_t>(i)]);
+    EXPECT_DOUBLE_EQ(table->GetValueByName(i, "Fraction").ToDouble(),
+      expected[static_cast<std::size_t>(i)] / 1200.0);
     count += table->GetValueByName(i, "Count").ToDouble();
     fraction += table->GetValueByName(i, "Fraction").ToDouble();
   }
