@@ -11,8 +11,8 @@
 #define isthmus_OpenDXReader_h
 
 #include "ByteSource.h"
-#include "OpenDXText.h"
 #include "SkewedLattice.h"
+#include "TextWords.h"
 #include "VoxelLattice.h"
 
 #include <cstdint>
@@ -76,7 +76,7 @@ private:
   void ReadNumbers(T* values, std::int64_t count);
 
   std::unique_ptr<ByteSource> Source;
-  OpenDXText Text;
+  TextWords Text;
   VoxelLattice Grid;
   bool HasGrid = false;
   OpenDXArray Values;

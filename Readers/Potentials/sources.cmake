@@ -4,5 +4,4 @@ isthmus_room(
     vtkOpenDXWriter
   SOURCES
     OpenDXReader
-    OpenDXText
     OpenDXWriter)
