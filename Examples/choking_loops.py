@@ -14,38 +14,12 @@ from pathlib import Path
 import numpy
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkTable
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonDataModel import vtkTable
 
 INK, GREY = (0.10, 0.10, 0.12), (0.66, 0.74, 0.86)
 RED, YELLOW, BLUE, PALE = (0.83, 0.09, 0.10), (0.98, 0.74, 0.02), (0.13, 0.38, 0.70), (0.72, 0.72, 0.74)
 HANDLE, TUNNEL, ADDITIONAL, NOISE = range(4)
-
-
-def read_off(path):
-    """An OFF file as vtkPolyData: ParaView has no reader for it."""
-    lines = [line for line in open(path) if line.strip() and not line.startswith("#")]
-    if not lines[0].strip().endswith("OFF"):
-        sys.exit(f"{path} is no OFF file: it does not begin with OFF.")
-    count, faces = (int(word) for word in lines[1].split()[:2])
-    points, cells = vtkPoints(), vtkCellArray()
-    for line in lines[2:2 + count]:
-        points.InsertNextPoint([float(word) for word in line.split()[:3]])
-    for line in lines[2 + count:2 + count + faces]:
-        words = [int(float(word)) for word in line.split()]
-        cells.InsertNextCell(words[0], words[1:1 + words[0]])
-    surface = vtkPolyData()
-    surface.SetPoints(points)
-    surface.SetPolys(cells)
-    return surface
-
-
-def open_surface(path):
-    if Path(path).suffix.lower() == ".off":
-        source = simple.TrivialProducer()
-        source.GetClientSideObject().SetOutput(read_off(path))
-        return source
-    return simple.OpenDataFile(str(path))
 
 
 def output(proxy, port=0):
@@ -268,7 +242,7 @@ def tell(found):
 def main(surface, picture="choking_loops.png", distance=100.0, persistence=5.0, side="Both"):
     if not Path(surface).is_file():
         sys.exit(f"There is no file {surface}.")
-    source = open_surface(surface)
+    source = simple.OpenDataFile(str(surface))
     simple.UpdatePipeline(proxy=source)
     if source.GetDataInformation().GetDataSetTypeAsString() != "vtkPolyData":
         sys.exit(f"{surface} is no surface: make one first, of a map with MapToMesh.py for instance.")

@@ -5,4 +5,6 @@ isthmus_room(
     PlainFile
     SkewedLattice
     StridedCopy
+    TextFile
+    TextWords
     VoxelLattice)

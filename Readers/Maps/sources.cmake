@@ -1,6 +1,7 @@
 isthmus_room(
   CLASSES
     vtkMRCMapReader
+    vtkVolumeTextWriter
   SOURCES
     MRCFieldData
     MRCGeometry

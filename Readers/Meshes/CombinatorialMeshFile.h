@@ -10,7 +10,7 @@
 #define isthmus_CombinatorialMeshFile_h
 
 #include "CellList.h"
-#include "NumberTypes.h"
+#include "MeshAttribute.h"
 
 #include "vtkIsthmusModule.h" // for the export macro
 
@@ -22,20 +22,6 @@
 
 namespace isthmus
 {
-
-/// One array on the vertices or on the cells.
-struct MeshAttribute
-{
-  enum class Place
-  {
-    Vertices,
-    Cells
-  };
-  Place On = Place::Vertices;
-  std::string Name;
-  std::int64_t Components = 1;
-  NumberList Values; ///< components run fastest
-};
 
 /// What a file holds. Coordinates are float or double, three a vertex.
 struct CombinatorialMesh

@@ -2,8 +2,20 @@ isthmus_room(
   CLASSES
     vtkCombinatorialMeshReader
     vtkCombinatorialMeshWriter
+    vtkMEDITReader
+    vtkMEDITWriter
     vtkMSMSReader
+    vtkMeshFileReader
+    vtkMeshFileWriter
+    vtkOFFSurfaceReader
+    vtkOFFSurfaceWriter
+    vtkTetGenMeshReader
+    vtkTetGenMeshWriter
   SOURCES
     CombinatorialMeshParser
     CombinatorialMeshWriter
-    MSMSReader)
+    MEDITFile
+    MSMSReader
+    MeshData
+    OFFFile
+    TetGenMeshFile)

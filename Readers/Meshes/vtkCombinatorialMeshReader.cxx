@@ -2,26 +2,21 @@
 
 #include "CombinatorialMeshFile.h"
 #include "GridCells.h"
+#include "MeshData.h"
 #include "OpenByteSource.h"
 #include "ReaderGuard.h"
 
-#include <vtkCellData.h>
 #include <vtkCellType.h>
-#include <vtkDataArray.h>
 #include <vtkErrorCode.h>
 #include <vtkIdList.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkSmartPointer.h>
-#include <vtkTypeTraits.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -75,25 +70,6 @@ Translation TranslationOf(const isthmus::CellType& type)
   return {};
 }
 
-vtkSmartPointer<vtkDataArray> ToArray(const isthmus::NumberList& numbers, std::int64_t components)
-{
-  return std::visit(
-    [components](const auto& values)
-    {
-      using Value = typename std::decay_t<decltype(values)>::value_type;
-      auto array = vtkSmartPointer<vtkDataArray>::Take(
-        vtkDataArray::CreateDataArray(vtkTypeTraits<Value>::VTKTypeID()));
-      array->SetNumberOfComponents(static_cast<int>(components));
-      array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
-      if (!values.empty())
-      {
-        std::memcpy(array->GetVoidPointer(0), values.data(), values.size() * sizeof(Value));
-      }
-      return array;
-    },
-    numbers);
-}
-
 void InsertPolyhedron(
   const isthmus::CellType& type, const std::int64_t* vertices, vtkUnstructuredGrid* grid)
 {
@@ -138,20 +114,10 @@ void InsertCells(const isthmus::CombinatorialMesh& mesh, vtkUnstructuredGrid* gr
 void Fill(const isthmus::CombinatorialMesh& mesh, vtkUnstructuredGrid* grid)
 {
   vtkNew<vtkPoints> points;
-  points->SetData(ToArray(mesh.Coordinates, 3));
+  points->SetData(isthmus::ToDataArray(mesh.Coordinates, 3));
   grid->SetPoints(points);
   InsertCells(mesh, grid);
-  for (const isthmus::MeshAttribute& attribute : mesh.Attributes)
-  {
-    const auto array = ToArray(attribute.Values, attribute.Components);
-    array->SetName(attribute.Name.c_str());
-    vtkDataSetAttributes* data = grid->GetPointData();
-    if (attribute.On == isthmus::MeshAttribute::Place::Cells)
-    {
-      data = grid->GetCellData();
-    }
-    data->AddArray(array);
-  }
+  isthmus::AddAttributes(mesh.Attributes, grid);
 }
 
 std::string Contents(const std::string& path, const isthmus::ProgressCallback& progress)

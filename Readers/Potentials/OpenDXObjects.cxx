@@ -13,7 +13,7 @@ namespace
 {
 
 /// Refuses axes that are not finite or lie in one plane.
-void CheckAxes(const VoxelLattice& grid, const OpenDXText& text)
+void CheckAxes(const VoxelLattice& grid, const TextWords& text)
 {
   const std::array<double, 3> spacing = grid.Spacing();
   for (std::size_t a = 0; a < 3; ++a)
@@ -34,7 +34,7 @@ void CheckAxes(const VoxelLattice& grid, const OpenDXText& text)
 }
 
 /// The words behind `type`.
-void ReadArrayType(OpenDXText& text, std::string& word, OpenDXArray& array)
+void ReadArrayType(TextWords& text, std::string& word, OpenDXArray& array)
 {
   word = text.Word();
   array.Unsigned = word == "unsigned";
@@ -53,7 +53,7 @@ void ReadArrayType(OpenDXText& text, std::string& word, OpenDXArray& array)
 
 }
 
-VoxelLattice ReadOpenDXPositions(OpenDXText& text, std::string& word)
+VoxelLattice ReadOpenDXPositions(TextWords& text, std::string& word)
 {
   VoxelLattice grid;
   word = text.Word();
@@ -95,7 +95,7 @@ VoxelLattice ReadOpenDXPositions(OpenDXText& text, std::string& word)
   return grid;
 }
 
-OpenDXArray ReadOpenDXArray(OpenDXText& text, std::string& word)
+OpenDXArray ReadOpenDXArray(TextWords& text, std::string& word)
 {
   OpenDXArray array;
   array.Single = true; // OpenDX' default

@@ -5,7 +5,7 @@
 #ifndef isthmus_OpenDXObjects_h
 #define isthmus_OpenDXObjects_h
 
-#include "OpenDXText.h"
+#include "TextWords.h"
 #include "VoxelLattice.h"
 
 #include <cstdint>
@@ -32,14 +32,14 @@ struct OpenDXArray
  * where there is none), three rows of delta. Reads one word further, into `word`.
  * @throws ReaderError, with the line, unless all are finite and the deltas span a volume.
  */
-VoxelLattice ReadOpenDXPositions(OpenDXText& text, std::string& word);
+VoxelLattice ReadOpenDXPositions(TextWords& text, std::string& word);
 
 /**
  * What an object of class `array` says before its values, up to the word `follows`, which is left
  * in `word`. Whether it fits the grid is not looked at.
  * @throws ReaderError, with the line, for types and forms that are not read.
  */
-OpenDXArray ReadOpenDXArray(OpenDXText& text, std::string& word);
+OpenDXArray ReadOpenDXArray(TextWords& text, std::string& word);
 
 }
 

@@ -295,7 +295,7 @@ bool LooksLikeOpenDXFile(const std::string& path)
   try
   {
     const std::unique_ptr<ByteSource> source = OpenByteSource(path);
-    return OpenDXText(*source).Word() == "object";
+    return TextWords(*source).Word() == "object";
   }
   catch (const std::exception&)
   {

@@ -13,6 +13,7 @@
 #include "ByteSource.h"
 #include "OpenDXObjects.h"
 #include "SkewedLattice.h"
+#include "TextWords.h"
 
 #include <cstdint>
 #include <memory>
@@ -59,7 +60,7 @@ private:
   void ReadNumbers(T* values, std::int64_t count);
 
   std::unique_ptr<ByteSource> Source;
-  OpenDXText Text;
+  TextWords Text;
   VoxelLattice Grid;
   bool HasGrid = false;
   OpenDXArray Values;

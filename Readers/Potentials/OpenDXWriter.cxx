@@ -1,109 +1,13 @@
 #include "OpenDXWriter.h"
 
-#include "NumberTypes.h"
+#include "TextFile.h"
 
-#include <vtk_zlib.h>
-
-#include <filesystem>
-#include <stdexcept>
 #include <type_traits>
 
 namespace isthmus
 {
 namespace
 {
-
-constexpr std::size_t bufferBytes = std::size_t{ 1 } << 20;
-
-bool EndsWithGz(const std::string& path)
-{
-  return path.size() >= 3 && path.compare(path.size() - 3, 3, ".gz") == 0;
-}
-
-/// Not what only looks like a file: a device, say.
-void RemoveFile(const std::string& path)
-{
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(path, ignored))
-  {
-    std::filesystem::remove(path, ignored);
-  }
-}
-
-/// A file of text that is removed again unless Close() is reached.
-class TextFile
-{
-public:
-  explicit TextFile(const std::string& path)
-    : Path(path)
-    // T: no compression, no header of gzip's.
-    , File(gzopen(path.c_str(), EndsWithGz(path) ? "wb6" : "wbT"))
-  {
-    if (!this->File)
-    {
-      this->Fail();
-    }
-    this->Buffer.reserve(bufferBytes + 256);
-  }
-  ~TextFile()
-  {
-    if (this->File)
-    {
-      gzclose(this->File);
-      RemoveFile(this->Path);
-    }
-  }
-  TextFile(const TextFile&) = delete;
-  TextFile& operator=(const TextFile&) = delete;
-
-  TextFile& operator<<(std::string_view text)
-  {
-    this->Buffer += text;
-    if (this->Buffer.size() > bufferBytes)
-    {
-      this->Flush();
-    }
-    return *this;
-  }
-  template <typename T, typename = std::enable_if_t<std::is_arithmetic_v<T>>>
-  TextFile& operator<<(T number)
-  {
-    std::array<char, 64> digits;
-    return *this << ToText(number, digits);
-  }
-
-  void Close()
-  {
-    this->Flush();
-    const gzFile file = this->File;
-    this->File = nullptr;
-    if (gzclose(file) != Z_OK)
-    {
-      RemoveFile(this->Path);
-      this->Fail();
-    }
-  }
-
-private:
-  void Flush()
-  {
-    const auto size = static_cast<unsigned int>(this->Buffer.size());
-    if (size > 0 && gzwrite(this->File, this->Buffer.data(), size) != static_cast<int>(size))
-    {
-      this->Fail();
-    }
-    this->Buffer.clear();
-  }
-  [[noreturn]] void Fail() const
-  {
-    throw std::runtime_error("The file '" + this->Path +
-      "' can't be written to its end: check its folder and the space left.");
-  }
-
-  std::string Path;
-  gzFile File;
-  std::string Buffer;
-};
 
 void WriteGrid(TextFile& file, const VoxelLattice& grid)
 {

@@ -5,5 +5,4 @@ isthmus_room(
   SOURCES
     OpenDXObjects
     OpenDXReader
-    OpenDXText
     OpenDXWriter)

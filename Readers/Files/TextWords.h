@@ -1,9 +1,9 @@
 /**
- * @file OpenDXText.h
- * @brief Words, numbers and raw bytes of an OpenDX file, read from front to back.
+ * @file TextWords.h
+ * @brief Words, numbers and raw bytes of a text file, read from front to back.
  */
-#ifndef isthmus_OpenDXText_h
-#define isthmus_OpenDXText_h
+#ifndef isthmus_TextWords_h
+#define isthmus_TextWords_h
 
 #include "ByteSource.h"
 
@@ -23,10 +23,10 @@ namespace isthmus
  * Memory: a buffer of 1 MiB, however large the file. Everything throws ReaderError with the path
  * and the line for what can't be read.
  */
-class OpenDXText
+class TextWords
 {
 public:
-  explicit OpenDXText(ByteSource& source);
+  explicit TextWords(ByteSource& source);
 
   /// The next word, empty at the end of the file; it is valid until the next call of any kind.
   std::string_view Word();
@@ -38,6 +38,9 @@ public:
   /// The next `count` numbers into `values`, T float or double, each the nearest that T has.
   template <typename T>
   void Numbers(T* values, std::int64_t count);
+
+  /// What follows on this line, without its comment and its end; behind it the next line begins.
+  std::string RestOfLine();
 
   /// The rest of this line, when it is blank, and after it `count` raw bytes into `to`.
   void EndLine();
@@ -52,6 +55,7 @@ public:
 private:
   bool Refill();
   bool SkipToWord();
+  std::string_view WordThere(const char* what);
   void SkipComment();
   template <typename T>
   T SlowNumber(const char* what);

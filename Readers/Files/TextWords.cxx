@@ -1,4 +1,4 @@
-#include "OpenDXText.h"
+#include "TextWords.h"
 
 #include "NumberTypes.h"
 #include "ReaderError.h"
@@ -28,20 +28,20 @@ const char* BehindPlus(const char* begin, const char* end)
 
 }
 
-OpenDXText::OpenDXText(ByteSource& source)
+TextWords::TextWords(ByteSource& source)
   : Source(source)
   , Buffer(bufferBytes)
 {
   this->Next = this->End = this->Buffer.data();
 }
 
-void OpenDXText::Refuse(const std::string& sentence) const
+void TextWords::Refuse(const std::string& sentence) const
 {
   throw ReaderError(ReaderFailure::Damaged,
     this->Source.Path() + ", line " + std::to_string(this->Line) + ": " + sentence);
 }
 
-bool OpenDXText::Refill()
+bool TextWords::Refill()
 {
   const auto left = static_cast<std::size_t>(this->End - this->Next);
   std::memmove(this->Buffer.data(), this->Next, left);
@@ -53,7 +53,7 @@ bool OpenDXText::Refill()
   return got > 0;
 }
 
-void OpenDXText::SkipComment()
+void TextWords::SkipComment()
 {
   std::string comment;
   for (++this->Next; this->Next != this->End || this->Refill(); ++this->Next)
@@ -74,7 +74,7 @@ void OpenDXText::SkipComment()
   }
 }
 
-bool OpenDXText::SkipToWord()
+bool TextWords::SkipToWord()
 {
   while (this->Next != this->End || this->Refill())
   {
@@ -95,7 +95,7 @@ bool OpenDXText::SkipToWord()
   return false;
 }
 
-std::string_view OpenDXText::Word()
+std::string_view TextWords::Word()
 {
   if (!this->SkipToWord())
   {
@@ -122,15 +122,27 @@ std::string_view OpenDXText::Word()
   const char* const end = std::find_if(begin, last, [](char c) { return IsBlank(c); });
   if (end == begin + longestWord + 1)
   {
-    this->Refuse("a word of more than 1024 characters: this is no OpenDX text.");
+    this->Refuse("a word of more than 1024 characters: this is no text of words and numbers.");
   }
   this->Next = end;
   return { begin, static_cast<std::size_t>(end - begin) };
 }
 
-std::int64_t OpenDXText::Whole(const char* what)
+std::string_view TextWords::WordThere(const char* what)
 {
   const std::string_view word = this->Word();
+  if (word.empty())
+  {
+    throw ReaderError(ReaderFailure::Truncated,
+      this->Source.Path() + ": the file ends at line " + std::to_string(this->Line) + " before " +
+        what + ". It is truncated or not all there; fetch or write it again.");
+  }
+  return word;
+}
+
+std::int64_t TextWords::Whole(const char* what)
+{
+  const std::string_view word = this->WordThere(what);
   std::int64_t value = 0;
   if (!FromText(word, value))
   {
@@ -140,21 +152,15 @@ std::int64_t OpenDXText::Whole(const char* what)
   return value;
 }
 
-double OpenDXText::Number(const char* what)
+double TextWords::Number(const char* what)
 {
   return this->SlowNumber<double>(what);
 }
 
 template <typename T>
-T OpenDXText::SlowNumber(const char* what)
+T TextWords::SlowNumber(const char* what)
 {
-  const std::string_view word = this->Word();
-  if (word.empty())
-  {
-    throw ReaderError(ReaderFailure::Truncated,
-      this->Source.Path() + ": the file ends at line " + std::to_string(this->Line) + " before " +
-        what + ". It is truncated or not all there; fetch or write it again.");
-  }
+  const std::string_view word = this->WordThere(what);
   const char* const end = word.data() + word.size();
   T value{};
   const auto result = std::from_chars(BehindPlus(word.data(), end), end, value);
@@ -175,7 +181,7 @@ T OpenDXText::SlowNumber(const char* what)
 }
 
 template <typename T>
-void OpenDXText::Numbers(T* values, std::int64_t count)
+void TextWords::Numbers(T* values, std::int64_t count)
 {
   for (std::int64_t i = 0; i < count; ++i)
   {
@@ -199,10 +205,31 @@ void OpenDXText::Numbers(T* values, std::int64_t count)
   }
 }
 
-template void OpenDXText::Numbers(float*, std::int64_t);
-template void OpenDXText::Numbers(double*, std::int64_t);
+template void TextWords::Numbers(float*, std::int64_t);
+template void TextWords::Numbers(double*, std::int64_t);
 
-void OpenDXText::EndLine()
+std::string TextWords::RestOfLine()
+{
+  std::string rest;
+  bool comment = false;
+  for (; this->Next != this->End || this->Refill(); ++this->Next)
+  {
+    if (*this->Next == '\n')
+    {
+      ++this->Line;
+      ++this->Next;
+      break;
+    }
+    comment = comment || *this->Next == '#';
+    if (!comment && rest.size() < longestWord)
+    {
+      rest += *this->Next == '\r' ? ' ' : *this->Next;
+    }
+  }
+  return rest;
+}
+
+void TextWords::EndLine()
 {
   while (this->Next != this->End || this->Refill())
   {
@@ -220,7 +247,7 @@ void OpenDXText::EndLine()
   }
 }
 
-void OpenDXText::Bytes(unsigned char* to, std::size_t count)
+void TextWords::Bytes(unsigned char* to, std::size_t count)
 {
   while (count > 0)
   {

@@ -1,0 +1,130 @@
+#include "vtkVolumeTextWriter.h"
+
+#include "AlgorithmGuard.h"
+#include "TextFile.h"
+
+#include <vtkDataArray.h>
+#include <vtkErrorCode.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkVolumeTextWriter);
+
+namespace
+{
+
+vtkDataArray* ArrayOf(vtkImageData* image, const std::string& name)
+{
+  vtkPointData* const data = image->GetPointData();
+  vtkDataArray* array = name.empty() ? (data->GetScalars() ? data->GetScalars() : data->GetArray(0))
+                                     : data->GetArray(name.c_str());
+  if (image->GetNumberOfPoints() == 0 || !array || array->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument("The image has no point array" +
+      (name.empty() ? std::string() : " '" + name + "'") +
+      " with one number for each node: choose another array, or another input.");
+  }
+  return array;
+}
+
+bool LiesOnWholeNumbers(vtkImageData* image)
+{
+  const double* origin = image->GetOrigin();
+  const double* spacing = image->GetSpacing();
+  bool plain = true;
+  for (int a = 0; a < 3; ++a)
+  {
+    plain = plain && origin[a] == 0.0 && spacing[a] == 1.0 && image->GetExtent()[2 * a] == 0;
+  }
+  return plain;
+}
+
+/// float keeps its own few digits; all other types are exact in double, but for 64-bit integers.
+void WriteNumber(isthmus::TextFile& file, vtkDataArray* array, vtkIdType i)
+{
+  switch (array->GetDataType())
+  {
+    case VTK_FLOAT:
+      file << static_cast<float>(array->GetComponent(i, 0));
+      break;
+    case VTK_DOUBLE:
+      file << array->GetComponent(i, 0);
+      break;
+    default:
+      file << array->GetVariantValue(i).ToTypeInt64();
+  }
+}
+
+void WriteRows(vtkImageData* image, vtkDataArray* array, const std::string& path,
+  const isthmus::ProgressCallback& progress)
+{
+  const int* n = image->GetDimensions();
+  isthmus::TextFile file(path);
+  file << n[0] << " " << n[1] << " " << n[2] << "\n";
+  for (vtkIdType i = 0, row = 0; i < image->GetNumberOfPoints(); ++row)
+  {
+    for (int x = 0; x < n[0]; ++x, ++i)
+    {
+      file << (x == 0 ? "" : " ");
+      WriteNumber(file, array, i);
+    }
+    file << "\n";
+    if (row % n[1] == 0)
+    {
+      isthmus::Report(
+        progress, static_cast<double>(i) / static_cast<double>(image->GetNumberOfPoints()));
+    }
+  }
+  file.Close();
+}
+
+}
+
+vtkVolumeTextWriter::~vtkVolumeTextWriter()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkVolumeTextWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+void vtkVolumeTextWriter::WriteData()
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  try
+  {
+    if (!this->FileName || !*this->FileName)
+    {
+      throw std::invalid_argument("There is no file name: set FileName.");
+    }
+    auto* const image = vtkImageData::SafeDownCast(this->GetInput());
+    WriteRows(image, ArrayOf(image, this->ArrayName), this->FileName, isthmus::ProgressOf(this));
+    if (!LiesOnWholeNumbers(image))
+    {
+      vtkWarningMacro("A .dat file holds no origin and no spacing: note them elsewhere, or write "
+                      "OpenDX (.dx), which holds both.");
+    }
+  }
+  catch (const isthmus::Cancelled&)
+  {
+  }
+  catch (const std::exception& error)
+  {
+    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
+    vtkErrorMacro(<< isthmus::Printable(error.what()));
+  }
+}
+
+void vtkVolumeTextWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "ArrayName: " << this->ArrayName << "\n";
+}

@@ -1,0 +1,56 @@
+/**
+ * @class vtkVolumeTextWriter
+ * @brief Writes the values of an image as plain text (.dat): three counts, then numbers, x fastest.
+ *
+ * The thesis' export of voxel values (X. Feng, 2018, chapter 5): a line "nx ny nz", then a line of
+ * nx values for each row along x. Numbers have the fewest digits from which the same bits are read.
+ * Origin and spacing are not part of the format, which a warning tells where they are not 0 and 1.
+ *
+ * No nodes, no such array, an array of several components, a file that can't be written to its end:
+ * one sentence through vtkErrorMacro, the error code set, and no file. About 0.1 us a number;
+ * memory 1 MiB.
+ */
+#ifndef vtkVolumeTextWriter_h
+#define vtkVolumeTextWriter_h
+
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <vtkWriter.h>
+
+#include <string> // for the array's name
+
+class VTKISTHMUS_EXPORT vtkVolumeTextWriter : public vtkWriter
+{
+public:
+  static vtkVolumeTextWriter* New();
+  vtkTypeMacro(vtkVolumeTextWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The file to write. Default: none.
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /// Point array to write. Default empty: the active scalars, else the first point array.
+  vtkSetMacro(ArrayName, std::string);
+  vtkGetMacro(ArrayName, std::string);
+  ///@}
+
+protected:
+  vtkVolumeTextWriter() = default;
+  ~vtkVolumeTextWriter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void WriteData() override;
+
+private:
+  vtkVolumeTextWriter(const vtkVolumeTextWriter&) = delete;
+  void operator=(const vtkVolumeTextWriter&) = delete;
+
+  char* FileName = nullptr;
+  std::string ArrayName;
+};
+
+#endif

@@ -1,0 +1,75 @@
+/**
+ * @file CellMesh.h
+ * @brief What mesh files of the common formats hold: points, cells of few shapes, numbers on both.
+ */
+#ifndef isthmus_CellMesh_h
+#define isthmus_CellMesh_h
+
+#include "MeshAttribute.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isthmus
+{
+
+/// Vertices are in VTK's order (vtkCell and its subclasses).
+enum class CellShape : std::uint8_t
+{
+  Vertex,
+  Line,
+  Triangle,
+  Quadrilateral,
+  Polygon,
+  Tetrahedron,
+  Pyramid,
+  Wedge,
+  Hexahedron,
+  QuadraticTetrahedron
+};
+
+/// How many vertices each shape has, in the order of CellShape; 0: any number.
+inline constexpr std::array<std::int64_t, 10> VerticesOfShape{ 1, 2, 3, 4, 0, 4, 5, 6, 8, 10 };
+
+/// Ids from 0. Attributes have a tuple for each point or each cell.
+struct CellMesh
+{
+  std::vector<double> Coordinates;        ///< #points x 3
+  std::vector<CellShape> Shapes;          ///< #cells
+  std::vector<std::int64_t> Offsets{ 0 }; ///< #cells + 1, into Vertices
+  std::vector<std::int64_t> Vertices;
+  std::vector<MeshAttribute> Attributes;
+
+  std::int64_t NumberOfPoints() const
+  {
+    return static_cast<std::int64_t>(this->Coordinates.size() / 3);
+  }
+  std::int64_t NumberOfCells() const { return static_cast<std::int64_t>(this->Shapes.size()); }
+
+  /// Ends a cell whose vertices were appended to Vertices.
+  void EndCell(CellShape shape)
+  {
+    this->Shapes.push_back(shape);
+    this->Offsets.push_back(static_cast<std::int64_t>(this->Vertices.size()));
+  }
+
+  /// The attribute of that place and name; null: there is none.
+  const MeshAttribute* Find(MeshAttribute::Place on, std::string_view name) const
+  {
+    for (const MeshAttribute& attribute : this->Attributes)
+    {
+      if (attribute.On == on && attribute.Name == name)
+      {
+        return &attribute;
+      }
+    }
+    return nullptr;
+  }
+};
+
+}
+
+#endif

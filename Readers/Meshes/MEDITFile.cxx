@@ -1,0 +1,262 @@
+#include "MEDITFile.h"
+
+#include "MeshWords.h"
+#include "OpenByteSource.h"
+#include "PrintableText.h"
+#include "ReaderError.h"
+#include "TextFile.h"
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+#include <stdexcept>
+
+namespace isthmus
+{
+namespace
+{
+
+using Place = MeshAttribute::Place;
+
+constexpr std::string_view firstWord = "MeshVersionFormatted";
+
+/// The sections that hold cells.
+struct Kind
+{
+  std::string_view Name;
+  CellShape Shape;
+};
+constexpr std::array<Kind, 7> kinds{ Kind{ "Edges", CellShape::Line },
+  Kind{ "Triangles", CellShape::Triangle }, Kind{ "Quadrilaterals", CellShape::Quadrilateral },
+  Kind{ "Tetrahedra", CellShape::Tetrahedron }, Kind{ "Pyramids", CellShape::Pyramid },
+  Kind{ "Prisms", CellShape::Wedge }, Kind{ "Hexahedra", CellShape::Hexahedron } };
+
+bool BeginsSection(const std::string& word)
+{
+  return !word.empty() && std::isalpha(static_cast<unsigned char>(word[0]));
+}
+
+/// Gathers a file's sections.
+class Reading
+{
+public:
+  Reading(ByteSource& source, const ProgressCallback& progress)
+    : Words(source, progress)
+  {
+  }
+
+  CellMesh Read()
+  {
+    this->ReadHeader();
+    std::string word(this->Words.Word());
+    while (!word.empty() && word != "End")
+    {
+      word = this->ReadSection(word);
+    }
+    this->CheckVertices();
+    this->Mesh.Attributes.push_back(
+      { Place::Vertices, "Reference", 1, std::move(this->PointReferences) });
+    this->Mesh.Attributes.push_back(
+      { Place::Cells, "Reference", 1, std::move(this->CellReferences) });
+    return std::move(this->Mesh);
+  }
+
+private:
+  void ReadHeader()
+  {
+    const std::string word(this->Words.Word());
+    if (word != firstWord)
+    {
+      this->Words.Refuse("a MEDIT mesh begins with MeshVersionFormatted, not with '" +
+        Printable(word.substr(0, 30)) +
+        "'. Other programs (MFEM, Netgen) use .mesh for formats of their own: export it as MEDIT.");
+    }
+    this->Words.Whole("the version");
+  }
+
+  /// Returns the word that begins the next one.
+  std::string ReadSection(const std::string& name)
+  {
+    const auto* kind = std::find_if(
+      kinds.begin(), kinds.end(), [&name](const Kind& known) { return known.Name == name; });
+    if (name == "Dimension")
+    {
+      if (this->Words.Whole("the dimension") != 3)
+      {
+        this->Words.Refuse("only meshes in space (Dimension 3) are read.");
+      }
+    }
+    else if (name == "Vertices")
+    {
+      this->ReadPoints();
+    }
+    else if (kind != kinds.end())
+    {
+      this->ReadCells(*kind);
+    }
+    else if (BeginsSection(name))
+    {
+      return this->SkipSection();
+    }
+    else
+    {
+      this->Words.Refuse("a section should begin where '" + Printable(name.substr(0, 30)) +
+        "' is: the one before has more rows than it says, or the file is damaged.");
+    }
+    return std::string(this->Words.Word());
+  }
+
+  std::string SkipSection()
+  {
+    std::string word(this->Words.Word());
+    while (!word.empty() && !BeginsSection(word))
+    {
+      word = this->Words.Word();
+    }
+    return word;
+  }
+
+  void ReadPoints()
+  {
+    if (!this->Mesh.Coordinates.empty())
+    {
+      this->Words.Refuse("there are Vertices for the second time: this is more than one mesh.");
+    }
+    const std::int64_t points = this->Words.Count("the number of vertices", 8);
+    for (std::int64_t i = 0; i < points; ++i)
+    {
+      this->Words.Point(this->Mesh.Coordinates);
+      this->PointReferences.push_back(this->Words.Whole("the reference of a vertex"));
+      this->Words.Tell(i, points);
+    }
+  }
+
+  void ReadCells(const Kind& kind)
+  {
+    const std::int64_t size = VerticesOfShape[static_cast<std::size_t>(kind.Shape)];
+    const std::int64_t cells =
+      this->Words.Count(kind.Name.data(), static_cast<std::uint64_t>(2 * size));
+    // Vertices may come later; then the largest number is looked at in the end.
+    const std::int64_t points = this->Mesh.Coordinates.empty()
+      ? std::numeric_limits<std::int64_t>::max() - 1
+      : this->Mesh.NumberOfPoints();
+    for (std::int64_t i = 0; i < cells; ++i)
+    {
+      for (std::int64_t c = 0; c < size; ++c)
+      {
+        this->Mesh.Vertices.push_back(this->Words.Vertex(points, 1));
+      }
+      this->Mesh.EndCell(kind.Shape);
+      this->CellReferences.push_back(this->Words.Whole("the reference of a cell"));
+      this->Words.Tell(i, cells);
+    }
+  }
+
+  void CheckVertices()
+  {
+    const auto& vertices = this->Mesh.Vertices;
+    const auto largest = std::max_element(vertices.begin(), vertices.end());
+    if (largest != vertices.end() && *largest >= this->Mesh.NumberOfPoints())
+    {
+      this->Words.Refuse("vertex " + std::to_string(*largest + 1) + " is named, but there are " +
+        std::to_string(this->Mesh.NumberOfPoints()) + ". The file is cut or damaged.");
+    }
+  }
+
+  MeshWords Words;
+  CellMesh Mesh;
+  std::vector<std::int64_t> PointReferences;
+  std::vector<std::int64_t> CellReferences;
+};
+
+const std::vector<std::int64_t>* References(const CellMesh& mesh, Place on)
+{
+  const MeshAttribute* found = mesh.Find(on, "Reference");
+  return found && found->Components == 1 ? std::get_if<std::vector<std::int64_t>>(&found->Values)
+                                         : nullptr;
+}
+
+void CheckShapes(const CellMesh& mesh)
+{
+  for (const CellShape shape : mesh.Shapes)
+  {
+    const bool known = std::any_of(
+      kinds.begin(), kinds.end(), [shape](const Kind& kind) { return kind.Shape == shape; });
+    if (!known)
+    {
+      throw std::invalid_argument(
+        "A MEDIT mesh holds edges, triangles, quadrilaterals, tetrahedra, "
+        "pyramids, prisms and hexahedra: triangulate other cells first.");
+    }
+  }
+}
+
+void WriteCells(const CellMesh& mesh, const Kind& kind, TextFile& file)
+{
+  const auto count = std::count(mesh.Shapes.begin(), mesh.Shapes.end(), kind.Shape);
+  if (count == 0)
+  {
+    return;
+  }
+  const auto* references = References(mesh, Place::Cells);
+  file << kind.Name << "\n" << static_cast<std::int64_t>(count) << "\n";
+  for (std::size_t cell = 0; cell < mesh.Shapes.size(); ++cell)
+  {
+    if (mesh.Shapes[cell] != kind.Shape)
+    {
+      continue;
+    }
+    for (auto v = mesh.Offsets[cell]; v < mesh.Offsets[cell + 1]; ++v)
+    {
+      file << mesh.Vertices[static_cast<std::size_t>(v)] + 1 << " ";
+    }
+    file << (references ? (*references)[cell] : 0) << "\n";
+  }
+}
+
+}
+
+CellMesh ReadMEDIT(const std::string& path, const ProgressCallback& progress)
+{
+  const auto source = OpenByteSource(path);
+  CellMesh mesh = Reading(*source, progress).Read();
+  source->CheckEnd();
+  return mesh;
+}
+
+void WriteMEDIT(const CellMesh& mesh, const std::string& path, const ProgressCallback& progress)
+{
+  CheckShapes(mesh);
+  const auto* references = References(mesh, Place::Vertices);
+  TextFile file(path);
+  file << firstWord << " 2\nDimension 3\nVertices\n" << mesh.NumberOfPoints() << "\n";
+  for (std::size_t i = 0; i < mesh.Coordinates.size() / 3; ++i)
+  {
+    const double* p = mesh.Coordinates.data() + 3 * i;
+    file << p[0] << " " << p[1] << " " << p[2] << " " << (references ? (*references)[i] : 0)
+         << "\n";
+  }
+  Report(progress, 0.4);
+  for (const Kind& kind : kinds)
+  {
+    WriteCells(mesh, kind, file);
+  }
+  file << "End\n";
+  file.Close();
+  Report(progress, 1.0);
+}
+
+bool LooksLikeMEDIT(const std::string& path)
+{
+  try
+  {
+    const auto source = OpenByteSource(path);
+    return TextWords(*source).Word() == firstWord;
+  }
+  catch (const ReaderError&)
+  {
+    return false;
+  }
+}
+
+}

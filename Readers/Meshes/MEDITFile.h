@@ -1,0 +1,49 @@
+/**
+ * @file MEDITFile.h
+ * @brief Meshes in MEDIT's text format (.mesh), as Gmsh, Mmg, CGAL and TetWild write them.
+ *
+ * Source: P. Frey, MEDIT: an interactive mesh visualization software, INRIA RT-0253 (2001).
+ *
+ *     file    = "MeshVersionFormatted" V "Dimension" 3 section* "End"
+ *     section = "Vertices" N (x y z reference)* | KIND N (vertex* reference)* | other
+ *     KIND    = Edges | Triangles | Quadrilaterals | Tetrahedra | Pyramids | Prisms | Hexahedra
+ *
+ * Vertices are numbered from 1 and may come after the cells. Other sections (corners, ridges,
+ * normals, ...) are left out. # begins a comment.
+ */
+#ifndef isthmus_MEDITFile_h
+#define isthmus_MEDITFile_h
+
+#include "CellMesh.h"
+#include "Progress.h"
+
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <string>
+
+namespace isthmus
+{
+
+/**
+ * Reads points and cells in the order of their sections, with the attribute `Reference` (int64) on
+ * both. @throws ReaderError with path, line and reason: no MEDIT text (MFEM and Netgen use .mesh,
+ * too), two dimensions, a vertex that is not there, an early end. Time and memory: O(bytes).
+ */
+VTKISTHMUS_EXPORT CellMesh ReadMEDIT(
+  const std::string& path, const ProgressCallback& progress = {});
+
+/**
+ * Writes points and cells, by kind; `Reference` attributes of one int64 component, else 0. Read
+ * again, coordinates are the same bits and cells of a kind in the same order.
+ * @throws std::invalid_argument for polygons and quadratic cells, std::runtime_error when the file
+ * can't be written.
+ */
+VTKISTHMUS_EXPORT void WriteMEDIT(
+  const CellMesh& mesh, const std::string& path, const ProgressCallback& progress = {});
+
+/// Does the file begin with MEDIT's first word?
+VTKISTHMUS_EXPORT bool LooksLikeMEDIT(const std::string& path);
+
+}
+
+#endif

@@ -1,0 +1,95 @@
+/**
+ * @file MeshWords.h
+ * @brief Counts, points and vertex numbers of a mesh file, checked, with sentences about its lines.
+ */
+#ifndef isthmus_MeshWords_h
+#define isthmus_MeshWords_h
+
+#include "ByteSource.h"
+#include "Progress.h"
+#include "TextWords.h"
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace isthmus
+{
+
+/// A TextWords that knows how many points there are. Everything throws ReaderError and Cancelled.
+class MeshWords : public TextWords
+{
+public:
+  MeshWords(ByteSource& source, ProgressCallback progress)
+    : TextWords(source)
+    , MostBytes(source.MostBytes())
+    , Progress(std::move(progress))
+  {
+  }
+
+  /// A number of things of which each takes at least `bytes` bytes of the file: a damaged count
+  /// costs a sentence, not memory.
+  std::int64_t Count(const char* what, std::uint64_t bytes = 2)
+  {
+    const std::int64_t count = this->Whole(what);
+    if (count < 0 || static_cast<std::uint64_t>(count) > this->MostBytes / bytes)
+    {
+      this->Refuse(std::string(what) + " is given as " + std::to_string(count) +
+        ", for which the file is too short. It is cut or damaged: write or fetch it again.");
+    }
+    return count;
+  }
+
+  double Coordinate()
+  {
+    const double value = this->Number("a coordinate");
+    if (!std::isfinite(value))
+    {
+      this->Refuse("a coordinate is not a finite number. Mend it, or write the file again.");
+    }
+    return value;
+  }
+
+  /// Appends three of them.
+  void Point(std::vector<double>& coordinates)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      coordinates.push_back(this->Coordinate());
+    }
+  }
+
+  /// The next vertex as a number from 0, where the file counts from `first` to first + points - 1.
+  std::int64_t Vertex(std::int64_t points, std::int64_t first)
+  {
+    const std::int64_t id = this->Whole("the number of a vertex");
+    if (id < first || id - first >= points)
+    {
+      this->Refuse("vertex " + std::to_string(id) + " is named, but " +
+        (points == 0 ? std::string("there are none")
+                     : "they are numbered " + std::to_string(first) + " to " +
+              std::to_string(first + points - 1)) +
+        ". The file is damaged, or another program's: write it again.");
+    }
+    return id - first;
+  }
+
+  /// Tells progress now and then; `done` of `all` rows are read.
+  void Tell(std::int64_t done, std::int64_t all)
+  {
+    constexpr std::int64_t rowsBetweenReports = 1 << 14;
+    if (done % rowsBetweenReports == 0)
+    {
+      Report(this->Progress, static_cast<double>(done) / static_cast<double>(all > 0 ? all : 1));
+    }
+  }
+
+private:
+  std::uint64_t MostBytes;
+  ProgressCallback Progress;
+};
+
+}
+
+#endif

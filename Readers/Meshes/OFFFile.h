@@ -1,0 +1,53 @@
+/**
+ * @file OFFFile.h
+ * @brief Surfaces in Geomview's Object File Format: vertices, then polygons (.off).
+ *
+ * Source: Geomview Manual 1.9, "OFF Files". The thesis' triangle-mesh file ("vertices, then
+ * triangles") is this one.
+ *
+ *     file   = [ST][C][N]"OFF"  POINTS FACES EDGES  point* face*
+ *     point  = x y z [nx ny nz] [r g b [a]] [s t]        one a line
+ *     face   = SIZE VERTEX* [colour]                     one a line, vertices from 0
+ *
+ * # begins a comment. EDGES is not used, and may be missing from the line.
+ */
+#ifndef isthmus_OFFFile_h
+#define isthmus_OFFFile_h
+
+#include "CellMesh.h"
+#include "Progress.h"
+
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <string>
+
+namespace isthmus
+{
+
+/**
+ * Reads a file, plain or compressed. Faces of one, two, three, four vertices become vertices,
+ * lines, triangles, quadrilaterals, others polygons. With N the attribute `Normals` (3 components),
+ * with C `Colors` (4 bytes a point; numbers with a point in them are shares of 255). Texture
+ * coordinates and colours of faces are left out.
+ *
+ * @throws ReaderError with path, line and reason: no OFF file, a binary one, one of other
+ * dimensions (4OFF, nOFF), a vertex that is not there, a coordinate that is not finite, an early
+ * end. Time and memory: O(bytes).
+ */
+VTKISTHMUS_EXPORT CellMesh ReadOFF(const std::string& path, const ProgressCallback& progress = {});
+
+/**
+ * Writes points and cells up to polygons; read again, coordinates are the same bits. With a point
+ * attribute `Normals` of three components an NOFF file.
+ * @throws std::invalid_argument for volume cells, std::runtime_error when the file can't be
+ * written.
+ */
+VTKISTHMUS_EXPORT void WriteOFF(
+  const CellMesh& mesh, const std::string& path, const ProgressCallback& progress = {});
+
+/// Does the file begin as an OFF file does?
+VTKISTHMUS_EXPORT bool LooksLikeOFF(const std::string& path);
+
+}
+
+#endif

@@ -1,0 +1,51 @@
+/**
+ * @file TetGenMeshFile.h
+ * @brief Meshes as TetGen writes them: points in .node, tetrahedra in .ele, triangles in .face.
+ *
+ * Source: H. Si, TetGen user's manual 1.5, section 5.2. Each file is a line of counts, then a row
+ * for each thing; the first number of a row is its own, from 0 or 1 as in the first row of .node.
+ *
+ *     .node  POINTS 3 ATTRIBUTES MARKERS(0|1)       id x y z attribute* [marker]
+ *     .ele   TETRAHEDRA CORNERS(4|10) ATTRIBUTES    id vertex* attribute*
+ *     .face  TRIANGLES MARKERS(0|1)                 id v1 v2 v3 [marker] ...
+ */
+#ifndef isthmus_TetGenMeshFile_h
+#define isthmus_TetGenMeshFile_h
+
+#include "CellMesh.h"
+#include "Progress.h"
+
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <string>
+
+namespace isthmus
+{
+
+/**
+ * Reads the points of NAME.node and what the file that was named holds: tetrahedra of .ele (with
+ * ten corners: QuadraticTetrahedron), triangles of .face, nothing but points of .node. Attributes:
+ * `Attribute` (double, on points or cells), `BoundaryMarker` (int64).
+ *
+ * @throws ReaderError with path, line and reason: a partner that is missing, points of two
+ * dimensions, a vertex that is not there, ids out of order, an early end. Time and memory:
+ * O(bytes).
+ */
+VTKISTHMUS_EXPORT CellMesh ReadTetGenFiles(
+  const std::string& path, const ProgressCallback& progress = {});
+
+/**
+ * Writes NAME.node, and NAME.ele where there are tetrahedra, NAME.face where there are triangles,
+ * ids from 1. Read again, coordinates and the attributes named above are the same bits.
+ * @throws std::invalid_argument for other cells, or tetrahedra of both orders;
+ * std::runtime_error when a file can't be written.
+ */
+VTKISTHMUS_EXPORT void WriteTetGenFiles(
+  const CellMesh& mesh, const std::string& path, const ProgressCallback& progress = {});
+
+/// Does the file begin with such a line of counts?
+VTKISTHMUS_EXPORT bool LooksLikeTetGen(const std::string& path);
+
+}
+
+#endif

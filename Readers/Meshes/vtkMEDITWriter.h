@@ -1,0 +1,35 @@
+/**
+ * @class vtkMEDITWriter
+ * @brief Writes meshes in MEDIT's text format (.mesh), which Gmsh, Mmg, CGAL and fTetWild read.
+ *
+ * Edges, triangles, quadrilaterals, tetrahedra, pyramids, prisms and hexahedra, by kind; the array
+ * `Reference` (whole numbers) of points and cells, else 0. Other arrays are left out, which a
+ * warning tells. Other cells, and a file that can't be written to its end, are an error with the
+ * error code set, and leave no file. Time: O(bytes); memory: that of the mesh.
+ */
+#ifndef vtkMEDITWriter_h
+#define vtkMEDITWriter_h
+
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include "vtkMeshFileWriter.h"
+
+class VTKISTHMUS_EXPORT vtkMEDITWriter : public vtkMeshFileWriter
+{
+public:
+  static vtkMEDITWriter* New();
+  vtkTypeMacro(vtkMEDITWriter, vtkMeshFileWriter);
+
+protected:
+  vtkMEDITWriter() = default;
+  ~vtkMEDITWriter() override = default;
+
+  void WriteMesh(const isthmus::CellMesh& mesh) override;
+  const char* ArrayNames() const override;
+
+private:
+  vtkMEDITWriter(const vtkMEDITWriter&) = delete;
+  void operator=(const vtkMEDITWriter&) = delete;
+};
+
+#endif

@@ -1,0 +1,37 @@
+#include "vtkMeshFileReader.h"
+
+#include "MeshData.h"
+#include "ReaderGuard.h"
+
+#include <vtkInformationVector.h>
+#include <vtkUnstructuredGrid.h>
+
+vtkMeshFileReader::vtkMeshFileReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkMeshFileReader::~vtkMeshFileReader()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkMeshFileReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
+{
+  auto* const grid = vtkUnstructuredGrid::GetData(output);
+  return isthmus::GuardedRead(
+    this, this->FileName, grid, [this](unsigned long code) { this->SetErrorCode(code); },
+    [&]
+    {
+      isthmus::CellMesh mesh;
+      this->ReadMesh(mesh);
+      isthmus::ToGrid(mesh, grid);
+    });
+}
+
+void vtkMeshFileReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}

@@ -1,0 +1,45 @@
+/**
+ * @class vtkMeshFileReader
+ * @brief What readers of mesh files share: a file's name, its points, cells and arrays as a grid.
+ */
+#ifndef vtkMeshFileReader_h
+#define vtkMeshFileReader_h
+
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <vtkUnstructuredGridAlgorithm.h>
+
+namespace isthmus
+{
+struct CellMesh;
+}
+
+class VTKISTHMUS_EXPORT vtkMeshFileReader : public vtkUnstructuredGridAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkMeshFileReader, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The file to read. Default: none.
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+protected:
+  vtkMeshFileReader();
+  ~vtkMeshFileReader() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  /// Fills `mesh` from FileName, which is set, or throws with a sentence.
+  virtual void ReadMesh(isthmus::CellMesh& mesh) = 0;
+
+  char* FileName = nullptr;
+
+private:
+  vtkMeshFileReader(const vtkMeshFileReader&) = delete;
+  void operator=(const vtkMeshFileReader&) = delete;
+};
+
+#endif

@@ -1,0 +1,42 @@
+#include "vtkOFFSurfaceReader.h"
+
+#include "MeshData.h"
+#include "OFFFile.h"
+#include "ReaderGuard.h"
+
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+vtkStandardNewMacro(vtkOFFSurfaceReader);
+
+vtkOFFSurfaceReader::vtkOFFSurfaceReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkOFFSurfaceReader::~vtkOFFSurfaceReader()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkOFFSurfaceReader::CanReadFile(const char* fileName)
+{
+  return fileName && isthmus::LooksLikeOFF(fileName) ? 1 : 0;
+}
+
+int vtkOFFSurfaceReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
+{
+  auto* const surface = vtkPolyData::GetData(output);
+  return isthmus::GuardedRead(
+    this, this->FileName, surface, [this](unsigned long code) { this->SetErrorCode(code); },
+    [&]
+    { isthmus::ToSurface(isthmus::ReadOFF(this->FileName, isthmus::ProgressOf(this)), surface); });
+}
+
+void vtkOFFSurfaceReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}

@@ -1,0 +1,46 @@
+/**
+ * @class vtkOFFSurfaceReader
+ * @brief Reads surfaces in Geomview's Object File Format (.off, and with colours or normals).
+ *
+ * Output: vtkPolyData with points in double precision; of NOFF files the active normals `Normals`,
+ * of COFF files `Colors` (red, green, blue, opacity as bytes). The grammar is in OFFFile.h. A file
+ * that is missing, cut or wrong: one sentence with the line, the error code, an empty output. Time
+ * and memory: O(bytes).
+ */
+#ifndef vtkOFFSurfaceReader_h
+#define vtkOFFSurfaceReader_h
+
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <vtkPolyDataAlgorithm.h>
+
+class VTKISTHMUS_EXPORT vtkOFFSurfaceReader : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkOFFSurfaceReader* New();
+  vtkTypeMacro(vtkOFFSurfaceReader, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The file to read. Default: none.
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  /// 1 when the file begins as OFF files do.
+  static int CanReadFile(const char* fileName);
+
+protected:
+  vtkOFFSurfaceReader();
+  ~vtkOFFSurfaceReader() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkOFFSurfaceReader(const vtkOFFSurfaceReader&) = delete;
+  void operator=(const vtkOFFSurfaceReader&) = delete;
+
+  char* FileName = nullptr;
+};
+
+#endif

@@ -1,0 +1,36 @@
+/**
+ * @class vtkOFFSurfaceWriter
+ * @brief Writes surfaces in Geomview's Object File Format (.off), the thesis' triangle-mesh file.
+ *
+ * Points, lines and polygons; with a point array `Normals` of doubles an NOFF file. What
+ * vtkOFFSurfaceReader reads of it are the same coordinates, bit for bit. Other arrays are left out,
+ * which a warning tells. Strips, and a file that can't be written to its end, are an error with the
+ * error code set, and leave no file. Time: O(bytes); memory: that of the surface.
+ */
+#ifndef vtkOFFSurfaceWriter_h
+#define vtkOFFSurfaceWriter_h
+
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include "vtkMeshFileWriter.h"
+
+class VTKISTHMUS_EXPORT vtkOFFSurfaceWriter : public vtkMeshFileWriter
+{
+public:
+  static vtkOFFSurfaceWriter* New();
+  vtkTypeMacro(vtkOFFSurfaceWriter, vtkMeshFileWriter);
+
+protected:
+  vtkOFFSurfaceWriter() = default;
+  ~vtkOFFSurfaceWriter() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void WriteMesh(const isthmus::CellMesh& mesh) override;
+  const char* ArrayNames() const override;
+
+private:
+  vtkOFFSurfaceWriter(const vtkOFFSurfaceWriter&) = delete;
+  void operator=(const vtkOFFSurfaceWriter&) = delete;
+};
+
+#endif

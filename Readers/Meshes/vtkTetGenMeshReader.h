@@ -1,0 +1,38 @@
+/**
+ * @class vtkTetGenMeshReader
+ * @brief Reads meshes as TetGen writes them: .node, .ele, .face.
+ *
+ * FileName is any of the three; the points come from NAME.node beside it. Output:
+ * vtkUnstructuredGrid of tetrahedra (.ele; with -o2 quadratic ones), triangles (.face) or points
+ * alone (.node), arrays `Attribute` and `BoundaryMarker` where the file has them. The rows are told
+ * in TetGenMeshFile.h. A file that is missing, cut or wrong: one sentence with the line, the error
+ * code, an empty output. Time and memory: O(bytes).
+ */
+#ifndef vtkTetGenMeshReader_h
+#define vtkTetGenMeshReader_h
+
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include "vtkMeshFileReader.h"
+
+class VTKISTHMUS_EXPORT vtkTetGenMeshReader : public vtkMeshFileReader
+{
+public:
+  static vtkTetGenMeshReader* New();
+  vtkTypeMacro(vtkTetGenMeshReader, vtkMeshFileReader);
+
+  /// 1 when the file is named and begins as one of these.
+  static int CanReadFile(const char* fileName);
+
+protected:
+  vtkTetGenMeshReader() = default;
+  ~vtkTetGenMeshReader() override = default;
+
+  void ReadMesh(isthmus::CellMesh& mesh) override;
+
+private:
+  vtkTetGenMeshReader(const vtkTetGenMeshReader&) = delete;
+  void operator=(const vtkTetGenMeshReader&) = delete;
+};
+
+#endif

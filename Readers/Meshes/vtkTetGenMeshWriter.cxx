@@ -1,0 +1,18 @@
+#include "vtkTetGenMeshWriter.h"
+
+#include "AlgorithmGuard.h"
+#include "TetGenMeshFile.h"
+
+#include <vtkObjectFactory.h>
+
+vtkStandardNewMacro(vtkTetGenMeshWriter);
+
+void vtkTetGenMeshWriter::WriteMesh(const isthmus::CellMesh& mesh)
+{
+  isthmus::WriteTetGenFiles(mesh, this->FileName, isthmus::ProgressOf(this));
+}
+
+const char* vtkTetGenMeshWriter::ArrayNames() const
+{
+  return "Attribute BoundaryMarker";
+}
