@@ -4,6 +4,7 @@ isthmus_room(
     CellType
     ChemicalElement
     ChosenScalars
+    ErrorOnce
     GridCells
     ImageExtent
     ParallelFor
