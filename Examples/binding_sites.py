@@ -11,12 +11,13 @@ POTENTIAL  OpenDX file in kT/e (.dx, .dx.gz). Without it, pdb2pqr and APBS are r
 FILE       surface to use instead of a Gaussian one of the protein: MSMS .vert (with its .face), or
            anything else that ParaView reads as triangles.
 NUMBER     decay of the Gaussians of the surface: smaller is coarser. Default: 1.2.
-FOLDER     where picture and table go; default: binding_sites.
+FOLDER     where picture and table go, and what they were computed from: the charges (.pqr), the
+           potential (.dx). Default: binding_sites.
 """
 
 import argparse
+import csv
 import sys
-import tempfile
 from pathlib import Path
 
 import numpy
@@ -95,6 +96,8 @@ def table_text(rows, ligand):
         if ligand is not None:
             line += f" {site_pipeline.distance_to(ligand, place):10.2f}"
         lines.append(line)
+    for row in rows[:3]:
+        lines.append(f"residues of site {row['Rank']:.0f} (atoms within 4 A): {row.get('Residues', '')}")
     lines.append(
         "score: room x burial x root of |potential x kappa_2|; area of the surface there: A^2; "
         "depth of the centre: A below the convex hull;"
@@ -106,10 +109,12 @@ def table_text(rows, ligand):
 
 
 def write_csv(rows, path):
-    names = ["Rank", "SiteClass", "Score", "Area", "MeanDepth", "MeanPotential"]
-    names += ["CenterX", "CenterY", "CenterZ", "Points"]
-    lines = [",".join(names)] + [",".join(f"{row[name]:g}" for name in names) for row in rows]
-    path.write_text("\n".join(lines) + "\n")
+    names = ["Rank", "Score", "SiteClass", "Class", "Residues", "Volume", "Area", "MeanDepth",
+             "MeanPotential", "CenterX", "CenterY", "CenterZ", "Points"]
+    with open(path, "w", newline="") as file:
+        table = csv.DictWriter(file, [name for name in names if name in rows[0]], extrasaction="ignore")
+        table.writeheader()
+        table.writerows(rows)
 
 
 def producer(data):
@@ -228,22 +233,22 @@ def prepare(options, folder):
 def main():
     options = arguments()
     options.output.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory() as folder:
-        surface, ligand, name, atoms = prepare(options, folder)
-        surface, rows = site_pipeline.sites(surface, atoms)
-        if not rows:
-            sys.exit("No site was found.")
-        positions = [apbs_potential.position_of(line) for line in ligand] or None
-        text = table_text(rows, positions)
-        print(text)
-        (options.output / f"{name}_sites.txt").write_text(text + "\n")
-        write_csv(rows, options.output / f"{name}_sites.csv")
-        ligand_file = None
-        if ligand:
-            ligand_file = Path(folder) / "ligand.pdb"
-            ligand_file.write_text("".join(ligand) + "END\n")
-        target = numpy.mean(positions, axis=0) if ligand else site_pipeline.centre(rows[0])
-        picture(surface, target, ligand_file, options.output / f"{name}_sites.png")
+    folder = options.output.resolve()
+    surface, ligand, name, atoms = prepare(options, folder)
+    surface, rows = site_pipeline.sites(surface, atoms)
+    if not rows:
+        sys.exit("No site was found.")
+    positions = [apbs_potential.position_of(line) for line in ligand] or None
+    text = table_text(rows, positions)
+    print(text)
+    (options.output / f"{name}_sites.txt").write_text(text + "\n")
+    write_csv(rows, options.output / f"{name}_sites.csv")
+    ligand_file = None
+    if ligand:
+        ligand_file = folder / f"{name}_ligand.pdb"
+        ligand_file.write_text("".join(ligand) + "END\n")
+    target = numpy.mean(positions, axis=0) if ligand else site_pipeline.centre(rows[0])
+    picture(surface, target, ligand_file, options.output / f"{name}_sites.png")
     print(f"Picture and table: {options.output}")
 
 

@@ -1,9 +1,10 @@
 """Molecular flow surfaces side by side: by enlargement, time and isovalue; beside the probe's surface.
 
-    pvpython Examples/flow_surfaces.py MOLECULE [FOLDER]      (PDB, mmCIF or PQR; plain or compressed)
+Usage: pvpython flow_surfaces.py MOLECULE [FOLDER]
 
-Writes flow_multiresolution.png and flow_beside_ses.png and prints area, volume and genus of each.
-Needs the Python module on PYTHONPATH; without a screen, put xvfb-run -a in front.
+MOLECULE: PDB, mmCIF or PQR file, plain or compressed. Writes flow_multiresolution.png and
+flow_beside_ses.png into FOLDER (default: the current one) and prints area, volume and genus of each.
+Without a screen, put xvfb-run -a in front.
 """
 
 import sys
@@ -141,6 +142,9 @@ def main(molecule, folder):
 
 
 if __name__ == "__main__":
+    if {"-h", "--help"} & set(sys.argv[1:]):
+        print(__doc__)
+        sys.exit()
     if len(sys.argv) < 2:
         sys.exit(__doc__)
     main(sys.argv[1], Path(sys.argv[2] if len(sys.argv) > 2 else "."))

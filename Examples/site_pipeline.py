@@ -84,7 +84,8 @@ def sites(surface, atoms=None, **settings):
     table = finder.GetSiteTable()
     names = [table.GetColumnName(c) for c in range(table.GetNumberOfColumns())]
     rows = [
-        {name: table.GetValueByName(row, name).ToDouble() for name in names}
+        {name: cell.ToString() if cell.IsString() else cell.ToDouble()
+         for name, cell in ((name, table.GetValueByName(row, name)) for name in names)}
         for row in range(table.GetNumberOfRows())
     ]
     return finder.GetOutput(), rows

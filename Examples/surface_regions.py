@@ -9,7 +9,6 @@ which concave regions are clefts and not grooves between atoms.
 """
 
 import sys
-import tempfile
 from pathlib import Path
 
 from paraview import simple
@@ -107,8 +106,7 @@ def picture(finders, titles, path):
 def main():
     options = binding_sites.arguments(__doc__)
     options.output.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory() as folder:
-        surface, _, name, _ = binding_sites.prepare(options, folder)
+    surface, _, name, _ = binding_sites.prepare(options, options.output.resolve())
     lines = area_table(surface, "MinimumCurvature", "1/A", CURVATURES) + [""]
     lines += area_table(surface, "Potential", "kT/e", POTENTIALS) + [""] + joint_table(surface)
     print("\n".join(lines))

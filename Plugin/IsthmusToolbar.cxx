@@ -51,6 +51,8 @@ IsthmusToolbar::IsthmusToolbar(QObject* parent)
     tr("Potential, polarized curvature and likely binding sites of the selected protein"));
   this->Add("surface_to_loops", "SurfaceToLoops", tr("Surface to choking loops"),
     tr("Where the selected closed surface is narrow: handles, tunnels, bottlenecks"));
+  this->Add("persistence_diagram", "Diagram", tr("Persistence diagram"),
+    tr("The diagram of the selected Choking Loops or Scalar Persistence, as a chart"));
 }
 
 void IsthmusToolbar::Add(

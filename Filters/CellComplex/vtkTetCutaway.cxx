@@ -126,6 +126,7 @@ public:
     output->SetPolys(polygons);
     this->PassData(output, owners);
     output->GetCellData()->AddArray(exposed);
+    output->GetCellData()->SetActiveScalars("Exposed"); // else regions, which may be one
   }
 
   void WriteCells(const isthmus::GridCells& cells, vtkUnstructuredGrid* output) const

@@ -75,6 +75,7 @@ int vtkOffsetSurface::RequestData(
       contour->SetInputData(image);
       contour->SetValue(0, this->Distance);
       contour->ComputeNormalsOn();
+      contour->ComputeScalarsOff(); // the distance everywhere, which would be the colour
       contour->Update();
       isthmus::Report(isthmus::ProgressOf(this), 1.0);
       result->ShallowCopy(contour->GetOutput());

@@ -1,6 +1,9 @@
 #include "SurfaceIntake.h"
 
+#include "FlatTriangles.h"
+
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
@@ -52,9 +55,23 @@ unsigned int FacesOf(const Point3& p, const Bounds3& box, double tolerance)
   return faces;
 }
 
+/// Whether all corners are points, and finite ones.
+bool IsUsable(const TriangleMesh& surface)
+{
+  const auto count = static_cast<std::int64_t>(surface.Points.size());
+  const auto usable = [&](std::int64_t id)
+  {
+    return id >= 0 && id < count &&
+      std::all_of(surface.Points[At(id)].begin(), surface.Points[At(id)].end(),
+        [](double x) { return std::isfinite(x); });
+  };
+  return std::all_of(surface.Triangles.begin(), surface.Triangles.end(),
+    [&](const Triangle& t) { return std::all_of(t.begin(), t.end(), usable); });
 }
 
-TriangleMesh MergePoints(const TriangleMesh& surface)
+}
+
+TriangleMesh MergePoints(const TriangleMesh& surface, std::vector<std::int64_t>* original)
 {
   std::vector<char> used(surface.Points.size(), 0);
   for (const Triangle& t : surface.Triangles)
@@ -88,6 +105,10 @@ TriangleMesh MergePoints(const TriangleMesh& surface)
     {
       idOf[At(ids[i])] = static_cast<std::int64_t>(merged.Points.size());
       merged.Points.push_back(surface.Points[At(ids[i])]);
+      if (original)
+      {
+        original->push_back(ids[i]);
+      }
     }
     else
     {
@@ -104,6 +125,20 @@ TriangleMesh MergePoints(const TriangleMesh& surface)
     }
   }
   return merged;
+}
+
+TakenSurface TakeSurface(const TriangleMesh& surface)
+{
+  TakenSurface taken;
+  if (!IsUsable(surface) || FindDefects(surface).None())
+  {
+    taken.Mesh = surface;
+    taken.OriginalPoints.resize(surface.Points.size());
+    std::iota(taken.OriginalPoints.begin(), taken.OriginalPoints.end(), std::int64_t{ 0 });
+    return taken;
+  }
+  taken.Mesh = WithoutFlatTriangles(MergePoints(surface, &taken.OriginalPoints));
+  return taken;
 }
 
 std::vector<vtkIdType> MergedCorners(const SurfaceView& surface)

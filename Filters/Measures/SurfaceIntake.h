@@ -21,9 +21,25 @@ namespace isthmus
  * `surface` with one point for each place that a triangle uses, in the order of first use by point
  * id; files with texture coordinates or normals at corners (OBJ, STL) have several. Triangles that
  * lose an edge thereby are left out: they had no area. A corner that is no point is refused with
- * std::invalid_argument. O(n log n).
+ * std::invalid_argument. O(n log n). `original`, if given, gets the id in `surface` of each point.
  */
-VTKISTHMUS_EXPORT TriangleMesh MergePoints(const TriangleMesh& surface);
+VTKISTHMUS_EXPORT TriangleMesh MergePoints(
+  const TriangleMesh& surface, std::vector<std::int64_t>* original = nullptr);
+
+/// A surface as algorithms want it that need each place once.
+struct TakenSurface
+{
+  TriangleMesh Mesh;
+  std::vector<std::int64_t> OriginalPoints; ///< for each point: its id in what came in
+};
+
+/**
+ * `surface` as it is where FindDefects finds nothing; else with coinciding points merged
+ * (MergePoints) and without triangles that have no area (FlatTriangles.h). Holes and whatever else
+ * there is stay. Where a corner is no point, or one is not finite, it stays as it is altogether,
+ * for what repairs or refuses it. O(n log n).
+ */
+VTKISTHMUS_EXPORT TakenSurface TakeSurface(const TriangleMesh& surface);
 
 /// The corners of the triangles of `surface` after the same merging; its points stay where they
 /// are.

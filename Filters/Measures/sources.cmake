@@ -6,6 +6,7 @@ isthmus_room(
   SOURCES
     AreaQuantiles
     CartesianMeasures
+    FlatTriangles
     GridDistance
     GridImages
     LevelCrossings

@@ -2,6 +2,7 @@
 
 #include "AlgorithmGuard.h"
 #include "PolyDataMesh.h"
+#include "SurfaceIntake.h"
 #include "SurfaceRemesh.h"
 #include "WholeSurface.h"
 
@@ -19,7 +20,7 @@ namespace
 {
 
 /// Numbers of the old points at the new ones, by the corners of the triangle each lies on.
-void InterpolatePointData(vtkPolyData* from, const isthmus::TriangleMesh& old,
+void InterpolatePointData(vtkPolyData* from, const isthmus::TakenSurface& old,
   const std::vector<isthmus::SurfaceLocation>& locations, vtkPolyData* to)
 {
   vtkPointData* source = from->GetPointData();
@@ -38,13 +39,15 @@ void InterpolatePointData(vtkPolyData* from, const isthmus::TriangleMesh& old,
     result->SetNumberOfTuples(static_cast<vtkIdType>(locations.size()));
     for (std::size_t i = 0; i < locations.size(); ++i)
     {
-      const isthmus::Triangle& t = old.Triangles[static_cast<std::size_t>(locations[i].Triangle)];
+      const isthmus::Triangle& t =
+        old.Mesh.Triangles[static_cast<std::size_t>(locations[i].Triangle)];
       for (int c = 0; c < array->GetNumberOfComponents(); ++c)
       {
         double value = 0.0;
         for (std::size_t k = 0; k < 3; ++k)
         {
-          value += locations[i].Weights[k] * array->GetComponent(t[k], c);
+          const std::int64_t point = old.OriginalPoints[static_cast<std::size_t>(t[k])];
+          value += locations[i].Weights[k] * array->GetComponent(point, c);
         }
         result->SetComponent(static_cast<vtkIdType>(i), c, value);
       }
@@ -69,7 +72,8 @@ int vtkSurfaceRemesh::RequestData(
     [&]
     {
       const auto progress = isthmus::ProgressOf(this);
-      const isthmus::TriangleMesh mesh = isthmus::MeshOf(before);
+      const isthmus::TakenSurface taken = isthmus::TakeSurface(isthmus::MeshOf(before));
+      const isthmus::TriangleMesh& mesh = taken.Mesh;
       if (mesh.Triangles.empty())
       {
         return;
@@ -90,7 +94,7 @@ int vtkSurfaceRemesh::RequestData(
         result = isthmus::RemeshSurface(mesh, parameters, progress);
       }
       isthmus::SetMesh(result.Mesh, after);
-      InterpolatePointData(before, mesh, result.Locations, after);
+      InterpolatePointData(before, taken, result.Locations, after);
       after->GetFieldData()->PassData(before->GetFieldData());
     });
 }

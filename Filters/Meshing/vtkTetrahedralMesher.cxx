@@ -4,6 +4,7 @@
 #include "AutomaticMesher.h"
 #include "MachineMemory.h"
 #include "PolyDataMesh.h"
+#include "SurfaceIntake.h"
 #include "SurfaceRepair.h"
 #include "TetrahedralGrid.h"
 #include "TetrahedralMesher.h"
@@ -89,6 +90,57 @@ void AddReport(const isthmus::AutomaticMesh& made, vtkFieldData* fields)
   AddNumber(fields, "VolumeAfter", made.VolumeAfter);
 }
 
+/// From ids of points of a surface to those of what it was made of; -1 stays.
+void RenameOriginals(const std::vector<std::int64_t>& original, isthmus::TetrahedralMesh& mesh)
+{
+  for (std::int64_t& id : mesh.OriginalPoints)
+  {
+    id = id < 0 ? id : original[static_cast<std::size_t>(id)];
+  }
+}
+
+/// Fills `grid` by whatever way works; returns what the user should be warned of.
+std::string FillByAnyWay(const isthmus::TakenSurface& surface,
+  const isthmus::TetrahedralParameters& parameters, const isthmus::ProgressCallback& progress,
+  vtkUnstructuredGrid* grid)
+{
+  isthmus::AutomaticMesh made = isthmus::AutomaticTetrahedra(surface.Mesh, parameters, progress);
+  RenameOriginals(surface.OriginalPoints, made.Mesh);
+  isthmus::SetGrid(made.Mesh, grid);
+  if (!made.Mesh.Tetrahedra.empty())
+  {
+    AddReport(made, grid->GetFieldData());
+  }
+  return made.Hausdorff > 0.0 ? made.Report : std::string();
+}
+
+/// Fills `grid` by the library asked for, after repair if that is wanted; returns likewise.
+std::string FillByLibrary(const isthmus::TakenSurface& surface, bool repair,
+  isthmus::TetrahedralParameters parameters, const isthmus::ProgressCallback& progress,
+  vtkUnstructuredGrid* grid)
+{
+  isthmus::RepairedSurface repaired;
+  parameters.Repaired = repair && !surface.Mesh.Triangles.empty();
+  if (parameters.Repaired)
+  {
+    repaired = isthmus::RepairSurface(surface.Mesh, isthmus::Between(progress, 0.0, 0.2));
+  }
+  isthmus::TetrahedralMesh result =
+    isthmus::MeshTetrahedra(parameters.Repaired ? repaired.Mesh : surface.Mesh, parameters,
+      isthmus::Between(progress, 0.2, 1.0));
+  if (parameters.Repaired)
+  {
+    RenameOriginals(repaired.OriginalPoints, result);
+  }
+  RenameOriginals(surface.OriginalPoints, result);
+  isthmus::SetGrid(result, grid);
+  if (!repaired.Changes.empty())
+  {
+    AddText(grid->GetFieldData(), "Repair", repaired.Changes);
+  }
+  return repaired.Changes;
+}
+
 }
 
 int vtkTetrahedralMesher::FillInputPortInformation(int, vtkInformation* information)
@@ -105,46 +157,16 @@ int vtkTetrahedralMesher::RequestData(
   return isthmus::Guarded(this, grid,
     [&]
     {
-      isthmus::TetrahedralParameters parameters = ParametersOf(this);
+      const isthmus::TakenSurface taken = isthmus::TakeSurface(isthmus::MeshOf(surface));
+      const isthmus::TetrahedralParameters parameters = ParametersOf(this);
       const auto progress = isthmus::ProgressOf(this);
-      isthmus::TriangleMesh mesh = isthmus::MeshOf(surface);
-      if (this->Library == AUTOMATIC)
-      {
-        const isthmus::AutomaticMesh made =
-          isthmus::AutomaticTetrahedra(mesh, parameters, progress);
-        isthmus::SetGrid(made.Mesh, grid);
-        grid->GetFieldData()->PassData(surface->GetFieldData());
-        if (!made.Mesh.Tetrahedra.empty())
-        {
-          AddReport(made, grid->GetFieldData());
-        }
-        if (made.Hausdorff > 0.0)
-        {
-          vtkWarningMacro(<< made.Report);
-        }
-        return;
-      }
-      isthmus::RepairedSurface repaired;
-      if (this->Repair && !mesh.Triangles.empty())
-      {
-        repaired = isthmus::RepairSurface(mesh, isthmus::Between(progress, 0.0, 0.2));
-        mesh = repaired.Mesh;
-        parameters.Repaired = true;
-      }
-      isthmus::TetrahedralMesh result =
-        isthmus::MeshTetrahedra(mesh, parameters, isthmus::Between(progress, 0.2, 1.0));
-      for (std::int64_t& id : result.OriginalPoints)
-      {
-        id = id < 0 || repaired.Mesh.Points.empty()
-          ? id
-          : repaired.OriginalPoints[static_cast<std::size_t>(id)];
-      }
-      isthmus::SetGrid(result, grid);
       grid->GetFieldData()->PassData(surface->GetFieldData());
-      if (!repaired.Changes.empty())
+      const std::string warning = this->Library == AUTOMATIC
+        ? FillByAnyWay(taken, parameters, progress, grid)
+        : FillByLibrary(taken, this->Repair, parameters, progress, grid);
+      if (!warning.empty())
       {
-        AddText(grid->GetFieldData(), "Repair", repaired.Changes);
-        vtkWarningMacro(<< repaired.Changes);
+        vtkWarningMacro(<< warning);
       }
     });
 }

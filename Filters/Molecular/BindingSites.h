@@ -61,6 +61,7 @@ struct BindingSite
   unsigned char Kind = 0;
   double Score = 0.0;
   double Area = 0.0;
+  double Volume = 0.0; ///< of the pocket, length^3; 0: a patch
   double MeanDepth = 0.0;
   double MeanPotential = 0.0;
   std::array<double, 3> Centre{ 0.0, 0.0, 0.0 };

@@ -15,6 +15,7 @@ isthmus_room(
     BallDistance
     BallNeighbours
     BallOverlap
+    BindingSiteTable
     BindingSites
     CellAccess
     Dispersion

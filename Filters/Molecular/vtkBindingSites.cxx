@@ -2,6 +2,7 @@
 
 #include "AlgorithmGuard.h"
 #include "AtomInput.h"
+#include "BindingSiteTable.h"
 #include "BindingSites.h"
 #include "HullDepth.h"
 #include "MolecularPockets.h"
@@ -10,9 +11,6 @@
 #include "WholeSurface.h"
 
 #include <vtkDataArray.h>
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkIntArray.h>
@@ -26,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -34,8 +33,6 @@ vtkStandardNewMacro(vtkBindingSites);
 namespace
 {
 
-using isthmus::BindingSite;
-
 double AmplitudeOf(double value, int mode)
 {
   if (std::isnan(value) || mode == vtkBindingSites::AbsoluteValue)
@@ -43,42 +40,6 @@ double AmplitudeOf(double value, int mode)
     return std::abs(value);
   }
   return std::max(mode == vtkBindingSites::PositivePart ? value : -value, 0.0);
-}
-
-template <typename Array, typename Get>
-void AddColumn(vtkTable* table, const char* name, const std::vector<BindingSite>& sites, Get&& get)
-{
-  vtkNew<Array> column;
-  column->SetName(name);
-  for (const BindingSite& site : sites)
-  {
-    column->InsertNextValue(get(site));
-  }
-  table->AddColumn(column);
-}
-
-void FillTable(vtkTable* table, const isthmus::BindingSiteResult& result)
-{
-  const std::vector<BindingSite>& sites = result.Sites;
-  int rank = 0;
-  AddColumn<vtkIntArray>(table, "Rank", sites, [&](const BindingSite&) { return ++rank; });
-  AddColumn<vtkIntArray>(
-    table, "SiteClass", sites, [](const BindingSite& site) { return int{ site.Kind }; });
-  const auto real = [&](const char* name, auto&& get)
-  { AddColumn<vtkDoubleArray>(table, name, sites, get); };
-  real("Score", [](const BindingSite& site) { return site.Score; });
-  real("Area", [](const BindingSite& site) { return site.Area; });
-  real("MeanDepth", [](const BindingSite& site) { return site.MeanDepth; });
-  real("MeanPotential", [](const BindingSite& site) { return site.MeanPotential; });
-  real("CenterX", [](const BindingSite& site) { return site.Centre[0]; });
-  real("CenterY", [](const BindingSite& site) { return site.Centre[1]; });
-  real("CenterZ", [](const BindingSite& site) { return site.Centre[2]; });
-  AddColumn<vtkIdTypeArray>(
-    table, "Points", sites, [](const BindingSite& site) { return site.Points; });
-  vtkNew<vtkDoubleArray> threshold;
-  threshold->SetName("Threshold");
-  threshold->InsertNextValue(result.Threshold);
-  table->GetFieldData()->AddArray(threshold);
 }
 
 }
@@ -130,16 +91,26 @@ int vtkBindingSites::RequestData(
       output->ShallowCopy(surface);
       if (surface->GetNumberOfCells() > 0)
       {
-        const bool inPockets = this->UsePockets && atoms && atoms->GetNumberOfPoints() > 0;
-        const isthmus::BindingSiteResult result =
-          inPockets ? this->Pockets(surface, atoms, table) : this->Patches(surface);
+        std::optional<isthmus::ChosenAtoms> chosen;
+        if (atoms && atoms->GetNumberOfPoints() > 0)
+        {
+          chosen = this->TakeAtoms(atoms, table);
+        }
+        const isthmus::PolyDataTriangles triangles(surface);
+        const isthmus::BindingSiteResult result = chosen && this->UsePockets
+          ? this->Pockets(surface, triangles.View(), *chosen)
+          : this->Patches(surface, triangles.View());
         vtkNew<vtkIntArray> labels;
         labels->SetName("BindingSite");
         labels->SetNumberOfValues(surface->GetNumberOfPoints());
         std::copy(result.Labels.begin(), result.Labels.end(), labels->GetPointer(0));
         output->GetPointData()->AddArray(labels);
         output->GetPointData()->SetActiveScalars("BindingSite");
-        FillTable(table, result);
+        isthmus::FillSiteTable(result,
+          chosen ? isthmus::ResiduesOfSites(
+                     triangles.View(), result.Labels, result.Sites.size(), *chosen)
+                 : std::vector<std::string>(),
+          table);
       }
     });
 }
@@ -197,7 +168,8 @@ isthmus::SiteFields vtkBindingSites::Fields(vtkPolyData* surface)
   return fields;
 }
 
-isthmus::BindingSiteResult vtkBindingSites::Patches(vtkPolyData* surface)
+isthmus::BindingSiteResult vtkBindingSites::Patches(
+  vtkPolyData* surface, const isthmus::SurfaceView& triangles)
 {
   const isthmus::SiteFields fields = this->Fields(surface);
   isthmus::BindingSiteOptions options;
@@ -207,9 +179,8 @@ isthmus::BindingSiteResult vtkBindingSites::Patches(vtkPolyData* surface)
   options.MergeDistance = this->MergeDistance;
   options.MinimumArea = this->MinimumArea;
   options.Ranking = static_cast<isthmus::SiteRanking>(this->RankBy);
-  const isthmus::PolyDataTriangles triangles(surface);
   isthmus::BindingSiteResult result =
-    isthmus::FindBindingSites(triangles.View(), fields, options, isthmus::ProgressOf(this));
+    isthmus::FindBindingSites(triangles, fields, options, isthmus::ProgressOf(this));
   if (result.Sites.empty())
   {
     vtkWarningMacro(<< "No patch of at least " << this->MinimumArea
@@ -221,23 +192,31 @@ isthmus::BindingSiteResult vtkBindingSites::Patches(vtkPolyData* surface)
   return result;
 }
 
-isthmus::BindingSiteResult vtkBindingSites::Pockets(
-  vtkPolyData* surface, vtkPointSet* input, vtkTable* table)
+isthmus::ChosenAtoms vtkBindingSites::TakeAtoms(vtkPointSet* input, vtkTable* table)
 {
-  const isthmus::ChosenAtoms atoms =
-    isthmus::ChooseAtoms("Radius", input, isthmus::PolymerOptions());
+  isthmus::ChosenAtoms atoms = isthmus::ChooseAtoms("Radius", input, isthmus::PolymerOptions());
+  isthmus::AddNotes(atoms.Notes, table);
+  for (const std::string& warning : atoms.Warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  return atoms;
+}
+
+isthmus::BindingSiteResult vtkBindingSites::Pockets(
+  vtkPolyData* surface, const isthmus::SurfaceView& triangles, const isthmus::ChosenAtoms& atoms)
+{
   auto pockets =
     isthmus::FindPockets(atoms.Balls, {}, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.8))
       .Pockets;
   isthmus::SiteFields fields = this->Fields(surface);
-  const isthmus::PolyDataTriangles triangles(surface);
   std::vector<isthmus::PocketSurfaceMeans> means;
   isthmus::WeighPockets(
-    triangles.View(), { std::move(fields.Amplitude), fields.Potential }, pockets, means);
+    triangles, { std::move(fields.Amplitude), fields.Potential }, pockets, means);
   isthmus::BindingSiteResult result;
   result.Threshold = vtkMath::Nan();
-  result.Labels = isthmus::LabelSurface(triangles.View(), pockets);
-  const isthmus::HullDepth depth(triangles.View(), {});
+  result.Labels = isthmus::LabelSurface(triangles, pockets);
+  const isthmus::HullDepth depth(triangles, {});
   for (std::size_t i = 0; i < pockets.size(); ++i)
   {
     const double potential = means[i].Potential;
@@ -245,16 +224,12 @@ isthmus::BindingSiteResult vtkBindingSites::Pockets(
     site.Kind = static_cast<unsigned char>(potential > 0.0 ? 2 : (potential < 0.0 ? 4 : 0));
     site.Score = pockets[i].Score;
     site.Area = means[i].Area;
+    site.Volume = pockets[i].Volume;
     site.MeanDepth = depth(pockets[i].Centre.data());
     site.MeanPotential = potential;
     site.Centre = pockets[i].Centre;
     site.Points = std::count(result.Labels.begin(), result.Labels.end(), static_cast<int>(i) + 1);
     result.Sites.push_back(site);
-  }
-  isthmus::AddNotes(atoms.Notes, table);
-  for (const std::string& warning : atoms.Warnings)
-  {
-    vtkWarningMacro(<< warning);
   }
   return result;
 }

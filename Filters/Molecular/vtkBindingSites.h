@@ -18,12 +18,13 @@
  * of the same class closer than MergeDistance become one; each has a rank, 1 is the best.
  *
  * **Output 0**, the surface with the point array `BindingSite` (int): 0, or the rank.
- * **Output 1**, a table with a row for each site: `Rank`, `SiteClass`, `Score` (integral of the
- * amplitude over the patch: kT/e angstrom for the polarized curvature), `Area` (angstrom^2),
- * `MeanDepth` (angstrom below the convex hull of the surface), `MeanPotential` (kT/e; NaN without a
- * potential), `CenterX`, `CenterY`, `CenterZ` (mean of the patch's points), `Points`. Its field
- * array `Threshold` is the amplitude that was used.
- * BindingSites.h has definitions.
+ * **Output 1**, a table with a row for each site: `Rank`, `Score` (integral of the
+ * amplitude over the patch: kT/e angstrom for the polarized curvature), `SiteClass` and, in words,
+ * `Class`; with atoms `Residues` (those with atoms within 4 angstrom of the site, most atoms first:
+ * "A HIS 57 (5)" is chain, name, number, atoms) and, of pockets, `Volume` (angstrom^3); `Area`
+ * (angstrom^2), `MeanDepth` (angstrom below the convex hull of the surface), `MeanPotential` (kT/e;
+ * NaN without a potential), `CenterX`, `CenterY`, `CenterZ` (mean of the patch's points), `Points`.
+ * Its field array `Threshold` is the amplitude that was used. BindingSites.h has definitions.
  *
  * **Defaults** were tuned on the eight complexes of Filters/Molecular/BindingSites.md, which says
  * how well they predict.
@@ -49,7 +50,9 @@ class vtkTable;
 namespace isthmus
 {
 struct BindingSiteResult;
+struct ChosenAtoms;
 struct SiteFields;
+struct SurfaceView;
 }
 
 class VTKISTHMUS_EXPORT vtkBindingSites : public vtkPolyDataAlgorithm
@@ -174,8 +177,10 @@ private:
 
   vtkDataArray* Scalar(int index, vtkPolyData* surface, const char* remedy);
   isthmus::SiteFields Fields(vtkPolyData* surface);
-  isthmus::BindingSiteResult Patches(vtkPolyData* surface);
-  isthmus::BindingSiteResult Pockets(vtkPolyData* surface, vtkPointSet* atoms, vtkTable* table);
+  isthmus::BindingSiteResult Patches(vtkPolyData* surface, const isthmus::SurfaceView& triangles);
+  isthmus::ChosenAtoms TakeAtoms(vtkPointSet* input, vtkTable* table);
+  isthmus::BindingSiteResult Pockets(
+    vtkPolyData* surface, const isthmus::SurfaceView& triangles, const isthmus::ChosenAtoms& atoms);
 };
 
 #endif

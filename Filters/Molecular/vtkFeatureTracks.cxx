@@ -235,7 +235,7 @@ int vtkFeatureTracks::RequestData(
     this->Data->Values.clear();
     request->Remove(Pipeline::CONTINUE_EXECUTING());
   };
-  const int result = isthmus::Guarded(this, vtkDataObject::GetData(outputVector, 0),
+  const bool done = isthmus::Succeeds(this, vtkDataObject::GetData(outputVector, 0),
     [&]()
     {
       vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
@@ -257,9 +257,9 @@ int vtkFeatureTracks::RequestData(
         AddLining(lining, frame);
       }
       this->Data->Frames.push_back(std::move(frame));
-      const double done = static_cast<double>(this->Data->Frames.size());
+      const double seen = static_cast<double>(this->Data->Frames.size());
       isthmus::Report(isthmus::ProgressOf(this),
-        0.9 * done / std::max(done, static_cast<double>(this->Data->Times.size())));
+        0.9 * seen / std::max(seen, static_cast<double>(this->Data->Times.size())));
       if (this->Data->Frames.size() < this->Data->Times.size())
       {
         request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
@@ -270,11 +270,11 @@ int vtkFeatureTracks::RequestData(
       this->Data->Frames.clear();
       this->Data->Values.clear();
     });
-  if (!result || this->GetAbortExecute())
+  if (!done || this->GetAbortExecute())
   {
     clear();
   }
-  return result;
+  return 1;
 }
 
 void vtkFeatureTracks::Finish(vtkInformationVector* outputs)

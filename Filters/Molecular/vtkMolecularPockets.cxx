@@ -117,7 +117,7 @@ int vtkMolecularPockets::RequestData(
   {
     vtkDataObject::GetData(outputVector, port)->Initialize();
   }
-  const int result = isthmus::Guarded(this, vtkDataObject::GetData(outputVector, 0),
+  const bool done = isthmus::Succeeds(this, vtkDataObject::GetData(outputVector, 0),
     [&]()
     {
       if (atoms)
@@ -125,14 +125,14 @@ int vtkMolecularPockets::RequestData(
         this->Compute(atoms, surface, outputVector);
       }
     });
-  if (!result || this->GetAbortExecute())
+  if (!done || this->GetAbortExecute())
   {
     for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
     {
       vtkDataObject::GetData(outputVector, port)->Initialize();
     }
   }
-  return result;
+  return 1;
 }
 
 void vtkMolecularPockets::Compute(

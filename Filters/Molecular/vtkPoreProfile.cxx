@@ -73,7 +73,7 @@ int vtkPoreProfile::RequestData(
     }
   };
   clear();
-  const int result = isthmus::Guarded(this, vtkDataObject::GetData(outputVector, 0),
+  const bool done = isthmus::Succeeds(this, vtkDataObject::GetData(outputVector, 0),
     [&]()
     {
       if (atoms)
@@ -81,11 +81,11 @@ int vtkPoreProfile::RequestData(
         this->Compute(atoms, outputVector);
       }
     });
-  if (!result || this->GetAbortExecute())
+  if (!done || this->GetAbortExecute())
   {
     clear();
   }
-  return result;
+  return 1;
 }
 
 void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)

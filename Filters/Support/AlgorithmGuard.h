@@ -6,16 +6,16 @@
 #ifndef isthmus_AlgorithmGuard_h
 #define isthmus_AlgorithmGuard_h
 
+#include "ErrorOnce.h"
 #include "PipelineInputs.h"
-#include "PrintableText.h"
 #include "Progress.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkDataObject.h>
-#include <vtkObject.h>
 
 #include <exception>
 #include <new>
+#include <utility>
 
 namespace isthmus
 {
@@ -40,37 +40,44 @@ inline void Clear(vtkDataObject* output)
 }
 
 /**
- * Runs `body()` and returns what RequestData should return.
+ * Runs `body()`; true when it came to its end.
  *
  * Inputs of another type than asked for, as blocks of composite data can be, are refused first. A
- * stop on request gives 1 and an empty output; an exception gives 0, an empty output and its
- * sentence through vtkErrorMacro.
+ * stop on request leaves an empty output; an exception does, too, and its sentence is told once
+ * (ErrorOnce.h).
  */
 template <typename Body>
-int Guarded(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
+bool Succeeds(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
 {
   try
   {
     DemandInputs(self);
     body();
-    return 1;
+    return true;
   }
   catch (const Cancelled&)
   {
-    Clear(output);
-    return 1;
   }
   catch (const std::bad_alloc&)
   {
-    vtkErrorWithObjectMacro(
-      self, << "Not enough memory for the result: crop or subsample the input.");
+    TellError(self, "Not enough memory for the result: crop or subsample the input.");
   }
   catch (const std::exception& error)
   {
-    vtkErrorWithObjectMacro(self, << Printable(error.what()));
+    TellError(self, error.what());
   }
   Clear(output);
-  return 0;
+  return false;
+}
+
+/// Runs `body()` likewise and returns what RequestData and RequestInformation should return, always
+/// 1: 0 would have VTK's executive add a page about its request to the sentence, and leave what
+/// stands on this output as it was before.
+template <typename Body>
+int Guarded(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
+{
+  Succeeds(self, output, std::forward<Body>(body));
+  return 1;
 }
 
 }

@@ -10,6 +10,7 @@ isthmus_room(
     CellType
     ChemicalElement
     ChosenScalars
+    ErrorOnce
     GridCells
     ImageExtent
     ParallelFor

@@ -39,28 +39,46 @@ inline unsigned long ErrorCodeOf(ReaderFailure kind)
 
 /**
  * Runs body() for a reader of `fileName`; what goes wrong becomes a sentence, an empty output (see
- * Guarded) and an error code through setErrorCode(code). Returns what RequestData returns.
+ * Guarded) and an error code. `setErrorCode(code)` is called only where the code changes, since
+ * that marks the reader as modified, and has it read again. Returns what RequestData returns.
  */
 template <typename Reader, typename SetErrorCode, typename Body>
 int GuardedRead(Reader* reader, const char* fileName, vtkDataObject* output,
   SetErrorCode&& setErrorCode, Body&& body)
 {
+  const auto ends = [&](unsigned long code)
+  {
+    if (reader->GetErrorCode() != code)
+    {
+      setErrorCode(code);
+    }
+  };
   return Guarded(reader, output,
     [&]
     {
-      setErrorCode(vtkErrorCode::NoError);
       if (!fileName || !*fileName)
       {
-        setErrorCode(vtkErrorCode::NoFileNameError);
+        ends(vtkErrorCode::NoFileNameError);
         throw std::invalid_argument("There is no file to read: set FileName.");
       }
       try
       {
         body();
+        ends(vtkErrorCode::NoError);
+      }
+      catch (const Cancelled&)
+      {
+        ends(vtkErrorCode::NoError);
+        throw;
       }
       catch (const ReaderError& error)
       {
-        setErrorCode(ErrorCodeOf(error.Kind));
+        ends(ErrorCodeOf(error.Kind));
+        throw;
+      }
+      catch (const std::exception&)
+      {
+        ends(vtkErrorCode::FileFormatError);
         throw;
       }
     });

@@ -2,6 +2,7 @@
 
 #include "MRCFieldData.h"
 #include "MRCMap.h"
+#include "PrintableText.h"
 #include "ReaderError.h"
 #include "ReaderGuard.h"
 #include "RecommendedLevel.h"

@@ -2,9 +2,9 @@
 
 #include "MacromoleculeReader.h"
 #include "MoleculeOutput.h"
+#include "PrintableText.h"
 #include "ReaderGuard.h"
 
-#include <vtkErrorCode.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMolecule.h>
@@ -140,10 +140,6 @@ int vtkMacromoleculeReader::RequestData(
   if (atoms->GetNumberOfPoints() == 0)
   {
     molecule->Initialize();
-  }
-  if (!result && this->GetErrorCode() == vtkErrorCode::NoError)
-  {
-    this->SetErrorCode(vtkErrorCode::FileFormatError);
   }
   return result;
 }

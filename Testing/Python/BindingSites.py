@@ -67,6 +67,14 @@ first = {
 place = numpy.array([first[name] for name in ("CenterX", "CenterY", "CenterZ")])
 distance = numpy.linalg.norm(sugar - place, axis=1).min()
 assert distance <= 2.0 and first["SiteClass"] == 4.0 and first["Points"] > 0, (distance, first)
+# Its residues are those of the literature: Asp 52 and Glu 35 do the work, Trp 62 and 63 hold the sugar.
+names = [ranking.GetColumnName(c) for c in range(ranking.GetNumberOfColumns())]
+assert names[:6] == ["Rank", "Score", "SiteClass", "Class", "Residues", "Volume"], names
+residues = ranking.GetValueByName(0, "Residues").ToString()
+for residue in ("ASP 52", "GLU 35", "TRP 62", "TRP 63"):
+    assert residue in residues, (residue, residues)
+assert ranking.GetValueByName(0, "Class").ToString() == "for + ligands"
+assert 10.0 < first["Volume"] < 2000.0, first["Volume"]  # that water's centre can reach
 pockets.UsePockets = 0
 pockets.UpdatePipeline()
 assert servermanager.Fetch(pockets, idx=1).GetNumberOfRows() == len(rows)

@@ -12,6 +12,8 @@ OPTIONAL = {("HessianCurvature", "Surface"), ("ChokingLoops", "Mesh"), ("Surface
             ("BindingSites", "Atoms"), ("PoissonBoltzmann", "Surface"),
             ("PoissonBoltzmann", "PotentialInput"), ("PoissonBoltzmannOnSurface", "PotentialInput"),
             ("MolecularPockets", "Surface"), ("FeatureTracks", "Lining")}
+ICONS = {":/Isthmus/" + file.get("alias") for file in ElementTree.parse(
+    Path(os.environ["ISTHMUS_PANELS_DIR"]) / "Isthmus.qrc").getroot().iter("file")}
 NUMERIC = ("IntVectorProperty", "DoubleVectorProperty", "IdTypeVectorProperty")
 
 
@@ -27,9 +29,12 @@ def complaints_about_entry(group, proxy_element):
         if help_element is None or len((help_element.get(attribute) or "").split()) < 3:
             yield f"{name}: no {attribute}"
     hints = proxy_element.find("Hints")
-    menus = [] if hints is None else [menu.get("category") for menu in hints.iter("ShowInMenu")]
+    menus = {} if hints is None else {
+        menu.get("category"): menu.get("icon") for menu in hints.iter("ShowInMenu")}
     if group == "filters" and "Isthmus" not in menus:
         yield f"{name}: not in the menu Isthmus"
+    elif group == "filters" and menus["Isthmus"] not in ICONS:
+        yield f"{name}: no icon of Isthmus.qrc in the menu"
     for element in proxy_element.iter("InputProperty"):
         if element.get("name") == "Input" and element.get("label", "Input") != "Input":
             yield f"{name}.Input: scripts know an input by its label, and all write Input="
@@ -49,6 +54,9 @@ def complaints_about(proxy_element):
         label = f"{name}.{element.get('name')}"
         if len((element.findtext("Documentation") or "").split()) < 4:
             yield f"{label}: no help text"
+        for decorator in element.iter("PropertyWidgetDecorator"):
+            if decorator.get("mode", "visibility") != "visibility":
+                yield f"{label}: shown, but ignored in some modes (mode is not visibility)"
         if element.tag in NUMERIC and not any(child.tag.endswith("Domain") for child in element):
             yield f"{label}: a number without a range"
 

@@ -6,171 +6,22 @@ second input is answered by the mouse (xdotool). The log must have no warning, a
 in the picture of the window, which is kept beside the test's other output.
 """
 
-import os
-import shutil
-import subprocess
-import sys
-import time
-from pathlib import Path
+from window_play import button, entry, play_all
 
-import numpy
-from shared_data import shared_data
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOImage import vtkPNGReader
-
-PATIENCE = 200  # seconds for one session, on a machine with other things to do
-APPLY = ("pqClientMainWindow/propertiesDock/propertiesPanel/Accept", "activate", "")
-BUTTON = "pqClientMainWindow/Isthmus/1QToolButton%d"
-MENU = "pqClientMainWindow/menubar/menuFilters/Isthmus"
-# In the dialog that asks for the second input: Volume, the first source of its list, OK. Then Apply, in
-# a window of 1600 x 1000.
+# In the dialog that asks for the second input: Volume, the first source of its list, OK. Then Apply.
 ANSWERS = ((17, 74), (231, 48), (362, 376))
-APPLY_AT = (48, 508)
-
-
-def button(index):
-    return (BUTTON % index, "activate", "")
-
+PROTEIN = "molecules/1AJJ_pH7_PARSE.pqr"
 
 # Name, data, what the user does, least share of strongly coloured pixels, clicks in a dialog.
-RECIPE = [button(0), (MENU, "activate", "CurvatureOnSurface")]
 SESSIONS = (
-    ("curvature_on_surface", "maps/emd_1832.map", RECIPE, 0.02, ANSWERS),
+    ("curvature_on_surface", "maps/emd_1832.map", [button(0), entry("CurvatureOnSurface")], 0.02, ANSWERS),
     ("map_to_surface", "maps/emd_1832.map", [button(0)], 0.0, ()),
     ("map_to_curvature", "maps/emd_5043.map", [button(1)], 0.02, ()),
     ("map_to_loops", "maps/emd_1832.map", [button(2)], 0.003, ()),
-    ("protein_to_surface", "molecules/1ajj_charged", [button(3)], 0.0, ()),
-    ("protein_to_sites", "molecules/1ajj_charged", [button(4)], 0.001, ()),
+    ("protein_to_surface", PROTEIN, [button(3)], 0.0, ()),
+    ("protein_to_sites", PROTEIN, [button(4)], 0.001, ()),
     ("surface_to_loops", "surfaces/torus.obj", [button(5)], 0.0005, ()),
+    ("persistence_diagram", "surfaces/torus.obj", [button(5), button(6)], 0.0005, ()),
 )
-FILES = {"molecules/1ajj_charged": "molecules/1AJJ_pH7_PARSE.pqr"}
 
-
-def prepare(folder):
-    """A home of its own, so that no setting of the user's counts and no welcome dialog shows."""
-    shutil.rmtree(folder, ignore_errors=True)
-    settings = folder / ".config" / "ParaView"
-    settings.mkdir(parents=True)
-    folder.chmod(0o700)
-    (settings / "ParaView5.11.0.ini").write_text(
-        "[General]\nGeneralSettings.ShowWelcomeDialog=false\n")
-
-
-def write_script(path, events):
-    pause = ("pqClientMainWindow", "pause", "4000")
-    lines = ['<?xml version="1.0" ?>', "<pqevents>"]
-    lines += ['  <pqevent object="%s" command="%s" arguments="%s"/>' % event
-              for event in (pause, APPLY, *events, ("pqClientMainWindow", "pause", "1000"))]
-    path.write_text("\n".join(lines + ["</pqevents>"]) + "\n")
-
-
-def widen():
-    """The window over the whole screen, so that no toolbar hides behind an arrow."""
-    found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "ParaView"],
-                           capture_output=True, text=True).stdout.split()
-    for window in found[-1:]:
-        subprocess.run(["xdotool", "windowmove", window, "0", "0", "windowsize", window, "1600", "1000"],
-                       capture_output=True)
-
-
-def place_of(title):
-    """(x, y) of the window of that title, or None while it is not there."""
-    found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title],
-                           capture_output=True, text=True).stdout.split()
-    for window in found[-1:]:
-        said = subprocess.run(["xdotool", "getwindowgeometry", "--shell", window],
-                              capture_output=True, text=True).stdout
-        values = dict(line.split("=", 1) for line in said.split() if "=" in line)
-        if "X" in values and "Y" in values:
-            return int(values["X"]), int(values["Y"])
-    return None
-
-
-def click(x, y):
-    time.sleep(1.5)
-    subprocess.run(["xdotool", "mousemove", str(x), str(y), "click", "1"], check=True)
-
-
-def answer(places):
-    """Answers the dialog by clicks at places in it, again where the machine was too busy to heed one;
-    then Apply.
-    """
-    began = time.monotonic()
-    asked = False
-    while time.monotonic() - began < PATIENCE:
-        corner = place_of("Change Input")
-        if corner:
-            asked = True
-            for x, y in places:
-                click(corner[0] + x, corner[1] + y)
-        elif asked:
-            break
-        time.sleep(2)
-    widen()
-    click(*APPLY_AT)
-
-
-def play(name, data, events, clicks, folder):
-    """Plays a session and returns (log, picture)."""
-    prepare(folder)
-    script, log, picture = folder / "session.xml", folder / "paraview.log", folder / "window.png"
-    write_script(script, events)
-    environment = dict(os.environ, HOME=str(folder), XDG_RUNTIME_DIR=str(folder))
-    environment.pop("XDG_CONFIG_HOME", None)
-    started = time.monotonic()
-    with log.open("w") as sink:
-        paraview = subprocess.Popen(
-            ["paraview", "--dr", f"--data={data}", f"--test-script={script}",
-             f"--test-directory={folder}"], env=environment, cwd=folder, stdout=sink, stderr=sink)
-    try:
-        while "is finished" not in log.read_text(errors="replace"):
-            if paraview.poll() is not None:
-                sys.exit(f"{name}: paraview ended with {paraview.returncode}")
-            if time.monotonic() - started > PATIENCE:
-                sys.exit(f"{name}: more than {PATIENCE} s")
-            widen()
-            time.sleep(0.5)
-            if clicks and "Playing" in log.read_text(errors="replace"):
-                answer(clicks)
-                clicks = ()
-        time.sleep(5)  # the window paints after the script
-        subprocess.run(["import", "-window", "root", str(picture)], check=True, timeout=60)
-    finally:
-        paraview.kill()
-        paraview.wait()
-    return log.read_text(errors="replace"), picture
-
-
-def coloured_fraction(path):
-    """Share of the pixels of the view that are strongly coloured."""
-    reader = vtkPNGReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    width, height, _ = reader.GetOutput().GetDimensions()
-    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(int)
-    view = pixels.reshape(height, width, 3)[60:790, 310:1440]  # without bar, panels and toolbars
-    return float(numpy.mean(view.max(axis=2) - view.min(axis=2) > 90))
-
-
-def main():
-    output = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "Toolbar"
-    failures = []
-    for name, data, events, least, clicks in SESSIONS:
-        if len(sys.argv) > 1 and name not in sys.argv[1:]:
-            continue
-        path = shared_data(FILES.get(data, data))
-        started = time.monotonic()
-        log, picture = play(name, path, events, clicks, output / name)
-        said = [line for line in log.splitlines()
-                if "ERR|" in line or "WARN|" in line or "rror:" in line or "Traceback" in line]
-        fraction = coloured_fraction(picture)
-        print(f"{name}: {time.monotonic() - started:.0f} s, {100 * fraction:.2f} % coloured, {picture}")
-        if "Success =  true" not in log:
-            failures.append(f"{name}: the session could not be played: {log[-2000:]}")
-        failures += [f"{name}: {line}" for line in said]
-        if fraction < least:
-            failures.append(f"{name}: only {100 * fraction:.2f} % of the view is coloured")
-    assert not failures, "\n".join(failures)
-
-
-main()
+play_all("Toolbar", SESSIONS)

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 using namespace isthmus;
 
 namespace
@@ -97,4 +99,101 @@ TEST(SurfaceIntake, SurfaceMeasuresOfASoupAreThoseOfTheSurface)
   EXPECT_EQ(fields->GetArray("Components")->GetComponent(0, 0), 1.0);
   EXPECT_EQ(fields->GetArray("OpenEdges")->GetComponent(0, 0), 0.0);
   EXPECT_NEAR(fields->GetArray("Volume")->GetComponent(0, 0), 1.0 / 6.0, 1e-15);
+}
+
+namespace
+{
+
+/// An octahedron with a triangle without area at the side 0-4: point 6 lies on it, and the triangle
+/// behind does not know of it.
+TriangleMesh OctahedronWithFlat()
+{
+  TriangleMesh mesh;
+  mesh.Points = { { 1, 0, 0 }, { 0, 1, 0 }, { -1, 0, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 },
+    { 0.5, 0, 0.5 } };
+  mesh.Triangles = { { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 }, { 1, 0, 5 }, { 2, 1, 5 }, { 3, 2, 5 },
+    { 0, 3, 5 }, { 0, 1, 6 }, { 6, 1, 4 }, { 0, 6, 4 } };
+  return mesh;
+}
+
+double VolumeOf(const TriangleMesh& mesh)
+{
+  double six = 0.0;
+  for (const Triangle& t : mesh.Triangles)
+  {
+    const auto at = [&](std::size_t c) { return mesh.Points[static_cast<std::size_t>(t[c])]; };
+    six += Dot(at(0), Cross(at(1), at(2)));
+  }
+  return six / 6.0;
+}
+
+}
+
+TEST(SurfaceIntake, WhatIsCleanStaysAsItIs)
+{
+  const TriangleMesh clean = MergePoints(Soup());
+  const TakenSurface taken = TakeSurface(clean);
+  EXPECT_EQ(taken.Mesh.Points, clean.Points);
+  EXPECT_EQ(taken.Mesh.Triangles, clean.Triangles);
+  EXPECT_EQ(taken.OriginalPoints, (std::vector<std::int64_t>{ 0, 1, 2, 3 }));
+}
+
+TEST(SurfaceIntake, OriginalPointsLieWhereThePointsDo)
+{
+  const TriangleMesh soup = Soup();
+  const TakenSurface taken = TakeSurface(soup);
+  ASSERT_EQ(taken.OriginalPoints.size(), taken.Mesh.Points.size());
+  for (std::size_t i = 0; i < taken.OriginalPoints.size(); ++i)
+  {
+    EXPECT_EQ(taken.Mesh.Points[i], soup.Points[static_cast<std::size_t>(taken.OriginalPoints[i])]);
+  }
+}
+
+TEST(SurfaceIntake, AFlatTriangleIsExchangedAndNothingMoves)
+{
+  const TriangleMesh flat = OctahedronWithFlat();
+  ASSERT_EQ(FindDefects(flat).DegenerateTriangles.size(), 1U);
+  const TakenSurface taken = TakeSurface(flat);
+  EXPECT_TRUE(FindDefects(taken.Mesh).None()) << FindDefects(taken.Mesh).Sentence();
+  EXPECT_EQ(taken.Mesh.Triangles.size(), flat.Triangles.size());
+  EXPECT_DOUBLE_EQ(VolumeOf(taken.Mesh), 4.0 / 3.0);
+}
+
+TEST(SurfaceIntake, FlatTrianglesUponEachOtherGoLayerByLayer)
+{
+  // The side 0-4 with three points on it, each between its neighbours of the layer before.
+  TriangleMesh mesh = OctahedronWithFlat();
+  mesh.Points.push_back({ 0.75, 0, 0.25 });
+  mesh.Points.push_back({ 0.25, 0, 0.75 });
+  mesh.Triangles[7] = { 0, 1, 7 };
+  mesh.Triangles[8] = { 6, 1, 8 };
+  mesh.Triangles.insert(
+    mesh.Triangles.end(), { { 7, 1, 6 }, { 8, 1, 4 }, { 0, 7, 6 }, { 6, 8, 4 } });
+  ASSERT_EQ(FindDefects(mesh).DegenerateTriangles.size(), 3U);
+  const TakenSurface taken = TakeSurface(mesh);
+  EXPECT_TRUE(FindDefects(taken.Mesh).None()) << FindDefects(taken.Mesh).Sentence();
+  EXPECT_DOUBLE_EQ(VolumeOf(taken.Mesh), 4.0 / 3.0);
+}
+
+TEST(SurfaceIntake, AFlatTriangleAtABorderIsLeftOut)
+{
+  TriangleMesh mesh = OctahedronWithFlat();
+  mesh.Triangles.erase(mesh.Triangles.begin() + 2); // that behind the flat one: a hole
+  const TakenSurface taken = TakeSurface(mesh);
+  const SurfaceDefects defects = FindDefects(taken.Mesh);
+  EXPECT_TRUE(defects.DegenerateTriangles.empty());
+  EXPECT_EQ(taken.Mesh.Triangles.size(), mesh.Triangles.size() - 1);
+  EXPECT_FALSE(defects.BoundaryTriangles.empty()); // what is open is told, not closed
+}
+
+TEST(SurfaceIntake, ARepeatedCornerGoesAndWhatIsNoPointStays)
+{
+  TriangleMesh mesh = OctahedronWithFlat();
+  mesh.Triangles.push_back({ 3, 3, 0 });
+  EXPECT_TRUE(FindDefects(TakeSurface(mesh).Mesh).None());
+  mesh.Triangles.push_back({ 3, 99, 0 });
+  EXPECT_EQ(TakeSurface(mesh).Mesh.Triangles, mesh.Triangles);
+  mesh.Triangles.pop_back();
+  mesh.Points[2][1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(TakeSurface(mesh).Mesh.Triangles, mesh.Triangles);
 }

@@ -8,12 +8,16 @@
 #include "vtkTetrahedralMesher.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
+#include <vtkFeatureEdges.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSphereSource.h>
 #include <vtkStringArray.h>
@@ -21,6 +25,8 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <gtest/gtest.h>
+
+#include <cstdlib>
 
 namespace
 {
@@ -61,6 +67,27 @@ vtkSmartPointer<vtkPolyData> OpenSphere()
   }
   sphere->SetPolys(fewer);
   return sphere;
+}
+
+/// Each triangle with points of its own, as in an STL file.
+vtkSmartPointer<vtkPolyData> Soup(vtkPolyData* surface)
+{
+  auto soup = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(surface->GetPoints()->GetDataType());
+  vtkNew<vtkCellArray> triangles;
+  for (vtkIdType t = 0; t < surface->GetNumberOfCells(); ++t)
+  {
+    triangles->InsertNextCell(3);
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      triangles->InsertCellPoint(
+        points->InsertNextPoint(surface->GetPoint(surface->GetCell(t)->GetPointId(corner))));
+    }
+  }
+  soup->SetPoints(points);
+  soup->SetPolys(triangles);
+  return soup;
 }
 
 void AbortAtOnce(vtkAlgorithm* filter)
@@ -104,6 +131,67 @@ TEST(MeshingFilters, RepairFillsItAndSaysSo)
     ASSERT_NE(repair, nullptr);
     EXPECT_NE(repair->GetValue(0).find("filled 1 hole"), std::string::npos);
     EXPECT_NE(fields->GetArray("MadeBy"), nullptr);
+  }
+}
+
+TEST(MeshingFilters, ASoupIsTheSurfaceItWasMadeOf)
+{
+  const auto mesh = [](vtkPolyData* surface, int library)
+  {
+    vtkNew<vtkTetrahedralMesher> mesher;
+    const Observer observer = Watch(mesher);
+    mesher->SetInputData(surface);
+    mesher->SetLibrary(library);
+    mesher->Update();
+    EXPECT_FALSE(observer->GetError()) << observer->GetErrorMessage();
+    return vtkSmartPointer<vtkUnstructuredGrid>(mesher->GetOutput());
+  };
+  const auto soup = Soup(Sphere());
+  for (const int library : { vtkTetrahedralMesher::TETGEN, vtkTetrahedralMesher::AUTOMATIC })
+  {
+    const auto found = mesh(soup, library);
+    EXPECT_GT(found->GetNumberOfCells(), 100);
+    const vtkIdType expected = mesh(Sphere(), library)->GetNumberOfCells();
+    EXPECT_LT(std::abs(found->GetNumberOfCells() - expected), 100); // other ids
+    vtkDataArray* original = found->GetPointData()->GetArray("OriginalPointId");
+    for (vtkIdType i = 0; i < found->GetNumberOfPoints(); ++i)
+    {
+      const auto id = static_cast<vtkIdType>(original->GetTuple1(i));
+      for (int a = 0; a < 3 && id >= 0; ++a)
+      {
+        ASSERT_EQ(found->GetPoint(i)[a], soup->GetPoint(id)[a]) << i;
+      }
+    }
+  }
+}
+
+TEST(MeshingFilters, ASoupIsRemeshedWithItsPointData)
+{
+  const auto soup = Soup(Sphere());
+  vtkNew<vtkDoubleArray> height;
+  height->SetName("Height");
+  for (vtkIdType i = 0; i < soup->GetNumberOfPoints(); ++i)
+  {
+    height->InsertNextValue(soup->GetPoint(i)[2]);
+  }
+  soup->GetPointData()->AddArray(height);
+  vtkNew<vtkSurfaceRemesh> remesh;
+  const Observer observer = Watch(remesh);
+  remesh->SetInputData(soup);
+  remesh->Update();
+  EXPECT_FALSE(observer->GetError()) << observer->GetErrorMessage();
+  vtkPolyData* surface = remesh->GetOutput();
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(surface);
+  edges->FeatureEdgesOff();
+  edges->ManifoldEdgesOff();
+  edges->Update();
+  EXPECT_EQ(edges->GetOutput()->GetNumberOfCells(), 0) << "it is closed, as the sphere is";
+  ASSERT_GT(surface->GetNumberOfPoints(), 50);
+  vtkDataArray* carried = surface->GetPointData()->GetArray("Height");
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_NEAR(carried->GetTuple1(i), surface->GetPoint(i)[2], 1e-6);
   }
 }
 

@@ -1,0 +1,192 @@
+"""The first look at what Isthmus' filters make: colours that mean something, ranges without outliers,
+words for categories, tubes for loops. isthmus_pipelines.py builds what is looked at; the window calls
+first_look() for each result that is new or changed.
+"""
+
+from paraview import print_error, servermanager, simple
+
+# Colours. A signed quantity spans a range symmetric about 0, so that what is neutral is flat.
+DIVERGING = "Cool to Warm"
+SEQUENTIAL = "Viridis (matplotlib)"
+CURVATURES = ("MeanCurvature", "GaussianCurvature", "MaximumCurvature", "MinimumCurvature")
+SIGNED = CURVATURES + (
+    "Potential", "PolarizedCurvature", "PositivePotentialKappa1", "PositivePotentialKappa2",
+    "NegativePotentialKappa1", "NegativePotentialKappa2", "SignedDistance")
+UNSIGNED = ("Curvedness",)
+FIXED = {"ShapeIndex": (-1.0, 1.0)}
+TITLES = {
+    "MeanCurvature": "Mean curvature (1/Å)", "GaussianCurvature": "Gaussian curvature (1/Å²)",
+    "MaximumCurvature": "Maximum curvature (1/Å)", "MinimumCurvature": "Minimum curvature (1/Å)",
+    "Curvedness": "Curvedness (1/Å)", "ShapeIndex": "Shape index", "Potential": "Potential (kT/e)",
+    "PolarizedCurvature": "Polarized curvature (kT/(e Å))", "Kind": "Choking loops",
+    "BindingSite": "Binding sites", "SiteClass": "Kind of site",
+    "Exposed": "Faces"}
+# Okabe and Ito's colours, which all eyes tell apart.
+VERMILION, ORANGE, SKY, GREEN, YELLOW, BLUE, PURPLE, GREY = (
+    (0.835, 0.369, 0.0), (0.902, 0.624, 0.0), (0.337, 0.706, 0.914), (0.0, 0.620, 0.451),
+    (0.941, 0.894, 0.259), (0.0, 0.447, 0.698), (0.800, 0.475, 0.655), (0.80, 0.80, 0.80))
+FURTHER = (0.70, 0.64, 0.74)
+CATEGORIES = {
+    "Kind": (("0", "handle", VERMILION), ("1", "tunnel", BLUE), ("2", "bottleneck", ORANGE)),
+    "SiteClass": (
+        ("0", "none", GREY), ("1", "for - proteins", SKY), ("2", "for - ligands", BLUE),
+        ("3", "for + proteins", ORANGE), ("4", "for + ligands", VERMILION)),
+    "Exposed": (("0", "boundary of the mesh", GREY), ("1", "laid open by the cut", ORANGE)),
+    "BindingSite": (
+        ("0", "no site", GREY), ("1", "best site", VERMILION), ("2", "second", BLUE),
+        ("3", "third", GREEN), ("4", "fourth", ORANGE), ("5", "fifth", PURPLE)),
+}
+
+
+def data_of(source):
+    """What is known of a source's output, made if need be."""
+    source.UpdatePipeline()
+    return source.GetDataInformation().DataInformation
+
+
+def range_by_area(port, association, array):
+    """The 2 and 98 % quantiles by area of an array, computed where the data is; None without any."""
+    proxy = servermanager.ProxyManager().NewProxy("internal_filters", "AreaQuantiles")
+    servermanager.vtkSMPropertyHelper(proxy, "Input").Set(port.SMProxy, getattr(port, "Port", 0))
+    fields = {"POINTS": 0, "CELLS": 1}
+    servermanager.vtkSMPropertyHelper(proxy, "SelectInputScalars").SetInputArrayToProcess(
+        fields[association], array)
+    proxy.UpdateVTKObjects()
+    proxy.UpdatePipeline()
+    rows = proxy.GetDataInformation(0).GetAttributeInformation(6)  # vtkDataObject.ROW
+    column = rows.GetArrayInformation("Range") if rows else None
+    return tuple(column.GetComponentRange(0)) if column else None
+
+
+def colour_range(port, association, array):
+    """Range for a colour bar; None where the array has none of its own."""
+    if array in FIXED:
+        return FIXED[array]
+    if array not in SIGNED and array not in UNSIGNED:
+        return None
+    found = range_by_area(port, association, array)
+    if not found:
+        return None
+    top = max(abs(found[0]), abs(found[1]))
+    if not top > 0.0:
+        return None
+    return (-top if array in SIGNED else 0.0), top
+
+
+def _set_categories(table, array):
+    rows = CATEGORIES[array]
+    table.InterpretValuesAsCategories = 1
+    table.Annotations = [word for value, name, _ in rows for word in (value, name)]
+    table.IndexedColors = [part for _, _, colour in rows for part in colour]
+    table.NanColor = FURTHER  # values without a name of their own
+
+
+def _bar(table, view, array):
+    bar = simple.GetScalarBar(table, view)
+    bar.Title, bar.ComponentTitle = TITLES.get(array, array), ""
+
+
+# Colour maps that first_look() has set, by global id: the range it gave them. A map whose range is
+# another now was changed by the user.
+_ranges = {}
+
+
+def _colour(display, view):
+    association, array = display.ColorArrayName[0], display.ColorArrayName[1]
+    if not array or (array not in CATEGORIES and array not in SIGNED and
+                     array not in UNSIGNED and array not in FIXED):
+        return
+    table = display.LookupTable
+    key = table.GetGlobalID()
+    if array in CATEGORIES:
+        if key not in _ranges:
+            _ranges[key] = None
+            _set_categories(table, array)
+            _bar(table, view, array)
+        return
+    now = (table.RGBPoints[0], table.RGBPoints[-4])
+    if key in _ranges and _ranges[key] != now:
+        return
+    limits = colour_range(display.Input, association, array)
+    if not limits:
+        return
+    if key not in _ranges:
+        table.ApplyPreset(SEQUENTIAL if array in UNSIGNED else DIVERGING, True)
+        if array == "Potential":
+            table.InvertTransferFunction()  # red is negative, as everywhere in structural biology
+        table.AutomaticRescaleRangeMode = "Never"
+        table.NanColor = GREY
+        _bar(table, view, array)
+    table.RescaleTransferFunction(*limits)
+    opacity = display.OpacityTransferFunction
+    if opacity:
+        opacity.RescaleTransferFunction(*limits)
+    _ranges[key] = (table.RGBPoints[0], table.RGBPoints[-4])
+
+
+def _look_at_loops(display, view, port):
+    """Loops as tubes coloured by kind, on a translucent surface; nothing else."""
+    if port == 0:
+        display.RenderLinesAsTubes, display.LineWidth = 1, 5.0
+        simple.ColorBy(display, ("CELLS", "Kind"))
+        display.SetScalarBarVisibility(view, True)
+        surface = display.Input.Input
+        simple.Show(surface, view).Opacity = 0.35
+    else:
+        display.Visibility = 0
+
+
+_seen = set()
+
+
+def _look(display):
+    source = getattr(display, "Input", None)
+    view = simple.GetActiveView()
+    if source is None or not hasattr(display, "ColorArrayName"):
+        return
+    name = source.SMProxy.GetXMLName()
+    key = display.GetGlobalID()
+    if key not in _seen:
+        _seen.add(key)
+        if name == "ChokingLoops":
+            _look_at_loops(display, view, source.Port if hasattr(source, "Port") else 0)
+        elif name.startswith("BindingSites") and getattr(source, "Port", 0) == 0:
+            simple.ColorBy(display, ("POINTS", "BindingSite"))
+            display.SetScalarBarVisibility(view, True)
+    _colour(display, view)
+
+
+def first_look(*ids):
+    """Called by the window with the global ids of representations that are new or changed."""
+    session = servermanager.ActiveConnection.Session
+    for number in ids:
+        proxy = session.GetRemoteObject(number)
+        if proxy is None:
+            continue
+        try:
+            _look(servermanager._getPyProxy(proxy))
+        except Exception as error:  # a look is never worth a failure
+            print_error(f"The first look at a result failed: {error}")
+
+
+def show(*proxies, view=None):
+    """Shows the last proxies of a pipeline as the window would, and returns the last display."""
+    view = view or simple.GetActiveViewOrCreate("RenderView")
+    display = None
+    for proxy in proxies:
+        if data_of(proxy).GetDataSetTypeAsString() != "vtkPolyData":
+            continue
+        display = simple.Show(proxy, view)
+        _look(display)
+    for proxy in proxies[:-1]:
+        if _replaced(proxy, proxies[-1]):
+            simple.Hide(proxy, view)
+    if display is not None and display.LookupTable is not None and display.ColorArrayName[1]:
+        display.SetScalarBarVisibility(view, True)
+    simple.ResetCamera(view)
+    return display
+
+
+def _replaced(proxy, last):
+    """Whether `last` shows what `proxy` does, with more to it."""
+    return last.SMProxy.GetXMLName() in ("CurvatureOnSurface", "BindingSites")
