@@ -1,6 +1,7 @@
 #include "CellFiltration.h"
 
 #include "ParallelFor.h"
+#include "SimplexOrder.h"
 
 #include <algorithm>
 #include <limits>
@@ -17,42 +18,64 @@ std::size_t At(SimplexId i)
   return static_cast<std::size_t>(i);
 }
 
-constexpr std::size_t ReportEvery = 1 << 18;
+constexpr std::size_t CellsOfPiece = 1 << 14;
 
-/// Reports, now and then, that `i` of `n` are done.
-void ReportSome(const ProgressCallback& progress, std::size_t i, std::size_t n)
+/// Calls visit(cell, corner) for the faces that are triangles of the cells of piece `p`: of two
+/// tetrahedra the one with the smaller id has it.
+template <typename Visit>
+void ForFaces(const CellFiltration& f, std::size_t p, Visit&& visit)
 {
-  if (i % ReportEvery == 0)
+  const std::size_t end = std::min((p + 1) * CellsOfPiece, f.Tetrahedra.size());
+  for (std::size_t t = p * CellsOfPiece; t < end; ++t)
   {
-    Report(progress, static_cast<double>(i) / static_cast<double>(n));
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      const SimplexId other = f.Neighbours[t][k];
+      if (other < 0 || At(other) > t)
+      {
+        visit(t, k);
+      }
+    }
   }
 }
 
 /// The triangle of each face, once for the two tetrahedra beside it.
 void MakeTriangles(CellFiltration& f, const ProgressCallback& progress)
 {
-  f.Triangles.clear();
-  f.TriangleSides.clear();
-  f.Triangles.reserve(2 * f.Tetrahedra.size() + 1000);
-  f.TriangleSides.reserve(2 * f.Tetrahedra.size() + 1000);
-  for (std::size_t t = 0; t < f.Tetrahedra.size(); ++t)
+  const std::size_t pieces = (f.Tetrahedra.size() + CellsOfPiece - 1) / CellsOfPiece;
+  std::vector<std::size_t> first(pieces + 1, 0);
+  const auto forPieces = [pieces](const ProgressCallback& part, auto&& work)
   {
-    ReportSome(progress, t, f.Tetrahedra.size());
-    const auto id = static_cast<SimplexId>(t);
-    for (std::size_t k = 0; k < 4; ++k)
-    {
-      const SimplexId other = f.Neighbours[t][k];
-      if (other >= 0 && other < id)
+    ParallelFor(
+      0, static_cast<std::int64_t>(pieces), 1,
+      [&work](std::int64_t begin, std::int64_t end)
       {
-        continue;
-      }
-      const auto& p = f.Tetrahedra[t];
-      std::array<SimplexId, 3> face{ p[(k + 1) % 4], p[(k + 2) % 4], p[(k + 3) % 4] };
-      std::sort(face.begin(), face.end());
-      f.Triangles.push_back(face);
-      f.TriangleSides.push_back({ id, other });
-    }
-  }
+        for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p)
+        {
+          work(p);
+        }
+      },
+      part);
+  };
+  forPieces(Between(progress, 0.0, 0.3),
+    [&](std::size_t p) { ForFaces(f, p, [&](std::size_t, std::size_t) { ++first[p + 1]; }); });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  f.Triangles.resize(first.back());
+  f.TriangleSides.resize(first.back());
+  forPieces(Between(progress, 0.3, 1.0),
+    [&](std::size_t p)
+    {
+      std::size_t next = first[p];
+      ForFaces(f, p,
+        [&](std::size_t t, std::size_t k)
+        {
+          const auto& c = f.Tetrahedra[t];
+          std::array<SimplexId, 3> face{ c[(k + 1) % 4], c[(k + 2) % 4], c[(k + 3) % 4] };
+          std::sort(face.begin(), face.end());
+          f.Triangles[next] = face;
+          f.TriangleSides[next++] = { static_cast<SimplexId>(t), f.Neighbours[t][k] };
+        });
+    });
 }
 
 /// Edges bucketed by their smaller point, so that finding one takes a look into a short list.
@@ -75,21 +98,39 @@ void MakeEdges(CellFiltration& f, const ProgressCallback& progress)
     larger[static_cast<std::size_t>(next[At(t[1])]++)] = t[2];
   }
   Report(progress, 0.3);
-  const auto rest = Between(progress, 0.3, 1.0);
-  f.Edges.clear();
   f.FirstEdge.assign(f.Points.size() + 1, 0);
-  for (std::size_t p = 0; p < f.Points.size(); ++p)
+  const auto forPoints = [&f](const ProgressCallback& part, auto&& work)
   {
-    ReportSome(rest, p, f.Points.size());
-    const auto begin = larger.begin() + first[p];
-    const auto end = larger.begin() + first[p + 1];
-    std::sort(begin, end);
-    for (auto q = begin, last = std::unique(begin, end); q != last; ++q)
+    ParallelFor(
+      0, static_cast<std::int64_t>(f.Points.size()), 4096,
+      [&work](std::int64_t begin, std::int64_t end)
+      {
+        for (auto p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p)
+        {
+          work(p);
+        }
+      },
+      part);
+  };
+  forPoints(Between(progress, 0.3, 0.9),
+    [&](std::size_t p)
     {
-      f.Edges.push_back({ static_cast<SimplexId>(p), *q });
-    }
-    f.FirstEdge[p + 1] = static_cast<SimplexId>(f.Edges.size());
-  }
+      const auto begin = larger.begin() + first[p];
+      std::sort(begin, larger.begin() + first[p + 1]);
+      f.FirstEdge[p + 1] =
+        static_cast<SimplexId>(std::unique(begin, larger.begin() + first[p + 1]) - begin);
+    });
+  std::partial_sum(f.FirstEdge.begin(), f.FirstEdge.end(), f.FirstEdge.begin());
+  f.Edges.resize(At(f.FirstEdge.back()));
+  forPoints(Between(progress, 0.9, 1.0),
+    [&](std::size_t p)
+    {
+      for (SimplexId e = f.FirstEdge[p]; e < f.FirstEdge[p + 1]; ++e)
+      {
+        f.Edges[At(e)] = { static_cast<SimplexId>(p),
+          larger[static_cast<std::size_t>(first[p] + e - f.FirstEdge[p])] };
+      }
+    });
 }
 
 void LinkTriangleEdges(CellFiltration& f, const ProgressCallback& progress)
@@ -107,78 +148,6 @@ void LinkTriangleEdges(CellFiltration& f, const ProgressCallback& progress)
       }
     },
     progress);
-}
-
-/// A simplex to be sorted.
-struct Key
-{
-  double Value;
-  SimplexId Id;
-
-  bool operator<(const Key& other) const
-  {
-    return this->Value != other.Value ? this->Value < other.Value : this->Id < other.Id;
-  }
-};
-
-/// Sorts pieces and merges them two by two: on all threads, and it can be stopped.
-void SortInPieces(std::vector<Key>& keys, const ProgressCallback& progress)
-{
-  constexpr std::size_t Piece = 1 << 18;
-  const std::size_t n = keys.size();
-  const auto at = [&n](std::size_t i) { return static_cast<std::ptrdiff_t>(std::min(i, n)); };
-  const auto inPairs = [n](std::size_t width)
-  { return static_cast<std::int64_t>((n + 2 * width - 1) / (2 * width)); };
-  ParallelFor(
-    0, 2 * inPairs(Piece), 1,
-    [&](std::int64_t begin, std::int64_t end)
-    {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-      {
-        std::sort(keys.begin() + at(i * Piece), keys.begin() + at((i + 1) * Piece));
-      }
-    },
-    Between(progress, 0.0, 0.6));
-  std::vector<Key> merged(n);
-  double done = 0.6;
-  for (std::size_t width = Piece; width < n; width *= 2)
-  {
-    ParallelFor(0, inPairs(width), 1,
-      [&](std::int64_t begin, std::int64_t end)
-      {
-        for (auto i = 2 * static_cast<std::size_t>(begin); i < 2 * static_cast<std::size_t>(end);
-             i += 2)
-        {
-          const auto middle = keys.begin() + at((i + 1) * width);
-          std::merge(keys.begin() + at(i * width), middle, middle,
-            keys.begin() + at((i + 2) * width), merged.begin() + at(i * width));
-        }
-      });
-    keys.swap(merged);
-    done += 0.3 * (1.0 - done);
-    Report(progress, done);
-  }
-}
-
-/// Ids in ascending (first, value, id); `rank` becomes the inverse.
-std::vector<SimplexId> Sorted(const std::vector<double>& value, const std::vector<char>& first,
-  std::vector<SimplexId>& rank, const ProgressCallback& progress)
-{
-  std::vector<Key> keys(value.size());
-  for (std::size_t i = 0; i < value.size(); ++i)
-  {
-    const bool isFirst = !first.empty() && first[i];
-    keys[i] = { isFirst ? -1.0 : value[i], static_cast<SimplexId>(i) };
-  }
-  SortInPieces(keys, progress);
-  std::vector<SimplexId> order(value.size());
-  rank.resize(value.size());
-  for (std::size_t i = 0; i < keys.size(); ++i)
-  {
-    order[i] = keys[i].Id;
-    rank[At(keys[i].Id)] = static_cast<SimplexId>(i);
-  }
-  return order;
 }
 
 }
@@ -200,11 +169,11 @@ void CellFiltration::Connect(const ProgressCallback& progress)
 
 void CellFiltration::Order(const ProgressCallback& progress)
 {
-  this->TrianglesInOrder = Sorted(
+  this->TrianglesInOrder = SimplexOrder(
     this->TriangleValue, this->TriangleFirst, this->TriangleRank, Between(progress, 0.0, 0.5));
   this->EdgesInOrder =
-    Sorted(this->EdgeValue, this->EdgeFirst, this->EdgeRank, Between(progress, 0.5, 0.8));
-  Sorted(this->TetrahedronValue, {}, this->TetrahedronRank, Between(progress, 0.8, 1.0));
+    SimplexOrder(this->EdgeValue, this->EdgeFirst, this->EdgeRank, Between(progress, 0.5, 0.8));
+  SimplexOrder(this->TetrahedronValue, {}, this->TetrahedronRank, Between(progress, 0.8, 1.0));
 }
 
 SimplexId CellFiltration::FindEdge(SimplexId a, SimplexId b) const

@@ -63,7 +63,7 @@ struct CellFiltration
   /// tetrahedron in all. Throws std::runtime_error beyond 2^31 triangles.
   VTKISTHMUS_EXPORT void Connect(const ProgressCallback& progress = {});
 
-  /// Sorts the simplices of each dimension by value, ties by index. O(n log n).
+  /// Sorts the simplices of each dimension by value, ties by index (SimplexOrder.h). O(n).
   VTKISTHMUS_EXPORT void Order(const ProgressCallback& progress = {});
 
   /// The edge between two points, or -1.

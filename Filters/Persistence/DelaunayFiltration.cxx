@@ -156,10 +156,32 @@ SimplexId Opposite(
   return -1;
 }
 
+/// True if s lies strictly inside the smallest sphere through p, q and r.
+bool IsInBall(const Point3& p, const Point3& q, const Point3& r, const Point3& s)
+{
+  const Point3 a = q - p;
+  const Point3 b = r - p;
+  const Point3 c = s - p;
+  const double aa = Dot(a, a);
+  const double bb = Dot(b, b);
+  const double cc = Dot(c, c);
+  const Point3 n = Cross(a, b);
+  // |c|^2 - 2 c.centre, times |n|^2.
+  const double power = Dot(n, n) * cc - Dot(aa * Cross(b, n) + bb * Cross(n, a), c);
+  // Rounding takes at most some thirty units of 2^-53 of |a|^2 |b|^2 |c| (|a| + |b| + |c|).
+  const double error = 1.5e-14 * aa * bb * std::sqrt(3.0 * cc * (aa + bb + cc));
+  if (std::abs(power) > error)
+  {
+    return power < 0.0;
+  }
+  return CGAL::side_of_bounded_sphere(PointOf<Kernel>(p), PointOf<Kernel>(q), PointOf<Kernel>(r),
+           PointOf<Kernel>(s)) == CGAL::ON_BOUNDED_SIDE;
+}
+
 double TriangleValue(const CellFiltration& f, std::size_t i)
 {
   const auto& t = f.Triangles[i];
-  const auto p = [&f](SimplexId id) { return PointOf<Kernel>(f.Points[At(id)]); };
+  const auto p = [&f](SimplexId id) -> const Point3& { return f.Points[At(id)]; };
   bool gabriel = true;
   double lowest = HUGE_VAL;
   for (const SimplexId cell : f.TriangleSides[i])
@@ -169,42 +191,65 @@ double TriangleValue(const CellFiltration& f, std::size_t i)
       continue;
     }
     lowest = std::min(lowest, f.TetrahedronValue[At(cell)]);
-    gabriel = gabriel &&
-      CGAL::side_of_bounded_sphere(p(t[0]), p(t[1]), p(t[2]), p(Opposite(f, cell, t))) !=
-        CGAL::ON_BOUNDED_SIDE;
+    gabriel = gabriel && !IsInBall(p(t[0]), p(t[1]), p(t[2]), p(Opposite(f, cell, t)));
   }
-  if (!gabriel)
-  {
-    return lowest;
-  }
-  return std::min(
-    lowest, SquaredRadius(f.Points[At(t[0])], f.Points[At(t[1])], f.Points[At(t[2])]));
+  return gabriel ? std::min(lowest, SquaredRadius(p(t[0]), p(t[1]), p(t[2]))) : lowest;
+}
+
+/// True if w lies strictly inside the sphere with diameter u, v.
+bool IsInBall(const Point3& u, const Point3& v, const Point3& w)
+{
+  const double angle = Dot(u - w, v - w);
+  const double scale = Dot(u - v, u - v);
+  return angle < -1e-12 * scale ||
+    (angle < 1e-12 * scale &&
+      CGAL::side_of_bounded_sphere(PointOf<Kernel>(u), PointOf<Kernel>(v), PointOf<Kernel>(w)) ==
+        CGAL::ON_BOUNDED_SIDE);
+}
+
+/// For each triangle, bit k: the sphere of the edge opposite to corner k has that corner inside.
+std::vector<unsigned char> CornersInEdgeBalls(
+  const CellFiltration& f, const ProgressCallback& progress)
+{
+  std::vector<unsigned char> inside(f.Triangles.size(), 0);
+  ParallelFor(
+    0, static_cast<std::int64_t>(f.Triangles.size()), 4096,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        const auto& t = f.Triangles[i];
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          const Point3& u = f.Points[At(t[k == 0 ? 1 : 0])];
+          const Point3& v = f.Points[At(t[k == 2 ? 1 : 2])];
+          inside[i] |=
+            static_cast<unsigned char>(IsInBall(u, v, f.Points[At(t[k])]) ? 1U << k : 0U);
+        }
+      }
+    },
+    progress);
+  return inside;
 }
 
 /// Edges: the triangles beside decide whether the edge's own sphere is empty.
 void ValueEdges(CellFiltration& f, const ProgressCallback& progress)
 {
+  const std::vector<unsigned char> inside = CornersInEdgeBalls(f, Between(progress, 0.0, 0.5));
   f.EdgeValue.assign(f.Edges.size(), HUGE_VAL);
   std::vector<char> gabriel(f.Edges.size(), 1);
+  const auto rest = Between(progress, 0.5, 1.0);
   for (std::size_t i = 0; i < f.Triangles.size(); ++i)
   {
     if (i % At(ReportEvery) == 0)
     {
-      Report(progress, static_cast<double>(i) / static_cast<double>(f.Triangles.size()));
+      Report(rest, static_cast<double>(i) / static_cast<double>(f.Triangles.size()));
     }
     for (std::size_t k = 0; k < 3; ++k)
     {
       const auto e = At(f.TriangleEdges[i][k]);
       f.EdgeValue[e] = std::min(f.EdgeValue[e], f.TriangleValue[i]);
-      const Point3& w = f.Points[At(f.Triangles[i][k])];
-      const Point3& u = f.Points[At(f.Edges[e][0])];
-      const Point3& v = f.Points[At(f.Edges[e][1])];
-      const double angle = Dot(u - w, v - w);
-      const double scale = Dot(u - v, u - v);
-      if (angle < -1e-12 * scale ||
-        (angle < 1e-12 * scale &&
-          CGAL::side_of_bounded_sphere(
-            PointOf<Kernel>(u), PointOf<Kernel>(v), PointOf<Kernel>(w)) == CGAL::ON_BOUNDED_SIDE))
+      if (inside[i] >> k & 1U)
       {
         gabriel[e] = 0;
       }

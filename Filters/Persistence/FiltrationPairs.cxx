@@ -1,9 +1,9 @@
 #include "FiltrationPairs.h"
 
-#include "CompactDisjointSets.h"
+#include "ParallelFor.h"
+#include "VoidPairs.h"
 
 #include <algorithm>
-#include <queue>
 
 namespace isthmus
 {
@@ -85,76 +85,84 @@ void KeepOdd(Chain& chain)
 }
 
 constexpr std::int64_t ReportEvery = 1 << 16;
+constexpr std::int64_t Grain = 1 << 14;
 
 }
 
 FiltrationPairs::FiltrationPairs(const CellFiltration& f, const ProgressCallback& progress)
   : F(f)
 {
-  this->PairVoids(Between(progress, 0.0, 0.3));
+  this->VoidFilledBy = VoidPairs(f, Between(progress, 0.0, 0.3));
   this->PairLoops(Between(progress, 0.3, 1.0));
 }
 
-// Tetrahedra are joined from the last triangle to the first: the younger of two basins, the one
-// whose deepest tetrahedron enters earlier, ends there.
-void FiltrationPairs::PairVoids(const ProgressCallback& progress)
+// Those of triangles that close voids are not asked for.
+void FiltrationPairs::MakeBoundaries()
 {
-  const std::size_t cells = this->F.Tetrahedra.size();
-  CompactDisjointSets basins(cells + 1); // the last one is the exterior
-  std::vector<SimplexId> deepest(cells + 1);
-  for (std::size_t i = 0; i <= cells; ++i)
-  {
-    deepest[i] = static_cast<SimplexId>(i);
-  }
-  const auto rank = [this, cells](SimplexId cell)
-  { return At(cell) == cells ? static_cast<SimplexId>(cells) : this->F.TetrahedronRank[At(cell)]; };
-  this->VoidFilledBy.assign(this->F.Triangles.size(), -1);
-  for (std::size_t i = this->F.TrianglesInOrder.size(); i-- > 0;)
-  {
-    if (i % ReportEvery == 0)
+  this->Boundaries.resize(this->F.Triangles.size());
+  ParallelFor(0, static_cast<std::int64_t>(this->F.Triangles.size()), Grain,
+    [this](std::int64_t begin, std::int64_t end)
     {
-      Report(
-        progress, 1.0 - static_cast<double>(i) / static_cast<double>(this->F.Triangles.size()));
-    }
-    const SimplexId t = this->F.TrianglesInOrder[i];
-    const auto& sides = this->F.TriangleSides[At(t)];
-    const std::size_t a = basins.Find(sides[0] < 0 ? cells : At(sides[0]));
-    const std::size_t b = basins.Find(sides[1] < 0 ? cells : At(sides[1]));
-    if (a == b)
-    {
-      continue;
-    }
-    const bool aIsYounger = rank(deepest[a]) < rank(deepest[b]);
-    const SimplexId elder = deepest[aIsYounger ? b : a];
-    this->VoidFilledBy[At(t)] = deepest[aIsYounger ? a : b];
-    deepest[basins.Join(a, b)] = elder;
-  }
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        Boundary ranks;
+        const auto& edges = this->F.TriangleEdges[At(this->F.TrianglesInOrder[i])];
+        std::transform(edges.begin(), edges.end(), ranks.begin(),
+          [this](SimplexId e) { return this->F.EdgeRank[At(e)]; });
+        std::sort(ranks.begin(), ranks.end(), std::greater<>());
+        const bool closesVoid = this->VoidFilledBy[At(this->F.TrianglesInOrder[i])] >= 0;
+        this->Boundaries[i] = closesVoid ? Boundary{ -1, -1, -1 } : ranks;
+      }
+    });
 }
 
 void FiltrationPairs::PairLoops(const ProgressCallback& progress)
 {
+  const std::size_t triangles = this->F.Triangles.size();
+  this->MakeBoundaries();
   this->LoopFilledBy.assign(this->F.Edges.size(), -1);
-  this->LoopClosedBy.assign(this->F.Triangles.size(), -1);
-  this->Reduced.assign(this->F.Triangles.size(), -1);
-  std::int64_t done = 0;
+  this->LoopClosedBy.assign(triangles, -1);
+  this->Reduced.assign(triangles, -1);
+  std::vector<SimplexId> filler(this->F.Edges.size(), -1); // triangle by edge, both by rank
+  std::size_t done = 0;
   std::int64_t steps = 0;
   // Columns added count too: those of a few triangles may take longer than all others.
   const auto tick = [&]
   {
     if (++steps % ReportEvery == 0)
     {
-      Report(progress, static_cast<double>(done) / static_cast<double>(this->F.Triangles.size()));
+      Report(progress, static_cast<double>(done) / static_cast<double>(triangles));
     }
   };
-  for (const SimplexId t : this->F.TrianglesInOrder)
+  for (; done < triangles; ++done)
   {
-    ++done;
     tick();
-    if (this->VoidFilledBy[At(t)] == -1)
+    SimplexId pivot = this->Boundaries[done][0];
+    if (pivot >= 0 &&
+      (filler[At(pivot)] < 0 || this->Reduce(static_cast<SimplexId>(done), filler, pivot, tick)))
     {
-      this->Reduce(t, tick);
+      filler[At(pivot)] = static_cast<SimplexId>(done);
     }
   }
+  for (std::size_t edge = 0; edge < filler.size(); ++edge)
+  {
+    if (filler[edge] >= 0)
+    {
+      const SimplexId t = this->F.TrianglesInOrder[At(filler[edge])];
+      this->LoopFilledBy[At(this->F.EdgesInOrder[edge])] = t;
+      this->LoopClosedBy[At(t)] = this->F.EdgesInOrder[edge];
+    }
+  }
+  this->Boundaries = {};
+}
+
+FiltrationPairs::Boundary FiltrationPairs::BoundaryOf(SimplexId triangle) const
+{
+  const auto& edges = this->F.TriangleEdges[At(triangle)];
+  const auto& rank = this->F.EdgeRank;
+  return this->Boundaries.empty()
+    ? Boundary{ rank[At(edges[0])], rank[At(edges[1])], rank[At(edges[2])] }
+    : this->Boundaries[At(this->F.TriangleRank[At(triangle)])];
 }
 
 template <typename Heap>
@@ -169,50 +177,45 @@ void FiltrationPairs::AddColumn(SimplexId triangle, Heap& heap) const
     }
     return;
   }
-  for (const SimplexId e : this->F.TriangleEdges[At(triangle)])
+  for (const SimplexId rank : this->BoundaryOf(triangle))
   {
-    heap.Add(this->F.EdgeRank[At(e)]);
+    heap.Add(rank);
   }
 }
 
-void FiltrationPairs::Reduce(SimplexId t, const std::function<void()>& tick)
+/// Reduces the column of a triangle, by rank, until its latest edge has no filler; false when
+/// nothing is left, which happens only where the complex has a void that nothing fills.
+bool FiltrationPairs::Reduce(SimplexId rank, const std::vector<SimplexId>& filler, SimplexId& pivot,
+  const std::function<void()>& tick)
 {
-  const auto& edges = this->F.TriangleEdges[At(t)];
-  const auto& edgeRank = this->F.EdgeRank;
-  const SimplexId latest = *std::max_element(edges.begin(), edges.end(),
-    [&edgeRank](SimplexId a, SimplexId b) { return edgeRank[At(a)] < edgeRank[At(b)]; });
-  SimplexId pivot = latest;
-  if (this->LoopFilledBy[At(latest)] >= 0)
+  RankHeap column;
+  Chain added;
+  for (const SimplexId e : this->Boundaries[At(rank)])
   {
-    RankHeap column;
-    Chain added;
-    for (const SimplexId e : edges)
-    {
-      column.Add(edgeRank[At(e)]);
-    }
-    SimplexId low = column.Take();
-    while (low >= 0 && this->LoopFilledBy[At(this->F.EdgesInOrder[At(low)])] >= 0)
-    {
-      const SimplexId other = this->LoopFilledBy[At(this->F.EdgesInOrder[At(low)])];
-      tick();
-      added.push_back(other);
-      column.Add(low);
-      this->AddColumn(other, column);
-      low = column.Take();
-    }
-    if (low < 0)
-    {
-      return; // only where the complex has a void that nothing fills
-    }
-    pivot = this->F.EdgesInOrder[At(low)];
-    Chain ranks = column.TakeAll();
-    ranks.insert(ranks.begin(), low);
-    this->Reduced[At(t)] = static_cast<SimplexId>(this->Columns.size());
-    this->Columns.push_back(std::move(ranks));
-    this->Added.push_back(std::move(added));
+    column.Add(e);
   }
-  this->LoopFilledBy[At(pivot)] = t;
-  this->LoopClosedBy[At(t)] = pivot;
+  SimplexId low = column.Take();
+  while (low >= 0 && filler[At(low)] >= 0)
+  {
+    const SimplexId other = this->F.TrianglesInOrder[At(filler[At(low)])];
+    tick();
+    added.push_back(other);
+    column.Add(low);
+    this->AddColumn(other, column);
+    low = column.Take();
+  }
+  if (low < 0)
+  {
+    return false;
+  }
+  pivot = low;
+  Chain ranks = column.TakeAll();
+  ranks.insert(ranks.begin(), low);
+  this->Reduced[At(this->F.TrianglesInOrder[At(rank)])] =
+    static_cast<SimplexId>(this->Columns.size());
+  this->Columns.push_back(std::move(ranks));
+  this->Added.push_back(std::move(added));
+  return true;
 }
 
 Chain FiltrationPairs::Filling(SimplexId triangle) const

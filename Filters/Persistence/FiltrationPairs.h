@@ -65,9 +65,13 @@ public:
   VTKISTHMUS_EXPORT std::vector<std::int64_t> Bounding(const Chain& z) const;
 
 private:
-  void PairVoids(const ProgressCallback& progress);
+  using Boundary = std::array<SimplexId, 3>; ///< edges by rank, latest first
+
   void PairLoops(const ProgressCallback& progress);
-  void Reduce(SimplexId triangle, const std::function<void()>& tick);
+  void MakeBoundaries();
+  bool Reduce(SimplexId rank, const std::vector<SimplexId>& filler, SimplexId& pivot,
+    const std::function<void()>& tick);
+  Boundary BoundaryOf(SimplexId triangle) const;
   template <typename Heap>
   void AddColumn(SimplexId triangle, Heap& heap) const;
 
@@ -75,9 +79,10 @@ private:
   std::vector<SimplexId> VoidFilledBy;
   std::vector<SimplexId> LoopFilledBy;
   std::vector<SimplexId> LoopClosedBy;
-  std::vector<SimplexId> Reduced; ///< per triangle: index of its stored column, -1: its boundary
-  std::vector<Chain> Columns;     ///< as edge ranks
-  std::vector<Chain> Added;       ///< triangles whose columns were added to make it
+  std::vector<SimplexId> Reduced;   ///< per triangle: index of its stored column, -1: its boundary
+  std::vector<Chain> Columns;       ///< as edge ranks
+  std::vector<Chain> Added;         ///< triangles whose columns were added to make it
+  std::vector<Boundary> Boundaries; ///< of triangles by rank, while loops are paired
 };
 
 inline SimplexId FiltrationPairs::VoidFilled(SimplexId triangle) const

@@ -1,8 +1,11 @@
 #include "LowerStarFiltration.h"
 
+#include "ParallelFor.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <queue>
 #include <stdexcept>
 
@@ -16,92 +19,191 @@ std::size_t At(std::int64_t i)
   return static_cast<std::size_t>(i);
 }
 
-/// A face of a tetrahedron, its points ascending so that twins sort together.
+/// A face of a tetrahedron, but for its smallest point, which is that of its bucket.
 struct Face
 {
-  std::array<SimplexId, 3> Points;
+  SimplexId Middle, Last;
   SimplexId Cell;
   SimplexId Corner; ///< opposite to the face
+
+  bool SamePoints(const Face& o) const { return this->Middle == o.Middle && this->Last == o.Last; }
+
+  bool operator<(const Face& o) const
+  {
+    return this->Middle != o.Middle ? this->Middle < o.Middle
+      : this->Last != o.Last        ? this->Last < o.Last
+                                    : this->Cell < o.Cell;
+  }
 };
 
-void FindNeighbours(CellFiltration& f)
+std::array<SimplexId, 3> FacePoints(const CellFiltration& f, std::size_t cell, std::size_t corner)
 {
-  std::vector<Face> faces;
-  faces.reserve(4 * f.Tetrahedra.size());
-  for (std::size_t c = 0; c < f.Tetrahedra.size(); ++c)
+  const auto& t = f.Tetrahedra[cell];
+  std::array<SimplexId, 3> p{ t[(corner + 1) % 4], t[(corner + 2) % 4], t[(corner + 3) % 4] };
+  std::sort(p.begin(), p.end());
+  return p;
+}
+
+/// The faces of all tetrahedra in buckets of their smallest points: [first[p], first[p + 1]).
+std::vector<Face> FacesByPoint(const CellFiltration& f, std::vector<std::size_t>& first)
+{
+  first.assign(f.Points.size() + 1, 0);
+  const auto forFaces = [&f](auto&& visit)
   {
-    const auto& t = f.Tetrahedra[c];
-    for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t c = 0; c < f.Tetrahedra.size(); ++c)
     {
-      std::array<SimplexId, 3> p{ t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4] };
-      std::sort(p.begin(), p.end());
-      faces.push_back({ p, static_cast<SimplexId>(c), static_cast<SimplexId>(k) });
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        visit(FacePoints(f, c, k), c, k);
+      }
     }
-  }
-  std::sort(faces.begin(), faces.end(),
-    [](const Face& a, const Face& b)
-    { return a.Points != b.Points ? a.Points < b.Points : a.Cell < b.Cell; });
-  f.Neighbours.assign(f.Tetrahedra.size(), { -1, -1, -1, -1 });
-  for (std::size_t i = 0; i + 1 < faces.size(); ++i)
+  };
+  forFaces([&](const auto& p, std::size_t, std::size_t) { ++first[At(p[0]) + 1]; });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  std::vector<Face> faces(first.back());
+  forFaces(
+    [&](const auto& p, std::size_t c, std::size_t k)
+    {
+      faces[next[At(p[0])]++] = { p[1], p[2], static_cast<SimplexId>(c),
+        static_cast<SimplexId>(k) };
+    });
+  return faces;
+}
+
+/// Where three cells are on one face, counted from `begin`; -1: nowhere.
+std::ptrdiff_t LinkTwins(CellFiltration& f, Face* begin, Face* end)
+{
+  std::sort(begin, end);
+  for (Face* face = begin; face != end; ++face)
   {
-    if (faces[i].Points != faces[i + 1].Points)
+    if (face + 1 == end || !face->SamePoints(face[1]))
     {
       continue;
     }
-    if (i + 2 < faces.size() && faces[i + 2].Points == faces[i].Points)
+    if (face + 2 != end && face->SamePoints(face[2]))
     {
-      throw std::invalid_argument("The tetrahedral mesh is not manifold: cells " +
-        std::to_string(faces[i].Cell) + ", " + std::to_string(faces[i + 1].Cell) + " and " +
-        std::to_string(faces[i + 2].Cell) + " share a face.");
+      return face - begin;
     }
-    f.Neighbours[At(faces[i].Cell)][At(faces[i].Corner)] = faces[i + 1].Cell;
-    f.Neighbours[At(faces[i + 1].Cell)][At(faces[i + 1].Corner)] = faces[i].Cell;
+    f.Neighbours[At(face[0].Cell)][At(face[0].Corner)] = face[1].Cell;
+    f.Neighbours[At(face[1].Cell)][At(face[1].Corner)] = face[0].Cell;
+    ++face;
+  }
+  return -1;
+}
+
+void FindNeighbours(CellFiltration& f, const ProgressCallback& progress)
+{
+  std::vector<std::size_t> first;
+  std::vector<Face> faces = FacesByPoint(f, first);
+  f.Neighbours.assign(f.Tetrahedra.size(), { -1, -1, -1, -1 });
+  std::vector<std::ptrdiff_t> crowded(f.Points.size(), -1);
+  ParallelFor(
+    0, static_cast<std::int64_t>(f.Points.size()), 1024,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t p = begin; p < end; ++p)
+      {
+        crowded[At(p)] = LinkTwins(f, faces.data() + first[At(p)], faces.data() + first[At(p) + 1]);
+      }
+    },
+    Between(progress, 0.5, 1.0));
+  for (std::size_t p = 0; p < crowded.size(); ++p)
+  {
+    if (crowded[p] >= 0)
+    {
+      const Face* face = faces.data() + first[p] + crowded[p];
+      throw std::invalid_argument("The tetrahedral mesh is not manifold: cells " +
+        std::to_string(face[0].Cell) + ", " + std::to_string(face[1].Cell) + " and " +
+        std::to_string(face[2].Cell) + " share a face.");
+    }
   }
 }
 
-/// Gives `surface` the ids of the mesh's points at the same places.
+/// Gives `surface` the ids of the mesh's points at the same places: the first of several.
 void Match(const CellFiltration& f, TriangleMesh& surface)
 {
   std::map<Point3, std::int64_t> ids;
+  for (const Point3& p : surface.Points)
+  {
+    ids.emplace(p, -1);
+  }
+  std::vector<double> heights; // of those points: most others of the mesh are at none of them
+  for (const auto& place : ids)
+  {
+    heights.push_back(place.first[0]);
+  }
   for (std::size_t i = 0; i < f.Points.size(); ++i)
   {
-    ids.emplace(f.Points[i], static_cast<std::int64_t>(i));
+    if (std::binary_search(heights.begin(), heights.end(), f.Points[i][0]))
+    {
+      const auto found = ids.find(f.Points[i]);
+      if (found != ids.end() && found->second < 0)
+      {
+        found->second = static_cast<std::int64_t>(i);
+      }
+    }
   }
   for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
   {
     for (std::int64_t& p : surface.Triangles[i])
     {
-      const auto found = ids.find(surface.Points[At(p)]);
-      if (found == ids.end())
+      const std::int64_t id = ids.at(surface.Points[At(p)]);
+      if (id < 0)
       {
         throw std::invalid_argument("A corner of triangle " + std::to_string(i) +
           " of the surface is no point of the tetrahedral mesh: mesh this surface without moving "
-          "or "
-          "splitting it.");
+          "or splitting it.");
       }
-      p = found->second;
+      p = id;
     }
   }
   surface.Points = f.Points;
 }
 
-void MarkSurface(CellFiltration& f, const TriangleMesh& surface)
+/// Triangles of a surface by their points, in ascending order.
+using WantedTriangle = std::pair<std::array<SimplexId, 3>, std::size_t>;
+
+std::vector<WantedTriangle> WantedTriangles(const TriangleMesh& surface)
 {
-  f.EdgeFirst.assign(f.Edges.size(), 0);
-  f.TriangleFirst.assign(f.Triangles.size(), 0);
-  std::map<std::array<SimplexId, 3>, std::size_t> wanted;
+  std::vector<WantedTriangle> wanted;
   for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
   {
     const Triangle& t = surface.Triangles[i];
     std::array<SimplexId, 3> p{ static_cast<SimplexId>(t[0]), static_cast<SimplexId>(t[1]),
       static_cast<SimplexId>(t[2]) };
     std::sort(p.begin(), p.end());
-    wanted.emplace(p, i);
+    wanted.emplace_back(p, i);
   }
+  std::sort(wanted.begin(), wanted.end());
+  return wanted;
+}
+
+void MarkSurface(CellFiltration& f, const TriangleMesh& surface)
+{
+  f.EdgeFirst.assign(f.Edges.size(), 0);
+  f.TriangleFirst.assign(f.Triangles.size(), 0);
+  std::vector<char> onSurface(f.Points.size(), 0);
+  for (const Triangle& t : surface.Triangles)
+  {
+    for (const std::int64_t p : t)
+    {
+      onSurface[At(p)] = 1;
+    }
+  }
+  const std::vector<WantedTriangle> wanted = WantedTriangles(surface);
+  std::vector<char> found(wanted.size(), 0);
   for (std::size_t t = 0; t < f.Triangles.size(); ++t)
   {
-    if (wanted.erase(f.Triangles[t]) > 0)
+    const auto& p = f.Triangles[t];
+    if (onSurface[At(p[0])] == 0 || onSurface[At(p[1])] == 0 || onSurface[At(p[2])] == 0)
     {
+      continue;
+    }
+    for (auto w = std::lower_bound(wanted.begin(), wanted.end(), WantedTriangle{ p, 0 });
+         w != wanted.end() && w->first == p; ++w)
+    {
+      found[static_cast<std::size_t>(w - wanted.begin())] = 1;
       f.TriangleFirst[t] = 1;
       for (const SimplexId e : f.TriangleEdges[t])
       {
@@ -109,9 +211,11 @@ void MarkSurface(CellFiltration& f, const TriangleMesh& surface)
       }
     }
   }
-  if (!wanted.empty())
+  const auto missing = std::find(found.begin(), found.end(), 0);
+  if (missing != found.end())
   {
-    throw std::invalid_argument("Triangle " + std::to_string(wanted.begin()->second) +
+    throw std::invalid_argument("Triangle " +
+      std::to_string(wanted[static_cast<std::size_t>(missing - found.begin())].second) +
       " of the surface is no face of the tetrahedral mesh: mesh this surface without moving or "
       "splitting it.");
   }
@@ -122,13 +226,17 @@ std::vector<double> LastValues(
   const std::vector<std::array<SimplexId, N>>& simplices, const std::vector<double>& square)
 {
   std::vector<double> values(simplices.size(), 0.0);
-  for (std::size_t i = 0; i < simplices.size(); ++i)
-  {
-    for (const SimplexId p : simplices[i])
+  ParallelFor(0, static_cast<std::int64_t>(simplices.size()), 1 << 14,
+    [&](std::int64_t begin, std::int64_t end)
     {
-      values[i] = std::max(values[i], square[At(p)]);
-    }
-  }
+      for (std::int64_t i = begin; i < end; ++i)
+      {
+        for (const SimplexId p : simplices[At(i)])
+        {
+          values[At(i)] = std::max(values[At(i)], square[At(p)]);
+        }
+      }
+    });
   return values;
 }
 
@@ -160,7 +268,7 @@ CellFiltration LowerStarFiltration(const TetrahedralMesh& mesh, const std::vecto
     f.Tetrahedra.push_back({ static_cast<SimplexId>(t[0]), static_cast<SimplexId>(t[1]),
       static_cast<SimplexId>(t[2]), static_cast<SimplexId>(t[3]) });
   }
-  FindNeighbours(f);
+  FindNeighbours(f, Between(progress, 0.0, 0.4));
   Report(progress, 0.4);
   f.Connect(Between(progress, 0.4, 0.6));
   Match(f, surface);

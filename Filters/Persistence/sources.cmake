@@ -15,7 +15,9 @@ isthmus_room(
     PersistenceTables
     ScalarFeatures
     ScalarSimplification
+    SimplexOrder
     StarMatching
+    VoidPairs
     VolumeView
   CGAL
     DelaunayFiltration

@@ -1,0 +1,248 @@
+#include "SimplexOrder.h"
+
+#include "ParallelFor.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <limits>
+#include <mutex>
+
+namespace isthmus
+{
+namespace
+{
+
+constexpr std::int64_t Grain = 1 << 16;
+constexpr std::size_t Digits = 1 << 11;
+
+std::size_t At(std::int64_t i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+/// 0 for what comes first, else the bits of the value as an integer in the order of entry.
+class EntryKeys
+{
+public:
+  EntryKeys(const std::vector<double>& value, const std::vector<char>& first)
+    : Value(value)
+    , First(first)
+  {
+    this->FindRange();
+  }
+
+  std::uint64_t Of(std::size_t i) const
+  {
+    if (!this->First.empty() && this->First[i])
+    {
+      return 0;
+    }
+    const double value = this->Value[i] + 0.0; // no -0.0
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof(bits));
+    return bits >> 63 != 0 ? ~bits : bits | Zero;
+  }
+
+  /// The leading bits in which keys differ, in the same order.
+  std::uint32_t Short(std::size_t i) const
+  {
+    const std::uint64_t key = this->Of(i);
+    return key <= this->Least ? 0 : static_cast<std::uint32_t>((key - this->Least) >> this->Shift);
+  }
+
+private:
+  /// The key of value 0. Without negative values, the range begins with the first above it: the
+  /// exponents between would take nearly all of it.
+  static constexpr std::uint64_t Zero = std::uint64_t{ 1 } << 63;
+
+  void FindRange()
+  {
+    std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
+    std::uint64_t most = 0;
+    std::mutex mutex;
+    ParallelFor(0, static_cast<std::int64_t>(this->Value.size()), Grain,
+      [&](std::int64_t begin, std::int64_t end)
+      {
+        std::uint64_t low = std::numeric_limits<std::uint64_t>::max();
+        std::uint64_t high = 0;
+        for (std::int64_t i = begin; i < end; ++i)
+        {
+          const std::uint64_t key = this->Of(At(i));
+          low = key != 0 && key != Zero ? std::min(low, key) : low;
+          high = std::max(high, key);
+        }
+        const std::lock_guard<std::mutex> lock(mutex);
+        least = std::min(least, low);
+        most = std::max(most, high);
+      });
+    this->Least = std::min(least, most);
+    for (const std::uint64_t width = most - this->Least; width >> this->Shift >> 32 != 0;)
+    {
+      ++this->Shift;
+    }
+  }
+
+  const std::vector<double>& Value;
+  const std::vector<char>& First;
+  std::uint64_t Least = 0;
+  unsigned int Shift = 0;
+};
+
+/// An id below its short key.
+using Entry = std::uint64_t;
+
+std::size_t IdOf(Entry entry)
+{
+  return static_cast<std::size_t>(entry & 0xFFFFFFFFU);
+}
+
+/// One stable pass: `from` sorted into `to` by the 11 bits from `bit` on. False if all agree there.
+bool SortByDigit(const std::vector<Entry>& from, std::vector<Entry>& to, unsigned int bit)
+{
+  const auto digit = [bit](Entry entry) { return (entry >> bit) % Digits; };
+  const auto n = static_cast<std::int64_t>(from.size());
+  const std::int64_t pieces = (n + Grain - 1) / Grain;
+  std::vector<std::array<std::uint32_t, Digits>> next(At(pieces)); // of each piece and digit
+  ParallelFor(0, pieces, 1,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t p = begin; p < end; ++p)
+      {
+        next[At(p)].fill(0);
+        for (std::int64_t i = p * Grain; i < std::min(n, (p + 1) * Grain); ++i)
+        {
+          ++next[At(p)][digit(from[At(i)])];
+        }
+      }
+    });
+  std::uint32_t before = 0;
+  bool several = false;
+  for (std::size_t d = 0; d < Digits; ++d)
+  {
+    const std::uint32_t start = before;
+    for (auto& piece : next)
+    {
+      const std::uint32_t count = piece[d];
+      piece[d] = before;
+      before += count;
+    }
+    several = several || (before > start && before - start < static_cast<std::uint32_t>(n));
+  }
+  if (!several)
+  {
+    return false;
+  }
+  ParallelFor(0, pieces, 1,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t p = begin; p < end; ++p)
+      {
+        for (std::int64_t i = p * Grain; i < std::min(n, (p + 1) * Grain); ++i)
+        {
+          to[next[At(p)][digit(from[At(i)])]++] = from[At(i)];
+        }
+      }
+    });
+  return true;
+}
+
+/// Sorts runs of equal short keys, which [begin, end) has whole, by whole keys, then ids.
+void SortRuns(
+  std::vector<Entry>& entries, const EntryKeys& keys, std::size_t begin, std::size_t end)
+{
+  for (std::size_t i = begin; i < end;)
+  {
+    std::size_t next = i + 1;
+    while (next < end && entries[next] >> 32 == entries[i] >> 32)
+    {
+      ++next;
+    }
+    if (next > i + 1)
+    {
+      std::sort(entries.begin() + static_cast<std::ptrdiff_t>(i),
+        entries.begin() + static_cast<std::ptrdiff_t>(next),
+        [&keys](Entry a, Entry b)
+        {
+          const std::uint64_t keyA = keys.Of(IdOf(a));
+          const std::uint64_t keyB = keys.Of(IdOf(b));
+          return keyA != keyB ? keyA < keyB : a < b;
+        });
+    }
+    i = next;
+  }
+}
+
+/// Where pieces begin that have runs of equal short keys whole; the end last.
+std::vector<std::int64_t> RunStarts(const std::vector<Entry>& entries)
+{
+  const auto n = static_cast<std::int64_t>(entries.size());
+  std::vector<std::int64_t> starts;
+  for (std::int64_t p = 0; p < n; p += Grain)
+  {
+    std::int64_t start = std::max(p, starts.empty() ? 0 : starts.back());
+    while (start > 0 && start < n && entries[At(start - 1)] >> 32 == entries[At(start)] >> 32)
+    {
+      ++start;
+    }
+    starts.push_back(start);
+  }
+  starts.push_back(n);
+  return starts;
+}
+
+std::vector<Entry> SortedEntries(const EntryKeys& keys, std::size_t n)
+{
+  std::vector<Entry> entries(n);
+  ParallelFor(0, static_cast<std::int64_t>(n), Grain,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t i = begin; i < end; ++i)
+      {
+        entries[At(i)] = Entry{ keys.Short(At(i)) } << 32 | static_cast<Entry>(i);
+      }
+    });
+  std::vector<Entry> other(n);
+  for (const unsigned int bit : { 32U, 43U, 54U })
+  {
+    if (SortByDigit(entries, other, bit))
+    {
+      entries.swap(other);
+    }
+  }
+  return entries;
+}
+
+}
+
+std::vector<std::int32_t> SimplexOrder(const std::vector<double>& value,
+  const std::vector<char>& first, std::vector<std::int32_t>& rank, const ProgressCallback& progress)
+{
+  const EntryKeys keys(value, first);
+  Report(progress, 0.1);
+  std::vector<Entry> entries = SortedEntries(keys, value.size());
+  Report(progress, 0.6);
+  std::vector<std::int32_t> order(value.size());
+  rank.resize(value.size());
+  const std::vector<std::int64_t> starts = RunStarts(entries);
+  ParallelFor(
+    0, static_cast<std::int64_t>(starts.size()) - 1, 1,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t p = begin; p < end; ++p)
+      {
+        const std::size_t from = At(starts[At(p)]);
+        const std::size_t to = At(starts[At(p) + 1]);
+        SortRuns(entries, keys, from, to);
+        for (std::size_t i = from; i < to; ++i)
+        {
+          order[i] = static_cast<std::int32_t>(IdOf(entries[i]));
+          rank[IdOf(entries[i])] = static_cast<std::int32_t>(i);
+        }
+      }
+    },
+    Between(progress, 0.6, 1.0));
+  return order;
+}
+
+}

@@ -1,0 +1,87 @@
+// The order of simplices is that of a plain stable sort, for values of every kind.
+
+#include "SimplexOrder.h"
+
+#include <vtkSMPTools.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+
+using namespace isthmus;
+
+namespace
+{
+
+void ExpectSorted(const std::vector<double>& value, const std::vector<char>& first)
+{
+  std::vector<std::int32_t> expected(value.size());
+  std::iota(expected.begin(), expected.end(), 0);
+  std::stable_sort(expected.begin(), expected.end(),
+    [&](std::int32_t a, std::int32_t b)
+    {
+      const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+      const bool firstA = !first.empty() && first[i], firstB = !first.empty() && first[j];
+      return firstA != firstB ? firstA : !firstA && value[i] < value[j];
+    });
+  for (const int threads : { 1, 3 })
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(threads, std::string("STDThread"), false),
+      [&]
+      {
+        std::vector<std::int32_t> rank;
+        const std::vector<std::int32_t> order = SimplexOrder(value, first, rank);
+        ASSERT_EQ(order, expected);
+        for (std::size_t i = 0; i < order.size(); ++i)
+        {
+          ASSERT_EQ(rank[static_cast<std::size_t>(order[i])], static_cast<std::int32_t>(i));
+        }
+      });
+  }
+}
+
+std::vector<double> Values(std::size_t n, const std::function<double(std::mt19937&)>& one)
+{
+  std::mt19937 random(7);
+  std::vector<double> values(n);
+  std::generate(values.begin(), values.end(), [&] { return one(random); });
+  return values;
+}
+
+constexpr std::size_t Many = 300'000; // several pieces
+
+TEST(SimplexOrder, AnyValues)
+{
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::normal_distribution<double> normal;
+  ExpectSorted({}, {});
+  ExpectSorted({ 1.0 }, {});
+  ExpectSorted(Values(Many, [&](auto& random) { return unit(random); }), {});
+  ExpectSorted(Values(Many, [&](auto& random) { return std::exp(200.0 * normal(random)); }), {});
+  ExpectSorted(Values(Many, [&](auto& random) { return normal(random); }), {});
+  // Neighbours that differ in their last bits only.
+  ExpectSorted(Values(Many, [&](auto& random) { return 1e30 + 1e16 * unit(random); }), {});
+}
+
+TEST(SimplexOrder, TiesAndExtremes)
+{
+  const std::vector<double> few{ 0.0, -0.0, 1.0, 1e-300, 5e-324, 1e300,
+    std::numeric_limits<double>::infinity() };
+  const auto pick = [&few](auto& random) { return few[random() % few.size()]; };
+  ExpectSorted(Values(Many, pick), {});
+  ExpectSorted(Values(Many, [](auto&) { return 3.0; }), {});
+  ExpectSorted(Values(Many, [](auto&) { return 0.0; }), {});
+  std::vector<char> first(Many, 0);
+  for (std::size_t i = 0; i < Many; i += 5)
+  {
+    first[i] = 1;
+  }
+  ExpectSorted(Values(Many, pick), first);
+  ExpectSorted(Values(Many, [&](auto& random) { return pick(random) - 1.0; }), {});
+}
+
+}
