@@ -28,6 +28,7 @@ isthmus_room(
     FlowStart
     FlowSteps
     FlowSurfaceOutput
+    FlowTimes
     HullDepth
     LevelMeasure
     LiningResidues
