@@ -1,5 +1,6 @@
 #include "AtomBalls.h"
 
+#include "AtomInput.h"
 #include "ChemicalElement.h"
 
 #include <vtkDataArray.h>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -78,6 +80,66 @@ void CheckBall(const Ball& ball, vtkIdType atom)
   }
 }
 
+/// The points that count: all where residues have no names.
+PolymerChoice PointsThatCount(vtkDataObject* atoms, const AtomChoice& choice)
+{
+  PolymerChoice points;
+  auto* named = vtkPointSet::SafeDownCast(atoms);
+  if (!named || !named->GetPointData()->GetAbstractArray("ResidueName"))
+  {
+    points.Kept.resize(static_cast<std::size_t>(AtomPoints(atoms)->GetNumberOfPoints()));
+    std::iota(points.Kept.begin(), points.Kept.end(), std::size_t{ 0 });
+    return points;
+  }
+  PolymerOptions all;
+  all.Hydrogens = all.Ions = all.Ligands = all.ProstheticGroups = true;
+  all.Waters = choice.KeepWaters;
+  points = ChoosePolymer(NamedAtomsOf(named), all);
+  if (points.Kept.empty())
+  {
+    throw std::invalid_argument(
+      "All atoms are water, which is left out: switch KeepWaters on to have its surface.");
+  }
+  return points;
+}
+
+bool AreOfTable(
+  const std::vector<double>& radii, const std::vector<int>& elements, RadiusTable table)
+{
+  constexpr double rounding = 1e-5; // of radii kept as floats
+  for (std::size_t i = 0; i < radii.size(); ++i)
+  {
+    const double expected = VanDerWaalsRadius(elements[i], table);
+    if (!std::isnan(radii[i]) && !(std::abs(radii[i] - expected) < rounding))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Gives radii by element those of united atoms, where hydrogens are missing.
+void UniteAtoms(const PolymerChoice& points, const std::vector<int>& elements,
+  std::vector<double>& radii, AtomBalls& result)
+{
+  const bool hydrogens = std::any_of(points.Kept.begin(), points.Kept.end(),
+    [&elements](std::size_t i) { return elements[i] == 1; });
+  if (hydrogens ||
+    !(result.ByElement || AreOfTable(radii, elements, RadiusTable::Bondi) ||
+      AreOfTable(radii, elements, RadiusTable::Alvarez)))
+  {
+    return;
+  }
+  for (const std::size_t i : points.Kept)
+  {
+    const double united = VanDerWaalsRadius(elements[i], RadiusTable::UnitedAtom);
+    radii[i] = std::isnan(united) ? radii[i] : united;
+  }
+  result.Notes.emplace_back("There are no hydrogens, so carbon, nitrogen, oxygen, phosphorus and "
+                            "sulphur have the radii of united atoms: switch UnitedAtoms off for "
+                            "those of the input.");
+}
+
 }
 
 vtkPoints* AtomPoints(vtkDataObject* atoms)
@@ -119,30 +181,39 @@ std::vector<int> AtomElements(vtkDataObject* atoms)
   return elements;
 }
 
-AtomBalls BallsOf(vtkDataObject* atoms, const char* name)
+AtomBalls BallsOf(vtkDataObject* atoms, const char* name, const AtomChoice& choice)
 {
   AtomBalls result;
-  vtkPoints* points = AtomPoints(atoms);
-  result.NumberOfAtoms = points ? points->GetNumberOfPoints() : 0;
+  vtkPoints* places = AtomPoints(atoms);
+  result.NumberOfAtoms = places ? places->GetNumberOfPoints() : 0;
   if (result.NumberOfAtoms == 0)
   {
     return result;
   }
-  const std::vector<double> radii = RadiiOf(atoms, name, result.ByElement);
-  for (vtkIdType i = 0; i < result.NumberOfAtoms; ++i)
+  std::vector<double> radii = RadiiOf(atoms, name, result.ByElement);
+  const PolymerChoice points = PointsThatCount(atoms, choice);
+  result.Notes = points.Notes;
+  const std::vector<int> elements = AtomElements(atoms);
+  if (choice.UnitedAtoms && points.AnyChain && elements.size() == radii.size())
   {
-    Ball ball{ {}, radii[static_cast<std::size_t>(i)] };
-    points->GetPoint(i, ball.Centre.data());
+    UniteAtoms(points, elements, radii, result);
+  }
+  for (const std::size_t i : points.Kept)
+  {
+    const auto point = static_cast<vtkIdType>(i);
+    Ball ball{ {}, radii[i] };
+    places->GetPoint(point, ball.Centre.data());
     if (std::isnan(ball.Radius))
     {
       ++result.WithoutRadius;
       continue;
     }
-    CheckBall(ball, i);
+    CheckBall(ball, point);
+    result.Points.push_back(point);
     if (ball.Radius > 0.0)
     {
       result.Balls.push_back(ball);
-      result.Ids.push_back(i);
+      result.Ids.push_back(point);
     }
   }
   if (result.Balls.empty())

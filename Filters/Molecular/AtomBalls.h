@@ -10,6 +10,7 @@
 
 #include <vtkType.h>
 
+#include <string>
 #include <vector>
 
 class vtkDataObject;
@@ -19,13 +20,24 @@ class vtkPoints;
 namespace isthmus
 {
 
+/// Which points count, and how large they are.
+struct AtomChoice
+{
+  bool KeepWaters = false;
+  /// Where chains of amino acids or nucleotides come without any hydrogen, and radii go by element,
+  /// those of united atoms (RadiusTable::UnitedAtom) stand for what is missing.
+  bool UnitedAtoms = true;
+};
+
 struct AtomBalls
 {
-  std::vector<Ball> Balls;     ///< of the atoms that have a radius above 0
-  std::vector<vtkIdType> Ids;  ///< their numbers in the input
-  vtkIdType NumberOfAtoms = 0; ///< of the input
-  vtkIdType WithoutRadius = 0; ///< atoms left out since their radius is not a number
-  bool ByElement = false;      ///< whether radii come from the elements
+  std::vector<Ball> Balls;        ///< of the atoms that have a radius above 0
+  std::vector<vtkIdType> Ids;     ///< their numbers in the input
+  std::vector<vtkIdType> Points;  ///< of all atoms that count, with a ball or without
+  vtkIdType NumberOfAtoms = 0;    ///< of the input
+  vtkIdType WithoutRadius = 0;    ///< atoms left out since their radius is not a number
+  bool ByElement = false;         ///< whether radii come from the elements
+  std::vector<std::string> Notes; ///< a sentence for what was left out or replaced
 };
 
 /// Points of a vtkPointSet or a vtkMolecule; null for anything else.
@@ -40,11 +52,14 @@ std::vector<int> AtomElements(vtkDataObject* atoms);
 
 /**
  * Balls from the point array `radii`; where there is none, from the elements, by Bondi's table and
- * Alvarez' where that has none. Atoms whose radius is 0 have no ball; those whose radius is not a
+ * Alvarez' where that has none. Where residues have names, water is left out unless kept, and of
+ * alternate locations one stays (PolymerAtoms.h). Radii count as going by element where each is
+ * that of one of these tables. Atoms whose radius is 0 have no ball; those whose radius is not a
  * number are counted. Throws std::invalid_argument where there are neither radii nor elements, for
  * a radius that is negative or infinite, a coordinate that is not finite, and when no atom is left.
  */
-VTKISTHMUS_EXPORT AtomBalls BallsOf(vtkDataObject* atoms, const char* radii);
+VTKISTHMUS_EXPORT AtomBalls BallsOf(
+  vtkDataObject* atoms, const char* radii, const AtomChoice& choice = {});
 
 }
 

@@ -57,6 +57,26 @@ void TakeNumbers(vtkPointSet* input, const char* name, std::size_t count, Take t
   }
 }
 
+/// The array of that name; null where it is not there and need not.
+vtkDataArray* RadiiOf(const std::string& name, vtkPointSet* input, bool canDoWithout)
+{
+  vtkDataArray* radii = input->GetPointData()->GetArray(name.c_str());
+  if (radii && radii->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument("The array of radii has several components, but one number for "
+                                "each atom is needed: extract one component first.");
+  }
+  if (!radii && !canDoWithout)
+  {
+    throw std::invalid_argument("The atoms have no point array " + name +
+      " of radii, and no array Element to look them up by: read them with vtkMacromoleculeReader, "
+      "or choose an array.");
+  }
+  return radii;
+}
+
+}
+
 std::vector<NamedAtom> NamedAtomsOf(vtkPointSet* input)
 {
   std::vector<NamedAtom> atoms(static_cast<std::size_t>(input->GetNumberOfPoints()));
@@ -85,26 +105,6 @@ std::vector<NamedAtom> NamedAtomsOf(vtkPointSet* input)
   TakeNumbers(
     input, "IsHetero", n, [&](std::size_t i, double value) { atoms[i].IsHetero = value != 0.0; });
   return atoms;
-}
-
-/// The array of that name; null where it is not there and need not.
-vtkDataArray* RadiiOf(const std::string& name, vtkPointSet* input, bool canDoWithout)
-{
-  vtkDataArray* radii = input->GetPointData()->GetArray(name.c_str());
-  if (radii && radii->GetNumberOfComponents() != 1)
-  {
-    throw std::invalid_argument("The array of radii has several components, but one number for "
-                                "each atom is needed: extract one component first.");
-  }
-  if (!radii && !canDoWithout)
-  {
-    throw std::invalid_argument("The atoms have no point array " + name +
-      " of radii, and no array Element to look them up by: read them with vtkMacromoleculeReader, "
-      "or choose an array.");
-  }
-  return radii;
-}
-
 }
 
 std::string InputArrayName(vtkAlgorithm* filter, int index)

@@ -52,6 +52,10 @@ enum class WithoutRadii
 VTKISTHMUS_EXPORT ChosenAtoms ChooseAtoms(const std::string& radii, vtkPointSet* input,
   const PolymerOptions& options, WithoutRadii withoutRadii = WithoutRadii::Error);
 
+/// What the arrays above say of each point. Throws std::invalid_argument for places that are not
+/// finite.
+std::vector<NamedAtom> NamedAtomsOf(vtkPointSet* input);
+
 /// The name of the array that input array `index` of `filter` is; empty: none.
 VTKISTHMUS_EXPORT std::string InputArrayName(vtkAlgorithm* filter, int index);
 

@@ -292,6 +292,7 @@ PolymerChoice ChoosePolymer(const std::vector<NamedAtom>& atoms, const PolymerOp
   const Locations locations(atoms);
   PolymerChoice choice;
   choice.Notes = leftOut.Sentences();
+  choice.AnyChain = anyPolymer;
   std::size_t hydrogens = 0;
   std::size_t alternates = 0;
   for (std::size_t i = 0; i < atoms.size(); ++i)

@@ -44,6 +44,7 @@ struct PolymerChoice
 {
   std::vector<std::size_t> Kept;  ///< ascending
   std::vector<std::string> Notes; ///< a sentence for each kind that was left out
+  bool AnyChain = false;          ///< whether a residue of a chain was recognised
 };
 
 /**

@@ -29,6 +29,7 @@ isthmus_room(
     FlowStart
     FlowSteps
     FlowSurfaceOutput
+    FlowTimes
     HullDepth
     LevelMeasure
     LiningResidues

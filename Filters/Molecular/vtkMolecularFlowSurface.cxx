@@ -2,8 +2,10 @@
 
 #include "AlgorithmGuard.h"
 #include "AtomBalls.h"
+#include "AtomInput.h"
 #include "DispersionAtoms.h"
 #include "FlowSurfaceOutput.h"
+#include "FlowTimes.h"
 #include "PipelineInputs.h"
 #include "SolventExcludedSurface.h"
 #include "SurfaceFlow.h"
@@ -21,9 +23,11 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkMolecularFlowSurface);
 
@@ -44,12 +48,6 @@ void CheckRange(const char* name, double value, double low, double high, const c
   }
 }
 
-const char* RadiusArray(vtkAlgorithm* self)
-{
-  vtkInformation* array = self->GetInputArrayInformation(0);
-  return array ? array->Get(vtkDataObject::FIELD_NAME()) : nullptr;
-}
-
 }
 
 /// What one execution works with.
@@ -61,9 +59,11 @@ struct vtkMolecularFlowSurface::Internals
   }
 
   SurfaceFlowParameters Parameters() const;
+  AtomBalls Atoms(vtkDataObject* input) const;
+  std::vector<double> Times(vtkInformation* input) const;
   void Check() const;
-  SurfaceFlowResult Flow(
-    const AtomBalls& atoms, vtkDataObject* input, const isthmus::ProgressCallback& progress) const;
+  SurfaceFlowResult Flow(const AtomBalls& atoms, vtkDataObject* input, double time,
+    const isthmus::ProgressCallback& progress) const;
   void Warn(const AtomBalls& atoms, const SurfaceFlowResult& result) const;
   void Surface(vtkImageData* image, bool ofS, vtkPolyData* surface) const;
 
@@ -98,6 +98,21 @@ SurfaceFlowParameters vtkMolecularFlowSurface::Internals::Parameters() const
   return parameters;
 }
 
+AtomBalls vtkMolecularFlowSurface::Internals::Atoms(vtkDataObject* input) const
+{
+  vtkInformation* array = this->Self->GetInputArrayInformation(0);
+  return isthmus::BallsOf(input, array ? array->Get(vtkDataObject::FIELD_NAME()) : nullptr,
+    { this->Self->KeepWaters, this->Self->UnitedAtoms });
+}
+
+/// The times of the flow that can be asked for; none where time is not the flow's.
+std::vector<double> vtkMolecularFlowSurface::Internals::Times(vtkInformation* input) const
+{
+  const SurfaceFlowParameters parameters = this->Parameters();
+  const bool flows = !parameters.Steady && this->Self->Method != SolventExcluded;
+  return isthmus::FlowTimes(flows ? this->Self->TimeSteps : 0, parameters.EvolutionTime, input);
+}
+
 void vtkMolecularFlowSurface::Internals::Check() const
 {
   constexpr double any = 1e300;
@@ -109,10 +124,11 @@ void vtkMolecularFlowSurface::Internals::Check() const
     "an energy for each cubic angstrom: give a finite number.");
 }
 
-SurfaceFlowResult vtkMolecularFlowSurface::Internals::Flow(
-  const AtomBalls& atoms, vtkDataObject* input, const isthmus::ProgressCallback& progress) const
+SurfaceFlowResult vtkMolecularFlowSurface::Internals::Flow(const AtomBalls& atoms,
+  vtkDataObject* input, double time, const isthmus::ProgressCallback& progress) const
 {
-  const SurfaceFlowParameters parameters = this->Parameters();
+  SurfaceFlowParameters parameters = this->Parameters();
+  parameters.EvolutionTime = time;
   if (this->Self->Method == ThesisFlow)
   {
     return isthmus::ThesisFlow(atoms.Balls, parameters, progress);
@@ -222,8 +238,7 @@ int vtkMolecularFlowSurface::RequestInformation(
   image->SetExtent(0, -1, 0, -1, 0, -1);
   try
   {
-    const AtomBalls atoms =
-      isthmus::BallsOf(vtkDataObject::GetData(inputVector[0]), RadiusArray(this));
+    const AtomBalls atoms = Internals(this).Atoms(vtkDataObject::GetData(inputVector[0]));
     if (!atoms.Balls.empty())
     {
       isthmus::SetImageGeometry(
@@ -240,6 +255,12 @@ int vtkMolecularFlowSurface::RequestInformation(
   outInfo->Set(vtkDataObject::ORIGIN(), image->GetOrigin(), 3);
   outInfo->Set(vtkDataObject::SPACING(), image->GetSpacing(), 3);
   vtkDataObject::SetPointDataActiveScalarInfo(outInfo, VTK_FLOAT, 1);
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  for (int port = 0; port < 3; ++port)
+  {
+    isthmus::TellTimes(
+      Internals(this).Times(input), input, outputVector->GetInformationObject(port));
+  }
   return 1;
 }
 
@@ -250,7 +271,7 @@ int vtkMolecularFlowSurface::RequestUpdateExtent(
 }
 
 int vtkMolecularFlowSurface::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* surface = vtkPolyData::GetData(outputVector, 0);
   vtkImageData* image = vtkImageData::GetData(outputVector, 1);
@@ -264,10 +285,15 @@ int vtkMolecularFlowSurface::RequestData(
       const Internals internals(this);
       internals.Check();
       vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-      const AtomBalls atoms = isthmus::BallsOf(input, RadiusArray(this));
+      const AtomBalls atoms = internals.Atoms(input);
       const auto progress = isthmus::ProgressOf(this);
+      const std::vector<double> times = internals.Times(inputVector[0]->GetInformationObject(0));
+      const int port = std::max(0, request->Get(Pipeline::FROM_OUTPUT_PORT()));
+      const double time = times.empty()
+        ? internals.Parameters().EvolutionTime
+        : isthmus::TimeAskedFor(times, outputVector->GetInformationObject(port));
       const SurfaceFlowResult result =
-        internals.Flow(atoms, input, isthmus::Between(progress, 0.0, 0.85));
+        internals.Flow(atoms, input, time, isthmus::Between(progress, 0.0, 0.85));
       if (atoms.Balls.empty())
       {
         return;
@@ -281,6 +307,18 @@ int vtkMolecularFlowSurface::RequestData(
       image->ShallowCopy(made);
       isthmus::FillHistory(
         result, this->SurfaceTension, this->Solvent ? this->Pressure : 0.0, history);
+      for (vtkDataObject* output : { static_cast<vtkDataObject*>(surface),
+             static_cast<vtkDataObject*>(image), static_cast<vtkDataObject*>(history) })
+      {
+        if (!atoms.Notes.empty()) // ParaView takes an empty array for the end of field data
+        {
+          isthmus::AddNotes(atoms.Notes, output);
+        }
+        if (!times.empty())
+        {
+          output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+        }
+      }
     });
 }
 
@@ -301,4 +339,7 @@ void vtkMolecularFlowSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SurfaceTension: " << this->SurfaceTension << "\n";
   os << indent << "Pressure: " << this->Pressure << "\n";
   os << indent << "DelaunayQuality: " << this->DelaunayQuality << "\n";
+  os << indent << "KeepWaters: " << this->KeepWaters << "\n";
+  os << indent << "UnitedAtoms: " << this->UnitedAtoms << "\n";
+  os << indent << "TimeSteps: " << this->TimeSteps << "\n";
 }

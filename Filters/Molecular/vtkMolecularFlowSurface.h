@@ -5,7 +5,9 @@
  * Input: atoms, a vtkPointSet whose point array `Radius` (or the one chosen with
  * SetInputArrayToProcess) holds radii in angstrom, or a vtkMolecule; where there is no such array,
  * radii go by element (array `Element`, or the molecule's atomic numbers; Bondi's table, then
- * Alvarez').
+ * Alvarez'). Water is left out unless KeepWaters is on, and of alternate locations one stays.
+ * Proteins and nucleic acids without hydrogens get radii of united atoms, see UnitedAtoms. The
+ * field array `Notes` of outputs 0 and 1 has a sentence for each of these.
  *
  * Outputs:
  *  - 0: vtkPolyData, the surface: closed, facing outwards, with Normals;
@@ -25,6 +27,9 @@
  * **What users call a molecular surface** is the solvent-excluded one of water (probe 1.4): for
  * electrostatics and for channels set a ProbeRadius of 1.4, or the preset Channel; for radii of
  * united atoms, which close narrow pores to it, 1.0. The default is the thesis', without a probe.
+ *
+ * **Time.** With TimeSteps above 0 the pipeline's time is the flow's: a time slider shows the
+ * surface on its way.
  *
  * **Errors** (sentence, empty outputs): atoms without radii and elements; coordinates or radii that
  * are not finite, negative radii, none above 0; parameters out of range; a grid that does not fit
@@ -170,6 +175,30 @@ public:
   vtkBooleanMacro(DelaunayQuality, bool);
   ///@}
 
+  ///@{
+  /// Water counts as part of the molecule. Default off.
+  vtkSetMacro(KeepWaters, bool);
+  vtkGetMacro(KeepWaters, bool);
+  vtkBooleanMacro(KeepWaters, bool);
+  ///@}
+
+  ///@{
+  /// Where amino acids or nucleotides come without any hydrogen and the radii are those of a table
+  /// by element, radii of united atoms take their place: C 1.85, N 1.75, O 1.65, P 2.10, S 2.00
+  /// (ChemicalElement.h). Radii of a force field stay as they are. Default on.
+  vtkSetMacro(UnitedAtoms, bool);
+  vtkGetMacro(UnitedAtoms, bool);
+  vtkBooleanMacro(UnitedAtoms, bool);
+  ///@}
+
+  ///@{
+  /// Above 0: the outputs have so many time steps after the first, from 0 to EvolutionTime (square
+  /// angstrom), and are made for the one that the pipeline asks for. Not with Steady, nor where the
+  /// atoms have time steps of their own. Default 0.
+  vtkSetClampMacro(TimeSteps, int, 0, 10000);
+  vtkGetMacro(TimeSteps, int);
+  ///@}
+
   /// Output 1 and 2.
   vtkImageData* GetImage();
   vtkTable* GetHistory();
@@ -207,6 +236,9 @@ private:
   double SurfaceTension = 0.0700;
   double Pressure = 0.0464;
   bool DelaunayQuality = false;
+  bool KeepWaters = false;
+  bool UnitedAtoms = true;
+  int TimeSteps = 0;
   std::unique_ptr<isthmus::InputInAdvance> Advance;
 };
 

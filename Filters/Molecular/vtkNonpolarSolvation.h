@@ -71,6 +71,16 @@ public:
   vtkGetMacro(SolventWellDepth, double);
   ///@}
 
+  ///@{
+  /// As in the vtkMolecularFlowSurface that made the surface. Defaults off and on.
+  vtkSetMacro(KeepWaters, bool);
+  vtkGetMacro(KeepWaters, bool);
+  vtkBooleanMacro(KeepWaters, bool);
+  vtkSetMacro(UnitedAtoms, bool);
+  vtkGetMacro(UnitedAtoms, bool);
+  vtkBooleanMacro(UnitedAtoms, bool);
+  ///@}
+
 protected:
   vtkNonpolarSolvation();
   ~vtkNonpolarSolvation() override = default;
@@ -90,6 +100,8 @@ private:
   double SolventDensity = 0.033428;
   double SolventRadius = 1.7683;
   double SolventWellDepth = 0.1521;
+  bool KeepWaters = false;
+  bool UnitedAtoms = true;
 };
 
 #endif

@@ -39,6 +39,9 @@ constexpr RadiusEntry Bondi[] = { { "H", 1.20 }, { "He", 1.40 }, { "Li", 1.82 },
   { "Pb", 2.02 }, { "Bi", 2.07 }, { "Po", 1.97 }, { "At", 2.02 }, { "Rn", 2.20 }, { "Fr", 3.48 },
   { "Ra", 2.83 }, { "U", 1.86 } };
 
+constexpr RadiusEntry United[] = { { "H", 1.00 }, { "C", 1.85 }, { "N", 1.75 }, { "O", 1.65 },
+  { "P", 2.10 }, { "S", 2.00 } };
+
 constexpr RadiusEntry Alvarez[] = { { "H", 1.20 }, { "He", 1.43 }, { "Li", 2.12 }, { "Be", 1.98 },
   { "B", 1.91 }, { "C", 1.77 }, { "N", 1.66 }, { "O", 1.50 }, { "F", 1.46 }, { "Ne", 1.58 },
   { "Na", 2.50 }, { "Mg", 2.51 }, { "Al", 2.25 }, { "Si", 2.19 }, { "P", 1.90 }, { "S", 1.89 },
@@ -152,7 +155,11 @@ double VanDerWaalsRadius(int element, RadiusTable table)
 {
   static const Radii bondi = ByElement(Bondi);
   static const Radii alvarez = ByElement(Alvarez);
-  return Look(table == RadiusTable::Bondi ? bondi : alvarez, element);
+  static const Radii united = ByElement(United);
+  return Look(table == RadiusTable::Bondi ? bondi
+      : table == RadiusTable::Alvarez     ? alvarez
+                                          : united,
+    element);
 }
 
 double CovalentRadius(int element)

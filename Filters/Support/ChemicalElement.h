@@ -39,7 +39,11 @@ enum class RadiusTable
   /// 1.80. Most transition metals have no radius there.
   Bondi,
   /// S. Alvarez, Dalton Trans. 42 (2013) 8617, Table 1: nearly all elements, metals as well.
-  Alvarez
+  Alvarez,
+  /// Atoms with the hydrogens that they carry, one radius for each element of a biopolymer: C 1.85,
+  /// N 1.75, O 1.65, P 2.10, S 2.00. From S. J. Weiner et al., J. Am. Chem. Soc. 106 (1984) 765, as
+  /// O. S. Smart et al. (HOLE, J. Mol. Graph. 14 (1996) 354) sum them up.
+  UnitedAtom
 };
 
 /// Van der Waals radius in angstrom; NaN where the table has none.

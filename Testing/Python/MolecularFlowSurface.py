@@ -4,7 +4,7 @@ import os
 from pathlib import Path
 
 from paraview import servermanager
-from paraview.simple import (Calculator, CreateView, MolecularFlowSurface, OpenDataFile,
+from paraview.simple import (CreateView, MolecularFlowSurface, OpenDataFile,
                              ResetCamera, SaveScreenshot, Show, SurfaceMeasures)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -22,7 +22,14 @@ def measures(surface):
     return {name: field[name].GetRange()[0] for name in ("Area", "Volume", "Genus", "Components")}
 
 
-# A PDB file as it comes, with all defaults.
+def measures_at(surface, time):
+    """Area at a time of the pipeline."""
+    filter = SurfaceMeasures(Input=surface)
+    filter.UpdatePipeline(time)
+    return filter.FieldData["Area"].GetRange()[0]
+
+
+# A PDB file as it comes, with all defaults: 1HEW has water, which is left out.
 atoms = OpenDataFile(str(shared_data("molecules/1hew.pdb")))
 flow = MolecularFlowSurface(Input=atoms)
 assert flow.Radii[1] == "Radius", list(flow.Radii)
@@ -30,6 +37,8 @@ flow.UpdatePipeline()
 surface = servermanager.Fetch(flow)
 assert surface.GetNumberOfCells() > 10000, surface.GetNumberOfCells()
 assert surface.GetPointData().GetNormals() is not None
+notes = surface.GetFieldData().GetAbstractArray("Notes")
+assert notes.GetValue(0).startswith("Water was left out: "), notes.GetValue(0)
 image = servermanager.Fetch(flow, idx=1)
 distance = vtk_to_numpy(image.GetPointData().GetArray("SignedDistance"))
 s = vtk_to_numpy(image.GetPointData().GetArray("S"))
@@ -64,11 +73,28 @@ assert found["hull"]["Genus"] == 0, found
 assert found["channel"]["Area"] <= found["excluded"]["Area"], found
 assert found["channel"]["Volume"] <= found["excluded"]["Volume"], found
 
-# With united atoms (the file has no hydrogens), the pore is narrower: a probe of 1.0 passes.
-united = Calculator(Input=gramicidin, ResultArrayName="Wide",
-                    Function="(Element == 6)*2.0 + (Element == 7)*1.6 + (Element == 8)*1.6")
-pore = MolecularFlowSurface(Input=united, Radii=["POINTS", "Wide"], ProbeRadius=1.0, Steady=1)
+# A smaller probe finds the pore alone, too: the file has no hydrogens, so atoms are united ones. With
+# Bondi's radii, two windows open where the hydrogens are missing.
+pore = MolecularFlowSurface(Input=gramicidin, ProbeRadius=1.0, Steady=1)
 pore.UpdatePipeline()
 found = measures(pore)
-print("united atoms", found)
+print("probe 1.0", found)
 assert found["Genus"] == 1 == found["Components"], found
+notes = servermanager.Fetch(pore).GetFieldData().GetAbstractArray("Notes")
+assert any("united atoms" in notes.GetValue(i) for i in range(notes.GetNumberOfValues()))
+pore.UnitedAtoms = 0
+pore.UpdatePipeline()
+found = measures(pore)
+print("probe 1.0, Bondi's radii", found)
+assert found["Genus"] == 3, found
+
+# Time as the flow's: what a time slider shows.
+slow = MolecularFlowSurface(Input=atoms, EvolutionTime=2.0, TimeSteps=4)
+slow.UpdatePipelineInformation()
+assert list(slow.TimestepValues) == [0.0, 0.5, 1.0, 1.5, 2.0], list(slow.TimestepValues)
+areas = []
+for time in slow.TimestepValues:
+    slow.UpdatePipeline(time)
+    areas.append(measures_at(slow, time))
+print("areas in time", areas)
+assert areas == sorted(areas, reverse=True) and areas[-1] < 0.8 * areas[0], areas

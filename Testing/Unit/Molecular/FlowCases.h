@@ -10,6 +10,7 @@
 #include "SurfaceMeasures.h"
 #include "vtkMolecularFlowSurface.h"
 
+#include <vtkDataObject.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -131,6 +132,13 @@ inline vtkSmartPointer<vtkPolyData> AtomsOf(const std::vector<Ball>& balls, int 
   atoms->SetPoints(points);
   atoms->GetPointData()->AddArray(radii);
   return atoms;
+}
+
+inline vtkSmartPointer<vtkMolecularFlowSurface> FilterOf(vtkDataObject* atoms)
+{
+  auto filter = vtkSmartPointer<vtkMolecularFlowSurface>::New();
+  filter->SetInputDataObject(atoms);
+  return filter;
 }
 
 inline SurfaceMeasures MeasuresOf(vtkPolyData* surface)
