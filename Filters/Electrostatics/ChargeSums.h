@@ -25,6 +25,19 @@ struct ChargeList
     this->Z.push_back(position[2]);
     this->Charge.push_back(charge);
   }
+  /// Charges [first, last) of another list.
+  void Append(const ChargeList& from, std::size_t first, std::size_t last)
+  {
+    const auto append = [&](std::vector<double>& to, const std::vector<double>& values)
+    {
+      to.insert(to.end(), values.begin() + static_cast<std::ptrdiff_t>(first),
+        values.begin() + static_cast<std::ptrdiff_t>(last));
+    };
+    append(this->X, from.X);
+    append(this->Y, from.Y);
+    append(this->Z, from.Z);
+    append(this->Charge, from.Charge);
+  }
   void Clear()
   {
     this->X.clear();
@@ -59,8 +72,15 @@ VTKISTHMUS_EXPORT SecondOrderTaylor CoulombSum(const ChargeList& charges, const 
 /// sum q / max(|x - r|, nearest).
 VTKISTHMUS_EXPORT double CoulombValue(const ChargeList& charges, const Vector3& x, double nearest);
 
-/// sum q exp(-kappa |x - r|) / |x - r|.
-VTKISTHMUS_EXPORT double ScreenedSum(const ChargeList& charges, double kappa, const Vector3& x);
+/// sum q exp(-kappa |x - r|) / |x - r| over charges [first, last); a nanosecond or two for each.
+VTKISTHMUS_EXPORT double ScreenedSum(
+  const ChargeList& charges, double kappa, const Vector3& x, std::size_t first, std::size_t last);
+
+/// Over all.
+inline double ScreenedSum(const ChargeList& charges, double kappa, const Vector3& x)
+{
+  return ScreenedSum(charges, kappa, x, 0, charges.Size());
+}
 
 }
 

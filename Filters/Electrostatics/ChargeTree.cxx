@@ -50,29 +50,33 @@ const std::vector<double>& Coordinate(const ChargeList& charges, std::size_t axi
 }
 
 ChargeTree::ChargeTree(const ChargeList& charges)
-  : Charges(charges)
-  , Order(charges.Size())
 {
-  std::iota(this->Order.begin(), this->Order.end(), std::size_t(0));
-  if (!this->Order.empty())
+  std::vector<std::size_t> order(charges.Size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  if (!order.empty())
   {
-    this->Build(0, this->Order.size());
+    this->Build(charges, order, 0, order.size());
+  }
+  for (const std::size_t c : order)
+  {
+    this->Sorted.Add({ charges.X[c], charges.Y[c], charges.Z[c] }, charges.Charge[c]);
   }
 }
 
-std::int64_t ChargeTree::Build(std::size_t first, std::size_t last)
+std::int64_t ChargeTree::Build(
+  const ChargeList& charges, std::vector<std::size_t>& order, std::size_t first, std::size_t last)
 {
   Box box;
   box.First = first;
   box.Last = last;
   for (std::size_t a = 0; a < 3; ++a)
   {
-    const auto& x = Coordinate(this->Charges, a);
-    box.Low[a] = box.High[a] = x[this->Order[first]];
+    const auto& x = Coordinate(charges, a);
+    box.Low[a] = box.High[a] = x[order[first]];
     for (std::size_t i = first; i < last; ++i)
     {
-      box.Low[a] = std::min(box.Low[a], x[this->Order[i]]);
-      box.High[a] = std::max(box.High[a], x[this->Order[i]]);
+      box.Low[a] = std::min(box.Low[a], x[order[i]]);
+      box.High[a] = std::max(box.High[a], x[order[i]]);
     }
     // Flat boxes get a thickness, so that their points differ.
     const double thin = 1e-3;
@@ -93,21 +97,21 @@ std::int64_t ChargeTree::Build(std::size_t first, std::size_t last)
   {
     longest = box.High[a] - box.Low[a] > box.High[longest] - box.Low[longest] ? a : longest;
   }
-  const auto& x = Coordinate(this->Charges, longest);
+  const auto& x = Coordinate(charges, longest);
   const std::size_t middle = first + (last - first) / 2;
-  std::nth_element(this->Order.begin() + static_cast<std::ptrdiff_t>(first),
-    this->Order.begin() + static_cast<std::ptrdiff_t>(middle),
-    this->Order.begin() + static_cast<std::ptrdiff_t>(last),
+  const auto at = [&](std::size_t i) { return order.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::nth_element(at(first), at(middle), at(last),
     [&](std::size_t i, std::size_t j) { return x[i] != x[j] ? x[i] < x[j] : i < j; });
-  this->AddStandIns(this->Boxes[static_cast<std::size_t>(id)]);
-  const std::int64_t low = this->Build(first, middle);
-  const std::int64_t high = this->Build(middle, last);
+  AddStandIns(charges, order, this->Boxes[static_cast<std::size_t>(id)]);
+  const std::int64_t low = this->Build(charges, order, first, middle);
+  const std::int64_t high = this->Build(charges, order, middle, last);
   this->Boxes[static_cast<std::size_t>(id)].Children[0] = low;
   this->Boxes[static_cast<std::size_t>(id)].Children[1] = high;
   return id;
 }
 
-void ChargeTree::AddStandIns(Box& box) const
+void ChargeTree::AddStandIns(
+  const ChargeList& charges, const std::vector<std::size_t>& order, Box& box)
 {
   const Points px = ChebyshevPoints(box.Low[0], box.High[0]);
   const Points py = ChebyshevPoints(box.Low[1], box.High[1]);
@@ -115,13 +119,13 @@ void ChargeTree::AddStandIns(Box& box) const
   std::vector<double> sums(StandInsOfBox, 0.0);
   for (std::size_t i = box.First; i < box.Last; ++i)
   {
-    const std::size_t c = this->Order[i];
-    const Points wx = LagrangeWeights(px, this->Charges.X[c]);
-    const Points wy = LagrangeWeights(py, this->Charges.Y[c]);
-    const Points wz = LagrangeWeights(pz, this->Charges.Z[c]);
+    const std::size_t c = order[i];
+    const Points wx = LagrangeWeights(px, charges.X[c]);
+    const Points wy = LagrangeWeights(py, charges.Y[c]);
+    const Points wz = LagrangeWeights(pz, charges.Z[c]);
     for (std::size_t s = 0; s < StandInsOfBox; ++s)
     {
-      sums[s] += this->Charges.Charge[c] * wx[s % Order1D] * wy[s / Order1D % Order1D] *
+      sums[s] += charges.Charge[c] * wx[s % Order1D] * wy[s / Order1D % Order1D] *
         wz[s / (Order1D * Order1D)];
     }
   }
@@ -130,6 +134,20 @@ void ChargeTree::AddStandIns(Box& box) const
     box.StandIns.Add(
       { px[s % Order1D], py[s / Order1D % Order1D], pz[s / (Order1D * Order1D)] }, sums[s]);
   }
+}
+
+bool ChargeTree::Far(const Box& box, const Vector3& centre, double radius)
+{
+  double size2 = 0.0;
+  double distance2 = 0.0;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const double half = 0.5 * (box.High[a] - box.Low[a]);
+    const double off = centre[a] - 0.5 * (box.High[a] + box.Low[a]);
+    size2 += half * half;
+    distance2 += off * off;
+  }
+  return std::sqrt(size2) < OpeningRatio * (std::sqrt(distance2) - radius);
 }
 
 void ChargeTree::Gather(const Vector3& centre, double radius, ChargeList& seen) const
@@ -145,37 +163,36 @@ void ChargeTree::Gather(
   std::int64_t id, const Vector3& centre, double radius, ChargeList& seen) const
 {
   const Box& box = this->Boxes[static_cast<std::size_t>(id)];
-  double size2 = 0.0;
-  double distance2 = 0.0;
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    const double half = 0.5 * (box.High[a] - box.Low[a]);
-    const double off = centre[a] - 0.5 * (box.High[a] + box.Low[a]);
-    size2 += half * half;
-    distance2 += off * off;
-  }
   const bool leaf = box.Children[0] < 0;
-  if (!leaf && std::sqrt(size2) < OpeningRatio * (std::sqrt(distance2) - radius))
+  const bool far = !leaf && Far(box, centre, radius);
+  if (leaf || far)
   {
-    const ChargeList& s = box.StandIns;
-    for (std::size_t i = 0; i < s.Size(); ++i)
-    {
-      seen.Add({ s.X[i], s.Y[i], s.Z[i] }, s.Charge[i]);
-    }
-    return;
-  }
-  if (leaf)
-  {
-    for (std::size_t i = box.First; i < box.Last; ++i)
-    {
-      const std::size_t c = this->Order[i];
-      seen.Add(
-        { this->Charges.X[c], this->Charges.Y[c], this->Charges.Z[c] }, this->Charges.Charge[c]);
-    }
+    const ChargeList& from = far ? box.StandIns : this->Sorted;
+    seen.Append(from, far ? 0 : box.First, far ? from.Size() : box.Last);
     return;
   }
   this->Gather(box.Children[0], centre, radius, seen);
   this->Gather(box.Children[1], centre, radius, seen);
+}
+
+double ChargeTree::ScreenedSum(const Vector3& x, double kappa) const
+{
+  return this->Boxes.empty() ? 0.0 : this->ScreenedSum(0, x, kappa);
+}
+
+double ChargeTree::ScreenedSum(std::int64_t id, const Vector3& x, double kappa) const
+{
+  const Box& box = this->Boxes[static_cast<std::size_t>(id)];
+  if (box.Children[0] < 0)
+  {
+    return isthmus::ScreenedSum(this->Sorted, kappa, x, box.First, box.Last);
+  }
+  if (Far(box, x, 0.0))
+  {
+    return isthmus::ScreenedSum(box.StandIns, kappa, x);
+  }
+  return this->ScreenedSum(box.Children[0], x, kappa) +
+    this->ScreenedSum(box.Children[1], x, kappa);
 }
 
 }

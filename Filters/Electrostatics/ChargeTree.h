@@ -4,8 +4,8 @@
  *
  * A box of the tree holds 5^3 charges at its Chebyshev points that interpolate those in it (the
  * Lagrange treecode of L. Wang, R. Krasny and S. Tlupova, Commun. Comput. Phys. 28 (2020) 1415).
- * Targets come in balls: boxes whose radius is less than half their distance from the ball are seen
- * by their stand-ins, relative error about 1e-5; all others are opened down to the charges.
+ * Targets are points or balls: boxes whose radius is less than half their distance are seen by
+ * their stand-ins, relative error about 1e-5; all others are opened down to the charges.
  */
 #ifndef isthmus_ChargeTree_h
 #define isthmus_ChargeTree_h
@@ -16,7 +16,7 @@
 namespace isthmus
 {
 
-/// Refers to the charges. Building: O(n log n); memory about 4 numbers for each charge.
+/// Building: O(n log n); memory about 8 numbers for each charge.
 class VTKISTHMUS_EXPORT ChargeTree
 {
 public:
@@ -25,21 +25,28 @@ public:
   /// `seen` = what targets within `radius` of `centre` may sum over instead of all charges.
   void Gather(const Vector3& centre, double radius, ChargeList& seen) const;
 
+  /// sum q exp(-kappa |x - r|) / |x - r| at a point; some microseconds.
+  double ScreenedSum(const Vector3& x, double kappa) const;
+
 private:
   struct Box
   {
     Vector3 Low, High;
-    std::size_t First, Last; ///< of Order
+    std::size_t First, Last; ///< of Sorted
     std::int64_t Children[2] = { -1, -1 };
     ChargeList StandIns;
   };
 
-  std::int64_t Build(std::size_t first, std::size_t last);
-  void AddStandIns(Box& box) const;
+  std::int64_t Build(const ChargeList& charges, std::vector<std::size_t>& order, std::size_t first,
+    std::size_t last);
+  static void AddStandIns(
+    const ChargeList& charges, const std::vector<std::size_t>& order, Box& box);
+  /// Whether a box is seen from afar.
+  static bool Far(const Box& box, const Vector3& centre, double radius);
   void Gather(std::int64_t box, const Vector3& centre, double radius, ChargeList& seen) const;
+  double ScreenedSum(std::int64_t box, const Vector3& x, double kappa) const;
 
-  const ChargeList& Charges;
-  std::vector<std::size_t> Order;
+  ChargeList Sorted; ///< the charges of a box in a row
   std::vector<Box> Boxes;
 };
 

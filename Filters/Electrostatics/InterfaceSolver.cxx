@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace isthmus
 {
@@ -62,6 +63,18 @@ double FiniteNorm(const std::vector<double>& r)
   return norm;
 }
 
+}
+
+void RequireConvergence(const SolverReport& report, const SolverControl& control)
+{
+  if (!report.Converged)
+  {
+    const double reached = report.Residuals.empty() ? 1.0 : report.Residuals.back();
+    throw std::runtime_error("The potential did not converge: after " +
+      std::to_string(report.Iterations) + " iterations the residual is " + std::to_string(reached) +
+      " of that of the start, and " + std::to_string(control.Tolerance) +
+      " was asked for. Allow more iterations, or give a smoother surface or a finer grid.");
+  }
 }
 
 double NormOf(const std::vector<double>& a)

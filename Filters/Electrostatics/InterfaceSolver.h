@@ -46,6 +46,9 @@ VTKISTHMUS_EXPORT SolverReport SolveInterface(const InterfaceOperator& matrix,
   MultigridPoisson& multigrid, const SolverControl& control, SolverWorkspace& work,
   std::vector<double>& u, const ProgressCallback& progress = {});
 
+/// Throws std::runtime_error, with what was reached, for a system that did not converge.
+void RequireConvergence(const SolverReport& report, const SolverControl& control);
+
 /// sqrt(sum a_i^2), the same bits on any number of threads.
 VTKISTHMUS_EXPORT double NormOf(const std::vector<double>& a);
 

@@ -46,19 +46,6 @@ BoxNodes RangeOfLevel(const LevelFunction& level)
   return range;
 }
 
-/// A box between the surface and the border: in the middle, two nodes off either.
-BoxNodes BetweenSurfaceAndBorder(const BoxNodes& inside, const SolverBox& box)
-{
-  BoxNodes range;
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    const std::int64_t end = box.Dimensions[a] - 1;
-    range.First[a] = std::max<std::int64_t>(2, inside.First[a] / 2);
-    range.Last[a] = std::min(end - 2, (inside.Last[a] + end + 1) / 2);
-  }
-  return range;
-}
-
 PotentialFunction DebyeHueckel(
   const std::vector<ChargedAtom>& atoms, const PoissonBoltzmannParameters& p, double kappa)
 {
@@ -68,43 +55,32 @@ PotentialFunction DebyeHueckel(
     : MultipleDebyeHueckel(atoms, c, p.SolventDielectric, kappa);
 }
 
-void Solve(PotentialOnBox& problem, bool nonlinear, const ProgressCallback& progress)
+/// The grid for the border's values: twice the spacing where that still shows the surface, half an
+/// angstrom where it is very fine.
+std::int64_t StrideForBorder(const SolverBox& box)
 {
-  if (nonlinear)
-  {
-    problem.SolveNonlinear(progress);
-  }
-  else
-  {
-    problem.SolveLinear(progress);
-  }
-}
-
-/// The border function of SelfConsistent.
-PotentialFunction SelfConsistentBorder(const LevelFunction& level, const SolverBox& box,
-  const std::vector<ChargedAtom>& atoms, const PoissonBoltzmannParameters& parameters,
-  const IonAtmosphere& ions, const ProgressCallback& progress)
-{
-  // Twice the spacing where that still shows the surface, half an angstrom where it is very fine.
   const double h = *std::max_element(box.Spacing.begin(), box.Spacing.end());
   std::int64_t stride = 2.0 * h <= 1.1 ? 2 : 1;
   while (2.0 * static_cast<double>(stride) * h <= 0.51)
   {
     stride *= 2;
   }
-  const SolverBox coarse = CoarserBox(box, stride);
-  PoissonBoltzmannParameters rough = parameters;
-  rough.Tolerance = std::max(parameters.Tolerance, 1e-4);
-  PotentialOnBox problem(level, coarse, atoms, rough, ions, Between(progress, 0.0, 0.3));
-  const PotentialFunction base = DebyeHueckel(atoms, parameters, problem.Kappa());
-  const BoxNodes range = BetweenSurfaceAndBorder(problem.RangeInside(), coarse);
-  PotentialFunction border = base;
+  return stride;
+}
+
+/// The border function of SelfConsistent, from solutions of `problem` with border values that get
+/// better.
+PotentialFunction SelfConsistentBorder(
+  PotentialOnBox& problem, PotentialFunction border, const ProgressCallback& progress)
+{
+  constexpr double tolerance = 1e-4;
   constexpr int rounds = 2;
+  const RadiatingBox range = HalfWayOut(problem.RangeInside(), problem.GetBox());
   for (int round = 0; round < rounds; ++round)
   {
     problem.SetBorder(border, true);
-    Solve(problem, parameters.Nonlinear, Between(progress, 0.3 + 0.3 * round, 0.6 + 0.3 * round));
-    border = RadiatedPotential(coarse, problem.GetPotential(), range, problem.Kappa(), base);
+    problem.Solve(tolerance, Between(progress, 0.5 * round, 0.5 * (round + 1)));
+    border = RadiatedPotential(problem.GetBox(), problem.GetPotential(), range, problem.Kappa());
   }
   return border;
 }
@@ -179,9 +155,14 @@ std::unique_ptr<PotentialOnBox> SolvePoissonBoltzmann(const LevelFunction& level
   const ProgressCallback& progress)
 {
   CheckParameters(parameters);
-  PotentialFunction border;
+  const auto setUp = [&](const SolverBox& on, double from, double to)
+  {
+    return std::make_unique<PotentialOnBox>(
+      level, on, atoms, parameters, ions, Between(progress, from, to));
+  };
   const double kappa = std::sqrt(ions.Linear() / parameters.SolventDielectric);
-  bool sampled = true;
+  std::unique_ptr<PotentialOnBox> problem;
+  PotentialFunction border;
   switch (parameters.Condition)
   {
     case BoundaryCondition::Zero:
@@ -189,24 +170,27 @@ std::unique_ptr<PotentialOnBox> SolvePoissonBoltzmann(const LevelFunction& level
       break;
     case BoundaryCondition::Given:
       border = parameters.Boundary;
-      sampled = false;
       break;
     case BoundaryCondition::SelfConsistent:
-      border =
-        SelfConsistentBorder(level, box, atoms, parameters, ions, Between(progress, 0.0, 0.25));
+    {
+      const std::int64_t stride = StrideForBorder(box);
+      auto rough = setUp(CoarserBox(box, stride), 0.0, 0.1);
+      border = SelfConsistentBorder(
+        *rough, DebyeHueckel(atoms, parameters, kappa), Between(progress, 0.1, 0.25));
+      problem = stride == 1 ? std::move(rough) : nullptr;
       break;
+    }
     default:
       border = DebyeHueckel(atoms, parameters, kappa);
       break;
   }
-  auto problem = std::make_unique<PotentialOnBox>(
-    level, box, atoms, parameters, ions, Between(progress, 0.25, 0.5));
-  problem->SetBorder(border, sampled);
+  problem = problem ? std::move(problem) : setUp(box, 0.25, 0.5);
+  problem->SetBorder(border, parameters.Condition != BoundaryCondition::Given);
   if (parameters.Start)
   {
     problem->SetStart(parameters.Start);
   }
-  Solve(*problem, parameters.Nonlinear, Between(progress, 0.5, 0.95));
+  problem->Solve(parameters.Tolerance, Between(progress, 0.5, 0.95));
   problem->Evaluate();
   return problem;
 }

@@ -3,6 +3,7 @@
 #include "ChargesOnGrid.h"
 #include "ElectrostaticUnits.h"
 #include "HarmonicFit.h"
+#include "NodeLoops.h"
 #include "ParallelFor.h"
 #include "ParallelReduce.h"
 
@@ -18,46 +19,6 @@ namespace
 constexpr std::int64_t Block = 1 << 15;
 constexpr unsigned char InSolvent = 0;
 constexpr unsigned char InSolute = 255;
-
-template <typename Each>
-void ForEachNode(std::size_t n, Each&& each)
-{
-  ParallelFor(0, static_cast<std::int64_t>(n), Block,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
-      {
-        each(i);
-      }
-    });
-}
-
-bool OnBorder(const SolverBox& box, std::int64_t node)
-{
-  const auto& n = box.Dimensions;
-  const std::int64_t at[3] = { node % n[0], node / n[0] % n[1], node / (n[0] * n[1]) };
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    if (at[a] == 0 || at[a] == n[a] - 1)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-/// The work that a linear system leaves, told in one sentence when it did not converge.
-void RequireConvergence(const SolverReport& report, const SolverControl& control)
-{
-  if (!report.Converged)
-  {
-    const double reached = report.Residuals.empty() ? 1.0 : report.Residuals.back();
-    throw std::runtime_error("The potential did not converge: after " +
-      std::to_string(report.Iterations) + " iterations the residual is " + std::to_string(reached) +
-      " of that of the start, and " + std::to_string(control.Tolerance) +
-      " was asked for. Allow more iterations, or give a smoother surface or a finer grid.");
-  }
-}
 
 }
 
@@ -148,7 +109,9 @@ EdgePermittivity PotentialOnBox::Permittivities() const
 
 void PotentialOnBox::SetBorder(const PotentialFunction& border, bool sampled)
 {
-  FillBorder(this->Box, border, sampled, this->U);
+  // What charges and surface radiate is as smooth on the border as these are far from it.
+  const double length = 0.3 * GapAround(this->RangeInside(), this->Box);
+  FillBorder(this->Box, border, sampled ? length : 0.0, this->U);
 }
 
 void PotentialOnBox::SetStart(const PotentialFunction& start)
@@ -190,13 +153,31 @@ void PotentialOnBox::FillDiagonal(bool nonlinear)
   this->Multigrid->SetDiagonal(this->IonDiagonal);
 }
 
-void PotentialOnBox::SolveLinear(const ProgressCallback& progress)
+void PotentialOnBox::Solve(double tolerance, const ProgressCallback& progress)
+{
+  this->Report.Iterations = this->Report.NewtonSteps = 0;
+  this->Report.Residuals.clear();
+  if (!this->Parameters.Nonlinear || this->Access.empty())
+  {
+    this->SolveLinear(tolerance, progress);
+    return;
+  }
+  this->SolveLinear(tolerance, Between(progress, 0.0, 0.3));
+  this->SolveNonlinear(tolerance, Between(progress, 0.3, 1.0));
+}
+
+void PotentialOnBox::SolveLinear(double tolerance, const ProgressCallback& progress)
 {
   this->FillDiagonal(false);
   this->Work.Residual.resize(this->U.size());
   this->Matrix->Residual(this->U, this->Work.Residual);
+  if (!(this->Reference > 0.0))
+  {
+    this->Reference = NormOf(this->Work.Residual);
+  }
   SolverControl control;
-  control.Tolerance = this->Parameters.Tolerance;
+  control.Tolerance = tolerance;
+  control.Reference = this->Reference;
   control.MaximumIterations = this->Parameters.MaximumIterations;
   const SolverReport report =
     SolveInterface(*this->Matrix, *this->Multigrid, control, this->Work, this->U, progress);
@@ -204,142 +185,6 @@ void PotentialOnBox::SolveLinear(const ProgressCallback& progress)
   this->Report.Residuals.insert(
     this->Report.Residuals.end(), report.Residuals.begin(), report.Residuals.end());
   RequireConvergence(report, control);
-}
-
-std::vector<double> PotentialOnBox::LaggedKappa() const
-{
-  std::vector<double> kappa(this->Crossings.size(), this->Medium.KappaSquared);
-  ParallelFor(0, static_cast<std::int64_t>(kappa.size()), 256,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      std::vector<FitFunctional> functionals;
-      for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c)
-      {
-        const FitNodes nodes =
-          NodesAroundCrossing(this->Box, this->Inside, this->Crossings[c], this->Medium.Length);
-        if (FitInterface(this->Medium, this->Crossings[c].Frame, nodes,
-              { { FitTarget::SurfaceValue, {} } }, functionals) == FitQuality::None)
-        {
-          continue;
-        }
-        double phi = 0.0;
-        for (std::size_t i = 0; i < nodes.Count; ++i)
-        {
-          const double g =
-            nodes.Node[i].Inside ? this->AtCrossing[c].At(nodes.Node[i].Offset) : 0.0;
-          phi += functionals[0][i] * (this->U[static_cast<std::size_t>(nodes.Id[i])] + g);
-        }
-        phi = std::clamp(phi, -10.0, 10.0); // an iterate on its way may be anywhere
-        if (std::abs(phi) > 1e-6)
-        {
-          kappa[c] = this->Ions.Charge(phi) / (phi * this->Parameters.SolventDielectric);
-        }
-      }
-    });
-  return kappa;
-}
-
-double PotentialOnBox::NonlinearResidual(
-  const std::vector<double>& u, std::vector<double>& out) const
-{
-  this->Matrix->SetDiagonal(nullptr);
-  this->Matrix->Residual(u, out);
-  const double h2 = this->Spacing * this->Spacing;
-  // Fitted rows are scaled, and with them the ions' term.
-  const IrregularRows& rows = this->Matrix->GetRows();
-  ForEachNode(u.size(),
-    [&](std::size_t i)
-    {
-      if (this->Access[i] > 0.0F && !OnBorder(this->Box, static_cast<std::int64_t>(i)))
-      {
-        const auto row =
-          std::lower_bound(rows.Node.begin(), rows.Node.end(), static_cast<std::int64_t>(i));
-        const bool fitted = row != rows.Node.end() && *row == static_cast<std::int64_t>(i);
-        const double scale =
-          fitted ? rows.Scale[static_cast<std::size_t>(row - rows.Node.begin())] : 1.0;
-        out[i] -= scale * h2 * static_cast<double>(this->Access[i]) * this->Ions.Charge(u[i]);
-      }
-    });
-  this->Matrix->SetDiagonal(this->IonDiagonal);
-  return NormOf(out);
-}
-
-double PotentialOnBox::TakeStep(const std::vector<double>& step, double before)
-{
-  double factor = 1.0;
-  for (int halving = 0; halving < 8; ++halving)
-  {
-    const double change = halving == 0 ? factor : -factor;
-    ForEachNode(this->U.size(), [&](std::size_t i) { this->U[i] += change * step[i]; });
-    const double after = this->NonlinearResidual(this->U, this->Work.Residual);
-    if (after < before)
-    {
-      return after;
-    }
-    factor *= 0.5;
-  }
-  throw std::runtime_error(
-    "Newton's method for the nonlinear Poisson-Boltzmann equation found no "
-    "step that makes the residual smaller: solve the linear equation, give a "
-    "potential to start from, or choose a finer grid.");
-}
-
-void PotentialOnBox::SolveNonlinear(const ProgressCallback& progress)
-{
-  this->SolveLinear(Between(progress, 0.0, 0.3));
-  if (this->Access.empty())
-  {
-    return;
-  }
-  constexpr float clip = 3.0F;
-  ForEachNode(this->U.size(),
-    [&](std::size_t i)
-    {
-      if (this->Access[i] > 0.0F && !OnBorder(this->Box, static_cast<std::int64_t>(i)))
-      {
-        this->U[i] = std::clamp<double>(this->U[i], -clip, clip);
-      }
-    });
-  const bool lagged = this->Medium.KappaSquared > 0.0;
-  std::vector<double> zero(this->U.size(), 0.0);
-  const double reference = this->NonlinearResidual(zero, this->Work.Residual);
-  zero = {};
-  double norm = this->NonlinearResidual(this->U, this->Work.Residual);
-  std::vector<double> step;
-  // Where ions reach the surface, the fits depend on the potential there: a step is not the last
-  // before they have been made anew from nearly the same one.
-  const double goal = this->Parameters.Tolerance * std::max(reference, 1e-300);
-  for (int newton = 0;; ++newton)
-  {
-    if (lagged && newton > 0)
-    {
-      this->Assemble(this->LaggedKappa(), {});
-      norm = this->NonlinearResidual(this->U, this->Work.Residual);
-    }
-    if (norm <= goal)
-    {
-      return;
-    }
-    if (newton >= this->Parameters.MaximumNewtonSteps)
-    {
-      throw std::runtime_error("Newton's method did not converge in " + std::to_string(newton) +
-        " steps: the residual is " + std::to_string(norm / reference) +
-        " of that of no potential.");
-    }
-    this->FillDiagonal(true);
-    SolverControl control;
-    control.Tolerance = newton == 0 ? 1e-2 : 1e-3;
-    control.MaximumIterations = this->Parameters.MaximumIterations;
-    step.assign(this->U.size(), 0.0);
-    const SolverReport report =
-      SolveInterface(*this->Matrix, *this->Multigrid, control, this->Work, step);
-    RequireConvergence(report, control);
-    this->Report.Iterations += report.Iterations;
-    norm = this->TakeStep(step, norm);
-    this->Report.Residuals.push_back(norm / reference);
-    ++this->Report.NewtonSteps;
-    isthmus::Report(progress, std::min(0.9, 0.3 + 0.1 * newton));
-  }
 }
 
 void PotentialOnBox::Evaluate()

@@ -12,9 +12,9 @@
 #ifndef isthmus_PotentialOnBox_h
 #define isthmus_PotentialOnBox_h
 
-#include "BoundaryPotential.h"
 #include "InterfaceSolver.h"
 #include "IonAtmosphere.h"
+#include "RadiatedPotential.h"
 
 #include <memory>
 
@@ -30,13 +30,17 @@ public:
     const std::vector<ChargedAtom>& atoms, const PoissonBoltzmannParameters& parameters,
     const IonAtmosphere& ions, const ProgressCallback& progress = {});
 
-  /// Sets border values, and the interior to 0 or, with a function, to a start.
+  /// Sets border values; with `sampled`, f is smooth and known beyond the border, too.
   void SetBorder(const PotentialFunction& border, bool sampled);
+  /// Sets the interior, which is 0 at first.
   void SetStart(const PotentialFunction& start);
 
-  void SolveLinear(const ProgressCallback& progress = {});
-  /// Newton from what there is.
-  void SolveNonlinear(const ProgressCallback& progress = {});
+  /**
+   * Solves the linear equation from what there is, and with Parameters.Nonlinear the full one from
+   * there by Newton's method, until the residual is `tolerance` of that of the very first start.
+   * May be called again, with other border values.
+   */
+  void Solve(double tolerance, const ProgressCallback& progress = {});
 
   /// Energies, and u at the atoms.
   void Evaluate();
@@ -63,13 +67,18 @@ private:
   std::vector<double> LaggedKappa() const;
   double NonlinearResidual(const std::vector<double>& u, std::vector<double>& out) const;
   void FillDiagonal(bool nonlinear);
+  void SolveLinear(double tolerance, const ProgressCallback& progress);
+  void SolveNonlinear(double tolerance, const ProgressCallback& progress);
+  void ClipStart();
+  double NewtonStep(double tolerance, double norm);
   double TakeStep(const std::vector<double>& step, double before);
 
   const SolverBox Box;
   const std::vector<ChargedAtom>& Atoms;
   const PoissonBoltzmannParameters& Parameters;
   const IonAtmosphere& Ions;
-  double Spacing; ///< the shortest
+  double Spacing;         ///< the shortest
+  double Reference = 0.0; ///< norm of the first residual
   std::vector<unsigned char> Inside;
   std::vector<InterfaceCrossing> Crossings;
   ChargeList Charges;                        ///< C q / eps_m

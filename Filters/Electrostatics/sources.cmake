@@ -17,7 +17,9 @@ isthmus_room(
     PoissonBoltzmann
     PoissonBoltzmannInput
     PoissonBoltzmannOutput
+    PotentialNewton
     PotentialOnBox
+    RadiatedPotential
     SoluteVolume
     SurfacePotential
   VECTORISED

@@ -248,4 +248,32 @@ TEST(HarmonicFit, HarmonicPolynomialsAreExactAlsoFromOneSide)
   EXPECT_THROW(HarmonicAt(box, inside, u, { 9.4, 9.4, 5.0 }), std::invalid_argument);
 }
 
+TEST(ChargeTree, ScreenedSumsAreTheSameByTreeAndByVectorInstructions)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(0.0, 30.0), charge(-1.0, 1.0);
+  ChargeList charges;
+  for (int i = 0; i < 5003; ++i)
+  {
+    charges.Add({ place(random), place(random), place(random) }, charge(random));
+  }
+  const ChargeTree tree(charges);
+  for (const double kappa : { 0.0, 0.13, 3.0, 60.0 })
+  {
+    for (const Vector3& x : { Vector3{ 45.0, 12.0, 3.0 }, Vector3{ 15.1, 14.9, 15.0 } })
+    {
+      double sum = 0.0, absolute = 0.0;
+      for (std::size_t i = 0; i < charges.Size(); ++i)
+      {
+        const double r = std::hypot(x[0] - charges.X[i], x[1] - charges.Y[i], x[2] - charges.Z[i]);
+        sum += charges.Charge[i] * std::exp(-kappa * r) / r;
+        absolute += std::abs(charges.Charge[i]) * std::exp(-kappa * r) / r;
+      }
+      EXPECT_NEAR(ScreenedSum(charges, kappa, x), sum, 1e-12 * absolute + 1e-290);
+      // Where boxes are many Debye lengths large, all there is to see is nothing.
+      EXPECT_NEAR(tree.ScreenedSum(x, kappa), sum, 1e-4 * absolute + 1e-12) << kappa;
+    }
+  }
+}
+
 }
