@@ -343,7 +343,8 @@ TEST(TetGenMeshFile, DamagedFilesEndInASentenceWithTheLine)
   EXPECT_SAYS(why("1 5 0\n0 0 1 2 3 3\n"), "x.ele, line 1: tetrahedra have 4 or 10 corners");
   EXPECT_SAYS(why("2 4 0\n0 0 1 2 3\n"), "x.ele: the file ends at line 3");
   EXPECT_SAYS(why("2 4 0\n0 0 1 2 3 \n1 0 1 2"), "x.ele");
-  EXPECT_SAYS(why("1 4 0\n0 0 1 2 3\n", "4 2 0 0\n0 0 0\n1 1 0\n2 0 1\n3 1 1\n"), "x.node, line 1: the points have 2");
+  EXPECT_SAYS(why("1 4 0\n0 0 1 2 3\n", "4 2 0 0\n0 0 0\n1 1 0\n2 0 1\n3 1 1\n"),
+    "x.node, line 1: the points have 2");
   EXPECT_SAYS(why("1 4 0\n0 0 1 2 3\n", "4 3 0 0\n0 0 0 inf\n1 0 0 0\n2 0 0 0\n3 0 0 0\n"),
     "x.node, line 2: a coordinate is not a finite number");
   EXPECT_SAYS(why("1 4 0\n0 0 1 2 3\n", ""), "x.node");
