@@ -1,6 +1,7 @@
 #include "vtkVolumeTextWriter.h"
 
 #include "AlgorithmGuard.h"
+#include "PrintableText.h"
 #include "TextFile.h"
 
 #include <vtkDataArray.h>
