@@ -40,6 +40,7 @@ inline unsigned long ErrorCodeOf(ReaderFailure kind)
 /**
  * Runs body() for a reader of `fileName`; what goes wrong becomes a sentence, an empty output (see
  * Guarded) and an error code through setErrorCode(code). Returns what RequestData returns.
+ * @throws nothing, whatever body() throws.
  */
 template <typename Reader, typename SetErrorCode, typename Body>
 int GuardedRead(Reader* reader, const char* fileName, vtkDataObject* output,
