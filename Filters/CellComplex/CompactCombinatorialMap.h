@@ -51,9 +51,7 @@ class StarTable;
  * of cells of one type costs 72 bytes, and a mesh of more than one run one integer a cell.
  *
  * Two cells may touch in a vertex or an edge alone (a pinched mesh): their stars and fans are then
- * complete, not only one umbrella. What is refused, by MeshError naming the first cells: a vertex
- * number out of range, a vertex twice in a cell, a face with three cells, two cells that see their
- * common face in the same direction, and more cells or vertices than `Id` can number.
+ * complete, not only one umbrella.
  *
  * The constructor works in parallel, in O(n3), with at most 2.5 times the tables' memory; its
  * result does not depend on the number of threads. Queries allocate nothing and may be made from
@@ -67,6 +65,9 @@ public:
   using typename DartMap<Id>::Cell;
   using typename DartMap<Id>::Dart;
 
+  /// @throws MeshError, naming the first cells, for a vertex number out of range, a vertex twice in
+  /// a cell, a face with three cells, two cells that see their common face in the same direction,
+  /// and more cells or vertices than `Id` can number; Cancelled.
   explicit CompactCombinatorialMap(CellList mesh, const ProgressCallback& progress = {});
   ~CompactCombinatorialMap();
 

@@ -32,14 +32,15 @@ struct EditedCells
 };
 
 /// The cells for which `keep` is not 0, in their order, and the vertices they use, in theirs.
-/// Throws std::invalid_argument unless `keep` has one entry a cell. O(n3 + n0).
+/// O(n3 + n0).
+/// @throws std::invalid_argument unless `keep` has one entry a cell.
 template <typename Id>
 VTKISTHMUS_EXPORT EditedCells CutOut(
   const CompactCombinatorialMap<Id>& map, const std::vector<unsigned char>& keep);
 
 /// All cells of `first`, then those of `second`, whose vertices follow but for those paired as
-/// (vertex of first, vertex of second). Throws std::invalid_argument for a vertex that does not
-/// exist or is paired twice. O(n3 + n0).
+/// (vertex of first, vertex of second). O(n3 + n0).
+/// @throws std::invalid_argument for a vertex that does not exist or is paired twice.
 template <typename Id>
 VTKISTHMUS_EXPORT EditedCells Merge(const CompactCombinatorialMap<Id>& first,
   const CompactCombinatorialMap<Id>& second,

@@ -30,9 +30,9 @@ void WithMap(const GridCells& cells, const ProgressCallback& progress, Use&& use
 
 /**
  * Calls `use(map, cells)` with the map of `grid`. Cells are turned by the sign of their volume, so
- * that faces look outwards; where that does not fit together, as with cells that are tangled and
- * so have a negative volume, they are taken as their numbering says. Throws MeshError if that does
- * not fit either.
+ * that faces look outwards; where that does not fit together, as with cells that are tangled and so
+ * have a negative volume, they are taken as their numbering says.
+ * @throws MeshError if that does not fit either.
  */
 template <typename Use>
 void WithMap(vtkUnstructuredGrid* grid, const ProgressCallback& progress, Use&& use)

@@ -22,7 +22,8 @@
 namespace isthmus
 {
 
-/// Fills the H2D table of a map whose blocks and Cv2V are set. Throws MeshError.
+/// Fills the H2D table of a map whose blocks and Cv2V are set.
+/// @throws MeshError.
 template <typename Id>
 class HalfFaceMatching
 {

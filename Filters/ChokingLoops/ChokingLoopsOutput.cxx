@@ -64,7 +64,7 @@ const char* NameOf(FeatureKind kind)
   }
 }
 
-/// sqrt(d^2 + e^2) - d bounds how far the samples are from what the surface would give.
+/// d - sqrt(d^2 - e^2) bounds how far the samples are from what the surface would give.
 double UncertaintyOf(const ShapeFeature& f)
 {
   const double d = f.Distance();

@@ -30,7 +30,7 @@ struct ConformingGenerator
  * triangle are no farther from its corners than the radius of its ball: hence the bound Radius.
  *
  * Per side ascending by Radius; loops of one side are independent in H1(M).
- * @pre `surface` has passed CheckedSurface().
+ * @pre `surface` has passed CheckedSurface() (ChokingSurface.h).
  * @throws std::runtime_error or std::invalid_argument with a sentence when TetGen is missing, fails
  * or takes longer than two minutes; Cancelled. Time and memory: see MeshTetrahedra().
  */
@@ -38,9 +38,9 @@ VTKISTHMUS_EXPORT std::vector<ConformingGenerator> ConformingGenerators(
   const TriangleMesh& surface, const ProgressCallback& progress = {});
 
 /**
- * A loop and membrane of `surface` on the same surface after SplitLongEdges(): each edge of M
- * becomes the pieces that it was split into. `samples` keeps the surface's points as its first
- * ones.
+ * A loop and membrane of `surface` on the same surface after SplitLongEdges() (SurfaceSampling.h):
+ * each edge of M becomes the pieces that it was split into. `samples` keeps the surface's points as
+ * its first ones.
  */
 class SplitSurface
 {

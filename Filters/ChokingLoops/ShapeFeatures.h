@@ -32,7 +32,7 @@ struct ShapeFeature
   bool Trusted = false;
   double Error = 0.0;   ///< the sampling error there
   SimplexId Choke = -1; ///< the triangle where a ball of radius Distance() gets stuck
-  double Fill = 0.0;    ///< radius at which what lies beyond is filled, see ChokeDeath()
+  double Fill = 0.0;    ///< radius at which what lies beyond is filled
   /// For a handle or tunnel: basis loops of SurfaceHomology that it is the sum of.
   std::vector<std::size_t> Sum;
 

@@ -34,15 +34,15 @@ struct DerivativeRows
   alignas(64) Row XX, YY, ZZ, XY, XZ, YZ;
 };
 
-/// Nodes that a difference reaches to each side: 1 for accuracy 2, 2 for accuracy 4. Throws
-/// std::invalid_argument for any other accuracy.
+/// Nodes that a difference reaches to each side: 1 for accuracy 2, 2 for accuracy 4.
+/// @throws std::invalid_argument for any other accuracy.
 VTKISTHMUS_EXPORT int StencilRadius(int accuracy);
 
 /**
  * Derivatives at the `count` nodes (first[0] ... first[0] + count - 1, first[1], first[2]), into
  * places 0 ... count - 1 of `rows`.
  *
- * Precondition: 0 < count <= Capacity, and all nodes lie at least StencilRadius(accuracy) nodes
+ * @pre 0 < count <= Capacity, and all nodes lie at least StencilRadius(accuracy) nodes
  * inside `grid`. O(count): 19 values read for each node with accuracy 2, 61 with 4.
  */
 template <typename T>

@@ -18,9 +18,9 @@ class vtkImageData;
 namespace isthmus
 {
 
-/// Throws std::invalid_argument, with the range, unless a kernel of standard deviation `scale` is
-/// one for an image of `nodes` nodes of `spacing`: at most the image's longest side, and at most
-/// a million nodes wide.
+/// @throws std::invalid_argument, with the range, unless a kernel of standard deviation `scale` is
+/// one for an image of `nodes` nodes of `spacing`: at most the image's longest side, and at most a
+/// million nodes wide.
 void DemandScale(double scale, const double spacing[3], const std::array<std::int64_t, 3>& nodes);
 
 /// Nodes that the kernel of standard deviation `scale` reaches on each axis of `spacing`.

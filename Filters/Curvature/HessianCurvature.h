@@ -56,9 +56,10 @@ struct NodeBox
  * Curvature at every node of `box`, x fastest, into `arrays`. Nodes of the grid around the box
  * serve as ghosts for the stencil.
  *
- * Throws std::invalid_argument for a wrong accuracy, a spacing that is not positive, or a box that
- * leaves the grid, and Cancelled when `progress` asks to stop. O(nodes) time; about 30 KB of
- * scratch memory per thread. The result does not depend on the number of threads.
+ * O(nodes) time; about 30 KB of scratch memory per thread. The result does not depend on the number
+ * of threads.
+ * @throws std::invalid_argument for a wrong accuracy, a spacing that is not positive, or a box that
+ * leaves the grid, and Cancelled when `progress` asks to stop.
  */
 template <typename T>
 VTKISTHMUS_EXPORT void HessianCurvatureAtNodes(const GridView<const T>& grid, const NodeBox& box,

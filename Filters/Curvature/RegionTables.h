@@ -19,8 +19,8 @@ namespace isthmus
 void FillRegionTable(vtkTable* table, const ThresholdedScalar& first,
   const ThresholdedScalar& second, const std::string& secondName, const std::vector<double>& areas);
 
-/// The lowest threshold moves to `target` in `steps` steps, then the highest does. Throws
-/// std::invalid_argument unless `target` is between them.
+/// The lowest threshold moves to `target` in `steps` steps, then the highest does.
+/// @throws std::invalid_argument unless `target` is between them.
 void FillSweepTable(vtkTable* table, const SurfaceView& mesh, const ThresholdedScalar& scalar,
   double target, int steps, AreaRule rule);
 

@@ -28,8 +28,9 @@ class DiffusionImage
 public:
   using Array = vtkAOSDataArrayTemplate<T>;
 
-  /// `input` must cover the rank's own part; the halo comes from the other ranks. Throws
-  /// std::invalid_argument for a spacing that is not positive where there is more than one node.
+  /// @pre `input` covers the rank's own part; the halo comes from the other ranks.
+  /// @throws std::invalid_argument for a spacing that is not positive where there is more than one
+  /// node.
   DiffusionImage(vtkImageData* input, vtkImageData* output, const RankParts& parts, bool voxelUnits,
     ProgressCallback progress);
 

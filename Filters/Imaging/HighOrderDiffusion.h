@@ -43,9 +43,11 @@ VTKISTHMUS_EXPORT double ExplicitStepLimit(
  * Diffuses `values` in place from time 0 to parameters.Time.
  *
  * `input` is read where Fidelity is not 0 (null otherwise), `source` may be null; both have the
- * grid's size. Values must be finite. Throws std::invalid_argument for bad parameters, for fixed
- * Steps that are larger than the integrator can take (the sentence names the limit) and
- * std::runtime_error for values that cease to be finite.
+ * grid's size.
+ * @pre values are finite.
+ * @throws std::invalid_argument for bad parameters, for fixed Steps that are larger than the
+ * integrator can take (the sentence names the limit) and std::runtime_error for values that cease
+ * to be finite.
  *
  * Memory: extra volumes of T beside values, input and source. SuperTimeStepping 4: two for stages,
  * the first rate, the coefficient (3 where that is constant). ForwardEuler 1: the next values; 3

@@ -31,7 +31,9 @@ struct NoiseEstimate
  * neither here nor in the deviation, so that a map is as noisy as its part within the mask. A mask
  * itself, or labels, has edges there but no noise: then Noise is 0.
  *
- * `values` must be finite, its halo valid. Relative accuracy of the median 1e-4; time: five passes,
+ * @pre `values` are finite, their halo valid.
+ *
+ * Relative accuracy of the median 1e-4; time: five passes,
  * and a search for more than 32 values, which in a map ends soon.
  */
 template <typename T>

@@ -31,7 +31,7 @@ struct PDETransformParameters
   double Ratio = 2.0;           ///< of a mode's wavelength to the one before, above 1
 };
 
-/// Throws std::invalid_argument, in a sentence, for parameters that mean nothing.
+/// @throws std::invalid_argument, in a sentence, for parameters that mean nothing.
 VTKISTHMUS_EXPORT void Check(const PDETransformParameters& parameters);
 
 /// The low-pass behind mode k (0 the first).

@@ -22,9 +22,10 @@ namespace isthmus
 class RankParts
 {
 public:
-  /// `own` is what this rank has to compute, `halo` how many nodes it needs around. Throws
-  /// std::runtime_error, on all ranks, if the parts don't make up the whole or overlap crosswise.
-  /// A null controller or one of a single process makes one part.
+  /// `own` is what this rank has to compute, `halo` how many nodes it needs around. A null
+  /// controller or one of a single process makes one part.
+  /// @throws std::runtime_error, on all ranks, if the parts don't make up the whole or overlap
+  /// crosswise.
   RankParts(
     vtkMultiProcessController* controller, const Extent& whole, const Extent& own, int halo);
 

@@ -26,11 +26,11 @@ constexpr int MaximumStages = 199;
 /// number, before they are made. A hundred times what denoising takes at most.
 constexpr double MaximumEvaluations = 1e6;
 
-/// Throws std::invalid_argument unless `evaluations` is at most MaximumEvaluations.
+/// @throws std::invalid_argument unless `evaluations` is at most MaximumEvaluations.
 VTKISTHMUS_EXPORT void DemandEvaluations(double evaluations);
 
 /// Explicit steps of at most `limit` that lead to `time`; `count` equal ones if it is not 0.
-/// Throws std::invalid_argument, naming the limit, if these would be longer than it.
+/// @throws std::invalid_argument, naming the limit, if these would be longer than it.
 VTKISTHMUS_EXPORT std::vector<TimeStep> EulerSteps(double time, double limit, int count);
 
 /**
@@ -40,9 +40,8 @@ VTKISTHMUS_EXPORT std::vector<TimeStep> EulerSteps(double time, double limit, in
  * time over max(12, 0.19 sqrt(time / limit)), or seven explicit steps' length: one super step only
  * halves what decays much faster than it is long, so that fast modes need early short steps, and so
  * do the edges, which appear while the noise goes; and what happened early counts for more later
- * (README has the measurements). With
- * `count`, that many equal ones; throws std::invalid_argument, naming the limit, if one would need
- * more than MaximumStages.
+ * (README has the measurements). With `count`, that many equal ones.
+ * @throws std::invalid_argument, naming the limit, if one would need more than MaximumStages.
  */
 VTKISTHMUS_EXPORT std::vector<TimeStep> SuperSteps(double time, double limit, int count);
 

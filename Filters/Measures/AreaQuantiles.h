@@ -24,7 +24,7 @@ VTKISTHMUS_EXPORT double TriangleArea(const SurfaceView& surface, vtkIdType tria
 VTKISTHMUS_EXPORT std::vector<double> PointAreas(const SurfaceView& surface);
 
 /// The smallest value that at least `fraction` of the weight lies at or below; `sorted` by value.
-/// Throws std::invalid_argument for no weight or a fraction that is not from 0 to 1.
+/// @throws std::invalid_argument for no weight or a fraction that is not from 0 to 1.
 VTKISTHMUS_EXPORT double WeightedQuantile(
   const std::vector<WeightedValue>& sorted, double fraction);
 

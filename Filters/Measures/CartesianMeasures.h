@@ -33,8 +33,9 @@ struct CartesianMeasures
   CartesianMeasures& operator+=(const CartesianMeasures& other);
 };
 
-/// Measures on `level`, in parallel; T is float or double and all values are finite. Throws
-/// std::invalid_argument where the two values are equal, and Cancelled. O(nodes), no memory.
+/// Measures on `level`, in parallel; T is float or double and all values are finite. O(nodes), no
+/// memory.
+/// @throws std::invalid_argument where the two values are equal, and Cancelled.
 template <typename T>
 VTKISTHMUS_EXPORT CartesianMeasures MeasureOnGrid(const LevelView<T>& level, double insideValue,
   double outsideValue, const ProgressCallback& progress = {});

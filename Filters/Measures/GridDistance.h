@@ -22,8 +22,8 @@ namespace isthmus
  *
  * `band` is a length, at least one spacing is used. Parallel, the same bits on any number of
  * threads. Time O(#triangles x nodes of their boxes grown by the band + some 40 x nodes); memory 16
- * bytes a node and 8 for each triangle and layer of four it is near. Throws std::invalid_argument
- * for a band that is not a positive number, and Cancelled.
+ * bytes a node and 8 for each triangle and layer of four it is near.
+ * @throws std::invalid_argument for a band that is not a positive number, and Cancelled.
  */
 VTKISTHMUS_EXPORT std::vector<double> DistanceToSurface(const SurfaceView& mesh,
   const GridShape& grid, double band, const ProgressCallback& progress = {});
@@ -35,7 +35,8 @@ VTKISTHMUS_EXPORT std::vector<double> DistanceToSurface(const SurfaceView& mesh,
  *
  * Time: O(#triangles log #triangles) for the tree, then some microseconds a node and thread, more
  * where a large part of the surface is equally far (the centre of a sphere). Memory 8 bytes a node
- * and 150 a triangle. Parallel, the same bits on any number of threads. Throws Cancelled.
+ * and 150 a triangle. Parallel, the same bits on any number of threads.
+ * @throws Cancelled.
  */
 VTKISTHMUS_EXPORT std::vector<double> ExactDistanceToSurface(
   const SurfaceView& mesh, const GridShape& grid, const ProgressCallback& progress = {});

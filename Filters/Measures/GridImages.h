@@ -18,7 +18,8 @@ class vtkPolyData;
 namespace isthmus
 {
 
-/// Throws std::invalid_argument for spacings that are not positive and for a single layer of nodes.
+/// @throws std::invalid_argument for spacings that are not positive and for a single layer of
+/// nodes.
 GridShape ShapeOf(vtkImageData* image);
 
 /// The surface with its points in lengths along the grid's axes from the grid's first node.

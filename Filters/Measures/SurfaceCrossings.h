@@ -49,8 +49,9 @@ enum class CrossingNormal
  * Crossings of `mesh` with the lines of `grid` between its first and last nodes, ordered by node,
  * axis and position. Normals are on the side from which triangles are counter-clockwise.
  *
- * Throws std::invalid_argument where the surface spans more than 2^22 spacings, and Cancelled. Time
- * O(#triangles + #crossings log #crossings), in parallel, the same bits on any number of threads.
+ * Time O(#triangles + #crossings log #crossings), in parallel, the same bits on any number of
+ * threads.
+ * @throws std::invalid_argument where the surface spans more than 2^22 spacings, and Cancelled.
  */
 VTKISTHMUS_EXPORT std::vector<GridCrossing> SurfaceCrossings(const SurfaceView& mesh,
   const GridShape& grid, CrossingNormal normal, const ProgressCallback& progress = {});

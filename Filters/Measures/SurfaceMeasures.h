@@ -52,7 +52,8 @@ struct SurfaceMeasures
  * Measures `mesh`. Triangles that share a point belong to one component.
  *
  * Degenerate triangles (no area, or a corner twice) are allowed; the latter make their corners
- * irregular. Time O(#triangles), memory about 60 bytes a triangle. Throws Cancelled.
+ * irregular. Time O(#triangles), memory about 60 bytes a triangle.
+ * @throws Cancelled.
  */
 VTKISTHMUS_EXPORT SurfaceMeasures MeasureSurface(
   const SurfaceView& mesh, const ProgressCallback& progress = {});

@@ -65,8 +65,8 @@ public:
 
   static int RegionOf(int label) { return label - Shift; }
 
-  /// CGAL can't tell how far it is; questions asked against those expected can, roughly. Throws
-  /// Cancelled on request.
+  /// CGAL can't tell how far it is; questions asked against those expected can, roughly.
+  /// @throws Cancelled on request.
   void Count() const
   {
     if (++this->Queries % 256 == 0)

@@ -32,6 +32,7 @@ inline Point3 FromCGAL(const Point& p)
 
 /// Triangles in their order, so that face i is triangle i; points in theirs, unused ones included.
 /// @pre the mesh is manifold and oriented (SurfaceCheck.h).
+/// @throws std::invalid_argument where it is not.
 inline SurfaceMesh ToSurfaceMesh(const TriangleMesh& mesh)
 {
   SurfaceMesh result;
@@ -74,7 +75,8 @@ inline TriangleMesh FromSurfaceMesh(SurfaceMesh& mesh)
   return result;
 }
 
-/// Runs `body()`; what CGAL's own checks throw is told as a sentence about `doing`.
+/// Runs `body()`.
+/// @throws std::runtime_error with a sentence about `doing` for what CGAL's own checks throw.
 template <typename Body>
 auto WithSentence(const char* doing, Body&& body)
 {

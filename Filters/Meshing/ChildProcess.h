@@ -20,7 +20,7 @@ namespace isthmus
 class VTKISTHMUS_EXPORT TemporaryFolder
 {
 public:
-  /// Throws std::runtime_error when it can't be made.
+  /// @throws std::runtime_error when it can't be made.
   TemporaryFolder();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -59,7 +59,8 @@ struct ChildResult
  * file `log`. `progress` is called about twenty times a second with the fraction of the time limit
  * used; a false answer kills the program and throws Cancelled. However this function is left, the
  * program has ended; should this process be killed meanwhile, the program is, too, and the folder
- * of `log` is removed. Throws std::runtime_error when no process can be started.
+ * of `log` is removed.
+ * @throws std::runtime_error when no process can be started.
  */
 VTKISTHMUS_EXPORT ChildResult RunChild(const std::vector<std::string>& command,
   const ChildLimits& limits, const std::filesystem::path& log, const ProgressCallback& progress);

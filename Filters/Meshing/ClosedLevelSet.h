@@ -27,10 +27,10 @@ struct ClosedLevelSet
 
 /**
  * The level set of `scalars` (points of `image`, one component) in the frame of the grid: first
- * node at the origin, axes along the grid, lengths by spacing. Throws std::invalid_argument when a
- * value is not finite, the image has fewer than two nodes along an axis, or it is a mask of two
- * values, on whose corners refinement would not end. Copies the image (with
- * its layer of cells) once as float, or as double where it is double, for the guide.
+ * node at the origin, axes along the grid, lengths by spacing. Copies the image (with its layer of
+ * cells) once as float, or as double where it is double, for the guide.
+ * @throws std::invalid_argument when a value is not finite, the image has fewer than two nodes
+ * along an axis, or it is a mask of two values, on whose corners refinement would not end.
  */
 VTKISTHMUS_EXPORT ClosedLevelSet CloseLevelSet(
   vtkImageData* image, vtkDataArray* scalars, double level, bool insideIsHigher);

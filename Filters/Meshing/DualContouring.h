@@ -23,10 +23,11 @@ namespace isthmus
  * The contour of `grid`, in its frame (first node at the origin). Where an edge is crossed several
  * times, the middle one counts.
  *
- * Throws std::invalid_argument for a threshold outside [0, 1], std::runtime_error where inside and
- * crossings contradict each other, and Cancelled. Second order on smooth surfaces; edges and
- * corners of planes come out exact where normals are. O(cells + crossings log crossings), vertices
- * in parallel with the same bits on any number of threads; 100 bytes a crossed cell.
+ * Second order on smooth surfaces; edges and corners of planes come out exact where normals are.
+ * O(cells + crossings log crossings), vertices in parallel with the same bits on any number of
+ * threads; 100 bytes a crossed cell.
+ * @throws std::invalid_argument for a threshold outside [0, 1], std::runtime_error where inside and
+ * crossings contradict each other, and Cancelled.
  */
 VTKISTHMUS_EXPORT DualContour DualContouring(const HermiteGrid& grid,
   const DualContouringParameters& parameters, const ProgressCallback& progress = {});

@@ -14,8 +14,8 @@ namespace isthmus
 
 /**
  * `mesh` without its small components (triangles connected by points), the others ranked by area,
- * equal ones by their first triangle. Throws std::invalid_argument for parameters out of range.
- * O(triangles), two passes.
+ * equal ones by their first triangle. O(triangles), two passes.
+ * @throws std::invalid_argument for parameters out of range.
  */
 VTKISTHMUS_EXPORT DustResult HideDust(TriangleMesh mesh, const DustParameters& parameters);
 

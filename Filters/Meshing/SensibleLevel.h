@@ -22,8 +22,8 @@ namespace isthmus
  * level is at least three standard deviations of the background above the median, taken from the
  * values below the median (which no molecule is part of), unless fewer than 1 % are that high.
  *
- * Where all values are equal, that value. Throws std::invalid_argument for no values.
- * O(n log n), one copy of n prefix sums.
+ * Where all values are equal, that value. O(n log n), one copy of n prefix sums.
+ * @throws std::invalid_argument for no values.
  */
 VTKISTHMUS_EXPORT double SensibleLevel(std::vector<double>& values);
 

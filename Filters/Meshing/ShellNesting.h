@@ -35,11 +35,13 @@ struct ShellNesting
 };
 
 /**
- * Nesting of the shells of `mesh`, which must be free of defects and self-intersections.
+ * Nesting of the shells of `mesh`.
+ * @pre it is free of defects and self-intersections.
  *
- * Containment is decided by the winding number (sum of solid angles / 4 pi) of one point of a
- * shell about each other shell whose box contains it: O(s F) for s nested shells of F triangles.
- * Throws std::invalid_argument when a shell is too thin to find a point inside.
+ *
+ * Containment is decided by the winding number (sum of solid angles / 4 pi) of one point of a shell
+ * about each other shell whose box contains it: O(s F) for s nested shells of F triangles.
+ * @throws std::invalid_argument when a shell is too thin to find a point inside.
  */
 VTKISTHMUS_EXPORT ShellNesting FindNesting(const TriangleMesh& mesh);
 

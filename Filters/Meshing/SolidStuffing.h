@@ -26,9 +26,9 @@ struct SolidStuffingParameters
  * turned: region 1 inside, 0 outside. Distances to the soup place the new surface between the
  * points of the lattice, so that it is the old one where that is closed, and spans the holes.
  *
- * Throws std::invalid_argument when nothing is enclosed;
- * otherwise as IsosurfaceStuffing. @pre corners exist and are finite. Cost: some microseconds for
- * each of the two points of a cell, in parallel.
+ * Cost: some microseconds for each of the two points of a cell, in parallel.
+ * @pre corners exist and are finite.
+ * @throws std::invalid_argument when nothing is enclosed; otherwise as IsosurfaceStuffing.
  */
 VTKISTHMUS_EXPORT TetrahedralMesh StuffSolid(const TriangleMesh& soup,
   const SolidStuffingParameters& parameters, const ProgressCallback& progress = {});

@@ -28,8 +28,9 @@ extern const std::array<LatticePoint, LatticeEdges> LatticeSteps;
 class StuffingLattice
 {
 public:
-  /// Cells that cover `bounds` and the margin. Throws std::invalid_argument for more than 2^18
-  /// cells along an axis, and std::runtime_error with both figures where MaximumBytes is passed.
+  /// Cells that cover `bounds` and the margin.
+  /// @throws std::invalid_argument for more than 2^18 cells along an axis, and std::runtime_error
+  /// with both figures where MaximumBytes is passed.
   StuffingLattice(const Bounds3& bounds, const StuffingParameters& parameters);
 
   /// Bytes that Sample() and Grade() will take.

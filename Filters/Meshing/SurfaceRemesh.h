@@ -50,7 +50,7 @@ VTKISTHMUS_EXPORT RemeshedSurface RemeshSurface(const TriangleMesh& mesh,
 
 /**
  * Edge collapse of `mesh` down to about `triangles` of them; fewer are not reached where a collapse
- * would turn a triangle over or change topology. Precondition and failure as above. O(n log n).
+ * would turn a triangle over or change topology. @pre and failure as above. O(n log n).
  */
 VTKISTHMUS_EXPORT RemeshedSurface SimplifySurface(
   const TriangleMesh& mesh, std::int64_t triangles, const ProgressCallback& progress = {});

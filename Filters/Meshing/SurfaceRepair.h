@@ -23,7 +23,7 @@ namespace isthmus
 VTKISTHMUS_EXPORT std::vector<std::int64_t> SelfIntersections(
   const TriangleMesh& mesh, const ProgressCallback& progress = {});
 
-/// Throws std::invalid_argument with a sentence that names what is wrong, and where, unless `mesh`
+/// @throws std::invalid_argument with a sentence that names what is wrong, and where, unless `mesh`
 /// is closed, manifold, oriented and free of self-intersections. The way out that it names is not
 /// repair where the surface is `repaired` already.
 VTKISTHMUS_EXPORT void DemandCleanSurface(
@@ -45,8 +45,8 @@ struct RepairedSurface
  * removed, coinciding points merged, orientation made consistent (points duplicated where it can't
  * be), holes filled, self-intersections removed (CGAL's experimental routine).
  *
- * It need not succeed: what comes out must be checked with DemandCleanSurface(). Throws
- * std::invalid_argument when nothing closed is left.
+ * It need not succeed: what comes out must be checked with DemandCleanSurface().
+ * @throws std::invalid_argument when nothing closed is left.
  */
 VTKISTHMUS_EXPORT RepairedSurface RepairSurface(
   const TriangleMesh& mesh, const ProgressCallback& progress = {});

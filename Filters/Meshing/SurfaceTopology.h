@@ -13,7 +13,7 @@ namespace isthmus
 
 /**
  * Connected components (triangles that share an edge), numbered from 0 by their first triangle:
- * one number for each triangle. The mesh must be free of invalid triangles.
+ * one number for each triangle. @pre the mesh has no invalid triangles.
  */
 VTKISTHMUS_EXPORT std::vector<int> Components(const TriangleMesh& mesh);
 

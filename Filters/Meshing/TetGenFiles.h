@@ -19,8 +19,8 @@ void WriteTetGenSurface(const std::filesystem::path& file,
   const std::vector<const TriangleMesh*>& surfaces, const std::vector<SpaceRegion>& holes,
   const std::vector<SpaceRegion>& regions);
 
-/// Reads NAME.1.node and NAME.1.ele; Regions holds the attributes as they are. Throws
-/// std::runtime_error when one is missing or ends early.
+/// Reads NAME.1.node and NAME.1.ele; Regions holds the attributes as they are.
+/// @throws std::runtime_error when one is missing or ends early.
 TetrahedralMesh ReadTetGenMesh(const std::filesystem::path& folder, const std::string& name);
 
 }

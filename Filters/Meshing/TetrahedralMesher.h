@@ -3,7 +3,7 @@
  * @brief Tetrahedra inside, outside or on both sides of a closed surface, by TetGen or by CGAL.
  *
  * TetGen: H. Si, ACM Trans. Math. Softw. 41 (2015) 11, doi:10.1145/2629697; run as a program of its
- * own (TetGenProcess.h). CGAL: P. Alliez et al., 3D Mesh Generation, CGAL 5.5 User and Reference
+ * own (TetGenProcess.cxx). CGAL: P. Alliez et al., 3D Mesh Generation, CGAL 5.5 User and Reference
  * Manual; Delaunay refinement of J.-D. Boissonnat, S. Oudot, Graph. Models 67 (2005) 405.
  */
 #ifndef isthmus_TetrahedralMesher_h
@@ -31,7 +31,8 @@ enum class TetrahedralLibrary
 struct TetGenCriteria
 {
   bool KeepSurface = true; ///< no new point on the surface (Y): its triangles come out as faces
-  double RadiusEdgeRatio = 2.0;   ///< circumradius / shortest edge at most (q); 0: no refinement
+  double RadiusEdgeRatio = 2.0;   ///< circumradius / shortest edge at most (q), but for one in a
+                                  ///< thousand where shells are near each other; 0: no refinement
   double MinimumDihedral = 0.0;   ///< degrees (q/); 0: none asked
   double MaximumVolume = 0.0;     ///< of a tetrahedron (a), in cubed units of the data; 0: none
   std::string Command = "tetgen"; ///< found on PATH
@@ -83,7 +84,7 @@ struct TetrahedralParameters
 VTKISTHMUS_EXPORT TetrahedralMesh MeshTetrahedra(const TriangleMesh& surface,
   const TetrahedralParameters& parameters, const ProgressCallback& progress = {});
 
-/// Throws std::invalid_argument with a sentence unless the parameters of the library can be met.
+/// @throws std::invalid_argument with a sentence unless the parameters of the library can be met.
 VTKISTHMUS_EXPORT void CheckTetrahedralParameters(const TetrahedralParameters& parameters);
 
 /// What the two libraries are given: a checked surface, its regions, the box where there is one.

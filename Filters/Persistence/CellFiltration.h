@@ -17,7 +17,7 @@ namespace isthmus
 {
 
 /// Index of a simplex of one dimension. 32 bits: a complex has at most 2^31 triangles, which is
-/// about 160 million points; Complete() refuses more with a sentence.
+/// about 160 million points; CellFiltration::Connect() refuses more with a sentence.
 using SimplexId = std::int32_t;
 
 /// A set of simplices of one dimension over Z/2, as ids without repetition.
@@ -27,7 +27,7 @@ using Chain = std::vector<SimplexId>;
  * A simplicial 3-complex and the value at which each of its simplices enters.
  *
  * Values are squared distances (square of the unit of the points), and no face has a greater value
- * than its cofaces. The complement of the complex counts as one more tetrahedron, Exterior(), which
+ * than its cofaces. The complement of the complex counts as one more tetrahedron, -1, which
  * enters last: with it the complex is a sphere, and a void is what dies in a tetrahedron.
  *
  * Fill Points, Tetrahedra and Neighbours, call Connect(), fill the values, call Order().

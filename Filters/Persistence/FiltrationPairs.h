@@ -32,8 +32,8 @@ public:
   VTKISTHMUS_EXPORT explicit FiltrationPairs(
     const CellFiltration& f, const ProgressCallback& progress = {});
 
-  /// The tetrahedron that fills the void closed by `triangle`; -1: it closes none; -2: never
-  /// filled.
+  /// The tetrahedron that fills the void closed by `triangle`; -1: it closes none, or
+  /// nothing but the exterior fills it.
   SimplexId VoidFilled(SimplexId triangle) const;
 
   /// The triangle that fills the loop closed by `edge`; -1: none.

@@ -36,10 +36,6 @@ VTKISTHMUS_EXPORT FaceList ConsistentlyOriented(FaceList faces);
  * darts 2e+1 = (a, b) and 2e+2 = (b, a). beta1 leads to the next dart of a face, beta2 to the other
  * dart of the edge. The first dart of a face is the edge with which its vertex list begins.
  *
- * The constructor throws std::invalid_argument with a sentence unless the faces are a sphere: each
- * edge in two faces that run along it in opposite directions, one fan of faces at each vertex, in
- * one piece, V - E + F = 2. At most 65,534 darts.
- *
  * Memory: about 20 bytes a dart and 300 a type; a mesh has few types, but one of general polyhedra
  * has up to one for each cell.
  */
@@ -59,6 +55,9 @@ public:
     Local Position = 0; ///< its place in that face, 0 for the first dart
   };
 
+  /// @throws std::invalid_argument with a sentence unless the faces are a sphere: each edge in two
+  /// faces that run along it in opposite directions, one fan of faces at each vertex, in one piece,
+  /// V - E + F = 2; and for more than 65,534 darts.
   CellType(std::string name, int numberOfVertices, FaceList faces);
 
   /// @name The built-in types, numbered as VTK numbers them, but for Prism.

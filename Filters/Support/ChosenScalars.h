@@ -15,8 +15,9 @@ namespace isthmus
 {
 
 /// The array that the filter's input array 0 names; the active scalars where it names none: a panel
-/// that has seen no data yet sends an empty name. Throws std::invalid_argument, with the arrays
-/// that there are, unless it is one number for each node.
+/// that has seen no data yet sends an empty name.
+/// @throws std::invalid_argument, with the arrays that there are, unless it is one number for each
+/// node.
 VTKISTHMUS_EXPORT vtkDataArray* ChosenScalars(vtkAlgorithm* filter, vtkImageData* image);
 
 }

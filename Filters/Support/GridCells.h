@@ -45,8 +45,9 @@ public:
     ByVolume ///< turned inside out where the signed volume is negative
   };
 
-  /// Throws std::invalid_argument naming the cell for a volume cell that has no fixed faces
-  /// (VTK_CONVEX_POINT_SET) or a polyhedron that is not closed. Time and memory O(cells).
+  /// Time and memory O(cells).
+  /// @throws std::invalid_argument naming the cell for a volume cell that has no fixed faces
+  /// (VTK_CONVEX_POINT_SET) or a polyhedron that is not closed.
   GridCells(
     vtkUnstructuredGrid* grid, Orientation orientation, const ProgressCallback& progress = {});
 

@@ -29,7 +29,7 @@ Extent PieceOf(vtkInformation* request, const Extent& all);
 /// Makes a request for an image one for all of it, on each rank.
 void AskForAll(vtkInformation* request);
 
-/// Throws std::runtime_error where the image that `info` holds is not all that there is: a source
+/// @throws std::runtime_error where the image that `info` holds is not all that there is: a source
 /// that splits it whatever is asked for.
 void DemandAll(vtkInformation* info);
 

@@ -20,7 +20,7 @@
 namespace isthmus
 {
 
-/// Throws std::invalid_argument, with the axis, unless all spacings are positive and finite.
+/// @throws std::invalid_argument, with the axis, unless all spacings are positive and finite.
 inline void RequireSpacing(vtkImageData* image)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -34,7 +34,7 @@ inline void RequireSpacing(vtkImageData* image)
   }
 }
 
-/// Throws std::invalid_argument, with the node, unless all values are finite numbers.
+/// @throws std::invalid_argument, with the node, unless all values are finite numbers.
 template <typename T>
 void CheckFinite(const GridView<const T>& grid)
 {

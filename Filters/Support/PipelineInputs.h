@@ -15,7 +15,7 @@ class vtkAlgorithm;
 namespace isthmus
 {
 
-/// Throws std::invalid_argument, with both types, where an input is not of a type that its port
+/// @throws std::invalid_argument, with both types, where an input is not of a type that its port
 /// asks for. Guarded (AlgorithmGuard.h) begins with it.
 VTKISTHMUS_EXPORT void DemandInputs(vtkAlgorithm* self);
 

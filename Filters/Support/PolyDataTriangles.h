@@ -25,7 +25,7 @@ namespace isthmus
 class VTKISTHMUS_EXPORT PolyDataTriangles
 {
 public:
-  /// Throws std::invalid_argument, with the number of the cell or point, for a corner that is not
+  /// @throws std::invalid_argument, with the number of the cell or point, for a corner that is not
   /// a point of the surface, for a used point with a coordinate that is not finite, and for a
   /// polygon that can't be split.
   explicit PolyDataTriangles(vtkPolyData* surface);

@@ -25,7 +25,8 @@ public:
   }
 };
 
-/// Reports `fraction` to `progress`, if anybody listens, and throws Cancelled when told to stop.
+/// Reports `fraction` to `progress`, if anybody listens.
+/// @throws Cancelled when told to stop.
 inline void Report(const ProgressCallback& progress, double fraction)
 {
   if (progress && !progress(fraction))

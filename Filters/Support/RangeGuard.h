@@ -23,7 +23,7 @@ constexpr double LargestLength = 1e100;
 /// A number as sentences show it: six digits at most, and NaN in words.
 VTKISTHMUS_EXPORT std::string Shown(double value);
 
-/// Throws std::invalid_argument, with the property's name, value and range, unless
+/// @throws std::invalid_argument, with the property's name, value and range, unless
 /// low <= value <= high. NaN is refused. `meaning` ends the sentence.
 VTKISTHMUS_EXPORT void DemandRange(
   const char* property, double value, double low, double high, const char* meaning = "");
@@ -32,7 +32,7 @@ VTKISTHMUS_EXPORT void DemandRange(
 VTKISTHMUS_EXPORT void DemandAbove(
   const char* property, double value, double low, double high, const char* meaning = "");
 
-/// Throws std::invalid_argument, with the axis, unless origin, spacing and direction are finite,
+/// @throws std::invalid_argument, with the axis, unless origin, spacing and direction are finite,
 /// spacings not 0, and all coordinates and spacings between SmallestLength and LargestLength.
 VTKISTHMUS_EXPORT void DemandFrame(vtkImageData* image);
 
@@ -45,8 +45,9 @@ VTKISTHMUS_EXPORT void DemandFrame(vtkImageData* image);
 class VTKISTHMUS_EXPORT UnitScale
 {
 public:
-  /// Points that are not finite are not looked at. Throws std::invalid_argument, with the point,
-  /// for a coordinate beyond LargestLength, and where all are below SmallestLength but not 0.
+  /// Points that are not finite are not looked at.
+  /// @throws std::invalid_argument, with the point, for a coordinate beyond LargestLength, and
+  /// where all are below SmallestLength but not 0.
   explicit UnitScale(const std::vector<Point3>& points);
 
   /// Of a length, to the scale that is worked in.

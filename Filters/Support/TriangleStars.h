@@ -30,7 +30,7 @@ enum class StarKind : unsigned char
 class VTKISTHMUS_EXPORT TriangleStars
 {
 public:
-  /// `mesh` must outlive this object.
+  /// @pre `mesh` outlives this object.
   explicit TriangleStars(const SurfaceView& mesh);
 
   vtkIdType Size(vtkIdType point) const { return this->Links.GetNcells(point); }

@@ -27,7 +27,7 @@ public:
    *
    * With RandomAccess() any number of threads may read at once. Without it one thread at a time,
    * and an offset before the last one starts decompressing from the beginning again.
-   * Throws ReaderError on an input error or a damaged compressed stream.
+   * @throws ReaderError on an input error or a damaged compressed stream.
    */
   virtual std::size_t Read(std::uint64_t offset, void* to, std::size_t size) = 0;
 
@@ -43,7 +43,8 @@ public:
   /// Goes to `offset` before a Read there, with progress, since decompressing may take long.
   virtual void SkipTo(std::uint64_t offset, const ProgressCallback& progress) = 0;
 
-  /// After the last Read: lets a compressed stream check its checksum. Throws ReaderError.
+  /// After the last Read: lets a compressed stream check its checksum.
+  /// @throws ReaderError.
   virtual void CheckEnd() = 0;
 
   /// After the last Read: whether a compressed stream broke off before its end.

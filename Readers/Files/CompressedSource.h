@@ -16,6 +16,7 @@
 namespace isthmus
 {
 
+/// @throws std::bad_alloc; what they return throws ReaderError as ByteSource says.
 std::unique_ptr<ByteSource> OpenGzip(PlainFile file);
 std::unique_ptr<ByteSource> OpenBzip2(PlainFile file);
 

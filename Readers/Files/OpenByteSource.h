@@ -14,12 +14,14 @@
 namespace isthmus
 {
 
-/// Opens a regular file. Throws ReaderError for a missing, unreadable or empty one and for folders.
+/// Opens a regular file.
+/// @throws ReaderError for a missing, unreadable or empty one and for folders.
 std::unique_ptr<ByteSource> OpenByteSource(const std::string& path);
 
-/// All of the content, checksum checked. Throws ReaderError as Read does, when it is cut, and when
-/// compressed content grows beyond 64 MiB and 16 times its file, as no text of numbers does, before
-/// memory is spent on it; and std::bad_alloc.
+/// All of the content, checksum checked.
+/// @throws ReaderError as Read does, when it is cut, and when compressed content grows beyond 64
+/// MiB and 16 times its file, as no text of numbers does, before memory is spent on it; and
+/// std::bad_alloc.
 std::string ReadAll(ByteSource& source, const ProgressCallback& progress = {});
 
 }

@@ -16,14 +16,14 @@ namespace isthmus
 class PlainFile
 {
 public:
-  /// Throws ReaderError when `path` is missing, unreadable, empty or not a regular file.
+  /// @throws ReaderError when `path` is missing, unreadable, empty or not a regular file.
   explicit PlainFile(const std::string& path);
   PlainFile(PlainFile&& other) noexcept;
   PlainFile& operator=(PlainFile&&) = delete;
   ~PlainFile();
 
-  /// Copies up to `size` bytes at `offset`; fewer only at the end. Throws ReaderError on an I/O
-  /// error.
+  /// Copies up to `size` bytes at `offset`; fewer only at the end.
+  /// @throws ReaderError on an I/O error.
   std::size_t Read(std::uint64_t offset, void* to, std::size_t size) const;
 
   std::uint64_t Size() const { return this->Bytes; }

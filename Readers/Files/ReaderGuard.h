@@ -41,6 +41,7 @@ inline unsigned long ErrorCodeOf(ReaderFailure kind)
  * Runs body() for a reader of `fileName`; what goes wrong becomes a sentence, an empty output (see
  * Guarded) and an error code. `setErrorCode(code)` is called only where the code changes, since
  * that marks the reader as modified, and has it read again. Returns what RequestData returns.
+ * @throws nothing, whatever body() throws.
  */
 template <typename Reader, typename SetErrorCode, typename Body>
 int GuardedRead(Reader* reader, const char* fileName, vtkDataObject* output,

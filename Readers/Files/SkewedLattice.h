@@ -20,7 +20,7 @@ using NodeBox = std::array<std::int64_t, 6>;
 /**
  * The axis-aligned grid (of the file's frame) around all nodes of `lattice`. Its spacings are the
  * lengths of the lattice's steps, and node (0, 0, 0) of the lattice is one of its nodes.
- * Throws ReaderError (BadRequest) when it would have more than 64 times the lattice's nodes, as
+ * @throws ReaderError (BadRequest) when it would have more than 64 times the lattice's nodes, as
  * cells with angles near 0 or 180 degrees have.
  */
 VoxelLattice GridAround(const VoxelLattice& lattice);

@@ -13,7 +13,7 @@ namespace isthmus
 {
 
 /// Element (a, b, c) of the box lies at a From[0] + b From[1] + c From[2], and goes to the same
-/// with To; all in elements. One of To must be 1.
+/// with To; all in elements. @pre one of To is 1.
 struct StridedBox
 {
   std::array<std::int64_t, 3> Count{};
@@ -23,7 +23,9 @@ struct StridedBox
 
 /**
  * Copies elements of `bytes` bytes (1, 2, 3, 4 or 8), in tiles, so that neither reading nor writing
- * leaves the cache when axes change places. The memory areas must not overlap.
+ * leaves the cache when axes change places.
+ * @pre the memory areas do not overlap.
+ * @throws std::invalid_argument for another number of bytes.
  */
 void StridedCopy(
   const StridedBox& box, std::size_t bytes, const unsigned char* from, unsigned char* to);

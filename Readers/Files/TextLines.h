@@ -55,6 +55,7 @@ public:
   /// "PATH, line 7: "
   std::string Here() const { return this->Path + ", line " + std::to_string(this->Number) + ": "; }
 
+  /// @throws std::runtime_error: PATH, line 7: `reason`.
   [[noreturn]] void Fail(const std::string& reason) const
   {
     throw std::runtime_error(this->Here() + reason);

@@ -49,7 +49,7 @@ public:
   /// Up to 100 comments so far, without their # and blanks around them.
   const std::vector<std::string>& Comments() const { return this->Notes; }
 
-  /// Throws ReaderError (Damaged): path, line, `sentence`.
+  /// @throws ReaderError (Damaged): path, line, `sentence`.
   [[noreturn]] void Refuse(const std::string& sentence) const;
 
 private:

@@ -16,7 +16,7 @@ namespace isthmus
  *
  * `path` is for the sentences. `contentBytes` is what the content has at most; when it is `exact`,
  * a content that is shorter than the header describes is an error, a longer one a repair.
- * Throws ReaderError: ForeignFormat when mode or grid make no sense in either order, Truncated.
+ * @throws ReaderError: ForeignFormat when mode or grid make no sense in either order, Truncated.
  */
 MRCHeader ParseMRCHeader(const std::array<unsigned char, mrcHeaderBytes>& bytes,
   const std::string& path, std::uint64_t contentBytes, bool exact);

@@ -44,15 +44,16 @@ struct MRCOptions
 class MRCMap
 {
 public:
-  /// Reads the header (1 KB). Throws ReaderError with a sentence that begins with the path.
+  /// Reads the header (1 KB).
+  /// @throws ReaderError with a sentence that begins with the path.
   explicit MRCMap(const std::string& path);
 
   const MRCHeader& Header() const { return this->Head; }
   const MRCStack& Stack() const { return this->Sections; }
   std::string Compression() const { return this->Source->Compression(); }
 
-  /// Chooses what Grid(), OutputBox() and Read() are about. Throws ReaderError (BadRequest) when
-  /// the file has no such volume or nodes. Call it before them.
+  /// Chooses what Grid(), OutputBox() and Read() are about. Call it before them.
+  /// @throws ReaderError (BadRequest) when the file has no such volume or nodes.
   void Select(const MRCOptions& options);
 
   /// The orthogonal grid of the output; node 0 is the first selected one.
@@ -69,18 +70,20 @@ public:
    * and `inside` (needed only when Resampled()) with 1, or 0 outside the map. Bit for bit the same
    * for any box and number of threads.
    *
-   * Precondition: `box` lies in OutputBox() and is not empty.
-   * Throws ReaderError (Truncated, Damaged, CannotRead), std::bad_alloc and Cancelled. Time: one
-   * pass over the bytes of the box (see MRCVoxels.h); memory when Resampled(): the nodes of the map
-   * that `box` needs.
+   * @pre `box` lies in OutputBox() and is not empty.
+   *
+   * Time: one pass over the bytes of the
+   * box (see MRCVoxels.h); memory when Resampled(): the nodes of the map that `box` needs.
+   * @throws ReaderError (Truncated, Damaged, CannotRead), std::bad_alloc and Cancelled.
    */
   void Read(const NodeBox& box, void* out, unsigned char* inside, const ProgressCallback& progress);
 
   /**
-   * Throws ReaderError (Truncated) unless the file has the bytes that `bytes` of memory would be
-   * filled from. Plain files have been checked when opened; a compressed one that would have to
-   * expand suspiciously is decompressed once for its size, before memory is taken on its word:
-   * true when that was done.
+   * Plain files have been checked when opened; a compressed one that would have to expand
+   * suspiciously is decompressed once for its size, before memory is taken on its word: true when
+   * that was done.
+   * @throws ReaderError (Truncated) unless the file has the bytes that `bytes` of memory would be
+   * filled from.
    */
   bool CheckBeforeAllocating(std::uint64_t bytes, const ProgressCallback& progress);
 

@@ -57,7 +57,7 @@ struct MRCVoxelType
 
 bool IsKnownMRCMode(int mode);
 
-/// `unsignedBytes`: mode 0 holds 0..255 (IMOD's flag). Precondition: IsKnownMRCMode(mode).
+/// `unsignedBytes`: mode 0 holds 0..255 (IMOD's flag). @pre IsKnownMRCMode(mode).
 MRCVoxelType VoxelTypeOfMRCMode(int mode, bool unsignedBytes);
 
 /**

@@ -36,11 +36,14 @@ struct MRCSelection
 /**
  * Fills `out`, x fastest, with the selected voxels as layout.Type has them in memory.
  *
- * Precondition: the selection lies within the volume and is not empty; `out` has room for it.
- * A plain file is read in bricks by several threads, only where the selection lies; a compressed
- * one from front to back up to the last selected voxel, the next part being decompressed while
- * the one before is decoded. Scratch memory: 1 MiB a thread, or 32 MiB for a compressed file, at
- * least one row. Throws ReaderError (Truncated, Damaged, CannotRead) and Cancelled.
+ * @pre the selection lies within the volume and is not empty; `out` has room for it.
+ *
+ * A
+ * plain file is read in bricks by several threads, only where the selection lies; a compressed one
+ * from front to back up to the last selected voxel, the next part being decompressed while the one
+ * before is decoded. Scratch memory: 1 MiB a thread, or 32 MiB for a compressed file, at least one
+ * row.
+ * @throws ReaderError (Truncated, Damaged, CannotRead) and Cancelled.
  */
 void ReadMRCVoxels(ByteSource& source, const MRCVoxelLayout& layout, const MRCSelection& selection,
   void* out, const ProgressCallback& progress);

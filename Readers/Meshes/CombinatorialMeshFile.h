@@ -37,13 +37,14 @@ struct CombinatorialMesh
 };
 
 /**
- * Reads a file's contents. Throws std::runtime_error with the line (of the header part) and what is
- * wrong. Never takes more memory than a small multiple of the contents' size. O(size).
+ * Reads a file's contents. Never takes more memory than a small multiple of the contents' size.
+ * O(size).
+ * @throws std::runtime_error with the line (of the header part) and what is wrong.
  */
 VTKISTHMUS_EXPORT CombinatorialMesh ParseCombinatorialMesh(std::string_view contents);
 
-/// Writes a mesh; parsing what it writes gives the same mesh, bit for bit. Throws
-/// std::invalid_argument for names with line breaks.
+/// Writes a mesh; parsing what it writes gives the same mesh, bit for bit.
+/// @throws std::invalid_argument for names with line breaks.
 VTKISTHMUS_EXPORT void WriteCombinatorialMesh(
   const CombinatorialMesh& mesh, bool binary, std::ostream& stream);
 

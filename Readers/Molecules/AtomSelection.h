@@ -16,8 +16,8 @@ namespace isthmus
  * and the bonds between them. A blank alternate location is always wanted. With AltLoc empty, each
  * residue (chain, number, insertion code) has the location whose occupancies have the highest sum,
  * the first letter among equals; an atom that is missing there keeps its own best location, unless
- * the locations are different residues. Throws std::runtime_error for a chain or location that is
- * not there. O(n log n).
+ * the locations are different residues. O(n log n).
+ * @throws std::runtime_error for a chain or location that is not there.
  */
 void SelectAtoms(Macromolecule& molecule, const MoleculeOptions& options);
 

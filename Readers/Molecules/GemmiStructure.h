@@ -25,8 +25,9 @@ namespace isthmus
 /**
  * The atoms of model `model` (from 0) in gemmi's order: that of the file, except that atoms of one
  * residue come together. Bonds are those of CONECT, SSBOND and LINK within the asymmetric unit;
- * charges are formal ones, where the file gives any other than 0. Radii are not set. Throws
- * std::runtime_error with file and reason. Time and memory O(bytes).
+ * charges are formal ones, where the file gives any other than 0. Radii are not set. Time and
+ * memory O(bytes).
+ * @throws std::runtime_error with file and reason.
  */
 VTKISTHMUS_EXPORT Macromolecule ParsePDB(std::string_view text, const std::string& path,
   std::int64_t model, const ProgressCallback& progress);

@@ -17,6 +17,7 @@ struct Macromolecule;
 void FillAtoms(const Macromolecule& molecule, bool withAltLoc, vtkPolyData* atoms);
 
 /// The same atoms, sharing the points and arrays of `atoms`, and the bonds.
+/// @throws std::runtime_error where VTK makes no molecule of them.
 void FillMolecule(const Macromolecule& from, vtkPolyData* atoms, vtkMolecule* molecule);
 
 }

@@ -24,10 +24,10 @@ struct OtherColumns : std::runtime_error
 };
 
 /**
- * A stream for gemmi's PDB parser. Atoms' coordinates must be finite numbers (else OtherColumns)
- * and columns 79-80 a charge (else std::runtime_error), both with the line; blank occupancies and B
- * factors, of which gemmi would make 1 and 20, are given as the number Blank. With `cutAt72`, the
- * columns beyond are left out.
+ * A stream for gemmi's PDB parser. Blank occupancies and B factors, of which gemmi would make 1 and
+ * 20, are given as the number Blank. With `cutAt72`, the columns beyond are left out.
+ * @throws OtherColumns where an atom's coordinates are not finite numbers, std::runtime_error where
+ * columns 79-80 are not a charge, both with the line.
  */
 class PDBStream
 {

@@ -26,7 +26,8 @@ namespace isthmus
 
 /**
  * The atoms of model `model` (from 0). Charges and radii are the nearest doubles to the text;
- * elements are guessed from names. Throws std::runtime_error with file, line and reason. O(bytes).
+ * elements are guessed from names. O(bytes).
+ * @throws std::runtime_error with file, line and reason.
  */
 VTKISTHMUS_EXPORT Macromolecule ParsePQR(std::string_view text, const std::string& path,
   std::int64_t model, const ProgressCallback& progress);

@@ -19,9 +19,9 @@ namespace isthmus
 {
 
 /**
- * The atoms of frame `model` (from 0); name and residue name are the symbol and empty. Throws
- * std::runtime_error with file, line and reason, also when the comment of an extended XYZ file
- * announces other columns. O(bytes).
+ * The atoms of frame `model` (from 0); name and residue name are the symbol and empty. O(bytes).
+ * @throws std::runtime_error with file, line and reason, also when the comment of an extended XYZ
+ * file announces other columns.
  */
 VTKISTHMUS_EXPORT Macromolecule ParseXYZ(std::string_view text, const std::string& path,
   std::int64_t model, const ProgressCallback& progress);

@@ -23,7 +23,8 @@
 namespace isthmus
 {
 
-/// A file opened at one of its arrays. Throws ReaderError throughout; sentences name file and line.
+/// A file opened at one of its arrays.
+/// @throws ReaderError throughout; sentences name file and line.
 class OpenDXReader
 {
 public:

@@ -1,6 +1,6 @@
 """Examples/binding_sites.py on 1HEW with a potential given: table, picture, and the cleft first.
 
-Only with ISTHMUS_LONG_TESTS=1: BindingSites.py has the same pipeline.
+It takes turns (long_tests.py), since BindingSites.py has the same pipeline.
 """
 
 import csv
@@ -10,10 +10,10 @@ import sys
 import tempfile
 from pathlib import Path
 
+from long_tests import share
 from shared_data import shared_data
 
-if os.environ.get("ISTHMUS_LONG_TESTS") != "1":
-    print("runs with ISTHMUS_LONG_TESTS=1 only")
+if not share(["1hew"], 3):
     sys.exit(77)
 protein = shared_data("molecules/1hew.pdb")
 potential = shared_data("molecules/1hew/1hew_potential.dx.gz")

@@ -1,12 +1,11 @@
 """The persistence diagram of choking loops against GUDHI's exact alpha complex, on six surfaces
-(nine with ISTHMUS_LONG_TESTS=1).
+and on three larger ones in turns (long_tests.py).
 
 Both get the same points, those of the surface: SampleSpacing is larger than any edge. GUDHI's
 pairs of dimension 2 must be ours, and its deaths of dimension 1, one for one, as far as they lie
 above the sampling error: below it we keep none. This is more than pairs above the trust rule.
 """
 
-import os
 import time
 
 import numpy
@@ -15,6 +14,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 import isthmus
+from long_tests import share
 from shared_data import shared_data
 
 try:
@@ -102,8 +102,7 @@ def agree(name, what, mine, peer):
 
 
 surfaces = ["eight.off", "knot1.off", "Kitten.off", "bunny.off", "fertility.off", "genus3.off"]
-if os.environ.get("ISTHMUS_LONG_TESTS") == "1":
-    surfaces += ["armadillo.obj", "soccerball.obj", "emd_5043.obj"]
+surfaces += share(["armadillo.obj", "soccerball.obj", "emd_5043.obj"], 3)
 for name in surfaces:
     start = time.time()
     surface = read(name)

@@ -4,13 +4,12 @@ The automatic parameters were fitted on phantom 1 and are judged here, as they a
 and 3. Their rivals are tuned on each judged phantom itself, with the truth at hand.
 """
 
-import os
-
 import isthmus
 import numpy
 from vtkmodules.vtkImagingGeneral import (
     vtkImageAnisotropicDiffusion3D, vtkImageGaussianSmooth, vtkImageMedian3D)
 
+from long_tests import share
 from shared_data import shared_data
 from volume_quality import (
     as_volume, filtered, half_crossing, phantom, shell_correlation, signal_to_noise_peak, surface_measures,
@@ -120,6 +119,5 @@ def check_denoised_map(name, ratio, order, clean, noisy, level):
 for seed in (2, 3):
     for ratio in (1.0, 0.3, 0.1):
         check_phantom(seed, ratio)
-long = os.environ.get("ISTHMUS_LONG_TESTS") == "1"
 for name in ("emd_5043.map", "emd_1832.map"):
-    check_map(name, 0.25, more_seeds=range(8, 18) if long else ())
+    check_map(name, 0.25, more_seeds=share(range(8, 18), 10))

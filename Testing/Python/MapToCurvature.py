@@ -7,12 +7,16 @@ import sys
 from pathlib import Path
 
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 from shared_data import shared_data
 
 EXAMPLES = Path(os.environ["ISTHMUS_EXAMPLES_DIR"])
 OUTPUT = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "MapToCurvature"
+# By Gauss-Bonnet the integral of the Gaussian curvature counts handles: to 0.01 on the phantom. On GroEL,
+# whose bridges are a voxel thin, it says 36.5 where there are 22; a curvature of 0 would say 1.
+GROEL_TOLERANCE = 18
 sys.path.insert(0, str(EXAMPLES))
 import ChooseMap  # noqa: E402
 
@@ -23,14 +27,26 @@ def run_example(path, folder, *level):
     return json.loads((folder / "report.json").read_text())
 
 
-def check_files(folder):
-    """The picture is one of some size and not of one colour; surface and state can be read back."""
+def check_picture(path):
+    """Six cells, each with a coloured surface on a white ground, and no two alike."""
     reader = vtkPNGReader()
-    reader.SetFileName(str(folder / "curvature.png"))
+    reader.SetFileName(str(path))
     reader.Update()
     picture = reader.GetOutput()
     assert picture.GetDimensions()[:2] == (1800, 1200), picture.GetDimensions()
-    assert picture.GetPointData().GetScalars().GetRange(0)[1] > 200
+    pixels = vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(1200, 1800, -1)[..., :3].astype(int)
+    cells = [pixels[y:y + 600, x:x + 600] for y in (0, 600) for x in (0, 600, 1200)]
+    for number, cell in enumerate(cells):
+        coloured = (cell.max(axis=2) - cell.min(axis=2) > 40).mean()
+        white = (cell.min(axis=2) > 240).mean()
+        assert 0.03 < coloured < 0.9 and white > 0.05, (number, coloured, white)
+        for other in cells[:number]:
+            assert abs(cell - other).mean() > 1.0, number
+
+
+def check_files(folder):
+    """The picture shows six descriptors; surface and state can be read back."""
+    check_picture(folder / "curvature.png")
     assert (folder / "denoising.png").stat().st_size > 20000
     assert (folder / "report.txt").read_text().count("\n") > 8
 
@@ -55,7 +71,7 @@ def check_phantom():
     surface = report["surface"]
     assert surface["closed"] and surface["components"] == 1, surface
     counted, integrated = (surface["genus_from_euler_number"], surface["genus_from_gaussian_curvature"])
-    assert abs(counted - integrated) < 0.25, (counted, integrated)
+    assert abs(counted - integrated) < 0.05, (counted, integrated)
     for name, row in report["descriptors"].items():
         assert row["minimum"] <= row["area_weighted_mean"] <= row["maximum"], (name, row)
     assert report["descriptors"]["MeanCurvature"]["area_weighted_mean"] > 0
@@ -63,11 +79,14 @@ def check_phantom():
 
 
 def check_groel():
-    """EMD-5043 at the automatic level: the whole assembly, and Gauss-Bonnet to a few handles."""
+    """EMD-5043 at the automatic level: the whole assembly, and Gauss-Bonnet as far as it goes there."""
     report = run_example(shared_data("maps/emd_5043.map"), OUTPUT / "groel")
     assert report["map"]["dimensions"] == [100, 100, 100]
     surface = report["surface"]
     assert surface["closed"] and 1e5 < surface["enclosed_volume_A3"] < 2e6, surface
+    counted, integrated = (surface["genus_from_euler_number"], surface["genus_from_gaussian_curvature"])
+    print(f"GroEL: genus {counted} by counting, {integrated:.2f} by the integral of the curvature")
+    assert counted > 5 and abs(counted - integrated) < GROEL_TOLERANCE, (counted, integrated)
     check_files(OUTPUT / "groel")
 
 

@@ -1,5 +1,6 @@
 #include "AutomaticMesher.h"
 
+#include "LongTests.h"
 #include "PolyDataMesh.h"
 #include "SharedData.h"
 #include "SurfaceFiles.h"
@@ -212,19 +213,31 @@ TEST(AutomaticMesher, NothingEnclosedAndWrongParametersAreRefused)
     Cancelled);
 }
 
-/// Acceptance 3 on 20 cases, on as many as ISTHMUS_FUZZ_CASES says.
+/// Acceptance 3 on 20 cases and ten others at each turn; on as many as ISTHMUS_FUZZ_CASES says.
 TEST(AutomaticMesher, DamagedSurfacesAreFilled)
 {
   const char* const wanted = std::getenv("ISTHMUS_FUZZ_CASES");
-  const int cases = wanted ? std::atoi(wanted) : 20;
+  const int usual = 20;
+  const std::uint64_t more = 10;
+  const LongCases others("DamagedSurfacesAreFilled", 100);
+  std::vector<std::uint64_t> seeds;
+  for (int seed = 0; seed < (wanted ? std::atoi(wanted) : usual); ++seed)
+  {
+    seeds.push_back(static_cast<std::uint64_t>(seed));
+  }
+  for (std::uint64_t i = 0, first = others.FirstSeed(more); first != 0 && i < more; ++i)
+  {
+    seeds.push_back(first + i);
+  }
+  const int cases = static_cast<int>(seeds.size());
   const TriangleMesh sphere = Sphere({ 0, 0, 0 }, 1.0, 12);
   int filled = 0, near = 0;
   std::array<int, 4> ways{};
-  for (int seed = 0; seed < cases; ++seed)
+  for (const std::uint64_t seed : seeds)
   {
     std::mt19937 random(static_cast<unsigned>(seed));
     TriangleMesh mesh = sphere;
-    for (int i = 0; i < 1 + seed % 4; ++i)
+    for (std::uint64_t i = 0; i < 1 + seed % 4; ++i)
     {
       Damage(mesh, random);
     }
@@ -239,7 +252,7 @@ TEST(AutomaticMesher, DamagedSurfacesAreFilled)
     }
     catch (const std::exception& error)
     {
-      std::printf("seed %d: %s\n", seed, error.what());
+      std::printf("seed %d: %s\n", static_cast<int>(seed), error.what());
     }
   }
   std::printf("%d damaged: %d filled (TetGen %d, after repair %d, CGAL %d, stuffing %d), %d within "
@@ -248,18 +261,20 @@ TEST(AutomaticMesher, DamagedSurfacesAreFilled)
   EXPECT_GE(filled, cases * 99 / 100);
 }
 
-/// Those of the shared surfaces that no other engine fills; all of them with ISTHMUS_LONG_TESTS=1.
+/// Those of the shared surfaces that no other engine fills; the others in turns.
 TEST(AutomaticMesher, SharedSurfacesAreFilled)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces");
-  const bool all = std::getenv("ISTHMUS_LONG_TESTS") != nullptr;
+  const LongCases others("SharedSurfacesAreFilled", 17);
+  std::size_t index = 0, done = 0;
   const std::set<std::string> some{ "sharp_sphere.off", "trim-star.off" };
   for (const KnownSurface& known : KnownSurfaces)
   {
-    if (!all && some.count(known.File) == 0)
+    if (!others.Has(index++) && some.count(known.File) == 0)
     {
       continue;
     }
+    ++done;
     SCOPED_TRACE(known.File);
     const TriangleMesh mesh = MeshOf(ReadSurface(SharedDataFolder() / "surfaces" / known.File));
     TetrahedralParameters parameters = Limited();
@@ -283,4 +298,5 @@ TEST(AutomaticMesher, SharedSurfacesAreFilled)
       ADD_FAILURE() << error.what();
     }
   }
+  others.Tell(done, index);
 }
