@@ -3,11 +3,15 @@
 #include "RunPython.h"
 
 #include <pqApplicationCore.h>
+#include <pqCoreUtilities.h>
 #include <pqPipelineSource.h>
 #include <pqServerManagerModel.h>
 
 #include <QApplication>
 #include <QIcon>
+#include <QMainWindow>
+#include <QTimer>
+#include <QToolBar>
 
 namespace
 {
@@ -33,12 +37,30 @@ void Run(const QString& call)
   }
 }
 
+/// ParaView adds the toolbar to a row that is full, so that half of it hides behind an arrow; the
+/// last row has room.
+void MoveToLastRow()
+{
+  auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget());
+  auto* bar = window ? window->findChild<QToolBar*>("Isthmus") : nullptr;
+  if (bar)
+  {
+    window->addToolBar(Qt::TopToolBarArea, bar);
+    bar->show();
+  }
+}
+
 }
 
 IsthmusToolbar::IsthmusToolbar(QObject* parent)
   : QActionGroup(parent)
 {
   this->setExclusive(false);
+  // Once ParaView has made the toolbar: when the program starts, or when the plugin is loaded
+  // later.
+  QObject::connect(pqApplicationCore::instance(), &pqApplicationCore::clientEnvironmentDone, this,
+    [] { MoveToLastRow(); });
+  QTimer::singleShot(0, this, &MoveToLastRow);
   this->Add("map_to_surface", "MapToSurface", tr("Map to surface"),
     tr("The selected map as a closed surface at a sensible level, without dust"));
   this->Add("map_to_curvature", "MapToCurvature", tr("Map to curvature"),

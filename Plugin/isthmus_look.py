@@ -136,16 +136,32 @@ def _look_at_loops(display, view, port):
         display.Visibility = 0
 
 
+# What a spreadsheet of sites hides at first: ParaView sorts columns by name, and these would come
+# before rank, class, residues, score and volume.
+HIDDEN = ("Area", "CenterX", "CenterY", "CenterZ", "MeanDepth", "MeanPotential", "Points", "SiteClass")
+
+
+def _view_of(display):
+    """The view that shows it; the active one may be a table or chart beside that."""
+    views = [view for view in simple.GetViews() if display in list(view.Representations)]
+    return views[0] if views else simple.GetActiveView()
+
+
 _seen = set()
 
 
 def _look(display):
     source = getattr(display, "Input", None)
-    view = simple.GetActiveView()
-    if source is None or not hasattr(display, "ColorArrayName"):
+    if source is None:
         return
+    view = _view_of(display)
     name = source.SMProxy.GetXMLName()
     key = display.GetGlobalID()
+    if not hasattr(display, "ColorArrayName"):
+        if key not in _seen and name.startswith("BindingSites"):
+            _seen.add(key)
+            view.HiddenColumnLabels = HIDDEN
+        return
     if key not in _seen:
         _seen.add(key)
         if name == "ChokingLoops":

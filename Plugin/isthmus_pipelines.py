@@ -272,7 +272,8 @@ def run(function):
         print_error(str(error))
         return
     view = simple.GetActiveViewOrCreate("RenderView")
-    simple.Hide(source, view)
+    for port in range(source.SMProxy.GetNumberOfOutputPorts()):  # of a molecule: atoms, balls and sticks
+        simple.Hide(simple.OutputPort(source, port), view)
     show(*proxies, view=view)
     simple.SetActiveSource(proxies[-1])
     simple.Render(view)
