@@ -13,4 +13,5 @@ isthmus_room(
     SurfaceCrossings
     SurfaceIntake
     SurfaceMeasures
+    TriangleBoxTree
     TriangleTree)
