@@ -1,5 +1,6 @@
 #include "ChokingLoops.h"
 
+#include "AnalysisCost.h"
 #include "ChokingSurface.h"
 #include "DelaunayFiltration.h"
 #include "GeneratorCompletion.h"
@@ -253,6 +254,7 @@ struct ChokingLoops::Analysis
   SpaceRegions Regions;
   LocatedFeatures Found;
   ChokingLoopTimes Times;
+  SurfaceMending Mended;
   std::string Remark;
 };
 
@@ -261,19 +263,29 @@ ChokingLoops::ChokingLoops(
 {
   ChokingLoopTimes times;
   Stopwatch watch;
+  SurfaceMending mended;
   surface = CheckedSurface(
-    std::move(surface), parameters.AllowSelfIntersections, Between(progress, 0.0, 0.2));
+    std::move(surface), parameters.AllowSelfIntersections, Between(progress, 0.0, 0.2), &mended);
   times.Check = watch.Lap();
   const bool automatic = parameters.SampleSpacing <= 0.0;
   double spacing = parameters.SampleSpacing;
   TriangleMesh samples = FirstSamples(surface, spacing, Between(progress, 0.2, 0.25));
   times.Sampling = watch.Lap();
+  std::string tooMuch;
+  if (!FitsMemory(samples.Points.size(), parameters.MemoryLimit, tooMuch))
+  {
+    throw std::runtime_error(tooMuch);
+  }
   for (int round = 0;; ++round)
   {
     // Later rounds are the exception: each takes half of what is left of the bar.
     const double from = 1.0 - 0.75 * std::pow(0.5, round);
     const double to = 0.5 * (1.0 + from);
     const auto part = Between(progress, from, to);
+    if (parameters.Sampled)
+    {
+      parameters.Sampled(samples.Points.size());
+    }
     std::vector<double> errors = SamplingErrors(samples);
     CellFiltration filtration = DelaunayFiltration(samples.Points, Between(part, 0.0, 0.6));
     times.Filtration += watch.Lap();
@@ -288,7 +300,8 @@ ChokingLoops::ChokingLoops(
     samples = Refined(
       this->State->Samples, blurred, spacing * std::pow(0.6, round), Between(progress, to, to));
     times.Sampling += watch.Lap();
-    if (samples.Points.empty())
+    if (samples.Points.empty() ||
+      !FitsMemory(samples.Points.size(), parameters.MemoryLimit, tooMuch))
     {
       break; // too much to ask: what is blurred stays marked as not trusted
     }
@@ -296,6 +309,7 @@ ChokingLoops::ChokingLoops(
   this->State->Complete(surface, Between(progress, 0.96, 1.0));
   times.Features += watch.Lap();
   this->State->Times = times;
+  this->State->Mended = std::move(mended);
   Report(progress, 1.0);
 }
 
@@ -341,6 +355,11 @@ const SurfaceHomology& ChokingLoops::Homology() const
 const ChokingLoopTimes& ChokingLoops::Times() const
 {
   return this->State->Times;
+}
+
+const SurfaceMending& ChokingLoops::Mended() const
+{
+  return this->State->Mended;
 }
 
 double ChokingLoops::LargestError() const

@@ -12,7 +12,9 @@
 
 #include "FeatureMembrane.h"
 #include "ShapeFeatures.h"
+#include "SurfaceMending.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,6 +30,11 @@ struct ChokingLoopParameters
   double SampleSpacing = 0.0;
   /// Go on with a surface that crosses itself. Counts of handles and tunnels are then not assured.
   bool AllowSelfIntersections = false;
+  /// Bytes that the analysis may take; 0: what is available. More samples than fit end in a
+  /// sentence; refinement that would not fit is left out.
+  double MemoryLimit = 0.0;
+  /// Called with the number of samples before the work on them begins.
+  std::function<void(std::size_t samples)> Sampled;
 };
 
 /// A length as the user states it: in percent of a side's reference length, or in units of the
@@ -74,11 +81,12 @@ class ChokingLoops
 public:
   /**
    * Analyses `surface` on the Delaunay filtration of its samples. Coinciding points are merged,
-   * points that no triangle uses are left out. Orientation is not needed to face outward.
+   * points that no triangle uses are left out. Orientation is not needed to face outward. Needles,
+   * double triangles, touching and crossing parts are repaired (SurfaceMending.h, Mended()).
    *
-   * @throws std::invalid_argument with a sentence for a surface that is not closed, manifold,
-   * consistently oriented, finite, free of self-intersections (unless allowed), or whose size is
-   * not between 1e-40 and 1e40; std::runtime_error when it would take too many samples; Cancelled.
+   * @throws std::invalid_argument with a sentence for a surface that is not closed, consistently
+   * oriented and finite, can't be repaired, or whose size is not between 1e-40 and 1e40;
+   * std::runtime_error when it would take too many samples; Cancelled.
    *
    * Time is near linear: some 30 s and 2.5 GB for a million points, on two threads.
    */
@@ -104,6 +112,9 @@ public:
   VTKISTHMUS_EXPORT const SurfaceAdjacency& Adjacency() const;
   VTKISTHMUS_EXPORT const SurfaceHomology& Homology() const;
   VTKISTHMUS_EXPORT const ChokingLoopTimes& Times() const;
+
+  /// What was repaired of the surface before.
+  VTKISTHMUS_EXPORT const SurfaceMending& Mended() const;
 
   /// What the user should know about the result: a sentence or two, or nothing.
   VTKISTHMUS_EXPORT const std::string& Remark() const;

@@ -245,6 +245,19 @@ void FillFacts(
   {
     numbers["StageTimes"]->InsertNextValue(seconds);
   }
+  const SurfaceMending& mended = loops.Mended();
+  if (!mended.Told.empty())
+  {
+    counts["Repaired"]->InsertNextValue(mended.Changed);
+    vtkNew<vtkDoubleArray> places;
+    places->SetName("RepairedPlaces");
+    places->SetNumberOfComponents(3);
+    for (const Point3& p : mended.Places)
+    {
+      places->InsertNextTuple(p.data());
+    }
+    output->GetFieldData()->AddArray(places);
+  }
   counts.AddTo(output->GetFieldData());
   numbers.AddTo(output->GetFieldData());
 }

@@ -1,9 +1,10 @@
 #include "ChokingSurface.h"
 
 #include "RangeGuard.h"
+#include "SelfIntersections.h"
 #include "SurfaceCheck.h"
 #include "SurfaceIntake.h"
-#include "SurfaceRepair.h"
+#include "ThinTriangles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,10 +40,17 @@ void DemandUsableSize(const TriangleMesh& surface)
   }
 }
 
+/// Holes, missing points and triangles turned against each other are not guessed at.
+bool CanBeMended(const SurfaceDefects& defects)
+{
+  return defects.InvalidPoints.empty() && defects.InvalidTriangles.empty() &&
+    defects.BoundaryTriangles.empty() && defects.FlippedTriangles.empty();
 }
 
-TriangleMesh CheckedSurface(
-  TriangleMesh surface, bool allowCrossings, const ProgressCallback& progress)
+}
+
+TriangleMesh CheckedSurface(TriangleMesh surface, bool allowCrossings,
+  const ProgressCallback& progress, SurfaceMending* mending)
 {
   if (surface.Triangles.empty() || surface.Points.empty())
   {
@@ -52,25 +60,42 @@ TriangleMesh CheckedSurface(
   Report(progress, 0.0);
   surface = MergePoints(surface);
   Report(progress, 0.1);
+  const auto rest = Between(progress, 0.6, 1.0);
   const SurfaceDefects defects = FindDefects(surface, Between(progress, 0.1, 0.2));
   if (!defects.None())
   {
+    if (mending && CanBeMended(defects))
+    {
+      return MendedSurface(surface, defects.Sentence(), allowCrossings, *mending, rest);
+    }
     throw std::invalid_argument(defects.Sentence() + WhyOpen(surface, defects) +
       " Choking loops need a closed, manifold, consistently oriented surface: repair it first "
       "(CapHoles fills holes).");
   }
-  if (!allowCrossings)
+  const std::vector<std::int64_t> thin = ThinTriangles(surface);
+  if (mending && !thin.empty())
   {
-    const std::vector<std::int64_t> crossing =
-      SelfIntersections(surface, Between(progress, 0.2, 1.0));
-    if (!crossing.empty())
-    {
-      throw std::invalid_argument("The surface crosses itself in " +
-        std::to_string(crossing.size()) + " triangles (" + FirstIds(crossing) +
-        "): repair it, or allow self-intersections to go on all the same.");
-    }
+    return MendedSurface(surface,
+      "The surface has " + std::to_string(thin.size()) + " triangles next to no area (" +
+        FirstIds(thin) + ").",
+      allowCrossings, *mending, rest);
   }
-  return surface;
+  const std::vector<std::int64_t> crossing = allowCrossings
+    ? std::vector<std::int64_t>{}
+    : SelfIntersections(surface, Between(progress, 0.2, 0.6));
+  if (crossing.empty())
+  {
+    return surface;
+  }
+  const std::string what = "The surface crosses itself in " + std::to_string(crossing.size()) +
+    " triangles (" + FirstIds(crossing) + ").";
+  if (!mending)
+  {
+    throw std::invalid_argument(what +
+      " Repair it, or allow self-intersections to go on all the "
+      "same.");
+  }
+  return MendedSurface(surface, what, allowCrossings, *mending, rest);
 }
 
 }

@@ -5,9 +5,7 @@
 #ifndef isthmus_ChokingSurface_h
 #define isthmus_ChokingSurface_h
 
-#include "Progress.h"
-#include "TriangleMesh.h"
-#include "vtkIsthmusModule.h"
+#include "SurfaceMending.h"
 
 namespace isthmus
 {
@@ -16,9 +14,12 @@ namespace isthmus
  * `surface` with coinciding points merged and unused ones left out, if it is closed, manifold,
  * consistently oriented, finite, between 1e-40 and 1e40 in size and, unless `allowCrossings`, free
  * of self-intersections. Else std::invalid_argument with a sentence that names the triangles.
+ *
+ * With `mending`, what is closed and oriented but has crossings, touching or double parts or thin
+ * triangles is repaired as MendedSurface() does, and what was done is told there.
  */
-VTKISTHMUS_EXPORT TriangleMesh CheckedSurface(
-  TriangleMesh surface, bool allowCrossings, const ProgressCallback& progress = {});
+VTKISTHMUS_EXPORT TriangleMesh CheckedSurface(TriangleMesh surface, bool allowCrossings,
+  const ProgressCallback& progress = {}, SurfaceMending* mending = nullptr);
 
 }
 

@@ -22,7 +22,8 @@ double Length(const Point3& a, const Point3& b)
 }
 
 /// Largest distance from a point of the triangle to its nearest corner: the circumradius where all
-/// angles are acute, else where a bisector of a leg meets the longest side.
+/// angles are acute, else where a bisector of a leg meets the longest side. No triangle has more
+/// than the equilateral one on its longest side, however rounding spoils the formula for needles.
 double CornerDistance(const Point3& p, const Point3& q, const Point3& r)
 {
   std::array<double, 3> s{ Length(p, q), Length(q, r), Length(r, p) };
@@ -32,16 +33,17 @@ double CornerDistance(const Point3& p, const Point3& q, const Point3& r)
   {
     return 0.0;
   }
+  const double most = c / std::sqrt(3.0);
   const Point3 n = Cross(q - p, r - p);
   if (c * c < a * a + b * b)
   {
-    return a * b * c / (2.0 * std::sqrt(Dot(n, n)));
+    return std::min(most, a * b * c / (2.0 * std::sqrt(Dot(n, n))));
   }
   // On the longest side, equally far from the obtuse corner and from the end of a leg of length x:
   // x / (2 cos(angle at that end)).
   const double cosA = (a * a + c * c - b * b) / (2.0 * a * c);
   const double cosB = (b * b + c * c - a * a) / (2.0 * b * c);
-  return std::max(a / (2.0 * cosA), b / (2.0 * cosB));
+  return std::min(most, std::max(a / (2.0 * cosA), b / (2.0 * cosB)));
 }
 
 /// Midpoints of the split edges, by their ends.

@@ -5,6 +5,7 @@ isthmus_room(
     vtkMapHandles
     vtkOffsetSurface
   SOURCES
+    AnalysisCost
     ChokingLoops
     ChokingLoopsOutput
     ChokingSurface
@@ -25,4 +26,5 @@ isthmus_room(
     SurfaceGenerators
     SurfaceHomology
     SurfaceInComplex
+    SurfaceMending
     SurfaceSampling)

@@ -1,6 +1,7 @@
 #include "vtkChokingLoops.h"
 
 #include "AlgorithmGuard.h"
+#include "AnalysisCost.h"
 #include "ChokingLoopsOutput.h"
 #include "LowerStarFiltration.h"
 #include "PolyDataMesh.h"
@@ -80,7 +81,7 @@ isthmus::TetrahedralMesh MeshOf(vtkUnstructuredGrid* grid)
 struct vtkChokingLoops::Cache
 {
   using Key = std::tuple<vtkDataObject*, vtkMTimeType, vtkDataObject*, vtkMTimeType, int, int,
-    std::string, double, bool, bool>;
+    std::string, double, bool, bool, int>;
   Key MadeOf;
   std::unique_ptr<isthmus::ChokingLoops> Loops;
   std::map<std::pair<std::size_t, int>, isthmus::LoopFeature> Geometry; ///< by feature, rounds
@@ -112,7 +113,7 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
 {
   const Cache::Key key{ surface, surface->GetMTime(), grid, grid ? grid->GetMTime() : 0,
     this->Filtration, this->MorseFunction, this->MorseArrayName, this->SampleSpacing,
-    this->AllowSelfIntersections, this->CapHoles };
+    this->AllowSelfIntersections, this->CapHoles, this->MemoryLimit };
   if (this->Kept && this->Kept->MadeOf == key)
   {
     return;
@@ -144,6 +145,14 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
     isthmus::ChokingLoopParameters parameters;
     parameters.SampleSpacing = this->SampleSpacing;
     parameters.AllowSelfIntersections = this->AllowSelfIntersections;
+    parameters.MemoryLimit = this->MemoryLimit * 1048576.0;
+    parameters.Sampled = [](std::size_t samples)
+    {
+      vtkLog(INFO,
+        "Choking loops: " << samples << " samples, some "
+                          << std::ceil(isthmus::AnalysisBytes(samples) / 1e6) << " MB and "
+                          << std::ceil(isthmus::AnalysisSeconds(samples)) << " s on two cores.");
+    };
     made->Loops =
       std::make_unique<isthmus::ChokingLoops>(std::move(triangles), parameters, progress);
   }
@@ -157,6 +166,10 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
       given ? ::MeshOf(given) : isthmus::MeshTetrahedra(triangles, mesher, part);
     made->Loops = std::make_unique<isthmus::ChokingLoops>(triangles, mesh,
       this->MorseValues(triangles, mesh, given), isthmus::Between(progress, 0.5, 1.0));
+  }
+  if (!made->Loops->Mended().Told.empty())
+  {
+    vtkWarningMacro(<< made->Loops->Mended().Told);
   }
   if (!made->Loops->Remark().empty())
   {
@@ -306,4 +319,5 @@ void vtkChokingLoops::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ShorteningRounds: " << this->ShorteningRounds << "\n";
   os << indent << "AllowSelfIntersections: " << this->AllowSelfIntersections << "\n";
   os << indent << "CapHoles: " << this->CapHoles << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

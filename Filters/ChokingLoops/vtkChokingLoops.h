@@ -34,11 +34,13 @@
  * `NumberOfHandles`, `NumberOfTunnels`, `NumberOfAdditionalLoops` (inside, outside), `StageTimes`
  * (s: check, sampling, filtration, pairing, features).
  *
- * A surface that is not closed, manifold, consistently oriented, finite and free of
- * self-intersections ends in an error that names triangles, and empty outputs. Handles and tunnels
- * that are narrower than the sampling error are found on a mesh that TetGen makes of both sides; a
- * warning then says that their `Distance` is an upper bound, or, where TetGen fails, that their
- * number and side are not assured.
+ * Needles, double triangles, parts that touch or cross are repaired where that changes the volume
+ * by no more than a hundredth; a warning says so, and field data `Repaired` (number of triangles
+ * changed) and `RepairedPlaces` (their centres) of output 0. A surface that is not closed,
+ * consistently oriented and finite, or can't be repaired, ends in an error that names triangles,
+ * and empty outputs. Handles and tunnels that are narrower than the sampling error are found on a
+ * mesh that TetGen makes of both sides; a warning then says that their `Distance` is an upper
+ * bound, or, where TetGen fails, that their number and side are not assured.
  *
  * The analysis is kept: thresholds, sides and shortening are answered from it. Time is near linear,
  * some 30 s and 2.5 GB for a million points on two threads; loops and membranes cost little.
@@ -181,6 +183,13 @@ public:
   vtkBooleanMacro(CapHoles, bool);
   ///@}
 
+  ///@{
+  /// Most memory that an analysis may take, in MB; 0 (default): what is available. More samples
+  /// than fit end in an error that says so.
+  vtkSetClampMacro(MemoryLimit, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MemoryLimit, int);
+  ///@}
+
 protected:
   vtkChokingLoops();
   ~vtkChokingLoops() override;
@@ -213,6 +222,7 @@ private:
   int ShorteningRounds = 5;
   bool AllowSelfIntersections = false;
   bool CapHoles = false;
+  int MemoryLimit = 0;
   std::unique_ptr<Cache> Kept;
 };
 

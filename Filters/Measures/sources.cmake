@@ -14,4 +14,5 @@ isthmus_room(
     SurfaceCrossings
     SurfaceIntake
     SurfaceMeasures
+    TriangleBoxTree
     TriangleTree)

@@ -33,40 +33,6 @@ struct Soup
   std::vector<std::vector<std::size_t>> Triangles;
 };
 
-/// Counts how often a point is asked for: a clock for functions of CGAL that tell no progress.
-struct Lookups
-{
-  const ProgressCallback& Progress;
-  double Usual; ///< number after which some two thirds of the bar are full
-  std::uint64_t Count = 0;
-
-  void Tick()
-  {
-    if (++this->Count % (1U << 18) == 0)
-    {
-      Report(this->Progress, 1.0 - std::exp(-static_cast<double>(this->Count) / this->Usual));
-    }
-  }
-};
-
-/// The points of a mesh, for CGAL; asking for one may report progress, and throw Cancelled.
-struct ReportingPoints
-{
-  using key_type = SurfaceMesh::Vertex_index;
-  using value_type = cgal::Point;
-  using reference = const cgal::Point&;
-  using category = boost::readable_property_map_tag;
-
-  const SurfaceMesh& Mesh;
-  Lookups& Clock;
-
-  friend reference get(const ReportingPoints& map, key_type vertex)
-  {
-    map.Clock.Tick();
-    return map.Mesh.point(vertex);
-  }
-};
-
 /// What of `mesh` has finite, distinct points.
 Soup UsablePart(const TriangleMesh& mesh, const SurfaceDefects& defects)
 {
@@ -166,36 +132,6 @@ TriangleMesh TurnedAlike(const TriangleMesh& mesh)
           static_cast<std::int64_t>(t[1]), static_cast<std::int64_t>(t[2]) });
       }
       return result;
-    });
-}
-
-std::vector<std::int64_t> SelfIntersections(
-  const TriangleMesh& mesh, const ProgressCallback& progress)
-{
-  const UnitScale scale(mesh.Points);
-  if (!scale.IsOne())
-  {
-    TriangleMesh scaled = mesh;
-    scale.Apply(scaled.Points);
-    return SelfIntersections(scaled, progress);
-  }
-  return cgal::WithSentence("looking for self-intersections",
-    [&]
-    {
-      const SurfaceMesh surface = cgal::ToSurfaceMesh(mesh);
-      Report(progress, 0.05);
-      std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
-      const auto part = Between(progress, 0.05, 1.0);
-      Lookups lookups{ part, 100.0 * static_cast<double>(mesh.Triangles.size()) };
-      PMP::self_intersections(surface, std::back_inserter(pairs),
-        CGAL::parameters::vertex_point_map(ReportingPoints{ surface, lookups }));
-      std::set<std::int64_t> ids;
-      for (const auto& [a, b] : pairs)
-      {
-        ids.insert(static_cast<std::int64_t>(a.idx()));
-        ids.insert(static_cast<std::int64_t>(b.idx()));
-      }
-      return std::vector<std::int64_t>(ids.begin(), ids.end());
     });
 }
 

@@ -1,11 +1,12 @@
 /**
  * @file SurfaceRepair.h
- * @brief Self-intersections of a surface, and what can be mended by CGAL.
+ * @brief What can be mended of a surface by CGAL.
  */
 #ifndef isthmus_SurfaceRepair_h
 #define isthmus_SurfaceRepair_h
 
 #include "Progress.h"
+#include "SelfIntersections.h"
 #include "TriangleMesh.h"
 #include "vtkIsthmusModule.h"
 
@@ -13,15 +14,6 @@
 
 namespace isthmus
 {
-
-/**
- * Ids of all triangles that cross or touch another one other than in a shared edge or point, by
- * CGAL's Polygon_mesh_processing (exact predicates), in ascending order.
- *
- * @pre the mesh has no defects (SurfaceCheck.h). O(n log n + pairs found).
- */
-VTKISTHMUS_EXPORT std::vector<std::int64_t> SelfIntersections(
-  const TriangleMesh& mesh, const ProgressCallback& progress = {});
 
 /// @throws std::invalid_argument with a sentence that names what is wrong, and where, unless `mesh`
 /// is closed, manifold, oriented and free of self-intersections. The way out that it names is not

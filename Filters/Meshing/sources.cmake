@@ -39,5 +39,7 @@ isthmus_room(
   CGAL
     CGALTetrahedra
     DelaunayIsosurface
+    SelfIntersections
     SurfaceRemesh
-    SurfaceRepair)
+    SurfaceRepair
+    ThinTriangles)
