@@ -85,6 +85,33 @@ def scene(show, path, direction, picture):
     simple.Delete(view)
 
 
+def flow_surfaces(path, picture):
+    """Fine, coarse and solvent-excluded surface of a molecule, side by side, seen alike."""
+    atoms = simple.OpenDataFile(str(path))
+    layout = simple.CreateLayout("Flow surfaces")
+    layout.SplitHorizontal(0, 1.0 / 3.0)
+    layout.SplitHorizontal(2, 0.5)
+    camera = None
+    for hint, properties in ((1, {"Preset": "Fine"}), (5, {"Preset": "Coarse"}),
+                             (6, {"Method": "Solvent Excluded", "ProbeRadius": 1.4})):
+        view = simple.CreateView("RenderView")
+        simple.AssignViewToLayout(view, layout, hint)
+        view.UseColorPaletteForBackground = 0
+        view.Background = [1.0, 1.0, 1.0]
+        view.OrientationAxesVisibility = 0
+        display = simple.Show(simple.MolecularFlowSurface(Input=atoms, **properties), view)
+        display.ColorArrayName = ["POINTS", ""]
+        display.DiffuseColor = [0.62, 0.72, 0.86]
+        text = simple.Text(Text=properties.get("Preset", "Solvent-excluded, probe 1.4"))
+        simple.Show(text, view).Color = [0.0, 0.0, 0.0]
+        simple.ResetCamera(view)
+        simple.GetActiveCamera().Zoom(1.3)
+        camera = camera or view
+        view.CameraPosition, view.CameraFocalPoint = camera.CameraPosition, camera.CameraFocalPoint
+    simple.SaveScreenshot(str(picture), layout, ImageResolution=[1050, 380])
+    subprocess.run(["convert", str(picture), "-colors", "128", str(picture)], check=False)
+
+
 def main(folder):
     folder = Path(folder).resolve()
     folder.mkdir(parents=True, exist_ok=True)
@@ -93,6 +120,8 @@ def main(folder):
         show = globals().get(name) or by_pipeline(name)
         scene(show, data / path, direction, folder / f"{name}.png")
         print(folder / f"{name}.png", flush=True)
+    flow_surfaces(data / "molecules/1hew.pdb", folder / "flow_surfaces.png")
+    print(folder / "flow_surfaces.png", flush=True)
 
 
 if __name__ == "__main__":

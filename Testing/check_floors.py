@@ -23,6 +23,7 @@ FILTER_FLOORS = [
     ["ChokingLoops"],
     ["Molecular"],
     ["Electrostatics"],
+    ["Solvation"],
 ]
 READER_FLOORS = [["Files"], ["Maps", "Potentials", "Molecules", "Meshes"]]
 SHARED_ROOM = "Filters/Support"

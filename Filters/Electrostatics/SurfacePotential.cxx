@@ -62,9 +62,11 @@ SurfaceValues EvaluateAtSurface(const PotentialOnBox& problem, const LevelFuncti
   values.Potential.assign(count, none);
   values.NormalField.assign(count, none);
   values.ChargeDensity.assign(count, none);
+  values.TangentialGradient.assign(count, { none, none, none });
   values.Normal.resize(count);
   const std::vector<FitTarget> targets{ { FitTarget::SurfaceValue, {} },
-    { FitTarget::NormalSlope, {} } };
+    { FitTarget::NormalSlope, {} }, { FitTarget::TangentX, {} }, { FitTarget::TangentY, {} },
+    { FitTarget::TangentZ, {} } };
   ParallelFor(
     0, static_cast<std::int64_t>(count), 128,
     [&](std::int64_t first, std::int64_t last)
@@ -80,13 +82,19 @@ SurfaceValues EvaluateAtSurface(const PotentialOnBox& problem, const LevelFuncti
           continue;
         }
         double phi = 0.0, slope = 0.0;
+        Vector3 along{ 0.0, 0.0, 0.0 };
         for (std::size_t i = 0; i < nodes.Count; ++i)
         {
           const double total = problem.GetPotential()[static_cast<std::size_t>(nodes.Id[i])] +
             (nodes.Node[i].Inside ? charges[p].At(nodes.Node[i].Offset) : 0.0);
           phi += functionals[0][i] * total;
           slope += functionals[1][i] * total;
+          for (std::size_t a = 0; a < 3; ++a)
+          {
+            along[a] += functionals[2 + a][i] * total;
+          }
         }
+        values.TangentialGradient[p] = along;
         values.Potential[p] = phi;
         values.NormalField[p] = -rho * slope;
         values.ChargeDensity[p] = (1.0 - rho) * slope / fieldOfCharge;

@@ -25,8 +25,8 @@
  * sources: SurfaceFlow.h.
  *
  * **What users call a molecular surface** is the solvent-excluded one of water (probe 1.4): for
- * electrostatics and for channels set a ProbeRadius of 1.4, or the preset Channel; for radii of
- * united atoms, which close narrow pores to it, 1.0. The default is the thesis', without a probe.
+ * electrostatics and for channels set a ProbeRadius of 1.4, or the preset Channel. The default is
+ * the thesis', without a probe.
  *
  * **Time.** With TimeSteps above 0 the pipeline's time is the flow's: a time slider shows the
  * surface on its way.

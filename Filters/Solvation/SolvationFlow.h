@@ -1,0 +1,87 @@
+/**
+ * @file SolvationFlow.h
+ * @brief A molecule's surface at rest under tension, pressure, dispersion and its own field.
+ *
+ * The coupled Laplace-Beltrami and Poisson-Boltzmann equations (thesis 2.3; Z. Chen, N. A. Baker,
+ * G. W. Wei, J. Comput. Phys. 229 (2010) 8231) in sharp form: the surface flows (SurfaceFlow.h) by
+ *
+ *   phi_t = |grad phi| div(grad phi / |grad phi|) - (V / gamma) |grad phi|,
+ *   -V = p - rho_0 U + pull of the field (SurfacePull.h),
+ *
+ * for a period of steps with the pull fixed; then the Poisson-Boltzmann equation is solved with the
+ * surface where it is (PoissonBoltzmann.h: dielectrics jump, nothing is smeared), the pull is made
+ * anew, and so on until the whole energy
+ *
+ *   G = gamma Area + p Volume + rho_0 int_solvent U + G_polar
+ *
+ * changes by less than Tolerance twice in a row.
+ *
+ * **What stops the surface.** The field always pulls towards the charges, many times as strongly as
+ * the tension holds: without more, a protein's surface collapses onto its atoms, into every cleft
+ * that no water enters. So the obstacle is not the atoms but what a probe rolled over them leaves
+ * to them (ProbeRadius; SolventExcludedDistance.h): where the probe can't be, there is no solvent.
+ * With ProbeRadius 0 it is the atoms.
+ */
+#ifndef isthmus_SolvationFlow_h
+#define isthmus_SolvationFlow_h
+
+#include "FlowGrid.h"
+#include "PoissonBoltzmann.h"
+#include "Progress.h"
+#include "SolvationParameters.h"
+#include "vtkIsthmusModule.h"
+
+#include <memory>
+
+namespace isthmus
+{
+
+/// Cost: a Poisson-Boltzmann solution for each update (3 to 20), the first with its border; between
+/// them UpdatePeriod steps at 3 ns for each node of the band. Memory: that of the solution (110
+/// bytes a node) and of the flow. The same bits on any number of threads.
+class VTKISTHMUS_EXPORT SolvationFlow
+{
+public:
+  /// Throws std::invalid_argument for lists of different lengths, parameters out of range, charges
+  /// outside of all balls, and std::runtime_error for grids that do not fit into memory.
+  SolvationFlow(SolvationAtoms atoms, const SolvationParameters& parameters);
+  ~SolvationFlow();
+  SolvationFlow(const SolvationFlow&) = delete;
+  void operator=(const SolvationFlow&) = delete;
+
+  /// Until it rests, or MaximumUpdates. Throws what SolvePoissonBoltzmann does, and Cancelled.
+  void Run(const ProgressCallback& progress = {});
+
+  /// Whether the energy came to rest; if not, the last surface is there all the same.
+  bool Rests() const;
+  double GetTemperature() const { return this->Equation.Temperature; } ///< kelvin
+  const SurfaceFlowResult& GetSurface() const { return this->Surface; }
+  const LevelFunction& GetLevel() const { return this->Level; }
+  const PotentialOnBox& GetSolution() const { return *this->Solution; }
+  const std::vector<SolvationUpdate>& GetUpdates() const { return this->Updates; }
+
+private:
+  FlowField StartingField(const ProgressCallback& progress) const;
+  void Evolve(FlowField& field);
+  void Solve(const FlowField& field, const ProgressCallback& progress);
+  void Record(const FlowField& field);
+  void Pull(FlowField& field);
+
+  const SolvationAtoms Atoms;
+  const SolvationParameters Parameters;
+  const IonAtmosphere Ions;
+  PoissonBoltzmannParameters Equation; ///< with border and start from the last solution
+  std::vector<ChargedAtom> Placed;     ///< charges in the frame of the grid
+  std::vector<float> Steady;           ///< the part of the pull that stays, in spacings
+  std::vector<double> Before;          ///< the last solution's values
+  double Time = 0.0;
+  SolverBox Box;
+  LevelFunction Level;
+  SurfaceFlowResult Surface;
+  std::unique_ptr<PotentialOnBox> Solution;
+  std::vector<SolvationUpdate> Updates;
+};
+
+}
+
+#endif

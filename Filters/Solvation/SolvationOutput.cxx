@@ -1,0 +1,101 @@
+#include "SolvationOutput.h"
+
+#include "AtomInput.h"
+#include "FlowSurfaceOutput.h"
+#include "PoissonBoltzmannOutput.h"
+#include "SoluteVolume.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+
+namespace isthmus
+{
+namespace
+{
+
+struct Column
+{
+  const char* Name;
+  double (*Value)(const SolvationUpdate&);
+};
+
+constexpr Column Columns[] = {
+  { "Time", [](const SolvationUpdate& u) { return u.Time; } },
+  { "Area", [](const SolvationUpdate& u) { return u.Area; } },
+  { "Volume", [](const SolvationUpdate& u) { return u.Volume; } },
+  { "SurfaceEnergy", [](const SolvationUpdate& u) { return u.SurfaceEnergy; } },
+  { "VolumeEnergy", [](const SolvationUpdate& u) { return u.VolumeEnergy; } },
+  { "DispersionEnergy", [](const SolvationUpdate& u) { return u.DispersionEnergy; } },
+  { "NonpolarEnergy", [](const SolvationUpdate& u) { return u.Nonpolar(); } },
+  { "PolarEnergy", [](const SolvationUpdate& u) { return u.PolarEnergy; } },
+  { "TotalEnergy", [](const SolvationUpdate& u) { return u.Total(); } },
+  { "OnObstacle", [](const SolvationUpdate& u) { return u.OnObstacle; } },
+};
+
+void FillTable(const std::vector<SolvationUpdate>& updates, vtkTable* table)
+{
+  vtkNew<vtkDoubleArray> number;
+  number->SetName("Update");
+  for (std::size_t i = 0; i < updates.size(); ++i)
+  {
+    number->InsertNextValue(static_cast<double>(i + 1));
+  }
+  table->AddColumn(number);
+  for (const Column& column : Columns)
+  {
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(column.Name);
+    for (const SolvationUpdate& update : updates)
+    {
+      values->InsertNextValue(column.Value(update));
+    }
+    table->AddColumn(values);
+  }
+}
+
+void AddNumber(const char* name, double value, vtkDataObject* to)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  to->GetFieldData()->AddArray(array);
+}
+
+}
+
+void FillSolvation(const SolvationFlow& flow, const std::vector<std::string>& notes,
+  const SolvationOutputs& outputs, const ProgressCallback& progress)
+{
+  vtkNew<vtkImageData> image;
+  FillImage(flow.GetSurface(), 0.0, image);
+  vtkNew<vtkPolyData> triangles;
+  ContourImage(image, false, 0.5, 0.0, triangles);
+  SoluteVolume volume;
+  volume.Grid = vtkSmartPointer<vtkImageData>::New();
+  volume.Grid->CopyStructure(image);
+  volume.Level = flow.GetLevel();
+  vtkNew<vtkPolyData> surface;
+  FillSurface(flow.GetSolution(), volume, flow.GetTemperature(), triangles, surface,
+    Between(progress, 0.0, 0.6));
+  FillImage(flow.GetSolution(), image, Between(progress, 0.6, 1.0));
+  vtkNew<vtkTable> table;
+  FillTable(flow.GetUpdates(), table);
+  for (vtkDataObject* made : { static_cast<vtkDataObject*>(surface),
+         static_cast<vtkDataObject*>(image), static_cast<vtkDataObject*>(table) })
+  {
+    if (!notes.empty()) // ParaView takes an empty array for the end of field data
+    {
+      AddNotes(notes, made);
+    }
+    AddNumber("Rests", flow.Rests() ? 1.0 : 0.0, made);
+  }
+  outputs.Surface->ShallowCopy(surface);
+  outputs.Image->ShallowCopy(image);
+  outputs.Updates->ShallowCopy(table);
+}
+
+}

@@ -1,0 +1,140 @@
+#include "SurfacePull.h"
+
+#include "ElectrostaticUnits.h"
+#include "SurfacePotential.h"
+
+#include <cmath>
+
+namespace isthmus
+{
+namespace
+{
+
+/// Nodes that have a value, the layers that follow from them, and the sums on the way.
+class Layers
+{
+public:
+  explicit Layers(const FlowGrid& grid)
+    : Grid(grid)
+    , Values(static_cast<std::size_t>(grid.NumberOfNodes()), 0.0F)
+    , Counts(this->Values.size(), 0)
+  {
+  }
+
+  void Add(std::int64_t node, float value)
+  {
+    const auto n = static_cast<std::size_t>(node);
+    if (this->Counts[n] == 0)
+    {
+      this->Front.push_back(node);
+    }
+    this->Values[n] += value;
+    ++this->Counts[n];
+  }
+
+  std::vector<float> Carried()
+  {
+    while (!this->Front.empty())
+    {
+      for (const std::int64_t node : this->Front)
+      {
+        const auto n = static_cast<std::size_t>(node);
+        this->Values[n] /= static_cast<float>(this->Counts[n]);
+        this->Counts[n] = Done;
+      }
+      const std::vector<std::int64_t> from = std::move(this->Front);
+      this->Front.clear();
+      for (const std::int64_t node : from)
+      {
+        this->Hand(node);
+      }
+    }
+    return std::move(this->Values);
+  }
+
+private:
+  static constexpr unsigned char Done = 255;
+
+  void Hand(std::int64_t node)
+  {
+    const auto& n = this->Grid.Dimensions();
+    const std::int64_t steps[3] = { 1, this->Grid.Row(), this->Grid.Plane() };
+    const std::int64_t at[3] = { node % n[0], node / n[0] % n[1], node / this->Grid.Plane() };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      for (const std::int64_t side : { -1, 1 })
+      {
+        if (at[axis] + side < 0 || at[axis] + side >= n[axis])
+        {
+          continue;
+        }
+        const std::int64_t next = node + side * steps[axis];
+        if (this->Counts[static_cast<std::size_t>(next)] != Done)
+        {
+          this->Add(next, this->Values[static_cast<std::size_t>(node)]);
+        }
+      }
+    }
+  }
+
+  const FlowGrid& Grid;
+  std::vector<float> Values;
+  std::vector<unsigned char> Counts; ///< at most 6, or Done
+  std::vector<std::int64_t> Front;
+};
+
+}
+
+std::vector<double> PullAtCrossings(
+  const PotentialOnBox& solution, const LevelFunction& level, double kelvin)
+{
+  const SolverBox& box = solution.GetBox();
+  std::vector<Vector3> places;
+  places.reserve(solution.GetCrossings().size());
+  for (const InterfaceCrossing& crossing : solution.GetCrossings())
+  {
+    Vector3 place = box.Position(crossing.Node);
+    const auto axis = static_cast<std::size_t>(crossing.Axis);
+    place[axis] += crossing.Fraction * box.Spacing[axis];
+    places.push_back(place);
+  }
+  const SurfaceValues field = EvaluateAtSurface(solution, level, places, kelvin);
+  const double inside = solution.GetMedium().SoluteDielectric;
+  const double outside = solution.GetMedium().SolventDielectric;
+  const double factor =
+    units::ThermalKilocalorie(kelvin) / (8.0 * units::Pi * units::CoulombLength(kelvin));
+  std::vector<double> pull(places.size(), 0.0);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const Vector3& t = field.TangentialGradient[i];
+    const double normal = outside * field.NormalField[i];
+    const double value = factor *
+      ((1.0 / inside - 1.0 / outside) * normal * normal +
+        (outside - inside) * (t[0] * t[0] + t[1] * t[1] + t[2] * t[2]));
+    pull[i] = std::isfinite(value) ? value : 0.0;
+  }
+  return pull;
+}
+
+std::vector<float> CarriedOff(
+  const PotentialOnBox& solution, const std::vector<double>& values, const FlowGrid& grid)
+{
+  const SolverBox& box = solution.GetBox();
+  const auto& n = box.Dimensions;
+  const auto nodeOf = [&](std::int64_t node)
+  {
+    return grid.Index(box.First[0] + node % n[0], box.First[1] + node / n[0] % n[1],
+      box.First[2] + node / (n[0] * n[1]));
+  };
+  Layers layers(grid);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const InterfaceCrossing& crossing = solution.GetCrossings()[i];
+    const std::int64_t next = crossing.Node + box.Steps()[static_cast<std::size_t>(crossing.Axis)];
+    layers.Add(nodeOf(crossing.Node), static_cast<float>(values[i]));
+    layers.Add(nodeOf(next), static_cast<float>(values[i]));
+  }
+  return layers.Carried();
+}
+
+}

@@ -1,0 +1,1 @@
+isthmus_room(CLASSES vtkSolvationSurface SOURCES SolvationFlow SolvationOutput SurfacePull)

@@ -1,0 +1,289 @@
+#include "vtkSolvationSurface.h"
+
+#include "AlgorithmGuard.h"
+#include "AtomBalls.h"
+#include "AtomInput.h"
+#include "DispersionAtoms.h"
+#include "FlowSurfaceOutput.h"
+#include "PipelineInputs.h"
+#include "SolvationFlow.h"
+#include "SolvationOutput.h"
+#include "SurfaceFlow.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataObject.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTable.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkSolvationSurface);
+
+namespace
+{
+
+using isthmus::SolvationUpdate;
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+std::string ArrayChosen(vtkAlgorithm* self, int index)
+{
+  return isthmus::InputArrayName(self, index);
+}
+
+}
+
+/// What one execution works with.
+struct vtkSolvationSurface::Internals
+{
+  explicit Internals(vtkSolvationSurface* self)
+    : Self(self)
+  {
+  }
+
+  isthmus::AtomBalls Balls(vtkDataObject* input) const
+  {
+    return isthmus::BallsOf(input, ArrayChosen(this->Self, 0).c_str(),
+      { this->Self->KeepWaters, this->Self->UnitedAtoms });
+  }
+
+  isthmus::SolvationParameters Parameters() const;
+  std::vector<isthmus::ChargedAtom> Charges(
+    vtkDataObject* input, const isthmus::AtomBalls& atoms) const;
+  void Warn(const isthmus::SolvationFlow& flow, const isthmus::AtomBalls& atoms) const;
+
+  vtkSolvationSurface* Self;
+};
+
+isthmus::SolvationParameters vtkSolvationSurface::Internals::Parameters() const
+{
+  const vtkSolvationSurface* self = this->Self;
+  isthmus::SolvationParameters p;
+  p.Flow.Enlargement = self->Enlargement;
+  p.Flow.ProbeRadius = self->ProbeRadius;
+  p.Flow.Spacing = self->Spacing;
+  p.Solvent.SurfaceTension = self->SurfaceTension;
+  p.Solvent.Pressure = self->Pressure;
+  p.Potential.SoluteDielectric = self->SoluteDielectric;
+  p.Potential.SolventDielectric = self->SolventDielectric;
+  p.Potential.Temperature = self->Temperature;
+  p.Potential.Padding = self->Padding;
+  if (!(self->IonicStrength >= 0.0) || std::isinf(self->IonicStrength))
+  {
+    throw std::invalid_argument("IonicStrength is " + std::to_string(self->IonicStrength) +
+      " mol/l, but it is 0 or more: 0.15 is physiological.");
+  }
+  if (self->IonicStrength > 0.0)
+  {
+    p.Potential.Ions = { { 1.0, self->IonicStrength }, { -1.0, self->IonicStrength } };
+  }
+  p.UpdatePeriod = self->UpdatePeriod;
+  p.AdaptiveUpdate = self->AdaptiveUpdate;
+  p.SurfaceRelaxation = self->SurfaceRelaxation;
+  p.FieldRelaxation = self->FieldRelaxation;
+  p.Tolerance = self->EnergyTolerance;
+  p.MaximumUpdates = self->MaximumUpdates;
+  return p;
+}
+
+std::vector<isthmus::ChargedAtom> vtkSolvationSurface::Internals::Charges(
+  vtkDataObject* input, const isthmus::AtomBalls& atoms) const
+{
+  const std::string name = ArrayChosen(this->Self, 1);
+  vtkDataArray* values = isthmus::AtomData(input)->GetArray(name.c_str());
+  if (!values || values->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument("The atoms have no point array " + name +
+      " with one charge for each: read a PQR file (pdb2pqr makes one from a PDB file), or choose "
+      "another array.");
+  }
+  std::vector<isthmus::ChargedAtom> charges;
+  bool any = false;
+  for (const vtkIdType point : atoms.Points)
+  {
+    isthmus::ChargedAtom atom{ {}, values->GetComponent(point, 0), 0.0 };
+    isthmus::AtomPoints(input)->GetPoint(point, atom.Position.data());
+    if (!std::isfinite(atom.Charge))
+    {
+      throw std::invalid_argument("The charge of atom " + std::to_string(point) +
+        " is not a finite number: correct it or leave the atom out.");
+    }
+    any = any || atom.Charge != 0.0;
+    charges.push_back(atom);
+  }
+  if (!any)
+  {
+    throw std::invalid_argument("All charges are 0, so there is no field: take Molecular Flow "
+                                "Surface and Nonpolar Solvation, or another array of charges.");
+  }
+  return charges;
+}
+
+void vtkSolvationSurface::Internals::Warn(
+  const isthmus::SolvationFlow& flow, const isthmus::AtomBalls& atoms) const
+{
+  constexpr double nearlyAll = 0.9;
+  if (atoms.WithoutRadius > 0)
+  {
+    vtkWarningWithObjectMacro(this->Self, << atoms.WithoutRadius << " of " << atoms.NumberOfAtoms
+                                          << " atoms have no radius and were left out.");
+  }
+  const SolvationUpdate& last = flow.GetUpdates().back();
+  if (!flow.Rests())
+  {
+    const std::size_t n = flow.GetUpdates().size();
+    vtkWarningWithObjectMacro(this->Self, << "The energy has not come to rest after " << n
+                                          << " updates: the last one is " << last.Total()
+                                          << " kcal/mol, the one before "
+                                          << flow.GetUpdates()[n > 1 ? n - 2 : 0].Total()
+                                          << ". The surface is shown as it is then: choose more "
+                                             "MaximumUpdates or a larger EnergyTolerance.");
+  }
+  if (this->Self->ProbeRadius == 0.0 && last.OnObstacle > nearlyAll && atoms.Balls.size() > 1)
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      << "The field has drawn the surface onto the atoms (" << 100.0 * last.OnObstacle
+      << " % of it): it follows clefts that no water enters. Set a ProbeRadius, 1.4 for water.");
+  }
+}
+
+vtkSolvationSurface::vtkSolvationSurface()
+  : Advance(std::make_unique<isthmus::InputInAdvance>(this))
+{
+  this->SetNumberOfOutputPorts(3);
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Radius");
+  this->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Charge");
+}
+
+vtkSolvationSurface::~vtkSolvationSurface() = default;
+
+void vtkSolvationSurface::SetChargeArrayName(const char* name)
+{
+  this->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+}
+
+void vtkSolvationSurface::SetRadiusArrayName(const char* name)
+{
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+}
+
+vtkImageData* vtkSolvationSurface::GetImage()
+{
+  return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+vtkTable* vtkSolvationSurface::GetUpdates()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+int vtkSolvationSurface::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  return 1;
+}
+
+int vtkSolvationSurface::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  const char* types[] = { "vtkPolyData", "vtkImageData", "vtkTable" };
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
+  return 1;
+}
+
+int vtkSolvationSurface::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // The extent of the image has to be told now, and it is that of the atoms: so make the atoms.
+  this->Advance->Update();
+  vtkNew<vtkImageData> image;
+  image->SetExtent(0, -1, 0, -1, 0, -1);
+  try
+  {
+    const Internals internals(this);
+    const isthmus::AtomBalls atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
+    if (!atoms.Balls.empty())
+    {
+      isthmus::SetImageGeometry(
+        isthmus::FlowResultGrid(atoms.Balls, internals.Parameters().Flow), image);
+    }
+  }
+  catch (const std::exception&)
+  {
+    // RequestData meets it again, and empties the outputs along with the sentence.
+    image->SetExtent(0, -1, 0, -1, 0, -1);
+  }
+  vtkInformation* outInfo = outputVector->GetInformationObject(1);
+  outInfo->Set(Pipeline::WHOLE_EXTENT(), image->GetExtent(), 6);
+  outInfo->Set(vtkDataObject::ORIGIN(), image->GetOrigin(), 3);
+  outInfo->Set(vtkDataObject::SPACING(), image->GetSpacing(), 3);
+  return 1;
+}
+
+int vtkSolvationSurface::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+{
+  return 1; // the extent asked of the image means nothing to the atoms
+}
+
+int vtkSolvationSurface::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  for (int port = 0; port < 3; ++port)
+  {
+    vtkDataObject::GetData(outputVector, port)->Initialize();
+  }
+  return isthmus::Guarded(this, vtkDataObject::GetData(outputVector, 0),
+    [&]()
+    {
+      const Internals internals(this);
+      const isthmus::SolvationParameters parameters = internals.Parameters();
+      vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+      const isthmus::AtomBalls atoms = internals.Balls(input);
+      if (atoms.Balls.empty())
+      {
+        return;
+      }
+      const auto progress = isthmus::ProgressOf(this);
+      isthmus::SolvationFlow flow(
+        { atoms.Balls, isthmus::DispersionAtomsOf(input, atoms), internals.Charges(input, atoms) },
+        parameters);
+      flow.Run(isthmus::Between(progress, 0.0, 0.9));
+      isthmus::FillSolvation(flow, atoms.Notes,
+        { vtkPolyData::GetData(outputVector, 0), vtkImageData::GetData(outputVector, 1),
+          vtkTable::GetData(outputVector, 2) },
+        isthmus::Between(progress, 0.9, 1.0));
+      internals.Warn(flow, atoms);
+    });
+}
+
+void vtkSolvationSurface::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Enlargement: " << this->Enlargement << "\n";
+  os << indent << "ProbeRadius: " << this->ProbeRadius << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "Padding: " << this->Padding << "\n";
+  os << indent << "SurfaceTension: " << this->SurfaceTension << "\n";
+  os << indent << "Pressure: " << this->Pressure << "\n";
+  os << indent << "SoluteDielectric: " << this->SoluteDielectric << "\n";
+  os << indent << "SolventDielectric: " << this->SolventDielectric << "\n";
+  os << indent << "IonicStrength: " << this->IonicStrength << "\n";
+  os << indent << "Temperature: " << this->Temperature << "\n";
+  os << indent << "UpdatePeriod: " << this->UpdatePeriod << "\n";
+  os << indent << "AdaptiveUpdate: " << this->AdaptiveUpdate << "\n";
+  os << indent << "SurfaceRelaxation: " << this->SurfaceRelaxation << "\n";
+  os << indent << "FieldRelaxation: " << this->FieldRelaxation << "\n";
+  os << indent << "EnergyTolerance: " << this->EnergyTolerance << "\n";
+  os << indent << "MaximumUpdates: " << this->MaximumUpdates << "\n";
+  os << indent << "KeepWaters: " << this->KeepWaters << "\n";
+  os << indent << "UnitedAtoms: " << this->UnitedAtoms << "\n";
+}

@@ -1,0 +1,200 @@
+/**
+ * @class   vtkSolvationSurface
+ * @brief   a molecule's surface at rest in the field that its charges make, with what solvation
+ * costs
+ *
+ * Input: atoms with the point arrays `Charge` (e) and `Radius` (angstrom), or those chosen with
+ * SetInputArrayToProcess(0, ...) for radii and (1, ...) for charges: a PQR file has both. Well
+ * depths as for vtkNonpolarSolvation; water, alternate locations and missing hydrogens as for
+ * vtkMolecularFlowSurface.
+ *
+ * Surface tension, pressure, dispersion and the electric field move the surface; the field is that
+ * of the charges inside of it (Poisson-Boltzmann equation), so both are made in turn until the
+ * energy rests: the thesis' coupled Laplace-Beltrami and Poisson-Boltzmann model in sharp form.
+ * Formulas and sources: SolvationFlow.h, SurfacePull.h.
+ *
+ * Outputs:
+ *  - 0: vtkPolyData, the surface: closed, with `Normals`, `Potential` (kT/e), `NormalField`,
+ *    `SurfaceChargeDensity`;
+ *  - 1: vtkImageData with `SignedDistance`, `S`, `Potential`, `ReactionPotential` (kT/e) and
+ * `Side`;
+ *  - 2: vtkTable, a row for each update: `Update`, `Time` (square angstrom), `Area`, `Volume`,
+ *    `SurfaceEnergy`, `VolumeEnergy`, `DispersionEnergy`, `NonpolarEnergy`, `PolarEnergy`,
+ *    `TotalEnergy` (kcal/mol), `OnObstacle` (the part of the surface that its obstacle holds).
+ *
+ * The field array `Rests` of outputs 0 and 1 is 1 where the energy came to rest; where it did not,
+ * the surface of the last update is there, with a warning.
+ *
+ * **ProbeRadius keeps a protein from collapsing**: the field pulls many times harder than the
+ * tension holds, so that without a probe the surface ends on the atoms, in clefts that no water
+ * enters; that is told by a warning.
+ *
+ * **Errors** (sentence, empty outputs): those of the atoms, no charges, a charge outside of all
+ * atoms, parameters out of range, a grid that does not fit into memory. Cost: 3 to 10 solutions of
+ * the Poisson-Boltzmann equation. All atoms are needed on one rank.
+ */
+#ifndef vtkSolvationSurface_h
+#define vtkSolvationSurface_h
+
+#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for what it asks of its input
+
+class vtkImageData;
+class vtkTable;
+
+namespace isthmus
+{
+class InputInAdvance;
+}
+
+class VTKISTHMUS_EXPORT vtkSolvationSurface : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSolvationSurface* New();
+  vtkTypeMacro(vtkSolvationSurface, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The point arrays of charges and radii. Defaults `Charge` and `Radius`.
+  void SetChargeArrayName(const char* name);
+  void SetRadiusArrayName(const char* name);
+  ///@}
+
+  ///@{
+  /// The factor of the radii that the flow starts from, at least 1. Default 1.3.
+  vtkSetMacro(Enlargement, double);
+  vtkGetMacro(Enlargement, double);
+  ///@}
+
+  ///@{
+  /// Of the probe: where it can't be, there is no solvent. In angstrom, 0 for none. Default 1.4.
+  vtkSetMacro(ProbeRadius, double);
+  vtkGetMacro(ProbeRadius, double);
+  ///@}
+
+  ///@{
+  /// Distance of the nodes, in angstrom. Default 0.5.
+  vtkSetMacro(Spacing, double);
+  vtkGetMacro(Spacing, double);
+  ///@}
+
+  ///@{
+  /// Solvent around the surface for the potential, in angstrom. Default 10.
+  vtkSetMacro(Padding, double);
+  vtkGetMacro(Padding, double);
+  ///@}
+
+  ///@{
+  /// gamma, kcal/mol per square angstrom, above 0, and p, kcal/mol per cubic angstrom. Defaults
+  /// 0.0700 and 0.0464, see vtkNonpolarSolvation.
+  vtkSetMacro(SurfaceTension, double);
+  vtkGetMacro(SurfaceTension, double);
+  vtkSetMacro(Pressure, double);
+  vtkGetMacro(Pressure, double);
+  ///@}
+
+  ///@{
+  /// Dielectric constants. Defaults 2 and 80.
+  vtkSetMacro(SoluteDielectric, double);
+  vtkGetMacro(SoluteDielectric, double);
+  vtkSetMacro(SolventDielectric, double);
+  vtkGetMacro(SolventDielectric, double);
+  ///@}
+
+  ///@{
+  /// Of a 1:1 salt, mol/l. Default 0.
+  vtkSetMacro(IonicStrength, double);
+  vtkGetMacro(IonicStrength, double);
+  ///@}
+
+  ///@{
+  /// In kelvin. Default 298.15.
+  vtkSetMacro(Temperature, double);
+  vtkGetMacro(Temperature, double);
+  ///@}
+
+  ///@{
+  /// Steps of the flow between two solutions, at least 1; with AdaptiveUpdate fewer, where the
+  /// volume rests before. Defaults 50 and on.
+  vtkSetMacro(UpdatePeriod, int);
+  vtkGetMacro(UpdatePeriod, int);
+  vtkSetMacro(AdaptiveUpdate, bool);
+  vtkGetMacro(AdaptiveUpdate, bool);
+  vtkBooleanMacro(AdaptiveUpdate, bool);
+  ///@}
+
+  ///@{
+  /// alpha and alpha': the part of each period's motion, and of each new field's force, that is
+  /// taken; above 0, at most 1. Defaults 1: smaller ones take more updates and are not needed.
+  vtkSetMacro(SurfaceRelaxation, double);
+  vtkGetMacro(SurfaceRelaxation, double);
+  vtkSetMacro(FieldRelaxation, double);
+  vtkGetMacro(FieldRelaxation, double);
+  ///@}
+
+  ///@{
+  /// The surface rests when the energy changes by less than this part of it twice in a row; it ends
+  /// after MaximumUpdates in any case. Defaults 1e-3 and 20.
+  vtkSetMacro(EnergyTolerance, double);
+  vtkGetMacro(EnergyTolerance, double);
+  vtkSetMacro(MaximumUpdates, int);
+  vtkGetMacro(MaximumUpdates, int);
+  ///@}
+
+  ///@{
+  /// As for vtkMolecularFlowSurface. Defaults off and on.
+  vtkSetMacro(KeepWaters, bool);
+  vtkGetMacro(KeepWaters, bool);
+  vtkBooleanMacro(KeepWaters, bool);
+  vtkSetMacro(UnitedAtoms, bool);
+  vtkGetMacro(UnitedAtoms, bool);
+  vtkBooleanMacro(UnitedAtoms, bool);
+  ///@}
+
+  /// Output 1 and 2.
+  vtkImageData* GetImage();
+  vtkTable* GetUpdates();
+
+protected:
+  vtkSolvationSurface();
+  ~vtkSolvationSurface() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkSolvationSurface(const vtkSolvationSurface&) = delete;
+  void operator=(const vtkSolvationSurface&) = delete;
+
+  struct Internals;
+  friend struct Internals;
+
+  double Enlargement = 1.3;
+  double ProbeRadius = 1.4;
+  double Spacing = 0.5;
+  double Padding = 10.0;
+  double SurfaceTension = 0.0700;
+  double Pressure = 0.0464;
+  double SoluteDielectric = 2.0;
+  double SolventDielectric = 80.0;
+  double IonicStrength = 0.0;
+  double Temperature = 298.15;
+  int UpdatePeriod = 50;
+  bool AdaptiveUpdate = true;
+  double SurfaceRelaxation = 1.0;
+  double FieldRelaxation = 1.0;
+  double EnergyTolerance = 1e-3;
+  int MaximumUpdates = 20;
+  bool KeepWaters = false;
+  bool UnitedAtoms = true;
+  std::unique_ptr<isthmus::InputInAdvance> Advance;
+};
+
+#endif
