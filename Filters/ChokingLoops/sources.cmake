@@ -13,6 +13,7 @@ isthmus_room(
     EnclosureTest
     FeatureMembrane
     GeneratorCompletion
+    HandleTables
     LoopFeature
     LoopShortening
     MapHandles

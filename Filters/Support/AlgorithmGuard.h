@@ -12,6 +12,7 @@
 
 #include <vtkAlgorithm.h>
 #include <vtkDataObject.h>
+#include <vtkInformationVector.h>
 #include <vtkObject.h>
 
 #include <exception>
@@ -36,6 +37,15 @@ inline void Clear(vtkDataObject* output)
   if (output)
   {
     output->Initialize();
+  }
+}
+
+/// Empties all outputs.
+inline void ClearAll(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    Clear(vtkDataObject::GetData(outputs, port));
   }
 }
 
@@ -71,6 +81,25 @@ int Guarded(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
   }
   Clear(output);
   return 0;
+}
+
+/// Guarded for a filter of several outputs: all are empty unless `body` comes to its end.
+template <typename Body>
+int GuardedOutputs(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
+{
+  ClearAll(outputs);
+  bool whole = false;
+  const int result = Guarded(self, vtkDataObject::GetData(outputs, 0),
+    [&]()
+    {
+      body();
+      whole = true;
+    });
+  if (!whole)
+  {
+    ClearAll(outputs);
+  }
+  return result;
 }
 
 }
