@@ -14,6 +14,7 @@ isthmus_room(
     EnclosureTest
     FeatureMembrane
     GeneratorCompletion
+    HandleTables
     LoopFeature
     LoopShortening
     MapHandles

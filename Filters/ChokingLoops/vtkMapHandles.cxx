@@ -3,32 +3,28 @@
 #include "AlgorithmGuard.h"
 #include "ChosenScalars.h"
 #include "ClosedLevelSet.h"
+#include "HandleTables.h"
 #include "ImageDiagram.h"
+#include "ImageExtent.h"
 #include "MapHandles.h"
+#include "NamedColumns.h"
 #include "PolyDataMesh.h"
 #include "vtkChokingLoops.h"
 
 #include <vtkCallbackCommand.h>
-#include <vtkCellArray.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
-#include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -39,7 +35,6 @@ vtkStandardNewMacro(vtkMapHandles);
 namespace
 {
 
-using Pipeline = vtkStreamingDemandDrivenPipeline;
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
 enum Port
@@ -54,18 +49,9 @@ enum Port
   PortCount
 };
 
-template <typename Array>
-Array* AddArray(vtkFieldData* data, const std::string& name)
-{
-  vtkNew<Array> array;
-  array->SetName(name.c_str());
-  data->AddArray(array);
-  return array;
-}
-
 void AddFact(vtkDataObject* output, const char* name, double value)
 {
-  AddArray<vtkDoubleArray>(output->GetFieldData(), name)->InsertNextValue(value);
+  isthmus::AddArray<vtkDoubleArray>(output->GetFieldData(), name, 1)->SetValue(0, value);
 }
 
 /// Hands the progress of the loops on, and a stop back to them.
@@ -82,57 +68,6 @@ void FollowProgress(vtkObject* caller, unsigned long, void* client, void* fracti
 void KeepComplaint(vtkObject*, unsigned long, void* client, void* text)
 {
   *static_cast<std::string*>(client) += static_cast<const char*>(text);
-}
-
-/// The row whose level is nearest.
-std::size_t RowOf(const std::vector<double>& levels, double level)
-{
-  const auto at = std::min_element(levels.begin(), levels.end(),
-    [level](double a, double b) { return std::abs(a - level) < std::abs(b - level); });
-  return static_cast<std::size_t>(at - levels.begin());
-}
-
-/// Points with what is known of each saddle.
-void FillHandles(const std::vector<isthmus::MapHandle>& handles, bool bridges,
-  const isthmus::FeatureList& features, vtkImageData* image, double level, vtkPolyData* output)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> vertices;
-  vtkPointData* data = output->GetPointData();
-  auto* ids = AddArray<vtkIdTypeArray>(data, "FeatureId");
-  auto* dimensions = AddArray<vtkIntArray>(data, "Dimension");
-  vtkDoubleArray* numbers[6];
-  const char* names[] = { "Birth", "Death", "Persistence", "Level", "From", "To" };
-  for (std::size_t i = 0; i < 6; ++i)
-  {
-    numbers[i] = AddArray<vtkDoubleArray>(data, names[i]);
-  }
-  auto* isThere = AddArray<vtkIntArray>(data, "IsThere");
-  for (const isthmus::MapHandle& handle : handles)
-  {
-    if (handle.IsBridge != bridges)
-    {
-      continue;
-    }
-    const auto& feature = features.Features[static_cast<std::size_t>(handle.Feature)];
-    double place[3];
-    image->GetPoint(static_cast<vtkIdType>(handle.Node), place);
-    const vtkIdType at = points->InsertNextPoint(place);
-    vertices->InsertNextCell(1, &at);
-    ids->InsertNextValue(static_cast<vtkIdType>(handle.Feature));
-    dimensions->InsertNextValue(feature.Pair.Dimension);
-    const double values[] = { feature.Birth, feature.Death, feature.Persistence, handle.Level,
-      handle.Interval[0], handle.Interval[1] };
-    for (std::size_t i = 0; i < 6; ++i)
-    {
-      numbers[i]->InsertNextValue(values[i]);
-    }
-    isThere->InsertNextValue(handle.Interval[0] <= level && level <= handle.Interval[1] ? 1 : 0);
-  }
-  output->SetPoints(points);
-  output->SetVerts(vertices);
-  data->SetActiveScalars("Level");
 }
 
 }
@@ -176,27 +111,13 @@ int vtkMapHandles::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   // A bridge can be anywhere, so all of the map is needed whatever part is asked for.
-  vtkInformation* input = inputVector[0]->GetInformationObject(0);
-  int whole[6];
-  input->Get(Pipeline::WHOLE_EXTENT(), whole);
-  input->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
+  isthmus::AskForWholeImage(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 
 void vtkMapHandles::CheckParameters() const
 {
-  if (this->NumberOfLevels < 2 || this->NumberOfLevels > 1000000)
-  {
-    throw std::invalid_argument("NumberOfLevels is " + std::to_string(this->NumberOfLevels) +
-      ", but a curve has from 2 to a million levels.");
-  }
-  if (this->UseRange &&
-    !(std::isfinite(this->Range[0]) && std::isfinite(this->Range[1]) &&
-      this->Range[0] < this->Range[1]))
-  {
-    throw std::invalid_argument("Range goes from " + std::to_string(this->Range[0]) + " to " +
-      std::to_string(this->Range[1]) + ", but the first has to be below the second.");
-  }
+  isthmus::DemandLevels(this->NumberOfLevels, this->UseRange ? this->Range : nullptr);
   if (!this->UseStableLevel && !std::isfinite(this->Level))
   {
     throw std::invalid_argument("Level is " + std::to_string(this->Level) +
@@ -243,67 +164,20 @@ double vtkMapHandles::ChooseLevel(const Work& work)
   return this->UseStableLevel ? this->StableLevel : this->Level;
 }
 
-void vtkMapHandles::FillPoints(const Work& work, vtkInformationVector* outputVector)
+void vtkMapHandles::FillTables(const Work& work, vtkInformationVector* outputVector)
 {
   const auto handles = isthmus::MapHandles(work.Volume, work.Features, work.Parameters);
   for (const int port : { BridgesPort, WindowsPort })
   {
-    FillHandles(handles, port == BridgesPort, work.Features, work.Image, work.Level,
+    isthmus::FillHandles(handles, port == BridgesPort, work.Features, work.Image, work.Level,
       vtkPolyData::GetData(outputVector, port));
   }
-}
-
-void vtkMapHandles::FillLevels(const Work& work, vtkInformationVector* outputVector)
-{
   const auto curves = isthmus::CountBetti(work.Features, this->Superlevel,
     isthmus::EvenLevels(work.Parameters.Range[0], work.Parameters.Range[1], this->NumberOfLevels));
-  vtkDataSetAttributes* rows = vtkTable::GetData(outputVector, LevelsPort)->GetRowData();
-  auto* levels = AddArray<vtkDoubleArray>(rows, "Level");
-  vtkIdTypeArray* betti[3];
-  for (std::size_t d = 0; d < 3; ++d)
-  {
-    betti[d] = AddArray<vtkIdTypeArray>(rows, "Beta" + std::to_string(d));
-  }
-  auto* stable = AddArray<vtkDoubleArray>(rows, "StableLevel");
-  auto* recommended = AddArray<vtkDoubleArray>(rows, "RecommendedLevel");
-  const std::size_t stableRow = RowOf(curves.Levels, this->StableLevel);
-  const std::size_t recommendedRow = RowOf(curves.Levels, this->RecommendedLevel);
-  for (std::size_t i = 0; i < curves.Levels.size(); ++i)
-  {
-    levels->InsertNextValue(curves.Levels[i]);
-    for (std::size_t d = 0; d < 3; ++d)
-    {
-      betti[d]->InsertNextValue(curves.Filtered[d][i]);
-    }
-    const auto loops = static_cast<double>(curves.Filtered[1][i]);
-    stable->InsertNextValue(!std::isnan(this->StableLevel) && i == stableRow ? loops : NotANumber);
-    recommended->InsertNextValue(
-      this->UseRecommendedLevel && i == recommendedRow ? loops : NotANumber);
-  }
-  vtkDataSetAttributes* intervals = vtkTable::GetData(outputVector, IntervalsPort)->GetRowData();
-  const char* names[] = { "From", "To", "Middle", "Length" };
-  vtkDoubleArray* ends[4];
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    ends[i] = AddArray<vtkDoubleArray>(intervals, names[i]);
-  }
-  for (std::size_t d = 0; d < 3; ++d)
-  {
-    betti[d] = AddArray<vtkIdTypeArray>(intervals, "Beta" + std::to_string(d));
-  }
-  for (const isthmus::StableInterval& interval : work.Intervals)
-  {
-    const double values[] = { interval.Low, interval.High, interval.Middle(),
-      interval.High - interval.Low };
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      ends[i]->InsertNextValue(values[i]);
-    }
-    for (std::size_t d = 0; d < 3; ++d)
-    {
-      betti[d]->InsertNextValue(interval.Betti[d]);
-    }
-  }
+  isthmus::FillLevels(curves, this->StableLevel,
+    this->UseRecommendedLevel ? this->RecommendedLevel : NotANumber,
+    vtkTable::GetData(outputVector, LevelsPort));
+  isthmus::FillIntervals(work.Intervals, vtkTable::GetData(outputVector, IntervalsPort));
 }
 
 void vtkMapHandles::FillSurfaces(const Work& work, vtkInformationVector* outputVector)
@@ -350,35 +224,23 @@ void vtkMapHandles::FillSurfaces(const Work& work, vtkInformationVector* outputV
 int vtkMapHandles::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto clear = [&]()
-  {
-    for (int port = 0; port < PortCount; ++port)
-    {
-      vtkDataObject::GetData(outputVector, port)->Initialize();
-    }
-  };
-  clear();
-  Work work;
-  work.Image = vtkImageData::GetData(inputVector[0], 0);
-  vtkInformation* info = outputVector->GetInformationObject(BridgesPort);
-  const bool isFirst =
-    !info->Has(Pipeline::UPDATE_PIECE_NUMBER()) || info->Get(Pipeline::UPDATE_PIECE_NUMBER()) <= 0;
-  if (!work.Image || work.Image->GetNumberOfPoints() == 0 || !isFirst)
-  {
-    return 1;
-  }
-  bool whole = false;
-  const int result = isthmus::Guarded(this, vtkDataObject::GetData(outputVector, BridgesPort),
+  return isthmus::GuardedOutputs(this, outputVector,
     [&]()
     {
+      Work work;
+      work.Image = vtkImageData::GetData(inputVector[0], 0);
+      if (!work.Image || work.Image->GetNumberOfPoints() == 0 ||
+        !isthmus::IsFirstPiece(outputVector->GetInformationObject(BridgesPort)))
+      {
+        return;
+      }
       this->StableLevel = NotANumber;
       this->CheckParameters();
       work.Scalars = isthmus::ChosenScalars(this, work.Image);
       work.Volume = isthmus::VolumeOf(work.Scalars, work.Image);
       this->FindFeatures(work);
       work.Level = this->ChooseLevel(work);
-      this->FillPoints(work, outputVector);
-      this->FillLevels(work, outputVector);
+      this->FillTables(work, outputVector);
       this->FillSurfaces(work, outputVector);
       for (int port = 0; port < PortCount; ++port)
       {
@@ -391,13 +253,7 @@ int vtkMapHandles::RequestData(
         }
       }
       isthmus::Report(isthmus::ProgressOf(this), 1.0);
-      whole = true;
     });
-  if (!whole)
-  {
-    clear();
-  }
-  return result;
 }
 
 void vtkMapHandles::PrintSelf(ostream& os, vtkIndent indent)

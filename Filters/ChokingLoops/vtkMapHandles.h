@@ -132,8 +132,7 @@ private:
   void CheckParameters() const;
   void FindFeatures(Work& work);
   double ChooseLevel(const Work& work);
-  void FillPoints(const Work& work, vtkInformationVector* outputVector);
-  void FillLevels(const Work& work, vtkInformationVector* outputVector);
+  void FillTables(const Work& work, vtkInformationVector* outputVector);
   void FillSurfaces(const Work& work, vtkInformationVector* outputVector);
 
   bool Superlevel = true;

@@ -81,10 +81,8 @@ struct CubicalCritical
   explicit CubicalCritical(const Gradient& gradient)
   {
     CollectCritical(gradient, this->Edges, this->Faces);
-    // The two dimensions do not know of each other, so they can run at once; on a small volume one
-    // after the other, since time matters less there than the second forest's memory.
-    const bool atOnce = gradient.Lower().NodeCount() >= 2000000;
-    ParallelFor(0, 2, atOnce ? 1 : 2,
+    // The two dimensions do not know of each other, so they can run at once.
+    ParallelFor(0, 2, 1,
       [&](std::int64_t first, std::int64_t last)
       {
         for (std::int64_t task = first; task < last; ++task)

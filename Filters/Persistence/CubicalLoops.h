@@ -5,71 +5,24 @@
 #ifndef isthmus_CubicalLoops_h
 #define isthmus_CubicalLoops_h
 
-#include "CubicalGradient.h"
-#include "Progress.h"
+#include "EdgeColumn.h"
+#include "ParallelFor.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
 namespace isthmus
 {
 
-/// Numbers of keys in a sorted list, found in constant time. 8 to 16 bytes a key.
-template <typename Key>
-class KeyNumbers
-{
-public:
-  explicit KeyNumbers(const std::vector<Key>& keys)
-    : Keys(keys)
-  {
-    std::size_t slots = 16;
-    while (slots < 2 * keys.size())
-    {
-      slots *= 2;
-    }
-    this->Slots.assign(slots, 0);
-    for (std::size_t i = 0; i < keys.size(); ++i)
-    {
-      std::size_t slot = this->SlotOf(keys[i]);
-      while (this->Slots[slot] != 0)
-      {
-        slot = (slot + 1) & (this->Slots.size() - 1);
-      }
-      this->Slots[slot] = static_cast<std::uint32_t>(i + 1);
-    }
-  }
-
-  /// The number of a key that is in the list.
-  std::size_t operator()(const Key& key) const
-  {
-    std::size_t slot = this->SlotOf(key);
-    while (!(this->Keys[this->Slots[slot] - 1] == key))
-    {
-      slot = (slot + 1) & (this->Slots.size() - 1);
-    }
-    return this->Slots[slot] - 1;
-  }
-
-private:
-  std::size_t SlotOf(const Key& key) const
-  {
-    return static_cast<std::size_t>(key.Hash() * 0x9e3779b97f4a7c15U >> 20) &
-      (this->Slots.size() - 1);
-  }
-
-  const std::vector<Key>& Keys;
-  std::vector<std::uint32_t> Slots;
-};
-
 /**
  * Reduces boundaries over Z/2 until their latest edge is one whose loop nothing has filled yet.
  *
- * A column is a heap of edges, latest first, in which pairs cancel when they surface. An edge that
- * the gradient matches with a face is replaced by the rest of that face's boundary on the spot; one
- * that joins components is dropped, since it never closes a loop. Only columns with a critical edge
- * at the top are kept. Near linear on maps, cubic at worst.
+ * Only columns with a critical edge at the top are kept (EdgeColumn.h). Near linear on maps, cubic
+ * at worst.
  */
 template <typename Gradient>
 class LoopReduction
@@ -85,8 +38,11 @@ public:
     , Negative(negative)
     , NumberOf(edges)
     , Columns(edges.size())
+    , Working(gradient, this->NumberOf, negative)
   {
   }
+  LoopReduction(const LoopReduction&) = delete;
+  LoopReduction& operator=(const LoopReduction&) = delete;
 
   /// The edge whose loop `face` fills. Faces are given in ascending order, those that close voids
   /// left out.
@@ -95,6 +51,48 @@ public:
     const std::size_t pivot = this->ReduceFace(face);
     this->Store(pivot);
     return this->Edges[pivot];
+  }
+
+  /**
+   * The edges whose loops `faces` fill, as Fill would give them in turn: calls found(i, edge) in
+   * their order. For a reduction that has filled nothing yet.
+   *
+   * Batch by batch, on all threads, in rounds: each face adds columns of earlier ones until it
+   * comes to an edge that none of them has; then, in order, the earliest of those that came to an
+   * edge gets it, and the others, with whoever had it before, go on in the next round. Only earlier
+   * columns are ever added, so the pairs are those of Fill (D. Morozov, A. Nigmetov, Towards
+   * lockfree persistent homology, SPAA 2020), and rounds do not depend on the threads.
+   */
+  template <typename Found>
+  void FillAll(const std::vector<Key>& faces, Found&& found, const ProgressCallback& progress)
+  {
+    const auto count = static_cast<std::int64_t>(faces.size());
+    const std::int64_t batch = std::max<std::int64_t>(1024, count / 64);
+    std::vector<Begun> begun;
+    std::vector<std::int64_t> waiting;
+    for (std::int64_t first = 0; first < count; first += batch)
+    {
+      const std::int64_t last = std::min(count, first + batch);
+      begun.assign(static_cast<std::size_t>(last - first), Begun());
+      waiting.resize(begun.size());
+      std::iota(waiting.begin(), waiting.end(), std::int64_t{ 0 });
+      const auto report = [&](double done)
+      {
+        Report(progress,
+          (static_cast<double>(first) + done * static_cast<double>(last - first)) /
+            static_cast<double>(count));
+      };
+      while (!waiting.empty())
+      {
+        const double left = static_cast<double>(waiting.size()) / static_cast<double>(begun.size());
+        this->Advance(faces, first, begun, waiting, report, 1.0 - left);
+        waiting = this->Claim(first, begun, waiting);
+      }
+      for (std::int64_t i = first; i < last; ++i)
+      {
+        found(i, this->Edges[begun[static_cast<std::size_t>(i - first)].Pivot]);
+      }
+    }
   }
 
   /// What Fill would return; nothing is kept.
@@ -116,182 +114,160 @@ public:
   /// Whether the loop of these edges is filled by the faces given so far.
   bool IsFilled(const std::vector<Key>& loop)
   {
-    this->Heap = loop;
-    std::make_heap(this->Heap.begin(), this->Heap.end());
-    return this->Reduce() == this->Edges.size();
+    this->Working.Clear();
+    this->Working.Add(loop.data(), loop.size());
+    return this->Reduce(this->Working, Latest) == EdgeColumn<Gradient>::None;
   }
-
-  /// Edges looked at, as a measure of work.
-  std::int64_t Steps() const { return this->Work; }
 
 private:
-  std::size_t ReduceFace(const Key& face)
-  {
-    this->Heap.clear();
-    this->Add(face.Node(), Gradient::FaceOf(face));
-    const std::size_t pivot = this->Reduce();
-    if (pivot == this->Edges.size())
-    {
-      throw std::logic_error("A face that closes no void fills no loop: the pairing is wrong.");
-    }
-    return pivot;
-  }
+  static constexpr std::int64_t Latest = std::numeric_limits<std::int64_t>::max();
 
   struct Column
   {
     const Key* First = nullptr;
     std::size_t Count = 0;
     bool Used = false;
+    std::int64_t Face = -1; ///< the face whose column it is, where FillAll numbers them
   };
 
-  void Push(const Key& edge)
+  /// How far a face of a batch has come: to the edge Pivot, with Rest below it.
+  struct Begun
   {
-    this->Heap.push_back(edge);
-    std::push_heap(this->Heap.begin(), this->Heap.end());
-  }
+    std::size_t Pivot = EdgeColumn<Gradient>::None;
+    Column Rest;
+  };
 
-  /// The edges of the latest star on the heap, as bits; those that are there twice cancel.
-  std::uint32_t PopStar(std::int64_t node)
+  /// Number of the latest edge that stays and has no column of a face before `face`, None where
+  /// there is none. It is taken off.
+  std::size_t Reduce(EdgeColumn<Gradient>& working, std::int64_t face) const
   {
-    std::uint32_t edges = 0;
-    while (!this->Heap.empty() && this->Heap.front().Node() == node)
+    std::size_t number = working.NextCritical();
+    while (number != EdgeColumn<Gradient>::None && this->Columns[number].Used &&
+      this->Columns[number].Face < face)
     {
-      edges ^= 1U << this->Heap.front().Place();
-      std::pop_heap(this->Heap.begin(), this->Heap.end());
-      this->Heap.pop_back();
-      ++this->Work;
+      working.Add(this->Columns[number].First, this->Columns[number].Count);
+      number = working.NextCritical();
     }
-    return edges;
+    return number;
   }
 
-  void PushStar(std::int64_t node, std::uint32_t edges)
+  static std::size_t Demanded(std::size_t pivot)
   {
-    for (int edge = 0; edge < Star::FirstFace; ++edge)
+    if (pivot == EdgeColumn<Gradient>::None)
     {
-      if ((edges >> edge & 1U) != 0)
+      throw std::logic_error("A face that closes no void fills no loop: the pairing is wrong.");
+    }
+    return pivot;
+  }
+
+  std::size_t ReduceFace(const Key& face)
+  {
+    this->Working.Clear();
+    this->Working.AddFace(face);
+    return Demanded(this->Reduce(this->Working, Latest));
+  }
+
+  /// Reduces those who wait as far as the columns there are let them.
+  template <typename Told>
+  void Advance(const std::vector<Key>& faces, std::int64_t first, std::vector<Begun>& begun,
+    const std::vector<std::int64_t>& waiting, const Told& report, double done)
+  {
+    constexpr std::int64_t grain = 32;
+    const auto count = static_cast<std::int64_t>(waiting.size());
+    const std::int64_t chunks = (count + grain - 1) / grain;
+    const std::size_t before = this->Blocks.size();
+    this->Blocks.resize(before + static_cast<std::size_t>(chunks));
+    const double share = static_cast<double>(count) / static_cast<double>(begun.size());
+    ParallelFor(
+      0, chunks, 1,
+      [&](std::int64_t firstChunk, std::int64_t lastChunk)
       {
-        this->Push(this->Cells.EdgeKey(node, edge));
-      }
-    }
-  }
-
-  /// Number of the latest edge that stays, Edges.size() where none does. It is taken off the heap.
-  std::size_t Reduce()
-  {
-    while (!this->Heap.empty())
-    {
-      // A star at a time: only when its matched edges are gone is it known which critical edges
-      // are left, since a face can trade one edge of a star for another.
-      const std::int64_t node = this->Heap.front().Node();
-      std::uint32_t edges = this->PopStar(node);
-      this->ReplaceMatched(node, edges);
-      edges &= this->Cells.Lower()[node].Critical;
-      for (int edge = Star::FirstFace - 1; edges != 0; --edge)
+        EdgeColumn<Gradient> working(this->Cells, this->NumberOf, this->Negative);
+        for (std::int64_t chunk = firstChunk; chunk < lastChunk; ++chunk)
+        {
+          const std::int64_t from = chunk * grain;
+          this->AdvanceChunk(faces, first, begun, waiting.data() + from,
+            static_cast<std::size_t>(std::min(grain, count - from)), working,
+            this->Blocks[before + static_cast<std::size_t>(chunk)]);
+        }
+      },
+      [&](double fraction)
       {
-        if ((edges >> edge & 1U) == 0)
-        {
-          continue;
-        }
-        edges &= ~(1U << edge);
-        const std::size_t number = this->NumberOf(this->Cells.EdgeKey(node, edge));
-        if (this->Negative[number])
-        {
-          continue;
-        }
-        this->PushStar(node, edges);
-        const Column& column = this->Columns[number];
-        if (!column.Used)
-        {
-          return number;
-        }
-        for (std::size_t i = 0; i < column.Count; ++i)
-        {
-          this->Push(column.First[i]);
-        }
-        break;
-      }
-    }
-    return this->Edges.size();
+        report(done + 0.5 * share * fraction);
+        return true;
+      });
   }
 
-  /// Trades edges that the gradient matches with faces for the rest of the faces' boundaries.
-  void ReplaceMatched(std::int64_t node, std::uint32_t& edges)
+  void AdvanceChunk(const std::vector<Key>& faces, std::int64_t first, std::vector<Begun>& begun,
+    const std::int64_t* who, std::size_t count, EdgeColumn<Gradient>& working,
+    std::vector<Key>& block) const
   {
-    if (edges == 0)
+    for (std::size_t i = 0; i < count; ++i)
     {
-      return;
-    }
-    const StarMatching& star = this->Cells.Lower()[node];
-    while ((edges & star.EdgesWithFaces) != 0)
-    {
-      std::size_t edge = 0;
-      while (((edges & star.EdgesWithFaces) >> edge & 1U) == 0)
+      Begun& own = begun[static_cast<std::size_t>(who[i])];
+      working.Clear();
+      if (own.Pivot == EdgeColumn<Gradient>::None)
       {
-        ++edge;
+        working.AddFace(faces[static_cast<std::size_t>(first + who[i])]);
       }
-      const int face = star.Partner[edge];
-      const auto& both = Star::FaceEdges[static_cast<std::size_t>(face - Star::FirstFace)];
-      edges ^= 1U << both[0] | 1U << both[1];
-      const auto boundary = this->Cells.BoundaryOf(node, face);
-      this->Push(boundary[2]);
-      this->Push(boundary[3]);
+      else
+      {
+        const Column& other = this->Columns[own.Pivot];
+        working.Add(own.Rest.First, own.Rest.Count);
+        working.Add(other.First, other.Count);
+      }
+      own.Pivot = Demanded(this->Reduce(working, first + who[i]));
+      const std::vector<Key>& rest = working.Rest();
+      own.Rest = { nullptr, rest.size(), true, first + who[i] };
+      block.insert(block.end(), rest.begin(), rest.end());
     }
-  }
-
-  void Add(std::int64_t node, int face)
-  {
-    for (const Key& edge : this->Cells.BoundaryOf(node, face))
+    block.shrink_to_fit();
+    const Key* next = block.data();
+    for (std::size_t i = 0; i < count; ++i)
     {
-      this->Push(edge);
+      Column& rest = begun[static_cast<std::size_t>(who[i])].Rest;
+      rest.First = next;
+      next += rest.Count;
     }
   }
 
-  int Partner(const Key& edge) const
+  /// Gives each edge to the earliest of those that came to it; the others, in order.
+  std::vector<std::int64_t> Claim(
+    std::int64_t first, const std::vector<Begun>& begun, const std::vector<std::int64_t>& waiting)
   {
-    return this->Cells.Lower()[edge.Node()].Partner[static_cast<std::size_t>(edge.Place())];
+    std::vector<std::int64_t> left;
+    for (const std::int64_t who : waiting)
+    {
+      const Begun& own = begun[static_cast<std::size_t>(who)];
+      Column& column = this->Columns[own.Pivot];
+      if (column.Used && column.Face < first + who)
+      {
+        left.push_back(who);
+        continue;
+      }
+      if (column.Used)
+      {
+        left.push_back(column.Face - first);
+      }
+      column = own.Rest;
+    }
+    std::sort(left.begin(), left.end());
+    return left;
   }
 
-  /// Keeps what is on the heap below the pivot, without what cancels or would be dropped.
+  /// Keeps what is left below the pivot.
   void Store(std::size_t pivot)
   {
-    std::sort(this->Heap.begin(), this->Heap.end());
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < this->Heap.size();)
-    {
-      std::size_t next = i;
-      while (next < this->Heap.size() && this->Heap[next] == this->Heap[i])
-      {
-        ++next;
-      }
-      if ((next - i) % 2 == 1 && !this->IsDropped(this->Heap[i]))
-      {
-        this->Heap[kept++] = this->Heap[i];
-      }
-      i = next;
-    }
-    this->Columns[pivot] = { this->Keep(kept), kept, true };
-  }
-
-  bool IsDropped(const Key& edge) const
-  {
-    const int partner = this->Partner(edge);
-    return partner == Star::Node ||
-      (partner == edge.Place() && this->Negative[this->NumberOf(edge)]);
-  }
-
-  /// Copies the first `count` of the heap to where they stay.
-  const Key* Keep(std::size_t count)
-  {
     constexpr std::size_t blockSize = 16384;
-    if (this->Blocks.empty() || this->Blocks.back().capacity() - this->Blocks.back().size() < count)
+    const std::vector<Key>& rest = this->Working.Rest();
+    if (this->Kept.empty() || this->Kept.back().capacity() - this->Kept.back().size() < rest.size())
     {
-      this->Blocks.emplace_back();
-      this->Blocks.back().reserve(std::max(blockSize, count));
+      this->Kept.emplace_back();
+      this->Kept.back().reserve(std::max(blockSize, rest.size()));
     }
-    std::vector<Key>& block = this->Blocks.back();
-    const auto end = this->Heap.begin() + static_cast<std::ptrdiff_t>(count);
-    block.insert(block.end(), this->Heap.begin(), end);
-    return block.data() + (block.size() - count);
+    std::vector<Key>& block = this->Kept.back();
+    block.insert(block.end(), rest.begin(), rest.end());
+    this->Columns[pivot] = { block.data() + (block.size() - rest.size()), rest.size(), true, -1 };
   }
 
   const Gradient& Cells;
@@ -299,9 +275,9 @@ private:
   const std::vector<char>& Negative;
   KeyNumbers<Key> NumberOf;
   std::vector<Column> Columns;
-  std::vector<std::vector<Key>> Blocks; ///< never grown beyond what they reserved
-  std::vector<Key> Heap;
-  std::int64_t Work = 0;
+  std::vector<std::vector<Key>> Blocks; ///< of columns made by FillAll
+  std::vector<std::vector<Key>> Kept;   ///< of those by Fill; never grown beyond what they reserved
+  EdgeColumn<Gradient> Working;
 };
 
 }

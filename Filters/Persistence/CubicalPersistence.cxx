@@ -80,21 +80,18 @@ void PairLoops(const Gradient& gradient, const std::vector<typename Gradient::Ke
   std::vector<CubicalPair>& pairs, const ProgressCallback& progress)
 {
   LoopReduction<Gradient> reduction(gradient, edges, negative);
-  std::int64_t nextReport = 0;
-  for (std::size_t i = 0; i < faces.size(); ++i)
-  {
-    const auto edge = reduction.Fill(faces[i]);
-    if (!edge.SameValue(faces[i]))
+  reduction.FillAll(
+    faces,
+    [&](std::int64_t i, const typename Gradient::Key& edge)
     {
-      pairs.push_back({ gradient.Named(edge.Node(), edge.Place()),
-        gradient.Named(faces[i].Node(), Gradient::FaceOf(faces[i])), 1, CubicalCell() });
-    }
-    if (reduction.Steps() >= nextReport)
-    {
-      Report(progress, static_cast<double>(i + 1) / static_cast<double>(faces.size()));
-      nextReport = reduction.Steps() + 100000;
-    }
-  }
+      const auto& face = faces[static_cast<std::size_t>(i)];
+      if (!edge.SameValue(face))
+      {
+        pairs.push_back({ gradient.Named(edge.Node(), edge.Place()),
+          gradient.Named(face.Node(), Gradient::FaceOf(face)), 1, CubicalCell() });
+      }
+    },
+    progress);
 }
 
 template <typename Gradient>
@@ -119,10 +116,7 @@ CubicalDiagram CubicalPersistence(
   {
     return { {}, std::vector<std::int64_t>(parameters.Levels.size(), 0) };
   }
-  if (volume.Floating)
-  {
-    MeasureVolume(volume); // refuses what is not a number
-  }
+  RefuseNaN(volume);
   Report(progress, 0.0);
   CubicalDiagram diagram;
   WithGradient(volume, parameters.Superlevel, Between(progress, 0.0, 0.4),

@@ -1,5 +1,7 @@
 #include "PersistenceTables.h"
 
+#include "NamedColumns.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>
@@ -20,16 +22,6 @@ namespace isthmus
 {
 namespace
 {
-
-template <typename Array>
-Array* AddArray(vtkDataSetAttributes* data, const std::string& name, std::size_t count)
-{
-  vtkNew<Array> array;
-  array->SetName(name.c_str());
-  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
-  data->AddArray(array);
-  return array;
-}
 
 /// What is known of a feature, as arrays: one tuple each.
 class FeatureColumns
@@ -71,16 +63,6 @@ private:
   vtkIdTypeArray* Joins;
 };
 
-template <typename Array, typename Numbers>
-void AddColumn(vtkTable* table, const std::string& name, const Numbers& numbers)
-{
-  auto* column = AddArray<Array>(table->GetRowData(), name, numbers.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-  {
-    column->SetValue(static_cast<vtkIdType>(i), numbers[i]);
-  }
-}
-
 int DimensionOf(const CubicalCell& cell)
 {
   return (cell.Step(0) != 0) + (cell.Step(1) != 0) + (cell.Step(2) != 0);
@@ -98,24 +80,26 @@ std::array<double, 3> PlaceOf(vtkImageData* image, std::int64_t node)
 void FillCurves(
   const BettiCurves& curves, const std::vector<std::int64_t>& eulerNumbers, vtkTable* table)
 {
-  AddColumn<vtkDoubleArray>(table, "Level", curves.Levels);
+  AddColumn<vtkDoubleArray>(table->GetRowData(), "Level", curves.Levels);
   for (std::size_t d = 0; d < 3; ++d)
   {
-    AddColumn<vtkIdTypeArray>(table, "Beta" + std::to_string(d), curves.All[d]);
+    AddColumn<vtkIdTypeArray>(table->GetRowData(), "Beta" + std::to_string(d), curves.All[d]);
   }
   for (std::size_t d = 0; d < 3; ++d)
   {
-    AddColumn<vtkIdTypeArray>(table, "FilteredBeta" + std::to_string(d), curves.Filtered[d]);
+    AddColumn<vtkIdTypeArray>(
+      table->GetRowData(), "FilteredBeta" + std::to_string(d), curves.Filtered[d]);
   }
-  AddColumn<vtkIdTypeArray>(table, "EulerNumber", eulerNumbers);
+  AddColumn<vtkIdTypeArray>(table->GetRowData(), "EulerNumber", eulerNumbers);
   for (std::size_t d = 0; d < 3; ++d)
   {
-    AddColumn<vtkDoubleArray>(table, "IntegralBeta" + std::to_string(d), curves.Integral[d]);
+    AddColumn<vtkDoubleArray>(
+      table->GetRowData(), "IntegralBeta" + std::to_string(d), curves.Integral[d]);
   }
   for (std::size_t d = 0; d < 3; ++d)
   {
     AddColumn<vtkDoubleArray>(
-      table, "IntegralFilteredBeta" + std::to_string(d), curves.FilteredIntegral[d]);
+      table->GetRowData(), "IntegralFilteredBeta" + std::to_string(d), curves.FilteredIntegral[d]);
   }
 }
 

@@ -222,6 +222,20 @@ BettiCurves CountBetti(
   return curves;
 }
 
+void DemandLevels(std::int64_t count, const double* range)
+{
+  if (count < 2 || count > 1000000)
+  {
+    throw std::invalid_argument("NumberOfLevels is " + std::to_string(count) +
+      ", but a curve has from 2 to a million levels.");
+  }
+  if (range && !(std::isfinite(range[0]) && std::isfinite(range[1]) && range[0] < range[1]))
+  {
+    throw std::invalid_argument("Range goes from " + std::to_string(range[0]) + " to " +
+      std::to_string(range[1]) + ", but the first has to be below the second.");
+  }
+}
+
 std::vector<double> EvenLevels(double low, double high, std::int64_t count)
 {
   if (!(low < high) || count < 2)

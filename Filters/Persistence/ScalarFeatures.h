@@ -74,6 +74,10 @@ struct BettiCurves
 VTKISTHMUS_EXPORT BettiCurves CountBetti(
   const FeatureList& features, bool superlevel, const std::vector<double>& levels);
 
+/// Throws std::invalid_argument unless there are from 2 to a million levels and the first of two
+/// finite ends of the range is below the second; null: no range.
+VTKISTHMUS_EXPORT void DemandLevels(std::int64_t count, const double* range);
+
 /// `count` levels from `low` to `high`, both included exactly; one where they are equal.
 VTKISTHMUS_EXPORT std::vector<double> EvenLevels(double low, double high, std::int64_t count);
 

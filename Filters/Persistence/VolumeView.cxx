@@ -13,54 +13,109 @@ namespace isthmus
 namespace
 {
 
-struct Sums
+constexpr std::int64_t Block = 65536;
+
+struct Extremes
 {
   double Minimum = std::numeric_limits<double>::infinity();
   double Maximum = -std::numeric_limits<double>::infinity();
-  double Sum = 0.0;
-  double Squares = 0.0; ///< of values less Shift
-  std::int64_t Count = 0;
-  std::int64_t FirstNaN = std::numeric_limits<std::int64_t>::max();
+  std::int64_t Count = 0; ///< of finite values
 
-  Sums& operator+=(const Sums& other)
+  Extremes& operator+=(const Extremes& other)
   {
     this->Minimum = std::min(this->Minimum, other.Minimum);
     this->Maximum = std::max(this->Maximum, other.Maximum);
-    this->Sum += other.Sum;
-    this->Squares += other.Squares;
     this->Count += other.Count;
-    this->FirstNaN = std::min(this->FirstNaN, other.FirstNaN);
     return *this;
   }
 };
 
-constexpr std::int64_t Block = 65536;
-
-/// Extremes and NaNs; and the sum of (value - shift) / scale, and of its square.
-template <typename T>
-Sums Measure(const T* values, std::int64_t count, double shift, double scale)
+/// Of values less the minimum, in units of the width.
+struct Moments
 {
-  return ParallelReduce(count, Block, Sums{},
-    [&](Sums& part, std::int64_t first, std::int64_t last)
+  double Sum = 0.0;
+  double Squares = 0.0;
+
+  Moments& operator+=(const Moments& other)
+  {
+    this->Sum += other.Sum;
+    this->Squares += other.Squares;
+    return *this;
+  }
+};
+
+struct FirstIndex
+{
+  std::int64_t Index = std::numeric_limits<std::int64_t>::max();
+
+  FirstIndex& operator+=(const FirstIndex& other)
+  {
+    this->Index = std::min(this->Index, other.Index);
+    return *this;
+  }
+};
+
+template <typename T>
+Extremes ExtremesOf(const T* values, std::int64_t count)
+{
+  return ParallelReduce(count, Block, Extremes{},
+    [&](Extremes& part, std::int64_t first, std::int64_t last)
     {
       for (std::int64_t i = first; i < last; ++i)
       {
-        const double value = static_cast<double>(values[i]);
+        const auto value = static_cast<double>(values[i]);
         if (std::isfinite(value))
         {
-          const double off = value / scale - shift / scale;
           part.Minimum = std::min(part.Minimum, value);
           part.Maximum = std::max(part.Maximum, value);
-          part.Sum += off;
-          part.Squares += off * off;
           ++part.Count;
-        }
-        else if (std::isnan(value))
-        {
-          part.FirstNaN = std::min(part.FirstNaN, i);
         }
       }
     });
+}
+
+/// `half`: values, minimum and width are taken by half, for a width that is beyond all numbers.
+template <typename T>
+Moments MomentsOf(const T* values, std::int64_t count, double minimum, double width, bool half)
+{
+  const double scale = half ? 0.5 : 1.0;
+  return ParallelReduce(count, Block, Moments{},
+    [&](Moments& part, std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t i = first; i < last; ++i)
+      {
+        const auto value = static_cast<double>(values[i]);
+        if (std::isfinite(value))
+        {
+          const double off = (scale * value - minimum) / width;
+          part.Sum += off;
+          part.Squares += off * off;
+        }
+      }
+    });
+}
+
+template <typename T>
+std::int64_t FirstNaN(const T* values, std::int64_t count)
+{
+  return ParallelReduce(count, Block, FirstIndex{},
+    [&](FirstIndex& part, std::int64_t first, std::int64_t last)
+    {
+      // Most blocks have none: without a way out the loop is vectorised.
+      bool any = false;
+      for (std::int64_t i = first; i < last; ++i)
+      {
+        any |= values[i] != values[i];
+      }
+      for (std::int64_t i = first; any && i < last; ++i)
+      {
+        if (values[i] != values[i])
+        {
+          part.Index = std::min(part.Index, i);
+        }
+      }
+    })
+    .Index;
 }
 
 }
@@ -71,42 +126,52 @@ double VolumeView::Value(std::int64_t node) const
     *this, [node](const auto* values) { return static_cast<double>(values[node]); });
 }
 
-VolumeStatistics MeasureVolume(const VolumeView& volume)
+void RefuseNaN(const VolumeView& volume)
 {
-  const auto measure = [&](double shift, double scale)
+  if (!volume.Floating)
   {
-    return WithTypedValues(volume,
-      [&](const auto* values) { return Measure(values, volume.NodeCount(), shift, scale); });
-  };
-  const Sums first = measure(0.0, 1.0);
-  if (first.FirstNaN < volume.NodeCount())
+    return;
+  }
+  const std::int64_t first = volume.Bytes == 4
+    ? FirstNaN(static_cast<const float*>(volume.Data), volume.NodeCount())
+    : FirstNaN(static_cast<const double*>(volume.Data), volume.NodeCount());
+  if (first < volume.NodeCount())
   {
     const auto& n = volume.Dimensions;
-    throw std::invalid_argument("The value at node (" + std::to_string(first.FirstNaN % n[0]) +
-      ", " + std::to_string(first.FirstNaN / n[0] % n[1]) + ", " +
-      std::to_string(first.FirstNaN / (n[0] * n[1])) +
+    throw std::invalid_argument("The value at node (" + std::to_string(first % n[0]) + ", " +
+      std::to_string(first / n[0] % n[1]) + ", " + std::to_string(first / (n[0] * n[1])) +
       ") is not a number, so it has no place in the order of the levels: replace such values "
       "first, by the lowest of the volume for instance.");
   }
+}
+
+VolumeStatistics MeasureVolume(const VolumeView& volume)
+{
+  RefuseNaN(volume);
+  const Extremes range = WithTypedValues(
+    volume, [&](const auto* values) { return ExtremesOf(values, volume.NodeCount()); });
   VolumeStatistics statistics;
-  if (first.Count == 0)
+  if (range.Count == 0)
   {
     return statistics;
   }
-  statistics.Minimum = first.Minimum;
-  statistics.Maximum = first.Maximum;
-  statistics.Mean = first.Minimum;
-  const double width = first.Maximum - first.Minimum;
+  statistics.Minimum = range.Minimum;
+  statistics.Maximum = range.Maximum;
+  statistics.Mean = range.Minimum;
+  const bool half = !std::isfinite(range.Maximum - range.Minimum);
+  const double scale = half ? 0.5 : 1.0;
+  const double width = scale * range.Maximum - scale * range.Minimum;
   if (width > 0.0)
   {
     // Relative to the lowest value and in units of the width, so that nothing overflows or cancels.
-    const double scale = std::isfinite(width) ? width : std::numeric_limits<double>::max();
-    const Sums second = measure(first.Minimum, scale);
-    const auto count = static_cast<double>(second.Count);
-    const double mean = second.Sum / count;
-    statistics.Mean = first.Minimum + scale * mean;
+    const Moments moments = WithTypedValues(volume,
+      [&](const auto* values)
+      { return MomentsOf(values, volume.NodeCount(), scale * range.Minimum, width, half); });
+    const auto count = static_cast<double>(range.Count);
+    const double mean = moments.Sum / count;
+    statistics.Mean = (scale * range.Minimum + mean * width) / scale;
     statistics.StandardDeviation =
-      scale * std::sqrt(std::max(0.0, second.Squares / count - mean * mean));
+      width * std::sqrt(std::max(0.0, moments.Squares / count - mean * mean)) / scale;
   }
   return statistics;
 }

@@ -70,6 +70,9 @@ decltype(auto) WithTypedValues(const VolumeView& volume, Work&& work)
   }
 }
 
+/// Throws std::invalid_argument with the place of the first value that is not a number.
+VTKISTHMUS_EXPORT void RefuseNaN(const VolumeView& volume);
+
 /// Of the finite values; a volume without any has an empty range (Minimum above Maximum).
 struct VolumeStatistics
 {
@@ -79,8 +82,7 @@ struct VolumeStatistics
   double StandardDeviation = 0.0;
 };
 
-/// One pass in parallel, the same bits on any number of threads. Throws std::invalid_argument with
-/// the place of the first value that is not a number.
+/// Two passes in parallel, the same bits on any number of threads. Throws as RefuseNaN does.
 VTKISTHMUS_EXPORT VolumeStatistics MeasureVolume(const VolumeView& volume);
 
 }

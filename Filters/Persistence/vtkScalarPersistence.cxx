@@ -3,6 +3,7 @@
 #include "AlgorithmGuard.h"
 #include "ChosenScalars.h"
 #include "ImageDiagram.h"
+#include "ImageExtent.h"
 #include "PersistenceTables.h"
 #include "ScalarSimplification.h"
 
@@ -102,31 +103,17 @@ int vtkScalarPersistence::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   // A loop can run anywhere, so all of the volume is needed whatever part is asked for.
-  vtkInformation* input = inputVector[0]->GetInformationObject(0);
-  int whole[6];
-  input->Get(Pipeline::WHOLE_EXTENT(), whole);
-  input->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
+  isthmus::AskForWholeImage(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 
 void vtkScalarPersistence::CheckParameters() const
 {
-  if (this->NumberOfLevels < 2 || this->NumberOfLevels > 1000000)
-  {
-    throw std::invalid_argument("NumberOfLevels is " + std::to_string(this->NumberOfLevels) +
-      ", but a curve has from 2 to a million levels.");
-  }
+  isthmus::DemandLevels(this->NumberOfLevels, this->UseRange ? this->Range : nullptr);
   if (this->MaximumNumberOfCycles < 1)
   {
     throw std::invalid_argument("MaximumNumberOfCycles is " +
       std::to_string(this->MaximumNumberOfCycles) + ": give at least 1, or switch Cycles off.");
-  }
-  if (this->UseRange &&
-    !(std::isfinite(this->Range[0]) && std::isfinite(this->Range[1]) &&
-      this->Range[0] < this->Range[1]))
-  {
-    throw std::invalid_argument("Range goes from " + std::to_string(this->Range[0]) + " to " +
-      std::to_string(this->Range[1]) + ", but the first has to be below the second.");
   }
 }
 
@@ -209,23 +196,16 @@ void vtkScalarPersistence::FillSimplified(const Work& work, vtkInformationVector
 int vtkScalarPersistence::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  for (int port = 0; port < PortCount; ++port)
-  {
-    vtkDataObject::GetData(outputVector, port)->Initialize();
-  }
-  Work work;
-  work.Image = vtkImageData::GetData(inputVector[0], 0);
-  if (!work.Image || work.Image->GetNumberOfPoints() == 0)
-  {
-    return 1;
-  }
-  vtkInformation* info = outputVector->GetInformationObject(CurvesPort);
-  const bool isFirst =
-    !info->Has(Pipeline::UPDATE_PIECE_NUMBER()) || info->Get(Pipeline::UPDATE_PIECE_NUMBER()) <= 0;
-  bool whole = false;
-  const int result = isthmus::Guarded(this, vtkDataObject::GetData(outputVector, CurvesPort),
+  return isthmus::GuardedOutputs(this, outputVector,
     [&]()
     {
+      Work work;
+      work.Image = vtkImageData::GetData(inputVector[0], 0);
+      if (!work.Image || work.Image->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      const bool isFirst = isthmus::IsFirstPiece(outputVector->GetInformationObject(CurvesPort));
       this->CheckParameters();
       if (isFirst || this->Simplify)
       {
@@ -242,16 +222,7 @@ int vtkScalarPersistence::RequestData(
         this->FillSimplified(work, outputVector);
       }
       this->UpdateProgress(1.0);
-      whole = true;
     });
-  if (!whole)
-  {
-    for (int port = 0; port < PortCount; ++port)
-    {
-      vtkDataObject::GetData(outputVector, port)->Initialize();
-    }
-  }
-  return result;
 }
 
 vtkTable* vtkScalarPersistence::GetBettiCurves()

@@ -12,6 +12,7 @@
 
 #include <vtkAlgorithm.h>
 #include <vtkDataObject.h>
+#include <vtkInformationVector.h>
 
 #include <exception>
 #include <new>
@@ -36,6 +37,15 @@ inline void Clear(vtkDataObject* output)
   if (output)
   {
     output->Initialize();
+  }
+}
+
+/// Empties all outputs.
+inline void ClearAll(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    Clear(vtkDataObject::GetData(outputs, port));
   }
 }
 
@@ -77,6 +87,18 @@ template <typename Body>
 int Guarded(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
 {
   Succeeds(self, output, std::forward<Body>(body));
+  return 1;
+}
+
+/// Guarded for a filter of several outputs: all are empty unless `body` comes to its end.
+template <typename Body>
+int GuardedOutputs(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
+{
+  ClearAll(outputs);
+  if (!Succeeds(self, vtkDataObject::GetData(outputs, 0), std::forward<Body>(body)))
+  {
+    ClearAll(outputs);
+  }
   return 1;
 }
 

@@ -59,6 +59,22 @@ void AskForAll(vtkInformation* request)
   request->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
 }
 
+void AskForWholeImage(vtkInformation* input)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (input->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+}
+
+bool IsFirstPiece(vtkInformation* output)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  return !output->Has(Pipeline::UPDATE_PIECE_NUMBER()) ||
+    output->Get(Pipeline::UPDATE_PIECE_NUMBER()) <= 0;
+}
+
 void DemandAll(vtkInformation* info)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;

@@ -29,6 +29,12 @@ Extent PieceOf(vtkInformation* request, const Extent& all);
 /// Makes a request for an image one for all of it, on each rank.
 void AskForAll(vtkInformation* request);
 
+/// Asks the image of `input` for its whole extent, whatever part is wanted of the result.
+void AskForWholeImage(vtkInformation* input);
+
+/// Whether `output` is asked for as the first piece, or whole: where what cannot be split is made.
+bool IsFirstPiece(vtkInformation* output);
+
 /// @throws std::runtime_error where the image that `info` holds is not all that there is: a source
 /// that splits it whatever is asked for.
 void DemandAll(vtkInformation* info);

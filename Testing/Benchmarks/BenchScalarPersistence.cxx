@@ -1,20 +1,23 @@
-// Persistence of volumes beside GUDHI in the same run: time, ratio, peak memory per node, and
-// whether the pairs are equal; two threads beside one; 512^3 waves; every shared map under 128^3.
+// Persistence of volumes beside its peers in the same run: GUDHI, Cubical Ripser, TTK: time, ratio,
+// peak memory per node, and whether the pairs are equal; two threads beside one; 512^3 waves; every
+// shared map of at most 128^3.
 //
-// Times are CPU seconds of one thread (ours) and of the process (GUDHI), so that a busy machine
-// shows in them as little as possible. Run with --benchmark_filter=Gudhi for the table alone.
+// Times are CPU seconds, one thread each, so that a busy machine shows in them as little as
+// possible. GUDHI is found as in the tests; ISTHMUS_PEERS names the folder of the other two
+// (Peers/build.sh), and each row says which of them is missing. TTK's grid is split into six
+// tetrahedra a cell (Freudenthal), where nodes touch along diagonals as well: its pairs are those
+// of another complex, near ours on a smooth field, and so are counted instead of compared one by
+// one.
+//
+// --benchmark_filter=Peers: the table alone.
 
 #include "CubicalPersistence.h"
 
 #include "CubicalPeer.h"
 #include "PeakMemory.h"
-#include "SharedData.h"
+#include "PeerPrograms.h"
+#include "PersistenceVolumes.h"
 
-#include <vtkDataArray.h>
-#include <vtkImageData.h>
-#include <vtkMRCMapReader.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkSMPTools.h>
 
 #include <benchmark/benchmark.h>
@@ -24,7 +27,6 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
-#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
@@ -35,115 +37,41 @@ namespace
 using namespace isthmus;
 using namespace isthmus::testing;
 
-struct Volume
+Volume<float> Make(const std::string& name)
 {
-  std::array<std::int64_t, 3> Dimensions{ 0, 0, 0 };
-  std::vector<float> Values;
-
-  VolumeView View() const { return VolumeView(this->Values.data(), this->Dimensions); }
-};
-
-template <typename Function>
-Volume Fill(std::int64_t n, Function&& f)
-{
-  Volume volume{ { n, n, n }, {} };
-  volume.Values.reserve(static_cast<std::size_t>(n * n * n));
-  for (std::int64_t k = 0; k < n; ++k)
-  {
-    for (std::int64_t j = 0; j < n; ++j)
-    {
-      for (std::int64_t i = 0; i < n; ++i)
-      {
-        volume.Values.push_back(static_cast<float>(
-          f(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k))));
-      }
-    }
-  }
-  return volume;
-}
-
-double Wave(double x, double y, double z)
-{
-  return std::sin(0.31 * x) * std::cos(0.23 * y) + std::sin(0.17 * y + 1.0) * std::cos(0.29 * z) +
-    std::sin(0.27 * z) * std::cos(0.19 * x + 0.5);
-}
-
-Volume AtomDistance(std::int64_t n)
-{
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> place(0.0, static_cast<double>(n));
-  std::vector<std::array<double, 3>> atoms(2000);
-  for (auto& atom : atoms)
-  {
-    for (double& x : atom)
-    {
-      x = place(random);
-    }
-  }
-  Volume volume = Fill(n, [n](double, double, double) { return 2.0 * static_cast<double>(n); });
-  constexpr std::int64_t reach = 24;
-  for (const auto& atom : atoms)
-  {
-    const auto low = [&](std::size_t a)
-    { return std::max<std::int64_t>(0, static_cast<std::int64_t>(atom[a]) - reach); };
-    const auto high = [&](std::size_t a)
-    { return std::min<std::int64_t>(n - 1, static_cast<std::int64_t>(atom[a]) + reach); };
-    for (std::int64_t k = low(2); k <= high(2); ++k)
-    {
-      for (std::int64_t j = low(1); j <= high(1); ++j)
-      {
-        for (std::int64_t i = low(0); i <= high(0); ++i)
-        {
-          const double d = std::hypot(static_cast<double>(i) - atom[0],
-            static_cast<double>(j) - atom[1], static_cast<double>(k) - atom[2]);
-          float& value = volume.Values[static_cast<std::size_t>(i + n * (j + n * k))];
-          value = std::min(value, static_cast<float>(d));
-        }
-      }
-    }
-  }
-  return volume;
-}
-
-Volume MapOf(const std::filesystem::path& path)
-{
-  vtkNew<vtkMRCMapReader> reader;
-  reader->SetFileName(path.string().c_str());
-  reader->Update();
-  vtkImageData* image = reader->GetOutput();
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  const int* n = image->GetDimensions();
-  Volume map{ { n[0], n[1], n[2] }, {} };
-  for (vtkIdType i = 0; scalars && i < scalars->GetNumberOfTuples(); ++i)
-  {
-    map.Values.push_back(static_cast<float>(scalars->GetComponent(i, 0)));
-  }
-  return map;
-}
-
-Volume Make(const std::string& name)
-{
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> value(-1.0, 1.0);
+  const Size n{ 128, 128, 128 };
   if (name == "waves")
   {
-    return Fill(128, Wave);
+    return Fill<float>(n, Wave);
+  }
+  if (name == "waves256")
+  {
+    return Fill<float>({ 256, 256, 256 }, Wave);
+  }
+  if (name == "fine")
+  {
+    return Fill<float>(
+      n, [](double x, double y, double z) { return Wave(0.5 * x, 0.5 * y, 0.5 * z); });
   }
   if (name == "distance")
   {
-    return AtomDistance(128);
+    return AtomDistance(n, 2000, 5);
   }
   if (name == "plateaus")
   {
-    return Fill(128, [](double x, double y, double z) { return std::floor(4.0 * Wave(x, y, z)); });
+    return Fill<float>(
+      n, [](double x, double y, double z) { return std::floor(4.0 * Wave(x, y, z)); });
   }
   if (name == "mask")
   {
-    return Fill(128, [](double x, double y, double z) { return Wave(x, y, z) > 0.3 ? 1.0 : 0.0; });
+    return Fill<float>(
+      n, [](double x, double y, double z) { return Wave(x, y, z) > 0.3 ? 1.0 : 0.0; });
   }
   if (name == "noise")
   {
-    return Fill(96, [&](double, double, double) { return value(random); });
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> value(-1.0, 1.0);
+    return Fill<float>({ 96, 96, 96 }, [&](double, double, double) { return value(random); });
   }
   return MapOf(SharedDataFolder() / "maps/emd_5043.map");
 }
@@ -170,39 +98,139 @@ double MemoryNow()
   return PeakMemory();
 }
 
-void BesideGudhi(benchmark::State& state, const std::string& name, bool superlevel)
+template <typename Work>
+void OnThreads(int threads, Work&& work)
 {
-  const Volume volume = Make(name);
-  const auto nodes = static_cast<double>(volume.Values.size());
+  vtkSMPTools::LocalScope(vtkSMPTools::Config(threads, std::string("STDThread"), false), work);
+}
+
+/// Runs ours and fills its columns; the CPU seconds.
+double RunOurs(benchmark::State& state, const Volume<float>& volume, bool superlevel)
+{
+  CubicalParameters parameters;
+  parameters.Superlevel = superlevel;
+  const double before = MemoryNow();
+  std::size_t pairs = 0;
+  double seconds = 0.0;
+  OnThreads(1,
+    [&]
+    {
+      seconds =
+        CPUSeconds([&] { pairs = CubicalPersistence(volume.View(), parameters).Pairs.size(); });
+    });
+  state.counters["bytes/node"] = PeakOver(before) / static_cast<double>(volume.Values.size());
+  state.counters["ours s"] = seconds;
+  state.counters["pairs"] = static_cast<double>(pairs);
+  return seconds;
+}
+
+/// The columns of a peer that is a program; false where it is missing.
+bool RunBeside(benchmark::State& state, PeerProgram peer, const Volume<float>& volume,
+  bool superlevel, double ours, const Bars& expected)
+{
+  MemoryNow();
+  const auto run = RunPeer(peer, volume.View(), superlevel);
+  if (!run)
+  {
+    return false;
+  }
+  const std::string name = peer == PeerProgram::TTK ? "TTK " : "Ripser ";
+  state.counters[name + "s"] = run->Seconds;
+  state.counters[name + "ratio"] = ours / run->Seconds;
+  state.counters[name + "bytes/node"] = run->Peak / static_cast<double>(volume.Values.size());
+  if (peer == PeerProgram::TTK)
+  {
+    state.counters["TTK pairs"] = static_cast<double>(run->Pairs.size());
+  }
+  else
+  {
+    state.counters["Ripser equal"] = run->Pairs == expected ? 1.0 : 0.0;
+  }
+  return true;
+}
+
+void BesidePeers(benchmark::State& state, const std::string& name, bool superlevel)
+{
+  const Volume<float> volume = Make(name);
   for (auto _ : state)
   {
-    CubicalParameters parameters;
-    parameters.Superlevel = superlevel;
-    double before = MemoryNow();
-    std::size_t pairs = 0;
-    double ours = 0.0;
-    vtkSMPTools::LocalScope(vtkSMPTools::Config(1, std::string("STDThread"), false),
-      [&]
-      {
-        ours =
-          CPUSeconds([&] { pairs = CubicalPersistence(volume.View(), parameters).Pairs.size(); });
-      });
-    state.counters["bytes/node"] = PeakOver(before) / nodes;
-    state.counters["ours s"] = ours;
-    state.counters["pairs"] = static_cast<double>(pairs);
+    const double ours = RunOurs(state, volume, superlevel);
+    const Bars expected = BarsOf(volume.View(), superlevel);
+    std::string missing;
 #if ISTHMUS_HAS_GUDHI_CUBICAL
-    before = MemoryNow();
+    const double before = MemoryNow();
     Bars theirs;
     const double peer = CPUSeconds([&] { theirs = BarsOfGudhi(volume.View(), superlevel); });
-    state.counters["GUDHI bytes/node"] = PeakOver(before) / nodes;
+    state.counters["GUDHI bytes/node"] =
+      PeakOver(before) / static_cast<double>(volume.Values.size());
     state.counters["GUDHI s"] = peer;
-    state.counters["ratio"] = ours / peer;
-    state.counters["equal"] = BarsOf(volume.View(), superlevel) == theirs ? 1.0 : 0.0;
+    state.counters["GUDHI ratio"] = ours / peer;
+    state.counters["GUDHI equal"] = expected == theirs ? 1.0 : 0.0;
+#else
+    missing += "no GUDHI (libgudhi-dev) ";
 #endif
+    for (const PeerProgram peerProgram : { PeerProgram::CubicalRipser, PeerProgram::TTK })
+    {
+      if (!RunBeside(state, peerProgram, volume, superlevel, ours, expected))
+      {
+        missing += "no " + PathOf(peerProgram).filename().string() + " in $ISTHMUS_PEERS ";
+      }
+    }
+    state.SetLabel(missing);
   }
 }
 
-/// All shared maps under 128^3, both signs: how many have equal pairs, of how many.
+/// Lengths of the bars of a dimension that are at least `least`, ascending.
+std::vector<double> Lengths(const Bars& bars, double dimension, double least)
+{
+  std::vector<double> lengths;
+  for (const Bar& bar : bars)
+  {
+    const double length = std::abs(bar[2] - bar[1]);
+    if (bar[0] == dimension && std::isfinite(length) && length >= least)
+    {
+      lengths.push_back(length);
+    }
+  }
+  std::sort(lengths.begin(), lengths.end());
+  return lengths;
+}
+
+/// On a field that the grid resolves, cubes and tetrahedra see the same features: how many last for
+/// a twentieth of the range or more, and by how much the lengths differ.
+void FeaturesBesidePeers(benchmark::State& state)
+{
+  const Volume<float> volume = Make("fine");
+  const auto [low, high] = std::minmax_element(volume.Values.begin(), volume.Values.end());
+  const double range = *high - *low;
+  for (auto _ : state)
+  {
+    const auto run = RunPeer(PeerProgram::TTK, volume.View());
+    if (!run)
+    {
+      state.SkipWithError("no ttk_grid_persistence in $ISTHMUS_PEERS");
+      return;
+    }
+    const Bars ours = BarsOf(volume.View());
+    for (const int d : { 0, 1, 2 })
+    {
+      const std::vector<double> mine = Lengths(ours, d, 0.05 * range);
+      const std::vector<double> theirs = Lengths(run->Pairs, d, 0.05 * range);
+      const std::string name = "dim " + std::to_string(d) + " ";
+      state.counters[name + "ours"] = static_cast<double>(mine.size());
+      state.counters[name + "TTK"] = static_cast<double>(theirs.size());
+      double apart = 0.0;
+      for (std::size_t i = 0; i < std::min(mine.size(), theirs.size()); ++i)
+      {
+        apart = std::max(
+          apart, std::abs(mine[mine.size() - 1 - i] - theirs[theirs.size() - 1 - i]) / range);
+      }
+      state.counters[name + "apart"] = apart;
+    }
+  }
+}
+
+/// All shared maps of at most 128^3, both signs: how many have equal pairs, of how many.
 void SharedMapsBesideGudhi(benchmark::State& state)
 {
   for (auto _ : state)
@@ -210,47 +238,61 @@ void SharedMapsBesideGudhi(benchmark::State& state)
     int equal = 0;
     int all = 0;
 #if ISTHMUS_HAS_GUDHI_CUBICAL
-    for (const auto& entry : std::filesystem::directory_iterator(SharedDataFolder() / "maps"))
+    for (const std::filesystem::path& file : SharedMapFiles())
     {
-      const Volume map = entry.is_regular_file() && entry.path().extension() != ".cube"
-        ? MapOf(entry.path())
-        : Volume();
-      const auto& n = map.Dimensions;
-      if (map.Values.empty() || n[0] > 128 || n[1] > 128 || n[2] > 128)
-      {
-        continue;
-      }
+      const Volume<float> map = MapOf(file);
       for (const bool superlevel : { false, true })
       {
+        if (!IsSmall(map))
+        {
+          continue;
+        }
         ++all;
         const bool same = BarsOf(map.View(), superlevel) == BarsOfGudhi(map.View(), superlevel);
         equal += same ? 1 : 0;
         if (!same)
         {
-          state.SkipWithError(("pairs differ: " + entry.path().filename().string()).c_str());
+          state.SkipWithError(("pairs differ: " + file.filename().string()).c_str());
         }
       }
     }
+#else
+    state.SkipWithError("no GUDHI (libgudhi-dev)");
 #endif
     state.counters["equal"] = equal;
     state.counters["volumes"] = all;
   }
 }
 
+/// CPU seconds of the calling thread.
+double OwnSeconds()
+{
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Wall seconds of one thread and of two, which only an idle machine tells; and what any machine
+/// does: the share of the work that the calling thread does alone, since others work for its loops.
 void Threads(benchmark::State& state, const std::string& name)
 {
-  const Volume volume = name == "waves256" ? Fill(256, Wave) : Make(name);
+  const Volume<float> volume = Make(name);
   const auto wall = [&](int threads)
   {
     const auto start = std::chrono::steady_clock::now();
-    vtkSMPTools::LocalScope(vtkSMPTools::Config(threads, std::string("STDThread"), false),
-      [&] { benchmark::DoNotOptimize(CubicalPersistence(volume.View()).Pairs.size()); });
+    OnThreads(
+      threads, [&] { benchmark::DoNotOptimize(CubicalPersistence(volume.View()).Pairs.size()); });
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   for (auto _ : state)
   {
     const double one = wall(1);
+    const double own = OwnSeconds();
+    const std::clock_t start = std::clock();
     const double two = wall(2);
+    const double cpu = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    state.counters["CPU s"] = cpu;
+    state.counters["alone"] = (OwnSeconds() - own) / cpu;
     state.counters["one s"] = one;
     state.counters["two s"] = two;
     state.counters["speed-up"] = one / two;
@@ -259,42 +301,53 @@ void Threads(benchmark::State& state, const std::string& name)
 
 void Waves512(benchmark::State& state)
 {
-  const Volume volume = Fill(512, Wave);
+  const Volume<float> volume = Fill<float>({ 512, 512, 512 }, Wave);
   for (auto _ : state)
   {
     const double before = MemoryNow();
+    const auto start = std::chrono::steady_clock::now();
     const double seconds = CPUSeconds(
       [&] {
         state.counters["pairs"] =
           static_cast<double>(CubicalPersistence(volume.View()).Pairs.size());
       });
     state.counters["CPU s"] = seconds;
+    state.counters["wall s"] =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     state.counters["GB in all"] = PeakMemory() / 1e9;
     state.counters["bytes/node"] = PeakOver(before) / static_cast<double>(volume.Values.size());
   }
 }
 
+void Register()
+{
+  const auto once = [](auto* bench) { bench->Unit(benchmark::kSecond)->Iterations(1); };
+  for (const char* name : { "waves", "distance", "plateaus", "mask", "emd5043", "noise" })
+  {
+    const std::string volume = name;
+    once(benchmark::RegisterBenchmark(("BesidePeers/" + volume).c_str(),
+      [volume](benchmark::State& state) { BesidePeers(state, volume, volume == "emd5043"); }));
+  }
+  once(benchmark::RegisterBenchmark("FeaturesBesidePeers", FeaturesBesidePeers));
+  once(benchmark::RegisterBenchmark("SharedMapsBesideGudhi", SharedMapsBesideGudhi));
+  for (const char* name : { "waves256", "emd5043", "noise" })
+  {
+    const std::string volume = name;
+    benchmark::RegisterBenchmark(
+      ("Threads/" + volume).c_str(), [volume](benchmark::State& state) { Threads(state, volume); })
+      ->Unit(benchmark::kSecond)
+      ->UseRealTime()
+      ->Iterations(3);
+  }
+  once(benchmark::RegisterBenchmark("Waves512", Waves512));
 }
 
-BENCHMARK_CAPTURE(BesideGudhi, waves, "waves", false)->Unit(benchmark::kSecond)->Iterations(1);
-BENCHMARK_CAPTURE(BesideGudhi, distance, "distance", false)
-  ->Unit(benchmark::kSecond)
-  ->Iterations(1);
-BENCHMARK_CAPTURE(BesideGudhi, plateaus, "plateaus", false)
-  ->Unit(benchmark::kSecond)
-  ->Iterations(1);
-BENCHMARK_CAPTURE(BesideGudhi, mask, "mask", false)->Unit(benchmark::kSecond)->Iterations(1);
-BENCHMARK_CAPTURE(BesideGudhi, emd5043, "emd5043", true)->Unit(benchmark::kSecond)->Iterations(1);
-BENCHMARK_CAPTURE(BesideGudhi, noise, "noise", false)->Unit(benchmark::kSecond)->Iterations(1);
-BENCHMARK(SharedMapsBesideGudhi)->Unit(benchmark::kSecond)->Iterations(1);
-BENCHMARK_CAPTURE(Threads, waves256, "waves256")
-  ->Unit(benchmark::kSecond)
-  ->UseRealTime()
-  ->Iterations(3);
-BENCHMARK_CAPTURE(Threads, emd5043, "emd5043")
-  ->Unit(benchmark::kSecond)
-  ->UseRealTime()
-  ->Iterations(3);
-BENCHMARK(Waves512)->Unit(benchmark::kSecond)->Iterations(1);
+}
 
-BENCHMARK_MAIN();
+int main(int count, char** words)
+{
+  benchmark::Initialize(&count, words);
+  Register();
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

@@ -235,6 +235,66 @@ TEST(MapHandles, SevenFoldGroupsOfGroEL)
   EXPECT_TRUE(found);
 }
 
+TEST(MapHandles, AxesAndShiftsOfGroELChangeNoBridge)
+{
+  ISTHMUS_NEEDS_SHARED_DATA("maps/emd_5043.map");
+  vtkNew<vtkMRCMapReader> reader;
+  reader->SetFileName(
+    (isthmus::testing::SharedDataFolder() / "maps/emd_5043.map").string().c_str());
+  reader->Update();
+  // Level, then the place in nodes of the map as it is.
+  using Bridge = std::array<double, 4>;
+  const auto bridgesOf = [](vtkImageData* image, const std::array<int, 3>& axis, const Place& zero)
+  {
+    vtkNew<vtkMapHandles> filter;
+    filter->SetInputData(image);
+    filter->SetMinimumPersistence(0.45);
+    filter->Update();
+    std::vector<Bridge> bridges;
+    vtkPolyData* points = Points(filter, 0);
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      Bridge bridge{ At(points->GetPointData(), "Level", i), 0.0, 0.0, 0.0 };
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        const auto place = static_cast<std::size_t>(axis[a]);
+        bridge[1 + place] = std::round((points->GetPoint(i)[a] - zero[a]) / image->GetSpacing()[a]);
+      }
+      bridges.push_back(bridge);
+    }
+    std::sort(bridges.begin(), bridges.end());
+    return bridges;
+  };
+  vtkNew<vtkImageData> image;
+  image->ShallowCopy(reader->GetOutput());
+  image->SetOrigin(0.0, 0.0, 0.0);
+  const std::vector<Bridge> bridges = bridgesOf(image, { 0, 1, 2 }, { 0.0, 0.0, 0.0 });
+  EXPECT_GE(bridges.size(), 56u);
+  // Whole nodes further, as the extent says it.
+  vtkNew<vtkImageData> moved;
+  moved->ShallowCopy(image);
+  moved->SetExtent(7, 106, -3, 96, 11, 110);
+  const double* h = moved->GetSpacing();
+  EXPECT_EQ(bridgesOf(moved, { 0, 1, 2 }, { 7.0 * h[0], -3.0 * h[1], 11.0 * h[2] }), bridges);
+  // z, x, y as x, y, z.
+  vtkNew<vtkImageData> turned;
+  turned->SetDimensions(100, 100, 100);
+  turned->SetSpacing(h[2], h[0], h[1]);
+  turned->AllocateScalars(VTK_FLOAT, 1);
+  for (int k = 0; k < 100; ++k)
+  {
+    for (int j = 0; j < 100; ++j)
+    {
+      for (int i = 0; i < 100; ++i)
+      {
+        turned->SetScalarComponentFromDouble(
+          i, j, k, 0, image->GetScalarComponentAsDouble(j, k, i, 0));
+      }
+    }
+  }
+  EXPECT_EQ(bridgesOf(turned, { 2, 0, 1 }, { 0.0, 0.0, 0.0 }), bridges);
+}
+
 TEST(MapHandles, BadInputIsToldInASentence)
 {
   vtkNew<vtkMapHandles> filter;

@@ -3,17 +3,13 @@
 
 #include "CubicalPersistence.h"
 
-#include "CubicalPeer.h"
-#include "SharedData.h"
-#include "StarMatching.h"
+#include "CubicalChecks.h"
+#include "PersistenceVolumes.h"
 
 #include <vtkSMPTools.h>
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <numeric>
-#include <random>
 #include <string>
 
 using namespace isthmus;
@@ -23,194 +19,26 @@ namespace
 {
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-using Size = std::array<std::int64_t, 3>;
-
-template <typename T>
-struct Volume
-{
-  Size Dimensions;
-  std::vector<T> Values;
-
-  VolumeView View() const { return VolumeView(this->Values.data(), this->Dimensions); }
-};
-
-template <typename T, typename Function>
-Volume<T> Fill(const Size& n, Function&& f)
-{
-  Volume<T> volume{ n, {} };
-  for (std::int64_t k = 0; k < n[2]; ++k)
-  {
-    for (std::int64_t j = 0; j < n[1]; ++j)
-    {
-      for (std::int64_t i = 0; i < n[0]; ++i)
-      {
-        volume.Values.push_back(static_cast<T>(
-          f(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k))));
-      }
-    }
-  }
-  return volume;
-}
-
-double Wave(double x, double y, double z)
-{
-  return std::sin(0.61 * x) * std::cos(0.43 * y) + std::sin(0.37 * y + 1.0) * std::cos(0.59 * z) +
-    std::sin(0.47 * z) * std::cos(0.39 * x + 0.5);
-}
-
-template <typename T>
-Volume<T> Noise(const Size& n, double low, double high, unsigned seed = 7)
-{
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> value(low, high);
-  return Fill<T>(n, [&](double, double, double) { return std::floor(value(random)); });
-}
-
-Volume<float> AtomDistance(const Size& n, unsigned seed)
-{
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> place(0.0, 1.0);
-  std::vector<std::array<double, 3>> atoms;
-  for (int i = 0; i < 200; ++i)
-  {
-    const double x = place(random) * static_cast<double>(n[0]);
-    const double y = place(random) * static_cast<double>(n[1]);
-    const double z = place(random) * static_cast<double>(n[2]);
-    atoms.push_back({ x, y, z });
-  }
-  return Fill<float>(n,
-    [&](double x, double y, double z)
-    {
-      double nearest = Infinity;
-      for (const auto& a : atoms)
-      {
-        nearest = std::min(nearest, std::hypot(x - a[0], y - a[1], z - a[2]));
-      }
-      return nearest;
-    });
-}
-
 std::int64_t BettiAt(const Bars& bars, double dimension, double level)
 {
   return std::count_if(bars.begin(), bars.end(),
     [&](const Bar& bar) { return bar[0] == dimension && bar[1] <= level && level < bar[2]; });
 }
 
-void ExpectEqualToGudhi(const VolumeView& volume, const std::string& what)
-{
-#if ISTHMUS_HAS_GUDHI_CUBICAL
-  for (const bool superlevel : { false, true })
-  {
-    const Bars ours = BarsOf(volume, superlevel);
-    EXPECT_EQ(ours, BarsOfGudhi(volume, superlevel)) << what << ", superlevel " << superlevel;
-    EXPECT_GE(ours.size(), 1u) << what;
-  }
-#else
-  static_cast<void>(volume);
-  static_cast<void>(what);
-  ASSERT_FALSE(isthmus::testing::SharedDataRequired()) << "CI needs GUDHI (libgudhi-dev)";
-  GTEST_SKIP() << "GUDHI is not installed (libgudhi-dev)";
-#endif
-}
-
-/// The floats of an MRC file of mode 2 that is stored plainly; empty where it is something else.
-Volume<float> PlainMap(const std::filesystem::path& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  std::int32_t header[256] = {};
-  file.read(reinterpret_cast<char*>(header), sizeof(header));
-  Volume<float> map{ { header[0], header[1], header[2] }, {} };
-  const bool sound = file && header[3] == 2 && header[0] > 0 && header[1] > 0 && header[2] > 0 &&
-    header[0] < 128 && header[1] < 128 && header[2] < 128;
-  if (!sound)
-  {
-    return { { 0, 0, 0 }, {} };
-  }
-  file.seekg(1024 + header[23]);
-  map.Values.resize(
-    static_cast<std::size_t>(map.Dimensions[0] * map.Dimensions[1] * map.Dimensions[2]));
-  file.read(reinterpret_cast<char*>(map.Values.data()),
-    static_cast<std::streamsize>(map.Values.size() * sizeof(float)));
-  return file ? map : Volume<float>{ { 0, 0, 0 }, {} };
-}
-
-}
-
-TEST(StarMatching, HasAsManyCriticalCellsAsClassesComeOrGo)
-{
-  // Every closed star of 2000 drawn at random: the Euler number is that of the critical cells, and
-  // no star can do with fewer (components of the link less one, holes of the link).
-  std::mt19937 random(3);
-  for (int round = 0; round < 2000; ++round)
-  {
-    std::uint32_t mask =
-      static_cast<std::uint32_t>(random()) | static_cast<std::uint32_t>(random());
-    mask &= (1U << 26) - 1;
-    mask &= Star::FacesOfEdges[mask & 63U] | ~(4095U << 6);
-    mask &= Star::CubesOfFaces[mask >> 6 & 4095U] | ~(255U << 18);
-    const StarMatching star = MatchStar(mask);
-    int euler = 0;
-    int critical[4] = { 0, 0, 0, 0 };
-    for (int cell = 0; cell <= Star::Node; ++cell)
-    {
-      const bool present = cell == Star::Node || (mask >> cell & 1U) != 0;
-      const auto partner = star.Partner[static_cast<std::size_t>(cell)];
-      ASSERT_EQ(partner != Star::Absent, present);
-      if (present && partner == cell)
-      {
-        ++critical[Star::Dimension(cell)];
-        euler += Star::Dimension(cell) % 2 == 0 ? 1 : -1;
-      }
-      ASSERT_TRUE(!present || star.Partner[partner] == cell);
-    }
-    ASSERT_EQ(euler, star.EulerNumber);
-    // Betti numbers of the link: components by flooding its vertices (edges) along its edges
-    // (faces); the rest by the Euler number, since only a whole sphere has a void.
-    const std::uint32_t edges = mask & 63U;
-    if (edges == 0)
-    {
-      ASSERT_EQ(critical[0], 1);
-      continue;
-    }
-    std::array<int, 6> label{};
-    std::iota(label.begin(), label.end(), 0);
-    for (int pass = 0; pass < 6; ++pass)
-    {
-      for (std::size_t face = 0; face < 12; ++face)
-      {
-        if ((mask >> (face + 6) & 1U) != 0)
-        {
-          const auto& both = Star::FaceEdges[face];
-          label[both[0]] = label[both[1]] = std::min(label[both[0]], label[both[1]]);
-        }
-      }
-    }
-    int components = 0;
-    for (int edge = 0; edge < 6; ++edge)
-    {
-      components += (edges >> edge & 1U) != 0 && label[static_cast<std::size_t>(edge)] == edge;
-    }
-    const int voids = mask == (1U << 26) - 1 ? 1 : 0;
-    ASSERT_EQ(critical[1], components - 1);
-    ASSERT_EQ(critical[3], voids);
-    // Critical faces are the holes of the link: by the Euler number of the link, which is 1 less
-    // that of the star.
-    const int holes = components + voids - (1 - star.EulerNumber);
-    ASSERT_EQ(critical[2], holes) << mask;
-  }
 }
 
 TEST(CubicalPersistence, EqualsGudhi)
 {
-  ExpectEqualToGudhi(Fill<float>({ 24, 22, 26 }, Wave).View(), "waves");
-  ExpectEqualToGudhi(AtomDistance({ 24, 25, 23 }, 5).View(), "distance");
+  ExpectEqualToGudhi(Fill<float>({ 24, 22, 26 }, ShortWave).View(), "waves");
+  ExpectEqualToGudhi(AtomDistance({ 24, 25, 23 }, 200, 5).View(), "distance");
   ExpectEqualToGudhi(Noise<float>({ 20, 21, 22 }, -1e6, 1e6).View(), "noise");
-  ExpectEqualToGudhi(Fill<float>({ 24, 24, 24 },
-                       [](double x, double y, double z) { return std::floor(3.0 * Wave(x, y, z)); })
-                       .View(),
+  ExpectEqualToGudhi(
+    Fill<float>({ 24, 24, 24 },
+      [](double x, double y, double z) { return std::floor(3.0 * ShortWave(x, y, z)); })
+      .View(),
     "plateaus");
   ExpectEqualToGudhi(Fill<std::uint8_t>({ 30, 24, 24 },
-                       [](double x, double y, double z) { return Wave(x, y, z) > 0.3; })
+                       [](double x, double y, double z) { return ShortWave(x, y, z) > 0.3; })
                        .View(),
     "mask");
   ExpectEqualToGudhi(Noise<float>({ 17, 1, 19 }, -1e6, 1e6).View(), "one node thick along y");
@@ -231,38 +59,6 @@ TEST(CubicalPersistence, EqualsGudhiForEveryType)
   ExpectEqualToGudhi(Noise<std::uint32_t>(n, 0, 4294967295.0).View(), "uint32");
   ExpectEqualToGudhi(Noise<std::int64_t>(n, -9.0e15, 9.0e15).View(), "int64");
   ExpectEqualToGudhi(Noise<std::uint64_t>(n, 0, 1.8e19).View(), "uint64");
-}
-
-TEST(CubicalPersistence, EqualsGudhiOnEMD5043)
-{
-  ISTHMUS_NEEDS_SHARED_DATA("maps/emd_5043.map");
-  const Volume<float> map = PlainMap(SharedDataFolder() / "maps/emd_5043.map");
-  ASSERT_EQ(map.Values.size(), 1000000u);
-#if ISTHMUS_HAS_GUDHI_CUBICAL
-  const Bars ours = BarsOf(map.View(), true);
-  EXPECT_EQ(ours, BarsOfGudhi(map.View(), true));
-  // Tunnels at the level of the authors' surface.
-  EXPECT_EQ(std::count_if(ours.begin(), ours.end(),
-              [](const Bar& bar) { return bar[0] == 1.0 && bar[1] >= 1.5 && bar[2] < 1.5; }),
-    36);
-#endif
-}
-
-TEST(CubicalPersistence, EqualsGudhiOnSmallMaps)
-{
-  ISTHMUS_NEEDS_SHARED_DATA("maps");
-  int seen = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(SharedDataFolder() / "maps"))
-  {
-    const Volume<float> map = entry.is_regular_file() ? PlainMap(entry.path()) : Volume<float>{};
-    // The larger ones: BenchScalarPersistence, since GUDHI takes ten seconds for a million nodes.
-    if (!map.Values.empty() && map.Values.size() < 150000)
-    {
-      ExpectEqualToGudhi(map.View(), entry.path().filename().string());
-      ++seen;
-    }
-  }
-  EXPECT_GE(seen, 5);
 }
 
 TEST(CubicalPersistence, DrawnByHand)
@@ -326,7 +122,7 @@ TEST(CubicalPersistence, EulerNumbersAgreeWithBetti)
   for (const bool superlevel : { false, true })
   {
     const Volume<float> volume = Fill<float>({ 24, 22, 26 },
-      [&](double x, double y, double z) { return (superlevel ? -1.0 : 1.0) * Wave(x, y, z); });
+      [&](double x, double y, double z) { return (superlevel ? -1.0 : 1.0) * ShortWave(x, y, z); });
     CubicalParameters parameters;
     parameters.Superlevel = superlevel;
     for (int i = -20; i <= 20; ++i)
@@ -376,7 +172,7 @@ TEST(CubicalPersistence, AxesSignsAndThreadsLeaveNoTrace)
   }
   std::sort(mirrored.begin(), mirrored.end());
   EXPECT_EQ(mirrored, bars);
-  const Volume<float> large = Fill<float>({ 70, 71, 72 }, Wave);
+  const Volume<float> large = Fill<float>({ 70, 71, 72 }, ShortWave);
   const auto pairs = CubicalPersistence(large.View()).Pairs;
   for (const int threads : { 1, 3 })
   {
@@ -388,14 +184,14 @@ TEST(CubicalPersistence, AxesSignsAndThreadsLeaveNoTrace)
 TEST(CubicalPersistence, WideKeysGiveTheSamePairs)
 {
   // Doubles take keys of 128 bits; the same values as floats those of 64.
-  const Volume<float> narrow = Fill<float>({ 33, 34, 35 }, Wave);
+  const Volume<float> narrow = Fill<float>({ 33, 34, 35 }, ShortWave);
   Volume<double> wide{ narrow.Dimensions, { narrow.Values.begin(), narrow.Values.end() } };
   EXPECT_EQ(CubicalPersistence(narrow.View()).Pairs, CubicalPersistence(wide.View()).Pairs);
 }
 
 TEST(CubicalPersistence, NaNIsRefusedWithItsPlace)
 {
-  Volume<float> volume = Fill<float>({ 9, 8, 7 }, Wave);
+  Volume<float> volume = Fill<float>({ 9, 8, 7 }, ShortWave);
   volume.Values[static_cast<std::size_t>(4 + 9 * (2 + 8 * 5))] = std::nanf("");
   try
   {
@@ -410,7 +206,7 @@ TEST(CubicalPersistence, NaNIsRefusedWithItsPlace)
 
 TEST(CubicalPersistence, StopsWhenAsked)
 {
-  const Volume<float> volume = Fill<float>({ 40, 40, 40 }, Wave);
+  const Volume<float> volume = Fill<float>({ 40, 40, 40 }, ShortWave);
   std::vector<double> told;
   CubicalPersistence(volume.View(), {},
     [&](double fraction)

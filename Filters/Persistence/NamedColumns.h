@@ -1,0 +1,53 @@
+/**
+ * @file NamedColumns.h
+ * @brief Named arrays made and filled in one line.
+ */
+#ifndef isthmus_NamedColumns_h
+#define isthmus_NamedColumns_h
+
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+
+#include <cstddef>
+#include <string>
+
+namespace isthmus
+{
+
+/// A new array of `count` tuples, which belongs to `data`.
+template <typename Array>
+Array* AddArray(vtkFieldData* data, const std::string& name, std::size_t count)
+{
+  vtkNew<Array> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  data->AddArray(array);
+  return array;
+}
+
+/// A new array with these numbers.
+template <typename Array, typename Numbers>
+void AddColumn(vtkFieldData* data, const std::string& name, const Numbers& numbers)
+{
+  auto* column = AddArray<Array>(data, name, numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    column->SetValue(static_cast<vtkIdType>(i), numbers[i]);
+  }
+}
+
+/// A new array with of(item) for each item.
+template <typename Array, typename Items, typename Of>
+void AddColumnOf(vtkFieldData* data, const std::string& name, const Items& items, Of&& of)
+{
+  auto* column = AddArray<Array>(data, name, items.size());
+  vtkIdType at = 0;
+  for (const auto& item : items)
+  {
+    column->SetValue(at++, of(item));
+  }
+}
+
+}
+
+#endif

@@ -1,0 +1,174 @@
+// Persistence of real maps: every shared one of at most 128^3 against GUDHI; EMD-5043 turned,
+// mirrored and moved; memory per node.
+
+#include "CubicalPersistence.h"
+
+#include "CubicalChecks.h"
+#include "PeakMemory.h"
+#include "PersistenceVolumes.h"
+
+#include <gtest/gtest.h>
+#include <malloc.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+
+using namespace isthmus;
+using namespace isthmus::testing;
+
+namespace
+{
+
+const std::string EMD5043 = "maps/emd_5043.map";
+
+/// The same nodes with axis a of the result running along axis `from[a]`, mirrored where asked.
+Volume<float> Turned(
+  const Volume<float>& map, const std::array<std::size_t, 3>& from, const std::array<bool, 3>& back)
+{
+  const Size& n = map.Dimensions;
+  const Size stride{ 1, n[0], n[0] * n[1] };
+  Volume<float> turned{ { n[from[0]], n[from[1]], n[from[2]] }, {} };
+  Size at{};
+  for (at[2] = 0; at[2] < turned.Dimensions[2]; ++at[2])
+  {
+    for (at[1] = 0; at[1] < turned.Dimensions[1]; ++at[1])
+    {
+      for (at[0] = 0; at[0] < turned.Dimensions[0]; ++at[0])
+      {
+        std::int64_t node = 0;
+        for (std::size_t a = 0; a < 3; ++a)
+        {
+          node += stride[from[a]] * (back[a] ? turned.Dimensions[a] - 1 - at[a] : at[a]);
+        }
+        turned.Values.push_back(map.Values[static_cast<std::size_t>(node)]);
+      }
+    }
+  }
+  return turned;
+}
+
+/// The map with its first node at `place` in a box that is 8 nodes longer along each axis, in a
+/// world of its least value.
+Volume<float> Moved(const Volume<float>& map, const Size& place)
+{
+  const Size& n = map.Dimensions;
+  const float least = *std::min_element(map.Values.begin(), map.Values.end());
+  Volume<float> moved = Fill<float>(
+    { n[0] + 8, n[1] + 8, n[2] + 8 }, [least](double, double, double) { return least; });
+  for (std::int64_t row = 0; row < n[1] * n[2]; ++row)
+  {
+    const std::int64_t y = row % n[1] + place[1];
+    const std::int64_t z = row / n[1] + place[2];
+    std::copy_n(map.Values.begin() + row * n[0], n[0],
+      moved.Values.begin() + place[0] + (n[0] + 8) * (y + (n[1] + 8) * z));
+  }
+  return moved;
+}
+
+/// Bytes that the pairs of a volume take at most, over what was held before, per node.
+double BytesPerNode(const VolumeView& volume, bool superlevel)
+{
+  CubicalParameters parameters;
+  parameters.Superlevel = superlevel;
+  mallopt(M_ARENA_MAX, 1); // what glibc sets aside for each thread is not the algorithm's
+  malloc_trim(0);
+  ResetPeakMemory();
+  const double before = PeakMemory();
+  EXPECT_FALSE(CubicalPersistence(volume, parameters).Pairs.empty());
+  return (PeakMemory() - before) / static_cast<double>(volume.NodeCount());
+}
+
+/// One of eight parts of the shared maps, so that they run beside each other.
+class SharedMaps : public ::testing::TestWithParam<int>
+{
+};
+
+}
+
+TEST_P(SharedMaps, EqualGudhi)
+{
+  ISTHMUS_NEEDS_SHARED_DATA(EMD5043);
+  const auto files = SharedMapFiles();
+  ASSERT_GE(files.size(), 30u);
+  int seen = 0;
+  for (std::size_t i = static_cast<std::size_t>(GetParam()); i < files.size(); i += 8)
+  {
+    const Volume<float> map = MapOf(files[i]);
+    if (IsSmall(map))
+    {
+      ++seen;
+      ExpectEqualToGudhi(map.View(), files[i].filename().string(), true);
+      // The other sign of the larger ones: BenchScalarPersistence, since GUDHI takes ten seconds
+      // for a million nodes.
+      if (map.Values.size() < 150000)
+      {
+        ExpectEqualToGudhi(map.View(), files[i].filename().string(), false);
+      }
+    }
+  }
+  EXPECT_GE(seen, 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Eighths, SharedMaps, ::testing::Range(0, 8));
+
+TEST(PersistenceOfMaps, TurnsMirrorsAndShiftsOfEMD5043ChangeNothing)
+{
+  ISTHMUS_NEEDS_SHARED_DATA(EMD5043);
+  const Volume<float> map = MapOf(SharedDataFolder() / EMD5043);
+  ASSERT_EQ(map.Values.size(), 1000000u);
+  const Bars bars = BarsOf(map.View(), true);
+  // Tunnels at the level of the authors' surface.
+  EXPECT_EQ(std::count_if(bars.begin(), bars.end(),
+              [](const Bar& bar) { return bar[0] == 1.0 && bar[1] >= 1.5 && bar[2] < 1.5; }),
+    36);
+  std::array<std::size_t, 3> from{ 0, 1, 2 };
+  for (int order = 0; std::next_permutation(from.begin(), from.end()); ++order)
+  {
+    const Volume<float> turned = Turned(map, from, { order % 2 == 0, order % 3 == 0, order > 2 });
+    EXPECT_TRUE(BarsOf(turned.View(), true) == bars) << from[0] << from[1] << from[2];
+  }
+  const Bars inBox = BarsOf(Moved(map, { 4, 4, 4 }).View(), true);
+  EXPECT_GT(inBox.size(), 1000u);
+  EXPECT_TRUE(BarsOf(Moved(map, { 1, 7, 3 }).View(), true) == inBox);
+  // Whole numbers added to the values: exact in double, so that births and deaths move by as much.
+  Volume<double> raised{ map.Dimensions, { map.Values.begin(), map.Values.end() } };
+  for (double& value : raised.Values)
+  {
+    value += 8.0;
+  }
+  Bars lowered = BarsOf(raised.View(), true);
+  for (Bar& bar : lowered)
+  {
+    bar[1] -= 8.0;
+    bar[2] -= 8.0;
+  }
+  EXPECT_TRUE(lowered == bars);
+}
+
+TEST(PersistenceOfMaps, MemoryStaysWithinBounds)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers hold memory of their own";
+#endif
+  if (PeakMemory() == 0.0)
+  {
+    GTEST_SKIP() << "the kernel does not tell how much memory was held";
+  }
+  // Of these, 12 MB are tables of all lower stars there could be.
+  EXPECT_LT(BytesPerNode(Fill<float>({ 128, 128, 128 }, Wave).View(), false), 20.0);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> value(-1.0, 1.0);
+  const auto draw = [&](double, double, double) { return value(random); };
+  EXPECT_LT(BytesPerNode(Fill<float>({ 96, 96, 96 }, draw).View(), false), 120.0);
+}
+
+TEST(PersistenceOfMaps, MemoryOfEMD5043StaysWithinBounds)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers hold memory of their own";
+#endif
+  ISTHMUS_NEEDS_SHARED_DATA(EMD5043);
+  const Volume<float> map = MapOf(SharedDataFolder() / EMD5043);
+  EXPECT_LT(BytesPerNode(map.View(), true), 20.0);
+}
