@@ -3,11 +3,14 @@
 #include "RunPython.h"
 
 #include <pqApplicationCore.h>
+#include <pqCoreUtilities.h>
 #include <pqPipelineSource.h>
 #include <pqServerManagerModel.h>
 
 #include <QApplication>
 #include <QIcon>
+#include <QMainWindow>
+#include <QToolBar>
 
 namespace
 {
@@ -15,6 +18,18 @@ namespace
 QList<pqPipelineSource*> Sources()
 {
   return pqApplicationCore::instance()->getServerManagerModel()->findItems<pqPipelineSource*>();
+}
+
+/// At the start of ParaView the toolbar comes before ParaView's own last ones, into a row that is
+/// full; once more, it goes into the last row.
+void MoveToLastRow()
+{
+  auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget());
+  auto* toolbar = window ? window->findChild<QToolBar*>("Isthmus") : nullptr;
+  if (toolbar && !toolbar->isFloating())
+  {
+    window->addToolBar(Qt::TopToolBarArea, toolbar);
+  }
 }
 
 /// Runs a pipeline; what it made is up to date, so that Apply has nothing to do.
@@ -51,6 +66,12 @@ IsthmusToolbar::IsthmusToolbar(QObject* parent)
     tr("Potential, polarized curvature and likely binding sites of the selected protein"));
   this->Add("surface_to_loops", "SurfaceToLoops", tr("Surface to choking loops"),
     tr("Where the selected closed surface is narrow: handles, tunnels, bottlenecks"));
+  this->Add("protein_to_pockets", "ProteinToPockets", tr("Protein to pockets"),
+    tr("The pockets of the selected molecule, ranked; a click on one shows its residues"));
+  this->Add("protein_to_pores", "ProteinToPores", tr("Protein to pores"),
+    tr("Channels that run through the selected molecule, with the radius along them"));
+  QObject::connect(
+    pqApplicationCore::instance(), &pqApplicationCore::clientEnvironmentDone, this, &MoveToLastRow);
 }
 
 void IsthmusToolbar::Add(

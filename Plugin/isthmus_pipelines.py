@@ -4,7 +4,7 @@
     surface, loops = pipelines.map_to_loops(OpenDataFile("emd_5043.map"))
     pipelines.show(surface, loops)
 
-Each of the six functions takes a source and returns a tuple of the last proxies, the main one last;
+Each of the eight functions takes a source and returns a tuple of the last proxies, the main one last;
 all are ordinary filters, to be changed as one likes. They use proxies only, so that the data stays
 on the server, wherever that is. What can't be done is told in one sentence, as ValueError.
 
@@ -18,6 +18,11 @@ import tempfile
 
 from paraview import print_error, servermanager, simple
 
+try:
+    import isthmus_pockets as pockets_and_pores  # with the plugin loaded
+except ImportError:
+    from isthmus import pockets as pockets_and_pores
+
 DUST = 0.01  # components below that share of the largest one's area are hidden
 DECAY = 1.2  # of the Gaussians of a molecular surface: BindingSites.md tells what it was tuned on
 SPACING = 0.6  # angstrom, of a molecular surface's grid
@@ -29,6 +34,7 @@ CURVATURES = ("MeanCurvature", "GaussianCurvature", "MaximumCurvature", "Minimum
 SIGNED = CURVATURES + (
     "Potential", "PolarizedCurvature", "PositivePotentialKappa1", "PositivePotentialKappa2",
     "NegativePotentialKappa1", "NegativePotentialKappa2", "SignedDistance")
+SITES = ("BindingSites", "BindingSitesInPockets")
 UNSIGNED = ("Curvedness",)
 FIXED = {"ShapeIndex": (-1.0, 1.0)}
 TITLES = {
@@ -36,7 +42,8 @@ TITLES = {
     "MaximumCurvature": "Maximum curvature (1/Å)", "MinimumCurvature": "Minimum curvature (1/Å)",
     "Curvedness": "Curvedness (1/Å)", "ShapeIndex": "Shape index", "Potential": "Potential (kT/e)",
     "PolarizedCurvature": "Polarized curvature (kT/(e Å))", "Kind": "Choking loops",
-    "BindingSite": "Binding sites", "SiteClass": "Kind of site"}
+    "BindingSite": "Binding sites", "SiteClass": "Kind of site",
+    "WidthClass": "Room in the pore"}
 # Okabe and Ito's colours, which all eyes tell apart.
 VERMILION, ORANGE, SKY, GREEN, YELLOW, BLUE, PURPLE, GREY = (
     (0.835, 0.369, 0.0), (0.902, 0.624, 0.0), (0.337, 0.706, 0.914), (0.0, 0.620, 0.451),
@@ -50,6 +57,8 @@ CATEGORIES = {
     "BindingSite": (
         ("0", "no site", GREY), ("1", "best site", VERMILION), ("2", "second", BLUE),
         ("3", "third", GREEN), ("4", "fourth", ORANGE), ("5", "fifth", PURPLE)),
+    "WidthClass": (
+        ("0", "too narrow for water", VERMILION), ("1", "one water", GREEN), ("2", "wider", BLUE)),
 }
 
 
@@ -118,7 +127,7 @@ def _require_triangles(surface):
                          "were hidden as dust. Look at its values in the Information panel.")
 
 
-# ---------------------------------------------------------------------------- the six pipelines
+# ---------------------------------------------------------------------------- the pipelines
 
 def map_to_surface(source, level=None):
     """(surface,): the map's closed surface; at the recommended or a sensible level where none is
@@ -177,7 +186,8 @@ def protein_to_surface(source):
 
 
 def protein_to_sites(source, potential=None):
-    """(potential, sites): the surface with potential, polarized curvature and likely binding sites.
+    """(potential, sites): the surface with potential, polarized curvature and likely binding sites: pockets,
+    ranked with it.
 
     potential: a source of it (kT/e) on a grid. Without one it is computed from the charges of the
     atoms (a PQR file has them) by APBS, into a .dx file that stays beside the molecule's or, where
@@ -192,11 +202,24 @@ def protein_to_sites(source, potential=None):
         Scalars=["POINTS", "Density"])
     polarized = simple.PolarizedCurvature(
         registrationName="Polarized curvature", Input=curvature, PotentialImage=potential)
-    sites = simple.BindingSites(
-        registrationName="Binding sites", Input=polarized,
+    sites = simple.BindingSitesInPockets(
+        registrationName="Binding sites", Input=polarized, Atoms=source,
         RankedArray=["POINTS", "PolarizedCurvature"])
     sites.UpdatePipeline()
     return potential, sites
+
+
+def protein_to_pockets(source):
+    """(residues, pockets): the pockets of a molecule, ranked, and the residues of the best one."""
+    _require_atoms(source)
+    return pockets_and_pores.protein_to_pockets(source)
+
+
+def protein_to_pores(source):
+    """(chart, residues, pores): the channels that run through a molecule, the radius along the longest
+    one, and the residues that line it."""
+    _require_atoms(source)
+    return pockets_and_pores.protein_to_pores(source)
 
 
 def _molecule(source):
@@ -408,9 +431,11 @@ def _look(display):
         _seen.add(key)
         if name == "ChokingLoops":
             _look_at_loops(display, view, source.Port if hasattr(source, "Port") else 0)
-        elif name == "BindingSites" and getattr(source, "Port", 0) == 0:
+        elif name in SITES and getattr(source, "Port", 0) == 0:
             simple.ColorBy(display, ("POINTS", "BindingSite"))
             display.SetScalarBarVisibility(view, True)
+        elif name in pockets_and_pores.FEATURES:
+            pockets_and_pores.look(display, view, getattr(source, "Port", 0))
     _colour(display, view)
 
 
@@ -430,6 +455,10 @@ def first_look(*ids):
 def show(*proxies, view=None):
     """Shows the last proxies of a pipeline as the window would, and returns the last display."""
     view = view or simple.GetActiveViewOrCreate("RenderView")
+    if proxies[-1].SMProxy.GetXMLName() in pockets_and_pores.FEATURES:
+        display = pockets_and_pores.show(proxies[-1], view)
+        _look(display)
+        return display
     display = None
     for proxy in proxies:
         if _data_of(proxy).GetDataSetTypeAsString() != "vtkPolyData":
@@ -447,7 +476,7 @@ def show(*proxies, view=None):
 
 def _replaced(proxy, last):
     """Whether `last` shows what `proxy` does, with more to it."""
-    return last.SMProxy.GetXMLName() in ("CurvatureOnSurface", "BindingSites")
+    return last.SMProxy.GetXMLName() in ("CurvatureOnSurface",) + SITES
 
 
 def run(function):

@@ -48,10 +48,12 @@ function (isthmus_build_python)
   set(package "${CMAKE_CURRENT_SOURCE_DIR}/cmake/isthmus_init.py")
   configure_file("${package}" "${CMAKE_BINARY_DIR}/${destination}/isthmus/__init__.py" COPYONLY)
   install(FILES "${package}" DESTINATION "${destination}/isthmus" RENAME __init__.py)
-  # The same file travels inside the plugin, for windows without this package.
-  set(pipelines "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/isthmus_pipelines.py")
-  configure_file("${pipelines}" "${CMAKE_BINARY_DIR}/${destination}/isthmus/pipelines.py" COPYONLY)
-  install(FILES "${pipelines}" DESTINATION "${destination}/isthmus" RENAME pipelines.py)
+  # The same files travel inside the plugin, for windows without this package.
+  foreach (name IN ITEMS pipelines pockets trajectories)
+    set(file "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/isthmus_${name}.py")
+    configure_file("${file}" "${CMAKE_BINARY_DIR}/${destination}/isthmus/${name}.py" COPYONLY)
+    install(FILES "${file}" DESTINATION "${destination}/isthmus" RENAME ${name}.py)
+  endforeach ()
   set_property(GLOBAL PROPERTY isthmus_python_destination "${destination}")
 endfunction ()
 
