@@ -266,7 +266,9 @@ def _show_chart(pores, view):
     lines.SeriesVisibility = ["Radius"]
     lines.SeriesLineThickness = ["Radius", "3"]
     chart.BottomAxisTitle = "Along the pore (Å)"
-    chart.LeftAxisTitle = "Radius (Å): one water passes from 1.15, two from 2.30"
+    chart.LeftAxisTitle = "Radius (Å)"
+    chart.ChartTitle = "One water passes from 1.15 Å, two from 2.30 Å"
+    chart.ChartTitleFontSize = 12
     chart.LeftAxisUseCustomLabels = 1
     chart.LeftAxisLabels = [word for value in ("0", *WATERS, "3", "4", "5") for word in (value, value)]
     chart.LeftAxisUseCustomRange = 1

@@ -110,23 +110,71 @@ def choose_until(paraview, folder, what, act, number):
     sys.exit(f"{what}: {number} was not chosen, but {chosen(folder)}; {complaints(folder)}")
 
 
-def main():
-    folder = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "PocketsWindow" / "try"
-    paraview = start(folder, shared_data(sys.argv[1]), int(sys.argv[2]))
+# Places in a window of WIDTH x HEIGHT; the camera is the first look's.
+VIEW = (slice(210, 960), slice(310, 1040))
+ROW_OF_POCKET_2, EMPTY_PLACE, POCKET_1, POCKET_2 = (1200, 296), (400, 900), (697, 500), (560, 600)
+ROW_OF_PORE_4, CHART = (1200, 830), (slice(210, 640), slice(1070, 1590))
+VERMILION, BLUE, GREEN, ROW_BLUE, LINE = (
+    (213, 94, 0), (0, 114, 178), (0, 158, 115), (48, 140, 198), (77, 175, 74))
+
+
+def session(name, data, button, play):
+    folder = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "PocketsWindow" / name
+    paraview = start(folder, shared_data(data), button)
     try:
-        wait(paraview, folder, "the button", lambda: (
+        wait(paraview, folder, "the button's work", lambda: (
             fill_screen() or "is finished" in (folder / "paraview.log").read_text(errors="replace")))
-        time.sleep(8)
-        picture(folder / "first.png")
-        for place in sys.argv[3:]:
-            x, y, *keys = place.split(",")
-            click(int(x), int(y), *keys)
-            time.sleep(6)
-            picture(folder / f"after_{x}_{y}.png")
-        print(chosen(folder), complaints(folder))
+        time.sleep(8)  # the window paints after the script
+        play(paraview, folder)
+        said = complaints(folder)
+        assert not said, said
     finally:
         paraview.kill()
         paraview.wait()
 
 
-main()
+def pockets(paraview, folder):
+    before = picture(folder / "first.png")
+    for colour in (VERMILION, BLUE):
+        count = is_coloured(before[VIEW], colour, 60).sum()
+        assert count > 2000, f"{count} pixels in the colour of a pocket"
+
+    def in_view(place, key):
+        click(*EMPTY_PLACE)
+        click(*place, key)
+
+    second = choose_until(paraview, folder, "a row", lambda: click(*ROW_OF_POCKET_2), 2)
+    time.sleep(3)
+    after = picture(folder / "row.png")
+    assert is_coloured(after[280:310, 1090:1460], ROW_BLUE).sum() > 2000, "the row is not selected"
+    changed = (abs(after[VIEW] - before[VIEW]).max(axis=-1) > 60).sum()
+    assert changed > 1000, f"only {changed} pixels of the view follow the row"
+    first = choose_until(
+        paraview, folder, "a pocket in the view", lambda: in_view(POCKET_1, "d"), 1)
+    time.sleep(3)
+    back = picture(folder / "pocket.png")
+    assert (abs(back[VIEW] - after[VIEW]).max(axis=-1) > 60).sum() > 1000
+    choose_until(paraview, folder, "the other pocket", lambda: in_view(POCKET_2, "d"), 2)
+    print(f"residues of the first pocket: {first} atoms, of the second: {second}; {changed} pixels changed")
+    assert first > second > 20
+
+
+def pores(paraview, folder):
+    before = picture(folder / "first.png")
+    for colour in (GREEN, BLUE):
+        count = is_coloured(before[VIEW], colour, 60).sum()
+        assert count > 2000, f"{count} pixels in the colour of a class of width"
+    line = is_coloured(before[CHART], LINE, 20)
+    assert line.any(axis=0).sum() > 200, "no line in the chart"
+    atoms = choose_until(paraview, folder, "a row", lambda: click(*ROW_OF_PORE_4), 4)
+    time.sleep(3)
+    after = picture(folder / "row.png")
+    moved = (is_coloured(after[CHART], LINE, 20) != line).sum()
+    print(f"residues of the fourth pore: {atoms} atoms; {moved} pixels of the chart changed")
+    assert moved > 300, "the chart does not follow the row"
+
+
+SESSIONS = {"pockets": ("molecules/1hew.pdb", 6, pockets), "pores": ("molecules/2kix.pdb", 7, pores)}
+for session_name, arguments in SESSIONS.items():
+    if len(sys.argv) < 2 or session_name in sys.argv[1:]:
+        session(session_name, *arguments)
