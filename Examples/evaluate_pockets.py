@@ -1,16 +1,19 @@
 """Where do pockets lie that rank first? Molecular Pockets beside fpocket, both without the ligand.
 
-Usage: pvpython evaluate_pockets.py FOLDER [--fpocket PROGRAM]
+Usage: pvpython evaluate_pockets.py FOLDER [--fpocket PROGRAM] [--sweep]
 
 FOLDER holds ligands.csv (file, ligand_residue, chain, residue_number) and the complexes it names. The
 ligand's lines are taken out of each file before anything runs. Success: the pocket's centre (for
-fpocket: the mean of its alpha spheres) within 4 angstrom of an atom of the ligand. fpocket is no part
-of Debian: build it with its own qhull and name the program. Prints Markdown.
+fpocket: the mean of its alpha spheres, or of the atoms that line it) within 4 angstrom of an atom of
+the ligand. fpocket is no part of Debian: build it with its own qhull and name the program. Prints
+Markdown: also what chance would give, a pocket taken at random among those found. With --sweep: 40
+settings of inner and outer radius, and each complex judged by the setting that is best on the others.
 """
 
 import argparse
 import csv
 import gzip
+import itertools
 import subprocess
 import tempfile
 from pathlib import Path
@@ -21,6 +24,8 @@ import find_isthmus  # noqa: F401 (before isthmus)
 import isthmus
 
 SUCCESS = 4.0  # angstrom
+INNER = numpy.linspace(1.5, 1.9, 5)
+OUTER = numpy.linspace(2.8, 3.5, 8)
 
 
 def place_of(line):
@@ -44,57 +49,113 @@ def split(path, row):
     return protein, numpy.array([place_of(lines[i]) for i in sorted(ligand)])
 
 
-def by_isthmus(path):
+def by_isthmus(path, inner=1.7, outer=3.1):
     reader = isthmus.vtkMacromoleculeReader()
     reader.SetFileName(str(path))
     finder = isthmus.vtkMolecularPockets()
     finder.SetInputConnection(reader.GetOutputPort())
+    finder.SetInnerRadius(inner)
+    finder.SetOuterRadius(outer)
     finder.Update()
     table = finder.GetPocketTable()
     return [
         [table.GetValueByName(row, "Center" + axis).ToDouble() for axis in "XYZ"]
-        for row in range(min(3, table.GetNumberOfRows()))
+        for row in range(table.GetNumberOfRows())
     ]
 
 
-def by_fpocket(program, path):
-    subprocess.run([program, "-f", str(path)], check=True, stdout=subprocess.DEVNULL)
+def by_fpocket(program, path, by_atoms):
+    folder = path.parent / (path.stem + "_out")
+    if not folder.exists():
+        subprocess.run([program, "-f", str(path)], check=True, stdout=subprocess.DEVNULL)
+    if by_atoms:
+        files = sorted((folder / "pockets").glob("pocket*_atm.pdb"),
+                       key=lambda file: int(file.name[len("pocket"):-len("_atm.pdb")]))
+        return [numpy.mean([place_of(line) for line in open(file) if line.startswith("ATOM")], axis=0)
+                for file in files]
     spheres = {}
-    for line in open(path.parent / (path.stem + "_out") / (path.stem + "_out.pdb")):
+    for line in open(folder / (path.stem + "_out.pdb")):
         if line.startswith("HETATM") and line[17:20] == "STP":
             spheres.setdefault(int(line[22:26]), []).append(place_of(line))
-    return [numpy.mean(spheres[rank], axis=0) for rank in sorted(spheres)[:3]]
+    return [numpy.mean(spheres[rank], axis=0) for rank in sorted(spheres)]
+
+
+def chance(hits):
+    """Expected successes, at first and among three, of pockets taken in random order."""
+    first = sum(h.mean() for h in hits if len(h))
+    three = 0.0
+    for h in hits:
+        good, count = int(h.sum()), len(h)
+        misses = 1.0
+        for k in range(min(3, count)):
+            misses *= max(0, count - good - k) / (count - k)
+        three += 1.0 - misses
+    return first, three
+
+
+def print_table(names, found):
+    print("| | " + " | ".join(names) + " | first | among three | by chance |")
+    print("|---|" + "---|" * (len(names) + 3))
+    for name, distances in found.items():
+        cells = [f"{d[0]:.1f} ({min(d[:3]):.1f})" for d in distances]
+        first = sum(d[0] <= SUCCESS for d in distances)
+        three = sum(min(d[:3]) <= SUCCESS for d in distances)
+        by_chance = "{:.1f}, {:.1f}".format(*chance([numpy.array(d) <= SUCCESS for d in distances]))
+        print(f"| {name} | " + " | ".join(cells) + f" | {first} | {three} | {by_chance} |")
+
+
+def print_sweep(table):
+    """`table`: for each setting whether it succeeds (first, among three) on each complex."""
+    settings = sorted(table)
+    success = numpy.array([table[setting] for setting in settings])  # setting, complex, rank
+    sums = success.sum(axis=1)
+    print(f"{len(settings)} settings: first {sums[:, 0].min()} to {sums[:, 0].max()}, "
+          f"median {numpy.median(sums[:, 0]):g}; among three {sums[:, 1].min()} to {sums[:, 1].max()}")
+    for setting, (first, three) in zip(settings, sums):
+        if first < sums[:, 0].max():
+            print(f"  inner {setting[0]:.1f}, outer {setting[1]:.1f}: {first}, {three}")
+    left_out = numpy.zeros(2)
+    for i in range(success.shape[1]):
+        others = numpy.delete(success, i, axis=1).sum(axis=1)
+        best = others[numpy.lexsort((others[:, 1], others[:, 0]))[-1]]
+        ties = (others == best).all(axis=1)
+        left_out += success[ties, i].mean(axis=0)
+    print("leave one out, mean over the settings that are best on the others: first {:.2f}, among "
+          "three {:.2f}".format(*left_out))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("folder", type=Path)
     parser.add_argument("--fpocket")
+    parser.add_argument("--sweep", action="store_true")
     options = parser.parse_args()
     methods = {"pockets": by_isthmus}
     if options.fpocket:
-        methods["fpocket"] = lambda path: by_fpocket(options.fpocket, path)
+        for name, by_atoms in (("fpocket, mean of its spheres", False), ("fpocket, mean of lining atoms", True)):
+            methods[name] = lambda path, by_atoms=by_atoms: by_fpocket(options.fpocket, path, by_atoms)
     found = {name: [] for name in methods}
+    sweep = {}
     names = []
     for row in csv.DictReader(open(options.folder / "ligands.csv")):
         path = (options.folder / row["file"]).resolve()
         protein, ligand = split(path, row)
         names.append(path.name.split(".")[0])
+
+        def distances(centres):
+            return [numpy.linalg.norm(ligand - c, axis=1).min() for c in centres] or [numpy.inf]
+
         with tempfile.TemporaryDirectory() as folder:
             bare = Path(folder) / (names[-1] + ".pdb")
             bare.write_text("".join(protein))
             for name, method in methods.items():
-                centres = method(bare)
-                found[name].append(
-                    [numpy.linalg.norm(ligand - c, axis=1).min() for c in centres] or [numpy.inf]
-                )
-    print("| | " + " | ".join(names) + " | first | among three |")
-    print("|---|" + "---|" * (len(names) + 2))
-    for name, distances in found.items():
-        cells = [f"{d[0]:.1f} ({min(d):.1f})" for d in distances]
-        first = sum(d[0] <= SUCCESS for d in distances)
-        three = sum(min(d) <= SUCCESS for d in distances)
-        print(f"| {name} | " + " | ".join(cells) + f" | {first} | {three} |")
+                found[name].append(distances(method(bare)))
+            for setting in itertools.product(INNER, OUTER) if options.sweep else ():
+                d = distances(by_isthmus(bare, *setting))
+                sweep.setdefault(setting, []).append((d[0] <= SUCCESS, min(d[:3]) <= SUCCESS))
+    print_table(names, found)
+    if sweep:
+        print_sweep(sweep)
 
 
 if __name__ == "__main__":

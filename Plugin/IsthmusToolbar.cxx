@@ -75,6 +75,10 @@ IsthmusToolbar::IsthmusToolbar(QObject* parent)
     tr("Where the selected closed surface is narrow: handles, tunnels, bottlenecks"));
   this->Add("persistence_diagram", "Diagram", tr("Persistence diagram"),
     tr("The diagram of the selected Choking Loops or Scalar Persistence, as a chart"));
+  this->Add("protein_to_pockets", "ProteinToPockets", tr("Protein to pockets"),
+    tr("The pockets of the selected molecule, ranked; a click on one shows its residues"));
+  this->Add("protein_to_pores", "ProteinToPores", tr("Protein to pores"),
+    tr("Channels that run through the selected molecule, with the radius along them"));
 }
 
 void IsthmusToolbar::Add(

@@ -5,6 +5,11 @@ first_look() for each result that is new or changed.
 
 from paraview import print_error, servermanager, simple
 
+try:
+    import isthmus_pockets as pockets_and_pores  # with the plugin loaded
+except ImportError:
+    from isthmus import pockets as pockets_and_pores
+
 # Colours. A signed quantity spans a range symmetric about 0, so that what is neutral is flat.
 DIVERGING = "Cool to Warm"
 SEQUENTIAL = "Viridis (matplotlib)"
@@ -12,6 +17,7 @@ CURVATURES = ("MeanCurvature", "GaussianCurvature", "MaximumCurvature", "Minimum
 SIGNED = CURVATURES + (
     "Potential", "PolarizedCurvature", "PositivePotentialKappa1", "PositivePotentialKappa2",
     "NegativePotentialKappa1", "NegativePotentialKappa2", "SignedDistance")
+SITES = ("BindingSites", "BindingSitesInPockets")
 UNSIGNED = ("Curvedness",)
 FIXED = {"ShapeIndex": (-1.0, 1.0)}
 TITLES = {
@@ -20,7 +26,7 @@ TITLES = {
     "Curvedness": "Curvedness (1/Å)", "ShapeIndex": "Shape index", "Potential": "Potential (kT/e)",
     "PolarizedCurvature": "Polarized curvature (kT/(e Å))", "Kind": "Choking loops",
     "BindingSite": "Binding sites", "SiteClass": "Kind of site",
-    "Exposed": "Faces"}
+    "Exposed": "Faces", "WidthClass": "Room in the pore"}
 # Okabe and Ito's colours, which all eyes tell apart.
 VERMILION, ORANGE, SKY, GREEN, YELLOW, BLUE, PURPLE, GREY = (
     (0.835, 0.369, 0.0), (0.902, 0.624, 0.0), (0.337, 0.706, 0.914), (0.0, 0.620, 0.451),
@@ -35,6 +41,8 @@ CATEGORIES = {
     "BindingSite": (
         ("0", "no site", GREY), ("1", "best site", VERMILION), ("2", "second", BLUE),
         ("3", "third", GREEN), ("4", "fourth", ORANGE), ("5", "fifth", PURPLE)),
+    "WidthClass": (
+        ("0", "too narrow for water", VERMILION), ("1", "one water", GREEN), ("2", "wider", BLUE)),
 }
 
 
@@ -158,7 +166,7 @@ def _look(display):
     name = source.SMProxy.GetXMLName()
     key = display.GetGlobalID()
     if not hasattr(display, "ColorArrayName"):
-        if key not in _seen and name.startswith("BindingSites"):
+        if key not in _seen and name in SITES:
             _seen.add(key)
             view.HiddenColumnLabels = HIDDEN
         return
@@ -166,9 +174,11 @@ def _look(display):
         _seen.add(key)
         if name == "ChokingLoops":
             _look_at_loops(display, view, source.Port if hasattr(source, "Port") else 0)
-        elif name.startswith("BindingSites") and getattr(source, "Port", 0) == 0:
+        elif name in SITES and getattr(source, "Port", 0) == 0:
             simple.ColorBy(display, ("POINTS", "BindingSite"))
             display.SetScalarBarVisibility(view, True)
+        elif name in pockets_and_pores.FEATURES:
+            pockets_and_pores.look(display, view, getattr(source, "Port", 0))
     _colour(display, view)
 
 
@@ -188,6 +198,10 @@ def first_look(*ids):
 def show(*proxies, view=None):
     """Shows the last proxies of a pipeline as the window would, and returns the last display."""
     view = view or simple.GetActiveViewOrCreate("RenderView")
+    if proxies[-1].SMProxy.GetXMLName() in pockets_and_pores.FEATURES:
+        display = pockets_and_pores.show(proxies[-1], view)
+        _look(display)
+        return display
     display = None
     for proxy in proxies:
         if data_of(proxy).GetDataSetTypeAsString() != "vtkPolyData":
@@ -205,4 +219,4 @@ def show(*proxies, view=None):
 
 def _replaced(proxy, last):
     """Whether `last` shows what `proxy` does, with more to it."""
-    return last.SMProxy.GetXMLName() in ("CurvatureOnSurface", "BindingSites")
+    return last.SMProxy.GetXMLName() in ("CurvatureOnSurface",) + SITES

@@ -4,7 +4,7 @@
     surface, loops = pipelines.map_to_loops(OpenDataFile("emd_5043.map"))
     pipelines.show(surface, loops)
 
-Each of the six functions takes a source and returns a tuple of the last proxies, the main one last;
+Each of the eight functions takes a source and returns a tuple of the last proxies, the main one last;
 all are ordinary filters, to be changed as one likes. They use proxies only, so that the data stays
 on the server, wherever that is. What can't be done is told in one sentence, as ValueError.
 
@@ -20,6 +20,11 @@ try:
     import isthmus_look as look  # with the plugin, whose window uses it, too
 except ImportError:
     from isthmus import look
+
+try:
+    import isthmus_pockets as pockets_and_pores  # with the plugin loaded
+except ImportError:
+    from isthmus import pockets as pockets_and_pores
 
 DUST = 0.01  # components below that share of the largest one's area are hidden
 DECAY = 1.2  # of the Gaussians of a molecular surface: BindingSites.md tells what it was tuned on
@@ -90,7 +95,7 @@ def _require_triangles(surface):
                          "were hidden as dust. Look at its values in the Information panel.")
 
 
-# ---------------------------------------------------------------------------- the six pipelines
+# ---------------------------------------------------------------------------- the pipelines
 
 def map_to_surface(source, level=None):
     """(surface,): the map's closed surface; at the recommended or a sensible level where none is
@@ -169,7 +174,7 @@ def protein_to_sites(source, potential=None):
         Scalars=["POINTS", "Density"])
     polarized = simple.PolarizedCurvature(
         registrationName="Polarized curvature", Input=curvature, PotentialImage=potential)
-    sites = simple.BindingSites(
+    sites = simple.BindingSitesInPockets(
         registrationName="Binding sites", Input=polarized, Atoms=source,
         RankedArray=["POINTS", "PolarizedCurvature"])
     sites.UpdatePipeline()
@@ -186,6 +191,19 @@ def _require_charges(source):
         raise ValueError("The molecule has no charges, from which the potential comes: open a PQR file "
                          "(pdb2pqr makes one of a PDB file), or open a potential (.dx) and use Polarized "
                          "Curvature. Molecular Pockets ranks pockets without charges.")
+
+
+def protein_to_pockets(source):
+    """(residues, pockets): the pockets of a molecule, ranked, and the residues of the best one."""
+    _require_atoms(source)
+    return pockets_and_pores.protein_to_pockets(source)
+
+
+def protein_to_pores(source):
+    """(chart, residues, pores): the channels that run through a molecule, the radius along the longest
+    one, and the residues that line it."""
+    _require_atoms(source)
+    return pockets_and_pores.protein_to_pores(source)
 
 
 def _molecule(source):
@@ -253,6 +271,59 @@ def persistence_diagram(source):
     if view:
         simple.SetActiveView(view)
     return (chart,)
+
+
+    key = display.GetGlobalID()
+    if key not in _seen:
+        _seen.add(key)
+        if name == "ChokingLoops":
+            _look_at_loops(display, view, source.Port if hasattr(source, "Port") else 0)
+        elif name in SITES and getattr(source, "Port", 0) == 0:
+            simple.ColorBy(display, ("POINTS", "BindingSite"))
+            display.SetScalarBarVisibility(view, True)
+        elif name in pockets_and_pores.FEATURES:
+            pockets_and_pores.look(display, view, getattr(source, "Port", 0))
+    _colour(display, view)
+
+
+def first_look(*ids):
+    """Called by the window with the global ids of representations that are new or changed."""
+    session = servermanager.ActiveConnection.Session
+    for number in ids:
+        proxy = session.GetRemoteObject(number)
+        if proxy is None:
+            continue
+        try:
+            _look(servermanager._getPyProxy(proxy))
+        except Exception as error:  # a look is never worth a failure
+            print_error(f"The first look at a result failed: {error}")
+
+
+def show(*proxies, view=None):
+    """Shows the last proxies of a pipeline as the window would, and returns the last display."""
+    view = view or simple.GetActiveViewOrCreate("RenderView")
+    if proxies[-1].SMProxy.GetXMLName() in pockets_and_pores.FEATURES:
+        display = pockets_and_pores.show(proxies[-1], view)
+        _look(display)
+        return display
+    display = None
+    for proxy in proxies:
+        if _data_of(proxy).GetDataSetTypeAsString() != "vtkPolyData":
+            continue
+        display = simple.Show(proxy, view)
+        _look(display)
+    for proxy in proxies[:-1]:
+        if _replaced(proxy, proxies[-1]):
+            simple.Hide(proxy, view)
+    if display is not None and display.LookupTable is not None and display.ColorArrayName[1]:
+        display.SetScalarBarVisibility(view, True)
+    simple.ResetCamera(view)
+    return display
+
+
+def _replaced(proxy, last):
+    """Whether `last` shows what `proxy` does, with more to it."""
+    return last.SMProxy.GetXMLName() in ("CurvatureOnSurface",) + SITES
 
 
 def run(function):

@@ -48,8 +48,8 @@ function (isthmus_build_python)
   set(package "${CMAKE_CURRENT_SOURCE_DIR}/cmake/isthmus_init.py")
   configure_file("${package}" "${CMAKE_BINARY_DIR}/${destination}/isthmus/__init__.py" COPYONLY)
   install(FILES "${package}" DESTINATION "${destination}/isthmus" RENAME __init__.py)
-  # The same file travels inside the plugin, for windows without this package.
-  foreach (part IN ITEMS pipelines look)
+  # The same files travel inside the plugin, for windows without this package.
+  foreach (part IN ITEMS pipelines look pockets trajectories)
     set(source "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/isthmus_${part}.py")
     configure_file("${source}" "${CMAKE_BINARY_DIR}/${destination}/isthmus/${part}.py" COPYONLY)
     install(FILES "${source}" DESTINATION "${destination}/isthmus" RENAME ${part}.py)

@@ -134,9 +134,9 @@ ChosenAtoms ChooseAtoms(const std::string& radiusArray, vtkPointSet* input,
   chosen.HasNames = TextsOf(input, "ResidueName") != nullptr;
   chosen.HasElements = NumbersOf(input, "Element") != nullptr;
   auto* mesh = vtkPolyData::SafeDownCast(input);
-  const bool isSurface = withoutRadii == WithoutRadii::SurfacePoints && !chosen.HasElements &&
-    mesh && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
-  vtkDataArray* radii = RadiiOf(radiusArray, input, chosen.HasElements || isSurface);
+  chosen.IsSurface = withoutRadii == WithoutRadii::SurfacePoints && !chosen.HasElements && mesh &&
+    mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
+  vtkDataArray* radii = RadiiOf(radiusArray, input, chosen.HasElements || chosen.IsSurface);
   PolymerChoice choice = ChoosePolymer(chosen.Named, options);
   chosen.Notes = std::move(choice.Notes);
   std::size_t without = 0;
@@ -144,7 +144,7 @@ ChosenAtoms ChooseAtoms(const std::string& radiusArray, vtkPointSet* input,
   {
     const NamedAtom& atom = chosen.Named[i];
     const double radius = radii ? radii->GetComponent(static_cast<vtkIdType>(i), 0)
-      : isSurface               ? 0.0
+      : chosen.IsSurface        ? 0.0
                                 : VanDerWaalsRadius(atom.Element, RadiusTable::Bondi);
     if (std::isnan(radius))
     {

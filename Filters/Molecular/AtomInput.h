@@ -31,6 +31,7 @@ struct ChosenAtoms
   std::vector<std::string> Warnings; ///< what should have been there
   bool HasNames = false;             ///< any residue names
   bool HasElements = false;
+  bool IsSurface = false; ///< points of a mesh, taken with radius 0
 };
 
 /// What points with neither radii nor elements are.

@@ -1,16 +1,15 @@
 #include "MolecularPockets.h"
 
 #include "CellAccess.h"
-#include "CompactDisjointSets.h"
 #include "EmptySpace.h"
 #include "ParallelFor.h"
+#include "PocketLabels.h"
 #include "PocketMouths.h"
 #include "PointBins.h"
 
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <queue>
 #include <stdexcept>
 #include <string>
 
@@ -86,103 +85,6 @@ RegularFiltration Enlarged(const std::vector<Ball>& atoms, const std::vector<std
     radii.push_back(atoms[i].Radius + probe);
   }
   return MakeRegularFiltration(std::move(centres), std::move(radii), progress);
-}
-
-/// The number of the pocket of each tetrahedron, by its lowest tetrahedron; -1: in none.
-std::vector<SimplexId> Label(
-  const CellFiltration& c, const CellAccess& access, const PocketOptions& options)
-{
-  const auto inside = [&](SimplexId cell)
-  {
-    return cell >= 0 && access.CellClearance[At(cell)] > options.InnerRadius &&
-      access.Access[At(cell)] < options.OuterRadius;
-  };
-  CompactDisjointSets sets(c.Tetrahedra.size());
-  for (std::size_t i = 0; i < c.Triangles.size(); ++i)
-  {
-    const auto& sides = c.TriangleSides[i];
-    if (access.TriangleClearance[i] > options.InnerRadius && inside(sides[0]) && inside(sides[1]))
-    {
-      const auto a = sets.Find(At(sides[0]));
-      const auto b = sets.Find(At(sides[1]));
-      if (a != b)
-      {
-        sets.Join(a, b);
-      }
-    }
-  }
-  std::vector<SimplexId> numbers(c.Tetrahedra.size(), -1);
-  std::vector<SimplexId> labels(c.Tetrahedra.size(), -1);
-  SimplexId count = 0;
-  for (std::size_t i = 0; i < labels.size(); ++i)
-  {
-    if (inside(static_cast<SimplexId>(i)))
-    {
-      SimplexId& number = numbers[sets.Find(i)];
-      number = number < 0 ? count++ : number;
-      labels[i] = number;
-    }
-  }
-  return labels;
-}
-
-/// Empty room around a pocket that one of `Way`s has reached.
-struct Way
-{
-  double Width;
-  SimplexId Cell;
-  SimplexId Pocket;
-
-  bool operator<(const Way& other) const
-  {
-    if (this->Width != other.Width)
-    {
-      return this->Width < other.Width;
-    }
-    return this->Cell != other.Cell ? this->Cell > other.Cell : this->Pocket > other.Pocket;
-  }
-};
-
-/**
- * Gives the crevices to the pockets: empty tetrahedra too narrow for the inner ball that the probe
- * reaches from a pocket belong to the one with the widest way. So the room of a void is all of it.
- */
-std::vector<SimplexId> Widen(const CellFiltration& c,
-  const std::vector<std::array<SimplexId, 4>>& faces, const CellAccess& access, double outer,
-  const std::vector<SimplexId>& cores)
-{
-  std::vector<SimplexId> labels = cores;
-  std::priority_queue<Way> ways;
-  const auto leave = [&](SimplexId cell)
-  {
-    for (const SimplexId face : faces[At(cell)])
-    {
-      const SimplexId next = Across(c, face, cell);
-      if (next >= 0 && labels[At(next)] < 0 && c.TriangleValue[At(face)] > 0.0 &&
-        access.Access[At(next)] < outer)
-      {
-        ways.push({ access.TriangleClearance[At(face)], next, labels[At(cell)] });
-      }
-    }
-  };
-  for (std::size_t i = 0; i < cores.size(); ++i)
-  {
-    if (cores[i] >= 0)
-    {
-      leave(static_cast<SimplexId>(i));
-    }
-  }
-  while (!ways.empty())
-  {
-    const Way way = ways.top();
-    ways.pop();
-    if (labels[At(way.Cell)] < 0)
-    {
-      labels[At(way.Cell)] = way.Pocket;
-      leave(way.Cell);
-    }
-  }
-  return labels;
 }
 
 std::vector<EmptyCell> EmptyCells(const RegularFiltration& f,
@@ -346,8 +248,8 @@ PocketResult FindPockets(
   space.Access = FindAccess(space.Filtration, faces, options.ProbeRadius);
   Report(progress, 0.5);
   space.Empty = EmptyCells(space.Filtration, faces, Between(progress, 0.5, 0.8));
-  space.Cores = Label(c, space.Access, options);
-  space.Labels = Widen(c, faces, space.Access, options.OuterRadius, space.Cores);
+  space.Cores = PocketCores(c, space.Access, options);
+  space.Labels = WithCrevices(c, faces, space.Access, options.OuterRadius, space.Cores);
   MeasureWhole(space, result);
   Report(progress, 0.85);
   std::vector<Pocket> pockets(At(*std::max_element(space.Labels.begin(), space.Labels.end()) + 1));

@@ -149,6 +149,10 @@ std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccess& access
     {
       continue;
     }
+    if (std::min(access.Access[At(sides[0])], access.Access[At(sides[1])]) < options.MinimumRadius)
+    {
+      continue; // narrower on the way to it
+    }
     // A channel wider than EndRadius ends where it leaves the convex hull.
     const bool isWide = radius >= options.EndRadius;
     const double end = isWide ? HUGE_VAL : options.EndRadius;

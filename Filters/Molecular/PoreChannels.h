@@ -25,7 +25,8 @@ struct Channel
  * Channels from one side to another: as balls around the atoms grow, a channel is a loop around it,
  * which one triangle fills at last (an H1 death). Kept are those that close at MinimumRadius or
  * wider, after having lasted 0.3 angstrom at least (else the loop is a ring of atoms), whose
- * widest ways out on both sides have no tetrahedron in common and end MinimumSpan apart. A way ends
+ * widest ways out on both sides are as wide, have no tetrahedron in common and end MinimumSpan
+ * apart. A way ends
  * where a ball of EndRadius gets from outside; a channel that is wider than that itself, where it
  * leaves the convex hull. The longest span comes first. `f` gets ordered. O(n log n), and the
  * reduction of FiltrationPairs.

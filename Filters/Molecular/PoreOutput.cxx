@@ -1,6 +1,5 @@
 #include "PoreOutput.h"
 
-#include "LiningResidues.h"
 #include "PlaneBall.h"
 
 #include <vtkCellArray.h>
@@ -200,15 +199,15 @@ void FillBottlenecks(const PoreReport& report, vtkPolyData* output)
   output->GetPointData()->SetActiveScalars("Radius");
 }
 
-void FillPoreLining(const PoreReport& report, vtkTable* output)
+std::vector<std::vector<LiningResidue>> PoreLining(const PoreReport& report)
 {
   constexpr double reach = 0.5; // angstrom
-  LiningTable table("PoreId");
+  std::vector<std::vector<LiningResidue>> residues;
   const AtomField field(report.Atoms.Balls);
-  for (std::size_t p = 0; p < report.Pores.size(); ++p)
+  for (const Pore& pore : report.Pores)
   {
     std::vector<char> lines(report.Atoms.Balls.size(), 0);
-    for (const PoreSample& sample : report.Pores[p].Samples)
+    for (const PoreSample& sample : pore.Samples)
     {
       for (const std::int64_t atom : field.Touching(sample.Centre, sample.Radius + reach))
       {
@@ -223,10 +222,32 @@ void FillPoreLining(const PoreReport& report, vtkTable* output)
         lining.push_back({ static_cast<std::int64_t>(atom), 0.0 });
       }
     }
-    table.Add(NumberOf(p), LiningResiduesOf(lining, report.Atoms), report.Atoms);
+    residues.push_back(LiningResiduesOf(lining, report.Atoms));
+  }
+  return residues;
+}
+
+void FillPoreLining(const PoreReport& report,
+  const std::vector<std::vector<LiningResidue>>& residues, vtkTable* output)
+{
+  LiningTable table("PoreId");
+  for (std::size_t p = 0; p < residues.size(); ++p)
+  {
+    table.Add(NumberOf(p), residues[p], report.Atoms);
   }
   table.Fill(output);
   output->RemoveColumnByName("Area");
+}
+
+void FillPoreLiningAtoms(const PoreReport& report,
+  const std::vector<std::vector<LiningResidue>>& residues, vtkPointSet* input, vtkPolyData* output)
+{
+  ResidueAtoms atoms(report.Atoms, input, "PoreId");
+  for (std::size_t p = 0; p < residues.size(); ++p)
+  {
+    atoms.Add(NumberOf(p), residues[p]);
+  }
+  atoms.Fill(output);
 }
 
 void FillTubes(vtkPolyData* lines, vtkPolyData* output)

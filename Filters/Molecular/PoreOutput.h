@@ -1,11 +1,11 @@
 /**
  * @file PoreOutput.h
- * @brief Pores as VTK data: polylines, tables, bottlenecks, lining residues, tubes.
+ * @brief Pores as VTK data: polylines, tables, bottlenecks, lining residues and atoms, tubes.
  */
 #ifndef isthmus_PoreOutput_h
 #define isthmus_PoreOutput_h
 
-#include "AtomInput.h"
+#include "LiningResidues.h"
 #include "PoreParameters.h"
 
 class vtkPolyData;
@@ -25,8 +25,15 @@ void FillPoreSamples(const PoreReport& report, vtkTable* output);
 void FillPoreTable(const PoreReport& report, vtkTable* output);
 void FillBottlenecks(const PoreReport& report, vtkPolyData* output);
 
-/// Residues with an atom that touches one of the pore's balls, nearly: within 0.5 angstrom.
-void FillPoreLining(const PoreReport& report, vtkTable* output);
+/// Of each pore the residues with an atom that touches one of its balls, nearly: within 0.5
+/// angstrom.
+std::vector<std::vector<LiningResidue>> PoreLining(const PoreReport& report);
+void FillPoreLining(const PoreReport& report,
+  const std::vector<std::vector<LiningResidue>>& residues, vtkTable* output);
+
+/// Those residues whole, once for each of their pores, with the bonds of the input between them.
+void FillPoreLiningAtoms(const PoreReport& report,
+  const std::vector<std::vector<LiningResidue>>& residues, vtkPointSet* input, vtkPolyData* output);
 
 /// Tubes around the lines, as wide as their Radius.
 void FillTubes(vtkPolyData* lines, vtkPolyData* output);

@@ -4,6 +4,7 @@
 #include "ParallelFor.h"
 #include "PlaneBall.h"
 #include "PoreChannels.h"
+#include "PoreCourse.h"
 
 #include <numeric>
 #include <stdexcept>
@@ -69,140 +70,6 @@ RegularFiltration Enlarged(const std::vector<Ball>& atoms, const ProgressCallbac
   return MakeRegularFiltration(std::move(centres), std::move(radii), progress);
 }
 
-/// The way at equal distances. Throws where that takes more planes than anybody waits for.
-std::vector<Point3> Resample(const std::vector<Point3>& way, double spacing)
-{
-  constexpr double mostPlanes = 1e5;
-  double whole = 0.0;
-  for (std::size_t i = 0; i + 1 < way.size(); ++i)
-  {
-    whole += Length(way[i + 1] - way[i]);
-  }
-  if (!(whole / spacing <= mostPlanes))
-  {
-    throw std::invalid_argument("A pore here is " + std::to_string(whole) +
-      " angstrom long, which takes more than 100000 planes at this Spacing: raise it, or check the "
-      "unit of the atoms' coordinates.");
-  }
-  std::vector<Point3> points{ way.front() };
-  double rest = spacing;
-  for (std::size_t i = 0; i + 1 < way.size(); ++i)
-  {
-    const Point3 step = way[i + 1] - way[i];
-    const double length = Length(step);
-    double at = rest;
-    for (; at <= length; at += spacing)
-    {
-      points.push_back(way[i] + (at / length) * step);
-    }
-    rest = at - length;
-  }
-  return points;
-}
-
-/// Running means with a Gaussian of the given width; towards the ends it gets narrower, so that
-/// they stay.
-std::vector<Point3> Smooth(const std::vector<Point3>& points, double width)
-{
-  const auto n = static_cast<std::int64_t>(points.size());
-  std::vector<Point3> smooth(points.size());
-  for (std::int64_t i = 0; i < n; ++i)
-  {
-    const std::int64_t reach = std::min({ static_cast<std::int64_t>(3.0 * width), i, n - 1 - i });
-    const double sigma = std::max(1e-3, static_cast<double>(reach) / 3.0);
-    Point3 sum{ 0.0, 0.0, 0.0 };
-    double weights = 0.0;
-    for (std::int64_t k = -reach; k <= reach; ++k)
-    {
-      const double x = static_cast<double>(k) / sigma;
-      const double weight = std::exp(-0.5 * x * x);
-      sum = sum + weight * points[static_cast<std::size_t>(i + k)];
-      weights += weight;
-    }
-    smooth[static_cast<std::size_t>(i)] = (1.0 / weights) * sum;
-  }
-  return smooth;
-}
-
-Point3 Foot(const Plane& plane, const Point3& p)
-{
-  return p - Dot(p - plane.Origin, plane.Normal) * plane.Normal;
-}
-
-/// Planes to work off, and where in each the way is, as far as known.
-struct Course
-{
-  std::vector<Plane> Planes;
-  std::vector<Point3> Way;
-  double Least = -HUGE_VAL; ///< the way is at least that wide
-  double Enough = 0.0;      ///< radius beyond which it need not be known
-  double End = 0.0;         ///< radius beyond which the pore ends
-};
-
-/// Planes across a smoothed way.
-Course CourseAlong(const std::vector<Point3>& points, double width)
-{
-  const std::vector<Point3> smooth = Smooth(points, width);
-  Course course;
-  for (std::size_t i = 0; i < smooth.size(); ++i)
-  {
-    const Point3 d =
-      smooth[std::min(i + 1, smooth.size() - 1)] - smooth[i > 0 ? i - 1 : std::size_t{ 0 }];
-    const double length = Length(d);
-    if (length > 0.0)
-    {
-      course.Planes.push_back({ smooth[i], (1.0 / length) * d });
-      course.Way.push_back(points[i]);
-    }
-  }
-  return course;
-}
-
-/// The balls in the planes from `from` (whose ball is known) to the last or first.
-class March
-{
-public:
-  March(const AtomField& atoms, const Course& course)
-    : Atoms(atoms)
-    , Along(course)
-  {
-  }
-
-  std::vector<PlaneBall> operator()(
-    std::size_t from, std::int64_t step, PlaneBall ball, const ProgressCallback& progress) const
-  {
-    std::vector<PlaneBall> balls;
-    const auto n = static_cast<std::int64_t>(this->Along.Planes.size());
-    for (auto i = static_cast<std::int64_t>(from) + step;
-         i >= 0 && i < n && ball.Radius <= this->Along.End; i += step)
-    {
-      Report(progress,
-        static_cast<double>(std::abs(i - static_cast<std::int64_t>(from))) /
-          static_cast<double>(n));
-      const Plane& plane = this->Along.Planes[static_cast<std::size_t>(i)];
-      std::vector<Point3> starts{ Foot(plane, ball.Centre) };
-      if (!this->Along.Way.empty())
-      {
-        starts.push_back(Foot(plane, this->Along.Way[static_cast<std::size_t>(i)]));
-      }
-      ball = LargestBallInPlane(this->Atoms, plane, starts, ball.Radius, this->Along.Enough);
-      if (ball.Radius < this->Along.Least)
-      {
-        // The way is wider than that everywhere: this is a dead end beside it.
-        const PlaneBall other = LargestBallInPlane(
-          this->Atoms, plane, { starts.back() }, this->Along.Least, this->Along.Enough);
-        ball = other.Radius > ball.Radius ? other : ball;
-      }
-      balls.push_back(ball);
-    }
-    return balls;
-  }
-
-private:
-  const AtomField& Atoms;
-  const Course& Along;
-};
-
 /// Samples from which the radius rises by `depth` on both sides before it falls below.
 std::vector<std::size_t> Bottlenecks(const std::vector<PoreSample>& samples)
 {
@@ -245,11 +112,11 @@ Pore PoreThrough(const AtomField& atoms, const Course& course, std::size_t from,
   const Point3 in = Foot(course.Planes[from], start);
   const PlaneBall first = LargestBallInPlane(
     atoms, course.Planes[from], { in }, std::max(1.0, atoms.At(in).Radius), course.Enough);
-  const March march(atoms, course);
-  std::vector<PlaneBall> balls = march(from, -1, first, Between(progress, 0.0, 0.5));
+  std::vector<PlaneBall> balls =
+    MarchAlong(atoms, course, from, -1, first, Between(progress, 0.0, 0.5));
   std::reverse(balls.begin(), balls.end());
   balls.push_back(first);
-  const auto after = march(from, 1, first, Between(progress, 0.5, 1.0));
+  const auto after = MarchAlong(atoms, course, from, 1, first, Between(progress, 0.5, 1.0));
   balls.insert(balls.end(), after.begin(), after.end());
   if (course.End > course.Enough)
   {

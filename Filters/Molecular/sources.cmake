@@ -38,17 +38,20 @@ isthmus_room(
     NearestBall
     NonpolarEnergy
     PlaneBall
+    PocketLabels
     PocketMouths
     PocketOutput
     PocketSurface
     PolarizedCurvature
     PolymerAtoms
     PoreChannels
+    PoreCourse
     PoreOutput
     PoreProfile
     SolventExcludedDistance
     SolventExcludedSurface
     SurfaceFlow
     ThesisFlow
+    TrackedData
   VECTORISED
     FlowLoops)

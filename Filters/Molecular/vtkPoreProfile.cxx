@@ -4,22 +4,109 @@
 #include "AtomInput.h"
 #include "PoreOutput.h"
 #include "PoreProfile.h"
+#include "vtkMapSurface.h"
 
+#include <vtkCellArray.h>
+#include <vtkCommand.h>
+#include <vtkIdList.h>
+#include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
 
+#include <cmath>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkPoreProfile);
 
+namespace
+{
+
+/// Keeps what another filter complains of.
+class FirstError : public vtkCommand
+{
+public:
+  static FirstError* New() { return new FirstError; }
+  void Execute(vtkObject*, unsigned long, void* text) override
+  {
+    if (this->Text.empty() && text)
+    {
+      this->Text = static_cast<const char*>(text);
+    }
+  }
+  std::string Text;
+};
+
+double LongestEdge(vtkPolyData* surface)
+{
+  double longest = 0.0;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPolys(); ++i)
+  {
+    surface->GetPolys()->GetCellAtId(i, corners);
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    {
+      double p[2][3];
+      surface->GetPoint(corners->GetId(k), p[0]);
+      surface->GetPoint(corners->GetId((k + 1) % corners->GetNumberOfIds()), p[1]);
+      longest = std::max(longest, vtkMath::Distance2BetweenPoints(p[0], p[1]));
+    }
+  }
+  return std::sqrt(longest);
+}
+
+/// Which pores are asked for.
+struct Ways
+{
+  int Mode;
+  const double* Point1;
+  const double* Point2;
+  const double* Point;
+  const double* Direction;
+};
+
+std::vector<isthmus::Pore> Find(const std::vector<isthmus::Ball>& balls, const Ways& ways,
+  const isthmus::PoreOptions& options, const isthmus::ProgressCallback& progress)
+{
+  const auto point = [](const double* p) { return isthmus::Point3{ p[0], p[1], p[2] }; };
+  if (ways.Mode == vtkPoreProfile::Automatic || balls.empty())
+  {
+    return isthmus::FindPores(balls, options, progress);
+  }
+  if (ways.Mode == vtkPoreProfile::TwoPoints)
+  {
+    return { isthmus::PoreBetween(
+      balls, point(ways.Point1), point(ways.Point2), options, progress) };
+  }
+  return { isthmus::PoreAlong(balls, point(ways.Point), point(ways.Direction), options, progress) };
+}
+
+void Fill(const isthmus::PoreReport& report, vtkPointSet* input, vtkInformationVector* outputs)
+{
+  auto* lines = vtkPolyData::GetData(outputs, 0);
+  isthmus::FillPoreLines(report, lines);
+  isthmus::FillPoreSamples(report, vtkTable::GetData(outputs, 1));
+  isthmus::FillPoreTable(report, vtkTable::GetData(outputs, 2));
+  isthmus::FillBottlenecks(report, vtkPolyData::GetData(outputs, 3));
+  const auto residues = isthmus::PoreLining(report);
+  isthmus::FillPoreLining(report, residues, vtkTable::GetData(outputs, 4));
+  isthmus::FillTubes(lines, vtkPolyData::GetData(outputs, 5));
+  isthmus::FillPoreLiningAtoms(report, residues, input, vtkPolyData::GetData(outputs, 6));
+  isthmus::AddNotes(report.Atoms.Notes, lines);
+}
+
+}
+
 vtkPoreProfile::vtkPoreProfile()
 {
-  this->SetNumberOfOutputPorts(6);
+  this->SetNumberOfOutputPorts(7);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Radius");
 }
 
@@ -48,10 +135,31 @@ vtkPolyData* vtkPoreProfile::GetTubes()
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(5));
 }
 
+vtkPolyData* vtkPoreProfile::GetLiningAtoms()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(6));
+}
+
 int vtkPoreProfile::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   return 1;
+}
+
+int vtkPoreProfile::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  if (input->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    // A channel is known only from all of the map.
+    input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+    return 1;
+  }
+  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }
 
 int vtkPoreProfile::FillOutputPortInformation(int port, vtkInformation* info)
@@ -64,7 +172,7 @@ int vtkPoreProfile::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkPoreProfile::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
+  vtkDataSet* input = vtkDataSet::GetData(inputVector[0], 0);
   const auto clear = [&]()
   {
     for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
@@ -76,7 +184,11 @@ int vtkPoreProfile::RequestData(
   const bool done = isthmus::Succeeds(this, vtkDataObject::GetData(outputVector, 0),
     [&]()
     {
-      if (atoms)
+      if (vtkImageData::SafeDownCast(input))
+      {
+        this->Compute(this->SurfaceOf(input), outputVector);
+      }
+      else if (auto* atoms = vtkPointSet::SafeDownCast(input))
       {
         this->Compute(atoms, outputVector);
       }
@@ -86,6 +198,29 @@ int vtkPoreProfile::RequestData(
     clear();
   }
   return 1;
+}
+
+vtkSmartPointer<vtkPointSet> vtkPoreProfile::SurfaceOf(vtkDataSet* map)
+{
+  vtkNew<vtkMapSurface> surface;
+  vtkNew<FirstError> error;
+  surface->AddObserver(vtkCommand::ErrorEvent, error);
+  surface->SetInputData(map);
+  const std::string array = isthmus::InputArrayName(this, 0);
+  if (map->GetPointData()->HasArray(array.c_str()))
+  {
+    surface->SetInputArrayToProcess(
+      0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
+  }
+  surface->SetLevelOnly(this->Level);
+  surface->SetAutomaticLevel(this->AutomaticLevel);
+  surface->GenerateNormalsOff();
+  surface->Update();
+  if (!error->Text.empty())
+  {
+    throw std::runtime_error("The map has no surface to look for pores in. " + error->Text);
+  }
+  return surface->GetOutput();
 }
 
 void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
@@ -99,6 +234,12 @@ void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
   keep.Ions = this->KeepIons;
   keep.Ligands = this->KeepLigands;
   keep.ProstheticGroups = true;
+  isthmus::ChosenAtoms atoms;
+  if (input->GetNumberOfPoints() > 0)
+  {
+    atoms = isthmus::ChooseAtoms(
+      isthmus::InputArrayName(this, 0), input, keep, isthmus::WithoutRadii::SurfacePoints);
+  }
   isthmus::PoreOptions options;
   options.EndRadius = this->EndRadius;
   options.Spacing = this->Spacing;
@@ -106,38 +247,20 @@ void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
   options.MinimumSpan = this->MinimumSpan;
   options.MaximumPores = static_cast<std::size_t>(this->MaximumPores);
   options.MaximumOffset = this->MaximumOffset;
-  isthmus::ChosenAtoms atoms;
-  if (input->GetNumberOfPoints() > 0)
+  if (atoms.IsSurface)
   {
-    atoms = isthmus::ChooseAtoms(
-      isthmus::InputArrayName(this, 0), input, keep, isthmus::WithoutRadii::SurfacePoints);
+    const double longest = LongestEdge(vtkPolyData::SafeDownCast(input));
+    if (longest > options.MinimumRadius)
+    {
+      options.MinimumRadius = longest;
+      atoms.Notes.push_back("The surface's points are up to " + std::to_string(longest) +
+        " apart: channels narrower than that were not looked for.");
+    }
   }
-  const auto progress = isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.95);
-  const auto point = [](const double* p) { return isthmus::Point3{ p[0], p[1], p[2] }; };
-  std::vector<isthmus::Pore> pores;
-  if (this->Mode == Automatic || atoms.Balls.empty())
-  {
-    pores = isthmus::FindPores(atoms.Balls, options, progress);
-  }
-  else if (this->Mode == TwoPoints)
-  {
-    pores.push_back(isthmus::PoreBetween(
-      atoms.Balls, point(this->Point1), point(this->Point2), options, progress));
-  }
-  else
-  {
-    pores.push_back(isthmus::PoreAlong(
-      atoms.Balls, point(this->Point), point(this->Direction), options, progress));
-  }
-  const isthmus::PoreReport report{ pores, atoms };
-  auto* lines = vtkPolyData::GetData(outputs, 0);
-  isthmus::FillPoreLines(report, lines);
-  isthmus::FillPoreSamples(report, vtkTable::GetData(outputs, 1));
-  isthmus::FillPoreTable(report, vtkTable::GetData(outputs, 2));
-  isthmus::FillBottlenecks(report, vtkPolyData::GetData(outputs, 3));
-  isthmus::FillPoreLining(report, vtkTable::GetData(outputs, 4));
-  isthmus::FillTubes(lines, vtkPolyData::GetData(outputs, 5));
-  isthmus::AddNotes(atoms.Notes, lines);
+  const Ways ways{ this->Mode, this->Point1, this->Point2, this->Point, this->Direction };
+  const auto pores =
+    Find(atoms.Balls, ways, options, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.95));
+  Fill({ pores, atoms }, input, outputs);
   for (const std::string& warning : atoms.Warnings)
   {
     vtkWarningMacro(<< warning);
@@ -160,6 +283,8 @@ void vtkPoreProfile::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumSpan: " << this->MinimumSpan << "\n";
   os << indent << "MaximumPores: " << this->MaximumPores << "\n";
   os << indent << "MaximumOffset: " << this->MaximumOffset << "\n";
+  os << indent << "AutomaticLevel: " << this->AutomaticLevel << "\n";
+  os << indent << "Level: " << this->Level << "\n";
   os << indent << "KeepHydrogens: " << this->KeepHydrogens << "\n";
   os << indent << "KeepIons: " << this->KeepIons << "\n";
   os << indent << "KeepLigands: " << this->KeepLigands << "\n";

@@ -4,9 +4,12 @@
  *
  * Input: atoms, points with the array `Radius` (input array 0), as vtkMacromoleculeReader makes
  * them. Where it gives names, water, ions and ligands are left out (the field array `Notes` says
- * what); hydrogens stay, unlike in vtkMolecularPockets. A closed surface (polygons without a
- * radius) is taken as points of radius 0: its points should lie closer than half the radius of its
- * tunnels.
+ * what); hydrogens stay, unlike in vtkMolecularPockets.
+ *
+ * Or a closed surface (polygons without a radius), or a map (vtkImageData), whose surface
+ * vtkMapSurface makes at Level: its points are taken as atoms of radius 0. Channels narrower than
+ * its longest edge are not told from the gaps between points and left out; a radius r comes out too
+ * large by up to h^2 / (6 r) for edges of length h.
  *
  * Mode Automatic finds the channels that run through; TwoPoints takes the pore from Point1 to
  * Point2; PointAndDirection takes planes across Direction, both ways from Point, as HOLE does.
@@ -23,6 +26,8 @@
  * (1: the narrowest), `Radius`, `ArcLength`, `NearestAtom`, `NearestResidue`.
  * **Output 4**, vtkTable: lining residues: `PoreId` and the columns of vtkMolecularPockets.
  * **Output 5**, vtkPolyData: tubes of the pores' radii with `Radius`, `WidthClass`, `PoreId`.
+ * **Output 6**, vtkPolyData: the lining residues whole, with their bonds, the input's point arrays
+ * and `PoreId`.
  *
  * **Errors** (sentence, empty outputs): no radii, radii, points or options out of range, no way
  * between the points. No pore that runs through is none.
@@ -34,9 +39,11 @@
 
 #include "vtkIsthmusModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // for the surface of a map
 
 #include <string> // for the properties
 
+class vtkDataSet;
 class vtkPointSet;
 class vtkTable;
 
@@ -114,6 +121,16 @@ public:
   ///@}
 
   ///@{
+  /// Of a map: whether its surface is at the recommended or else a sensible level (default), or at
+  /// Level.
+  vtkSetMacro(AutomaticLevel, bool);
+  vtkGetMacro(AutomaticLevel, bool);
+  vtkBooleanMacro(AutomaticLevel, bool);
+  vtkSetMacro(Level, double);
+  vtkGetMacro(Level, double);
+  ///@}
+
+  ///@{
   /// What counts as part of the molecule beside its chains. Default: hydrogens.
   vtkSetMacro(KeepHydrogens, bool);
   vtkGetMacro(KeepHydrogens, bool);
@@ -131,6 +148,7 @@ public:
   vtkPolyData* GetBottlenecks();
   vtkTable* GetLiningResidues();
   vtkPolyData* GetTubes();
+  vtkPolyData* GetLiningAtoms();
 
 protected:
   vtkPoreProfile();
@@ -138,6 +156,8 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -146,6 +166,7 @@ private:
   void operator=(const vtkPoreProfile&) = delete;
 
   void Compute(vtkPointSet* atoms, vtkInformationVector* outputs);
+  vtkSmartPointer<vtkPointSet> SurfaceOf(vtkDataSet* map);
 
   int Mode = Automatic;
   double Point1[3] = { 0.0, 0.0, 0.0 };
@@ -158,6 +179,8 @@ private:
   double MinimumSpan = 20.0;
   int MaximumPores = 20;
   double MaximumOffset = 10.0;
+  bool AutomaticLevel = true;
+  double Level = 0.0;
   bool KeepHydrogens = true;
   bool KeepIons = false;
   bool KeepLigands = false;

@@ -1,5 +1,6 @@
 #include "GemmiStructure.h"
 
+#include "GemmiAssembly.h"
 #include "PDBStream.h"
 #include "PQRFile.h"
 
@@ -143,12 +144,18 @@ void AddConect(const std::vector<std::array<int, 2>>& bonded, Macromolecule& mol
 }
 
 Macromolecule TryPDB(std::string_view text, const std::string& path, bool cutAt72,
-  std::int64_t model, const ProgressCallback& progress)
+  const StructureChoice& choice, const ProgressCallback& progress)
 {
   PDBStream stream(text, path, cutAt72, progress);
-  const gemmi::Structure structure =
+  gemmi::Structure structure =
     gemmi::pdb_impl::read_pdb_from_stream(stream, path, gemmi::PdbReadOptions());
-  Macromolecule molecule = Flatten(structure, model);
+  if (!choice.Assembly.empty())
+  {
+    // CONECT records name atoms of the file: in the copies, bonds are found by distance.
+    TakeAssembly(structure, choice.Assembly, path);
+    return Flatten(structure, choice.Model);
+  }
+  Macromolecule molecule = Flatten(structure, choice.Model);
   AddConect(stream.Bonded(), molecule);
   return molecule;
 }
@@ -191,16 +198,20 @@ Macromolecule PDBInWords(std::string_view text, const std::string& path, std::in
 }
 
 Macromolecule PDBWithoutOldColumns(std::string_view text, const std::string& path,
-  std::int64_t model, const std::runtime_error& first, const ProgressCallback& progress)
+  const StructureChoice& choice, const std::runtime_error& first, const ProgressCallback& progress)
 {
   try
   {
-    Macromolecule molecule = TryPDB(text, path, true, model, progress);
+    Macromolecule molecule = TryPDB(text, path, true, choice, progress);
     molecule.Warnings.emplace_back("Columns 73-80 hold something else than segment, element and "
                                    "charge, as in old PDB files: read without them.");
     return molecule;
   }
   catch (const Cancelled&)
+  {
+    throw;
+  }
+  catch (const NoSuchAssembly&)
   {
     throw;
   }
@@ -225,31 +236,41 @@ void MarkBlanks(gemmi::cif::Block& block, const char* tag)
 
 }
 
-Macromolecule ParsePDB(std::string_view text, const std::string& path, std::int64_t model,
-  const ProgressCallback& progress)
+Macromolecule ParsePDB(std::string_view text, const std::string& path,
+  const StructureChoice& choice, const ProgressCallback& progress)
 {
   // Each further way is tried without progress from the start again, which would not be monotone.
   const ProgressCallback stopOnly = AbortOnly(progress);
   try
   {
-    return TryPDB(text, path, false, model, progress);
+    return TryPDB(text, path, false, choice, progress);
   }
   catch (const Cancelled&)
   {
     throw;
   }
+  catch (const NoSuchAssembly&)
+  {
+    throw;
+  }
   catch (const OtherColumns& error)
   {
-    return PDBInWords(text, path, model, error, stopOnly);
+    if (!choice.Assembly.empty())
+    {
+      throw NoSuchAssembly(path +
+        ": the values are not in the columns of a PDB file, so its assemblies can't be read. Leave "
+        "Assembly empty.");
+    }
+    return PDBInWords(text, path, choice.Model, error, stopOnly);
   }
   catch (const std::runtime_error& error)
   {
-    return PDBWithoutOldColumns(text, path, model, error, stopOnly);
+    return PDBWithoutOldColumns(text, path, choice, error, stopOnly);
   }
 }
 
-Macromolecule ParseMMCIF(std::string_view text, const std::string& path, std::int64_t model,
-  const ProgressCallback& progress)
+Macromolecule ParseMMCIF(std::string_view text, const std::string& path,
+  const StructureChoice& choice, const ProgressCallback& progress)
 {
   Macromolecule molecule;
   try
@@ -261,9 +282,18 @@ Macromolecule ParseMMCIF(std::string_view text, const std::string& path, std::in
       MarkBlanks(block, "_atom_site.occupancy");
       MarkBlanks(block, "_atom_site.B_iso_or_equiv");
     }
-    molecule = Flatten(gemmi::make_structure(document), model);
+    gemmi::Structure structure = gemmi::make_structure(document);
+    if (!choice.Assembly.empty())
+    {
+      TakeAssembly(structure, choice.Assembly, path);
+    }
+    molecule = Flatten(structure, choice.Model);
   }
   catch (const Cancelled&)
+  {
+    throw;
+  }
+  catch (const NoSuchAssembly&)
   {
     throw;
   }

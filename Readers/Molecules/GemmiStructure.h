@@ -16,25 +16,33 @@
 #include "Progress.h"
 #include "vtkIsthmusModule.h"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace isthmus
 {
 
+/// What of a file's structure to take.
+struct StructureChoice
+{
+  std::int64_t Model = 0; ///< from 0
+  std::string Assembly;   ///< GemmiAssembly.h; empty: the file as it is
+};
+
 /**
- * The atoms of model `model` (from 0) in gemmi's order: that of the file, except that atoms of one
+ * The atoms of a model in gemmi's order: that of the file, except that atoms of one
  * residue come together. Bonds are those of CONECT, SSBOND and LINK within the asymmetric unit;
  * charges are formal ones, where the file gives any other than 0. Radii are not set. Time and
  * memory O(bytes).
  * @throws std::runtime_error with file and reason.
  */
 VTKISTHMUS_EXPORT Macromolecule ParsePDB(std::string_view text, const std::string& path,
-  std::int64_t model, const ProgressCallback& progress);
+  const StructureChoice& choice, const ProgressCallback& progress);
 
 /// The same for mmCIF; bonds are those of struct_conn, hydrogen bonds left out.
 VTKISTHMUS_EXPORT Macromolecule ParseMMCIF(std::string_view text, const std::string& path,
-  std::int64_t model, const ProgressCallback& progress);
+  const StructureChoice& choice, const ProgressCallback& progress);
 
 }
 

@@ -73,22 +73,27 @@ MoleculeFormat FormatOfText(std::string_view text, const std::string& path)
 }
 
 Macromolecule Parse(std::string_view text, const std::string& path, MoleculeFormat format,
-  std::int64_t model, const ProgressCallback& progress)
+  const StructureChoice& choice, const ProgressCallback& progress)
 {
   if (format == MoleculeFormat::ByName)
   {
     format = FormatOfText(text, path);
   }
+  const bool isStructure = format == MoleculeFormat::MMCIF || format == MoleculeFormat::PDB;
+  if (!isStructure && !choice.Assembly.empty())
+  {
+    throw std::runtime_error(path + ": PQR and XYZ files describe no assemblies. Leave it empty.");
+  }
   switch (format)
   {
     case MoleculeFormat::MMCIF:
-      return ParseMMCIF(text, path, model, progress);
+      return ParseMMCIF(text, path, choice, progress);
     case MoleculeFormat::PQR:
-      return ParsePQR(text, path, model, progress);
+      return ParsePQR(text, path, choice.Model, progress);
     case MoleculeFormat::XYZ:
-      return ParseXYZ(text, path, model, progress);
+      return ParseXYZ(text, path, choice.Model, progress);
     default:
-      return ParsePDB(text, path, model, progress);
+      return ParsePDB(text, path, choice, progress);
   }
 }
 
@@ -163,8 +168,8 @@ void SetRadii(Macromolecule& molecule, RadiusTable table)
 Macromolecule ParseMacromolecule(std::string_view text, const std::string& path,
   const MoleculeOptions& options, const ProgressCallback& progress)
 {
-  Macromolecule molecule =
-    Parse(text, path, options.Format, options.Model, Between(progress, 0.0, 0.6));
+  Macromolecule molecule = Parse(
+    text, path, options.Format, { options.Model, options.Assembly }, Between(progress, 0.0, 0.6));
   CheckModel(molecule, path, options.Model);
   Report(progress, 0.6);
   SelectAtoms(molecule, options);
@@ -206,7 +211,7 @@ std::int64_t CountModels(const std::string& path, MoleculeFormat format)
   }
   if (format == MoleculeFormat::MMCIF || format == MoleculeFormat::XYZ)
   {
-    return Parse(text, path, format, 0, {}).NumberOfModels;
+    return Parse(text, path, format, {}, {}).NumberOfModels;
   }
   constexpr std::string_view record = "MODEL ";
   std::int64_t count = text.compare(0, record.size(), record) == 0 ? 1 : 0;

@@ -4,6 +4,7 @@ isthmus_room(
   SOURCES
     AtomSelection
     CovalentBonds
+    GemmiAssembly
     GemmiStructure
     MacromoleculeReader
     MoleculeOutput

@@ -149,6 +149,7 @@ void vtkMacromoleculeReader::Read(std::int64_t model, vtkPolyData* atoms, vtkMol
   isthmus::MoleculeOptions options;
   options.Format = static_cast<isthmus::MoleculeFormat>(this->Format);
   options.Model = model;
+  options.Assembly = this->Assembly;
   options.Chains = this->Chains;
   options.AltLoc = this->AltLoc;
   options.Hetero = this->ReadHetero;
@@ -175,6 +176,7 @@ void vtkMacromoleculeReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Format: " << this->Format << "\n";
   os << indent << "ModelIndex: " << this->ModelIndex << "\n";
   os << indent << "ModelsAsTimeSteps: " << this->ModelsAsTimeSteps << "\n";
+  os << indent << "Assembly: " << this->Assembly << "\n";
   os << indent << "Chains: " << this->Chains << "\n";
   os << indent << "AltLoc: " << this->AltLoc << "\n";
   os << indent << "ReadHetero: " << this->ReadHetero << "\n";

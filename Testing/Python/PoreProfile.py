@@ -5,6 +5,7 @@ import csv
 import numpy
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
 
 import isthmus
 import pocket_tools as tools
@@ -86,3 +87,77 @@ residues = {names.GetValue(i) for i in range(names.GetNumberOfValues())}
 assert any(residue.startswith("VAL") for residue in residues), residues
 tubes = servermanager.Fetch(proxy, idx=5)
 assert tubes.GetNumberOfPolys() + tubes.GetNumberOfStrips() > 0
+
+
+# GroEL without its lid (1AON, chains A to N): first comes the channel along its sevenfold axis.
+reader = isthmus.vtkMacromoleculeReader()
+reader.SetFileName(str(shared_data("molecules/1aon.pdb.gz")))
+reader.SetChains("A B C D E F G H I J K L M N")
+reader.Update()
+groel = reader.GetOutput()
+pores = profile(groel, MaximumPores=1)
+places = vtk_to_numpy(groel.GetPoints().GetData())
+chains = groel.GetPointData().GetAbstractArray("Chain")
+chains = numpy.array([chains.GetValue(i) for i in range(len(places))])
+rings = [places[numpy.isin(chains, list(names))].mean(axis=0) for names in ("ABCDEFG", "HIJKLMN")]
+axis = (rings[1] - rings[0]) / numpy.linalg.norm(rings[1] - rings[0])
+samples = tools.columns(pores.GetProfile())
+line = numpy.stack([samples[name] for name in "XYZ"], axis=1) - rings[0]
+off = numpy.linalg.norm(line - numpy.outer(line @ axis, axis), axis=1)
+span = numpy.ptp(line @ axis)
+# The room on the axis, by all atoms, is no more than that of the largest ball in the plane there.
+radii = vtk_to_numpy(groel.GetPointData().GetArray("Radius"))
+picked = range(0, len(line), max(1, len(line) // 25))
+room = [(numpy.linalg.norm(places - rings[0] - (line[i] @ axis) * axis, axis=1) - radii).min() for i in picked]
+excess = numpy.array([samples["Radius"][i] for i in picked]) - room
+print(f"GroEL: {span:.0f} angstrom long, at most {off.max():.2f} off the axis, least radius "
+      f"{samples['Radius'].min():.2f}, above the room on the axis by {excess.min():.3f} to {excess.max():.3f}")
+assert span > 150.0 and off.max() < 2.0 and samples["Radius"].min() > 12.0
+assert excess.min() > -0.05 and excess.max() < 2.0
+
+
+def crossings(points, triangles):
+    """How often a polyline crosses triangles."""
+    count = 0
+    for a, b in zip(points, points[1:]):
+        for p, q, r in triangles:
+            m = numpy.stack([b - a, p - q, p - r], axis=1)
+            if abs(numpy.linalg.det(m)) > 1e-12:
+                t, u, v = numpy.linalg.solve(m, p - a)
+                count += 0.0 <= t < 1.0 and u >= 0.0 and v >= 0.0 and u + v <= 1.0
+    return count
+
+
+# A torus as a surface and as a map: its tunnel is a channel, and crosses the tunnel's membrane once.
+grid = numpy.mgrid[-12:13, -22:23, -22:23].astype(float)  # z, y, x
+z, y, x = grid
+density = 5.0 - numpy.sqrt((numpy.sqrt(x**2 + y**2) - 15.0) ** 2 + z**2)
+image = vtkImageData()
+image.SetDimensions(45, 45, 25)
+image.SetOrigin(-22.0, -22.0, -12.0)
+array = numpy_to_vtk(density.ravel(), deep=1)
+array.SetName("Density")
+image.GetPointData().SetScalars(array)
+surface = isthmus.vtkMapSurface()
+surface.SetInputData(image)
+surface.SetLevel(0.0)
+surface.Update()
+loops = isthmus.vtkChokingLoops()
+loops.SetInputData(surface.GetOutput())
+loops.Update()
+kinds = vtk_to_numpy(loops.GetOutput().GetCellData().GetArray("Kind"))
+assert 1 in kinds, kinds
+membranes = loops.GetOutputDataObject(1)
+owner = vtk_to_numpy(membranes.GetCellData().GetArray("FeatureId"))
+tunnel = vtk_to_numpy(loops.GetOutput().GetCellData().GetArray("FeatureId"))[kinds == 1][0]
+corners = vtk_to_numpy(membranes.GetPolys().GetConnectivityArray()).reshape(-1, 3)[owner == tunnel]
+triangles = vtk_to_numpy(membranes.GetPoints().GetData()).astype(float)[corners]
+for data, settings in ((surface.GetOutput(), {}), (image, {"AutomaticLevel": 0, "Level": 0.0})):
+    pores = profile(data, MinimumSpan=5.0, **settings)
+    table = tools.columns(pores.GetPoreTable())
+    samples = tools.columns(pores.GetProfile())
+    line = numpy.stack([samples[name] for name in "XYZ"], axis=1)
+    times = crossings(line, triangles)
+    print(f"torus: {len(table['Radius'])} channel, radius {table['Radius'][0]:.3f} (10), membrane crossed {times} time")
+    assert len(table["Radius"]) == 1 and abs(table["Radius"][0] - 10.0) < 0.1, table
+    assert times == 1

@@ -450,3 +450,39 @@ TEST(MacromoleculeReader, ProgressRisesAndStopIsHonoured)
   EXPECT_EQ(reading.Read(file.Path())->GetNumberOfPoints(), 0);
   EXPECT_FALSE(reading.Observer->GetError());
 }
+
+TEST(MacromoleculeReader, AssembliesThatTheFileDescribes)
+{
+  // Two glycines of one chain; the assembly adds a copy 20 angstrom off.
+  const std::string remarks =
+    "REMARK 350 BIOMOLECULE: 1\n"
+    "REMARK 350 AUTHOR DETERMINED BIOLOGICAL UNIT: DIMERIC\n"
+    "REMARK 350 APPLY THE FOLLOWING TO CHAINS: A\n"
+    "REMARK 350   BIOMT1   1  1.000000  0.000000  0.000000        0.00000\n"
+    "REMARK 350   BIOMT2   1  0.000000  1.000000  0.000000        0.00000\n"
+    "REMARK 350   BIOMT3   1  0.000000  0.000000  1.000000        0.00000\n"
+    "REMARK 350   BIOMT1   2 -1.000000  0.000000  0.000000       20.00000\n"
+    "REMARK 350   BIOMT2   2  0.000000 -1.000000  0.000000        0.00000\n"
+    "REMARK 350   BIOMT3   2  0.000000  0.000000  1.000000        0.00000\n";
+  const std::string atoms =
+    "ATOM      1  N   GLY A   1       1.000   2.000   3.000  1.00 10.00           N\n"
+    "ATOM      2  CA  GLY A   1       2.400   2.000   3.000  1.00 10.00           C\n"
+    "CONECT    1    2\nEND\n";
+  MoleculeOptions options;
+  EXPECT_EQ(Parsed(remarks + atoms, MoleculeFormat::PDB, options).Atoms.size(), 2u);
+  options.Assembly = "1";
+  const Macromolecule dimer = Parsed(remarks + atoms, MoleculeFormat::PDB, options);
+  ASSERT_EQ(dimer.Atoms.size(), 4u);
+  EXPECT_NEAR(dimer.Atoms[2].Position[0], 19.0, 1e-6);
+  EXPECT_NEAR(dimer.Atoms[2].Position[1], -2.0, 1e-6);
+  EXPECT_EQ(dimer.Atoms[0].Chain, "A");
+  EXPECT_NE(dimer.Atoms[2].Chain, "A");
+  EXPECT_EQ(dimer.Bonds.size(), 2u); // one in each copy
+  options.Assembly = "7";
+  EXPECT_EQ(WhyRefused(remarks + atoms, MoleculeFormat::PDB, options),
+    "test: there is no assembly 7; the file describes 1.");
+  EXPECT_EQ(WhyRefused(atoms, MoleculeFormat::PDB, options),
+    "test: there is no assembly 7; the file describes none.");
+  EXPECT_NE(WhyRefused("1\n\nC 0 0 0\n", MoleculeFormat::XYZ, options).find("assemblies"),
+    std::string::npos);
+}

@@ -1,0 +1,295 @@
+"""Pockets and pores in the window: what the buttons make, and what a click on one of them shows.
+
+    from isthmus import pockets                   # or: import isthmus_pockets, with the plugin loaded
+    residues, found = pockets.protein_to_pockets(OpenDataFile("1hew.pdb"))
+    pockets.show(found)
+
+A pocket or pore that is selected, as a row of a table or in the view, has its residues shown as
+sticks, and a pore its chart. isthmus_pipelines has the buttons and calls this.
+"""
+
+from paraview import print_error, servermanager, simple
+
+POINT, CELL, ROW = 0, 1, 6  # of vtkDataObject's attribute types
+# What numbers the features, and the ports of what is shown of them.
+FEATURES = {
+    "MolecularPockets": {"id": "PocketId", "row": "Rank", "shapes": 3, "table": 1, "atoms": 5},
+    "PoreProfile": {"id": "PoreId", "row": "PoreId", "shapes": 5, "table": 2, "atoms": 6, "chart": 1},
+}
+# Okabe and Ito's colours for the best pockets, then three more; the further ones share the last.
+COLOURS = ((0.835, 0.369, 0.0), (0.0, 0.447, 0.698), (0.0, 0.620, 0.451), (0.902, 0.624, 0.0),
+           (0.800, 0.475, 0.655), (0.337, 0.706, 0.914), (0.941, 0.894, 0.259), (0.45, 0.30, 0.15),
+           (0.40, 0.80, 0.75), (0.95, 0.70, 0.75))
+FURTHER = (0.70, 0.64, 0.74)
+HIDDEN_COLUMNS = {
+    "MolecularPockets": [
+        "ApolarShare", "CenterX", "CenterY", "CenterZ", "Cells", "LiningAtoms", "MeanPolarized",
+        "MeanPotential", "MouthArea", "MouthRadius", "Radius", "Row ID"],
+    "PoreProfile": ["BottleneckX", "BottleneckY", "BottleneckZ", "Row ID"]}
+WATERS = ("1.15", "2.30")  # radii from which one water passes, and two (HOLE's classes)
+ELEMENTS = (("6", "C", (0.72, 0.72, 0.66)), ("7", "N", (0.0, 0.447, 0.698)),
+            ("8", "O", (0.835, 0.2, 0.1)), ("16", "S", (0.902, 0.75, 0.1)),
+            ("1", "H", (0.9, 0.9, 0.9)), ("15", "P", (0.902, 0.5, 0.0)))
+
+
+def protein_to_pockets(source):
+    """(residues, pockets): the pockets of a molecule, and the residues of the best one."""
+    pockets = simple.MolecularPockets(registrationName="Pockets", Input=source)
+    return _with_residues(pockets, "The molecule has no pockets of this size: lower Inner Radius, or raise "
+                                   "Outer Radius, of Molecular Pockets.")
+
+
+def protein_to_pores(source):
+    """(chart, residues, pores): the channels that run through a molecule, the profile of the longest
+    one, and the residues that line it."""
+    pores = simple.PoreProfile(registrationName="Pores", Input=source)
+    residues, pores = _with_residues(
+        pores, "No channel runs through the molecule. Pore Profile follows the way between two points, or "
+               "along a direction: choose its Mode.")
+    return chart_of(pores), residues, pores
+
+
+def _with_residues(features, nothing):
+    features.UpdatePipeline()
+    kind = FEATURES[features.SMProxy.GetXMLName()]
+    rows = features.SMProxy.GetDataInformation(kind["table"]).GetNumberOfRows()
+    if rows < 1:
+        raise ValueError(nothing)
+    return residues_of(features), features
+
+
+# ---------------------------------------------------------------------------- what follows a click
+
+def _fed_by(features, port, name):
+    """The filter of that name behind a port of `features`, if there is one."""
+    for proxy in simple.GetSources().values():
+        given = getattr(proxy, "Input", None) if proxy.SMProxy.GetXMLName() == name else None
+        if given is not None and given.SMProxy == features.SMProxy and given.Port == port:
+            return proxy
+    return None
+
+
+def residues_of(features):
+    """The filter that passes the residues of one pocket or pore."""
+    kind = FEATURES[features.SMProxy.GetXMLName()]
+    found = _fed_by(features, kind["atoms"], "Threshold")
+    if found is None:
+        found = simple.Threshold(
+            registrationName="Residues", Input=simple.OutputPort(features, kind["atoms"]),
+            Scalars=["POINTS", kind["id"]], ThresholdMethod="Between", LowerThreshold=1, UpperThreshold=1)
+        found.UpdatePipeline()
+    return found
+
+
+def chart_of(pores):
+    """The filter that passes the profile of one pore."""
+    port = FEATURES["PoreProfile"]["chart"]
+    found = _fed_by(pores, port, "ThresholdTable")
+    if found is None:
+        found = simple.ThresholdTable(
+            registrationName="Profile", Input=simple.OutputPort(pores, port), Column=["ROWS", "PoreId"],
+            MinValue=1, MaxValue=1, Mode="Between")
+        found.UpdatePipeline()
+    return found
+
+
+def choose(features, number):
+    """Shows the residues of one pocket or pore, and the chart of a pore."""
+    kind = FEATURES[features.SMProxy.GetXMLName()]
+    residues = residues_of(features)
+    residues.LowerThreshold = residues.UpperThreshold = number
+    residues.UpdatePipeline()
+    changed = [residues]
+    if "chart" in kind:
+        chart = chart_of(features)
+        chart.MinValue = chart.MaxValue = number
+        chart.UpdatePipeline()
+        changed.append(chart)
+    for view in simple.GetViews():
+        for proxy in changed:
+            shown = simple.GetRepresentation(proxy, view) if _is_shown(proxy, view) else None
+            if shown is None and view.SMProxy.GetXMLName() == "RenderView" and proxy is residues and (
+                    _shows(features, view)):
+                shown = _show_residues(residues, view)
+            if shown is not None:
+                view.SMProxy.StillRender()
+
+
+def _is_shown(proxy, view):
+    return any(getattr(display, "Input", None) == proxy for display in view.Representations)
+
+
+def _shows(features, view):
+    return any(getattr(getattr(display, "Input", None), "SMProxy", None) == features.SMProxy and
+               display.Visibility for display in view.Representations)
+
+
+def _selected(features):
+    """The number of the selected feature, found where the data is; None: nothing is selected."""
+    kind = FEATURES[features.SMProxy.GetXMLName()]
+    for port in range(features.SMProxy.GetNumberOfOutputPorts()):
+        if features.SMProxy.GetSelectionInput(port) is None:
+            continue
+        part = features.SMProxy.GetSelectionOutput(port)
+        part.UpdatePipeline()
+        data = part.GetDataInformation(0)
+        for attribute, name in ((ROW, kind["row"]), (ROW, kind["id"]), (CELL, kind["id"]), (POINT, kind["id"])):
+            arrays = data.GetAttributeInformation(attribute)
+            array = arrays.GetArrayInformation(name) if arrays else None
+            if array and array.GetNumberOfTuples() > 0:
+                low, high = array.GetComponentRange(0)
+                if low <= high:
+                    return int(low)
+    return None
+
+
+_followed = {}
+
+
+def follow(features):
+    """From now on a selection of a pocket or pore shows its residues."""
+    number = features.SMProxy.GetGlobalID()
+    if number in _followed:
+        return
+
+    def picked(*_):
+        try:
+            chosen = _selected(features)
+            if chosen is not None:
+                choose(features, chosen)
+        except Exception as error:  # a click is never worth a failure
+            print_error(f"The residues of what was selected can't be shown: {error}")
+
+    _followed[number] = features.SMProxy.AddObserver("SelectionChangedEvent", picked)
+
+
+# ---------------------------------------------------------------------------- what is shown
+
+def look(display, view, port):
+    """First look at an output that the window shows by itself: shapes in colours, nothing else."""
+    features = display.Input
+    kind = FEATURES[features.SMProxy.GetXMLName()]
+    follow(features)
+    if port == kind["shapes"]:
+        colour_shapes(display, view)
+    elif port != 0 or "chart" in kind:
+        display.Visibility = 0
+    else:
+        _colour_by_rank(display, "CELLS", view)
+
+
+def colour_shapes(display, view):
+    kind = FEATURES[display.Input.SMProxy.GetXMLName()]
+    if "chart" in kind:
+        simple.ColorBy(display, ("POINTS", "WidthClass"))
+    else:
+        # Balls of their own size; ParaView scales the radius it is given by the array.
+        display.SetRepresentationType("Point Gaussian")
+        display.ShaderPreset = "Sphere"
+        display.GaussianRadius = 1.0
+        display.ScaleByArray = 1
+        display.SetScaleArray = ["POINTS", "Radius"]
+        display.UseScaleFunction = 0
+        _colour_by_rank(display, "POINTS", view)
+    display.SetScalarBarVisibility(view, True)
+
+
+def _colour_by_rank(display, association, view):
+    """A colour for each of the best pockets, named by its rank."""
+    simple.ColorBy(display, (association, "PocketId"))
+    count = display.Input.SMProxy.GetDataInformation(1).GetNumberOfRows()
+    table = display.LookupTable
+    table.InterpretValuesAsCategories = 1
+    table.Annotations = [str(rank) for rank in range(1, min(count, len(COLOURS)) + 1) for _ in range(2)]
+    table.IndexedColors = [part for colour in COLOURS[:max(count, 1)] for part in colour]
+    table.NanColor = FURTHER
+    bar = simple.GetScalarBar(table, view)
+    bar.Title, bar.ComponentTitle = "Pockets by rank", ""
+    display.SetScalarBarVisibility(view, True)
+
+
+def _show_residues(residues, view):
+    display = simple.Show(residues, view)
+    display.SetRepresentationType("Surface")
+    display.RenderLinesAsTubes, display.LineWidth = 1, 5.0
+    simple.ColorBy(display, ("POINTS", "Element"))
+    table = display.LookupTable
+    table.InterpretValuesAsCategories = 1
+    table.Annotations = [word for value, name, _ in ELEMENTS for word in (value, name)]
+    table.IndexedColors = [part for _, _, colour in ELEMENTS for part in colour]
+    display.SetScalarBarVisibility(view, False)
+    display.Pickable = 0
+    return display
+
+
+def _show_molecule(source, view):
+    """Thin and pale, and no obstacle to clicks."""
+    display = simple.Show(source, view)
+    display.SetRepresentationType("Surface")
+    display.ColorArrayName = ["POINTS", ""]
+    display.AmbientColor = display.DiffuseColor = [0.55, 0.55, 0.6]
+    display.LineWidth, display.PointSize, display.Opacity = 1.0, 1.0, 0.6
+    display.Pickable = 0
+
+
+def _beside(view, kind, share):
+    """A new view to the right of `view`, or below the one that is there already."""
+    layout = simple.GetLayout(view)
+    cell = layout.SMProxy.GetViewLocation(view.SMProxy)
+    split = layout.SplitHorizontal if kind == "right" else layout.SplitVertical
+    split(cell, share)
+    return layout, 2 * cell + 2
+
+
+def _new_view(name, beside, kind, share):
+    layout, hint = _beside(beside, kind, share)
+    view = simple.CreateView(name)
+    simple.AssignViewToLayout(view=view, layout=layout, hint=hint)
+    return view
+
+
+def _show_table(features, beside, kind, share):
+    name = features.SMProxy.GetXMLName()
+    table = simple.OutputPort(features, FEATURES[name]["table"])
+    sheet = _new_view("SpreadSheetView", beside, kind, share)
+    sheet.HiddenColumnLabels = HIDDEN_COLUMNS[name]
+    simple.Show(table, sheet, "SpreadSheetRepresentation")
+    return sheet
+
+
+def _show_chart(pores, view):
+    chart = _new_view("XYChartView", view, "right", 0.58)
+    lines = simple.Show(chart_of(pores), chart, "XYChartRepresentation")
+    lines.AttributeType = "Row Data"
+    lines.UseIndexForXAxis = 0
+    lines.XArrayName = "ArcLength"
+    lines.SeriesVisibility = ["Radius"]
+    lines.SeriesLineThickness = ["Radius", "3"]
+    chart.BottomAxisTitle = "Along the pore (Å)"
+    chart.LeftAxisTitle = "Radius (Å)"
+    chart.ChartTitle = "One water passes from 1.15 Å, two from 2.30 Å"
+    chart.ChartTitleFontSize = 12
+    chart.LeftAxisUseCustomLabels = 1
+    chart.LeftAxisLabels = [word for value in ("0", *WATERS, "3", "4", "5") for word in (value, value)]
+    chart.LeftAxisUseCustomRange = 1
+    chart.LeftAxisRangeMinimum, chart.LeftAxisRangeMaximum = 0.0, 6.0
+    return chart
+
+
+def show(features, view=None, tables=True):
+    """Shapes, molecule and residues in `view`; beside it the table, and the chart of a pore."""
+    name = features.SMProxy.GetXMLName()
+    kind = FEATURES[name]
+    view = view or simple.GetActiveViewOrCreate("RenderView")
+    follow(features)
+    _show_molecule(features.Input, view)
+    display = simple.Show(simple.OutputPort(features, kind["shapes"]), view)
+    colour_shapes(display, view)
+    _show_residues(residues_of(features), view)
+    simple.ResetCamera(view)
+    view.GetActiveCamera().Zoom(1.3)  # stray waters are what the camera has made room for
+    if tables:
+        chart = _show_chart(features, view) if "chart" in kind else None
+        _show_table(features, chart or view, "below" if chart else "right", 0.6)
+        simple.SetActiveView(view)
+    return display

@@ -1,0 +1,28 @@
+#include "GemmiAssembly.h"
+
+#include <gemmi/assembly.hpp>
+#include <gemmi/remarks.hpp>
+
+namespace isthmus
+{
+
+void TakeAssembly(gemmi::Structure& structure, const std::string& name, const std::string& path)
+{
+  if (structure.assemblies.empty() && !structure.raw_remarks.empty())
+  {
+    gemmi::read_metadata_from_remarks(structure);
+  }
+  std::string known;
+  for (const gemmi::Assembly& assembly : structure.assemblies)
+  {
+    known += (known.empty() ? "" : ", ") + assembly.name;
+  }
+  if (!structure.find_assembly(name))
+  {
+    throw NoSuchAssembly(path + ": there is no assembly " + name + "; the file describes " +
+      (known.empty() ? "none." : known + "."));
+  }
+  gemmi::transform_to_assembly(structure, name, gemmi::HowToNameCopiedChain::Short, nullptr);
+}
+
+}

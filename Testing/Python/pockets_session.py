@@ -1,0 +1,26 @@
+"""Opens the molecule of PocketsWindow.py, and writes down which pocket or pore each click chooses."""
+
+import os
+from pathlib import Path
+
+from paraview import simple
+
+import isthmus_pockets  # there once paraview.simple has loaded the plugin
+
+chosen = Path(os.environ["ISTHMUS_SESSION_DIR"]) / "chosen.txt"
+choose = isthmus_pockets.choose
+
+
+def choose_and_tell(features, number):
+    choose(features, number)
+    residues = isthmus_pockets.residues_of(features)
+    atoms = residues.GetDataInformation().DataInformation.GetNumberOfPoints()
+    with chosen.open("a") as file:
+        file.write(f"{features.SMProxy.GetXMLName()} {number} {atoms}\n")
+
+
+isthmus_pockets.choose = choose_and_tell
+
+molecule = simple.OpenDataFile(os.environ["ISTHMUS_SESSION_DATA"])
+simple.Show(molecule, simple.GetActiveViewOrCreate("RenderView"))
+simple.SetActiveSource(molecule)
