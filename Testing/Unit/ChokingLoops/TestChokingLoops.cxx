@@ -207,27 +207,34 @@ TEST(ChokingLoops, CubeHasNone)
   EXPECT_TRUE(loops.Select(Percent(100, 5)).empty());
 }
 
-void ExpectRefused(TriangleMesh mesh, const std::string& words)
+/// A crossing surface is repaired and that is told, or refused with the same words.
+bool IsMended(TriangleMesh mesh, const std::string& words)
 {
   try
   {
     const ChokingLoops loops(std::move(mesh));
-    FAIL() << "accepted, though: " << words;
+    EXPECT_NE(loops.Mended().Told.find(words), std::string::npos) << loops.Mended().Told;
+    EXPECT_GT(loops.Mended().Changed, 0);
+    return true;
   }
   catch (const std::invalid_argument& error)
   {
     EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    return false;
   }
 }
 
 TEST(ChokingLoops, NamesSelfIntersections)
 {
+  int mended = 0;
   for (const char* file :
     { "neptune.off", "block.off", "dragon.off", "trim-star.off", "sharp_sphere.off" })
   {
     ISTHMUS_NEEDS_SHARED_DATA(std::string("surfaces/") + file);
-    ExpectRefused(ReadSurface(file), "crosses itself");
+    SCOPED_TRACE(file);
+    mended += IsMended(ReadSurface(file), "crosses itself") ? 1 : 0;
   }
+  EXPECT_GE(mended, 3);
   ChokingLoopParameters parameters;
   parameters.AllowSelfIntersections = true;
   EXPECT_NO_THROW(ChokingLoops(ReadSurface("block.off"), parameters));
