@@ -14,9 +14,8 @@ The buttons of the toolbar are run(); first_look() is what the window calls for 
 import os
 import shutil
 import subprocess
-import tempfile
 
-from paraview import print_error, servermanager, simple
+from paraview import print_error, print_warning, servermanager, simple
 
 DUST = 0.01  # components below that share of the largest one's area are hidden
 DECAY = 1.2  # of the Gaussians of a molecular surface: BindingSites.md tells what it was tuned on
@@ -30,7 +29,7 @@ SIGNED = CURVATURES + (
     "Potential", "PolarizedCurvature", "PositivePotentialKappa1", "PositivePotentialKappa2",
     "NegativePotentialKappa1", "NegativePotentialKappa2", "SignedDistance")
 UNSIGNED = ("Curvedness",)
-FIXED = {"ShapeIndex": (-1.0, 1.0)}
+FIXED = {"ShapeIndex": (-1.0, 1.0), "Potential": (-5.0, 5.0)}  # as all programs draw potentials
 TITLES = {
     "MeanCurvature": "Mean curvature (1/Å)", "GaussianCurvature": "Gaussian curvature (1/Å²)",
     "MaximumCurvature": "Maximum curvature (1/Å)", "MinimumCurvature": "Minimum curvature (1/Å)",
@@ -180,11 +179,12 @@ def protein_to_sites(source, potential=None):
     """(potential, sites): the surface with potential, polarized curvature and likely binding sites.
 
     potential: a source of it (kT/e) on a grid. Without one it is computed from the charges of the
-    atoms (a PQR file has them) by APBS, into a .dx file that stays beside the molecule's or, where
-    that folder can't be written, in the current one.
+    atoms. A PQR file has them; of a PDB file pdb2pqr, where it is installed, makes one, which stays
+    beside it or, where that folder can't be written, in the current one.
     """
     _require_atoms(source)
     if potential is None:
+        source = _charged(source)
         potential = _potential(source)
     density, surface = _molecule(source)
     curvature = simple.CurvatureOnSurface(
@@ -202,8 +202,10 @@ def protein_to_sites(source, potential=None):
 def _molecule(source):
     """Density and surface of the atoms."""
     _require_atoms(source)
+    # Named, since its default is the array that other filters made the active one.
+    radii = {"Radii": ["POINTS", "Radius"]} if source.PointData["Radius"] else {}
     density = simple.MolecularDensity(
-        registrationName="Molecular density", Input=source, Decay=DECAY, Spacing=SPACING)
+        registrationName="Molecular density", Input=source, Decay=DECAY, Spacing=SPACING, **radii)
     surface = simple.MapSurface(
         registrationName="Molecular surface", Input=density,
         Scalars=["POINTS", "Density"], AutomaticLevel=0, Level=1.0,
@@ -215,89 +217,74 @@ def _molecule(source):
 
 # ---------------------------------------------------------------------------- the potential
 
-APBS_INPUT = """read
-  mol pqr molecule.pqr
-end
-elec
-  mg-manual
-  dime {n[0]} {n[1]} {n[2]}
-  grid {h} {h} {h}
-  gcent {c[0]} {c[1]} {c[2]}
-  mol 1
-  lpbe
-  bcfl sdh
-  pdie 2.0
-  sdie 78.54
-  ion charge 1 conc 0.150 radius 2.0
-  ion charge -1 conc 0.150 radius 2.0
-  srfm smol
-  chgm spl2
-  sdens 10.0
-  srad 1.4
-  swin 0.3
-  temp 298.15
-  calcenergy no
-  calcforce no
-  write pot dx potential
-end
-quit
-"""
+def _charged(source):
+    """The molecule with charges: itself, or what pdb2pqr makes of its file."""
+    charges = source.PointData["Charge"]
+    low, high = charges.GetRange(0) if charges else (0.0, 0.0)
+    if low < 0.0 < high:
+        return source
+    program = shutil.which("pdb2pqr") or shutil.which("pdb2pqr30")
+    file = _file_of(source)
+    way_out = "or open a PQR file, or a potential's .dx file for Polarized Curvature."
+    if not file or not file.lower().endswith((".pdb", ".ent", ".cif")):
+        raise ValueError("The molecule has no charges, from which the potential comes: open its PDB file as "
+                         "it is, not compressed, " + way_out)
+    if servermanager.ActiveConnection.IsRemote():
+        raise ValueError("The molecule has no charges; on a remote server run pdb2pqr there, " + way_out)
+    if not program:
+        raise ValueError("The molecule has no charges. They come from a force field by pdb2pqr, which is "
+                         "not installed: install it (Debian: apt install pdb2pqr), " + way_out)
+    target = _place_for(file, ".pqr")
+    done = subprocess.run(
+        [program, "--ff=AMBER", "--keep-chain", "--drop-water", "--nodebump", "--noopt", file, target],
+        capture_output=True, text=True)
+    if done.returncode != 0 or not os.path.exists(target):
+        last = (done.stderr or done.stdout).strip().splitlines()[-1:]
+        raise ValueError("pdb2pqr could not give the atoms charges: " + " ".join(last) + " Complete the "
+                         "protein, " + way_out)
+    left_out = _left_out(target)
+    if left_out:
+        print_warning("pdb2pqr knows no charges of " + ", ".join(left_out) + ": they were left out.")
+    return simple.OpenDataFile(target, registrationName=os.path.basename(target))
+
+
+def _left_out(pqr):
+    """The residues that pdb2pqr's remarks say it left out, by name and number."""
+    names = []
+    with open(pqr, encoding="ascii", errors="replace") as lines:
+        for line in lines:
+            words = line.split()
+            # REMARK   5    1234 CA in CA 201
+            if line.startswith("REMARK") and len(words) == 7 and words[4] == "in":
+                names.append(" ".join(words[5:]))
+    return sorted(set(names))
 
 
 def _potential(source):
-    low, high = source.PointData["Charge"].GetRange(0) if source.PointData["Charge"] else (0.0, 0.0)
-    if not low < 0.0 < high:
-        raise ValueError("The molecule has no charges, from which the potential comes: open a PQR file "
-                         "(pdb2pqr makes one of a PDB file), or give a potential: open its .dx file, and "
-                         "use Polarized Curvature.")
-    if not shutil.which("apbs"):
-        raise ValueError("The potential is computed by APBS, which is not installed (Debian: apt install "
-                         "apbs); or open a .dx file of it, and use Polarized Curvature.")
-    if servermanager.ActiveConnection.IsRemote():
-        raise ValueError("On a remote server, compute the potential there, open its .dx file, and use "
-                         "Polarized Curvature.")
-    path = _run_apbs(servermanager.Fetch(source), _place_for(source))
-    return simple.OpenDXGridReader(registrationName=os.path.basename(path), FileName=path)
+    bounds = source.GetDataInformation().GetBounds()
+    largest = max(bounds[2 * a + 1] - bounds[2 * a] for a in range(3)) + 30.0
+    solver = simple.PoissonBoltzmann(
+        registrationName="Poisson Boltzmann", Input=source, IonicStrength=0.15, SolventDielectric=78.54,
+        Spacing=max(0.5, largest / 256.0))
+    if _data_of(solver).GetNumberOfPoints() == 0:
+        raise ValueError("The potential could not be computed: the messages say why. A potential's .dx "
+                         "file can be given to Polarized Curvature instead.")
+    return solver
 
 
-def _place_for(source):
-    """File of the potential: beside the molecule's, else in the current folder."""
+def _file_of(source):
     name = source.GetProperty("FileName")
-    name = name.GetData() if name else "molecule"
-    name = name if isinstance(name, str) else name[0]
-    folder, base = os.path.split(os.path.abspath(name))
+    name = name.GetData() if name else None
+    return name if name is None or isinstance(name, str) else name[0]
+
+
+def _place_for(file, ending):
+    """Beside the molecule's file, else in the current folder."""
+    folder, base = os.path.split(os.path.abspath(file))
     # Root may write everywhere, which is no reason to.
     if not os.access(folder, os.W_OK) or not os.stat(folder).st_mode & 0o222:
         folder = os.getcwd()
-    return os.path.join(folder, base.split(".")[0] + "_potential.dx")
-
-
-def _run_apbs(molecule, target):
-    points = [molecule.GetPoint(i) for i in range(molecule.GetNumberOfPoints())]
-    radius = molecule.GetPointData().GetArray("Radius")
-    charge = molecule.GetPointData().GetArray("Charge")
-    centre, sides = [], []
-    for axis in range(3):
-        values = [point[axis] for point in points]
-        centre.append((min(values) + max(values)) / 2.0)
-        sides.append(max(values) - min(values) + 30.0)
-    h = max(0.6, max(sides) / 256.0)
-    counts = [32 * max(1, -int(-side / h // 32)) + 1 for side in sides]
-    with tempfile.TemporaryDirectory() as folder:
-        with open(os.path.join(folder, "molecule.pqr"), "w") as file:
-            for i, point in enumerate(points):
-                if radius.GetValue(i) == radius.GetValue(i):  # not NaN
-                    file.write("ATOM %d X MOL 1 %.4f %.4f %.4f %.4f %.4f\n" % (
-                        i + 1, *point, charge.GetValue(i), radius.GetValue(i)))
-        with open(os.path.join(folder, "apbs.in"), "w") as file:
-            file.write(APBS_INPUT.format(n=counts, h=h, c=centre))
-        done = subprocess.run(["apbs", "apbs.in"], cwd=folder, capture_output=True, text=True)
-        found = [name for name in os.listdir(folder) if name.endswith(".dx")]
-        if done.returncode != 0 or not found:
-            last = (done.stderr or done.stdout).strip().splitlines()[-1:]
-            raise ValueError("APBS could not compute the potential: " + " ".join(last))
-        shutil.move(os.path.join(folder, found[0]), target)
-    return target
+    return os.path.join(folder, base.split(".")[0] + ending)
 
 
 # ---------------------------------------------------------------------------- first look
