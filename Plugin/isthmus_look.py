@@ -19,7 +19,7 @@ SIGNED = CURVATURES + (
     "NegativePotentialKappa1", "NegativePotentialKappa2", "SignedDistance")
 SITES = ("BindingSites", "BindingSitesInPockets")
 UNSIGNED = ("Curvedness",)
-FIXED = {"ShapeIndex": (-1.0, 1.0)}
+FIXED = {"ShapeIndex": (-1.0, 1.0), "Potential": (-5.0, 5.0)}  # as all programs draw potentials
 TITLES = {
     "MeanCurvature": "Mean curvature (1/Å)", "GaussianCurvature": "Gaussian curvature (1/Å²)",
     "MaximumCurvature": "Maximum curvature (1/Å)", "MinimumCurvature": "Minimum curvature (1/Å)",

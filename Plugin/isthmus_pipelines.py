@@ -4,7 +4,7 @@
     surface, loops = pipelines.map_to_loops(OpenDataFile("emd_5043.map"))
     pipelines.show(surface, loops)
 
-Each of the eight functions takes a source and returns a tuple of the last proxies, the main one last;
+Each of the functions takes a source and returns a tuple of the last proxies, the main one last;
 all are ordinary filters, to be changed as one likes. They use proxies only, so that the data stays
 on the server, wherever that is. What can't be done is told in one sentence, as ValueError.
 
@@ -17,9 +17,10 @@ import os
 from paraview import print_error, simple
 
 try:
-    import isthmus_look as look  # with the plugin, whose window uses it, too
+    import isthmus_charges as charges  # with the plugin, whose window uses them, too
+    import isthmus_look as look
 except ImportError:
-    from isthmus import look
+    from isthmus import charges, look
 
 try:
     import isthmus_pockets as pockets_and_pores  # with the plugin loaded
@@ -158,12 +159,13 @@ def protein_to_sites(source, potential=None):
     which are the pockets; or patches of the surface, where the molecule has no pocket.
 
     potential: a source of it (kT/e) on a grid, an opened .dx file, say. Without one it is computed
-    from the charges of the atoms (a PQR file has them) in 0.15 mol/l of salt; File > Save Data keeps
-    it as a .dx file.
+    from the charges of the atoms in 0.15 mol/l of salt; File > Save Data keeps it as a .dx file. A PQR
+    file has charges; of a PDB file pdb2pqr, where it is installed, makes one, which stays beside it
+    or, where that folder can't be written, in the current one.
     """
     _require_atoms(source)
     if potential is None:
-        _require_charges(source)
+        source = charges.charged(source)
     density, surface = _molecule(source)
     if potential is None:
         potential = simple.PoissonBoltzmannOnSurface(
@@ -182,15 +184,6 @@ def protein_to_sites(source, potential=None):
         sites.UsePockets = 0
         sites.UpdatePipeline()
     return potential, sites
-
-
-def _require_charges(source):
-    charge = source.PointData["Charge"]
-    low, high = charge.GetRange(0) if charge else (0.0, 0.0)
-    if not low < 0.0 < high:
-        raise ValueError("The molecule has no charges, from which the potential comes: open a PQR file "
-                         "(pdb2pqr makes one of a PDB file), or open a potential (.dx) and use Polarized "
-                         "Curvature. Molecular Pockets ranks pockets without charges.")
 
 
 def protein_to_pockets(source):

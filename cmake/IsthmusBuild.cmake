@@ -49,7 +49,7 @@ function (isthmus_build_python)
   configure_file("${package}" "${CMAKE_BINARY_DIR}/${destination}/isthmus/__init__.py" COPYONLY)
   install(FILES "${package}" DESTINATION "${destination}/isthmus" RENAME __init__.py)
   # The same files travel inside the plugin, for windows without this package.
-  foreach (part IN ITEMS pipelines look pockets trajectories)
+  foreach (part IN ITEMS pipelines charges look pockets trajectories)
     set(source "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/isthmus_${part}.py")
     configure_file("${source}" "${CMAKE_BINARY_DIR}/${destination}/isthmus/${part}.py" COPYONLY)
     install(FILES "${source}" DESTINATION "${destination}/isthmus" RENAME ${part}.py)

@@ -1,0 +1,65 @@
+"""Charges for molecules whose files have none: pdb2pqr, where it is installed, makes a PQR file."""
+
+import os
+import shutil
+import subprocess
+
+from paraview import print_warning, servermanager, simple
+
+
+def charged(source):
+    """The molecule with charges: itself, or what pdb2pqr makes of its file."""
+    charges = source.PointData["Charge"]
+    low, high = charges.GetRange(0) if charges else (0.0, 0.0)
+    if low < 0.0 < high:
+        return source
+    program = shutil.which("pdb2pqr") or shutil.which("pdb2pqr30")
+    file = _file_of(source)
+    way_out = "or open a PQR file, or a potential's .dx file for Polarized Curvature."
+    if not file or not file.lower().endswith((".pdb", ".ent", ".cif")):
+        raise ValueError("The molecule has no charges, from which the potential comes: open its PDB file as "
+                         "it is, not compressed, " + way_out)
+    if servermanager.ActiveConnection.IsRemote():
+        raise ValueError("The molecule has no charges; on a remote server run pdb2pqr there, " + way_out)
+    if not program:
+        raise ValueError("The molecule has no charges. They come from a force field by pdb2pqr, which is "
+                         "not installed: install it (Debian: apt install pdb2pqr), " + way_out)
+    target = _place_for(file, ".pqr")
+    done = subprocess.run(
+        [program, "--ff=AMBER", "--keep-chain", "--drop-water", "--nodebump", "--noopt", file, target],
+        capture_output=True, text=True)
+    if done.returncode != 0 or not os.path.exists(target):
+        last = (done.stderr or done.stdout).strip().splitlines()[-1:]
+        raise ValueError("pdb2pqr could not give the atoms charges: " + " ".join(last) + " Complete the "
+                         "protein, " + way_out)
+    left_out = _left_out(target)
+    if left_out:
+        print_warning("pdb2pqr knows no charges of " + ", ".join(left_out) + ": they were left out.")
+    return simple.OpenDataFile(target, registrationName=os.path.basename(target))
+
+
+def _left_out(pqr):
+    """The residues that pdb2pqr's remarks say it left out, by name and number."""
+    names = []
+    with open(pqr, encoding="ascii", errors="replace") as lines:
+        for line in lines:
+            words = line.split()
+            # REMARK   5    1234 CA in CA 201
+            if line.startswith("REMARK") and len(words) == 7 and words[4] == "in":
+                names.append(" ".join(words[5:]))
+    return sorted(set(names))
+
+
+def _file_of(source):
+    name = source.GetProperty("FileName")
+    name = name.GetData() if name else None
+    return name if name is None or isinstance(name, str) else name[0]
+
+
+def _place_for(file, ending):
+    """Beside the molecule's file, else in the current folder."""
+    folder, base = os.path.split(os.path.abspath(file))
+    # Root may write everywhere, which is no reason to.
+    if not os.access(folder, os.W_OK) or not os.stat(folder).st_mode & 0o222:
+        folder = os.getcwd()
+    return os.path.join(folder, base.split(".")[0] + ending)
