@@ -124,6 +124,8 @@ def show_descriptor(view, curvature, values, descriptor):
     simple.ColorBy(display, ("POINTS", array))
     table = simple.GetColorTransferFunction(array)
     table.ApplyPreset(colours, True)
+    # Each further Show() colours by the mean curvature first, and would stretch its range.
+    table.AutomaticRescaleRangeMode = "Never"
     low, high = colour_range(values, kind)
     table.RescaleTransferFunction(low, high)
     show_colour_bar(table, view, title, (low, high))

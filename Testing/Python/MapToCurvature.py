@@ -42,6 +42,9 @@ def check_picture(path):
         assert 0.03 < coloured < 0.9 and white > 0.05, (number, coloured, white)
         for other in cells[:number]:
             assert abs(cell - other).mean() > 1.0, number
+    # The mean curvature (rows count from below) is mostly positive, and red says so.
+    mean = cells[4]
+    assert (mean[..., 0] - mean[..., 2] > 40).mean() > 0.05
 
 
 def check_files(folder):
