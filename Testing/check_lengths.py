@@ -19,19 +19,14 @@ LONGEST_FUNCTION = 60
 # {file or file:function: lines it may have until it is split}, all in rooms that are being rebuilt
 OWED = {
     "Filters/ChokingLoops/ChokingLoops.cxx": 400,
-    "Filters/ChokingLoops/vtkMapHandles.cxx": 420,
     "Filters/ChokingLoops/vtkChokingLoops.cxx:vtkChokingLoops::RequestData": 70,
     "Filters/Electrostatics/InterfaceGeometry.cxx": 400,
     "Filters/Electrostatics/InterfaceOperator.cxx:InterfaceOperator::ApplyTo": 70,
     "Filters/Electrostatics/InterfaceSolver.cxx:SolveInterface": 80,
     "Filters/Electrostatics/IrregularRows.cxx": 360,
     "Filters/Electrostatics/MultigridLevel.cxx": 480,
-    "Filters/Electrostatics/PotentialOnBox.cxx": 420,
     "Filters/Molecular/BindingSites.cxx:FindBindingSites": 65,
     "Filters/Molecular/FeatureTracks.cxx:Assign": 75,
-    "Filters/Molecular/MolecularPockets.cxx": 380,
-    "Filters/Molecular/PoreProfile.cxx": 420,
-    "Filters/Molecular/vtkFeatureTracks.cxx": 430,
     "Filters/Persistence/RegularFiltration.cxx": 370,
 }
 

@@ -20,8 +20,8 @@ namespace isthmus
 /**
  * `surface` with one point for each place that a triangle uses, in the order of first use by point
  * id; files with texture coordinates or normals at corners (OBJ, STL) have several. Triangles that
- * lose an edge thereby are left out: they had no area. O(n log n). `original`, if given, gets the id
- * in `surface` of each point.
+ * lose an edge thereby are left out: they had no area. O(n log n). `original`, if given, gets the
+ * id in `surface` of each point.
  * @throws std::invalid_argument for a corner that is no point.
  */
 VTKISTHMUS_EXPORT TriangleMesh MergePoints(

@@ -42,14 +42,15 @@ namespace isthmus
 class VTKISTHMUS_EXPORT SolvationFlow
 {
 public:
-  /// Throws std::invalid_argument for lists of different lengths, parameters out of range, charges
+  /// @throws std::invalid_argument for lists of different lengths, parameters out of range, charges
   /// outside of all balls, and std::runtime_error for grids that do not fit into memory.
   SolvationFlow(SolvationAtoms atoms, const SolvationParameters& parameters);
   ~SolvationFlow();
   SolvationFlow(const SolvationFlow&) = delete;
   void operator=(const SolvationFlow&) = delete;
 
-  /// Until it rests, or MaximumUpdates. Throws what SolvePoissonBoltzmann does, and Cancelled.
+  /// Until it rests, or MaximumUpdates.
+  /// @throws what SolvePoissonBoltzmann does, and Cancelled.
   void Run(const ProgressCallback& progress = {});
 
   /// Whether the energy came to rest; if not, the last surface is there all the same.

@@ -21,8 +21,8 @@ namespace isthmus
  * Text and numbers on their way to a file, gzip-compressed where the path ends in .gz. Numbers have
  * the fewest digits from which the same bits are read, and a '.' in every locale.
  *
- * Without Close() the file is removed again. Throws std::runtime_error with the path when it can't
- * be written. Memory: 1 MiB.
+ * Without Close() the file is removed again. Memory: 1 MiB.
+ * @throws std::runtime_error with the path when it can't be written.
  */
 class TextFile
 {

@@ -26,7 +26,7 @@ public:
 /**
  * Replaces the models of `structure` by assembly `name` as the file describes it (REMARK 350 of
  * PDB, pdbx_struct_assembly_gen of mmCIF): each chain once for each of its operators, copies under
- * names that are free. Atoms on symmetry axes stay single. Throws NoSuchAssembly.
+ * names that are free. Atoms on symmetry axes stay single. @throws NoSuchAssembly.
  */
 void TakeAssembly(gemmi::Structure& structure, const std::string& name, const std::string& path);
 
