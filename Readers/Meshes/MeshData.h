@@ -36,8 +36,9 @@ void ToSurface(const CellMesh& mesh, vtkPolyData* surface);
 
 /**
  * Points, cells and those of `names` among the arrays that hold numbers: whole numbers as int64,
- * others as double. `remark` says which arrays are left out. @throws std::invalid_argument for cells
- * that CellShape does not name, for cells with points that are not there, and points not finite.
+ * others as double. `remark` says which arrays are left out. @throws std::invalid_argument for
+ * cells that CellShape does not name, for cells with points that are not there, and points not
+ * finite.
  */
 CellMesh FromPointSet(
   vtkPointSet* data, const std::vector<std::string>& names, std::string& remark);
