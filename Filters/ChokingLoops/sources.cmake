@@ -2,27 +2,37 @@ isthmus_room(
   CLASSES
     vtkChokingLoops
     vtkLoopShortening
+    vtkMapChokingLoops
     vtkMapHandles
     vtkOffsetSurface
   SOURCES
+    ChainPieces
+    ChokeFit
     ChokingLoops
     ChokingLoopsOutput
+    ChokingSamples
     ChokingSurface
     ConformingGenerators
     EdgeStrip
     EnclosureTest
     FeatureMembrane
+    FeatureSelection
     GeneratorCompletion
     LoopFeature
     LoopShortening
     MapHandles
+    MinimumCut
     OffsetSurface
+    PinnedShortening
     ShapeFeatures
+    SharedLoops
     SpaceRegions
+    StripBend
     StripFunnel
     SurfaceAdjacency
     SurfaceDistance
     SurfaceGenerators
     SurfaceHomology
     SurfaceInComplex
-    SurfaceSampling)
+    SurfaceSampling
+    TightestCut)
