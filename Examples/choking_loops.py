@@ -39,7 +39,7 @@ def numbers_of(loops):
         "NumberOfHandles", "NumberOfTunnels", "NumberOfAdditionalLoops", "NumberOfSamples",
         "LargestSamplingError", "ReferenceLength", "StageTimes")}
     rows = [column(data.GetCellData(), name).tolist() for name in
-            ("FeatureId", "Kind", "Side", "Distance", "Persistence", "Length", "Trusted")]
+            ("FeatureId", "Kind", "Side", "Radius", "Widening", "Length", "Trusted")]
     return {
         "handles": facts["NumberOfHandles"][0],
         "tunnels": facts["NumberOfTunnels"][0],
@@ -50,7 +50,7 @@ def numbers_of(loops):
         "reference length": dict(zip(("inside", "outside"), facts["ReferenceLength"])),
         "seconds": dict(zip(("check", "sampling", "filtration", "pairing", "features"),
                             facts["StageTimes"])),
-        "loops": [dict(zip(("feature", "kind", "side", "distance", "persistence", "length",
+        "loops": [dict(zip(("feature", "kind", "side", "radius", "widening", "length",
                             "trusted"), row)) for row in zip(*rows)],
     }
 

@@ -1,16 +1,17 @@
 #include "ChokingLoops.h"
 
 #include "AnalysisCost.h"
+#include "ChokingSamples.h"
 #include "ChokingSurface.h"
 #include "DelaunayFiltration.h"
 #include "GeneratorCompletion.h"
 #include "LowerStarFiltration.h"
-#include "RangeGuard.h"
 #include "SurfaceSampling.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 namespace isthmus
@@ -22,12 +23,6 @@ std::size_t At(std::int64_t i)
 {
   return static_cast<std::size_t>(i);
 }
-
-/// Samples that automatic spacing spreads over a surface, however few points it has.
-constexpr double UsualSamples = 20000.0;
-
-/// More would take some 30 GB.
-constexpr std::size_t MostSamples = 20'000'000;
 
 /// Rounds of refinement round features that the sampling blurs.
 constexpr int Rounds = 3;
@@ -50,97 +45,6 @@ public:
 private:
   std::chrono::steady_clock::time_point Last = std::chrono::steady_clock::now();
 };
-
-/// Where the samples should lie closer, and how close.
-struct Refinement
-{
-  Point3 Centre;
-  double Radius;
-  double EdgeLength;
-};
-
-/// More places than this mean that the sampling is too coarse everywhere.
-constexpr std::size_t ManyPlaces = 64;
-
-/// Points that refinement may add, beside doubling what there are.
-constexpr std::size_t MorePoints = 100000;
-
-/// An empty mesh when it would take too many points.
-TriangleMesh Refined(const TriangleMesh& mesh, const std::vector<Refinement>& wanted,
-  double spacing, const ProgressCallback& progress)
-{
-  const double everywhere = wanted.size() > ManyPlaces ? 0.6 * spacing : HUGE_VAL;
-  return SplitLongEdges(
-    mesh,
-    [&wanted, everywhere](const Point3& a, const Point3& b)
-    {
-      double limit = everywhere;
-      if (std::isfinite(everywhere))
-      {
-        return limit;
-      }
-      const Point3 middle = 0.5 * (a + b);
-      const double half2 = 0.25 * Dot(b - a, b - a);
-      for (const Refinement& r : wanted)
-      {
-        const Point3 d = middle - r.Centre;
-        const double reach = r.Radius + std::sqrt(half2);
-        limit = Dot(d, d) < reach * reach ? std::min(limit, r.EdgeLength) : limit;
-      }
-      return limit;
-    },
-    MorePoints + 2 * mesh.Points.size(), progress);
-}
-
-/// The surface split to `spacing`, which becomes the one taken where it is 0.
-TriangleMesh FirstSamples(
-  const TriangleMesh& surface, double& spacing, const ProgressCallback& progress)
-{
-  const auto split = [&surface, &spacing](std::size_t most, const ProgressCallback& part)
-  {
-    return SplitLongEdges(
-      surface, [&spacing](const Point3&, const Point3&) { return spacing; }, most, part);
-  };
-  double edges = 0.0;
-  for (const Triangle& t : surface.Triangles)
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      const Point3 edge = surface.Points[At(t[(c + 1) % 3])] - surface.Points[At(t[c])];
-      edges += 0.5 * std::sqrt(Dot(edge, edge));
-    }
-  }
-  DemandRange("SampleSpacing", spacing, 0.0, LargestLength, "It is a length; 0 chooses one.");
-  if (spacing > 0.0 && edges / spacing > 2.0 * static_cast<double>(MostSamples))
-  {
-    throw std::invalid_argument("A SampleSpacing of " + Shown(spacing) + " takes some " +
-      Shown(edges / spacing) + " points along the edges alone, and the most is " +
-      Shown(static_cast<double>(MostSamples)) + ": raise it.");
-  }
-  if (spacing > 0.0)
-  {
-    TriangleMesh samples = split(MostSamples, progress);
-    if (samples.Points.empty())
-    {
-      throw std::runtime_error("Sampling the surface so finely takes more than " +
-        std::to_string(MostSamples) + " points: raise the sample spacing.");
-    }
-    return samples;
-  }
-  // Edges of a good mesh scatter round their mean: those up to 1.7 times it stay whole.
-  spacing = 1.7 * EdgeLengthFor(surface, UsualSamples);
-  // Needles take far more points than their area suggests.
-  const std::size_t most = 4 * surface.Points.size() + static_cast<std::size_t>(5.0 * UsualSamples);
-  // Edges are split to it, whatever the area: needles have next to none.
-  spacing = std::max(spacing, edges / (4.0 * static_cast<double>(most)));
-  const auto still = Between(progress, 0.0, 0.0); // quick, but may have to be repeated
-  TriangleMesh samples = split(most, still);
-  for (; samples.Points.empty(); samples = split(most, still))
-  {
-    spacing *= 1.5;
-  }
-  return samples;
-}
 
 }
 
@@ -253,6 +157,7 @@ struct ChokingLoops::Analysis
   FeatureContext Context;
   SpaceRegions Regions;
   LocatedFeatures Found;
+  std::map<std::size_t, std::optional<Membrane>> Tight; ///< of the features asked for
   ChokingLoopTimes Times;
   SurfaceMending Mended;
   std::string Remark;
@@ -370,22 +275,7 @@ double ChokingLoops::LargestError() const
 
 std::vector<std::size_t> ChokingLoops::Select(const FeatureSelection& selection) const
 {
-  std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < this->State->Found.Diagram.Features.size(); ++i)
-  {
-    const ShapeFeature& f = this->State->Found.Diagram.Features[i];
-    const double reference = this->State->Found.Diagram.Reference[static_cast<std::size_t>(f.Side)];
-    const bool near = f.Distance() <= selection.MaximumDistance.Of(reference) * (1.0 + 1e-9);
-    const bool side = f.Side == SpaceSide::Inside ? selection.Inside : selection.Outside;
-    const bool wanted = IsGenerator(f) ? near || selection.AlwaysReportHandles
-                                       : f.Kind == FeatureKind::Additional && near &&
-        f.Persistence() >= selection.MinimumPersistence.Of(reference);
-    if (side && wanted)
-    {
-      chosen.push_back(i);
-    }
-  }
-  return chosen;
+  return SelectFeatures(this->Diagram(), selection);
 }
 
 const Membrane& ChokingLoops::MembraneOf(std::size_t feature)
@@ -402,6 +292,34 @@ const Membrane& ChokingLoops::MembraneOf(std::size_t feature)
 const Membrane& ChokingLoops::MembraneOfMade(std::size_t feature) const
 {
   return this->State->Found.Membranes[feature].value();
+}
+
+const Membrane* ChokingLoops::TightMembraneOf(std::size_t feature, const ProgressCallback& progress)
+{
+  Analysis& state = *this->State;
+  auto known = state.Tight.find(feature);
+  if (known == state.Tight.end())
+  {
+    std::optional<Membrane> membrane = TightMembrane(
+      state.Context, state.Found.Diagram.Features[feature], state.Found.Centres[feature], progress);
+    if (membrane && !IsInterchangeable(state.Context, state.Found, feature, *membrane))
+    {
+      membrane.reset();
+    }
+    known = state.Tight.emplace(feature, std::move(membrane)).first;
+  }
+  return known->second ? &*known->second : nullptr;
+}
+
+std::vector<SimplexId> ChokingLoops::ContactsOf(std::size_t feature) const
+{
+  const SimplexId choke = this->State->Found.Diagram.Features[feature].Choke;
+  if (choke < 0)
+  {
+    return {};
+  }
+  const auto& corners = this->State->Filtration.Triangles[At(choke)];
+  return { corners.begin(), corners.end() };
 }
 
 const std::string& ChokingLoops::Remark() const

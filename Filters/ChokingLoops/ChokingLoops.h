@@ -11,6 +11,7 @@
 #define isthmus_ChokingLoops_h
 
 #include "FeatureMembrane.h"
+#include "FeatureSelection.h"
 #include "ShapeFeatures.h"
 #include "SurfaceMending.h"
 
@@ -35,31 +36,6 @@ struct ChokingLoopParameters
   double MemoryLimit = 0.0;
   /// Called with the number of samples before the work on them begins.
   std::function<void(std::size_t samples)> Sampled;
-};
-
-/// A length as the user states it: in percent of a side's reference length, or in units of the
-/// data.
-struct StatedLength
-{
-  double Value = 0.0;
-  bool Percent = true;
-
-  double Of(double reference) const
-  {
-    return this->Percent ? 0.01 * this->Value * reference : this->Value;
-  }
-};
-
-/// Which features to report.
-struct FeatureSelection
-{
-  bool Inside = true;
-  bool Outside = true;
-  StatedLength MaximumDistance{ 100.0, true };
-  StatedLength MinimumPersistence{ 5.0, true };
-  /// Handles and tunnels need not obey MaximumDistance. MinimumPersistence is never asked of them:
-  /// in a ring of even width nothing widens behind the narrowing, and yet it is a handle.
-  bool AlwaysReportHandles = true;
 };
 
 /// Times of the stages, in seconds.
@@ -130,6 +106,14 @@ public:
 
   /// The same, of one that has been asked for before.
   VTKISTHMUS_EXPORT const Membrane& MembraneOfMade(std::size_t feature) const;
+
+  /// TightMembrane() of a feature, found when first asked for; null where there is none, and for a
+  /// handle or tunnel whose loops it could not stand for (IsInterchangeable()).
+  VTKISTHMUS_EXPORT const Membrane* TightMembraneOf(
+    std::size_t feature, const ProgressCallback& progress = {});
+
+  /// Points of the samples where the ball that gets stuck touches the surface.
+  VTKISTHMUS_EXPORT std::vector<SimplexId> ContactsOf(std::size_t feature) const;
 
   /// Centre of the ball that gets stuck.
   VTKISTHMUS_EXPORT Point3 ChokePoint(std::size_t feature) const;

@@ -1,5 +1,7 @@
 #include "ChokingLoopsOutput.h"
 
+#include "ChokeFit.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -64,11 +66,21 @@ const char* NameOf(FeatureKind kind)
   }
 }
 
-/// d - sqrt(d^2 - e^2) bounds how far the samples are from what the surface would give.
-double UncertaintyOf(const ShapeFeature& f)
+/// Radius, fill and widening, and the same by the names that they had before; these go with 2.0.
+void AddSizes(const ShapeFeature& f, Columns<vtkDoubleArray>& numbers)
 {
-  const double d = f.Distance();
-  return d - std::sqrt(std::max(0.0, d * d - f.Error * f.Error));
+  for (const char* name : { "Radius", "Distance" })
+  {
+    numbers[name]->InsertNextValue(f.Distance());
+  }
+  for (const char* name : { "Fill", "Death" })
+  {
+    numbers[name]->InsertNextValue(f.Fill);
+  }
+  for (const char* name : { "Widening", "Persistence" })
+  {
+    numbers[name]->InsertNextValue(f.Widening());
+  }
 }
 
 /// Points of a feature in an output, each inserted once.
@@ -109,6 +121,29 @@ vtkSmartPointer<vtkPoints> DoublePoints()
 
 }
 
+namespace
+{
+
+/// The cells of one feature's loops.
+using Cells = std::vector<std::vector<vtkIdType>>;
+
+Cells InsertLoops(const ShownFeature& shown, const TriangleMesh& samples, vtkPoints* points)
+{
+  PointMap map(*shown.Geometry, samples, points);
+  Cells cells;
+  for (const auto& loop : shown.Geometry->Loops)
+  {
+    cells.emplace_back();
+    for (std::size_t i = 0; i <= loop.size(); ++i)
+    {
+      cells.back().push_back(map.Of(loop[i % loop.size()]));
+    }
+  }
+  return cells;
+}
+
+}
+
 void FillLoops(
   const ChokingLoops& loops, const std::vector<ShownFeature>& features, vtkPolyData* output)
 {
@@ -118,28 +153,28 @@ void FillLoops(
   names->SetName("KindName");
   Columns<vtkIntArray> integers;
   Columns<vtkDoubleArray> numbers;
+  std::map<const LoopFeature*, Cells> drawn;
   for (const ShownFeature& shown : features)
   {
     const ShapeFeature& f = loops.Diagram().Features[shown.Index];
-    PointMap map(*shown.Geometry, loops.Samples(), points);
-    for (std::size_t k = 0; k < shown.Geometry->Loops.size(); ++k)
+    const auto [known, isNew] = drawn.emplace(shown.Geometry, Cells{});
+    if (isNew)
     {
-      const auto& loop = shown.Geometry->Loops[k];
-      lines->InsertNextCell(static_cast<int>(loop.size() + 1));
-      for (std::size_t i = 0; i <= loop.size(); ++i)
-      {
-        lines->InsertCellPoint(map.Of(loop[i % loop.size()]));
-      }
-      const SimplexId anchor = loops.MembraneOfMade(shown.Index).Loops[k].front();
+      known->second = InsertLoops(shown, loops.Samples(), points);
+    }
+    const Cells& cells = known->second;
+    for (std::size_t k = 0; k < cells.size(); ++k)
+    {
+      lines->InsertNextCell(static_cast<vtkIdType>(cells[k].size()), cells[k].data());
+      const SimplexId anchor = shown.Geometry->Anchors[k];
       names->InsertNextValue(NameOf(f.Kind));
       integers["Kind"]->InsertNextValue(static_cast<int>(f.Kind));
       integers["Side"]->InsertNextValue(static_cast<int>(f.Side));
       integers["Trusted"]->InsertNextValue(f.Trusted);
       integers["FeatureId"]->InsertNextValue(static_cast<int>(shown.Index));
+      integers["SharedWith"]->InsertNextValue(static_cast<int>(shown.SharedWith));
       integers["Component"]->InsertNextValue(loops.Homology().ComponentOf(anchor));
-      numbers["Distance"]->InsertNextValue(f.Distance());
-      numbers["Death"]->InsertNextValue(f.Fill);
-      numbers["Persistence"]->InsertNextValue(f.Widening());
+      AddSizes(f, numbers);
       numbers["Uncertainty"]->InsertNextValue(UncertaintyOf(f));
       numbers["Length"]->InsertNextValue(shown.Geometry->Lengths[k]);
     }
@@ -149,7 +184,7 @@ void FillLoops(
   integers.AddTo(output->GetCellData());
   numbers.AddTo(output->GetCellData());
   output->GetCellData()->AddArray(names);
-  output->GetCellData()->SetActiveScalars("Distance");
+  output->GetCellData()->SetActiveScalars("Radius");
 }
 
 void FillMembranes(
@@ -169,7 +204,8 @@ void FillMembranes(
       integers["FeatureId"]->InsertNextValue(static_cast<int>(shown.Index));
       integers["Kind"]->InsertNextValue(static_cast<int>(f.Kind));
       numbers["Area"]->InsertNextValue(shown.Geometry->Area);
-      numbers["Distance"]->InsertNextValue(f.Distance());
+      numbers["Radius"]->InsertNextValue(f.Distance());
+      numbers["Distance"]->InsertNextValue(f.Distance()); // its name before; goes with 2.0
     }
   }
   output->SetPoints(points);
@@ -205,8 +241,11 @@ void FillDiagram(const ChokingLoops& loops, vtkTable* output)
 {
   Columns<vtkIntArray> integers;
   Columns<vtkDoubleArray> numbers;
-  for (const ShapeFeature& f : loops.Diagram().Features)
+  const std::vector<ShapeFeature>& features = loops.Diagram().Features;
+  for (std::size_t i = 0; i < features.size(); ++i)
   {
+    const ShapeFeature& f = features[i];
+    integers["FeatureId"]->InsertNextValue(static_cast<int>(i));
     integers["Dimension"]->InsertNextValue(f.Dimension);
     integers["Side"]->InsertNextValue(static_cast<int>(f.Side));
     integers["Kind"]->InsertNextValue(static_cast<int>(f.Kind));
@@ -239,6 +278,14 @@ void FillFacts(
   for (const double reference : loops.Diagram().Reference)
   {
     numbers["ReferenceLength"]->InsertNextValue(reference);
+  }
+  numbers["ProposedThreshold"]->SetNumberOfComponents(2);
+  numbers["ProposedThreshold"]->SetComponentName(0, "Threshold");
+  numbers["ProposedThreshold"]->SetComponentName(1, "Width");
+  for (const SpaceSide side : { SpaceSide::Inside, SpaceSide::Outside })
+  {
+    const PersistenceGap gap = LargestGap(loops.Diagram(), side);
+    numbers["ProposedThreshold"]->InsertNextTuple2(gap.Threshold, gap.Width);
   }
   const ChokingLoopTimes& t = loops.Times();
   for (const double seconds : { t.Check, t.Sampling, t.Filtration, t.Pairing, t.Features })

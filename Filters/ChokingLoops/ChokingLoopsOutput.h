@@ -5,20 +5,13 @@
 #ifndef isthmus_ChokingLoopsOutput_h
 #define isthmus_ChokingLoopsOutput_h
 
-#include "LoopFeature.h"
+#include "SharedLoops.h"
 
 class vtkPolyData;
 class vtkTable;
 
 namespace isthmus
 {
-
-/// A feature and its geometry.
-struct ShownFeature
-{
-  std::size_t Index; ///< in ChokingLoops::Diagram().Features
-  const LoopFeature* Geometry;
-};
 
 /// The outputs as documented in vtkChokingLoops.h.
 void FillLoops(

@@ -28,7 +28,10 @@ Point3 PositionOf(const SurfaceAdjacency& s, const SurfaceCurvePoint& p)
   return (1.0 - p.Fraction) * a + p.Fraction * b;
 }
 
-void CancelReturns(const SurfaceAdjacency& s, EdgeStrip& strip)
+namespace
+{
+
+EdgeStrip WithoutReturns(const SurfaceAdjacency& s, const EdgeStrip& strip)
 {
   EdgeStrip kept;
   for (const SurfaceCurvePoint& c : strip)
@@ -42,6 +45,33 @@ void CancelReturns(const SurfaceAdjacency& s, EdgeStrip& strip)
       kept.push_back(c);
     }
   }
+  return kept;
+}
+
+/// The edges at path[i] left of the way from path[i - 1] to path[i + 1], added to the strip.
+void AddLeftOf(
+  const SurfaceAdjacency& s, const std::vector<SimplexId>& path, std::size_t i, EdgeStrip& strip)
+{
+  const std::size_t n = path.size();
+  const SimplexId in = s.Find(path[(i + n - 1) % n], path[i]);
+  const SimplexId out = s.Find(path[i], path[(i + 1) % n]);
+  if (in < 0 || out < 0)
+  {
+    throw std::invalid_argument("Points " + std::to_string(path[i]) + " and " +
+      std::to_string(path[(in < 0 ? i + n - 1 : i + 1) % n]) +
+      " of the loop are not joined by an edge of the surface.");
+  }
+  for (SimplexId h = s.Next(in); h != out; h = s.Next(s.Opposite(h)))
+  {
+    strip.push_back({ s.Opposite(h), 1.0 });
+  }
+}
+
+}
+
+void CancelReturns(const SurfaceAdjacency& s, EdgeStrip& strip)
+{
+  EdgeStrip kept = WithoutReturns(s, strip);
   std::size_t first = 0;
   while (kept.size() - first >= 2 && s.Opposite(kept.back().HalfEdge) == kept[first].HalfEdge)
   {
@@ -51,27 +81,76 @@ void CancelReturns(const SurfaceAdjacency& s, EdgeStrip& strip)
   strip.assign(kept.begin() + static_cast<std::ptrdiff_t>(first), kept.end());
 }
 
+void CancelReturns(const SurfaceAdjacency& s, EdgeStrip& strip, SimplexId from, SimplexId to)
+{
+  const EdgeStrip kept = WithoutReturns(s, strip);
+  const auto endsAt = [&s](const SurfaceCurvePoint& c, SimplexId p)
+  { return s.From(c.HalfEdge) == p || s.To(c.HalfEdge) == p; };
+  const auto first =
+    std::find_if(kept.begin(), kept.end(), [&](const auto& c) { return !endsAt(c, from); });
+  const auto last = std::find_if(kept.rbegin(), std::make_reverse_iterator(first),
+    [&](const auto& c) { return !endsAt(c, to); });
+  strip.assign(first, last.base());
+}
+
 EdgeStrip StripLeftOf(const SurfaceAdjacency& s, const std::vector<SimplexId>& loop)
 {
   EdgeStrip strip;
-  const std::size_t n = loop.size();
-  for (std::size_t i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < loop.size(); ++i)
   {
-    const SimplexId in = s.Find(loop[(i + n - 1) % n], loop[i]);
-    const SimplexId out = s.Find(loop[i], loop[(i + 1) % n]);
-    if (in < 0 || out < 0)
-    {
-      throw std::invalid_argument("Points " + std::to_string(loop[i]) + " and " +
-        std::to_string(loop[(in < 0 ? i + n - 1 : i + 1) % n]) +
-        " of the loop are not joined by an edge of the surface.");
-    }
-    for (SimplexId h = s.Next(in); h != out; h = s.Next(s.Opposite(h)))
-    {
-      strip.push_back({ s.Opposite(h), 1.0 });
-    }
+    AddLeftOf(s, loop, i, strip);
   }
   CancelReturns(s, strip);
   return strip;
+}
+
+EdgeStrip StripLeftOfPath(const SurfaceAdjacency& s, const std::vector<SimplexId>& path)
+{
+  EdgeStrip strip;
+  for (std::size_t i = 1; i + 1 < path.size(); ++i)
+  {
+    AddLeftOf(s, path, i, strip);
+  }
+  CancelReturns(s, strip, path.front(), path.back());
+  return strip;
+}
+
+namespace
+{
+
+/// Lays down the triangle beyond the last edge, up to the edge over which the strip goes on.
+void UnfoldOver(const SurfaceAdjacency& s, SimplexId h, SimplexId next, UnfoldedStrip& plane)
+{
+  const SimplexId second = SurfaceAdjacency::Next(h);
+  const Point2 from = plane.From.back();
+  const Point2 to = plane.To.back();
+  const Point2 apex = Corner(from, to, s.Length(SurfaceAdjacency::Previous(h)), s.Length(second));
+  const bool keepsTo = s.Opposite(next) == second;
+  plane.From.push_back(keepsTo ? apex : from);
+  plane.To.push_back(keepsTo ? to : apex);
+}
+
+}
+
+UnfoldedStrip UnfoldPath(const SurfaceAdjacency& s, const EdgeStrip& strip)
+{
+  const SimplexId first = strip.front().HalfEdge;
+  const SimplexId behind = s.Opposite(first);
+  const Point2 from{ 0.0, 0.0 };
+  const Point2 to{ s.Length(first), 0.0 };
+  const Point2 start = Corner(to, from, s.Length(SurfaceAdjacency::Previous(behind)),
+    s.Length(SurfaceAdjacency::Next(behind)));
+  UnfoldedStrip plane{ { start, from }, { start, to } };
+  for (std::size_t i = 0; i + 1 < strip.size(); ++i)
+  {
+    UnfoldOver(s, strip[i].HalfEdge, strip[i + 1].HalfEdge, plane);
+  }
+  const SimplexId last = strip.back().HalfEdge;
+  const Point2 end = Corner(plane.From.back(), plane.To.back(),
+    s.Length(SurfaceAdjacency::Previous(last)), s.Length(SurfaceAdjacency::Next(last)));
+  plane.From.push_back(end);
+  plane.To.push_back(end);
+  return plane;
 }
 
 UnfoldedStrip Unfold(const SurfaceAdjacency& s, const EdgeStrip& strip, std::size_t start)
@@ -82,16 +161,7 @@ UnfoldedStrip Unfold(const SurfaceAdjacency& s, const EdgeStrip& strip, std::siz
   plane.To.push_back({ s.Length(strip[start].HalfEdge), 0.0 });
   for (std::size_t i = 0; i < n; ++i)
   {
-    const SimplexId h = strip[(start + i) % n].HalfEdge;
-    const SimplexId next = strip[(start + i + 1) % n].HalfEdge;
-    const SimplexId second = SurfaceAdjacency::Next(h);
-    const SimplexId third = SurfaceAdjacency::Previous(h);
-    const Point2 from = plane.From.back();
-    const Point2 to = plane.To.back();
-    const Point2 apex = Corner(from, to, s.Length(third), s.Length(second));
-    const bool keepsTo = s.Opposite(next) == second;
-    plane.From.push_back(keepsTo ? apex : from);
-    plane.To.push_back(keepsTo ? to : apex);
+    UnfoldOver(s, strip[(start + i) % n].HalfEdge, strip[(start + i + 1) % n].HalfEdge, plane);
   }
   return plane;
 }

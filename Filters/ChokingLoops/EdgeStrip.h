@@ -33,6 +33,15 @@ VTKISTHMUS_EXPORT void CancelReturns(const SurfaceAdjacency& surface, EdgeStrip&
 VTKISTHMUS_EXPORT EdgeStrip StripLeftOf(
   const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop);
 
+/// The same for an open path of points, from the first to the last: neither end is passed.
+VTKISTHMUS_EXPORT EdgeStrip StripLeftOfPath(
+  const SurfaceAdjacency& surface, const std::vector<SimplexId>& path);
+
+/// Takes out crossings that go back at once over the same edge, and those of edges that the ends
+/// `from` and `to` of an open path lie on.
+VTKISTHMUS_EXPORT void CancelReturns(
+  const SurfaceAdjacency& surface, EdgeStrip& strip, SimplexId from, SimplexId to);
+
 using Point2 = std::array<double, 2>;
 
 /// Twice the signed area of (o, a, b).
@@ -51,6 +60,10 @@ struct UnfoldedStrip
 /// Triangles keep their lengths, neighbours their common edge. One edge more than the strip has.
 VTKISTHMUS_EXPORT UnfoldedStrip Unfold(
   const SurfaceAdjacency& surface, const EdgeStrip& strip, std::size_t start);
+
+/// The strip of an open path between two points, its ends as edges without length: two edges more
+/// than the strip has. @pre the strip is not empty and has no edge that ends at `from` or `to`.
+VTKISTHMUS_EXPORT UnfoldedStrip UnfoldPath(const SurfaceAdjacency& surface, const EdgeStrip& strip);
 
 }
 

@@ -1,5 +1,8 @@
 #include "FeatureMembrane.h"
 
+#include "ChainPieces.h"
+#include "TightestCut.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -19,23 +22,6 @@ std::size_t At(std::int64_t i)
 double Distance(const Point3& a, const Point3& b)
 {
   return std::sqrt(Dot(b - a, b - a));
-}
-
-/// Adds the fan that a closed loop of points bounds, seen from its first point.
-void AddFan(const std::vector<SimplexId>& loop, Membrane& membrane)
-{
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-  {
-    membrane.Triangles.push_back({ loop[0], loop[i], loop[i + 1] });
-  }
-}
-
-void Toggle(std::set<SimplexId>& edges, SimplexId e)
-{
-  if (!edges.erase(e))
-  {
-    edges.insert(e);
-  }
 }
 
 /// The points of a path of surface edges that starts at `from`.
@@ -81,7 +67,7 @@ std::set<SimplexId> OntoSurface(
     {
       Toggle(edges, p);
     }
-    AddFan(PointsOf(context.Surface, path, ends[0]), membrane);
+    AddFan(PointsOf(context.Surface, path, ends[0]), membrane.Triangles);
   }
   return edges;
 }
@@ -96,6 +82,14 @@ double Length(const TriangleMesh& mesh, const std::vector<SimplexId>& loop)
   return length;
 }
 
+}
+
+void AddFan(const std::vector<SimplexId>& loop, std::vector<std::array<SimplexId, 3>>& triangles)
+{
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+  {
+    triangles.push_back({ loop[0], loop[i], loop[i + 1] });
+  }
 }
 
 std::vector<std::vector<SimplexId>> SimpleLoops(const SurfaceAdjacency& surface, const Chain& edges)
@@ -157,54 +151,6 @@ Chain LoopEdges(const SurfaceAdjacency& surface, const std::vector<SimplexId>& l
 namespace
 {
 
-/// Boundary of a set of triangles, mod 2.
-Chain BoundaryOf(const CellFiltration& f, const Chain& triangles)
-{
-  std::set<SimplexId> edges;
-  for (const SimplexId t : triangles)
-  {
-    for (const SimplexId e : f.TriangleEdges[At(t)])
-    {
-      Toggle(edges, e);
-    }
-  }
-  return { edges.begin(), edges.end() };
-}
-
-/// Of `triangles`, those that hang together with `seed` across edges that are not on M.
-Chain PieceAround(
-  const FeatureContext& context, const std::set<SimplexId>& triangles, SimplexId seed)
-{
-  std::map<SimplexId, std::vector<SimplexId>> beside; // per edge
-  for (const SimplexId t : triangles)
-  {
-    for (const SimplexId e : context.Filtration.TriangleEdges[At(t)])
-    {
-      beside[e].push_back(t);
-    }
-  }
-  std::set<SimplexId> found{ seed };
-  Chain piece{ seed };
-  for (std::size_t i = 0; i < piece.size(); ++i)
-  {
-    for (const SimplexId e : context.Filtration.TriangleEdges[At(piece[i])])
-    {
-      if (context.Embedding.SurfaceEdge(e) >= 0)
-      {
-        continue;
-      }
-      for (const SimplexId other : beside[e])
-      {
-        if (found.insert(other).second)
-        {
-          piece.push_back(other);
-        }
-      }
-    }
-  }
-  return piece;
-}
-
 /// What fills the sum of basis loops that the feature is, as far as it lies on the feature's side.
 Chain FillingOfSum(
   const FeatureContext& context, SpaceRegions& regions, const ShapeFeature& feature)
@@ -229,7 +175,9 @@ Chain FillingOfSum(
       }
     }
   }
-  return filling.count(feature.Choke) ? PieceAround(context, filling, feature.Choke) : Chain{};
+  return filling.count(feature.Choke)
+    ? PieceAround(context.Filtration, context.Embedding, filling, feature.Choke)
+    : Chain{};
 }
 
 /// The membrane made of `triangles`, whose boundary is `cycle`.
@@ -253,13 +201,17 @@ Membrane MembraneOf(
     const HomologyClass c = context.Homology.ClassOf(LoopEdges(context.Surface, loop));
     total.resize(c.size(), 0);
     std::transform(c.begin(), c.end(), total.begin(), total.begin(), std::bit_xor<>());
-    if (membrane.Loops.empty() || !IsZero(c))
+    // On another component, a loop that bounds there is no less a border: an annulus has two.
+    const auto component = [&](const std::vector<SimplexId>& l)
+    { return context.Homology.ComponentOf(l.front()); };
+    if (membrane.Loops.empty() || !IsZero(c) ||
+      component(loop) != component(membrane.Loops.front()))
     {
       membrane.Loops.push_back(loop);
     }
     else
     {
-      AddFan(loop, membrane);
+      AddFan(loop, membrane.Triangles);
     }
   }
   if (span && (!membrane.OnSurface || membrane.Loops.empty() || !span->Add(total)))
@@ -287,6 +239,22 @@ Membrane FeatureMembrane(const FeatureContext& context, SpaceRegions& regions,
     {
       membrane = MembraneOf(context, filling, BoundaryOf(context.Filtration, filling), span);
     }
+  }
+  return membrane;
+}
+
+std::optional<Membrane> TightMembrane(const FeatureContext& context, const ShapeFeature& feature,
+  const Point3& centre, const ProgressCallback& progress)
+{
+  const Chain cut = TightestCut(context, feature, centre, progress);
+  if (cut.empty())
+  {
+    return std::nullopt;
+  }
+  Membrane membrane = MembraneOf(context, cut, BoundaryOf(context.Filtration, cut), nullptr);
+  if (!membrane.OnSurface || membrane.Loops.empty())
+  {
+    return std::nullopt;
   }
   return membrane;
 }

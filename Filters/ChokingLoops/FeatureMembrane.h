@@ -7,6 +7,8 @@
 
 #include "ShapeFeatures.h"
 
+#include <optional>
+
 namespace isthmus
 {
 
@@ -26,7 +28,8 @@ struct Membrane
  * discrete gradient in place of local patches): each edge that is not one of M is replaced by the
  * rest of the loop that it closed and that was filled before, and the triangles passed are the
  * membrane. Short edges that nothing precedes are replaced by the shortest path on M. Of several
- * loops the longest is kept and those that are not zero in H1(M), the others are closed by fans.
+ * loops the longest is kept and those that are not zero in H1(M) or lie on another component, the
+ * others are closed by fans.
  *
  * With `span`, the loops' class must raise the rank of the classes in it, and is added to it: so
  * handles and tunnels end up with independent loops. Where it does not (an obstacle in the way),
@@ -36,6 +39,14 @@ struct Membrane
  */
 VTKISTHMUS_EXPORT Membrane FeatureMembrane(const FeatureContext& context, SpaceRegions& regions,
   const ShapeFeature& feature, HomologySpan* span = nullptr);
+
+/// The membrane that TightestCut() finds, with all of its loops on M; nothing where it finds none.
+VTKISTHMUS_EXPORT std::optional<Membrane> TightMembrane(const FeatureContext& context,
+  const ShapeFeature& feature, const Point3& centre, const ProgressCallback& progress = {});
+
+/// Adds the fan that a closed loop of points bounds, seen from its first point.
+VTKISTHMUS_EXPORT void AddFan(
+  const std::vector<SimplexId>& loop, std::vector<std::array<SimplexId, 3>>& triangles);
 
 /// Splits a cycle of edges of M (every point in an even number of them) into simple loops of
 /// points.

@@ -75,6 +75,29 @@ bool AllSettled(const LocatedFeatures& features)
   return true;
 }
 
+bool IsInterchangeable(const FeatureContext& context, const LocatedFeatures& features,
+  std::size_t feature, const Membrane& other)
+{
+  const ShapeFeature& f = features.Diagram.Features[feature];
+  if (!IsGenerator(f) || !features.Membranes[feature])
+  {
+    return !IsGenerator(f);
+  }
+  HomologyClass difference = ClassOf(context, *features.Membranes[feature]);
+  const HomologyClass c = ClassOf(context, other);
+  std::transform(c.begin(), c.end(), difference.begin(), difference.begin(), std::bit_xor<>());
+  HomologySpan before;
+  for (std::size_t i = 0; i < feature; ++i)
+  {
+    const ShapeFeature& earlier = features.Diagram.Features[i];
+    if (IsGenerator(earlier) && earlier.Side == f.Side && features.Membranes[i])
+    {
+      before.Add(ClassOf(context, *features.Membranes[i]));
+    }
+  }
+  return before.Contains(difference);
+}
+
 void CompleteGenerators(const FeatureContext& context, const TriangleMesh& surface,
   LocatedFeatures& features, const ProgressCallback& progress)
 {

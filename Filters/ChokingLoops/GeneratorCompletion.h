@@ -20,13 +20,16 @@ struct LocatedFeatures
   std::vector<Point3> Centres;                    ///< of the ball that gets stuck
 };
 
-inline bool IsGenerator(const ShapeFeature& feature)
-{
-  return feature.Kind == FeatureKind::Handle || feature.Kind == FeatureKind::Tunnel;
-}
-
 /// True when the samples settle all handles and tunnels: above the sampling error, with a loop.
 VTKISTHMUS_EXPORT bool AllSettled(const LocatedFeatures& features);
+
+/**
+ * True when the loops of another membrane may stand for those of a feature: always for additional
+ * ones; for handles and tunnels when the two differ by a sum of the classes of those before it on
+ * its side, so that all of them together stay independent, whichever are exchanged.
+ */
+VTKISTHMUS_EXPORT bool IsInterchangeable(const FeatureContext& context,
+  const LocatedFeatures& features, std::size_t feature, const Membrane& other);
 
 /**
  * Makes handles and tunnels g each, with loops, where sheets of M are nearer to each other than the

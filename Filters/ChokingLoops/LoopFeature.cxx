@@ -1,5 +1,9 @@
 #include "LoopFeature.h"
 
+#include "ChokeFit.h"
+#include "PinnedShortening.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace isthmus
@@ -89,37 +93,46 @@ std::vector<SimplexId> AddCurve(
   return loop;
 }
 
+/// Loops this much longer than the shortest girth are worth another look.
+constexpr double Roomy = 1.5;
+
+/// Of ShortestGirth(): what discretisation may take off a loop.
+constexpr double Slack = 0.98;
+
+/// In radii: how far the choke point may be from the hull of its loops.
+constexpr double Nearness = 0.3;
+
+std::vector<SimplexId> PinsOn(
+  const std::vector<SimplexId>& loop, const std::vector<SimplexId>& pins)
+{
+  std::vector<SimplexId> on;
+  std::copy_if(pins.begin(), pins.end(), std::back_inserter(on),
+    [&loop](SimplexId p) { return std::find(loop.begin(), loop.end(), p) != loop.end(); });
+  return on;
 }
 
-LoopFeature MakeLoopFeature(
-  ChokingLoops& loops, std::size_t index, int rounds, const ProgressCallback& progress)
+/// Shortens one loop of a feature and lets its membrane follow; false: it can be drawn together on
+/// M.
+bool Tighten(const SurfaceAdjacency& surface, int rounds, const std::vector<SimplexId>& pins,
+  std::vector<SimplexId>& loop, LoopFeature& feature, const ProgressCallback& progress)
 {
-  const Membrane& membrane = loops.MembraneOf(index);
-  const TriangleMesh& samples = loops.Samples();
-  LoopFeature feature;
-  feature.Loops = membrane.Loops;
-  feature.Membrane = membrane.Triangles;
-  feature.Extra = membrane.Extra;
-  if (rounds > 0)
+  LoopShorteningParameters parameters;
+  parameters.MaximumRounds = rounds;
+  const std::vector<SimplexId> held = PinsOn(loop, pins);
+  const SurfaceCurve curve = held.empty()
+    ? ShortenLoop(surface, loop, parameters, progress)
+    : ShortenPinned(surface, loop, held, parameters, progress);
+  if (!curve.Contractible)
   {
-    LoopShorteningParameters parameters;
-    parameters.MaximumRounds = rounds;
-    const auto count = static_cast<double>(feature.Loops.size());
-    for (std::size_t i = 0; i < feature.Loops.size(); ++i)
-    {
-      auto& loop = feature.Loops[i];
-      const auto part =
-        Between(progress, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-      const SurfaceCurve curve = ShortenLoop(loops.Adjacency(), loop, parameters, part);
-      if (curve.Contractible)
-      {
-        continue;
-      }
-      const std::vector<SimplexId> shortened = AddCurve(loops.Adjacency(), curve, feature);
-      Zipper(feature, samples).Close(loop, shortened);
-      loop = shortened;
-    }
+    const std::vector<SimplexId> shortened = AddCurve(surface, curve, feature);
+    Zipper(feature, surface.Mesh()).Close(loop, shortened);
+    loop = shortened;
   }
+  return !curve.Contractible;
+}
+
+void Measure(const TriangleMesh& samples, LoopFeature& feature)
+{
   for (const auto& loop : feature.Loops)
   {
     double length = 0.0;
@@ -136,7 +149,144 @@ LoopFeature MakeLoopFeature(
     const Point3 n = Cross(feature.Point(t[1], samples) - p, feature.Point(t[2], samples) - p);
     feature.Area += 0.5 * std::sqrt(Dot(n, n));
   }
+}
+
+/// The loops of a membrane, shortened, all but held at the pins.
+LoopFeature Drawn(const ChokingLoops& loops, const Membrane& membrane, int rounds,
+  const std::vector<SimplexId>& pins, const ProgressCallback& progress)
+{
+  LoopFeature feature;
+  feature.Membrane = membrane.Triangles;
+  feature.Extra = membrane.Extra;
+  const auto count = static_cast<double>(membrane.Loops.size());
+  for (std::size_t i = 0; i < membrane.Loops.size(); ++i)
+  {
+    const auto part =
+      Between(progress, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+    std::vector<SimplexId> loop = membrane.Loops[i];
+    const bool holds = rounds == 0 || Tighten(loops.Adjacency(), rounds, pins, loop, feature, part);
+    if (!holds && i > 0)
+    {
+      AddFan(loop, feature.Membrane); // beside others, a border that M itself closes is none
+      continue;
+    }
+    feature.Collapsed = feature.Collapsed || !holds;
+    feature.Loops.push_back(std::move(loop));
+    feature.Anchors.push_back(membrane.Loops[i].front());
+  }
+  Measure(loops.Samples(), feature);
   return feature;
+}
+
+double Longest(const LoopFeature& feature)
+{
+  return feature.Lengths.empty()
+    ? 0.0
+    : *std::max_element(feature.Lengths.begin(), feature.Lengths.end());
+}
+
+std::vector<Point3> PointsOf(
+  const ChokingLoops& loops, const LoopFeature& feature, const std::vector<SimplexId>& loop)
+{
+  std::vector<Point3> points;
+  for (const SimplexId p : loop)
+  {
+    points.push_back(feature.Point(p, loops.Samples()));
+  }
+  return points;
+}
+
+}
+
+bool Belongs(const ChokingLoops& loops, std::size_t index, const LoopFeature& feature)
+{
+  const ShapeFeature& f = loops.Diagram().Features[index];
+  std::vector<Point3> points;
+  for (const auto& loop : feature.Loops)
+  {
+    const std::vector<Point3> polygon = PointsOf(loops, feature, loop);
+    points.insert(points.end(), polygon.begin(), polygon.end());
+  }
+  return !feature.Collapsed && Longest(feature) >= Slack * ShortestGirth(f) &&
+    IsSurrounded(loops.ChokePoint(index), Nearness * f.Distance(), points);
+}
+
+namespace
+{
+
+double SharpestTurnOf(const ChokingLoops& loops, const LoopFeature& feature)
+{
+  double sharpest = 0.0;
+  for (const auto& loop : feature.Loops)
+  {
+    const std::vector<Point3> polygon = PointsOf(loops, feature, loop);
+    sharpest = std::max(sharpest, SharpestTurn(polygon, 1e-6 * Longest(feature)));
+  }
+  return sharpest;
+}
+
+/// Of the loops held at some of the points where the ball touches M, those that belong and turn
+/// least; where none belong, those held at all of them, if `best` could be drawn together.
+void HoldAtContacts(ChokingLoops& loops, std::size_t index, int rounds,
+  const std::array<const Membrane*, 2>& membranes, LoopFeature& best)
+{
+  const std::vector<SimplexId> contacts = loops.ContactsOf(index);
+  const unsigned all = (1U << contacts.size()) - 1U;
+  double least = HUGE_VAL;
+  for (const Membrane* membrane : membranes)
+  {
+    const bool isFound = std::isfinite(least); // with the membrane before
+    for (unsigned choice = all; membrane && !isFound && choice > 0; --choice)
+    {
+      std::vector<SimplexId> pins;
+      for (std::size_t k = 0; k < contacts.size(); ++k)
+      {
+        if (choice >> k & 1U)
+        {
+          pins.push_back(contacts[k]);
+        }
+      }
+      LoopFeature held = Drawn(loops, *membrane, rounds, pins, {});
+      held.Held = true;
+      const double turn = SharpestTurnOf(loops, held);
+      if (Belongs(loops, index, held) ? turn < least : best.Collapsed && choice == all)
+      {
+        least = Belongs(loops, index, held) ? turn : least;
+        best = std::move(held);
+      }
+    }
+  }
+}
+
+}
+
+LoopFeature MakeLoopFeature(
+  ChokingLoops& loops, std::size_t index, int rounds, const ProgressCallback& progress)
+{
+  const ShapeFeature& f = loops.Diagram().Features[index];
+  const Membrane& pushed = loops.MembraneOf(index);
+  LoopFeature best = Drawn(loops, pushed, rounds, {}, Between(progress, 0.0, 0.4));
+  bool belongs = Belongs(loops, index, best);
+  if (rounds == 0 || !f.Trusted || f.Choke < 0 ||
+    (belongs && Longest(best) < Roomy * ShortestGirth(f)))
+  {
+    return best;
+  }
+  const Membrane* tight = loops.TightMembraneOf(index, Between(progress, 0.4, 0.6));
+  if (tight)
+  {
+    LoopFeature other = Drawn(loops, *tight, rounds, {}, Between(progress, 0.6, 0.8));
+    if (Belongs(loops, index, other) && (!belongs || Longest(other) < Longest(best)))
+    {
+      best = std::move(other);
+      belongs = true;
+    }
+  }
+  if (!belongs)
+  {
+    HoldAtContacts(loops, index, rounds, { tight, &pushed }, best);
+  }
+  return best;
 }
 
 }

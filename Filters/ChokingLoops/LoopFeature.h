@@ -17,9 +17,12 @@ struct LoopFeature
 {
   std::vector<std::vector<SimplexId>> Loops;
   std::vector<double> Lengths;
+  std::vector<SimplexId> Anchors; ///< per loop: a point of the samples on the same component
   std::vector<std::array<SimplexId, 3>> Membrane;
   std::vector<Point3> Extra;
   double Area = 0.0;
+  bool Collapsed = false; ///< a loop can be drawn together on M: it stands as it came
+  bool Held = false;      ///< nothing on M holds a loop, so it is held where the ball touches M
 
   const Point3& Point(SimplexId id, const TriangleMesh& samples) const
   {
@@ -28,10 +31,21 @@ struct LoopFeature
   }
 };
 
+/// True when loops belong to the choke point of a feature, see MakeLoopFeature().
+VTKISTHMUS_EXPORT bool Belongs(
+  const ChokingLoops& loops, std::size_t feature, const LoopFeature& geometry);
+
 /**
  * Loops and membrane of a feature; with `rounds` above 0 the loops are shortened that often, and a
  * strip of triangles between the old and the new loop keeps the membrane's boundary theirs.
- * Throws Cancelled.
+ *
+ * A trusted feature's loops belong to its choke point: the longest is at least 0.98 ShortestGirth()
+ * long, and the point lies within 0.3 of its radius of their convex hull. Of MembraneOf() and,
+ * where those loops do not belong or are long, TightMembraneOf() the shorter ones that belong are
+ * taken. Where neither does, since nothing on M holds them there, the loops are held where the
+ * choking ball touches M, and are geodesic between these points; then they do.
+ *
+ * @throws Cancelled.
  */
 VTKISTHMUS_EXPORT LoopFeature MakeLoopFeature(
   ChokingLoops& loops, std::size_t feature, int rounds, const ProgressCallback& progress = {});

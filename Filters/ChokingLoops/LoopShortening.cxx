@@ -1,5 +1,6 @@
 #include "LoopShortening.h"
 
+#include "StripBend.h"
 #include "StripFunnel.h"
 
 #include <algorithm>
@@ -13,15 +14,6 @@ namespace
 std::size_t At(std::int64_t i)
 {
   return static_cast<std::size_t>(i);
-}
-
-/// Angle at From(h) of the triangle left of h.
-double Angle(const SurfaceAdjacency& s, SimplexId h)
-{
-  const double a = s.Length(h);
-  const double b = s.Length(SurfaceAdjacency::Previous(h));
-  const double c = s.Length(SurfaceAdjacency::Next(h));
-  return std::acos(std::clamp((a * a + b * b - c * c) / (2.0 * a * b), -1.0, 1.0));
 }
 
 /// One curve under shortening.
@@ -46,12 +38,7 @@ public:
 
 private:
   void StraightenFrom(std::size_t start);
-  bool Touches(std::size_t i, SimplexId p) const;
   bool LeadRound(std::size_t first, std::size_t count, SimplexId p);
-  double AngleBeyond(
-    const EdgeStrip& other, SimplexId p, const Point3& before, const Point3& after) const;
-
-  static constexpr double Near = 1e-7;
 
   const SurfaceAdjacency& Surface;
   EdgeStrip Edges;
@@ -100,13 +87,6 @@ void Shortener::StraightenFrom(std::size_t start)
   }
 }
 
-bool Shortener::Touches(std::size_t i, SimplexId p) const
-{
-  const SurfaceCurvePoint& c = this->Edges[i];
-  return (this->Surface.From(c.HalfEdge) == p && c.Fraction < Near) ||
-    (this->Surface.To(c.HalfEdge) == p && c.Fraction > 1.0 - Near);
-}
-
 bool Shortener::Lead()
 {
   bool led = false;
@@ -114,19 +94,13 @@ bool Shortener::Lead()
   for (std::size_t i = 0; i < this->Edges.size() && left > 0; ++i, --left)
   {
     const std::size_t n = this->Edges.size();
-    const SurfaceCurvePoint& c = this->Edges[i];
-    if (c.Fraction >= Near && c.Fraction <= 1.0 - Near)
-    {
-      continue;
-    }
-    const SimplexId p =
-      c.Fraction < Near ? this->Surface.From(c.HalfEdge) : this->Surface.To(c.HalfEdge);
-    if (this->Touches((i + n - 1) % n, p))
+    const SimplexId p = TouchedBy(this->Surface, this->Edges[i]);
+    if (p < 0 || Touches(this->Surface, this->Edges[(i + n - 1) % n], p))
     {
       continue;
     }
     std::size_t count = 1;
-    while (count < n && this->Touches((i + count) % n, p))
+    while (count < n && Touches(this->Surface, this->Edges[(i + count) % n], p))
     {
       ++count;
     }
@@ -135,53 +109,17 @@ bool Shortener::Lead()
   return led;
 }
 
-// Angle between the ways into and out of p on the side where the edges `other` lie.
-double Shortener::AngleBeyond(
-  const EdgeStrip& other, SimplexId p, const Point3& before, const Point3& after) const
-{
-  const Point3& centre = this->Surface.Mesh().Points[At(p)];
-  const auto between = [&centre](const Point3& x, const Point3& y)
-  {
-    const Point3 c = Cross(x - centre, y - centre);
-    return std::atan2(std::sqrt(Dot(c, c)), Dot(x - centre, y - centre));
-  };
-  if (other.empty())
-  {
-    return between(before, after);
-  }
-  const auto farEnd = [this, p](SimplexId h) -> const Point3&
-  {
-    const SimplexId end = this->Surface.From(h) == p ? this->Surface.To(h) : this->Surface.From(h);
-    return this->Surface.Mesh().Points[At(end)];
-  };
-  double angle =
-    between(before, farEnd(other.front().HalfEdge)) + between(farEnd(other.back().HalfEdge), after);
-  for (std::size_t i = 0; i + 1 < other.size(); ++i)
-  {
-    const SimplexId h = other[i].HalfEdge;
-    angle += Angle(this->Surface, this->Surface.From(h) == p ? h : SurfaceAdjacency::Next(h));
-  }
-  return angle;
-}
-
-// The path runs through point p along edges first .. first + count - 1 of the strip, which all end
-// at p: with p on its right it turns clockwise there, and the other way is counter-clockwise.
+// The path runs through p along edges first .. first + count - 1 of the strip, which all end there.
 bool Shortener::LeadRound(std::size_t first, std::size_t count, SimplexId p)
 {
   const std::size_t n = this->Edges.size();
   const SurfaceAdjacency& s = this->Surface;
   const SimplexId enter = this->Edges[first].HalfEdge;
   const SimplexId last = SurfaceAdjacency::Triangle(this->Edges[(first + count - 1) % n].HalfEdge);
-  const bool onRight = s.To(enter) == p;
-  EdgeStrip other;
-  for (SimplexId h = s.Opposite(enter); SurfaceAdjacency::Triangle(h) != last;)
-  {
-    h = onRight ? s.Turn(h) : s.Opposite(SurfaceAdjacency::Next(h));
-    other.push_back({ h, onRight ? 0.0 : 1.0 });
-  }
+  const EdgeStrip other = OtherWayRound(s, enter, last, p);
   const Point3 before = PositionOf(s, this->Edges[(first + n - 1) % n]);
   const Point3 after = PositionOf(s, this->Edges[(first + count) % n]);
-  if (this->AngleBeyond(other, p, before, after) >= M_PI - 1e-9)
+  if (AngleBeyond(s, other, p, before, after) >= M_PI - 1e-9)
   {
     return false;
   }

@@ -32,7 +32,8 @@ struct ShapeFeature
   bool Trusted = false;
   double Error = 0.0;   ///< the sampling error there
   SimplexId Choke = -1; ///< the triangle where a ball of radius Distance() gets stuck
-  double Fill = 0.0;    ///< radius at which what lies beyond is filled
+  /// radius at which what lies beyond is filled; a loop's: the last of its region
+  double Fill = 0.0;
   /// For a handle or tunnel: basis loops of SurfaceHomology that it is the sum of.
   std::vector<std::size_t> Sum;
 
@@ -42,6 +43,11 @@ struct ShapeFeature
   /// How far the space widens behind the narrowing: Fill - Distance().
   double Widening() const { return this->Fill - this->Distance(); }
 };
+
+inline bool IsGenerator(const ShapeFeature& feature)
+{
+  return feature.Kind == FeatureKind::Handle || feature.Kind == FeatureKind::Tunnel;
+}
 
 /// What ShapeFeatures found.
 struct FeatureDiagram

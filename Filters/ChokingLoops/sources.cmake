@@ -2,25 +2,34 @@ isthmus_room(
   CLASSES
     vtkChokingLoops
     vtkLoopShortening
+    vtkMapChokingLoops
     vtkMapHandles
     vtkOffsetSurface
   SOURCES
     AnalysisCost
+    ChainPieces
+    ChokeFit
     ChokingLoops
     ChokingLoopsOutput
+    ChokingSamples
     ChokingSurface
     ConformingGenerators
     EdgeStrip
     EnclosureTest
     FeatureMembrane
+    FeatureSelection
     GeneratorCompletion
     HandleTables
     LoopFeature
     LoopShortening
     MapHandles
+    MinimumCut
     OffsetSurface
+    PinnedShortening
     ShapeFeatures
+    SharedLoops
     SpaceRegions
+    StripBend
     StripFunnel
     SurfaceAdjacency
     SurfaceDistance
@@ -28,4 +37,5 @@ isthmus_room(
     SurfaceHomology
     SurfaceInComplex
     SurfaceMending
-    SurfaceSampling)
+    SurfaceSampling
+    TightestCut)

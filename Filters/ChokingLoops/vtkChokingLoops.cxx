@@ -235,11 +235,63 @@ std::vector<double> vtkChokingLoops::MorseValues(const isthmus::TriangleMesh& su
   return values;
 }
 
+isthmus::FeatureSelection vtkChokingLoops::Selection() const
+{
+  isthmus::FeatureSelection selection;
+  selection.Inside = this->Side != Outside;
+  selection.Outside = this->Side != Inside;
+  selection.MaximumDistance = { this->MaximumDistance, this->MaximumDistanceUnit == Percent };
+  selection.MinimumPersistence = { this->MinimumPersistence,
+    this->MinimumPersistenceUnit == Percent };
+  selection.Threshold = this->ThresholdMode == LargestGap ? isthmus::ThresholdMode::LargestGap
+                                                          : isthmus::ThresholdMode::Given;
+  selection.AlwaysReportHandles = this->AlwaysReportHandles;
+  selection.MaximumNumber = static_cast<std::size_t>(this->MaximumNumberOfLoops);
+  return selection;
+}
+
+std::vector<isthmus::ShownFeature> vtkChokingLoops::DrawLoops()
+{
+  isthmus::ChokingLoops& analysis = *this->Kept->Loops;
+  const int rounds = this->Shortening == None ? 0
+    : this->Shortening == Rounds              ? this->ShorteningRounds
+                                              : ManyRounds;
+  const std::vector<std::size_t> chosen = analysis.Select(this->Selection());
+  const auto progress = isthmus::Between(isthmus::ProgressOf(this), AnalysisPart, 1.0);
+  std::vector<isthmus::ShownFeature> shown;
+  const auto done = [&chosen](std::size_t i)
+  { return static_cast<double>(i) / static_cast<double>(chosen.size()); };
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+  {
+    const auto part = isthmus::Between(progress, done(i), done(i + 1));
+    isthmus::Report(part, 0.0);
+    auto geometry = this->Kept->Geometry.find({ chosen[i], rounds });
+    if (geometry == this->Kept->Geometry.end())
+    {
+      geometry = this->Kept->Geometry
+                   .emplace(std::make_pair(chosen[i], rounds),
+                     isthmus::MakeLoopFeature(analysis, chosen[i], rounds, part))
+                   .first;
+    }
+    if (!geometry->second.Loops.empty()) // what has no loop is neither drawn nor counted
+    {
+      shown.push_back({ chosen[i], &geometry->second });
+    }
+  }
+  isthmus::FindShared(analysis, shown);
+  return shown;
+}
+
 int vtkChokingLoops::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   const auto whole = isthmus::WholeSurface(vtkPolyData::GetData(input[0]));
-  vtkPolyData* const surface = whole;
+  return this->FindLoops(whole, vtkDataObject::GetData(input[1]), output);
+}
+
+int vtkChokingLoops::FindLoops(
+  vtkPolyData* surface, vtkDataObject* mesh, vtkInformationVector* output)
+{
   auto* loops = vtkPolyData::GetData(output, 0);
   auto* membranes = vtkPolyData::GetData(output, 1);
   auto* points = vtkPolyData::GetData(output, 2);
@@ -251,42 +303,14 @@ int vtkChokingLoops::RequestData(
   const int result = isthmus::Guarded(this, loops,
     [&]
     {
-      this->Analyse(surface, vtkDataObject::GetData(input[1]));
+      this->Analyse(surface, mesh);
       if (this->AllowSelfIntersections)
       {
         vtkWarningMacro(<< "Self-intersections were not looked for: where the surface crosses "
                            "itself, inside and outside are not defined and counts not assured.");
       }
-      isthmus::FeatureSelection selection;
-      selection.Inside = this->Side != Outside;
-      selection.Outside = this->Side != Inside;
-      selection.MaximumDistance = { this->MaximumDistance, this->MaximumDistanceUnit == Percent };
-      selection.MinimumPersistence = { this->MinimumPersistence,
-        this->MinimumPersistenceUnit == Percent };
-      selection.AlwaysReportHandles = this->AlwaysReportHandles;
-      const int rounds = this->Shortening == None ? 0
-        : this->Shortening == Rounds              ? this->ShorteningRounds
-                                                  : ManyRounds;
-      isthmus::ChokingLoops& analysis = *this->Kept->Loops;
-      std::vector<isthmus::ShownFeature> shown;
-      const std::vector<std::size_t> chosen = analysis.Select(selection);
-      const auto progress = isthmus::Between(isthmus::ProgressOf(this), AnalysisPart, 1.0);
-      for (const std::size_t index : chosen)
-      {
-        const auto done = [&](std::size_t i)
-        { return static_cast<double>(i) / static_cast<double>(chosen.size()); };
-        const auto part = isthmus::Between(progress, done(shown.size()), done(shown.size() + 1));
-        isthmus::Report(part, 0.0);
-        auto geometry = this->Kept->Geometry.find({ index, rounds });
-        if (geometry == this->Kept->Geometry.end())
-        {
-          geometry = this->Kept->Geometry
-                       .emplace(std::make_pair(index, rounds),
-                         isthmus::MakeLoopFeature(analysis, index, rounds, part))
-                       .first;
-        }
-        shown.push_back({ index, &geometry->second });
-      }
+      const std::vector<isthmus::ShownFeature> shown = this->DrawLoops();
+      const isthmus::ChokingLoops& analysis = *this->Kept->Loops;
       isthmus::FillLoops(analysis, shown, loops);
       isthmus::FillMembranes(analysis, shown, membranes);
       isthmus::FillChokePoints(analysis, shown, points);
@@ -310,6 +334,8 @@ void vtkChokingLoops::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumDistanceUnit: " << this->MaximumDistanceUnit << "\n";
   os << indent << "MinimumPersistence: " << this->MinimumPersistence << "\n";
   os << indent << "MinimumPersistenceUnit: " << this->MinimumPersistenceUnit << "\n";
+  os << indent << "ThresholdMode: " << this->ThresholdMode << "\n";
+  os << indent << "MaximumNumberOfLoops: " << this->MaximumNumberOfLoops << "\n";
   os << indent << "AlwaysReportHandles: " << this->AlwaysReportHandles << "\n";
   os << indent << "Filtration: " << this->Filtration << "\n";
   os << indent << "MorseFunction: " << this->MorseFunction << "\n";

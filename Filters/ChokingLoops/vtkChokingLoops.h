@@ -3,7 +3,7 @@
  * @brief Every narrowing of a closed surface: handles, tunnels, and bottlenecks beside them.
  *
  * A ball that rolls inside the surface, or outside of it, gets stuck where the space is narrow.
- * Each such place is a choke point with a radius (`Distance`); the loop round it, on the surface,
+ * Each such place is a choke point with a radius (`Radius`); the loop round it, on the surface,
  * bounds a membrane through it. Handles (a loop that bounds inside but not on the surface) and
  * tunnels (outside) are found with the exact number that homology demands, g of each for genus g;
  * the others, the neck of a bunny or the pores of a shell, by the persistence of the voids behind
@@ -20,26 +20,36 @@
  *
  * Outputs:
  *  0. loops: closed polylines on the surface. Cell arrays `Kind` (0 handle, 1 tunnel, 2
- * additional), `Side` (0 inside, 1 outside), `KindName`, `Distance` (radius of the ball that gets
- * stuck), `Death` (radius at which what lies behind is filled), `Persistence` (Death - Distance),
- *     `Uncertainty` (the true radius lies in [Distance - Uncertainty, Distance]), `Trusted` (1: a
- *     feature of the surface, not of its sampling), `Length`, `FeatureId`, `Component`.
+ *     additional), `Side` (0 inside, 1 outside), `KindName`, `Radius` (of the ball that gets
+ *     stuck), `Fill` (radius at which what lies behind is filled), `Widening` (Fill - Radius),
+ *     `Uncertainty` (the true radius lies in [Radius - Uncertainty, Radius]), `Trusted` (1: a
+ *     feature of the surface, not of its sampling), `Length`, `FeatureId`, `SharedWith` (where
+ *     several narrowings have one loop, as the windows of a wall: `FeatureId` of the first of them,
+ *     whose points the others' cells use, too; else -1), `Component`. A feature may have several
+ *     loops, as an annulus has.
  *  1. membranes: triangles spanning each loop, cell arrays `FeatureId`, `Area` (of the membrane),
- *     `Distance`, `Kind`.
+ *     `Radius`, `Kind`.
  *  2. choke points: one vertex for a feature, point arrays `Radius`, `Kind`, `Side`, `FeatureId`.
- *  3. persistence diagram: a vtkTable with `Dimension`, `Side`, `Birth`, `Death`, `Persistence`,
- *     `Kind` (3: noise, or the surface itself).
+ *  3. persistence diagram: a vtkTable with `FeatureId`, `Dimension`, `Side`, `Birth`, `Death`,
+ *     `Persistence`, `Kind` (3: noise, or the surface itself). A bar and its loops have one
+ *     `FeatureId`, so that selecting one shows the other.
+ *
+ * **Deprecated, gone with 2.0:** the loops' arrays `Distance` (now `Radius`), `Death` (`Fill`) and
+ * `Persistence` (`Widening`), and the membranes' `Distance` (`Radius`).
+ *
  * Lengths are in the unit of the points, areas in its square. Field data of output 0:
  * `NumberOfSamples`, `LargestSamplingError`, `ReferenceLength` (inside, outside),
- * `NumberOfHandles`, `NumberOfTunnels`, `NumberOfAdditionalLoops` (inside, outside), `StageTimes`
- * (s: check, sampling, filtration, pairing, features).
+ * `NumberOfHandles`, `NumberOfTunnels`, `NumberOfAdditionalLoops` (inside, outside; features, each
+ * counted once, however many loops it has), `ProposedThreshold` (inside, outside: the persistence
+ * at the middle of the side's largest gap, and the gap's width, 0 where it has none; in the unit of
+ * the points), `StageTimes` (s: check, sampling, filtration, pairing, features).
  *
  * Needles, double triangles, parts that touch or cross are repaired where that changes the volume
  * by no more than a hundredth; a warning says so, and field data `Repaired` (number of triangles
  * changed) and `RepairedPlaces` (their centres) of output 0. A surface that is not closed,
  * consistently oriented and finite, or can't be repaired, ends in an error that names triangles,
  * and empty outputs. Handles and tunnels that are narrower than the sampling error are found on a
- * mesh that TetGen makes of both sides; a warning then says that their `Distance` is an upper
+ * mesh that TetGen makes of both sides; a warning then says that their `Radius` is an upper
  * bound, or, where TetGen fails, that their number and side are not assured.
  *
  * The analysis is kept: thresholds, sides and shortening are answered from it. Time is near linear,
@@ -59,6 +69,8 @@ class vtkUnstructuredGrid;
 
 namespace isthmus
 {
+struct FeatureSelection;
+struct ShownFeature;
 struct TetrahedralMesh;
 struct TriangleMesh;
 }
@@ -94,6 +106,11 @@ public:
     Rounds,
     Geodesic
   };
+  enum ThresholdModeType
+  {
+    Given,
+    LargestGap
+  };
   enum UnitType
   {
     Percent,
@@ -122,6 +139,20 @@ public:
   vtkGetMacro(MinimumPersistence, double);
   vtkSetClampMacro(MinimumPersistenceUnit, int, Percent, Absolute);
   vtkGetMacro(MinimumPersistenceUnit, int);
+  ///@}
+
+  ///@{
+  /// Given (default): MinimumPersistence parts additional loops from noise. LargestGap: the largest
+  /// gap of each side's diagram does, as `ProposedThreshold` tells it; gaps narrower than 1 % of
+  /// the reference length count as none, and what is below that is noise then.
+  vtkSetClampMacro(ThresholdMode, int, Given, LargestGap);
+  vtkGetMacro(ThresholdMode, int);
+  ///@}
+
+  ///@{
+  /// Report at most that many features, those behind which the space widens most. 0 (default): all.
+  vtkSetClampMacro(MaximumNumberOfLoops, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumNumberOfLoops, int);
   ///@}
 
   ///@{
@@ -199,12 +230,17 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
+  /// All outputs for a surface; `mesh` as in input 1, or null.
+  int FindLoops(vtkPolyData* surface, vtkDataObject* mesh, vtkInformationVector* output);
+
 private:
   vtkChokingLoops(const vtkChokingLoops&) = delete;
   void operator=(const vtkChokingLoops&) = delete;
 
   struct Cache;
   void Analyse(vtkPolyData* surface, vtkDataObject* mesh);
+  isthmus::FeatureSelection Selection() const;
+  std::vector<isthmus::ShownFeature> DrawLoops();
   std::vector<double> MorseValues(const isthmus::TriangleMesh& surface,
     const isthmus::TetrahedralMesh& mesh, vtkUnstructuredGrid* given);
 
@@ -213,6 +249,8 @@ private:
   int MaximumDistanceUnit = Percent;
   double MinimumPersistence = 5.0;
   int MinimumPersistenceUnit = Percent;
+  int ThresholdMode = Given;
+  int MaximumNumberOfLoops = 0;
   bool AlwaysReportHandles = true;
   int Filtration = Delaunay;
   int MorseFunction = ClosestPoint;

@@ -30,8 +30,9 @@ loops = ChokingLoops(Input=shape)
 UpdatePipeline(proxy=loops)
 lines = output(loops, 0)
 assert lines.GetNumberOfCells() == 2, lines.GetNumberOfCells()
-for name in ("Kind", "Side", "KindName", "Distance", "Death", "Persistence", "Trusted", "Length",
-             "FeatureId", "Component"):
+for name in ("Kind", "Side", "KindName", "Radius", "Fill", "Widening", "Trusted", "Length",
+             "FeatureId", "SharedWith", "Component",
+             "Distance", "Death", "Persistence"):  # the last three: the old names, one version
     assert lines.GetCellData().GetAbstractArray(name), name
 kinds = {lines.GetCellData().GetAbstractArray("KindName").GetValue(i) for i in range(2)}
 assert kinds == {"handle", "tunnel"}, kinds
@@ -40,8 +41,10 @@ assert membranes.GetNumberOfCells() > 10 and membranes.GetCellData().GetArray("A
 points = output(loops, 2)
 assert points.GetNumberOfPoints() == 2 and points.GetPointData().GetArray("Radius")
 table = output(loops, 3)
-for name in ("Dimension", "Side", "Birth", "Death", "Persistence", "Kind"):
+for name in ("FeatureId", "Dimension", "Side", "Birth", "Death", "Persistence", "Kind"):
     assert table.GetColumnByName(name), name
+proposed = field(lines, "ProposedThreshold")
+assert proposed.GetNumberOfTuples() == 2 and proposed.GetNumberOfComponents() == 2
 assert field(lines, "NumberOfHandles").GetValue(0) == 1
 assert field(lines, "StageTimes").GetNumberOfTuples() == 5
 
@@ -57,6 +60,15 @@ lines = output(loops, 0)
 assert lines.GetNumberOfCells() == 1
 assert [field(lines, "StageTimes").GetValue(i) for i in range(5)] == before
 print("another side, threshold and shortening after %.1f ms" % (1e3 * took))
+
+# The most persistent alone; and the threshold at the largest gap is the one that is proposed.
+loops.Side, loops.MinimumPersistence, loops.MaximumNumberOfLoops = "Both", 5, 1
+UpdatePipeline(proxy=loops)
+assert output(loops, 2).GetNumberOfPoints() == 1
+loops.MaximumNumberOfLoops = 0
+loops.ThresholdMode = "Largest gap"
+UpdatePipeline(proxy=loops)
+assert output(loops, 2).GetNumberOfPoints() == 2
 
 # Loops come as geodesics, and along edges when asked for: these are longer on an uneven mesh.
 uneven = Decimate(Input=shape, TargetReduction=0.4, PreserveTopology=1)

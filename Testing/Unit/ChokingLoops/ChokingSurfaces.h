@@ -86,15 +86,16 @@ inline TriangleMesh ReadSurface(const std::string& name)
   return MeshOf(reader->GetOutput());
 }
 
-/// The surface f = 0 in the cube [-size, size]^3, f being negative inside; n cells along a side.
-inline TriangleMesh LevelSet(
-  const std::function<double(double, double, double)>& f, double size, int n)
+/// The surface f = 0 in the box from `low` to `high`, f being negative inside; cells[k] cells along
+/// axis k.
+inline TriangleMesh LevelSet(const std::function<double(double, double, double)>& f,
+  const Point3& low, const Point3& high, const std::array<int, 3>& cells)
 {
   vtkNew<vtkImageData> image;
-  image->SetDimensions(n + 1, n + 1, n + 1);
-  const double h = 2.0 * size / n;
-  image->SetOrigin(-size, -size, -size);
-  image->SetSpacing(h, h, h);
+  image->SetDimensions(cells[0] + 1, cells[1] + 1, cells[2] + 1);
+  image->SetOrigin(low.data());
+  image->SetSpacing(
+    (high[0] - low[0]) / cells[0], (high[1] - low[1]) / cells[1], (high[2] - low[2]) / cells[2]);
   vtkNew<vtkDoubleArray> values;
   values->SetNumberOfValues(image->GetNumberOfPoints());
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
@@ -114,6 +115,13 @@ inline TriangleMesh LevelSet(
   clean->SetTolerance(1e-6);
   clean->Update();
   return MeshOf(clean->GetOutput());
+}
+
+/// The same in the cube [-size, size]^3, n cells along a side.
+inline TriangleMesh LevelSet(
+  const std::function<double(double, double, double)>& f, double size, int n)
+{
+  return LevelSet(f, { -size, -size, -size }, { size, size, size }, { n, n, n });
 }
 
 /// The tangle cube, x^4 - 5 x^2 + y^4 - 5 y^2 + z^4 - 5 z^2 + 11.8 = 0.

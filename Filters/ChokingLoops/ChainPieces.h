@@ -1,0 +1,33 @@
+/**
+ * @file ChainPieces.h
+ * @brief Sets of triangles of a complex: their boundary, and what of them hangs together.
+ */
+#ifndef isthmus_ChainPieces_h
+#define isthmus_ChainPieces_h
+
+#include "SurfaceInComplex.h"
+
+#include <set>
+
+namespace isthmus
+{
+
+/// Adds an element over Z/2.
+inline void Toggle(std::set<SimplexId>& chain, SimplexId e)
+{
+  if (!chain.erase(e))
+  {
+    chain.insert(e);
+  }
+}
+
+/// Boundary of a set of triangles, over Z/2, ascending.
+VTKISTHMUS_EXPORT Chain BoundaryOf(const CellFiltration& f, const Chain& triangles);
+
+/// Of `triangles`, those that hang together with `seed` across edges that are not on M.
+VTKISTHMUS_EXPORT Chain PieceAround(const CellFiltration& f, const SurfaceInComplex& surface,
+  const std::set<SimplexId>& triangles, SimplexId seed);
+
+}
+
+#endif

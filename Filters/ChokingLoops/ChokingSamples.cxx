@@ -1,0 +1,115 @@
+#include "ChokingSamples.h"
+
+#include "RangeGuard.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace isthmus
+{
+namespace
+{
+
+std::size_t At(std::int64_t i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+/// Samples that automatic spacing spreads over a surface, however few points it has.
+constexpr double UsualSamples = 20000.0;
+
+/// More would take some 30 GB.
+constexpr std::size_t MostSamples = 20'000'000;
+
+/// More places than this mean that the sampling is too coarse everywhere.
+constexpr std::size_t ManyPlaces = 64;
+
+/// Points that refinement may add, beside doubling what there are.
+constexpr std::size_t MorePoints = 100000;
+
+/// Sum of the lengths of all edges of a closed surface.
+double LengthOfEdges(const TriangleMesh& surface)
+{
+  double edges = 0.0;
+  for (const Triangle& t : surface.Triangles)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const Point3 edge = surface.Points[At(t[(c + 1) % 3])] - surface.Points[At(t[c])];
+      edges += 0.5 * std::sqrt(Dot(edge, edge));
+    }
+  }
+  return edges;
+}
+
+}
+
+TriangleMesh Refined(const TriangleMesh& mesh, const std::vector<Refinement>& wanted,
+  double spacing, const ProgressCallback& progress)
+{
+  const double everywhere = wanted.size() > ManyPlaces ? 0.6 * spacing : HUGE_VAL;
+  return SplitLongEdges(
+    mesh,
+    [&wanted, everywhere](const Point3& a, const Point3& b)
+    {
+      double limit = everywhere;
+      if (std::isfinite(everywhere))
+      {
+        return limit;
+      }
+      const Point3 middle = 0.5 * (a + b);
+      const double half2 = 0.25 * Dot(b - a, b - a);
+      for (const Refinement& r : wanted)
+      {
+        const Point3 d = middle - r.Centre;
+        const double reach = r.Radius + std::sqrt(half2);
+        limit = Dot(d, d) < reach * reach ? std::min(limit, r.EdgeLength) : limit;
+      }
+      return limit;
+    },
+    MorePoints + 2 * mesh.Points.size(), progress);
+}
+
+TriangleMesh FirstSamples(
+  const TriangleMesh& surface, double& spacing, const ProgressCallback& progress)
+{
+  const auto split = [&surface, &spacing](std::size_t most, const ProgressCallback& part)
+  {
+    return SplitLongEdges(
+      surface, [&spacing](const Point3&, const Point3&) { return spacing; }, most, part);
+  };
+  const double edges = LengthOfEdges(surface);
+  DemandRange("SampleSpacing", spacing, 0.0, LargestLength, "It is a length; 0 chooses one.");
+  if (spacing > 0.0 && edges / spacing > 2.0 * static_cast<double>(MostSamples))
+  {
+    throw std::invalid_argument("A SampleSpacing of " + Shown(spacing) + " takes some " +
+      Shown(edges / spacing) + " points along the edges alone, and the most is " +
+      Shown(static_cast<double>(MostSamples)) + ": raise it.");
+  }
+  if (spacing > 0.0)
+  {
+    TriangleMesh samples = split(MostSamples, progress);
+    if (samples.Points.empty())
+    {
+      throw std::runtime_error("Sampling the surface so finely takes more than " +
+        std::to_string(MostSamples) + " points: raise the sample spacing.");
+    }
+    return samples;
+  }
+  // Edges of a good mesh scatter round their mean: those up to 1.7 times it stay whole.
+  spacing = 1.7 * EdgeLengthFor(surface, UsualSamples);
+  // Needles take far more points than their area suggests.
+  const std::size_t most = 4 * surface.Points.size() + static_cast<std::size_t>(5.0 * UsualSamples);
+  // Edges are split to it, whatever the area: needles have next to none.
+  spacing = std::max(spacing, edges / (4.0 * static_cast<double>(most)));
+  const auto still = Between(progress, 0.0, 0.0); // quick, but may have to be repeated
+  TriangleMesh samples = split(most, still);
+  for (; samples.Points.empty(); samples = split(most, still))
+  {
+    spacing *= 1.5;
+  }
+  return samples;
+}
+
+}

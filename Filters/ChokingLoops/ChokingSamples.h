@@ -1,0 +1,38 @@
+/**
+ * @file ChokingSamples.h
+ * @brief How finely a surface is sampled for its choking loops, and where more finely.
+ */
+#ifndef isthmus_ChokingSamples_h
+#define isthmus_ChokingSamples_h
+
+#include "SurfaceSampling.h"
+
+namespace isthmus
+{
+
+/// Where the samples should lie closer, and how close.
+struct Refinement
+{
+  Point3 Centre;
+  double Radius;
+  double EdgeLength;
+};
+
+/**
+ * The surface split until no edge is longer than `spacing`; where that is 0, it becomes the spacing
+ * of some 20,000 samples spread evenly, longer where needles would take many more.
+ *
+ * @throws std::invalid_argument for a spacing that is no length, or takes more than 20 million
+ * points along the edges alone; std::runtime_error when it takes more; Cancelled.
+ */
+VTKISTHMUS_EXPORT TriangleMesh FirstSamples(
+  const TriangleMesh& surface, double& spacing, const ProgressCallback& progress = {});
+
+/// `mesh` split again near the places wanted, or everywhere to 0.6 of `spacing` where these are
+/// many. An empty mesh when that takes too many points.
+VTKISTHMUS_EXPORT TriangleMesh Refined(const TriangleMesh& mesh,
+  const std::vector<Refinement>& wanted, double spacing, const ProgressCallback& progress = {});
+
+}
+
+#endif

@@ -1,0 +1,187 @@
+#include "MinimumCut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace isthmus
+{
+namespace
+{
+
+std::size_t At(std::int64_t i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+constexpr std::int64_t Unbounded = std::numeric_limits<std::int64_t>::max();
+
+/// Arc 2 l runs along link l, arc 2 l + 1 against it. Node `nodes` feeds the sources, the one after
+/// it drains the sinks.
+class Network
+{
+public:
+  Network(std::int32_t nodes, const std::vector<FlowLink>& links,
+    const std::vector<std::int32_t>& sources, const std::vector<std::int32_t>& sinks)
+    : Feed(nodes)
+    , Drain(nodes + 1)
+    , First(At(nodes) + 3, 0)
+    , Level(At(nodes) + 2)
+  {
+    const std::size_t arcs = 2 * (links.size() + sources.size() + sinks.size());
+    this->Target.reserve(arcs);
+    this->Left.reserve(arcs);
+    for (const FlowLink& link : links)
+    {
+      this->Add(link.Nodes[0], link.Nodes[1], link.Capacity, link.Capacity);
+    }
+    for (const std::int32_t node : sources)
+    {
+      this->Add(this->Feed, node, Unbounded, 0);
+    }
+    for (const std::int32_t node : sinks)
+    {
+      this->Add(node, this->Drain, Unbounded, 0);
+    }
+    this->Index();
+  }
+
+  /// Distances from the feed along arcs that are not full; false: the drain is out of reach.
+  bool Measure();
+
+  /// Fills shortest paths until each has a full arc.
+  void Block();
+
+  bool IsReached(std::int32_t node) const { return this->Level[At(node)] >= 0; }
+
+private:
+  std::int32_t From(std::int32_t arc) const { return this->Target[At(arc ^ 1)]; }
+
+  void Add(std::int32_t from, std::int32_t to, std::int64_t along, std::int64_t against)
+  {
+    this->Target.insert(this->Target.end(), { to, from });
+    this->Left.insert(this->Left.end(), { along, against });
+    ++this->First[At(from) + 1];
+    ++this->First[At(to) + 1];
+  }
+
+  void Index()
+  {
+    for (std::size_t i = 1; i < this->First.size(); ++i)
+    {
+      this->First[i] += this->First[i - 1];
+    }
+    std::vector<std::int32_t> next(this->First.begin(), this->First.end() - 1);
+    this->Arcs.resize(this->Target.size());
+    for (std::size_t a = 0; a < this->Target.size(); ++a)
+    {
+      const auto arc = static_cast<std::int32_t>(a);
+      this->Arcs[At(next[At(this->From(arc))]++)] = arc;
+    }
+  }
+
+  void Fill(const std::vector<std::int32_t>& path)
+  {
+    std::int64_t least = Unbounded;
+    for (const std::int32_t arc : path)
+    {
+      least = std::min(least, this->Left[At(arc)]);
+    }
+    for (const std::int32_t arc : path)
+    {
+      this->Left[At(arc)] -= this->Left[At(arc)] == Unbounded ? 0 : least;
+      this->Left[At(arc ^ 1)] += least;
+    }
+  }
+
+  std::int32_t Feed;
+  std::int32_t Drain;
+  std::vector<std::int32_t> First; ///< arcs that leave node n: Arcs[First[n]] to Arcs[First[n + 1]]
+  std::vector<std::int32_t> Arcs;
+  std::vector<std::int32_t> Target;
+  std::vector<std::int64_t> Left; ///< what an arc can still take
+  std::vector<std::int32_t> Level;
+};
+
+bool Network::Measure()
+{
+  std::fill(this->Level.begin(), this->Level.end(), -1);
+  std::vector<std::int32_t> queue{ this->Feed };
+  this->Level[At(this->Feed)] = 0;
+  for (std::size_t i = 0; i < queue.size(); ++i)
+  {
+    for (std::int32_t k = this->First[At(queue[i])]; k < this->First[At(queue[i]) + 1]; ++k)
+    {
+      const std::int32_t arc = this->Arcs[At(k)];
+      const std::int32_t to = this->Target[At(arc)];
+      if (this->Left[At(arc)] > 0 && this->Level[At(to)] < 0)
+      {
+        this->Level[At(to)] = this->Level[At(queue[i])] + 1;
+        queue.push_back(to);
+      }
+    }
+  }
+  return this->Level[At(this->Drain)] >= 0;
+}
+
+void Network::Block()
+{
+  std::vector<std::int32_t> next(this->First.begin(), this->First.end() - 1);
+  std::vector<std::int32_t> path;
+  std::int32_t node = this->Feed;
+  for (;;)
+  {
+    if (node == this->Drain)
+    {
+      this->Fill(path);
+      path.clear();
+      node = this->Feed;
+      continue;
+    }
+    std::int32_t& k = next[At(node)];
+    if (k == this->First[At(node) + 1])
+    {
+      if (path.empty())
+      {
+        return;
+      }
+      node = this->From(path.back());
+      path.pop_back();
+      ++next[At(node)];
+      continue;
+    }
+    const std::int32_t arc = this->Arcs[At(k)];
+    const std::int32_t to = this->Target[At(arc)];
+    if (this->Left[At(arc)] > 0 && this->Level[At(to)] == this->Level[At(node)] + 1)
+    {
+      path.push_back(arc);
+      node = to;
+    }
+    else
+    {
+      ++k;
+    }
+  }
+}
+
+}
+
+std::vector<char> MinimumCut(std::int32_t nodes, const std::vector<FlowLink>& links,
+  const std::vector<std::int32_t>& sources, const std::vector<std::int32_t>& sinks,
+  const ProgressCallback& progress)
+{
+  Network network(nodes, links, sources, sinks);
+  for (int sweep = 0; network.Measure(); ++sweep)
+  {
+    Report(progress, 1.0 - std::pow(0.95, sweep)); // nobody knows how many there will be
+    network.Block();
+  }
+  std::vector<char> reached(At(nodes));
+  for (std::int32_t n = 0; n < nodes; ++n)
+  {
+    reached[At(n)] = network.IsReached(n) ? 1 : 0;
+  }
+  return reached;
+}
+
+}

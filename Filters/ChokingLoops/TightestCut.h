@@ -1,0 +1,34 @@
+/**
+ * @file TightestCut.h
+ * @brief The smallest membrane through a choke triangle, whatever cycles the filtration closed.
+ */
+#ifndef isthmus_TightestCut_h
+#define isthmus_TightestCut_h
+
+#include "SpaceRegions.h"
+
+namespace isthmus
+{
+
+struct ShapeFeature;
+
+/**
+ * Triangles of the complex that part the space on one side of a feature's choke triangle from that
+ * on the other: of all such sets the one of least area, as far as it hangs together with the choke
+ * triangle. What is wider than the choke on either side (deeper than its radius and within 1.5
+ * radii of `centre`) stays whole, so that the membrane runs through the choke point and does not
+ * wrap the way through it.
+ *
+ * It stands in for the cycle that an edge closed, which may run round the whole shape. The search
+ * begins within 3 radii of `centre` and reaches as far as the membrane needs. The boundary lies on
+ * M, up to edges as short as the sampling error. Empty when nothing parts the sides, or beyond
+ * 400,000 tetrahedra within reach. Cost: that of MinimumCut on the tetrahedra within reach.
+ *
+ * @pre `feature.Choke` is a triangle of the complex that is no wall. @throws Cancelled.
+ */
+VTKISTHMUS_EXPORT Chain TightestCut(const FeatureContext& context, const ShapeFeature& feature,
+  const Point3& centre, const ProgressCallback& progress = {});
+
+}
+
+#endif

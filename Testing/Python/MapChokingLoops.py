@@ -1,0 +1,61 @@
+"""From a map to its choking loops in one step: GroEL's 36 handles and 36 tunnels at 1.5, with the radii
+of Map Surface and Choking Loops one after the other; no level, and one that nothing is inside of.
+"""
+
+import sys
+
+import numpy
+from paraview.simple import (ChokingLoops, MapChokingLoops, MapSurface, OpenDataFile, UpdatePipeline,
+                             Wavelet)
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkObject
+
+from shared_data import shared_data
+
+
+def output(proxy, port=0):
+    """Fetch() of ParaView 5.11 gives port 0 whatever it is asked for."""
+    return proxy.GetClientSideObject().GetOutputDataObject(port)
+
+
+def column(data, name):
+    return vtk_to_numpy(data.GetArray(name))
+
+
+def radii(proxy):
+    points = output(proxy, 2).GetPointData()
+    return column(points, "Kind"), column(points, "Radius")
+
+
+density = OpenDataFile(str(shared_data("maps/emd_5043.map")))
+loops = MapChokingLoops(Input=density, Level=1.5)
+UpdatePipeline(proxy=loops)
+facts = output(loops).GetFieldData()
+assert facts.GetArray("NumberOfHandles").GetValue(0) == 36
+assert facts.GetArray("NumberOfTunnels").GetValue(0) == 36
+assert facts.GetArray("Level").GetValue(0) == 1.5
+for port in range(3):
+    assert output(loops, port).GetNumberOfCells() >= 72, port
+assert output(loops, 3).GetNumberOfRows() >= 72
+surface = MapSurface(Input=density, AutomaticLevel=0, Level=1.5)
+steps = ChokingLoops(Input=surface)
+UpdatePipeline(proxy=steps)
+assert output(loops, 4).GetNumberOfPoints() == output(surface).GetNumberOfPoints()
+for one, two in zip(radii(loops), radii(steps)):
+    assert numpy.array_equal(one, two)
+print("handles and tunnels as in two steps")
+
+# Another threshold leaves contour and analysis alone.
+before = column(facts, "StageTimes").tolist()
+loops.MinimumPersistence = 20
+UpdatePipeline(proxy=loops)
+assert column(output(loops).GetFieldData(), "StageTimes").tolist() == before
+
+vtkObject.GlobalWarningDisplayOff()
+empty = MapChokingLoops(Input=Wavelet(), Level=1e6)
+UpdatePipeline(proxy=empty)
+for port in (0, 1, 2, 4):
+    assert output(empty, port).GetNumberOfPoints() == 0
+assert output(empty, 3).GetNumberOfRows() == 0
+print("passed")
+sys.exit(0)
