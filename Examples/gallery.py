@@ -7,6 +7,7 @@ the data from $ISTHMUS_DATA_DIR, else from ../shared/data beside the clone.
 import os
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 from paraview import simple
@@ -21,9 +22,8 @@ SCENES = (
     ("protein_to_surface", "molecules/1crn_apbs.pqr", (0.0, 0.0, 1.0)),
     ("protein_to_sites", "molecules/1hew/1hew.pqr", (0.3, 0.2, -1.0)),
     ("surface_to_loops", "surfaces/torus.obj", (0.3, 1.0, 0.6)),
-    ("pockets", "molecules/2LYZ.pdb", (0.3, 0.2, -1.0)),
-    ("potential", "molecules/1AJJ_pH7_PARSE.pqr", (0.0, 0.0, 1.0)),
-    ("tetrahedra", "maps/emd_1832.map", (0.0, -1.0, 0.4)),
+    ("protein_to_pockets", "molecules/1hew.pdb", (0.0, 0.0, 1.0)),
+    ("protein_to_pores", "molecules/channels/1grm_hole_example.pdb", (1.0, 0.0, 0.0)),
 )
 
 
@@ -34,43 +34,15 @@ def data_folder():
     sys.exit("There is no shared data: set ISTHMUS_DATA_DIR.")
 
 
-def by_pipeline(function):
-    """What a button of the toolbar shows."""
-    def show(source, view):
-        return pipelines.show(*getattr(pipelines, function)(source), view=view)
-    return show
-
-
-def pockets(source, view):
-    """A protein without charges: its pockets, the best in vermilion, in its translucent surface."""
-    (surface,) = pipelines.protein_to_surface(source)
-    simple.Show(surface, view).Opacity = 0.25
-    return pipelines.show(simple.MolecularPockets(Input=source), view=view)
-
-
-def potential(source, view):
-    """The potential on the molecule's surface."""
-    solved = simple.PoissonBoltzmann(Input=source, IonicStrength=0.15)
-    return pipelines.show(simple.OutputPort(solved, 1), view=view)
-
-
-def tetrahedra(source, view):
-    """Tetrahedra inside a map's surface of good triangles, cut open."""
-    surface = simple.DelaunayIsosurface(Input=source, Level=pipelines.map_to_surface(source)[0].Level)
-    cut = simple.TetCutaway(Input=simple.TetrahedralMesher(Input=surface), StopRule="Plane")
-    display = pipelines.show(cut, view=view)
-    display.SetRepresentationType("Surface With Edges")
-    return display
-
-
-def scene(show, path, direction, picture):
+def scene(function, path, direction, picture):
     source = simple.OpenDataFile(str(path))
     view = simple.CreateView("RenderView")
     view.ViewSize = [900, 640]
     view.UseColorPaletteForBackground = 0
     view.Background = [1.0, 1.0, 1.0]
     view.OrientationAxesVisibility = 0
-    display = show(source, view)
+    proxies = getattr(pipelines, function)(source)
+    display = pipelines.show(*proxies, view=view)
     if display.LookupTable is not None and display.ColorArrayName[1]:
         bar = simple.GetScalarBar(display.LookupTable, view)
         bar.TitleColor = bar.LabelColor = [0.1, 0.1, 0.1]
@@ -116,12 +88,13 @@ def main(folder):
     folder = Path(folder).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     data = data_folder()
-    for name, path, direction in SCENES:
-        show = globals().get(name) or by_pipeline(name)
-        scene(show, data / path, direction, folder / f"{name}.png")
-        print(folder / f"{name}.png", flush=True)
-    flow_surfaces(data / "molecules/1hew.pdb", folder / "flow_surfaces.png")
-    print(folder / "flow_surfaces.png", flush=True)
+    with tempfile.TemporaryDirectory() as work:
+        os.chdir(work)  # where the potential goes
+        for function, path, direction in SCENES:
+            scene(function, data / path, direction, folder / f"{function}.png")
+            print(folder / f"{function}.png")
+        flow_surfaces(data / "molecules/1hew.pdb", folder / "flow_surfaces.png")
+        print(folder / "flow_surfaces.png")
 
 
 if __name__ == "__main__":

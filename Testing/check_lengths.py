@@ -18,8 +18,6 @@ LONGEST_FUNCTION = 60
 
 # {file or file:function: lines it may have until it is split}, all in rooms that are being rebuilt
 OWED = {
-    "Filters/ChokingLoops/ChokingLoops.cxx": 400,
-    "Filters/ChokingLoops/vtkChokingLoops.cxx:vtkChokingLoops::RequestData": 70,
     "Filters/Electrostatics/InterfaceGeometry.cxx": 400,
     "Filters/Electrostatics/InterfaceOperator.cxx:InterfaceOperator::ApplyTo": 70,
     "Filters/Electrostatics/InterfaceSolver.cxx:SolveInterface": 80,

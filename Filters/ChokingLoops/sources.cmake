@@ -19,6 +19,7 @@ isthmus_room(
     FeatureMembrane
     FeatureSelection
     GeneratorCompletion
+    GridTetrahedra
     HandleTables
     LoopFeature
     LoopShortening

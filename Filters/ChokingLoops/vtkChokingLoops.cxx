@@ -3,6 +3,7 @@
 #include "AlgorithmGuard.h"
 #include "AnalysisCost.h"
 #include "ChokingLoopsOutput.h"
+#include "GridTetrahedra.h"
 #include "LowerStarFiltration.h"
 #include "PolyDataMesh.h"
 #include "SurfaceDistance.h"
@@ -47,32 +48,22 @@ void TellEstimate(const isthmus::TriangleMesh& surface, double spacing)
                                  << whole(50.0 + samples / 400.0) << " MB on.");
 }
 
-isthmus::TetrahedralMesh MeshOf(vtkUnstructuredGrid* grid)
+/// The analysis' parameters; `memoryLimit` in MB. The cost of each round is told in the log.
+isthmus::ChokingLoopParameters ParametersOf(
+  double sampleSpacing, bool allowSelfIntersections, double memoryLimit)
 {
-  isthmus::TetrahedralMesh mesh;
-  mesh.Points.resize(static_cast<std::size_t>(grid->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  isthmus::ChokingLoopParameters parameters;
+  parameters.SampleSpacing = sampleSpacing;
+  parameters.AllowSelfIntersections = allowSelfIntersections;
+  parameters.MemoryLimit = memoryLimit * 1048576.0;
+  parameters.Sampled = [](std::size_t samples)
   {
-    grid->GetPoint(static_cast<vtkIdType>(i), mesh.Points[i].data());
-  }
-  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
-  {
-    if (grid->GetCellType(c) != VTK_TETRA)
-    {
-      throw std::invalid_argument("Cell " + std::to_string(c) +
-        " of the tetrahedral mesh is no tetrahedron: tetrahedralize it first.");
-    }
-    vtkIdType count = 0;
-    const vtkIdType* p = nullptr;
-    grid->GetCellPoints(c, count, p);
-    mesh.Tetrahedra.push_back({ p[0], p[1], p[2], p[3] });
-  }
-  if (mesh.Tetrahedra.empty())
-  {
-    throw std::invalid_argument("The second input has no tetrahedra: give a mesh of one side of "
-                                "the surface or both, or leave it empty.");
-  }
-  return mesh;
+    vtkLog(INFO,
+      "Choking loops: " << samples << " samples, some "
+                        << std::ceil(isthmus::AnalysisBytes(samples) / 1e6) << " MB and "
+                        << std::ceil(isthmus::AnalysisSeconds(samples)) << " s on two cores.");
+  };
+  return parameters;
 }
 
 }
@@ -142,17 +133,8 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
   }
   if (this->Filtration == Delaunay)
   {
-    isthmus::ChokingLoopParameters parameters;
-    parameters.SampleSpacing = this->SampleSpacing;
-    parameters.AllowSelfIntersections = this->AllowSelfIntersections;
-    parameters.MemoryLimit = this->MemoryLimit * 1048576.0;
-    parameters.Sampled = [](std::size_t samples)
-    {
-      vtkLog(INFO,
-        "Choking loops: " << samples << " samples, some "
-                          << std::ceil(isthmus::AnalysisBytes(samples) / 1e6) << " MB and "
-                          << std::ceil(isthmus::AnalysisSeconds(samples)) << " s on two cores.");
-    };
+    const isthmus::ChokingLoopParameters parameters =
+      ParametersOf(this->SampleSpacing, this->AllowSelfIntersections, this->MemoryLimit);
     made->Loops =
       std::make_unique<isthmus::ChokingLoops>(std::move(triangles), parameters, progress);
   }
@@ -163,7 +145,7 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
     isthmus::TetrahedralParameters mesher;
     mesher.Side = isthmus::MeshedSide::Both;
     const isthmus::TetrahedralMesh mesh =
-      given ? ::MeshOf(given) : isthmus::MeshTetrahedra(triangles, mesher, part);
+      given ? isthmus::TetrahedraOf(given) : isthmus::MeshTetrahedra(triangles, mesher, part);
     made->Loops = std::make_unique<isthmus::ChokingLoops>(triangles, mesh,
       this->MorseValues(triangles, mesh, given), isthmus::Between(progress, 0.5, 1.0));
   }

@@ -1,5 +1,5 @@
 """The real ParaView played as a user does: its own recorder for menus and buttons, the mouse (xdotool)
-for what that can't see. For the tests of toolbar and panels.
+for what that can't see. For window tests.
 
 A session opens data by the command line, presses Apply, and does what it is told; the picture of the
 whole window is kept beside the test's other output.
