@@ -11,9 +11,7 @@
 #ifndef isthmus_IrregularRows_h
 #define isthmus_IrregularRows_h
 
-#include "ChargeSums.h"
-#include "InterfaceFit.h"
-#include "vtkIsthmusModule.h"
+#include "CrossingValues.h"
 
 namespace isthmus
 {
@@ -31,22 +29,6 @@ struct IrregularRows
   std::int64_t LinearFits = 0;
   std::int64_t GhostFits = 0;
 };
-
-/// What the rows are made of.
-struct InterfaceProblem
-{
-  const SolverBox* Box = nullptr;
-  const std::vector<unsigned char>* Inside = nullptr;
-  const std::vector<InterfaceCrossing>* Crossings = nullptr;
-  const std::vector<SecondOrderTaylor>* Charges = nullptr; ///< G at each crossing, kT/e
-  FitMedium Medium;
-  /// K / phi0 at each crossing where the ions reach the surface; empty: Medium.KappaSquared.
-  std::vector<double> KappaSquared;
-};
-
-/// The nodes around the edge of a crossing, with weights, for a fit at the crossing.
-VTKISTHMUS_EXPORT FitNodes NodesAroundCrossing(const SolverBox& box,
-  const std::vector<unsigned char>& inside, const InterfaceCrossing& crossing, double length);
 
 /// O(crossings), about 10 microseconds each; parallel; the same bits on any number of threads.
 VTKISTHMUS_EXPORT IrregularRows AssembleIrregularRows(

@@ -5,6 +5,7 @@ isthmus_room(
     BoundaryPotential
     ChargesOnGrid
     ChargeTree
+    CrossingValues
     HarmonicFit
     InterfaceFit
     InterfaceGeometry
@@ -12,8 +13,9 @@ isthmus_room(
     InterfaceSolver
     IonAtmosphere
     IrregularRows
-    MultigridLevel
+    MultigridCoarsening
     MultigridPoisson
+    MultigridSmoothing
     PoissonBoltzmann
     PoissonBoltzmannInput
     PoissonBoltzmannOutput

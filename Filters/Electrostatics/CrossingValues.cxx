@@ -1,0 +1,133 @@
+#include "CrossingValues.h"
+
+#include <algorithm>
+
+namespace isthmus
+{
+namespace
+{
+
+Vector3 EndOffset(const SolverBox& box, const InterfaceCrossing& c, bool upper)
+{
+  Vector3 y{ 0.0, 0.0, 0.0 };
+  const auto a = static_cast<std::size_t>(c.Axis);
+  y[a] = (upper ? 1.0 - c.Fraction : -c.Fraction) * box.Spacing[a];
+  return y;
+}
+
+/// Turns a functional of total potentials into one of u: the charges' part becomes a constant.
+Continuation InTermsOfU(const FitFunctional& functional, const FitNodes& nodes,
+  const SecondOrderTaylor& charges, bool insideFunction, const Vector3& target)
+{
+  Continuation c{};
+  c.Constant = insideFunction ? -charges.At(target) : 0.0;
+  for (std::size_t i = 0; i < nodes.Count; ++i)
+  {
+    c.Coefficient[i] = functional[i];
+    if (functional[i] != 0.0 && nodes.Node[i].Inside)
+    {
+      c.Constant += functional[i] * charges.At(nodes.Node[i].Offset);
+    }
+  }
+  return c;
+}
+
+/// The ghost-fluid values of X.-D. Liu, R. Fedkiw and M. Kang (J. Comput. Phys. 160 (2000) 151):
+/// jumps taken along the edge alone. Only where not even a linear function could be fitted.
+void GhostFluid(const InterfaceProblem& problem, const InterfaceCrossing& c,
+  const SecondOrderTaylor& charges, const FitNodes& nodes, CrossingValues& values)
+{
+  const auto a = static_cast<std::size_t>(c.Axis);
+  const std::int64_t step = problem.Box->Steps()[a];
+  const bool lowerInside = (*problem.Inside)[static_cast<std::size_t>(c.Node)] != 0;
+  const double theta = std::min(std::max(c.Fraction, 1e-6), 1.0 - 1e-6);
+  const double epsLower =
+    lowerInside ? problem.Medium.SoluteDielectric : problem.Medium.SolventDielectric;
+  const double epsUpper =
+    lowerInside ? problem.Medium.SolventDielectric : problem.Medium.SoluteDielectric;
+  const double sl = epsLower / theta;
+  const double su = epsUpper / (1.0 - theta);
+  // Totals at the ends; the value on the surface makes the flux along the edge continuous.
+  FitFunctional lower{}, upper{};
+  for (std::size_t i = 0; i < nodes.Count; ++i)
+  {
+    const bool isLower = nodes.Id[i] == c.Node;
+    const bool isUpper = nodes.Id[i] == c.Node + step;
+    if (!isLower && !isUpper)
+    {
+      continue;
+    }
+    const double share = (isLower ? sl : su) / (sl + su);
+    lower[i] = (share - (isLower ? 1.0 - theta : 0.0)) / theta;
+    upper[i] = (share - (isUpper ? theta : 0.0)) / (1.0 - theta);
+  }
+  values.AtUpper = InTermsOfU(lower, nodes, charges, lowerInside, EndOffset(*problem.Box, c, true));
+  values.AtLower =
+    InTermsOfU(upper, nodes, charges, !lowerInside, EndOffset(*problem.Box, c, false));
+}
+
+}
+
+FitNodes NodesAroundCrossing(const SolverBox& box, const std::vector<unsigned char>& inside,
+  const InterfaceCrossing& crossing, double length)
+{
+  const auto a = static_cast<std::size_t>(crossing.Axis);
+  const auto steps = box.Steps();
+  FitNodes nodes;
+  const std::size_t b = (a + 1) % 3;
+  const std::size_t c = (a + 2) % 3;
+  for (int k = -1; k <= 1; ++k)
+  {
+    for (int j = -1; j <= 1; ++j)
+    {
+      for (int i = -1; i <= 2; ++i)
+      {
+        FitNode& node = nodes.Node[nodes.Count];
+        node.Offset[a] = (i - crossing.Fraction) * box.Spacing[a];
+        node.Offset[b] = j * box.Spacing[b];
+        node.Offset[c] = k * box.Spacing[c];
+        const std::int64_t id = crossing.Node + i * steps[a] + j * steps[b] + k * steps[c];
+        node.Inside = inside[static_cast<std::size_t>(id)] != 0;
+        const auto& y = node.Offset;
+        const double r2 = (y[0] * y[0] + y[1] * y[1] + y[2] * y[2]) / (length * length);
+        const bool ends = j == 0 && k == 0 && (i == 0 || i == 1);
+        node.Weight = (ends ? 1000.0 : 1.0) / ((r2 + 0.25) * (r2 + 0.25) * (r2 + 0.25));
+        nodes.Id[nodes.Count++] = id;
+      }
+    }
+  }
+  return nodes;
+}
+
+CrossingValues ValuesAtCrossing(const InterfaceProblem& problem, std::size_t index)
+{
+  const InterfaceCrossing& c = (*problem.Crossings)[index];
+  const SecondOrderTaylor& charges = (*problem.Charges)[index];
+  const FitNodes nodes =
+    NodesAroundCrossing(*problem.Box, *problem.Inside, c, problem.Medium.Length);
+  const bool lowerInside = (*problem.Inside)[static_cast<std::size_t>(c.Node)] != 0;
+  FitMedium medium = problem.Medium;
+  if (!problem.KappaSquared.empty())
+  {
+    medium.KappaSquared = problem.KappaSquared[index];
+  }
+  const Vector3 up = EndOffset(*problem.Box, c, true);
+  const Vector3 down = EndOffset(*problem.Box, c, false);
+  const auto side = [](bool insideFunction)
+  { return insideFunction ? FitTarget::InsideValue : FitTarget::OutsideValue; };
+  const std::vector<FitTarget> targets{ { side(lowerInside), up }, { side(!lowerInside), down } };
+  std::vector<FitFunctional> functionals;
+  CrossingValues values{};
+  std::copy_n(nodes.Id.begin(), nodes.Count, values.Id.begin());
+  values.Quality = FitInterface(medium, c.Frame, nodes, targets, functionals);
+  if (values.Quality == FitQuality::None)
+  {
+    GhostFluid(problem, c, charges, nodes, values);
+    return values;
+  }
+  values.AtUpper = InTermsOfU(functionals[0], nodes, charges, lowerInside, up);
+  values.AtLower = InTermsOfU(functionals[1], nodes, charges, !lowerInside, down);
+  return values;
+}
+
+}
