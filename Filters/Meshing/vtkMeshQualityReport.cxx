@@ -3,8 +3,8 @@
 #include "AlgorithmGuard.h"
 #include "MeshQuality.h"
 
+#include <vtkCell.h>
 #include <vtkCellData.h>
-#include <vtkCellTypes.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
@@ -42,7 +42,7 @@ std::vector<std::array<std::int64_t, Corners>> CellsOf(vtkPointSet* mesh, int ty
     if (mesh->GetCellType(id) != type)
     {
       throw std::invalid_argument("Cell " + std::to_string(i) + " is a " +
-        vtkCellTypes::GetClassNameFromTypeId(mesh->GetCellType(id)) +
+        mesh->GetCell(id)->GetClassName() +
         ", but only triangles (poly data) and tetrahedra (unstructured grids) are measured: pass "
         "the mesh through Triangulate or Tetrahedralize first.");
     }

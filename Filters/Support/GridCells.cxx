@@ -2,7 +2,6 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellType.h>
-#include <vtkCellTypes.h>
 #include <vtkGenericCell.h>
 #include <vtkIdList.h>
 #include <vtkMath.h>
@@ -118,7 +117,7 @@ public:
       [&](const GridCellType& type) { return type.VTKType == (linear < 0 ? vtkType : linear); });
     if (found == known.end())
     {
-      this->LeaveOut(id, vtkType);
+      this->LeaveOut(id);
       return;
     }
     this->Cells.Simplified += linear < 0 ? 0 : 1;
@@ -126,13 +125,13 @@ public:
   }
 
 private:
-  void LeaveOut(vtkIdType id, int vtkType)
+  void LeaveOut(vtkIdType id)
   {
     this->Grid->GetCell(id, this->Generic);
     if (this->Generic->GetCellDimension() == 3)
     {
       throw std::invalid_argument("Cell " + std::to_string(id) + " is of the type " +
-        vtkCellTypes::GetClassNameFromTypeId(vtkType) +
+        this->Grid->GetCell(id)->GetClassName() +
         ", whose faces are not fixed by its points: make polyhedra or tetrahedra of such cells.");
     }
     ++this->Cells.LeftOut;
@@ -174,10 +173,10 @@ private:
     {
       local.emplace(points[i], static_cast<int>(i));
     }
-    vtkIdType faceCount;
-    const vtkIdType* stream;
-    this->Grid->GetFaceStream(id, faceCount, stream);
-    FaceList faces(static_cast<std::size_t>(faceCount));
+    // Number of faces, then each as its size and points.
+    this->Grid->GetFaceStream(id, this->StreamBuffer);
+    const vtkIdType* stream = this->StreamBuffer->GetPointer(0);
+    FaceList faces(static_cast<std::size_t>(*stream++));
     for (std::vector<int>& face : faces)
     {
       for (vtkIdType size = *stream++; size > 0; --size, ++stream)
@@ -271,6 +270,7 @@ private:
   bool ByVolume;
   vtkNew<vtkGenericCell> Generic;
   vtkNew<vtkIdList> PointBuffer;
+  vtkNew<vtkIdList> StreamBuffer;
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
   std::vector<std::size_t> LinearNumbers = std::vector<std::size_t>(LinearCellTypes().size(), None);
   std::map<std::pair<int, FaceList>, std::size_t> Polyhedra;

@@ -71,6 +71,7 @@ void PolyDataTriangles::AddPolygons(vtkPolyData* surface)
 {
   vtkNew<vtkPolygon> polygon;
   vtkNew<vtkIdList> split;
+  vtkNew<vtkPoints> places; // vtkCell's call, which all versions have, asks for them
   ForEachCell(surface->GetPolys(), surface->GetNumberOfVerts() + surface->GetNumberOfLines(),
     [&](vtkIdType corners, const vtkIdType* ids, vtkIdType cell)
     {
@@ -84,7 +85,7 @@ void PolyDataTriangles::AddPolygons(vtkPolyData* surface)
         this->CheckCorner(ids[corner], cell);
       }
       polygon->Initialize(static_cast<int>(corners), ids, surface->GetPoints());
-      if (corners < 3 || polygon->Triangulate(split) == 0)
+      if (corners < 3 || polygon->Triangulate(0, split, places) == 0)
       {
         throw std::invalid_argument("Cell " + std::to_string(cell) + " with " +
           std::to_string(corners) +
@@ -93,8 +94,7 @@ void PolyDataTriangles::AddPolygons(vtkPolyData* surface)
       }
       for (vtkIdType i = 0; i + 2 < split->GetNumberOfIds(); i += 3)
       {
-        this->AddTriangle(
-          ids[split->GetId(i)], ids[split->GetId(i + 1)], ids[split->GetId(i + 2)], cell);
+        this->AddTriangle(split->GetId(i), split->GetId(i + 1), split->GetId(i + 2), cell);
       }
     });
 }

@@ -2,26 +2,30 @@
 
 #include "ParallelFor.h"
 
-#include <vtkCellArray.h>
-#include <vtkIdTypeArray.h>
-#include <vtkNew.h>
-
 #include <algorithm>
+#include <numeric>
 
 namespace isthmus
 {
 
 TriangleStars::TriangleStars(const SurfaceView& mesh)
   : Mesh(mesh)
+  , First(static_cast<std::size_t>(mesh.NumberOfPoints + 1), 0)
+  , Around(static_cast<std::size_t>(3 * mesh.NumberOfTriangles))
 {
-  vtkNew<vtkIdTypeArray> corners;
-  // VTK only reads them and, told to "save", does not free them.
-  corners->SetArray(const_cast<vtkIdType*>(mesh.Triangles), 3 * mesh.NumberOfTriangles, /*save=*/1);
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(3, corners);
-  // Serial: the threaded build leaves the order within a star to chance, and with it the last bits
-  // of every sum over a star.
-  this->Links.SerialBuildLinks(mesh.NumberOfPoints, mesh.NumberOfTriangles, cells);
+  // Serial: threads would leave the order within a star to chance, and with it the last bits of
+  // every sum over a star. Counted, summed up, then each put before what its point has already.
+  const vtkIdType corners = 3 * mesh.NumberOfTriangles;
+  for (vtkIdType i = 0; i < corners; ++i)
+  {
+    ++this->First[static_cast<std::size_t>(mesh.Triangles[i])];
+  }
+  std::partial_sum(this->First.begin(), this->First.end(), this->First.begin());
+  for (vtkIdType i = 0; i < corners; ++i)
+  {
+    vtkIdType& first = this->First[static_cast<std::size_t>(mesh.Triangles[i])];
+    this->Around[static_cast<std::size_t>(--first)] = i / 3;
+  }
 }
 
 std::pair<vtkIdType, vtkIdType> TriangleStars::OppositeEdge(

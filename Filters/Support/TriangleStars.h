@@ -8,8 +8,6 @@
 #include "SurfaceView.h"
 #include "vtkIsthmusModule.h" // for the export macro
 
-#include <vtkStaticCellLinksTemplate.h>
-
 #include <utility>
 #include <vector>
 
@@ -26,17 +24,24 @@ enum class StarKind : unsigned char
             ///< other, several fans touching in the point, or a triangle with a corner twice.
 };
 
-/// The triangles around each point. Building and memory: O(#triangles), by VTK's static links.
+/// The triangles around each point. Building and memory: O(#triangles).
 class VTKISTHMUS_EXPORT TriangleStars
 {
 public:
   /// @pre `mesh` outlives this object.
   explicit TriangleStars(const SurfaceView& mesh);
 
-  vtkIdType Size(vtkIdType point) const { return this->Links.GetNcells(point); }
+  vtkIdType Size(vtkIdType point) const
+  {
+    const auto at = static_cast<std::size_t>(point);
+    return this->First[at + 1] - this->First[at];
+  }
 
   /// Ids of the Size(point) triangles around `point`, in an order that depends on the mesh only.
-  const vtkIdType* Triangles(vtkIdType point) const { return this->Links.GetCells(point); }
+  const vtkIdType* Triangles(vtkIdType point) const
+  {
+    return this->Around.data() + this->First[static_cast<std::size_t>(point)];
+  }
 
   /// The corners (a, b) of `triangle` that follow its corner `point`.
   std::pair<vtkIdType, vtkIdType> OppositeEdge(vtkIdType triangle, vtkIdType point) const;
@@ -50,7 +55,8 @@ public:
 
 private:
   SurfaceView Mesh;
-  mutable vtkStaticCellLinksTemplate<vtkIdType> Links; // its getters are not const
+  std::vector<vtkIdType> First;  ///< of each point's triangles in Around; one more at the end
+  std::vector<vtkIdType> Around; ///< triangles, latest first
 };
 
 /// Kind of each point's star, in parallel.

@@ -162,13 +162,3 @@ TEST(PersistenceOfMaps, MemoryStaysWithinBounds)
   const auto draw = [&](double, double, double) { return value(random); };
   EXPECT_LT(BytesPerNode(Fill<float>({ 96, 96, 96 }, draw).View(), false), 120.0);
 }
-
-TEST(PersistenceOfMaps, MemoryOfEMD5043StaysWithinBounds)
-{
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "sanitizers hold memory of their own";
-#endif
-  ISTHMUS_NEEDS_SHARED_DATA(EMD5043);
-  const Volume<float> map = MapOf(SharedDataFolder() / EMD5043);
-  EXPECT_LT(BytesPerNode(map.View(), true), 20.0);
-}
