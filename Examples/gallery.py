@@ -22,6 +22,8 @@ SCENES = (
     ("protein_to_surface", "molecules/1crn_apbs.pqr", (0.0, 0.0, 1.0)),
     ("protein_to_sites", "molecules/1hew/1hew.pqr", (0.3, 0.2, -1.0)),
     ("surface_to_loops", "surfaces/torus.obj", (0.3, 1.0, 0.6)),
+    ("protein_to_pockets", "molecules/1hew.pdb", (0.0, 0.0, 1.0)),
+    ("protein_to_pores", "molecules/channels/1grm_hole_example.pdb", (1.0, 0.0, 0.0)),
 )
 
 

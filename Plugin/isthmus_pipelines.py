@@ -452,11 +452,12 @@ def first_look(*ids):
             print_error(f"The first look at a result failed: {error}")
 
 
-def show(*proxies, view=None):
-    """Shows the last proxies of a pipeline as the window would, and returns the last display."""
+def show(*proxies, view=None, tables=False):
+    """Shows the last proxies of a pipeline as the window would, and returns the last display. tables: open
+    the tables and charts of pockets and pores beside the view, too."""
     view = view or simple.GetActiveViewOrCreate("RenderView")
     if proxies[-1].SMProxy.GetXMLName() in pockets_and_pores.FEATURES:
-        display = pockets_and_pores.show(proxies[-1], view)
+        display = pockets_and_pores.show(proxies[-1], view, tables)
         _look(display)
         return display
     display = None
@@ -495,6 +496,6 @@ def run(function):
         return
     view = simple.GetActiveViewOrCreate("RenderView")
     simple.Hide(source, view)
-    show(*proxies, view=view)
+    show(*proxies, view=view, tables=True)
     simple.SetActiveSource(proxies[-1])
     simple.Render(view)
