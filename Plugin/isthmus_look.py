@@ -195,11 +195,11 @@ def first_look(*ids):
             print_error(f"The first look at a result failed: {error}")
 
 
-def show(*proxies, view=None):
+def show(*proxies, view=None, tables=False):
     """Shows the last proxies of a pipeline as the window would, and returns the last display."""
     view = view or simple.GetActiveViewOrCreate("RenderView")
     if proxies[-1].SMProxy.GetXMLName() in pockets_and_pores.FEATURES:
-        display = pockets_and_pores.show(proxies[-1], view)
+        display = pockets_and_pores.show(proxies[-1], view, tables)
         _look(display)
         return display
     display = None

@@ -292,11 +292,12 @@ def first_look(*ids):
             print_error(f"The first look at a result failed: {error}")
 
 
-def show(*proxies, view=None):
-    """Shows the last proxies of a pipeline as the window would, and returns the last display."""
+def show(*proxies, view=None, tables=False):
+    """Shows the last proxies of a pipeline as the window would, and returns the last display. tables: open
+    the tables and charts of pockets and pores beside the view, too."""
     view = view or simple.GetActiveViewOrCreate("RenderView")
     if proxies[-1].SMProxy.GetXMLName() in pockets_and_pores.FEATURES:
-        display = pockets_and_pores.show(proxies[-1], view)
+        display = pockets_and_pores.show(proxies[-1], view, tables)
         _look(display)
         return display
     display = None
@@ -338,6 +339,6 @@ def run(function):
     view = simple.GetActiveViewOrCreate("RenderView")
     for port in range(source.SMProxy.GetNumberOfOutputPorts()):  # of a molecule: atoms, balls and sticks
         simple.Hide(simple.OutputPort(source, port), view)
-    show(*proxies, view=view)
+    show(*proxies, view=view, tables=True)
     simple.SetActiveSource(proxies[-1])
     simple.Render(view)

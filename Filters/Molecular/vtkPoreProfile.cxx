@@ -4,12 +4,9 @@
 #include "AtomInput.h"
 #include "PoreOutput.h"
 #include "PoreProfile.h"
-#include "vtkMapSurface.h"
 
 #include <vtkCellArray.h>
-#include <vtkCommand.h>
 #include <vtkIdList.h>
-#include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMath.h>
@@ -18,7 +15,6 @@
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
 
 #include <cmath>
@@ -28,21 +24,6 @@ vtkStandardNewMacro(vtkPoreProfile);
 
 namespace
 {
-
-/// Keeps what another filter complains of.
-class FirstError : public vtkCommand
-{
-public:
-  static FirstError* New() { return new FirstError; }
-  void Execute(vtkObject*, unsigned long, void* text) override
-  {
-    if (this->Text.empty() && text)
-    {
-      this->Text = static_cast<const char*>(text);
-    }
-  }
-  std::string Text;
-};
 
 double LongestEdge(vtkPolyData* surface)
 {
@@ -142,24 +123,8 @@ vtkPolyData* vtkPoreProfile::GetLiningAtoms()
 
 int vtkPoreProfile::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
   return 1;
-}
-
-int vtkPoreProfile::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* input = inputVector[0]->GetInformationObject(0);
-  if (input->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    // A channel is known only from all of the map.
-    input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
-    return 1;
-  }
-  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }
 
 int vtkPoreProfile::FillOutputPortInformation(int port, vtkInformation* info)
@@ -172,7 +137,7 @@ int vtkPoreProfile::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkPoreProfile::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataSet* input = vtkDataSet::GetData(inputVector[0], 0);
+  vtkPointSet* input = vtkPointSet::GetData(inputVector[0], 0);
   const auto clear = [&]()
   {
     for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
@@ -184,13 +149,9 @@ int vtkPoreProfile::RequestData(
   const bool done = isthmus::Succeeds(this, vtkDataObject::GetData(outputVector, 0),
     [&]()
     {
-      if (vtkImageData::SafeDownCast(input))
+      if (input)
       {
-        this->Compute(this->SurfaceOf(input), outputVector);
-      }
-      else if (auto* atoms = vtkPointSet::SafeDownCast(input))
-      {
-        this->Compute(atoms, outputVector);
+        this->Compute(input, outputVector);
       }
     });
   if (!done || this->GetAbortExecute())
@@ -198,29 +159,6 @@ int vtkPoreProfile::RequestData(
     clear();
   }
   return 1;
-}
-
-vtkSmartPointer<vtkPointSet> vtkPoreProfile::SurfaceOf(vtkDataSet* map)
-{
-  vtkNew<vtkMapSurface> surface;
-  vtkNew<FirstError> error;
-  surface->AddObserver(vtkCommand::ErrorEvent, error);
-  surface->SetInputData(map);
-  const std::string array = isthmus::InputArrayName(this, 0);
-  if (map->GetPointData()->HasArray(array.c_str()))
-  {
-    surface->SetInputArrayToProcess(
-      0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
-  }
-  surface->SetLevelOnly(this->Level);
-  surface->SetAutomaticLevel(this->AutomaticLevel);
-  surface->GenerateNormalsOff();
-  surface->Update();
-  if (!error->Text.empty())
-  {
-    throw std::runtime_error("The map has no surface to look for pores in. " + error->Text);
-  }
-  return surface->GetOutput();
 }
 
 void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
@@ -283,8 +221,6 @@ void vtkPoreProfile::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumSpan: " << this->MinimumSpan << "\n";
   os << indent << "MaximumPores: " << this->MaximumPores << "\n";
   os << indent << "MaximumOffset: " << this->MaximumOffset << "\n";
-  os << indent << "AutomaticLevel: " << this->AutomaticLevel << "\n";
-  os << indent << "Level: " << this->Level << "\n";
   os << indent << "KeepHydrogens: " << this->KeepHydrogens << "\n";
   os << indent << "KeepIons: " << this->KeepIons << "\n";
   os << indent << "KeepLigands: " << this->KeepLigands << "\n";

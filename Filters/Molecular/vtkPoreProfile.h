@@ -6,10 +6,8 @@
  * them. Where it gives names, water, ions and ligands are left out (the field array `Notes` says
  * what); hydrogens stay, unlike in vtkMolecularPockets.
  *
- * Or a closed surface (polygons without a radius), or a map (vtkImageData), whose surface
- * vtkMapSurface makes at Level: its points are taken as atoms of radius 0. Channels narrower than
- * its longest edge are not told from the gaps between points and left out; a radius r comes out too
- * large by up to h^2 / (6 r) for edges of length h.
+ * Or a closed surface (polygons without a radius): its points are taken as atoms of radius 0.
+ * Channels narrower than its longest edge are not told from the gaps between points and left out.
  *
  * Mode Automatic finds the channels that run through; TwoPoints takes the pore from Point1 to
  * Point2; PointAndDirection takes planes across Direction, both ways from Point, as HOLE does.
@@ -39,11 +37,9 @@
 
 #include "vtkIsthmusModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h" // for the surface of a map
 
 #include <string> // for the properties
 
-class vtkDataSet;
 class vtkPointSet;
 class vtkTable;
 
@@ -121,16 +117,6 @@ public:
   ///@}
 
   ///@{
-  /// Of a map: whether its surface is at the recommended or else a sensible level (default), or at
-  /// Level.
-  vtkSetMacro(AutomaticLevel, bool);
-  vtkGetMacro(AutomaticLevel, bool);
-  vtkBooleanMacro(AutomaticLevel, bool);
-  vtkSetMacro(Level, double);
-  vtkGetMacro(Level, double);
-  ///@}
-
-  ///@{
   /// What counts as part of the molecule beside its chains. Default: hydrogens.
   vtkSetMacro(KeepHydrogens, bool);
   vtkGetMacro(KeepHydrogens, bool);
@@ -156,8 +142,6 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -166,7 +150,6 @@ private:
   void operator=(const vtkPoreProfile&) = delete;
 
   void Compute(vtkPointSet* atoms, vtkInformationVector* outputs);
-  vtkSmartPointer<vtkPointSet> SurfaceOf(vtkDataSet* map);
 
   int Mode = Automatic;
   double Point1[3] = { 0.0, 0.0, 0.0 };
@@ -179,8 +162,6 @@ private:
   double MinimumSpan = 20.0;
   int MaximumPores = 20;
   double MaximumOffset = 10.0;
-  bool AutomaticLevel = true;
-  double Level = 0.0;
   bool KeepHydrogens = true;
   bool KeepIons = false;
   bool KeepLigands = false;

@@ -5,7 +5,6 @@ import csv
 import numpy
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
 
 import isthmus
 import pocket_tools as tools
@@ -114,50 +113,3 @@ print(f"GroEL: {span:.0f} angstrom long, at most {off.max():.2f} off the axis, l
       f"{samples['Radius'].min():.2f}, above the room on the axis by {excess.min():.3f} to {excess.max():.3f}")
 assert span > 150.0 and off.max() < 2.0 and samples["Radius"].min() > 12.0
 assert excess.min() > -0.05 and excess.max() < 2.0
-
-
-def crossings(points, triangles):
-    """How often a polyline crosses triangles."""
-    count = 0
-    for a, b in zip(points, points[1:]):
-        for p, q, r in triangles:
-            m = numpy.stack([b - a, p - q, p - r], axis=1)
-            if abs(numpy.linalg.det(m)) > 1e-12:
-                t, u, v = numpy.linalg.solve(m, p - a)
-                count += 0.0 <= t < 1.0 and u >= 0.0 and v >= 0.0 and u + v <= 1.0
-    return count
-
-
-# A torus as a surface and as a map: its tunnel is a channel, and crosses the tunnel's membrane once.
-grid = numpy.mgrid[-12:13, -22:23, -22:23].astype(float)  # z, y, x
-z, y, x = grid
-density = 5.0 - numpy.sqrt((numpy.sqrt(x**2 + y**2) - 15.0) ** 2 + z**2)
-image = vtkImageData()
-image.SetDimensions(45, 45, 25)
-image.SetOrigin(-22.0, -22.0, -12.0)
-array = numpy_to_vtk(density.ravel(), deep=1)
-array.SetName("Density")
-image.GetPointData().SetScalars(array)
-surface = isthmus.vtkMapSurface()
-surface.SetInputData(image)
-surface.SetLevel(0.0)
-surface.Update()
-loops = isthmus.vtkChokingLoops()
-loops.SetInputData(surface.GetOutput())
-loops.Update()
-kinds = vtk_to_numpy(loops.GetOutput().GetCellData().GetArray("Kind"))
-assert 1 in kinds, kinds
-membranes = loops.GetOutputDataObject(1)
-owner = vtk_to_numpy(membranes.GetCellData().GetArray("FeatureId"))
-tunnel = vtk_to_numpy(loops.GetOutput().GetCellData().GetArray("FeatureId"))[kinds == 1][0]
-corners = vtk_to_numpy(membranes.GetPolys().GetConnectivityArray()).reshape(-1, 3)[owner == tunnel]
-triangles = vtk_to_numpy(membranes.GetPoints().GetData()).astype(float)[corners]
-for data, settings in ((surface.GetOutput(), {}), (image, {"AutomaticLevel": 0, "Level": 0.0})):
-    pores = profile(data, MinimumSpan=5.0, **settings)
-    table = tools.columns(pores.GetPoreTable())
-    samples = tools.columns(pores.GetProfile())
-    line = numpy.stack([samples[name] for name in "XYZ"], axis=1)
-    times = crossings(line, triangles)
-    print(f"torus: {len(table['Radius'])} channel, radius {table['Radius'][0]:.3f} (10), membrane crossed {times} time")
-    assert len(table["Radius"]) == 1 and abs(table["Radius"][0] - 10.0) < 0.1, table
-    assert times == 1
