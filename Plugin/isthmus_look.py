@@ -138,9 +138,12 @@ def _look_at_loops(display, view, port):
         display.RenderLinesAsTubes, display.LineWidth = 1, 5.0
         simple.ColorBy(display, ("CELLS", "Kind"))
         display.SetScalarBarVisibility(view, True)
-        surface = display.Input.Input
+        # Of a map, the contour is an output; of a surface, it is the input.
+        loops = servermanager._getPyProxy(display.Input.SMProxy)
+        own = loops.SMProxy.GetNumberOfOutputPorts() > 4
+        surface = simple.OutputPort(loops, 4) if own else loops.Input
         simple.Show(surface, view).Opacity = 0.35
-    else:
+    elif port < 4:
         display.Visibility = 0
 
 
@@ -172,7 +175,7 @@ def _look(display):
         return
     if key not in _seen:
         _seen.add(key)
-        if name == "ChokingLoops":
+        if name in ("ChokingLoops", "MapChokingLoops"):
             _look_at_loops(display, view, source.Port if hasattr(source, "Port") else 0)
         elif name in SITES and getattr(source, "Port", 0) == 0:
             simple.ColorBy(display, ("POINTS", "BindingSite"))

@@ -33,7 +33,8 @@ SPACING = 0.6  # angstrom, of a molecular surface's grid
 # Filters with a persistence diagram: the port that has it.
 DIAGRAMS = {"ChokingLoops": 3, "ScalarPersistence": 1}
 
-CURVATURES, colour_range, first_look, show = look.CURVATURES, look.colour_range, look.first_look, look.show
+CURVATURES, FIXED = look.CURVATURES, look.FIXED
+colour_range, first_look, show = look.colour_range, look.first_look, look.show
 
 
 # ---------------------------------------------------------------------------- what a source is
@@ -264,60 +265,6 @@ def persistence_diagram(source):
     if view:
         simple.SetActiveView(view)
     return (chart,)
-
-
-    key = display.GetGlobalID()
-    if key not in _seen:
-        _seen.add(key)
-        if name == "ChokingLoops":
-            _look_at_loops(display, view, source.Port if hasattr(source, "Port") else 0)
-        elif name in SITES and getattr(source, "Port", 0) == 0:
-            simple.ColorBy(display, ("POINTS", "BindingSite"))
-            display.SetScalarBarVisibility(view, True)
-        elif name in pockets_and_pores.FEATURES:
-            pockets_and_pores.look(display, view, getattr(source, "Port", 0))
-    _colour(display, view)
-
-
-def first_look(*ids):
-    """Called by the window with the global ids of representations that are new or changed."""
-    session = servermanager.ActiveConnection.Session
-    for number in ids:
-        proxy = session.GetRemoteObject(number)
-        if proxy is None:
-            continue
-        try:
-            _look(servermanager._getPyProxy(proxy))
-        except Exception as error:  # a look is never worth a failure
-            print_error(f"The first look at a result failed: {error}")
-
-
-def show(*proxies, view=None, tables=False):
-    """Shows the last proxies of a pipeline as the window would, and returns the last display. tables: open
-    the tables and charts of pockets and pores beside the view, too."""
-    view = view or simple.GetActiveViewOrCreate("RenderView")
-    if proxies[-1].SMProxy.GetXMLName() in pockets_and_pores.FEATURES:
-        display = pockets_and_pores.show(proxies[-1], view, tables)
-        _look(display)
-        return display
-    display = None
-    for proxy in proxies:
-        if _data_of(proxy).GetDataSetTypeAsString() != "vtkPolyData":
-            continue
-        display = simple.Show(proxy, view)
-        _look(display)
-    for proxy in proxies[:-1]:
-        if _replaced(proxy, proxies[-1]):
-            simple.Hide(proxy, view)
-    if display is not None and display.LookupTable is not None and display.ColorArrayName[1]:
-        display.SetScalarBarVisibility(view, True)
-    simple.ResetCamera(view)
-    return display
-
-
-def _replaced(proxy, last):
-    """Whether `last` shows what `proxy` does, with more to it."""
-    return last.SMProxy.GetXMLName() in ("CurvatureOnSurface",) + SITES
 
 
 def run(function):

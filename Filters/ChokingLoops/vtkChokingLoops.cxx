@@ -268,10 +268,11 @@ int vtkChokingLoops::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   const auto whole = isthmus::WholeSurface(vtkPolyData::GetData(input[0]));
-  return this->FindLoops(whole, vtkDataObject::GetData(input[1]), output);
+  this->FindLoops(whole, vtkDataObject::GetData(input[1]), output);
+  return 1;
 }
 
-int vtkChokingLoops::FindLoops(
+bool vtkChokingLoops::FindLoops(
   vtkPolyData* surface, vtkDataObject* mesh, vtkInformationVector* output)
 {
   auto* loops = vtkPolyData::GetData(output, 0);
@@ -280,9 +281,9 @@ int vtkChokingLoops::FindLoops(
   auto* diagram = vtkTable::GetData(output, 3);
   if (surface && surface->GetNumberOfPoints() == 0)
   {
-    return 1;
+    return true;
   }
-  const int result = isthmus::Guarded(this, loops,
+  const bool found = isthmus::Succeeds(this, loops,
     [&]
     {
       this->Analyse(surface, mesh);
@@ -299,13 +300,13 @@ int vtkChokingLoops::FindLoops(
       isthmus::FillDiagram(analysis, diagram);
       isthmus::FillFacts(analysis, shown, loops);
     });
-  if (loops->GetNumberOfPoints() == 0 && !this->Kept)
+  if (!found)
   {
     membranes->Initialize();
     points->Initialize();
     diagram->Initialize();
   }
-  return result;
+  return found;
 }
 
 void vtkChokingLoops::PrintSelf(ostream& os, vtkIndent indent)

@@ -231,7 +231,7 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
   /// All outputs for a surface; `mesh` as in input 1, or null.
-  int FindLoops(vtkPolyData* surface, vtkDataObject* mesh, vtkInformationVector* output);
+  bool FindLoops(vtkPolyData* surface, vtkDataObject* mesh, vtkInformationVector* output);
 
 private:
   vtkChokingLoops(const vtkChokingLoops&) = delete;

@@ -154,12 +154,8 @@ int vtkMapChokingLoops::RequestData(
   }
   auto* loops = vtkPolyData::GetData(output, 0);
   auto* surface = vtkPolyData::GetData(output, SurfacePort);
-  if (!isthmus::Guarded(this, surface, [&] { this->Contour(image); }))
-  {
-    return 0;
-  }
-  const int result = this->FindLoops(this->Surface, nullptr, output);
-  if (result && !this->GetAbortExecute())
+  if (isthmus::Succeeds(this, surface, [&] { this->Contour(image); }) &&
+    this->FindLoops(this->Surface, nullptr, output))
   {
     surface->ShallowCopy(this->Surface);
     vtkNew<vtkDoubleArray> level;
@@ -167,7 +163,7 @@ int vtkMapChokingLoops::RequestData(
     level->InsertNextValue(this->Level);
     loops->GetFieldData()->AddArray(level);
   }
-  return result;
+  return 1;
 }
 
 void vtkMapChokingLoops::PrintSelf(ostream& os, vtkIndent indent)

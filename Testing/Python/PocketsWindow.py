@@ -174,7 +174,7 @@ def pores(paraview, folder):
     assert moved > 300, "the chart does not follow the row"
 
 
-SESSIONS = {"pockets": ("molecules/1hew.pdb", 6, pockets), "pores": ("molecules/2kix.pdb", 7, pores)}
+SESSIONS = {"pockets": ("molecules/1hew.pdb", 7, pockets), "pores": ("molecules/2kix.pdb", 8, pores)}
 for session_name, arguments in SESSIONS.items():
     if len(sys.argv) < 2 or session_name in sys.argv[1:]:
         session(session_name, *arguments)
