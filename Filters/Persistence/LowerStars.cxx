@@ -3,7 +3,6 @@
 #include "ParallelFor.h"
 
 #include <algorithm>
-#include <bitset>
 #include <utility>
 
 namespace isthmus
@@ -107,9 +106,8 @@ private:
   std::array<std::vector<Order>, 9> Rows;
 };
 
-/// Adds masks to the set. Threads write to it only what is new, which is soon nothing.
-void Mark(
-  const std::uint32_t* masks, std::int64_t count, std::vector<std::atomic<std::uint64_t>>& set)
+/// Adds a row's masks to the set.
+void Mark(const std::uint32_t* masks, std::int64_t count, MaskSet& set)
 {
   std::uint32_t previous = ~0U;
   for (std::int64_t i = 0; i < count; ++i)
@@ -117,12 +115,7 @@ void Mark(
     if (masks[i] != previous)
     {
       previous = masks[i];
-      auto& word = set[previous >> 6];
-      const std::uint64_t bit = std::uint64_t{ 1 } << (previous & 63U);
-      if ((word.load(std::memory_order_relaxed) & bit) == 0)
-      {
-        word.fetch_or(bit, std::memory_order_relaxed);
-      }
+      set.Add(previous);
     }
   }
 }
@@ -154,7 +147,7 @@ LowerStars::LowerStars(
     const auto& step = Star::Steps[cell];
     this->Offsets[cell] = step[0] + this->Strides[1] * step[1] + this->Strides[2] * step[2];
   }
-  MaskSet seen(std::size_t{ 1 } << 20);
+  MaskSet seen;
   const std::int64_t rows = dimensions[1] * dimensions[2];
   ParallelFor(
     0, rows, std::max<std::int64_t>(1, 32768 / std::max<std::int64_t>(1, dimensions[0])),
@@ -175,25 +168,12 @@ LowerStars::LowerStars(
   this->NumberKinds(seen, Between(progress, 0.8, 1.0));
 }
 
-void LowerStars::NumberKinds(const MaskSet& masks, const ProgressCallback& progress)
+void LowerStars::NumberKinds(MaskSet& masks, const ProgressCallback& progress)
 {
+  masks.Rank([this](std::uint32_t mask) { this->Matchings.push_back(MatchStar(mask)); });
   std::uint32_t* kinds = this->Kinds.get();
-  const std::int64_t count = this->NodeCount();
-  const std::size_t words = masks.size();
-  std::vector<std::uint32_t> before(words);
-  std::uint32_t total = 0;
-  for (std::size_t word = 0; word < words; ++word)
-  {
-    before[word] = total;
-    for (std::uint64_t bits = masks[word].load(); bits != 0; bits &= bits - 1)
-    {
-      const auto low = std::bitset<64>((bits & (~bits + 1)) - 1).count();
-      this->Matchings.push_back(MatchStar(static_cast<std::uint32_t>(word << 6 | low)));
-      ++total;
-    }
-  }
   ParallelFor(
-    0, count, 65536,
+    0, this->NodeCount(), 65536,
     [&](std::int64_t first, std::int64_t last)
     {
       // Neighbours are often of one kind, and most nodes have all or nothing below.
@@ -204,9 +184,7 @@ void LowerStars::NumberKinds(const MaskSet& masks, const ProgressCallback& progr
         if (kinds[node] != mask)
         {
           mask = kinds[node];
-          const std::uint64_t below = masks[mask >> 6].load(std::memory_order_relaxed) &
-            ((std::uint64_t{ 1 } << (mask & 63U)) - 1);
-          kind = before[mask >> 6] + static_cast<std::uint32_t>(std::bitset<64>(below).count());
+          kind = masks.RankOf(mask);
         }
         kinds[node] = kind;
       }

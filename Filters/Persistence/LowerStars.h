@@ -5,12 +5,12 @@
 #ifndef isthmus_LowerStars_h
 #define isthmus_LowerStars_h
 
+#include "MaskSet.h"
 #include "OrderedValues.h"
 #include "Progress.h"
 #include "StarMatching.h"
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -47,8 +47,7 @@ public:
   std::int64_t Stride(std::size_t axis) const { return this->Strides[axis]; }
 
 private:
-  using MaskSet = std::vector<std::atomic<std::uint64_t>>; ///< a bit for each possible mask
-  void NumberKinds(const MaskSet& masks, const ProgressCallback& progress);
+  void NumberKinds(MaskSet& masks, const ProgressCallback& progress);
 
   Size Grid;
   Size Strides;
