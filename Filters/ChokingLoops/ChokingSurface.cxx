@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 namespace isthmus
@@ -47,6 +48,30 @@ bool CanBeMended(const SurfaceDefects& defects)
     defects.BoundaryTriangles.empty() && defects.FlippedTriangles.empty();
 }
 
+/// The surface repaired where it has thin triangles; none: it has none, or it is as good with them,
+/// since they are no defect by themselves and can't be taken out without making one.
+std::optional<TriangleMesh> WithoutNeedles(const TriangleMesh& surface, bool allowCrossings,
+  SurfaceMending& mending, const ProgressCallback& progress)
+{
+  const std::vector<std::int64_t> thin = ThinTriangles(surface);
+  if (thin.empty())
+  {
+    return std::nullopt;
+  }
+  try
+  {
+    return MendedSurface(surface,
+      "The surface has " + std::to_string(thin.size()) + " triangles next to no area (" +
+        FirstIds(thin) + ").",
+      allowCrossings, mending, progress);
+  }
+  catch (const std::invalid_argument&)
+  {
+    mending = {};
+    return std::nullopt;
+  }
+}
+
 }
 
 TriangleMesh CheckedSurface(TriangleMesh surface, bool allowCrossings,
@@ -72,13 +97,13 @@ TriangleMesh CheckedSurface(TriangleMesh surface, bool allowCrossings,
       " Choking loops need a closed, manifold, consistently oriented surface: repair it first "
       "(CapHoles fills holes).");
   }
-  const std::vector<std::int64_t> thin = ThinTriangles(surface);
-  if (mending && !thin.empty())
+  if (mending)
   {
-    return MendedSurface(surface,
-      "The surface has " + std::to_string(thin.size()) + " triangles next to no area (" +
-        FirstIds(thin) + ").",
-      allowCrossings, *mending, rest);
+    std::optional<TriangleMesh> mended = WithoutNeedles(surface, allowCrossings, *mending, rest);
+    if (mended)
+    {
+      return std::move(*mended);
+    }
   }
   const std::vector<std::int64_t> crossing = allowCrossings
     ? std::vector<std::int64_t>{}

@@ -113,8 +113,10 @@ bool Surroundings::Collect(double reach)
       continue;
     }
     const auto& corners = this->F.Triangles[t];
-    if (std::none_of(corners.begin(), corners.end(),
-          [&](SimplexId p) { return this->IsWithin(this->F.Points[At(p)], reach); }))
+    // Of a coarse mesh, not even the choke triangle itself need be that near.
+    if (id != this->Choke &&
+      std::none_of(corners.begin(), corners.end(),
+        [&](SimplexId p) { return this->IsWithin(this->F.Points[At(p)], reach); }))
     {
       isPart = true;
       continue;
@@ -268,7 +270,8 @@ Chain TightestCut(const FeatureContext& context, const ShapeFeature& feature, co
   const ProgressCallback& progress)
 {
   const auto& sides = context.Filtration.TriangleSides[At(feature.Choke)];
-  if (sides[0] == sides[1])
+  // Values on a mesh need not be lengths: where one is not above 0, no surroundings are its own.
+  if (sides[0] == sides[1] || !(feature.Distance() > 0.0))
   {
     return {};
   }
