@@ -19,10 +19,10 @@ std::size_t At(std::int64_t i)
   return static_cast<std::size_t>(i);
 }
 
-constexpr double FirstReach = 3.0;        ///< of the search, in radii of the choke
-constexpr double Anchor = 1.5;            ///< of what stays whole on either side, in radii
-constexpr double Grain = 0.15;            ///< side of the cubes that share a node, in radii
-constexpr std::size_t MostCells = 400000; ///< a minute's work
+constexpr double FirstReach = 3.0;       ///< of the search, in radii of the choke
+constexpr double Anchor = 1.5;           ///< of what stays whole on either side, in radii
+constexpr double Grain = 0.15;           ///< side of the cubes that share a node, in radii
+constexpr std::size_t MostCells = 50000; ///< seconds of work, for each feature that asks
 constexpr double CapacityOfRadius2 = 1073741824.0; ///< of an area of one squared radius
 constexpr double LargestCapacity = 1e12;           ///< so that a million of them can be added
 
@@ -271,7 +271,8 @@ Chain TightestCut(const FeatureContext& context, const ShapeFeature& feature, co
 {
   const auto& sides = context.Filtration.TriangleSides[At(feature.Choke)];
   // Values on a mesh need not be lengths: where one is not above 0, no surroundings are its own.
-  if (sides[0] == sides[1] || !(feature.Distance() > 0.0))
+  // And nothing passes through a triangle of M.
+  if (sides[0] == sides[1] || !(feature.Distance() > 0.0) || context.IsWall(feature.Choke))
   {
     return {};
   }

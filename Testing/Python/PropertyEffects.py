@@ -54,8 +54,8 @@ SILENT = {
     **{("BindingSitesInPockets", name): "a ball has no pockets: BindingSites.py has a molecule's"
        for name in ("Amplitude", "Classes", "MergeDistance", "MinimumArea", "Quantile", "RankBy",
                     "Threshold", "UseQuantile")},
-    ("ChokingLoops", "Filtration"): "needs the tetrahedra between which the surface lies: ChokingLoops.py",
-    ("ChokingLoops", "MorseFunction"): "the same",
+    ("ChokingLoops", "MemoryLimit"): LIMIT,
+    ("MapChokingLoops", "MemoryLimit"): LIMIT,
     ("DelaunayIsosurface", "MaximumNumberOfPoints"): LIMIT,
     ("DiffusionHighPass", "MaskInvalid"): "all values are finite: MaskedMaps.py has others",
     ("FeatureTracks", "MaximumDistance"): "needs steps of time: FeatureTracks.py",
