@@ -130,14 +130,19 @@ def play(name, data, events, clicks, folder):
     return log.read_text(errors="replace"), picture
 
 
-def coloured_fraction(path):
-    """Share of the pixels of the view that are strongly coloured."""
+def pixels_of_view(path):
+    """height x width x 3, without bar, panels and toolbars."""
     reader = vtkPNGReader()
     reader.SetFileName(str(path))
     reader.Update()
     width, height, _ = reader.GetOutput().GetDimensions()
     pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(int)
-    view = pixels.reshape(height, width, 3)[60:790, 310:1440]  # without bar, panels and toolbars
+    return pixels.reshape(height, width, 3)[60:790, 310:1440]
+
+
+def coloured_fraction(path):
+    """Share of the pixels of the view that are strongly coloured."""
+    view = pixels_of_view(path)
     return float(numpy.mean(view.max(axis=2) - view.min(axis=2) > 90))
 
 
