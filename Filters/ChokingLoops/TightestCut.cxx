@@ -202,13 +202,15 @@ std::vector<std::int32_t> Surroundings::Nodes(std::int32_t& count) const
     {
       continue;
     }
-    if (this->Cells[c] < 0)
+    const Point3 place = this->Cells[c] < 0
+      ? this->Centre
+      : (1.0 / (Grain * this->Radius)) * (this->Middle(this->Cells[c]) - this->Centre);
+    // What lies beyond the complex, and flat cells, whose middle is nowhere, stay by themselves.
+    if (this->Cells[c] < 0 || !std::isfinite(Dot(place, place)))
     {
       nodes[c] = count++;
       continue;
     }
-    const Point3 place =
-      (1.0 / (Grain * this->Radius)) * (this->Middle(this->Cells[c]) - this->Centre);
     std::array<std::int64_t, 3> cube;
     std::transform(place.begin(), place.end(), cube.begin(),
       [](double x) { return static_cast<std::int64_t>(std::floor(std::clamp(x, -1e9, 1e9))); });
