@@ -34,10 +34,11 @@ void DemandUsableSize(const TriangleMesh& surface)
   }
   const double size =
     std::max({ box.Max[0] - box.Min[0], box.Max[1] - box.Min[1], box.Max[2] - box.Min[2] });
-  if (!(size > 1e-40 && size < 1e40))
+  // Squared circumradii are quotients of eighth powers of the spacing, a ten-thousandth of this.
+  if (!(size > 1e-32 && size < 1e32))
   {
     throw std::invalid_argument(
-      "The surface is " + Shown(size) + " wide, which is out of range (1e-40 to 1e40): scale it.");
+      "The surface is " + Shown(size) + " wide, which is out of range (1e-32 to 1e32): scale it.");
   }
 }
 

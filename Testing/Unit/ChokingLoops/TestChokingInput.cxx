@@ -131,6 +131,30 @@ TEST(ChokingInput, SmallAndLargeOnesAreTaken)
   }
 }
 
+TEST(ChokingInput, UnitsChangeNothing)
+{
+  // Powers of two, by which nothing is rounded: the smallest and the largest that are in range.
+  const TriangleMesh ring = Torus(1.0, 0.3, 60, 40);
+  const auto distances = [&ring](double factor)
+  {
+    FilterRun run(DataOf(Scaled(ring, { factor, factor, factor })));
+    EXPECT_EQ(run.Messages(), "") << factor;
+    std::vector<double> scaled;
+    vtkDataArray* distance = run.Surface(0)->GetCellData()->GetArray("Distance");
+    for (vtkIdType i = 0; i < distance->GetNumberOfTuples(); ++i)
+    {
+      scaled.push_back(distance->GetTuple1(i) / factor);
+    }
+    return scaled;
+  };
+  const std::vector<double> expected = distances(1.0);
+  ASSERT_EQ(expected.size(), 2u);
+  for (const double factor : { std::ldexp(1.0, -106), std::ldexp(1.0, 104) })
+  {
+    EXPECT_EQ(distances(factor), expected) << factor;
+  }
+}
+
 TEST(ChokingInput, NothingAtAll)
 {
   FilterRun run(DataOf({}));
