@@ -106,7 +106,8 @@ TEST(ChokingInput, NotOriented)
 
 TEST(ChokingInput, NotInSpace)
 {
-  ExpectRefused(Scaled(Ring(), { 1.0, 1.0, 0.0 }), { "triangles" }); // folded onto itself
+  ExpectRefused(Scaled(Ring(), { 1.0, 1.0, 0.0 }), { "in a plane" });
+  ExpectRefused(Scaled(Ring(), { 0.0, 1.0, 0.0 }), { "in a plane" });
   ExpectRefused(Scaled(Ring(), { 1e-60, 1e-60, 1e-60 }), { "out of range", "scale it" });
   ExpectRefused(Scaled(Ring(), { 1e60, 1e60, 1e60 }), { "out of range", "scale it" });
   for (const double bad : { std::nan(""), HUGE_VAL, -HUGE_VAL })
