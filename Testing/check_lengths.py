@@ -25,7 +25,6 @@ OWED = {
     "Filters/Electrostatics/MultigridLevel.cxx": 480,
     "Filters/Molecular/BindingSites.cxx:FindBindingSites": 65,
     "Filters/Molecular/FeatureTracks.cxx:Assign": 75,
-    "Filters/Persistence/RegularFiltration.cxx": 370,
 }
 
 BEGIN = re.compile(r"^( *)\{$")

@@ -61,8 +61,8 @@ public:
    * double triangles, touching and crossing parts are repaired (SurfaceMending.h, Mended()).
    *
    * @throws std::invalid_argument with a sentence for a surface that is not closed, consistently
-   * oriented and finite, can't be repaired, or whose size is not between 1e-40 and 1e40;
-   * std::runtime_error when it would take too many samples; Cancelled.
+   * oriented and finite, lies in a plane, can't be repaired, or whose size is not between 1e-32 and
+   * 1e32; std::runtime_error when it would take too many samples; Cancelled.
    *
    * Time is near linear: some 30 s and 2.5 GB for a million points, on two threads.
    */

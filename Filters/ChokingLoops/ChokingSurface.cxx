@@ -16,6 +16,30 @@ namespace isthmus
 namespace
 {
 
+constexpr double Flat = 1e-10; ///< thickness over width: what rounding leaves of a plane
+
+/// Of all points the one where `measure` is greatest.
+template <typename Measure>
+const Point3& Farthest(const std::vector<Point3>& points, Measure&& measure)
+{
+  return *std::max_element(points.begin(), points.end(),
+    [&measure](const Point3& a, const Point3& b) { return measure(a) < measure(b); });
+}
+
+/// How far the points lie from the plane of three that are far from each other.
+double Thickness(const std::vector<Point3>& points)
+{
+  const Point3& origin = points.front();
+  const auto square = [](const Point3& v) { return Dot(v, v); };
+  const Point3 along =
+    Farthest(points, [&](const Point3& p) { return square(p - origin); }) - origin;
+  const Point3 normal = Cross(along,
+    Farthest(points, [&](const Point3& p) { return square(Cross(along, p - origin)); }) - origin);
+  const auto height = [&](const Point3& p) { return std::abs(Dot(normal, p - origin)); };
+  const double length = std::sqrt(square(normal));
+  return length > 0.0 ? height(Farthest(points, height)) / length : 0.0;
+}
+
 void DemandUsableSize(const TriangleMesh& surface)
 {
   for (std::size_t i = 0; i < surface.Points.size(); ++i)
@@ -34,10 +58,17 @@ void DemandUsableSize(const TriangleMesh& surface)
   }
   const double size =
     std::max({ box.Max[0] - box.Min[0], box.Max[1] - box.Min[1], box.Max[2] - box.Min[2] });
-  if (!(size > 1e-40 && size < 1e40))
+  // Squared circumradii are quotients of eighth powers of the spacing, a ten-thousandth of this.
+  if (!(size > 1e-32 && size < 1e32))
   {
     throw std::invalid_argument(
-      "The surface is " + Shown(size) + " wide, which is out of range (1e-40 to 1e40): scale it.");
+      "The surface is " + Shown(size) + " wide, which is out of range (1e-32 to 1e32): scale it.");
+  }
+  // Repair would look for an inside for long, in vain.
+  if (Thickness(surface.Points) < Flat * size)
+  {
+    throw std::invalid_argument("All points of the surface lie in a plane, so that it has no "
+                                "inside: give it a thickness.");
   }
 }
 

@@ -12,8 +12,9 @@ namespace isthmus
 
 /**
  * `surface` with coinciding points merged and unused ones left out, if it is closed, manifold,
- * consistently oriented, finite, between 1e-40 and 1e40 in size and, unless `allowCrossings`, free
- * of self-intersections. Else std::invalid_argument with a sentence that names the triangles.
+ * consistently oriented, finite, between 1e-32 and 1e32 in size, not in a plane and, unless
+ * `allowCrossings`, free of self-intersections. Else std::invalid_argument with a sentence that
+ * names the triangles.
  *
  * With `mending`, what is closed and oriented but has crossings, touching or double parts or thin
  * triangles is repaired as MendedSurface() does, and what was done is told there.

@@ -3,6 +3,7 @@
 #include "AlgorithmGuard.h"
 #include "ChosenScalars.h"
 #include "ClosedLevelSet.h"
+#include "ImageExtent.h"
 #include "ImageScalars.h"
 #include "LevelTriangles.h"
 #include "MapSurface.h"
@@ -20,7 +21,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
 #include <array>
@@ -32,8 +32,6 @@ vtkStandardNewMacro(vtkMapChokingLoops);
 
 namespace
 {
-
-using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 constexpr int SurfacePort = 4;
 
@@ -99,11 +97,7 @@ int vtkMapChokingLoops::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
   // A narrow place can be anywhere, so all of the map is needed whatever part is asked for.
-  vtkInformation* information = input[0]->GetInformationObject(0);
-  if (information->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    information->Set(Pipeline::UPDATE_EXTENT(), information->Get(Pipeline::WHOLE_EXTENT()), 6);
-  }
+  isthmus::AskForWholeImage(input[0]->GetInformationObject(0));
   return 1;
 }
 
@@ -145,10 +139,8 @@ int vtkMapChokingLoops::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   auto* image = vtkImageData::GetData(input[0]);
-  vtkInformation* info = output->GetInformationObject(0);
-  const bool isFirst =
-    !info->Has(Pipeline::UPDATE_PIECE_NUMBER()) || info->Get(Pipeline::UPDATE_PIECE_NUMBER()) <= 0;
-  if (!isFirst || (image && image->GetNumberOfPoints() == 0))
+  if (!isthmus::IsFirstPiece(output->GetInformationObject(0)) ||
+    (image && image->GetNumberOfPoints() == 0))
   {
     return 1;
   }

@@ -1,6 +1,7 @@
 #include "vtkDenoiseFromHalfMaps.h"
 
 #include "AlgorithmGuard.h"
+#include "ImageExtent.h"
 #include "vtkHighOrderDiffusion.h"
 
 #include <vtkCallbackCommand.h>
@@ -13,7 +14,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
 #include <cmath>
@@ -115,11 +115,9 @@ int vtkDenoiseFromHalfMaps::FillInputPortInformation(int, vtkInformation* inform
 int vtkDenoiseFromHalfMaps::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   for (int port = 0; port < 2; ++port)
   {
-    vtkInformation* information = input[port]->GetInformationObject(0);
-    information->Set(Pipeline::UPDATE_EXTENT(), information->Get(Pipeline::WHOLE_EXTENT()), 6);
+    isthmus::AskForWholeImage(input[port]->GetInformationObject(0));
   }
   return 1;
 }

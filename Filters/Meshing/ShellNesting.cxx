@@ -68,10 +68,12 @@ double Gap(const TriangleMesh& mesh, const Point3& p, const Point3& d, double ow
   return nearest;
 }
 
-/// A point right inside `shell`: below the middle of one of its largest triangles, half way to
-/// whatever comes next; of some of them, the one with most room.
-Point3 PointInside(const TriangleMesh& shell, const TriangleMesh& all)
+/// A point right inside the first of `walls`: below the middle of one of its largest triangles,
+/// half way to whatever comes next; of some of them, the one with most room. The other walls are
+/// the shells right within it: nothing else can come next.
+Point3 PointInside(const std::vector<const TriangleMesh*>& walls)
 {
+  const TriangleMesh& shell = *walls.front();
   constexpr std::size_t tries = 8;
   std::vector<std::pair<double, Triangle>> largest;
   for (const Triangle& t : shell.Triangles)
@@ -92,7 +94,11 @@ Point3 PointInside(const TriangleMesh& shell, const TriangleMesh& all)
     const Point3 n = Cross(b - a, c - a);
     const Point3 inward = (-1.0 / std::sqrt(Dot(n, n))) * n;
     const Point3 centre = (1.0 / 3.0) * (a + b + c);
-    const double gap = Gap(all, centre, inward, tooThin);
+    double gap = std::numeric_limits<double>::infinity();
+    for (const TriangleMesh* wall : walls)
+    {
+      gap = std::min(gap, Gap(*wall, centre, inward, tooThin));
+    }
     if (std::isfinite(gap) && gap > best)
     {
       best = gap;
@@ -157,7 +163,8 @@ void SplitShells(const TriangleMesh& mesh, ShellNesting& nesting)
 }
 
 /// For each shell, the smallest shell around it (-1: none) and the number of shells around it.
-void FindParents(const ShellNesting& nesting, std::vector<int>& parent, std::vector<int>& depth)
+void FindParents(const ShellNesting& nesting, std::vector<int>& parent, std::vector<int>& depth,
+  const ProgressCallback& progress)
 {
   const std::size_t n = nesting.Shells.size();
   std::vector<Bounds3> bounds;
@@ -169,6 +176,7 @@ void FindParents(const ShellNesting& nesting, std::vector<int>& parent, std::vec
   depth.assign(n, 0);
   for (std::size_t i = 0; i < n; ++i)
   {
+    Report(progress, static_cast<double>(i) / static_cast<double>(n));
     for (std::size_t j = 0; j < n; ++j)
     {
       if (i == j || !bounds[j].Contains(bounds[i]) ||
@@ -203,21 +211,32 @@ Bounds3 BoundsOf(const TriangleMesh& mesh)
   return bounds;
 }
 
-ShellNesting FindNesting(const TriangleMesh& mesh)
+ShellNesting FindNesting(const TriangleMesh& mesh, const ProgressCallback& progress)
 {
   ShellNesting nesting;
   SplitShells(mesh, nesting);
   std::vector<int> parent;
   std::vector<int> depth;
-  FindParents(nesting, parent, depth);
+  FindParents(nesting, parent, depth, Between(progress, 0.0, 0.5));
 
   const std::size_t n = nesting.Shells.size();
+  std::vector<std::vector<const TriangleMesh*>> walls(n);
+  for (std::size_t s = 0; s < n; ++s)
+  {
+    walls[s].insert(walls[s].begin(), &nesting.Shells[s]);
+    if (parent[s] >= 0)
+    {
+      walls[static_cast<std::size_t>(parent[s])].push_back(&nesting.Shells[s]);
+    }
+  }
+  const auto rest = Between(progress, 0.5, 1.0);
   int solids = 0;
   int cavities = 0;
   for (std::size_t s = 0; s < n; ++s)
   {
     nesting.InnerRegions[s].Id = depth[s] % 2 == 0 ? ++solids : --cavities;
-    nesting.InnerRegions[s].Seed = PointInside(nesting.Shells[s], mesh);
+    nesting.InnerRegions[s].Seed = PointInside(walls[s]);
+    Report(rest, static_cast<double>(s + 1) / static_cast<double>(n));
   }
   nesting.OuterRegionIds.assign(n, 0);
   std::vector<double> hollow(n, 0.0);

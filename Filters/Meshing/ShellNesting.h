@@ -5,6 +5,7 @@
 #ifndef isthmus_ShellNesting_h
 #define isthmus_ShellNesting_h
 
+#include "Progress.h"
 #include "TriangleMesh.h"
 #include "vtkIsthmusModule.h"
 
@@ -38,12 +39,13 @@ struct ShellNesting
  * Nesting of the shells of `mesh`.
  * @pre it is free of defects and self-intersections.
  *
- *
  * Containment is decided by the winding number (sum of solid angles / 4 pi) of one point of a shell
- * about each other shell whose box contains it: O(s F) for s nested shells of F triangles.
- * @throws std::invalid_argument when a shell is too thin to find a point inside.
+ * about each other shell whose box contains it: O(s F) for s shells within each other of F
+ * triangles in all, and s^2 boxes. Points inside take O(F) in all.
+ * @throws std::invalid_argument when a shell is too thin to find a point inside; Cancelled.
  */
-VTKISTHMUS_EXPORT ShellNesting FindNesting(const TriangleMesh& mesh);
+VTKISTHMUS_EXPORT ShellNesting FindNesting(
+  const TriangleMesh& mesh, const ProgressCallback& progress = {});
 
 /// Box around the points of `mesh` that triangles use.
 VTKISTHMUS_EXPORT Bounds3 BoundsOf(const TriangleMesh& mesh);

@@ -203,8 +203,7 @@ TetrahedralMesh MeshTetrahedra(const TriangleMesh& surface, const TetrahedralPar
   }
   DemandCleanSurface(surface, Between(progress, 0.0, 0.05), parameters.Repaired);
   DemandCGALBudget(surface, parameters);
-  Report(progress, 0.05);
-  const ShellNesting nesting = FindNesting(surface);
+  const ShellNesting nesting = FindNesting(surface, Between(progress, 0.05, 0.1));
   TetrahedralTask task{ surface, nesting, parameters, {}, {} };
   if (parameters.Side != MeshedSide::Inside)
   {

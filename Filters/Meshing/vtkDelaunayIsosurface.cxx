@@ -19,7 +19,6 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,13 +57,9 @@ int vtkDelaunayIsosurface::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
   // Refinement sees all of the surface at once, so every rank would need the whole volume.
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* information = input[0]->GetInformationObject(0);
-  if (information->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    information->Set(Pipeline::UPDATE_EXTENT(), information->Get(Pipeline::WHOLE_EXTENT()), 6);
-    isthmus::AskForAll(information);
-  }
+  isthmus::AskForWholeImage(information);
+  isthmus::AskForAll(information);
   return 1;
 }
 

@@ -4,6 +4,7 @@
 #include "ChosenScalars.h"
 #include "ClosedLevelSet.h"
 #include "DualContouring.h"
+#include "ImageExtent.h"
 #include "ImageScalars.h"
 #include "PolyDataTriangles.h"
 
@@ -18,7 +19,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
 #include <cmath>
@@ -158,12 +158,7 @@ int vtkDualContouring::FillInputPortInformation(int, vtkInformation* information
 int vtkDualContouring::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* information = input[0]->GetInformationObject(0);
-  if (information->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    information->Set(Pipeline::UPDATE_EXTENT(), information->Get(Pipeline::WHOLE_EXTENT()), 6);
-  }
+  isthmus::AskForWholeImage(input[0]->GetInformationObject(0));
   return 1;
 }
 

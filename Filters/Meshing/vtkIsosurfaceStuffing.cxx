@@ -3,6 +3,7 @@
 #include "AlgorithmGuard.h"
 #include "ChosenScalars.h"
 #include "ClosedLevelSet.h"
+#include "ImageExtent.h"
 #include "ImageScalars.h"
 #include "IsosurfaceStuffing.h"
 #include "MachineMemory.h"
@@ -19,7 +20,6 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -123,12 +123,7 @@ int vtkIsosurfaceStuffing::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
   // The lattice is one for all of the volume.
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* information = input[0]->GetInformationObject(0);
-  if (information->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    information->Set(Pipeline::UPDATE_EXTENT(), information->Get(Pipeline::WHOLE_EXTENT()), 6);
-  }
+  isthmus::AskForWholeImage(input[0]->GetInformationObject(0));
   return 1;
 }
 

@@ -4,6 +4,7 @@
 #include "ChosenScalars.h"
 #include "ClosedLevelSet.h"
 #include "DelaunayIsosurface.h"
+#include "ImageExtent.h"
 #include "ImageScalars.h"
 #include "LevelTriangles.h"
 #include "MapSurface.h"
@@ -22,7 +23,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
 #include <cmath>
@@ -137,12 +137,7 @@ int vtkMapSurface::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
   // Components are known only from all of the surface.
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* information = input[0]->GetInformationObject(0);
-  if (information->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    information->Set(Pipeline::UPDATE_EXTENT(), information->Get(Pipeline::WHOLE_EXTENT()), 6);
-  }
+  isthmus::AskForWholeImage(input[0]->GetInformationObject(0));
   return 1;
 }
 

@@ -3,6 +3,7 @@
 #include "AlgorithmGuard.h"
 #include "AtomBalls.h"
 #include "DispersionAtoms.h"
+#include "ImageExtent.h"
 #include "NonpolarEnergy.h"
 
 #include <vtkCellArray.h>
@@ -17,7 +18,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
 
 #include <cmath>
@@ -178,11 +178,9 @@ int vtkNonpolarSolvation::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
   // All of the inside counts, whatever piece is asked for.
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* image = input[1]->GetInformationObject(0);
-  if (image && image->Has(Pipeline::WHOLE_EXTENT()))
+  if (vtkInformation* image = input[1]->GetInformationObject(0))
   {
-    image->Set(Pipeline::UPDATE_EXTENT(), image->Get(Pipeline::WHOLE_EXTENT()), 6);
+    isthmus::AskForWholeImage(image);
   }
   return 1;
 }

@@ -1,6 +1,7 @@
 #include "vtkPolarizedCurvature.h"
 
 #include "AlgorithmGuard.h"
+#include "ImageExtent.h"
 #include "ParallelFor.h"
 #include "PolarizedCurvature.h"
 
@@ -16,7 +17,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -137,10 +137,8 @@ int vtkPolarizedCurvature::RequestUpdateExtent(
   // Any part of the image may be needed, wherever the surface's piece lies.
   if (vtkInformation* image = inputVector[1]->GetInformationObject(0))
   {
-    using Pipeline = vtkStreamingDemandDrivenPipeline;
-    image->Set(Pipeline::UPDATE_EXTENT(), image->Get(Pipeline::WHOLE_EXTENT()), 6);
-    image->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-    image->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    isthmus::AskForWholeImage(image);
+    isthmus::AskForAll(image);
   }
   return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }

@@ -9,6 +9,7 @@
 #include "TriangleMesh.h"
 #include "vtkIsthmusModule.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -68,6 +69,15 @@ struct CellFiltration
 
   /// The edge between two points, or -1.
   VTKISTHMUS_EXPORT SimplexId FindEdge(SimplexId a, SimplexId b) const;
+
+  /// The corner of tetrahedron `cell` that is not on `triangle`, one of its faces.
+  SimplexId Opposite(SimplexId cell, const std::array<SimplexId, 3>& triangle) const
+  {
+    const auto& corners = this->Tetrahedra[static_cast<std::size_t>(cell)];
+    return *std::find_if(corners.begin(), corners.end(),
+      [&triangle](SimplexId p)
+      { return p != triangle[0] && p != triangle[1] && p != triangle[2]; });
+  }
 };
 
 }

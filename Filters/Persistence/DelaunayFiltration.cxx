@@ -1,20 +1,17 @@
 #include "DelaunayFiltration.h"
 
 #include "ParallelFor.h"
+#include "TriangulationCells.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
-#include <CGAL/property_map.h>
-#include <CGAL/spatial_sort.h>
 
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 namespace isthmus
@@ -84,18 +81,14 @@ double SquaredRadius(const Point3& p, const Point3& q, const Point3& r)
 void Triangulate(
   const std::vector<Point3>& points, Delaunay& triangulation, const ProgressCallback& progress)
 {
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t{ 0 });
   std::vector<Kernel::Point_3> sites;
   sites.reserve(points.size());
   for (const Point3& p : points)
   {
     sites.push_back(PointOf<Kernel>(p));
   }
-  using Map = CGAL::Pointer_property_map<Kernel::Point_3>::type;
   Report(progress, 0.0);
-  CGAL::spatial_sort(order.begin(), order.end(),
-    CGAL::Spatial_sort_traits_adapter_3<Kernel, Map>(CGAL::make_property_map(sites)));
+  const std::vector<std::size_t> order = SpatialOrder<Kernel>(sites);
   Delaunay::Vertex_handle hint;
   for (std::size_t i = 0; i < order.size(); ++i)
   {
@@ -113,48 +106,7 @@ void Triangulate(
   }
 }
 
-constexpr SimplexId ReportEvery = 1 << 18;
-
-void TakeCells(const Delaunay& triangulation, CellFiltration& f, const ProgressCallback& progress)
-{
-  for (auto c = triangulation.all_cells_begin(); c != triangulation.all_cells_end(); ++c)
-  {
-    c->info() = -1;
-  }
-  SimplexId count = 0;
-  for (auto c = triangulation.finite_cells_begin(); c != triangulation.finite_cells_end(); ++c)
-  {
-    c->info() = count++;
-  }
-  f.Tetrahedra.resize(At(count));
-  f.Neighbours.resize(At(count));
-  for (auto c = triangulation.finite_cells_begin(); c != triangulation.finite_cells_end(); ++c)
-  {
-    if (c->info() % ReportEvery == 0)
-    {
-      Report(progress, static_cast<double>(c->info()) / static_cast<double>(count));
-    }
-    for (int k = 0; k < 4; ++k)
-    {
-      f.Tetrahedra[At(c->info())][At(k)] = c->vertex(k)->info();
-      f.Neighbours[At(c->info())][At(k)] = c->neighbor(k)->info();
-    }
-  }
-}
-
-/// The corner of tetrahedron `cell` that is not on `triangle`.
-SimplexId Opposite(
-  const CellFiltration& f, SimplexId cell, const std::array<SimplexId, 3>& triangle)
-{
-  for (const SimplexId p : f.Tetrahedra[At(cell)])
-  {
-    if (p != triangle[0] && p != triangle[1] && p != triangle[2])
-    {
-      return p;
-    }
-  }
-  return -1;
-}
+constexpr std::size_t ReportEvery = 1 << 18;
 
 /// True if s lies strictly inside the smallest sphere through p, q and r.
 bool IsInBall(const Point3& p, const Point3& q, const Point3& r, const Point3& s)
@@ -191,7 +143,7 @@ double TriangleValue(const CellFiltration& f, std::size_t i)
       continue;
     }
     lowest = std::min(lowest, f.TetrahedronValue[At(cell)]);
-    gabriel = gabriel && !IsInBall(p(t[0]), p(t[1]), p(t[2]), p(Opposite(f, cell, t)));
+    gabriel = gabriel && !IsInBall(p(t[0]), p(t[1]), p(t[2]), p(f.Opposite(cell, t)));
   }
   return gabriel ? std::min(lowest, SquaredRadius(p(t[0]), p(t[1]), p(t[2]))) : lowest;
 }
@@ -241,7 +193,7 @@ void ValueEdges(CellFiltration& f, const ProgressCallback& progress)
   const auto rest = Between(progress, 0.5, 1.0);
   for (std::size_t i = 0; i < f.Triangles.size(); ++i)
   {
-    if (i % At(ReportEvery) == 0)
+    if (i % ReportEvery == 0)
     {
       Report(rest, static_cast<double>(i) / static_cast<double>(f.Triangles.size()));
     }

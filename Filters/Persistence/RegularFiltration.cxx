@@ -1,6 +1,7 @@
 #include "RegularFiltration.h"
 
 #include "ParallelFor.h"
+#include "TriangulationCells.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
@@ -8,14 +9,10 @@
 #include <CGAL/Regular_triangulation_cell_base_3.h>
 #include <CGAL/Regular_triangulation_vertex_base_3.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
-#include <CGAL/property_map.h>
-#include <CGAL/spatial_sort.h>
 
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 namespace isthmus
@@ -153,17 +150,13 @@ Orthosphere EdgeOrthosphere(const RegularFiltration& f, const std::array<Simplex
 void Triangulate(
   const RegularFiltration& f, Regular& triangulation, const ProgressCallback& progress)
 {
-  std::vector<std::size_t> order(f.Radii.size());
-  std::iota(order.begin(), order.end(), std::size_t{ 0 });
   std::vector<Kernel::Point_3> sites;
-  sites.reserve(order.size());
+  sites.reserve(f.Radii.size());
   for (const Point3& p : f.Complex.Points)
   {
     sites.emplace_back(p[0], p[1], p[2]);
   }
-  using Map = CGAL::Pointer_property_map<Kernel::Point_3>::type;
-  CGAL::spatial_sort(order.begin(), order.end(),
-    CGAL::Spatial_sort_traits_adapter_3<Kernel, Map>(CGAL::make_property_map(sites)));
+  const std::vector<std::size_t> order = SpatialOrder<Kernel>(sites);
   Regular::Vertex_handle hint;
   for (std::size_t i = 0; i < order.size(); ++i)
   {
@@ -184,29 +177,6 @@ void Triangulate(
   }
 }
 
-void TakeCells(const Regular& triangulation, CellFiltration& f)
-{
-  for (auto c = triangulation.all_cells_begin(); c != triangulation.all_cells_end(); ++c)
-  {
-    c->info() = -1;
-  }
-  SimplexId count = 0;
-  for (auto c = triangulation.finite_cells_begin(); c != triangulation.finite_cells_end(); ++c)
-  {
-    c->info() = count++;
-  }
-  f.Tetrahedra.resize(At(count));
-  f.Neighbours.resize(At(count));
-  for (auto c = triangulation.finite_cells_begin(); c != triangulation.finite_cells_end(); ++c)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      f.Tetrahedra[At(c->info())][At(k)] = c->vertex(k)->info();
-      f.Neighbours[At(c->info())][At(k)] = c->neighbor(k)->info();
-    }
-  }
-}
-
 void ForAll(std::size_t n, const std::function<void(std::size_t)>& body)
 {
   ParallelFor(0, static_cast<std::int64_t>(n), 4096,
@@ -217,19 +187,6 @@ void ForAll(std::size_t n, const std::function<void(std::size_t)>& body)
         body(static_cast<std::size_t>(i));
       }
     });
-}
-
-SimplexId Opposite(
-  const CellFiltration& f, SimplexId cell, const std::array<SimplexId, 3>& triangle)
-{
-  for (const SimplexId p : f.Tetrahedra[At(cell)])
-  {
-    if (p != triangle[0] && p != triangle[1] && p != triangle[2])
-    {
-      return p;
-    }
-  }
-  return -1;
 }
 
 double TriangleValue(const RegularFiltration& f, std::size_t i)
@@ -248,7 +205,7 @@ double TriangleValue(const RegularFiltration& f, std::size_t i)
     attached = attached ||
       Kernel().power_side_of_bounded_power_sphere_3_object()(BallOf<Kernel>(f, t[0]),
         BallOf<Kernel>(f, t[1]), BallOf<Kernel>(f, t[2]),
-        BallOf<Kernel>(f, Opposite(complex, cell, t))) == CGAL::ON_BOUNDED_SIDE;
+        BallOf<Kernel>(f, complex.Opposite(cell, t))) == CGAL::ON_BOUNDED_SIDE;
   }
   return attached ? lowest : std::min(lowest, TrianglePower(f, t));
 }
@@ -341,11 +298,11 @@ RegularFiltration MakeRegularFiltration(
     Triangulate(f, triangulation, Between(progress, 0.0, 0.5));
     if (triangulation.dimension() == 3)
     {
-      TakeCells(triangulation, f.Complex);
+      TakeCells(triangulation, f.Complex, Between(progress, 0.5, 0.55));
     }
   }
   CellFiltration& c = f.Complex;
-  c.Connect(Between(progress, 0.5, 0.7));
+  c.Connect(Between(progress, 0.55, 0.7));
   f.Centres.resize(c.Tetrahedra.size());
   c.TetrahedronValue.resize(c.Tetrahedra.size());
   ForAll(c.Tetrahedra.size(),

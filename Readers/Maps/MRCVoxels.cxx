@@ -204,10 +204,14 @@ void Reading::ReadExactly(std::uint64_t offset, unsigned char* to, std::size_t s
     const std::array<std::int64_t, 3>& counts = this->Layout.Counts;
     const std::uint64_t end =
       this->Layout.Offset + this->RowBytes * static_cast<std::uint64_t>(counts[1] * counts[2]);
+    const std::uint64_t found = this->Source.CountUpTo(end, {});
     throw ReaderError(ReaderFailure::Truncated,
-      this->Source.Path() + ": the file is truncated: " + std::to_string(end) + " bytes expected" +
-        (this->Source.RandomAccess() ? "" : " after decompression") + ", found " +
-        std::to_string(this->Source.CountUpTo(end, {})) + ". Fetch the file again.");
+      this->Source.Path() +
+        (found < end ? ": the file is truncated: " + std::to_string(end) + " bytes expected" +
+              (this->Source.RandomAccess() ? "" : " after decompression") + ", found " +
+              std::to_string(found) + ". Fetch the file again."
+                     : std::string(": the file changed while it was read, or its disk failed. "
+                                   "Read it again when nothing writes it.")));
   }
 }
 

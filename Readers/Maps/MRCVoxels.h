@@ -8,6 +8,7 @@
 #include "ByteSource.h"
 #include "MRCMode.h"
 #include "Progress.h"
+#include "vtkIsthmusModule.h"
 
 #include <array>
 #include <cstdint>
@@ -45,8 +46,8 @@ struct MRCSelection
  * row.
  * @throws ReaderError (Truncated, Damaged, CannotRead) and Cancelled.
  */
-void ReadMRCVoxels(ByteSource& source, const MRCVoxelLayout& layout, const MRCSelection& selection,
-  void* out, const ProgressCallback& progress);
+VTKISTHMUS_EXPORT void ReadMRCVoxels(ByteSource& source, const MRCVoxelLayout& layout,
+  const MRCSelection& selection, void* out, const ProgressCallback& progress);
 
 }
 

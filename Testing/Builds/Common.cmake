@@ -19,10 +19,10 @@ function (build_plain folder)
 endfunction ()
 
 # Builds the consumer project against the tree installed at `prefix` and runs it on a map of the
-# test's own making.
+# test's own making. run_consumer(PREFIX FOLDER OPTION...)
 function (run_consumer prefix folder)
   run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}/Examples/Consumer" -B "${folder}" -G Ninja
-    "-DCMAKE_PREFIX_PATH=${prefix}")
+    "-DCMAKE_PREFIX_PATH=${prefix}" ${ARGN})
   run("${CMAKE_COMMAND}" --build "${folder}")
   run("${Python3_EXECUTABLE}" "${SOURCE_DIR}/Testing/Builds/write_phantom.py"
     "${SOURCE_DIR}/Examples" "${folder}/phantom.mrc")

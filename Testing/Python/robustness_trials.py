@@ -22,8 +22,10 @@ SECONDS, MEGABYTES = 10.0, 1024
 def run(body, seconds=SECONDS, megabytes=MEGABYTES):
     """What becomes of body() in a child: (word, sentence, seconds).
 
-    The word is 'done' with what body returned, or 'signal', 'time', 'memory', 'failed'. The bound
-    is on memory beyond what the parent has, by the address space of the child.
+    The word is 'done' with what body returned, or 'signal', 'time', 'memory', 'failed'. `seconds`
+    are of the processors, so that a busy machine judges as an idle one does; what only waits is
+    ended after ten times as many by the clock. The bound on memory is on what goes beyond what the
+    parent has, by the address space of the child.
     """
     read, write = os.pipe()
     began = time.monotonic()
@@ -42,7 +44,8 @@ def run(body, seconds=SECONDS, megabytes=MEGABYTES):
             null = os.open(os.devnull, os.O_WRONLY)
             os.dup2(null, 1)
             os.dup2(null, 2)
-            signal.alarm(int(seconds) + 1)
+            resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))
+            signal.alarm(10 * int(seconds) + 1)
             result = str(body())
         except BaseException:  # whatever it is, the parent has to hear of it
             result, code = traceback.format_exc(), 7
@@ -55,7 +58,8 @@ def run(body, seconds=SECONDS, megabytes=MEGABYTES):
     took = time.monotonic() - began
     if os.WIFSIGNALED(status):
         number = os.WTERMSIG(status)
-        return ("time" if number == signal.SIGALRM else "signal"), signal.Signals(number).name, took
+        late = number in (signal.SIGALRM, signal.SIGXCPU)
+        return ("time" if late else "signal"), signal.Signals(number).name, took
     if os.WEXITSTATUS(status) != 0:
         return "failed", said, took
     own = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss

@@ -106,7 +106,8 @@ TEST(ChokingInput, NotOriented)
 
 TEST(ChokingInput, NotInSpace)
 {
-  ExpectRefused(Scaled(Ring(), { 1.0, 1.0, 0.0 }), { "triangles" }); // folded onto itself
+  ExpectRefused(Scaled(Ring(), { 1.0, 1.0, 0.0 }), { "in a plane" });
+  ExpectRefused(Scaled(Ring(), { 0.0, 1.0, 0.0 }), { "in a plane" });
   ExpectRefused(Scaled(Ring(), { 1e-60, 1e-60, 1e-60 }), { "out of range", "scale it" });
   ExpectRefused(Scaled(Ring(), { 1e60, 1e60, 1e60 }), { "out of range", "scale it" });
   for (const double bad : { std::nan(""), HUGE_VAL, -HUGE_VAL })
@@ -128,6 +129,30 @@ TEST(ChokingInput, SmallAndLargeOnesAreTaken)
     run.Surface(0)->GetCellData()->GetArray("Distance")->GetRange(range);
     EXPECT_NEAR(range[0] / factor, 0.3, 0.01);
     EXPECT_NEAR(range[1] / factor, 0.7, 0.01);
+  }
+}
+
+TEST(ChokingInput, UnitsChangeNothing)
+{
+  // Powers of two, by which nothing is rounded: the smallest and the largest that are in range.
+  const TriangleMesh ring = Torus(1.0, 0.3, 60, 40);
+  const auto distances = [&ring](double factor)
+  {
+    FilterRun run(DataOf(Scaled(ring, { factor, factor, factor })));
+    EXPECT_EQ(run.Messages(), "") << factor;
+    std::vector<double> scaled;
+    vtkDataArray* distance = run.Surface(0)->GetCellData()->GetArray("Distance");
+    for (vtkIdType i = 0; i < distance->GetNumberOfTuples(); ++i)
+    {
+      scaled.push_back(distance->GetTuple1(i) / factor);
+    }
+    return scaled;
+  };
+  const std::vector<double> expected = distances(1.0);
+  ASSERT_EQ(expected.size(), 2u);
+  for (const double factor : { std::ldexp(1.0, -106), std::ldexp(1.0, 104) })
+  {
+    EXPECT_EQ(distances(factor), expected) << factor;
   }
 }
 

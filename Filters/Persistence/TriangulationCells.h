@@ -1,0 +1,71 @@
+/**
+ * @file TriangulationCells.h
+ * @brief From a triangulation of CGAL to the tetrahedra of a CellFiltration.
+ */
+#ifndef isthmus_TriangulationCells_h
+#define isthmus_TriangulationCells_h
+
+#include "CellFiltration.h"
+
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <numeric>
+#include <vector>
+
+namespace isthmus
+{
+
+/// Places of `points` along a space-filling curve, so that each is near the one before. O(n log n).
+template <typename Kernel>
+std::vector<std::size_t> SpatialOrder(const std::vector<typename Kernel::Point_3>& points)
+{
+  using Map = typename CGAL::Pointer_property_map<typename Kernel::Point_3>::const_type;
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  CGAL::spatial_sort(order.begin(), order.end(),
+    CGAL::Spatial_sort_traits_adapter_3<Kernel, Map>(CGAL::make_property_map(points)));
+  return order;
+}
+
+/**
+ * The finite cells, numbered as the triangulation hands them out, with their neighbours. O(n).
+ *
+ * @pre `info()` of each vertex is the point's id. That of the cells is written.
+ * @throws Cancelled.
+ */
+template <typename Triangulation>
+void TakeCells(
+  const Triangulation& triangulation, CellFiltration& f, const ProgressCallback& progress)
+{
+  constexpr SimplexId reportEvery = 1 << 18;
+  for (auto c = triangulation.all_cells_begin(); c != triangulation.all_cells_end(); ++c)
+  {
+    c->info() = -1;
+  }
+  SimplexId count = 0;
+  for (auto c = triangulation.finite_cells_begin(); c != triangulation.finite_cells_end(); ++c)
+  {
+    c->info() = count++;
+  }
+  f.Tetrahedra.resize(static_cast<std::size_t>(count));
+  f.Neighbours.resize(static_cast<std::size_t>(count));
+  for (auto c = triangulation.finite_cells_begin(); c != triangulation.finite_cells_end(); ++c)
+  {
+    if (c->info() % reportEvery == 0)
+    {
+      Report(progress, static_cast<double>(c->info()) / static_cast<double>(count));
+    }
+    const auto cell = static_cast<std::size_t>(c->info());
+    for (int k = 0; k < 4; ++k)
+    {
+      f.Tetrahedra[cell][static_cast<std::size_t>(k)] = c->vertex(k)->info();
+      f.Neighbours[cell][static_cast<std::size_t>(k)] = c->neighbor(k)->info();
+    }
+  }
+}
+
+}
+
+#endif
