@@ -256,6 +256,35 @@ TEST(AdaptiveContouring, SharpEdgesOfMachinePartsAreKept)
   }
 }
 
+/// With vertices that may leave their cells all edges are kept, and the whole turned cube; the tips
+/// of an octahedron are cut off.
+TEST(AdaptiveContouring, PolyhedraBecomeWhatTheyWere)
+{
+  for (const TriangleMesh& solid :
+    { Turned(Cube({ -0.5, -0.5, -0.5 }, 1.0)), Turned(Octahedron(0.8)) })
+  {
+    const double h = 0.07;
+    const TriangleMesh contour = ContourOf(solid,
+      [h](vtkDualContouring* f)
+      {
+        f->SetSpacing(h);
+        f->SetReach(1.0);
+        f->SetTolerance(0.05 * h);
+      });
+    const TriangleMesh edges = SharpEdges(solid, 0.1 * h);
+    std::printf("%zu triangles, %.2f %% of the edges within 0.05 h, moved by %.3g h\n",
+      contour.Triangles.size(), 100.0 * ShareWithin(edges, contour, 0.05 * h),
+      HausdorffDistance(contour, solid) / h);
+    ExpectManifold(contour);
+    EXPECT_LT(contour.Triangles.size(), 400u);
+    EXPECT_GT(ShareWithin(edges, contour, 0.05 * h), 0.99);
+    if (solid.Points.size() == 8)
+    {
+      EXPECT_LT(HausdorffDistance(contour, solid), 1e-5 * h);
+    }
+  }
+}
+
 /// A box from which a ball is taken away, with exact crossings and normals: circles and straight
 /// edges are kept.
 TEST(AdaptiveContouring, CircleWhereABallLeavesABoxIsKept)
