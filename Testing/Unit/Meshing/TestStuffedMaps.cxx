@@ -82,7 +82,9 @@ void Stuff(vtkImageData* map, double level, int levels, Seen& seen)
   filter->SetInputData(map);
   filter->SetLevel(level);
   filter->SetGradingLevels(levels);
-  filter->SetSide(vtkIsosurfaceStuffing::BOTH);
+  constexpr vtkIdType large = 300000; // nodes; the outside of noise is millions of tetrahedra
+  filter->SetSide(
+    map->GetNumberOfPoints() < large ? vtkIsosurfaceStuffing::BOTH : vtkIsosurfaceStuffing::INSIDE);
   filter->Update();
   const TetrahedralMesh mesh = MeshOf(filter->GetOutput());
   ASSERT_GT(mesh.Tetrahedra.size(), 0u);
