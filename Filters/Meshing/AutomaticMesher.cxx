@@ -1,5 +1,6 @@
 #include "AutomaticMesher.h"
 
+#include "ShellNesting.h"
 #include "SolidStuffing.h"
 #include "SurfaceCheck.h"
 #include "SurfaceMove.h"
@@ -41,6 +42,22 @@ TriangleMesh SoundPart(const TriangleMesh& mesh)
   std::copy_if(
     mesh.Triangles.begin(), mesh.Triangles.end(), std::back_inserter(sound.Triangles), isSound);
   return sound;
+}
+
+/// As AutomaticMesh::VolumeBefore.
+double VolumeAsGiven(const TriangleMesh& sound)
+{
+  const TriangleMesh turned = TurnedAlike(sound);
+  const Bounds3 box = BoundsOf(turned);
+  const Point3 middle = 0.5 * (box.Min + box.Max);
+  double sum = 0.0;
+  for (const Triangle& t : turned.Triangles)
+  {
+    const auto at = [&](std::size_t c)
+    { return turned.Points[static_cast<std::size_t>(t[c])] - middle; };
+    sum += Dot(at(0), Cross(at(1), at(2)));
+  }
+  return std::abs(sum) / 6.0;
 }
 
 std::string Text(double value)
@@ -178,9 +195,11 @@ private:
         : this->Repaired->OriginalPoints[static_cast<std::size_t>(id)];
     }
     const TriangleMesh sound = SoundPart(this->Surface);
-    result.VolumeBefore = std::abs(SignedVolume(this->Repaired ? this->Repaired->Mesh : sound));
+    result.VolumeBefore = VolumeAsGiven(sound);
     const TriangleMesh skin = this->SkinOfSolids();
     result.VolumeAfter = std::abs(SignedVolume(skin));
+    result.IsDoubtful =
+      !(std::abs(result.VolumeAfter - result.VolumeBefore) <= 0.01 * result.VolumeBefore);
     const bool kept = result.Way == MeshingWay::TetGen && this->Parameters.TetGen.KeepSurface;
     result.Hausdorff = kept ? 0.0 : HausdorffDistance(sound, skin);
     static const char* const names[] = { "TetGen", "TetGen after repair", "CGAL after repair",
@@ -190,6 +209,11 @@ private:
           ? ": the surface is kept."
           : ": the surface moved by at most " + Text(result.Hausdorff) + ", the volume went from " +
             Text(result.VolumeBefore) + " to " + Text(result.VolumeAfter) + ".");
+    if (result.IsDoubtful)
+    {
+      result.Report += " The volume is doubtful: it depends on how holes are closed and crossings "
+                       "understood; look at the skin of the mesh, or mend the surface before.";
+    }
     if (result.Way != MeshingWay::TetGen)
     {
       result.Report += (this->Changes.empty() ? "" : " " + this->Changes) +

@@ -22,11 +22,16 @@ struct AutomaticMesh
 {
   TetrahedralMesh Mesh; ///< OriginalPoints: of the surface given
   MeshingWay Way = MeshingWay::TetGen;
-  std::string Report;        ///< the way gone, why not another, how far the surface moved
-  std::string Changes;       ///< what repair changed on that way; else empty
-  double Hausdorff = 0.0;    ///< between the surface and the skin of the solids
-  double VolumeBefore = 0.0; ///< enclosed by the surface; by winding number when it is not closed
-  double VolumeAfter = 0.0;  ///< of the solids
+  std::string Report;     ///< the way gone, why not another, how far the surface moved
+  std::string Changes;    ///< what repair changed on that way; else empty
+  double Hausdorff = 0.0; ///< between the surface and the skin of the solids
+  /// Enclosed by the triangles given, turned alike: holes are closed by cones to the middle of
+  /// their box, what they enclose twice counts twice.
+  double VolumeBefore = 0.0;
+  double VolumeAfter = 0.0; ///< of the solids
+  /// These two differ by more than a hundredth: what the surface encloses is a matter of how its
+  /// holes and crossings are understood. The report says so.
+  bool IsDoubtful = false;
 };
 
 /**

@@ -8,6 +8,8 @@
 #include "SurfaceCrossings.h"
 #include "TriangleMesh.h"
 
+#include <functional>
+
 namespace isthmus
 {
 
@@ -28,6 +30,14 @@ struct DualContouringParameters
   /// face of a cell without crossing its edges are met, too, but polygons cross more easily.
   double Reach = 0.0;
   bool Triangles = true; ///< quadrilaterals cut in two, else as they are
+  /// How far the surface may be from that of the whole grid, a length: above 0, cells are put
+  /// together (octree) where that allows it. 0: none are.
+  double Tolerance = 0.0;
+  /// No two triangles cross: quadrilaterals around which they do are cut into triangles that each
+  /// stay in a cell. Triangles only.
+  bool FreeOfCrossings = false;
+  /// Moves points of the grid's frame to where they are wanted; empty: they stay. Point by point.
+  std::function<void(std::vector<Point3>& points)> ToWorld;
 };
 
 /// Polygons of three or four corners (the fourth then differs from -1).
@@ -35,6 +45,7 @@ struct DualContour
 {
   std::vector<Point3> Points;
   std::vector<std::array<std::int64_t, 4>> Polygons; ///< counter-clockwise seen from outside
+  std::int64_t Crossing = 0; ///< of FreeOfCrossings: triangles that still cross (at the border)
 };
 
 }

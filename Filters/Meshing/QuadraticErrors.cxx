@@ -60,38 +60,64 @@ Eigen::Vector3d LeastOnSides(const Eigen::Matrix3d& a, const Eigen::Vector3d& b,
 
 void QuadraticErrors::Add(const Point3& p, const Point3& n)
 {
+  this->Origin = this->Count == 0 ? p : this->Origin;
+  const Point3 d = p - this->Origin;
+  const double along = Dot(n, d);
   for (std::size_t r = 0; r < 3; ++r)
   {
     this->Matrix[r] = this->Matrix[r] + n[r] * n;
   }
-  this->Sum = this->Sum + p;
-  this->Planes.push_back({ p, n });
+  this->Vector = this->Vector + along * n;
+  this->Constant += along * along;
+  this->Sum = this->Sum + d;
+  ++this->Count;
+}
+
+void QuadraticErrors::Add(const QuadraticErrors& other)
+{
+  if (this->Count == 0)
+  {
+    *this = other;
+    return;
+  }
+  const Point3 d = other.Origin - this->Origin;
+  const Point3 moved = other.Times(d);
+  for (std::size_t r = 0; r < 3; ++r)
+  {
+    this->Matrix[r] = this->Matrix[r] + other.Matrix[r];
+  }
+  this->Vector = this->Vector + other.Vector + moved;
+  this->Constant += other.Constant + 2.0 * Dot(other.Vector, d) + Dot(d, moved);
+  this->Sum = this->Sum + other.Sum + static_cast<double>(other.Count) * d;
+  this->Count += other.Count;
+}
+
+Point3 QuadraticErrors::Times(const Point3& d) const
+{
+  return { Dot(this->Matrix[0], d), Dot(this->Matrix[1], d), Dot(this->Matrix[2], d) };
+}
+
+Point3 QuadraticErrors::Mean() const
+{
+  return this->Origin + (1.0 / static_cast<double>(this->Count)) * this->Sum;
 }
 
 double QuadraticErrors::At(const Point3& x) const
 {
-  double sum = 0.0;
-  for (const auto& [p, n] : this->Planes)
-  {
-    const double d = Dot(n, x - p);
-    sum += d * d;
-  }
-  return sum;
+  const Point3 d = x - this->Origin;
+  return std::max(0.0, Dot(d, this->Times(d)) - 2.0 * Dot(this->Vector, d) + this->Constant);
 }
 
 Point3 QuadraticErrors::Least(const Bounds3& box, double threshold) const
 {
-  const Point3 mean = (1.0 / static_cast<double>(this->Planes.size())) * this->Sum;
+  const Point3 mean = this->Mean();
+  const Point3 right = this->Vector - this->Times(mean - this->Origin);
   Eigen::Matrix3d a;
-  Eigen::Vector3d b = Eigen::Vector3d::Zero();
   for (int r = 0; r < 3; ++r)
   {
     a.row(r) = Eigen::Map<const Eigen::Vector3d>(this->Matrix[static_cast<std::size_t>(r)].data());
   }
-  for (const auto& [p, n] : this->Planes)
-  {
-    b += Dot(n, p - mean) * Eigen::Map<const Eigen::Vector3d>(n.data());
-  }
+  const Eigen::Vector3d b = Eigen::Map<const Eigen::Vector3d>(right.data());
   const double largest =
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(a, Eigen::EigenvaluesOnly).eigenvalues()[2];
 

@@ -1,5 +1,6 @@
 #include "SurfaceMove.h"
 
+#include "ParallelFor.h"
 #include "ParallelReduce.h"
 #include "TriangleTree.h"
 
@@ -41,26 +42,36 @@ TriangleTree TreeOf(const TriangleMesh& mesh)
     ids.data(), static_cast<vtkIdType>(mesh.Triangles.size()) });
 }
 
+/// Square of the largest distance of corners, middles of sides and middle of triangle `t` of
+/// `from`.
+double SquaredDistanceOf(
+  const Triangle& t, const TriangleMesh& from, const TriangleTree& to, std::int64_t& guess)
+{
+  const auto at = [&](std::size_t c) { return from.Points[static_cast<std::size_t>(t[c])]; };
+  double largest = 0.0;
+  for (const Point3& p : { at(0), at(1), at(2), 0.5 * (at(0) + at(1)), 0.5 * (at(1) + at(2)),
+         0.5 * (at(2) + at(0)), (1.0 / 3.0) * (at(0) + at(1) + at(2)) })
+  {
+    const auto nearest = to.Find(p, guess);
+    guess = nearest.Triangle;
+    largest = std::max(largest, nearest.Squared);
+  }
+  return largest;
+}
+
 double LargestDistance(const TriangleMesh& from, const TriangleTree& to)
 {
-  const Largest squared = ParallelReduce(static_cast<std::int64_t>(from.Triangles.size()), 1024,
-    Largest{},
-    [&](Largest& largest, std::int64_t first, std::int64_t last)
-    {
-      std::int64_t guess = -1;
-      for (std::int64_t i = first; i < last; ++i)
+  const Largest squared =
+    ParallelReduce(static_cast<std::int64_t>(from.Triangles.size()), 1024, Largest{},
+      [&](Largest& largest, std::int64_t first, std::int64_t last)
       {
-        const Triangle& t = from.Triangles[static_cast<std::size_t>(i)];
-        const auto at = [&](std::size_t c) { return from.Points[static_cast<std::size_t>(t[c])]; };
-        for (const Point3& p : { at(0), at(1), at(2), 0.5 * (at(0) + at(1)), 0.5 * (at(1) + at(2)),
-               0.5 * (at(2) + at(0)), (1.0 / 3.0) * (at(0) + at(1) + at(2)) })
+        std::int64_t guess = -1;
+        for (std::int64_t i = first; i < last; ++i)
         {
-          const auto nearest = to.Find(p, guess);
-          guess = nearest.Triangle;
-          largest += { nearest.Squared };
+          largest +=
+            { SquaredDistanceOf(from.Triangles[static_cast<std::size_t>(i)], from, to, guess) };
         }
-      }
-    });
+      });
   return std::sqrt(squared.Value);
 }
 
@@ -99,6 +110,37 @@ TriangleMesh SkinOf(const TetrahedralMesh& mesh)
     }
   }
   return skin;
+}
+
+std::vector<std::int64_t> TrianglesFartherThan(
+  const TriangleMesh& a, const TriangleMesh& b, double distance)
+{
+  const auto count = static_cast<std::int64_t>(a.Triangles.size());
+  std::vector<char> isFar(a.Triangles.size(), 1);
+  if (!b.Triangles.empty())
+  {
+    const TriangleTree tree = TreeOf(b);
+    ParallelFor(0, count, 1024,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        std::int64_t guess = -1;
+        for (std::int64_t i = first; i < last; ++i)
+        {
+          const auto at = static_cast<std::size_t>(i);
+          isFar[at] =
+            SquaredDistanceOf(a.Triangles[at], a, tree, guess) > distance * distance ? 1 : 0;
+        }
+      });
+  }
+  std::vector<std::int64_t> ids;
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    if (isFar[static_cast<std::size_t>(i)])
+    {
+      ids.push_back(i);
+    }
+  }
+  return ids;
 }
 
 double OneSidedDistance(const TriangleMesh& a, const TriangleMesh& b)

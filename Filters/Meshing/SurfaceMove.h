@@ -21,7 +21,12 @@ VTKISTHMUS_EXPORT TriangleMesh SkinOf(const TetrahedralMesh& mesh);
  */
 VTKISTHMUS_EXPORT double HausdorffDistance(const TriangleMesh& a, const TriangleMesh& b);
 
-/// The same from `a` to `b` only: how far `a` reaches from `b`.
+/// Triangles of `a` with such a place farther from `b` than `distance`, ascending; all of them when
+/// `b` is empty.
+VTKISTHMUS_EXPORT std::vector<std::int64_t> TrianglesFartherThan(
+  const TriangleMesh& a, const TriangleMesh& b, double distance);
+
+/// Such a distance from `a` to `b` only: how far `a` reaches from `b`.
 VTKISTHMUS_EXPORT double OneSidedDistance(const TriangleMesh& a, const TriangleMesh& b);
 
 }

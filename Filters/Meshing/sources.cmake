@@ -11,6 +11,10 @@ isthmus_room(
     AutomaticMesher
     ChildProcess
     ClosedLevelSet
+    ContourClusters
+    ContourPolygons
+    ContourRefinement
+    ContourRings
     DualCells
     DualContouring
     IsosurfaceStuffing
@@ -35,6 +39,7 @@ isthmus_room(
     TetGenProcess
     TetrahedralGrid
     TetrahedralMesher
+    UniformContour
     WindingNumber
   CGAL
     CGALTetrahedra

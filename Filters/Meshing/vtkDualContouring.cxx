@@ -116,6 +116,43 @@ isthmus::HermiteGrid HermiteOf(const MovedSurface& moved, const isthmus::Progres
   return grid;
 }
 
+isthmus::DualContour ContourOf(vtkImageData* image, vtkDataArray* scalars, double value,
+  bool insideIsHigher, isthmus::DualContouringParameters parameters,
+  const isthmus::ProgressCallback& progress)
+{
+  parameters.ToWorld = [image](std::vector<isthmus::Point3>& points)
+  {
+    isthmus::TriangleMesh mesh{ std::move(points), {} };
+    isthmus::ToWorld(image, mesh);
+    points = std::move(mesh.Points);
+  };
+  isthmus::DualContour contour;
+  isthmus::UseScalars(image, scalars,
+    [&](const auto& grid)
+    {
+      using T = std::remove_const_t<std::remove_pointer_t<decltype(grid.Data)>>;
+      const isthmus::LevelView<T> level{ grid, value, insideIsHigher };
+      contour = isthmus::DualContouring(HermiteOf(level, isthmus::Between(progress, 0.0, 0.3)),
+        parameters, isthmus::Between(progress, 0.3, 1.0));
+    });
+  return contour;
+}
+
+isthmus::DualContour ContourOf(const isthmus::SurfaceView& surface, double spacing,
+  isthmus::DualContouringParameters parameters, const isthmus::ProgressCallback& progress)
+{
+  const MovedSurface moved = Move(surface, spacing);
+  parameters.ToWorld = [&moved](std::vector<isthmus::Point3>& points)
+  {
+    for (isthmus::Point3& p : points)
+    {
+      p = p + moved.Origin;
+    }
+  };
+  return isthmus::DualContouring(HermiteOf(moved, isthmus::Between(progress, 0.0, 0.3)), parameters,
+    isthmus::Between(progress, 0.3, 1.0));
+}
+
 void SetContour(const isthmus::DualContour& contour, bool mirrored, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
@@ -171,48 +208,40 @@ int vtkDualContouring::RequestData(
   return isthmus::Guarded(this, result,
     [&]
     {
-      const auto progress = isthmus::ProgressOf(this);
-      const isthmus::DualContouringParameters parameters{ this->FeatureThreshold, this->Reach,
-        !this->Quadrilaterals };
-      const auto rest = isthmus::Between(progress, 0.3, 1.0);
+      isthmus::DualContouringParameters parameters;
+      parameters.FeatureThreshold = this->FeatureThreshold;
+      parameters.Reach = this->Reach;
+      parameters.Triangles = !this->Quadrilaterals;
+      parameters.Tolerance = this->Tolerance;
+      parameters.FreeOfCrossings = this->FreeOfCrossings;
+      isthmus::DualContour contour;
+      bool isMirrored = false;
       if (image && image->GetNumberOfPoints() > 0)
       {
         if (!std::isfinite(this->Level))
         {
           throw std::invalid_argument("Level is not a number.");
         }
-        isthmus::DualContour contour;
-        isthmus::UseScalars(image, isthmus::ChosenScalars(this, image),
-          [&](const auto& grid)
-          {
-            using T = std::remove_const_t<std::remove_pointer_t<decltype(grid.Data)>>;
-            const isthmus::LevelView<T> level{ grid, this->Level, this->InsideIsHigher };
-            contour = isthmus::DualContouring(
-              HermiteOf(level, isthmus::Between(progress, 0.0, 0.3)), parameters, rest);
-          });
-        isthmus::TriangleMesh points;
-        points.Points.swap(contour.Points);
-        isthmus::ToWorld(image, points);
-        points.Points.swap(contour.Points);
-        SetContour(contour, image->GetDirectionMatrix()->Determinant() < 0.0, result);
+        contour = ContourOf(image, isthmus::ChosenScalars(this, image), this->Level,
+          this->InsideIsHigher, parameters, isthmus::ProgressOf(this));
+        isMirrored = image->GetDirectionMatrix()->Determinant() < 0.0;
         result->GetFieldData()->PassData(image->GetFieldData());
       }
       if (surface && surface->GetNumberOfCells() > 0)
       {
         const isthmus::PolyDataTriangles triangles(surface);
-        if (triangles.View().NumberOfTriangles == 0)
+        if (triangles.View().NumberOfTriangles > 0)
         {
-          return;
+          contour =
+            ContourOf(triangles.View(), this->Spacing, parameters, isthmus::ProgressOf(this));
+          result->GetFieldData()->PassData(surface->GetFieldData());
         }
-        const MovedSurface moved = Move(triangles.View(), this->Spacing);
-        isthmus::DualContour contour = isthmus::DualContouring(
-          HermiteOf(moved, isthmus::Between(progress, 0.0, 0.3)), parameters, rest);
-        for (isthmus::Point3& p : contour.Points)
-        {
-          p = p + moved.Origin;
-        }
-        SetContour(contour, false, result);
-        result->GetFieldData()->PassData(surface->GetFieldData());
+      }
+      SetContour(contour, isMirrored, result);
+      if (contour.Crossing > 0)
+      {
+        vtkWarningMacro(<< contour.Crossing
+                        << " triangles still cross each other, where the level leaves the volume.");
       }
     });
 }
@@ -226,4 +255,6 @@ void vtkDualContouring::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FeatureThreshold: " << this->FeatureThreshold << "\n";
   os << indent << "Reach: " << this->Reach << "\n";
   os << indent << "Quadrilaterals: " << this->Quadrilaterals << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "FreeOfCrossings: " << this->FreeOfCrossings << "\n";
 }

@@ -9,8 +9,9 @@
  * edge belongs to two polygons; the surface is open only where a level leaves the volume. Field
  * data of the input are kept.
  *
- * Source: T. Ju et al., doi:10.1145/566654.566586, on a uniform grid, with a vertex for each piece
- * of surface in a cell. Polygons may cross where the surface turns within a cell. On failure: one
+ * Source: T. Ju et al., doi:10.1145/566654.566586, with a vertex for each piece of surface in a
+ * cell (S. Schaefer et al., doi:10.1109/TVCG.2007.1012). Polygons may cross where the surface turns
+ * within a cell, unless FreeOfCrossings is on. On failure: one
  * sentence through vtkErrorMacro and an empty output. Cost: see DualContouring.h. The whole input
  * is needed on one rank.
  */
@@ -69,6 +70,22 @@ public:
   vtkBooleanMacro(Quadrilaterals, bool);
   ///@}
 
+  ///@{
+  /// How far the surface may be from that of all cells, in the unit of length of the input: above
+  /// 0, cells are put together where the surface is flat enough (octree), and it stays manifold.
+  /// Default 0: none are.
+  vtkSetMacro(Tolerance, double);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /// No two triangles cross: those that do are cut into smaller ones that each stay in a cell,
+  /// which rounds edges there. Needs triangles and Reach 0. Default off.
+  vtkSetMacro(FreeOfCrossings, bool);
+  vtkGetMacro(FreeOfCrossings, bool);
+  vtkBooleanMacro(FreeOfCrossings, bool);
+  ///@}
+
 protected:
   vtkDualContouring();
   ~vtkDualContouring() override = default;
@@ -87,6 +104,8 @@ private:
   double FeatureThreshold = 0.1;
   double Reach = 0.0;
   bool Quadrilaterals = false;
+  double Tolerance = 0.0;
+  bool FreeOfCrossings = false;
 };
 
 #endif

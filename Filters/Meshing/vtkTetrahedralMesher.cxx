@@ -88,6 +88,7 @@ void AddReport(const isthmus::AutomaticMesh& made, vtkFieldData* fields)
   AddNumber(fields, "HausdorffDistance", made.Hausdorff);
   AddNumber(fields, "VolumeBefore", made.VolumeBefore);
   AddNumber(fields, "VolumeAfter", made.VolumeAfter);
+  AddNumber(fields, "VolumeIsDoubtful", made.IsDoubtful ? 1.0 : 0.0);
 }
 
 /// From ids of points of a surface to those of what it was made of; -1 stays.
@@ -111,7 +112,7 @@ std::string FillByAnyWay(const isthmus::TakenSurface& surface,
   {
     AddReport(made, grid->GetFieldData());
   }
-  return made.Hausdorff > 0.0 ? made.Report : std::string();
+  return made.Hausdorff > 0.0 || made.IsDoubtful ? made.Report : std::string();
 }
 
 /// Fills `grid` by the library asked for, after repair if that is wanted; returns likewise.

@@ -11,8 +11,9 @@
  * (vtkIdType): the point of the surface it was, or -1. Field data of the input is kept; after a
  * repair, string `Repair` says what was changed. With AUTOMATIC there are the field arrays `Engine`
  * (string: the way gone), `EngineReport` (string: why, and how far the surface moved, also told as
- * a warning when it did), `HausdorffDistance`, `VolumeBefore` and `VolumeAfter` (of the solids); by
- * stuffing, RegionId is 1 in solids and 0 elsewhere.
+ * a warning when it did), `HausdorffDistance`, `VolumeBefore` and `VolumeAfter` (of the solids),
+ * `VolumeIsDoubtful` (1 where these differ by more than a hundredth, else 0); by stuffing, RegionId
+ * is 1 in solids and 0 elsewhere.
  *
  * TetGen (H. Si, doi:10.1145/2629697) runs as a program of its own, the command `tetgen` of the
  * Debian package of that name, under TimeLimit and MemoryLimit, killed on abort. CGAL (Mesh_3) runs

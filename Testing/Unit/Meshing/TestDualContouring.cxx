@@ -1,20 +1,15 @@
 #include "DualContouring.h"
 
-#include "PolyDataMesh.h"
+#include "DualContours.h"
 #include "SurfaceCheck.h"
 #include "SurfaceFiles.h"
 #include "SurfaceMove.h"
 #include "SurfaceTopology.h"
 #include "TriangleTree.h"
-#include "vtkDualContouring.h"
 
 #include <vtkCommand.h>
-#include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
-#include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
 #include <vtkSMPTools.h>
 #include <vtkSphereSource.h>
 #include <vtkTestErrorObserver.h>
@@ -31,50 +26,14 @@ using namespace isthmus::testing;
 namespace
 {
 
-template <typename Function>
-vtkSmartPointer<vtkImageData> Sampled(int n, Function&& f)
+TriangleMesh OnGrid(const TriangleMesh& mesh, double spacing, double reach)
 {
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(n, n, n);
-  const double h = 2.0 / (n - 1);
-  image->SetSpacing(h, h, h);
-  image->SetOrigin(-1, -1, -1);
-  vtkNew<vtkDoubleArray> values;
-  values->SetName("Density");
-  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-  {
-    Point3 p;
-    image->GetPoint(i, p.data());
-    values->InsertNextValue(f(p));
-  }
-  image->GetPointData()->SetScalars(values);
-  return image;
-}
-
-TriangleMesh ContourOf(vtkDataObject* input, double spacing = 0.0, double reach = 0.0)
-{
-  vtkNew<vtkDualContouring> filter;
-  filter->SetInputDataObject(input);
-  filter->SetSpacing(spacing);
-  filter->SetReach(reach);
-  filter->Update();
-  return MeshOf(filter->GetOutput());
-}
-
-TriangleMesh ContourOf(const TriangleMesh& mesh, double spacing, double reach)
-{
-  vtkNew<vtkPolyData> surface;
-  SetMesh(mesh, surface);
-  return ContourOf(surface, spacing, reach);
-}
-
-TriangleMesh Octahedron(double r)
-{
-  TriangleMesh mesh;
-  mesh.Points = { { r, 0, 0 }, { -r, 0, 0 }, { 0, r, 0 }, { 0, -r, 0 }, { 0, 0, r }, { 0, 0, -r } };
-  mesh.Triangles = { { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 },
-    { 3, 1, 5 }, { 0, 3, 5 } };
-  return mesh;
+  return ContourOf(mesh,
+    [&](vtkDualContouring* f)
+    {
+      f->SetSpacing(spacing);
+      f->SetReach(reach);
+    });
 }
 
 /// How far the points of `mesh` are from `surface`.
@@ -94,18 +53,6 @@ std::vector<double> DistancesFrom(const TriangleMesh& mesh, const TriangleMesh& 
   return distances;
 }
 
-/// A turned copy, so that nothing is along the grid.
-TriangleMesh Turned(TriangleMesh mesh)
-{
-  const double c = std::cos(0.4), s = std::sin(0.4);
-  for (Point3& p : mesh.Points)
-  {
-    p = { c * p[0] - s * p[1], s * p[0] + c * p[1], p[2] };
-    p = { p[0], c * p[1] - s * p[2], s * p[1] + c * p[2] };
-  }
-  return mesh;
-}
-
 }
 
 /// Acceptance 2: of solids with flat faces 95 % of all points are on the solid, edges included. A
@@ -119,7 +66,7 @@ TEST(DualContouring, EdgesAndCornersOfPolyhedraAreKept)
     const double h = 0.07;
     for (const double reach : { 0.0, 1.0 })
     {
-      const TriangleMesh contour = ContourOf(solid, h, reach);
+      const TriangleMesh contour = OnGrid(solid, h, reach);
       EXPECT_TRUE(FindDefects(contour).BoundaryTriangles.empty());
       EXPECT_TRUE(FindDefects(contour).NonManifoldTriangles.empty());
       EXPECT_EQ(EulerCharacteristic(contour), 2);
@@ -169,7 +116,7 @@ TEST(DualContouring, BallFromItsTriangles)
   ball->SetPhiResolution(80);
   ball->Update();
   const double before = SignedVolume(MeshOf(ball->GetOutput()));
-  const TriangleMesh contour = ContourOf(ball->GetOutput(), 0.05);
+  const TriangleMesh contour = OnGrid(MeshOf(ball->GetOutput()), 0.05, 0.0);
   EXPECT_NEAR(SignedVolume(contour) / before, 1.0, 5e-3);
   EXPECT_LT(HausdorffDistance(contour, MeshOf(ball->GetOutput())), 0.05 * 0.05);
 }
@@ -240,6 +187,18 @@ TEST(DualContouring, WrongInputAndPropertiesAreRefused)
   EXPECT_TRUE(fails(image, [](vtkDualContouring* f) { f->SetFeatureThreshold(2.0); }));
   EXPECT_TRUE(fails(image, [](vtkDualContouring* f) { f->SetReach(-0.1); }));
   EXPECT_TRUE(fails(image, [](vtkDualContouring* f) { f->SetLevel(std::nan("")); }));
+  EXPECT_TRUE(fails(image, [](vtkDualContouring* f) { f->SetTolerance(-1.0); }));
+  EXPECT_TRUE(fails(image, [](vtkDualContouring* f) { f->SetTolerance(std::nan("")); }));
+  for (const bool quadrilaterals : { false, true })
+  {
+    EXPECT_TRUE(fails(image,
+      [quadrilaterals](vtkDualContouring* f)
+      {
+        f->FreeOfCrossingsOn();
+        f->SetQuadrilaterals(quadrilaterals);
+        f->SetReach(quadrilaterals ? 0.0 : 0.5);
+      }));
+  }
   vtkNew<vtkPolyData> cube;
   SetMesh(Cube({ 0, 0, 0 }, 1.0), cube);
   EXPECT_TRUE(fails(cube, [](vtkDualContouring* f) { f->SetSpacing(-1.0); }));
