@@ -21,7 +21,8 @@
  * **Output 2**, vtkTable: a row for each pore: `PoreId`, `Radius` (the least), `Length`, `Span`,
  * `Bottlenecks`, `BottleneckX`, `BottleneckY`, `BottleneckZ`.
  * **Output 3**, vtkPolyData: bottlenecks, local minima of the radius: points with `PoreId`, `Rank`
- * (1: the narrowest), `Radius`, `ArcLength`, `NearestAtom`, `NearestResidue`.
+ * (1: the narrowest), `Radius`, `ArcLength`, `NearestAtom`, `NearestResidue`, `Residues` (those
+ * that touch the ball there, within 0.5 angstrom).
  * **Output 4**, vtkTable: lining residues: `PoreId` and the columns of vtkMolecularPockets.
  * **Output 5**, vtkPolyData: tubes of the pores' radii with `Radius`, `WidthClass`, `PoreId`.
  * **Output 6**, vtkPolyData: the lining residues whole, with their bonds, the input's point arrays
