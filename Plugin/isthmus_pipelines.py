@@ -14,7 +14,7 @@ The buttons of the toolbar are run(); first_look() is what the window calls for 
 
 import os
 
-from paraview import print_error, simple
+from paraview import print_error, print_warning, simple
 
 try:
     import isthmus_charges as charges  # with the plugin, whose window uses them, too
@@ -184,6 +184,8 @@ def protein_to_sites(source, potential=None):
     if not simple.OutputPort(sites, 1).GetDataInformation().GetNumberOfRows():
         sites.UsePockets = 0
         sites.UpdatePipeline()
+        print_warning("The molecule has no pockets: the sites shown are patches of its surface (Use Pockets of "
+                      "Binding sites is off).")
     return potential, sites
 
 

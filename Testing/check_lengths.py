@@ -24,7 +24,6 @@ OWED = {
     "Filters/Electrostatics/IrregularRows.cxx": 360,
     "Filters/Electrostatics/MultigridLevel.cxx": 480,
     "Filters/Molecular/BindingSites.cxx:FindBindingSites": 65,
-    "Filters/Molecular/FeatureTracks.cxx:Assign": 75,
 }
 
 BEGIN = re.compile(r"^( *)\{$")

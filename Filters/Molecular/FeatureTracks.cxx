@@ -1,5 +1,7 @@
 #include "FeatureTracks.h"
 
+#include "Assignment.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -10,12 +12,30 @@ namespace isthmus
 namespace
 {
 
-/// A track, and the feature it had last.
+/// Two features whose distance, radii and residues together cost more are not one.
+constexpr double Alone = 2.0;
+
+/// With this share of common residues they are recognised wherever they are.
+constexpr double Alike = 1.0 / 3.0;
+
+/// So many of its last features a track is recognised by: what merges or splits for a time step is
+/// then itself again.
+constexpr std::size_t Remembered = 4;
+
+/// Where a track has been.
+struct Sighting
+{
+  std::size_t Frame;
+  std::size_t Feature;
+};
+
 struct OpenTrack
 {
   int Number;
-  std::size_t Frame;
-  std::size_t Feature;
+  int Whole;                       ///< the track that it has split off; -1: none
+  std::vector<Sighting> Sightings; ///< the last ones
+
+  bool WasSeenBefore(std::size_t frame) const { return this->Sightings.back().Frame + 1 == frame; }
 };
 
 double Common(const TrackedFeature& a, const TrackedFeature& b)
@@ -26,107 +46,39 @@ double Common(const TrackedFeature& a, const TrackedFeature& b)
   return static_cast<double>(both.size());
 }
 
+bool IsPartOf(const TrackedFeature& part, const TrackedFeature& whole)
+{
+  return !part.Lining.empty() &&
+    2.0 * Common(part, whole) >= static_cast<double>(part.Lining.size());
+}
+
+/// The share of common residues (Jaccard); 0 where they are not known.
+double Likeness(const TrackedFeature& a, const TrackedFeature& b)
+{
+  const double common = Common(a, b);
+  return common > 0.0 ? common / (static_cast<double>(a.Lining.size() + b.Lining.size()) - common)
+                      : 0.0;
+}
+
 /// HUGE_VAL where the two can't be one.
 double Cost(const TrackedFeature& a, const TrackedFeature& b, double furthest)
 {
   const Point3 d = b.Place - a.Place;
-  const double distance = std::sqrt(Dot(d, d));
-  if (!(distance <= furthest))
+  const double distance = std::sqrt(Dot(d, d)) / furthest;
+  const bool isKnown = !a.Lining.empty() && !b.Lining.empty();
+  const double likeness = Likeness(a, b);
+  const bool isNear = distance <= 1.0 && (!isKnown || likeness > 0.0);
+  if (!std::isfinite(distance) || !(isNear || likeness >= Alike))
   {
     return HUGE_VAL;
   }
-  double cost = distance / furthest;
+  double cost = std::min(distance, 1.0);
   const double mean = 0.5 * (a.Radius + b.Radius);
   if (mean > 0.0)
   {
     cost += std::fabs(a.Radius - b.Radius) / mean;
   }
-  if (!a.Lining.empty() && !b.Lining.empty())
-  {
-    const double common = Common(a, b);
-    const auto all = static_cast<double>(a.Lining.size() + b.Lining.size()) - common;
-    cost = common > 0.0 ? cost + 1.0 - common / all : HUGE_VAL;
-  }
-  return cost;
-}
-
-/**
- * For each row its column, or -1: as many rows as possible get one, at least cost. Shortest
- * augmenting paths with potentials; pairs that can't be are `none`, dearer than all others
- * together.
- */
-std::vector<int> Assign(const std::vector<std::vector<double>>& costs, std::size_t columns)
-{
-  constexpr double none = 1e6;
-  const std::size_t rows = costs.size();
-  const std::size_t width = columns + rows; // each row has a column of its own to stay alone
-  const auto cost = [&](std::size_t r, std::size_t c)
-  {
-    const bool known = c < columns && costs[r][c] < HUGE_VAL;
-    return known ? costs[r][c] : (c == columns + r ? none : 4.0 * none);
-  };
-  std::vector<double> rowPrice(rows + 1, 0.0);
-  std::vector<double> columnPrice(width + 1, 0.0);
-  std::vector<std::size_t> rowOf(width + 1, 0); // from 1; 0: free
-  for (std::size_t r = 1; r <= rows; ++r)
-  {
-    rowOf[0] = r;
-    std::size_t at = 0;
-    std::vector<double> least(width + 1, HUGE_VAL);
-    std::vector<std::size_t> before(width + 1, 0);
-    std::vector<char> seen(width + 1, 0);
-    while (rowOf[at] != 0)
-    {
-      seen[at] = 1;
-      const std::size_t row = rowOf[at];
-      std::size_t next = 0;
-      double step = HUGE_VAL;
-      for (std::size_t c = 1; c <= width; ++c)
-      {
-        if (seen[c])
-        {
-          continue;
-        }
-        const double price = cost(row - 1, c - 1) - rowPrice[row] - columnPrice[c];
-        if (price < least[c])
-        {
-          least[c] = price;
-          before[c] = at;
-        }
-        if (least[c] < step)
-        {
-          step = least[c];
-          next = c;
-        }
-      }
-      for (std::size_t c = 0; c <= width; ++c)
-      {
-        if (seen[c])
-        {
-          rowPrice[rowOf[c]] += step;
-          columnPrice[c] -= step;
-        }
-        else
-        {
-          least[c] -= step;
-        }
-      }
-      at = next;
-    }
-    for (; at != 0; at = before[at])
-    {
-      rowOf[at] = rowOf[before[at]];
-    }
-  }
-  std::vector<int> columnOf(rows, -1);
-  for (std::size_t c = 1; c <= columns; ++c)
-  {
-    if (rowOf[c] != 0 && costs[rowOf[c] - 1][c - 1] < HUGE_VAL)
-    {
-      columnOf[rowOf[c] - 1] = static_cast<int>(c - 1);
-    }
-  }
-  return columnOf;
+  return isKnown ? cost + 1.0 - likeness : cost;
 }
 
 /// Works off the frames one after the other.
@@ -142,95 +94,143 @@ public:
 
   void Step(std::size_t frame)
   {
-    const TrackFrame& features = this->Frames[frame];
-    auto& trackOf = this->Result.TrackOf[frame];
-    trackOf.assign(features.size(), -1);
-    const auto tooOld = [&](const OpenTrack& track)
-    { return frame - track.Frame > static_cast<std::size_t>(this->Options.MaximumGap) + 1; };
-    this->Open.erase(
-      std::remove_if(this->Open.begin(), this->Open.end(), tooOld), this->Open.end());
-    std::vector<std::vector<double>> costs;
-    for (const OpenTrack& track : this->Open)
-    {
-      costs.emplace_back();
-      for (const TrackedFeature& feature : features)
-      {
-        costs.back().push_back(Cost(this->Last(track), feature, this->Options.MaximumDistance));
-      }
-    }
+    this->Result.TrackOf[frame].assign(this->Frames[frame].size(), -1);
+    this->Forget(frame);
+    std::vector<int> columnOf =
+      AssignAtLeastCost(this->Costs(frame), this->Frames[frame].size(), Alone);
+    this->OthersGiveWay(frame, columnOf);
     const std::vector<OpenTrack> before = this->Open;
-    const std::vector<int> columnOf = Assign(costs, features.size());
     for (std::size_t i = 0; i < this->Open.size(); ++i)
     {
       if (columnOf[i] >= 0)
       {
-        const auto feature = static_cast<std::size_t>(columnOf[i]);
-        trackOf[feature] = this->Open[i].Number;
-        this->Open[i] = { this->Open[i].Number, frame, feature };
-      }
-      else if (this->Open[i].Frame + 1 == frame)
-      {
-        this->MaybeMerged.emplace_back(this->Open[i], frame);
+        this->See(this->Open[i], frame, static_cast<std::size_t>(columnOf[i]));
       }
     }
+    this->NameMerged(frame);
     this->Begin(frame, before);
   }
 
   FeatureTracks Result;
 
 private:
-  const TrackedFeature& Last(const OpenTrack& track) const
+  const TrackedFeature& At(const Sighting& seen) const
   {
-    return this->Frames[track.Frame][track.Feature];
+    return this->Frames[seen.Frame][seen.Feature];
   }
 
-  static bool IsPartOf(const TrackedFeature& part, const TrackedFeature& whole)
+  void See(OpenTrack& track, std::size_t frame, std::size_t feature)
   {
-    return !part.Lining.empty() &&
-      2.0 * Common(part, whole) >= static_cast<double>(part.Lining.size());
-  }
-
-  /// Features without a track begin one; now merges and splits can be seen.
-  void Begin(std::size_t frame, const std::vector<OpenTrack>& before)
-  {
-    const TrackFrame& features = this->Frames[frame];
-    auto& trackOf = this->Result.TrackOf[frame];
-    const std::vector<int> matched = trackOf;
-    for (const auto& [ended, at] : this->MaybeMerged)
+    track.Sightings.push_back({ frame, feature });
+    if (track.Sightings.size() > Remembered)
     {
-      for (std::size_t k = 0; k < features.size(); ++k)
+      track.Sightings.erase(track.Sightings.begin());
+    }
+    this->Result.TrackOf[frame][feature] = track.Number;
+  }
+
+  /// Closes the tracks that have been missing for too long.
+  void Forget(std::size_t frame)
+  {
+    const auto isOld = [&](const OpenTrack& track)
+    {
+      const std::size_t missed = frame - track.Sightings.back().Frame - 1;
+      return missed > static_cast<std::size_t>(this->Options.MaximumGap);
+    };
+    this->Open.erase(std::remove_if(this->Open.begin(), this->Open.end(), isOld), this->Open.end());
+  }
+
+  /// Of each open track with each feature: the least over the track's sightings.
+  std::vector<std::vector<double>> Costs(std::size_t frame) const
+  {
+    std::vector<std::vector<double>> costs;
+    for (const OpenTrack& track : this->Open)
+    {
+      auto& row = costs.emplace_back();
+      for (const TrackedFeature& feature : this->Frames[frame])
       {
-        if (matched[k] >= 0 && IsPartOf(this->Last(ended), features[k]))
+        double least = HUGE_VAL;
+        for (const Sighting& seen : track.Sightings)
         {
-          this->Result.Events.push_back({ TrackEventKind::Merge, at, ended.Number, matched[k] });
-          break;
+          least = std::min(least, Cost(this->At(seen), feature, this->Options.MaximumDistance));
+        }
+        row.push_back(least);
+      }
+    }
+    return costs;
+  }
+
+  /// `other` has split off from `track`, or has been missing while that has not.
+  bool GoesBefore(const OpenTrack& track, const OpenTrack& other, std::size_t frame) const
+  {
+    return other.Whole == track.Number ||
+      (track.WasSeenBefore(frame) && !other.WasSeenBefore(frame));
+  }
+
+  /// A track that goes before another one takes its place in what is like it, rather than to end.
+  void OthersGiveWay(std::size_t frame, std::vector<int>& columnOf) const
+  {
+    for (std::size_t i = 0; i < this->Open.size(); ++i)
+    {
+      const TrackedFeature& last = this->At(this->Open[i].Sightings.back());
+      for (std::size_t k = 0; k < this->Open.size() && columnOf[i] < 0; ++k)
+      {
+        if (columnOf[k] >= 0 && this->GoesBefore(this->Open[i], this->Open[k], frame) &&
+          Likeness(last, this->Frames[frame][static_cast<std::size_t>(columnOf[k])]) >= Alike)
+        {
+          std::swap(columnOf[i], columnOf[k]);
         }
       }
     }
-    this->MaybeMerged.clear();
+  }
+
+  /// Tracks that have just gone, and line what another one has now, have merged with it. They stay
+  /// open: they may come back after a gap.
+  void NameMerged(std::size_t frame)
+  {
+    const auto& trackOf = this->Result.TrackOf[frame];
+    for (const OpenTrack& track : this->Open)
+    {
+      int into = -1;
+      for (std::size_t k = 0; k < trackOf.size() && into < 0 && track.WasSeenBefore(frame); ++k)
+      {
+        if (trackOf[k] >= 0 && IsPartOf(this->At(track.Sightings.back()), this->Frames[frame][k]))
+        {
+          into = trackOf[k];
+          this->Result.Events.push_back({ TrackEventKind::Merge, frame, track.Number, into });
+        }
+      }
+    }
+  }
+
+  /// Features without a track begin one.
+  void Begin(std::size_t frame, const std::vector<OpenTrack>& before)
+  {
+    const TrackFrame& features = this->Frames[frame];
     for (std::size_t k = 0; k < features.size(); ++k)
     {
-      if (trackOf[k] >= 0)
+      if (this->Result.TrackOf[frame][k] >= 0)
       {
         continue;
       }
-      trackOf[k] = this->Result.NumberOfTracks++;
-      this->Open.push_back({ trackOf[k], frame, k });
+      OpenTrack track{ this->Result.NumberOfTracks++, -1, {} };
       for (const OpenTrack& old : before)
       {
-        if (old.Frame + 1 == frame && IsPartOf(features[k], this->Last(old)))
+        if (old.WasSeenBefore(frame) && IsPartOf(features[k], this->At(old.Sightings.back())))
         {
-          this->Result.Events.push_back({ TrackEventKind::Split, frame, trackOf[k], old.Number });
+          track.Whole = old.Number;
+          this->Result.Events.push_back({ TrackEventKind::Split, frame, track.Number, old.Number });
           break;
         }
       }
+      this->See(track, frame, k);
+      this->Open.push_back(std::move(track));
     }
   }
 
   const std::vector<TrackFrame>& Frames;
   const TrackOptions& Options;
   std::vector<OpenTrack> Open;
-  std::vector<std::pair<OpenTrack, std::size_t>> MaybeMerged;
 };
 
 }

@@ -28,7 +28,7 @@ using TrackFrame = std::vector<TrackedFeature>;
 struct TrackOptions
 {
   double MaximumDistance = 4.0; ///< that a feature moves from one time step to the next
-  int MaximumGap = 3;           ///< time steps that a track may miss
+  int MaximumGap = 25;          ///< time steps that a track may miss
 };
 
 enum class TrackEventKind
@@ -53,14 +53,19 @@ struct FeatureTracks
 };
 
 /**
- * Matches the features of each frame with the tracks so far, all at once (the assignment of least
- * cost, by shortest augmenting paths).
+ * Matches the features of each frame with the tracks so far, all at once (Assignment.h).
  *
- * Cost of a pair: distance over MaximumDistance, plus the difference of radii over their mean, plus
- * one minus the share of common residues (Jaccard). A pair is possible within MaximumDistance and,
- * where residues are known, with one in common. A track that ends while half of its residues line
- * another track's next feature has merged with it; one that begins so has split off. Frames must be
- * superposed.
+ * Cost of a pair: distance over MaximumDistance (at most 1), plus the difference of radii over
+ * their mean, plus one minus the share of common residues (Jaccard); the least over the track's
+ * last four features counts, so that a pocket is recognised after a time step in which it was one
+ * with another. A pair is possible within MaximumDistance and, where residues are known, with one
+ * in common; or at any distance with a third of them in common: the centre of a pocket that gains a
+ * room moves far. Pairs that cost more than 2 are none. A track that would end goes before one that
+ * has split off from it, or that has been missing, in what is a third like it.
+ *
+ * A track that ends while half of its residues line another track's next feature has merged with
+ * it; one that begins so has split off. A pocket that has merged, and comes back within MaximumGap,
+ * has its own track again. Frames must be superposed.
  *
  * O(frames x n^3) for n features that could be mixed up. Throws std::invalid_argument for options
  * out of range; Cancelled.

@@ -183,7 +183,21 @@ void Measure(Pocket& pocket)
     pocket.Radius = std::max(pocket.Radius, cell.Clearance);
     pocket.Access = std::max(pocket.Access, cell.Access);
   }
-  pocket.Centre = (1.0 / pocket.Score) * sum;
+  if (pocket.Score > 0.0)
+  {
+    pocket.Centre = (1.0 / pocket.Score) * sum;
+    return;
+  }
+  // Only where mouths take more than there is among many atoms: then the room without them counts.
+  double weights = 0.0;
+  pocket.Score = 0.0;
+  for (const PocketCell& cell : pocket.Cells)
+  {
+    const double weight = std::max(0.0, cell.Volume);
+    weights += weight;
+    pocket.Centre = pocket.Centre + weight * cell.Centre;
+  }
+  pocket.Centre = (1.0 / weights) * pocket.Centre;
 }
 
 /// Gives back the numbers that the caller's atoms have.
@@ -260,7 +274,7 @@ PocketResult FindPockets(
   for (Pocket& pocket : pockets)
   {
     Measure(pocket);
-    if (pocket.Volume >= options.MinimumVolume && pocket.Score > 0.0)
+    if (pocket.Volume > 0.0 && pocket.Volume >= options.MinimumVolume)
     {
       Renumber(pocket, order);
       result.Pockets.push_back(std::move(pocket));

@@ -157,10 +157,13 @@ AtomField::AtomField(const std::vector<Ball>& atoms)
   }
 }
 
-AtomField::Room AtomField::At(const Point3& place) const
+AtomField::Room AtomField::At(const Point3& place, double guess) const
 {
+  constexpr double furthest = 1e4;
+  constexpr double growth = 1.26; // twice the volume
   Room room{ HUGE_VAL, -1 };
-  for (double reach = 4.0; room.Radius > reach && reach < 1e4; reach *= 2.0)
+  double reach = std::max(guess, 4.0);
+  const auto look = [&]()
   {
     this->Bins.Near(place, reach + this->Largest,
       [&](std::int64_t id, double squared)
@@ -171,6 +174,10 @@ AtomField::Room AtomField::At(const Point3& place) const
           room = { radius, id };
         }
       });
+  };
+  for (look(); room.Radius > reach && reach < furthest; look())
+  {
+    reach = std::min(growth * reach, room.Radius);
   }
   return room;
 }
@@ -206,7 +213,7 @@ PlaneBall ClimbInPlane(
   const auto axes = Axes(plane.Normal);
   Point3 place = start - Dot(start - plane.Origin, plane.Normal) * plane.Normal;
   const Point3 first = place;
-  double radius = field.At(place).Radius;
+  double radius = field.At(place, climb.Room - Length(place - start)).Radius;
   double size = 0.5;
   // The atoms that can count while the place stays within `fetched`.
   constexpr double fetched = 1.5;
@@ -237,20 +244,21 @@ PlaneBall ClimbInPlane(
       size *= 0.25;
     }
   }
-  return { place, field.At(place).Radius };
+  return { place, field.At(place, radius).Radius };
 }
 
 PlaneBall LargestBallInPlane(const AtomField& field, const Plane& plane,
   const std::vector<Point3>& starts, double width, double enough)
 {
   const auto axes = Axes(plane.Normal);
-  const Climb rough{ 2.0 * std::max(width, 1.0), enough, 1e-2 };
+  Climb rough{ 2.0 * std::max(width, 1.0), enough, 1e-2, width };
   PlaneBall best = ClimbInPlane(field, plane, starts.front(), rough);
   const PlaneBall first = best;
   const auto offer = [&](const Point3& start)
   {
     // Climbs that end in one place differ by less: the first of them stays. A centre outside of the
     // first ball is another place, of a wider vestibule or another pore.
+    rough.Room = first.Radius - Length(start - first.Centre);
     const PlaneBall ball = ClimbInPlane(field, plane, start, rough);
     const bool here = Length(ball.Centre - first.Centre) <= std::max(first.Radius, 1.0);
     best = here && ball.Radius > best.Radius + 1e-4 ? ball : best;
@@ -264,7 +272,7 @@ PlaneBall LargestBallInPlane(const AtomField& field, const Plane& plane,
     offer(starts.front() + r * std::cos(angle) * axes[0] + r * std::sin(angle) * axes[1]);
   }
   return best.Radius < enough
-    ? ClimbInPlane(field, plane, best.Centre, { rough.Reach, enough, 1e-11 })
+    ? ClimbInPlane(field, plane, best.Centre, { rough.Reach, enough, 1e-11, best.Radius })
     : best;
 }
 

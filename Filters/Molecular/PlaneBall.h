@@ -20,13 +20,14 @@ class AtomField
 public:
   VTKISTHMUS_EXPORT explicit AtomField(const std::vector<Ball>& atoms);
 
-  /// Distance of `place` from the nearest atom's surface, and that atom.
+  /// Distance of `place` from the nearest atom's surface, and that atom. The nearer the guess is to
+  /// that distance, the less it takes.
   struct Room
   {
     double Radius;
     std::int64_t Atom;
   };
-  VTKISTHMUS_EXPORT Room At(const Point3& place) const;
+  VTKISTHMUS_EXPORT Room At(const Point3& place, double guess = 0.0) const;
 
   /// The atoms whose surface is within `reach` of `place`.
   VTKISTHMUS_EXPORT std::vector<Ball> Near(const Point3& place, double reach) const;
@@ -55,9 +56,10 @@ struct PlaneBall
 /// How far to climb.
 struct Climb
 {
-  double Reach;     ///< from the start
-  double Enough;    ///< radius at which to stop
-  double Tolerance; ///< length of the last step
+  double Reach;      ///< from the start
+  double Enough;     ///< radius at which to stop
+  double Tolerance;  ///< length of the last step
+  double Room = 0.0; ///< about that of the start, where known: saves time
 };
 
 /**

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace isthmus
 {
@@ -26,6 +27,9 @@ namespace
 /// HOLE's limits, in angstrom: no water passes; two side by side.
 constexpr double OneWater = 1.15;
 constexpr double TwoWaters = 2.30;
+
+/// An atom so near to a pore's ball lines it; in angstrom.
+constexpr double Reach = 0.5;
 
 template <typename Array>
 vtkNew<Array> Named(const char* name)
@@ -46,6 +50,23 @@ std::string ResidueOf(const ChosenAtoms& atoms, std::int64_t ball)
   const NamedAtom& atom = atoms.Named[point];
   return atom.Residue + " " + std::to_string(atom.ResidueId) + atom.InsertionCode +
     (atom.Chain.empty() ? "" : " " + atom.Chain);
+}
+
+/// "SER 54 A, TRP 23 A": the residues with an atom that touches the ball, nearly, in order.
+std::string ResiduesAround(
+  const PoreSample& sample, const AtomField& field, const ChosenAtoms& atoms)
+{
+  std::set<std::string> names;
+  for (const std::int64_t atom : field.Touching(sample.Centre, sample.Radius + Reach))
+  {
+    names.insert(ResidueOf(atoms, atom));
+  }
+  std::string list;
+  for (const std::string& name : names)
+  {
+    list += (list.empty() ? "" : ", ") + name;
+  }
+  return list;
 }
 
 /// The arrays that samples have wherever they go.
@@ -175,10 +196,12 @@ void FillPoreTable(const PoreReport& report, vtkTable* output)
 
 void FillBottlenecks(const PoreReport& report, vtkPolyData* output)
 {
+  const AtomField field(report.Atoms.Balls);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;
   auto rank = Named<vtkIntArray>("Rank");
+  auto residues = Named<vtkStringArray>("Residues");
   SampleArrays arrays;
   for (std::size_t p = 0; p < report.Pores.size(); ++p)
   {
@@ -189,6 +212,7 @@ void FillBottlenecks(const PoreReport& report, vtkPolyData* output)
       const vtkIdType id = points->InsertNextPoint(sample.Centre.data());
       vertices->InsertNextCell(1, &id);
       rank->InsertNextValue(++number);
+      residues->InsertNextValue(ResiduesAround(sample, field, report.Atoms));
       arrays.Add(NumberOf(p), sample, report.Atoms);
     }
   }
@@ -196,12 +220,12 @@ void FillBottlenecks(const PoreReport& report, vtkPolyData* output)
   output->SetVerts(vertices);
   arrays.Give([&](vtkAbstractArray* array) { output->GetPointData()->AddArray(array); });
   output->GetPointData()->AddArray(rank);
+  output->GetPointData()->AddArray(residues);
   output->GetPointData()->SetActiveScalars("Radius");
 }
 
 std::vector<std::vector<LiningResidue>> PoreLining(const PoreReport& report)
 {
-  constexpr double reach = 0.5; // angstrom
   std::vector<std::vector<LiningResidue>> residues;
   const AtomField field(report.Atoms.Balls);
   for (const Pore& pore : report.Pores)
@@ -209,7 +233,7 @@ std::vector<std::vector<LiningResidue>> PoreLining(const PoreReport& report)
     std::vector<char> lines(report.Atoms.Balls.size(), 0);
     for (const PoreSample& sample : pore.Samples)
     {
-      for (const std::int64_t atom : field.Touching(sample.Centre, sample.Radius + reach))
+      for (const std::int64_t atom : field.Touching(sample.Centre, sample.Radius + Reach))
       {
         lines[static_cast<std::size_t>(atom)] = 1;
       }

@@ -133,8 +133,8 @@ Pore PoreThrough(const AtomField& atoms, const Course& course, std::size_t from,
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
     length += i > 0 ? Length(balls[i].Centre - balls[i - 1].Centre) : 0.0;
-    pore.Samples.push_back(
-      { balls[i].Centre, balls[i].Radius, length, atoms.At(balls[i].Centre).Atom });
+    pore.Samples.push_back({ balls[i].Centre, balls[i].Radius, length,
+      atoms.At(balls[i].Centre, balls[i].Radius).Atom });
   }
   pore.Bottlenecks = Bottlenecks(pore.Samples);
   pore.Span = Length(pore.Samples.back().Centre - pore.Samples.front().Centre);

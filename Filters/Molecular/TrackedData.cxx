@@ -1,22 +1,19 @@
 #include "TrackedData.h"
 
+#include "FeatureInput.h"
+
 #include <vtkCellArray.h>
-#include <vtkDataArray.h>
-#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
-#include <vtkVariant.h>
 
-#include <algorithm>
 #include <limits>
-#include <stdexcept>
+#include <utility>
 
 namespace isthmus
 {
@@ -24,84 +21,6 @@ namespace
 {
 
 constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr const char* ValueNames[] = { "Radius", "Volume", "Score" };
-
-vtkDataArray* NumbersOf(vtkDataSetAttributes* data, const std::string& name)
-{
-  return vtkDataArray::SafeDownCast(data->GetAbstractArray(name.c_str()));
-}
-
-/// Where the features of a table or of points are.
-std::vector<Point3> PlacesOf(vtkDataObject* input)
-{
-  std::vector<Point3> places;
-  if (auto* points = vtkPointSet::SafeDownCast(input))
-  {
-    places.resize(static_cast<std::size_t>(points->GetNumberOfPoints()));
-    for (std::size_t i = 0; i < places.size(); ++i)
-    {
-      points->GetPoint(static_cast<vtkIdType>(i), places[i].data());
-    }
-    return places;
-  }
-  auto* table = vtkTable::SafeDownCast(input);
-  for (const char* prefix : { "Center", "Bottleneck" })
-  {
-    vtkDataArray* columns[3];
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      columns[k] = NumbersOf(table->GetRowData(), std::string(prefix) + static_cast<char>('X' + k));
-    }
-    if (columns[0] && columns[1] && columns[2])
-    {
-      for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
-      {
-        places.push_back({ columns[0]->GetComponent(row, 0), columns[1]->GetComponent(row, 0),
-          columns[2]->GetComponent(row, 0) });
-      }
-      return places;
-    }
-  }
-  if (table->GetNumberOfRows() > 0)
-  {
-    throw std::invalid_argument("The table has no columns CenterX, CenterY, CenterZ (nor "
-                                "BottleneckX, ...): take the Ranking of Molecular Pockets, the "
-                                "Pores of Pore Profile, or points.");
-  }
-  return places;
-}
-
-vtkDataSetAttributes* AttributesOf(vtkDataObject* input)
-{
-  auto* points = vtkPointSet::SafeDownCast(input);
-  return points ? static_cast<vtkDataSetAttributes*>(points->GetPointData())
-                : vtkTable::SafeDownCast(input)->GetRowData();
-}
-
-/// Gives each feature the residues that the lining table has under its number.
-void AddLining(vtkTable* lining, TrackFrame& frame)
-{
-  vtkDataArray* owner = NumbersOf(lining->GetRowData(), "PocketId");
-  owner = owner ? owner : NumbersOf(lining->GetRowData(), "PoreId");
-  for (vtkIdType row = 0; owner && row < lining->GetNumberOfRows(); ++row)
-  {
-    const auto feature = static_cast<std::size_t>(owner->GetComponent(row, 0)) - 1;
-    std::string name;
-    for (const char* column : { "Chain", "ResidueId", "InsertionCode", "ResidueName" })
-    {
-      name += lining->GetValueByName(row, column).ToString() + "|";
-    }
-    if (feature < frame.size())
-    {
-      frame[feature].Lining.push_back(name);
-    }
-  }
-  for (TrackedFeature& feature : frame)
-  {
-    std::sort(feature.Lining.begin(), feature.Lining.end());
-  }
-}
-
 template <typename Array>
 Array* AddColumn(vtkTable* table, const std::string& name)
 {
@@ -115,24 +34,22 @@ Array* AddColumn(vtkTable* table, const std::string& name)
 
 void TrackedData::Add(vtkDataObject* features, vtkTable* lining)
 {
-  TrackFrame frame;
+  TrackFrame& frame = this->Frames.emplace_back();
   auto& values = this->Values.emplace_back();
-  const auto places = PlacesOf(features);
-  for (std::size_t i = 0; i < places.size(); ++i)
+  auto& numbers = this->Numbers.emplace_back();
+  for (InputFeature& feature : FeaturesOf(features, lining))
   {
-    auto& value = values.emplace_back();
-    for (std::size_t k = 0; k < value.size(); ++k)
-    {
-      vtkDataArray* array = NumbersOf(AttributesOf(features), ValueNames[k]);
-      value[k] = array ? array->GetComponent(static_cast<vtkIdType>(i), 0) : Unknown;
-    }
-    frame.push_back({ places[i], value[0], {} });
+    frame.push_back(std::move(feature.Feature));
+    values.push_back(feature.Values);
+    numbers.push_back(feature.Number);
   }
-  if (lining)
-  {
-    AddLining(lining, frame);
-  }
-  this->Frames.push_back(std::move(frame));
+}
+
+void TrackedData::Clear()
+{
+  this->Frames.clear();
+  this->Values.clear();
+  this->Numbers.clear();
 }
 
 void TrackedData::FillTable(const Tracks& places, vtkTable* table) const
@@ -152,7 +69,7 @@ void TrackedData::FillTable(const Tracks& places, vtkTable* table) const
     {
       track->InsertNextValue(static_cast<int>(n) + 1);
       time->InsertNextValue(this->TimeOf(place.Frame));
-      feature->InsertNextValue(static_cast<int>(place.Feature) + 1);
+      feature->InsertNextValue(static_cast<int>(this->Numbers[place.Frame][place.Feature]));
       for (std::size_t k = 0; k < 3; ++k)
       {
         numbers[k]->InsertNextValue(this->Frames[place.Frame][place.Feature].Place[k]);

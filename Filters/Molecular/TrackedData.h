@@ -8,6 +8,7 @@
 #include "FeatureTracks.h"
 
 #include <array>
+#include <cstdint>
 
 class vtkDataObject;
 class vtkPolyData;
@@ -22,6 +23,7 @@ struct TrackedData
   std::vector<double> Times; ///< empty: no time steps
   std::vector<TrackFrame> Frames;
   std::vector<std::vector<std::array<double, 3>>> Values;
+  std::vector<std::vector<std::int64_t>> Numbers; ///< of the features, in the input
 
   /// One feature of one frame.
   struct Place
@@ -31,9 +33,11 @@ struct TrackedData
   };
   using Tracks = std::vector<std::vector<Place>>;
 
-  /// Adds a frame: a table with centres or bottlenecks, or points; and who lines them, or null.
-  /// Throws std::invalid_argument for a table without places.
+  /// Adds a frame (FeatureInput.h).
   void Add(vtkDataObject* features, vtkTable* lining);
+
+  /// Forgets all frames.
+  void Clear();
 
   double TimeOf(std::size_t frame) const { return this->Times.empty() ? 0.0 : this->Times[frame]; }
   void FillTable(const Tracks& places, vtkTable* table) const;

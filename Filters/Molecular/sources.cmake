@@ -9,6 +9,7 @@ isthmus_room(
     vtkPolarizedCurvature
     vtkPoreProfile
   SOURCES
+    Assignment
     AtomBalls
     AtomInput
     BallBricks
@@ -21,6 +22,7 @@ isthmus_room(
     Dispersion
     DispersionAtoms
     EmptySpace
+    FeatureInput
     FeatureTracks
     FlowBand
     FlowGrid

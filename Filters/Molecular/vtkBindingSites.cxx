@@ -91,13 +91,16 @@ int vtkBindingSites::RequestData(
       output->ShallowCopy(surface);
       if (surface->GetNumberOfCells() > 0)
       {
+        std::vector<std::string> notes;
         std::optional<isthmus::ChosenAtoms> chosen;
         if (atoms && atoms->GetNumberOfPoints() > 0)
         {
-          chosen = this->TakeAtoms(atoms, table);
+          chosen = this->TakeAtoms(atoms);
+          notes = chosen->Notes;
         }
         const isthmus::PolyDataTriangles triangles(surface);
-        const isthmus::BindingSiteResult result = chosen && this->UsePockets
+        const bool usesPockets = chosen && this->UsePockets;
+        const isthmus::BindingSiteResult result = usesPockets
           ? this->Pockets(surface, triangles.View(), *chosen)
           : this->Patches(surface, triangles.View());
         vtkNew<vtkIntArray> labels;
@@ -111,6 +114,8 @@ int vtkBindingSites::RequestData(
                      triangles.View(), result.Labels, result.Sites.size(), *chosen)
                  : std::vector<std::string>(),
           table);
+        notes.push_back(usesPockets ? "Sites are pockets." : "Sites are patches of the surface.");
+        isthmus::AddNotes(notes, table);
       }
     });
 }
@@ -192,10 +197,9 @@ isthmus::BindingSiteResult vtkBindingSites::Patches(
   return result;
 }
 
-isthmus::ChosenAtoms vtkBindingSites::TakeAtoms(vtkPointSet* input, vtkTable* table)
+isthmus::ChosenAtoms vtkBindingSites::TakeAtoms(vtkPointSet* input)
 {
   isthmus::ChosenAtoms atoms = isthmus::ChooseAtoms("Radius", input, isthmus::PolymerOptions());
-  isthmus::AddNotes(atoms.Notes, table);
   for (const std::string& warning : atoms.Warnings)
   {
     vtkWarningMacro(<< warning);
@@ -230,6 +234,12 @@ isthmus::BindingSiteResult vtkBindingSites::Pockets(
     site.Centre = pockets[i].Centre;
     site.Points = std::count(result.Labels.begin(), result.Labels.end(), static_cast<int>(i) + 1);
     result.Sites.push_back(site);
+  }
+  if (pockets.empty())
+  {
+    vtkWarningMacro(
+      << "The molecule has no pocket, so there are no sites: turn Use Pockets off for "
+         "the patches of the surface that stand out.");
   }
   return result;
 }

@@ -24,14 +24,15 @@
  * "A HIS 57 (5)" is chain, name, number, atoms) and, of pockets, `Volume` (angstrom^3); `Area`
  * (angstrom^2), `MeanDepth` (angstrom below the convex hull of the surface), `MeanPotential` (kT/e;
  * NaN without a potential), `CenterX`, `CenterY`, `CenterZ` (mean of the patch's points), `Points`.
- * Its field array `Threshold` is the amplitude that was used. BindingSites.h has definitions.
+ * Its field array `Threshold` is the amplitude that was used, `Notes` says what the sites are and
+ * which atoms were left out. BindingSites.h has definitions.
  *
  * **Defaults** were tuned on the eight complexes of Filters/Molecular/BindingSites.md, which says
  * how well they predict.
  *
  * **Errors** (sentence, empty outputs): no such arrays; a quantile, threshold, distance or area out
- * of range. No point above the threshold (a constant array, say) is a warning and no site. An empty
- * surface is neither.
+ * of range. No point above the threshold (a constant array, say) and a molecule without pockets are
+ * a warning and no site. An empty surface is neither.
  *
  * **Cost.** 1 us a point and thread for the hull, in parallel; the same bits on any number of
  * threads. On several MPI ranks, each works on its own piece: gather the surface first.
@@ -178,7 +179,7 @@ private:
   vtkDataArray* Scalar(int index, vtkPolyData* surface, const char* remedy);
   isthmus::SiteFields Fields(vtkPolyData* surface);
   isthmus::BindingSiteResult Patches(vtkPolyData* surface, const isthmus::SurfaceView& triangles);
-  isthmus::ChosenAtoms TakeAtoms(vtkPointSet* input, vtkTable* table);
+  isthmus::ChosenAtoms TakeAtoms(vtkPointSet* input);
   isthmus::BindingSiteResult Pockets(
     vtkPolyData* surface, const isthmus::SurfaceView& triangles, const isthmus::ChosenAtoms& atoms);
 };

@@ -104,8 +104,7 @@ int vtkFeatureTracks::RequestData(
     {
       vtkDataObject::GetData(outputVector, port)->Initialize();
     }
-    this->Data->Frames.clear();
-    this->Data->Values.clear();
+    this->Data->Clear();
     request->Remove(Pipeline::CONTINUE_EXECUTING());
   };
   const bool done = isthmus::Succeeds(this, vtkDataObject::GetData(outputVector, 0),
@@ -123,8 +122,7 @@ int vtkFeatureTracks::RequestData(
       }
       request->Remove(Pipeline::CONTINUE_EXECUTING());
       this->Finish(outputVector);
-      this->Data->Frames.clear();
-      this->Data->Values.clear();
+      this->Data->Clear();
     });
   if (!done || this->GetAbortExecute())
   {

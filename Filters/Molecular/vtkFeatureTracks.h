@@ -4,15 +4,17 @@
  *
  * Input 0: features at each time step, of a pipeline with time (a molecule with several models,
  * say): a table with CenterX, CenterY, CenterZ (the Ranking of vtkMolecularPockets) or BottleneckX,
- * ... (the Pores of vtkPoreProfile), or points (bottlenecks, choke points). Where there are a
+ * ... (the Pores of vtkPoreProfile), points (bottlenecks, choke points), or what an array PocketId,
+ * PoreId or FeatureId groups (the pockets, mouths or alpha balls of vtkMolecularPockets, the lines
+ * of vtkPoreProfile, the loops of vtkChokingLoops); FeatureInput.h has the rules. Where there are a
  * column or array `Radius`, `Volume`, `Score`, they are carried along. Input 1 (optional): the
  * lining residues of the same filter, which make the matching sure where features are crowded.
  *
  * The filter asks for all time steps, one after the other. FeatureTracks.h tells how it matches.
  *
  * **Output 0**, vtkTable: a row for each feature and time: `Track` (from 1), `Time`, `FeatureId`
- * (its row or point there, from 1), `X`, `Y`, `Z`, `Radius`, `Volume`, `Score` (NaN where not
- * known).
+ * (its row or point there, from 1, or the id that groups it), `X`, `Y`, `Z`, `Radius`, `Volume`,
+ * `Score` (NaN where not known).
  * **Output 1**, vtkTable for charts: a row for each time, `Time` and a column `Track N` with
  * Radius, Volume or Score (Charted), NaN where it is missing; the longest tracks come first.
  * **Output 2**, vtkPolyData: a polyline for each track, point arrays `Track`, `Time`, `Radius`.
@@ -49,7 +51,7 @@ public:
   ///@}
 
   ///@{
-  /// How many time steps a track may miss. Default: 3.
+  /// How many time steps a track may miss. Default: 25.
   vtkSetMacro(MaximumGap, int);
   vtkGetMacro(MaximumGap, int);
   ///@}
@@ -99,7 +101,7 @@ private:
 
   std::unique_ptr<Collected> Data;
   double MaximumDistance = 4.0;
-  int MaximumGap = 3;
+  int MaximumGap = 25;
   int Charted = Radius;
   int MinimumLength = 1;
 };

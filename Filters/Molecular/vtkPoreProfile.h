@@ -6,8 +6,10 @@
  * them. Where it gives names, water, ions and ligands are left out (the field array `Notes` says
  * what); hydrogens stay, unlike in vtkMolecularPockets.
  *
- * Or a closed surface (polygons without a radius): its points are taken as atoms of radius 0.
- * Channels narrower than its longest edge are not told from the gaps between points and left out.
+ * Or a closed surface (polygons without a radius), of a map say, as vtkMapSurface makes it: its
+ * points are taken as atoms of radius 0, so that radii are too large by some h^2 / 6r at edges of
+ * h. Channels narrower than its longest edge are not told from the gaps between points and left
+ * out.
  *
  * Mode Automatic finds the channels that run through; TwoPoints takes the pore from Point1 to
  * Point2; PointAndDirection takes planes across Direction, both ways from Point, as HOLE does.
@@ -21,7 +23,8 @@
  * **Output 2**, vtkTable: a row for each pore: `PoreId`, `Radius` (the least), `Length`, `Span`,
  * `Bottlenecks`, `BottleneckX`, `BottleneckY`, `BottleneckZ`.
  * **Output 3**, vtkPolyData: bottlenecks, local minima of the radius: points with `PoreId`, `Rank`
- * (1: the narrowest), `Radius`, `ArcLength`, `NearestAtom`, `NearestResidue`.
+ * (1: the narrowest), `Radius`, `ArcLength`, `NearestAtom`, `NearestResidue`, `Residues` (those
+ * that touch the ball there, within 0.5 angstrom).
  * **Output 4**, vtkTable: lining residues: `PoreId` and the columns of vtkMolecularPockets.
  * **Output 5**, vtkPolyData: tubes of the pores' radii with `Radius`, `WidthClass`, `PoreId`.
  * **Output 6**, vtkPolyData: the lining residues whole, with their bonds, the input's point arrays

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <numeric>
 #include <random>
 
@@ -227,4 +229,132 @@ TEST(EmptySpace, PocketsAndTheRestAddUp)
   const Estimate volume = VolumeByPoints(
     14.0, 2000000, [&](const Point3& p) { return Covered(balls, options.ProbeRadius, p); });
   EXPECT_NEAR(result.UnionVolume, volume.Value, 3.0 * volume.Error());
+}
+
+namespace
+{
+
+/// A cube of side 40 with eight atoms at its corners and a cloud inside: its hull is the cube.
+std::vector<Ball> CloudInACube()
+{
+  auto balls = Cloud(500, 13.0, 1.2, 1.9);
+  for (int i = 0; i < 8; ++i)
+  {
+    balls.push_back({ { i & 1 ? 20.0 : -20.0, i & 2 ? 20.0 : -20.0, i & 4 ? 20.0 : -20.0 }, 1.7 });
+  }
+  return balls;
+}
+
+/// Two rooms, mirror images in z = 0, that a ring of atoms there parts: a narrow way leads through.
+std::vector<Ball> TwoRooms(double neck)
+{
+  std::vector<Ball> balls;
+  for (const double side : { -1.0, 1.0 })
+  {
+    for (const Ball& ball : Shell(300, 8.0))
+    {
+      const Ball moved{ { ball.Centre[0], ball.Centre[1], side * (ball.Centre[2] + 7.0) }, 1.7 };
+      if (side * moved.Centre[2] > 0.8)
+      {
+        balls.push_back(moved);
+      }
+    }
+  }
+  for (double r = neck; r < 9.0; r += 1.5)
+  {
+    const int count = static_cast<int>(2.0 * Pi * r / 1.5);
+    for (int i = 0; i < count; ++i)
+    {
+      const double angle = 2.0 * Pi * (i + 0.5) / count;
+      balls.push_back({ { r * std::cos(angle), r * std::sin(angle), 0.0 }, 1.7 });
+    }
+  }
+  return balls;
+}
+
+}
+
+TEST(EmptySpace, WhereverMouthsCutTheRoomIsTheSame)
+{
+  // Pockets, the rest and the atoms fill a cube, whatever radii part them; by random points, too.
+  const auto balls = CloudInACube();
+  const Estimate empty =
+    VolumeByPoints(20.0, 300000, [&](const Point3& p) { return !Covered(balls, 1.4, p); });
+  std::vector<double> pocketVolumes;
+  for (const auto& [inner, outer] : std::vector<std::pair<double, double>>{
+         { 1.5, 2.2 }, { 1.7, 3.1 }, { 2.0, 4.5 }, { 1.4, 9.0 } })
+  {
+    PocketOptions options;
+    options.InnerRadius = inner;
+    options.OuterRadius = outer;
+    const PocketResult result = FindPockets(balls, options);
+    EXPECT_NEAR(result.HullVolume, 64000.0, 1e-6);
+    EXPECT_NEAR(result.PocketVolume + result.RestVolume, empty.Value, 3.0 * empty.Error());
+    EXPECT_NEAR(
+      result.HullVolume - result.PocketVolume - result.RestVolume, result.FullVolume, 1e-6);
+    EXPECT_GT(result.Pockets.size(), 0u);
+    pocketVolumes.push_back(result.PocketVolume);
+  }
+  EXPECT_GT(pocketVolumes.back(), pocketVolumes.front());
+}
+
+TEST(EmptySpace, AMouthPartsTwoRoomsIntoEqualHalves)
+{
+  for (const double neck : { 3.4, 3.8, 4.2 }) // its ball has the radius 1.7, 2.1, 2.5
+  {
+    const auto balls = TwoRooms(neck);
+    PocketOptions options;
+    options.InnerRadius = 2.6;
+    options.OuterRadius = 20.0;
+    const PocketResult result = FindPockets(balls, options);
+    ASSERT_EQ(result.Pockets.size(), 2u) << neck;
+    const double whole = result.Pockets[0].Volume + result.Pockets[1].Volume;
+    const Estimate empty = VolumeByPoints(16.0, 500000,
+      [&](const Point3& p)
+      {
+        const double z = std::fabs(p[2]) - 7.0;
+        return p[0] * p[0] + p[1] * p[1] + z * z < 64.0 && !Covered(balls, 1.4, p);
+      });
+    EXPECT_NEAR(whole, empty.Value, 3.0 * empty.Error()) << neck;
+    EXPECT_NEAR(result.Pockets[0].Volume, 0.5 * whole, 1e-6 * whole) << neck;
+    EXPECT_NEAR(result.Pockets[0].Area, result.Pockets[1].Area, 1e-6 * result.Pockets[0].Area);
+    // As one pocket they are the same room.
+    options.InnerRadius = 1.5;
+    const PocketResult joined = FindPockets(balls, options);
+    ASSERT_GE(joined.Pockets.size(), 1u) << neck; // small ones outside may be there
+    EXPECT_NEAR(joined.Pockets[0].Volume, whole, 1e-6 * whole) << neck;
+  }
+}
+
+TEST(EmptySpace, APocketsVolumeIsNearThatOfItsTetrahedra)
+{
+  // At a mouth balls are cut as their sectors are; how far is that from a cut by its triangles?
+  const auto balls = CloudInACube();
+  const PocketResult result = FindPockets(balls, {});
+  ASSERT_FALSE(result.Pockets.empty());
+  const Pocket& pocket = *std::max_element(result.Pockets.begin(), result.Pockets.end(),
+    [](const Pocket& a, const Pocket& b) { return a.Volume < b.Volume; });
+  ASSERT_FALSE(pocket.Mouths.empty());
+  const auto inside = [&](const Point3& p)
+  {
+    return std::any_of(pocket.Cells.begin(), pocket.Cells.end(),
+      [&](const PocketCell& cell)
+      {
+        const auto at = [&](std::size_t k)
+        { return balls[static_cast<std::size_t>(cell.Atoms[k])].Centre; };
+        int signs = 0;
+        for (std::size_t k = 0; k < 4; ++k)
+        {
+          const Point3 a = at((k + 1) % 4);
+          const Point3 normal = Cross(at((k + 2) % 4) - a, at((k + 3) % 4) - a);
+          signs += Dot(p - a, normal) * Dot(at(k) - a, normal) >= 0.0 ? 1 : 0;
+        }
+        return signs == 4;
+      });
+  };
+  const Estimate exact = VolumeByPoints(
+    14.0, 200000, [&](const Point3& p) { return inside(p) && !Covered(balls, 1.4, p); });
+  std::cout << "volume " << pocket.Volume << ", cut by triangles " << exact.Value << " +- "
+            << exact.Error() << "\n";
+  EXPECT_NEAR(pocket.Volume, exact.Value, 0.03 * exact.Value + 3.0 * exact.Error());
 }
