@@ -5,25 +5,48 @@
 #ifndef isthmus_CubicalComponents_h
 #define isthmus_CubicalComponents_h
 
+#include "CompactDisjointSets.h"
 #include "CubicalGradient.h"
-#include "LinkForest.h"
+#include "PathEnds.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace isthmus
 {
 
-/**
- * Components: joins what each critical edge joins, in ascending order; the younger minimum ends.
- *
- * `edges` are the critical edges, sorted. negative[i] becomes 1 for those that join two components.
- * Pairs of equal value are left out. O(n log n) at worst; only nodes on descending paths from
- * critical edges are visited.
- */
+/// Sets of numbered places, each known by its eldest.
+class ElderSets
+{
+public:
+  explicit ElderSets(std::size_t count)
+    : Sets(count)
+    , Eldest(count)
+  {
+    std::iota(this->Eldest.begin(), this->Eldest.end(), std::uint32_t{ 0 });
+  }
+
+  std::size_t EldestOf(std::size_t place) { return this->Eldest[this->Sets.Find(place)]; }
+
+  /// Joins the set of `younger` to that of `elder`, both eldest of theirs.
+  void Join(std::size_t younger, std::size_t elder)
+  {
+    this->Eldest[this->Sets.Join(this->Sets.Find(younger), this->Sets.Find(elder))] =
+      static_cast<std::uint32_t>(elder);
+  }
+
+private:
+  CompactDisjointSets Sets;
+  std::vector<std::uint32_t> Eldest; ///< by root
+};
+
+/// The minima that the gradient leads to from both nodes of each edge, and at the end from node 0.
 template <typename Gradient>
-void PairComponents(const Gradient& gradient, const std::vector<typename Gradient::Key>& edges,
-  std::vector<char>& negative, std::vector<CubicalPair>& pairs)
+PathEnds<typename Gradient::Key::Link> MinimaOf(
+  const Gradient& gradient, const std::vector<typename Gradient::Key>& edges)
 {
   const LowerStars& stars = gradient.Lower();
   const auto descend = [&](std::int64_t node)
@@ -31,39 +54,19 @@ void PairComponents(const Gradient& gradient, const std::vector<typename Gradien
     const int edge = stars[node].Partner[Star::Node];
     return edge == Star::Node ? node : node + stars.Offset(edge);
   };
-  LinkForest<typename Gradient::Key::Link, decltype(descend)> forest(stars.NodeCount(), descend);
-  negative.assign(edges.size(), 0);
-  for (std::size_t i = 0; i < edges.size(); ++i)
+  const auto starts = [&](std::int64_t i)
   {
-    const auto ends = gradient.EndsOf(edges[i]);
-    std::int64_t elder = forest.Root(ends[0]);
-    std::int64_t younger = forest.Root(ends[1]);
-    if (elder == younger)
-    {
-      continue;
-    }
-    if (gradient.IsLater(elder, younger))
-    {
-      std::swap(elder, younger);
-    }
-    forest.Join(younger, elder);
-    negative[i] = 1;
-    if (!gradient.EdgeKey(younger, 0).SameValue(edges[i]))
-    {
-      pairs.push_back({ gradient.Named(younger, Star::Node),
-        gradient.Named(edges[i].Node(), edges[i].Place()), 0, gradient.Named(elder, Star::Node) });
-    }
-  }
-  pairs.push_back({ gradient.Named(forest.Root(0), Star::Node), CubicalCell(), 0, CubicalCell() });
+    const auto edge = static_cast<std::size_t>(i);
+    return edge == edges.size() ? std::array<std::int64_t, 2>{ 0, 0 }
+                                : gradient.EndsOf(edges[edge]);
+  };
+  return { static_cast<std::int64_t>(edges.size()) + 1, starts, stars.NodeCount(), descend };
 }
 
-/**
- * Voids: the components of what is left, in descending order; beyond the grid is one that has
- * always been there. `faces` are the critical faces, sorted; those that close a void are taken out.
- */
+/// The cubes, or the outside, that the gradient comes from on both sides of each face.
 template <typename Gradient>
-void PairVoids(const Gradient& gradient, std::vector<typename Gradient::Key>& faces,
-  std::vector<CubicalPair>& pairs)
+PathEnds<typename Gradient::Key::Link> MaximaOf(
+  const Gradient& gradient, const std::vector<typename Gradient::Key>& faces)
 {
   const LowerStars& stars = gradient.Lower();
   const std::int64_t outside = gradient.NodeOutside();
@@ -82,38 +85,96 @@ void PairVoids(const Gradient& gradient, std::vector<typename Gradient::Key>& fa
     const auto sides = gradient.CofacesOf(node, face);
     return sides[0] == cube ? sides[1] : sides[0];
   };
-  LinkForest<typename Gradient::Key::Link, decltype(ascend)> forest(stars.NodeCount() + 1, ascend);
-  const auto nameOf = [&](std::int64_t cube)
+  const auto starts = [&](std::int64_t i)
   {
-    const auto [node, cell] = gradient.StarCube(cube);
-    return gradient.Named(node, cell);
+    const auto& face = faces[static_cast<std::size_t>(i)];
+    return gradient.CofacesOf(face.Node(), Gradient::FaceOf(face));
   };
-  const auto keyOf = [&](std::int64_t cube)
+  return { static_cast<std::int64_t>(faces.size()), starts, outside + 1, ascend };
+}
+
+/**
+ * Components: joins what each critical edge joins, in ascending order; the younger minimum ends.
+ *
+ * `edges` are the critical edges, sorted; `minima` are theirs. negative[i] becomes 1 for those that
+ * join two components. Pairs of equal value are left out. Near linear.
+ */
+template <typename Gradient>
+void PairComponents(const Gradient& gradient, const std::vector<typename Gradient::Key>& edges,
+  const PathEnds<typename Gradient::Key::Link>& minima, std::vector<char>& negative,
+  std::vector<CubicalPair>& pairs)
+{
+  ElderSets components(minima.Places.size());
+  const auto nodeOf = [&](std::size_t minimum)
+  { return static_cast<std::int64_t>(minima.Places[minimum]); };
+  negative.assign(edges.size(), 0);
+  for (std::size_t i = 0; i < edges.size(); ++i)
   {
-    const auto [node, cell] = gradient.StarCube(cube);
+    std::size_t elder = components.EldestOf(minima.Numbers[i][0]);
+    std::size_t younger = components.EldestOf(minima.Numbers[i][1]);
+    if (elder == younger)
+    {
+      continue;
+    }
+    if (gradient.IsLater(nodeOf(elder), nodeOf(younger)))
+    {
+      std::swap(elder, younger);
+    }
+    components.Join(younger, elder);
+    negative[i] = 1;
+    if (!gradient.EdgeKey(nodeOf(younger), 0).SameValue(edges[i]))
+    {
+      pairs.push_back({ gradient.Named(nodeOf(younger), Star::Node),
+        gradient.Named(edges[i].Node(), edges[i].Place()), 0,
+        gradient.Named(nodeOf(elder), Star::Node) });
+    }
+  }
+  const std::int64_t first = nodeOf(components.EldestOf(minima.Numbers.back()[0]));
+  pairs.push_back({ gradient.Named(first, Star::Node), CubicalCell(), 0, CubicalCell() });
+}
+
+/**
+ * Voids: the components of what is left, in descending order; beyond the grid is one that has
+ * always been there. `faces` are the critical faces, sorted, and `maxima` theirs; those that close
+ * a void are taken out.
+ */
+template <typename Gradient>
+void PairVoids(const Gradient& gradient, std::vector<typename Gradient::Key>& faces,
+  const PathEnds<typename Gradient::Key::Link>& maxima, std::vector<CubicalPair>& pairs)
+{
+  ElderSets voids(maxima.Places.size());
+  const std::int64_t outside = gradient.NodeOutside();
+  const auto cubeOf = [&](std::size_t maximum)
+  { return static_cast<std::int64_t>(maxima.Places[maximum]); };
+  const auto keyOf = [&](std::size_t maximum)
+  {
+    const auto [node, cell] = gradient.StarCube(cubeOf(maximum));
     return gradient.CubeKey(node, cell);
+  };
+  const auto nameOf = [&](std::size_t maximum)
+  {
+    const auto [node, cell] = gradient.StarCube(cubeOf(maximum));
+    return gradient.Named(node, cell);
   };
   std::size_t kept = faces.size();
   for (std::size_t i = faces.size(); i-- > 0;)
   {
-    const auto sides = gradient.CofacesOf(faces[i].Node(), Gradient::FaceOf(faces[i]));
-    std::int64_t stays = forest.Root(sides[0]);
-    std::int64_t ends = forest.Root(sides[1]);
+    std::size_t stays = voids.EldestOf(maxima.Numbers[i][0]);
+    std::size_t ends = voids.EldestOf(maxima.Numbers[i][1]);
     if (stays == ends)
     {
       faces[--kept] = faces[i];
       continue;
     }
-    if (ends == outside || (stays != outside && keyOf(stays) < keyOf(ends)))
+    if (cubeOf(ends) == outside || (cubeOf(stays) != outside && keyOf(stays) < keyOf(ends)))
     {
       std::swap(stays, ends);
     }
-    forest.Join(ends, stays);
-    const auto [node, cell] = gradient.StarCube(ends);
-    if (!gradient.CubeKey(node, cell).SameValue(faces[i]))
+    voids.Join(ends, stays);
+    if (!keyOf(ends).SameValue(faces[i]))
     {
-      pairs.push_back({ gradient.Named(faces[i].Node(), Gradient::FaceOf(faces[i])),
-        gradient.Named(node, cell), 2, stays == outside ? CubicalCell() : nameOf(stays) });
+      pairs.push_back({ gradient.Named(faces[i].Node(), Gradient::FaceOf(faces[i])), nameOf(ends),
+        2, cubeOf(stays) == outside ? CubicalCell() : nameOf(stays) });
     }
   }
   faces.erase(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(kept));

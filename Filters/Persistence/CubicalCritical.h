@@ -81,22 +81,26 @@ struct CubicalCritical
   explicit CubicalCritical(const Gradient& gradient)
   {
     CollectCritical(gradient, this->Edges, this->Faces);
-    // The two dimensions do not know of each other, so they can run at once.
+    AtOnce([this]() { std::sort(this->Edges.begin(), this->Edges.end()); },
+      [this]() { std::sort(this->Faces.begin(), this->Faces.end()); });
+    const auto minima = MinimaOf(gradient, this->Edges);
+    const auto maxima = MaximaOf(gradient, this->Faces);
+    AtOnce([&]()
+      { PairComponents(gradient, this->Edges, minima, this->Negative, this->Components); },
+      [&]() { PairVoids(gradient, this->Faces, maxima, this->Voids); });
+  }
+
+private:
+  /// Both, which do not know of each other.
+  template <typename First, typename Second>
+  static void AtOnce(First&& first, Second&& second)
+  {
     ParallelFor(0, 2, 1,
-      [&](std::int64_t first, std::int64_t last)
+      [&](std::int64_t begin, std::int64_t end)
       {
-        for (std::int64_t task = first; task < last; ++task)
+        for (std::int64_t task = begin; task < end; ++task)
         {
-          if (task == 0)
-          {
-            std::sort(this->Edges.begin(), this->Edges.end());
-            PairComponents(gradient, this->Edges, this->Negative, this->Components);
-          }
-          else
-          {
-            std::sort(this->Faces.begin(), this->Faces.end());
-            PairVoids(gradient, this->Faces, this->Voids);
-          }
+          task == 0 ? first() : second();
         }
       });
   }

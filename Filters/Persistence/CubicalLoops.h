@@ -9,9 +9,9 @@
 #include "ParallelFor.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -57,41 +57,47 @@ public:
    * The edges whose loops `faces` fill, as Fill would give them in turn: calls found(i, edge) in
    * their order. For a reduction that has filled nothing yet.
    *
-   * Batch by batch, on all threads, in rounds: each face adds columns of earlier ones until it
+   * In rounds, on all threads: each of some thousand faces adds columns of earlier ones until it
    * comes to an edge that none of them has; then, in order, the earliest of those that came to an
-   * edge gets it, and the others, with whoever had it before, go on in the next round. Only earlier
-   * columns are ever added, so the pairs are those of Fill (D. Morozov, A. Nigmetov, Towards
-   * lockfree persistent homology, SPAA 2020), and rounds do not depend on the threads.
+   * edge gets it, and the others, with whoever had it before, go on in the next round, beside the
+   * faces that follow. Only earlier columns are ever added, so the pairs are those of Fill (D.
+   * Morozov, A. Nigmetov, Towards lockfree persistent homology, SPAA 2020), and rounds do not
+   * depend on the threads.
    */
   template <typename Found>
   void FillAll(const std::vector<Key>& faces, Found&& found, const ProgressCallback& progress)
   {
-    const auto count = static_cast<std::int64_t>(faces.size());
-    const std::int64_t batch = std::max<std::int64_t>(1024, count / 64);
-    std::vector<Begun> begun;
-    std::vector<std::int64_t> waiting;
-    for (std::int64_t first = 0; first < count; first += batch)
+    const std::size_t most = std::max<std::size_t>(1024, faces.size() / 16);
+    std::vector<Begun> waiting;
+    // A round is told about in parts only where it is a long one, since each part costs threads.
+    double seconds = std::numeric_limits<double>::infinity();
+    for (std::size_t next = 0; next < faces.size() || !waiting.empty();)
     {
-      const std::int64_t last = std::min(count, first + batch);
-      begun.assign(static_cast<std::size_t>(last - first), Begun());
-      waiting.resize(begun.size());
-      std::iota(waiting.begin(), waiting.end(), std::int64_t{ 0 });
-      const auto report = [&](double done)
+      // By the faces taken up: how many of them are through goes up and down.
+      const double before = static_cast<double>(next) / static_cast<double>(faces.size());
+      while (waiting.size() < most && next < faces.size())
       {
-        Report(progress,
-          (static_cast<double>(first) + done * static_cast<double>(last - first)) /
-            static_cast<double>(count));
-      };
-      while (!waiting.empty())
-      {
-        const double left = static_cast<double>(waiting.size()) / static_cast<double>(begun.size());
-        this->Advance(faces, first, begun, waiting, report, 1.0 - left);
-        waiting = this->Claim(first, begun, waiting);
+        waiting.push_back({ EdgeColumn<Gradient>::None, { nullptr, 0, true, next++ } });
       }
-      for (std::int64_t i = first; i < last; ++i)
+      const double after = static_cast<double>(next) / static_cast<double>(faces.size());
+      const auto start = std::chrono::steady_clock::now();
+      this->Advance(
+        faces, waiting, seconds < 0.2 ? ProgressCallback() : Between(progress, before, after));
+      waiting = this->Claim(waiting);
+      seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      Report(progress, after);
+    }
+    std::vector<typename Key::Link> edgeOf(faces.size());
+    for (std::size_t edge = 0; edge < this->Columns.size(); ++edge)
+    {
+      if (this->Columns[edge].Used)
       {
-        found(i, this->Edges[begun[static_cast<std::size_t>(i - first)].Pivot]);
+        edgeOf[this->Columns[edge].Face] = static_cast<typename Key::Link>(edge);
       }
+    }
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+      found(static_cast<std::int64_t>(i), this->Edges[edgeOf[i]]);
     }
   }
 
@@ -120,17 +126,17 @@ public:
   }
 
 private:
-  static constexpr std::int64_t Latest = std::numeric_limits<std::int64_t>::max();
+  static constexpr std::size_t Latest = std::numeric_limits<std::size_t>::max();
 
   struct Column
   {
     const Key* First = nullptr;
     std::size_t Count = 0;
     bool Used = false;
-    std::int64_t Face = -1; ///< the face whose column it is, where FillAll numbers them
+    std::size_t Face = 0; ///< the face whose column it is, where FillAll numbers them
   };
 
-  /// How far a face of a batch has come: to the edge Pivot, with Rest below it.
+  /// How far a face has come: to the edge Pivot, with Rest below it.
   struct Begun
   {
     std::size_t Pivot = EdgeColumn<Gradient>::None;
@@ -139,7 +145,7 @@ private:
 
   /// Number of the latest edge that stays and has no column of a face before `face`, None where
   /// there is none. It is taken off.
-  std::size_t Reduce(EdgeColumn<Gradient>& working, std::int64_t face) const
+  std::size_t Reduce(EdgeColumn<Gradient>& working, std::size_t face) const
   {
     std::size_t number = working.NextCritical();
     while (number != EdgeColumn<Gradient>::None && this->Columns[number].Used &&
@@ -168,47 +174,39 @@ private:
   }
 
   /// Reduces those who wait as far as the columns there are let them.
-  template <typename Told>
-  void Advance(const std::vector<Key>& faces, std::int64_t first, std::vector<Begun>& begun,
-    const std::vector<std::int64_t>& waiting, const Told& report, double done)
+  void Advance(
+    const std::vector<Key>& faces, std::vector<Begun>& waiting, const ProgressCallback& progress)
   {
-    constexpr std::int64_t grain = 32;
-    const auto count = static_cast<std::int64_t>(waiting.size());
-    const std::int64_t chunks = (count + grain - 1) / grain;
+    constexpr std::size_t grain = 16;
+    const std::size_t chunks = (waiting.size() + grain - 1) / grain;
     const std::size_t before = this->Blocks.size();
-    this->Blocks.resize(before + static_cast<std::size_t>(chunks));
-    const double share = static_cast<double>(count) / static_cast<double>(begun.size());
+    this->Blocks.resize(before + chunks);
     ParallelFor(
-      0, chunks, 1,
+      0, static_cast<std::int64_t>(chunks), 1,
       [&](std::int64_t firstChunk, std::int64_t lastChunk)
       {
         EdgeColumn<Gradient> working(this->Cells, this->NumberOf, this->Negative);
-        for (std::int64_t chunk = firstChunk; chunk < lastChunk; ++chunk)
+        for (auto chunk = static_cast<std::size_t>(firstChunk);
+             chunk < static_cast<std::size_t>(lastChunk); ++chunk)
         {
-          const std::int64_t from = chunk * grain;
-          this->AdvanceChunk(faces, first, begun, waiting.data() + from,
-            static_cast<std::size_t>(std::min(grain, count - from)), working,
-            this->Blocks[before + static_cast<std::size_t>(chunk)]);
+          const std::size_t from = chunk * grain;
+          this->AdvanceChunk(faces, waiting.data() + from, std::min(grain, waiting.size() - from),
+            working, this->Blocks[before + chunk]);
         }
       },
-      [&](double fraction)
-      {
-        report(done + 0.5 * share * fraction);
-        return true;
-      });
+      progress);
   }
 
-  void AdvanceChunk(const std::vector<Key>& faces, std::int64_t first, std::vector<Begun>& begun,
-    const std::int64_t* who, std::size_t count, EdgeColumn<Gradient>& working,
-    std::vector<Key>& block) const
+  void AdvanceChunk(const std::vector<Key>& faces, Begun* who, std::size_t count,
+    EdgeColumn<Gradient>& working, std::vector<Key>& block) const
   {
     for (std::size_t i = 0; i < count; ++i)
     {
-      Begun& own = begun[static_cast<std::size_t>(who[i])];
+      Begun& own = who[i];
       working.Clear();
       if (own.Pivot == EdgeColumn<Gradient>::None)
       {
-        working.AddFace(faces[static_cast<std::size_t>(first + who[i])]);
+        working.AddFace(faces[own.Rest.Face]);
       }
       else
       {
@@ -216,42 +214,40 @@ private:
         working.Add(own.Rest.First, own.Rest.Count);
         working.Add(other.First, other.Count);
       }
-      own.Pivot = Demanded(this->Reduce(working, first + who[i]));
+      own.Pivot = Demanded(this->Reduce(working, own.Rest.Face));
       const std::vector<Key>& rest = working.Rest();
-      own.Rest = { nullptr, rest.size(), true, first + who[i] };
+      own.Rest.Count = rest.size();
       block.insert(block.end(), rest.begin(), rest.end());
     }
     block.shrink_to_fit();
     const Key* next = block.data();
     for (std::size_t i = 0; i < count; ++i)
     {
-      Column& rest = begun[static_cast<std::size_t>(who[i])].Rest;
-      rest.First = next;
-      next += rest.Count;
+      who[i].Rest.First = next;
+      next += who[i].Rest.Count;
     }
   }
 
   /// Gives each edge to the earliest of those that came to it; the others, in order.
-  std::vector<std::int64_t> Claim(
-    std::int64_t first, const std::vector<Begun>& begun, const std::vector<std::int64_t>& waiting)
+  std::vector<Begun> Claim(const std::vector<Begun>& waiting)
   {
-    std::vector<std::int64_t> left;
-    for (const std::int64_t who : waiting)
+    std::vector<Begun> left;
+    for (const Begun& own : waiting)
     {
-      const Begun& own = begun[static_cast<std::size_t>(who)];
       Column& column = this->Columns[own.Pivot];
-      if (column.Used && column.Face < first + who)
+      if (column.Used && column.Face < own.Rest.Face)
       {
-        left.push_back(who);
+        left.push_back(own);
         continue;
       }
       if (column.Used)
       {
-        left.push_back(column.Face - first);
+        left.push_back({ own.Pivot, column });
       }
       column = own.Rest;
     }
-    std::sort(left.begin(), left.end());
+    std::sort(left.begin(), left.end(),
+      [](const Begun& a, const Begun& b) { return a.Rest.Face < b.Rest.Face; });
     return left;
   }
 
@@ -267,7 +263,7 @@ private:
     }
     std::vector<Key>& block = this->Kept.back();
     block.insert(block.end(), rest.begin(), rest.end());
-    this->Columns[pivot] = { block.data() + (block.size() - rest.size()), rest.size(), true, -1 };
+    this->Columns[pivot] = { block.data() + (block.size() - rest.size()), rest.size(), true, 0 };
   }
 
   const Gradient& Cells;

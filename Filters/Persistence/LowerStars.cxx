@@ -107,7 +107,7 @@ private:
 };
 
 /// Adds a row's masks to the set.
-void Mark(const std::uint32_t* masks, std::int64_t count, MaskSet& set)
+void Mark(const std::uint32_t* masks, std::int64_t count, RankedSet& set)
 {
   std::uint32_t previous = ~0U;
   for (std::int64_t i = 0; i < count; ++i)
@@ -147,7 +147,7 @@ LowerStars::LowerStars(
     const auto& step = Star::Steps[cell];
     this->Offsets[cell] = step[0] + this->Strides[1] * step[1] + this->Strides[2] * step[2];
   }
-  MaskSet seen;
+  RankedSet seen(std::int64_t{ 1 } << 26);
   const std::int64_t rows = dimensions[1] * dimensions[2];
   ParallelFor(
     0, rows, std::max<std::int64_t>(1, 32768 / std::max<std::int64_t>(1, dimensions[0])),
@@ -168,9 +168,10 @@ LowerStars::LowerStars(
   this->NumberKinds(seen, Between(progress, 0.8, 1.0));
 }
 
-void LowerStars::NumberKinds(MaskSet& masks, const ProgressCallback& progress)
+void LowerStars::NumberKinds(RankedSet& masks, const ProgressCallback& progress)
 {
-  masks.Rank([this](std::uint32_t mask) { this->Matchings.push_back(MatchStar(mask)); });
+  masks.Rank([this](std::int64_t mask)
+    { this->Matchings.push_back(MatchStar(static_cast<std::uint32_t>(mask))); });
   std::uint32_t* kinds = this->Kinds.get();
   ParallelFor(
     0, this->NodeCount(), 65536,

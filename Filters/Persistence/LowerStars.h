@@ -5,9 +5,9 @@
 #ifndef isthmus_LowerStars_h
 #define isthmus_LowerStars_h
 
-#include "MaskSet.h"
 #include "OrderedValues.h"
 #include "Progress.h"
+#include "RankedSet.h"
 #include "StarMatching.h"
 
 #include <array>
@@ -47,7 +47,7 @@ public:
   std::int64_t Stride(std::size_t axis) const { return this->Strides[axis]; }
 
 private:
-  void NumberKinds(MaskSet& masks, const ProgressCallback& progress);
+  void NumberKinds(RankedSet& masks, const ProgressCallback& progress);
 
   Size Grid;
   Size Strides;
