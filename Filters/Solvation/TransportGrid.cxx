@@ -1,0 +1,321 @@
+#include "TransportGrid.h"
+
+#include "AvailableMemory.h"
+#include "BallDistance.h"
+#include "FlowGrid.h"
+#include "IrregularRows.h"
+#include "ParallelFor.h"
+#include "SolventExcludedDistance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace isthmus
+{
+namespace
+{
+
+constexpr double BytesPerNode = 220.0; // grid, potential, two species, network, output
+
+void RequireMemoryFor(const TransportDomain& d)
+{
+  double nodes = 1.0;
+  for (const std::int64_t n : d.Dimensions)
+  {
+    nodes *= static_cast<double>(n);
+  }
+  const double needed = BytesPerNode * nodes;
+  const double available = AvailableMemory();
+  if (needed <= available && needed < 1e18)
+  {
+    return;
+  }
+  throw std::runtime_error("A Spacing of " + std::to_string(d.Spacing) + " makes a grid of " +
+    std::to_string(d.Dimensions[0]) + " x " + std::to_string(d.Dimensions[1]) + " x " +
+    std::to_string(d.Dimensions[2]) + " nodes, which takes " + MemoryText(needed) +
+    " of memory, and " + MemoryText(available) +
+    " are available: choose a larger Spacing or a smaller Padding.");
+}
+
+/// What the loops over nodes and faces share.
+class Builder
+{
+public:
+  Builder(TransportGrid& grid, const IonTransportParameters& parameters)
+    : Grid(grid)
+    , Domain(grid.Domain)
+    , Parameters(parameters)
+    , Steps(grid.Domain.Steps())
+    , Side(static_cast<std::size_t>(grid.Domain.Size()))
+  {
+  }
+
+  void Distances(const std::vector<float>& solute);
+  void Faces(const ProgressCallback& progress);
+  void Charges(const std::vector<ChargedAtom>& charges);
+
+private:
+  void FillNode(std::int64_t node, double solute);
+  void FillEdge(std::int64_t node, const std::array<std::int64_t, 3>& at, std::size_t axis);
+  double FacePart(const std::vector<float>& values, std::int64_t node, std::size_t axis) const;
+
+  TransportGrid& Grid;
+  const TransportDomain& Domain;
+  const IonTransportParameters& Parameters;
+  const std::array<std::int64_t, 3> Steps;
+  std::vector<float> Side; ///< distance to the side of the cylinder, positive within
+};
+
+void Builder::FillNode(std::int64_t node, double solute)
+{
+  const auto n = static_cast<std::size_t>(node);
+  const double h = this->Domain.Spacing;
+  const auto [along, off] = this->Domain.AlongAndOff(this->Domain.Place(node));
+  const MembraneSlab& m = this->Parameters.Membrane;
+  const double membrane = std::max(std::abs(along) - 0.5 * m.Thickness, m.LumenRadius - off);
+  const double distance = std::min(solute, membrane);
+  this->Grid.Distance[n] = static_cast<float>(distance);
+  this->Grid.Along[n] = static_cast<float>(along);
+  this->Side[n] = static_cast<float>(this->Domain.Radius - off);
+  const auto cell = [h](double to) { return std::clamp(0.5 + to / h, 0.0, 1.0); };
+  this->Grid.Water[n] = static_cast<float>(cell(distance) * cell(this->Domain.Radius - off));
+  const double bath = this->Domain.HalfLength - 1e-6 * h;
+  const Bath which = along < -bath ? Bath::Below : along > bath ? Bath::Above : Bath::None;
+  this->Grid.Baths[n] = static_cast<unsigned char>(which);
+}
+
+void Builder::Distances(const std::vector<float>& solute)
+{
+  ParallelFor(0, this->Domain.Size(), 1 << 14,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t node = first; node < last; ++node)
+      {
+        this->FillNode(node,
+          solute.empty() ? std::numeric_limits<double>::infinity()
+                         : static_cast<double>(solute[static_cast<std::size_t>(node)]));
+      }
+    });
+}
+
+double Builder::FacePart(
+  const std::vector<float>& values, std::int64_t node, std::size_t axis) const
+{
+  const auto value = [&values](std::int64_t at)
+  { return static_cast<double>(values[static_cast<std::size_t>(at)]); };
+  const std::int64_t next = node + this->Steps[axis];
+  const double middle = 0.5 * (value(node) + value(next));
+  if (std::abs(middle) > this->Domain.Spacing) // a distance changes by less than that on a face
+  {
+    return middle > 0.0 ? 1.0 : 0.0;
+  }
+  double across[2];
+  for (std::size_t b = 0; b < 2; ++b)
+  {
+    const std::int64_t step = this->Steps[(axis + 1 + b) % 3];
+    across[b] =
+      0.25 * (value(node + step) - value(node - step) + value(next + step) - value(next - step));
+  }
+  return PositivePart(middle, across[0], across[1]);
+}
+
+void Builder::FillEdge(std::int64_t node, const std::array<std::int64_t, 3>& at, std::size_t axis)
+{
+  const auto& n = this->Domain.Dimensions;
+  const auto p = static_cast<std::size_t>(node);
+  bool inner = true; // border nodes lie beyond the domain
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    inner = inner && at[a] > 0 && at[a] + (a == axis ? 2 : 1) < n[a];
+  }
+  const double part = inner ? this->FacePart(this->Side, node, axis) : 0.0;
+  if (part == 0.0)
+  {
+    return;
+  }
+  const double a = static_cast<double>(this->Grid.Distance[p]);
+  const double b =
+    static_cast<double>(this->Grid.Distance[static_cast<std::size_t>(node + this->Steps[axis])]);
+  const double inside = a < 0.0 && b < 0.0 ? 1.0
+    : a >= 0.0 && b >= 0.0                 ? 0.0
+                                           : -std::min(a, b) / (std::abs(a) + std::abs(b));
+  this->Grid.Permittivity[axis][p] = static_cast<float>(part *
+    SeriesPermittivity(
+      this->Parameters.SoluteDielectric, this->Parameters.SolventDielectric, inside));
+  this->Grid.Aperture[axis][p] =
+    static_cast<float>(part * this->FacePart(this->Grid.Distance, node, axis));
+}
+
+void Builder::Faces(const ProgressCallback& progress)
+{
+  ParallelFor(
+    0, this->Domain.Dimensions[2], 1,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t node = first * this->Steps[2]; node < last * this->Steps[2]; ++node)
+      {
+        const std::array<std::int64_t, 3> at = this->Domain.Indices(node);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          this->FillEdge(node, at, axis);
+        }
+      }
+    },
+    progress);
+}
+
+void Builder::Charges(const std::vector<ChargedAtom>& charges)
+{
+  for (const ChargedAtom& charge : charges)
+  {
+    std::int64_t node = 0;
+    double t[3];
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const double at = (charge.Position[a] - this->Domain.Origin[a]) / this->Domain.Spacing;
+      const auto low = std::clamp<std::int64_t>(
+        static_cast<std::int64_t>(std::floor(at)), 0, this->Domain.Dimensions[a] - 2);
+      node += low * this->Steps[a];
+      t[a] = std::clamp(at - static_cast<double>(low), 0.0, 1.0);
+    }
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      double part = charge.Charge;
+      std::int64_t to = node;
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        const bool high = (corner >> a & 1) != 0;
+        part *= high ? t[a] : 1.0 - t[a];
+        to += high ? this->Steps[a] : 0;
+      }
+      this->Grid.Charge[static_cast<std::size_t>(to)] += part;
+    }
+  }
+}
+
+}
+
+std::array<double, 2> TransportDomain::AlongAndOff(const Vector3& place) const
+{
+  const Vector3 from{ place[0] - this->Centre[0], place[1] - this->Centre[1],
+    place[2] - this->Centre[2] };
+  const double along =
+    from[0] * this->Normal[0] + from[1] * this->Normal[1] + from[2] * this->Normal[2];
+  double square = 0.0;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const double off = from[a] - along * this->Normal[a];
+    square += off * off;
+  }
+  return { along, std::sqrt(square) };
+}
+
+double PositivePart(double distance, double g1, double g2)
+{
+  const double a = std::max(std::abs(g1), std::abs(g2));
+  const double b = std::min(std::abs(g1), std::abs(g2));
+  if (std::abs(distance) >= 0.5 * (a + b))
+  {
+    return distance > 0.0 ? 1.0 : 0.0;
+  }
+  if (b < 1e-6 * a)
+  {
+    return std::clamp(0.5 + distance / a, 0.0, 1.0);
+  }
+  const auto square = [](double x) { return x > 0.0 ? x * x : 0.0; };
+  return (square(distance + 0.5 * (a + b)) - square(distance + 0.5 * (a - b)) -
+           square(distance - 0.5 * (a - b))) /
+    (2.0 * a * b);
+}
+
+TransportDomain DomainAround(
+  const std::vector<Ball>& atoms, const IonTransportParameters& parameters)
+{
+  CheckTransport(parameters);
+  const MembraneSlab& membrane = parameters.Membrane;
+  TransportDomain d;
+  d.Spacing = parameters.Spacing;
+  d.Centre = membrane.Centre;
+  const Vector3& n = membrane.Normal;
+  const double length = std::hypot(n[0], n[1], n[2]);
+  d.Normal = { n[0] / length, n[1] / length, n[2] / length };
+  double far = 0.5 * membrane.Thickness;
+  double wide = membrane.LumenRadius;
+  for (const Ball& ball : atoms)
+  {
+    const auto [along, off] = d.AlongAndOff(ball.Centre);
+    far = std::max(far, std::abs(along) + ball.Radius);
+    wide = std::max(wide, off + ball.Radius);
+  }
+  d.Radius = wide + parameters.Padding;
+  const double h = d.Spacing;
+  d.HalfLength = h * std::ceil((far + parameters.Padding) / h - 1e-6);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const double across = std::sqrt(std::max(0.0, 1.0 - d.Normal[a] * d.Normal[a]));
+    const double half = std::abs(d.Normal[a]) * d.HalfLength + across * d.Radius;
+    const double nodes = std::ceil(half / h - 1e-6) + 1.0;
+    if (!(nodes < 1e9))
+    {
+      throw std::invalid_argument("A Spacing of " + std::to_string(h) + " makes " +
+        std::to_string(2.0 * nodes) +
+        " nodes along an axis: choose a larger one, or look for an "
+        "atom or a MembraneCenter that lies far from the others.");
+    }
+    d.Dimensions[a] = 2 * static_cast<std::int64_t>(nodes) + 1;
+    d.Origin[a] = d.Centre[a] - h * nodes;
+  }
+  RequireMemoryFor(d);
+  return d;
+}
+
+std::vector<float> DistanceToAtoms(const TransportDomain& domain, const std::vector<Ball>& atoms,
+  double probeRadius, const ProgressCallback& progress)
+{
+  const FlowGrid flow(DensityGrid{ domain.Origin, domain.Dimensions, domain.Spacing });
+  std::vector<float> to(static_cast<std::size_t>(flow.NumberOfNodes()), FlowGrid::Band);
+  if (probeRadius > 0.0)
+  {
+    SolventExcludedDistance(flow, atoms, probeRadius, to, progress);
+  }
+  else
+  {
+    DistanceToBalls(flow, atoms, 1.0, 0.0, static_cast<double>(FlowGrid::Band), to, progress);
+  }
+  std::vector<float> distances;
+  distances.reserve(static_cast<std::size_t>(domain.Size()));
+  for (std::int64_t node = 0; node < domain.Size(); ++node)
+  {
+    const std::array<std::int64_t, 3> at = domain.Indices(node);
+    distances.push_back(static_cast<float>(domain.Spacing) *
+      to[static_cast<std::size_t>(flow.Index(at[0], at[1], at[2]))]);
+  }
+  return distances;
+}
+
+TransportGrid MakeTransportGrid(const TransportDomain& domain, const std::vector<float>& solute,
+  const std::vector<ChargedAtom>& charges, const IonTransportParameters& parameters,
+  const ProgressCallback& progress)
+{
+  TransportGrid grid;
+  grid.Domain = domain;
+  const auto size = static_cast<std::size_t>(domain.Size());
+  for (std::vector<float>* all :
+    { &grid.Distance, &grid.Along, &grid.Water, &grid.Permittivity[0], &grid.Permittivity[1],
+      &grid.Permittivity[2], &grid.Aperture[0], &grid.Aperture[1], &grid.Aperture[2] })
+  {
+    all->assign(size, 0.0F);
+  }
+  grid.Baths.assign(size, 0);
+  grid.Charge.assign(size, 0.0);
+  Builder builder(grid, parameters);
+  builder.Distances(solute);
+  builder.Faces(progress);
+  builder.Charges(charges);
+  return grid;
+}
+
+}
