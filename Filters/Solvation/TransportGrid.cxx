@@ -55,9 +55,15 @@ public:
 
   void Distances(const std::vector<float>& solute);
   void Faces(const ProgressCallback& progress);
+  void MergeCutCells();
   void Charges(const std::vector<ChargedAtom>& charges);
 
 private:
+  bool IsWet(std::int64_t node) const
+  {
+    return this->Grid.Distance[static_cast<std::size_t>(node)] > 0.0F;
+  }
+  std::int64_t DeepestStep(std::int64_t node, std::int64_t other, std::size_t skip) const;
   void FillNode(std::int64_t node, double solute);
   void FillEdge(std::int64_t node, const std::array<std::int64_t, 3>& at, std::size_t axis);
   double FacePart(const std::vector<float>& values, std::int64_t node, std::size_t axis) const;
@@ -165,6 +171,71 @@ void Builder::Faces(const ProgressCallback& progress)
       }
     },
     progress);
+}
+
+/// The step to a neighbour across `skip` (3: any) that lies deepest in the water, with that of
+/// `other`; 0 where none has both there.
+std::int64_t Builder::DeepestStep(std::int64_t node, std::int64_t other, std::size_t skip) const
+{
+  std::int64_t deepest = 0;
+  float depth = 0.0F;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    for (const std::int64_t step : { this->Steps[a], -this->Steps[a] })
+    {
+      const std::int64_t p = node + step, q = other + step;
+      const std::int64_t last = this->Domain.Size();
+      if (a != skip && std::min(p, q) >= 0 && std::max(p, q) < last && this->IsWet(p) &&
+        this->IsWet(q))
+      {
+        const float least = std::min(this->Grid.Distance[static_cast<std::size_t>(p)],
+          this->Grid.Distance[static_cast<std::size_t>(q)]);
+        deepest = least > depth ? step : deepest;
+        depth = std::max(least, depth);
+      }
+    }
+  }
+  return deepest;
+}
+
+/**
+ * A node within atoms or membrane has their potential, that of their charges, not the water's in
+ * the rest of its cube. So these nodes stay without ions; the water of their cubes and faces is
+ * counted with the neighbours' that are in the water.
+ */
+void Builder::MergeCutCells()
+{
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    std::vector<float>& aperture = this->Grid.Aperture[a];
+    for (std::int64_t node = 0; node + this->Steps[a] < this->Domain.Size(); ++node)
+    {
+      const std::int64_t next = node + this->Steps[a];
+      float& part = aperture[static_cast<std::size_t>(node)];
+      if (part > 0.0F && !(this->IsWet(node) && this->IsWet(next)))
+      {
+        const std::int64_t step = this->DeepestStep(node, next, a);
+        if (step != 0 && this->Grid.Permittivity[a][static_cast<std::size_t>(node + step)] > 0.0F)
+        {
+          aperture[static_cast<std::size_t>(node + step)] += part;
+        }
+        part = 0.0F;
+      }
+    }
+  }
+  for (std::int64_t node = 0; node < this->Domain.Size(); ++node)
+  {
+    float& part = this->Grid.Water[static_cast<std::size_t>(node)];
+    if (part > 0.0F && !this->IsWet(node))
+    {
+      const std::int64_t step = this->DeepestStep(node, node, 3);
+      if (step != 0)
+      {
+        this->Grid.Water[static_cast<std::size_t>(node + step)] += part;
+      }
+      part = 0.0F;
+    }
+  }
 }
 
 void Builder::Charges(const std::vector<ChargedAtom>& charges)
@@ -314,6 +385,7 @@ TransportGrid MakeTransportGrid(const TransportDomain& domain, const std::vector
   Builder builder(grid, parameters);
   builder.Distances(solute);
   builder.Faces(progress);
+  builder.MergeCutCells();
   builder.Charges(charges);
   return grid;
 }

@@ -8,8 +8,9 @@
  *
  * Nodes have cubes of one spacing around them. The part of each face that is water comes from the
  * signed distance, taken as linear there, so walls lie between the nodes: the area of a pore is
- * second order. The permittivity of an edge is that of its two parts in series
- * (smeared over the surface instead, it was 14 to 35 % off for a Born ion).
+ * second order. Cubes whose node is not in the water are merged with neighbours that are. The
+ * permittivity of an edge is that of its two parts in series (smeared over the surface instead, it
+ * was 14 to 35 % off for a Born ion).
  */
 #ifndef isthmus_TransportGrid_h
 #define isthmus_TransportGrid_h
@@ -75,9 +76,10 @@ struct TransportGrid
   std::vector<float> Distance; ///< to atoms and membrane, angstrom, negative within
   std::vector<float> Along;    ///< of TransportDomain::AlongAndOff
   /// Of edges from a node to the next: permittivity times the part of the face in the domain, and
-  /// the part of it that is water. 0 where there is no next node.
+  /// the part of it that is water, with what was closed beside it (so it may be above 1). 0 where
+  /// there is no next node, or one of the two is not in the water.
   std::array<std::vector<float>, 3> Permittivity, Aperture;
-  std::vector<float> Water;         ///< the part of a node's cube that ions fill
+  std::vector<float> Water;         ///< the part of a node's cube that ions fill, likewise
   std::vector<unsigned char> Baths; ///< Bath of each node
   std::vector<double> Charge;       ///< e
 };
