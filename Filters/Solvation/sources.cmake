@@ -14,5 +14,6 @@ isthmus_room(
     SolvationOutput
     SurfacePull
     TransportCurrents
+    TransportDomain
     TransportGrid
     TransportSweep)
