@@ -66,7 +66,7 @@ transport.Update()
 curve = rows_of(transport.GetSweep())
 assert numpy.allclose(curve["ConcentrationFactor"], [0.5, 1.0, 2.0])
 assert (numpy.diff(curve["Current"]) > 0).all()
-# The wall of the flux: inside of atoms and membrane there is none, and the current crosses the middle.
+# No current within atoms and membrane.
 density = vtk_to_numpy(image.GetPointData().GetArray("CurrentDensity"))
 distance = vtk_to_numpy(image.GetPointData().GetArray("SignedDistance"))
 assert abs(density[distance < -0.8]).max() == 0.0
