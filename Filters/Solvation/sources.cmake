@@ -1,1 +1,19 @@
-isthmus_room(CLASSES vtkSolvationSurface SOURCES SolvationFlow SolvationOutput SurfacePull)
+isthmus_room(
+  CLASSES
+    vtkIonTransport
+    vtkSolvationSurface
+  SOURCES
+    AtomCharges
+    ChannelPassage
+    IonTransportInput
+    IonTransportOutput
+    IonTransportParameters
+    PoissonNernstPlanck
+    ResistorNetwork
+    SolvationFlow
+    SolvationOutput
+    SurfacePull
+    TransportCurrents
+    TransportDomain
+    TransportGrid
+    TransportSweep)

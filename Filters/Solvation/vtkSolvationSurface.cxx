@@ -2,6 +2,7 @@
 
 #include "AlgorithmGuard.h"
 #include "AtomBalls.h"
+#include "AtomCharges.h"
 #include "AtomInput.h"
 #include "DispersionAtoms.h"
 #include "FlowSurfaceOutput.h"
@@ -10,19 +11,17 @@
 #include "SolvationOutput.h"
 #include "SurfaceFlow.h"
 
-#include <vtkDataArray.h>
 #include <vtkDataObject.h>
-#include <vtkDataSetAttributes.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -98,29 +97,10 @@ isthmus::SolvationParameters vtkSolvationSurface::Internals::Parameters() const
 std::vector<isthmus::ChargedAtom> vtkSolvationSurface::Internals::Charges(
   vtkDataObject* input, const isthmus::AtomBalls& atoms) const
 {
-  const std::string name = ArrayChosen(this->Self, 1);
-  vtkDataArray* values = isthmus::AtomData(input)->GetArray(name.c_str());
-  if (!values || values->GetNumberOfComponents() != 1)
-  {
-    throw std::invalid_argument("The atoms have no point array " + name +
-      " with one charge for each: read a PQR file (pdb2pqr makes one from a PDB file), or choose "
-      "another array.");
-  }
-  std::vector<isthmus::ChargedAtom> charges;
-  bool any = false;
-  for (const vtkIdType point : atoms.Points)
-  {
-    isthmus::ChargedAtom atom{ {}, values->GetComponent(point, 0), 0.0 };
-    isthmus::AtomPoints(input)->GetPoint(point, atom.Position.data());
-    if (!std::isfinite(atom.Charge))
-    {
-      throw std::invalid_argument("The charge of atom " + std::to_string(point) +
-        " is not a finite number: correct it or leave the atom out.");
-    }
-    any = any || atom.Charge != 0.0;
-    charges.push_back(atom);
-  }
-  if (!any)
+  std::vector<isthmus::ChargedAtom> charges =
+    isthmus::AtomChargesOf(input, atoms, ArrayChosen(this->Self, 1));
+  if (std::all_of(charges.begin(), charges.end(),
+        [](const isthmus::ChargedAtom& atom) { return atom.Charge == 0.0; }))
   {
     throw std::invalid_argument("All charges are 0, so there is no field: take Molecular Flow "
                                 "Surface and Nonpolar Solvation, or another array of charges.");

@@ -7,11 +7,11 @@ from pathlib import Path
 from paraview import servermanager, simple  # noqa: F401 (simple opens the session)
 
 # Optional inputs that are options, not ways of use. HessianCurvature's is for scripts of before;
-# BindingSites and PoissonBoltzmann have a second entry each, with the input required.
+# BindingSites, PoissonBoltzmann, IonTransport have a second entry each, with the input required.
 OPTIONAL = {("HessianCurvature", "Surface"), ("ChokingLoops", "Mesh"), ("SurfaceToGrid", "Grid"),
             ("BindingSites", "Atoms"), ("PoissonBoltzmann", "Surface"),
             ("PoissonBoltzmann", "PotentialInput"), ("PoissonBoltzmannOnSurface", "PotentialInput"),
-            ("MolecularPockets", "Surface"), ("FeatureTracks", "Lining")}
+            ("MolecularPockets", "Surface"), ("FeatureTracks", "Lining"), ("IonTransport", "Surface")}
 ICONS = {":/Isthmus/" + file.get("alias") for file in ElementTree.parse(
     Path(os.environ["ISTHMUS_PANELS_DIR"]) / "Isthmus.qrc").getroot().iter("file")}
 NUMERIC = ("IntVectorProperty", "DoubleVectorProperty", "IdTypeVectorProperty")

@@ -24,6 +24,8 @@ SECONDS = 30.0
 # Properties that have to be set before this one can show itself: {(proxy, property): {name: value}}.
 NEEDS = {
     ("HighOrderDiffusion", "LowerOrders"): {"Order": 1, "Automatic": 0, "Time": 1},
+    **{(name, swept): {"SweepOf": kind} for name in ("IonTransport", "IonTransportOnSurface")
+       for swept, kind in (("SweepPoints", 1), ("SweepVoltages", 1), ("SweepFactors", 2))},
     ("MapSurface", "CloseAtBorder"): {"AutomaticLevel": 0, "Level": 0.02},
     ("PoissonBoltzmann", "IonRadius"): {"IonicStrength": 0.15},
     ("PoissonBoltzmann", "Nonlinear"): {"IonicStrength": 0.15},
@@ -38,6 +40,10 @@ NEEDS = {
 }
 # Values for small data, where those of the range are for large ones.
 VALUES = {
+    **{(name, element): values for name in ("IonTransport", "IonTransportOnSurface") for element, values in (
+        ("LumenRadius", [4.0]), ("MembraneCenter", [-0.1, 0.1]), ("MembraneThickness", [7.0]),
+        ("ProbeRadius", [1.4]), ("Spacing", [1.2]), ("Padding", [5.0]), ("SweepPoints", [3]),
+        ("MaximumIterations", [1]))},
     ("BindingSites", "MergeDistance"): [6.0, 20.0],
     ("MapHandles", "MinimumPersistence"): [0.05, 0.3],
     ("MapSurface", "MinimumComponentArea"): [20.0, 60.0],
@@ -63,6 +69,11 @@ SILENT = {
     ("FeatureTracks", "MaximumGap"): "the same",
     ("HighOrderDiffusion", "MaskInvalid"): "all values are finite: MaskedMaps.py has others",
     ("IsosurfaceStuffing", "MemoryLimit"): LIMIT,
+    **{(name, silent): why for name in ("IonTransport", "IonTransportOnSurface") for silent, why in (
+        ("KeepWaters", "the tube has no residues: MolecularFlowSurface.py has"),
+        ("UnitedAtoms", "the same"),
+        ("Species", "rows of five numbers: IonTransport.py sets them"))},
+    ("IonTransportOnSurface", "ProbeRadius"): "the surface is given",
     ("LoopShortening", "MaximumRounds"): LIMIT,
     ("LoopShortening", "Tolerance"): "the ring is as short as it gets at once",
     ("MolecularFlowSurface", "TimeSteps"): "what times may be asked for: MolecularFlowSurface.py, FlowWindow.py",

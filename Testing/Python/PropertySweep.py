@@ -19,6 +19,8 @@ MAY_BE_NAN = {"Death", "Persistence", "Potential"}
 # all of them can be stopped.
 LEFT_OUT = {
     ("MolecularFlowSurface", "Spacing", 0.1): "three million nodes for a ball of 5 angstrom",
+    ("IonTransport", "Spacing", 0.25): "a million nodes for a tube of 10 angstrom",
+    ("IonTransportOnSurface", "Spacing", 0.25): "the same",
     ("OffsetSurface", "Resolution", 512): "512^3 nodes are 1 GB",
     ("PDETransform", "LastOrder", 3): "order 8 takes some 10^5 evaluations for a wavelength of 20",
     ("PDETransform", "NumberOfModes", 16): "wavelengths that grow sixteen times over",

@@ -134,10 +134,53 @@ def molecule():
     return result
 
 
+def channel():
+    """A tube of atoms, six rings of eight, that ions pass."""
+    result = vtkPolyData()
+    result.SetPoints(vtkPoints())
+    result.GetPoints().SetDataTypeToDouble()
+    for ring in range(6):
+        for i in range(8):
+            angle = (i + 0.5 * (ring % 2)) * numpy.pi / 4
+            result.GetPoints().InsertNextPoint(4.5 * numpy.cos(angle), 4.5 * numpy.sin(angle), 2.0 * ring - 5.0)
+    count = result.GetNumberOfPoints()
+    add(result.GetPointData(), "Radius", numpy.full(count, 1.7))
+    add(result.GetPointData(), "Charge", numpy.where(numpy.arange(count) % 2, 0.2, -0.3))
+    return result
+
+
+def channel_surface():
+    """A closed tube around the axis, 2.5 to 6.5 angstrom from it, 14 long."""
+    inner, outer, half, count = 2.5, 6.5, 7.0, 16
+    points, polygons = vtkPoints(), vtkCellArray()
+    points.SetDataTypeToDouble()
+    corners = ((inner, -half), (outer, -half), (outer, half), (inner, half))
+    for i in range(count):
+        angle = 2 * numpy.pi * i / count
+        for radius, z in corners:
+            points.InsertNextPoint(radius * numpy.cos(angle), radius * numpy.sin(angle), z)
+    for i in range(count):
+        here, there = 4 * i, 4 * ((i + 1) % count)
+        for k in range(4):
+            a, b = here + k, here + (k + 1) % 4
+            c, d = there + k, there + (k + 1) % 4
+            polygons.InsertNextCell(3, [a, b, c])
+            polygons.InsertNextCell(3, [b, d, c])
+    result = vtkPolyData()
+    result.SetPoints(points)
+    result.SetPolys(polygons)
+    return result
+
+
 MAKERS = {"vtkTable": features, "vtkMolecule": molecule, "vtkPolyData": surface, "vtkPointSet": surface, "vtkImageData": image,
           "vtkUnstructuredGrid": tetrahedra, "vtkDataSet": surface, "vtkDataObject": surface}
 # Ports whose type does not tell what they want.
-SPECIAL = {("LoopShortening", "Input"): loop}
+SPECIAL = {("LoopShortening", "Input"): loop,
+           **{(name, port): make for name in ("IonTransport", "IonTransportOnSurface")
+              for port, make in (("Input", channel), ("Surface", channel_surface))}}
+# Properties of filters whose defaults are for more than small data.
+COARSE = {name: {"Spacing": 1.5, "Padding": 4.0, "MembraneThickness": 8.0}
+          for name in ("IonTransport", "IonTransportOnSurface")}
 INPUTS = ports_of_filters()
 
 
@@ -172,6 +215,6 @@ def made(name, kind=None, replaced=None, optional=True):
         elif optional or not can_miss:
             of_kind = kind if kind and number == 0 else accepted[0]
             inputs[port] = producer(sound(name, port, of_kind))
-    proxy = getattr(servermanager.filters, name)(**inputs)
+    proxy = getattr(servermanager.filters, name)(**inputs, **COARSE.get(name, {}))
     proxy.UpdateVTKObjects()
     return proxy

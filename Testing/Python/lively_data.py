@@ -138,6 +138,7 @@ SPECIAL = dict(good_data.SPECIAL)
 SPECIAL.update({(name, "Input"): atoms for name in TAKE_ATOMS})
 SPECIAL.update({("NonpolarSolvation", "Volume"): flow_volume, ("DenoiseFromHalfMaps", "OtherHalf"): lambda: image(2),
                 ("PoissonBoltzmannOnSurface", "Surface"): around_atoms})
+del SPECIAL["IonTransport", "Surface"]  # it would have a surface, not make one
 
 
 def inputs(name, kind):

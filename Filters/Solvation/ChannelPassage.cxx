@@ -1,0 +1,150 @@
+#include "ChannelPassage.h"
+
+#include "DisjointSets.h"
+#include "RangeGuard.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace isthmus
+{
+namespace
+{
+
+/// Nodes of a grid as sets, two more for the baths.
+class Joined
+{
+public:
+  explicit Joined(const TransportGrid& grid)
+    : Nodes(grid.Domain.Size())
+    , Sets(this->Nodes + 2)
+  {
+    for (std::int64_t node = 0; node < this->Nodes; ++node)
+    {
+      const unsigned char bath = grid.Baths[static_cast<std::size_t>(node)];
+      if (bath != 0)
+      {
+        this->Sets.Join(node, this->Nodes + bath - 1);
+      }
+    }
+  }
+
+  void Join(std::int64_t p, std::int64_t q) { this->Sets.Join(p, q); }
+  bool Through() { return this->Sets.Find(this->Nodes) == this->Sets.Find(this->Nodes + 1); }
+  bool ToBath(std::int64_t node)
+  {
+    const std::int64_t root = this->Sets.Find(node);
+    return root == this->Sets.Find(this->Nodes) || root == this->Sets.Find(this->Nodes + 1);
+  }
+
+private:
+  const std::int64_t Nodes;
+  DisjointSets Sets;
+};
+
+constexpr const char* WayOut =
+  " Choose a smaller ProbeRadius, a larger LumenRadius (without a hole the membrane is closed), or "
+  "move MembraneCenter and MembraneNormal to the channel's axis.";
+
+}
+
+ChannelPassage FindPassage(const TransportGrid& grid)
+{
+  const TransportDomain& d = grid.Domain;
+  const std::array<std::int64_t, 3> steps = d.Steps();
+  const auto distance = [&grid](std::int64_t node)
+  { return grid.Distance[static_cast<std::size_t>(node)]; };
+  std::vector<std::int64_t> order;
+  for (std::int64_t node = 0; node < d.Size(); ++node)
+  {
+    bool within = false;
+    for (const auto& permittivity : grid.Permittivity)
+    {
+      within = within || permittivity[static_cast<std::size_t>(node)] > 0.0F;
+    }
+    if (within)
+    {
+      order.push_back(node);
+    }
+  }
+  std::sort(order.begin(), order.end(),
+    [&](std::int64_t a, std::int64_t b)
+    { return distance(a) != distance(b) ? distance(a) > distance(b) : a < b; });
+  Joined joined(grid);
+  for (const std::int64_t node : order)
+  {
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const std::int64_t next = node + steps[a];
+      const std::int64_t before = node - steps[a];
+      const auto edge = [&](std::int64_t at)
+      { return grid.Permittivity[a][static_cast<std::size_t>(at)] > 0.0F; };
+      if (edge(node) && distance(next) >= distance(node))
+      {
+        joined.Join(node, next);
+      }
+      if (before >= 0 && edge(before) && distance(before) >= distance(node))
+      {
+        joined.Join(node, before);
+      }
+    }
+    if (joined.Through())
+    {
+      const Vector3 place = d.Place(node);
+      return { place, d.AlongAndOff(place)[0], static_cast<double>(distance(node)) };
+    }
+  }
+  throw std::runtime_error(
+    "The grid does not lead from one bath to the other." + std::string(WayOut));
+}
+
+void DemandOpen(const ChannelPassage& passage)
+{
+  if (passage.Radius > 0.0)
+  {
+    return;
+  }
+  const Vector3& at = passage.Bottleneck;
+  throw std::runtime_error("The channel is not open from bath to bath: its widest way closes at (" +
+    Shown(at[0]) + ", " + Shown(at[1]) + ", " + Shown(at[2]) + "), " + Shown(passage.Along) +
+    " angstrom along the normal from the membrane's centre, where atoms and membrane leave a "
+    "radius of " +
+    Shown(passage.Radius) + " angstrom." + WayOut);
+}
+
+void ClosePockets(TransportGrid& grid)
+{
+  const std::array<std::int64_t, 3> steps = grid.Domain.Steps();
+  Joined joined(grid);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    for (std::int64_t node = 0; node < grid.Domain.Size(); ++node)
+    {
+      if (grid.Aperture[a][static_cast<std::size_t>(node)] > 0.0F)
+      {
+        joined.Join(node, node + steps[a]);
+      }
+    }
+  }
+  if (!joined.Through())
+  {
+    throw std::runtime_error(
+      "The channel is narrower than the grid can tell: choose a smaller Spacing." +
+      std::string(WayOut));
+  }
+  for (std::int64_t node = 0; node < grid.Domain.Size(); ++node)
+  {
+    if (!joined.ToBath(node))
+    {
+      const auto p = static_cast<std::size_t>(node);
+      grid.Water[p] = 0.0F;
+      for (auto& aperture : grid.Aperture)
+      {
+        aperture[p] = 0.0F;
+      }
+    }
+  }
+}
+
+}

@@ -1,0 +1,180 @@
+#include "IonTransportOutput.h"
+
+#include "ParallelFor.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
+#include <vtkTable.h>
+
+namespace isthmus
+{
+namespace
+{
+
+template <typename Array>
+vtkSmartPointer<Array> Named(const std::string& name, std::int64_t tuples, int components = 1)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+
+void AddNumbers(const std::string& name, const std::vector<double>& values, vtkDataObject* to)
+{
+  auto array = Named<vtkDoubleArray>(name, static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  to->GetFieldData()->AddArray(array);
+}
+
+/// A column with one value for each of `rows`.
+template <typename Rows, typename Value>
+void AddColumn(const std::string& name, const Rows& rows, Value&& value, vtkTable* table)
+{
+  vtkNew<vtkDoubleArray> column;
+  column->SetName(name.c_str());
+  for (const auto& row : rows)
+  {
+    column->InsertNextValue(value(row));
+  }
+  table->AddColumn(column);
+}
+
+/// The fluxes of all species at a node, and their current in pA a square angstrom.
+void WriteFluxes(const PoissonNernstPlanck& solution, std::int64_t node,
+  const std::vector<float*>& fluxes, float* density)
+{
+  Vector3 current{ 0.0, 0.0, 0.0 };
+  for (std::size_t k = 0; k < fluxes.size(); ++k)
+  {
+    const Vector3 flux = FluxAt(solution, k, node);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      fluxes[k][3 * node + static_cast<std::int64_t>(a)] = static_cast<float>(flux[a]);
+      current[a] += solution.GetParameters().Species[k].Valence * PicoamperePerIon() * flux[a];
+    }
+  }
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    density[3 * node + static_cast<std::int64_t>(a)] = static_cast<float>(current[a]);
+  }
+}
+
+}
+
+void SetImageGeometry(const TransportDomain& domain, vtkImageData* image)
+{
+  image->SetDimensions(static_cast<int>(domain.Dimensions[0]),
+    static_cast<int>(domain.Dimensions[1]), static_cast<int>(domain.Dimensions[2]));
+  image->SetOrigin(domain.Origin.data());
+  image->SetSpacing(domain.Spacing, domain.Spacing, domain.Spacing);
+}
+
+void FillTransportImage(
+  const PoissonNernstPlanck& solution, vtkImageData* image, const ProgressCallback& progress)
+{
+  const TransportGrid& grid = solution.GetGrid();
+  const std::int64_t nodes = grid.Domain.Size();
+  SetImageGeometry(grid.Domain, image);
+  auto potential = Named<vtkDoubleArray>("Potential", nodes);
+  auto density = Named<vtkFloatArray>("CurrentDensity", nodes, 3);
+  auto distance = Named<vtkFloatArray>("SignedDistance", nodes);
+  std::copy(
+    solution.GetPotential().begin(), solution.GetPotential().end(), potential->GetPointer(0));
+  std::copy(grid.Distance.begin(), grid.Distance.end(), distance->GetPointer(0));
+  image->GetPointData()->SetScalars(potential);
+  std::vector<float*> concentrations;
+  std::vector<float*> fluxes;
+  for (const TransportSpecies& s : solution.GetParameters().Species)
+  {
+    auto concentration = Named<vtkFloatArray>("Concentration_" + s.Name, nodes);
+    auto flux = Named<vtkFloatArray>("Flux_" + s.Name, nodes, 3);
+    concentrations.push_back(concentration->GetPointer(0));
+    fluxes.push_back(flux->GetPointer(0));
+    image->GetPointData()->AddArray(concentration);
+    image->GetPointData()->AddArray(flux);
+  }
+  image->GetPointData()->AddArray(density);
+  image->GetPointData()->AddArray(distance);
+  float* const current = density->GetPointer(0);
+  ParallelFor(
+    0, nodes, 1 << 12,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t node = first; node < last; ++node)
+      {
+        for (std::size_t k = 0; k < concentrations.size(); ++k)
+        {
+          concentrations[k][node] = static_cast<float>(solution.Concentration(k, node));
+        }
+        WriteFluxes(solution, node, fluxes, current);
+      }
+    },
+    progress);
+}
+
+void FillTransportNumbers(const TransportPoint& point, const std::vector<TransportSpecies>& species,
+  const ChannelPassage& passage, vtkImageData* image)
+{
+  AddNumbers("Voltage", { point.Voltage }, image);
+  for (std::size_t k = 0; k < species.size(); ++k)
+  {
+    AddNumbers("Current_" + species[k].Name, { point.Profile.Mean(k) }, image);
+  }
+  AddNumbers("Current", { point.Profile.Mean() }, image);
+  AddNumbers("CurrentSpread", { point.Profile.Spread() }, image);
+  AddNumbers("Converged", { point.Report.Converged ? 1.0 : 0.0 }, image);
+  AddNumbers("Changes", point.Report.Changes, image);
+  AddNumbers("BottleneckRadius", { passage.Radius }, image);
+  const Vector3& at = passage.Bottleneck;
+  AddNumbers("BottleneckPosition", { at[0], at[1], at[2] }, image);
+}
+
+void FillSections(
+  const CurrentProfile& profile, const std::vector<TransportSpecies>& species, vtkTable* table)
+{
+  std::vector<double> whole(profile.Along.size(), 0.0);
+  AddColumn(
+    "Along", profile.Along, [](double along) { return along; }, table);
+  for (std::size_t k = 0; k < species.size(); ++k)
+  {
+    AddColumn(
+      "Current_" + species[k].Name, profile.Currents[k], [](double x) { return x; }, table);
+    for (std::size_t i = 0; i < whole.size(); ++i)
+    {
+      whole[i] += profile.Currents[k][i];
+    }
+  }
+  AddColumn(
+    "Current", whole, [](double current) { return current; }, table);
+}
+
+void FillSweep(const std::vector<TransportPoint>& points,
+  const std::vector<TransportSpecies>& species, vtkTable* table)
+{
+  using Point = TransportPoint;
+  AddColumn(
+    "Voltage", points, [](const Point& p) { return p.Voltage; }, table);
+  AddColumn(
+    "ConcentrationFactor", points, [](const Point& p) { return p.Factor; }, table);
+  for (std::size_t k = 0; k < species.size(); ++k)
+  {
+    AddColumn(
+      "Current_" + species[k].Name, points, [k](const Point& p) { return p.Profile.Mean(k); },
+      table);
+  }
+  AddColumn(
+    "Current", points, [](const Point& p) { return p.Profile.Mean(); }, table);
+  AddColumn(
+    "CurrentSpread", points, [](const Point& p) { return p.Profile.Spread(); }, table);
+  AddColumn(
+    "Converged", points, [](const Point& p) { return p.Report.Converged ? 1.0 : 0.0; }, table);
+}
+
+}

@@ -1,0 +1,39 @@
+/**
+ * @file IonTransportOutput.h
+ * @brief Ion transport as VTK data: image, currents by section, currents by voltage or salt.
+ */
+#ifndef isthmus_IonTransportOutput_h
+#define isthmus_IonTransportOutput_h
+
+#include "ChannelPassage.h"
+#include "TransportSweep.h"
+
+class vtkImageData;
+class vtkTable;
+
+namespace isthmus
+{
+
+/// Extent, origin and spacing of the domain's grid.
+void SetImageGeometry(const TransportDomain& domain, vtkImageData* image);
+
+/// Potential (active), Concentration_NAME and Flux_NAME of each species, CurrentDensity,
+/// SignedDistance. Parallel.
+void FillTransportImage(
+  const PoissonNernstPlanck& solution, vtkImageData* image, const ProgressCallback& progress = {});
+
+/// Field data that tell how far the solution is to be trusted.
+void FillTransportNumbers(const TransportPoint& point, const std::vector<TransportSpecies>& species,
+  const ChannelPassage& passage, vtkImageData* image);
+
+/// A row a section: Along, Current_NAME, Current.
+void FillSections(
+  const CurrentProfile& profile, const std::vector<TransportSpecies>& species, vtkTable* table);
+
+/// A row a point: Voltage, ConcentrationFactor, Current_NAME, Current, CurrentSpread, Converged.
+void FillSweep(const std::vector<TransportPoint>& points,
+  const std::vector<TransportSpecies>& species, vtkTable* table);
+
+}
+
+#endif

@@ -1,0 +1,66 @@
+/**
+ * @file IonTransportParameters.h
+ * @brief What steady ion transport is asked for, and what it tells of the way to its answer.
+ */
+#ifndef isthmus_IonTransportParameters_h
+#define isthmus_IonTransportParameters_h
+
+#include "PoissonBoltzmannParameters.h"
+#include "vtkIsthmusModule.h"
+
+#include <string>
+#include <vector>
+
+namespace isthmus
+{
+
+/// One kind of ion, and how much of it there is in the two baths.
+struct TransportSpecies
+{
+  std::string Name;
+  double Valence = 1.0;
+  double Below = 0.1;           ///< mol/l in the bath behind the membrane, against its normal
+  double Above = 0.1;           ///< mol/l in the bath that the normal points to
+  double Diffusion = 1.96;      ///< 1e-9 m^2/s, in the baths
+  double ChannelFraction = 1.0; ///< the part of it within the membrane's slab
+};
+
+/// A flat membrane, closed but for a round hole that the channel stands in.
+struct MembraneSlab
+{
+  Vector3 Centre{ 0.0, 0.0, 0.0 }; ///< on the channel's axis, angstrom
+  Vector3 Normal{ 0.0, 0.0, 1.0 }; ///< along that axis, from Below to Above; any length
+  double Thickness = 24.0;         ///< angstrom
+  double LumenRadius = 5.0;        ///< of the hole: nearer to the axis there is no membrane
+};
+
+struct IonTransportParameters
+{
+  std::vector<TransportSpecies> Species;
+  MembraneSlab Membrane;
+  double Voltage = 100.0; ///< mV: potential Below less that Above; drives cations along the normal
+  double ProbeRadius = 1.0; ///< of the solvent-excluded surface, angstrom; 0: the atoms themselves
+  double Spacing = 0.5;     ///< angstrom
+  double Padding = 8.0;     ///< of the baths beyond the membrane and the atoms, angstrom
+  double SoluteDielectric = 2.0; ///< of the atoms and the membrane
+  double SolventDielectric = 80.0;
+  double Temperature = 298.15; ///< kelvin
+  double Tolerance = 1e-4;     ///< largest change of the potential in water, kT/e
+  int MaximumIterations = 100; ///< of Gummel's
+};
+
+struct IonTransportReport
+{
+  bool Converged = false;
+  int Iterations = 0;          ///< of Gummel's
+  int LinearIterations = 0;    ///< of conjugate gradients, all systems together
+  std::vector<double> Changes; ///< of the potential in water, kT/e, by iteration
+};
+
+/// @throws std::invalid_argument, with a sentence, for values out of their range, a membrane
+/// without a normal, species without a valence, and baths that carry a charge.
+VTKISTHMUS_EXPORT void CheckTransport(const IonTransportParameters& parameters);
+
+}
+
+#endif

@@ -1,0 +1,317 @@
+#include "PoissonNernstPlanck.h"
+
+#include "ElectrostaticUnits.h"
+#include "ParallelFor.h"
+#include "ScharfetterGummel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isthmus
+{
+namespace
+{
+
+constexpr double LargestStep = 3.0;  // of phi in the water, kT/e, in one step of Newton's
+constexpr int MostNewtonSteps = 100; // a guard: a convex problem takes 3 to 20
+constexpr double NewtonReduction = 1e-3;
+constexpr double FinalAccuracy = 1e-7; // of a species' current, in all cross-sections
+constexpr double Rounding = 1e-16;
+
+/// mV to kT/e.
+double Thermal(double millivolt, double kelvin)
+{
+  return 1e-3 * millivolt * units::ElementaryCharge / (units::BoltzmannConstant * kelvin);
+}
+
+/// Where a voltage falls off: 1 below the membrane, 0 above.
+double Profile(double along, double thickness)
+{
+  return std::clamp(0.5 - along / thickness, 0.0, 1.0);
+}
+
+/// Fractions that approach 1, however many steps there are.
+ProgressCallback Approaching(const ProgressCallback& progress, double& done)
+{
+  constexpr double part = 0.02;
+  return [&progress, &done](double)
+  {
+    done += part * (1.0 - done);
+    return !progress || progress(done);
+  };
+}
+
+}
+
+PoissonNernstPlanck::PoissonNernstPlanck(
+  const TransportGrid& grid, const IonTransportParameters& parameters)
+  : Grid(grid)
+  , Parameters(parameters)
+  , ChargeScale(4.0 * units::Pi * units::CoulombLength(parameters.Temperature) *
+      units::IonsPerCubicAngstrom * std::pow(grid.Domain.Spacing, 3))
+  , Open(static_cast<std::size_t>(grid.Domain.Size()), 0)
+  , Phi(this->Open.size(), 0.0)
+  , Source(this->Open.size(), 0.0)
+  , Field(grid.Domain.Dimensions, grid.Baths)
+  , Ions(grid.Domain.Dimensions, grid.Baths)
+{
+  CheckTransport(parameters);
+  const std::array<std::int64_t, 3> steps = grid.Domain.Steps();
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    for (std::int64_t node = 0; node < grid.Domain.Size(); ++node)
+    {
+      const auto p = static_cast<std::size_t>(node);
+      this->Field.Edge(a, node) =
+        grid.Domain.Spacing * static_cast<double>(grid.Permittivity[a][p]);
+      if (grid.Aperture[a][p] > 0.0F)
+      {
+        this->Open[p] = this->Open[static_cast<std::size_t>(node + steps[a])] = 1;
+      }
+    }
+  }
+  this->V.resize(parameters.Species.size());
+  for (std::size_t k = 0; k < this->V.size(); ++k)
+  {
+    const TransportSpecies& s = parameters.Species[k];
+    this->V[k].assign(this->Open.size(), 0.0);
+    for (std::size_t p = 0; p < this->Open.size(); ++p)
+    {
+      this->V[k][p] = this->Open[p] == 0 ? 0.0 : this->Grid.Along[p] < 0.0F ? s.Below : s.Above;
+    }
+  }
+  this->SetBaths(parameters.Voltage, 1.0);
+}
+
+void PoissonNernstPlanck::SetBaths(double voltage, double concentrationFactor)
+{
+  const double more = Thermal(voltage, this->Parameters.Temperature) -
+    Thermal(this->Voltage, this->Parameters.Temperature);
+  this->Voltage = voltage;
+  this->Factor = concentrationFactor;
+  for (std::size_t p = 0; p < this->Phi.size(); ++p)
+  {
+    this->Phi[p] +=
+      more * Profile(static_cast<double>(this->Grid.Along[p]), this->Parameters.Membrane.Thickness);
+    for (std::size_t k = 0; k < this->V.size() && this->Grid.Baths[p] != 0; ++k)
+    {
+      this->V[k][p] = this->BathValue(k, this->Grid.Baths[p]);
+    }
+  }
+  this->Report = {};
+}
+
+double PoissonNernstPlanck::BathValue(std::size_t species, unsigned char bath) const
+{
+  const TransportSpecies& s = this->Parameters.Species[species];
+  return bath == static_cast<unsigned char>(Bath::Above) ? this->Factor * s.Above
+                                                         : this->Factor * s.Below *
+      std::exp(s.Valence * Thermal(this->Voltage, this->Parameters.Temperature));
+}
+
+double PoissonNernstPlanck::Mobility(std::size_t species, std::int64_t node) const
+{
+  const TransportSpecies& s = this->Parameters.Species[species];
+  const auto along = static_cast<double>(this->Grid.Along[static_cast<std::size_t>(node)]);
+  const bool slow = std::abs(along) < 0.5 * this->Parameters.Membrane.Thickness;
+  return s.Diffusion * (slow ? s.ChannelFraction : 1.0);
+}
+
+double PoissonNernstPlanck::Concentration(std::size_t species, std::int64_t node) const
+{
+  const auto p = static_cast<std::size_t>(node);
+  return this->Open[p] == 0
+    ? 0.0
+    : this->V[species][p] * std::exp(-this->Parameters.Species[species].Valence * this->Phi[p]);
+}
+
+void PoissonNernstPlanck::FillNernstPlanck(std::size_t species)
+{
+  const double half = -0.5 * this->Parameters.Species[species].Valence;
+  this->Work.resize(this->Phi.size());
+  for (std::size_t p = 0; p < this->Phi.size(); ++p)
+  {
+    this->Work[p] = this->Open[p] != 0 ? std::exp(half * this->Phi[p]) : 0.0;
+  }
+  const std::array<std::int64_t, 3> steps = this->Grid.Domain.Steps();
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const std::vector<float>& apertures = this->Grid.Aperture[a];
+    for (std::int64_t node = 0; node < this->Grid.Domain.Size(); ++node)
+    {
+      const auto aperture = static_cast<double>(apertures[static_cast<std::size_t>(node)]);
+      if (aperture == 0.0)
+      {
+        this->Ions.Edge(a, node) = 0.0;
+        continue;
+      }
+      const std::int64_t next = node + steps[a];
+      const double here = this->Mobility(species, node);
+      const double there = this->Mobility(species, next);
+      this->Ions.Edge(a, node) = aperture * this->Grid.Domain.Spacing * 2.0 * here * there /
+        (here + there) *
+        SlotboomConductance(
+          this->Work[static_cast<std::size_t>(node)], this->Work[static_cast<std::size_t>(next)]);
+    }
+  }
+}
+
+double PoissonNernstPlanck::EdgeFlux(std::size_t species, std::size_t axis, std::int64_t node) const
+{
+  const auto p = static_cast<std::size_t>(node);
+  const auto aperture = static_cast<double>(this->Grid.Aperture[axis][p]);
+  if (aperture == 0.0)
+  {
+    return 0.0;
+  }
+  const std::int64_t next = node + this->Grid.Domain.Steps()[axis];
+  const auto q = static_cast<std::size_t>(next);
+  const double half = -0.5 * this->Parameters.Species[species].Valence;
+  const double here = this->Mobility(species, node);
+  const double there = this->Mobility(species, next);
+  return aperture * this->Grid.Domain.Spacing * 2.0 * here * there / (here + there) *
+    SlotboomConductance(std::exp(half * this->Phi[p]), std::exp(half * this->Phi[q])) *
+    (this->V[species][p] - this->V[species][q]);
+}
+
+double PoissonNernstPlanck::Throughput(std::size_t species) const
+{
+  const std::array<std::int64_t, 3> steps = this->Grid.Domain.Steps();
+  const auto below = static_cast<unsigned char>(Bath::Below);
+  double total = 0.0;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    for (std::int64_t node = 0; node < this->Grid.Domain.Size(); ++node)
+    {
+      const auto p = static_cast<std::size_t>(node);
+      if (this->Grid.Aperture[a][p] > 0.0F)
+      {
+        const bool here = this->Grid.Baths[p] == below;
+        const bool there = this->Grid.Baths[static_cast<std::size_t>(node + steps[a])] == below;
+        total += here == there ? 0.0 : (here ? 1.0 : -1.0) * this->EdgeFlux(species, a, node);
+      }
+    }
+  }
+  return std::abs(total);
+}
+
+void PoissonNernstPlanck::SolveNernstPlanck(double accuracy, const ProgressCallback& progress)
+{
+  constexpr int rounds = 8;
+  for (std::size_t k = 0; k < this->V.size(); ++k)
+  {
+    this->FillNernstPlanck(k);
+    this->Ions.Factor();
+    const double largest =
+      std::max(this->BathValue(k, 1), this->BathValue(k, 2)) * this->Ions.Total() * Rounding;
+    double left = this->Ions.Residual(this->V[k], {});
+    // How much is enough is known only when the current is: so by and by.
+    for (int round = 0; round < rounds && left > largest; ++round)
+    {
+      const double wanted = accuracy * this->Throughput(k);
+      if (left <= wanted)
+      {
+        break;
+      }
+      const auto answer =
+        this->Ions.Solve(this->V[k], {}, { std::max(0.5 * wanted, largest), 1e-3 }, progress);
+      this->Report.LinearIterations += answer.Iterations;
+      const bool stuck = !answer.Converged || answer.Residual > 0.5 * left;
+      left = answer.Residual;
+      if (stuck)
+      {
+        break;
+      }
+    }
+    // A value between the baths' is what the equation has; rounding may leave that by its own size.
+    const double low = std::min(this->BathValue(k, 1), this->BathValue(k, 2));
+    const double high = std::max(this->BathValue(k, 1), this->BathValue(k, 2));
+    for (std::size_t p = 0; p < this->Open.size(); ++p)
+    {
+      this->V[k][p] = this->Open[p] != 0 ? std::clamp(this->V[k][p], low, high) : 0.0;
+    }
+  }
+}
+
+void PoissonNernstPlanck::FillCharge()
+{
+  const double coulomb = 4.0 * units::Pi * units::CoulombLength(this->Parameters.Temperature);
+  ParallelFor(0, this->Grid.Domain.Size(), 1 << 14,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t node = first; node < last; ++node)
+      {
+        const auto p = static_cast<std::size_t>(node);
+        double charge = 0.0;
+        double slope = 0.0;
+        for (std::size_t k = 0; k < this->V.size() && this->Open[p] != 0; ++k)
+        {
+          const double z = this->Parameters.Species[k].Valence;
+          const double ions = this->ChargeScale * static_cast<double>(this->Grid.Water[p]) *
+            this->V[k][p] * std::exp(-z * this->Phi[p]);
+          charge += z * ions;
+          slope += z * z * ions;
+        }
+        this->Field.Diagonal(node) = slope;
+        this->Source[p] = coulomb * this->Grid.Charge[p] + charge + slope * this->Phi[p];
+      }
+    });
+}
+
+double PoissonNernstPlanck::NewtonStep(const ProgressCallback& progress)
+{
+  this->FillCharge();
+  this->Field.Factor();
+  this->Work = this->Phi;
+  const auto answer =
+    this->Field.Solve(this->Work, this->Source, { 0.0, NewtonReduction }, progress);
+  this->Report.LinearIterations += answer.Iterations;
+  double largest = 0.0;
+  for (std::size_t p = 0; p < this->Phi.size(); ++p)
+  {
+    largest = std::max(largest, this->Open[p] != 0 ? std::abs(this->Work[p] - this->Phi[p]) : 0.0);
+  }
+  const double part = largest > LargestStep ? LargestStep / largest : 1.0;
+  for (std::size_t p = 0; p < this->Phi.size(); ++p)
+  {
+    this->Phi[p] += part * (this->Work[p] - this->Phi[p]);
+  }
+  return largest;
+}
+
+double PoissonNernstPlanck::SolvePoisson(double accuracy, const ProgressCallback& progress)
+{
+  const std::vector<double> before = this->Phi;
+  for (int step = 0; step<MostNewtonSteps&& this->NewtonStep(progress)> accuracy; ++step)
+  {
+  }
+  double change = 0.0;
+  for (std::size_t p = 0; p < this->Phi.size(); ++p)
+  {
+    change = std::max(change, this->Open[p] != 0 ? std::abs(this->Phi[p] - before[p]) : 0.0);
+  }
+  return change;
+}
+
+const IonTransportReport& PoissonNernstPlanck::Solve(const ProgressCallback& progress)
+{
+  constexpr double coarse = 1e-2; // of the ions' currents, and kT/e, at first
+  double done = 0.0;
+  const ProgressCallback tick = Approaching(progress, done);
+  double accuracy = coarse;
+  this->Report = {};
+  while (!this->Report.Converged && this->Report.Iterations < this->Parameters.MaximumIterations)
+  {
+    this->SolveNernstPlanck(accuracy, tick);
+    const double change =
+      this->SolvePoisson(std::max(0.1 * this->Parameters.Tolerance, accuracy), tick);
+    this->Report.Changes.push_back(change);
+    ++this->Report.Iterations;
+    this->Report.Converged = change <= this->Parameters.Tolerance;
+    accuracy = std::clamp(0.1 * change, std::min(coarse, 0.1 * this->Parameters.Tolerance), coarse);
+  }
+  this->SolveNernstPlanck(FinalAccuracy, tick);
+  return this->Report;
+}
+
+}

@@ -1,0 +1,90 @@
+/**
+ * @file PoissonNernstPlanck.h
+ * @brief Ions that drift and diffuse through a channel in the field that they make themselves.
+ *
+ * The steady Poisson-Nernst-Planck equations (thesis 4.19 to 4.28, with the surface at rest):
+ *
+ *   -div(eps grad phi) = 4 pi C (charges + sum_k z_k N c_k),
+ *   div J_k = 0,   J_k = -D_k (grad c_k + z_k c_k grad phi)   in the water,
+ *
+ * phi in kT/e, c_k in mol/l, C the Coulomb length, N ions in a cubic angstrom at 1 mol/l. In the
+ * baths phi and c_k are given; no ion goes through a wall, no field through the domain's side.
+ *
+ * Finite volumes (TransportGrid.h) with fluxes after Scharfetter and Gummel (ScharfetterGummel.h).
+ * Gummel's iteration (IEEE Trans. Electron Devices 11 (1964) 455) takes in turn Nernst-Planck with
+ * phi given, linear in Slotboom's v_k = c_k exp(z_k phi), and Poisson with v_k given, by Newton's
+ * method: the ions' charge falls as phi grows, so that equation has one solution. Both are networks
+ * of resistors (ResistorNetwork.h). It ends when a new phi differs by less than Tolerance in all
+ * water.
+ */
+#ifndef isthmus_PoissonNernstPlanck_h
+#define isthmus_PoissonNernstPlanck_h
+
+#include "Progress.h"
+#include "ResistorNetwork.h"
+#include "TransportGrid.h"
+#include "vtkIsthmusModule.h"
+
+#include <vector>
+
+namespace isthmus
+{
+
+/// Memory: 160 bytes a node for two networks, 24 for phi and work, 8 for each species. The same
+/// bits on any number of threads: the loops that decide about them run on one.
+class VTKISTHMUS_EXPORT PoissonNernstPlanck
+{
+public:
+  /// The grid is referred to.
+  /// @throws std::invalid_argument for parameters out of range.
+  PoissonNernstPlanck(const TransportGrid& grid, const IonTransportParameters& parameters);
+
+  /// Another voltage (mV), and the baths' concentrations times a factor: what there is already is
+  /// where the next Solve() begins.
+  void SetBaths(double voltage, double concentrationFactor);
+
+  /// Until it converges, or MaximumIterations: the best there is stays then.
+  /// @throws Cancelled, and std::runtime_error where numbers leave their range.
+  const IonTransportReport& Solve(const ProgressCallback& progress = {});
+
+  const TransportGrid& GetGrid() const { return this->Grid; }
+  const IonTransportParameters& GetParameters() const { return this->Parameters; }
+  const IonTransportReport& GetReport() const { return this->Report; }
+  double GetVoltage() const { return this->Voltage; } ///< mV
+  double GetFactor() const { return this->Factor; }
+  const std::vector<double>& GetPotential() const { return this->Phi; }
+  /// Slotboom's v of a species, mol/l.
+  const std::vector<double>& GetSlotboom(std::size_t species) const { return this->V[species]; }
+  /// mol/l; 0 where there is no water.
+  double Concentration(std::size_t species, std::int64_t node) const;
+  bool IsWater(std::int64_t node) const { return this->Open[static_cast<std::size_t>(node)] != 0; }
+  /// Of an edge from a node to the next, from the lower node to the higher: angstrom mol/l times
+  /// 1e-9 m^2/s.
+  double EdgeFlux(std::size_t species, std::size_t axis, std::int64_t node) const;
+
+private:
+  double Mobility(std::size_t species, std::int64_t node) const;
+  double BathValue(std::size_t species, unsigned char bath) const;
+  void FillNernstPlanck(std::size_t species);
+  void SolveNernstPlanck(double accuracy, const ProgressCallback& progress);
+  void FillCharge();
+  double SolvePoisson(double accuracy, const ProgressCallback& progress);
+  double NewtonStep(const ProgressCallback& progress);
+  double Throughput(std::size_t species) const;
+
+  const TransportGrid& Grid;
+  const IonTransportParameters Parameters;
+  const double ChargeScale; ///< from mol/l in a node's cube to the source of phi
+  double Voltage = 0.0;     ///< mV
+  double Factor = 1.0;
+  std::vector<unsigned char> Open; ///< nodes with faces that are water
+  std::vector<double> Phi;
+  std::vector<std::vector<double>> V;
+  std::vector<double> Source, Work;
+  ResistorNetwork Field, Ions;
+  IonTransportReport Report;
+};
+
+}
+
+#endif

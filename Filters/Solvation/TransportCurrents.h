@@ -1,0 +1,43 @@
+/**
+ * @file TransportCurrents.h
+ * @brief Currents through cross-sections of a channel, and the densities of them at nodes.
+ */
+#ifndef isthmus_TransportCurrents_h
+#define isthmus_TransportCurrents_h
+
+#include "PoissonNernstPlanck.h"
+
+namespace isthmus
+{
+
+/// Currents in pA, positive along the membrane's normal.
+struct CurrentProfile
+{
+  std::vector<double> Along;                 ///< of the sections, angstrom from the centre
+  std::vector<std::vector<double>> Currents; ///< by species, one for each section
+
+  double Mean(std::size_t species) const;
+  double Mean() const; ///< of all species together
+  /// The largest difference of a section's whole current from the mean, as a part of the sum of the
+  /// species' sizes; 0 where there is no current.
+  double Spread() const;
+};
+
+/**
+ * A section lies between each two layers of the domain, normal to the channel: the edges of the
+ * grid that go through it carry its current, oblique as it may lie to them. What a node takes in it
+ * gives off, so currents through all sections are the same but for the accuracy of the solution.
+ * O(nodes).
+ */
+VTKISTHMUS_EXPORT CurrentProfile CurrentsOf(const PoissonNernstPlanck& solution);
+
+/// The flux of a species at a node, ions a nanosecond and square angstrom: the mean of its faces'.
+VTKISTHMUS_EXPORT Vector3 FluxAt(
+  const PoissonNernstPlanck& solution, std::size_t species, std::int64_t node);
+
+/// pA for an ion of 1 e a nanosecond.
+VTKISTHMUS_EXPORT double PicoamperePerIon();
+
+}
+
+#endif

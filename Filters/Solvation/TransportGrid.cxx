@@ -1,0 +1,285 @@
+#include "TransportGrid.h"
+
+#include "IrregularRows.h"
+#include "ParallelFor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace isthmus
+{
+namespace
+{
+
+/// What the loops over nodes and faces share.
+class Builder
+{
+public:
+  Builder(TransportGrid& grid, const IonTransportParameters& parameters)
+    : Grid(grid)
+    , Domain(grid.Domain)
+    , Parameters(parameters)
+    , Steps(grid.Domain.Steps())
+    , Side(static_cast<std::size_t>(grid.Domain.Size()))
+  {
+  }
+
+  void Distances(const std::vector<float>& solute);
+  void Faces(const ProgressCallback& progress);
+  void MergeCutCells();
+  void Charges(const std::vector<ChargedAtom>& charges);
+
+private:
+  bool IsWet(std::int64_t node) const
+  {
+    return this->Grid.Distance[static_cast<std::size_t>(node)] > 0.0F;
+  }
+  std::int64_t DeepestStep(std::int64_t node, std::int64_t other, std::size_t skip) const;
+  void FillNode(std::int64_t node, double solute);
+  void FillEdge(std::int64_t node, const std::array<std::int64_t, 3>& at, std::size_t axis);
+  double FacePart(const std::vector<float>& values, std::int64_t node, std::size_t axis) const;
+
+  TransportGrid& Grid;
+  const TransportDomain& Domain;
+  const IonTransportParameters& Parameters;
+  const std::array<std::int64_t, 3> Steps;
+  std::vector<float> Side; ///< distance to the side of the cylinder, positive within
+};
+
+void Builder::FillNode(std::int64_t node, double solute)
+{
+  const auto n = static_cast<std::size_t>(node);
+  const double h = this->Domain.Spacing;
+  const auto [along, off] = this->Domain.AlongAndOff(this->Domain.Place(node));
+  const MembraneSlab& m = this->Parameters.Membrane;
+  const double membrane = std::max(std::abs(along) - 0.5 * m.Thickness, m.LumenRadius - off);
+  const double distance = std::min(solute, membrane);
+  this->Grid.Distance[n] = static_cast<float>(distance);
+  this->Grid.Along[n] = static_cast<float>(along);
+  this->Side[n] = static_cast<float>(this->Domain.Radius - off);
+  const auto cell = [h](double to) { return std::clamp(0.5 + to / h, 0.0, 1.0); };
+  this->Grid.Water[n] = static_cast<float>(cell(distance) * cell(this->Domain.Radius - off));
+  const double bath = this->Domain.HalfLength - 1e-6 * h;
+  const Bath which = along < -bath ? Bath::Below : along > bath ? Bath::Above : Bath::None;
+  this->Grid.Baths[n] = static_cast<unsigned char>(which);
+}
+
+void Builder::Distances(const std::vector<float>& solute)
+{
+  ParallelFor(0, this->Domain.Size(), 1 << 14,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t node = first; node < last; ++node)
+      {
+        this->FillNode(node,
+          solute.empty() ? std::numeric_limits<double>::infinity()
+                         : static_cast<double>(solute[static_cast<std::size_t>(node)]));
+      }
+    });
+}
+
+double Builder::FacePart(
+  const std::vector<float>& values, std::int64_t node, std::size_t axis) const
+{
+  const auto value = [&values](std::int64_t at)
+  { return static_cast<double>(values[static_cast<std::size_t>(at)]); };
+  const std::int64_t next = node + this->Steps[axis];
+  const double middle = 0.5 * (value(node) + value(next));
+  if (std::abs(middle) > this->Domain.Spacing) // a distance changes by less than that on a face
+  {
+    return middle > 0.0 ? 1.0 : 0.0;
+  }
+  double across[2];
+  for (std::size_t b = 0; b < 2; ++b)
+  {
+    const std::int64_t step = this->Steps[(axis + 1 + b) % 3];
+    across[b] =
+      0.25 * (value(node + step) - value(node - step) + value(next + step) - value(next - step));
+  }
+  return PositivePart(middle, across[0], across[1]);
+}
+
+void Builder::FillEdge(std::int64_t node, const std::array<std::int64_t, 3>& at, std::size_t axis)
+{
+  const auto& n = this->Domain.Dimensions;
+  const auto p = static_cast<std::size_t>(node);
+  bool inner = true; // border nodes lie beyond the domain
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    inner = inner && at[a] > 0 && at[a] + (a == axis ? 2 : 1) < n[a];
+  }
+  const double part = inner ? this->FacePart(this->Side, node, axis) : 0.0;
+  if (part == 0.0)
+  {
+    return;
+  }
+  const double a = static_cast<double>(this->Grid.Distance[p]);
+  const double b =
+    static_cast<double>(this->Grid.Distance[static_cast<std::size_t>(node + this->Steps[axis])]);
+  const double inside = a < 0.0 && b < 0.0 ? 1.0
+    : a >= 0.0 && b >= 0.0                 ? 0.0
+                                           : -std::min(a, b) / (std::abs(a) + std::abs(b));
+  this->Grid.Permittivity[axis][p] = static_cast<float>(part *
+    SeriesPermittivity(
+      this->Parameters.SoluteDielectric, this->Parameters.SolventDielectric, inside));
+  this->Grid.Aperture[axis][p] =
+    static_cast<float>(part * this->FacePart(this->Grid.Distance, node, axis));
+}
+
+void Builder::Faces(const ProgressCallback& progress)
+{
+  ParallelFor(
+    0, this->Domain.Dimensions[2], 1,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t node = first * this->Steps[2]; node < last * this->Steps[2]; ++node)
+      {
+        const std::array<std::int64_t, 3> at = this->Domain.Indices(node);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          this->FillEdge(node, at, axis);
+        }
+      }
+    },
+    progress);
+}
+
+/// The step to a neighbour across `skip` (3: any) that lies deepest in the water, with that of
+/// `other`; 0 where none has both there.
+std::int64_t Builder::DeepestStep(std::int64_t node, std::int64_t other, std::size_t skip) const
+{
+  std::int64_t deepest = 0;
+  float depth = 0.0F;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    for (const std::int64_t step : { this->Steps[a], -this->Steps[a] })
+    {
+      const std::int64_t p = node + step, q = other + step;
+      const std::int64_t last = this->Domain.Size();
+      if (a != skip && std::min(p, q) >= 0 && std::max(p, q) < last && this->IsWet(p) &&
+        this->IsWet(q))
+      {
+        const float least = std::min(this->Grid.Distance[static_cast<std::size_t>(p)],
+          this->Grid.Distance[static_cast<std::size_t>(q)]);
+        deepest = least > depth ? step : deepest;
+        depth = std::max(least, depth);
+      }
+    }
+  }
+  return deepest;
+}
+
+/**
+ * A node within atoms or membrane has their potential, that of their charges, not the water's in
+ * the rest of its cube. So these nodes stay without ions; the water of their cubes and faces is
+ * counted with the neighbours' that are in the water.
+ */
+void Builder::MergeCutCells()
+{
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    std::vector<float>& aperture = this->Grid.Aperture[a];
+    for (std::int64_t node = 0; node + this->Steps[a] < this->Domain.Size(); ++node)
+    {
+      const std::int64_t next = node + this->Steps[a];
+      float& part = aperture[static_cast<std::size_t>(node)];
+      if (part > 0.0F && !(this->IsWet(node) && this->IsWet(next)))
+      {
+        const std::int64_t step = this->DeepestStep(node, next, a);
+        if (step != 0 && this->Grid.Permittivity[a][static_cast<std::size_t>(node + step)] > 0.0F)
+        {
+          aperture[static_cast<std::size_t>(node + step)] += part;
+        }
+        part = 0.0F;
+      }
+    }
+  }
+  for (std::int64_t node = 0; node < this->Domain.Size(); ++node)
+  {
+    float& part = this->Grid.Water[static_cast<std::size_t>(node)];
+    if (part > 0.0F && !this->IsWet(node))
+    {
+      const std::int64_t step = this->DeepestStep(node, node, 3);
+      if (step != 0)
+      {
+        this->Grid.Water[static_cast<std::size_t>(node + step)] += part;
+      }
+      part = 0.0F;
+    }
+  }
+}
+
+void Builder::Charges(const std::vector<ChargedAtom>& charges)
+{
+  for (const ChargedAtom& charge : charges)
+  {
+    std::int64_t node = 0;
+    double t[3];
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const double at = (charge.Position[a] - this->Domain.Origin[a]) / this->Domain.Spacing;
+      const auto low = std::clamp<std::int64_t>(
+        static_cast<std::int64_t>(std::floor(at)), 0, this->Domain.Dimensions[a] - 2);
+      node += low * this->Steps[a];
+      t[a] = std::clamp(at - static_cast<double>(low), 0.0, 1.0);
+    }
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      double part = charge.Charge;
+      std::int64_t to = node;
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        const bool high = (corner >> a & 1) != 0;
+        part *= high ? t[a] : 1.0 - t[a];
+        to += high ? this->Steps[a] : 0;
+      }
+      this->Grid.Charge[static_cast<std::size_t>(to)] += part;
+    }
+  }
+}
+
+}
+
+double PositivePart(double distance, double g1, double g2)
+{
+  const double a = std::max(std::abs(g1), std::abs(g2));
+  const double b = std::min(std::abs(g1), std::abs(g2));
+  if (std::abs(distance) >= 0.5 * (a + b))
+  {
+    return distance > 0.0 ? 1.0 : 0.0;
+  }
+  if (b < 1e-6 * a)
+  {
+    return std::clamp(0.5 + distance / a, 0.0, 1.0);
+  }
+  const auto square = [](double x) { return x > 0.0 ? x * x : 0.0; };
+  return (square(distance + 0.5 * (a + b)) - square(distance + 0.5 * (a - b)) -
+           square(distance - 0.5 * (a - b))) /
+    (2.0 * a * b);
+}
+
+TransportGrid MakeTransportGrid(const TransportDomain& domain, const std::vector<float>& solute,
+  const std::vector<ChargedAtom>& charges, const IonTransportParameters& parameters,
+  const ProgressCallback& progress)
+{
+  TransportGrid grid;
+  grid.Domain = domain;
+  const auto size = static_cast<std::size_t>(domain.Size());
+  for (std::vector<float>* all :
+    { &grid.Distance, &grid.Along, &grid.Water, &grid.Permittivity[0], &grid.Permittivity[1],
+      &grid.Permittivity[2], &grid.Aperture[0], &grid.Aperture[1], &grid.Aperture[2] })
+  {
+    all->assign(size, 0.0F);
+  }
+  grid.Baths.assign(size, 0);
+  grid.Charge.assign(size, 0.0);
+  Builder builder(grid, parameters);
+  builder.Distances(solute);
+  builder.Faces(progress);
+  builder.MergeCutCells();
+  builder.Charges(charges);
+  return grid;
+}
+
+}

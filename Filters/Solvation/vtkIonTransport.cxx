@@ -1,0 +1,320 @@
+#include "vtkIonTransport.h"
+
+#include "AlgorithmGuard.h"
+#include "AtomCharges.h"
+#include "AtomInput.h"
+#include "IonTransportInput.h"
+#include "IonTransportOutput.h"
+#include "PipelineInputs.h"
+
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTable.h>
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkIonTransport);
+
+using isthmus::TransportPoint;
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+struct vtkIonTransport::Salt
+{
+  std::vector<isthmus::TransportSpecies> All;
+};
+
+/// What one execution works with.
+struct vtkIonTransport::Internals
+{
+  explicit Internals(vtkIonTransport* self)
+    : Self(self)
+  {
+  }
+
+  isthmus::AtomBalls Balls(vtkDataObject* input) const
+  {
+    return isthmus::BallsOf(input, isthmus::InputArrayName(this->Self, 0).c_str(),
+      { this->Self->KeepWaters, this->Self->UnitedAtoms });
+  }
+
+  isthmus::IonTransportParameters Parameters() const;
+  std::vector<TransportPoint> Points() const;
+  void Solve(vtkInformationVector** inputs, const isthmus::AtomBalls& atoms,
+    vtkInformationVector* outputs) const;
+  void Warn(const isthmus::ChannelPassage& passage, const isthmus::AtomBalls& atoms) const;
+  void Warn(const std::vector<TransportPoint>& points) const;
+
+  vtkIonTransport* Self;
+};
+
+isthmus::IonTransportParameters vtkIonTransport::Internals::Parameters() const
+{
+  const vtkIonTransport* self = this->Self;
+  isthmus::IonTransportParameters p;
+  p.Species = self->Species->All;
+  isthmus::NameSpecies(self->SpeciesNames, p.Species);
+  std::copy_n(self->MembraneCenter, 3, p.Membrane.Centre.begin());
+  std::copy_n(self->MembraneNormal, 3, p.Membrane.Normal.begin());
+  p.Membrane.Thickness = self->MembraneThickness;
+  p.Membrane.LumenRadius = self->LumenRadius;
+  p.Voltage = self->Voltage;
+  p.ProbeRadius = self->ProbeRadius;
+  p.Spacing = self->Spacing;
+  p.Padding = self->Padding;
+  p.SoluteDielectric = self->SoluteDielectric;
+  p.SolventDielectric = self->SolventDielectric;
+  p.Temperature = self->Temperature;
+  p.Tolerance = self->Tolerance;
+  p.MaximumIterations = self->MaximumIterations;
+  return p;
+}
+
+std::vector<TransportPoint> vtkIonTransport::Internals::Points() const
+{
+  const vtkIonTransport* self = this->Self;
+  switch (self->SweepOf)
+  {
+    case Voltages:
+      return isthmus::SweptVoltages(
+        self->SweepVoltages[0], self->SweepVoltages[1], self->SweepPoints);
+    case Concentrations:
+      return isthmus::SweptFactors(
+        self->SweepFactors[0], self->SweepFactors[1], self->SweepPoints, self->Voltage);
+    default:
+      return {};
+  }
+}
+
+void vtkIonTransport::Internals::Warn(
+  const isthmus::ChannelPassage& passage, const isthmus::AtomBalls& atoms) const
+{
+  if (atoms.WithoutRadius > 0)
+  {
+    vtkWarningWithObjectMacro(this->Self, << atoms.WithoutRadius << " of " << atoms.NumberOfAtoms
+                                          << " atoms have no radius and were left out.");
+  }
+  if (passage.Radius < this->Self->Spacing)
+  {
+    const isthmus::Vector3& at = passage.Bottleneck;
+    vtkWarningWithObjectMacro(this->Self, << "At (" << at[0] << ", " << at[1] << ", " << at[2]
+                                          << ") the channel has a radius of " << passage.Radius
+                                          << " angstrom, less than a Spacing: the current hangs on "
+                                             "how the nodes lie there. Choose a smaller Spacing.");
+  }
+}
+
+void vtkIonTransport::Internals::Warn(const std::vector<TransportPoint>& points) const
+{
+  const auto left = std::find_if(points.begin(), points.end(),
+    [](const TransportPoint& point) { return !point.Report.Converged; });
+  if (left != points.end())
+  {
+    vtkWarningWithObjectMacro(
+      this->Self, << "At " << left->Voltage << " mV the potential still changed by "
+                  << left->Report.Changes.back() << " kT/e after " << left->Report.Iterations
+                  << " iterations. What there is then is kept, with Converged "
+                     "0: choose more MaximumIterations or a larger Tolerance.");
+  }
+}
+
+void vtkIonTransport::Internals::Solve(vtkInformationVector** inputs,
+  const isthmus::AtomBalls& atoms, vtkInformationVector* outputs) const
+{
+  const auto progress = isthmus::ProgressOf(this->Self);
+  const isthmus::IonTransportParameters parameters = this->Parameters();
+  std::vector<TransportPoint> points = this->Points();
+  const isthmus::TransportDomain domain = isthmus::DomainAround(atoms.Balls, parameters);
+  const std::vector<isthmus::ChargedAtom> charges = isthmus::AtomChargesOf(
+    vtkDataObject::GetData(inputs[0]), atoms, isthmus::InputArrayName(this->Self, 1));
+  vtkPolyData* surface = vtkPolyData::GetData(inputs[1], 0);
+  const auto first = isthmus::Between(progress, 0.0, 0.1);
+  isthmus::TransportGrid grid = isthmus::MakeTransportGrid(domain,
+    surface ? isthmus::DistanceToClosed(domain, surface, first)
+            : isthmus::DistanceToAtoms(domain, atoms.Balls, parameters.ProbeRadius, first),
+    charges, parameters, isthmus::Between(progress, 0.1, 0.15));
+  const isthmus::ChannelPassage passage = isthmus::FindPassage(grid);
+  isthmus::DemandOpen(passage);
+  isthmus::ClosePockets(grid);
+  this->Warn(passage, atoms);
+  isthmus::PoissonNernstPlanck solution(grid, parameters);
+  TransportPoint shown;
+  shown.Voltage = parameters.Voltage;
+  const double part = 0.8 / static_cast<double>(points.size() + 1);
+  isthmus::SolveAt(shown, solution, isthmus::Between(progress, 0.15, 0.15 + part));
+  vtkNew<vtkImageData> image;
+  isthmus::FillTransportImage(solution, image, isthmus::Between(progress, 0.15 + part, 0.2 + part));
+  isthmus::FillTransportNumbers(shown, parameters.Species, passage, image);
+  if (!atoms.Notes.empty()) // ParaView takes an empty array for the end of field data
+  {
+    isthmus::AddNotes(atoms.Notes, image);
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const double from = 0.2 + part * static_cast<double>(i + 1);
+    isthmus::SolveAt(points[i], solution, isthmus::Between(progress, from, from + part));
+  }
+  isthmus::FillSections(shown.Profile, parameters.Species, vtkTable::GetData(outputs, 1));
+  isthmus::FillSweep(points.empty() ? std::vector<TransportPoint>{ shown } : points,
+    parameters.Species, vtkTable::GetData(outputs, 2));
+  vtkImageData::GetData(outputs, 0)->ShallowCopy(image);
+  points.insert(points.begin(), shown);
+  this->Warn(points);
+}
+
+vtkIonTransport::vtkIonTransport()
+  : Species(std::make_unique<Salt>())
+  , Advance(std::make_unique<isthmus::InputInAdvance>(this))
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(3);
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Radius");
+  this->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Charge");
+  this->AddSpecies(1.0, 0.1, 0.1, 1.96);
+  this->AddSpecies(-1.0, 0.1, 0.1, 2.03);
+}
+
+vtkIonTransport::~vtkIonTransport() = default;
+
+void vtkIonTransport::SetChargeArrayName(const char* name)
+{
+  this->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+}
+
+void vtkIonTransport::SetRadiusArrayName(const char* name)
+{
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+}
+
+void vtkIonTransport::AddSpecies(
+  double valence, double below, double above, double diffusion, double channelFraction)
+{
+  this->Species->All.push_back({ "", valence, below, above, diffusion, channelFraction });
+  this->Modified();
+}
+
+void vtkIonTransport::ClearSpecies()
+{
+  if (!this->Species->All.empty())
+  {
+    this->Species->All.clear();
+    this->Modified();
+  }
+}
+
+int vtkIonTransport::GetNumberOfSpecies()
+{
+  return static_cast<int>(this->Species->All.size());
+}
+
+vtkTable* vtkIonTransport::GetSections()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+vtkTable* vtkIonTransport::GetSweep()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+int vtkIonTransport::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkPolyData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkIonTransport::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkImageData" : "vtkTable");
+  return 1;
+}
+
+int vtkIonTransport::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // The extent of the image has to be told now, and it is that of the atoms: so make the atoms.
+  this->Advance->Update();
+  vtkNew<vtkImageData> image;
+  image->SetExtent(0, -1, 0, -1, 0, -1);
+  try
+  {
+    const Internals internals(this);
+    const isthmus::AtomBalls atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
+    if (!atoms.Balls.empty())
+    {
+      isthmus::SetImageGeometry(isthmus::DomainAround(atoms.Balls, internals.Parameters()), image);
+    }
+  }
+  catch (const std::exception&)
+  {
+    // RequestData meets it again, and empties the outputs along with the sentence.
+    image->SetExtent(0, -1, 0, -1, 0, -1);
+  }
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  outInfo->Set(Pipeline::WHOLE_EXTENT(), image->GetExtent(), 6);
+  outInfo->Set(vtkDataObject::ORIGIN(), image->GetOrigin(), 3);
+  outInfo->Set(vtkDataObject::SPACING(), image->GetSpacing(), 3);
+  vtkDataObject::SetPointDataActiveScalarInfo(outInfo, VTK_DOUBLE, 1);
+  return 1;
+}
+
+int vtkIonTransport::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+{
+  return 1; // the extent asked of the image means nothing to the atoms
+}
+
+int vtkIonTransport::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return isthmus::GuardedOutputs(this, outputVector,
+    [&]()
+    {
+      const Internals internals(this);
+      const isthmus::AtomBalls atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
+      if (!atoms.Balls.empty())
+      {
+        internals.Solve(inputVector, atoms, outputVector);
+      }
+    });
+}
+
+void vtkIonTransport::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto list = [&](const char* name, const double* values, int count)
+  {
+    os << indent << name << ":";
+    std::for_each(values, values + count, [&os](double value) { os << " " << value; });
+    os << "\n";
+  };
+  os << indent << "Species: " << this->Species->All.size() << "\n";
+  os << indent << "SpeciesNames: " << this->SpeciesNames << "\n";
+  os << indent << "Voltage: " << this->Voltage << "\n";
+  list("MembraneCenter", this->MembraneCenter, 3);
+  list("MembraneNormal", this->MembraneNormal, 3);
+  os << indent << "MembraneThickness: " << this->MembraneThickness << "\n";
+  os << indent << "LumenRadius: " << this->LumenRadius << "\n";
+  os << indent << "ProbeRadius: " << this->ProbeRadius << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "Padding: " << this->Padding << "\n";
+  os << indent << "SoluteDielectric: " << this->SoluteDielectric << "\n";
+  os << indent << "SolventDielectric: " << this->SolventDielectric << "\n";
+  os << indent << "Temperature: " << this->Temperature << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "SweepOf: " << this->SweepOf << "\n";
+  os << indent << "SweepPoints: " << this->SweepPoints << "\n";
+  list("SweepVoltages", this->SweepVoltages, 2);
+  list("SweepFactors", this->SweepFactors, 2);
+  os << indent << "KeepWaters: " << this->KeepWaters << "\n";
+  os << indent << "UnitedAtoms: " << this->UnitedAtoms << "\n";
+}

@@ -1,0 +1,224 @@
+/**
+ * @class   vtkIonTransport
+ * @brief   ions that drift and diffuse through a channel: potential, concentrations, currents
+ *
+ * Input 0: atoms with the point arrays `Charge` (e) and `Radius` (angstrom), or those chosen with
+ * SetInputArrayToProcess(0, ...) for radii and (1, ...) for charges: a PQR file has both. Water,
+ * alternate locations and missing hydrogens as for vtkMolecularFlowSurface. Input 1 (optional): the
+ * molecule's surface as closed polygons, for instance that of vtkSolvationSurface at rest; without
+ * it the solvent-excluded surface of ProbeRadius is made.
+ *
+ * The steady Poisson-Nernst-Planck equations between two baths, which a flat membrane parts; it is
+ * closed but for a round hole (LumenRadius) around the axis through MembraneCenter along
+ * MembraneNormal, where the channel stands. All of it lies in a cylinder around that axis, which
+ * holds the atoms and Padding more. Formulas and sources: PoissonNernstPlanck.h, TransportGrid.h.
+ *
+ * Outputs:
+ *  - 0: vtkImageData with `Potential` (kT/e), for each species `Concentration_NAME` (mol/l) and
+ *    `Flux_NAME` (ions a nanosecond and square angstrom), `CurrentDensity` (pA a square angstrom:
+ * for streamlines), `SignedDistance` to atoms and membrane (angstrom, negative within). Field data:
+ *    `Voltage`, `Current` and `Current_NAME` (pA, positive along the normal), `CurrentSpread`
+ * (largest difference between sections), `Converged`, `Changes` (of the potential, by iteration),
+ *    `BottleneckRadius`, `BottleneckPosition` (of the widest way; at most 4.5 spacings are told);
+ *  - 1: vtkTable of cross-sections: `Along` (angstrom), `Current_NAME`, `Current`;
+ *  - 2: vtkTable of the sweep: `Voltage` (mV), `ConcentrationFactor`, `Current_NAME`, `Current`,
+ *    `CurrentSpread`, `Converged`: an I-V curve. Without a sweep it has the one row of Voltage.
+ *
+ * What does not converge in MaximumIterations is told with its last change, and what there is then
+ * is kept, with `Converged` 0.
+ *
+ * **Errors** (sentence, empty outputs): those of the atoms, parameters out of range, baths that
+ * carry a charge, a channel that is not open from bath to bath (with the place where it closes and
+ * its radius there), a surface that is not closed, a grid that does not fit into memory. Cost: some
+ * 20 microseconds a node for each point of a sweep. All atoms are needed on one rank.
+ */
+#ifndef vtkIonTransport_h
+#define vtkIonTransport_h
+
+#include "vtkImageAlgorithm.h"
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <memory> // for what it asks of its input
+#include <string> // for names
+
+class vtkTable;
+
+namespace isthmus
+{
+class InputInAdvance;
+}
+
+class VTKISTHMUS_EXPORT vtkIonTransport : public vtkImageAlgorithm
+{
+public:
+  static vtkIonTransport* New();
+  vtkTypeMacro(vtkIonTransport, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The point arrays of charges and radii. Defaults `Charge` and `Radius`.
+  void SetChargeArrayName(const char* name);
+  void SetRadiusArrayName(const char* name);
+  ///@}
+
+  ///@{
+  /// The ions: valence, concentrations (mol/l) in the bath below (that the normal points away from)
+  /// and above, diffusion coefficient (1e-9 m^2/s), the part of it that is left within the
+  /// membrane's slab. Default: potassium and chloride, 0.1 mol/l on both sides, 1.96 and 2.03, all
+  /// of it.
+  void AddSpecies(
+    double valence, double below, double above, double diffusion, double channelFraction = 1.0);
+  void ClearSpecies();
+  int GetNumberOfSpecies();
+  ///@}
+
+  ///@{
+  /// What the species are called in arrays and columns, between blanks or commas; those without a
+  /// name are `Ion1`, `Ion2`, ... Default "K Cl".
+  vtkSetMacro(SpeciesNames, std::string);
+  vtkGetMacro(SpeciesNames, std::string);
+  ///@}
+
+  ///@{
+  /// mV, of the bath below less that above: a positive one drives cations along the normal. Default
+  /// 100.
+  vtkSetMacro(Voltage, double);
+  vtkGetMacro(Voltage, double);
+  ///@}
+
+  ///@{
+  /// A point in the middle of the membrane and on the channel's axis, the axis' direction (of any
+  /// length), thickness and the radius around the axis where there is no membrane; angstrom.
+  /// Defaults (0, 0, 0), (0, 0, 1), 24, 5.
+  vtkSetVector3Macro(MembraneCenter, double);
+  vtkGetVector3Macro(MembraneCenter, double);
+  vtkSetVector3Macro(MembraneNormal, double);
+  vtkGetVector3Macro(MembraneNormal, double);
+  vtkSetMacro(MembraneThickness, double);
+  vtkGetMacro(MembraneThickness, double);
+  vtkSetMacro(LumenRadius, double);
+  vtkGetMacro(LumenRadius, double);
+  ///@}
+
+  ///@{
+  /// Of the probe that makes the surface, in angstrom; 0 for the atoms themselves. Default 1:
+  /// water's 1.4 closes the pore of gramicidin.
+  vtkSetMacro(ProbeRadius, double);
+  vtkGetMacro(ProbeRadius, double);
+  ///@}
+
+  ///@{
+  /// Distance of the nodes, in angstrom. Default 0.5.
+  vtkSetMacro(Spacing, double);
+  vtkGetMacro(Spacing, double);
+  ///@}
+
+  ///@{
+  /// Of the baths beyond atoms and membrane, along the axis and away from it, in angstrom; at least
+  /// two spacings. Default 8.
+  vtkSetMacro(Padding, double);
+  vtkGetMacro(Padding, double);
+  ///@}
+
+  ///@{
+  /// Dielectric constants, the first of atoms and membrane. Defaults 2 and 80.
+  vtkSetMacro(SoluteDielectric, double);
+  vtkGetMacro(SoluteDielectric, double);
+  vtkSetMacro(SolventDielectric, double);
+  vtkGetMacro(SolventDielectric, double);
+  ///@}
+
+  ///@{
+  /// In kelvin. Default 298.15.
+  vtkSetMacro(Temperature, double);
+  vtkGetMacro(Temperature, double);
+  ///@}
+
+  ///@{
+  /// It has converged when the potential changes by less than this (kT/e) in all water; it ends
+  /// after MaximumIterations in any case. Defaults 1e-4 and 100.
+  vtkSetMacro(Tolerance, double);
+  vtkGetMacro(Tolerance, double);
+  vtkSetMacro(MaximumIterations, int);
+  vtkGetMacro(MaximumIterations, int);
+  ///@}
+
+  enum SweepKind
+  {
+    NoSweep = 0,
+    Voltages = 1,      ///< an I-V curve
+    Concentrations = 2 ///< both baths' times a factor, the factors spaced by their logarithm
+  };
+
+  ///@{
+  /// What is swept, in how many points (at least two), between which ends: voltages in mV, or
+  /// factors. Defaults NoSweep, 9, -100 to 100, 0.1 to 10.
+  vtkSetClampMacro(SweepOf, int, NoSweep, Concentrations);
+  vtkGetMacro(SweepOf, int);
+  vtkSetMacro(SweepPoints, int);
+  vtkGetMacro(SweepPoints, int);
+  vtkSetVector2Macro(SweepVoltages, double);
+  vtkGetVector2Macro(SweepVoltages, double);
+  vtkSetVector2Macro(SweepFactors, double);
+  vtkGetVector2Macro(SweepFactors, double);
+  ///@}
+
+  ///@{
+  /// As for vtkMolecularFlowSurface. Defaults off and on.
+  vtkSetMacro(KeepWaters, bool);
+  vtkGetMacro(KeepWaters, bool);
+  vtkBooleanMacro(KeepWaters, bool);
+  vtkSetMacro(UnitedAtoms, bool);
+  vtkGetMacro(UnitedAtoms, bool);
+  vtkBooleanMacro(UnitedAtoms, bool);
+  ///@}
+
+  /// Output 1 and 2.
+  vtkTable* GetSections();
+  vtkTable* GetSweep();
+
+protected:
+  vtkIonTransport();
+  ~vtkIonTransport() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkIonTransport(const vtkIonTransport&) = delete;
+  void operator=(const vtkIonTransport&) = delete;
+
+  struct Internals;
+  friend struct Internals;
+  struct Salt;
+
+  std::unique_ptr<Salt> Species;
+  std::string SpeciesNames = "K Cl";
+  double Voltage = 100.0;
+  double MembraneCenter[3] = { 0.0, 0.0, 0.0 };
+  double MembraneNormal[3] = { 0.0, 0.0, 1.0 };
+  double MembraneThickness = 24.0;
+  double LumenRadius = 5.0;
+  double ProbeRadius = 1.0;
+  double Spacing = 0.5;
+  double Padding = 8.0;
+  double SoluteDielectric = 2.0;
+  double SolventDielectric = 80.0;
+  double Temperature = 298.15;
+  double Tolerance = 1e-4;
+  int MaximumIterations = 100;
+  int SweepOf = NoSweep;
+  int SweepPoints = 9;
+  double SweepVoltages[2] = { -100.0, 100.0 };
+  double SweepFactors[2] = { 0.1, 10.0 };
+  bool KeepWaters = false;
+  bool UnitedAtoms = true;
+  std::unique_ptr<isthmus::InputInAdvance> Advance;
+};
+
+#endif

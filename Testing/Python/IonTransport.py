@@ -1,0 +1,162 @@
+"""Ion Transport in ParaView: a tube of atoms, turned, closed, swept, refused; gramicidin in a membrane, its
+potassium, and its currents as streamlines."""
+
+import os
+from pathlib import Path
+
+import isthmus
+import numpy
+from paraview import servermanager
+from paraview.simple import (Clip, ColorBy, Contour, CreateView, GetColorTransferFunction,
+                             IonTransportOnSurface, MolecularFlowSurface, PVTrivialProducer, ResetCamera,
+                             SaveScreenshot, Show, StreamTracer)
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
+import robustness_trials
+from good_data import channel
+from gramicidin import AXIS, with_charges
+from shared_data import shared_data
+
+OUTPUT = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "IonTransport"
+OUTPUT.mkdir(parents=True, exist_ok=True)
+
+
+def rows_of(table):
+    return {table.GetColumnName(i): vtk_to_numpy(table.GetColumn(i)) for i in range(table.GetNumberOfColumns())}
+
+
+def number(output, name):
+    return output.GetFieldData().GetArray(name).GetValue(0)
+
+
+def tube_filter(tube):
+    transport = isthmus.vtkIonTransport()
+    transport.SetInputData(tube)
+    transport.SetSpacing(0.8)
+    transport.SetPadding(5.0)
+    transport.SetMembraneThickness(8.0)
+    return transport
+
+
+# The tube: arrays, sections, a curve.
+tube = channel()
+transport = tube_filter(tube)
+transport.SetSweepOf(transport.Voltages)
+transport.SetSweepPoints(5)
+transport.Update()
+image = transport.GetOutput()
+for name in ("Potential", "Concentration_K", "Concentration_Cl", "Flux_K", "Flux_Cl", "CurrentDensity",
+             "SignedDistance"):
+    values = vtk_to_numpy(image.GetPointData().GetArray(name))
+    assert numpy.isfinite(values).all(), name
+    assert not name.startswith("Concentration") or values.min() >= 0.0
+straight = number(image, "Current")
+sections = rows_of(transport.GetSections())
+assert numpy.allclose(sections["Current"], straight, rtol=1e-4)
+assert numpy.allclose(sections["Current_K"] + sections["Current_Cl"], sections["Current"])
+curve = rows_of(transport.GetSweep())
+print("tube:", straight, "pA; curve", curve["Current"])
+assert numpy.allclose(curve["Voltage"], [-100, -50, 0, 50, 100])
+assert (numpy.diff(curve["Current"]) > 0).all() and abs(curve["Current"][2]) < 1e-3 * straight
+assert abs(curve["Current"][-1] / straight - 1.0) < 1e-3  # another way to the same point
+transport.SetSweepOf(transport.Concentrations)
+transport.SetSweepPoints(3)
+transport.SetSweepFactors(0.5, 2.0)
+transport.Update()
+curve = rows_of(transport.GetSweep())
+assert numpy.allclose(curve["ConcentrationFactor"], [0.5, 1.0, 2.0])
+assert (numpy.diff(curve["Current"]) > 0).all()
+# No current within atoms and membrane.
+density = vtk_to_numpy(image.GetPointData().GetArray("CurrentDensity"))
+distance = vtk_to_numpy(image.GetPointData().GetArray("SignedDistance"))
+assert abs(density[distance < -0.8]).max() == 0.0
+
+# Turned by 30 degrees, the membrane with it.
+turned = channel()
+points = vtk_to_numpy(turned.GetPoints().GetData())
+angle = numpy.pi / 6
+matrix = numpy.array([[numpy.cos(angle), 0, numpy.sin(angle)], [0, 1, 0], [-numpy.sin(angle), 0, numpy.cos(angle)]])
+turned.GetPoints().SetData(numpy_to_vtk(points @ matrix.T, deep=True))
+oblique = tube_filter(turned)
+oblique.SetMembraneNormal(numpy.sin(angle), 0.0, numpy.cos(angle))
+oblique.Update()
+print("turned:", number(oblique.GetOutput(), "Current"), "pA")
+assert abs(number(oblique.GetOutput(), "Current") / straight - 1.0) < 0.05
+
+
+def said(change, warning=False):
+    refused = tube_filter(channel())
+    listener = robustness_trials.Listener(refused)
+    change(refused)
+    refused.Update()
+    sentences = listener.warnings if warning else listener.errors
+    assert len(sentences) == 1, sentences
+    assert warning or refused.GetOutput().GetNumberOfPoints() == 0
+    assert warning or refused.GetSweep().GetNumberOfRows() == 0
+    return sentences[0]
+
+
+# Each refusal has its sentence; what does not converge is kept and marked.
+closed = said(lambda it: it.SetProbeRadius(4.0))
+print(closed)
+assert "closes at (" in closed and "radius of -" in closed
+assert "closes at (" in said(lambda it: it.SetLumenRadius(0.0))
+assert "neutral" in said(lambda it: it.AddSpecies(2.0, 0.1, 0.0, 0.79))
+assert "called" in said(lambda it: it.SetSpeciesNames("K K"))
+assert "no ions" in said(lambda it: it.ClearSpecies())
+assert "Voltage" in said(lambda it: it.SetVoltage(numpy.nan))
+assert "normal" in said(lambda it: it.SetMembraneNormal(0, 0, 0))
+assert "memory" in said(lambda it: (it.SetSpacing(0.002), it.SetPadding(100.0)))
+assert "Charge" in said(lambda it: it.GetInput().GetPointData().RemoveArray("Charge"))
+assert "after 1 iterations" in said(lambda it: it.SetMaximumIterations(1), warning=True)
+kept = tube_filter(tube)
+kept.SetMaximumIterations(1)
+kept.Update()
+assert number(kept.GetOutput(), "Converged") == 0.0 and number(kept.GetOutput(), "Current") > 0.0
+
+# Gramicidin on the minimal surface after half a square angstrom of flow, which keeps the pore.
+molecule = with_charges(shared_data("molecules/channels/1grm_hole_example.pdb"))
+middle = vtk_to_numpy(molecule.GetPoints().GetData()).mean(axis=0)
+atoms = PVTrivialProducer(registrationName="gramicidin")
+atoms.GetClientSideObject().SetOutput(molecule)
+surface = MolecularFlowSurface(Input=atoms, EvolutionTime=0.5, Spacing=0.4)
+gramicidin = IonTransportOnSurface(
+    Input=atoms, Surface=surface, MembraneCenter=list(middle), MembraneNormal=list(AXIS), LumenRadius=4.0,
+    Spacing=0.6, Padding=3.0, Species=[1, 0.1, 0.1, 1.96, 1, -1, 0.1, 0.1, 2.03, 1])
+gramicidin.UpdatePipeline()
+volume = servermanager.Fetch(gramicidin)
+share = number(volume, "Current_K") / number(volume, "Current")
+print("gramicidin:", number(volume, "Current"), "pA at 100 mV,", share, "of it potassium")
+assert share >= 0.95
+assert 0.3 < number(volume, "Current") < 10.0
+assert number(volume, "CurrentSpread") < 1e-4 and number(volume, "Converged") == 1.0
+# Its currents as streamlines, between the halves of the surface.
+view = CreateView("RenderView")
+lines = StreamTracer(Input=gramicidin, Vectors=["POINTS", "CurrentDensity"], SeedType="Point Cloud",
+                     MaximumStreamlineLength=120.0)
+lines.SeedType.Center = list(middle)
+lines.SeedType.Radius = 1.2
+lines.SeedType.NumberOfPoints = 60
+lines.UpdatePipeline()
+assert servermanager.Fetch(lines).GetNumberOfLines() > 10
+reach = numpy.ptp(vtk_to_numpy(servermanager.Fetch(lines).GetPoints().GetData())[:, 1])
+print("streamlines reach", reach, "angstrom along the pore")
+assert reach > 24.0
+walls = Contour(Input=gramicidin, ContourBy=["POINTS", "SignedDistance"], Isosurfaces=[0.0])
+half = Clip(Input=walls, ClipType="Plane")
+half.ClipType.Origin = list(middle)
+half.ClipType.Normal = [0, 0, 1]
+shown = Show(half, view)
+ColorBy(shown, ("POINTS", "Potential"))
+colours = GetColorTransferFunction("Potential")
+colours.RescaleTransferFunction(-5.0, 5.0)
+colours.InvertTransferFunction()  # red is negative
+drawn = Show(lines, view)
+ColorBy(drawn, None)
+drawn.DiffuseColor = drawn.AmbientColor = [0.1, 0.1, 0.1]
+drawn.LineWidth = 2.0
+view.CameraPosition = [middle[0], middle[1], middle[2] + 90]
+view.CameraFocalPoint = list(middle)
+view.CameraViewUp = [0, 1, 0]
+ResetCamera(view)
+SaveScreenshot(str(OUTPUT / "gramicidin.png"), view, ImageResolution=[900, 700])
