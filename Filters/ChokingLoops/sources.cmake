@@ -9,6 +9,7 @@ isthmus_room(
     AnalysisCost
     ChainPieces
     ChokeFit
+    ChokeSurroundings
     ChokingLoops
     ChokingLoopsOutput
     ChokingSamples
