@@ -21,8 +21,11 @@ struct LoopFeature
   std::vector<std::array<SimplexId, 3>> Membrane;
   std::vector<Point3> Extra;
   double Area = 0.0;
-  bool Collapsed = false; ///< a loop can be drawn together on M: it stands as it came
-  bool Held = false;      ///< nothing on M holds a loop, so it is held where the ball touches M
+  bool Collapsed = false;    ///< a loop can be drawn together on M: it stands as it came
+  bool Held = false;         ///< nothing on M holds a loop, so it is held where the ball touches M
+  bool Converged = true;     ///< the loops are as tight as they get, but where they are held
+  double SharpestBend = 0.0; ///< largest turn where it is held, in radians
+  bool Encircling = false;   ///< not of the class that the choke closed (EncirclingLoops.h)
 
   const Point3& Point(SimplexId id, const TriangleMesh& samples) const
   {
@@ -43,7 +46,9 @@ VTKISTHMUS_EXPORT bool Belongs(
  * long, and the point lies within 0.3 of its radius of their convex hull. Of MembraneOf() and,
  * where those loops do not belong or are long, TightMembraneOf() the shorter ones that belong are
  * taken. Where neither does, since nothing on M holds them there, the loops are held where the
- * choking ball touches M, and are geodesic between these points; then they do.
+ * choking ball touches M, geodesic between these points, corners cut off; then they do. Where they
+ * turn sharply even so, or a loop of another class that bounds there is no longer
+ * (EncirclingMembranesOf()), that one is taken.
  *
  * @throws Cancelled.
  */

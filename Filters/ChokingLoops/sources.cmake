@@ -15,13 +15,16 @@ isthmus_room(
     ChokingSamples
     ChokingSurface
     ConformingGenerators
+    CornerCutting
     EdgeStrip
+    EncirclingLoops
     EnclosureTest
     FeatureMembrane
     FeatureSelection
     GeneratorCompletion
     GridTetrahedra
     HandleTables
+    LoopDrawing
     LoopFeature
     LoopShortening
     MapHandles
@@ -39,5 +42,6 @@ isthmus_room(
     SurfaceHomology
     SurfaceInComplex
     SurfaceMending
+    SurfacePaths
     SurfaceSampling
     TightestCut)
