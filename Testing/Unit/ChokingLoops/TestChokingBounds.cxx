@@ -186,12 +186,17 @@ private:
 /// A loop turns by more than 60 degrees only where the surface itself bends by three quarters of
 /// that, or where the samples are too far apart for the ball to cut it: straight on, a path over an
 /// edge turns by no more than the edge does, and by somewhat more at a point where several meet.
+/// Where the samples are no nearer to each other than the ball is wide, nothing is asked.
 void ExpectNoCorners(
   const SurfaceEdges& edges, const std::vector<Point3>& loop, const Told& told, int feature)
 {
   const double radius = told.Radius;
   // Above half the radius: then the uncertainty is d - sqrt(d^2 - e^2) > 0.134 d.
   const bool isCoarse = told.Uncertainty > 0.134 * radius;
+  if (told.Uncertainty >= radius)
+  {
+    return;
+  }
   std::vector<Point3> corners; // that are apart
   for (const Point3& p : loop)
   {
