@@ -4,7 +4,7 @@
 #include "ChokingSamples.h"
 #include "ChokingSurface.h"
 #include "DelaunayFiltration.h"
-#include "GeneratorCompletion.h"
+#include "EncirclingLoops.h"
 #include "LowerStarFiltration.h"
 #include "SurfaceSampling.h"
 
@@ -309,6 +309,16 @@ const Membrane* ChokingLoops::TightMembraneOf(std::size_t feature, const Progres
     known = state.Tight.emplace(feature, std::move(membrane)).first;
   }
   return known->second ? &*known->second : nullptr;
+}
+
+std::vector<Membrane> ChokingLoops::EncirclingMembranesOf(std::size_t feature, double longest) const
+{
+  return EncirclingMembranes(this->State->Context, this->State->Found, feature, longest);
+}
+
+std::optional<Membrane> ChokingLoops::ContactMembraneOf(std::size_t feature, double longest) const
+{
+  return ContactMembrane(this->State->Context, this->State->Found, feature, longest);
 }
 
 std::vector<SimplexId> ChokingLoops::ContactsOf(std::size_t feature) const

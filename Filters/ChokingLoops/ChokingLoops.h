@@ -112,6 +112,14 @@ public:
   VTKISTHMUS_EXPORT const Membrane* TightMembraneOf(
     std::size_t feature, const ProgressCallback& progress = {});
 
+  /// EncirclingMembranes() of a feature.
+  VTKISTHMUS_EXPORT std::vector<Membrane> EncirclingMembranesOf(
+    std::size_t feature, double longest) const;
+
+  /// ContactMembrane() of a feature.
+  VTKISTHMUS_EXPORT std::optional<Membrane> ContactMembraneOf(
+    std::size_t feature, double longest) const;
+
   /// Points of the samples where the ball that gets stuck touches the surface.
   VTKISTHMUS_EXPORT std::vector<SimplexId> ContactsOf(std::size_t feature) const;
 

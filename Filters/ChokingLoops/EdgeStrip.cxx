@@ -28,9 +28,6 @@ Point3 PositionOf(const SurfaceAdjacency& s, const SurfaceCurvePoint& p)
   return (1.0 - p.Fraction) * a + p.Fraction * b;
 }
 
-namespace
-{
-
 EdgeStrip WithoutReturns(const SurfaceAdjacency& s, const EdgeStrip& strip)
 {
   EdgeStrip kept;
@@ -47,6 +44,9 @@ EdgeStrip WithoutReturns(const SurfaceAdjacency& s, const EdgeStrip& strip)
   }
   return kept;
 }
+
+namespace
+{
 
 /// The edges at path[i] left of the way from path[i - 1] to path[i + 1], added to the strip.
 void AddLeftOf(
@@ -150,6 +150,16 @@ UnfoldedStrip UnfoldPath(const SurfaceAdjacency& s, const EdgeStrip& strip)
     s.Length(SurfaceAdjacency::Previous(last)), s.Length(SurfaceAdjacency::Next(last)));
   plane.From.push_back(end);
   plane.To.push_back(end);
+  return plane;
+}
+
+UnfoldedStrip UnfoldOpen(const SurfaceAdjacency& s, const EdgeStrip& strip)
+{
+  UnfoldedStrip plane{ { { 0.0, 0.0 } }, { { s.Length(strip.front().HalfEdge), 0.0 } } };
+  for (std::size_t i = 0; i + 1 < strip.size(); ++i)
+  {
+    UnfoldOver(s, strip[i].HalfEdge, strip[i + 1].HalfEdge, plane);
+  }
   return plane;
 }
 

@@ -27,6 +27,9 @@ using EdgeStrip = std::vector<SurfaceCurvePoint>;
 /// Takes out crossings that go back at once over the same edge.
 VTKISTHMUS_EXPORT void CancelReturns(const SurfaceAdjacency& surface, EdgeStrip& strip);
 
+/// The same of an open strip.
+VTKISTHMUS_EXPORT EdgeStrip WithoutReturns(const SurfaceAdjacency& surface, const EdgeStrip& strip);
+
 /// The strip just left of a closed loop of points, consecutive ones joined by an edge: at each
 /// point, the edges between the ways in and out. Throws std::invalid_argument where no edge joins
 /// two of them.
@@ -64,6 +67,17 @@ VTKISTHMUS_EXPORT UnfoldedStrip Unfold(
 /// The strip of an open path between two points, its ends as edges without length: two edges more
 /// than the strip has. @pre the strip is not empty and has no edge that ends at `from` or `to`.
 VTKISTHMUS_EXPORT UnfoldedStrip UnfoldPath(const SurfaceAdjacency& surface, const EdgeStrip& strip);
+
+/// A strip laid into the plane from its first edge to its last.
+VTKISTHMUS_EXPORT UnfoldedStrip UnfoldOpen(const SurfaceAdjacency& surface, const EdgeStrip& strip);
+
+/// At a fraction of edge i of an unfolded strip.
+inline Point2 PointOn(const UnfoldedStrip& plane, std::size_t i, double fraction)
+{
+  const Point2& from = plane.From[i];
+  const Point2& to = plane.To[i];
+  return { from[0] + fraction * (to[0] - from[0]), from[1] + fraction * (to[1] - from[1]) };
+}
 
 }
 

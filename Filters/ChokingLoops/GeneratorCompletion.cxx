@@ -98,6 +98,21 @@ bool IsInterchangeable(const FeatureContext& context, const LocatedFeatures& fea
   return before.Contains(difference);
 }
 
+HomologySpan BoundingClasses(
+  const FeatureContext& context, const LocatedFeatures& features, SpaceSide side)
+{
+  HomologySpan span;
+  for (std::size_t i = 0; i < features.Membranes.size(); ++i)
+  {
+    const ShapeFeature& f = features.Diagram.Features[i];
+    if (IsGenerator(f) && f.Side == side && features.Membranes[i])
+    {
+      span.Add(ClassOf(context, *features.Membranes[i]));
+    }
+  }
+  return span;
+}
+
 void CompleteGenerators(const FeatureContext& context, const TriangleMesh& surface,
   LocatedFeatures& features, const ProgressCallback& progress)
 {

@@ -31,6 +31,10 @@ VTKISTHMUS_EXPORT bool AllSettled(const LocatedFeatures& features);
 VTKISTHMUS_EXPORT bool IsInterchangeable(const FeatureContext& context,
   const LocatedFeatures& features, std::size_t feature, const Membrane& other);
 
+/// The classes of loops that bound on a side: those of its handles, or of its tunnels.
+VTKISTHMUS_EXPORT HomologySpan BoundingClasses(
+  const FeatureContext& context, const LocatedFeatures& features, SpaceSide side);
+
 /**
  * Makes handles and tunnels g each, with loops, where sheets of M are nearer to each other than the
  * samples. ConformingGenerators() of `surface`, which was split into `context.Surface`, give the

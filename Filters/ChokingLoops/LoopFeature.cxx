@@ -1,7 +1,7 @@
 #include "LoopFeature.h"
 
 #include "ChokeFit.h"
-#include "PinnedShortening.h"
+#include "LoopDrawing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,88 +11,6 @@ namespace isthmus
 namespace
 {
 
-double Distance(const Point3& a, const Point3& b)
-{
-  return std::sqrt(Dot(b - a, b - a));
-}
-
-/// Triangles between two closed curves, advancing on whichever has the shorter diagonal.
-class Zipper
-{
-public:
-  Zipper(LoopFeature& feature, const TriangleMesh& samples)
-    : Feature(feature)
-    , Samples(samples)
-  {
-  }
-
-  void Close(const std::vector<SimplexId>& a, const std::vector<SimplexId>& b)
-  {
-    const std::size_t shift = this->Nearest(a.front(), b);
-    std::size_t i = 0;
-    std::size_t j = 0;
-    const auto onB = [&](std::size_t k) { return b[(shift + k) % b.size()]; };
-    while (i < a.size() || j < b.size())
-    {
-      const SimplexId p = a[i % a.size()];
-      const SimplexId q = onB(j);
-      const SimplexId nextP = a[(i + 1) % a.size()];
-      const SimplexId nextQ = onB(j + 1);
-      const bool onA = j == b.size() ||
-        (i < a.size() &&
-          Distance(this->At(nextP), this->At(q)) < Distance(this->At(p), this->At(nextQ)));
-      this->Feature.Membrane.push_back(
-        onA ? std::array<SimplexId, 3>{ p, nextP, q } : std::array<SimplexId, 3>{ p, nextQ, q });
-      ++(onA ? i : j);
-    }
-  }
-
-private:
-  const Point3& At(SimplexId id) const { return this->Feature.Point(id, this->Samples); }
-
-  std::size_t Nearest(SimplexId p, const std::vector<SimplexId>& loop) const
-  {
-    std::size_t best = 0;
-    for (std::size_t k = 1; k < loop.size(); ++k)
-    {
-      if (Distance(this->At(p), this->At(loop[k])) < Distance(this->At(p), this->At(loop[best])))
-      {
-        best = k;
-      }
-    }
-    return best;
-  }
-
-  LoopFeature& Feature;
-  const TriangleMesh& Samples;
-};
-
-/// The points of a shortened curve, new ones where it crosses edges.
-std::vector<SimplexId> AddCurve(
-  const SurfaceAdjacency& surface, const SurfaceCurve& curve, LoopFeature& feature)
-{
-  std::vector<SimplexId> loop;
-  for (const SurfaceCurvePoint& c : curve.Crossings)
-  {
-    const Point3 p = PositionOf(surface, c);
-    // Edges crossed at one point, as round a corner of the surface, make one point of the curve.
-    if (!loop.empty() &&
-      Distance(feature.Point(loop.back(), surface.Mesh()), p) <= 1e-9 * curve.Length)
-    {
-      continue;
-    }
-    loop.push_back(static_cast<SimplexId>(surface.Mesh().Points.size() + feature.Extra.size()));
-    feature.Extra.push_back(p);
-  }
-  if (loop.size() > 3 &&
-    Distance(feature.Point(loop.back(), surface.Mesh()),
-      feature.Point(loop.front(), surface.Mesh())) <= 1e-9 * curve.Length)
-  {
-    loop.pop_back();
-  }
-  return loop;
-}
-
 /// Loops this much longer than the shortest girth are worth another look.
 constexpr double Roomy = 1.5;
 
@@ -101,82 +19,6 @@ constexpr double Slack = 0.98;
 
 /// In radii: how far the choke point may be from the hull of its loops.
 constexpr double Nearness = 0.3;
-
-std::vector<SimplexId> PinsOn(
-  const std::vector<SimplexId>& loop, const std::vector<SimplexId>& pins)
-{
-  std::vector<SimplexId> on;
-  std::copy_if(pins.begin(), pins.end(), std::back_inserter(on),
-    [&loop](SimplexId p) { return std::find(loop.begin(), loop.end(), p) != loop.end(); });
-  return on;
-}
-
-/// Shortens one loop of a feature and lets its membrane follow; false: it can be drawn together on
-/// M.
-bool Tighten(const SurfaceAdjacency& surface, int rounds, const std::vector<SimplexId>& pins,
-  std::vector<SimplexId>& loop, LoopFeature& feature, const ProgressCallback& progress)
-{
-  LoopShorteningParameters parameters;
-  parameters.MaximumRounds = rounds;
-  const std::vector<SimplexId> held = PinsOn(loop, pins);
-  const SurfaceCurve curve = held.empty()
-    ? ShortenLoop(surface, loop, parameters, progress)
-    : ShortenPinned(surface, loop, held, parameters, progress);
-  if (!curve.Contractible)
-  {
-    const std::vector<SimplexId> shortened = AddCurve(surface, curve, feature);
-    Zipper(feature, surface.Mesh()).Close(loop, shortened);
-    loop = shortened;
-  }
-  return !curve.Contractible;
-}
-
-void Measure(const TriangleMesh& samples, LoopFeature& feature)
-{
-  for (const auto& loop : feature.Loops)
-  {
-    double length = 0.0;
-    for (std::size_t i = 0; i < loop.size(); ++i)
-    {
-      length += Distance(
-        feature.Point(loop[i], samples), feature.Point(loop[(i + 1) % loop.size()], samples));
-    }
-    feature.Lengths.push_back(length);
-  }
-  for (const auto& t : feature.Membrane)
-  {
-    const Point3& p = feature.Point(t[0], samples);
-    const Point3 n = Cross(feature.Point(t[1], samples) - p, feature.Point(t[2], samples) - p);
-    feature.Area += 0.5 * std::sqrt(Dot(n, n));
-  }
-}
-
-/// The loops of a membrane, shortened, all but held at the pins.
-LoopFeature Drawn(const ChokingLoops& loops, const Membrane& membrane, int rounds,
-  const std::vector<SimplexId>& pins, const ProgressCallback& progress)
-{
-  LoopFeature feature;
-  feature.Membrane = membrane.Triangles;
-  feature.Extra = membrane.Extra;
-  const auto count = static_cast<double>(membrane.Loops.size());
-  for (std::size_t i = 0; i < membrane.Loops.size(); ++i)
-  {
-    const auto part =
-      Between(progress, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-    std::vector<SimplexId> loop = membrane.Loops[i];
-    const bool holds = rounds == 0 || Tighten(loops.Adjacency(), rounds, pins, loop, feature, part);
-    if (!holds && i > 0)
-    {
-      AddFan(loop, feature.Membrane); // beside others, a border that M itself closes is none
-      continue;
-    }
-    feature.Collapsed = feature.Collapsed || !holds;
-    feature.Loops.push_back(std::move(loop));
-    feature.Anchors.push_back(membrane.Loops[i].front());
-  }
-  Measure(loops.Samples(), feature);
-  return feature;
-}
 
 double Longest(const LoopFeature& feature)
 {
@@ -214,45 +56,174 @@ bool Belongs(const ChokingLoops& loops, std::size_t index, const LoopFeature& fe
 namespace
 {
 
-double SharpestTurnOf(const ChokingLoops& loops, const LoopFeature& feature)
+/// A loop held at a point of M may turn so much there (54 degrees); more is a last resort.
+constexpr double SharpestHeld = 0.3 * M_PI;
+
+/// A loop that turns by as much there is no loop round the choke any more.
+constexpr double SharpestLoop = M_PI / 2.0;
+
+/// Corners at contacts are cut so far off, in radii.
+constexpr std::array<double, 2> CornerCuts{ 0.3, 0.5 };
+
+/// What a loop that nothing holds is worth: as much longer it may be than one held.
+constexpr double Freedom = 1.05;
+
+/// Encircling loops looked for are so long at most, in circumferences of the ball; and of how many.
+constexpr double LongestRound = 3.0;
+constexpr std::size_t MostRound = 6;
+
+/// Paths along edges are so much longer than geodesics.
+constexpr double AlongEdges = 1.15;
+
+std::vector<SimplexId> ContactsOn(const Membrane& membrane, const std::vector<SimplexId>& contacts)
 {
-  double sharpest = 0.0;
-  for (const auto& loop : feature.Loops)
-  {
-    const std::vector<Point3> polygon = PointsOf(loops, feature, loop);
-    sharpest = std::max(sharpest, SharpestTurn(polygon, 1e-6 * Longest(feature)));
-  }
-  return sharpest;
+  std::vector<SimplexId> on;
+  std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(on),
+    [&membrane](SimplexId p)
+    {
+      return std::any_of(membrane.Loops.begin(), membrane.Loops.end(),
+        [p](const auto& loop) { return std::find(loop.begin(), loop.end(), p) != loop.end(); });
+    });
+  return on;
 }
 
-/// Of the loops held at some of the points where the ball touches M, those that belong and turn
-/// least; where none belong, those held at all of them, if `best` could be drawn together.
-void HoldAtContacts(ChokingLoops& loops, std::size_t index, int rounds,
-  const std::array<const Membrane*, 2>& membranes, LoopFeature& best)
+/// Of loops tried one after another, the tightest of those that fit best.
+class TightestFit
 {
-  const std::vector<SimplexId> contacts = loops.ContactsOf(index);
-  const unsigned all = (1U << contacts.size()) - 1U;
-  double least = HUGE_VAL;
-  for (const Membrane* membrane : membranes)
+public:
+  TightestFit(ChokingLoops& loops, std::size_t feature, int rounds)
+    : Loops(loops)
+    , Index(feature)
+    , Rounds(rounds)
+    , Girth(ShortestGirth(loops.Diagram().Features[feature]))
+    , Contacts(loops.ContactsOf(feature))
   {
-    const bool isFound = std::isfinite(least); // with the membrane before
-    for (unsigned choice = all; membrane && !isFound && choice > 0; --choice)
+  }
+
+  /// Drawn as tight as M holds them.
+  void TryFree(const Membrane& membrane, bool isEncircling, const ProgressCallback& progress = {});
+
+  /// Held at some of the points where the ball touches M, all of them first.
+  void TryHeld(const Membrane& membrane, bool isEncircling);
+
+  bool Belongs() const { return this->BestGrade >= Grade::Jagged; }
+  bool IsLongEnough() const { return this->BestGrade >= Grade::Hairpin; }
+  bool Fits() const { return this->BestGrade == Grade::Fits; }
+  double Length() const { return Longest(this->Best); }
+  double ShortestLength() const { return this->Girth; }
+  LoopFeature Take() { return std::move(this->Best); }
+
+private:
+  enum class Grade
+  {
+    None,
+    Collapsed,
+    Short,   ///< there is no room for the ball in it
+    Hairpin, ///< belongs to the choke point, but goes to and fro
+    Strays,  ///< tight, but elsewhere
+    Jagged,  ///< belongs, but is held where it turns sharply
+    Fits
+  };
+
+  Grade GradeOf(const LoopFeature& candidate) const;
+  double CostOf(const LoopFeature& candidate, Grade grade) const;
+  void Try(LoopFeature candidate, bool isEncircling);
+
+  ChokingLoops& Loops;
+  std::size_t Index;
+  int Rounds;
+  double Girth;
+  std::vector<SimplexId> Contacts;
+  LoopFeature Best;
+  Grade BestGrade = Grade::None;
+  double BestCost = 0.0;
+};
+
+TightestFit::Grade TightestFit::GradeOf(const LoopFeature& candidate) const
+{
+  if (!isthmus::Belongs(this->Loops, this->Index, candidate))
+  {
+    const bool isShort = Longest(candidate) < Slack * this->Girth;
+    return candidate.Collapsed    ? Grade::Collapsed
+      : isShort || candidate.Held ? Grade::Short
+                                  : Grade::Strays;
+  }
+  return candidate.SharpestBend >= SharpestLoop ? Grade::Hairpin
+    : candidate.SharpestBend >= SharpestHeld    ? Grade::Jagged
+                                                : Grade::Fits;
+}
+
+double TightestFit::CostOf(const LoopFeature& candidate, Grade grade) const
+{
+  switch (grade)
+  {
+    case Grade::Fits:
+      return (candidate.Held ? Freedom : 1.0) * Longest(candidate);
+    case Grade::Strays:
+      return Longest(candidate);
+    case Grade::Jagged:
+    case Grade::Hairpin:
+      return candidate.SharpestBend;
+    default:
+      return std::max(0.0, this->Girth - Longest(candidate));
+  }
+}
+
+void TightestFit::Try(LoopFeature candidate, bool isEncircling)
+{
+  const Grade grade = this->GradeOf(candidate);
+  const double cost = this->CostOf(candidate, grade);
+  if (grade > this->BestGrade || (grade == this->BestGrade && cost < this->BestCost))
+  {
+    candidate.Encircling = isEncircling;
+    this->Best = std::move(candidate);
+    this->BestGrade = grade;
+    this->BestCost = cost;
+  }
+}
+
+void TightestFit::TryFree(
+  const Membrane& membrane, bool isEncircling, const ProgressCallback& progress)
+{
+  LoopFeature candidate =
+    Drawn(this->Loops.Adjacency(), membrane, { this->Rounds, {}, 0.0 }, progress);
+  for (const auto& loop : candidate.Loops)
+  {
+    if (isEncircling && !candidate.Converged)
     {
-      std::vector<SimplexId> pins;
-      for (std::size_t k = 0; k < contacts.size(); ++k)
+      candidate.SharpestBend = std::max(candidate.SharpestBend,
+        SharpestTurn(PointsOf(this->Loops, candidate, loop), 1e-6 * Longest(candidate)));
+    }
+  }
+  this->Try(std::move(candidate), isEncircling);
+}
+
+void TightestFit::TryHeld(const Membrane& membrane, bool isEncircling)
+{
+  const double radius = this->Loops.Diagram().Features[this->Index].Distance();
+  const std::vector<SimplexId> touched = ContactsOn(membrane, this->Contacts);
+  for (unsigned choice = (1U << touched.size()) - 1U; choice > 0; --choice)
+  {
+    LoopDrawing drawing{ this->Rounds, {}, 0.0 };
+    for (std::size_t k = 0; k < touched.size(); ++k)
+    {
+      if (choice >> k & 1U)
       {
-        if (choice >> k & 1U)
-        {
-          pins.push_back(contacts[k]);
-        }
+        drawing.Pins.push_back(touched[k]);
       }
-      LoopFeature held = Drawn(loops, *membrane, rounds, pins, {});
-      held.Held = true;
-      const double turn = SharpestTurnOf(loops, held);
-      if (Belongs(loops, index, held) ? turn < least : best.Collapsed && choice == all)
+    }
+    LoopFeature held = Drawn(this->Loops.Adjacency(), membrane, drawing);
+    held.Held = true;
+    const bool isCut = held.SharpestBend > SharpestKept;
+    this->Try(std::move(held), isEncircling);
+    for (const double cut : CornerCuts)
+    {
+      if (isCut)
       {
-        least = Belongs(loops, index, held) ? turn : least;
-        best = std::move(held);
+        drawing.Cut = cut * radius;
+        held = Drawn(this->Loops.Adjacency(), membrane, drawing);
+        held.Held = true;
+        this->Try(std::move(held), isEncircling);
       }
     }
   }
@@ -265,28 +236,47 @@ LoopFeature MakeLoopFeature(
 {
   const ShapeFeature& f = loops.Diagram().Features[index];
   const Membrane& pushed = loops.MembraneOf(index);
-  LoopFeature best = Drawn(loops, pushed, rounds, {}, Between(progress, 0.0, 0.4));
-  bool belongs = Belongs(loops, index, best);
+  TightestFit fit(loops, index, rounds);
+  fit.TryFree(pushed, false, Between(progress, 0.0, 0.4));
   if (rounds == 0 || !f.Trusted || f.Choke < 0 ||
-    (belongs && Longest(best) < Roomy * ShortestGirth(f)))
+    (fit.Belongs() && fit.Length() < Roomy * fit.ShortestLength()))
   {
-    return best;
+    return fit.Take();
   }
   const Membrane* tight = loops.TightMembraneOf(index, Between(progress, 0.4, 0.6));
   if (tight)
   {
-    LoopFeature other = Drawn(loops, *tight, rounds, {}, Between(progress, 0.6, 0.8));
-    if (Belongs(loops, index, other) && (!belongs || Longest(other) < Longest(best)))
+    fit.TryFree(*tight, false, Between(progress, 0.6, 0.7));
+  }
+  if (fit.Belongs())
+  {
+    return fit.Take();
+  }
+  for (const Membrane* membrane : { tight, &pushed })
+  {
+    if (membrane && !fit.Fits())
     {
-      best = std::move(other);
-      belongs = true;
+      fit.TryHeld(*membrane, false);
     }
   }
-  if (!belongs)
+  Report(progress, 0.8);
+  const double longest =
+    fit.Fits() ? Freedom * fit.Length() : LongestRound * 2.0 * M_PI * f.Distance();
+  const std::vector<Membrane> round = loops.EncirclingMembranesOf(index, AlongEdges * longest);
+  for (std::size_t i = 0; i < std::min(round.size(), MostRound); ++i)
   {
-    HoldAtContacts(loops, index, rounds, { tight, &pushed }, best);
+    fit.TryFree(round[i], true);
+    if (!fit.Fits())
+    {
+      fit.TryHeld(round[i], true);
+    }
   }
-  return best;
+  const auto last = fit.IsLongEnough() ? std::nullopt : loops.ContactMembraneOf(index, longest);
+  if (last)
+  {
+    fit.TryHeld(*last, true);
+  }
+  return fit.Take();
 }
 
 }

@@ -6,30 +6,10 @@
 #define isthmus_LoopFeature_h
 
 #include "ChokingLoops.h"
-#include "LoopShortening.h"
+#include "LoopDrawing.h"
 
 namespace isthmus
 {
-
-/// Geometry of one feature. Membrane corners are ids: those below the number of samples are points
-/// of the sampled surface, the others Extra points.
-struct LoopFeature
-{
-  std::vector<std::vector<SimplexId>> Loops;
-  std::vector<double> Lengths;
-  std::vector<SimplexId> Anchors; ///< per loop: a point of the samples on the same component
-  std::vector<std::array<SimplexId, 3>> Membrane;
-  std::vector<Point3> Extra;
-  double Area = 0.0;
-  bool Collapsed = false; ///< a loop can be drawn together on M: it stands as it came
-  bool Held = false;      ///< nothing on M holds a loop, so it is held where the ball touches M
-
-  const Point3& Point(SimplexId id, const TriangleMesh& samples) const
-  {
-    const auto i = static_cast<std::size_t>(id);
-    return i < samples.Points.size() ? samples.Points[i] : this->Extra[i - samples.Points.size()];
-  }
-};
 
 /// True when loops belong to the choke point of a feature, see MakeLoopFeature().
 VTKISTHMUS_EXPORT bool Belongs(
@@ -43,7 +23,9 @@ VTKISTHMUS_EXPORT bool Belongs(
  * long, and the point lies within 0.3 of its radius of their convex hull. Of MembraneOf() and,
  * where those loops do not belong or are long, TightMembraneOf() the shorter ones that belong are
  * taken. Where neither does, since nothing on M holds them there, the loops are held where the
- * choking ball touches M, and are geodesic between these points; then they do.
+ * choking ball touches M, geodesic between these points, corners cut off; then they do. Where they
+ * turn sharply even so (above 54 degrees), or a loop of another class that bounds there is no
+ * longer (EncirclingMembranesOf()), that one is taken.
  *
  * @throws Cancelled.
  */

@@ -28,7 +28,7 @@ public:
 
   const EdgeStrip& Curve() const { return this->Edges; }
 
-  double Length() const;
+  double Length() const { return LengthOf(this->Surface, this->Edges); }
 
   /// The shortest closed path in the strip: shortest paths, each cut open at another edge.
   void Straighten(int turns, double tolerance);
@@ -43,18 +43,6 @@ private:
   const SurfaceAdjacency& Surface;
   EdgeStrip Edges;
 };
-
-double Shortener::Length() const
-{
-  double length = 0.0;
-  for (std::size_t i = 0; i < this->Edges.size(); ++i)
-  {
-    const Point3 d = PositionOf(this->Surface, this->Edges[(i + 1) % this->Edges.size()]) -
-      PositionOf(this->Surface, this->Edges[i]);
-    length += std::sqrt(Dot(d, d));
-  }
-  return length;
-}
 
 void Shortener::Straighten(int turns, double tolerance)
 {
@@ -75,11 +63,8 @@ void Shortener::StraightenFrom(std::size_t start)
 {
   const UnfoldedStrip plane = Unfold(this->Surface, this->Edges, start);
   const double u = this->Edges[start].Fraction;
-  const auto onEdge = [u](const Point2& from, const Point2& to) {
-    return Point2{ from[0] + u * (to[0] - from[0]), from[1] + u * (to[1] - from[1]) };
-  };
-  const Point2 p = onEdge(plane.From.front(), plane.To.front());
-  const Point2 q = onEdge(plane.From.back(), plane.To.back());
+  const Point2 p = PointOn(plane, 0, u);
+  const Point2 q = PointOn(plane, plane.From.size() - 1, u);
   const std::vector<double> fraction = ShortestCrossings(plane, p, q);
   for (std::size_t i = 1; i < fraction.size(); ++i)
   {
@@ -115,6 +100,19 @@ bool Shortener::LeadRound(std::size_t first, std::size_t count, SimplexId p)
   const std::size_t n = this->Edges.size();
   const SurfaceAdjacency& s = this->Surface;
   const SimplexId enter = this->Edges[first].HalfEdge;
+  for (std::size_t k = 1; k < count; ++k)
+  {
+    if (this->Edges[(first + k) % n].HalfEdge == enter) // once round the point, for nothing
+    {
+      EdgeStrip strip;
+      for (std::size_t i = k; i < n; ++i)
+      {
+        strip.push_back(this->Edges[(first + i) % n]);
+      }
+      this->Edges = std::move(strip);
+      return true;
+    }
+  }
   const SimplexId last = SurfaceAdjacency::Triangle(this->Edges[(first + count - 1) % n].HalfEdge);
   const EdgeStrip other = OtherWayRound(s, enter, last, p);
   const Point3 before = PositionOf(s, this->Edges[(first + n - 1) % n]);
@@ -134,7 +132,7 @@ bool Shortener::LeadRound(std::size_t first, std::size_t count, SimplexId p)
   return true;
 }
 
-double LengthOf(const SurfaceAdjacency& s, const std::vector<SimplexId>& loop)
+double LengthAlong(const SurfaceAdjacency& s, const std::vector<SimplexId>& loop)
 {
   double length = 0.0;
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -148,11 +146,23 @@ double LengthOf(const SurfaceAdjacency& s, const std::vector<SimplexId>& loop)
 
 }
 
+double LengthOf(const SurfaceAdjacency& surface, const std::vector<SurfaceCurvePoint>& crossings)
+{
+  double length = 0.0;
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+  {
+    const Point3 d = PositionOf(surface, crossings[(i + 1) % crossings.size()]) -
+      PositionOf(surface, crossings[i]);
+    length += std::sqrt(Dot(d, d));
+  }
+  return length;
+}
+
 SurfaceCurve ShortenLoop(const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop,
   const LoopShorteningParameters& parameters, const ProgressCallback& progress)
 {
   SurfaceCurve curve;
-  curve.Length = LengthOf(surface, loop);
+  curve.Length = LengthAlong(surface, loop);
   Shortener shortener(surface, StripLeftOf(surface, loop));
   double length = curve.Length;
   for (int round = 0; round < parameters.MaximumRounds && !curve.Converged; ++round)

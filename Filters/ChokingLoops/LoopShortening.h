@@ -20,11 +20,18 @@ namespace isthmus
 struct SurfaceCurve
 {
   std::vector<SurfaceCurvePoint> Crossings;
+  /// Crossings at points of the surface that the curve is held at (PinnedShortening.h).
+  std::vector<std::size_t> Pins;
+  double SharpestBend = 0.0; ///< largest turn there, in radians (CornerCutting.h)
   double Length = 0.0;
   bool Converged = false; ///< a geodesic: straight, or bent with at least pi on either side
   /// The loop could be drawn together to a point within its strip: given as it came.
   bool Contractible = false;
 };
+
+/// The length of the closed curve through these points.
+VTKISTHMUS_EXPORT double LengthOf(
+  const SurfaceAdjacency& surface, const std::vector<SurfaceCurvePoint>& crossings);
 
 struct LoopShorteningParameters
 {

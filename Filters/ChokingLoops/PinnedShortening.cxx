@@ -134,18 +134,6 @@ std::vector<std::vector<SimplexId>> PiecesOf(
   return pieces;
 }
 
-double LengthOf(const SurfaceAdjacency& surface, const std::vector<SurfaceCurvePoint>& curve)
-{
-  double length = 0.0;
-  for (std::size_t i = 0; i < curve.size(); ++i)
-  {
-    const Point3 d =
-      PositionOf(surface, curve[(i + 1) % curve.size()]) - PositionOf(surface, curve[i]);
-    length += std::sqrt(Dot(d, d));
-  }
-  return length;
-}
-
 }
 
 SurfaceCurve ShortenPinned(const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop,
@@ -166,6 +154,7 @@ SurfaceCurve ShortenPinned(const SurfaceAdjacency& surface, const std::vector<Si
       isStraight = !arc.Lead();
     }
     curve.Converged = curve.Converged && isStraight;
+    curve.Pins.push_back(curve.Crossings.size());
     curve.Crossings.push_back({ surface.Find(pieces[k][0], pieces[k][1]), 0.0 });
     const EdgeStrip& crossings = arc.Crossings();
     curve.Crossings.insert(curve.Crossings.end(), crossings.begin(), crossings.end());

@@ -116,21 +116,29 @@ bool PassesNear(
 
 double Longest(const LoopFeature& geometry)
 {
-  return *std::max_element(geometry.Lengths.begin(), geometry.Lengths.end());
+  return geometry.Lengths.empty()
+    ? 0.0
+    : *std::max_element(geometry.Lengths.begin(), geometry.Lengths.end());
 }
 
-/// What a feature that holds no loop of its own can share, or null.
+/// What a feature that holds no loop of its own can share, or null. One with an encircling loop
+/// shares only what is before it and no longer.
 const ShownFeature* LoopsFor(const ChokingLoops& loops, const std::vector<ShownFeature>& features,
   const std::vector<char>& isFree, const ShownFeature& needy)
 {
+  const bool isEncircled = !needy.Geometry->Held && !needy.Geometry->Collapsed;
+  const auto end =
+    isEncircled ? static_cast<std::size_t>(&needy - features.data()) : features.size();
+  const double longest = isEncircled ? (1.0 + SimilarLength) * Longest(*needy.Geometry) : HUGE_VAL;
   const auto& all = loops.Diagram().Features;
   const ShapeFeature& f = all[needy.Index];
   const Point3 centre = loops.ChokePoint(needy.Index);
   const ShownFeature* best = nullptr;
-  for (std::size_t i = 0; i < features.size(); ++i)
+  for (std::size_t i = 0; i < end; ++i)
   {
     const LoopFeature& other = *features[i].Geometry;
-    if (!isFree[i] && all[features[i].Index].Side == f.Side && !other.Loops.empty() &&
+    if (!isFree[i] && features[i].SharedWith < 0 && Longest(other) <= longest &&
+      all[features[i].Index].Side == f.Side &&
       (!best || Longest(other) < Longest(*best->Geometry)) && Belongs(loops, needy.Index, other) &&
       PassesNear(loops, other, centre, NearMembrane * f.Distance()))
     {
@@ -151,8 +159,9 @@ void FindShared(const ChokingLoops& loops, std::vector<ShownFeature>& features)
   }
   for (std::size_t i = 0; i < features.size(); ++i)
   {
-    const ShownFeature* other =
-      isFree[i] ? LoopsFor(loops, features, isFree, features[i]) : nullptr;
+    const ShownFeature* other = isFree[i] || features[i].Geometry->Encircling
+      ? LoopsFor(loops, features, isFree, features[i])
+      : nullptr;
     if (other)
     {
       features[i].SharedWith = static_cast<std::ptrdiff_t>(other->Index);

@@ -1,10 +1,10 @@
 #include "SurfaceInComplex.h"
 
+#include "SurfacePaths.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <queue>
-#include <unordered_map>
 
 namespace isthmus
 {
@@ -112,45 +112,11 @@ Chain SurfaceInComplex::Image(SimplexId surfaceEdge) const
 std::vector<SimplexId> SurfaceInComplex::ShortestPath(
   SimplexId from, SimplexId to, double reach) const
 {
-  std::unordered_map<SimplexId, std::pair<double, SimplexId>> best; // length, half edge that came
-  using Entry = std::pair<double, SimplexId>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  best[from] = { 0.0, -1 };
-  queue.push({ 0.0, from });
-  while (!queue.empty())
-  {
-    const auto [length, p] = queue.top();
-    queue.pop();
-    if (p == to)
-    {
-      break;
-    }
-    if (length > best[p].first)
-    {
-      continue;
-    }
-    const SimplexId first = this->Surface.Leaving(p);
-    SimplexId h = first;
-    do
-    {
-      const double there = length + this->Surface.Length(h);
-      const auto known = best.find(this->Surface.To(h));
-      if (there <= reach && (known == best.end() || there < known->second.first))
-      {
-        best[this->Surface.To(h)] = { there, h };
-        queue.push({ there, this->Surface.To(h) });
-      }
-      h = this->Surface.Turn(h);
-    } while (h != first);
-  }
+  const SurfacePaths paths(this->Surface, from, reach, to);
   std::vector<SimplexId> path;
-  if (best.count(to) == 0)
+  for (SimplexId p = to; paths.Has(to) && p != from; p = this->Surface.From(paths.Last(p)))
   {
-    return path;
-  }
-  for (SimplexId p = to; p != from; p = this->Surface.From(best[p].second))
-  {
-    path.push_back(this->Surface.Edge(best[p].second));
+    path.push_back(this->Surface.Edge(paths.Last(p)));
   }
   return path;
 }

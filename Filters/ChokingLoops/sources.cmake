@@ -9,18 +9,22 @@ isthmus_room(
     AnalysisCost
     ChainPieces
     ChokeFit
+    ChokeSurroundings
     ChokingLoops
     ChokingLoopsOutput
     ChokingSamples
     ChokingSurface
     ConformingGenerators
+    CornerCutting
     EdgeStrip
+    EncirclingLoops
     EnclosureTest
     FeatureMembrane
     FeatureSelection
     GeneratorCompletion
     GridTetrahedra
     HandleTables
+    LoopDrawing
     LoopFeature
     LoopShortening
     MapHandles
@@ -38,5 +42,6 @@ isthmus_room(
     SurfaceHomology
     SurfaceInComplex
     SurfaceMending
+    SurfacePaths
     SurfaceSampling
     TightestCut)

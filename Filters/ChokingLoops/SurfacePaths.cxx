@@ -1,0 +1,42 @@
+#include "SurfacePaths.h"
+
+#include <queue>
+#include <tuple>
+
+namespace isthmus
+{
+
+SurfacePaths::SurfacePaths(
+  const SurfaceAdjacency& surface, SimplexId from, double reach, SimplexId to)
+{
+  using Entry = std::tuple<double, SimplexId, SimplexId>; // length, point, half edge that came
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  queue.emplace(0.0, from, -1);
+  while (!queue.empty())
+  {
+    const auto [length, p, last] = queue.top();
+    queue.pop();
+    if (!this->Known.emplace(p, Path{ length, last }).second)
+    {
+      continue;
+    }
+    this->Settled.push_back(p);
+    if (p == to)
+    {
+      return;
+    }
+    const SimplexId first = surface.Leaving(p);
+    SimplexId h = first;
+    do
+    {
+      const double there = length + surface.Length(h);
+      if (there <= reach && !this->Has(surface.To(h)))
+      {
+        queue.emplace(there, surface.To(h), h);
+      }
+      h = surface.Turn(h);
+    } while (h != first);
+  }
+}
+
+}
