@@ -177,7 +177,7 @@ def drift(energies):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("file", type=Path)
-    parser.add_argument("--surfaces", nargs="+", choices=SURFACES, default=SURFACES)
+    parser.add_argument("--surfaces", nargs="*", choices=SURFACES, default=SURFACES)
     parser.add_argument("--rotations", type=int, default=10)
     parser.add_argument("--apbs", action="store_true")
     options = parser.parse_args()
