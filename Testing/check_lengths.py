@@ -21,8 +21,6 @@ OWED = {
     "Filters/Electrostatics/InterfaceGeometry.cxx": 400,
     "Filters/Electrostatics/InterfaceOperator.cxx:InterfaceOperator::ApplyTo": 70,
     "Filters/Electrostatics/InterfaceSolver.cxx:SolveInterface": 80,
-    "Filters/Electrostatics/IrregularRows.cxx": 360,
-    "Filters/Electrostatics/MultigridLevel.cxx": 480,
     "Filters/Molecular/BindingSites.cxx:FindBindingSites": 65,
 }
 

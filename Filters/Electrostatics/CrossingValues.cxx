@@ -32,6 +32,36 @@ Continuation InTermsOfU(const FitFunctional& functional, const FitNodes& nodes,
   return c;
 }
 
+/// Half the square of y along the normal: the part of p+ with the Laplacian 1.
+double Bulge(const SurfaceFrame& frame, const Vector3& y)
+{
+  const auto& n = frame.Normal;
+  const double along = n[0] * y[0] + n[1] * y[1] + n[2] * y[2];
+  return 0.5 * along * along;
+}
+
+/// Adds what a constant in the Laplacian outside does to a continuation to `target`.
+void AddLaplacian(const SurfaceFrame& frame, double laplacian, const FitNodes& nodes,
+  bool insideFunction, const Vector3& target, Continuation& c)
+{
+  c.Constant += insideFunction ? 0.0 : laplacian * Bulge(frame, target);
+  for (std::size_t i = 0; i < nodes.Count; ++i)
+  {
+    if (!nodes.Node[i].Inside)
+    {
+      c.Constant -= c.Coefficient[i] * laplacian * Bulge(frame, nodes.Node[i].Offset);
+    }
+  }
+}
+
+/// Whether the nodes outside could not tell an outside quadratic by themselves.
+bool IsNarrow(const FitNodes& nodes)
+{
+  constexpr std::ptrdiff_t harmonicQuadratic = 9;
+  return std::count_if(nodes.Node.begin(), nodes.Node.begin() + nodes.Count,
+           [](const FitNode& node) { return !node.Inside; }) < harmonicQuadratic;
+}
+
 /// The ghost-fluid values of X.-D. Liu, R. Fedkiw and M. Kang (J. Comput. Phys. 160 (2000) 151):
 /// jumps taken along the edge alone. Only where not even a linear function could be fitted.
 void GhostFluid(const InterfaceProblem& problem, const InterfaceCrossing& c,
@@ -107,9 +137,11 @@ CrossingValues ValuesAtCrossing(const InterfaceProblem& problem, std::size_t ind
     NodesAroundCrossing(*problem.Box, *problem.Inside, c, problem.Medium.Length);
   const bool lowerInside = (*problem.Inside)[static_cast<std::size_t>(c.Node)] != 0;
   FitMedium medium = problem.Medium;
-  if (!problem.KappaSquared.empty())
+  SurfaceIons ions;
+  if (!problem.Ions.empty())
   {
-    medium.KappaSquared = problem.KappaSquared[index];
+    ions = problem.Ions[index];
+    medium.KappaSquared = ions.Slope;
   }
   const Vector3 up = EndOffset(*problem.Box, c, true);
   const Vector3 down = EndOffset(*problem.Box, c, false);
@@ -120,13 +152,19 @@ CrossingValues ValuesAtCrossing(const InterfaceProblem& problem, std::size_t ind
   CrossingValues values{};
   std::copy_n(nodes.Id.begin(), nodes.Count, values.Id.begin());
   values.Quality = FitInterface(medium, c.Frame, nodes, targets, functionals);
-  if (values.Quality == FitQuality::None)
+  if (values.Quality == FitQuality::None || IsNarrow(nodes))
   {
+    values.Quality = FitQuality::None;
     GhostFluid(problem, c, charges, nodes, values);
     return values;
   }
   values.AtUpper = InTermsOfU(functionals[0], nodes, charges, lowerInside, up);
   values.AtLower = InTermsOfU(functionals[1], nodes, charges, !lowerInside, down);
+  if (ions.Constant != 0.0)
+  {
+    AddLaplacian(c.Frame, ions.Constant, nodes, lowerInside, up, values.AtUpper);
+    AddLaplacian(c.Frame, ions.Constant, nodes, !lowerInside, down, values.AtLower);
+  }
   return values;
 }
 

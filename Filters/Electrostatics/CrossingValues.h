@@ -12,6 +12,12 @@
 namespace isthmus
 {
 
+/// The ions just outside the surface, linearised: the Laplacian of phi is Slope phi + Constant.
+struct SurfaceIons
+{
+  double Slope = 0.0, Constant = 0.0;
+};
+
 /// What the values are made of.
 struct InterfaceProblem
 {
@@ -20,8 +26,8 @@ struct InterfaceProblem
   const std::vector<InterfaceCrossing>* Crossings = nullptr;
   const std::vector<SecondOrderTaylor>* Charges = nullptr; ///< G at each crossing, kT/e
   FitMedium Medium;
-  /// K / phi0 at each crossing where the ions reach the surface; empty: Medium.KappaSquared.
-  std::vector<double> KappaSquared;
+  /// Of Newton's method where ions reach the surface, at each crossing; empty: the linear ones.
+  std::vector<SurfaceIons> Ions;
 };
 
 /// The nodes around the edge of a crossing, with weights, for a fit at the crossing.
@@ -43,7 +49,13 @@ struct CrossingValues
   FitQuality Quality;
 };
 
-/// By InterfaceFit, or by the ghost-fluid values where nothing can be fitted.
+/**
+ * By InterfaceFit; by the ghost-fluid values where nothing can be fitted, and where fewer of the
+ * nodes around are outside than a harmonic quadratic has coefficients (9): in a cavity or cleft of
+ * the molecule a node or two wide. There the fit continues the outside function from values inside,
+ * whose errors count solvent / solute dielectric times outside and shift the potential of a whole
+ * cavity; the ghost-fluid fluxes add up to 0 around it.
+ */
 CrossingValues ValuesAtCrossing(const InterfaceProblem& problem, std::size_t index);
 
 }

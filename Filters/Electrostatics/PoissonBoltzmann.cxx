@@ -73,13 +73,13 @@ std::int64_t StrideForBorder(const SolverBox& box)
 PotentialFunction SelfConsistentBorder(
   PotentialOnBox& problem, PotentialFunction border, const ProgressCallback& progress)
 {
-  constexpr double tolerance = 1e-4;
   constexpr int rounds = 2;
+  constexpr double tolerances[rounds] = { 1e-2, 1e-4 }; // the second corrects the first
   const RadiatingBox range = HalfWayOut(problem.RangeInside(), problem.GetBox());
   for (int round = 0; round < rounds; ++round)
   {
     problem.SetBorder(border, true);
-    problem.Solve(tolerance, Between(progress, 0.5 * round, 0.5 * (round + 1)));
+    problem.Solve(tolerances[round], Between(progress, 0.5 * round, 0.5 * (round + 1)));
     border = RadiatedPotential(problem.GetBox(), problem.GetPotential(), range, problem.Kappa());
   }
   return border;
@@ -163,6 +163,7 @@ std::unique_ptr<PotentialOnBox> SolvePoissonBoltzmann(const LevelFunction& level
   const double kappa = std::sqrt(ions.Linear() / parameters.SolventDielectric);
   std::unique_ptr<PotentialOnBox> problem;
   PotentialFunction border;
+  int borderIterations = 0;
   switch (parameters.Condition)
   {
     case BoundaryCondition::Zero:
@@ -177,6 +178,7 @@ std::unique_ptr<PotentialOnBox> SolvePoissonBoltzmann(const LevelFunction& level
       auto rough = setUp(CoarserBox(box, stride), 0.0, 0.1);
       border = SelfConsistentBorder(
         *rough, DebyeHueckel(atoms, parameters, kappa), Between(progress, 0.1, 0.25));
+      borderIterations = stride == 1 ? 0 : rough->GetReport().Iterations;
       problem = stride == 1 ? std::move(rough) : nullptr;
       break;
     }
@@ -191,6 +193,7 @@ std::unique_ptr<PotentialOnBox> SolvePoissonBoltzmann(const LevelFunction& level
     problem->SetStart(parameters.Start);
   }
   problem->Solve(parameters.Tolerance, Between(progress, 0.5, 0.95));
+  problem->SetBorderIterations(borderIterations);
   problem->Evaluate();
   return problem;
 }

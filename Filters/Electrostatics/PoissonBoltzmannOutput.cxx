@@ -129,6 +129,7 @@ void FillFieldData(const PotentialOnBox& solution, const PoissonBoltzmannParamet
   AddNumbers(image, "SolvationEnergyKilojoule",
     { report.SolvationEnergy * units::ThermalKilojoule(kelvin) });
   AddNumbers(image, "Iterations", { static_cast<double>(report.Iterations) });
+  AddNumbers(image, "BorderIterations", { static_cast<double>(report.BorderIterations) });
   AddNumbers(image, "NewtonSteps", { static_cast<double>(report.NewtonSteps) });
   AddNumbers(image, "ResidualHistory", report.Residuals);
   AddNumbers(image, "Crossings", { static_cast<double>(report.Crossings) });
@@ -187,7 +188,8 @@ void FillSurface(const PotentialOnBox& solution, const SoluteVolume& volume, dou
   output->GetPointData()->SetActiveNormals("Normals");
 }
 
-void FillAtoms(const PotentialOnBox& solution, double kelvin, vtkPointSet* atoms)
+void FillAtoms(
+  const PotentialOnBox& solution, const SoluteVolume& volume, double kelvin, vtkPointSet* atoms)
 {
   const PoissonBoltzmannReport& report = solution.GetReport();
   std::vector<double> energies = report.AtomEnergies;
@@ -197,6 +199,18 @@ void FillAtoms(const PotentialOnBox& solution, double kelvin, vtkPointSet* atoms
   }
   atoms->GetPointData()->AddArray(Copy("ReactionPotential", report.AtomPotentials));
   atoms->GetPointData()->AddArray(Copy("AtomEnergy", energies));
+  auto forces = Doubles("ReactionForce", report.AtomForces.size(), 3);
+  for (std::size_t i = 0; i < report.AtomForces.size(); ++i)
+  {
+    Vector3 world;
+    volume.Grid->GetDirectionMatrix()->MultiplyPoint(report.AtomForces[i].data(), world.data());
+    for (double& force : world)
+    {
+      force *= units::ThermalKilocalorie(kelvin);
+    }
+    forces->SetTuple(static_cast<vtkIdType>(i), world.data());
+  }
+  atoms->GetPointData()->AddArray(forces);
 }
 
 }

@@ -30,7 +30,8 @@ void FillFieldData(const PotentialOnBox& solution, const PoissonBoltzmannParamet
 void FillSurface(const PotentialOnBox& solution, const SoluteVolume& volume, double kelvin,
   vtkPolyData* polygons, vtkPolyData* output, const ProgressCallback& progress = {});
 
-void FillAtoms(const PotentialOnBox& solution, double kelvin, vtkPointSet* atoms);
+void FillAtoms(
+  const PotentialOnBox& solution, const SoluteVolume& volume, double kelvin, vtkPointSet* atoms);
 
 }
 

@@ -69,12 +69,14 @@ struct PoissonBoltzmannReport
   double IonEnergy = 0.0;             ///< that term alone
   std::vector<double> AtomEnergies;   ///< 1/2 q u of each atom
   std::vector<double> AtomPotentials; ///< reaction potential u at each atom, kT/e
-  int Iterations = 0;                 ///< of BiCGSTAB on the fine grid
-  int NewtonSteps = 0;
-  std::vector<double> Residuals; ///< relative, after each iteration
-  std::int64_t Crossings = 0;    ///< of the surface with edges of the grid
-  std::int64_t LinearFits = 0;   ///< of them, those for which a quadratic could not be fitted
-  std::int64_t GhostFits = 0;    ///< and not even a linear function
+  std::vector<Vector3> AtomForces;    ///< -q grad u, kT/angstrom, along the grid's axes
+  int Iterations = 0;                 ///< of BiCGSTAB on this grid, in all solutions on it
+  int BorderIterations = 0;           ///< of BiCGSTAB on a coarser grid, for the border
+  int NewtonSteps = 0;                ///< of the last solution
+  std::vector<double> Residuals;      ///< relative, after each iteration of the last solution
+  std::int64_t Crossings = 0;         ///< of the surface with edges of the grid
+  std::int64_t LinearFits = 0;        ///< of them, those for which a quadratic could not be fitted
+  std::int64_t GhostFits = 0;         ///< and not even a linear function
 };
 
 }

@@ -10,10 +10,39 @@
 namespace isthmus
 {
 
-std::vector<double> PotentialOnBox::LaggedKappa() const
+double PotentialOnBox::SurfaceValue(
+  std::size_t crossing, const FitNodes& nodes, const FitFunctional& functional) const
 {
-  std::vector<double> kappa(this->Crossings.size(), this->Medium.KappaSquared);
-  ParallelFor(0, static_cast<std::int64_t>(kappa.size()), 256,
+  double phi = 0.0;
+  for (std::size_t i = 0; i < nodes.Count; ++i)
+  {
+    const double g =
+      nodes.Node[i].Inside ? this->AtCrossing[crossing].At(nodes.Node[i].Offset) : 0.0;
+    phi += functional[i] * (this->U[static_cast<std::size_t>(nodes.Id[i])] + g);
+  }
+  return phi;
+}
+
+SurfaceIons PotentialOnBox::IonsAt(double phi) const
+{
+  const double solvent = this->Parameters.SolventDielectric;
+  const double length = this->Medium.Length;
+  const double most = std::max(1.0 / (length * length), this->Medium.KappaSquared) * solvent;
+  // The tangent at phi, or as near to it as the slope allows.
+  double part = 1.0;
+  for (double step = 0.5; step > 1e-9 && this->Ions.Derivative(phi) > most; step *= 0.5)
+  {
+    part += this->Ions.Derivative(part * phi) > most ? -step : step;
+  }
+  const double v = part * phi;
+  const double slope = std::min(this->Ions.Derivative(v), most);
+  return { slope / solvent, (this->Ions.Charge(v) - slope * v) / solvent };
+}
+
+std::vector<SurfaceIons> PotentialOnBox::IonsAtCrossings() const
+{
+  std::vector<SurfaceIons> ions(this->Crossings.size(), { this->Medium.KappaSquared, 0.0 });
+  ParallelFor(0, static_cast<std::int64_t>(ions.size()), 256,
     [&](std::int64_t first, std::int64_t last)
     {
       std::vector<FitFunctional> functionals;
@@ -22,25 +51,13 @@ std::vector<double> PotentialOnBox::LaggedKappa() const
         const FitNodes nodes =
           NodesAroundCrossing(this->Box, this->Inside, this->Crossings[c], this->Medium.Length);
         if (FitInterface(this->Medium, this->Crossings[c].Frame, nodes,
-              { { FitTarget::SurfaceValue, {} } }, functionals) == FitQuality::None)
+              { { FitTarget::SurfaceValue, {} } }, functionals) != FitQuality::None)
         {
-          continue;
-        }
-        double phi = 0.0;
-        for (std::size_t i = 0; i < nodes.Count; ++i)
-        {
-          const double g =
-            nodes.Node[i].Inside ? this->AtCrossing[c].At(nodes.Node[i].Offset) : 0.0;
-          phi += functionals[0][i] * (this->U[static_cast<std::size_t>(nodes.Id[i])] + g);
-        }
-        phi = std::clamp(phi, -10.0, 10.0); // an iterate on its way may be anywhere
-        if (std::abs(phi) > 1e-6)
-        {
-          kappa[c] = this->Ions.Charge(phi) / (phi * this->Parameters.SolventDielectric);
+          ions[c] = this->IonsAt(this->SurfaceValue(c, nodes, functionals[0]));
         }
       }
     });
-  return kappa;
+  return ions;
 }
 
 double PotentialOnBox::NonlinearResidual(
@@ -124,14 +141,14 @@ void PotentialOnBox::SolveNonlinear(double tolerance, const ProgressCallback& pr
   const double reference = this->NonlinearResidual(zero, this->Work.Residual);
   zero = {};
   double norm = this->NonlinearResidual(this->U, this->Work.Residual);
-  // Where ions reach the surface, the fits depend on the potential there: a step is not the last
-  // before they have been made anew from nearly the same one.
+  // Where ions reach the surface, the fits depend on the potential there, and are linearised anew
+  // for each step.
   const double goal = tolerance * std::max(reference, 1e-300);
   for (int newton = 0;; ++newton)
   {
     if (lagged && newton > 0)
     {
-      this->Assemble(this->LaggedKappa(), {});
+      this->Assemble(this->IonsAtCrossings(), {});
       norm = this->NonlinearResidual(this->U, this->Work.Residual);
     }
     if (norm <= goal)

@@ -73,10 +73,10 @@ void PotentialOnBox::EvaluateCharges(const ProgressCallback& progress)
   this->AtCrossing = ChargesAtCrossings(this->Charges, this->Box, this->Crossings, progress);
 }
 
-void PotentialOnBox::Assemble(std::vector<double> kappaSquared, const ProgressCallback& progress)
+void PotentialOnBox::Assemble(std::vector<SurfaceIons> ions, const ProgressCallback& progress)
 {
   const InterfaceProblem problem{ &this->Box, &this->Inside, &this->Crossings, &this->AtCrossing,
-    this->Medium, std::move(kappaSquared) };
+    this->Medium, std::move(ions) };
   IrregularRows rows = AssembleIrregularRows(problem, progress);
   this->Report.LinearFits = rows.LinearFits;
   this->Report.GhostFits = rows.GhostFits;
@@ -155,7 +155,7 @@ void PotentialOnBox::FillDiagonal(bool nonlinear)
 
 void PotentialOnBox::Solve(double tolerance, const ProgressCallback& progress)
 {
-  this->Report.Iterations = this->Report.NewtonSteps = 0;
+  this->Report.NewtonSteps = 0;
   this->Report.Residuals.clear();
   if (!this->Parameters.Nonlinear || this->Access.empty())
   {
@@ -191,6 +191,7 @@ void PotentialOnBox::Evaluate()
 {
   auto& report = this->Report;
   report.AtomPotentials.assign(this->Atoms.size(), 0.0);
+  report.AtomForces.assign(this->Atoms.size(), { 0.0, 0.0, 0.0 });
   ParallelFor(0, static_cast<std::int64_t>(this->Atoms.size()), 16,
     [&](std::int64_t first, std::int64_t last)
     {
@@ -198,8 +199,13 @@ void PotentialOnBox::Evaluate()
       {
         if (this->Atoms[i].Charge != 0.0)
         {
-          report.AtomPotentials[i] =
-            HarmonicAt(this->Box, this->Inside, this->U, this->Atoms[i].Position).Value;
+          const ValueAndGradient u =
+            HarmonicAt(this->Box, this->Inside, this->U, this->Atoms[i].Position);
+          report.AtomPotentials[i] = u.Value;
+          for (std::size_t a = 0; a < 3; ++a)
+          {
+            report.AtomForces[i][a] = -this->Atoms[i].Charge * u.Gradient[a];
+          }
         }
       }
     });

@@ -42,7 +42,7 @@ public:
    */
   void Solve(double tolerance, const ProgressCallback& progress = {});
 
-  /// Energies, and u at the atoms.
+  /// Energies, u and forces at the atoms.
   void Evaluate();
 
   /// Frees what only solving needs.
@@ -56,15 +56,22 @@ public:
   const FitMedium& GetMedium() const { return this->Medium; }
   const ChargeList& GetCharges() const { return this->Charges; }
   const PoissonBoltzmannReport& GetReport() const { return this->Report; }
+  void SetBorderIterations(int iterations) { this->Report.BorderIterations = iterations; }
   double Kappa() const;
   /// First and last nodes inside the surface; Last < First where there are none.
   BoxNodes RangeInside() const;
 
 private:
   void EvaluateCharges(const ProgressCallback& progress);
-  void Assemble(std::vector<double> kappaSquared, const ProgressCallback& progress);
+  void Assemble(std::vector<SurfaceIons> ions, const ProgressCallback& progress);
   EdgePermittivity Permittivities() const;
-  std::vector<double> LaggedKappa() const;
+  /// The potential on the surface at a crossing.
+  double SurfaceValue(
+    std::size_t crossing, const FitNodes& nodes, const FitFunctional& functional) const;
+  /// The ions at the surface, linearised about phi; with a slope of 1 / spacing^2 at most, since of
+  /// a layer thinner than the spacing a quadratic knows nothing.
+  SurfaceIons IonsAt(double phi) const;
+  std::vector<SurfaceIons> IonsAtCrossings() const;
   double NonlinearResidual(const std::vector<double>& u, std::vector<double>& out) const;
   void FillDiagonal(bool nonlinear);
   void SolveLinear(double tolerance, const ProgressCallback& progress);

@@ -290,7 +290,7 @@ void vtkPoissonBoltzmann::Solve(
     vtkPolyData::GetData(outputVector, 1), isthmus::Between(progress, 0.9, 1.0));
   auto* atomsOut = vtkPointSet::GetData(outputVector, 2);
   atomsOut->ShallowCopy(points);
-  isthmus::FillAtoms(*solution, parameters.Temperature, atomsOut);
+  isthmus::FillAtoms(*solution, volume, parameters.Temperature, atomsOut);
 }
 
 vtkPolyData* vtkPoissonBoltzmann::GetSurface()

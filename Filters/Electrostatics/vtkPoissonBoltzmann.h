@@ -25,16 +25,22 @@
  * the potential less that of the charges in a medium with SoluteDielectric everywhere), and `Side`
  * (unsigned char, 1 inside). On the grid of input 1 where that is a volume, else on one of Spacing
  * with Padding around. Field data: `SolvationEnergy` (kcal/mol; from a medium with SoluteDielectric
- * everywhere into the solvent), `SolvationEnergyKT`, `SolvationEnergyKilojoule`, `Iterations`,
- * `NewtonSteps`, `ResidualHistory`, `LinearFits`, `GhostFits` (crossings of the surface whose
- * quadratic fit fell back), `DebyeLength` (angstrom, 0 without salt), `NetCharge`, `Surface`.
+ * everywhere into the solvent), `SolvationEnergyKT`, `SolvationEnergyKilojoule`, `Iterations` (of
+ * BiCGSTAB on this grid, those of all Newton steps and those for the border made on it included),
+ * `BorderIterations` (on a coarser grid, for the border), `NewtonSteps`, `ResidualHistory` (of the
+ * last solution), `LinearFits`, `GhostFits` (crossings of the surface whose quadratic fit fell
+ * back, most of them in cavities and clefts a node or two wide), `DebyeLength` (angstrom, 0 without
+ * salt), `NetCharge`, `Surface`.
  *
  * **Output 1**: the surface with, on points, double: `Potential`, `NormalField` (outwards, just
  * outside, kT/(e angstrom)), `SurfaceChargeDensity` (induced, e/angstrom^2), `Normals`; fitted from
  * both sides.
  *
  * **Output 2**: the atoms with `ReactionPotential` (kT/e) and `AtomEnergy` (kcal/mol: its part of
- * the solvation energy, which they add up to unless Nonlinear).
+ * the solvation energy, which they add up to unless Nonlinear), `ReactionForce` (kcal/(mol
+ * angstrom)): -q grad u, the reaction field's force on each charge. It is minus the derivative of
+ * the solvation energy by the charge's place at a fixed surface (of the linear equation); Coulomb's
+ * force and the pressure on the surface are not in it.
  *
  * A volume that ends near the surface is no trouble: the equation is solved with Padding angstrom
  * of solvent around, and cropped. Nodes nearer to a charge than a quarter of the spacing have the

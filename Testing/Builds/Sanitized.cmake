@@ -18,7 +18,7 @@ run_consumer("${prefix}" "${WORK_DIR}/sanitized-consumer" ${compiler}
 set(long_tests "SuperStepsReachTheEnd|TimeOrderIsTwo|FourierModesDecay|IsosurfacesOfNoise"
   "|EverySharedSurfaceIsFilled|HasItsLoops/(129110|65004)|StrutsOfABuckyball|Runs/Stability"
   "|ErrorFallsWithRefinement|TheLongestSuperStep|MeanIsKept|PlateauOnIrregularMeshes|TestGridMap"
-  "|SphereOf40Charges|HasItsLoops/1514499|EqualsGudhiOn|DamagedSurfacesAreFilled"
+  "|SphereOf40Charges|StretchOfDNA|NarrowCavity|HasItsLoops/1514499|EqualsGudhiOn|DamagedSurfacesAreFilled"
   "|ChokingLoopsOfNeedlesEnd|TestPoissonBoltzmann.All"
   "|ProbeBetweenThreeBalls|SpheresThatCross|SteadyLysozyme|LysozymeByTime|AnglesStayWithinTheBounds"
   "|GradingKeepsTheSurface|SurfaceFlow.ThreadsLeaveNoTrace|CoarseToFineEnds|ThesisFlow.ComesToRest"

@@ -156,6 +156,49 @@ TEST(PoissonBoltzmann, ChargesScaleAndAdd)
   EXPECT_NEAR(three.Solve()->GetReport().SolvationEnergy / energy, 9.0, 1e-6);
 }
 
+TEST(PoissonBoltzmann, ForcesAreTheSlopeOfTheSeriesEnergy)
+{
+  SphereProblem problem(Kirkwood(3), 12, 0.5);
+  const auto solution = problem.Solve();
+  const auto& forces = solution->GetReport().AtomForces;
+  double largest = 0.0, error = 0.0;
+  for (std::size_t atom = 0; atom < problem.Atoms.size(); ++atom)
+  {
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      double energies[2];
+      for (const double side : { -1.0, 1.0 })
+      {
+        KirkwoodSphere moved = problem.Sphere;
+        moved.Charges[atom].Position[a] += 1e-3 * side;
+        energies[side > 0.0 ? 1 : 0] = moved.Energy();
+      }
+      const double exact = -(energies[1] - energies[0]) / 2e-3;
+      largest = std::max(largest, std::abs(exact));
+      error = std::max(error, std::abs(forces[atom][a] - exact));
+    }
+  }
+  std::printf("forces: error %.3f of %.2f kT/angstrom\n", error, largest);
+  EXPECT_LT(error, 0.01 * largest);
+}
+
+TEST(PoissonBoltzmann, IterationsOfTheBorderAreCounted)
+{
+  SphereProblem problem(Kirkwood(2), 12, 1.0);
+  problem.Parameters.Condition = BoundaryCondition::SelfConsistent;
+  problem.Parameters.Padding = 8.0;
+  problem.Parameters.Tolerance = 1e-3;
+  const auto same = problem.Solve(); // the border by the same grid
+  EXPECT_EQ(same->GetReport().BorderIterations, 0);
+  EXPECT_GT(same->GetReport().Iterations, static_cast<int>(same->GetReport().Residuals.size()));
+  SphereProblem fine(Kirkwood(2), 12, 0.5);
+  fine.Parameters.Condition = BoundaryCondition::SelfConsistent;
+  const auto coarser = fine.Solve();
+  EXPECT_GT(coarser->GetReport().BorderIterations, 1);
+  EXPECT_EQ(
+    coarser->GetReport().Iterations, static_cast<int>(coarser->GetReport().Residuals.size()));
+}
+
 TEST(PoissonBoltzmann, NoJumpNoReaction)
 {
   KirkwoodSphere sphere = Kirkwood(2);
