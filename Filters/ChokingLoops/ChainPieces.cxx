@@ -1,19 +1,11 @@
 #include "ChainPieces.h"
 
+#include "Index.h"
+
 #include <map>
 
 namespace isthmus
 {
-namespace
-{
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
-
-}
-
 Chain BoundaryOf(const CellFiltration& f, const Chain& triangles)
 {
   std::set<SimplexId> edges;

@@ -1,5 +1,7 @@
 #include "ChokeFit.h"
 
+#include "Pi.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,7 +28,7 @@ double UncertaintyOf(const ShapeFeature& feature)
 
 double ShortestGirth(const ShapeFeature& feature)
 {
-  return 2.0 * M_PI * (feature.Distance() - UncertaintyOf(feature));
+  return 2.0 * Pi * (feature.Distance() - UncertaintyOf(feature));
 }
 
 bool IsSurrounded(const Point3& centre, double reach, const std::vector<Point3>& points)

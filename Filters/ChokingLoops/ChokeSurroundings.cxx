@@ -1,16 +1,13 @@
 #include "ChokeSurroundings.h"
 
+#include "Index.h"
+
 #include <cmath>
 
 namespace isthmus
 {
 namespace
 {
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 constexpr double CapacityOfRadius2 = 1073741824.0; ///< of an area of one squared radius
 constexpr double LargestCapacity = 1e12;           ///< so that a million of them can be added

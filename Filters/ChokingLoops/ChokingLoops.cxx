@@ -5,6 +5,7 @@
 #include "ChokingSurface.h"
 #include "DelaunayFiltration.h"
 #include "EncirclingLoops.h"
+#include "Index.h"
 #include "LowerStarFiltration.h"
 #include "SurfaceSampling.h"
 
@@ -18,11 +19,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// Rounds of refinement round features that the sampling blurs.
 constexpr int Rounds = 3;

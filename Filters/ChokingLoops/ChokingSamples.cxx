@@ -1,5 +1,6 @@
 #include "ChokingSamples.h"
 
+#include "Index.h"
 #include "RangeGuard.h"
 
 #include <algorithm>
@@ -10,11 +11,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// Samples that automatic spacing spreads over a surface, however few points it has.
 constexpr double UsualSamples = 20000.0;

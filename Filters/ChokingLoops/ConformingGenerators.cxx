@@ -1,5 +1,6 @@
 #include "ConformingGenerators.h"
 
+#include "Index.h"
 #include "LowerStarFiltration.h"
 #include "TetrahedralMesher.h"
 
@@ -10,11 +11,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// TetGen needs seconds where it works; meshes of needles can keep it for ever.
 constexpr double MostSeconds = 120.0;

@@ -1,5 +1,6 @@
 #include "CornerCutting.h"
 
+#include "Pi.h"
 #include "StripBend.h"
 #include "StripFunnel.h"
 
@@ -53,7 +54,7 @@ bool Lead(const SurfaceAdjacency& surface, EdgeStrip& strip)
     const EdgeStrip other = OtherWayRound(
       surface, strip[i].HalfEdge, SurfaceAdjacency::Triangle(strip[end - 1].HalfEdge), p);
     if (AngleBeyond(surface, other, p, PositionOf(surface, strip[i - 1]),
-          PositionOf(surface, strip[end])) >= M_PI - 1e-9)
+          PositionOf(surface, strip[end])) >= Pi - 1e-9)
     {
       continue;
     }

@@ -1,5 +1,7 @@
 #include "EnclosureTest.h"
 
+#include "Index.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,11 +9,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// A fixed rotation by no nice angle, so that rays along x meet no axis-parallel edge.
 Point3 Turned(const Point3& p)

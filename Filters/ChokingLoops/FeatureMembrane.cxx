@@ -1,6 +1,7 @@
 #include "FeatureMembrane.h"
 
 #include "ChainPieces.h"
+#include "Index.h"
 #include "TightestCut.h"
 
 #include <algorithm>
@@ -13,11 +14,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 double Distance(const Point3& a, const Point3& b)
 {

@@ -2,6 +2,7 @@
 
 #include "ChokeFit.h"
 #include "LoopDrawing.h"
+#include "Pi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,10 +58,10 @@ namespace
 {
 
 /// A loop held at a point of M may turn so much there (54 degrees); more is a last resort.
-constexpr double SharpestHeld = 0.3 * M_PI;
+constexpr double SharpestHeld = 0.3 * Pi;
 
 /// A loop that turns by as much there is no loop round the choke any more.
-constexpr double SharpestLoop = M_PI / 2.0;
+constexpr double SharpestLoop = Pi / 2.0;
 
 /// Corners at contacts are cut so far off, in radii.
 constexpr std::array<double, 2> CornerCuts{ 0.3, 0.5 };
@@ -261,7 +262,7 @@ LoopFeature MakeLoopFeature(
   }
   Report(progress, 0.8);
   const double longest =
-    fit.Fits() ? Freedom * fit.Length() : LongestRound * 2.0 * M_PI * f.Distance();
+    fit.Fits() ? Freedom * fit.Length() : LongestRound * 2.0 * Pi * f.Distance();
   const std::vector<Membrane> round = loops.EncirclingMembranesOf(index, AlongEdges * longest);
   for (std::size_t i = 0; i < std::min(round.size(), MostRound); ++i)
   {

@@ -1,5 +1,7 @@
 #include "LoopShortening.h"
 
+#include "Index.h"
+#include "Pi.h"
 #include "StripBend.h"
 #include "StripFunnel.h"
 
@@ -10,11 +12,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// One curve under shortening.
 class Shortener
@@ -117,7 +114,7 @@ bool Shortener::LeadRound(std::size_t first, std::size_t count, SimplexId p)
   const EdgeStrip other = OtherWayRound(s, enter, last, p);
   const Point3 before = PositionOf(s, this->Edges[(first + n - 1) % n]);
   const Point3 after = PositionOf(s, this->Edges[(first + count) % n]);
-  if (AngleBeyond(s, other, p, before, after) >= M_PI - 1e-9)
+  if (AngleBeyond(s, other, p, before, after) >= Pi - 1e-9)
   {
     return false;
   }

@@ -1,5 +1,7 @@
 #include "MinimumCut.h"
 
+#include "Index.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,11 +10,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 constexpr std::int64_t Unbounded = std::numeric_limits<std::int64_t>::max();
 

@@ -1,5 +1,6 @@
 #include "PinnedShortening.h"
 
+#include "Pi.h"
 #include "StripBend.h"
 #include "StripFunnel.h"
 
@@ -91,7 +92,7 @@ bool GeodesicArc::LeadRound(std::size_t first, std::size_t end, SimplexId p)
   const Point3 before = first > 0 ? PositionOf(s, this->Edges[first - 1]) : this->At(this->From);
   const Point3 after =
     end < this->Edges.size() ? PositionOf(s, this->Edges[end]) : this->At(this->To);
-  if (AngleBeyond(s, other, p, before, after) >= M_PI - 1e-9)
+  if (AngleBeyond(s, other, p, before, after) >= Pi - 1e-9)
   {
     return false;
   }

@@ -1,5 +1,6 @@
 #include "ShapeFeatures.h"
 
+#include "Index.h"
 #include "SpaceRegions.h"
 
 #include <algorithm>
@@ -10,11 +11,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// Relative difference of squared radii that rounding may make.
 constexpr double Rounding = 1e-7;

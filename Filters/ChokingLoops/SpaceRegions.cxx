@@ -1,17 +1,9 @@
 #include "SpaceRegions.h"
 
+#include "Index.h"
+
 namespace isthmus
 {
-namespace
-{
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
-
-}
-
 SpaceRegions::SpaceRegions(const FeatureContext& context, const ProgressCallback& progress)
   : Context(context)
   , Groups(context.Filtration.Tetrahedra.size())

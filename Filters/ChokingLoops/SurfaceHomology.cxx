@@ -1,19 +1,11 @@
 #include "SurfaceHomology.h"
 
+#include "Index.h"
+
 #include <algorithm>
 
 namespace isthmus
 {
-namespace
-{
-
-std::size_t At(SimplexId i)
-{
-  return static_cast<std::size_t>(i);
-}
-
-}
-
 SurfaceHomology::SurfaceHomology(const SurfaceAdjacency& surface)
   : Surface(surface)
   , Parent(surface.Mesh().Points.size(), -1)

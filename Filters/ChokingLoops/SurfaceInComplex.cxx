@@ -1,5 +1,6 @@
 #include "SurfaceInComplex.h"
 
+#include "Index.h"
 #include "SurfacePaths.h"
 
 #include <algorithm>
@@ -8,16 +9,6 @@
 
 namespace isthmus
 {
-namespace
-{
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
-
-}
-
 SurfaceInComplex::SurfaceInComplex(
   const SurfaceAdjacency& surface, const CellFiltration& f, const ProgressCallback& progress)
   : Surface(surface)

@@ -1,5 +1,6 @@
 #include "SurfaceMending.h"
 
+#include "Index.h"
 #include "RangeGuard.h"
 #include "SurfaceCheck.h"
 #include "SurfaceIntake.h"
@@ -19,11 +20,6 @@ constexpr double DrawnBy = 0.01;
 
 /// Thin triangles may hide others, and repair may make some.
 constexpr int MostRounds = 3;
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// Moves points that lie at the place of another one into the sheet they belong to.
 void DrawApart(TriangleMesh& mesh)

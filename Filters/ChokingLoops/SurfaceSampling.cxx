@@ -1,5 +1,7 @@
 #include "SurfaceSampling.h"
 
+#include "Index.h"
+
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
@@ -10,11 +12,6 @@ namespace
 {
 
 using Limit = std::function<double(const Point3&, const Point3&)>;
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 double Length(const Point3& a, const Point3& b)
 {

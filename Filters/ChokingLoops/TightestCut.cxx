@@ -2,6 +2,7 @@
 
 #include "ChainPieces.h"
 #include "ChokeSurroundings.h"
+#include "Index.h"
 #include "MinimumCut.h"
 #include "ShapeFeatures.h"
 
@@ -12,11 +13,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 constexpr double FirstReach = 3.0;       ///< of the search, in radii of the choke
 constexpr double Anchor = 1.5;           ///< of what stays whole on either side, in radii

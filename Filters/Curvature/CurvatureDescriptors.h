@@ -24,6 +24,8 @@
 
 #include "vtkIsthmusModule.h" // for the export macro
 
+#include "Pi.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -55,7 +57,6 @@ inline double Curvedness(double mean, double halfDifference)
  */
 inline double ArcTangent(double y, double x)
 {
-  constexpr double pi = 3.14159265358979323846;
   constexpr double tanPiOver8 = 0.41421356237309504880;
   const double a = std::abs(y);
   const double smaller = std::min(a, x);
@@ -73,8 +74,8 @@ inline double ArcTangent(double y, double x)
   p = p * z + 0.199999999783926621;
   p = p * z - 0.33333333333221434;
   p = p * z + 0.999999999999999041;
-  const double small = (far ? pi / 4.0 : 0.0) + p * t;
-  return std::copysign(a > x ? pi / 2.0 - small : small, y);
+  const double small = (far ? Pi / 4.0 : 0.0) + p * t;
+  return std::copysign(a > x ? Pi / 2.0 - small : small, y);
 }
 
 /// Which end of the shape index is a peak.

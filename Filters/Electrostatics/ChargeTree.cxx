@@ -22,7 +22,7 @@ Points ChebyshevPoints(double low, double high)
   Points points;
   for (std::size_t m = 0; m < Order1D; ++m)
   {
-    const double angle = (static_cast<double>(m) + 0.5) * units::Pi / Order1D;
+    const double angle = (static_cast<double>(m) + 0.5) * Pi / Order1D;
     points[m] = 0.5 * (low + high) + 0.5 * (high - low) * std::cos(angle);
   }
   return points;

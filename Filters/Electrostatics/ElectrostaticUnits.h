@@ -7,6 +7,8 @@
 #ifndef isthmus_ElectrostaticUnits_h
 #define isthmus_ElectrostaticUnits_h
 
+#include "Pi.h"
+
 namespace isthmus::units
 {
 
@@ -15,8 +17,6 @@ constexpr double BoltzmannConstant = 1.380649e-23;      ///< J/K
 constexpr double AvogadroConstant = 6.02214076e23;      ///< 1/mol
 constexpr double VacuumPermittivity = 8.8541878128e-12; ///< F/m
 constexpr double JoulePerCalorie = 4.184;               ///< thermochemical
-constexpr double Pi = 3.14159265358979323846;
-
 /// C = e^2 / (4 pi eps0 k T) in angstrom: the potential, in kT/e, at 1 angstrom from a charge of 1
 /// e in vacuum. 560.45 at 298.15 K.
 constexpr double CoulombLength(double kelvin)

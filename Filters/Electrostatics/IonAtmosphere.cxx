@@ -134,7 +134,7 @@ private:
 }
 
 IonAtmosphere::IonAtmosphere(const std::vector<IonSpecies>& species, double kelvin)
-  : Factor(4.0 * units::Pi * units::CoulombLength(kelvin))
+  : Factor(4.0 * Pi * units::CoulombLength(kelvin))
 {
   double net = 0.0;
   double total = 0.0;

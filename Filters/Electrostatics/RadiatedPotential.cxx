@@ -66,7 +66,7 @@ void AddFace(const SolverBox& box, const std::vector<double>& u, const Radiating
         w[s + 2] = u[static_cast<std::size_t>(node + s * steps[axis])];
       }
       const double slope = sign * ((w[0] - w[4]) + 8.0 * (w[3] - w[1])) / (12.0 * h);
-      const double area = along[j] * across[k] / (4.0 * units::Pi);
+      const double area = along[j] * across[k] / (4.0 * Pi);
       Vector3 x = box.Position(at[0], at[1], at[2]);
       const double half = -0.5 * slope * area;
       const double dipole = 0.5 * w[2] * area / apart;

@@ -53,7 +53,7 @@ SurfaceValues EvaluateAtSurface(const PotentialOnBox& problem, const LevelFuncti
   const SolverBox& box = problem.GetBox();
   const FitMedium& medium = problem.GetMedium();
   const double rho = medium.SoluteDielectric / medium.SolventDielectric;
-  const double fieldOfCharge = 4.0 * units::Pi * units::CoulombLength(kelvin);
+  const double fieldOfCharge = 4.0 * Pi * units::CoulombLength(kelvin);
   const std::vector<SecondOrderTaylor> charges =
     ChargesAtPoints(problem.GetCharges(), box, points, Between(progress, 0.0, 0.5));
   SurfaceValues values;

@@ -1,5 +1,7 @@
 #include "PDETransform.h"
 
+#include "Pi.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -39,7 +41,7 @@ DiffusionParameters LowPass(const PDETransformParameters& parameters, int k)
   diffusion.EdgeStopping = DiffusionParameters::EdgeStoppingType::None;
   diffusion.Order = std::max(parameters.LastOrder, parameters.FirstOrder - k);
   const double wavelength = parameters.FirstWavelength * std::pow(parameters.Ratio, k);
-  const double wave = 2.0 * std::acos(-1.0) / wavelength;
+  const double wave = 2.0 * Pi / wavelength;
   diffusion.Time = std::log(2.0) / std::pow(wave, 2 * diffusion.Order + 2);
   return diffusion;
 }

@@ -1,5 +1,6 @@
 #include "FlatTriangles.h"
 
+#include "Index.h"
 #include "MeshEdges.h"
 #include "SurfaceCheck.h"
 
@@ -12,11 +13,6 @@ namespace
 {
 
 constexpr int MostLayers = 16;
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 void RemoveRepeated(std::vector<Triangle>& triangles)
 {

@@ -1,6 +1,7 @@
 #include "SurfaceIntake.h"
 
 #include "FlatTriangles.h"
+#include "Index.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +12,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// For each of `count` points the first of those at the same place; `point(i)` gives coordinates.
 template <typename Point>

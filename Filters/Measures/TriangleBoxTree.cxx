@@ -1,5 +1,6 @@
 #include "TriangleBoxTree.h"
 
+#include "Index.h"
 #include "ParallelFor.h"
 
 #include <limits>
@@ -11,11 +12,6 @@ namespace
 {
 
 constexpr std::int64_t Grain = 4096;
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// The lowest 21 bits of `x`, two zeros after each.
 std::uint64_t Spread(std::uint64_t x)

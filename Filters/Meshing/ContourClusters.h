@@ -11,6 +11,7 @@
 #ifndef isthmus_ContourClusters_h
 #define isthmus_ContourClusters_h
 
+#include "Index.h"
 #include "UniformContour.h"
 
 namespace isthmus
@@ -38,8 +39,6 @@ public:
   void Choose();
 
 private:
-  static std::size_t At(std::int64_t id) { return static_cast<std::size_t>(id); }
-
   struct Open ///< a cluster or point without parent, as yet
   {
     std::int64_t Id;

@@ -2,6 +2,7 @@
 
 #include "ContourPolygons.h"
 #include "ContourRings.h"
+#include "Index.h"
 #include "SelfIntersections.h"
 #include "SurfaceMove.h"
 
@@ -13,11 +14,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(std::int64_t id)
-{
-  return static_cast<std::size_t>(id);
-}
 
 class Refinement
 {

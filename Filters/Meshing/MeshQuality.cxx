@@ -1,6 +1,7 @@
 #include "MeshQuality.h"
 
 #include "ParallelFor.h"
+#include "Pi.h"
 #include "RangeGuard.h"
 
 #include <mutex>
@@ -12,7 +13,7 @@ namespace
 {
 
 constexpr int MostBins = 1'000'000;
-constexpr double Degrees = 180.0 / 3.14159265358979323846;
+constexpr double Degrees = 180.0 / Pi;
 
 double Length(const Point3& v)
 {

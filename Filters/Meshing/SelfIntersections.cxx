@@ -1,6 +1,7 @@
 #include "SelfIntersections.h"
 
 #include "CGALSurface.h"
+#include "Index.h"
 #include "ParallelFor.h"
 #include "RangeGuard.h"
 #include "TriangleBoxTree.h"
@@ -15,11 +16,6 @@ namespace
 {
 
 constexpr std::int64_t Grain = 512; ///< leaves of the tree
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 double Largest(const Point3& p)
 {

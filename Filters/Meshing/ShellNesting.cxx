@@ -1,5 +1,6 @@
 #include "ShellNesting.h"
 
+#include "Pi.h"
 #include "SurfaceTopology.h"
 #include "WindingNumber.h"
 
@@ -25,7 +26,7 @@ bool IsInside(const Point3& p, const TriangleMesh& shell)
   {
     sum += SolidAngle(At(shell, t[0]) - p, At(shell, t[1]) - p, At(shell, t[2]) - p);
   }
-  return std::abs(sum) > 2.0 * 3.14159265358979323846; // half of 4 pi
+  return std::abs(sum) > 2.0 * Pi; // half of 4 pi
 }
 
 /// Where the ray from `p` along `d` meets the triangle, in multiples of d (T. Moeller, B. Trumbore,

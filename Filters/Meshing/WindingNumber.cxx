@@ -1,5 +1,7 @@
 #include "WindingNumber.h"
 
+#include "Pi.h"
+
 #include <numeric>
 
 namespace isthmus
@@ -7,7 +9,7 @@ namespace isthmus
 namespace
 {
 
-constexpr double FourPi = 4.0 * 3.14159265358979323846;
+constexpr double FourPi = 4.0 * Pi;
 constexpr std::int64_t LeafSize = 8;
 
 std::array<Point3, 3> CornersOf(const TriangleMesh& mesh, std::int64_t triangle)

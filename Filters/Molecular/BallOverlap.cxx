@@ -1,13 +1,13 @@
 #include "BallOverlap.h"
 
+#include "Pi.h"
+
 #include <cmath>
 
 namespace isthmus
 {
 namespace
 {
-
-constexpr double Pi = 3.14159265358979323846;
 
 double Length(const Point3& v)
 {

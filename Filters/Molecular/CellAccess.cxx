@@ -1,5 +1,7 @@
 #include "CellAccess.h"
 
+#include "Index.h"
+
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -8,11 +10,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(SimplexId i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 template <std::size_t N>
 double Clearance(

@@ -2,6 +2,7 @@
 
 #include "BallBricks.h"
 #include "ParallelFor.h"
+#include "Pi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,8 +103,7 @@ double DispersionPair::At(double squaredDistance) const
 double DispersionPair::Integral() const
 {
   // 4 pi m^3 eps (-1/3 + 1/9 - 2/3), by powers of r.
-  constexpr double pi = 3.14159265358979323846;
-  return -32.0 / 9.0 * pi * std::pow(this->Minimum, 3) * this->Depth;
+  return -32.0 / 9.0 * Pi * std::pow(this->Minimum, 3) * this->Depth;
 }
 
 std::array<double, 2> DispersionOfElement(int element)

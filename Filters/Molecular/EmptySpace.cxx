@@ -1,16 +1,13 @@
 #include "EmptySpace.h"
 
+#include "Index.h"
+
 #include <cmath>
 
 namespace isthmus
 {
 namespace
 {
-
-std::size_t At(SimplexId i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 Ball BallOf(const RegularFiltration& f, SimplexId id)
 {

@@ -1,6 +1,7 @@
 #include "HullDepth.h"
 
 #include "ParallelFor.h"
+#include "Pi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,7 @@ HullDepth::HullDepth(const SurfaceView& mesh, const ProgressCallback& progress)
   : Directions(directionCount)
   , Heights(directionCount, -std::numeric_limits<double>::infinity())
 {
-  const double golden = M_PI * (3.0 - std::sqrt(5.0));
+  const double golden = Pi * (3.0 - std::sqrt(5.0));
   for (int d = 0; d < directionCount; ++d)
   {
     const double z = 1.0 - (2.0 * d + 1.0) / directionCount;

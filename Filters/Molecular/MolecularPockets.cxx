@@ -2,6 +2,7 @@
 
 #include "CellAccess.h"
 #include "EmptySpace.h"
+#include "Index.h"
 #include "ParallelFor.h"
 #include "PocketLabels.h"
 #include "PocketMouths.h"
@@ -17,11 +18,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(SimplexId i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 void CheckLength(const char* name, double value)
 {

@@ -4,6 +4,7 @@
 #include "LevelMeasure.h"
 #include "NearestBall.h"
 #include "ParallelFor.h"
+#include "Pi.h"
 
 #include <algorithm>
 #include <array>
@@ -133,7 +134,6 @@ double InsideIntegral(
 void ShareOut(const std::vector<Ball>& balls, const DensityGrid& grid, const float* distance,
   std::vector<NonpolarTerms>& atoms, const ProgressCallback& progress)
 {
-  constexpr double pi = 3.14159265358979323846;
   const auto& n = grid.Dimensions;
   const double h = grid.Spacing;
   const double reach = 1.5 * h; // of the smeared delta function
@@ -160,7 +160,7 @@ void ShareOut(const std::vector<Ball>& balls, const DensityGrid& grid, const flo
       NonpolarTerms& terms = atoms[static_cast<std::size_t>(owner[node])];
       const double at = static_cast<double>(distance[node]);
       terms.Volume += h * h * h * Inside(distance[node], h);
-      terms.Area += std::abs(at) < reach ? 1.0 + std::cos(pi * at / reach) : 0.0;
+      terms.Area += std::abs(at) < reach ? 1.0 + std::cos(Pi * at / reach) : 0.0;
     }
   }
 }

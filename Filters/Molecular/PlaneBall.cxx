@@ -1,13 +1,13 @@
 #include "PlaneBall.h"
 
+#include "Pi.h"
+
 #include <limits>
 
 namespace isthmus
 {
 namespace
 {
-
-constexpr double Pi = 3.14159265358979323846;
 
 std::vector<Point3> CentresOf(const std::vector<Ball>& atoms)
 {

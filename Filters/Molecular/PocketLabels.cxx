@@ -1,6 +1,7 @@
 #include "PocketLabels.h"
 
 #include "CompactDisjointSets.h"
+#include "Index.h"
 
 #include <queue>
 
@@ -8,11 +9,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(SimplexId i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// Empty room around a pocket that one of `Way`s has reached.
 struct Way

@@ -1,6 +1,7 @@
 #include "PocketMouths.h"
 
 #include "CompactDisjointSets.h"
+#include "Index.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +11,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(SimplexId i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// Area of a triangle that is not covered by the discs which its corners' balls are in its plane.
 double OpenArea(const RegularFiltration& f, SimplexId triangle)

@@ -1,6 +1,7 @@
 #include "PoreChannels.h"
 
 #include "FiltrationPairs.h"
+#include "Index.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +13,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(SimplexId i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 double Length(const Point3& v)
 {

@@ -1,5 +1,6 @@
 #include "CellFiltration.h"
 
+#include "Index.h"
 #include "ParallelFor.h"
 #include "SimplexOrder.h"
 
@@ -12,11 +13,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(SimplexId i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 constexpr std::size_t CellsOfPiece = 1 << 14;
 

@@ -1,5 +1,6 @@
 #include "DelaunayFiltration.h"
 
+#include "Index.h"
 #include "ParallelFor.h"
 #include "TriangulationCells.h"
 
@@ -29,11 +30,6 @@ using Delaunay = CGAL::Delaunay_triangulation_3<Kernel,
 
 /// Below this sine-like measure the plain formula could be wrong by more than 1e-9.
 constexpr double FlatnessLimit = 1e-6;
-
-std::size_t At(SimplexId i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 template <typename K>
 typename K::Point_3 PointOf(const Point3& p)

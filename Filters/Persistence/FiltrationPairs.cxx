@@ -1,5 +1,6 @@
 #include "FiltrationPairs.h"
 
+#include "Index.h"
 #include "ParallelFor.h"
 #include "VoidPairs.h"
 
@@ -9,11 +10,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(SimplexId i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// A chain under reduction: a heap of ranks in which equal ones cancel in pairs.
 class RankHeap

@@ -1,5 +1,6 @@
 #include "LowerStarFiltration.h"
 
+#include "Index.h"
 #include "ParallelFor.h"
 
 #include <algorithm>
@@ -13,11 +14,6 @@ namespace isthmus
 {
 namespace
 {
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// A face of a tetrahedron, but for its smallest point, which is that of its bucket.
 struct Face

@@ -1,5 +1,6 @@
 #include "RegularFiltration.h"
 
+#include "Index.h"
 #include "ParallelFor.h"
 #include "TriangulationCells.h"
 
@@ -34,11 +35,6 @@ using Regular =
 constexpr double FlatnessLimit = 1e-5;
 /// Powers nearer to 0 than this, relative to their terms, are decided exactly.
 constexpr double Doubtful = 1e-11;
-
-std::size_t At(SimplexId i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 template <typename K>
 typename K::Weighted_point_3 BallOf(const RegularFiltration& f, SimplexId id)

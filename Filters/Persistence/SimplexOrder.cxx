@@ -1,5 +1,6 @@
 #include "SimplexOrder.h"
 
+#include "Index.h"
 #include "ParallelFor.h"
 
 #include <algorithm>
@@ -15,11 +16,6 @@ namespace
 
 constexpr std::int64_t Grain = 1 << 16;
 constexpr std::size_t Digits = 1 << 11;
-
-std::size_t At(std::int64_t i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// 0 for what comes first, else the bits of the value as an integer in the order of entry.
 class EntryKeys

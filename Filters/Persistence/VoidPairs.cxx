@@ -1,5 +1,6 @@
 #include "VoidPairs.h"
 
+#include "Index.h"
 #include "ParallelFor.h"
 
 #include <algorithm>
@@ -11,11 +12,6 @@ namespace
 {
 
 constexpr std::int64_t Grain = 1 << 14;
-
-std::size_t At(SimplexId i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// Basins of tetrahedra by rank; the root of each is its latest one, so that the elder rule is
 /// which of two roots is the greater number.

@@ -47,7 +47,7 @@ PoissonNernstPlanck::PoissonNernstPlanck(
   const TransportGrid& grid, const IonTransportParameters& parameters)
   : Grid(grid)
   , Parameters(parameters)
-  , ChargeScale(4.0 * units::Pi * units::CoulombLength(parameters.Temperature) *
+  , ChargeScale(4.0 * Pi * units::CoulombLength(parameters.Temperature) *
       units::IonsPerCubicAngstrom * std::pow(grid.Domain.Spacing, 3))
   , Open(static_cast<std::size_t>(grid.Domain.Size()), 0)
   , Phi(this->Open.size(), 0.0)
@@ -235,7 +235,7 @@ void PoissonNernstPlanck::SolveNernstPlanck(double accuracy, const ProgressCallb
 
 void PoissonNernstPlanck::FillCharge()
 {
-  const double coulomb = 4.0 * units::Pi * units::CoulombLength(this->Parameters.Temperature);
+  const double coulomb = 4.0 * Pi * units::CoulombLength(this->Parameters.Temperature);
   ParallelFor(0, this->Grid.Domain.Size(), 1 << 14,
     [&](std::int64_t first, std::int64_t last)
     {

@@ -102,7 +102,7 @@ std::vector<double> PullAtCrossings(
   const double inside = solution.GetMedium().SoluteDielectric;
   const double outside = solution.GetMedium().SolventDielectric;
   const double factor =
-    units::ThermalKilocalorie(kelvin) / (8.0 * units::Pi * units::CoulombLength(kelvin));
+    units::ThermalKilocalorie(kelvin) / (8.0 * Pi * units::CoulombLength(kelvin));
   std::vector<double> pull(places.size(), 0.0);
   for (std::size_t i = 0; i < places.size(); ++i)
   {

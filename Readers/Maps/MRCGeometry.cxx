@@ -1,5 +1,7 @@
 #include "MRCGeometry.h"
 
+#include "Pi.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -9,7 +11,7 @@ namespace isthmus
 namespace
 {
 
-constexpr double radiansPerDegree = M_PI / 180.0;
+constexpr double radiansPerDegree = Pi / 180.0;
 
 bool EndsWith(const std::string& text, const std::string& end)
 {

@@ -1,5 +1,7 @@
 #include "MRCHeaderDecoder.h"
 
+#include "Pi.h"
+
 #include <vtkMath.h>
 
 #include <algorithm>
@@ -47,7 +49,7 @@ bool AnglesSpanAVolume(const std::array<double, 3>& angles)
     {
       return false;
     }
-    const double cosine = std::cos(angle * M_PI / 180.0);
+    const double cosine = std::cos(angle * Pi / 180.0);
     product *= cosine;
     squares += cosine * cosine;
   }

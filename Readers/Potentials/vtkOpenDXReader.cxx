@@ -2,6 +2,7 @@
 
 #include "OpenDXReader.h"
 #include "ParallelReduce.h"
+#include "Pi.h"
 #include "ReaderError.h"
 #include "ReaderGuard.h"
 
@@ -37,7 +38,7 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 bool IsOrthogonal(const VoxelLattice& lattice)
 {
   const std::array<double, 3> length = lattice.Spacing();
-  const double tolerance = std::sin(0.01 * M_PI / 180.0);
+  const double tolerance = std::sin(0.01 * isthmus::Pi / 180.0);
   for (std::size_t a = 0; a < 3; ++a)
   {
     const std::size_t b = (a + 1) % 3;

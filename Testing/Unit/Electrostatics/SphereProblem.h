@@ -48,7 +48,7 @@ inline KirkwoodSphere Kirkwood(int number)
 inline double StrengthFor(double kappa, double solvent, double kelvin = 298.15)
 {
   return kappa * kappa * solvent /
-    (8.0 * units::Pi * units::CoulombLength(kelvin) * units::IonsPerCubicAngstrom);
+    (8.0 * Pi * units::CoulombLength(kelvin) * units::IonsPerCubicAngstrom);
 }
 
 /// A sphere as a signed distance on nodes of [-half, half]^3.

@@ -227,7 +227,7 @@ void CheckDNA(double phosphate, double layer, double demand)
   {
     for (const double strand : { 0.0, 155.0 }) // degrees across the minor groove
     {
-      const double turn = (36.0 * pair + strand) * units::Pi / 180.0;
+      const double turn = (36.0 * pair + strand) * Pi / 180.0;
       atoms.push_back({ { middle + phosphate * std::cos(turn), middle + phosphate * std::sin(turn),
                           low + rise * pair },
         -1.0, 2.0 });
@@ -294,8 +294,7 @@ TEST(NonlinearPoissonBoltzmann, SmallChargesAreLinear)
 TEST(IonAtmosphere, OneToOneSaltIsASinh)
 {
   const IonAtmosphere ions({ { 1.0, 0.1 }, { -1.0, 0.1 } }, 298.15);
-  const double f0 =
-    8.0 * units::Pi * units::CoulombLength(298.15) * 0.1 * units::IonsPerCubicAngstrom;
+  const double f0 = 8.0 * Pi * units::CoulombLength(298.15) * 0.1 * units::IonsPerCubicAngstrom;
   for (const double u : { -3.0, -0.1, 0.0, 0.5, 4.0 })
   {
     EXPECT_NEAR(ions.Charge(u), f0 * std::sinh(u), 1e-12 * std::cosh(u));

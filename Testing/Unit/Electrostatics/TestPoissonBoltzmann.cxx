@@ -121,7 +121,7 @@ TEST(PoissonBoltzmann, SurfaceValuesComeFromBothSides)
     }
     const double field = -(problem.Sphere.Outside(beyond) - problem.Sphere.Outside(x)) / 1e-3;
     EXPECT_NEAR(values.NormalField[i], field, 0.06);
-    sum += values.ChargeDensity[i] * 4.0 * units::Pi * 25.0 / static_cast<double>(points.size());
+    sum += values.ChargeDensity[i] * 4.0 * Pi * 25.0 / static_cast<double>(points.size());
   }
   // Gauss: the induced charge is -(1/eps_m - 1/eps_s) times the charge within.
   EXPECT_NEAR(sum, -(1.0 / 2.0 - 1.0 / 80.0), 0.01);

@@ -32,7 +32,7 @@ public:
     , Phi(Eigen::VectorXd::Zero(this->Rings * this->Layers))
     , Fixed(this->Phi)
   {
-    const double coulomb = 4.0 * units::Pi * units::CoulombLength(this->P.Temperature);
+    const double coulomb = 4.0 * Pi * units::CoulombLength(this->P.Temperature);
     this->Fixed[this->At(static_cast<int>(ring / h), this->Layers / 2)] = 0.5 * coulomb * charge;
     this->Fixed[this->At(static_cast<int>(ring / h) - 1, this->Layers / 2)] =
       0.5 * coulomb * charge;
@@ -76,7 +76,7 @@ public:
 private:
   int At(int ring, int layer) const { return ring + this->Rings * layer; }
   double Along(int layer) const { return this->H * layer - this->Half; }
-  double Area(int ring) const { return units::Pi * this->H * this->H * (2 * ring + 1); }
+  double Area(int ring) const { return Pi * this->H * this->H * (2 * ring + 1); }
   bool Held(int layer) const { return layer == 0 || layer == this->Layers - 1; }
   bool Wet(int ring, int layer) const
   {
@@ -103,7 +103,7 @@ private:
         }
         if (i + 1 < this->Rings && !this->Held(k))
         {
-          each(i, k, i + 1, k, 2.0 * units::Pi * this->H * (i + 1));
+          each(i, k, i + 1, k, 2.0 * Pi * this->H * (i + 1));
         }
       }
     }
@@ -181,8 +181,8 @@ private:
         const double eps = a != b ? 2.0 * in * out / (in + out) : a ? out : in;
         faces.emplace_back(this->At(i, layer), this->At(j, next), over * eps);
       });
-    const double scale = 4.0 * units::Pi * units::CoulombLength(this->P.Temperature) *
-      units::IonsPerCubicAngstrom * this->H;
+    const double scale =
+      4.0 * Pi * units::CoulombLength(this->P.Temperature) * units::IonsPerCubicAngstrom * this->H;
     Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(this->Phi.size());
     Eigen::VectorXd right = this->Fixed;
     for (int p = 0; p < this->Phi.size(); ++p)

@@ -84,8 +84,8 @@ TEST(PoissonNernstPlanck, DoubleLayerIsGouysAndChapmansToSecondOrder)
     PoissonNernstPlanck solution(line, p);
     EXPECT_TRUE(solution.Solve().Converged);
     const double coulomb = units::CoulombLength(p.Temperature) / 80.0;
-    const double kappa = std::sqrt(8.0 * units::Pi * coulomb * molar * units::IonsPerCubicAngstrom);
-    const double wall = 2.0 * std::asinh(2.0 * units::Pi * coulomb * surface / kappa);
+    const double kappa = std::sqrt(8.0 * Pi * coulomb * molar * units::IonsPerCubicAngstrom);
+    const double wall = 2.0 * std::asinh(2.0 * Pi * coulomb * surface / kappa);
     double error = 0.0;
     for (std::int64_t i = 0; i < nodes; ++i)
     {

@@ -81,7 +81,7 @@ TEST(SurfacePull, OfAnIonIsKnown)
   flow.Run();
   const std::vector<double> pull =
     PullAtCrossings(flow.GetSolution(), flow.GetLevel(), flow.GetTemperature());
-  const double expected = -Born(2.0) / 2.0 / (4.0 * units::Pi * 4.0);
+  const double expected = -Born(2.0) / 2.0 / (4.0 * Pi * 4.0);
   for (const double value : pull)
   {
     ASSERT_NEAR(value / expected, 1.0, 0.05);

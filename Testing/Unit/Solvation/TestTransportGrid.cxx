@@ -61,9 +61,8 @@ double OhmicCurrent(const IonTransportParameters& p)
   const double r = p.Membrane.LumenRadius;
   const double e = r / d.Radius;
   const double psi = 1.0 - 1.409 * e + 0.296 * e * e * e;
-  const double resistance = p.Membrane.Thickness / (units::Pi * r * r) +
-    2.0 * 0.8217 * psi / (units::Pi * r) +
-    (2.0 * d.HalfLength - p.Membrane.Thickness) / (units::Pi * d.Radius * d.Radius);
+  const double resistance = p.Membrane.Thickness / (Pi * r * r) + 2.0 * 0.8217 * psi / (Pi * r) +
+    (2.0 * d.HalfLength - p.Membrane.Thickness) / (Pi * d.Radius * d.Radius);
   double conductivity = 0.0;
   for (const TransportSpecies& s : p.Species)
   {
@@ -81,7 +80,7 @@ std::vector<ChargedAtom> Ring(const MembraneSlab& m, double radius, double charg
   constexpr int count = 12;
   for (int i = 0; i < count; ++i)
   {
-    const double angle = 2.0 * units::Pi * i / count;
+    const double angle = 2.0 * Pi * i / count;
     const double u = radius * std::cos(angle);
     const double v = radius * std::sin(angle);
     ring.push_back(
