@@ -23,9 +23,10 @@ VTKISTHMUS_EXPORT bool Belongs(
  * long, and the point lies within 0.3 of its radius of their convex hull. Of MembraneOf() and,
  * where those loops do not belong or are long, TightMembraneOf() the shorter ones that belong are
  * taken. Where neither does, since nothing on M holds them there, the loops are held where the
- * choking ball touches M, geodesic between these points, corners cut off; then they do. Where they
- * turn sharply even so (above 54 degrees), or a loop of another class that bounds there is no
- * longer (EncirclingMembranesOf()), that one is taken.
+ * choking ball touches M, geodesic between these points, corners cut off. Where they turn sharply
+ * even so (above 54 degrees), or a loop of another class that bounds there is no longer
+ * (EncirclingMembranesOf()), that one is taken; where all are hairpins, a tight loop of the class
+ * elsewhere, which then does not surround the choke point.
  *
  * @throws Cancelled.
  */
