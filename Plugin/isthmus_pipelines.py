@@ -180,13 +180,20 @@ def protein_to_sites(source, potential=None):
     sites = simple.BindingSitesInPockets(
         registrationName="Binding sites", Input=polarized, Atoms=source,
         RankedArray=["POINTS", "PolarizedCurvature"])
-    sites.UpdatePipeline()
-    if not simple.OutputPort(sites, 1).GetDataInformation().GetNumberOfRows():
+    if not _has_pockets(source):  # asked before, since the filter would warn as well
         sites.UsePockets = 0
-        sites.UpdatePipeline()
         print_warning("The molecule has no pockets: the sites shown are patches of its surface (Use Pockets of "
                       "Binding sites is off).")
+    sites.UpdatePipeline()
     return potential, sites
+
+
+def _has_pockets(atoms):
+    pockets = simple.MolecularPockets(Input=atoms)
+    pockets.UpdatePipeline()
+    count = simple.OutputPort(pockets, 1).GetDataInformation().GetNumberOfRows()
+    simple.Delete(pockets)
+    return count > 0
 
 
 def protein_to_pockets(source):
