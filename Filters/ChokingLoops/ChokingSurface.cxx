@@ -64,8 +64,17 @@ void DemandUsableSize(const TriangleMesh& surface)
     throw std::invalid_argument(
       "The surface is " + Shown(size) + " wide, which is out of range (1e-32 to 1e32): scale it.");
   }
-  // Repair would look for an inside for long, in vain.
-  if (Thickness(surface.Points) < Flat * size)
+}
+
+/// Repair would look for an inside for long, in vain.
+void DemandThickness(const TriangleMesh& surface)
+{
+  Bounds3 box{ surface.Points.front(), surface.Points.front() };
+  for (const Point3& p : surface.Points)
+  {
+    box.Add(p);
+  }
+  if (Thickness(surface.Points) < Flat * box.Diagonal())
   {
     throw std::invalid_argument("All points of the surface lie in a plane, so that it has no "
                                 "inside: give it a thickness.");
@@ -118,15 +127,16 @@ TriangleMesh CheckedSurface(TriangleMesh surface, bool allowCrossings,
   Report(progress, 0.1);
   const auto rest = Between(progress, 0.6, 1.0);
   const SurfaceDefects defects = FindDefects(surface, Between(progress, 0.1, 0.2));
-  if (!defects.None())
+  if (!defects.None() && !(mending && CanBeMended(defects)))
   {
-    if (mending && CanBeMended(defects))
-    {
-      return MendedSurface(surface, defects.Sentence(), allowCrossings, *mending, rest);
-    }
     throw std::invalid_argument(defects.Sentence() + WhyOpen(surface, defects) +
       " Choking loops need a closed, manifold, consistently oriented surface: repair it first "
       "(CapHoles fills holes).");
+  }
+  DemandThickness(surface);
+  if (!defects.None())
+  {
+    return MendedSurface(surface, defects.Sentence(), allowCrossings, *mending, rest);
   }
   if (mending)
   {
