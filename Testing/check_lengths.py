@@ -18,10 +18,6 @@ LONGEST_FUNCTION = 60
 
 # {file or file:function: lines it may have until it is split}, all in rooms that are being rebuilt
 OWED = {
-    "Filters/Electrostatics/InterfaceGeometry.cxx": 400,
-    "Filters/Electrostatics/InterfaceOperator.cxx:InterfaceOperator::ApplyTo": 70,
-    "Filters/Electrostatics/InterfaceSolver.cxx:SolveInterface": 80,
-    "Filters/Molecular/BindingSites.cxx:FindBindingSites": 65,
 }
 
 BEGIN = re.compile(r"^( *)\{$")

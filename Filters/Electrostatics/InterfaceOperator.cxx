@@ -16,8 +16,8 @@ InterfaceOperator::InterfaceOperator(const SolverBox& box, const std::vector<uns
 }
 
 template <typename T>
-void InterfaceOperator::ApplyTo(
-  const std::vector<T>& z, std::vector<double>& out, double sign, bool withRight) const
+void InterfaceOperator::ApplyRegularRows(
+  const std::vector<T>& z, std::vector<double>& out, double sign) const
 {
   const auto& n = this->Box.Dimensions;
   const std::int64_t nx = n[0];
@@ -62,6 +62,13 @@ void InterfaceOperator::ApplyTo(
         }
       }
     });
+}
+
+template <typename T>
+void InterfaceOperator::ApplyIrregularRows(
+  const std::vector<T>& z, std::vector<double>& out, double sign, bool withRight) const
+{
+  const float* d = this->Diagonal ? this->Diagonal->data() : nullptr;
   const IrregularRows& rows = this->Rows;
   ParallelFor(0, static_cast<std::int64_t>(rows.Node.size()), 4096,
     [&](std::int64_t first, std::int64_t last)
@@ -84,12 +91,14 @@ void InterfaceOperator::ApplyTo(
 
 void InterfaceOperator::Apply(const std::vector<float>& z, std::vector<double>& out) const
 {
-  this->ApplyTo(z, out, 1.0, false);
+  this->ApplyRegularRows(z, out, 1.0);
+  this->ApplyIrregularRows(z, out, 1.0, false);
 }
 
 void InterfaceOperator::Residual(const std::vector<double>& u, std::vector<double>& out) const
 {
-  this->ApplyTo(u, out, -1.0, true);
+  this->ApplyRegularRows(u, out, -1.0);
+  this->ApplyIrregularRows(u, out, -1.0, true);
 }
 
 void InterfaceOperator::SmoothIrregular(const std::vector<double>& r, std::vector<float>& z) const

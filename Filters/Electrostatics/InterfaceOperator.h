@@ -44,8 +44,11 @@ public:
   double RowScale(std::size_t row) const { return this->Rows.Scale[row]; }
 
 private:
+  /// Writes all rows, those of the irregular nodes as if there were no surface.
   template <typename T>
-  void ApplyTo(
+  void ApplyRegularRows(const std::vector<T>& z, std::vector<double>& out, double sign) const;
+  template <typename T>
+  void ApplyIrregularRows(
     const std::vector<T>& z, std::vector<double>& out, double sign, bool withRight) const;
 
   const SolverBox& Box;

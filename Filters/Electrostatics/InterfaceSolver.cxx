@@ -63,6 +63,87 @@ double FiniteNorm(const std::vector<double>& r)
   return norm;
 }
 
+/// The iteration, right-preconditioned (H. van der Vorst, SIAM J. Sci. Stat. Comput. 13 (1992)
+/// 631).
+class BiCGSTAB
+{
+public:
+  BiCGSTAB(const InterfaceOperator& matrix, MultigridPoisson& multigrid, SolverWorkspace& work,
+    std::vector<double>& u)
+    : Matrix(matrix)
+    , Multigrid(multigrid)
+    , Work(work)
+    , U(u)
+  {
+    const std::size_t n = u.size();
+    work.Direction.assign(n, 0.0);
+    work.Image.assign(n, 0.0);
+    work.Second.resize(n);
+    work.Shadow.resize(n);
+    work.Preconditioned.resize(n);
+  }
+
+  /// A new search from the residual, whose length is `norm`.
+  void Begin(double norm)
+  {
+    ForEach(this->U.size(),
+      [&](std::size_t i)
+      {
+        this->Work.Shadow[i] = static_cast<float>(this->Work.Residual[i] / norm);
+        this->Work.Direction[i] = this->Work.Image[i] = 0.0;
+      });
+    this->Rho = this->Alpha = this->Omega = 1.0;
+  }
+
+  void Step();
+
+  /// A direction that has all but lost its shadow goes nowhere.
+  bool IsStuck(double norm) const
+  {
+    return !(std::abs(this->Rho) > 1e-12 * norm) || this->Omega == 0.0;
+  }
+
+private:
+  const InterfaceOperator& Matrix;
+  MultigridPoisson& Multigrid;
+  SolverWorkspace& Work;
+  std::vector<double>& U;
+  double Rho = 1.0, Alpha = 1.0, Omega = 1.0;
+};
+
+void BiCGSTAB::Step()
+{
+  auto& r = this->Work.Residual;
+  auto& p = this->Work.Direction;
+  auto& v = this->Work.Image;
+  auto& t = this->Work.Second;
+  auto& z = this->Work.Preconditioned;
+  const std::size_t n = this->U.size();
+  const double before = this->Rho;
+  this->Rho = Dot(this->Work.Shadow, r);
+  const double beta = this->Rho / before * (this->Alpha / this->Omega);
+  ForEach(n, [&](std::size_t i) { p[i] = r[i] + beta * (p[i] - this->Omega * v[i]); });
+  Precondition(this->Matrix, this->Multigrid, p, z);
+  this->Matrix.Apply(z, v);
+  this->Alpha = this->Rho / Dot(this->Work.Shadow, v);
+  ForEach(n,
+    [&](std::size_t i)
+    {
+      this->U[i] += this->Alpha * static_cast<double>(z[i]);
+      r[i] -= this->Alpha * v[i];
+    });
+  Precondition(this->Matrix, this->Multigrid, r, z);
+  this->Matrix.Apply(z, t);
+  const double tt = Dot(t, t);
+  this->Omega = tt > 0.0 ? Dot(t, r) / tt : 0.0;
+  ForEach(n,
+    [&](std::size_t i)
+    {
+      this->U[i] += this->Omega * static_cast<double>(z[i]);
+      r[i] -= this->Omega * t[i];
+    });
+}
+
 }
 
 void RequireConvergence(const SolverReport& report, const SolverControl& control)
@@ -86,20 +167,8 @@ SolverReport SolveInterface(const InterfaceOperator& matrix, MultigridPoisson& m
   const SolverControl& control, SolverWorkspace& work, std::vector<double>& u,
   const ProgressCallback& progress)
 {
-  const std::size_t n = u.size();
-  auto& r = work.Residual;
-  auto& p = work.Direction;
-  auto& v = work.Image;
-  auto& t = work.Second;
-  auto& shadow = work.Shadow;
-  auto& z = work.Preconditioned;
-  p.assign(n, 0.0);
-  v.assign(n, 0.0);
-  t.resize(n);
-  shadow.resize(n);
-  z.resize(n);
   SolverReport report;
-  double norm = FiniteNorm(r);
+  double norm = FiniteNorm(work.Residual);
   const double reference = control.Reference > 0.0 ? control.Reference : norm;
   const double goal = control.Tolerance * reference;
   if (norm <= goal || norm == 0.0)
@@ -108,53 +177,24 @@ SolverReport SolveInterface(const InterfaceOperator& matrix, MultigridPoisson& m
     return report;
   }
   const double start = std::log(norm / goal);
-  double rho = 1.0, alpha = 1.0, omega = 1.0;
-  bool fresh = true; // the search starts anew from r
+  BiCGSTAB search(matrix, multigrid, work, u);
+  bool fresh = true; // the search starts anew from the residual
   while (report.Iterations < control.MaximumIterations)
   {
     if (fresh)
     {
-      ForEach(n,
-        [&](std::size_t i)
-        {
-          shadow[i] = static_cast<float>(r[i] / norm);
-          p[i] = v[i] = 0.0;
-        });
-      rho = alpha = omega = 1.0;
+      search.Begin(norm);
     }
-    const double before = rho;
-    rho = Dot(shadow, r);
-    const double beta = rho / before * (alpha / omega);
-    ForEach(n, [&](std::size_t i) { p[i] = r[i] + beta * (p[i] - omega * v[i]); });
-    Precondition(matrix, multigrid, p, z);
-    matrix.Apply(z, v);
-    alpha = rho / Dot(shadow, v);
-    ForEach(n,
-      [&](std::size_t i)
-      {
-        u[i] += alpha * static_cast<double>(z[i]);
-        r[i] -= alpha * v[i];
-      });
-    Precondition(matrix, multigrid, r, z);
-    matrix.Apply(z, t);
-    const double tt = Dot(t, t);
-    omega = tt > 0.0 ? Dot(t, r) / tt : 0.0;
-    ForEach(n,
-      [&](std::size_t i)
-      {
-        u[i] += omega * static_cast<double>(z[i]);
-        r[i] -= omega * t[i];
-      });
+    search.Step();
     ++report.Iterations;
-    norm = FiniteNorm(r);
+    norm = FiniteNorm(work.Residual);
     report.Residuals.push_back(norm / reference);
     if (norm <= goal)
     {
       report.Converged = true;
       break;
     }
-    // A search direction that has all but lost its shadow goes nowhere: begin again from here.
-    fresh = !(std::abs(rho) > 1e-12 * norm) || omega == 0.0;
+    fresh = search.IsStuck(norm);
     Report(progress, std::clamp(1.0 - std::log(norm / goal) / start, 0.0, 1.0));
   }
   return report;

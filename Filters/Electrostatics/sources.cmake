@@ -11,6 +11,7 @@ isthmus_room(
     InterfaceGeometry
     InterfaceOperator
     InterfaceSolver
+    LocalPolynomial
     IonAtmosphere
     IrregularRows
     MultigridCoarsening

@@ -259,6 +259,27 @@ std::vector<double> Depths(
   return depths;
 }
 
+/// The points of each patch, by its lowest point.
+using Patches = std::map<vtkIdType, std::vector<vtkIdType>>;
+
+/// Selected points of one kind that edges join, or that are no farther apart than `mergeDistance`.
+Patches PatchesOf(const SurfaceView& mesh, const std::vector<unsigned char>& kinds,
+  const std::vector<vtkIdType>& selected, double mergeDistance, const ProgressCallback& progress)
+{
+  DisjointSets sets(mesh.NumberOfPoints);
+  JoinEdges(mesh, kinds, sets);
+  if (mergeDistance > 0.0)
+  {
+    Neighbours(mesh, kinds, mergeDistance).Join(selected, sets, progress);
+  }
+  Patches patches;
+  for (const vtkIdType point : selected)
+  {
+    patches[sets.Find(point)].push_back(point);
+  }
+  return patches;
+}
+
 }
 
 BindingSiteResult FindBindingSites(const SurfaceView& mesh, const SiteFields& fields,
@@ -287,18 +308,8 @@ BindingSiteResult FindBindingSites(const SurfaceView& mesh, const SiteFields& fi
   {
     return result;
   }
-  DisjointSets sets(mesh.NumberOfPoints);
-  JoinEdges(mesh, kinds, sets);
-  if (options.MergeDistance > 0.0)
-  {
-    Neighbours(mesh, kinds, options.MergeDistance)
-      .Join(selected, sets, Between(progress, 0.1, 0.4));
-  }
-  std::map<vtkIdType, std::vector<vtkIdType>> patches; // by their lowest points
-  for (const vtkIdType point : selected)
-  {
-    patches[sets.Find(point)].push_back(point);
-  }
+  const Patches patches =
+    PatchesOf(mesh, kinds, selected, options.MergeDistance, Between(progress, 0.1, 0.4));
   const std::vector<double> depths = Depths(mesh, selected, Between(progress, 0.4, 1.0));
   std::vector<std::pair<BindingSite, const std::vector<vtkIdType>*>> ranked;
   for (const auto& [root, points] : patches)
