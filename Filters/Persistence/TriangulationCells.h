@@ -24,6 +24,10 @@ std::vector<std::size_t> SpatialOrder(const std::vector<typename Kernel::Point_3
   using Map = typename CGAL::Pointer_property_map<typename Kernel::Point_3>::const_type;
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  if (points.empty())
+  {
+    return order; // CGAL's map would take the address of the first
+  }
   CGAL::spatial_sort(order.begin(), order.end(),
     CGAL::Spatial_sort_traits_adapter_3<Kernel, Map>(CGAL::make_property_map(points)));
   return order;
