@@ -1,6 +1,7 @@
 #include "vtkPoissonBoltzmann.h"
 
 #include "AlgorithmGuard.h"
+#include "ImageExtent.h"
 #include "PipelineInputs.h"
 #include "PoissonBoltzmann.h"
 #include "PoissonBoltzmannInput.h"
@@ -159,9 +160,7 @@ int vtkPoissonBoltzmann::RequestInformation(
             : isthmus::GridAroundAtoms(isthmus::AtomsOf(this, atoms, true).Atoms, wish));
       }
     });
-  outInfo->Set(Pipeline::WHOLE_EXTENT(), grid->GetExtent(), 6);
-  outInfo->Set(vtkDataObject::ORIGIN(), grid->GetOrigin(), 3);
-  outInfo->Set(vtkDataObject::SPACING(), grid->GetSpacing(), 3);
+  isthmus::TellGeometry(outInfo, grid);
   return result;
 }
 

@@ -135,9 +135,7 @@ int vtkSurfaceToGrid::RequestInformation(
   {
     result = isthmus::Guarded(this, grid, [&]() { this->GridAround(surface, grid); });
   }
-  outInfo->Set(Pipeline::WHOLE_EXTENT(), grid->GetExtent(), 6);
-  outInfo->Set(vtkDataObject::ORIGIN(), grid->GetOrigin(), 3);
-  outInfo->Set(vtkDataObject::SPACING(), grid->GetSpacing(), 3);
+  isthmus::TellGeometry(outInfo, grid);
   return result;
 }
 

@@ -1,6 +1,7 @@
 #include "vtkMolecularDensity.h"
 
 #include "AlgorithmGuard.h"
+#include "ImageExtent.h"
 #include "MolecularDensity.h"
 #include "PipelineInputs.h"
 
@@ -15,7 +16,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -29,7 +29,6 @@ namespace
 
 using isthmus::Ball;
 using isthmus::DensityGrid;
-using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 /// The atoms with a radius, scaled, and how many have none.
 struct Atoms
@@ -165,9 +164,7 @@ int vtkMolecularDensity::RequestInformation(
       });
   }
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  outInfo->Set(Pipeline::WHOLE_EXTENT(), image->GetExtent(), 6);
-  outInfo->Set(vtkDataObject::ORIGIN(), image->GetOrigin(), 3);
-  outInfo->Set(vtkDataObject::SPACING(), image->GetSpacing(), 3);
+  isthmus::TellGeometry(outInfo, image);
   vtkDataObject::SetPointDataActiveScalarInfo(outInfo, VTK_FLOAT, 1);
   return result;
 }

@@ -6,6 +6,7 @@
 #include "DispersionAtoms.h"
 #include "FlowSurfaceOutput.h"
 #include "FlowTimes.h"
+#include "ImageExtent.h"
 #include "PipelineInputs.h"
 #include "SolventExcludedSurface.h"
 #include "SurfaceFlow.h"
@@ -234,26 +235,17 @@ int vtkMolecularFlowSurface::RequestInformation(
 {
   // The extent of the image has to be told now, and it is that of the atoms: so make the atoms.
   this->Advance->Update();
-  vtkNew<vtkImageData> image;
-  image->SetExtent(0, -1, 0, -1, 0, -1);
-  try
-  {
-    const AtomBalls atoms = Internals(this).Atoms(vtkDataObject::GetData(inputVector[0]));
-    if (!atoms.Balls.empty())
-    {
-      isthmus::SetImageGeometry(
-        isthmus::FlowResultGrid(atoms.Balls, Internals(this).Parameters()), image);
-    }
-  }
-  catch (const std::exception&)
-  {
-    // RequestData meets it again, and empties the outputs along with the sentence.
-    image->SetExtent(0, -1, 0, -1, 0, -1);
-  }
   vtkInformation* outInfo = outputVector->GetInformationObject(1);
-  outInfo->Set(Pipeline::WHOLE_EXTENT(), image->GetExtent(), 6);
-  outInfo->Set(vtkDataObject::ORIGIN(), image->GetOrigin(), 3);
-  outInfo->Set(vtkDataObject::SPACING(), image->GetSpacing(), 3);
+  isthmus::TellGeometry(outInfo,
+    [&](vtkImageData* image)
+    {
+      const AtomBalls atoms = Internals(this).Atoms(vtkDataObject::GetData(inputVector[0]));
+      if (!atoms.Balls.empty())
+      {
+        isthmus::SetImageGeometry(
+          isthmus::FlowResultGrid(atoms.Balls, Internals(this).Parameters()), image);
+      }
+    });
   vtkDataObject::SetPointDataActiveScalarInfo(outInfo, VTK_FLOAT, 1);
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
   for (int port = 0; port < 3; ++port)

@@ -3,6 +3,7 @@
 #include "AlgorithmGuard.h"
 #include "AtomCharges.h"
 #include "AtomInput.h"
+#include "ImageExtent.h"
 #include "IonTransportInput.h"
 #include "IonTransportOutput.h"
 #include "PipelineInputs.h"
@@ -13,7 +14,6 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
 
 #include <algorithm>
@@ -21,7 +21,6 @@
 vtkStandardNewMacro(vtkIonTransport);
 
 using isthmus::TransportPoint;
-using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 struct vtkIonTransport::Salt
 {
@@ -242,26 +241,18 @@ int vtkIonTransport::RequestInformation(
 {
   // The extent of the image has to be told now, and it is that of the atoms: so make the atoms.
   this->Advance->Update();
-  vtkNew<vtkImageData> image;
-  image->SetExtent(0, -1, 0, -1, 0, -1);
-  try
-  {
-    const Internals internals(this);
-    const isthmus::AtomBalls atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
-    if (!atoms.Balls.empty())
-    {
-      isthmus::SetImageGeometry(isthmus::DomainAround(atoms.Balls, internals.Parameters()), image);
-    }
-  }
-  catch (const std::exception&)
-  {
-    // RequestData meets it again, and empties the outputs along with the sentence.
-    image->SetExtent(0, -1, 0, -1, 0, -1);
-  }
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  outInfo->Set(Pipeline::WHOLE_EXTENT(), image->GetExtent(), 6);
-  outInfo->Set(vtkDataObject::ORIGIN(), image->GetOrigin(), 3);
-  outInfo->Set(vtkDataObject::SPACING(), image->GetSpacing(), 3);
+  isthmus::TellGeometry(outInfo,
+    [&](vtkImageData* image)
+    {
+      const Internals internals(this);
+      const isthmus::AtomBalls atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
+      if (!atoms.Balls.empty())
+      {
+        isthmus::SetImageGeometry(
+          isthmus::DomainAround(atoms.Balls, internals.Parameters()), image);
+      }
+    });
   vtkDataObject::SetPointDataActiveScalarInfo(outInfo, VTK_DOUBLE, 1);
   return 1;
 }

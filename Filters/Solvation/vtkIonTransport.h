@@ -16,10 +16,11 @@
  * Outputs:
  *  - 0: vtkImageData with `Potential` (kT/e), for each species `Concentration_NAME` (mol/l) and
  *    `Flux_NAME` (ions a nanosecond and square angstrom), `CurrentDensity` (pA a square angstrom:
- * for streamlines), `SignedDistance` to atoms and membrane (angstrom, negative within). Field data:
- *    `Voltage`, `Current` and `Current_NAME` (pA, positive along the normal), `CurrentSpread`
- * (largest difference between sections), `Converged`, `Changes` (of the potential, by iteration),
- *    `BottleneckRadius`, `BottleneckPosition` (of the widest way; at most 4.5 spacings are told);
+ *    for streamlines), `SignedDistance` to atoms and membrane (angstrom, negative within).
+ *    Field data: `Voltage`, `Current` and `Current_NAME` (pA, positive along the normal),
+ *    `CurrentSpread` (largest difference between sections), `Converged`, `Changes` (of the
+ *    potential, by iteration), `BottleneckRadius`, `BottleneckPosition` (of the widest way; at most
+ *    4.5 spacings are told);
  *  - 1: vtkTable of cross-sections: `Along` (angstrom), `Current_NAME`, `Current`;
  *  - 2: vtkTable of the sweep: `Voltage` (mV), `ConcentrationFactor`, `Current_NAME`, `Current`,
  *    `CurrentSpread`, `Converged`: an I-V curve. Without a sweep it has the one row of Voltage.

@@ -6,6 +6,7 @@
 #include "AtomInput.h"
 #include "DispersionAtoms.h"
 #include "FlowSurfaceOutput.h"
+#include "ImageExtent.h"
 #include "PipelineInputs.h"
 #include "SolvationFlow.h"
 #include "SolvationOutput.h"
@@ -18,7 +19,6 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
 
 #include <algorithm>
@@ -32,7 +32,6 @@ namespace
 {
 
 using isthmus::SolvationUpdate;
-using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 std::string ArrayChosen(vtkAlgorithm* self, int index)
 {
@@ -184,27 +183,17 @@ int vtkSolvationSurface::RequestInformation(
 {
   // The extent of the image has to be told now, and it is that of the atoms: so make the atoms.
   this->Advance->Update();
-  vtkNew<vtkImageData> image;
-  image->SetExtent(0, -1, 0, -1, 0, -1);
-  try
-  {
-    const Internals internals(this);
-    const isthmus::AtomBalls atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
-    if (!atoms.Balls.empty())
+  isthmus::TellGeometry(outputVector->GetInformationObject(1),
+    [&](vtkImageData* image)
     {
-      isthmus::SetImageGeometry(
-        isthmus::FlowResultGrid(atoms.Balls, internals.Parameters().Flow), image);
-    }
-  }
-  catch (const std::exception&)
-  {
-    // RequestData meets it again, and empties the outputs along with the sentence.
-    image->SetExtent(0, -1, 0, -1, 0, -1);
-  }
-  vtkInformation* outInfo = outputVector->GetInformationObject(1);
-  outInfo->Set(Pipeline::WHOLE_EXTENT(), image->GetExtent(), 6);
-  outInfo->Set(vtkDataObject::ORIGIN(), image->GetOrigin(), 3);
-  outInfo->Set(vtkDataObject::SPACING(), image->GetSpacing(), 3);
+      const Internals internals(this);
+      const isthmus::AtomBalls atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
+      if (!atoms.Balls.empty())
+      {
+        isthmus::SetImageGeometry(
+          isthmus::FlowResultGrid(atoms.Balls, internals.Parameters().Flow), image);
+      }
+    });
   return 1;
 }
 

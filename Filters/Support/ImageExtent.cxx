@@ -68,6 +68,29 @@ void AskForWholeImage(vtkInformation* input)
   }
 }
 
+void TellGeometry(vtkInformation* output, vtkImageData* image)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  output->Set(Pipeline::WHOLE_EXTENT(), image->GetExtent(), 6);
+  output->Set(vtkDataObject::ORIGIN(), image->GetOrigin(), 3);
+  output->Set(vtkDataObject::SPACING(), image->GetSpacing(), 3);
+}
+
+void TellGeometry(vtkInformation* output, const std::function<void(vtkImageData*)>& make)
+{
+  vtkNew<vtkImageData> image;
+  image->SetExtent(0, -1, 0, -1, 0, -1);
+  try
+  {
+    make(image);
+  }
+  catch (const std::exception&)
+  {
+    image->SetExtent(0, -1, 0, -1, 0, -1);
+  }
+  TellGeometry(output, image);
+}
+
 bool IsFirstPiece(vtkInformation* output)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;

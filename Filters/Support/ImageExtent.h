@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 
 class vtkImageData;
 class vtkInformation;
@@ -31,6 +32,14 @@ void AskForAll(vtkInformation* request);
 
 /// Asks the image of `input` for its whole extent, whatever part is wanted of the result.
 void AskForWholeImage(vtkInformation* input);
+
+/// Tells the pipeline the whole extent, origin and spacing of the image that `output` will be.
+void TellGeometry(vtkInformation* output, vtkImageData* image);
+
+/// The same for an image whose geometry `make` sets. Nothing is said where that throws, but an
+/// empty extent told: the execution meets it again, and empties its outputs along with the
+/// sentence.
+void TellGeometry(vtkInformation* output, const std::function<void(vtkImageData*)>& make);
 
 /// Whether `output` is asked for as the first piece, or whole: where what cannot be split is made.
 bool IsFirstPiece(vtkInformation* output);
