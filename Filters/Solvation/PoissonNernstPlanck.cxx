@@ -117,6 +117,14 @@ double PoissonNernstPlanck::Mobility(std::size_t species, std::int64_t node) con
   return s.Diffusion * (slow ? s.ChannelFraction : 1.0);
 }
 
+double PoissonNernstPlanck::EdgeMobility(
+  std::size_t species, std::int64_t node, std::int64_t next) const
+{
+  const double here = this->Mobility(species, node);
+  const double there = this->Mobility(species, next);
+  return this->Grid.Domain.Spacing * 2.0 * here * there / (here + there);
+}
+
 double PoissonNernstPlanck::Concentration(std::size_t species, std::int64_t node) const
 {
   const auto p = static_cast<std::size_t>(node);
@@ -146,10 +154,7 @@ void PoissonNernstPlanck::FillNernstPlanck(std::size_t species)
         continue;
       }
       const std::int64_t next = node + steps[a];
-      const double here = this->Mobility(species, node);
-      const double there = this->Mobility(species, next);
-      this->Ions.Edge(a, node) = aperture * this->Grid.Domain.Spacing * 2.0 * here * there /
-        (here + there) *
+      this->Ions.Edge(a, node) = aperture * this->EdgeMobility(species, node, next) *
         SlotboomConductance(
           this->Work[static_cast<std::size_t>(node)], this->Work[static_cast<std::size_t>(next)]);
     }
@@ -167,9 +172,7 @@ double PoissonNernstPlanck::EdgeFlux(std::size_t species, std::size_t axis, std:
   const std::int64_t next = node + this->Grid.Domain.Steps()[axis];
   const auto q = static_cast<std::size_t>(next);
   const double half = -0.5 * this->Parameters.Species[species].Valence;
-  const double here = this->Mobility(species, node);
-  const double there = this->Mobility(species, next);
-  return aperture * this->Grid.Domain.Spacing * 2.0 * here * there / (here + there) *
+  return aperture * this->EdgeMobility(species, node, next) *
     SlotboomConductance(std::exp(half * this->Phi[p]), std::exp(half * this->Phi[q])) *
     (this->V[species][p] - this->V[species][q]);
 }
@@ -202,8 +205,10 @@ void PoissonNernstPlanck::SolveNernstPlanck(double accuracy, const ProgressCallb
   {
     this->FillNernstPlanck(k);
     this->Ions.Factor();
-    const double largest =
-      std::max(this->BathValue(k, 1), this->BathValue(k, 2)) * this->Ions.Total() * Rounding;
+    const auto [low, high] =
+      std::minmax({ this->BathValue(k, static_cast<unsigned char>(Bath::Below)),
+        this->BathValue(k, static_cast<unsigned char>(Bath::Above)) });
+    const double largest = high * this->Ions.Total() * Rounding;
     double left = this->Ions.Residual(this->V[k], {});
     // How much is enough is known only when the current is: so by and by.
     for (int round = 0; round < rounds && left > largest; ++round)
@@ -224,8 +229,6 @@ void PoissonNernstPlanck::SolveNernstPlanck(double accuracy, const ProgressCallb
       }
     }
     // A value between the baths' is what the equation has; rounding may leave that by its own size.
-    const double low = std::min(this->BathValue(k, 1), this->BathValue(k, 2));
-    const double high = std::max(this->BathValue(k, 1), this->BathValue(k, 2));
     for (std::size_t p = 0; p < this->Open.size(); ++p)
     {
       this->V[k][p] = this->Open[p] != 0 ? std::clamp(this->V[k][p], low, high) : 0.0;
@@ -282,8 +285,10 @@ double PoissonNernstPlanck::NewtonStep(const ProgressCallback& progress)
 double PoissonNernstPlanck::SolvePoisson(double accuracy, const ProgressCallback& progress)
 {
   const std::vector<double> before = this->Phi;
-  for (int step = 0; step<MostNewtonSteps&& this->NewtonStep(progress)> accuracy; ++step)
+  double step = HUGE_VAL;
+  for (int count = 0; count < MostNewtonSteps && step > accuracy; ++count)
   {
+    step = this->NewtonStep(progress);
   }
   double change = 0.0;
   for (std::size_t p = 0; p < this->Phi.size(); ++p)

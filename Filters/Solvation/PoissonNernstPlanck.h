@@ -64,6 +64,8 @@ public:
 
 private:
   double Mobility(std::size_t species, std::int64_t node) const;
+  /// Spacing times the harmonic mean of both nodes' mobilities.
+  double EdgeMobility(std::size_t species, std::int64_t node, std::int64_t next) const;
   double BathValue(std::size_t species, unsigned char bath) const;
   void FillNernstPlanck(std::size_t species);
   void SolveNernstPlanck(double accuracy, const ProgressCallback& progress);
