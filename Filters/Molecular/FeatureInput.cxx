@@ -1,5 +1,7 @@
 #include "FeatureInput.h"
 
+#include "MolecularPockets.h"
+
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
@@ -130,6 +132,8 @@ struct Group
 {
   Point3 Sum{ 0.0, 0.0, 0.0 };
   double Weight = 0.0;
+  Point3 PlainSum{ 0.0, 0.0, 0.0 };
+  double Count = 0.0;
   double Radius = Unknown;
   double Volume = Unknown;
   double Score = Unknown;
@@ -138,21 +142,30 @@ struct Group
   {
     this->Sum = this->Sum + weight * place;
     this->Weight += weight;
+    this->PlainSum = this->PlainSum + place;
+    this->Count += 1.0;
     this->Radius = std::fmax(this->Radius, radius);
   }
 
   void AddNarrow(const Point3& place, double radius)
   {
-    if (this->Weight == 0.0 || radius < this->Radius)
+    if (this->Count == 0.0 || radius < this->Radius)
     {
-      *this = { place, 1.0, radius, Unknown, Unknown };
+      *this = { place, 1.0, place, 1.0, radius, Unknown, Unknown };
     }
+  }
+
+  /// The plain mean where nothing has a weight.
+  Point3 Place() const
+  {
+    return this->Weight > 0.0 ? (1.0 / this->Weight) * this->Sum
+                              : (1.0 / this->Count) * this->PlainSum;
   }
 
   /// Empty room with so many atoms around it.
   void AddRoom(double volume, double atoms)
   {
-    const double share = volume * atoms * atoms * 1e-4;
+    const double share = volume * BurialWeight(atoms);
     this->Volume = std::isnan(this->Volume) ? volume : this->Volume + volume;
     this->Score = std::isnan(this->Score) ? share : this->Score + share;
   }
@@ -168,7 +181,14 @@ std::vector<InputFeature> GroupsOf(vtkPointSet* input, const Owner& owner)
   std::map<std::pair<double, double>, Group> groups;
   for (vtkIdType i = 0; i < owner.Whole->GetNumberOfTuples(); ++i)
   {
-    Group& group = groups[{ ValueOf(owner.Whole, i), owner.Part ? ValueOf(owner.Part, i) : 0.0 }];
+    const std::pair<double, double> key{ ValueOf(owner.Whole, i),
+      owner.Part ? ValueOf(owner.Part, i) : 0.0 };
+    if (!std::isfinite(key.first) || !std::isfinite(key.second) ||
+      (isOfCells && input->GetCellSize(i) == 0))
+    {
+      continue; // belongs to nothing, or is nowhere
+    }
+    Group& group = groups[key];
     Point3 place;
     if (isOfCells)
     {
@@ -185,7 +205,8 @@ std::vector<InputFeature> GroupsOf(vtkPointSet* input, const Owner& owner)
     }
     const bool isRoom = room && atoms;
     const double n = ValueOf(atoms, i);
-    group.Add(place, isRoom ? std::max(0.0, ValueOf(room, i)) * n * n : 1.0, ValueOf(width, i));
+    group.Add(
+      place, isRoom ? std::max(0.0, ValueOf(room, i)) * BurialWeight(n) : 1.0, ValueOf(width, i));
     if (isRoom)
     {
       group.AddRoom(ValueOf(room, i), n);
@@ -195,9 +216,9 @@ std::vector<InputFeature> GroupsOf(vtkPointSet* input, const Owner& owner)
   for (const auto& [key, group] : groups)
   {
     const auto row = static_cast<std::int64_t>(features.size()) + 1;
-    features.push_back({ { (1.0 / group.Weight) * group.Sum, group.Radius, {} },
-      { group.Radius, group.Volume, group.Score },
-      owner.Part ? row : static_cast<std::int64_t>(key.first) });
+    features.push_back(
+      { { group.Place(), group.Radius, {} }, { group.Radius, group.Volume, group.Score },
+        owner.Part ? row : static_cast<std::int64_t>(key.first) });
   }
   return features;
 }

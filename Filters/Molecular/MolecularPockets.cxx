@@ -171,8 +171,7 @@ void Measure(Pocket& pocket)
   Point3 sum{ 0.0, 0.0, 0.0 };
   for (const PocketCell& cell : pocket.Cells)
   {
-    const double buried = 0.01 * static_cast<double>(cell.Burial);
-    const double share = cell.Volume * buried * buried;
+    const double share = cell.Volume * BurialWeight(static_cast<double>(cell.Burial));
     pocket.Volume += cell.Volume;
     pocket.Score += share;
     sum = sum + share * cell.Centre;

@@ -27,6 +27,12 @@
 namespace isthmus
 {
 
+/// What empty room counts in the score of its pocket, with so many atoms within BurialRadius.
+inline double BurialWeight(double atoms)
+{
+  return 1e-4 * atoms * atoms;
+}
+
 /**
  * Throws std::invalid_argument for options that are no positive lengths, an OuterRadius not above
  * InnerRadius, and atoms that are not finite; Cancelled. Fewer than four atoms, or all in one

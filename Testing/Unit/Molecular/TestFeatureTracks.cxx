@@ -217,6 +217,30 @@ TEST(FeatureTracks, TetrahedraOfOnePocketAreOneFeature)
   EXPECT_DOUBLE_EQ(Value(table, 1, "Radius"), 3.0);
 }
 
+TEST(FeatureTracks, WhatHasNoWeightNoNumberOrNoPointsLeavesNoHoleInTheTable)
+{
+  vtkNew<vtkPolyData> cells;
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < 6; ++i)
+  {
+    points->InsertNextPoint(i, 0.0, 0.0);
+  }
+  cells->SetPoints(points);
+  cells->Allocate(4);
+  const vtkIdType ids[] = { 0, 1, 2, 3, 4, 5 };
+  cells->InsertNextCell(VTK_POLY_LINE, 2, ids);
+  cells->InsertNextCell(VTK_POLY_LINE, 2, ids + 2);
+  cells->InsertNextCell(VTK_POLY_LINE, 2, ids + 4);
+  cells->InsertNextCell(VTK_POLY_LINE, 0, ids);
+  Add<vtkDoubleArray>(cells->GetCellData(), "PocketId", { 1, 1, std::nan(""), 2 });
+  Add<vtkDoubleArray>(cells->GetCellData(), "EmptyVolume", { -1.0, 0.0, 5.0, 5.0 });
+  Add<vtkIdTypeArray>(cells->GetCellData(), "Burial", { 10, 0, 100, 100 });
+  const auto table = TracksOf(cells);
+  ASSERT_EQ(table->GetNumberOfRows(), 1);
+  EXPECT_EQ(Value(table, 0, "FeatureId"), 1.0);
+  EXPECT_DOUBLE_EQ(Value(table, 0, "X"), 1.5); // of both lines alike
+}
+
 TEST(FeatureTracks, LinesByPoreLoopsByFeatureAndPointsByThemselves)
 {
   vtkNew<vtkPolyData> lines;
