@@ -54,14 +54,10 @@ void AddFact(vtkDataObject* output, const char* name, double value)
   isthmus::AddArray<vtkDoubleArray>(output->GetFieldData(), name, 1)->SetValue(0, value);
 }
 
-/// Hands the progress of the loops on, and a stop back to them.
-void FollowProgress(vtkObject* caller, unsigned long, void* client, void* fraction)
+/// Hands the progress of the loops on.
+void FollowProgress(vtkObject*, unsigned long, void* client, void* fraction)
 {
-  const auto& progress = *static_cast<const isthmus::ProgressCallback*>(client);
-  if (!progress(*static_cast<double*>(fraction)))
-  {
-    static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-  }
+  (*static_cast<const isthmus::ProgressCallback*>(client))(*static_cast<double*>(fraction));
 }
 
 /// What the loops complain about is told as a warning: bridges, windows and levels stand without.
@@ -197,6 +193,7 @@ void vtkMapHandles::FillSurfaces(const Work& work, vtkInformationVector* outputV
   surface->ShallowCopy(contour);
   vtkNew<vtkChokingLoops> loops;
   loops->SetInputData(surface);
+  loops->SetContainerAlgorithm(this); // stops with this one
   isthmus::ProgressCallback listener = isthmus::Between(progress, 0.4, 1.0);
   vtkNew<vtkCallbackCommand> observer;
   observer->SetCallback(FollowProgress);
@@ -209,10 +206,7 @@ void vtkMapHandles::FillSurfaces(const Work& work, vtkInformationVector* outputV
   loops->AddObserver(vtkCommand::ErrorEvent, complaints);
   loops->AddObserver(vtkCommand::WarningEvent, complaints);
   loops->Update();
-  if (loops->GetAbortExecute())
-  {
-    throw isthmus::Cancelled();
-  }
+  isthmus::Report(progress, 1.0); // leaves where it was stopped
   if (!complaint.empty())
   {
     vtkWarningMacro(<< "The choking loops of the contour: " << complaint);

@@ -64,10 +64,8 @@ void RequireSameNodes(vtkImageData* one, vtkImageData* other)
 
 void ForwardProgress(vtkObject* caller, unsigned long, void* self, void*)
 {
-  auto* diffusion = static_cast<vtkAlgorithm*>(caller);
-  auto* filter = static_cast<vtkAlgorithm*>(self);
-  filter->UpdateProgress(diffusion->GetProgress());
-  diffusion->SetAbortExecute(filter->GetAbortExecute());
+  static_cast<vtkAlgorithm*>(self)->UpdateProgress(
+    static_cast<vtkAlgorithm*>(caller)->GetProgress());
 }
 
 /// The mean of both as `mean`; returns the standard deviation of half their difference.
@@ -151,7 +149,8 @@ void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtk
   diffusion->SetOrder(this->Order);
   diffusion->SetKnownNoise(noise);
   diffusion->SetMaskInvalid(true);
-  diffusion->SetController(nullptr); // every rank has all of the volume
+  diffusion->SetController(nullptr);      // every rank has all of the volume
+  diffusion->SetContainerAlgorithm(this); // stops with this one
   vtkNew<vtkCallbackCommand> forward;
   forward->SetClientData(this);
   forward->SetCallback(ForwardProgress);

@@ -124,7 +124,7 @@ int vtkFeatureTracks::RequestData(
       this->Finish(outputVector);
       this->Data->Clear();
     });
-  if (!done || this->GetAbortExecute())
+  if (!done || this->CheckAbort())
   {
     clear();
   }

@@ -125,7 +125,7 @@ int vtkMolecularPockets::RequestData(
         this->Compute(atoms, surface, outputVector);
       }
     });
-  if (!done || this->GetAbortExecute())
+  if (!done || this->CheckAbort())
   {
     for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
     {

@@ -154,7 +154,7 @@ int vtkPoreProfile::RequestData(
         this->Compute(input, outputVector);
       }
     });
-  if (!done || this->GetAbortExecute())
+  if (!done || this->CheckAbort())
   {
     clear();
   }

@@ -21,13 +21,14 @@
 namespace isthmus
 {
 
-/// Progress of `algorithm` as VTK shows it; stops when VTK's abort flag is set.
+/// Progress of `algorithm` as VTK shows it; stops when it, what contains it, or what comes before
+/// it in the pipeline is told to. What comes after it then knows its output for a stopped one's.
 inline ProgressCallback ProgressOf(vtkAlgorithm* algorithm)
 {
   return [algorithm](double fraction)
   {
     algorithm->UpdateProgress(fraction);
-    return algorithm->GetAbortExecute() == 0;
+    return !algorithm->CheckAbort();
   };
 }
 

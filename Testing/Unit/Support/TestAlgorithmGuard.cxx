@@ -15,6 +15,7 @@
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataAlgorithm.h>
 #include <vtkSphereSource.h>
@@ -159,6 +160,37 @@ TEST(AlgorithmGuard, AFilterThatLooksAheadSaysItOnce)
   grid->Update();
   EXPECT_EQ(ear.Said.size(), 1U) << (ear.Said.size() > 1 ? ear.Said[1] : "");
   EXPECT_EQ(grid->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(AlgorithmGuard, AStopOfWhatComesBeforeIsHeardAndForgotten)
+{
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkSurfaceToGrid> grid;
+  grid->SetInputConnection(sphere->GetOutputPort());
+  grid->SetSpacing(0.05);
+  vtkNew<vtkElevationFilter> after;
+  after->SetInputConnection(grid->GetOutputPort());
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetClientData(sphere);
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void* source, void*)
+    {
+      if (static_cast<vtkAlgorithm*>(caller)->GetProgress() > 0.0)
+      {
+        static_cast<vtkAlgorithm*>(source)->SetAbortExecuteAndUpdateTime();
+      }
+    });
+  const unsigned long tag = grid->AddObserver(vtkCommand::ProgressEvent, stop);
+  const Ear ear(grid);
+  after->Update();
+  EXPECT_EQ(grid->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(after->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
+  grid->RemoveObserver(tag);
+  sphere->AbortExecuteOff();
+  sphere->Modified();
+  after->Update();
+  EXPECT_GT(after->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
+  EXPECT_TRUE(ear.Said.empty()) << ear.Said[0];
 }
 
 TEST(AlgorithmGuard, AFileThatIsCutShortSaysItOnceAndKeepsItsCode)
