@@ -195,7 +195,9 @@ def scene(surface, loops, direction):
     view.Background = [1.0, 1.0, 1.0]
     points = vtk_to_numpy(output(surface).GetPoints().GetData()).astype(float)
     size = numpy.linalg.norm(points.max(axis=0) - points.min(axis=0))
-    smooth = simple.GenerateSurfaceNormals(Input=surface, Splitting=0)
+    # Its name up to ParaView 5.12, and from 5.13 on.
+    normals = getattr(simple, "GenerateSurfaceNormals", None) or simple.SurfaceNormals
+    smooth = normals(Input=surface, Splitting=0)
     paint(simple.Show(smooth, view), GREY, 0.30, 0.2)
     show_tubes(loops, (HANDLE, TUNNEL), RED, 0.0042 * size, view)
     show_tubes(loops, (ADDITIONAL,), YELLOW, 0.0038 * size, view)  # red wins where both are
