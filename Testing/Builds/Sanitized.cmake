@@ -3,9 +3,20 @@ include("${CMAKE_CURRENT_LIST_DIR}/Common.cmake")
 # Leaks of VTK's own globals are not ours to judge, and a fuzz input may well ask for too much memory.
 set(ENV{ASAN_OPTIONS} "detect_leaks=0:allocator_may_return_null=1")
 set(folder "${WORK_DIR}/sanitized")
+# Of the unit tests' programs a third, another at each landing (as in Unit/Support/LongTests.h),
+# without their own long cases; all of them with ISTHMUS_LONG_TESTS=1.
+set(share 0)
+if (NOT "$ENV{ISTHMUS_LONG_TESTS}" STREQUAL "1")
+  set(turn 0)
+  if ("$ENV{ISTHMUS_TURN}" MATCHES "^[0-9]+$")
+    set(turn "$ENV{ISTHMUS_TURN}")
+  endif ()
+  math(EXPR share "${turn} % 3 + 1")
+endif ()
+unset(ENV{ISTHMUS_TURN})
 # GCC's builds judge the warnings; clang has others.
 set(compiler -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_CXX_FLAGS_RELEASE=-O1)
-build_plain("${folder}" ${compiler}
+build_plain("${folder}" ${compiler} "-DISTHMUS_UNIT_SHARE=${share}"
   -DISTHMUS_WERROR=OFF -DISTHMUS_TESTING=ON -DISTHMUS_FUZZ=ON -DISTHMUS_SANITIZE=ON)
 # A program of somebody else's, which needs nothing but find_package(VTK) and this.
 set(prefix "${WORK_DIR}/sanitized-installed")
@@ -25,22 +36,10 @@ set(long_tests "SuperStepsReachTheEnd|TimeOrderIsTwo|FourierModesDecay|Isosurfac
   "|SharedMaps.EqualGudhi|TurnsMirrorsAndShifts|ClosedWindows|ManufacturedInterface|IonsHaveBornsEnergy"
   "|AgreesWithItself/(129110|72214|65004|1514499|emd_5043)|SurfaceMending.DamagedSurfaces"
   "|LysozymeStarts|EarlyLysozyme|IsAsNearToTheUniformOne|NoiseStaysManifoldWithItsHandles"
-  "|NoTrianglesCrossWhere|SharpEdgesOfMachineParts")
+  "|NoTrianglesCrossWhere|SharpEdgesOfMachineParts|ResultDigests")
 string(CONCAT long_tests ${long_tests})
-# Of the others a third, another at each landing (as in Unit/Support/LongTests.h), without their own
-# long cases; all of them with ISTHMUS_LONG_TESTS=1.
-set(numbers)
-if (NOT "$ENV{ISTHMUS_LONG_TESTS}" STREQUAL "1")
-  set(turn 0)
-  if ("$ENV{ISTHMUS_TURN}" MATCHES "^[0-9]+$")
-    set(turn "$ENV{ISTHMUS_TURN}")
-  endif ()
-  math(EXPR first "${turn} % 3 + 1")
-  set(numbers --tests-information "${first},,3")
-endif ()
-unset(ENV{ISTHMUS_TURN})
 run("${CMAKE_CTEST_COMMAND}" --test-dir "${folder}" --output-on-failure --parallel 2
-  ${numbers} --exclude-regex "${long_tests}")
+  --exclude-regex "${long_tests}")
 
 file(GLOB targets "${folder}/Testing/Fuzz/Fuzz*")
 if (NOT targets)
