@@ -37,7 +37,8 @@ def numbers_of(loops):
     data = output(loops)
     facts = {name: column(data.GetFieldData(), name).tolist() for name in (
         "NumberOfHandles", "NumberOfTunnels", "NumberOfAdditionalLoops", "NumberOfSamples",
-        "LargestSamplingError", "ReferenceLength", "StageTimes")}
+        "LargestSamplingError", "ReferenceLength")}
+    stages = ("check", "sampling", "filtration", "pairing", "features")
     rows = [column(data.GetCellData(), name).tolist() for name in
             ("FeatureId", "Kind", "Side", "Radius", "Widening", "Length", "Trusted")]
     return {
@@ -48,8 +49,8 @@ def numbers_of(loops):
         "samples": facts["NumberOfSamples"][0],
         "largest sampling error": facts["LargestSamplingError"][0],
         "reference length": dict(zip(("inside", "outside"), facts["ReferenceLength"])),
-        "seconds": dict(zip(("check", "sampling", "filtration", "pairing", "features"),
-                            facts["StageTimes"])),
+        "seconds": {name: loops.GetClientSideObject().GetStageTime(stage)
+                    for stage, name in enumerate(stages)},
         "loops": [dict(zip(("feature", "kind", "side", "radius", "widening", "length",
                             "trusted"), row)) for row in zip(*rows)],
     }

@@ -287,11 +287,6 @@ void FillFacts(
     const PersistenceGap gap = LargestGap(loops.Diagram(), side);
     numbers["ProposedThreshold"]->InsertNextTuple2(gap.Threshold, gap.Width);
   }
-  const ChokingLoopTimes& t = loops.Times();
-  for (const double seconds : { t.Check, t.Sampling, t.Filtration, t.Pairing, t.Features })
-  {
-    numbers["StageTimes"]->InsertNextValue(seconds);
-  }
   const SurfaceMending& mended = loops.Mended();
   if (!mended.Told.empty())
   {

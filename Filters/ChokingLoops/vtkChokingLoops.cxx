@@ -22,6 +22,7 @@
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -85,6 +86,17 @@ vtkChokingLoops::vtkChokingLoops()
 }
 
 vtkChokingLoops::~vtkChokingLoops() = default;
+
+double vtkChokingLoops::GetStageTime(int stage) const
+{
+  if (!this->Kept || stage < CheckStage || stage > FeaturesStage)
+  {
+    return 0.0;
+  }
+  const isthmus::ChokingLoopTimes& t = this->Kept->Loops->Times();
+  return std::array<double, 5>{ t.Check, t.Sampling, t.Filtration, t.Pairing,
+    t.Features }[static_cast<std::size_t>(stage)];
+}
 
 int vtkChokingLoops::FillInputPortInformation(int port, vtkInformation* information)
 {

@@ -42,7 +42,7 @@
  * `NumberOfHandles`, `NumberOfTunnels`, `NumberOfAdditionalLoops` (inside, outside; features, each
  * counted once, however many loops it has), `ProposedThreshold` (inside, outside: the persistence
  * at the middle of the side's largest gap, and the gap's width, 0 where it has none; in the unit of
- * the points), `StageTimes` (s: check, sampling, filtration, pairing, features).
+ * the points).
  *
  * Needles, double triangles, parts that touch or cross are repaired where that changes the volume
  * by no more than a hundredth; a warning says so, and field data `Repaired` (number of triangles
@@ -220,6 +220,18 @@ public:
   vtkSetClampMacro(MemoryLimit, int, 0, VTK_INT_MAX);
   vtkGetMacro(MemoryLimit, int);
   ///@}
+
+  enum StageType
+  {
+    CheckStage,
+    SamplingStage,
+    FiltrationStage,
+    PairingStage,
+    FeaturesStage
+  };
+  /// Seconds that a stage of the analysis took on which the outputs stand; 0 where there is none.
+  /// They are no part of the outputs, which are the same on every machine.
+  double GetStageTime(int stage) const;
 
 protected:
   vtkChokingLoops();

@@ -77,10 +77,6 @@ public:
     {
       vtkAbstractArray* const array = data->GetAbstractArray(i);
       const std::string name = array->GetName() ? array->GetName() : "";
-      if (name == "StageTimes") // by the clock
-      {
-        continue;
-      }
       this->Add(name);
       this->Add(static_cast<double>(array->GetNumberOfComponents()));
       this->Add(static_cast<double>(array->GetNumberOfTuples()));

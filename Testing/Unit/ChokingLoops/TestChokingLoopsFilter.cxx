@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <set>
 
 using namespace isthmus;
@@ -52,11 +53,10 @@ public:
 
   std::vector<double> Times()
   {
-    vtkDataArray* times = this->Loops->GetOutput()->GetFieldData()->GetArray("StageTimes");
     std::vector<double> seconds;
-    for (vtkIdType i = 0; times && i < times->GetNumberOfTuples(); ++i)
+    for (int stage = vtkChokingLoops::CheckStage; stage <= vtkChokingLoops::FeaturesStage; ++stage)
     {
-      seconds.push_back(times->GetTuple1(i));
+      seconds.push_back(this->Loops->GetStageTime(stage));
     }
     return seconds;
   }
@@ -107,7 +107,7 @@ TEST(ChokingLoopsFilter, SteeringDoesNotAnalyseAgain)
   vtkChokingLoops* loops = steered.Loops;
   steered.Run();
   const std::vector<double> first = steered.Times();
-  ASSERT_EQ(first.size(), 5U);
+  EXPECT_GT(std::accumulate(first.begin(), first.end(), 0.0), 0.0);
   const std::vector<std::pair<std::function<void()>, vtkIdType>> changes = {
     { [loops] { loops->SetMinimumPersistence(4.0); }, 31 + 59 + 31 + 1 },
     { [loops] { loops->SetSide(vtkChokingLoops::Inside); }, 31 + 59 },
