@@ -66,6 +66,15 @@ endif ()
 find_package(BZip2 REQUIRED)
 vtk_module_link(Isthmus::vtkIsthmus PRIVATE BZip2::BZip2)
 
+# Faster than zlib at gzip, but made for few processors: zlib stays where it is missing.
+find_path(ISAL_INCLUDE_DIR isa-l/igzip_lib.h)
+find_library(ISAL_LIBRARY isal)
+if (ISAL_INCLUDE_DIR AND ISAL_LIBRARY)
+  vtk_module_include(Isthmus::vtkIsthmus SYSTEM PRIVATE "${ISAL_INCLUDE_DIR}")
+  vtk_module_link(Isthmus::vtkIsthmus PRIVATE "${ISAL_LIBRARY}")
+  vtk_module_definitions(Isthmus::vtkIsthmus PRIVATE ISTHMUS_HAS_ISAL)
+endif ()
+
 # Headers only; Debian's gemmi-dev has no CMake package. Its CIF grammar is built on PEGTL.
 find_path(GEMMI_INCLUDE_DIR gemmi/pdb.hpp REQUIRED)
 find_path(PEGTL_INCLUDE_DIR tao/pegtl.hpp REQUIRED)

@@ -11,7 +11,7 @@ jobs=$(nproc)
 build_packages=(
   g++ cmake ninja-build
   paraview paraview-dev python3-paraview
-  libbz2-dev zlib1g-dev libeigen3-dev libcgal-dev gemmi-dev tao-pegtl-dev tetgen xvfb xauth)
+  libbz2-dev zlib1g-dev libisal-dev libeigen3-dev libcgal-dev gemmi-dev tao-pegtl-dev tetgen xvfb xauth)
 
 # What find_package(ParaView) of Debian's paraview-dev asks for without depending on it.
 paraview_packages=(

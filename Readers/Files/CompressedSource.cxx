@@ -1,8 +1,8 @@
 #include "CompressedSource.h"
 
+#include "CodecState.h"
+#include "GzipCodec.h"
 #include "ReaderError.h"
-
-#include <vtk_zlib.h>
 
 #include <bzlib.h>
 
@@ -17,58 +17,8 @@ namespace
 {
 
 constexpr std::size_t bufferBytes = std::size_t{ 1 } << 18;
-// zlib and bzip2 count in 32 bits.
+// bzip2 counts in 32 bits.
 constexpr std::size_t mostAtOnce = std::size_t{ 1 } << 30;
-
-/// How a codec stands after Step(), which moves its arguments past what it has used and written.
-enum class CodecState
-{
-  Running,
-  MemberEnd,
-  Damaged
-};
-
-class GzipCodec
-{
-public:
-  static constexpr const char* Name = "gzip";
-  static std::uint64_t MostBytes(std::uint64_t fileSize) { return 1032 * fileSize; }
-  static bool StartsMember(const unsigned char* bytes, std::size_t size)
-  {
-    return size >= 2 && bytes[0] == 0x1f && bytes[1] == 0x8b;
-  }
-
-  GzipCodec()
-  {
-    if (inflateInit2(&this->Stream, 16 + MAX_WBITS) != Z_OK) // 16: a gzip wrapper, not zlib's own
-    {
-      throw std::bad_alloc();
-    }
-  }
-  ~GzipCodec() { inflateEnd(&this->Stream); }
-  GzipCodec(const GzipCodec&) = delete;
-  GzipCodec& operator=(const GzipCodec&) = delete;
-
-  CodecState Step(
-    unsigned char*& in, std::size_t& inSize, unsigned char*& out, std::size_t& outSize)
-  {
-    this->Stream.next_in = in;
-    this->Stream.avail_in = static_cast<uInt>(inSize);
-    this->Stream.next_out = out;
-    this->Stream.avail_out = static_cast<uInt>(std::min(outSize, mostAtOnce));
-    const int state = inflate(&this->Stream, Z_NO_FLUSH);
-    inSize = this->Stream.avail_in;
-    in = this->Stream.next_in;
-    outSize -= static_cast<std::size_t>(this->Stream.next_out - out);
-    out = this->Stream.next_out;
-    return state == Z_STREAM_END
-      ? CodecState::MemberEnd
-      : (state == Z_OK || state == Z_BUF_ERROR ? CodecState::Running : CodecState::Damaged);
-  }
-
-private:
-  z_stream Stream{};
-};
 
 class Bzip2Codec
 {
