@@ -2,8 +2,7 @@
 
 #include "LayerCuts.h"
 #include "ParallelFor.h"
-
-#include <vtkMarchingCubesTriangleCases.h>
+#include "VTKVersions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +27,7 @@ constexpr CellEdge CellEdges[12] = { { 0, 0, 0, X }, { 1, 0, 0, Y }, { 0, 1, 0, 
 
 int TrianglesOf(std::uint8_t cell)
 {
-  const int* edges = vtkMarchingCubesTriangleCases::GetCases()[cell].edges;
+  const int* edges = MarchingCubesCase(cell);
   int count = 0;
   while (edges[3 * count] >= 0)
   {
@@ -196,7 +195,7 @@ private:
   void AddCell(std::uint8_t cell, std::int64_t i, std::int64_t j, const Ids& ids, const Ids& next,
     std::int64_t& triangle, TriangleMesh& mesh) const
   {
-    const int* edges = vtkMarchingCubesTriangleCases::GetCases()[cell].edges;
+    const int* edges = MarchingCubesCase(cell);
     for (; *edges >= 0; edges += 3)
     {
       Triangle& corners = mesh.Triangles[static_cast<std::size_t>(triangle++)];

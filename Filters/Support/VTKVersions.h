@@ -1,0 +1,35 @@
+/**
+ * @file VTKVersions.h
+ * @brief The one place that asks for VTK's version, for what no single call serves from the oldest
+ * (that of ParaView 5.11) to the newest.
+ */
+#ifndef isthmus_VTKVersions_h
+#define isthmus_VTKVersions_h
+
+#include <vtkVersionMacros.h>
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
+#include <vtkMarchingCellsContourCases.h>
+#else
+#include <vtkMarchingCubesTriangleCases.h>
+#endif
+
+#include <cstdint>
+
+namespace isthmus
+{
+
+/// The triangles of a case of marching cubes, three of vtkHexahedron's edges each, -1 after the
+/// last. Bit k of `cell` is set where its k-th corner is above the level.
+inline const int* MarchingCubesCase(std::uint8_t cell)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
+  return vtkMarchingCellsContourCases::GetHexahedronCase(cell);
+#else
+  return vtkMarchingCubesTriangleCases::GetCases()[cell].edges;
+#endif
+}
+
+}
+
+#endif
