@@ -13,11 +13,6 @@ namespace
 /// Points of the hull tried; the nearest is known to a hundredth long before.
 constexpr int Steps = 200;
 
-double Norm(const Point3& v)
-{
-  return std::sqrt(Dot(v, v));
-}
-
 }
 
 double UncertaintyOf(const ShapeFeature& feature)
@@ -38,14 +33,14 @@ bool IsSurrounded(const Point3& centre, double reach, const std::vector<Point3>&
     return false;
   }
   Point3 nearest = points.front() - centre; // a point of the hull, moved towards the centre
-  for (int step = 0; step < Steps && Norm(nearest) > reach; ++step)
+  for (int step = 0; step < Steps && Length(nearest) > reach; ++step)
   {
     const auto along = [&](const Point3& p) { return Dot(p - centre, nearest); };
     const Point3 support =
       *std::min_element(points.begin(), points.end(),
         [&](const Point3& a, const Point3& b) { return along(a) < along(b); }) -
       centre;
-    if (Dot(support, nearest) > reach * Norm(nearest))
+    if (Dot(support, nearest) > reach * Length(nearest))
     {
       return false; // a plane parts the hull from the ball
     }
@@ -57,7 +52,7 @@ bool IsSurrounded(const Point3& centre, double reach, const std::vector<Point3>&
     }
     nearest = nearest + std::clamp(-Dot(nearest, way) / length2, 0.0, 1.0) * way;
   }
-  return Norm(nearest) <= reach;
+  return Length(nearest) <= reach;
 }
 
 double SharpestTurn(const std::vector<Point3>& polygon, double least)
@@ -65,12 +60,12 @@ double SharpestTurn(const std::vector<Point3>& polygon, double least)
   std::vector<Point3> corners;
   for (const Point3& p : polygon)
   {
-    if (corners.empty() || Norm(p - corners.back()) > least)
+    if (corners.empty() || Length(p - corners.back()) > least)
     {
       corners.push_back(p);
     }
   }
-  while (corners.size() > 1 && Norm(corners.front() - corners.back()) <= least)
+  while (corners.size() > 1 && Length(corners.front() - corners.back()) <= least)
   {
     corners.pop_back();
   }
@@ -81,7 +76,7 @@ double SharpestTurn(const std::vector<Point3>& polygon, double least)
     const Point3 in = corners[i] - corners[(i + n - 1) % n];
     const Point3 out = corners[(i + 1) % n] - corners[i];
     const Point3 c = Cross(in, out);
-    sharpest = std::max(sharpest, std::atan2(Norm(c), Dot(in, out)));
+    sharpest = std::max(sharpest, std::atan2(Length(c), Dot(in, out)));
   }
   return sharpest;
 }

@@ -36,9 +36,7 @@ Point3 ChokeSurroundings::Middle(SimplexId cell) const
 double ChokeSurroundings::Area(SimplexId triangle) const
 {
   const auto& t = this->F.Triangles[At(triangle)];
-  const Point3& p = this->F.Points[At(t[0])];
-  const Point3 n = Cross(this->F.Points[At(t[1])] - p, this->F.Points[At(t[2])] - p);
-  return 0.5 * std::sqrt(Dot(n, n));
+  return TriangleArea(this->F.Points[At(t[0])], this->F.Points[At(t[1])], this->F.Points[At(t[2])]);
 }
 
 void ChokeSurroundings::Link(SimplexId triangle, std::int32_t from, std::int32_t to)

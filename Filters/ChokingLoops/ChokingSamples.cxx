@@ -32,8 +32,7 @@ double LengthOfEdges(const TriangleMesh& surface)
   {
     for (std::size_t c = 0; c < 3; ++c)
     {
-      const Point3 edge = surface.Points[At(t[(c + 1) % 3])] - surface.Points[At(t[c])];
-      edges += 0.5 * std::sqrt(Dot(edge, edge));
+      edges += 0.5 * Distance(surface.Points[At(t[c])], surface.Points[At(t[(c + 1) % 3])]);
     }
   }
   return edges;

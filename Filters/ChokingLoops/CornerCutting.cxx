@@ -12,11 +12,6 @@ namespace isthmus
 namespace
 {
 
-double Norm(const Point3& v)
-{
-  return std::sqrt(Dot(v, v));
-}
-
 /// How often the corners of a cut are cut again, half as far off each time.
 constexpr int Generations = 6;
 
@@ -104,7 +99,7 @@ public:
     const Point3 p = this->Place(0);
     const Point3 in = p - this->Place(-1);
     const Point3 out = this->Place(1) - p;
-    return std::atan2(Norm(Cross(in, out)), Dot(in, out));
+    return std::atan2(Length(Cross(in, out)), Dot(in, out));
   }
 
   /// The curve without the corner; nothing where that can't be.
@@ -151,7 +146,7 @@ std::ptrdiff_t Corner::StepsWithin(std::ptrdiff_t way, double reach) const
   double length = 0.0;
   while (steps < most && length < reach && !this->IsPin(way * (steps + 1)))
   {
-    length += Norm(this->Place(way * (steps + 1)) - this->Place(way * steps));
+    length += Length(this->Place(way * (steps + 1)) - this->Place(way * steps));
     ++steps;
   }
   return steps;

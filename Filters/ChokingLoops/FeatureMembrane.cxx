@@ -15,11 +15,6 @@ namespace isthmus
 namespace
 {
 
-double Distance(const Point3& a, const Point3& b)
-{
-  return std::sqrt(Dot(b - a, b - a));
-}
-
 /// The points of a path of surface edges that starts at `from`.
 std::vector<SimplexId> PointsOf(
   const SurfaceAdjacency& surface, const std::vector<SimplexId>& path, SimplexId from)

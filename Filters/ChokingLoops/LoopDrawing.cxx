@@ -11,11 +11,6 @@ namespace isthmus
 namespace
 {
 
-double Distance(const Point3& a, const Point3& b)
-{
-  return std::sqrt(Dot(b - a, b - a));
-}
-
 /// Triangles between two closed curves, advancing on whichever has the shorter diagonal.
 class Zipper
 {
@@ -138,9 +133,8 @@ void Measure(const TriangleMesh& samples, LoopFeature& feature)
   }
   for (const auto& t : feature.Membrane)
   {
-    const Point3& p = feature.Point(t[0], samples);
-    const Point3 n = Cross(feature.Point(t[1], samples) - p, feature.Point(t[2], samples) - p);
-    feature.Area += 0.5 * std::sqrt(Dot(n, n));
+    feature.Area += TriangleArea(
+      feature.Point(t[0], samples), feature.Point(t[1], samples), feature.Point(t[2], samples));
   }
 }
 

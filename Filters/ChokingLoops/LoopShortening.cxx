@@ -136,7 +136,7 @@ double LengthAlong(const SurfaceAdjacency& s, const std::vector<SimplexId>& loop
   {
     const Point3 d =
       s.Mesh().Points[At(loop[(i + 1) % loop.size()])] - s.Mesh().Points[At(loop[i])];
-    length += std::sqrt(Dot(d, d));
+    length += Length(d);
   }
   return length;
 }
@@ -150,7 +150,7 @@ double LengthOf(const SurfaceAdjacency& surface, const std::vector<SurfaceCurveP
   {
     const Point3 d = PositionOf(surface, crossings[(i + 1) % crossings.size()]) -
       PositionOf(surface, crossings[i]);
-    length += std::sqrt(Dot(d, d));
+    length += Length(d);
   }
   return length;
 }

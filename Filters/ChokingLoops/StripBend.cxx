@@ -45,7 +45,7 @@ double AngleBeyond(const SurfaceAdjacency& s, const EdgeStrip& other, SimplexId 
   const auto between = [&centre](const Point3& x, const Point3& y)
   {
     const Point3 c = Cross(x - centre, y - centre);
-    return std::atan2(std::sqrt(Dot(c, c)), Dot(x - centre, y - centre));
+    return std::atan2(Length(c), Dot(x - centre, y - centre));
   };
   if (other.empty())
   {

@@ -53,7 +53,7 @@ double SurfaceAdjacency::Length(SimplexId h) const
 {
   const Point3 d = this->Surface->Points[static_cast<std::size_t>(this->To(h))] -
     this->Surface->Points[static_cast<std::size_t>(this->From(h))];
-  return std::sqrt(Dot(d, d));
+  return Length(d);
 }
 
 SimplexId SurfaceAdjacency::Find(SimplexId a, SimplexId b) const

@@ -13,17 +13,12 @@ namespace
 
 using Limit = std::function<double(const Point3&, const Point3&)>;
 
-double Length(const Point3& a, const Point3& b)
-{
-  return std::sqrt(Dot(b - a, b - a));
-}
-
 /// Largest distance from a point of the triangle to its nearest corner: the circumradius where all
 /// angles are acute, else where a bisector of a leg meets the longest side. No triangle has more
 /// than the equilateral one on its longest side, however rounding spoils the formula for needles.
 double CornerDistance(const Point3& p, const Point3& q, const Point3& r)
 {
-  std::array<double, 3> s{ Length(p, q), Length(q, r), Length(r, p) };
+  std::array<double, 3> s{ Distance(p, q), Distance(q, r), Distance(r, p) };
   std::sort(s.begin(), s.end());
   const auto [a, b, c] = s;
   if (c <= 0.0)
@@ -34,7 +29,7 @@ double CornerDistance(const Point3& p, const Point3& q, const Point3& r)
   const Point3 n = Cross(q - p, r - p);
   if (c * c < a * a + b * b)
   {
-    return std::min(most, a * b * c / (2.0 * std::sqrt(Dot(n, n))));
+    return std::min(most, a * b * c / (2.0 * Length(n)));
   }
   // On the longest side, equally far from the obtuse corner and from the end of a leg of length x:
   // x / (2 cos(angle at that end)).
@@ -65,7 +60,7 @@ public:
     const Point3& p = this->Points[At(std::min(a, b))];
     const Point3& q = this->Points[At(std::max(a, b))];
     std::int64_t id = -1;
-    if (Length(p, q) > limit(p, q))
+    if (Distance(p, q) > limit(p, q))
     {
       id = static_cast<std::int64_t>(this->Points.size());
       const Point3 middle = 0.5 * (p + q);
@@ -108,8 +103,8 @@ void AddPieces(const std::vector<Point3>& points, Triangle t, std::array<std::in
     return;
   }
   pieces.push_back({ m[0], t[1], m[1] });
-  const double across = Length(points[At(t[0])], points[At(m[1])]);
-  const double other = Length(points[At(m[0])], points[At(t[2])]);
+  const double across = Distance(points[At(t[0])], points[At(m[1])]);
+  const double other = Distance(points[At(m[0])], points[At(t[2])]);
   if (across < other)
   {
     pieces.insert(pieces.end(), { { t[0], m[0], m[1] }, { t[0], m[1], t[2] } });
@@ -157,9 +152,7 @@ double EdgeLengthFor(const TriangleMesh& mesh, double points)
     {
       continue;
     }
-    const Point3& p = mesh.Points[At(t[0])];
-    const Point3 n = Cross(mesh.Points[At(t[1])] - p, mesh.Points[At(t[2])] - p);
-    area += 0.5 * std::sqrt(Dot(n, n));
+    area += TriangleArea(mesh.Points[At(t[0])], mesh.Points[At(t[1])], mesh.Points[At(t[2])]);
   }
   // A point of a triangular lattice of edge l owns l^2 sqrt(3) / 2.
   return std::sqrt(2.0 * area / (std::sqrt(3.0) * std::max(points, 1.0)));

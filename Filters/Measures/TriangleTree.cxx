@@ -132,7 +132,7 @@ private:
       const Point3 normal = Cross(b - a, c - a);
       sum = { sum[0] + normal[0], sum[1] + normal[1], sum[2] + normal[2] };
     }
-    const double length = std::sqrt(Dot(sum, sum));
+    const double length = Length(sum);
     return length > 0.0 ? Point3{ sum[0] / length, sum[1] / length, sum[2] / length }
                         : Point3{ 0.0, 0.0, 1.0 };
   }

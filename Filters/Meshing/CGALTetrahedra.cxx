@@ -48,7 +48,7 @@ struct GrowingSize
       const auto i = static_cast<std::size_t>(a);
       away[i] = std::max({ 0.0, this->Around.Min[i] - p[a], p[a] - this->Around.Max[i] });
     }
-    return this->Size + growth * std::sqrt(Dot(away, away));
+    return this->Size + growth * Length(away);
   }
 };
 

@@ -129,7 +129,7 @@ private:
   {
     const Point3& at = this->Clusters.PointOf(a);
     const Point3 n = Cross(this->Clusters.PointOf(b) - at, this->Clusters.PointOf(c) - at);
-    const double length = std::sqrt(Dot(n, n));
+    const double length = Length(n);
     return length > 0.0 ? Dot(n, normal) / length : -1.0;
   }
 

@@ -55,13 +55,7 @@ void DemandBudget(
       ", but the surface is found to some " + Shown(finest) +
       " (a millionth of the volume's diagonal): ask for larger ones.");
   }
-  double area = 0.0;
-  for (const Triangle& t : guide.Triangles)
-  {
-    const auto at = [&](std::size_t c) { return guide.Points[static_cast<std::size_t>(t[c])]; };
-    const Point3 n = Cross(at(1) - at(0), at(2) - at(0));
-    area += 0.5 * std::sqrt(Dot(n, n));
-  }
+  const double area = SurfaceArea(guide);
   // No triangle of circumradius r is larger than (3 sqrt(3) / 4) r^2, and there are two a point.
   const double least = area / (2.6 * p.Radius * p.Radius);
   if (least > static_cast<double>(p.MaximumPoints))

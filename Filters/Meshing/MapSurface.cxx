@@ -64,7 +64,7 @@ std::vector<Component> FindComponents(
       components.push_back({ 0.0, static_cast<std::int64_t>(t) });
     }
     const Point3 normal = DoubleArea(mesh, mesh.Triangles[t]);
-    components[static_cast<std::size_t>(component)].Area += std::sqrt(Dot(normal, normal)) / 2.0;
+    components[static_cast<std::size_t>(component)].Area += Length(normal) / 2.0;
     ofTriangle[t] = component;
   }
   return components;
@@ -167,7 +167,7 @@ std::vector<Point3> PointNormals(const TriangleMesh& mesh)
   }
   for (Point3& normal : normals)
   {
-    const double length = std::sqrt(Dot(normal, normal));
+    const double length = Length(normal);
     if (length > 0.0)
     {
       normal = (1.0 / length) * normal;

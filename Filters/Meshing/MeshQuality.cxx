@@ -15,11 +15,6 @@ namespace
 constexpr int MostBins = 1'000'000;
 constexpr double Degrees = 180.0 / Pi;
 
-double Length(const Point3& v)
-{
-  return std::sqrt(Dot(v, v));
-}
-
 /// Angle of two vectors in degrees, exact near 0 and 180 too.
 double Angle(const Point3& u, const Point3& v)
 {

@@ -65,8 +65,8 @@ Point3 AcrossEdge(const Point3& a, const Point3& b)
 /// Halfway between the directions of a and b.
 Point3 Bisector(const Point3& a, const Point3& b)
 {
-  const Point3 sum = 1.0 / std::sqrt(Dot(a, a)) * a + 1.0 / std::sqrt(Dot(b, b)) * b;
-  return 1.0 / std::sqrt(Dot(sum, sum)) * sum;
+  const Point3 sum = 1.0 / Length(a) * a + 1.0 / Length(b) * b;
+  return 1.0 / Length(sum) * sum;
 }
 
 /// Triangles (0, a, b) and (0, c, d) surely meet in the origin only.

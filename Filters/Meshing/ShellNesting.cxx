@@ -93,7 +93,7 @@ Point3 PointInside(const std::vector<const TriangleMesh*>& walls)
     const Triangle& t = largest[i].second;
     const Point3 &a = At(shell, t[0]), &b = At(shell, t[1]), &c = At(shell, t[2]);
     const Point3 n = Cross(b - a, c - a);
-    const Point3 inward = (-1.0 / std::sqrt(Dot(n, n))) * n;
+    const Point3 inward = (-1.0 / Length(n)) * n;
     const Point3 centre = (1.0 / 3.0) * (a + b + c);
     double gap = std::numeric_limits<double>::infinity();
     for (const TriangleMesh* wall : walls)

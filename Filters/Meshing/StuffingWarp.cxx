@@ -123,7 +123,7 @@ Point3 StuffingWarp::Crossing(const LatticePoint& a, const LatticePoint& b) cons
 double StuffingWarp::MoveLength(const LatticePoint& p) const
 {
   const Point3 d = this->Position(p) - this->Lattice.Position(p);
-  return std::sqrt(Dot(d, d));
+  return Length(d);
 }
 
 void StuffingWarp::Keep(const LatticePoint& p)

@@ -38,18 +38,6 @@ void DemandManifold(const TriangleMesh& mesh)
   }
 }
 
-double Area(const TriangleMesh& mesh)
-{
-  double sum = 0.0;
-  for (const Triangle& t : mesh.Triangles)
-  {
-    const auto at = [&](std::size_t c) { return mesh.Points[static_cast<std::size_t>(t[c])]; };
-    const Point3 n = Cross(at(1) - at(0), at(2) - at(0));
-    sum += 0.5 * std::sqrt(Dot(n, n));
-  }
-  return sum;
-}
-
 /// Triangles of edges of `length`, or more; a length that is none, or that many, is refused.
 double ExpectedTriangles(const TriangleMesh& mesh, double length)
 {
@@ -62,12 +50,12 @@ double ExpectedTriangles(const TriangleMesh& mesh, double length)
     {
       const Point3 edge = mesh.Points[static_cast<std::size_t>(t[(c + 1) % 3])] -
         mesh.Points[static_cast<std::size_t>(t[c])];
-      const double size = std::sqrt(Dot(edge, edge));
+      const double size = Length(edge);
       edges += 0.5 * std::max(0.0, size / length - 1.0);
       longest = std::max(longest, size);
     }
   }
-  const double expected = std::max(Area(mesh) / (0.433 * length * length), edges);
+  const double expected = std::max(SurfaceArea(mesh) / (0.433 * length * length), edges);
   if (!(expected < MostTriangles) || length < 1e-9 * longest)
   {
     throw std::invalid_argument("An edge length of " + Shown(length) +
@@ -284,7 +272,7 @@ double MeanEdgeLength(const TriangleMesh& mesh)
     {
       const Point3 edge = mesh.Points[static_cast<std::size_t>(t[(c + 1) % 3])] -
         mesh.Points[static_cast<std::size_t>(t[c])];
-      sum += std::sqrt(Dot(edge, edge));
+      sum += Length(edge);
     }
   }
   return mesh.Triangles.empty() ? 0.0 : sum / (3.0 * static_cast<double>(mesh.Triangles.size()));

@@ -31,13 +31,7 @@ void DemandCGALBudget(const TriangleMesh& surface, const TetrahedralParameters& 
   {
     return;
   }
-  double area = 0.0;
-  for (const Triangle& t : surface.Triangles)
-  {
-    const auto at = [&](std::size_t k) { return surface.Points[static_cast<std::size_t>(t[k])]; };
-    const Point3 n = Cross(at(1) - at(0), at(2) - at(0));
-    area += 0.5 * std::sqrt(Dot(n, n));
-  }
+  const double area = SurfaceArea(surface);
   // No triangle of circumradius r is larger than (3 sqrt(3) / 4) r^2, and there are two a point.
   const double points = c.FacetSize > 0.0 ? area / (2.6 * c.FacetSize * c.FacetSize) : 0.0;
   const double cells = c.CellSize > 0.0

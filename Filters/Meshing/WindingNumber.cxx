@@ -28,9 +28,9 @@ Point3 MiddleOf(const std::array<Point3, 3>& t)
 
 double SolidAngle(const Point3& a, const Point3& b, const Point3& c)
 {
-  const double la = std::sqrt(Dot(a, a));
-  const double lb = std::sqrt(Dot(b, b));
-  const double lc = std::sqrt(Dot(c, c));
+  const double la = Length(a);
+  const double lb = Length(b);
+  const double lc = Length(c);
   const double below = la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb;
   return 2.0 * std::atan2(Dot(a, Cross(b, c)), below);
 }
@@ -59,7 +59,7 @@ void WindingNumber::Summarise(Part& part, std::int64_t first, std::int64_t last,
   {
     const auto t = CornersOf(mesh, order[static_cast<std::size_t>(i)]);
     const Point3 normal = 0.5 * Cross(t[1] - t[0], t[2] - t[0]);
-    const double size = std::sqrt(Dot(normal, normal));
+    const double size = Length(normal);
     area += size;
     weighted = weighted + size * MiddleOf(t);
     plain = plain + MiddleOf(t);
@@ -73,7 +73,7 @@ void WindingNumber::Summarise(Part& part, std::int64_t first, std::int64_t last,
     for (const Point3& p : CornersOf(mesh, order[static_cast<std::size_t>(i)]))
     {
       const Point3 d = p - part.Centre;
-      part.Radius = std::max(part.Radius, std::sqrt(Dot(d, d)));
+      part.Radius = std::max(part.Radius, Length(d));
     }
   }
 }
@@ -129,7 +129,7 @@ double WindingNumber::operator()(const Point3& x) const
   {
     const Part& part = this->Parts[static_cast<std::size_t>(stack[--depth])];
     const Point3 d = part.Centre - x;
-    const double distance = std::sqrt(Dot(d, d));
+    const double distance = Length(d);
     if (distance > farAway * part.Radius)
     {
       sum += Dot(d, part.AreaNormal) / (distance * distance * distance);

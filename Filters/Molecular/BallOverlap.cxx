@@ -9,11 +9,6 @@ namespace isthmus
 namespace
 {
 
-double Length(const Point3& v)
-{
-  return std::sqrt(Dot(v, v));
-}
-
 /// Of the two points that the three spheres share, one; the centre of both where they just touch.
 Point3 CommonPoint(const Ball& a, const Ball& b, const Ball& c)
 {

@@ -64,7 +64,7 @@ double Likeness(const TrackedFeature& a, const TrackedFeature& b)
 double Cost(const TrackedFeature& a, const TrackedFeature& b, double furthest)
 {
   const Point3 d = b.Place - a.Place;
-  const double distance = std::sqrt(Dot(d, d)) / furthest;
+  const double distance = Length(d) / furthest;
   const bool isKnown = !a.Lining.empty() && !b.Lining.empty();
   const double likeness = Likeness(a, b);
   const bool isNear = distance <= 1.0 && (!isKnown || likeness > 0.0);

@@ -1,6 +1,7 @@
 #include "LevelMeasure.h"
 
 #include "ParallelReduce.h"
+#include "Point3.h"
 
 #include <array>
 #include <cmath>
@@ -10,43 +11,26 @@ namespace isthmus
 namespace
 {
 
-using Vector = std::array<double, 3>;
-
-Vector Minus(const Vector& a, const Vector& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// Adds a triangle, turned so that it faces along `outward`.
 void Add(
-  LevelMeasure& sum, const Vector& a, const Vector& b, const Vector& c, const Vector& outward)
+  LevelMeasure& sum, const Point3& a, const Point3& b, const Point3& c, const Point3& outward)
 {
-  const Vector normal = Cross(Minus(b, a), Minus(c, a));
+  const Point3 normal = Cross(b - a, c - a);
   const double volume = Dot(a, normal) / 6.0;
-  sum.Area += 0.5 * std::sqrt(Dot(normal, normal));
+  sum.Area += 0.5 * Length(normal);
   sum.Volume += Dot(normal, outward) >= 0.0 ? volume : -volume;
 }
 
 struct Corner
 {
-  Vector Place;
+  Point3 Place;
   double Value;
 };
 
-Vector Crossing(const Corner& a, const Corner& b)
+Point3 Crossing(const Corner& a, const Corner& b)
 {
   const double t = a.Value / (a.Value - b.Value);
-  Vector at;
+  Point3 at;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     at[axis] = a.Place[axis] + t * (b.Place[axis] - a.Place[axis]);
@@ -67,19 +51,19 @@ void AddTetrahedron(LevelMeasure& sum, const std::array<const Corner*, 4>& corne
   {
     return;
   }
-  const Vector outward = Minus(sorted[3]->Place, sorted[0]->Place);
+  const Point3 outward = sorted[3]->Place - sorted[0]->Place;
   if (inside == 2)
   {
-    const Vector a = Crossing(*sorted[0], *sorted[2]);
-    const Vector b = Crossing(*sorted[0], *sorted[3]);
-    const Vector c = Crossing(*sorted[1], *sorted[3]);
-    const Vector d = Crossing(*sorted[1], *sorted[2]);
+    const Point3 a = Crossing(*sorted[0], *sorted[2]);
+    const Point3 b = Crossing(*sorted[0], *sorted[3]);
+    const Point3 c = Crossing(*sorted[1], *sorted[3]);
+    const Point3 d = Crossing(*sorted[1], *sorted[2]);
     Add(sum, a, b, c, outward);
     Add(sum, a, c, d, outward);
     return;
   }
   const std::size_t lone = inside == 1 ? 0 : 3;
-  std::array<Vector, 3> at;
+  std::array<Point3, 3> at;
   for (std::size_t i = 0; i < 3; ++i)
   {
     at[i] = Crossing(*sorted[lone], *sorted[(lone + 1 + i) % 4]);
@@ -88,7 +72,7 @@ void AddTetrahedron(LevelMeasure& sum, const std::array<const Corner*, 4>& corne
 }
 
 /// The cell between `node`, at `place`, and the next nodes along all axes.
-void AddCell(LevelMeasure& sum, const FlowField& field, std::int64_t node, const Vector& place)
+void AddCell(LevelMeasure& sum, const FlowField& field, std::int64_t node, const Point3& place)
 {
   const float* at = field.Distance.data() + node;
   const std::int64_t row = field.Grid.Row();
@@ -126,7 +110,7 @@ void AddRun(LevelMeasure& sum, const FlowField& field, const ChunkRun& run)
   const std::int64_t i = run.First % n[0];
   const std::int64_t j = run.First / n[0] % n[1];
   const std::int64_t k = run.First / field.Grid.Plane();
-  Vector place{ static_cast<double>(i - n[0] / 2), static_cast<double>(j - n[1] / 2),
+  Point3 place{ static_cast<double>(i - n[0] / 2), static_cast<double>(j - n[1] / 2),
     static_cast<double>(k - n[2] / 2) };
   for (std::int64_t node = run.First; node < run.First + run.Nodes; ++node)
   {

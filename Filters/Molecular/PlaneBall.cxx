@@ -19,11 +19,6 @@ std::vector<Point3> CentresOf(const std::vector<Ball>& atoms)
   return centres;
 }
 
-double Length(const Point3& v)
-{
-  return std::sqrt(Dot(v, v));
-}
-
 /// value + slope . d, a linear model over the plane's two coordinates.
 struct Linear
 {

@@ -17,9 +17,7 @@ double OpenArea(const RegularFiltration& f, SimplexId triangle)
 {
   const CellFiltration& c = f.Complex;
   const auto& t = c.Triangles[At(triangle)];
-  const Point3 n =
-    Cross(c.Points[At(t[1])] - c.Points[At(t[0])], c.Points[At(t[2])] - c.Points[At(t[0])]);
-  double area = 0.5 * std::sqrt(Dot(n, n));
+  double area = TriangleArea(c.Points[At(t[0])], c.Points[At(t[1])], c.Points[At(t[2])]);
   for (std::size_t k = 0; k < 3; ++k)
   {
     const Point3& p = c.Points[At(t[k])];
@@ -30,13 +28,13 @@ double OpenArea(const RegularFiltration& f, SimplexId triangle)
     const double r = f.Radii[At(t[k])];
     if (f.VertexValue[At(t[k])] <= 0.0)
     {
-      area -= 0.5 * std::atan2(std::sqrt(Dot(normal, normal)), Dot(u, v)) * r * r;
+      area -= 0.5 * std::atan2(Length(normal), Dot(u, v)) * r * r;
     }
     if (c.EdgeValue[At(c.TriangleEdges[At(triangle)][(k + 2) % 3])] <= 0.0)
     {
       // Half of the lens of two discs, as segments beyond their common chord.
       const double q = f.Radii[At(second)];
-      const double d = std::sqrt(Dot(u, u));
+      const double d = Length(u);
       const double chord = 0.5 * (d + (r - q) * (r + q) / d);
       const auto segment = [](double radius, double height)
       {

@@ -26,7 +26,7 @@ std::vector<double> PointAreas(const SurfaceView& surface)
     const Point3 n = Cross(p[1] - p[0], p[2] - p[0]);
     for (std::size_t k = 0; k < 3; ++k)
     {
-      areas[static_cast<std::size_t>(t[k])] += std::sqrt(Dot(n, n)) / 6.0;
+      areas[static_cast<std::size_t>(t[k])] += Length(n) / 6.0;
     }
   }
   return areas;

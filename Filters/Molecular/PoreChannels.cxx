@@ -14,11 +14,6 @@ namespace isthmus
 namespace
 {
 
-double Length(const Point3& v)
-{
-  return std::sqrt(Dot(v, v));
-}
-
 /// Loops around a channel last longer than those in rings of atoms; in angstrom.
 constexpr double ShortestBar = 0.3;
 

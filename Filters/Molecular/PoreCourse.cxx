@@ -8,11 +8,6 @@ namespace isthmus
 namespace
 {
 
-double Length(const Point3& v)
-{
-  return std::sqrt(Dot(v, v));
-}
-
 /// Running means with a Gaussian of the given width; towards the ends it gets narrower, so that
 /// they stay.
 std::vector<Point3> Smooth(const std::vector<Point3>& points, double width)

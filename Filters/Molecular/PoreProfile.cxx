@@ -18,11 +18,6 @@ namespace
 /// Atoms are weighed as water sees them.
 constexpr double Probe = 1.4;
 
-double Length(const Point3& v)
-{
-  return std::sqrt(Dot(v, v));
-}
-
 void CheckLength(const char* name, double value)
 {
   if (!(value > 0.0 && value <= 1e4))

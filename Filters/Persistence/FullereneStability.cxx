@@ -34,11 +34,6 @@ std::vector<Point3> Places(const std::vector<Point3>& atoms)
   return places;
 }
 
-double Norm(const Point3& a)
-{
-  return std::sqrt(Dot(a, a));
-}
-
 /// How flat a set of points is.
 struct Spread
 {
@@ -65,7 +60,7 @@ Spread SpreadOf(const std::vector<Point3>& points)
 {
   Spread spread;
   const Point3 first = points.front();
-  const auto far = Farthest(points, [&](const Point3& p) { return Norm(p - first); });
+  const auto far = Farthest(points, [&](const Point3& p) { return Length(p - first); });
   spread.Size = far.second;
   if (!(spread.Size > 0.0))
   {
@@ -73,7 +68,7 @@ Spread SpreadOf(const std::vector<Point3>& points)
   }
   const Point3 along = (1.0 / spread.Size) * (far.first - first);
   const auto wide =
-    Farthest(points, [&](const Point3& p) { return Norm(Cross(along, p - first)); });
+    Farthest(points, [&](const Point3& p) { return Length(Cross(along, p - first)); });
   spread.Width = wide.second;
   if (spread.Width > 0.0)
   {

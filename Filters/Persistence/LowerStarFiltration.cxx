@@ -319,7 +319,7 @@ std::vector<double> EdgeDistances(const TetrahedralMesh& mesh,
     for (const std::int64_t q : beside[At(p)])
     {
       const Point3 step = mesh.Points[At(q)] - mesh.Points[At(p)];
-      const double there = d + std::sqrt(Dot(step, step));
+      const double there = d + Length(step);
       if (there < distance[At(q)])
       {
         distance[At(q)] = there;

@@ -5,9 +5,10 @@
 #ifndef isthmus_TriangleMesh_h
 #define isthmus_TriangleMesh_h
 
+#include "Point3.h"
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -15,7 +16,6 @@
 namespace isthmus
 {
 
-using Point3 = std::array<double, 3>;
 using Triangle = std::array<std::int64_t, 3>;
 using Tetrahedron = std::array<std::int64_t, 4>;
 
@@ -27,6 +27,17 @@ struct TriangleMesh
   std::vector<Triangle> Triangles;
 };
 
+inline double SurfaceArea(const TriangleMesh& mesh)
+{
+  double sum = 0.0;
+  for (const Triangle& t : mesh.Triangles)
+  {
+    const auto at = [&](std::size_t k) { return mesh.Points[static_cast<std::size_t>(t[k])]; };
+    sum += TriangleArea(at(0), at(1), at(2));
+  }
+  return sum;
+}
+
 /// Indexed tetrahedra of positive volume, (p1-p0)x(p2-p0).(p3-p0) > 0, with a region for each.
 struct TetrahedralMesh
 {
@@ -36,42 +47,13 @@ struct TetrahedralMesh
   std::vector<std::int64_t> OriginalPoints; ///< for each point: its id in the input, or -1
 };
 
-inline Point3 operator+(const Point3& a, const Point3& b)
-{
-  return { a[0] + b[0], a[1] + b[1], a[2] + b[2] };
-}
-
-inline Point3 operator-(const Point3& a, const Point3& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-inline Point3 operator*(double s, const Point3& a)
-{
-  return { s * a[0], s * a[1], s * a[2] };
-}
-
-inline double Dot(const Point3& a, const Point3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-inline Point3 Cross(const Point3& a, const Point3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
 /// Axis-aligned box.
 struct Bounds3
 {
   Point3 Min{ 0, 0, 0 };
   Point3 Max{ 0, 0, 0 };
 
-  double Diagonal() const
-  {
-    const Point3 d = this->Max - this->Min;
-    return std::sqrt(Dot(d, d));
-  }
+  double Diagonal() const { return Distance(this->Min, this->Max); }
 
   bool Contains(const Bounds3& other) const
   {
