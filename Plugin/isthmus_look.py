@@ -18,6 +18,7 @@ SIGNED = CURVATURES + (
     "Potential", "PolarizedCurvature", "PositivePotentialKappa1", "PositivePotentialKappa2",
     "NegativePotentialKappa1", "NegativePotentialKappa2", "SignedDistance")
 SITES = ("BindingSites", "BindingSitesInPockets")
+IONS = ("IonTransport", "IonTransportOnSurface")
 UNSIGNED = ("Curvedness",)
 FIXED = {"ShapeIndex": (-1.0, 1.0), "Potential": (-5.0, 5.0)}  # as all programs draw potentials
 TITLES = {
@@ -147,6 +148,20 @@ def _look_at_loops(display, view, port):
         display.Visibility = 0
 
 
+def _look_at_ions(display, view):
+    """A channel's volume cut along the channel, not its outline."""
+    normal = [abs(x) for x in servermanager._getPyProxy(display.Input.SMProxy).MembraneNormal]
+    display.SetRepresentationType("Slice")
+    display.SliceMode = "XZ Plane" if normal[2] == max(normal) else "XY Plane"
+    across = 1 if normal[2] == max(normal) else 2
+    extent = data_of(display.Input).GetExtent()
+    display.Slice = (extent[2 * across + 1] - extent[2 * across]) // 2
+    simple.ColorBy(display, ("POINTS", "Potential"))
+    display.SetScalarBarVisibility(view, True)
+    _colour(display, view)
+    simple.Render(view)  # the table beside it is the active view
+
+
 # What a spreadsheet of sites hides at first: ParaView sorts columns by name, and these would come
 # before rank, class, residues, score and volume.
 HIDDEN = ("Area", "CenterX", "CenterY", "CenterZ", "MeanDepth", "MeanPotential", "Points", "SiteClass")
@@ -180,6 +195,8 @@ def _look(display):
         elif name in SITES and getattr(source, "Port", 0) == 0:
             simple.ColorBy(display, ("POINTS", "BindingSite"))
             display.SetScalarBarVisibility(view, True)
+        elif name in IONS and getattr(source, "Port", 0) == 0:
+            _look_at_ions(display, view)
         elif name in pockets_and_pores.FEATURES:
             pockets_and_pores.look(display, view, getattr(source, "Port", 0))
     _colour(display, view)

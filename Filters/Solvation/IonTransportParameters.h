@@ -55,6 +55,7 @@ struct IonTransportReport
   int Iterations = 0;          ///< of Gummel's
   int LinearIterations = 0;    ///< of conjugate gradients, all systems together
   std::vector<double> Changes; ///< of the potential in water, kT/e, by iteration
+  double Imbalance = 0.0; ///< the part of a species' current that nodes do not pass on; largest one
 };
 
 /// @throws std::invalid_argument, with a sentence, for values out of their range, a membrane

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace isthmus
 {
@@ -16,6 +18,7 @@ constexpr double LargestStep = 3.0;  // of phi in the water, kT/e, in one step o
 constexpr int MostNewtonSteps = 100; // a guard: a convex problem takes 3 to 20
 constexpr double NewtonReduction = 1e-3;
 constexpr double FinalAccuracy = 1e-7; // of a species' current, in all cross-sections
+constexpr double MostImbalance = 1e-4; // more of a current than this lost on its way is no solution
 constexpr double Rounding = 1e-16;
 
 /// mV to kT/e.
@@ -117,12 +120,14 @@ double PoissonNernstPlanck::Mobility(std::size_t species, std::int64_t node) con
   return s.Diffusion * (slow ? s.ChannelFraction : 1.0);
 }
 
-double PoissonNernstPlanck::EdgeMobility(
-  std::size_t species, std::int64_t node, std::int64_t next) const
+double PoissonNernstPlanck::EdgeConductance(
+  std::size_t species, std::size_t axis, std::int64_t node, double rootHere, double rootThere) const
 {
   const double here = this->Mobility(species, node);
-  const double there = this->Mobility(species, next);
-  return this->Grid.Domain.Spacing * 2.0 * here * there / (here + there);
+  const double there = this->Mobility(species, node + this->Grid.Domain.Steps()[axis]);
+  return static_cast<double>(this->Grid.Aperture[axis][static_cast<std::size_t>(node)]) *
+    this->Grid.Domain.Spacing * 2.0 * here * there / (here + there) *
+    SlotboomConductance(rootHere, rootThere);
 }
 
 double PoissonNernstPlanck::Concentration(std::size_t species, std::int64_t node) const
@@ -144,19 +149,13 @@ void PoissonNernstPlanck::FillNernstPlanck(std::size_t species)
   const std::array<std::int64_t, 3> steps = this->Grid.Domain.Steps();
   for (std::size_t a = 0; a < 3; ++a)
   {
-    const std::vector<float>& apertures = this->Grid.Aperture[a];
     for (std::int64_t node = 0; node < this->Grid.Domain.Size(); ++node)
     {
-      const auto aperture = static_cast<double>(apertures[static_cast<std::size_t>(node)]);
-      if (aperture == 0.0)
-      {
-        this->Ions.Edge(a, node) = 0.0;
-        continue;
-      }
-      const std::int64_t next = node + steps[a];
-      this->Ions.Edge(a, node) = aperture * this->EdgeMobility(species, node, next) *
-        SlotboomConductance(
-          this->Work[static_cast<std::size_t>(node)], this->Work[static_cast<std::size_t>(next)]);
+      const auto p = static_cast<std::size_t>(node);
+      this->Ions.Edge(a, node) = this->Grid.Aperture[a][p] == 0.0F
+        ? 0.0
+        : this->EdgeConductance(
+            species, a, node, this->Work[p], this->Work[static_cast<std::size_t>(node + steps[a])]);
     }
   }
 }
@@ -164,16 +163,14 @@ void PoissonNernstPlanck::FillNernstPlanck(std::size_t species)
 double PoissonNernstPlanck::EdgeFlux(std::size_t species, std::size_t axis, std::int64_t node) const
 {
   const auto p = static_cast<std::size_t>(node);
-  const auto aperture = static_cast<double>(this->Grid.Aperture[axis][p]);
-  if (aperture == 0.0)
+  if (this->Grid.Aperture[axis][p] == 0.0F)
   {
     return 0.0;
   }
-  const std::int64_t next = node + this->Grid.Domain.Steps()[axis];
-  const auto q = static_cast<std::size_t>(next);
+  const auto q = static_cast<std::size_t>(node + this->Grid.Domain.Steps()[axis]);
   const double half = -0.5 * this->Parameters.Species[species].Valence;
-  return aperture * this->EdgeMobility(species, node, next) *
-    SlotboomConductance(std::exp(half * this->Phi[p]), std::exp(half * this->Phi[q])) *
+  return this->EdgeConductance(
+           species, axis, node, std::exp(half * this->Phi[p]), std::exp(half * this->Phi[q])) *
     (this->V[species][p] - this->V[species][q]);
 }
 
@@ -198,41 +195,64 @@ double PoissonNernstPlanck::Throughput(std::size_t species) const
   return std::abs(total);
 }
 
-void PoissonNernstPlanck::SolveNernstPlanck(double accuracy, const ProgressCallback& progress)
+/// The part of its current that nodes do not pass on when it is done.
+double PoissonNernstPlanck::SolveSpecies(
+  std::size_t k, double accuracy, const ProgressCallback& progress)
 {
-  constexpr int rounds = 8;
-  for (std::size_t k = 0; k < this->V.size(); ++k)
+  constexpr int rounds = 12;
+  std::vector<double>& v = this->V[k];
+  this->FillNernstPlanck(k);
+  this->Ions.Factor();
+  const auto [low, high] =
+    std::minmax({ this->BathValue(k, static_cast<unsigned char>(Bath::Below)),
+      this->BathValue(k, static_cast<unsigned char>(Bath::Above)) });
+  double left = this->Ions.Residual(v, {});
+  // How much is enough is known only when the current is: so by and by.
+  for (int round = 0; round < rounds; ++round)
   {
-    this->FillNernstPlanck(k);
-    this->Ions.Factor();
-    const auto [low, high] =
-      std::minmax({ this->BathValue(k, static_cast<unsigned char>(Bath::Below)),
-        this->BathValue(k, static_cast<unsigned char>(Bath::Above)) });
-    const double largest = high * this->Ions.Total() * Rounding;
-    double left = this->Ions.Residual(this->V[k], {});
-    // How much is enough is known only when the current is: so by and by.
-    for (int round = 0; round < rounds && left > largest; ++round)
+    const double wanted = accuracy * this->Throughput(k);
+    const double rounding = Rounding * this->Ions.Turnover(v);
+    if (left <= std::max(wanted, rounding))
     {
-      const double wanted = accuracy * this->Throughput(k);
-      if (left <= wanted)
-      {
-        break;
-      }
-      const auto answer =
-        this->Ions.Solve(this->V[k], {}, { std::max(0.5 * wanted, largest), 1e-3 }, progress);
-      this->Report.LinearIterations += answer.Iterations;
-      const bool stuck = !answer.Converged || answer.Residual > 0.5 * left;
-      left = answer.Residual;
-      if (stuck)
-      {
-        break;
-      }
+      break;
     }
-    // A value between the baths' is what the equation has; rounding may leave that by its own size.
+    const auto answer =
+      this->Ions.Solve(v, {}, { std::max(0.5 * wanted, rounding), 1e-3 }, progress);
+    this->Report.LinearIterations += answer.Iterations;
+    // A value between the baths' is what the equation has; rounding leaves that by its own size.
     for (std::size_t p = 0; p < this->Open.size(); ++p)
     {
-      this->V[k][p] = this->Open[p] != 0 ? std::clamp(this->V[k][p], low, high) : 0.0;
+      v[p] = this->Open[p] != 0 ? std::clamp(v[p], low, high) : 0.0;
     }
+    // Anew: the clamp does not make a solution whole that got stuck, it only hides it.
+    const double before = std::exchange(left, this->Ions.Residual(v, {}));
+    if (left > 0.5 * before)
+    {
+      break;
+    }
+  }
+  return left / std::max(this->Throughput(k), this->Trickle(k));
+}
+
+/// A current that nobody asks for: a millionth of what the larger bath would send through the whole
+/// cylinder. Of less than that no part is worth telling.
+double PoissonNernstPlanck::Trickle(std::size_t species) const
+{
+  constexpr double part = 1e-6;
+  const TransportSpecies& s = this->Parameters.Species[species];
+  const TransportDomain& d = this->Grid.Domain;
+  const double most = this->Factor * std::max(s.Below, s.Above);
+  return std::max(part * s.Diffusion * most * Pi * d.Radius * d.Radius / (2.0 * d.HalfLength),
+    std::numeric_limits<double>::min());
+}
+
+void PoissonNernstPlanck::SolveNernstPlanck(double accuracy, const ProgressCallback& progress)
+{
+  this->Report.Imbalance = 0.0;
+  for (std::size_t k = 0; k < this->V.size(); ++k)
+  {
+    this->Report.Imbalance =
+      std::max(this->Report.Imbalance, this->SolveSpecies(k, accuracy, progress));
   }
 }
 
@@ -245,8 +265,7 @@ void PoissonNernstPlanck::FillCharge()
       for (std::int64_t node = first; node < last; ++node)
       {
         const auto p = static_cast<std::size_t>(node);
-        double charge = 0.0;
-        double slope = 0.0;
+        double charge = 0.0, slope = 0.0;
         for (std::size_t k = 0; k < this->V.size() && this->Open[p] != 0; ++k)
         {
           const double z = this->Parameters.Species[k].Valence;
@@ -295,7 +314,7 @@ double PoissonNernstPlanck::SolvePoisson(double accuracy, const ProgressCallback
   {
     change = std::max(change, this->Open[p] != 0 ? std::abs(this->Phi[p] - before[p]) : 0.0);
   }
-  return change;
+  return step > accuracy ? std::max(change, step) : change; // what Newton's method left undone
 }
 
 const IonTransportReport& PoissonNernstPlanck::Solve(const ProgressCallback& progress)
@@ -304,6 +323,8 @@ const IonTransportReport& PoissonNernstPlanck::Solve(const ProgressCallback& pro
   double done = 0.0;
   const ProgressCallback tick = Approaching(progress, done);
   double accuracy = coarse;
+  double least = HUGE_VAL;
+  std::vector<double> best;
   this->Report = {};
   while (!this->Report.Converged && this->Report.Iterations < this->Parameters.MaximumIterations)
   {
@@ -313,9 +334,16 @@ const IonTransportReport& PoissonNernstPlanck::Solve(const ProgressCallback& pro
     this->Report.Changes.push_back(change);
     ++this->Report.Iterations;
     this->Report.Converged = change <= this->Parameters.Tolerance;
+    if (change < least)
+    {
+      least = change;
+      best = this->Phi;
+    }
     accuracy = std::clamp(0.1 * change, std::min(coarse, 0.1 * this->Parameters.Tolerance), coarse);
   }
+  this->Phi = std::move(best);
   this->SolveNernstPlanck(FinalAccuracy, tick);
+  this->Report.Converged = this->Report.Converged && this->Report.Imbalance <= MostImbalance;
   return this->Report;
 }
 

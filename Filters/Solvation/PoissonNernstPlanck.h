@@ -30,7 +30,7 @@
 namespace isthmus
 {
 
-/// Memory: 160 bytes a node for two networks, 24 for phi and work, 8 for each species. The same
+/// Memory: 160 bytes a node for two networks, 40 for phi and work, 8 for each species. The same
 /// bits on any number of threads: the loops that decide about them run on one.
 class VTKISTHMUS_EXPORT PoissonNernstPlanck
 {
@@ -43,7 +43,9 @@ public:
   /// where the next Solve() begins.
   void SetBaths(double voltage, double concentrationFactor);
 
-  /// Until it converges, or MaximumIterations: the best there is stays then.
+  /// Until it converges, or MaximumIterations: the state that changed least stays then. Where a
+  /// linear system could not be solved, so that more than 1e-4 of a current is lost on its way
+  /// (Imbalance), it has not converged.
   /// @throws Cancelled, and std::runtime_error where numbers leave their range.
   const IonTransportReport& Solve(const ProgressCallback& progress = {});
 
@@ -64,15 +66,18 @@ public:
 
 private:
   double Mobility(std::size_t species, std::int64_t node) const;
-  /// Spacing times the harmonic mean of both nodes' mobilities.
-  double EdgeMobility(std::size_t species, std::int64_t node, std::int64_t next) const;
+  /// Of an open edge, from exp(-z phi / 2) at both ends; mobilities of both in series.
+  double EdgeConductance(std::size_t species, std::size_t axis, std::int64_t node, double rootHere,
+    double rootThere) const;
   double BathValue(std::size_t species, unsigned char bath) const;
   void FillNernstPlanck(std::size_t species);
+  double SolveSpecies(std::size_t k, double accuracy, const ProgressCallback& progress);
   void SolveNernstPlanck(double accuracy, const ProgressCallback& progress);
   void FillCharge();
   double SolvePoisson(double accuracy, const ProgressCallback& progress);
   double NewtonStep(const ProgressCallback& progress);
   double Throughput(std::size_t species) const;
+  double Trickle(std::size_t species) const;
 
   const TransportGrid& Grid;
   const IonTransportParameters Parameters;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 namespace isthmus
@@ -100,9 +99,14 @@ double ResistorNetwork::Residual(const std::vector<double>& u, const std::vector
   return total;
 }
 
-double ResistorNetwork::Total() const
+double ResistorNetwork::Turnover(const std::vector<double>& u) const
 {
-  return std::accumulate(this->Sum.begin(), this->Sum.end(), 0.0);
+  double total = 0.0;
+  for (std::size_t node = 0; node < u.size(); ++node)
+  {
+    total += this->Sum[node + static_cast<std::size_t>(this->Margin)] * std::abs(u[node]);
+  }
+  return total;
 }
 
 double ResistorNetwork::Multiply()

@@ -50,8 +50,9 @@ public:
   /// The sum of |s - A u| over the nodes that are not held; `source` may be empty for 0.
   double Residual(const std::vector<double>& u, const std::vector<double>& source);
 
-  /// Of all conductances and diagonals of nodes that are not held.
-  double Total() const;
+  /// What terms g u that cancel add up to: their rounding is the least that a residual can be.
+  /// After Factor().
+  double Turnover(const std::vector<double>& u) const;
 
   struct Control
   {

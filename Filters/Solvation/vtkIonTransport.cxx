@@ -111,14 +111,26 @@ void vtkIonTransport::Internals::Warn(const std::vector<TransportPoint>& points)
 {
   const auto left = std::find_if(points.begin(), points.end(),
     [](const TransportPoint& point) { return !point.Report.Converged; });
-  if (left != points.end())
+  if (left == points.end())
+  {
+    return;
+  }
+  const isthmus::IonTransportReport& report = left->Report;
+  if (report.Changes.back() > this->Self->Tolerance)
   {
     vtkWarningWithObjectMacro(
       this->Self, << "At " << left->Voltage << " mV the potential still changed by "
-                  << left->Report.Changes.back() << " kT/e after " << left->Report.Iterations
-                  << " iterations. What there is then is kept, with Converged "
+                  << report.Changes.back() << " kT/e after " << report.Iterations
+                  << " iterations. The state that changed least is kept, with Converged "
                      "0: choose more MaximumIterations or a larger Tolerance.");
+    return;
   }
+  vtkWarningWithObjectMacro(this->Self, << "At " << left->Voltage << " mV a part of "
+                                        << report.Imbalance
+                                        << " of a current is lost on its way: the equations of "
+                                           "the ions could not be solved. What there is is kept, "
+                                           "with Converged 0: choose a smaller Spacing or Voltage, "
+                                           "or look for charges that touch the water.");
 }
 
 void vtkIonTransport::Internals::Solve(vtkInformationVector** inputs,

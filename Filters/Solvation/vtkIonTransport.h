@@ -25,8 +25,9 @@
  *  - 2: vtkTable of the sweep: `Voltage` (mV), `ConcentrationFactor`, `Current_NAME`, `Current`,
  *    `CurrentSpread`, `Converged`: an I-V curve. Without a sweep it has the one row of Voltage.
  *
- * What does not converge in MaximumIterations is told with its last change, and what there is then
- * is kept, with `Converged` 0.
+ * What does not converge in MaximumIterations is told with its last change, and the state that
+ * changed least is kept, with `Converged` 0; so is one whose ions are not conserved to 1e-4, since
+ * a linear system got stuck.
  *
  * **Errors** (sentence, empty outputs): those of the atoms, parameters out of range, baths that
  * carry a charge, a channel that is not open from bath to bath (with the place where it closes and

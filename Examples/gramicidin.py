@@ -1,8 +1,6 @@
 """Gramicidin A (1GRM) with charges on its backbone, for tests and examples of ion transport."""
 
 import numpy
-from paraview import servermanager
-from paraview.simple import OpenDataFile
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -10,13 +8,15 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 # Amides as in CHARMM's parameter set 19 (B. R. Brooks et al., J. Comput. Chem. 4 (1983) 187): united
 # carbons, hydrogen on the nitrogen. Side chains are neutral and left without.
 CHARGES = {"N": -0.35, "H": 0.25, "CA": 0.10, "C": 0.55, "O": -0.55}
-RADII = {"C": 1.7, "N": 1.55, "O": 1.52, "H": 1.2}  # A. Bondi, J. Phys. Chem. 68 (1964) 441
+# United atoms have their hydrogens' room: S. J. Weiner et al., J. Am. Chem. Soc. 106 (1984) 765, one
+# radius for each element, as the filters have them for files without hydrogens.
+RADII = {"C": 1.85, "N": 1.75, "O": 1.65, "H": 1.00}
 AXIS = (0.0, 1.0, 0.0)  # of the file's frame, along the pore
 
 
-def with_charges(path):
-    """vtkPolyData of points with Charge and Radius: the file's atoms and the amides' hydrogens."""
-    atoms = servermanager.Fetch(OpenDataFile(str(path)))
+def with_charges(atoms):
+    """vtkPolyData of points with Charge and Radius: what the reader's output `atoms` has, and the amides'
+    hydrogens."""
     places = vtk_to_numpy(atoms.GetPoints().GetData()).astype(float)
     data = atoms.GetPointData()
 
