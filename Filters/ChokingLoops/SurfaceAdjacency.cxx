@@ -51,9 +51,8 @@ SurfaceAdjacency::SurfaceAdjacency(const TriangleMesh& mesh)
 
 double SurfaceAdjacency::Length(SimplexId h) const
 {
-  const Point3 d = this->Surface->Points[static_cast<std::size_t>(this->To(h))] -
-    this->Surface->Points[static_cast<std::size_t>(this->From(h))];
-  return Length(d);
+  return Distance(this->Surface->Points[static_cast<std::size_t>(this->From(h))],
+    this->Surface->Points[static_cast<std::size_t>(this->To(h))]);
 }
 
 SimplexId SurfaceAdjacency::Find(SimplexId a, SimplexId b) const
