@@ -9,7 +9,10 @@
 
 #include <QApplication>
 #include <QIcon>
+#include <QLabel>
 #include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
 #include <QTimer>
 #include <QToolBar>
 
@@ -38,15 +41,45 @@ void Run(const QString& call)
 }
 
 /// ParaView adds the toolbar to a row that is full, so that half of it hides behind an arrow; the
-/// last row has room.
-void MoveToLastRow()
+/// last row has room, also for its name.
+void MoveToLastRow(QMainWindow* window)
 {
-  auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget());
-  auto* bar = window ? window->findChild<QToolBar*>("Isthmus") : nullptr;
-  if (bar)
+  auto* bar = window->findChild<QToolBar*>("Isthmus");
+  if (!bar)
   {
-    window->addToolBar(Qt::TopToolBarArea, bar);
-    bar->show();
+    return;
+  }
+  window->addToolBar(Qt::TopToolBarArea, bar);
+  if (!bar->findChild<QLabel*>("IsthmusName") && !bar->actions().isEmpty())
+  {
+    auto* name = new QLabel(" Isthmus ", bar);
+    name->setObjectName("IsthmusName");
+    bar->insertWidget(bar->actions().first(), name);
+  }
+  bar->show();
+}
+
+/// The same by their names, in a menu of the window's bar, before Help.
+void AddMenu(QMainWindow* window, const QList<QAction*>& actions)
+{
+  QMenuBar* bar = window->menuBar();
+  if (bar->findChild<QMenu*>("menuIsthmus"))
+  {
+    return;
+  }
+  auto* menu = new QMenu("&Isthmus", bar);
+  menu->setObjectName("menuIsthmus");
+  menu->addActions(actions);
+  auto* help = bar->findChild<QMenu*>("menu_Help");
+  bar->insertMenu(help ? help->menuAction() : nullptr, menu);
+}
+
+void Settle(const QList<QAction*>& actions)
+{
+  if (auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget()))
+  {
+    MoveToLastRow(window);
+    AddMenu(window, actions);
   }
 }
 
@@ -59,8 +92,8 @@ IsthmusToolbar::IsthmusToolbar(QObject* parent)
   // Once ParaView has made the toolbar: when the program starts, or when the plugin is loaded
   // later.
   QObject::connect(pqApplicationCore::instance(), &pqApplicationCore::clientEnvironmentDone, this,
-    [] { MoveToLastRow(); });
-  QTimer::singleShot(0, this, &MoveToLastRow);
+    [this] { Settle(this->actions()); });
+  QTimer::singleShot(0, this, [this] { Settle(this->actions()); });
   this->Add("map_to_surface", "MapToSurface", tr("Map to surface"),
     tr("The selected map as a closed surface at a sensible level, without dust"));
   this->Add("map_to_curvature", "MapToCurvature", tr("Map to curvature"),

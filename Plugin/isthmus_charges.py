@@ -29,13 +29,22 @@ def charged(source):
         [program, "--ff=AMBER", "--keep-chain", "--drop-water", "--nodebump", "--noopt", file, target],
         capture_output=True, text=True)
     if done.returncode != 0 or not os.path.exists(target):
-        last = (done.stderr or done.stdout).strip().splitlines()[-1:]
-        raise ValueError("pdb2pqr could not give the atoms charges: " + " ".join(last) + " Complete the "
-                         "protein, " + way_out)
+        mending = "Open its PDB file, " if file.lower().endswith(".cif") else "Complete the protein, "
+        raise ValueError("pdb2pqr could not give the atoms charges: " + _reason(done.stderr or done.stdout)
+                         + " " + mending + way_out)
     left_out = _left_out(target)
     if left_out:
         print_warning("pdb2pqr knows no charges of " + ", ".join(left_out) + ": they were left out.")
     return simple.OpenDataFile(target, registrationName=os.path.basename(target))
+
+
+def _reason(said):
+    """The first error of a log that ends in tracebacks, as a sentence; "RuntimeError" tells nobody anything."""
+    told = [line.partition(":")[2].strip() for line in said.splitlines()
+            if line.startswith(("ERROR:", "CRITICAL:")) and line.partition(":")[2].strip()]
+    errors = [line.strip() for line in said.splitlines() if "Error: " in line]
+    found = (errors + told + ["it gave no reason"])[0]
+    return found.rstrip(".") + "."
 
 
 def _left_out(pqr):

@@ -19,6 +19,11 @@ SIGNED = CURVATURES + (
     "NegativePotentialKappa1", "NegativePotentialKappa2", "SignedDistance")
 SITES = ("BindingSites", "BindingSitesInPockets")
 IONS = ("IonTransport", "IonTransportOnSurface")
+MESHES = ("TetrahedralMesher", "IsosurfaceStuffing")
+MOLECULES = ("MacromoleculeReader", "TrajectoryReader")
+LEVELS = ("ScalarPersistence", "MapHandles")  # have Betti numbers over levels
+# Surfaces that are shown in the place of a molecule.
+ENVELOPES = ("MolecularFlowSurface", "SolvationSurface", "PoissonBoltzmann", "PoissonBoltzmannOnSurface")
 UNSIGNED = ("Curvedness",)
 FIXED = {"ShapeIndex": (-1.0, 1.0), "Potential": (-5.0, 5.0)}  # as all programs draw potentials
 TITLES = {
@@ -33,6 +38,7 @@ VERMILION, ORANGE, SKY, GREEN, YELLOW, BLUE, PURPLE, GREY = (
     (0.835, 0.369, 0.0), (0.902, 0.624, 0.0), (0.337, 0.706, 0.914), (0.0, 0.620, 0.451),
     (0.941, 0.894, 0.259), (0.0, 0.447, 0.698), (0.800, 0.475, 0.655), (0.80, 0.80, 0.80))
 FURTHER = (0.70, 0.64, 0.74)
+BETTI = (("Beta0", "components", VERMILION), ("Beta1", "tunnels", BLUE), ("Beta2", "cavities", GREEN))
 CATEGORIES = {
     "Kind": (("0", "handle", VERMILION), ("1", "tunnel", BLUE), ("2", "bottleneck", ORANGE)),
     "SiteClass": (
@@ -93,6 +99,7 @@ def _set_categories(table, array):
 def _bar(table, view, array):
     bar = simple.GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle = TITLES.get(array, array), ""
+    bar.RangeLabelFormat = "%-#.2g"  # 0.17, not 1.7e-01
 
 
 # Colour maps that first_look() has set, by global id: the range it gave them. A map whose range is
@@ -158,8 +165,53 @@ def _look_at_ions(display, view):
     display.Slice = (extent[2 * across + 1] - extent[2 * across]) // 2
     simple.ColorBy(display, ("POINTS", "Potential"))
     display.SetScalarBarVisibility(view, True)
-    _colour(display, view)
-    simple.Render(view)  # the table beside it is the active view
+
+
+def _look_at_mesh(display, view):
+    """Cells that can be seen; regions in colours where there is more than one."""
+    display.SetRepresentationType("Surface With Edges")
+    cells = _range_of_cells(display.Input, "RegionId")
+    if cells is None or cells[0] == cells[1]:
+        simple.ColorBy(display, None)
+        simple.HideUnusedScalarBars(view)
+
+
+def _range_of_cells(source, array):
+    """(lowest, highest) value of a cell array, or None."""
+    found = source.CellData[array]
+    return found.GetRange(0) if found else None
+
+
+def _look_at_betti_curves(display, view):
+    """Components, tunnels and cavities over the level, instead of all columns over the row."""
+    display.AttributeType = "Row Data"
+    display.UseIndexForXAxis, display.XArrayName = 0, "Level"
+    # One by one: the panel that shows the series puts back what a shorter list leaves out.
+    series = servermanager.vtkSMPropertyHelper(display.SMProxy, "SeriesVisibility")
+    for name in list(display.SeriesVisibility):
+        series.SetStatus(name, 0)
+    for name, label, colour in BETTI:
+        series.SetStatus(name, 1)
+        servermanager.vtkSMPropertyHelper(display.SMProxy, "SeriesLabel").SetStatus(name, label)
+        servermanager.vtkSMPropertyHelper(display.SMProxy, "SeriesColor").SetStatus(name, colour, 3)
+    display.SMProxy.UpdateVTKObjects()
+    view.ChartTitle, view.BottomAxisTitle, view.LeftAxisTitle = "Betti curves", "Level", "Number"
+
+
+def _look_at_handles(display, port):
+    """Bridges and windows as balls that can be seen on a translucent contour."""
+    if port < 2:
+        display.RenderPointsAsSpheres, display.PointSize = 1, 10.0
+    elif port == 4:
+        display.Opacity = 0.35
+
+
+def _hide_molecule(atoms, view):
+    """The balls and sticks beside the atoms that a surface has taken the place of."""
+    reader = servermanager._getPyProxy(atoms.SMProxy)
+    if reader.SMProxy.GetXMLName() in MOLECULES:
+        simple.Hide(simple.OutputPort(reader, 1), view)
+        simple.HideUnusedScalarBars(view)
 
 
 # What a spreadsheet of sites hides at first: ParaView sorts columns by name, and these would come
@@ -176,43 +228,72 @@ def _view_of(display):
 _seen = set()
 
 
+def _look_at_table(display, view, name):
+    if name in SITES:
+        view.HiddenColumnLabels = HIDDEN
+    elif name in pockets_and_pores.FEATURES:
+        view.HiddenColumnLabels = pockets_and_pores.HIDDEN_COLUMNS[name]
+    elif name in LEVELS and hasattr(display, "XArrayName"):
+        _look_at_betti_curves(display, view)
+
+
+def _look_at_shape(display, view, source, name):
+    port = getattr(source, "Port", 0)
+    if name in ("ChokingLoops", "MapChokingLoops"):
+        _look_at_loops(display, view, port)
+    elif name in SITES and port == 0:
+        simple.ColorBy(display, ("POINTS", "BindingSite"))
+        display.SetScalarBarVisibility(view, True)
+    elif name in IONS and port == 0:
+        _look_at_ions(display, view)
+    elif name == "MapHandles":
+        _look_at_handles(display, port)
+    elif name in MESHES:
+        _look_at_mesh(display, view)
+    elif name in ENVELOPES:
+        _hide_molecule(source.Input, view)
+    elif name in pockets_and_pores.FEATURES:
+        pockets_and_pores.look(display, view, port)
+
+
 def _look(display):
+    """Returns the view, where this was the first look at a representation."""
     source = getattr(display, "Input", None)
     if source is None:
-        return
+        return None
     view = _view_of(display)
     name = source.SMProxy.GetXMLName()
     key = display.GetGlobalID()
+    first = key not in _seen
+    _seen.add(key)
     if not hasattr(display, "ColorArrayName"):
-        if key not in _seen and name in SITES:
-            _seen.add(key)
-            view.HiddenColumnLabels = HIDDEN
-        return
-    if key not in _seen:
-        _seen.add(key)
-        if name in ("ChokingLoops", "MapChokingLoops"):
-            _look_at_loops(display, view, source.Port if hasattr(source, "Port") else 0)
-        elif name in SITES and getattr(source, "Port", 0) == 0:
-            simple.ColorBy(display, ("POINTS", "BindingSite"))
-            display.SetScalarBarVisibility(view, True)
-        elif name in IONS and getattr(source, "Port", 0) == 0:
-            _look_at_ions(display, view)
-        elif name in pockets_and_pores.FEATURES:
-            pockets_and_pores.look(display, view, getattr(source, "Port", 0))
-    _colour(display, view)
+        if first:
+            _look_at_table(display, view, name)
+    else:
+        if first:
+            _look_at_shape(display, view, source, name)
+        _colour(display, view)
+    return view if first else None
 
 
 def first_look(*ids):
     """Called by the window with the global ids of representations that are new or changed."""
     session = servermanager.ActiveConnection.Session
+    views = {}
     for number in ids:
         proxy = session.GetRemoteObject(number)
         if proxy is None:
             continue
         try:
-            _look(servermanager._getPyProxy(proxy))
+            view = _look(servermanager._getPyProxy(proxy))
+            if view is not None:
+                views[view.GetGlobalID()] = view
         except Exception as error:  # a look is never worth a failure
             print_error(f"The first look at a result failed: {error}")
+    for view in views.values():  # ParaView has drawn them before
+        if hasattr(view, "HiddenLineRemoval"):  # a render view
+            simple.HideUnusedScalarBars(view)
+        view.SMProxy.StillRender()
 
 
 def show(*proxies, view=None, tables=False):

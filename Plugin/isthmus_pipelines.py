@@ -14,7 +14,8 @@ The buttons of the toolbar are run(); first_look() is what the window calls for 
 
 import os
 
-from paraview import print_error, print_warning, simple
+from paraview import print_warning, servermanager, simple
+from vtkmodules.vtkCommonCore import vtkLogger
 
 try:
     import isthmus_charges as charges  # with the plugin, whose window uses them, too
@@ -59,9 +60,13 @@ def _require_surface(source):
                          "browser; Map to surface makes one of a density map.")
 
 
-def _require_atoms(source):
+def _has_atoms(source):
     look.data_of(source)
-    if source.PointData["Radius"] is None:
+    return source.PointData["Radius"] is not None
+
+
+def _require_atoms(source):
+    if not _has_atoms(source):
         raise ValueError("This needs a molecule with radii: open a PDB, mmCIF or PQR file and select "
                          "it in the pipeline browser.")
 
@@ -276,12 +281,46 @@ def persistence_diagram(source):
     return (chart,)
 
 
+def _upstream(source, fits):
+    """The nearest source that fits, from `source` back to the files; `source` itself where none does."""
+    waiting, met = [source.SMProxy], set()
+    while waiting:
+        proxy = waiting.pop(0)
+        if proxy.GetGlobalID() in met:
+            continue
+        met.add(proxy.GetGlobalID())
+        candidate = servermanager._getPyProxy(proxy)
+        if fits(candidate):
+            return candidate
+        waiting += [proxy.GetProducerProxy(i) for i in range(proxy.GetNumberOfProducers())
+                    if proxy.GetProducerProxy(i).IsA("vtkSMSourceProxy")]
+    return source
+
+
+def _fits(function):
+    """What a button needs: with a map's surface selected, Map to curvature goes back to the map."""
+    if function.startswith("map_"):
+        return _is_volume
+    if function.startswith("protein_"):
+        return lambda source: _has_atoms(source) and source.PointData["Element"] is not None
+    if function == "persistence_diagram":
+        return lambda source: source.SMProxy.GetXMLName() in DIAGRAMS
+    return lambda source: True
+
+
+def _tell(message):
+    """An error of the button, as one sentence: without the line of a script that made it."""
+    vtkLogger.Log(vtkLogger.VERBOSITY_ERROR, "Isthmus", 0, message)
+
+
 def run(function):
-    """A button of the toolbar: the pipeline on the active source, shown in the active view."""
+    """A button of the toolbar: the pipeline on the active source, or on what that was made from; shown
+    in the active view, with all else hidden."""
     source = simple.GetActiveSource()
     if source is None:
-        print_error("Select a source in the pipeline browser first: open a map, a molecule or a surface.")
+        _tell("Select a source in the pipeline browser first: open a map, a molecule or a surface.")
         return
+    source = _upstream(source, _fits(function))
     before = set(simple.GetSources().values())
     try:
         proxies = globals()[function](source)
@@ -290,11 +329,11 @@ def run(function):
     except ValueError as error:
         for proxy in set(simple.GetSources().values()) - before:
             simple.Delete(proxy)
-        print_error(str(error))
+        _tell(str(error))
         return
     view = simple.GetActiveViewOrCreate("RenderView")
-    for port in range(source.SMProxy.GetNumberOfOutputPorts()):  # of a molecule: atoms, balls and sticks
-        simple.Hide(simple.OutputPort(source, port), view)
+    simple.HideAll(view)
+    simple.HideUnusedScalarBars(view)
     show(*proxies, view=view, tables=True)
     simple.SetActiveSource(proxies[-1])
     simple.Render(view)

@@ -2,8 +2,10 @@
 
 #include "AlgorithmGuard.h"
 #include "CurvatureDescriptors.h"
+#include "Index.h"
 #include "PolyDataTriangles.h"
 #include "SurfaceCurvature.h"
+#include "SurfaceIntake.h"
 #include "SurfaceTypeNames.h"
 #include "WholeSurface.h"
 
@@ -72,6 +74,71 @@ void CheckTolerance(double value, const char* name)
   }
 }
 
+/// Gives every point what was found at the one that stands for its place.
+void Spread(const std::vector<vtkIdType>& places, SurfaceCurvatureResult& result)
+{
+  const auto spread = [&places](auto& values, std::size_t components)
+  {
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      values[i] = values[components * isthmus::At(places[i / components]) + i % components];
+    }
+  };
+  for (auto* values : { &result.Gaussian, &result.Mean, &result.HalfDifference, &result.Area })
+  {
+    spread(*values, 1);
+  }
+  spread(result.Valid, 1);
+  spread(result.Direction1, 3);
+  spread(result.Direction2, 3);
+}
+
+/// Curvature with points that coincide as one (SurfaceIntake.h) where the surface is not closed and
+/// regular as it is: files with texture coordinates or normals at corners are so at every seam.
+/// `places`: for each point the one that stands for its place, empty where all are their own.
+SurfaceCurvatureResult CurvatureOfPlaces(isthmus::SurfaceView mesh,
+  const isthmus::SurfaceCurvatureOptions& options, const isthmus::ProgressCallback& progress,
+  std::vector<vtkIdType>& places)
+{
+  SurfaceCurvatureResult result = isthmus::CurvatureOfSurface(mesh, options, progress);
+  if (result.BoundaryPoints + result.IrregularPoints + result.DegeneratePoints == 0)
+  {
+    return result;
+  }
+  const std::vector<vtkIdType> corners = isthmus::MergedCorners(mesh, &places);
+  if (std::equal(corners.begin(), corners.end(), mesh.Triangles,
+        mesh.Triangles + 3 * mesh.NumberOfTriangles))
+  {
+    places.clear();
+    return result;
+  }
+  mesh.Triangles = corners.data();
+  mesh.NumberOfTriangles = static_cast<vtkIdType>(corners.size() / 3);
+  result = isthmus::CurvatureOfSurface(mesh, options, progress);
+  Spread(places, result);
+  return result;
+}
+
+/// The points' areas; points at one place share its area, so that all still sum to the surface's.
+void AddAreas(
+  const std::vector<vtkIdType>& places, const std::vector<double>& areas, vtkPolyData* output)
+{
+  std::vector<int> sharers(places.size(), 0);
+  for (const vtkIdType place : places)
+  {
+    ++sharers[isthmus::At(place)];
+  }
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("PointArea");
+  array->SetNumberOfValues(output->GetNumberOfPoints());
+  for (std::size_t i = 0; i < areas.size(); ++i)
+  {
+    array->SetValue(static_cast<vtkIdType>(i),
+      places.empty() ? areas[i] : areas[i] / sharers[isthmus::At(places[i])]);
+  }
+  output->GetPointData()->AddArray(array);
+}
+
 /// What a user should know about points without curvature; empty if there is nothing.
 std::string Complaints(const SurfaceCurvatureResult& result)
 {
@@ -116,9 +183,14 @@ int vtkSurfaceCurvature::RequestData(
       options.Orientation = static_cast<isthmus::SurfaceOrientation>(this->Orientation);
       options.Radius = this->Radius;
       const isthmus::PolyDataTriangles triangles(input);
-      const SurfaceCurvatureResult result = isthmus::CurvatureOfSurface(
-        triangles.View(), options, isthmus::Between(isthmus::ProgressOf(this), 0.1, 0.9));
+      std::vector<vtkIdType> places;
+      const SurfaceCurvatureResult result = CurvatureOfPlaces(
+        triangles.View(), options, isthmus::Between(isthmus::ProgressOf(this), 0.1, 0.9), places);
       this->AddArrays(result, output);
+      if (this->GeneratePointArea)
+      {
+        AddAreas(places, result.Area, output);
+      }
       const std::string complaints = Complaints(result);
       if (!complaints.empty())
       {
@@ -158,14 +230,6 @@ void vtkSurfaceCurvature::AddArrays(const SurfaceCurvatureResult& result, vtkPol
         return isthmus::ClassifySurface(mean[i], half[i], size, tolerance);
       });
     isthmus::AddSurfaceTypeNames(output->GetFieldData());
-  }
-  if (this->GeneratePointArea)
-  {
-    vtkNew<vtkDoubleArray> area;
-    area->SetName("PointArea");
-    area->SetNumberOfValues(output->GetNumberOfPoints());
-    std::copy(result.Area.begin(), result.Area.end(), area->GetPointer(0));
-    output->GetPointData()->AddArray(area);
   }
   AddDescriptor<vtkUnsignedCharArray>(
     output, result, 1, "CurvatureValid", [](std::size_t) { return 1; });

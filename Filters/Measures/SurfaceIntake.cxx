@@ -34,6 +34,21 @@ std::vector<std::int64_t> FirstAtPlace(std::int64_t count, Point&& point)
   return first;
 }
 
+/// The points that triangles use: others are first at no place, so that they do not decide the
+/// order, and need not be finite.
+std::vector<std::int64_t> IdsOf(const std::vector<char>& used)
+{
+  std::vector<std::int64_t> ids;
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    if (used[i])
+    {
+      ids.push_back(static_cast<std::int64_t>(i));
+    }
+  }
+  return ids;
+}
+
 bool HasRepeated(const Triangle& t)
 {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
@@ -82,15 +97,7 @@ TriangleMesh MergePoints(const TriangleMesh& surface, std::vector<std::int64_t>*
       used[At(p)] = 1;
     }
   }
-  // Those that no triangle uses are first at no place, so that they do not decide the order.
-  std::vector<std::int64_t> ids;
-  for (std::size_t i = 0; i < used.size(); ++i)
-  {
-    if (used[i])
-    {
-      ids.push_back(static_cast<std::int64_t>(i));
-    }
-  }
+  const std::vector<std::int64_t> ids = IdsOf(used);
   const auto first = FirstAtPlace(static_cast<std::int64_t>(ids.size()),
     [&](std::int64_t i) { return surface.Points[At(ids[At(i)])]; });
   TriangleMesh merged;
@@ -137,25 +144,41 @@ TakenSurface TakeSurface(const TriangleMesh& surface)
   return taken;
 }
 
-std::vector<vtkIdType> MergedCorners(const SurfaceView& surface)
+std::vector<vtkIdType> MergedCorners(const SurfaceView& surface, std::vector<vtkIdType>* places)
 {
-  const auto first = FirstAtPlace(surface.NumberOfPoints,
-    [&surface](std::int64_t i)
+  std::vector<char> used(At(surface.NumberOfPoints), 0);
+  for (vtkIdType corner = 0; corner < 3 * surface.NumberOfTriangles; ++corner)
+  {
+    used[At(surface.Triangles[corner])] = 1;
+  }
+  const std::vector<std::int64_t> ids = IdsOf(used);
+  const auto first = FirstAtPlace(static_cast<std::int64_t>(ids.size()),
+    [&](std::int64_t i)
     {
-      const double* p = surface.Point(i);
+      const double* p = surface.Point(ids[At(i)]);
       return Point3{ p[0], p[1], p[2] };
     });
+  std::vector<vtkIdType> place(used.size());
+  std::iota(place.begin(), place.end(), vtkIdType{ 0 });
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    place[At(ids[i])] = ids[At(first[i])];
+  }
   std::vector<vtkIdType> corners;
   corners.reserve(At(3 * surface.NumberOfTriangles));
   for (vtkIdType t = 0; t < surface.NumberOfTriangles; ++t)
   {
     const vtkIdType* old = surface.Triangle(t);
     const Triangle before{ old[0], old[1], old[2] };
-    const Triangle after{ first[At(old[0])], first[At(old[1])], first[At(old[2])] };
+    const Triangle after{ place[At(old[0])], place[At(old[1])], place[At(old[2])] };
     if (HasRepeated(before) || !HasRepeated(after))
     {
       corners.insert(corners.end(), after.begin(), after.end());
     }
+  }
+  if (places)
+  {
+    places->swap(place);
   }
   return corners;
 }

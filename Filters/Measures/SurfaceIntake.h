@@ -43,8 +43,10 @@ struct TakenSurface
 VTKISTHMUS_EXPORT TakenSurface TakeSurface(const TriangleMesh& surface);
 
 /// The corners of the triangles of `surface` after the same merging; its points stay where they
-/// are.
-VTKISTHMUS_EXPORT std::vector<vtkIdType> MergedCorners(const SurfaceView& surface);
+/// are. `places`, if given, gets for each point the one that stands for its place; itself for a
+/// point that no triangle uses.
+VTKISTHMUS_EXPORT std::vector<vtkIdType> MergedCorners(
+  const SurfaceView& surface, std::vector<vtkIdType>* places = nullptr);
 
 /**
  * Where a surface that FindDefects found to be open is so only at the faces of its own box, as a

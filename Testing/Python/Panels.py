@@ -12,6 +12,12 @@ OPTIONAL = {("HessianCurvature", "Surface"), ("ChokingLoops", "Mesh"), ("Surface
             ("BindingSites", "Atoms"), ("PoissonBoltzmann", "Surface"),
             ("PoissonBoltzmann", "PotentialInput"), ("PoissonBoltzmannOnSurface", "PotentialInput"),
             ("MolecularPockets", "Surface"), ("FeatureTracks", "Lining"), ("IonTransport", "Surface")}
+# Outputs that stand beside the main one from the start: what the filter is for, or a reader's other view.
+BESIDE = {("BindingSites", 1), ("CellIncidence", 1), ("FeatureTracks", 2), ("MapHandles", 1),
+          ("MapHandles", 4), ("MapHandles", 5), ("MapChokingLoops", 4), ("SurfaceMeasures", 1),
+          ("MeshQualityReport", 1), ("MolecularPockets", 1), ("MolecularPockets", 3), ("PoreProfile", 5),
+          ("PoissonBoltzmann", 1), ("NonpolarSolvation", 1), ("TetCutaway", 1), ("MacromoleculeReader", 1),
+          ("IonTransport", 1), ("IonTransport", 2)}
 ICONS = {":/Isthmus/" + file.get("alias") for file in ElementTree.parse(
     Path(os.environ["ISTHMUS_PANELS_DIR"]) / "Isthmus.qrc").getroot().iter("file")}
 NUMERIC = ("IntVectorProperty", "DoubleVectorProperty", "IdTypeVectorProperty")
@@ -35,6 +41,11 @@ def complaints_about_entry(group, proxy_element):
         yield f"{name}: not in the menu Isthmus"
     elif group == "filters" and menus["Isthmus"] not in ICONS:
         yield f"{name}: no icon of Isthmus.qrc in the menu"
+    views = [] if hints is None else [int(view.get("port", 0)) for view in hints.iter("View")]
+    for port in proxy_element.iter("OutputPort"):
+        number = int(port.get("index"))
+        if number > 0 and number not in views and (name, number) not in BESIDE:
+            yield f"{name}: {port.get('name')} is shown unasked beside the main output"
     for element in proxy_element.iter("InputProperty"):
         if element.get("name") == "Input" and element.get("label", "Input") != "Input":
             yield f"{name}.Input: scripts know an input by its label, and all write Input="

@@ -96,7 +96,9 @@ def answer(places):
             break
         time.sleep(2)
     widen()
-    click(*APPLY_AT)
+    for _ in range(3):  # while the panel is not yet there the click is lost, and after it Apply is grey
+        time.sleep(2)
+        click(*APPLY_AT)
 
 
 def play(name, data, events, clicks, folder):

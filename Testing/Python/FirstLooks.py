@@ -1,0 +1,70 @@
+"""What a button shows, and what the window shows of a filter at first: a button goes back to the source
+that it can use, hides all else, and refuses in one sentence; meshes have edges, charts have levels, and
+a surface takes the place of its molecule.
+"""
+
+from paraview import servermanager, simple
+from shared_data import shared_data
+
+import isthmus_look as look  # there once paraview.simple has loaded the plugin
+import isthmus_pipelines as pipelines
+
+
+def visible(view):
+    return sorted(display.Input.SMProxy.GetXMLName() for display in view.Representations
+                  if hasattr(display, "Input") and display.Visibility)
+
+
+def named(name):
+    return [proxy for proxy in simple.GetSources().values() if proxy.SMProxy.GetXMLName() == name]
+
+
+def check_buttons():
+    view = simple.GetActiveViewOrCreate("RenderView")
+    density = simple.OpenDataFile(str(shared_data("maps/1ake.mrc")))
+    simple.SetActiveSource(density)
+    pipelines.run("map_to_surface")
+    assert simple.GetActiveSource().SMProxy.GetXMLName() == "MapSurface"
+    assert visible(view) == ["MapSurface"], visible(view)
+    # The next button is pressed with the surface selected: back to the map.
+    pipelines.run("map_to_curvature")
+    (curvature,) = named("CurvatureOnSurface")
+    assert curvature.Volume.SMProxy == density.SMProxy
+    assert visible(view) == ["CurvatureOnSurface"], visible(view)
+    # A molecule's button shows the molecule's surface, and nothing of the map.
+    atoms = simple.OpenDataFile(str(shared_data("molecules/1AJJ_pH7_PARSE.pqr")))
+    simple.SetActiveSource(atoms)
+    pipelines.run("protein_to_surface")
+    assert visible(view) == ["MapSurface"], visible(view)
+    # What can't be used leaves all as it was.
+    count = len(simple.GetSources())
+    simple.SetActiveSource(curvature)
+    pipelines.run("protein_to_pockets")
+    assert len(simple.GetSources()) == count and visible(view) == ["MapSurface"]
+    return density, atoms
+
+
+def check_looks(density, atoms):
+    view = simple.GetActiveView()
+    torus = simple.OpenDataFile(str(shared_data("surfaces/torus.obj")))
+    mesh = simple.Show(simple.TetrahedralMesher(Input=torus), view)
+    look.first_look(mesh.GetGlobalID())
+    assert mesh.Representation == "Surface With Edges" and not mesh.ColorArrayName[1]
+
+    simple.Show(simple.OutputPort(atoms, 1), view)
+    flow = simple.Show(simple.MolecularFlowSurface(Input=atoms, Spacing=1.0), view)
+    look.first_look(flow.GetGlobalID())
+    assert "MacromoleculeReader" not in visible(view), visible(view)
+
+    handles = simple.MapHandles(Input=density)
+    chart = simple.CreateView("XYChartView")
+    levels = simple.Show(simple.OutputPort(handles, 2), chart, "XYChartRepresentation")
+    look.first_look(levels.GetGlobalID())
+    assert levels.XArrayName == "Level" and not levels.UseIndexForXAxis
+    assert list(levels.SeriesVisibility) == [name for name, _, _ in look.BETTI], levels.SeriesVisibility
+    assert chart.BottomAxisTitle == "Level"
+
+
+check_looks(*check_buttons())
+assert servermanager.ActiveConnection is not None
+print("buttons and first looks")
