@@ -25,7 +25,8 @@ set(long_tests "SuperStepsReachTheEnd|TimeOrderIsTwo|FourierModesDecay|Isosurfac
   "|SharedMaps.EqualGudhi|TurnsMirrorsAndShifts|ClosedWindows|ManufacturedInterface|IonsHaveBornsEnergy"
   "|AgreesWithItself/(129110|72214|65004|1514499|emd_5043)|SurfaceMending.DamagedSurfaces"
   "|LysozymeStarts|EarlyLysozyme|IsAsNearToTheUniformOne|NoiseStaysManifoldWithItsHandles"
-  "|NoTrianglesCrossWhere|SharpEdgesOfMachineParts")
+  "|NoTrianglesCrossWhere|SharpEdgesOfMachineParts|PolyhedraBecome|ManyKindsOfDamage"
+  "|LimitsOfTimeAndMemory")
 string(CONCAT long_tests ${long_tests})
 # Of the others a third, another at each landing (as in Unit/Support/LongTests.h), without their own
 # long cases; all of them with ISTHMUS_LONG_TESTS=1.
