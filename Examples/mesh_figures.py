@@ -38,6 +38,7 @@ def words_view(view, name, report, size):
     words = simple.Show(simple.Text(Text=caption(name, report)), view)
     words.Color = [0.0, 0.0, 0.0]
     words.FontSize = size
+    words.WindowLocation = "Lower Left Corner"
 
 
 def mesh_view(view, mesh, direction, zoom, camera):
