@@ -32,7 +32,16 @@ def caption(name, report):
     return f"{name}\n{cells:,} cells, {measures.GetValue(0):.1f} to {measures.GetValue(1):.1f} degrees"
 
 
-def mesh_view(view, name, mesh, report, direction, zoom, camera, charted):
+def words_view(view, name, report, size):
+    """The caption alone: over a mesh that fills its view it could not be read."""
+    white(view)
+    words = simple.Show(simple.Text(Text=caption(name, report)), view)
+    words.Color = [0.0, 0.0, 0.0]
+    words.FontSize = size
+    words.WindowLocation = "Lower Left Corner"
+
+
+def mesh_view(view, mesh, direction, zoom, camera):
     """The mesh with its edges, seen from `direction`, or as `camera` sees it."""
     white(view)
     display = simple.Show(mesh, view)
@@ -40,9 +49,6 @@ def mesh_view(view, name, mesh, report, direction, zoom, camera, charted):
     display.ColorArrayName = ["POINTS", ""]
     display.DiffuseColor = COLOUR
     display.EdgeColor = [0.15, 0.15, 0.25]
-    words = simple.Show(simple.Text(Text=caption(name, report)), view)
-    words.Color = [0.0, 0.0, 0.0]
-    words.FontSize = 14 if charted else 10
     if camera:
         view.CameraPosition, view.CameraFocalPoint = camera.CameraPosition, camera.CameraFocalPoint
         view.CameraViewUp, view.CameraViewAngle = camera.CameraViewUp, camera.CameraViewAngle
@@ -83,15 +89,20 @@ def figure(picture, columns, direction, zoom=1.3, size=(1200, 620), histograms=T
     for cell, (name, shown, mesh) in zip(split(layout, 0, len(columns), layout.SplitHorizontal), columns):
         if histograms:
             cell = layout.SplitVertical(cell, 0.68)
+        below = cell + 1
         report = simple.MeshQualityReport(Input=mesh)
         report.UpdatePipeline()
+        words = simple.CreateView("RenderView")
+        cell = layout.SplitVertical(cell, 0.14)
+        simple.AssignViewToLayout(words, layout, cell)
+        words_view(words, name, report, 14 if histograms else 10)
         view = simple.CreateView("RenderView")
-        simple.AssignViewToLayout(view, layout, cell)
-        mesh_view(view, name, shown, report, direction, zoom, camera if same else None, histograms)
+        simple.AssignViewToLayout(view, layout, cell + 1)
+        mesh_view(view, shown, direction, zoom, camera if same else None)
         camera = camera or view
         if histograms:
             chart = simple.CreateView("XYBarChartView")
-            simple.AssignViewToLayout(chart, layout, cell + 1)
+            simple.AssignViewToLayout(chart, layout, below)
             bars(chart, report)
     simple.SaveScreenshot(str(picture), layout, ImageResolution=list(size))
     subprocess.run(["convert", str(picture), "-colors", "64", str(picture)], check=False)

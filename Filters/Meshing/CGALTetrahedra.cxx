@@ -1,3 +1,5 @@
+#include "CGALWithoutDumps.h"
+
 #include "CGALSolids.h"
 #include "TetrahedralMesher.h"
 

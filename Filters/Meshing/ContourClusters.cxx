@@ -1,5 +1,7 @@
 #include "ContourClusters.h"
 
+#include "CellBox.h"
+
 #include <algorithm>
 #include <numeric>
 

@@ -124,13 +124,16 @@ private:
     return true;
   }
 
-  /// Cosine of the angle between triangle and `normal`; -1 for triangles without area.
+  /// Cosine of the angle between triangle and `normal`; -1 for triangles without area, or so thin
+  /// that rounding decides where they face, as of three points on a sharp edge.
   double Agreement(std::int64_t a, std::int64_t b, std::int64_t c, const Point3& normal) const
   {
-    const Point3& at = this->Clusters.PointOf(a);
-    const Point3 n = Cross(this->Clusters.PointOf(b) - at, this->Clusters.PointOf(c) - at);
+    const Point3 u = this->Clusters.PointOf(b) - this->Clusters.PointOf(a);
+    const Point3 v = this->Clusters.PointOf(c) - this->Clusters.PointOf(a);
+    const Point3 n = Cross(u, v);
     const double length = Length(n);
-    return length > 0.0 ? Dot(n, normal) / length : -1.0;
+    constexpr double thin = 1e-6;
+    return length > thin * (Dot(u, u) + Dot(v, v)) ? Dot(n, normal) / length : -1.0;
   }
 
   /// How far the middle between two corners is from the planes that the four points are made for.
@@ -145,6 +148,14 @@ private:
     return sum;
   }
 
+  /// Are both points of the uniform contour, and on sharp edges?
+  bool AreSharp(std::int64_t a, std::int64_t b) const
+  {
+    const auto isSharp = [this](std::int64_t id)
+    { return !this->Clusters.IsCluster(id) && this->Contour.IsSharp[At(id)] != 0; };
+    return isSharp(a) && isSharp(b);
+  }
+
   /// Cut along the diagonal that keeps a sharp edge, unless a triangle would then face backwards.
   void AddHalves(std::int64_t e, const std::array<std::int64_t, 4>& q, const Point3& normal)
   {
@@ -152,9 +163,11 @@ private:
       this->Agreement(q[0], q[1], q[2], normal), this->Agreement(q[0], q[2], q[3], normal));
     const double second = std::min(
       this->Agreement(q[1], q[2], q[3], normal), this->Agreement(q[1], q[3], q[0], normal));
-    const bool isFirst = first > 0.0 && second > 0.0
-      ? this->OffPlanes(e, q[0], q[2]) <= this->OffPlanes(e, q[1], q[3])
-      : first >= second;
+    const bool firstIsSharp = this->AreSharp(q[0], q[2]);
+    const bool isFirst = !(first > 0.0 && second > 0.0) ? first >= second
+      : firstIsSharp != this->AreSharp(q[1], q[3])
+      ? firstIsSharp
+      : this->OffPlanes(e, q[0], q[2]) <= this->OffPlanes(e, q[1], q[3]);
     const std::size_t turn = isFirst ? 0 : 1;
     this->Add(e, { q[turn], q[turn + 1], q[turn + 2], -1 });
     this->Add(e, { q[turn], q[turn + 2], q[(turn + 3) % 4], -1 });

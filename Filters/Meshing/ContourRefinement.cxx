@@ -1,5 +1,6 @@
 #include "ContourRefinement.h"
 
+#include "CellBox.h"
 #include "ContourPolygons.h"
 #include "ContourRings.h"
 #include "Index.h"
@@ -176,8 +177,35 @@ private:
     return this->CutAroundCentred() || any;
   }
 
+  /// Points that left their cells return to them.
+  bool SendHome(std::int64_t edge)
+  {
+    bool any = false;
+    for (const std::int64_t point : this->Contour.Edges[At(edge)].Around)
+    {
+      const Bounds3 box = CellBox(this->Contour.Shape, this->Contour.Cells[At(point)], 1, 0.0);
+      const Point3& x = this->Clusters.PointOf(point);
+      bool isHome = true;
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        isHome = isHome && x[a] >= box.Min[a] && x[a] <= box.Max[a];
+      }
+      if (!isHome)
+      {
+        this->Clusters.Move(
+          point, this->Contour.Errors[At(point)].Least(box, this->Parameters.FeatureThreshold));
+        any = true;
+      }
+    }
+    return any;
+  }
+
   bool CutOrCentre(std::int64_t edge)
   {
+    if (this->SendHome(edge))
+    {
+      return true;
+    }
     if (!this->Cuts->Has(edge))
     {
       this->Cuts->Cut(edge);

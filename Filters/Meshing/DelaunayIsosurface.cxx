@@ -1,6 +1,7 @@
 #include "DelaunayIsosurface.h"
 
 #include "CGALSurface.h"
+#include "CGALWithoutDumps.h"
 #include "RangeGuard.h"
 #include "SurfaceCheck.h"
 #include "SurfaceSeeds.h"

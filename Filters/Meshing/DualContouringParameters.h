@@ -5,6 +5,7 @@
 #ifndef isthmus_DualContouringParameters_h
 #define isthmus_DualContouringParameters_h
 
+#include "SharpEdges.h"
 #include "SurfaceCrossings.h"
 #include "TriangleMesh.h"
 
@@ -19,15 +20,17 @@ struct HermiteGrid
   GridShape Shape;
   std::vector<unsigned char> Inside;   ///< of each node: 1 inside, else 0
   std::vector<GridCrossing> Crossings; ///< ordered by node and axis; normals outward
+  SharpEdges Sharp;                    ///< where known: points of their cells go there
 };
 
 struct DualContouringParameters
 {
   /// Directions in which the normals of a cell vary less than this part of how they vary most are
-  /// left to the mean of its crossings: 0 (all noise is a feature) to 1 (none is).
-  double FeatureThreshold = 0.1;
-  /// Spacings by which a vertex may leave its cell, 0 to 1: above 0 corners that poke through a
-  /// face of a cell without crossing its edges are met, too, but polygons cross more easily.
+  /// left to the mean of its crossings: 0 (all noise is a feature) to 1 (none is). 0.07: an edge of
+  /// 30 degrees, tan^2 of half the angle (SharpEdges.h).
+  double FeatureThreshold = 0.07;
+  /// Spacings by which a vertex may leave its cell, 0 to 1, whatever is there (at 0: only into
+  /// empty cells and to known edges, ContourPlaces.h); polygons cross more easily above 0.
   double Reach = 0.0;
   bool Triangles = true; ///< quadrilaterals cut in two, else as they are
   /// How far the surface may be from that of the whole grid, a length: above 0, cells are put

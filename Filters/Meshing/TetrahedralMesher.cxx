@@ -81,23 +81,33 @@ void AddBox(TetrahedralTask& task, const Bounds3& bounds, double margin)
   }
 }
 
-/// Turns every tetrahedron to positive volume and returns the volume of each region.
+/// Turns the tetrahedra to positive volume, all of them or none, and returns the volume of each
+/// region. Both libraries turn theirs alike; those so flat that rounding decides about the sign of
+/// their volume must stay as their neighbours are, else the skin has triangles facing inward.
 std::map<int, double> OrientAndMeasure(TetrahedralMesh& mesh)
 {
   std::map<int, double> volumes;
+  double all = 0.0;
   for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
   {
-    Tetrahedron& t = mesh.Tetrahedra[i];
+    const Tetrahedron& t = mesh.Tetrahedra[i];
     const auto at = [&mesh, &t](std::size_t c)
     { return mesh.Points[static_cast<std::size_t>(t[c])]; };
     const Point3 origin = at(0);
-    double six = Dot(Cross(at(1) - origin, at(2) - origin), at(3) - origin);
-    if (six < 0.0)
+    const double volume = Dot(Cross(at(1) - origin, at(2) - origin), at(3) - origin) / 6.0;
+    volumes[mesh.Regions[i]] += volume;
+    all += volume;
+  }
+  if (all < 0.0)
+  {
+    for (Tetrahedron& t : mesh.Tetrahedra)
     {
       std::swap(t[2], t[3]);
-      six = -six;
     }
-    volumes[mesh.Regions[i]] += six / 6.0;
+    for (auto& [region, volume] : volumes)
+    {
+      volume = -volume;
+    }
   }
   return volumes;
 }

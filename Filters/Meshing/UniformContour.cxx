@@ -1,8 +1,9 @@
 #include "UniformContour.h"
 
-#include "DualCells.h"
+#include "ContourPlaces.h"
 #include "ParallelFor.h"
 
+#include <numeric>
 #include <stdexcept>
 
 namespace isthmus
@@ -15,8 +16,8 @@ class Contourer
 public:
   Contourer(const HermiteGrid& grid, const DualContouringParameters& parameters)
     : Grid(grid)
-    , Parameters(parameters)
     , Cells(grid)
+    , Places(grid, this->Cells, parameters)
   {
     this->Result.Shape = grid.Shape;
     for (std::size_t c = 0; c < this->Cells.Active().size(); ++c)
@@ -29,6 +30,7 @@ public:
     }
     this->Result.Errors.resize(this->Result.Cells.size());
     this->Result.Points.resize(this->Result.Cells.size());
+    this->Result.IsSharp.resize(this->Result.Cells.size());
   }
 
   void PlacePoints(const ProgressCallback& progress)
@@ -43,6 +45,7 @@ public:
         }
       },
       progress);
+    this->Part();
   }
 
   void AddEdges()
@@ -105,11 +108,35 @@ private:
         count = std::max(count, piece + 1);
       }
     }
-    const Bounds3 box =
-      CellBox(this->Grid.Shape, this->Cells.IndexOf(cell), 1, this->Parameters.Reach);
-    for (std::size_t i = first; i < first + count; ++i)
+    for (std::size_t i = 0; i < count; ++i)
     {
-      this->Result.Points[i] = this->Result.Errors[i].Least(box, this->Parameters.FeatureThreshold);
+      const ContourPlace place = this->Places.Place(cell, &this->Result.Errors[first], count, i);
+      this->Result.Points[first + i] = place.At;
+      this->Result.IsSharp[first + i] = place.IsSharp ? 1 : 0;
+    }
+  }
+
+  /// Of points that went to the same place all but the first return to their cells.
+  void Part()
+  {
+    std::vector<std::size_t> order(this->Result.Points.size());
+    std::iota(order.begin(), order.end(), std::size_t{ 0 });
+    const auto& points = this->Result.Points;
+    std::stable_sort(order.begin(), order.end(),
+      [&points](std::size_t a, std::size_t b) { return points[a] < points[b]; });
+    std::vector<std::size_t> late;
+    for (std::size_t i = 1; i < order.size(); ++i)
+    {
+      if (points[order[i]] == points[order[i - 1]])
+      {
+        late.push_back(order[i]);
+      }
+    }
+    for (const std::size_t i : late)
+    {
+      this->Result.Points[i] =
+        this->Places.Inside(this->Cells.NodeOf(this->Result.Cells[i]), this->Result.Errors[i]);
+      this->Result.IsSharp[i] = 0;
     }
   }
 
@@ -144,26 +171,11 @@ private:
   }
 
   const HermiteGrid& Grid;
-  const DualContouringParameters& Parameters;
   const DualCells Cells;
+  const ContourPlaces Places;
   std::vector<std::int64_t> FirstPoint; ///< of each active cell
 };
 
-}
-
-Bounds3 CellBox(
-  const GridShape& shape, const UniformContour::Index& index, std::int64_t size, double reach)
-{
-  Bounds3 box;
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    const auto last = static_cast<double>(shape.Dimensions[a] - 1);
-    const auto low = static_cast<double>(index[a]);
-    const auto side = static_cast<double>(size);
-    box.Min[a] = shape.Spacing[a] * std::max(-reach, low - reach * side);
-    box.Max[a] = shape.Spacing[a] * std::min(last + reach, low + side + reach * side);
-  }
-  return box;
 }
 
 UniformContour MakeUniformContour(const HermiteGrid& grid,

@@ -29,13 +29,9 @@ struct UniformContour
   std::vector<Index> Cells;            ///< of each point: its cell's lowest node
   std::vector<QuadraticErrors> Errors; ///< of each point: the planes it was made for
   std::vector<Point3> Points;          ///< where these are least in the cell
+  std::vector<char> IsSharp;           ///< of each point: on a known sharp edge or corner
   std::vector<Edge> Edges;
 };
-
-/// The cube of `size` cells each way at `index`, grown by `reach` of its sides, within the grid
-/// grown by `reach` cells.
-Bounds3 CellBox(
-  const GridShape& shape, const UniformContour::Index& index, std::int64_t size, double reach);
 
 /**
  * O(cells + crossings log crossings), points in parallel with the same bits on any number of

@@ -9,9 +9,12 @@ isthmus_room(
     vtkTetrahedralMesher
   SOURCES
     AutomaticMesher
+    CellBox
     ChildProcess
     ClosedLevelSet
     ContourClusters
+    ContourFeatures
+    ContourPlaces
     ContourPolygons
     ContourRefinement
     ContourRings
@@ -23,6 +26,7 @@ isthmus_room(
     MeshQuality
     QuadraticErrors
     SensibleLevel
+    SharpEdges
     ShellNesting
     SolidStuffing
     StuffingAngles

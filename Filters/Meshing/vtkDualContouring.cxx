@@ -106,13 +106,16 @@ MovedSurface Move(const isthmus::SurfaceView& surface, double spacing)
   return moved;
 }
 
-isthmus::HermiteGrid HermiteOf(const MovedSurface& moved, const isthmus::ProgressCallback& progress)
+isthmus::HermiteGrid HermiteOf(
+  const MovedSurface& moved, double featureThreshold, const isthmus::ProgressCallback& progress)
 {
   isthmus::HermiteGrid grid;
   grid.Shape = moved.Shape;
   grid.Crossings = isthmus::SurfaceCrossings(
     moved.View, moved.Shape, isthmus::CrossingNormal::Triangles, progress);
   grid.Inside = isthmus::NodesInside(moved.View, moved.Shape);
+  grid.Sharp =
+    isthmus::FindSharpEdges(moved.View, isthmus::SharpCosine(std::max(0.07, featureThreshold)));
   return grid;
 }
 
@@ -149,7 +152,8 @@ isthmus::DualContour ContourOf(const isthmus::SurfaceView& surface, double spaci
       p = p + moved.Origin;
     }
   };
-  return isthmus::DualContouring(HermiteOf(moved, isthmus::Between(progress, 0.0, 0.3)), parameters,
+  return isthmus::DualContouring(
+    HermiteOf(moved, parameters.FeatureThreshold, isthmus::Between(progress, 0.0, 0.3)), parameters,
     isthmus::Between(progress, 0.3, 1.0));
 }
 

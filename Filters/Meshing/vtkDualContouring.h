@@ -50,15 +50,16 @@ public:
 
   ///@{
   /// How much normals must vary within a cell to count as an edge or a corner, as a part of the
-  /// largest eigenvalue, 0 to 1: smaller keeps blunter edges and more noise. Default 0.1.
+  /// largest eigenvalue, 0 to 1: smaller keeps blunter edges and more noise. Of surfaces, edges of
+  /// this angle, but 30 degrees at least, are kept exactly. Default 0.07: 30 degrees.
   vtkSetMacro(FeatureThreshold, double);
   vtkGetMacro(FeatureThreshold, double);
   ///@}
 
   ///@{
-  /// Spacings by which a vertex may leave its cell, 0 to 1: above 0 corners that poke through a
-  /// face of a cell without crossing its edges are kept, too, but polygons cross more easily.
-  /// Default 0.
+  /// Spacings by which a vertex may leave its cell, 0 to 1, for others that have a vertex of their
+  /// own; into empty ones, and to the edges of a surface, it may go at 0 already. Polygons cross
+  /// more easily above 0. Default 0.
   vtkSetMacro(Reach, double);
   vtkGetMacro(Reach, double);
   ///@}
@@ -101,7 +102,7 @@ private:
   double Level = 0.0;
   bool InsideIsHigher = true;
   double Spacing = 0.0;
-  double FeatureThreshold = 0.1;
+  double FeatureThreshold = 0.07;
   double Reach = 0.0;
   bool Quadrilaterals = false;
   double Tolerance = 0.0;

@@ -348,6 +348,17 @@ TEST(TetGenMeshFile, DamagedFilesEndInASentenceWithTheLine)
   EXPECT_SAYS(why("1 4 0\n0 0 1 2 3\n", "4 3 0 0\n0 0 0 inf\n1 0 0 0\n2 0 0 0\n3 0 0 0\n"),
     "x.node, line 2: a coordinate is not a finite number");
   EXPECT_SAYS(why("1 4 0\n0 0 1 2 3\n", ""), "x.node");
+
+  const auto whyFace = [](const std::string& faces)
+  {
+    return WhyRefused([](const char* path, const ProgressCallback& progress)
+      { ReadTetGenFiles(path, progress); },
+      faces, "x.face", fourNodes);
+  };
+  EXPECT_EQ(whyFace("1 1\n0 0 1 2 -1\n"), "");
+  EXPECT_SAYS(whyFace("1 0\n0 0 1 4\n"), "x.face, line 2: vertex 4 is named");
+  EXPECT_SAYS(whyFace("2 0\n0 0 1 2\n5 0 1 3\n"), "x.face, line 3: row 2 has the number 5");
+  EXPECT_SAYS(whyFace("2 0\n0 0 1 2\n"), "x.face, line 1: the number of triangles is given as 2");
 }
 
 TEST(MEDITFile, SharedMeshesAreThoseOfAnIndependentParser)

@@ -1,0 +1,76 @@
+#include "ContourPlaces.h"
+
+#include "CellBox.h"
+
+namespace isthmus
+{
+
+ContourPlaces::ContourPlaces(
+  const HermiteGrid& grid, const DualCells& cells, const DualContouringParameters& parameters)
+  : Grid(grid)
+  , Cells(cells)
+  , Parameters(parameters)
+  , Features(grid.Sharp, grid.Shape)
+{
+}
+
+bool ContourPlaces::IsEmpty(std::int64_t cell) const
+{
+  const auto& active = this->Cells.Active();
+  const std::size_t place = this->Cells.Find(cell);
+  return place == active.size() || active[place] != cell;
+}
+
+Point3 ContourPlaces::Inside(std::int64_t cell, const QuadraticErrors& planes) const
+{
+  const Bounds3 box =
+    CellBox(this->Grid.Shape, this->Cells.IndexOf(cell), 1, this->Parameters.Reach);
+  return planes.Least(box, this->Parameters.FeatureThreshold);
+}
+
+ContourPlace ContourPlaces::Place(
+  std::int64_t cell, const QuadraticErrors* pieces, std::size_t count, std::size_t i) const
+{
+  const QuadraticErrors& mine = pieces[i];
+  const Bounds3 around = CellBox(this->Grid.Shape, this->Cells.IndexOf(cell), 1, 1.0);
+  const Point3 best = mine.Least(around, this->Parameters.FeatureThreshold);
+  // Normals of triangles have no noise: where a blunt edge is known, they show the way to it.
+  constexpr double blunt = 0.01;
+  const Point3 towards = this->Grid.Sharp.Segments.empty()
+    ? best
+    : mine.Least(around, std::min(blunt, this->Parameters.FeatureThreshold));
+  const std::int64_t there = CellAt(this->Grid.Shape, best);
+  const std::int64_t edges = CellAt(this->Grid.Shape, towards);
+  const bool isEmpty = there != cell && there >= 0 && this->IsEmpty(there);
+  const Point3 x = there == cell || isEmpty ? best : this->Inside(cell, mine);
+  const auto fitsBest = [&](const Point3& p)
+  {
+    const double error = mine.At(p) / static_cast<double>(mine.NumberOfPlanes());
+    return std::all_of(pieces, pieces + count,
+      [&](const QuadraticErrors& other)
+      { return error <= other.At(p) / static_cast<double>(other.NumberOfPlanes()); });
+  };
+  const auto any = [](const Point3&) { return true; };
+  std::optional<Point3> place;
+  const auto take = [&](const std::optional<Point3>& candidate)
+  {
+    if (candidate && (!place || mine.At(*candidate) < mine.At(*place)))
+    {
+      place = candidate;
+    }
+  };
+  take(this->Features.NearestCorner(cell, x, fitsBest));
+  if (place)
+  {
+    return { *place, true };
+  }
+  take(this->Features.NearestOnEdge(cell, x, ContourFeatures::Part::Middle, fitsBest));
+  if (edges != cell && edges >= 0)
+  {
+    take(this->IsEmpty(edges) ? this->Features.NearestCorner(edges, x, any) : std::nullopt);
+    take(this->Features.NearestOnEdge(edges, x, ContourFeatures::Part::Whole, any));
+  }
+  return { place.value_or(x), place.has_value() };
+}
+
+}

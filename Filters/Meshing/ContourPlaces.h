@@ -1,0 +1,51 @@
+/**
+ * @file ContourPlaces.h
+ * @brief Where in its cell, or in an empty one beside it, a point of dual contouring goes.
+ *
+ * It goes where the planes of its crossings meet best. Where that is outside its cell, in one that
+ * no crossing bounds, it may stay there: an edge that pokes through a face of a cell without
+ * crossing a line of the grid has its point there, and nobody else has one. Otherwise it is kept in
+ * its cell. Where sharp edges or corners of the surface are known, it goes to the one in that cell
+ * that fits its planes best, which is exact where these, of faces that bend, are not.
+ */
+#ifndef isthmus_ContourPlaces_h
+#define isthmus_ContourPlaces_h
+
+#include "ContourFeatures.h"
+#include "DualCells.h"
+#include "QuadraticErrors.h"
+
+namespace isthmus
+{
+
+struct ContourPlace
+{
+  Point3 At;
+  bool IsSharp; ///< on a sharp edge or corner that was known
+};
+
+class ContourPlaces
+{
+public:
+  /// The arguments are kept by reference.
+  ContourPlaces(
+    const HermiteGrid& grid, const DualCells& cells, const DualContouringParameters& parameters);
+
+  /// For piece `i` of the `count` pieces in the active cell `cell` with these planes. O(log n)
+  ContourPlace Place(
+    std::int64_t cell, const QuadraticErrors* pieces, std::size_t count, std::size_t i) const;
+  /// The same, but in the cell, whatever is in the others.
+  Point3 Inside(std::int64_t cell, const QuadraticErrors& planes) const;
+
+private:
+  bool IsEmpty(std::int64_t cell) const;
+
+  const HermiteGrid& Grid;
+  const DualCells& Cells;
+  const DualContouringParameters& Parameters;
+  const ContourFeatures Features;
+};
+
+}
+
+#endif
