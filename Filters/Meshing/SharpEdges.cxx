@@ -33,7 +33,7 @@ std::vector<Side> SidesOf(const SurfaceView& surface)
     const Point3 first = PointOf(surface, corners[t]);
     const Point3 n =
       Cross(PointOf(surface, corners[t + 1]) - first, PointOf(surface, corners[t + 2]) - first);
-    const double length = std::sqrt(Dot(n, n));
+    const double length = Length(n);
     for (std::size_t c = 0; c < 3 && length > 0.0; ++c)
     {
       const std::int64_t a = corners[t + c], b = corners[t + (c + 1) % 3];
@@ -55,7 +55,7 @@ std::vector<Point3> CornersOf(const SurfaceView& surface, std::vector<End> ends,
   const auto along = [&](const End& end)
   {
     const Point3 d = PointOf(surface, end[1]) - PointOf(surface, end[0]);
-    return (1.0 / std::sqrt(Dot(d, d))) * d;
+    return (1.0 / Length(d)) * d;
   };
   std::vector<Point3> corners;
   for (std::size_t i = 0, next = 0; i < ends.size(); i = next)
