@@ -18,11 +18,17 @@ class RadialSolution
 {
 public:
   RadialSolution(double charge, double radius, double layer, const IonAtmosphere& ions)
-    : Inner(radius + layer)
+    : Radius(radius)
+    , Layer(layer)
+    , Inner(radius + 1e9)
     , Solvent(80.0)
     , Strength(units::CoulombLength(298.15) * charge / this->Solvent)
     , Ions(ions)
   {
+    for (std::size_t l = 0; l < ions.NumberOfLayers(); ++l)
+    {
+      this->Inner = std::min(this->Inner, this->Begin(l));
+    }
     double low = 0.0, high = 200.0 * std::abs(this->Strength);
     for (int step = 0; step < 200; ++step)
     {
@@ -47,6 +53,23 @@ private:
   static constexpr double Step = 0.002;
   static constexpr std::size_t Count = 30000; // 60 angstrom
 
+  /// Where the ions of a layer begin.
+  double Begin(std::size_t layer) const
+  {
+    const double own = this->Ions.LayerRadius(layer);
+    return this->Radius + (own < 0.0 ? this->Layer : own);
+  }
+
+  double ChargeOfIons(double r, double phi) const
+  {
+    double sum = 0.0;
+    for (std::size_t l = 0; l < this->Ions.NumberOfLayers(); ++l)
+    {
+      sum += r >= this->Begin(l) - 1e-9 ? this->Ions.Charge(l, phi) : 0.0;
+    }
+    return sum;
+  }
+
   /// -r^2 phi' at the inner radius for a tail of that height; Runge-Kutta inwards.
   double Integrate(double height)
   {
@@ -57,8 +80,10 @@ private:
     double flux = -r * (1.0 + kappa * r) * phi; // r^2 phi'
     this->Values.assign(Count + 1, 0.0);
     this->Values[Count] = phi;
-    const auto slopes = [&](double x, double p, double f) {
-      return std::pair<double, double>(f / (x * x), x * x * this->Ions.Charge(p) / this->Solvent);
+    const auto slopes = [&](double x, double p, double f)
+    {
+      return std::pair<double, double>(
+        f / (x * x), x * x * this->ChargeOfIons(x, p) / this->Solvent);
     };
     for (std::size_t i = Count; i-- > 0;)
     {
@@ -79,20 +104,21 @@ private:
     return std::abs(flux);
   }
 
-  double Inner, Solvent, Strength;
+  double Radius, Layer, Inner, Solvent, Strength;
   const IonAtmosphere& Ions;
   std::vector<double> Values;
 };
 
 /// Largest error outside of a sphere of 10 angstrom with 40 e in 0.15 M; Newton's steps.
-double ChargedSphere(double layer, double h, int& steps, BoundaryCondition condition)
+double ChargedSphere(double layer, double h, int& steps, BoundaryCondition condition,
+  const std::vector<IonSpecies>& salt = { { 1.0, 0.15 }, { -1.0, 0.15 } })
 {
   KirkwoodSphere sphere;
   sphere.Centre = { 0.11, -0.07, 0.05 };
   sphere.Radius = 10.0;
   sphere.Charges.push_back({ sphere.Centre, 40.0, 10.0 });
   SphereProblem problem(sphere, 20, h);
-  problem.Parameters.Ions = { { 1.0, 0.15 }, { -1.0, 0.15 } };
+  problem.Parameters.Ions = salt;
   problem.Parameters.IonRadius = layer;
   problem.Parameters.Nonlinear = true;
   problem.Parameters.Tolerance = 1e-7;
@@ -132,6 +158,15 @@ TEST(NonlinearPoissonBoltzmann, SphereOf40ChargesWithoutALayer)
 {
   int steps = 0;
   EXPECT_LE(ChargedSphere(0.0, 0.5, steps, BoundaryCondition::Given), 0.2);
+  EXPECT_LE(steps, 8);
+}
+
+TEST(NonlinearPoissonBoltzmann, IonsOfThreeRadii)
+{
+  // Chloride at 2, sulphate at 4, sodium at 3: between these the salt is not neutral by itself.
+  const std::vector<IonSpecies> salt{ { -1.0, 0.1 }, { -2.0, 0.05, 4.0 }, { 1.0, 0.2, 3.0 } };
+  int steps = 0;
+  EXPECT_LE(ChargedSphere(2.0, 0.5, steps, BoundaryCondition::Given, salt), 0.1);
   EXPECT_LE(steps, 8);
 }
 
