@@ -99,26 +99,44 @@ def read(path):
     return electrostatics.read(path)
 
 
+def image_of(values, low, h):
+    image = vtkImageData()
+    image.SetDimensions(*values.shape[::-1])
+    image.SetOrigin(*low)
+    image.SetSpacing(h, h, h)
+    array = numpy_to_vtk(values.ravel(), deep=True)
+    array.SetName("Surface")
+    image.GetPointData().SetScalars(array)
+    return image
+
+
+def around(points, reaches, low, counts, h):
+    """For each point the part of the grid within its reach, and the distances there."""
+    for i, (point, reach) in enumerate(zip(points, reaches)):
+        first = numpy.maximum(numpy.floor((point - reach - low) / h).astype(int), 0)
+        last = numpy.minimum(numpy.ceil((point + reach - low) / h).astype(int) + 1, counts)
+        z, y, x = (low[a] + h * numpy.arange(first[a], last[a]) - point[a] for a in (2, 1, 0))
+        away = numpy.sqrt(z[:, None, None] ** 2 + y[None, :, None] ** 2 + x[None, None, :] ** 2)
+        yield i, tuple(slice(first[a], last[a]) for a in (2, 1, 0)), away
+
+
 def union_of_balls(points, radii, low, counts, h):
     """An image that is above 0 in the balls and below outside: R - distance, the largest of all; two
     angstrom and more outside of them a constant."""
     best = numpy.full(counts[::-1], -2.0)
-    for point, radius in zip(points, radii):
-        first = numpy.maximum(numpy.floor((point - radius - 2.0 - low) / h).astype(int), 0)
-        last = numpy.minimum(numpy.ceil((point + radius + 2.0 - low) / h).astype(int) + 1, counts)
-        z, y, x = numpy.meshgrid(*(low[a] + h * numpy.arange(first[a], last[a]) for a in (2, 1, 0)),
-                                 indexing="ij")
-        away = numpy.sqrt((x - point[0]) ** 2 + (y - point[1]) ** 2 + (z - point[2]) ** 2)
-        part = best[first[2]:last[2], first[1]:last[1], first[0]:last[0]]
-        numpy.maximum(part, radius - away, out=part)
-    image = vtkImageData()
-    image.SetDimensions(*(int(c) for c in counts))
-    image.SetOrigin(*low)
-    image.SetSpacing(h, h, h)
-    array = numpy_to_vtk(best.ravel(), deep=True)
-    array.SetName("Depth")
-    image.GetPointData().SetScalars(array)
-    return image
+    for i, part, away in around(points, radii + 2.0, low, counts, h):
+        best[part] = numpy.maximum(best[part], radii[i] - away)
+    return image_of(best, low, h)
+
+
+def sum_of_gaussians(points, radii, low, counts, h, decay=2.3):
+    """The filter's own kind of surface at level 1, on a given grid."""
+    total = numpy.zeros(counts[::-1])
+    solid = radii > 0.0
+    points, radii = points[solid], radii[solid]
+    for i, part, away in around(points, 2.8 * radii, low, counts, h):
+        total[part] += numpy.exp(-decay * ((away / radii[i]) ** 2 - 1.0))
+    return image_of(total, low, h)
 
 
 def box_of(points, radii, h, padding=3.0):
@@ -133,13 +151,7 @@ def surface_of(kind, molecule, box, h):
     points, charges, radii = molecule
     low, counts = box
     if kind == "gaussian":
-        source = isthmus.vtkMolecularDensity()
-        source.SetInputData(electrostatics.molecule(*molecule))
-        source.SetDecay(2.3)
-        source.SetSpacing(h)
-        source.SetPadding(3.0, 3.0, 3.0)
-        source.Update()
-        return source.GetOutput(), 1.0, True
+        return sum_of_gaussians(points, radii, low, counts, h), 1.0, True
     if kind == "ses":
         source = isthmus.vtkMolecularFlowSurface()
         source.SetInputData(electrostatics.molecule(*molecule))

@@ -46,6 +46,10 @@ PotentialOnBox::PotentialOnBox(const LevelFunction& level, const SolverBox& box,
   this->Matrix = std::make_unique<InterfaceOperator>(
     this->Box, this->Inside, parameters.SoluteDielectric, parameters.SolventDielectric);
   this->Assemble({}, Between(progress, 0.6, 1.0));
+  if (!parameters.Nonlinear || !(this->Medium.KappaSquared > 0.0))
+  {
+    this->AtCrossing = {}; // not fitted again
+  }
   this->Multigrid = std::make_unique<MultigridPoisson>(
     this->Box.Dimensions, AxisWeights(this->Box), this->Permittivities());
   this->U.assign(this->Inside.size(), 0.0);

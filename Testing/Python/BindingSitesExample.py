@@ -1,10 +1,12 @@
-"""Examples/binding_sites.py on 1HEW with a potential given: table, picture, and the cleft first.
+"""Examples/binding_sites.py on 1HEW, its potential by our solver: table, picture, and the cleft first;
+without pdb2pqr, which gives the charges, from a potential in a file.
 
 It takes turns (long_tests.py), since BindingSites.py has the same pipeline.
 """
 
 import csv
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -19,7 +21,9 @@ protein = shared_data("molecules/1hew.pdb")
 potential = shared_data("molecules/1hew/1hew_potential.dx.gz")
 script = Path(os.environ["ISTHMUS_EXAMPLES_DIR"]) / "binding_sites.py"
 with tempfile.TemporaryDirectory() as folder:
-    command = ["pvpython", str(script), str(protein), str(potential), "--output", folder]
+    charges = shutil.which("pdb2pqr") or shutil.which("pdb2pqr30")
+    given = [] if charges else [str(potential)]
+    command = ["pvpython", str(script), str(protein), *given, "--output", folder]
     done = subprocess.run(command, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stdout + done.stderr
     assert "Ligand: NAG, 43 heavy atoms." in done.stdout
