@@ -190,7 +190,9 @@ def main():
     complexes = load(options.folder, options.work.resolve(), "apbs" in options.potentials)
     for kind in itertools.product(options.surfaces, options.potentials):
         compare(complexes, kind)
-    if options.sweep:
+    if options.sweep:  # on Gaussian surfaces, whose decay it varies
+        for c in complexes:
+            c.kind = ("gaussian", options.potentials[-1])
         sweep(complexes)
 
 

@@ -30,7 +30,7 @@ with tempfile.TemporaryDirectory() as folder:
     best = next(line for line in done.stdout.splitlines() if line.split()[:1] == ["1"])
     assert float(best.split()[-1]) <= 4.0, done.stdout
     with open(Path(folder) / "1hew_sites.csv") as file:
-        assert len(list(csv.DictReader(file))) > 5
+        assert len(list(csv.DictReader(file))) >= 2  # its pockets
     assert (Path(folder) / "1hew_sites.png").stat().st_size > 20000
     # A ligand that is not there is a sentence, not a traceback.
     command += ["--ligand", "XYZ"]
