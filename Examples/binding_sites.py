@@ -7,12 +7,13 @@ Usage: pvpython binding_sites.py PROTEIN [POTENTIAL] [--ligand NAME] [--surface 
 
 PROTEIN    PDB file (.pdb, .ent, plain or .gz). Its ligand, the residue NAME or else the largest
            HETATM residue that is not part of a chain, is taken out before anything is computed.
-POTENTIAL  OpenDX file in kT/e (.dx, .dx.gz). Without it, pdb2pqr and APBS are run.
+POTENTIAL  OpenDX file in kT/e (.dx, .dx.gz). Without it, pdb2pqr gives charges, and the filter Poisson
+           Boltzmann the potential at the surface, in 0.15 mol/l of salt.
 FILE       surface to use instead of a Gaussian one of the protein: MSMS .vert (with its .face), or
            anything else that ParaView reads as triangles.
 NUMBER     decay of the Gaussians of the surface: smaller is coarser. Default: 1.2.
-FOLDER     where picture and table go, and what they were computed from: the charges (.pqr), the
-           potential (.dx). Default: binding_sites.
+FOLDER     where picture and table go, and the charges they were computed from (.pqr). Default:
+           binding_sites.
 """
 
 import argparse
@@ -210,23 +211,20 @@ def prepare(options, folder):
         sys.exit(f"{options.protein} has no residue {options.ligand}.")
     print(f"Ligand: {ligand_name}, {len(ligand)} heavy atoms." if ligand else "No ligand found.")
     molecule = pqr = charged_atoms(protein, folder, name)
-    potential = options.potential
-    if potential is None:
-        if not pqr or not apbs_potential.programs()[1]:
-            sys.exit(
-                "No potential is given, and pdb2pqr and apbs are not both installed: give an "
-                "OpenDX file, or install them (Debian: pdb2pqr, apbs)."
-            )
-        print("No potential is given: running APBS.", flush=True)
-        potential = apbs_potential.potential(pqr, folder, name)
+    if options.potential is None and not pqr:
+        sys.exit("No potential is given, and pdb2pqr, which gives charges, is not installed: give an "
+                 "OpenDX file, or install it (Debian: pdb2pqr).")
     scale = 1.0
     if not pqr:
         scale = site_pipeline.WITHOUT_HYDROGENS
         print(f"pdb2pqr is not installed: heavy atoms, Bondi's radii x {scale}, make the surface.")
         molecule = heavy_atoms(protein, folder, name)
-    surface = site_pipeline.polarized(
-        make_surface(options, molecule, scale), site_pipeline.read_potential(potential)
-    )
+    bare = make_surface(options, molecule, scale)
+    if options.potential:
+        surface = site_pipeline.polarized(bare, site_pipeline.read_potential(options.potential))
+    else:
+        surface = site_pipeline.polarized(
+            site_pipeline.with_potential(bare, site_pipeline.read_atoms(pqr)))
     return surface, ligand, name, site_pipeline.read_atoms(heavy_atoms(protein, folder, name))
 
 

@@ -1,9 +1,12 @@
 """How well do polarized curvature, curvature alone and potential alone find ligands?
 
-Usage: pvpython evaluate_binding_sites.py FOLDER [--work FOLDER] [--sweep]
+Usage: pvpython evaluate_binding_sites.py FOLDER [--work FOLDER] [--surfaces NAMES] [--potentials NAMES]
+                                          [--sweep]
 
-FOLDER holds ligands.csv (file, ligand_residue) and the complexes it names. Charges by pdb2pqr,
-potentials by APBS, both without the ligand; they are kept in the work folder and used again.
+FOLDER holds ligands.csv (file, ligand_residue) and the complexes it names. Charges by pdb2pqr, without
+the ligand, are kept in the work folder and used again, as are APBS' potentials. --surfaces: gaussian
+(Molecular Density), flow (Molecular Flow Surface) or both. --potentials: ours (Poisson Boltzmann, fitted
+at the surface), apbs (interpolated in its grid) or both. Default: gaussian, ours; a table for each.
 Success: the centre of the best patch (of one of the three best) within 4 angstrom of an atom of the
 ligand. --sweep repeats polarized curvature over surface decay, quantile and merge distance, and
 cross-validates: each complex is judged with the setting that is best on all others.
@@ -32,6 +35,7 @@ METHODS = {
     "kappa_2 alone": {"array": "MinimumCurvature", "Classes": ALL_POINTS, "Amplitude": NEGATIVE},
     "potential alone": {"array": "Potential", "Classes": ALL_POINTS, "Amplitude": ABSOLUTE},
 }
+KINDS = (("gaussian", "flow"), ("ours", "apbs"))
 SWEEP = {"decay": (0.8, 1.0, 1.2, 1.5, 2.3), "Quantile": (0.9, 0.93, 0.96),
          "MergeDistance": (0.0, 1.0, 2.0)}
 
@@ -39,7 +43,7 @@ SWEEP = {"decay": (0.8, 1.0, 1.2, 1.5, 2.3), "Quantile": (0.9, 0.93, 0.96),
 class Complex:
     """A protein with charges and potential, and where its ligand is."""
 
-    def __init__(self, path, residue, work):
+    def __init__(self, path, residue, work, with_apbs):
         self.name = path.name.split(".")[0]
         protein, ligand, self.residue = apbs_potential.split(path, residue)
         self.ligand = [apbs_potential.position_of(line) for line in ligand]
@@ -47,22 +51,33 @@ class Complex:
         pqr, notes = work / f"{self.name}.pqr", work / f"{self.name}.notes"
         if not notes.exists():
             pqr, removed, dropped = apbs_potential.charges(protein, work, self.name)
-            apbs_potential.potential(pqr, work, self.name)
             text = [f"removed {residue}" for residue in removed]
             text += [f"left out {residue}" for residue in dropped]
             notes.write_text(", ".join(text))
         self.notes = notes.read_text()
         self.atoms = site_pipeline.read_atoms(pqr)
-        self.potential = site_pipeline.read_potential(
-            next(work.glob(f"{self.name}_potential*.dx"))
-        )
+        self.potential = None
+        if with_apbs:
+            if not list(work.glob(f"{self.name}_potential*.dx")):
+                apbs_potential.potential(pqr, work, self.name)
+            self.potential = site_pipeline.read_potential(
+                next(work.glob(f"{self.name}_potential*.dx"))
+            )
+        self.kind = ("gaussian", "ours")
         self.surfaces = {}
 
     def surface(self, decay):
-        if decay not in self.surfaces:
-            bare = site_pipeline.outer_surface(site_pipeline.density(self.atoms, decay))
-            self.surfaces[decay] = site_pipeline.polarized(bare, self.potential)
-        return self.surfaces[decay]
+        """Of the kind that is set; the flow surface knows no decay."""
+        key = (self.kind, decay)
+        if key not in self.surfaces:
+            if self.kind[0] == "flow":
+                bare = site_pipeline.outer_surface(site_pipeline.flow_image(self.atoms), 0.0, higher=False)
+            else:
+                bare = site_pipeline.outer_surface(site_pipeline.density(self.atoms, decay))
+            self.surfaces[key] = (
+                site_pipeline.polarized(bare, self.potential) if self.kind[1] == "apbs"
+                else site_pipeline.polarized(site_pipeline.with_potential(bare, self.atoms)))
+        return self.surfaces[key]
 
     def distances(self, decay, settings):
         """Of the three best centres from the ligand, and the patches' areas."""
@@ -93,12 +108,12 @@ class Complex:
         return hits[:, 0].mean(), hits.any(axis=1).mean()
 
 
-def load(folder, work):
+def load(folder, work, with_apbs):
     work.mkdir(parents=True, exist_ok=True)
     complexes = []
     for row in csv.DictReader(open(folder / "ligands.csv")):
         try:
-            complexes.append(Complex(folder / row["file"], row["ligand_residue"], work))
+            complexes.append(Complex(folder / row["file"], row["ligand_residue"], work, with_apbs))
         except (Exception, SystemExit) as error:  # one bad complex does not end the evaluation
             print(f"{row['file']}: left out, {error}", file=sys.stderr)
             continue
@@ -108,8 +123,11 @@ def load(folder, work):
     return complexes
 
 
-def compare(complexes):
-    print(f"n = {len(complexes)}; success: within {SUCCESS:g} angstrom\n")
+def compare(complexes, kind):
+    for c in complexes:
+        c.kind = kind
+    print(f"\nsurface: {kind[0]}; potential: {kind[1]}; n = {len(complexes)}; success: within "
+          f"{SUCCESS:g} angstrom\n")
     print("| method | " + " | ".join(c.name for c in complexes) + " | top-1 | top-3 |")
     print("|---|" + "---|" * (len(complexes) + 2))
     areas = {}
@@ -118,10 +136,10 @@ def compare(complexes):
         for c in complexes:
             found, sizes = c.distances(site_pipeline.DECAY, dict(settings))
             areas.setdefault(c.name, sizes)
-            cells.append(f"{found[0]:.1f} ({min(found):.1f})")
-            first += found[0] <= SUCCESS
-            three += min(found) <= SUCCESS
-        print(f"| {method} | " + " | ".join(cells) + f" | {first} | {three} |")
+            cells.append(f"{found[0]:.1f} ({min(found):.1f})" if found else "none")
+            first += bool(found) and found[0] <= SUCCESS
+            three += bool(found) and min(found) <= SUCCESS
+        print(f"| {method} | " + " | ".join(cells) + f" | {first} | {three} |", flush=True)
     generator = numpy.random.default_rng(20240229)
     chances = [c.random_success(areas[c.name], generator) for c in complexes]
     cells = [f"{100 * one:.0f} % ({100 * three:.0f} %)" for one, three in chances]
@@ -165,11 +183,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("folder", type=Path)
     parser.add_argument("--work", type=Path, default=Path("binding_site_evaluation"))
+    parser.add_argument("--surfaces", nargs="*", choices=KINDS[0], default=KINDS[0][:1])
+    parser.add_argument("--potentials", nargs="*", choices=KINDS[1], default=KINDS[1][:1])
     parser.add_argument("--sweep", action="store_true")
     options = parser.parse_args()
-    complexes = load(options.folder, options.work.resolve())
-    compare(complexes)
-    if options.sweep:
+    complexes = load(options.folder, options.work.resolve(), "apbs" in options.potentials)
+    for kind in itertools.product(options.surfaces, options.potentials):
+        compare(complexes, kind)
+    if options.sweep:  # on Gaussian surfaces, whose decay it varies
+        for c in complexes:
+            c.kind = ("gaussian", options.potentials[-1])
         sweep(complexes)
 
 

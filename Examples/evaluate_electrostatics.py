@@ -28,10 +28,10 @@ APBS = """read
   mol pqr molecule.pqr
 end
 elec name solv
-{common}  sdie 80.0
-end
+{common}  sdie {solvent}
+{ions}end
 elec name ref
-{common}  sdie 2.0
+{common}  sdie {solute}
 end
 print elecEnergy solv - ref end
 quit
@@ -43,13 +43,13 @@ COMMON = """  mg-manual
   mol 1
   lpbe
   bcfl mdh
-  pdie 2.0
+  pdie {solute}
   srfm mol
   chgm spl0
   srad 1.4
   swin 0.3
   sdens 10.0
-  temp 298.15
+  temp {kelvin}
   calcenergy total
   calcforce no
 """
@@ -152,7 +152,7 @@ def random_rotation(generator):
         [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
 
 
-def apbs_energy(positions, charges, radii, h=0.5):
+def apbs_energy(positions, charges, radii, h=0.5, solute=2.0, solvent=80.0, kelvin=298.15, salt=0.0):
     """kcal/mol on APBS' own surface."""
     low, high = positions.min(axis=0), positions.max(axis=0)
     sides = (high - low + 2.0 * 12.0) / h
@@ -161,8 +161,10 @@ def apbs_energy(positions, charges, radii, h=0.5):
         with open(Path(folder) / "molecule.pqr", "w") as file:
             for i, (x, q, r) in enumerate(zip(positions, charges, radii)):
                 file.write("ATOM %d X MOL 1 %.4f %.4f %.4f %.4f %.4f\n" % (i + 1, *x, q, r))
-        common = COMMON.format(n=counts, h=h, c=(low + high) / 2.0)
-        (Path(folder) / "in").write_text(APBS.format(common=common))
+        common = COMMON.format(n=counts, h=h, c=(low + high) / 2.0, solute=solute, kelvin=kelvin)
+        ions = "".join(f"  ion charge {z} conc {salt} radius 2.0\n" for z in (1, -1)) if salt else ""
+        (Path(folder) / "in").write_text(
+            APBS.format(common=common, solute=solute, solvent=solvent, ions=ions))
         done = subprocess.run(["apbs", "in"], cwd=folder, capture_output=True, text=True, check=True)
     line = [text for text in done.stdout.splitlines() if "Global net ELEC energy" in text][0]
     return float(line.split("=")[1].split()[0]) / 4.184

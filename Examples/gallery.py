@@ -12,7 +12,9 @@ from pathlib import Path
 
 from paraview import simple
 
-import isthmus_pipelines as pipelines  # there once paraview.simple has loaded the plugin
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import electrostatics  # noqa: E402
+import isthmus_pipelines as pipelines  # noqa: E402, there once paraview.simple has loaded the plugin
 
 HERE = Path(__file__).resolve().parent
 SCENES = (
@@ -93,6 +95,8 @@ def main(folder):
         for function, path, direction in SCENES:
             scene(function, data / path, direction, folder / f"{function}.png")
             print(folder / f"{function}.png")
+        electrostatics.pictures(data / "molecules/1hew/1hew.pqr", 0.15, (0.3, 0.2, -1.0),
+                                [folder / "isopotentials.png", folder / "field_lines.png"])
         flow_surfaces(data / "molecules/1hew.pdb", folder / "flow_surfaces.png")
         print(folder / "flow_surfaces.png")
 

@@ -6,13 +6,16 @@ from vtkmodules.vtkFiltersCore import (
     vtkCleanPolyData,
     vtkFlyingEdges3D,
     vtkPolyDataConnectivityFilter,
+    vtkThresholdPoints,
 )
+from vtkmodules.vtkFiltersModeling import vtkSelectEnclosedPoints
 
 import find_isthmus  # noqa: F401 (before isthmus)
 import isthmus
 
 DECAY = 1.2  # of the Gaussians: see BindingSites.md for what it was tuned on
 SPACING = 0.6  # angstrom
+WATER, SALT = 78.54, 0.15  # dielectric constant; mol/l
 WITHOUT_HYDROGENS = 1.25  # makes up for the hydrogens in the radii of heavy atoms, roughly
 
 
@@ -35,8 +38,8 @@ def density(atoms, decay=DECAY, spacing=SPACING, scale=1.0):
     return gaussians.GetOutput()
 
 
-def outer_surface(image, level=1.0):
-    """The largest component of a level set, with its curvatures."""
+def outer_surface(image, level=1.0, higher=True):
+    """The largest component of a level set, with its curvatures; `higher`: inside."""
     contour = vtkFlyingEdges3D()
     contour.SetInputData(image)
     contour.SetValue(0, level)
@@ -50,6 +53,7 @@ def outer_surface(image, level=1.0):
     curvature = isthmus.vtkHessianCurvature()
     curvature.SetInputData(image)
     curvature.SetInputConnection(1, clean.GetOutputPort())
+    curvature.SetInsideIsHigher(higher)
     curvature.Update()
     return curvature.GetOutput()
 
@@ -61,13 +65,58 @@ def read_potential(path):
     return reader.GetOutput()
 
 
-def polarized(surface, potential):
-    """The surface with PolarizedCurvature and its siblings."""
+def flow_image(atoms, spacing=SPACING):
+    """The signed distance (active) from the minimal molecular surface of the atoms."""
+    flow = isthmus.vtkMolecularFlowSurface()
+    flow.SetInputData(atoms)
+    flow.SetSpacing(spacing)
+    flow.Update()
+    image = flow.GetOutputDataObject(1)
+    image.GetPointData().SetActiveScalars("SignedDistance")
+    return image
+
+
+def polarized(surface, potential=None):
+    """The surface with PolarizedCurvature and its siblings; without an image, of its own Potential."""
     products = isthmus.vtkPolarizedCurvature()
     products.SetInputData(surface)
-    products.SetPotentialData(potential)
+    if potential:
+        products.SetPotentialData(potential)
     products.Update()
     return products.GetOutput()
+
+
+def with_potential(surface, atoms):
+    """The closed surface with the potential of the atoms in it: Poisson-Boltzmann, 0.15 mol/l, fitted at
+    its points from both sides."""
+    solver = isthmus.vtkPoissonBoltzmann()
+    solver.SetInputData(0, inside(surface, atoms))
+    solver.SetInputData(1, surface)
+    solver.SetSpacing(SPACING)
+    solver.SetSolventDielectric(WATER)
+    solver.SetIonicStrength(SALT)
+    solver.Update()
+    solved = solver.GetSurface()
+    if not solved.GetNumberOfPoints():
+        raise RuntimeError("The potential could not be computed: see above.")
+    return solved
+
+
+def inside(surface, atoms):
+    """The atoms that a closed surface encloses: single ions may have one of their own."""
+    test = vtkSelectEnclosedPoints()
+    test.SetInputData(atoms)
+    test.SetSurfaceData(surface)
+    test.Update()
+    kept = vtkThresholdPoints()
+    kept.SetInputConnection(test.GetOutputPort())
+    kept.SetInputArrayToProcess(0, 0, 0, 0, "SelectedPoints")
+    kept.ThresholdByUpper(0.5)
+    kept.Update()
+    left_out = atoms.GetNumberOfPoints() - kept.GetOutput().GetNumberOfPoints()
+    if left_out:
+        print(f"{left_out} atoms lie outside of the largest surface: their charges are left out.")
+    return kept.GetOutput()
 
 
 def sites(surface, atoms=None, **settings):

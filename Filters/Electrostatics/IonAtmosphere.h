@@ -1,12 +1,14 @@
 /**
  * @file IonAtmosphere.h
- * @brief The charge of a salt in the potential, and where its ions get.
+ * @brief The charge of a salt in the potential.
  */
 #ifndef isthmus_IonAtmosphere_h
 #define isthmus_IonAtmosphere_h
 
-#include "InterfaceGeometry.h"
+#include "PoissonBoltzmannParameters.h"
 #include "vtkIsthmusModule.h"
+
+#include <cstddef>
 
 namespace isthmus
 {
@@ -17,7 +19,9 @@ namespace isthmus
  *     -div(eps grad u) + f(u) = 0,   f(u) = -4 pi C sum_j z_j c_j exp(-z_j u),
  *
  * eps_s kappa^2 sinh u for a 1:1 salt. Beyond |u| = 50 the function goes on linearly, which no
- * solution feels but an iteration may.
+ * solution feels but an iteration may. Ions of one radius make a layer, which is neutral only
+ * together with the others: between the radii of two layers there is charge where u is 0 (which the
+ * linear equation leaves out, as it asks what the solute does).
  */
 class VTKISTHMUS_EXPORT IonAtmosphere
 {
@@ -26,7 +30,7 @@ public:
   /// cancel.
   IonAtmosphere(const std::vector<IonSpecies>& species, double kelvin);
 
-  bool Empty() const { return this->Species.empty(); }
+  bool Empty() const { return this->Layers.empty(); }
   double Charge(double u) const;
   double Derivative(double u) const;
   /// eps_s kappa^2 = f'(0).
@@ -34,20 +38,41 @@ public:
   /// Energy of the ions at a point, kT per cubic angstrom: -1/2 rho u - sum c (exp(-z u) - 1).
   double Energy(double u) const;
 
-private:
-  std::vector<IonSpecies> Species; ///< with concentrations in 1 / cubic angstrom
-  double Factor;                   ///< 4 pi C
-};
+  ///@{
+  /// The ions of one radius.
+  std::size_t NumberOfLayers() const { return this->Layers.size(); }
+  /// Angstrom; below 0 where the species have none of their own.
+  double LayerRadius(std::size_t layer) const { return this->Layers[layer].Radius; }
+  double Charge(std::size_t layer, double u) const;
+  double Derivative(std::size_t layer, double u) const;
+  double Energy(std::size_t layer, double u) const;
+  /// Osmotic pressure above that of the bulk, kT per cubic angstrom: sum c (exp(-z u) - 1).
+  double Pressure(std::size_t layer, double u) const;
+  /// The same of the linear equation: sum c z^2 u^2 / 2.
+  double LinearPressure(std::size_t layer, double u) const;
+  ///@}
 
-/**
- * The part of each node's cell that ions reach: 0 inside and within `layer` (angstrom) of the
- * surface, 1 beyond, clamp(1/2 + D / h) where that border, at signed distance D, cuts the cell.
- * Distances are those to the osculating paraboloid of the nearest crossing. With layer 0: 0 inside,
- * 1 outside. O(nodes + crossings layer^3 / h^3), serial.
- */
-VTKISTHMUS_EXPORT std::vector<float> IonAccess(const SolverBox& box,
-  const std::vector<unsigned char>& inside, const std::vector<InterfaceCrossing>& crossings,
-  double layer);
+private:
+  struct Layer
+  {
+    double Radius;
+    std::vector<IonSpecies> Ions; ///< with concentrations in 1 / cubic angstrom
+  };
+
+  template <class Term>
+  double Sum(const Term& term) const
+  {
+    double sum = 0.0;
+    for (std::size_t l = 0; l < this->Layers.size(); ++l)
+    {
+      sum += term(l);
+    }
+    return sum;
+  }
+
+  std::vector<Layer> Layers;
+  double Factor; ///< 4 pi C
+};
 
 }
 

@@ -133,7 +133,7 @@ void AssembleRange(const InterfaceProblem& problem, const std::vector<CrossingVa
     for (const auto& [column, value] : row.Entries)
     {
       part.Column.push_back(static_cast<std::int32_t>(column - row.Node));
-      part.Value.push_back(scale * value);
+      part.Value.push_back(static_cast<float>(scale * value));
     }
     part.RightSide.push_back(scale * row.Right);
     part.Scale.push_back(scale);

@@ -1,5 +1,6 @@
 #include "PoissonBoltzmannOutput.h"
 
+#include "BoundaryForces.h"
 #include "ChargesOnGrid.h"
 #include "ElectrostaticUnits.h"
 #include "GridImages.h"
@@ -46,6 +47,24 @@ vtkSmartPointer<vtkDoubleArray> Copy(const char* name, const std::vector<double>
 {
   auto array = Doubles(name, values.size());
   std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
+
+/// kT/angstrom along the grid's axes as kcal/(mol angstrom) in the world.
+vtkSmartPointer<vtkDoubleArray> Forces(
+  const char* name, const std::vector<Vector3>& forces, const SoluteVolume& volume, double kelvin)
+{
+  auto array = Doubles(name, forces.size(), 3);
+  for (std::size_t i = 0; i < forces.size(); ++i)
+  {
+    Vector3 world;
+    volume.Grid->GetDirectionMatrix()->MultiplyPoint(forces[i].data(), world.data());
+    for (double& force : world)
+    {
+      force *= units::ThermalKilocalorie(kelvin);
+    }
+    array->SetTuple(static_cast<vtkIdType>(i), world.data());
+  }
   return array;
 }
 
@@ -199,18 +218,27 @@ void FillAtoms(
   }
   atoms->GetPointData()->AddArray(Copy("ReactionPotential", report.AtomPotentials));
   atoms->GetPointData()->AddArray(Copy("AtomEnergy", energies));
-  auto forces = Doubles("ReactionForce", report.AtomForces.size(), 3);
-  for (std::size_t i = 0; i < report.AtomForces.size(); ++i)
+  atoms->GetPointData()->AddArray(Forces("ReactionForce", report.AtomForces, volume, kelvin));
+}
+
+void FillBoundaryForces(const PotentialOnBox& solution, const SoluteVolume& volume,
+  const std::vector<ChargedAtom>& onGrid, vtkPointSet* atoms)
+{
+  const double kelvin = solution.GetParameters().Temperature;
+  const SurfaceMotion motion(onGrid, volume.Decay);
+  const BoundaryForces forces = ForcesOnBoundary(solution, volume.Level, motion);
+  std::vector<Vector3> all = solution.GetReport().AtomForces;
+  for (std::size_t i = 0; i < all.size(); ++i)
   {
-    Vector3 world;
-    volume.Grid->GetDirectionMatrix()->MultiplyPoint(report.AtomForces[i].data(), world.data());
-    for (double& force : world)
+    for (std::size_t a = 0; a < 3; ++a)
     {
-      force *= units::ThermalKilocalorie(kelvin);
+      all[i][a] += forces.Dielectric[i][a] + forces.Ionic[i][a];
     }
-    forces->SetTuple(static_cast<vtkIdType>(i), world.data());
   }
-  atoms->GetPointData()->AddArray(forces);
+  vtkPointData* data = atoms->GetPointData();
+  data->AddArray(Forces("DielectricBoundaryForce", forces.Dielectric, volume, kelvin));
+  data->AddArray(Forces("IonicBoundaryForce", forces.Ionic, volume, kelvin));
+  data->AddArray(Forces("PolarForce", all, volume, kelvin));
 }
 
 }

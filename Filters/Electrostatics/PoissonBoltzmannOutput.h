@@ -23,6 +23,10 @@ struct SoluteVolume;
 void FillImage(
   const PotentialOnBox& solution, vtkImageData* image, const ProgressCallback& progress = {});
 
+/// Adds Dielectric, IonAccessibility and ChargeDensity; see vtkPoissonBoltzmann.h.
+void FillMaps(
+  const PotentialOnBox& solution, const std::vector<ChargedAtom>& onGrid, vtkImageData* image);
+
 void FillFieldData(const PotentialOnBox& solution, const PoissonBoltzmannParameters& parameters,
   double netCharge, const std::string& surface, vtkImageData* image);
 
@@ -32,6 +36,11 @@ void FillSurface(const PotentialOnBox& solution, const SoluteVolume& volume, dou
 
 void FillAtoms(
   const PotentialOnBox& solution, const SoluteVolume& volume, double kelvin, vtkPointSet* atoms);
+
+/// Adds DielectricBoundaryForce, IonicBoundaryForce and PolarForce to what FillAtoms has filled,
+/// from the atoms on the volume's grid.
+void FillBoundaryForces(const PotentialOnBox& solution, const SoluteVolume& volume,
+  const std::vector<ChargedAtom>& onGrid, vtkPointSet* atoms);
 
 }
 

@@ -24,11 +24,13 @@ struct ChargedAtom
   double Radius;
 };
 
-/// One kind of ion of the salt: valence (with sign) and concentration in mol/l.
+/// One kind of ion of the salt: valence (with sign), concentration in mol/l, and how near to the
+/// surface it gets, angstrom; below 0: PoissonBoltzmannParameters::IonRadius.
 struct IonSpecies
 {
   double Valence;
   double Concentration;
+  double Radius = -1.0;
 };
 
 enum class BoundaryCondition
@@ -45,7 +47,7 @@ struct PoissonBoltzmannParameters
   double SoluteDielectric = 2.0;
   double SolventDielectric = 80.0;
   std::vector<IonSpecies> Ions; ///< none: pure solvent; their charges must cancel
-  double IonRadius = 2.0;       ///< angstrom: ions keep that far from the surface
+  double IonRadius = 2.0;       ///< angstrom: ions without a radius keep that far from the surface
   double Temperature = 298.15;  ///< K
   double Padding = 10.0;        ///< angstrom of solvent around the surface, at least
   bool Nonlinear = false;

@@ -30,13 +30,13 @@ SurfaceIons PotentialOnBox::IonsAt(double phi) const
   const double most = std::max(1.0 / (length * length), this->Medium.KappaSquared) * solvent;
   // The tangent at phi, or as near to it as the slope allows.
   double part = 1.0;
-  for (double step = 0.5; step > 1e-9 && this->Ions.Derivative(phi) > most; step *= 0.5)
+  for (double step = 0.5; step > 1e-9 && this->DerivativeAtSurface(phi) > most; step *= 0.5)
   {
-    part += this->Ions.Derivative(part * phi) > most ? -step : step;
+    part += this->DerivativeAtSurface(part * phi) > most ? -step : step;
   }
   const double v = part * phi;
-  const double slope = std::min(this->Ions.Derivative(v), most);
-  return { slope / solvent, (this->Ions.Charge(v) - slope * v) / solvent };
+  const double slope = std::min(this->DerivativeAtSurface(v), most);
+  return { slope / solvent, (this->ChargeAtSurface(v) - slope * v) / solvent };
 }
 
 std::vector<SurfaceIons> PotentialOnBox::IonsAtCrossings() const
@@ -71,14 +71,19 @@ double PotentialOnBox::NonlinearResidual(
   ForEachNode(u.size(),
     [&](std::size_t i)
     {
-      if (this->Access[i] > 0.0F && !OnBorder(this->Box, static_cast<std::int64_t>(i)))
+      if (this->IonsReach(i) && !OnBorder(this->Box, static_cast<std::int64_t>(i)))
       {
         const auto row =
           std::lower_bound(rows.Node.begin(), rows.Node.end(), static_cast<std::int64_t>(i));
         const bool fitted = row != rows.Node.end() && *row == static_cast<std::int64_t>(i);
         const double scale =
           fitted ? rows.Scale[static_cast<std::size_t>(row - rows.Node.begin())] : 1.0;
-        out[i] -= scale * h2 * static_cast<double>(this->Access[i]) * this->Ions.Charge(u[i]);
+        double charge = 0.0;
+        for (std::size_t l = 0; l < this->Access.size(); ++l)
+        {
+          charge += static_cast<double>(this->Access[l][i]) * this->Ions.Charge(l, u[i]);
+        }
+        out[i] -= scale * h2 * charge;
       }
     });
   this->Matrix->SetDiagonal(this->IonDiagonal);
@@ -111,7 +116,7 @@ void PotentialOnBox::ClipStart()
   ForEachNode(this->U.size(),
     [&](std::size_t i)
     {
-      if (this->Access[i] > 0.0F && !OnBorder(this->Box, static_cast<std::int64_t>(i)))
+      if (this->IonsReach(i) && !OnBorder(this->Box, static_cast<std::int64_t>(i)))
       {
         this->U[i] = std::clamp(this->U[i], -clip, clip);
       }

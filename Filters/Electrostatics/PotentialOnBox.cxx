@@ -37,17 +37,19 @@ PotentialOnBox::PotentialOnBox(const LevelFunction& level, const SolverBox& box,
   this->Medium = { parameters.SoluteDielectric, parameters.SolventDielectric,
     std::pow(parameters.SoluteDielectric / parameters.SolventDielectric, parameters.FitExponent),
     0.0, std::cbrt(box.Spacing[0] * box.Spacing[1] * box.Spacing[2]) };
-  if (!ions.Empty())
+  for (std::size_t layer = 0; layer < ions.NumberOfLayers(); ++layer)
   {
-    this->Access = IonAccess(this->Box, this->Inside, this->Crossings, parameters.IonRadius);
-    if (parameters.IonRadius <= 0.0)
-    {
-      this->Medium.KappaSquared = ions.Linear() / parameters.SolventDielectric;
-    }
+    this->Access.push_back(
+      IonAccess(this->Box, this->Inside, this->Crossings, this->LayerRadius(layer)));
   }
+  this->Medium.KappaSquared = this->DerivativeAtSurface(0.0) / parameters.SolventDielectric;
   this->Matrix = std::make_unique<InterfaceOperator>(
     this->Box, this->Inside, parameters.SoluteDielectric, parameters.SolventDielectric);
   this->Assemble({}, Between(progress, 0.6, 1.0));
+  if (!parameters.Nonlinear || !(this->Medium.KappaSquared > 0.0))
+  {
+    this->AtCrossing = {}; // not fitted again
+  }
   this->Multigrid = std::make_unique<MultigridPoisson>(
     this->Box.Dimensions, AxisWeights(this->Box), this->Permittivities());
   this->U.assign(this->Inside.size(), 0.0);
@@ -57,6 +59,50 @@ PotentialOnBox::PotentialOnBox(const LevelFunction& level, const SolverBox& box,
 double PotentialOnBox::Kappa() const
 {
   return std::sqrt(this->Ions.Linear() / this->Parameters.SolventDielectric);
+}
+
+double PotentialOnBox::LayerRadius(std::size_t layer) const
+{
+  const double radius = this->Ions.LayerRadius(layer);
+  return radius < 0.0 ? this->Parameters.IonRadius : radius;
+}
+
+double PotentialOnBox::ChargeAtSurface(double phi) const
+{
+  double sum = 0.0;
+  for (std::size_t layer = 0; layer < this->Ions.NumberOfLayers(); ++layer)
+  {
+    sum += this->LayerRadius(layer) <= 0.0 ? this->Ions.Charge(layer, phi) : 0.0;
+  }
+  return sum;
+}
+
+double PotentialOnBox::DerivativeAtSurface(double phi) const
+{
+  double sum = 0.0;
+  for (std::size_t layer = 0; layer < this->Ions.NumberOfLayers(); ++layer)
+  {
+    sum += this->LayerRadius(layer) <= 0.0 ? this->Ions.Derivative(layer, phi) : 0.0;
+  }
+  return sum;
+}
+
+bool PotentialOnBox::IonsReach(std::size_t node) const
+{
+  return std::any_of(this->Access.begin(), this->Access.end(),
+    [&](const std::vector<float>& access) { return access[node] > 0.0F; });
+}
+
+double PotentialOnBox::ScaledDerivative(std::size_t node, bool nonlinear) const
+{
+  double sum = 0.0;
+  for (std::size_t layer = 0; layer < this->Access.size(); ++layer)
+  {
+    const auto access = static_cast<double>(this->Access[layer][node]);
+    sum +=
+      access == 0.0 ? 0.0 : access * this->Ions.Derivative(layer, nonlinear ? this->U[node] : 0.0);
+  }
+  return this->Spacing * this->Spacing * sum;
 }
 
 void PotentialOnBox::EvaluateCharges(const ProgressCallback& progress)
@@ -139,16 +185,9 @@ void PotentialOnBox::FillDiagonal(bool nonlinear)
   {
     this->IonDiagonal = std::make_shared<std::vector<float>>(this->U.size());
   }
-  const double h2 = this->Spacing * this->Spacing;
-  const double linear = h2 * this->Ions.Linear();
   ForEachNode(this->U.size(),
     [&](std::size_t i)
-    {
-      const auto access = static_cast<double>(this->Access[i]);
-      (*this->IonDiagonal)[i] = static_cast<float>(access == 0.0 ? 0.0
-          : nonlinear ? h2 * access * this->Ions.Derivative(this->U[i])
-                      : access * linear);
-    });
+    { (*this->IonDiagonal)[i] = static_cast<float>(this->ScaledDerivative(i, nonlinear)); });
   this->Matrix->SetDiagonal(this->IonDiagonal);
   this->Multigrid->SetDiagonal(this->IonDiagonal);
 }
@@ -217,19 +256,19 @@ void PotentialOnBox::Evaluate()
     report.SolvationEnergy += report.AtomEnergies[i];
   }
   report.IonEnergy = 0.0;
-  if (this->Parameters.Nonlinear && !this->Access.empty())
+  for (std::size_t l = 0; this->Parameters.Nonlinear && l < this->Access.size(); ++l)
   {
-    report.IonEnergy = this->Box.Spacing[0] * this->Box.Spacing[1] * this->Box.Spacing[2] *
+    report.IonEnergy += this->Box.Spacing[0] * this->Box.Spacing[1] * this->Box.Spacing[2] *
       ParallelReduce<double>(static_cast<std::int64_t>(this->U.size()), Block, 0.0,
         [&](double& partial, std::int64_t first, std::int64_t last)
         {
           for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
           {
-            partial += static_cast<double>(this->Access[i]) * this->Ions.Energy(this->U[i]);
+            partial += static_cast<double>(this->Access[l][i]) * this->Ions.Energy(l, this->U[i]);
           }
         });
-    report.SolvationEnergy += report.IonEnergy;
   }
+  report.SolvationEnergy += report.IonEnergy;
 }
 
 void PotentialOnBox::Release()

@@ -13,6 +13,7 @@
 #define isthmus_PotentialOnBox_h
 
 #include "InterfaceSolver.h"
+#include "IonAccess.h"
 #include "IonAtmosphere.h"
 #include "RadiatedPotential.h"
 
@@ -56,6 +57,14 @@ public:
   const FitMedium& GetMedium() const { return this->Medium; }
   const ChargeList& GetCharges() const { return this->Charges; }
   const PoissonBoltzmannReport& GetReport() const { return this->Report; }
+  const IonAtmosphere& GetIons() const { return this->Ions; }
+  const PoissonBoltzmannParameters& GetParameters() const { return this->Parameters; }
+  /// The part of each node's cell that the ions of a layer reach; none after Release().
+  const std::vector<std::vector<float>>& GetAccess() const { return this->Access; }
+  /// How near to the surface the ions of a layer get, angstrom.
+  double LayerRadius(std::size_t layer) const;
+  /// The permittivity of each edge, that of its two parts in series.
+  EdgePermittivity Permittivities() const;
   void SetBorderIterations(int iterations) { this->Report.BorderIterations = iterations; }
   double Kappa() const;
   /// First and last nodes inside the surface; Last < First where there are none.
@@ -64,7 +73,13 @@ public:
 private:
   void EvaluateCharges(const ProgressCallback& progress);
   void Assemble(std::vector<SurfaceIons> ions, const ProgressCallback& progress);
-  EdgePermittivity Permittivities() const;
+  /// Whether the ions of any layer reach a node.
+  bool IonsReach(std::size_t node) const;
+  /// f'(u) at a node, h^2 times; linear: f'(0).
+  double ScaledDerivative(std::size_t node, bool nonlinear) const;
+  /// f(u), and its derivative, of the ions that reach the surface itself.
+  double ChargeAtSurface(double phi) const;
+  double DerivativeAtSurface(double phi) const;
   /// The potential on the surface at a crossing.
   double SurfaceValue(
     std::size_t crossing, const FitNodes& nodes, const FitFunctional& functional) const;
@@ -93,7 +108,7 @@ private:
   FitMedium Medium;
   std::unique_ptr<InterfaceOperator> Matrix;
   std::unique_ptr<MultigridPoisson> Multigrid;
-  std::vector<float> Access;                       ///< of ions, by node; empty without any
+  std::vector<std::vector<float>> Access;          ///< of ions, by layer and node
   std::shared_ptr<std::vector<float>> IonDiagonal; ///< h^2 access f'(u)
   std::vector<double> U;
   SolverWorkspace Work;

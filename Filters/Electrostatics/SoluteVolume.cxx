@@ -294,6 +294,7 @@ SoluteVolume VolumeOfAtoms(
   constexpr double decay = 2.3;
   SoluteVolume volume;
   volume.Grid = GridAroundAtoms(atoms, wish);
+  volume.Decay = decay;
   volume.Kind = "level 1 of a sum of Gaussians, decay 2.3";
   const GridShape shape = ShapeOf(volume.Grid);
   volume.Floats.resize(static_cast<std::size_t>(shape.Size()));

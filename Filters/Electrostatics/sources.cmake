@@ -2,6 +2,7 @@ isthmus_room(
   CLASSES
     vtkPoissonBoltzmann
   SOURCES
+    BoundaryForces
     BoundaryPotential
     ChargesOnGrid
     ChargeTree
@@ -12,6 +13,7 @@ isthmus_room(
     InterfaceOperator
     InterfaceSolver
     LocalPolynomial
+    IonAccess
     IonAtmosphere
     IrregularRows
     MultigridCoarsening
@@ -19,11 +21,13 @@ isthmus_room(
     MultigridSmoothing
     PoissonBoltzmann
     PoissonBoltzmannInput
+    PoissonBoltzmannMaps
     PoissonBoltzmannOutput
     PotentialNewton
     PotentialOnBox
     RadiatedPotential
     SoluteVolume
+    SurfaceMotion
     SurfacePotential
   VECTORISED
     ChargeSums)

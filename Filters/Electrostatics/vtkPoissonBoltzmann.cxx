@@ -19,6 +19,7 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkPoissonBoltzmann);
@@ -57,6 +58,14 @@ void vtkPoissonBoltzmann::SetRadiusArrayName(const char* name)
 void vtkPoissonBoltzmann::AddIon(double valence, double concentration)
 {
   this->Ions->Species.push_back({ valence, concentration });
+  this->Modified();
+}
+
+void vtkPoissonBoltzmann::AddIon(double valence, double concentration, double radius)
+{
+  // NaN where none is meant: below 0 the algorithm would take IonRadius.
+  this->Ions->Species.push_back(
+    { valence, concentration, radius >= 0.0 ? radius : std::numeric_limits<double>::quiet_NaN() });
   this->Modified();
 }
 
@@ -284,12 +293,20 @@ void vtkPoissonBoltzmann::Solve(
     output->CopyStructure(volume.Grid);
   }
   isthmus::FillImage(*solution, output, isthmus::Between(progress, 0.75, 0.9));
+  if (this->ComputeMaps)
+  {
+    isthmus::FillMaps(*solution, atoms.Atoms, output);
+  }
   isthmus::FillFieldData(*solution, parameters, atoms.NetCharge, volume.Kind, output);
   isthmus::FillSurface(*solution, volume, parameters.Temperature, polygons,
     vtkPolyData::GetData(outputVector, 1), isthmus::Between(progress, 0.9, 1.0));
   auto* atomsOut = vtkPointSet::GetData(outputVector, 2);
   atomsOut->ShallowCopy(points);
   isthmus::FillAtoms(*solution, volume, parameters.Temperature, atomsOut);
+  if (this->ComputeBoundaryForces)
+  {
+    isthmus::FillBoundaryForces(*solution, volume, atoms.Atoms, atomsOut);
+  }
 }
 
 vtkPolyData* vtkPoissonBoltzmann::GetSurface()
@@ -319,4 +336,6 @@ void vtkPoissonBoltzmann::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BoundaryCondition: " << this->BoundaryCondition << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "ComputeBoundaryForces: " << this->ComputeBoundaryForces << "\n";
+  os << indent << "ComputeMaps: " << this->ComputeMaps << "\n";
 }

@@ -30,7 +30,11 @@
  * `BorderIterations` (on a coarser grid, for the border), `NewtonSteps`, `ResidualHistory` (of the
  * last solution), `LinearFits`, `GhostFits` (crossings of the surface whose quadratic fit fell
  * back, most of them in cavities and clefts a node or two wide), `DebyeLength` (angstrom, 0 without
- * salt), `NetCharge`, `Surface`.
+ * salt), `NetCharge`, `Surface`. With ComputeMaps also, on points, float, what the equation was
+ * solved with: `Dielectric` (of the edges from the node along each axis, as APBS' dielx, diely and
+ * dielz; where the surface cuts one, its parts in series, to 1/255), `IonAccessibility` (the part
+ * of the node's cell that ions reach; weighted by z^2 c where radii differ) and `ChargeDensity`
+ * (e/angstrom^3, trilinear; the solver itself takes the charges as points).
  *
  * **Output 1**: the surface with, on points, double: `Potential`, `NormalField` (outwards, just
  * outside, kT/(e angstrom)), `SurfaceChargeDensity` (induced, e/angstrom^2), `Normals`; fitted from
@@ -39,8 +43,11 @@
  * **Output 2**: the atoms with `ReactionPotential` (kT/e) and `AtomEnergy` (kcal/mol: its part of
  * the solvation energy, which they add up to unless Nonlinear), `ReactionForce` (kcal/(mol
  * angstrom)): -q grad u, the reaction field's force on each charge. It is minus the derivative of
- * the solvation energy by the charge's place at a fixed surface (of the linear equation); Coulomb's
- * force and the pressure on the surface are not in it.
+ * the solvation energy by the charge's place at a fixed surface. With ComputeBoundaryForces also
+ * `DielectricBoundaryForce` and `IonicBoundaryForce` (BoundaryForces.h), and `PolarForce`, the sum
+ * of the three: minus the derivative of the solvation energy by the atom's place where the surface
+ * goes along. Without input 1 that is the surface of the Gaussians; of another one each point goes
+ * with the atom whose ball is nearest. Coulomb's force between the charges is not in it.
  *
  * A volume that ends near the surface is no trouble: the equation is solved with Padding angstrom
  * of solvent around, and cropped. Nodes nearer to a charge than a quarter of the spacing have the
@@ -53,7 +60,7 @@
  * warning. No atoms: empty outputs and no error.
  *
  * **Cost.** Linear in nodes (6 to 12 iterations at any size) and in charges x crossings, by a tree
- * above 5000 charges; memory about 110 bytes a node. In parallel, the same bits on any number of
+ * above 5000 charges; memory 80 to 96 bytes a node. In parallel, the same bits on any number of
  * threads. On several MPI ranks each solves for its own atoms: gather them first (in ParaView:
  * Aggregate Dataset).
  */
@@ -122,6 +129,9 @@ public:
   /// A salt of any ions instead: valence with sign, and concentration in mol/l. Charges must
   /// cancel.
   void AddIon(double valence, double concentration);
+  /// An ion with a radius of its own, angstrom: how near to the surface it gets, where IonRadius
+  /// says so for the others.
+  void AddIon(double valence, double concentration, double radius);
   void ClearIons();
   int GetNumberOfIons();
   ///@}
@@ -187,6 +197,20 @@ public:
   ///@}
 
   ///@{
+  /// Adds the forces that the atoms feel through the surface they carry to output 2. Default off.
+  vtkSetMacro(ComputeBoundaryForces, vtkTypeBool);
+  vtkGetMacro(ComputeBoundaryForces, vtkTypeBool);
+  vtkBooleanMacro(ComputeBoundaryForces, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// Adds the maps of dielectric, ions and charges to output 0. Default off.
+  vtkSetMacro(ComputeMaps, vtkTypeBool);
+  vtkGetMacro(ComputeMaps, vtkTypeBool);
+  vtkBooleanMacro(ComputeMaps, vtkTypeBool);
+  ///@}
+
+  ///@{
   /// Point arrays of input 0, the short way. Default `Charge` and `Radius`.
   void SetChargeArrayName(const char* name);
   void SetRadiusArrayName(const char* name);
@@ -238,6 +262,8 @@ private:
   int BoundaryCondition = SelfConsistent;
   double Tolerance = 1e-6;
   int MaximumIterations = 100;
+  vtkTypeBool ComputeBoundaryForces = 0;
+  vtkTypeBool ComputeMaps = 0;
 
   struct Salt;
   std::unique_ptr<Salt> Ions;

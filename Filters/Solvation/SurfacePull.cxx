@@ -1,10 +1,5 @@
 #include "SurfacePull.h"
 
-#include "ElectrostaticUnits.h"
-#include "SurfacePotential.h"
-
-#include <cmath>
-
 namespace isthmus
 {
 namespace
@@ -83,37 +78,6 @@ private:
   std::vector<std::int64_t> Front;
 };
 
-}
-
-std::vector<double> PullAtCrossings(
-  const PotentialOnBox& solution, const LevelFunction& level, double kelvin)
-{
-  const SolverBox& box = solution.GetBox();
-  std::vector<Vector3> places;
-  places.reserve(solution.GetCrossings().size());
-  for (const InterfaceCrossing& crossing : solution.GetCrossings())
-  {
-    Vector3 place = box.Position(crossing.Node);
-    const auto axis = static_cast<std::size_t>(crossing.Axis);
-    place[axis] += crossing.Fraction * box.Spacing[axis];
-    places.push_back(place);
-  }
-  const SurfaceValues field = EvaluateAtSurface(solution, level, places, kelvin);
-  const double inside = solution.GetMedium().SoluteDielectric;
-  const double outside = solution.GetMedium().SolventDielectric;
-  const double factor =
-    units::ThermalKilocalorie(kelvin) / (8.0 * Pi * units::CoulombLength(kelvin));
-  std::vector<double> pull(places.size(), 0.0);
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    const Vector3& t = field.TangentialGradient[i];
-    const double normal = outside * field.NormalField[i];
-    const double value = factor *
-      ((1.0 / inside - 1.0 / outside) * normal * normal +
-        (outside - inside) * (t[0] * t[0] + t[1] * t[1] + t[2] * t[2]));
-    pull[i] = std::isfinite(value) ? value : 0.0;
-  }
-  return pull;
 }
 
 std::vector<float> CarriedOff(

@@ -1,0 +1,63 @@
+"""The electrostatic binding energy of two molecules: complex less partners, three solutions on one grid.
+
+Usage: pvpython binding_energy.py ONE.pqr OTHER.pqr [--surface KIND] [--spacing H] [--salt MOL]
+                                  [--solute NUMBER] [--solvent NUMBER] [--nonlinear]
+
+The molecules lie as in their complex. Each of complex, ONE and OTHER has the same surface and the same
+nodes; KIND: gaussian (level 1 of a sum of Gaussians of decay 2.3, the default), balls (van der Waals)
+or ses (solvent-excluded, probe 1.4; each on a grid of its own, nodes at multiples of H).
+
+binding = solvation(complex) - solvation(ONE) - solvation(OTHER) + Coulomb's energy between ONE and OTHER
+in the solute's dielectric; all in kcal/mol. Rigid: conformations, entropy and the nonpolar part are not in
+it. It is a small difference of large energies, and depends on the surface more than on anything else.
+"""
+
+import argparse
+from pathlib import Path
+
+import numpy
+
+import apbs_energies
+import evaluate_electrostatics as electrostatics
+
+JOULE = 4.184
+
+
+def settings(spacing=0.5, salt=0.0, solute=2.0, solvent=80.0, nonlinear=False):
+    return apbs_energies.Case("binding", [], "", (solute, solvent, solute), salt=salt, spacing=spacing,
+                              nonlinear=nonlinear)
+
+
+def binding(partners, kind, case):
+    """kJ/mol: solvation of the complex and of both partners, Coulomb, binding."""
+    whole = tuple(numpy.concatenate(parts) for parts in zip(*partners))
+    box = apbs_energies.box_of(whole[0], whole[2], case.spacing)
+    solvation = [apbs_energies.solvation(case, kind, molecule, box) for molecule in (whole, *partners)]
+    coulomb = apbs_energies.coulomb_between(*partners, case.dielectrics[0])
+    return {"solvation": solvation, "coulomb": coulomb,
+            "binding": solvation[0] - solvation[1] - solvation[2] + coulomb}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("one", type=Path)
+    parser.add_argument("other", type=Path)
+    parser.add_argument("--surface", choices=("gaussian", "balls", "ses"), default="gaussian")
+    parser.add_argument("--spacing", type=float, default=0.5)
+    parser.add_argument("--salt", type=float, default=0.0)
+    parser.add_argument("--solute", type=float, default=2.0)
+    parser.add_argument("--solvent", type=float, default=80.0)
+    parser.add_argument("--nonlinear", action="store_true")
+    chosen = parser.parse_args()
+    case = settings(chosen.spacing, chosen.salt, chosen.solute, chosen.solvent, chosen.nonlinear)
+    partners = [electrostatics.read(path) for path in (chosen.one, chosen.other)]
+    parts = binding(partners, chosen.surface, case)
+    print(f"{'kcal/mol':34}{'complex':>12}{chosen.one.stem:>16}{chosen.other.stem:>16}")
+    print(f"{'solvation':34}" + "".join(f"{value / JOULE:{width}.2f}" for value, width in
+                                        zip(parts["solvation"], (12, 16, 16))))
+    print(f"{'Coulomb between them':34}{parts['coulomb'] / JOULE:12.2f}")
+    print(f"{'electrostatic binding energy':34}{parts['binding'] / JOULE:12.2f}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,181 @@
+#include "IonAccess.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isthmus
+{
+namespace
+{
+
+double Distance(const InterfaceCrossing& c, const Vector3& y)
+{
+  const auto& n = c.Frame.Normal;
+  const auto& w = c.Frame.Curvature;
+  const double s = n[0] * y[0] + n[1] * y[1] + n[2] * y[2];
+  const double y2 = y[0] * y[0] + y[1] * y[1] + y[2] * y[2];
+  const double t2 = std::max(y2 - s * s, 0.0);
+  const double bend = w[0] * y[0] * y[0] + w[1] * y[1] * y[1] + w[2] * y[2] * y[2] +
+    2.0 * (w[3] * y[0] * y[1] + w[4] * y[0] * y[2] + w[5] * y[1] * y[2]);
+  const double length = std::sqrt(y2);
+  if (t2 <= 0.0)
+  {
+    return length;
+  }
+  const double focus = 1.0 + s * bend / t2;
+  // Behind the centre of a hollow the paraboloid says nothing.
+  return focus > 0.3 ? std::clamp(s + 0.5 * bend / focus, 0.0, length) : length;
+}
+
+/// Which crossing is nearest to each node of a band outside, found front by front.
+class NearestCrossings
+{
+public:
+  NearestCrossings(const SolverBox& box, const std::vector<unsigned char>& inside,
+    const std::vector<InterfaceCrossing>& crossings)
+    : Box(box)
+    , Inside(inside)
+    , Crossings(crossings)
+    , Nearest(inside.size(), -1)
+  {
+  }
+
+  void Spread(double reach)
+  {
+    std::vector<std::int64_t> front;
+    const auto steps = this->Box.Steps();
+    for (std::size_t c = 0; c < this->Crossings.size(); ++c)
+    {
+      const auto& crossing = this->Crossings[c];
+      const std::int64_t upper = crossing.Node + steps[static_cast<std::size_t>(crossing.Axis)];
+      for (const std::int64_t node : { crossing.Node, upper })
+      {
+        this->Offer(node, static_cast<std::int32_t>(c), reach, front);
+      }
+    }
+    while (!front.empty())
+    {
+      std::vector<std::int64_t> next;
+      for (const std::int64_t node : front)
+      {
+        const std::int32_t c = this->Nearest[static_cast<std::size_t>(node)];
+        for (int n = 0; n < 27; ++n)
+        {
+          const std::int64_t other = this->Neighbour(node, n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+          if (other >= 0)
+          {
+            this->Offer(other, c, reach, next);
+          }
+        }
+      }
+      front.swap(next);
+    }
+  }
+
+  /// Distance of a node from the surface; negative where it is beyond reach.
+  double At(std::int64_t node) const
+  {
+    const std::int32_t c = this->Nearest[static_cast<std::size_t>(node)];
+    return c < 0 ? -1.0
+                 : Distance(this->Crossings[static_cast<std::size_t>(c)], this->From(node, c));
+  }
+
+  /// The point of the surface next to a node within reach, and the normal there.
+  IonBorderNode FootOf(std::int64_t node, double distance) const
+  {
+    const auto& c =
+      this->Crossings[static_cast<std::size_t>(this->Nearest[static_cast<std::size_t>(node)])];
+    const Vector3 y = this->From(node, this->Nearest[static_cast<std::size_t>(node)]);
+    const auto& w = c.Frame.Curvature;
+    Vector3 m{ c.Frame.Normal[0] + w[0] * y[0] + w[3] * y[1] + w[4] * y[2],
+      c.Frame.Normal[1] + w[3] * y[0] + w[1] * y[1] + w[5] * y[2],
+      c.Frame.Normal[2] + w[4] * y[0] + w[5] * y[1] + w[2] * y[2] };
+    const double length = std::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
+    const Vector3 x = this->Box.Position(node);
+    IonBorderNode result{ node, {}, {} };
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      result.Normal[a] = length > 0.0 ? m[a] / length : c.Frame.Normal[a];
+      result.Foot[a] = x[a] - distance * result.Normal[a];
+    }
+    return result;
+  }
+
+private:
+  Vector3 From(std::int64_t node, std::int32_t c) const
+  {
+    const auto& crossing = this->Crossings[static_cast<std::size_t>(c)];
+    const Vector3 x = this->Box.Position(node);
+    Vector3 y = this->Box.Position(crossing.Node);
+    const auto a = static_cast<std::size_t>(crossing.Axis);
+    y[a] += crossing.Fraction * this->Box.Spacing[a];
+    return { x[0] - y[0], x[1] - y[1], x[2] - y[2] };
+  }
+  double Squared(std::int64_t node, std::int32_t c) const
+  {
+    const Vector3 y = this->From(node, c);
+    return y[0] * y[0] + y[1] * y[1] + y[2] * y[2];
+  }
+  std::int64_t Neighbour(std::int64_t node, int i, int j, int k) const
+  {
+    const auto& n = this->Box.Dimensions;
+    const std::int64_t x = node % n[0] + i;
+    const std::int64_t y = node / n[0] % n[1] + j;
+    const std::int64_t z = node / (n[0] * n[1]) + k;
+    const bool within = x >= 0 && x < n[0] && y >= 0 && y < n[1] && z >= 0 && z < n[2];
+    return within ? x + n[0] * (y + n[1] * z) : -1;
+  }
+  void Offer(std::int64_t node, std::int32_t c, double reach, std::vector<std::int64_t>& changed)
+  {
+    auto& nearest = this->Nearest[static_cast<std::size_t>(node)];
+    if (this->Inside[static_cast<std::size_t>(node)] || nearest == c)
+    {
+      return;
+    }
+    const double squared = this->Squared(node, c);
+    if (squared <= reach * reach && (nearest < 0 || squared < this->Squared(node, nearest)))
+    {
+      nearest = c;
+      changed.push_back(node);
+    }
+  }
+
+  const SolverBox& Box;
+  const std::vector<unsigned char>& Inside;
+  const std::vector<InterfaceCrossing>& Crossings;
+  std::vector<std::int32_t> Nearest;
+};
+
+}
+
+std::vector<float> IonAccess(const SolverBox& box, const std::vector<unsigned char>& inside,
+  const std::vector<InterfaceCrossing>& crossings, double layer, std::vector<IonBorderNode>* border)
+{
+  std::vector<float> access(inside.size());
+  std::transform(inside.begin(), inside.end(), access.begin(),
+    [](unsigned char in) { return in ? 0.0F : 1.0F; });
+  if (layer <= 0.0)
+  {
+    return access;
+  }
+  const double h = IonBorderWidth(box);
+  const double widest = *std::max_element(box.Spacing.begin(), box.Spacing.end());
+  NearestCrossings nearest(box, inside, crossings);
+  nearest.Spread(layer + 2.0 * widest);
+  for (std::size_t node = 0; node < access.size(); ++node)
+  {
+    const double d = inside[node] ? -1.0 : nearest.At(static_cast<std::int64_t>(node));
+    if (d >= 0.0)
+    {
+      const double part = std::clamp(0.5 + (d - layer) / h, 0.0, 1.0);
+      access[node] = static_cast<float>(part);
+      if (border && part > 0.0 && part < 1.0)
+      {
+        border->push_back(nearest.FootOf(static_cast<std::int64_t>(node), d));
+      }
+    }
+  }
+  return access;
+}
+
+}
