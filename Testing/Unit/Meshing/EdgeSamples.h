@@ -125,7 +125,6 @@ public:
   }
 
 private:
-  static double Length(const Point3& x) { return std::sqrt(Dot(x, x)); }
 
   bool IsCorner(std::int64_t id) const
   {

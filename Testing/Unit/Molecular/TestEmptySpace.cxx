@@ -19,11 +19,6 @@ namespace
 
 constexpr double Pi = 3.14159265358979323846;
 
-double Distance(const Point3& a, const Point3& b)
-{
-  return std::sqrt(Dot(a - b, a - b));
-}
-
 Point3 OnSphere(std::mt19937& random)
 {
   std::normal_distribution<double> normal;
