@@ -125,7 +125,6 @@ public:
   }
 
 private:
-
   bool IsCorner(std::int64_t id) const
   {
     const auto& rays = this->Rays.at(id);
