@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 import numpy
-from paraview import simple
+from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkTable
@@ -35,6 +35,8 @@ def column(attributes, name):
 def numbers_of(loops):
     """What was found: counts, facts about the analysis, and a row for each loop."""
     data = output(loops)
+    loops.UpdatePropertyInformation()
+    times = servermanager.vtkSMPropertyHelper(loops.SMProxy, "StageTimes")
     facts = {name: column(data.GetFieldData(), name).tolist() for name in (
         "NumberOfHandles", "NumberOfTunnels", "NumberOfAdditionalLoops", "NumberOfSamples",
         "LargestSamplingError", "ReferenceLength")}
@@ -49,8 +51,7 @@ def numbers_of(loops):
         "samples": facts["NumberOfSamples"][0],
         "largest sampling error": facts["LargestSamplingError"][0],
         "reference length": dict(zip(("inside", "outside"), facts["ReferenceLength"])),
-        "seconds": {name: loops.GetClientSideObject().GetStageTime(stage)
-                    for stage, name in enumerate(stages)},
+        "seconds": {name: times.GetAsDouble(stage) for stage, name in enumerate(stages)},
         "loops": [dict(zip(("feature", "kind", "side", "radius", "widening", "length",
                             "trusted"), row)) for row in zip(*rows)],
     }

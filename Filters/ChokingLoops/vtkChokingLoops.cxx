@@ -22,7 +22,7 @@
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -87,17 +87,6 @@ vtkChokingLoops::vtkChokingLoops()
 
 vtkChokingLoops::~vtkChokingLoops() = default;
 
-double vtkChokingLoops::GetStageTime(int stage) const
-{
-  if (!this->Kept || stage < CheckStage || stage > FeaturesStage)
-  {
-    return 0.0;
-  }
-  const isthmus::ChokingLoopTimes& t = this->Kept->Loops->Times();
-  return std::array<double, 5>{ t.Check, t.Sampling, t.Filtration, t.Pairing,
-    t.Features }[static_cast<std::size_t>(stage)];
-}
-
 int vtkChokingLoops::FillInputPortInformation(int port, vtkInformation* information)
 {
   information->Set(
@@ -122,6 +111,7 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
     return;
   }
   this->Kept.reset();
+  std::fill_n(this->StageTimes, 5, 0.0);
   const auto progress = isthmus::Between(isthmus::ProgressOf(this), 0.0, AnalysisPart);
   auto made = std::make_unique<Cache>();
   made->MadeOf = key;
@@ -169,6 +159,9 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
   {
     vtkWarningMacro(<< made->Loops->Remark());
   }
+  const isthmus::ChokingLoopTimes& t = made->Loops->Times();
+  const double times[] = { t.Check, t.Sampling, t.Filtration, t.Pairing, t.Features };
+  std::copy_n(times, 5, this->StageTimes);
   this->Kept = std::move(made);
 }
 

@@ -221,17 +221,10 @@ public:
   vtkGetMacro(MemoryLimit, int);
   ///@}
 
-  enum StageType
-  {
-    CheckStage,
-    SamplingStage,
-    FiltrationStage,
-    PairingStage,
-    FeaturesStage
-  };
-  /// Seconds that a stage of the analysis took on which the outputs stand; 0 where there is none.
-  /// They are no part of the outputs, which are the same on every machine.
-  double GetStageTime(int stage) const;
+  /// Seconds that the stages of the analysis took on which the outputs stand: check, sampling,
+  /// filtration, pairing, features; 0 where there is none. They are no part of the outputs, which
+  /// are the same on every machine.
+  vtkGetVectorMacro(StageTimes, double, 5);
 
 protected:
   vtkChokingLoops();
@@ -273,6 +266,7 @@ private:
   bool AllowSelfIntersections = false;
   bool CapHoles = false;
   int MemoryLimit = 0;
+  double StageTimes[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
   std::unique_ptr<Cache> Kept;
 };
 

@@ -81,7 +81,7 @@ void InterfaceOperator::ApplyIrregularRows(
         for (auto e = static_cast<std::size_t>(rows.Start[r]);
              e < static_cast<std::size_t>(rows.Start[r + 1]); ++e)
         {
-          sum += static_cast<double>(rows.Value[e]) * static_cast<double>(u[rows.Column[e]]);
+          sum += rows.Value[e] * static_cast<double>(u[rows.Column[e]]);
         }
         out[static_cast<std::size_t>(rows.Node[r])] =
           sign * sum + (withRight ? rows.RightSide[r] : 0.0);
@@ -113,7 +113,7 @@ void InterfaceOperator::SmoothIrregular(const std::vector<double>& r, std::vecto
     for (auto e = static_cast<std::size_t>(rows.Start[row]);
          e < static_cast<std::size_t>(rows.Start[row + 1]); ++e)
     {
-      sum += static_cast<double>(rows.Value[e]) * static_cast<double>(u[rows.Column[e]]);
+      sum += rows.Value[e] * static_cast<double>(u[rows.Column[e]]);
     }
     *u += static_cast<float>(
       (r[static_cast<std::size_t>(rows.Node[row])] - sum) / (rows.Diagonal[row] + extra));

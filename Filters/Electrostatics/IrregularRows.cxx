@@ -133,12 +133,28 @@ void AssembleRange(const InterfaceProblem& problem, const std::vector<CrossingVa
     for (const auto& [column, value] : row.Entries)
     {
       part.Column.push_back(static_cast<std::int32_t>(column - row.Node));
-      part.Value.push_back(static_cast<float>(scale * value));
+      part.Value.push_back(scale * value);
     }
     part.RightSide.push_back(scale * row.Right);
     part.Scale.push_back(scale);
     part.Diagonal.push_back(scale * diagonal);
   }
+}
+
+/// Room for what is appended: growing by doubling would hold twice that, at the peak of memory.
+void Reserve(const std::vector<IrregularRows>& parts, IrregularRows& all)
+{
+  std::size_t entries = 0;
+  for (const IrregularRows& part : parts)
+  {
+    entries += part.Column.size();
+  }
+  all.Start.reserve(all.Node.size() + 1);
+  all.Column.reserve(entries);
+  all.Value.reserve(entries);
+  all.RightSide.reserve(all.Node.size());
+  all.Scale.reserve(all.Node.size());
+  all.Diagonal.reserve(all.Node.size());
 }
 
 void Append(const IrregularRows& part, IrregularRows& all)
@@ -208,6 +224,7 @@ IrregularRows AssembleIrregularRows(
     rows.GhostFits += v.Quality == FitQuality::None ? 1 : 0;
   }
   values = {};
+  Reserve(parts, rows);
   for (IrregularRows& part : parts)
   {
     Append(part, rows);

@@ -22,7 +22,7 @@ struct IrregularRows
   std::vector<std::int64_t> Node;  ///< in increasing order
   std::vector<std::int64_t> Start; ///< of each row, and the end
   std::vector<std::int32_t> Column;
-  std::vector<float> Value; ///< rounded by 6e-8 of themselves, far below what the fits are good for
+  std::vector<double> Value;
   std::vector<double> RightSide;
   std::vector<double> Scale;    ///< that the row was multiplied with
   std::vector<double> Diagonal; ///< after scaling

@@ -60,7 +60,7 @@
  * warning. No atoms: empty outputs and no error.
  *
  * **Cost.** Linear in nodes (6 to 12 iterations at any size) and in charges x crossings, by a tree
- * above 5000 charges; memory 80 to 96 bytes a node. In parallel, the same bits on any number of
+ * above 5000 charges; memory 80 to 104 bytes a node. In parallel, the same bits on any number of
  * threads. On several MPI ranks each solves for its own atoms: gather them first (in ParaView:
  * Aggregate Dataset).
  */

@@ -5,6 +5,7 @@ of Map Surface and Choking Loops one after the other; no level, and one that not
 import sys
 
 import numpy
+from paraview import servermanager
 from paraview.simple import (ChokingLoops, MapChokingLoops, MapSurface, OpenDataFile, UpdatePipeline,
                              Wavelet)
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -46,12 +47,19 @@ for one, two in zip(radii(loops), radii(steps)):
 print("handles and tunnels as in two steps")
 
 # Another threshold leaves contour and analysis alone.
-analysis = loops.GetClientSideObject()
-before = [analysis.GetStageTime(stage) for stage in range(5)]
+
+
+def stage_times():
+    loops.UpdatePropertyInformation()  # the property is no part of the panel
+    times = servermanager.vtkSMPropertyHelper(loops.SMProxy, "StageTimes")
+    return [times.GetAsDouble(stage) for stage in range(5)]
+
+
+before = stage_times()
 assert sum(before) > 0
 loops.MinimumPersistence = 20
 UpdatePipeline(proxy=loops)
-assert [analysis.GetStageTime(stage) for stage in range(5)] == before
+assert stage_times() == before
 
 vtkObject.GlobalWarningDisplayOff()
 empty = MapChokingLoops(Input=Wavelet(), Level=1e6)

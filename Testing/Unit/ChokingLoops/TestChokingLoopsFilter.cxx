@@ -53,12 +53,8 @@ public:
 
   std::vector<double> Times()
   {
-    std::vector<double> seconds;
-    for (int stage = vtkChokingLoops::CheckStage; stage <= vtkChokingLoops::FeaturesStage; ++stage)
-    {
-      seconds.push_back(this->Loops->GetStageTime(stage));
-    }
-    return seconds;
+    const double* seconds = this->Loops->GetStageTimes();
+    return { seconds, seconds + 5 };
   }
 
   bool Empty()
