@@ -151,6 +151,11 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
     made->Loops = std::make_unique<isthmus::ChokingLoops>(triangles, mesh,
       this->MorseValues(triangles, mesh, given), isthmus::Between(progress, 0.5, 1.0));
   }
+  this->Keep(std::move(made));
+}
+
+void vtkChokingLoops::Keep(std::unique_ptr<Cache> made)
+{
   if (!made->Loops->Mended().Told.empty())
   {
     vtkWarningMacro(<< made->Loops->Mended().Told);

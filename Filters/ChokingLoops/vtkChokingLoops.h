@@ -244,6 +244,7 @@ private:
 
   struct Cache;
   void Analyse(vtkPolyData* surface, vtkDataObject* mesh);
+  void Keep(std::unique_ptr<Cache> made);
   isthmus::FeatureSelection Selection() const;
   std::vector<isthmus::ShownFeature> DrawLoops();
   std::vector<double> MorseValues(const isthmus::TriangleMesh& surface,

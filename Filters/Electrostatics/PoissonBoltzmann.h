@@ -43,7 +43,7 @@ VTKISTHMUS_EXPORT SolverBox CoarserBox(const SolverBox& box, std::int64_t stride
  *
  * Throws std::invalid_argument for bad input, std::runtime_error where an iteration does not
  * converge, Cancelled. Time: linear in nodes and crossings, and in atoms x crossings below 5000
- * atoms (by a tree above); memory 80 to 96 bytes a node.
+ * atoms (by a tree above); memory 80 to 104 bytes a node.
  * The same bits on any number of threads.
  */
 VTKISTHMUS_EXPORT std::unique_ptr<PotentialOnBox> SolvePoissonBoltzmann(const LevelFunction& level,

@@ -47,10 +47,16 @@ for name in ("FeatureId", "Dimension", "Side", "Birth", "Death", "Persistence", 
 proposed = field(lines, "ProposedThreshold")
 assert proposed.GetNumberOfTuples() == 2 and proposed.GetNumberOfComponents() == 2
 assert field(lines, "NumberOfHandles").GetValue(0) == 1
-loops.UpdatePropertyInformation()
+
+
+def stage_times():
+    loops.UpdatePropertyInformation()  # the property is no part of the panel
+    times = servermanager.vtkSMPropertyHelper(loops.SMProxy, "StageTimes")
+    return [times.GetAsDouble(stage) for stage in range(5)]
+
 
 # Thresholds, side and shortening leave the analysis alone: its times stay what they were.
-before = list(loops.StageTimes)
+before = stage_times()
 assert sum(before) > 0
 loops.Side = "Inside"
 loops.MinimumPersistence = 20
