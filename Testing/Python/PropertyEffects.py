@@ -27,6 +27,10 @@ NEEDS = {
     **{(name, swept): {"SweepOf": kind} for name in ("IonTransport", "IonTransportOnSurface")
        for swept, kind in (("SweepPoints", 1), ("SweepVoltages", 1), ("SweepFactors", 2))},
     ("MapSurface", "CloseAtBorder"): {"AutomaticLevel": 0, "Level": 0.02},
+    ("ChokingLoops", "AlwaysReportHandles"): {"MaximumDistance": 1.0},
+    ("ChokingLoops", "MaximumDistance"): {"AlwaysReportHandles": 0},
+    ("ChokingLoops", "ThresholdMode"): {"MinimumPersistence": 60.0},
+    ("MapChokingLoops", "AlwaysReportHandles"): {"MaximumDistance": 1.0},
     ("PoissonBoltzmann", "IonRadius"): {"IonicStrength": 0.15},
     ("PoissonBoltzmann", "Nonlinear"): {"IonicStrength": 0.15},
     ("PoissonBoltzmannOnSurface", "IonRadius"): {"IonicStrength": 0.15},
@@ -45,6 +49,8 @@ VALUES = {
         ("ProbeRadius", [1.4]), ("Spacing", [1.2]), ("Padding", [5.0]), ("SweepPoints", [3]),
         ("MaximumIterations", [1]))},
     ("BindingSites", "MergeDistance"): [6.0, 20.0],
+    ("ChokingLoops", "MaximumDistance"): [1.0, 5.0],
+    ("ChokingLoops", "MaximumNumberOfLoops"): [1, 2],
     ("MapHandles", "MinimumPersistence"): [0.05, 0.3],
     ("MapSurface", "MinimumComponentArea"): [20.0, 60.0],
     ("ScalarRegions", "SweepTarget"): [0.04, 0.0],
@@ -61,6 +67,8 @@ SILENT = {
     **{("BindingSitesInPockets", name): "a ball has no pockets: BindingSites.py has a molecule's"
        for name in ("Amplitude", "Classes", "MergeDistance", "MinimumArea", "Quantile", "RankBy",
                     "Threshold", "UseQuantile")},
+    ("ChokingLoops", "AllowSelfIntersections"): "the ring does not cross itself: TestChokingInput has what does",
+    ("ChokingLoops", "CapHoles"): "the ring is closed: TestChokingInput has what is not",
     ("ChokingLoops", "MemoryLimit"): LIMIT,
     ("MapChokingLoops", "MemoryLimit"): LIMIT,
     ("DelaunayIsosurface", "MaximumNumberOfPoints"): LIMIT,

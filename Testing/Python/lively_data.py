@@ -8,7 +8,8 @@ import tempfile
 import numpy
 from paraview import servermanager
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData, vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
@@ -130,13 +131,37 @@ def tetrahedra():
     return result
 
 
+def ring():
+    """A ring whose tube is thrice as thick at one side as at two narrows: a handle, a tunnel, bottlenecks."""
+    around, across = 48, 16
+    u, v = numpy.meshgrid(2 * numpy.pi * numpy.arange(around) / around,
+                          2 * numpy.pi * numpy.arange(across) / across, indexing="ij")
+    tube = 1.0 + 0.5 * numpy.cos(2 * u) + 0.1 * numpy.cos(u)
+    places = numpy.stack([(4 + tube * numpy.cos(v)) * numpy.cos(u), (4 + tube * numpy.cos(v)) * numpy.sin(u),
+                          tube * numpy.sin(v)], axis=-1).reshape(-1, 3)
+    points, cells = vtkPoints(), vtkCellArray()
+    points.SetDataTypeToDouble()
+    for place in places:
+        points.InsertNextPoint(*place)
+    for i in range(around):
+        for j in range(across):
+            a, b = i * across + j, (i + 1) % around * across + j
+            c, d = (i + 1) % around * across + (j + 1) % across, i * across + (j + 1) % across
+            for corners in ((a, b, c), (a, c, d)):
+                cells.InsertNextCell(3, corners)
+    result = vtkPolyData()
+    result.SetPoints(points)
+    result.SetPolys(cells)
+    return result
+
+
 MAKERS = dict(good_data.MAKERS, vtkPolyData=surface, vtkPointSet=surface, vtkImageData=image,
               vtkDataSet=surface, vtkDataObject=surface, vtkUnstructuredGrid=tetrahedra)
 TAKE_ATOMS = ("MolecularPockets", "PoreProfile", "MolecularFlowSurface", "MolecularDensity",
               "NonpolarSolvation", "PoissonBoltzmann", "PoissonBoltzmannOnSurface")
 SPECIAL = dict(good_data.SPECIAL)
 SPECIAL.update({(name, "Input"): atoms for name in TAKE_ATOMS})
-SPECIAL.update({("NonpolarSolvation", "Volume"): flow_volume, ("DenoiseFromHalfMaps", "OtherHalf"): lambda: image(2),
+SPECIAL.update({("ChokingLoops", "Input"): ring, ("NonpolarSolvation", "Volume"): flow_volume, ("DenoiseFromHalfMaps", "OtherHalf"): lambda: image(2),
                 ("PoissonBoltzmannOnSurface", "Surface"): around_atoms})
 del SPECIAL["IonTransport", "Surface"]  # it would have a surface, not make one
 
