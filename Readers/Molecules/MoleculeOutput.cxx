@@ -166,14 +166,16 @@ void AddFieldData(const Macromolecule& molecule, vtkFieldData* to)
 
 void FillAtoms(const Macromolecule& molecule, bool withAltLoc, vtkPolyData* atoms)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(molecule.Atoms.size()));
-  auto* next = static_cast<double*>(points->GetVoidPointer(0));
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(molecule.Atoms.size()));
+  double* next = coordinates->GetPointer(0);
   for (const Atom& atom : molecule.Atoms)
   {
     next = std::copy(atom.Position.begin(), atom.Position.end(), next);
   }
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
   atoms->SetPoints(points);
   SetCells(molecule, atoms);
   AddPointArrays(molecule, withAltLoc, atoms);
