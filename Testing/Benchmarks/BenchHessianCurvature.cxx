@@ -73,6 +73,7 @@ void Time(benchmark::State& state, vtkAlgorithm* filter, vtkIdType places, doubl
   const double rate = static_cast<double>(places) / best;
   state.counters["places"] = static_cast<double>(places);
   state.counters["places/s"] = rate;
+  state.counters["memory_places/s"] = isthmus::testing::CopyBandwidth() / bytes;
   state.counters["of_bandwidth"] = rate * bytes / isthmus::testing::CopyBandwidth();
   state.counters["threads"] = isthmus::ParallelThreads();
 }

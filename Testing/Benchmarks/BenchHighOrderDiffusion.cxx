@@ -66,6 +66,7 @@ void Report(benchmark::State& state, int n, double evaluations, double seconds, 
   state.counters["voxels/s"] = rate;
   state.counters["times_VTK"] = rate / peer;
   state.counters["of_bandwidth"] = rate * bytes / isthmus::testing::CopyBandwidth();
+  state.counters["copy_voxels/s"] = isthmus::testing::CopyBandwidth() / 8.0;
   state.counters["copy_GB/s"] = isthmus::testing::CopyBandwidth() * 1e-9;
   state.counters["threads"] = isthmus::ParallelThreads();
 }
