@@ -1,5 +1,6 @@
 #include "CurvatureOfImage.h"
 
+#include "LargePages.h"
 #include "SurfaceTypeNames.h"
 
 #include <vtkDataArray.h>
@@ -50,6 +51,7 @@ T* NewArray(bool wanted, const char* name, int components, vtkIdType tuples, vtk
   array->SetName(name);
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(tuples);
+  AdviseLargePages(array.Get());
   output->GetPointData()->AddArray(array);
   return static_cast<T*>(array->GetVoidPointer(0));
 }

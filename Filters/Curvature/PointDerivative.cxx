@@ -1,5 +1,7 @@
 #include "PointDerivative.h"
 
+#include "VectorClones.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -171,8 +173,9 @@ double Dot(const std::array<double, Width<R>>& weights, const std::array<double,
   return sum;
 }
 
+/// Flattened, since only what is inlined is compiled for the vectors of each machine.
 template <int R, typename T>
-bool Differentiate(const GridView<const T>& grid, const std::array<double, 3>& index,
+ISTHMUS_VECTOR_CLONES [[gnu::flatten]] bool Differentiate(const GridView<const T>& grid, const std::array<double, 3>& index,
   std::int64_t place, DerivativeRows& rows)
 {
   std::array<std::int64_t, 3> corner{};

@@ -1,4 +1,5 @@
 #include "DiffusionImage.h"
+#include "LargePages.h"
 
 #include <vtkArrayDispatch.h>
 #include <vtkDataArrayRange.h>
@@ -100,6 +101,7 @@ vtkSmartPointer<typename DiffusionImage<T>::Array> DiffusionImage<T>::NewVolume(
   auto volume = vtkSmartPointer<Array>::New();
   volume->SetName(name.c_str());
   volume->SetNumberOfTuples(this->Grid.Size());
+  AdviseLargePages(volume.Get());
   return volume;
 }
 
@@ -267,6 +269,7 @@ void DiffusionImage<T>::AddResult(Array* volume, bool active)
     result = vtkSmartPointer<Array>::New();
     result->SetName(volume->GetName());
     result->SetNumberOfTuples(this->Output->GetNumberOfPoints());
+    AdviseLargePages(result.Get());
     CopyPart(vtk::DataArrayValueRange<1>(volume), this->Parts.Local(), extent,
       result->GetPointer(0), extent);
   }

@@ -2,6 +2,7 @@
 
 #include "DiffusionEvaluation.h"
 #include "EdgeCoefficient.h"
+#include "LargePages.h"
 #include "TimeSteps.h"
 
 #include <algorithm>
@@ -121,7 +122,9 @@ template <typename T>
 T* Solver<T>::NewVolume()
 {
   // Left uninitialised: whoever writes it first touches it first.
-  this->Owned.emplace_back(new T[static_cast<std::size_t>(this->Grid.Size())]);
+  const auto size = static_cast<std::size_t>(this->Grid.Size());
+  this->Owned.emplace_back(new T[size]);
+  AdviseLargePages(this->Owned.back().get(), size * sizeof(T));
   return this->Owned.back().get();
 }
 

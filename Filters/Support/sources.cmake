@@ -13,6 +13,7 @@ isthmus_room(
     ErrorOnce
     GridCells
     ImageExtent
+    LargePages
     ParallelFor
     PipelineInputs
     PolyDataMesh

@@ -1,5 +1,6 @@
 #include "vtkMRCMapReader.h"
 
+#include "LargePages.h"
 #include "MRCFieldData.h"
 #include "MRCMap.h"
 #include "PrintableText.h"
@@ -66,6 +67,7 @@ vtkSmartPointer<vtkDataArray> NewArray(const char* name, int type, int component
       " MiB. Read a part of the map (CropExtent) or every n-th node "
       "(SampleRate).");
   }
+  isthmus::AdviseLargePages(memory, bytes);
   array->SetName(name);
   array->SetNumberOfComponents(components);
   array->SetVoidArray(memory, tuples * components, 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);

@@ -1,5 +1,6 @@
 #include "vtkOpenDXReader.h"
 
+#include "LargePages.h"
 #include "OpenDXReader.h"
 #include "ParallelReduce.h"
 #include "Pi.h"
@@ -267,6 +268,7 @@ void vtkOpenDXReader::ReadValues(OpenDXReader& file, vtkImageData* output)
   values->SetName(this->ArrayName.c_str());
   values->SetNumberOfComponents(file.Array().Components);
   values->SetNumberOfTuples(output->GetNumberOfPoints());
+  isthmus::AdviseLargePages(values.Get());
   std::string note;
   if (IsOrthogonal(file.Lattice()))
   {
