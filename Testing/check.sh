@@ -3,6 +3,7 @@
 #   ln -s ../../Testing/check.sh .git/hooks/pre-commit
 # Floors, contracts, lengths, READMEs, links, panels, format, paths of one machine, sizes.
 set -uo pipefail
+shopt -s lastpipe # what complain sets behind a pipe must last
 cd "$(git -C "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" rev-parse --show-toplevel)" || exit 1
 
 failed=0

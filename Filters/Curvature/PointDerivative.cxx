@@ -175,8 +175,8 @@ double Dot(const std::array<double, Width<R>>& weights, const std::array<double,
 
 /// Flattened, since only what is inlined is compiled for the vectors of each machine.
 template <int R, typename T>
-ISTHMUS_VECTOR_CLONES [[gnu::flatten]] bool Differentiate(const GridView<const T>& grid, const std::array<double, 3>& index,
-  std::int64_t place, DerivativeRows& rows)
+ISTHMUS_VECTOR_CLONES [[gnu::flatten]] bool Differentiate(const GridView<const T>& grid,
+  const std::array<double, 3>& index, std::int64_t place, DerivativeRows& rows)
 {
   std::array<std::int64_t, 3> corner{};
   std::array<AxisWeights<R>, 3> weights;

@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""check.sh fails for each thing that it looks for itself, and passes a tidy tree."""
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+CHECKS = ("check_floors", "check_contracts", "check_lengths", "check_readmes", "check_links")
+TESTING = pathlib.Path(__file__).parent
+
+
+class Check(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        self.write("Testing/check.sh", (TESTING / "check.sh").read_text())
+        for check in CHECKS:  # they have tests of their own
+            self.write(f"Testing/{check}.py", "")
+        self.write("Plugin/Good.xml", "<ServerManagerConfiguration/>\n")
+        self.write(".clang-format", "BasedOnStyle: LLVM\n")
+        self.write("Filters/Good.h", "int good();\n")
+        self.git("init", "-q")
+
+    def write(self, name, text):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+
+    def git(self, *words):
+        subprocess.run(["git", "-C", self.root, *words], check=True)
+
+    def run_check(self):
+        self.git("add", "-A")
+        return subprocess.run(["bash", self.root / "Testing/check.sh"], capture_output=True, text=True)
+
+    def assert_complains(self, heading):
+        done = self.run_check()
+        self.assertEqual((done.returncode, heading in done.stdout), (1, True), done.stdout)
+
+    def test_tidy_tree(self):
+        done = self.run_check()
+        self.assertEqual((done.returncode, done.stdout), (0, ""), done.stdout + done.stderr)
+
+    def test_python_check_that_fails(self):
+        self.write("Testing/check_links.py", "import sys\nprint('A dead link')\nsys.exit(1)\n")
+        self.assert_complains("A dead link")
+
+    def test_broken_panel(self):
+        self.write("Plugin/Bad.xml", "<ServerManagerConfiguration>\n")
+        self.assert_complains("Panels that are no XML")
+
+    @unittest.skipUnless(shutil.which("clang-format"), "clang-format is not installed")
+    def test_format(self):
+        self.write("Filters/Bad.h", "int   bad( );\n")
+        self.assert_complains("Places that clang-format would change")
+
+    def test_version_check(self):
+        self.write("Filters/Bad.h", "#if VTK_MAJOR_VERSION > 8\n#endif\n")
+        self.assert_complains("Version checks outside")
+
+    def test_path_of_one_machine(self):
+        self.write("Testing/Bad.py", 'DATA = "' + '/ho' + 'me/me/data"\n')
+        self.assert_complains("Paths of one machine")
+
+    def test_large_file(self):
+        self.write("Testing/large.bin", "0" * 200_001)
+        self.assert_complains("Files over 200 KB")
+
+
+if __name__ == "__main__":
+    unittest.main()
