@@ -5,6 +5,7 @@
 #include <pqApplicationCore.h>
 #include <pqCoreUtilities.h>
 #include <pqPipelineSource.h>
+#include <pqPropertiesPanel.h>
 #include <pqServerManagerModel.h>
 
 #include <QApplication>
@@ -24,9 +25,21 @@ QList<pqPipelineSource*> Sources()
   return pqApplicationCore::instance()->getServerManagerModel()->findItems<pqPipelineSource*>();
 }
 
-/// Runs a pipeline; what it made is up to date, so that Apply has nothing to do.
+/// As if the user had pressed Apply: what the panel shows is what a pipeline starts from.
+void ApplyWhatWaits()
+{
+  auto* panel = pqCoreUtilities::mainWidget()->findChild<pqPropertiesPanel*>();
+  if (panel && panel->canApply())
+  {
+    panel->apply();
+  }
+}
+
+/// Runs a pipeline on what the panel shows; what it made is up to date, so that Apply has nothing
+/// to do.
 void Run(const QString& call)
 {
+  ApplyWhatWaits();
   const QList<pqPipelineSource*> before = Sources();
   QApplication::setOverrideCursor(Qt::WaitCursor);
   isthmus::RunPipelines(call);

@@ -19,6 +19,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 PATIENCE = 200  # seconds for one session, on a machine with other things to do
 APPLY = ("pqClientMainWindow/propertiesDock/propertiesPanel/Accept", "activate", "")
+NOTHING_TO_APPLY = (APPLY[0], "check enabled", "false")
 BUTTON = "pqClientMainWindow/Isthmus/1QToolButton%d"
 MENU = "pqClientMainWindow/menubar/menuFilters/Isthmus"
 # Apply, in a window of 1600 x 1000.
@@ -45,11 +46,20 @@ def prepare(folder):
         "[General]\nGeneralSettings.ShowWelcomeDialog=false\n")
 
 
+def line_of(target, command, arguments):
+    """What to do, or, after the word check, a property and the value it must have."""
+    if command.startswith("check "):
+        return f'  <pqcheck object="{target}" property="{command[6:]}" arguments="{arguments}"/>'
+    return f'  <pqevent object="{target}" command="{command}" arguments="{arguments}"/>'
+
+
 def write_script(path, events):
+    """With Apply first, unless the session is about what happens without."""
+    begin = () if NOTHING_TO_APPLY in events else (APPLY,)
     pause = ("pqClientMainWindow", "pause", "4000")
     lines = ['<?xml version="1.0" ?>', "<pqevents>"]
-    lines += ['  <pqevent object="%s" command="%s" arguments="%s"/>' % event
-              for event in (pause, APPLY, *events, ("pqClientMainWindow", "pause", "1000"))]
+    lines += [line_of(*event)
+              for event in (pause, *begin, *events, ("pqClientMainWindow", "pause", "1000"))]
     path.write_text("\n".join(lines + ["</pqevents>"]) + "\n")
 
 
