@@ -26,7 +26,7 @@ std::vector<double> SurfaceDistances(
         const std::size_t last = std::min(points.size(), (block + 1) * Block);
         for (std::size_t i = block * Block; i < last; ++i)
         {
-          nearest = tree.Find(points[i], nearest.Triangle);
+          nearest = tree.Find(points[i], nearest.Guess);
           distance[i] = std::sqrt(nearest.Squared);
         }
       }

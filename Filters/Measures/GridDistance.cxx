@@ -335,7 +335,7 @@ std::vector<double> ExactDistanceToSurface(
             static_cast<double>(line % n[1]) * grid.Spacing[1],
             static_cast<double>(line / n[1]) * grid.Spacing[2] };
           const TriangleTree::Nearest nearest = tree.Find(node, guess);
-          guess = nearest.Triangle;
+          guess = nearest.Guess;
           distance[static_cast<std::size_t>(line * n[0] + i)] = std::sqrt(nearest.Squared);
         }
       }

@@ -1,17 +1,18 @@
 #include "TriangleTree.h"
 
+#include "VectorClones.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace isthmus
 {
 namespace
 {
 
-constexpr std::int64_t TrianglesOfLeaf = 4;
-constexpr std::size_t DeepestStack = 128; // more than 2 log2 of any count of triangles
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t DeepestStack = 128; // 7 that wait on each of 12 levels, and one
 
 double SquaredDistanceToSegment(const Point3& x, const Point3& a, const Point3& b)
 {
@@ -29,263 +30,175 @@ double SquaredDistanceToTriangle(const Point3& x, const std::array<Point3, 3>& c
   const auto& [a, b, c] = corners;
   const Point3 normal = Cross(b - a, c - a);
   const double nn = Dot(normal, normal);
-  const bool flat = !(nn > 0.0);
-  const bool ab = flat || Dot(Cross(b - a, x - a), normal) < 0.0;
-  const bool bc = flat || Dot(Cross(c - b, x - b), normal) < 0.0;
-  const bool ca = flat || Dot(Cross(a - c, x - c), normal) < 0.0;
-  if (!ab && !bc && !ca)
+  const double border = std::min({ SquaredDistanceToSegment(x, a, b),
+    SquaredDistanceToSegment(x, b, c), SquaredDistanceToSegment(x, c, a) });
+  const bool over = nn > 0.0 && Dot(Cross(b - a, x - a), normal) >= 0.0 &&
+    Dot(Cross(c - b, x - b), normal) >= 0.0 && Dot(Cross(a - c, x - c), normal) >= 0.0;
+  if (!over)
   {
-    const double height = Dot(normal, x - a);
-    return height * height / nn;
+    return border;
   }
-  // The nearest border point is on an edge that x is beyond.
-  double nearest = std::numeric_limits<double>::infinity();
-  nearest = ab ? std::min(nearest, SquaredDistanceToSegment(x, a, b)) : nearest;
-  nearest = bc ? std::min(nearest, SquaredDistanceToSegment(x, b, c)) : nearest;
-  return ca ? std::min(nearest, SquaredDistanceToSegment(x, c, a)) : nearest;
+  // No place of the triangle is further from its border than |n| / perimeter: so near to the
+  // border's the distance stays also where rounding has turned a needle's normal.
+  const double longest = std::max({ Dot(b - a, b - a), Dot(c - b, c - b), Dot(a - c, a - c) });
+  const double height = Dot(normal, x - a);
+  return std::min(std::max(height * height / nn, border - 0.25 * nn / longest), border);
 }
-
-/// Sorts the triangles into leaves and makes the cylinders.
-class TriangleTree::Builder
-{
-public:
-  Builder(const SurfaceView& mesh, std::vector<Cylinder>& cylinders)
-    : Mesh(mesh)
-    , Cylinders(cylinders)
-    , Order(static_cast<std::size_t>(mesh.NumberOfTriangles))
-    , Centres(this->Order.size())
-  {
-    std::iota(this->Order.begin(), this->Order.end(), vtkIdType(0));
-    for (const vtkIdType triangle : this->Order)
-    {
-      const auto corners = this->CornersOf(triangle);
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        this->Centres[static_cast<std::size_t>(triangle)][axis] =
-          static_cast<float>((corners[0][axis] + corners[1][axis] + corners[2][axis]) / 3.0);
-      }
-    }
-  }
-
-  std::array<Point3, 3> CornersOf(vtkIdType triangle) const
-  {
-    std::array<Point3, 3> corners;
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      std::copy_n(this->Mesh.Point(this->Mesh.Triangle(triangle)[c]), 3, corners[c].begin());
-    }
-    return corners;
-  }
-
-  void Build()
-  {
-    struct Part
-    {
-      std::size_t Cylinder;
-      std::int64_t First, Last;
-    };
-    this->Cylinders.resize(1);
-    std::vector<Part> parts{ { 0, 0, this->Mesh.NumberOfTriangles } };
-    while (!parts.empty())
-    {
-      const Part part = parts.back();
-      parts.pop_back();
-      TriangleTree::Cylinder cylinder = this->CylinderAround(part.First, part.Last);
-      if (part.Last - part.First > TrianglesOfLeaf)
-      {
-        const std::int64_t middle = this->Halve(part.First, part.Last);
-        const std::size_t left = this->Cylinders.size();
-        cylinder.First = static_cast<std::int64_t>(left);
-        cylinder.Count = 0;
-        this->Cylinders.resize(left + 2);
-        parts.push_back({ left, part.First, middle });
-        parts.push_back({ left + 1, middle, part.Last });
-      }
-      this->Cylinders[part.Cylinder] = cylinder;
-    }
-  }
-
-  const std::vector<vtkIdType>& Leaves() const { return this->Order; }
-
-private:
-  /// Calls body(corner) for the corners of the triangles [first, last) of the order.
-  template <typename Body>
-  void ForCorners(std::int64_t first, std::int64_t last, Body&& body) const
-  {
-    for (std::int64_t n = first; n < last; ++n)
-    {
-      const vtkIdType* const id = this->Mesh.Triangle(this->Order[static_cast<std::size_t>(n)]);
-      for (int c = 0; c < 3; ++c)
-      {
-        body(Point3{
-          this->Mesh.Point(id[c])[0], this->Mesh.Point(id[c])[1], this->Mesh.Point(id[c])[2] });
-      }
-    }
-  }
-
-  Point3 MeanNormal(std::int64_t first, std::int64_t last) const
-  {
-    Point3 sum{ 0.0, 0.0, 0.0 };
-    for (std::int64_t n = first; n < last; ++n)
-    {
-      const auto [a, b, c] = this->CornersOf(this->Order[static_cast<std::size_t>(n)]);
-      const Point3 normal = Cross(b - a, c - a);
-      sum = { sum[0] + normal[0], sum[1] + normal[1], sum[2] + normal[2] };
-    }
-    const double length = Length(sum);
-    return length > 0.0 ? Point3{ sum[0] / length, sum[1] / length, sum[2] / length }
-                        : Point3{ 0.0, 0.0, 1.0 };
-  }
-
-  /// As a leaf.
-  Cylinder CylinderAround(std::int64_t first, std::int64_t last) const
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Point3 low{ infinity, infinity, infinity }, high{ -infinity, -infinity, -infinity };
-    this->ForCorners(first, last,
-      [&](const Point3& corner)
-      {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-          low[axis] = std::min(low[axis], corner[axis]);
-          high[axis] = std::max(high[axis], corner[axis]);
-        }
-      });
-    Cylinder cylinder{ { (low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2 },
-      this->MeanNormal(first, last), 0.0, 0.0, first, last - first };
-    double bottom = infinity, top = -infinity, squaredRadius = 0.0;
-    this->ForCorners(first, last,
-      [&](const Point3& corner)
-      {
-        const Point3 r = corner - cylinder.Centre;
-        const double height = Dot(r, cylinder.Axis);
-        bottom = std::min(bottom, height);
-        top = std::max(top, height);
-        squaredRadius = std::max(squaredRadius, Dot(r, r) - height * height);
-      });
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      cylinder.Centre[axis] += (bottom + top) / 2 * cylinder.Axis[axis];
-    }
-    // A little larger than measured, for the rounding of all this.
-    const double slack = 1e-12 * (top - bottom + std::sqrt(squaredRadius));
-    cylinder.HalfHeight = (top - bottom) / 2 + slack;
-    cylinder.Radius = std::sqrt(squaredRadius) + slack;
-    return cylinder;
-  }
-
-  std::int64_t Halve(std::int64_t first, std::int64_t last)
-  {
-    std::array<float, 3> low =
-      this->Centres[static_cast<std::size_t>(this->Order[std::size_t(first)])];
-    std::array<float, 3> high = low;
-    for (std::int64_t n = first; n < last; ++n)
-    {
-      const auto& centre = this->Centres[static_cast<std::size_t>(this->Order[std::size_t(n)])];
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        low[axis] = std::min(low[axis], centre[axis]);
-        high[axis] = std::max(high[axis], centre[axis]);
-      }
-    }
-    std::size_t longest = 0;
-    for (std::size_t axis = 1; axis < 3; ++axis)
-    {
-      longest = high[axis] - low[axis] > high[longest] - low[longest] ? axis : longest;
-    }
-    const std::int64_t middle = first + (last - first) / 2;
-    std::nth_element(this->Order.begin() + first, this->Order.begin() + middle,
-      this->Order.begin() + last,
-      [this, longest](vtkIdType a, vtkIdType b)
-      {
-        return this->Centres[static_cast<std::size_t>(a)][longest] <
-          this->Centres[static_cast<std::size_t>(b)][longest];
-      });
-    return middle;
-  }
-
-  const SurfaceView& Mesh;
-  std::vector<Cylinder>& Cylinders;
-  std::vector<vtkIdType> Order;
-  std::vector<std::array<float, 3>> Centres;
-};
 
 TriangleTree::TriangleTree(const SurfaceView& mesh)
+  : Tree(MakeTriangleNodes(mesh))
 {
-  if (mesh.NumberOfTriangles > 0)
-  {
-    Builder builder(mesh, this->Cylinders);
-    builder.Build();
-    for (const vtkIdType triangle : builder.Leaves())
-    {
-      this->Corners.push_back(builder.CornersOf(triangle));
-    }
-  }
 }
 
-double TriangleTree::SquaredDistance(const Cylinder& cylinder, const Point3& x)
+/// One query. Its loops over lanes have no branches, so that they become vector instructions.
+class TriangleTree::Search
 {
-  const Point3 r = x - cylinder.Centre;
-  const double height = Dot(r, cylinder.Axis);
-  const double across = std::sqrt(std::max(Dot(r, r) - height * height, 0.0));
-  const double above = std::max(std::abs(height) - cylinder.HalfHeight, 0.0);
-  const double beside = std::max(across - cylinder.Radius, 0.0);
-  return above * above + beside * beside;
-}
+  using Node = TriangleNodes::Node;
+  using Leaf = TriangleNodes::Leaf;
+  using Lanes = TriangleNodes::Lanes;
+  static constexpr std::size_t Width = TriangleNodes::Width;
 
-TriangleTree::Nearest TriangleTree::Find(const Point3& x, std::int64_t guess) const
-{
-  Nearest nearest{ std::numeric_limits<double>::infinity(), -1 };
-  auto visit = [&](std::int64_t triangle)
+public:
+  Search(const TriangleNodes& tree, const Point3& x)
+    : Tree(tree)
+    , X(x)
   {
-    const double squared =
-      SquaredDistanceToTriangle(x, this->Corners[static_cast<std::size_t>(triangle)]);
-    if (squared < nearest.Squared)
-    {
-      nearest = { squared, triangle };
-    }
-  };
-  if (guess >= 0)
-  {
-    visit(guess);
   }
-  struct Waiting
+
+  Nearest Run(std::int64_t guess)
   {
-    std::int64_t Cylinder;
+    if (guess >= 0)
+    {
+      this->VisitLeaf(guess);
+    }
+    if (this->Tree.Nodes.empty() && !this->Tree.Leaves.empty())
+    {
+      this->VisitLeaf(0);
+    }
+    else if (!this->Tree.Nodes.empty())
+    {
+      this->Stack[this->Waiting++] = { 0, 0.0 };
+    }
+    while (this->Waiting > 0)
+    {
+      const Entry next = this->Stack[--this->Waiting];
+      if (next.Squared >= this->Found.Squared)
+      {
+        continue;
+      }
+      if (next.Child < 0)
+      {
+        this->VisitLeaf(~next.Child);
+      }
+      else
+      {
+        this->OpenNode(this->Tree.Nodes[static_cast<std::size_t>(next.Child)]);
+      }
+    }
+    return this->Found;
+  }
+
+private:
+  struct Entry
+  {
+    std::int32_t Child;
     double Squared;
   };
-  std::array<Waiting, DeepestStack> stack;
-  std::size_t waiting = 0;
-  if (!this->Cylinders.empty())
+
+  /// The children that may be nearer than what is found wait, the nearest on top.
+  void OpenNode(const Node& node)
   {
-    stack[waiting++] = { 0, 0.0 };
-  }
-  while (waiting > 0)
-  {
-    const Waiting next = stack[--waiting];
-    if (next.Squared >= nearest.Squared)
+    alignas(64) Lanes squared;
+    for (std::size_t n = 0; n < Width; ++n)
     {
-      continue;
+      const double rx = this->X[0] - node.Centre[0][n], ry = this->X[1] - node.Centre[1][n],
+                   rz = this->X[2] - node.Centre[2][n];
+      const double height = rx * node.Axis[0][n] + ry * node.Axis[1][n] + rz * node.Axis[2][n];
+      const double across = std::sqrt(std::max(rx * rx + ry * ry + rz * rz - height * height, 0.0));
+      const double above = std::max(std::abs(height) - node.HalfHeight[n], 0.0);
+      const double beside = std::max(across - node.Radius[n], 0.0);
+      squared[n] = above * above + beside * beside;
     }
-    const Cylinder& cylinder = this->Cylinders[static_cast<std::size_t>(next.Cylinder)];
-    for (std::int64_t n = 0; n < cylinder.Count; ++n)
+    const std::size_t first = this->Waiting;
+    for (std::size_t n = 0; n < Width; ++n)
     {
-      visit(cylinder.First + n);
-    }
-    if (cylinder.Count == 0)
-    {
-      Waiting children[2];
-      for (std::int64_t side = 0; side < 2; ++side)
+      if (squared[n] < this->Found.Squared)
       {
-        const auto child = static_cast<std::size_t>(cylinder.First + side);
-        children[side] = { cylinder.First + side, SquaredDistance(this->Cylinders[child], x) };
+        std::size_t place = this->Waiting++;
+        for (; place > first && this->Stack[place - 1].Squared < squared[n]; --place)
+        {
+          this->Stack[place] = this->Stack[place - 1];
+        }
+        this->Stack[place] = { node.Child[n], squared[n] };
       }
-      const bool leftIsNear = children[0].Squared < children[1].Squared;
-      stack[waiting++] = children[leftIsNear ? 1 : 0]; // the nearer one is taken first
-      stack[waiting++] = children[leftIsNear ? 0 : 1];
     }
   }
-  return nearest;
+
+  /// What an edge of lane n's triangle says of x.
+  struct EdgeOfLane
+  {
+    double Squared; ///< distance from it
+    double Side;    ///< negative where x is beyond it, seen along the normal
+    double Length;  ///< squared
+  };
+
+  EdgeOfLane Edge(const Leaf& leaf, std::size_t corner, std::size_t n, const Point3& normal) const
+  {
+    const auto& a = leaf.Corner[corner];
+    const auto& b = leaf.Corner[(corner + 1) % 3];
+    const Point3 d{ b[0][n] - a[0][n], b[1][n] - a[1][n], b[2][n] - a[2][n] };
+    const Point3 r{ this->X[0] - a[0][n], this->X[1] - a[1][n], this->X[2] - a[2][n] };
+    const double length = Dot(d, d);
+    const double t = std::min(std::max(Dot(r, d) / std::max(length, Smallest), 0.0), 1.0);
+    const Point3 rest{ r[0] - t * d[0], r[1] - t * d[1], r[2] - t * d[2] };
+    return { Dot(rest, rest), Dot(Cross(d, r), normal), length };
+  }
+
+  /// SquaredDistanceToTriangle, eight at once.
+  void VisitLeaf(std::int64_t index)
+  {
+    const Leaf& leaf = this->Tree.Leaves[static_cast<std::size_t>(index)];
+    const auto& [a, b, c] = leaf.Corner;
+    alignas(64) Lanes squared;
+    for (std::size_t n = 0; n < Width; ++n)
+    {
+      const Point3 normal = Cross({ b[0][n] - a[0][n], b[1][n] - a[1][n], b[2][n] - a[2][n] },
+        { c[0][n] - a[0][n], c[1][n] - a[1][n], c[2][n] - a[2][n] });
+      const double nn = Dot(normal, normal);
+      const EdgeOfLane ab = this->Edge(leaf, 0, n, normal);
+      const EdgeOfLane bc = this->Edge(leaf, 1, n, normal);
+      const EdgeOfLane ca = this->Edge(leaf, 2, n, normal);
+      const double border = std::min(std::min(ab.Squared, bc.Squared), ca.Squared);
+      const double side = std::min(std::min(ab.Side, bc.Side), ca.Side);
+      const double longest = std::max(std::max(ab.Length, bc.Length), ca.Length);
+      const double height =
+        Dot(normal, { this->X[0] - a[0][n], this->X[1] - a[1][n], this->X[2] - a[2][n] });
+      const double plane = height * height / std::max(nn, Smallest);
+      const double least = border - 0.25 * nn / std::max(longest, Smallest);
+      const double over = std::min(std::max(plane, least), border);
+      squared[n] = side >= 0.0 && nn > 0.0 ? over : border;
+    }
+    const double least = *std::min_element(squared.begin(), squared.end());
+    if (least < this->Found.Squared)
+    {
+      this->Found = { least, index };
+    }
+  }
+
+  static constexpr double Smallest = std::numeric_limits<double>::min();
+
+  const TriangleNodes& Tree;
+  const Point3 X;
+  Nearest Found{ Infinity, -1 };
+  std::array<Entry, DeepestStack> Stack;
+  std::size_t Waiting = 0;
+};
+
+/// Flattened, since only what is inlined is compiled for the vectors of each machine.
+ISTHMUS_VECTOR_CLONES [[gnu::flatten]] TriangleTree::Nearest TriangleTree::Find(
+  const Point3& x, std::int64_t guess) const
+{
+  return Search(this->Tree, x).Run(guess);
 }
 
 }

@@ -15,4 +15,6 @@ isthmus_room(
     SurfaceIntake
     SurfaceMeasures
     TriangleBoxTree
+    TriangleNodes
+  VECTORISED
     TriangleTree)

@@ -29,7 +29,7 @@ public:
     // search; whatever it is, the answer is the same.
     thread_local std::int64_t last = -1;
     const auto nearest = this->Tree.Find(x, last < this->Triangles ? last : -1);
-    last = nearest.Triangle;
+    last = nearest.Guess;
     const double distance = std::sqrt(nearest.Squared);
     return std::abs(this->Winding(x)) > 0.5 ? distance : -distance;
   }

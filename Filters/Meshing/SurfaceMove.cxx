@@ -53,7 +53,7 @@ double SquaredDistanceOf(
          0.5 * (at(2) + at(0)), (1.0 / 3.0) * (at(0) + at(1) + at(2)) })
   {
     const auto nearest = to.Find(p, guess);
-    guess = nearest.Triangle;
+    guess = nearest.Guess;
     largest = std::max(largest, nearest.Squared);
   }
   return largest;

@@ -1,0 +1,49 @@
+/**
+ * @file TriangleNodes.h
+ * @brief The nodes of a TriangleTree: triangles sorted into leaves, bounded by cylinders.
+ */
+#ifndef isthmus_TriangleNodes_h
+#define isthmus_TriangleNodes_h
+
+#include "SurfaceView.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace isthmus
+{
+
+/// Eight children a node and eight triangles a leaf, lane by lane, so that a query measures them at
+/// once.
+struct TriangleNodes
+{
+  static constexpr std::size_t Width = 8;
+  using Lanes = std::array<double, Width>;
+
+  /// Eight cylinders; those that are missing are infinitely far.
+  struct Node
+  {
+    alignas(64) std::array<Lanes, 3> Centre;
+    alignas(64) std::array<Lanes, 3> Axis; ///< unit
+    alignas(64) Lanes HalfHeight;
+    alignas(64) Lanes Radius;
+    std::array<std::int32_t, Width> Child; ///< a node, or ~n for leaf n
+  };
+
+  /// Eight triangles; the last again where some are missing.
+  struct Leaf
+  {
+    alignas(64) std::array<std::array<Lanes, 3>, 3> Corner; ///< by corner and axis
+  };
+
+  std::vector<Node> Nodes; ///< the root first; none where one leaf holds all
+  std::vector<Leaf> Leaves;
+};
+
+/// O(n log n) for n triangles, less than 2^34; nothing for none.
+TriangleNodes MakeTriangleNodes(const SurfaceView& mesh);
+
+}
+
+#endif
