@@ -71,6 +71,9 @@ std::string ReadAll(ByteSource& source, const ProgressCallback& progress)
   const std::uint64_t most =
     source.RandomAccess() ? source.MostBytes() : std::max(harmless, usual * source.FileSize());
   std::string text;
+  // Pages that are not written cost nothing, copies of a text that grows do.
+  constexpr std::uint64_t sure = std::uint64_t{ 1 } << 30;
+  text.reserve(source.RandomAccess() ? std::min(sure, source.MostBytes() + piece) : 0);
   for (std::size_t got = piece; got == piece;)
   {
     const std::size_t at = text.size();

@@ -67,6 +67,19 @@ void AddBond(Macromolecule& molecule, std::int64_t a, std::int64_t b)
   }
 }
 
+std::size_t CountAtoms(const gemmi::Model& model)
+{
+  std::size_t count = 0;
+  for (const gemmi::Chain& chain : model.chains)
+  {
+    for (const gemmi::Residue& residue : chain.residues)
+    {
+      count += residue.atoms.size();
+    }
+  }
+  return count;
+}
+
 /// Copies one model and the connections that gemmi knows.
 Macromolecule Flatten(const gemmi::Structure& structure, std::int64_t wanted)
 {
@@ -77,6 +90,7 @@ Macromolecule Flatten(const gemmi::Structure& structure, std::int64_t wanted)
     return molecule;
   }
   const gemmi::Model& model = structure.models[static_cast<std::size_t>(wanted)];
+  molecule.Atoms.reserve(CountAtoms(model));
   std::unordered_map<const gemmi::Atom*, std::int64_t> place;
   for (const gemmi::Chain& chain : model.chains)
   {
