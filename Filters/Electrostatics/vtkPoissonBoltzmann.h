@@ -4,7 +4,9 @@
  *
  * **Input 0**: the atoms, any vtkPointSet with the point arrays `Charge` (e) and `Radius`
  * (angstrom; others by SetInputArrayToProcess 0 and 1), as vtkMacromoleculeReader makes from a PQR
- * file.
+ * file. Atoms with names but without charges (a PDB or mmCIF file) get hydrogens, charges and radii
+ * of a force field (ForceField) by the program pdb2pqr, where it is installed: water and residues
+ * that the field does not know are left out, the latter with a warning. Output 2 has them.
  *
  * **Input 1**, optional: the solute's surface. A volume (vtkImageData): the level IsoValue of its
  * scalars, which are higher inside unless InsideIsHigher is off. Or a closed surface (vtkPolyData).
@@ -74,6 +76,7 @@
 #include "vtkIsthmusModule.h" // for the export macro
 
 #include <memory> // for what is shared between the requests
+#include <string> // for warnings
 
 class vtkPointSet;
 class vtkPolyData;
@@ -86,6 +89,7 @@ struct SoluteVolume;
 
 namespace isthmus
 {
+class ChargedAtomsCache;
 class InputInAdvance;
 }
 
@@ -226,6 +230,18 @@ public:
   vtkBooleanMacro(ComputeMaps, vtkTypeBool);
   ///@}
 
+  enum ForceFields
+  {
+    AMBER = 0,
+    PARSE = 1
+  };
+
+  ///@{
+  /// Whose charges and radii atoms without charges get, by pdb2pqr. Default AMBER.
+  vtkSetClampMacro(ForceField, int, AMBER, PARSE);
+  vtkGetMacro(ForceField, int);
+  ///@}
+
   ///@{
   /// Point arrays of input 0, the short way. Default `Charge` and `Radius`.
   void SetChargeArrayName(const char* name);
@@ -262,6 +278,8 @@ private:
   void operator=(const vtkPoissonBoltzmann&) = delete;
 
   isthmus::PoissonBoltzmannParameters Parameters() const;
+  void Warn(const std::string& sentence); ///< empty: not
+  vtkPointSet* AtomsWithCharges(vtkInformationVector** inputVector);
   int MakeOutputs(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
   void Solve(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
@@ -277,6 +295,7 @@ private:
   vtkTypeBool Nonlinear = 0;
   int BoundaryCondition = SelfConsistent;
   int DielectricModel = SharpInterface;
+  int ForceField = AMBER;
   double Tolerance = 1e-6;
   int MaximumIterations = 100;
   vtkTypeBool ComputeBoundaryForces = 0;
@@ -285,6 +304,7 @@ private:
   struct Salt;
   std::unique_ptr<Salt> Ions;
   std::unique_ptr<isthmus::InputInAdvance> Advance;
+  std::unique_ptr<isthmus::ChargedAtomsCache> Charged;
 };
 
 #endif
