@@ -268,6 +268,7 @@ void PotentialOnBox::Evaluate()
           }
         });
   }
+  report.IonEnergy += this->Parameters.Nonlinear ? this->IonEnergyOfCutCells() : 0.0;
   report.SolvationEnergy += report.IonEnergy;
 }
 
