@@ -4,7 +4,7 @@ Usage: pvpython evaluate_electrostatics.py FILE.pqr [--surfaces NAMES] [--rotati
 
 For each of the surfaces gaussian, flow and ses (default: all three): solvation energies at 0.5 and
 0.25 angstrom; at the nodes that both grids have outside, the quantiles of the potentials' difference
-in kT/e; the spread of the energy over random rotations of the molecule at 0.5 angstrom. --apbs: the
+in kT/e, and the share within 0.5; the spread of the energy over random rotations of the molecule at 0.5 angstrom. --apbs: the
 same rotations by APBS (srfm mol, two solutions each), with its own surface. Prints Markdown.
 """
 
@@ -188,8 +188,8 @@ def main():
     turned = [(positions - positions.mean(axis=0)) @ random_rotation(generator).T
               for _ in range(options.rotations)]
     print("| surface | energy at 0.5, kcal/mol | at 0.25 | apart | outside nodes: "
-          + ", ".join(f"{100 * q:g} %" for q in QUANTILES) + " within, kT/e | drift by rotation |")
-    print("|---|---|---|---|---|---|")
+          + ", ".join(f"{100 * q:g} %" for q in QUANTILES) + " within, kT/e | within 0.5 | drift by rotation |")
+    print("|---|---|---|---|---|---|---|")
     for surface in options.surfaces:
         atoms = molecule(positions, charges, radii)
         coarse, fine = solve(atoms, surface, 0.5), solve(atoms, surface, 0.25)
@@ -198,10 +198,11 @@ def main():
         print(f"| {surface} | {energy(coarse):.2f} | {energy(fine):.2f} "
               f"| {100 * abs(energy(coarse) / energy(fine) - 1.0):.3f} % | "
               + ", ".join(f"{numpy.quantile(apart, q):.2f}" for q in QUANTILES)
+              + f" | {100 * (apart <= 0.5).mean():.3f} %"
               + (f" | {100 * drift(energies):.3f} % |" if turned else " | |"), flush=True)
     if options.apbs:
         energies = [apbs_energy(x, charges, radii) for x in turned]
-        print(f"| APBS' own | {numpy.mean(energies):.2f} | | | | {100 * drift(energies):.3f} % |")
+        print(f"| APBS' own | {numpy.mean(energies):.2f} | | | | | {100 * drift(energies):.3f} % |")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """Charges for molecules whose files have none: pdb2pqr, where it is installed, makes a PQR file."""
 
 import os
+import re
 import shutil
 import subprocess
 
@@ -32,7 +33,7 @@ def charged(source):
         mending = "Open its PDB file, " if file.lower().endswith(".cif") else "Complete the protein, "
         raise ValueError("pdb2pqr could not give the atoms charges: " + _reason(done.stderr or done.stdout)
                          + " " + mending + way_out)
-    left_out = _left_out(target)
+    left_out = _left_out(done.stderr + done.stdout)
     if left_out:
         print_warning("pdb2pqr knows no charges of " + ", ".join(left_out) + ": they were left out.")
     return simple.OpenDataFile(target, registrationName=os.path.basename(target))
@@ -47,16 +48,9 @@ def _reason(said):
     return found.rstrip(".") + "."
 
 
-def _left_out(pqr):
-    """The residues that pdb2pqr's remarks say it left out, by name and number."""
-    names = []
-    with open(pqr, encoding="ascii", errors="replace") as lines:
-        for line in lines:
-            words = line.split()
-            # REMARK   5    1234 CA in CA 201
-            if line.startswith("REMARK") and len(words) == 7 and words[4] == "in":
-                names.append(" ".join(words[5:]))
-    return sorted(set(names))
+def _left_out(said):
+    """The kinds of residues that pdb2pqr's log says it does not know, and so leaves out."""
+    return sorted(set(re.findall(r"Unable to find amino or nucleic acid definition for (\S+)\. ", said)))
 
 
 def _file_of(source):

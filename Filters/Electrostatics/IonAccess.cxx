@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace isthmus
 {
@@ -176,6 +177,47 @@ std::vector<float> IonAccess(const SolverBox& box, const std::vector<unsigned ch
     }
   }
   return access;
+}
+
+std::vector<CutCell> CutCells(const SolverBox& box, const std::vector<unsigned char>& inside,
+  const std::vector<InterfaceCrossing>& crossings)
+{
+  struct Candidate
+  {
+    std::int64_t Node;
+    double Squared, Distance;
+    std::size_t Crossing;
+  };
+  std::vector<Candidate> candidates;
+  for (std::size_t c = 0; c < crossings.size(); ++c)
+  {
+    const auto a = static_cast<std::size_t>(crossings[c].Axis);
+    const SurfaceFrame& frame = crossings[c].Frame;
+    for (const bool upper : { false, true })
+    {
+      const double y =
+        (upper ? 1.0 - crossings[c].Fraction : -crossings[c].Fraction) * box.Spacing[a];
+      candidates.push_back({ crossings[c].Node + (upper ? box.Steps()[a] : 0), y * y,
+        frame.Normal[a] * y + 0.5 * frame.Curvature[a] * y * y, c });
+    }
+  }
+  std::sort(candidates.begin(), candidates.end(),
+    [](const Candidate& one, const Candidate& other)
+    {
+      return std::tie(one.Node, one.Squared, one.Crossing) <
+        std::tie(other.Node, other.Squared, other.Crossing);
+    });
+  std::vector<CutCell> cells;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    if (i == 0 || candidates[i].Node != candidates[i - 1].Node)
+    {
+      const double part = std::clamp(0.5 + candidates[i].Distance / IonBorderWidth(box), 0.0, 1.0);
+      const bool in = inside[static_cast<std::size_t>(candidates[i].Node)] != 0;
+      cells.push_back({ candidates[i].Node, candidates[i].Crossing, in ? part : part - 1.0 });
+    }
+  }
+  return cells;
 }
 
 }

@@ -32,6 +32,18 @@ VTKISTHMUS_EXPORT std::vector<float> IonAccess(const SolverBox& box,
   const std::vector<unsigned char>& inside, const std::vector<InterfaceCrossing>& crossings,
   double layer, std::vector<IonBorderNode>* border = nullptr);
 
+/// A node whose cell the surface cuts.
+struct CutCell
+{
+  std::int64_t Node;
+  std::size_t Crossing; ///< the nearest on an edge of the node
+  double Excess; ///< the part of the cell outside, clamp(1/2 + D / h), less 1 for a node outside
+};
+
+/// The cells that a sum over nodes outside takes wholly or not at all, by node. O(crossings).
+VTKISTHMUS_EXPORT std::vector<CutCell> CutCells(const SolverBox& box,
+  const std::vector<unsigned char>& inside, const std::vector<InterfaceCrossing>& crossings);
+
 /// The distance over which the access goes from 0 to 1.
 inline double IonBorderWidth(const SolverBox& box)
 {

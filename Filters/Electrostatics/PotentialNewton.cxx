@@ -60,6 +60,37 @@ std::vector<SurfaceIons> PotentialOnBox::IonsAtCrossings() const
   return ions;
 }
 
+double PotentialOnBox::IonEnergyOfCutCells() const
+{
+  if (!(this->Medium.KappaSquared > 0.0))
+  {
+    return 0.0; // no ions reach the surface
+  }
+  double sum = 0.0;
+  std::vector<FitFunctional> functionals;
+  for (const CutCell& cell : CutCells(this->Box, this->Inside, this->Crossings))
+  {
+    double phi = this->U[static_cast<std::size_t>(cell.Node)];
+    if (this->Inside[static_cast<std::size_t>(cell.Node)])
+    {
+      const InterfaceCrossing& crossing = this->Crossings[cell.Crossing];
+      const FitNodes nodes =
+        NodesAroundCrossing(this->Box, this->Inside, crossing, this->Medium.Length);
+      if (FitInterface(this->Medium, crossing.Frame, nodes, { { FitTarget::SurfaceValue, {} } },
+            functionals) == FitQuality::None)
+      {
+        continue;
+      }
+      phi = this->SurfaceValue(cell.Crossing, nodes, functionals[0]);
+    }
+    for (std::size_t layer = 0; layer < this->Ions.NumberOfLayers(); ++layer)
+    {
+      sum += this->LayerRadius(layer) <= 0.0 ? cell.Excess * this->Ions.Energy(layer, phi) : 0.0;
+    }
+  }
+  return this->Box.Spacing[0] * this->Box.Spacing[1] * this->Box.Spacing[2] * sum;
+}
+
 double PotentialOnBox::NonlinearResidual(
   const std::vector<double>& u, std::vector<double>& out) const
 {
@@ -141,7 +172,8 @@ double PotentialOnBox::NewtonStep(double tolerance, double norm)
 void PotentialOnBox::SolveNonlinear(double tolerance, const ProgressCallback& progress)
 {
   this->ClipStart();
-  const bool lagged = this->Medium.KappaSquared > 0.0;
+  const bool lagged = this->Medium.KappaSquared > 0.0 &&
+    this->Parameters.Dielectric == DielectricModel::SharpInterface;
   std::vector<double> zero(this->U.size(), 0.0);
   const double reference = this->NonlinearResidual(zero, this->Work.Residual);
   zero = {};

@@ -87,6 +87,9 @@ private:
   /// a layer thinner than the spacing a quadratic knows nothing.
   SurfaceIons IonsAt(double phi) const;
   std::vector<SurfaceIons> IonsAtCrossings() const;
+  /// What the energy of the ions that reach the surface has to have more than the sum over whole
+  /// cells, kT.
+  double IonEnergyOfCutCells() const;
   double NonlinearResidual(const std::vector<double>& u, std::vector<double>& out) const;
   void FillDiagonal(bool nonlinear);
   void SolveLinear(double tolerance, const ProgressCallback& progress);

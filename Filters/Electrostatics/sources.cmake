@@ -4,6 +4,7 @@ isthmus_room(
   SOURCES
     BoundaryForces
     BoundaryPotential
+    ChargedAtoms
     ChargesOnGrid
     ChargeTree
     CrossingValues
@@ -23,8 +24,10 @@ isthmus_room(
     PoissonBoltzmannInput
     PoissonBoltzmannMaps
     PoissonBoltzmannOutput
+    PoissonBoltzmannPorts
     PotentialNewton
     PotentialOnBox
+    ProteinCharges
     RadiatedPotential
     SoluteVolume
     SurfaceMotion

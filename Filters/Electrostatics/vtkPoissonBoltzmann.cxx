@@ -1,6 +1,7 @@
 #include "vtkPoissonBoltzmann.h"
 
 #include "AlgorithmGuard.h"
+#include "ChargedAtoms.h"
 #include "ImageExtent.h"
 #include "PipelineInputs.h"
 #include "PoissonBoltzmann.h"
@@ -8,7 +9,6 @@
 #include "PoissonBoltzmannOutput.h"
 #include "SoluteVolume.h"
 
-#include <vtkAlgorithmOutput.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -34,6 +34,7 @@ struct vtkPoissonBoltzmann::Salt
 vtkPoissonBoltzmann::vtkPoissonBoltzmann()
   : Ions(std::make_unique<Salt>())
   , Advance(std::make_unique<isthmus::InputInAdvance>(this))
+  , Charged(std::make_unique<isthmus::ChargedAtomsCache>())
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
@@ -83,60 +84,6 @@ int vtkPoissonBoltzmann::GetNumberOfIons()
   return static_cast<int>(this->Ions->Species.size());
 }
 
-int vtkPoissonBoltzmann::FillInputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkImageData");
-  if (port == 1)
-  {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  }
-  if (port > 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
-}
-
-int vtkPoissonBoltzmann::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  const char* const types[] = { "vtkImageData", "vtkPolyData", "vtkPointSet" };
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
-  return 1;
-}
-
-vtkTypeBool vtkPoissonBoltzmann::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
-  {
-    return this->MakeOutputs(inputVector, outputVector);
-  }
-  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
-}
-
-int vtkPoissonBoltzmann::MakeOutputs(
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  const auto ensure = [&](int port, vtkDataObject* wanted)
-  {
-    vtkInformation* info = outputVector->GetInformationObject(port);
-    vtkDataObject* present = info->Get(vtkDataObject::DATA_OBJECT());
-    if (!present || !present->IsA(wanted->GetClassName()))
-    {
-      vtkSmartPointer<vtkDataObject> made =
-        vtkSmartPointer<vtkDataObject>::Take(wanted->NewInstance());
-      info->Set(vtkDataObject::DATA_OBJECT(), made);
-    }
-  };
-  vtkNew<vtkImageData> image;
-  vtkNew<vtkPolyData> surface;
-  ensure(0, image);
-  ensure(1, surface);
-  vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
-  ensure(2, atoms ? static_cast<vtkDataObject*>(atoms) : surface);
-  return 1;
-}
-
 int vtkPoissonBoltzmann::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -161,7 +108,7 @@ int vtkPoissonBoltzmann::RequestInformation(
     {
       const isthmus::GridWish wish{ this->Spacing, this->Padding };
       vtkPolyData* surface = vtkPolyData::GetData(info);
-      vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
+      vtkPointSet* atoms = surface ? nullptr : this->AtomsWithCharges(inputVector);
       if (surface ? surface->GetNumberOfPoints() > 0 : atoms && atoms->GetNumberOfPoints() > 0)
       {
         grid->CopyStructure(surface
@@ -227,6 +174,7 @@ isthmus::PoissonBoltzmannParameters vtkPoissonBoltzmann::Parameters() const
   p.Padding = this->Padding;
   p.Nonlinear = this->Nonlinear != 0;
   p.Condition = static_cast<isthmus::BoundaryCondition>(this->BoundaryCondition);
+  p.Dielectric = static_cast<isthmus::DielectricModel>(this->DielectricModel);
   p.Tolerance = this->Tolerance;
   p.MaximumIterations = this->MaximumIterations;
   p.Ions = this->Ions->Species;
@@ -252,15 +200,13 @@ void vtkPoissonBoltzmann::Solve(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const auto progress = isthmus::ProgressOf(this);
-  vtkPointSet* points = vtkPointSet::GetData(inputVector[0], 0);
+  vtkPointSet* points = this->AtomsWithCharges(inputVector);
   vtkImageData* image = vtkImageData::GetData(inputVector[1], 0);
   vtkPolyData* polygons = vtkPolyData::GetData(inputVector[1], 0);
   isthmus::PoissonBoltzmannParameters parameters = this->Parameters();
   isthmus::AtomInput atoms = isthmus::AtomsOf(this, points, !image && !polygons);
-  if (!atoms.Warning.empty())
-  {
-    vtkWarningMacro(<< atoms.Warning);
-  }
+  this->Warn(points == vtkPointSet::GetData(inputVector[0], 0) ? "" : this->Charged->Warning());
+  this->Warn(atoms.Warning);
   const isthmus::GridWish wish{ this->Spacing, this->Padding };
   isthmus::SoluteVolume volume = image
     ? isthmus::VolumeOfImage(image, isthmus::SurfaceScalars(image), this->IsoValue,
@@ -309,16 +255,6 @@ void vtkPoissonBoltzmann::Solve(
   }
 }
 
-vtkPolyData* vtkPoissonBoltzmann::GetSurface()
-{
-  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
-}
-
-vtkPointSet* vtkPoissonBoltzmann::GetAtoms()
-{
-  return vtkPointSet::SafeDownCast(this->GetOutputDataObject(2));
-}
-
 void vtkPoissonBoltzmann::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -334,6 +270,8 @@ void vtkPoissonBoltzmann::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Padding: " << this->Padding << "\n";
   os << indent << "Nonlinear: " << this->Nonlinear << "\n";
   os << indent << "BoundaryCondition: " << this->BoundaryCondition << "\n";
+  os << indent << "ForceField: " << this->ForceField << "\n";
+  os << indent << "DielectricModel: " << this->DielectricModel << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
   os << indent << "ComputeBoundaryForces: " << this->ComputeBoundaryForces << "\n";

@@ -56,6 +56,14 @@ def check_looks(density, atoms):
     look.first_look(flow.GetGlobalID())
     assert "MacromoleculeReader" not in visible(view), visible(view)
 
+    # A PQR file and Apply: the surface from red at -5 to blue at 5 kT/e.
+    solved = simple.Show(simple.OutputPort(simple.PoissonBoltzmann(Input=atoms, Spacing=1.2), 1), view)
+    look.first_look(solved.GetGlobalID())
+    assert solved.ColorArrayName[:] == ["POINTS", "Potential"], solved.ColorArrayName
+    colours = list(simple.GetColorTransferFunction("Potential").RGBPoints)
+    assert (colours[0], colours[-4]) == (-5.0, 5.0), colours
+    assert colours[1] > 2 * colours[3] and colours[-1] > 2 * colours[-3], colours
+
     handles = simple.MapHandles(Input=density)
     chart = simple.CreateView("XYChartView")
     levels = simple.Show(simple.OutputPort(handles, 2), chart, "XYChartRepresentation")

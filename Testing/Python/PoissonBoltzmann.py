@@ -1,6 +1,7 @@
 """Poisson Boltzmann in ParaView: a PQR file to its coloured surface, energies as the sum of atoms'."""
 
 import os
+import shutil
 from pathlib import Path
 
 import numpy
@@ -64,6 +65,14 @@ energy = other.GetFieldData().GetArray("SolvationEnergy").GetValue(0)
 assert abs(energy / number("SolvationEnergy") - 1.0) < 0.01, (energy, number("SolvationEnergy"))
 assert other.GetDimensions() == servermanager.Fetch(volume).GetDimensions()
 
+# One permittivity for each edge instead of the jump: another number, near it.
+solver.DielectricModel = "Smooth Dielectric"
+solver.UpdatePipeline()
+image = output(solver, 0)
+smooth, sharp = number("SolvationEnergy"), energies.sum()
+assert 1e-4 < abs(smooth / sharp - 1.0) < 0.06, (smooth, sharp)
+solver.DielectricModel = "Sharp Interface"
+
 # Salt screens.
 reach = numpy.abs(vtk_to_numpy(image.GetPointData().GetArray("Potential")))[
     vtk_to_numpy(image.GetPointData().GetArray("Side")) == 0].mean()
@@ -73,6 +82,21 @@ image = output(solver, 0)
 screened = numpy.abs(vtk_to_numpy(image.GetPointData().GetArray("Potential")))[
     vtk_to_numpy(image.GetPointData().GetArray("Side")) == 0].mean()
 assert screened < 0.7 * reach, (screened, reach)
+
+# A file without charges: pdb2pqr finds them where it is installed, and a sentence says so where not.
+bare = PoissonBoltzmann(Input=OpenDataFile(str(shared_data("molecules/1hew.pdb"))), Spacing=1.0)
+if shutil.which("pdb2pqr"):
+    bare.UpdatePipeline()
+    found = output(bare, 2)
+    assert found.GetNumberOfPoints() == parts.GetNumberOfPoints(), found.GetNumberOfPoints()
+    net = output(bare, 0).GetFieldData().GetArray("NetCharge").GetValue(0)
+    assert abs(net - 8.0) < 1e-6, net
+    ratio = output(bare, 0).GetFieldData().GetArray("SolvationEnergy").GetValue(0) / sharp
+    assert abs(ratio - 1.0) < 0.01, ratio
+os.environ["PATH"] = str(OUTPUT / "nowhere")
+bare.ForceField = "PARSE"
+bare.UpdatePipeline()
+assert output(bare, 0).GetNumberOfPoints() == 0
 
 view = CreateView("RenderView")
 view.ViewSize = [700, 700]

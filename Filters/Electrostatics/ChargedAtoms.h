@@ -1,0 +1,54 @@
+/**
+ * @file ChargedAtoms.h
+ * @brief Atoms of a file without charges (PDB, mmCIF) as atoms with a force field's.
+ */
+#ifndef isthmus_ChargedAtoms_h
+#define isthmus_ChargedAtoms_h
+
+#include "ProteinCharges.h"
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+class vtkPointSet;
+
+namespace isthmus
+{
+
+/// Names of point arrays.
+struct ChargeArrays
+{
+  std::string Charge, Radius;
+};
+
+/// Whether the charges are missing, or NaN for most atoms (which the reader gives where a file has
+/// formal charges only), and atoms and residues have names by which they could be found.
+bool LacksCharges(vtkPointSet* atoms, const ChargeArrays& arrays);
+
+/// `protein` as points of the kind of `atoms`: the arrays `arrays` names, AtomName, Element,
+/// InputAtom (the point of the input; -1: new), and of the input's those that a residue has.
+vtkSmartPointer<vtkPointSet> PointsOf(
+  const ChargedProtein& protein, vtkPointSet* atoms, const ChargeArrays& arrays);
+
+/// Charges are found once for each input, though information and data both ask for them; so is why
+/// there are none.
+class ChargedAtomsCache
+{
+public:
+  /// @throws what ChargeProtein does.
+  vtkPointSet* Get(vtkPointSet* atoms, const ChargeArrays& arrays, ChargeTable table,
+    const ProgressCallback& progress);
+  const std::string& Warning() const { return this->Told; }
+
+private:
+  vtkPointSet* Input = nullptr; ///< to know it again by, no more
+  vtkMTimeType Time = 0;
+  ChargeTable Table = ChargeTable::AMBER;
+  std::string Names;
+  vtkSmartPointer<vtkPointSet> Charged;
+  std::string Told, Failure;
+};
+
+}
+
+#endif

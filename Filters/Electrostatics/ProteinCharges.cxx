@@ -1,0 +1,295 @@
+#include "ProteinCharges.h"
+
+#include "ChemicalElement.h"
+#include "PrintableText.h"
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <tuple>
+
+namespace isthmus
+{
+namespace
+{
+
+constexpr char ChainLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789";
+constexpr std::size_t MostChains = sizeof ChainLetters - 1;
+constexpr int MostResidues = 9999;
+
+const std::string WayOut = " Or open a PQR file.";
+
+/// A residue of the input, and what the child's files call it.
+struct FileResidue
+{
+  std::vector<std::size_t> Atoms;
+  char Chain = 'A';
+  int Number = 1;
+  bool Answered = false;
+};
+
+/// Letters and numbers of our own, so that whatever names a file has fit into a PDB's columns.
+std::vector<FileResidue> ResiduesOf(const std::vector<NamedAtom>& atoms)
+{
+  std::map<std::string, std::pair<std::size_t, int>> chains; // letter's place, residues so far
+  std::map<std::tuple<std::string, int, std::string, std::string>, std::size_t> known;
+  std::vector<FileResidue> residues;
+  for (std::size_t i = 0; i < atoms.size(); ++i)
+  {
+    const NamedAtom& atom = atoms[i];
+    if (atom.Name.empty() || atom.Residue.empty() || IsWater(atom.Residue))
+    {
+      continue;
+    }
+    const auto [at, isNew] =
+      known.emplace(std::make_tuple(atom.Chain, atom.ResidueId, atom.InsertionCode, atom.Residue),
+        residues.size());
+    if (isNew)
+    {
+      auto& chain = chains.emplace(atom.Chain, std::make_pair(chains.size(), 0)).first->second;
+      if (chain.first >= MostChains || ++chain.second > MostResidues)
+      {
+        throw std::invalid_argument(
+          "The molecule has more than 62 chains, or more than 9,999 residues in one: pdb2pqr can't "
+          "give it charges. Read fewer chains (Chains of the reader)." +
+          WayOut);
+      }
+      residues.push_back({ {}, ChainLetters[chain.first], chain.second, false });
+    }
+    residues[at->second].Atoms.push_back(i);
+  }
+  if (residues.empty())
+  {
+    throw std::invalid_argument("The atoms have no charges, and no names of atoms and residues "
+                                "from which a force field could give them: open a PDB, mmCIF or "
+                                "PQR file.");
+  }
+  return residues;
+}
+
+std::string PDBLine(const NamedAtom& atom, const FileResidue& residue, int serial)
+{
+  for (const double x : atom.Place)
+  {
+    if (!(std::abs(x) < 9999.0))
+    {
+      throw std::invalid_argument("An atom lies farther out than 9,999 angstrom, which pdb2pqr's "
+                                  "files can't hold: move the molecule to the origin." +
+        WayOut);
+    }
+  }
+  // A name that is cut would be another one: what does not fit is nobody the force field knows.
+  const std::string name = atom.Name.size() > 4 ? "X" : atom.Name;
+  const std::string kind = atom.Residue.size() > 3 ? "X" : atom.Residue;
+  char line[96];
+  std::snprintf(line, sizeof line, "%-6s%5d %-4s %3s %c%4d    %8.3f%8.3f%8.3f%6.2f%6.2f%12s\n",
+    atom.IsHetero ? "HETATM" : "ATOM", serial, ((name.size() < 4 ? " " : "") + name).c_str(),
+    kind.c_str(), residue.Chain, residue.Number, atom.Place[0], atom.Place[1], atom.Place[2], 1.0,
+    0.0, atom.Element > 0 ? ElementSymbol(atom.Element) : "");
+  return line;
+}
+
+void WritePDB(const std::vector<NamedAtom>& atoms, const std::vector<FileResidue>& residues,
+  const std::filesystem::path& path)
+{
+  std::ofstream file(path);
+  int serial = 0;
+  for (const FileResidue& residue : residues)
+  {
+    for (const std::size_t atom : residue.Atoms)
+    {
+      serial = serial % 99999 + 1;
+      file << PDBLine(atoms[atom], residue, serial);
+    }
+  }
+  file << "END\n";
+  if (!file.flush())
+  {
+    throw std::runtime_error("The file for pdb2pqr could not be written to " + path.string() +
+      ": free some space or set TMPDIR.");
+  }
+}
+
+/// The reason in a log that ends in tracebacks.
+std::string ReasonIn(const std::string& log)
+{
+  std::istringstream lines(log);
+  std::string line, error, told;
+  while (std::getline(lines, line))
+  {
+    const std::size_t at = line.find("Error: ");
+    if (at != std::string::npos && error.empty())
+    {
+      error = line.substr(at + 7);
+    }
+    for (const std::string level : { "ERROR:", "CRITICAL:" })
+    {
+      if (told.empty() && line.compare(0, level.size(), level) == 0)
+      {
+        told = line.substr(level.size());
+      }
+    }
+  }
+  const std::string reason = !error.empty() ? error : !told.empty() ? told : "it gave no reason";
+  return Printable(reason.back() == '.' ? reason.substr(0, reason.size() - 1) : reason);
+}
+
+ChildResult RunWhicheverIsThere(const std::filesystem::path& folder, ChargeTable table,
+  const ChildLimits& limits, const ProgressCallback& progress)
+{
+  const std::string field = table == ChargeTable::AMBER ? "AMBER" : "PARSE";
+  ChildResult result;
+  for (const char* program : { "pdb2pqr", "pdb2pqr30" })
+  {
+    result = RunChild({ program, "--ff=" + field, "--keep-chain", "--nodebump", "--noopt",
+                        "--whitespace", folder / "protein.pdb", folder / "protein.pqr" },
+      limits, folder / "log", progress);
+    if (result.End != ChildEnd::NotFound)
+    {
+      break;
+    }
+  }
+  return result;
+}
+
+void RequireSuccess(const ChildResult& result, const ChildLimits& limits)
+{
+  if (result.End == ChildEnd::NotFound || result.End == ChildEnd::NotRun)
+  {
+    throw std::runtime_error(
+      "The atoms have no charges. They come from a force field by the program pdb2pqr, which is "
+      "not installed: install it (Debian: apt install pdb2pqr)." +
+      WayOut);
+  }
+  if (result.End == ChildEnd::TimedOut)
+  {
+    throw std::runtime_error("The atoms have no charges, and pdb2pqr did not find them in " +
+      std::to_string(static_cast<int>(limits.Seconds)) + " seconds: read fewer chains." + WayOut);
+  }
+  if (result.End == ChildEnd::Crashed || result.Code != 0)
+  {
+    throw std::runtime_error("The atoms have no charges, and pdb2pqr could not find them (" +
+      ReasonIn(result.Output) + "): complete the protein, or read the part of it that is." +
+      WayOut);
+  }
+}
+
+bool IsHydrogen(const std::string& name)
+{
+  const std::size_t letter = name.find_first_not_of("0123456789");
+  return letter != std::string::npos && name[letter] == 'H';
+}
+
+/// The atoms of one line of the answer: ATOM serial name residue chain number x y z charge radius.
+class Answer
+{
+public:
+  Answer(const std::vector<NamedAtom>& atoms, std::vector<FileResidue>& residues)
+    : Atoms(atoms)
+    , Residues(residues)
+  {
+    for (std::size_t r = 0; r < residues.size(); ++r)
+    {
+      this->Places[{ residues[r].Chain, residues[r].Number }] = r;
+    }
+  }
+
+  void Take(const std::string& line, ChargedProtein& to)
+  {
+    std::istringstream words(line);
+    std::string record, serial, chain;
+    int number = 0;
+    ForceFieldAtom atom;
+    words >> record >> serial >> atom.Name >> atom.Residue >> chain >> number >> atom.Place[0] >>
+      atom.Place[1] >> atom.Place[2] >> atom.Charge >> atom.Radius;
+    const auto at = this->Places.find({ chain.empty() ? ' ' : chain[0], number });
+    if (!words || at == this->Places.end())
+    {
+      throw std::runtime_error("pdb2pqr gave a line that can't be read (" + Printable(line) +
+        "): use version 3." + WayOut);
+    }
+    FileResidue& residue = this->Residues[at->second];
+    residue.Answered = true;
+    atom.Like = residue.Atoms.front();
+    atom.IsNew = true;
+    for (const std::size_t i : residue.Atoms)
+    {
+      if (Distance(this->Atoms[i].Place, atom.Place) < 0.002)
+      {
+        atom.Like = i;
+        atom.IsNew = false;
+      }
+    }
+    this->Built += atom.IsNew && !IsHydrogen(atom.Name) && atom.Name != "OXT" ? 1 : 0;
+    to.Atoms.push_back(atom);
+  }
+
+  std::string Warning() const
+  {
+    std::string list;
+    int count = 0;
+    for (const FileResidue& residue : this->Residues)
+    {
+      if (!residue.Answered && ++count <= 6)
+      {
+        const NamedAtom& atom = this->Atoms[residue.Atoms.front()];
+        list += (list.empty() ? "" : ", ") + atom.Residue + " " + std::to_string(atom.ResidueId) +
+          atom.InsertionCode + (atom.Chain.empty() ? "" : " " + atom.Chain);
+      }
+    }
+    std::string text;
+    if (count > 0)
+    {
+      text = "The force field knows no charges of " + Printable(list) +
+        (count > 6 ? " and " + std::to_string(count - 6) + " more" : "") +
+        ": they were left out. A PQR file can have them.";
+    }
+    if (this->Built > 0)
+    {
+      text += (text.empty() ? "" : " ") + std::to_string(this->Built) +
+        " atoms other than hydrogens were missing; pdb2pqr has put them where they could be.";
+    }
+    return text;
+  }
+
+private:
+  const std::vector<NamedAtom>& Atoms;
+  std::vector<FileResidue>& Residues;
+  std::map<std::pair<char, int>, std::size_t> Places;
+  int Built = 0;
+};
+
+}
+
+ChargedProtein ChargeProtein(const std::vector<NamedAtom>& atoms, ChargeTable table,
+  const ChildLimits& limits, const ProgressCallback& progress)
+{
+  std::vector<FileResidue> residues = ResiduesOf(atoms);
+  const TemporaryFolder folder;
+  WritePDB(atoms, residues, folder.Path() / "protein.pdb");
+  RequireSuccess(RunWhicheverIsThere(folder.Path(), table, limits, progress), limits);
+  std::ifstream file(folder.Path() / "protein.pqr");
+  Answer answer(atoms, residues);
+  ChargedProtein charged;
+  std::string line;
+  while (std::getline(file, line))
+  {
+    if (line.compare(0, 4, "ATOM") == 0 || line.compare(0, 6, "HETATM") == 0)
+    {
+      answer.Take(line, charged);
+    }
+  }
+  if (charged.Atoms.empty())
+  {
+    throw std::runtime_error("The atoms have no charges, and pdb2pqr knows none of the molecule: "
+                             "it is for proteins and nucleic acids." +
+      WayOut);
+  }
+  charged.Warning = answer.Warning();
+  return charged;
+}
+
+}

@@ -1,0 +1,257 @@
+// Charges for atoms that have none: by pdb2pqr where it is there, and by programs of its name that
+// do what it could: give an answer, fail, hang, talk nonsense, or not be there.
+
+#include "ProteinCharges.h"
+#include "vtkPoissonBoltzmann.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkTestErrorObserver.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sys/stat.h>
+
+using namespace isthmus;
+
+namespace
+{
+
+/// PATH leads to one folder meanwhile, where `script`, if any, is pdb2pqr.
+class OnlyProgram
+{
+public:
+  explicit OnlyProgram(const std::string& script)
+    : Before(std::getenv("PATH"))
+  {
+    if (!script.empty())
+    {
+      const std::string file = this->Folder.Path() / "pdb2pqr";
+      std::ofstream(file) << "#!/bin/sh\n" << script;
+      chmod(file.c_str(), S_IRWXU);
+    }
+    setenv("PATH", this->Folder.Path().c_str(), 1);
+  }
+  ~OnlyProgram() { setenv("PATH", this->Before.c_str(), 1); }
+  OnlyProgram(const OnlyProgram&) = delete;
+  void operator=(const OnlyProgram&) = delete;
+
+private:
+  TemporaryFolder Folder;
+  std::string Before;
+};
+
+NamedAtom Named(const char* name, const char* residue, int id, const char* chain, Point3 place,
+  bool hetero = false)
+{
+  NamedAtom atom;
+  atom.Name = name;
+  atom.Residue = residue;
+  atom.ResidueId = id;
+  atom.Chain = chain;
+  atom.Place = place;
+  atom.IsHetero = hetero;
+  return atom;
+}
+
+/// Glycine, alanine, water and a ligand; the chain has a name that no PDB file could have.
+std::vector<NamedAtom> Molecule()
+{
+  return { Named("N", "GLY", 15000, "AA-2", { 1.931, 0.090, -0.034 }),
+    Named("CA", "GLY", 15000, "AA-2", { 0.761, -0.799, -0.008 }),
+    Named("C", "GLY", 15000, "AA-2", { -0.498, 0.029, -0.005 }),
+    Named("O", "GLY", 15000, "AA-2", { -0.429, 1.235, -0.023 }),
+    Named("N", "ALA", 15001, "AA-2", { -1.697, -0.574, 0.018 }),
+    Named("CA", "ALA", 15001, "AA-2", { -2.923, 0.230, 0.021 }),
+    Named("CB", "ALA", 15001, "AA-2", { -3.019, 1.080, 1.290 }),
+    Named("C", "ALA", 15001, "AA-2", { -4.143, -0.667, -0.052 }),
+    Named("O", "ALA", 15001, "AA-2", { -5.257, -0.163, 0.010 }),
+    Named("OXT", "ALA", 15001, "AA-2", { -3.981, -1.890, -0.175 }),
+    Named("O", "HOH", 1, "W", { 9.0, 0.0, 0.0 }, true),
+    Named("C1", "LIG", 7, "", { 0.0, 9.0, 0.0 }, true) };
+}
+
+ChildLimits Short(double seconds)
+{
+  ChildLimits limits;
+  limits.Seconds = seconds;
+  return limits;
+}
+
+void ExpectSentence(const std::string& script, const std::string& words, double seconds = 60.0,
+  const std::vector<NamedAtom>& atoms = Molecule())
+{
+  const OnlyProgram program(script);
+  try
+  {
+    ChargeProtein(atoms, ChargeTable::AMBER, Short(seconds));
+    ADD_FAILURE() << "no sentence with " << words;
+  }
+  catch (const std::exception& error)
+  {
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+  }
+}
+
+/// Writes lines to the last argument, the PQR file.
+std::string Answering(const std::string& lines)
+{
+  return "for last in \"$@\"; do :; done\nprintf '" + lines + "' >\"$last\"\n";
+}
+
+TEST(ProteinCharges, AnswersAreTakenResidueByResidue)
+{
+  const OnlyProgram program(Answering("REMARK 1\\n"
+                                      "ATOM 1 N GLY A 1 1.931 0.090 -0.034 -0.5 1.8\\n"
+                                      "ATOM 2 H GLY A 1 2.5 0.1 0.5 0.75 0.6\\n"
+                                      "ATOM 3 CB ALA A 2 -3.019 1.080 1.290 0.25 1.9\\n"
+                                      "ATOM 4 CG ALA A 2 -3.5 2.0 1.3 0.5 1.9\\nTER\\nEND\\n"));
+  const ChargedProtein protein = ChargeProtein(Molecule(), ChargeTable::PARSE, Short(60));
+  ASSERT_EQ(protein.Atoms.size(), 4u);
+  EXPECT_EQ(protein.Atoms[0].Like, 0u);
+  EXPECT_FALSE(protein.Atoms[0].IsNew);
+  EXPECT_EQ(protein.Atoms[1].Name, "H");
+  EXPECT_TRUE(protein.Atoms[1].IsNew);
+  EXPECT_EQ(protein.Atoms[1].Charge, 0.75);
+  EXPECT_EQ(protein.Atoms[2].Like, 6u);
+  EXPECT_EQ(protein.Atoms[2].Radius, 1.9);
+  // Water goes without a word, the ligand doesn't, nor does a heavy atom out of nowhere.
+  EXPECT_NE(protein.Warning.find("LIG 7:"), std::string::npos) << protein.Warning;
+  EXPECT_EQ(protein.Warning.find("HOH"), std::string::npos) << protein.Warning;
+  EXPECT_NE(protein.Warning.find(" 1 atoms other than hydrogens"), std::string::npos);
+}
+
+TEST(ProteinCharges, WhatTheProgramIsGivenFitsItsColumns)
+{
+  // The program's answer is the atoms it was given, with charges by their order.
+  const std::string script = "for last in \"$@\"; do before=$file; file=$last; done\n"
+                             "while read -r a b c d e f g h i j; do [ \"$a\" = END ] || "
+                             "echo \"$a $b $c $d $e $f $g $h $i 0.5 1.5\"; done <\"$before\" "
+                             ">\"$file\"\n";
+  const OnlyProgram program(script);
+  const ChargedProtein protein = ChargeProtein(Molecule(), ChargeTable::AMBER, Short(60));
+  ASSERT_EQ(protein.Atoms.size(), 11u); // all but water
+  EXPECT_TRUE(protein.Warning.empty()) << protein.Warning;
+  for (std::size_t i = 0; i < 10; ++i)
+  {
+    EXPECT_EQ(protein.Atoms[i].Like, i);
+    EXPECT_FALSE(protein.Atoms[i].IsNew);
+    EXPECT_EQ(protein.Atoms[i].Name, Molecule()[i].Name);
+  }
+}
+
+TEST(ProteinCharges, WhateverTheProgramDoesIsASentence)
+{
+  ExpectSentence("", "not installed");
+  ExpectSentence("echo 'ValueError: Too few atoms.' >&2; echo RuntimeError >&2; exit 1",
+    "(Too few atoms): complete");
+  ExpectSentence("echo CRITICAL:Giving up.; exit 3", "(Giving up)");
+  ExpectSentence("exit 1", "gave no reason");
+  ExpectSentence("kill -9 $$", "could not find them");
+  ExpectSentence("while :; do :; done", "seconds", 0.3);
+  ExpectSentence("exit 0", "knows none of the molecule");
+  ExpectSentence(Answering("ATOM 1 N GLY A one 1 2 3 4 5\\n"), "can't be read");
+  ExpectSentence(Answering("ATOM 1 N GLY A 7 1 2 3 4 5\\n"), "can't be read"); // nobody's residue
+  std::vector<NamedAtom> far = Molecule();
+  far[3].Place[1] = -12345.0;
+  ExpectSentence("exit 0", "9,999 angstrom", 60, far);
+  ExpectSentence("exit 0", "no names", 60, { NamedAtom{} });
+  std::vector<NamedAtom> many;
+  for (int i = 0; i < 63; ++i)
+  {
+    many.push_back(Named("N", "GLY", 1, std::to_string(i).c_str(), { 1.0 * i, 0, 0 }));
+  }
+  ExpectSentence("exit 0", "62 chains", 60, many);
+}
+
+vtkSmartPointer<vtkPolyData> Points(const std::vector<NamedAtom>& atoms)
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkStringArray> names, residues, chains;
+  vtkNew<vtkIntArray> ids;
+  vtkNew<vtkDoubleArray> charges;
+  for (const NamedAtom& atom : atoms)
+  {
+    points->InsertNextPoint(atom.Place.data());
+    names->InsertNextValue(atom.Name);
+    residues->InsertNextValue(atom.Residue);
+    chains->InsertNextValue(atom.Chain);
+    ids->InsertNextValue(atom.ResidueId);
+    charges->InsertNextValue(std::nan(""));
+  }
+  data->SetPoints(points);
+  vtkAbstractArray* const arrays[] = { names, residues, chains, ids, charges };
+  const char* const called[] = { "AtomName", "ResidueName", "Chain", "ResidueId", "Charge" };
+  for (int a = 0; a < 5; ++a)
+  {
+    arrays[a]->SetName(called[a]);
+    data->GetPointData()->AddArray(arrays[a]);
+  }
+  return data;
+}
+
+TEST(ProteinCharges, FilterSolvesForAtomsWithoutCharges)
+{
+  if (std::system("command -v pdb2pqr >/dev/null") != 0)
+  {
+    GTEST_SKIP() << "pdb2pqr is not installed.";
+  }
+  vtkNew<vtkPoissonBoltzmann> filter;
+  vtkNew<vtkTest::ErrorObserver> told;
+  filter->AddObserver(vtkCommand::WarningEvent, told);
+  filter->SetInputDataObject(0, Points(Molecule()));
+  filter->SetSpacing(0.6);
+  double energies[2];
+  for (const int field : { vtkPoissonBoltzmann::AMBER, vtkPoissonBoltzmann::PARSE })
+  {
+    filter->SetForceField(field);
+    filter->Update();
+    vtkPointSet* atoms = filter->GetAtoms();
+    // Gly-Ala, zwitterion: 20 atoms, the charges of its ends cancel.
+    ASSERT_EQ(atoms->GetNumberOfPoints(), 20);
+    vtkDataArray* charges = atoms->GetPointData()->GetArray("Charge");
+    double sum = 0.0;
+    for (vtkIdType i = 0; i < 20; ++i)
+    {
+      sum += charges->GetTuple1(i);
+    }
+    EXPECT_NEAR(sum, 0.0, 1e-3);
+    EXPECT_EQ(atoms->GetPointData()->GetArray("ResidueId")->GetTuple1(19), 15001.0);
+    energies[field] =
+      filter->GetOutput()->GetFieldData()->GetArray("SolvationEnergy")->GetTuple1(0);
+    EXPECT_LT(energies[field], -30.0);
+  }
+  EXPECT_NE(energies[0], energies[1]);
+  EXPECT_NE(told->GetWarningMessage().find("LIG 7"), std::string::npos);
+}
+
+TEST(ProteinCharges, FilterTellsOnceThatTheProgramIsNotThere)
+{
+  const OnlyProgram none("");
+  vtkNew<vtkPoissonBoltzmann> filter;
+  vtkNew<vtkTest::ErrorObserver> told;
+  filter->AddObserver(vtkCommand::ErrorEvent, told);
+  filter->SetInputDataObject(0, Points(Molecule()));
+  filter->Update();
+  EXPECT_NE(told->GetErrorMessage().find("apt install pdb2pqr"), std::string::npos)
+    << told->GetErrorMessage();
+  told->Clear();
+  filter->Update();
+  EXPECT_FALSE(told->GetError()) << told->GetErrorMessage();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(filter->GetSurface()->GetNumberOfPoints(), 0);
+}
+
+}
