@@ -63,7 +63,6 @@ public:
 
 private:
   FlowField StartingField(const ProgressCallback& progress) const;
-  void Evolve(FlowField& field);
   void Solve(const FlowField& field, const ProgressCallback& progress);
   void Record(const FlowField& field);
   void Pull(FlowField& field);

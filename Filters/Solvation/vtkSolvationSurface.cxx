@@ -84,12 +84,12 @@ isthmus::SolvationParameters vtkSolvationSurface::Internals::Parameters() const
   {
     p.Potential.Ions = { { 1.0, self->IonicStrength }, { -1.0, self->IonicStrength } };
   }
-  p.UpdatePeriod = self->UpdatePeriod;
-  p.AdaptiveUpdate = self->AdaptiveUpdate;
-  p.SurfaceRelaxation = self->SurfaceRelaxation;
-  p.FieldRelaxation = self->FieldRelaxation;
-  p.Tolerance = self->EnergyTolerance;
-  p.MaximumUpdates = self->MaximumUpdates;
+  p.Policy.UpdatePeriod = self->UpdatePeriod;
+  p.Policy.AdaptiveUpdate = self->AdaptiveUpdate;
+  p.Policy.SurfaceRelaxation = self->SurfaceRelaxation;
+  p.Policy.FieldRelaxation = self->FieldRelaxation;
+  p.Policy.Tolerance = self->EnergyTolerance;
+  p.Policy.MaximumUpdates = self->MaximumUpdates;
   return p;
 }
 

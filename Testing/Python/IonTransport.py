@@ -117,6 +117,34 @@ kept.SetMaximumIterations(1)
 kept.Update()
 assert number(kept.GetOutput(), "Converged") == 0.0 and number(kept.GetOutput(), "Current") > 0.0
 
+# A surface that moves: it begins as the one at rest, and its table says how it came to rest.
+moving = tube_filter(tube)
+moving.MovingSurfaceOn()
+moving.Update()
+updates = rows_of(moving.GetUpdates())
+print("moving:", updates["Current"], "pA, area", updates["AreaChange"])
+assert number(moving.GetOutput(), "Rests") == 1.0 and 3 <= len(updates["Update"]) <= 10
+assert abs(updates["Current"][0] / straight - 1.0) < 0.01
+assert updates["Time"][0] == updates["AreaChange"][0] == 0.0 and (numpy.diff(updates["Time"]) > 0).all()
+assert updates["AreaChange"][-1] < 0.0 and updates["EnergyChange"][-1] < 0.0  # tension closes creases
+shown = number(moving.GetOutput(), "Current")
+assert numpy.isclose(shown, updates["Current"][int(number(moving.GetOutput(), "ShownUpdate")) - 1], rtol=1e-4)
+assert numpy.isclose(updates["Current_K"] + updates["Current_Cl"], updates["Current"]).all()
+assert number(moving.GetOutput(), "CurrentSpread") < 1e-4
+assert vtk_to_numpy(moving.GetOutput().GetPointData().GetArray("Concentration_Cl")).min() >= 0.0
+assert transport.GetUpdates().GetNumberOfRows() == 0  # at rest
+
+
+def moved(change, warning=False):
+    return said(lambda it: (it.MovingSurfaceOn(), change(it)), warning)
+
+
+assert "not come to rest after 2 updates" in moved(lambda it: it.SetMaximumUpdates(2), warning=True)
+assert "has closed the channel at (" in moved(lambda it: (it.SetPressure(-0.2), it.SetMaximumUpdates(30)))
+assert "SurfaceTension" in moved(lambda it: it.SetSurfaceTension(0.0))
+assert "UpdatePeriod" in moved(lambda it: it.SetUpdatePeriod(0))
+assert "WellDepth" in moved(lambda it: it.GetInput().GetPointData().RemoveArray("WellDepth"))
+
 # Gramicidin on the surface of a little flow, which keeps the pore and closes the creases in its wall; on
 # the default surface, the solvent-excluded one, chloride gets in.
 reader = isthmus.vtkMacromoleculeReader()

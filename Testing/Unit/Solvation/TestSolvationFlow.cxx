@@ -156,9 +156,9 @@ TEST(SolvationFlow, PoliciesOfUpdatingEndAlike)
   {
     SolvationParameters p = IonParameters(0.4);
     p.Potential.Padding = 6.0;
-    p.UpdatePeriod = policy.Period;
-    p.AdaptiveUpdate = false;
-    p.FieldRelaxation = policy.Relaxation;
+    p.Policy.UpdatePeriod = policy.Period;
+    p.Policy.AdaptiveUpdate = false;
+    p.Policy.FieldRelaxation = policy.Relaxation;
     SolvationFlow flow(water, p);
     flow.Run();
     energies.push_back(flow.GetUpdates().back().Total());
@@ -208,7 +208,7 @@ TEST(SolvationFlow, ProbeKeepsTheFieldFromDrawingTheSurfaceIn)
 TEST(SolvationFlow, WhatDoesNotRestIsToldAndKept)
 {
   SolvationParameters p = IonParameters(0.5);
-  p.MaximumUpdates = 2;
+  p.Policy.MaximumUpdates = 2;
   SolvationFlow flow(IonPair(5.0), p);
   flow.Run();
   EXPECT_FALSE(flow.Rests());
@@ -239,19 +239,19 @@ TEST(SolvationFlow, BadInputIsToldInASentence)
   struct Case
   {
     const char* Name;
-    double SolvationParameters::*Number;
+    double UpdatePolicy::*Number;
     double Value;
   };
-  for (const Case& c : { Case{ "SurfaceRelaxation", &SolvationParameters::SurfaceRelaxation, 0.0 },
-         Case{ "FieldRelaxation", &SolvationParameters::FieldRelaxation, 1.5 },
-         Case{ "Tolerance", &SolvationParameters::Tolerance, std::nan("") } })
+  for (const Case& c : { Case{ "SurfaceRelaxation", &UpdatePolicy::SurfaceRelaxation, 0.0 },
+         Case{ "FieldRelaxation", &UpdatePolicy::FieldRelaxation, 1.5 },
+         Case{ "Tolerance", &UpdatePolicy::Tolerance, std::nan("") } })
   {
     SolvationParameters p = IonParameters(0.5);
-    p.*c.Number = c.Value;
+    p.Policy.*c.Number = c.Value;
     EXPECT_NE(said(Ion(2.0), p).find(std::string(c.Name) + " is "), std::string::npos) << c.Name;
   }
   SolvationParameters p = IonParameters(0.5);
-  p.UpdatePeriod = 0;
+  p.Policy.UpdatePeriod = 0;
   EXPECT_NE(said(Ion(2.0), p).find("UpdatePeriod is "), std::string::npos);
   p = IonParameters(0.5);
   p.Solvent.SurfaceTension = -1.0;
