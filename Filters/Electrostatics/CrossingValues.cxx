@@ -62,8 +62,7 @@ bool IsNarrow(const FitNodes& nodes)
            [](const FitNode& node) { return !node.Inside; }) < harmonicQuadratic;
 }
 
-/// The ghost-fluid values of X.-D. Liu, R. Fedkiw and M. Kang (J. Comput. Phys. 160 (2000) 151):
-/// jumps taken along the edge alone. Only where not even a linear function could be fitted.
+/// The ghost-fluid values: jumps taken along the edge alone.
 void GhostFluid(const InterfaceProblem& problem, const InterfaceCrossing& c,
   const SecondOrderTaylor& charges, const FitNodes& nodes, CrossingValues& values)
 {
@@ -136,6 +135,14 @@ CrossingValues ValuesAtCrossing(const InterfaceProblem& problem, std::size_t ind
   const FitNodes nodes =
     NodesAroundCrossing(*problem.Box, *problem.Inside, c, problem.Medium.Length);
   const bool lowerInside = (*problem.Inside)[static_cast<std::size_t>(c.Node)] != 0;
+  CrossingValues values{};
+  std::copy_n(nodes.Id.begin(), nodes.Count, values.Id.begin());
+  if (problem.Model == DielectricModel::SmoothDielectric)
+  {
+    values.Quality = FitQuality::Quadratic; // nothing fell back
+    GhostFluid(problem, c, charges, nodes, values);
+    return values;
+  }
   FitMedium medium = problem.Medium;
   SurfaceIons ions;
   if (!problem.Ions.empty())
@@ -149,8 +156,6 @@ CrossingValues ValuesAtCrossing(const InterfaceProblem& problem, std::size_t ind
   { return insideFunction ? FitTarget::InsideValue : FitTarget::OutsideValue; };
   const std::vector<FitTarget> targets{ { side(lowerInside), up }, { side(!lowerInside), down } };
   std::vector<FitFunctional> functionals;
-  CrossingValues values{};
-  std::copy_n(nodes.Id.begin(), nodes.Count, values.Id.begin());
   values.Quality = FitInterface(medium, c.Frame, nodes, targets, functionals);
   if (values.Quality == FitQuality::None || IsNarrow(nodes))
   {

@@ -42,8 +42,16 @@ enum class BoundaryCondition
   Given = 4                 ///< by PoissonBoltzmannParameters::Boundary
 };
 
+/// How the equation sees the jump of the dielectric constant at the surface.
+enum class DielectricModel
+{
+  SharpInterface = 0,  ///< jump conditions, fitted: InterfaceFit.h
+  SmoothDielectric = 1 ///< a permittivity for each edge, of its parts in series: CrossingValues.h
+};
+
 struct PoissonBoltzmannParameters
 {
+  DielectricModel Dielectric = DielectricModel::SharpInterface;
   double SoluteDielectric = 2.0;
   double SolventDielectric = 80.0;
   std::vector<IonSpecies> Ions; ///< none: pure solvent; their charges must cancel

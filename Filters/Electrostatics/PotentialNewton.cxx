@@ -141,7 +141,8 @@ double PotentialOnBox::NewtonStep(double tolerance, double norm)
 void PotentialOnBox::SolveNonlinear(double tolerance, const ProgressCallback& progress)
 {
   this->ClipStart();
-  const bool lagged = this->Medium.KappaSquared > 0.0;
+  const bool lagged = this->Medium.KappaSquared > 0.0 &&
+    this->Parameters.Dielectric == DielectricModel::SharpInterface;
   std::vector<double> zero(this->U.size(), 0.0);
   const double reference = this->NonlinearResidual(zero, this->Work.Residual);
   zero = {};

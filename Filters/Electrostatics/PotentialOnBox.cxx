@@ -122,7 +122,7 @@ void PotentialOnBox::EvaluateCharges(const ProgressCallback& progress)
 void PotentialOnBox::Assemble(std::vector<SurfaceIons> ions, const ProgressCallback& progress)
 {
   const InterfaceProblem problem{ &this->Box, &this->Inside, &this->Crossings, &this->AtCrossing,
-    this->Medium, std::move(ions) };
+    this->Medium, std::move(ions), this->Parameters.Dielectric };
   IrregularRows rows = AssembleIrregularRows(problem, progress);
   this->Report.LinearFits = rows.LinearFits;
   this->Report.GhostFits = rows.GhostFits;

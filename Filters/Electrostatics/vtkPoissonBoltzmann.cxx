@@ -227,6 +227,7 @@ isthmus::PoissonBoltzmannParameters vtkPoissonBoltzmann::Parameters() const
   p.Padding = this->Padding;
   p.Nonlinear = this->Nonlinear != 0;
   p.Condition = static_cast<isthmus::BoundaryCondition>(this->BoundaryCondition);
+  p.Dielectric = static_cast<isthmus::DielectricModel>(this->DielectricModel);
   p.Tolerance = this->Tolerance;
   p.MaximumIterations = this->MaximumIterations;
   p.Ions = this->Ions->Species;
@@ -334,6 +335,7 @@ void vtkPoissonBoltzmann::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Padding: " << this->Padding << "\n";
   os << indent << "Nonlinear: " << this->Nonlinear << "\n";
   os << indent << "BoundaryCondition: " << this->BoundaryCondition << "\n";
+  os << indent << "DielectricModel: " << this->DielectricModel << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
   os << indent << "ComputeBoundaryForces: " << this->ComputeBoundaryForces << "\n";

@@ -19,7 +19,10 @@
  * SolventDielectric outside, ions by Boltzmann's law, linearised unless Nonlinear is on. It is
  * solved with the jump of eps at the surface itself, not smeared over cells: for spheres with known
  * answers, errors are a tenth of usual solvers' on the same grid and fall with the square of the
- * spacing.
+ * spacing. With DielectricModel SmoothDielectric instead in finite volumes, with one permittivity
+ * for each edge of the grid, that of its parts inside and outside in series: energies converge with
+ * the same order, 10 to 300 times less exact on spheres, the potential at the surface with the
+ * first. It is what models with a surface that moves usually take, for comparison with these.
  *
  * **Output 0**: image with, on points, double: `Potential` (kT/e) and `ReactionPotential` (kT/e:
  * the potential less that of the charges in a medium with SoluteDielectric everywhere), and `Side`
@@ -184,6 +187,19 @@ public:
   vtkGetMacro(BoundaryCondition, int);
   ///@}
 
+  enum DielectricModels
+  {
+    SharpInterface = 0,
+    SmoothDielectric = 1
+  };
+
+  ///@{
+  /// The dielectric constant at the surface: its jump, or a permittivity for each edge of the grid.
+  /// Default SharpInterface.
+  vtkSetClampMacro(DielectricModel, int, SharpInterface, SmoothDielectric);
+  vtkGetMacro(DielectricModel, int);
+  ///@}
+
   ///@{
   /// Residual at which the iteration ends, as part of the first. Default 1e-6.
   vtkSetMacro(Tolerance, double);
@@ -260,6 +276,7 @@ private:
   double Padding = 10.0;
   vtkTypeBool Nonlinear = 0;
   int BoundaryCondition = SelfConsistent;
+  int DielectricModel = SharpInterface;
   double Tolerance = 1e-6;
   int MaximumIterations = 100;
   vtkTypeBool ComputeBoundaryForces = 0;

@@ -64,6 +64,17 @@ energy = other.GetFieldData().GetArray("SolvationEnergy").GetValue(0)
 assert abs(energy / number("SolvationEnergy") - 1.0) < 0.01, (energy, number("SolvationEnergy"))
 assert other.GetDimensions() == servermanager.Fetch(volume).GetDimensions()
 
+# One permittivity for each edge instead of the jump: another number, near it.
+solver.DielectricModel = "Smooth Dielectric"
+solver.UpdatePipeline()
+image = output(solver, 0)
+smooth, sharp = number("SolvationEnergy"), energies.sum()
+assert 1e-4 < abs(smooth / sharp - 1.0) < 0.06, (smooth, sharp)
+solver.DielectricModel = "Sharp Interface"
+solver.UpdatePipeline()
+image = output(solver, 0)
+assert abs(number("SolvationEnergy") / sharp - 1.0) < 1e-9
+
 # Salt screens.
 reach = numpy.abs(vtk_to_numpy(image.GetPointData().GetArray("Potential")))[
     vtk_to_numpy(image.GetPointData().GetArray("Side")) == 0].mean()

@@ -14,13 +14,15 @@ namespace
 
 /// Largest error outside of a sphere of 10 angstrom with 40 e in 0.15 M; Newton's steps.
 double ChargedSphere(double layer, double h, int& steps, BoundaryCondition condition,
-  const std::vector<IonSpecies>& salt = { { 1.0, 0.15 }, { -1.0, 0.15 } })
+  const std::vector<IonSpecies>& salt = { { 1.0, 0.15 }, { -1.0, 0.15 } },
+  DielectricModel model = DielectricModel::SharpInterface)
 {
   KirkwoodSphere sphere;
   sphere.Centre = { 0.11, -0.07, 0.05 };
   sphere.Radius = 10.0;
   sphere.Charges.push_back({ sphere.Centre, 40.0, 10.0 });
   SphereProblem problem(sphere, 20, h);
+  problem.Parameters.Dielectric = model;
   problem.Parameters.Ions = salt;
   problem.Parameters.IonRadius = layer;
   problem.Parameters.Nonlinear = true;
@@ -61,6 +63,15 @@ TEST(NonlinearPoissonBoltzmann, SphereOf40ChargesWithoutALayer)
 {
   int steps = 0;
   EXPECT_LE(ChargedSphere(0.0, 0.5, steps, BoundaryCondition::Given), 0.2);
+  EXPECT_LE(steps, 8);
+}
+
+TEST(NonlinearPoissonBoltzmann, SphereInTheSmoothMode)
+{
+  int steps = 0;
+  EXPECT_LE(ChargedSphere(0.0, 1.0, steps, BoundaryCondition::Given,
+              { { 1.0, 0.15 }, { -1.0, 0.15 } }, DielectricModel::SmoothDielectric),
+    0.6);
   EXPECT_LE(steps, 8);
 }
 
