@@ -185,7 +185,7 @@ void SolvationFlow::Pull(FlowField& field)
     field.Grid.Spacing() / this->Parameters.Solvent.SurfaceTension, part);
 }
 
-bool SolvationFlow::Rests() const
+bool SolvationFlow::IsStill() const
 {
   const std::size_t n = this->Updates.size();
   const auto still = [&](std::size_t i)
@@ -202,14 +202,25 @@ void SolvationFlow::Run(const ProgressCallback& progress)
   FlowField field = this->StartingField(Between(progress, 0.0, 0.1));
   CutPull(field.Pull);
   this->Steady = field.Pull;
-  for (int update = 0; update < this->Parameters.Policy.MaximumUpdates && !this->Rests(); ++update)
+  for (int update = 0; update < this->Parameters.Policy.MaximumUpdates; ++update)
   {
     // How many it takes is not known, so progress slows down.
     const auto at = [](int done) { return 0.1 + 0.9 * done / (done + 4.0); };
     this->Time += EvolveForPeriod(field, this->Parameters.Policy);
     this->Solve(field, Between(progress, at(update), at(update + 1)));
     this->Record(field);
+    this->AtRest = this->IsStill();
+    if (this->AtRest)
+    {
+      break;
+    }
     this->Pull(field);
+  }
+  if (this->Equation.Dielectric == DielectricModel::SmoothDielectric)
+  {
+    this->Equation.Dielectric = DielectricModel::SharpInterface;
+    this->Solve(field, {});
+    this->Record(field);
   }
   Report(progress, 1.0);
 }

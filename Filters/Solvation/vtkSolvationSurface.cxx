@@ -73,6 +73,7 @@ isthmus::SolvationParameters vtkSolvationSurface::Internals::Parameters() const
   p.Solvent.Pressure = self->Pressure;
   p.Potential.SoluteDielectric = self->SoluteDielectric;
   p.Potential.SolventDielectric = self->SolventDielectric;
+  p.Potential.Dielectric = static_cast<isthmus::DielectricModel>(self->DielectricModel);
   p.Potential.Temperature = self->Temperature;
   p.Potential.Padding = self->Padding;
   if (!(self->IonicStrength >= 0.0) || std::isinf(self->IonicStrength))
@@ -245,6 +246,7 @@ void vtkSolvationSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Pressure: " << this->Pressure << "\n";
   os << indent << "SoluteDielectric: " << this->SoluteDielectric << "\n";
   os << indent << "SolventDielectric: " << this->SolventDielectric << "\n";
+  os << indent << "DielectricModel: " << this->DielectricModel << "\n";
   os << indent << "IonicStrength: " << this->IonicStrength << "\n";
   os << indent << "Temperature: " << this->Temperature << "\n";
   os << indent << "UpdatePeriod: " << this->UpdatePeriod << "\n";

@@ -75,6 +75,30 @@ TEST(SolvationFlow, IonsHaveBornsEnergy)
   }
 }
 
+TEST(SolvationFlow, IonsInTheSmoothModeEndWithTheSharpEnergy)
+{
+  const double radii[] = { 1.0, 2.0, 3.0 };
+  const double smooth[] = { 0.01, 0.0025, 0.001 };
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    SolvationParameters p = IonParameters(0.25);
+    p.Potential.Dielectric = DielectricModel::SmoothDielectric;
+    p.Potential.Padding = 5.0;
+    SolvationFlow flow(Ion(radii[i]), p);
+    flow.Run();
+    const std::vector<SolvationUpdate>& updates = flow.GetUpdates();
+    const double onTheWay = updates[updates.size() - 2].PolarEnergy / Born(radii[i]) - 1.0;
+    const double last = updates.back().PolarEnergy / Born(radii[i]) - 1.0;
+    std::cout << "R " << radii[i] << ": " << onTheWay << " by edges, " << last
+              << " by the jump, after " << updates.size() << " updates\n";
+    EXPECT_TRUE(flow.Rests());
+    EXPECT_LE(updates.size(), 10u);
+    EXPECT_EQ(updates.back().Area, updates[updates.size() - 2].Area);
+    EXPECT_LT(std::abs(onTheWay), smooth[i]);
+    EXPECT_LT(std::abs(last), 1e-3);
+  }
+}
+
 TEST(SurfacePull, OfAnIonIsKnown)
 {
   // E just outside is C / (eps_s r^2), and the energy's derivative by r, over the area, the pull.
