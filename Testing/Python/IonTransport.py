@@ -111,6 +111,17 @@ assert "Voltage" in said(lambda it: it.SetVoltage(numpy.nan))
 assert "normal" in said(lambda it: it.SetMembraneNormal(0, 0, 0))
 assert "memory" in said(lambda it: (it.SetSpacing(0.002), it.SetPadding(100.0)))
 assert "Charge" in said(lambda it: it.GetInput().GetPointData().RemoveArray("Charge"))
+
+
+def lose(it):  # a barrier before a well, in hardly any salt
+    charges = vtk_to_numpy(it.GetInput().GetPointData().GetArray("Charge"))
+    charges[:] = numpy.where(numpy.arange(len(charges)) < len(charges) / 2, 1.0, -1.0)
+    it.ClearSpecies()
+    it.AddSpecies(3.0, 1e-6, 1e-6, 0.5)
+    it.AddSpecies(-1.0, 3e-6, 3e-6, 2.0)
+
+
+assert "is lost on its way" in said(lose, warning=True)
 assert "after 1 iterations" in said(lambda it: it.SetMaximumIterations(1), warning=True)
 kept = tube_filter(tube)
 kept.SetMaximumIterations(1)
