@@ -10,6 +10,10 @@ ChannelSolution::ChannelSolution(const ChannelProblem& problem, const ProgressCa
 {
   const IonTransportParameters& p = problem.Transport;
   const TransportDomain room = problem.Moves ? MovingChannel::Roomy(this->Domain) : this->Domain;
+  if (problem.Moves)
+  {
+    DemandMemory(room, MovingChannel::BytesPerNode);
+  }
   const auto first = Between(progress, 0.0, 0.15);
   const std::vector<float> distances = problem.Surface
     ? DistanceToClosed(room, problem.Surface, first)

@@ -55,11 +55,14 @@ struct ChannelUpdate
 };
 
 /// Cost: a solution of PoissonNernstPlanck.h for each update, and UpdatePeriod steps at 3 ns for
-/// each node of the band between them. Memory: that of the solution, 40 bytes a node for the flow.
+/// each node of the band between them. Memory: twice
+/// that of the solution (the last one is where the next begins), 40 bytes a node for the flow.
 /// The same bits on any number of threads.
 class VTKISTHMUS_EXPORT MovingChannel
 {
 public:
+  static constexpr double BytesPerNode = 500.0;
+
   /// The domain with room around it for the membrane's rim: the grid that distances are needed on.
   static TransportDomain Roomy(const TransportDomain& domain);
 

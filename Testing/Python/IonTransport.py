@@ -14,7 +14,7 @@ from paraview.simple import (Clip, ColorBy, Contour, CreateView, GetColorTransfe
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 import robustness_trials
-from good_data import channel
+from good_data import channel, channel_surface
 from shared_data import shared_data
 
 sys.path.insert(0, os.environ["ISTHMUS_EXAMPLES_DIR"])
@@ -144,6 +144,16 @@ assert numpy.isclose(updates["Current_K"] + updates["Current_Cl"], updates["Curr
 assert number(moving.GetOutput(), "CurrentSpread") < 1e-4
 assert vtk_to_numpy(moving.GetOutput().GetPointData().GetArray("Concentration_Cl")).min() >= 0.0
 assert transport.GetUpdates().GetNumberOfRows() == 0  # at rest
+# On a surface that is given it begins there.
+given = tube_filter(tube)
+given.SetInputData(1, channel_surface())
+given.Update()
+wide = number(given.GetOutput(), "Current")
+assert abs(number(given.GetOutput(), "BottleneckRadius") - 2.45) < 0.3
+given.MovingSurfaceOn()
+given.Update()
+print("on a surface:", wide, "pA, moving from there", rows_of(given.GetUpdates())["Current"])
+assert abs(rows_of(given.GetUpdates())["Current"][0] / wide - 1.0) < 0.02
 
 
 def moved(change, warning=False):
