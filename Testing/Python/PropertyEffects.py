@@ -93,7 +93,7 @@ SILENT = {
     **{("SolvationSurface", name): "owed: the atoms here have no elements, and each run takes seconds"
        for name in ("AdaptiveUpdate", "EnergyTolerance", "Enlargement", "FieldRelaxation", "IonicStrength",
                     "KeepWaters", "MaximumUpdates", "Padding", "Pressure", "ProbeRadius",
-                    "SoluteDielectric", "SolventDielectric", "Spacing", "SurfaceRelaxation",
+                    "DielectricModel", "SoluteDielectric", "SolventDielectric", "Spacing", "SurfaceRelaxation",
                     "SurfaceTension", "Temperature", "UnitedAtoms", "UpdatePeriod")},
     ("MolecularFlowSurface", "CoarseToFine"): "a quicker way to a surface that small grids reach at once",
     **{("MolecularPockets", name): "the hollow ball has no pocket: MolecularPockets.py has molecules"
