@@ -11,11 +11,12 @@ CHARGES = {"N": -0.35, "H": 0.25, "CA": 0.10, "C": 0.55, "O": -0.55}
 # United atoms have their hydrogens' room: S. J. Weiner et al., J. Am. Chem. Soc. 106 (1984) 765, one
 # radius for each element, as the filters have them for files without hydrogens.
 RADII = {"C": 1.85, "N": 1.75, "O": 1.65, "H": 1.00}
+ELEMENTS = {"H": 1, "C": 6, "N": 7, "O": 8}
 AXIS = (0.0, 1.0, 0.0)  # of the file's frame, along the pore
 
 
 def with_charges(atoms):
-    """vtkPolyData of points with Charge and Radius: what the reader's output `atoms` has, and the amides'
+    """vtkPolyData of points with Charge, Radius and Element: what the reader's output `atoms` has, and the amides'
     hydrogens."""
     places = vtk_to_numpy(atoms.GetPoints().GetData()).astype(float)
     data = atoms.GetPointData()
@@ -27,12 +28,13 @@ def with_charges(atoms):
     names, residues, chains, numbers = (texts(name) for name in ("AtomName", "ResidueName", "Chain", "ResidueId"))
     names = [name.strip() for name in names]
     at = {(chain, number, name): i for i, (chain, number, name) in enumerate(zip(chains, numbers, names))}
-    points, charges, radii = [], [], []
+    points, charges, radii, elements = [], [], [], []
 
     def put(place, charge, element):
         points.append(place)
         charges.append(charge)
         radii.append(RADII[element])
+        elements.append(ELEMENTS[element])
 
     for i, name in enumerate(names):
         of_backbone = name in CHARGES and not (residues[i].strip() == "ETA" and name == "O")
@@ -50,7 +52,7 @@ def with_charges(atoms):
     result.SetPoints(vtkPoints())
     result.GetPoints().SetDataTypeToDouble()
     result.GetPoints().SetData(numpy_to_vtk(numpy.array(points), deep=True))
-    for name, values in (("Charge", charges), ("Radius", radii)):
+    for name, values in (("Charge", charges), ("Radius", radii), ("Element", elements)):
         array = numpy_to_vtk(numpy.array(values), deep=True)
         array.SetName(name)
         result.GetPointData().AddArray(array)

@@ -1,5 +1,6 @@
 #include "IonTransportInput.h"
 
+#include "FlowGrid.h"
 #include "GridDistance.h"
 #include "GridImages.h"
 #include "IonTransportOutput.h"
@@ -53,8 +54,8 @@ std::vector<float> DistanceToClosed(
   const auto inAxes = InGridAxes(surface, image);
   const PolyDataTriangles triangles(inAxes);
   const std::vector<unsigned char> inside = NodesInside(triangles.View(), shape);
-  const std::vector<double> distance =
-    DistanceToSurface(triangles.View(), shape, 2.0 * domain.Spacing, progress);
+  const std::vector<double> distance = DistanceToSurface(
+    triangles.View(), shape, static_cast<double>(FlowGrid::Band) * domain.Spacing, progress);
   std::vector<float> to(distance.size());
   for (std::size_t node = 0; node < to.size(); ++node)
   {

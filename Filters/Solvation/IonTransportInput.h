@@ -21,7 +21,8 @@ namespace isthmus
 /// @throws std::invalid_argument for a name that two have.
 void NameSpecies(const std::string& names, std::vector<TransportSpecies>& species);
 
-/// The distance from each node to closed triangles, angstrom, negative within. Parallel.
+/// The distance from each node to closed triangles, angstrom, negative within, cut at 4.5 spacings.
+/// Parallel.
 /// @throws std::invalid_argument where they are not closed, Cancelled.
 std::vector<float> DistanceToClosed(
   const TransportDomain& domain, vtkPolyData* surface, const ProgressCallback& progress = {});

@@ -136,6 +136,40 @@ void FillTransportNumbers(const TransportPoint& point, const std::vector<Transpo
   AddNumbers("BottleneckPosition", { at[0], at[1], at[2] }, image);
 }
 
+void FillMotion(const MovingChannel* moving, const std::vector<TransportSpecies>& species,
+  vtkImageData* image, vtkTable* table)
+{
+  if (!moving)
+  {
+    return;
+  }
+  AddNumbers("Rests", { moving->Rests() ? 1.0 : 0.0 }, image);
+  AddNumbers("ShownUpdate", { static_cast<double>(moving->GetShown() + 1) }, image);
+  const std::vector<ChannelUpdate>& updates = moving->GetUpdates();
+  using Update = ChannelUpdate;
+  AddColumn(
+    "Update", updates, [number = 0.0](const Update&) mutable { return ++number; }, table);
+  AddColumn(
+    "Time", updates, [](const Update& u) { return u.Time; }, table);
+  AddColumn(
+    "AreaChange", updates, [](const Update& u) { return u.AreaChange; }, table);
+  AddColumn(
+    "LumenVolume", updates, [](const Update& u) { return u.LumenVolume; }, table);
+  AddColumn(
+    "EnergyChange", updates, [](const Update& u) { return u.EnergyChange; }, table);
+  AddColumn(
+    "OnObstacle", updates, [](const Update& u) { return u.OnObstacle; }, table);
+  AddColumn(
+    "BottleneckRadius", updates, [](const Update& u) { return u.Bottleneck; }, table);
+  for (std::size_t k = 0; k < species.size(); ++k)
+  {
+    AddColumn(
+      "Current_" + species[k].Name, updates, [k](const Update& u) { return u.Currents[k]; }, table);
+  }
+  AddColumn(
+    "Current", updates, [](const Update& u) { return u.Current(); }, table);
+}
+
 void FillSections(
   const CurrentProfile& profile, const std::vector<TransportSpecies>& species, vtkTable* table)
 {

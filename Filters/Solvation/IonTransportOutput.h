@@ -5,7 +5,7 @@
 #ifndef isthmus_IonTransportOutput_h
 #define isthmus_IonTransportOutput_h
 
-#include "ChannelPassage.h"
+#include "MovingChannel.h"
 #include "TransportSweep.h"
 
 class vtkImageData;
@@ -25,6 +25,12 @@ void FillTransportImage(
 /// Field data that tell how far the solution is to be trusted.
 void FillTransportNumbers(const TransportPoint& point, const std::vector<TransportSpecies>& species,
   const ChannelPassage& passage, vtkImageData* image);
+
+/// Of a surface that moved, a row an update: Update, Time, AreaChange, LumenVolume, EnergyChange,
+/// OnObstacle, BottleneckRadius, Current_NAME, Current; and Rests and ShownUpdate as field data. No
+/// rows and no field data for one at rest (nothing).
+void FillMotion(const MovingChannel* moving, const std::vector<TransportSpecies>& species,
+  vtkImageData* image, vtkTable* table);
 
 /// A row a section: Along, Current_NAME, Current.
 void FillSections(

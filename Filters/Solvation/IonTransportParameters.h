@@ -8,6 +8,7 @@
 #include "PoissonBoltzmannParameters.h"
 #include "vtkIsthmusModule.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,12 @@ struct MembraneSlab
   Vector3 Normal{ 0.0, 0.0, 1.0 }; ///< along that axis, from Below to Above; any length
   double Thickness = 24.0;         ///< angstrom
   double LumenRadius = 5.0;        ///< of the hole: nearer to the axis there is no membrane
+
+  /// What falls off from the bath below, where it is 1, to that above, 0: linear across.
+  double PartBelow(double along) const
+  {
+    return std::clamp(0.5 - along / this->Thickness, 0.0, 1.0);
+  }
 };
 
 struct IonTransportParameters

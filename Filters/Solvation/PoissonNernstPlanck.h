@@ -43,6 +43,9 @@ public:
   /// where the next Solve() begins.
   void SetBaths(double voltage, double concentrationFactor);
 
+  /// Begins where another one ended, on a grid of the same size, whose wall is elsewhere.
+  void StartFrom(const PoissonNernstPlanck& other);
+
   /// Until it converges, or MaximumIterations: the state that changed least stays then. Where a
   /// linear system could not be solved, so that more than 1e-4 of a current is lost on its way
   /// (Imbalance), it has not converged.

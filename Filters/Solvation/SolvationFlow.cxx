@@ -6,8 +6,6 @@
 #include "FlowMemory.h"
 #include "FlowResult.h"
 #include "FlowStart.h"
-#include "FlowSteps.h"
-#include "LevelMeasure.h"
 #include "NearestBall.h"
 #include "NonpolarEnergy.h"
 #include "SolventExcludedDistance.h"
@@ -24,12 +22,6 @@ namespace isthmus
 namespace
 {
 
-constexpr double Lambda = 0.16;          // dt / spacing^2
-constexpr float MostPull = 0.4F / 0.16F; // a step moves the surface by at most 0.4 spacings
-constexpr int StepsToRedistance = 4;
-constexpr int StepsToLook = 8;
-constexpr double Rest = 1e-5; // relative change of the volume in StepsToLook
-
 void Require(bool fine, const char* name, double value, const char* what)
 {
   if (!fine)
@@ -41,15 +33,7 @@ void Require(bool fine, const char* name, double value, const char* what)
 
 void CheckSolvation(const SolvationParameters& p)
 {
-  const auto part = [](double x) { return x > 0.0 && x <= 1.0; };
-  Require(p.UpdatePeriod > 0, "UpdatePeriod", p.UpdatePeriod, "at least one step is needed");
-  Require(p.MaximumUpdates > 0, "MaximumUpdates", p.MaximumUpdates, "at least one is needed");
-  Require(part(p.SurfaceRelaxation), "SurfaceRelaxation", p.SurfaceRelaxation,
-    "it is a part of each motion: above 0, at most 1");
-  Require(part(p.FieldRelaxation), "FieldRelaxation", p.FieldRelaxation,
-    "it is a part of each new force: above 0, at most 1");
-  Require(p.Tolerance > 0.0 && p.Tolerance < 1.0, "Tolerance", p.Tolerance,
-    "it is a part of the energy: above 0, below 1");
+  CheckPolicy(p.Policy);
   Require(p.Solvent.SurfaceTension > 0.0 && std::isfinite(p.Solvent.SurfaceTension),
     "SurfaceTension", p.Solvent.SurfaceTension,
     "it is an energy for each square angstrom: give a positive number");
@@ -93,32 +77,6 @@ PotentialFunction OnBox(const SolverBox& box, const std::vector<double>& values)
     }
     return values[static_cast<std::size_t>(node)];
   };
-}
-
-/// Distances through the whole band, between the bounds.
-void Settle(FlowField& field)
-{
-  constexpr int iterations = 10;
-  Redistance(field, iterations, true);
-  Advance(field, 0.0);
-}
-
-/// The part of the nodes next to the surface that its obstacle holds.
-double PartOnObstacle(const FlowField& field)
-{
-  constexpr float near = 0.5F;
-  constexpr float touching = 0.05F;
-  double all = 0.0;
-  double held = 0.0;
-  for (std::size_t n = 0; n < field.Distance.size(); ++n)
-  {
-    if (std::abs(field.Distance[n]) < near)
-    {
-      all += 1.0;
-      held += field.Distance[n] > field.Ceiling[n] - touching ? 1.0 : 0.0;
-    }
-  }
-  return all > 0.0 ? held / all : 0.0;
 }
 
 }
@@ -173,47 +131,6 @@ FlowField SolvationFlow::StartingField(const ProgressCallback& progress) const
   return field;
 }
 
-void SolvationFlow::Evolve(FlowField& field)
-{
-  const double h = field.Grid.Spacing();
-  const double alpha = this->Parameters.SurfaceRelaxation;
-  const std::vector<float> before = alpha < 1.0 ? field.Distance : std::vector<float>();
-  double volume = MeasureLevel(field).Volume;
-  for (int step = 1; step <= this->Parameters.UpdatePeriod; ++step)
-  {
-    Advance(field, Lambda);
-    this->Time += Lambda * h * h;
-    if (step % StepsToRedistance == 0)
-    {
-      Redistance(field, 2);
-    }
-    if (this->Parameters.AdaptiveUpdate && step % StepsToLook == 0)
-    {
-      const double last = std::exchange(volume, MeasureLevel(field).Volume);
-      if (std::abs(volume - last) < Rest * volume)
-      {
-        break;
-      }
-    }
-  }
-  // Redistancing leaves the obstacle by a little: all policies end with the same steps after it.
-  for (int step = 1; step < StepsToRedistance; ++step)
-  {
-    Advance(field, Lambda);
-    this->Time += Lambda * h * h;
-  }
-  if (!before.empty())
-  {
-    const auto part = static_cast<float>(alpha);
-    for (std::size_t n = 0; n < before.size(); ++n)
-    {
-      field.Distance[n] = part * field.Distance[n] + (1.0F - part) * before[n];
-    }
-    FindBand(field);
-  }
-  Settle(field);
-}
-
 void SolvationFlow::Solve(const FlowField& field, const ProgressCallback& progress)
 {
   if (this->Solution)
@@ -260,27 +177,22 @@ void SolvationFlow::Record(const FlowField& field)
 
 void SolvationFlow::Pull(FlowField& field)
 {
-  const std::vector<float> electric = CarriedOff(*this->Solution,
-    PullAtCrossings(*this->Solution, this->Level, this->Equation.Temperature), field.Grid);
-  const auto scale =
-    static_cast<float>(field.Grid.Spacing() / this->Parameters.Solvent.SurfaceTension);
-  const auto part =
-    static_cast<float>(this->Updates.size() > 1 ? this->Parameters.FieldRelaxation : 1.0);
-  for (std::size_t n = 0; n < electric.size(); ++n)
-  {
-    const float wanted = std::clamp(this->Steady[n] + scale * electric[n], -MostPull, MostPull);
-    field.Pull[n] = part * wanted + (1.0F - part) * field.Pull[n];
-  }
+  const std::vector<float> electric =
+    CarriedOff(this->Solution->GetBox(), this->Solution->GetCrossings(),
+      PullAtCrossings(*this->Solution, this->Level, this->Equation.Temperature), field.Grid);
+  const double part = this->Updates.size() > 1 ? this->Parameters.Policy.FieldRelaxation : 1.0;
+  TakePull(field, this->Steady, electric,
+    field.Grid.Spacing() / this->Parameters.Solvent.SurfaceTension, part);
 }
 
-bool SolvationFlow::Rests() const
+bool SolvationFlow::IsStill() const
 {
   const std::size_t n = this->Updates.size();
   const auto still = [&](std::size_t i)
   {
     const double total = this->Updates[i].Total();
     return std::abs(total - this->Updates[i - 1].Total()) <=
-      this->Parameters.Tolerance * std::abs(total);
+      this->Parameters.Policy.Tolerance * std::abs(total);
   };
   return n > 2 && still(n - 1) && still(n - 2);
 }
@@ -288,19 +200,27 @@ bool SolvationFlow::Rests() const
 void SolvationFlow::Run(const ProgressCallback& progress)
 {
   FlowField field = this->StartingField(Between(progress, 0.0, 0.1));
-  for (float& pull : field.Pull)
-  {
-    pull = std::clamp(pull, -MostPull, MostPull);
-  }
+  CutPull(field.Pull);
   this->Steady = field.Pull;
-  for (int update = 0; update < this->Parameters.MaximumUpdates && !this->Rests(); ++update)
+  for (int update = 0; update < this->Parameters.Policy.MaximumUpdates; ++update)
   {
     // How many it takes is not known, so progress slows down.
     const auto at = [](int done) { return 0.1 + 0.9 * done / (done + 4.0); };
-    this->Evolve(field);
+    this->Time += EvolveForPeriod(field, this->Parameters.Policy);
     this->Solve(field, Between(progress, at(update), at(update + 1)));
     this->Record(field);
+    this->AtRest = this->IsStill();
+    if (this->AtRest)
+    {
+      break;
+    }
     this->Pull(field);
+  }
+  if (this->Equation.Dielectric == DielectricModel::SmoothDielectric)
+  {
+    this->Equation.Dielectric = DielectricModel::SharpInterface;
+    this->Solve(field, {});
+    this->Record(field);
   }
   Report(progress, 1.0);
 }

@@ -14,7 +14,9 @@
  *
  *   G = gamma Area + p Volume + rho_0 int_solvent U + G_polar
  *
- * changes by less than Tolerance twice in a row.
+ * changes by less than Tolerance twice in a row. With Potential.Dielectric SmoothDielectric (one
+ * permittivity an edge, CrossingValues.h) the way there is the thesis' own, and the last surface's
+ * energy is computed once more by the jump: one more row of updates.
  *
  * **What stops the surface.** The field always pulls towards the charges, many times as strongly as
  * the tension holds: without more, a protein's surface collapses onto its atoms, into every cleft
@@ -54,7 +56,7 @@ public:
   void Run(const ProgressCallback& progress = {});
 
   /// Whether the energy came to rest; if not, the last surface is there all the same.
-  bool Rests() const;
+  bool Rests() const { return this->AtRest; }
   double GetTemperature() const { return this->Equation.Temperature; } ///< kelvin
   const SurfaceFlowResult& GetSurface() const { return this->Surface; }
   const LevelFunction& GetLevel() const { return this->Level; }
@@ -63,10 +65,10 @@ public:
 
 private:
   FlowField StartingField(const ProgressCallback& progress) const;
-  void Evolve(FlowField& field);
   void Solve(const FlowField& field, const ProgressCallback& progress);
   void Record(const FlowField& field);
   void Pull(FlowField& field);
+  bool IsStill() const;
 
   const SolvationAtoms Atoms;
   const SolvationParameters Parameters;
@@ -76,6 +78,7 @@ private:
   std::vector<float> Steady;           ///< the part of the pull that stays, in spacings
   std::vector<double> Before;          ///< the last solution's values
   double Time = 0.0;
+  bool AtRest = false;
   SolverBox Box;
   LevelFunction Level;
   SurfaceFlowResult Surface;

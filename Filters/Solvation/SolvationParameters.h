@@ -8,6 +8,7 @@
 #include "Dispersion.h"
 #include "PoissonBoltzmannParameters.h"
 #include "SurfaceFlowParameters.h"
+#include "SurfacePeriod.h"
 
 namespace isthmus
 {
@@ -25,12 +26,7 @@ struct SolvationParameters
   SurfaceFlowParameters Flow;           ///< EvolutionTime, Steady and CoarseToFine are not used
   SolventParameters Solvent;            ///< tension, pressure, dispersion
   PoissonBoltzmannParameters Potential; ///< Boundary and Start are not used
-  int UpdatePeriod = 50;          ///< steps of the flow (0.16 spacing^2 each) between solutions
-  bool AdaptiveUpdate = true;     ///< end a period as soon as the volume rests
-  double SurfaceRelaxation = 1.0; ///< alpha: the part of each period's motion that is taken
-  double FieldRelaxation = 1.0;   ///< alpha': the part of each new field's force
-  double Tolerance = 1e-3;        ///< of the total energy, relative, twice in a row
-  int MaximumUpdates = 20;
+  UpdatePolicy Policy;                  ///< its Tolerance is the total energy's
 };
 
 /// After each solution. Energies in kcal/mol.

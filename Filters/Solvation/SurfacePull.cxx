@@ -80,10 +80,9 @@ private:
 
 }
 
-std::vector<float> CarriedOff(
-  const PotentialOnBox& solution, const std::vector<double>& values, const FlowGrid& grid)
+std::vector<float> CarriedOff(const SolverBox& box, const std::vector<InterfaceCrossing>& crossings,
+  const std::vector<double>& values, const FlowGrid& grid)
 {
-  const SolverBox& box = solution.GetBox();
   const auto& n = box.Dimensions;
   const auto nodeOf = [&](std::int64_t node)
   {
@@ -93,7 +92,7 @@ std::vector<float> CarriedOff(
   Layers layers(grid);
   for (std::size_t i = 0; i < values.size(); ++i)
   {
-    const InterfaceCrossing& crossing = solution.GetCrossings()[i];
+    const InterfaceCrossing& crossing = crossings[i];
     const std::int64_t next = crossing.Node + box.Steps()[static_cast<std::size_t>(crossing.Axis)];
     layers.Add(nodeOf(crossing.Node), static_cast<float>(values[i]));
     layers.Add(nodeOf(next), static_cast<float>(values[i]));

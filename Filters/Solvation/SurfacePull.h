@@ -26,8 +26,9 @@ namespace isthmus
  * layer, so that values are carried off the surface to both sides. The level's volume is the grid
  * without its margin. O(nodes), serial; 5 bytes a node.
  */
-VTKISTHMUS_EXPORT std::vector<float> CarriedOff(
-  const PotentialOnBox& solution, const std::vector<double>& values, const FlowGrid& grid);
+VTKISTHMUS_EXPORT std::vector<float> CarriedOff(const SolverBox& box,
+  const std::vector<InterfaceCrossing>& crossings, const std::vector<double>& values,
+  const FlowGrid& grid);
 
 }
 

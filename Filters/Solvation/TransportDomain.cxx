@@ -17,14 +17,16 @@ namespace
 
 constexpr double BytesPerNode = 220.0; // grid, potential, two species, network, output
 
-void RequireMemoryFor(const TransportDomain& d)
+}
+
+void DemandMemory(const TransportDomain& d, double bytesPerNode)
 {
   double nodes = 1.0;
   for (const std::int64_t n : d.Dimensions)
   {
     nodes *= static_cast<double>(n);
   }
-  const double needed = BytesPerNode * nodes;
+  const double needed = bytesPerNode * nodes;
   const double available = AvailableMemory();
   if (needed <= available && needed < 1e18)
   {
@@ -35,8 +37,6 @@ void RequireMemoryFor(const TransportDomain& d)
     std::to_string(d.Dimensions[2]) + " nodes, which takes " + MemoryText(needed) +
     " of memory, and " + MemoryText(available) +
     " are available: choose a larger Spacing or a smaller Padding.");
-}
-
 }
 
 std::array<double, 2> TransportDomain::AlongAndOff(const Vector3& place) const
@@ -91,7 +91,7 @@ TransportDomain DomainAround(
     d.Dimensions[a] = 2 * static_cast<std::int64_t>(nodes) + 1;
     d.Origin[a] = d.Centre[a] - h * nodes;
   }
-  RequireMemoryFor(d);
+  DemandMemory(d, BytesPerNode);
   return d;
 }
 

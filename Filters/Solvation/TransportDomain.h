@@ -60,6 +60,9 @@ struct TransportDomain
 VTKISTHMUS_EXPORT TransportDomain DomainAround(
   const std::vector<Ball>& atoms, const IonTransportParameters& parameters);
 
+/// @throws std::runtime_error with the domain's size where so many bytes a node are not there.
+VTKISTHMUS_EXPORT void DemandMemory(const TransportDomain& domain, double bytesPerNode);
+
 /// The distance from each node to the solvent-excluded surface of atoms
 /// (SolventExcludedDistance.h), or for ProbeRadius 0 to the atoms; angstrom, negative within, cut
 /// at 4.5 spacings. Parallel.

@@ -49,11 +49,17 @@ std::vector<TransportPoint> SweptFactors(double from, double to, int points, dou
   return all;
 }
 
+TransportPoint PointOf(const PoissonNernstPlanck& solution)
+{
+  return { solution.GetVoltage(), solution.GetFactor(), CurrentsOf(solution),
+    solution.GetReport() };
+}
+
 void SolveAt(TransportPoint& point, PoissonNernstPlanck& solution, const ProgressCallback& progress)
 {
   solution.SetBaths(point.Voltage, point.Factor);
-  point.Report = solution.Solve(progress);
-  point.Profile = CurrentsOf(solution);
+  solution.Solve(progress);
+  point = PointOf(solution);
 }
 
 }

@@ -28,6 +28,9 @@ VTKISTHMUS_EXPORT std::vector<TransportPoint> SweptVoltages(double from, double 
 VTKISTHMUS_EXPORT std::vector<TransportPoint> SweptFactors(
   double from, double to, int points, double voltage);
 
+/// What there is of a solution where it stands.
+VTKISTHMUS_EXPORT TransportPoint PointOf(const PoissonNernstPlanck& solution);
+
 /// Solves at the point's voltage and factor, from where `solution` stands, and keeps what is found.
 /// @throws what PoissonNernstPlanck::Solve does.
 VTKISTHMUS_EXPORT void SolveAt(

@@ -5,15 +5,21 @@ isthmus_room(
   SOURCES
     AtomCharges
     ChannelPassage
+    ChannelSolution
     IonTransportInput
     IonTransportOutput
     IonTransportParameters
+    MovingChannel
+    NernstPlanckIons
     PoissonNernstPlanck
     ResistorNetwork
     SolvationFlow
     SolvationOutput
+    SurfacePeriod
     SurfacePull
     TransportCurrents
     TransportDomain
     TransportGrid
-    TransportSweep)
+    TransportSweep
+    TransportWarnings
+    WallPull)

@@ -3,10 +3,13 @@
 #include "AlgorithmGuard.h"
 #include "AtomCharges.h"
 #include "AtomInput.h"
+#include "ChannelSolution.h"
+#include "DispersionAtoms.h"
 #include "ImageExtent.h"
 #include "IonTransportInput.h"
 #include "IonTransportOutput.h"
 #include "PipelineInputs.h"
+#include "TransportWarnings.h"
 
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -42,11 +45,12 @@ struct vtkIonTransport::Internals
   }
 
   isthmus::IonTransportParameters Parameters() const;
+  isthmus::MovingChannelParameters Motion() const;
+  isthmus::ChannelProblem Problem(
+    vtkInformationVector** inputs, const isthmus::AtomBalls& atoms) const;
   std::vector<TransportPoint> Points() const;
   void Solve(vtkInformationVector** inputs, const isthmus::AtomBalls& atoms,
     vtkInformationVector* outputs) const;
-  void Warn(const isthmus::ChannelPassage& passage, const isthmus::AtomBalls& atoms) const;
-  void Warn(const std::vector<TransportPoint>& points) const;
 
   vtkIonTransport* Self;
 };
@@ -89,92 +93,71 @@ std::vector<TransportPoint> vtkIonTransport::Internals::Points() const
   }
 }
 
-void vtkIonTransport::Internals::Warn(
-  const isthmus::ChannelPassage& passage, const isthmus::AtomBalls& atoms) const
+isthmus::MovingChannelParameters vtkIonTransport::Internals::Motion() const
 {
-  if (atoms.WithoutRadius > 0)
-  {
-    vtkWarningWithObjectMacro(this->Self, << atoms.WithoutRadius << " of " << atoms.NumberOfAtoms
-                                          << " atoms have no radius and were left out.");
-  }
-  if (passage.Radius < this->Self->Spacing)
-  {
-    const isthmus::Vector3& at = passage.Bottleneck;
-    vtkWarningWithObjectMacro(this->Self, << "At (" << at[0] << ", " << at[1] << ", " << at[2]
-                                          << ") the channel has a radius of " << passage.Radius
-                                          << " angstrom, less than a Spacing: the current hangs on "
-                                             "how the nodes lie there. Choose a smaller Spacing.");
-  }
+  const vtkIonTransport* self = this->Self;
+  isthmus::MovingChannelParameters m;
+  m.Solvent.SurfaceTension = self->SurfaceTension;
+  m.Solvent.Pressure = self->Pressure;
+  m.Policy.UpdatePeriod = self->UpdatePeriod;
+  m.Policy.SurfaceRelaxation = self->SurfaceRelaxation;
+  m.Policy.FieldRelaxation = self->FieldRelaxation;
+  m.Policy.Tolerance = self->UpdateTolerance;
+  m.Policy.MaximumUpdates = self->MaximumUpdates;
+  return m;
 }
 
-void vtkIonTransport::Internals::Warn(const std::vector<TransportPoint>& points) const
+isthmus::ChannelProblem vtkIonTransport::Internals::Problem(
+  vtkInformationVector** inputs, const isthmus::AtomBalls& atoms) const
 {
-  const auto left = std::find_if(points.begin(), points.end(),
-    [](const TransportPoint& point) { return !point.Report.Converged; });
-  if (left == points.end())
+  vtkDataObject* const input = vtkDataObject::GetData(inputs[0]);
+  isthmus::ChannelProblem problem;
+  problem.Balls = atoms.Balls;
+  problem.Charges = isthmus::AtomChargesOf(input, atoms, isthmus::InputArrayName(this->Self, 1));
+  problem.Surface = vtkPolyData::GetData(inputs[1], 0);
+  problem.Transport = this->Parameters();
+  problem.Moves = this->Self->MovingSurface;
+  if (problem.Moves)
   {
-    return;
+    problem.Attracting = isthmus::DispersionAtomsOf(input, atoms);
+    problem.Motion = this->Motion();
   }
-  const isthmus::IonTransportReport& report = left->Report;
-  if (report.Changes.back() > this->Self->Tolerance)
-  {
-    vtkWarningWithObjectMacro(
-      this->Self, << "At " << left->Voltage << " mV the potential still changed by "
-                  << report.Changes.back() << " kT/e after " << report.Iterations
-                  << " iterations. The state that changed least is kept, with Converged "
-                     "0: choose more MaximumIterations or a larger Tolerance.");
-    return;
-  }
-  vtkWarningWithObjectMacro(this->Self, << "At " << left->Voltage << " mV a part of "
-                                        << report.Imbalance
-                                        << " of a current is lost on its way: the equations of "
-                                           "the ions could not be solved. What there is is kept, "
-                                           "with Converged 0: choose a smaller Spacing or Voltage, "
-                                           "or look for charges that touch the water.");
+  return problem;
 }
 
 void vtkIonTransport::Internals::Solve(vtkInformationVector** inputs,
   const isthmus::AtomBalls& atoms, vtkInformationVector* outputs) const
 {
   const auto progress = isthmus::ProgressOf(this->Self);
-  const isthmus::IonTransportParameters parameters = this->Parameters();
   std::vector<TransportPoint> points = this->Points();
-  const isthmus::TransportDomain domain = isthmus::DomainAround(atoms.Balls, parameters);
-  const std::vector<isthmus::ChargedAtom> charges = isthmus::AtomChargesOf(
-    vtkDataObject::GetData(inputs[0]), atoms, isthmus::InputArrayName(this->Self, 1));
-  vtkPolyData* surface = vtkPolyData::GetData(inputs[1], 0);
-  const auto first = isthmus::Between(progress, 0.0, 0.1);
-  isthmus::TransportGrid grid = isthmus::MakeTransportGrid(domain,
-    surface ? isthmus::DistanceToClosed(domain, surface, first)
-            : isthmus::DistanceToAtoms(domain, atoms.Balls, parameters.ProbeRadius, first),
-    charges, parameters, isthmus::Between(progress, 0.1, 0.15));
-  const isthmus::ChannelPassage passage = isthmus::FindPassage(grid);
-  isthmus::DemandOpen(passage);
-  isthmus::ClosePockets(grid);
-  this->Warn(passage, atoms);
-  isthmus::PoissonNernstPlanck solution(grid, parameters);
-  TransportPoint shown;
-  shown.Voltage = parameters.Voltage;
-  const double part = 0.8 / static_cast<double>(points.size() + 1);
-  isthmus::SolveAt(shown, solution, isthmus::Between(progress, 0.15, 0.15 + part));
+  const isthmus::ChannelProblem problem = this->Problem(inputs, atoms);
+  const std::vector<isthmus::TransportSpecies>& species = problem.Transport.Species;
+  const double part = 0.9 / static_cast<double>(points.size() + 1);
+  isthmus::ChannelSolution channel(problem, isthmus::Between(progress, 0.0, part));
+  isthmus::PoissonNernstPlanck& solution = channel.Get();
+  TransportPoint shown = isthmus::PointOf(solution);
   vtkNew<vtkImageData> image;
-  isthmus::FillTransportImage(solution, image, isthmus::Between(progress, 0.15 + part, 0.2 + part));
-  isthmus::FillTransportNumbers(shown, parameters.Species, passage, image);
+  isthmus::FillTransportImage(solution, image, isthmus::Between(progress, part, part + 0.05));
+  isthmus::FillTransportNumbers(shown, species, channel.GetPassage(), image);
+  isthmus::FillMotion(channel.GetMoving(), species, image, vtkTable::GetData(outputs, 3));
   if (!atoms.Notes.empty()) // ParaView takes an empty array for the end of field data
   {
     isthmus::AddNotes(atoms.Notes, image);
   }
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const double from = 0.2 + part * static_cast<double>(i + 1);
+    const double from = 0.05 + part * static_cast<double>(i + 1);
     isthmus::SolveAt(points[i], solution, isthmus::Between(progress, from, from + part));
   }
-  isthmus::FillSections(shown.Profile, parameters.Species, vtkTable::GetData(outputs, 1));
-  isthmus::FillSweep(points.empty() ? std::vector<TransportPoint>{ shown } : points,
-    parameters.Species, vtkTable::GetData(outputs, 2));
+  isthmus::FillSections(shown.Profile, species, vtkTable::GetData(outputs, 1));
+  isthmus::FillSweep(points.empty() ? std::vector<TransportPoint>{ shown } : points, species,
+    vtkTable::GetData(outputs, 2));
   vtkImageData::GetData(outputs, 0)->ShallowCopy(image);
   points.insert(points.begin(), shown);
-  this->Warn(points);
+  for (const std::string& sentence : isthmus::TransportWarnings(atoms, channel, points))
+  {
+    vtkWarningWithObjectMacro(this->Self, << sentence);
+  }
 }
 
 vtkIonTransport::vtkIonTransport()
@@ -182,7 +165,7 @@ vtkIonTransport::vtkIonTransport()
   , Advance(std::make_unique<isthmus::InputInAdvance>(this))
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Radius");
   this->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Charge");
   this->AddSpecies(1.0, 0.1, 0.1, 1.96);
@@ -230,6 +213,11 @@ vtkTable* vtkIonTransport::GetSections()
 vtkTable* vtkIonTransport::GetSweep()
 {
   return vtkTable::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+vtkTable* vtkIonTransport::GetUpdates()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(3));
 }
 
 int vtkIonTransport::FillInputPortInformation(int port, vtkInformation* info)
@@ -318,6 +306,14 @@ void vtkIonTransport::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SweepPoints: " << this->SweepPoints << "\n";
   list("SweepVoltages", this->SweepVoltages, 2);
   list("SweepFactors", this->SweepFactors, 2);
+  os << indent << "MovingSurface: " << this->MovingSurface << "\n";
+  os << indent << "SurfaceTension: " << this->SurfaceTension << "\n";
+  os << indent << "Pressure: " << this->Pressure << "\n";
+  os << indent << "UpdatePeriod: " << this->UpdatePeriod << "\n";
+  os << indent << "SurfaceRelaxation: " << this->SurfaceRelaxation << "\n";
+  os << indent << "FieldRelaxation: " << this->FieldRelaxation << "\n";
+  os << indent << "UpdateTolerance: " << this->UpdateTolerance << "\n";
+  os << indent << "MaximumUpdates: " << this->MaximumUpdates << "\n";
   os << indent << "KeepWaters: " << this->KeepWaters << "\n";
   os << indent << "UnitedAtoms: " << this->UnitedAtoms << "\n";
 }

@@ -23,7 +23,13 @@
  *    4.5 spacings are told);
  *  - 1: vtkTable of cross-sections: `Along` (angstrom), `Current_NAME`, `Current`;
  *  - 2: vtkTable of the sweep: `Voltage` (mV), `ConcentrationFactor`, `Current_NAME`, `Current`,
- *    `CurrentSpread`, `Converged`: an I-V curve. Without a sweep it has the one row of Voltage.
+ *    `CurrentSpread`, `Converged`: an I-V curve. Without a sweep it has the one row of Voltage;
+ *  - 3: vtkTable with a row for each update of a MovingSurface (none for one at rest), the first
+ *    that of the surface where it begins: `Update`, `Time` (of the flow, square angstrom),
+ *    `AreaChange` (square angstrom), `LumenVolume` (water within the membrane's thickness, cubic
+ *    angstrom), `EnergyChange` (of tension, pressure and dispersion, kcal/mol), `OnObstacle` (the
+ *    part of the surface that can't draw back), `BottleneckRadius`, `Current_NAME`, `Current`.
+ *    Output 0 has `Rests` and `ShownUpdate` then, as field data.
  *
  * What does not converge in MaximumIterations is told with its last change, and the state that
  * changed least is kept, with `Converged` 0; so is one whose ions are not conserved to 1e-4, since
@@ -166,6 +172,41 @@ public:
   ///@}
 
   ///@{
+  /// Whether the surface moves with field and ions (thesis' LB-PNP, MovingChannel.h) from the one
+  /// that the atoms or input 1 give, which it never draws back behind, or is at rest there. A sweep
+  /// takes the surface at Voltage. Default off.
+  vtkSetMacro(MovingSurface, bool);
+  vtkGetMacro(MovingSurface, bool);
+  vtkBooleanMacro(MovingSurface, bool);
+  ///@}
+
+  ///@{
+  /// Where it moves: gamma, kcal/mol per square angstrom, above 0, and p, kcal/mol per cubic
+  /// angstrom; well depths as for vtkNonpolarSolvation. Defaults 0.0700 and 0.0464.
+  vtkSetMacro(SurfaceTension, double);
+  vtkGetMacro(SurfaceTension, double);
+  vtkSetMacro(Pressure, double);
+  vtkGetMacro(Pressure, double);
+  ///@}
+
+  ///@{
+  /// Where it moves: steps of the flow between two solutions, fewer where the volume rests before;
+  /// the part of each period's motion and of each new force that is taken (above 0, at most 1); it
+  /// rests when currents and the water in the membrane's hole change by less than this part of them
+  /// twice in a row, and ends after MaximumUpdates in any case. Defaults 20, 1, 1, 1e-3, 10.
+  vtkSetMacro(UpdatePeriod, int);
+  vtkGetMacro(UpdatePeriod, int);
+  vtkSetMacro(SurfaceRelaxation, double);
+  vtkGetMacro(SurfaceRelaxation, double);
+  vtkSetMacro(FieldRelaxation, double);
+  vtkGetMacro(FieldRelaxation, double);
+  vtkSetMacro(UpdateTolerance, double);
+  vtkGetMacro(UpdateTolerance, double);
+  vtkSetMacro(MaximumUpdates, int);
+  vtkGetMacro(MaximumUpdates, int);
+  ///@}
+
+  ///@{
   /// As for vtkMolecularFlowSurface. Defaults off and on.
   vtkSetMacro(KeepWaters, bool);
   vtkGetMacro(KeepWaters, bool);
@@ -175,9 +216,10 @@ public:
   vtkBooleanMacro(UnitedAtoms, bool);
   ///@}
 
-  /// Output 1 and 2.
+  /// Output 1, 2 and 3.
   vtkTable* GetSections();
   vtkTable* GetSweep();
+  vtkTable* GetUpdates();
 
 protected:
   vtkIonTransport();
@@ -218,6 +260,14 @@ private:
   int SweepPoints = 9;
   double SweepVoltages[2] = { -100.0, 100.0 };
   double SweepFactors[2] = { 0.1, 10.0 };
+  bool MovingSurface = false;
+  double SurfaceTension = 0.0700;
+  double Pressure = 0.0464;
+  int UpdatePeriod = 20;
+  double SurfaceRelaxation = 1.0;
+  double FieldRelaxation = 1.0;
+  double UpdateTolerance = 1e-3;
+  int MaximumUpdates = 10;
   bool KeepWaters = false;
   bool UnitedAtoms = true;
   std::unique_ptr<isthmus::InputInAdvance> Advance;

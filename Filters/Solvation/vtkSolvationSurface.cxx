@@ -73,6 +73,7 @@ isthmus::SolvationParameters vtkSolvationSurface::Internals::Parameters() const
   p.Solvent.Pressure = self->Pressure;
   p.Potential.SoluteDielectric = self->SoluteDielectric;
   p.Potential.SolventDielectric = self->SolventDielectric;
+  p.Potential.Dielectric = static_cast<isthmus::DielectricModel>(self->DielectricModel);
   p.Potential.Temperature = self->Temperature;
   p.Potential.Padding = self->Padding;
   if (!(self->IonicStrength >= 0.0) || std::isinf(self->IonicStrength))
@@ -84,12 +85,12 @@ isthmus::SolvationParameters vtkSolvationSurface::Internals::Parameters() const
   {
     p.Potential.Ions = { { 1.0, self->IonicStrength }, { -1.0, self->IonicStrength } };
   }
-  p.UpdatePeriod = self->UpdatePeriod;
-  p.AdaptiveUpdate = self->AdaptiveUpdate;
-  p.SurfaceRelaxation = self->SurfaceRelaxation;
-  p.FieldRelaxation = self->FieldRelaxation;
-  p.Tolerance = self->EnergyTolerance;
-  p.MaximumUpdates = self->MaximumUpdates;
+  p.Policy.UpdatePeriod = self->UpdatePeriod;
+  p.Policy.AdaptiveUpdate = self->AdaptiveUpdate;
+  p.Policy.SurfaceRelaxation = self->SurfaceRelaxation;
+  p.Policy.FieldRelaxation = self->FieldRelaxation;
+  p.Policy.Tolerance = self->EnergyTolerance;
+  p.Policy.MaximumUpdates = self->MaximumUpdates;
   return p;
 }
 
@@ -245,6 +246,7 @@ void vtkSolvationSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Pressure: " << this->Pressure << "\n";
   os << indent << "SoluteDielectric: " << this->SoluteDielectric << "\n";
   os << indent << "SolventDielectric: " << this->SolventDielectric << "\n";
+  os << indent << "DielectricModel: " << this->DielectricModel << "\n";
   os << indent << "IonicStrength: " << this->IonicStrength << "\n";
   os << indent << "Temperature: " << this->Temperature << "\n";
   os << indent << "UpdatePeriod: " << this->UpdatePeriod << "\n";

@@ -103,6 +103,20 @@ public:
   vtkGetMacro(SolventDielectric, double);
   ///@}
 
+  enum DielectricModels
+  {
+    SharpInterface = 0,
+    SmoothDielectric = 1
+  };
+
+  ///@{
+  /// How the field sees the surface on the way: by its jump, or by a permittivity for each edge of
+  /// the grid; the last update is by the jump in any case, with SmoothDielectric a row of its own.
+  /// Default SharpInterface.
+  vtkSetClampMacro(DielectricModel, int, SharpInterface, SmoothDielectric);
+  vtkGetMacro(DielectricModel, int);
+  ///@}
+
   ///@{
   /// Of a 1:1 salt, mol/l. Default 0.
   vtkSetMacro(IonicStrength, double);
@@ -184,6 +198,7 @@ private:
   double Pressure = 0.0464;
   double SoluteDielectric = 2.0;
   double SolventDielectric = 80.0;
+  int DielectricModel = SharpInterface;
   double IonicStrength = 0.0;
   double Temperature = 298.15;
   int UpdatePeriod = 50;

@@ -35,6 +35,7 @@ set(long_tests "SuperStepsReachTheEnd|TimeOrderIsTwo|FourierModesDecay|Isosurfac
   "|ProbeBetweenThreeBalls|SpheresThatCross|SteadyLysozyme|LysozymeByTime|AnglesStayWithinTheBounds"
   "|GradingKeepsTheSurface|SurfaceFlow.ThreadsLeaveNoTrace|CoarseToFineEnds|ThesisFlow.ComesToRest"
   "|SharedMaps.EqualGudhi|TurnsMirrorsAndShifts|ClosedWindows|ManufacturedInterface|IonsHaveBornsEnergy"
+  "|IonsInTheSmoothMode"
   "|AgreesWithItself/(129110|72214|65004|1514499|emd_5043)|SurfaceMending.DamagedSurfaces"
   "|LysozymeStarts|EarlyLysozyme|IsAsNearToTheUniformOne|NoiseStaysManifoldWithItsHandles"
   "|NoTrianglesCrossWhere|SharpEdgesOfMachineParts|PolyhedraBecome|ManyKindsOfDamage"

@@ -14,7 +14,7 @@ from paraview.simple import (Clip, ColorBy, Contour, CreateView, GetColorTransfe
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 import robustness_trials
-from good_data import channel
+from good_data import channel, channel_surface
 from shared_data import shared_data
 
 sys.path.insert(0, os.environ["ISTHMUS_EXAMPLES_DIR"])
@@ -111,11 +111,60 @@ assert "Voltage" in said(lambda it: it.SetVoltage(numpy.nan))
 assert "normal" in said(lambda it: it.SetMembraneNormal(0, 0, 0))
 assert "memory" in said(lambda it: (it.SetSpacing(0.002), it.SetPadding(100.0)))
 assert "Charge" in said(lambda it: it.GetInput().GetPointData().RemoveArray("Charge"))
+
+
+def lose(it):  # a barrier before a well, in hardly any salt
+    charges = vtk_to_numpy(it.GetInput().GetPointData().GetArray("Charge"))
+    charges[:] = numpy.where(numpy.arange(len(charges)) < len(charges) / 2, 1.0, -1.0)
+    it.ClearSpecies()
+    it.AddSpecies(3.0, 1e-6, 1e-6, 0.5)
+    it.AddSpecies(-1.0, 3e-6, 3e-6, 2.0)
+
+
+assert "is lost on its way" in said(lose, warning=True)
 assert "after 1 iterations" in said(lambda it: it.SetMaximumIterations(1), warning=True)
 kept = tube_filter(tube)
 kept.SetMaximumIterations(1)
 kept.Update()
 assert number(kept.GetOutput(), "Converged") == 0.0 and number(kept.GetOutput(), "Current") > 0.0
+
+# A surface that moves: it begins as the one at rest, and its table says how it came to rest.
+moving = tube_filter(tube)
+moving.MovingSurfaceOn()
+moving.Update()
+updates = rows_of(moving.GetUpdates())
+print("moving:", updates["Current"], "pA, area", updates["AreaChange"])
+assert number(moving.GetOutput(), "Rests") == 1.0 and 3 <= len(updates["Update"]) <= 10
+assert abs(updates["Current"][0] / straight - 1.0) < 0.01
+assert updates["Time"][0] == updates["AreaChange"][0] == 0.0 and (numpy.diff(updates["Time"]) > 0).all()
+assert updates["AreaChange"][-1] < 0.0 and updates["EnergyChange"][-1] < 0.0  # tension closes creases
+shown = number(moving.GetOutput(), "Current")
+assert numpy.isclose(shown, updates["Current"][int(number(moving.GetOutput(), "ShownUpdate")) - 1], rtol=1e-4)
+assert numpy.isclose(updates["Current_K"] + updates["Current_Cl"], updates["Current"]).all()
+assert number(moving.GetOutput(), "CurrentSpread") < 1e-4
+assert vtk_to_numpy(moving.GetOutput().GetPointData().GetArray("Concentration_Cl")).min() >= 0.0
+assert transport.GetUpdates().GetNumberOfRows() == 0  # at rest
+# On a surface that is given it begins there.
+given = tube_filter(tube)
+given.SetInputData(1, channel_surface())
+given.Update()
+wide = number(given.GetOutput(), "Current")
+assert abs(number(given.GetOutput(), "BottleneckRadius") - 2.45) < 0.3
+given.MovingSurfaceOn()
+given.Update()
+print("on a surface:", wide, "pA, moving from there", rows_of(given.GetUpdates())["Current"])
+assert abs(rows_of(given.GetUpdates())["Current"][0] / wide - 1.0) < 0.02
+
+
+def moved(change, warning=False):
+    return said(lambda it: (it.MovingSurfaceOn(), change(it)), warning)
+
+
+assert "not come to rest after 2 updates" in moved(lambda it: it.SetMaximumUpdates(2), warning=True)
+assert "has closed the channel at (" in moved(lambda it: (it.SetPressure(-0.2), it.SetMaximumUpdates(30)))
+assert "SurfaceTension" in moved(lambda it: it.SetSurfaceTension(0.0))
+assert "UpdatePeriod" in moved(lambda it: it.SetUpdatePeriod(0))
+assert "WellDepth" in moved(lambda it: it.GetInput().GetPointData().RemoveArray("WellDepth"))
 
 # Gramicidin on the surface of a little flow, which keeps the pore and closes the creases in its wall; on
 # the default surface, the solvent-excluded one, chloride gets in.

@@ -26,6 +26,9 @@ NEEDS = {
     ("HighOrderDiffusion", "LowerOrders"): {"Order": 1, "Automatic": 0, "Time": 1},
     **{(name, swept): {"SweepOf": kind} for name in ("IonTransport", "IonTransportOnSurface")
        for swept, kind in (("SweepPoints", 1), ("SweepVoltages", 1), ("SweepFactors", 2))},
+    **{("IonTransportOnSurface", name): {"MovingSurface": 1} for name in (
+        "SurfaceTension", "Pressure", "UpdatePeriod", "SurfaceRelaxation", "FieldRelaxation", "UpdateTolerance",
+        "MaximumUpdates")},
     ("MapSurface", "CloseAtBorder"): {"AutomaticLevel": 0, "Level": 0.02},
     ("ChokingLoops", "AlwaysReportHandles"): {"MaximumDistance": 1.0},
     ("ChokingLoops", "MaximumDistance"): {"AlwaysReportHandles": 0},
@@ -47,7 +50,7 @@ VALUES = {
     **{(name, element): values for name in ("IonTransport", "IonTransportOnSurface") for element, values in (
         ("LumenRadius", [4.0]), ("MembraneCenter", [-0.1, 0.1]), ("MembraneThickness", [7.0]),
         ("ProbeRadius", [1.4]), ("Spacing", [1.2]), ("Padding", [5.0]), ("SweepPoints", [3]),
-        ("MaximumIterations", [1]))},
+        ("MaximumIterations", [1]), ("UpdatePeriod", [2]), ("UpdateTolerance", [1e-5]), ("MaximumUpdates", [2]))},
     ("BindingSites", "MergeDistance"): [6.0, 20.0],
     ("ChokingLoops", "MaximumDistance"): [1.0, 5.0],
     ("ChokingLoops", "MaximumNumberOfLoops"): [1, 2],
@@ -90,7 +93,7 @@ SILENT = {
     **{("SolvationSurface", name): "owed: the atoms here have no elements, and each run takes seconds"
        for name in ("AdaptiveUpdate", "EnergyTolerance", "Enlargement", "FieldRelaxation", "IonicStrength",
                     "KeepWaters", "MaximumUpdates", "Padding", "Pressure", "ProbeRadius",
-                    "SoluteDielectric", "SolventDielectric", "Spacing", "SurfaceRelaxation",
+                    "DielectricModel", "SoluteDielectric", "SolventDielectric", "Spacing", "SurfaceRelaxation",
                     "SurfaceTension", "Temperature", "UnitedAtoms", "UpdatePeriod")},
     ("MolecularFlowSurface", "CoarseToFine"): "a quicker way to a surface that small grids reach at once",
     **{("MolecularPockets", name): "the hollow ball has no pocket: MolecularPockets.py has molecules"

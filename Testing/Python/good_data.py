@@ -146,6 +146,7 @@ def channel():
     count = result.GetNumberOfPoints()
     add(result.GetPointData(), "Radius", numpy.full(count, 1.7))
     add(result.GetPointData(), "Charge", numpy.where(numpy.arange(count) % 2, 0.2, -0.3))
+    add(result.GetPointData(), "WellDepth", numpy.full(count, 0.1))
     return result
 
 

@@ -75,6 +75,30 @@ TEST(SolvationFlow, IonsHaveBornsEnergy)
   }
 }
 
+TEST(SolvationFlow, IonsInTheSmoothModeEndWithTheSharpEnergy)
+{
+  const double radii[] = { 1.0, 2.0, 3.0 };
+  const double smooth[] = { 0.01, 0.0025, 0.001 };
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    SolvationParameters p = IonParameters(0.25);
+    p.Potential.Dielectric = DielectricModel::SmoothDielectric;
+    p.Potential.Padding = 5.0;
+    SolvationFlow flow(Ion(radii[i]), p);
+    flow.Run();
+    const std::vector<SolvationUpdate>& updates = flow.GetUpdates();
+    const double onTheWay = updates[updates.size() - 2].PolarEnergy / Born(radii[i]) - 1.0;
+    const double last = updates.back().PolarEnergy / Born(radii[i]) - 1.0;
+    std::cout << "R " << radii[i] << ": " << onTheWay << " by edges, " << last
+              << " by the jump, after " << updates.size() << " updates\n";
+    EXPECT_TRUE(flow.Rests());
+    EXPECT_LE(updates.size(), 10u);
+    EXPECT_EQ(updates.back().Area, updates[updates.size() - 2].Area);
+    EXPECT_LT(std::abs(onTheWay), smooth[i]);
+    EXPECT_LT(std::abs(last), 1e-3);
+  }
+}
+
 TEST(SurfacePull, OfAnIonIsKnown)
 {
   // E just outside is C / (eps_s r^2), and the energy's derivative by r, over the area, the pull.
@@ -156,9 +180,9 @@ TEST(SolvationFlow, PoliciesOfUpdatingEndAlike)
   {
     SolvationParameters p = IonParameters(0.4);
     p.Potential.Padding = 6.0;
-    p.UpdatePeriod = policy.Period;
-    p.AdaptiveUpdate = false;
-    p.FieldRelaxation = policy.Relaxation;
+    p.Policy.UpdatePeriod = policy.Period;
+    p.Policy.AdaptiveUpdate = false;
+    p.Policy.FieldRelaxation = policy.Relaxation;
     SolvationFlow flow(water, p);
     flow.Run();
     energies.push_back(flow.GetUpdates().back().Total());
@@ -208,7 +232,7 @@ TEST(SolvationFlow, ProbeKeepsTheFieldFromDrawingTheSurfaceIn)
 TEST(SolvationFlow, WhatDoesNotRestIsToldAndKept)
 {
   SolvationParameters p = IonParameters(0.5);
-  p.MaximumUpdates = 2;
+  p.Policy.MaximumUpdates = 2;
   SolvationFlow flow(IonPair(5.0), p);
   flow.Run();
   EXPECT_FALSE(flow.Rests());
@@ -239,19 +263,19 @@ TEST(SolvationFlow, BadInputIsToldInASentence)
   struct Case
   {
     const char* Name;
-    double SolvationParameters::*Number;
+    double UpdatePolicy::*Number;
     double Value;
   };
-  for (const Case& c : { Case{ "SurfaceRelaxation", &SolvationParameters::SurfaceRelaxation, 0.0 },
-         Case{ "FieldRelaxation", &SolvationParameters::FieldRelaxation, 1.5 },
-         Case{ "Tolerance", &SolvationParameters::Tolerance, std::nan("") } })
+  for (const Case& c : { Case{ "SurfaceRelaxation", &UpdatePolicy::SurfaceRelaxation, 0.0 },
+         Case{ "FieldRelaxation", &UpdatePolicy::FieldRelaxation, 1.5 },
+         Case{ "Tolerance", &UpdatePolicy::Tolerance, std::nan("") } })
   {
     SolvationParameters p = IonParameters(0.5);
-    p.*c.Number = c.Value;
+    p.Policy.*c.Number = c.Value;
     EXPECT_NE(said(Ion(2.0), p).find(std::string(c.Name) + " is "), std::string::npos) << c.Name;
   }
   SolvationParameters p = IonParameters(0.5);
-  p.UpdatePeriod = 0;
+  p.Policy.UpdatePeriod = 0;
   EXPECT_NE(said(Ion(2.0), p).find("UpdatePeriod is "), std::string::npos);
   p = IonParameters(0.5);
   p.Solvent.SurfaceTension = -1.0;

@@ -110,13 +110,16 @@ TEST(TransportGrid, ChargedPoreIsAsInTwoDimensions)
   constexpr double charge = -0.8;
   TransportGrid grid = MakeTransportGrid(DomainAround({}, p), {}, Ring(p.Membrane, 7.0, charge), p);
   const CurrentProfile currents = Solved(grid, p);
-  const AxisymmetricPore reference(grid.Domain, p, 7.0, charge, 0.25);
+  // Its own error is of the first order (chloride 3.66, 3.79, 3.86, 3.89 pA at 0.5 to 0.0625
+  // angstrom), so two of them are taken to spacing 0.
+  const AxisymmetricPore coarse(grid.Domain, p, 7.0, charge, 0.5);
+  const AxisymmetricPore fine(grid.Domain, p, 7.0, charge, 0.25);
   for (std::size_t k = 0; k < 2; ++k)
   {
+    const double reference = 2.0 * fine.Current(k) - coarse.Current(k);
     std::cout << p.Species[k].Name << ": " << currents.Mean(k) << " pA, in two dimensions "
-              << reference.Current(k) << "\n";
-    EXPECT_NEAR(currents.Mean(k), reference.Current(k),
-      0.02 * (std::abs(reference.Current(0)) + std::abs(reference.Current(1))));
+              << reference << "\n";
+    EXPECT_NEAR(currents.Mean(k) / reference, 1.0, 0.02);
   }
 }
 

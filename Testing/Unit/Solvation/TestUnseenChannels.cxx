@@ -3,9 +3,9 @@
 // The answers of physics hold: the current's sign, one current in all sections, no negative ions.
 
 #include "ChannelPassage.h"
-#include "TransportCurrents.h"
-
+#include "ChannelTube.h"
 #include "ElectrostaticUnits.h"
+#include "TransportCurrents.h"
 
 #include <gtest/gtest.h>
 
@@ -14,63 +14,10 @@
 #include <random>
 
 using namespace isthmus;
+using namespace isthmus::testing;
 
 namespace
 {
-
-/// Rings of atoms around an axis through `centre` along `normal`, with charges on the atoms: the
-/// same from both ends.
-struct Tube
-{
-  std::vector<Ball> Balls;
-  std::vector<ChargedAtom> Charges;
-};
-
-Tube MakeTube(const MembraneSlab& m, double radius, double charge)
-{
-  constexpr int rings = 4, around = 10;
-  constexpr double ball = 1.9;
-  const double length = std::hypot(m.Normal[0], m.Normal[1], m.Normal[2]);
-  const Vector3 n{ m.Normal[0] / length, m.Normal[1] / length, m.Normal[2] / length };
-  const Vector3 other = std::abs(n[2]) < 0.9 ? Vector3{ 0.0, 0.0, 1.0 } : Vector3{ 1.0, 0.0, 0.0 };
-  Vector3 u{ n[1] * other[2] - n[2] * other[1], n[2] * other[0] - n[0] * other[2],
-    n[0] * other[1] - n[1] * other[0] };
-  const double size = std::hypot(u[0], u[1], u[2]);
-  for (double& x : u)
-  {
-    x /= size;
-  }
-  const Vector3 v{ n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2],
-    n[0] * u[1] - n[1] * u[0] };
-  Tube tube;
-  for (int ring = 0; ring < rings; ++ring)
-  {
-    const double along = 2.0 * (ring - 0.5 * (rings - 1));
-    for (int i = 0; i < around; ++i)
-    {
-      const double angle = 2.0 * Pi * i / around;
-      Vector3 at = m.Centre;
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        at[a] += along * n[a] + (radius + ball) * (std::cos(angle) * u[a] + std::sin(angle) * v[a]);
-      }
-      tube.Balls.push_back({ at, ball });
-      tube.Charges.push_back({ at, charge, ball });
-    }
-  }
-  return tube;
-}
-
-IonTransportParameters TubeParameters(double radius)
-{
-  IonTransportParameters p;
-  p.Species = { { "K", 1.0, 0.1, 0.1, 1.96, 1.0 }, { "Cl", -1.0, 0.1, 0.1, 2.03, 1.0 } };
-  p.Membrane.Thickness = 6.0;
-  p.Membrane.LumenRadius = radius + 1.9;
-  p.Spacing = 1.0;
-  p.Padding = 4.0;
-  return p;
-}
 
 TransportGrid GridOf(const Tube& tube, const IonTransportParameters& p)
 {
@@ -232,4 +179,24 @@ TEST(UnseenChannels, WhatHasNoAnswerInDoublesIsHeard)
       EXPECT_NE(std::string(error.what()).find("range of numbers"), std::string::npos);
     }
   }
+}
+
+TEST(UnseenChannels, IonsThatAreLostOnTheirWayAreHeard)
+{
+  // A barrier before a well, for trivalent ions in hardly any salt: what passes is less than what
+  // rounding leaves of what turns over in the well. The potential converges all the same.
+  IonTransportParameters p = TubeParameters(2.5);
+  p.Species = { { "Al", 3.0, 1e-6, 1e-6, 0.5, 1.0 }, { "Cl", -1.0, 3e-6, 3e-6, 2.0, 1.0 } };
+  Tube tube = MakeTube(p.Membrane, 2.5, 1.0);
+  for (std::size_t i = tube.Charges.size() / 2; i < tube.Charges.size(); ++i)
+  {
+    tube.Charges[i].Charge = -1.0;
+  }
+  const TransportGrid grid = GridOf(tube, p);
+  PoissonNernstPlanck solution(grid, p);
+  const IonTransportReport report = solution.Solve();
+  std::cout << "a part of " << report.Imbalance << " is lost\n";
+  EXPECT_FALSE(report.Converged);
+  EXPECT_LE(report.Changes.back(), p.Tolerance);
+  EXPECT_GT(report.Imbalance, 1e-3);
 }

@@ -1,0 +1,125 @@
+/**
+ * @file MovingChannel.h
+ * @brief A channel whose wall feels the ions that go through it: the thesis' LB-PNP system.
+ *
+ * The coupled Laplace-Beltrami and Poisson-Nernst-Planck equations (thesis 4.25 to 4.28; G. W. Wei,
+ * Q. Zheng, Z. Chen, K. Xia, SIAM Rev. 54 (2012) 699) in sharp form. What is not water, atoms and
+ * membrane together, has one surface; it flows (SurfaceFlow.h) by
+ *
+ *   phi_t = |grad phi| div(grad phi / |grad phi|) - (V_2 / gamma) |grad phi|,
+ *   -V_2 = p - rho_0 U + pull of field and ions (WallPull.h),
+ *
+ * for a period of steps with the pull fixed (SurfacePeriod.h); then potential and ions are solved
+ * for with the wall where it is (PoissonNernstPlanck.h, from the last solution), the pull is made
+ * anew, and so on until the currents, and the water in the membrane's hole, change by less than
+ * Tolerance twice in a row. Where a change takes back the one before (a crease that the field opens
+ * and tension closes in turn), the part of new forces that is taken is halved from there on.
+ *
+ * It begins on its obstacle, the molecule's surface at rest, so that the first update is ion
+ * transport without motion, and the tension may close creases and pores from there on but not open
+ * more than the obstacle leaves. The membrane is an obstacle, too: flat, with a round hole.
+ */
+#ifndef isthmus_MovingChannel_h
+#define isthmus_MovingChannel_h
+
+#include "ChannelPassage.h"
+#include "Dispersion.h"
+#include "SurfacePeriod.h"
+#include "TransportCurrents.h"
+#include "WallPull.h"
+#include "vtkIsthmusModule.h"
+
+#include <memory>
+
+namespace isthmus
+{
+
+struct MovingChannelParameters
+{
+  SolventParameters Solvent; ///< tension, pressure, dispersion
+  UpdatePolicy Policy;       ///< of the currents and the hole's water
+};
+
+/// After each solution.
+struct ChannelUpdate
+{
+  double Time = 0.0;            ///< of the flow, square angstrom
+  double AreaChange = 0.0;      ///< since the start, square angstrom
+  double LumenVolume = 0.0;     ///< water within the membrane's thickness, cubic angstrom
+  double EnergyChange = 0.0;    ///< of tension, pressure and dispersion since the start, kcal/mol
+  double OnObstacle = 0.0;      ///< the part of the wall that its obstacle holds, 0 to 1
+  double Bottleneck = 0.0;      ///< radius, angstrom
+  std::vector<double> Currents; ///< pA, by species
+
+  double Current() const; ///< of all of them
+};
+
+/// Cost: a solution of PoissonNernstPlanck.h for each update, and UpdatePeriod steps at 3 ns for
+/// each node of the band between them. Memory: twice
+/// that of the solution (the last one is where the next begins), 40 bytes a node for the flow.
+/// The same bits on any number of threads.
+class VTKISTHMUS_EXPORT MovingChannel
+{
+public:
+  static constexpr double BytesPerNode = 500.0;
+
+  /// The domain with room around it for the membrane's rim: the grid that distances are needed on.
+  static TransportDomain Roomy(const TransportDomain& domain);
+
+  /// `obstacle` are distances to the molecule (TransportGrid.h) on the nodes of Roomy(domain), or
+  /// nothing where there is a membrane only; `atoms` are those that attract the water.
+  /// @throws std::invalid_argument for parameters out of range.
+  MovingChannel(const TransportDomain& domain, const std::vector<float>& obstacle,
+    std::vector<ChargedAtom> charges, const std::vector<DispersionAtom>& atoms,
+    const IonTransportParameters& transport, const MovingChannelParameters& parameters);
+  ~MovingChannel();
+  MovingChannel(const MovingChannel&) = delete;
+  void operator=(const MovingChannel&) = delete;
+
+  /// Until it rests or MaximumUpdates; the state that changed least stays then.
+  /// @throws std::runtime_error, with the place, where the channel is closed, or closes on the way;
+  /// what PoissonNernstPlanck::Solve does; Cancelled.
+  void Run(const ProgressCallback& progress = {});
+
+  /// Whether currents and water came to rest.
+  bool Rests() const;
+  /// The largest change of the last update, as a part of what rests within Tolerance.
+  double LastChange() const;
+  /// Which of the updates the solution is of.
+  std::size_t GetShown() const { return this->Kept; }
+  const std::vector<ChannelUpdate>& GetUpdates() const { return this->Updates; }
+  const ChannelPassage& GetPassage() const { return this->Passage; }
+  /// The pull at the wall that there is now; places are those of Roomy(domain).
+  WallValues PullAtWall() const;
+  PoissonNernstPlanck& GetSolution() { return *this->Solution; }
+
+private:
+  void Start(const std::vector<float>& obstacle);
+  void Solve(const ProgressCallback& progress);
+  void Record();
+  bool TurnsBack() const;
+  void Pull();
+  double Change(std::size_t update) const;
+  double SteadyEnergy() const;
+
+  const TransportDomain Domain, Room;
+  const std::vector<ChargedAtom> Charges;
+  const IonTransportParameters Transport;
+  const MovingChannelParameters Parameters;
+  FlowField Field;
+  std::vector<float> Steady; ///< the part of the pull that stays, in spacings
+  double Taken;              ///< the part of each new force
+  double Time = 0.0;
+  double FirstArea = 0.0, FirstEnergy = 0.0;
+  std::size_t Kept = 0;
+  std::vector<float> Best; ///< distances of the update that changed least
+  double LeastChange = 0.0;
+  ChannelPassage Passage;
+  std::unique_ptr<TransportGrid> Grid;
+  std::unique_ptr<PoissonNernstPlanck> Solution;
+  std::vector<ChannelUpdate> Updates;
+};
+
+}
+
+#endif

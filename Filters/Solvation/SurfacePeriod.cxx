@@ -1,0 +1,135 @@
+#include "SurfacePeriod.h"
+
+#include "FlowBand.h"
+#include "FlowSteps.h"
+#include "LevelMeasure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace isthmus
+{
+namespace
+{
+
+constexpr double Lambda = 0.16;          // dt / spacing^2
+constexpr float MostPull = 0.4F / 0.16F; // a step moves the surface by at most 0.4 spacings
+constexpr int StepsToRedistance = 4;
+constexpr int StepsToLook = 8;
+constexpr double Rest = 1e-5; // relative change of the volume in StepsToLook
+
+void Require(bool fine, const char* name, double value, const char* what)
+{
+  if (!fine)
+  {
+    throw std::invalid_argument(
+      std::string(name) + " is " + std::to_string(value) + ", but " + what + ".");
+  }
+}
+
+}
+
+void CheckPolicy(const UpdatePolicy& p)
+{
+  const auto part = [](double x) { return x > 0.0 && x <= 1.0; };
+  Require(p.UpdatePeriod > 0, "UpdatePeriod", p.UpdatePeriod, "at least one step is needed");
+  Require(p.MaximumUpdates > 0, "MaximumUpdates", p.MaximumUpdates, "at least one is needed");
+  Require(part(p.SurfaceRelaxation), "SurfaceRelaxation", p.SurfaceRelaxation,
+    "it is a part of each motion: above 0, at most 1");
+  Require(part(p.FieldRelaxation), "FieldRelaxation", p.FieldRelaxation,
+    "it is a part of each new force: above 0, at most 1");
+  Require(p.Tolerance > 0.0 && p.Tolerance < 1.0, "Tolerance", p.Tolerance,
+    "it is a part of what changes: above 0, below 1");
+}
+
+void Settle(FlowField& field)
+{
+  constexpr int iterations = 10;
+  Redistance(field, iterations, true);
+  Advance(field, 0.0);
+}
+
+double EvolveForPeriod(FlowField& field, const UpdatePolicy& policy)
+{
+  const double h = field.Grid.Spacing();
+  const double alpha = policy.SurfaceRelaxation;
+  const std::vector<float> before = alpha < 1.0 ? field.Distance : std::vector<float>();
+  double volume = MeasureLevel(field).Volume;
+  int steps = 0;
+  for (int step = 1; step <= policy.UpdatePeriod; ++step)
+  {
+    Advance(field, Lambda);
+    ++steps;
+    if (step % StepsToRedistance == 0)
+    {
+      Redistance(field, 2);
+    }
+    if (policy.AdaptiveUpdate && step % StepsToLook == 0)
+    {
+      const double last = std::exchange(volume, MeasureLevel(field).Volume);
+      if (std::abs(volume - last) < Rest * volume)
+      {
+        break;
+      }
+    }
+  }
+  // Redistancing leaves the obstacle by a little: all policies end with the same steps after it.
+  for (int step = 1; step < StepsToRedistance; ++step)
+  {
+    Advance(field, Lambda);
+    ++steps;
+  }
+  if (!before.empty())
+  {
+    const auto part = static_cast<float>(alpha);
+    for (std::size_t n = 0; n < before.size(); ++n)
+    {
+      field.Distance[n] = part * field.Distance[n] + (1.0F - part) * before[n];
+    }
+    FindBand(field);
+  }
+  Settle(field);
+  return Lambda * h * h * steps;
+}
+
+double PartOnObstacle(const FlowField& field)
+{
+  constexpr float near = 0.5F;
+  constexpr float touching = 0.05F;
+  double all = 0.0;
+  double held = 0.0;
+  for (std::size_t n = 0; n < field.Distance.size(); ++n)
+  {
+    if (std::abs(field.Distance[n]) < near)
+    {
+      all += 1.0;
+      held += field.Distance[n] > field.Ceiling[n] - touching ? 1.0 : 0.0;
+    }
+  }
+  return all > 0.0 ? held / all : 0.0;
+}
+
+void CutPull(std::vector<float>& pull)
+{
+  for (float& value : pull)
+  {
+    value = std::clamp(value, -MostPull, MostPull);
+  }
+}
+
+void TakePull(FlowField& field, const std::vector<float>& steady, const std::vector<float>& more,
+  double scale, double part)
+{
+  const auto of = static_cast<float>(scale);
+  const auto taken = static_cast<float>(part);
+  for (std::size_t n = 0; n < more.size(); ++n)
+  {
+    const float wanted = std::clamp(steady[n] + of * more[n], -MostPull, MostPull);
+    field.Pull[n] = taken * wanted + (1.0F - taken) * field.Pull[n];
+  }
+}
+
+}
