@@ -28,21 +28,32 @@ Point3 ContourPlaces::Inside(std::int64_t cell, const QuadraticErrors& planes) c
   return planes.Least(box, this->Parameters.FeatureThreshold);
 }
 
+bool ContourPlaces::MeetOnEdge(const QuadraticErrors& planes, const Point3& x) const
+{
+  constexpr double close = 0.02; // spacings
+  const auto& h = this->Grid.Shape.Spacing;
+  const double off = close * std::min({ h[0], h[1], h[2] });
+  const int rank = planes.Rank(this->Parameters.FeatureThreshold);
+  return rank > 1 && planes.NumberOfPlanes() > rank &&
+    planes.At(x) <= off * off * static_cast<double>(planes.NumberOfPlanes());
+}
+
 ContourPlace ContourPlaces::Place(
   std::int64_t cell, const QuadraticErrors* pieces, std::size_t count, std::size_t i) const
 {
   const QuadraticErrors& mine = pieces[i];
+  const bool areKnown = !this->Grid.Sharp.Segments.empty();
   const Bounds3 around = CellBox(this->Grid.Shape, this->Cells.IndexOf(cell), 1, 1.0);
   const Point3 best = mine.Least(around, this->Parameters.FeatureThreshold);
   // Normals of triangles have no noise: where a blunt edge is known, they show the way to it.
   constexpr double blunt = 0.01;
-  const Point3 towards = this->Grid.Sharp.Segments.empty()
-    ? best
-    : mine.Least(around, std::min(blunt, this->Parameters.FeatureThreshold));
+  const Point3 towards =
+    areKnown ? mine.Least(around, std::min(blunt, this->Parameters.FeatureThreshold)) : best;
   const std::int64_t there = CellAt(this->Grid.Shape, best);
   const std::int64_t edges = CellAt(this->Grid.Shape, towards);
   const bool isEmpty = there != cell && there >= 0 && this->IsEmpty(there);
-  const Point3 x = there == cell || isEmpty ? best : this->Inside(cell, mine);
+  const bool isOnEdge = there >= 0 && count == 1 && !areKnown && this->MeetOnEdge(mine, best);
+  const Point3 x = there == cell || isEmpty || isOnEdge ? best : this->Inside(cell, mine);
   const auto fitsBest = [&](const Point3& p)
   {
     const double error = mine.At(p) / static_cast<double>(mine.NumberOfPlanes());

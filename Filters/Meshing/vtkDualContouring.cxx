@@ -6,6 +6,7 @@
 #include "DualContouring.h"
 #include "ImageExtent.h"
 #include "ImageScalars.h"
+#include "KinkedCrossings.h"
 #include "PolyDataTriangles.h"
 
 #include <vtkCellArray.h>
@@ -44,7 +45,7 @@ isthmus::HermiteGrid HermiteOf(
     [&level](T value) { return level.IsInside(static_cast<double>(value)) ? 1 : 0; });
   for (std::int64_t k = 0; k < level.Grid.Dimensions[2]; ++k)
   {
-    isthmus::AppendLevelCrossings(level, k, grid.Crossings);
+    isthmus::AppendKinkedCrossings(level, k, grid.Crossings);
     isthmus::Report(
       progress, static_cast<double>(k) / static_cast<double>(level.Grid.Dimensions[2]));
   }
