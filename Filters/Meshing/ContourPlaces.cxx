@@ -28,14 +28,17 @@ Point3 ContourPlaces::Inside(std::int64_t cell, const QuadraticErrors& planes) c
   return planes.Least(box, this->Parameters.FeatureThreshold);
 }
 
+bool ContourPlaces::PassBy(const QuadraticErrors& planes, const Point3& x, double spacings) const
+{
+  const auto& h = this->Grid.Shape.Spacing;
+  const double off = spacings * std::min({ h[0], h[1], h[2] });
+  return planes.At(x) <= off * off * static_cast<double>(planes.NumberOfPlanes());
+}
+
 bool ContourPlaces::MeetOnEdge(const QuadraticErrors& planes, const Point3& x) const
 {
-  constexpr double close = 0.02; // spacings
-  const auto& h = this->Grid.Shape.Spacing;
-  const double off = close * std::min({ h[0], h[1], h[2] });
   const int rank = planes.Rank(this->Parameters.FeatureThreshold);
-  return rank > 1 && planes.NumberOfPlanes() > rank &&
-    planes.At(x) <= off * off * static_cast<double>(planes.NumberOfPlanes());
+  return rank > 1 && planes.NumberOfPlanes() > rank && this->PassBy(planes, x, 0.02);
 }
 
 ContourPlace ContourPlaces::Place(
@@ -79,7 +82,9 @@ ContourPlace ContourPlaces::Place(
   if (edges != cell && edges >= 0)
   {
     take(this->IsEmpty(edges) ? this->Features.NearestCorner(edges, x, any) : std::nullopt);
-    take(this->Features.NearestOnEdge(edges, x, ContourFeatures::Part::Whole, any));
+    // An edge of another sheet would draw polygons through this one.
+    const auto beside = this->Features.NearestOnEdge(edges, x, ContourFeatures::Part::Whole, any);
+    take(beside && this->PassBy(mine, *beside, 0.05) ? beside : std::nullopt);
   }
   return { place.value_or(x), place.has_value() };
 }
