@@ -56,6 +56,16 @@ Eigen::Vector3d LeastOnSides(const Eigen::Matrix3d& a, const Eigen::Vector3d& b,
   return x;
 }
 
+Eigen::Matrix3d AsEigen(const std::array<Point3, 3>& rows)
+{
+  Eigen::Matrix3d a;
+  for (int r = 0; r < 3; ++r)
+  {
+    a.row(r) = Eigen::Map<const Eigen::Vector3d>(rows[static_cast<std::size_t>(r)].data());
+  }
+  return a;
+}
+
 }
 
 void QuadraticErrors::Add(const Point3& p, const Point3& n)
@@ -108,15 +118,19 @@ double QuadraticErrors::At(const Point3& x) const
   return std::max(0.0, Dot(d, this->Times(d)) - 2.0 * Dot(this->Vector, d) + this->Constant);
 }
 
+int QuadraticErrors::Rank(double threshold) const
+{
+  const Eigen::Vector3d values =
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(AsEigen(this->Matrix), Eigen::EigenvaluesOnly)
+      .eigenvalues();
+  return static_cast<int>((values.array() > threshold * values[2]).count());
+}
+
 Point3 QuadraticErrors::Least(const Bounds3& box, double threshold) const
 {
   const Point3 mean = this->Mean();
   const Point3 right = this->Vector - this->Times(mean - this->Origin);
-  Eigen::Matrix3d a;
-  for (int r = 0; r < 3; ++r)
-  {
-    a.row(r) = Eigen::Map<const Eigen::Vector3d>(this->Matrix[static_cast<std::size_t>(r)].data());
-  }
+  const Eigen::Matrix3d a = AsEigen(this->Matrix);
   const Eigen::Vector3d b = Eigen::Map<const Eigen::Vector3d>(right.data());
   const double largest =
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(a, Eigen::EigenvaluesOnly).eigenvalues()[2];

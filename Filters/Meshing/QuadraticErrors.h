@@ -35,6 +35,9 @@ public:
    */
   Point3 Least(const Bounds3& box, double threshold) const;
 
+  /// In how many directions the normals vary: eigenvalues above `threshold` times the largest.
+  int Rank(double threshold) const;
+
 private:
   /// The matrix times `d`.
   Point3 Times(const Point3& d) const;

@@ -21,6 +21,7 @@ isthmus_room(
     DualCells
     DualContouring
     IsosurfaceStuffing
+    KinkedCrossings
     LevelTriangles
     MapSurface
     MeshQuality

@@ -6,6 +6,8 @@
 #include "DualContouring.h"
 #include "ImageExtent.h"
 #include "ImageScalars.h"
+#include "KinkedCrossings.h"
+#include "ParallelFor.h"
 #include "PolyDataTriangles.h"
 
 #include <vtkCellArray.h>
@@ -42,11 +44,21 @@ isthmus::HermiteGrid HermiteOf(
   grid.Inside.resize(static_cast<std::size_t>(level.Grid.Size()));
   std::transform(level.Grid.Data, level.Grid.Data + level.Grid.Size(), grid.Inside.begin(),
     [&level](T value) { return level.IsInside(static_cast<double>(value)) ? 1 : 0; });
-  for (std::int64_t k = 0; k < level.Grid.Dimensions[2]; ++k)
+  std::vector<std::vector<isthmus::GridCrossing>> layers(
+    static_cast<std::size_t>(level.Grid.Dimensions[2]));
+  isthmus::ParallelFor(
+    0, level.Grid.Dimensions[2], 4,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t k = first; k < last; ++k)
+      {
+        isthmus::AppendKinkedCrossings(level, k, layers[static_cast<std::size_t>(k)]);
+      }
+    },
+    progress);
+  for (const auto& layer : layers)
   {
-    isthmus::AppendLevelCrossings(level, k, grid.Crossings);
-    isthmus::Report(
-      progress, static_cast<double>(k) / static_cast<double>(level.Grid.Dimensions[2]));
+    grid.Crossings.insert(grid.Crossings.end(), layer.begin(), layer.end());
   }
   return grid;
 }

@@ -2,8 +2,9 @@
  * @class vtkDualContouring
  * @brief A surface with sharp edges and corners kept, from a volume or from another surface.
  *
- * Input: vtkImageData with one-component point scalars (normals are the volume's gradient), or a
- * closed vtkPolyData (normals are its triangles'), which is met with a grid of Spacing.
+ * Input: vtkImageData with one-component point scalars (normals are the volume's gradient, beside
+ * edges that of one side), or a closed vtkPolyData (normals are its triangles'), which is met with
+ * a grid of Spacing.
  *
  * Output: vtkPolyData in world coordinates, facing outward: triangles, or quadrilaterals. Every
  * edge belongs to two polygons; the surface is open only where a level leaves the volume. Field
@@ -58,8 +59,8 @@ public:
 
   ///@{
   /// Spacings by which a vertex may leave its cell, 0 to 1, for others that have a vertex of their
-  /// own; into empty ones, and to the edges of a surface, it may go at 0 already. Polygons cross
-  /// more easily above 0. Default 0.
+  /// own; into empty ones, and to edges, it may go at 0 already. Polygons cross more easily above
+  /// 0. Default 0.
   vtkSetMacro(Reach, double);
   vtkGetMacro(Reach, double);
   ///@}

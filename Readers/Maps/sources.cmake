@@ -1,6 +1,7 @@
 isthmus_room(
   CLASSES
     vtkMRCMapReader
+    vtkVolumeTextReader
     vtkVolumeTextWriter
   SOURCES
     MRCFieldData

@@ -50,3 +50,10 @@ assert lines[0] == "4 5 6" and len(lines) == 1 + 5 * 6, lines[:2]
 values = numpy.array([float(word) for line in lines[1:] for word in line.split()], numpy.float32)
 array = vtk_to_numpy(servermanager.Fetch(image).GetPointData().GetArray("RTData"))
 assert numpy.array_equal(values, array)
+read = opened(folder / "volume.dat", "DatVolumeReader")[1]
+assert read.GetDimensions() == (4, 5, 6)
+values = vtk_to_numpy(read.GetPointData().GetArray("Density"))
+assert numpy.array_equal(values.astype(numpy.float32), array)
+tecplot = folder / "other.dat"
+tecplot.write_text('VARIABLES = "x", "y"\nZONE I=2, F=POINT\n0 1\n1 2\n')
+assert simple.OpenDataFile(str(tecplot)).GetXMLName() != "DatVolumeReader"

@@ -1,11 +1,15 @@
-// Isosurface stuffing of every shared map: the published angles, every face shared, the box filled.
+// Isosurface stuffing of every shared map, and of surfaces offset inwards and outwards: the
+// published angles, every face shared, the box filled.
 
+#include "DamagedSurfaces.h"
 #include "LongTests.h"
+#include "PolyDataMesh.h"
 #include "SensibleLevel.h"
 #include "SharedData.h"
 #include "TetrahedralChecks.h"
 #include "vtkIsosurfaceStuffing.h"
 #include "vtkMRCMapReader.h"
+#include "vtkSurfaceToGrid.h"
 
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
@@ -153,4 +157,47 @@ TEST(StuffedMaps, AnglesStayWithinTheBoundsOnAllSharedMaps)
     seen.Maps, left, seen.Tetrahedra, seen.Smallest, seen.Largest);
   EXPECT_GE(seen.Maps, 8u);
   others.Tell(seen.Maps + left, files.size());
+}
+
+/// Acceptance 1, "offset surfaces": levels of the signed distance to primitives, a spacing and a
+/// half inside to three outside, where fronts of the distance meet in kinks.
+TEST(StuffedMaps, AnglesStayWithinTheBoundsOnOffsetSurfaces)
+{
+  Seen seen;
+  for (unsigned seed = 1; seed <= 5; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Chance chance(seed);
+    const TriangleMesh mesh = SoundSurface(chance);
+    vtkNew<vtkPolyData> surface;
+    SetMesh(mesh, surface);
+    const double h = BoundsOf(mesh).Diagonal() / 24.0;
+    vtkNew<vtkSurfaceToGrid> grid;
+    grid->SetInputData(surface);
+    grid->SetSpacing(h);
+    grid->SetPadding(5);
+    grid->Update();
+    vtkImageData* const image = grid->GetOutput();
+    image->GetPointData()->SetActiveScalars("SignedDistance");
+    for (const double offset : { -1.5, 0.7, 3.0 })
+    {
+      vtkNew<vtkIsosurfaceStuffing> filter;
+      filter->SetInputData(image);
+      filter->SetLevel(offset * h);
+      filter->InsideIsHigherOff();
+      filter->SetGradingLevels(static_cast<int>(seed % 3));
+      filter->Update();
+      const TetrahedralMesh tetrahedra = MeshOf(filter->GetOutput());
+      ASSERT_GT(tetrahedra.Tetrahedra.size(), 0u);
+      const QualitySummary quality = QualityOf(tetrahedra);
+      EXPECT_GE(quality.SmallestAngle, 10.7);
+      EXPECT_LE(quality.LargestAngle, 164.8);
+      EXPECT_EQ(FacesOf(tetrahedra).Crowded, 0);
+      seen.Tetrahedra += tetrahedra.Tetrahedra.size();
+      seen.Smallest = std::min(seen.Smallest, quality.SmallestAngle);
+      seen.Largest = std::max(seen.Largest, quality.LargestAngle);
+    }
+  }
+  std::printf(
+    "%zu tetrahedra: angles %.2f to %.2f\n", seen.Tetrahedra, seen.Smallest, seen.Largest);
 }

@@ -1,6 +1,7 @@
-// The .dat export: counts and order of the values, numbers that come back bit for bit, and what it
-// refuses.
+// The .dat files: counts and order of the values, numbers that come back bit for bit, what they do
+// not hold, and broken ones, each with its line.
 
+#include "vtkVolumeTextReader.h"
 #include "vtkVolumeTextWriter.h"
 
 #include "TemporaryFile.h"
@@ -102,4 +103,62 @@ TEST(VolumeTextWriter, TellsWhatTheFormatLosesAndRefusesWhatItDoesNotHold)
   writer->SetInputData(vtkNew<vtkImageData>());
   writer->Write();
   EXPECT_TRUE(observer->GetError());
+}
+
+TEST(VolumeTextReader, WhatIsWrittenComesBackBitForBit)
+{
+  const auto image = Volume();
+  for (const char* name : { "x.dat", "x.dat.gz" })
+  {
+    const TemporaryFile file("", name);
+    vtkNew<vtkVolumeTextWriter> writer;
+    writer->SetInputData(image);
+    writer->SetFileName(file.Path());
+    writer->Write();
+    EXPECT_EQ(vtkVolumeTextReader::CanReadFile(file.Path()), 1);
+    vtkNew<vtkVolumeTextReader> reader;
+    reader->SetFileName(file.Path());
+    reader->Update();
+    vtkDataArray* const values = reader->GetOutput()->GetPointData()->GetScalars();
+    for (int a = 0; a < 3; ++a)
+    {
+      EXPECT_EQ(reader->GetOutput()->GetDimensions()[a], image->GetDimensions()[a]);
+    }
+    ASSERT_TRUE(values);
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      EXPECT_EQ(
+        values->GetComponent(i, 0), image->GetPointData()->GetScalars()->GetComponent(i, 0));
+    }
+  }
+}
+
+TEST(VolumeTextReader, BrokenFilesEndInASentenceWithTheLine)
+{
+  const auto why = [](const std::string& text)
+  {
+    const TemporaryFile file(text, "x.dat");
+    vtkNew<vtkTest::ErrorObserver> observer;
+    vtkNew<vtkVolumeTextReader> reader;
+    reader->AddObserver(vtkCommand::ErrorEvent, observer);
+    reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+    reader->SetFileName(file.Path());
+    reader->Update();
+    EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_NE(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+    return observer->GetErrorMessage();
+  };
+  const auto says = [&why](const std::string& text, const std::string& sentence)
+  { EXPECT_NE(why(text).find(sentence), std::string::npos) << why(text); };
+  says("2 1 2\n1 2\n3 x\n", "line 3");
+  says("2 1 2\n1 2\n3\n", "line 4");
+  says("2 1 1\n1 2\n3\n", "line 3: there are more values");
+  says("2 1\n1 2\n", "line 3: the line above holds more");
+  says("2 1 0\n", "line 1: the number of nodes");
+  says("2 -1 1\n1 2\n", "line 1: the number of nodes");
+  says("90000 90000 90000\n1 2\n", "line 1: the number of nodes");
+  says("2 1 1 7\n1 2\n", "line 2: the line above holds more");
+  says("TITLE = \"a\"\n", "line 1");
+  const TemporaryFile other("VARIABLES = x y\n", "x.dat");
+  EXPECT_EQ(vtkVolumeTextReader::CanReadFile(other.Path()), 0);
 }

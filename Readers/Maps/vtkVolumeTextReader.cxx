@@ -1,0 +1,136 @@
+#include "vtkVolumeTextReader.h"
+
+#include "OpenByteSource.h"
+#include "ReaderGuard.h"
+#include "TextWords.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+vtkStandardNewMacro(vtkVolumeTextReader);
+
+namespace
+{
+
+/// The nodes along x, y, z. A value takes two bytes at least, so that damaged counts cost a
+/// sentence, not memory.
+std::array<int, 3> ReadCounts(isthmus::TextWords& words, std::uint64_t mostBytes)
+{
+  std::array<int, 3> counts{};
+  std::uint64_t values = 1;
+  for (int& count : counts)
+  {
+    const std::int64_t number = words.Whole("the number of nodes along an axis");
+    if (number < 1 || number > std::numeric_limits<int>::max() ||
+      static_cast<std::uint64_t>(number) > mostBytes / values)
+    {
+      words.Refuse("the number of nodes along an axis is given as " + std::to_string(number) +
+        ", for which the file is too short. It begins with the three numbers of nodes; it is cut, "
+        "damaged, or another program's .dat.");
+    }
+    count = static_cast<int>(number);
+    values *= static_cast<std::uint64_t>(number);
+  }
+  if (!words.RestOfLine().empty())
+  {
+    words.Refuse("the line above holds more than the three numbers of nodes. This is another "
+                 "program's .dat.");
+  }
+  return counts;
+}
+
+std::uint64_t MostValues(const isthmus::ByteSource& source)
+{
+  return source.MostBytes() / 2 + 1;
+}
+
+}
+
+vtkVolumeTextReader::vtkVolumeTextReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkVolumeTextReader::~vtkVolumeTextReader()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkVolumeTextReader::CanReadFile(const char* fileName)
+{
+  try
+  {
+    const auto source = isthmus::OpenByteSource(fileName ? fileName : "");
+    isthmus::TextWords words(*source);
+    ReadCounts(words, MostValues(*source));
+    return 1;
+  }
+  catch (const isthmus::ReaderError&)
+  {
+    return 0;
+  }
+}
+
+int vtkVolumeTextReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
+{
+  return isthmus::GuardedRead(
+    this, this->FileName, vtkDataObject::GetData(output),
+    [this](unsigned long code) { this->SetErrorCode(code); },
+    [&]
+    {
+      const auto source = isthmus::OpenByteSource(this->FileName);
+      isthmus::TextWords words(*source);
+      const std::array<int, 3> n = ReadCounts(words, MostValues(*source));
+      const int whole[6] = { 0, n[0] - 1, 0, n[1] - 1, 0, n[2] - 1 };
+      output->GetInformationObject(0)->Set(
+        vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole, 6);
+    });
+}
+
+int vtkVolumeTextReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
+{
+  auto* const image = vtkImageData::GetData(output);
+  return isthmus::GuardedRead(
+    this, this->FileName, image, [this](unsigned long code) { this->SetErrorCode(code); },
+    [&]
+    {
+      const auto source = isthmus::OpenByteSource(this->FileName);
+      isthmus::TextWords words(*source);
+      const std::array<int, 3> n = ReadCounts(words, MostValues(*source));
+      vtkNew<vtkDoubleArray> values;
+      values->SetName("Density");
+      values->SetNumberOfTuples(vtkIdType{ n[0] } * n[1] * n[2]);
+      const vtkIdType layer = vtkIdType{ n[0] } * n[1];
+      const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
+      for (int k = 0; k < n[2]; ++k)
+      {
+        isthmus::Report(progress, static_cast<double>(k) / n[2]);
+        words.Numbers(values->GetPointer(k * layer), layer);
+      }
+      if (!words.Word().empty())
+      {
+        words.Refuse("there are more values than the " + std::to_string(n[2] * layer) +
+          " that the first line asks for. The file is damaged: write it again.");
+      }
+      image->SetDimensions(n.data());
+      image->GetPointData()->SetScalars(values);
+    });
+}
+
+void vtkVolumeTextReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}

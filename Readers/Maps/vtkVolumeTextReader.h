@@ -1,0 +1,50 @@
+/**
+ * @class vtkVolumeTextReader
+ * @brief Reads voxel values as plain text (.dat): three counts, then numbers, x fastest.
+ *
+ * The thesis' export of voxel values (X. Feng, 2018, chapter 5), as vtkVolumeTextWriter writes it,
+ * plain, .gz or .bz2. Output: vtkImageData with the point array `Density` in double precision,
+ * origin 0 and spacing 1, since the file has neither. Written and read again, doubles are the same
+ * bits; floats are once they are rounded to float again.
+ *
+ * A file that is missing, cut, too long or wrong: one sentence with the line, the error code, an
+ * empty output. Time and memory: O(numbers).
+ */
+#ifndef vtkVolumeTextReader_h
+#define vtkVolumeTextReader_h
+
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <vtkImageAlgorithm.h>
+
+class VTKISTHMUS_EXPORT vtkVolumeTextReader : public vtkImageAlgorithm
+{
+public:
+  static vtkVolumeTextReader* New();
+  vtkTypeMacro(vtkVolumeTextReader, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The file to read. Default: none.
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  /// 1 when the file begins with a line of three counts.
+  static int CanReadFile(const char* fileName);
+
+protected:
+  vtkVolumeTextReader();
+  ~vtkVolumeTextReader() override;
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkVolumeTextReader(const vtkVolumeTextReader&) = delete;
+  void operator=(const vtkVolumeTextReader&) = delete;
+
+  char* FileName = nullptr;
+};
+
+#endif
