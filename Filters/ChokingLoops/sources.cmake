@@ -1,6 +1,7 @@
 isthmus_room(
   CLASSES
     vtkChokingLoops
+    vtkHandleFilling
     vtkLoopShortening
     vtkMapChokingLoops
     vtkMapHandles
@@ -23,11 +24,13 @@ isthmus_room(
     FeatureSelection
     GeneratorCompletion
     GridTetrahedra
+    HandleFilling
     HandleTables
     LoopDrawing
     LoopFeature
     LoopShortening
     MapHandles
+    MembranePlate
     MinimumCut
     OffsetSurface
     PinnedShortening

@@ -36,6 +36,7 @@ isthmus_room(
     StuffingOutput
     StuffingStencils
     StuffingWarp
+    SurfaceBoolean
     SurfaceMove
     SurfaceSeeds
     SurfaceTopology
