@@ -28,6 +28,7 @@ isthmus_room(
     HandleTables
     LoopDrawing
     LoopFeature
+    LoopLimits
     LoopShortening
     MapHandles
     MembranePlate

@@ -4,6 +4,7 @@
 #include "AnalysisCost.h"
 #include "ChokingLoopsOutput.h"
 #include "GridTetrahedra.h"
+#include "LoopLimits.h"
 #include "LowerStarFiltration.h"
 #include "PolyDataMesh.h"
 #include "SurfaceDistance.h"
@@ -271,6 +272,8 @@ std::vector<isthmus::ShownFeature> vtkChokingLoops::DrawLoops()
     }
   }
   isthmus::FindShared(analysis, shown);
+  isthmus::KeepWithin(
+    analysis, { this->MaximumLength, this->MaximumReach, this->LoopOrder == ByLength }, shown);
   return shown;
 }
 
@@ -329,6 +332,9 @@ void vtkChokingLoops::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumPersistenceUnit: " << this->MinimumPersistenceUnit << "\n";
   os << indent << "ThresholdMode: " << this->ThresholdMode << "\n";
   os << indent << "MaximumNumberOfLoops: " << this->MaximumNumberOfLoops << "\n";
+  os << indent << "MaximumLength: " << this->MaximumLength << "\n";
+  os << indent << "MaximumReach: " << this->MaximumReach << "\n";
+  os << indent << "LoopOrder: " << this->LoopOrder << "\n";
   os << indent << "AlwaysReportHandles: " << this->AlwaysReportHandles << "\n";
   os << indent << "Filtration: " << this->Filtration << "\n";
   os << indent << "MorseFunction: " << this->MorseFunction << "\n";
