@@ -33,6 +33,7 @@ isthmus_room(
     MapHandles
     MembranePlate
     MinimumCut
+    MorseValues
     OffsetSurface
     PinnedShortening
     ShapeFeatures

@@ -99,7 +99,8 @@ public:
     ClosestPoint,
     EdgePaths,
     GridDistance,
-    PointArray
+    PointArray,
+    FastMarching
   };
   enum ShorteningType
   {
@@ -201,8 +202,9 @@ public:
   ///@{
   /// With TetrahedralMesh: ClosestPoint (default), the exact distance to the surface; EdgePaths,
   /// the shortest way along edges of the mesh (Dijkstra); GridDistance, the exact distance at the
-  /// nodes of a regular grid, sampled trilinearly; PointArray, the array MorseArrayName of input 1.
-  vtkSetClampMacro(MorseFunction, int, ClosestPoint, PointArray);
+  /// nodes of a regular grid, sampled trilinearly; PointArray, the array MorseArrayName of input 1;
+  /// FastMarching, marched on that grid from the surface, sampled trilinearly.
+  vtkSetClampMacro(MorseFunction, int, ClosestPoint, FastMarching);
   vtkGetMacro(MorseFunction, int);
   ///@}
 
