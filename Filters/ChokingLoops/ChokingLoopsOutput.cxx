@@ -1,6 +1,7 @@
 #include "ChokingLoopsOutput.h"
 
 #include "ChokeFit.h"
+#include "LoopLimits.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -163,6 +164,7 @@ void FillLoops(
       known->second = InsertLoops(shown, loops.Samples(), points);
     }
     const Cells& cells = known->second;
+    const double reach = ReachOf(loops, shown);
     for (std::size_t k = 0; k < cells.size(); ++k)
     {
       lines->InsertNextCell(static_cast<vtkIdType>(cells[k].size()), cells[k].data());
@@ -177,6 +179,7 @@ void FillLoops(
       AddSizes(f, numbers);
       numbers["Uncertainty"]->InsertNextValue(UncertaintyOf(f));
       numbers["Length"]->InsertNextValue(shown.Geometry->Lengths[k]);
+      numbers["Reach"]->InsertNextValue(reach);
     }
   }
   output->SetPoints(points);

@@ -1,5 +1,6 @@
 #include "SurfaceDistance.h"
 
+#include "FastMarching.h"
 #include "GridDistance.h"
 #include "MeshOnGrid.h"
 #include "ParallelFor.h"
@@ -75,6 +76,30 @@ DistanceGrid GridOfDistances(const TriangleMesh& surface, const Bounds3& box, st
   }
   const MeshOnGrid mesh(surface, grid.Origin);
   grid.Values = DistanceToSurface(mesh.View(), ShapeOf(grid), 2.0 * grid.Spacing, progress);
+  return grid;
+}
+
+DistanceGrid MarchedDistances(const TriangleMesh& surface, const Bounds3& box, std::int64_t cells,
+  const ProgressCallback& progress)
+{
+  DistanceGrid grid = GridOfDistances(surface, box, cells, Between(progress, 0.0, 0.7));
+  // In spacings, since floats know neither 1e40 nor 1e-40. No way on the grid is longer than this.
+  const auto farthest =
+    static_cast<float>(grid.Dimensions[0] + grid.Dimensions[1] + grid.Dimensions[2]);
+  std::vector<float> values(grid.Values.size(), farthest);
+  std::vector<std::int64_t> known;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    if (grid.Values[i] <= 2.0 * grid.Spacing)
+    {
+      values[i] = static_cast<float>(grid.Values[i] / grid.Spacing);
+      known.push_back(static_cast<std::int64_t>(i));
+    }
+  }
+  FastMarch(grid.Dimensions, 1.0, known, farthest, values);
+  std::transform(values.begin(), values.end(), grid.Values.begin(),
+    [&grid](float v) { return grid.Spacing * static_cast<double>(v); });
+  Report(progress, 1.0);
   return grid;
 }
 

@@ -38,6 +38,14 @@ struct DistanceGrid
 VTKISTHMUS_EXPORT DistanceGrid GridOfDistances(const TriangleMesh& surface, const Bounds3& box,
   std::int64_t cells, const ProgressCallback& progress = {});
 
+/**
+ * The same by fast marching (FastMarch()), from the nodes within two spacings of the surface, where
+ * it is exact: |grad d| = 1 solved to first order, error O(h log h), as the thesis has it where a
+ * surface comes from an implicit function that is no signed distance (6.3.2).
+ */
+VTKISTHMUS_EXPORT DistanceGrid MarchedDistances(const TriangleMesh& surface, const Bounds3& box,
+  std::int64_t cells, const ProgressCallback& progress = {});
+
 }
 
 #endif

@@ -1,6 +1,7 @@
 isthmus_room(
   CLASSES
     vtkChokingLoops
+    vtkHandleFilling
     vtkLoopShortening
     vtkMapChokingLoops
     vtkMapHandles
@@ -23,12 +24,16 @@ isthmus_room(
     FeatureSelection
     GeneratorCompletion
     GridTetrahedra
+    HandleFilling
     HandleTables
     LoopDrawing
     LoopFeature
+    LoopLimits
     LoopShortening
     MapHandles
+    MembranePlate
     MinimumCut
+    MorseValues
     OffsetSurface
     PinnedShortening
     ShapeFeatures

@@ -4,9 +4,9 @@
 #include "AnalysisCost.h"
 #include "ChokingLoopsOutput.h"
 #include "GridTetrahedra.h"
-#include "LowerStarFiltration.h"
+#include "LoopLimits.h"
+#include "MorseValues.h"
 #include "PolyDataMesh.h"
-#include "SurfaceDistance.h"
 #include "SurfaceRepair.h"
 #include "SurfaceSampling.h"
 #include "TetrahedralMesher.h"
@@ -32,9 +32,8 @@ vtkStandardNewMacro(vtkChokingLoops);
 namespace
 {
 
-constexpr std::int64_t GridCells = 100; ///< of GridDistance, along the longest side
-constexpr double AnalysisPart = 0.9;    ///< of the progress bar
-constexpr int ManyRounds = 1000;        ///< as good as until nothing gets shorter
+constexpr double AnalysisPart = 0.9; ///< of the progress bar
+constexpr int ManyRounds = 1000;     ///< as good as until nothing gets shorter
 
 /// What an analysis is going to take, as far as it can be known: its time depends on the shape.
 void TellEstimate(const isthmus::TriangleMesh& surface, double spacing)
@@ -190,41 +189,8 @@ std::vector<double> vtkChokingLoops::MorseValues(const isthmus::TriangleMesh& su
     return values;
   }
   const auto progress = isthmus::Between(isthmus::ProgressOf(this), 0.0, AnalysisPart);
-  const auto first = isthmus::Between(progress, 0.4, 0.45);
-  if (this->MorseFunction == ClosestPoint)
-  {
-    return isthmus::SurfaceDistances(surface, mesh.Points, first);
-  }
-  isthmus::Bounds3 box{ mesh.Points.front(), mesh.Points.front() };
-  for (const isthmus::Point3& p : mesh.Points)
-  {
-    box.Add(p);
-  }
-  const std::vector<double> exact = isthmus::SurfaceDistances(surface, mesh.Points, first);
-  std::vector<std::int64_t> sources;
-  for (std::size_t i = 0; i < exact.size(); ++i)
-  {
-    if (exact[i] <= 1e-12 * box.Diagonal())
-    {
-      sources.push_back(static_cast<std::int64_t>(i));
-    }
-  }
-  const auto second = isthmus::Between(progress, 0.45, 0.5);
-  if (this->MorseFunction == EdgePaths)
-  {
-    return isthmus::EdgeDistances(mesh, sources, second);
-  }
-  const isthmus::DistanceGrid grid = isthmus::GridOfDistances(surface, box, GridCells, second);
-  std::vector<double> values;
-  for (const isthmus::Point3& p : mesh.Points)
-  {
-    values.push_back(grid.At(p));
-  }
-  for (const std::int64_t p : sources)
-  {
-    values[static_cast<std::size_t>(p)] = 0.0;
-  }
-  return values;
+  return isthmus::MorseValues(surface, mesh,
+    static_cast<isthmus::MorseFunction>(this->MorseFunction), isthmus::Between(progress, 0.4, 0.5));
 }
 
 isthmus::FeatureSelection vtkChokingLoops::Selection() const
@@ -271,6 +237,8 @@ std::vector<isthmus::ShownFeature> vtkChokingLoops::DrawLoops()
     }
   }
   isthmus::FindShared(analysis, shown);
+  isthmus::KeepWithin(
+    analysis, { this->MaximumLength, this->MaximumReach, this->LoopOrder == ByLength }, shown);
   return shown;
 }
 
@@ -329,6 +297,9 @@ void vtkChokingLoops::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumPersistenceUnit: " << this->MinimumPersistenceUnit << "\n";
   os << indent << "ThresholdMode: " << this->ThresholdMode << "\n";
   os << indent << "MaximumNumberOfLoops: " << this->MaximumNumberOfLoops << "\n";
+  os << indent << "MaximumLength: " << this->MaximumLength << "\n";
+  os << indent << "MaximumReach: " << this->MaximumReach << "\n";
+  os << indent << "LoopOrder: " << this->LoopOrder << "\n";
   os << indent << "AlwaysReportHandles: " << this->AlwaysReportHandles << "\n";
   os << indent << "Filtration: " << this->Filtration << "\n";
   os << indent << "MorseFunction: " << this->MorseFunction << "\n";

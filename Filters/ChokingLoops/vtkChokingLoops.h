@@ -23,10 +23,11 @@
  *     additional), `Side` (0 inside, 1 outside), `KindName`, `Radius` (of the ball that gets
  *     stuck), `Fill` (radius at which what lies behind is filled), `Widening` (Fill - Radius),
  *     `Uncertainty` (the true radius lies in [Radius - Uncertainty, Radius]), `Trusted` (1: a
- *     feature of the surface, not of its sampling), `Length`, `FeatureId`, `SharedWith` (where
- *     several narrowings have one loop, as the windows of a wall: `FeatureId` of the first of them,
- *     whose points the others' cells use, too; else -1), `Component`. A feature may have several
- *     loops, as an annulus has.
+ *     feature of the surface, not of its sampling), `Length`, `Reach` (of the feature: distance of
+ * its loops' farthest point from the choke point, in radii: 1 for a round neck), `FeatureId`,
+ * `SharedWith` (where several narrowings have one loop, as the windows of a wall: `FeatureId` of
+ * the first of them, whose points the others' cells use, too; else -1), `Component`. A feature may
+ * have several loops, as an annulus has.
  *  1. membranes: triangles spanning each loop, cell arrays `FeatureId`, `Area` (of the membrane),
  *     `Radius`, `Kind`.
  *  2. choke points: one vertex for a feature, point arrays `Radius`, `Kind`, `Side`, `FeatureId`.
@@ -98,7 +99,8 @@ public:
     ClosestPoint,
     EdgePaths,
     GridDistance,
-    PointArray
+    PointArray,
+    FastMarching
   };
   enum ShorteningType
   {
@@ -156,6 +158,33 @@ public:
   ///@}
 
   ///@{
+  /// Leave out features of any kind with a loop longer than this, in the unit of the points. 0
+  /// (default): however long.
+  vtkSetMacro(MaximumLength, double);
+  vtkGetMacro(MaximumLength, double);
+  ///@}
+
+  ///@{
+  /// Leave out features of any kind whose loops pass farther than this from the choke point, in
+  /// radii, as the cell array `Reach` tells it: 1 for a round neck, large for a slot. 0 (default):
+  /// however far.
+  vtkSetMacro(MaximumReach, double);
+  vtkGetMacro(MaximumReach, double);
+  ///@}
+
+  enum LoopOrderType
+  {
+    ByRadius,
+    ByLength
+  };
+
+  ///@{
+  /// Order of the outputs' features, ascending. Default ByRadius.
+  vtkSetClampMacro(LoopOrder, int, ByRadius, ByLength);
+  vtkGetMacro(LoopOrder, int);
+  ///@}
+
+  ///@{
   /// Report handles and tunnels whatever MaximumDistance says. Default on.
   vtkSetMacro(AlwaysReportHandles, bool);
   vtkGetMacro(AlwaysReportHandles, bool);
@@ -173,8 +202,9 @@ public:
   ///@{
   /// With TetrahedralMesh: ClosestPoint (default), the exact distance to the surface; EdgePaths,
   /// the shortest way along edges of the mesh (Dijkstra); GridDistance, the exact distance at the
-  /// nodes of a regular grid, sampled trilinearly; PointArray, the array MorseArrayName of input 1.
-  vtkSetClampMacro(MorseFunction, int, ClosestPoint, PointArray);
+  /// nodes of a regular grid, sampled trilinearly; PointArray, the array MorseArrayName of input 1;
+  /// FastMarching, marched on that grid from the surface, sampled trilinearly.
+  vtkSetClampMacro(MorseFunction, int, ClosestPoint, FastMarching);
   vtkGetMacro(MorseFunction, int);
   ///@}
 
@@ -257,6 +287,9 @@ private:
   int MinimumPersistenceUnit = Percent;
   int ThresholdMode = Given;
   int MaximumNumberOfLoops = 0;
+  double MaximumLength = 0.0;
+  double MaximumReach = 0.0;
+  int LoopOrder = ByRadius;
   bool AlwaysReportHandles = true;
   int Filtration = Delaunay;
   int MorseFunction = ClosestPoint;

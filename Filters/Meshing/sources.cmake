@@ -37,6 +37,7 @@ isthmus_room(
     StuffingOutput
     StuffingStencils
     StuffingWarp
+    SurfaceBoolean
     SurfaceMove
     SurfaceSeeds
     SurfaceTopology

@@ -39,7 +39,8 @@ set(long_tests "SuperStepsReachTheEnd|TimeOrderIsTwo|FourierModesDecay|Isosurfac
   "|AgreesWithItself/(129110|72214|65004|1514499|emd_5043)|SurfaceMending.DamagedSurfaces"
   "|LysozymeStarts|EarlyLysozyme|IsAsNearToTheUniformOne|NoiseStaysManifoldWithItsHandles"
   "|NoTrianglesCrossWhere|SharpEdgesOfMachineParts|PolyhedraBecome|ManyKindsOfDamage"
-  "|LimitsOfTimeAndMemory|ResultDigests|SquareOfTheSpacing|EdgesOfSampledSolids")
+  "|LimitsOfTimeAndMemory|ResultDigests|SquareOfTheSpacing|EdgesOfSampledSolids"
+  "|CutsTheHandlesBelow|OneCutEndsAHandle|FastMarchingComesToTheDistance")
 string(CONCAT long_tests ${long_tests})
 run("${CMAKE_CTEST_COMMAND}" --test-dir "${folder}" --output-on-failure --parallel 2
   --exclude-regex "${long_tests}")

@@ -31,7 +31,7 @@ loops = ChokingLoops(Input=shape)
 UpdatePipeline(proxy=loops)
 lines = output(loops, 0)
 assert lines.GetNumberOfCells() == 2, lines.GetNumberOfCells()
-for name in ("Kind", "Side", "KindName", "Radius", "Fill", "Widening", "Trusted", "Length",
+for name in ("Kind", "Side", "KindName", "Radius", "Fill", "Widening", "Trusted", "Length", "Reach",
              "FeatureId", "SharedWith", "Component",
              "Distance", "Death", "Persistence"):  # the last three: the old names, one version
     assert lines.GetCellData().GetAbstractArray(name), name

@@ -2,9 +2,11 @@
 
 #include "ChokingLoops.h"
 #include "ChokingSurfaces.h"
+#include "LoopLimits.h"
 #include "vtkChokingLoops.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkCellData.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkLogger.h>
@@ -125,6 +127,98 @@ TEST(ChokingLoopsFilter, SteeringDoesNotAnalyseAgain)
   loops->SetSampleSpacing(1.0);
   steered.Run();
   EXPECT_NE(steered.Times(), first);
+}
+
+namespace
+{
+
+/// A plate with a round hole of radius 0.3 and a slot, 1.6 long and 0.4 wide.
+TriangleMesh SlottedPlate()
+{
+  const auto f = [](double x, double y, double z)
+  {
+    const double hole = 0.3 - std::hypot(x + 1.507, y - 0.007);
+    const double slot = std::min(0.8 - std::abs(y - 0.007), 0.2 - std::abs(x - 1.013));
+    return std::max({ std::abs(x) - 2.8, std::abs(y) - 1.9, std::abs(z) - 0.5, hole, slot });
+  };
+  return LevelSet(f, { -3.1, -2.2, -0.8 }, { 3.1, 2.2, 0.8 }, { 93, 66, 24 });
+}
+
+/// Radii, lengths and reaches of the tunnels, in the order of the output.
+std::vector<std::array<double, 3>> TunnelsOf(vtkChokingLoops* loops)
+{
+  vtkCellData* cells = loops->GetOutput()->GetCellData();
+  std::vector<std::array<double, 3>> tunnels;
+  for (vtkIdType i = 0; i < loops->GetOutput()->GetNumberOfCells(); ++i)
+  {
+    if (cells->GetArray("Kind")->GetTuple1(i) == 1.0)
+    {
+      tunnels.push_back({ cells->GetArray("Radius")->GetTuple1(i),
+        cells->GetArray("Length")->GetTuple1(i), cells->GetArray("Reach")->GetTuple1(i) });
+    }
+  }
+  return tunnels;
+}
+
+}
+
+TEST(ChokingLoopsFilter, LeavesOutWhatIsTooLongOrDoesNotReachTheSurface)
+{
+  Steered steered(SlottedPlate());
+  vtkChokingLoops* loops = steered.Loops;
+  steered.Run();
+  const std::vector<double> first = steered.Times();
+  const auto all = TunnelsOf(loops);
+  ASSERT_EQ(all.size(), 2U); // the slot is the narrower one, though its loop is longer
+  EXPECT_NEAR(all[0][0], 0.2, 0.01);
+  EXPECT_NEAR(all[0][1], 4.0, 0.2);
+  EXPECT_NEAR(all[1][0], 0.3, 0.01);
+  EXPECT_NEAR(all[1][1], 0.6 * M_PI, 0.05);
+  EXPECT_NEAR(all[1][2], 1.0, 0.1);
+  // The ball touches the slot's two sides anywhere along it: half its diagonal at least.
+  EXPECT_GT(all[0][2], 0.95 * std::hypot(1.0, 4.0));
+  EXPECT_LT(all[0][2], std::hypot(1.0, 8.0));
+  loops->SetLoopOrder(vtkChokingLoops::ByLength);
+  steered.Run();
+  EXPECT_EQ(TunnelsOf(loops), (std::vector<std::array<double, 3>>{ all[1], all[0] }));
+  loops->SetMaximumReach(2.0);
+  steered.Run();
+  EXPECT_EQ(TunnelsOf(loops), (std::vector<std::array<double, 3>>{ all[1] }));
+  EXPECT_EQ(loops->GetOutput()->GetFieldData()->GetArray("NumberOfTunnels")->GetTuple1(0), 1.0);
+  loops->SetMaximumReach(0.0);
+  loops->SetMaximumLength(3.0);
+  steered.Run();
+  EXPECT_EQ(TunnelsOf(loops), (std::vector<std::array<double, 3>>{ all[1] }));
+  loops->SetMaximumLength(1.0);
+  steered.Run();
+  EXPECT_TRUE(TunnelsOf(loops).empty());
+  EXPECT_EQ(steered.Times(), first) << "analysed again";
+  EXPECT_FALSE(steered.Complained()) << steered.Said();
+}
+
+TEST(ChokingLoopsFilter, WhereTheFirstOfTwoThatShareGoesTheOtherStandsAlone)
+{
+  ChokingLoops loops(Torus(1.0, 0.3, 60, 20));
+  const auto& features = loops.Diagram().Features;
+  const auto indexOf = [&features](FeatureKind kind)
+  {
+    const auto found = std::find_if(
+      features.begin(), features.end(), [kind](const ShapeFeature& f) { return f.Kind == kind; });
+    return static_cast<std::size_t>(found - features.begin());
+  };
+  const std::size_t handle = indexOf(FeatureKind::Handle);
+  const std::size_t tunnel = indexOf(FeatureKind::Tunnel);
+  const LoopFeature loop = MakeLoopFeature(loops, handle, 100);
+  // The same loop, seen from the middle of the ring as well: 1.3 away, that is 1.86 radii of 0.7.
+  const ShownFeature first{ tunnel, &loop, -1 };
+  std::vector<ShownFeature> shown{ first, { handle, &loop, static_cast<std::ptrdiff_t>(tunnel) } };
+  EXPECT_NEAR(ReachOf(loops, first), 1.3 / 0.7, 0.05);
+  KeepWithin(loops, { 0.0, 2.0, false }, shown);
+  EXPECT_EQ(shown.size(), 2U);
+  KeepWithin(loops, { 0.0, 1.5, false }, shown);
+  ASSERT_EQ(shown.size(), 1U);
+  EXPECT_EQ(shown[0].Index, handle);
+  EXPECT_EQ(shown[0].SharedWith, -1);
 }
 
 TEST(ChokingLoopsFilter, ProgressOnlyMovesForward)

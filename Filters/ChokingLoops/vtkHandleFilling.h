@@ -1,0 +1,90 @@
+/**
+ * @class vtkHandleFilling
+ * @brief A surface without its small handles and tunnels (thesis, chapter 6: topological
+ * filtering).
+ *
+ * Tunnels narrower than a size are filled, handles thinner than it are cut, along the membranes
+ * that vtkChokingLoops finds there: each lowers the genus by one, and the rest of the surface stays
+ * as it is, point for point. The size is compared with the `Radius` of choking loops.
+ *
+ * Input: a closed triangulated surface (vtkPolyData).
+ *
+ * Output 0, the repaired surface (vtkPolyData), facing outward. Cell array:
+ * - `Filling`: 0 on the surface given, else the number of the filling, from 1.
+ *
+ * Field data: `Genus` (two values: before and after, all components together) and `LeftOpen`
+ * (number of handles and tunnels below the size that could not be filled, with a warning).
+ *
+ * Output 1, the fillings (vtkTable), a row each, in the order in which they were made: `Filling`,
+ * `Kind` (0 handle, 1 tunnel), `KindName`, `Radius` (of the ball that got stuck), `Area` (of the
+ * membrane), `Thickness`, `Volume` (Area times Thickness; negative: cut away), in units of the
+ * points.
+ *
+ * Arrays of the input are not handed on, but for its field data. Algorithm, limits, cost:
+ * HandleFilling.h.
+ */
+#ifndef vtkHandleFilling_h
+#define vtkHandleFilling_h
+
+#include "vtkIsthmusModule.h"
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKISTHMUS_EXPORT vtkHandleFilling : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkHandleFilling* New();
+  vtkTypeMacro(vtkHandleFilling, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Handles and tunnels whose ball has a smaller radius than this go. In the unit of the points,
+  /// above 0. Default 1.
+  vtkSetMacro(FillHandlesBelow, double);
+  vtkGetMacro(FillHandlesBelow, double);
+  ///@}
+
+  enum SideType
+  {
+    Inside,
+    Outside,
+    Both
+  };
+
+  ///@{
+  /// Inside: handles are cut; Outside: tunnels are filled; Both (default): whatever is narrower.
+  vtkSetClampMacro(Side, int, Inside, Both);
+  vtkGetMacro(Side, int);
+  ///@}
+
+  ///@{
+  /// Thickness of what fills a tunnel, and width of the gap that cuts a handle, in its radii: above
+  /// 0, at most 1; less is taken where the wall beside it is thin. Default 0.25.
+  vtkSetMacro(Thickness, double);
+  vtkGetMacro(Thickness, double);
+  ///@}
+
+  ///@{
+  /// As vtkChokingLoops has it: longest edge of the samples; 0 (default): automatic.
+  vtkSetMacro(SampleSpacing, double);
+  vtkGetMacro(SampleSpacing, double);
+  ///@}
+
+protected:
+  vtkHandleFilling();
+  ~vtkHandleFilling() override = default;
+
+  int FillOutputPortInformation(int port, vtkInformation* information) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkHandleFilling(const vtkHandleFilling&) = delete;
+  void operator=(const vtkHandleFilling&) = delete;
+
+  double FillHandlesBelow = 1.0;
+  int Side = Both;
+  double Thickness = 0.25;
+  double SampleSpacing = 0.0;
+};
+
+#endif
