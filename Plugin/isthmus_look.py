@@ -156,15 +156,19 @@ def _look_at_loops(display, view, port):
 
 
 def _look_at_ions(display, view):
-    """A channel's volume cut along the channel, not its outline."""
-    normal = [abs(x) for x in servermanager._getPyProxy(display.Input.SMProxy).MembraneNormal]
+    """A channel's volume cut along the channel, not its outline, and seen upright from the side."""
+    normal = list(servermanager._getPyProxy(display.Input.SMProxy).MembraneNormal)
+    upright = abs(normal[2]) == max(abs(x) for x in normal)
+    across = 1 if upright else 2
+    data = data_of(display.Input)
+    extent, bounds = data.GetExtent(), data.GetBounds()
     display.SetRepresentationType("Slice")
-    display.SliceMode = "XZ Plane" if normal[2] == max(normal) else "XY Plane"
-    across = 1 if normal[2] == max(normal) else 2
-    extent = data_of(display.Input).GetExtent()
+    display.SliceMode = "XZ Plane" if upright else "XY Plane"
     display.Slice = (extent[2 * across + 1] - extent[2 * across]) // 2
     simple.ColorBy(display, ("POINTS", "Potential"))
     display.SetScalarBarVisibility(view, True)
+    middle = [0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]) for axis in range(3)]
+    simple.ResetCameraToDirection(middle, [0, 1, 0] if upright else [0, 0, -1], normal, view)
 
 
 def _look_at_mesh(display, view):
