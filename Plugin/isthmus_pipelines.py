@@ -313,6 +313,25 @@ def _tell(message):
     vtkLogger.Log(vtkLogger.VERBOSITY_ERROR, "Isthmus", 0, message)
 
 
+def use_proposed_threshold(number):
+    """The button beside Minimum Persistence of the proxy with that global id: the threshold that its last
+    result proposes, of both sides the lower one that parts anything. Loops answer at once."""
+    loops = servermanager._getPyProxy(servermanager.ActiveConnection.Session.GetRemoteObject(number))
+    proposed = loops.FieldData["ProposedThreshold"]
+    if proposed is None:
+        _tell("There is no threshold to propose before the first result: press Apply first.")
+        return
+    lines = servermanager.Fetch(simple.OutputPort(loops, 0), 0, 0)
+    told = lines.GetFieldData().GetArray("ProposedThreshold")
+    sides = {"Inside": (0,), "Outside": (1,)}.get(str(loops.Side), (0, 1))
+    rows = [told.GetTuple(side) for side in sides]
+    gaps = [threshold for threshold, width in rows if width > 0.0]
+    loops.PersistenceUnit = "Unit of the points"
+    loops.MinimumPersistence = min(gaps or [threshold for threshold, _ in rows])
+    loops.UpdatePipeline()
+    simple.RenderAllViews()
+
+
 def run(function):
     """A button of the toolbar: the pipeline on the active source, or on what that was made from; shown
     in the active view, with all else hidden."""
