@@ -4,14 +4,15 @@
 
 #include <vtkSMProxy.h>
 
+#include <QBoxLayout>
 #include <QIcon>
-#include <QLayout>
 #include <QToolButton>
 
 IsthmusProposedThreshold::IsthmusProposedThreshold(vtkPVXMLElement* xml, pqPropertyWidget* parent)
   : pqPropertyWidgetDecorator(xml, parent)
 {
-  if (!parent->layout())
+  auto* row = qobject_cast<QBoxLayout*>(parent->layout());
+  if (!row)
   {
     return;
   }
@@ -22,7 +23,7 @@ IsthmusProposedThreshold::IsthmusProposedThreshold(vtkPVXMLElement* xml, pqPrope
   button->setToolTip(
     tr("Take the threshold that the last result proposes: the largest gap of its persistence "
        "diagram, of both sides the lower one."));
-  parent->layout()->addWidget(button);
+  row->insertWidget(0, button); // at the right end a narrow panel hides it
   const QString call = QString("use_proposed_threshold(%1)").arg(parent->proxy()->GetGlobalID());
   QObject::connect(button, &QToolButton::clicked, this, [call] { isthmus::RunPipelines(call); });
 }
