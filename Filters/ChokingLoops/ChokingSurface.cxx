@@ -131,7 +131,7 @@ TriangleMesh CheckedSurface(TriangleMesh surface, bool allowCrossings,
   {
     throw std::invalid_argument(defects.Sentence() + WhyOpen(surface, defects) +
       " Choking loops need a closed, manifold, consistently oriented surface: repair it first "
-      "(CapHoles fills holes).");
+      "(Fill Holes, or CapHoles of Choking Loops, closes holes).");
   }
   DemandThickness(surface);
   if (!defects.None())
