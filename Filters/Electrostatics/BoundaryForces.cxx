@@ -10,14 +10,14 @@ namespace isthmus
 namespace
 {
 
-std::vector<Vector3> PlacesOfCrossings(const PotentialOnBox& solution)
+std::vector<Point3> PlacesOfCrossings(const PotentialOnBox& solution)
 {
   const SolverBox& box = solution.GetBox();
-  std::vector<Vector3> places;
+  std::vector<Point3> places;
   places.reserve(solution.GetCrossings().size());
   for (const InterfaceCrossing& crossing : solution.GetCrossings())
   {
-    Vector3 place = box.Position(crossing.Node);
+    Point3 place = box.Position(crossing.Node);
     const auto axis = static_cast<std::size_t>(crossing.Axis);
     place[axis] += crossing.Fraction * box.Spacing[axis];
     places.push_back(place);
@@ -30,7 +30,7 @@ double Pull(const SurfaceValues& field, std::size_t i, const FitMedium& medium, 
 {
   const double inside = medium.SoluteDielectric;
   const double outside = medium.SolventDielectric;
-  const Vector3& t = field.TangentialGradient[i];
+  const Point3& t = field.TangentialGradient[i];
   const double normal = outside * field.NormalField[i];
   const double value = ((1.0 / inside - 1.0 / outside) * normal * normal +
                          (outside - inside) * (t[0] * t[0] + t[1] * t[1] + t[2] * t[2])) /
@@ -39,7 +39,7 @@ double Pull(const SurfaceValues& field, std::size_t i, const FitMedium& medium, 
 }
 
 /// Takes (weight times shares) from the forces of the atoms that carry a point.
-void Subtract(const std::vector<SurfaceShare>& shares, double weight, std::vector<Vector3>& forces)
+void Subtract(const std::vector<SurfaceShare>& shares, double weight, std::vector<Point3>& forces)
 {
   for (const SurfaceShare& share : shares)
   {
@@ -60,7 +60,7 @@ double IonPressure(const PotentialOnBox& solution, std::size_t layer, double phi
 
 /// The ions that keep off the surface: access goes from 0 to 1 over IonBorderWidth, and with it.
 void AddDistantIons(const PotentialOnBox& solution, std::size_t layer, const SurfaceMotion& motion,
-  std::vector<Vector3>& forces)
+  std::vector<Point3>& forces)
 {
   const SolverBox& box = solution.GetBox();
   std::vector<IonBorderNode> border;
@@ -97,7 +97,7 @@ BoundaryForces ForcesOnBoundary(
 {
   const double kelvin = solution.GetParameters().Temperature;
   const SolverBox& box = solution.GetBox();
-  const std::vector<Vector3> places = PlacesOfCrossings(solution);
+  const std::vector<Point3> places = PlacesOfCrossings(solution);
   const SurfaceValues field = EvaluateAtSurface(solution, level, places, kelvin);
   const double coulomb = units::CoulombLength(kelvin);
   const std::size_t atoms = solution.GetReport().AtomForces.size();
@@ -120,7 +120,7 @@ BoundaryForces ForcesOnBoundary(
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     const auto axis = static_cast<std::size_t>(solution.GetCrossings()[i].Axis);
-    const Vector3& normal = field.Normal[i];
+    const Point3& normal = field.Normal[i];
     const double area =
       std::abs(normal[axis]) * box.Spacing[(axis + 1) % 3] * box.Spacing[(axis + 2) % 3];
     motion.At(places[i], normal, shares);

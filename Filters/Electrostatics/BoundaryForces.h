@@ -31,7 +31,7 @@ VTKISTHMUS_EXPORT std::vector<double> PullAtCrossings(
 /// On each atom, kT/angstrom, along the grid's axes.
 struct BoundaryForces
 {
-  std::vector<Vector3> Dielectric, Ionic;
+  std::vector<Point3> Dielectric, Ionic;
 };
 
 /**

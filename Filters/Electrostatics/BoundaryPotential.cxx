@@ -86,10 +86,10 @@ PotentialFunction MultipleDebyeHueckel(const std::vector<ChargedAtom>& atoms, do
   }
   if (charges->Size() < FewestForTree)
   {
-    return [charges, kappa](const Vector3& x) { return ScreenedSum(*charges, kappa, x); };
+    return [charges, kappa](const Point3& x) { return ScreenedSum(*charges, kappa, x); };
   }
   auto tree = std::make_shared<ChargeTree>(*charges);
-  return [tree, kappa](const Vector3& x) { return tree->ScreenedSum(x, kappa); };
+  return [tree, kappa](const Point3& x) { return tree->ScreenedSum(x, kappa); };
 }
 
 PotentialFunction SingleDebyeHueckel(const std::vector<ChargedAtom>& atoms, double coulombLength,

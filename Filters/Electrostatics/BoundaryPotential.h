@@ -12,7 +12,7 @@
 namespace isthmus
 {
 
-using PotentialFunction = std::function<double(const Vector3&)>;
+using PotentialFunction = std::function<double(const Point3&)>;
 
 /**
  * sum C q_i exp(-kappa (|x - r_i| - a_i)) / (eps_s |x - r_i| (1 + kappa a_i)), each charge by

@@ -121,7 +121,7 @@ ISTHMUS_VECTOR_CLONES void ScreenedLoop(std::size_t blocks, const double* px, co
 }
 
 /// One charge by itself, into lane 0.
-void AddOne(const ChargeList& charges, std::size_t i, const Vector3& x, double (*sums)[Lanes])
+void AddOne(const ChargeList& charges, std::size_t i, const Point3& x, double (*sums)[Lanes])
 {
   double px[Lanes], py[Lanes], pz[Lanes], q[Lanes] = {};
   std::fill(px, px + Lanes, charges.X[i]);
@@ -133,7 +133,7 @@ void AddOne(const ChargeList& charges, std::size_t i, const Vector3& x, double (
 
 }
 
-SecondOrderTaylor CoulombSum(const ChargeList& charges, const Vector3& x)
+SecondOrderTaylor CoulombSum(const ChargeList& charges, const Point3& x)
 {
   double sums[10][Lanes] = {};
   const std::size_t blocks = charges.Size() / Lanes;
@@ -155,7 +155,7 @@ SecondOrderTaylor CoulombSum(const ChargeList& charges, const Vector3& x)
   return { s[0], { s[1], s[2], s[3] }, { s[4], s[5], s[6], s[7], s[8], s[9] } };
 }
 
-double CoulombValue(const ChargeList& charges, const Vector3& x, double nearest)
+double CoulombValue(const ChargeList& charges, const Point3& x, double nearest)
 {
   double lanes[Lanes] = {};
   const std::size_t blocks = charges.Size() / Lanes;
@@ -175,7 +175,7 @@ double CoulombValue(const ChargeList& charges, const Vector3& x, double nearest)
 }
 
 double ScreenedSum(
-  const ChargeList& charges, double kappa, const Vector3& x, std::size_t first, std::size_t last)
+  const ChargeList& charges, double kappa, const Point3& x, std::size_t first, std::size_t last)
 {
   double lanes[Lanes] = {};
   const std::size_t blocks = (last - first) / Lanes;

@@ -18,7 +18,7 @@ struct ChargeList
 {
   std::vector<double> X, Y, Z, Charge;
 
-  void Add(const Vector3& position, double charge)
+  void Add(const Point3& position, double charge)
   {
     this->X.push_back(position[0]);
     this->Y.push_back(position[1]);
@@ -52,11 +52,11 @@ struct ChargeList
 struct SecondOrderTaylor
 {
   double Value = 0.0;
-  Vector3 Gradient{ 0.0, 0.0, 0.0 };
+  Point3 Gradient{ 0.0, 0.0, 0.0 };
   std::array<double, 6> Hessian{ 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 
   /// Of the Taylor polynomial at `y` from the point.
-  double At(const Vector3& y) const
+  double At(const Point3& y) const
   {
     const auto& h = this->Hessian;
     return this->Value + this->Gradient[0] * y[0] + this->Gradient[1] * y[1] +
@@ -67,17 +67,17 @@ struct SecondOrderTaylor
 };
 
 /// sum q / |x - r| and its derivatives; about a nanosecond for each charge.
-VTKISTHMUS_EXPORT SecondOrderTaylor CoulombSum(const ChargeList& charges, const Vector3& x);
+VTKISTHMUS_EXPORT SecondOrderTaylor CoulombSum(const ChargeList& charges, const Point3& x);
 
 /// sum q / max(|x - r|, nearest).
-VTKISTHMUS_EXPORT double CoulombValue(const ChargeList& charges, const Vector3& x, double nearest);
+VTKISTHMUS_EXPORT double CoulombValue(const ChargeList& charges, const Point3& x, double nearest);
 
 /// sum q exp(-kappa |x - r|) / |x - r| over charges [first, last); a nanosecond or two for each.
 VTKISTHMUS_EXPORT double ScreenedSum(
-  const ChargeList& charges, double kappa, const Vector3& x, std::size_t first, std::size_t last);
+  const ChargeList& charges, double kappa, const Point3& x, std::size_t first, std::size_t last);
 
 /// Over all.
-inline double ScreenedSum(const ChargeList& charges, double kappa, const Vector3& x)
+inline double ScreenedSum(const ChargeList& charges, double kappa, const Point3& x)
 {
   return ScreenedSum(charges, kappa, x, 0, charges.Size());
 }

@@ -136,7 +136,7 @@ void ChargeTree::AddStandIns(
   }
 }
 
-bool ChargeTree::Far(const Box& box, const Vector3& centre, double radius)
+bool ChargeTree::Far(const Box& box, const Point3& centre, double radius)
 {
   double size2 = 0.0;
   double distance2 = 0.0;
@@ -150,7 +150,7 @@ bool ChargeTree::Far(const Box& box, const Vector3& centre, double radius)
   return std::sqrt(size2) < OpeningRatio * (std::sqrt(distance2) - radius);
 }
 
-void ChargeTree::Gather(const Vector3& centre, double radius, ChargeList& seen) const
+void ChargeTree::Gather(const Point3& centre, double radius, ChargeList& seen) const
 {
   seen.Clear();
   if (!this->Boxes.empty())
@@ -160,7 +160,7 @@ void ChargeTree::Gather(const Vector3& centre, double radius, ChargeList& seen) 
 }
 
 void ChargeTree::Gather(
-  std::int64_t id, const Vector3& centre, double radius, ChargeList& seen) const
+  std::int64_t id, const Point3& centre, double radius, ChargeList& seen) const
 {
   const Box& box = this->Boxes[static_cast<std::size_t>(id)];
   const bool leaf = box.Children[0] < 0;
@@ -175,12 +175,12 @@ void ChargeTree::Gather(
   this->Gather(box.Children[1], centre, radius, seen);
 }
 
-double ChargeTree::ScreenedSum(const Vector3& x, double kappa) const
+double ChargeTree::ScreenedSum(const Point3& x, double kappa) const
 {
   return this->Boxes.empty() ? 0.0 : this->ScreenedSum(0, x, kappa);
 }
 
-double ChargeTree::ScreenedSum(std::int64_t id, const Vector3& x, double kappa) const
+double ChargeTree::ScreenedSum(std::int64_t id, const Point3& x, double kappa) const
 {
   const Box& box = this->Boxes[static_cast<std::size_t>(id)];
   if (box.Children[0] < 0)

@@ -23,15 +23,15 @@ public:
   explicit ChargeTree(const ChargeList& charges);
 
   /// `seen` = what targets within `radius` of `centre` may sum over instead of all charges.
-  void Gather(const Vector3& centre, double radius, ChargeList& seen) const;
+  void Gather(const Point3& centre, double radius, ChargeList& seen) const;
 
   /// sum q exp(-kappa |x - r|) / |x - r| at a point; some microseconds.
-  double ScreenedSum(const Vector3& x, double kappa) const;
+  double ScreenedSum(const Point3& x, double kappa) const;
 
 private:
   struct Box
   {
-    Vector3 Low, High;
+    Point3 Low, High;
     std::size_t First, Last; ///< of Sorted
     std::int64_t Children[2] = { -1, -1 };
     ChargeList StandIns;
@@ -42,9 +42,9 @@ private:
   static void AddStandIns(
     const ChargeList& charges, const std::vector<std::size_t>& order, Box& box);
   /// Whether a box is seen from afar.
-  static bool Far(const Box& box, const Vector3& centre, double radius);
-  void Gather(std::int64_t box, const Vector3& centre, double radius, ChargeList& seen) const;
-  double ScreenedSum(std::int64_t box, const Vector3& x, double kappa) const;
+  static bool Far(const Box& box, const Point3& centre, double radius);
+  void Gather(std::int64_t box, const Point3& centre, double radius, ChargeList& seen) const;
+  double ScreenedSum(std::int64_t box, const Point3& x, double kappa) const;
 
   ChargeList Sorted; ///< the charges of a box in a row
   std::vector<Box> Boxes;

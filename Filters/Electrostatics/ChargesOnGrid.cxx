@@ -16,7 +16,7 @@ constexpr std::int64_t Brick = 8;
 
 using BrickNumber = std::array<std::int64_t, 3>;
 
-BrickNumber BrickOf(const SolverBox& box, const Vector3& x)
+BrickNumber BrickOf(const SolverBox& box, const Point3& x)
 {
   BrickNumber brick;
   for (std::size_t a = 0; a < 3; ++a)
@@ -27,9 +27,9 @@ BrickNumber BrickOf(const SolverBox& box, const Vector3& x)
   return brick;
 }
 
-Vector3 CentreOf(const SolverBox& box, const BrickNumber& brick)
+Point3 CentreOf(const SolverBox& box, const BrickNumber& brick)
 {
-  Vector3 centre;
+  Point3 centre;
   for (std::size_t a = 0; a < 3; ++a)
   {
     centre[a] = box.Corner[a] +
@@ -48,7 +48,7 @@ double BrickRadius(const SolverBox& box)
 }
 
 std::vector<SecondOrderTaylor> ChargesAtPoints(const ChargeList& charges, const SolverBox& box,
-  const std::vector<Vector3>& points, const ProgressCallback& progress)
+  const std::vector<Point3>& points, const ProgressCallback& progress)
 {
   std::vector<std::pair<BrickNumber, std::size_t>> order(points.size());
   for (std::size_t p = 0; p < points.size(); ++p)
@@ -96,11 +96,11 @@ std::vector<SecondOrderTaylor> ChargesAtPoints(const ChargeList& charges, const 
 std::vector<SecondOrderTaylor> ChargesAtCrossings(const ChargeList& charges, const SolverBox& box,
   const std::vector<InterfaceCrossing>& crossings, const ProgressCallback& progress)
 {
-  std::vector<Vector3> points(crossings.size());
+  std::vector<Point3> points(crossings.size());
   std::transform(crossings.begin(), crossings.end(), points.begin(),
     [&](const InterfaceCrossing& crossing)
     {
-      Vector3 x = box.Position(crossing.Node);
+      Point3 x = box.Position(crossing.Node);
       const auto a = static_cast<std::size_t>(crossing.Axis);
       x[a] += crossing.Fraction * box.Spacing[a];
       return x;
@@ -125,7 +125,7 @@ void ChargesAtNodes(const ChargeList& charges, const SolverBox& box,
       {
         const std::array<std::int64_t, 3> at{ b % bricks[0] * Brick,
           b / bricks[0] % bricks[1] * Brick, b / (bricks[0] * bricks[1]) * Brick };
-        Vector3 centre;
+        Point3 centre;
         for (std::size_t a = 0; a < 3; ++a)
         {
           centre[a] = box.Corner[a] +

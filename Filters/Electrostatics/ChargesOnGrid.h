@@ -14,7 +14,7 @@ namespace isthmus
 /// G with derivatives at each point, directly or, with many charges, by a tree for each brick of
 /// 8^3 nodes of the box. Parallel.
 VTKISTHMUS_EXPORT std::vector<SecondOrderTaylor> ChargesAtPoints(const ChargeList& charges,
-  const SolverBox& box, const std::vector<Vector3>& points, const ProgressCallback& progress = {});
+  const SolverBox& box, const std::vector<Point3>& points, const ProgressCallback& progress = {});
 
 /// The same at each crossing.
 std::vector<SecondOrderTaylor> ChargesAtCrossings(const ChargeList& charges, const SolverBox& box,

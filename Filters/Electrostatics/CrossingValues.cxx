@@ -7,9 +7,9 @@ namespace isthmus
 namespace
 {
 
-Vector3 EndOffset(const SolverBox& box, const InterfaceCrossing& c, bool upper)
+Point3 EndOffset(const SolverBox& box, const InterfaceCrossing& c, bool upper)
 {
-  Vector3 y{ 0.0, 0.0, 0.0 };
+  Point3 y{ 0.0, 0.0, 0.0 };
   const auto a = static_cast<std::size_t>(c.Axis);
   y[a] = (upper ? 1.0 - c.Fraction : -c.Fraction) * box.Spacing[a];
   return y;
@@ -17,7 +17,7 @@ Vector3 EndOffset(const SolverBox& box, const InterfaceCrossing& c, bool upper)
 
 /// Turns a functional of total potentials into one of u: the charges' part becomes a constant.
 Continuation InTermsOfU(const FitFunctional& functional, const FitNodes& nodes,
-  const SecondOrderTaylor& charges, bool insideFunction, const Vector3& target)
+  const SecondOrderTaylor& charges, bool insideFunction, const Point3& target)
 {
   Continuation c{};
   c.Constant = insideFunction ? -charges.At(target) : 0.0;
@@ -33,7 +33,7 @@ Continuation InTermsOfU(const FitFunctional& functional, const FitNodes& nodes,
 }
 
 /// Half the square of y along the normal: the part of p+ with the Laplacian 1.
-double Bulge(const SurfaceFrame& frame, const Vector3& y)
+double Bulge(const SurfaceFrame& frame, const Point3& y)
 {
   const auto& n = frame.Normal;
   const double along = n[0] * y[0] + n[1] * y[1] + n[2] * y[2];
@@ -42,7 +42,7 @@ double Bulge(const SurfaceFrame& frame, const Vector3& y)
 
 /// Adds what a constant in the Laplacian outside does to a continuation to `target`.
 void AddLaplacian(const SurfaceFrame& frame, double laplacian, const FitNodes& nodes,
-  bool insideFunction, const Vector3& target, Continuation& c)
+  bool insideFunction, const Point3& target, Continuation& c)
 {
   c.Constant += insideFunction ? 0.0 : laplacian * Bulge(frame, target);
   for (std::size_t i = 0; i < nodes.Count; ++i)
@@ -150,8 +150,8 @@ CrossingValues ValuesAtCrossing(const InterfaceProblem& problem, std::size_t ind
     ions = problem.Ions[index];
     medium.KappaSquared = ions.Slope;
   }
-  const Vector3 up = EndOffset(*problem.Box, c, true);
-  const Vector3 down = EndOffset(*problem.Box, c, false);
+  const Point3 up = EndOffset(*problem.Box, c, true);
+  const Point3 down = EndOffset(*problem.Box, c, false);
   const auto side = [](bool insideFunction)
   { return insideFunction ? FitTarget::InsideValue : FitTarget::OutsideValue; };
   const std::vector<FitTarget> targets{ { side(lowerInside), up }, { side(!lowerInside), down } };

@@ -14,7 +14,7 @@ constexpr int Most = 16;
 using Terms = std::array<double, Most>;
 
 /// Harmonic polynomials of degree 0 to 3.
-Terms Harmonics(const Vector3& y)
+Terms Harmonics(const Point3& y)
 {
   const double a = y[0], b = y[1], c = y[2];
   return { 1.0, a, b, c, a * b, a * c, b * c, a * a - b * b, 2.0 * c * c - a * a - b * b, a * b * c,
@@ -31,7 +31,7 @@ struct Datum
 
 /// The nodes inside within three spacings, offsets in units of the largest.
 std::vector<Datum> DataAround(const SolverBox& box, const std::vector<unsigned char>& inside,
-  const std::vector<double>& u, const Vector3& x, double unit)
+  const std::vector<double>& u, const Point3& x, double unit)
 {
   std::array<std::int64_t, 3> low, high;
   for (std::size_t a = 0; a < 3; ++a)
@@ -51,8 +51,8 @@ std::vector<Datum> DataAround(const SolverBox& box, const std::vector<unsigned c
       for (std::int64_t i = low[0]; i <= high[0]; ++i)
       {
         const auto node = static_cast<std::size_t>(i + j * steps[1] + k * steps[2]);
-        const Vector3 p = box.Position(i, j, k);
-        const Vector3 y{ (p[0] - x[0]) / unit, (p[1] - x[1]) / unit, (p[2] - x[2]) / unit };
+        const Point3 p = box.Position(i, j, k);
+        const Point3 y{ (p[0] - x[0]) / unit, (p[1] - x[1]) / unit, (p[2] - x[2]) / unit };
         const double r2 = y[0] * y[0] + y[1] * y[1] + y[2] * y[2];
         if (inside[node] && r2 <= 9.0)
         {
@@ -88,7 +88,7 @@ bool Solve(const std::vector<Datum>& data, int terms, Eigen::VectorXd& answer)
 }
 
 ValueAndGradient HarmonicAt(const SolverBox& box, const std::vector<unsigned char>& inside,
-  const std::vector<double>& u, const Vector3& x)
+  const std::vector<double>& u, const Point3& x)
 {
   const double unit = *std::max_element(box.Spacing.begin(), box.Spacing.end());
   const std::vector<Datum> data = DataAround(box, inside, u, x, unit);

@@ -18,12 +18,12 @@ namespace isthmus
 struct ValueAndGradient
 {
   double Value = 0.0;
-  Vector3 Gradient{ 0.0, 0.0, 0.0 };
+  Point3 Gradient{ 0.0, 0.0, 0.0 };
 };
 
 /// Of u at x (frame of the volume). Throws std::invalid_argument where no node around is inside.
 VTKISTHMUS_EXPORT ValueAndGradient HarmonicAt(const SolverBox& box,
-  const std::vector<unsigned char>& inside, const std::vector<double>& u, const Vector3& x);
+  const std::vector<unsigned char>& inside, const std::vector<double>& u, const Point3& x);
 
 }
 

@@ -21,7 +21,7 @@ using Basis = std::array<double, Unknowns>;
 /// The point's coordinates along normal and two tangents, and the curvature in them, by `Length`.
 struct LocalFrame
 {
-  Vector3 N, T1, T2;
+  Point3 N, T1, T2;
   double W11, W22, W12;
   double Inverse;
 
@@ -34,7 +34,7 @@ struct LocalFrame
     {
       small = std::abs(this->N[a]) < std::abs(this->N[small]) ? a : small;
     }
-    Vector3 e{ 0.0, 0.0, 0.0 };
+    Point3 e{ 0.0, 0.0, 0.0 };
     e[small] = 1.0;
     this->T1 = Cross(this->N, e);
     const double norm = std::sqrt(Dot(this->T1, this->T1));
@@ -48,21 +48,13 @@ struct LocalFrame
     this->W12 = length * Bend(frame, this->T1, this->T2);
   }
 
-  Vector3 Local(const Vector3& y) const
+  Point3 Local(const Point3& y) const
   {
     return { this->Inverse * Dot(this->N, y), this->Inverse * Dot(this->T1, y),
       this->Inverse * Dot(this->T2, y) };
   }
 
-  static double Dot(const Vector3& a, const Vector3& b)
-  {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
-  static Vector3 Cross(const Vector3& a, const Vector3& b)
-  {
-    return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-  }
-  static double Bend(const SurfaceFrame& f, const Vector3& a, const Vector3& b)
+  static double Bend(const SurfaceFrame& f, const Point3& a, const Point3& b)
   {
     const auto& w = f.Curvature;
     return a[0] * b[0] * w[0] + a[1] * b[1] * w[1] + a[2] * b[2] * w[2] +
@@ -71,13 +63,13 @@ struct LocalFrame
   }
 };
 
-Basis InsideBasis(const Vector3& y)
+Basis InsideBasis(const Point3& y)
 {
   const double n = y[0], t = y[1], s = y[2];
   return { 1.0, n, t, s, n * t, n * s, 0.5 * (t * t - n * n), 0.5 * (s * s - n * n), t * s };
 }
 
-Basis OutsideBasis(const Vector3& y, const LocalFrame& f, double rho, double k)
+Basis OutsideBasis(const Point3& y, const LocalFrame& f, double rho, double k)
 {
   const double n = y[0], t = y[1], s = y[2];
   const double tt = 0.5 * (t * t - n * n);
@@ -127,7 +119,7 @@ Rows UsableRows(const FitMedium& medium, const LocalFrame& f, const FitNodes& no
   for (std::size_t i = 0; i < nodes.Count; ++i)
   {
     const FitNode& node = nodes.Node[i];
-    const Vector3 y = f.Local(node.Offset);
+    const Point3 y = f.Local(node.Offset);
     // A node on the wrong side of the osculating paraboloid belongs to another sheet.
     const double side =
       y[0] + 0.5 * (f.W11 * y[1] * y[1] + f.W22 * y[2] * y[2] + 2.0 * f.W12 * y[1] * y[2]);

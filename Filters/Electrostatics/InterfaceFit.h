@@ -41,7 +41,7 @@ struct FitMedium
 /// A node that takes part.
 struct FitNode
 {
-  Vector3 Offset; ///< from the point
+  Point3 Offset; ///< from the point
   bool Inside;
   double Weight;
 };
@@ -80,7 +80,7 @@ struct FitTarget
     TangentZ
   };
   Quantity What;
-  Vector3 Offset{ 0.0, 0.0, 0.0 };
+  Point3 Offset{ 0.0, 0.0, 0.0 };
 };
 
 /**

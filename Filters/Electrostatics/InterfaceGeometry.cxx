@@ -87,8 +87,8 @@ double RootOnEdge(const LevelFunction& level, const SolverBox& box, const Line& 
 
 /// Gradient and second derivatives from samples and weights along the line; with weights along
 /// the line only, the point has to lie on the line.
-void Derivatives(const Samples& s, const LineWeights& w, int axis, const Vector3& h,
-  Vector3& gradient, double (&hessian)[3][3])
+void Derivatives(const Samples& s, const LineWeights& w, int axis, const Point3& h,
+  Point3& gradient, double (&hessian)[3][3])
 {
   const auto a = static_cast<std::size_t>(axis);
   const std::size_t b = (a + 1) % 3;
@@ -132,7 +132,7 @@ void Derivatives(const Samples& s, const LineWeights& w, int axis, const Vector3
 
 /// P H P / |g|, held below one over the spacing: sharper bends are below what the grid shows.
 SurfaceFrame FrameOf(
-  const Vector3& g, const double (&hessian)[3][3], double spacing, int axis, double towards)
+  const Point3& g, const double (&hessian)[3][3], double spacing, int axis, double towards)
 {
   SurfaceFrame frame;
   const double length = std::hypot(g[0], g[1], g[2]);
@@ -186,7 +186,7 @@ SurfaceFrame FrameOf(
   return frame;
 }
 
-double Largest(const Vector3& h)
+double Largest(const Point3& h)
 {
   return std::max({ h[0], h[1], h[2] });
 }
@@ -254,7 +254,7 @@ std::vector<InterfaceCrossing> FindCrossings(const LevelFunction& level, const S
           const Line line{ at, axis };
           InterfaceCrossing crossing{ node, axis, RootOnEdge(level, box, line), {} };
           Gather(level, box, line, samples);
-          Vector3 g;
+          Point3 g;
           double hessian[3][3];
           Derivatives(samples, WeightsAt(crossing.Fraction), axis, box.Spacing, g, hessian);
           crossing.Frame = FrameOf(g, hessian, Largest(box.Spacing), axis,
@@ -272,7 +272,7 @@ std::vector<InterfaceCrossing> FindCrossings(const LevelFunction& level, const S
   return all;
 }
 
-Vector3 OnLevel(const LevelFunction& level, const SolverBox& box, Vector3 x)
+Point3 OnLevel(const LevelFunction& level, const SolverBox& box, Point3 x)
 {
   const double furthest = Largest(box.Spacing);
   for (int step = 0; step < 3; ++step)
@@ -293,7 +293,7 @@ Vector3 OnLevel(const LevelFunction& level, const SolverBox& box, Vector3 x)
   return x;
 }
 
-SurfaceFrame FrameAt(const LevelFunction& level, const SolverBox& box, const Vector3& x)
+SurfaceFrame FrameAt(const LevelFunction& level, const SolverBox& box, const Point3& x)
 {
   const LocalPolynomial f(level, box, x);
   return FrameOf(f.Gradient, f.Hessian, Largest(box.Spacing), 2, 1.0);

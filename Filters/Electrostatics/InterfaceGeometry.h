@@ -23,7 +23,7 @@ namespace isthmus
 /// P = 1 - n n^T (xx, yy, zz, xy, xz, yz), P / R for a sphere.
 struct SurfaceFrame
 {
-  Vector3 Normal{ 0.0, 0.0, 1.0 };
+  Point3 Normal{ 0.0, 0.0, 1.0 };
   std::array<double, 6> Curvature{ 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 };
 
@@ -51,11 +51,11 @@ VTKISTHMUS_EXPORT std::vector<InterfaceCrossing> FindCrossings(const LevelFuncti
 
 /// The point of the level set next to `x`, which lies near it (within a spacing or so): Newton
 /// steps along the gradient of the polynomial through 6^3 nodes.
-VTKISTHMUS_EXPORT Vector3 OnLevel(const LevelFunction& level, const SolverBox& box, Vector3 x);
+VTKISTHMUS_EXPORT Point3 OnLevel(const LevelFunction& level, const SolverBox& box, Point3 x);
 
 /// The frame of the level set through the point `x` (frame of the volume).
 VTKISTHMUS_EXPORT SurfaceFrame FrameAt(
-  const LevelFunction& level, const SolverBox& box, const Vector3& x);
+  const LevelFunction& level, const SolverBox& box, const Point3& x);
 
 }
 

@@ -54,7 +54,7 @@ private:
   const SolverBox& Box;
   const std::vector<unsigned char>& Inside;
   double Solute, Solvent;
-  Vector3 Weights;
+  Point3 Weights;
   IrregularRows Rows;
   std::shared_ptr<const std::vector<float>> Diagonal;
 };

@@ -9,7 +9,7 @@ namespace isthmus
 namespace
 {
 
-double Distance(const InterfaceCrossing& c, const Vector3& y)
+double Distance(const InterfaceCrossing& c, const Point3& y)
 {
   const auto& n = c.Frame.Normal;
   const auto& w = c.Frame.Curvature;
@@ -86,13 +86,13 @@ public:
   {
     const auto& c =
       this->Crossings[static_cast<std::size_t>(this->Nearest[static_cast<std::size_t>(node)])];
-    const Vector3 y = this->From(node, this->Nearest[static_cast<std::size_t>(node)]);
+    const Point3 y = this->From(node, this->Nearest[static_cast<std::size_t>(node)]);
     const auto& w = c.Frame.Curvature;
-    Vector3 m{ c.Frame.Normal[0] + w[0] * y[0] + w[3] * y[1] + w[4] * y[2],
+    Point3 m{ c.Frame.Normal[0] + w[0] * y[0] + w[3] * y[1] + w[4] * y[2],
       c.Frame.Normal[1] + w[3] * y[0] + w[1] * y[1] + w[5] * y[2],
       c.Frame.Normal[2] + w[4] * y[0] + w[5] * y[1] + w[2] * y[2] };
     const double length = std::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
-    const Vector3 x = this->Box.Position(node);
+    const Point3 x = this->Box.Position(node);
     IonBorderNode result{ node, {}, {} };
     for (std::size_t a = 0; a < 3; ++a)
     {
@@ -103,18 +103,18 @@ public:
   }
 
 private:
-  Vector3 From(std::int64_t node, std::int32_t c) const
+  Point3 From(std::int64_t node, std::int32_t c) const
   {
     const auto& crossing = this->Crossings[static_cast<std::size_t>(c)];
-    const Vector3 x = this->Box.Position(node);
-    Vector3 y = this->Box.Position(crossing.Node);
+    const Point3 x = this->Box.Position(node);
+    Point3 y = this->Box.Position(crossing.Node);
     const auto a = static_cast<std::size_t>(crossing.Axis);
     y[a] += crossing.Fraction * this->Box.Spacing[a];
     return { x[0] - y[0], x[1] - y[1], x[2] - y[2] };
   }
   double Squared(std::int64_t node, std::int32_t c) const
   {
-    const Vector3 y = this->From(node, c);
+    const Point3 y = this->From(node, c);
     return y[0] * y[0] + y[1] * y[1] + y[2] * y[2];
   }
   std::int64_t Neighbour(std::int64_t node, int i, int j, int k) const

@@ -17,8 +17,8 @@ namespace isthmus
 struct IonBorderNode
 {
   std::int64_t Node;
-  Vector3 Foot;   ///< nearest point of the surface, frame of the volume
-  Vector3 Normal; ///< there, outwards
+  Point3 Foot;   ///< nearest point of the surface, frame of the volume
+  Point3 Normal; ///< there, outwards
 };
 
 /**

@@ -51,7 +51,7 @@ public:
   }
 
   std::array<std::int64_t, 3> Steps;
-  Vector3 Weights;
+  Point3 Weights;
   std::int64_t Node = 0;
   std::vector<std::pair<std::int64_t, double>> Entries;
   double Right = 0.0;
@@ -175,10 +175,10 @@ void Append(const IrregularRows& part, IrregularRows& all)
 
 }
 
-Vector3 AxisWeights(const SolverBox& box)
+Point3 AxisWeights(const SolverBox& box)
 {
   const double h = *std::min_element(box.Spacing.begin(), box.Spacing.end());
-  Vector3 w;
+  Point3 w;
   for (std::size_t a = 0; a < 3; ++a)
   {
     w[a] = h * h / (box.Spacing[a] * box.Spacing[a]);

@@ -35,7 +35,7 @@ VTKISTHMUS_EXPORT IrregularRows AssembleIrregularRows(
   const InterfaceProblem& problem, const ProgressCallback& progress = {});
 
 /// Weights (h / h_a)^2 of the axes, h the shortest spacing.
-Vector3 AxisWeights(const SolverBox& box);
+Point3 AxisWeights(const SolverBox& box);
 
 /// The permittivity of an edge that the surface crosses, `fraction` of it in the solute.
 inline double SeriesPermittivity(double solute, double solvent, double fraction)

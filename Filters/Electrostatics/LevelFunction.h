@@ -21,20 +21,20 @@ struct SolverBox
   std::array<std::int64_t, 3> First{ 0, 0, 0 }; ///< in nodes of the volume; may be negative
   std::array<std::int64_t, 3> Dimensions{ 0, 0, 0 };
   std::int64_t Stride = 1;
-  Vector3 Spacing{ 1.0, 1.0, 1.0 }; ///< between nodes of the box
-  Vector3 Corner{ 0.0, 0.0, 0.0 };  ///< position of its first node in the frame of the volume
+  Point3 Spacing{ 1.0, 1.0, 1.0 }; ///< between nodes of the box
+  Point3 Corner{ 0.0, 0.0, 0.0 };  ///< position of its first node in the frame of the volume
 
   std::int64_t Size() const
   {
     return this->Dimensions[0] * this->Dimensions[1] * this->Dimensions[2];
   }
-  Vector3 Position(std::int64_t i, std::int64_t j, std::int64_t k) const
+  Point3 Position(std::int64_t i, std::int64_t j, std::int64_t k) const
   {
     return { this->Corner[0] + static_cast<double>(i) * this->Spacing[0],
       this->Corner[1] + static_cast<double>(j) * this->Spacing[1],
       this->Corner[2] + static_cast<double>(k) * this->Spacing[2] };
   }
-  Vector3 Position(std::int64_t node) const
+  Point3 Position(std::int64_t node) const
   {
     const std::int64_t row = node / this->Dimensions[0];
     return this->Position(

@@ -38,7 +38,7 @@ double Sample(
     box.First[2] + p[2] * box.Stride);
 }
 
-LocalPolynomial::LocalPolynomial(const LevelFunction& level, const SolverBox& box, const Vector3& x)
+LocalPolynomial::LocalPolynomial(const LevelFunction& level, const SolverBox& box, const Point3& x)
 {
   std::array<std::int64_t, 3> low;
   LineWeights w[3];

@@ -33,10 +33,10 @@ double Sample(
 struct LocalPolynomial
 {
   double Value = 0.0;
-  Vector3 Gradient{ 0.0, 0.0, 0.0 };
+  Point3 Gradient{ 0.0, 0.0, 0.0 };
   double Hessian[3][3] = {};
 
-  LocalPolynomial(const LevelFunction& level, const SolverBox& box, const Vector3& x);
+  LocalPolynomial(const LevelFunction& level, const SolverBox& box, const Point3& x);
 };
 
 }

@@ -167,7 +167,7 @@ std::unique_ptr<PotentialOnBox> SolvePoissonBoltzmann(const LevelFunction& level
   switch (parameters.Condition)
   {
     case BoundaryCondition::Zero:
-      border = [](const Vector3&) { return 0.0; };
+      border = [](const Point3&) { return 0.0; };
       break;
     case BoundaryCondition::Given:
       border = parameters.Boundary;

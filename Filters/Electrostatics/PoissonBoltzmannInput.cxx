@@ -62,7 +62,7 @@ void RequireFinite(double value, const char* what, vtkIdType atom)
 }
 
 /// Trilinear in the level function, which goes on beyond the volume.
-double LevelAt(const LevelFunction& level, const Vector3& x)
+double LevelAt(const LevelFunction& level, const Point3& x)
 {
   std::array<std::int64_t, 3> low;
   double t[3];
@@ -83,7 +83,7 @@ double LevelAt(const LevelFunction& level, const Vector3& x)
 }
 
 /// A potential on a grid of its own, trilinear; NaN beyond it.
-std::function<double(const Vector3&)> OnItsGrid(
+std::function<double(const Point3&)> OnItsGrid(
   vtkImageData* potential, vtkDataArray* values, vtkImageData* grid)
 {
   // A copy: the filter's input may go before the function.
@@ -102,9 +102,9 @@ std::function<double(const Vector3&)> OnItsGrid(
   const GridShape shape = ShapeOf(potential);
   const vtkSmartPointer<vtkImageData> here = grid;
   const vtkSmartPointer<vtkImageData> there = potential;
-  return [copy, shape, here, there](const Vector3& place)
+  return [copy, shape, here, there](const Point3& place)
   {
-    Vector3 x = ToGrid(there, ToWorld(here, place));
+    Point3 x = ToGrid(there, ToWorld(here, place));
     for (std::size_t a = 0; a < 3; ++a)
     {
       const double end = shape.Spacing[a] * static_cast<double>(shape.Dimensions[a] - 1);
@@ -235,14 +235,14 @@ void SetPotentialInput(
   const auto function = OnItsGrid(potential, values, grid);
   if (!border)
   {
-    parameters.Start = [function](const Vector3& x)
+    parameters.Start = [function](const Point3& x)
     {
       const double value = function(x);
       return std::isnan(value) ? 0.0 : value;
     };
     return;
   }
-  parameters.Boundary = [function](const Vector3& x)
+  parameters.Boundary = [function](const Point3& x)
   {
     const double value = function(x);
     if (std::isnan(value))

@@ -52,12 +52,12 @@ vtkSmartPointer<vtkDoubleArray> Copy(const char* name, const std::vector<double>
 
 /// kT/angstrom along the grid's axes as kcal/(mol angstrom) in the world.
 vtkSmartPointer<vtkDoubleArray> Forces(
-  const char* name, const std::vector<Vector3>& forces, const SoluteVolume& volume, double kelvin)
+  const char* name, const std::vector<Point3>& forces, const SoluteVolume& volume, double kelvin)
 {
   auto array = Doubles(name, forces.size(), 3);
   for (std::size_t i = 0; i < forces.size(); ++i)
   {
-    Vector3 world;
+    Point3 world;
     volume.Grid->GetDirectionMatrix()->MultiplyPoint(forces[i].data(), world.data());
     for (double& force : world)
     {
@@ -165,13 +165,13 @@ void FillFieldData(const PotentialOnBox& solution, const PoissonBoltzmannParamet
 void FillSurface(const PotentialOnBox& solution, const SoluteVolume& volume, double kelvin,
   vtkPolyData* polygons, vtkPolyData* output, const ProgressCallback& progress)
 {
-  std::vector<Vector3> places;
+  std::vector<Point3> places;
   if (polygons)
   {
     output->ShallowCopy(polygons);
     for (vtkIdType i = 0; i < polygons->GetNumberOfPoints(); ++i)
     {
-      Vector3 x;
+      Point3 x;
       polygons->GetPoint(i, x.data());
       places.push_back(ToGrid(volume.Grid, x));
     }
@@ -183,7 +183,7 @@ void FillSurface(const PotentialOnBox& solution, const SoluteVolume& volume, dou
     points->SetDataTypeToDouble();
     for (vtkIdType i = 0; i < triangles->GetNumberOfPoints(); ++i)
     {
-      Vector3 x;
+      Point3 x;
       triangles->GetPoint(i, x.data());
       places.push_back(OnLevel(volume.Level, solution.GetBox(), x));
       points->InsertNextPoint(ToWorld(volume.Grid, places.back()).data());
@@ -227,7 +227,7 @@ void FillBoundaryForces(const PotentialOnBox& solution, const SoluteVolume& volu
   const double kelvin = solution.GetParameters().Temperature;
   const SurfaceMotion motion(onGrid, volume.Decay);
   const BoundaryForces forces = ForcesOnBoundary(solution, volume.Level, motion);
-  std::vector<Vector3> all = solution.GetReport().AtomForces;
+  std::vector<Point3> all = solution.GetReport().AtomForces;
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     for (std::size_t a = 0; a < 3; ++a)

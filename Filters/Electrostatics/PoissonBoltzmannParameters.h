@@ -5,6 +5,8 @@
 #ifndef isthmus_PoissonBoltzmannParameters_h
 #define isthmus_PoissonBoltzmannParameters_h
 
+#include "Point3.h"
+
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -14,12 +16,10 @@
 namespace isthmus
 {
 
-using Vector3 = std::array<double, 3>;
-
 /// Position and radius in angstrom, charge in e.
 struct ChargedAtom
 {
-  Vector3 Position;
+  Point3 Position;
   double Charge;
   double Radius;
 };
@@ -67,9 +67,9 @@ struct PoissonBoltzmannParameters
   /// of SoluteDielectric / SolventDielectric.
   double FitExponent = 1.5;
   /// Potential (kT/e) on the border of the box, for Given; in the frame of the level set's grid.
-  std::function<double(const Vector3&)> Boundary;
+  std::function<double(const Point3&)> Boundary;
   /// Potential to start from, if any, on the whole box.
-  std::function<double(const Vector3&)> Start;
+  std::function<double(const Point3&)> Start;
 };
 
 /// Numbers about a solution. Energies in kT.
@@ -79,7 +79,7 @@ struct PoissonBoltzmannReport
   double IonEnergy = 0.0;             ///< that term alone
   std::vector<double> AtomEnergies;   ///< 1/2 q u of each atom
   std::vector<double> AtomPotentials; ///< reaction potential u at each atom, kT/e
-  std::vector<Vector3> AtomForces;    ///< -q grad u, kT/angstrom, along the grid's axes
+  std::vector<Point3> AtomForces;     ///< -q grad u, kT/angstrom, along the grid's axes
   int Iterations = 0;                 ///< of BiCGSTAB on this grid, in all solutions on it
   int BorderIterations = 0;           ///< of BiCGSTAB on a coarser grid, for the border
   int NewtonSteps = 0;                ///< of the last solution

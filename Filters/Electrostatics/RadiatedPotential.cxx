@@ -67,7 +67,7 @@ void AddFace(const SolverBox& box, const std::vector<double>& u, const Radiating
       }
       const double slope = sign * ((w[0] - w[4]) + 8.0 * (w[3] - w[1])) / (12.0 * h);
       const double area = along[j] * across[k] / (4.0 * Pi);
-      Vector3 x = box.Position(at[0], at[1], at[2]);
+      Point3 x = box.Position(at[0], at[1], at[2]);
       const double half = -0.5 * slope * area;
       const double dipole = 0.5 * w[2] * area / apart;
       x[axis] += sign * apart;
@@ -120,10 +120,10 @@ PotentialFunction RadiatedPotential(
   }
   if (charges->Size() < FewestForTree)
   {
-    return [charges, kappa](const Vector3& x) { return ScreenedSum(*charges, kappa, x); };
+    return [charges, kappa](const Point3& x) { return ScreenedSum(*charges, kappa, x); };
   }
   auto tree = std::make_shared<ChargeTree>(*charges);
-  return [tree, kappa](const Vector3& x) { return tree->ScreenedSum(x, kappa); };
+  return [tree, kappa](const Point3& x) { return tree->ScreenedSum(x, kappa); };
 }
 
 }

@@ -37,7 +37,7 @@ void RequireWish(const GridWish& wish)
 }
 
 vtkSmartPointer<vtkImageData> ImageOf(
-  const Vector3& origin, const std::array<double, 3>& nodes, double spacing)
+  const Point3& origin, const std::array<double, 3>& nodes, double spacing)
 {
   int dimensions[3];
   double all = 1.0;
@@ -207,7 +207,7 @@ vtkSmartPointer<vtkImageData> GridAroundSurface(vtkPolyData* surface, const Grid
   RequireWish(wish);
   double box[6];
   surface->GetBounds(box);
-  Vector3 origin;
+  Point3 origin;
   std::array<double, 3> nodes;
   for (std::size_t a = 0; a < 3; ++a)
   {
@@ -298,7 +298,7 @@ SoluteVolume VolumeOfAtoms(
   volume.Kind = "level 1 of a sum of Gaussians, decay 2.3";
   const GridShape shape = ShapeOf(volume.Grid);
   volume.Floats.resize(static_cast<std::size_t>(shape.Size()));
-  Vector3 origin;
+  Point3 origin;
   volume.Grid->GetOrigin(origin.data());
   GaussianSum(BallsOf(atoms), decay, origin,
     { volume.Floats.data(), shape.Dimensions, shape.Spacing }, progress);
@@ -308,10 +308,10 @@ SoluteVolume VolumeOfAtoms(
   return volume;
 }
 
-Vector3 ToGrid(vtkImageData* grid, const Vector3& world)
+Point3 ToGrid(vtkImageData* grid, const Point3& world)
 {
   const int* const extent = grid->GetExtent();
-  Vector3 index;
+  Point3 index;
   grid->TransformPhysicalPointToContinuousIndex(world.data(), index.data());
   for (std::size_t a = 0; a < 3; ++a)
   {
@@ -320,10 +320,10 @@ Vector3 ToGrid(vtkImageData* grid, const Vector3& world)
   return index;
 }
 
-Vector3 ToWorld(vtkImageData* grid, const Vector3& place)
+Point3 ToWorld(vtkImageData* grid, const Point3& place)
 {
   const int* const extent = grid->GetExtent();
-  Vector3 index, world;
+  Point3 index, world;
   for (std::size_t a = 0; a < 3; ++a)
   {
     index[a] = place[a] / grid->GetSpacing()[a] + extent[2 * a];

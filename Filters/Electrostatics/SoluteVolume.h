@@ -63,8 +63,8 @@ SoluteVolume VolumeOfAtoms(const std::vector<ChargedAtom>& atoms, const GridWish
   const ProgressCallback& progress = {});
 
 /// From world coordinates to lengths along the grid's axes from its first node, and back.
-Vector3 ToGrid(vtkImageData* grid, const Vector3& world);
-Vector3 ToWorld(vtkImageData* grid, const Vector3& place);
+Point3 ToGrid(vtkImageData* grid, const Point3& world);
+Point3 ToWorld(vtkImageData* grid, const Point3& place);
 
 }
 

@@ -17,7 +17,7 @@ SurfaceMotion::SurfaceMotion(const std::vector<ChargedAtom>& atoms, double decay
   : Atoms(atoms)
   , Decay(decay)
 {
-  Vector3 high = atoms.front().Position;
+  Point3 high = atoms.front().Position;
   this->Low = high;
   for (const ChargedAtom& atom : atoms)
   {
@@ -63,7 +63,7 @@ SurfaceMotion::SurfaceMotion(const std::vector<ChargedAtom>& atoms, double decay
   }
 }
 
-std::array<std::int64_t, 3> SurfaceMotion::CellOf(const Vector3& x) const
+std::array<std::int64_t, 3> SurfaceMotion::CellOf(const Point3& x) const
 {
   std::array<std::int64_t, 3> cell;
   for (std::size_t a = 0; a < 3; ++a)
@@ -107,17 +107,17 @@ void SurfaceMotion::ForNear(
   }
 }
 
-void SurfaceMotion::OfGaussians(const Vector3& x, std::vector<SurfaceShare>& shares) const
+void SurfaceMotion::OfGaussians(const Point3& x, std::vector<SurfaceShare>& shares) const
 {
   const double most = 1.0 - std::log(SmallestTerm) / this->Decay; // of (distance / radius)^2
   const auto rings =
     static_cast<std::int64_t>(std::ceil(this->Largest * std::sqrt(most) / this->Cell));
   const auto middle = this->CellOf(x);
-  Vector3 gradient{ 0.0, 0.0, 0.0 };
+  Point3 gradient{ 0.0, 0.0, 0.0 };
   const auto visit = [&](std::size_t i)
   {
     const ChargedAtom& atom = this->Atoms[i];
-    const Vector3 y{ x[0] - atom.Position[0], x[1] - atom.Position[1], x[2] - atom.Position[2] };
+    const Point3 y{ x[0] - atom.Position[0], x[1] - atom.Position[1], x[2] - atom.Position[2] };
     const double r2 = atom.Radius * atom.Radius;
     const double d2 = y[0] * y[0] + y[1] * y[1] + y[2] * y[2];
     if (!(d2 < most * r2))
@@ -151,7 +151,7 @@ void SurfaceMotion::OfGaussians(const Vector3& x, std::vector<SurfaceShare>& sha
   }
 }
 
-std::size_t SurfaceMotion::Owner(const Vector3& x) const
+std::size_t SurfaceMotion::Owner(const Point3& x) const
 {
   const auto middle = this->CellOf(x);
   // Where x lies beyond the cells, those of ring n are farther away than this still.
@@ -189,7 +189,7 @@ std::size_t SurfaceMotion::Owner(const Vector3& x) const
 }
 
 void SurfaceMotion::At(
-  const Vector3& x, const Vector3& normal, std::vector<SurfaceShare>& shares) const
+  const Point3& x, const Point3& normal, std::vector<SurfaceShare>& shares) const
 {
   shares.clear();
   if (this->Decay > 0.0)

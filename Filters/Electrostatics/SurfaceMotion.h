@@ -20,7 +20,7 @@ namespace isthmus
 struct SurfaceShare
 {
   std::size_t Atom;
-  Vector3 Part;
+  Point3 Part;
 };
 
 /// Atoms in cells of about their size. Memory 8 bytes an atom and cell.
@@ -36,21 +36,21 @@ public:
   SurfaceMotion(const std::vector<ChargedAtom>& atoms, double decay);
 
   /// The shares of a point with an outward unit normal, replacing what is there. O(atoms near).
-  void At(const Vector3& x, const Vector3& normal, std::vector<SurfaceShare>& shares) const;
+  void At(const Point3& x, const Point3& normal, std::vector<SurfaceShare>& shares) const;
 
 private:
   template <class Visit>
   void ForNear(
     const std::array<std::int64_t, 3>& middle, std::int64_t ring, const Visit& visit) const;
-  std::array<std::int64_t, 3> CellOf(const Vector3& x) const;
-  void OfGaussians(const Vector3& x, std::vector<SurfaceShare>& shares) const;
-  std::size_t Owner(const Vector3& x) const;
+  std::array<std::int64_t, 3> CellOf(const Point3& x) const;
+  void OfGaussians(const Point3& x, std::vector<SurfaceShare>& shares) const;
+  std::size_t Owner(const Point3& x) const;
 
   const std::vector<ChargedAtom>& Atoms;
   double Decay;
   double Largest = 0.0; ///< radius
   double Cell = 1.0;
-  Vector3 Low{ 0.0, 0.0, 0.0 };
+  Point3 Low{ 0.0, 0.0, 0.0 };
   std::array<std::int64_t, 3> Cells{ 1, 1, 1 };
   std::vector<std::size_t> First, Order; ///< atoms by cell
 };

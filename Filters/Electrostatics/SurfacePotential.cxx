@@ -14,7 +14,7 @@ namespace
 
 /// The 4 x 4 x 4 nodes around a point that are within the box.
 FitNodes NodesAroundPoint(
-  const SolverBox& box, const std::vector<unsigned char>& inside, const Vector3& x, double length)
+  const SolverBox& box, const std::vector<unsigned char>& inside, const Point3& x, double length)
 {
   std::array<std::int64_t, 3> low;
   for (std::size_t a = 0; a < 3; ++a)
@@ -33,7 +33,7 @@ FitNodes NodesAroundPoint(
       continue;
     }
     FitNode& node = nodes.Node[nodes.Count];
-    const Vector3 p = box.Position(i, j, k);
+    const Point3 p = box.Position(i, j, k);
     node.Offset = { p[0] - x[0], p[1] - x[1], p[2] - x[2] };
     const std::int64_t id = i + n[0] * (j + n[1] * k);
     node.Inside = inside[static_cast<std::size_t>(id)] != 0;
@@ -48,7 +48,7 @@ FitNodes NodesAroundPoint(
 }
 
 SurfaceValues EvaluateAtSurface(const PotentialOnBox& problem, const LevelFunction& level,
-  const std::vector<Vector3>& points, double kelvin, const ProgressCallback& progress)
+  const std::vector<Point3>& points, double kelvin, const ProgressCallback& progress)
 {
   const SolverBox& box = problem.GetBox();
   const FitMedium& medium = problem.GetMedium();
@@ -82,7 +82,7 @@ SurfaceValues EvaluateAtSurface(const PotentialOnBox& problem, const LevelFuncti
           continue;
         }
         double phi = 0.0, slope = 0.0;
-        Vector3 along{ 0.0, 0.0, 0.0 };
+        Point3 along{ 0.0, 0.0, 0.0 };
         for (std::size_t i = 0; i < nodes.Count; ++i)
         {
           const double total = problem.GetPotential()[static_cast<std::size_t>(nodes.Id[i])] +

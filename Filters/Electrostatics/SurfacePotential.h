@@ -15,17 +15,17 @@ namespace isthmus
 
 struct SurfaceValues
 {
-  std::vector<double> Potential;           ///< kT/e
-  std::vector<double> NormalField;         ///< -d_n phi just outside, kT/(e angstrom), outwards
-  std::vector<double> ChargeDensity;       ///< induced, e / angstrom^2
-  std::vector<Vector3> TangentialGradient; ///< of phi along the surface, kT/(e angstrom)
-  std::vector<Vector3> Normal;             ///< outwards
-  std::int64_t Failed = 0;                 ///< points without enough nodes, NaN
+  std::vector<double> Potential;          ///< kT/e
+  std::vector<double> NormalField;        ///< -d_n phi just outside, kT/(e angstrom), outwards
+  std::vector<double> ChargeDensity;      ///< induced, e / angstrom^2
+  std::vector<Point3> TangentialGradient; ///< of phi along the surface, kT/(e angstrom)
+  std::vector<Point3> Normal;             ///< outwards
+  std::int64_t Failed = 0;                ///< points without enough nodes, NaN
 };
 
 /// At points of the surface of a solved problem (frame of the volume). Parallel.
 VTKISTHMUS_EXPORT SurfaceValues EvaluateAtSurface(const PotentialOnBox& problem,
-  const LevelFunction& level, const std::vector<Vector3>& points, double kelvin,
+  const LevelFunction& level, const std::vector<Point3>& points, double kelvin,
   const ProgressCallback& progress = {});
 
 }

@@ -91,7 +91,7 @@ ChannelPassage FindPassage(const TransportGrid& grid)
     }
     if (joined.Through())
     {
-      const Vector3 place = d.Place(node);
+      const Point3 place = d.Place(node);
       return { place, d.AlongAndOff(place)[0], static_cast<double>(distance(node)) };
     }
   }
@@ -105,7 +105,7 @@ void DemandOpen(const ChannelPassage& passage)
   {
     return;
   }
-  const Vector3& at = passage.Bottleneck;
+  const Point3& at = passage.Bottleneck;
   throw std::runtime_error("The channel is not open from bath to bath: its widest way closes at (" +
     Shown(at[0]) + ", " + Shown(at[1]) + ", " + Shown(at[2]) + "), " + Shown(passage.Along) +
     " angstrom along the normal from the membrane's centre, where atoms and membrane leave a "

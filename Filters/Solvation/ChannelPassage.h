@@ -16,7 +16,7 @@ namespace isthmus
 
 struct ChannelPassage
 {
-  Vector3 Bottleneck{ 0.0, 0.0, 0.0 };
+  Point3 Bottleneck{ 0.0, 0.0, 0.0 };
   double Along = 0.0;  ///< of the bottleneck, from the membrane's centre along its normal, angstrom
   double Radius = 0.0; ///< distance to the walls there, angstrom; negative: walls overlap
 };

@@ -50,10 +50,10 @@ void AddColumn(const std::string& name, const Rows& rows, Value&& value, vtkTabl
 void WriteFluxes(const PoissonNernstPlanck& solution, std::int64_t node,
   const std::vector<float*>& fluxes, float* density)
 {
-  Vector3 current{ 0.0, 0.0, 0.0 };
+  Point3 current{ 0.0, 0.0, 0.0 };
   for (std::size_t k = 0; k < fluxes.size(); ++k)
   {
-    const Vector3 flux = FluxAt(solution, k, node);
+    const Point3 flux = FluxAt(solution, k, node);
     for (std::size_t a = 0; a < 3; ++a)
     {
       fluxes[k][3 * node + static_cast<std::int64_t>(a)] = static_cast<float>(flux[a]);
@@ -132,7 +132,7 @@ void FillTransportNumbers(const TransportPoint& point, const std::vector<Transpo
   AddNumbers("Converged", { point.Report.Converged ? 1.0 : 0.0 }, image);
   AddNumbers("Changes", point.Report.Changes, image);
   AddNumbers("BottleneckRadius", { passage.Radius }, image);
-  const Vector3& at = passage.Bottleneck;
+  const Point3& at = passage.Bottleneck;
   AddNumbers("BottleneckPosition", { at[0], at[1], at[2] }, image);
 }
 

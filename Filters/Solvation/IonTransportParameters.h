@@ -29,10 +29,10 @@ struct TransportSpecies
 /// A flat membrane, closed but for a round hole that the channel stands in.
 struct MembraneSlab
 {
-  Vector3 Centre{ 0.0, 0.0, 0.0 }; ///< on the channel's axis, angstrom
-  Vector3 Normal{ 0.0, 0.0, 1.0 }; ///< along that axis, from Below to Above; any length
-  double Thickness = 24.0;         ///< angstrom
-  double LumenRadius = 5.0;        ///< of the hole: nearer to the axis there is no membrane
+  Point3 Centre{ 0.0, 0.0, 0.0 }; ///< on the channel's axis, angstrom
+  Point3 Normal{ 0.0, 0.0, 1.0 }; ///< along that axis, from Below to Above; any length
+  double Thickness = 24.0;        ///< angstrom
+  double LumenRadius = 5.0;       ///< of the hole: nearer to the axis there is no membrane
 
   /// What falls off from the bath below, where it is 1, to that above, 0: linear across.
   double PartBelow(double along) const

@@ -150,7 +150,7 @@ void MovingChannel::Solve(const ProgressCallback& progress)
   this->Passage = FindPassage(*grid);
   if (!(this->Passage.Radius > 0.0) && !this->Updates.empty())
   {
-    const Vector3& at = this->Passage.Bottleneck;
+    const Point3& at = this->Passage.Bottleneck;
     throw std::runtime_error("The moving surface has closed the channel at (" + Shown(at[0]) +
       ", " + Shown(at[1]) + ", " + Shown(at[2]) + "), " + Shown(this->Passage.Along) +
       " angstrom along the normal from the membrane's centre, after " + Shown(this->Time) +

@@ -65,7 +65,7 @@ void CheckCharges(const SolvationAtoms& atoms)
 /// The value that `values` have at the node of `box` nearest to a place.
 PotentialFunction OnBox(const SolverBox& box, const std::vector<double>& values)
 {
-  return [&box, &values](const Vector3& place)
+  return [&box, &values](const Point3& place)
   {
     const std::array<std::int64_t, 3> steps = box.Steps();
     std::int64_t node = 0;

@@ -103,12 +103,12 @@ CurrentProfile CurrentsOf(const PoissonNernstPlanck& solution)
   return profile;
 }
 
-Vector3 FluxAt(const PoissonNernstPlanck& solution, std::size_t species, std::int64_t node)
+Point3 FluxAt(const PoissonNernstPlanck& solution, std::size_t species, std::int64_t node)
 {
   const TransportDomain& d = solution.GetGrid().Domain;
   const std::array<std::int64_t, 3> steps = d.Steps();
   const std::array<std::int64_t, 3> at = d.Indices(node);
-  Vector3 flux{ 0.0, 0.0, 0.0 };
+  Point3 flux{ 0.0, 0.0, 0.0 };
   for (std::size_t a = 0; a < 3; ++a)
   {
     const double behind = at[a] + 1 < d.Dimensions[a] ? solution.EdgeFlux(species, a, node) : 0.0;

@@ -32,7 +32,7 @@ struct CurrentProfile
 VTKISTHMUS_EXPORT CurrentProfile CurrentsOf(const PoissonNernstPlanck& solution);
 
 /// The flux of a species at a node, ions a nanosecond and square angstrom: the mean of its faces'.
-VTKISTHMUS_EXPORT Vector3 FluxAt(
+VTKISTHMUS_EXPORT Point3 FluxAt(
   const PoissonNernstPlanck& solution, std::size_t species, std::int64_t node);
 
 /// pA for an ion of 1 e a nanosecond.

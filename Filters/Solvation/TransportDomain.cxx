@@ -39,9 +39,9 @@ void DemandMemory(const TransportDomain& d, double bytesPerNode)
     " are available: choose a larger Spacing or a smaller Padding.");
 }
 
-std::array<double, 2> TransportDomain::AlongAndOff(const Vector3& place) const
+std::array<double, 2> TransportDomain::AlongAndOff(const Point3& place) const
 {
-  const Vector3 from{ place[0] - this->Centre[0], place[1] - this->Centre[1],
+  const Point3 from{ place[0] - this->Centre[0], place[1] - this->Centre[1],
     place[2] - this->Centre[2] };
   const double along =
     from[0] * this->Normal[0] + from[1] * this->Normal[1] + from[2] * this->Normal[2];
@@ -62,7 +62,7 @@ TransportDomain DomainAround(
   TransportDomain d;
   d.Spacing = parameters.Spacing;
   d.Centre = membrane.Centre;
-  const Vector3& n = membrane.Normal;
+  const Point3& n = membrane.Normal;
   const double length = std::hypot(n[0], n[1], n[2]);
   d.Normal = { n[0] / length, n[1] / length, n[2] / length };
   double far = 0.5 * membrane.Thickness;

@@ -24,12 +24,12 @@ namespace isthmus
 struct TransportDomain
 {
   std::array<std::int64_t, 3> Dimensions{ 0, 0, 0 };
-  Vector3 Origin{ 0.0, 0.0, 0.0 };
+  Point3 Origin{ 0.0, 0.0, 0.0 };
   double Spacing = 1.0;
-  Vector3 Centre{ 0.0, 0.0, 0.0 };
-  Vector3 Normal{ 0.0, 0.0, 1.0 }; ///< of length 1
-  double Radius = 0.0;             ///< of the cylinder
-  double HalfLength = 0.0;         ///< from the centre to the baths, whole spacings
+  Point3 Centre{ 0.0, 0.0, 0.0 };
+  Point3 Normal{ 0.0, 0.0, 1.0 }; ///< of length 1
+  double Radius = 0.0;            ///< of the cylinder
+  double HalfLength = 0.0;        ///< from the centre to the baths, whole spacings
 
   std::int64_t Size() const
   {
@@ -44,7 +44,7 @@ struct TransportDomain
     const auto& n = this->Dimensions;
     return { node % n[0], node / n[0] % n[1], node / (n[0] * n[1]) };
   }
-  Vector3 Place(std::int64_t node) const
+  Point3 Place(std::int64_t node) const
   {
     const std::array<std::int64_t, 3> at = this->Indices(node);
     return { this->Origin[0] + this->Spacing * static_cast<double>(at[0]),
@@ -52,7 +52,7 @@ struct TransportDomain
       this->Origin[2] + this->Spacing * static_cast<double>(at[2]) };
   }
   /// How far along the axis a place is, from the membrane's centre, and how far from the axis.
-  std::array<double, 2> AlongAndOff(const Vector3& place) const;
+  std::array<double, 2> AlongAndOff(const Point3& place) const;
 };
 
 /// @throws std::invalid_argument for parameters out of range, std::runtime_error with the size

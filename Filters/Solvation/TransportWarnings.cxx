@@ -11,7 +11,7 @@ namespace
 
 std::string Narrow(const ChannelPassage& passage)
 {
-  const Vector3& at = passage.Bottleneck;
+  const Point3& at = passage.Bottleneck;
   return "At (" + Shown(at[0]) + ", " + Shown(at[1]) + ", " + Shown(at[2]) +
     ") the channel has a radius of " + Shown(passage.Radius) +
     " angstrom, less than a Spacing: the current hangs on how the nodes lie there. Choose a "

@@ -145,8 +145,8 @@ double Wall::PullAt(const InterfaceCrossing& crossing) const
     {
       return none;
     }
-    const Vector3& n = crossing.Frame.Normal;
-    const Vector3& y = nodes.Node[i].Offset;
+    const Point3& n = crossing.Frame.Normal;
+    const Point3& y = nodes.Node[i].Offset;
     const double off = n[0] * y[0] + n[1] * y[1] + n[2] * y[2];
     data[i] = this->Solution.GetPotential()[static_cast<std::size_t>(node)] -
       (nodes.Node[i].Inside ? 0.0 : 0.5 * laplacian * off * off);

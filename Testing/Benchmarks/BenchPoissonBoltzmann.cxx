@@ -67,9 +67,9 @@ std::filesystem::path Lysozyme()
   return isthmus::testing::SharedDataFolder() / "molecules/1hew/1hew.pqr";
 }
 
-Vector3 CentreOf(const std::vector<ChargedAtom>& atoms)
+Point3 CentreOf(const std::vector<ChargedAtom>& atoms)
 {
-  Vector3 low{ 1e9, 1e9, 1e9 }, high{ -1e9, -1e9, -1e9 };
+  Point3 low{ 1e9, 1e9, 1e9 }, high{ -1e9, -1e9, -1e9 };
   for (const ChargedAtom& atom : atoms)
   {
     for (std::size_t a = 0; a < 3; ++a)
@@ -128,10 +128,10 @@ Run Solve(benchmark::State& state, const std::vector<ChargedAtom>& atoms, std::i
 }
 
 /// Lysozyme, its box's middle at `place`.
-void AddLysozyme(const Vector3& place, std::vector<ChargedAtom>& atoms)
+void AddLysozyme(const Point3& place, std::vector<ChargedAtom>& atoms)
 {
   const std::vector<ChargedAtom> one = ReadPQR(Lysozyme());
-  const Vector3 centre = CentreOf(one);
+  const Point3 centre = CentreOf(one);
   for (ChargedAtom atom : one)
   {
     for (std::size_t a = 0; a < 3; ++a)
@@ -176,7 +176,7 @@ void Apbs(benchmark::State& state)
   const std::int64_t n = state.range(0);
   const auto folder = std::filesystem::temp_directory_path() / "isthmus-apbs";
   std::filesystem::create_directories(folder);
-  const Vector3 centre = CentreOf(ReadPQR(Lysozyme()));
+  const Point3 centre = CentreOf(ReadPQR(Lysozyme()));
   const double h = Side / static_cast<double>(n - 1);
   std::ofstream input(folder / "in");
   input << "read mol pqr " << Lysozyme().string() << " end\n";

@@ -94,7 +94,7 @@ double OutsideError(const KirkwoodSphere& s, const std::vector<double>& u, std::
   double worst = 0.0;
   for (std::int64_t node = 0; node < n * n * n; ++node)
   {
-    const Vector3 x{ h * static_cast<double>(node / (n * n)) - Half,
+    const Point3 x{ h * static_cast<double>(node / (n * n)) - Half,
       h * static_cast<double>(node / n % n) - Half, h * static_cast<double>(node % n) - Half };
     if (s.Distance(x) >= s.Radius)
     {

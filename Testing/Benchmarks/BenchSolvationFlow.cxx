@@ -32,7 +32,7 @@ SolvationAtoms Lysozyme()
   SolvationAtoms atoms;
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
-    Vector3 at;
+    Point3 at;
     points->GetPoint(i, at.data());
     const double radius = radii->GetComponent(i, 0);
     atoms.Charges.push_back({ at, charges->GetComponent(i, 0), radius });

@@ -72,6 +72,8 @@ SILENT = {
                     "Threshold", "UseQuantile")},
     ("ChokingLoops", "AllowSelfIntersections"): "the ring does not cross itself: TestChokingInput has what does",
     ("ChokingLoops", "CapHoles"): "the ring is closed: TestChokingInput has what is not",
+    ("ChokingLoops", "LoopOrder"):
+        "the ring's loops rank alike by radius and length: TestChokingLoopsFilter has a slotted plate",
     ("ChokingLoops", "MemoryLimit"): LIMIT,
     ("MapChokingLoops", "MemoryLimit"): LIMIT,
     ("DelaunayIsosurface", "MaximumNumberOfPoints"): LIMIT,

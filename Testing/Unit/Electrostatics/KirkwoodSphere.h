@@ -21,12 +21,12 @@ namespace isthmus::testing
 class KirkwoodSphere
 {
 public:
-  Vector3 Centre{ 0.0, 0.0, 0.0 };
+  Point3 Centre{ 0.0, 0.0, 0.0 };
   double Radius = 1.0, Solute = 2.0, Solvent = 80.0, Kappa = 0.0, Layer = 0.0, Kelvin = 298.15;
   std::vector<ChargedAtom> Charges;
 
   /// Total potential outside of the sphere, kT/e.
-  double Outside(const Vector3& x) const
+  double Outside(const Point3& x) const
   {
     double sum = 0.0;
     for (const ChargedAtom& q : this->Charges)
@@ -36,7 +36,7 @@ public:
     return units::CoulombLength(this->Kelvin) * sum;
   }
   /// Reaction potential inside.
-  double Reaction(const Vector3& x) const
+  double Reaction(const Point3& x) const
   {
     double sum = 0.0;
     for (const ChargedAtom& q : this->Charges)
@@ -46,7 +46,7 @@ public:
     return units::CoulombLength(this->Kelvin) * sum;
   }
   /// The charges' own potential in a medium like the sphere's.
-  double Coulomb(const Vector3& x) const
+  double Coulomb(const Point3& x) const
   {
     double sum = 0.0;
     for (const ChargedAtom& q : this->Charges)
@@ -66,7 +66,7 @@ public:
     }
     return sum;
   }
-  double Distance(const Vector3& x) const
+  double Distance(const Point3& x) const
   {
     return std::hypot(x[0] - this->Centre[0], x[1] - this->Centre[1], x[2] - this->Centre[2]);
   }
@@ -120,7 +120,7 @@ private:
   }
 
   /// One charge's potential at x over C: the outside's or the reaction field inside.
-  double Sum(const Vector3& charge, const Vector3& x, bool outside) const
+  double Sum(const Point3& charge, const Point3& x, bool outside) const
   {
     const double rq = this->Distance(charge);
     const double r = this->Distance(x);

@@ -29,12 +29,12 @@ namespace isthmus::testing
 /// strength / |x - Source|: harmonic off the source.
 struct PointSource
 {
-  Vector3 Source;
+  Point3 Source;
   double Strength;
 
-  SecondOrderTaylor operator()(const Vector3& x) const
+  SecondOrderTaylor operator()(const Point3& x) const
   {
-    const Vector3 y{ x[0] - this->Source[0], x[1] - this->Source[1], x[2] - this->Source[2] };
+    const Point3 y{ x[0] - this->Source[0], x[1] - this->Source[1], x[2] - this->Source[2] };
     const double i2 = 1.0 / (y[0] * y[0] + y[1] * y[1] + y[2] * y[2]);
     const double v = this->Strength * std::sqrt(i2);
     const double s = v * i2, b = 3.0 * s * i2;
@@ -44,7 +44,7 @@ struct PointSource
   }
 };
 
-using FrameFunction = std::function<SurfaceFrame(const InterfaceCrossing&, const Vector3&)>;
+using FrameFunction = std::function<SurfaceFrame(const InterfaceCrossing&, const Point3&)>;
 
 struct Manufactured
 {
@@ -61,7 +61,7 @@ inline Eigen::Matrix3d Symmetric(const std::array<double, 6>& h)
 }
 
 /// The jet of G at a crossing.
-inline SecondOrderTaylor JumpAt(const Manufactured& m, const SurfaceFrame& frame, const Vector3& x)
+inline SecondOrderTaylor JumpAt(const Manufactured& m, const SurfaceFrame& frame, const Point3& x)
 {
   const SecondOrderTaylor a = m.A(x);
   const SecondOrderTaylor b = m.B(x);
@@ -144,7 +144,7 @@ inline ManufacturedErrors SolveManufactured(
   std::vector<SecondOrderTaylor> jumps;
   for (const InterfaceCrossing& c : crossings)
   {
-    Vector3 x = box.Position(c.Node);
+    Point3 x = box.Position(c.Node);
     x[static_cast<std::size_t>(c.Axis)] += c.Fraction * box.Spacing[0];
     jumps.push_back(JumpAt(m, frame(c, x), x));
   }

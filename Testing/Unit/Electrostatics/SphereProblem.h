@@ -96,13 +96,13 @@ struct SphereProblem
     }
     // The series on the border, unless a test wants another condition.
     p.Condition = BoundaryCondition::Given;
-    p.Boundary = [this](const Vector3& x) { return this->Sphere.Outside(this->World(x)); };
+    p.Boundary = [this](const Point3& x) { return this->Sphere.Outside(this->World(x)); };
     p.Padding = 0.0;
   }
   SphereProblem(const SphereProblem&) = delete;
   void operator=(const SphereProblem&) = delete;
 
-  Vector3 World(const Vector3& x) const
+  Point3 World(const Point3& x) const
   {
     return { x[0] - this->Half, x[1] - this->Half, x[2] - this->Half };
   }
@@ -128,7 +128,7 @@ inline SphereErrors ErrorsOf(const SphereProblem& problem, const PotentialOnBox&
   const SolverBox& box = solution.GetBox();
   for (std::int64_t node = 0; node < box.Size(); ++node)
   {
-    const Vector3 x = problem.World(box.Position(node));
+    const Point3 x = problem.World(box.Position(node));
     const double most = std::max({ std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
     if (most > problem.Half + 1e-9)
     {

@@ -17,7 +17,7 @@ namespace
 {
 
 constexpr double Decay = 2.3;
-constexpr Vector3 Fine{ 0.3, 0.3, 0.3 };
+constexpr Point3 Fine{ 0.3, 0.3, 0.3 };
 
 std::vector<ChargedAtom> Molecule()
 {
@@ -29,12 +29,12 @@ std::vector<ChargedAtom> Molecule()
 struct Result
 {
   double Energy;
-  std::vector<Vector3> Reaction;
+  std::vector<Point3> Reaction;
   BoundaryForces Boundary;
 };
 
 Result Solve(const std::vector<ChargedAtom>& atoms, const PoissonBoltzmannParameters& parameters,
-  const Vector3& spacing = { 0.4, 0.4, 0.4 })
+  const Point3& spacing = { 0.4, 0.4, 0.4 })
 {
   std::array<std::int64_t, 3> n;
   for (std::size_t a = 0; a < 3; ++a)
@@ -46,7 +46,7 @@ Result Solve(const std::vector<ChargedAtom>& atoms, const PoissonBoltzmannParame
   for (std::size_t node = 0; node < density.size(); ++node)
   {
     const auto p = static_cast<std::int64_t>(node);
-    const Vector3 x{ static_cast<double>(p % n[0]) * spacing[0],
+    const Point3 x{ static_cast<double>(p % n[0]) * spacing[0],
       static_cast<double>(p / n[0] % n[1]) * spacing[1],
       static_cast<double>(p / (n[0] * n[1])) * spacing[2] };
     for (const ChargedAtom& ball : atoms)
@@ -67,9 +67,9 @@ Result Solve(const std::vector<ChargedAtom>& atoms, const PoissonBoltzmannParame
     ForcesOnBoundary(*solution, level, SurfaceMotion(atoms, Decay)) };
 }
 
-Vector3 Whole(const Result& result, std::size_t atom)
+Point3 Whole(const Result& result, std::size_t atom)
 {
-  Vector3 force;
+  Point3 force;
   for (std::size_t a = 0; a < 3; ++a)
   {
     force[a] = result.Reaction[atom][a] + result.Boundary.Dielectric[atom][a] +
@@ -80,7 +80,7 @@ Vector3 Whole(const Result& result, std::size_t atom)
 
 /// Minus the slope of the energy along an axis.
 double Slope(const PoissonBoltzmannParameters& parameters, std::size_t atom, std::size_t axis,
-  const Vector3& spacing = { 0.4, 0.4, 0.4 })
+  const Point3& spacing = { 0.4, 0.4, 0.4 })
 {
   constexpr double step = 0.05;
   auto atoms = Molecule();
@@ -90,7 +90,7 @@ double Slope(const PoissonBoltzmannParameters& parameters, std::size_t atom, std
   return -(up - Solve(atoms, parameters, spacing).Energy) / (2.0 * step);
 }
 
-double Length(const Vector3& v)
+double Length(const Point3& v)
 {
   return std::hypot(v[0], v[1], v[2]);
 }
@@ -123,16 +123,16 @@ TEST(BoundaryForces, WithTheReactionForceTheyAreTheSlopeOfTheEnergy)
 
 TEST(BoundaryForces, NothingPullsOnTheWholeMolecule)
 {
-  for (const Vector3& spacing : { Vector3{ 0.4, 0.4, 0.4 }, Vector3{ 0.3, 0.4, 0.48 } })
+  for (const Point3& spacing : { Point3{ 0.4, 0.4, 0.4 }, Point3{ 0.3, 0.4, 0.48 } })
   {
     PoissonBoltzmannParameters parameters = Water();
     parameters.Ions = { { 1.0, 0.5 }, { -1.0, 0.5 } };
     const Result result = Solve(Molecule(), parameters, spacing);
-    Vector3 net{ 0.0, 0.0, 0.0 };
+    Point3 net{ 0.0, 0.0, 0.0 };
     double sum = 0.0;
     for (std::size_t atom = 0; atom < result.Reaction.size(); ++atom)
     {
-      const Vector3 force = Whole(result, atom);
+      const Point3 force = Whole(result, atom);
       sum += Length(force);
       for (std::size_t a = 0; a < 3; ++a)
       {
@@ -213,9 +213,9 @@ TEST(SurfaceMotion, SharesAddUpToTheNormal)
   std::vector<SurfaceShare> shares;
   for (int i = 0; i < 200; ++i)
   {
-    const Vector3 x{ place(random), place(random), place(random) };
+    const Point3 x{ place(random), place(random), place(random) };
     motion.At(x, { 0.0, 0.0, 1.0 }, shares);
-    Vector3 sum{ 0.0, 0.0, 0.0 };
+    Point3 sum{ 0.0, 0.0, 0.0 };
     for (const SurfaceShare& share : shares)
     {
       for (std::size_t a = 0; a < 3; ++a)
@@ -241,11 +241,11 @@ TEST(SurfaceMotion, OtherSurfacesGoWithTheNearestBall)
   for (int i = 0; i < 500; ++i)
   {
     const double far = i % 5 == 0 ? 8.0 : 1.0;
-    const Vector3 x{ far * place(random), place(random), far * place(random) };
+    const Point3 x{ far * place(random), place(random), far * place(random) };
     std::size_t nearest = 0;
     const auto distance = [&](std::size_t a)
     {
-      const Vector3& p = atoms[a].Position;
+      const Point3& p = atoms[a].Position;
       return std::hypot(x[0] - p[0], x[1] - p[1], x[2] - p[2]) - atoms[a].Radius;
     };
     for (std::size_t a = 1; a < atoms.size(); ++a)

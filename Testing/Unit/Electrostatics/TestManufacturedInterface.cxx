@@ -18,7 +18,7 @@ namespace
 constexpr double Half = 8.0;
 
 /// Moved along all three axes.
-Vector3 Along(const Vector3& x, double by)
+Point3 Along(const Point3& x, double by)
 {
   return { x[0] + by, x[1] + by, x[2] + by };
 }
@@ -105,19 +105,19 @@ void ExpectSecondOrder(
   EXPECT_GE(Slope(x, inside), 1.7);
 }
 
-const Vector3 Middle{ Half + 0.11, Half - 0.07, Half + 0.05 };
+const Point3 Middle{ Half + 0.11, Half - 0.07, Half + 0.05 };
 
 /// A torus about the z axis through the middle.
 struct Torus
 {
   double Ring = 4.0, Tube = 1.7;
 
-  double operator()(const Vector3& x) const
+  double operator()(const Point3& x) const
   {
     const double r = std::hypot(x[0] - Middle[0], x[1] - Middle[1]);
     return std::hypot(r - this->Ring, x[2] - Middle[2]) - this->Tube;
   }
-  SurfaceFrame Frame(const Vector3& x) const
+  SurfaceFrame Frame(const Point3& x) const
   {
     const Eigen::Vector3d y(x[0] - Middle[0], x[1] - Middle[1], x[2] - Middle[2]);
     const double r = std::hypot(y[0], y[1]);
@@ -138,7 +138,7 @@ struct Gaussians
   std::vector<Ball> Balls;
   double Decay = 1.2;
 
-  double operator()(const Vector3& x) const
+  double operator()(const Point3& x) const
   {
     double sum = 0.0;
     for (const Ball& b : this->Balls)
@@ -147,13 +147,13 @@ struct Gaussians
     }
     return -std::log(sum);
   }
-  double Term(const Ball& b, const Vector3& x) const
+  double Term(const Ball& b, const Point3& x) const
   {
     const double r2 = std::pow(x[0] - b.Centre[0], 2) + std::pow(x[1] - b.Centre[1], 2) +
       std::pow(x[2] - b.Centre[2], 2);
     return std::exp(-this->Decay * (r2 / (b.Radius * b.Radius) - 1.0));
   }
-  SurfaceFrame Frame(const Vector3& x) const
+  SurfaceFrame Frame(const Point3& x) const
   {
     double sum = 0.0;
     Eigen::Vector3d first = Eigen::Vector3d::Zero();
@@ -183,11 +183,11 @@ std::vector<Ball> FourteenAtoms()
   std::mt19937 random(14);
   std::uniform_real_distribution<double> step(-1.0, 1.0), radius(1.2, 1.9);
   std::vector<Ball> balls;
-  Vector3 x{ Half - 1.0, Half, Half };
+  Point3 x{ Half - 1.0, Half, Half };
   while (balls.size() < 14)
   {
     balls.push_back({ { x[0], x[1], x[2] }, radius(random) });
-    Vector3 next;
+    Point3 next;
     do
     {
       for (std::size_t a = 0; a < 3; ++a)
@@ -211,7 +211,7 @@ TEST(ManufacturedInterface, Torus)
     {
       const Sampled sampled(h, shift, torus);
       return SolveManufactured(Moved(m, shift * h), sampled.Level,
-        [&](const InterfaceCrossing&, const Vector3& x)
+        [&](const InterfaceCrossing&, const Point3& x)
         { return torus.Frame(Along(x, -shift * h)); });
     });
 }
@@ -226,7 +226,7 @@ TEST(ManufacturedInterface, FourteenGaussians)
     {
       const Sampled sampled(h, shift, gaussians);
       return SolveManufactured(Moved(m, shift * h), sampled.Level,
-        [&](const InterfaceCrossing&, const Vector3& x)
+        [&](const InterfaceCrossing&, const Point3& x)
         { return gaussians.Frame(Along(x, -shift * h)); });
     });
 }
@@ -252,7 +252,7 @@ TEST(ManufacturedInterface, FlowSurface)
       const Manufactured m{ { { -6.0 - o[0], 3.0 - o[1], 20.0 - o[2] }, 30.0 },
         { { c[0] - o[0], c[1] - o[1], c[2] - o[2] }, 6.0 } };
       return SolveManufactured(
-        m, level, [](const InterfaceCrossing& c2, const Vector3&) { return c2.Frame; });
+        m, level, [](const InterfaceCrossing& c2, const Point3&) { return c2.Frame; });
     });
 }
 

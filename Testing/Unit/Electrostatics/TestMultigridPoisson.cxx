@@ -25,12 +25,12 @@ using Dimensions = std::array<std::int64_t, 3>;
 struct Problem
 {
   Dimensions n;
-  Vector3 Weights;
+  Point3 Weights;
   EdgePermittivity Permittivity;
   std::vector<double> Right;
   std::shared_ptr<std::vector<float>> Diagonal;
 
-  Problem(const Dimensions& dimensions, const Vector3& weights, double solute)
+  Problem(const Dimensions& dimensions, const Point3& weights, double solute)
     : n(dimensions)
     , Weights(weights)
   {
@@ -168,7 +168,7 @@ ChargeList RandomCharges(std::size_t count)
   ChargeList charges;
   for (std::size_t i = 0; i < count; ++i)
   {
-    const Vector3 x{ place(random), place(random), place(random) };
+    const Point3 x{ place(random), place(random), place(random) };
     charges.Add(x, charge(random));
   }
   return charges;
@@ -177,12 +177,12 @@ ChargeList RandomCharges(std::size_t count)
 TEST(ChargeSums, DerivativesAreThoseOfTheSum)
 {
   const ChargeList charges = RandomCharges(21);
-  const Vector3 x{ 50.0, 20.0, -10.0 };
+  const Point3 x{ 50.0, 20.0, -10.0 };
   const SecondOrderTaylor taylor = CoulombSum(charges, x);
   EXPECT_NEAR(taylor.Value, CoulombValue(charges, x, 0.0), 1e-13);
   EXPECT_NEAR(taylor.Value, ScreenedSum(charges, 0.0, x), 1e-13);
-  for (const Vector3& y :
-    { Vector3{ 0.1, 0, 0 }, Vector3{ 0.05, -0.07, 0.02 }, Vector3{ 0, 0.05, 0.08 } })
+  for (const Point3& y :
+    { Point3{ 0.1, 0, 0 }, Point3{ 0.05, -0.07, 0.02 }, Point3{ 0, 0.05, 0.08 } })
   {
     const double there = CoulombValue(charges, { x[0] + y[0], x[1] + y[1], x[2] + y[2] }, 0.0);
     EXPECT_NEAR(taylor.At(y), there, 1e-6);
@@ -197,7 +197,7 @@ TEST(ChargeTree, SumsAgreeWithDirectOnes)
   box.Dimensions = { 40, 40, 40 };
   box.Spacing = { 2.0, 2.0, 2.0 };
   box.Corner = { -20.0, -20.0, -20.0 };
-  std::vector<Vector3> points;
+  std::vector<Point3> points;
   std::mt19937 random(4);
   std::uniform_real_distribution<double> place(-15.0, 55.0);
   for (int i = 0; i < 300; ++i)
@@ -226,7 +226,7 @@ TEST(HarmonicFit, HarmonicPolynomialsAreExactAlsoFromOneSide)
   SolverBox box;
   box.Dimensions = { 20, 20, 20 };
   box.Spacing = { 0.5, 0.5, 0.5 };
-  const auto f = [](const Vector3& x)
+  const auto f = [](const Point3& x)
   {
     return 1.0 + 2.0 * x[0] - x[1] + x[0] * x[2] +
       x[2] * (2.0 * x[2] * x[2] - 3.0 * x[0] * x[0] - 3.0 * x[1] * x[1]);
@@ -235,11 +235,11 @@ TEST(HarmonicFit, HarmonicPolynomialsAreExactAlsoFromOneSide)
   std::vector<unsigned char> inside;
   for (std::int64_t node = 0; node < box.Size(); ++node)
   {
-    const Vector3 x = box.Position(node);
+    const Point3 x = box.Position(node);
     inside.push_back(x[0] + 0.3 * x[1] < 5.6 ? 1 : 0);
     u.push_back(inside.back() ? f(x) : 1e6);
   }
-  for (const Vector3& x : { Vector3{ 3.1, 4.2, 5.3 }, Vector3{ 4.2, 4.3, 4.4 } })
+  for (const Point3& x : { Point3{ 3.1, 4.2, 5.3 }, Point3{ 4.2, 4.3, 4.4 } })
   {
     const ValueAndGradient fit = HarmonicAt(box, inside, u, x);
     EXPECT_NEAR(fit.Value, f(x), 1e-6 * std::abs(f(x)));
@@ -260,7 +260,7 @@ TEST(ChargeTree, ScreenedSumsAreTheSameByTreeAndByVectorInstructions)
   const ChargeTree tree(charges);
   for (const double kappa : { 0.0, 0.13, 3.0, 60.0 })
   {
-    for (const Vector3& x : { Vector3{ 45.0, 12.0, 3.0 }, Vector3{ 15.1, 14.9, 15.0 } })
+    for (const Point3& x : { Point3{ 45.0, 12.0, 3.0 }, Point3{ 15.1, 14.9, 15.0 } })
     {
       double sum = 0.0, absolute = 0.0;
       for (std::size_t i = 0; i < charges.Size(); ++i)

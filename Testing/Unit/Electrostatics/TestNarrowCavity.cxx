@@ -67,22 +67,22 @@ struct Errors
 };
 
 /// Of the nodes in the cavity, with the centre `shift` nodes off a node along each axis.
-Errors InCavity(double inner, double h, const Vector3& shift)
+Errors InCavity(double inner, double h, const Point3& shift)
 {
   const double half = 9.0;
   const auto n = static_cast<std::int64_t>(std::llround(2.0 * half / h)) + 1;
-  Vector3 centre;
+  Point3 centre;
   for (std::size_t a = 0; a < 3; ++a)
   {
     centre[a] = half + shift[a] * h;
   }
-  const auto from = [&](const Vector3& x) {
-    return Vector3{ x[0] - centre[0], x[1] - centre[1], x[2] - centre[2] };
+  const auto from = [&](const Point3& x) {
+    return Point3{ x[0] - centre[0], x[1] - centre[1], x[2] - centre[2] };
   };
   std::vector<double> distance;
   for (std::int64_t node = 0; node < n * n * n; ++node)
   {
-    const Vector3 y = from({ h * static_cast<double>(node % n),
+    const Point3 y = from({ h * static_cast<double>(node % n),
       h * static_cast<double>(node / n % n), h * static_cast<double>(node / (n * n)) });
     const double r = std::hypot(y[0], y[1], y[2]);
     distance.push_back(std::max(r - Outer, inner - r));
@@ -90,7 +90,7 @@ Errors InCavity(double inner, double h, const Vector3& shift)
   LevelFunction level;
   level.Doubles = { distance.data(), { n, n, n }, { h, h, h } };
   level.InsideIsHigher = false;
-  const Vector3 axis{ 0.36, 0.48, 0.8 };
+  const Point3 axis{ 0.36, 0.48, 0.8 };
   std::vector<ChargedAtom> atoms{ { centre, 1.0, 1.0 } };
   for (std::size_t a = 0; a < 3; ++a)
   {
@@ -105,7 +105,7 @@ Errors InCavity(double inner, double h, const Vector3& shift)
   Errors errors;
   for (std::int64_t node = 0; node < solution->GetBox().Size(); ++node)
   {
-    const Vector3 y = from(solution->GetBox().Position(node));
+    const Point3 y = from(solution->GetBox().Position(node));
     const double r = std::hypot(y[0], y[1], y[2]);
     if (r < inner)
     {
@@ -125,8 +125,8 @@ TEST(NarrowCavity, PotentialOfCavitiesOfAFewNodes)
   for (const double inner : { 0.4, 0.6, 0.8, 1.1, 2.0 })
   {
     double largest = 0.0, potential = 0.0;
-    for (const Vector3& shift :
-      { Vector3{ 0.0, 0.0, 0.0 }, Vector3{ 0.5, 0.5, 0.5 }, Vector3{ 0.22, -0.13, 0.41 } })
+    for (const Point3& shift :
+      { Point3{ 0.0, 0.0, 0.0 }, Point3{ 0.5, 0.5, 0.5 }, Point3{ 0.22, -0.13, 0.41 } })
     {
       const Errors errors = InCavity(inner, 0.5, shift);
       std::printf("cavity of %.1f: %lld nodes, error %.3f of %.2f kT/e\n", inner,

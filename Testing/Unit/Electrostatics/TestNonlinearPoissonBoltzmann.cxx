@@ -30,7 +30,7 @@ double ChargedSphere(double layer, double h, int& steps, BoundaryCondition condi
   problem.Parameters.Condition = condition;
   const IonAtmosphere ions(problem.Parameters.Ions, 298.15);
   const RadialSolution exact(40.0, 10.0, layer, ions);
-  problem.Parameters.Boundary = [&](const Vector3& x)
+  problem.Parameters.Boundary = [&](const Point3& x)
   { return exact(problem.Sphere.Distance(problem.World(x))); };
   const auto solution = problem.Solve();
   double error = 0.0;
@@ -198,7 +198,7 @@ void CheckDNA(double phosphate, double layer, double demand)
     double sum = 0.0, count = 0.0;
     for (std::int64_t node = 0; node < solution->GetBox().Size(); ++node)
     {
-      const Vector3 x = solution->GetBox().Position(node);
+      const Point3 x = solution->GetBox().Position(node);
       const double off = std::hypot(x[0] - middle, x[1] - middle);
       if (std::abs(x[2] - 0.5 * (low + high)) < 8.45 && std::abs(off - r) < 0.5)
       {

@@ -106,7 +106,7 @@ TEST(PoissonBoltzmann, SurfaceValuesComeFromBothSides)
 {
   SphereProblem problem(Kirkwood(2), 8, 0.25);
   const auto solution = problem.Solve();
-  std::vector<Vector3> points;
+  std::vector<Point3> points;
   for (int i = 0; i < 200; ++i)
   {
     const double z = -0.995 + 0.01 * i, t = 2.4 * i, r = std::sqrt(1.0 - z * z);
@@ -119,9 +119,9 @@ TEST(PoissonBoltzmann, SurfaceValuesComeFromBothSides)
   double sum = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const Vector3 x = problem.World(points[i]);
+    const Point3 x = problem.World(points[i]);
     EXPECT_NEAR(values.Potential[i], problem.Sphere.Outside(x), 0.05);
-    Vector3 beyond = x;
+    Point3 beyond = x;
     for (std::size_t a = 0; a < 3; ++a)
     {
       beyond[a] += 1e-3 * values.Normal[i][a];

@@ -67,7 +67,7 @@ vtkSmartPointer<vtkPolyData> Atoms(const KirkwoodSphere& sphere)
 
 struct GridChoice
 {
-  Vector3 Spacing{ 0.5, 0.5, 0.5 };
+  Point3 Spacing{ 0.5, 0.5, 0.5 };
   double Half = 9.0;
   bool Turned = false;
   bool Float = false;
@@ -108,7 +108,7 @@ vtkSmartPointer<vtkImageData> Volume(
   values->SetNumberOfTuples(image->GetNumberOfPoints());
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
-    Vector3 x;
+    Point3 x;
     image->GetPoint(i, x.data());
     values->SetTuple1(i, f(sphere.Distance(x)));
   }
@@ -136,7 +136,7 @@ Errors ErrorsOf(vtkPoissonBoltzmann* filter, const KirkwoodSphere& sphere)
   auto* reaction = image->GetPointData()->GetArray("ReactionPotential");
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
-    Vector3 x;
+    Point3 x;
     image->GetPoint(i, x.data());
     const bool inside = sphere.Distance(x) < sphere.Radius;
     const double outside = inside ? 0.0 : sphere.Outside(x);
@@ -150,7 +150,7 @@ Errors ErrorsOf(vtkPoissonBoltzmann* filter, const KirkwoodSphere& sphere)
   vtkPolyData* surface = filter->GetSurface();
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
-    Vector3 x;
+    Point3 x;
     surface->GetPoint(i, x.data());
     errors.Surface = std::max(errors.Surface,
       std::abs(surface->GetPointData()->GetArray("Potential")->GetTuple1(i) - sphere.Outside(x)));

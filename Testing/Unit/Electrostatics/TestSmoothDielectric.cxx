@@ -35,7 +35,7 @@ SphereErrors SmoothErrors(const KirkwoodSphere& sphere, double half, double h)
   return errors;
 }
 
-KirkwoodSphere Ion(double radius, const Vector3& centre = { 0.11, -0.07, 0.05 })
+KirkwoodSphere Ion(double radius, const Point3& centre = { 0.11, -0.07, 0.05 })
 {
   KirkwoodSphere ion = Kirkwood(1);
   ion.Radius = radius;
@@ -47,7 +47,7 @@ KirkwoodSphere Ion(double radius, const Vector3& centre = { 0.11, -0.07, 0.05 })
 TEST(SmoothDielectric, IonsAreBorns)
 {
   const double most[3] = { 1.0e-2, 2.5e-3, 1.0e-3 };
-  for (const Vector3& centre : { Vector3{ 0.11, -0.07, 0.05 }, Vector3{ 0.0, 0.0, 0.0 } })
+  for (const Point3& centre : { Point3{ 0.11, -0.07, 0.05 }, Point3{ 0.0, 0.0, 0.0 } })
   {
     for (int r = 0; r < 3; ++r)
     {

@@ -30,11 +30,11 @@ struct PairErrors
 /// The pair on an axis along no axis of the grid, off its nodes.
 PairErrors SolvePair(const TwoSpheres& pair, double half, double h)
 {
-  const Vector3 axis{ 2.0 / 7.0, 3.0 / 7.0, 6.0 / 7.0 };
-  const Vector3 middle{ half + 0.11, half - 0.07, half + 0.05 };
+  const Point3 axis{ 2.0 / 7.0, 3.0 / 7.0, 6.0 / 7.0 };
+  const Point3 middle{ half + 0.11, half - 0.07, half + 0.05 };
   const auto n = static_cast<std::int64_t>(std::llround(2.0 * half / h)) + 1;
   const auto along = [&](double z) {
-    return Vector3{ middle[0] + z * axis[0], middle[1] + z * axis[1], middle[2] + z * axis[2] };
+    return Point3{ middle[0] + z * axis[0], middle[1] + z * axis[1], middle[2] + z * axis[2] };
   };
   std::vector<double> distance;
   LevelFunction level;
@@ -48,7 +48,7 @@ PairErrors SolvePair(const TwoSpheres& pair, double half, double h)
     double least = 1e300;
     for (const auto& s : pair.Spheres)
     {
-      const Vector3 c = along(s.Z);
+      const Point3 c = along(s.Z);
       least = std::min(least,
         std::hypot(h * static_cast<double>(node % n) - c[0],
           h * static_cast<double>(node / n % n) - c[1],
@@ -60,18 +60,18 @@ PairErrors SolvePair(const TwoSpheres& pair, double half, double h)
   level.Doubles = { distance.data(), { n, n, n }, { h, h, h } };
   level.InsideIsHigher = false;
   /// On the axis' own coordinates: z along it, x the distance from it.
-  const auto onAxis = [&](const Vector3& x)
+  const auto onAxis = [&](const Point3& x)
   {
-    const Vector3 y{ x[0] - middle[0], x[1] - middle[1], x[2] - middle[2] };
+    const Point3 y{ x[0] - middle[0], x[1] - middle[1], x[2] - middle[2] };
     const double z = y[0] * axis[0] + y[1] * axis[1] + y[2] * axis[2];
     const double r2 = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - z * z;
-    return Vector3{ std::sqrt(std::max(0.0, r2)), 0.0, z };
+    return Point3{ std::sqrt(std::max(0.0, r2)), 0.0, z };
   };
   PoissonBoltzmannParameters parameters;
   parameters.Tolerance = 1e-9;
   parameters.Padding = 0.0;
   parameters.Condition = BoundaryCondition::Given;
-  parameters.Boundary = [&](const Vector3& x) { return pair.Outside(onAxis(x)); };
+  parameters.Boundary = [&](const Point3& x) { return pair.Outside(onAxis(x)); };
   const IonAtmosphere ions({}, parameters.Temperature);
   const auto solution =
     SolvePoissonBoltzmann(level, BoxAround(level, 0.0), atoms, parameters, ions);

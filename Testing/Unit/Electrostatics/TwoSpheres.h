@@ -71,7 +71,7 @@ public:
   }
 
   /// Total potential outside both spheres, kT/e; x about the origin of the axis.
-  double Outside(const Vector3& x) const
+  double Outside(const Point3& x) const
   {
     return units::CoulombLength(298.15) * (this->Multipoles(0, x) + this->Multipoles(1, x));
   }
@@ -126,7 +126,7 @@ private:
     return ((s == 0 ? k : l) % 2 ? -1.0 : 1.0) * binomial;
   }
 
-  double Multipoles(int s, const Vector3& x) const
+  double Multipoles(int s, const Point3& x) const
   {
     const Sphere& here = this->Spheres[s];
     const double z = x[2] - here.Z;

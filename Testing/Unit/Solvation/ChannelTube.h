@@ -25,17 +25,16 @@ inline Tube MakeTube(const MembraneSlab& m, double radius, double charge)
   constexpr int rings = 4, around = 10;
   constexpr double ball = 1.9;
   const double length = std::hypot(m.Normal[0], m.Normal[1], m.Normal[2]);
-  const Vector3 n{ m.Normal[0] / length, m.Normal[1] / length, m.Normal[2] / length };
-  const Vector3 other = std::abs(n[2]) < 0.9 ? Vector3{ 0.0, 0.0, 1.0 } : Vector3{ 1.0, 0.0, 0.0 };
-  Vector3 u{ n[1] * other[2] - n[2] * other[1], n[2] * other[0] - n[0] * other[2],
+  const Point3 n{ m.Normal[0] / length, m.Normal[1] / length, m.Normal[2] / length };
+  const Point3 other = std::abs(n[2]) < 0.9 ? Point3{ 0.0, 0.0, 1.0 } : Point3{ 1.0, 0.0, 0.0 };
+  Point3 u{ n[1] * other[2] - n[2] * other[1], n[2] * other[0] - n[0] * other[2],
     n[0] * other[1] - n[1] * other[0] };
   const double size = std::hypot(u[0], u[1], u[2]);
   for (double& x : u)
   {
     x /= size;
   }
-  const Vector3 v{ n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2],
-    n[0] * u[1] - n[1] * u[0] };
+  const Point3 v{ n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0] };
   Tube tube;
   for (int ring = 0; ring < rings; ++ring)
   {
@@ -43,7 +42,7 @@ inline Tube MakeTube(const MembraneSlab& m, double radius, double charge)
     for (int i = 0; i < around; ++i)
     {
       const double angle = 2.0 * Pi * i / around;
-      Vector3 at = m.Centre;
+      Point3 at = m.Centre;
       for (std::size_t a = 0; a < 3; ++a)
       {
         at[a] += along * n[a] + (radius + ball) * (std::cos(angle) * u[a] + std::sin(angle) * v[a]);

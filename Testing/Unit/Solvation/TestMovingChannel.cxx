@@ -192,7 +192,7 @@ TEST(MovingChannel, WallOfALongChargedPoreIsPulledAsInOneDimension)
     const double exact = RadialPush(p, radius, charge) * units::ThermalKilocalorie(p.Temperature);
     for (std::size_t i = 0; i < wall.Pull.size(); ++i)
     {
-      const Vector3 at = MovingChannel::Roomy(domain).Place(wall.Crossings[i].Node);
+      const Point3 at = MovingChannel::Roomy(domain).Place(wall.Crossings[i].Node);
       if (std::abs(at[2]) < 3.0 && std::hypot(at[0], at[1]) < 5.0)
       {
         sum += wall.Pull[i];

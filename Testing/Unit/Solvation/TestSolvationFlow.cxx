@@ -21,7 +21,7 @@ using namespace isthmus::testing;
 namespace
 {
 
-constexpr Vector3 Off{ 0.11, -0.07, 0.05 }; // off the nodes
+constexpr Point3 Off{ 0.11, -0.07, 0.05 }; // off the nodes
 
 SolvationParameters IonParameters(double spacing)
 {
@@ -42,7 +42,7 @@ SolvationAtoms IonPair(double distance)
   SolvationAtoms atoms;
   for (const double side : { -1.0, 1.0 })
   {
-    const Vector3 at{ Off[0] + 0.5 * side * distance, Off[1], Off[2] };
+    const Point3 at{ Off[0] + 0.5 * side * distance, Off[1], Off[2] };
     atoms.Balls.push_back({ at, 2.0 });
     atoms.Dispersion.push_back({ at, 1.9, 0.1 });
     atoms.Charges.push_back({ at, side, 2.0 });
@@ -161,7 +161,7 @@ TEST(SolvationFlow, PoliciesOfUpdatingEndAlike)
   SolvationAtoms water;
   const auto put = [&water](double along, double across, double charge, double radius)
   {
-    const Vector3 at{ Off[0] + along, Off[1] + across, Off[2] };
+    const Point3 at{ Off[0] + along, Off[1] + across, Off[2] };
     water.Balls.push_back({ at, radius });
     water.Dispersion.push_back({ at, radius, 0.1 });
     water.Charges.push_back({ at, charge, radius });

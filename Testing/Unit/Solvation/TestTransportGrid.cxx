@@ -75,7 +75,7 @@ double OhmicCurrent(const IonTransportParameters& p)
 /// A ring of charges around the axis, in the middle of the membrane, turned as the membrane is.
 std::vector<ChargedAtom> Ring(const MembraneSlab& m, double radius, double charge)
 {
-  const Vector3& n = m.Normal; // in the plane of x and z
+  const Point3& n = m.Normal; // in the plane of x and z
   std::vector<ChargedAtom> ring;
   constexpr int count = 12;
   for (int i = 0; i < count; ++i)
