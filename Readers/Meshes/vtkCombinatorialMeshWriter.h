@@ -45,6 +45,12 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void WriteData() override;
+  /// What VTK 9.7 calls in its place.
+  virtual bool WriteDataAndReturn()
+  {
+    this->WriteData();
+    return this->GetErrorCode() == 0;
+  }
 
   char* FileName = nullptr;
   bool Binary = true;

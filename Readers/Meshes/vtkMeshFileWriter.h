@@ -33,6 +33,12 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void WriteData() override;
+  /// What VTK 9.7 calls in its place.
+  virtual bool WriteDataAndReturn()
+  {
+    this->WriteData();
+    return this->GetErrorCode() == 0;
+  }
 
   /// Writes `mesh` to FileName, which is set, or throws with a sentence.
   virtual void WriteMesh(const isthmus::CellMesh& mesh) = 0;
