@@ -26,7 +26,7 @@ paraview_packages=(
 # What the tests compare with and look through.
 test_packages=(
   libgtest-dev libbenchmark-dev libgudhi-dev python3-gudhi python3-gemmi python3-mrcfile
-  python3-scipy python3-mdanalysis openmpi-bin imagemagick xdotool clang clang-format libclang-rt-14-dev)
+  python3-scipy python3-mdanalysis pdb2pqr openmpi-bin imagemagick xdotool clang clang-format libclang-rt-14-dev)
 
 say() { printf '\n== %s\n' "$*"; }
 
