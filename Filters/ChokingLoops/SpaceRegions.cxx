@@ -6,7 +6,7 @@ namespace isthmus
 {
 SpaceRegions::SpaceRegions(const FeatureContext& context, const ProgressCallback& progress)
   : Context(context)
-  , Groups(context.Filtration.Tetrahedra.size())
+  , Groups(static_cast<SimplexId>(context.Filtration.Tetrahedra.size()))
   , Deepest(context.Filtration.Tetrahedra.size())
   , Test(context.Surface.Mesh(), context.Homology)
 {
@@ -21,10 +21,10 @@ SpaceRegions::SpaceRegions(const FeatureContext& context, const ProgressCallback
     const auto& sides = f.TriangleSides[t];
     if (sides[0] >= 0 && sides[1] >= 0 && !context.IsWall(static_cast<SimplexId>(t)))
     {
-      const std::size_t a = this->Groups.Find(At(sides[0]));
-      const std::size_t b = this->Groups.Find(At(sides[1]));
-      const SimplexId deepest = this->Later(this->Deepest[a], this->Deepest[b]);
-      this->Deepest[this->Groups.Join(a, b)] = deepest;
+      const SimplexId a = this->Groups.Find(sides[0]);
+      const SimplexId b = this->Groups.Find(sides[1]);
+      const SimplexId deepest = this->Later(this->Deepest[At(a)], this->Deepest[At(b)]);
+      this->Deepest[At(this->Groups.Join(a, b))] = deepest;
     }
   }
 }
@@ -42,7 +42,7 @@ const std::vector<int>& SpaceRegions::Of(SimplexId cell)
   {
     return none;
   }
-  const std::size_t group = this->Groups.Find(At(cell));
+  const SimplexId group = this->Groups.Find(cell);
   auto known = this->Known.find(group);
   if (known == this->Known.end())
   {
@@ -53,10 +53,10 @@ const std::vector<int>& SpaceRegions::Of(SimplexId cell)
 
 // In a Delaunay triangulation the circumcentre is what keeps its distance from M; in a mesh that
 // conforms to M the tetrahedron itself lies on one side.
-Point3 SpaceRegions::Inner(std::size_t group) const
+Point3 SpaceRegions::Inner(SimplexId group) const
 {
   const CellFiltration& f = this->Context.Filtration;
-  const auto& t = f.Tetrahedra[At(this->Deepest[group])];
+  const auto& t = f.Tetrahedra[At(this->Deepest[At(group)])];
   const Point3& p = f.Points[At(t[0])];
   const Point3& q = f.Points[At(t[1])];
   const Point3& r = f.Points[At(t[2])];

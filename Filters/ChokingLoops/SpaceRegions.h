@@ -5,7 +5,7 @@
 #ifndef isthmus_SpaceRegions_h
 #define isthmus_SpaceRegions_h
 
-#include "CompactDisjointSets.h"
+#include "DisjointSets.h"
 #include "EnclosureTest.h"
 #include "FiltrationPairs.h"
 #include "SurfaceInComplex.h"
@@ -76,13 +76,13 @@ public:
 
 private:
   SimplexId Later(SimplexId a, SimplexId b) const;
-  Point3 Inner(std::size_t group) const;
+  Point3 Inner(SimplexId group) const;
 
   const FeatureContext& Context;
-  CompactDisjointSets Groups;
+  DisjointSets<SimplexId> Groups;
   std::vector<SimplexId> Deepest; ///< per group: its latest tetrahedron
   EnclosureTest Test;
-  std::map<std::size_t, std::vector<int>> Known;
+  std::map<SimplexId, std::vector<int>> Known;
 };
 
 /// Centre of the smallest sphere through the corners of a triangle or tetrahedron.

@@ -110,7 +110,7 @@ void CheckFans(const TriangleMesh& mesh, const std::vector<HalfEdge>& edges,
     const auto corner = std::find(ids.begin(), ids.end(), point) - ids.begin();
     return 3 * triangle + corner;
   };
-  DisjointSets corners(static_cast<std::int64_t>(3 * mesh.Triangles.size()));
+  DisjointSets<std::int64_t> corners(static_cast<std::int64_t>(3 * mesh.Triangles.size()));
   ForEachEdge(edges,
     [&](auto first, auto last)
     {

@@ -81,7 +81,7 @@ std::vector<EdgeCount> CountEdges(const SurfaceView& mesh, const TriangleStars& 
 std::vector<vtkIdType> NumberComponents(
   const SurfaceView& mesh, const TriangleStars& stars, vtkIdType& components)
 {
-  DisjointSets sets(mesh.NumberOfPoints);
+  DisjointSets<vtkIdType> sets(mesh.NumberOfPoints);
   for (vtkIdType t = 0; t < mesh.NumberOfTriangles; ++t)
   {
     const vtkIdType* const corner = mesh.Triangle(t);
@@ -108,7 +108,8 @@ void CountBoundaryLoops(const SurfaceView& mesh, const TriangleStars& stars,
   const std::vector<EdgeCount>& edges, const std::vector<vtkIdType>& componentOf,
   std::vector<SurfaceMeasure>& components)
 {
-  DisjointSets rings(mesh.NumberOfPoints);
+  DisjointSets<vtkIdType> rings(mesh.NumberOfPoints);
+  std::vector<bool> joined(static_cast<std::size_t>(mesh.NumberOfPoints), false);
   std::vector<std::pair<vtkIdType, vtkIdType>> link;
   std::vector<std::pair<vtkIdType, int>> uses;
   for (vtkIdType point = 0; point < mesh.NumberOfPoints; ++point)
@@ -117,7 +118,6 @@ void CountBoundaryLoops(const SurfaceView& mesh, const TriangleStars& stars,
     {
       continue;
     }
-    // A point with an open edge starts a ring of its own; each edge that joins two rings takes one.
     stars.Link(point, link);
     ForEachHigherNeighbour(point, link, uses,
       [&](vtkIdType neighbour, vtkIdType leaving, vtkIdType entering)
@@ -125,12 +125,14 @@ void CountBoundaryLoops(const SurfaceView& mesh, const TriangleStars& stars,
         if (leaving != entering)
         {
           rings.Join(point, neighbour);
+          joined[static_cast<std::size_t>(point)] = true;
         }
       });
   }
   for (vtkIdType point = 0; point < mesh.NumberOfPoints; ++point)
   {
-    if (rings.Find(point) == point && rings.Size(point) > 1)
+    // The lowest point of a ring has a higher neighbour in it, so it was joined from there.
+    if (rings.Find(point) == point && joined[static_cast<std::size_t>(point)])
     {
       const vtkIdType component = componentOf[static_cast<std::size_t>(point)];
       ++components[static_cast<std::size_t>(component)].BoundaryLoops;

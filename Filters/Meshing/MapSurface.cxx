@@ -46,7 +46,7 @@ struct Component
 std::vector<Component> FindComponents(
   const TriangleMesh& mesh, std::vector<std::int64_t>& ofTriangle)
 {
-  DisjointSets sets(static_cast<std::int64_t>(mesh.Points.size()));
+  DisjointSets<std::int64_t> sets(static_cast<std::int64_t>(mesh.Points.size()));
   for (const Triangle& t : mesh.Triangles)
   {
     sets.Join(t[0], t[1]);

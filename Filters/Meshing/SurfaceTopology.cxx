@@ -9,7 +9,7 @@ namespace isthmus
 std::vector<int> Components(const TriangleMesh& mesh)
 {
   const std::size_t n = mesh.Triangles.size();
-  DisjointSets sets(static_cast<std::int64_t>(n));
+  DisjointSets<std::int64_t> sets(static_cast<std::int64_t>(n));
   ForEachEdge(SortedHalfEdges(mesh, {}),
     [&sets](auto first, auto last)
     {

@@ -102,8 +102,8 @@ public:
   {
   }
 
-  void Join(
-    const std::vector<vtkIdType>& selected, DisjointSets& sets, const ProgressCallback& progress)
+  void Join(const std::vector<vtkIdType>& selected, DisjointSets<vtkIdType>& sets,
+    const ProgressCallback& progress)
   {
     std::size_t done = 0;
     for (const vtkIdType point : selected)
@@ -154,7 +154,8 @@ private:
     return cell;
   }
 
-  void JoinWith(vtkIdType point, const std::vector<vtkIdType>& others, DisjointSets& sets) const
+  void JoinWith(
+    vtkIdType point, const std::vector<vtkIdType>& others, DisjointSets<vtkIdType>& sets) const
   {
     const double* p = this->Mesh.Point(point);
     for (const vtkIdType other : others)
@@ -175,7 +176,8 @@ private:
   std::unordered_map<Cell, std::vector<vtkIdType>, Hash> Cells;
 };
 
-void JoinEdges(const SurfaceView& mesh, const std::vector<unsigned char>& kinds, DisjointSets& sets)
+void JoinEdges(
+  const SurfaceView& mesh, const std::vector<unsigned char>& kinds, DisjointSets<vtkIdType>& sets)
 {
   for (vtkIdType t = 0; t < mesh.NumberOfTriangles; ++t)
   {
@@ -266,7 +268,7 @@ using Patches = std::map<vtkIdType, std::vector<vtkIdType>>;
 Patches PatchesOf(const SurfaceView& mesh, const std::vector<unsigned char>& kinds,
   const std::vector<vtkIdType>& selected, double mergeDistance, const ProgressCallback& progress)
 {
-  DisjointSets sets(mesh.NumberOfPoints);
+  DisjointSets<vtkIdType> sets(mesh.NumberOfPoints);
   JoinEdges(mesh, kinds, sets);
   if (mergeDistance > 0.0)
   {

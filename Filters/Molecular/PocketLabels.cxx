@@ -1,6 +1,6 @@
 #include "PocketLabels.h"
 
-#include "CompactDisjointSets.h"
+#include "DisjointSets.h"
 #include "Index.h"
 
 #include <queue>
@@ -37,18 +37,13 @@ std::vector<SimplexId> PocketCores(
     return cell >= 0 && access.CellClearance[At(cell)] > options.InnerRadius &&
       access.Access[At(cell)] < options.OuterRadius;
   };
-  CompactDisjointSets sets(c.Tetrahedra.size());
+  DisjointSets<SimplexId> sets(static_cast<SimplexId>(c.Tetrahedra.size()));
   for (std::size_t i = 0; i < c.Triangles.size(); ++i)
   {
     const auto& sides = c.TriangleSides[i];
     if (access.TriangleClearance[i] > options.InnerRadius && inside(sides[0]) && inside(sides[1]))
     {
-      const auto a = sets.Find(At(sides[0]));
-      const auto b = sets.Find(At(sides[1]));
-      if (a != b)
-      {
-        sets.Join(a, b);
-      }
+      sets.Join(sides[0], sides[1]);
     }
   }
   std::vector<SimplexId> numbers(c.Tetrahedra.size(), -1);
@@ -58,7 +53,7 @@ std::vector<SimplexId> PocketCores(
   {
     if (inside(static_cast<SimplexId>(i)))
     {
-      SimplexId& number = numbers[sets.Find(i)];
+      SimplexId& number = numbers[At(sets.Find(static_cast<SimplexId>(i)))];
       number = number < 0 ? count++ : number;
       labels[i] = number;
     }

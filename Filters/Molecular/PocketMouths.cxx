@@ -1,6 +1,6 @@
 #include "PocketMouths.h"
 
-#include "CompactDisjointSets.h"
+#include "DisjointSets.h"
 #include "Index.h"
 
 #include <algorithm>
@@ -51,18 +51,13 @@ double OpenArea(const RegularFiltration& f, SimplexId triangle)
 std::vector<PocketMouth> Group(
   const RegularFiltration& f, const CellAccess& access, const std::vector<SimplexId>& open)
 {
-  CompactDisjointSets sets(open.size());
+  DisjointSets<std::size_t> sets(open.size());
   std::map<SimplexId, std::size_t> firstAt;
   for (std::size_t i = 0; i < open.size(); ++i)
   {
     for (const SimplexId edge : f.Complex.TriangleEdges[At(open[i])])
     {
-      const auto a = sets.Find(firstAt.emplace(edge, i).first->second);
-      const auto b = sets.Find(i);
-      if (a != b)
-      {
-        sets.Join(a, b);
-      }
+      sets.Join(firstAt.emplace(edge, i).first->second, i);
     }
   }
   std::map<std::size_t, std::size_t> numberOf;

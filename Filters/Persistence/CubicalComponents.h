@@ -5,8 +5,8 @@
 #ifndef isthmus_CubicalComponents_h
 #define isthmus_CubicalComponents_h
 
-#include "CompactDisjointSets.h"
 #include "CubicalGradient.h"
+#include "DisjointSets.h"
 #include "PathEnds.h"
 
 #include <algorithm>
@@ -23,23 +23,26 @@ class ElderSets
 {
 public:
   explicit ElderSets(std::size_t count)
-    : Sets(count)
+    : Sets(static_cast<std::uint32_t>(count))
     , Eldest(count)
   {
     std::iota(this->Eldest.begin(), this->Eldest.end(), std::uint32_t{ 0 });
   }
 
-  std::size_t EldestOf(std::size_t place) { return this->Eldest[this->Sets.Find(place)]; }
+  std::size_t EldestOf(std::size_t place)
+  {
+    return this->Eldest[this->Sets.Find(static_cast<std::uint32_t>(place))];
+  }
 
   /// Joins the set of `younger` to that of `elder`, both eldest of theirs.
   void Join(std::size_t younger, std::size_t elder)
   {
-    this->Eldest[this->Sets.Join(this->Sets.Find(younger), this->Sets.Find(elder))] =
-      static_cast<std::uint32_t>(elder);
+    const auto eldest = static_cast<std::uint32_t>(elder);
+    this->Eldest[this->Sets.Join(static_cast<std::uint32_t>(younger), eldest)] = eldest;
   }
 
 private:
-  CompactDisjointSets Sets;
+  DisjointSets<std::uint32_t> Sets;
   std::vector<std::uint32_t> Eldest; ///< by root
 };
 

@@ -40,7 +40,7 @@ public:
 
 private:
   const std::int64_t Nodes;
-  DisjointSets Sets;
+  DisjointSets<std::int64_t> Sets;
 };
 
 constexpr const char* WayOut =

@@ -6,6 +6,8 @@ from paraview import servermanager
 from paraview.simple import *
 from vtkmodules.vtkCommonCore import vtkObject
 
+from outputs import output, stage_times
+
 
 def torus(ring, cross):
     return Superquadric(Toroidal=1, ThetaRoundness=1, PhiRoundness=1, Thickness=0.3,
@@ -15,11 +17,6 @@ def torus(ring, cross):
 def surface(source):
     triangles = Triangulate(Input=Clean(Input=source, Tolerance=1e-6))
     return triangles
-
-
-def output(proxy, port):
-    """Fetch() of ParaView 5.11 gives port 0 whatever it is asked for."""
-    return proxy.GetClientSideObject().GetOutputDataObject(port)
 
 
 def field(data, name):
@@ -49,14 +46,8 @@ assert proposed.GetNumberOfTuples() == 2 and proposed.GetNumberOfComponents() ==
 assert field(lines, "NumberOfHandles").GetValue(0) == 1
 
 
-def stage_times():
-    loops.UpdatePropertyInformation()  # the property is no part of the panel
-    times = servermanager.vtkSMPropertyHelper(loops.SMProxy, "StageTimes")
-    return [times.GetAsDouble(stage) for stage in range(5)]
-
-
 # Thresholds, side and shortening leave the analysis alone: its times stay what they were.
-before = stage_times()
+before = stage_times(loops)
 assert sum(before) > 0
 loops.Side = "Inside"
 loops.MinimumPersistence = 20
@@ -66,7 +57,7 @@ UpdatePipeline(proxy=loops)
 took = time.time() - started
 lines = output(loops, 0)
 assert lines.GetNumberOfCells() == 1
-assert stage_times() == before
+assert stage_times(loops) == before
 print("another side, threshold and shortening after %.1f ms" % (1e3 * took))
 
 # The most persistent alone; and the threshold at the largest gap is the one that is proposed.

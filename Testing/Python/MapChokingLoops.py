@@ -5,18 +5,13 @@ of Map Surface and Choking Loops one after the other; no level, and one that not
 import sys
 
 import numpy
-from paraview import servermanager
 from paraview.simple import (ChokingLoops, MapChokingLoops, MapSurface, OpenDataFile, UpdatePipeline,
                              Wavelet)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkObject
 
+from outputs import output, stage_times
 from shared_data import shared_data
-
-
-def output(proxy, port=0):
-    """Fetch() of ParaView 5.11 gives port 0 whatever it is asked for."""
-    return proxy.GetClientSideObject().GetOutputDataObject(port)
 
 
 def column(data, name):
@@ -49,17 +44,11 @@ print("handles and tunnels as in two steps")
 # Another threshold leaves contour and analysis alone.
 
 
-def stage_times():
-    loops.UpdatePropertyInformation()  # the property is no part of the panel
-    times = servermanager.vtkSMPropertyHelper(loops.SMProxy, "StageTimes")
-    return [times.GetAsDouble(stage) for stage in range(5)]
-
-
-before = stage_times()
+before = stage_times(loops)
 assert sum(before) > 0
 loops.MinimumPersistence = 20
 UpdatePipeline(proxy=loops)
-assert stage_times() == before
+assert stage_times(loops) == before
 
 vtkObject.GlobalWarningDisplayOff()
 empty = MapChokingLoops(Input=Wavelet(), Level=1e6)

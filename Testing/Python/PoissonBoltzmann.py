@@ -10,15 +10,11 @@ from paraview.simple import (ColorBy, CreateView, GetColorTransferFunction, Mole
                              OpenDataFile, PoissonBoltzmann, ResetCamera, SaveScreenshot, Show)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from outputs import output
 from shared_data import shared_data
 
 OUTPUT = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "PoissonBoltzmann"
 OUTPUT.mkdir(parents=True, exist_ok=True)
-
-
-def output(proxy, port):
-    """Fetch() of ParaView 5.11 gives port 0 whatever it is asked for."""
-    return proxy.GetClientSideObject().GetOutputDataObject(port)
 
 
 atoms = OpenDataFile(str(shared_data("molecules/1hew/1hew.pqr")))

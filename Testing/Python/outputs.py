@@ -1,0 +1,14 @@
+"""What a proxy of this process has made: its output data, and the times of choking loops' stages."""
+
+from paraview import servermanager
+
+
+def output(proxy, port=0):
+    """Fetch() of ParaView 5.11 gives port 0 whatever it is asked for."""
+    return proxy.GetClientSideObject().GetOutputDataObject(port)
+
+
+def stage_times(loops):
+    loops.UpdatePropertyInformation()  # the property is no part of the panel
+    times = servermanager.vtkSMPropertyHelper(loops.SMProxy, "StageTimes")
+    return [times.GetAsDouble(stage) for stage in range(5)]
