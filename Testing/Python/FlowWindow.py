@@ -9,12 +9,10 @@ from pathlib import Path
 
 import numpy
 from shared_data import shared_data
-from window_play import APPLY, complaints, entry, pixels_of_view, play
+from window_play import APPLY, PANEL, complaints, entry, pixels_of_view, play
 
 PAUSE = ("pqClientMainWindow", "pause", "5000")
-STEPS = ("pqClientMainWindow/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/"
-         "scrollAreaWidgetContents/PropertiesFrame/ProxyPanel/TimeSteps/IntRangeWidget/LineEdit",
-         "set_string", "5")
+STEPS = (PANEL + "TimeSteps/IntRangeWidget/LineEdit", "set_string", "5")
 PLAY = ("pqClientMainWindow/VCRToolbar/1QToolButton3", "activate", "")
 MENU = entry("MolecularFlowSurface")
 

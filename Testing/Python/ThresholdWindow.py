@@ -9,13 +9,12 @@ from pathlib import Path
 
 from paraview import servermanager, simple
 from shared_data import shared_data
-from window_play import button, coloured_fraction, complaints, play
+from window_play import PANEL, button, coloured_fraction, complaints, play
 
 import isthmus_pipelines
 
 MAP = shared_data("maps/emd_1832.map")
-PANEL = ("pqClientMainWindow/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/"
-         "scrollAreaWidgetContents/PropertiesFrame/ProxyPanel/MinimumPersistence/")
+THRESHOLD = PANEL + "MinimumPersistence/"
 PAUSE = ("pqClientMainWindow", "pause", "2000")
 
 _, loops = isthmus_pipelines.map_to_loops(simple.OpenDataFile(str(MAP)))
@@ -27,8 +26,8 @@ expected = repr(min(inside[0], outside[0]))  # the field holds all digits, and s
 
 SESSIONS = {
     "given": [button(2), PAUSE],
-    "proposed": [button(2), PAUSE, (PANEL + "UseProposedThreshold", "activate", ""), PAUSE,
-                 (PANEL + "DoubleRangeWidget/DoubleLineEdit", "check text", expected)]}
+    "proposed": [button(2), PAUSE, (THRESHOLD + "UseProposedThreshold", "activate", ""), PAUSE,
+                 (THRESHOLD + "DoubleRangeWidget/DoubleLineEdit", "check text", expected)]}
 output = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "ThresholdWindow"
 coloured = {}
 for name, events in SESSIONS.items():

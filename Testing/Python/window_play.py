@@ -21,6 +21,8 @@ PATIENCE = 200  # seconds for one session, on a machine with other things to do
 APPLY = ("pqClientMainWindow/propertiesDock/propertiesPanel/Accept", "activate", "")
 NOTHING_TO_APPLY = (APPLY[0], "check enabled", "false")
 BUTTON = "pqClientMainWindow/Isthmus/1QToolButton%d"
+PANEL = ("pqClientMainWindow/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/"
+         "scrollAreaWidgetContents/PropertiesFrame/ProxyPanel/")
 MENU = "pqClientMainWindow/menubar/menuFilters/Isthmus"
 # Apply, in a window of 1600 x 1000.
 APPLY_AT = (48, 508)
