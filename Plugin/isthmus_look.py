@@ -37,7 +37,7 @@ TITLES = {
 VERMILION, ORANGE, SKY, GREEN, YELLOW, BLUE, PURPLE, GREY = (
     (0.835, 0.369, 0.0), (0.902, 0.624, 0.0), (0.337, 0.706, 0.914), (0.0, 0.620, 0.451),
     (0.941, 0.894, 0.259), (0.0, 0.447, 0.698), (0.800, 0.475, 0.655), (0.80, 0.80, 0.80))
-FURTHER = (0.70, 0.64, 0.74)
+FURTHER, BLACK = (0.70, 0.64, 0.74), (0.0, 0.0, 0.0)
 BETTI = (("Beta0", "components", VERMILION), ("Beta1", "tunnels", BLUE), ("Beta2", "cavities", GREEN))
 CATEGORIES = {
     "Kind": (("0", "handle", VERMILION), ("1", "tunnel", BLUE), ("2", "bottleneck", ORANGE)),
@@ -186,20 +186,31 @@ def _range_of_cells(source, array):
     return found.GetRange(0) if found else None
 
 
-def _look_at_betti_curves(display, view):
-    """Components, tunnels and cavities over the level, instead of all columns over the row."""
+def _draw_curves(display, view, x, curves, titles):
+    """`curves` (column, words, colour) over column `x`, instead of all columns over the row."""
     display.AttributeType = "Row Data"
-    display.UseIndexForXAxis, display.XArrayName = 0, "Level"
+    display.UseIndexForXAxis, display.XArrayName = 0, x
     # One by one: the panel that shows the series puts back what a shorter list leaves out.
     series = servermanager.vtkSMPropertyHelper(display.SMProxy, "SeriesVisibility")
     for name in list(display.SeriesVisibility):
         series.SetStatus(name, 0)
-    for name, label, colour in BETTI:
+    for name, label, colour in curves:
         series.SetStatus(name, 1)
         servermanager.vtkSMPropertyHelper(display.SMProxy, "SeriesLabel").SetStatus(name, label)
         servermanager.vtkSMPropertyHelper(display.SMProxy, "SeriesColor").SetStatus(name, colour, 3)
     display.SMProxy.UpdateVTKObjects()
-    view.ChartTitle, view.BottomAxisTitle, view.LeftAxisTitle = "Betti curves", "Level", "Number"
+    view.ChartTitle, view.BottomAxisTitle, view.LeftAxisTitle = titles
+
+
+def _look_at_currents(display, view):
+    """A channel's currents over what was swept: an I-V curve, or one over concentrations."""
+    swept = servermanager._getPyProxy(display.Input.SMProxy).SweepOf
+    x, words = (("ConcentrationFactor", "Concentrations, times") if swept == "Concentrations" else
+                ("Voltage", "Voltage (mV)"))
+    ions = sorted(name for name in display.Input.RowData.keys() if name.startswith("Current_"))
+    curves = [(name, name[len("Current_"):], colour)
+              for name, colour in zip(ions, (VERMILION, BLUE, GREEN, ORANGE, PURPLE))]
+    _draw_curves(display, view, x, [("Current", "all ions", BLACK), *curves], ("Currents", words, "Current (pA)"))
 
 
 def _look_at_handles(display, port):
@@ -238,7 +249,9 @@ def _look_at_table(display, view, name):
     elif name in pockets_and_pores.FEATURES:
         view.HiddenColumnLabels = pockets_and_pores.HIDDEN_COLUMNS[name]
     elif name in LEVELS and hasattr(display, "XArrayName"):
-        _look_at_betti_curves(display, view)
+        _draw_curves(display, view, "Level", BETTI, ("Betti curves", "Level", "Number"))
+    elif name in IONS and hasattr(display, "XArrayName") and getattr(display.Input, "Port", 0) == 2:
+        _look_at_currents(display, view)
 
 
 def _look_at_shape(display, view, source, name):

@@ -3,6 +3,7 @@ that it can use, hides all else, and refuses in one sentence; meshes have edges,
 a surface takes the place of its molecule.
 """
 
+from good_data import channel
 from paraview import servermanager, simple
 from shared_data import shared_data
 
@@ -71,6 +72,17 @@ def check_looks(density, atoms):
     assert levels.XArrayName == "Level" and not levels.UseIndexForXAxis
     assert list(levels.SeriesVisibility) == [name for name, _, _ in look.BETTI], levels.SeriesVisibility
     assert chart.BottomAxisTitle == "Level"
+
+    # A sweep in a chart view: the currents over the voltage.
+    tube = simple.PVTrivialProducer()
+    tube.GetClientSideObject().SetOutput(channel())
+    swept = simple.IonTransport(Input=tube, Spacing=1.0, Padding=5.0, MembraneThickness=8.0, SweepOf="Voltages",
+                                SweepPoints=3)
+    chart = simple.CreateView("XYChartView")
+    currents = simple.Show(simple.OutputPort(swept, 2), chart, "XYChartRepresentation")
+    look.first_look(currents.GetGlobalID())
+    assert currents.XArrayName == "Voltage" and chart.BottomAxisTitle == "Voltage (mV)"
+    assert sorted(currents.SeriesVisibility) == ["Current", "Current_Cl", "Current_K"], currents.SeriesVisibility
 
 
 check_looks(*check_buttons())
