@@ -207,7 +207,9 @@ def _look_at_currents(display, view):
     swept = servermanager._getPyProxy(display.Input.SMProxy).SweepOf
     x, words = (("ConcentrationFactor", "Concentrations, times") if swept == "Concentrations" else
                 ("Voltage", "Voltage (mV)"))
-    ions = sorted(name for name in display.Input.RowData.keys() if name.startswith("Current_"))
+    rows = data_of(display.Input).GetAttributeInformation(6)  # vtkDataObject.ROW
+    columns = [rows.GetArrayInformation(i).GetName() for i in range(rows.GetNumberOfArrays())]
+    ions = sorted(name for name in columns if name.startswith("Current_"))
     curves = [(name, name[len("Current_"):], colour)
               for name, colour in zip(ions, (VERMILION, BLUE, GREEN, ORANGE, PURPLE))]
     _draw_curves(display, view, x, [("Current", "all ions", BLACK), *curves], ("Currents", words, "Current (pA)"))
