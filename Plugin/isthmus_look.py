@@ -205,8 +205,11 @@ def _draw_curves(display, view, x, curves, titles):
 def _look_at_currents(display, view):
     """A channel's currents over what was swept: an I-V curve, or one over concentrations."""
     swept = servermanager._getPyProxy(display.Input.SMProxy).SweepOf
-    x, words = (("ConcentrationFactor", "Concentrations, times") if swept == "Concentrations" else
-                ("Voltage", "Voltage (mV)"))
+    x, words, other = (("ConcentrationFactor", "Concentrations, times", "Voltage") if swept == "Concentrations"
+                       else ("Voltage", "Voltage (mV)", "ConcentrationFactor"))
+    if not hasattr(display, "XArrayName"):  # a spreadsheet: what was swept comes last
+        view.HiddenColumnLabels = ("CurrentSpread", other)
+        return
     rows = data_of(display.Input).GetAttributeInformation(6)  # vtkDataObject.ROW
     columns = [rows.GetArrayInformation(i).GetName() for i in range(rows.GetNumberOfArrays())]
     ions = sorted(name for name in columns if name.startswith("Current_"))
@@ -252,7 +255,7 @@ def _look_at_table(display, view, name):
         view.HiddenColumnLabels = pockets_and_pores.HIDDEN_COLUMNS[name]
     elif name in LEVELS and hasattr(display, "XArrayName"):
         _draw_curves(display, view, "Level", BETTI, ("Betti curves", "Level", "Number"))
-    elif name in IONS and hasattr(display, "XArrayName") and getattr(display.Input, "Port", 0) == 2:
+    elif name in IONS and getattr(display.Input, "Port", 0) == 2:
         _look_at_currents(display, view)
 
 

@@ -83,6 +83,9 @@ def check_looks(density, atoms):
     look.first_look(currents.GetGlobalID())
     assert currents.XArrayName == "Voltage" and chart.BottomAxisTitle == "Voltage (mV)"
     assert sorted(currents.SeriesVisibility) == ["Current", "Current_Cl", "Current_K"], currents.SeriesVisibility
+    sheet = simple.CreateView("SpreadSheetView")
+    look.first_look(simple.Show(simple.OutputPort(swept, 2), sheet).GetGlobalID())
+    assert sorted(sheet.HiddenColumnLabels) == ["ConcentrationFactor", "CurrentSpread"], sheet.HiddenColumnLabels
 
 
 check_looks(*check_buttons())
