@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+"""Makes mistakes on purpose, one at a time, and looks that the test which is there for it fails.
+
+    Testing/mutants.py BUILD [NAME...]
+
+BUILD is a build folder of this tree with tests, up to date. Each mutant replaces one piece of a source,
+builds what the test needs, runs the test, and puts the source back. A test that passes all the same is
+told, and the script ends with 1. Refuses a tree with uncommitted changes, since it edits sources in place.
+
+An audit found these tests asserting nothing; MUTANTS has one mistake for each that it let pass.
+"""
+import os
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+CGAL = "Filters/Meshing/CGALTetrahedra.cxx"
+FIVE = "TestTetrahedralProperties", "TetrahedralProperties.CGALKeepsItsFiveCriteria"
+
+# name: (file, what stands there, the mistake, (program, GoogleTest filter) or a script of Testing/Python
+# with its arguments)
+MUTANTS = {
+    "TetGen's ratio is not passed on": (
+        "Filters/Meshing/TetGenProcess.cxx", '"q" + Number(criteria.RadiusEdgeRatio)', '"q" + Number(2.0)',
+        ("TestTetrahedralMesher", "TetrahedralMesher.TetGenKeepsItsBounds")),
+    "CGAL's facet angle is not passed on": (
+        CGAL, "params::facet_angle = c.FacetAngle", "params::facet_angle = 0.0 * c.FacetAngle", FIVE),
+    "CGAL's facet size is not passed on": (
+        CGAL, "params::facet_size = facets", "params::facet_size = cells", FIVE),
+    "CGAL's facet distance is not passed on": (
+        CGAL, "params::facet_distance = c.FacetDistance", "params::facet_distance = 10.0 * c.FacetDistance", FIVE),
+    "CGAL's radius-edge ratio is not passed on": (
+        CGAL, "params::cell_radius_edge_ratio = c.CellRadiusEdgeRatio",
+        "params::cell_radius_edge_ratio = 4.0 * c.CellRadiusEdgeRatio", FIVE),
+    "CGAL's cell size is not passed on": (
+        CGAL, "params::cell_size = cells", "params::cell_size = 100.0 * c.CellSize", FIVE),
+    "A histogram is a bin off": (
+        "Filters/Meshing/MeshQuality.cxx", "static_cast<int>(angle / 180.0 * bins)",
+        "static_cast<int>(angle / 180.0 * bins) + 1",
+        ("TestMeshQuality", "MeshQuality.HistogramCountsEveryAngleOnce")),
+    "Every node counts as irregular": (
+        "Filters/Measures/SurfaceCrossings.cxx", "irregular[static_cast<std::size_t>(node)] = any;",
+        "irregular[static_cast<std::size_t>(node)] = any || true;", ("TestSurfaceToGrid", "*")),
+    "A ball's area is 5 % too large": (
+        "Filters/Curvature/SurfacePatch.cxx", "sums.Area += AreaInBall(", "sums.Area += 1.05 * AreaInBall(",
+        ("TestSurfaceCurvature", "SurfaceCurvature.BallAndDiscHaveTheirAreas")),
+    "An open fan begins at its wrong end": (
+        "Filters/CellComplex/EdgeTable.cxx", "this->Mesh.IsOutside(this->Mesh.Beta3(this->Mesh.Beta2(dart)))",
+        "this->Mesh.IsOutside(this->Mesh.Beta3(dart))", ("TestCompactCombinatorialMap", "*")),
+    "The mesher refuses everything": (
+        "Filters/Meshing/TetrahedralMesher.cxx", "demand(c.FacetAngle >= 0.0 &&", "demand(c.FacetAngle < 0.0 &&",
+        ("TestMeshingFuzz", "MeshingFuzz.CGAL")),
+    "The picture of six descriptors is blank": (
+        "Examples/MapToCurvature.py", '    simple.ColorBy(display, ("POINTS", array))',
+        '    simple.ColorBy(display, ("POINTS", array))\n    display.Visibility = 0', "MapToCurvature.py"),
+    "Gaussian curvature is 3 % too large": (
+        "Filters/Curvature/ShapeRows.cxx", "shape.Gaussian[i] = valid ? gaussian", "shape.Gaussian[i] = valid ? 1.03 * gaussian",
+        "MapToCurvature.py"),
+    "A panel's number goes nowhere": (
+        "Plugin/MapSurface.xml", 'command="SetMinimumComponentArea"', 'command="SetMinimumComponentShare"',
+        "PropertyEffects.py MapSurface"),
+}
+
+
+def git(*arguments):
+    return subprocess.run(["git", *arguments], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+
+
+def environment(build):
+    package = next(build.glob("lib/python3*/site-packages"))
+    output = build / "mutants"
+    output.mkdir(exist_ok=True)
+    return dict(os.environ, PV_PLUGIN_PATH=str(build / "lib/isthmus/plugins"), PYTHONPATH=str(package),
+                ISTHMUS_EXAMPLES_DIR=str(ROOT / "Examples"), ISTHMUS_PANELS_DIR=str(ROOT / "Plugin"),
+                ISTHMUS_TEST_OUTPUT_DIR=str(output), ISTHMUS_REQUIRE_DATA="1",
+                ISTHMUS_DATA_DIR=os.environ.get("ISTHMUS_DATA_DIR", str(ROOT / "../shared/data")))
+
+
+def passes(test, build):
+    """Whether the test, built anew, passes."""
+    program = test[0] if isinstance(test, tuple) else "all"
+    subprocess.run(["cmake", "--build", str(build), "--target", program], check=True, stdout=subprocess.DEVNULL)
+    if isinstance(test, tuple):
+        command = [str(build / "Testing/Unit" / program), "--gtest_filter=" + test[1]]
+    else:
+        script, *arguments = test.split()
+        command = ["xvfb-run", "-a", "pvpython", str(ROOT / "Testing/Python" / script), *arguments]
+    return subprocess.run(command, env=environment(build), cwd=ROOT / "Testing/Python", stdout=subprocess.DEVNULL,
+                          stderr=subprocess.DEVNULL, timeout=1200).returncode == 0
+
+
+def survives(mutant, build):
+    file, right, wrong, test = mutant
+    path = ROOT / file
+    text = path.read_text()
+    if text.count(right) != 1:
+        sys.exit(f"{file}: {right!r} stands there {text.count(right)} times: the mutant needs another place.")
+    try:
+        path.write_text(text.replace(right, wrong))
+        return passes(test, build)
+    finally:
+        path.write_text(text)
+
+
+def main(build, *names):
+    if git("status", "--porcelain", "--untracked-files=no"):
+        sys.exit("The tree has uncommitted changes: commit them first, since mutants edit the sources.")
+    wrong = set(names) - set(MUTANTS)
+    if wrong:
+        sys.exit(f"No such mutants: {', '.join(wrong)}.\nThere are: " + ", ".join(MUTANTS))
+    survivors = []
+    for name in names or MUTANTS:
+        alive = survives(MUTANTS[name], pathlib.Path(build).resolve())
+        print(f"{'SURVIVES' if alive else 'found'}: {name}", flush=True)
+        survivors += [name] if alive else []
+    subprocess.run(["cmake", "--build", str(build)], check=True, stdout=subprocess.DEVNULL)
+    sys.exit(1 if survivors else 0)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2 or {"-h", "--help"} & set(sys.argv[1:]):
+        sys.exit(__doc__)
+    main(*sys.argv[1:])
