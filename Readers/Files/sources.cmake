@@ -1,6 +1,7 @@
 isthmus_room(
   SOURCES
     CompressedSource
+    GridInformation
     OpenByteSource
     PlainFile
     SkewedLattice

@@ -1,5 +1,6 @@
 #include "vtkMRCMapReader.h"
 
+#include "GridInformation.h"
 #include "LargePages.h"
 #include "MRCFieldData.h"
 #include "MRCMap.h"
@@ -18,7 +19,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -32,7 +32,6 @@ namespace
 using isthmus::MRCMap;
 using isthmus::ReaderError;
 using isthmus::ReaderFailure;
-using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 int ScalarTypeOf(isthmus::MRCValue value)
 {
@@ -75,20 +74,17 @@ vtkSmartPointer<vtkDataArray> NewArray(const char* name, int type, int component
 }
 
 /// The direction matrix and origin that place `grid` in the world.
-void Describe(const isthmus::VoxelLattice& grid, vtkInformation* info)
+isthmus::GridInformation InformationOf(const isthmus::VoxelLattice& grid)
 {
-  int whole[6];
-  double direction[9];
+  isthmus::GridInformation information;
+  information.Dimensions = grid.Dimensions;
+  information.Spacing = grid.Spacing();
+  information.Origin = grid.World(grid.Origin);
   for (std::size_t a = 0; a < 3; ++a)
   {
-    whole[2 * a] = 0;
-    whole[2 * a + 1] = static_cast<int>(grid.Dimensions[a] - 1);
-    std::copy(grid.Rotation[a].begin(), grid.Rotation[a].end(), direction + 3 * a);
+    std::copy(grid.Rotation[a].begin(), grid.Rotation[a].end(), &information.Direction[3 * a]);
   }
-  info->Set(Pipeline::WHOLE_EXTENT(), whole, 6);
-  info->Set(vtkDataObject::SPACING(), grid.Spacing().data(), 3);
-  info->Set(vtkDataObject::ORIGIN(), grid.World(grid.Origin).data(), 3);
-  info->Set(vtkDataObject::DIRECTION(), direction, 9);
+  return information;
 }
 
 /// Opens the reader's file and selects what its properties ask for.
@@ -102,22 +98,6 @@ MRCMap Open(vtkMRCMapReader* reader)
   options.KeepCellAxes = reader->GetNonOrthogonalCell() == vtkMRCMapReader::KeepCellAxes;
   map.Select(options);
   return map;
-}
-
-/// A file that was replaced since its information was read would be shown in the old geometry.
-void DemandUnchanged(const isthmus::VoxelLattice& grid, vtkInformation* info, const char* path)
-{
-  vtkNew<vtkInformation> now;
-  Describe(grid, now);
-  const auto same = [info, now = now.Get()](auto* key, int count)
-  { return std::equal(now->Get(key), now->Get(key) + count, info->Get(key)); };
-  if (!same(Pipeline::WHOLE_EXTENT(), 6) || !same(vtkDataObject::SPACING(), 3) ||
-    !same(vtkDataObject::ORIGIN(), 3) || !same(vtkDataObject::DIRECTION(), 9))
-  {
-    throw ReaderError(ReaderFailure::BadRequest,
-      std::string(path) +
-        ": the file has changed since its header was read: reload it (Reload Files).");
-  }
 }
 
 std::string Sentences(const std::vector<std::string>& sentences)
@@ -178,15 +158,13 @@ int vtkMRCMapReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* const info = outputVector->GetInformationObject(0);
-  isthmus::VoxelLattice nothing;
-  nothing.Dimensions = { 0, 0, 0 };
-  Describe(nothing, info); // what stays when the file can't be read
+  isthmus::Describe({}, info); // what stays when the file can't be read
   return this->Try(info,
     [&]()
     {
       const MRCMap map = Open(this);
       this->Tell(map);
-      Describe(map.Grid(), info);
+      isthmus::Describe(InformationOf(map.Grid()), info);
       const isthmus::MRCVoxelType& voxel = map.Header().Voxel;
       vtkDataObject::SetPointDataActiveScalarInfo(
         info, ScalarTypeOf(voxel.Value), voxel.Components);
@@ -203,9 +181,7 @@ int vtkMRCMapReader::RequestData(
     [&]()
     {
       MRCMap map = Open(this);
-      DemandUnchanged(map.Grid(), info, this->FileName);
-      int extent[6];
-      info->Get(Pipeline::UPDATE_EXTENT(), extent);
+      isthmus::DemandUnchanged(InformationOf(map.Grid()), info, this->FileName);
       isthmus::AddMRCFieldData(map, this->VolumeIndex, output->GetFieldData());
       if (const auto level = isthmus::RecommendedLevel(this->FileName))
       {
@@ -214,13 +190,10 @@ int vtkMRCMapReader::RequestData(
         recommended->InsertNextValue(*level);
         output->GetFieldData()->AddArray(recommended);
       }
-      output->SetExtent(extent);
-      output->SetSpacing(info->Get(vtkDataObject::SPACING()));
-      output->SetOrigin(info->Get(vtkDataObject::ORIGIN()));
-      output->SetDirectionMatrix(info->Get(vtkDataObject::DIRECTION()));
+      isthmus::StartImage(info, output);
       if (output->GetNumberOfPoints() > 0)
       {
-        this->ReadArrays(map, extent, output);
+        this->ReadArrays(map, output->GetExtent(), output);
       }
     });
 }

@@ -1,5 +1,6 @@
 #include "vtkOpenDXReader.h"
 
+#include "GridInformation.h"
 #include "LargePages.h"
 #include "OpenDXReader.h"
 #include "ParallelReduce.h"
@@ -17,7 +18,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -34,7 +34,6 @@ namespace
 using isthmus::NodeBox;
 using isthmus::OpenDXReader;
 using isthmus::VoxelLattice;
-using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 bool IsOrthogonal(const VoxelLattice& lattice)
 {
@@ -82,40 +81,21 @@ NodeBox AllNodes(const VoxelLattice& lattice)
   return { 0, n[0] - 1, 0, n[1] - 1, 0, n[2] - 1 };
 }
 
-void Describe(const VoxelLattice& grid, vtkInformation* info)
+/// The direction matrix holds the unit steps as its columns.
+isthmus::GridInformation InformationOf(const VoxelLattice& grid)
 {
-  const std::array<double, 3> spacing = grid.Spacing();
-  int whole[6];
-  double direction[9];
+  isthmus::GridInformation information;
+  information.Dimensions = grid.Dimensions;
+  information.Spacing = grid.Spacing();
+  information.Origin = grid.Origin;
   for (std::size_t a = 0; a < 3; ++a)
   {
-    whole[2 * a] = 0;
-    whole[2 * a + 1] = static_cast<int>(grid.Dimensions[a] - 1);
     for (std::size_t i = 0; i < 3; ++i)
     {
-      direction[3 * i + a] = grid.Steps[i][a] / spacing[a];
+      information.Direction[3 * i + a] = grid.Steps[i][a] / information.Spacing[a];
     }
   }
-  info->Set(Pipeline::WHOLE_EXTENT(), whole, 6);
-  info->Set(vtkDataObject::SPACING(), spacing.data(), 3);
-  info->Set(vtkDataObject::ORIGIN(), grid.Origin.data(), 3);
-  info->Set(vtkDataObject::DIRECTION(), direction, 9);
-}
-
-/// A file that was replaced since its information was read would be shown in the old geometry.
-void DemandUnchanged(const VoxelLattice& grid, vtkInformation* info, const char* path)
-{
-  vtkNew<vtkInformation> now;
-  Describe(grid, now);
-  const auto same = [info, now = now.Get()](auto* key, int count)
-  { return std::equal(now->Get(key), now->Get(key) + count, info->Get(key)); };
-  if (!same(Pipeline::WHOLE_EXTENT(), 6) || !same(vtkDataObject::SPACING(), 3) ||
-    !same(vtkDataObject::ORIGIN(), 3) || !same(vtkDataObject::DIRECTION(), 9))
-  {
-    throw isthmus::ReaderError(isthmus::ReaderFailure::BadRequest,
-      std::string(path) +
-        ": the file has changed since its header was read: reload it (Reload Files).");
-  }
+  return information;
 }
 
 void AddTexts(vtkFieldData* fields, const char* name, const std::vector<std::string>& texts)
@@ -206,15 +186,13 @@ int vtkOpenDXReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* const info = outputVector->GetInformationObject(0);
-  VoxelLattice nothing;
-  nothing.Dimensions = { 0, 0, 0 };
-  Describe(nothing, info); // what stays when the file can't be read
+  isthmus::Describe({}, info); // what stays when the file can't be read
   return this->Try(info,
     [&]()
     {
       const OpenDXReader file(this->FileName, this->FieldIndex);
       const VoxelLattice grid = TargetOf(file, this->FileName);
-      Describe(grid, info);
+      isthmus::Describe(InformationOf(grid), info);
       vtkDataObject::SetPointDataActiveScalarInfo(
         info, file.Array().Single ? VTK_FLOAT : VTK_DOUBLE, file.Array().Components);
       info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
@@ -231,13 +209,8 @@ int vtkOpenDXReader::RequestData(
     {
       OpenDXReader file(
         this->FileName, this->FieldIndex, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.2));
-      DemandUnchanged(TargetOf(file, this->FileName), info, this->FileName);
-      int extent[6];
-      info->Get(Pipeline::UPDATE_EXTENT(), extent);
-      output->SetExtent(extent);
-      output->SetSpacing(info->Get(vtkDataObject::SPACING()));
-      output->SetOrigin(info->Get(vtkDataObject::ORIGIN()));
-      output->SetDirectionMatrix(info->Get(vtkDataObject::DIRECTION()));
+      isthmus::DemandUnchanged(InformationOf(TargetOf(file, this->FileName)), info, this->FileName);
+      isthmus::StartImage(info, output);
       if (output->GetNumberOfPoints() > 0)
       {
         file.Array().Single ? this->ReadValues<vtkFloatArray>(file, output)

@@ -1,0 +1,42 @@
+/**
+ * @file GridInformation.h
+ * @brief What a reader of a grid tells VTK's pipeline before it reads, and holds it to afterwards.
+ */
+#ifndef isthmus_GridInformation_h
+#define isthmus_GridInformation_h
+
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <array>
+#include <cstdint>
+
+class vtkImageData;
+class vtkInformation;
+
+namespace isthmus
+{
+
+/// Nodes along x, y, z; angstrom between them; where the first one lies; the direction matrix, by
+/// rows. No nodes: a file that can't be read.
+struct GridInformation
+{
+  std::array<std::int64_t, 3> Dimensions{};
+  std::array<double, 3> Spacing{ 1.0, 1.0, 1.0 };
+  std::array<double, 3> Origin{};
+  std::array<double, 9> Direction{ 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+};
+
+/// Puts the grid into the information of an output.
+VTKISTHMUS_EXPORT void Describe(const GridInformation& grid, vtkInformation* info);
+
+/// A file that was replaced since its information was read would be shown in the old geometry.
+/// @throws ReaderError (BadRequest) where `info` describes another grid
+VTKISTHMUS_EXPORT void DemandUnchanged(
+  const GridInformation& grid, vtkInformation* info, const char* path);
+
+/// Gives the image the extent that is asked for, and the grid's geometry.
+VTKISTHMUS_EXPORT void StartImage(vtkInformation* info, vtkImageData* image);
+
+}
+
+#endif
