@@ -66,6 +66,7 @@ public:
 private:
   FlowField StartingField(const ProgressCallback& progress) const;
   void Solve(const FlowField& field, const ProgressCallback& progress);
+  double Dispersion(const SolventParameters& solvent) const;
   void Record(const FlowField& field);
   void Pull(FlowField& field);
   bool IsStill() const;
@@ -73,13 +74,12 @@ private:
   const SolvationAtoms Atoms;
   const SolvationParameters Parameters;
   const IonAtmosphere Ions;
-  PoissonBoltzmannParameters Equation; ///< with border and start from the last solution
-  std::vector<ChargedAtom> Placed;     ///< charges in the frame of the grid
-  std::vector<float> Steady;           ///< the part of the pull that stays, in spacings
-  std::vector<double> Before;          ///< the last solution's values
+  PoissonBoltzmannParameters Equation;
+  std::vector<ChargedAtom> Placed; ///< charges in the frame of the grid
+  std::vector<float> Steady;       ///< the part of the pull that stays, in spacings
+  std::vector<float> LastDistance; ///< of the surface before
   double Time = 0.0;
   bool AtRest = false;
-  SolverBox Box;
   LevelFunction Level;
   SurfaceFlowResult Surface;
   std::unique_ptr<PotentialOnBox> Solution;
