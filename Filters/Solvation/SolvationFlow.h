@@ -38,9 +38,10 @@
 namespace isthmus
 {
 
-/// Cost: a Poisson-Boltzmann solution for each update (3 to 20), the first with its border; between
-/// them UpdatePeriod steps at 3 ns for each node of the band. Memory: that of the solution (110
-/// bytes a node) and of the flow. The same bits on any number of threads.
+/// Cost: a Poisson-Boltzmann solution for each update (3 to 20), the first with its border, later
+/// ones anew only where the surface moved (SolveAgain()); between them UpdatePeriod steps at 3 ns
+/// for each node of the band. Memory: that of the solution (120 bytes a node, the last surface's
+/// potential and crossings with it) and of the flow. The same bits on any number of threads.
 class VTKISTHMUS_EXPORT SolvationFlow
 {
 public:
