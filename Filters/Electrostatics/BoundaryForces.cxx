@@ -78,11 +78,9 @@ void AddDistantIons(const PotentialOnBox& solution, std::size_t layer, const Sur
 
 }
 
-std::vector<double> PullAtCrossings(
-  const PotentialOnBox& solution, const LevelFunction& level, double kelvin)
+std::vector<double> PullAtCrossings(const PotentialOnBox& solution, double kelvin)
 {
-  const SurfaceValues field =
-    EvaluateAtSurface(solution, level, PlacesOfCrossings(solution), kelvin);
+  const SurfaceValues field = EvaluateAtCrossings(solution, kelvin);
   std::vector<double> pull(solution.GetCrossings().size());
   for (std::size_t i = 0; i < pull.size(); ++i)
   {
@@ -92,13 +90,12 @@ std::vector<double> PullAtCrossings(
   return pull;
 }
 
-BoundaryForces ForcesOnBoundary(
-  const PotentialOnBox& solution, const LevelFunction& level, const SurfaceMotion& motion)
+BoundaryForces ForcesOnBoundary(const PotentialOnBox& solution, const SurfaceMotion& motion)
 {
   const double kelvin = solution.GetParameters().Temperature;
   const SolverBox& box = solution.GetBox();
   const std::vector<Point3> places = PlacesOfCrossings(solution);
-  const SurfaceValues field = EvaluateAtSurface(solution, level, places, kelvin);
+  const SurfaceValues field = EvaluateAtCrossings(solution, kelvin);
   const double coulomb = units::CoulombLength(kelvin);
   const std::size_t atoms = solution.GetReport().AtomForces.size();
   BoundaryForces forces;

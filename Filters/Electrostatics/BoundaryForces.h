@@ -26,7 +26,7 @@ namespace isthmus
 /// The pull at each crossing of the solution's surface with the grid, kcal/mol/angstrom^3; 0 where
 /// no field could be fitted. O(crossings), parallel.
 VTKISTHMUS_EXPORT std::vector<double> PullAtCrossings(
-  const PotentialOnBox& solution, const LevelFunction& level, double kelvin);
+  const PotentialOnBox& solution, double kelvin);
 
 /// On each atom, kT/angstrom, along the grid's axes.
 struct BoundaryForces
@@ -41,7 +41,7 @@ struct BoundaryForces
  * same bits on any number of threads.
  */
 VTKISTHMUS_EXPORT BoundaryForces ForcesOnBoundary(
-  const PotentialOnBox& solution, const LevelFunction& level, const SurfaceMotion& motion);
+  const PotentialOnBox& solution, const SurfaceMotion& motion);
 
 }
 

@@ -1,6 +1,7 @@
 #include "ChargeTree.h"
 
 #include "ElectrostaticUnits.h"
+#include "ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +58,18 @@ ChargeTree::ChargeTree(const ChargeList& charges)
   {
     this->Build(charges, order, 0, order.size());
   }
+  ParallelFor(0, static_cast<std::int64_t>(this->Boxes.size()), 1,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t b = first; b < last; ++b)
+      {
+        Box& box = this->Boxes[static_cast<std::size_t>(b)];
+        if (box.Children[0] >= 0)
+        {
+          AddStandIns(charges, order, box);
+        }
+      }
+    });
   for (const std::size_t c : order)
   {
     this->Sorted.Add({ charges.X[c], charges.Y[c], charges.Z[c] }, charges.Charge[c]);
@@ -102,7 +115,6 @@ std::int64_t ChargeTree::Build(
   const auto at = [&](std::size_t i) { return order.begin() + static_cast<std::ptrdiff_t>(i); };
   std::nth_element(at(first), at(middle), at(last),
     [&](std::size_t i, std::size_t j) { return x[i] != x[j] ? x[i] < x[j] : i < j; });
-  AddStandIns(charges, order, this->Boxes[static_cast<std::size_t>(id)]);
   const std::int64_t low = this->Build(charges, order, first, middle);
   const std::int64_t high = this->Build(charges, order, middle, last);
   this->Boxes[static_cast<std::size_t>(id)].Children[0] = low;

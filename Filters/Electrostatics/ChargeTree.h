@@ -16,7 +16,7 @@
 namespace isthmus
 {
 
-/// Building: O(n log n); memory about 8 numbers for each charge.
+/// Building: O(n log n), most of it parallel; memory about 8 numbers for each charge.
 class VTKISTHMUS_EXPORT ChargeTree
 {
 public:

@@ -94,18 +94,41 @@ std::vector<SecondOrderTaylor> ChargesAtPoints(const ChargeList& charges, const 
 }
 
 std::vector<SecondOrderTaylor> ChargesAtCrossings(const ChargeList& charges, const SolverBox& box,
-  const std::vector<InterfaceCrossing>& crossings, const ProgressCallback& progress)
+  const std::vector<InterfaceCrossing>& crossings, const KnownCharges& known,
+  const ProgressCallback& progress)
 {
-  std::vector<Point3> points(crossings.size());
-  std::transform(crossings.begin(), crossings.end(), points.begin(),
-    [&](const InterfaceCrossing& crossing)
+  std::vector<SecondOrderTaylor> result(crossings.size());
+  std::vector<std::size_t> wanted;
+  std::vector<Point3> points;
+  const auto before = [](const InterfaceCrossing& a, const InterfaceCrossing& b)
+  { return a.Node != b.Node ? a.Node < b.Node : a.Axis < b.Axis; };
+  std::size_t k = 0;
+  for (std::size_t c = 0; c < crossings.size(); ++c)
+  {
+    const InterfaceCrossing& crossing = crossings[c];
+    while (
+      known.Crossings && k < known.Crossings->size() && before((*known.Crossings)[k], crossing))
     {
-      Point3 x = box.Position(crossing.Node);
-      const auto a = static_cast<std::size_t>(crossing.Axis);
-      x[a] += crossing.Fraction * box.Spacing[a];
-      return x;
-    });
-  return ChargesAtPoints(charges, box, points, progress);
+      ++k;
+    }
+    if (known.Crossings && k < known.Crossings->size() &&
+      !before(crossing, (*known.Crossings)[k]) &&
+      crossing.Fraction == (*known.Crossings)[k].Fraction)
+    {
+      result[c] = (*known.Values)[k];
+      continue;
+    }
+    wanted.push_back(c);
+    points.push_back(box.Position(crossing.Node));
+    const auto a = static_cast<std::size_t>(crossing.Axis);
+    points.back()[a] += crossing.Fraction * box.Spacing[a];
+  }
+  const std::vector<SecondOrderTaylor> sums = ChargesAtPoints(charges, box, points, progress);
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+  {
+    result[wanted[i]] = sums[i];
+  }
+  return result;
 }
 
 void ChargesAtNodes(const ChargeList& charges, const SolverBox& box,

@@ -16,9 +16,18 @@ namespace isthmus
 VTKISTHMUS_EXPORT std::vector<SecondOrderTaylor> ChargesAtPoints(const ChargeList& charges,
   const SolverBox& box, const std::vector<Point3>& points, const ProgressCallback& progress = {});
 
-/// The same at each crossing.
+/// What the same charges have at crossings of a surface with the same box, in their order.
+struct KnownCharges
+{
+  const std::vector<InterfaceCrossing>* Crossings = nullptr;
+  const std::vector<SecondOrderTaylor>* Values = nullptr;
+};
+
+/// The same at each crossing; summed only where the crossing is not among the known ones, to the
+/// last bit.
 std::vector<SecondOrderTaylor> ChargesAtCrossings(const ChargeList& charges, const SolverBox& box,
-  const std::vector<InterfaceCrossing>& crossings, const ProgressCallback& progress = {});
+  const std::vector<InterfaceCrossing>& crossings, const KnownCharges& known,
+  const ProgressCallback& progress = {});
 
 /**
  * Calls use(node, G) for the nodes of the box, in parallel, bricks of 8^3 at a time. Nodes nearer

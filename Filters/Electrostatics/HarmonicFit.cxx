@@ -2,6 +2,8 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -65,24 +67,35 @@ std::vector<Datum> DataAround(const SolverBox& box, const std::vector<unsigned c
   return data;
 }
 
-bool Solve(const std::vector<Datum>& data, int terms, Eigen::VectorXd& answer)
+/// The first `N` coefficients of the fit; false where the data do not tell them apart.
+template <int N>
+bool Solve(const std::vector<Datum>& data, std::array<double, 4>& answer)
 {
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(terms, terms);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(terms);
+  using Matrix = Eigen::Matrix<double, N, N>;
+  using Vector = Eigen::Matrix<double, N, 1>;
+  // Half as many nodes again as coefficients, so that one-sided neighbourhoods stay well-posed.
+  if (data.size() * 2 < 3 * static_cast<std::size_t>(N))
+  {
+    return false;
+  }
+  Matrix normal = Matrix::Zero();
+  Vector right = Vector::Zero();
   for (const Datum& d : data)
   {
-    const Eigen::Map<const Eigen::VectorXd> row(d.Row.data(), terms);
-    normal.noalias() += d.Weight * row * row.transpose();
+    const Eigen::Map<const Vector> row(d.Row.data());
+    normal.template selfadjointView<Eigen::Lower>().rankUpdate(row, d.Weight);
     right += d.Weight * d.Value * row;
   }
-  const Eigen::LDLT<Eigen::MatrixXd> factor(normal);
-  const auto pivots = factor.vectorD();
+  const Eigen::LDLT<Matrix> factor(normal);
+  const Vector pivots = factor.vectorD();
   if (factor.info() != Eigen::Success || !(pivots.minCoeff() > 1e-8 * pivots.maxCoeff()))
   {
     return false;
   }
-  answer = factor.solve(right);
-  return answer.allFinite();
+  const Vector c = factor.solve(right);
+  answer.fill(0.0);
+  std::copy_n(c.data(), std::min(N, 4), answer.begin());
+  return c.allFinite();
 }
 
 }
@@ -92,19 +105,10 @@ ValueAndGradient HarmonicAt(const SolverBox& box, const std::vector<unsigned cha
 {
   const double unit = *std::max_element(box.Spacing.begin(), box.Spacing.end());
   const std::vector<Datum> data = DataAround(box, inside, u, x, unit);
-  // Half as many nodes again as coefficients, so that one-sided neighbourhoods stay well-posed.
-  for (const int terms : { 16, 9, 4, 1 })
+  std::array<double, 4> c;
+  if (Solve<16>(data, c) || Solve<9>(data, c) || Solve<4>(data, c) || Solve<1>(data, c))
   {
-    Eigen::VectorXd c;
-    if (static_cast<int>(data.size()) * 2 >= 3 * terms && Solve(data, terms, c))
-    {
-      ValueAndGradient result{ c[0], { 0.0, 0.0, 0.0 } };
-      for (int a = 0; a < 3 && terms > 1; ++a)
-      {
-        result.Gradient[static_cast<std::size_t>(a)] = c[a + 1] / unit;
-      }
-      return result;
-    }
+    return { c[0], { c[1] / unit, c[2] / unit, c[3] / unit } };
   }
   throw std::invalid_argument(
     "There is no node of the grid inside the surface around the charge at (" +

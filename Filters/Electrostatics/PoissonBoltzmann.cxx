@@ -198,4 +198,14 @@ std::unique_ptr<PotentialOnBox> SolvePoissonBoltzmann(const LevelFunction& level
   return problem;
 }
 
+std::unique_ptr<PotentialOnBox> SolveAgain(
+  const LevelFunction& level, const PotentialOnBox& last, const ProgressCallback& progress)
+{
+  auto problem = std::make_unique<PotentialOnBox>(level, last.GetBox(), last.GetAtoms(),
+    last.GetParameters(), last.GetIons(), Between(progress, 0.0, 0.5), &last);
+  problem->Solve(last.GetParameters().Tolerance, Between(progress, 0.5, 0.95));
+  problem->Evaluate();
+  return problem;
+}
+
 }

@@ -51,6 +51,13 @@ VTKISTHMUS_EXPORT std::unique_ptr<PotentialOnBox> SolvePoissonBoltzmann(const Le
   const PoissonBoltzmannParameters& parameters, const IonAtmosphere& ions,
   const ProgressCallback& progress = {});
 
+/// Solves for a surface that has moved since `last`, everything else being as it is there, its
+/// border values included: from its potential, until the residual is as small as it became there,
+/// with the charges summed anew only where the surface did move. `last` is not referred to; after
+/// its Release() it is small. Throws, time and threads: as above.
+VTKISTHMUS_EXPORT std::unique_ptr<PotentialOnBox> SolveAgain(
+  const LevelFunction& level, const PotentialOnBox& last, const ProgressCallback& progress = {});
+
 }
 
 #endif

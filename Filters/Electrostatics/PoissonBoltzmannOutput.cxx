@@ -226,7 +226,7 @@ void FillBoundaryForces(const PotentialOnBox& solution, const SoluteVolume& volu
 {
   const double kelvin = solution.GetParameters().Temperature;
   const SurfaceMotion motion(onGrid, volume.Decay);
-  const BoundaryForces forces = ForcesOnBoundary(solution, volume.Level, motion);
+  const BoundaryForces forces = ForcesOnBoundary(solution, motion);
   std::vector<Point3> all = solution.GetReport().AtomForces;
   for (std::size_t i = 0; i < all.size(); ++i)
   {

@@ -84,6 +84,7 @@ struct PoissonBoltzmannReport
   int BorderIterations = 0;           ///< of BiCGSTAB on a coarser grid, for the border
   int NewtonSteps = 0;                ///< of the last solution
   std::vector<double> Residuals;      ///< relative, after each iteration of the last solution
+  double Reference = 0.0;             ///< what they are relative to, where linear: a norm
   std::int64_t Crossings = 0;         ///< of the surface with edges of the grid
   std::int64_t LinearFits = 0;        ///< of them, those for which a quadratic could not be fitted
   std::int64_t GhostFits = 0;         ///< and not even a linear function

@@ -24,7 +24,7 @@ constexpr unsigned char InSolute = 255;
 
 PotentialOnBox::PotentialOnBox(const LevelFunction& level, const SolverBox& box,
   const std::vector<ChargedAtom>& atoms, const PoissonBoltzmannParameters& parameters,
-  const IonAtmosphere& ions, const ProgressCallback& progress)
+  const IonAtmosphere& ions, const ProgressCallback& progress, const PotentialOnBox* last)
   : Box(box)
   , Atoms(atoms)
   , Parameters(parameters)
@@ -33,7 +33,7 @@ PotentialOnBox::PotentialOnBox(const LevelFunction& level, const SolverBox& box,
 {
   this->Inside = SidesOfNodes(level, this->Box);
   this->Crossings = FindCrossings(level, this->Box, this->Inside, Between(progress, 0.0, 0.2));
-  this->EvaluateCharges(Between(progress, 0.2, 0.6));
+  this->EvaluateCharges(last, Between(progress, 0.2, 0.6));
   this->Medium = { parameters.SoluteDielectric, parameters.SolventDielectric,
     std::pow(parameters.SoluteDielectric / parameters.SolventDielectric, parameters.FitExponent),
     0.0, std::cbrt(box.Spacing[0] * box.Spacing[1] * box.Spacing[2]) };
@@ -46,13 +46,14 @@ PotentialOnBox::PotentialOnBox(const LevelFunction& level, const SolverBox& box,
   this->Matrix = std::make_unique<InterfaceOperator>(
     this->Box, this->Inside, parameters.SoluteDielectric, parameters.SolventDielectric);
   this->Assemble({}, Between(progress, 0.6, 1.0));
-  if (!parameters.Nonlinear || !(this->Medium.KappaSquared > 0.0))
-  {
-    this->AtCrossing = {}; // not fitted again
-  }
   this->Multigrid = std::make_unique<MultigridPoisson>(
     this->Box.Dimensions, AxisWeights(this->Box), this->Permittivities());
-  this->U.assign(this->Inside.size(), 0.0);
+  if (last)
+  {
+    this->U = last->U;
+    this->Report.Reference = last->Report.Reference;
+  }
+  this->U.resize(this->Inside.size(), 0.0);
   this->Report.Crossings = static_cast<std::int64_t>(this->Crossings.size());
 }
 
@@ -105,7 +106,7 @@ double PotentialOnBox::ScaledDerivative(std::size_t node, bool nonlinear) const
   return this->Spacing * this->Spacing * sum;
 }
 
-void PotentialOnBox::EvaluateCharges(const ProgressCallback& progress)
+void PotentialOnBox::EvaluateCharges(const PotentialOnBox* last, const ProgressCallback& progress)
 {
   const double factor =
     units::CoulombLength(this->Parameters.Temperature) / this->Parameters.SoluteDielectric;
@@ -116,7 +117,9 @@ void PotentialOnBox::EvaluateCharges(const ProgressCallback& progress)
       this->Charges.Add(atom.Position, factor * atom.Charge);
     }
   }
-  this->AtCrossing = ChargesAtCrossings(this->Charges, this->Box, this->Crossings, progress);
+  const KnownCharges known =
+    last ? KnownCharges{ &last->Crossings, &last->AtCrossing } : KnownCharges();
+  this->AtCrossing = ChargesAtCrossings(this->Charges, this->Box, this->Crossings, known, progress);
 }
 
 void PotentialOnBox::Assemble(std::vector<SurfaceIons> ions, const ProgressCallback& progress)
@@ -210,13 +213,13 @@ void PotentialOnBox::SolveLinear(double tolerance, const ProgressCallback& progr
   this->FillDiagonal(false);
   this->Work.Residual.resize(this->U.size());
   this->Matrix->Residual(this->U, this->Work.Residual);
-  if (!(this->Reference > 0.0))
+  if (!(this->Report.Reference > 0.0))
   {
-    this->Reference = NormOf(this->Work.Residual);
+    this->Report.Reference = NormOf(this->Work.Residual);
   }
   SolverControl control;
   control.Tolerance = tolerance;
-  control.Reference = this->Reference;
+  control.Reference = this->Report.Reference;
   control.MaximumIterations = this->Parameters.MaximumIterations;
   const SolverReport report =
     SolveInterface(*this->Matrix, *this->Multigrid, control, this->Work, this->U, progress);

@@ -26,10 +26,13 @@ namespace isthmus
 class VTKISTHMUS_EXPORT PotentialOnBox
 {
 public:
-  /// Finds the surface and fits the rows at it. What is passed is referred to, not copied.
+  /// Finds the surface and fits the rows at it. What is passed is referred to, not copied, but for
+  /// the level. `last` is another surface's solution with all else the same: potential, border and
+  /// what residuals are relative to begin as they are there.
   PotentialOnBox(const LevelFunction& level, const SolverBox& box,
     const std::vector<ChargedAtom>& atoms, const PoissonBoltzmannParameters& parameters,
-    const IonAtmosphere& ions, const ProgressCallback& progress = {});
+    const IonAtmosphere& ions, const ProgressCallback& progress = {},
+    const PotentialOnBox* last = nullptr);
 
   /// Sets border values; with `sampled`, f is smooth and known beyond the border, too.
   void SetBorder(const PotentialFunction& border, bool sampled);
@@ -46,7 +49,7 @@ public:
   /// Energies, u and forces at the atoms.
   void Evaluate();
 
-  /// Frees what only solving needs.
+  /// Frees what only solving needs. What remains can be evaluated, and is the last of another.
   void Release();
 
   const SolverBox& GetBox() const { return this->Box; }
@@ -54,10 +57,13 @@ public:
   std::vector<double>& GetPotential() { return this->U; }
   const std::vector<unsigned char>& GetInside() const { return this->Inside; }
   const std::vector<InterfaceCrossing>& GetCrossings() const { return this->Crossings; }
+  /// G at each crossing.
+  const std::vector<SecondOrderTaylor>& GetChargesAtCrossings() const { return this->AtCrossing; }
   const FitMedium& GetMedium() const { return this->Medium; }
   const ChargeList& GetCharges() const { return this->Charges; }
   const PoissonBoltzmannReport& GetReport() const { return this->Report; }
   const IonAtmosphere& GetIons() const { return this->Ions; }
+  const std::vector<ChargedAtom>& GetAtoms() const { return this->Atoms; }
   const PoissonBoltzmannParameters& GetParameters() const { return this->Parameters; }
   /// The part of each node's cell that the ions of a layer reach; none after Release().
   const std::vector<std::vector<float>>& GetAccess() const { return this->Access; }
@@ -71,7 +77,7 @@ public:
   BoxNodes RangeInside() const;
 
 private:
-  void EvaluateCharges(const ProgressCallback& progress);
+  void EvaluateCharges(const PotentialOnBox* last, const ProgressCallback& progress);
   void Assemble(std::vector<SurfaceIons> ions, const ProgressCallback& progress);
   /// Whether the ions of any layer reach a node.
   bool IonsReach(std::size_t node) const;
@@ -102,8 +108,7 @@ private:
   const std::vector<ChargedAtom>& Atoms;
   const PoissonBoltzmannParameters& Parameters;
   const IonAtmosphere& Ions;
-  double Spacing;         ///< the shortest
-  double Reference = 0.0; ///< norm of the first residual
+  double Spacing; ///< the shortest
   std::vector<unsigned char> Inside;
   std::vector<InterfaceCrossing> Crossings;
   ChargeList Charges;                        ///< C q / eps_m

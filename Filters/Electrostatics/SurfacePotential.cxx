@@ -1,6 +1,7 @@
 #include "SurfacePotential.h"
 
 #include "ChargesOnGrid.h"
+#include "CrossingValues.h"
 #include "ElectrostaticUnits.h"
 #include "ParallelFor.h"
 
@@ -45,67 +46,109 @@ FitNodes NodesAroundPoint(
   return nodes;
 }
 
+/// Values at points, one after another, from fits around each.
+class Evaluation
+{
+public:
+  Evaluation(const PotentialOnBox& problem, std::size_t count, double kelvin)
+    : Problem(problem)
+    , Ratio(problem.GetMedium().SoluteDielectric / problem.GetMedium().SolventDielectric)
+    , FieldOfCharge(4.0 * Pi * units::CoulombLength(kelvin))
+  {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    this->Values.Potential.assign(count, none);
+    this->Values.NormalField.assign(count, none);
+    this->Values.ChargeDensity.assign(count, none);
+    this->Values.TangentialGradient.assign(count, { none, none, none });
+    this->Values.Normal.resize(count);
+  }
+
+  /// `charges` is the charges' own potential at the point.
+  void Fit(std::size_t point, const SurfaceFrame& frame, const FitNodes& nodes,
+    const SecondOrderTaylor& charges, std::vector<FitFunctional>& functionals)
+  {
+    static const std::vector<FitTarget> targets{ { FitTarget::SurfaceValue, {} },
+      { FitTarget::NormalSlope, {} }, { FitTarget::TangentX, {} }, { FitTarget::TangentY, {} },
+      { FitTarget::TangentZ, {} } };
+    this->Values.Normal[point] = frame.Normal;
+    if (FitInterface(this->Problem.GetMedium(), frame, nodes, targets, functionals) ==
+      FitQuality::None)
+    {
+      return;
+    }
+    std::array<double, 5> fitted{};
+    for (std::size_t i = 0; i < nodes.Count; ++i)
+    {
+      const double total = this->Problem.GetPotential()[static_cast<std::size_t>(nodes.Id[i])] +
+        (nodes.Node[i].Inside ? charges.At(nodes.Node[i].Offset) : 0.0);
+      for (std::size_t t = 0; t < fitted.size(); ++t)
+      {
+        fitted[t] += functionals[t][i] * total;
+      }
+    }
+    this->Values.Potential[point] = fitted[0];
+    this->Values.NormalField[point] = -this->Ratio * fitted[1];
+    this->Values.ChargeDensity[point] = (1.0 - this->Ratio) * fitted[1] / this->FieldOfCharge;
+    this->Values.TangentialGradient[point] = { fitted[2], fitted[3], fitted[4] };
+  }
+
+  SurfaceValues Finish()
+  {
+    for (const double phi : this->Values.Potential)
+    {
+      this->Values.Failed += std::isnan(phi) ? 1 : 0;
+    }
+    return std::move(this->Values);
+  }
+
+private:
+  const PotentialOnBox& Problem;
+  const double Ratio;
+  const double FieldOfCharge;
+  SurfaceValues Values;
+};
+
 }
 
 SurfaceValues EvaluateAtSurface(const PotentialOnBox& problem, const LevelFunction& level,
   const std::vector<Point3>& points, double kelvin, const ProgressCallback& progress)
 {
   const SolverBox& box = problem.GetBox();
-  const FitMedium& medium = problem.GetMedium();
-  const double rho = medium.SoluteDielectric / medium.SolventDielectric;
-  const double fieldOfCharge = 4.0 * Pi * units::CoulombLength(kelvin);
   const std::vector<SecondOrderTaylor> charges =
     ChargesAtPoints(problem.GetCharges(), box, points, Between(progress, 0.0, 0.5));
-  SurfaceValues values;
-  const std::size_t count = points.size();
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  values.Potential.assign(count, none);
-  values.NormalField.assign(count, none);
-  values.ChargeDensity.assign(count, none);
-  values.TangentialGradient.assign(count, { none, none, none });
-  values.Normal.resize(count);
-  const std::vector<FitTarget> targets{ { FitTarget::SurfaceValue, {} },
-    { FitTarget::NormalSlope, {} }, { FitTarget::TangentX, {} }, { FitTarget::TangentY, {} },
-    { FitTarget::TangentZ, {} } };
+  Evaluation values(problem, points.size(), kelvin);
   ParallelFor(
-    0, static_cast<std::int64_t>(count), 128,
+    0, static_cast<std::int64_t>(points.size()), 128,
     [&](std::int64_t first, std::int64_t last)
     {
       std::vector<FitFunctional> functionals;
       for (auto p = static_cast<std::size_t>(first); p < static_cast<std::size_t>(last); ++p)
       {
-        const SurfaceFrame frame = FrameAt(level, box, points[p]);
-        values.Normal[p] = frame.Normal;
-        const FitNodes nodes = NodesAroundPoint(box, problem.GetInside(), points[p], medium.Length);
-        if (FitInterface(medium, frame, nodes, targets, functionals) == FitQuality::None)
-        {
-          continue;
-        }
-        double phi = 0.0, slope = 0.0;
-        Point3 along{ 0.0, 0.0, 0.0 };
-        for (std::size_t i = 0; i < nodes.Count; ++i)
-        {
-          const double total = problem.GetPotential()[static_cast<std::size_t>(nodes.Id[i])] +
-            (nodes.Node[i].Inside ? charges[p].At(nodes.Node[i].Offset) : 0.0);
-          phi += functionals[0][i] * total;
-          slope += functionals[1][i] * total;
-          for (std::size_t a = 0; a < 3; ++a)
-          {
-            along[a] += functionals[2 + a][i] * total;
-          }
-        }
-        values.TangentialGradient[p] = along;
-        values.Potential[p] = phi;
-        values.NormalField[p] = -rho * slope;
-        values.ChargeDensity[p] = (1.0 - rho) * slope / fieldOfCharge;
+        const FitNodes nodes =
+          NodesAroundPoint(box, problem.GetInside(), points[p], problem.GetMedium().Length);
+        values.Fit(p, FrameAt(level, box, points[p]), nodes, charges[p], functionals);
       }
     },
     Between(progress, 0.5, 1.0));
-  for (const double phi : values.Potential)
-  {
-    values.Failed += std::isnan(phi) ? 1 : 0;
-  }
-  return values;
+  return values.Finish();
+}
+
+SurfaceValues EvaluateAtCrossings(const PotentialOnBox& problem, double kelvin)
+{
+  const std::vector<InterfaceCrossing>& crossings = problem.GetCrossings();
+  Evaluation values(problem, crossings.size(), kelvin);
+  ParallelFor(0, static_cast<std::int64_t>(crossings.size()), 128,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      std::vector<FitFunctional> functionals;
+      for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c)
+      {
+        const FitNodes nodes = NodesAroundCrossing(
+          problem.GetBox(), problem.GetInside(), crossings[c], problem.GetMedium().Length);
+        values.Fit(c, crossings[c].Frame, nodes, problem.GetChargesAtCrossings()[c], functionals);
+      }
+    });
+  return values.Finish();
 }
 
 }

@@ -28,6 +28,11 @@ VTKISTHMUS_EXPORT SurfaceValues EvaluateAtSurface(const PotentialOnBox& problem,
   const LevelFunction& level, const std::vector<Point3>& points, double kelvin,
   const ProgressCallback& progress = {});
 
+/// At each crossing of the surface with an edge of the grid, of which the problem knows the
+/// surface's frame and the charges' potential already: by the 4 x 3 x 3 nodes around the edge.
+/// Parallel.
+VTKISTHMUS_EXPORT SurfaceValues EvaluateAtCrossings(const PotentialOnBox& problem, double kelvin);
+
 }
 
 #endif

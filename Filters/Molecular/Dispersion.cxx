@@ -3,6 +3,7 @@
 #include "BallBricks.h"
 #include "ParallelFor.h"
 #include "Pi.h"
+#include "VectorClones.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,23 @@ namespace
 {
 
 constexpr double Reach = 10.0; // angstrom; beyond, a pair gives less than 1/1000 of its depth
+
+/// Adds the energy of one pair to a row of nodes, the first `x` spacings from the atom along the
+/// row, all with the squared distance `rest` across.
+ISTHMUS_VECTOR_CLONES void AddRow(
+  const DispersionPair& pair, double h, double x, double rest, int count, float* to)
+{
+  const double squared = pair.Minimum * pair.Minimum / (h * h);
+  const double depth = pair.Depth;
+  for (int i = 0; i < count; ++i)
+  {
+    const double along = x + static_cast<double>(i);
+    const double r2 = along * along + rest;
+    const double ratio = squared / (r2 > squared ? r2 : squared);
+    const double sixth = ratio * ratio * ratio;
+    to[i] += static_cast<float>(depth * (sixth * sixth - 2.0 * sixth));
+  }
+}
 
 /// Adds the energy of one pair to the nodes of a brick. Lengths in angstrom but for the ball.
 void AddPair(const FlowGrid& grid, const Ball& ball, const DispersionPair& pair, const Brick& brick,
@@ -33,11 +51,8 @@ void AddPair(const FlowGrid& grid, const Ball& ball, const DispersionPair& pair,
       const double reach = std::sqrt(std::max(0.0, left - y * y));
       const NodeRange row(ball.Centre[0], reach, brick.First[0], brick.Last[0]);
       float* to = energy.data() + grid.Row() * j + grid.Plane() * k;
-      for (std::int64_t i = row.First; i < row.Last; ++i)
-      {
-        const double x = static_cast<double>(i) - ball.Centre[0];
-        to[i] += static_cast<float>(pair.At(h * h * (x * x + y * y + z * z)));
-      }
+      AddRow(pair, h, static_cast<double>(row.First) - ball.Centre[0], y * y + z * z,
+        static_cast<int>(row.Last - row.First), to + row.First);
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "NonpolarEnergy.h"
 
+#include "DispersionIntegral.h"
 #include "FlowBand.h"
 #include "LevelMeasure.h"
 #include "NearestBall.h"
@@ -18,116 +19,11 @@ namespace
 
 using Place = std::array<double, 3>;
 
-constexpr double Near = 12.0;    // angstrom, within which an atom sees single nodes
-constexpr std::int64_t Side = 8; // nodes along a block
-
-/// An inside node's share of its cell, or a block of them.
-struct Piece
-{
-  Place At{};
-  double Volume = 0.0;
-};
-
-struct Block
-{
-  Piece Whole;
-  std::vector<Piece> Nodes;
-};
-
 Place PlaceOf(const DensityGrid& grid, std::int64_t i, std::int64_t j, std::int64_t k)
 {
   return { grid.Origin[0] + grid.Spacing * static_cast<double>(i),
     grid.Origin[1] + grid.Spacing * static_cast<double>(j),
     grid.Origin[2] + grid.Spacing * static_cast<double>(k) };
-}
-
-/// The part of a node's cell that is inside.
-double Inside(float distance, double spacing)
-{
-  return std::clamp(0.5 - static_cast<double>(distance) / spacing, 0.0, 1.0);
-}
-
-Block BlockAt(const DensityGrid& grid, const float* distance, std::array<std::int64_t, 3> first)
-{
-  Block block;
-  const auto& n = grid.Dimensions;
-  const double cell = std::pow(grid.Spacing, 3);
-  for (std::int64_t k = first[2]; k < std::min(first[2] + Side, n[2]); ++k)
-  {
-    for (std::int64_t j = first[1]; j < std::min(first[1] + Side, n[1]); ++j)
-    {
-      for (std::int64_t i = first[0]; i < std::min(first[0] + Side, n[0]); ++i)
-      {
-        const double volume = cell * Inside(distance[i + n[0] * (j + n[1] * k)], grid.Spacing);
-        if (volume > 0.0)
-        {
-          block.Nodes.push_back({ PlaceOf(grid, i, j, k), volume });
-          block.Whole.Volume += volume;
-          for (std::size_t axis = 0; axis < 3; ++axis)
-          {
-            block.Whole.At[axis] += volume * block.Nodes.back().At[axis];
-          }
-        }
-      }
-    }
-  }
-  for (double& at : block.Whole.At)
-  {
-    at /= std::max(block.Whole.Volume, 1e-300);
-  }
-  return block;
-}
-
-std::vector<Block> BlocksOf(const DensityGrid& grid, const float* distance)
-{
-  std::array<std::int64_t, 3> counts;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    counts[axis] = (grid.Dimensions[axis] + Side - 1) / Side;
-  }
-  std::vector<Block> blocks(static_cast<std::size_t>(counts[0] * counts[1] * counts[2]));
-  ParallelFor(0, static_cast<std::int64_t>(blocks.size()), 16,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (std::int64_t b = first; b < last; ++b)
-      {
-        blocks[static_cast<std::size_t>(b)] = BlockAt(grid, distance,
-          { Side * (b % counts[0]), Side * (b / counts[0] % counts[1]),
-            Side * (b / (counts[0] * counts[1])) });
-      }
-    });
-  blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
-                 [](const Block& block) { return block.Nodes.empty(); }),
-    blocks.end());
-  return blocks;
-}
-
-double Squared(const Place& a, const Place& b)
-{
-  return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
-    (a[2] - b[2]) * (a[2] - b[2]);
-}
-
-/// The integral of a pair over the inside.
-double InsideIntegral(
-  const Place& centre, const DispersionPair& pair, const std::vector<Block>& blocks, double radius)
-{
-  double sum = 0.0;
-  const double near = Near + radius;
-  for (const Block& block : blocks)
-  {
-    const double squared = Squared(centre, block.Whole.At);
-    if (squared > near * near)
-    {
-      sum += block.Whole.Volume * pair.At(squared);
-      continue;
-    }
-    for (const Piece& node : block.Nodes)
-    {
-      sum += node.Volume * pair.At(Squared(centre, node.At));
-    }
-  }
-  return sum;
 }
 
 /// Shares of area (not yet to scale) and volume, by the nearest atom of each node.
@@ -159,7 +55,7 @@ void ShareOut(const std::vector<Ball>& balls, const DensityGrid& grid, const flo
     {
       NonpolarTerms& terms = atoms[static_cast<std::size_t>(owner[node])];
       const double at = static_cast<double>(distance[node]);
-      terms.Volume += h * h * h * Inside(distance[node], h);
+      terms.Volume += h * h * h * InsidePart(distance[node], h);
       terms.Area += std::abs(at) < reach ? 1.0 + std::cos(Pi * at / reach) : 0.0;
     }
   }
@@ -223,21 +119,12 @@ NonpolarEnergies NonpolarEnergy(const std::vector<Ball>& balls,
     return energies;
   }
   ShareOut(balls, grid, distance, energies.Atoms, Between(progress, 0.0, 0.4));
-  const std::vector<Block> blocks = BlocksOf(grid, distance);
-  const double radius = 0.5 * std::sqrt(3.0) * grid.Spacing * static_cast<double>(Side);
-  ParallelFor(
-    0, static_cast<std::int64_t>(atoms.size()), 8,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (std::int64_t a = first; a < last; ++a)
-      {
-        const DispersionAtom& atom = atoms[static_cast<std::size_t>(a)];
-        const DispersionPair pair(atom, solvent);
-        const double outside = pair.Integral() - InsideIntegral(atom.Centre, pair, blocks, radius);
-        energies.Atoms[static_cast<std::size_t>(a)].DispersionEnergy = solvent.Density * outside;
-      }
-    },
-    Between(progress, 0.4, 1.0));
+  const std::vector<double> dispersion =
+    DispersionEnergies(atoms, grid, distance, solvent, Between(progress, 0.4, 1.0));
+  for (std::size_t a = 0; a < atoms.size(); ++a)
+  {
+    energies.Atoms[a].DispersionEnergy = dispersion[a];
+  }
   Finish(MeasureOf(grid, distance), solvent, energies);
   return energies;
 }

@@ -5,8 +5,7 @@
  *   G = gamma Area + p Vol + rho_0 int_solvent U dr
  *
  * (thesis 4.3 to 4.6; J. A. Wagoner, N. A. Baker, Proc. Natl. Acad. Sci. 103 (2006) 8331), U the
- * sum of the atoms' attraction, see Dispersion.h. The integral over the solvent is each pair's
- * integral over all space, which is known, less the one over the inside: so no border cuts it off.
+ * sum of the atoms' attraction, see Dispersion.h and DispersionIntegral.h.
  */
 #ifndef isthmus_NonpolarEnergy_h
 #define isthmus_NonpolarEnergy_h
@@ -43,10 +42,10 @@ struct NonpolarEnergies
 
 /**
  * Energies of the surface on which `distance` (angstrom, negative inside, one value a node of
- * `grid`) is 0. `balls` and `atoms` are the same atoms in the same order. Inside nodes farther than
- * 12 angstrom from an atom act on it by blocks of 8^3. Second order in the spacing. Time O(inside
- * nodes + atoms x nodes within 12 angstrom); memory 25 bytes a node. The same bits on any number of
- * threads. Throws std::invalid_argument for lists of different lengths, and Cancelled.
+ * `grid`) is 0. `balls` and `atoms` are the same atoms in the same order. Second
+ * order in the spacing. Time and memory: DispersionEnergies() and 17 bytes a node. The same bits on
+ * any number of threads. Throws std::invalid_argument for lists of different lengths, and
+ * Cancelled.
  */
 VTKISTHMUS_EXPORT NonpolarEnergies NonpolarEnergy(const std::vector<Ball>& balls,
   const std::vector<DispersionAtom>& atoms, const DensityGrid& grid, const float* distance,

@@ -21,6 +21,7 @@ isthmus_room(
     CellAccess
     Dispersion
     DispersionAtoms
+    DispersionIntegral
     EmptySpace
     FeatureInput
     FeatureTracks

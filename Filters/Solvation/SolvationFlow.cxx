@@ -1,18 +1,20 @@
 #include "SolvationFlow.h"
 
 #include "BallDistance.h"
+#include "DispersionIntegral.h"
 #include "ElectrostaticUnits.h"
 #include "FlowBand.h"
 #include "FlowMemory.h"
 #include "FlowResult.h"
 #include "FlowStart.h"
+#include "LevelMeasure.h"
 #include "NearestBall.h"
-#include "NonpolarEnergy.h"
 #include "SolventExcludedDistance.h"
 #include "SurfacePull.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -60,23 +62,6 @@ void CheckCharges(const SolvationAtoms& atoms)
         " lies outside of all atoms with a radius: give it one, or take its charge away.");
     }
   }
-}
-
-/// The value that `values` have at the node of `box` nearest to a place.
-PotentialFunction OnBox(const SolverBox& box, const std::vector<double>& values)
-{
-  return [&box, &values](const Point3& place)
-  {
-    const std::array<std::int64_t, 3> steps = box.Steps();
-    std::int64_t node = 0;
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const double at = std::round((place[a] - box.Corner[a]) / box.Spacing[a]);
-      node += steps[a] *
-        std::clamp<std::int64_t>(static_cast<std::int64_t>(at), 0, box.Dimensions[a] - 1);
-    }
-    return values[static_cast<std::size_t>(node)];
-  };
 }
 
 }
@@ -133,53 +118,63 @@ FlowField SolvationFlow::StartingField(const ProgressCallback& progress) const
 
 void SolvationFlow::Solve(const FlowField& field, const ProgressCallback& progress)
 {
-  if (this->Solution)
-  {
-    this->Before = std::move(this->Solution->GetPotential());
-    this->Equation.Condition = BoundaryCondition::Given;
-    this->Equation.Boundary = OnBox(this->Box, this->Before);
-    this->Equation.Start = this->Equation.Boundary;
-    this->Solution.reset(); // it refers to the distances that are made anew
-  }
+  this->LastDistance = std::move(this->Surface.Distance);
   StoreDistances(field, this->Surface);
   const DensityGrid& grid = this->Surface.Grid;
   const double h = grid.Spacing;
   this->Level.Floats = { this->Surface.Distance.data(), grid.Dimensions, { h, h, h } };
   this->Level.Level = 0.0;
   this->Level.InsideIsHigher = false;
-  if (this->Before.empty())
+  if (this->Solution)
   {
-    this->Box = BoxAround(this->Level, this->Parameters.Potential.Padding);
+    this->Solution->Release();
+    this->Solution = SolveAgain(this->Level, *this->Solution, progress);
+    return;
   }
-  this->Solution = SolvePoissonBoltzmann(
-    this->Level, this->Box, this->Placed, this->Equation, this->Ions, progress);
+  const SolverBox box = BoxAround(this->Level, this->Parameters.Potential.Padding);
+  this->Solution =
+    SolvePoissonBoltzmann(this->Level, box, this->Placed, this->Equation, this->Ions, progress);
+}
+
+/// After the first surface, by what has changed since the last.
+double SolvationFlow::Dispersion(const SolventParameters& solvent) const
+{
+  const std::vector<DispersionAtom>& atoms = this->Atoms.Dispersion;
+  const DensityGrid& grid = this->Surface.Grid;
+  const float* const now = this->Surface.Distance.data();
+  if (!this->Updates.empty())
+  {
+    return this->Updates.back().DispersionEnergy +
+      DispersionChange(atoms, grid, this->LastDistance.data(), now, solvent);
+  }
+  const std::vector<double> all = DispersionEnergies(atoms, grid, now, solvent);
+  return std::accumulate(all.begin(), all.end(), 0.0);
 }
 
 void SolvationFlow::Record(const FlowField& field)
 {
-  const NonpolarTerms nonpolar = NonpolarEnergy(this->Atoms.Balls, this->Atoms.Dispersion,
-    this->Surface.Grid, this->Surface.Distance.data(), this->Parameters.Solvent)
-                                   .Whole;
+  const SolventParameters& solvent = this->Parameters.Solvent;
+  const LevelMeasure measure = MeasureLevel(field);
   SolvationUpdate update;
   update.Time = this->Time;
-  update.Area = nonpolar.Area;
-  update.Volume = nonpolar.Volume;
-  update.SurfaceEnergy = nonpolar.SurfaceEnergy;
-  update.VolumeEnergy = nonpolar.VolumeEnergy;
-  update.DispersionEnergy = nonpolar.DispersionEnergy;
+  update.Area = measure.Area;
+  update.Volume = measure.Volume;
+  update.SurfaceEnergy = solvent.SurfaceTension * measure.Area;
+  update.VolumeEnergy = solvent.Pressure * measure.Volume;
+  update.DispersionEnergy = this->Dispersion(solvent);
   update.PolarEnergy = this->Solution->GetReport().SolvationEnergy *
     units::ThermalKilocalorie(this->Equation.Temperature);
   update.OnObstacle = PartOnObstacle(field);
   this->Updates.push_back(update);
   this->Surface.History.push_back(
-    { this->Time, field.Grid.Spacing(), nonpolar.Area, nonpolar.Volume });
+    { this->Time, field.Grid.Spacing(), measure.Area, measure.Volume });
 }
 
 void SolvationFlow::Pull(FlowField& field)
 {
   const std::vector<float> electric =
     CarriedOff(this->Solution->GetBox(), this->Solution->GetCrossings(),
-      PullAtCrossings(*this->Solution, this->Level, this->Equation.Temperature), field.Grid);
+      PullAtCrossings(*this->Solution, this->Equation.Temperature), field.Grid);
   const double part = this->Updates.size() > 1 ? this->Parameters.Policy.FieldRelaxation : 1.0;
   TakePull(field, this->Steady, electric,
     field.Grid.Spacing() / this->Parameters.Solvent.SurfaceTension, part);

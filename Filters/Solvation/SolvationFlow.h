@@ -38,9 +38,10 @@
 namespace isthmus
 {
 
-/// Cost: a Poisson-Boltzmann solution for each update (3 to 20), the first with its border; between
-/// them UpdatePeriod steps at 3 ns for each node of the band. Memory: that of the solution (110
-/// bytes a node) and of the flow. The same bits on any number of threads.
+/// Cost: a Poisson-Boltzmann solution for each update (3 to 20), the first with its border, later
+/// ones anew only where the surface moved (SolveAgain()); between them UpdatePeriod steps at 3 ns
+/// for each node of the band. Memory: that of the solution (120 bytes a node, the last surface's
+/// potential and crossings with it) and of the flow. The same bits on any number of threads.
 class VTKISTHMUS_EXPORT SolvationFlow
 {
 public:
@@ -66,6 +67,7 @@ public:
 private:
   FlowField StartingField(const ProgressCallback& progress) const;
   void Solve(const FlowField& field, const ProgressCallback& progress);
+  double Dispersion(const SolventParameters& solvent) const;
   void Record(const FlowField& field);
   void Pull(FlowField& field);
   bool IsStill() const;
@@ -73,13 +75,12 @@ private:
   const SolvationAtoms Atoms;
   const SolvationParameters Parameters;
   const IonAtmosphere Ions;
-  PoissonBoltzmannParameters Equation; ///< with border and start from the last solution
-  std::vector<ChargedAtom> Placed;     ///< charges in the frame of the grid
-  std::vector<float> Steady;           ///< the part of the pull that stays, in spacings
-  std::vector<double> Before;          ///< the last solution's values
+  PoissonBoltzmannParameters Equation;
+  std::vector<ChargedAtom> Placed; ///< charges in the frame of the grid
+  std::vector<float> Steady;       ///< the part of the pull that stays, in spacings
+  std::vector<float> LastDistance; ///< of the surface before
   double Time = 0.0;
   bool AtRest = false;
-  SolverBox Box;
   LevelFunction Level;
   SurfaceFlowResult Surface;
   std::unique_ptr<PotentialOnBox> Solution;

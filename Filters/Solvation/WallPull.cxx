@@ -45,6 +45,7 @@ public:
   double PullAt(const InterfaceCrossing& crossing) const;
 
 private:
+  FitNodes NodesAround(const InterfaceCrossing& crossing) const;
   std::int64_t InDomain(std::int64_t node) const;
   double Laplacian(std::int64_t water) const;
   double FieldPull(const std::array<double, 5>& fitted) const;
@@ -57,6 +58,22 @@ private:
   const std::vector<unsigned char> Inside;
   FitMedium Medium;
 };
+
+/// The nodes around an edge, weighted by their distances alone. Rows of equations hang on those at
+/// its ends, which so have a thousandfold weight (CrossingValues.h); but here one permittivity an
+/// edge leaves the largest errors there, and at an end just behind the wall they would be the
+/// slope.
+FitNodes Wall::NodesAround(const InterfaceCrossing& crossing) const
+{
+  const double h = this->Domain.Spacing;
+  FitNodes nodes = NodesAroundCrossing(this->Box, this->Inside, crossing, h);
+  for (std::size_t i = 0; i < nodes.Count; ++i)
+  {
+    const Point3& y = nodes.Node[i].Offset;
+    nodes.Node[i].Weight = 1.0 / (1.0 + (y[0] * y[0] + y[1] * y[1] + y[2] * y[2]) / (h * h));
+  }
+  return nodes;
+}
 
 /// The node of the domain at a node of the box; -1 where that has no potential.
 std::int64_t Wall::InDomain(std::int64_t node) const
@@ -130,8 +147,7 @@ double Wall::IonPressure(std::int64_t water, double phi) const
 double Wall::PullAt(const InterfaceCrossing& crossing) const
 {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  const FitNodes nodes =
-    NodesAroundCrossing(this->Box, this->Inside, crossing, this->Domain.Spacing);
+  const FitNodes nodes = this->NodesAround(crossing);
   const std::int64_t next =
     crossing.Node + this->Box.Steps()[static_cast<std::size_t>(crossing.Axis)];
   const std::int64_t water = this->InDomain(

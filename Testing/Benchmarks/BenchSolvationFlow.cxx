@@ -3,14 +3,8 @@
 // in the same run, one solution of the Poisson-Boltzmann equation by itself on the last surface,
 // from nothing, and the ratio of the two. Needs ISTHMUS_DATA_DIR or the default data.
 
-#include "SharedData.h"
+#include "ChargedProtein.h"
 #include "SolvationFlow.h"
-#include "vtkMacromoleculeReader.h"
-
-#include <vtkDataArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
 
 #include <benchmark/benchmark.h>
 
@@ -20,30 +14,6 @@ namespace
 {
 
 using namespace isthmus;
-
-SolvationAtoms Lysozyme()
-{
-  vtkNew<vtkMacromoleculeReader> reader;
-  reader->SetFileName((isthmus::testing::SharedDataFolder() / "molecules/1hew/1hew.pqr").c_str());
-  reader->Update();
-  vtkPolyData* const points = reader->GetOutput();
-  vtkDataArray* const charges = points->GetPointData()->GetArray("Charge");
-  vtkDataArray* const radii = points->GetPointData()->GetArray("Radius");
-  SolvationAtoms atoms;
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    Point3 at;
-    points->GetPoint(i, at.data());
-    const double radius = radii->GetComponent(i, 0);
-    atoms.Charges.push_back({ at, charges->GetComponent(i, 0), radius });
-    if (radius > 0.0)
-    {
-      atoms.Balls.push_back({ at, radius });
-      atoms.Dispersion.push_back({ at, radius, 0.1 });
-    }
-  }
-  return atoms;
-}
 
 double Seconds(std::chrono::steady_clock::time_point from)
 {
@@ -56,7 +26,7 @@ void Update(benchmark::State& state)
   p.Flow.Spacing = 0.01 * static_cast<double>(state.range(0));
   p.Flow.ProbeRadius = 1.4;
   p.Potential.Padding = 6.0;
-  const SolvationAtoms atoms = Lysozyme();
+  const SolvationAtoms atoms = isthmus::testing::ProteinAtoms("molecules/1hew/1hew.pqr");
   for (auto _ : state)
   {
     auto start = std::chrono::steady_clock::now();

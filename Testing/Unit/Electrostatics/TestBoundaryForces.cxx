@@ -64,7 +64,7 @@ Result Solve(const std::vector<ChargedAtom>& atoms, const PoissonBoltzmannParame
   const auto solution =
     SolvePoissonBoltzmann(level, BoxAround(level, 5.0), atoms, parameters, ions);
   return { solution->GetReport().SolvationEnergy, solution->GetReport().AtomForces,
-    ForcesOnBoundary(*solution, level, SurfaceMotion(atoms, Decay)) };
+    ForcesOnBoundary(*solution, SurfaceMotion(atoms, Decay)) };
 }
 
 Point3 Whole(const Result& result, std::size_t atom)

@@ -150,6 +150,46 @@ TEST(PoissonBoltzmann, SameBitsOnOneAndTwoThreads)
   EXPECT_EQ(potentials[0], potentials[1]);
 }
 
+TEST(PoissonBoltzmann, AgainIsAsFromNothing)
+{
+  SphereProblem problem(Kirkwood(3), 10, 0.5);
+  const auto first = problem.Solve();
+  first->Release();
+  // The surface moves on one side only: there, crossings and what charges are at them change.
+  for (std::size_t node = 0; node < problem.Distance.size(); ++node)
+  {
+    const Point3 x = problem.World(first->GetBox().Position(static_cast<std::int64_t>(node)));
+    problem.Distance[node] += x[0] > 2.0 ? 0.02 * std::pow(x[0] - 2.0, 3) : 0.0;
+  }
+  const auto again = SolveAgain(problem.Level, *first);
+  const auto fresh = problem.Solve();
+  const std::size_t crossings = fresh->GetCrossings().size();
+  ASSERT_EQ(again->GetCrossings().size(), crossings);
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < crossings; ++c)
+  {
+    const SecondOrderTaylor& a = again->GetChargesAtCrossings()[c];
+    const SecondOrderTaylor& b = fresh->GetChargesAtCrossings()[c];
+    ASSERT_EQ(a.Value, b.Value);
+    ASSERT_EQ(a.Hessian, b.Hessian);
+    for (const SecondOrderTaylor& old : first->GetChargesAtCrossings())
+    {
+      kept += old.Value == b.Value ? 1 : 0;
+    }
+  }
+  EXPECT_GT(kept, crossings / 2);
+  EXPECT_LT(kept, crossings);
+  EXPECT_NEAR(again->GetReport().SolvationEnergy / fresh->GetReport().SolvationEnergy, 1.0, 1e-8);
+  EXPECT_GT(
+    std::abs(again->GetReport().SolvationEnergy / first->GetReport().SolvationEnergy - 1.0), 1e-3);
+  double apart = 0.0;
+  for (std::size_t node = 0; node < problem.Distance.size(); ++node)
+  {
+    apart = std::max(apart, std::abs(again->GetPotential()[node] - fresh->GetPotential()[node]));
+  }
+  EXPECT_LT(apart, 1e-5);
+}
+
 TEST(PoissonBoltzmann, ChargesScaleAndAdd)
 {
   SphereProblem one(Kirkwood(2), 8, 1.0);

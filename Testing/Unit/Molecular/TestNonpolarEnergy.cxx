@@ -2,6 +2,7 @@
 
 #include "NonpolarEnergy.h"
 
+#include "DispersionIntegral.h"
 #include "FlowCases.h"
 #include "NearestBall.h"
 #include "SurfaceFlow.h"
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <numeric>
 
 using namespace isthmus;
 using namespace isthmus::testing;
@@ -111,6 +113,32 @@ TEST(NonpolarEnergy, FarAtomsByBlocksAndSharesThatAddUp)
   EXPECT_NEAR(found.Atoms[0].Volume + found.Atoms[1].Volume, found.Whole.Volume, 1e-9);
   EXPECT_NEAR(found.Atoms[0].Area + found.Atoms[1].Area, found.Whole.Area, 1e-9);
   EXPECT_THROW(NonpolarEnergy(balls, {}, grid, distance.data(), solvent), std::invalid_argument);
+}
+
+TEST(NonpolarEnergy, DispersionChangesByWhatTheSurfaceGains)
+{
+  const Ball before{ { 0.0, 0.0, 0.0 }, 3.0 };
+  const Ball now{ { 0.3, 0.0, 0.0 }, 3.4 };
+  const DensityGrid grid = GridAroundBalls({ before }, 0.5, { 2.0, 2.0, 2.0 });
+  const std::vector<float> from = BallDistances(grid, before);
+  const std::vector<float> to = BallDistances(grid, now);
+  SolventParameters solvent;
+  std::vector<DispersionAtom> atoms{ { { -1.0, 0.0, 0.5 }, 1.9, 0.11 },
+    { { 1.0, 0.3, 0.0 }, 1.7, 0.17 } };
+  const auto energy = [&](const std::vector<float>& distance)
+  {
+    const std::vector<double> all = DispersionEnergies(atoms, grid, distance.data(), solvent);
+    return std::accumulate(all.begin(), all.end(), 0.0);
+  };
+  const double change = DispersionChange(atoms, grid, from.data(), to.data(), solvent);
+  EXPECT_NEAR(change, energy(to) - energy(from), 1e-10);
+  EXPECT_GT(change, 0.01); // less solvent attracts less
+  EXPECT_EQ(DispersionChange(atoms, grid, to.data(), to.data(), solvent), 0.0);
+  // An atom that sees the surface by blocks: the change is summed by nodes.
+  atoms = { { { 24.0, 0.0, 0.0 }, 1.9, 0.11 } };
+  EXPECT_NEAR(
+    DispersionChange(atoms, grid, from.data(), to.data(), solvent) / (energy(to) - energy(from)),
+    1.0, 0.06);
 }
 
 TEST(NonpolarEnergy, NearestBallIsTheNearest)
