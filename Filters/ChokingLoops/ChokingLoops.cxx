@@ -7,10 +7,10 @@
 #include "EncirclingLoops.h"
 #include "Index.h"
 #include "LowerStarFiltration.h"
+#include "Stopwatch.h"
 #include "SurfaceSampling.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -25,22 +25,6 @@ constexpr int Rounds = 3;
 
 /// Voids this persistent, relative to the side's reference length, deserve refinement.
 constexpr double WorthRefining = 0.05;
-
-/// Seconds since it was made or last asked.
-class Stopwatch
-{
-public:
-  double Lap()
-  {
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<double> passed = now - this->Last;
-    this->Last = now;
-    return passed.count();
-  }
-
-private:
-  std::chrono::steady_clock::time_point Last = std::chrono::steady_clock::now();
-};
 
 }
 
@@ -114,7 +98,7 @@ struct ChokingLoops::Analysis
 
   Point3 Centre(const ShapeFeature& feature) const
   {
-    const auto& t = this->Filtration.Triangles[At(feature.Choke)];
+    const auto t = this->Filtration.TrianglePoints(At(feature.Choke));
     const Point3& p = this->Filtration.Points[At(t[0])];
     const Point3& q = this->Filtration.Points[At(t[1])];
     const Point3& r = this->Filtration.Points[At(t[2])];
@@ -172,6 +156,11 @@ ChokingLoops::ChokingLoops(
   double spacing = parameters.SampleSpacing;
   TriangleMesh samples = FirstSamples(surface, spacing, Between(progress, 0.2, 0.25));
   times.Sampling = watch.Lap();
+  // One as fine as its samples is not kept twice.
+  if (samples.Triangles.size() == surface.Triangles.size())
+  {
+    surface = {};
+  }
   std::string tooMuch;
   if (!FitsMemory(samples.Points.size(), parameters.MemoryLimit, tooMuch))
   {
@@ -187,16 +176,16 @@ ChokingLoops::ChokingLoops(
     {
       parameters.Sampled(samples.Points.size());
     }
-    std::vector<double> errors = SamplingErrors(samples);
-    CellFiltration filtration = DelaunayFiltration(samples.Points, Between(part, 0.0, 0.6));
-    times.Filtration += watch.Lap();
-    this->State = std::make_unique<Analysis>(
-      std::move(samples), std::move(filtration), std::move(errors), times, Between(part, 0.6, 1.0));
+    this->AnalyseSamples(std::move(samples), times, part);
     watch.Lap();
     const std::vector<Refinement> blurred = this->State->Blurred();
     if (!automatic || round == Rounds || blurred.empty())
     {
       break;
+    }
+    if (surface.Points.empty())
+    {
+      surface = this->State->Samples;
     }
     samples = Refined(
       this->State->Samples, blurred, spacing * std::pow(0.6, round), Between(progress, to, to));
@@ -207,11 +196,24 @@ ChokingLoops::ChokingLoops(
       break; // too much to ask: what is blurred stays marked as not trusted
     }
   }
-  this->State->Complete(surface, Between(progress, 0.96, 1.0));
+  this->State->Complete(
+    surface.Points.empty() ? this->State->Samples : surface, Between(progress, 0.96, 1.0));
   times.Features += watch.Lap();
   this->State->Times = times;
   this->State->Mended = std::move(mended);
   Report(progress, 1.0);
+}
+
+void ChokingLoops::AnalyseSamples(
+  TriangleMesh samples, ChokingLoopTimes& times, const ProgressCallback& progress)
+{
+  Stopwatch watch;
+  this->State.reset(); // what a coarser round found
+  std::vector<double> errors = SamplingErrors(samples);
+  CellFiltration filtration = DelaunayFiltration(samples.Points, Between(progress, 0.0, 0.6));
+  times.Filtration += watch.Lap();
+  this->State = std::make_unique<Analysis>(std::move(samples), std::move(filtration),
+    std::move(errors), times, Between(progress, 0.6, 1.0));
 }
 
 ChokingLoops::ChokingLoops(const TriangleMesh& surface, const TetrahedralMesh& mesh,
@@ -324,7 +326,7 @@ std::vector<SimplexId> ChokingLoops::ContactsOf(std::size_t feature) const
   {
     return {};
   }
-  const auto& corners = this->State->Filtration.Triangles[At(choke)];
+  const auto corners = this->State->Filtration.TrianglePoints(At(choke));
   return { corners.begin(), corners.end() };
 }
 

@@ -5,9 +5,9 @@
 #ifndef isthmus_SpaceRegions_h
 #define isthmus_SpaceRegions_h
 
-#include "CompactDisjointSets.h"
 #include "EnclosureTest.h"
 #include "FiltrationPairs.h"
+#include "RootedSets.h"
 #include "SurfaceInComplex.h"
 
 #include <algorithm>
@@ -75,14 +75,12 @@ public:
   }
 
 private:
-  SimplexId Later(SimplexId a, SimplexId b) const;
-  Point3 Inner(std::size_t group) const;
+  Point3 Inner(SimplexId deepest) const;
 
   const FeatureContext& Context;
-  CompactDisjointSets Groups;
-  std::vector<SimplexId> Deepest; ///< per group: its latest tetrahedron
+  RootedSets Groups; ///< the root of each is its latest tetrahedron
   EnclosureTest Test;
-  std::map<std::size_t, std::vector<int>> Known;
+  std::map<SimplexId, std::vector<int>> Known;
 };
 
 /// Centre of the smallest sphere through the corners of a triangle or tetrahedron.
@@ -95,12 +93,12 @@ inline bool FeatureContext::IsWall(SimplexId triangle) const
   const auto t = static_cast<std::size_t>(triangle);
   return this->PointError.empty()
     ? this->Filtration.TriangleFirst[t] != 0
-    : this->Filtration.TriangleValue[t] <= this->SquaredError(this->Filtration.Triangles[t]);
+    : this->Filtration.TriangleValue[t] <= this->SquaredError(this->Filtration.TrianglePoints(t));
 }
 
 inline const std::vector<int>& SpaceRegions::OfTriangle(SimplexId triangle)
 {
-  const auto& sides = this->Context.Filtration.TriangleSides[static_cast<std::size_t>(triangle)];
+  const auto sides = this->Context.Filtration.TriangleSides(static_cast<std::size_t>(triangle));
   return this->Of(sides[0] >= 0 ? sides[0] : sides[1]);
 }
 

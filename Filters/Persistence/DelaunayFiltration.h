@@ -22,7 +22,7 @@ namespace isthmus
  * and with rational numbers where not (flat tetrahedra, needles).
  *
  * `points` are distinct and finite. Fewer than four, or all in one plane, throw
- * std::invalid_argument. O(n log n) for samples of a surface; about 1.3 KB a point.
+ * std::invalid_argument. O(n log n) for samples of a surface; about 1.1 KB a point.
  */
 VTKISTHMUS_EXPORT CellFiltration DelaunayFiltration(
   std::vector<Point3> points, const ProgressCallback& progress = {});
