@@ -10,6 +10,7 @@
 #ifndef isthmus_ChokingLoops_h
 #define isthmus_ChokingLoops_h
 
+#include "AnalysisCost.h"
 #include "FeatureMembrane.h"
 #include "FeatureSelection.h"
 #include "ShapeFeatures.h"
@@ -34,19 +35,12 @@ struct ChokingLoopParameters
   /// Bytes that the analysis may take; 0: what is available. More samples than fit end in a
   /// sentence; refinement that would not fit is left out.
   double MemoryLimit = 0.0;
-  /// Called with the number of samples before the work on them begins.
-  std::function<void(std::size_t samples)> Sampled;
+  /// Called with what the work on the samples takes: before it begins, and with the time, too, once
+  /// they are triangulated. Again when they are refined.
+  std::function<void(const AnalysisCost& cost)> Estimated;
 };
 
-/// Times of the stages, in seconds.
-struct ChokingLoopTimes
-{
-  double Check = 0.0;
-  double Sampling = 0.0;
-  double Filtration = 0.0;
-  double Pairing = 0.0;
-  double Features = 0.0;
-};
+struct ChokingAnalysis;
 
 /**
  * The analysis of one surface. Building it is the work; selecting and asking for a membrane is
@@ -89,6 +83,9 @@ public:
   VTKISTHMUS_EXPORT const SurfaceHomology& Homology() const;
   VTKISTHMUS_EXPORT const ChokingLoopTimes& Times() const;
 
+  /// What the work on these samples was estimated to take.
+  VTKISTHMUS_EXPORT const AnalysisCost& Cost() const;
+
   /// What was repaired of the surface before.
   VTKISTHMUS_EXPORT const SurfaceMending& Mended() const;
 
@@ -127,12 +124,10 @@ public:
   VTKISTHMUS_EXPORT Point3 ChokePoint(std::size_t feature) const;
 
 private:
-  struct Analysis;
+  void AnalyseSamples(TriangleMesh samples, const ChokingLoopParameters& parameters,
+    ChokingLoopTimes& times, const ProgressCallback& progress);
 
-  void AnalyseSamples(
-    TriangleMesh samples, ChokingLoopTimes& times, const ProgressCallback& progress);
-
-  std::unique_ptr<Analysis> State;
+  std::unique_ptr<ChokingAnalysis> State;
 };
 
 }

@@ -2,6 +2,7 @@
 
 #include "Index.h"
 #include "ParallelFor.h"
+#include "Stopwatch.h"
 #include "TriangulationCells.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -244,14 +245,20 @@ void ValueCells(CellFiltration& f, const ProgressCallback& progress)
 
 }
 
-CellFiltration DelaunayFiltration(std::vector<Point3> points, const ProgressCallback& progress)
+CellFiltration DelaunayFiltration(std::vector<Point3> points, const ProgressCallback& progress,
+  const std::function<void(double seconds)>& triangulated)
 {
   CellFiltration f;
   f.Points = std::move(points);
   {
+    Stopwatch watch;
     Delaunay triangulation;
     Triangulate(f.Points, triangulation, Between(progress, 0.0, 0.4));
     TakeCells(triangulation, f, Between(progress, 0.4, 0.45));
+    if (triangulated)
+    {
+      triangulated(watch.Lap());
+    }
   }
   f.Connect(Between(progress, 0.45, 0.6));
   ValueCells(f, Between(progress, 0.6, 0.85));
