@@ -1,20 +1,82 @@
 #include "AnalysisCost.h"
 
 #include "AvailableMemory.h"
+#include "DisjointSets.h"
+
+#include <algorithm>
 
 namespace isthmus
 {
-
-bool FitsMemory(std::size_t samples, double limit, std::string& sentence)
+namespace
 {
-  const double bytes = AnalysisBytes(samples);
+
+/// Threads and their arenas, and what of a complex does not depend on its size.
+constexpr double FixedBytes = 8e6;
+
+/// Of the complex, its pairs and the surface: 1.3 KB on a million samples, more where TetGen's mesh
+/// or a finer sampling that was given up was held beside it.
+constexpr double BytesOfSample = 1700.0;
+
+/// Of each sample's three edges, a bit for each dual loop that crosses it.
+constexpr double BytesOfWord = 24.0;
+
+/// All stages together, in units of the triangulation.
+constexpr double TimesTriangulation = 3.0;
+
+/// The classes of M are reduced against each other, columns as long as the samples are many: in the
+/// same units, for each pair of classes.
+constexpr double TimesOfPair = 6.4e-6;
+
+/// Connected parts, of points that triangles use and others: none of a sampled surface.
+int Parts(const TriangleMesh& mesh)
+{
+  DisjointSets<std::int64_t> sets(static_cast<std::int64_t>(mesh.Points.size()));
+  auto components = static_cast<int>(mesh.Points.size());
+  for (const Triangle& t : mesh.Triangles)
+  {
+    for (std::size_t k = 1; k < 3; ++k)
+    {
+      components -= sets.Find(t[0]) != sets.Find(t[k]) ? 1 : 0;
+      sets.Join(t[0], t[k]);
+    }
+  }
+  return components;
+}
+
+}
+
+AnalysisCost AnalysisCost::After(double triangulation) const
+{
+  AnalysisCost cost = *this;
+  const auto rank = static_cast<double>(this->Rank);
+  cost.Seconds = triangulation * (TimesTriangulation + TimesOfPair * rank * rank);
+  return cost;
+}
+
+AnalysisCost CostOf(const TriangleMesh& samples)
+{
+  AnalysisCost cost;
+  cost.Samples = samples.Points.size();
+  // Each triangle has three halves of an edge.
+  const auto euler = static_cast<std::int64_t>(samples.Points.size()) -
+    static_cast<std::int64_t>(samples.Triangles.size() / 2);
+  cost.Rank =
+    static_cast<std::size_t>(std::max<std::int64_t>(0, 2 * std::int64_t{ Parts(samples) } - euler));
+  const double words = static_cast<double>((cost.Rank + 63) / 64);
+  cost.Bytes =
+    FixedBytes + (BytesOfSample + BytesOfWord * words) * static_cast<double>(cost.Samples);
+  return cost;
+}
+
+bool FitsMemory(const AnalysisCost& cost, double limit, std::string& sentence)
+{
   const double most = limit > 0.0 ? limit : AvailableMemory();
-  if (bytes <= most)
+  if (cost.Bytes <= most)
   {
     return true;
   }
-  sentence = "Choking loops of " + std::to_string(samples) + " samples take some " +
-    MemoryText(bytes) + ", and " +
+  sentence = "Choking loops of " + std::to_string(cost.Samples) + " samples take some " +
+    MemoryText(cost.Bytes) + ", and " +
     (limit > 0.0 ? "MemoryLimit is " + MemoryText(most)
                  : "only " + MemoryText(most) + " are available") +
     ": raise SampleSpacing" + (limit > 0.0 ? " or MemoryLimit." : ", or simplify the surface.");

@@ -1,10 +1,11 @@
 /**
  * @file AnalysisCost.h
- * @brief What an analysis takes, from the number of its samples.
+ * @brief What an analysis takes: foretold from counts and its first stage, and measured.
  */
 #ifndef isthmus_AnalysisCost_h
 #define isthmus_AnalysisCost_h
 
+#include "TriangleMesh.h"
 #include "vtkIsthmusModule.h" // for the export macro
 
 #include <cstddef>
@@ -13,24 +14,44 @@
 namespace isthmus
 {
 
-/// Bytes that the filtration of `samples` points takes at its peak, with pairs and features: 2.0 KB
-/// a sample, between 1.8 (split armadillo, 232,000) and 2.0 (the same, 1.01 million).
-inline double AnalysisBytes(std::size_t samples)
+/// Times of the stages, in seconds.
+struct ChokingLoopTimes
 {
-  return 2000.0 * static_cast<double>(samples);
-}
-
-/// Seconds on two threads of 2.6 GHz: 23 to 33 us a sample for tori of 17,000 to 999,000.
-inline double AnalysisSeconds(std::size_t samples)
-{
-  return 30e-6 * static_cast<double>(samples);
-}
+  double Check = 0.0;
+  double Sampling = 0.0;
+  double Filtration = 0.0;
+  double Pairing = 0.0;
+  double Features = 0.0;
+  double LastRound = 0.0; ///< of these, from the last sampling on: what AnalysisCost estimates
+};
 
 /**
- * Whether `samples` fit into `limit` bytes (0: what is available). If not, `sentence` says what it
+ * The cost of analysing the samples of a surface: filtration, pairs, features and the loops of
+ * handles and tunnels. What is drawn afterwards for a choice of features is not in it.
+ *
+ * Bytes follow from counts alone. Seconds depend on the machine, on what else runs on it and on the
+ * shape, so they are told once the samples are triangulated: that stage, a quarter to a half of the
+ * whole, has met all three.
+ */
+struct AnalysisCost
+{
+  std::size_t Samples = 0;
+  std::size_t Rank = 0;  ///< of H1(M): twice the genus, all components together
+  double Bytes = 0.0;    ///< at the peak
+  double Seconds = -1.0; ///< of the whole, triangulation included; below 0: not known yet
+
+  /// With the time that the triangulation took.
+  VTKISTHMUS_EXPORT AnalysisCost After(double triangulation) const;
+};
+
+/// Cost of the samples of a closed surface, without the time. O(n).
+VTKISTHMUS_EXPORT AnalysisCost CostOf(const TriangleMesh& samples);
+
+/**
+ * Whether that fits into `limit` bytes (0: what is available). If not, `sentence` says what it
  * would take and what to do.
  */
-VTKISTHMUS_EXPORT bool FitsMemory(std::size_t samples, double limit, std::string& sentence);
+VTKISTHMUS_EXPORT bool FitsMemory(const AnalysisCost& cost, double limit, std::string& sentence);
 
 }
 

@@ -35,7 +35,7 @@ Point3 ChokeSurroundings::Middle(SimplexId cell) const
 
 double ChokeSurroundings::Area(SimplexId triangle) const
 {
-  const auto& t = this->F.Triangles[At(triangle)];
+  const auto t = this->F.TrianglePoints(At(triangle));
   return TriangleArea(this->F.Points[At(t[0])], this->F.Points[At(t[1])], this->F.Points[At(t[2])]);
 }
 
@@ -55,7 +55,7 @@ bool ChokeSurroundings::Collect(double reach, std::size_t most)
   this->Met.clear();
   this->Linking.clear();
   this->All.clear();
-  for (const SimplexId cell : this->F.TriangleSides[At(this->Choke)])
+  for (const SimplexId cell : this->F.TriangleSides(At(this->Choke)))
   {
     this->Meet(cell);
   }

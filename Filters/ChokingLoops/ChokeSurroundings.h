@@ -5,6 +5,7 @@
 #ifndef isthmus_ChokeSurroundings_h
 #define isthmus_ChokeSurroundings_h
 
+#include "Index.h"
 #include "MinimumCut.h"
 #include "ShapeFeatures.h"
 
@@ -25,13 +26,14 @@ void ForFaces(const CellFiltration& f, SimplexId cell, Visit&& visit)
   const auto end = std::unique(firsts.begin(), firsts.end());
   for (auto first = firsts.begin(); first != end && *first <= cell; ++first)
   {
-    const auto begin = std::lower_bound(f.TriangleSides.begin(), f.TriangleSides.end(), *first,
-      [](const auto& sides, SimplexId id) { return sides[0] < id; });
-    for (auto s = begin; *first >= 0 && s != f.TriangleSides.end() && (*s)[0] == *first; ++s)
+    const auto begin =
+      std::lower_bound(f.TriangleFaces.begin(), f.TriangleFaces.end(), 4 * std::max(*first, 0));
+    for (auto s = begin; *first >= 0 && s != f.TriangleFaces.end() && *s / 4 == *first; ++s)
     {
-      if (*first == cell || (*s)[1] == cell)
+      const SimplexId other = f.Neighbours[static_cast<std::size_t>(*first)][At(*s % 4)];
+      if (*first == cell || other == cell)
       {
-        visit(static_cast<SimplexId>(s - f.TriangleSides.begin()));
+        visit(static_cast<SimplexId>(s - f.TriangleFaces.begin()));
       }
     }
   }
@@ -91,7 +93,7 @@ private:
   /// Of a coarse mesh, not even the choke triangle itself need be that near.
   bool IsWithinReach(SimplexId triangle) const
   {
-    const auto& corners = this->F.Triangles[static_cast<std::size_t>(triangle)];
+    const auto corners = this->F.TrianglePoints(static_cast<std::size_t>(triangle));
     return triangle == this->Choke ||
       std::any_of(corners.begin(), corners.end(),
         [this](SimplexId p)
@@ -100,7 +102,7 @@ private:
 
   SimplexId Beyond(SimplexId triangle, SimplexId cell) const
   {
-    const auto& sides = this->F.TriangleSides[static_cast<std::size_t>(triangle)];
+    const auto sides = this->F.TriangleSides(static_cast<std::size_t>(triangle));
     return sides[0] == cell ? sides[1] : sides[0];
   }
 
@@ -133,7 +135,7 @@ void ChokeSurroundings::ForLinks(SimplexId cell, Visit&& visit) const
   }
   for (const SimplexId t : this->Linking)
   {
-    if (this->F.TriangleSides[static_cast<std::size_t>(t)][1] < 0)
+    if (this->F.TriangleSides(static_cast<std::size_t>(t))[1] < 0)
     {
       report(t);
     }

@@ -1,18 +1,14 @@
 #include "ChokingLoops.h"
 
-#include "AnalysisCost.h"
-#include "ChokingSamples.h"
+#include "ChokingAnalysis.h"
 #include "ChokingSurface.h"
 #include "DelaunayFiltration.h"
 #include "EncirclingLoops.h"
-#include "Index.h"
 #include "LowerStarFiltration.h"
 #include "SurfaceSampling.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 
 namespace isthmus
@@ -23,141 +19,7 @@ namespace
 /// Rounds of refinement round features that the sampling blurs.
 constexpr int Rounds = 3;
 
-/// Voids this persistent, relative to the side's reference length, deserve refinement.
-constexpr double WorthRefining = 0.05;
-
-/// Seconds since it was made or last asked.
-class Stopwatch
-{
-public:
-  double Lap()
-  {
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<double> passed = now - this->Last;
-    this->Last = now;
-    return passed.count();
-  }
-
-private:
-  std::chrono::steady_clock::time_point Last = std::chrono::steady_clock::now();
-};
-
 }
-
-/// Everything known about a surface. Built in order, since each part refers to those before.
-struct ChokingLoops::Analysis
-{
-  Analysis(TriangleMesh samples, CellFiltration filtration, std::vector<double> errors,
-    ChokingLoopTimes& times, const ProgressCallback& progress)
-    : Samples(std::move(samples))
-    , Filtration(std::move(filtration))
-    , Pairs(Filtration, Between(progress, 0.0, 0.5))
-    , Adjacency(Samples)
-    , Homology(Adjacency)
-    , Embedding(Adjacency, Filtration, Between(progress, 0.5, 0.55))
-    , Context{ Filtration, Pairs, Homology, Embedding, Adjacency, std::move(errors) }
-    , Regions(Context, Between(progress, 0.55, 0.6))
-  {
-    times.Pairing += this->Watch.Lap();
-    this->Found.Diagram = ShapeFeatures(this->Context, this->Regions, Between(progress, 0.6, 0.9));
-    this->Found.Membranes.resize(this->Found.Diagram.Features.size());
-    for (const ShapeFeature& feature : this->Found.Diagram.Features)
-    {
-      this->Found.Centres.push_back(this->Centre(feature));
-    }
-    this->MakeGeneratorLoops(Between(progress, 0.9, 1.0));
-    times.Features += this->Watch.Lap();
-  }
-
-  // All at once, since each must be independent of those before.
-  void MakeGeneratorLoops(const ProgressCallback& progress)
-  {
-    HomologySpan span;
-    const auto count = static_cast<double>(this->Found.Membranes.size());
-    for (std::size_t i = 0; i < this->Found.Membranes.size(); ++i)
-    {
-      Report(progress, static_cast<double>(i) / count);
-      if (IsGenerator(this->Found.Diagram.Features[i]))
-      {
-        this->Found.Membranes[i] =
-          FeatureMembrane(this->Context, this->Regions, this->Found.Diagram.Features[i], &span);
-      }
-    }
-  }
-
-  /// Handles and tunnels that the samples did not settle, from tetrahedra that keep `surface`.
-  void Complete(const TriangleMesh& surface, const ProgressCallback& progress)
-  {
-    if (AllSettled(this->Found))
-    {
-      return;
-    }
-    try
-    {
-      CompleteGenerators(this->Context, surface, this->Found, progress);
-      this->Remark = "Some handles or tunnels are narrower than the sampling error: they are "
-                     "marked as not trusted, and their radius is an upper bound. Lower the sample "
-                     "spacing to measure it.";
-    }
-    catch (const Cancelled&)
-    {
-      throw;
-    }
-    catch (const std::exception& error)
-    {
-      this->Remark = std::string("Some handles or tunnels are narrower than the sampling error, "
-                                 "and could not be found on the surface itself: their number and "
-                                 "side are not assured. ") +
-        error.what();
-    }
-  }
-
-  Point3 Centre(const ShapeFeature& feature) const
-  {
-    const auto& t = this->Filtration.Triangles[At(feature.Choke)];
-    const Point3& p = this->Filtration.Points[At(t[0])];
-    const Point3& q = this->Filtration.Points[At(t[1])];
-    const Point3& r = this->Filtration.Points[At(t[2])];
-    return this->Context.PointError.empty() ? (1.0 / 3.0) * (p + q + r) : Circumcentre(p, q, r);
-  }
-
-  /// Features that a finer sampling would settle.
-  std::vector<Refinement> Blurred() const
-  {
-    std::vector<Refinement> wanted;
-    for (std::size_t i = 0; i < this->Found.Membranes.size(); ++i)
-    {
-      const ShapeFeature& f = this->Found.Diagram.Features[i];
-      const double reference = this->Found.Diagram.Reference[static_cast<std::size_t>(f.Side)];
-      const bool generator =
-        IsGenerator(f) && (!f.Trusted || this->Found.Membranes[i]->Loops.empty());
-      const bool blurredVoid = f.Kind == FeatureKind::Noise && f.Dimension == 2 && !f.Trusted &&
-        f.Persistence() > WorthRefining * reference;
-      if (generator || blurredVoid)
-      {
-        const double gap = std::sqrt(std::max(0.0, f.Death * f.Death - f.Birth * f.Birth));
-        wanted.push_back({ this->Found.Centres[i], 2.0 * f.Distance() + f.Error,
-          std::min(0.9 * gap, 0.7 * std::sqrt(3.0) * f.Error) });
-      }
-    }
-    return wanted;
-  }
-
-  Stopwatch Watch;
-  TriangleMesh Samples;
-  CellFiltration Filtration;
-  FiltrationPairs Pairs;
-  SurfaceAdjacency Adjacency;
-  SurfaceHomology Homology;
-  SurfaceInComplex Embedding;
-  FeatureContext Context;
-  SpaceRegions Regions;
-  LocatedFeatures Found;
-  std::map<std::size_t, std::optional<Membrane>> Tight; ///< of the features asked for
-  ChokingLoopTimes Times;
-  SurfaceMending Mended;
-  std::string Remark;
-};
 
 ChokingLoops::ChokingLoops(
   TriangleMesh surface, const ChokingLoopParameters& parameters, const ProgressCallback& progress)
@@ -172,8 +34,13 @@ ChokingLoops::ChokingLoops(
   double spacing = parameters.SampleSpacing;
   TriangleMesh samples = FirstSamples(surface, spacing, Between(progress, 0.2, 0.25));
   times.Sampling = watch.Lap();
+  // One as fine as its samples is not kept twice.
+  if (samples.Triangles.size() == surface.Triangles.size())
+  {
+    surface = {};
+  }
   std::string tooMuch;
-  if (!FitsMemory(samples.Points.size(), parameters.MemoryLimit, tooMuch))
+  if (!FitsMemory(CostOf(samples), parameters.MemoryLimit, tooMuch))
   {
     throw std::runtime_error(tooMuch);
   }
@@ -183,35 +50,60 @@ ChokingLoops::ChokingLoops(
     const double from = 1.0 - 0.75 * std::pow(0.5, round);
     const double to = 0.5 * (1.0 + from);
     const auto part = Between(progress, from, to);
-    if (parameters.Sampled)
-    {
-      parameters.Sampled(samples.Points.size());
-    }
-    std::vector<double> errors = SamplingErrors(samples);
-    CellFiltration filtration = DelaunayFiltration(samples.Points, Between(part, 0.0, 0.6));
-    times.Filtration += watch.Lap();
-    this->State = std::make_unique<Analysis>(
-      std::move(samples), std::move(filtration), std::move(errors), times, Between(part, 0.6, 1.0));
-    watch.Lap();
+    this->AnalyseSamples(std::move(samples), parameters, times, part);
+    times.LastRound = watch.Lap();
     const std::vector<Refinement> blurred = this->State->Blurred();
     if (!automatic || round == Rounds || blurred.empty())
     {
       break;
     }
+    if (surface.Points.empty())
+    {
+      surface = this->State->Samples;
+    }
     samples = Refined(
       this->State->Samples, blurred, spacing * std::pow(0.6, round), Between(progress, to, to));
     times.Sampling += watch.Lap();
-    if (samples.Points.empty() ||
-      !FitsMemory(samples.Points.size(), parameters.MemoryLimit, tooMuch))
+    if (samples.Points.empty() || !FitsMemory(CostOf(samples), parameters.MemoryLimit, tooMuch))
     {
       break; // too much to ask: what is blurred stays marked as not trusted
     }
   }
-  this->State->Complete(surface, Between(progress, 0.96, 1.0));
-  times.Features += watch.Lap();
+  this->State->Complete(
+    surface.Points.empty() ? this->State->Samples : surface, Between(progress, 0.96, 1.0));
+  const double completion = watch.Lap();
+  times.Features += completion;
+  times.LastRound += completion;
   this->State->Times = times;
   this->State->Mended = std::move(mended);
   Report(progress, 1.0);
+}
+
+void ChokingLoops::AnalyseSamples(TriangleMesh samples, const ChokingLoopParameters& parameters,
+  ChokingLoopTimes& times, const ProgressCallback& progress)
+{
+  Stopwatch watch;
+  AnalysisCost cost = CostOf(samples);
+  const auto tell = [&]
+  {
+    if (parameters.Estimated)
+    {
+      parameters.Estimated(cost);
+    }
+  };
+  tell();
+  this->State.reset(); // what a coarser round found
+  std::vector<double> errors = SamplingErrors(samples);
+  CellFiltration filtration = DelaunayFiltration(samples.Points, Between(progress, 0.0, 0.6),
+    [&](double seconds)
+    {
+      cost = cost.After(seconds);
+      tell();
+    });
+  times.Filtration += watch.Lap();
+  this->State = std::make_unique<ChokingAnalysis>(std::move(samples), std::move(filtration),
+    std::move(errors), times, Between(progress, 0.6, 1.0));
+  this->State->Cost = cost;
 }
 
 ChokingLoops::ChokingLoops(const TriangleMesh& surface, const TetrahedralMesh& mesh,
@@ -224,7 +116,7 @@ ChokingLoops::ChokingLoops(const TriangleMesh& surface, const TetrahedralMesh& m
   CellFiltration filtration =
     LowerStarFiltration(mesh, values, checked, Between(progress, 0.1, 0.5));
   times.Filtration = watch.Lap();
-  this->State = std::make_unique<Analysis>(std::move(checked), std::move(filtration),
+  this->State = std::make_unique<ChokingAnalysis>(std::move(checked), std::move(filtration),
     std::vector<double>{}, times, Between(progress, 0.5, 1.0));
   this->State->Times = times;
 }
@@ -263,6 +155,11 @@ const SurfaceMending& ChokingLoops::Mended() const
   return this->State->Mended;
 }
 
+const AnalysisCost& ChokingLoops::Cost() const
+{
+  return this->State->Cost;
+}
+
 double ChokingLoops::LargestError() const
 {
   const auto& errors = this->State->Context.PointError;
@@ -292,7 +189,7 @@ const Membrane& ChokingLoops::MembraneOfMade(std::size_t feature) const
 
 const Membrane* ChokingLoops::TightMembraneOf(std::size_t feature, const ProgressCallback& progress)
 {
-  Analysis& state = *this->State;
+  ChokingAnalysis& state = *this->State;
   auto known = state.Tight.find(feature);
   if (known == state.Tight.end())
   {
@@ -324,7 +221,7 @@ std::vector<SimplexId> ChokingLoops::ContactsOf(std::size_t feature) const
   {
     return {};
   }
-  const auto& corners = this->State->Filtration.Triangles[At(choke)];
+  const auto corners = this->State->Filtration.TrianglePoints(At(choke));
   return { corners.begin(), corners.end() };
 }
 

@@ -10,6 +10,7 @@
 #ifndef isthmus_ChokingLoops_h
 #define isthmus_ChokingLoops_h
 
+#include "AnalysisCost.h"
 #include "FeatureMembrane.h"
 #include "FeatureSelection.h"
 #include "ShapeFeatures.h"
@@ -34,19 +35,12 @@ struct ChokingLoopParameters
   /// Bytes that the analysis may take; 0: what is available. More samples than fit end in a
   /// sentence; refinement that would not fit is left out.
   double MemoryLimit = 0.0;
-  /// Called with the number of samples before the work on them begins.
-  std::function<void(std::size_t samples)> Sampled;
+  /// Called with what the work on the samples takes: before it begins, and with the time, too, once
+  /// they are triangulated. Again when they are refined.
+  std::function<void(const AnalysisCost& cost)> Estimated;
 };
 
-/// Times of the stages, in seconds.
-struct ChokingLoopTimes
-{
-  double Check = 0.0;
-  double Sampling = 0.0;
-  double Filtration = 0.0;
-  double Pairing = 0.0;
-  double Features = 0.0;
-};
+struct ChokingAnalysis;
 
 /**
  * The analysis of one surface. Building it is the work; selecting and asking for a membrane is
@@ -64,7 +58,7 @@ public:
    * oriented and finite, lies in a plane, can't be repaired, or whose size is not between 1e-32 and
    * 1e32; std::runtime_error when it would take too many samples; Cancelled.
    *
-   * Time is near linear: some 30 s and 2.5 GB for a million points, on two threads.
+   * Time is near linear: some 20 s and 1.5 GB for a million points, on two threads.
    */
   VTKISTHMUS_EXPORT explicit ChokingLoops(TriangleMesh surface,
     const ChokingLoopParameters& parameters = {}, const ProgressCallback& progress = {});
@@ -88,6 +82,9 @@ public:
   VTKISTHMUS_EXPORT const SurfaceAdjacency& Adjacency() const;
   VTKISTHMUS_EXPORT const SurfaceHomology& Homology() const;
   VTKISTHMUS_EXPORT const ChokingLoopTimes& Times() const;
+
+  /// What the work on these samples was estimated to take.
+  VTKISTHMUS_EXPORT const AnalysisCost& Cost() const;
 
   /// What was repaired of the surface before.
   VTKISTHMUS_EXPORT const SurfaceMending& Mended() const;
@@ -127,8 +124,10 @@ public:
   VTKISTHMUS_EXPORT Point3 ChokePoint(std::size_t feature) const;
 
 private:
-  struct Analysis;
-  std::unique_ptr<Analysis> State;
+  void AnalyseSamples(TriangleMesh samples, const ChokingLoopParameters& parameters,
+    ChokingLoopTimes& times, const ProgressCallback& progress);
+
+  std::unique_ptr<ChokingAnalysis> State;
 };
 
 }

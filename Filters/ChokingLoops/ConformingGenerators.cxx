@@ -50,11 +50,11 @@ CellFiltration FiltrationByBalls(const TetrahedralMesh& mesh, TriangleMesh& surf
     const Point3 d = point(f.Edges[e][1]) - point(f.Edges[e][0]);
     f.EdgeValue[e] = 0.25 * Dot(d, d);
   }
-  for (std::size_t t = 0; t < f.Triangles.size(); ++t)
+  for (std::size_t t = 0; t < f.TriangleCount(); ++t)
   {
-    const auto& p = f.Triangles[t];
+    const auto p = f.TrianglePoints(t);
     f.TriangleValue[t] = SquaredBall(point(p[0]), point(p[1]), point(p[2]));
-    for (const SimplexId cell : f.TriangleSides[t])
+    for (const SimplexId cell : f.TriangleSides(t))
     {
       if (cell >= 0)
       {
@@ -149,7 +149,7 @@ std::vector<ConformingGenerator> ConformingGenerators(
     feature.Choke = generator.Filler;
     feature.Side = SpaceRegions::SideOf(regions.OfTriangle(generator.Filler));
     feature.Sum = generator.Sum;
-    const auto& t = f.Triangles[At(generator.Filler)];
+    const auto t = f.TrianglePoints(At(generator.Filler));
     ConformingGenerator made;
     made.Side = feature.Side;
     made.Radius = std::sqrt(f.TriangleValue[At(generator.Filler)]);

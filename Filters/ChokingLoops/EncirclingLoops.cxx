@@ -150,7 +150,7 @@ Membrane FanFrom(const FeatureContext& context, const Point3& centre, std::vecto
 std::vector<Tree> TreesOf(const FeatureContext& context, const ShapeFeature& f, double reach)
 {
   std::vector<Tree> trees;
-  for (const SimplexId p : context.Filtration.Triangles[static_cast<std::size_t>(f.Choke)])
+  for (const SimplexId p : context.Filtration.TrianglePoints(static_cast<std::size_t>(f.Choke)))
   {
     if (context.Surface.Leaving(p) >= 0)
     {

@@ -178,7 +178,7 @@ Membrane MembraneOf(
   Membrane membrane;
   for (const SimplexId t : triangles)
   {
-    membrane.Triangles.push_back(context.Filtration.Triangles[At(t)]);
+    membrane.Triangles.push_back(context.Filtration.TrianglePoints(At(t)));
   }
   const std::set<SimplexId> edges = OntoSurface(context, cycle, membrane);
   std::vector<std::vector<SimplexId>> loops =

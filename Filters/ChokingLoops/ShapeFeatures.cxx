@@ -57,7 +57,7 @@ private:
 void Collector::AddVoids()
 {
   std::map<std::vector<int>, std::size_t> own; // per bounded region: its deepest pair
-  for (std::size_t t = 0; t < this->F.Triangles.size(); ++t)
+  for (std::size_t t = 0; t < this->F.TriangleCount(); ++t)
   {
     const SimplexId filler = this->Context.Pairs.VoidFilled(static_cast<SimplexId>(t));
     if (filler < 0)
@@ -66,7 +66,7 @@ void Collector::AddVoids()
     }
     const double birth = this->F.TriangleValue[t];
     const double death = this->F.TetrahedronValue[At(filler)];
-    const double error2 = std::max(this->Context.SquaredError(this->F.Triangles[t]),
+    const double error2 = std::max(this->Context.SquaredError(this->F.TrianglePoints(t)),
       this->Context.SquaredError(this->F.Tetrahedra[At(filler)]));
     if (!Differ(birth, death) || death <= error2)
     {
@@ -100,13 +100,13 @@ void Collector::AddLoops(const std::vector<SurfaceGenerator>& generators)
   {
     byFiller[g.Filler] = &g;
   }
-  for (std::size_t t = 0; t < this->F.Triangles.size(); ++t)
+  for (std::size_t t = 0; t < this->F.TriangleCount(); ++t)
   {
     const auto id = static_cast<SimplexId>(t);
     const SimplexId closer = this->Context.Pairs.LoopClosed(id);
     const auto generator = byFiller.find(id);
     const double death = this->F.TriangleValue[t];
-    const double error2 = this->Context.SquaredError(this->F.Triangles[t]);
+    const double error2 = this->Context.SquaredError(this->F.TrianglePoints(t));
     if (closer < 0 || (generator == byFiller.end() && death <= error2))
     {
       continue;
@@ -116,7 +116,7 @@ void Collector::AddLoops(const std::vector<SurfaceGenerator>& generators)
     {
       continue;
     }
-    const auto& sides = this->F.TriangleSides[t];
+    const auto sides = this->F.TriangleSides(t);
     const std::vector<int>& region = this->Regional.Of(sides[0] >= 0 ? sides[0] : sides[1]);
     ShapeFeature feature = this->Make(1, id, birth, death, error2);
     feature.Side = SpaceRegions::SideOf(region);

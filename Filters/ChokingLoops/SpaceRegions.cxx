@@ -7,32 +7,24 @@ namespace isthmus
 SpaceRegions::SpaceRegions(const FeatureContext& context, const ProgressCallback& progress)
   : Context(context)
   , Groups(static_cast<SimplexId>(context.Filtration.Tetrahedra.size()))
-  , Deepest(context.Filtration.Tetrahedra.size())
   , Test(context.Surface.Mesh(), context.Homology)
 {
-  std::iota(this->Deepest.begin(), this->Deepest.end(), 0);
   const CellFiltration& f = context.Filtration;
-  for (std::size_t t = 0; t < f.Triangles.size(); ++t)
+  for (std::size_t t = 0; t < f.TriangleCount(); ++t)
   {
     if (t % (1U << 18) == 0)
     {
-      Report(progress, static_cast<double>(t) / static_cast<double>(f.Triangles.size()));
+      Report(progress, static_cast<double>(t) / static_cast<double>(f.TriangleCount()));
     }
-    const auto& sides = f.TriangleSides[t];
+    const auto sides = f.TriangleSides(t);
     if (sides[0] >= 0 && sides[1] >= 0 && !context.IsWall(static_cast<SimplexId>(t)))
     {
       const SimplexId a = this->Groups.Find(sides[0]);
       const SimplexId b = this->Groups.Find(sides[1]);
-      const SimplexId deepest = this->Later(this->Deepest[At(a)], this->Deepest[At(b)]);
-      this->Deepest[At(this->Groups.Join(a, b))] = deepest;
+      const bool later = f.EntersLater(a, b);
+      this->Groups.JoinUnder(later ? b : a, later ? a : b);
     }
   }
-}
-
-SimplexId SpaceRegions::Later(SimplexId a, SimplexId b) const
-{
-  const auto& rank = this->Context.Filtration.TetrahedronRank;
-  return rank[At(a)] > rank[At(b)] ? a : b;
 }
 
 const std::vector<int>& SpaceRegions::Of(SimplexId cell)
@@ -53,10 +45,10 @@ const std::vector<int>& SpaceRegions::Of(SimplexId cell)
 
 // In a Delaunay triangulation the circumcentre is what keeps its distance from M; in a mesh that
 // conforms to M the tetrahedron itself lies on one side.
-Point3 SpaceRegions::Inner(SimplexId group) const
+Point3 SpaceRegions::Inner(SimplexId deepest) const
 {
   const CellFiltration& f = this->Context.Filtration;
-  const auto& t = f.Tetrahedra[At(this->Deepest[At(group)])];
+  const auto& t = f.Tetrahedra[At(deepest)];
   const Point3& p = f.Points[At(t[0])];
   const Point3& q = f.Points[At(t[1])];
   const Point3& r = f.Points[At(t[2])];

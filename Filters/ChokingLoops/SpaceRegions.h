@@ -75,12 +75,10 @@ public:
   }
 
 private:
-  SimplexId Later(SimplexId a, SimplexId b) const;
-  Point3 Inner(SimplexId group) const;
+  Point3 Inner(SimplexId deepest) const;
 
   const FeatureContext& Context;
-  DisjointSets<SimplexId> Groups;
-  std::vector<SimplexId> Deepest; ///< per group: its latest tetrahedron
+  DisjointSets<SimplexId> Groups; ///< the root of each is its latest tetrahedron
   EnclosureTest Test;
   std::map<SimplexId, std::vector<int>> Known;
 };
@@ -95,12 +93,12 @@ inline bool FeatureContext::IsWall(SimplexId triangle) const
   const auto t = static_cast<std::size_t>(triangle);
   return this->PointError.empty()
     ? this->Filtration.TriangleFirst[t] != 0
-    : this->Filtration.TriangleValue[t] <= this->SquaredError(this->Filtration.Triangles[t]);
+    : this->Filtration.TriangleValue[t] <= this->SquaredError(this->Filtration.TrianglePoints(t));
 }
 
 inline const std::vector<int>& SpaceRegions::OfTriangle(SimplexId triangle)
 {
-  const auto& sides = this->Context.Filtration.TriangleSides[static_cast<std::size_t>(triangle)];
+  const auto sides = this->Context.Filtration.TriangleSides(static_cast<std::size_t>(triangle));
   return this->Of(sides[0] >= 0 ? sides[0] : sides[1]);
 }
 

@@ -60,7 +60,7 @@ std::vector<SurfaceGenerator> SurfaceGenerators(const SurfaceHomology& homology,
     Between(progress, 0.0, 0.8));
 
   std::map<std::int64_t, std::size_t> pivots;
-  const auto triangles = static_cast<std::int64_t>(f.Triangles.size());
+  const auto triangles = static_cast<std::int64_t>(f.TriangleCount());
   std::vector<SurfaceGenerator> generators;
   for (std::size_t i = 0; i < columns.size(); ++i)
   {

@@ -59,7 +59,7 @@ std::array<std::vector<std::int32_t>, 2> ChokeFlow::Ends() const
   const double depth2 = this->Radius * this->Radius * (1.0 + 1e-9);
   std::vector<char> side(this->Around.Cells().size(), 0); // 1 and 2: taken
   std::vector<std::int32_t> queue;
-  const auto& chokeSides = this->F.TriangleSides[At(this->Choke)];
+  const auto chokeSides = this->F.TriangleSides(At(this->Choke));
   for (std::size_t s = 0; s < 2; ++s)
   {
     queue.push_back(this->Around.PlaceOf(chokeSides[s]));
@@ -212,7 +212,7 @@ bool EndsInSpace(const FeatureContext& context, const Chain& triangles)
 Chain TightestCut(const FeatureContext& context, const ShapeFeature& feature, const Point3& centre,
   const ProgressCallback& progress)
 {
-  const auto& sides = context.Filtration.TriangleSides[At(feature.Choke)];
+  const auto sides = context.Filtration.TriangleSides(At(feature.Choke));
   // Values on a mesh need not be lengths: where one is not above 0, no surroundings are its own.
   // And nothing passes through a triangle of M.
   if (sides[0] == sides[1] || !(feature.Distance() > 0.0) || context.IsWall(feature.Choke))

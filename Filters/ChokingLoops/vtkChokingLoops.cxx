@@ -1,12 +1,13 @@
 #include "vtkChokingLoops.h"
 
 #include "AlgorithmGuard.h"
-#include "AnalysisCost.h"
+#include "AvailableMemory.h"
 #include "ChokingLoopsOutput.h"
 #include "GridTetrahedra.h"
 #include "LoopLimits.h"
 #include "MorseValues.h"
 #include "PolyDataMesh.h"
+#include "RangeGuard.h"
 #include "SurfaceRepair.h"
 #include "SurfaceSampling.h"
 #include "TetrahedralMesher.h"
@@ -56,12 +57,18 @@ isthmus::ChokingLoopParameters ParametersOf(
   parameters.SampleSpacing = sampleSpacing;
   parameters.AllowSelfIntersections = allowSelfIntersections;
   parameters.MemoryLimit = memoryLimit * 1048576.0;
-  parameters.Sampled = [](std::size_t samples)
+  parameters.Estimated = [](const isthmus::AnalysisCost& cost)
   {
+    if (cost.Seconds < 0.0)
+    {
+      vtkLog(INFO,
+        "Choking loops: " << cost.Samples << " samples, some " << isthmus::MemoryText(cost.Bytes)
+                          << ".");
+      return;
+    }
     vtkLog(INFO,
-      "Choking loops: " << samples << " samples, some "
-                        << std::ceil(isthmus::AnalysisBytes(samples) / 1e6) << " MB and "
-                        << std::ceil(isthmus::AnalysisSeconds(samples)) << " s on two cores.");
+      "Choking loops: triangulated; from sampling to features "
+        << isthmus::Shown(0.1 * std::ceil(10.0 * cost.Seconds)) << " s or so in all.");
   };
   return parameters;
 }

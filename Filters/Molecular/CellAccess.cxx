@@ -53,12 +53,12 @@ CellAccess FindAccess(
   {
     access.CellClearance[i] = Clearance(f, c.Tetrahedra[i], c.TetrahedronValue[i], probe);
   }
-  access.TriangleClearance.resize(c.Triangles.size());
+  access.TriangleClearance.resize(c.TriangleCount());
   std::priority_queue<Way> ways;
-  for (std::size_t i = 0; i < c.Triangles.size(); ++i)
+  for (std::size_t i = 0; i < c.TriangleCount(); ++i)
   {
-    access.TriangleClearance[i] = Clearance(f, c.Triangles[i], c.TriangleValue[i], probe);
-    const auto& sides = c.TriangleSides[i];
+    access.TriangleClearance[i] = Clearance(f, c.TrianglePoints(i), c.TriangleValue[i], probe);
+    const auto sides = c.TriangleSides(i);
     if (sides[0] < 0 || sides[1] < 0)
     {
       ways.push(

@@ -34,7 +34,7 @@ VTKISTHMUS_EXPORT CellAccess FindAccess(
 /// The tetrahedron on the other side of `triangle`; -1: outside.
 inline SimplexId Across(const CellFiltration& complex, SimplexId triangle, SimplexId cell)
 {
-  const auto& sides = complex.TriangleSides[static_cast<std::size_t>(triangle)];
+  const auto sides = complex.TriangleSides(static_cast<std::size_t>(triangle));
   return sides[0] == cell ? sides[1] : sides[0];
 }
 

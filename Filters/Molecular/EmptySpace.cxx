@@ -39,7 +39,7 @@ void TakeThrees(const RegularFiltration& f, const std::array<SimplexId, 4>& face
     {
       continue;
     }
-    const auto& t = f.Complex.Triangles[At(face)];
+    const auto t = f.Complex.TrianglePoints(At(face));
     const Overlap<3> half = HalfOfThree(BallOf(f, t[0]), BallOf(f, t[1]), BallOf(f, t[2]));
     empty.Volume -= half.Volume;
     for (std::size_t k = 0; k < 3; ++k)
@@ -84,15 +84,15 @@ struct OuterShare
     , HullVertex(c.Points.size(), 0)
     , HullEdge(c.Edges.size(), 0)
   {
-    for (std::size_t i = 0; i < c.Triangles.size(); ++i)
+    for (std::size_t i = 0; i < c.TriangleCount(); ++i)
     {
-      if (c.TriangleSides[i][0] >= 0 && c.TriangleSides[i][1] >= 0)
+      if (c.TriangleSides(i)[0] >= 0 && c.TriangleSides(i)[1] >= 0)
       {
         continue;
       }
       for (std::size_t k = 0; k < 3; ++k)
       {
-        this->HullVertex[At(c.Triangles[i][k])] = 1;
+        this->HullVertex[At(c.TrianglePoints(i)[k])] = 1;
         this->HullEdge[At(c.TriangleEdges[i][k])] = 1;
       }
     }
@@ -151,12 +151,12 @@ void AddOutside(const RegularFiltration& f, UnionMeasure& sum)
       sum.Area -= share.OfEdge[e] * (lens.Area[0] + lens.Area[1]);
     }
   }
-  for (std::size_t i = 0; i < c.Triangles.size(); ++i)
+  for (std::size_t i = 0; i < c.TriangleCount(); ++i)
   {
-    const bool hull = c.TriangleSides[i][0] < 0 || c.TriangleSides[i][1] < 0;
+    const bool hull = c.TriangleSides(i)[0] < 0 || c.TriangleSides(i)[1] < 0;
     if (hull && c.TriangleValue[i] <= 0.0)
     {
-      const auto& t = c.Triangles[i];
+      const auto t = c.TrianglePoints(i);
       const Overlap<3> half = HalfOfThree(BallOf(f, t[0]), BallOf(f, t[1]), BallOf(f, t[2]));
       sum.Volume += half.Volume;
       sum.Area += half.Area[0] + half.Area[1] + half.Area[2];
@@ -169,10 +169,10 @@ void AddOutside(const RegularFiltration& f, UnionMeasure& sum)
 std::vector<std::array<SimplexId, 4>> FacesOfCells(const CellFiltration& complex)
 {
   std::vector<std::array<SimplexId, 4>> faces(complex.Tetrahedra.size());
-  for (std::size_t i = 0; i < complex.Triangles.size(); ++i)
+  for (std::size_t i = 0; i < complex.TriangleCount(); ++i)
   {
-    const auto& t = complex.Triangles[i];
-    for (const SimplexId cell : complex.TriangleSides[i])
+    const auto t = complex.TrianglePoints(i);
+    for (const SimplexId cell : complex.TriangleSides(i))
     {
       if (cell < 0)
       {

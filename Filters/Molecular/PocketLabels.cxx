@@ -38,9 +38,9 @@ std::vector<SimplexId> PocketCores(
       access.Access[At(cell)] < options.OuterRadius;
   };
   DisjointSets<SimplexId> sets(static_cast<SimplexId>(c.Tetrahedra.size()));
-  for (std::size_t i = 0; i < c.Triangles.size(); ++i)
+  for (std::size_t i = 0; i < c.TriangleCount(); ++i)
   {
-    const auto& sides = c.TriangleSides[i];
+    const auto sides = c.TriangleSides(i);
     if (access.TriangleClearance[i] > options.InnerRadius && inside(sides[0]) && inside(sides[1]))
     {
       sets.Join(sides[0], sides[1]);

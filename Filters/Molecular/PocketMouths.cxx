@@ -16,7 +16,7 @@ namespace
 double OpenArea(const RegularFiltration& f, SimplexId triangle)
 {
   const CellFiltration& c = f.Complex;
-  const auto& t = c.Triangles[At(triangle)];
+  const auto t = c.TrianglePoints(At(triangle));
   double area = TriangleArea(c.Points[At(t[0])], c.Points[At(t[1])], c.Points[At(t[2])]);
   for (std::size_t k = 0; k < 3; ++k)
   {
@@ -70,7 +70,7 @@ std::vector<PocketMouth> Group(
       mouths.emplace_back();
     }
     PocketMouth& mouth = mouths[number.first->second];
-    const auto& t = f.Complex.Triangles[At(open[i])];
+    const auto t = f.Complex.TrianglePoints(At(open[i]));
     const double clearance = access.TriangleClearance[At(open[i])];
     mouth.Radius = std::max(mouth.Radius, clearance);
     mouth.Area += OpenArea(f, open[i]);
@@ -88,9 +88,9 @@ void AddMouths(const RegularFiltration& f, const CellAccess& access,
   const std::vector<SimplexId>& labels, double inner, std::vector<Pocket>& pockets)
 {
   std::vector<std::vector<SimplexId>> open(pockets.size());
-  for (std::size_t i = 0; i < f.Complex.Triangles.size(); ++i)
+  for (std::size_t i = 0; i < f.Complex.TriangleCount(); ++i)
   {
-    const auto& sides = f.Complex.TriangleSides[i];
+    const auto sides = f.Complex.TriangleSides(i);
     const SimplexId a = sides[0] < 0 ? -1 : labels[At(sides[0])];
     const SimplexId b = sides[1] < 0 ? -1 : labels[At(sides[1])];
     if (a != b && access.TriangleClearance[i] > inner)

@@ -130,11 +130,11 @@ std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccess& access
   c.Order(Between(progress, 0.0, 0.3));
   const FiltrationPairs pairs(c, Between(progress, 0.3, 0.9));
   std::vector<Channel> channels;
-  for (std::size_t i = 0; i < c.Triangles.size(); ++i)
+  for (std::size_t i = 0; i < c.TriangleCount(); ++i)
   {
     const double radius = access.TriangleClearance[i];
     const SimplexId edge = pairs.LoopClosed(static_cast<SimplexId>(i));
-    const auto& sides = c.TriangleSides[i];
+    const auto sides = c.TriangleSides(i);
     if (edge < 0 || radius < options.MinimumRadius || sides[0] < 0 || sides[1] < 0 ||
       radius - EdgeClearance(f, edge, probe) < ShortestBar)
     {

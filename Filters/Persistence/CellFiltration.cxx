@@ -56,21 +56,14 @@ void MakeTriangles(CellFiltration& f, const ProgressCallback& progress)
   forPieces(Between(progress, 0.0, 0.3),
     [&](std::size_t p) { ForFaces(f, p, [&](std::size_t, std::size_t) { ++first[p + 1]; }); });
   std::partial_sum(first.begin(), first.end(), first.begin());
-  f.Triangles.resize(first.back());
-  f.TriangleSides.resize(first.back());
+  f.TriangleFaces.resize(first.back());
   forPieces(Between(progress, 0.3, 1.0),
     [&](std::size_t p)
     {
       std::size_t next = first[p];
       ForFaces(f, p,
         [&](std::size_t t, std::size_t k)
-        {
-          const auto& c = f.Tetrahedra[t];
-          std::array<SimplexId, 3> face{ c[(k + 1) % 4], c[(k + 2) % 4], c[(k + 3) % 4] };
-          std::sort(face.begin(), face.end());
-          f.Triangles[next] = face;
-          f.TriangleSides[next++] = { static_cast<SimplexId>(t), f.Neighbours[t][k] };
-        });
+        { f.TriangleFaces[next++] = static_cast<SimplexId>(4 * t + k); });
     });
 }
 
@@ -78,8 +71,9 @@ void MakeTriangles(CellFiltration& f, const ProgressCallback& progress)
 void MakeEdges(CellFiltration& f, const ProgressCallback& progress)
 {
   std::vector<std::int64_t> first(f.Points.size() + 1, 0);
-  for (const auto& t : f.Triangles)
+  for (std::size_t i = 0; i < f.TriangleCount(); ++i)
   {
+    const auto t = f.TrianglePoints(i);
     first[At(t[0]) + 1] += 2;
     first[At(t[1]) + 1] += 1;
   }
@@ -87,8 +81,9 @@ void MakeEdges(CellFiltration& f, const ProgressCallback& progress)
   std::vector<SimplexId> larger(static_cast<std::size_t>(first.back()));
   std::vector<std::int64_t> next(first.begin(), first.end() - 1);
   Report(progress, 0.1);
-  for (const auto& t : f.Triangles)
+  for (std::size_t i = 0; i < f.TriangleCount(); ++i)
   {
+    const auto t = f.TrianglePoints(i);
     larger[static_cast<std::size_t>(next[At(t[0])]++)] = t[1];
     larger[static_cast<std::size_t>(next[At(t[0])]++)] = t[2];
     larger[static_cast<std::size_t>(next[At(t[1])]++)] = t[2];
@@ -131,14 +126,14 @@ void MakeEdges(CellFiltration& f, const ProgressCallback& progress)
 
 void LinkTriangleEdges(CellFiltration& f, const ProgressCallback& progress)
 {
-  f.TriangleEdges.resize(f.Triangles.size());
+  f.TriangleEdges.resize(f.TriangleCount());
   ParallelFor(
-    0, static_cast<std::int64_t>(f.Triangles.size()), 4096,
+    0, static_cast<std::int64_t>(f.TriangleCount()), 4096,
     [&f](std::int64_t begin, std::int64_t end)
     {
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
-        const auto& p = f.Triangles[i];
+        const auto p = f.TrianglePoints(i);
         f.TriangleEdges[i] = { f.FindEdge(p[1], p[2]), f.FindEdge(p[0], p[2]),
           f.FindEdge(p[0], p[1]) };
       }
@@ -150,8 +145,7 @@ void LinkTriangleEdges(CellFiltration& f, const ProgressCallback& progress)
 
 void CellFiltration::Connect(const ProgressCallback& progress)
 {
-  if (2 * this->Tetrahedra.size() >
-    static_cast<std::size_t>(std::numeric_limits<SimplexId>::max() / 2))
+  if (this->Tetrahedra.size() > static_cast<std::size_t>(std::numeric_limits<SimplexId>::max() / 4))
   {
     throw std::runtime_error("The tetrahedral complex has " +
       std::to_string(this->Tetrahedra.size()) +
@@ -166,10 +160,9 @@ void CellFiltration::Connect(const ProgressCallback& progress)
 void CellFiltration::Order(const ProgressCallback& progress)
 {
   this->TrianglesInOrder = SimplexOrder(
-    this->TriangleValue, this->TriangleFirst, this->TriangleRank, Between(progress, 0.0, 0.5));
+    this->TriangleValue, this->TriangleFirst, this->TriangleRank, Between(progress, 0.0, 0.6));
   this->EdgesInOrder =
-    SimplexOrder(this->EdgeValue, this->EdgeFirst, this->EdgeRank, Between(progress, 0.5, 0.8));
-  SimplexOrder(this->TetrahedronValue, {}, this->TetrahedronRank, Between(progress, 0.8, 1.0));
+    SimplexOrder(this->EdgeValue, this->EdgeFirst, this->EdgeRank, Between(progress, 0.6, 1.0));
 }
 
 SimplexId CellFiltration::FindEdge(SimplexId a, SimplexId b) const

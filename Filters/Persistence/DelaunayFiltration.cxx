@@ -2,6 +2,7 @@
 
 #include "Index.h"
 #include "ParallelFor.h"
+#include "Stopwatch.h"
 #include "TriangulationCells.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -128,11 +129,11 @@ bool IsInBall(const Point3& p, const Point3& q, const Point3& r, const Point3& s
 
 double TriangleValue(const CellFiltration& f, std::size_t i)
 {
-  const auto& t = f.Triangles[i];
+  const auto t = f.TrianglePoints(i);
   const auto p = [&f](SimplexId id) -> const Point3& { return f.Points[At(id)]; };
   bool gabriel = true;
   double lowest = HUGE_VAL;
-  for (const SimplexId cell : f.TriangleSides[i])
+  for (const SimplexId cell : f.TriangleSides(i))
   {
     if (cell < 0)
     {
@@ -159,14 +160,14 @@ bool IsInBall(const Point3& u, const Point3& v, const Point3& w)
 std::vector<unsigned char> CornersInEdgeBalls(
   const CellFiltration& f, const ProgressCallback& progress)
 {
-  std::vector<unsigned char> inside(f.Triangles.size(), 0);
+  std::vector<unsigned char> inside(f.TriangleCount(), 0);
   ParallelFor(
-    0, static_cast<std::int64_t>(f.Triangles.size()), 4096,
+    0, static_cast<std::int64_t>(f.TriangleCount()), 4096,
     [&](std::int64_t begin, std::int64_t end)
     {
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
-        const auto& t = f.Triangles[i];
+        const auto t = f.TrianglePoints(i);
         for (std::size_t k = 0; k < 3; ++k)
         {
           const Point3& u = f.Points[At(t[k == 0 ? 1 : 0])];
@@ -187,11 +188,11 @@ void ValueEdges(CellFiltration& f, const ProgressCallback& progress)
   f.EdgeValue.assign(f.Edges.size(), HUGE_VAL);
   std::vector<char> gabriel(f.Edges.size(), 1);
   const auto rest = Between(progress, 0.5, 1.0);
-  for (std::size_t i = 0; i < f.Triangles.size(); ++i)
+  for (std::size_t i = 0; i < f.TriangleCount(); ++i)
   {
     if (i % ReportEvery == 0)
     {
-      Report(rest, static_cast<double>(i) / static_cast<double>(f.Triangles.size()));
+      Report(rest, static_cast<double>(i) / static_cast<double>(f.TriangleCount()));
     }
     for (std::size_t k = 0; k < 3; ++k)
     {
@@ -228,9 +229,9 @@ void ValueCells(CellFiltration& f, const ProgressCallback& progress)
       }
     },
     Between(progress, 0.0, 0.3));
-  f.TriangleValue.resize(f.Triangles.size());
+  f.TriangleValue.resize(f.TriangleCount());
   ParallelFor(
-    0, static_cast<std::int64_t>(f.Triangles.size()), 4096,
+    0, static_cast<std::int64_t>(f.TriangleCount()), 4096,
     [&f](std::int64_t begin, std::int64_t end)
     {
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
@@ -244,14 +245,20 @@ void ValueCells(CellFiltration& f, const ProgressCallback& progress)
 
 }
 
-CellFiltration DelaunayFiltration(std::vector<Point3> points, const ProgressCallback& progress)
+CellFiltration DelaunayFiltration(std::vector<Point3> points, const ProgressCallback& progress,
+  const std::function<void(double seconds)>& triangulated)
 {
   CellFiltration f;
   f.Points = std::move(points);
   {
+    Stopwatch watch;
     Delaunay triangulation;
     Triangulate(f.Points, triangulation, Between(progress, 0.0, 0.4));
     TakeCells(triangulation, f, Between(progress, 0.4, 0.45));
+    if (triangulated)
+    {
+      triangulated(watch.Lap());
+    }
   }
   f.Connect(Between(progress, 0.45, 0.6));
   ValueCells(f, Between(progress, 0.6, 0.85));

@@ -87,39 +87,36 @@ constexpr std::int64_t Grain = 1 << 14;
 
 FiltrationPairs::FiltrationPairs(const CellFiltration& f, const ProgressCallback& progress)
   : F(f)
+  , Partner(VoidPairs(f, Between(progress, 0.0, 0.3)))
+  , Columns(f.TriangleCount())
 {
-  this->VoidFilledBy = VoidPairs(f, Between(progress, 0.0, 0.3));
+  std::transform(this->Partner.begin(), this->Partner.end(), this->Partner.begin(),
+    [](SimplexId cell) { return cell < 0 ? -1 : -2 - cell; });
   this->PairLoops(Between(progress, 0.3, 1.0));
 }
 
-// Those of triangles that close voids are not asked for.
-void FiltrationPairs::MakeBoundaries()
+/// The latest edges, by rank, of triangles ranked `first` and up; -1 for those that close voids.
+void FiltrationPairs::GatherPivots(std::size_t first, std::vector<SimplexId>& pivots) const
 {
-  this->Boundaries.resize(this->F.Triangles.size());
-  ParallelFor(0, static_cast<std::int64_t>(this->F.Triangles.size()), Grain,
-    [this](std::int64_t begin, std::int64_t end)
+  ParallelFor(0, static_cast<std::int64_t>(pivots.size()), Grain,
+    [&](std::int64_t begin, std::int64_t end)
     {
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
-        Boundary ranks;
-        const auto& edges = this->F.TriangleEdges[At(this->F.TrianglesInOrder[i])];
-        std::transform(edges.begin(), edges.end(), ranks.begin(),
-          [this](SimplexId e) { return this->F.EdgeRank[At(e)]; });
-        std::sort(ranks.begin(), ranks.end(), std::greater<>());
-        const bool closesVoid = this->VoidFilledBy[At(this->F.TrianglesInOrder[i])] >= 0;
-        this->Boundaries[i] = closesVoid ? Boundary{ -1, -1, -1 } : ranks;
+        const SimplexId rank = static_cast<SimplexId>(first + i);
+        const bool closesVoid = this->Partner[At(this->F.TrianglesInOrder[At(rank)])] < -1;
+        const std::array<SimplexId, 3> edges = this->BoundaryOf(rank);
+        pivots[i] = closesVoid ? -1 : *std::max_element(edges.begin(), edges.end());
       }
     });
 }
 
 void FiltrationPairs::PairLoops(const ProgressCallback& progress)
 {
-  const std::size_t triangles = this->F.Triangles.size();
-  this->MakeBoundaries();
-  this->LoopFilledBy.assign(this->F.Edges.size(), -1);
-  this->LoopClosedBy.assign(triangles, -1);
-  this->Reduced.assign(triangles, -1);
+  constexpr std::size_t block = 1 << 18;
+  const std::size_t triangles = this->F.TriangleCount();
   std::vector<SimplexId> filler(this->F.Edges.size(), -1); // triangle by edge, both by rank
+  std::vector<SimplexId> pivots;
   std::size_t done = 0;
   std::int64_t steps = 0;
   // Columns added count too: those of a few triangles may take longer than all others.
@@ -132,50 +129,52 @@ void FiltrationPairs::PairLoops(const ProgressCallback& progress)
   };
   for (; done < triangles; ++done)
   {
+    if (done % block == 0)
+    {
+      pivots.resize(std::min(block, triangles - done));
+      this->GatherPivots(done, pivots);
+    }
     tick();
-    SimplexId pivot = this->Boundaries[done][0];
+    SimplexId pivot = pivots[done % block];
     if (pivot >= 0 &&
       (filler[At(pivot)] < 0 || this->Reduce(static_cast<SimplexId>(done), filler, pivot, tick)))
     {
       filler[At(pivot)] = static_cast<SimplexId>(done);
     }
   }
+  this->Columns.Finish();
+  this->LoopFilledBy.assign(this->F.Edges.size(), -1);
   for (std::size_t edge = 0; edge < filler.size(); ++edge)
   {
     if (filler[edge] >= 0)
     {
       const SimplexId t = this->F.TrianglesInOrder[At(filler[edge])];
       this->LoopFilledBy[At(this->F.EdgesInOrder[edge])] = t;
-      this->LoopClosedBy[At(t)] = this->F.EdgesInOrder[edge];
+      this->Partner[At(t)] = this->F.EdgesInOrder[edge];
     }
   }
-  this->Boundaries = {};
 }
 
-FiltrationPairs::Boundary FiltrationPairs::BoundaryOf(SimplexId triangle) const
+/// Edges of a triangle, all by rank.
+std::array<SimplexId, 3> FiltrationPairs::BoundaryOf(SimplexId rank) const
 {
-  const auto& edges = this->F.TriangleEdges[At(triangle)];
-  const auto& rank = this->F.EdgeRank;
-  return this->Boundaries.empty()
-    ? Boundary{ rank[At(edges[0])], rank[At(edges[1])], rank[At(edges[2])] }
-    : this->Boundaries[At(this->F.TriangleRank[At(triangle)])];
+  const auto& edges = this->F.TriangleEdges[At(this->F.TrianglesInOrder[At(rank)])];
+  const auto& ranks = this->F.EdgeRank;
+  return { ranks[At(edges[0])], ranks[At(edges[1])], ranks[At(edges[2])] };
 }
 
 template <typename Heap>
-void FiltrationPairs::AddColumn(SimplexId triangle, Heap& heap) const
+void FiltrationPairs::AddColumn(SimplexId rank, Heap& heap) const
 {
-  const SimplexId stored = this->Reduced[At(triangle)];
-  if (stored >= 0)
+  const std::int64_t place = this->Columns.Find(rank);
+  if (place >= 0)
   {
-    for (const SimplexId rank : this->Columns[At(stored)])
-    {
-      heap.Add(rank);
-    }
+    this->Columns.ForEdges(place, [&heap](SimplexId edge) { heap.Add(edge); });
     return;
   }
-  for (const SimplexId rank : this->BoundaryOf(triangle))
+  for (const SimplexId edge : this->BoundaryOf(rank))
   {
-    heap.Add(rank);
+    heap.Add(edge);
   }
 }
 
@@ -186,14 +185,14 @@ bool FiltrationPairs::Reduce(SimplexId rank, const std::vector<SimplexId>& fille
 {
   RankHeap column;
   Chain added;
-  for (const SimplexId e : this->Boundaries[At(rank)])
+  for (const SimplexId e : this->BoundaryOf(rank))
   {
     column.Add(e);
   }
   SimplexId low = column.Take();
   while (low >= 0 && filler[At(low)] >= 0)
   {
-    const SimplexId other = this->F.TrianglesInOrder[At(filler[At(low)])];
+    const SimplexId other = filler[At(low)];
     tick();
     added.push_back(other);
     column.Add(low);
@@ -207,10 +206,7 @@ bool FiltrationPairs::Reduce(SimplexId rank, const std::vector<SimplexId>& fille
   pivot = low;
   Chain ranks = column.TakeAll();
   ranks.insert(ranks.begin(), low);
-  this->Reduced[At(this->F.TrianglesInOrder[At(rank)])] =
-    static_cast<SimplexId>(this->Columns.size());
-  this->Columns.push_back(std::move(ranks));
-  this->Added.push_back(std::move(added));
+  this->Columns.Add(rank, ranks, added);
   return true;
 }
 
@@ -222,14 +218,11 @@ Chain FiltrationPairs::Filling(SimplexId triangle) const
   Chain filling;
   for (SimplexId rank = pending.Take(); rank >= 0; rank = pending.Take())
   {
-    const SimplexId t = this->F.TrianglesInOrder[At(rank)];
-    filling.push_back(t);
-    if (this->Reduced[At(t)] >= 0)
+    filling.push_back(this->F.TrianglesInOrder[At(rank)]);
+    const std::int64_t place = this->Columns.Find(rank);
+    if (place >= 0)
     {
-      for (const SimplexId other : this->Added[At(this->Reduced[At(t)])])
-      {
-        pending.Add(this->F.TriangleRank[At(other)]);
-      }
+      this->Columns.ForAdded(place, [&pending](SimplexId other) { pending.Add(other); });
     }
   }
   return filling;
@@ -254,7 +247,7 @@ Chain FiltrationPairs::Push(
       continue;
     }
     cycle.Add(rank);
-    this->AddColumn(filler, cycle);
+    this->AddColumn(this->F.TriangleRank[At(filler)], cycle);
     const Chain passed = this->Filling(filler);
     swept.insert(swept.end(), passed.begin(), passed.end());
   }
@@ -275,12 +268,12 @@ std::vector<std::int64_t> FiltrationPairs::Bounding(const Chain& z) const
     const SimplexId filler = this->LoopFilledBy[At(this->F.EdgesInOrder[At(rank)])];
     if (filler < 0)
     {
-      ranks.push_back(rank + static_cast<std::int64_t>(this->F.Triangles.size()));
+      ranks.push_back(rank + static_cast<std::int64_t>(this->F.TriangleCount()));
       continue;
     }
     ranks.push_back(this->F.TriangleRank[At(filler)]);
     cycle.Add(rank);
-    this->AddColumn(filler, cycle);
+    this->AddColumn(this->F.TriangleRank[At(filler)], cycle);
   }
   std::sort(ranks.begin(), ranks.end(), std::greater<>());
   return ranks;

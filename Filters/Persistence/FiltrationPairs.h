@@ -5,7 +5,7 @@
 #ifndef isthmus_FiltrationPairs_h
 #define isthmus_FiltrationPairs_h
 
-#include "CellFiltration.h"
+#include "ColumnStore.h"
 
 #include <functional>
 
@@ -65,29 +65,25 @@ public:
   VTKISTHMUS_EXPORT std::vector<std::int64_t> Bounding(const Chain& z) const;
 
 private:
-  using Boundary = std::array<SimplexId, 3>; ///< edges by rank, latest first
-
   void PairLoops(const ProgressCallback& progress);
-  void MakeBoundaries();
+  void GatherPivots(std::size_t first, std::vector<SimplexId>& pivots) const;
   bool Reduce(SimplexId rank, const std::vector<SimplexId>& filler, SimplexId& pivot,
     const std::function<void()>& tick);
-  Boundary BoundaryOf(SimplexId triangle) const;
+  std::array<SimplexId, 3> BoundaryOf(SimplexId rank) const;
   template <typename Heap>
-  void AddColumn(SimplexId triangle, Heap& heap) const;
+  void AddColumn(SimplexId rank, Heap& heap) const;
 
   const CellFiltration& F;
-  std::vector<SimplexId> VoidFilledBy;
+  /// Per triangle: the edge that closes the loop which it fills; -1: it fills none; below that,
+  /// -2 - the tetrahedron that fills the void which it closes. No triangle does both.
+  std::vector<SimplexId> Partner;
   std::vector<SimplexId> LoopFilledBy;
-  std::vector<SimplexId> LoopClosedBy;
-  std::vector<SimplexId> Reduced;   ///< per triangle: index of its stored column, -1: its boundary
-  std::vector<Chain> Columns;       ///< as edge ranks
-  std::vector<Chain> Added;         ///< triangles whose columns were added to make it
-  std::vector<Boundary> Boundaries; ///< of triangles by rank, while loops are paired
+  ColumnStore Columns;
 };
 
 inline SimplexId FiltrationPairs::VoidFilled(SimplexId triangle) const
 {
-  return this->VoidFilledBy[static_cast<std::size_t>(triangle)];
+  return std::max(-1, -2 - this->Partner[static_cast<std::size_t>(triangle)]);
 }
 
 inline SimplexId FiltrationPairs::LoopFilled(SimplexId edge) const
@@ -97,7 +93,7 @@ inline SimplexId FiltrationPairs::LoopFilled(SimplexId edge) const
 
 inline SimplexId FiltrationPairs::LoopClosed(SimplexId triangle) const
 {
-  return this->LoopClosedBy[static_cast<std::size_t>(triangle)];
+  return std::max(-1, this->Partner[static_cast<std::size_t>(triangle)]);
 }
 
 }

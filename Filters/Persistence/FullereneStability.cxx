@@ -148,7 +148,7 @@ std::vector<DistanceBar> AlphaBars(
         filtration.TriangleValue[static_cast<std::size_t>(filler)], bars);
     }
   }
-  for (std::size_t triangle = 0; triangle < filtration.Triangles.size() && !inPlane; ++triangle)
+  for (std::size_t triangle = 0; triangle < filtration.TriangleCount() && !inPlane; ++triangle)
   {
     const SimplexId filler = pairs.VoidFilled(static_cast<SimplexId>(triangle));
     if (filler >= 0)

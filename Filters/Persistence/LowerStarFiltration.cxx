@@ -178,7 +178,7 @@ std::vector<WantedTriangle> WantedTriangles(const TriangleMesh& surface)
 void MarkSurface(CellFiltration& f, const TriangleMesh& surface)
 {
   f.EdgeFirst.assign(f.Edges.size(), 0);
-  f.TriangleFirst.assign(f.Triangles.size(), 0);
+  f.TriangleFirst.assign(f.TriangleCount(), 0);
   std::vector<char> onSurface(f.Points.size(), 0);
   for (const Triangle& t : surface.Triangles)
   {
@@ -189,9 +189,9 @@ void MarkSurface(CellFiltration& f, const TriangleMesh& surface)
   }
   const std::vector<WantedTriangle> wanted = WantedTriangles(surface);
   std::vector<char> found(wanted.size(), 0);
-  for (std::size_t t = 0; t < f.Triangles.size(); ++t)
+  for (std::size_t t = 0; t < f.TriangleCount(); ++t)
   {
-    const auto& p = f.Triangles[t];
+    const auto p = f.TrianglePoints(t);
     if (onSurface[At(p[0])] == 0 || onSurface[At(p[1])] == 0 || onSurface[At(p[2])] == 0)
     {
       continue;
@@ -217,17 +217,18 @@ void MarkSurface(CellFiltration& f, const TriangleMesh& surface)
   }
 }
 
-template <std::size_t N>
+/// The greatest of the values at the points of `simplex(i)`, for each i below `count`.
+template <typename Simplex>
 std::vector<double> LastValues(
-  const std::vector<std::array<SimplexId, N>>& simplices, const std::vector<double>& square)
+  std::size_t count, const Simplex& simplex, const std::vector<double>& square)
 {
-  std::vector<double> values(simplices.size(), 0.0);
-  ParallelFor(0, static_cast<std::int64_t>(simplices.size()), 1 << 14,
+  std::vector<double> values(count, 0.0);
+  ParallelFor(0, static_cast<std::int64_t>(count), 1 << 14,
     [&](std::int64_t begin, std::int64_t end)
     {
       for (std::int64_t i = begin; i < end; ++i)
       {
-        for (const SimplexId p : simplices[At(i)])
+        for (const SimplexId p : simplex(At(i)))
         {
           values[At(i)] = std::max(values[At(i)], square[At(p)]);
         }
@@ -270,9 +271,12 @@ CellFiltration LowerStarFiltration(const TetrahedralMesh& mesh, const std::vecto
   Match(f, surface);
   MarkSurface(f, surface);
   Report(progress, 0.8);
-  f.TetrahedronValue = LastValues(f.Tetrahedra, square);
-  f.TriangleValue = LastValues(f.Triangles, square);
-  f.EdgeValue = LastValues(f.Edges, square);
+  f.TetrahedronValue = LastValues(
+    f.Tetrahedra.size(), [&f](std::size_t i) { return f.Tetrahedra[i]; }, square);
+  f.TriangleValue = LastValues(
+    f.TriangleCount(), [&f](std::size_t i) { return f.TrianglePoints(i); }, square);
+  f.EdgeValue = LastValues(
+    f.Edges.size(), [&f](std::size_t i) { return f.Edges[i]; }, square);
   f.Order(Between(progress, 0.8, 1.0));
   return f;
 }

@@ -188,10 +188,10 @@ void ForAll(std::size_t n, const std::function<void(std::size_t)>& body)
 double TriangleValue(const RegularFiltration& f, std::size_t i)
 {
   const CellFiltration& complex = f.Complex;
-  const auto& t = complex.Triangles[i];
+  const auto t = complex.TrianglePoints(i);
   bool attached = false;
   double lowest = HUGE_VAL;
-  for (const SimplexId cell : complex.TriangleSides[i])
+  for (const SimplexId cell : complex.TriangleSides(i))
   {
     if (cell < 0)
     {
@@ -230,13 +230,13 @@ void ValueEdges(RegularFiltration& f)
   std::vector<Orthosphere> spheres(c.Edges.size());
   ForAll(c.Edges.size(), [&](std::size_t e) { spheres[e] = EdgeOrthosphere(f, c.Edges[e]); });
   std::vector<char> attached(c.Edges.size(), 0);
-  for (std::size_t i = 0; i < c.Triangles.size(); ++i)
+  for (std::size_t i = 0; i < c.TriangleCount(); ++i)
   {
     for (std::size_t k = 0; k < 3; ++k)
     {
       const auto e = At(c.TriangleEdges[i][k]);
       c.EdgeValue[e] = std::min(c.EdgeValue[e], c.TriangleValue[i]);
-      if (!attached[e] && CutsInto(f, c.Edges[e], spheres[e], c.Triangles[i][k]))
+      if (!attached[e] && CutsInto(f, c.Edges[e], spheres[e], c.TrianglePoints(i)[k]))
       {
         attached[e] = 1;
       }
@@ -309,8 +309,8 @@ RegularFiltration MakeRegularFiltration(
       c.TetrahedronValue[i] = sphere.Power;
     });
   Report(progress, 0.8);
-  c.TriangleValue.resize(c.Triangles.size());
-  ForAll(c.Triangles.size(), [&](std::size_t i) { c.TriangleValue[i] = TriangleValue(f, i); });
+  c.TriangleValue.resize(c.TriangleCount());
+  ForAll(c.TriangleCount(), [&](std::size_t i) { c.TriangleValue[i] = TriangleValue(f, i); });
   Report(progress, 0.9);
   ValueEdges(f);
   ValueVertices(f);

@@ -14,9 +14,10 @@
 namespace isthmus
 {
 
-/// Sets of numbers that can be joined. The root of a set is its lowest member. Amortised cost of a
-/// call: O(log n), in practice constant, by halving paths (R. Tarjan and J. van Leeuwen, 1984);
-/// memory: one `Index` a number, so 32 bits do for less than 2^32 of them.
+/// Sets of numbers that can be joined. The root of a set is its lowest member, or, by JoinUnder, the
+/// one that means something: the elder of a class, the deepest of a basin. Amortised cost of a call:
+/// O(log n), in practice constant, by halving paths (R. Tarjan and J. van Leeuwen, 1984); memory:
+/// one `Index` a number, so 32 bits do for less than 2^32 of them.
 /// @tparam Index an integer that holds n
 template <class Index>
 class DisjointSets
@@ -45,6 +46,9 @@ public:
     this->Parent(high) = low;
     return low;
   }
+
+  /// Puts the set of root `under` below root `root`.
+  void JoinUnder(Index under, Index root) { this->Parent(under) = root; }
 
 private:
   Index& Parent(Index member) { return this->Parents[static_cast<std::size_t>(member)]; }

@@ -47,9 +47,9 @@ TEST(LowerStarFiltration, TwoTetrahedraOfTheThesis)
   {
     f.TetrahedronValue.push_back(time(t));
   }
-  for (const auto& t : f.Triangles)
+  for (std::size_t t = 0; t < f.TriangleCount(); ++t)
   {
-    f.TriangleValue.push_back(time(t));
+    f.TriangleValue.push_back(time(f.TrianglePoints(t)));
   }
   for (const auto& e : f.Edges)
   {
@@ -67,7 +67,7 @@ TEST(LowerStarFiltration, TwoTetrahedraOfTheThesis)
       found[name(f.EdgeValue[e])] = name(f.TriangleValue[static_cast<std::size_t>(filler)]);
     }
   }
-  for (std::size_t t = 0; t < f.Triangles.size(); ++t)
+  for (std::size_t t = 0; t < f.TriangleCount(); ++t)
   {
     const SimplexId filler = pairs.VoidFilled(static_cast<SimplexId>(t));
     if (filler >= 0)

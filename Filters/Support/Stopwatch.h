@@ -1,0 +1,31 @@
+/**
+ * @file Stopwatch.h
+ * @brief Seconds that a stage of some work took.
+ */
+#ifndef isthmus_Stopwatch_h
+#define isthmus_Stopwatch_h
+
+#include <chrono>
+
+namespace isthmus
+{
+
+/// Wall clock time in seconds since it was made or last asked.
+class Stopwatch
+{
+public:
+  double Lap()
+  {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> passed = now - this->Last;
+    this->Last = now;
+    return passed.count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point Last = std::chrono::steady_clock::now();
+};
+
+}
+
+#endif
