@@ -1,6 +1,7 @@
 #include "CrossingValues.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace isthmus
 {
@@ -60,6 +61,17 @@ bool IsNarrow(const FitNodes& nodes)
   constexpr std::ptrdiff_t harmonicQuadratic = 9;
   return std::count_if(nodes.Node.begin(), nodes.Node.begin() + nodes.Count,
            [](const FitNode& node) { return !node.Inside; }) < harmonicQuadratic;
+}
+
+/// Whether the outside function at the inner node goes beyond the values inside.
+bool Overshoots(const FitNodes& nodes, const FitFunctional& outsideAtInner)
+{
+  double inside = 0.0;
+  for (std::size_t i = 0; i < nodes.Count; ++i)
+  {
+    inside += nodes.Node[i].Inside ? std::abs(outsideAtInner[i]) : 0.0;
+  }
+  return inside > 1.0;
 }
 
 /// The ghost-fluid values: jumps taken along the edge alone.
@@ -128,6 +140,17 @@ FitNodes NodesAroundCrossing(const SolverBox& box, const std::vector<unsigned ch
   return nodes;
 }
 
+Point3 AxisWeights(const SolverBox& box)
+{
+  const double h = *std::min_element(box.Spacing.begin(), box.Spacing.end());
+  Point3 w;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    w[a] = h * h / (box.Spacing[a] * box.Spacing[a]);
+  }
+  return w;
+}
+
 CrossingValues ValuesAtCrossing(const InterfaceProblem& problem, std::size_t index)
 {
   const InterfaceCrossing& c = (*problem.Crossings)[index];
@@ -157,7 +180,8 @@ CrossingValues ValuesAtCrossing(const InterfaceProblem& problem, std::size_t ind
   const std::vector<FitTarget> targets{ { side(lowerInside), up }, { side(!lowerInside), down } };
   std::vector<FitFunctional> functionals;
   values.Quality = FitInterface(medium, c.Frame, nodes, targets, functionals);
-  if (values.Quality == FitQuality::None || IsNarrow(nodes))
+  if (values.Quality == FitQuality::None || IsNarrow(nodes) ||
+    Overshoots(nodes, functionals[lowerInside ? 1 : 0]))
   {
     values.Quality = FitQuality::None;
     GhostFluid(problem, c, charges, nodes, values);

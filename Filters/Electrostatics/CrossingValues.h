@@ -29,11 +29,16 @@ struct InterfaceProblem
   /// Of Newton's method where ions reach the surface, at each crossing; empty: the linear ones.
   std::vector<SurfaceIons> Ions;
   DielectricModel Model = DielectricModel::SharpInterface;
+  /// The crossings of each closed cavity (ClosedCavities.h).
+  std::vector<std::vector<std::int64_t>> Cavities = {};
 };
 
 /// The nodes around the edge of a crossing, with weights, for a fit at the crossing.
 VTKISTHMUS_EXPORT FitNodes NodesAroundCrossing(const SolverBox& box,
   const std::vector<unsigned char>& inside, const InterfaceCrossing& crossing, double length);
+
+/// Weights (h / h_a)^2 of the axes, h the shortest spacing.
+VTKISTHMUS_EXPORT Point3 AxisWeights(const SolverBox& box);
 
 /// A fictitious value as a sum over nodes and a constant.
 struct Continuation
@@ -66,7 +71,9 @@ struct CrossingValues
  * fewer of the nodes around are outside than a harmonic quadratic has coefficients (9): in a cavity
  * or cleft of the molecule a node or two wide. There the fit continues the outside function from
  * values inside, whose errors count solvent / solute dielectric times outside and shift the
- * potential of a whole cavity; the ghost-fluid fluxes add up to 0 around it.
+ * potential of a whole cavity; the ghost-fluid fluxes add up to 0 around it. By them, too, where
+ * the outside function at the edge's inner node has weights inside that come to more than 1: it is
+ * no mean of values around any more, but goes beyond those inside.
  */
 CrossingValues ValuesAtCrossing(const InterfaceProblem& problem, std::size_t index);
 

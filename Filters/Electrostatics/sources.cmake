@@ -4,9 +4,11 @@ isthmus_room(
   SOURCES
     BoundaryForces
     BoundaryPotential
+    CavityFlux
     ChargedAtoms
     ChargesOnGrid
     ChargeTree
+    ClosedCavities
     CrossingValues
     HarmonicFit
     InterfaceFit
