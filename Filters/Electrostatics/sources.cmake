@@ -32,6 +32,7 @@ isthmus_room(
     ProteinCharges
     RadiatedPotential
     SoluteVolume
+    SolverMemory
     SurfaceMotion
     SurfacePotential
   VECTORISED
