@@ -40,13 +40,24 @@ public:
     const std::int64_t columns = box.Dimensions[1];
     for (std::int64_t line = 1; line < columns * box.Dimensions[2]; ++line)
     {
-      if (line % columns != 0)
+      const bool before = line % columns != 0;
+      const bool behind = line % columns != columns - 1;
+      const bool below = line >= columns;
+      if (before)
       {
-        this->Join(line, line - 1, sets);
+        this->Join(line, line - 1, 1, sets);
       }
-      if (line >= columns)
+      if (below)
       {
-        this->Join(line, line - columns, sets);
+        this->Join(line, line - columns, 1, sets);
+      }
+      if (before && below)
+      {
+        this->Join(line, line - columns - 1, 0, sets);
+      }
+      if (behind && below)
+      {
+        this->Join(line, line - columns + 1, 0, sets);
       }
     }
     return sets;
@@ -76,7 +87,8 @@ private:
     }
   }
 
-  void Join(std::int64_t line, std::int64_t other, DisjointSets& sets) const
+  /// Joins runs of two lines that come within `reach` nodes of each other along x.
+  void Join(std::int64_t line, std::int64_t other, std::int64_t reach, DisjointSets& sets) const
   {
     const std::int64_t shift = (line - other) * this->Width;
     std::size_t a = this->Start[static_cast<std::size_t>(line)];
@@ -87,7 +99,7 @@ private:
     {
       const Run& here = this->Runs[a];
       const Run there{ this->Runs[b].First + shift, this->Runs[b].Last + shift };
-      if (here.First < there.Last && there.First < here.Last)
+      if (here.First < there.Last + reach && there.First < here.Last + reach)
       {
         sets.Join(static_cast<std::int64_t>(a), static_cast<std::int64_t>(b));
       }

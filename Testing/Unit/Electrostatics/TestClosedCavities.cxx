@@ -46,6 +46,25 @@ struct Sides
   }
 };
 
+/// Calls `each` for the neighbours of a node along edges and diagonals of faces.
+template <typename Each>
+void ForTouching(const Sides& sides, std::int64_t node, Each&& each)
+{
+  sides.ForNeighbours(node,
+    [&](std::int64_t other, int axis)
+    {
+      each(other);
+      sides.ForNeighbours(other,
+        [&](std::int64_t diagonal, int second)
+        {
+          if (second != axis)
+          {
+            each(diagonal);
+          }
+        });
+    });
+}
+
 /// Nodes inside with the chance `share`, but for the border.
 Sides Drawn(double share, unsigned int seed)
 {
@@ -92,7 +111,7 @@ std::vector<std::int64_t> Flooded(const Sides& sides)
       if (!sides.IsInside(node) && lowest[static_cast<std::size_t>(node)] < 0)
       {
         lowest[static_cast<std::size_t>(node)] = start;
-        sides.ForNeighbours(node, [&](std::int64_t other, int) { front.push_back(other); });
+        ForTouching(sides, node, [&](std::int64_t other) { front.push_back(other); });
       }
     }
   }
@@ -104,8 +123,8 @@ TEST(ClosedCavities, AreThoseThatAFloodFromTheBorderDoesNotReach)
   std::size_t cavities = 0;
   for (unsigned int seed = 0; seed < 20; ++seed)
   {
-    const Sides sides = Drawn(seed < 10 ? 0.55 : 0.75, seed);
-    const auto lowest = Flooded(sides);
+    const Sides sides = Drawn(seed < 10 ? 0.8 : 0.9, seed);
+    const std::vector<std::int64_t> lowest = Flooded(sides);
     std::map<std::int64_t, std::vector<std::int64_t>> wanted;
     for (std::size_t c = 0; c < sides.Crossings.size(); ++c)
     {
@@ -133,7 +152,7 @@ TEST(ClosedCavities, AreThoseThatAFloodFromTheBorderDoesNotReach)
     }
     cavities += found.size();
   }
-  EXPECT_GT(cavities, 100u);
+  EXPECT_GT(cavities, 50u);
 }
 
 }
