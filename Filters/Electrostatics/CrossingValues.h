@@ -72,8 +72,8 @@ struct CrossingValues
  * or cleft of the molecule a node or two wide. There the fit continues the outside function from
  * values inside, whose errors count solvent / solute dielectric times outside and shift the
  * potential of a whole cavity; the ghost-fluid fluxes add up to 0 around it. By them, too, where
- * the outside function at the edge's inner node has weights inside that come to more than 1: it is
- * no mean of values around any more, but goes beyond those inside.
+ * the weights inside of the outside function at the edge's inner node come to more than 1 + 2 rho,
+ * rho = eps_m / eps_s: what a mean of values and the outside's share of their slope would have.
  */
 CrossingValues ValuesAtCrossing(const InterfaceProblem& problem, std::size_t index);
 
