@@ -1,7 +1,6 @@
 #include "CrossingValues.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace isthmus
 {
@@ -61,18 +60,6 @@ bool IsNarrow(const FitNodes& nodes)
   constexpr std::ptrdiff_t harmonicQuadratic = 9;
   return std::count_if(nodes.Node.begin(), nodes.Node.begin() + nodes.Count,
            [](const FitNode& node) { return !node.Inside; }) < harmonicQuadratic;
-}
-
-/// Whether the outside function at the inner node leans on values inside for more than a mean of
-/// them and the outside's share, rho = eps_m / eps_s, of their slope (two weights of rho).
-bool Overshoots(const FitNodes& nodes, const FitFunctional& outsideAtInner, double rho)
-{
-  double inside = 0.0;
-  for (std::size_t i = 0; i < nodes.Count; ++i)
-  {
-    inside += nodes.Node[i].Inside ? std::abs(outsideAtInner[i]) : 0.0;
-  }
-  return inside > 1.0 + 2.0 * rho;
 }
 
 /// The ghost-fluid values: jumps taken along the edge alone.
@@ -181,9 +168,7 @@ CrossingValues ValuesAtCrossing(const InterfaceProblem& problem, std::size_t ind
   const std::vector<FitTarget> targets{ { side(lowerInside), up }, { side(!lowerInside), down } };
   std::vector<FitFunctional> functionals;
   values.Quality = FitInterface(medium, c.Frame, nodes, targets, functionals);
-  if (values.Quality == FitQuality::None || IsNarrow(nodes) ||
-    Overshoots(
-      nodes, functionals[lowerInside ? 1 : 0], medium.SoluteDielectric / medium.SolventDielectric))
+  if (values.Quality == FitQuality::None || IsNarrow(nodes))
   {
     values.Quality = FitQuality::None;
     GhostFluid(problem, c, charges, nodes, values);

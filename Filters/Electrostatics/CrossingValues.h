@@ -71,9 +71,7 @@ struct CrossingValues
  * fewer of the nodes around are outside than a harmonic quadratic has coefficients (9): in a cavity
  * or cleft of the molecule a node or two wide. There the fit continues the outside function from
  * values inside, whose errors count solvent / solute dielectric times outside and shift the
- * potential of a whole cavity; the ghost-fluid fluxes add up to 0 around it. By them, too, where
- * the weights inside of the outside function at the edge's inner node come to more than 1 + 2 rho,
- * rho = eps_m / eps_s: what a mean of values and the outside's share of their slope would have.
+ * potential of a whole cavity; the ghost-fluid fluxes add up to 0 around it.
  */
 CrossingValues ValuesAtCrossing(const InterfaceProblem& problem, std::size_t index);
 
