@@ -128,6 +128,17 @@ FitNodes NodesAroundCrossing(const SolverBox& box, const std::vector<unsigned ch
   return nodes;
 }
 
+Point3 AxisWeights(const SolverBox& box)
+{
+  const double h = *std::min_element(box.Spacing.begin(), box.Spacing.end());
+  Point3 w;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    w[a] = h * h / (box.Spacing[a] * box.Spacing[a]);
+  }
+  return w;
+}
+
 CrossingValues ValuesAtCrossing(const InterfaceProblem& problem, std::size_t index)
 {
   const InterfaceCrossing& c = (*problem.Crossings)[index];

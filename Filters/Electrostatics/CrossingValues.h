@@ -29,11 +29,16 @@ struct InterfaceProblem
   /// Of Newton's method where ions reach the surface, at each crossing; empty: the linear ones.
   std::vector<SurfaceIons> Ions;
   DielectricModel Model = DielectricModel::SharpInterface;
+  /// The crossings of each closed cavity (ClosedCavities.h).
+  std::vector<std::vector<std::int64_t>> Cavities = {};
 };
 
 /// The nodes around the edge of a crossing, with weights, for a fit at the crossing.
 VTKISTHMUS_EXPORT FitNodes NodesAroundCrossing(const SolverBox& box,
   const std::vector<unsigned char>& inside, const InterfaceCrossing& crossing, double length);
+
+/// Weights (h / h_a)^2 of the axes, h the shortest spacing.
+VTKISTHMUS_EXPORT Point3 AxisWeights(const SolverBox& box);
 
 /// A fictitious value as a sum over nodes and a constant.
 struct Continuation

@@ -89,16 +89,38 @@ void InterfaceOperator::ApplyIrregularRows(
     });
 }
 
+template <typename T>
+void InterfaceOperator::AddCavities(
+  const std::vector<T>& z, std::vector<double>& out, double sign, bool withRight) const
+{
+  for (const CavityFlux& cavity : this->Rows.Cavities)
+  {
+    double sum = withRight ? -cavity.RightSide : 0.0;
+    for (std::size_t i = 0; i < cavity.Column.size(); ++i)
+    {
+      sum += cavity.Value[i] * static_cast<double>(z[static_cast<std::size_t>(cavity.Column[i])]);
+    }
+    for (std::size_t i = 0; i < cavity.Row.size(); ++i)
+    {
+      const auto row = static_cast<std::size_t>(cavity.Row[i]);
+      out[static_cast<std::size_t>(this->Rows.Node[row])] +=
+        sign * this->Rows.Scale[row] * cavity.Share[i] * sum;
+    }
+  }
+}
+
 void InterfaceOperator::Apply(const std::vector<float>& z, std::vector<double>& out) const
 {
   this->ApplyRegularRows(z, out, 1.0);
   this->ApplyIrregularRows(z, out, 1.0, false);
+  this->AddCavities(z, out, 1.0, false);
 }
 
 void InterfaceOperator::Residual(const std::vector<double>& u, std::vector<double>& out) const
 {
   this->ApplyRegularRows(u, out, -1.0);
   this->ApplyIrregularRows(u, out, -1.0, true);
+  this->AddCavities(u, out, -1.0, true);
 }
 
 void InterfaceOperator::SmoothIrregular(const std::vector<double>& r, std::vector<float>& z) const

@@ -50,6 +50,10 @@ private:
   template <typename T>
   void ApplyIrregularRows(
     const std::vector<T>& z, std::vector<double>& out, double sign, bool withRight) const;
+  /// Adds what the rows of a cavity have in common.
+  template <typename T>
+  void AddCavities(
+    const std::vector<T>& z, std::vector<double>& out, double sign, bool withRight) const;
 
   const SolverBox& Box;
   const std::vector<unsigned char>& Inside;

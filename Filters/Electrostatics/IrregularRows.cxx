@@ -175,17 +175,6 @@ void Append(const IrregularRows& part, IrregularRows& all)
 
 }
 
-Point3 AxisWeights(const SolverBox& box)
-{
-  const double h = *std::min_element(box.Spacing.begin(), box.Spacing.end());
-  Point3 w;
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    w[a] = h * h / (box.Spacing[a] * box.Spacing[a]);
-  }
-  return w;
-}
-
 IrregularRows AssembleIrregularRows(
   const InterfaceProblem& problem, const ProgressCallback& progress)
 {
@@ -223,6 +212,7 @@ IrregularRows AssembleIrregularRows(
     rows.LinearFits += v.Quality == FitQuality::Linear ? 1 : 0;
     rows.GhostFits += v.Quality == FitQuality::None ? 1 : 0;
   }
+  rows.Cavities = CavityFluxes(problem, values, rows.Node);
   values = {};
   Reserve(parts, rows);
   for (IrregularRows& part : parts)

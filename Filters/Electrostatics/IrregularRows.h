@@ -5,13 +5,14 @@
  * Row of a node p on a side with permittivity eps, times h^2 (h the shortest spacing):
  * eps sum_axes (h / h_a)^2 (2 u_p - v_before - v_after) = 0, where v is the value of a neighbour on
  * the same side, and the value that InterfaceFit continues across the surface for one on the other.
+ * The rows of a closed cavity have a part in common (CavityFlux.h) that is not in their entries.
  * The term of the ions is not in the row; it is added by InterfaceOperator. Rows are scaled such
  * that their diagonal is that of the preconditioner.
  */
 #ifndef isthmus_IrregularRows_h
 #define isthmus_IrregularRows_h
 
-#include "CrossingValues.h"
+#include "CavityFlux.h"
 
 namespace isthmus
 {
@@ -26,6 +27,7 @@ struct IrregularRows
   std::vector<double> RightSide;
   std::vector<double> Scale;    ///< that the row was multiplied with
   std::vector<double> Diagonal; ///< after scaling
+  std::vector<CavityFlux> Cavities;
   std::int64_t LinearFits = 0;
   std::int64_t GhostFits = 0;
 };
@@ -33,9 +35,6 @@ struct IrregularRows
 /// O(crossings), about 10 microseconds each; parallel; the same bits on any number of threads.
 VTKISTHMUS_EXPORT IrregularRows AssembleIrregularRows(
   const InterfaceProblem& problem, const ProgressCallback& progress = {});
-
-/// Weights (h / h_a)^2 of the axes, h the shortest spacing.
-Point3 AxisWeights(const SolverBox& box);
 
 /// The permittivity of an edge that the surface crosses, `fraction` of it in the solute.
 inline double SeriesPermittivity(double solute, double solvent, double fraction)

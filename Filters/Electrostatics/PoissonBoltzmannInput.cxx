@@ -12,8 +12,6 @@
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 
-#include <vtksys/SystemInformation.hxx>
-
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -252,22 +250,6 @@ void SetPotentialInput(
     }
     return value;
   };
-}
-
-void RequireMemory(const SolverBox& box)
-{
-  constexpr double bytesPerNode = 130.0;
-  vtksys::SystemInformation machine;
-  machine.RunMemoryCheck();
-  const double needed = bytesPerNode * static_cast<double>(box.Size()) / 1e9;
-  const double there = static_cast<double>(machine.GetTotalPhysicalMemory()) * 1.048576e-3;
-  if (there > 0.0 && needed > there)
-  {
-    throw std::runtime_error("A grid of " + std::to_string(box.Dimensions[0]) + " x " +
-      std::to_string(box.Dimensions[1]) + " x " + std::to_string(box.Dimensions[2]) +
-      " nodes takes about " + std::to_string(std::llround(needed)) +
-      " GB, more than this machine has: choose a larger Spacing or a smaller Padding.");
-  }
 }
 
 }

@@ -41,9 +41,6 @@ void PlaceOnGrid(const SoluteVolume& volume, std::vector<ChargedAtom>& atoms);
 void SetPotentialInput(
   vtkImageData* potential, vtkImageData* grid, PoissonBoltzmannParameters& parameters);
 
-/// Throws std::runtime_error, with the size, where the machine has not enough memory for the box.
-void RequireMemory(const SolverBox& box);
-
 }
 
 #endif

@@ -1,6 +1,7 @@
 #include "PotentialOnBox.h"
 
 #include "ChargesOnGrid.h"
+#include "ClosedCavities.h"
 #include "ElectrostaticUnits.h"
 #include "HarmonicFit.h"
 #include "NodeLoops.h"
@@ -125,7 +126,8 @@ void PotentialOnBox::EvaluateCharges(const PotentialOnBox* last, const ProgressC
 void PotentialOnBox::Assemble(std::vector<SurfaceIons> ions, const ProgressCallback& progress)
 {
   const InterfaceProblem problem{ &this->Box, &this->Inside, &this->Crossings, &this->AtCrossing,
-    this->Medium, std::move(ions), this->Parameters.Dielectric };
+    this->Medium, std::move(ions), this->Parameters.Dielectric,
+    WallsOfClosedCavities(this->Box, this->Inside, this->Crossings) };
   IrregularRows rows = AssembleIrregularRows(problem, progress);
   this->Report.LinearFits = rows.LinearFits;
   this->Report.GhostFits = rows.GhostFits;

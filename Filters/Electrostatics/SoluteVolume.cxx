@@ -5,6 +5,7 @@
 #include "ImageScalars.h"
 #include "MolecularDensity.h"
 #include "PolyDataTriangles.h"
+#include "SolverMemory.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -284,6 +285,7 @@ SoluteVolume VolumeOfSurface(
   SoluteVolume volume;
   volume.Grid = GridAroundSurface(surface, wish);
   volume.Kind = "closed polygons";
+  RequireMemory(ShapeOf(volume.Grid).Dimensions);
   SetDistance(volume, InGridAxes(surface, volume.Grid), nullptr, progress);
   return volume;
 }
@@ -297,6 +299,7 @@ SoluteVolume VolumeOfAtoms(
   volume.Decay = decay;
   volume.Kind = "level 1 of a sum of Gaussians, decay 2.3";
   const GridShape shape = ShapeOf(volume.Grid);
+  RequireMemory(shape.Dimensions);
   volume.Floats.resize(static_cast<std::size_t>(shape.Size()));
   Point3 origin;
   volume.Grid->GetOrigin(origin.data());

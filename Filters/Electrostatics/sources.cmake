@@ -4,9 +4,11 @@ isthmus_room(
   SOURCES
     BoundaryForces
     BoundaryPotential
+    CavityFlux
     ChargedAtoms
     ChargesOnGrid
     ChargeTree
+    ClosedCavities
     CrossingValues
     HarmonicFit
     InterfaceFit
@@ -30,6 +32,7 @@ isthmus_room(
     ProteinCharges
     RadiatedPotential
     SoluteVolume
+    SolverMemory
     SurfaceMotion
     SurfacePotential
   VECTORISED

@@ -8,6 +8,7 @@
 #include "PoissonBoltzmannInput.h"
 #include "PoissonBoltzmannOutput.h"
 #include "SoluteVolume.h"
+#include "SolverMemory.h"
 
 #include <vtkDataSetAttributes.h>
 #include <vtkImageData.h>
@@ -218,7 +219,7 @@ void vtkPoissonBoltzmann::Solve(
   const double padding =
     parameters.Condition == isthmus::BoundaryCondition::Given ? 0.0 : parameters.Padding;
   const isthmus::SolverBox box = isthmus::BoxAround(volume.Level, padding);
-  isthmus::RequireMemory(box);
+  isthmus::RequireMemory(box.Dimensions);
   const isthmus::IonAtmosphere ions(parameters.Ions, parameters.Temperature);
   const auto solution = isthmus::SolvePoissonBoltzmann(
     volume.Level, box, atoms.Atoms, parameters, ions, isthmus::Between(progress, 0.05, 0.75));

@@ -351,12 +351,30 @@ TEST(PoissonBoltzmannFilter, EveryRefusalIsASentence)
   ExpectError([&](Filter f, vtkPolyData*) { f->SetIonicStrength(-0.1); }, "IonicStrength");
   ExpectError([&](Filter f, vtkPolyData*) { f->SetSoluteDielectric(0.0); }, "SoluteDielectric");
   ExpectError([&](Filter f, vtkPolyData*) { f->SetPadding(-1.0); }, "Padding");
-  ExpectError([&](Filter f, vtkPolyData*) { f->SetPadding(9e5); }, "GB");
+  ExpectError([&](Filter f, vtkPolyData*) { f->SetPadding(9e5); }, "are available");
   ExpectError([&](Filter f, vtkPolyData*) { f->AddIon(2.0, 0.1); }, "neutral");
   ExpectError([&](Filter f, vtkPolyData*)
     { f->SetBoundaryCondition(vtkPoissonBoltzmann::FromInput); },
     "input 2");
   ExpectError([&](Filter f, vtkPolyData*) { f->SetMaximumIterations(1); }, "did not converge");
+}
+
+TEST(PoissonBoltzmannFilter, TooLargeAGridIsRefusedBeforeItsSurfaceIsMade)
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(5.0);
+  ball->Update();
+  for (vtkDataObject* surface :
+    { static_cast<vtkDataObject*>(nullptr), ball->GetOutputDataObject(0) })
+  {
+    ExpectError(
+      [&](vtkPoissonBoltzmann* filter, vtkPolyData*)
+      {
+        filter->SetInputDataObject(1, surface);
+        filter->SetSpacing(0.01); // some 3000^3 nodes
+      },
+      "are available: choose a larger Spacing");
+  }
 }
 
 TEST(PoissonBoltzmannFilter, NoAtomsNoError)

@@ -1,0 +1,141 @@
+#include "ClosedCavities.h"
+
+#include "DisjointSets.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace isthmus
+{
+namespace
+{
+
+/// Nodes [First, Last) outside, one behind the other along x.
+struct Run
+{
+  std::int64_t First, Last;
+};
+
+/// The runs of all lines of nodes along x.
+class OutsideRuns
+{
+public:
+  OutsideRuns(const SolverBox& box, const std::vector<unsigned char>& inside)
+    : Width(box.Dimensions[0])
+  {
+    const std::int64_t lines = box.Dimensions[1] * box.Dimensions[2];
+    this->Start.reserve(static_cast<std::size_t>(lines) + 1);
+    for (std::int64_t line = 0; line < lines; ++line)
+    {
+      this->Start.push_back(this->Runs.size());
+      this->AddLine(inside, line * this->Width);
+    }
+    this->Start.push_back(this->Runs.size());
+  }
+
+  /// Sets of runs that hang together over neighbouring lines.
+  DisjointSets Components(const SolverBox& box) const
+  {
+    DisjointSets sets(static_cast<std::int64_t>(this->Runs.size()));
+    const std::int64_t columns = box.Dimensions[1];
+    for (std::int64_t line = 1; line < columns * box.Dimensions[2]; ++line)
+    {
+      const bool before = line % columns != 0;
+      const bool behind = line % columns != columns - 1;
+      const bool below = line >= columns;
+      if (before)
+      {
+        this->Join(line, line - 1, 1, sets);
+      }
+      if (below)
+      {
+        this->Join(line, line - columns, 1, sets);
+      }
+      if (before && below)
+      {
+        this->Join(line, line - columns - 1, 0, sets);
+      }
+      if (behind && below)
+      {
+        this->Join(line, line - columns + 1, 0, sets);
+      }
+    }
+    return sets;
+  }
+
+  std::int64_t RunOf(std::int64_t node) const
+  {
+    const auto line = static_cast<std::size_t>(node / this->Width);
+    const auto first = this->Runs.begin() + static_cast<std::ptrdiff_t>(this->Start[line]);
+    const auto last = this->Runs.begin() + static_cast<std::ptrdiff_t>(this->Start[line + 1]);
+    const auto after = std::upper_bound(
+      first, last, node, [](std::int64_t n, const Run& run) { return n < run.First; });
+    return after - this->Runs.begin() - 1;
+  }
+
+private:
+  void AddLine(const std::vector<unsigned char>& inside, std::int64_t first)
+  {
+    const auto begin = inside.begin() + first;
+    const auto end = begin + this->Width;
+    auto from = std::find(begin, end, 0);
+    while (from != end)
+    {
+      const auto to = std::find_if(from, end, [](unsigned char in) { return in != 0; });
+      this->Runs.push_back({ from - inside.begin(), to - inside.begin() });
+      from = std::find(to, end, 0);
+    }
+  }
+
+  /// Joins runs of two lines that come within `reach` nodes of each other along x.
+  void Join(std::int64_t line, std::int64_t other, std::int64_t reach, DisjointSets& sets) const
+  {
+    const std::int64_t shift = (line - other) * this->Width;
+    std::size_t a = this->Start[static_cast<std::size_t>(line)];
+    std::size_t b = this->Start[static_cast<std::size_t>(other)];
+    const std::size_t aEnd = this->Start[static_cast<std::size_t>(line) + 1];
+    const std::size_t bEnd = this->Start[static_cast<std::size_t>(other) + 1];
+    while (a < aEnd && b < bEnd)
+    {
+      const Run& here = this->Runs[a];
+      const Run there{ this->Runs[b].First + shift, this->Runs[b].Last + shift };
+      if (here.First < there.Last + reach && there.First < here.Last + reach)
+      {
+        sets.Join(static_cast<std::int64_t>(a), static_cast<std::int64_t>(b));
+      }
+      here.Last < there.Last ? ++a : ++b;
+    }
+  }
+
+  std::int64_t Width;
+  std::vector<Run> Runs;
+  std::vector<std::size_t> Start; ///< of each line's runs, and the end
+};
+
+}
+
+std::vector<std::vector<std::int64_t>> WallsOfClosedCavities(const SolverBox& box,
+  const std::vector<unsigned char>& inside, const std::vector<InterfaceCrossing>& crossings)
+{
+  const OutsideRuns runs(box, inside);
+  DisjointSets sets = runs.Components(box);
+  const std::int64_t open = sets.Find(0); // the first node is on the border
+  std::vector<std::vector<std::int64_t>> walls;
+  std::unordered_map<std::int64_t, std::size_t> wallOf;
+  for (std::size_t c = 0; c < crossings.size(); ++c)
+  {
+    const InterfaceCrossing& crossing = crossings[c];
+    const bool lowerInside = inside[static_cast<std::size_t>(crossing.Node)] != 0;
+    const std::int64_t step = box.Steps()[static_cast<std::size_t>(crossing.Axis)];
+    const std::int64_t root = sets.Find(runs.RunOf(crossing.Node + (lowerInside ? step : 0)));
+    if (root != open)
+    {
+      const auto found = wallOf.emplace(root, walls.size()).first;
+      walls.resize(wallOf.size());
+      walls[found->second].push_back(static_cast<std::int64_t>(c));
+    }
+  }
+  return walls;
+}
+
+}
