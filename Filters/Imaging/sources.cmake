@@ -20,6 +20,7 @@ isthmus_room(
     PDETransform
     RankParts
     ResidualReturn
+    StageSequence
     TimeSteps
   VECTORISED
     DiffusionRows)
