@@ -8,6 +8,7 @@ isthmus_room(
   SOURCES
     AutomaticDenoising
     BoxMean
+    ChebyshevSeries
     DiffusionHighPass
     DiffusionEvaluation
     DiffusionImage
