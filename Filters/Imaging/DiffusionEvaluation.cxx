@@ -3,6 +3,7 @@
 #include "DiffusionPipeline.h"
 #include "ParallelFor.h"
 
+#include <array>
 #include <memory>
 #include <mutex>
 
@@ -19,7 +20,7 @@ class PipelinePool
 public:
   using Pipeline = std::unique_ptr<DiffusionPipeline<T>>;
 
-  Pipeline Take(const DiffusionOperator<T>& diffusion, std::int64_t tileRows)
+  Pipeline Take(const DiffusionOperator<T>& diffusion, int stages, std::int64_t tileRows)
   {
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -30,7 +31,7 @@ public:
         return pipeline;
       }
     }
-    return std::make_unique<DiffusionPipeline<T>>(diffusion, tileRows);
+    return std::make_unique<DiffusionPipeline<T>>(diffusion, stages, tileRows);
   }
 
   void Return(Pipeline pipeline)
@@ -52,17 +53,26 @@ std::int64_t Parts(std::int64_t whole, std::int64_t part)
 }
 
 template <typename T>
-void Evaluate(const DiffusionOperator<T>& diffusion, const DiffusionStage<T>& stage,
+int StagesOfAPass(const DiffusionOperator<T>& diffusion)
+{
+  // What each stage adds at the sides of a tile grows with its reach.
+  constexpr std::array<int, 4> ofOrder{ 4, 3, 1, 1 };
+  return ofOrder[static_cast<std::size_t>(diffusion.Order())];
+}
+
+template <typename T>
+void Evaluate(const DiffusionOperator<T>& diffusion, const DiffusionPass<T>& pass,
   const ProgressCallback& progress)
 {
   if (diffusion.Size() == 0)
   {
     return;
   }
-  constexpr std::int64_t chunkPlanes = 64;
   const std::int64_t rows = diffusion.Dimensions[1];
   const std::int64_t planes = diffusion.Dimensions[2];
-  const std::int64_t fitting = DiffusionPipeline<T>::TileRowsThatFit(diffusion);
+  const int stages = pass.Stages();
+  const std::int64_t chunkPlanes = 64 * stages; // so that what is done twice stays a small part
+  const std::int64_t fitting = DiffusionPipeline<T>::TileRowsThatFit(diffusion, stages);
   const std::int64_t tileRows = Parts(rows, Parts(rows, fitting)); // tiles of nearly equal height
   const std::int64_t tiles = Parts(rows, tileRows);
   const std::int64_t chunks = Parts(planes, chunkPlanes);
@@ -71,12 +81,12 @@ void Evaluate(const DiffusionOperator<T>& diffusion, const DiffusionStage<T>& st
     0, tiles * chunks, 1,
     [&](std::int64_t first, std::int64_t last)
     {
-      auto pipeline = pool.Take(diffusion, tileRows);
+      auto pipeline = pool.Take(diffusion, stages, tileRows);
       for (std::int64_t item = first; item < last; ++item)
       {
         const std::int64_t row = item % tiles * tileRows;
         const std::int64_t plane = item / tiles * chunkPlanes;
-        pipeline->Run(stage, { row, std::min(rows, row + tileRows) },
+        pipeline->Run(pass, { row, std::min(rows, row + tileRows) },
           { plane, std::min(planes, plane + chunkPlanes) });
       }
       pool.Return(std::move(pipeline));
@@ -84,9 +94,11 @@ void Evaluate(const DiffusionOperator<T>& diffusion, const DiffusionStage<T>& st
     progress);
 }
 
+template int StagesOfAPass(const DiffusionOperator<float>&);
+template int StagesOfAPass(const DiffusionOperator<double>&);
 template void Evaluate(
-  const DiffusionOperator<float>&, const DiffusionStage<float>&, const ProgressCallback&);
+  const DiffusionOperator<float>&, const DiffusionPass<float>&, const ProgressCallback&);
 template void Evaluate(
-  const DiffusionOperator<double>&, const DiffusionStage<double>&, const ProgressCallback&);
+  const DiffusionOperator<double>&, const DiffusionPass<double>&, const ProgressCallback&);
 
 }

@@ -44,6 +44,9 @@ public:
   /// array) if `mask` is true.
   vtkSmartPointer<Array> Copy(vtkDataArray* array, bool mask);
 
+  /// A new volume whose values are yet to be written.
+  vtkSmartPointer<Array> NewVolume(const std::string& name) const;
+
   /// A new volume like `volume`, with the same values and another name.
   vtkSmartPointer<Array> Duplicate(Array* volume, const std::string& name) const;
 
@@ -54,7 +57,6 @@ public:
   void AddFieldData(const std::string& name, const std::vector<double>& values);
 
 private:
-  vtkSmartPointer<Array> NewVolume(const std::string& name) const;
   void CheckArray(vtkDataArray* array) const;
   void RefuseInvalid(const T* values) const;
   void Mask(T* values);

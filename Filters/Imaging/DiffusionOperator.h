@@ -70,18 +70,38 @@ struct DiffusionLags
   int Out;
 };
 
-/// One stage of a time step: out = update of (current, previous, first, rate, first rate).
+/// A volume that takes part of what every stage of a pass changes.
 template <typename T>
-struct DiffusionStage
+struct StageSum
 {
-  RowUpdate<T> Update;
-  const T* Current = nullptr;
-  const T* Previous = nullptr; ///< May be the same volume as Out.
-  const T* First = nullptr;
-  const T* FirstRate = nullptr;
-  T* Out = nullptr;              ///< Never the same volume as Current.
-  T* StoreRate = nullptr;        ///< Receives the rate of Current, if not null.
-  T* StoreCoefficient = nullptr; ///< Receives what a StoredCoefficient would hold, if not null.
+  T* Volume = nullptr;
+  std::vector<T>
+    OfStage; ///< volume += OfStage[s] (stage s - first); stages without one add nothing
+};
+
+/**
+ * Stages of a time step that follow each other in one pass over memory, each
+ *
+ *     out = update of (current, previous, first, rate of current, first rate),
+ *
+ * where `current` and `previous` of a stage are what the two before it made. With more than one
+ * stage, no volume that is written is read.
+ */
+template <typename T>
+struct DiffusionPass
+{
+  std::vector<RowUpdate<T>> Updates; ///< one for each stage, in their order
+  const T* Current = nullptr;        ///< of the first stage
+  const T* Previous = nullptr;       ///< of the first stage; of one alone it may be Out
+  const T* First = nullptr;          ///< If null, stages are explicit steps: current and rate only.
+  const T* FirstRate = nullptr;      ///< If null, OfFirstRate must be 0.
+  T* Out = nullptr;                  ///< of the last stage; never the same volume as Current
+  T* OutBefore = nullptr;            ///< Receives the last stage but one, if not null.
+  T* StoreRate = nullptr;            ///< Receives the first stage's rate, if not null.
+  T* StoreCoefficient = nullptr;     ///< Receives what a StoredCoefficient would hold, if not null.
+  std::vector<StageSum<T>> Sums;     ///< need First
+
+  int Stages() const { return static_cast<int>(this->Updates.size()); }
 };
 
 }

@@ -16,15 +16,27 @@ int Depth(int reader, int own)
   return reader - own + 2;
 }
 
-/// Depths of u, L u, ..., W and c, in this order.
-std::vector<int> Depths(const DiffusionLags& lags, DiffusionCoefficient coefficient)
+/// Planes kept of u, L u, ..., W and c of a stage, in this order.
+template <typename T>
+std::vector<int> Depths(const DiffusionLags& lags, const DiffusionOperator<T>& diffusion, bool last)
 {
   std::vector<int> depths(static_cast<std::size_t>(lags.W) + 1, 3);
-  // u is read again at its own place by every higher order.
-  depths.front() = std::max(3, lags.W + 1);
   depths.back() = Depth(lags.Out, lags.W);
-  depths.push_back(NeedsCoefficient(coefficient) ? Depth(lags.Out, lags.C) : 0);
+  // u is read again at its own place by every higher order, by its update, and as the previous
+  // values by that of the next stage.
+  depths.front() = std::max(depths.front(), (last ? 1 : 2) * lags.Out + 1);
+  const bool own = NeedsCoefficient(diffusion.Coefficient) && !diffusion.StoredCoefficient;
+  depths.push_back(own ? Depth(lags.Out, lags.C) : 0);
   return depths;
+}
+
+/// Planes kept of a coefficient that is read for all stages.
+template <typename T>
+int StoredDepth(const DiffusionLags& lags, const DiffusionOperator<T>& diffusion, int stages)
+{
+  return NeedsCoefficient(diffusion.Coefficient) && diffusion.StoredCoefficient
+    ? Depth(stages * lags.Out, lags.Out - 1)
+    : 0;
 }
 
 /// Repeats the ends of a row into its margins.
@@ -35,55 +47,38 @@ void RepeatEnds(T* row, std::int64_t n)
   std::fill(row + n, row + PaddedLength(n) + 1, row[n - 1]);
 }
 
-template <typename T>
-std::int64_t StrideOf(std::int64_t rowLength)
-{
-  return PaddedLength(rowLength) + 2 * RowMargin;
-}
-
 }
 
 template <typename T>
-PlaneRing<T>::PlaneRing(std::int64_t rowLength, std::int64_t tileRows, int depth)
-  : RowCount(tileRows)
-  , Depth(depth)
-  , Stride(StrideOf<T>(rowLength))
-  , Values(static_cast<std::size_t>(depth * tileRows * this->Stride))
+std::int64_t DiffusionPipeline<T>::TileRowsThatFit(
+  const DiffusionOperator<T>& diffusion, int stages)
 {
-}
-
-template <typename T>
-void PlaneRing<T>::Place(std::int64_t first, std::int64_t rows, std::int64_t planes)
-{
-  this->FirstRow = std::max<std::int64_t>(first, 0);
-  this->GridRows = rows;
-  this->GridPlanes = planes;
-}
-
-template <typename T>
-std::int64_t DiffusionPipeline<T>::TileRowsThatFit(const DiffusionOperator<T>& diffusion)
-{
-  constexpr std::int64_t cacheBytes = 512 * 1024;
+  // Several stages may lie in the third level, too: larger tiles repeat less.
+  const std::int64_t cacheBytes = (stages > 1 ? 1536 : 512) * 1024;
   constexpr std::int64_t fewestRows = 16; // fewer would mostly repeat their neighbours' work
   const DiffusionLags lags(diffusion);
-  std::int64_t planes = 0;
-  for (const int depth : Depths(lags, diffusion.Coefficient))
+  std::int64_t planes = StoredDepth(lags, diffusion, stages);
+  for (int stage = 0; stage < stages; ++stage)
   {
-    planes += depth;
+    for (const int depth : Depths(lags, diffusion, stage + 1 == stages))
+    {
+      planes += depth;
+    }
   }
+  // First values and rates are read where they lie, once by each stage.
+  planes += stages > 1 ? 2 * (stages * lags.Out - lags.Out + 1) : 0;
   const auto rowBytes =
-    StrideOf<T>(diffusion.Dimensions[0]) * static_cast<std::int64_t>(sizeof(T)) * planes;
-  return std::max(fewestRows, cacheBytes / rowBytes - 2 * lags.Out);
+    PlaneRing<T>::StrideOf(diffusion.Dimensions[0]) * static_cast<std::int64_t>(sizeof(T)) * planes;
+  return std::max(fewestRows, cacheBytes / rowBytes - stages * lags.Out - lags.Out);
 }
 
 template <typename T>
 DiffusionPipeline<T>::DiffusionPipeline(
-  const DiffusionOperator<T>& diffusion, std::int64_t tileRows)
+  const DiffusionOperator<T>& diffusion, int stages, std::int64_t tileRows)
   : Diffusion(diffusion)
   , Lags(diffusion)
   , Length(diffusion.Dimensions[0])
-  , C(this->Length, tileRows + 2 * this->Lags.Out, Depths(this->Lags, diffusion.Coefficient).back())
-  , RateScratch(static_cast<std::size_t>(StrideOf<T>(this->Length)))
+  , RateScratch(static_cast<std::size_t>(PlaneRing<T>::StrideOf(this->Length)))
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -91,60 +86,109 @@ DiffusionPipeline<T>::DiffusionPipeline(
     this->SecondWeights[axis] = static_cast<T>(1.0 / (h * h));
     this->FirstWeights[axis] = static_cast<T>(0.5 / (h * diffusion.GradientScale));
   }
-  const std::vector<int> depths = Depths(this->Lags, diffusion.Coefficient);
-  for (int order = 0; order <= this->Lags.W; ++order)
+  const std::int64_t rows = tileRows + 2 * stages * this->Lags.Out;
+  this->StoredC = { this->Length, rows, StoredDepth(this->Lags, diffusion, stages) };
+  for (int n = 0; n < stages; ++n)
   {
-    this->Levels.emplace_back(
-      this->Length, tileRows + 2 * this->Lags.Out, depths[static_cast<std::size_t>(order)]);
+    const std::vector<int> depths = Depths(this->Lags, diffusion, n + 1 == stages);
+    Stage stage;
+    for (std::size_t level = 0; level + 1 < depths.size(); ++level)
+    {
+      stage.Levels.emplace_back(this->Length, rows, depths[level]);
+    }
+    stage.C = { this->Length, rows, depths.back() };
+    this->Stages.push_back(std::move(stage));
   }
 }
 
 template <typename T>
-void DiffusionPipeline<T>::Run(const DiffusionStage<T>& stage, Range rows, Range planes)
+void DiffusionPipeline<T>::Run(const DiffusionPass<T>& pass, Range rows, Range planes)
 {
   const auto& size = this->Diffusion.Dimensions;
+  const int reach = pass.Stages() * this->Lags.Out;
+  this->Pass = &pass;
   this->OwnRows = rows;
   this->OwnPlanes = planes;
-  for (auto& level : this->Levels)
+  auto place = [&](PlaneRing<T>& ring) { ring.Place(rows.Begin - reach, size[1], size[2]); };
+  place(this->StoredC);
+  for (Stage& stage : this->Stages)
   {
-    level.Place(rows.Begin - this->Lags.Out, size[1], size[2]);
+    std::for_each(stage.Levels.begin(), stage.Levels.end(), place);
+    place(stage.C);
   }
-  this->C.Place(rows.Begin - this->Lags.Out, size[1], size[2]);
-  // Runs `step` for the plane and rows that a quantity with this lag owes at this wave.
-  auto owed = [&](std::int64_t wave, int lag, auto&& step)
+  for (std::int64_t wave = planes.Begin - reach; wave < planes.End + reach; ++wave)
   {
-    const std::int64_t plane = wave - lag, margin = this->Lags.Out - lag;
-    if (plane >= std::max<std::int64_t>(0, planes.Begin - margin) &&
-      plane < std::min(size[2], planes.End + margin))
+    this->Load(this->Stages[0].Levels.front(), pass.Current, this->Owed(wave, 0), wave);
+    if (NeedsCoefficient(this->Diffusion.Coefficient) && this->Diffusion.StoredCoefficient)
     {
-      step(Range{ std::max<std::int64_t>(0, rows.Begin - margin),
-             std::min(size[1], rows.End + margin) },
-        plane);
+      // Not before it is needed, to be kept no longer than that.
+      const int lag = this->Lags.Out - 1;
+      this->Load(
+        this->StoredC, this->Diffusion.StoredCoefficient, this->Owed(wave - lag, lag), wave - lag);
     }
-  };
-  for (std::int64_t wave = planes.Begin - this->Lags.Out; wave < planes.End + this->Lags.Out;
-       ++wave)
-  {
-    owed(wave, 0,
-      [&](Range r, std::int64_t k) { this->Load(this->Levels.front(), stage.Current, r, k); });
-    for (int order = 1; order <= this->Lags.W; ++order)
+    for (std::size_t stage = 0; stage < this->Stages.size(); ++stage)
     {
-      owed(wave, order, [&](Range r, std::int64_t k) { this->RaiseOrder(order, r, k); });
+      this->RunStage(stage, wave);
     }
-    if (NeedsCoefficient(this->Diffusion.Coefficient))
-    {
-      owed(
-        wave, this->Lags.C, [&](Range r, std::int64_t k) { this->FillCoefficient(stage, r, k); });
-    }
-    owed(wave, this->Lags.Out,
-      [&](Range r, std::int64_t k)
-      {
-        for (std::int64_t row = r.Begin; row < r.End; ++row)
-        {
-          this->WriteRow(stage, row, k);
-        }
-      });
   }
+}
+
+template <typename T>
+void DiffusionPipeline<T>::RunStage(std::size_t number, std::int64_t wave)
+{
+  Stage& stage = this->Stages[number];
+  const int before = static_cast<int>(number) * this->Lags.Out;
+  for (int order = 1; order <= this->Lags.W; ++order)
+  {
+    const int lag = before + order;
+    this->RaiseOrder(
+      stage, static_cast<std::size_t>(order), this->Owed(wave - lag, lag), wave - lag);
+  }
+  if (NeedsCoefficient(this->Diffusion.Coefficient) && !this->Diffusion.StoredCoefficient)
+  {
+    const int lag = before + this->Lags.C;
+    this->FillCoefficient(number, this->Owed(wave - lag, lag), wave - lag);
+  }
+  const int lag = before + this->Lags.Out;
+  const Range rows = this->Owed(wave - lag, lag);
+  for (std::int64_t row = rows.Begin; row < rows.End; ++row)
+  {
+    this->FillRates(number, row, wave - lag);
+    this->WriteRow(number, row, wave - lag);
+  }
+}
+
+template <typename T>
+typename DiffusionPipeline<T>::Range DiffusionPipeline<T>::Owed(std::int64_t plane, int lag) const
+{
+  const auto& size = this->Diffusion.Dimensions;
+  const std::int64_t margin = this->Pass->Stages() * this->Lags.Out - lag;
+  if (plane < std::max<std::int64_t>(0, this->OwnPlanes.Begin - margin) ||
+    plane >= std::min(size[2], this->OwnPlanes.End + margin))
+  {
+    return { 0, 0 };
+  }
+  return { std::max<std::int64_t>(0, this->OwnRows.Begin - margin),
+    std::min(size[1], this->OwnRows.End + margin) };
+}
+
+template <typename T>
+bool DiffusionPipeline<T>::Own(std::int64_t row, std::int64_t plane) const
+{
+  return plane >= this->OwnPlanes.Begin && plane < this->OwnPlanes.End &&
+    row >= this->OwnRows.Begin && row < this->OwnRows.End;
+}
+
+template <typename T>
+std::int64_t DiffusionPipeline<T>::Offset(std::int64_t row, std::int64_t plane) const
+{
+  return this->Length * (row + this->Diffusion.Dimensions[1] * plane);
+}
+
+template <typename T>
+PlaneRing<T>& DiffusionPipeline<T>::CoefficientOf(std::size_t stage)
+{
+  return this->Diffusion.StoredCoefficient ? this->StoredC : this->Stages[stage].C;
 }
 
 template <typename T>
@@ -153,83 +197,113 @@ void DiffusionPipeline<T>::Load(PlaneRing<T>& ring, const T* volume, Range rows,
   for (std::int64_t row = rows.Begin; row < rows.End; ++row)
   {
     T* out = ring.Row(row, plane);
-    std::copy_n(
-      volume + this->Length * (row + this->Diffusion.Dimensions[1] * plane), this->Length, out);
+    std::copy_n(volume + this->Offset(row, plane), this->Length, out);
     RepeatEnds(out, this->Length);
   }
 }
 
 template <typename T>
-void DiffusionPipeline<T>::RaiseOrder(int order, Range rows, std::int64_t plane)
+void DiffusionPipeline<T>::RaiseOrder(
+  Stage& stage, std::size_t level, Range rows, std::int64_t plane)
 {
-  const auto level = static_cast<std::size_t>(order);
-  const T weight = this->Diffusion.Weights[this->Levels.size() - 1 - level];
+  const T weight = this->Diffusion.Weights[stage.Levels.size() - 1 - level];
   for (std::int64_t row = rows.Begin; row < rows.End; ++row)
   {
-    T* out = this->Levels[level].Row(row, plane);
-    LaplacianRow(this->Levels[level - 1].Stencil(row, plane), this->Levels.front().Row(row, plane),
+    T* out = stage.Levels[level].Row(row, plane);
+    LaplacianRow(stage.Levels[level - 1].Stencil(row, plane), stage.Levels.front().Row(row, plane),
       weight, this->SecondWeights, this->Length, out);
     RepeatEnds(out, this->Length);
   }
 }
 
 template <typename T>
-void DiffusionPipeline<T>::FillCoefficient(
-  const DiffusionStage<T>& stage, Range rows, std::int64_t plane)
+void DiffusionPipeline<T>::FillCoefficient(std::size_t number, Range rows, std::int64_t plane)
 {
-  if (this->Diffusion.StoredCoefficient)
-  {
-    this->Load(this->C, this->Diffusion.StoredCoefficient, rows, plane);
-    return;
-  }
+  Stage& stage = this->Stages[number];
   const bool gaussian = this->Diffusion.Coefficient == DiffusionCoefficient::Gaussian;
-  const bool stored =
-    stage.StoreCoefficient && plane >= this->OwnPlanes.Begin && plane < this->OwnPlanes.End;
-  PlaneRing<T>& source = gaussian ? this->Levels.front() : this->Levels.back();
+  T* const stored = number == 0 ? this->Pass->StoreCoefficient : nullptr;
+  PlaneRing<T>& source = gaussian ? stage.Levels.front() : stage.Levels.back();
   for (std::int64_t row = rows.Begin; row < rows.End; ++row)
   {
-    T* out = this->C.Row(row, plane);
+    T* out = stage.C.Row(row, plane);
     GradientSquaredRow(source.Stencil(row, plane), this->FirstWeights, this->Length, out);
     if (gaussian)
     {
       ExponentialRow(this->Length, out);
     }
     RepeatEnds(out, this->Length);
-    if (stored && row >= this->OwnRows.Begin && row < this->OwnRows.End)
+    if (stored && this->Own(row, plane))
     {
-      std::copy_n(out, this->Length,
-        stage.StoreCoefficient + this->Length * (row + this->Diffusion.Dimensions[1] * plane));
+      std::copy_n(out, this->Length, stored + this->Offset(row, plane));
     }
   }
 }
 
+/// The rates of a row of a stage's u.
 template <typename T>
-void DiffusionPipeline<T>::WriteRow(
-  const DiffusionStage<T>& stage, std::int64_t row, std::int64_t plane)
+void DiffusionPipeline<T>::FillRates(std::size_t number, std::int64_t row, std::int64_t plane)
 {
+  Stage& stage = this->Stages[number];
   T* rate = this->RateScratch.data();
-  const RowStencil<T> w = this->Levels.back().Stencil(row, plane);
+  const RowStencil<T> w = stage.Levels.back().Stencil(row, plane);
   if (this->Diffusion.Coefficient == DiffusionCoefficient::Constant)
   {
     LaplacianRow(w, w.Centre, T(0), this->SecondWeights, this->Length, rate);
   }
   else if (this->Diffusion.Coefficient == DiffusionCoefficient::Gram)
   {
-    GramDivergenceRow(w, this->C.Stencil(row, plane), this->SecondWeights, this->Length, rate);
+    GramDivergenceRow(
+      w, this->CoefficientOf(number).Stencil(row, plane), this->SecondWeights, this->Length, rate);
   }
   else
   {
-    DivergenceRow(w, this->C.Stencil(row, plane), this->SecondWeights, this->Length, rate);
+    DivergenceRow(
+      w, this->CoefficientOf(number).Stencil(row, plane), this->SecondWeights, this->Length, rate);
   }
-  const std::int64_t offset = this->Length * (row + this->Diffusion.Dimensions[1] * plane);
-  this->AddReactions(stage.Current + offset, offset);
-  auto at = [offset](auto* volume) { return volume ? volume + offset : nullptr; };
-  if (stage.StoreRate)
+  const std::int64_t offset = this->Offset(row, plane);
+  this->AddReactions(stage.Levels.front().Row(row, plane), offset);
+  if (number == 0 && this->Pass->StoreRate && this->Own(row, plane))
   {
-    std::copy_n(rate, this->Length, at(stage.StoreRate));
+    std::copy_n(rate, this->Length, this->Pass->StoreRate + offset);
   }
-  UpdateRow(stage.Update, at(stage.Current), at(stage.Previous), at(stage.First), rate,
-    at(stage.FirstRate), this->Length, at(stage.Out));
+}
+
+/// Makes a stage's result of a row from its rates: the next stage's u, or the pass's.
+template <typename T>
+void DiffusionPipeline<T>::WriteRow(std::size_t number, std::int64_t row, std::int64_t plane)
+{
+  const DiffusionPass<T>& pass = *this->Pass;
+  const std::int64_t offset = this->Offset(row, plane);
+  auto at = [offset](auto* volume) { return volume ? volume + offset : nullptr; };
+  const bool last = number + 1 == this->Stages.size();
+  T* out = last ? at(pass.Out) : this->Stages[number + 1].Levels.front().Row(row, plane);
+  const T* previous = at(pass.Previous);
+  if (number > 0 && pass.First)
+  {
+    previous = this->Stages[number - 1].Levels.front().Row(row, plane);
+  }
+  UpdateRow(pass.Updates[number], this->Stages[number].Levels.front().Row(row, plane), previous,
+    at(pass.First), this->RateScratch.data(), at(pass.FirstRate), this->Length, out);
+  if (!last)
+  {
+    RepeatEnds(out, this->Length);
+  }
+  if (!this->Own(row, plane))
+  {
+    return;
+  }
+  if (pass.OutBefore && number + 2 == this->Stages.size())
+  {
+    std::copy_n(out, this->Length, at(pass.OutBefore));
+  }
+  for (const StageSum<T>& sum : pass.Sums)
+  {
+    if (number >= sum.OfStage.size())
+    {
+      continue;
+    }
+    AddChangeRow(sum.OfStage[number], out, at(pass.First), this->Length, at(sum.Volume));
+  }
 }
 
 template <typename T>
@@ -256,8 +330,6 @@ void DiffusionPipeline<T>::AddReactions(const T* current, std::int64_t offset)
   }
 }
 
-template class PlaneRing<float>;
-template class PlaneRing<double>;
 template class DiffusionPipeline<float>;
 template class DiffusionPipeline<double>;
 

@@ -1,50 +1,22 @@
 /**
  * @file DiffusionPipeline.h
- * @brief One tile of rows walked through plane by plane: u -> L u -> ... -> W, c -> rate -> update.
+ * @brief One tile of rows walked through plane by plane, several stages behind each other.
+ *
+ * Each stage is u -> L u -> ... -> W, c -> rate -> update; its result is the next one's u. A stage
+ * runs as many planes behind the one before as it looks far, so that all between the first u and
+ * the last result is a few planes in cache.
  */
 #ifndef isthmus_DiffusionPipeline_h
 #define isthmus_DiffusionPipeline_h
 
 #include "DiffusionOperator.h"
+#include "PlaneRing.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 namespace isthmus
 {
-
-/// The last few planes of a quantity, as far as a tile of rows needs them, each row with margins.
-template <typename T>
-class PlaneRing
-{
-public:
-  PlaneRing(std::int64_t rowLength, std::int64_t tileRows, int depth);
-
-  /// The rows held from now on: those from `first`, of a grid with `rows` rows and `planes` planes.
-  void Place(std::int64_t first, std::int64_t rows, std::int64_t planes);
-
-  T* Row(std::int64_t row, std::int64_t plane)
-  {
-    return this->Values.data() +
-      ((plane % this->Depth) * this->RowCount + (row - this->FirstRow)) * this->Stride + RowMargin;
-  }
-
-  /// The row with its neighbours; beyond the grid's ends, the outermost ones again (Neumann).
-  RowStencil<T> Stencil(std::int64_t row, std::int64_t plane)
-  {
-    const std::int64_t lastRow = this->GridRows - 1, lastPlane = this->GridPlanes - 1;
-    return { this->Row(row, plane), this->Row(std::max<std::int64_t>(row - 1, 0), plane),
-      this->Row(std::min(row + 1, lastRow), plane),
-      this->Row(row, std::max<std::int64_t>(plane - 1, 0)),
-      this->Row(row, std::min(plane + 1, lastPlane)) };
-  }
-
-private:
-  std::int64_t RowCount, Depth, Stride;
-  std::int64_t FirstRow = 0, GridRows = 0, GridPlanes = 0;
-  std::vector<T> Values;
-};
 
 template <typename T>
 class DiffusionPipeline
@@ -55,28 +27,44 @@ public:
     std::int64_t Begin, End;
   };
 
-  /// Rows of a tile whose rings fill about half of a core's second-level cache.
-  static std::int64_t TileRowsThatFit(const DiffusionOperator<T>& diffusion);
+  /// Rows of a tile whose planes fill about half a MiB, or 1.5 MiB with several stages.
+  static std::int64_t TileRowsThatFit(const DiffusionOperator<T>& diffusion, int stages);
 
-  DiffusionPipeline(const DiffusionOperator<T>& diffusion, std::int64_t tileRows);
+  DiffusionPipeline(const DiffusionOperator<T>& diffusion, int stages, std::int64_t tileRows);
 
-  /// Does one stage for these rows of these planes.
-  void Run(const DiffusionStage<T>& stage, Range rows, Range planes);
+  /// Does the stages of a pass for these rows of these planes. What lies around them and is needed
+  /// by the later stages is worked out again by each tile.
+  void Run(const DiffusionPass<T>& pass, Range rows, Range planes);
 
 private:
+  /// What one stage keeps.
+  struct Stage
+  {
+    std::vector<PlaneRing<T>> Levels; ///< L^m u with the lower orders added; the last is W
+    PlaneRing<T> C;                   ///< empty where the coefficient is constant or stored
+  };
+
+  void RunStage(std::size_t stage, std::int64_t wave);
+  /// The rows that a quantity `lag` planes behind the first u owes of its plane of this wave.
+  Range Owed(std::int64_t plane, int lag) const;
+  bool Own(std::int64_t row, std::int64_t plane) const;
+  std::int64_t Offset(std::int64_t row, std::int64_t plane) const;
   void Load(PlaneRing<T>& ring, const T* volume, Range rows, std::int64_t plane);
-  void RaiseOrder(int order, Range rows, std::int64_t plane);
-  void FillCoefficient(const DiffusionStage<T>& stage, Range rows, std::int64_t plane);
-  void WriteRow(const DiffusionStage<T>& stage, std::int64_t row, std::int64_t plane);
+  void RaiseOrder(Stage& stage, std::size_t level, Range rows, std::int64_t plane);
+  void FillCoefficient(std::size_t stage, Range rows, std::int64_t plane);
+  void FillRates(std::size_t stage, std::int64_t row, std::int64_t plane);
+  void WriteRow(std::size_t stage, std::int64_t row, std::int64_t plane);
   void AddReactions(const T* current, std::int64_t offset);
+  PlaneRing<T>& CoefficientOf(std::size_t stage);
 
   const DiffusionOperator<T>& Diffusion;
   DiffusionLags Lags;
   std::int64_t Length; ///< of a row
   std::array<T, 3> SecondWeights, FirstWeights;
+  const DiffusionPass<T>* Pass = nullptr;
   Range OwnRows{ 0, 0 }, OwnPlanes{ 0, 0 }; ///< of the tile, without what its neighbours own
-  std::vector<PlaneRing<T>> Levels;         ///< L^m u with the lower orders added; the last is W
-  PlaneRing<T> C;
+  std::vector<Stage> Stages;
+  PlaneRing<T> StoredC; ///< shared by the stages
   std::vector<T> RateScratch;
 };
 

@@ -61,17 +61,19 @@ ISTHMUS_INLINE void GradientSquared(
   out[n - 1] = node(n - 1, 2 * x);
 }
 
-/// exp(x) for x <= 0 without a branch: 2^n by its bits, times Taylor's series on |r| <= ln(2)/2.
+/// Below it an exponential is taken to be that of this argument.
+template <typename T>
+constexpr T LowestExponent = std::is_same_v<T, float> ? T(-87) : T(-708);
+
+/// exp(x) for LowestExponent <= x <= 0: 2^n by its bits, times Taylor's series on |r| <= ln(2)/2.
 template <typename T>
 ISTHMUS_INLINE T ExponentialOfNegative(T x)
 {
   constexpr bool single = std::is_same_v<T, float>;
   using Bits = std::conditional_t<single, std::int32_t, std::int64_t>;
-  constexpr T lowest = single ? T(-87) : T(-708);
   constexpr T log2e = T(1.4426950408889634074);
   constexpr T ln2High = single ? T(0.693359375) : T(0.693147180369123816490);
   constexpr T ln2Low = single ? T(-2.12194440054690583e-4) : T(1.90821492927058770002e-10);
-  x = x > lowest ? x : lowest;
   const auto power = static_cast<std::int32_t>(x * log2e - T(0.5));
   const T r = (x - static_cast<T>(power) * ln2High) - static_cast<T>(power) * ln2Low;
   T series = 1;
@@ -89,9 +91,15 @@ ISTHMUS_INLINE T ExponentialOfNegative(T x)
 template <typename T>
 ISTHMUS_INLINE void Exponential(std::int64_t n, T* __restrict values)
 {
+  // By itself: in one loop with the rest, a compiler makes of it a branch, and no vectors.
   for (std::int64_t i = 0; i < PaddedLength(n); ++i)
   {
-    values[i] = ExponentialOfNegative(-values[i]);
+    const T x = -values[i];
+    values[i] = x > LowestExponent<T> ? x : LowestExponent<T>;
+  }
+  for (std::int64_t i = 0; i < PaddedLength(n); ++i)
+  {
+    values[i] = ExponentialOfNegative(values[i]);
   }
 }
 
@@ -146,6 +154,17 @@ ISTHMUS_INLINE void Update(const RowUpdate<T>& update, const T* current, const T
     }
     return;
   }
+  if (!firstRate)
+  {
+    ISTHMUS_IN_PLACE
+    for (std::int64_t i = 0; i < n; ++i)
+    {
+      const T f = first[i];
+      out[i] =
+        f + (ofCurrent * (current[i] - f) + ofPrevious * (previous[i] - f) + ofRate * rate[i]);
+    }
+    return;
+  }
   ISTHMUS_IN_PLACE
   for (std::int64_t i = 0; i < n; ++i)
   {
@@ -153,6 +172,16 @@ ISTHMUS_INLINE void Update(const RowUpdate<T>& update, const T* current, const T
     out[i] = f +
       (ofCurrent * (current[i] - f) + ofPrevious * (previous[i] - f) + ofRate * rate[i] +
         ofFirstRate * firstRate[i]);
+  }
+}
+
+template <typename T>
+ISTHMUS_INLINE void AddChange(
+  T factor, const T* values, const T* first, std::int64_t n, T* __restrict sum)
+{
+  for (std::int64_t i = 0; i < n; ++i)
+  {
+    sum[i] += factor * (values[i] - first[i]);
   }
 }
 
@@ -188,6 +217,11 @@ ISTHMUS_INLINE void Update(const RowUpdate<T>& update, const T* current, const T
     const T* previous, const T* first, const T* rate, const T* firstRate, std::int64_t n, T* out)  \
   {                                                                                                \
     Update(update, current, previous, first, rate, firstRate, n, out);                             \
+  }                                                                                                \
+  ISTHMUS_VECTOR_CLONES void AddChangeRow(                                                         \
+    T factor, const T* values, const T* first, std::int64_t n, T* sum)                             \
+  {                                                                                                \
+    AddChange(factor, values, first, n, sum);                                                      \
   }
 
 ISTHMUS_ROW_KERNELS(float)

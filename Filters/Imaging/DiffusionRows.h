@@ -88,12 +88,18 @@ struct RowUpdate
   T OfFirstRate = 0;
 };
 
-/// Writes an update; `previous` and `out` may be one row. Without `previous` (null) it is the
-/// first stage: `current` is `first`, and `first` and `firstRate` are not read.
+/// Writes an update; `previous` and `out` may be one row. Without `previous` (null) it is an
+/// explicit step: `first` and `firstRate` are not read. Without `firstRate`, its term is left out.
 void UpdateRow(const RowUpdate<float>& update, const float* current, const float* previous,
   const float* first, const float* rate, const float* firstRate, std::int64_t n, float* out);
 void UpdateRow(const RowUpdate<double>& update, const double* current, const double* previous,
   const double* first, const double* rate, const double* firstRate, std::int64_t n, double* out);
+
+/// sum += factor (values - first); `sum` is none of the others.
+void AddChangeRow(
+  float factor, const float* values, const float* first, std::int64_t n, float* sum);
+void AddChangeRow(
+  double factor, const double* values, const double* first, std::int64_t n, double* sum);
 
 }
 

@@ -2,6 +2,7 @@
 
 #include "BoxMean.h"
 #include "DiffusionEvaluation.h"
+#include "StageSequence.h"
 #include "TimeSteps.h"
 
 #include <algorithm>
@@ -146,15 +147,19 @@ int Smooth(
   heat.Spacing = grid.Spacing;
   const double time = deviation * deviation / 2.0;
   const auto steps = EulerSteps(time, 2.0 / heat.SpectralBound(), 0);
-  DiffusionStage<T> stage;
-  stage.Update.OfRate = static_cast<T>(steps.front().Length);
-  stage.Current = values;
-  for (std::size_t left = steps.size(); left-- > 0;)
+  RowUpdate<T> update;
+  update.OfRate = static_cast<T>(steps.front().Length);
+  const auto most = static_cast<std::size_t>(StagesAtOnce(grid, heat));
+  const std::size_t passes = (steps.size() + most - 1) / most;
+  DiffusionPass<T> pass;
+  pass.Current = values;
+  for (std::size_t left = passes, stages = steps.size(); left-- > 0; stages -= pass.Updates.size())
   {
-    stage.Out = scratch[left % 2];
-    Evaluate(heat, stage);
-    grid.Exchange(stage.Out);
-    stage.Current = stage.Out;
+    pass.Updates.assign((stages + left) / (left + 1), update);
+    pass.Out = scratch[left % 2];
+    Evaluate(heat, pass);
+    grid.Exchange(pass.Out);
+    pass.Current = pass.Out;
   }
   return static_cast<int>(steps.size());
 }

@@ -2,7 +2,7 @@
 
 #include "DiffusionEvaluation.h"
 #include "EdgeCoefficient.h"
-#include "LargePages.h"
+#include "StageSequence.h"
 #include "TimeSteps.h"
 
 #include <algorithm>
@@ -49,10 +49,12 @@ DiffusionOperator<T> MakeOperator(const Parameters& parameters)
 /// Volumes of T that steps go through; the values and the result of a step change places.
 enum Volume : std::size_t
 {
-  Now,        ///< the values
-  Stage,      ///< the first stage, and each second one after it
-  OtherStage, ///< the stages between
-  FirstRate,  ///< rate of change at the step's start
+  Now,   ///< the values
+  Stage, ///< this and the next ones: the last two stages, and where the next two are written
+  OtherStage,
+  ThirdStage, ///< where several stages are done in one pass
+  FourthStage,
+  FirstRate, ///< rate of change at the step's start
   NumberOfVolumes
 };
 
@@ -72,9 +74,9 @@ public:
 
 private:
   T* NewVolume();
-  void Evaluate(const DiffusionStage<T>& stage, const ProgressCallback& progress) const;
   Volume EulerStep(const TimeStep& step, const ProgressCallback& progress);
   using StageOf = RowUpdate<T> (*)(int j, int stages, double length);
+  void FirstStage(const RowUpdate<T>& update, const ProgressCallback& progress);
   Volume SuperStep(const TimeStep& step, StageOf stageOf, const ProgressCallback& progress);
   int ToMidpoint(double length, const ProgressCallback& progress);
   int FillCoefficient(Volume values, Volume scratch, Volume moreScratch);
@@ -111,6 +113,11 @@ Solver<T>::Solver(const DiffusionGrid<T>& grid, const Parameters& parameters, T*
   if (super)
   {
     this->Volumes[FirstRate] = this->NewVolume();
+    if (StagesAtOnce(grid, this->Diffusion) > 1)
+    {
+      this->Volumes[ThirdStage] = this->NewVolume();
+      this->Volumes[FourthStage] = this->NewVolume();
+    }
   }
   if (LooksBeyondNeighbours(parameters) || (super && !constant))
   {
@@ -121,62 +128,64 @@ Solver<T>::Solver(const DiffusionGrid<T>& grid, const Parameters& parameters, T*
 template <typename T>
 T* Solver<T>::NewVolume()
 {
-  // Left uninitialised: whoever writes it first touches it first.
-  const auto size = static_cast<std::size_t>(this->Grid.Size());
-  this->Owned.emplace_back(new T[size]);
-  AdviseLargePages(this->Owned.back().get(), size * sizeof(T));
+  this->Owned.push_back(isthmus::NewVolume<T>(this->Grid.Size()));
   return this->Owned.back().get();
 }
 
+/// From Now to Stage: an explicit step, or the first stage of a super step, with the rate and the
+/// coefficient that the others need.
 template <typename T>
-void Solver<T>::Evaluate(const DiffusionStage<T>& stage, const ProgressCallback& progress) const
+void Solver<T>::FirstStage(const RowUpdate<T>& update, const ProgressCallback& progress)
 {
+  DiffusionPass<T> pass;
+  pass.Updates = { update };
+  pass.Current = this->Volumes[Now];
+  pass.Out = this->Volumes[Stage];
+  pass.StoreRate = this->Volumes[FirstRate];
+  pass.StoreCoefficient = this->Diffusion.StoredCoefficient ? nullptr : this->Coefficient;
   // On several ranks all must stop at the same place, so not inside a stage.
-  isthmus::Evaluate(this->Diffusion, stage, this->Grid.ExchangeHalo ? nullptr : progress);
+  Evaluate(this->Diffusion, pass, this->Grid.ExchangeHalo ? nullptr : progress);
   Report(progress, 1.0);
-  this->Grid.Exchange(stage.Out);
+  this->Grid.Exchange(pass.Out);
+  if (pass.StoreCoefficient)
+  {
+    this->Grid.Exchange(this->Coefficient);
+    this->Diffusion.StoredCoefficient = this->Coefficient;
+  }
 }
 
 /// Returns which volume holds the result.
 template <typename T>
 Volume Solver<T>::EulerStep(const TimeStep& step, const ProgressCallback& progress)
 {
-  DiffusionStage<T> stage;
-  stage.Update.OfRate = static_cast<T>(step.Length);
-  stage.Current = this->Volumes[Now];
-  stage.Out = this->Volumes[Stage];
-  this->Evaluate(stage, progress);
+  RowUpdate<T> update;
+  update.OfRate = static_cast<T>(step.Length);
+  this->FirstStage(update, progress);
   return Stage;
 }
 
 template <typename T>
 Volume Solver<T>::SuperStep(const TimeStep& step, StageOf stageOf, const ProgressCallback& progress)
 {
-  Volume out = Now;
-  for (int j = 1; j <= step.Stages; ++j)
+  this->FirstStage(stageOf(1, step.Stages, step.Length), Between(progress, 0.0, 1.0 / step.Stages));
+  StageSequence<T> sequence;
+  for (int j = 2; j <= step.Stages; ++j)
   {
-    const Volume in = out;
-    out = in == Stage ? OtherStage : Stage;
-    DiffusionStage<T> stage;
-    stage.Update = stageOf(j, step.Stages, step.Length);
-    stage.Current = this->Volumes[in];
-    stage.Previous = j == 1 ? nullptr : this->Volumes[j == 2 ? Now : out];
-    stage.First = this->Volumes[Now];
-    stage.FirstRate = this->Volumes[FirstRate];
-    stage.Out = this->Volumes[out];
-    if (j == 1)
-    {
-      stage.StoreRate = this->Volumes[FirstRate];
-      stage.StoreCoefficient = this->Diffusion.StoredCoefficient ? nullptr : this->Coefficient;
-    }
-    this->Evaluate(stage, Between(progress, double(j - 1) / step.Stages, double(j) / step.Stages));
-    if (stage.StoreCoefficient)
-    {
-      this->Grid.Exchange(this->Coefficient);
-      this->Diffusion.StoredCoefficient = this->Coefficient;
-    }
+    sequence.Updates.push_back(stageOf(j, step.Stages, step.Length));
   }
-  return out;
+  if (sequence.Updates.empty())
+  {
+    return Stage;
+  }
+  sequence.Before = this->Volumes[Now];
+  sequence.Current = this->Volumes[Stage];
+  sequence.First = this->Volumes[Now];
+  sequence.FirstRate = sequence.Updates[0].OfFirstRate != T(0) ? this->Volumes[FirstRate] : nullptr;
+  std::copy_n(this->Volumes.begin() + Stage, sequence.Volumes.size(), sequence.Volumes.begin());
+  const T* result = EvaluateStages(
+    this->Grid, this->Diffusion, sequence, Between(progress, 1.0 / step.Stages, 1.0));
+  return static_cast<Volume>(
+    std::find(this->Volumes.begin(), this->Volumes.end(), result) - this->Volumes.begin());
 }
 
 /// Stores the coefficient of Volumes[values]; the two scratch volumes are overwritten. Returns for
@@ -193,11 +202,12 @@ int Solver<T>::FillCoefficient(Volume values, Volume scratch, Volume moreScratch
   else
   {
     this->Diffusion.StoredCoefficient = nullptr;
-    DiffusionStage<T> stage;
-    stage.Current = this->Volumes[values];
-    stage.Out = this->Volumes[scratch];
-    stage.StoreCoefficient = this->Coefficient;
-    isthmus::Evaluate(this->Diffusion, stage);
+    DiffusionPass<T> pass;
+    pass.Updates.resize(1);
+    pass.Current = this->Volumes[values];
+    pass.Out = this->Volumes[scratch];
+    pass.StoreCoefficient = this->Coefficient;
+    Evaluate(this->Diffusion, pass);
     this->Grid.Exchange(this->Coefficient);
   }
   this->Diffusion.StoredCoefficient = this->Coefficient;

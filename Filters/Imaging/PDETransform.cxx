@@ -1,12 +1,15 @@
 #include "PDETransform.h"
 
+#include "ChebyshevSeries.h"
 #include "Pi.h"
+#include "StageSequence.h"
+#include "TimeSteps.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
-#include <string>
-#include <vector>
+#include <type_traits>
 
 namespace isthmus
 {
@@ -46,25 +49,108 @@ DiffusionParameters LowPass(const PDETransformParameters& parameters, int k)
   return diffusion;
 }
 
-template <typename T>
-void TransformByPDE(const DiffusionGrid<T>& grid, const PDETransformParameters& parameters,
-  T* values, const std::function<void(int k, const T* before, const T* after)>& takeMode,
-  const ProgressCallback& progress)
+namespace
 {
-  Check(parameters);
-  std::vector<T> before(static_cast<std::size_t>(grid.Size()));
+
+/// -L's bound with room for the rounding of T, beyond which polynomials would grow without end.
+template <typename T>
+double SafeBound(const DiffusionOperator<T>& laplacian)
+{
+  return laplacian.SpectralBound() *
+    (1.0 + 8.0 * static_cast<double>(std::numeric_limits<T>::epsilon()));
+}
+
+/// Coefficients of all low-passes from the input to X_(k+2), k the first index.
+template <typename T>
+std::vector<std::vector<double>> SeriesOfModes(
+  const PDETransformParameters& parameters, double bound)
+{
+  const double tolerance = std::is_same_v<T, float> ? 1e-7 : 1e-13;
+  std::vector<DiffusionParameters> lowPasses;
+  std::vector<std::vector<double>> all;
   for (int k = 0; k < parameters.Modes; ++k)
   {
-    std::copy_n(values, grid.Size(), before.begin());
-    Diffuse<T>(grid, LowPass(parameters, k), values, nullptr, nullptr,
-      Between(progress, double(k) / parameters.Modes, double(k + 1) / parameters.Modes));
-    takeMode(k, before.data(), values);
+    lowPasses.push_back(LowPass(parameters, k));
+    // Told before the series is worked out: it is about five times as long as this.
+    const double wavelength = parameters.FirstWavelength * std::pow(parameters.Ratio, k);
+    DemandEvaluations(std::sqrt(bound) * wavelength / (2.0 * Pi));
+    all.push_back(ChebyshevSeries(
+      [&](double share)
+      {
+        double exponent = 0.0;
+        for (const DiffusionParameters& lowPass : lowPasses)
+        {
+          exponent += lowPass.Time * std::pow(share * bound, lowPass.Order + 1);
+        }
+        return std::exp(-exponent);
+      },
+      tolerance));
   }
+  return all;
+}
+
+/// modes[k] = sum over n of series[k][n] (T_n u - u).
+template <typename T>
+void AddPolynomials(const DiffusionGrid<T>& grid, const DiffusionOperator<T>& laplacian,
+  const std::vector<std::vector<double>>& series, const T* values, const std::vector<T*>& modes,
+  const ProgressCallback& progress)
+{
+  std::size_t terms = 0;
+  StageSequence<T> recurrence;
+  for (std::size_t k = 0; k < modes.size(); ++k)
+  {
+    terms = std::max(terms, series[k].size());
+    std::fill_n(modes[k], grid.Size(), T(0));
+    recurrence.Sums.push_back({ modes[k], std::vector<T>(series[k].begin() + 1, series[k].end()) });
+  }
+  const double factor = 4.0 / SafeBound(laplacian);
+  RowUpdate<T> update;
+  update.OfRate = static_cast<T>(factor / 2.0); // T_1; without values before it, an explicit step
+  recurrence.Updates.push_back(update);
+  update.OfCurrent = 2;
+  update.OfPrevious = -1;
+  update.OfRate = static_cast<T>(factor);
+  recurrence.Updates.resize(terms - 1, update);
+  recurrence.Current = values;
+  recurrence.First = values;
+  const StageVolumes<T> volumes(grid, laplacian);
+  recurrence.Volumes = volumes.Pointers();
+  EvaluateStages(grid, laplacian, recurrence, progress);
+}
+
+}
+
+template <typename T>
+void TransformByPDE(const DiffusionGrid<T>& grid, const PDETransformParameters& parameters,
+  T* values, const std::vector<T*>& modes, const ProgressCallback& progress)
+{
+  Check(parameters);
+  DiffusionOperator<T> laplacian;
+  laplacian.Dimensions = grid.Dimensions;
+  laplacian.Spacing = grid.Spacing;
+  AddPolynomials(
+    grid, laplacian, SeriesOfModes<T>(parameters, SafeBound(laplacian)), values, modes, progress);
+  // modes[k] is X_(k+2) - X_1.
+  ParallelFor(0, grid.Size(), 1 << 16,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t n = first; n < last; ++n)
+      {
+        T before = 0;
+        for (T* mode : modes)
+        {
+          const T after = mode[n];
+          mode[n] = before - after;
+          before = after;
+        }
+        values[n] += before;
+      }
+    });
 }
 
 template void TransformByPDE(const DiffusionGrid<float>&, const PDETransformParameters&, float*,
-  const std::function<void(int, const float*, const float*)>&, const ProgressCallback&);
+  const std::vector<float*>&, const ProgressCallback&);
 template void TransformByPDE(const DiffusionGrid<double>&, const PDETransformParameters&, double*,
-  const std::function<void(int, const double*, const double*)>&, const ProgressCallback&);
+  const std::vector<double*>&, const ProgressCallback&);
 
 }

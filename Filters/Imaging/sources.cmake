@@ -8,6 +8,7 @@ isthmus_room(
   SOURCES
     AutomaticDenoising
     BoxMean
+    ChebyshevSeries
     DiffusionHighPass
     DiffusionEvaluation
     DiffusionImage
@@ -20,6 +21,7 @@ isthmus_room(
     PDETransform
     RankParts
     ResidualReturn
+    StageSequence
     TimeSteps
   VECTORISED
     DiffusionRows)

@@ -8,8 +8,8 @@
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
-#include <functional>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkPDETransform);
 
@@ -28,10 +28,7 @@ isthmus::PDETransformParameters vtkPDETransform::GetParameters() const
 
 int vtkPDETransform::HaloWidth()
 {
-  isthmus::DiffusionParameters highest;
-  highest.EdgeStopping = isthmus::DiffusionParameters::EdgeStoppingType::None;
-  highest.Order = std::clamp(this->FirstOrder, 0, 3);
-  return isthmus::HaloWidth(highest);
+  return 1; // of the Laplacian, whatever the orders: they are powers of it
 }
 
 template <typename T>
@@ -41,16 +38,19 @@ void vtkPDETransform::Transform(isthmus::DiffusionImage<T>& image)
   isthmus::Check(parameters);
   auto values = image.Copy(this->ChosenScalars(image.GetInput()), this->GetMaskInvalid());
   values->SetName("Residue");
+  std::vector<vtkSmartPointer<typename isthmus::DiffusionImage<T>::Array>> modes;
+  std::vector<T*> pointers;
+  for (int k = 1; k <= parameters.Modes; ++k)
+  {
+    modes.push_back(image.NewVolume("Mode" + std::to_string(k)));
+    pointers.push_back(modes.back()->GetPointer(0));
+  }
   isthmus::TransformByPDE<T>(
-    image.GetGrid(), parameters, values->GetPointer(0),
-    [&](int k, const T* before, const T* after)
-    {
-      auto mode = image.Duplicate(values, "Mode" + std::to_string(k + 1));
-      std::transform(
-        before, before + image.GetGrid().Size(), after, mode->GetPointer(0), std::minus<T>());
-      image.AddResult(mode, false);
-    },
-    image.GetProgress());
+    image.GetGrid(), parameters, values->GetPointer(0), pointers, image.GetProgress());
+  for (const auto& mode : modes)
+  {
+    image.AddResult(mode, false);
+  }
   image.AddResult(values, true);
 }
 

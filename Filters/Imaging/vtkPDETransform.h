@@ -8,9 +8,9 @@
  *
  * Output arrays: `Mode1`, ..., `Mode<n>` and `Residue` (active); their sum is the input up to the
  * rounding of the additions. Times are chosen from wavelengths; orders fall by one from FirstOrder
- * to LastOrder, since sharp cuts are cheap only where wavelengths are short. Cost: about
- * (wavelength per voxel)^(q + 1) evaluations for a low-pass of order q. Memory: n + 1 output
- * volumes and five.
+ * to LastOrder. All modes come from one Chebyshev recurrence of the Laplacian (PDETransform.h), to
+ * 1e-7 of the input (float) or 1e-13 (double) beside rounding. Cost: that recurrence is about
+ * three times as long as the longest wavelength in voxels. Memory: n + 1 output volumes and four.
  *
  * @sa vtkHighOrderDiffusion vtkDiffusionHighPass
  */

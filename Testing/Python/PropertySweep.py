@@ -22,7 +22,6 @@ LEFT_OUT = {
     ("IonTransport", "Spacing", 0.25): "a million nodes for a tube of 10 angstrom",
     ("IonTransportOnSurface", "Spacing", 0.25): "the same",
     ("OffsetSurface", "Resolution", 512): "512^3 nodes are 1 GB",
-    ("PDETransform", "LastOrder", 3): "order 8 takes some 10^5 evaluations for a wavelength of 20",
     ("PDETransform", "NumberOfModes", 16): "wavelengths that grow sixteen times over",
     ("PDETransform", "WavelengthRatio", 16.0): "wavelengths that grow sixteenfold",
     ("SurfaceRemesh", "RelativeEdgeLength", 0.01): "ten thousand triangles for each",

@@ -147,6 +147,38 @@ TEST(DiffusionSteps, ResultsDoNotDependOnThreads)
   }
 }
 
+// Where halos must be exchanged each stage is a pass of its own, here with nothing to exchange;
+// else several stages share one, tile by tile with what lies around a tile worked out again.
+TEST(DiffusionSteps, StagesSharingAPassGiveTheBitsOfStagesAlone)
+{
+  for (const auto& n : std::vector<std::array<std::int64_t, 3>>{
+         { 33, 19, 23 }, { 40, 1, 1 }, { 5, 2, 3 }, { 80, 150, 30 }, { 9, 7, 300 } })
+  {
+    auto shared = Grid<float>(n[0], n[1], n[2]);
+    shared.Spacing = { 1.0, 1.3, 0.8 };
+    auto alone = shared;
+    alone.ExchangeHalo = [](float*) {};
+    const std::vector<float> start = Noise(shared);
+    for (int order = 0; order <= 3; ++order)
+    {
+      for (const double smoothing : { 0.0, 1.2 })
+      {
+        DiffusionParameters parameters;
+        parameters.Order = order;
+        parameters.Sigma = 0.5;
+        parameters.PreSmoothing = smoothing;
+        parameters.LowerOrders = order == 2;
+        parameters.Fidelity = order == 1 ? 0.3 : 0.0;
+        parameters.Time = 20 * ExplicitStepLimit(parameters, shared.Spacing);
+        EXPECT_EQ(Diffused(shared, parameters, start), Diffused(alone, parameters, start))
+          << "order " << order << " on " << n[0] << " x " << n[1] << " x " << n[2];
+        parameters.Flow = DiffusionParameters::FlowType::GeometricFlow;
+        EXPECT_EQ(Diffused(shared, parameters, start), Diffused(alone, parameters, start));
+      }
+    }
+  }
+}
+
 TEST(DiffusionSteps, TheReportIsACurveThatFalls)
 {
   const auto grid = Grid<float>(16, 16, 16);
