@@ -34,7 +34,7 @@ MUTANTS = {
         CGAL, "params::cell_radius_edge_ratio = c.CellRadiusEdgeRatio",
         "params::cell_radius_edge_ratio = 4.0 * c.CellRadiusEdgeRatio", FIVE),
     "CGAL's cell size is not passed on": (
-        CGAL, "params::cell_size = cells", "params::cell_size = 100.0 * c.CellSize", FIVE),
+        CGAL, "params::cell_size = cells", "params::cell_size = (static_cast<void>(cells), 0.0)", FIVE),
     "A histogram is a bin off": (
         "Filters/Meshing/MeshQuality.cxx", "static_cast<int>(angle / 180.0 * bins)",
         "static_cast<int>(angle / 180.0 * bins) + 1",
