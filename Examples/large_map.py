@@ -38,7 +38,7 @@ except ImportError:
 MARGIN = 5.0  # standard deviations: 6e-7 of a Gaussian lie beyond
 STENCIL = 3  # nodes that one evaluation looks at on each side: Gaussian, gradient, mean of the coefficient
 PROGRAM = 0.4  # GB that pvpython and its libraries take themselves
-BYTES_A_NODE = 4 * 7  # the block, its result and the four volumes of vtkHighOrderDiffusion, and one to spare
+BYTES_A_NODE = 4 * 9  # the block, its result and the six volumes of vtkHighOrderDiffusion, and one to spare
 
 
 class Blocks:

@@ -34,9 +34,9 @@ public:
   }
 
   /// Sets of runs that hang together over neighbouring lines.
-  DisjointSets Components(const SolverBox& box) const
+  DisjointSets<std::int64_t> Components(const SolverBox& box) const
   {
-    DisjointSets sets(static_cast<std::int64_t>(this->Runs.size()));
+    DisjointSets<std::int64_t> sets(static_cast<std::int64_t>(this->Runs.size()));
     const std::int64_t columns = box.Dimensions[1];
     for (std::int64_t line = 1; line < columns * box.Dimensions[2]; ++line)
     {
@@ -88,7 +88,8 @@ private:
   }
 
   /// Joins runs of two lines that come within `reach` nodes of each other along x.
-  void Join(std::int64_t line, std::int64_t other, std::int64_t reach, DisjointSets& sets) const
+  void Join(std::int64_t line, std::int64_t other, std::int64_t reach,
+    DisjointSets<std::int64_t>& sets) const
   {
     const std::int64_t shift = (line - other) * this->Width;
     std::size_t a = this->Start[static_cast<std::size_t>(line)];
@@ -118,7 +119,7 @@ std::vector<std::vector<std::int64_t>> WallsOfClosedCavities(const SolverBox& bo
   const std::vector<unsigned char>& inside, const std::vector<InterfaceCrossing>& crossings)
 {
   const OutsideRuns runs(box, inside);
-  DisjointSets sets = runs.Components(box);
+  DisjointSets<std::int64_t> sets = runs.Components(box);
   const std::int64_t open = sets.Find(0); // the first node is on the border
   std::vector<std::vector<std::int64_t>> walls;
   std::unordered_map<std::int64_t, std::size_t> wallOf;

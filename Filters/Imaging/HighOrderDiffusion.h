@@ -50,7 +50,7 @@ VTKISTHMUS_EXPORT double ExplicitStepLimit(
  * to be finite.
  *
  * Memory: extra volumes of T beside values, input and source. SuperTimeStepping 4: two for stages,
- * the first rate, the coefficient (3 where that is constant); two more for order 0 and 1 on one
+ * the first rate, the coefficient (3 where that is constant); two more for order 0 on one
  * rank, where several stages are done in one pass over memory. ForwardEuler 1: the next values; 3
  * with LocalVariance or PreSmoothing. Time: proportional to nodes x Evaluations.
  */

@@ -14,10 +14,10 @@
 namespace isthmus
 {
 
-/// Sets of numbers that can be joined. The root of a set is its lowest member, or, by JoinUnder, the
-/// one that means something: the elder of a class, the deepest of a basin. Amortised cost of a call:
-/// O(log n), in practice constant, by halving paths (R. Tarjan and J. van Leeuwen, 1984); memory:
-/// one `Index` a number, so 32 bits do for less than 2^32 of them.
+/// Sets of numbers that can be joined. The root of a set is its lowest member, or, by JoinUnder,
+/// the one that means something: the elder of a class, the deepest of a basin. Amortised cost of a
+/// call: O(log n), in practice constant, by halving paths (R. Tarjan and J. van Leeuwen, 1984);
+/// memory: one `Index` a number, so 32 bits do for less than 2^32 of them.
 /// @tparam Index an integer that holds n
 template <class Index>
 class DisjointSets
