@@ -16,6 +16,7 @@ Prints Markdown.
 
 import argparse
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
@@ -252,18 +253,21 @@ def row(case, folder, with_apbs):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--only", nargs="*", default=[])
     parser.add_argument("--no-apbs", action="store_true")
     parser.add_argument("--large", action="store_true")
     options = parser.parse_args()
+    chosen = [case for case in cases() if (options.large or not case.large) and
+              (not options.only or any(word.lower() in case.name.lower() for word in options.only))]
+    if not chosen:
+        sys.exit("No row has such a word in its name. There are: " + ", ".join(case.name for case in cases()))
     print("| molecule | surface | APBS, published | APBS here | ours | ours, Gaussian | other |")
     print("|---|---|---|---|---|---|---|")
-    for case in cases():
-        chosen = not options.only or any(word in case.name for word in options.only)
-        if chosen and (options.large or not case.large):
-            print(row(case, options.folder, not options.no_apbs), flush=True)
+    for case in chosen:
+        print(row(case, options.folder, not options.no_apbs), flush=True)
 
 
 if __name__ == "__main__":

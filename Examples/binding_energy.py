@@ -13,6 +13,7 @@ it. It is a small difference of large energies, and depends on the surface more 
 """
 
 import argparse
+import sys
 from pathlib import Path
 
 import numpy
@@ -38,8 +39,18 @@ def binding(partners, kind, case):
             "binding": solvation[0] - solvation[1] - solvation[2] + coulomb}
 
 
+def demand_apart(partners):
+    """Two atoms in one place are no complex: the files are one molecule twice, or in places of their own."""
+    (one, _, _), (other, _, _) = partners
+    least = min(numpy.sqrt(((other - place) ** 2).sum(axis=1)).min() for place in one)
+    if least < 0.5:
+        sys.exit(f"An atom of the one lies {least:.2f} angstrom from one of the other: give two molecules as they "
+                 "lie in their complex.")
+
+
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("one", type=Path)
     parser.add_argument("other", type=Path)
     parser.add_argument("--surface", choices=("gaussian", "balls", "ses"), default="gaussian")
@@ -51,7 +62,10 @@ def main():
     chosen = parser.parse_args()
     case = settings(chosen.spacing, chosen.salt, chosen.solute, chosen.solvent, chosen.nonlinear)
     partners = [electrostatics.read(path) for path in (chosen.one, chosen.other)]
+    demand_apart(partners)
     parts = binding(partners, chosen.surface, case)
+    if not numpy.isfinite(parts["binding"]):
+        sys.exit("There is no binding energy: one of the solutions failed, as said above.")
     print(f"{'kcal/mol':34}{'complex':>12}{chosen.one.stem:>16}{chosen.other.stem:>16}")
     print(f"{'solvation':34}" + "".join(f"{value / JOULE:{width}.2f}" for value, width in
                                         zip(parts["solvation"], (12, 16, 16))))

@@ -32,14 +32,15 @@ import site_pipeline  # noqa: E402
 import isthmus  # noqa: E402
 
 
-def arguments(description=__doc__):
-    parser = argparse.ArgumentParser(description=description.split("\n\n")[0])
+def arguments(description=__doc__, folder="binding_sites"):
+    parser = argparse.ArgumentParser(description=description,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("protein", type=Path)
     parser.add_argument("potential", type=Path, nargs="?")
     parser.add_argument("--ligand")
     parser.add_argument("--surface", type=Path)
     parser.add_argument("--decay", type=float, default=site_pipeline.DECAY)
-    parser.add_argument("--output", type=Path, default=Path("binding_sites"))
+    parser.add_argument("--output", type=Path, default=Path(folder))
     return parser.parse_args()
 
 
@@ -181,7 +182,7 @@ def picture(surface, target, ligand_file, path):
         view.OrientationAxesVisibility = 0
         views.append(view)
     show_surface(source, views[0], "Potential", "potential (kT/e)", 5.0)
-    title = "potential x kappa_2 (kT/(e A)); rims: three best sites"
+    title = "potential x kappa_2 (kT/(e A)); rims: the best sites"
     show_surface(source, views[1], "PolarizedCurvature", title, 3.0)
     if ligand_file:
         show_ligand(ligand_file, views[:1])

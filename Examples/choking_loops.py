@@ -2,7 +2,8 @@
 tunnels in red, additional loops in yellow, choke points as spheres, persistence diagram beside it.
 
 Usage: pvpython choking_loops.py SURFACE [PICTURE] [DISTANCE_PERCENT PERSISTENCE_PERCENT [SIDE]]
-SURFACE: .obj, .stl, .ply, .vtp or .off. PICTURE: choking_loops.png by default.
+SURFACE: .obj, .stl, .ply, .vtp or .off. PICTURE: choking_loops.png by default; beside it go the loops
+(.vtp) and their numbers (.txt).
 SIDE: Inside, Outside or Both (default).
 
 Other scripts call choking_picture() with any source of a closed surface.
@@ -234,13 +235,14 @@ def choking_picture(surface, picture, distance=100.0, persistence=5.0, side="Bot
     return dict(numbers_of(loops), proxy=loops)
 
 
-def tell(found):
-    print("handles {handles}, tunnels {tunnels}, additional loops {additional inside} inside and "
-          "{additional outside} outside".format(**found))
-    print("samples %d, largest sampling error %.4g, reference lengths %.5g inside, %.5g outside" % (
-        found["samples"], found["largest sampling error"], found["reference length"]["inside"],
-        found["reference length"]["outside"]))
-    print("seconds: " + ", ".join("%s %.2f" % item for item in found["seconds"].items()))
+def told(found):
+    reference = found["reference length"]
+    return "\n".join((
+        "handles {handles}, tunnels {tunnels}, additional loops {additional inside} inside and "
+        "{additional outside} outside".format(**found),
+        "samples %d, largest sampling error %.4g, reference lengths %.5g inside, %.5g outside" % (
+            found["samples"], found["largest sampling error"], reference["inside"], reference["outside"]),
+        "seconds: " + ", ".join("%s %.2f" % item for item in found["seconds"].items())))
 
 
 def main(surface, picture="choking_loops.png", distance=100.0, persistence=5.0, side="Both"):
@@ -250,8 +252,12 @@ def main(surface, picture="choking_loops.png", distance=100.0, persistence=5.0, 
     simple.UpdatePipeline(proxy=source)
     if source.GetDataInformation().GetDataSetTypeAsString() != "vtkPolyData":
         sys.exit(f"{surface} is no surface: make one first, of a map with MapToMesh.py for instance.")
-    tell(choking_picture(source, picture, distance, persistence, side))
-    print("picture:", picture)
+    found = choking_picture(source, picture, distance, persistence, side)
+    print(told(found))
+    loops, numbers = Path(picture).with_suffix(".vtp"), Path(picture).with_suffix(".txt")
+    simple.SaveData(str(loops), simple.OutputPort(found["proxy"], 0))
+    numbers.write_text(told(found) + "\n")
+    print("picture, loops, these numbers:", picture, loops, numbers)
 
 
 if __name__ == "__main__":

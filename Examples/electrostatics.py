@@ -101,7 +101,8 @@ def pictures(path, salt, direction, names):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("molecule", type=Path)
     parser.add_argument("--salt", type=float, default=0.15)
     parser.add_argument("--direction", type=float, nargs=3, default=(0.3, 0.2, -1.0))

@@ -180,7 +180,8 @@ def sweep(complexes):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--work", type=Path, default=Path("binding_site_evaluation"))
     parser.add_argument("--surfaces", nargs="*", choices=KINDS[0], default=KINDS[0][:1])

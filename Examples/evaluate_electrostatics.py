@@ -177,7 +177,8 @@ def drift(energies):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("file", type=Path)
     parser.add_argument("--surfaces", nargs="*", choices=SURFACES, default=SURFACES)
     parser.add_argument("--rotations", type=int, default=10)

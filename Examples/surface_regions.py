@@ -5,7 +5,7 @@ thesis.
 Usage: pvpython surface_regions.py PROTEIN [POTENTIAL] [the options of binding_sites.py]
 
 Red is below the lower threshold, blue above the upper one. --decay 0.3 gives a coarse surface, on
-which concave regions are clefts and not grooves between atoms.
+which concave regions are clefts and not grooves between atoms. The folder is surface_regions by default.
 """
 
 import sys
@@ -104,7 +104,7 @@ def picture(finders, titles, path):
 
 
 def main():
-    options = binding_sites.arguments(__doc__)
+    options = binding_sites.arguments(__doc__, "surface_regions")
     options.output.mkdir(parents=True, exist_ok=True)
     surface, _, name, _ = binding_sites.prepare(options, options.output.resolve())
     lines = area_table(surface, "MinimumCurvature", "1/A", CURVATURES) + [""]

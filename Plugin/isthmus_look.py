@@ -174,7 +174,12 @@ def _look_at_ions(display, view):
 def _look_at_mesh(display, view):
     """Cells that can be seen; regions in colours where there is more than one."""
     display.SetRepresentationType("Surface With Edges")
-    cells = _range_of_cells(display.Input, "RegionId")
+    _colour_if_it_differs(display, view, "RegionId")
+
+
+def _colour_if_it_differs(display, view, array):
+    """Plain where a cell array has one value: a bar from it to itself tells nothing."""
+    cells = _range_of_cells(display.Input, array)
     if cells is None or cells[0] == cells[1]:
         simple.ColorBy(display, None)
         simple.HideUnusedScalarBars(view)
@@ -272,6 +277,8 @@ def _look_at_shape(display, view, source, name):
         _look_at_handles(display, port)
     elif name in MESHES:
         _look_at_mesh(display, view)
+    elif name == "HandleFilling" and port == 0:
+        _colour_if_it_differs(display, view, "Filling")
     elif name in ENVELOPES:
         _hide_molecule(source.Input, view)
     elif name in pockets_and_pores.FEATURES:
