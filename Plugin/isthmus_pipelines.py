@@ -15,7 +15,7 @@ The buttons of the toolbar are run(); first_look() is what the window calls for 
 import os
 
 from paraview import print_warning, servermanager, simple
-from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow
+from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 try:
     import isthmus_charges as charges  # with the plugin, whose window uses them, too
@@ -311,8 +311,7 @@ def _fits(function):
 def _tell(message):
     """An error of the button, as one sentence: without the line of a script that made it; in the window's
     messages, which open for it as for a filter's."""
-    vtkLogger.Log(vtkLogger.VERBOSITY_ERROR, "Isthmus", 0, message)
-    vtkOutputWindow.GetInstance().DisplayErrorText(message)
+    vtkOutputWindow.GetInstance().DisplayErrorText(f"Isthmus: {message}\n")
 
 
 def use_proposed_threshold(number):

@@ -6,6 +6,7 @@ a surface takes the place of its molecule.
 from good_data import channel
 from paraview import servermanager, simple
 from shared_data import shared_data
+from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 import isthmus_look as look  # there once paraview.simple has loaded the plugin
 import isthmus_pipelines as pipelines
@@ -45,6 +46,16 @@ def check_buttons():
     return density, atoms
 
 
+def check_refusal():
+    """A button's sentence goes where the window's messages come from, once."""
+    window, said = vtkOutputWindow.GetInstance(), []
+    watched = window.AddObserver("ErrorEvent", lambda caller, event: said.append(event))
+    simple.SetActiveSource(simple.Sphere())
+    pipelines.run("map_to_surface")
+    window.RemoveObserver(watched)
+    assert len(said) == 1, said
+
+
 def check_looks(density, atoms):
     view = simple.GetActiveView()
     torus = simple.OpenDataFile(str(shared_data("surfaces/torus.obj")))
@@ -65,7 +76,7 @@ def check_looks(density, atoms):
     assert (colours[0], colours[-4]) == (-5.0, 5.0), colours
     assert colours[1] > 2 * colours[3] and colours[-1] > 2 * colours[-3], colours
 
-    handles = simple.MapHandles(Input=density)
+    handles = simple.MapHandles(Input=density, Scalars=["POINTS", "Density"])
     chart = simple.CreateView("XYChartView")
     levels = simple.Show(simple.OutputPort(handles, 2), chart, "XYChartRepresentation")
     look.first_look(levels.GetGlobalID())
@@ -88,6 +99,7 @@ def check_looks(density, atoms):
     assert sorted(sheet.HiddenColumnLabels) == ["ConcentrationFactor", "CurrentSpread"], sheet.HiddenColumnLabels
 
 
+check_refusal()
 check_looks(*check_buttons())
 assert servermanager.ActiveConnection is not None
 print("buttons and first looks")

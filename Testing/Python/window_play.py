@@ -163,7 +163,7 @@ def coloured_fraction(path):
 def complaints(log):
     """Lines of the log that a user would take for something wrong."""
     return [line for line in log.splitlines()
-            if "ERR|" in line or "WARN|" in line or "rror:" in line or "Traceback" in line]
+            if line.startswith("Isthmus: ") or "ERR|" in line or "WARN|" in line or "rror:" in line or "Traceback" in line]
 
 
 def play_all(test, sessions):
