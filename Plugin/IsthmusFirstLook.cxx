@@ -4,6 +4,7 @@
 
 #include <pqApplicationCore.h>
 #include <pqDataRepresentation.h>
+#include <pqPipelineSource.h>
 #include <pqServerManagerModel.h>
 
 #include <vtkSMProxy.h>
@@ -20,6 +21,8 @@ void IsthmusFirstLook::Start()
   pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
   QObject::connect(
     model, &pqServerManagerModel::representationAdded, this, &IsthmusFirstLook::Follow);
+  QObject::connect(
+    model, &pqServerManagerModel::sourceAdded, this, &IsthmusFirstLook::SetFirstValues);
 }
 
 void IsthmusFirstLook::Stop()
@@ -51,6 +54,17 @@ void IsthmusFirstLook::LookSoon(pqDataRepresentation* representation)
     QTimer::singleShot(0, this, [this] { this->Look(); });
   }
   this->Waiting.insert(representation);
+}
+
+// The menu has to be done with it first, and a script, which may give it values of its own.
+void IsthmusFirstLook::SetFirstValues(pqPipelineSource* source)
+{
+  QTimer::singleShot(0, source,
+    [source]
+    {
+      const QString id = QString::number(source->getProxy()->GetGlobalID());
+      isthmus::RunPipelines("first_values(" + id + ')');
+    });
 }
 
 void IsthmusFirstLook::Look()

@@ -3,7 +3,8 @@
  * @brief Makes the first look at our filters' results right: what XML can't say.
  *
  * Follows the representations of the window and has isthmus_pipelines.first_look set colours and
- * their range, tubes and opacity. What the user has changed stays as it is.
+ * their range, tubes and opacity; a filter that waits for its first Apply gets values of the data
+ * by first_values. What the user has changed stays as it is.
  */
 #ifndef IsthmusFirstLook_h
 #define IsthmusFirstLook_h
@@ -13,6 +14,7 @@
 #include <QSet>
 
 class pqDataRepresentation;
+class pqPipelineSource;
 class pqRepresentation;
 
 class IsthmusFirstLook : public QObject
@@ -28,6 +30,7 @@ public:
 private:
   void Follow(pqRepresentation* representation);
   void LookSoon(pqDataRepresentation* representation);
+  void SetFirstValues(pqPipelineSource* source);
   void Look();
 
   QSet<pqDataRepresentation*> Waiting; ///< taken out when they are destroyed

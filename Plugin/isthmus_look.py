@@ -21,6 +21,8 @@ SITES = ("BindingSites", "BindingSitesInPockets")
 IONS = ("IonTransport", "IonTransportOnSurface")
 MESHES = ("TetrahedralMesher", "IsosurfaceStuffing")
 MOLECULES = ("MacromoleculeReader", "TrajectoryReader")
+# Take a level of a map; ParaView proposes the middle of its range.
+LEVELLED = ("MapChokingLoops", "MapHandles", "DualContouring", "DelaunayIsosurface", "IsosurfaceStuffing")
 LEVELS = ("ScalarPersistence", "MapHandles")  # have Betti numbers over levels
 # Surfaces that are shown in the place of a molecule.
 ENVELOPES = ("MolecularFlowSurface", "SolvationSurface", "PoissonBoltzmann", "PoissonBoltzmannOnSurface")
@@ -323,6 +325,27 @@ def first_look(*ids):
         if hasattr(view, "HiddenLineRemoval"):  # a render view
             simple.HideUnusedScalarBars(view)
         view.SMProxy.StillRender()
+
+
+def first_values(number):
+    """Called by the window with the global id of a filter that waits for its first Apply: of a density map,
+    the level that Map Surface proposes, where ParaView has put the middle of the map's range."""
+    proxy = servermanager._getPyProxy(servermanager.ActiveConnection.Session.GetRemoteObject(number))
+    if proxy is None or proxy.SMProxy.GetXMLName() not in LEVELLED or getattr(proxy, "Input", None) is None:
+        return
+    density = proxy.Input.PointData["Density"]
+    if density is None or proxy.Input.GetDataInformation().GetDataSetTypeAsString() != "vtkImageData":
+        return
+    low, high = density.GetRange()
+    if abs(proxy.Level - (low + high) / 2) > 1e-6 * (high - low):
+        return  # somebody's own
+    surface = servermanager.filters.MapSurface(Input=proxy.Input)
+    surface.UpdatePipeline()
+    found = surface.FieldData["Level"]
+    if found is not None:
+        proxy.Level = found.GetRange()[0]
+        if hasattr(proxy, "UseStableLevel"):  # of most maps the highest densities stay longest alone
+            proxy.UseStableLevel = 0
 
 
 def show(*proxies, view=None, tables=False):

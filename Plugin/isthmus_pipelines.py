@@ -35,7 +35,7 @@ SPACING = 0.6  # angstrom, of a molecular surface's grid
 DIAGRAMS = {"ChokingLoops": 3, "ScalarPersistence": 1}
 
 CURVATURES, FIXED = look.CURVATURES, look.FIXED
-colour_range, first_look, show = look.colour_range, look.first_look, look.show
+colour_range, first_look, first_values, show = look.colour_range, look.first_look, look.first_values, look.show
 
 
 # ---------------------------------------------------------------------------- what a source is

@@ -2,6 +2,8 @@
 
 #include "ParallelFor.h"
 
+#include <algorithm>
+
 namespace isthmus
 {
 
@@ -123,22 +125,54 @@ void InterfaceOperator::Residual(const std::vector<double>& u, std::vector<doubl
   this->AddCavities(u, out, -1.0, true);
 }
 
-void InterfaceOperator::SmoothIrregular(const std::vector<double>& r, std::vector<float>& z) const
+float InterfaceOperator::SmoothRow(std::size_t row, double common, double commonDiagonal,
+  const std::vector<double>& r, std::vector<float>& z) const
 {
   const IrregularRows& rows = this->Rows;
-  const float* d = this->Diagonal ? this->Diagonal->data() : nullptr;
-  for (std::size_t row = 0; row < rows.Node.size(); ++row)
+  float* u = z.data() + rows.Node[row];
+  const double extra = this->Diagonal ? rows.Scale[row] *
+      static_cast<double>((*this->Diagonal)[static_cast<std::size_t>(rows.Node[row])])
+                                      : 0.0;
+  double sum = common + extra * static_cast<double>(*u);
+  for (auto e = static_cast<std::size_t>(rows.Start[row]);
+       e < static_cast<std::size_t>(rows.Start[row + 1]); ++e)
   {
-    float* u = z.data() + rows.Node[row];
-    const double extra = d ? rows.Scale[row] * static_cast<double>(d[rows.Node[row]]) : 0.0;
-    double sum = extra * static_cast<double>(*u);
-    for (auto e = static_cast<std::size_t>(rows.Start[row]);
-         e < static_cast<std::size_t>(rows.Start[row + 1]); ++e)
-    {
-      sum += rows.Value[e] * static_cast<double>(u[rows.Column[e]]);
-    }
-    *u += static_cast<float>(
-      (r[static_cast<std::size_t>(rows.Node[row])] - sum) / (rows.Diagonal[row] + extra));
+    sum += rows.Value[e] * static_cast<double>(u[rows.Column[e]]);
+  }
+  const auto change = static_cast<float>((r[static_cast<std::size_t>(rows.Node[row])] - sum) /
+    (rows.Diagonal[row] + extra + commonDiagonal));
+  *u += change;
+  return change;
+}
+
+void InterfaceOperator::SmoothIrregular(const std::vector<double>& r, std::vector<float>& z) const
+{
+  for (std::size_t row = 0; row < this->Rows.Node.size(); ++row)
+  {
+    this->SmoothRow(row, 0.0, 0.0, r, z);
+  }
+  for (const CavityFlux& cavity : this->Rows.Cavities)
+  {
+    this->SmoothCavity(cavity, r, z);
+  }
+}
+
+void InterfaceOperator::SmoothCavity(
+  const CavityFlux& cavity, const std::vector<double>& r, std::vector<float>& z) const
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < cavity.Column.size(); ++i)
+  {
+    sum += cavity.Value[i] * static_cast<double>(z[static_cast<std::size_t>(cavity.Column[i])]);
+  }
+  for (std::size_t i = 0; i < cavity.Row.size(); ++i)
+  {
+    const auto row = static_cast<std::size_t>(cavity.Row[i]);
+    const double share = this->Rows.Scale[row] * cavity.Share[i];
+    const auto own =
+      std::lower_bound(cavity.Column.begin(), cavity.Column.end(), this->Rows.Node[row]);
+    const double value = cavity.Value[static_cast<std::size_t>(own - cavity.Column.begin())];
+    sum += value * static_cast<double>(this->SmoothRow(row, share * sum, share * value, r, z));
   }
 }
 

@@ -37,7 +37,8 @@ public:
   /// out = b - A u with the values at the surface in b.
   void Residual(const std::vector<double>& u, std::vector<double>& out) const;
 
-  /// One Gauss-Seidel pass over the fitted rows of A z = r.
+  /// One Gauss-Seidel pass over the fitted rows of A z = r, and one more over those of closed
+  /// cavities, with what these have in common.
   void SmoothIrregular(const std::vector<double>& r, std::vector<float>& z) const;
 
   /// The factor that the ions' term has in the equation of irregular row `row`.
@@ -54,6 +55,12 @@ private:
   template <typename T>
   void AddCavities(
     const std::vector<T>& z, std::vector<double>& out, double sign, bool withRight) const;
+
+  /// Solves a row for its own value, `common` and its diagonal added; returns the change.
+  float SmoothRow(std::size_t row, double common, double commonDiagonal,
+    const std::vector<double>& r, std::vector<float>& z) const;
+  void SmoothCavity(
+    const CavityFlux& cavity, const std::vector<double>& r, std::vector<float>& z) const;
 
   const SolverBox& Box;
   const std::vector<unsigned char>& Inside;

@@ -6,7 +6,7 @@ from paraview import servermanager
 from paraview.simple import *
 from vtkmodules.vtkCommonCore import vtkObject
 
-from outputs import output, stage_times
+from outputs import output_of, stage_times
 
 
 def torus(ring, cross):
@@ -26,7 +26,7 @@ def field(data, name):
 shape = surface(torus(64, 48))
 loops = ChokingLoops(Input=shape)
 UpdatePipeline(proxy=loops)
-lines = output(loops, 0)
+lines = output_of(loops, 0)
 assert lines.GetNumberOfCells() == 2, lines.GetNumberOfCells()
 for name in ("Kind", "Side", "KindName", "Radius", "Fill", "Widening", "Trusted", "Length", "Reach",
              "FeatureId", "SharedWith", "Component",
@@ -34,11 +34,11 @@ for name in ("Kind", "Side", "KindName", "Radius", "Fill", "Widening", "Trusted"
     assert lines.GetCellData().GetAbstractArray(name), name
 kinds = {lines.GetCellData().GetAbstractArray("KindName").GetValue(i) for i in range(2)}
 assert kinds == {"handle", "tunnel"}, kinds
-membranes = output(loops, 1)
+membranes = output_of(loops, 1)
 assert membranes.GetNumberOfCells() > 10 and membranes.GetCellData().GetArray("Area")
-points = output(loops, 2)
+points = output_of(loops, 2)
 assert points.GetNumberOfPoints() == 2 and points.GetPointData().GetArray("Radius")
-table = output(loops, 3)
+table = output_of(loops, 3)
 for name in ("FeatureId", "Dimension", "Side", "Birth", "Death", "Persistence", "Kind"):
     assert table.GetColumnByName(name), name
 proposed = field(lines, "ProposedThreshold")
@@ -55,7 +55,7 @@ loops.Shortening = "Rounds"
 started = time.time()
 UpdatePipeline(proxy=loops)
 took = time.time() - started
-lines = output(loops, 0)
+lines = output_of(loops, 0)
 assert lines.GetNumberOfCells() == 1
 assert stage_times(loops) == before
 print("another side, threshold and shortening after %.1f ms" % (1e3 * took))
@@ -63,11 +63,11 @@ print("another side, threshold and shortening after %.1f ms" % (1e3 * took))
 # The most persistent alone; and the threshold at the largest gap is the one that is proposed.
 loops.Side, loops.MinimumPersistence, loops.MaximumNumberOfLoops = "Both", 5, 1
 UpdatePipeline(proxy=loops)
-assert output(loops, 2).GetNumberOfPoints() == 1
+assert output_of(loops, 2).GetNumberOfPoints() == 1
 loops.MaximumNumberOfLoops = 0
 loops.ThresholdMode = "Largest gap"
 UpdatePipeline(proxy=loops)
-assert output(loops, 2).GetNumberOfPoints() == 2
+assert output_of(loops, 2).GetNumberOfPoints() == 2
 
 # Loops come as geodesics, and along edges when asked for: these are longer on an uneven mesh.
 uneven = Decimate(Input=shape, TargetReduction=0.4, PreserveTopology=1)
@@ -75,7 +75,7 @@ lengths = {}
 for shortening in ("None", "Geodesic"):
     again = ChokingLoops(Input=uneven, Shortening=shortening)
     UpdatePipeline(proxy=again)
-    lengths[shortening] = output(again, 0).GetCellData().GetArray("Length")
+    lengths[shortening] = output_of(again, 0).GetCellData().GetArray("Length")
 for i in range(2):
     assert lengths["Geodesic"].GetValue(i) < lengths["None"].GetValue(i)
 
@@ -97,6 +97,6 @@ opened = ExtractSurface(Input=half)
 vtkObject.GlobalWarningDisplayOff()
 bad = ChokingLoops(Input=Triangulate(Input=opened))
 UpdatePipeline(proxy=bad)
-assert output(bad, 0).GetNumberOfCells() == 0
-assert output(bad, 3).GetNumberOfRows() == 0
+assert output_of(bad, 0).GetNumberOfCells() == 0
+assert output_of(bad, 3).GetNumberOfRows() == 0
 print("passed")

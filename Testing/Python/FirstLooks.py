@@ -56,6 +56,26 @@ def check_refusal():
     assert len(said) == 1, said
 
 
+def check_first_values():
+    """A map's level is Map Surface's before the first Apply; one that somebody gave stays."""
+    density = simple.OpenDataFile(str(shared_data("maps/emd_1832.map")))
+    surface = simple.MapSurface(Input=density)
+    surface.UpdatePipeline()
+    proposed = surface.FieldData["Level"].GetRange()[0]
+    for make in (simple.MapChokingLoops, simple.DualContouring, simple.MapHandles):
+        filters = make(Input=density), make(Input=density, Level=1.25)
+        for proxy in filters:
+            look.first_values(proxy.GetGlobalID())
+        assert abs(filters[0].Level - proposed) < 1e-6 and filters[1].Level == 1.25, [f.Level for f in filters]
+    wavelet = simple.Wavelet()
+    other = simple.DualContouring(Input=wavelet)
+    before = other.Level
+    look.first_values(other.GetGlobalID())
+    assert other.Level == before  # no density map
+    for proxy in list(simple.GetSources().values()):
+        simple.Delete(proxy)
+
+
 def check_looks(density, atoms):
     view = simple.GetActiveView()
     torus = simple.OpenDataFile(str(shared_data("surfaces/torus.obj")))
@@ -100,6 +120,7 @@ def check_looks(density, atoms):
 
 
 check_refusal()
+check_first_values()
 check_looks(*check_buttons())
 assert servermanager.ActiveConnection is not None
 print("buttons and first looks")

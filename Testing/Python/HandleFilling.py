@@ -7,7 +7,7 @@ import math
 from paraview.simple import (ChokingLoops, Contour, HandleFilling, ProgrammableSource, SurfaceMeasures,
                              UpdatePipeline)
 
-from outputs import output
+from outputs import output_of
 
 PLATE = """
 import numpy
@@ -29,14 +29,14 @@ output.GetPointData().SetScalars(array)
 def measured(surface):
     measures = SurfaceMeasures(Input=surface)
     UpdatePipeline(proxy=measures)
-    table = output(measures, 0).GetFieldData()
+    table = output_of(measures, 0).GetFieldData()
     return table.GetArray("Genus").GetTuple1(0), table.GetArray("Volume").GetTuple1(0)
 
 
 def tunnels(surface):
     loops = ChokingLoops(Input=surface)
     UpdatePipeline(proxy=loops)
-    points = output(loops, 2).GetPointData()
+    points = output_of(loops, 2).GetPointData()
     return [points.GetArray("Radius").GetValue(i) for i in range(points.GetArray("Kind").GetNumberOfValues())
             if points.GetArray("Kind").GetValue(i) == 1]
 
@@ -47,7 +47,7 @@ source = ProgrammableSource(OutputDataSetType="vtkImageData", Script=PLATE,
 plate = Contour(Input=source, ContourBy=["POINTS", "Value"], Isosurfaces=[0.0])
 filled = HandleFilling(Input=plate, FillHandlesBelow=0.35)
 UpdatePipeline(proxy=filled)
-surface, table = output(filled), output(filled, 1)
+surface, table = output_of(filled), output_of(filled, 1)
 assert table.GetNumberOfRows() == 1, table.GetNumberOfRows()
 row = {table.GetColumnName(i): table.GetValue(0, i) for i in range(table.GetNumberOfColumns())}
 assert row["KindName"].ToString() == "tunnel"
@@ -67,5 +67,5 @@ print("the narrow hole is filled, the wide one as it was")
 # The next size takes what is left, and the first filling with it.
 filled.FillHandlesBelow = 0.7
 UpdatePipeline(proxy=filled)
-assert output(filled).GetFieldData().GetArray("Genus").GetValue(1) == 0
+assert output_of(filled).GetFieldData().GetArray("Genus").GetValue(1) == 0
 print("and none is left below 0.7")

@@ -8,7 +8,7 @@ gives 5 times that, squared the square, at the same choke triangle: the order of
 from paraview.simple import (Calculator, ChokingLoops, Contour, ProgrammableSource, ResampleWithDataset,
                              TetrahedralMesher, UpdatePipeline)
 
-from outputs import output
+from outputs import output_of
 
 RING = """
 import numpy
@@ -46,7 +46,7 @@ for name, formula in (("once", "abs(Value)"), ("fivefold", "5*abs(Value)"), ("sq
     loops = ChokingLoops(Input=surface, Mesh=depth, Filtration="Tetrahedral mesh",
                          MorseFunction="Point array", MorseArray="Depth", Side="Inside")
     UpdatePipeline(proxy=loops)
-    found[name] = handle(output(loops, 2))
+    found[name] = handle(output_of(loops, 2))
 radius, place = found["once"]
 # The thin place has radius 0.2, and between points half an edge off its axis the function stays below.
 assert abs(radius - 0.2) < 0.05, radius
@@ -57,6 +57,6 @@ print("radius", radius, "at", place)
 exact = ChokingLoops(Input=surface, Mesh=tetrahedra, Filtration="Tetrahedral mesh",
                      MorseFunction="Fast marching on a grid", Side="Inside")
 UpdatePipeline(proxy=exact)
-marched = handle(output(exact, 2))
+marched = handle(output_of(exact, 2))
 assert abs(marched[0] - radius) < 0.05, marched
 print("by fast marching", *marched)

@@ -10,7 +10,7 @@ from paraview.simple import (ChokingLoops, MapChokingLoops, MapSurface, OpenData
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkObject
 
-from outputs import output, stage_times
+from outputs import output_of, stage_times
 from shared_data import shared_data
 
 
@@ -19,24 +19,24 @@ def column(data, name):
 
 
 def radii(proxy):
-    points = output(proxy, 2).GetPointData()
+    points = output_of(proxy, 2).GetPointData()
     return column(points, "Kind"), column(points, "Radius")
 
 
 density = OpenDataFile(str(shared_data("maps/emd_5043.map")))
 loops = MapChokingLoops(Input=density, Level=1.5)
 UpdatePipeline(proxy=loops)
-facts = output(loops).GetFieldData()
+facts = output_of(loops).GetFieldData()
 assert facts.GetArray("NumberOfHandles").GetValue(0) == 36
 assert facts.GetArray("NumberOfTunnels").GetValue(0) == 36
 assert facts.GetArray("Level").GetValue(0) == 1.5
 for port in range(3):
-    assert output(loops, port).GetNumberOfCells() >= 72, port
-assert output(loops, 3).GetNumberOfRows() >= 72
+    assert output_of(loops, port).GetNumberOfCells() >= 72, port
+assert output_of(loops, 3).GetNumberOfRows() >= 72
 surface = MapSurface(Input=density, AutomaticLevel=0, Level=1.5)
 steps = ChokingLoops(Input=surface)
 UpdatePipeline(proxy=steps)
-assert output(loops, 4).GetNumberOfPoints() == output(surface).GetNumberOfPoints()
+assert output_of(loops, 4).GetNumberOfPoints() == output_of(surface).GetNumberOfPoints()
 for one, two in zip(radii(loops), radii(steps)):
     assert numpy.array_equal(one, two)
 print("handles and tunnels as in two steps")
@@ -54,7 +54,7 @@ vtkObject.GlobalWarningDisplayOff()
 empty = MapChokingLoops(Input=Wavelet(), Level=1e6)
 UpdatePipeline(proxy=empty)
 for port in (0, 1, 2, 4):
-    assert output(empty, port).GetNumberOfPoints() == 0
-assert output(empty, 3).GetNumberOfRows() == 0
+    assert output_of(empty, port).GetNumberOfPoints() == 0
+assert output_of(empty, 3).GetNumberOfRows() == 0
 print("passed")
 sys.exit(0)

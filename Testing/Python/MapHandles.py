@@ -7,7 +7,7 @@ from paraview.simple import (ColorBy, CreateView, MapHandles, OpenDataFile, Outp
                              SaveScreenshot, Show)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from outputs import output
+from outputs import output_of
 from shared_data import shared_data
 
 OUTPUT = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "MapHandles"
@@ -17,7 +17,7 @@ density = OpenDataFile(str(shared_data("maps/emd_5043.map")))
 handles = MapHandles(Input=density, MinimumPersistence=0.45, UseRange=1, Range=[0.2, 5.0],
                      UseRecommendedLevel=1, RecommendedLevel=1.5)
 handles.UpdatePipeline()
-intervals = output(handles, 3)
+intervals = output_of(handles, 3)
 first = {intervals.GetColumnName(i): intervals.GetColumn(i).GetValue(0)
          for i in range(intervals.GetNumberOfColumns())}
 stable = intervals.GetFieldData().GetArray("StableLevel").GetValue(0)
@@ -25,7 +25,7 @@ print("stable level", stable, first)
 # Below the level at which the subunits part, the widest run of levels holds the authors' 1.5.
 assert abs(stable - first["Middle"]) < 1e-12
 assert first["From"] < 1.5 < first["To"] and first["Beta1"] == 36, first
-bridges = output(handles, 0)
+bridges = output_of(handles, 0)
 level = vtk_to_numpy(bridges.GetPointData().GetArray("Level"))
 for low, high, count in ((3.42, 3.57, 14), (2.96, 3.13, 7), (2.22, 2.31, 14), (0.78, 0.965, 7)):
     assert ((level >= low) & (level <= high)).sum() == count, (low, high)

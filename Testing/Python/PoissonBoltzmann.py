@@ -10,7 +10,7 @@ from paraview.simple import (ColorBy, CreateView, GetColorTransferFunction, Mole
                              OpenDataFile, PoissonBoltzmann, ResetCamera, SaveScreenshot, Show)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from outputs import output
+from outputs import output_of
 from shared_data import shared_data
 
 OUTPUT = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "PoissonBoltzmann"
@@ -21,9 +21,9 @@ atoms = OpenDataFile(str(shared_data("molecules/1hew/1hew.pqr")))
 solver = PoissonBoltzmann(Input=atoms, Spacing=1.0)
 assert solver.Charges == "Charge" and solver.Radii == "Radius", (solver.Charges, solver.Radii)
 solver.UpdatePipeline()
-image = output(solver, 0)
-surface = output(solver, 1)
-parts = output(solver, 2)
+image = output_of(solver, 0)
+surface = output_of(solver, 1)
+parts = output_of(solver, 2)
 
 
 def number(name):
@@ -56,7 +56,7 @@ volume = MolecularDensity(Input=atoms, Radii=["POINTS", "Radius"], Spacing=1.0,
                           Padding=[4.0, 4.0, 4.0])
 given = PoissonBoltzmann(Input=atoms, Surface=volume, IsoValue=1.0)
 given.UpdatePipeline()
-other = output(given, 0)
+other = output_of(given, 0)
 energy = other.GetFieldData().GetArray("SolvationEnergy").GetValue(0)
 assert abs(energy / number("SolvationEnergy") - 1.0) < 0.01, (energy, number("SolvationEnergy"))
 assert other.GetDimensions() == servermanager.Fetch(volume).GetDimensions()
@@ -64,7 +64,7 @@ assert other.GetDimensions() == servermanager.Fetch(volume).GetDimensions()
 # One permittivity for each edge instead of the jump: another number, near it.
 solver.DielectricModel = "Smooth Dielectric"
 solver.UpdatePipeline()
-image = output(solver, 0)
+image = output_of(solver, 0)
 smooth, sharp = number("SolvationEnergy"), energies.sum()
 assert 1e-4 < abs(smooth / sharp - 1.0) < 0.06, (smooth, sharp)
 solver.DielectricModel = "Sharp Interface"
@@ -74,7 +74,7 @@ reach = numpy.abs(vtk_to_numpy(image.GetPointData().GetArray("Potential")))[
     vtk_to_numpy(image.GetPointData().GetArray("Side")) == 0].mean()
 solver.IonicStrength = 0.15
 solver.UpdatePipeline()
-image = output(solver, 0)
+image = output_of(solver, 0)
 screened = numpy.abs(vtk_to_numpy(image.GetPointData().GetArray("Potential")))[
     vtk_to_numpy(image.GetPointData().GetArray("Side")) == 0].mean()
 assert screened < 0.7 * reach, (screened, reach)
@@ -83,16 +83,16 @@ assert screened < 0.7 * reach, (screened, reach)
 bare = PoissonBoltzmann(Input=OpenDataFile(str(shared_data("molecules/1hew.pdb"))), Spacing=1.0)
 if shutil.which("pdb2pqr"):
     bare.UpdatePipeline()
-    found = output(bare, 2)
+    found = output_of(bare, 2)
     assert found.GetNumberOfPoints() == parts.GetNumberOfPoints(), found.GetNumberOfPoints()
-    net = output(bare, 0).GetFieldData().GetArray("NetCharge").GetValue(0)
+    net = output_of(bare, 0).GetFieldData().GetArray("NetCharge").GetValue(0)
     assert abs(net - 8.0) < 1e-6, net
-    ratio = output(bare, 0).GetFieldData().GetArray("SolvationEnergy").GetValue(0) / sharp
+    ratio = output_of(bare, 0).GetFieldData().GetArray("SolvationEnergy").GetValue(0) / sharp
     assert abs(ratio - 1.0) < 0.01, ratio
 os.environ["PATH"] = str(OUTPUT / "nowhere")
 bare.ForceField = "PARSE"
 bare.UpdatePipeline()
-assert output(bare, 0).GetNumberOfPoints() == 0
+assert output_of(bare, 0).GetNumberOfPoints() == 0
 
 view = CreateView("RenderView")
 view.ViewSize = [700, 700]
