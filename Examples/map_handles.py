@@ -1,5 +1,5 @@
-"""Bridges of a density map, coloured by the level at which they appear, on the contour at the stable
-level, beside the components and tunnels that persist over all levels.
+"""Bridges of a density map, coloured by the level at which they appear, on the contour at the recommended
+level (or the one that Map Surface proposes), beside the components and tunnels that persist over all levels.
 
 Usage: pvpython map_handles.py MAP [PICTURE [RECOMMENDED_LEVEL [LOWEST HIGHEST]]]
 
@@ -36,7 +36,8 @@ def show_levels(handles, view):
     curves = simple.Show(simple.OutputPort(handles, 2), view)
     curves.UseIndexForXAxis = 0
     curves.XArrayName = "Level"
-    names = ["Beta0", "Beta1", "Beta2", "StableLevel", "RecommendedLevel"]
+    marks = ["StableLevel"] + ["RecommendedLevel"] * bool(handles.UseRecommendedLevel)
+    names = ["Beta0", "Beta1", "Beta2", *marks]
     curves.SeriesVisibility = names
     curves.SeriesLabel = ["Beta0", "components", "Beta1", "tunnels", "Beta2", "cavities", "StableLevel",
                           "stable level", "RecommendedLevel", "recommended level"]
@@ -53,10 +54,15 @@ def main(arguments):
     if not arguments:
         sys.exit(__doc__)
     picture = arguments[1] if len(arguments) > 1 else "map_handles.png"
-    handles = simple.MapHandles(Input=simple.OpenDataFile(arguments[0]))
+    density = simple.OpenDataFile(arguments[0])
+    handles = simple.MapHandles(Input=density, UseStableLevel=0)
     if len(arguments) > 2 and arguments[2] != "-":
         handles.UseRecommendedLevel = 1
-        handles.RecommendedLevel = float(arguments[2])
+        handles.RecommendedLevel = handles.Level = float(arguments[2])
+    else:
+        surface = simple.MapSurface(Input=density)
+        surface.UpdatePipeline()
+        handles.Level = surface.FieldData["Level"].GetRange()[0]
     if len(arguments) > 4:
         handles.UseRange = 1
         handles.Range = [float(arguments[3]), float(arguments[4])]
