@@ -60,6 +60,7 @@ vtkPolyData* Isosurface()
 void Time(benchmark::State& state, vtkAlgorithm* filter, vtkIdType places, double bytes)
 {
   double best = std::numeric_limits<double>::infinity();
+  filter->Update(); // memory that a virtual machine meets for the first time is slow to come
   for (auto _ : state)
   {
     filter->GetOutputDataObject(0)->Initialize();
