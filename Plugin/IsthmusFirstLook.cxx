@@ -62,6 +62,10 @@ void IsthmusFirstLook::SetFirstValues(pqPipelineSource* source)
   QTimer::singleShot(0, source,
     [source]
     {
+      if (source->modifiedState() != pqProxy::UNINITIALIZED)
+      {
+        return; // of a state file, or a script's: it has its values
+      }
       const QString id = QString::number(source->getProxy()->GetGlobalID());
       isthmus::RunPipelines("first_values(" + id + ')');
     });
