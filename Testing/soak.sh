@@ -3,6 +3,8 @@
 # checks, damaged surfaces and volumes through every filter, property and composite sweeps.
 # Usage: Testing/soak.sh HOURS [FOLDER]      (FOLDER, default build/soak, keeps seeds and failures)
 #
+# ISTHMUS_SOAK_TIDY=1   clang-tidy over all sources of the library, besides: an hour or more
+#
 # FOLDER/corpus/X   what each fuzz target found worth keeping, taken up again by the next run
 # FOLDER/failed/X   inputs that crash, hang or leak: each becomes a unit test
 # FOLDER/log/X      what each part said; the last lines of this script's output count
@@ -87,5 +89,9 @@ done
 grep -h "^soak:" "$folder/log/RandomDamage" "$folder/log/Reexecution" 2>/dev/null |
   awk '{ surfaces += $3; volumes += $5; runs += $7 } END {
     print surfaces + 0 " damaged surfaces, " volumes + 0 " damaged volumes, " runs + 0 " runs of filters" }'
+if [ "${ISTHMUS_SOAK_TIDY:-}" = 1 ] &&
+  ! python3 -B "$source_dir/Testing/check_tidy.py" --build "$build_dir" --jobs 2 | tee "$folder/log/tidy"; then
+  failures=$((failures + 1))
+fi
 echo "$failures failures"
 [ $failures -eq 0 ]

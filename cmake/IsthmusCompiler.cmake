@@ -8,8 +8,9 @@ target_compile_options(isthmus_compiler INTERFACE
 
 if (ISTHMUS_SANITIZE)
   # Every target of the project, since mixed binaries give false reports.
-  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  add_link_options(-fsanitize=address,undefined)
+  add_compile_options(
+    -fsanitize=${ISTHMUS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${ISTHMUS_SANITIZE})
 endif ()
 
 if (ISTHMUS_FUZZ)

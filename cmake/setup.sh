@@ -26,7 +26,11 @@ paraview_packages=(
 # What the tests compare with and look through.
 test_packages=(
   libgtest-dev libbenchmark-dev libgudhi-dev python3-gudhi python3-gemmi python3-mrcfile
-  python3-scipy python3-mdanalysis pdb2pqr openmpi-bin imagemagick xdotool clang clang-format libclang-rt-14-dev)
+  python3-scipy python3-mdanalysis pdb2pqr openmpi-bin imagemagick xdotool clang clang-format clang-tidy
+  libclang-rt-14-dev)
+
+# What benchmarks alone compare with: 170 MB.
+peer_packages=(libinsighttoolkit5-dev python3-skimage)
 
 say() { printf '\n== %s\n' "$*"; }
 

@@ -56,6 +56,11 @@ public:
   std::size_t NumberOfFaces() const { return (this->H2D.size() + this->B2D.size()) / 2; }
   std::size_t NumberOfDarts() const { return this->DartCount; }
   unsigned DartBits() const { return this->Bits; }
+  /// Nothing but one run of built-in tetrahedra: four integers a cell in Cv2V and H2D.
+  bool HasOnlyTetrahedra() const
+  {
+    return this->Blocks.size() == 1 && *this->Blocks[0].Type == CellType::Tetrahedron();
+  }
 
   /// @name Darts and their maps
   ///@{

@@ -10,6 +10,7 @@
 #define isthmus_EdgeTable_h
 
 #include "DartMap.h"
+#include "FirstEqual.h"
 #include "Progress.h"
 
 #include <algorithm>
@@ -51,23 +52,15 @@ public:
   {
     const auto [a, b] = this->Mesh.EndVertices(dart);
     const Id start = std::min(a, b).Value, end = std::max(a, b).Value;
-    Id edge = this->V2E[start];
-    Id left = this->V2E[start + std::size_t(1)] - edge;
-    // Counting the smaller ends in strides has no branch that is hard to predict.
-    for (;;)
+    // The edge is there, and its end once among those of its start, which come first: so the first
+    // equal one is it. Comparing in strides has no branch that is hard to predict.
+    for (Id edge = this->V2E[start];; edge += Stride)
     {
-      const Id* ends = this->E2V.data() + edge;
-      Id smaller = 0;
-      for (Id i = 0; i < Stride; ++i)
+      const unsigned place = FirstEqualOfEight(this->E2V.data() + edge, end);
+      if (place < Stride)
       {
-        smaller += static_cast<Id>(ends[i] < end) & static_cast<Id>(i < left);
+        return Edge(edge + place);
       }
-      edge += smaller;
-      if (smaller < Stride)
-      {
-        return Edge(edge);
-      }
-      left -= Stride;
     }
   }
 

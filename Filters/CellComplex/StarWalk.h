@@ -9,82 +9,15 @@
 #define isthmus_StarWalk_h
 
 #include "DartMap.h"
+#include "ReusableSet.h"
+#include "TetrahedronWays.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 namespace isthmus
 {
-
-/// A small set of ids that is emptied in constant time and keeps its memory.
-template <typename Id>
-class ReusableSet
-{
-public:
-  ReusableSet() { this->Slots.resize(std::size_t(1) << (64 - this->Shift)); }
-
-  void Clear()
-  {
-    this->Size = 0;
-    if (++this->Stamp == 0)
-    {
-      std::fill(this->Slots.begin(), this->Slots.end(), Slot{});
-      this->Stamp = 1;
-    }
-  }
-
-  /// False if `id` was there already.
-  bool Insert(Id id)
-  {
-    std::size_t at = this->Place(id);
-    for (; this->Slots[at].Stamp == this->Stamp; at = (at + 1) & (this->Slots.size() - 1))
-    {
-      if (this->Slots[at].Key == id)
-      {
-        return false;
-      }
-    }
-    this->Slots[at] = { id, this->Stamp };
-    if (2 * ++this->Size > this->Slots.size())
-    {
-      this->Grow();
-    }
-    return true;
-  }
-
-private:
-  struct Slot
-  {
-    Id Key = 0;
-    std::uint32_t Stamp = 0;
-  };
-
-  std::size_t Place(Id id) const
-  {
-    return static_cast<std::size_t>((std::uint64_t(id) * 0x9E3779B97F4A7C15u) >> this->Shift);
-  }
-
-  void Grow()
-  {
-    std::vector<Slot> old(2 * this->Slots.size());
-    old.swap(this->Slots);
-    --this->Shift;
-    this->Size = 0;
-    for (const Slot& slot : old)
-    {
-      if (slot.Stamp == this->Stamp)
-      {
-        this->Insert(slot.Key);
-      }
-    }
-  }
-
-  std::vector<Slot> Slots;
-  unsigned Shift = 64 - 8;
-  std::uint32_t Stamp = 1;
-  std::size_t Size = 0;
-};
 
 /**
  * The star and link of one vertex after the other. Each thread needs one of its own; its memory is
@@ -104,6 +37,7 @@ public:
 
   explicit StarWalk(const Map& map)
     : Mesh(map)
+    , Ways(map.HasOnlyTetrahedra() ? &WaysOfTetrahedra() : nullptr)
   {
   }
 
@@ -111,22 +45,22 @@ public:
   View<Dart> Gather(Vertex vertex)
   {
     this->Found.Clear();
-    this->Spokes.clear();
+    this->Count = 0;
     this->Center = vertex;
     this->Flood(this->Mesh.DartOf(vertex));
     for (const auto& further : this->Mesh.FurtherUmbrellas(vertex))
     {
       this->Flood(further.second);
     }
-    return { this->Spokes.data(), this->Spokes.size() };
+    return this->Star();
   }
 
   /// Adds the umbrella of the cell of `seed`, a dart at the vertex; false if it was there already.
   bool Extend(Dart seed)
   {
-    const std::size_t before = this->Spokes.size();
+    const std::size_t before = this->Count;
     this->Flood(seed);
-    return this->Spokes.size() > before;
+    return this->Count > before;
   }
 
   /// All darts that start at the vertex.
@@ -174,7 +108,7 @@ public:
   View<HalfFace> LinkHalfFaces()
   {
     this->Faces.clear();
-    for (const Dart spoke : this->Spokes)
+    for (const Dart spoke : this->Star())
     {
       for (const HalfFace half : this->Mesh.HalfFaces(this->Mesh.CellOf(spoke)))
       {
@@ -191,7 +125,7 @@ private:
   template <typename Visit>
   void ForEachDart(Visit&& visit) const
   {
-    for (const Dart spoke : this->Spokes)
+    for (const Dart spoke : this->Star())
     {
       Dart dart = spoke;
       do
@@ -208,12 +142,74 @@ private:
     {
       return;
     }
-    std::size_t next = this->Spokes.size();
-    this->Spokes.push_back(seed);
-    for (; next < this->Spokes.size(); ++next)
+    std::size_t next = this->Count;
+    this->Add(seed);
+    if (this->Ways)
+    {
+      this->FloodTetrahedra(next);
+      return;
+    }
+    for (; next < this->Count; ++next)
     {
       this->CrossFaces(this->Spokes[next]);
     }
+  }
+
+  void Add(Dart spoke)
+  {
+    this->MakeRoom(this->Count + 1);
+    this->Spokes[this->Count++] = spoke;
+  }
+
+  typename ReusableSet<Id>::Marks MakeRoom(std::size_t spokes)
+  {
+    if (this->Spokes.size() < spokes)
+    {
+      this->Spokes.resize(2 * spokes + 64);
+    }
+    return this->Found.WithRoomFor(spokes);
+  }
+
+  /// Flood for tetrahedra, by tables and in registers; all but the first cell need not look back
+  /// where they came from. Each spoke is written, new or not, so that no branch hangs on that.
+  void FloodTetrahedra(std::size_t next)
+  {
+    const TetrahedronWays& ways = *this->Ways;
+    const Dart* const beyond = this->Mesh.Neighbours(typename Map::Cell(0)).begin();
+    const unsigned bits = this->Mesh.DartBits();
+    const Id localMask = static_cast<Id>((Id(1) << bits) - 1);
+    std::size_t count = this->Count, room = 0;
+    auto marks = this->Found.WithRoomFor(count);
+    Dart* spokes = nullptr;
+    for (unsigned first = 0; next < count; ++next, first = 1)
+    {
+      if (room < count + 3)
+      {
+        marks = this->MakeRoom(count + 3);
+        spokes = this->Spokes.data();
+        room = std::min(this->Spokes.size(), this->Found.Room());
+      }
+      const Id spoke = spokes[next].Value;
+      const Dart* const faces = beyond + 4 * std::size_t(spoke >> bits);
+      const TetrahedronWays::Way* const way = ways.Onward[spoke & localMask].data();
+      for (unsigned w = first; w < 3; ++w)
+      {
+        const Id across = faces[way[w].Face].Value;
+        const auto local = static_cast<unsigned>(across & localMask);
+        if (local != 0)
+        {
+          spokes[count] = Dart(across - local + ways.Spoke[local][way[w].Position]);
+          count += marks.Insert(across >> bits) ? 1 : 0;
+        }
+      }
+    }
+    this->Count = count;
+  }
+
+  static const TetrahedronWays& WaysOfTetrahedra()
+  {
+    static const TetrahedronWays ways;
+    return ways;
   }
 
   /// Adds the new cells beyond the faces at the vertex of one cell.
@@ -230,8 +226,7 @@ private:
       if (!this->Mesh.IsOutside(across) && this->Found.Insert(this->Mesh.CellOf(across).Value))
       {
         // beta3 ends at the vertex, so the dart after it starts there.
-        this->Spokes.push_back(
-          this->Mesh.Beta1(this->Mesh.Beta3(this->Mesh.MakeDart(cell, local))));
+        this->Add(this->Mesh.Beta1(this->Mesh.Beta3(this->Mesh.MakeDart(cell, local))));
       }
     }
   }
@@ -248,12 +243,16 @@ private:
     return false;
   }
 
+  View<Dart> Star() const { return { this->Spokes.data(), this->Count }; }
+
   Vertex Center;
-  std::vector<Dart> Spokes;
+  std::vector<Dart> Spokes; // the first Count of them
+  std::size_t Count = 0;
   std::vector<HalfFace> Faces;
 
 protected:
   const Map& Mesh;
+  const TetrahedronWays* const Ways; // null unless there are tetrahedra alone
   std::vector<Dart> Buffer;
   ReusableSet<Id> Found;
 };

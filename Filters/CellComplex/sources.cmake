@@ -11,10 +11,13 @@ isthmus_room(
     DartMap
     EdgeTable
     FaceTable
+    FirstEqual
     GridMap
     MeshError
+    ReusableSet
     StarTable
     StarWalk
+    TetrahedronWays
     VertexStar
   SOURCES
     CellEdgeTable

@@ -5,6 +5,7 @@
 #include "FaceTable.h"
 #include "GridMap.h"
 #include "ParallelFor.h"
+#include "WholeSurface.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -194,6 +195,7 @@ int vtkCellIncidence::RequestData(
   const int result = isthmus::Guarded(this, edges,
     [&]()
     {
+      isthmus::DemandOnOneRank(this, input, "cells");
       isthmus::WithMap(input, isthmus::Between(progress, 0.0, 0.5),
         [&](const auto& map, const isthmus::GridCells& cells)
         {

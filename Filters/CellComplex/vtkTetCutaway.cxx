@@ -4,6 +4,7 @@
 #include "FaceTable.h"
 #include "GridMap.h"
 #include "TetCutaway.h"
+#include "WholeSurface.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -240,6 +241,7 @@ int vtkTetCutaway::RequestData(
   const int result = isthmus::Guarded(this, surface,
     [&]()
     {
+      isthmus::DemandOnOneRank(this, input, "cells");
       isthmus::WithMap(input, isthmus::Between(progress, 0.0, 0.6), cut);
       done = true;
     });

@@ -13,19 +13,22 @@ namespace
 /// Threads and their arenas, and what of a complex does not depend on its size.
 constexpr double FixedBytes = 8e6;
 
-/// Of the complex, its pairs and the surface: 1.3 KB on a million samples, more where TetGen's mesh
-/// or a finer sampling that was given up was held beside it.
+/// Of the complex, its pairs and the surface: 1.3 KB on a million samples, more where a finer
+/// sampling that was given up was held beside it. Of each own point the same again.
 constexpr double BytesOfSample = 1700.0;
 
 /// Of each sample's three edges, a bit for each dual loop that crosses it.
 constexpr double BytesOfWord = 24.0;
 
-/// All stages together, in units of the triangulation.
-constexpr double TimesTriangulation = 3.0;
+/// In triangulations: all stages together,
+constexpr double UnitsOfStages = 3.2;
 
-/// The classes of M are reduced against each other, columns as long as the samples are many: in the
-/// same units, for each pair of classes.
-constexpr double TimesOfPair = 6.4e-6;
+/// what reducing a class of M adds,
+constexpr double UnitsOfClass = 0.006;
+
+/// and TetGen's mesh of the surface's own points with its pairs, as much as so many samples a
+/// point.
+constexpr double SamplesOfOwnPoint = 11.4;
 
 /// Connected parts, of points that triangles use and others: none of a sampled surface.
 int Parts(const TriangleMesh& mesh)
@@ -48,9 +51,30 @@ int Parts(const TriangleMesh& mesh)
 AnalysisCost AnalysisCost::After(double triangulation) const
 {
   AnalysisCost cost = *this;
-  const auto rank = static_cast<double>(this->Rank);
-  cost.Seconds = triangulation * (TimesTriangulation + TimesOfPair * rank * rank);
+  cost.Triangulation = triangulation;
+  cost.Seconds = cost.Units * triangulation + cost.Completion();
   return cost;
+}
+
+void AnalysisCost::LearnFrom(const AnalysisCost& before, double seconds)
+{
+  if (before.Triangulation > 0.0)
+  {
+    this->Units = seconds / before.Triangulation;
+  }
+}
+
+void AnalysisCost::ExpectCompletion(std::size_t points)
+{
+  this->Own = points;
+  this->Bytes += BytesOfSample * static_cast<double>(points);
+}
+
+double AnalysisCost::Completion() const
+{
+  return this->Samples == 0 ? 0.0
+                            : SamplesOfOwnPoint * static_cast<double>(this->Own) *
+      this->Triangulation / static_cast<double>(this->Samples);
 }
 
 AnalysisCost CostOf(const TriangleMesh& samples)
@@ -62,6 +86,7 @@ AnalysisCost CostOf(const TriangleMesh& samples)
     static_cast<std::int64_t>(samples.Triangles.size() / 2);
   cost.Rank =
     static_cast<std::size_t>(std::max<std::int64_t>(0, 2 * std::int64_t{ Parts(samples) } - euler));
+  cost.Units = UnitsOfStages + UnitsOfClass * static_cast<double>(cost.Rank);
   const double words = static_cast<double>((cost.Rank + 63) / 64);
   cost.Bytes =
     FixedBytes + (BytesOfSample + BytesOfWord * words) * static_cast<double>(cost.Samples);

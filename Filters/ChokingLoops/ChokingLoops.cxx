@@ -19,6 +19,25 @@ namespace
 /// Rounds of refinement round features that the sampling blurs.
 constexpr int Rounds = 3;
 
+/// More handles and tunnels that are not settled than a finer sampling is going to settle: with so
+/// many places it is finer by 0.6 everywhere (ChokingSamples.cxx), with fewer as fine as they ask.
+constexpr std::size_t ManyUnsettled = 64;
+
+/// What the samples of round `round` take, by what those before took; `own` points has the surface
+/// itself.
+AnalysisCost NextCost(const TriangleMesh& samples, const ChokingAnalysis& before,
+  const ChokingLoopTimes& times, int round, std::size_t own)
+{
+  AnalysisCost cost = CostOf(samples);
+  const std::size_t unsettled = CountUnsettled(before.Found);
+  cost.LearnFrom(before.Cost, times.LastRound);
+  if (unsettled > (round < Rounds ? ManyUnsettled : 0))
+  {
+    cost.ExpectCompletion(own);
+  }
+  return cost;
+}
+
 }
 
 ChokingLoops::ChokingLoops(
@@ -34,13 +53,15 @@ ChokingLoops::ChokingLoops(
   double spacing = parameters.SampleSpacing;
   TriangleMesh samples = FirstSamples(surface, spacing, Between(progress, 0.2, 0.25));
   times.Sampling = watch.Lap();
+  const std::size_t own = surface.Points.size();
   // One as fine as its samples is not kept twice.
   if (samples.Triangles.size() == surface.Triangles.size())
   {
     surface = {};
   }
   std::string tooMuch;
-  if (!FitsMemory(CostOf(samples), parameters.MemoryLimit, tooMuch))
+  AnalysisCost cost = CostOf(samples);
+  if (!FitsMemory(cost, parameters.MemoryLimit, tooMuch))
   {
     throw std::runtime_error(tooMuch);
   }
@@ -50,7 +71,7 @@ ChokingLoops::ChokingLoops(
     const double from = 1.0 - 0.75 * std::pow(0.5, round);
     const double to = 0.5 * (1.0 + from);
     const auto part = Between(progress, from, to);
-    this->AnalyseSamples(std::move(samples), parameters, times, part);
+    this->AnalyseSamples(std::move(samples), cost, parameters, times, part);
     times.LastRound = watch.Lap();
     const std::vector<Refinement> blurred = this->State->Blurred();
     if (!automatic || round == Rounds || blurred.empty())
@@ -64,26 +85,43 @@ ChokingLoops::ChokingLoops(
     samples = Refined(
       this->State->Samples, blurred, spacing * std::pow(0.6, round), Between(progress, to, to));
     times.Sampling += watch.Lap();
-    if (samples.Points.empty() || !FitsMemory(CostOf(samples), parameters.MemoryLimit, tooMuch))
+    cost = NextCost(samples, *this->State, times, round + 1, own);
+    if (samples.Points.empty() || !FitsMemory(cost, parameters.MemoryLimit, tooMuch))
     {
       break; // too much to ask: what is blurred stays marked as not trusted
     }
   }
-  this->State->Complete(
-    surface.Points.empty() ? this->State->Samples : surface, Between(progress, 0.96, 1.0));
-  const double completion = watch.Lap();
-  times.Features += completion;
-  times.LastRound += completion;
+  this->Complete(parameters, surface, own, times, Between(progress, 0.96, 1.0));
   this->State->Times = times;
   this->State->Mended = std::move(mended);
   Report(progress, 1.0);
 }
 
-void ChokingLoops::AnalyseSamples(TriangleMesh samples, const ChokingLoopParameters& parameters,
-  ChokingLoopTimes& times, const ProgressCallback& progress)
+void ChokingLoops::Complete(const ChokingLoopParameters& parameters, const TriangleMesh& surface,
+  std::size_t own, ChokingLoopTimes& times, const ProgressCallback& progress)
+{
+  AnalysisCost& cost = this->State->Cost;
+  if (cost.Own == 0 && !AllSettled(this->State->Found))
+  {
+    cost.ExpectCompletion(own);
+    cost.Seconds = times.LastRound + cost.Completion();
+    if (parameters.Estimated)
+    {
+      parameters.Estimated(cost);
+    }
+  }
+  Stopwatch watch;
+  this->State->Complete(surface.Points.empty() ? this->State->Samples : surface, progress);
+  const double took = watch.Lap();
+  times.Features += took;
+  times.LastRound += took;
+}
+
+void ChokingLoops::AnalyseSamples(TriangleMesh samples, AnalysisCost cost,
+  const ChokingLoopParameters& parameters, ChokingLoopTimes& times,
+  const ProgressCallback& progress)
 {
   Stopwatch watch;
-  AnalysisCost cost = CostOf(samples);
   const auto tell = [&]
   {
     if (parameters.Estimated)

@@ -36,7 +36,8 @@ struct ChokingLoopParameters
   /// sentence; refinement that would not fit is left out.
   double MemoryLimit = 0.0;
   /// Called with what the work on the samples takes: before it begins, and with the time, too, once
-  /// they are triangulated. Again when they are refined.
+  /// they are triangulated. Again when they are refined, and when handles or tunnels turn out not
+  /// to be settled by them (GeneratorCompletion.h).
   std::function<void(const AnalysisCost& cost)> Estimated;
 };
 
@@ -124,8 +125,11 @@ public:
   VTKISTHMUS_EXPORT Point3 ChokePoint(std::size_t feature) const;
 
 private:
-  void AnalyseSamples(TriangleMesh samples, const ChokingLoopParameters& parameters,
-    ChokingLoopTimes& times, const ProgressCallback& progress);
+  void AnalyseSamples(TriangleMesh samples, AnalysisCost cost,
+    const ChokingLoopParameters& parameters, ChokingLoopTimes& times,
+    const ProgressCallback& progress);
+  void Complete(const ChokingLoopParameters& parameters, const TriangleMesh& surface,
+    std::size_t own, ChokingLoopTimes& times, const ProgressCallback& progress);
 
   std::unique_ptr<ChokingAnalysis> State;
 };

@@ -15,9 +15,6 @@ namespace
 /// How often the corners of a cut are cut again, half as far off each time.
 constexpr int Generations = 6;
 
-/// Of leading the path of a cut; it is short.
-constexpr int Rounds = 100;
-
 /// The shortest path in a strip from where its first edge is crossed to where its last one is.
 void Straighten(const SurfaceAdjacency& surface, EdgeStrip& strip)
 {
@@ -217,11 +214,13 @@ BentCurve Corner::Cut(double reach) const
   {
     strip.push_back(this->At(k));
   }
-  Straighten(this->Surface, strip);
-  for (int round = 0; round < Rounds && Lead(this->Surface, strip); ++round)
+  // Each point beside the strip is led round once or twice; the bound is against rounding, which
+  // could make it go on for ever.
+  std::size_t left = 4 * strip.size() + 100;
+  do
   {
     Straighten(this->Surface, strip);
-  }
+  } while (left-- > 0 && Lead(this->Surface, strip));
   BentCurve cut{ strip,
     { { 0, this->Here.Generation + 1 }, { strip.size() - 1, this->Here.Generation + 1 } } };
   const auto n = static_cast<std::ptrdiff_t>(this->Curve.Crossings.size());

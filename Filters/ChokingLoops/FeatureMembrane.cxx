@@ -28,7 +28,11 @@ std::vector<SimplexId> PointsOf(
   return points;
 }
 
+/// The longest way along M between the ends of an edge of the complex, in lengths of the edge.
+constexpr double FarthestWay = 1e6;
+
 /// Puts edges of M in the place of each edge of the complex; what lies between joins the membrane.
+/// Nothing where the ends of an edge lie on two components of M.
 std::set<SimplexId> OntoSurface(
   const FeatureContext& context, const Chain& cycle, Membrane& membrane)
 {
@@ -45,14 +49,16 @@ std::set<SimplexId> OntoSurface(
     const double length =
       Distance(context.Filtration.Points[At(ends[0])], context.Filtration.Points[At(ends[1])]);
     membrane.OnSurface = membrane.OnSurface && length * length <= 4.0 * context.SquaredError(ends);
-    std::vector<SimplexId> path;
-    for (double reach = 2.0 * length; path.empty(); reach *= 2.0)
+    const auto part = [&context](SimplexId p) { return context.Homology.ComponentOf(p); };
+    if (part(ends[0]) != part(ends[1]))
     {
-      if (reach > 1e6 * length)
-      {
-        return {}; // the ends lie on two components of M
-      }
-      path = context.Embedding.ShortestPath(ends[1], ends[0], reach);
+      return {};
+    }
+    const std::vector<SimplexId> path =
+      context.Embedding.ShortestPath(ends[1], ends[0], FarthestWay * length);
+    if (path.empty())
+    {
+      return {};
     }
     for (const SimplexId p : path)
     {

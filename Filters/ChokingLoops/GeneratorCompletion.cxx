@@ -62,17 +62,15 @@ LocatedFeatures Sorted(const LocatedFeatures& features)
 
 }
 
-bool AllSettled(const LocatedFeatures& features)
+std::size_t CountUnsettled(const LocatedFeatures& features)
 {
+  std::size_t count = 0;
   for (std::size_t i = 0; i < features.Membranes.size(); ++i)
   {
     const ShapeFeature& f = features.Diagram.Features[i];
-    if (IsGenerator(f) && !IsSettled(f, features.Membranes[i]))
-    {
-      return false;
-    }
+    count += IsGenerator(f) && !IsSettled(f, features.Membranes[i]) ? 1 : 0;
   }
-  return true;
+  return count;
 }
 
 bool IsInterchangeable(const FeatureContext& context, const LocatedFeatures& features,

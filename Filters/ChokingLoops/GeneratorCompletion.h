@@ -20,8 +20,14 @@ struct LocatedFeatures
   std::vector<Point3> Centres;                    ///< of the ball that gets stuck
 };
 
-/// True when the samples settle all handles and tunnels: above the sampling error, with a loop.
-VTKISTHMUS_EXPORT bool AllSettled(const LocatedFeatures& features);
+/// How many handles and tunnels the samples do not settle: not above the sampling error, or without
+/// a loop.
+VTKISTHMUS_EXPORT std::size_t CountUnsettled(const LocatedFeatures& features);
+
+inline bool AllSettled(const LocatedFeatures& features)
+{
+  return CountUnsettled(features) == 0;
+}
 
 /**
  * True when the loops of another membrane may stand for those of a feature: always for additional

@@ -2,7 +2,6 @@
 
 #include "ChokeFit.h"
 #include "LoopDrawing.h"
-#include "Pi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +16,6 @@ constexpr double Roomy = 1.5;
 
 /// Of ShortestGirth(): what discretisation may take off a loop.
 constexpr double Slack = 0.98;
-
-/// In radii: how far the choke point may be from the hull of its loops.
-constexpr double Nearness = 0.3;
 
 double Longest(const LoopFeature& feature)
 {
@@ -41,7 +37,8 @@ std::vector<Point3> PointsOf(
 
 }
 
-bool Belongs(const ChokingLoops& loops, std::size_t index, const LoopFeature& feature)
+bool Belongs(const ChokingLoops& loops, std::size_t index, const LoopFeature& feature,
+  const LoopTolerances& tolerances)
 {
   const ShapeFeature& f = loops.Diagram().Features[index];
   std::vector<Point3> points;
@@ -51,20 +48,11 @@ bool Belongs(const ChokingLoops& loops, std::size_t index, const LoopFeature& fe
     points.insert(points.end(), polygon.begin(), polygon.end());
   }
   return !feature.Collapsed && Longest(feature) >= Slack * ShortestGirth(f) &&
-    IsSurrounded(loops.ChokePoint(index), Nearness * f.Distance(), points);
+    IsSurrounded(loops.ChokePoint(index), tolerances.Nearness * f.Distance(), points);
 }
 
 namespace
 {
-
-/// A loop held at a point of M may turn so much there (54 degrees); more is a last resort.
-constexpr double SharpestHeld = 0.3 * Pi;
-
-/// A loop that turns by as much there is no loop round the choke any more.
-constexpr double SharpestLoop = Pi / 2.0;
-
-/// Corners at contacts are cut so far off, in radii.
-constexpr std::array<double, 2> CornerCuts{ 0.3, 0.5 };
 
 /// What a loop that nothing holds is worth: as much longer it may be than one held.
 constexpr double Freedom = 1.05;
@@ -92,10 +80,12 @@ std::vector<SimplexId> ContactsOn(const Membrane& membrane, const std::vector<Si
 class TightestFit
 {
 public:
-  TightestFit(ChokingLoops& loops, std::size_t feature, int rounds)
+  TightestFit(
+    ChokingLoops& loops, std::size_t feature, int rounds, const LoopTolerances& tolerances)
     : Loops(loops)
     , Index(feature)
     , Rounds(rounds)
+    , Tolerances(tolerances)
     , Girth(ShortestGirth(loops.Diagram().Features[feature]))
     , Contacts(loops.ContactsOf(feature))
   {
@@ -133,6 +123,7 @@ private:
   ChokingLoops& Loops;
   std::size_t Index;
   int Rounds;
+  LoopTolerances Tolerances;
   double Girth;
   std::vector<SimplexId> Contacts;
   LoopFeature Best;
@@ -142,16 +133,16 @@ private:
 
 TightestFit::Grade TightestFit::GradeOf(const LoopFeature& candidate) const
 {
-  if (!isthmus::Belongs(this->Loops, this->Index, candidate))
+  if (!isthmus::Belongs(this->Loops, this->Index, candidate, this->Tolerances))
   {
     const bool isShort = Longest(candidate) < Slack * this->Girth;
     return candidate.Collapsed    ? Grade::Collapsed
       : isShort || candidate.Held ? Grade::Short
                                   : Grade::Strays;
   }
-  return candidate.SharpestBend >= SharpestLoop ? Grade::Hairpin
-    : candidate.SharpestBend >= SharpestHeld    ? Grade::Jagged
-                                                : Grade::Fits;
+  return candidate.SharpestBend >= this->Tolerances.SharpestLoop ? Grade::Hairpin
+    : candidate.SharpestBend >= this->Tolerances.SharpestHeld    ? Grade::Jagged
+                                                                 : Grade::Fits;
 }
 
 double TightestFit::CostOf(const LoopFeature& candidate, Grade grade) const
@@ -217,7 +208,7 @@ void TightestFit::TryHeld(const Membrane& membrane, bool isEncircling)
     held.Held = true;
     const bool isCut = held.SharpestBend > SharpestKept;
     this->Try(std::move(held), isEncircling);
-    for (const double cut : CornerCuts)
+    for (const double cut : this->Tolerances.CornerCuts)
     {
       if (isCut)
       {
@@ -232,12 +223,12 @@ void TightestFit::TryHeld(const Membrane& membrane, bool isEncircling)
 
 }
 
-LoopFeature MakeLoopFeature(
-  ChokingLoops& loops, std::size_t index, int rounds, const ProgressCallback& progress)
+LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
+  const ProgressCallback& progress, const LoopTolerances& tolerances)
 {
   const ShapeFeature& f = loops.Diagram().Features[index];
   const Membrane& pushed = loops.MembraneOf(index);
-  TightestFit fit(loops, index, rounds);
+  TightestFit fit(loops, index, rounds, tolerances);
   fit.TryFree(pushed, false, Between(progress, 0.0, 0.4));
   if (rounds == 0 || !f.Trusted || f.Choke < 0 ||
     (fit.Belongs() && fit.Length() < Roomy * fit.ShortestLength()))

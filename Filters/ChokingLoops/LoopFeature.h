@@ -7,13 +7,37 @@
 
 #include "ChokingLoops.h"
 #include "LoopDrawing.h"
+#include "Pi.h"
 
 namespace isthmus
 {
 
+/// What tells a loop that belongs to its choke from one that does not, and within what bounds each
+/// may be chosen: TestLoopTolerances holds lengths to 3 % at the ends of 0.25 to 0.32, 47 to 60
+/// degrees, 80 to 100 degrees, { 0.25, 0.4 } to { 0.35, 0.52 }; most loops stay as they are.
+struct LoopTolerances
+{
+  /// In radii: how far the choke point may lie outside of the hull of its loops. A round loop that
+  /// touches the ball is as long as 0.98 of its girth only within sqrt(1 - 0.98^2) = 0.2 of it; a
+  /// wider one, of a neck that is not round, is still to be within 0.35 of its place (there one
+  /// loop of skull_low_resolution.obj is another, 6 % shorter).
+  double Nearness = 0.3;
+  /// Radians that a loop may turn where it is held: above SharpestKept (45 degrees), at which
+  /// corners are cut no more, and no more than the 60 degrees that loops may turn by at all: 54.
+  double SharpestHeld = 0.3 * Pi;
+  /// From this turn on a loop goes back rather than round: its ways in and out have an angle below
+  /// 90 degrees.
+  double SharpestLoop = 0.5 * Pi;
+  /// In radii: how far off corners are cut, one try after the other; loops that get shorter than
+  /// their girth so are not taken. Cut again by halves, a cut reaches up to twice as far; contacts
+  /// spread evenly round the ball are 2 pi / 3 apart, so that cuts of up to pi / 6 = 0.52 from both
+  /// ends leave some of the loop between them.
+  std::array<double, 2> CornerCuts{ 0.3, 0.5 };
+};
+
 /// True when loops belong to the choke point of a feature, see MakeLoopFeature().
-VTKISTHMUS_EXPORT bool Belongs(
-  const ChokingLoops& loops, std::size_t feature, const LoopFeature& geometry);
+VTKISTHMUS_EXPORT bool Belongs(const ChokingLoops& loops, std::size_t feature,
+  const LoopFeature& geometry, const LoopTolerances& tolerances = {});
 
 /**
  * Loops and membrane of a feature; with `rounds` above 0 the loops are shortened that often, and a
@@ -30,8 +54,8 @@ VTKISTHMUS_EXPORT bool Belongs(
  *
  * @throws Cancelled.
  */
-VTKISTHMUS_EXPORT LoopFeature MakeLoopFeature(
-  ChokingLoops& loops, std::size_t feature, int rounds, const ProgressCallback& progress = {});
+VTKISTHMUS_EXPORT LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t feature, int rounds,
+  const ProgressCallback& progress = {}, const LoopTolerances& tolerances = {});
 
 }
 

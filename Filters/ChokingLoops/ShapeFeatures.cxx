@@ -66,9 +66,13 @@ void Collector::AddVoids()
     }
     const double birth = this->F.TriangleValue[t];
     const double death = this->F.TetrahedronValue[At(filler)];
+    if (!Differ(birth, death)) // most of all
+    {
+      continue;
+    }
     const double error2 = std::max(this->Context.SquaredError(this->F.TrianglePoints(t)),
       this->Context.SquaredError(this->F.Tetrahedra[At(filler)]));
-    if (!Differ(birth, death) || death <= error2)
+    if (death <= error2)
     {
       continue;
     }
@@ -104,15 +108,19 @@ void Collector::AddLoops(const std::vector<SurfaceGenerator>& generators)
   {
     const auto id = static_cast<SimplexId>(t);
     const SimplexId closer = this->Context.Pairs.LoopClosed(id);
-    const auto generator = byFiller.find(id);
-    const double death = this->F.TriangleValue[t];
-    const double error2 = this->Context.SquaredError(this->F.TrianglePoints(t));
-    if (closer < 0 || (generator == byFiller.end() && death <= error2))
+    if (closer < 0)
     {
       continue;
     }
+    const auto generator = byFiller.find(id);
+    const double death = this->F.TriangleValue[t];
     const double birth = generator != byFiller.end() ? 0.0 : this->F.EdgeValue[At(closer)];
-    if (generator == byFiller.end() && !Differ(birth, death))
+    if (generator == byFiller.end() && !Differ(birth, death)) // most of all
+    {
+      continue;
+    }
+    const double error2 = this->Context.SquaredError(this->F.TrianglePoints(t));
+    if (generator == byFiller.end() && death <= error2)
     {
       continue;
     }

@@ -26,6 +26,10 @@ SurfacePaths::SurfacePaths(
       return;
     }
     const SimplexId first = surface.Leaving(p);
+    if (first < 0)
+    {
+      return; // no triangle uses it
+    }
     SimplexId h = first;
     do
     {

@@ -179,12 +179,12 @@ TriangleMesh SplitLongEdges(TriangleMesh mesh, const Limit& limit, std::size_t m
       const std::array<std::int64_t, 3> m{ midpoints.Of(t[0], t[1], limit),
         midpoints.Of(t[1], t[2], limit), midpoints.Of(t[2], t[0], limit) };
       AddPieces(mesh.Points, t, m, pieces);
+      if (mesh.Points.size() > maximumPoints)
+      {
+        return {}; // at once: a round may make four times as many
+      }
     }
     mesh.Triangles = std::move(pieces);
-    if (mesh.Points.size() > maximumPoints)
-    {
-      return {};
-    }
     again = mesh.Points.size() > before;
     left *= 0.5;
   }

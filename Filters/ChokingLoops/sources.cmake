@@ -20,6 +20,7 @@ isthmus_room(
     EdgeStrip
     EncirclingLoops
     EnclosureTest
+    FeatureDrawing
     FeatureMembrane
     FeatureSelection
     GeneratorCompletion

@@ -3,6 +3,7 @@
 #include "AlgorithmGuard.h"
 #include "AvailableMemory.h"
 #include "ChokingLoopsOutput.h"
+#include "FeatureDrawing.h"
 #include "GridTetrahedra.h"
 #include "LoopLimits.h"
 #include "MorseValues.h"
@@ -36,6 +37,22 @@ namespace
 constexpr double AnalysisPart = 0.9; ///< of the progress bar
 constexpr int ManyRounds = 1000;     ///< as good as until nothing gets shorter
 
+/// Seconds in words, rounded up to tenths.
+std::string SecondsText(double seconds)
+{
+  return isthmus::Shown(0.1 * std::ceil(10.0 * seconds)) + " s";
+}
+
+constexpr const char* Unsettled =
+  ", handles or tunnels on the surface's own triangles among it: the samples do not settle them.";
+
+void TellDrawing(const isthmus::DrawingCost& cost)
+{
+  vtkLog(INFO,
+    "Choking loops: " << cost.Loops << " features to draw yet, " << SecondsText(cost.Seconds)
+                      << " or so.");
+}
+
 /// What an analysis is going to take, as far as it can be known: its time depends on the shape.
 void TellEstimate(const isthmus::TriangleMesh& surface, double spacing)
 {
@@ -67,8 +84,8 @@ isthmus::ChokingLoopParameters ParametersOf(
       return;
     }
     vtkLog(INFO,
-      "Choking loops: triangulated; from sampling to features "
-        << isthmus::Shown(0.1 * std::ceil(10.0 * cost.Seconds)) << " s or so in all.");
+      "Choking loops: from sampling to features " << SecondsText(cost.Seconds) << " or so in all"
+                                                  << (cost.Own > 0 ? Unsettled : "."));
   };
   return parameters;
 }
@@ -82,7 +99,7 @@ struct vtkChokingLoops::Cache
     std::string, double, bool, bool, int>;
   Key MadeOf;
   std::unique_ptr<isthmus::ChokingLoops> Loops;
-  std::map<std::pair<std::size_t, int>, isthmus::LoopFeature> Geometry; ///< by feature, rounds
+  isthmus::DrawnFeatures Geometry;
 };
 
 vtkChokingLoops::vtkChokingLoops()
@@ -223,24 +240,14 @@ std::vector<isthmus::ShownFeature> vtkChokingLoops::DrawLoops()
                                               : ManyRounds;
   const std::vector<std::size_t> chosen = analysis.Select(this->Selection());
   const auto progress = isthmus::Between(isthmus::ProgressOf(this), AnalysisPart, 1.0);
+  isthmus::DrawFeatures(analysis, chosen, rounds, this->Kept->Geometry, TellDrawing, progress);
   std::vector<isthmus::ShownFeature> shown;
-  const auto done = [&chosen](std::size_t i)
-  { return static_cast<double>(i) / static_cast<double>(chosen.size()); };
-  for (std::size_t i = 0; i < chosen.size(); ++i)
+  for (const std::size_t feature : chosen)
   {
-    const auto part = isthmus::Between(progress, done(i), done(i + 1));
-    isthmus::Report(part, 0.0);
-    auto geometry = this->Kept->Geometry.find({ chosen[i], rounds });
-    if (geometry == this->Kept->Geometry.end())
+    const isthmus::LoopFeature& geometry = this->Kept->Geometry.at({ feature, rounds });
+    if (!geometry.Loops.empty()) // what has no loop is neither drawn nor counted
     {
-      geometry = this->Kept->Geometry
-                   .emplace(std::make_pair(chosen[i], rounds),
-                     isthmus::MakeLoopFeature(analysis, chosen[i], rounds, part))
-                   .first;
-    }
-    if (!geometry->second.Loops.empty()) // what has no loop is neither drawn nor counted
-    {
-      shown.push_back({ chosen[i], &geometry->second });
+      shown.push_back({ feature, &geometry });
     }
   }
   isthmus::FindShared(analysis, shown);
@@ -252,8 +259,12 @@ std::vector<isthmus::ShownFeature> vtkChokingLoops::DrawLoops()
 int vtkChokingLoops::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
-  const auto whole = isthmus::WholeSurface(vtkPolyData::GetData(input[0]));
-  this->FindLoops(whole, vtkDataObject::GetData(input[1]), output);
+  vtkSmartPointer<vtkPolyData> whole;
+  const auto gather = [&] { whole = isthmus::WholeSurface(this, vtkPolyData::GetData(input[0])); };
+  if (isthmus::Succeeds(this, vtkPolyData::GetData(output, 0), gather))
+  {
+    this->FindLoops(whole, vtkDataObject::GetData(input[1]), output);
+  }
   return 1;
 }
 

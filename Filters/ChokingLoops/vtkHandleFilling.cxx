@@ -92,16 +92,16 @@ int vtkHandleFilling::FillOutputPortInformation(int port, vtkInformation* inform
 int vtkHandleFilling::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
-  const auto whole = isthmus::WholeSurface(vtkPolyData::GetData(input[0]));
   auto* surface = vtkPolyData::GetData(output, 0);
   auto* table = vtkTable::GetData(output, 1);
-  if (whole && whole->GetNumberOfPoints() == 0)
-  {
-    return 1;
-  }
   return isthmus::Guarded(this, surface,
     [&]
     {
+      const auto whole = isthmus::WholeSurface(this, vtkPolyData::GetData(input[0]));
+      if (whole->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
       isthmus::HandleFillingParameters parameters;
       parameters.Below = this->FillHandlesBelow;
       parameters.Inside = this->Side != Outside;

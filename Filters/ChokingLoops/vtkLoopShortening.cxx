@@ -191,16 +191,16 @@ int vtkLoopShortening::RequestData(
 {
   auto* loops = vtkPolyData::GetData(input[0]);
   auto* result = vtkPolyData::GetData(output);
-  const auto whole =
-    isthmus::WholeSurface(vtkPolyData::GetData(input[1]), isthmus::WholeOn::EachRank);
-  const vtkIdType count = loops ? loops->GetNumberOfLines() : 0;
-  if (loops && count == 0)
-  {
-    return 1;
-  }
   return isthmus::Guarded(this, result,
     [&]
     {
+      const auto whole =
+        isthmus::WholeSurface(this, vtkPolyData::GetData(input[1]), isthmus::WholeOn::EachRank);
+      const vtkIdType count = loops->GetNumberOfLines();
+      if (count == 0)
+      {
+        return;
+      }
       const Surface surface(whole);
       isthmus::LoopShorteningParameters parameters;
       parameters.MaximumRounds = this->MaximumRounds;

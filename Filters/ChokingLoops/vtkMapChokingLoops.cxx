@@ -146,8 +146,12 @@ int vtkMapChokingLoops::RequestData(
   }
   auto* loops = vtkPolyData::GetData(output, 0);
   auto* surface = vtkPolyData::GetData(output, SurfacePort);
-  if (isthmus::Succeeds(this, surface, [&] { this->Contour(image); }) &&
-    this->FindLoops(this->Surface, nullptr, output))
+  const auto contour = [&]
+  {
+    isthmus::DemandAll(input[0]->GetInformationObject(0));
+    this->Contour(image);
+  };
+  if (isthmus::Succeeds(this, surface, contour) && this->FindLoops(this->Surface, nullptr, output))
   {
     surface->ShallowCopy(this->Surface);
     vtkNew<vtkDoubleArray> level;

@@ -221,6 +221,7 @@ int vtkMapHandles::RequestData(
   return isthmus::GuardedOutputs(this, outputVector,
     [&]()
     {
+      isthmus::DemandAll(inputVector[0]->GetInformationObject(0));
       Work work;
       work.Image = vtkImageData::GetData(inputVector[0], 0);
       if (!work.Image || work.Image->GetNumberOfPoints() == 0 ||

@@ -50,15 +50,15 @@ vtkSmartPointer<vtkPoints> InWorld(vtkPoints* nodes, const isthmus::DistanceGrid
 int vtkOffsetSurface::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
-  const auto surface = isthmus::WholeSurface(vtkPolyData::GetData(input[0]));
   auto* result = vtkPolyData::GetData(output);
-  if (surface && surface->GetNumberOfPoints() == 0)
-  {
-    return 1;
-  }
   return isthmus::Guarded(this, result,
     [&]
     {
+      const auto surface = isthmus::WholeSurface(this, vtkPolyData::GetData(input[0]));
+      if (surface->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
       const isthmus::PolyDataTriangles triangles(surface);
       const isthmus::DistanceGrid grid = isthmus::OffsetDistances(isthmus::MeshOf(triangles.View()),
         this->Distance, static_cast<isthmus::OffsetSide>(this->Side), this->Resolution,

@@ -187,7 +187,7 @@ int vtkScalarRegions::RequestData(
   const int result = isthmus::Guarded(this, output,
     [&]()
     {
-      const auto input = isthmus::WholeSurface(vtkPolyData::GetData(inputVector[0], 0));
+      const auto input = isthmus::WholeSurface(this, vtkPolyData::GetData(inputVector[0], 0));
       output->ShallowCopy(input);
       if (input->GetNumberOfCells() > 0)
       {

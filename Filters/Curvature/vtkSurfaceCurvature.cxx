@@ -167,11 +167,11 @@ std::string Complaints(const SurfaceCurvatureResult& result)
 int vtkSurfaceCurvature::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto input = isthmus::WholeSurface(vtkPolyData::GetData(inputVector[0], 0));
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   return isthmus::Guarded(this, output,
     [&]()
     {
+      const auto input = isthmus::WholeSurface(this, vtkPolyData::GetData(inputVector[0], 0));
       CheckTolerance(this->FlatTolerance, "FlatTolerance");
       CheckTolerance(this->GaussianTolerance, "GaussianTolerance");
       CheckTolerance(this->MeanTolerance, "MeanTolerance");

@@ -107,6 +107,8 @@ int vtkPoissonBoltzmann::RequestInformation(
   const int result = isthmus::Guarded(this, grid,
     [&]()
     {
+      this->Advance->DemandOnOneRank(0, "atoms");
+      this->Advance->DemandOnOneRank(1, "points of the surface");
       const isthmus::GridWish wish{ this->Spacing, this->Padding };
       vtkPolyData* surface = vtkPolyData::GetData(info);
       vtkPointSet* atoms = surface ? nullptr : this->AtomsWithCharges(inputVector);
@@ -151,6 +153,8 @@ int vtkPoissonBoltzmann::RequestData(
     [&]()
     {
       vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
+      this->Advance->DemandOnOneRank(0, "atoms");
+      this->Advance->DemandOnOneRank(1, "points of the surface");
       if (atoms && atoms->GetNumberOfPoints() > 0)
       {
         this->Solve(inputVector, outputVector);

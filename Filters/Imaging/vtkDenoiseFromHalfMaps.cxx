@@ -170,7 +170,13 @@ int vtkDenoiseFromHalfMaps::RequestData(
       auto* one = vtkImageData::GetData(input[0]);
       if (one->GetNumberOfPoints() > 0)
       {
+        isthmus::DemandAll(input[0]->GetInformationObject(0));
+        isthmus::DemandAll(input[1]->GetInformationObject(0));
         this->Denoise(one, vtkImageData::GetData(input[1]), image);
+        isthmus::Extent piece{};
+        image->GetExtent(piece.data());
+        piece = isthmus::PieceOf(output->GetInformationObject(0), piece);
+        image->Crop(piece.data());
       }
     });
 }

@@ -4,6 +4,7 @@
 #include "ChosenScalars.h"
 #include "DiffusionImage.h"
 #include "RankParts.h"
+#include "WholeSurface.h"
 
 #include <vtkCommunicator.h>
 #include <vtkDataArray.h>
@@ -72,12 +73,19 @@ int vtkDiffusionAlgorithm::RequestInformation(
 int vtkDiffusionAlgorithm::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  // The whole image: on one rank every node depends on all others in the end; of several pieces,
-  // the source splits it, and halos are exchanged instead of asked for.
+  // The whole image, since every node depends on all others in the end. Of the pieces of several
+  // ranks the source splits it, and halos are exchanged instead of asked for; pieces that one
+  // process asks for one after the other (streaming) have no others to exchange with.
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* input = inputs[0]->GetInformationObject(0);
-  const isthmus::Extent whole = isthmus::ExtentOf(input, Pipeline::WHOLE_EXTENT());
-  input->Set(Pipeline::UPDATE_EXTENT(), whole.data(), 6);
+  if (!this->IsParallel())
+  {
+    isthmus::AskForWholeImage(input);
+  }
+  else if (input->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
   return 1;
 }
 
@@ -118,6 +126,7 @@ int vtkDiffusionAlgorithm::RequestData(
   return isthmus::Guarded(this, output,
     [&]()
     {
+      isthmus::DemandNoBlocks(this);
       isthmus::Extent own = this->OwnPart(input, outputs->GetInformationObject(0), whole);
       const isthmus::RankParts parts(this->Controller, whole, own, this->HaloWidth());
       vtkDataArray* scalars = this->ScalarsOnAllRanks(input, parts);
@@ -132,6 +141,11 @@ int vtkDiffusionAlgorithm::RequestData(
       else
       {
         this->Compute<float>(input, output, parts);
+      }
+      if (!this->IsParallel())
+      {
+        isthmus::Extent piece = isthmus::PieceOf(outputs->GetInformationObject(0), own);
+        output->Crop(piece.data());
       }
     });
 }

@@ -314,34 +314,4 @@ std::vector<double> DistanceToSurface(
   return squared;
 }
 
-std::vector<double> ExactDistanceToSurface(
-  const SurfaceView& mesh, const GridShape& grid, const ProgressCallback& progress)
-{
-  const TriangleTree tree(mesh);
-  Report(progress, 0.1);
-  const auto& n = grid.Dimensions;
-  std::vector<double> distance(static_cast<std::size_t>(grid.Size()));
-  ParallelFor(
-    0, n[1] * n[2], 4,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (std::int64_t line = first; line < last; ++line)
-      {
-        // The guess starts anew on each line, so that the bits do not depend on the pieces.
-        std::int64_t guess = -1;
-        for (std::int64_t i = 0; i < n[0]; ++i)
-        {
-          const Point3 node{ static_cast<double>(i) * grid.Spacing[0],
-            static_cast<double>(line % n[1]) * grid.Spacing[1],
-            static_cast<double>(line / n[1]) * grid.Spacing[2] };
-          const TriangleTree::Nearest nearest = tree.Find(node, guess);
-          guess = nearest.Guess;
-          distance[static_cast<std::size_t>(line * n[0] + i)] = std::sqrt(nearest.Squared);
-        }
-      }
-    },
-    Between(progress, 0.1, 1.0));
-  return distance;
-}
-
 }

@@ -30,8 +30,8 @@ VTKISTHMUS_EXPORT std::vector<double> DistanceToSurface(const SurfaceView& mesh,
 
 /**
  * The same, exact at every node to the rounding of doubles: the least of the distances from all
- * triangles, found in a TriangleTree that each node of a line enters with the nearest triangle of
- * the node before.
+ * triangles, found in a TriangleTree that each node of a block of 8^3 enters with the nearest
+ * triangle of the node before: blocks, since what they need of the tree stays in the caches.
  *
  * Time: O(#triangles log #triangles) for the tree, then some microseconds a node and thread, more
  * where a large part of the surface is equally far (the centre of a sphere). Memory 8 bytes a node

@@ -2,9 +2,11 @@
 
 #include "FlatTriangles.h"
 #include "Index.h"
+#include "ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 #include <stdexcept>
 
@@ -13,29 +15,76 @@ namespace isthmus
 namespace
 {
 
-/// For each of `count` points the first of those at the same place; `point(i)` gives coordinates.
-template <typename Point>
-std::vector<std::int64_t> FirstAtPlace(std::int64_t count, Point&& point)
+/// A number that points at the same place have in common, and hardly others (G. L. Steele, D. Lea,
+/// C. H. Flood, 2014: the finalizer of SplitMix).
+std::uint64_t HashOf(const Point3& p)
 {
-  std::vector<std::int64_t> order(At(count));
-  std::iota(order.begin(), order.end(), std::int64_t{ 0 });
-  std::sort(order.begin(), order.end(),
-    [&point](std::int64_t a, std::int64_t b)
-    {
-      const Point3 p = point(a), q = point(b);
-      return p != q ? p < q : a < b;
-    });
-  std::vector<std::int64_t> first(At(count));
-  for (std::size_t i = 0; i < order.size(); ++i)
+  std::uint64_t hash = 0;
+  for (const double x : p)
   {
-    const bool same = i > 0 && point(order[i]) == point(order[i - 1]);
-    first[At(order[i])] = same ? first[At(order[i - 1])] : order[i];
+    const double coordinate = x + 0.0; // -0.0 is where 0.0 is
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &coordinate, sizeof(bits));
+    hash = (hash ^ bits) + 0x9E3779B97F4A7C15ULL;
+    hash = (hash ^ hash >> 30) * 0xBF58476D1CE4E5B9ULL;
+    hash = (hash ^ hash >> 27) * 0x94D049BB133111EBULL;
+    hash ^= hash >> 31;
+  }
+  return hash;
+}
+
+template <typename Point>
+std::vector<std::uint64_t> HashesOf(std::int64_t count, const Point& point)
+{
+  std::vector<std::uint64_t> hashes(At(count));
+  ParallelFor(0, count, 1 << 14,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t i = begin; i < end; ++i)
+      {
+        hashes[At(i)] = HashOf(point(i));
+      }
+    });
+  return hashes;
+}
+
+/// For each of `count` points the first of those at the same place; `point(i)` gives coordinates.
+/// By a table of places, which stays half empty. What is not a number is at no other's place.
+template <typename Point>
+std::vector<std::int64_t> FirstAtPlace(std::int64_t count, const Point& point)
+{
+  const std::vector<std::uint64_t> hashes = HashesOf(count, point);
+  std::size_t size = 1;
+  while (size < 2 * At(count))
+  {
+    size *= 2;
+  }
+  std::vector<std::int64_t> table(size, -1);
+  std::vector<std::int64_t> first(At(count));
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    const Point3 place = point(i);
+    first[At(i)] = i;
+    if (place != place)
+    {
+      continue;
+    }
+    std::size_t slot = hashes[At(i)] & (size - 1);
+    while (
+      table[slot] >= 0 && (hashes[At(table[slot])] != hashes[At(i)] || point(table[slot]) != place))
+    {
+      slot = (slot + 1) & (size - 1);
+    }
+    if (table[slot] < 0)
+    {
+      table[slot] = i;
+    }
+    first[At(i)] = table[slot];
   }
   return first;
 }
 
-/// The points that triangles use: others are first at no place, so that they do not decide the
-/// order, and need not be finite.
+/// The points that triangles use: others are at no place, and need not be finite.
 std::vector<std::int64_t> IdsOf(const std::vector<char>& used)
 {
   std::vector<std::int64_t> ids;

@@ -20,8 +20,8 @@ namespace isthmus
 /**
  * `surface` with one point for each place that a triangle uses, in the order of first use by point
  * id; files with texture coordinates or normals at corners (OBJ, STL) have several. Triangles that
- * lose an edge thereby are left out: they had no area. O(n log n). `original`, if given, gets the
- * id in `surface` of each point.
+ * lose an edge thereby are left out: they had no area. O(n), by hashing; 30 bytes a point beside
+ * the result. `original`, if given, gets the id in `surface` of each point.
  * @throws std::invalid_argument for a corner that is no point.
  */
 VTKISTHMUS_EXPORT TriangleMesh MergePoints(
@@ -38,7 +38,7 @@ struct TakenSurface
  * `surface` as it is where FindDefects finds nothing; else with coinciding points merged
  * (MergePoints) and without triangles that have no area (FlatTriangles.h). Holes and whatever else
  * there is stay. Where a corner is no point, or one is not finite, it stays as it is altogether,
- * for what repairs or refuses it. O(n log n).
+ * for what repairs or refuses it. O(n).
  */
 VTKISTHMUS_EXPORT TakenSurface TakeSurface(const TriangleMesh& surface);
 

@@ -2,6 +2,7 @@
 
 #include "Index.h"
 #include "ParallelFor.h"
+#include "RadixSort.h"
 
 #include <limits>
 #include <utility>
@@ -12,6 +13,10 @@ namespace
 {
 
 constexpr std::int64_t Grain = 4096;
+
+/// Triangles are sorted by the 33 leading bits of their places: 2048 cells a side tell neighbours
+/// apart well enough.
+constexpr unsigned int FirstPlaceBit = 30;
 
 /// The lowest 21 bits of `x`, two zeros after each.
 std::uint64_t Spread(std::uint64_t x)
@@ -79,7 +84,7 @@ void TriangleBoxTree::MakeBoxes(const TriangleMesh& mesh)
         places[At(t)] = { PlaceOnCurve(0.5 * (box.Min + box.Max), all, width), t };
       }
     });
-  std::sort(places.begin(), places.end());
+  RadixSort(places, FirstPlaceBit, 63, [](const auto& place) { return place.first; });
   this->Boxes.resize(places.size());
   const Point3 middle = 0.5 * (all.Min + all.Max);
   ParallelFor(0, count, Grain,
@@ -117,7 +122,9 @@ void TriangleBoxTree::MakeNodes()
     this->FirstLeaf *= 2;
     ++this->Height;
   }
-  this->NumberOfLeaves = static_cast<std::int64_t>(leaves);
+  this->HeightAboveGroups = this->Height - std::min(this->Height, HeightOfGroup);
+  const unsigned int height = this->Height - this->HeightAboveGroups;
+  this->NumberOfGroups = static_cast<std::int64_t>((leaves - 1) >> height) + 1;
   this->Nodes.assign(2 * this->FirstLeaf, none);
   for (std::size_t i = 0; i < this->Boxes.size(); ++i)
   {

@@ -27,14 +27,17 @@ public:
   /// @pre corners exist, points are finite, and the box of all is no wider than 1e37.
   VTKISTHMUS_EXPORT explicit TriangleBoxTree(const TriangleMesh& mesh);
 
-  std::int64_t Leaves() const { return this->NumberOfLeaves; }
+  /// Runs of up to 256 triangles along the curve.
+  std::int64_t Groups() const { return this->NumberOfGroups; }
 
   /**
    * Calls visit(a, b), triangles a and b, for all pairs with overlapping boxes of which one is in
-   * leaf `leaf` and the other in it or a later one. Over all leaves, each pair comes once.
+   * group `group` and the other in it or a later one. Over all groups, each pair comes once. The
+   * group's part of the tree and the whole are descended together, so that the way from the root is
+   * shared by all that goes it.
    */
   template <typename Visit>
-  void ForPairs(std::int64_t leaf, Visit&& visit) const;
+  void ForPairs(std::int64_t group, Visit&& visit) const;
 
 private:
   struct Box
@@ -43,13 +46,18 @@ private:
 
     bool Overlaps(const Box& other) const
     {
-      return this->Min[0] <= other.Max[0] && other.Min[0] <= this->Max[0] &&
-        this->Min[1] <= other.Max[1] && other.Min[1] <= this->Max[1] &&
-        this->Min[2] <= other.Max[2] && other.Min[2] <= this->Max[2];
+      bool overlaps = true;
+      for (std::size_t a = 0; a < 3; ++a) // all of it: which one fails can't be foreseen
+      {
+        overlaps &= this->Min[a] <= other.Max[a];
+        overlaps &= other.Min[a] <= this->Max[a];
+      }
+      return overlaps;
     }
   };
 
   static constexpr std::size_t TrianglesOfLeaf = 4;
+  static constexpr unsigned int HeightOfGroup = 6;
 
   void MakeBoxes(const TriangleMesh& mesh);
   void MakeNodes();
@@ -60,9 +68,10 @@ private:
   std::vector<std::int64_t> Order; ///< triangles along the curve
   std::vector<Box> Boxes;          ///< theirs, in that order
   std::vector<Box> Nodes;          ///< children of k are 2k and 2k + 1; the root is 1
-  std::int64_t NumberOfLeaves = 0;
-  std::size_t FirstLeaf = 1; ///< node of leaf 0, a power of two
-  unsigned int Height = 0;   ///< of the root above the leaves
+  std::int64_t NumberOfGroups = 0;
+  std::size_t FirstLeaf = 1;          ///< node of leaf 0, a power of two
+  unsigned int Height = 0;            ///< of the root above the leaves
+  unsigned int HeightAboveGroups = 0; ///< of the root above the nodes of groups
 };
 
 template <typename Visit>
@@ -83,33 +92,46 @@ void TriangleBoxTree::ForPairsOfLeaves(std::size_t a, std::size_t b, Visit&& vis
 }
 
 template <typename Visit>
-void TriangleBoxTree::ForPairs(std::int64_t leaf, Visit&& visit) const
+void TriangleBoxTree::ForPairs(std::int64_t group, Visit&& visit) const
 {
-  const auto own = static_cast<std::size_t>(leaf);
-  const Box& box = this->Nodes[this->FirstLeaf + own];
   struct Waiting
   {
-    std::size_t Node;
-    unsigned int Height;
+    std::size_t Own, Other;     // nodes; Other is Own, or has leaves behind all of Own's
+    unsigned int Height, Above; // of Own; of Other above that
   };
-  std::array<Waiting, 128> stack; // one more than the height at most
+  std::array<Waiting, 256> stack; // three more for each of at most 63 levels
   std::size_t waiting = 0;
-  stack[waiting++] = { 1, this->Height };
+  const auto wait = [&](std::size_t own, std::size_t other, unsigned int height, unsigned int above)
+  {
+    const std::size_t last = ((other + 1) << above) - 1;
+    if (last >= own && this->Nodes[own].Overlaps(this->Nodes[other]))
+    {
+      stack[waiting++] = { own, other, height, above };
+    }
+  };
+  const unsigned int height = this->Height - this->HeightAboveGroups;
+  wait((std::size_t{ 1 } << this->HeightAboveGroups) + static_cast<std::size_t>(group), 1, height,
+    this->HeightAboveGroups);
   while (waiting > 0)
   {
     const Waiting next = stack[--waiting];
-    const std::size_t last = ((next.Node + 1) << next.Height) - 1 - this->FirstLeaf;
-    if (last < own || !this->Nodes[next.Node].Overlaps(box))
+    if (next.Above > 0)
     {
-      continue;
+      wait(next.Own, 2 * next.Other, next.Height, next.Above - 1);
+      wait(next.Own, 2 * next.Other + 1, next.Height, next.Above - 1);
     }
-    if (next.Height == 0)
+    else if (next.Height == 0)
     {
-      this->ForPairsOfLeaves(own, next.Node - this->FirstLeaf, visit);
-      continue;
+      this->ForPairsOfLeaves(next.Own - this->FirstLeaf, next.Other - this->FirstLeaf, visit);
     }
-    stack[waiting++] = { 2 * next.Node + 1, next.Height - 1 };
-    stack[waiting++] = { 2 * next.Node, next.Height - 1 };
+    else
+    {
+      const std::size_t own = 2 * next.Own, other = 2 * next.Other;
+      wait(own, other, next.Height - 1, 0);
+      wait(own, other + 1, next.Height - 1, 0);
+      wait(own + 1, other, next.Height - 1, 0); // of a node with itself it is behind: left out
+      wait(own + 1, other + 1, next.Height - 1, 0);
+    }
   }
 }
 

@@ -46,6 +46,13 @@ private:
     double HalfHeight, Radius;
   };
 
+  struct Box
+  {
+    Point3 Low, High;
+  };
+
+  void Place();
+
   /// An empty node that is to be filled, or a leaf with all of the part.
   std::int32_t ChildOf(const Part& part);
 
@@ -64,6 +71,7 @@ private:
   void ForCorners(std::int64_t first, std::int64_t last, Body&& body) const;
 
   Point3 MeanNormal(std::int64_t first, std::int64_t last) const;
+  Box BoxAround(std::int64_t first, std::int64_t last) const;
   Cylinder CylinderAround(std::int64_t first, std::int64_t last) const;
 
   const SurfaceView& Mesh;
@@ -91,6 +99,7 @@ Builder::Builder(const SurfaceView& mesh)
 
 TriangleNodes Builder::Build()
 {
+  this->Place();
   this->Tree.Leaves.reserve(this->Order.size() / Width + 1);
   this->ChildOf({ 0, this->Mesh.NumberOfTriangles });
   std::vector<Waiting> waiting{ { 0, { 0, this->Mesh.NumberOfTriangles } } };
@@ -101,6 +110,19 @@ TriangleNodes Builder::Build()
     this->FillNode(next, waiting);
   }
   return std::move(this->Tree);
+}
+
+/// Centres of cylinders come from boxes of corners, pushed along an axis by less than their size.
+void Builder::Place()
+{
+  const Box box = this->BoxAround(0, this->Mesh.NumberOfTriangles);
+  double size = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    this->Tree.Origin[axis] = (box.Low[axis] + box.High[axis]) / 2;
+    size += box.High[axis] - box.Low[axis];
+  }
+  this->Tree.Scale = size > 0.0 ? size : 1.0;
 }
 
 std::int32_t Builder::ChildOf(const Part& part)
@@ -159,11 +181,13 @@ void Builder::FillNode(const Waiting& task, std::vector<Waiting>& waiting)
       : Cylinder{ { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, -Infinity, 0.0 };
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      node.Centre[axis][lane] = cylinder.Centre[axis];
-      node.Axis[axis][lane] = cylinder.Axis[axis];
+      node.Centre[axis][lane] = static_cast<float>(
+        there ? (cylinder.Centre[axis] - this->Tree.Origin[axis]) / this->Tree.Scale : 0.0);
+      node.Axis[axis][lane] = static_cast<float>(cylinder.Axis[axis]);
     }
-    node.HalfHeight[lane] = cylinder.HalfHeight;
-    node.Radius[lane] = cylinder.Radius;
+    constexpr double up = 1.0 + 0x1p-22;
+    node.HalfHeight[lane] = static_cast<float>(cylinder.HalfHeight / this->Tree.Scale * up);
+    node.Radius[lane] = static_cast<float>(cylinder.Radius / this->Tree.Scale * up);
     node.Child[lane] = there ? this->ChildOf(parts[lane]) : 0;
     if (there && node.Child[lane] >= 0)
     {
@@ -211,18 +235,24 @@ Point3 Builder::MeanNormal(std::int64_t first, std::int64_t last) const
                       : Point3{ 0.0, 0.0, 1.0 };
 }
 
-Builder::Cylinder Builder::CylinderAround(std::int64_t first, std::int64_t last) const
+Builder::Box Builder::BoxAround(std::int64_t first, std::int64_t last) const
 {
-  Point3 low{ Infinity, Infinity, Infinity }, high{ -Infinity, -Infinity, -Infinity };
+  Box box{ { Infinity, Infinity, Infinity }, { -Infinity, -Infinity, -Infinity } };
   this->ForCorners(first, last,
     [&](const Point3& corner)
     {
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        low[axis] = std::min(low[axis], corner[axis]);
-        high[axis] = std::max(high[axis], corner[axis]);
+        box.Low[axis] = std::min(box.Low[axis], corner[axis]);
+        box.High[axis] = std::max(box.High[axis], corner[axis]);
       }
     });
+  return box;
+}
+
+Builder::Cylinder Builder::CylinderAround(std::int64_t first, std::int64_t last) const
+{
+  const auto [low, high] = this->BoxAround(first, last);
   Cylinder cylinder{ { (low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2 },
     this->MeanNormal(first, last), 0.0, 0.0 };
   double bottom = Infinity, top = -Infinity, squaredRadius = 0.0;

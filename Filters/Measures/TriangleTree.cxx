@@ -63,6 +63,18 @@ public:
     : Tree(tree)
     , X(x)
   {
+    double size = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double place = (x[axis] - tree.Origin[axis]) / tree.Scale;
+      size += std::abs(place);
+      this->Place[axis] = static_cast<float>(place);
+    }
+    // From so far away that squares leave the range of floats, all cylinders count as near.
+    constexpr double farthest = 1e15;
+    this->Margin = size < farthest ? Rounding * static_cast<float>(size + 1.0)
+                                   : std::numeric_limits<float>::infinity();
+    this->Place = size < farthest ? this->Place : std::array<float, 3>{ 0.0F, 0.0F, 0.0F };
   }
 
   Nearest Run(std::int64_t guess)
@@ -77,12 +89,12 @@ public:
     }
     else if (!this->Tree.Nodes.empty())
     {
-      this->Stack[this->Waiting++] = { 0, 0.0 };
+      this->Stack[this->Waiting++] = { 0, 0.0F };
     }
     while (this->Waiting > 0)
     {
       const Entry next = this->Stack[--this->Waiting];
-      if (next.Squared >= this->Found.Squared)
+      if (next.Squared >= this->Reach)
       {
         continue;
       }
@@ -102,27 +114,34 @@ private:
   struct Entry
   {
     std::int32_t Child;
-    double Squared;
+    float Squared; ///< in the tree's scale, not more than any triangle's there
   };
 
   /// The children that may be nearer than what is found wait, the nearest on top.
+  ///
+  /// With u = 2^-24 and all lengths in the tree's scale: x and a centre are rounded by u of their
+  /// sizes, |x| + 1 together, so r is by less than 2^-22 (|x| + 1), height by 8u |r| more; r^2 -
+  /// height^2 by (4 + 16) u r^2 < 2^-19 r^2, which is taken off it before the root; the last sums
+  /// and roots by u each. Rounding (|x| + 1) = 2^-20 (|x| + 1), taken off heights and radii, is
+  /// more than all the rest.
   void OpenNode(const Node& node)
   {
-    alignas(64) Lanes squared;
+    alignas(64) TriangleNodes::FloatLanes squared;
     for (std::size_t n = 0; n < Width; ++n)
     {
-      const double rx = this->X[0] - node.Centre[0][n], ry = this->X[1] - node.Centre[1][n],
-                   rz = this->X[2] - node.Centre[2][n];
-      const double height = rx * node.Axis[0][n] + ry * node.Axis[1][n] + rz * node.Axis[2][n];
-      const double across = std::sqrt(std::max(rx * rx + ry * ry + rz * rz - height * height, 0.0));
-      const double above = std::max(std::abs(height) - node.HalfHeight[n], 0.0);
-      const double beside = std::max(across - node.Radius[n], 0.0);
+      const float rx = this->Place[0] - node.Centre[0][n], ry = this->Place[1] - node.Centre[1][n],
+                  rz = this->Place[2] - node.Centre[2][n];
+      const float height = rx * node.Axis[0][n] + ry * node.Axis[1][n] + rz * node.Axis[2][n];
+      const float all = rx * rx + ry * ry + rz * rz;
+      const float across = std::sqrt(std::max(all - height * height - 2.0F * Rounding * all, 0.0F));
+      const float above = std::max(std::abs(height) - node.HalfHeight[n] - this->Margin, 0.0F);
+      const float beside = std::max(across - node.Radius[n] - this->Margin, 0.0F);
       squared[n] = above * above + beside * beside;
     }
     const std::size_t first = this->Waiting;
     for (std::size_t n = 0; n < Width; ++n)
     {
-      if (squared[n] < this->Found.Squared)
+      if (squared[n] < this->Reach)
       {
         std::size_t place = this->Waiting++;
         for (; place > first && this->Stack[place - 1].Squared < squared[n]; --place)
@@ -182,6 +201,10 @@ private:
     if (least < this->Found.Squared)
     {
       this->Found = { least, index };
+      // A little more than it, for the rounding of squares.
+      this->Reach = static_cast<float>(
+        least / (this->Tree.Scale * this->Tree.Scale) * (1.0 + 2.0 * double(Rounding)) +
+        std::numeric_limits<float>::min());
     }
   }
 
@@ -189,7 +212,11 @@ private:
 
   const TriangleNodes& Tree;
   const Point3 X;
+  static constexpr float Rounding = 0x1p-20F;
+  std::array<float, 3> Place; ///< X in the tree's scale
+  float Margin = 0.0F;
   Nearest Found{ Infinity, -1 };
+  float Reach = std::numeric_limits<float>::infinity(); ///< of what is found, in the tree's scale
   std::array<Entry, DeepestStack> Stack;
   std::size_t Waiting = 0;
 };

@@ -28,7 +28,7 @@ VTKISTHMUS_EXPORT double SquaredDistanceToTriangle(
  * machine's vectors, as trees for ray tracing do (H. Dammertz et al., Shallow bounding volume
  * hierarchies for fast SIMD ray tracing of incoherent rays, 2008).
  *
- * Owns a copy of the corners. Building: O(n log n); memory: about 85 bytes a triangle. Queries may
+ * Owns a copy of the corners. Building: O(n log n); memory: about 80 bytes a triangle. Queries may
  * run in parallel; their bits are the same for any guess, but may differ in the last one from
  * machine to machine.
  */

@@ -6,12 +6,15 @@ isthmus_room(
   SOURCES
     AreaQuantiles
     CartesianMeasures
+    ExactDistance
     FlatTriangles
     GridDistance
     GridImages
     LevelCrossings
+    StarDefects
     SurfaceCheck
     SurfaceCrossings
+    SurfaceDefects
     SurfaceIntake
     SurfaceMeasures
     TriangleBoxTree

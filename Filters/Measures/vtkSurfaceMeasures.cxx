@@ -166,7 +166,7 @@ int vtkSurfaceMeasures::RequestData(
 void vtkSurfaceMeasures::Measure(vtkPolyData* surface, vtkDataObject* output, vtkTable* table)
 {
   // The output is this rank's piece; what is measured, on the first rank, is all of them.
-  const auto sewn = isthmus::WholeSurface(surface);
+  const auto sewn = isthmus::WholeSurface(this, surface);
   if (!isthmus::OnFirstRank())
   {
     return;

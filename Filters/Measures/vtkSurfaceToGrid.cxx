@@ -126,17 +126,17 @@ int vtkSurfaceToGrid::RequestInformation(
   }
   // The extent of the grid has to be told now, and it is that of the surface: so make the surface.
   this->Advance->Update();
-  const auto surface =
-    isthmus::WholeSurface(vtkPolyData::GetData(info), isthmus::WholeOn::EachRank);
-  vtkNew<vtkImageData> grid;
-  grid->SetExtent(0, -1, 0, -1, 0, -1);
-  int result = 1;
-  if (surface && surface->GetNumberOfPoints() > 0) // else empty, or blocks that come one by one
-  {
-    result = isthmus::Guarded(this, grid, [&]() { this->GridAround(surface, grid); });
-  }
-  isthmus::TellGeometry(outInfo, grid);
-  return result;
+  isthmus::TellGeometry(outInfo,
+    [&](vtkImageData* grid)
+    {
+      const auto surface =
+        isthmus::WholeSurface(this, vtkPolyData::GetData(info), isthmus::WholeOn::EachRank);
+      if (surface && surface->GetNumberOfPoints() > 0) // else empty, or blocks that come one by one
+      {
+        this->GridAround(surface, grid);
+      }
+    });
+  return 1;
 }
 
 int vtkSurfaceToGrid::RequestUpdateExtent(
@@ -179,8 +179,8 @@ int vtkSurfaceToGrid::RequestData(
         }
         return;
       }
-      const auto surface =
-        isthmus::WholeSurface(vtkPolyData::GetData(inputVector[0], 0), isthmus::WholeOn::EachRank);
+      const auto surface = isthmus::WholeSurface(
+        this, vtkPolyData::GetData(inputVector[0], 0), isthmus::WholeOn::EachRank);
       if (auto* grid = vtkImageData::GetData(inputVector[1], 0))
       {
         output->CopyStructure(grid);

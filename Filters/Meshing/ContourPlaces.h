@@ -34,7 +34,8 @@ public:
   ContourPlaces(
     const HermiteGrid& grid, const DualCells& cells, const DualContouringParameters& parameters);
 
-  /// For piece `i` of the `count` pieces in the active cell `cell` with these planes. O(log n)
+  /// For piece `i` of the `count` pieces in the active cell `cell` with these planes, which are the
+  /// tangent ones or those that meet better (MeetingPlanes.h). O(log n)
   ContourPlace Place(
     std::int64_t cell, const QuadraticErrors* pieces, std::size_t count, std::size_t i) const;
   /// The same, but in the cell, whatever is in the others.

@@ -1,6 +1,8 @@
 #include "ThinTriangles.h"
 
 #include "CGALSurface.h"
+#include "Index.h"
+#include "ParallelFor.h"
 #include "RangeGuard.h"
 
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
@@ -40,14 +42,24 @@ bool IsThin(const Point3& p, const Point3& q, const Point3& r)
 
 std::vector<std::int64_t> ThinTriangles(const TriangleMesh& mesh)
 {
-  const auto point = [&mesh](std::int64_t p) { return mesh.Points[static_cast<std::size_t>(p)]; };
-  std::vector<std::int64_t> thin;
-  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
-  {
-    const auto& [a, b, c] = mesh.Triangles[t];
-    if (IsThin(point(a), point(b), point(c)))
+  const auto point = [&mesh](std::int64_t p) -> const Point3& { return mesh.Points[At(p)]; };
+  const auto count = static_cast<std::int64_t>(mesh.Triangles.size());
+  std::vector<char> isThin(At(count));
+  ParallelFor(0, count, 1 << 14,
+    [&](std::int64_t begin, std::int64_t end)
     {
-      thin.push_back(static_cast<std::int64_t>(t));
+      for (std::int64_t t = begin; t < end; ++t)
+      {
+        const auto& [a, b, c] = mesh.Triangles[At(t)];
+        isThin[At(t)] = IsThin(point(a), point(b), point(c)) ? 1 : 0;
+      }
+    });
+  std::vector<std::int64_t> thin;
+  for (std::int64_t t = 0; t < count; ++t)
+  {
+    if (isThin[At(t)])
+    {
+      thin.push_back(t);
     }
   }
   return thin;

@@ -1,6 +1,8 @@
 #include "UniformContour.h"
 
+#include "CellBox.h"
 #include "ContourPlaces.h"
+#include "MeetingPlanes.h"
 #include "ParallelFor.h"
 
 #include <numeric>
@@ -11,6 +13,8 @@ namespace isthmus
 namespace
 {
 
+constexpr std::size_t MostPieces = CellEdges / 3; // each crosses three edges or more
+
 class Contourer
 {
 public:
@@ -18,6 +22,7 @@ public:
     : Grid(grid)
     , Cells(grid)
     , Places(grid, this->Cells, parameters)
+    , FeatureThreshold(parameters.FeatureThreshold)
   {
     this->Result.Shape = grid.Shape;
     for (std::size_t c = 0; c < this->Cells.Active().size(); ++c)
@@ -98,19 +103,30 @@ private:
     const auto& pieces = this->Cells.Pieces()[c];
     const auto first = static_cast<std::size_t>(this->FirstPoint[c]);
     std::size_t count = 0;
+    std::array<std::vector<TangentPlane>, MostPieces> planes;
     for (std::size_t e = 0; e < CellEdges; ++e)
     {
       if (pieces[e] != DualCells::NoPiece)
       {
         const auto piece = static_cast<std::size_t>(pieces[e]);
         const GridCrossing& crossing = this->CrossingOf(this->Cells.NodeOfEdge(cell, e), e / 4);
-        this->Result.Errors[first + piece].Add(this->PositionOf(crossing, 0.0), crossing.Normal);
+        planes[piece].push_back({ this->PositionOf(crossing, 0.0), crossing.Normal });
+        this->Result.Errors[first + piece].Add(planes[piece].back().Place, crossing.Normal);
         count = std::max(count, piece + 1);
       }
     }
+    std::array<QuadraticErrors, MostPieces> errors;
+    const Bounds3 around = CellBox(this->Grid.Shape, this->Cells.IndexOf(cell), 1, 1.0);
     for (std::size_t i = 0; i < count; ++i)
     {
-      const ContourPlace place = this->Places.Place(cell, &this->Result.Errors[first], count, i);
+      // The triangles of a surface are flat, and its edges are known.
+      errors[i] = this->Grid.Sharp.Segments.empty()
+        ? MeetingPlanes(planes[i], around, this->FeatureThreshold)
+        : this->Result.Errors[first + i];
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const ContourPlace place = this->Places.Place(cell, errors.data(), count, i);
       this->Result.Points[first + i] = place.At;
       this->Result.IsSharp[first + i] = place.IsSharp ? 1 : 0;
     }
@@ -173,6 +189,7 @@ private:
   const HermiteGrid& Grid;
   const DualCells Cells;
   const ContourPlaces Places;
+  const double FeatureThreshold;
   std::vector<std::int64_t> FirstPoint; ///< of each active cell
 };
 

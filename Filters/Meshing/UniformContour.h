@@ -27,7 +27,7 @@ struct UniformContour
 
   GridShape Shape;
   std::vector<Index> Cells;            ///< of each point: its cell's lowest node
-  std::vector<QuadraticErrors> Errors; ///< of each point: the planes it was made for
+  std::vector<QuadraticErrors> Errors; ///< of each point: the tangent planes of its crossings
   std::vector<Point3> Points;          ///< where these are least in the cell
   std::vector<char> IsSharp;           ///< of each point: on a known sharp edge or corner
   std::vector<Edge> Edges;

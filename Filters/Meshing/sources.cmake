@@ -24,6 +24,7 @@ isthmus_room(
     KinkedCrossings
     LevelTriangles
     MapSurface
+    MeetingPlanes
     MeshQuality
     QuadraticErrors
     SensibleLevel

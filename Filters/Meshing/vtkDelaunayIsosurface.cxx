@@ -57,9 +57,7 @@ int vtkDelaunayIsosurface::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
   // Refinement sees all of the surface at once, so every rank would need the whole volume.
-  vtkInformation* information = input[0]->GetInformationObject(0);
-  isthmus::AskForWholeImage(information);
-  isthmus::AskForAll(information);
+  isthmus::AskForWholeImage(input[0]->GetInformationObject(0));
   return 1;
 }
 
@@ -73,7 +71,8 @@ int vtkDelaunayIsosurface::RequestData(
     {
       isthmus::DemandAll(input[0]->GetInformationObject(0));
       // Each rank has all of the volume; the surface is made once.
-      if (image->GetNumberOfPoints() == 0 || !isthmus::OnFirstRank())
+      if (image->GetNumberOfPoints() == 0 ||
+        !isthmus::IsMadeHere(input[0]->GetInformationObject(0)))
       {
         return;
       }

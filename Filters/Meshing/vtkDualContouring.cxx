@@ -9,6 +9,7 @@
 #include "KinkedCrossings.h"
 #include "ParallelFor.h"
 #include "PolyDataTriangles.h"
+#include "WholeSurface.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataSetAttributes.h>
@@ -219,11 +220,12 @@ int vtkDualContouring::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   auto* image = vtkImageData::GetData(input[0]);
-  auto* surface = vtkPolyData::GetData(input[0]);
+  auto* piece = vtkPolyData::GetData(input[0]);
   auto* result = vtkPolyData::GetData(output);
   return isthmus::Guarded(this, result,
     [&]
     {
+      const auto surface = isthmus::WholeSurface(this, piece);
       isthmus::DualContouringParameters parameters;
       parameters.FeatureThreshold = this->FeatureThreshold;
       parameters.Reach = this->Reach;
@@ -232,7 +234,9 @@ int vtkDualContouring::RequestData(
       parameters.FreeOfCrossings = this->FreeOfCrossings;
       isthmus::DualContour contour;
       bool isMirrored = false;
-      if (image && image->GetNumberOfPoints() > 0)
+      isthmus::DemandAll(input[0]->GetInformationObject(0));
+      if (image && image->GetNumberOfPoints() > 0 &&
+        isthmus::IsMadeHere(input[0]->GetInformationObject(0)))
       {
         if (!std::isfinite(this->Level))
         {

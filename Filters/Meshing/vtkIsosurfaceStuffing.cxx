@@ -135,7 +135,9 @@ int vtkIsosurfaceStuffing::RequestData(
   return isthmus::Guarded(this, grid,
     [&]
     {
-      if (image->GetNumberOfPoints() == 0)
+      isthmus::DemandAll(input[0]->GetInformationObject(0));
+      if (image->GetNumberOfPoints() == 0 ||
+        !isthmus::IsMadeHere(input[0]->GetInformationObject(0)))
       {
         return;
       }

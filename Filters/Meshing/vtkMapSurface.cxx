@@ -224,7 +224,8 @@ int vtkMapSurface::RequestData(
   return isthmus::Guarded(this, surface,
     [&]
     {
-      if (image->GetNumberOfPoints() > 0)
+      isthmus::DemandAll(input[0]->GetInformationObject(0));
+      if (image->GetNumberOfPoints() > 0 && isthmus::IsMadeHere(input[0]->GetInformationObject(0)))
       {
         this->MakeSurface(image, surface);
       }

@@ -2,15 +2,18 @@
 
 #include "AlgorithmGuard.h"
 #include "MeshQuality.h"
+#include "WholeSurface.h"
 
 #include <vtkCell.h>
 #include <vtkCellData.h>
+#include <vtkCommunicator.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMultiProcessController.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointSet.h>
@@ -129,6 +132,31 @@ void FillHistogram(const isthmus::QualitySummary& summary, vtkTable* table)
   table->AddColumn(fraction);
 }
 
+/// What all ranks have together.
+isthmus::QualitySummary OverRanks(vtkAlgorithm* filter, const isthmus::QualitySummary& own)
+{
+  isthmus::DemandNoBlocks(filter);
+  if (isthmus::NumberOfRanks() == 1)
+  {
+    return own;
+  }
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  isthmus::QualitySummary all = own;
+  std::vector<vtkIdType> mine(own.Bins.begin(), own.Bins.end());
+  mine.insert(mine.end(), { own.Cells, own.Slivers });
+  std::vector<vtkIdType> counts(mine.size());
+  controller->AllReduce(
+    mine.data(), counts.data(), static_cast<vtkIdType>(mine.size()), vtkCommunicator::SUM_OP);
+  all.Slivers = counts.back();
+  all.Cells = counts[counts.size() - 2];
+  all.Bins.assign(counts.begin(), counts.end() - 2);
+  controller->AllReduce(&own.TotalSize, &all.TotalSize, 1, vtkCommunicator::SUM_OP);
+  controller->AllReduce(&own.SmallestAngle, &all.SmallestAngle, 1, vtkCommunicator::MIN_OP);
+  controller->AllReduce(&own.LargestAngle, &all.LargestAngle, 1, vtkCommunicator::MAX_OP);
+  controller->AllReduce(&own.LargestRadiusEdge, &all.LargestRadiusEdge, 1, vtkCommunicator::MAX_OP);
+  return all;
+}
+
 void AddFieldData(const isthmus::QualitySummary& s, const std::string& line, vtkFieldData* data)
 {
   vtkNew<vtkStringArray> words;
@@ -201,13 +229,14 @@ int vtkMeshQualityReport::RequestData(
       const bool tetrahedra = mesh->IsA("vtkUnstructuredGrid") != 0;
       const auto points = PointsOf(mesh);
       std::vector<isthmus::CellAngles> cells;
-      const isthmus::QualitySummary summary = tetrahedra
+      const isthmus::QualitySummary own = tetrahedra
         ? isthmus::MeasureQuality(
             points, CellsOf<4>(mesh, VTK_TETRA), this->NumberOfBins, cells, progress)
         : isthmus::MeasureQuality(
             points, CellsOf<3>(mesh, VTK_TRIANGLE), this->NumberOfBins, cells, progress);
+      const isthmus::QualitySummary summary = OverRanks(this, own);
       marked->ShallowCopy(mesh);
-      if (cells.empty())
+      if (summary.Cells == 0)
       {
         return;
       }
@@ -217,7 +246,10 @@ int vtkMeshQualityReport::RequestData(
       AddArray(marked, "RadiusEdgeRatio", cells, &isthmus::CellAngles::RadiusEdge);
       marked->GetCellData()->SetActiveScalars("SmallestAngle");
       AddFieldData(summary, this->Summary, marked->GetFieldData());
-      FillHistogram(summary, histogram);
+      if (isthmus::OnFirstRank())
+      {
+        FillHistogram(summary, histogram);
+      }
     });
 }
 

@@ -66,11 +66,11 @@ void InterpolatePointData(vtkPolyData* from, const isthmus::TakenSurface& old,
 int vtkSurfaceRemesh::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
-  const auto before = isthmus::WholeSurface(vtkPolyData::GetData(input[0]));
   auto* after = vtkPolyData::GetData(output);
   return isthmus::Guarded(this, after,
     [&]
     {
+      const auto before = isthmus::WholeSurface(this, vtkPolyData::GetData(input[0]));
       const auto progress = isthmus::ProgressOf(this);
       const isthmus::TakenSurface taken = isthmus::TakeSurface(isthmus::MeshOf(before));
       const isthmus::TriangleMesh& mesh = taken.Mesh;

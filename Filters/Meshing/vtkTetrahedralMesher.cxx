@@ -153,11 +153,11 @@ int vtkTetrahedralMesher::FillInputPortInformation(int, vtkInformation* informat
 int vtkTetrahedralMesher::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
-  const auto surface = isthmus::WholeSurface(vtkPolyData::GetData(input[0]));
   auto* grid = vtkUnstructuredGrid::GetData(output);
   return isthmus::Guarded(this, grid,
     [&]
     {
+      const auto surface = isthmus::WholeSurface(this, vtkPolyData::GetData(input[0]));
       const isthmus::TakenSurface taken = isthmus::TakeSurface(isthmus::MeshOf(surface));
       const isthmus::TetrahedralParameters parameters = ParametersOf(this);
       const auto progress = isthmus::ProgressOf(this);

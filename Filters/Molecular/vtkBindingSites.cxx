@@ -86,7 +86,7 @@ int vtkBindingSites::RequestData(
   return isthmus::Guarded(this, output,
     [&]()
     {
-      const auto surface = isthmus::WholeSurface(vtkPolyData::GetData(inputVector[0]));
+      const auto surface = isthmus::WholeSurface(this, vtkPolyData::GetData(inputVector[0]));
       vtkPointSet* atoms = vtkPointSet::GetData(inputVector[1]);
       output->ShallowCopy(surface);
       if (surface->GetNumberOfCells() > 0)

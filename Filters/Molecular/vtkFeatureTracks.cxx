@@ -2,6 +2,7 @@
 
 #include "AlgorithmGuard.h"
 #include "TrackedData.h"
+#include "WholeSurface.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -121,7 +122,13 @@ int vtkFeatureTracks::RequestData(
         return;
       }
       request->Remove(Pipeline::CONTINUE_EXECUTING());
-      this->Finish(outputVector);
+      const auto& frames = this->Data->Frames;
+      const bool none =
+        std::all_of(frames.begin(), frames.end(), [](const auto& frame) { return frame.empty(); });
+      if (!none || isthmus::OnFirstRank()) // the frames without features are told once
+      {
+        this->Finish(outputVector);
+      }
       this->Data->Clear();
     });
   if (!done || this->CheckAbort())

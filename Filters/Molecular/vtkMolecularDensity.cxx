@@ -157,6 +157,7 @@ int vtkMolecularDensity::RequestInformation(
     result = isthmus::Guarded(this, image,
       [&]()
       {
+        this->Advance->DemandOnOneRank(0, "atoms");
         const Atoms atoms = AtomsOf(input, RadiiOf(this, input), this->RadiusScale);
         SetGeometry(isthmus::GridAroundBalls(atoms.Balls, this->Spacing,
                       { this->Padding[0], this->Padding[1], this->Padding[2] }),
@@ -178,6 +179,7 @@ int vtkMolecularDensity::RequestData(
   return isthmus::Guarded(this, output,
     [&]()
     {
+      this->Advance->DemandOnOneRank(0, "atoms");
       if (input && input->GetNumberOfPoints() > 0)
       {
         this->FillImage(input, output);

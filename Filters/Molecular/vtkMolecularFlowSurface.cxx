@@ -239,6 +239,7 @@ int vtkMolecularFlowSurface::RequestInformation(
   isthmus::TellGeometry(outInfo,
     [&](vtkImageData* image)
     {
+      this->Advance->DemandOnOneRank(0, "atoms");
       const AtomBalls atoms = Internals(this).Atoms(vtkDataObject::GetData(inputVector[0]));
       if (!atoms.Balls.empty())
       {
@@ -277,6 +278,7 @@ int vtkMolecularFlowSurface::RequestData(
       const Internals internals(this);
       internals.Check();
       vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+      this->Advance->DemandOnOneRank(0, "atoms");
       const AtomBalls atoms = internals.Atoms(input);
       const auto progress = isthmus::ProgressOf(this);
       const std::vector<double> times = internals.Times(inputVector[0]->GetInformationObject(0));

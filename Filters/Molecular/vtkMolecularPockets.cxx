@@ -4,6 +4,7 @@
 #include "MolecularPockets.h"
 #include "PocketOutput.h"
 #include "PolyDataTriangles.h"
+#include "WholeSurface.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -120,6 +121,7 @@ int vtkMolecularPockets::RequestData(
   const bool done = isthmus::Succeeds(this, vtkDataObject::GetData(outputVector, 0),
     [&]()
     {
+      isthmus::DemandOnOneRank(this, atoms, "atoms");
       if (atoms)
       {
         this->Compute(atoms, surface, outputVector);

@@ -5,6 +5,7 @@
 #include "DispersionAtoms.h"
 #include "ImageExtent.h"
 #include "NonpolarEnergy.h"
+#include "WholeSurface.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -201,6 +202,7 @@ int vtkNonpolarSolvation::RequestData(
       CheckNumber("SolventRadius", this->SolventRadius, false);
       CheckNumber("SolventWellDepth", this->SolventWellDepth, false);
       vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+      isthmus::DemandOnOneRank(this, input, "atoms");
       vtkImageData* image = vtkImageData::GetData(inputVector[1]);
       vtkInformation* radii = this->GetInputArrayInformation(0);
       const isthmus::AtomBalls atoms =

@@ -138,7 +138,6 @@ int vtkPolarizedCurvature::RequestUpdateExtent(
   if (vtkInformation* image = inputVector[1]->GetInformationObject(0))
   {
     isthmus::AskForWholeImage(image);
-    isthmus::AskForAll(image);
   }
   return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }

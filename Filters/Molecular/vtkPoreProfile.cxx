@@ -4,6 +4,7 @@
 #include "AtomInput.h"
 #include "PoreOutput.h"
 #include "PoreProfile.h"
+#include "WholeSurface.h"
 
 #include <vtkCellArray.h>
 #include <vtkIdList.h>
@@ -149,6 +150,7 @@ int vtkPoreProfile::RequestData(
   const bool done = isthmus::Succeeds(this, vtkDataObject::GetData(outputVector, 0),
     [&]()
     {
+      isthmus::DemandOnOneRank(this, input, "atoms");
       if (input)
       {
         this->Compute(input, outputVector);

@@ -67,6 +67,35 @@ void MakeTriangles(CellFiltration& f, const ProgressCallback& progress)
     });
 }
 
+/// `begin` to the end returned: the ids of [begin, end) in ascending order, each once. A point's
+/// neighbours come about five times each, and are few: they are put in their places one by one.
+SimplexId* SortOnce(SimplexId* begin, SimplexId* end)
+{
+  constexpr std::ptrdiff_t few = 128;
+  if (end - begin > few)
+  {
+    std::sort(begin, end);
+    return std::unique(begin, end);
+  }
+  SimplexId* kept = begin;
+  for (const SimplexId* next = begin; next != end; ++next)
+  {
+    const SimplexId id = *next;
+    SimplexId* place = kept;
+    while (place != begin && place[-1] > id)
+    {
+      --place;
+    }
+    if (place == begin || place[-1] != id)
+    {
+      std::copy_backward(place, kept, kept + 1);
+      *place = id;
+      ++kept;
+    }
+  }
+  return kept;
+}
+
 /// Edges bucketed by their smaller point, so that finding one takes a look into a short list.
 void MakeEdges(CellFiltration& f, const ProgressCallback& progress)
 {
@@ -106,10 +135,9 @@ void MakeEdges(CellFiltration& f, const ProgressCallback& progress)
   forPoints(Between(progress, 0.3, 0.9),
     [&](std::size_t p)
     {
-      const auto begin = larger.begin() + first[p];
-      std::sort(begin, larger.begin() + first[p + 1]);
+      SimplexId* const begin = larger.data() + first[p];
       f.FirstEdge[p + 1] =
-        static_cast<SimplexId>(std::unique(begin, larger.begin() + first[p + 1]) - begin);
+        static_cast<SimplexId>(SortOnce(begin, larger.data() + first[p + 1]) - begin);
     });
   std::partial_sum(f.FirstEdge.begin(), f.FirstEdge.end(), f.FirstEdge.begin());
   f.Edges.resize(At(f.FirstEdge.back()));
@@ -171,12 +199,21 @@ SimplexId CellFiltration::FindEdge(SimplexId a, SimplexId b) const
   {
     std::swap(a, b);
   }
-  const auto begin = this->Edges.begin() + this->FirstEdge[At(a)];
-  const auto end = this->Edges.begin() + this->FirstEdge[At(a) + 1];
-  const auto found = std::lower_bound(begin, end, b,
-    [](const std::array<SimplexId, 2>& edge, SimplexId point) { return edge[1] < point; });
-  return found != end && (*found)[1] == b ? static_cast<SimplexId>(found - this->Edges.begin())
-                                          : -1;
+  using Edge = std::array<SimplexId, 2>;
+  constexpr std::ptrdiff_t few = 24; // so many are counted sooner than halves are guessed right
+  const Edge* const begin = this->Edges.data() + this->FirstEdge[At(a)];
+  const Edge* const end = this->Edges.data() + this->FirstEdge[At(a) + 1];
+  const Edge* found = begin;
+  if (end - begin > few)
+  {
+    found = std::lower_bound(
+      begin, end, b, [](const Edge& edge, SimplexId point) { return edge[1] < point; });
+  }
+  else
+  {
+    found += std::count_if(begin, end, [b](const Edge& edge) { return edge[1] < b; });
+  }
+  return found != end && (*found)[1] == b ? static_cast<SimplexId>(found - this->Edges.data()) : -1;
 }
 
 }

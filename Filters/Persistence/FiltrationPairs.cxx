@@ -95,28 +95,31 @@ FiltrationPairs::FiltrationPairs(const CellFiltration& f, const ProgressCallback
   this->PairLoops(Between(progress, 0.3, 1.0));
 }
 
-/// The latest edges, by rank, of triangles ranked `first` and up; -1 for those that close voids.
-void FiltrationPairs::GatherPivots(std::size_t first, std::vector<SimplexId>& pivots) const
+/// For each triangle, by rank, the rank of its latest edge; -1 for those that close voids.
+/// Triangles are gone through as they are numbered, since their edges then lie near each other.
+std::vector<SimplexId> FiltrationPairs::Pivots() const
 {
+  std::vector<SimplexId> pivots(this->F.TriangleCount());
   ParallelFor(0, static_cast<std::int64_t>(pivots.size()), Grain,
     [&](std::int64_t begin, std::int64_t end)
     {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t)
       {
-        const SimplexId rank = static_cast<SimplexId>(first + i);
-        const bool closesVoid = this->Partner[At(this->F.TrianglesInOrder[At(rank)])] < -1;
-        const std::array<SimplexId, 3> edges = this->BoundaryOf(rank);
-        pivots[i] = closesVoid ? -1 : *std::max_element(edges.begin(), edges.end());
+        const auto& edges = this->F.TriangleEdges[t];
+        const auto& rank = this->F.EdgeRank;
+        pivots[At(this->F.TriangleRank[t])] = this->Partner[t] < -1
+          ? -1
+          : std::max({ rank[At(edges[0])], rank[At(edges[1])], rank[At(edges[2])] });
       }
     });
+  return pivots;
 }
 
 void FiltrationPairs::PairLoops(const ProgressCallback& progress)
 {
-  constexpr std::size_t block = 1 << 18;
   const std::size_t triangles = this->F.TriangleCount();
   std::vector<SimplexId> filler(this->F.Edges.size(), -1); // triangle by edge, both by rank
-  std::vector<SimplexId> pivots;
+  const std::vector<SimplexId> pivots = this->Pivots();
   std::size_t done = 0;
   std::int64_t steps = 0;
   // Columns added count too: those of a few triangles may take longer than all others.
@@ -129,13 +132,8 @@ void FiltrationPairs::PairLoops(const ProgressCallback& progress)
   };
   for (; done < triangles; ++done)
   {
-    if (done % block == 0)
-    {
-      pivots.resize(std::min(block, triangles - done));
-      this->GatherPivots(done, pivots);
-    }
     tick();
-    SimplexId pivot = pivots[done % block];
+    SimplexId pivot = pivots[done];
     if (pivot >= 0 &&
       (filler[At(pivot)] < 0 || this->Reduce(static_cast<SimplexId>(done), filler, pivot, tick)))
     {
@@ -163,18 +161,26 @@ std::array<SimplexId, 3> FiltrationPairs::BoundaryOf(SimplexId rank) const
   return { ranks[At(edges[0])], ranks[At(edges[1])], ranks[At(edges[2])] };
 }
 
+/// The column of a triangle but for its pivot, which the taker has just taken out of the heap.
 template <typename Heap>
-void FiltrationPairs::AddColumn(SimplexId rank, Heap& heap) const
+void FiltrationPairs::AddColumn(SimplexId rank, SimplexId pivot, Heap& heap) const
 {
+  const auto add = [&heap, pivot](SimplexId edge)
+  {
+    if (edge != pivot)
+    {
+      heap.Add(edge);
+    }
+  };
   const std::int64_t place = this->Columns.Find(rank);
   if (place >= 0)
   {
-    this->Columns.ForEdges(place, [&heap](SimplexId edge) { heap.Add(edge); });
+    this->Columns.ForEdges(place, add);
     return;
   }
   for (const SimplexId edge : this->BoundaryOf(rank))
   {
-    heap.Add(edge);
+    add(edge);
   }
 }
 
@@ -195,8 +201,7 @@ bool FiltrationPairs::Reduce(SimplexId rank, const std::vector<SimplexId>& fille
     const SimplexId other = filler[At(low)];
     tick();
     added.push_back(other);
-    column.Add(low);
-    this->AddColumn(other, column);
+    this->AddColumn(other, low, column);
     low = column.Take();
   }
   if (low < 0)
@@ -246,8 +251,7 @@ Chain FiltrationPairs::Push(
       kept.push_back(e);
       continue;
     }
-    cycle.Add(rank);
-    this->AddColumn(this->F.TriangleRank[At(filler)], cycle);
+    this->AddColumn(this->F.TriangleRank[At(filler)], rank, cycle);
     const Chain passed = this->Filling(filler);
     swept.insert(swept.end(), passed.begin(), passed.end());
   }
@@ -272,8 +276,7 @@ std::vector<std::int64_t> FiltrationPairs::Bounding(const Chain& z) const
       continue;
     }
     ranks.push_back(this->F.TriangleRank[At(filler)]);
-    cycle.Add(rank);
-    this->AddColumn(this->F.TriangleRank[At(filler)], cycle);
+    this->AddColumn(this->F.TriangleRank[At(filler)], rank, cycle);
   }
   std::sort(ranks.begin(), ranks.end(), std::greater<>());
   return ranks;

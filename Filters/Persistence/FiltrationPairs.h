@@ -66,12 +66,12 @@ public:
 
 private:
   void PairLoops(const ProgressCallback& progress);
-  void GatherPivots(std::size_t first, std::vector<SimplexId>& pivots) const;
+  std::vector<SimplexId> Pivots() const;
   bool Reduce(SimplexId rank, const std::vector<SimplexId>& filler, SimplexId& pivot,
     const std::function<void()>& tick);
   std::array<SimplexId, 3> BoundaryOf(SimplexId rank) const;
   template <typename Heap>
-  void AddColumn(SimplexId rank, Heap& heap) const;
+  void AddColumn(SimplexId rank, SimplexId pivot, Heap& heap) const;
 
   const CellFiltration& F;
   /// Per triangle: the edge that closes the loop which it fills; -1: it fills none; below that,

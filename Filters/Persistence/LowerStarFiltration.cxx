@@ -18,52 +18,42 @@ namespace
 /// A face of a tetrahedron, but for its smallest point, which is that of its bucket.
 struct Face
 {
-  SimplexId Middle, Last;
-  SimplexId Cell;
-  SimplexId Corner; ///< opposite to the face
-
-  bool SamePoints(const Face& o) const { return this->Middle == o.Middle && this->Last == o.Last; }
+  std::uint64_t Others; ///< the middle point above the last one
+  std::uint64_t Place;  ///< 4 * cell + the corner opposite to the face
 
   bool operator<(const Face& o) const
   {
-    return this->Middle != o.Middle ? this->Middle < o.Middle
-      : this->Last != o.Last        ? this->Last < o.Last
-                                    : this->Cell < o.Cell;
+    return this->Others != o.Others ? this->Others < o.Others : this->Place < o.Place;
   }
 };
 
-std::array<SimplexId, 3> FacePoints(const CellFiltration& f, std::size_t cell, std::size_t corner)
+/// Calls visit(smallest point, face) for the four faces of each cell.
+template <typename Visit>
+void ForFaces(const CellFiltration& f, const Visit& visit)
 {
-  const auto& t = f.Tetrahedra[cell];
-  std::array<SimplexId, 3> p{ t[(corner + 1) % 4], t[(corner + 2) % 4], t[(corner + 3) % 4] };
-  std::sort(p.begin(), p.end());
-  return p;
+  for (std::size_t cell = 0; cell < f.Tetrahedra.size(); ++cell)
+  {
+    const auto& t = f.Tetrahedra[cell];
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      const SimplexId a = t[(k + 1) % 4], b = t[(k + 2) % 4], c = t[(k + 3) % 4];
+      const SimplexId low = std::min(a, b), high = std::max(a, b);
+      const auto middle = static_cast<std::uint64_t>(std::max(low, std::min(high, c)));
+      visit(At(std::min(low, c)),
+        Face{ middle << 32 | static_cast<std::uint64_t>(std::max(high, c)), 4 * cell + k });
+    }
+  }
 }
 
 /// The faces of all tetrahedra in buckets of their smallest points: [first[p], first[p + 1]).
 std::vector<Face> FacesByPoint(const CellFiltration& f, std::vector<std::size_t>& first)
 {
-  first.assign(f.Points.size() + 1, 0);
-  const auto forFaces = [&f](auto&& visit)
-  {
-    for (std::size_t c = 0; c < f.Tetrahedra.size(); ++c)
-    {
-      for (std::size_t k = 0; k < 4; ++k)
-      {
-        visit(FacePoints(f, c, k), c, k);
-      }
-    }
-  };
-  forFaces([&](const auto& p, std::size_t, std::size_t) { ++first[At(p[0]) + 1]; });
+  // Counted two places on: filling moves each start to where the next one begins.
+  first.assign(f.Points.size() + 2, 0);
+  ForFaces(f, [&first](std::size_t p, const Face&) { ++first[p + 2]; });
   std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<std::size_t> next(first.begin(), first.end() - 1);
   std::vector<Face> faces(first.back());
-  forFaces(
-    [&](const auto& p, std::size_t c, std::size_t k)
-    {
-      faces[next[At(p[0])]++] = { p[1], p[2], static_cast<SimplexId>(c),
-        static_cast<SimplexId>(k) };
-    });
+  ForFaces(f, [&](std::size_t p, const Face& face) { faces[first[p + 1]++] = face; });
   return faces;
 }
 
@@ -73,16 +63,17 @@ std::ptrdiff_t LinkTwins(CellFiltration& f, Face* begin, Face* end)
   std::sort(begin, end);
   for (Face* face = begin; face != end; ++face)
   {
-    if (face + 1 == end || !face->SamePoints(face[1]))
+    if (face + 1 == end || face[0].Others != face[1].Others)
     {
       continue;
     }
-    if (face + 2 != end && face->SamePoints(face[2]))
+    if (face + 2 != end && face[0].Others == face[2].Others)
     {
       return face - begin;
     }
-    f.Neighbours[At(face[0].Cell)][At(face[0].Corner)] = face[1].Cell;
-    f.Neighbours[At(face[1].Cell)][At(face[1].Corner)] = face[0].Cell;
+    const std::uint64_t one = face[0].Place, other = face[1].Place;
+    f.Neighbours[one / 4][one % 4] = static_cast<SimplexId>(other / 4);
+    f.Neighbours[other / 4][other % 4] = static_cast<SimplexId>(one / 4);
     ++face;
   }
   return -1;
@@ -110,8 +101,8 @@ void FindNeighbours(CellFiltration& f, const ProgressCallback& progress)
     {
       const Face* face = faces.data() + first[p] + crowded[p];
       throw std::invalid_argument("The tetrahedral mesh is not manifold: cells " +
-        std::to_string(face[0].Cell) + ", " + std::to_string(face[1].Cell) + " and " +
-        std::to_string(face[2].Cell) + " share a face.");
+        std::to_string(face[0].Place / 4) + ", " + std::to_string(face[1].Place / 4) + " and " +
+        std::to_string(face[2].Place / 4) + " share a face.");
     }
   }
 }

@@ -2,12 +2,13 @@
 
 #include "Index.h"
 #include "ParallelFor.h"
+#include "RadixSort.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <limits>
 #include <mutex>
+#include <utility>
 
 namespace isthmus
 {
@@ -15,7 +16,6 @@ namespace
 {
 
 constexpr std::int64_t Grain = 1 << 16;
-constexpr std::size_t Digits = 1 << 11;
 
 /// 0 for what comes first, else the bits of the value as an integer in the order of entry.
 class EntryKeys
@@ -93,60 +93,12 @@ std::size_t IdOf(Entry entry)
   return static_cast<std::size_t>(entry & 0xFFFFFFFFU);
 }
 
-/// One stable pass: `from` sorted into `to` by the 11 bits from `bit` on. False if all agree there.
-bool SortByDigit(const std::vector<Entry>& from, std::vector<Entry>& to, unsigned int bit)
-{
-  const auto digit = [bit](Entry entry) { return (entry >> bit) % Digits; };
-  const auto n = static_cast<std::int64_t>(from.size());
-  const std::int64_t pieces = (n + Grain - 1) / Grain;
-  std::vector<std::array<std::uint32_t, Digits>> next(At(pieces)); // of each piece and digit
-  ParallelFor(0, pieces, 1,
-    [&](std::int64_t begin, std::int64_t end)
-    {
-      for (std::int64_t p = begin; p < end; ++p)
-      {
-        next[At(p)].fill(0);
-        for (std::int64_t i = p * Grain; i < std::min(n, (p + 1) * Grain); ++i)
-        {
-          ++next[At(p)][digit(from[At(i)])];
-        }
-      }
-    });
-  std::uint32_t before = 0;
-  bool several = false;
-  for (std::size_t d = 0; d < Digits; ++d)
-  {
-    const std::uint32_t start = before;
-    for (auto& piece : next)
-    {
-      const std::uint32_t count = piece[d];
-      piece[d] = before;
-      before += count;
-    }
-    several = several || (before > start && before - start < static_cast<std::uint32_t>(n));
-  }
-  if (!several)
-  {
-    return false;
-  }
-  ParallelFor(0, pieces, 1,
-    [&](std::int64_t begin, std::int64_t end)
-    {
-      for (std::int64_t p = begin; p < end; ++p)
-      {
-        for (std::int64_t i = p * Grain; i < std::min(n, (p + 1) * Grain); ++i)
-        {
-          to[next[At(p)][digit(from[At(i)])]++] = from[At(i)];
-        }
-      }
-    });
-  return true;
-}
-
-/// Sorts runs of equal short keys, which [begin, end) has whole, by whole keys, then ids.
+/// Sorts runs of equal short keys, which [begin, end) has whole, by whole keys, then ids: they come
+/// in the order of ids, and most of a run often has one key.
 void SortRuns(
   std::vector<Entry>& entries, const EntryKeys& keys, std::size_t begin, std::size_t end)
 {
+  std::vector<std::pair<std::uint64_t, Entry>> run;
   for (std::size_t i = begin; i < end;)
   {
     std::size_t next = i + 1;
@@ -156,14 +108,17 @@ void SortRuns(
     }
     if (next > i + 1)
     {
-      std::sort(entries.begin() + static_cast<std::ptrdiff_t>(i),
-        entries.begin() + static_cast<std::ptrdiff_t>(next),
-        [&keys](Entry a, Entry b)
-        {
-          const std::uint64_t keyA = keys.Of(IdOf(a));
-          const std::uint64_t keyB = keys.Of(IdOf(b));
-          return keyA != keyB ? keyA < keyB : a < b;
-        });
+      run.clear();
+      for (std::size_t k = i; k < next; ++k)
+      {
+        run.emplace_back(keys.Of(IdOf(entries[k])), entries[k]);
+      }
+      if (!std::is_sorted(run.begin(), run.end()))
+      {
+        std::sort(run.begin(), run.end());
+        std::transform(run.begin(), run.end(), entries.begin() + static_cast<std::ptrdiff_t>(i),
+          [](const auto& one) { return one.second; });
+      }
     }
     i = next;
   }
@@ -198,14 +153,7 @@ std::vector<Entry> SortedEntries(const EntryKeys& keys, std::size_t n)
         entries[At(i)] = Entry{ keys.Short(At(i)) } << 32 | static_cast<Entry>(i);
       }
     });
-  std::vector<Entry> other(n);
-  for (const unsigned int bit : { 32U, 43U, 54U })
-  {
-    if (SortByDigit(entries, other, bit))
-    {
-      entries.swap(other);
-    }
-  }
+  RadixSort(entries, 32, 64, [](Entry entry) { return entry; });
   return entries;
 }
 

@@ -16,7 +16,8 @@ namespace isthmus
  * Tetrahedra are joined across triangles from the last to the first; the younger of two basins, the
  * one whose latest tetrahedron enters earlier, ends there (the elder rule, seen from the
  * complement; C. J. A. Delfinado, H. Edelsbrunner, 1995). Everything goes by rank, so that what
- * enters together lies together. Near linear; 8 bytes a tetrahedron beside the result.
+ * enters together lies together. Near linear; 8 bytes a tetrahedron and 8 a triangle beside the
+ * result.
  */
 VTKISTHMUS_EXPORT std::vector<SimplexId> VoidPairs(
   const CellFiltration& f, const ProgressCallback& progress = {});

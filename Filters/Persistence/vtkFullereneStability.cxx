@@ -2,6 +2,7 @@
 
 #include "AlgorithmGuard.h"
 #include "FullereneStability.h"
+#include "WholeSurface.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
@@ -207,6 +208,7 @@ int vtkFullereneStability::RequestData(
       Tables tables(rows, bars);
       for (int i = 0; i < inputVector[0]->GetNumberOfInformationObjects(); ++i)
       {
+        isthmus::DemandOnOneRank(this, vtkDataObject::GetData(inputVector[0], i), "atoms");
         this->AddMolecule(vtkDataObject::GetData(inputVector[0], i), i, tables);
       }
     });

@@ -182,14 +182,11 @@ void vtkScalarPersistence::FillSimplified(const Work& work, vtkInformationVector
     output->GetPointData()->SetScalars(values);
   }
   vtkInformation* info = outputVector->GetInformationObject(SimplifiedPort);
-  if (info->Has(Pipeline::UPDATE_EXTENT()) && info->Length(Pipeline::UPDATE_EXTENT()) == 6)
+  isthmus::Extent asked = isthmus::ExtentOf(info, Pipeline::UPDATE_EXTENT());
+  if (!isthmus::IsEmpty(asked))
   {
-    int asked[6];
-    info->Get(Pipeline::UPDATE_EXTENT(), asked);
-    if (asked[0] <= asked[1] && asked[2] <= asked[3] && asked[4] <= asked[5])
-    {
-      output->Crop(asked);
-    }
+    asked = isthmus::PieceOf(info, asked);
+    output->Crop(asked.data());
   }
 }
 
@@ -199,6 +196,7 @@ int vtkScalarPersistence::RequestData(
   return isthmus::GuardedOutputs(this, outputVector,
     [&]()
     {
+      isthmus::DemandAll(inputVector[0]->GetInformationObject(0));
       Work work;
       work.Image = vtkImageData::GetData(inputVector[0], 0);
       if (!work.Image || work.Image->GetNumberOfPoints() == 0)

@@ -241,10 +241,15 @@ int vtkIonTransport::RequestInformation(
 {
   // The extent of the image has to be told now, and it is that of the atoms: so make the atoms.
   this->Advance->Update();
+  if (this->GetNumberOfInputConnections(1) > 0)
+  {
+    this->Advance->Update(1);
+  }
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   isthmus::TellGeometry(outInfo,
     [&](vtkImageData* image)
     {
+      this->Advance->DemandOnOneRank(0, "atoms");
       const Internals internals(this);
       const isthmus::AtomBalls atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
       if (!atoms.Balls.empty())
@@ -270,6 +275,8 @@ int vtkIonTransport::RequestData(
     [&]()
     {
       const Internals internals(this);
+      this->Advance->DemandOnOneRank(0, "atoms");
+      this->Advance->DemandOnOneRank(1, "points of the surface");
       const isthmus::AtomBalls atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
       if (!atoms.Balls.empty())
       {

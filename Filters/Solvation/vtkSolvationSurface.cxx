@@ -187,6 +187,7 @@ int vtkSolvationSurface::RequestInformation(
   isthmus::TellGeometry(outputVector->GetInformationObject(1),
     [&](vtkImageData* image)
     {
+      this->Advance->DemandOnOneRank(0, "atoms");
       const Internals internals(this);
       const isthmus::AtomBalls atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
       if (!atoms.Balls.empty())
@@ -217,6 +218,7 @@ int vtkSolvationSurface::RequestData(
       const Internals internals(this);
       const isthmus::SolvationParameters parameters = internals.Parameters();
       vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+      this->Advance->DemandOnOneRank(0, "atoms");
       const isthmus::AtomBalls atoms = internals.Balls(input);
       if (atoms.Balls.empty())
       {

@@ -1,5 +1,7 @@
 #include "ImageExtent.h"
 
+#include "WholeSurface.h"
+
 #include <vtkExtentTranslator.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -65,6 +67,8 @@ void AskForWholeImage(vtkInformation* input)
   if (input->Has(Pipeline::WHOLE_EXTENT()))
   {
     input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+    // Else a source that can make a part makes this rank's, whatever the extent.
+    AskForAll(input);
   }
 }
 
@@ -116,6 +120,11 @@ void DemandAll(vtkInformation* info)
       "run on one rank, or read the image with a reader that gives each rank "
       "what it asks for.");
   }
+}
+
+bool IsMadeHere(vtkInformation* info)
+{
+  return OnFirstRank() || !info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
 }
 
 bool IsEmpty(const Extent& extent)

@@ -48,6 +48,11 @@ bool IsFirstPiece(vtkInformation* output);
 /// that splits it whatever is asked for.
 void DemandAll(vtkInformation* info);
 
+/// Whether this rank makes the result of the image in `info`. Of one that every rank has whole, the
+/// first does; blocks of composite data, which have no whole extent of their own, are made where
+/// they are.
+bool IsMadeHere(vtkInformation* info);
+
 bool IsEmpty(const Extent& extent);
 
 /// `extent` with `reach` more nodes to each side, kept within `whole`. An empty one stays as it is.

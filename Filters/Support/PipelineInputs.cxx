@@ -1,9 +1,12 @@
 #include "PipelineInputs.h"
 
+#include "WholeSurface.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkAlgorithmOutput.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
+#include <vtkCompositeDataSet.h>
 #include <vtkDataObject.h>
 #include <vtkInformation.h>
 #include <vtkInformationStringVectorKey.h>
@@ -11,7 +14,6 @@
 #include <vtkObject.h>
 
 #include <stdexcept>
-#include <string>
 
 namespace isthmus
 {
@@ -73,7 +75,15 @@ void InputInAdvance::Update(int port)
   {
     this->Self->GetInputAlgorithm(port, 0)->Update(
       this->Self->GetInputConnection(port, 0)->GetIndex());
+    vtkDataObject* data = this->Self->GetInputDataObject(port, 0);
+    this->RanksOf[port] = vtkCompositeDataSet::SafeDownCast(data) ? 0 : RanksWithPoints(data);
   }
+}
+
+void InputInAdvance::DemandOnOneRank(int port, const std::string& what) const
+{
+  const auto found = this->RanksOf.find(port);
+  RefuseSeveralRanks(found == this->RanksOf.end() ? 0 : found->second, what);
 }
 
 }

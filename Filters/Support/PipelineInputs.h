@@ -10,6 +10,9 @@
 
 #include "vtkIsthmusModule.h"
 
+#include <map>
+#include <string>
+
 class vtkAlgorithm;
 
 namespace isthmus
@@ -34,11 +37,16 @@ public:
   InputInAdvance(const InputInAdvance&) = delete;
   InputInAdvance& operator=(const InputInAdvance&) = delete;
 
+  /// With several ranks all must call it.
   void Update(int port = 0);
+  /// @throws std::runtime_error, with `what` they are in the plural, where several ranks had points
+  /// when this input was made. Asks no other rank: one without data may skip the execution.
+  void DemandOnOneRank(int port, const std::string& what) const;
 
 private:
   vtkAlgorithm* Self;
-  int Executing = 0; ///< depth: the execution of a block lies within that of the whole
+  std::map<int, int> RanksOf; ///< of each port: ranks with points
+  int Executing = 0;          ///< depth: the execution of a block lies within that of the whole
 };
 
 }

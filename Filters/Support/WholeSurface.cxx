@@ -1,8 +1,11 @@
 #include "WholeSurface.h"
 
+#include <vtkAlgorithm.h>
 #include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkCommunicator.h>
+#include <vtkCompositeDataSet.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkIdList.h>
 #include <vtkMultiProcessController.h>
@@ -14,6 +17,7 @@
 #include <array>
 #include <cstring>
 #include <numeric>
+#include <stdexcept>
 #include <vector>
 
 namespace isthmus
@@ -133,7 +137,65 @@ bool OnFirstRank()
   return !controller || controller->GetLocalProcessId() == 0;
 }
 
-vtkSmartPointer<vtkPolyData> WholeSurface(vtkPolyData* piece, WholeOn where)
+void DemandNoBlocks(vtkAlgorithm* filter)
+{
+  if (NumberOfRanks() == 1)
+  {
+    return;
+  }
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
+    {
+      // While blocks are run one by one, what lies right before the filter has the block; what lies
+      // before ParaView's post filter, which it puts between any two, has them all.
+      int output = 0;
+      vtkAlgorithm* before = filter->GetInputAlgorithm(port, i, output);
+      vtkDataObject* data = before && before->IsA("vtkPVPostFilter")
+        ? before->GetInputDataObject(0, 0)
+        : filter->GetInputDataObject(port, i);
+      if (vtkCompositeDataSet::SafeDownCast(data))
+      {
+        throw std::runtime_error("Blocks on several ranks can't be put together here, since a rank "
+                                 "may lack some: run Merge Blocks first, or use one rank.");
+      }
+    }
+  }
+}
+
+int RanksWithPoints(vtkDataObject* data)
+{
+  const bool any = data &&
+    (data->GetNumberOfElements(vtkDataObject::POINT) > 0 ||
+      data->GetNumberOfElements(vtkDataObject::VERTEX) > 0);
+  const int own = any ? 1 : 0;
+  if (NumberOfRanks() == 1)
+  {
+    return own;
+  }
+  int ranks = 0;
+  vtkMultiProcessController::GetGlobalController()->AllReduce(
+    &own, &ranks, 1, vtkCommunicator::SUM_OP);
+  return ranks;
+}
+
+void RefuseSeveralRanks(int ranks, const std::string& what)
+{
+  if (ranks > 1)
+  {
+    throw std::runtime_error("The " + what + " lie on " + std::to_string(ranks) +
+      " ranks, and all are needed on one: read them with a reader that gives them to one rank, or "
+      "run on one rank.");
+  }
+}
+
+void DemandOnOneRank(vtkAlgorithm* filter, vtkDataObject* piece, const std::string& what)
+{
+  DemandNoBlocks(filter);
+  RefuseSeveralRanks(RanksWithPoints(piece), what);
+}
+
+vtkSmartPointer<vtkPolyData> WholeSurface(vtkAlgorithm* filter, vtkPolyData* piece, WholeOn where)
 {
   if (!piece)
   {
@@ -144,6 +206,7 @@ vtkSmartPointer<vtkPolyData> WholeSurface(vtkPolyData* piece, WholeOn where)
   {
     return own;
   }
+  DemandNoBlocks(filter);
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   std::vector<vtkSmartPointer<vtkDataObject>> pieces;
   controller->Gather(own, pieces, 0);

@@ -33,6 +33,9 @@ public:
 
   virtual bool RandomAccess() const = 0;
 
+  /// Whether Read itself runs on several threads: not to be called from within a parallel loop.
+  virtual bool UsesThreads() const { return false; }
+
   /// Most bytes that the content can have, judged by the size of the file alone: exact for a plain
   /// file, 1032 times the file for gzip (deflate can't do better), without limit for bzip2.
   virtual std::uint64_t MostBytes() const = 0;

@@ -1,14 +1,14 @@
 #include "CompressedSource.h"
 
+#include "Bzip2Blocks.h"
+#include "Bzip2Codec.h"
 #include "CodecState.h"
 #include "GzipCodec.h"
+#include "ParallelFor.h"
 #include "ReaderError.h"
-
-#include <bzlib.h>
+#include "RetriedSource.h"
 
 #include <algorithm>
-#include <limits>
-#include <new>
 #include <vector>
 
 namespace isthmus
@@ -17,51 +17,6 @@ namespace
 {
 
 constexpr std::size_t bufferBytes = std::size_t{ 1 } << 18;
-// bzip2 counts in 32 bits.
-constexpr std::size_t mostAtOnce = std::size_t{ 1 } << 30;
-
-class Bzip2Codec
-{
-public:
-  static constexpr const char* Name = "bzip2";
-  // A block of 45 bytes can hold 46 MB of one value: no bound worth the name.
-  static std::uint64_t MostBytes(std::uint64_t) { return std::numeric_limits<std::int64_t>::max(); }
-  static bool StartsMember(const unsigned char* bytes, std::size_t size)
-  {
-    return size >= 3 && bytes[0] == 'B' && bytes[1] == 'Z' && bytes[2] == 'h';
-  }
-
-  Bzip2Codec()
-  {
-    if (BZ2_bzDecompressInit(&this->Stream, 0, 0) != BZ_OK)
-    {
-      throw std::bad_alloc();
-    }
-  }
-  ~Bzip2Codec() { BZ2_bzDecompressEnd(&this->Stream); }
-  Bzip2Codec(const Bzip2Codec&) = delete;
-  Bzip2Codec& operator=(const Bzip2Codec&) = delete;
-
-  CodecState Step(
-    unsigned char*& in, std::size_t& inSize, unsigned char*& out, std::size_t& outSize)
-  {
-    this->Stream.next_in = reinterpret_cast<char*>(in);
-    this->Stream.avail_in = static_cast<unsigned int>(inSize);
-    this->Stream.next_out = reinterpret_cast<char*>(out);
-    this->Stream.avail_out = static_cast<unsigned int>(std::min(outSize, mostAtOnce));
-    const int state = BZ2_bzDecompress(&this->Stream);
-    inSize = this->Stream.avail_in;
-    in = reinterpret_cast<unsigned char*>(this->Stream.next_in);
-    unsigned char* const next = reinterpret_cast<unsigned char*>(this->Stream.next_out);
-    outSize -= static_cast<std::size_t>(next - out);
-    out = next;
-    return state == BZ_STREAM_END ? CodecState::MemberEnd
-                                  : (state == BZ_OK ? CodecState::Running : CodecState::Damaged);
-  }
-
-private:
-  bz_stream Stream{};
-};
 
 template <typename Codec>
 class CompressedSource : public ByteSource
@@ -206,7 +161,14 @@ std::unique_ptr<ByteSource> OpenGzip(PlainFile file)
 
 std::unique_ptr<ByteSource> OpenBzip2(PlainFile file)
 {
-  return std::make_unique<CompressedSource<Bzip2Codec>>(std::move(file));
+  if (ParallelThreads() < 2)
+  {
+    return std::make_unique<CompressedSource<Bzip2Codec>>(std::move(file));
+  }
+  const std::string path = file.Path();
+  return std::make_unique<RetriedSource>(
+    std::make_unique<CompressedSource<Bzip2Blocks>>(std::move(file)),
+    [path]() { return std::make_unique<CompressedSource<Bzip2Codec>>(PlainFile(path)); });
 }
 
 }

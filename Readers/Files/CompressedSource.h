@@ -3,7 +3,8 @@
  * @brief gzip and bzip2 files as byte sources that are read from front to back.
  *
  * Files of several members one after the other (bgzip, pbzip2) are one content, as gunzip and
- * bunzip2 read them. Memory: 256 KiB, plus 4 MB for bzip2, however large the content.
+ * bunzip2 read them. Memory: 256 KiB, plus 4 MB for bzip2 on one thread and 13 MB a thread on
+ * several, however large the content.
  */
 #ifndef isthmus_CompressedSource_h
 #define isthmus_CompressedSource_h

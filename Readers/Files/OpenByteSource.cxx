@@ -1,6 +1,7 @@
 #include "OpenByteSource.h"
 
 #include "CompressedSource.h"
+#include "LargePages.h"
 #include "PlainFile.h"
 #include "ReaderError.h"
 
@@ -74,6 +75,7 @@ std::string ReadAll(ByteSource& source, const ProgressCallback& progress)
   // Pages that are not written cost nothing, copies of a text that grows do.
   constexpr std::uint64_t sure = std::uint64_t{ 1 } << 30;
   text.reserve(source.RandomAccess() ? std::min(sure, source.MostBytes() + piece) : 0);
+  AdviseLargePages(&text[0], text.capacity());
   for (std::size_t got = piece; got == piece;)
   {
     const std::size_t at = text.size();

@@ -7,6 +7,7 @@
 
 #include "ByteSource.h"
 #include "Progress.h"
+#include "vtkIsthmusModule.h" // for the export macro
 
 #include <memory>
 #include <string>
@@ -16,13 +17,13 @@ namespace isthmus
 
 /// Opens a regular file.
 /// @throws ReaderError for a missing, unreadable or empty one and for folders.
-std::unique_ptr<ByteSource> OpenByteSource(const std::string& path);
+VTKISTHMUS_EXPORT std::unique_ptr<ByteSource> OpenByteSource(const std::string& path);
 
 /// All of the content, checksum checked.
 /// @throws ReaderError as Read does, when it is cut, and when compressed content grows beyond 64
 /// MiB and 16 times its file, as no text of numbers does, before memory is spent on it; and
 /// std::bad_alloc.
-std::string ReadAll(ByteSource& source, const ProgressCallback& progress = {});
+VTKISTHMUS_EXPORT std::string ReadAll(ByteSource& source, const ProgressCallback& progress = {});
 
 }
 

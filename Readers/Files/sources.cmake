@@ -1,5 +1,7 @@
 isthmus_room(
   SOURCES
+    Bzip2BlockFinder
+    Bzip2Blocks
     CompressedSource
     GridInformation
     OpenByteSource

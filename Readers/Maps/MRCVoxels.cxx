@@ -295,18 +295,26 @@ void ReadInOrder(const Reading& reading, ByteSource& source, const ProgressCallb
     {
       source.SkipTo(reading.Offset(bricks[i]), Between(progress, from, to));
     }
-    ParallelFor(0, 2, 1,
-      [&](std::int64_t first, std::int64_t)
+    const auto half = [&](std::int64_t first, std::int64_t)
+    {
+      if (first == 0 && i < count)
       {
-        if (first == 0 && i < count)
-        {
-          reading.Fetch(bricks[i], next.get());
-        }
-        else if (first == 1 && i > 0)
-        {
-          reading.Finish(bricks[i - 1], current.get());
-        }
-      });
+        reading.Fetch(bricks[i], next.get());
+      }
+      else if (first == 1 && i > 0)
+      {
+        reading.Finish(bricks[i - 1], current.get());
+      }
+    };
+    if (source.UsesThreads())
+    {
+      half(0, 1);
+      half(1, 2);
+    }
+    else
+    {
+      ParallelFor(0, 2, 1, half);
+    }
     std::swap(current, next);
     Report(progress, to);
   }

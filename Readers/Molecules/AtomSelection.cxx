@@ -1,8 +1,11 @@
 #include "AtomSelection.h"
 
 #include "ChemicalElement.h"
+#include "ParallelFor.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -31,6 +34,10 @@ std::set<std::string> ChainNames(const std::string& list)
 /// Throws where one of `wanted` is not a chain of the molecule.
 void CheckChains(const Macromolecule& molecule, const std::set<std::string>& wanted)
 {
+  if (wanted.empty())
+  {
+    return;
+  }
   std::set<std::string> there;
   for (const Atom& atom : molecule.Atoms)
   {
@@ -123,14 +130,18 @@ private:
   std::map<Key, Locations> Residues;
 };
 
-void KeepAtoms(Macromolecule& molecule, const std::vector<bool>& keep)
+void KeepAtoms(Macromolecule& molecule, const std::vector<char>& keep)
 {
+  if (std::find(keep.begin(), keep.end(), 0) == keep.end())
+  {
+    return;
+  }
   constexpr std::int64_t gone = -1;
   std::vector<std::int64_t> place(keep.size(), gone);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < keep.size(); ++i)
   {
-    if (keep[i])
+    if (keep[i] != 0)
     {
       place[i] = static_cast<std::int64_t>(kept);
       if (kept != i)
@@ -161,20 +172,33 @@ void SelectAtoms(Macromolecule& molecule, const MoleculeOptions& options)
   const std::set<std::string> chains = ChainNames(options.Chains);
   CheckChains(molecule, chains);
   const AltLocChoice altLocs(molecule, options.AltLoc);
-  std::vector<bool> keep(molecule.Atoms.size());
-  std::size_t otherLocations = 0;
-  for (std::size_t i = 0; i < keep.size(); ++i)
-  {
-    const Atom& atom = molecule.Atoms[i];
-    const bool kind = IsWater(atom.ResidueName) ? options.Water : options.Hetero || !atom.IsHetero;
-    const bool wanted = kind && (chains.empty() || chains.count(atom.Chain) > 0);
-    keep[i] = wanted && altLocs.Keeps(atom);
-    otherLocations += wanted && !keep[i] ? 1 : 0;
-  }
+  std::vector<char> keep(molecule.Atoms.size());
+  std::atomic<std::size_t> otherLocations{ 0 };
+  constexpr std::int64_t atomsAtOnce = 1 << 14;
+  ParallelFor(0, static_cast<std::int64_t>(keep.size()), atomsAtOnce,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      std::size_t others = 0;
+      bool isWater = false;
+      for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
+      {
+        const Atom& atom = molecule.Atoms[i];
+        // Asked once for the atoms of a residue, which come together.
+        isWater = i > static_cast<std::size_t>(first) &&
+            atom.ResidueName == molecule.Atoms[i - 1].ResidueName
+          ? isWater
+          : IsWater(atom.ResidueName);
+        const bool kind = isWater ? options.Water : options.Hetero || !atom.IsHetero;
+        const bool wanted = kind && (chains.empty() || chains.count(atom.Chain) > 0);
+        keep[i] = wanted && altLocs.Keeps(atom) ? 1 : 0;
+        others += wanted && keep[i] == 0 ? 1 : 0;
+      }
+      otherLocations += others;
+    });
   if (otherLocations > 0)
   {
-    molecule.Notes.emplace_back(
-      "Atoms at other alternate locations, left out: " + std::to_string(otherLocations) + ".");
+    molecule.Notes.emplace_back("Atoms at other alternate locations, left out: " +
+      std::to_string(otherLocations.load()) + ".");
   }
   KeepAtoms(molecule, keep);
 }

@@ -1,6 +1,8 @@
 #include "GemmiStructure.h"
 
 #include "GemmiAssembly.h"
+#include "GemmiAtom.h"
+#include "PDBPieces.h"
 #include "PDBStream.h"
 #include "PQRFile.h"
 
@@ -25,38 +27,6 @@ namespace
   std::replace(reason.begin(), reason.end(), '\n', ' ');
   throw std::runtime_error(path + ": this can't be read as " + format + " (" + reason +
     "). Is the file whole, and what its name says?");
-}
-
-double KnownOrNot(float value)
-{
-  return value == PDBStream::Blank ? Atom::Unknown : static_cast<double>(value);
-}
-
-/// Rounded where gemmi keeps floats, so that 0.7 is 0.7 again in double.
-double Decimal(float value)
-{
-  const double known = KnownOrNot(value);
-  const double rounded = std::round(known * 1e5) / 1e5;
-  return static_cast<float>(rounded) == value ? rounded : known;
-}
-
-Atom AtomOf(const gemmi::Chain& chain, const gemmi::Residue& residue, const gemmi::Atom& from)
-{
-  Atom atom;
-  atom.Position = { from.pos.x, from.pos.y, from.pos.z };
-  atom.Charge = from.charge == 0 ? Atom::Unknown : from.charge;
-  atom.BFactor = Decimal(from.b_iso);
-  atom.Occupancy = Decimal(from.occ);
-  atom.Name = from.name;
-  atom.ResidueName = residue.name;
-  atom.Chain = chain.name;
-  atom.ResidueId = residue.seqid.num.has_value() ? *residue.seqid.num : 0;
-  atom.Serial = from.serial;
-  atom.Element = from.element == gemmi::El::D ? 1 : from.element.ordinal();
-  atom.InsertionCode = residue.seqid.icode;
-  atom.AltLoc = from.altloc_or(' ');
-  atom.IsHetero = residue.het_flag == 'H';
-  return atom;
 }
 
 void AddBond(Macromolecule& molecule, std::int64_t a, std::int64_t b)
@@ -102,7 +72,8 @@ Macromolecule Flatten(const gemmi::Structure& structure, std::int64_t wanted)
         {
           place.emplace(&atom, static_cast<std::int64_t>(molecule.Atoms.size()));
         }
-        molecule.Atoms.push_back(AtomOf(chain, residue, atom));
+        molecule.Atoms.emplace_back();
+        Assign(molecule.Atoms.back(), chain, residue, atom);
       }
     }
   }
@@ -157,10 +128,27 @@ void AddConect(const std::vector<std::array<int, 2>>& bonded, Macromolecule& mol
   }
 }
 
-Macromolecule TryPDB(std::string_view text, const std::string& path, bool cutAt72,
-  const StructureChoice& choice, const ProgressCallback& progress)
+/// Asks whether to go on, but reports nothing.
+ProgressCallback AbortOnly(const ProgressCallback& progress)
 {
-  PDBStream stream(text, path, cutAt72, progress);
+  return progress ? [progress](double) { return progress(0.6); } : ProgressCallback();
+}
+
+Macromolecule TryPDB(std::string_view text, const std::string& path, bool cutAt72,
+  const StructureChoice& choice, ProgressCallback progress)
+{
+  constexpr std::size_t bytesOfAPiece = std::size_t{ 1 } << 22;
+  if (!cutAt72 && choice.Assembly.empty() && choice.Model == 0 && text.size() > 2 * bytesOfAPiece)
+  {
+    if (auto joined = ReadPDBInPieces(text, path, bytesOfAPiece, Between(progress, 0.0, 0.5)))
+    {
+      AddConect(joined->Bonded, joined->Molecule);
+      return std::move(joined->Molecule);
+    }
+    progress = AbortOnly(progress);
+  }
+  const auto extent = cutAt72 ? PDBStream::Extent::WholeWithout73To80 : PDBStream::Extent::Whole;
+  PDBStream stream(text, path, extent, progress);
   gemmi::Structure structure =
     gemmi::pdb_impl::read_pdb_from_stream(stream, path, gemmi::PdbReadOptions());
   if (!choice.Assembly.empty())
@@ -172,12 +160,6 @@ Macromolecule TryPDB(std::string_view text, const std::string& path, bool cutAt7
   Macromolecule molecule = Flatten(structure, choice.Model);
   AddConect(stream.Bonded(), molecule);
   return molecule;
-}
-
-/// Asks whether to go on, but reports nothing.
-ProgressCallback AbortOnly(const ProgressCallback& progress)
-{
-  return progress ? [progress](double) { return progress(0.6); } : ProgressCallback();
 }
 
 /// Some programs, APBS among them, separate the values by blanks wherever the columns are.

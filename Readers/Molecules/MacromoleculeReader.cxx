@@ -5,9 +5,11 @@
 #include "GemmiStructure.h"
 #include "OpenByteSource.h"
 #include "PQRFile.h"
+#include "ParallelFor.h"
 #include "XYZFile.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <cmath>
 #include <stdexcept>
@@ -141,26 +143,66 @@ void AddSentence(std::vector<std::string>& to, const std::string& sentence)
   }
 }
 
+/// What some atoms have, or lack, that sentences tell of.
+struct Peculiarities
+{
+  std::atomic<bool> NoRadius{ false }, ChargedPoint{ false }, NoCharge{ false }, Charge{ false };
+};
+
+bool IsChargedPoint(const Atom& atom)
+{
+  return atom.Radius == 0.0 && atom.Charge != 0.0;
+}
+
+void SetRadii(Macromolecule& molecule, RadiusTable table, Peculiarities& found)
+{
+  constexpr std::int64_t atomsAtOnce = 1 << 14;
+  ParallelFor(0, static_cast<std::int64_t>(molecule.Atoms.size()), atomsAtOnce,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      bool noRadius = false, chargedPoint = false, noCharge = false, charge = false;
+      for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
+      {
+        Atom& atom = molecule.Atoms[i];
+        atom.Radius =
+          std::isnan(atom.Radius) ? VanDerWaalsRadius(atom.Element, table) : atom.Radius;
+        noRadius = noRadius || std::isnan(atom.Radius);
+        chargedPoint = chargedPoint || IsChargedPoint(atom);
+        noCharge = noCharge || std::isnan(atom.Charge);
+        charge = charge || !std::isnan(atom.Charge);
+      }
+      found.NoRadius = found.NoRadius || noRadius;
+      found.ChargedPoint = found.ChargedPoint || chargedPoint;
+      found.NoCharge = found.NoCharge || noCharge;
+      found.Charge = found.Charge || charge;
+    });
+}
+
 void SetRadii(Macromolecule& molecule, RadiusTable table)
 {
-  for (Atom& atom : molecule.Atoms)
+  Peculiarities found;
+  SetRadii(molecule, table, found);
+  if (found.NoRadius)
   {
-    if (std::isnan(atom.Radius))
-    {
-      atom.Radius = VanDerWaalsRadius(atom.Element, table);
-    }
+    AddSentence(molecule.Warnings,
+      SentenceAbout(molecule, "no radius in the table (Radius is NaN)",
+        [](const Atom& atom) { return std::isnan(atom.Radius); }));
   }
-  AddSentence(molecule.Warnings,
-    SentenceAbout(molecule, "no radius in the table (Radius is NaN)",
-      [](const Atom& atom) { return std::isnan(atom.Radius); }));
-  AddSentence(molecule.Notes,
-    SentenceAbout(molecule, "the radius 0 in the file, and a charge",
-      [](const Atom& atom) { return atom.Radius == 0.0 && atom.Charge != 0.0; }));
-  const auto noCharge = [](const Atom& atom) { return std::isnan(atom.Charge); };
-  AddSentence(molecule.Notes,
-    std::all_of(molecule.Atoms.begin(), molecule.Atoms.end(), noCharge)
-      ? "The file gives no charges: Charge is NaN for all atoms."
-      : SentenceAbout(molecule, "no charge in the file (Charge is NaN)", noCharge));
+  if (found.ChargedPoint)
+  {
+    AddSentence(molecule.Notes,
+      SentenceAbout(molecule, "the radius 0 in the file, and a charge", IsChargedPoint));
+  }
+  if (!found.Charge)
+  {
+    AddSentence(molecule.Notes, "The file gives no charges: Charge is NaN for all atoms.");
+  }
+  else if (found.NoCharge)
+  {
+    AddSentence(molecule.Notes,
+      SentenceAbout(molecule, "no charge in the file (Charge is NaN)",
+        [](const Atom& atom) { return std::isnan(atom.Charge); }));
+  }
 }
 
 }
@@ -198,13 +240,68 @@ Macromolecule ReadMacromolecule(
   return ParseMacromolecule(text, path, named, Between(progress, 0.2, 1.0));
 }
 
+namespace
+{
+
+constexpr std::string_view ModelLine = "\nMODEL ";
+
+/// Lines that begin with MODEL; `text` begins at a line or with the end of one.
+std::int64_t CountLines(std::string_view text)
+{
+  std::int64_t count = 0;
+  for (std::size_t at = text.find(ModelLine); at != std::string_view::npos;
+       at = text.find(ModelLine, at + 1))
+  {
+    ++count;
+  }
+  return count;
+}
+
+/// Models of PDB and PQR: their records, or the one that has none.
+std::int64_t CountRecords(std::string_view text)
+{
+  const bool first = text.substr(0, ModelLine.size() - 1) == ModelLine.substr(1);
+  return std::max<std::int64_t>((first ? 1 : 0) + CountLines(text), 1);
+}
+
+/// The same without the whole text in memory, several parts of it at once.
+std::int64_t CountRecords(ByteSource& source)
+{
+  constexpr std::uint64_t part = 1 << 20;
+  const std::uint64_t size = source.MostBytes();
+  std::atomic<std::int64_t> count{ 0 };
+  ParallelFor(0, static_cast<std::int64_t>((size + part - 1) / part), 8,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      // A record belongs to the part that holds the end of the line before it.
+      std::string text;
+      for (auto p = static_cast<std::uint64_t>(first); p < static_cast<std::uint64_t>(last); ++p)
+      {
+        text.resize(part + ModelLine.size());
+        text[0] = '\n'; // before the file
+        const std::size_t before = p == 0 ? 1 : 0;
+        text.resize(before + source.Read(p * part, &text[before], part + ModelLine.size() - 1));
+        count += CountLines(text);
+      }
+    });
+  return std::max<std::int64_t>(count, 1);
+}
+
+}
+
 std::int64_t CountModels(const std::string& path, MoleculeFormat format)
 {
-  const std::string text = ReadAll(*OpenByteSource(path));
+  const auto source = OpenByteSource(path);
   if (format == MoleculeFormat::ByName)
   {
     format = FormatOfName(path);
   }
+  const bool isByRecord = format == MoleculeFormat::PDB || format == MoleculeFormat::PQR;
+  if (isByRecord && source->RandomAccess())
+  {
+    return CountRecords(*source);
+  }
+  const std::string text = ReadAll(*source);
   if (format == MoleculeFormat::ByName)
   {
     format = FormatOfText(text, path);
@@ -213,14 +310,7 @@ std::int64_t CountModels(const std::string& path, MoleculeFormat format)
   {
     return Parse(text, path, format, {}, {}).NumberOfModels;
   }
-  constexpr std::string_view record = "MODEL ";
-  std::int64_t count = text.compare(0, record.size(), record) == 0 ? 1 : 0;
-  for (std::size_t at = text.find("\nMODEL "); at != std::string::npos;
-       at = text.find("\nMODEL ", at + 1))
-  {
-    ++count;
-  }
-  return std::max<std::int64_t>(count, 1);
+  return CountRecords(text);
 }
 
 bool LooksLikeMolecule(const std::string& path)

@@ -1,9 +1,12 @@
 #include "MoleculeOutput.h"
 
 #include "ChemicalElement.h"
+#include "LargePages.h"
 #include "Macromolecule.h"
+#include "ParallelFor.h"
 #include "PrintableText.h"
 
+#include <vtkAbstractArray.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -15,11 +18,13 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnsignedShortArray.h>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <stdexcept>
 
@@ -28,66 +33,112 @@ namespace isthmus
 namespace
 {
 
-/// Adds `value(atom)` of each atom as an array.
+/// An array that is made later, perhaps beside others. None where there is nothing to tell.
+using MakeArray = std::function<vtkSmartPointer<vtkAbstractArray>()>;
+
+/// `value(atom)` of each atom.
 template <typename Array, typename Value>
-void AddNumbers(const Macromolecule& molecule, const char* name, vtkPolyData* to, Value value)
+MakeArray Numbers(const Macromolecule& molecule, const char* name, Value value)
 {
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(molecule.Atoms.size()));
-  std::transform(
-    molecule.Atoms.begin(), molecule.Atoms.end(), array->GetPointer(0), std::move(value));
-  to->GetPointData()->AddArray(array);
+  return [&molecule, name, value]
+  {
+    auto array = vtkSmartPointer<Array>::New();
+    array->SetName(name);
+    array->SetNumberOfValues(static_cast<vtkIdType>(molecule.Atoms.size()));
+    AdviseLargePages(array.Get());
+    std::transform(molecule.Atoms.begin(), molecule.Atoms.end(), array->GetPointer(0), value);
+    return array;
+  };
 }
 
 template <typename Value>
-void AddTexts(const Macromolecule& molecule, const char* name, vtkPolyData* to, Value value)
+MakeArray Texts(const Macromolecule& molecule, const char* name, Value value)
 {
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(molecule.Atoms.size()));
-  vtkStdString* next = array->GetPointer(0);
-  for (const Atom& atom : molecule.Atoms)
+  return [&molecule, name, value]
   {
-    next->assign(value(atom));
-    ++next;
-  }
-  to->GetPointData()->AddArray(array);
+    auto array = vtkSmartPointer<vtkStringArray>::New();
+    array->SetName(name);
+    array->SetNumberOfValues(static_cast<vtkIdType>(molecule.Atoms.size()));
+    vtkStdString* next = array->GetPointer(0);
+    for (const Atom& atom : molecule.Atoms)
+    {
+      next->assign(value(atom));
+      ++next;
+    }
+    return array;
+  };
 }
 
 /// A letter that most files leave blank; no array where all do.
 template <typename Letter>
-void AddLetters(const Macromolecule& molecule, const char* name, vtkPolyData* to, Letter letter)
+MakeArray Letters(const Macromolecule& molecule, const char* name, Letter letter)
 {
-  if (std::any_of(molecule.Atoms.begin(), molecule.Atoms.end(),
-        [&](const Atom& atom) { return letter(atom) != ' '; }))
+  return [&molecule, name, letter]() -> vtkSmartPointer<vtkAbstractArray>
   {
-    AddTexts(molecule, name, to,
-      [&](const Atom& atom)
-      { return letter(atom) == ' ' ? std::string() : std::string(1, letter(atom)); });
-  }
+    if (std::all_of(molecule.Atoms.begin(), molecule.Atoms.end(),
+          [&](const Atom& atom) { return letter(atom) == ' '; }))
+    {
+      return nullptr;
+    }
+    return Texts(molecule, name,
+      [letter](const Atom& atom)
+      { return letter(atom) == ' ' ? std::string() : std::string(1, letter(atom)); })();
+  };
 }
 
-void AddPointArrays(const Macromolecule& molecule, bool withAltLoc, vtkPolyData* to)
+constexpr std::size_t ElementPlace = 2; ///< among PointArrays
+
+std::vector<MakeArray> PointArrays(const Macromolecule& molecule, bool withAltLoc)
 {
-  AddNumbers<vtkDoubleArray>(molecule, "Radius", to, [](const Atom& a) { return a.Radius; });
-  AddNumbers<vtkDoubleArray>(molecule, "Charge", to, [](const Atom& a) { return a.Charge; });
-  AddNumbers<vtkUnsignedShortArray>(
-    molecule, "Element", to, [](const Atom& a) { return static_cast<unsigned short>(a.Element); });
   using Text = const std::string&;
-  AddTexts(molecule, "AtomName", to, [](const Atom& a) -> Text { return a.Name; });
-  AddTexts(molecule, "ResidueName", to, [](const Atom& a) -> Text { return a.ResidueName; });
-  AddNumbers<vtkIntArray>(molecule, "ResidueId", to, [](const Atom& a) { return a.ResidueId; });
-  AddTexts(molecule, "Chain", to, [](const Atom& a) -> Text { return a.Chain; });
-  AddNumbers<vtkDoubleArray>(molecule, "BFactor", to, [](const Atom& a) { return a.BFactor; });
-  AddNumbers<vtkDoubleArray>(molecule, "Occupancy", to, [](const Atom& a) { return a.Occupancy; });
-  AddNumbers<vtkUnsignedCharArray>(molecule, "IsHetero", to,
-    [](const Atom& a) { return static_cast<unsigned char>(a.IsHetero ? 1 : 0); });
-  AddLetters(molecule, "InsertionCode", to, [](const Atom& a) { return a.InsertionCode; });
+  std::vector<MakeArray> arrays{ Numbers<vtkDoubleArray>(
+                                   molecule, "Radius", [](const Atom& a) { return a.Radius; }),
+    Numbers<vtkDoubleArray>(molecule, "Charge", [](const Atom& a) { return a.Charge; }),
+    Numbers<vtkUnsignedShortArray>(
+      molecule, "Element", [](const Atom& a) { return static_cast<unsigned short>(a.Element); }),
+    Texts(molecule, "AtomName", [](const Atom& a) -> Text { return a.Name; }),
+    Texts(molecule, "ResidueName", [](const Atom& a) -> Text { return a.ResidueName; }),
+    Numbers<vtkIntArray>(molecule, "ResidueId", [](const Atom& a) { return a.ResidueId; }),
+    Texts(molecule, "Chain", [](const Atom& a) -> Text { return a.Chain; }),
+    Numbers<vtkDoubleArray>(molecule, "BFactor", [](const Atom& a) { return a.BFactor; }),
+    Numbers<vtkDoubleArray>(molecule, "Occupancy", [](const Atom& a) { return a.Occupancy; }),
+    Numbers<vtkUnsignedCharArray>(molecule, "IsHetero",
+      [](const Atom& a) { return static_cast<unsigned char>(a.IsHetero ? 1 : 0); }),
+    Letters(molecule, "InsertionCode", [](const Atom& a) { return a.InsertionCode; }) };
   if (withAltLoc)
   {
-    AddLetters(molecule, "AltLoc", to, [](const Atom& a) { return a.AltLoc; });
+    arrays.push_back(Letters(molecule, "AltLoc", [](const Atom& a) { return a.AltLoc; }));
   }
+  return arrays;
+}
+
+/// Calls all of `work`, several at once.
+void DoAll(const std::vector<std::function<void()>>& work)
+{
+  ParallelFor(0, static_cast<std::int64_t>(work.size()), 1,
+    [&work](std::int64_t first, std::int64_t last)
+    {
+      for (auto w = static_cast<std::size_t>(first); w < static_cast<std::size_t>(last); ++w)
+      {
+        work[w]();
+      }
+    });
+}
+
+vtkSmartPointer<vtkPoints> PointsOf(const Macromolecule& molecule)
+{
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(molecule.Atoms.size()));
+  AdviseLargePages(coordinates.Get());
+  double* next = coordinates->GetPointer(0);
+  for (const Atom& atom : molecule.Atoms)
+  {
+    next = std::copy(atom.Position.begin(), atom.Position.end(), next);
+  }
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetData(coordinates);
+  return points;
 }
 
 /// `count` cells of `size` points each, whose ids `point(i)` gives one after the other.
@@ -162,38 +213,60 @@ void AddFieldData(const Macromolecule& molecule, vtkFieldData* to)
   AddSentences(to, "Warnings", molecule.Warnings);
 }
 
-}
-
-void FillAtoms(const Macromolecule& molecule, bool withAltLoc, vtkPolyData* atoms)
+/// The atoms of a molecule, but for its arrays other than the elements.
+void StartMolecule(vtkPoints* points, vtkDataArray* elements, vtkMolecule* molecule)
 {
-  vtkNew<vtkDoubleArray> coordinates;
-  coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(molecule.Atoms.size()));
-  double* next = coordinates->GetPointer(0);
-  for (const Atom& atom : molecule.Atoms)
-  {
-    next = std::copy(atom.Position.begin(), atom.Position.end(), next);
-  }
-  vtkNew<vtkPoints> points;
-  points->SetData(coordinates);
-  atoms->SetPoints(points);
-  SetCells(molecule, atoms);
-  AddPointArrays(molecule, withAltLoc, atoms);
-  AddFieldData(molecule, atoms->GetFieldData());
-}
-
-void FillMolecule(const Macromolecule& from, vtkPolyData* atoms, vtkMolecule* molecule)
-{
-  if (!molecule->Initialize(
-        atoms->GetPoints(), atoms->GetPointData()->GetArray("Element"), atoms->GetPointData()))
+  if (!molecule->Initialize(points, elements, nullptr))
   {
     throw std::runtime_error("VTK could not make a molecule of these atoms.");
   }
+}
+
+/// Its arrays, those of `atoms` and then VTK's own of the elements, as Initialize leaves them.
+void FinishMolecule(const Macromolecule& from, vtkPolyData* atoms, vtkMolecule* molecule)
+{
+  const vtkSmartPointer<vtkDataArray> elements = molecule->GetAtomicNumberArray();
+  molecule->GetVertexData()->ShallowCopy(atoms->GetPointData());
+  molecule->GetVertexData()->AddArray(elements);
   for (const Bond& bond : from.Bonds)
   {
     molecule->AppendBond(bond.First, bond.Second);
   }
   molecule->GetFieldData()->ShallowCopy(atoms->GetFieldData());
+}
+
+}
+
+void FillOutputs(
+  const Macromolecule& from, bool withAltLoc, vtkPolyData* atoms, vtkMolecule* molecule)
+{
+  const std::vector<MakeArray> make = PointArrays(from, withAltLoc);
+  std::vector<vtkSmartPointer<vtkAbstractArray>> arrays(make.size());
+  const auto fill = [&make, &arrays](std::size_t i) { arrays[i] = make[i](); };
+  vtkSmartPointer<vtkPoints> points;
+  DoAll({ [&] { points = PointsOf(from); }, [&] { fill(ElementPlace); } });
+  atoms->SetPoints(points);
+  // VTK's part of the molecule takes longest and can't be divided, so it comes first.
+  auto* const elements = vtkDataArray::SafeDownCast(arrays[ElementPlace]);
+  std::vector<std::function<void()>> work{ [&] { StartMolecule(points, elements, molecule); },
+    [&] { SetCells(from, atoms); } };
+  for (std::size_t i = 0; i < make.size(); ++i)
+  {
+    if (i != ElementPlace)
+    {
+      work.emplace_back([&fill, i] { fill(i); });
+    }
+  }
+  DoAll(work);
+  for (const auto& array : arrays)
+  {
+    if (array)
+    {
+      atoms->GetPointData()->AddArray(array);
+    }
+  }
+  AddFieldData(from, atoms->GetFieldData());
+  FinishMolecule(from, atoms, molecule);
 }
 
 }

@@ -13,12 +13,13 @@ namespace isthmus
 
 struct Macromolecule;
 
-/// Points, vertices, bond lines, point arrays, field data.
-void FillAtoms(const Macromolecule& molecule, bool withAltLoc, vtkPolyData* atoms);
-
-/// The same atoms, sharing the points and arrays of `atoms`, and the bonds.
-/// @throws std::runtime_error where VTK makes no molecule of them.
-void FillMolecule(const Macromolecule& from, vtkPolyData* atoms, vtkMolecule* molecule);
+/**
+ * `atoms` gets points, vertices, bond lines, point arrays and field data; `molecule` the same
+ * atoms, sharing points and arrays, and the bonds. Arrays are filled several at once.
+ * @throws std::runtime_error where VTK makes no molecule of them.
+ */
+void FillOutputs(
+  const Macromolecule& from, bool withAltLoc, vtkPolyData* atoms, vtkMolecule* molecule);
 
 }
 

@@ -1,7 +1,6 @@
 #include "PDBStream.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstring>
 
@@ -15,15 +14,54 @@ bool IsRecord(std::string_view line, std::string_view name)
 {
   return line.size() >= name.size() &&
     std::equal(name.begin(), name.end(), line.begin(),
-      [](char a, unsigned char b) { return a == std::toupper(b); });
+      [](char a, char b) { return a == b || (a == (b & ~0x20) && b >= 'a'); });
 }
 
+/// Blanks, a minus or none, digits, a point and digits: what nearly all coordinates look like.
+bool IsPlainNumber(const char* at, const char* end)
+{
+  const auto digits = [&at, end]()
+  {
+    const char* const first = at;
+    while (at < end && *at >= '0' && *at <= '9')
+    {
+      ++at;
+    }
+    return at > first;
+  };
+  while (at < end && *at == ' ')
+  {
+    ++at;
+  }
+  at += at < end && *at == '-' ? 1 : 0;
+  if (!digits() || at == end || *at != '.')
+  {
+    return false;
+  }
+  ++at;
+  return digits() && at == end;
+}
+
+/// An atom's line with all its columns, in which nothing is to be mended or refused.
+bool IsPlainAtom(std::string_view line)
+{
+  constexpr std::size_t width = 80;
+  const char* const c = line.data();
+  return line.size() >= width && IsPlainNumber(c + 30, c + 38) && IsPlainNumber(c + 38, c + 46) &&
+    IsPlainNumber(c + 46, c + 54) && c[59] > ' ' && c[65] > ' ' && c[78] == ' ' && c[79] == ' ';
+}
+
+}
+
+bool PDBStream::IsAtom(std::string_view line)
+{
+  return IsRecord(line, "ATOM") || IsRecord(line, "HETA");
 }
 
 PDBStream::PDBStream(
-  std::string_view text, const std::string& path, bool cutAt72, const ProgressCallback& progress)
+  std::string_view text, const std::string& path, Extent extent, const ProgressCallback& progress)
   : Lines(text, path, progress)
-  , CutAt72(cutAt72)
+  , Kind(extent)
 {
 }
 
@@ -35,10 +73,21 @@ char* PDBStream::gets(char* to, int size)
   {
     return nullptr;
   }
-  this->Line = next.substr(0, this->CutAt72 ? 72 : static_cast<std::size_t>(size - 2));
+  next = next.substr(
+    0, this->Kind == Extent::WholeWithout73To80 ? 72 : static_cast<std::size_t>(size - 2));
   // gemmi's strings end at a zero byte
-  this->Line.erase(std::min(this->Line.find('\0'), this->Line.size()));
-  if (IsRecord(this->Line, "ATOM") || IsRecord(this->Line, "HETA"))
+  next = next.substr(0, next.find('\0'));
+  const bool isAtom = IsAtom(next);
+  if (isAtom && IsPlainAtom(next))
+  {
+    char* const end = std::copy(next.begin(), next.end(), to);
+    end[0] = '\n';
+    end[1] = '\0';
+    return to;
+  }
+  this->CheckPiece(next);
+  this->Line = next;
+  if (isAtom)
   {
     this->CheckAtom();
   }
@@ -54,6 +103,26 @@ char* PDBStream::gets(char* to, int size)
   this->Line += '\n';
   std::memcpy(to, this->Line.c_str(), this->Line.size() + 1);
   return to;
+}
+
+void PDBStream::CheckPiece(std::string_view line) const
+{
+  const bool isLast = this->Kind == Extent::LastPiece;
+  if (!isLast && this->Kind != Extent::Piece)
+  {
+    return;
+  }
+  for (const char* record : { "MODE", "ENDM", "SSBO", "LINK", "CISP" })
+  {
+    if (IsRecord(line, record))
+    {
+      this->Lines.Fail(std::string(record) + ": the file is to be read whole.");
+    }
+  }
+  if (!isLast && IsRecord(line, "END"))
+  {
+    this->Lines.Fail("END before the last piece.");
+  }
 }
 
 void PDBStream::CheckAtom()

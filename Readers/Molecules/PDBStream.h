@@ -25,9 +25,10 @@ struct OtherColumns : std::runtime_error
 
 /**
  * A stream for gemmi's PDB parser. Blank occupancies and B factors, of which gemmi would make 1 and
- * 20, are given as the number Blank. With `cutAt72`, the columns beyond are left out.
+ * 20, are given as the number Blank.
  * @throws OtherColumns where an atom's coordinates are not finite numbers, std::runtime_error where
- * columns 79-80 are not a charge, both with the line.
+ * columns 79-80 are not a charge, both with the line; on a record of a piece that only the whole
+ * file can say more of.
  */
 class PDBStream
 {
@@ -35,8 +36,20 @@ public:
   static constexpr float Blank = 1e38F;
   static constexpr const char* BlankText = "1e38";
 
-  PDBStream(
-    std::string_view text, const std::string& path, bool cutAt72, const ProgressCallback& progress);
+  /// What the text is of a file. Pieces are those of PDBPieces.h.
+  enum class Extent
+  {
+    Whole,
+    WholeWithout73To80, ///< the columns beyond 72 are left out
+    Piece,
+    LastPiece
+  };
+
+  PDBStream(std::string_view text, const std::string& path, Extent extent,
+    const ProgressCallback& progress);
+
+  /// Whether a line is an ATOM or HETATM record.
+  static bool IsAtom(std::string_view line);
 
   /// gemmi's contract: at most size - 1 characters, the line end among them; nullptr at the end.
   char* gets(char* to, int size);
@@ -46,11 +59,12 @@ public:
   const std::vector<std::array<int, 2>>& Bonded() const { return this->Bonds; }
 
 private:
+  void CheckPiece(std::string_view line) const;
   void CheckAtom();
   void ReadBonds();
 
   TextLines Lines;
-  bool CutAt72;
+  Extent Kind;
   std::string Line;
   std::vector<std::array<int, 2>> Bonds;
 };

@@ -159,9 +159,7 @@ void vtkMacromoleculeReader::Read(std::int64_t model, vtkPolyData* atoms, vtkMol
   const auto progress = isthmus::ProgressOf(this);
   const auto read =
     isthmus::ReadMacromolecule(this->FileName, options, isthmus::Between(progress, 0.0, 0.8));
-  isthmus::FillAtoms(read, this->AltLoc == "*", atoms);
-  isthmus::Report(progress, 0.9);
-  isthmus::FillMolecule(read, atoms, molecule);
+  isthmus::FillOutputs(read, this->AltLoc == "*", atoms, molecule);
   isthmus::Report(progress, 1.0);
   for (const std::string& warning : read.Warnings)
   {

@@ -1,5 +1,5 @@
-// Voxels a second and step of the diffusion filters, beside vtkImageAnisotropicDiffusion3D and the
-// machine's memory bandwidth in the same run; super time stepping against forward Euler.
+// Voxels a second and step of the diffusion filters, beside vtkImageAnisotropicDiffusion3D, ITK and
+// the machine's memory bandwidth in the same run; super time stepping against forward Euler.
 #include "CopyBandwidth.h"
 #include "HighOrderDiffusion.h"
 #include "ParallelFor.h"
@@ -15,6 +15,10 @@
 #include <vtkSmartPointer.h>
 
 #include <benchmark/benchmark.h>
+
+#ifdef ISTHMUS_HAS_ITK
+#include "ITKPeer.h"
+#endif
 
 #include <chrono>
 #include <cmath>
@@ -99,6 +103,44 @@ void VTKAnisotropicDiffusion(benchmark::State& state)
   }
   Report(state, n, iterations, clock.Seconds(), 8.0);
 }
+
+#ifdef ISTHMUS_HAS_ITK
+/// A filter of ITK with as many threads as it takes, for five steps.
+template <typename MakeFilter>
+void ByITK(benchmark::State& state, MakeFilter makeFilter)
+{
+  constexpr int iterations = 5;
+  const int n = static_cast<int>(state.range(0));
+  const auto image = isthmus::peers::ITKView(static_cast<float*>(Map(n)->GetScalarPointer()), n);
+  const auto filter = makeFilter();
+  const Clock clock;
+  for (auto _ : state)
+  {
+    isthmus::peers::RunITK(filter, image, iterations);
+  }
+  Report(state, n, iterations, clock.Seconds(), 8.0);
+}
+
+void ITKEdgeStopping(benchmark::State& state)
+{
+  ByITK(state, isthmus::peers::ITKEdgeStopping);
+}
+
+void ITKGeometricFlow(benchmark::State& state)
+{
+  ByITK(state, isthmus::peers::ITKGeometricFlow);
+}
+#else
+void ITKEdgeStopping(benchmark::State& state)
+{
+  state.SkipWithError("missing: libinsighttoolkit5-dev");
+}
+
+void ITKGeometricFlow(benchmark::State& state)
+{
+  state.SkipWithError("missing: libinsighttoolkit5-dev");
+}
+#endif
 
 /// Steps of one kind, on the algorithm: no allocation but that of the volumes of a run.
 void Steps(benchmark::State& state, DiffusionParameters parameters)
@@ -194,6 +236,8 @@ void Default(benchmark::State& state)
 }
 
 BENCHMARK(VTKAnisotropicDiffusion)->Arg(256)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(ITKEdgeStopping)->Arg(256)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(ITKGeometricFlow)->Arg(256)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(ExplicitEdgeStopping)
   ->ArgsProduct({ { 128, 256, 512 }, { 0, 1 } })
   ->ArgsProduct({ { 256 }, { 2, 3 } })

@@ -84,13 +84,23 @@ void Order32(unsigned char* bytes, std::size_t words, bool bigEndian)
   }
 }
 
+/// What a packed file holds: noise in every voxel is the worst for any inflater; deposited maps are
+/// often zero outside of a mask around the molecule.
+enum class Packed
+{
+  No,
+  Noise,
+  Masked
+};
+
 /// A map file, deleted at the end; densities are smooth with noise, so that gzip has some work.
 class MapFile
 {
 public:
-  MapFile(int mode, const Order& order, bool bigEndian, bool packed)
+  MapFile(int mode, const Order& order, bool bigEndian, Packed packed)
     : Path((std::filesystem::temp_directory_path() /
-        ("isthmus-bench-" + std::to_string(::getpid()) + (packed ? ".mrc.gz" : ".mrc")))
+        ("isthmus-bench-" + std::to_string(::getpid()) +
+          (packed == Packed::No ? ".mrc" : ".mrc.gz")))
              .string())
   {
     std::array<std::int32_t, 256> header{ Size(), Size(), Size(), mode };
@@ -107,7 +117,18 @@ public:
     Order32(bytes, 256, bigEndian);
     std::memcpy(bytes + 208, "MAP ", 4);
     std::memcpy(bytes + 212, bigEndian ? "\x11\x11\0\0" : "DD\0\0", 4);
-    packed ? this->WritePacked(bytes) : this->WritePlain(bytes, mode);
+    switch (packed)
+    {
+      case Packed::No:
+        this->WritePlain(bytes, mode);
+        break;
+      case Packed::Noise:
+        this->WritePacked(bytes);
+        break;
+      case Packed::Masked:
+        this->WriteMasked(bytes);
+        break;
+    }
   }
   ~MapFile() { std::remove(this->Path.c_str()); }
   MapFile(const MapFile&) = delete;
@@ -160,6 +181,31 @@ private:
     for (int s = 0; s < Size(); ++s)
     {
       std::rotate(section.begin(), section.begin() + 97, section.end());
+      gzwrite(file, section.data(), static_cast<unsigned>(4 * section.size()));
+    }
+    gzclose(file);
+  }
+
+  /// Waves with a hundredth of noise in a ball of 0.35 of the width (18 per cent of the voxels),
+  /// zero outside, by gzip's usual level.
+  void WriteMasked(const unsigned char* header) const
+  {
+    gzFile file = gzopen(this->Path.c_str(), "wb");
+    gzwrite(file, header, 1024);
+    const int n = Size();
+    std::vector<float> section(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
+    std::uint32_t noise = 12345;
+    for (int k = 0; k < n; ++k)
+    {
+      for (int i = 0; i < n * n; ++i)
+      {
+        const double x = i % n - 0.5 * n, y = i / n - 0.5 * n, z = k - 0.5 * n;
+        noise = noise * 1664525u + 1013904223u;
+        const double density = std::sin(0.1 * x) * std::cos(0.1 * y) * std::cos(0.08 * z) +
+          0.01 * (noise >> 8) * 0x1p-24;
+        const bool inside = x * x + y * y + z * z < 0.35 * 0.35 * n * n;
+        section[static_cast<std::size_t>(i)] = inside ? static_cast<float>(density) : 0.0F;
+      }
       gzwrite(file, section.data(), static_cast<unsigned>(4 * section.size()));
     }
     gzclose(file);
@@ -264,7 +310,7 @@ void Compare(benchmark::State& state, const std::function<void()>& ours,
 /// Bound 1.25: float of this machine's byte order, against fread of the same bytes.
 void FloatAgainstFread(benchmark::State& state)
 {
-  const MapFile map(2, { 1, 2, 3 }, false, false);
+  const MapFile map(2, { 1, 2, 3 }, false, Packed::No);
   Compare(
     state, [&]() { ReadWith<vtkMRCMapReader>(map.Path); }, [&]() { Fread(map.Path, DataBytes(4)); },
     [&]() { ReadWith<vtkMRCReader>(map.Path); });
@@ -273,7 +319,7 @@ void FloatAgainstFread(benchmark::State& state)
 /// Bounds 2.5 in file axis order, 4 permuted: against fread plus one write of the output's bytes.
 void AnyAgainstFreadAndWrite(benchmark::State& state, int mode, bool bigEndian, const Order& order)
 {
-  const MapFile map(mode, order, bigEndian, false);
+  const MapFile map(mode, order, bigEndian, Packed::No);
   Compare(
     state, [&]() { ReadWith<vtkMRCMapReader>(map.Path); },
     [&]()
@@ -284,9 +330,9 @@ void AnyAgainstFreadAndWrite(benchmark::State& state, int mode, bool bigEndian, 
 }
 
 /// Bound 1.15: gzip, against zlib's inflate alone.
-void GzipAgainstZlib(benchmark::State& state, const Order& order)
+void GzipAgainstZlib(benchmark::State& state, const Order& order, Packed packed)
 {
-  const MapFile map(2, order, false, true);
+  const MapFile map(2, order, false, packed);
   Compare(
     state, [&]() { ReadWith<vtkMRCMapReader>(map.Path); },
     [&]() { Inflate(map.Path, DataBytes(4)); });
@@ -321,8 +367,12 @@ void Register()
   for (const Order& order : { Order{ 1, 2, 3 }, Order{ 3, 2, 1 } })
   {
     add(order[0] == 1 ? "Zlib/mode2/axes123" : "Zlib/mode2/axes321",
-      [order](benchmark::State& state) { GzipAgainstZlib(state, order); });
+      [order](benchmark::State& state) { GzipAgainstZlib(state, order, Packed::Noise); });
   }
+  add("Zlib/mode2/masked",
+    [](benchmark::State& state) {
+      GzipAgainstZlib(state, { 1, 2, 3 }, Packed::Masked);
+    });
 }
 
 }

@@ -4,7 +4,7 @@
 //
 // Times are CPU seconds, one thread each, so that a busy machine shows in them as little as
 // possible. GUDHI is found as in the tests; ISTHMUS_PEERS names the folder of the other two
-// (Peers/build.sh), and each row says which of them is missing. TTK's grid is split into six
+// (PeerPrograms.h), and each row says which of them is missing. TTK's grid is split into six
 // tetrahedra a cell (Freudenthal), where nodes touch along diagonals as well: its pairs are those
 // of another complex, near ours on a smooth field, and so are counted instead of compared one by
 // one.

@@ -2,13 +2,22 @@
  * @file PeerPrograms.h
  * @brief Persistence of a volume by programs of others, run as processes of their own.
  *
- * Peers/build.sh builds them; the environment variable ISTHMUS_PEERS names their folder.
+ * The environment variable ISTHMUS_PEERS names their folder, which must hold
+ *   cubicalripser -m 2 -o OUT.diagram IN.complex
+ *     Cubical Ripser (github.com/shizuo-kaji/CubicalRipser_3dim), volumes of three axes;
+ *   ttk_grid_persistence IN.complex OUT.diagram
+ *     TTK (github.com/topology-tool-kit/ttk, 1.2 or newer) with Peers/ttk_grid_persistence.cxx;
+ *   ttk_mesh_persistence IN.tetrahedra OUT.diagram OUT.seconds [THREADS]
+ *     TTK with Peers/ttk_mesh_persistence.cxx, on tetrahedra.
+ * Volumes (.complex) and pairs (.diagram) are in DIPHA's format (Peers/DiphaFiles.h), meshes
+ * (.tetrahedra) as Peers/TetrahedraFiles.h says; OUT.seconds gets the CPU and the wall seconds
+ * without files. What is missing is told in the row, which then has no ratio.
  */
 #ifndef isthmus_PeerPrograms_h
 #define isthmus_PeerPrograms_h
 
 #include "CubicalPeer.h"
-#include "Peers/DiphaFiles.h"
+#include "Peers/TetrahedraFiles.h"
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -113,6 +122,40 @@ inline std::optional<PeerRun> RunPeer(
   std::sort(run.Pairs.begin(), run.Pairs.end());
   std::filesystem::remove(stem + ".complex");
   std::filesystem::remove(stem + ".diagram");
+  return run;
+}
+
+struct MeshPeerRun
+{
+  double Seconds = 0.0; ///< CPU of preconditioning and pairing alone
+  double Wall = 0.0;
+  DiphaPairs Pairs;
+};
+
+/// TTK on tetrahedra; nothing where its program is missing.
+inline std::optional<MeshPeerRun> RunMeshPeer(const ValuedTetrahedra& mesh, int threads)
+{
+  const char* peers = std::getenv("ISTHMUS_PEERS");
+  const auto program = std::filesystem::path(peers ? peers : "") / "ttk_mesh_persistence";
+  if (!std::filesystem::exists(program))
+  {
+    return {};
+  }
+  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  const std::string stem = (folder / ("isthmus_peer_" + std::to_string(getpid()))).string();
+  WriteTetrahedra(stem + ".tetrahedra", mesh);
+  RunProgram({ program.string(), stem + ".tetrahedra", stem + ".diagram", stem + ".seconds",
+    std::to_string(threads) });
+  MeshPeerRun run;
+  if (!(std::ifstream(stem + ".seconds") >> run.Seconds >> run.Wall))
+  {
+    throw std::runtime_error(program.string() + " told no times.");
+  }
+  run.Pairs = ReadDiphaPairs(stem + ".diagram");
+  for (const char* ending : { ".tetrahedra", ".diagram", ".seconds" })
+  {
+    std::filesystem::remove(stem + ending);
+  }
   return run;
 }
 

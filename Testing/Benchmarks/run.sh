@@ -5,7 +5,8 @@
 # NAME         only the benchmarks whose name contains one of these (BenchChokingLoops, start_up)
 # --anyway     also on a machine that is busy, where times say little
 # --no-build   measures what is built already in ISTHMUS_BUILD_DIR (default build)
-# ISTHMUS_PEERS  folder of the peers that Peers/build.sh made
+# ISTHMUS_PEERS  folder of the programs of others that PeerPrograms.h lists
+# OpenVolumeMesh is a peer where cmake was given -DOpenVolumeMesh_DIR=FOLDER once (see CMakeLists.txt).
 # The table goes to the terminal and to benchmarks/table.md in the build folder, with what each
 # benchmark said beside it.
 source "$(dirname "${BASH_SOURCE[0]}")/../../cmake/setup.sh"
@@ -32,7 +33,8 @@ busy_per_cent()
 }
 
 if [ $build = yes ]; then
-  install_packages "${build_packages[@]}" "${paraview_packages[@]}" "${test_packages[@]}"
+  install_packages "${build_packages[@]}" "${paraview_packages[@]}" "${test_packages[@]}" \
+    "${peer_packages[@]}"
   configure_and_build -DISTHMUS_BENCHMARKS=ON -DCMAKE_BUILD_TYPE=Release
 fi
 use_build_tree

@@ -58,21 +58,29 @@ class Results:
                 self.runs[benchmark] = []
         return self.runs[benchmark]
 
+    def row(self, benchmark, name):
+        for run in self.rows(benchmark):
+            if run["name"] == name or run["name"].startswith(name + "/"):
+                return run
+        return {}
+
     def value(self, benchmark, row, key):
         """None where the row did not run, failed or lacks the key (a peer that is not there)."""
-        for run in self.rows(benchmark):
-            if run["name"] == row or run["name"].startswith(row + "/"):
-                if run.get("error_occurred"):
-                    return None
-                if key == "seconds":
-                    return run["real_time"] * SECONDS[run["time_unit"]]
-                return run.get(key)
-        return None
+        run = self.row(benchmark, row)
+        if run.get("error_occurred") or not run:
+            return None
+        if key == "seconds":
+            return run["real_time"] * SECONDS[run["time_unit"]]
+        return run.get(key)
+
+    def why(self, benchmark, row):
+        """What a row that could not be measured says of it: "missing: PACKAGE"."""
+        return self.row(benchmark, row).get("error_message", "not measured")
 
 
-def number(value, unit):
+def number(value, unit, without="not measured"):
     if value is None:
-        return "not measured"
+        return without
     if unit.endswith("/s"):
         return f"{value / 1e6:.3g} M {unit}"
     return f"{value * 1e3:.3g} ms" if unit == "s" and value < 0.1 else f"{value:.3g} {unit}"
@@ -97,9 +105,11 @@ def line(goal, results):
     against = None
     if goal["against"]:
         against = results.value(goal["benchmark"], goal["against row"], goal["against key"])
-    peer = f"{goal['against']}: {number(against, goal['unit'])}" if goal["against"] else ""
+    without = results.why(goal["benchmark"], goal["against row"])
+    peer = f"{goal['against']}: {number(against, goal['unit'], without)}" if goal["against"] else ""
     ratio = f"{ours / against:.3g}" if ours is not None and against else ""
-    return [goal["what"], number(ours, goal["unit"]), peer, ratio, goal["goal"],
+    return [goal["what"], number(ours, goal["unit"], results.why(goal["benchmark"], goal["row"])),
+        peer, ratio, goal["goal"],
         verdict(goal["goal"], ours, against)]
 
 

@@ -25,6 +25,8 @@ class Table(unittest.TestCase):
             {"name": "Ours/80", "real_time": 9.0, "time_unit": "s"},
             {"name": "Peer", "real_time": 0.1, "time_unit": "s"},
             {"name": "Broken", "real_time": 1.0, "time_unit": "s", "error_occurred": True},
+            {"name": "Gone", "real_time": 0, "time_unit": "s", "error_occurred": True,
+             "error_message": "missing: libgone-dev"},
         ]
         Path(folder.name, "Bench.json").write_text(json.dumps({"benchmarks": rows}))
         self.results = table.Results(folder.name)
@@ -50,6 +52,12 @@ class Table(unittest.TestCase):
             self.assertEqual(self.last(row=row, ours=key, goal="ours <= 1")[-1], "not measured")
         other = table.line(goal(benchmark="Absent", row="Ours/8", ours="seconds"), self.results)
         self.assertEqual(other[1], "not measured")
+
+    def test_a_missing_peer_is_named(self):
+        line = self.last(row="Ours/8", ours="seconds", against="p", goal="ratio <= 1",
+                         **{"against row": "Gone", "against key": "seconds"})
+        self.assertEqual(line[1:], ["50 ms", "p: missing: libgone-dev", "", "ratio <= 1", "not measured"])
+        self.assertEqual(self.last(row="Gone", ours="seconds")[1], "missing: libgone-dev")
 
     def test_goals_name_what_exists(self):
         goals = table.read_goals(HERE / "goals.csv", [])

@@ -8,6 +8,7 @@ file(MAKE_DIRECTORY "${copy}")
 foreach (folder IN ITEMS cmake Examples Filters Readers Plugin Testing)
   file(COPY "${SOURCE_DIR}/${folder}" DESTINATION "${copy}")
 endforeach ()
+file(COPY "${SOURCE_DIR}/.clang-tidy" DESTINATION "${copy}") # Testing/README.md points to it
 
 run("${copy}/cmake/new_filter.sh" PhaseFlip Imaging)
 foreach (check IN ITEMS check_floors check_readmes check_links)

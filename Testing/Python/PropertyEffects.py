@@ -29,6 +29,7 @@ NEEDS = {
     **{("IonTransportOnSurface", name): {"MovingSurface": 1} for name in (
         "SurfaceTension", "Pressure", "UpdatePeriod", "SurfaceRelaxation", "FieldRelaxation", "UpdateTolerance",
         "MaximumUpdates")},
+    **{("HandleFilling", name): {"FillHandlesBelow": 3.0} for name in ("Side", "SampleSpacing", "Thickness")},
     ("MapSurface", "CloseAtBorder"): {"AutomaticLevel": 0, "Level": 0.02},
     ("ChokingLoops", "AlwaysReportHandles"): {"MaximumDistance": 1.0},
     ("ChokingLoops", "MaximumDistance"): {"AlwaysReportHandles": 0},
@@ -54,6 +55,8 @@ VALUES = {
     ("BindingSites", "MergeDistance"): [6.0, 20.0],
     ("ChokingLoops", "MaximumDistance"): [1.0, 5.0],
     ("ChokingLoops", "MaximumNumberOfLoops"): [1, 2],
+    ("HandleFilling", "FillHandlesBelow"): [0.1, 3.0],
+    ("HandleFilling", "SampleSpacing"): [0.4, 1.0],
     ("MapHandles", "MinimumPersistence"): [0.05, 0.3],
     ("MapSurface", "MinimumComponentArea"): [20.0, 60.0],
     ("ScalarRegions", "SweepTarget"): [0.04, 0.0],

@@ -161,7 +161,8 @@ TAKE_ATOMS = ("MolecularPockets", "PoreProfile", "MolecularFlowSurface", "Molecu
               "NonpolarSolvation", "PoissonBoltzmann", "PoissonBoltzmannOnSurface")
 SPECIAL = dict(good_data.SPECIAL)
 SPECIAL.update({(name, "Input"): atoms for name in TAKE_ATOMS})
-SPECIAL.update({("ChokingLoops", "Input"): ring, ("NonpolarSolvation", "Volume"): flow_volume, ("DenoiseFromHalfMaps", "OtherHalf"): lambda: image(2),
+SPECIAL.update({("ChokingLoops", "Input"): ring, ("HandleFilling", "Input"): ring,
+                ("NonpolarSolvation", "Volume"): flow_volume, ("DenoiseFromHalfMaps", "OtherHalf"): lambda: image(2),
                 ("PoissonBoltzmannOnSurface", "Surface"): around_atoms})
 del SPECIAL["IonTransport", "Surface"]  # it would have a surface, not make one
 

@@ -1,14 +1,17 @@
 // What an analysis is said to take: counts against shapes of known genus, bytes against the peak
-// that the kernel tells. Times are held by BenchAnalysisCost, since a busy machine would fail them.
+// that the kernel tells, seconds in CPU time, whose unit is a stage of the same run.
 
 #include "AnalysisCost.h"
 #include "ChokingLoops.h"
 #include "ChokingSurfaces.h"
+#include "CpuEstimate.h"
+#include "FeatureDrawing.h"
 #include "PeakMemory.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 using namespace isthmus;
 using namespace isthmus::testing;
@@ -50,6 +53,115 @@ TEST(AnalysisCost, TimeIsAMultipleOfTheTriangulation)
   EXPECT_GT(cost.After(1.0).Seconds, 1.0);
   EXPECT_DOUBLE_EQ(cost.After(4.0).Seconds, 4.0 * cost.After(1.0).Seconds);
   EXPECT_EQ(cost.After(4.0).Bytes, cost.Bytes);
+}
+
+TEST(AnalysisCost, TakesOverWhatTheRoundBeforeTook)
+{
+  const AnalysisCost first = CostOf(Torus(1.0, 0.3, 30, 20)).After(2.0);
+  AnalysisCost second = CostOf(Torus(1.0, 0.3, 60, 40));
+  const AnalysisCost usual = second;
+  second.LearnFrom(first, 9.0); // 4.5 triangulations
+  EXPECT_DOUBLE_EQ(second.After(4.0).Seconds, 18.0);
+  EXPECT_EQ(second.Bytes, usual.Bytes);
+  // From one that was not even triangulated there is nothing to learn.
+  AnalysisCost third = usual;
+  third.LearnFrom(CostOf(Torus(1.0, 0.3, 30, 20)), 9.0);
+  EXPECT_EQ(third.After(1.0).Seconds, usual.After(1.0).Seconds);
+}
+
+TEST(AnalysisCost, OwnPointsOfTheSurfaceCostMore)
+{
+  const AnalysisCost cost = CostOf(Torus(1.0, 0.3, 30, 20)).After(1.0);
+  EXPECT_EQ(cost.Completion(), 0.0);
+  AnalysisCost more = cost;
+  more.ExpectCompletion(300);
+  AnalysisCost most = cost;
+  most.ExpectCompletion(600);
+  EXPECT_GT(more.Completion(), 0.0);
+  EXPECT_DOUBLE_EQ(most.Completion(), 2.0 * more.Completion());
+  EXPECT_DOUBLE_EQ(more.After(1.0).Seconds, cost.Seconds + more.Completion());
+  EXPECT_DOUBLE_EQ(most.Bytes - cost.Bytes, 2.0 * (more.Bytes - cost.Bytes));
+  EXPECT_EQ(AnalysisCost{}.Completion(), 0.0);
+}
+
+/// A ring in noise: of rank over 20, refined twice or more, handles too thin for its samples.
+TriangleMesh NoisyRing()
+{
+  std::mt19937 random(17);
+  std::normal_distribution<double> normal(0.0, 0.1);
+  return LevelSet(
+    [&](double x, double y, double z)
+    {
+      const double value = std::hypot(std::hypot(x, y) - 0.55, z) - 0.25 + normal(random);
+      return std::max({ std::abs(x), std::abs(y), std::abs(z) }) > 0.93 ? 1.0 : value;
+    },
+    1.0, 20);
+}
+
+TEST(AnalysisCost, SecondsOfANoisyContourAreWithinAFactorOfTwo)
+{
+  CpuEstimate told;
+  ChokingLoopParameters parameters;
+  parameters.Estimated = std::ref(told);
+  const ChokingLoops loops(NoisyRing(), parameters);
+  const double took = CpuSeconds() - told.Began;
+  EXPECT_GT(loops.Cost().Rank, 20U);
+  EXPECT_GT(loops.Cost().Own, 0U);
+  std::cout << "told " << told.Last.Seconds << " s, took " << took << " s of CPU\n";
+  EXPECT_GT(told.Last.Seconds, 0.5 * took);
+  EXPECT_LT(told.Last.Seconds, 2.0 * took);
+}
+
+TEST(FeatureDrawing, SampleIsSpreadOverAll)
+{
+  for (const std::size_t count : { 0, 1, 23, 24, 25, 100, 193, 1000 })
+  {
+    std::size_t sample = 0;
+    const std::vector<std::size_t> order = SampledFirst(count, sample);
+    EXPECT_EQ(sample, std::min(count, std::max<std::size_t>(24, count / 4)));
+    std::vector<std::size_t> sorted = order;
+    std::sort(sorted.begin(), sorted.end());
+    ASSERT_EQ(sorted.size(), count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      EXPECT_EQ(sorted[i], i) << "each once";
+    }
+    // One in each of as many equal parts.
+    for (std::size_t i = 0; i < sample; ++i)
+    {
+      EXPECT_GE((order[i] + 1) * sample, i * count);
+      EXPECT_LE(order[i] * sample, (i + 1) * count);
+    }
+  }
+}
+
+TEST(FeatureDrawing, TellsOnceAndDrawsWhatWasNotDrawn)
+{
+  ChokingLoops loops(NoisyRing());
+  const std::vector<std::size_t> chosen = loops.Select({});
+  ASSERT_GT(chosen.size(), 50U);
+  DrawnFeatures drawn;
+  std::vector<DrawingCost> told;
+  const auto tell = [&told](const DrawingCost& cost) { told.push_back(cost); };
+  DrawFeatures(loops, chosen, 1000, drawn, tell);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].Loops, chosen.size() - std::max<std::size_t>(24, chosen.size() / 4));
+  EXPECT_GT(told[0].Seconds, 0.0);
+  ASSERT_EQ(drawn.size(), chosen.size());
+  for (std::size_t i = 0; i < chosen.size(); i += 25)
+  {
+    const LoopFeature alone = MakeLoopFeature(loops, chosen[i], 1000);
+    const LoopFeature& among = drawn.at({ chosen[i], 1000 });
+    EXPECT_EQ(among.Loops, alone.Loops);
+    EXPECT_EQ(among.Lengths, alone.Lengths);
+    EXPECT_EQ(among.Extra, alone.Extra);
+  }
+  // All is drawn: nothing to do, nothing to tell. As they come is another drawing.
+  DrawFeatures(loops, chosen, 1000, drawn, tell);
+  EXPECT_EQ(told.size(), 1U);
+  DrawFeatures(loops, { chosen.front() }, 0, drawn, tell);
+  EXPECT_EQ(told.size(), 1U);
+  EXPECT_EQ(drawn.size(), chosen.size() + 1);
 }
 
 TEST(AnalysisCost, ToldBeforeTheWorkAndOnceTriangulated)

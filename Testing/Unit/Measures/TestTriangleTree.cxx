@@ -106,6 +106,36 @@ TEST(TriangleTree, AnyGuessGivesTheSameBits)
   }
 }
 
+/// What floats tell of cylinders must never hide a nearer triangle: at any size, far from the
+/// origin and seen from far away.
+TEST(TriangleTree, IsExactAtAnySizeAndPlace)
+{
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  for (const double size : { 1e-30, 1e-6, 1.0, 1e6, 1e30 })
+  {
+    for (const double offset : { 0.0, 1e3, 1e7 })
+    {
+      Soup soup(1500, random);
+      const Point3 shift{ offset * size, -offset * size, 2.0 * offset * size };
+      for (Point3& point : soup.Points)
+      {
+        point = size * point + shift;
+      }
+      const TriangleTree tree(soup.View());
+      for (int n = 0; n < 120; ++n)
+      {
+        const double reach = size * std::pow(10.0, n % 30 - 6);
+        const Point3 x = shift + reach * Point3{ place(random), place(random), place(random) };
+        const double expected = std::sqrt(soup.Squared(x));
+        EXPECT_NEAR(std::sqrt(tree.Find(x, -1).Squared), expected,
+          1e-12 * expected + 1e-15 * size * (1.0 + offset))
+          << "size " << size << ", offset " << offset << ", reach " << reach;
+      }
+    }
+  }
+}
+
 TEST(TriangleTree, EmptyIsInfinitelyFar)
 {
   const TriangleTree tree(SurfaceView{});

@@ -1,0 +1,161 @@
+#include "Bzip2BlockFinder.h"
+
+#include <algorithm>
+
+namespace isthmus
+{
+namespace
+{
+
+constexpr std::uint64_t magicBits = 48;
+constexpr std::uint64_t checksumBits = 32;
+constexpr std::uint64_t blockMagic = 0x314159265359;
+constexpr std::uint64_t endMagic = 0x177245385090;
+constexpr std::uint64_t magicMask = (std::uint64_t{ 1 } << magicBits) - 1;
+constexpr std::size_t headerBytes = 4;
+// 900,000 symbols of at most 20 bits, and the tables of their codes, are 2.3 MB.
+constexpr std::size_t longestBlock = std::size_t{ 1 } << 22;
+
+/// For each value of the last byte but one: the distances in bits from the end of the last byte at
+/// which a magic may end.
+std::array<unsigned char, 256> PossibleEnds()
+{
+  std::array<unsigned char, 256> ends{};
+  for (unsigned shift = 0; shift < 8; ++shift)
+  {
+    for (const std::uint64_t magic : { blockMagic, endMagic })
+    {
+      auto& shifts = ends[((magic << shift) >> 8) & 0xff];
+      shifts = static_cast<unsigned char>(shifts | 1u << shift);
+    }
+  }
+  return ends;
+}
+
+}
+
+Bzip2BlockFinder::Found Bzip2BlockFinder::Take(
+  unsigned char*& in, std::size_t& inSize, Bzip2Block& block)
+{
+  static const std::array<unsigned char, 256> possible = PossibleEnds();
+  Found found = Found::Nothing;
+  for (; inSize > 0 && found == Found::Nothing; ++in, --inSize)
+  {
+    this->Bytes.push_back(*in);
+    this->Window = this->Window << 8 | *in;
+    if (this->Now == Stage::Block)
+    {
+      if (possible[this->Window >> 8 & 0xff])
+      {
+        found = this->TakeBlockByte(block);
+      }
+      if (this->Bytes.size() > longestBlock)
+      {
+        found = Found::Foreign;
+      }
+    }
+    else
+    {
+      found = this->Now == Stage::Header ? this->TakeHeader() : this->TakeChecksum(block);
+    }
+  }
+  return found;
+}
+
+/// "BZh", the level, and the first magic, all at whole bytes.
+Bzip2BlockFinder::Found Bzip2BlockFinder::TakeHeader()
+{
+  if (this->Bytes.size() < headerBytes + magicBits / 8)
+  {
+    return Found::Nothing;
+  }
+  const std::uint64_t magic = this->Window & magicMask;
+  this->Level = this->Bytes[3];
+  const bool known = this->Bytes[0] == 'B' && this->Bytes[1] == 'Z' && this->Bytes[2] == 'h' &&
+    this->Level >= '1' && this->Level <= '9' && (magic == blockMagic || magic == endMagic);
+  this->Bytes.erase(this->Bytes.begin(), this->Bytes.begin() + headerBytes);
+  this->FirstBit = 0;
+  this->Now = magic == blockMagic ? Stage::Block : Stage::Checksum;
+  return known ? Found::Nothing : Found::Foreign;
+}
+
+Bzip2BlockFinder::Found Bzip2BlockFinder::TakeBlockByte(Bzip2Block& block)
+{
+  for (std::uint64_t shift = 0; shift < 8; ++shift)
+  {
+    const std::uint64_t magic = this->Window >> shift & magicMask;
+    const std::uint64_t end = 8 * this->Bytes.size() - shift;
+    const std::uint64_t shortest = this->FirstBit + 2 * magicBits + checksumBits;
+    if ((magic == blockMagic || magic == endMagic) && end > shortest)
+    {
+      this->Cut(end - magicBits, block);
+      const auto first = static_cast<std::ptrdiff_t>((end - magicBits) / 8);
+      this->Bytes.erase(this->Bytes.begin(), this->Bytes.begin() + first);
+      this->FirstBit = (end - magicBits) % 8;
+      this->Now = magic == blockMagic ? Stage::Block : Stage::Checksum;
+      return Found::Block;
+    }
+  }
+  return Found::Nothing;
+}
+
+Bzip2BlockFinder::Found Bzip2BlockFinder::TakeChecksum(Bzip2Block& block)
+{
+  if (8 * this->Bytes.size() < this->FirstBit + magicBits + checksumBits)
+  {
+    return Found::Nothing;
+  }
+  block = Bzip2Block{ {}, 0, this->WordAt(this->FirstBit + magicBits) };
+  this->Bytes.clear();
+  this->Now = Stage::Header;
+  return Found::MemberEnd;
+}
+
+/// The block up to the bit `end` behind a header, before an end of its own.
+void Bzip2BlockFinder::Cut(std::uint64_t end, Bzip2Block& block) const
+{
+  block.Checksum = this->WordAt(this->FirstBit + magicBits);
+  const std::uint64_t bits = end - this->FirstBit;
+  block.DataBits = 8 * headerBytes + bits;
+  block.Stream = { 'B', 'Z', 'h', this->Level };
+  block.Stream.resize(headerBytes + (bits + 7) / 8 + (magicBits + checksumBits) / 8 + 1);
+  // Two bytes a time: the magic behind the block makes sure that there is another.
+  unsigned char* to = block.Stream.data() + headerBytes;
+  const unsigned char* const from = this->Bytes.data();
+  const auto left = static_cast<unsigned>(this->FirstBit);
+  const std::size_t bytes = (bits + 7) / 8;
+  for (std::size_t i = 0; i < bytes; ++i)
+  {
+    to[i] = static_cast<unsigned char>((from[i] << 8 | from[i + 1]) >> (8 - left));
+  }
+  const auto used = static_cast<unsigned>(bits % 8); // of the last byte
+  to += used ? bytes - 1 : bytes;
+  *to = static_cast<unsigned char>(used ? *to & 0xff00 >> used : 0);
+  const auto append = [&to, used](std::uint64_t value, std::uint64_t valueBits)
+  {
+    for (std::uint64_t at = valueBits; at > 0; at -= 8)
+    {
+      const auto byte = static_cast<unsigned>(value >> (at - 8) & 0xff);
+      *to = static_cast<unsigned char>(*to | byte >> used);
+      *++to = static_cast<unsigned char>(byte << (8 - used));
+    }
+  };
+  append(endMagic, magicBits);
+  append(block.Checksum, checksumBits);
+  block.Stream.resize((block.DataBits + magicBits + checksumBits + 7) / 8);
+}
+
+std::uint32_t Bzip2BlockFinder::WordAt(std::uint64_t bit) const
+{
+  std::uint64_t word = 0;
+  const unsigned char* const from = this->Bytes.data() + bit / 8;
+  // The fifth byte is there where the word does not end with the fourth.
+  const std::size_t bytes = bit % 8 ? 5 : 4;
+  for (std::size_t i = 0; i < bytes; ++i)
+  {
+    word = word << 8 | from[i];
+  }
+  return static_cast<std::uint32_t>(bit % 8 ? word >> (8 - bit % 8) : word);
+}
+
+}

@@ -1,0 +1,51 @@
+/**
+ * @file GemmiAtom.h
+ * @brief One atom of gemmi's as ours.
+ */
+#ifndef isthmus_GemmiAtom_h
+#define isthmus_GemmiAtom_h
+
+#include "Macromolecule.h"
+#include "PDBStream.h"
+
+#include <gemmi/model.hpp>
+
+#include <cmath>
+
+namespace isthmus
+{
+
+inline double KnownOrNot(float value)
+{
+  return value == PDBStream::Blank ? Atom::Unknown : static_cast<double>(value);
+}
+
+/// Rounded where gemmi keeps floats, so that 0.7 is 0.7 again in double.
+inline double Decimal(float value)
+{
+  const double known = KnownOrNot(value);
+  const double rounded = std::round(known * 1e5) / 1e5;
+  return static_cast<float>(rounded) == value ? rounded : known;
+}
+
+inline void Assign(
+  Atom& to, const gemmi::Chain& chain, const gemmi::Residue& residue, const gemmi::Atom& from)
+{
+  to.Position = { from.pos.x, from.pos.y, from.pos.z };
+  to.Charge = from.charge == 0 ? Atom::Unknown : from.charge;
+  to.BFactor = Decimal(from.b_iso);
+  to.Occupancy = Decimal(from.occ);
+  to.Name = from.name;
+  to.ResidueName = residue.name;
+  to.Chain = chain.name;
+  to.ResidueId = residue.seqid.num.has_value() ? *residue.seqid.num : 0;
+  to.Serial = from.serial;
+  to.Element = from.element == gemmi::El::D ? 1 : from.element.ordinal();
+  to.InsertionCode = residue.seqid.icode;
+  to.AltLoc = from.altloc_or(' ');
+  to.IsHetero = residue.het_flag == 'H';
+}
+
+}
+
+#endif

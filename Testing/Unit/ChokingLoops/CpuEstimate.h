@@ -1,0 +1,66 @@
+/**
+ * @file CpuEstimate.h
+ * @brief What an analysis of choking loops is told to take, by a clock that other work does not
+ * touch.
+ */
+#ifndef isthmus_CpuEstimate_h
+#define isthmus_CpuEstimate_h
+
+#include "AnalysisCost.h"
+
+#include <sys/resource.h>
+
+namespace isthmus::testing
+{
+
+/// Of this process, all its threads and what it has started (TetGen), so that what else runs does
+/// not count.
+inline double CpuSeconds()
+{
+  double seconds = 0.0;
+  for (const auto who : { RUSAGE_SELF, RUSAGE_CHILDREN })
+  {
+    rusage usage{};
+    getrusage(who, &usage);
+    for (const timeval& t : { usage.ru_utime, usage.ru_stime })
+    {
+      seconds += static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    }
+  }
+  return seconds;
+}
+
+/// What was told of an analysis, as it would have been told by a clock of CPU time.
+class CpuEstimate
+{
+public:
+  void operator()(const AnalysisCost& cost)
+  {
+    const double now = CpuSeconds();
+    if (cost.Seconds < 0.0) // a round begins
+    {
+      AnalysisCost next = cost;
+      next.LearnFrom(this->Last, now - this->Began);
+      this->Last = next;
+      this->Began = now;
+      this->Corrected = 0.0;
+    }
+    else if (this->Last.Seconds < 0.0) // its samples are triangulated
+    {
+      this->Last = this->Last.After(now - this->Began);
+    }
+    else // handles or tunnels are to be found on the surface itself
+    {
+      this->Last.ExpectCompletion(cost.Own);
+      this->Corrected = now - this->Began + this->Last.Completion();
+    }
+  }
+
+  AnalysisCost Last;
+  double Began = 0.0;     ///< the last round
+  double Corrected = 0.0; ///< what was told at last instead of Last.Seconds; 0: nothing
+};
+
+}
+
+#endif
