@@ -64,7 +64,7 @@ void CropToPiece(vtkImageData* image, vtkInformation* outInfo)
     image->GetPointGhostArray() || image->GetCellGhostArray();
   if (split && isthmus::Contains(extent, piece))
   {
-    image->Crop(piece.data());
+    isthmus::CropTo(image, piece);
   }
 }
 

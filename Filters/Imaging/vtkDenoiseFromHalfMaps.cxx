@@ -175,8 +175,7 @@ int vtkDenoiseFromHalfMaps::RequestData(
         this->Denoise(one, vtkImageData::GetData(input[1]), image);
         isthmus::Extent piece{};
         image->GetExtent(piece.data());
-        piece = isthmus::PieceOf(output->GetInformationObject(0), piece);
-        image->Crop(piece.data());
+        isthmus::CropTo(image, isthmus::PieceOf(output->GetInformationObject(0), piece));
       }
     });
 }

@@ -203,7 +203,7 @@ int vtkSurfaceToGrid::RequestData(
     // All ranks have all of the grid: each keeps its piece.
     isthmus::Extent all{};
     output->GetExtent(all.data());
-    output->Crop(isthmus::PieceOf(outputVector->GetInformationObject(0), all).data());
+    isthmus::CropTo(output, isthmus::PieceOf(outputVector->GetInformationObject(0), all));
   }
   return result;
 }

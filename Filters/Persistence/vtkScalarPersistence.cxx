@@ -182,11 +182,10 @@ void vtkScalarPersistence::FillSimplified(const Work& work, vtkInformationVector
     output->GetPointData()->SetScalars(values);
   }
   vtkInformation* info = outputVector->GetInformationObject(SimplifiedPort);
-  isthmus::Extent asked = isthmus::ExtentOf(info, Pipeline::UPDATE_EXTENT());
+  const isthmus::Extent asked = isthmus::ExtentOf(info, Pipeline::UPDATE_EXTENT());
   if (!isthmus::IsEmpty(asked))
   {
-    asked = isthmus::PieceOf(info, asked);
-    output->Crop(asked.data());
+    isthmus::CropTo(output, isthmus::PieceOf(info, asked));
   }
 }
 
