@@ -5,6 +5,7 @@
 #include "CurvatureOfImage.h"
 #include "FiniteDifference.h"
 #include "GaussianScale.h"
+#include "ImageCrop.h"
 #include "ImageExtent.h"
 #include "RangeGuard.h"
 

@@ -1,6 +1,7 @@
 #include "vtkDenoiseFromHalfMaps.h"
 
 #include "AlgorithmGuard.h"
+#include "ImageCrop.h"
 #include "ImageExtent.h"
 #include "vtkHighOrderDiffusion.h"
 

@@ -3,6 +3,7 @@
 #include "AlgorithmGuard.h"
 #include "ChosenScalars.h"
 #include "DiffusionImage.h"
+#include "ImageCrop.h"
 #include "RankParts.h"
 #include "WholeSurface.h"
 

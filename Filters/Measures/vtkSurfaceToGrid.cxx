@@ -4,6 +4,7 @@
 #include "ChosenScalars.h"
 #include "GridDistance.h"
 #include "GridImages.h"
+#include "ImageCrop.h"
 #include "ImageExtent.h"
 #include "ImageScalars.h"
 #include "LevelCrossings.h"

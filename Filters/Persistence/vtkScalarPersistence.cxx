@@ -3,6 +3,7 @@
 #include "AlgorithmGuard.h"
 #include "ChosenScalars.h"
 #include "ImageDiagram.h"
+#include "ImageCrop.h"
 #include "ImageExtent.h"
 #include "PersistenceTables.h"
 #include "ScalarSimplification.h"

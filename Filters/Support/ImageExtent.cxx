@@ -2,12 +2,10 @@
 
 #include "WholeSurface.h"
 
-#include <vtkCellData.h>
 #include <vtkExtentTranslator.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
@@ -24,39 +22,6 @@ namespace
 int Clipped(double index, int low, int high)
 {
   return index > low ? (index < high ? static_cast<int>(index) : high) : low;
-}
-
-/// The cells of an image of `whole` between the nodes of `part`; a flat part has those above it, or
-/// the last ones.
-Extent CellsBetween(const Extent& part, const Extent& whole)
-{
-  if (IsEmpty(part))
-  {
-    return part;
-  }
-  Extent cells{};
-  for (std::size_t first = 0; first < 6; first += 2)
-  {
-    const std::size_t last = first + 1;
-    const int highest = std::max(whole[first], whole[last] - 1);
-    cells[first] = std::min(part[first], highest);
-    cells[last] = std::max(cells[first], part[last] - 1);
-  }
-  return cells;
-}
-
-/// Makes `data`, of the elements in `from`, that of the elements in `to`.
-template <typename Attributes>
-void Crop(Attributes* data, const Extent& from, const Extent& to)
-{
-  vtkNew<Attributes> part;
-  part->CopyAllOn();
-  part->CopyAllocate(data, NodeCount(to));
-  if (!IsEmpty(to)) // else the arrays without values
-  {
-    part->CopyStructuredData(data, from.data(), to.data(), true);
-  }
-  data->ShallowCopy(part);
 }
 
 }
@@ -160,24 +125,6 @@ void DemandAll(vtkInformation* info)
 bool IsMadeHere(vtkInformation* info)
 {
   return OnFirstRank() || !info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
-}
-
-void CropTo(vtkImageData* image, const Extent& extent)
-{
-  Extent from{};
-  image->GetExtent(from.data());
-  Extent to = Intersection(from, extent);
-  if (from == to)
-  {
-    return;
-  }
-  if (IsEmpty(to))
-  {
-    to = { 0, -1, 0, -1, 0, -1 };
-  }
-  Crop(image->GetPointData(), from, to);
-  Crop(image->GetCellData(), CellsBetween(from, from), CellsBetween(to, from));
-  image->SetExtent(to.data());
 }
 
 bool IsEmpty(const Extent& extent)

@@ -55,10 +55,6 @@ bool IsMadeHere(vtkInformation* info);
 
 bool IsEmpty(const Extent& extent);
 
-/// Makes `image` its own part in `extent`: what vtkImageData::Crop does value by value, by whole
-/// rows. Linear in the nodes kept.
-void CropTo(vtkImageData* image, const Extent& extent);
-
 /// `extent` with `reach` more nodes to each side, kept within `whole`. An empty one stays as it is.
 Extent Grown(const Extent& extent, const std::array<int, 3>& reach, const Extent& whole);
 

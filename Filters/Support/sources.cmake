@@ -12,7 +12,8 @@ isthmus_room(
     ChosenScalars
     ErrorOnce
     GridCells
-    ImageExtent
+    ImageCrop
+  ImageExtent
     LargePages
     ParallelFor
     PipelineInputs

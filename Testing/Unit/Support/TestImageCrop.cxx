@@ -1,6 +1,6 @@
 // Cropping an image by rows beside VTK's own, value by value.
 
-#include "ImageExtent.h"
+#include "ImageCrop.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
