@@ -2,8 +2,8 @@
 
 #include "AlgorithmGuard.h"
 #include "ChosenScalars.h"
-#include "ImageDiagram.h"
 #include "ImageCrop.h"
+#include "ImageDiagram.h"
 #include "ImageExtent.h"
 #include "PersistenceTables.h"
 #include "ScalarSimplification.h"
