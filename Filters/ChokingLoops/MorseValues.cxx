@@ -9,8 +9,7 @@ namespace isthmus
 std::vector<double> MorseValues(const TriangleMesh& surface, const TetrahedralMesh& mesh,
   MorseFunction function, const ProgressCallback& progress)
 {
-  const std::vector<double> exact =
-    SurfaceDistances(surface, mesh.Points, Between(progress, 0.0, 0.5));
+  std::vector<double> exact = SurfaceDistances(surface, mesh.Points, Between(progress, 0.0, 0.5));
   if (function == MorseFunction::ClosestPoint)
   {
     return exact;

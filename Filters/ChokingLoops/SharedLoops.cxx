@@ -106,6 +106,7 @@ bool PassesNear(
     [&](const auto& t)
     {
       std::vector<Point3> corners;
+      corners.reserve(t.size());
       for (const SimplexId p : t)
       {
         corners.push_back(geometry.Point(p, loops.Samples()));
@@ -153,6 +154,7 @@ const ShownFeature* LoopsFor(const ChokingLoops& loops, const std::vector<ShownF
 void FindShared(const ChokingLoops& loops, std::vector<ShownFeature>& features)
 {
   std::vector<char> isFree; // nothing holds its own loop
+  isFree.reserve(features.size());
   for (const ShownFeature& shown : features)
   {
     isFree.push_back(shown.Geometry->Held || shown.Geometry->Collapsed);
