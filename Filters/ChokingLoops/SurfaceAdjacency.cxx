@@ -8,8 +8,8 @@
 namespace isthmus
 {
 
-SurfaceAdjacency::SurfaceAdjacency(const TriangleMesh& mesh)
-  : Surface(&mesh)
+SurfaceAdjacency::SurfaceAdjacency(const SurfaceView& mesh)
+  : Surface(mesh)
   , Opposites(3 * mesh.Triangles.size(), -1)
   , EdgeIds(3 * mesh.Triangles.size(), -1)
   , Outgoing(mesh.Points.size(), -1)
@@ -51,8 +51,8 @@ SurfaceAdjacency::SurfaceAdjacency(const TriangleMesh& mesh)
 
 double SurfaceAdjacency::Length(SimplexId h) const
 {
-  return Distance(this->Surface->Points[static_cast<std::size_t>(this->From(h))],
-    this->Surface->Points[static_cast<std::size_t>(this->To(h))]);
+  return Distance(this->Surface.Points[static_cast<std::size_t>(this->From(h))],
+    this->Surface.Points[static_cast<std::size_t>(this->To(h))]);
 }
 
 SimplexId SurfaceAdjacency::Find(SimplexId a, SimplexId b) const

@@ -6,6 +6,7 @@
 #define isthmus_SurfaceAdjacency_h
 
 #include "CellFiltration.h"
+#include "SurfaceView.h"
 
 namespace isthmus
 {
@@ -18,10 +19,11 @@ namespace isthmus
 class SurfaceAdjacency
 {
 public:
-  /// O(n log n), 28 bytes a half edge. Keeps a reference to `mesh`.
-  VTKISTHMUS_EXPORT explicit SurfaceAdjacency(const TriangleMesh& mesh);
+  /// O(n log n), 28 bytes a half edge. @pre The owner of `mesh` outlives this object.
+  VTKISTHMUS_EXPORT explicit SurfaceAdjacency(const SurfaceView& mesh);
+  explicit SurfaceAdjacency(TriangleMesh&& mesh) = delete;
 
-  const TriangleMesh& Mesh() const { return *this->Surface; }
+  const SurfaceView& Mesh() const { return this->Surface; }
   SimplexId HalfEdges() const { return static_cast<SimplexId>(this->Opposites.size()); }
   SimplexId Edges() const { return this->EdgeCount; }
 
@@ -50,7 +52,7 @@ public:
   VTKISTHMUS_EXPORT SimplexId Find(SimplexId a, SimplexId b) const;
 
 private:
-  const TriangleMesh* Surface;
+  SurfaceView Surface;
   std::vector<SimplexId> Opposites;
   std::vector<SimplexId> EdgeIds;
   std::vector<SimplexId> Halves;
@@ -61,7 +63,7 @@ private:
 inline SimplexId SurfaceAdjacency::From(SimplexId h) const
 {
   return static_cast<SimplexId>(
-    this->Surface->Triangles[static_cast<std::size_t>(h / 3)][static_cast<std::size_t>(h % 3)]);
+    this->Surface.Triangles[static_cast<std::size_t>(h / 3)][static_cast<std::size_t>(h % 3)]);
 }
 
 }

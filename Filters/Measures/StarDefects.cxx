@@ -16,7 +16,7 @@ namespace
 class Stars
 {
 public:
-  Stars(const TriangleMesh& mesh, const std::vector<char>& skip)
+  Stars(const SurfaceView& mesh, const std::vector<char>& skip)
     : First(mesh.Points.size() + 2, 0)
   {
     const auto forCorners = [&mesh, &skip](auto&& visit)
@@ -67,7 +67,7 @@ struct Spoke
 class StarCheck
 {
 public:
-  StarCheck(const TriangleMesh& mesh, const Stars& stars)
+  StarCheck(const SurfaceView& mesh, const Stars& stars)
     : Mesh(mesh)
     , TheStars(stars)
   {
@@ -171,7 +171,7 @@ private:
     }
   }
 
-  const TriangleMesh& Mesh;
+  SurfaceView Mesh;
   const Stars& TheStars;
   const std::int64_t* Triangles = nullptr; ///< of the star
   std::vector<Spoke> Spokes;
@@ -186,7 +186,7 @@ constexpr std::vector<std::int64_t> SurfaceDefects::*ListsOfStars[] = {
 
 }
 
-void FindStarDefects(const TriangleMesh& mesh, const std::vector<char>& skip, SurfaceDefects& found)
+void FindStarDefects(const SurfaceView& mesh, const std::vector<char>& skip, SurfaceDefects& found)
 {
   const Stars stars(mesh, skip);
   std::mutex mutex;
