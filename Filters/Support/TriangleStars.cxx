@@ -24,14 +24,14 @@ TriangleStars::TriangleStars(const SurfaceView& mesh)
   for (vtkIdType i = 0; i < corners; ++i)
   {
     vtkIdType& first = this->First[static_cast<std::size_t>(mesh.Triangles[i])];
-    this->Around[static_cast<std::size_t>(--first)] = i / 3;
+    this->Around[static_cast<std::size_t>(--first)] = MeshTriangle(i / 3);
   }
 }
 
 std::pair<vtkIdType, vtkIdType> TriangleStars::OppositeEdge(
-  vtkIdType triangle, vtkIdType point) const
+  MeshTriangle triangle, vtkIdType point) const
 {
-  const vtkIdType* const corner = this->Mesh.Triangle(triangle);
+  const vtkIdType* const corner = this->Mesh.Triangle(triangle.Value);
   const int k = corner[0] == point ? 0 : corner[1] == point ? 1 : 2;
   return { corner[(k + 1) % 3], corner[(k + 2) % 3] };
 }
@@ -39,7 +39,7 @@ std::pair<vtkIdType, vtkIdType> TriangleStars::OppositeEdge(
 void TriangleStars::Link(vtkIdType point, std::vector<std::pair<vtkIdType, vtkIdType>>& edges) const
 {
   edges.clear();
-  const vtkIdType* const triangles = this->Triangles(point);
+  const MeshTriangle* const triangles = this->Triangles(point);
   for (vtkIdType i = 0; i < this->Size(point); ++i)
   {
     edges.push_back(this->OppositeEdge(triangles[i], point));
