@@ -46,8 +46,6 @@ INTEGERS = {"int", "unsigned", "long", "short", "size_t", "ptrdiff_t", "vtkIdTyp
                 f"{sign}int{bits}_t" for sign in ("", "u") for bits in (8, 16, 32, 64)}
 # {file:function: why its ids stay plain}
 EXCEPTIONS = {
-    "Filters/Support/PolyDataTriangles.h:CheckCorner": "goes with the surface types of branch surface",
-    "Filters/Support/PolyDataTriangles.cxx:CheckCorner": "the same",
 }
 
 NO_FUNCTIONS = {"if", "for", "while", "switch", "return", "catch", "sizeof", "decltype", "alignas"}

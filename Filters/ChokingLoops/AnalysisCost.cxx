@@ -31,7 +31,7 @@ constexpr double UnitsOfClass = 0.006;
 constexpr double SamplesOfOwnPoint = 11.4;
 
 /// Connected parts, of points that triangles use and others: none of a sampled surface.
-int Parts(const TriangleMesh& mesh)
+int Parts(const SurfaceView& mesh)
 {
   DisjointSets<std::int64_t> sets(static_cast<std::int64_t>(mesh.Points.size()));
   auto components = static_cast<int>(mesh.Points.size());
@@ -77,7 +77,7 @@ double AnalysisCost::Completion() const
       this->Triangulation / static_cast<double>(this->Samples);
 }
 
-AnalysisCost CostOf(const TriangleMesh& samples)
+AnalysisCost CostOf(const SurfaceView& samples)
 {
   AnalysisCost cost;
   cost.Samples = samples.Points.size();

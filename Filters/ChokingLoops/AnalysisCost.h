@@ -5,7 +5,7 @@
 #ifndef isthmus_AnalysisCost_h
 #define isthmus_AnalysisCost_h
 
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
 #include "vtkIsthmusModule.h" // for the export macro
 
 #include <cstddef>
@@ -69,7 +69,7 @@ struct AnalysisCost
 };
 
 /// Cost of the samples of a closed surface, without the time. O(n).
-VTKISTHMUS_EXPORT AnalysisCost CostOf(const TriangleMesh& samples);
+VTKISTHMUS_EXPORT AnalysisCost CostOf(const SurfaceView& samples);
 
 /**
  * Whether that fits into `limit` bytes (0: what is available). If not, `sentence` says what it

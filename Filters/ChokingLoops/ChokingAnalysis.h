@@ -61,7 +61,7 @@ struct ChokingAnalysis
   }
 
   /// Handles and tunnels that the samples did not settle, from tetrahedra that keep `surface`.
-  void Complete(const TriangleMesh& surface, const ProgressCallback& progress)
+  void Complete(const SurfaceView& surface, const ProgressCallback& progress)
   {
     if (AllSettled(this->Found))
     {

@@ -25,7 +25,7 @@ constexpr std::size_t ManyUnsettled = 64;
 
 /// What the samples of round `round` take, by what those before took; `own` points has the surface
 /// itself.
-AnalysisCost NextCost(const TriangleMesh& samples, const ChokingAnalysis& before,
+AnalysisCost NextCost(const SurfaceView& samples, const ChokingAnalysis& before,
   const ChokingLoopTimes& times, int round, std::size_t own)
 {
   AnalysisCost cost = CostOf(samples);
@@ -97,7 +97,7 @@ ChokingLoops::ChokingLoops(
   Report(progress, 1.0);
 }
 
-void ChokingLoops::Complete(const ChokingLoopParameters& parameters, const TriangleMesh& surface,
+void ChokingLoops::Complete(const ChokingLoopParameters& parameters, const SurfaceView& surface,
   std::size_t own, ChokingLoopTimes& times, const ProgressCallback& progress)
 {
   AnalysisCost& cost = this->State->Cost;
@@ -111,7 +111,8 @@ void ChokingLoops::Complete(const ChokingLoopParameters& parameters, const Trian
     }
   }
   Stopwatch watch;
-  this->State->Complete(surface.Points.empty() ? this->State->Samples : surface, progress);
+  this->State->Complete(
+    surface.Points.empty() ? SurfaceView(this->State->Samples) : surface, progress);
   const double took = watch.Lap();
   times.Features += took;
   times.LastRound += took;
@@ -144,12 +145,12 @@ void ChokingLoops::AnalyseSamples(TriangleMesh samples, AnalysisCost cost,
   this->State->Cost = cost;
 }
 
-ChokingLoops::ChokingLoops(const TriangleMesh& surface, const TetrahedralMesh& mesh,
+ChokingLoops::ChokingLoops(const SurfaceView& surface, const TetrahedralMesh& mesh,
   const std::vector<double>& values, const ProgressCallback& progress)
 {
   ChokingLoopTimes times;
   Stopwatch watch;
-  TriangleMesh checked = CheckedSurface(surface, true, Between(progress, 0.0, 0.1));
+  TriangleMesh checked = CheckedSurface(CopyOf(surface), true, Between(progress, 0.0, 0.1));
   times.Check = watch.Lap();
   CellFiltration filtration =
     LowerStarFiltration(mesh, values, checked, Between(progress, 0.1, 0.5));

@@ -15,6 +15,7 @@
 #include "FeatureSelection.h"
 #include "ShapeFeatures.h"
 #include "SurfaceMending.h"
+#include "TetrahedralMesh.h"
 
 #include <functional>
 #include <memory>
@@ -69,7 +70,7 @@ public:
    * or both (thesis, 6.3.1): `values` at the mesh's points, in units of the data, 0 on the surface.
    * Every triangle of the surface must be a face of the mesh.
    */
-  VTKISTHMUS_EXPORT ChokingLoops(const TriangleMesh& surface, const TetrahedralMesh& mesh,
+  VTKISTHMUS_EXPORT ChokingLoops(const SurfaceView& surface, const TetrahedralMesh& mesh,
     const std::vector<double>& values, const ProgressCallback& progress = {});
 
   VTKISTHMUS_EXPORT ~ChokingLoops();
@@ -128,7 +129,7 @@ private:
   void AnalyseSamples(TriangleMesh samples, AnalysisCost cost,
     const ChokingLoopParameters& parameters, ChokingLoopTimes& times,
     const ProgressCallback& progress);
-  void Complete(const ChokingLoopParameters& parameters, const TriangleMesh& surface,
+  void Complete(const ChokingLoopParameters& parameters, const SurfaceView& surface,
     std::size_t own, ChokingLoopTimes& times, const ProgressCallback& progress);
 
   std::unique_ptr<ChokingAnalysis> State;

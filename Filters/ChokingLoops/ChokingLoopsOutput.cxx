@@ -88,7 +88,7 @@ void AddSizes(const ShapeFeature& f, Columns<vtkDoubleArray>& numbers)
 class PointMap
 {
 public:
-  PointMap(const LoopFeature& geometry, const TriangleMesh& samples, vtkPoints* points)
+  PointMap(const LoopFeature& geometry, const SurfaceView& samples, vtkPoints* points)
     : Geometry(geometry)
     , Samples(samples)
     , Points(points)
@@ -108,7 +108,7 @@ public:
 
 private:
   const LoopFeature& Geometry;
-  const TriangleMesh& Samples;
+  SurfaceView Samples;
   vtkPoints* Points;
   std::map<SimplexId, vtkIdType> Ids;
 };
@@ -128,7 +128,7 @@ namespace
 /// The cells of one feature's loops.
 using Cells = std::vector<std::vector<vtkIdType>>;
 
-Cells InsertLoops(const ShownFeature& shown, const TriangleMesh& samples, vtkPoints* points)
+Cells InsertLoops(const ShownFeature& shown, const SurfaceView& samples, vtkPoints* points)
 {
   PointMap map(*shown.Geometry, samples, points);
   Cells cells;

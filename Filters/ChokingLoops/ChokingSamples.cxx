@@ -25,7 +25,7 @@ constexpr std::size_t ManyPlaces = 64;
 constexpr std::size_t MorePoints = 100000;
 
 /// Sum of the lengths of all edges of a closed surface.
-double LengthOfEdges(const TriangleMesh& surface)
+double LengthOfEdges(const SurfaceView& surface)
 {
   double edges = 0.0;
   for (const Triangle& t : surface.Triangles)
@@ -40,12 +40,12 @@ double LengthOfEdges(const TriangleMesh& surface)
 
 }
 
-TriangleMesh Refined(const TriangleMesh& mesh, const std::vector<Refinement>& wanted,
-  double spacing, const ProgressCallback& progress)
+TriangleMesh Refined(const SurfaceView& mesh, const std::vector<Refinement>& wanted, double spacing,
+  const ProgressCallback& progress)
 {
   const double everywhere = wanted.size() > ManyPlaces ? 0.6 * spacing : HUGE_VAL;
   return SplitLongEdges(
-    mesh,
+    CopyOf(mesh),
     [&wanted, everywhere](const Point3& a, const Point3& b)
     {
       double limit = everywhere;
@@ -67,12 +67,12 @@ TriangleMesh Refined(const TriangleMesh& mesh, const std::vector<Refinement>& wa
 }
 
 TriangleMesh FirstSamples(
-  const TriangleMesh& surface, double& spacing, const ProgressCallback& progress)
+  const SurfaceView& surface, double& spacing, const ProgressCallback& progress)
 {
   const auto split = [&surface, &spacing](std::size_t most, const ProgressCallback& part)
   {
     return SplitLongEdges(
-      surface, [&spacing](const Point3&, const Point3&) { return spacing; }, most, part);
+      CopyOf(surface), [&spacing](const Point3&, const Point3&) { return spacing; }, most, part);
   };
   const double edges = LengthOfEdges(surface);
   DemandRange("SampleSpacing", spacing, 0.0, LargestLength, "It is a length; 0 chooses one.");

@@ -26,11 +26,11 @@ struct Refinement
  * points along the edges alone; std::runtime_error when it takes more; Cancelled.
  */
 VTKISTHMUS_EXPORT TriangleMesh FirstSamples(
-  const TriangleMesh& surface, double& spacing, const ProgressCallback& progress = {});
+  const SurfaceView& surface, double& spacing, const ProgressCallback& progress = {});
 
 /// `mesh` split again near the places wanted, or everywhere to 0.6 of `spacing` where these are
 /// many. An empty mesh when that takes too many points.
-VTKISTHMUS_EXPORT TriangleMesh Refined(const TriangleMesh& mesh,
+VTKISTHMUS_EXPORT TriangleMesh Refined(const SurfaceView& mesh,
   const std::vector<Refinement>& wanted, double spacing, const ProgressCallback& progress = {});
 
 }

@@ -1,5 +1,6 @@
 #include "ChokingSurface.h"
 
+#include "Bounds3.h"
 #include "RangeGuard.h"
 #include "SelfIntersections.h"
 #include "SurfaceCheck.h"
@@ -20,14 +21,14 @@ constexpr double Flat = 1e-10; ///< thickness over width: what rounding leaves o
 
 /// Of all points the one where `measure` is greatest.
 template <typename Measure>
-const Point3& Farthest(const std::vector<Point3>& points, Measure&& measure)
+const Point3& Farthest(const View<Point3>& points, Measure&& measure)
 {
   return *std::max_element(points.begin(), points.end(),
     [&measure](const Point3& a, const Point3& b) { return measure(a) < measure(b); });
 }
 
 /// How far the points lie from the plane of three that are far from each other.
-double Thickness(const std::vector<Point3>& points)
+double Thickness(const View<Point3>& points)
 {
   const Point3& origin = points.front();
   const auto square = [](const Point3& v) { return Dot(v, v); };
@@ -40,7 +41,7 @@ double Thickness(const std::vector<Point3>& points)
   return length > 0.0 ? height(Farthest(points, height)) / length : 0.0;
 }
 
-void DemandUsableSize(const TriangleMesh& surface)
+void DemandUsableSize(const SurfaceView& surface)
 {
   for (std::size_t i = 0; i < surface.Points.size(); ++i)
   {
@@ -67,7 +68,7 @@ void DemandUsableSize(const TriangleMesh& surface)
 }
 
 /// Repair would look for an inside for long, in vain.
-void DemandThickness(const TriangleMesh& surface)
+void DemandThickness(const SurfaceView& surface)
 {
   Bounds3 box{ surface.Points.front(), surface.Points.front() };
   for (const Point3& p : surface.Points)
@@ -90,7 +91,7 @@ bool CanBeMended(const SurfaceDefects& defects)
 
 /// The surface repaired where it has thin triangles; none: it has none, or it is as good with them,
 /// since they are no defect by themselves and can't be taken out without making one.
-std::optional<TriangleMesh> WithoutNeedles(const TriangleMesh& surface, bool allowCrossings,
+std::optional<TriangleMesh> WithoutNeedles(const SurfaceView& surface, bool allowCrossings,
   SurfaceMending& mending, const ProgressCallback& progress)
 {
   const std::vector<std::int64_t> thin = ThinTriangles(surface);

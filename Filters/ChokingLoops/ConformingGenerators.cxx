@@ -2,6 +2,7 @@
 
 #include "Index.h"
 #include "LowerStarFiltration.h"
+#include "TetrahedralMesh.h"
 #include "TetrahedralMesher.h"
 
 #include <cmath>
@@ -71,7 +72,7 @@ CellFiltration FiltrationByBalls(const TetrahedralMesh& mesh, TriangleMesh& surf
 class Renamer
 {
 public:
-  Renamer(const TriangleMesh& surface, const TriangleMesh& embedded)
+  Renamer(const SurfaceView& surface, const SurfaceView& embedded)
     : Embedded(embedded)
     , First(static_cast<SimplexId>(surface.Points.size()))
   {
@@ -115,7 +116,7 @@ public:
   }
 
 private:
-  const TriangleMesh& Embedded;
+  SurfaceView Embedded;
   SimplexId First;
   std::unordered_map<SimplexId, SimplexId> Own;
 };
@@ -123,13 +124,13 @@ private:
 }
 
 std::vector<ConformingGenerator> ConformingGenerators(
-  const TriangleMesh& surface, const ProgressCallback& progress)
+  const SurfaceView& surface, const ProgressCallback& progress)
 {
   TetrahedralParameters parameters;
   parameters.Side = MeshedSide::Both;
   parameters.TetGen.RadiusEdgeRatio = 0.0; // no refinement: M's own points and those of a box
   parameters.TetGen.Limits.Seconds = MostSeconds;
-  TriangleMesh embedded = surface;
+  TriangleMesh embedded = CopyOf(surface);
   const CellFiltration f =
     FiltrationByBalls(MeshTetrahedra(surface, parameters, Between(progress, 0.0, 0.6)), embedded);
   const Renamer renamer(surface, embedded);
@@ -161,11 +162,11 @@ std::vector<ConformingGenerator> ConformingGenerators(
   return found;
 }
 
-SplitSurface::SplitSurface(const TriangleMesh& surface, const SurfaceAdjacency& samples)
+SplitSurface::SplitSurface(const SurfaceView& surface, const SurfaceAdjacency& samples)
   : Samples(samples)
   , Original(surface)
 {
-  const std::vector<Point3>& points = samples.Mesh().Points;
+  const View<Point3>& points = samples.Mesh().Points;
   for (std::size_t i = surface.Points.size(); i < points.size(); ++i)
   {
     this->Added.emplace(points[i], static_cast<SimplexId>(i));
@@ -185,7 +186,7 @@ void SplitSurface::AddPieces(SimplexId a, SimplexId b, std::vector<SimplexId>& p
     points.push_back(a);
     return;
   }
-  const std::vector<Point3>& at = this->Samples.Mesh().Points;
+  const View<Point3>& at = this->Samples.Mesh().Points;
   const SimplexId middle = this->Added.at(0.5 * (at[At(a)] + at[At(b)]));
   this->AddPieces(a, middle, points);
   this->AddPieces(middle, b, points);

@@ -35,7 +35,7 @@ struct ConformingGenerator
  * or takes longer than two minutes; Cancelled. Time and memory: see MeshTetrahedra().
  */
 VTKISTHMUS_EXPORT std::vector<ConformingGenerator> ConformingGenerators(
-  const TriangleMesh& surface, const ProgressCallback& progress = {});
+  const SurfaceView& surface, const ProgressCallback& progress = {});
 
 /**
  * A loop and membrane of `surface` on the same surface after SplitLongEdges() (SurfaceSampling.h):
@@ -45,7 +45,7 @@ VTKISTHMUS_EXPORT std::vector<ConformingGenerator> ConformingGenerators(
 class SplitSurface
 {
 public:
-  VTKISTHMUS_EXPORT SplitSurface(const TriangleMesh& surface, const SurfaceAdjacency& samples);
+  VTKISTHMUS_EXPORT SplitSurface(const SurfaceView& surface, const SurfaceAdjacency& samples);
 
   VTKISTHMUS_EXPORT Membrane Of(const Membrane& membrane) const;
 

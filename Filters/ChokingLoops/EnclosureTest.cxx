@@ -26,7 +26,7 @@ double Area(const Point3& a, const Point3& b, const Point3& p)
 
 }
 
-EnclosureTest::EnclosureTest(const TriangleMesh& mesh, const SurfaceHomology& homology)
+EnclosureTest::EnclosureTest(const SurfaceView& mesh, const SurfaceHomology& homology)
   : Mesh(mesh)
   , Homology(homology)
 {

@@ -5,6 +5,7 @@
 #ifndef isthmus_EnclosureTest_h
 #define isthmus_EnclosureTest_h
 
+#include "Bounds3.h"
 #include "SurfaceHomology.h"
 
 namespace isthmus
@@ -19,7 +20,7 @@ namespace isthmus
 class EnclosureTest
 {
 public:
-  VTKISTHMUS_EXPORT EnclosureTest(const TriangleMesh& mesh, const SurfaceHomology& homology);
+  VTKISTHMUS_EXPORT EnclosureTest(const SurfaceView& mesh, const SurfaceHomology& homology);
 
   /// Ascending ids of the components that enclose `p`: an odd number of them means inside. Within
   /// rounding (1e-12 of the size) of the surface either answer may come.
@@ -29,7 +30,7 @@ private:
   std::size_t Bin(double v, std::size_t axis) const;
 
   std::vector<Point3> Points; ///< turned into general position
-  const TriangleMesh& Mesh;
+  SurfaceView Mesh;
   const SurfaceHomology& Homology;
   Bounds3 Box;
   std::size_t Bins = 1;

@@ -69,7 +69,7 @@ std::set<SurfaceEdgeId> OntoSurface(
   return edges;
 }
 
-double Length(const TriangleMesh& mesh, const std::vector<SimplexId>& loop)
+double Length(const SurfaceView& mesh, const std::vector<SimplexId>& loop)
 {
   double length = 0.0;
   for (std::size_t i = 0; i < loop.size(); ++i)

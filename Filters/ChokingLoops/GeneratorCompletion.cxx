@@ -111,7 +111,7 @@ HomologySpan BoundingClasses(
   return span;
 }
 
-void CompleteGenerators(const FeatureContext& context, const TriangleMesh& surface,
+void CompleteGenerators(const FeatureContext& context, const SurfaceView& surface,
   LocatedFeatures& features, const ProgressCallback& progress)
 {
   const std::vector<ConformingGenerator> conforming = ConformingGenerators(surface, progress);

@@ -50,8 +50,8 @@ VTKISTHMUS_EXPORT HomologySpan BoundingClasses(
  *
  * @throws what ConformingGenerators() throws; `features` is then as before.
  */
-VTKISTHMUS_EXPORT void CompleteGenerators(const FeatureContext& context,
-  const TriangleMesh& surface, LocatedFeatures& features, const ProgressCallback& progress = {});
+VTKISTHMUS_EXPORT void CompleteGenerators(const FeatureContext& context, const SurfaceView& surface,
+  LocatedFeatures& features, const ProgressCallback& progress = {});
 
 }
 

@@ -5,6 +5,7 @@
 #ifndef isthmus_GridTetrahedra_h
 #define isthmus_GridTetrahedra_h
 
+#include "TetrahedralMesh.h"
 #include "TriangleMesh.h"
 
 class vtkUnstructuredGrid;

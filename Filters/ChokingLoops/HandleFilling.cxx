@@ -37,7 +37,7 @@ struct Topology
   int Components = 0;
   double Volume = 0.0;
 
-  explicit Topology(const TriangleMesh& mesh)
+  explicit Topology(const SurfaceView& mesh)
     : Characteristic(EulerCharacteristic(mesh))
     , Volume(SignedVolume(mesh))
   {
@@ -208,7 +208,7 @@ private:
     return true;
   }
 
-  bool IsSound(const TriangleMesh& mesh) const
+  bool IsSound(const SurfaceView& mesh) const
   {
     return FindDefects(mesh).None() && SelfIntersections(mesh).empty() &&
       ThinTriangles(mesh).size() <= ThinTriangles(this->Result.Mesh).size();
@@ -224,8 +224,8 @@ private:
 
 }
 
-FilledSurface FillHandles(const TriangleMesh& surface, const HandleFillingParameters& parameters,
-  const ProgressCallback& progress)
+FilledSurface FillHandles(
+  TriangleMesh surface, const HandleFillingParameters& parameters, const ProgressCallback& progress)
 {
   if (!(parameters.Below > 0.0) || !std::isfinite(parameters.Below))
   {
@@ -238,8 +238,8 @@ FilledSurface FillHandles(const TriangleMesh& surface, const HandleFillingParame
                                 "radius.");
   }
   FilledSurface result;
-  result.Mesh =
-    OutwardSurface(CheckedSurface(surface, false, Between(progress, 0.0, 0.2), &result.Mended));
+  result.Mesh = OutwardSurface(
+    CheckedSurface(std::move(surface), false, Between(progress, 0.0, 0.2), &result.Mended));
   result.Filling.assign(result.Mesh.Triangles.size(), 0);
   double from = 0.2;
   for (result.Genus = Topology(result.Mesh).Genus(); result.Genus > 0;)

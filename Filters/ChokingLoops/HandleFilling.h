@@ -61,7 +61,7 @@ struct FilledSurface
  * ChokingLoops does; Cancelled.
  * Time: one ChokingLoops for each round (mostly one or two), and O(n log n) for each plate.
  */
-VTKISTHMUS_EXPORT FilledSurface FillHandles(const TriangleMesh& surface,
+VTKISTHMUS_EXPORT FilledSurface FillHandles(TriangleMesh surface,
   const HandleFillingParameters& parameters, const ProgressCallback& progress = {});
 
 }

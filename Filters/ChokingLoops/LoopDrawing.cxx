@@ -15,7 +15,7 @@ namespace
 class Zipper
 {
 public:
-  Zipper(LoopFeature& feature, const TriangleMesh& samples)
+  Zipper(LoopFeature& feature, const SurfaceView& samples)
     : Feature(feature)
     , Samples(samples)
   {
@@ -59,7 +59,7 @@ private:
   }
 
   LoopFeature& Feature;
-  const TriangleMesh& Samples;
+  SurfaceView Samples;
 };
 
 /// The points of a shortened curve, new ones where it crosses edges.
@@ -119,7 +119,7 @@ bool Tighten(const SurfaceAdjacency& surface, const LoopDrawing& drawing,
   return !curve.Contractible;
 }
 
-void Measure(const TriangleMesh& samples, LoopFeature& feature)
+void Measure(const SurfaceView& samples, LoopFeature& feature)
 {
   for (const auto& loop : feature.Loops)
   {

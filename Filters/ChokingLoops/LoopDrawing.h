@@ -27,7 +27,7 @@ struct LoopFeature
   double SharpestBend = 0.0; ///< largest turn where it is held, in radians
   bool Encircling = false;   ///< not of the class that the choke closed (EncirclingLoops.h)
 
-  const Point3& Point(SimplexId id, const TriangleMesh& samples) const
+  const Point3& Point(SimplexId id, const SurfaceView& samples) const
   {
     const auto i = static_cast<std::size_t>(id);
     return i < samples.Points.size() ? samples.Points[i] : this->Extra[i - samples.Points.size()];

@@ -1,12 +1,13 @@
 #include "MorseValues.h"
 
+#include "Bounds3.h"
 #include "LowerStarFiltration.h"
 #include "SurfaceDistance.h"
 
 namespace isthmus
 {
 
-std::vector<double> MorseValues(const TriangleMesh& surface, const TetrahedralMesh& mesh,
+std::vector<double> MorseValues(const SurfaceView& surface, const TetrahedralMesh& mesh,
   MorseFunction function, const ProgressCallback& progress)
 {
   const std::vector<double> exact =

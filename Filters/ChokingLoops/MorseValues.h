@@ -6,7 +6,8 @@
 #define isthmus_MorseValues_h
 
 #include "Progress.h"
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
+#include "TetrahedralMesh.h"
 #include "vtkIsthmusModule.h"
 
 namespace isthmus
@@ -26,7 +27,7 @@ constexpr std::int64_t MorseGridCells = 100;
 
 /// Values at the mesh's points, 0 on the surface. Errors and cost: SurfaceDistance.h,
 /// LowerStarFiltration.h (EdgeDistances()).
-VTKISTHMUS_EXPORT std::vector<double> MorseValues(const TriangleMesh& surface,
+VTKISTHMUS_EXPORT std::vector<double> MorseValues(const SurfaceView& surface,
   const TetrahedralMesh& mesh, MorseFunction function, const ProgressCallback& progress = {});
 
 }

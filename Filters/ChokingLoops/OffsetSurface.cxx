@@ -1,6 +1,7 @@
 #include "OffsetSurface.h"
 
-#include "MeshOnGrid.h"
+#include "Bounds3.h"
+#include "GridDistance.h"
 #include "RangeGuard.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ Point3 NodeOf(const DistanceGrid& grid, std::size_t i)
 }
 
 /// Room for the offset and two cells beyond it.
-Bounds3 BoxAround(const TriangleMesh& surface, double distance, std::int64_t cells)
+Bounds3 BoxAround(const SurfaceView& surface, double distance, std::int64_t cells)
 {
   if (surface.Triangles.empty())
   {
@@ -64,8 +65,8 @@ Bounds3 BoxAround(const TriangleMesh& surface, double distance, std::int64_t cel
 }
 
 /// Replaces values within two spacings of the level by exact ones.
-void MakeExact(const TriangleMesh& surface, double distance, DistanceGrid& grid,
-  const ProgressCallback& progress)
+void MakeExact(
+  const SurfaceView& surface, double distance, DistanceGrid& grid, const ProgressCallback& progress)
 {
   std::vector<std::size_t> near;
   std::vector<Point3> points;
@@ -86,14 +87,14 @@ void MakeExact(const TriangleMesh& surface, double distance, DistanceGrid& grid,
 
 }
 
-DistanceGrid OffsetDistances(const TriangleMesh& surface, double distance, OffsetSide side,
+DistanceGrid OffsetDistances(const SurfaceView& surface, double distance, OffsetSide side,
   std::int64_t cells, const ProgressCallback& progress)
 {
   DemandRange("Resolution", static_cast<double>(cells), 8, 1024, "It counts cells along a side.");
   const UnitScale scale(surface.Points);
   if (!scale.IsOne())
   {
-    TriangleMesh scaled = surface;
+    TriangleMesh scaled = CopyOf(surface);
     scale.Apply(scaled.Points);
     DistanceGrid grid = OffsetDistances(scaled, scale.Factor() * distance, side, cells, progress);
     const double back = 1.0 / scale.Factor();
@@ -119,8 +120,9 @@ DistanceGrid OffsetDistances(const TriangleMesh& surface, double distance, Offse
   }
   if (side != OffsetSide::Both)
   {
-    const MeshOnGrid mesh(surface, grid.Origin);
-    const std::vector<unsigned char> inside = NodesInside(mesh.View(), ShapeOf(grid));
+    const std::vector<Point3> points = PointsFrom(grid.Origin, surface);
+    const std::vector<unsigned char> inside =
+      NodesInside({ points, surface.Triangles }, ShapeOf(grid));
     const bool wanted = side == OffsetSide::Inside;
     for (std::size_t i = 0; i < inside.size(); ++i)
     {

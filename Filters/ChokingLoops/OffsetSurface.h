@@ -33,7 +33,7 @@ enum class OffsetSide
  * Time: cells^3 nodes at some 50 ns, and some microseconds for each node near the level. Memory: 32
  * bytes a node.
  */
-VTKISTHMUS_EXPORT DistanceGrid OffsetDistances(const TriangleMesh& surface, double distance,
+VTKISTHMUS_EXPORT DistanceGrid OffsetDistances(const SurfaceView& surface, double distance,
   OffsetSide side, std::int64_t cells, const ProgressCallback& progress = {});
 
 }

@@ -1,5 +1,6 @@
 #include "SharedLoops.h"
 
+#include "Bounds3.h"
 #include "ChokeFit.h"
 
 #include <algorithm>

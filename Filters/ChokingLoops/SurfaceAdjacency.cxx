@@ -8,8 +8,8 @@
 namespace isthmus
 {
 
-SurfaceAdjacency::SurfaceAdjacency(const TriangleMesh& mesh)
-  : Surface(&mesh)
+SurfaceAdjacency::SurfaceAdjacency(const SurfaceView& mesh)
+  : Surface(mesh)
   , Opposites(3 * mesh.Triangles.size(), HalfEdgeId::None())
   , EdgeIds(3 * mesh.Triangles.size(), SurfaceEdgeId::None())
   , Outgoing(mesh.Points.size(), HalfEdgeId::None())
@@ -52,8 +52,8 @@ SurfaceAdjacency::SurfaceAdjacency(const TriangleMesh& mesh)
 
 double SurfaceAdjacency::Length(HalfEdgeId h) const
 {
-  return Distance(this->Surface->Points[static_cast<std::size_t>(this->From(h))],
-    this->Surface->Points[static_cast<std::size_t>(this->To(h))]);
+  return Distance(this->Surface.Points[static_cast<std::size_t>(this->From(h))],
+    this->Surface.Points[static_cast<std::size_t>(this->To(h))]);
 }
 
 HalfEdgeId SurfaceAdjacency::Find(SimplexId a, SimplexId b) const

@@ -6,6 +6,7 @@
 #define isthmus_SurfaceAdjacency_h
 
 #include "CellFiltration.h"
+#include "SurfaceView.h"
 
 namespace isthmus
 {
@@ -28,10 +29,11 @@ using SurfaceChain = std::vector<SurfaceEdgeId>;
 class SurfaceAdjacency
 {
 public:
-  /// O(n log n), 28 bytes a half edge. Keeps a reference to `mesh`.
-  VTKISTHMUS_EXPORT explicit SurfaceAdjacency(const TriangleMesh& mesh);
+  /// O(n log n), 28 bytes a half edge. @pre The owner of `mesh` outlives this object.
+  VTKISTHMUS_EXPORT explicit SurfaceAdjacency(const SurfaceView& mesh);
+  explicit SurfaceAdjacency(TriangleMesh&& mesh) = delete;
 
-  const TriangleMesh& Mesh() const { return *this->Surface; }
+  const SurfaceView& Mesh() const { return this->Surface; }
   HandleRange<HalfEdgeId> HalfEdges() const { return this->Opposites.Keys(); }
   HandleRange<SurfaceEdgeId> Edges() const { return this->Halves.Keys(); }
   std::size_t EdgeCount() const { return this->Halves.size(); }
@@ -69,7 +71,7 @@ public:
   VTKISTHMUS_EXPORT HalfEdgeId Find(SimplexId a, SimplexId b) const;
 
 private:
-  const TriangleMesh* Surface;
+  SurfaceView Surface;
   HandleVector<HalfEdgeId, HalfEdgeId> Opposites;
   HandleVector<HalfEdgeId, SurfaceEdgeId> EdgeIds;
   HandleVector<SurfaceEdgeId, HalfEdgeId> Halves;
@@ -78,7 +80,7 @@ private:
 
 inline SimplexId SurfaceAdjacency::From(HalfEdgeId h) const
 {
-  return static_cast<SimplexId>(this->Surface->Triangles[h.Index() / 3][h.Index() % 3]);
+  return static_cast<SimplexId>(this->Surface.Triangles[h.Index() / 3][h.Index() % 3]);
 }
 
 }

@@ -2,7 +2,6 @@
 
 #include "FastMarching.h"
 #include "GridDistance.h"
-#include "MeshOnGrid.h"
 #include "ParallelFor.h"
 #include "TriangleTree.h"
 
@@ -10,10 +9,9 @@ namespace isthmus
 {
 
 std::vector<double> SurfaceDistances(
-  const TriangleMesh& surface, const std::vector<Point3>& points, const ProgressCallback& progress)
+  const SurfaceView& surface, const std::vector<Point3>& points, const ProgressCallback& progress)
 {
-  const MeshOnGrid mesh(surface, { 0, 0, 0 });
-  const TriangleTree tree(mesh.View());
+  const TriangleTree tree(surface);
   constexpr std::size_t Block = 256; // a guess starts anew in each: same bits on any threads
   std::vector<double> distance(points.size());
   ParallelFor(
@@ -62,7 +60,7 @@ double DistanceGrid::At(const Point3& p) const
   return value;
 }
 
-DistanceGrid GridOfDistances(const TriangleMesh& surface, const Bounds3& box, std::int64_t cells,
+DistanceGrid GridOfDistances(const SurfaceView& surface, const Bounds3& box, std::int64_t cells,
   const ProgressCallback& progress)
 {
   DistanceGrid grid;
@@ -74,12 +72,13 @@ DistanceGrid GridOfDistances(const TriangleMesh& surface, const Bounds3& box, st
     grid.Dimensions[a] = static_cast<std::int64_t>(std::ceil(size[a] / grid.Spacing - 1e-9)) + 1;
     grid.Dimensions[a] = std::max<std::int64_t>(grid.Dimensions[a], 2);
   }
-  const MeshOnGrid mesh(surface, grid.Origin);
-  grid.Values = DistanceToSurface(mesh.View(), ShapeOf(grid), 2.0 * grid.Spacing, progress);
+  const std::vector<Point3> points = PointsFrom(grid.Origin, surface);
+  grid.Values =
+    DistanceToSurface({ points, surface.Triangles }, ShapeOf(grid), 2.0 * grid.Spacing, progress);
   return grid;
 }
 
-DistanceGrid MarchedDistances(const TriangleMesh& surface, const Bounds3& box, std::int64_t cells,
+DistanceGrid MarchedDistances(const SurfaceView& surface, const Bounds3& box, std::int64_t cells,
   const ProgressCallback& progress)
 {
   DistanceGrid grid = GridOfDistances(surface, box, cells, Between(progress, 0.0, 0.7));

@@ -5,8 +5,9 @@
 #ifndef isthmus_SurfaceDistance_h
 #define isthmus_SurfaceDistance_h
 
+#include "Bounds3.h"
 #include "Progress.h"
-#include "TriangleMesh.h"
+#include "SurfaceCrossings.h"
 #include "vtkIsthmusModule.h"
 
 namespace isthmus
@@ -14,7 +15,7 @@ namespace isthmus
 
 /// Distance, not signed, of each point to the nearest point of any triangle, by a
 /// TriangleTree. Some microseconds a point, in parallel, the same bits on any number of threads.
-VTKISTHMUS_EXPORT std::vector<double> SurfaceDistances(const TriangleMesh& surface,
+VTKISTHMUS_EXPORT std::vector<double> SurfaceDistances(const SurfaceView& surface,
   const std::vector<Point3>& points, const ProgressCallback& progress = {});
 
 /// A regular grid over a box.
@@ -29,13 +30,18 @@ struct DistanceGrid
   VTKISTHMUS_EXPORT double At(const Point3& p) const;
 };
 
+inline GridShape ShapeOf(const DistanceGrid& grid)
+{
+  return { grid.Dimensions, { grid.Spacing, grid.Spacing, grid.Spacing } };
+}
+
 /**
  * Distance to the surface at the nodes of a grid over `box`, `cells` along its longest side.
  *
  * By DistanceToSurface(): exact within two spacings h of the surface; farther away too large by at
  * most about h^2 / (2 distance), which is what trilinear sampling may be wrong by as well.
  */
-VTKISTHMUS_EXPORT DistanceGrid GridOfDistances(const TriangleMesh& surface, const Bounds3& box,
+VTKISTHMUS_EXPORT DistanceGrid GridOfDistances(const SurfaceView& surface, const Bounds3& box,
   std::int64_t cells, const ProgressCallback& progress = {});
 
 /**
@@ -43,7 +49,7 @@ VTKISTHMUS_EXPORT DistanceGrid GridOfDistances(const TriangleMesh& surface, cons
  * it is exact: |grad d| = 1 solved to first order, error O(h log h), as the thesis has it where a
  * surface comes from an implicit function that is no signed distance (6.3.2).
  */
-VTKISTHMUS_EXPORT DistanceGrid MarchedDistances(const TriangleMesh& surface, const Bounds3& box,
+VTKISTHMUS_EXPORT DistanceGrid MarchedDistances(const SurfaceView& surface, const Bounds3& box,
   std::int64_t cells, const ProgressCallback& progress = {});
 
 }

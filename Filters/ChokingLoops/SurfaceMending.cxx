@@ -55,7 +55,7 @@ void DrawApart(TriangleMesh& mesh)
 }
 
 /// Of the surface as turned, parts that face inward counted as holes.
-double VolumeOf(const TriangleMesh& mesh)
+double VolumeOf(const SurfaceView& mesh)
 {
   double six = 0.0;
   const Point3 origin = mesh.Points.empty() ? Point3{ 0, 0, 0 } : mesh.Points.front();
@@ -68,7 +68,7 @@ double VolumeOf(const TriangleMesh& mesh)
 }
 
 /// Corners of a triangle, the least first, in their order round it.
-std::array<Point3, 3> PlacesOf(const TriangleMesh& mesh, const Triangle& t)
+std::array<Point3, 3> PlacesOf(const SurfaceView& mesh, const Triangle& t)
 {
   std::array<Point3, 3> p{ mesh.Points[At(t[0])], mesh.Points[At(t[1])], mesh.Points[At(t[2])] };
   std::rotate(p.begin(), std::min_element(p.begin(), p.end()), p.end());
@@ -76,7 +76,7 @@ std::array<Point3, 3> PlacesOf(const TriangleMesh& mesh, const Triangle& t)
 }
 
 /// Counts and places the triangles of `before` that are not in `after`.
-void TellChanged(const TriangleMesh& before, const TriangleMesh& after, SurfaceMending& mending)
+void TellChanged(const SurfaceView& before, const SurfaceView& after, SurfaceMending& mending)
 {
   std::map<std::array<Point3, 3>, int> left;
   for (const Triangle& t : after.Triangles)
@@ -98,9 +98,9 @@ void TellChanged(const TriangleMesh& before, const TriangleMesh& after, SurfaceM
 }
 
 /// One round of repair.
-TriangleMesh Repaired(const TriangleMesh& surface, const ProgressCallback& progress)
+TriangleMesh Repaired(const SurfaceView& surface, const ProgressCallback& progress)
 {
-  TriangleMesh mesh = surface;
+  TriangleMesh mesh = CopyOf(surface);
   if (FindDefects(mesh).None() && !ThinTriangles(mesh).empty())
   {
     mesh = WithoutThinTriangles(mesh);
@@ -115,7 +115,7 @@ TriangleMesh Repaired(const TriangleMesh& surface, const ProgressCallback& progr
   return mesh;
 }
 
-bool IsClean(const TriangleMesh& mesh, bool allowCrossings, const ProgressCallback& progress)
+bool IsClean(const SurfaceView& mesh, bool allowCrossings, const ProgressCallback& progress)
 {
   return !mesh.Triangles.empty() && FindDefects(mesh).None() && ThinTriangles(mesh).empty() &&
     (allowCrossings || SelfIntersections(mesh, progress).empty());
@@ -123,10 +123,10 @@ bool IsClean(const TriangleMesh& mesh, bool allowCrossings, const ProgressCallba
 
 }
 
-TriangleMesh MendedSurface(const TriangleMesh& surface, const std::string& what,
-  bool allowCrossings, SurfaceMending& mending, const ProgressCallback& progress)
+TriangleMesh MendedSurface(const SurfaceView& surface, const std::string& what, bool allowCrossings,
+  SurfaceMending& mending, const ProgressCallback& progress)
 {
-  TriangleMesh mesh = surface;
+  TriangleMesh mesh = CopyOf(surface);
   bool clean = false;
   try
   {

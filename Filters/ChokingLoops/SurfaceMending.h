@@ -6,7 +6,7 @@
 #define isthmus_SurfaceMending_h
 
 #include "Progress.h"
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
 #include "vtkIsthmusModule.h"
 
 #include <string>
@@ -34,7 +34,7 @@ constexpr double MendedShare = 0.01;
  * std::invalid_argument with a sentence when that fails or changes the volume by more than
  * MendedShare. `what` says what is wrong and begins that sentence.
  */
-VTKISTHMUS_EXPORT TriangleMesh MendedSurface(const TriangleMesh& surface, const std::string& what,
+VTKISTHMUS_EXPORT TriangleMesh MendedSurface(const SurfaceView& surface, const std::string& what,
   bool allowCrossings, SurfaceMending& mending, const ProgressCallback& progress = {});
 
 }

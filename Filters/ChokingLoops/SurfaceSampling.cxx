@@ -117,7 +117,7 @@ void AddPieces(const std::vector<Point3>& points, Triangle t, std::array<std::in
 
 }
 
-std::vector<double> SamplingErrors(const TriangleMesh& mesh)
+std::vector<double> SamplingErrors(const SurfaceView& mesh)
 {
   std::vector<double> error(mesh.Points.size(), 0.0);
   for (const Triangle& t : mesh.Triangles)
@@ -141,7 +141,7 @@ std::vector<double> SamplingErrors(const TriangleMesh& mesh)
   return error;
 }
 
-double EdgeLengthFor(const TriangleMesh& mesh, double points)
+double EdgeLengthFor(const SurfaceView& mesh, double points)
 {
   double area = 0.0;
   const auto count = static_cast<std::int64_t>(mesh.Points.size());

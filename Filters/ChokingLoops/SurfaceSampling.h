@@ -6,7 +6,7 @@
 #define isthmus_SurfaceSampling_h
 
 #include "Progress.h"
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
 #include "vtkIsthmusModule.h"
 
 #include <functional>
@@ -22,10 +22,10 @@ namespace isthmus
  * of S with death^2 - birth^2 > e^2 is one of M, and a radius d of S means one of M between
  * sqrt(d^2 - e^2) and d. O(n).
  */
-VTKISTHMUS_EXPORT std::vector<double> SamplingErrors(const TriangleMesh& mesh);
+VTKISTHMUS_EXPORT std::vector<double> SamplingErrors(const SurfaceView& mesh);
 
 /// Edge length that spreads about `points` samples evenly over the area of `mesh`.
-VTKISTHMUS_EXPORT double EdgeLengthFor(const TriangleMesh& mesh, double points);
+VTKISTHMUS_EXPORT double EdgeLengthFor(const SurfaceView& mesh, double points);
 
 /**
  * Splits edges longer than `limit(point, point)` at their midpoints, again and again, until none is

@@ -54,7 +54,7 @@ void TellDrawing(const isthmus::DrawingCost& cost)
 }
 
 /// What an analysis is going to take, as far as it can be known: its time depends on the shape.
-void TellEstimate(const isthmus::TriangleMesh& surface, double spacing)
+void TellEstimate(const isthmus::SurfaceView& surface, double spacing)
 {
   // Halved edges are three quarters of the spacing long, on average.
   const double asked =
@@ -193,7 +193,7 @@ void vtkChokingLoops::Keep(std::unique_ptr<Cache> made)
   this->Kept = std::move(made);
 }
 
-std::vector<double> vtkChokingLoops::MorseValues(const isthmus::TriangleMesh& surface,
+std::vector<double> vtkChokingLoops::MorseValues(const isthmus::SurfaceView& surface,
   const isthmus::TetrahedralMesh& mesh, vtkUnstructuredGrid* given)
 {
   if (this->MorseFunction == PointArray)

@@ -72,8 +72,8 @@ namespace isthmus
 {
 struct FeatureSelection;
 struct ShownFeature;
+struct SurfaceView;
 struct TetrahedralMesh;
-struct TriangleMesh;
 }
 
 class VTKISTHMUS_EXPORT vtkChokingLoops : public vtkPolyDataAlgorithm
@@ -277,7 +277,7 @@ private:
   void Keep(std::unique_ptr<Cache> made);
   isthmus::FeatureSelection Selection() const;
   std::vector<isthmus::ShownFeature> DrawLoops();
-  std::vector<double> MorseValues(const isthmus::TriangleMesh& surface,
+  std::vector<double> MorseValues(const isthmus::SurfaceView& surface,
     const isthmus::TetrahedralMesh& mesh, vtkUnstructuredGrid* given);
 
   int Side = Both;

@@ -2,7 +2,6 @@
 
 #include "AlgorithmGuard.h"
 #include "OffsetSurface.h"
-#include "PolyDataMesh.h"
 #include "PolyDataTriangles.h"
 #include "WholeSurface.h"
 
@@ -60,8 +59,8 @@ int vtkOffsetSurface::RequestData(
         return;
       }
       const isthmus::PolyDataTriangles triangles(surface);
-      const isthmus::DistanceGrid grid = isthmus::OffsetDistances(isthmus::MeshOf(triangles.View()),
-        this->Distance, static_cast<isthmus::OffsetSide>(this->Side), this->Resolution,
+      const isthmus::DistanceGrid grid = isthmus::OffsetDistances(triangles.View(), this->Distance,
+        static_cast<isthmus::OffsetSide>(this->Side), this->Resolution,
         isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
       vtkNew<vtkDoubleArray> values;
       values->SetName("DistanceToSurface");

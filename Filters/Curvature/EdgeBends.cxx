@@ -14,9 +14,10 @@ using PointMap = Eigen::Map<const Vector3d>;
 
 Vector3d NormalOf(const SurfaceView& mesh, MeshTriangle triangle)
 {
-  const vtkIdType* const corner = mesh.Triangle(triangle.Value);
-  const PointMap a(mesh.Point(corner[0]));
-  return (PointMap(mesh.Point(corner[1])) - a).cross(PointMap(mesh.Point(corner[2])) - a);
+  const Triangle& corner = mesh.Corners(triangle.Value);
+  const PointMap a(mesh.Point(corner[0]).data());
+  return (PointMap(mesh.Point(corner[1]).data()) - a)
+    .cross(PointMap(mesh.Point(corner[2]).data()) - a);
 }
 
 /// The only triangle around `from` that runs along the edge from `to` to `from`; None without one.
@@ -42,16 +43,16 @@ MeshTriangle AcrossEdge(const TriangleStars& stars, vtkIdType from, vtkIdType to
 
 EdgeBends::EdgeBends(const SurfaceView& mesh, const TriangleStars& stars)
   : Mesh(mesh)
-  , Neighbours(static_cast<std::size_t>(mesh.NumberOfTriangles))
-  , Angles(static_cast<std::size_t>(mesh.NumberOfTriangles))
-  , Areas(static_cast<std::size_t>(mesh.NumberOfTriangles))
+  , Neighbours(mesh.Triangles.size())
+  , Angles(mesh.Triangles.size())
+  , Areas(mesh.Triangles.size())
 {
-  ParallelFor(0, mesh.NumberOfTriangles, 4096,
+  ParallelFor(0, mesh.NumberOfTriangles(), 4096,
     [&](std::int64_t first, std::int64_t last)
     {
       for (const MeshTriangle triangle : HandleRange<MeshTriangle>(first, last))
       {
-        const vtkIdType* const corner = mesh.Triangle(triangle.Value);
+        const Triangle& corner = mesh.Corners(triangle.Value);
         const Vector3d normal = NormalOf(mesh, triangle);
         this->Areas[triangle] = 0.5 * normal.norm();
         for (std::size_t edge = 0; edge < 3; ++edge)
@@ -64,7 +65,7 @@ EdgeBends::EdgeBends(const SurfaceView& mesh, const TriangleStars& stars)
           {
             const Vector3d otherNormal = NormalOf(mesh, other);
             const Vector3d along =
-              (PointMap(mesh.Point(to)) - PointMap(mesh.Point(from))).normalized();
+              (PointMap(mesh.Point(to).data()) - PointMap(mesh.Point(from).data())).normalized();
             this->Angles[triangle][edge] =
               std::atan2(normal.cross(otherNormal).dot(along), normal.dot(otherNormal));
           }
@@ -76,9 +77,9 @@ EdgeBends::EdgeBends(const SurfaceView& mesh, const TriangleStars& stars)
 void EdgeBends::AddEdge(
   MeshTriangle triangle, std::size_t edge, double part, TensorSums& sums) const
 {
-  const vtkIdType* const corner = this->Mesh.Triangle(triangle.Value);
-  const Vector3d along =
-    PointMap(this->Mesh.Point(corner[(edge + 1) % 3])) - PointMap(this->Mesh.Point(corner[edge]));
+  const Triangle& corner = this->Mesh.Corners(triangle.Value);
+  const Vector3d along = PointMap(this->Mesh.Point(corner[(edge + 1) % 3]).data()) -
+    PointMap(this->Mesh.Point(corner[edge]).data());
   const double squaredLength = along.squaredNorm();
   if (squaredLength > 0.0)
   {

@@ -156,11 +156,14 @@ void FillHistogram(vtkTable* table, const SurfaceView& mesh, const ThresholdedSc
 {
   double low = Infinity;
   double high = -Infinity;
-  for (vtkIdType i = 0; i < 3 * mesh.NumberOfTriangles; ++i)
+  for (const Triangle& corners : mesh.Triangles)
   {
-    const double value = scalar.Values[static_cast<std::size_t>(mesh.Triangles[i])];
-    low = std::min(low, value);
-    high = std::max(high, value);
+    for (const vtkIdType point : corners)
+    {
+      const double value = scalar.Values[At(point)];
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
   }
   if (!(low < high))
   {

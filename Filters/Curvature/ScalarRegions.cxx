@@ -88,7 +88,7 @@ public:
   {
   }
 
-  void Add(const vtkIdType* id, double area, Table& table)
+  void Add(const Triangle& id, double area, Table& table)
   {
     std::array<std::pair<std::size_t, std::size_t>, 2> range;
     this->Whole.clear();
@@ -158,23 +158,26 @@ void CheckThresholds(const ThresholdedScalar& scalar)
 
 void CheckValues(const SurfaceView& mesh, const ThresholdedScalar& scalar)
 {
-  for (vtkIdType i = 0; i < 3 * mesh.NumberOfTriangles; ++i)
+  for (const Triangle& corners : mesh.Triangles)
   {
-    const vtkIdType point = mesh.Triangles[i];
-    if (!std::isfinite(scalar.Values[static_cast<std::size_t>(point)]))
+    for (const vtkIdType point : corners)
     {
-      throw std::invalid_argument("The scalar at point " + std::to_string(point) +
-        " is not a finite number: remove the cells around the point first, with Threshold for "
-        "instance.");
+      if (!std::isfinite(scalar.Values[At(point)]))
+      {
+        throw std::invalid_argument("The scalar at point " + std::to_string(point) +
+          " is not a finite number: remove the cells around the point first, with Threshold for "
+          "instance.");
+      }
     }
   }
 }
 
-double AreaOf(const SurfaceView& mesh, const vtkIdType* id)
+double AreaOf(const SurfaceView& mesh, const Triangle& id)
 {
   using PointMap = Eigen::Map<const Eigen::Vector3d>;
-  const PointMap a(mesh.Point(id[0]));
-  return 0.5 * (PointMap(mesh.Point(id[1])) - a).cross(PointMap(mesh.Point(id[2])) - a).norm();
+  const PointMap a(mesh.Point(id[0]).data());
+  return 0.5 *
+    (PointMap(mesh.Point(id[1]).data()) - a).cross(PointMap(mesh.Point(id[2]).data()) - a).norm();
 }
 
 }
@@ -198,7 +201,7 @@ std::vector<double> RegionAreas(const SurfaceView& mesh, const ThresholdedScalar
     CheckThresholds(*scalar);
     CheckValues(mesh, *scalar);
   }
-  const auto regionOf = [](const ThresholdedScalar& scalar, const vtkIdType* id)
+  const auto regionOf = [](const ThresholdedScalar& scalar, const Triangle& id)
   {
     const auto at = [&](int corner)
     { return scalar.RegionOf(scalar.Values[static_cast<std::size_t>(id[corner])]); };
@@ -210,7 +213,7 @@ std::vector<double> RegionAreas(const SurfaceView& mesh, const ThresholdedScalar
     TriangleCutter cutter(first, second);
     for (vtkIdType t = from; t < to; ++t)
     {
-      const vtkIdType* const id = mesh.Triangle(t);
+      const Triangle& id = mesh.Corners(t);
       const double area = AreaOf(mesh, id);
       if (rule == AreaRule::Fractional)
       {
@@ -222,7 +225,7 @@ std::vector<double> RegionAreas(const SurfaceView& mesh, const ThresholdedScalar
       }
     }
   };
-  return ParallelReduce(mesh.NumberOfTriangles, 4096, zero, work, progress).Areas;
+  return ParallelReduce(mesh.NumberOfTriangles(), 4096, zero, work, progress).Areas;
 }
 
 }

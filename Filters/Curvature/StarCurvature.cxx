@@ -43,14 +43,14 @@ StarSums SumStar(
   const SurfaceView& mesh, const TriangleStars& stars, vtkIdType point, DualArea rule)
 {
   StarSums sums;
-  const PointMap v(mesh.Point(point));
+  const PointMap v(mesh.Point(point).data());
   const MeshTriangle* const triangles = stars.Triangles(point);
   for (vtkIdType i = 0; i < stars.Size(point); ++i)
   {
     const auto [a, b] = stars.OppositeEdge(triangles[i], point);
     Corner corner;
-    corner.ToA = PointMap(mesh.Point(a)) - v;
-    corner.ToB = PointMap(mesh.Point(b)) - v;
+    corner.ToA = PointMap(mesh.Point(a).data()) - v;
+    corner.ToB = PointMap(mesh.Point(b).data()) - v;
     const Vector3d opposite = corner.ToB - corner.ToA;
     const Vector3d normal = corner.ToA.cross(corner.ToB);
     corner.TwiceArea = normal.norm();

@@ -29,20 +29,20 @@ double OrientationOf(
   const auto open = [](StarKind kind)
   { return kind == StarKind::Boundary || kind == StarKind::Irregular; };
   if (orientation != SurfaceOrientation::Automatic ||
-    std::any_of(kinds.begin(), kinds.end(), open) || mesh.NumberOfTriangles == 0)
+    std::any_of(kinds.begin(), kinds.end(), open) || mesh.NumberOfTriangles() == 0)
   {
     return orientation == SurfaceOrientation::Reversed ? -1.0 : 1.0;
   }
-  const Vector3d origin = PointMap(mesh.Point(mesh.Triangle(0)[0]));
-  const double sixVolumes = ParallelReduce(mesh.NumberOfTriangles, 16384, 0.0,
+  const Vector3d origin = PointMap(mesh.Point(mesh.Corners(0)[0]).data());
+  const double sixVolumes = ParallelReduce(mesh.NumberOfTriangles(), 16384, 0.0,
     [&](double& sum, std::int64_t first, std::int64_t last)
     {
       for (vtkIdType t = first; t < last; ++t)
       {
-        const vtkIdType* const corner = mesh.Triangle(t);
-        const Vector3d a = PointMap(mesh.Point(corner[0])) - origin;
-        const Vector3d b = PointMap(mesh.Point(corner[1])) - origin;
-        const Vector3d c = PointMap(mesh.Point(corner[2])) - origin;
+        const Triangle& corner = mesh.Corners(t);
+        const Vector3d a = PointMap(mesh.Point(corner[0]).data()) - origin;
+        const Vector3d b = PointMap(mesh.Point(corner[1]).data()) - origin;
+        const Vector3d c = PointMap(mesh.Point(corner[2]).data()) - origin;
         sum += a.dot(b.cross(c));
       }
     });
@@ -51,20 +51,21 @@ double OrientationOf(
 
 double MeanEdgeLength(const SurfaceView& mesh)
 {
-  const double sum = ParallelReduce(mesh.NumberOfTriangles, 16384, 0.0,
+  const double sum = ParallelReduce(mesh.NumberOfTriangles(), 16384, 0.0,
     [&](double& partial, std::int64_t first, std::int64_t last)
     {
       for (vtkIdType t = first; t < last; ++t)
       {
-        const vtkIdType* const corner = mesh.Triangle(t);
+        const Triangle& corner = mesh.Corners(t);
         for (int k = 0; k < 3; ++k)
         {
-          partial +=
-            (PointMap(mesh.Point(corner[(k + 1) % 3])) - PointMap(mesh.Point(corner[k]))).norm();
+          partial += (PointMap(mesh.Point(corner[(k + 1) % 3]).data()) -
+            PointMap(mesh.Point(corner[k]).data()))
+                       .norm();
         }
       }
     });
-  return sum / static_cast<double>(std::max<vtkIdType>(3 * mesh.NumberOfTriangles, 1));
+  return sum / static_cast<double>(std::max<vtkIdType>(3 * mesh.NumberOfTriangles(), 1));
 }
 
 /// Why a point has no curvature, counted.
@@ -87,7 +88,7 @@ public:
     , Stars(mesh)
     , Kinds(StarKinds(mesh, this->Stars))
     , Side(OrientationOf(mesh, this->Kinds, options.Orientation))
-    , Verdicts(static_cast<std::size_t>(mesh.NumberOfPoints), Verdict::Isolated)
+    , Verdicts(mesh.Points.size(), Verdict::Isolated)
   {
   }
 
@@ -114,7 +115,7 @@ private:
 
 void Estimator::Allocate()
 {
-  const auto points = static_cast<std::size_t>(this->Mesh.NumberOfPoints);
+  const auto points = this->Mesh.Points.size();
   for (std::vector<double>* values : { &this->Result.Gaussian, &this->Result.Mean,
          &this->Result.HalfDifference, &this->Result.Area })
   {
@@ -139,10 +140,10 @@ SurfaceCurvatureResult Estimator::Run(const ProgressCallback& progress)
     this->Radius =
       this->Options.Radius > 0.0 ? this->Options.Radius : 3.0 * MeanEdgeLength(this->Mesh);
     // Each piece of the loop clears stamps for all triangles: not too many pieces, then.
-    grain = std::max<std::int64_t>(512, this->Mesh.NumberOfPoints / 256);
+    grain = std::max<std::int64_t>(512, this->Mesh.NumberOfPoints() / 256);
   }
   ParallelFor(
-    0, this->Mesh.NumberOfPoints, grain,
+    0, this->Mesh.NumberOfPoints(), grain,
     [&](std::int64_t first, std::int64_t last)
     { tensor ? this->WithTensor(first, last) : this->WithDefect(first, last); },
     progress);
@@ -211,12 +212,12 @@ TensorSums Estimator::NeighbourhoodOf(vtkIdType point, SurfacePatch& patch) cons
   const MeshTriangle* const star = this->Stars.Triangles(point);
   for (vtkIdType i = 0; i < this->Stars.Size(point); ++i)
   {
-    const vtkIdType* const id = this->Mesh.Triangle(star[i].Value);
+    const Triangle& id = this->Mesh.Corners(star[i].Value);
     sums.Area += this->Bends->Area(star[i]);
     for (std::size_t edge = 0; edge < 3; ++edge)
     {
-      const PointMap a(this->Mesh.Point(id[edge]));
-      const PointMap b(this->Mesh.Point(id[(edge + 1) % 3]));
+      const PointMap a(this->Mesh.Point(id[edge]).data());
+      const PointMap b(this->Mesh.Point(id[(edge + 1) % 3]).data());
       this->Bends->AddEdge(star[i], edge, (b - a).norm(), sums);
     }
   }

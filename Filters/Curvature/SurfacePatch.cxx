@@ -87,7 +87,7 @@ SurfacePatch::SurfacePatch(
   , Stars(stars)
   , Bends(bends)
   , Radius(radius)
-  , TriangleStamps(static_cast<std::size_t>(mesh.NumberOfTriangles), 0)
+  , TriangleStamps(mesh.Triangles.size(), 0)
 {
 }
 
@@ -103,7 +103,7 @@ TensorSums SurfacePatch::OverBall(vtkIdType point)
 {
   ++this->Stamp;
   TensorSums sums;
-  const PointMap centre(this->Mesh.Point(point));
+  const PointMap centre(this->Mesh.Point(point).data());
   const MeshTriangle* const star = this->Stars.Triangles(point);
   this->Pending.assign(star, star + this->Stars.Size(point));
   std::for_each(
@@ -112,9 +112,10 @@ TensorSums SurfacePatch::OverBall(vtkIdType point)
   {
     const MeshTriangle triangle = this->Pending.back();
     this->Pending.pop_back();
-    const vtkIdType* const id = this->Mesh.Triangle(triangle.Value);
-    const Vector3d corner[3] = { PointMap(this->Mesh.Point(id[0])) - centre,
-      PointMap(this->Mesh.Point(id[1])) - centre, PointMap(this->Mesh.Point(id[2])) - centre };
+    const Triangle& id = this->Mesh.Corners(triangle.Value);
+    const Vector3d corner[3] = { PointMap(this->Mesh.Point(id[0]).data()) - centre,
+      PointMap(this->Mesh.Point(id[1]).data()) - centre,
+      PointMap(this->Mesh.Point(id[2]).data()) - centre };
     sums.Area += AreaInBall(corner[0], corner[1], corner[2], this->Radius);
     for (std::size_t edge = 0; edge < 3; ++edge)
     {
@@ -155,9 +156,9 @@ void SurfacePatch::Reach(vtkIdType point, double distance)
 
 double SurfacePatch::AcrossTriangle(vtkIdType known1, vtkIdType known2, vtkIdType target) const
 {
-  const PointMap a(this->Mesh.Point(known1));
-  const PointMap b(this->Mesh.Point(known2));
-  const PointMap c(this->Mesh.Point(target));
+  const PointMap a(this->Mesh.Point(known1).data());
+  const PointMap b(this->Mesh.Point(known2).data());
+  const PointMap c(this->Mesh.Point(target).data());
   const double da = this->Distance(known1);
   const double db = this->Distance(known2);
   const double alongEdges = std::min(da + (c - a).norm(), db + (c - b).norm());
@@ -178,8 +179,8 @@ double SurfacePatch::AcrossTriangle(vtkIdType known1, vtkIdType known2, vtkIdTyp
 
 void SurfacePatch::SpreadDistances(vtkIdType point)
 {
-  this->PointStamps.resize(static_cast<std::size_t>(this->Mesh.NumberOfPoints), 0);
-  this->Distances.resize(static_cast<std::size_t>(this->Mesh.NumberOfPoints));
+  this->PointStamps.resize(this->Mesh.Points.size(), 0);
+  this->Distances.resize(this->Mesh.Points.size());
   this->Reach(point, 0.0);
   while (!this->Queue.empty())
   {
@@ -218,7 +219,7 @@ TensorSums SurfacePatch::OverDisc(vtkIdType point)
 
 void SurfacePatch::AddDiscTriangle(MeshTriangle triangle, TensorSums& sums) const
 {
-  const vtkIdType* const id = this->Mesh.Triangle(triangle.Value);
+  const Triangle& id = this->Mesh.Corners(triangle.Value);
   double beyond[3]; // distance to the rim, negative inside
   int inside = 0;
   for (std::size_t i = 0; i < 3; ++i)
@@ -246,9 +247,9 @@ void SurfacePatch::AddDiscTriangle(MeshTriangle triangle, TensorSums& sums) cons
       : a < 0.0                            ? a / (a - b)
       : b < 0.0                            ? b / (b - a)
                                            : 0.0;
-    const double length =
-      (PointMap(this->Mesh.Point(id[(edge + 1) % 3])) - PointMap(this->Mesh.Point(id[edge])))
-        .norm();
+    const double length = (PointMap(this->Mesh.Point(id[(edge + 1) % 3]).data()) -
+      PointMap(this->Mesh.Point(id[edge]).data()))
+                            .norm();
     this->Bends.AddEdge(triangle, edge, part * length, sums);
   }
 }

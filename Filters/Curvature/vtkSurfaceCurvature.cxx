@@ -96,7 +96,7 @@ void Spread(const std::vector<vtkIdType>& places, SurfaceCurvatureResult& result
 /// Curvature with points that coincide as one (SurfaceIntake.h) where the surface is not closed and
 /// regular as it is: files with texture coordinates or normals at corners are so at every seam.
 /// `places`: for each point the one that stands for its place, empty where all are their own.
-SurfaceCurvatureResult CurvatureOfPlaces(isthmus::SurfaceView mesh,
+SurfaceCurvatureResult CurvatureOfPlaces(const isthmus::SurfaceView& mesh,
   const isthmus::SurfaceCurvatureOptions& options, const isthmus::ProgressCallback& progress,
   std::vector<vtkIdType>& places)
 {
@@ -105,16 +105,13 @@ SurfaceCurvatureResult CurvatureOfPlaces(isthmus::SurfaceView mesh,
   {
     return result;
   }
-  const std::vector<vtkIdType> corners = isthmus::MergedCorners(mesh, &places);
-  if (std::equal(corners.begin(), corners.end(), mesh.Triangles,
-        mesh.Triangles + 3 * mesh.NumberOfTriangles))
+  const std::vector<isthmus::Triangle> merged = isthmus::MergedCorners(mesh, &places);
+  if (std::equal(merged.begin(), merged.end(), mesh.Triangles.begin(), mesh.Triangles.end()))
   {
     places.clear();
     return result;
   }
-  mesh.Triangles = corners.data();
-  mesh.NumberOfTriangles = static_cast<vtkIdType>(corners.size() / 3);
-  result = isthmus::CurvatureOfSurface(mesh, options, progress);
+  result = isthmus::CurvatureOfSurface({ mesh.Points, merged }, options, progress);
   Spread(places, result);
   return result;
 }

@@ -9,25 +9,21 @@ namespace isthmus
 
 double TriangleArea(const SurfaceView& surface, vtkIdType triangle)
 {
-  const vtkIdType* corners = surface.Triangle(triangle);
-  const double* a = surface.Point(corners[0]);
-  const double* b = surface.Point(corners[1]);
-  const double* c = surface.Point(corners[2]);
-  const double u[3] = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
-  const double v[3] = { c[0] - a[0], c[1] - a[1], c[2] - a[2] };
-  return 0.5 *
-    std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+  const Triangle& corners = surface.Corners(triangle);
+  const Point3& a = surface.Point(corners[0]);
+  const Point3 normal = Cross(surface.Point(corners[1]) - a, surface.Point(corners[2]) - a);
+  return 0.5 * std::hypot(normal[0], normal[1], normal[2]);
 }
 
 std::vector<double> PointAreas(const SurfaceView& surface)
 {
-  std::vector<double> areas(static_cast<std::size_t>(surface.NumberOfPoints), 0.0);
-  for (vtkIdType t = 0; t < surface.NumberOfTriangles; ++t)
+  std::vector<double> areas(surface.Points.size(), 0.0);
+  for (vtkIdType t = 0; t < surface.NumberOfTriangles(); ++t)
   {
     const double third = TriangleArea(surface, t) / 3.0;
-    for (int corner = 0; corner < 3; ++corner)
+    for (const vtkIdType point : surface.Corners(t))
     {
-      areas[static_cast<std::size_t>(surface.Triangle(t)[corner])] += third;
+      areas[At(point)] += third;
     }
   }
   return areas;

@@ -48,8 +48,8 @@ private:
   std::pair<std::int64_t, std::int64_t> Range(
     vtkIdType triangle, std::size_t axis, double band) const
   {
-    const vtkIdType* const id = this->Mesh.Triangle(triangle);
-    const auto at = [&](int c) { return this->Mesh.Point(id[c])[axis]; };
+    const Triangle& id = this->Mesh.Corners(triangle);
+    const auto at = [&](std::size_t c) { return this->Mesh.Point(id[c])[axis]; };
     const auto [low, high] = std::minmax({ at(0), at(1), at(2) });
     const double h = this->Grid.Spacing[axis];
     const auto last = static_cast<double>(this->Grid.Dimensions[axis] - 1);
@@ -62,7 +62,7 @@ private:
   {
     const std::int64_t count = (this->Grid.Dimensions[2] + SlabLayers - 1) / SlabLayers;
     std::vector<std::vector<vtkIdType>> slabs(static_cast<std::size_t>(count));
-    for (vtkIdType triangle = 0; triangle < this->Mesh.NumberOfTriangles; ++triangle)
+    for (vtkIdType triangle = 0; triangle < this->Mesh.NumberOfTriangles(); ++triangle)
     {
       const auto [first, last] = this->Range(triangle, 2, band);
       for (std::int64_t slab = first / SlabLayers; first <= last && slab <= last / SlabLayers;
@@ -97,12 +97,9 @@ private:
     const auto x = this->Range(triangle, 0, band);
     const auto y = this->Range(triangle, 1, band);
     const auto z = this->Range(triangle, 2, band);
-    const vtkIdType* const id = this->Mesh.Triangle(triangle);
-    std::array<Point3, 3> corners;
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      std::copy_n(this->Mesh.Point(id[c]), 3, corners[c].begin());
-    }
+    const Triangle& id = this->Mesh.Corners(triangle);
+    const std::array<Point3, 3> corners{ this->Mesh.Point(id[0]), this->Mesh.Point(id[1]),
+      this->Mesh.Point(id[2]) };
     const Point3& a = corners[0];
     const Point3 normal = Cross(corners[1] - a, corners[2] - a);
     const double limit = band * band * Dot(normal, normal);
@@ -126,7 +123,7 @@ private:
     }
   }
 
-  const SurfaceView& Mesh;
+  SurfaceView Mesh;
   const GridShape& Grid;
   const std::array<std::int64_t, 3> Step;
   std::vector<double> Squared;

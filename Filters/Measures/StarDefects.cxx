@@ -19,7 +19,7 @@ using StarTriangle = Handle<struct StarTriangleKind, std::int64_t>;
 class Stars
 {
 public:
-  Stars(const TriangleMesh& mesh, const std::vector<char>& skip)
+  Stars(const SurfaceView& mesh, const std::vector<char>& skip)
     : First(mesh.Points.size() + 2, 0)
   {
     const auto forCorners = [&mesh, &skip](auto&& visit)
@@ -71,7 +71,7 @@ struct Spoke
 class StarCheck
 {
 public:
-  StarCheck(const TriangleMesh& mesh, const Stars& stars)
+  StarCheck(const SurfaceView& mesh, const Stars& stars)
     : Mesh(mesh)
     , TheStars(stars)
   {
@@ -175,7 +175,7 @@ private:
     }
   }
 
-  const TriangleMesh& Mesh;
+  SurfaceView Mesh;
   const Stars& TheStars;
   const std::int64_t* Triangles = nullptr; ///< of the star
   std::vector<Spoke> Spokes;
@@ -190,7 +190,7 @@ constexpr std::vector<std::int64_t> SurfaceDefects::*ListsOfStars[] = {
 
 }
 
-void FindStarDefects(const TriangleMesh& mesh, const std::vector<char>& skip, SurfaceDefects& found)
+void FindStarDefects(const SurfaceView& mesh, const std::vector<char>& skip, SurfaceDefects& found)
 {
   const Stars stars(mesh, skip);
   std::mutex mutex;

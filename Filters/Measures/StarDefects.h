@@ -6,7 +6,7 @@
 #define isthmus_StarDefects_h
 
 #include "SurfaceDefects.h"
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
 
 namespace isthmus
 {
@@ -23,8 +23,7 @@ namespace isthmus
  * @param skip Triangles to leave out, one flag each.
  * @pre The corners of all others are points, and differ.
  */
-void FindStarDefects(
-  const TriangleMesh& mesh, const std::vector<char>& skip, SurfaceDefects& found);
+void FindStarDefects(const SurfaceView& mesh, const std::vector<char>& skip, SurfaceDefects& found);
 
 }
 

@@ -37,7 +37,7 @@ enum class TriangleKind : char
   Invalid
 };
 
-TriangleKind KindOf(const TriangleMesh& mesh, const Triangle& ids)
+TriangleKind KindOf(const SurfaceView& mesh, const Triangle& ids)
 {
   const auto points = static_cast<std::int64_t>(mesh.Points.size());
   const bool inRange =
@@ -52,7 +52,7 @@ TriangleKind KindOf(const TriangleMesh& mesh, const Triangle& ids)
 }
 
 /// Invalid and degenerate triangles; a flag each for those that have no usable point ids.
-std::vector<char> CheckTriangles(const TriangleMesh& mesh, SurfaceDefects& found)
+std::vector<char> CheckTriangles(const SurfaceView& mesh, SurfaceDefects& found)
 {
   std::vector<TriangleKind> kinds(mesh.Triangles.size());
   ParallelFor(0, static_cast<std::int64_t>(kinds.size()), Grain,
@@ -81,7 +81,7 @@ std::vector<char> CheckTriangles(const TriangleMesh& mesh, SurfaceDefects& found
 
 }
 
-SurfaceDefects FindDefects(const TriangleMesh& mesh, const ProgressCallback& progress)
+SurfaceDefects FindDefects(const SurfaceView& mesh, const ProgressCallback& progress)
 {
   SurfaceDefects found;
   for (std::size_t i = 0; i < mesh.Points.size(); ++i)

@@ -7,7 +7,7 @@
 
 #include "Progress.h"
 #include "SurfaceDefects.h"
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
 #include "vtkIsthmusModule.h"
 
 namespace isthmus
@@ -15,7 +15,7 @@ namespace isthmus
 
 /// Defects of `mesh`. O(n) for points of bounded valence, in parallel; some 35 bytes a triangle.
 VTKISTHMUS_EXPORT SurfaceDefects FindDefects(
-  const TriangleMesh& mesh, const ProgressCallback& progress = {});
+  const SurfaceView& mesh, const ProgressCallback& progress = {});
 
 }
 

@@ -42,7 +42,7 @@ public:
   template <typename Use>
   void ForEachHit(vtkIdType triangle, Use&& use) const
   {
-    const vtkIdType* const id = this->Mesh.Triangle(triangle);
+    const Triangle& id = this->Mesh.Corners(triangle);
     std::int64_t corner[3][2];
     std::int64_t low[2], high[2];
     for (std::size_t a = 0; a < 2; ++a)
@@ -83,11 +83,14 @@ private:
     {
       reach = std::max(reach, static_cast<double>(grid.Dimensions[a]));
     }
-    for (vtkIdType i = 0; i < 3 * mesh.NumberOfTriangles; ++i)
+    for (const Triangle& corners : mesh.Triangles)
     {
-      for (std::size_t a = 0; a < 3; ++a)
+      for (const vtkIdType point : corners)
       {
-        reach = std::max(reach, std::abs(mesh.Point(mesh.Triangles[i])[a]) / grid.Spacing[a]);
+        for (std::size_t a = 0; a < 3; ++a)
+        {
+          reach = std::max(reach, std::abs(mesh.Point(point)[a]) / grid.Spacing[a]);
+        }
       }
     }
     // Lattice coordinates below 2^29 keep the products of their differences in 64 bits.
@@ -144,7 +147,7 @@ private:
     return true;
   }
 
-  const SurfaceView& Mesh;
+  SurfaceView Mesh;
   const GridShape& Grid;
   const std::size_t Axis;
   const std::array<std::size_t, 2> Across;
@@ -153,20 +156,20 @@ private:
 
 Vector3d TriangleNormal(const SurfaceView& mesh, vtkIdType triangle)
 {
-  const vtkIdType* const id = mesh.Triangle(triangle);
-  const PointMap a(mesh.Point(id[0]));
-  return (PointMap(mesh.Point(id[1])) - a).cross(PointMap(mesh.Point(id[2])) - a);
+  const Triangle& id = mesh.Corners(triangle);
+  const PointMap a(mesh.Point(id[0]).data());
+  return (PointMap(mesh.Point(id[1]).data()) - a).cross(PointMap(mesh.Point(id[2]).data()) - a);
 }
 
 std::vector<Vector3d> PointNormals(const SurfaceView& mesh)
 {
-  std::vector<Vector3d> normals(static_cast<std::size_t>(mesh.NumberOfPoints), Vector3d::Zero());
-  for (vtkIdType t = 0; t < mesh.NumberOfTriangles; ++t)
+  std::vector<Vector3d> normals(mesh.Points.size(), Vector3d::Zero());
+  for (vtkIdType t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
     const Vector3d normal = TriangleNormal(mesh, t);
-    for (int c = 0; c < 3; ++c)
+    for (const vtkIdType point : mesh.Corners(t))
     {
-      normals[static_cast<std::size_t>(mesh.Triangle(t)[c])] += normal;
+      normals[At(point)] += normal;
     }
   }
   for (Vector3d& normal : normals)
@@ -183,7 +186,7 @@ std::vector<Result> CollectFromTriangles(
   const SurfaceView& mesh, const ProgressCallback& progress, Collect&& collect)
 {
   constexpr std::int64_t block = 8192;
-  const std::int64_t blocks = (mesh.NumberOfTriangles + block - 1) / block;
+  const std::int64_t blocks = (mesh.NumberOfTriangles() + block - 1) / block;
   std::vector<std::vector<Result>> parts(static_cast<std::size_t>(blocks));
   ParallelFor(
     0, blocks, 1,
@@ -191,7 +194,7 @@ std::vector<Result> CollectFromTriangles(
     {
       for (std::int64_t b = first; b < last; ++b)
       {
-        const vtkIdType end = std::min<vtkIdType>(mesh.NumberOfTriangles, (b + 1) * block);
+        const vtkIdType end = std::min<vtkIdType>(mesh.NumberOfTriangles(), (b + 1) * block);
         for (vtkIdType triangle = b * block; triangle < end; ++triangle)
         {
           collect(triangle, parts[static_cast<std::size_t>(b)]);
@@ -240,7 +243,7 @@ std::vector<GridCrossing> SurfaceCrossings(const SurfaceView& mesh, const GridSh
           Vector3d direction = TriangleNormal(mesh, triangle);
           for (std::size_t c = 0; c < 3 && !pointNormals.empty(); ++c)
           {
-            const auto point = static_cast<std::size_t>(mesh.Triangle(triangle)[c]);
+            const std::size_t point = At(mesh.Corners(triangle)[c]);
             direction =
               (c == 0 ? Vector3d(0, 0, 0) : direction) + hit.Weight[c] * pointNormals[point];
           }

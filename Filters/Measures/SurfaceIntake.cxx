@@ -1,5 +1,6 @@
 #include "SurfaceIntake.h"
 
+#include "Bounds3.h"
 #include "FlatTriangles.h"
 #include "Index.h"
 #include "ParallelFor.h"
@@ -116,7 +117,7 @@ unsigned int FacesOf(const Point3& p, const Bounds3& box, double tolerance)
 }
 
 /// Whether all corners are points, and finite ones.
-bool IsUsable(const TriangleMesh& surface)
+bool IsUsable(const SurfaceView& surface)
 {
   const auto count = static_cast<std::int64_t>(surface.Points.size());
   const auto usable = [&](std::int64_t id)
@@ -131,7 +132,7 @@ bool IsUsable(const TriangleMesh& surface)
 
 }
 
-TriangleMesh MergePoints(const TriangleMesh& surface, std::vector<std::int64_t>* original)
+TriangleMesh MergePoints(const SurfaceView& surface, std::vector<std::int64_t>* original)
 {
   std::vector<char> used(surface.Points.size(), 0);
   for (const Triangle& t : surface.Triangles)
@@ -179,60 +180,57 @@ TriangleMesh MergePoints(const TriangleMesh& surface, std::vector<std::int64_t>*
   return merged;
 }
 
-TakenSurface TakeSurface(const TriangleMesh& surface)
+TakenSurface TakeSurface(TriangleMesh surface)
 {
   TakenSurface taken;
   if (!IsUsable(surface) || FindDefects(surface).None())
   {
-    taken.Mesh = surface;
     taken.OriginalPoints.resize(surface.Points.size());
     std::iota(taken.OriginalPoints.begin(), taken.OriginalPoints.end(), std::int64_t{ 0 });
+    taken.Mesh = std::move(surface);
     return taken;
   }
   taken.Mesh = WithoutFlatTriangles(MergePoints(surface, &taken.OriginalPoints));
   return taken;
 }
 
-std::vector<vtkIdType> MergedCorners(const SurfaceView& surface, std::vector<vtkIdType>* places)
+std::vector<Triangle> MergedCorners(const SurfaceView& surface, std::vector<vtkIdType>* places)
 {
-  std::vector<char> used(At(surface.NumberOfPoints), 0);
-  for (vtkIdType corner = 0; corner < 3 * surface.NumberOfTriangles; ++corner)
+  std::vector<char> used(surface.Points.size(), 0);
+  for (const Triangle& t : surface.Triangles)
   {
-    used[At(surface.Triangles[corner])] = 1;
+    for (const vtkIdType corner : t)
+    {
+      used[At(corner)] = 1;
+    }
   }
   const std::vector<std::int64_t> ids = IdsOf(used);
   const auto first = FirstAtPlace(static_cast<std::int64_t>(ids.size()),
-    [&](std::int64_t i)
-    {
-      const double* p = surface.Point(ids[At(i)]);
-      return Point3{ p[0], p[1], p[2] };
-    });
+    [&](std::int64_t i) { return surface.Point(ids[At(i)]); });
   std::vector<vtkIdType> place(used.size());
   std::iota(place.begin(), place.end(), vtkIdType{ 0 });
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
     place[At(ids[i])] = ids[At(first[i])];
   }
-  std::vector<vtkIdType> corners;
-  corners.reserve(At(3 * surface.NumberOfTriangles));
-  for (vtkIdType t = 0; t < surface.NumberOfTriangles; ++t)
+  std::vector<Triangle> merged;
+  merged.reserve(surface.Triangles.size());
+  for (const Triangle& before : surface.Triangles)
   {
-    const vtkIdType* old = surface.Triangle(t);
-    const Triangle before{ old[0], old[1], old[2] };
-    const Triangle after{ place[At(old[0])], place[At(old[1])], place[At(old[2])] };
+    const Triangle after{ place[At(before[0])], place[At(before[1])], place[At(before[2])] };
     if (HasRepeated(before) || !HasRepeated(after))
     {
-      corners.insert(corners.end(), after.begin(), after.end());
+      merged.push_back(after);
     }
   }
   if (places)
   {
     places->swap(place);
   }
-  return corners;
+  return merged;
 }
 
-std::string WhyOpen(const TriangleMesh& surface, const SurfaceDefects& defects)
+std::string WhyOpen(const SurfaceView& surface, const SurfaceDefects& defects)
 {
   if (defects.BoundaryTriangles.empty() || !defects.InvalidPoints.empty() ||
     !defects.InvalidTriangles.empty())

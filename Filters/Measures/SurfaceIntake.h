@@ -8,7 +8,6 @@
 
 #include "SurfaceCheck.h"
 #include "SurfaceView.h"
-#include "TriangleMesh.h"
 #include "vtkIsthmusModule.h"
 
 #include <string>
@@ -25,7 +24,7 @@ namespace isthmus
  * @throws std::invalid_argument for a corner that is no point.
  */
 VTKISTHMUS_EXPORT TriangleMesh MergePoints(
-  const TriangleMesh& surface, std::vector<std::int64_t>* original = nullptr);
+  const SurfaceView& surface, std::vector<std::int64_t>* original = nullptr);
 
 /// A surface as algorithms want it that need each place once.
 struct TakenSurface
@@ -40,12 +39,12 @@ struct TakenSurface
  * there is stay. Where a corner is no point, or one is not finite, it stays as it is altogether,
  * for what repairs or refuses it. O(n).
  */
-VTKISTHMUS_EXPORT TakenSurface TakeSurface(const TriangleMesh& surface);
+VTKISTHMUS_EXPORT TakenSurface TakeSurface(TriangleMesh surface);
 
 /// The corners of the triangles of `surface` after the same merging; its points stay where they
 /// are. `places`, if given, gets for each point the one that stands for its place; itself for a
 /// point that no triangle uses.
-VTKISTHMUS_EXPORT std::vector<vtkIdType> MergedCorners(
+VTKISTHMUS_EXPORT std::vector<Triangle> MergedCorners(
   const SurfaceView& surface, std::vector<vtkIdType>* places = nullptr);
 
 /**
@@ -53,7 +52,7 @@ VTKISTHMUS_EXPORT std::vector<vtkIdType> MergedCorners(
  * contour is where the level leaves the map: a sentence that says so, and the way out, to append to
  * SurfaceDefects::Sentence(). Else empty.
  */
-VTKISTHMUS_EXPORT std::string WhyOpen(const TriangleMesh& surface, const SurfaceDefects& defects);
+VTKISTHMUS_EXPORT std::string WhyOpen(const SurfaceView& surface, const SurfaceDefects& defects);
 
 }
 

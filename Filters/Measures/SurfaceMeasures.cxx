@@ -56,8 +56,8 @@ void ForEachHigherNeighbour(vtkIdType point,
 
 std::vector<EdgeCount> CountEdges(const SurfaceView& mesh, const TriangleStars& stars)
 {
-  std::vector<EdgeCount> counts(static_cast<std::size_t>(mesh.NumberOfPoints));
-  ParallelFor(0, mesh.NumberOfPoints, 4096,
+  std::vector<EdgeCount> counts(mesh.Points.size());
+  ParallelFor(0, mesh.NumberOfPoints(), 4096,
     [&](std::int64_t first, std::int64_t last)
     {
       std::vector<std::pair<vtkIdType, vtkIdType>> link;
@@ -81,16 +81,16 @@ std::vector<EdgeCount> CountEdges(const SurfaceView& mesh, const TriangleStars& 
 std::vector<vtkIdType> NumberComponents(
   const SurfaceView& mesh, const TriangleStars& stars, vtkIdType& components)
 {
-  DisjointSets<vtkIdType> sets(mesh.NumberOfPoints);
-  for (vtkIdType t = 0; t < mesh.NumberOfTriangles; ++t)
+  DisjointSets<vtkIdType> sets(mesh.NumberOfPoints());
+  for (vtkIdType t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
-    const vtkIdType* const corner = mesh.Triangle(t);
+    const Triangle& corner = mesh.Corners(t);
     sets.Join(corner[0], corner[1]);
     sets.Join(corner[0], corner[2]);
   }
-  std::vector<vtkIdType> number(static_cast<std::size_t>(mesh.NumberOfPoints), -1);
+  std::vector<vtkIdType> number(mesh.Points.size(), -1);
   components = 0;
-  for (vtkIdType point = 0; point < mesh.NumberOfPoints; ++point)
+  for (vtkIdType point = 0; point < mesh.NumberOfPoints(); ++point)
   {
     if (stars.Size(point) > 0)
     {
@@ -108,11 +108,11 @@ void CountBoundaryLoops(const SurfaceView& mesh, const TriangleStars& stars,
   const std::vector<EdgeCount>& edges, const std::vector<vtkIdType>& componentOf,
   std::vector<SurfaceMeasure>& components)
 {
-  DisjointSets<vtkIdType> rings(mesh.NumberOfPoints);
-  std::vector<bool> joined(static_cast<std::size_t>(mesh.NumberOfPoints), false);
+  DisjointSets<vtkIdType> rings(mesh.NumberOfPoints());
+  std::vector<bool> joined(mesh.Points.size(), false);
   std::vector<std::pair<vtkIdType, vtkIdType>> link;
   std::vector<std::pair<vtkIdType, int>> uses;
-  for (vtkIdType point = 0; point < mesh.NumberOfPoints; ++point)
+  for (vtkIdType point = 0; point < mesh.NumberOfPoints(); ++point)
   {
     if (edges[static_cast<std::size_t>(point)].Open == 0)
     {
@@ -129,7 +129,7 @@ void CountBoundaryLoops(const SurfaceView& mesh, const TriangleStars& stars,
         }
       });
   }
-  for (vtkIdType point = 0; point < mesh.NumberOfPoints; ++point)
+  for (vtkIdType point = 0; point < mesh.NumberOfPoints(); ++point)
   {
     // The lowest point of a ring has a higher neighbour in it, so it was joined from there.
     if (rings.Find(point) == point && joined[static_cast<std::size_t>(point)])
@@ -144,23 +144,23 @@ void CountBoundaryLoops(const SurfaceView& mesh, const TriangleStars& stars,
 Vector3d Centre(const SurfaceView& mesh)
 {
   Vector3d sum = Vector3d::Zero();
-  for (vtkIdType t = 0; t < mesh.NumberOfTriangles; ++t)
+  for (vtkIdType t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
-    sum += PointMap(mesh.Point(mesh.Triangle(t)[0]));
+    sum += PointMap(mesh.Point(mesh.Corners(t)[0]).data());
   }
-  return sum / static_cast<double>(std::max<vtkIdType>(mesh.NumberOfTriangles, 1));
+  return sum / static_cast<double>(std::max<vtkIdType>(mesh.NumberOfTriangles(), 1));
 }
 
 void AddTriangles(const SurfaceView& mesh, const std::vector<vtkIdType>& componentOf,
   std::vector<SurfaceMeasure>& components)
 {
   const Vector3d centre = Centre(mesh);
-  for (vtkIdType t = 0; t < mesh.NumberOfTriangles; ++t)
+  for (vtkIdType t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
-    const vtkIdType* const corner = mesh.Triangle(t);
-    const Vector3d a = PointMap(mesh.Point(corner[0])) - centre;
-    const Vector3d b = PointMap(mesh.Point(corner[1])) - centre;
-    const Vector3d c = PointMap(mesh.Point(corner[2])) - centre;
+    const Triangle& corner = mesh.Corners(t);
+    const Vector3d a = PointMap(mesh.Point(corner[0]).data()) - centre;
+    const Vector3d b = PointMap(mesh.Point(corner[1]).data()) - centre;
+    const Vector3d c = PointMap(mesh.Point(corner[2]).data()) - centre;
     const Vector3d twiceArea = (b - a).cross(c - a);
     const auto number = static_cast<std::size_t>(componentOf[static_cast<std::size_t>(corner[0])]);
     SurfaceMeasure& component = components[number];

@@ -1,5 +1,6 @@
 #include "TriangleBoxTree.h"
 
+#include "Bounds3.h"
 #include "Index.h"
 #include "ParallelFor.h"
 #include "RadixSort.h"
@@ -40,7 +41,7 @@ std::uint64_t PlaceOnCurve(const Point3& p, const Bounds3& box, double width)
   return place;
 }
 
-Bounds3 BoundsOf(const TriangleMesh& mesh, const Triangle& t)
+Bounds3 BoundsOf(const SurfaceView& mesh, const Triangle& t)
 {
   Bounds3 box{ mesh.Points[At(t[0])], mesh.Points[At(t[0])] };
   box.Add(mesh.Points[At(t[1])]);
@@ -50,7 +51,7 @@ Bounds3 BoundsOf(const TriangleMesh& mesh, const Triangle& t)
 
 }
 
-TriangleBoxTree::TriangleBoxTree(const TriangleMesh& mesh)
+TriangleBoxTree::TriangleBoxTree(const SurfaceView& mesh)
   : Order(mesh.Triangles.size())
 {
   if (mesh.Triangles.empty())
@@ -61,7 +62,7 @@ TriangleBoxTree::TriangleBoxTree(const TriangleMesh& mesh)
   this->MakeNodes();
 }
 
-void TriangleBoxTree::MakeBoxes(const TriangleMesh& mesh)
+void TriangleBoxTree::MakeBoxes(const SurfaceView& mesh)
 {
   Bounds3 all = BoundsOf(mesh, mesh.Triangles.front());
   for (const Triangle& t : mesh.Triangles)

@@ -5,7 +5,7 @@
 #ifndef isthmus_TriangleBoxTree_h
 #define isthmus_TriangleBoxTree_h
 
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
 #include "vtkIsthmusModule.h" // for the export macro
 
 #include <array>
@@ -25,7 +25,7 @@ class TriangleBoxTree
 {
 public:
   /// @pre corners exist, points are finite, and the box of all is no wider than 1e37.
-  VTKISTHMUS_EXPORT explicit TriangleBoxTree(const TriangleMesh& mesh);
+  VTKISTHMUS_EXPORT explicit TriangleBoxTree(const SurfaceView& mesh);
 
   /// Runs of up to 256 triangles along the curve.
   std::int64_t Groups() const { return this->NumberOfGroups; }
@@ -59,7 +59,7 @@ private:
   static constexpr std::size_t TrianglesOfLeaf = 4;
   static constexpr unsigned int HeightOfGroup = 6;
 
-  void MakeBoxes(const TriangleMesh& mesh);
+  void MakeBoxes(const SurfaceView& mesh);
   void MakeNodes();
 
   template <typename Visit>

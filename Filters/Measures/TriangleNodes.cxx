@@ -74,7 +74,7 @@ private:
   Box BoxAround(std::int64_t first, std::int64_t last) const;
   Cylinder CylinderAround(std::int64_t first, std::int64_t last) const;
 
-  const SurfaceView& Mesh;
+  SurfaceView Mesh;
   TriangleNodes Tree;
   std::vector<vtkIdType> Order;
   std::vector<std::array<float, 3>> Centres;
@@ -82,7 +82,7 @@ private:
 
 Builder::Builder(const SurfaceView& mesh)
   : Mesh(mesh)
-  , Order(static_cast<std::size_t>(mesh.NumberOfTriangles))
+  , Order(mesh.Triangles.size())
   , Centres(this->Order.size())
 {
   std::iota(this->Order.begin(), this->Order.end(), vtkIdType(0));
@@ -101,8 +101,8 @@ TriangleNodes Builder::Build()
 {
   this->Place();
   this->Tree.Leaves.reserve(this->Order.size() / Width + 1);
-  this->ChildOf({ 0, this->Mesh.NumberOfTriangles });
-  std::vector<Waiting> waiting{ { 0, { 0, this->Mesh.NumberOfTriangles } } };
+  this->ChildOf({ 0, this->Mesh.NumberOfTriangles() });
+  std::vector<Waiting> waiting{ { 0, { 0, this->Mesh.NumberOfTriangles() } } };
   while (!this->Tree.Nodes.empty() && !waiting.empty())
   {
     const Waiting next = waiting.back();
@@ -115,7 +115,7 @@ TriangleNodes Builder::Build()
 /// Centres of cylinders come from boxes of corners, pushed along an axis by less than their size.
 void Builder::Place()
 {
-  const Box box = this->BoxAround(0, this->Mesh.NumberOfTriangles);
+  const Box box = this->BoxAround(0, this->Mesh.NumberOfTriangles());
   double size = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -199,12 +199,8 @@ void Builder::FillNode(const Waiting& task, std::vector<Waiting>& waiting)
 
 std::array<Point3, 3> Builder::CornersOf(vtkIdType triangle) const
 {
-  std::array<Point3, 3> corners;
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    std::copy_n(this->Mesh.Point(this->Mesh.Triangle(triangle)[c]), 3, corners[c].begin());
-  }
-  return corners;
+  const Triangle& id = this->Mesh.Corners(triangle);
+  return { this->Mesh.Point(id[0]), this->Mesh.Point(id[1]), this->Mesh.Point(id[2]) };
 }
 
 template <typename Body>
@@ -212,11 +208,10 @@ void Builder::ForCorners(std::int64_t first, std::int64_t last, Body&& body) con
 {
   for (std::int64_t n = first; n < last; ++n)
   {
-    const vtkIdType* const id = this->Mesh.Triangle(this->Order[static_cast<std::size_t>(n)]);
-    for (int c = 0; c < 3; ++c)
+    const Triangle& id = this->Mesh.Corners(this->Order[static_cast<std::size_t>(n)]);
+    for (const vtkIdType point : id)
     {
-      body(Point3{
-        this->Mesh.Point(id[c])[0], this->Mesh.Point(id[c])[1], this->Mesh.Point(id[c])[2] });
+      body(this->Mesh.Point(point));
     }
   }
 }
@@ -311,7 +306,7 @@ std::int64_t Builder::Halve(std::int64_t first, std::int64_t last)
 
 TriangleNodes MakeTriangleNodes(const SurfaceView& mesh)
 {
-  return mesh.NumberOfTriangles > 0 ? Builder(mesh).Build() : TriangleNodes{};
+  return mesh.NumberOfTriangles() > 0 ? Builder(mesh).Build() : TriangleNodes{};
 }
 
 }

@@ -42,9 +42,9 @@ std::vector<double> Weights(vtkDataSet* data, int association)
     return isthmus::PointAreas(view);
   }
   std::vector<double> weights(static_cast<std::size_t>(count), 0.0);
-  for (vtkIdType t = 0; t < view.NumberOfTriangles; ++t)
+  for (vtkIdType t = 0; t < view.NumberOfTriangles(); ++t)
   {
-    weights[static_cast<std::size_t>(triangles.CellOf(t))] += isthmus::TriangleArea(view, t);
+    weights[isthmus::At(triangles.CellOf(t))] += isthmus::TriangleArea(view, t);
   }
   return weights;
 }

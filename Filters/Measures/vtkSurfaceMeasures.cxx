@@ -173,11 +173,9 @@ void vtkSurfaceMeasures::Measure(vtkPolyData* surface, vtkDataObject* output, vt
   }
   const isthmus::PolyDataTriangles triangles(sewn);
   // Points that coincide are one, else each triangle of some files would be a component.
-  isthmus::SurfaceView view = triangles.View();
-  const std::vector<vtkIdType> corners = isthmus::MergedCorners(view);
-  view.Triangles = corners.data();
-  view.NumberOfTriangles = static_cast<vtkIdType>(corners.size() / 3);
-  const auto measures = isthmus::MeasureSurface(view, isthmus::ProgressOf(this));
+  const std::vector<isthmus::Triangle> merged = isthmus::MergedCorners(triangles.View());
+  const auto measures =
+    isthmus::MeasureSurface({ triangles.View().Points, merged }, isthmus::ProgressOf(this));
   const SurfaceMeasure& whole = measures.Whole;
   AddFields(output->GetFieldData(), whole, static_cast<vtkIdType>(measures.Components.size()));
   FillTable(table, measures);

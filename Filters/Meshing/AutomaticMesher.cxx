@@ -1,5 +1,6 @@
 #include "AutomaticMesher.h"
 
+#include "Bounds3.h"
 #include "ShellNesting.h"
 #include "SolidStuffing.h"
 #include "SurfaceCheck.h"
@@ -18,7 +19,7 @@ namespace
 {
 
 /// Triangles of finite points, each corner there and different.
-TriangleMesh SoundPart(const TriangleMesh& mesh)
+TriangleMesh SoundPart(const SurfaceView& mesh)
 {
   const auto count = static_cast<std::int64_t>(mesh.Points.size());
   const auto isSound = [&](const Triangle& t)
@@ -38,14 +39,14 @@ TriangleMesh SoundPart(const TriangleMesh& mesh)
     return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
   };
   TriangleMesh sound;
-  sound.Points = mesh.Points;
+  sound.Points.assign(mesh.Points.begin(), mesh.Points.end());
   std::copy_if(
     mesh.Triangles.begin(), mesh.Triangles.end(), std::back_inserter(sound.Triangles), isSound);
   return sound;
 }
 
 /// As AutomaticMesh::VolumeBefore.
-double VolumeAsGiven(const TriangleMesh& sound)
+double VolumeAsGiven(const SurfaceView& sound)
 {
   const TriangleMesh turned = TurnedAlike(sound);
   const Bounds3 box = BoundsOf(turned);
@@ -72,7 +73,7 @@ class Attempts
 {
 public:
   Attempts(
-    const TriangleMesh& surface, TetrahedralParameters parameters, const ProgressCallback& progress)
+    const SurfaceView& surface, TetrahedralParameters parameters, const ProgressCallback& progress)
     : Surface(surface)
     , Parameters(std::move(parameters))
     , Progress(progress)
@@ -119,7 +120,7 @@ private:
     return false;
   }
 
-  bool TryTetGen(const TriangleMesh& mesh, MeshingWay way, double from, double to)
+  bool TryTetGen(const SurfaceView& mesh, MeshingWay way, double from, double to)
   {
     return this->Try("TetGen",
       [&]
@@ -258,7 +259,7 @@ private:
     return skin;
   }
 
-  const TriangleMesh& Surface;
+  SurfaceView Surface;
   TetrahedralParameters Parameters;
   const ProgressCallback& Progress;
   AutomaticMesh Result;
@@ -269,7 +270,7 @@ private:
 
 }
 
-AutomaticMesh AutomaticTetrahedra(const TriangleMesh& surface,
+AutomaticMesh AutomaticTetrahedra(const SurfaceView& surface,
   const TetrahedralParameters& parameters, const ProgressCallback& progress)
 {
   for (const TetrahedralLibrary library : { TetrahedralLibrary::TetGen, TetrahedralLibrary::CGAL })

@@ -5,6 +5,7 @@
 #ifndef isthmus_AutomaticMesher_h
 #define isthmus_AutomaticMesher_h
 
+#include "TetrahedralMesh.h"
 #include "TetrahedralMesher.h"
 
 namespace isthmus
@@ -49,7 +50,7 @@ struct AutomaticMesh
  * @throws std::invalid_argument on parameters out of range, and when nothing is enclosed, with what
  * is wrong with the surface; Cancelled.
  */
-VTKISTHMUS_EXPORT AutomaticMesh AutomaticTetrahedra(const TriangleMesh& surface,
+VTKISTHMUS_EXPORT AutomaticMesh AutomaticTetrahedra(const SurfaceView& surface,
   const TetrahedralParameters& parameters, const ProgressCallback& progress = {});
 
 }

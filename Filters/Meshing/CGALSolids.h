@@ -89,7 +89,7 @@ public:
 private:
   static constexpr int Shift = 1 << 24; ///< makes labels of cavities positive
 
-  void Add(const TriangleMesh& shell)
+  void Add(const SurfaceView& shell)
   {
     this->Owned.push_back(std::make_unique<SurfaceMesh>(ToSurfaceMesh(shell)));
     this->Sides.push_back(
@@ -97,7 +97,7 @@ private:
     this->Volumes.push_back(std::abs(SixVolume(shell)));
   }
 
-  static double SixVolume(const TriangleMesh& shell)
+  static double SixVolume(const SurfaceView& shell)
   {
     double sum = 0.0;
     for (const Triangle& t : shell.Triangles)

@@ -5,7 +5,7 @@
 #ifndef isthmus_CGALSurface_h
 #define isthmus_CGALSurface_h
 
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -33,7 +33,7 @@ inline Point3 FromCGAL(const Point& p)
 /// Triangles in their order, so that face i is triangle i; points in theirs, unused ones included.
 /// @pre the mesh is manifold and oriented (SurfaceCheck.h).
 /// @throws std::invalid_argument where it is not.
-inline SurfaceMesh ToSurfaceMesh(const TriangleMesh& mesh)
+inline SurfaceMesh ToSurfaceMesh(const SurfaceView& mesh)
 {
   SurfaceMesh result;
   for (const Point3& p : mesh.Points)

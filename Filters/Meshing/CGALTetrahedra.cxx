@@ -1,6 +1,8 @@
 #include "CGALWithoutDumps.h"
 
+#include "Bounds3.h"
 #include "CGALSolids.h"
+#include "TetrahedralMesh.h"
 #include "TetrahedralMesher.h"
 
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
@@ -55,7 +57,7 @@ struct GrowingSize
 };
 
 /// The twelve edges of the box, so that they come out straight.
-void AddBoxEdges(const TriangleMesh& box, DomainWithBox& domain)
+void AddBoxEdges(const SurfaceView& box, DomainWithBox& domain)
 {
   std::vector<std::vector<Point>> edges;
   for (std::size_t corner = 0; corner < box.Points.size(); ++corner)

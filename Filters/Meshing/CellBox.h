@@ -5,8 +5,9 @@
 #ifndef isthmus_CellBox_h
 #define isthmus_CellBox_h
 
+#include "Bounds3.h"
+#include "Point3.h"
 #include "SurfaceCrossings.h"
-#include "TriangleMesh.h"
 
 namespace isthmus
 {

@@ -5,6 +5,7 @@
 #ifndef isthmus_ClosedLevelSet_h
 #define isthmus_ClosedLevelSet_h
 
+#include "Bounds3.h"
 #include "DelaunayIsosurface.h"
 #include "TriangleMesh.h"
 #include "vtkIsthmusModule.h"

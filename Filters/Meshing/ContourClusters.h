@@ -11,6 +11,7 @@
 #ifndef isthmus_ContourClusters_h
 #define isthmus_ContourClusters_h
 
+#include "Bounds3.h"
 #include "Index.h"
 #include "UniformContour.h"
 

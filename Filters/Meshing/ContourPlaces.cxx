@@ -1,5 +1,6 @@
 #include "ContourPlaces.h"
 
+#include "Bounds3.h"
 #include "CellBox.h"
 
 namespace isthmus

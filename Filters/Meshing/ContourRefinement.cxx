@@ -1,5 +1,6 @@
 #include "ContourRefinement.h"
 
+#include "Bounds3.h"
 #include "CellBox.h"
 #include "ContourPolygons.h"
 #include "ContourRings.h"

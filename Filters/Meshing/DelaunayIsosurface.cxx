@@ -47,7 +47,7 @@ void CheckParameters(const DelaunayIsosurfaceParameters& p)
 /// Sizes that the search for points does not resolve, or that take more points than allowed, are
 /// refused before refinement begins.
 void DemandBudget(
-  const DelaunayIsosurfaceParameters& p, const Bounds3& bounds, const TriangleMesh& guide)
+  const DelaunayIsosurfaceParameters& p, const Bounds3& bounds, const SurfaceView& guide)
 {
   const double finest = 1e-6 * bounds.Diagonal();
   if (p.Radius < finest || p.Distance < finest)
@@ -112,7 +112,7 @@ public:
   {
   }
 
-  std::vector<Vertex> Insert(const TriangleMesh& guide, const std::vector<std::int64_t>& ids)
+  std::vector<Vertex> Insert(const SurfaceView& guide, const std::vector<std::int64_t>& ids)
   {
     std::vector<Vertex> inserted;
     for (const std::int64_t id : ids)
@@ -206,7 +206,7 @@ std::string Place(const SeededComponent& component)
 /// Refines from the seeds of every component, and from all points of those that were not caught;
 /// returns the places of those that were not even then.
 std::vector<std::string> CatchAll(
-  Refinement& refinement, const TriangleMesh& guide, const std::vector<SeededComponent>& components)
+  Refinement& refinement, const SurfaceView& guide, const std::vector<SeededComponent>& components)
 {
   std::vector<std::vector<Vertex>> seeds;
   for (const SeededComponent& component : components)
@@ -240,7 +240,7 @@ std::vector<std::string> CatchAll(
 
 /// What differs between the surface and its guide.
 std::string Differences(
-  const TriangleMesh& surface, const TriangleMesh& guide, const std::vector<std::string>& lost)
+  const SurfaceView& surface, const SurfaceView& guide, const std::vector<std::string>& lost)
 {
   if (!lost.empty())
   {
@@ -254,14 +254,14 @@ std::string Differences(
   {
     return defects.Sentence();
   }
-  const auto count = [](const TriangleMesh& mesh)
+  const auto count = [](const SurfaceView& mesh)
   {
     const std::vector<int> labels = Components(mesh);
     return labels.empty() ? 0 : *std::max_element(labels.begin(), labels.end()) + 1;
   };
   const int mine = count(surface);
   const int theirs = count(guide);
-  const auto genus = [](const TriangleMesh& mesh, int components)
+  const auto genus = [](const SurfaceView& mesh, int components)
   { return components - EulerCharacteristic(mesh) / 2; };
   if (mine != theirs || genus(surface, mine) != genus(guide, theirs))
   {
@@ -276,7 +276,7 @@ std::string Differences(
 }
 
 DelaunayIsosurfaceResult DelaunayIsosurface(const ScalarField& field, const Bounds3& bounds,
-  const TriangleMesh& guide, const DelaunayIsosurfaceParameters& parameters,
+  const SurfaceView& guide, const DelaunayIsosurfaceParameters& parameters,
   const ProgressCallback& progress)
 {
   CheckParameters(parameters);

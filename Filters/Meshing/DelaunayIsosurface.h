@@ -9,8 +9,9 @@
 #ifndef isthmus_DelaunayIsosurface_h
 #define isthmus_DelaunayIsosurface_h
 
+#include "Bounds3.h"
 #include "Progress.h"
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
 #include "vtkIsthmusModule.h"
 
 #include <functional>
@@ -53,7 +54,7 @@ struct DelaunayIsosurfaceResult
  * Cancelled. Cost: some 110 microseconds a point of the result.
  */
 VTKISTHMUS_EXPORT DelaunayIsosurfaceResult DelaunayIsosurface(const ScalarField& field,
-  const Bounds3& bounds, const TriangleMesh& guide, const DelaunayIsosurfaceParameters& parameters,
+  const Bounds3& bounds, const SurfaceView& guide, const DelaunayIsosurfaceParameters& parameters,
   const ProgressCallback& progress = {});
 
 }

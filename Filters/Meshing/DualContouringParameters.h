@@ -5,9 +5,9 @@
 #ifndef isthmus_DualContouringParameters_h
 #define isthmus_DualContouringParameters_h
 
+#include "Point3.h"
 #include "SharpEdges.h"
 #include "SurfaceCrossings.h"
-#include "TriangleMesh.h"
 
 #include <functional>
 

@@ -16,9 +16,11 @@
 #ifndef isthmus_IsosurfaceStuffing_h
 #define isthmus_IsosurfaceStuffing_h
 
+#include "Bounds3.h"
+#include "Point3.h"
 #include "Progress.h"
 #include "StuffingParameters.h"
-#include "TriangleMesh.h"
+#include "TetrahedralMesh.h"
 #include "vtkIsthmusModule.h"
 
 #include <functional>

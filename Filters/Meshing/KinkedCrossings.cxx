@@ -1,6 +1,6 @@
 #include "KinkedCrossings.h"
 
-#include "TriangleMesh.h"
+#include "Point3.h"
 
 #include <algorithm>
 #include <cmath>

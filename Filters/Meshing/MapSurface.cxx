@@ -13,7 +13,7 @@ namespace isthmus
 namespace
 {
 
-Point3 DoubleArea(const TriangleMesh& mesh, const Triangle& t)
+Point3 DoubleArea(const SurfaceView& mesh, const Triangle& t)
 {
   const Point3& a = mesh.Points[static_cast<std::size_t>(t[0])];
   return Cross(mesh.Points[static_cast<std::size_t>(t[1])] - a,
@@ -44,7 +44,7 @@ struct Component
 
 /// Components in the order of their first triangles, and which one each triangle belongs to.
 std::vector<Component> FindComponents(
-  const TriangleMesh& mesh, std::vector<std::int64_t>& ofTriangle)
+  const SurfaceView& mesh, std::vector<std::int64_t>& ofTriangle)
 {
   DisjointSets<std::int64_t> sets(static_cast<std::int64_t>(mesh.Points.size()));
   for (const Triangle& t : mesh.Triangles)
@@ -125,7 +125,7 @@ void Compact(TriangleMesh& mesh, std::vector<std::int64_t>& ranks)
   mesh.Points.resize(points);
   for (Triangle& t : mesh.Triangles)
   {
-    for (std::int64_t& corner : t)
+    for (vtkIdType& corner : t)
     {
       corner = ids[static_cast<std::size_t>(corner)];
     }
@@ -153,7 +153,7 @@ DustResult HideDust(TriangleMesh mesh, const DustParameters& parameters)
   return result;
 }
 
-std::vector<Point3> PointNormals(const TriangleMesh& mesh)
+std::vector<Point3> PointNormals(const SurfaceView& mesh)
 {
   std::vector<Point3> normals(mesh.Points.size(), Point3{ 0, 0, 0 });
   for (const Triangle& t : mesh.Triangles)

@@ -7,6 +7,7 @@
 
 #include "GridView.h"
 #include "MapSurfaceParameters.h"
+#include "SurfaceView.h"
 #include "vtkIsthmusModule.h"
 
 namespace isthmus
@@ -21,7 +22,7 @@ VTKISTHMUS_EXPORT DustResult HideDust(TriangleMesh mesh, const DustParameters& p
 
 /// Unit normals at the points, outwards: the mean of the triangles' weighted by area. 0 for a point
 /// that no triangle uses.
-VTKISTHMUS_EXPORT std::vector<Point3> PointNormals(const TriangleMesh& mesh);
+VTKISTHMUS_EXPORT std::vector<Point3> PointNormals(const SurfaceView& mesh);
 
 /// A fair sample of at most 2^20 of the grid's values that are finite, for SensibleLevel.
 template <typename T>

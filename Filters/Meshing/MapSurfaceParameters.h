@@ -7,6 +7,8 @@
 
 #include "TriangleMesh.h"
 
+#include <cstdint>
+
 namespace isthmus
 {
 

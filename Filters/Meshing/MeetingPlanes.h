@@ -16,7 +16,10 @@
 #ifndef isthmus_MeetingPlanes_h
 #define isthmus_MeetingPlanes_h
 
+#include "Bounds3.h"
 #include "QuadraticErrors.h"
+
+#include <vector>
 
 namespace isthmus
 {

@@ -4,6 +4,7 @@
 #include "Pi.h"
 #include "RangeGuard.h"
 
+#include <algorithm>
 #include <mutex>
 #include <stdexcept>
 
@@ -100,9 +101,9 @@ Measured<6> Measure(std::array<Point3, 4> p)
 }
 
 template <std::size_t Corners>
-QualitySummary MeasureAll(const std::vector<Point3>& points,
-  const std::vector<std::array<std::int64_t, Corners>>& cells, int bins,
-  std::vector<CellAngles>& measures, const ProgressCallback& progress)
+QualitySummary MeasureAll(const View<Point3>& points,
+  const View<std::array<vtkIdType, Corners>>& cells, int bins, std::vector<CellAngles>& measures,
+  const ProgressCallback& progress)
 {
   DemandRange("NumberOfBins", bins, 1, MostBins, "It counts the columns of the histogram.");
   const UnitScale range(points); // refuses what no product of lengths can be made of
@@ -162,18 +163,17 @@ CellAngles MeasureTetrahedron(const Point3& a, const Point3& b, const Point3& c,
   return Measure(std::array<Point3, 4>{ a, b, c, d }).Cell;
 }
 
-QualitySummary MeasureQuality(const std::vector<Point3>& points,
-  const std::vector<Triangle>& triangles, int bins, std::vector<CellAngles>& cells,
+QualitySummary MeasureQuality(const SurfaceView& surface, int bins, std::vector<CellAngles>& cells,
   const ProgressCallback& progress)
 {
-  return MeasureAll(points, triangles, bins, cells, progress);
+  return MeasureAll<3>(surface.Points, surface.Triangles, bins, cells, progress);
 }
 
 QualitySummary MeasureQuality(const std::vector<Point3>& points,
   const std::vector<Tetrahedron>& tetrahedra, int bins, std::vector<CellAngles>& cells,
   const ProgressCallback& progress)
 {
-  return MeasureAll(points, tetrahedra, bins, cells, progress);
+  return MeasureAll<4>(points, tetrahedra, bins, cells, progress);
 }
 
 }

@@ -6,10 +6,12 @@
 #define isthmus_MeshQuality_h
 
 #include "Progress.h"
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
 #include "vtkIsthmusModule.h"
 
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace isthmus
 {
@@ -44,9 +46,8 @@ VTKISTHMUS_EXPORT CellAngles MeasureTetrahedron(
   const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 
 /// Measures of each cell into `cells` (of the same size) and the summary, in parallel. O(n).
-VTKISTHMUS_EXPORT QualitySummary MeasureQuality(const std::vector<Point3>& points,
-  const std::vector<Triangle>& triangles, int bins, std::vector<CellAngles>& cells,
-  const ProgressCallback& progress = {});
+VTKISTHMUS_EXPORT QualitySummary MeasureQuality(const SurfaceView& surface, int bins,
+  std::vector<CellAngles>& cells, const ProgressCallback& progress = {});
 VTKISTHMUS_EXPORT QualitySummary MeasureQuality(const std::vector<Point3>& points,
   const std::vector<Tetrahedron>& tetrahedra, int bins, std::vector<CellAngles>& cells,
   const ProgressCallback& progress = {});

@@ -5,7 +5,10 @@
 #ifndef isthmus_QuadraticErrors_h
 #define isthmus_QuadraticErrors_h
 
-#include "TriangleMesh.h"
+#include "Bounds3.h"
+#include "Point3.h"
+
+#include <cstdint>
 
 namespace isthmus
 {

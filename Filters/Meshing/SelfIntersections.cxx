@@ -127,7 +127,7 @@ bool Apart(const Corners& p, const Corners& q)
 class TrianglePairs
 {
 public:
-  explicit TrianglePairs(const TriangleMesh& mesh)
+  explicit TrianglePairs(const SurfaceView& mesh)
     : Mesh(mesh)
   {
   }
@@ -213,7 +213,7 @@ private:
     return CGAL::coplanar(p, q, t, u) && CGAL::coplanar_orientation(p, q, t, u) == CGAL::POSITIVE;
   }
 
-  const TriangleMesh& Mesh;
+  SurfaceView Mesh;
 };
 
 /// Those of the triangles in [0, count) that have no area: a flag each.
@@ -234,12 +234,12 @@ std::vector<char> FlatOnes(const TrianglePairs& pairs, std::int64_t count)
 }
 
 std::vector<std::int64_t> SelfIntersections(
-  const TriangleMesh& mesh, const ProgressCallback& progress)
+  const SurfaceView& mesh, const ProgressCallback& progress)
 {
   const UnitScale scale(mesh.Points);
   if (!scale.IsOne())
   {
-    TriangleMesh scaled = mesh;
+    TriangleMesh scaled = CopyOf(mesh);
     scale.Apply(scaled.Points);
     return SelfIntersections(scaled, progress);
   }

@@ -6,7 +6,7 @@
 #define isthmus_SelfIntersections_h
 
 #include "Progress.h"
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
 #include "vtkIsthmusModule.h"
 
 namespace isthmus
@@ -24,7 +24,7 @@ namespace isthmus
  * O(n log n + pairs of boxes), parallel; some 120 bytes a triangle.
  */
 VTKISTHMUS_EXPORT std::vector<std::int64_t> SelfIntersections(
-  const TriangleMesh& mesh, const ProgressCallback& progress = {});
+  const SurfaceView& mesh, const ProgressCallback& progress = {});
 
 }
 

@@ -13,30 +13,22 @@ namespace
 /// A side of a triangle with an area.
 struct Side
 {
-  std::array<std::int64_t, 2> Ends; ///< ascending
+  std::array<vtkIdType, 2> Ends; ///< ascending
   Point3 Normal;
 };
 
-Point3 PointOf(const SurfaceView& surface, std::int64_t id)
-{
-  const double* const p = surface.Point(id);
-  return { p[0], p[1], p[2] };
-}
-
 std::vector<Side> SidesOf(const SurfaceView& surface)
 {
-  const std::vector<vtkIdType> corners = MergedCorners(surface);
   std::vector<Side> sides;
-  sides.reserve(corners.size());
-  for (std::size_t t = 0; t + 2 < corners.size(); t += 3)
+  sides.reserve(3 * surface.Triangles.size());
+  for (const Triangle& t : MergedCorners(surface))
   {
-    const Point3 first = PointOf(surface, corners[t]);
-    const Point3 n =
-      Cross(PointOf(surface, corners[t + 1]) - first, PointOf(surface, corners[t + 2]) - first);
+    const Point3& first = surface.Point(t[0]);
+    const Point3 n = Cross(surface.Point(t[1]) - first, surface.Point(t[2]) - first);
     const double length = Length(n);
     for (std::size_t c = 0; c < 3 && length > 0.0; ++c)
     {
-      const std::int64_t a = corners[t + c], b = corners[t + (c + 1) % 3];
+      const vtkIdType a = t[c], b = t[(c + 1) % 3];
       sides.push_back({ { std::min(a, b), std::max(a, b) }, (1.0 / length) * n });
     }
   }
@@ -47,14 +39,14 @@ std::vector<Side> SidesOf(const SurfaceView& surface)
 }
 
 /// A segment's end: its point, and the other end.
-using End = std::array<std::int64_t, 2>;
+using End = std::array<vtkIdType, 2>;
 
 std::vector<Point3> CornersOf(const SurfaceView& surface, std::vector<End> ends, double cosine)
 {
   std::sort(ends.begin(), ends.end());
   const auto along = [&](const End& end)
   {
-    const Point3 d = PointOf(surface, end[1]) - PointOf(surface, end[0]);
+    const Point3 d = surface.Point(end[1]) - surface.Point(end[0]);
     return (1.0 / Length(d)) * d;
   };
   std::vector<Point3> corners;
@@ -66,7 +58,7 @@ std::vector<Point3> CornersOf(const SurfaceView& surface, std::vector<End> ends,
     }
     if (next - i != 2 || -Dot(along(ends[i]), along(ends[i + 1])) < cosine)
     {
-      corners.push_back(PointOf(surface, ends[i][0]));
+      corners.push_back(surface.Point(ends[i][0]));
     }
   }
   return corners;
@@ -88,7 +80,7 @@ SharpEdges FindSharpEdges(const SurfaceView& surface, double cosine)
     if (next - i > 2 || (next - i == 2 && Dot(sides[i].Normal, sides[i + 1].Normal) < cosine))
     {
       const auto [a, b] = sides[i].Ends;
-      sharp.Segments.push_back({ PointOf(surface, a), PointOf(surface, b) });
+      sharp.Segments.push_back({ surface.Point(a), surface.Point(b) });
       ends.push_back({ a, b });
       ends.push_back({ b, a });
     }

@@ -6,7 +6,6 @@
 #define isthmus_SharpEdges_h
 
 #include "SurfaceView.h"
-#include "TriangleMesh.h"
 
 namespace isthmus
 {

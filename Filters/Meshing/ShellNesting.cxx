@@ -14,17 +14,12 @@ namespace isthmus
 namespace
 {
 
-const Point3& At(const TriangleMesh& mesh, std::int64_t id)
-{
-  return mesh.Points[static_cast<std::size_t>(id)];
-}
-
-bool IsInside(const Point3& p, const TriangleMesh& shell)
+bool IsInside(const Point3& p, const SurfaceView& shell)
 {
   double sum = 0.0;
   for (const Triangle& t : shell.Triangles)
   {
-    sum += SolidAngle(At(shell, t[0]) - p, At(shell, t[1]) - p, At(shell, t[2]) - p);
+    sum += SolidAngle(shell.Point(t[0]) - p, shell.Point(t[1]) - p, shell.Point(t[2]) - p);
   }
   return std::abs(sum) > 2.0 * Pi; // half of 4 pi
 }
@@ -55,12 +50,12 @@ std::optional<double> Hit(
 }
 
 /// Distance along unit vector `d` from `p` to the next triangle; up to `own`, it is p's own.
-double Gap(const TriangleMesh& mesh, const Point3& p, const Point3& d, double own)
+double Gap(const SurfaceView& mesh, const Point3& p, const Point3& d, double own)
 {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Triangle& t : mesh.Triangles)
   {
-    const auto hit = Hit(p, d, At(mesh, t[0]), At(mesh, t[1]), At(mesh, t[2]));
+    const auto hit = Hit(p, d, mesh.Point(t[0]), mesh.Point(t[1]), mesh.Point(t[2]));
     if (hit && *hit > own)
     {
       nearest = std::min(nearest, *hit);
@@ -72,14 +67,15 @@ double Gap(const TriangleMesh& mesh, const Point3& p, const Point3& d, double ow
 /// A point right inside the first of `walls`: below the middle of one of its largest triangles,
 /// half way to whatever comes next; of some of them, the one with most room. The other walls are
 /// the shells right within it: nothing else can come next.
-Point3 PointInside(const std::vector<const TriangleMesh*>& walls)
+Point3 PointInside(const std::vector<SurfaceView>& walls)
 {
-  const TriangleMesh& shell = *walls.front();
+  const SurfaceView& shell = walls.front();
   constexpr std::size_t tries = 8;
   std::vector<std::pair<double, Triangle>> largest;
   for (const Triangle& t : shell.Triangles)
   {
-    const Point3 n = Cross(At(shell, t[1]) - At(shell, t[0]), At(shell, t[2]) - At(shell, t[0]));
+    const Point3& a = shell.Point(t[0]);
+    const Point3 n = Cross(shell.Point(t[1]) - a, shell.Point(t[2]) - a);
     largest.emplace_back(-Dot(n, n), t);
   }
   const std::size_t count = std::min(tries, largest.size());
@@ -91,14 +87,14 @@ Point3 PointInside(const std::vector<const TriangleMesh*>& walls)
   for (std::size_t i = 0; i < count; ++i)
   {
     const Triangle& t = largest[i].second;
-    const Point3 &a = At(shell, t[0]), &b = At(shell, t[1]), &c = At(shell, t[2]);
+    const Point3 &a = shell.Point(t[0]), &b = shell.Point(t[1]), &c = shell.Point(t[2]);
     const Point3 n = Cross(b - a, c - a);
     const Point3 inward = (-1.0 / Length(n)) * n;
     const Point3 centre = (1.0 / 3.0) * (a + b + c);
     double gap = std::numeric_limits<double>::infinity();
-    for (const TriangleMesh* wall : walls)
+    for (const SurfaceView& wall : walls)
     {
-      gap = std::min(gap, Gap(*wall, centre, inward, tooThin));
+      gap = std::min(gap, Gap(wall, centre, inward, tooThin));
     }
     if (std::isfinite(gap) && gap > best)
     {
@@ -115,12 +111,12 @@ Point3 PointInside(const std::vector<const TriangleMesh*>& walls)
 }
 
 /// Gives `shell`, whose triangles index `points`, the points it uses and no others.
-void CompactPoints(TriangleMesh& shell, const std::vector<Point3>& points)
+void CompactPoints(TriangleMesh& shell, const View<Point3>& points)
 {
   std::unordered_map<std::int64_t, std::int64_t> compact;
   for (Triangle& t : shell.Triangles)
   {
-    for (std::int64_t& p : t)
+    for (vtkIdType& p : t)
     {
       const auto [known, isNew] =
         compact.emplace(p, static_cast<std::int64_t>(shell.Points.size()));
@@ -134,7 +130,7 @@ void CompactPoints(TriangleMesh& shell, const std::vector<Point3>& points)
 }
 
 /// The shells of `mesh`, each facing outward, and its volume.
-void SplitShells(const TriangleMesh& mesh, ShellNesting& nesting)
+void SplitShells(const SurfaceView& mesh, ShellNesting& nesting)
 {
   nesting.ShellOfTriangle = Components(mesh);
   for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
@@ -198,21 +194,21 @@ void FindParents(const ShellNesting& nesting, std::vector<int>& parent, std::vec
 
 }
 
-Bounds3 BoundsOf(const TriangleMesh& mesh)
+Bounds3 BoundsOf(const SurfaceView& mesh)
 {
   constexpr double far = std::numeric_limits<double>::infinity();
   Bounds3 bounds{ { far, far, far }, { -far, -far, -far } };
   for (const Triangle& t : mesh.Triangles)
   {
-    for (const std::int64_t p : t)
+    for (const vtkIdType p : t)
     {
-      bounds.Add(At(mesh, p));
+      bounds.Add(mesh.Point(p));
     }
   }
   return bounds;
 }
 
-ShellNesting FindNesting(const TriangleMesh& mesh, const ProgressCallback& progress)
+ShellNesting FindNesting(const SurfaceView& mesh, const ProgressCallback& progress)
 {
   ShellNesting nesting;
   SplitShells(mesh, nesting);
@@ -221,13 +217,13 @@ ShellNesting FindNesting(const TriangleMesh& mesh, const ProgressCallback& progr
   FindParents(nesting, parent, depth, Between(progress, 0.0, 0.5));
 
   const std::size_t n = nesting.Shells.size();
-  std::vector<std::vector<const TriangleMesh*>> walls(n);
+  std::vector<std::vector<SurfaceView>> walls(n);
   for (std::size_t s = 0; s < n; ++s)
   {
-    walls[s].insert(walls[s].begin(), &nesting.Shells[s]);
+    walls[s].insert(walls[s].begin(), nesting.Shells[s]);
     if (parent[s] >= 0)
     {
-      walls[static_cast<std::size_t>(parent[s])].push_back(&nesting.Shells[s]);
+      walls[static_cast<std::size_t>(parent[s])].push_back(nesting.Shells[s]);
     }
   }
   const auto rest = Between(progress, 0.5, 1.0);

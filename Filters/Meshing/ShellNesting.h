@@ -5,8 +5,9 @@
 #ifndef isthmus_ShellNesting_h
 #define isthmus_ShellNesting_h
 
+#include "Bounds3.h"
 #include "Progress.h"
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
 #include "vtkIsthmusModule.h"
 
 namespace isthmus
@@ -45,10 +46,10 @@ struct ShellNesting
  * @throws std::invalid_argument when a shell is too thin to find a point inside; Cancelled.
  */
 VTKISTHMUS_EXPORT ShellNesting FindNesting(
-  const TriangleMesh& mesh, const ProgressCallback& progress = {});
+  const SurfaceView& mesh, const ProgressCallback& progress = {});
 
 /// Box around the points of `mesh` that triangles use.
-VTKISTHMUS_EXPORT Bounds3 BoundsOf(const TriangleMesh& mesh);
+VTKISTHMUS_EXPORT Bounds3 BoundsOf(const SurfaceView& mesh);
 
 }
 

@@ -1,5 +1,6 @@
 #include "SolidStuffing.h"
 
+#include "Bounds3.h"
 #include "IsosurfaceStuffing.h"
 #include "ShellNesting.h"
 #include "TriangleTree.h"
@@ -16,9 +17,9 @@ namespace
 class SolidField
 {
 public:
-  explicit SolidField(const TriangleMesh& soup)
+  explicit SolidField(const SurfaceView& soup)
     : Winding(soup)
-    , Tree(TreeOf(soup))
+    , Tree(soup)
     , Triangles(static_cast<std::int64_t>(soup.Triangles.size()))
   {
   }
@@ -35,18 +36,6 @@ public:
   }
 
 private:
-  static TriangleTree TreeOf(const TriangleMesh& mesh)
-  {
-    std::vector<vtkIdType> ids;
-    ids.reserve(3 * mesh.Triangles.size());
-    for (const Triangle& t : mesh.Triangles)
-    {
-      ids.insert(ids.end(), t.begin(), t.end());
-    }
-    return TriangleTree({ mesh.Points.front().data(), static_cast<vtkIdType>(mesh.Points.size()),
-      ids.data(), static_cast<vtkIdType>(mesh.Triangles.size()) });
-  }
-
   WindingNumber Winding;
   TriangleTree Tree;
   std::int64_t Triangles;
@@ -64,7 +53,7 @@ TetrahedralMesh OutsideOf(const TetrahedralMesh& mesh)
       continue;
     }
     Tetrahedron t = mesh.Tetrahedra[i];
-    for (std::int64_t& id : t)
+    for (vtkIdType& id : t)
     {
       std::int64_t& known = ids[static_cast<std::size_t>(id)];
       if (known < 0)
@@ -83,7 +72,7 @@ TetrahedralMesh OutsideOf(const TetrahedralMesh& mesh)
 
 }
 
-TetrahedralMesh StuffSolid(const TriangleMesh& soup, const SolidStuffingParameters& parameters,
+TetrahedralMesh StuffSolid(const SurfaceView& soup, const SolidStuffingParameters& parameters,
   const ProgressCallback& progress)
 {
   const char* const nothing =

@@ -7,7 +7,8 @@
 
 #include "MeshedSide.h"
 #include "Progress.h"
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
+#include "TetrahedralMesh.h"
 #include "vtkIsthmusModule.h"
 
 namespace isthmus
@@ -30,7 +31,7 @@ struct SolidStuffingParameters
  * @pre corners exist and are finite.
  * @throws std::invalid_argument when nothing is enclosed; otherwise as IsosurfaceStuffing.
  */
-VTKISTHMUS_EXPORT TetrahedralMesh StuffSolid(const TriangleMesh& soup,
+VTKISTHMUS_EXPORT TetrahedralMesh StuffSolid(const SurfaceView& soup,
   const SolidStuffingParameters& parameters, const ProgressCallback& progress = {});
 
 }

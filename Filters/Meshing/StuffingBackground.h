@@ -13,6 +13,8 @@
 
 #include "StuffingLattice.h"
 
+#include <vector>
+
 namespace isthmus
 {
 

@@ -9,11 +9,13 @@
 #ifndef isthmus_StuffingLattice_h
 #define isthmus_StuffingLattice_h
 
+#include "Bounds3.h"
+#include "Point3.h"
 #include "Progress.h"
 #include "StuffingParameters.h"
-#include "TriangleMesh.h"
 
 #include <functional>
+#include <vector>
 
 namespace isthmus
 {

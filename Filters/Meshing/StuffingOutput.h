@@ -6,6 +6,7 @@
 #define isthmus_StuffingOutput_h
 
 #include "StuffingStencils.h"
+#include "TetrahedralMesh.h"
 
 #include <unordered_map>
 

@@ -7,6 +7,8 @@
 
 #include "StuffingWarp.h"
 
+#include <vector>
+
 namespace isthmus
 {
 

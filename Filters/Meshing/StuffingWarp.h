@@ -7,6 +7,8 @@
 
 #include "StuffingLattice.h"
 
+#include <vector>
+
 namespace isthmus
 {
 

@@ -119,7 +119,7 @@ TaggedSurface Combined(
     });
 }
 
-TriangleMesh OutwardSurface(const TriangleMesh& mesh)
+TriangleMesh OutwardSurface(const SurfaceView& mesh)
 {
   return cgal::WithSentence("turning the surface",
     [&]

@@ -5,7 +5,7 @@
 #ifndef isthmus_SurfaceBoolean_h
 #define isthmus_SurfaceBoolean_h
 
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
 #include "vtkIsthmusModule.h"
 
 namespace isthmus
@@ -39,7 +39,7 @@ VTKISTHMUS_EXPORT TaggedSurface Combined(
 
 /// `mesh` with each component turned so that all of them together bound a volume.
 /// @pre closed, manifold, without self-intersections. @throws std::runtime_error.
-VTKISTHMUS_EXPORT TriangleMesh OutwardSurface(const TriangleMesh& mesh);
+VTKISTHMUS_EXPORT TriangleMesh OutwardSurface(const SurfaceView& mesh);
 
 /// The triangles of least area (and then least angles between them) that fill a closed polygon, as
 /// places in it; none where CGAL finds none. O(n^2), at worst O(n^3).

@@ -30,22 +30,10 @@ struct Largest
   }
 };
 
-TriangleTree TreeOf(const TriangleMesh& mesh)
-{
-  std::vector<vtkIdType> ids;
-  ids.reserve(3 * mesh.Triangles.size());
-  for (const Triangle& t : mesh.Triangles)
-  {
-    ids.insert(ids.end(), t.begin(), t.end());
-  }
-  return TriangleTree({ mesh.Points.front().data(), static_cast<vtkIdType>(mesh.Points.size()),
-    ids.data(), static_cast<vtkIdType>(mesh.Triangles.size()) });
-}
-
 /// Square of the largest distance of corners, middles of sides and middle of triangle `t` of
 /// `from`.
 double SquaredDistanceOf(
-  const Triangle& t, const TriangleMesh& from, const TriangleTree& to, std::int64_t& guess)
+  const Triangle& t, const SurfaceView& from, const TriangleTree& to, std::int64_t& guess)
 {
   const auto at = [&](std::size_t c) { return from.Points[static_cast<std::size_t>(t[c])]; };
   double largest = 0.0;
@@ -59,7 +47,7 @@ double SquaredDistanceOf(
   return largest;
 }
 
-double LargestDistance(const TriangleMesh& from, const TriangleTree& to)
+double LargestDistance(const SurfaceView& from, const TriangleTree& to)
 {
   const Largest squared =
     ParallelReduce(static_cast<std::int64_t>(from.Triangles.size()), 1024, Largest{},
@@ -113,13 +101,13 @@ TriangleMesh SkinOf(const TetrahedralMesh& mesh)
 }
 
 std::vector<std::int64_t> TrianglesFartherThan(
-  const TriangleMesh& a, const TriangleMesh& b, double distance)
+  const SurfaceView& a, const SurfaceView& b, double distance)
 {
   const auto count = static_cast<std::int64_t>(a.Triangles.size());
   std::vector<char> isFar(a.Triangles.size(), 1);
   if (!b.Triangles.empty())
   {
-    const TriangleTree tree = TreeOf(b);
+    const TriangleTree tree(b);
     ParallelFor(0, count, 1024,
       [&](std::int64_t first, std::int64_t last)
       {
@@ -143,13 +131,13 @@ std::vector<std::int64_t> TrianglesFartherThan(
   return ids;
 }
 
-double OneSidedDistance(const TriangleMesh& a, const TriangleMesh& b)
+double OneSidedDistance(const SurfaceView& a, const SurfaceView& b)
 {
   return a.Triangles.empty() || b.Triangles.empty() ? std::numeric_limits<double>::infinity()
-                                                    : LargestDistance(a, TreeOf(b));
+                                                    : LargestDistance(a, TriangleTree(b));
 }
 
-double HausdorffDistance(const TriangleMesh& a, const TriangleMesh& b)
+double HausdorffDistance(const SurfaceView& a, const SurfaceView& b)
 {
   return std::max(OneSidedDistance(a, b), OneSidedDistance(b, a));
 }

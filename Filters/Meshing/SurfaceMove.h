@@ -5,7 +5,8 @@
 #ifndef isthmus_SurfaceMove_h
 #define isthmus_SurfaceMove_h
 
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
+#include "TetrahedralMesh.h"
 #include "vtkIsthmusModule.h"
 
 namespace isthmus
@@ -19,15 +20,15 @@ VTKISTHMUS_EXPORT TriangleMesh SkinOf(const TetrahedralMesh& mesh);
  * other one: the Hausdorff distance but for what lies between these places. Infinite when one of
  * them is empty. @pre corners exist and are finite. O(n log n), in parallel.
  */
-VTKISTHMUS_EXPORT double HausdorffDistance(const TriangleMesh& a, const TriangleMesh& b);
+VTKISTHMUS_EXPORT double HausdorffDistance(const SurfaceView& a, const SurfaceView& b);
 
 /// Triangles of `a` with such a place farther from `b` than `distance`, ascending; all of them when
 /// `b` is empty.
 VTKISTHMUS_EXPORT std::vector<std::int64_t> TrianglesFartherThan(
-  const TriangleMesh& a, const TriangleMesh& b, double distance);
+  const SurfaceView& a, const SurfaceView& b, double distance);
 
 /// Such a distance from `a` to `b` only: how far `a` reaches from `b`.
-VTKISTHMUS_EXPORT double OneSidedDistance(const TriangleMesh& a, const TriangleMesh& b);
+VTKISTHMUS_EXPORT double OneSidedDistance(const SurfaceView& a, const SurfaceView& b);
 
 }
 

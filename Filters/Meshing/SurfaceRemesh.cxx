@@ -28,7 +28,7 @@ using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 constexpr double MostTriangles = 5e7;
 
-void DemandManifold(const TriangleMesh& mesh)
+void DemandManifold(const SurfaceView& mesh)
 {
   SurfaceDefects defects = FindDefects(mesh);
   defects.BoundaryTriangles.clear();
@@ -39,7 +39,7 @@ void DemandManifold(const TriangleMesh& mesh)
 }
 
 /// Triangles of edges of `length`, or more; a length that is none, or that many, is refused.
-double ExpectedTriangles(const TriangleMesh& mesh, double length)
+double ExpectedTriangles(const SurfaceView& mesh, double length)
 {
   DemandAbove("The edge length", length, 0.0, LargestLength, "It is a length.");
   double edges = 0.0; // of needles: they have no area, and are split all the same
@@ -78,9 +78,8 @@ RemeshedSurface AtUnitScale(TriangleMesh mesh, const UnitScale& scale, Remesh&& 
 class OldSurface
 {
 public:
-  OldSurface(const TriangleMesh& triangles, const SurfaceMesh& mesh)
-    : Points(triangles.Points)
-    , Triangles(triangles.Triangles)
+  OldSurface(const SurfaceView& triangles, const SurfaceMesh& mesh)
+    : Triangles(triangles)
     , Faces(faces(mesh).first, faces(mesh).second, mesh)
   {
     this->Faces.accelerate_distance_queries();
@@ -91,8 +90,8 @@ public:
   SurfaceLocation Locate(const cgal::Point& p) const
   {
     const auto [nearest, face] = this->Faces.closest_point_and_primitive(p);
-    const Triangle& t = this->Triangles[face.idx()];
-    const auto at = [&](std::size_t c) { return this->Points[static_cast<std::size_t>(t[c])]; };
+    const Triangle& t = this->Triangles.Triangles[face.idx()];
+    const auto at = [&](std::size_t c) { return this->Triangles.Point(t[c]); };
     const Point3 x = cgal::FromCGAL(nearest) - at(0);
     const Point3 u = at(1) - at(0);
     const Point3 v = at(2) - at(0);
@@ -111,8 +110,7 @@ public:
   }
 
 private:
-  const std::vector<Point3>& Points;
-  const std::vector<Triangle>& Triangles;
+  SurfaceView Triangles;
   Tree Faces;
 };
 
@@ -176,7 +174,7 @@ struct StopAtEdges
 
 }
 
-RemeshedSurface RemeshSurface(const TriangleMesh& mesh, const SurfaceRemeshParameters& parameters,
+RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParameters& parameters,
   const ProgressCallback& progress)
 {
   if (mesh.Triangles.empty())
@@ -189,8 +187,8 @@ RemeshedSurface RemeshSurface(const TriangleMesh& mesh, const SurfaceRemeshParam
   {
     SurfaceRemeshParameters scaled = parameters;
     scaled.EdgeLength *= scale.Factor();
-    return AtUnitScale(mesh, scale,
-      [&](const TriangleMesh& small) { return RemeshSurface(small, scaled, progress); });
+    return AtUnitScale(CopyOf(mesh), scale,
+      [&](const SurfaceView& small) { return RemeshSurface(small, scaled, progress); });
   }
   const double length = parameters.EdgeLength;
   const double expected = ExpectedTriangles(mesh, length);
@@ -219,7 +217,7 @@ RemeshedSurface RemeshSurface(const TriangleMesh& mesh, const SurfaceRemeshParam
 }
 
 RemeshedSurface SimplifySurface(
-  const TriangleMesh& mesh, std::int64_t triangles, const ProgressCallback& progress)
+  const SurfaceView& mesh, std::int64_t triangles, const ProgressCallback& progress)
 {
   if (mesh.Triangles.empty())
   {
@@ -229,8 +227,8 @@ RemeshedSurface SimplifySurface(
   const UnitScale scale(mesh.Points);
   if (!scale.IsOne())
   {
-    return AtUnitScale(mesh, scale,
-      [&](const TriangleMesh& small) { return SimplifySurface(small, triangles, progress); });
+    return AtUnitScale(CopyOf(mesh), scale,
+      [&](const SurfaceView& small) { return SimplifySurface(small, triangles, progress); });
   }
   if (triangles < 1)
   {
@@ -257,7 +255,7 @@ RemeshedSurface SimplifySurface(
     });
 }
 
-double MeanEdgeLength(const TriangleMesh& mesh)
+double MeanEdgeLength(const SurfaceView& mesh)
 {
   double sum = 0.0;
   const auto points = static_cast<std::int64_t>(mesh.Points.size());

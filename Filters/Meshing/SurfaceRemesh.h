@@ -10,7 +10,7 @@
 #define isthmus_SurfaceRemesh_h
 
 #include "Progress.h"
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
 #include "vtkIsthmusModule.h"
 
 namespace isthmus
@@ -45,7 +45,7 @@ struct SurfaceRemeshParameters
  * positive or would give more than 50 million triangles; Cancelled. Progress and stopping come with
  * each projected point. O(n log n) an iteration.
  */
-VTKISTHMUS_EXPORT RemeshedSurface RemeshSurface(const TriangleMesh& mesh,
+VTKISTHMUS_EXPORT RemeshedSurface RemeshSurface(const SurfaceView& mesh,
   const SurfaceRemeshParameters& parameters, const ProgressCallback& progress = {});
 
 /**
@@ -53,10 +53,10 @@ VTKISTHMUS_EXPORT RemeshedSurface RemeshSurface(const TriangleMesh& mesh,
  * would turn a triangle over or change topology. @pre and failure as above. O(n log n).
  */
 VTKISTHMUS_EXPORT RemeshedSurface SimplifySurface(
-  const TriangleMesh& mesh, std::int64_t triangles, const ProgressCallback& progress = {});
+  const SurfaceView& mesh, std::int64_t triangles, const ProgressCallback& progress = {});
 
 /// Mean length of the sides of all triangles; 0 where there are none.
-VTKISTHMUS_EXPORT double MeanEdgeLength(const TriangleMesh& mesh);
+VTKISTHMUS_EXPORT double MeanEdgeLength(const SurfaceView& mesh);
 
 }
 

@@ -34,7 +34,7 @@ struct Soup
 };
 
 /// What of `mesh` has finite, distinct points.
-Soup UsablePart(const TriangleMesh& mesh, const SurfaceDefects& defects)
+Soup UsablePart(const SurfaceView& mesh, const SurfaceDefects& defects)
 {
   std::set<std::int64_t> badPoints(defects.InvalidPoints.begin(), defects.InvalidPoints.end());
   std::set<std::int64_t> badTriangles(
@@ -84,8 +84,8 @@ SurfaceMesh AsSurface(Soup soup)
   return mesh;
 }
 
-std::string ChangesBetween(const SurfaceDefects& defects, const TriangleMesh& before,
-  const TriangleMesh& after, std::size_t holes, bool crossings)
+std::string ChangesBetween(const SurfaceDefects& defects, const SurfaceView& before,
+  const SurfaceView& after, std::size_t holes, bool crossings)
 {
   std::string text;
   const auto add = [&text](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
@@ -108,7 +108,7 @@ std::string ChangesBetween(const SurfaceDefects& defects, const TriangleMesh& be
 
 }
 
-TriangleMesh TurnedAlike(const TriangleMesh& mesh)
+TriangleMesh TurnedAlike(const SurfaceView& mesh)
 {
   return cgal::WithSentence("turning triangles alike",
     [&]
@@ -116,7 +116,7 @@ TriangleMesh TurnedAlike(const TriangleMesh& mesh)
       const SurfaceDefects defects = FindDefects(mesh);
       if (defects.FlippedTriangles.empty())
       {
-        return mesh; // its parts may face inward: cavities do
+        return CopyOf(mesh); // its parts may face inward: cavities do
       }
       Soup soup = UsablePart(mesh, defects);
       PMP::repair_polygon_soup(soup.Points, soup.Triangles);
@@ -135,7 +135,7 @@ TriangleMesh TurnedAlike(const TriangleMesh& mesh)
     });
 }
 
-void DemandCleanSurface(const TriangleMesh& mesh, const ProgressCallback& progress, bool repaired)
+void DemandCleanSurface(const SurfaceView& mesh, const ProgressCallback& progress, bool repaired)
 {
   const std::string advice = repaired
     ? " Repair could not mend it: make the surface anew (Contour, Offset Surface), or remove the "
@@ -154,12 +154,12 @@ void DemandCleanSurface(const TriangleMesh& mesh, const ProgressCallback& progre
   }
 }
 
-RepairedSurface RepairSurface(const TriangleMesh& mesh, const ProgressCallback& progress)
+RepairedSurface RepairSurface(const SurfaceView& mesh, const ProgressCallback& progress)
 {
   const UnitScale scale(mesh.Points);
   if (!scale.IsOne())
   {
-    TriangleMesh scaled = mesh;
+    TriangleMesh scaled = CopyOf(mesh);
     scale.Apply(scaled.Points);
     RepairedSurface result = RepairSurface(scaled, progress);
     scale.Undo(result.Mesh.Points);

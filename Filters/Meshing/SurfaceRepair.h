@@ -7,7 +7,7 @@
 
 #include "Progress.h"
 #include "SelfIntersections.h"
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
 #include "vtkIsthmusModule.h"
 
 #include <string>
@@ -19,11 +19,11 @@ namespace isthmus
 /// is closed, manifold, oriented and free of self-intersections. The way out that it names is not
 /// repair where the surface is `repaired` already.
 VTKISTHMUS_EXPORT void DemandCleanSurface(
-  const TriangleMesh& mesh, const ProgressCallback& progress = {}, bool repaired = false);
+  const SurfaceView& mesh, const ProgressCallback& progress = {}, bool repaired = false);
 
 /// The triangles of `mesh`, coinciding points merged, duplicates dropped, and
 /// neighbours turned alike; as it is where that is so already. @pre corners exist and are finite.
-VTKISTHMUS_EXPORT TriangleMesh TurnedAlike(const TriangleMesh& mesh);
+VTKISTHMUS_EXPORT TriangleMesh TurnedAlike(const SurfaceView& mesh);
 
 struct RepairedSurface
 {
@@ -41,7 +41,7 @@ struct RepairedSurface
  * @throws std::invalid_argument when nothing closed is left.
  */
 VTKISTHMUS_EXPORT RepairedSurface RepairSurface(
-  const TriangleMesh& mesh, const ProgressCallback& progress = {});
+  const SurfaceView& mesh, const ProgressCallback& progress = {});
 
 }
 

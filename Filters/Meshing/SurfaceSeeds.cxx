@@ -67,7 +67,7 @@ private:
 
 /// Up to `count` points of `ids`, each farthest from those before.
 std::vector<std::int64_t> Farthest(
-  const std::vector<Point3>& points, const std::vector<std::int64_t>& ids, std::size_t count)
+  const View<Point3>& points, const std::vector<std::int64_t>& ids, std::size_t count)
 {
   const auto at = [&points](std::int64_t id) { return points[static_cast<std::size_t>(id)]; };
   std::vector<std::int64_t> chosen{ ids.front() };
@@ -87,7 +87,7 @@ std::vector<std::int64_t> Farthest(
 
 }
 
-std::vector<SeededComponent> SpreadSeeds(const TriangleMesh& surface, double spacing)
+std::vector<SeededComponent> SpreadSeeds(const SurfaceView& surface, double spacing)
 {
   constexpr double far = std::numeric_limits<double>::infinity();
   constexpr std::size_t fewest = 4;

@@ -5,7 +5,8 @@
 #ifndef isthmus_SurfaceSeeds_h
 #define isthmus_SurfaceSeeds_h
 
-#include "TriangleMesh.h"
+#include "Bounds3.h"
+#include "SurfaceView.h"
 #include "vtkIsthmusModule.h"
 
 namespace isthmus
@@ -25,7 +26,7 @@ struct SeededComponent
  * makes them. O(n) but for components with few seeds, O(4 n) there.
  */
 VTKISTHMUS_EXPORT std::vector<SeededComponent> SpreadSeeds(
-  const TriangleMesh& surface, double spacing);
+  const SurfaceView& surface, double spacing);
 
 }
 

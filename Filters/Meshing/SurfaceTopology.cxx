@@ -6,7 +6,7 @@
 namespace isthmus
 {
 
-std::vector<int> Components(const TriangleMesh& mesh)
+std::vector<int> Components(const SurfaceView& mesh)
 {
   const std::size_t n = mesh.Triangles.size();
   DisjointSets<std::int64_t> sets(static_cast<std::int64_t>(n));
@@ -28,7 +28,7 @@ std::vector<int> Components(const TriangleMesh& mesh)
   return label;
 }
 
-double SignedVolume(const TriangleMesh& mesh)
+double SignedVolume(const SurfaceView& mesh)
 {
   if (mesh.Triangles.empty())
   {
@@ -47,7 +47,7 @@ double SignedVolume(const TriangleMesh& mesh)
   return sum / 6.0;
 }
 
-std::int64_t EulerCharacteristic(const TriangleMesh& mesh)
+std::int64_t EulerCharacteristic(const SurfaceView& mesh)
 {
   std::vector<bool> used(mesh.Points.size());
   for (const Triangle& t : mesh.Triangles)

@@ -5,7 +5,7 @@
 #ifndef isthmus_SurfaceTopology_h
 #define isthmus_SurfaceTopology_h
 
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
 #include "vtkIsthmusModule.h"
 
 namespace isthmus
@@ -15,14 +15,14 @@ namespace isthmus
  * Connected components (triangles that share an edge), numbered from 0 by their first triangle:
  * one number for each triangle. @pre the mesh has no invalid triangles.
  */
-VTKISTHMUS_EXPORT std::vector<int> Components(const TriangleMesh& mesh);
+VTKISTHMUS_EXPORT std::vector<int> Components(const SurfaceView& mesh);
 
 /// Volume enclosed by a closed surface, (1/6) sum of v0.(v1 x v2) (thesis, eq. 4.41 corrected):
 /// positive when its triangles are counter-clockwise seen from outside.
-VTKISTHMUS_EXPORT double SignedVolume(const TriangleMesh& mesh);
+VTKISTHMUS_EXPORT double SignedVolume(const SurfaceView& mesh);
 
 /// Euler characteristic V - E + F of a closed surface, over the points that triangles use.
-VTKISTHMUS_EXPORT std::int64_t EulerCharacteristic(const TriangleMesh& mesh);
+VTKISTHMUS_EXPORT std::int64_t EulerCharacteristic(const SurfaceView& mesh);
 
 }
 

@@ -112,36 +112,35 @@ private:
 
 }
 
-void WriteTetGenSurface(const std::filesystem::path& file,
-  const std::vector<const TriangleMesh*>& surfaces, const std::vector<SpaceRegion>& holes,
-  const std::vector<SpaceRegion>& regions)
+void WriteTetGenSurface(const std::filesystem::path& file, const std::vector<SurfaceView>& surfaces,
+  const std::vector<SpaceRegion>& holes, const std::vector<SpaceRegion>& regions)
 {
   std::size_t points = 0;
   std::size_t triangles = 0;
-  for (const TriangleMesh* surface : surfaces)
+  for (const SurfaceView& surface : surfaces)
   {
-    points += surface->Points.size();
-    triangles += surface->Triangles.size();
+    points += surface.Points.size();
+    triangles += surface.Triangles.size();
   }
   TextWriter out(file);
   (out << points << 3 << 0 << 0).EndLine();
   std::size_t id = 0;
-  for (const TriangleMesh* surface : surfaces)
+  for (const SurfaceView& surface : surfaces)
   {
-    for (const Point3& p : surface->Points)
+    for (const Point3& p : surface.Points)
     {
       (out << id++ << p).EndLine();
     }
   }
   (out << triangles << 0).EndLine();
   std::int64_t first = 0;
-  for (const TriangleMesh* surface : surfaces)
+  for (const SurfaceView& surface : surfaces)
   {
-    for (const Triangle& t : surface->Triangles)
+    for (const Triangle& t : surface.Triangles)
     {
       (out << 3 << first + t[0] << first + t[1] << first + t[2]).EndLine();
     }
-    first += static_cast<std::int64_t>(surface->Points.size());
+    first += static_cast<std::int64_t>(surface.Points.size());
   }
   (out << holes.size()).EndLine();
   for (std::size_t i = 0; i < holes.size(); ++i)
@@ -185,7 +184,7 @@ TetrahedralMesh ReadTetGenMesh(const std::filesystem::path& folder, const std::s
   for (std::size_t i = 0; i < count; ++i)
   {
     cells.Next<std::int64_t>();
-    for (std::int64_t& corner : mesh.Tetrahedra[i])
+    for (vtkIdType& corner : mesh.Tetrahedra[i])
     {
       corner = cells.Next<std::int64_t>();
       if (corner < 0 || corner >= points)

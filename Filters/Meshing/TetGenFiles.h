@@ -6,7 +6,8 @@
 #define isthmus_TetGenFiles_h
 
 #include "ShellNesting.h"
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
+#include "TetrahedralMesh.h"
 
 #include <filesystem>
 
@@ -15,9 +16,8 @@ namespace isthmus
 
 /// Writes points, triangles, a hole for each of `holes` and a region for each of `regions` (its
 /// place in the list, from 1, being its attribute) as TetGen's .smesh, all digits kept.
-void WriteTetGenSurface(const std::filesystem::path& file,
-  const std::vector<const TriangleMesh*>& surfaces, const std::vector<SpaceRegion>& holes,
-  const std::vector<SpaceRegion>& regions);
+void WriteTetGenSurface(const std::filesystem::path& file, const std::vector<SurfaceView>& surfaces,
+  const std::vector<SpaceRegion>& holes, const std::vector<SpaceRegion>& regions);
 
 /// Reads NAME.1.node and NAME.1.ele; Regions holds the attributes as they are.
 /// @throws std::runtime_error when one is missing or ends early.

@@ -1,5 +1,6 @@
 #include "ChildProcess.h"
 #include "TetGenFiles.h"
+#include "TetrahedralMesh.h"
 #include "TetrahedralMesher.h"
 
 #include <csignal>
@@ -131,10 +132,10 @@ TetrahedralMesh TetGenTetrahedra(const TetrahedralTask& task, const ProgressCall
   {
     (task.IsWanted(region.Id) ? wanted : holes).push_back(region);
   }
-  std::vector<const TriangleMesh*> surfaces{ &task.Surface };
+  std::vector<SurfaceView> surfaces{ task.Surface };
   if (boxed)
   {
-    surfaces.push_back(&task.Box);
+    surfaces.push_back(task.Box);
   }
 
   const TemporaryFolder folder;

@@ -5,6 +5,7 @@
 #ifndef isthmus_TetrahedralGrid_h
 #define isthmus_TetrahedralGrid_h
 
+#include "TetrahedralMesh.h"
 #include "TriangleMesh.h"
 
 class vtkUnstructuredGrid;

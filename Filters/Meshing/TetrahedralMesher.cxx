@@ -1,5 +1,6 @@
 #include "TetrahedralMesher.h"
 
+#include "Bounds3.h"
 #include "RangeGuard.h"
 #include "SurfaceRepair.h"
 #include "SurfaceTopology.h"
@@ -24,7 +25,7 @@ TetrahedralParameters Scaled(TetrahedralParameters p, double factor)
 }
 
 /// Sizes so small that refinement would pass MaximumPoints are refused before it begins.
-void DemandCGALBudget(const TriangleMesh& surface, const TetrahedralParameters& parameters)
+void DemandCGALBudget(const SurfaceView& surface, const TetrahedralParameters& parameters)
 {
   const CGALCriteria& c = parameters.CGAL;
   if (parameters.Library != TetrahedralLibrary::CGAL)
@@ -188,7 +189,7 @@ void CheckTetrahedralParameters(const TetrahedralParameters& p)
     "Time limits of the optimisation must be positive.");
 }
 
-TetrahedralMesh MeshTetrahedra(const TriangleMesh& surface, const TetrahedralParameters& parameters,
+TetrahedralMesh MeshTetrahedra(const SurfaceView& surface, const TetrahedralParameters& parameters,
   const ProgressCallback& progress)
 {
   CheckTetrahedralParameters(parameters);
@@ -199,7 +200,7 @@ TetrahedralMesh MeshTetrahedra(const TriangleMesh& surface, const TetrahedralPar
   const UnitScale scale(surface.Points);
   if (!scale.IsOne())
   {
-    TriangleMesh scaled = surface;
+    TriangleMesh scaled = CopyOf(surface);
     scale.Apply(scaled.Points);
     TetrahedralMesh mesh = MeshTetrahedra(scaled, Scaled(parameters, scale.Factor()), progress);
     scale.Undo(mesh.Points);

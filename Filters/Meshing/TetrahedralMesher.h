@@ -13,7 +13,8 @@
 #include "MeshedSide.h"
 #include "Progress.h"
 #include "ShellNesting.h"
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
+#include "TetrahedralMesh.h"
 #include "vtkIsthmusModule.h"
 
 #include <string>
@@ -81,7 +82,7 @@ struct TetrahedralParameters
  * Cost: TetGen 220 bytes a tetrahedron in its own process, and about as much again on disk as text;
  * for times of both libraries see BenchMeshing.
  */
-VTKISTHMUS_EXPORT TetrahedralMesh MeshTetrahedra(const TriangleMesh& surface,
+VTKISTHMUS_EXPORT TetrahedralMesh MeshTetrahedra(const SurfaceView& surface,
   const TetrahedralParameters& parameters, const ProgressCallback& progress = {});
 
 /// @throws std::invalid_argument with a sentence unless the parameters of the library can be met.
@@ -90,7 +91,7 @@ VTKISTHMUS_EXPORT void CheckTetrahedralParameters(const TetrahedralParameters& p
 /// What the two libraries are given: a checked surface, its regions, the box where there is one.
 struct TetrahedralTask
 {
-  const TriangleMesh& Surface;
+  SurfaceView Surface;
   const ShellNesting& Nesting;
   const TetrahedralParameters& Parameters;
   TriangleMesh Box;     ///< 12 triangles facing outward; empty for MeshedSide::Inside

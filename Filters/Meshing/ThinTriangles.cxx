@@ -1,5 +1,6 @@
 #include "ThinTriangles.h"
 
+#include "Bounds3.h"
 #include "CGALSurface.h"
 #include "Index.h"
 #include "ParallelFor.h"
@@ -40,7 +41,7 @@ bool IsThin(const Point3& p, const Point3& q, const Point3& r)
 
 }
 
-std::vector<std::int64_t> ThinTriangles(const TriangleMesh& mesh)
+std::vector<std::int64_t> ThinTriangles(const SurfaceView& mesh)
 {
   const auto point = [&mesh](std::int64_t p) -> const Point3& { return mesh.Points[At(p)]; };
   const auto count = static_cast<std::int64_t>(mesh.Triangles.size());
@@ -65,12 +66,12 @@ std::vector<std::int64_t> ThinTriangles(const TriangleMesh& mesh)
   return thin;
 }
 
-TriangleMesh WithoutThinTriangles(const TriangleMesh& mesh)
+TriangleMesh WithoutThinTriangles(const SurfaceView& mesh)
 {
   const UnitScale scale(mesh.Points);
   if (!scale.IsOne())
   {
-    TriangleMesh scaled = mesh;
+    TriangleMesh scaled = CopyOf(mesh);
     scale.Apply(scaled.Points);
     TriangleMesh result = WithoutThinTriangles(scaled);
     scale.Undo(result.Points);

@@ -5,7 +5,7 @@
 #ifndef isthmus_ThinTriangles_h
 #define isthmus_ThinTriangles_h
 
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
 #include "vtkIsthmusModule.h" // for the export macro
 
 namespace isthmus
@@ -13,7 +13,7 @@ namespace isthmus
 
 /// Ids of triangles whose height is less than a millionth of their longest edge, ascending. O(n).
 /// @pre corners exist and are finite.
-VTKISTHMUS_EXPORT std::vector<std::int64_t> ThinTriangles(const TriangleMesh& mesh);
+VTKISTHMUS_EXPORT std::vector<std::int64_t> ThinTriangles(const SurfaceView& mesh);
 
 /**
  * `mesh` with needles collapsed and caps flipped, as CGAL's Polygon_mesh_processing does it; no
@@ -22,7 +22,7 @@ VTKISTHMUS_EXPORT std::vector<std::int64_t> ThinTriangles(const TriangleMesh& me
  *
  * @pre closed, manifold and oriented. O(n log n).
  */
-VTKISTHMUS_EXPORT TriangleMesh WithoutThinTriangles(const TriangleMesh& mesh);
+VTKISTHMUS_EXPORT TriangleMesh WithoutThinTriangles(const SurfaceView& mesh);
 
 }
 

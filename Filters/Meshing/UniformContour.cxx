@@ -1,5 +1,6 @@
 #include "UniformContour.h"
 
+#include "Bounds3.h"
 #include "CellBox.h"
 #include "ContourPlaces.h"
 #include "MeetingPlanes.h"

@@ -1,5 +1,6 @@
 #include "WindingNumber.h"
 
+#include "Bounds3.h"
 #include "Pi.h"
 
 #include <numeric>
@@ -12,7 +13,7 @@ namespace
 constexpr double FourPi = 4.0 * Pi;
 constexpr std::int64_t LeafSize = 8;
 
-std::array<Point3, 3> CornersOf(const TriangleMesh& mesh, std::int64_t triangle)
+std::array<Point3, 3> CornersOf(const SurfaceView& mesh, std::int64_t triangle)
 {
   const Triangle& t = mesh.Triangles[static_cast<std::size_t>(triangle)];
   const auto at = [&](std::size_t c) { return mesh.Points[static_cast<std::size_t>(t[c])]; };
@@ -35,7 +36,7 @@ double SolidAngle(const Point3& a, const Point3& b, const Point3& c)
   return 2.0 * std::atan2(Dot(a, Cross(b, c)), below);
 }
 
-WindingNumber::WindingNumber(const TriangleMesh& mesh)
+WindingNumber::WindingNumber(const SurfaceView& mesh)
 {
   const auto count = static_cast<std::int64_t>(mesh.Triangles.size());
   if (count == 0)
@@ -50,7 +51,7 @@ WindingNumber::WindingNumber(const TriangleMesh& mesh)
 }
 
 void WindingNumber::Summarise(Part& part, std::int64_t first, std::int64_t last,
-  const std::vector<std::int64_t>& order, const TriangleMesh& mesh) const
+  const std::vector<std::int64_t>& order, const SurfaceView& mesh) const
 {
   double area = 0.0;
   Point3 weighted{ 0, 0, 0 }, plain{ 0, 0, 0 };
@@ -79,7 +80,7 @@ void WindingNumber::Summarise(Part& part, std::int64_t first, std::int64_t last,
 }
 
 void WindingNumber::Build(std::size_t at, std::int64_t first, std::int64_t last,
-  std::vector<std::int64_t>& order, const TriangleMesh& mesh)
+  std::vector<std::int64_t>& order, const SurfaceView& mesh)
 {
   this->Summarise(this->Parts[at], first, last, order, mesh);
   if (last - first <= LeafSize)

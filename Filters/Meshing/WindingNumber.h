@@ -10,7 +10,7 @@
 #ifndef isthmus_WindingNumber_h
 #define isthmus_WindingNumber_h
 
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
 #include "vtkIsthmusModule.h"
 
 namespace isthmus
@@ -27,7 +27,7 @@ class VTKISTHMUS_EXPORT WindingNumber
 {
 public:
   /// @pre corners exist and are finite.
-  explicit WindingNumber(const TriangleMesh& mesh);
+  explicit WindingNumber(const SurfaceView& mesh);
 
   double operator()(const Point3& x) const;
 
@@ -42,9 +42,9 @@ private:
   };
 
   void Build(std::size_t part, std::int64_t first, std::int64_t last,
-    std::vector<std::int64_t>& order, const TriangleMesh& mesh);
+    std::vector<std::int64_t>& order, const SurfaceView& mesh);
   void Summarise(Part& part, std::int64_t first, std::int64_t last,
-    const std::vector<std::int64_t>& order, const TriangleMesh& mesh) const;
+    const std::vector<std::int64_t>& order, const SurfaceView& mesh) const;
 
   std::vector<Part> Parts;
   std::vector<std::array<Point3, 3>> Corners; ///< leaf by leaf

@@ -1,6 +1,7 @@
 #include "vtkDualContouring.h"
 
 #include "AlgorithmGuard.h"
+#include "Bounds3.h"
 #include "ChosenScalars.h"
 #include "ClosedLevelSet.h"
 #include "DualContouring.h"
@@ -67,7 +68,7 @@ isthmus::HermiteGrid HermiteOf(
 /// A surface moved to the frame of a grid around it, two layers away.
 struct MovedSurface
 {
-  std::vector<double> Points;
+  std::vector<isthmus::Point3> Points;
   isthmus::SurfaceView View;
   isthmus::GridShape Shape;
   isthmus::Point3 Origin;
@@ -80,14 +81,14 @@ MovedSurface Move(const isthmus::SurfaceView& surface, double spacing)
     throw std::invalid_argument("Spacing is " + std::to_string(spacing) +
       ", but it is a length: give a positive one, or 0 for 1/64 of the longest side.");
   }
-  const auto at = [&surface](vtkIdType id) {
-    return isthmus::Point3{ surface.Point(id)[0], surface.Point(id)[1], surface.Point(id)[2] };
-  };
-  const isthmus::Point3 first = at(surface.Triangle(0)[0]);
+  const isthmus::Point3& first = surface.Point(surface.Corners(0)[0]);
   isthmus::Bounds3 box{ first, first };
-  for (vtkIdType t = 0; t < 3 * surface.NumberOfTriangles; ++t)
+  for (const isthmus::Triangle& corners : surface.Triangles)
   {
-    box.Add(at(surface.Triangles[t]));
+    for (const vtkIdType point : corners)
+    {
+      box.Add(surface.Point(point));
+    }
   }
   const isthmus::Point3 size = box.Max - box.Min;
   const double h = spacing > 0.0 ? spacing : *std::max_element(size.begin(), size.end()) / 64.0;
@@ -109,13 +110,8 @@ MovedSurface Move(const isthmus::SurfaceView& surface, double spacing)
     throw std::invalid_argument("The surface has no size, or the spacing makes more than two "
                                 "thousand million nodes: choose a larger one.");
   }
-  moved.Points.resize(static_cast<std::size_t>(3 * surface.NumberOfPoints));
-  for (std::size_t i = 0; i < moved.Points.size(); ++i)
-  {
-    moved.Points[i] = surface.Points[i] - moved.Origin[i % 3];
-  }
-  moved.View = surface;
-  moved.View.Points = moved.Points.data();
+  moved.Points = isthmus::PointsFrom(moved.Origin, surface);
+  moved.View = { moved.Points, surface.Triangles };
   return moved;
 }
 
@@ -250,7 +246,7 @@ int vtkDualContouring::RequestData(
       if (surface && surface->GetNumberOfCells() > 0)
       {
         const isthmus::PolyDataTriangles triangles(surface);
-        if (triangles.View().NumberOfTriangles > 0)
+        if (triangles.View().NumberOfTriangles() > 0)
         {
           contour =
             ContourOf(triangles.View(), this->Spacing, parameters, isthmus::ProgressOf(this));

@@ -1,6 +1,7 @@
 #include "vtkIsosurfaceStuffing.h"
 
 #include "AlgorithmGuard.h"
+#include "Bounds3.h"
 #include "ChosenScalars.h"
 #include "ClosedLevelSet.h"
 #include "ImageExtent.h"
@@ -8,6 +9,7 @@
 #include "IsosurfaceStuffing.h"
 #include "MachineMemory.h"
 #include "TetrahedralGrid.h"
+#include "TetrahedralMesh.h"
 #include "TrilinearField.h"
 
 #include <vtkDataSetAttributes.h>

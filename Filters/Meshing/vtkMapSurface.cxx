@@ -67,7 +67,7 @@ isthmus::TriangleMesh CubesSurface(vtkMapSurface* self, vtkImageData* image, vtk
   return mesh;
 }
 
-void AddNormals(const isthmus::TriangleMesh& mesh, vtkPolyData* surface)
+void AddNormals(const isthmus::SurfaceView& mesh, vtkPolyData* surface)
 {
   vtkNew<vtkFloatArray> normals;
   normals->SetName("Normals");

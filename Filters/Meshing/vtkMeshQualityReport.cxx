@@ -34,9 +34,9 @@ namespace
 /// All cells of `mesh`, which must be of that type. Throws std::invalid_argument, with the cell,
 /// where one is not, or names a point that does not exist.
 template <std::size_t Corners>
-std::vector<std::array<std::int64_t, Corners>> CellsOf(vtkPointSet* mesh, int type)
+std::vector<std::array<vtkIdType, Corners>> CellsOf(vtkPointSet* mesh, int type)
 {
-  std::vector<std::array<std::int64_t, Corners>> cells(
+  std::vector<std::array<vtkIdType, Corners>> cells(
     static_cast<std::size_t>(mesh->GetNumberOfCells()));
   vtkNew<vtkIdList> ids;
   for (std::size_t i = 0; i < cells.size(); ++i)
@@ -233,7 +233,7 @@ int vtkMeshQualityReport::RequestData(
         ? isthmus::MeasureQuality(
             points, CellsOf<4>(mesh, VTK_TETRA), this->NumberOfBins, cells, progress)
         : isthmus::MeasureQuality(
-            points, CellsOf<3>(mesh, VTK_TRIANGLE), this->NumberOfBins, cells, progress);
+            { points, CellsOf<3>(mesh, VTK_TRIANGLE) }, this->NumberOfBins, cells, progress);
       const isthmus::QualitySummary summary = OverRanks(this, own);
       marked->ShallowCopy(mesh);
       if (summary.Cells == 0)

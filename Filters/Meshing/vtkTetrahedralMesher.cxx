@@ -7,6 +7,7 @@
 #include "SurfaceIntake.h"
 #include "SurfaceRepair.h"
 #include "TetrahedralGrid.h"
+#include "TetrahedralMesh.h"
 #include "TetrahedralMesher.h"
 #include "WholeSurface.h"
 

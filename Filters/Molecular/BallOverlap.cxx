@@ -2,6 +2,7 @@
 
 #include "Pi.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace isthmus

@@ -6,7 +6,7 @@
 #define isthmus_BallOverlap_h
 
 #include "Ball.h"
-#include "TriangleMesh.h"
+#include "Point3.h"
 #include "vtkIsthmusModule.h"
 
 #include <array>

@@ -85,8 +85,7 @@ std::vector<std::string> ResiduesOfSites(const SurfaceView& surface, const std::
   {
     if (labels[i] > 0)
     {
-      const double* p = surface.Point(static_cast<vtkIdType>(i));
-      places.push_back({ p[0], p[1], p[2] });
+      places.push_back(surface.Points[i]);
       siteOf.push_back(static_cast<std::size_t>(labels[i]) - 1);
     }
   }

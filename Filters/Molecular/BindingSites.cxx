@@ -1,5 +1,6 @@
 #include "BindingSites.h"
 
+#include "AreaQuantiles.h"
 #include "DisjointSets.h"
 #include "HullDepth.h"
 #include "ParallelFor.h"
@@ -39,29 +40,6 @@ void Check(const BindingSiteOptions& options)
   notNegative("Threshold", options.Threshold);
   notNegative("MergeDistance", options.MergeDistance);
   notNegative("MinimumArea", options.MinimumArea);
-}
-
-std::vector<double> PointAreas(const SurfaceView& mesh)
-{
-  std::vector<double> areas(static_cast<std::size_t>(mesh.NumberOfPoints), 0.0);
-  for (vtkIdType t = 0; t < mesh.NumberOfTriangles; ++t)
-  {
-    const vtkIdType* corners = mesh.Triangle(t);
-    const double* p = mesh.Point(corners[0]);
-    double u[3], v[3];
-    for (int i = 0; i < 3; ++i)
-    {
-      u[i] = mesh.Point(corners[1])[i] - p[i];
-      v[i] = mesh.Point(corners[2])[i] - p[i];
-    }
-    const double area = 0.5 *
-      std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      areas[static_cast<std::size_t>(corners[corner])] += area / 3.0;
-    }
-  }
-  return areas;
 }
 
 bool TakesPart(const SiteFields& fields, std::size_t i)
@@ -157,10 +135,10 @@ private:
   void JoinWith(
     vtkIdType point, const std::vector<vtkIdType>& others, DisjointSets<vtkIdType>& sets) const
   {
-    const double* p = this->Mesh.Point(point);
+    const Point3& p = this->Mesh.Point(point);
     for (const vtkIdType other : others)
     {
-      const double* q = this->Mesh.Point(other);
+      const Point3& q = this->Mesh.Point(other);
       if (this->Kinds[static_cast<std::size_t>(point)] ==
           this->Kinds[static_cast<std::size_t>(other)] &&
         std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) <= this->Distance)
@@ -170,7 +148,7 @@ private:
     }
   }
 
-  const SurfaceView& Mesh;
+  SurfaceView Mesh;
   const std::vector<unsigned char>& Kinds;
   double Distance;
   std::unordered_map<Cell, std::vector<vtkIdType>, Hash> Cells;
@@ -179,10 +157,10 @@ private:
 void JoinEdges(
   const SurfaceView& mesh, const std::vector<unsigned char>& kinds, DisjointSets<vtkIdType>& sets)
 {
-  for (vtkIdType t = 0; t < mesh.NumberOfTriangles; ++t)
+  for (vtkIdType t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
-    const vtkIdType* corners = mesh.Triangle(t);
-    for (int c = 0; c < 3; ++c)
+    const Triangle& corners = mesh.Corners(t);
+    for (std::size_t c = 0; c < 3; ++c)
     {
       const vtkIdType a = corners[c], b = corners[(c + 1) % 3];
       const unsigned char kind = kinds[static_cast<std::size_t>(a)];
@@ -246,14 +224,14 @@ BindingSite Measure(const std::vector<vtkIdType>& points, const SurfaceView& mes
 std::vector<double> Depths(
   const SurfaceView& mesh, const std::vector<vtkIdType>& selected, const ProgressCallback& progress)
 {
-  std::vector<double> depths(static_cast<std::size_t>(mesh.NumberOfPoints), 0.0);
+  std::vector<double> depths(mesh.Points.size(), 0.0);
   const HullDepth depth(mesh, Between(progress, 0.0, 0.8));
   const auto body = [&](std::int64_t first, std::int64_t last)
   {
     for (std::int64_t s = first; s < last; ++s)
     {
       const vtkIdType point = selected[static_cast<std::size_t>(s)];
-      depths[static_cast<std::size_t>(point)] = depth(mesh.Point(point));
+      depths[static_cast<std::size_t>(point)] = depth(mesh.Point(point).data());
     }
   };
   ParallelFor(
@@ -268,7 +246,7 @@ using Patches = std::map<vtkIdType, std::vector<vtkIdType>>;
 Patches PatchesOf(const SurfaceView& mesh, const std::vector<unsigned char>& kinds,
   const std::vector<vtkIdType>& selected, double mergeDistance, const ProgressCallback& progress)
 {
-  DisjointSets<vtkIdType> sets(mesh.NumberOfPoints);
+  DisjointSets<vtkIdType> sets(mesh.NumberOfPoints());
   JoinEdges(mesh, kinds, sets);
   if (mergeDistance > 0.0)
   {
@@ -289,7 +267,7 @@ BindingSiteResult FindBindingSites(const SurfaceView& mesh, const SiteFields& fi
 {
   Check(options);
   BindingSiteResult result;
-  const auto count = static_cast<std::size_t>(mesh.NumberOfPoints);
+  const auto count = mesh.Points.size();
   result.Labels.assign(count, 0);
   const std::vector<double> areas = PointAreas(mesh);
   result.Threshold =

@@ -5,8 +5,8 @@
 #ifndef isthmus_FeatureTracks_h
 #define isthmus_FeatureTracks_h
 
+#include "Point3.h"
 #include "Progress.h"
-#include "TriangleMesh.h"
 #include "vtkIsthmusModule.h"
 
 #include <string>

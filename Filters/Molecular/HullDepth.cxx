@@ -33,7 +33,12 @@ HullDepth::HullDepth(const SurfaceView& mesh, const ProgressCallback& progress)
     this->Directions[static_cast<std::size_t>(d)] = { r * std::cos(golden * d),
       r * std::sin(golden * d), z };
   }
-  std::vector<vtkIdType> used(mesh.Triangles, mesh.Triangles + 3 * mesh.NumberOfTriangles);
+  std::vector<vtkIdType> used;
+  used.reserve(3 * mesh.Triangles.size());
+  for (const Triangle& t : mesh.Triangles)
+  {
+    used.insert(used.end(), t.begin(), t.end());
+  }
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
   const auto body = [&](std::int64_t first, std::int64_t last)

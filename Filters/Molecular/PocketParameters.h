@@ -5,7 +5,7 @@
 #ifndef isthmus_PocketParameters_h
 #define isthmus_PocketParameters_h
 
-#include "TriangleMesh.h"
+#include "Point3.h"
 
 #include <cstdint>
 #include <vector>

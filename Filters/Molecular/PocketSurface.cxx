@@ -13,34 +13,18 @@ namespace
 /// A third of the triangles around each point.
 std::vector<double> PointAreas(const SurfaceView& surface)
 {
-  std::vector<double> areas(static_cast<std::size_t>(surface.NumberOfPoints), 0.0);
-  for (vtkIdType i = 0; i < surface.NumberOfTriangles; ++i)
+  std::vector<double> areas(surface.Points.size(), 0.0);
+  for (vtkIdType i = 0; i < surface.NumberOfTriangles(); ++i)
   {
-    const vtkIdType* t = surface.Triangle(i);
-    Point3 p[3];
-    for (std::size_t k = 0; k < 3; ++k)
+    const Triangle& t = surface.Corners(i);
+    const Point3& first = surface.Point(t[0]);
+    const Point3 n = Cross(surface.Point(t[1]) - first, surface.Point(t[2]) - first);
+    for (const vtkIdType point : t)
     {
-      const double* at = surface.Point(t[k]);
-      p[k] = { at[0], at[1], at[2] };
-    }
-    const Point3 n = Cross(p[1] - p[0], p[2] - p[0]);
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      areas[static_cast<std::size_t>(t[k])] += Length(n) / 6.0;
+      areas[At(point)] += Length(n) / 6.0;
     }
   }
   return areas;
-}
-
-std::vector<Point3> PointsOf(const SurfaceView& surface)
-{
-  std::vector<Point3> points(static_cast<std::size_t>(surface.NumberOfPoints));
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    const double* at = surface.Point(static_cast<vtkIdType>(i));
-    points[i] = { at[0], at[1], at[2] };
-  }
-  return points;
 }
 
 /// Sums by area over some points.
@@ -75,10 +59,9 @@ std::vector<PocketSurfaceMeans> MeasureSurface(const SurfaceView& surface,
   const PocketSurfaceFields& fields, const std::vector<Pocket>& pockets, double reach)
 {
   const std::vector<double> areas = PointAreas(surface);
-  const std::vector<Point3> points = PointsOf(surface);
-  const PointBins bins(points, 3.0);
+  const PointBins bins(surface.Points, 3.0);
   std::vector<PocketSurfaceMeans> means;
-  std::vector<std::size_t> seenBy(points.size(), pockets.size());
+  std::vector<std::size_t> seenBy(surface.Points.size(), pockets.size());
   for (std::size_t p = 0; p < pockets.size(); ++p)
   {
     AreaSums sums;
@@ -133,9 +116,8 @@ void WeighPockets(const SurfaceView& surface, const PocketSurfaceFields& fields,
 std::vector<int> LabelSurface(
   const SurfaceView& surface, const std::vector<Pocket>& pockets, double reach)
 {
-  const std::vector<Point3> points = PointsOf(surface);
-  const PointBins bins(points, 3.0);
-  std::vector<int> labels(points.size(), 0);
+  const PointBins bins(surface.Points, 3.0);
+  std::vector<int> labels(surface.Points.size(), 0);
   for (std::size_t p = 0; p < pockets.size(); ++p)
   {
     for (const PocketCell& cell : pockets[p].Cells)

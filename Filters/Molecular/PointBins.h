@@ -5,7 +5,8 @@
 #ifndef isthmus_PointBins_h
 #define isthmus_PointBins_h
 
-#include "TriangleMesh.h"
+#include "Point3.h"
+#include "View.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ namespace isthmus
 class PointBins
 {
 public:
-  PointBins(const std::vector<Point3>& points, double size)
+  PointBins(const View<Point3>& points, double size)
     : Size(size)
   {
     this->Entries.reserve(points.size());

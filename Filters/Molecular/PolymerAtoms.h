@@ -5,7 +5,7 @@
 #ifndef isthmus_PolymerAtoms_h
 #define isthmus_PolymerAtoms_h
 
-#include "TriangleMesh.h"
+#include "Point3.h"
 #include "vtkIsthmusModule.h"
 
 #include <set>

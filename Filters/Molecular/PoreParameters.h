@@ -5,7 +5,7 @@
 #ifndef isthmus_PoreParameters_h
 #define isthmus_PoreParameters_h
 
-#include "TriangleMesh.h"
+#include "Point3.h"
 
 #include <cstdint>
 #include <vector>

@@ -18,6 +18,7 @@
 #include <vtkPolyData.h>
 #include <vtkTable.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 

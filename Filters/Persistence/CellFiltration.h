@@ -5,9 +5,9 @@
 #ifndef isthmus_CellFiltration_h
 #define isthmus_CellFiltration_h
 
+#include "Point3.h"
 #include "Progress.h"
 #include "SimplexIds.h"
-#include "TriangleMesh.h"
 #include "vtkIsthmusModule.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 
 #include "Index.h"
 #include "ParallelFor.h"
+#include "SurfaceView.h"
 
 #include <algorithm>
 #include <cmath>
@@ -135,7 +136,7 @@ void Match(const CellFiltration& f, TriangleMesh& surface)
   }
   for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
   {
-    for (std::int64_t& p : surface.Triangles[i])
+    for (vtkIdType& p : surface.Triangles[i])
     {
       const std::int64_t id = ids.at(surface.Points[At(p)]);
       if (id < 0)
@@ -153,7 +154,7 @@ void Match(const CellFiltration& f, TriangleMesh& surface)
 /// Triangles of a surface by their points, in ascending order.
 using WantedTriangle = std::pair<std::array<SimplexId, 3>, std::size_t>;
 
-std::vector<WantedTriangle> WantedTriangles(const TriangleMesh& surface)
+std::vector<WantedTriangle> WantedTriangles(const SurfaceView& surface)
 {
   std::vector<WantedTriangle> wanted;
   for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
@@ -168,7 +169,7 @@ std::vector<WantedTriangle> WantedTriangles(const TriangleMesh& surface)
   return wanted;
 }
 
-void MarkSurface(CellFiltration& f, const TriangleMesh& surface)
+void MarkSurface(CellFiltration& f, const SurfaceView& surface)
 {
   f.EdgeFirst.assign(f.Edges.size(), 0);
   f.TriangleFirst.assign(f.TriangleCount(), 0);

@@ -6,6 +6,8 @@
 #define isthmus_LowerStarFiltration_h
 
 #include "CellFiltration.h"
+#include "TetrahedralMesh.h"
+#include "TriangleMesh.h"
 
 namespace isthmus
 {

@@ -1,11 +1,14 @@
 /**
  * @file MeshEdges.h
- * @brief The sides of all triangles, sorted so that neighbours meet; and union-find. Private.
+ * @brief The sides of all triangles, sorted so that neighbours meet. Private.
  */
 #ifndef isthmus_MeshEdges_h
 #define isthmus_MeshEdges_h
 
-#include "TriangleMesh.h"
+#include "SurfaceView.h"
+
+#include <algorithm>
+#include <vector>
 
 namespace isthmus
 {
@@ -13,17 +16,16 @@ namespace isthmus
 /// One side of one triangle, with its ends in ascending order so that neighbours sort together.
 struct HalfEdge
 {
-  std::int64_t Low;
-  std::int64_t High;
-  std::int64_t Triangle;
+  vtkIdType Low;
+  vtkIdType High;
+  vtkIdType Triangle;
   bool Ascending; ///< the triangle runs from Low to High
 
   bool SameEdge(const HalfEdge& o) const { return this->Low == o.Low && this->High == o.High; }
 };
 
 /// Sides of the triangles of `mesh` but for those to `skip` (one flag each, or none).
-inline std::vector<HalfEdge> SortedHalfEdges(
-  const TriangleMesh& mesh, const std::vector<bool>& skip)
+inline std::vector<HalfEdge> SortedHalfEdges(const SurfaceView& mesh, const std::vector<bool>& skip)
 {
   std::vector<HalfEdge> edges;
   edges.reserve(3 * mesh.Triangles.size());
@@ -36,9 +38,9 @@ inline std::vector<HalfEdge> SortedHalfEdges(
     const Triangle& ids = mesh.Triangles[t];
     for (std::size_t c = 0; c < 3; ++c)
     {
-      const std::int64_t a = ids[c];
-      const std::int64_t b = ids[(c + 1) % 3];
-      edges.push_back({ std::min(a, b), std::max(a, b), static_cast<std::int64_t>(t), a < b });
+      const vtkIdType a = ids[c];
+      const vtkIdType b = ids[(c + 1) % 3];
+      edges.push_back({ std::min(a, b), std::max(a, b), static_cast<vtkIdType>(t), a < b });
     }
   }
   std::sort(edges.begin(), edges.end(),

@@ -34,37 +34,56 @@ void ForEachCell(vtkCellArray* cells, vtkIdType first, Visit&& visit)
   }
 }
 
+bool IsAllTriangles(vtkPolyData* surface)
+{
+  return surface->GetNumberOfStrips() == 0 &&
+    (surface->GetNumberOfPolys() == 0 || surface->GetPolys()->IsHomogeneous() == 3);
 }
 
-PolyDataTriangles::PolyDataTriangles(vtkPolyData* surface)
+}
+
+PolyDataTriangles::PolyDataTriangles(vtkPolyData* surface, Damage damage)
+  : FirstCell(surface->GetNumberOfVerts() + surface->GetNumberOfLines())
+  , OnDamage(damage)
 {
   const vtkIdType points = surface->GetNumberOfPoints();
-  this->Points.resize(3 * static_cast<std::size_t>(points));
+  this->Mesh.Points.resize(At(points));
   ParallelFor(0, points, 16384,
     [&](std::int64_t first, std::int64_t last)
     {
       for (vtkIdType point = first; point < last; ++point)
       {
-        surface->GetPoints()->GetPoint(point, this->Points.data() + 3 * point);
+        surface->GetPoints()->GetPoint(point, this->Mesh.Points[At(point)].data());
       }
     });
-  const auto cells = static_cast<std::size_t>(surface->GetNumberOfPolys());
-  this->Triangles.reserve(3 * cells);
-  this->Cells.reserve(cells);
-  this->AddPolygons(surface);
-  this->AddStrips(surface);
-  this->CheckPoints();
+  this->Mesh.Triangles.reserve(At(surface->GetNumberOfPolys()));
+  if (IsAllTriangles(surface))
+  {
+    this->CopyTriangles(surface);
+  }
+  else
+  {
+    this->Cells.reserve(At(surface->GetNumberOfPolys()));
+    this->AddPolygons(surface);
+    this->AddStrips(surface);
+  }
+  if (damage == Damage::Refused)
+  {
+    this->CheckPoints();
+  }
 }
 
-SurfaceView PolyDataTriangles::View() const
+void PolyDataTriangles::CopyTriangles(vtkPolyData* surface)
 {
-  return { this->Points.data(), static_cast<vtkIdType>(this->Points.size() / 3),
-    this->Triangles.data(), static_cast<vtkIdType>(this->Cells.size()) };
-}
-
-vtkIdType PolyDataTriangles::CellOf(vtkIdType triangle) const
-{
-  return this->Cells[static_cast<std::size_t>(triangle)];
+  ForEachCell(surface->GetPolys(), this->FirstCell,
+    [&](vtkIdType corners, const vtkIdType* ids, vtkIdType cell)
+    {
+      if (this->OnDamage == Damage::Refused)
+      {
+        this->CheckCorners(ids, corners, cell);
+      }
+      this->Mesh.Triangles.push_back({ ids[0], ids[1], ids[2] });
+    });
 }
 
 void PolyDataTriangles::AddPolygons(vtkPolyData* surface)
@@ -72,20 +91,23 @@ void PolyDataTriangles::AddPolygons(vtkPolyData* surface)
   vtkNew<vtkPolygon> polygon;
   vtkNew<vtkIdList> split;
   vtkNew<vtkPoints> places; // vtkCell's call, which all versions have, asks for them
-  ForEachCell(surface->GetPolys(), surface->GetNumberOfVerts() + surface->GetNumberOfLines(),
+  ForEachCell(surface->GetPolys(), this->FirstCell,
     [&](vtkIdType corners, const vtkIdType* ids, vtkIdType cell)
     {
+      this->CheckCorners(ids, corners, cell);
       if (corners == 3)
       {
         this->AddTriangle(ids[0], ids[1], ids[2], cell);
         return;
       }
-      for (vtkIdType corner = 0; corner < corners; ++corner)
+      bool isSplit = false;
+      split->Reset();
+      if (corners > 3)
       {
-        this->CheckCorner(ids[corner], cell);
+        polygon->Initialize(static_cast<int>(corners), ids, surface->GetPoints());
+        isSplit = polygon->Triangulate(0, split, places) != 0;
       }
-      polygon->Initialize(static_cast<int>(corners), ids, surface->GetPoints());
-      if (corners < 3 || polygon->Triangulate(0, split, places) == 0)
+      if (!isSplit && this->OnDamage == Damage::Refused)
       {
         throw std::invalid_argument("Cell " + std::to_string(cell) + " with " +
           std::to_string(corners) +
@@ -101,55 +123,56 @@ void PolyDataTriangles::AddPolygons(vtkPolyData* surface)
 
 void PolyDataTriangles::AddStrips(vtkPolyData* surface)
 {
-  const vtkIdType before =
-    surface->GetNumberOfVerts() + surface->GetNumberOfLines() + surface->GetNumberOfPolys();
-  ForEachCell(surface->GetStrips(), before,
+  ForEachCell(surface->GetStrips(), this->FirstCell + surface->GetNumberOfPolys(),
     [&](vtkIdType corners, const vtkIdType* ids, vtkIdType cell)
     {
+      this->CheckCorners(ids, corners, cell);
       for (vtkIdType i = 0; i + 2 < corners; ++i)
       {
-        // Every second triangle of a strip runs the other way round.
+        // Every second triangle of a strip runs the other way round; it begins as in VTK.
         const vtkIdType odd = i % 2;
-        this->AddTriangle(ids[i], ids[i + 1 + odd], ids[i + 2 - odd], cell);
+        this->AddTriangle(ids[i + odd], ids[i + 1 - odd], ids[i + 2], cell);
       }
     });
 }
 
 void PolyDataTriangles::AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell)
 {
-  for (const vtkIdType corner : { a, b, c })
-  {
-    this->CheckCorner(corner, cell);
-    this->Triangles.push_back(corner);
-  }
+  this->Mesh.Triangles.push_back({ a, b, c });
   this->Cells.push_back(cell);
 }
 
-void PolyDataTriangles::CheckCorner(vtkIdType corner, vtkIdType cell) const
+void PolyDataTriangles::CheckCorners(
+  const vtkIdType* corners, vtkIdType count, vtkIdType cell) const
 {
-  const auto points = static_cast<vtkIdType>(this->Points.size() / 3);
-  if (corner < 0 || corner >= points)
+  const auto points = static_cast<vtkIdType>(this->Mesh.Points.size());
+  for (vtkIdType i = 0; i < count; ++i)
   {
-    throw std::invalid_argument("Cell " + std::to_string(cell) + " has the corner " +
-      std::to_string(corner) + ", but the surface has " + std::to_string(points) +
-      " points, counted from 0. The file is damaged.");
+    if (corners[i] < 0 || corners[i] >= points)
+    {
+      throw std::invalid_argument("Cell " + std::to_string(cell) + " has the corner " +
+        std::to_string(corners[i]) + ", but the surface has " + std::to_string(points) +
+        " points, counted from 0. The file is damaged.");
+    }
   }
 }
 
 void PolyDataTriangles::CheckPoints() const
 {
-  for (std::size_t i = 0; i < this->Triangles.size(); ++i)
+  for (std::size_t t = 0; t < this->Mesh.Triangles.size(); ++t)
   {
-    const vtkIdType point = this->Triangles[i];
-    const double* const x = this->Points.data() + 3 * point;
-    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+    for (const vtkIdType point : this->Mesh.Triangles[t])
     {
-      throw std::invalid_argument("Point " + std::to_string(point) +
-        " of the surface, a corner of "
-        "cell " +
-        std::to_string(this->Cells[i / 3]) +
-        ", has a coordinate that is not a finite "
-        "number. Remove the cell or repair the file.");
+      const Point3& x = this->Mesh.Points[At(point)];
+      if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+      {
+        throw std::invalid_argument("Point " + std::to_string(point) +
+          " of the surface, a corner of "
+          "cell " +
+          std::to_string(this->CellOf(static_cast<vtkIdType>(t))) +
+          ", has a coordinate that is not a finite "
+          "number. Remove the cell or repair the file.");
+      }
     }
   }
 }

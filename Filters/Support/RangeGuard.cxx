@@ -90,7 +90,7 @@ void DemandFrame(vtkImageData* image)
   }
 }
 
-UnitScale::UnitScale(const std::vector<Point3>& points)
+UnitScale::UnitScale(const View<Point3>& points)
 {
   double largest = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i)

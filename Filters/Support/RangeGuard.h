@@ -6,10 +6,12 @@
 #ifndef isthmus_RangeGuard_h
 #define isthmus_RangeGuard_h
 
-#include "TriangleMesh.h"
+#include "Point3.h"
+#include "View.h"
 #include "vtkIsthmusModule.h"
 
 #include <string>
+#include <vector>
 
 class vtkImageData;
 
@@ -48,7 +50,7 @@ public:
   /// Points that are not finite are not looked at.
   /// @throws std::invalid_argument, with the point, for a coordinate beyond LargestLength, and
   /// where all are below SmallestLength but not 0.
-  explicit UnitScale(const std::vector<Point3>& points);
+  explicit UnitScale(const View<Point3>& points);
 
   /// Of a length, to the scale that is worked in.
   double Factor() const { return this->TheFactor; }

@@ -10,29 +10,33 @@ namespace isthmus
 
 TriangleStars::TriangleStars(const SurfaceView& mesh)
   : Mesh(mesh)
-  , First(static_cast<std::size_t>(mesh.NumberOfPoints + 1), 0)
-  , Around(static_cast<std::size_t>(3 * mesh.NumberOfTriangles))
+  , First(mesh.Points.size() + 1, 0)
+  , Around(3 * mesh.Triangles.size())
 {
   // Serial: threads would leave the order within a star to chance, and with it the last bits of
   // every sum over a star. Counted, summed up, then each put before what its point has already.
-  const vtkIdType corners = 3 * mesh.NumberOfTriangles;
-  for (vtkIdType i = 0; i < corners; ++i)
+  for (const Triangle& corners : mesh.Triangles)
   {
-    ++this->First[static_cast<std::size_t>(mesh.Triangles[i])];
+    for (const vtkIdType point : corners)
+    {
+      ++this->First[At(point)];
+    }
   }
   std::partial_sum(this->First.begin(), this->First.end(), this->First.begin());
-  for (vtkIdType i = 0; i < corners; ++i)
+  for (vtkIdType t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
-    vtkIdType& first = this->First[static_cast<std::size_t>(mesh.Triangles[i])];
-    this->Around[static_cast<std::size_t>(--first)] = MeshTriangle(i / 3);
+    for (const vtkIdType point : mesh.Corners(t))
+    {
+      this->Around[At(--this->First[At(point)])] = MeshTriangle(t);
+    }
   }
 }
 
 std::pair<vtkIdType, vtkIdType> TriangleStars::OppositeEdge(
   MeshTriangle triangle, vtkIdType point) const
 {
-  const vtkIdType* const corner = this->Mesh.Triangle(triangle.Value);
-  const int k = corner[0] == point ? 0 : corner[1] == point ? 1 : 2;
+  const Triangle& corner = this->Mesh.Corners(triangle.Value);
+  const std::size_t k = corner[0] == point ? 0 : corner[1] == point ? 1 : 2;
   return { corner[(k + 1) % 3], corner[(k + 2) % 3] };
 }
 
@@ -92,8 +96,8 @@ StarKind TriangleStars::Kind(
 
 std::vector<StarKind> StarKinds(const SurfaceView& mesh, const TriangleStars& stars)
 {
-  std::vector<StarKind> kinds(static_cast<std::size_t>(mesh.NumberOfPoints));
-  ParallelFor(0, mesh.NumberOfPoints, 4096,
+  std::vector<StarKind> kinds(mesh.Points.size());
+  ParallelFor(0, mesh.NumberOfPoints(), 4096,
     [&](std::int64_t first, std::int64_t last)
     {
       std::vector<std::pair<vtkIdType, vtkIdType>> scratch;

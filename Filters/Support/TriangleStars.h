@@ -32,8 +32,9 @@ enum class StarKind : unsigned char
 class VTKISTHMUS_EXPORT TriangleStars
 {
 public:
-  /// @pre `mesh` outlives this object.
+  /// @pre The owner of `mesh` outlives this object.
   explicit TriangleStars(const SurfaceView& mesh);
+  explicit TriangleStars(TriangleMesh&& mesh) = delete;
 
   vtkIdType Size(vtkIdType point) const
   {

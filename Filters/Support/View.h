@@ -6,6 +6,7 @@
 #define isthmus_View_h
 
 #include <cstddef>
+#include <vector>
 
 namespace isthmus
 {
@@ -21,9 +22,15 @@ public:
     , Count(count)
   {
   }
+  /// @pre `elements` outlives the view and keeps its size.
+  View(const std::vector<T>& elements)
+    : View(elements.data(), elements.size())
+  {
+  }
   const T* begin() const { return this->First; }
   const T* end() const { return this->First + this->Count; }
   const T& operator[](std::size_t i) const { return this->First[i]; }
+  const T& front() const { return *this->First; }
   std::size_t size() const { return this->Count; }
   bool empty() const { return this->Count == 0; }
 

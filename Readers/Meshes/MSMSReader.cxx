@@ -176,7 +176,7 @@ void ReadFaces(const std::filesystem::path& path, ComponentNumber component,
   Rows rows(path, text, FaceColumns, Between(progress, 0.2, 1.0));
   for (std::vector<double> row; rows.Next(row);)
   {
-    std::array<std::int64_t, 3> triangle{};
+    Triangle triangle{};
     for (std::size_t c = 0; c < 3; ++c)
     {
       const std::int64_t id = rows.Integer(row[c]);

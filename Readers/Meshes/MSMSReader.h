@@ -9,6 +9,7 @@
 #ifndef isthmus_MSMSReader_h
 #define isthmus_MSMSReader_h
 
+#include "Corners.h"
 #include "Progress.h"
 #include "vtkIsthmusModule.h"
 
@@ -30,7 +31,7 @@ struct MSMSSurface
   std::vector<int> SphereOfPoint;             ///< nearest atom, from 0 in the order of MSMS' input
   std::vector<int>
     TypeOfPoint; ///< 1 of a toric face, 2 within a reentrant, 3 within a contact face
-  std::vector<std::array<std::int64_t, 3>> Triangles;
+  std::vector<Triangle> Triangles;
   std::vector<int> TypeOfTriangle; ///< 1 toric, 2 spheric reentrant, 3 contact
   std::vector<int> AnalyticFaceOfTriangle;
   std::vector<int> ComponentOfTriangle; ///< number of the file pair: 0 the one named, 1, 2, ...

@@ -112,7 +112,7 @@ TriangleMesh CubeEdges()
 void Tell(benchmark::State& state, const TriangleMesh& mesh, Distance distance, double h)
 {
   std::vector<CellAngles> cells;
-  const QualitySummary quality = MeasureQuality(mesh.Points, mesh.Triangles, 18, cells);
+  const QualitySummary quality = MeasureQuality(mesh, 18, cells);
   double off = 0.0;
   for (const Triangle& t : mesh.Triangles)
   {

@@ -5,6 +5,7 @@
 #ifndef isthmus_BeadShapes_h
 #define isthmus_BeadShapes_h
 
+#include "Bounds3.h"
 #include "ChokingSurfaces.h"
 
 #include <algorithm>

@@ -147,7 +147,7 @@ public:
 private:
   const Point3& At(std::int64_t p) const { return this->Points[static_cast<std::size_t>(p)]; }
 
-  const std::vector<Point3>& Points;
+  View<Point3> Points;
   std::vector<Point3> Normals;
 };
 

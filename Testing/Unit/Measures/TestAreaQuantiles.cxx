@@ -103,7 +103,7 @@ TEST(AreaQuantiles, PointsShareTheAreaOfTheirTriangles)
   const isthmus::PolyDataTriangles triangles(sphere);
   const std::vector<double> areas = isthmus::PointAreas(triangles.View());
   double all = 0.0;
-  for (vtkIdType t = 0; t < triangles.View().NumberOfTriangles; ++t)
+  for (vtkIdType t = 0; t < triangles.View().NumberOfTriangles(); ++t)
   {
     all += isthmus::TriangleArea(triangles.View(), t);
   }

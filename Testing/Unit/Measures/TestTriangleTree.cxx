@@ -31,33 +31,26 @@ struct Soup
         t % 7 == 0 ? first : (t % 5 == 0 ? second + 1e-9 * anywhere() : first + size * anywhere());
       for (const Point3& corner : { first, t % 11 == 0 ? first : second, third })
       {
-        this->Ids.push_back(static_cast<vtkIdType>(this->Points.size()));
-        this->Points.push_back(corner);
+        this->Surface.Points.push_back(corner);
       }
+      const auto next = static_cast<vtkIdType>(this->Surface.Points.size());
+      this->Surface.Triangles.push_back({ next - 3, next - 2, next - 1 });
     }
-  }
-
-  SurfaceView View() const
-  {
-    return { this->Points.empty() ? nullptr : this->Points.front().data(),
-      static_cast<vtkIdType>(this->Points.size()), this->Ids.data(),
-      static_cast<vtkIdType>(this->Ids.size() / 3) };
   }
 
   double Squared(const Point3& x) const
   {
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t t = 0; t + 2 < this->Points.size(); t += 3)
+    const std::vector<Point3>& points = this->Surface.Points;
+    for (std::size_t t = 0; t + 2 < points.size(); t += 3)
     {
-      least = std::min(least,
-        SquaredDistanceToTriangle(
-          x, { this->Points[t], this->Points[t + 1], this->Points[t + 2] }));
+      least =
+        std::min(least, SquaredDistanceToTriangle(x, { points[t], points[t + 1], points[t + 2] }));
     }
     return least;
   }
 
-  std::vector<Point3> Points;
-  std::vector<vtkIdType> Ids;
+  TriangleMesh Surface;
 };
 
 TEST(TriangleTree, FindsTheNearestOfAnyNumber)
@@ -67,7 +60,7 @@ TEST(TriangleTree, FindsTheNearestOfAnyNumber)
   for (const std::size_t count : { 1, 2, 7, 8, 9, 16, 17, 63, 64, 65, 129, 513, 3000 })
   {
     const Soup soup(count, random);
-    const TriangleTree tree(soup.View());
+    const TriangleTree tree(soup.Surface);
     for (int n = 0; n < 200; ++n)
     {
       const Point3 x{ place(random), place(random), place(random) };
@@ -81,8 +74,8 @@ TEST(TriangleTree, PointsOnTheSurfaceAreAtZero)
 {
   std::mt19937 random(4);
   const Soup soup(500, random);
-  const TriangleTree tree(soup.View());
-  for (const Point3& corner : soup.Points)
+  const TriangleTree tree(soup.Surface);
+  for (const Point3& corner : soup.Surface.Points)
   {
     EXPECT_LT(tree.Find(corner, -1).Squared, 1e-30);
   }
@@ -93,7 +86,7 @@ TEST(TriangleTree, AnyGuessGivesTheSameBits)
   std::mt19937 random(5);
   std::uniform_real_distribution<double> place(-2.0, 2.0);
   const Soup soup(1000, random);
-  const TriangleTree tree(soup.View());
+  const TriangleTree tree(soup.Surface);
   std::int64_t guess = -1;
   for (int n = 0; n < 500; ++n)
   {
@@ -118,11 +111,11 @@ TEST(TriangleTree, IsExactAtAnySizeAndPlace)
     {
       Soup soup(1500, random);
       const Point3 shift{ offset * size, -offset * size, 2.0 * offset * size };
-      for (Point3& point : soup.Points)
+      for (Point3& point : soup.Surface.Points)
       {
         point = size * point + shift;
       }
-      const TriangleTree tree(soup.View());
+      const TriangleTree tree(soup.Surface);
       for (int n = 0; n < 120; ++n)
       {
         const double reach = size * std::pow(10.0, n % 30 - 6);

@@ -68,7 +68,7 @@ Topology TopologyOf(const TriangleMesh& mesh)
 QualitySummary Quality(const TriangleMesh& mesh)
 {
   std::vector<CellAngles> cells;
-  return MeasureQuality(mesh.Points, mesh.Triangles, 18, cells);
+  return MeasureQuality(mesh, 18, cells);
 }
 
 /// Distance of `p` to the level set, to a thousandth of `step`: the nearest change of side along

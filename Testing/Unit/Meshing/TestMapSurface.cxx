@@ -1,3 +1,4 @@
+#include "Bounds3.h"
 #include "LevelTriangles.h"
 #include "MapSurface.h"
 #include "SensibleLevel.h"

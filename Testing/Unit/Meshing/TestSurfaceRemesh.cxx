@@ -34,7 +34,7 @@ vtkSmartPointer<vtkPolyData> Sphere()
 QualitySummary Quality(const TriangleMesh& mesh)
 {
   std::vector<CellAngles> cells;
-  return MeasureQuality(mesh.Points, mesh.Triangles, 18, cells);
+  return MeasureQuality(mesh, 18, cells);
 }
 
 }

@@ -5,9 +5,13 @@
 #ifndef isthmus_TetrahedralChecks_h
 #define isthmus_TetrahedralChecks_h
 
+#include "Bounds3.h"
 #include "MeshQuality.h"
+#include "TetrahedralMesh.h"
 #include "TriangleMesh.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <map>
 #include <set>
 

@@ -5,9 +5,11 @@
 #ifndef isthmus_BlockMeshes_h
 #define isthmus_BlockMeshes_h
 
+#include "TetrahedralMesh.h"
 #include "TriangleMesh.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <set>
@@ -118,7 +120,7 @@ private:
     std::vector<Point3> points;
     for (Tetrahedron& t : this->Mesh.Tetrahedra)
     {
-      for (std::int64_t& p : t)
+      for (vtkIdType& p : t)
       {
         const auto made = kept.emplace(p, static_cast<std::int64_t>(points.size()));
         if (made.second)

@@ -28,19 +28,10 @@ namespace isthmus::testing
 
 using Vector = std::array<double, 3>;
 
-/// A triangle surface that owns its points.
-struct Model
+/// A triangle surface to build.
+struct Model : TriangleMesh
 {
-  std::vector<Vector> Points;
-  std::vector<std::array<vtkIdType, 3>> Triangles;
-
-  SurfaceView View() const
-  {
-    return { this->Points.empty() ? nullptr : this->Points.front().data(),
-      static_cast<vtkIdType>(this->Points.size()),
-      this->Triangles.empty() ? nullptr : this->Triangles.front().data(),
-      static_cast<vtkIdType>(this->Triangles.size()) };
-  }
+  SurfaceView View() const { return *this; }
 
   vtkIdType AddPoint(double x, double y, double z)
   {

@@ -449,8 +449,10 @@ TEST(RangeGuard, ScalesByPowersOfTwoOnlyWhatNeedsIt)
   EXPECT_LT(points[0][0], 1.0);
   scale.Undo(points);
   EXPECT_EQ(points[0], before[0]);
-  EXPECT_THROW(isthmus::UnitScale({ { 0.0, 2e100, 0.0 } }), std::invalid_argument);
-  EXPECT_THROW(isthmus::UnitScale({ { 0.0, 1e-101, 0.0 } }), std::invalid_argument);
+  EXPECT_THROW(
+    isthmus::UnitScale(std::vector<isthmus::Point3>{ { 0.0, 2e100, 0.0 } }), std::invalid_argument);
+  EXPECT_THROW(isthmus::UnitScale(std::vector<isthmus::Point3>{ { 0.0, 1e-101, 0.0 } }),
+    std::invalid_argument);
 }
 
 TEST(RangeGuard, RefusesNaNWithTheRange)
