@@ -3,6 +3,7 @@ isthmus_room(
     CellList
     CellType
     GridCells
+    Handles
     Progress
     View
   SOURCES
