@@ -8,6 +8,8 @@ isthmus_room(
     vtkNonpolarSolvation
     vtkPolarizedCurvature
     vtkPoreProfile
+  HEADERS
+    AtomProperties
   SOURCES
     Assignment
     AtomBalls

@@ -44,6 +44,7 @@
 #ifndef vtkMolecularFlowSurface_h
 #define vtkMolecularFlowSurface_h
 
+#include "AtomProperties.h"
 #include "vtkIsthmusModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -176,22 +177,6 @@ public:
   ///@}
 
   ///@{
-  /// Water counts as part of the molecule. Default off.
-  vtkSetMacro(KeepWaters, bool);
-  vtkGetMacro(KeepWaters, bool);
-  vtkBooleanMacro(KeepWaters, bool);
-  ///@}
-
-  ///@{
-  /// Where amino acids or nucleotides come without any hydrogen and the radii are those of a table
-  /// by element, radii of united atoms take their place: C 1.85, N 1.75, O 1.65, P 2.10, S 2.00
-  /// (ChemicalElement.h). Radii of a force field stay as they are. Default on.
-  vtkSetMacro(UnitedAtoms, bool);
-  vtkGetMacro(UnitedAtoms, bool);
-  vtkBooleanMacro(UnitedAtoms, bool);
-  ///@}
-
-  ///@{
   /// Above 0: the outputs have so many time steps after the first, from 0 to EvolutionTime (square
   /// angstrom), and are made for the one that the pipeline asks for. Not with Steady, nor where the
   /// atoms have time steps of their own. Default 0.
@@ -202,6 +187,10 @@ public:
   /// Output 1 and 2.
   vtkImageData* GetImage();
   vtkTable* GetHistory();
+
+  /// KeepWaters and UnitedAtoms: which atoms count and how large they are, see AtomProperties.h.
+  /// Default off and on.
+  ISTHMUS_ATOM_PROPERTIES();
 
 protected:
   vtkMolecularFlowSurface();
@@ -236,8 +225,6 @@ private:
   double SurfaceTension = 0.0700;
   double Pressure = 0.0464;
   bool DelaunayQuality = false;
-  bool KeepWaters = false;
-  bool UnitedAtoms = true;
   int TimeSteps = 0;
   std::unique_ptr<isthmus::InputInAdvance> Advance;
 };

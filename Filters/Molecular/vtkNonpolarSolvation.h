@@ -29,6 +29,7 @@
 #ifndef vtkNonpolarSolvation_h
 #define vtkNonpolarSolvation_h
 
+#include "AtomProperties.h"
 #include "vtkIsthmusModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -71,15 +72,9 @@ public:
   vtkGetMacro(SolventWellDepth, double);
   ///@}
 
-  ///@{
-  /// As in the vtkMolecularFlowSurface that made the surface. Defaults off and on.
-  vtkSetMacro(KeepWaters, bool);
-  vtkGetMacro(KeepWaters, bool);
-  vtkBooleanMacro(KeepWaters, bool);
-  vtkSetMacro(UnitedAtoms, bool);
-  vtkGetMacro(UnitedAtoms, bool);
-  vtkBooleanMacro(UnitedAtoms, bool);
-  ///@}
+  /// KeepWaters and UnitedAtoms: which atoms count and how large they are, see AtomProperties.h; as
+  /// in the vtkMolecularFlowSurface that made the surface. Default off and on.
+  ISTHMUS_ATOM_PROPERTIES();
 
 protected:
   vtkNonpolarSolvation();
@@ -100,8 +95,6 @@ private:
   double SolventDensity = 0.033428;
   double SolventRadius = 1.7683;
   double SolventWellDepth = 0.1521;
-  bool KeepWaters = false;
-  bool UnitedAtoms = true;
 };
 
 #endif

@@ -40,8 +40,7 @@ struct vtkIonTransport::Internals
 
   isthmus::AtomBalls Balls(vtkDataObject* input) const
   {
-    return isthmus::BallsOf(input, isthmus::InputArrayName(this->Self, 0).c_str(),
-      { this->Self->KeepWaters, this->Self->UnitedAtoms });
+    return isthmus::BallsOf(this->Self, input, { this->Self->KeepWaters, this->Self->UnitedAtoms });
   }
 
   isthmus::IonTransportParameters Parameters() const;
@@ -321,6 +320,5 @@ void vtkIonTransport::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FieldRelaxation: " << this->FieldRelaxation << "\n";
   os << indent << "UpdateTolerance: " << this->UpdateTolerance << "\n";
   os << indent << "MaximumUpdates: " << this->MaximumUpdates << "\n";
-  os << indent << "KeepWaters: " << this->KeepWaters << "\n";
-  os << indent << "UnitedAtoms: " << this->UnitedAtoms << "\n";
+  this->PrintAtomProperties(os, indent);
 }

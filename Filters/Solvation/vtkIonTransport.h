@@ -43,6 +43,7 @@
 #ifndef vtkIonTransport_h
 #define vtkIonTransport_h
 
+#include "AtomProperties.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusModule.h" // for the export macro
 
@@ -206,20 +207,14 @@ public:
   vtkGetMacro(MaximumUpdates, int);
   ///@}
 
-  ///@{
-  /// As for vtkMolecularFlowSurface. Defaults off and on.
-  vtkSetMacro(KeepWaters, bool);
-  vtkGetMacro(KeepWaters, bool);
-  vtkBooleanMacro(KeepWaters, bool);
-  vtkSetMacro(UnitedAtoms, bool);
-  vtkGetMacro(UnitedAtoms, bool);
-  vtkBooleanMacro(UnitedAtoms, bool);
-  ///@}
-
   /// Output 1, 2 and 3.
   vtkTable* GetSections();
   vtkTable* GetSweep();
   vtkTable* GetUpdates();
+
+  /// KeepWaters and UnitedAtoms: which atoms count and how large they are, see AtomProperties.h.
+  /// Default off and on.
+  ISTHMUS_ATOM_PROPERTIES();
 
 protected:
   vtkIonTransport();
@@ -268,8 +263,6 @@ private:
   double FieldRelaxation = 1.0;
   double UpdateTolerance = 1e-3;
   int MaximumUpdates = 10;
-  bool KeepWaters = false;
-  bool UnitedAtoms = true;
   std::unique_ptr<isthmus::InputInAdvance> Advance;
 };
 

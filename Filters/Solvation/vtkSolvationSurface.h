@@ -36,6 +36,7 @@
 #ifndef vtkSolvationSurface_h
 #define vtkSolvationSurface_h
 
+#include "AtomProperties.h"
 #include "vtkIsthmusModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -157,19 +158,13 @@ public:
   vtkGetMacro(MaximumUpdates, int);
   ///@}
 
-  ///@{
-  /// As for vtkMolecularFlowSurface. Defaults off and on.
-  vtkSetMacro(KeepWaters, bool);
-  vtkGetMacro(KeepWaters, bool);
-  vtkBooleanMacro(KeepWaters, bool);
-  vtkSetMacro(UnitedAtoms, bool);
-  vtkGetMacro(UnitedAtoms, bool);
-  vtkBooleanMacro(UnitedAtoms, bool);
-  ///@}
-
   /// Output 1 and 2.
   vtkImageData* GetImage();
   vtkTable* GetUpdates();
+
+  /// KeepWaters and UnitedAtoms: which atoms count and how large they are, see AtomProperties.h.
+  /// Default off and on.
+  ISTHMUS_ATOM_PROPERTIES();
 
 protected:
   vtkSolvationSurface();
@@ -207,8 +202,6 @@ private:
   double FieldRelaxation = 1.0;
   double EnergyTolerance = 1e-3;
   int MaximumUpdates = 20;
-  bool KeepWaters = false;
-  bool UnitedAtoms = true;
   std::unique_ptr<isthmus::InputInAdvance> Advance;
 };
 
