@@ -10,6 +10,7 @@ isthmus_room(
     vtkPoreProfile
   HEADERS
     AtomProperties
+    SolventProperties
   SOURCES
     Assignment
     AtomBalls

@@ -328,8 +328,7 @@ void vtkMolecularFlowSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IsoValue: " << this->IsoValue << "\n";
   os << indent << "CoarseToFine: " << this->CoarseToFine << "\n";
   os << indent << "Solvent: " << this->Solvent << "\n";
-  os << indent << "SurfaceTension: " << this->SurfaceTension << "\n";
-  os << indent << "Pressure: " << this->Pressure << "\n";
+  this->PrintSolventProperties(os, indent);
   os << indent << "DelaunayQuality: " << this->DelaunayQuality << "\n";
   this->PrintAtomProperties(os, indent);
   os << indent << "TimeSteps: " << this->TimeSteps << "\n";

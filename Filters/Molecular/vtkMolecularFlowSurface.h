@@ -45,6 +45,7 @@
 #define vtkMolecularFlowSurface_h
 
 #include "AtomProperties.h"
+#include "SolventProperties.h"
 #include "vtkIsthmusModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -156,19 +157,6 @@ public:
   ///@}
 
   ///@{
-  /// In kcal/mol per square angstrom, above 0: for Energy, and against the solvent's pull. Default
-  /// 0.0700, see vtkNonpolarSolvation.
-  vtkSetMacro(SurfaceTension, double);
-  vtkGetMacro(SurfaceTension, double);
-  ///@}
-
-  ///@{
-  /// In kcal/mol per cubic angstrom, with Solvent on. Default 0.0464, see vtkNonpolarSolvation.
-  vtkSetMacro(Pressure, double);
-  vtkGetMacro(Pressure, double);
-  ///@}
-
-  ///@{
   /// Triangles with no angle below 30 degrees by Delaunay refinement (vtkDelaunayIsosurface) in
   /// place of those of the grid's cells; some ten times as long. Default off.
   vtkSetMacro(DelaunayQuality, bool);
@@ -191,6 +179,9 @@ public:
   /// KeepWaters and UnitedAtoms: which atoms count and how large they are, see AtomProperties.h.
   /// Default off and on.
   ISTHMUS_ATOM_PROPERTIES();
+  /// SurfaceTension, above 0, for Energy and against the solvent's pull, and Pressure, with Solvent
+  /// on: SolventProperties.h. Defaults 0.0700 and 0.0464.
+  ISTHMUS_SOLVENT_PROPERTIES();
 
 protected:
   vtkMolecularFlowSurface();
@@ -222,8 +213,6 @@ private:
   double IsoValue = 0.5;
   bool CoarseToFine = true;
   bool Solvent = false;
-  double SurfaceTension = 0.0700;
-  double Pressure = 0.0464;
   bool DelaunayQuality = false;
   int TimeSteps = 0;
   std::unique_ptr<isthmus::InputInAdvance> Advance;

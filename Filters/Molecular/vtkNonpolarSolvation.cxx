@@ -229,8 +229,7 @@ int vtkNonpolarSolvation::RequestData(
 void vtkNonpolarSolvation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SurfaceTension: " << this->SurfaceTension << "\n";
-  os << indent << "Pressure: " << this->Pressure << "\n";
+  this->PrintSolventProperties(os, indent);
   os << indent << "SolventDensity: " << this->SolventDensity << "\n";
   os << indent << "SolventRadius: " << this->SolventRadius << "\n";
   os << indent << "SolventWellDepth: " << this->SolventWellDepth << "\n";

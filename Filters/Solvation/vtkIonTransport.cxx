@@ -313,8 +313,7 @@ void vtkIonTransport::PrintSelf(ostream& os, vtkIndent indent)
   list("SweepVoltages", this->SweepVoltages, 2);
   list("SweepFactors", this->SweepFactors, 2);
   os << indent << "MovingSurface: " << this->MovingSurface << "\n";
-  os << indent << "SurfaceTension: " << this->SurfaceTension << "\n";
-  os << indent << "Pressure: " << this->Pressure << "\n";
+  this->PrintSolventProperties(os, indent);
   os << indent << "UpdatePeriod: " << this->UpdatePeriod << "\n";
   os << indent << "SurfaceRelaxation: " << this->SurfaceRelaxation << "\n";
   os << indent << "FieldRelaxation: " << this->FieldRelaxation << "\n";

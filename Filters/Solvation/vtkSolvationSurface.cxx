@@ -233,8 +233,7 @@ void vtkSolvationSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ProbeRadius: " << this->ProbeRadius << "\n";
   os << indent << "Spacing: " << this->Spacing << "\n";
   os << indent << "Padding: " << this->Padding << "\n";
-  os << indent << "SurfaceTension: " << this->SurfaceTension << "\n";
-  os << indent << "Pressure: " << this->Pressure << "\n";
+  this->PrintSolventProperties(os, indent);
   os << indent << "SoluteDielectric: " << this->SoluteDielectric << "\n";
   os << indent << "SolventDielectric: " << this->SolventDielectric << "\n";
   os << indent << "DielectricModel: " << this->DielectricModel << "\n";

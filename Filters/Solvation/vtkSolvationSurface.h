@@ -37,6 +37,7 @@
 #define vtkSolvationSurface_h
 
 #include "AtomProperties.h"
+#include "SolventProperties.h"
 #include "vtkIsthmusModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -85,15 +86,6 @@ public:
   /// Solvent around the surface for the potential, in angstrom. Default 10.
   vtkSetMacro(Padding, double);
   vtkGetMacro(Padding, double);
-  ///@}
-
-  ///@{
-  /// gamma, kcal/mol per square angstrom, above 0, and p, kcal/mol per cubic angstrom. Defaults
-  /// 0.0700 and 0.0464, see vtkNonpolarSolvation.
-  vtkSetMacro(SurfaceTension, double);
-  vtkGetMacro(SurfaceTension, double);
-  vtkSetMacro(Pressure, double);
-  vtkGetMacro(Pressure, double);
   ///@}
 
   ///@{
@@ -165,6 +157,8 @@ public:
   /// KeepWaters and UnitedAtoms: which atoms count and how large they are, see AtomProperties.h.
   /// Default off and on.
   ISTHMUS_ATOM_PROPERTIES();
+  /// SurfaceTension, above 0, and Pressure: SolventProperties.h. Defaults 0.0700 and 0.0464.
+  ISTHMUS_SOLVENT_PROPERTIES();
 
 protected:
   vtkSolvationSurface();
@@ -189,8 +183,6 @@ private:
   double ProbeRadius = 1.4;
   double Spacing = 0.5;
   double Padding = 10.0;
-  double SurfaceTension = 0.0700;
-  double Pressure = 0.0464;
   double SoluteDielectric = 2.0;
   double SolventDielectric = 80.0;
   int DielectricModel = SharpInterface;
