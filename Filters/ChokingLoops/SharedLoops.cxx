@@ -1,6 +1,7 @@
 #include "SharedLoops.h"
 
 #include "ChokeFit.h"
+#include "TriangleTree.h"
 
 #include <algorithm>
 #include <cmath>

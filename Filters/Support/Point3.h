@@ -5,7 +5,6 @@
 #ifndef isthmus_Point3_h
 #define isthmus_Point3_h
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -47,16 +46,6 @@ inline double Length(const Point3& v)
 inline double Distance(const Point3& a, const Point3& b)
 {
   return Length(b - a);
-}
-
-/// Square of the distance of x to the segment from a to b, which may be one point.
-inline double SquaredDistanceToSegment(const Point3& x, const Point3& a, const Point3& b)
-{
-  const Point3 d = b - a;
-  const double dd = Dot(d, d);
-  const double t = dd > 0.0 ? std::clamp(Dot(x - a, d) / dd, 0.0, 1.0) : 0.0;
-  const Point3 rest = x - a - t * d;
-  return Dot(rest, rest);
 }
 
 inline double TriangleArea(const Point3& a, const Point3& b, const Point3& c)
