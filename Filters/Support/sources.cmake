@@ -2,6 +2,7 @@ isthmus_room(
   HEADERS
     CellList
     CellType
+    FilterProperties
     GridCells
     Handles
     Progress
