@@ -73,6 +73,24 @@ TEST(GridDistance, Sphere)
   EXPECT_LT(worstFar, 0.25 * grid.Spacing[0]);
 }
 
+TEST(GridDistance, IsFiniteWhereNoLineOfTheGridIsCrossed)
+{
+  // A needle along y between the lines of the grid, and a ball within one cell.
+  for (const double length : { 0.3, 8.0 })
+  {
+    Model needle = Icosphere(1, 0.1);
+    for (auto& point : needle.Points)
+    {
+      point = { point[0] + 5.5, point[1] * 5.0 * length + 5.5, point[2] + 5.5 };
+    }
+    const GridShape grid{ { 12, length > 1.0 ? 4 : 12, 12 },
+      { 1.0, length > 1.0 ? 11.0 : 1.0, 1.0 } };
+    ASSERT_TRUE(SurfaceCrossings(needle.View(), grid, CrossingNormal::Triangles).empty());
+    EXPECT_EQ(
+      DistanceToSurface(needle.View(), grid, 2.0), ExactDistanceToSurface(needle.View(), grid));
+  }
+}
+
 TEST(GridDistance, FertilityAgainstBruteForce)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces/fertility.off");
