@@ -292,7 +292,7 @@ std::vector<double> DistanceToSurface(
   std::vector<double> squared = Band(mesh, grid).Run(band, Between(progress, 0.0, 0.5));
   const auto crossings =
     SurfaceCrossings(mesh, grid, CrossingNormal::Triangles, Between(progress, 0.5, 0.6));
-  if (crossings.empty() && mesh.NumberOfTriangles > 0)
+  if (crossings.empty() && mesh.NumberOfTriangles() > 0)
   {
     // It lies between the lines of the grid: a needle, or smaller than a cell.
     return ExactDistanceToSurface(mesh, grid, Between(progress, 0.6, 1.0));
