@@ -49,6 +49,7 @@ EXCEPTIONS = {
 }
 
 NO_FUNCTIONS = {"if", "for", "while", "switch", "return", "catch", "sizeof", "decltype", "alignas"}
+NO_TYPES = {"return", "new", "delete", "const", "throw", "typename"}  # an argument, so a call
 KIND_OF = {word: kind for kind, words in KINDS.items() for word in words}
 NOISE = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*',
                    re.DOTALL | re.MULTILINE)
@@ -117,14 +118,9 @@ def signatures_of(code):
         end = closing(code, head.end() - 1)
         if name in NO_FUNCTIONS or end < 0:
             continue
-        parameters = []
-        for part in split_top(code[head.end():end]):
-            match = PARAMETER.match(part)
-            if match and match.group(1) not in ("return", "new", "delete", "const"):
-                parameters.append(match.groups())
-            elif not re.match(r"(?:const\s+)?(?:typename\s+)?[\w:]+\b.*[&*>\s]\s*\w*", part, re.DOTALL):
-                parameters = None  # an argument, so a call
-                break
+        parts = (PARAMETER.match(part) for part in split_top(code[head.end():end]))
+        parameters = [match.groups() for match in parts
+                      if match and match.group(1) not in NO_TYPES]
         if parameters:
             found.append((name, code.count("\n", 0, head.start()) + 1, parameters))
     return found

@@ -58,6 +58,10 @@ bool Mesh::Beyond(const Mesh& mesh, std::int64_t
     def test_references_and_const(self):
         self.assert_complains("void Reduce(const int& rank, unsigned int& pivot);", "edge and rank")
 
+    def test_parameters_without_names_or_of_odd_types(self):
+        self.assert_complains("void Add(double, int cell, std::size_t (&size)[3], Args&&... all,\n"
+                              "  int face);", "Add(cell, face)")
+
     def test_alias_of_an_integer(self):
         self.assert_complains("using Number = std::int32_t;\nusing Own = Number;\n"
                               "void Add(Own node, Number species);", "node and species")
