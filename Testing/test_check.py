@@ -6,8 +6,8 @@ import subprocess
 import tempfile
 import unittest
 
-CHECKS = ("check_floors", "check_order", "check_contracts", "check_lengths", "check_readmes",
-          "check_links")
+CHECKS = ("check_floors", "check_order", "check_contracts", "check_handles", "check_lengths",
+          "check_readmes", "check_links")
 TESTING = pathlib.Path(__file__).parent
 
 

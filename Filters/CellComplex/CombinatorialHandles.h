@@ -5,28 +5,14 @@
 #ifndef isthmus_CombinatorialHandles_h
 #define isthmus_CombinatorialHandles_h
 
+#include "Handles.h"
+
 #include <cstddef>
 
 namespace isthmus
 {
 
-/// An id of one kind. `Id` is unsigned; it costs what the plain integer costs.
-template <typename Kind, typename Id>
-struct Handle
-{
-  Id Value = 0;
-
-  constexpr Handle() = default;
-  explicit constexpr Handle(Id value)
-    : Value(value)
-  {
-  }
-  friend constexpr bool operator==(Handle a, Handle b) { return a.Value == b.Value; }
-  friend constexpr bool operator!=(Handle a, Handle b) { return a.Value != b.Value; }
-  friend constexpr bool operator<(Handle a, Handle b) { return a.Value < b.Value; }
-};
-
-/// 0-cell: 0 ... n0 - 1, the numbers of the input.
+/// 0-cell; `Id` is unsigned: 0 ... n0 - 1, the numbers of the input.
 template <typename Id>
 using VertexHandle = Handle<struct VertexKind, Id>;
 /// 1-cell: 0 ... n1 - 1, ordered by smaller, then larger end vertex.

@@ -147,8 +147,9 @@ void CompactCombinatorialMap<Id>::CopyVertices(
     {
       for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c)
       {
-        const Block& block = this->BlockOf(Cell(static_cast<Id>(c)));
-        const std::size_t base = block.VertexIndex(c, 0);
+        const Cell cell(static_cast<Id>(c));
+        const Block& block = this->BlockOf(cell);
+        const std::size_t base = block.VertexIndex(cell, 0);
         const std::int64_t* vertices = &cellVertices[base];
         check.Look(c, { vertices, block.VertexCount });
         for (unsigned v = 0; v < block.VertexCount; ++v)
@@ -178,7 +179,7 @@ void CompactCombinatorialMap<Id>::NumberBoundaryFaces()
     const Block& block = this->BlockOf(cell);
     for (unsigned f = 0; f < block.FaceCount; ++f)
     {
-      Dart& across = this->H2D[block.HalfFaceIndex(c, f)];
+      Dart& across = this->H2D[block.HalfFaceIndex(cell, f)];
       if (this->IsOutside(across))
       {
         across = this->MakeDart(Cell(static_cast<Id>(this->B2D.size())), 0);
@@ -205,7 +206,7 @@ void CompactCombinatorialMap<Id>::ChooseVertexDarts()
     const Block& block = this->BlockOf(cell);
     for (unsigned v = 0; v < block.VertexCount; ++v)
     {
-      Dart& chosen = this->V2D[this->Cv2V[block.VertexIndex(c, v)].Value];
+      Dart& chosen = this->V2D[this->Cv2V[block.VertexIndex(cell, v)].Value];
       chosen =
         this->IsOutside(chosen) ? this->MakeDart(cell, block.Type->VertexDart(v, 0)) : chosen;
     }

@@ -87,7 +87,7 @@ public:
     const Block& block = this->BlockOf(this->CellOf(dart));
     const CellType::Dart& local = block.Darts[this->LocalDart(dart)];
     return this->StepBack(
-      this->H2D[block.HalfFaceIndex(dart.Value >> this->Bits, local.Face)], local.Position);
+      this->H2D[block.HalfFaceIndex(this->CellOf(dart), local.Face)], local.Position);
   }
 
   Cell CellOf(Dart dart) const { return Cell(dart.Value >> this->Bits); }
@@ -95,14 +95,14 @@ public:
   {
     const Block& block = this->BlockOf(this->CellOf(dart));
     return this
-      ->Cv2V[block.VertexIndex(dart.Value >> this->Bits, block.Darts[this->LocalDart(dart)].Start)];
+      ->Cv2V[block.VertexIndex(this->CellOf(dart), block.Darts[this->LocalDart(dart)].Start)];
   }
   Vertex EndVertex(Dart dart) const { return this->StartVertex(this->Beta2(dart)); }
   /// Both, a little faster.
   std::pair<Vertex, Vertex> EndVertices(Dart dart) const
   {
     const Block& block = this->BlockOf(this->CellOf(dart));
-    const Vertex* vertices = this->Cv2V.data() + block.VertexIndex(dart.Value >> this->Bits, 0);
+    const Vertex* vertices = this->Cv2V.data() + block.VertexIndex(this->CellOf(dart), 0);
     const unsigned local = this->LocalDart(dart);
     return { vertices[block.Darts[local].Start],
       vertices[block.Darts[CellType::Beta2(local)].Start] };
@@ -152,7 +152,7 @@ public:
   View<Vertex> Vertices(Cell cell) const
   {
     const Block& block = this->BlockOf(cell);
-    return { this->Cv2V.data() + block.VertexIndex(cell.Value, 0), block.VertexCount };
+    return { this->Cv2V.data() + block.VertexIndex(cell, 0), block.VertexCount };
   }
   auto HalfFaces(Cell cell) const
   {
@@ -175,7 +175,7 @@ public:
   View<Dart> Neighbours(Cell cell) const
   {
     const Block& block = this->BlockOf(cell);
-    return { this->H2D.data() + block.HalfFaceIndex(cell.Value, 0), block.FaceCount };
+    return { this->H2D.data() + block.HalfFaceIndex(cell, 0), block.FaceCount };
   }
   ///@}
 
@@ -201,7 +201,7 @@ public:
   std::size_t IndexOf(HalfFace half) const
   {
     return this->BlockOf(this->CellOf(half))
-      .HalfFaceIndex(half.Value >> this->Bits, this->LocalFace(half));
+      .HalfFaceIndex(this->CellOf(half), this->LocalFace(half));
   }
   std::size_t IndexOf(Dart dart) const
   {
@@ -227,13 +227,13 @@ protected:
     std::size_t VertexBase, HalfFaceBase, DartBase;
     unsigned VertexCount, FaceCount, DartCount;
 
-    std::size_t VertexIndex(std::size_t cell, std::size_t v) const
+    std::size_t VertexIndex(Cell cell, std::size_t v) const
     {
-      return this->VertexBase + cell * this->VertexCount + v;
+      return this->VertexBase + cell.Index() * this->VertexCount + v;
     }
-    std::size_t HalfFaceIndex(std::size_t cell, std::size_t f) const
+    std::size_t HalfFaceIndex(Cell cell, std::size_t f) const
     {
-      return this->HalfFaceBase + cell * this->FaceCount + f;
+      return this->HalfFaceBase + cell.Index() * this->FaceCount + f;
     }
   };
 

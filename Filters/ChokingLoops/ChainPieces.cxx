@@ -1,17 +1,15 @@
 #include "ChainPieces.h"
 
-#include "Index.h"
-
 #include <map>
 
 namespace isthmus
 {
-Chain BoundaryOf(const CellFiltration& f, const Chain& triangles)
+EdgeChain BoundaryOf(const CellFiltration& f, const TriangleChain& triangles)
 {
-  std::set<SimplexId> edges;
-  for (const SimplexId t : triangles)
+  std::set<EdgeId> edges;
+  for (const TriangleId t : triangles)
   {
-    for (const SimplexId e : f.TriangleEdges[At(t)])
+    for (const EdgeId e : f.TriangleEdges[t])
     {
       Toggle(edges, e);
     }
@@ -19,28 +17,28 @@ Chain BoundaryOf(const CellFiltration& f, const Chain& triangles)
   return { edges.begin(), edges.end() };
 }
 
-Chain PieceAround(const CellFiltration& f, const SurfaceInComplex& surface,
-  const std::set<SimplexId>& triangles, SimplexId seed)
+TriangleChain PieceAround(const CellFiltration& f, const SurfaceInComplex& surface,
+  const std::set<TriangleId>& triangles, TriangleId seed)
 {
-  std::map<SimplexId, std::vector<SimplexId>> beside; // per edge
-  for (const SimplexId t : triangles)
+  std::map<EdgeId, TriangleChain> beside;
+  for (const TriangleId t : triangles)
   {
-    for (const SimplexId e : f.TriangleEdges[At(t)])
+    for (const EdgeId e : f.TriangleEdges[t])
     {
       beside[e].push_back(t);
     }
   }
-  std::set<SimplexId> found{ seed };
-  Chain piece{ seed };
+  std::set<TriangleId> found{ seed };
+  TriangleChain piece{ seed };
   for (std::size_t i = 0; i < piece.size(); ++i)
   {
-    for (const SimplexId e : f.TriangleEdges[At(piece[i])])
+    for (const EdgeId e : f.TriangleEdges[piece[i]])
     {
-      if (surface.SurfaceEdge(e) >= 0)
+      if (surface.SurfaceEdge(e).Exists())
       {
         continue;
       }
-      for (const SimplexId other : beside[e])
+      for (const TriangleId other : beside[e])
       {
         if (found.insert(other).second)
         {

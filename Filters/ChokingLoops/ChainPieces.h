@@ -13,7 +13,8 @@ namespace isthmus
 {
 
 /// Adds an element over Z/2.
-inline void Toggle(std::set<SimplexId>& chain, SimplexId e)
+template <typename Id>
+void Toggle(std::set<Id>& chain, Id e)
 {
   if (!chain.erase(e))
   {
@@ -22,11 +23,11 @@ inline void Toggle(std::set<SimplexId>& chain, SimplexId e)
 }
 
 /// Boundary of a set of triangles, over Z/2, ascending.
-VTKISTHMUS_EXPORT Chain BoundaryOf(const CellFiltration& f, const Chain& triangles);
+VTKISTHMUS_EXPORT EdgeChain BoundaryOf(const CellFiltration& f, const TriangleChain& triangles);
 
 /// Of `triangles`, those that hang together with `seed` across edges that are not on M.
-VTKISTHMUS_EXPORT Chain PieceAround(const CellFiltration& f, const SurfaceInComplex& surface,
-  const std::set<SimplexId>& triangles, SimplexId seed);
+VTKISTHMUS_EXPORT TriangleChain PieceAround(const CellFiltration& f,
+  const SurfaceInComplex& surface, const std::set<TriangleId>& triangles, TriangleId seed);
 
 }
 

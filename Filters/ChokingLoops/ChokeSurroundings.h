@@ -5,8 +5,6 @@
 #ifndef isthmus_ChokeSurroundings_h
 #define isthmus_ChokeSurroundings_h
 
-#include "Index.h"
-#include "MinimumCut.h"
 #include "ShapeFeatures.h"
 
 #include <algorithm>
@@ -18,29 +16,44 @@ namespace isthmus
 /// Calls visit(triangle) for each face of a tetrahedron. Triangles are sorted by the first of
 /// their sides, the tetrahedron with the smaller id (CellFiltration::Connect()).
 template <typename Visit>
-void ForFaces(const CellFiltration& f, SimplexId cell, Visit&& visit)
+void ForFaces(const CellFiltration& f, TetrahedronId cell, Visit&& visit)
 {
-  const auto& n = f.Neighbours[static_cast<std::size_t>(cell)];
-  std::array<SimplexId, 5> firsts{ n[0], n[1], n[2], n[3], cell };
+  const auto& n = f.Neighbours[cell];
+  std::array<TetrahedronId, 5> firsts{ n[0], n[1], n[2], n[3], cell };
   std::sort(firsts.begin(), firsts.end());
   const auto end = std::unique(firsts.begin(), firsts.end());
   for (auto first = firsts.begin(); first != end && *first <= cell; ++first)
   {
-    const auto begin =
-      std::lower_bound(f.TriangleFaces.begin(), f.TriangleFaces.end(), 4 * std::max(*first, 0));
-    for (auto s = begin; *first >= 0 && s != f.TriangleFaces.end() && *s / 4 == *first; ++s)
+    if (!first->Exists())
     {
-      const SimplexId other = f.Neighbours[static_cast<std::size_t>(*first)][At(*s % 4)];
+      continue;
+    }
+    const auto begin =
+      std::lower_bound(f.TriangleFaces.begin(), f.TriangleFaces.end(), 4 * first->Value);
+    for (auto s = begin; s != f.TriangleFaces.end() && *s / 4 == first->Value; ++s)
+    {
+      const TetrahedronId other = f.Neighbours[*first][static_cast<std::size_t>(*s % 4)];
       if (*first == cell || other == cell)
       {
-        visit(static_cast<SimplexId>(s - f.TriangleFaces.begin()));
+        visit(TriangleId::At(static_cast<std::size_t>(s - f.TriangleFaces.begin())));
       }
     }
   }
 }
 
+/// Place of a cell among the surroundings of a choke.
+using CellPlace = Handle<struct SurroundingCell, std::int32_t>;
+
+/// A triangle between two cells.
+struct CellLink
+{
+  std::array<CellPlace, 2> Cells;
+  std::int64_t Capacity; ///< its area: 2^30 for a squared radius
+  TriangleId Triangle;
+};
+
 /**
- * Cells (tetrahedra, and -1 for what is beyond the complex) round a choke triangle, linked across
+ * Cells (tetrahedra, and None for what is beyond the complex) round a choke triangle, linked across
  * triangles that are no walls. Costs what lies within reach, times a look-up among all triangles:
  * O(log n).
  */
@@ -63,19 +76,15 @@ public:
   /// the complex is met, but not passed: it leads to nothing but dead ends.
   bool Collect(double reach, std::size_t most);
 
-  const std::vector<SimplexId>& Cells() const { return this->Met; }
+  const HandleVector<CellPlace, TetrahedronId>& Cells() const { return this->Met; }
 
-  /// Their places in Cells(), with areas as capacities: 2^30 for a squared radius.
-  const std::vector<FlowLink>& Links() const { return this->All; }
+  const std::vector<CellLink>& Links() const { return this->All; }
 
-  /// The triangle of each link.
-  const std::vector<SimplexId>& Triangles() const { return this->Linking; }
-
-  std::int32_t PlaceOf(SimplexId cell) const { return this->Places.at(cell); }
+  CellPlace PlaceOf(TetrahedronId cell) const { return this->Places.at(cell); }
 
   /// Calls visit(triangle, cell beyond) for the faces that link a cell.
   template <typename Visit>
-  void ForLinks(SimplexId cell, Visit&& visit) const;
+  void ForLinks(TetrahedronId cell, Visit&& visit) const;
 
   bool IsWithin(const Point3& p, double reach) const
   {
@@ -83,61 +92,54 @@ public:
   }
 
   /// The place of a tetrahedron: where Voronoi vertices of samples are, else its centroid.
-  Point3 Middle(SimplexId cell) const;
+  Point3 Middle(TetrahedronId cell) const;
 
 private:
-  std::int32_t Meet(SimplexId cell);
-  void Link(SimplexId triangle, std::int32_t from, std::int32_t to);
-  double Area(SimplexId triangle) const;
+  CellPlace Meet(TetrahedronId cell);
+  void Link(TriangleId triangle, CellPlace from, CellPlace to);
+  double Area(TriangleId triangle) const;
 
   /// Of a coarse mesh, not even the choke triangle itself need be that near.
-  bool IsWithinReach(SimplexId triangle) const
+  bool IsWithinReach(TriangleId triangle) const
   {
-    const auto corners = this->F.TrianglePoints(static_cast<std::size_t>(triangle));
+    const auto corners = this->F.TrianglePoints(triangle);
     return triangle == this->Choke ||
       std::any_of(corners.begin(), corners.end(),
         [this](SimplexId p)
         { return this->IsWithin(this->F.Points[static_cast<std::size_t>(p)], this->Reach); });
   }
 
-  SimplexId Beyond(SimplexId triangle, SimplexId cell) const
-  {
-    const auto sides = this->F.TriangleSides(static_cast<std::size_t>(triangle));
-    return sides[0] == cell ? sides[1] : sides[0];
-  }
-
   const FeatureContext& Context;
   const CellFiltration& F;
-  SimplexId Choke;
+  TriangleId Choke;
   Point3 Centre;
   double Radius;
   double Reach = 0.0;
-  std::unordered_map<SimplexId, std::int32_t> Places;
-  std::vector<SimplexId> Met;
-  std::vector<SimplexId> Linking;
-  std::vector<FlowLink> All;
+  std::unordered_map<TetrahedronId, CellPlace> Places;
+  HandleVector<CellPlace, TetrahedronId> Met;
+  std::vector<CellLink> All;
 };
 
 template <typename Visit>
-void ChokeSurroundings::ForLinks(SimplexId cell, Visit&& visit) const
+void ChokeSurroundings::ForLinks(TetrahedronId cell, Visit&& visit) const
 {
-  const auto report = [&](SimplexId t)
+  const auto report = [&](TriangleId t)
   {
     if (!this->Context.IsWall(t) && this->IsWithinReach(t))
     {
-      visit(t, this->Beyond(t, cell));
+      visit(t, this->F.Across(t, cell));
     }
   };
-  if (cell >= 0)
+  if (cell.Exists())
   {
     ForFaces(this->F, cell, report);
     return;
   }
-  for (const SimplexId t : this->Linking)
+  for (const CellLink& link : this->All)
   {
-    if (this->F.TriangleSides(static_cast<std::size_t>(t))[1] < 0)
+    if (!this->F.TriangleSides(link.Triangle)[1].Exists())
     {
-      report(t);
+      report(link.Triangle);
     }
   }
 }

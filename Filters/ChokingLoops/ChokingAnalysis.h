@@ -89,7 +89,7 @@ struct ChokingAnalysis
 
   Point3 Centre(const ShapeFeature& feature) const
   {
-    const auto t = this->Filtration.TrianglePoints(At(feature.Choke));
+    const auto t = this->Filtration.TrianglePoints(feature.Choke);
     const Point3& p = this->Filtration.Points[At(t[0])];
     const Point3& q = this->Filtration.Points[At(t[1])];
     const Point3& r = this->Filtration.Points[At(t[2])];

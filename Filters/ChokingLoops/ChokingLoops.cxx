@@ -255,12 +255,12 @@ std::optional<Membrane> ChokingLoops::ContactMembraneOf(std::size_t feature, dou
 
 std::vector<SimplexId> ChokingLoops::ContactsOf(std::size_t feature) const
 {
-  const SimplexId choke = this->State->Found.Diagram.Features[feature].Choke;
-  if (choke < 0)
+  const TriangleId choke = this->State->Found.Diagram.Features[feature].Choke;
+  if (!choke.Exists())
   {
     return {};
   }
-  const auto corners = this->State->Filtration.TrianglePoints(At(choke));
+  const auto corners = this->State->Filtration.TrianglePoints(choke);
   return { corners.begin(), corners.end() };
 }
 

@@ -46,20 +46,20 @@ CellFiltration FiltrationByBalls(const TetrahedralMesh& mesh, TriangleMesh& surf
   const std::vector<double> none(mesh.Points.size(), 0.0);
   CellFiltration f = LowerStarFiltration(mesh, none, surface);
   const auto point = [&f](SimplexId p) { return f.Points[At(p)]; };
-  for (std::size_t e = 0; e < f.Edges.size(); ++e)
+  for (const EdgeId e : f.Edges.Keys())
   {
     const Point3 d = point(f.Edges[e][1]) - point(f.Edges[e][0]);
     f.EdgeValue[e] = 0.25 * Dot(d, d);
   }
-  for (std::size_t t = 0; t < f.TriangleCount(); ++t)
+  for (const TriangleId t : f.Triangles())
   {
     const auto p = f.TrianglePoints(t);
     f.TriangleValue[t] = SquaredBall(point(p[0]), point(p[1]), point(p[2]));
-    for (const SimplexId cell : f.TriangleSides(t))
+    for (const TetrahedronId cell : f.TriangleSides(t))
     {
-      if (cell >= 0)
+      if (cell.Exists())
       {
-        double& value = f.TetrahedronValue[At(cell)];
+        double& value = f.TetrahedronValue[cell];
         value = std::max(value, f.TriangleValue[t]);
       }
     }
@@ -150,10 +150,10 @@ std::vector<ConformingGenerator> ConformingGenerators(
     feature.Choke = generator.Filler;
     feature.Side = SpaceRegions::SideOf(regions.OfTriangle(generator.Filler));
     feature.Sum = generator.Sum;
-    const auto t = f.TrianglePoints(At(generator.Filler));
+    const auto t = f.TrianglePoints(generator.Filler);
     ConformingGenerator made;
     made.Side = feature.Side;
-    made.Radius = std::sqrt(f.TriangleValue[At(generator.Filler)]);
+    made.Radius = std::sqrt(f.TriangleValue[generator.Filler]);
     made.Centre = BallCentre(f.Points[At(t[0])], f.Points[At(t[1])], f.Points[At(t[2])]);
     made.Shape = FeatureMembrane(context, regions, feature, &span);
     renamer.Rename(made.Shape);
@@ -175,13 +175,13 @@ SplitSurface::SplitSurface(const SurfaceView& surface, const SurfaceAdjacency& s
 
 bool SplitSurface::IsSplit(SimplexId a, SimplexId b) const
 {
-  return this->Original.Find(a, b) >= 0 && this->Samples.Find(a, b) < 0;
+  return this->Original.Find(a, b).Exists() && !this->Samples.Find(a, b).Exists();
 }
 
 // The points from a (included) to b (not included). Midpoints were made by this very formula.
 void SplitSurface::AddPieces(SimplexId a, SimplexId b, std::vector<SimplexId>& points) const
 {
-  if (this->Samples.Find(a, b) >= 0)
+  if (this->Samples.Find(a, b).Exists())
   {
     points.push_back(a);
     return;

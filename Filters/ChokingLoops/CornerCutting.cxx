@@ -153,11 +153,11 @@ std::ptrdiff_t Corner::StepsWithin(std::ptrdiff_t way, double reach) const
 EdgeStrip Corner::FanBeside(bool isLeft) const
 {
   const SurfaceAdjacency& s = this->Surface;
-  const SimplexId in = this->At(-1).HalfEdge;
-  const SimplexId last = SurfaceAdjacency::Triangle(s.Opposite(this->At(1).HalfEdge));
-  const SimplexId first = SurfaceAdjacency::Triangle(in);
+  const HalfEdgeId in = this->At(-1).HalfEdge;
+  const SurfaceTriangleId last = SurfaceAdjacency::Triangle(s.Opposite(this->At(1).HalfEdge));
+  const SurfaceTriangleId first = SurfaceAdjacency::Triangle(in);
   EdgeStrip fan;
-  SimplexId h = s.Opposite(isLeft ? SurfaceAdjacency::Previous(in) : SurfaceAdjacency::Next(in));
+  HalfEdgeId h = s.Opposite(isLeft ? SurfaceAdjacency::Previous(in) : SurfaceAdjacency::Next(in));
   for (; SurfaceAdjacency::Triangle(h) != first;
        h = isLeft ? s.Opposite(SurfaceAdjacency::Next(h)) : s.Turn(h))
   {
@@ -245,7 +245,8 @@ SurfaceCurve CutCorners(
   {
     bent.Bends.push_back({ pin, 0 });
   }
-  std::size_t left = 2 * Generations * bent.Bends.size() * (reach > 0.0 ? 1 : 0); // cuts
+  std::size_t left =
+    std::size_t{ 2 } * Generations * bent.Bends.size() * (reach > 0.0 ? 1 : 0); // cuts
   for (std::size_t i = 0; i < bent.Bends.size() && left > 0;)
   {
     const Bend bend = bent.Bends[i];

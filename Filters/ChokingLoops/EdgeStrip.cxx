@@ -53,15 +53,15 @@ void AddLeftOf(
   const SurfaceAdjacency& s, const std::vector<SimplexId>& path, std::size_t i, EdgeStrip& strip)
 {
   const std::size_t n = path.size();
-  const SimplexId in = s.Find(path[(i + n - 1) % n], path[i]);
-  const SimplexId out = s.Find(path[i], path[(i + 1) % n]);
-  if (in < 0 || out < 0)
+  const HalfEdgeId in = s.Find(path[(i + n - 1) % n], path[i]);
+  const HalfEdgeId out = s.Find(path[i], path[(i + 1) % n]);
+  if (!in.Exists() || !out.Exists())
   {
     throw std::invalid_argument("Points " + std::to_string(path[i]) + " and " +
-      std::to_string(path[(in < 0 ? i + n - 1 : i + 1) % n]) +
+      std::to_string(path[(in.Exists() ? i + 1 : i + n - 1) % n]) +
       " of the loop are not joined by an edge of the surface.");
   }
-  for (SimplexId h = s.Next(in); h != out; h = s.Next(s.Opposite(h)))
+  for (HalfEdgeId h = s.Next(in); h != out; h = s.Next(s.Opposite(h)))
   {
     strip.push_back({ s.Opposite(h), 1.0 });
   }
@@ -119,9 +119,9 @@ namespace
 {
 
 /// Lays down the triangle beyond the last edge, up to the edge over which the strip goes on.
-void UnfoldOver(const SurfaceAdjacency& s, SimplexId h, SimplexId next, UnfoldedStrip& plane)
+void UnfoldOver(const SurfaceAdjacency& s, HalfEdgeId h, HalfEdgeId next, UnfoldedStrip& plane)
 {
-  const SimplexId second = SurfaceAdjacency::Next(h);
+  const HalfEdgeId second = SurfaceAdjacency::Next(h);
   const Point2 from = plane.From.back();
   const Point2 to = plane.To.back();
   const Point2 apex = Corner(from, to, s.Length(SurfaceAdjacency::Previous(h)), s.Length(second));
@@ -134,8 +134,8 @@ void UnfoldOver(const SurfaceAdjacency& s, SimplexId h, SimplexId next, Unfolded
 
 UnfoldedStrip UnfoldPath(const SurfaceAdjacency& s, const EdgeStrip& strip)
 {
-  const SimplexId first = strip.front().HalfEdge;
-  const SimplexId behind = s.Opposite(first);
+  const HalfEdgeId first = strip.front().HalfEdge;
+  const HalfEdgeId behind = s.Opposite(first);
   const Point2 from{ 0.0, 0.0 };
   const Point2 to{ s.Length(first), 0.0 };
   const Point2 start = Corner(to, from, s.Length(SurfaceAdjacency::Previous(behind)),
@@ -145,7 +145,7 @@ UnfoldedStrip UnfoldPath(const SurfaceAdjacency& s, const EdgeStrip& strip)
   {
     UnfoldOver(s, strip[i].HalfEdge, strip[i + 1].HalfEdge, plane);
   }
-  const SimplexId last = strip.back().HalfEdge;
+  const HalfEdgeId last = strip.back().HalfEdge;
   const Point2 end = Corner(plane.From.back(), plane.To.back(),
     s.Length(SurfaceAdjacency::Previous(last)), s.Length(SurfaceAdjacency::Next(last)));
   plane.From.push_back(end);

@@ -13,7 +13,7 @@ namespace isthmus
 /// A point of a curve on a surface: on half edge HalfEdge, at a fraction of it from From to To.
 struct SurfaceCurvePoint
 {
-  SimplexId HalfEdge;
+  HalfEdgeId HalfEdge;
   double Fraction;
 };
 

@@ -36,11 +36,11 @@ public:
   {
     for (const SimplexId p : this->Paths.Points())
     {
-      const SimplexId last = this->Paths.Last(p);
+      const HalfEdgeId last = this->Paths.Last(p);
       this->Classes.emplace(p,
-        last < 0 ? context.Homology.ClassOf({})
-                 : Sum(this->Classes.at(context.Surface.From(last)),
-                     context.Homology.ClassOf({ context.Surface.Edge(last) })));
+        last.Exists() ? Sum(this->Classes.at(context.Surface.From(last)),
+                          context.Homology.ClassOf({ context.Surface.Edge(last) }))
+                      : context.Homology.ClassOf({}));
     }
   }
 
@@ -52,7 +52,7 @@ public:
   std::vector<SimplexId> PathTo(SimplexId p) const
   {
     std::vector<SimplexId> path{ p };
-    for (SimplexId last = this->Paths.Last(p); last >= 0; last = this->Paths.Last(path.back()))
+    for (HalfEdgeId last = this->Paths.Last(p); last.Exists(); last = this->Paths.Last(path.back()))
     {
       path.push_back(this->Context.Surface.From(last));
     }
@@ -85,7 +85,7 @@ std::vector<Closed> LoopsThrough(const FeatureContext& context, const HomologySp
   const Tree& one, const Tree& other, double longest)
 {
   const SurfaceAdjacency& surface = context.Surface;
-  std::map<HomologyClass, std::pair<double, SimplexId>> best;
+  std::map<HomologyClass, std::pair<double, HalfEdgeId>> best;
   if (!one.Lengths().Has(other.Root()))
   {
     return {};
@@ -94,8 +94,8 @@ std::vector<Closed> LoopsThrough(const FeatureContext& context, const HomologySp
   const HomologyClass& out = one.ClassTo(other.Root());
   for (const SimplexId p : one.Lengths().Points())
   {
-    const SimplexId first = surface.Leaving(p);
-    SimplexId h = first;
+    const HalfEdgeId first = surface.Leaving(p);
+    HalfEdgeId h = first;
     do
     {
       const SimplexId q = surface.To(h);
@@ -150,9 +150,9 @@ Membrane FanFrom(const FeatureContext& context, const Point3& centre, std::vecto
 std::vector<Tree> TreesOf(const FeatureContext& context, const ShapeFeature& f, double reach)
 {
   std::vector<Tree> trees;
-  for (const SimplexId p : context.Filtration.TrianglePoints(static_cast<std::size_t>(f.Choke)))
+  for (const SimplexId p : context.Filtration.TrianglePoints(f.Choke))
   {
-    if (context.Surface.Leaving(p) >= 0)
+    if (context.Surface.Leaving(p).Exists())
     {
       trees.emplace_back(context, p, reach);
     }

@@ -17,12 +17,12 @@ namespace
 
 /// The points of a path of surface edges that starts at `from`.
 std::vector<SimplexId> PointsOf(
-  const SurfaceAdjacency& surface, const std::vector<SimplexId>& path, SimplexId from)
+  const SurfaceAdjacency& surface, const std::vector<SurfaceEdgeId>& path, SimplexId from)
 {
   std::vector<SimplexId> points{ from };
-  for (const SimplexId e : path)
+  for (const SurfaceEdgeId e : path)
   {
-    const SimplexId h = surface.HalfEdgeOf(e);
+    const HalfEdgeId h = surface.HalfEdgeOf(e);
     points.push_back(surface.From(h) == points.back() ? surface.To(h) : surface.From(h));
   }
   return points;
@@ -33,19 +33,19 @@ constexpr double FarthestWay = 1e6;
 
 /// Puts edges of M in the place of each edge of the complex; what lies between joins the membrane.
 /// Nothing where the ends of an edge lie on two components of M.
-std::set<SimplexId> OntoSurface(
-  const FeatureContext& context, const Chain& cycle, Membrane& membrane)
+std::set<SurfaceEdgeId> OntoSurface(
+  const FeatureContext& context, const EdgeChain& cycle, Membrane& membrane)
 {
-  std::set<SimplexId> edges;
-  for (const SimplexId e : cycle)
+  std::set<SurfaceEdgeId> edges;
+  for (const EdgeId e : cycle)
   {
-    const SimplexId own = context.Embedding.SurfaceEdge(e);
-    if (own >= 0)
+    const SurfaceEdgeId own = context.Embedding.SurfaceEdge(e);
+    if (own.Exists())
     {
       Toggle(edges, own);
       continue;
     }
-    const auto& ends = context.Filtration.Edges[At(e)];
+    const auto& ends = context.Filtration.Edges[e];
     const double length =
       Distance(context.Filtration.Points[At(ends[0])], context.Filtration.Points[At(ends[1])]);
     membrane.OnSurface = membrane.OnSurface && length * length <= 4.0 * context.SquaredError(ends);
@@ -54,15 +54,15 @@ std::set<SimplexId> OntoSurface(
     {
       return {};
     }
-    const std::vector<SimplexId> path =
+    const std::vector<SurfaceEdgeId> path =
       context.Embedding.ShortestPath(ends[1], ends[0], FarthestWay * length);
     if (path.empty())
     {
       return {};
     }
-    for (const SimplexId p : path)
+    for (const SurfaceEdgeId step : path)
     {
-      Toggle(edges, p);
+      Toggle(edges, step);
     }
     AddFan(PointsOf(context.Surface, path, ends[0]), membrane.Triangles);
   }
@@ -89,16 +89,17 @@ void AddFan(const std::vector<SimplexId>& loop, std::vector<std::array<SimplexId
   }
 }
 
-std::vector<std::vector<SimplexId>> SimpleLoops(const SurfaceAdjacency& surface, const Chain& edges)
+std::vector<std::vector<SimplexId>> SimpleLoops(
+  const SurfaceAdjacency& surface, const SurfaceChain& edges)
 {
-  std::map<SimplexId, std::vector<SimplexId>> around; // half edges that leave a point
-  for (const SimplexId e : edges)
+  std::map<SimplexId, std::vector<HalfEdgeId>> around; // half edges that leave a point
+  for (const SurfaceEdgeId e : edges)
   {
-    const SimplexId h = surface.HalfEdgeOf(e);
+    const HalfEdgeId h = surface.HalfEdgeOf(e);
     around[surface.From(h)].push_back(h);
     around[surface.To(h)].push_back(surface.Opposite(h));
   }
-  std::set<SimplexId> used;
+  std::set<SurfaceEdgeId> used;
   std::vector<std::vector<SimplexId>> loops;
   for (const auto& entry : around)
   {
@@ -108,7 +109,7 @@ std::vector<std::vector<SimplexId>> SimpleLoops(const SurfaceAdjacency& surface,
     {
       const auto& choices = around[trail.back()];
       const auto next = std::find_if(choices.begin(), choices.end(),
-        [&](SimplexId h) { return used.count(surface.Edge(h)) == 0; });
+        [&](HalfEdgeId h) { return used.count(surface.Edge(h)) == 0; });
       if (next == choices.end())
       {
         break;
@@ -135,9 +136,9 @@ std::vector<std::vector<SimplexId>> SimpleLoops(const SurfaceAdjacency& surface,
   return loops;
 }
 
-Chain LoopEdges(const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop)
+SurfaceChain LoopEdges(const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop)
 {
-  Chain edges;
+  SurfaceChain edges;
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
     edges.push_back(surface.Edge(surface.Find(loop[i], loop[(i + 1) % loop.size()])));
@@ -149,22 +150,23 @@ namespace
 {
 
 /// What fills the sum of basis loops that the feature is, as far as it lies on the feature's side.
-Chain FillingOfSum(
+TriangleChain FillingOfSum(
   const FeatureContext& context, SpaceRegions& regions, const ShapeFeature& feature)
 {
-  Chain image;
+  EdgeChain image;
   for (const std::size_t loop : feature.Sum)
   {
-    for (const SimplexId e : context.Homology.Loop(loop))
+    for (const SurfaceEdgeId e : context.Homology.Loop(loop))
     {
-      const Chain path = context.Embedding.Image(e);
+      const EdgeChain path = context.Embedding.Image(e);
       image.insert(image.end(), path.begin(), path.end());
     }
   }
-  std::set<SimplexId> filling;
+  std::set<TriangleId> filling;
   for (const std::int64_t rank : context.Pairs.Bounding(image))
   {
-    for (const SimplexId t : context.Pairs.Filling(context.Filtration.TrianglesInOrder[At(rank)]))
+    const auto last = TriangleRank::At(At(rank));
+    for (const TriangleId t : context.Pairs.Filling(context.Filtration.TrianglesInOrder[last]))
     {
       if (!context.IsWall(t) && SpaceRegions::SideOf(regions.OfTriangle(t)) == feature.Side)
       {
@@ -174,19 +176,19 @@ Chain FillingOfSum(
   }
   return filling.count(feature.Choke)
     ? PieceAround(context.Filtration, context.Embedding, filling, feature.Choke)
-    : Chain{};
+    : TriangleChain{};
 }
 
 /// The membrane made of `triangles`, whose boundary is `cycle`.
-Membrane MembraneOf(
-  const FeatureContext& context, const Chain& triangles, const Chain& cycle, HomologySpan* span)
+Membrane MembraneOf(const FeatureContext& context, const TriangleChain& triangles,
+  const EdgeChain& cycle, HomologySpan* span)
 {
   Membrane membrane;
-  for (const SimplexId t : triangles)
+  for (const TriangleId t : triangles)
   {
-    membrane.Triangles.push_back(context.Filtration.TrianglePoints(At(t)));
+    membrane.Triangles.push_back(context.Filtration.TrianglePoints(t));
   }
-  const std::set<SimplexId> edges = OntoSurface(context, cycle, membrane);
+  const std::set<SurfaceEdgeId> edges = OntoSurface(context, cycle, membrane);
   std::vector<std::vector<SimplexId>> loops =
     SimpleLoops(context.Surface, { edges.begin(), edges.end() });
   std::sort(loops.begin(), loops.end(),
@@ -223,15 +225,15 @@ Membrane MembraneOf(
 Membrane FeatureMembrane(const FeatureContext& context, SpaceRegions& regions,
   const ShapeFeature& feature, HomologySpan* span)
 {
-  const auto& boundary = context.Filtration.TriangleEdges[At(feature.Choke)];
-  Chain swept{ feature.Choke };
-  const Chain cycle = context.Pairs.Push(
-    { boundary.begin(), boundary.end() }, context.Filtration.TriangleRank[At(feature.Choke)],
-    [&context](SimplexId e) { return context.Embedding.SurfaceEdge(e) < 0; }, swept);
+  const auto& boundary = context.Filtration.TriangleEdges[feature.Choke];
+  TriangleChain swept{ feature.Choke };
+  const EdgeChain cycle = context.Pairs.Push(
+    { boundary.begin(), boundary.end() }, context.Filtration.RankOfTriangle[feature.Choke],
+    [&context](EdgeId e) { return !context.Embedding.SurfaceEdge(e).Exists(); }, swept);
   Membrane membrane = MembraneOf(context, swept, cycle, span);
   if (membrane.Loops.empty() && span)
   {
-    const Chain filling = FillingOfSum(context, regions, feature);
+    const TriangleChain filling = FillingOfSum(context, regions, feature);
     if (!filling.empty())
     {
       membrane = MembraneOf(context, filling, BoundaryOf(context.Filtration, filling), span);
@@ -243,7 +245,7 @@ Membrane FeatureMembrane(const FeatureContext& context, SpaceRegions& regions,
 std::optional<Membrane> TightMembrane(const FeatureContext& context, const ShapeFeature& feature,
   const Point3& centre, const ProgressCallback& progress)
 {
-  const Chain cut = TightestCut(context, feature, centre, progress);
+  const TriangleChain cut = TightestCut(context, feature, centre, progress);
   if (cut.empty())
   {
     return std::nullopt;

@@ -51,10 +51,10 @@ VTKISTHMUS_EXPORT void AddFan(
 /// Splits a cycle of edges of M (every point in an even number of them) into simple loops of
 /// points.
 VTKISTHMUS_EXPORT std::vector<std::vector<SimplexId>> SimpleLoops(
-  const SurfaceAdjacency& surface, const Chain& edges);
+  const SurfaceAdjacency& surface, const SurfaceChain& edges);
 
 /// The edges of M between consecutive points of a closed loop.
-VTKISTHMUS_EXPORT Chain LoopEdges(
+VTKISTHMUS_EXPORT SurfaceChain LoopEdges(
   const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop);
 
 }

@@ -28,6 +28,7 @@ std::vector<Point3> PointsOf(
   const ChokingLoops& loops, const LoopFeature& feature, const std::vector<SimplexId>& loop)
 {
   std::vector<Point3> points;
+  points.reserve(loop.size());
   for (const SimplexId p : loop)
   {
     points.push_back(feature.Point(p, loops.Samples()));
@@ -230,7 +231,7 @@ LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
   const Membrane& pushed = loops.MembraneOf(index);
   TightestFit fit(loops, index, rounds, tolerances);
   fit.TryFree(pushed, false, Between(progress, 0.0, 0.4));
-  if (rounds == 0 || !f.Trusted || f.Choke < 0 ||
+  if (rounds == 0 || !f.Trusted || !f.Choke.Exists() ||
     (fit.Belongs() && fit.Length() < Roomy * fit.ShortestLength()))
   {
     return fit.Take();

@@ -96,7 +96,7 @@ bool Shortener::LeadRound(std::size_t first, std::size_t count, SimplexId p)
 {
   const std::size_t n = this->Edges.size();
   const SurfaceAdjacency& s = this->Surface;
-  const SimplexId enter = this->Edges[first].HalfEdge;
+  const HalfEdgeId enter = this->Edges[first].HalfEdge;
   for (std::size_t k = 1; k < count; ++k)
   {
     if (this->Edges[(first + k) % n].HalfEdge == enter) // once round the point, for nothing
@@ -110,7 +110,8 @@ bool Shortener::LeadRound(std::size_t first, std::size_t count, SimplexId p)
       return true;
     }
   }
-  const SimplexId last = SurfaceAdjacency::Triangle(this->Edges[(first + count - 1) % n].HalfEdge);
+  const SurfaceTriangleId last =
+    SurfaceAdjacency::Triangle(this->Edges[(first + count - 1) % n].HalfEdge);
   const EdgeStrip other = OtherWayRound(s, enter, last, p);
   const Point3 before = PositionOf(s, this->Edges[(first + n - 1) % n]);
   const Point3 after = PositionOf(s, this->Edges[(first + count) % n]);

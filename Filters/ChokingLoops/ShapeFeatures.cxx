@@ -1,6 +1,5 @@
 #include "ShapeFeatures.h"
 
-#include "Index.h"
 #include "SpaceRegions.h"
 
 #include <algorithm>
@@ -36,7 +35,8 @@ public:
   FeatureDiagram Finish(std::size_t expected);
 
 private:
-  ShapeFeature Make(int dimension, SimplexId choke, double birth, double death, double error2) const
+  ShapeFeature Make(
+    int dimension, TriangleId choke, double birth, double death, double error2) const
   {
     ShapeFeature feature;
     feature.Dimension = dimension;
@@ -57,27 +57,27 @@ private:
 void Collector::AddVoids()
 {
   std::map<std::vector<int>, std::size_t> own; // per bounded region: its deepest pair
-  for (std::size_t t = 0; t < this->F.TriangleCount(); ++t)
+  for (const TriangleId t : this->F.Triangles())
   {
-    const SimplexId filler = this->Context.Pairs.VoidFilled(static_cast<SimplexId>(t));
-    if (filler < 0)
+    const TetrahedronId filler = this->Context.Pairs.VoidFilled(t);
+    if (!filler.Exists())
     {
       continue;
     }
     const double birth = this->F.TriangleValue[t];
-    const double death = this->F.TetrahedronValue[At(filler)];
+    const double death = this->F.TetrahedronValue[filler];
     if (!Differ(birth, death)) // most of all
     {
       continue;
     }
     const double error2 = std::max(this->Context.SquaredError(this->F.TrianglePoints(t)),
-      this->Context.SquaredError(this->F.Tetrahedra[At(filler)]));
+      this->Context.SquaredError(this->F.Tetrahedra[filler]));
     if (death <= error2)
     {
       continue;
     }
     const std::vector<int>& region = this->Regional.Of(filler);
-    ShapeFeature feature = this->Make(2, static_cast<SimplexId>(t), birth, death, error2);
+    ShapeFeature feature = this->Make(2, t, birth, death, error2);
     feature.Side = SpaceRegions::SideOf(region);
     feature.Fill = feature.Death;
     feature.Kind = feature.Trusted ? FeatureKind::Additional : FeatureKind::Noise;
@@ -99,22 +99,21 @@ void Collector::AddVoids()
 
 void Collector::AddLoops(const std::vector<SurfaceGenerator>& generators)
 {
-  std::map<SimplexId, const SurfaceGenerator*> byFiller;
+  std::map<TriangleId, const SurfaceGenerator*> byFiller;
   for (const SurfaceGenerator& g : generators)
   {
     byFiller[g.Filler] = &g;
   }
-  for (std::size_t t = 0; t < this->F.TriangleCount(); ++t)
+  for (const TriangleId t : this->F.Triangles())
   {
-    const auto id = static_cast<SimplexId>(t);
-    const SimplexId closer = this->Context.Pairs.LoopClosed(id);
-    if (closer < 0)
+    const EdgeId closer = this->Context.Pairs.LoopClosed(t);
+    if (!closer.Exists())
     {
       continue;
     }
-    const auto generator = byFiller.find(id);
+    const auto generator = byFiller.find(t);
     const double death = this->F.TriangleValue[t];
-    const double birth = generator != byFiller.end() ? 0.0 : this->F.EdgeValue[At(closer)];
+    const double birth = generator != byFiller.end() ? 0.0 : this->F.EdgeValue[closer];
     if (generator == byFiller.end() && !Differ(birth, death)) // most of all
     {
       continue;
@@ -124,9 +123,8 @@ void Collector::AddLoops(const std::vector<SurfaceGenerator>& generators)
     {
       continue;
     }
-    const auto sides = this->F.TriangleSides(t);
-    const std::vector<int>& region = this->Regional.Of(sides[0] >= 0 ? sides[0] : sides[1]);
-    ShapeFeature feature = this->Make(1, id, birth, death, error2);
+    const std::vector<int>& region = this->Regional.OfTriangle(t);
+    ShapeFeature feature = this->Make(1, t, birth, death, error2);
     feature.Side = SpaceRegions::SideOf(region);
     if (generator != byFiller.end())
     {

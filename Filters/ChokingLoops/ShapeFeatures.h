@@ -30,8 +30,9 @@ struct ShapeFeature
   /// death^2 - birth^2 exceeds the square of the sampling error: a feature of M, not of the
   /// samples.
   bool Trusted = false;
-  double Error = 0.0;   ///< the sampling error there
-  SimplexId Choke = -1; ///< the triangle where a ball of radius Distance() gets stuck
+  double Error = 0.0; ///< the sampling error there
+  /// The triangle where a ball of radius Distance() gets stuck.
+  TriangleId Choke = TriangleId::None();
   /// radius at which what lies beyond is filled; a loop's: the last of its region
   double Fill = 0.0;
   /// For a handle or tunnel: basis loops of SurfaceHomology that it is the sum of.

@@ -6,35 +6,35 @@ namespace isthmus
 {
 SpaceRegions::SpaceRegions(const FeatureContext& context, const ProgressCallback& progress)
   : Context(context)
-  , Groups(static_cast<SimplexId>(context.Filtration.Tetrahedra.size()))
+  , Groups(context.Filtration.Tetrahedra.size())
   , Test(context.Surface.Mesh(), context.Homology)
 {
   const CellFiltration& f = context.Filtration;
-  for (std::size_t t = 0; t < f.TriangleCount(); ++t)
+  for (const TriangleId t : f.Triangles())
   {
-    if (t % (1U << 18) == 0)
+    if (t.Index() % (1U << 18) == 0)
     {
-      Report(progress, static_cast<double>(t) / static_cast<double>(f.TriangleCount()));
+      Report(progress, static_cast<double>(t.Index()) / static_cast<double>(f.TriangleCount()));
     }
     const auto sides = f.TriangleSides(t);
-    if (sides[0] >= 0 && sides[1] >= 0 && !context.IsWall(static_cast<SimplexId>(t)))
+    if (sides[0].Exists() && sides[1].Exists() && !context.IsWall(t))
     {
-      const SimplexId a = this->Groups.Find(sides[0]);
-      const SimplexId b = this->Groups.Find(sides[1]);
+      const TetrahedronId a = this->Groups.Find(sides[0]);
+      const TetrahedronId b = this->Groups.Find(sides[1]);
       const bool later = f.EntersLater(a, b);
       this->Groups.JoinUnder(later ? b : a, later ? a : b);
     }
   }
 }
 
-const std::vector<int>& SpaceRegions::Of(SimplexId cell)
+const std::vector<int>& SpaceRegions::Of(TetrahedronId cell)
 {
   static const std::vector<int> none;
-  if (cell < 0)
+  if (!cell.Exists())
   {
     return none;
   }
-  const SimplexId group = this->Groups.Find(cell);
+  const TetrahedronId group = this->Groups.Find(cell);
   auto known = this->Known.find(group);
   if (known == this->Known.end())
   {
@@ -45,10 +45,10 @@ const std::vector<int>& SpaceRegions::Of(SimplexId cell)
 
 // In a Delaunay triangulation the circumcentre is what keeps its distance from M; in a mesh that
 // conforms to M the tetrahedron itself lies on one side.
-Point3 SpaceRegions::Inner(SimplexId deepest) const
+Point3 SpaceRegions::Inner(TetrahedronId deepest) const
 {
   const CellFiltration& f = this->Context.Filtration;
-  const auto& t = f.Tetrahedra[At(deepest)];
+  const auto& t = f.Tetrahedra[deepest];
   const Point3& p = f.Points[At(t[0])];
   const Point3& q = f.Points[At(t[1])];
   const Point3& r = f.Points[At(t[2])];

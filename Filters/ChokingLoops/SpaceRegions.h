@@ -47,7 +47,7 @@ struct FeatureContext
   }
 
   /// True for a triangle of the complex that may cross M or be part of it.
-  bool IsWall(SimplexId triangle) const;
+  bool IsWall(TriangleId triangle) const;
 };
 
 /**
@@ -63,11 +63,11 @@ public:
   VTKISTHMUS_EXPORT explicit SpaceRegions(
     const FeatureContext& context, const ProgressCallback& progress = {});
 
-  /// The components of M that enclose a tetrahedron, ascending; none for the exterior (-1).
-  VTKISTHMUS_EXPORT const std::vector<int>& Of(SimplexId cell);
+  /// The components of M that enclose a tetrahedron, ascending; none for the exterior (None).
+  VTKISTHMUS_EXPORT const std::vector<int>& Of(TetrahedronId cell);
 
   /// The same for a triangle that is no wall.
-  const std::vector<int>& OfTriangle(SimplexId triangle);
+  const std::vector<int>& OfTriangle(TriangleId triangle);
 
   static SpaceSide SideOf(const std::vector<int>& enclosing)
   {
@@ -75,12 +75,12 @@ public:
   }
 
 private:
-  Point3 Inner(SimplexId deepest) const;
+  Point3 Inner(TetrahedronId deepest) const;
 
   const FeatureContext& Context;
-  DisjointSets<SimplexId> Groups; ///< the root of each is its latest tetrahedron
+  DisjointSets<TetrahedronId> Groups; ///< the root of each is its latest tetrahedron
   EnclosureTest Test;
-  std::map<SimplexId, std::vector<int>> Known;
+  std::map<TetrahedronId, std::vector<int>> Known;
 };
 
 /// Centre of the smallest sphere through the corners of a triangle or tetrahedron.
@@ -88,18 +88,16 @@ VTKISTHMUS_EXPORT Point3 Circumcentre(const Point3& p, const Point3& q, const Po
 VTKISTHMUS_EXPORT Point3 Circumcentre(
   const Point3& p, const Point3& q, const Point3& r, const Point3& s);
 
-inline bool FeatureContext::IsWall(SimplexId triangle) const
+inline bool FeatureContext::IsWall(TriangleId t) const
 {
-  const auto t = static_cast<std::size_t>(triangle);
   return this->PointError.empty()
     ? this->Filtration.TriangleFirst[t] != 0
     : this->Filtration.TriangleValue[t] <= this->SquaredError(this->Filtration.TrianglePoints(t));
 }
 
-inline const std::vector<int>& SpaceRegions::OfTriangle(SimplexId triangle)
+inline const std::vector<int>& SpaceRegions::OfTriangle(TriangleId triangle)
 {
-  const auto sides = this->Context.Filtration.TriangleSides(static_cast<std::size_t>(triangle));
-  return this->Of(sides[0] >= 0 ? sides[0] : sides[1]);
+  return this->Of(this->Context.Filtration.TriangleSides(triangle)[0]);
 }
 
 }

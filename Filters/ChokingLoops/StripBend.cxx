@@ -18,7 +18,7 @@ const Point3& PointAt(const SurfaceAdjacency& s, SimplexId p)
 
 }
 
-double CornerAngle(const SurfaceAdjacency& s, SimplexId h)
+double CornerAngle(const SurfaceAdjacency& s, HalfEdgeId h)
 {
   const double a = s.Length(h);
   const double b = s.Length(SurfaceAdjacency::Previous(h));
@@ -26,11 +26,12 @@ double CornerAngle(const SurfaceAdjacency& s, SimplexId h)
   return std::acos(std::clamp((a * a + b * b - c * c) / (2.0 * a * b), -1.0, 1.0));
 }
 
-EdgeStrip OtherWayRound(const SurfaceAdjacency& s, SimplexId enter, SimplexId last, SimplexId p)
+EdgeStrip OtherWayRound(
+  const SurfaceAdjacency& s, HalfEdgeId enter, SurfaceTriangleId last, SimplexId p)
 {
   const bool onRight = s.To(enter) == p;
   EdgeStrip other;
-  for (SimplexId h = s.Opposite(enter); SurfaceAdjacency::Triangle(h) != last;)
+  for (HalfEdgeId h = s.Opposite(enter); SurfaceAdjacency::Triangle(h) != last;)
   {
     h = onRight ? s.Turn(h) : s.Opposite(SurfaceAdjacency::Next(h));
     other.push_back({ h, onRight ? 0.0 : 1.0 });
@@ -51,13 +52,13 @@ double AngleBeyond(const SurfaceAdjacency& s, const EdgeStrip& other, SimplexId 
   {
     return between(before, after);
   }
-  const auto farEnd = [&s, p](SimplexId h) -> const Point3&
+  const auto farEnd = [&s, p](HalfEdgeId h) -> const Point3&
   { return PointAt(s, s.From(h) == p ? s.To(h) : s.From(h)); };
   double angle =
     between(before, farEnd(other.front().HalfEdge)) + between(farEnd(other.back().HalfEdge), after);
   for (std::size_t i = 0; i + 1 < other.size(); ++i)
   {
-    const SimplexId h = other[i].HalfEdge;
+    const HalfEdgeId h = other[i].HalfEdge;
     angle += CornerAngle(s, s.From(h) == p ? h : SurfaceAdjacency::Next(h));
   }
   return angle;

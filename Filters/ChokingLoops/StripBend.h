@@ -11,7 +11,7 @@ namespace isthmus
 {
 
 /// Angle at From(h) of the triangle left of h.
-VTKISTHMUS_EXPORT double CornerAngle(const SurfaceAdjacency& surface, SimplexId h);
+VTKISTHMUS_EXPORT double CornerAngle(const SurfaceAdjacency& surface, HalfEdgeId h);
 
 /**
  * The edges at point p on its other side, for a curve that enters over half edge `enter`, passes
@@ -19,7 +19,7 @@ VTKISTHMUS_EXPORT double CornerAngle(const SurfaceAdjacency& surface, SimplexId 
  * clockwise there, and the other way is counter-clockwise. Fractions lie at p.
  */
 VTKISTHMUS_EXPORT EdgeStrip OtherWayRound(
-  const SurfaceAdjacency& surface, SimplexId enter, SimplexId last, SimplexId p);
+  const SurfaceAdjacency& surface, HalfEdgeId enter, SurfaceTriangleId last, SimplexId p);
 
 /// Angle between the ways into and out of p on the side where the edges `other` lie.
 VTKISTHMUS_EXPORT double AngleBeyond(const SurfaceAdjacency& surface, const EdgeStrip& other,

@@ -10,59 +10,60 @@ namespace isthmus
 
 SurfaceAdjacency::SurfaceAdjacency(const SurfaceView& mesh)
   : Surface(mesh)
-  , Opposites(3 * mesh.Triangles.size(), -1)
-  , EdgeIds(3 * mesh.Triangles.size(), -1)
-  , Outgoing(mesh.Points.size(), -1)
+  , Opposites(3 * mesh.Triangles.size(), HalfEdgeId::None())
+  , EdgeIds(3 * mesh.Triangles.size(), SurfaceEdgeId::None())
+  , Outgoing(mesh.Points.size(), HalfEdgeId::None())
 {
   // Half edges in buckets by their smaller end; partners meet in a short list.
   std::vector<SimplexId> first(mesh.Points.size() + 1, 0);
-  const auto smaller = [this](SimplexId h)
+  const auto smaller = [this](HalfEdgeId h)
   { return static_cast<std::size_t>(std::min(this->From(h), this->To(h))); };
-  for (SimplexId h = 0; h < this->HalfEdges(); ++h)
+  for (const HalfEdgeId h : this->HalfEdges())
   {
     ++first[smaller(h) + 1];
     this->Outgoing[static_cast<std::size_t>(this->From(h))] = h;
   }
   std::partial_sum(first.begin(), first.end(), first.begin());
   std::vector<SimplexId> next(first.begin(), first.end() - 1);
-  std::vector<SimplexId> bucket(this->Opposites.size());
-  for (SimplexId h = 0; h < this->HalfEdges(); ++h)
+  std::vector<HalfEdgeId> bucket(this->Opposites.size());
+  for (const HalfEdgeId h : this->HalfEdges())
   {
     const std::size_t p = smaller(h);
     for (SimplexId i = first[p]; i < next[p]; ++i)
     {
-      const SimplexId other = bucket[static_cast<std::size_t>(i)];
+      const HalfEdgeId other = bucket[static_cast<std::size_t>(i)];
       if (this->From(other) == this->To(h) && this->To(other) == this->From(h))
       {
-        this->Opposites[static_cast<std::size_t>(h)] = other;
-        this->Opposites[static_cast<std::size_t>(other)] = h;
-        this->EdgeIds[static_cast<std::size_t>(h)] = this->EdgeCount;
-        this->EdgeIds[static_cast<std::size_t>(other)] = this->EdgeCount++;
+        this->Opposites[h] = other;
+        this->Opposites[other] = h;
+        this->EdgeIds[h] = SurfaceEdgeId::At(this->Halves.size());
+        this->EdgeIds[other] = this->EdgeIds[h];
         this->Halves.push_back(other);
       }
     }
     bucket[static_cast<std::size_t>(next[p]++)] = h;
   }
-  if (std::find(this->Opposites.begin(), this->Opposites.end(), -1) != this->Opposites.end())
+  if (std::find(this->Opposites.begin(), this->Opposites.end(), HalfEdgeId::None()) !=
+    this->Opposites.end())
   {
     throw std::invalid_argument("The surface is not closed: an edge has one triangle only.");
   }
 }
 
-double SurfaceAdjacency::Length(SimplexId h) const
+double SurfaceAdjacency::Length(HalfEdgeId h) const
 {
   return Distance(this->Surface.Points[static_cast<std::size_t>(this->From(h))],
     this->Surface.Points[static_cast<std::size_t>(this->To(h))]);
 }
 
-SimplexId SurfaceAdjacency::Find(SimplexId a, SimplexId b) const
+HalfEdgeId SurfaceAdjacency::Find(SimplexId a, SimplexId b) const
 {
-  const SimplexId start = this->Leaving(a);
-  if (start < 0)
+  const HalfEdgeId start = this->Leaving(a);
+  if (!start.Exists())
   {
-    return -1;
+    return HalfEdgeId::None();
   }
-  SimplexId h = start;
+  HalfEdgeId h = start;
   do
   {
     if (this->To(h) == b)
@@ -71,7 +72,7 @@ SimplexId SurfaceAdjacency::Find(SimplexId a, SimplexId b) const
     }
     h = this->Turn(h);
   } while (h != start);
-  return -1;
+  return HalfEdgeId::None();
 }
 
 }

@@ -11,6 +11,16 @@
 namespace isthmus
 {
 
+/// 3 t + k for corner k of triangle t, so None is before the first.
+using HalfEdgeId = Handle<struct SurfaceHalfEdge, SimplexId>;
+/// Not an edge of the complex of the surface's points: SurfaceInComplex leads from one to the
+/// other.
+using SurfaceEdgeId = Handle<struct SurfaceEdge, SimplexId>;
+using SurfaceTriangleId = Handle<struct SurfaceTriangle, SimplexId>;
+
+/// A set of edges of a surface over Z/2.
+using SurfaceChain = std::vector<SurfaceEdgeId>;
+
 /**
  * Half edge 3 t + k runs from corner k of triangle t to corner k + 1 (mod 3); t lies to its left.
  *
@@ -24,46 +34,53 @@ public:
   explicit SurfaceAdjacency(TriangleMesh&& mesh) = delete;
 
   const SurfaceView& Mesh() const { return this->Surface; }
-  SimplexId HalfEdges() const { return static_cast<SimplexId>(this->Opposites.size()); }
-  SimplexId Edges() const { return this->EdgeCount; }
+  HandleRange<HalfEdgeId> HalfEdges() const { return this->Opposites.Keys(); }
+  HandleRange<SurfaceEdgeId> Edges() const { return this->Halves.Keys(); }
+  std::size_t EdgeCount() const { return this->Halves.size(); }
 
-  static SimplexId Triangle(SimplexId h) { return h / 3; }
-  static SimplexId Next(SimplexId h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static SimplexId Previous(SimplexId h) { return h % 3 == 0 ? h + 2 : h - 1; }
-
-  SimplexId Opposite(SimplexId h) const { return this->Opposites[static_cast<std::size_t>(h)]; }
-  /// The edge that h and its opposite share, numbered from 0.
-  SimplexId Edge(SimplexId h) const { return this->EdgeIds[static_cast<std::size_t>(h)]; }
-  /// One of the two half edges of an edge.
-  SimplexId HalfEdgeOf(SimplexId edge) const
+  static SurfaceTriangleId Triangle(HalfEdgeId h) { return SurfaceTriangleId(h.Value / 3); }
+  static HalfEdgeId Next(HalfEdgeId h)
   {
-    return this->Halves[static_cast<std::size_t>(edge)];
+    return HalfEdgeId(h.Value % 3 == 2 ? h.Value - 2 : h.Value + 1);
   }
-  SimplexId From(SimplexId h) const;
-  SimplexId To(SimplexId h) const { return this->From(Next(h)); }
-  /// Some half edge that leaves point p; -1 when no triangle uses it.
-  SimplexId Leaving(SimplexId p) const { return this->Outgoing[static_cast<std::size_t>(p)]; }
+  static HalfEdgeId Previous(HalfEdgeId h)
+  {
+    return HalfEdgeId(h.Value % 3 == 0 ? h.Value + 2 : h.Value - 1);
+  }
+
+  static HandleRange<HalfEdgeId> HalfEdgesOf(SurfaceTriangleId t)
+  {
+    return { 3 * t.Index(), 3 * t.Index() + 3 };
+  }
+
+  HalfEdgeId Opposite(HalfEdgeId h) const { return this->Opposites[h]; }
+  /// The edge that h and its opposite share, numbered from 0.
+  SurfaceEdgeId Edge(HalfEdgeId h) const { return this->EdgeIds[h]; }
+  /// One of the two half edges of an edge.
+  HalfEdgeId HalfEdgeOf(SurfaceEdgeId edge) const { return this->Halves[edge]; }
+  SimplexId From(HalfEdgeId h) const;
+  SimplexId To(HalfEdgeId h) const { return this->From(Next(h)); }
+  /// Some half edge that leaves point p; None when no triangle uses it.
+  HalfEdgeId Leaving(SimplexId p) const { return this->Outgoing[static_cast<std::size_t>(p)]; }
   /// The next half edge that leaves From(h), counter-clockwise seen from outside.
-  SimplexId Turn(SimplexId h) const { return this->Opposite(Previous(h)); }
+  HalfEdgeId Turn(HalfEdgeId h) const { return this->Opposite(Previous(h)); }
 
-  double Length(SimplexId h) const;
+  double Length(HalfEdgeId h) const;
 
-  /// The half edge from a to b, or -1. Time: the valence of a.
-  VTKISTHMUS_EXPORT SimplexId Find(SimplexId a, SimplexId b) const;
+  /// The half edge from a to b, or None. Time: the valence of a.
+  VTKISTHMUS_EXPORT HalfEdgeId Find(SimplexId a, SimplexId b) const;
 
 private:
   SurfaceView Surface;
-  std::vector<SimplexId> Opposites;
-  std::vector<SimplexId> EdgeIds;
-  std::vector<SimplexId> Halves;
-  std::vector<SimplexId> Outgoing;
-  SimplexId EdgeCount = 0;
+  HandleVector<HalfEdgeId, HalfEdgeId> Opposites;
+  HandleVector<HalfEdgeId, SurfaceEdgeId> EdgeIds;
+  HandleVector<SurfaceEdgeId, HalfEdgeId> Halves;
+  std::vector<HalfEdgeId> Outgoing; ///< by point
 };
 
-inline SimplexId SurfaceAdjacency::From(SimplexId h) const
+inline SimplexId SurfaceAdjacency::From(HalfEdgeId h) const
 {
-  return static_cast<SimplexId>(
-    this->Surface.Triangles[static_cast<std::size_t>(h / 3)][static_cast<std::size_t>(h % 3)]);
+  return static_cast<SimplexId>(this->Surface.Triangles[h.Index() / 3][h.Index() % 3]);
 }
 
 }

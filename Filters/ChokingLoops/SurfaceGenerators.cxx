@@ -48,10 +48,10 @@ std::vector<SurfaceGenerator> SurfaceGenerators(const SurfaceHomology& homology,
     {
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
-        Chain image;
-        for (const SimplexId e : homology.Loop(i))
+        EdgeChain image;
+        for (const SurfaceEdgeId e : homology.Loop(i))
         {
-          const Chain path = surface.Image(e);
+          const EdgeChain path = surface.Image(e);
           image.insert(image.end(), path.begin(), path.end());
         }
         columns[i] = { pairs.Bounding(image), { i } };
@@ -81,7 +81,8 @@ std::vector<SurfaceGenerator> SurfaceGenerators(const SurfaceHomology& homology,
   {
     if (rank < triangles)
     {
-      generators.push_back({ f.TrianglesInOrder[static_cast<std::size_t>(rank)], columns[i].Sum });
+      const auto filler = TriangleRank::At(static_cast<std::size_t>(rank));
+      generators.push_back({ f.TrianglesInOrder[filler], columns[i].Sum });
     }
   }
   return generators;

@@ -15,7 +15,7 @@ namespace isthmus
 /// A class of H1(M) that dies in the complex.
 struct SurfaceGenerator
 {
-  SimplexId Filler;             ///< the triangle that fills it
+  TriangleId Filler;            ///< the triangle that fills it
   std::vector<std::size_t> Sum; ///< the basis loops of SurfaceHomology whose sum it is
 };
 

@@ -6,20 +6,25 @@
 
 namespace isthmus
 {
+/// A spanning tree of the triangles.
+struct SurfaceHomology::Cotree
+{
+  HandleVector<SurfaceTriangleId, HalfEdgeId> Parent; ///< across which the parent lies
+  HandleVector<SurfaceTriangleId, SimplexId> Depth;   ///< -1: not yet met
+};
+
 SurfaceHomology::SurfaceHomology(const SurfaceAdjacency& surface)
   : Surface(surface)
-  , Parent(surface.Mesh().Points.size(), -1)
+  , Parent(surface.Mesh().Points.size(), HalfEdgeId::None())
   , Component(surface.Mesh().Points.size(), -1)
-  , InTree(At(surface.Edges()), 0)
+  , InTree(surface.EdgeCount(), 0)
 {
   this->GrowTree();
-  std::vector<SimplexId> dualParent;
-  std::vector<SimplexId> depth;
-  this->GrowCotree(dualParent, depth);
+  const Cotree cotree = this->GrowCotree();
   this->Words = (this->Rank() + 63) / 64;
   if (this->Rank() > 0)
   {
-    this->MarkDualLoops(dualParent, depth);
+    this->MarkDualLoops(cotree);
   }
 }
 
@@ -29,7 +34,7 @@ void SurfaceHomology::GrowTree()
   std::vector<SimplexId> queue;
   for (SimplexId seed = 0; seed < static_cast<SimplexId>(this->Parent.size()); ++seed)
   {
-    if (this->Component[At(seed)] >= 0 || this->Surface.Leaving(seed) < 0)
+    if (this->Component[At(seed)] >= 0 || !this->Surface.Leaving(seed).Exists())
     {
       continue;
     }
@@ -37,8 +42,8 @@ void SurfaceHomology::GrowTree()
     this->Component[At(seed)] = this->ComponentCount;
     for (std::size_t i = 0; i < queue.size(); ++i)
     {
-      const SimplexId start = this->Surface.Leaving(queue[i]);
-      SimplexId h = start;
+      const HalfEdgeId start = this->Surface.Leaving(queue[i]);
+      HalfEdgeId h = start;
       do
       {
         const SimplexId to = this->Surface.To(h);
@@ -46,7 +51,7 @@ void SurfaceHomology::GrowTree()
         {
           this->Component[At(to)] = this->ComponentCount;
           this->Parent[At(to)] = this->Surface.Opposite(h);
-          this->InTree[At(this->Surface.Edge(h))] = 1;
+          this->InTree[this->Surface.Edge(h)] = 1;
           queue.push_back(to);
         }
         h = this->Surface.Turn(h);
@@ -56,86 +61,86 @@ void SurfaceHomology::GrowTree()
   }
 }
 
-// A spanning tree of the triangles across edges that the tree does not use; what neither uses
-// generates.
-void SurfaceHomology::GrowCotree(std::vector<SimplexId>& dualParent, std::vector<SimplexId>& depth)
+// The cotree goes across edges that the tree does not use; what neither uses generates.
+SurfaceHomology::Cotree SurfaceHomology::GrowCotree()
 {
-  const std::size_t triangles = this->Surface.Mesh().Triangles.size();
-  dualParent.assign(triangles, -1); // half edge of the triangle across which its parent lies
-  depth.assign(triangles, -1);
-  std::vector<char> used(this->InTree);
-  std::vector<SimplexId> queue;
-  for (SimplexId seed = 0; seed < static_cast<SimplexId>(triangles); ++seed)
+  Cotree cotree;
+  cotree.Parent.assign(this->Surface.Mesh().Triangles.size(), HalfEdgeId::None());
+  cotree.Depth.assign(this->Surface.Mesh().Triangles.size(), -1);
+  auto& depth = cotree.Depth;
+  auto used = this->InTree;
+  std::vector<SurfaceTriangleId> queue;
+  for (const SurfaceTriangleId seed : depth.Keys())
   {
-    if (depth[At(seed)] >= 0)
+    if (depth[seed] >= 0)
     {
       continue;
     }
     queue.assign(1, seed);
-    depth[At(seed)] = 0;
+    depth[seed] = 0;
     for (std::size_t i = 0; i < queue.size(); ++i)
     {
-      for (SimplexId h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h)
+      for (const HalfEdgeId h : SurfaceAdjacency::HalfEdgesOf(queue[i]))
       {
-        const SimplexId other = SurfaceAdjacency::Triangle(this->Surface.Opposite(h));
-        if (!this->InTree[At(this->Surface.Edge(h))] && depth[At(other)] < 0)
+        const SurfaceTriangleId other = SurfaceAdjacency::Triangle(this->Surface.Opposite(h));
+        if (!this->InTree[this->Surface.Edge(h)] && depth[other] < 0)
         {
-          depth[At(other)] = depth[At(queue[i])] + 1;
-          dualParent[At(other)] = this->Surface.Opposite(h);
-          used[At(this->Surface.Edge(h))] = 1;
+          depth[other] = depth[queue[i]] + 1;
+          cotree.Parent[other] = this->Surface.Opposite(h);
+          used[this->Surface.Edge(h)] = 1;
           queue.push_back(other);
         }
       }
     }
   }
-  for (SimplexId e = 0; e < this->Surface.Edges(); ++e)
+  for (const SurfaceEdgeId e : this->Surface.Edges())
   {
-    if (!used[At(e)])
+    if (!used[e])
     {
       this->Generators.push_back(e);
     }
   }
+  return cotree;
 }
 
-void SurfaceHomology::MarkDualLoops(
-  const std::vector<SimplexId>& dualParent, const std::vector<SimplexId>& depth)
+void SurfaceHomology::MarkDualLoops(const Cotree& cotree)
 {
-  this->Crossings.assign(this->Words * At(this->Surface.Edges()), 0);
+  this->Crossings.assign(this->Words * this->Surface.EdgeCount(), 0);
   for (std::size_t i = 0; i < this->Generators.size(); ++i)
   {
-    const auto mark = [this, i](SimplexId h)
+    const auto mark = [this, i](HalfEdgeId h)
     {
-      this->Crossings[this->Words * At(this->Surface.Edge(h)) + i / 64] ^= std::uint64_t{ 1 }
+      this->Crossings[this->Words * this->Surface.Edge(h).Index() + i / 64] ^= std::uint64_t{ 1 }
         << (i % 64);
     };
-    const SimplexId h = this->Surface.HalfEdgeOf(this->Generators[i]);
+    const HalfEdgeId h = this->Surface.HalfEdgeOf(this->Generators[i]);
     mark(h);
-    SimplexId a = SurfaceAdjacency::Triangle(h);
-    SimplexId b = SurfaceAdjacency::Triangle(this->Surface.Opposite(h));
+    SurfaceTriangleId a = SurfaceAdjacency::Triangle(h);
+    SurfaceTriangleId b = SurfaceAdjacency::Triangle(this->Surface.Opposite(h));
     while (a != b)
     {
-      SimplexId& deeper = depth[At(a)] >= depth[At(b)] ? a : b;
-      const SimplexId up = dualParent[At(deeper)];
+      SurfaceTriangleId& deeper = cotree.Depth[a] >= cotree.Depth[b] ? a : b;
+      const HalfEdgeId up = cotree.Parent[deeper];
       mark(up);
       deeper = SurfaceAdjacency::Triangle(this->Surface.Opposite(up));
     }
   }
 }
 
-Chain SurfaceHomology::Loop(std::size_t i) const
+SurfaceChain SurfaceHomology::Loop(std::size_t i) const
 {
-  const SimplexId h = this->Surface.HalfEdgeOf(this->Generators[i]);
-  Chain edges{ this->Generators[i] };
+  const HalfEdgeId h = this->Surface.HalfEdgeOf(this->Generators[i]);
+  SurfaceChain edges{ this->Generators[i] };
   for (SimplexId p : { this->Surface.From(h), this->Surface.To(h) })
   {
-    for (; this->Parent[At(p)] >= 0; p = this->Surface.To(this->Parent[At(p)]))
+    for (; this->Parent[At(p)].Exists(); p = this->Surface.To(this->Parent[At(p)]))
     {
       edges.push_back(this->Surface.Edge(this->Parent[At(p)]));
     }
   }
   // The part that both ways to the root share cancels.
   std::sort(edges.begin(), edges.end());
-  Chain odd;
+  SurfaceChain odd;
   for (std::size_t k = 0; k < edges.size(); ++k)
   {
     if (k + 1 < edges.size() && edges[k] == edges[k + 1])
@@ -148,14 +153,14 @@ Chain SurfaceHomology::Loop(std::size_t i) const
   return odd;
 }
 
-HomologyClass SurfaceHomology::ClassOf(const Chain& edges) const
+HomologyClass SurfaceHomology::ClassOf(const SurfaceChain& edges) const
 {
   HomologyClass c(this->Words, 0);
-  for (const SimplexId e : edges)
+  for (const SurfaceEdgeId e : edges)
   {
     for (std::size_t w = 0; w < this->Words; ++w)
     {
-      c[w] ^= this->Crossings.empty() ? 0 : this->Crossings[this->Words * At(e) + w];
+      c[w] ^= this->Crossings.empty() ? 0 : this->Crossings[this->Words * e.Index() + w];
     }
   }
   return c;

@@ -38,21 +38,22 @@ public:
   }
 
   /// Basis loop i as edges.
-  VTKISTHMUS_EXPORT Chain Loop(std::size_t i) const;
+  VTKISTHMUS_EXPORT SurfaceChain Loop(std::size_t i) const;
 
   /// The class of a cycle of edges. Its coordinates are with respect to the loops above.
-  VTKISTHMUS_EXPORT HomologyClass ClassOf(const Chain& edges) const;
+  VTKISTHMUS_EXPORT HomologyClass ClassOf(const SurfaceChain& edges) const;
 
 private:
   void GrowTree();
-  void GrowCotree(std::vector<SimplexId>& dualParent, std::vector<SimplexId>& depth);
-  void MarkDualLoops(const std::vector<SimplexId>& dualParent, const std::vector<SimplexId>& depth);
+  struct Cotree;
+  Cotree GrowCotree();
+  void MarkDualLoops(const Cotree& cotree);
 
   const SurfaceAdjacency& Surface;
-  std::vector<SimplexId> Parent; ///< per point: half edge to its parent in the tree, -1: root
+  std::vector<HalfEdgeId> Parent; ///< per point: half edge to its parent in the tree; None: root
   std::vector<int> Component;
-  std::vector<char> InTree;             ///< per edge
-  std::vector<SimplexId> Generators;    ///< edges
+  HandleVector<SurfaceEdgeId, char> InTree;
+  SurfaceChain Generators;
   std::vector<std::uint64_t> Crossings; ///< per edge, Words words: the dual loops that cross it
   std::size_t Words = 0;
   int ComponentCount = 0;

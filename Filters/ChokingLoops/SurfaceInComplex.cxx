@@ -13,29 +13,30 @@ SurfaceInComplex::SurfaceInComplex(
   const SurfaceAdjacency& surface, const CellFiltration& f, const ProgressCallback& progress)
   : Surface(surface)
   , F(f)
-  , OnSurface(f.Edges.size(), -1)
-  , InComplex(At(surface.Edges()), -1)
+  , OnSurface(f.Edges.size(), SurfaceEdgeId::None())
+  , InComplex(surface.EdgeCount(), EdgeId::None())
   , FirstSmaller(f.Points.size() + 1, 0)
   , SmallerEdges(f.Edges.size())
 {
-  for (SimplexId e = 0; e < surface.Edges(); ++e)
+  for (const SurfaceEdgeId e : surface.Edges())
   {
-    if (e % (1 << 18) == 0)
+    if (e.Index() % (1U << 18) == 0)
     {
-      Report(progress, 0.7 * static_cast<double>(e) / static_cast<double>(surface.Edges()));
+      Report(
+        progress, 0.7 * static_cast<double>(e.Index()) / static_cast<double>(surface.EdgeCount()));
     }
-    const SimplexId h = surface.HalfEdgeOf(e);
-    const SimplexId image = f.FindEdge(surface.From(h), surface.To(h));
-    if (image < 0)
+    const HalfEdgeId h = surface.HalfEdgeOf(e);
+    const EdgeId image = f.FindEdge(surface.From(h), surface.To(h));
+    if (!image.Exists())
     {
       continue;
     }
-    this->OnSurface[At(image)] = e;
+    this->OnSurface[image] = e;
     const double half = 0.5 * surface.Length(h);
-    const bool first = !f.EdgeFirst.empty() && f.EdgeFirst[At(image)];
-    if (first || f.EdgeValue[At(image)] <= half * half * (1.0 + 1e-9))
+    const bool first = !f.EdgeFirst.empty() && f.EdgeFirst[image];
+    if (first || f.EdgeValue[image] <= half * half * (1.0 + 1e-9))
     {
-      this->InComplex[At(e)] = image; // else it enters late, and the walk goes round it
+      this->InComplex[e] = image; // else it enters late, and the walk goes round it
     }
   }
   Report(progress, 0.7);
@@ -46,33 +47,33 @@ SurfaceInComplex::SurfaceInComplex(
   std::partial_sum(
     this->FirstSmaller.begin(), this->FirstSmaller.end(), this->FirstSmaller.begin());
   std::vector<SimplexId> next(this->FirstSmaller.begin(), this->FirstSmaller.end() - 1);
-  for (std::size_t e = 0; e < f.Edges.size(); ++e)
+  for (const EdgeId e : f.Edges.Keys())
   {
-    this->SmallerEdges[At(next[At(f.Edges[e][1])]++)] = static_cast<SimplexId>(e);
+    this->SmallerEdges[At(next[At(f.Edges[e][1])]++)] = e;
   }
 }
 
-Chain SurfaceInComplex::Image(SimplexId surfaceEdge) const
+EdgeChain SurfaceInComplex::Image(SurfaceEdgeId surfaceEdge) const
 {
-  if (this->InComplex[At(surfaceEdge)] >= 0)
+  if (this->InComplex[surfaceEdge].Exists())
   {
-    return { this->InComplex[At(surfaceEdge)] };
+    return { this->InComplex[surfaceEdge] };
   }
-  const SimplexId h = this->Surface.HalfEdgeOf(surfaceEdge);
+  const HalfEdgeId h = this->Surface.HalfEdgeOf(surfaceEdge);
   const SimplexId end = this->Surface.To(h);
   const Point3& start = this->F.Points[At(this->Surface.From(h))];
   const Point3 direction = this->F.Points[At(end)] - start;
-  Chain path;
+  EdgeChain path;
   SimplexId here = this->Surface.From(h);
   while (here != end)
   {
     // The neighbour whose cell the segment enters first.
     const Point3& p = this->F.Points[At(here)];
     double best = HUGE_VAL;
-    SimplexId through = -1;
-    const auto consider = [&](SimplexId e)
+    EdgeId through = EdgeId::None();
+    const auto consider = [&](EdgeId e)
     {
-      const auto& ends = this->F.Edges[At(e)];
+      const auto& ends = this->F.Edges[e];
       const Point3& q = this->F.Points[At(ends[0] == here ? ends[1] : ends[0])];
       const double ahead = Dot(q - p, direction);
       if (ahead > 0.0)
@@ -85,7 +86,7 @@ Chain SurfaceInComplex::Image(SimplexId surfaceEdge) const
         }
       }
     };
-    for (SimplexId e = this->F.FirstEdge[At(here)]; e < this->F.FirstEdge[At(here) + 1]; ++e)
+    for (const EdgeId e : this->F.EdgesAbove(here))
     {
       consider(e);
     }
@@ -94,17 +95,17 @@ Chain SurfaceInComplex::Image(SimplexId surfaceEdge) const
       consider(this->SmallerEdges[At(i)]);
     }
     path.push_back(through);
-    const auto& ends = this->F.Edges[At(through)];
+    const auto& ends = this->F.Edges[through];
     here = ends[0] == here ? ends[1] : ends[0];
   }
   return path;
 }
 
-std::vector<SimplexId> SurfaceInComplex::ShortestPath(
+std::vector<SurfaceEdgeId> SurfaceInComplex::ShortestPath(
   SimplexId from, SimplexId to, double reach) const
 {
   const SurfacePaths paths(this->Surface, from, reach, to);
-  std::vector<SimplexId> path;
+  std::vector<SurfaceEdgeId> path;
   for (SimplexId p = to; paths.Has(to) && p != from; p = this->Surface.From(paths.Last(p)))
   {
     path.push_back(this->Surface.Edge(paths.Last(p)));

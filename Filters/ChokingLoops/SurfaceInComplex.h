@@ -19,31 +19,28 @@ public:
   VTKISTHMUS_EXPORT SurfaceInComplex(const SurfaceAdjacency& surface, const CellFiltration& f,
     const ProgressCallback& progress = {});
 
-  /// The surface's edge that an edge of the complex is; -1: none.
-  SimplexId SurfaceEdge(SimplexId complexEdge) const
-  {
-    return this->OnSurface[static_cast<std::size_t>(complexEdge)];
-  }
+  /// The surface's edge that an edge of the complex is, or None.
+  SurfaceEdgeId SurfaceEdge(EdgeId edge) const { return this->OnSurface[edge]; }
 
   /**
    * Edges of the complex that replace an edge of the surface: itself, or the Delaunay edges between
    * the Voronoi cells that it passes. Each of these enters before half the edge's length, and the
    * path can be deformed into the edge within the balls of that radius.
    */
-  VTKISTHMUS_EXPORT Chain Image(SimplexId surfaceEdge) const;
+  VTKISTHMUS_EXPORT EdgeChain Image(SurfaceEdgeId surfaceEdge) const;
 
   /// Shortest path of surface edges between two points of the surface, at most `reach` long; empty
   /// when there is none.
-  VTKISTHMUS_EXPORT std::vector<SimplexId> ShortestPath(
+  VTKISTHMUS_EXPORT std::vector<SurfaceEdgeId> ShortestPath(
     SimplexId from, SimplexId to, double reach) const;
 
 private:
   const SurfaceAdjacency& Surface;
   const CellFiltration& F;
-  std::vector<SimplexId> OnSurface;    ///< per edge of the complex
-  std::vector<SimplexId> InComplex;    ///< per edge of the surface
+  HandleVector<EdgeId, SurfaceEdgeId> OnSurface;
+  HandleVector<SurfaceEdgeId, EdgeId> InComplex;
   std::vector<SimplexId> FirstSmaller; ///< edges whose larger point is p, in SmallerEdges
-  std::vector<SimplexId> SmallerEdges;
+  std::vector<EdgeId> SmallerEdges;
 };
 
 }

@@ -9,9 +9,9 @@ namespace isthmus
 SurfacePaths::SurfacePaths(
   const SurfaceAdjacency& surface, SimplexId from, double reach, SimplexId to)
 {
-  using Entry = std::tuple<double, SimplexId, SimplexId>; // length, point, half edge that came
+  using Entry = std::tuple<double, SimplexId, HalfEdgeId>; // length, point, half edge that came
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  queue.emplace(0.0, from, -1);
+  queue.emplace(0.0, from, HalfEdgeId::None());
   while (!queue.empty())
   {
     const auto [length, p, last] = queue.top();
@@ -25,12 +25,12 @@ SurfacePaths::SurfacePaths(
     {
       return;
     }
-    const SimplexId first = surface.Leaving(p);
-    if (first < 0)
+    const HalfEdgeId first = surface.Leaving(p);
+    if (!first.Exists())
     {
       return; // no triangle uses it
     }
-    SimplexId h = first;
+    HalfEdgeId h = first;
     do
     {
       const double there = length + surface.Length(h);

@@ -29,14 +29,14 @@ public:
   /// @pre Has(p).
   double Length(SimplexId p) const { return this->Known.at(p).Length; }
 
-  /// The last half edge of the path to p, -1 for none. @pre Has(p).
-  SimplexId Last(SimplexId p) const { return this->Known.at(p).Last; }
+  /// The last half edge of the path to p, None for the first point. @pre Has(p).
+  HalfEdgeId Last(SimplexId p) const { return this->Known.at(p).Last; }
 
 private:
   struct Path
   {
     double Length;
-    SimplexId Last;
+    HalfEdgeId Last;
   };
 
   std::unordered_map<SimplexId, Path> Known; ///< of the points settled

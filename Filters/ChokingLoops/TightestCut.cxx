@@ -38,51 +38,53 @@ public:
   bool IsTooLarge() const { return this->Around.Cells().size() > MostCells; }
 
   /// The triangles of the smallest cut that parts the two sides of the choke.
-  std::set<SimplexId> Cut(const ProgressCallback& progress) const;
+  std::set<TriangleId> Cut(const ProgressCallback& progress) const;
 
 private:
-  std::array<std::vector<std::int32_t>, 2> Ends() const;
-  std::vector<std::int32_t> Nodes(std::int32_t& count) const;
-  std::vector<FlowLink> Merged(const std::vector<std::int32_t>& nodes) const;
-  std::array<std::int64_t, 3> CubeOf(std::int32_t cell, bool& isNowhere) const;
+  using NodeByCell = HandleVector<CellPlace, std::int32_t>; ///< nodes of the flow
+
+  std::array<std::vector<CellPlace>, 2> Ends() const;
+  NodeByCell Nodes(std::int32_t& count) const;
+  std::vector<FlowLink> Merged(const NodeByCell& nodes) const;
+  std::array<std::int64_t, 3> CubeOf(CellPlace place, bool& isNowhere) const;
 
   const CellFiltration& F;
-  SimplexId Choke;
+  TriangleId Choke;
   Point3 Centre;
   double Radius;
   ChokeSurroundings Around;
 };
 
 /// What stays whole on either side. Both grow in turn, so that where they would meet each has half.
-std::array<std::vector<std::int32_t>, 2> ChokeFlow::Ends() const
+std::array<std::vector<CellPlace>, 2> ChokeFlow::Ends() const
 {
   const double depth2 = this->Radius * this->Radius * (1.0 + 1e-9);
-  std::vector<char> side(this->Around.Cells().size(), 0); // 1 and 2: taken
-  std::vector<std::int32_t> queue;
-  const auto chokeSides = this->F.TriangleSides(At(this->Choke));
+  HandleVector<CellPlace, char> side(this->Around.Cells().size(), 0); // 1 and 2: taken
+  std::vector<CellPlace> queue;
+  const auto chokeSides = this->F.TriangleSides(this->Choke);
   for (std::size_t s = 0; s < 2; ++s)
   {
     queue.push_back(this->Around.PlaceOf(chokeSides[s]));
-    side[At(queue.back())] = static_cast<char>(s + 1);
+    side[queue.back()] = static_cast<char>(s + 1);
   }
-  std::array<std::vector<std::int32_t>, 2> ends;
+  std::array<std::vector<CellPlace>, 2> ends;
   for (std::size_t i = 0; i < queue.size(); ++i)
   {
-    const SimplexId own = this->Around.Cells()[At(queue[i])];
-    const char ownSide = side[At(queue[i])];
+    const TetrahedronId own = this->Around.Cells()[queue[i]];
+    const char ownSide = side[queue[i]];
     ends[static_cast<std::size_t>(ownSide - 1)].push_back(queue[i]);
     this->Around.ForLinks(own,
-      [&](SimplexId t, SimplexId cell)
+      [&](TriangleId t, TetrahedronId cell)
       {
-        if (cell < 0 || this->F.TriangleValue[At(t)] <= depth2 ||
+        if (!cell.Exists() || this->F.TriangleValue[t] <= depth2 ||
           !this->Around.IsWithin(this->Around.Middle(cell), Anchor * this->Radius))
         {
           return;
         }
-        const std::int32_t other = this->Around.PlaceOf(cell);
-        if (side[At(other)] == 0)
+        const CellPlace other = this->Around.PlaceOf(cell);
+        if (side[other] == 0)
         {
-          side[At(other)] = ownSide;
+          side[other] = ownSide;
           queue.push_back(other);
         }
       });
@@ -92,18 +94,19 @@ std::array<std::vector<std::int32_t>, 2> ChokeFlow::Ends() const
 
 /// The small cube that the middle of a cell lies in; what lies beyond the complex, and flat cells,
 /// whose middle is nowhere, have none.
-std::array<std::int64_t, 3> ChokeFlow::CubeOf(std::int32_t cell, bool& isNowhere) const
+std::array<std::int64_t, 3> ChokeFlow::CubeOf(CellPlace place, bool& isNowhere) const
 {
   std::array<std::int64_t, 3> cube{};
-  isNowhere = this->Around.Cells()[At(cell)] < 0;
+  const TetrahedronId cell = this->Around.Cells()[place];
+  isNowhere = !cell.Exists();
   if (!isNowhere)
   {
-    const Point3 place = (1.0 / (Grain * this->Radius)) *
-      (this->Around.Middle(this->Around.Cells()[At(cell)]) - this->Centre);
-    isNowhere = !std::isfinite(Dot(place, place));
+    const Point3 middle =
+      (1.0 / (Grain * this->Radius)) * (this->Around.Middle(cell) - this->Centre);
+    isNowhere = !std::isfinite(Dot(middle, middle));
     for (std::size_t k = 0; !isNowhere && k < 3; ++k)
     {
-      cube[k] = static_cast<std::int64_t>(std::floor(std::clamp(place[k], -1e9, 1e9)));
+      cube[k] = static_cast<std::int64_t>(std::floor(std::clamp(middle[k], -1e9, 1e9)));
     }
   }
   return cube;
@@ -112,48 +115,48 @@ std::array<std::int64_t, 3> ChokeFlow::CubeOf(std::int32_t cell, bool& isNowhere
 /// Per cell, the node of the flow: 0 and 1 for what stays whole on either side, one for all cells
 /// whose middles share a small cube. Fine sampling makes a great many of these, and which of them
 /// a membrane passes is nothing that its loops would keep.
-std::vector<std::int32_t> ChokeFlow::Nodes(std::int32_t& count) const
+ChokeFlow::NodeByCell ChokeFlow::Nodes(std::int32_t& count) const
 {
-  std::vector<std::int32_t> nodes(this->Around.Cells().size(), -1);
+  NodeByCell nodes(this->Around.Cells().size(), -1);
   const auto ends = this->Ends();
   for (std::size_t side = 0; side < 2; ++side)
   {
-    for (const std::int32_t cell : ends[side])
+    for (const CellPlace cell : ends[side])
     {
-      nodes[At(cell)] = static_cast<std::int32_t>(side);
+      nodes[cell] = static_cast<std::int32_t>(side);
     }
   }
   count = 2;
-  std::vector<std::pair<std::array<std::int64_t, 3>, std::int32_t>> cubes; // and a cell in each
-  for (std::int32_t c = 0; At(c) < this->Around.Cells().size(); ++c)
+  std::vector<std::pair<std::array<std::int64_t, 3>, CellPlace>> cubes; // and a cell in each
+  for (const CellPlace c : nodes.Keys())
   {
     bool isNowhere = false;
-    if (nodes[At(c)] < 0)
+    if (nodes[c] < 0)
     {
       cubes.emplace_back(this->CubeOf(c, isNowhere), c);
     }
     if (isNowhere)
     {
       cubes.pop_back();
-      nodes[At(c)] = count++;
+      nodes[c] = count++;
     }
   }
   std::sort(cubes.begin(), cubes.end());
   for (std::size_t i = 0; i < cubes.size(); ++i)
   {
     count += i == 0 || cubes[i].first != cubes[i - 1].first ? 1 : 0;
-    nodes[At(cubes[i].second)] = count - 1;
+    nodes[cubes[i].second] = count - 1;
   }
   return nodes;
 }
 
 /// Links between the same two nodes become one.
-std::vector<FlowLink> ChokeFlow::Merged(const std::vector<std::int32_t>& nodes) const
+std::vector<FlowLink> ChokeFlow::Merged(const NodeByCell& nodes) const
 {
   std::vector<FlowLink> links;
-  for (const FlowLink& link : this->Around.Links())
+  for (const CellLink& link : this->Around.Links())
   {
-    const auto [a, b] = std::minmax(nodes[At(link.Nodes[0])], nodes[At(link.Nodes[1])]);
+    const auto [a, b] = std::minmax(nodes[link.Cells[0]], nodes[link.Cells[1]]);
     if (a != b)
     {
       links.push_back({ { a, b }, link.Capacity });
@@ -176,43 +179,43 @@ std::vector<FlowLink> ChokeFlow::Merged(const std::vector<std::int32_t>& nodes) 
   return merged;
 }
 
-std::set<SimplexId> ChokeFlow::Cut(const ProgressCallback& progress) const
+std::set<TriangleId> ChokeFlow::Cut(const ProgressCallback& progress) const
 {
   std::int32_t count = 0;
-  const std::vector<std::int32_t> nodes = this->Nodes(count);
+  const NodeByCell nodes = this->Nodes(count);
   const std::vector<char> reached = MinimumCut(count, this->Merged(nodes), { 0 }, { 1 }, progress);
-  std::set<SimplexId> cut;
-  for (std::size_t l = 0; l < this->Around.Links().size(); ++l)
+  std::set<TriangleId> cut;
+  for (const CellLink& link : this->Around.Links())
   {
-    const auto& cells = this->Around.Links()[l].Nodes;
-    if (reached[At(nodes[At(cells[0])])] != reached[At(nodes[At(cells[1])])])
+    if (reached[At(nodes[link.Cells[0]])] != reached[At(nodes[link.Cells[1]])])
     {
-      cut.insert(this->Around.Triangles()[l]);
+      cut.insert(link.Triangle);
     }
   }
   return cut;
 }
 
 /// True where the boundary runs along edges that are neither on M nor as short as the error.
-bool EndsInSpace(const FeatureContext& context, const Chain& triangles)
+bool EndsInSpace(const FeatureContext& context, const TriangleChain& triangles)
 {
-  const Chain boundary = BoundaryOf(context.Filtration, triangles);
+  const EdgeChain boundary = BoundaryOf(context.Filtration, triangles);
   return std::any_of(boundary.begin(), boundary.end(),
-    [&context](SimplexId e)
+    [&context](EdgeId e)
     {
-      const auto& ends = context.Filtration.Edges[At(e)];
+      const auto& ends = context.Filtration.Edges[e];
       const Point3 d =
         context.Filtration.Points[At(ends[1])] - context.Filtration.Points[At(ends[0])];
-      return context.Embedding.SurfaceEdge(e) < 0 && Dot(d, d) > 4.0 * context.SquaredError(ends);
+      return !context.Embedding.SurfaceEdge(e).Exists() &&
+        Dot(d, d) > 4.0 * context.SquaredError(ends);
     });
 }
 
 }
 
-Chain TightestCut(const FeatureContext& context, const ShapeFeature& feature, const Point3& centre,
-  const ProgressCallback& progress)
+TriangleChain TightestCut(const FeatureContext& context, const ShapeFeature& feature,
+  const Point3& centre, const ProgressCallback& progress)
 {
-  const auto sides = context.Filtration.TriangleSides(At(feature.Choke));
+  const auto sides = context.Filtration.TriangleSides(feature.Choke);
   // Values on a mesh need not be lengths: where one is not above 0, no surroundings are its own.
   // And nothing passes through a triangle of M.
   if (sides[0] == sides[1] || !(feature.Distance() > 0.0) || context.IsWall(feature.Choke))
@@ -228,12 +231,12 @@ Chain TightestCut(const FeatureContext& context, const ShapeFeature& feature, co
     {
       return {};
     }
-    const std::set<SimplexId> cut = around.Cut(progress);
+    const std::set<TriangleId> cut = around.Cut(progress);
     if (cut.count(feature.Choke) == 0)
     {
       return {};
     }
-    Chain piece = PieceAround(context.Filtration, context.Embedding, cut, feature.Choke);
+    TriangleChain piece = PieceAround(context.Filtration, context.Embedding, cut, feature.Choke);
     if (!isPart || !EndsInSpace(context, piece))
     {
       return piece;

@@ -29,8 +29,8 @@ struct ShapeFeature;
  * complex.
  * @throws Cancelled.
  */
-VTKISTHMUS_EXPORT Chain TightestCut(const FeatureContext& context, const ShapeFeature& feature,
-  const Point3& centre, const ProgressCallback& progress = {});
+VTKISTHMUS_EXPORT TriangleChain TightestCut(const FeatureContext& context,
+  const ShapeFeature& feature, const Point3& centre, const ProgressCallback& progress = {});
 
 }
 

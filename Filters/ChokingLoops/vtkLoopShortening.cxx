@@ -40,8 +40,8 @@ std::vector<SimplexId> PathBetween(const SurfaceAdjacency& s, SimplexId from, Si
   {
     const SimplexId p = queue.front();
     queue.pop();
-    const SimplexId first = s.Leaving(p);
-    SimplexId h = first;
+    const isthmus::HalfEdgeId first = s.Leaving(p);
+    isthmus::HalfEdgeId h = first;
     do
     {
       if (cameFrom.emplace(s.To(h), p).second)

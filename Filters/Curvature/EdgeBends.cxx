@@ -12,26 +12,26 @@ namespace
 using Eigen::Vector3d;
 using PointMap = Eigen::Map<const Vector3d>;
 
-Vector3d NormalOf(const SurfaceView& mesh, vtkIdType triangle)
+Vector3d NormalOf(const SurfaceView& mesh, MeshTriangle triangle)
 {
-  const Triangle& corner = mesh.Corners(triangle);
+  const Triangle& corner = mesh.Corners(triangle.Value);
   const PointMap a(mesh.Point(corner[0]).data());
   return (PointMap(mesh.Point(corner[1]).data()) - a)
     .cross(PointMap(mesh.Point(corner[2]).data()) - a);
 }
 
-/// The only triangle around `from` that runs along the edge from `to` to `from`; -1 without one.
-vtkIdType AcrossEdge(const TriangleStars& stars, vtkIdType from, vtkIdType to)
+/// The only triangle around `from` that runs along the edge from `to` to `from`; None without one.
+MeshTriangle AcrossEdge(const TriangleStars& stars, vtkIdType from, vtkIdType to)
 {
-  vtkIdType found = -1;
-  const vtkIdType* const triangles = stars.Triangles(from);
+  MeshTriangle found = MeshTriangle::None();
+  const MeshTriangle* const triangles = stars.Triangles(from);
   for (vtkIdType i = 0; i < stars.Size(from); ++i)
   {
     if (stars.OppositeEdge(triangles[i], from).second == to)
     {
-      if (found >= 0)
+      if (found.Exists())
       {
-        return -1;
+        return MeshTriangle::None();
       }
       found = triangles[i];
     }
@@ -50,24 +50,23 @@ EdgeBends::EdgeBends(const SurfaceView& mesh, const TriangleStars& stars)
   ParallelFor(0, mesh.NumberOfTriangles(), 4096,
     [&](std::int64_t first, std::int64_t last)
     {
-      for (vtkIdType triangle = first; triangle < last; ++triangle)
+      for (const MeshTriangle triangle : HandleRange<MeshTriangle>(first, last))
       {
-        const auto t = static_cast<std::size_t>(triangle);
-        const Triangle& corner = mesh.Corners(triangle);
+        const Triangle& corner = mesh.Corners(triangle.Value);
         const Vector3d normal = NormalOf(mesh, triangle);
-        this->Areas[t] = 0.5 * normal.norm();
+        this->Areas[triangle] = 0.5 * normal.norm();
         for (std::size_t edge = 0; edge < 3; ++edge)
         {
           const vtkIdType from = corner[edge];
           const vtkIdType to = corner[(edge + 1) % 3];
-          const vtkIdType other = AcrossEdge(stars, from, to);
-          this->Neighbours[t][edge] = other;
-          if (other >= 0)
+          const MeshTriangle other = AcrossEdge(stars, from, to);
+          this->Neighbours[triangle][edge] = other;
+          if (other.Exists())
           {
             const Vector3d otherNormal = NormalOf(mesh, other);
             const Vector3d along =
               (PointMap(mesh.Point(to).data()) - PointMap(mesh.Point(from).data())).normalized();
-            this->Angles[t][edge] =
+            this->Angles[triangle][edge] =
               std::atan2(normal.cross(otherNormal).dot(along), normal.dot(otherNormal));
           }
         }
@@ -75,15 +74,16 @@ EdgeBends::EdgeBends(const SurfaceView& mesh, const TriangleStars& stars)
     });
 }
 
-void EdgeBends::AddEdge(vtkIdType triangle, std::size_t edge, double part, TensorSums& sums) const
+void EdgeBends::AddEdge(
+  MeshTriangle triangle, std::size_t edge, double part, TensorSums& sums) const
 {
-  const Triangle& corner = this->Mesh.Corners(triangle);
+  const Triangle& corner = this->Mesh.Corners(triangle.Value);
   const Vector3d along = PointMap(this->Mesh.Point(corner[(edge + 1) % 3]).data()) -
     PointMap(this->Mesh.Point(corner[edge]).data());
   const double squaredLength = along.squaredNorm();
   if (squaredLength > 0.0)
   {
-    const double beta = this->Angles[static_cast<std::size_t>(triangle)][edge];
+    const double beta = this->Angles[triangle][edge];
     sums.Tensor += (0.5 * beta * part / squaredLength) * along * along.transpose();
   }
 }

@@ -40,23 +40,23 @@ class VTKISTHMUS_EXPORT EdgeBends
 public:
   EdgeBends(const SurfaceView& mesh, const TriangleStars& stars);
 
-  /// Triangle on the other side, -1 at boundaries and where there is not exactly one.
-  vtkIdType Neighbour(vtkIdType triangle, std::size_t edge) const
+  /// Triangle on the other side, None at boundaries and where there is not exactly one.
+  MeshTriangle Neighbour(MeshTriangle triangle, std::size_t edge) const
   {
-    return this->Neighbours[static_cast<std::size_t>(triangle)][edge];
+    return this->Neighbours[triangle][edge];
   }
 
-  double Area(vtkIdType triangle) const { return this->Areas[static_cast<std::size_t>(triangle)]; }
+  double Area(MeshTriangle triangle) const { return this->Areas[triangle]; }
 
   /// Adds half of beta |part| e e^T for a part of the edge; its other half comes with the
   /// neighbour.
-  void AddEdge(vtkIdType triangle, std::size_t edge, double part, TensorSums& sums) const;
+  void AddEdge(MeshTriangle triangle, std::size_t edge, double part, TensorSums& sums) const;
 
 private:
   SurfaceView Mesh;
-  std::vector<std::array<vtkIdType, 3>> Neighbours;
-  std::vector<std::array<double, 3>> Angles; ///< beta, positive where convex
-  std::vector<double> Areas;
+  HandleVector<MeshTriangle, std::array<MeshTriangle, 3>> Neighbours;
+  HandleVector<MeshTriangle, std::array<double, 3>> Angles; ///< beta, positive where convex
+  HandleVector<MeshTriangle, double> Areas;
 };
 
 /// Principal curvatures from an edge tensor, already divided by the area, at a point with `normal`.

@@ -44,7 +44,7 @@ StarSums SumStar(
 {
   StarSums sums;
   const PointMap v(mesh.Point(point).data());
-  const vtkIdType* const triangles = stars.Triangles(point);
+  const MeshTriangle* const triangles = stars.Triangles(point);
   for (vtkIdType i = 0; i < stars.Size(point); ++i)
   {
     const auto [a, b] = stars.OppositeEdge(triangles[i], point);

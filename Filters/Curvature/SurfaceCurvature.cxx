@@ -209,10 +209,10 @@ TensorSums Estimator::NeighbourhoodOf(vtkIdType point, SurfacePatch& patch) cons
       break;
   }
   TensorSums sums;
-  const vtkIdType* const star = this->Stars.Triangles(point);
+  const MeshTriangle* const star = this->Stars.Triangles(point);
   for (vtkIdType i = 0; i < this->Stars.Size(point); ++i)
   {
-    const Triangle& id = this->Mesh.Corners(star[i]);
+    const Triangle& id = this->Mesh.Corners(star[i].Value);
     sums.Area += this->Bends->Area(star[i]);
     for (std::size_t edge = 0; edge < 3; ++edge)
     {

@@ -91,9 +91,9 @@ SurfacePatch::SurfacePatch(
 {
 }
 
-bool SurfacePatch::Visit(vtkIdType triangle)
+bool SurfacePatch::Visit(MeshTriangle triangle)
 {
-  unsigned int& stamp = this->TriangleStamps[static_cast<std::size_t>(triangle)];
+  unsigned int& stamp = this->TriangleStamps[triangle];
   const bool isNew = stamp != this->Stamp;
   stamp = this->Stamp;
   return isNew;
@@ -104,14 +104,15 @@ TensorSums SurfacePatch::OverBall(vtkIdType point)
   ++this->Stamp;
   TensorSums sums;
   const PointMap centre(this->Mesh.Point(point).data());
-  const vtkIdType* const star = this->Stars.Triangles(point);
+  const MeshTriangle* const star = this->Stars.Triangles(point);
   this->Pending.assign(star, star + this->Stars.Size(point));
-  std::for_each(this->Pending.begin(), this->Pending.end(), [&](vtkIdType t) { this->Visit(t); });
+  std::for_each(
+    this->Pending.begin(), this->Pending.end(), [&](MeshTriangle t) { this->Visit(t); });
   while (!this->Pending.empty())
   {
-    const vtkIdType triangle = this->Pending.back();
+    const MeshTriangle triangle = this->Pending.back();
     this->Pending.pop_back();
-    const Triangle& id = this->Mesh.Corners(triangle);
+    const Triangle& id = this->Mesh.Corners(triangle.Value);
     const Vector3d corner[3] = { PointMap(this->Mesh.Point(id[0]).data()) - centre,
       PointMap(this->Mesh.Point(id[1]).data()) - centre,
       PointMap(this->Mesh.Point(id[2]).data()) - centre };
@@ -121,8 +122,8 @@ TensorSums SurfacePatch::OverBall(vtkIdType point)
       const Vector3d& a = corner[edge];
       const Vector3d& b = corner[(edge + 1) % 3];
       const auto [from, to] = SpanInside(a, b, this->Radius);
-      const vtkIdType neighbour = this->Bends.Neighbour(triangle, edge);
-      if (to > from && neighbour >= 0)
+      const MeshTriangle neighbour = this->Bends.Neighbour(triangle, edge);
+      if (to > from && neighbour.Exists())
       {
         this->Bends.AddEdge(triangle, edge, (to - from) * (b - a).norm(), sums);
         if (this->Visit(neighbour))
@@ -189,7 +190,7 @@ void SurfacePatch::SpreadDistances(vtkIdType point)
     {
       continue;
     }
-    const vtkIdType* const star = this->Stars.Triangles(nearest);
+    const MeshTriangle* const star = this->Stars.Triangles(nearest);
     for (vtkIdType i = 0; i < this->Stars.Size(nearest); ++i)
     {
       const auto [a, b] = this->Stars.OppositeEdge(star[i], nearest);
@@ -209,16 +210,16 @@ TensorSums SurfacePatch::OverDisc(vtkIdType point)
   this->Pending.clear();
   this->SpreadDistances(point);
   TensorSums sums;
-  for (const vtkIdType triangle : this->Pending)
+  for (const MeshTriangle triangle : this->Pending)
   {
     this->AddDiscTriangle(triangle, sums);
   }
   return sums;
 }
 
-void SurfacePatch::AddDiscTriangle(vtkIdType triangle, TensorSums& sums) const
+void SurfacePatch::AddDiscTriangle(MeshTriangle triangle, TensorSums& sums) const
 {
-  const Triangle& id = this->Mesh.Corners(triangle);
+  const Triangle& id = this->Mesh.Corners(triangle.Value);
   double beyond[3]; // distance to the rim, negative inside
   int inside = 0;
   for (std::size_t i = 0; i < 3; ++i)

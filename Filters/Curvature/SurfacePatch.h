@@ -33,8 +33,8 @@ private:
   void Reach(vtkIdType point, double distance);
   double Distance(vtkIdType point) const;
   double AcrossTriangle(vtkIdType known1, vtkIdType known2, vtkIdType target) const;
-  void AddDiscTriangle(vtkIdType triangle, TensorSums& sums) const;
-  bool Visit(vtkIdType triangle);
+  void AddDiscTriangle(MeshTriangle triangle, TensorSums& sums) const;
+  bool Visit(MeshTriangle triangle);
 
   SurfaceView Mesh;
   const TriangleStars& Stars;
@@ -43,10 +43,10 @@ private:
 
   // A triangle was visited, a point reached, for this centre if its stamp is the current one.
   unsigned int Stamp = 0;
-  std::vector<unsigned int> TriangleStamps;
+  HandleVector<MeshTriangle, unsigned int> TriangleStamps;
   std::vector<unsigned int> PointStamps;
   std::vector<double> Distances;
-  std::vector<vtkIdType> Pending;
+  std::vector<MeshTriangle> Pending;
   using Front = std::pair<double, vtkIdType>;
   std::priority_queue<Front, std::vector<Front>, std::greater<Front>> Queue;
 };

@@ -1,5 +1,6 @@
 #include "StarDefects.h"
 
+#include "Handles.h"
 #include "Index.h"
 #include "ParallelFor.h"
 
@@ -11,6 +12,8 @@ namespace isthmus
 {
 namespace
 {
+
+using StarTriangle = Handle<struct StarTriangleKind, std::int64_t>;
 
 /// The triangles round each point, in ascending order.
 class Stars
@@ -27,16 +30,17 @@ public:
         {
           for (const std::int64_t p : mesh.Triangles[t])
           {
-            visit(At(p), static_cast<std::int64_t>(t));
+            visit(At(p), StarTriangle::At(t));
           }
         }
       }
     };
     // Counted two places on: filling moves each start to where the next one begins.
-    forCorners([this](std::size_t p, std::int64_t) { ++this->First[p + 2]; });
+    forCorners([this](std::size_t p, StarTriangle) { ++this->First[p + 2]; });
     std::partial_sum(this->First.begin(), this->First.end(), this->First.begin());
     this->Around.resize(this->First.back());
-    forCorners([this](std::size_t p, std::int64_t t) { this->Around[this->First[p + 1]++] = t; });
+    forCorners(
+      [this](std::size_t p, StarTriangle t) { this->Around[this->First[p + 1]++] = t.Value; });
   }
 
   const std::int64_t* Begin(std::size_t p) const { return this->Around.data() + this->First[p]; }

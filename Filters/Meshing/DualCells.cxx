@@ -36,11 +36,11 @@ std::int64_t DualCells::NodeOf(const Index& i) const
   return i[0] + i[1] * this->Stride[1] + i[2] * this->Stride[2];
 }
 
-std::int64_t DualCells::NodeOfEdge(std::int64_t cell, std::size_t edge) const
+std::int64_t DualCells::NodeOfEdge(std::int64_t cell, DualEdge edge) const
 {
-  const std::size_t axis = edge / 4;
-  return cell + static_cast<std::int64_t>(edge & 1) * this->Stride[(axis + 1) % 3] +
-    static_cast<std::int64_t>(edge >> 1 & 1) * this->Stride[(axis + 2) % 3];
+  const std::size_t axis = edge.Value / 4;
+  return cell + static_cast<std::int64_t>(edge.Value & 1) * this->Stride[(axis + 1) % 3] +
+    static_cast<std::int64_t>(edge.Value >> 1 & 1) * this->Stride[(axis + 2) % 3];
 }
 
 std::size_t DualCells::Find(std::int64_t cell) const
@@ -87,7 +87,7 @@ DualCells::Face DualCells::FaceOf(std::int64_t cell, std::size_t axis, std::size
   std::array<std::size_t, 4> crossed;
   for (const std::size_t edge : edges)
   {
-    if (this->IsCrossed(this->NodeOfEdge(cell, edge), edge / 4))
+    if (this->IsCrossed(this->NodeOfEdge(cell, DualEdge(edge)), edge / 4))
     {
       crossed[static_cast<std::size_t>(face.Crossed++)] = edge;
     }
@@ -138,7 +138,7 @@ std::array<signed char, CellEdges> DualCells::PiecesOf(std::int64_t cell) const
   signed char next = 0;
   for (std::size_t e = 0; e < CellEdges; ++e)
   {
-    if (this->IsCrossed(this->NodeOfEdge(cell, e), e / 4))
+    if (this->IsCrossed(this->NodeOfEdge(cell, DualEdge(e)), e / 4))
     {
       signed char& name = names[root(e)];
       name = name == NoPiece ? next++ : name;

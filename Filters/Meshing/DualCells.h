@@ -12,6 +12,7 @@
 #define isthmus_DualCells_h
 
 #include "DualContouringParameters.h"
+#include "Handles.h"
 
 #include <set>
 
@@ -20,6 +21,7 @@ namespace isthmus
 
 /// Edge 4 a + p + 2 q of a cell runs along axis a, p steps up along axis a+1 and q along a+2.
 constexpr std::size_t CellEdges = 12;
+using DualEdge = Handle<struct DualEdgeKind, std::size_t>;
 
 class DualCells
 {
@@ -43,7 +45,7 @@ public:
   Index IndexOf(std::int64_t node) const;
   std::int64_t NodeOf(const Index& index) const;
   /// Lowest node of an edge of a cell.
-  std::int64_t NodeOfEdge(std::int64_t cell, std::size_t edge) const;
+  std::int64_t NodeOfEdge(std::int64_t cell, DualEdge edge) const;
   bool IsInside(std::int64_t node) const
   {
     return this->Grid.Inside[static_cast<std::size_t>(node)] != 0;

@@ -171,8 +171,8 @@ private:
       point = this->Number(k + 1, above, next);
       std::int64_t triangle = this->FirstTriangle[static_cast<std::size_t>(k)];
       this->Cuts.Cells(flags, above, cases,
-        [&](std::uint8_t cell, std::int64_t i, std::int64_t j)
-        { this->AddCell(cell, i, j, ids, next, triangle, mesh); });
+        [&](std::uint8_t signs, std::int64_t i, std::int64_t j)
+        { this->AddCell(signs, i, j, ids, next, triangle, mesh); });
       flags.swap(above);
       ids.swap(next);
     }
@@ -192,10 +192,11 @@ private:
     return point;
   }
 
-  void AddCell(std::uint8_t cell, std::int64_t i, std::int64_t j, const Ids& ids, const Ids& next,
+  /// `signs`: of its corners, a bit each.
+  void AddCell(std::uint8_t signs, std::int64_t i, std::int64_t j, const Ids& ids, const Ids& next,
     std::int64_t& triangle, TriangleMesh& mesh) const
   {
-    const int* edges = MarchingCubesCase(cell);
+    const int* edges = MarchingCubesCase(signs);
     for (; *edges >= 0; edges += 3)
     {
       Triangle& corners = mesh.Triangles[static_cast<std::size_t>(triangle++)];

@@ -110,7 +110,8 @@ private:
       if (pieces[e] != DualCells::NoPiece)
       {
         const auto piece = static_cast<std::size_t>(pieces[e]);
-        const GridCrossing& crossing = this->CrossingOf(this->Cells.NodeOfEdge(cell, e), e / 4);
+        const GridCrossing& crossing =
+          this->CrossingOf(this->Cells.NodeOfEdge(cell, DualEdge(e)), e / 4);
         planes[piece].push_back({ this->PositionOf(crossing, 0.0), crossing.Normal });
         this->Result.Errors[first + piece].Add(planes[piece].back().Place, crossing.Normal);
         count = std::max(count, piece + 1);

@@ -1,5 +1,7 @@
 #include "BallBricks.h"
 
+#include "Handles.h"
+
 #include <algorithm>
 #include <stdexcept>
 #include <tuple>
@@ -11,6 +13,8 @@ namespace
 {
 
 constexpr std::int64_t MostEntries = std::int64_t{ 1 } << 31;
+
+using BrickNumber = Handle<struct BrickKind, std::int64_t>;
 
 /// Bricks [First, Last) along each axis; none where `Empty`.
 struct BrickBox
@@ -54,15 +58,15 @@ BallBricks::BallBricks(std::vector<Ball> balls, double reach, const Index3& grid
     this->Counts[axis] = (gridDimensions[axis] + BrickSize[axis] - 1) / BrickSize[axis];
   }
   this->Start.assign(static_cast<std::size_t>(this->Size()) + 1, 0);
-  this->ForEachEntry([this](std::size_t brick, std::size_t) { ++this->Start[brick + 1]; });
+  this->ForEachEntry([this](BrickNumber brick, std::size_t) { ++this->Start[brick.Index() + 1]; });
   for (std::size_t b = 1; b < this->Start.size(); ++b)
   {
     this->Start[b] += this->Start[b - 1];
   }
   this->Entries.resize(static_cast<std::size_t>(this->Start.back()));
   std::vector<std::int64_t> next(this->Start);
-  this->ForEachEntry([&](std::size_t brick, std::size_t ball)
-    { this->Entries[static_cast<std::size_t>(next[brick]++)] = ball; });
+  this->ForEachEntry([&](BrickNumber brick, std::size_t ball)
+    { this->Entries[static_cast<std::size_t>(next[brick.Index()]++)] = ball; });
 }
 
 Brick BallBricks::At(std::int64_t b) const
@@ -101,7 +105,7 @@ void BallBricks::ForEachEntry(Use use) const
       {
         for (std::int64_t i = box.First[0]; i < box.Last[0]; ++i)
         {
-          use(static_cast<std::size_t>(i + this->Counts[0] * (j + this->Counts[1] * k)), ball);
+          use(BrickNumber(i + this->Counts[0] * (j + this->Counts[1] * k)), ball);
         }
       }
     }

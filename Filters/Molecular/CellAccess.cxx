@@ -27,8 +27,8 @@ double Clearance(
 struct Way
 {
   double Width;
-  SimplexId Cell;
-  SimplexId Triangle;
+  TetrahedronId Cell;
+  TriangleId Triangle;
 
   /// The widest comes first, then the lowest ids.
   bool operator<(const Way& other) const
@@ -43,47 +43,45 @@ struct Way
 
 }
 
-CellAccess FindAccess(
-  const RegularFiltration& f, const std::vector<std::array<SimplexId, 4>>& faces, double probe)
+CellAccess FindAccess(const RegularFiltration& f, const FacesByCell& faces, double probe)
 {
   const CellFiltration& c = f.Complex;
   CellAccess access;
   access.CellClearance.resize(c.Tetrahedra.size());
-  for (std::size_t i = 0; i < c.Tetrahedra.size(); ++i)
+  for (const TetrahedronId cell : c.Tetrahedra.Keys())
   {
-    access.CellClearance[i] = Clearance(f, c.Tetrahedra[i], c.TetrahedronValue[i], probe);
+    access.CellClearance[cell] = Clearance(f, c.Tetrahedra[cell], c.TetrahedronValue[cell], probe);
   }
   access.TriangleClearance.resize(c.TriangleCount());
   std::priority_queue<Way> ways;
-  for (std::size_t i = 0; i < c.TriangleCount(); ++i)
+  for (const TriangleId t : c.Triangles())
   {
-    access.TriangleClearance[i] = Clearance(f, c.TrianglePoints(i), c.TriangleValue[i], probe);
-    const auto sides = c.TriangleSides(i);
-    if (sides[0] < 0 || sides[1] < 0)
+    access.TriangleClearance[t] = Clearance(f, c.TrianglePoints(t), c.TriangleValue[t], probe);
+    const auto sides = c.TriangleSides(t);
+    if (!sides[0].Exists() || !sides[1].Exists())
     {
-      ways.push(
-        { access.TriangleClearance[i], std::max(sides[0], sides[1]), static_cast<SimplexId>(i) });
+      ways.push({ access.TriangleClearance[t], std::max(sides[0], sides[1]), t });
     }
   }
   access.Access.assign(c.Tetrahedra.size(), 0.0);
-  access.TowardsOut.assign(c.Tetrahedra.size(), -1);
+  access.TowardsOut.assign(c.Tetrahedra.size(), TriangleId::None());
   while (!ways.empty())
   {
     const Way way = ways.top();
     ways.pop();
-    if (access.TowardsOut[At(way.Cell)] >= 0)
+    if (access.TowardsOut[way.Cell].Exists())
     {
       continue;
     }
-    access.TowardsOut[At(way.Cell)] = way.Triangle;
-    const double width = std::min(way.Width, access.CellClearance[At(way.Cell)]);
-    access.Access[At(way.Cell)] = width;
-    for (const SimplexId triangle : faces[At(way.Cell)])
+    access.TowardsOut[way.Cell] = way.Triangle;
+    const double width = std::min(way.Width, access.CellClearance[way.Cell]);
+    access.Access[way.Cell] = width;
+    for (const TriangleId triangle : faces[way.Cell])
     {
-      const SimplexId next = Across(c, triangle, way.Cell);
-      if (next >= 0 && access.TowardsOut[At(next)] < 0)
+      const TetrahedronId next = c.Across(triangle, way.Cell);
+      if (next.Exists() && !access.TowardsOut[next].Exists())
       {
-        ways.push({ std::min(width, access.TriangleClearance[At(triangle)]), next, triangle });
+        ways.push({ std::min(width, access.TriangleClearance[triangle]), next, triangle });
       }
     }
   }

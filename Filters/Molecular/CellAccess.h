@@ -5,7 +5,7 @@
 #ifndef isthmus_CellAccess_h
 #define isthmus_CellAccess_h
 
-#include "RegularFiltration.h"
+#include "EmptySpace.h"
 
 namespace isthmus
 {
@@ -20,23 +20,16 @@ namespace isthmus
  */
 struct CellAccess
 {
-  std::vector<double> CellClearance;
-  std::vector<double> TriangleClearance;
-  std::vector<double> Access;        ///< by tetrahedron
-  std::vector<SimplexId> TowardsOut; ///< by tetrahedron: the triangle that the widest way takes
+  HandleVector<TetrahedronId, double> CellClearance;
+  HandleVector<TriangleId, double> TriangleClearance;
+  HandleVector<TetrahedronId, double> Access;
+  HandleVector<TetrahedronId, TriangleId> TowardsOut; ///< the triangle that the widest way takes
 };
 
 /// `probe` is what the radii of `f` have been enlarged by. O(n log n): one pass of Dijkstra's
 /// algorithm, 1 us a tetrahedron; ties go to the lower id.
 VTKISTHMUS_EXPORT CellAccess FindAccess(
-  const RegularFiltration& f, const std::vector<std::array<SimplexId, 4>>& faces, double probe);
-
-/// The tetrahedron on the other side of `triangle`; -1: outside.
-inline SimplexId Across(const CellFiltration& complex, SimplexId triangle, SimplexId cell)
-{
-  const auto sides = complex.TriangleSides(static_cast<std::size_t>(triangle));
-  return sides[0] == cell ? sides[1] : sides[0];
-}
+  const RegularFiltration& f, const FacesByCell& faces, double probe);
 
 }
 

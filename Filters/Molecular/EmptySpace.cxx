@@ -30,16 +30,16 @@ double VolumeOf(const std::array<Point3, 4>& p)
   return std::fabs(Dot(p[1] - p[0], Cross(p[2] - p[0], p[3] - p[0]))) / 6.0;
 }
 
-void TakeThrees(const RegularFiltration& f, const std::array<SimplexId, 4>& faces,
+void TakeThrees(const RegularFiltration& f, const std::array<TriangleId, 4>& faces,
   const std::array<SimplexId, 4>& cell, EmptyCell& empty)
 {
-  for (const SimplexId face : faces)
+  for (const TriangleId face : faces)
   {
-    if (f.Complex.TriangleValue[At(face)] > 0.0)
+    if (f.Complex.TriangleValue[face] > 0.0)
     {
       continue;
     }
-    const auto t = f.Complex.TrianglePoints(At(face));
+    const auto t = f.Complex.TrianglePoints(face);
     const Overlap<3> half = HalfOfThree(BallOf(f, t[0]), BallOf(f, t[1]), BallOf(f, t[2]));
     empty.Volume -= half.Volume;
     for (std::size_t k = 0; k < 3; ++k)
@@ -56,9 +56,8 @@ void TakeLenses(const RegularFiltration& f, const std::array<SimplexId, 4>& cell
     { 1, 2, 0, 3 }, { 1, 3, 0, 2 }, { 2, 3, 0, 1 } };
   for (const auto& [i, j, k, l] : pairs)
   {
-    const SimplexId edge =
-      f.Complex.FindEdge(std::min(cell[i], cell[j]), std::max(cell[i], cell[j]));
-    if (f.Complex.EdgeValue[At(edge)] > 0.0)
+    const EdgeId edge = f.Complex.FindEdge(cell[i], cell[j]);
+    if (f.Complex.EdgeValue[edge] > 0.0)
     {
       continue;
     }
@@ -74,9 +73,9 @@ void TakeLenses(const RegularFiltration& f, const std::array<SimplexId, 4>& cell
 struct OuterShare
 {
   std::vector<double> OfVertex;
-  std::vector<double> OfEdge;
+  HandleVector<EdgeId, double> OfEdge;
   std::vector<char> HullVertex;
-  std::vector<char> HullEdge;
+  HandleVector<EdgeId, char> HullEdge;
 
   explicit OuterShare(const CellFiltration& c)
     : OfVertex(c.Points.size(), 1.0)
@@ -84,16 +83,16 @@ struct OuterShare
     , HullVertex(c.Points.size(), 0)
     , HullEdge(c.Edges.size(), 0)
   {
-    for (std::size_t i = 0; i < c.TriangleCount(); ++i)
+    for (const TriangleId t : c.Triangles())
     {
-      if (c.TriangleSides(i)[0] >= 0 && c.TriangleSides(i)[1] >= 0)
+      if (c.TriangleSides(t)[0].Exists() && c.TriangleSides(t)[1].Exists())
       {
         continue;
       }
       for (std::size_t k = 0; k < 3; ++k)
       {
-        this->HullVertex[At(c.TrianglePoints(i)[k])] = 1;
-        this->HullEdge[At(c.TriangleEdges[i][k])] = 1;
+        this->HullVertex[At(c.TrianglePoints(t)[k])] = 1;
+        this->HullEdge[c.TriangleEdges[t][k]] = 1;
       }
     }
     for (const auto& cell : c.Tetrahedra)
@@ -117,10 +116,10 @@ private:
       for (std::size_t k = 1; k < 4; ++k)
       {
         const SimplexId q = cell[(i + k) % 4];
-        const SimplexId edge = c.FindEdge(std::min(cell[i], q), std::max(cell[i], q));
-        if (cell[i] < q && this->HullEdge[At(edge)])
+        const EdgeId edge = c.FindEdge(cell[i], q);
+        if (cell[i] < q && this->HullEdge[edge])
         {
-          this->OfEdge[At(edge)] -=
+          this->OfEdge[edge] -=
             DihedralAngle(p, other(k), other(k % 3 + 1), other((k + 1) % 3 + 1));
         }
       }
@@ -142,7 +141,7 @@ void AddOutside(const RegularFiltration& f, UnionMeasure& sum)
       sum.Area += share.OfVertex[v] * ball.Area[0];
     }
   }
-  for (std::size_t e = 0; e < c.Edges.size(); ++e)
+  for (const EdgeId e : c.Edges.Keys())
   {
     if (share.HullEdge[e] && c.EdgeValue[e] <= 0.0)
     {
@@ -151,12 +150,13 @@ void AddOutside(const RegularFiltration& f, UnionMeasure& sum)
       sum.Area -= share.OfEdge[e] * (lens.Area[0] + lens.Area[1]);
     }
   }
-  for (std::size_t i = 0; i < c.TriangleCount(); ++i)
+  for (const TriangleId triangle : c.Triangles())
   {
-    const bool hull = c.TriangleSides(i)[0] < 0 || c.TriangleSides(i)[1] < 0;
-    if (hull && c.TriangleValue[i] <= 0.0)
+    const auto sides = c.TriangleSides(triangle);
+    const bool hull = !sides[0].Exists() || !sides[1].Exists();
+    if (hull && c.TriangleValue[triangle] <= 0.0)
     {
-      const auto t = c.TrianglePoints(i);
+      const auto t = c.TrianglePoints(triangle);
       const Overlap<3> half = HalfOfThree(BallOf(f, t[0]), BallOf(f, t[1]), BallOf(f, t[2]));
       sum.Volume += half.Volume;
       sum.Area += half.Area[0] + half.Area[1] + half.Area[2];
@@ -166,24 +166,24 @@ void AddOutside(const RegularFiltration& f, UnionMeasure& sum)
 
 }
 
-std::vector<std::array<SimplexId, 4>> FacesOfCells(const CellFiltration& complex)
+FacesByCell FacesOfCells(const CellFiltration& complex)
 {
-  std::vector<std::array<SimplexId, 4>> faces(complex.Tetrahedra.size());
-  for (std::size_t i = 0; i < complex.TriangleCount(); ++i)
+  FacesByCell faces(complex.Tetrahedra.size());
+  for (const TriangleId triangle : complex.Triangles())
   {
-    const auto t = complex.TrianglePoints(i);
-    for (const SimplexId cell : complex.TriangleSides(i))
+    const auto t = complex.TrianglePoints(triangle);
+    for (const TetrahedronId cell : complex.TriangleSides(triangle))
     {
-      if (cell < 0)
+      if (!cell.Exists())
       {
         continue;
       }
-      const auto& corners = complex.Tetrahedra[At(cell)];
+      const auto& corners = complex.Tetrahedra[cell];
       for (std::size_t k = 0; k < 4; ++k)
       {
         if (corners[k] != t[0] && corners[k] != t[1] && corners[k] != t[2])
         {
-          faces[At(cell)][k] = static_cast<SimplexId>(i);
+          faces[cell][k] = triangle;
         }
       }
     }
@@ -191,10 +191,9 @@ std::vector<std::array<SimplexId, 4>> FacesOfCells(const CellFiltration& complex
   return faces;
 }
 
-EmptyCell EmptySpaceOf(
-  const RegularFiltration& f, const std::vector<std::array<SimplexId, 4>>& faces, SimplexId cell)
+EmptyCell EmptySpaceOf(const RegularFiltration& f, const FacesByCell& faces, TetrahedronId cell)
 {
-  const auto& corners = f.Complex.Tetrahedra[At(cell)];
+  const auto& corners = f.Complex.Tetrahedra[cell];
   std::array<Point3, 4> p;
   for (std::size_t k = 0; k < 4; ++k)
   {
@@ -213,20 +212,21 @@ EmptyCell EmptySpaceOf(
     }
   }
   TakeLenses(f, corners, p, empty);
-  TakeThrees(f, faces[At(cell)], corners, empty);
+  TakeThrees(f, faces[cell], corners, empty);
   return empty;
 }
 
-UnionMeasure MeasureUnion(const RegularFiltration& f, const std::vector<EmptyCell>& empty)
+UnionMeasure MeasureUnion(
+  const RegularFiltration& f, const HandleVector<TetrahedronId, EmptyCell>& empty)
 {
   UnionMeasure sum;
-  for (std::size_t i = 0; i < empty.size(); ++i)
+  for (const TetrahedronId id : empty.Keys())
   {
-    const auto& cell = f.Complex.Tetrahedra[i];
+    const auto& cell = f.Complex.Tetrahedra[id];
     sum.Volume += VolumeOf({ f.Complex.Points[At(cell[0])], f.Complex.Points[At(cell[1])],
                     f.Complex.Points[At(cell[2])], f.Complex.Points[At(cell[3])] }) -
-      empty[i].Volume;
-    for (const double area : empty[i].Area)
+      empty[id].Volume;
+    for (const double area : empty[id].Area)
     {
       sum.Area += area;
     }

@@ -28,12 +28,14 @@ struct EmptyCell
   std::array<double, 4> Area{}; ///< of the balls' surface, by the tetrahedron's corners
 };
 
+/// The triangle opposite to each corner of each tetrahedron.
+using FacesByCell = HandleVector<TetrahedronId, std::array<TriangleId, 4>>;
+
 /// Of tetrahedron `cell`, which must not belong to K (its value is above 0). About 3 us.
 VTKISTHMUS_EXPORT EmptyCell EmptySpaceOf(
-  const RegularFiltration& f, const std::vector<std::array<SimplexId, 4>>& faces, SimplexId cell);
+  const RegularFiltration& f, const FacesByCell& faces, TetrahedronId cell);
 
-/// The triangle opposite to each corner of each tetrahedron.
-VTKISTHMUS_EXPORT std::vector<std::array<SimplexId, 4>> FacesOfCells(const CellFiltration& complex);
+VTKISTHMUS_EXPORT FacesByCell FacesOfCells(const CellFiltration& complex);
 
 /// Volume and surface of the union of all balls.
 struct UnionMeasure
@@ -47,7 +49,7 @@ struct UnionMeasure
  * least one tetrahedron.
  */
 VTKISTHMUS_EXPORT UnionMeasure MeasureUnion(
-  const RegularFiltration& f, const std::vector<EmptyCell>& empty);
+  const RegularFiltration& f, const HandleVector<TetrahedronId, EmptyCell>& empty);
 
 }
 

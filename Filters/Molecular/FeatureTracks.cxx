@@ -1,6 +1,7 @@
 #include "FeatureTracks.h"
 
 #include "Assignment.h"
+#include "Handles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +23,14 @@ constexpr double Alike = 1.0 / 3.0;
 /// then itself again.
 constexpr std::size_t Remembered = 4;
 
+/// A feature by its place in its frame.
+using FeaturePlace = Handle<struct PlaceInFrame, std::size_t>;
+
 /// Where a track has been.
 struct Sighting
 {
   std::size_t Frame;
-  std::size_t Feature;
+  FeaturePlace Feature;
 };
 
 struct OpenTrack
@@ -104,7 +108,7 @@ public:
     {
       if (columnOf[i] >= 0)
       {
-        this->See(this->Open[i], frame, static_cast<std::size_t>(columnOf[i]));
+        this->See(this->Open[i], frame, FeaturePlace(static_cast<std::size_t>(columnOf[i])));
       }
     }
     this->NameMerged(frame);
@@ -116,17 +120,17 @@ public:
 private:
   const TrackedFeature& At(const Sighting& seen) const
   {
-    return this->Frames[seen.Frame][seen.Feature];
+    return this->Frames[seen.Frame][seen.Feature.Index()];
   }
 
-  void See(OpenTrack& track, std::size_t frame, std::size_t feature)
+  void See(OpenTrack& track, std::size_t frame, FeaturePlace feature)
   {
     track.Sightings.push_back({ frame, feature });
     if (track.Sightings.size() > Remembered)
     {
       track.Sightings.erase(track.Sightings.begin());
     }
-    this->Result.TrackOf[frame][feature] = track.Number;
+    this->Result.TrackOf[frame][feature.Index()] = track.Number;
   }
 
   /// Closes the tracks that have been missing for too long.
@@ -223,7 +227,7 @@ private:
           break;
         }
       }
-      this->See(track, frame, k);
+      this->See(track, frame, FeaturePlace(k));
       this->Open.push_back(std::move(track));
     }
   }

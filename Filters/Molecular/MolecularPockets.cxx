@@ -83,19 +83,19 @@ RegularFiltration Enlarged(const std::vector<Ball>& atoms, const std::vector<std
   return MakeRegularFiltration(std::move(centres), std::move(radii), progress);
 }
 
-std::vector<EmptyCell> EmptyCells(const RegularFiltration& f,
-  const std::vector<std::array<SimplexId, 4>>& faces, const ProgressCallback& progress)
+HandleVector<TetrahedronId, EmptyCell> EmptyCells(
+  const RegularFiltration& f, const FacesByCell& faces, const ProgressCallback& progress)
 {
-  std::vector<EmptyCell> empty(f.Complex.Tetrahedra.size());
+  HandleVector<TetrahedronId, EmptyCell> empty(f.Complex.Tetrahedra.size());
   ParallelFor(
     0, static_cast<std::int64_t>(empty.size()), 1024,
     [&](std::int64_t begin, std::int64_t end)
     {
-      for (auto i = begin; i < end; ++i)
+      for (const TetrahedronId cell : HandleRange<TetrahedronId>(begin, end))
       {
-        if (f.Complex.TetrahedronValue[static_cast<std::size_t>(i)] > 0.0)
+        if (f.Complex.TetrahedronValue[cell] > 0.0)
         {
-          empty[static_cast<std::size_t>(i)] = EmptySpaceOf(f, faces, static_cast<SimplexId>(i));
+          empty[cell] = EmptySpaceOf(f, faces, cell);
         }
       }
     },
@@ -108,22 +108,22 @@ struct Space
 {
   RegularFiltration Filtration;
   CellAccess Access;
-  std::vector<EmptyCell> Empty;
-  std::vector<SimplexId> Cores;  ///< the pocket of each tetrahedron with room for the inner ball
-  std::vector<SimplexId> Labels; ///< the pocket of each tetrahedron
+  HandleVector<TetrahedronId, EmptyCell> Empty;
+  PocketByCell Cores; ///< of each tetrahedron with room for the inner ball
+  PocketByCell Labels;
 };
 
 void FillCells(const Space& space, const PocketOptions& options, std::vector<Pocket>& pockets)
 {
   const CellFiltration& c = space.Filtration.Complex;
-  for (std::size_t i = 0; i < space.Labels.size(); ++i)
+  for (const TetrahedronId cell : space.Labels.Keys())
   {
-    if (space.Labels[i] >= 0)
+    if (space.Labels[cell].Exists())
     {
-      const auto& t = c.Tetrahedra[i];
-      pockets[At(space.Labels[i])].Cells.push_back(
-        { { t[0], t[1], t[2], t[3] }, space.Filtration.Centres[i], space.Access.CellClearance[i],
-          space.Access.Access[i], space.Empty[i].Volume, 0 });
+      const auto& t = c.Tetrahedra[cell];
+      pockets[space.Labels[cell].Index()].Cells.push_back({ { t[0], t[1], t[2], t[3] },
+        space.Filtration.Centres[cell], space.Access.CellClearance[cell], space.Access.Access[cell],
+        space.Empty[cell].Volume, 0 });
     }
   }
   const PointBins bins(c.Points, 0.5 * options.BurialRadius);
@@ -144,12 +144,13 @@ void FillCells(const Space& space, const PocketOptions& options, std::vector<Poc
 void FillLining(const Space& space, std::vector<Pocket>& pockets)
 {
   std::vector<std::map<std::int64_t, double>> areas(pockets.size());
-  for (std::size_t i = 0; i < space.Labels.size(); ++i)
+  for (const TetrahedronId cell : space.Labels.Keys())
   {
-    for (std::size_t k = 0; space.Labels[i] >= 0 && k < 4; ++k)
+    const PocketNumber pocket = space.Labels[cell];
+    for (std::size_t k = 0; pocket.Exists() && k < 4; ++k)
     {
-      areas[At(space.Labels[i])][space.Filtration.Complex.Tetrahedra[i][k]] +=
-        space.Empty[i].Area[k];
+      areas[pocket.Index()][space.Filtration.Complex.Tetrahedra[cell][k]] +=
+        space.Empty[cell].Area[k];
     }
   }
   constexpr double rounding = 1e-6; // angstrom^2
@@ -222,16 +223,17 @@ void Renumber(Pocket& pocket, const std::vector<std::size_t>& order)
 void MeasureWhole(const Space& space, PocketResult& result)
 {
   const CellFiltration& c = space.Filtration.Complex;
-  for (std::size_t i = 0; i < c.Tetrahedra.size(); ++i)
+  for (const TetrahedronId cell : c.Tetrahedra.Keys())
   {
-    const auto& t = c.Tetrahedra[i];
+    const auto& t = c.Tetrahedra[cell];
     const Point3& p = c.Points[At(t[0])];
     const double volume = std::fabs(Dot(c.Points[At(t[1])] - p,
                             Cross(c.Points[At(t[2])] - p, c.Points[At(t[3])] - p))) /
       6.0;
     result.HullVolume += volume;
-    result.FullVolume += volume - space.Empty[i].Volume;
-    (space.Labels[i] >= 0 ? result.PocketVolume : result.RestVolume) += space.Empty[i].Volume;
+    const double empty = space.Empty[cell].Volume;
+    result.FullVolume += volume - empty;
+    (space.Labels[cell].Exists() ? result.PocketVolume : result.RestVolume) += empty;
   }
   const UnionMeasure whole = MeasureUnion(space.Filtration, space.Empty);
   result.UnionVolume = whole.Volume;
@@ -261,7 +263,8 @@ PocketResult FindPockets(
   space.Labels = WithCrevices(c, faces, space.Access, options.OuterRadius, space.Cores);
   MeasureWhole(space, result);
   Report(progress, 0.85);
-  std::vector<Pocket> pockets(At(*std::max_element(space.Labels.begin(), space.Labels.end()) + 1));
+  const PocketNumber last = *std::max_element(space.Labels.begin(), space.Labels.end());
+  std::vector<Pocket> pockets(last.Exists() ? last.Index() + 1 : 0);
   FillCells(space, options, pockets);
   FillLining(space, pockets);
   AddMouths(space.Filtration, space.Access, space.Labels, options.InnerRadius, pockets);

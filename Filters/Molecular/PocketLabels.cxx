@@ -1,7 +1,6 @@
 #include "PocketLabels.h"
 
 #include "DisjointSets.h"
-#include "Index.h"
 
 #include <queue>
 
@@ -14,8 +13,8 @@ namespace
 struct Way
 {
   double Width;
-  SimplexId Cell;
-  SimplexId Pocket;
+  TetrahedronId Cell;
+  PocketNumber Pocket;
 
   bool operator<(const Way& other) const
   {
@@ -29,70 +28,69 @@ struct Way
 
 }
 
-std::vector<SimplexId> PocketCores(
+PocketByCell PocketCores(
   const CellFiltration& c, const CellAccess& access, const PocketOptions& options)
 {
-  const auto inside = [&](SimplexId cell)
+  const auto inside = [&](TetrahedronId cell)
   {
-    return cell >= 0 && access.CellClearance[At(cell)] > options.InnerRadius &&
-      access.Access[At(cell)] < options.OuterRadius;
+    return cell.Exists() && access.CellClearance[cell] > options.InnerRadius &&
+      access.Access[cell] < options.OuterRadius;
   };
-  DisjointSets<SimplexId> sets(static_cast<SimplexId>(c.Tetrahedra.size()));
-  for (std::size_t i = 0; i < c.TriangleCount(); ++i)
+  DisjointSets<TetrahedronId> sets(c.Tetrahedra.size());
+  for (const TriangleId t : c.Triangles())
   {
-    const auto sides = c.TriangleSides(i);
-    if (access.TriangleClearance[i] > options.InnerRadius && inside(sides[0]) && inside(sides[1]))
+    const auto sides = c.TriangleSides(t);
+    if (access.TriangleClearance[t] > options.InnerRadius && inside(sides[0]) && inside(sides[1]))
     {
       sets.Join(sides[0], sides[1]);
     }
   }
-  std::vector<SimplexId> numbers(c.Tetrahedra.size(), -1);
-  std::vector<SimplexId> labels(c.Tetrahedra.size(), -1);
-  SimplexId count = 0;
-  for (std::size_t i = 0; i < labels.size(); ++i)
+  PocketByCell numbers(c.Tetrahedra.size(), PocketNumber::None());
+  PocketByCell labels(c.Tetrahedra.size(), PocketNumber::None());
+  std::size_t count = 0;
+  for (const TetrahedronId cell : labels.Keys())
   {
-    if (inside(static_cast<SimplexId>(i)))
+    if (inside(cell))
     {
-      SimplexId& number = numbers[At(sets.Find(static_cast<SimplexId>(i)))];
-      number = number < 0 ? count++ : number;
-      labels[i] = number;
+      PocketNumber& number = numbers[sets.Find(cell)];
+      number = number.Exists() ? number : PocketNumber::At(count++);
+      labels[cell] = number;
     }
   }
   return labels;
 }
 
-std::vector<SimplexId> WithCrevices(const CellFiltration& c,
-  const std::vector<std::array<SimplexId, 4>>& faces, const CellAccess& access, double outer,
-  const std::vector<SimplexId>& cores)
+PocketByCell WithCrevices(const CellFiltration& c, const FacesByCell& faces,
+  const CellAccess& access, double outer, const PocketByCell& cores)
 {
-  std::vector<SimplexId> labels = cores;
+  PocketByCell labels = cores;
   std::priority_queue<Way> ways;
-  const auto leave = [&](SimplexId cell)
+  const auto leave = [&](TetrahedronId cell)
   {
-    for (const SimplexId face : faces[At(cell)])
+    for (const TriangleId face : faces[cell])
     {
-      const SimplexId next = Across(c, face, cell);
-      if (next >= 0 && labels[At(next)] < 0 && c.TriangleValue[At(face)] > 0.0 &&
-        access.Access[At(next)] < outer)
+      const TetrahedronId next = c.Across(face, cell);
+      if (next.Exists() && !labels[next].Exists() && c.TriangleValue[face] > 0.0 &&
+        access.Access[next] < outer)
       {
-        ways.push({ access.TriangleClearance[At(face)], next, labels[At(cell)] });
+        ways.push({ access.TriangleClearance[face], next, labels[cell] });
       }
     }
   };
-  for (std::size_t i = 0; i < cores.size(); ++i)
+  for (const TetrahedronId cell : cores.Keys())
   {
-    if (cores[i] >= 0)
+    if (cores[cell].Exists())
     {
-      leave(static_cast<SimplexId>(i));
+      leave(cell);
     }
   }
   while (!ways.empty())
   {
     const Way way = ways.top();
     ways.pop();
-    if (labels[At(way.Cell)] < 0)
+    if (!labels[way.Cell].Exists())
     {
-      labels[At(way.Cell)] = way.Pocket;
+      labels[way.Cell] = way.Pocket;
       leave(way.Cell);
     }
   }

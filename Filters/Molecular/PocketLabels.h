@@ -11,10 +11,14 @@
 namespace isthmus
 {
 
-/// The pocket of each tetrahedron, from 0 in the order of their first tetrahedra; -1: none.
+/// A pocket, from 0 in the order of their first tetrahedra.
+using PocketNumber = Handle<struct PocketKind, std::int32_t>;
+using PocketByCell = HandleVector<TetrahedronId, PocketNumber>;
+
+/// The pocket of each tetrahedron.
 /// Tetrahedra with room for the inner ball that the outer one does not reach, joined through
 /// triangles that let the inner one pass. O(n).
-std::vector<SimplexId> PocketCores(
+PocketByCell PocketCores(
   const CellFiltration& complex, const CellAccess& access, const PocketOptions& options);
 
 /**
@@ -22,9 +26,8 @@ std::vector<SimplexId> PocketCores(
  * reaches from a pocket belong to the one with the widest way. So the room of a void is all of it.
  * O(n log n).
  */
-std::vector<SimplexId> WithCrevices(const CellFiltration& complex,
-  const std::vector<std::array<SimplexId, 4>>& faces, const CellAccess& access, double outer,
-  const std::vector<SimplexId>& cores);
+PocketByCell WithCrevices(const CellFiltration& complex, const FacesByCell& faces,
+  const CellAccess& access, double outer, const PocketByCell& cores);
 
 }
 

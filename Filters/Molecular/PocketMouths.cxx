@@ -13,10 +13,10 @@ namespace
 {
 
 /// Area of a triangle that is not covered by the discs which its corners' balls are in its plane.
-double OpenArea(const RegularFiltration& f, SimplexId triangle)
+double OpenArea(const RegularFiltration& f, TriangleId triangle)
 {
   const CellFiltration& c = f.Complex;
-  const auto t = c.TrianglePoints(At(triangle));
+  const auto t = c.TrianglePoints(triangle);
   double area = TriangleArea(c.Points[At(t[0])], c.Points[At(t[1])], c.Points[At(t[2])]);
   for (std::size_t k = 0; k < 3; ++k)
   {
@@ -30,7 +30,7 @@ double OpenArea(const RegularFiltration& f, SimplexId triangle)
     {
       area -= 0.5 * std::atan2(Length(normal), Dot(u, v)) * r * r;
     }
-    if (c.EdgeValue[At(c.TriangleEdges[At(triangle)][(k + 2) % 3])] <= 0.0)
+    if (c.EdgeValue[c.TriangleEdges[triangle][(k + 2) % 3]] <= 0.0)
     {
       // Half of the lens of two discs, as segments beyond their common chord.
       const double q = f.Radii[At(second)];
@@ -49,13 +49,13 @@ double OpenArea(const RegularFiltration& f, SimplexId triangle)
 
 /// The open triangles of one pocket, in their order, with the group of each.
 std::vector<PocketMouth> Group(
-  const RegularFiltration& f, const CellAccess& access, const std::vector<SimplexId>& open)
+  const RegularFiltration& f, const CellAccess& access, const TriangleChain& open)
 {
   DisjointSets<std::size_t> sets(open.size());
-  std::map<SimplexId, std::size_t> firstAt;
+  std::map<EdgeId, std::size_t> firstAt;
   for (std::size_t i = 0; i < open.size(); ++i)
   {
-    for (const SimplexId edge : f.Complex.TriangleEdges[At(open[i])])
+    for (const EdgeId edge : f.Complex.TriangleEdges[open[i]])
     {
       sets.Join(firstAt.emplace(edge, i).first->second, i);
     }
@@ -70,8 +70,8 @@ std::vector<PocketMouth> Group(
       mouths.emplace_back();
     }
     PocketMouth& mouth = mouths[number.first->second];
-    const auto t = f.Complex.TrianglePoints(At(open[i]));
-    const double clearance = access.TriangleClearance[At(open[i])];
+    const auto t = f.Complex.TrianglePoints(open[i]);
+    const double clearance = access.TriangleClearance[open[i]];
     mouth.Radius = std::max(mouth.Radius, clearance);
     mouth.Area += OpenArea(f, open[i]);
     mouth.Triangles.push_back({ t[0], t[1], t[2] });
@@ -84,29 +84,31 @@ std::vector<PocketMouth> Group(
 
 }
 
-void AddMouths(const RegularFiltration& f, const CellAccess& access,
-  const std::vector<SimplexId>& labels, double inner, std::vector<Pocket>& pockets)
+void AddMouths(const RegularFiltration& f, const CellAccess& access, const PocketByCell& labels,
+  double inner, std::vector<Pocket>& pockets)
 {
-  std::vector<std::vector<SimplexId>> open(pockets.size());
-  for (std::size_t i = 0; i < f.Complex.TriangleCount(); ++i)
+  HandleVector<PocketNumber, TriangleChain> open(pockets.size());
+  const auto pocketOf = [&labels](TetrahedronId cell)
+  { return cell.Exists() ? labels[cell] : PocketNumber::None(); };
+  for (const TriangleId t : f.Complex.Triangles())
   {
-    const auto sides = f.Complex.TriangleSides(i);
-    const SimplexId a = sides[0] < 0 ? -1 : labels[At(sides[0])];
-    const SimplexId b = sides[1] < 0 ? -1 : labels[At(sides[1])];
-    if (a != b && access.TriangleClearance[i] > inner)
+    const auto sides = f.Complex.TriangleSides(t);
+    const PocketNumber a = pocketOf(sides[0]);
+    const PocketNumber b = pocketOf(sides[1]);
+    if (a != b && access.TriangleClearance[t] > inner)
     {
-      for (const SimplexId pocket : { a, b })
+      for (const PocketNumber pocket : { a, b })
       {
-        if (pocket >= 0)
+        if (pocket.Exists())
         {
-          open[At(pocket)].push_back(static_cast<SimplexId>(i));
+          open[pocket].push_back(t);
         }
       }
     }
   }
   for (std::size_t i = 0; i < pockets.size(); ++i)
   {
-    pockets[i].Mouths = Group(f, access, open[i]);
+    pockets[i].Mouths = Group(f, access, open[PocketNumber::At(i)]);
   }
 }
 

@@ -18,46 +18,47 @@ namespace
 constexpr double ShortestBar = 0.3;
 
 /// Clearance of an edge at its value, as for triangles and tetrahedra.
-double EdgeClearance(const RegularFiltration& f, SimplexId edge, double probe)
+double EdgeClearance(const RegularFiltration& f, EdgeId edge, double probe)
 {
-  const auto& e = f.Complex.Edges[At(edge)];
+  const auto& e = f.Complex.Edges[edge];
   const double r = std::max(f.Radii[At(e[0])], f.Radii[At(e[1])]);
-  return std::sqrt(std::max(0.0, f.Complex.EdgeValue[At(edge)] + r * r)) - (r - probe);
+  return std::sqrt(std::max(0.0, f.Complex.EdgeValue[edge] + r * r)) - (r - probe);
 }
 
+using CellWay = std::vector<TetrahedronId>;
+
 /// The tetrahedra from `cell` on the widest way out, until a ball of radius `end` gets there.
-std::vector<SimplexId> WayOut(
-  const CellFiltration& c, const CellAccess& access, SimplexId cell, double end)
+CellWay WayOut(const CellFiltration& c, const CellAccess& access, TetrahedronId cell, double end)
 {
-  std::vector<SimplexId> way;
-  while (cell >= 0)
+  CellWay way;
+  while (cell.Exists())
   {
     way.push_back(cell);
-    if (access.Access[At(cell)] >= end)
+    if (access.Access[cell] >= end)
     {
       break;
     }
-    cell = Across(c, access.TowardsOut[At(cell)], cell);
+    cell = c.Across(access.TowardsOut[cell], cell);
   }
   return way;
 }
 
-bool AreDisjoint(const std::vector<SimplexId>& a, const std::vector<SimplexId>& b)
+bool AreDisjoint(const CellWay& a, const CellWay& b)
 {
-  const std::set<SimplexId> cells(a.begin(), a.end());
-  return std::none_of(b.begin(), b.end(), [&](SimplexId cell) { return cells.count(cell) > 0; });
+  const std::set<TetrahedronId> cells(a.begin(), a.end());
+  return std::none_of(
+    b.begin(), b.end(), [&](TetrahedronId cell) { return cells.count(cell) > 0; });
 }
 
 /// Centres along a way out. Those of flat tetrahedra at the border may lie anywhere outside: a
 /// step is no longer than five times the channel's radius.
-std::vector<Point3> CentresAlong(
-  const RegularFiltration& f, const std::vector<SimplexId>& way, double radius)
+std::vector<Point3> CentresAlong(const RegularFiltration& f, const CellWay& way, double radius)
 {
   const double longest = 5.0 * radius;
   std::vector<Point3> centres;
-  for (const SimplexId cell : way)
+  for (const TetrahedronId cell : way)
   {
-    Point3 centre = f.Centres[At(cell)];
+    Point3 centre = f.Centres[cell];
     if (!centres.empty())
     {
       const Point3 step = centre - centres.back();
@@ -70,8 +71,7 @@ std::vector<Point3> CentresAlong(
 }
 
 /// Both ways as one, from the end of `a` to that of `b`.
-Channel Join(const RegularFiltration& f, const std::vector<SimplexId>& a,
-  const std::vector<SimplexId>& b, double radius)
+Channel Join(const RegularFiltration& f, const CellWay& a, const CellWay& b, double radius)
 {
   Channel channel;
   channel.Radius = radius;
@@ -85,17 +85,17 @@ Channel Join(const RegularFiltration& f, const std::vector<SimplexId>& a,
 }
 
 /// The tetrahedron whose free room is nearest to a place.
-SimplexId CellAt(const RegularFiltration& f, const CellAccess& access, const Point3& place)
+TetrahedronId CellAt(const RegularFiltration& f, const CellAccess& access, const Point3& place)
 {
-  SimplexId best = -1;
+  TetrahedronId best = TetrahedronId::None();
   double least = HUGE_VAL;
-  for (std::size_t i = 0; i < f.Centres.size(); ++i)
+  for (const TetrahedronId cell : f.Centres.Keys())
   {
-    const double distance = Length(f.Centres[i] - place) - 0.5 * access.CellClearance[i];
-    if (access.CellClearance[i] > 0.0 && distance < least)
+    const double distance = Length(f.Centres[cell] - place) - 0.5 * access.CellClearance[cell];
+    if (access.CellClearance[cell] > 0.0 && distance < least)
     {
       least = distance;
-      best = static_cast<SimplexId>(i);
+      best = cell;
     }
   }
   return best;
@@ -112,8 +112,8 @@ double FromLine(const Point3& p, const Point3& a, const Point3& b)
 struct Step
 {
   double Cost;
-  SimplexId Cell;
-  SimplexId From;
+  TetrahedronId Cell;
+  TetrahedronId From;
 
   bool operator<(const Step& other) const
   {
@@ -130,17 +130,17 @@ std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccess& access
   c.Order(Between(progress, 0.0, 0.3));
   const FiltrationPairs pairs(c, Between(progress, 0.3, 0.9));
   std::vector<Channel> channels;
-  for (std::size_t i = 0; i < c.TriangleCount(); ++i)
+  for (const TriangleId t : c.Triangles())
   {
-    const double radius = access.TriangleClearance[i];
-    const SimplexId edge = pairs.LoopClosed(static_cast<SimplexId>(i));
-    const auto sides = c.TriangleSides(i);
-    if (edge < 0 || radius < options.MinimumRadius || sides[0] < 0 || sides[1] < 0 ||
-      radius - EdgeClearance(f, edge, probe) < ShortestBar)
+    const double radius = access.TriangleClearance[t];
+    const EdgeId edge = pairs.LoopClosed(t);
+    const auto sides = c.TriangleSides(t);
+    if (!edge.Exists() || radius < options.MinimumRadius || !sides[0].Exists() ||
+      !sides[1].Exists() || radius - EdgeClearance(f, edge, probe) < ShortestBar)
     {
       continue;
     }
-    if (std::min(access.Access[At(sides[0])], access.Access[At(sides[1])]) < options.MinimumRadius)
+    if (std::min(access.Access[sides[0]], access.Access[sides[1]]) < options.MinimumRadius)
     {
       continue; // narrower on the way to it
     }
@@ -166,40 +166,41 @@ std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccess& access
   return channels;
 }
 
-Channel WayBetween(const RegularFiltration& f, const std::vector<std::array<SimplexId, 4>>& faces,
-  const CellAccess& access, const Point3& first, const Point3& last, const PoreOptions& options)
+Channel WayBetween(const RegularFiltration& f, const FacesByCell& faces, const CellAccess& access,
+  const Point3& first, const Point3& last, const PoreOptions& options)
 {
-  const SimplexId start = CellAt(f, access, first);
-  const SimplexId goal = CellAt(f, access, last);
-  std::vector<SimplexId> from(f.Centres.size(), -2);
+  const TetrahedronId start = CellAt(f, access, first);
+  const TetrahedronId goal = CellAt(f, access, last);
+  constexpr TetrahedronId unmet(-2);
+  HandleVector<TetrahedronId, TetrahedronId> from(f.Centres.size(), unmet);
   std::priority_queue<Step> steps;
-  if (start >= 0)
+  if (start.Exists())
   {
-    steps.push({ 0.0, start, -1 });
+    steps.push({ 0.0, start, TetrahedronId::None() });
   }
-  while (!steps.empty() && from[At(goal)] == -2)
+  while (!steps.empty() && from[goal] == unmet)
   {
     const Step step = steps.top();
     steps.pop();
-    if (from[At(step.Cell)] != -2)
+    if (from[step.Cell] != unmet)
     {
       continue;
     }
-    from[At(step.Cell)] = step.From;
-    for (const SimplexId face : faces[At(step.Cell)])
+    from[step.Cell] = step.From;
+    for (const TriangleId face : faces[step.Cell])
     {
-      const SimplexId next = Across(f.Complex, face, step.Cell);
-      const double width = access.TriangleClearance[At(face)];
-      if (next < 0 || from[At(next)] != -2 || width <= 0.0 ||
-        (next != goal && FromLine(f.Centres[At(next)], first, last) > options.MaximumOffset))
+      const TetrahedronId next = f.Complex.Across(face, step.Cell);
+      const double width = access.TriangleClearance[face];
+      if (!next.Exists() || from[next] != unmet || width <= 0.0 ||
+        (next != goal && FromLine(f.Centres[next], first, last) > options.MaximumOffset))
       {
         continue;
       }
-      const double length = Length(f.Centres[At(next)] - f.Centres[At(step.Cell)]);
+      const double length = Length(f.Centres[next] - f.Centres[step.Cell]);
       steps.push({ step.Cost + (length + 1e-6) / (width * width), next, step.Cell });
     }
   }
-  if (start < 0 || from[At(goal)] == -2)
+  if (!start.Exists() || from[goal] == unmet)
   {
     throw std::runtime_error("There is no way between the two points that stays within "
                              "MaximumOffset, " +
@@ -207,9 +208,9 @@ Channel WayBetween(const RegularFiltration& f, const std::vector<std::array<Simp
       " angstrom, of the straight line: choose points in the pore, or a larger offset.");
   }
   Channel channel;
-  for (SimplexId cell = goal; cell >= 0; cell = from[At(cell)])
+  for (TetrahedronId cell = goal; cell.Exists(); cell = from[cell])
   {
-    channel.Way.push_back(f.Centres[At(cell)]);
+    channel.Way.push_back(f.Centres[cell]);
   }
   std::reverse(channel.Way.begin(), channel.Way.end());
   channel.Span = Length(first - last);

@@ -38,9 +38,8 @@ VTKISTHMUS_EXPORT std::vector<Channel> FindChannels(RegularFiltration& f, const 
  * The way from `first` to `last` with the least integral of 1 / clearance^2 among those no farther
  * than MaximumOffset from the straight line. Throws std::runtime_error where there is none.
  */
-VTKISTHMUS_EXPORT Channel WayBetween(const RegularFiltration& f,
-  const std::vector<std::array<SimplexId, 4>>& faces, const CellAccess& access, const Point3& first,
-  const Point3& last, const PoreOptions& options);
+VTKISTHMUS_EXPORT Channel WayBetween(const RegularFiltration& f, const FacesByCell& faces,
+  const CellAccess& access, const Point3& first, const Point3& last, const PoreOptions& options);
 
 }
 

@@ -22,12 +22,12 @@ template <typename Visit>
 void ForFaces(const CellFiltration& f, std::size_t p, Visit&& visit)
 {
   const std::size_t end = std::min((p + 1) * CellsOfPiece, f.Tetrahedra.size());
-  for (std::size_t t = p * CellsOfPiece; t < end; ++t)
+  for (const TetrahedronId t : HandleRange<TetrahedronId>(p * CellsOfPiece, end))
   {
     for (std::size_t k = 0; k < 4; ++k)
     {
-      const SimplexId other = f.Neighbours[t][k];
-      if (other < 0 || At(other) > t)
+      const TetrahedronId other = f.Neighbours[t][k];
+      if (!other.Exists() || other > t)
       {
         visit(t, k);
       }
@@ -54,16 +54,19 @@ void MakeTriangles(CellFiltration& f, const ProgressCallback& progress)
       part);
   };
   forPieces(Between(progress, 0.0, 0.3),
-    [&](std::size_t p) { ForFaces(f, p, [&](std::size_t, std::size_t) { ++first[p + 1]; }); });
+    [&](std::size_t p) { ForFaces(f, p, [&](TetrahedronId, std::size_t) { ++first[p + 1]; }); });
   std::partial_sum(first.begin(), first.end(), first.begin());
   f.TriangleFaces.resize(first.back());
   forPieces(Between(progress, 0.3, 1.0),
     [&](std::size_t p)
     {
-      std::size_t next = first[p];
+      TriangleId next = TriangleId::At(first[p]);
       ForFaces(f, p,
-        [&](std::size_t t, std::size_t k)
-        { f.TriangleFaces[next++] = static_cast<SimplexId>(4 * t + k); });
+        [&](TetrahedronId t, std::size_t k)
+        {
+          f.TriangleFaces[next] = static_cast<SimplexId>(4 * t.Index() + k);
+          ++next.Value;
+        });
     });
 }
 
@@ -100,9 +103,9 @@ SimplexId* SortOnce(SimplexId* begin, SimplexId* end)
 void MakeEdges(CellFiltration& f, const ProgressCallback& progress)
 {
   std::vector<std::int64_t> first(f.Points.size() + 1, 0);
-  for (std::size_t i = 0; i < f.TriangleCount(); ++i)
+  for (const TriangleId triangle : f.Triangles())
   {
-    const auto t = f.TrianglePoints(i);
+    const auto t = f.TrianglePoints(triangle);
     first[At(t[0]) + 1] += 2;
     first[At(t[1]) + 1] += 1;
   }
@@ -110,15 +113,15 @@ void MakeEdges(CellFiltration& f, const ProgressCallback& progress)
   std::vector<SimplexId> larger(static_cast<std::size_t>(first.back()));
   std::vector<std::int64_t> next(first.begin(), first.end() - 1);
   Report(progress, 0.1);
-  for (std::size_t i = 0; i < f.TriangleCount(); ++i)
+  for (const TriangleId triangle : f.Triangles())
   {
-    const auto t = f.TrianglePoints(i);
+    const auto t = f.TrianglePoints(triangle);
     larger[static_cast<std::size_t>(next[At(t[0])]++)] = t[1];
     larger[static_cast<std::size_t>(next[At(t[0])]++)] = t[2];
     larger[static_cast<std::size_t>(next[At(t[1])]++)] = t[2];
   }
   Report(progress, 0.3);
-  f.FirstEdge.assign(f.Points.size() + 1, 0);
+  f.FirstEdge.assign(f.Points.size() + 1, EdgeId(0));
   const auto forPoints = [&f](const ProgressCallback& part, auto&& work)
   {
     ParallelFor(
@@ -136,18 +139,20 @@ void MakeEdges(CellFiltration& f, const ProgressCallback& progress)
     [&](std::size_t p)
     {
       SimplexId* const begin = larger.data() + first[p];
-      f.FirstEdge[p + 1] =
+      f.FirstEdge[p + 1].Value =
         static_cast<SimplexId>(SortOnce(begin, larger.data() + first[p + 1]) - begin);
     });
-  std::partial_sum(f.FirstEdge.begin(), f.FirstEdge.end(), f.FirstEdge.begin());
-  f.Edges.resize(At(f.FirstEdge.back()));
+  std::partial_sum(f.FirstEdge.begin(), f.FirstEdge.end(), f.FirstEdge.begin(),
+    [](EdgeId before, EdgeId count) { return EdgeId(before.Value + count.Value); });
+  f.Edges.resize(f.FirstEdge.back().Index());
   forPoints(Between(progress, 0.9, 1.0),
     [&](std::size_t p)
     {
-      for (SimplexId e = f.FirstEdge[p]; e < f.FirstEdge[p + 1]; ++e)
+      const auto point = static_cast<SimplexId>(p);
+      const SimplexId* other = larger.data() + first[p];
+      for (const EdgeId e : f.EdgesAbove(point))
       {
-        f.Edges[At(e)] = { static_cast<SimplexId>(p),
-          larger[static_cast<std::size_t>(first[p] + e - f.FirstEdge[p])] };
+        f.Edges[e] = { point, *other++ };
       }
     });
 }
@@ -159,10 +164,10 @@ void LinkTriangleEdges(CellFiltration& f, const ProgressCallback& progress)
     0, static_cast<std::int64_t>(f.TriangleCount()), 4096,
     [&f](std::int64_t begin, std::int64_t end)
     {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      for (const TriangleId t : HandleRange<TriangleId>(begin, end))
       {
-        const auto p = f.TrianglePoints(i);
-        f.TriangleEdges[i] = { f.FindEdge(p[1], p[2]), f.FindEdge(p[0], p[2]),
+        const auto p = f.TrianglePoints(t);
+        f.TriangleEdges[t] = { f.FindEdge(p[1], p[2]), f.FindEdge(p[0], p[2]),
           f.FindEdge(p[0], p[1]) };
       }
     },
@@ -188,12 +193,12 @@ void CellFiltration::Connect(const ProgressCallback& progress)
 void CellFiltration::Order(const ProgressCallback& progress)
 {
   this->TrianglesInOrder = SimplexOrder(
-    this->TriangleValue, this->TriangleFirst, this->TriangleRank, Between(progress, 0.0, 0.6));
+    this->TriangleValue, this->TriangleFirst, this->RankOfTriangle, Between(progress, 0.0, 0.6));
   this->EdgesInOrder =
-    SimplexOrder(this->EdgeValue, this->EdgeFirst, this->EdgeRank, Between(progress, 0.6, 1.0));
+    SimplexOrder(this->EdgeValue, this->EdgeFirst, this->RankOfEdge, Between(progress, 0.6, 1.0));
 }
 
-SimplexId CellFiltration::FindEdge(SimplexId a, SimplexId b) const
+EdgeId CellFiltration::FindEdge(SimplexId a, SimplexId b) const
 {
   if (a > b)
   {
@@ -201,8 +206,8 @@ SimplexId CellFiltration::FindEdge(SimplexId a, SimplexId b) const
   }
   using Edge = std::array<SimplexId, 2>;
   constexpr std::ptrdiff_t few = 24; // so many are counted sooner than halves are guessed right
-  const Edge* const begin = this->Edges.data() + this->FirstEdge[At(a)];
-  const Edge* const end = this->Edges.data() + this->FirstEdge[At(a) + 1];
+  const Edge* const begin = this->Edges.data() + this->FirstEdge[At(a)].Value;
+  const Edge* const end = this->Edges.data() + this->FirstEdge[At(a) + 1].Value;
   const Edge* found = begin;
   if (end - begin > few)
   {
@@ -213,7 +218,9 @@ SimplexId CellFiltration::FindEdge(SimplexId a, SimplexId b) const
   {
     found += std::count_if(begin, end, [b](const Edge& edge) { return edge[1] < b; });
   }
-  return found != end && (*found)[1] == b ? static_cast<SimplexId>(found - this->Edges.data()) : -1;
+  return found != end && (*found)[1] == b
+    ? EdgeId::At(static_cast<std::size_t>(found - this->Edges.data()))
+    : EdgeId::None();
 }
 
 }

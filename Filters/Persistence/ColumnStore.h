@@ -29,9 +29,10 @@ public:
   }
 
   /// @pre `rank` is above those added before.
-  void Add(SimplexId rank, const Chain& edges, const Chain& added)
+  void Add(
+    TriangleRank rank, const std::vector<EdgeRank>& edges, const std::vector<TriangleRank>& added)
   {
-    const auto word = static_cast<std::size_t>(rank) / 64;
+    const std::size_t word = rank.Index() / 64;
     for (; this->Counted < word; ++this->Counted)
     {
       this->Before[this->Counted + 1] = static_cast<std::uint32_t>(this->Edges.Count());
@@ -48,9 +49,9 @@ public:
   }
 
   /// The place of a triangle's column; -1: it is its boundary as it stands.
-  std::int64_t Find(SimplexId rank) const
+  std::int64_t Find(TriangleRank rank) const
   {
-    const auto word = static_cast<std::size_t>(rank) / 64;
+    const std::size_t word = rank.Index() / 64;
     if ((this->Marks[word] & Bit(rank)) == 0)
     {
       return -1;
@@ -73,12 +74,13 @@ public:
 
 private:
   /// Lists without a gap between them.
+  template <typename Rank>
   class Lists
   {
   public:
     std::size_t Count() const { return this->First.size() - 1; }
 
-    void Add(const Chain& list)
+    void Add(const std::vector<Rank>& list)
     {
       this->Entries.insert(this->Entries.end(), list.begin(), list.end());
       this->First.push_back(this->Entries.size());
@@ -100,17 +102,17 @@ private:
     }
 
   private:
-    std::vector<SimplexId> Entries;
+    std::vector<Rank> Entries;
     std::vector<std::size_t> First{ 0 };
   };
 
-  static std::uint64_t Bit(SimplexId rank) { return std::uint64_t{ 1 } << (rank % 64); }
+  static std::uint64_t Bit(TriangleRank rank) { return std::uint64_t{ 1 } << (rank.Value % 64); }
 
   std::vector<std::uint64_t> Marks;
   std::vector<std::uint32_t> Before; ///< columns before each word, of the words counted so far
   std::size_t Counted = 0;
-  Lists Edges;
-  Lists Added;
+  Lists<EdgeRank> Edges;
+  Lists<TriangleRank> Added;
 };
 
 }

@@ -55,7 +55,7 @@ PathEnds<typename Gradient::Key::Link> MinimaOf(
   const auto descend = [&](std::int64_t node)
   {
     const int edge = stars[node].Partner[Star::Node];
-    return edge == Star::Node ? node : node + stars.Offset(edge);
+    return edge == Star::Node ? node : node + stars.Offset(StarCell(edge));
   };
   const auto starts = [&](std::int64_t i)
   {
@@ -80,7 +80,7 @@ PathEnds<typename Gradient::Key::Link> MaximaOf(
       return cube;
     }
     const auto [node, cell] = gradient.StarCube(cube);
-    const int face = stars[node].Partner[static_cast<std::size_t>(cell)];
+    const StarCell face(stars[node].Partner[cell.Index()]);
     if (face == cell)
     {
       return cube;
@@ -125,15 +125,15 @@ void PairComponents(const Gradient& gradient, const std::vector<typename Gradien
     }
     components.Join(younger, elder);
     negative[i] = 1;
-    if (!gradient.EdgeKey(nodeOf(younger), 0).SameValue(edges[i]))
+    if (!gradient.EdgeKey(nodeOf(younger), StarCell(0)).SameValue(edges[i]))
     {
-      pairs.push_back({ gradient.Named(nodeOf(younger), Star::Node),
-        gradient.Named(edges[i].Node(), edges[i].Place()), 0,
-        gradient.Named(nodeOf(elder), Star::Node) });
+      pairs.push_back({ gradient.NamedNode(nodeOf(younger)),
+        gradient.Named(edges[i].Node(), Gradient::EdgeOf(edges[i])), 0,
+        gradient.NamedNode(nodeOf(elder)) });
     }
   }
   const std::int64_t first = nodeOf(components.EldestOf(minima.Numbers.back()[0]));
-  pairs.push_back({ gradient.Named(first, Star::Node), CubicalCell(), 0, CubicalCell() });
+  pairs.push_back({ gradient.NamedNode(first), CubicalCell(), 0, CubicalCell() });
 }
 
 /**

@@ -39,11 +39,11 @@ void CollectCritical(const Gradient& gradient, std::vector<typename Gradient::Ke
         {
           if ((critical >> cell & 1U) != 0 && cell < Star::FirstFace)
           {
-            edgesOf[part].push_back(gradient.EdgeKey(node, cell));
+            edgesOf[part].push_back(gradient.EdgeKey(node, StarCell(cell)));
           }
           else if ((critical >> cell & 1U) != 0)
           {
-            facesOf[part].push_back(gradient.FaceKey(node, cell));
+            facesOf[part].push_back(gradient.FaceKey(node, StarCell(cell)));
           }
           critical &= ~(1U << cell);
         }

@@ -30,21 +30,27 @@ public:
   const LowerStars& Lower() const { return this->Stars; }
 
   /// `cell` of the lower star of `node`; the place in the key counts within its dimension.
-  Key EdgeKey(std::int64_t node, int cell) const { return Key(this->Values[node], node, cell); }
-  Key FaceKey(std::int64_t node, int cell) const
+  Key EdgeKey(std::int64_t node, StarCell cell) const
   {
-    return Key(this->Values[node], node, cell - Star::FirstFace);
+    return Key(this->Values[node], node, cell.Value);
   }
-  Key CubeKey(std::int64_t node, int cell) const
+  Key FaceKey(std::int64_t node, StarCell cell) const
   {
-    return Key(this->Values[node], node, cell - Star::FirstCube);
+    return Key(this->Values[node], node, cell.Value - Star::FirstFace);
   }
-  static int FaceOf(const Key& key) { return key.Place() + Star::FirstFace; }
+  Key CubeKey(std::int64_t node, StarCell cell) const
+  {
+    return Key(this->Values[node], node, cell.Value - Star::FirstCube);
+  }
+  /// The cell of the node's star that a key of an edge, or of a face, stands for.
+  static StarCell EdgeOf(const Key& key) { return StarCell(key.Place()); }
+  static StarCell FaceOf(const Key& key) { return StarCell(key.Place() + Star::FirstFace); }
 
-  static CubicalCell Named(std::int64_t node, int cell)
+  static CubicalCell Named(std::int64_t node, StarCell cell)
   {
-    return CubicalCell(node, Star::DirectionOf[static_cast<std::size_t>(cell)]);
+    return CubicalCell(node, Star::DirectionOf[cell.Index()]);
   }
+  static CubicalCell NamedNode(std::int64_t node) { return Named(node, StarCell(Star::Node)); }
 
   bool IsLater(std::int64_t a, std::int64_t b) const
   {
@@ -56,30 +62,31 @@ public:
   /// The two nodes of an edge.
   std::array<std::int64_t, 2> EndsOf(const Key& edge) const
   {
-    return { edge.Node(), edge.Node() + this->Stars.Offset(edge.Place()) };
+    return { edge.Node(), edge.Node() + this->Stars.Offset(EdgeOf(edge)) };
   }
 
   /// The edge from a node one step along an axis, forwards or back.
   Key EdgeAlong(std::int64_t node, std::size_t axis, bool forwards) const
   {
-    const int cell = forwards ? 3 + static_cast<int>(axis) : 2 - static_cast<int>(axis);
+    const StarCell cell(forwards ? 3 + static_cast<int>(axis) : 2 - static_cast<int>(axis));
     return this->EdgeBetween(node, node + this->Stars.Offset(cell), cell);
   }
 
   /// The four edges of a face of the star of `node`; the first two are of the same star.
-  std::array<Key, 4> BoundaryOf(std::int64_t node, int face) const
+  std::array<Key, 4> BoundaryOf(std::int64_t node, StarCell face) const
   {
-    const auto& edges = Star::FaceEdges[static_cast<std::size_t>(face - Star::FirstFace)];
+    const auto& edges = Star::FaceEdges[face.Index() - Star::FirstFace];
+    const StarCell first(edges[0]), second(edges[1]);
     const std::int64_t far = node + this->Stars.Offset(face);
-    return { this->EdgeKey(node, edges[0]), this->EdgeKey(node, edges[1]),
-      this->EdgeBetween(node + this->Stars.Offset(edges[0]), far, edges[1]),
-      this->EdgeBetween(node + this->Stars.Offset(edges[1]), far, edges[0]) };
+    return { this->EdgeKey(node, first), this->EdgeKey(node, second),
+      this->EdgeBetween(node + this->Stars.Offset(first), far, second),
+      this->EdgeBetween(node + this->Stars.Offset(second), far, first) };
   }
 
   /// The cubes on both sides of a face, as their lowest corners; NodeCount(): outside of the grid.
-  std::array<std::int64_t, 2> CofacesOf(std::int64_t node, int face) const
+  std::array<std::int64_t, 2> CofacesOf(std::int64_t node, StarCell face) const
   {
-    const auto& step = Star::Steps[static_cast<std::size_t>(face)];
+    const auto& step = Star::Steps[face.Index()];
     const std::size_t normal = step[0] == 0 ? 0 : step[1] == 0 ? 1 : 2;
     std::int64_t low = node;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -93,7 +100,7 @@ public:
   }
 
   /// The cube with that lowest corner, by its last corner and its number in that one's star.
-  std::pair<std::int64_t, int> StarCube(std::int64_t low) const
+  std::pair<std::int64_t, StarCell> StarCube(std::int64_t low) const
   {
     std::int64_t last = low;
     std::size_t corner = 0;
@@ -109,18 +116,18 @@ public:
     }
     // Cubes are numbered by direction, x fastest, so the one back from the last corner is the
     // opposite number.
-    return { last, Star::FirstCube + 7 - static_cast<int>(corner) };
+    return { last, StarCell(Star::FirstCube + 7 - static_cast<int>(corner)) };
   }
 
   std::int64_t NodeOutside() const { return this->Stars.NodeCount(); }
 
 private:
-  Key EdgeBetween(std::int64_t near, std::int64_t far, int cell) const
+  Key EdgeBetween(std::int64_t near, std::int64_t far, StarCell cell) const
   {
     // Edges are numbered so that 5 - cell is the opposite direction.
     const auto a = this->Values[near];
     const auto b = this->Values[far];
-    return b > a || (b == a && far > near) ? Key(b, far, 5 - cell) : Key(a, near, cell);
+    return b > a || (b == a && far > near) ? Key(b, far, 5 - cell.Value) : Key(a, near, cell.Value);
   }
 
   const OrderedValues<Stored>& Values;

@@ -87,7 +87,7 @@ void PairLoops(const Gradient& gradient, const std::vector<typename Gradient::Ke
       const auto& face = faces[static_cast<std::size_t>(i)];
       if (!edge.SameValue(face))
       {
-        pairs.push_back({ gradient.Named(edge.Node(), edge.Place()),
+        pairs.push_back({ gradient.Named(edge.Node(), Gradient::EdgeOf(edge)),
           gradient.Named(face.Node(), Gradient::FaceOf(face)), 1, CubicalCell() });
       }
     },

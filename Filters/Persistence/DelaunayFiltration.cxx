@@ -24,7 +24,7 @@ namespace
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using ExactKernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<SimplexId, Kernel>;
-using CellBase = CGAL::Triangulation_cell_base_with_info_3<SimplexId, Kernel,
+using CellBase = CGAL::Triangulation_cell_base_with_info_3<TetrahedronId, Kernel,
   CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel,
   CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
@@ -38,14 +38,24 @@ typename K::Point_3 PointOf(const Point3& p)
   return typename K::Point_3(p[0], p[1], p[2]);
 }
 
-double SquaredRadius(const Point3& p, const Point3& q, const Point3& r, const Point3& s)
+/// The edges of a tetrahedron from its first corner, and the squares of their lengths.
+struct CornerEdges
+{
+  Point3 A, B, C;
+  double AA, BB, CC;
+};
+
+CornerEdges EdgesFrom(const Point3& p, const Point3& q, const Point3& r, const Point3& s)
 {
   const Point3 a = q - p;
   const Point3 b = r - p;
   const Point3 c = s - p;
-  const double aa = Dot(a, a);
-  const double bb = Dot(b, b);
-  const double cc = Dot(c, c);
+  return { a, b, c, Dot(a, a), Dot(b, b), Dot(c, c) };
+}
+
+double SquaredRadius(const Point3& p, const Point3& q, const Point3& r, const Point3& s)
+{
+  const auto& [a, b, c, aa, bb, cc] = EdgesFrom(p, q, r, s);
   const Point3 bc = Cross(b, c);
   const double det = Dot(a, bc);
   if (det * det <= FlatnessLimit * FlatnessLimit * aa * bb * cc)
@@ -108,12 +118,7 @@ constexpr std::size_t ReportEvery = 1 << 18;
 /// True if s lies strictly inside the smallest sphere through p, q and r.
 bool IsInBall(const Point3& p, const Point3& q, const Point3& r, const Point3& s)
 {
-  const Point3 a = q - p;
-  const Point3 b = r - p;
-  const Point3 c = s - p;
-  const double aa = Dot(a, a);
-  const double bb = Dot(b, b);
-  const double cc = Dot(c, c);
+  const auto& [a, b, c, aa, bb, cc] = EdgesFrom(p, q, r, s);
   const Point3 n = Cross(a, b);
   // |c|^2 - 2 c.centre, times |n|^2.
   const double power = Dot(n, n) * cc - Dot(aa * Cross(b, n) + bb * Cross(n, a), c);
@@ -127,19 +132,19 @@ bool IsInBall(const Point3& p, const Point3& q, const Point3& r, const Point3& s
            PointOf<Kernel>(s)) == CGAL::ON_BOUNDED_SIDE;
 }
 
-double TriangleValue(const CellFiltration& f, std::size_t i)
+double TriangleValue(const CellFiltration& f, TriangleId triangle)
 {
-  const auto t = f.TrianglePoints(i);
+  const auto t = f.TrianglePoints(triangle);
   const auto p = [&f](SimplexId id) -> const Point3& { return f.Points[At(id)]; };
   bool gabriel = true;
   double lowest = HUGE_VAL;
-  for (const SimplexId cell : f.TriangleSides(i))
+  for (const TetrahedronId cell : f.TriangleSides(triangle))
   {
-    if (cell < 0)
+    if (!cell.Exists())
     {
       continue;
     }
-    lowest = std::min(lowest, f.TetrahedronValue[At(cell)]);
+    lowest = std::min(lowest, f.TetrahedronValue[cell]);
     gabriel = gabriel && !IsInBall(p(t[0]), p(t[1]), p(t[2]), p(f.Opposite(cell, t)));
   }
   return gabriel ? std::min(lowest, SquaredRadius(p(t[0]), p(t[1]), p(t[2]))) : lowest;
@@ -157,22 +162,22 @@ bool IsInBall(const Point3& u, const Point3& v, const Point3& w)
 }
 
 /// For each triangle, bit k: the sphere of the edge opposite to corner k has that corner inside.
-std::vector<unsigned char> CornersInEdgeBalls(
+HandleVector<TriangleId, unsigned char> CornersInEdgeBalls(
   const CellFiltration& f, const ProgressCallback& progress)
 {
-  std::vector<unsigned char> inside(f.TriangleCount(), 0);
+  HandleVector<TriangleId, unsigned char> inside(f.TriangleCount(), 0);
   ParallelFor(
     0, static_cast<std::int64_t>(f.TriangleCount()), 4096,
     [&](std::int64_t begin, std::int64_t end)
     {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      for (const TriangleId triangle : HandleRange<TriangleId>(begin, end))
       {
-        const auto t = f.TrianglePoints(i);
+        const auto t = f.TrianglePoints(triangle);
         for (std::size_t k = 0; k < 3; ++k)
         {
           const Point3& u = f.Points[At(t[k == 0 ? 1 : 0])];
           const Point3& v = f.Points[At(t[k == 2 ? 1 : 2])];
-          inside[i] |=
+          inside[triangle] |=
             static_cast<unsigned char>(IsInBall(u, v, f.Points[At(t[k])]) ? 1U << k : 0U);
         }
       }
@@ -184,27 +189,27 @@ std::vector<unsigned char> CornersInEdgeBalls(
 /// Edges: the triangles beside decide whether the edge's own sphere is empty.
 void ValueEdges(CellFiltration& f, const ProgressCallback& progress)
 {
-  const std::vector<unsigned char> inside = CornersInEdgeBalls(f, Between(progress, 0.0, 0.5));
+  const auto inside = CornersInEdgeBalls(f, Between(progress, 0.0, 0.5));
   f.EdgeValue.assign(f.Edges.size(), HUGE_VAL);
-  std::vector<char> gabriel(f.Edges.size(), 1);
+  HandleVector<EdgeId, char> gabriel(f.Edges.size(), 1);
   const auto rest = Between(progress, 0.5, 1.0);
-  for (std::size_t i = 0; i < f.TriangleCount(); ++i)
+  for (const TriangleId t : f.Triangles())
   {
-    if (i % ReportEvery == 0)
+    if (t.Index() % ReportEvery == 0)
     {
-      Report(rest, static_cast<double>(i) / static_cast<double>(f.TriangleCount()));
+      Report(rest, static_cast<double>(t.Index()) / static_cast<double>(f.TriangleCount()));
     }
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const auto e = At(f.TriangleEdges[i][k]);
-      f.EdgeValue[e] = std::min(f.EdgeValue[e], f.TriangleValue[i]);
-      if (inside[i] >> k & 1U)
+      const EdgeId e = f.TriangleEdges[t][k];
+      f.EdgeValue[e] = std::min(f.EdgeValue[e], f.TriangleValue[t]);
+      if (inside[t] >> k & 1U)
       {
         gabriel[e] = 0;
       }
     }
   }
-  for (std::size_t e = 0; e < f.Edges.size(); ++e)
+  for (const EdgeId e : f.Edges.Keys())
   {
     if (gabriel[e])
     {
@@ -221,10 +226,10 @@ void ValueCells(CellFiltration& f, const ProgressCallback& progress)
     0, static_cast<std::int64_t>(f.Tetrahedra.size()), 4096,
     [&f](std::int64_t begin, std::int64_t end)
     {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      for (const TetrahedronId cell : HandleRange<TetrahedronId>(begin, end))
       {
-        const auto& t = f.Tetrahedra[i];
-        f.TetrahedronValue[i] = SquaredRadius(
+        const auto& t = f.Tetrahedra[cell];
+        f.TetrahedronValue[cell] = SquaredRadius(
           f.Points[At(t[0])], f.Points[At(t[1])], f.Points[At(t[2])], f.Points[At(t[3])]);
       }
     },
@@ -234,9 +239,9 @@ void ValueCells(CellFiltration& f, const ProgressCallback& progress)
     0, static_cast<std::int64_t>(f.TriangleCount()), 4096,
     [&f](std::int64_t begin, std::int64_t end)
     {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      for (const TriangleId t : HandleRange<TriangleId>(begin, end))
       {
-        f.TriangleValue[i] = TriangleValue(f, i);
+        f.TriangleValue[t] = TriangleValue(f, t);
       }
     },
     Between(progress, 0.3, 0.6));

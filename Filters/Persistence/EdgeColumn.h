@@ -75,7 +75,7 @@ public:
           continue;
         }
         edges &= ~(1U << edge);
-        const std::size_t number = this->NumberOf(this->Cells.EdgeKey(node, edge));
+        const std::size_t number = this->NumberOf(this->Cells.EdgeKey(node, StarCell(edge)));
         if (!this->Negative[number])
         {
           this->PushStar(node, edges);
@@ -139,7 +139,7 @@ private:
     {
       if ((edges >> edge & 1U) != 0)
       {
-        this->Push(this->Cells.EdgeKey(node, edge));
+        this->Push(this->Cells.EdgeKey(node, StarCell(edge)));
       }
     }
   }
@@ -159,8 +159,8 @@ private:
       {
         ++edge;
       }
-      const int face = star.Partner[edge];
-      const auto& both = Star::FaceEdges[static_cast<std::size_t>(face - Star::FirstFace)];
+      const StarCell face(star.Partner[edge]);
+      const auto& both = Star::FaceEdges[face.Index() - Star::FirstFace];
       edges ^= 1U << both[0] | 1U << both[1];
       const auto boundary = this->Cells.BoundaryOf(node, face);
       this->Push(boundary[2]);

@@ -1,6 +1,5 @@
 #include "FiltrationPairs.h"
 
-#include "Index.h"
 #include "ParallelFor.h"
 #include "VoidPairs.h"
 
@@ -12,35 +11,36 @@ namespace
 {
 
 /// A chain under reduction: a heap of ranks in which equal ones cancel in pairs.
+template <typename Rank>
 class RankHeap
 {
 public:
-  void Add(SimplexId rank)
+  void Add(Rank rank)
   {
     this->Ranks.push_back(rank);
     std::push_heap(this->Ranks.begin(), this->Ranks.end());
   }
 
-  /// Takes out the greatest rank; -1 when nothing is left.
-  SimplexId Take()
+  /// Takes out the greatest rank; None when nothing is left.
+  Rank Take()
   {
     while (!this->Ranks.empty())
     {
-      const SimplexId top = this->Pop();
+      const Rank top = this->Pop();
       if (this->Ranks.empty() || this->Ranks.front() != top)
       {
         return top;
       }
       this->Pop();
     }
-    return -1;
+    return Rank::None();
   }
 
   /// All that is left, in descending order.
-  Chain TakeAll()
+  std::vector<Rank> TakeAll()
   {
-    Chain rest;
-    for (SimplexId rank = this->Take(); rank >= 0; rank = this->Take())
+    std::vector<Rank> rest;
+    for (Rank rank = this->Take(); rank.Exists(); rank = this->Take())
     {
       rest.push_back(rank);
     }
@@ -48,19 +48,19 @@ public:
   }
 
 private:
-  SimplexId Pop()
+  Rank Pop()
   {
     std::pop_heap(this->Ranks.begin(), this->Ranks.end());
-    const SimplexId top = this->Ranks.back();
+    const Rank top = this->Ranks.back();
     this->Ranks.pop_back();
     return top;
   }
 
-  std::vector<SimplexId> Ranks;
+  std::vector<Rank> Ranks;
 };
 
-/// Ids that occur an odd number of times.
-void KeepOdd(Chain& chain)
+/// Triangles that occur an odd number of times.
+void KeepOdd(TriangleChain& chain)
 {
   std::sort(chain.begin(), chain.end());
   std::size_t kept = 0;
@@ -87,29 +87,32 @@ constexpr std::int64_t Grain = 1 << 14;
 
 FiltrationPairs::FiltrationPairs(const CellFiltration& f, const ProgressCallback& progress)
   : F(f)
-  , Partner(VoidPairs(f, Between(progress, 0.0, 0.3)))
   , Columns(f.TriangleCount())
 {
-  std::transform(this->Partner.begin(), this->Partner.end(), this->Partner.begin(),
-    [](SimplexId cell) { return cell < 0 ? -1 : -2 - cell; });
+  {
+    const auto fillers = VoidPairs(f, Between(progress, 0.0, 0.3));
+    this->Partner.resize(fillers.size());
+    std::transform(fillers.begin(), fillers.end(), this->Partner.begin(),
+      [](TetrahedronId cell) { return cell.Exists() ? -2 - cell.Value : -1; });
+  }
   this->PairLoops(Between(progress, 0.3, 1.0));
 }
 
-/// For each triangle, by rank, the rank of its latest edge; -1 for those that close voids.
+/// For each triangle, by rank, the rank of its latest edge; None for those that close voids.
 /// Triangles are gone through as they are numbered, since their edges then lie near each other.
-std::vector<SimplexId> FiltrationPairs::Pivots() const
+HandleVector<TriangleRank, EdgeRank> FiltrationPairs::Pivots() const
 {
-  std::vector<SimplexId> pivots(this->F.TriangleCount());
+  HandleVector<TriangleRank, EdgeRank> pivots(this->F.TriangleCount());
   ParallelFor(0, static_cast<std::int64_t>(pivots.size()), Grain,
     [&](std::int64_t begin, std::int64_t end)
     {
-      for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t)
+      for (const TriangleId t : HandleRange<TriangleId>(begin, end))
       {
         const auto& edges = this->F.TriangleEdges[t];
-        const auto& rank = this->F.EdgeRank;
-        pivots[At(this->F.TriangleRank[t])] = this->Partner[t] < -1
-          ? -1
-          : std::max({ rank[At(edges[0])], rank[At(edges[1])], rank[At(edges[2])] });
+        const auto& rank = this->F.RankOfEdge;
+        pivots[this->F.RankOfTriangle[t]] = this->Partner[t] < -1
+          ? EdgeRank::None()
+          : std::max({ rank[edges[0]], rank[edges[1]], rank[edges[2]] });
       }
     });
   return pivots;
@@ -118,8 +121,8 @@ std::vector<SimplexId> FiltrationPairs::Pivots() const
 void FiltrationPairs::PairLoops(const ProgressCallback& progress)
 {
   const std::size_t triangles = this->F.TriangleCount();
-  std::vector<SimplexId> filler(this->F.Edges.size(), -1); // triangle by edge, both by rank
-  const std::vector<SimplexId> pivots = this->Pivots();
+  HandleVector<EdgeRank, TriangleRank> filler(this->F.Edges.size(), TriangleRank::None());
+  const auto pivots = this->Pivots();
   std::size_t done = 0;
   std::int64_t steps = 0;
   // Columns added count too: those of a few triangles may take longer than all others.
@@ -133,39 +136,40 @@ void FiltrationPairs::PairLoops(const ProgressCallback& progress)
   for (; done < triangles; ++done)
   {
     tick();
-    SimplexId pivot = pivots[done];
-    if (pivot >= 0 &&
-      (filler[At(pivot)] < 0 || this->Reduce(static_cast<SimplexId>(done), filler, pivot, tick)))
+    const auto triangle = TriangleRank::At(done);
+    EdgeRank pivot = pivots[triangle];
+    if (pivot.Exists() && (!filler[pivot].Exists() || this->Reduce(triangle, filler, pivot, tick)))
     {
-      filler[At(pivot)] = static_cast<SimplexId>(done);
+      filler[pivot] = triangle;
     }
   }
   this->Columns.Finish();
-  this->LoopFilledBy.assign(this->F.Edges.size(), -1);
-  for (std::size_t edge = 0; edge < filler.size(); ++edge)
+  this->LoopFilledBy.assign(this->F.Edges.size(), TriangleId::None());
+  for (const EdgeRank rank : filler.Keys())
   {
-    if (filler[edge] >= 0)
+    if (filler[rank].Exists())
     {
-      const SimplexId t = this->F.TrianglesInOrder[At(filler[edge])];
-      this->LoopFilledBy[At(this->F.EdgesInOrder[edge])] = t;
-      this->Partner[At(t)] = this->F.EdgesInOrder[edge];
+      const TriangleId t = this->F.TrianglesInOrder[filler[rank]];
+      const EdgeId edge = this->F.EdgesInOrder[rank];
+      this->LoopFilledBy[edge] = t;
+      this->Partner[t] = edge.Value;
     }
   }
 }
 
 /// Edges of a triangle, all by rank.
-std::array<SimplexId, 3> FiltrationPairs::BoundaryOf(SimplexId rank) const
+std::array<EdgeRank, 3> FiltrationPairs::BoundaryOf(TriangleRank rank) const
 {
-  const auto& edges = this->F.TriangleEdges[At(this->F.TrianglesInOrder[At(rank)])];
-  const auto& ranks = this->F.EdgeRank;
-  return { ranks[At(edges[0])], ranks[At(edges[1])], ranks[At(edges[2])] };
+  const auto& edges = this->F.TriangleEdges[this->F.TrianglesInOrder[rank]];
+  const auto& ranks = this->F.RankOfEdge;
+  return { ranks[edges[0]], ranks[edges[1]], ranks[edges[2]] };
 }
 
 /// The column of a triangle but for its pivot, which the taker has just taken out of the heap.
 template <typename Heap>
-void FiltrationPairs::AddColumn(SimplexId rank, SimplexId pivot, Heap& heap) const
+void FiltrationPairs::AddColumn(TriangleRank rank, EdgeRank pivot, Heap& heap) const
 {
-  const auto add = [&heap, pivot](SimplexId edge)
+  const auto add = [&heap, pivot](EdgeRank edge)
   {
     if (edge != pivot)
     {
@@ -178,7 +182,7 @@ void FiltrationPairs::AddColumn(SimplexId rank, SimplexId pivot, Heap& heap) con
     this->Columns.ForEdges(place, add);
     return;
   }
-  for (const SimplexId edge : this->BoundaryOf(rank))
+  for (const EdgeRank edge : this->BoundaryOf(rank))
   {
     add(edge);
   }
@@ -186,97 +190,97 @@ void FiltrationPairs::AddColumn(SimplexId rank, SimplexId pivot, Heap& heap) con
 
 /// Reduces the column of a triangle, by rank, until its latest edge has no filler; false when
 /// nothing is left, which happens only where the complex has a void that nothing fills.
-bool FiltrationPairs::Reduce(SimplexId rank, const std::vector<SimplexId>& filler, SimplexId& pivot,
-  const std::function<void()>& tick)
+bool FiltrationPairs::Reduce(TriangleRank rank, const HandleVector<EdgeRank, TriangleRank>& filler,
+  EdgeRank& pivot, const std::function<void()>& tick)
 {
-  RankHeap column;
-  Chain added;
-  for (const SimplexId e : this->BoundaryOf(rank))
+  RankHeap<EdgeRank> column;
+  std::vector<TriangleRank> added;
+  for (const EdgeRank e : this->BoundaryOf(rank))
   {
     column.Add(e);
   }
-  SimplexId low = column.Take();
-  while (low >= 0 && filler[At(low)] >= 0)
+  EdgeRank low = column.Take();
+  while (low.Exists() && filler[low].Exists())
   {
-    const SimplexId other = filler[At(low)];
+    const TriangleRank other = filler[low];
     tick();
     added.push_back(other);
     this->AddColumn(other, low, column);
     low = column.Take();
   }
-  if (low < 0)
+  if (!low.Exists())
   {
     return false;
   }
   pivot = low;
-  Chain ranks = column.TakeAll();
+  std::vector<EdgeRank> ranks = column.TakeAll();
   ranks.insert(ranks.begin(), low);
   this->Columns.Add(rank, ranks, added);
   return true;
 }
 
-Chain FiltrationPairs::Filling(SimplexId triangle) const
+TriangleChain FiltrationPairs::Filling(TriangleId triangle) const
 {
   // A triangle may be reached on many ways: latest first, each is expanded once, with its parity.
-  RankHeap pending;
-  pending.Add(this->F.TriangleRank[At(triangle)]);
-  Chain filling;
-  for (SimplexId rank = pending.Take(); rank >= 0; rank = pending.Take())
+  RankHeap<TriangleRank> pending;
+  pending.Add(this->F.RankOfTriangle[triangle]);
+  TriangleChain filling;
+  for (TriangleRank rank = pending.Take(); rank.Exists(); rank = pending.Take())
   {
-    filling.push_back(this->F.TrianglesInOrder[At(rank)]);
+    filling.push_back(this->F.TrianglesInOrder[rank]);
     const std::int64_t place = this->Columns.Find(rank);
     if (place >= 0)
     {
-      this->Columns.ForAdded(place, [&pending](SimplexId other) { pending.Add(other); });
+      this->Columns.ForAdded(place, [&pending](TriangleRank other) { pending.Add(other); });
     }
   }
   return filling;
 }
 
-Chain FiltrationPairs::Push(
-  const Chain& z, SimplexId limit, const Unwanted& unwanted, Chain& swept) const
+EdgeChain FiltrationPairs::Push(
+  const EdgeChain& z, TriangleRank limit, const Unwanted& unwanted, TriangleChain& swept) const
 {
-  RankHeap cycle;
-  for (const SimplexId e : z)
+  RankHeap<EdgeRank> cycle;
+  for (const EdgeId e : z)
   {
-    cycle.Add(this->F.EdgeRank[At(e)]);
+    cycle.Add(this->F.RankOfEdge[e]);
   }
-  Chain kept;
-  for (SimplexId rank = cycle.Take(); rank >= 0; rank = cycle.Take())
+  EdgeChain kept;
+  for (EdgeRank rank = cycle.Take(); rank.Exists(); rank = cycle.Take())
   {
-    const SimplexId e = this->F.EdgesInOrder[At(rank)];
-    const SimplexId filler = this->LoopFilledBy[At(e)];
-    if (filler < 0 || this->F.TriangleRank[At(filler)] >= limit || !unwanted(e))
+    const EdgeId e = this->F.EdgesInOrder[rank];
+    const TriangleId filler = this->LoopFilledBy[e];
+    if (!filler.Exists() || this->F.RankOfTriangle[filler] >= limit || !unwanted(e))
     {
       kept.push_back(e);
       continue;
     }
-    this->AddColumn(this->F.TriangleRank[At(filler)], rank, cycle);
-    const Chain passed = this->Filling(filler);
+    this->AddColumn(this->F.RankOfTriangle[filler], rank, cycle);
+    const TriangleChain passed = this->Filling(filler);
     swept.insert(swept.end(), passed.begin(), passed.end());
   }
   KeepOdd(swept);
   return kept;
 }
 
-std::vector<std::int64_t> FiltrationPairs::Bounding(const Chain& z) const
+std::vector<std::int64_t> FiltrationPairs::Bounding(const EdgeChain& z) const
 {
-  RankHeap cycle;
-  for (const SimplexId e : z)
+  RankHeap<EdgeRank> cycle;
+  for (const EdgeId e : z)
   {
-    cycle.Add(this->F.EdgeRank[At(e)]);
+    cycle.Add(this->F.RankOfEdge[e]);
   }
   std::vector<std::int64_t> ranks;
-  for (SimplexId rank = cycle.Take(); rank >= 0; rank = cycle.Take())
+  for (EdgeRank rank = cycle.Take(); rank.Exists(); rank = cycle.Take())
   {
-    const SimplexId filler = this->LoopFilledBy[At(this->F.EdgesInOrder[At(rank)])];
-    if (filler < 0)
+    const TriangleId filler = this->LoopFilledBy[this->F.EdgesInOrder[rank]];
+    if (!filler.Exists())
     {
-      ranks.push_back(rank + static_cast<std::int64_t>(this->F.TriangleCount()));
+      ranks.push_back(rank.Value + static_cast<std::int64_t>(this->F.TriangleCount()));
       continue;
     }
-    ranks.push_back(this->F.TriangleRank[At(filler)]);
-    this->AddColumn(this->F.TriangleRank[At(filler)], rank, cycle);
+    ranks.push_back(this->F.RankOfTriangle[filler].Value);
+    this->AddColumn(this->F.RankOfTriangle[filler], rank, cycle);
   }
   std::sort(ranks.begin(), ranks.end(), std::greater<>());
   return ranks;

@@ -32,68 +32,68 @@ public:
   VTKISTHMUS_EXPORT explicit FiltrationPairs(
     const CellFiltration& f, const ProgressCallback& progress = {});
 
-  /// The tetrahedron that fills the void closed by `triangle`; -1: it closes none, or
+  /// The tetrahedron that fills the void closed by `triangle`; None: it closes none, or
   /// nothing but the exterior fills it.
-  SimplexId VoidFilled(SimplexId triangle) const;
+  TetrahedronId VoidFilled(TriangleId triangle) const;
 
-  /// The triangle that fills the loop closed by `edge`; -1: none.
-  SimplexId LoopFilled(SimplexId edge) const;
+  /// The triangle that fills the loop closed by `edge`, or None.
+  TriangleId LoopFilled(EdgeId edge) const;
 
-  /// The edge that closes the loop filled by `triangle`; -1: it fills none.
-  SimplexId LoopClosed(SimplexId triangle) const;
+  /// The edge that closes the loop filled by `triangle`; None: it fills none.
+  EdgeId LoopClosed(TriangleId triangle) const;
 
   /// The triangles whose boundary is the reduced boundary of a negative triangle: a cycle whose
   /// latest edge is LoopClosed(triangle).
-  VTKISTHMUS_EXPORT Chain Filling(SimplexId triangle) const;
+  VTKISTHMUS_EXPORT TriangleChain Filling(TriangleId triangle) const;
 
   /// True for an edge that the cycle under reduction may not keep.
-  using Unwanted = std::function<bool(SimplexId edge)>;
+  using Unwanted = std::function<bool(EdgeId edge)>;
 
   /**
    * Pushes cycle `z` downhill: while it has an unwanted edge whose loop was filled by a triangle
    * ranked below `limit`, that loop's boundary is added, latest edge first. Returns the new cycle;
    * the triangles passed are added (mod 2) to `swept`, so that z + result = boundary of swept.
    */
-  VTKISTHMUS_EXPORT Chain Push(
-    const Chain& z, SimplexId limit, const Unwanted& unwanted, Chain& swept) const;
+  VTKISTHMUS_EXPORT EdgeChain Push(
+    const EdgeChain& z, TriangleRank limit, const Unwanted& unwanted, TriangleChain& swept) const;
 
   /**
    * What bounds a cycle of edges (they may repeat and then cancel): ranks of triangles, latest
    * first, whose reduced boundaries add up to it. An edge whose loop nothing fills stands as its
    * own rank plus the number of triangles.
    */
-  VTKISTHMUS_EXPORT std::vector<std::int64_t> Bounding(const Chain& z) const;
+  VTKISTHMUS_EXPORT std::vector<std::int64_t> Bounding(const EdgeChain& z) const;
 
 private:
   void PairLoops(const ProgressCallback& progress);
-  std::vector<SimplexId> Pivots() const;
-  bool Reduce(SimplexId rank, const std::vector<SimplexId>& filler, SimplexId& pivot,
-    const std::function<void()>& tick);
-  std::array<SimplexId, 3> BoundaryOf(SimplexId rank) const;
+  HandleVector<TriangleRank, EdgeRank> Pivots() const;
+  bool Reduce(TriangleRank rank, const HandleVector<EdgeRank, TriangleRank>& filler,
+    EdgeRank& pivot, const std::function<void()>& tick);
+  std::array<EdgeRank, 3> BoundaryOf(TriangleRank rank) const;
   template <typename Heap>
-  void AddColumn(SimplexId rank, SimplexId pivot, Heap& heap) const;
+  void AddColumn(TriangleRank rank, EdgeRank pivot, Heap& heap) const;
 
   const CellFiltration& F;
   /// Per triangle: the edge that closes the loop which it fills; -1: it fills none; below that,
   /// -2 - the tetrahedron that fills the void which it closes. No triangle does both.
-  std::vector<SimplexId> Partner;
-  std::vector<SimplexId> LoopFilledBy;
+  HandleVector<TriangleId, SimplexId> Partner;
+  HandleVector<EdgeId, TriangleId> LoopFilledBy;
   ColumnStore Columns;
 };
 
-inline SimplexId FiltrationPairs::VoidFilled(SimplexId triangle) const
+inline TetrahedronId FiltrationPairs::VoidFilled(TriangleId triangle) const
 {
-  return std::max(-1, -2 - this->Partner[static_cast<std::size_t>(triangle)]);
+  return TetrahedronId(std::max(-1, -2 - this->Partner[triangle]));
 }
 
-inline SimplexId FiltrationPairs::LoopFilled(SimplexId edge) const
+inline TriangleId FiltrationPairs::LoopFilled(EdgeId edge) const
 {
-  return this->LoopFilledBy[static_cast<std::size_t>(edge)];
+  return this->LoopFilledBy[edge];
 }
 
-inline SimplexId FiltrationPairs::LoopClosed(SimplexId triangle) const
+inline EdgeId FiltrationPairs::LoopClosed(TriangleId triangle) const
 {
-  return std::max(-1, this->Partner[static_cast<std::size_t>(triangle)]);
+  return EdgeId(std::max(-1, this->Partner[triangle]));
 }
 
 }

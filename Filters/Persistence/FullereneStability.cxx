@@ -139,22 +139,20 @@ std::vector<DistanceBar> AlphaBars(
   const CellFiltration filtration = DelaunayFiltration(places, Between(progress, 0.0, 0.7));
   const FiltrationPairs pairs(filtration, Between(progress, 0.7, 1.0));
   std::vector<DistanceBar> bars;
-  for (std::size_t edge = 0; edge < filtration.Edges.size(); ++edge)
+  for (const EdgeId edge : filtration.Edges.Keys())
   {
-    const SimplexId filler = pairs.LoopFilled(static_cast<SimplexId>(edge));
-    if (filler >= 0 && filtration.EdgeValue[edge] < end)
+    const TriangleId filler = pairs.LoopFilled(edge);
+    if (filler.Exists() && filtration.EdgeValue[edge] < end)
     {
-      AddBar(1, filtration.EdgeValue[edge],
-        filtration.TriangleValue[static_cast<std::size_t>(filler)], bars);
+      AddBar(1, filtration.EdgeValue[edge], filtration.TriangleValue[filler], bars);
     }
   }
-  for (std::size_t triangle = 0; triangle < filtration.TriangleCount() && !inPlane; ++triangle)
+  for (const TriangleId triangle : filtration.Triangles())
   {
-    const SimplexId filler = pairs.VoidFilled(static_cast<SimplexId>(triangle));
-    if (filler >= 0)
+    const TetrahedronId filler = pairs.VoidFilled(triangle);
+    if (filler.Exists() && !inPlane)
     {
-      AddBar(2, filtration.TriangleValue[triangle],
-        filtration.TetrahedronValue[static_cast<std::size_t>(filler)], bars);
+      AddBar(2, filtration.TriangleValue[triangle], filtration.TetrahedronValue[filler], bars);
     }
   }
   Sort(bars);

@@ -84,7 +84,7 @@ private:
   std::int64_t Below(std::int64_t node) const
   {
     const int edge = this->Cells.Lower()[node].Partner[Star::Node];
-    return edge == Star::Node ? node : node + this->Cells.Lower().Offset(edge);
+    return edge == Star::Node ? node : node + this->Cells.Lower().Offset(StarCell(edge));
   }
 
   std::int64_t MinimumOf(std::int64_t node) const

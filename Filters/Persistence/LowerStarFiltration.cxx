@@ -32,7 +32,7 @@ struct Face
 template <typename Visit>
 void ForFaces(const CellFiltration& f, const Visit& visit)
 {
-  for (std::size_t cell = 0; cell < f.Tetrahedra.size(); ++cell)
+  for (const TetrahedronId cell : f.Tetrahedra.Keys())
   {
     const auto& t = f.Tetrahedra[cell];
     for (std::size_t k = 0; k < 4; ++k)
@@ -41,7 +41,7 @@ void ForFaces(const CellFiltration& f, const Visit& visit)
       const SimplexId low = std::min(a, b), high = std::max(a, b);
       const auto middle = static_cast<std::uint64_t>(std::max(low, std::min(high, c)));
       visit(At(std::min(low, c)),
-        Face{ middle << 32 | static_cast<std::uint64_t>(std::max(high, c)), 4 * cell + k });
+        Face{ middle << 32 | static_cast<std::uint64_t>(std::max(high, c)), 4 * cell.Index() + k });
     }
   }
 }
@@ -73,8 +73,9 @@ std::ptrdiff_t LinkTwins(CellFiltration& f, Face* begin, Face* end)
       return face - begin;
     }
     const std::uint64_t one = face[0].Place, other = face[1].Place;
-    f.Neighbours[one / 4][one % 4] = static_cast<SimplexId>(other / 4);
-    f.Neighbours[other / 4][other % 4] = static_cast<SimplexId>(one / 4);
+    const auto cell = TetrahedronId::At(one / 4), beyond = TetrahedronId::At(other / 4);
+    f.Neighbours[cell][one % 4] = beyond;
+    f.Neighbours[beyond][other % 4] = cell;
     ++face;
   }
   return -1;
@@ -84,7 +85,8 @@ void FindNeighbours(CellFiltration& f, const ProgressCallback& progress)
 {
   std::vector<std::size_t> first;
   std::vector<Face> faces = FacesByPoint(f, first);
-  f.Neighbours.assign(f.Tetrahedra.size(), { -1, -1, -1, -1 });
+  constexpr TetrahedronId none = TetrahedronId::None();
+  f.Neighbours.assign(f.Tetrahedra.size(), { none, none, none, none });
   std::vector<std::ptrdiff_t> crowded(f.Points.size(), -1);
   ParallelFor(
     0, static_cast<std::int64_t>(f.Points.size()), 1024,
@@ -181,7 +183,7 @@ void MarkSurface(CellFiltration& f, const SurfaceView& surface)
   }
   const std::vector<WantedTriangle> wanted = WantedTriangles(surface);
   std::vector<char> found(wanted.size(), 0);
-  for (std::size_t t = 0; t < f.TriangleCount(); ++t)
+  for (const TriangleId t : f.Triangles())
   {
     const auto p = f.TrianglePoints(t);
     if (onSurface[At(p[0])] == 0 || onSurface[At(p[1])] == 0 || onSurface[At(p[2])] == 0)
@@ -193,9 +195,9 @@ void MarkSurface(CellFiltration& f, const SurfaceView& surface)
     {
       found[static_cast<std::size_t>(w - wanted.begin())] = 1;
       f.TriangleFirst[t] = 1;
-      for (const SimplexId e : f.TriangleEdges[t])
+      for (const EdgeId e : f.TriangleEdges[t])
       {
-        f.EdgeFirst[At(e)] = 1;
+        f.EdgeFirst[e] = 1;
       }
     }
   }
@@ -209,20 +211,20 @@ void MarkSurface(CellFiltration& f, const SurfaceView& surface)
   }
 }
 
-/// The greatest of the values at the points of `simplex(i)`, for each i below `count`.
-template <typename Simplex>
-std::vector<double> LastValues(
+/// The greatest of the values at the points of `simplex(id)`, for each of `count` simplices.
+template <typename Id, typename Simplex>
+HandleVector<Id, double> LastValues(
   std::size_t count, const Simplex& simplex, const std::vector<double>& square)
 {
-  std::vector<double> values(count, 0.0);
+  HandleVector<Id, double> values(count, 0.0);
   ParallelFor(0, static_cast<std::int64_t>(count), 1 << 14,
     [&](std::int64_t begin, std::int64_t end)
     {
-      for (std::int64_t i = begin; i < end; ++i)
+      for (const Id id : HandleRange<Id>(begin, end))
       {
-        for (const SimplexId p : simplex(At(i)))
+        for (const SimplexId p : simplex(id))
         {
-          values[At(i)] = std::max(values[At(i)], square[At(p)]);
+          values[id] = std::max(values[id], square[At(p)]);
         }
       }
     });
@@ -263,12 +265,12 @@ CellFiltration LowerStarFiltration(const TetrahedralMesh& mesh, const std::vecto
   Match(f, surface);
   MarkSurface(f, surface);
   Report(progress, 0.8);
-  f.TetrahedronValue = LastValues(
-    f.Tetrahedra.size(), [&f](std::size_t i) { return f.Tetrahedra[i]; }, square);
-  f.TriangleValue = LastValues(
-    f.TriangleCount(), [&f](std::size_t i) { return f.TrianglePoints(i); }, square);
-  f.EdgeValue = LastValues(
-    f.Edges.size(), [&f](std::size_t i) { return f.Edges[i]; }, square);
+  f.TetrahedronValue = LastValues<TetrahedronId>(
+    f.Tetrahedra.size(), [&f](TetrahedronId cell) { return f.Tetrahedra[cell]; }, square);
+  f.TriangleValue = LastValues<TriangleId>(
+    f.TriangleCount(), [&f](TriangleId t) { return f.TrianglePoints(t); }, square);
+  f.EdgeValue = LastValues<EdgeId>(
+    f.Edges.size(), [&f](EdgeId e) { return f.Edges[e]; }, square);
   f.Order(Between(progress, 0.8, 1.0));
   return f;
 }

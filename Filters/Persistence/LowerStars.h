@@ -43,7 +43,7 @@ public:
   std::size_t KindCount() const { return this->Matchings.size(); }
 
   /// From a node to the opposite corner of a cell of its star, as a difference of indices.
-  std::int64_t Offset(int cell) const { return this->Offsets[static_cast<std::size_t>(cell)]; }
+  std::int64_t Offset(StarCell cell) const { return this->Offsets[cell.Index()]; }
   std::int64_t Stride(std::size_t axis) const { return this->Strides[axis]; }
 
 private:

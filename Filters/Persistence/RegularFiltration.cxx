@@ -25,7 +25,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using ExactKernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<SimplexId, Kernel,
   CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
-using CellBase = CGAL::Triangulation_cell_base_with_info_3<SimplexId, Kernel,
+using CellBase = CGAL::Triangulation_cell_base_with_info_3<TetrahedronId, Kernel,
   CGAL::Regular_triangulation_cell_base_3<Kernel, CGAL::Triangulation_cell_base_3<Kernel>,
     CGAL::Discard_hidden_points>>;
 using Regular =
@@ -173,31 +173,33 @@ void Triangulate(
   }
 }
 
-void ForAll(std::size_t n, const std::function<void(std::size_t)>& body)
+/// Of all ids of a kind.
+template <typename Id>
+void ForAll(std::size_t n, const std::function<void(Id)>& body)
 {
   ParallelFor(0, static_cast<std::int64_t>(n), 4096,
     [&body](std::int64_t begin, std::int64_t end)
     {
-      for (auto i = begin; i < end; ++i)
+      for (const Id id : HandleRange<Id>(begin, end))
       {
-        body(static_cast<std::size_t>(i));
+        body(id);
       }
     });
 }
 
-double TriangleValue(const RegularFiltration& f, std::size_t i)
+double TriangleValue(const RegularFiltration& f, TriangleId triangle)
 {
   const CellFiltration& complex = f.Complex;
-  const auto t = complex.TrianglePoints(i);
+  const auto t = complex.TrianglePoints(triangle);
   bool attached = false;
   double lowest = HUGE_VAL;
-  for (const SimplexId cell : complex.TriangleSides(i))
+  for (const TetrahedronId cell : complex.TriangleSides(triangle))
   {
-    if (cell < 0)
+    if (!cell.Exists())
     {
       continue;
     }
-    lowest = std::min(lowest, complex.TetrahedronValue[At(cell)]);
+    lowest = std::min(lowest, complex.TetrahedronValue[cell]);
     attached = attached ||
       Kernel().power_side_of_bounded_power_sphere_3_object()(BallOf<Kernel>(f, t[0]),
         BallOf<Kernel>(f, t[1]), BallOf<Kernel>(f, t[2]),
@@ -227,22 +229,22 @@ void ValueEdges(RegularFiltration& f)
 {
   CellFiltration& c = f.Complex;
   c.EdgeValue.assign(c.Edges.size(), HUGE_VAL);
-  std::vector<Orthosphere> spheres(c.Edges.size());
-  ForAll(c.Edges.size(), [&](std::size_t e) { spheres[e] = EdgeOrthosphere(f, c.Edges[e]); });
-  std::vector<char> attached(c.Edges.size(), 0);
-  for (std::size_t i = 0; i < c.TriangleCount(); ++i)
+  HandleVector<EdgeId, Orthosphere> spheres(c.Edges.size());
+  ForAll<EdgeId>(c.Edges.size(), [&](EdgeId e) { spheres[e] = EdgeOrthosphere(f, c.Edges[e]); });
+  HandleVector<EdgeId, char> attached(c.Edges.size(), 0);
+  for (const TriangleId t : c.Triangles())
   {
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const auto e = At(c.TriangleEdges[i][k]);
-      c.EdgeValue[e] = std::min(c.EdgeValue[e], c.TriangleValue[i]);
-      if (!attached[e] && CutsInto(f, c.Edges[e], spheres[e], c.TrianglePoints(i)[k]))
+      const EdgeId e = c.TriangleEdges[t][k];
+      c.EdgeValue[e] = std::min(c.EdgeValue[e], c.TriangleValue[t]);
+      if (!attached[e] && CutsInto(f, c.Edges[e], spheres[e], c.TrianglePoints(t)[k]))
       {
         attached[e] = 1;
       }
     }
   }
-  for (std::size_t e = 0; e < c.Edges.size(); ++e)
+  for (const EdgeId e : c.Edges.Keys())
   {
     if (!attached[e])
     {
@@ -257,7 +259,7 @@ void ValueVertices(RegularFiltration& f)
   const CellFiltration& c = f.Complex;
   f.VertexValue.assign(c.Points.size(), HUGE_VAL);
   std::vector<char> attached(c.Points.size(), 0);
-  for (std::size_t e = 0; e < c.Edges.size(); ++e)
+  for (const EdgeId e : c.Edges.Keys())
   {
     const Point3 d = c.Points[At(c.Edges[e][1])] - c.Points[At(c.Edges[e][0])];
     for (std::size_t k = 0; k < 2; ++k)
@@ -301,16 +303,17 @@ RegularFiltration MakeRegularFiltration(
   c.Connect(Between(progress, 0.55, 0.7));
   f.Centres.resize(c.Tetrahedra.size());
   c.TetrahedronValue.resize(c.Tetrahedra.size());
-  ForAll(c.Tetrahedra.size(),
-    [&](std::size_t i)
+  ForAll<TetrahedronId>(c.Tetrahedra.size(),
+    [&](TetrahedronId cell)
     {
-      const Orthosphere sphere = OrthosphereOf(f, c.Tetrahedra[i]);
-      f.Centres[i] = sphere.Centre;
-      c.TetrahedronValue[i] = sphere.Power;
+      const Orthosphere sphere = OrthosphereOf(f, c.Tetrahedra[cell]);
+      f.Centres[cell] = sphere.Centre;
+      c.TetrahedronValue[cell] = sphere.Power;
     });
   Report(progress, 0.8);
   c.TriangleValue.resize(c.TriangleCount());
-  ForAll(c.TriangleCount(), [&](std::size_t i) { c.TriangleValue[i] = TriangleValue(f, i); });
+  ForAll<TriangleId>(
+    c.TriangleCount(), [&](TriangleId t) { c.TriangleValue[t] = TriangleValue(f, t); });
   Report(progress, 0.9);
   ValueEdges(f);
   ValueVertices(f);

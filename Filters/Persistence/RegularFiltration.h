@@ -23,10 +23,10 @@ namespace isthmus
  */
 struct RegularFiltration
 {
-  CellFiltration Complex;          ///< not yet ordered: call Order() for persistence
-  std::vector<double> Radii;       ///< of the balls, by point
-  std::vector<double> VertexValue; ///< -R^2, or more where attached; HUGE_VAL: hidden
-  std::vector<Point3> Centres;     ///< of each tetrahedron's orthogonal sphere
+  CellFiltration Complex;                      ///< not yet ordered: call Order() for persistence
+  std::vector<double> Radii;                   ///< of the balls, by point
+  std::vector<double> VertexValue;             ///< -R^2, or more where attached; HUGE_VAL: hidden
+  HandleVector<TetrahedronId, Point3> Centres; ///< of each tetrahedron's orthogonal sphere
 
   /// False for balls whose power cell is empty: they touch no simplex.
   bool IsUsed(std::size_t ball) const { return this->VertexValue[ball] < HUGE_VAL; }

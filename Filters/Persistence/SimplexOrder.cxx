@@ -159,14 +159,16 @@ std::vector<Entry> SortedEntries(const EntryKeys& keys, std::size_t n)
 
 }
 
-std::vector<std::int32_t> SimplexOrder(const std::vector<double>& value,
-  const std::vector<char>& first, std::vector<std::int32_t>& rank, const ProgressCallback& progress)
+template <typename Id, typename Rank>
+HandleVector<Rank, Id> SimplexOrder(const HandleVector<Id, double>& value,
+  const HandleVector<Id, char>& first, HandleVector<Id, Rank>& rank,
+  const ProgressCallback& progress)
 {
   const EntryKeys keys(value, first);
   Report(progress, 0.1);
   std::vector<Entry> entries = SortedEntries(keys, value.size());
   Report(progress, 0.6);
-  std::vector<std::int32_t> order(value.size());
+  HandleVector<Rank, Id> order(value.size());
   rank.resize(value.size());
   const std::vector<std::int64_t> starts = RunStarts(entries);
   ParallelFor(
@@ -180,13 +182,23 @@ std::vector<std::int32_t> SimplexOrder(const std::vector<double>& value,
         SortRuns(entries, keys, from, to);
         for (std::size_t i = from; i < to; ++i)
         {
-          order[i] = static_cast<std::int32_t>(IdOf(entries[i]));
-          rank[IdOf(entries[i])] = static_cast<std::int32_t>(i);
+          const auto id = Id::At(IdOf(entries[i]));
+          order[Rank::At(i)] = id;
+          rank[id] = Rank::At(i);
         }
       }
     },
     Between(progress, 0.6, 1.0));
   return order;
 }
+
+template HandleVector<EdgeRank, EdgeId> SimplexOrder(const HandleVector<EdgeId, double>&,
+  const HandleVector<EdgeId, char>&, HandleVector<EdgeId, EdgeRank>&, const ProgressCallback&);
+template HandleVector<TriangleRank, TriangleId> SimplexOrder(
+  const HandleVector<TriangleId, double>&, const HandleVector<TriangleId, char>&,
+  HandleVector<TriangleId, TriangleRank>&, const ProgressCallback&);
+template HandleVector<TetrahedronRank, TetrahedronId> SimplexOrder(
+  const HandleVector<TetrahedronId, double>&, const HandleVector<TetrahedronId, char>&,
+  HandleVector<TetrahedronId, TetrahedronRank>&, const ProgressCallback&);
 
 }

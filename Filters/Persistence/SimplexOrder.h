@@ -6,16 +6,14 @@
 #define isthmus_SimplexOrder_h
 
 #include "Progress.h"
+#include "SimplexIds.h"
 #include "vtkIsthmusModule.h" // for the export macro
-
-#include <cstdint>
-#include <vector>
 
 namespace isthmus
 {
 
 /**
- * Ids 0..n-1 of simplices in ascending (first, value, id); `rank` becomes the inverse.
+ * All simplices of one dimension in ascending (first, value, id); `rank` becomes the inverse.
  *
  * `first` marks simplices that come before all others (one flag each, or none); no value is NaN.
  * Bits of doubles, turned round below zero, stand in the order of their values: the 32 leading ones
@@ -23,9 +21,20 @@ namespace isthmus
  * value itself. O(n), parallel, the same on any number of threads; 16 bytes a simplex while it
  * runs.
  */
-VTKISTHMUS_EXPORT std::vector<std::int32_t> SimplexOrder(const std::vector<double>& value,
-  const std::vector<char>& first, std::vector<std::int32_t>& rank,
+template <typename Id, typename Rank>
+HandleVector<Rank, Id> SimplexOrder(const HandleVector<Id, double>& value,
+  const HandleVector<Id, char>& first, HandleVector<Id, Rank>& rank,
   const ProgressCallback& progress = {});
+
+extern template VTKISTHMUS_EXPORT HandleVector<EdgeRank, EdgeId> SimplexOrder(
+  const HandleVector<EdgeId, double>& value, const HandleVector<EdgeId, char>& first,
+  HandleVector<EdgeId, EdgeRank>& rank, const ProgressCallback& progress);
+extern template VTKISTHMUS_EXPORT HandleVector<TriangleRank, TriangleId> SimplexOrder(
+  const HandleVector<TriangleId, double>& value, const HandleVector<TriangleId, char>& first,
+  HandleVector<TriangleId, TriangleRank>& rank, const ProgressCallback& progress);
+extern template VTKISTHMUS_EXPORT HandleVector<TetrahedronRank, TetrahedronId> SimplexOrder(
+  const HandleVector<TetrahedronId, double>& value, const HandleVector<TetrahedronId, char>& first,
+  HandleVector<TetrahedronId, TetrahedronRank>& rank, const ProgressCallback& progress);
 
 }
 

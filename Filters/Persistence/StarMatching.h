@@ -5,12 +5,17 @@
 #ifndef isthmus_StarMatching_h
 #define isthmus_StarMatching_h
 
+#include "Handles.h"
+
 #include <array>
 #include <cstdint>
 #include <vector>
 
 namespace isthmus
 {
+
+/// A cell of the star of a node by its number there.
+using StarCell = Handle<struct StarCellKind, int>;
 
 /**
  * The cells round a node, numbered 0-5 (edges), 6-17 (faces), 18-25 (cubes); 26 is the node.

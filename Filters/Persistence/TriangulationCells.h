@@ -36,32 +36,32 @@ std::vector<std::size_t> SpatialOrder(const std::vector<typename Kernel::Point_3
 /**
  * The finite cells, numbered as the triangulation hands them out, with their neighbours. O(n).
  *
- * @pre `info()` of each vertex is the point's id. That of the cells is written.
+ * @pre `info()` of each vertex is the point's id. That of the cells, a TetrahedronId, is written.
  * @throws Cancelled.
  */
 template <typename Triangulation>
 void TakeCells(
   const Triangulation& triangulation, CellFiltration& f, const ProgressCallback& progress)
 {
-  constexpr SimplexId reportEvery = 1 << 18;
+  constexpr std::size_t reportEvery = 1 << 18;
   for (auto c = triangulation.all_cells_begin(); c != triangulation.all_cells_end(); ++c)
   {
-    c->info() = -1;
+    c->info() = TetrahedronId::None();
   }
-  SimplexId count = 0;
+  std::size_t count = 0;
   for (auto c = triangulation.finite_cells_begin(); c != triangulation.finite_cells_end(); ++c)
   {
-    c->info() = count++;
+    c->info() = TetrahedronId::At(count++);
   }
-  f.Tetrahedra.resize(static_cast<std::size_t>(count));
-  f.Neighbours.resize(static_cast<std::size_t>(count));
+  f.Tetrahedra.resize(count);
+  f.Neighbours.resize(count);
   for (auto c = triangulation.finite_cells_begin(); c != triangulation.finite_cells_end(); ++c)
   {
-    if (c->info() % reportEvery == 0)
+    const TetrahedronId cell = c->info();
+    if (cell.Index() % reportEvery == 0)
     {
-      Report(progress, static_cast<double>(c->info()) / static_cast<double>(count));
+      Report(progress, static_cast<double>(cell.Index()) / static_cast<double>(count));
     }
-    const auto cell = static_cast<std::size_t>(c->info());
     for (int k = 0; k < 4; ++k)
     {
       f.Tetrahedra[cell][static_cast<std::size_t>(k)] = c->vertex(k)->info();

@@ -11,7 +11,7 @@ namespace isthmus
 {
 
 /**
- * For each triangle: the tetrahedron that fills the void it closes, or -1 where it closes none.
+ * For each triangle: the tetrahedron that fills the void it closes, or None where it closes none.
  *
  * Tetrahedra are joined across triangles from the last to the first; the younger of two basins, the
  * one whose latest tetrahedron enters earlier, ends there (the elder rule, seen from the
@@ -19,7 +19,7 @@ namespace isthmus
  * enters together lies together. Near linear; 8 bytes a tetrahedron and 8 a triangle beside the
  * result.
  */
-VTKISTHMUS_EXPORT std::vector<SimplexId> VoidPairs(
+VTKISTHMUS_EXPORT HandleVector<TriangleId, TetrahedronId> VoidPairs(
   const CellFiltration& f, const ProgressCallback& progress = {});
 
 }

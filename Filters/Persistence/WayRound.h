@@ -59,7 +59,7 @@ public:
     return this->Find(from, to, latest, limit);
   }
 
-  double StepLength(int cell) const { return this->Lengths[static_cast<std::size_t>(cell)]; }
+  double StepLength(StarCell cell) const { return this->Lengths[cell.Index()]; }
 
 private:
   Nodes Find(std::int64_t from, std::int64_t to, std::int64_t latest, double limit)
@@ -111,7 +111,7 @@ private:
   void Spread(Open& open, std::int64_t at, double length)
   {
     const LowerStars& stars = this->Cells.Lower();
-    for (int cell = 0; cell < Star::Node; ++cell)
+    for (const StarCell cell : HandleRange<StarCell>(Star::Node))
     {
       if (!this->StaysInside(at, cell))
       {
@@ -120,8 +120,8 @@ private:
       const std::int64_t next = at + stars.Offset(cell);
       // The last step is along another edge of the node; diagonals keep away from it, so that
       // they do not run along the edge itself.
-      const bool arrives =
-        next == this->Latest && next == this->Goal && cell < Star::FirstFace && at != this->Start;
+      const bool arrives = next == this->Latest && next == this->Goal &&
+        cell.Value < Star::FirstFace && at != this->Start;
       if (arrives || this->WasThere(at, cell))
       {
         this->Offer(open, next, length + this->StepLength(cell), at);
@@ -129,13 +129,13 @@ private:
     }
   }
 
-  bool StaysInside(std::int64_t node, int cell) const
+  bool StaysInside(std::int64_t node, StarCell cell) const
   {
     const LowerStars& stars = this->Cells.Lower();
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const std::int64_t at = node / stars.Stride(axis) % stars.Dimensions()[axis];
-      const std::int64_t to = at + Star::Steps[static_cast<std::size_t>(cell)][axis];
+      const std::int64_t to = at + Star::Steps[cell.Index()][axis];
       if (to < 0 || to >= stars.Dimensions()[axis])
       {
         return false;
@@ -145,9 +145,9 @@ private:
   }
 
   /// Whether all corners of the cell entered before the latest.
-  bool WasThere(std::int64_t node, int cell) const
+  bool WasThere(std::int64_t node, StarCell cell) const
   {
-    const auto& step = Star::Steps[static_cast<std::size_t>(cell)];
+    const auto& step = Star::Steps[cell.Index()];
     for (int corner = 1; corner < 8; ++corner)
     {
       std::int64_t at = node;

@@ -53,7 +53,7 @@ void WriteFluxes(const PoissonNernstPlanck& solution, std::int64_t node,
   Point3 current{ 0.0, 0.0, 0.0 };
   for (std::size_t k = 0; k < fluxes.size(); ++k)
   {
-    const Point3 flux = FluxAt(solution, k, node);
+    const Point3 flux = FluxAt(solution, SpeciesId(k), node);
     for (std::size_t a = 0; a < 3; ++a)
     {
       fluxes[k][3 * node + static_cast<std::int64_t>(a)] = static_cast<float>(flux[a]);
@@ -111,7 +111,7 @@ void FillTransportImage(
       {
         for (std::size_t k = 0; k < concentrations.size(); ++k)
         {
-          concentrations[k][node] = static_cast<float>(solution.Concentration(k, node));
+          concentrations[k][node] = static_cast<float>(solution.Concentration(SpeciesId(k), node));
         }
         WriteFluxes(solution, node, fluxes, current);
       }

@@ -18,16 +18,16 @@ constexpr double Rounding = 1e-16;
 
 }
 
-double PoissonNernstPlanck::Mobility(std::size_t species, std::int64_t node) const
+double PoissonNernstPlanck::Mobility(SpeciesId species, std::int64_t node) const
 {
-  const TransportSpecies& s = this->Parameters.Species[species];
+  const TransportSpecies& s = this->Parameters.Species[species.Index()];
   const auto along = static_cast<double>(this->Grid.Along[static_cast<std::size_t>(node)]);
   const bool slow = std::abs(along) < 0.5 * this->Parameters.Membrane.Thickness;
   return s.Diffusion * (slow ? s.ChannelFraction : 1.0);
 }
 
 double PoissonNernstPlanck::EdgeConductance(
-  std::size_t species, std::size_t axis, std::int64_t node, double rootHere, double rootThere) const
+  SpeciesId species, std::size_t axis, std::int64_t node, double rootHere, double rootThere) const
 {
   const double here = this->Mobility(species, node);
   const double there = this->Mobility(species, node + this->Grid.Domain.Steps()[axis]);
@@ -36,9 +36,9 @@ double PoissonNernstPlanck::EdgeConductance(
     SlotboomConductance(rootHere, rootThere);
 }
 
-void PoissonNernstPlanck::FillNernstPlanck(std::size_t species)
+void PoissonNernstPlanck::FillNernstPlanck(SpeciesId species)
 {
-  const double half = -0.5 * this->Parameters.Species[species].Valence;
+  const double half = -0.5 * this->Parameters.Species[species.Index()].Valence;
   this->Work.resize(this->Phi.size());
   for (std::size_t p = 0; p < this->Phi.size(); ++p)
   {
@@ -58,7 +58,7 @@ void PoissonNernstPlanck::FillNernstPlanck(std::size_t species)
   }
 }
 
-double PoissonNernstPlanck::EdgeFlux(std::size_t species, std::size_t axis, std::int64_t node) const
+double PoissonNernstPlanck::EdgeFlux(SpeciesId species, std::size_t axis, std::int64_t node) const
 {
   const auto p = static_cast<std::size_t>(node);
   if (this->Grid.Aperture[axis][p] == 0.0F)
@@ -66,13 +66,13 @@ double PoissonNernstPlanck::EdgeFlux(std::size_t species, std::size_t axis, std:
     return 0.0;
   }
   const auto q = static_cast<std::size_t>(node + this->Grid.Domain.Steps()[axis]);
-  const double half = -0.5 * this->Parameters.Species[species].Valence;
+  const double half = -0.5 * this->Parameters.Species[species.Index()].Valence;
   return this->EdgeConductance(
            species, axis, node, std::exp(half * this->Phi[p]), std::exp(half * this->Phi[q])) *
     (this->V[species][p] - this->V[species][q]);
 }
 
-double PoissonNernstPlanck::Throughput(std::size_t species) const
+double PoissonNernstPlanck::Throughput(SpeciesId species) const
 {
   const std::array<std::int64_t, 3> steps = this->Grid.Domain.Steps();
   const auto below = static_cast<unsigned char>(Bath::Below);
@@ -95,7 +95,7 @@ double PoissonNernstPlanck::Throughput(std::size_t species) const
 
 /// The part of its current that nodes do not pass on when it is done.
 double PoissonNernstPlanck::SolveSpecies(
-  std::size_t k, double accuracy, const ProgressCallback& progress)
+  SpeciesId k, double accuracy, const ProgressCallback& progress)
 {
   constexpr int rounds = 12;
   std::vector<double>& v = this->V[k];
@@ -134,10 +134,10 @@ double PoissonNernstPlanck::SolveSpecies(
 
 /// A current that nobody asks for: a millionth of what the larger bath would send through the whole
 /// cylinder. Of less than that no part is worth telling.
-double PoissonNernstPlanck::Trickle(std::size_t species) const
+double PoissonNernstPlanck::Trickle(SpeciesId species) const
 {
   constexpr double part = 1e-6;
-  const TransportSpecies& s = this->Parameters.Species[species];
+  const TransportSpecies& s = this->Parameters.Species[species.Index()];
   const TransportDomain& d = this->Grid.Domain;
   const double most = this->Factor * std::max(s.Below, s.Above);
   return std::max(part * s.Diffusion * most * Pi * d.Radius * d.Radius / (2.0 * d.HalfLength),
@@ -147,7 +147,7 @@ double PoissonNernstPlanck::Trickle(std::size_t species) const
 void PoissonNernstPlanck::SolveNernstPlanck(double accuracy, const ProgressCallback& progress)
 {
   this->Report.Imbalance = 0.0;
-  for (std::size_t k = 0; k < this->V.size(); ++k)
+  for (const SpeciesId k : this->V.Keys())
   {
     this->Report.Imbalance =
       std::max(this->Report.Imbalance, this->SolveSpecies(k, accuracy, progress));

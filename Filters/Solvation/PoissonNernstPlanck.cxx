@@ -65,9 +65,9 @@ PoissonNernstPlanck::PoissonNernstPlanck(
     }
   }
   this->V.resize(parameters.Species.size());
-  for (std::size_t k = 0; k < this->V.size(); ++k)
+  for (const SpeciesId k : this->V.Keys())
   {
-    const TransportSpecies& s = parameters.Species[k];
+    const TransportSpecies& s = parameters.Species[k.Index()];
     this->V[k].assign(this->Open.size(), 0.0);
     for (std::size_t p = 0; p < this->Open.size(); ++p)
     {
@@ -87,9 +87,12 @@ void PoissonNernstPlanck::SetBaths(double voltage, double concentrationFactor)
   {
     this->Phi[p] +=
       more * this->Parameters.Membrane.PartBelow(static_cast<double>(this->Grid.Along[p]));
-    for (std::size_t k = 0; k < this->V.size() && this->Grid.Baths[p] != 0; ++k)
+    if (this->Grid.Baths[p] != 0)
     {
-      this->V[k][p] = this->BathValue(k, this->Grid.Baths[p]);
+      for (const SpeciesId k : this->V.Keys())
+      {
+        this->V[k][p] = this->BathValue(k, this->Grid.Baths[p]);
+      }
     }
   }
   this->Report = {};
@@ -98,7 +101,7 @@ void PoissonNernstPlanck::SetBaths(double voltage, double concentrationFactor)
 void PoissonNernstPlanck::StartFrom(const PoissonNernstPlanck& other)
 {
   this->Phi = other.Phi;
-  for (std::size_t k = 0; k < this->V.size(); ++k)
+  for (const SpeciesId k : this->V.Keys())
   {
     for (std::size_t p = 0; p < this->Open.size(); ++p)
     {
@@ -111,20 +114,20 @@ void PoissonNernstPlanck::StartFrom(const PoissonNernstPlanck& other)
   this->SetBaths(this->Voltage, this->Factor);
 }
 
-double PoissonNernstPlanck::BathValue(std::size_t species, unsigned char bath) const
+double PoissonNernstPlanck::BathValue(SpeciesId species, unsigned char bath) const
 {
-  const TransportSpecies& s = this->Parameters.Species[species];
+  const TransportSpecies& s = this->Parameters.Species[species.Index()];
   return bath == static_cast<unsigned char>(Bath::Above) ? this->Factor * s.Above
                                                          : this->Factor * s.Below *
       std::exp(s.Valence * Thermal(this->Voltage, this->Parameters.Temperature));
 }
 
-double PoissonNernstPlanck::Concentration(std::size_t species, std::int64_t node) const
+double PoissonNernstPlanck::Concentration(SpeciesId species, std::int64_t node) const
 {
   const auto p = static_cast<std::size_t>(node);
-  return this->Open[p] == 0
-    ? 0.0
-    : this->V[species][p] * std::exp(-this->Parameters.Species[species].Valence * this->Phi[p]);
+  return this->Open[p] == 0 ? 0.0
+                            : this->V[species][p] *
+      std::exp(-this->Parameters.Species[species.Index()].Valence * this->Phi[p]);
 }
 
 void PoissonNernstPlanck::FillCharge()
@@ -137,9 +140,10 @@ void PoissonNernstPlanck::FillCharge()
       {
         const auto p = static_cast<std::size_t>(node);
         double charge = 0.0, slope = 0.0;
-        for (std::size_t k = 0; k < this->V.size() && this->Open[p] != 0; ++k)
+        const HandleRange<SpeciesId> present(this->Open[p] != 0 ? this->V.size() : 0);
+        for (const SpeciesId k : present)
         {
-          const double z = this->Parameters.Species[k].Valence;
+          const double z = this->Parameters.Species[k.Index()].Valence;
           const double ions = this->ChargeScale * static_cast<double>(this->Grid.Water[p]) *
             this->V[k][p] * std::exp(-z * this->Phi[p]);
           charge += z * ions;

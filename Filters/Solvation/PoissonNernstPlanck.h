@@ -20,6 +20,7 @@
 #ifndef isthmus_PoissonNernstPlanck_h
 #define isthmus_PoissonNernstPlanck_h
 
+#include "Handles.h"
 #include "Progress.h"
 #include "ResistorNetwork.h"
 #include "TransportGrid.h"
@@ -29,6 +30,9 @@
 
 namespace isthmus
 {
+
+/// A species by its place in IonTransportParameters::Species.
+using SpeciesId = Handle<struct SpeciesKind, std::size_t>;
 
 /// Memory: 160 bytes a node for two networks, 40 for phi and work, 8 for each species. The same
 /// bits on any number of threads: the loops that decide about them run on one.
@@ -59,28 +63,28 @@ public:
   double GetFactor() const { return this->Factor; }
   const std::vector<double>& GetPotential() const { return this->Phi; }
   /// Slotboom's v of a species, mol/l.
-  const std::vector<double>& GetSlotboom(std::size_t species) const { return this->V[species]; }
+  const std::vector<double>& GetSlotboom(SpeciesId species) const { return this->V[species]; }
   /// mol/l; 0 where there is no water.
-  double Concentration(std::size_t species, std::int64_t node) const;
+  double Concentration(SpeciesId species, std::int64_t node) const;
   bool IsWater(std::int64_t node) const { return this->Open[static_cast<std::size_t>(node)] != 0; }
   /// Of an edge from a node to the next, from the lower node to the higher: angstrom mol/l times
   /// 1e-9 m^2/s.
-  double EdgeFlux(std::size_t species, std::size_t axis, std::int64_t node) const;
+  double EdgeFlux(SpeciesId species, std::size_t axis, std::int64_t node) const;
 
 private:
-  double Mobility(std::size_t species, std::int64_t node) const;
+  double Mobility(SpeciesId species, std::int64_t node) const;
   /// Of an open edge, from exp(-z phi / 2) at both ends; mobilities of both in series.
-  double EdgeConductance(std::size_t species, std::size_t axis, std::int64_t node, double rootHere,
+  double EdgeConductance(SpeciesId species, std::size_t axis, std::int64_t node, double rootHere,
     double rootThere) const;
-  double BathValue(std::size_t species, unsigned char bath) const;
-  void FillNernstPlanck(std::size_t species);
-  double SolveSpecies(std::size_t k, double accuracy, const ProgressCallback& progress);
+  double BathValue(SpeciesId species, unsigned char bath) const;
+  void FillNernstPlanck(SpeciesId species);
+  double SolveSpecies(SpeciesId k, double accuracy, const ProgressCallback& progress);
   void SolveNernstPlanck(double accuracy, const ProgressCallback& progress);
   void FillCharge();
   double SolvePoisson(double accuracy, const ProgressCallback& progress);
   double NewtonStep(const ProgressCallback& progress);
-  double Throughput(std::size_t species) const;
-  double Trickle(std::size_t species) const;
+  double Throughput(SpeciesId species) const;
+  double Trickle(SpeciesId species) const;
 
   const TransportGrid& Grid;
   const IonTransportParameters Parameters;
@@ -89,7 +93,7 @@ private:
   double Factor = 1.0;
   std::vector<unsigned char> Open; ///< nodes with faces that are water
   std::vector<double> Phi;
-  std::vector<std::vector<double>> V;
+  HandleVector<SpeciesId, std::vector<double>> V;
   std::vector<double> Source, Work;
   ResistorNetwork Field, Ions;
   IonTransportReport Report;

@@ -92,7 +92,8 @@ CurrentProfile CurrentsOf(const PoissonNernstPlanck& solution)
           grid.Aperture[a][static_cast<std::size_t>(node)] > 0.0F ? behind(node) : 0;
         const std::int64_t there =
           grid.Aperture[a][static_cast<std::size_t>(node)] > 0.0F ? behind(node + steps[a]) : 0;
-        const double current = here == there ? 0.0 : unit * solution.EdgeFlux(k, a, node);
+        const double current =
+          here == there ? 0.0 : unit * solution.EdgeFlux(SpeciesId(k), a, node);
         for (std::int64_t i = std::min(here, there); i < std::max(here, there); ++i)
         {
           profile.Currents[k][static_cast<std::size_t>(i)] += here < there ? current : -current;
@@ -103,7 +104,7 @@ CurrentProfile CurrentsOf(const PoissonNernstPlanck& solution)
   return profile;
 }
 
-Point3 FluxAt(const PoissonNernstPlanck& solution, std::size_t species, std::int64_t node)
+Point3 FluxAt(const PoissonNernstPlanck& solution, SpeciesId species, std::int64_t node)
 {
   const TransportDomain& d = solution.GetGrid().Domain;
   const std::array<std::int64_t, 3> steps = d.Steps();

@@ -33,7 +33,7 @@ VTKISTHMUS_EXPORT CurrentProfile CurrentsOf(const PoissonNernstPlanck& solution)
 
 /// The flux of a species at a node, ions a nanosecond and square angstrom: the mean of its faces'.
 VTKISTHMUS_EXPORT Point3 FluxAt(
-  const PoissonNernstPlanck& solution, std::size_t species, std::int64_t node);
+  const PoissonNernstPlanck& solution, SpeciesId species, std::int64_t node);
 
 /// pA for an ion of 1 e a nanosecond.
 VTKISTHMUS_EXPORT double PicoamperePerIon();

@@ -110,7 +110,7 @@ double Wall::Laplacian(std::int64_t water) const
   double charge = 0.0;
   for (std::size_t k = 0; k < p.Species.size(); ++k)
   {
-    charge += p.Species[k].Valence * this->Solution.Concentration(k, water);
+    charge += p.Species[k].Valence * this->Solution.Concentration(SpeciesId(k), water);
   }
   return -4.0 * Pi * units::CoulombLength(p.Temperature) * units::IonsPerCubicAngstrom * charge /
     p.SolventDielectric;
@@ -137,8 +137,8 @@ double Wall::IonPressure(std::int64_t water, double phi) const
   {
     const TransportSpecies& s = p.Species[k];
     const double bath = this->Solution.GetFactor() * (below * s.Below + (1.0 - below) * s.Above);
-    excess +=
-      this->Solution.GetSlotboom(k)[static_cast<std::size_t>(water)] * std::exp(-s.Valence * phi) -
+    excess += this->Solution.GetSlotboom(SpeciesId(k))[static_cast<std::size_t>(water)] *
+        std::exp(-s.Valence * phi) -
       bath;
   }
   return units::IonsPerCubicAngstrom * excess;

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
+#include <type_traits>
 #include <vector>
 
 namespace isthmus
@@ -18,15 +18,25 @@ namespace isthmus
 /// the one that means something: the elder of a class, the deepest of a basin. Amortised cost of a
 /// call: O(log n), in practice constant, by halving paths (R. Tarjan and J. van Leeuwen, 1984);
 /// memory: one `Index` a number, so 32 bits do for less than 2^32 of them.
-/// @tparam Index an integer that holds n
+/// @tparam Index an integer that holds n, or a Handle (Handles.h) of such
 template <class Index>
 class DisjointSets
 {
 public:
-  explicit DisjointSets(Index count)
-    : Parents(static_cast<std::size_t>(count))
+  explicit DisjointSets(std::size_t count)
+    : Parents(count)
   {
-    std::iota(this->Parents.begin(), this->Parents.end(), Index{ 0 });
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if constexpr (std::is_integral_v<Index>)
+      {
+        this->Parents[i] = static_cast<Index>(i);
+      }
+      else
+      {
+        this->Parents[i] = Index::At(i);
+      }
+    }
   }
 
   Index Find(Index member)
@@ -51,7 +61,17 @@ public:
   void JoinUnder(Index under, Index root) { this->Parent(under) = root; }
 
 private:
-  Index& Parent(Index member) { return this->Parents[static_cast<std::size_t>(member)]; }
+  Index& Parent(Index member)
+  {
+    if constexpr (std::is_integral_v<Index>)
+    {
+      return this->Parents[static_cast<std::size_t>(member)];
+    }
+    else
+    {
+      return this->Parents[member.Index()];
+    }
+  }
 
   std::vector<Index> Parents;
 };

@@ -27,15 +27,15 @@ TriangleStars::TriangleStars(const SurfaceView& mesh)
   {
     for (const vtkIdType point : mesh.Corners(t))
     {
-      this->Around[At(--this->First[At(point)])] = t;
+      this->Around[At(--this->First[At(point)])] = MeshTriangle(t);
     }
   }
 }
 
 std::pair<vtkIdType, vtkIdType> TriangleStars::OppositeEdge(
-  vtkIdType triangle, vtkIdType point) const
+  MeshTriangle triangle, vtkIdType point) const
 {
-  const Triangle& corner = this->Mesh.Corners(triangle);
+  const Triangle& corner = this->Mesh.Corners(triangle.Value);
   const std::size_t k = corner[0] == point ? 0 : corner[1] == point ? 1 : 2;
   return { corner[(k + 1) % 3], corner[(k + 2) % 3] };
 }
@@ -43,7 +43,7 @@ std::pair<vtkIdType, vtkIdType> TriangleStars::OppositeEdge(
 void TriangleStars::Link(vtkIdType point, std::vector<std::pair<vtkIdType, vtkIdType>>& edges) const
 {
   edges.clear();
-  const vtkIdType* const triangles = this->Triangles(point);
+  const MeshTriangle* const triangles = this->Triangles(point);
   for (vtkIdType i = 0; i < this->Size(point); ++i)
   {
     edges.push_back(this->OppositeEdge(triangles[i], point));

@@ -5,6 +5,7 @@
 #ifndef isthmus_TriangleStars_h
 #define isthmus_TriangleStars_h
 
+#include "Handles.h"
 #include "SurfaceView.h"
 #include "vtkIsthmusModule.h" // for the export macro
 
@@ -13,6 +14,9 @@
 
 namespace isthmus
 {
+
+/// A triangle of a surface where it meets its points.
+using MeshTriangle = Handle<struct MeshTriangleKind, vtkIdType>;
 
 /// What the triangles around a point look like.
 enum class StarKind : unsigned char
@@ -39,13 +43,13 @@ public:
   }
 
   /// Ids of the Size(point) triangles around `point`, in an order that depends on the mesh only.
-  const vtkIdType* Triangles(vtkIdType point) const
+  const MeshTriangle* Triangles(vtkIdType point) const
   {
     return this->Around.data() + this->First[static_cast<std::size_t>(point)];
   }
 
   /// The corners (a, b) of `triangle` that follow its corner `point`.
-  std::pair<vtkIdType, vtkIdType> OppositeEdge(vtkIdType triangle, vtkIdType point) const;
+  std::pair<vtkIdType, vtkIdType> OppositeEdge(MeshTriangle triangle, vtkIdType point) const;
 
   /// Opposite edges of all triangles around `point`, sorted. Reuses the memory of `edges`.
   void Link(vtkIdType point, std::vector<std::pair<vtkIdType, vtkIdType>>& edges) const;
@@ -56,8 +60,8 @@ public:
 
 private:
   SurfaceView Mesh;
-  std::vector<vtkIdType> First;  ///< of each point's triangles in Around; one more at the end
-  std::vector<vtkIdType> Around; ///< triangles, latest first
+  std::vector<vtkIdType> First;     ///< of each point's triangles in Around; one more at the end
+  std::vector<MeshTriangle> Around; ///< latest first
 };
 
 /// Kind of each point's star, in parallel.

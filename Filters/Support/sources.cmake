@@ -2,7 +2,9 @@ isthmus_room(
   HEADERS
     CellList
     CellType
+    FilterProperties
     GridCells
+    Handles
     Progress
     View
   SOURCES
@@ -12,7 +14,8 @@ isthmus_room(
     ChosenScalars
     ErrorOnce
     GridCells
-    ImageExtent
+    ImageCrop
+  ImageExtent
     LargePages
     ParallelFor
     PipelineInputs

@@ -1,5 +1,6 @@
 #include "MSMSReader.h"
 
+#include "Handles.h"
 #include "OpenByteSource.h"
 #include "RangeGuard.h"
 #include "ReaderError.h"
@@ -16,6 +17,8 @@ namespace
 
 constexpr std::size_t VertexColumns = 9;
 constexpr std::size_t FaceColumns = 5;
+
+using ComponentNumber = Handle<struct MSMSComponent, int>;
 
 /// Up to ten leading numbers of a line; what follows them (an atom's name) is left out.
 std::vector<double> NumbersOf(const std::string& line)
@@ -164,8 +167,9 @@ void ReadVertices(
   rows.CheckCount("vertices");
 }
 
-void ReadFaces(const std::filesystem::path& path, int component, std::int64_t firstPoint,
-  MSMSSurface& surface, const ProgressCallback& progress)
+/// `component` is that of all of them, their points are those from `firstPoint` on.
+void ReadFaces(const std::filesystem::path& path, ComponentNumber component,
+  std::int64_t firstPoint, MSMSSurface& surface, const ProgressCallback& progress)
 {
   const auto points = static_cast<std::int64_t>(surface.Points.size()) - firstPoint;
   const std::string text = ContentOf(path, Between(progress, 0.0, 0.2));
@@ -186,7 +190,7 @@ void ReadFaces(const std::filesystem::path& path, int component, std::int64_t fi
     surface.Triangles.push_back(triangle);
     surface.TypeOfTriangle.push_back(rows.SmallInteger(row[3]));
     surface.AnalyticFaceOfTriangle.push_back(rows.SmallInteger(row[4]));
-    surface.ComponentOfTriangle.push_back(component);
+    surface.ComponentOfTriangle.push_back(component.Value);
   }
   rows.CheckCount("faces");
 }
@@ -203,8 +207,8 @@ void ReadMSMS(const std::filesystem::path& file, int component, MSMSSurface& sur
 {
   const auto firstPoint = static_cast<std::int64_t>(surface.Points.size());
   ReadVertices(WithExtension(file, ".vert"), surface, Between(progress, 0.0, 0.5));
-  ReadFaces(
-    WithExtension(file, ".face"), component, firstPoint, surface, Between(progress, 0.5, 1.0));
+  ReadFaces(WithExtension(file, ".face"), ComponentNumber(component), firstPoint, surface,
+    Between(progress, 0.5, 1.0));
 }
 
 std::vector<std::filesystem::path> MSMSComponents(const std::filesystem::path& file)

@@ -60,20 +60,20 @@ std::vector<Bar3> BarsOf(const CellFiltration& f, const FiltrationPairs& pairs)
       bars.push_back({ dimension, birth, death });
     }
   };
-  for (std::size_t e = 0; e < f.Edges.size(); ++e)
+  for (const EdgeId e : f.Edges.Keys())
   {
-    const SimplexId filler = pairs.LoopFilled(static_cast<SimplexId>(e));
-    if (filler >= 0)
+    const TriangleId filler = pairs.LoopFilled(e);
+    if (filler.Exists())
     {
-      add(1.0, f.EdgeValue[e], f.TriangleValue[static_cast<std::size_t>(filler)]);
+      add(1.0, f.EdgeValue[e], f.TriangleValue[filler]);
     }
   }
-  for (std::size_t t = 0; t < f.TriangleCount(); ++t)
+  for (const TriangleId t : f.Triangles())
   {
-    const SimplexId filler = pairs.VoidFilled(static_cast<SimplexId>(t));
-    if (filler >= 0)
+    const TetrahedronId filler = pairs.VoidFilled(t);
+    if (filler.Exists())
     {
-      add(2.0, f.TriangleValue[t], f.TetrahedronValue[static_cast<std::size_t>(filler)]);
+      add(2.0, f.TriangleValue[t], f.TetrahedronValue[filler]);
     }
   }
   std::sort(bars.begin(), bars.end());

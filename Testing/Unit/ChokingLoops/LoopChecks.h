@@ -72,7 +72,7 @@ inline void ExpectSound(ChokingLoops& loops, std::size_t feature)
     ASSERT_GE(loop.size(), 3U);
     for (std::size_t i = 0; i < loop.size(); ++i)
     {
-      EXPECT_GE(loops.Adjacency().Find(loop[i], loop[(i + 1) % loop.size()]), 0);
+      EXPECT_TRUE(loops.Adjacency().Find(loop[i], loop[(i + 1) % loop.size()]).Exists());
       toggle(loop[i], loop[(i + 1) % loop.size()]);
     }
   }
@@ -83,16 +83,16 @@ inline void ExpectSound(ChokingLoops& loops, std::size_t feature)
 }
 
 /// Edges of M that a loop of points crosses when it is pushed to its left.
-inline std::map<SimplexId, int> CrossedOnTheLeft(
+inline std::map<SurfaceEdgeId, int> CrossedOnTheLeft(
   const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop)
 {
-  std::map<SimplexId, int> crossed;
+  std::map<SurfaceEdgeId, int> crossed;
   const std::size_t n = loop.size();
   for (std::size_t i = 0; i < n; ++i)
   {
-    const SimplexId in = surface.Find(loop[(i + n - 1) % n], loop[i]);
-    const SimplexId out = surface.Find(loop[i], loop[(i + 1) % n]);
-    for (SimplexId h = surface.Next(in); h != out; h = surface.Next(surface.Opposite(h)))
+    const HalfEdgeId in = surface.Find(loop[(i + n - 1) % n], loop[i]);
+    const HalfEdgeId out = surface.Find(loop[i], loop[(i + 1) % n]);
+    for (HalfEdgeId h = surface.Next(in); h != out; h = surface.Next(surface.Opposite(h)))
     {
       crossed[surface.Edge(h)] ^= 1;
     }
@@ -236,7 +236,7 @@ inline Bits Intersections(ChokingLoops& loops, const std::vector<std::size_t>& r
   Bits numbers;
   for (const std::size_t r : rows)
   {
-    std::map<SimplexId, int> left;
+    std::map<SurfaceEdgeId, int> left;
     for (const auto& loop : loops.MembraneOf(r).Loops)
     {
       for (const auto& [edge, odd] : CrossedOnTheLeft(loops.Adjacency(), loop))
@@ -250,7 +250,7 @@ inline Bits Intersections(ChokingLoops& loops, const std::vector<std::size_t>& r
       int number = 0;
       for (const auto& loop : loops.MembraneOf(c).Loops)
       {
-        for (const SimplexId e : LoopEdges(loops.Adjacency(), loop))
+        for (const SurfaceEdgeId e : LoopEdges(loops.Adjacency(), loop))
         {
           const auto crossed = left.find(e);
           number ^= crossed == left.end() ? 0 : crossed->second;

@@ -127,7 +127,7 @@ public:
     : Mesh(mesh)
     , Surface(Mesh)
   {
-    for (SimplexId h = 0; h < this->Surface.HalfEdges(); ++h)
+    for (const HalfEdgeId h : this->Surface.HalfEdges())
     {
       const Point3 a = this->Normal(SurfaceAdjacency::Triangle(h));
       const Point3 b = this->Normal(SurfaceAdjacency::Triangle(this->Surface.Opposite(h)));
@@ -141,7 +141,7 @@ public:
   {
     std::set<SimplexId> ends;
     this->ForEdges(
-      [&](SimplexId h)
+      [&](HalfEdgeId h)
       {
         if (IsSurrounded(
               p, reach, { this->At(this->Surface.From(h)), this->At(this->Surface.To(h)) }))
@@ -151,11 +151,11 @@ public:
       });
     double sharpest = 0.0;
     this->ForEdges(
-      [&](SimplexId h)
+      [&](HalfEdgeId h)
       {
         if (ends.count(this->Surface.From(h)) + ends.count(this->Surface.To(h)) > 0)
         {
-          sharpest = std::max(sharpest, this->Angles[static_cast<std::size_t>(h)]);
+          sharpest = std::max(sharpest, this->Angles[h]);
         }
       });
     return sharpest;
@@ -163,16 +163,16 @@ public:
 
 private:
   const Point3& At(SimplexId p) const { return this->Mesh.Points[static_cast<std::size_t>(p)]; }
-  Point3 Normal(SimplexId t) const
+  Point3 Normal(SurfaceTriangleId t) const
   {
-    const Triangle& c = this->Mesh.Triangles[static_cast<std::size_t>(t)];
+    const Triangle& c = this->Mesh.Triangles[t.Index()];
     const auto p = [&](std::size_t k) { return this->Mesh.Points[static_cast<std::size_t>(c[k])]; };
     return Cross(p(1) - p(0), p(2) - p(0));
   }
   template <typename Visit>
   void ForEdges(Visit&& visit) const
   {
-    for (SimplexId h = 0; h < this->Surface.HalfEdges(); ++h)
+    for (const HalfEdgeId h : this->Surface.HalfEdges())
     {
       visit(h);
     }
@@ -180,7 +180,7 @@ private:
 
   TriangleMesh Mesh;
   SurfaceAdjacency Surface;
-  std::vector<double> Angles; ///< per half edge
+  HandleVector<HalfEdgeId, double> Angles;
 };
 
 /// A loop turns by more than 60 degrees only where the surface itself bends by three quarters of

@@ -165,7 +165,7 @@ void ExpectFan(const ChokingLoops& loops, std::size_t feature, const Membrane& m
   const auto apex = static_cast<SimplexId>(loops.Samples().Points.size());
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
-    EXPECT_GE(loops.Adjacency().Find(loop[i], loop[(i + 1) % loop.size()]), 0);
+    EXPECT_TRUE(loops.Adjacency().Find(loop[i], loop[(i + 1) % loop.size()]).Exists());
     EXPECT_EQ(std::count(membrane.Triangles[i].begin(), membrane.Triangles[i].end(), apex), 1);
     EXPECT_EQ(std::count(membrane.Triangles[i].begin(), membrane.Triangles[i].end(), loop[i]), 1);
   }

@@ -87,11 +87,11 @@ double Sum(const SurfaceAdjacency& surface, const SurfaceCurve& curve)
 /// Consecutive crossings lie on one triangle, none of which is met twice.
 void ExpectSimpleAndClosed(const SurfaceCurve& curve, const SurfaceAdjacency& surface)
 {
-  std::set<SimplexId> entered;
+  std::set<SurfaceTriangleId> entered;
   for (std::size_t i = 0; i < curve.Crossings.size(); ++i)
   {
-    const SimplexId here = curve.Crossings[i].HalfEdge;
-    const SimplexId next = curve.Crossings[(i + 1) % curve.Crossings.size()].HalfEdge;
+    const HalfEdgeId here = curve.Crossings[i].HalfEdge;
+    const HalfEdgeId next = curve.Crossings[(i + 1) % curve.Crossings.size()].HalfEdge;
     EXPECT_EQ(SurfaceAdjacency::Triangle(here), SurfaceAdjacency::Triangle(surface.Opposite(next)));
     EXPECT_TRUE(entered.insert(SurfaceAdjacency::Triangle(here)).second);
   }
@@ -101,12 +101,15 @@ void ExpectSimpleAndClosed(const SurfaceCurve& curve, const SurfaceAdjacency& su
 int Crossings(
   const SurfaceAdjacency& surface, const SurfaceCurve& curve, const std::vector<SimplexId>& loop)
 {
-  std::set<SimplexId> edges;
+  std::set<SurfaceEdgeId> edges;
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
-    const SimplexId half = surface.Find(loop[i], loop[(i + 1) % loop.size()]);
-    EXPECT_GE(half, 0) << "no edge after point " << i << " of the loop";
-    edges.insert(half < 0 ? half : surface.Edge(half));
+    const HalfEdgeId half = surface.Find(loop[i], loop[(i + 1) % loop.size()]);
+    EXPECT_TRUE(half.Exists()) << "no edge after point " << i << " of the loop";
+    if (half.Exists())
+    {
+      edges.insert(surface.Edge(half));
+    }
   }
   int count = 0;
   for (const SurfaceCurvePoint& c : curve.Crossings)
@@ -195,8 +198,8 @@ TEST(LoopShortening, LeavesAContractibleLoopAsItCame)
   const TorusGrid torus(36, 12);
   const SimplexId p = torus.Id(5, 3);
   std::vector<SimplexId> link;
-  const SimplexId first = torus.Adjacency.Leaving(p);
-  SimplexId h = first;
+  const HalfEdgeId first = torus.Adjacency.Leaving(p);
+  HalfEdgeId h = first;
   do
   {
     link.push_back(torus.Adjacency.To(h));

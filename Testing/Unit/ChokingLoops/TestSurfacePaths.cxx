@@ -66,7 +66,7 @@ TEST(SurfacePaths, AreTheShortestAlongEdges)
     const std::vector<double> lengths = Relaxed(mesh, from);
     ASSERT_EQ(paths.Points().size(), mesh.Points.size());
     EXPECT_EQ(paths.Points().front(), from);
-    EXPECT_EQ(paths.Last(from), -1);
+    EXPECT_FALSE(paths.Last(from).Exists());
     double before = 0.0;
     for (const SimplexId p : paths.Points())
     {
@@ -87,9 +87,9 @@ TEST(SurfacePaths, RunAlongEdgesThatAddUp)
     double length = 0.0;
     std::size_t steps = 0;
     SimplexId p = end;
-    for (; paths.Last(p) >= 0 && steps <= mesh.Points.size(); ++steps)
+    for (; paths.Last(p).Exists() && steps <= mesh.Points.size(); ++steps)
     {
-      const SimplexId h = paths.Last(p);
+      const HalfEdgeId h = paths.Last(p);
       ASSERT_EQ(surface.To(h), p);
       length += Distance(At(mesh, surface.From(h)), At(mesh, p));
       p = surface.From(h);

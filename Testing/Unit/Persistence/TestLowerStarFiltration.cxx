@@ -41,13 +41,14 @@ TEST(LowerStarFiltration, TwoTetrahedraOfTheThesis)
   CellFiltration f;
   f.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 } };
   f.Tetrahedra = { { 0, 1, 2, 3 }, { 4, 1, 2, 3 } };
-  f.Neighbours = { { 1, -1, -1, -1 }, { 0, -1, -1, -1 } };
+  constexpr TetrahedronId none = TetrahedronId::None();
+  f.Neighbours = { { TetrahedronId(1), none, none, none }, { TetrahedronId(0), none, none, none } };
   f.Connect();
   for (const auto& t : f.Tetrahedra)
   {
     f.TetrahedronValue.push_back(time(t));
   }
-  for (std::size_t t = 0; t < f.TriangleCount(); ++t)
+  for (const TriangleId t : f.Triangles())
   {
     f.TriangleValue.push_back(time(f.TrianglePoints(t)));
   }
@@ -59,20 +60,20 @@ TEST(LowerStarFiltration, TwoTetrahedraOfTheThesis)
   const FiltrationPairs pairs(f);
   std::map<std::string, std::string> found;
   const auto name = [&order](double value) { return order[static_cast<std::size_t>(value)]; };
-  for (std::size_t e = 0; e < f.Edges.size(); ++e)
+  for (const EdgeId e : f.Edges.Keys())
   {
-    const SimplexId filler = pairs.LoopFilled(static_cast<SimplexId>(e));
-    if (filler >= 0)
+    const TriangleId filler = pairs.LoopFilled(e);
+    if (filler.Exists())
     {
-      found[name(f.EdgeValue[e])] = name(f.TriangleValue[static_cast<std::size_t>(filler)]);
+      found[name(f.EdgeValue[e])] = name(f.TriangleValue[filler]);
     }
   }
-  for (std::size_t t = 0; t < f.TriangleCount(); ++t)
+  for (const TriangleId t : f.Triangles())
   {
-    const SimplexId filler = pairs.VoidFilled(static_cast<SimplexId>(t));
-    if (filler >= 0)
+    const TetrahedronId filler = pairs.VoidFilled(t);
+    if (filler.Exists())
     {
-      const double death = f.TetrahedronValue[static_cast<std::size_t>(filler)];
+      const double death = f.TetrahedronValue[filler];
       found[name(f.TriangleValue[t])] = name(death);
       // The closed membrane 234 alone is not filled at once.
       EXPECT_EQ(death - f.TriangleValue[t], name(death) == "1234" ? 3.0 : 1.0);

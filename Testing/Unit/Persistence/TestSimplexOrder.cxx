@@ -19,7 +19,7 @@ namespace
 
 void ExpectSorted(const std::vector<double>& value, const std::vector<char>& first)
 {
-  std::vector<std::int32_t> expected(value.size());
+  std::vector<SimplexId> expected(value.size());
   std::iota(expected.begin(), expected.end(), 0);
   std::stable_sort(expected.begin(), expected.end(),
     [&](std::int32_t a, std::int32_t b)
@@ -33,12 +33,14 @@ void ExpectSorted(const std::vector<double>& value, const std::vector<char>& fir
     vtkSMPTools::LocalScope(vtkSMPTools::Config(threads, std::string("STDThread"), false),
       [&]
       {
-        std::vector<std::int32_t> rank;
-        const std::vector<std::int32_t> order = SimplexOrder(value, first, rank);
-        ASSERT_EQ(order, expected);
-        for (std::size_t i = 0; i < order.size(); ++i)
+        HandleVector<EdgeId, EdgeRank> rank;
+        const auto order = SimplexOrder(
+          HandleVector<EdgeId, double>(value), HandleVector<EdgeId, char>(first), rank);
+        ASSERT_EQ(order.size(), expected.size());
+        for (const EdgeRank at : order.Keys())
         {
-          ASSERT_EQ(rank[static_cast<std::size_t>(order[i])], static_cast<std::int32_t>(i));
+          ASSERT_EQ(order[at].Value, expected[at.Index()]);
+          ASSERT_EQ(rank[order[at]], at);
         }
       });
   }

@@ -301,8 +301,8 @@ TEST(MovingChannel, IonsPassWholeAndAreNeverNegativeAndThreadsLeaveNoTrace)
         EXPECT_LT(CurrentsOf(solution).Spread(), 1e-4);
         for (std::int64_t node = 0; node < domain.Size(); ++node)
         {
-          ASSERT_GE(solution.Concentration(0, node), 0.0);
-          ASSERT_GE(solution.Concentration(1, node), 0.0);
+          ASSERT_GE(solution.Concentration(SpeciesId(0), node), 0.0);
+          ASSERT_GE(solution.Concentration(SpeciesId(1), node), 0.0);
         }
         std::cout << channel.GetUpdates().front().Current() << " pA at first, "
                   << channel.GetUpdates().back().Current() << " at rest after "

@@ -158,8 +158,8 @@ TEST(PoissonNernstPlanck, ConcentrationsAreNeverNegativeAndCurrentsPassWhole)
     EXPECT_TRUE(solution.Solve().Converged) << trial;
     for (std::int64_t node = 0; node < line.Domain.Size(); ++node)
     {
-      ASSERT_GT(solution.Concentration(0, node), 0.0);
-      ASSERT_GT(solution.Concentration(1, node), 0.0);
+      ASSERT_GT(solution.Concentration(SpeciesId(0), node), 0.0);
+      ASSERT_GT(solution.Concentration(SpeciesId(1), node), 0.0);
       ASSERT_TRUE(std::isfinite(solution.GetPotential()[static_cast<std::size_t>(node)]));
     }
     EXPECT_LT(CurrentsOf(solution).Spread(), 1e-4) << trial;

@@ -37,7 +37,7 @@ CurrentProfile Solved(const TransportGrid& grid, const IonTransportParameters& p
   {
     for (std::size_t k = 0; k < p.Species.size(); ++k)
     {
-      EXPECT_GE(solution.Concentration(k, node), 0.0);
+      EXPECT_GE(solution.Concentration(SpeciesId(k), node), 0.0);
     }
   }
   const CurrentProfile currents = CurrentsOf(solution);

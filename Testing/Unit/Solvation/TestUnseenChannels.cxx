@@ -39,7 +39,7 @@ CurrentProfile Sound(PoissonNernstPlanck& solution, const char* name)
     EXPECT_TRUE(std::isfinite(solution.GetPotential()[static_cast<std::size_t>(node)]));
     for (std::size_t k = 0; k < solution.GetParameters().Species.size(); ++k)
     {
-      EXPECT_GE(solution.Concentration(k, node), 0.0) << name;
+      EXPECT_GE(solution.Concentration(SpeciesId(k), node), 0.0) << name;
     }
   }
   const CurrentProfile currents = CurrentsOf(solution);

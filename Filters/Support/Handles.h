@@ -1,0 +1,134 @@
+/**
+ * @file Handles.h
+ * @brief Typed ids: an edge can't pass for a triangle, nor a place in an order for either.
+ */
+#ifndef isthmus_Handles_h
+#define isthmus_Handles_h
+
+#include <cstddef>
+#include <functional>
+#include <type_traits>
+#include <vector>
+
+namespace isthmus
+{
+
+/**
+ * An id of one kind. It costs what its integer costs, in memory and in time, and turns into no
+ * other kind and no number by itself.
+ *
+ * @tparam Kind tells kinds apart; need not be complete
+ * @tparam Id the integer; only a signed one can say that there is none
+ */
+template <typename Kind, typename Id>
+struct Handle
+{
+  Id Value = 0;
+
+  constexpr Handle() = default;
+  explicit constexpr Handle(Id value)
+    : Value(value)
+  {
+  }
+
+  /// The id with this place in a vector. @pre `index` fits into Id.
+  static constexpr Handle At(std::size_t index) { return Handle(static_cast<Id>(index)); }
+
+  /// No id at all: -1, below all others.
+  static constexpr Handle None()
+  {
+    static_assert(std::is_signed_v<Id>, "only a signed id can say that there is none");
+    return Handle(Id{ -1 });
+  }
+  constexpr bool Exists() const
+  {
+    static_assert(std::is_signed_v<Id>, "an unsigned id always exists");
+    return this->Value >= 0;
+  }
+
+  /// Its place in a vector. @pre it exists.
+  constexpr std::size_t Index() const { return static_cast<std::size_t>(this->Value); }
+
+  friend constexpr bool operator==(Handle a, Handle b) { return a.Value == b.Value; }
+  friend constexpr bool operator!=(Handle a, Handle b) { return a.Value != b.Value; }
+  friend constexpr bool operator<(Handle a, Handle b) { return a.Value < b.Value; }
+  friend constexpr bool operator>(Handle a, Handle b) { return a.Value > b.Value; }
+  friend constexpr bool operator<=(Handle a, Handle b) { return a.Value <= b.Value; }
+  friend constexpr bool operator>=(Handle a, Handle b) { return a.Value >= b.Value; }
+};
+
+/// Ids one after the other, for a `for`.
+template <typename Key>
+class HandleRange
+{
+public:
+  class Iterator
+  {
+  public:
+    explicit Iterator(std::size_t index)
+      : Index(index)
+    {
+    }
+    Key operator*() const { return Key::At(this->Index); }
+    Iterator& operator++()
+    {
+      ++this->Index;
+      return *this;
+    }
+    bool operator!=(const Iterator& other) const { return this->Index != other.Index; }
+
+  private:
+    std::size_t Index;
+  };
+
+  /// Those from 0 to `count` - 1.
+  explicit HandleRange(std::size_t count)
+    : End(count)
+  {
+  }
+  /// Those from `begin` to `end` - 1, as ParallelFor() hands out rounds. @pre neither is negative.
+  template <typename Integer>
+  HandleRange(Integer begin, Integer end)
+    : Begin(static_cast<std::size_t>(begin))
+    , End(static_cast<std::size_t>(end))
+  {
+  }
+
+  Iterator begin() const { return Iterator(this->Begin); }
+  Iterator end() const { return Iterator(this->End); }
+
+private:
+  std::size_t Begin = 0;
+  std::size_t End;
+};
+
+/// Values of all ids of a kind: a vector that only such an id looks into.
+template <typename Key, typename Value>
+class HandleVector : public std::vector<Value>
+{
+  using Base = std::vector<Value>;
+
+public:
+  using Base::Base;
+  HandleVector() = default;
+  explicit HandleVector(Base values)
+    : Base(std::move(values))
+  {
+  }
+
+  Value& operator[](Key id) { return Base::operator[](id.Index()); }
+  const Value& operator[](Key id) const { return Base::operator[](id.Index()); }
+
+  /// The ids that it has values of.
+  HandleRange<Key> Keys() const { return HandleRange<Key>(this->size()); }
+};
+
+}
+
+template <typename Kind, typename Id>
+struct std::hash<isthmus::Handle<Kind, Id>>
+{
+  std::size_t operator()(isthmus::Handle<Kind, Id> id) const { return std::hash<Id>()(id.Value); }
+};
+
+#endif
