@@ -23,6 +23,7 @@
 #include <string>
 
 using namespace isthmus;
+using namespace isthmus::testing;
 
 namespace
 {
@@ -47,11 +48,10 @@ bool IsKnownToCross(const std::string& file)
 TEST(TetrahedralMesher, EverySharedSurfaceIsFilledOrRefused)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces");
-  for (const isthmus::testing::KnownSurface& known : isthmus::testing::KnownSurfaces)
+  for (const KnownSurface& known : KnownSurfaces)
   {
     SCOPED_TRACE(known.File);
-    const TriangleMesh mesh = MeshOf(isthmus::testing::ReadSurface(
-      isthmus::testing::SharedDataFolder() / "surfaces" / known.File));
+    const TriangleMesh mesh = MeshOf(ReadSurface(SharedDataFolder() / "surfaces" / known.File));
     auto parameters = With(TetrahedralLibrary::TetGen, MeshedSide::Inside);
     parameters.TetGen.RadiusEdgeRatio = 0.0;
     const auto start = std::chrono::steady_clock::now();
@@ -78,8 +78,7 @@ TEST(TetrahedralMesher, LysozymeIsFilledOnceRepaired)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces/lysozyme_msms/Lys1.vert");
   vtkNew<vtkMSMSReader> reader;
-  reader->SetFileName(
-    (isthmus::testing::SharedDataFolder() / "surfaces/lysozyme_msms/Lys1.face").c_str());
+  reader->SetFileName((SharedDataFolder() / "surfaces/lysozyme_msms/Lys1.face").c_str());
   reader->Update();
   const TriangleMesh surface = MeshOf(reader->GetOutput());
   EXPECT_NE(WhyRefused(surface, {}).find("43 triangles"), std::string::npos);
@@ -105,10 +104,10 @@ TEST(TetrahedralMesher, LysozymeIsFilledOnceRepaired)
 TEST(TetrahedralMesher, GoodSurfacesAreFilledWithQuality)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces");
-  const isthmus::testing::LongCases others("GoodSurfacesAreFilledWithQuality", 6);
+  const LongCases others("GoodSurfacesAreFilledWithQuality", 6);
   const std::set<std::string> some{ "eight.off", "sphere.off", "two-tori.obj" };
   std::size_t good = 0, done = 0;
-  for (const isthmus::testing::KnownSurface& known : isthmus::testing::KnownSurfaces)
+  for (const KnownSurface& known : KnownSurfaces)
   {
     if (!known.Closed || known.SmallestAngle <= 1.0 || IsKnownToCross(known.File))
     {
@@ -120,8 +119,7 @@ TEST(TetrahedralMesher, GoodSurfacesAreFilledWithQuality)
     }
     ++done;
     SCOPED_TRACE(known.File);
-    const TriangleMesh mesh = MeshOf(isthmus::testing::ReadSurface(
-      isthmus::testing::SharedDataFolder() / "surfaces" / known.File));
+    const TriangleMesh mesh = MeshOf(ReadSurface(SharedDataFolder() / "surfaces" / known.File));
     for (const char* way : { "TetGen pYq", "TetGen pq", "CGAL" })
     {
       const bool cgal = std::string(way) == "CGAL";

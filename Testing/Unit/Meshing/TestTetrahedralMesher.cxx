@@ -2,6 +2,7 @@
 
 #include "MeshQuality.h"
 #include "MesherTrial.h"
+#include "SurfaceFiles.h"
 #include "TetrahedralMesher.h"
 
 #include <gtest/gtest.h>
@@ -15,10 +16,7 @@
 #include <string>
 
 using namespace isthmus;
-
-using isthmus::testing::Append;
-
-using isthmus::testing::Cube;
+using namespace isthmus::testing;
 
 namespace
 {

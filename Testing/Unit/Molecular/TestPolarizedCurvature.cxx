@@ -10,6 +10,7 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
+#include <vtkTable.h>
 #include <vtkTriangle.h>
 
 #include <gtest/gtest.h>
