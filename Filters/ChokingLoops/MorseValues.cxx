@@ -1,7 +1,7 @@
 #include "MorseValues.h"
 
 #include "Bounds3.h"
-#include "LowerStarFiltration.h"
+#include "EdgeDistances.h"
 #include "SurfaceDistance.h"
 
 namespace isthmus

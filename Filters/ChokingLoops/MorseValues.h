@@ -26,7 +26,7 @@ enum class MorseFunction
 constexpr std::int64_t MorseGridCells = 100;
 
 /// Values at the mesh's points, 0 on the surface. Errors and cost: SurfaceDistance.h,
-/// LowerStarFiltration.h (EdgeDistances()).
+/// EdgeDistances.h.
 VTKISTHMUS_EXPORT std::vector<double> MorseValues(const SurfaceView& surface,
   const TetrahedralMesh& mesh, MorseFunction function, const ProgressCallback& progress = {});
 

@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr std::size_t CellsOfPiece = 1 << 14;
+constexpr std::ptrdiff_t FewEdges = 24; ///< are counted sooner than halves are guessed right
 
 /// Calls visit(cell, corner) for the faces that are triangles of the cells of piece `p`: of two
 /// tetrahedra the one with the smaller id has it.
@@ -157,6 +158,26 @@ void MakeEdges(CellFiltration& f, const ProgressCallback& progress)
     });
 }
 
+/// The edges opposite to the points of a triangle. Two begin at its least point: where few do, both
+/// are counted out of one look at them.
+std::array<EdgeId, 3> EdgesOf(const CellFiltration& f, const std::array<SimplexId, 3>& p)
+{
+  const EdgeId first = f.FirstEdge[At(p[0])];
+  const EdgeId end = f.FirstEdge[At(p[0]) + 1];
+  if (end.Value - first.Value > FewEdges)
+  {
+    return { f.FindEdge(p[1], p[2]), f.FindEdge(p[0], p[2]), f.FindEdge(p[0], p[1]) };
+  }
+  SimplexId middle = first.Value, last = first.Value;
+  for (SimplexId e = first.Value; e < end.Value; ++e)
+  {
+    const SimplexId other = f.Edges[EdgeId(e)][1];
+    middle += other < p[1] ? 1 : 0;
+    last += other < p[2] ? 1 : 0;
+  }
+  return { f.FindEdge(p[1], p[2]), EdgeId(last), EdgeId(middle) };
+}
+
 void LinkTriangleEdges(CellFiltration& f, const ProgressCallback& progress)
 {
   f.TriangleEdges.resize(f.TriangleCount());
@@ -166,9 +187,7 @@ void LinkTriangleEdges(CellFiltration& f, const ProgressCallback& progress)
     {
       for (const TriangleId t : HandleRange<TriangleId>(begin, end))
       {
-        const auto p = f.TrianglePoints(t);
-        f.TriangleEdges[t] = { f.FindEdge(p[1], p[2]), f.FindEdge(p[0], p[2]),
-          f.FindEdge(p[0], p[1]) };
+        f.TriangleEdges[t] = EdgesOf(f, f.TrianglePoints(t));
       }
     },
     progress);
@@ -205,11 +224,10 @@ EdgeId CellFiltration::FindEdge(SimplexId a, SimplexId b) const
     std::swap(a, b);
   }
   using Edge = std::array<SimplexId, 2>;
-  constexpr std::ptrdiff_t few = 24; // so many are counted sooner than halves are guessed right
   const Edge* const begin = this->Edges.data() + this->FirstEdge[At(a)].Value;
   const Edge* const end = this->Edges.data() + this->FirstEdge[At(a) + 1].Value;
   const Edge* found = begin;
-  if (end - begin > few)
+  if (end - begin > FewEdges)
   {
     found = std::lower_bound(
       begin, end, b, [](const Edge& edge, SimplexId point) { return edge[1] < point; });

@@ -21,6 +21,8 @@ public:
     std::push_heap(this->Ranks.begin(), this->Ranks.end());
   }
 
+  void Clear() { this->Ranks.clear(); }
+
   /// Takes out the greatest rank; None when nothing is left.
   Rank Take()
   {
@@ -36,15 +38,13 @@ public:
     return Rank::None();
   }
 
-  /// All that is left, in descending order.
-  std::vector<Rank> TakeAll()
+  /// Moves all that is left behind `ranks`, in descending order.
+  void TakeAll(std::vector<Rank>& ranks)
   {
-    std::vector<Rank> rest;
     for (Rank rank = this->Take(); rank.Exists(); rank = this->Take())
     {
-      rest.push_back(rank);
+      ranks.push_back(rank);
     }
-    return rest;
   }
 
 private:
@@ -85,6 +85,14 @@ constexpr std::int64_t Grain = 1 << 14;
 
 }
 
+/// What one reduction after the other works on, so that its memory is allocated once.
+struct FiltrationPairs::Reduction
+{
+  RankHeap<EdgeRank> Column;
+  std::vector<EdgeRank> Reduced;
+  std::vector<TriangleRank> Added;
+};
+
 FiltrationPairs::FiltrationPairs(const CellFiltration& f, const ProgressCallback& progress)
   : F(f)
   , Columns(f.TriangleCount())
@@ -123,6 +131,7 @@ void FiltrationPairs::PairLoops(const ProgressCallback& progress)
   const std::size_t triangles = this->F.TriangleCount();
   HandleVector<EdgeRank, TriangleRank> filler(this->F.Edges.size(), TriangleRank::None());
   const auto pivots = this->Pivots();
+  Reduction work;
   std::size_t done = 0;
   std::int64_t steps = 0;
   // Columns added count too: those of a few triangles may take longer than all others.
@@ -138,7 +147,8 @@ void FiltrationPairs::PairLoops(const ProgressCallback& progress)
     tick();
     const auto triangle = TriangleRank::At(done);
     EdgeRank pivot = pivots[triangle];
-    if (pivot.Exists() && (!filler[pivot].Exists() || this->Reduce(triangle, filler, pivot, tick)))
+    if (pivot.Exists() &&
+      (!filler[pivot].Exists() || this->Reduce(triangle, filler, pivot, work, tick)))
     {
       filler[pivot] = triangle;
     }
@@ -191,10 +201,12 @@ void FiltrationPairs::AddColumn(TriangleRank rank, EdgeRank pivot, Heap& heap) c
 /// Reduces the column of a triangle, by rank, until its latest edge has no filler; false when
 /// nothing is left, which happens only where the complex has a void that nothing fills.
 bool FiltrationPairs::Reduce(TriangleRank rank, const HandleVector<EdgeRank, TriangleRank>& filler,
-  EdgeRank& pivot, const std::function<void()>& tick)
+  EdgeRank& pivot, Reduction& work, const std::function<void()>& tick)
 {
-  RankHeap<EdgeRank> column;
-  std::vector<TriangleRank> added;
+  auto& [column, reduced, added] = work;
+  column.Clear();
+  reduced.clear();
+  added.clear();
   for (const EdgeRank e : this->BoundaryOf(rank))
   {
     column.Add(e);
@@ -213,9 +225,9 @@ bool FiltrationPairs::Reduce(TriangleRank rank, const HandleVector<EdgeRank, Tri
     return false;
   }
   pivot = low;
-  std::vector<EdgeRank> ranks = column.TakeAll();
-  ranks.insert(ranks.begin(), low);
-  this->Columns.Add(rank, ranks, added);
+  reduced.push_back(low);
+  column.TakeAll(reduced);
+  this->Columns.Add(rank, reduced, added);
   return true;
 }
 

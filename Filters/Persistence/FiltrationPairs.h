@@ -67,8 +67,9 @@ public:
 private:
   void PairLoops(const ProgressCallback& progress);
   HandleVector<TriangleRank, EdgeRank> Pivots() const;
+  struct Reduction;
   bool Reduce(TriangleRank rank, const HandleVector<EdgeRank, TriangleRank>& filler,
-    EdgeRank& pivot, const std::function<void()>& tick);
+    EdgeRank& pivot, Reduction& work, const std::function<void()>& tick);
   std::array<EdgeRank, 3> BoundaryOf(TriangleRank rank) const;
   template <typename Heap>
   void AddColumn(TriangleRank rank, EdgeRank pivot, Heap& heap) const;

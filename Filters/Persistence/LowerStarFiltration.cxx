@@ -2,13 +2,14 @@
 
 #include "Index.h"
 #include "ParallelFor.h"
+#include "RadixSort.h"
+#include "SimplexOrder.h"
 #include "SurfaceView.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <cstring>
 #include <numeric>
-#include <queue>
 #include <stdexcept>
 
 namespace isthmus
@@ -110,35 +111,38 @@ void FindNeighbours(CellFiltration& f, const ProgressCallback& progress)
   }
 }
 
+/// The first of the mesh's points at each point of `surface`; -1 where there is none.
+std::vector<vtkIdType> IdsInMesh(const CellFiltration& f, const TriangleMesh& surface)
+{
+  using Place = std::pair<Point3, std::size_t>;
+  std::vector<Place> places;
+  places.reserve(surface.Points.size());
+  for (std::size_t p = 0; p < surface.Points.size(); ++p)
+  {
+    places.emplace_back(surface.Points[p], p);
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<vtkIdType> ids(surface.Points.size(), -1);
+  for (std::size_t i = 0; i < f.Points.size(); ++i)
+  {
+    for (auto at = std::lower_bound(places.begin(), places.end(), Place{ f.Points[i], 0 });
+         at != places.end() && at->first == f.Points[i] && ids[at->second] < 0; ++at)
+    {
+      ids[at->second] = static_cast<vtkIdType>(i);
+    }
+  }
+  return ids;
+}
+
 /// Gives `surface` the ids of the mesh's points at the same places: the first of several.
 void Match(const CellFiltration& f, TriangleMesh& surface)
 {
-  std::map<Point3, std::int64_t> ids;
-  for (const Point3& p : surface.Points)
-  {
-    ids.emplace(p, -1);
-  }
-  std::vector<double> heights; // of those points: most others of the mesh are at none of them
-  for (const auto& place : ids)
-  {
-    heights.push_back(place.first[0]);
-  }
-  for (std::size_t i = 0; i < f.Points.size(); ++i)
-  {
-    if (std::binary_search(heights.begin(), heights.end(), f.Points[i][0]))
-    {
-      const auto found = ids.find(f.Points[i]);
-      if (found != ids.end() && found->second < 0)
-      {
-        found->second = static_cast<std::int64_t>(i);
-      }
-    }
-  }
+  const std::vector<vtkIdType> ids = IdsInMesh(f, surface);
   for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
   {
     for (vtkIdType& p : surface.Triangles[i])
     {
-      const std::int64_t id = ids.at(surface.Points[At(p)]);
+      const vtkIdType id = ids[At(p)];
       if (id < 0)
       {
         throw std::invalid_argument("A corner of triangle " + std::to_string(i) +
@@ -211,12 +215,43 @@ void MarkSurface(CellFiltration& f, const SurfaceView& surface)
   }
 }
 
-/// The greatest of the values at the points of `simplex(id)`, for each of `count` simplices.
-template <typename Id, typename Simplex>
-HandleVector<Id, double> LastValues(
-  std::size_t count, const Simplex& simplex, const std::vector<double>& square)
+/// The values of a function on points, each once and in ascending order from level 1 on, and the
+/// level of each point; level 0 is kept for the surface.
+struct Levels
 {
-  HandleVector<Id, double> values(count, 0.0);
+  std::vector<double> Values{ 0.0 };
+  std::vector<std::uint32_t> OfPoint;
+
+  /// @pre no value is negative: its bits then stand in the order of values.
+  explicit Levels(const std::vector<double>& values)
+    : OfPoint(values.size())
+  {
+    std::vector<std::pair<std::uint64_t, std::size_t>> order(values.size());
+    for (std::size_t p = 0; p < values.size(); ++p)
+    {
+      std::memcpy(&order[p].first, &values[p], sizeof(double));
+      order[p].second = p;
+    }
+    RadixSort(order, 0, 64, [](const auto& entry) { return entry.first; });
+    for (const auto& entry : order)
+    {
+      const double value = values[entry.second];
+      if (this->Values.size() == 1 || value != this->Values.back())
+      {
+        this->Values.push_back(value);
+      }
+      this->OfPoint[entry.second] = static_cast<std::uint32_t>(this->Values.size() - 1);
+    }
+  }
+};
+
+/// For each of `count` simplices the greatest level of the points of `simplex(id)`, and its value.
+template <typename Id, typename Simplex>
+HandleVector<Id, std::uint32_t> LastLevels(
+  const Levels& levels, std::size_t count, const Simplex& simplex, HandleVector<Id, double>& values)
+{
+  HandleVector<Id, std::uint32_t> last(count, 0);
+  values.resize(count);
   ParallelFor(0, static_cast<std::int64_t>(count), 1 << 14,
     [&](std::int64_t begin, std::int64_t end)
     {
@@ -224,11 +259,43 @@ HandleVector<Id, double> LastValues(
       {
         for (const SimplexId p : simplex(id))
         {
-          values[id] = std::max(values[id], square[At(p)]);
+          last[id] = std::max(last[id], levels.OfPoint[At(p)]);
         }
+        values[id] = levels.Values[last[id]];
       }
     });
-  return values;
+  return last;
+}
+
+/// The order of simplices by level, those of the surface, which are `first`, before all others.
+template <typename Id, typename Rank>
+HandleVector<Rank, Id> OrderOf(HandleVector<Id, std::uint32_t> level,
+  const HandleVector<Id, char>& first, HandleVector<Id, Rank>& rank)
+{
+  for (const Id id : level.Keys())
+  {
+    level[id] = first[id] != 0 ? 0 : level[id];
+  }
+  return SimplexOrder(level, rank);
+}
+
+/// Values and orders of all simplices: those of their latest points.
+void EnterByPoints(
+  CellFiltration& f, const std::vector<double>& square, const ProgressCallback& progress)
+{
+  const Levels levels(square);
+  LastLevels(
+    levels, f.Tetrahedra.size(), [&f](TetrahedronId cell) { return f.Tetrahedra[cell]; },
+    f.TetrahedronValue);
+  Report(progress, 0.3);
+  auto ofTriangles = LastLevels(
+    levels, f.TriangleCount(), [&f](TriangleId t) { return f.TrianglePoints(t); }, f.TriangleValue);
+  f.TrianglesInOrder = OrderOf(std::move(ofTriangles), f.TriangleFirst, f.RankOfTriangle);
+  Report(progress, 0.7);
+  auto ofEdges = LastLevels(
+    levels, f.Edges.size(), [&f](EdgeId e) { return f.Edges[e]; }, f.EdgeValue);
+  f.EdgesInOrder = OrderOf(std::move(ofEdges), f.EdgeFirst, f.RankOfEdge);
+  Report(progress, 1.0);
 }
 
 }
@@ -265,67 +332,8 @@ CellFiltration LowerStarFiltration(const TetrahedralMesh& mesh, const std::vecto
   Match(f, surface);
   MarkSurface(f, surface);
   Report(progress, 0.8);
-  f.TetrahedronValue = LastValues<TetrahedronId>(
-    f.Tetrahedra.size(), [&f](TetrahedronId cell) { return f.Tetrahedra[cell]; }, square);
-  f.TriangleValue = LastValues<TriangleId>(
-    f.TriangleCount(), [&f](TriangleId t) { return f.TrianglePoints(t); }, square);
-  f.EdgeValue = LastValues<EdgeId>(
-    f.Edges.size(), [&f](EdgeId e) { return f.Edges[e]; }, square);
-  f.Order(Between(progress, 0.8, 1.0));
+  EnterByPoints(f, square, Between(progress, 0.8, 1.0));
   return f;
-}
-
-std::vector<double> EdgeDistances(const TetrahedralMesh& mesh,
-  const std::vector<std::int64_t>& sources, const ProgressCallback& progress)
-{
-  std::vector<std::vector<std::int64_t>> beside(mesh.Points.size());
-  for (const Tetrahedron& t : mesh.Tetrahedra)
-  {
-    for (const std::int64_t a : t)
-    {
-      for (const std::int64_t b : t)
-      {
-        if (a != b)
-        {
-          beside[At(a)].push_back(b);
-        }
-      }
-    }
-  }
-  std::vector<double> distance(mesh.Points.size(), HUGE_VAL);
-  using Entry = std::pair<double, std::int64_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  for (const std::int64_t p : sources)
-  {
-    distance[At(p)] = 0.0;
-    queue.push({ 0.0, p });
-  }
-  Report(progress, 0.0);
-  std::size_t settled = 0;
-  while (!queue.empty())
-  {
-    const auto [d, p] = queue.top();
-    queue.pop();
-    if (d > distance[At(p)])
-    {
-      continue;
-    }
-    if (settled++ % (1U << 16) == 0)
-    {
-      Report(progress, static_cast<double>(settled) / static_cast<double>(mesh.Points.size()));
-    }
-    for (const std::int64_t q : beside[At(p)])
-    {
-      const Point3 step = mesh.Points[At(q)] - mesh.Points[At(p)];
-      const double there = d + Length(step);
-      if (there < distance[At(q)])
-      {
-        distance[At(q)] = there;
-        queue.push({ there, q });
-      }
-    }
-  }
-  return distance;
 }
 
 }

@@ -25,13 +25,6 @@ namespace isthmus
 VTKISTHMUS_EXPORT CellFiltration LowerStarFiltration(const TetrahedralMesh& mesh,
   const std::vector<double>& values, TriangleMesh& surface, const ProgressCallback& progress = {});
 
-/**
- * Length of the shortest path along edges of the mesh from each of its points to a point of
- * `sources` (Dijkstra). Infinity where there is none. O(n log n).
- */
-VTKISTHMUS_EXPORT std::vector<double> EdgeDistances(const TetrahedralMesh& mesh,
-  const std::vector<std::int64_t>& sources, const ProgressCallback& progress = {});
-
 }
 
 #endif

@@ -93,8 +93,24 @@ std::size_t IdOf(Entry entry)
   return static_cast<std::size_t>(entry & 0xFFFFFFFFU);
 }
 
+/// Whether a run of entries stands in the order of whole keys already: most have one key.
+bool IsInOrder(const Entry* begin, const Entry* end, const EntryKeys& keys)
+{
+  std::uint64_t before = keys.Of(IdOf(*begin));
+  for (const Entry* entry = begin + 1; entry != end; ++entry)
+  {
+    const std::uint64_t key = keys.Of(IdOf(*entry));
+    if (key < before)
+    {
+      return false;
+    }
+    before = key;
+  }
+  return true;
+}
+
 /// Sorts runs of equal short keys, which [begin, end) has whole, by whole keys, then ids: they come
-/// in the order of ids, and most of a run often has one key.
+/// in the order of ids.
 void SortRuns(
   std::vector<Entry>& entries, const EntryKeys& keys, std::size_t begin, std::size_t end)
 {
@@ -106,19 +122,16 @@ void SortRuns(
     {
       ++next;
     }
-    if (next > i + 1)
+    if (next > i + 1 && !IsInOrder(entries.data() + i, entries.data() + next, keys))
     {
       run.clear();
       for (std::size_t k = i; k < next; ++k)
       {
         run.emplace_back(keys.Of(IdOf(entries[k])), entries[k]);
       }
-      if (!std::is_sorted(run.begin(), run.end()))
-      {
-        std::sort(run.begin(), run.end());
-        std::transform(run.begin(), run.end(), entries.begin() + static_cast<std::ptrdiff_t>(i),
-          [](const auto& one) { return one.second; });
-      }
+      std::sort(run.begin(), run.end());
+      std::transform(run.begin(), run.end(), entries.begin() + static_cast<std::ptrdiff_t>(i),
+        [](const auto& one) { return one.second; });
     }
     i = next;
   }
@@ -142,7 +155,10 @@ std::vector<std::int64_t> RunStarts(const std::vector<Entry>& entries)
   return starts;
 }
 
-std::vector<Entry> SortedEntries(const EntryKeys& keys, std::size_t n)
+/// Entries of ids 0 to n - 1, sorted by the lowest `bits` bits of key(id); equal ones stay in the
+/// order of ids.
+template <typename Key>
+std::vector<Entry> SortedEntries(std::size_t n, unsigned int bits, const Key& key)
 {
   std::vector<Entry> entries(n);
   ParallelFor(0, static_cast<std::int64_t>(n), Grain,
@@ -150,11 +166,24 @@ std::vector<Entry> SortedEntries(const EntryKeys& keys, std::size_t n)
     {
       for (std::int64_t i = begin; i < end; ++i)
       {
-        entries[At(i)] = Entry{ keys.Short(At(i)) } << 32 | static_cast<Entry>(i);
+        entries[At(i)] = Entry{ key(At(i)) } << 32 | static_cast<Entry>(i);
       }
     });
-  RadixSort(entries, 32, 64, [](Entry entry) { return entry; });
+  RadixSort(entries, 32, 32 + bits, [](Entry entry) { return entry; });
   return entries;
+}
+
+/// Writes down the order and the ranks of the entries [begin, end).
+template <typename Id, typename Rank>
+void Number(const std::vector<Entry>& entries, std::size_t begin, std::size_t end,
+  HandleVector<Rank, Id>& order, HandleVector<Id, Rank>& rank)
+{
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const auto id = Id::At(IdOf(entries[i]));
+    order[Rank::At(i)] = id;
+    rank[id] = Rank::At(i);
+  }
 }
 
 }
@@ -166,7 +195,8 @@ HandleVector<Rank, Id> SimplexOrder(const HandleVector<Id, double>& value,
 {
   const EntryKeys keys(value, first);
   Report(progress, 0.1);
-  std::vector<Entry> entries = SortedEntries(keys, value.size());
+  std::vector<Entry> entries =
+    SortedEntries(value.size(), 32, [&keys](std::size_t i) { return keys.Short(i); });
   Report(progress, 0.6);
   HandleVector<Rank, Id> order(value.size());
   rank.resize(value.size());
@@ -180,14 +210,31 @@ HandleVector<Rank, Id> SimplexOrder(const HandleVector<Id, double>& value,
         const std::size_t from = At(starts[At(p)]);
         const std::size_t to = At(starts[At(p) + 1]);
         SortRuns(entries, keys, from, to);
-        for (std::size_t i = from; i < to; ++i)
-        {
-          const auto id = Id::At(IdOf(entries[i]));
-          order[Rank::At(i)] = id;
-          rank[id] = Rank::At(i);
-        }
+        Number(entries, from, to, order, rank);
       }
     },
+    Between(progress, 0.6, 1.0));
+  return order;
+}
+
+template <typename Id, typename Rank>
+HandleVector<Rank, Id> SimplexOrder(const HandleVector<Id, std::uint32_t>& level,
+  HandleVector<Id, Rank>& rank, const ProgressCallback& progress)
+{
+  const std::uint32_t most = level.empty() ? 0 : *std::max_element(level.begin(), level.end());
+  unsigned int bits = 0;
+  while (bits < 32 && most >> bits != 0)
+  {
+    ++bits;
+  }
+  const std::vector<Entry> entries =
+    SortedEntries(level.size(), bits, [&level](std::size_t i) { return level[Id::At(i)]; });
+  Report(progress, 0.6);
+  HandleVector<Rank, Id> order(level.size());
+  rank.resize(level.size());
+  ParallelFor(
+    0, static_cast<std::int64_t>(level.size()), Grain,
+    [&](std::int64_t begin, std::int64_t end) { Number(entries, At(begin), At(end), order, rank); },
     Between(progress, 0.6, 1.0));
   return order;
 }
@@ -200,5 +247,10 @@ template HandleVector<TriangleRank, TriangleId> SimplexOrder(
 template HandleVector<TetrahedronRank, TetrahedronId> SimplexOrder(
   const HandleVector<TetrahedronId, double>&, const HandleVector<TetrahedronId, char>&,
   HandleVector<TetrahedronId, TetrahedronRank>&, const ProgressCallback&);
+template HandleVector<EdgeRank, EdgeId> SimplexOrder(const HandleVector<EdgeId, std::uint32_t>&,
+  HandleVector<EdgeId, EdgeRank>&, const ProgressCallback&);
+template HandleVector<TriangleRank, TriangleId> SimplexOrder(
+  const HandleVector<TriangleId, std::uint32_t>&, HandleVector<TriangleId, TriangleRank>&,
+  const ProgressCallback&);
 
 }

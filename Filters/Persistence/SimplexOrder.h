@@ -26,6 +26,12 @@ HandleVector<Rank, Id> SimplexOrder(const HandleVector<Id, double>& value,
   const HandleVector<Id, char>& first, HandleVector<Id, Rank>& rank,
   const ProgressCallback& progress = {});
 
+/// The same by levels, counted from 0: all simplices in ascending (level, id). Two passes for up to
+/// four million levels.
+template <typename Id, typename Rank>
+HandleVector<Rank, Id> SimplexOrder(const HandleVector<Id, std::uint32_t>& level,
+  HandleVector<Id, Rank>& rank, const ProgressCallback& progress = {});
+
 extern template VTKISTHMUS_EXPORT HandleVector<EdgeRank, EdgeId> SimplexOrder(
   const HandleVector<EdgeId, double>& value, const HandleVector<EdgeId, char>& first,
   HandleVector<EdgeId, EdgeRank>& rank, const ProgressCallback& progress);
@@ -35,6 +41,13 @@ extern template VTKISTHMUS_EXPORT HandleVector<TriangleRank, TriangleId> Simplex
 extern template VTKISTHMUS_EXPORT HandleVector<TetrahedronRank, TetrahedronId> SimplexOrder(
   const HandleVector<TetrahedronId, double>& value, const HandleVector<TetrahedronId, char>& first,
   HandleVector<TetrahedronId, TetrahedronRank>& rank, const ProgressCallback& progress);
+
+extern template VTKISTHMUS_EXPORT HandleVector<EdgeRank, EdgeId> SimplexOrder(
+  const HandleVector<EdgeId, std::uint32_t>& level, HandleVector<EdgeId, EdgeRank>& rank,
+  const ProgressCallback& progress);
+extern template VTKISTHMUS_EXPORT HandleVector<TriangleRank, TriangleId> SimplexOrder(
+  const HandleVector<TriangleId, std::uint32_t>& level,
+  HandleVector<TriangleId, TriangleRank>& rank, const ProgressCallback& progress);
 
 }
 

@@ -21,6 +21,7 @@ isthmus_room(
     VolumeView
   CGAL
     DelaunayFiltration
+    EdgeDistances
     RegularFiltration
   VECTORISED
     LowerStars)

@@ -9,6 +9,8 @@
 #ifndef isthmus_FilterProperties_h
 #define isthmus_FilterProperties_h
 
+#include <ostream> // for what prints them: VTK's wrappers include none
+
 #define ISTHMUS_PROPERTY(type, name, value)                                                        \
 public:                                                                                            \
   vtkSetMacro(name, type);                                                                         \

@@ -3,6 +3,7 @@
 
 #include "BlockMeshes.h"
 #include "ChokingSurfaces.h"
+#include "EdgeDistances.h"
 #include "LoopChecks.h"
 #include "LowerStarFiltration.h"
 #include "SurfaceDistance.h"

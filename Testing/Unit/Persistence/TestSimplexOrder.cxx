@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -67,6 +68,23 @@ TEST(SimplexOrder, AnyValues)
   ExpectSorted(Values(Many, [&](auto& random) { return normal(random); }), {});
   // Neighbours that differ in their last bits only.
   ExpectSorted(Values(Many, [&](auto& random) { return 1e30 + 1e16 * unit(random); }), {});
+}
+
+TEST(SimplexOrder, LevelsAreSortedAsTheirNumbers)
+{
+  std::mt19937 random(11);
+  for (const std::uint32_t most :
+    { 1U, 2U, 1000U, 1U << 20, std::numeric_limits<std::uint32_t>::max() })
+  {
+    HandleVector<EdgeId, std::uint32_t> level(Many);
+    std::generate(
+      level.begin(), level.end(), [&] { return static_cast<std::uint32_t>(random()) % most; });
+    const std::vector<double> value(level.begin(), level.end());
+    HandleVector<EdgeId, EdgeRank> rank, expectedRank;
+    const auto order = SimplexOrder(level, rank);
+    EXPECT_EQ(order, SimplexOrder(HandleVector<EdgeId, double>(value), {}, expectedRank));
+    EXPECT_EQ(rank, expectedRank);
+  }
 }
 
 TEST(SimplexOrder, TiesAndExtremes)

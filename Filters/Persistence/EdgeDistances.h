@@ -1,0 +1,27 @@
+/**
+ * @file EdgeDistances.h
+ * @brief Ways along the edges of a tetrahedral mesh.
+ */
+#ifndef isthmus_EdgeDistances_h
+#define isthmus_EdgeDistances_h
+
+#include "Progress.h"
+#include "TetrahedralMesh.h"
+#include "vtkIsthmusModule.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace isthmus
+{
+
+/**
+ * Length of the shortest path along edges of the mesh from each of its points to a point of
+ * `sources` (Dijkstra). Infinity where there is none. O(n log n).
+ */
+VTKISTHMUS_EXPORT std::vector<double> EdgeDistances(const TetrahedralMesh& mesh,
+  const std::vector<std::int64_t>& sources, const ProgressCallback& progress = {});
+
+}
+
+#endif
