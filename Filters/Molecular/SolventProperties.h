@@ -7,6 +7,8 @@
 
 #include "FilterProperties.h"
 
+#include <ostream> // the wrappers see it declared only
+
 /**
  * Properties of a filter (FilterProperties.h).
  *
