@@ -38,7 +38,6 @@ TextFile::TextFile(const std::string& path)
   {
     this->Fail();
   }
-  this->Buffer.reserve(bufferBytes + 256);
 }
 
 TextFile::~TextFile()

@@ -4,6 +4,7 @@
 #include "ReaderError.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 
 namespace isthmus
@@ -30,7 +31,7 @@ const char* BehindPlus(const char* begin, const char* end)
 
 TextWords::TextWords(ByteSource& source)
   : Source(source)
-  , Buffer(bufferBytes)
+  , Buffer(2 * longestWord + std::min<std::uint64_t>(bufferBytes, source.MostBytes()))
 {
   this->Next = this->End = this->Buffer.data();
 }

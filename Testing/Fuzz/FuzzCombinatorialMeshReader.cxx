@@ -7,6 +7,7 @@
 #include "CompactCombinatorialMap.h"
 #include "EdgeTable.h"
 #include "FaceTable.h"
+#include "FuzzInput.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -88,6 +89,12 @@ void Walk(const isthmus::CombinatorialMesh& mesh)
   }
 }
 
+}
+
+extern "C" int LLVMFuzzerInitialize(int*, char***)
+{
+  isthmus::testing::OneThreadAndSilence();
+  return 0;
 }
 
 extern "C" size_t LLVMFuzzerCustomMutator(

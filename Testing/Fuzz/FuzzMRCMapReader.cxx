@@ -6,6 +6,7 @@
 // Readers and Filters/Support. Seeds come from LLVMFuzzerCustomMutator, which now and then starts
 // from a sound map.
 
+#include "FuzzInput.h"
 #include "TemporaryFile.h"
 #include "vtkMRCMapReader.h"
 
@@ -13,20 +14,14 @@
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
-
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t most);
 
@@ -37,41 +32,6 @@ constexpr std::size_t choices = 8;
 
 using isthmus::testing::Bzip2;
 using isthmus::testing::Gzip;
-
-/// A file in memory with a path that can be opened and ends as asked.
-class MemoryFile
-{
-public:
-  MemoryFile(const std::string& content, const char* ending)
-    : Descriptor(memfd_create("map", 0))
-    , Path("/dev/shm/isthmus-fuzz-" + std::to_string(::getpid()) + ending)
-  {
-    if (::write(this->Descriptor, content.data(), content.size()) !=
-      static_cast<ssize_t>(content.size()))
-    {
-      std::abort();
-    }
-    ::unlink(this->Path.c_str());
-    const std::string target = "/proc/self/fd/" + std::to_string(this->Descriptor);
-    if (::symlink(target.c_str(), this->Path.c_str()) != 0)
-    {
-      std::abort();
-    }
-  }
-  ~MemoryFile()
-  {
-    ::unlink(this->Path.c_str());
-    ::close(this->Descriptor);
-  }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-
-  const char* Name() const { return this->Path.c_str(); }
-
-private:
-  int Descriptor;
-  std::string Path;
-};
 
 /// What is output must be all there: reads every value under the sanitizers.
 void Touch(vtkImageData* image)
@@ -158,7 +118,7 @@ size_t WriteSeed(uint8_t* data, size_t most, unsigned seed)
 
 extern "C" int LLVMFuzzerInitialize(int*, char***)
 {
-  vtkObject::GlobalWarningDisplayOff(); // sentences are expected and not the point here
+  isthmus::testing::OneThreadAndSilence();
   return 0;
 }
 
@@ -195,7 +155,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
   {
     content.resize(content.size() - content.size() * (data[1] % 16) / 32);
   }
-  const MemoryFile file(content, endings[data[1] / 16 % 4]);
-  ReadAsChosen(data, file.Name());
+  const std::string path =
+    isthmus::testing::Folder().Write(std::string("map") + endings[data[1] / 16 % 4], content.data(),
+      content.data() + content.size());
+  ReadAsChosen(data, path.c_str());
   return 0;
 }

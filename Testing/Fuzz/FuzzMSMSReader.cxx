@@ -3,6 +3,7 @@
 //
 // Seeds come from LLVMFuzzerCustomMutator, which now and then starts from a sound pair.
 
+#include "FuzzInput.h"
 #include "MSMSReader.h"
 
 #include <algorithm>
@@ -10,12 +11,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <string>
-
-#include <unistd.h>
 
 extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t most);
 
@@ -28,17 +25,6 @@ const std::string Vertices = "# MSMS solvent excluded surface vertices for x\n"
                              "0 1e0 0 0 0 1 0 1 3\n0 -0.5 1 0 0 1 0 1 3\n";
 const std::string Faces = "#faces\n2 2 1.00 1.50\n1 2 3 1 12\n2 4 3 3 1\n";
 
-/// A folder of this process' own, and the pair in it.
-std::filesystem::path Stem()
-{
-  static const std::filesystem::path folder = []
-  {
-    std::string name = (std::filesystem::temp_directory_path() / "fuzz-msms-XXXXXX").string();
-    return std::filesystem::path(mkdtemp(name.data()) ? name : std::string("."));
-  }();
-  return folder / "x";
-}
-
 void Demand(bool holds)
 {
   if (!holds)
@@ -47,6 +33,12 @@ void Demand(bool holds)
   }
 }
 
+}
+
+extern "C" int LLVMFuzzerInitialize(int*, char***)
+{
+  isthmus::testing::OneThreadAndSilence();
+  return 0;
 }
 
 extern "C" size_t LLVMFuzzerCustomMutator(
@@ -65,16 +57,13 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {
   const auto* const bytes = reinterpret_cast<const char*>(data);
   const auto cut = static_cast<size_t>(std::find(bytes, bytes + size, '\0') - bytes);
-  const std::string stem = Stem().string();
-  std::ofstream(stem + ".vert", std::ios::binary).write(bytes, static_cast<std::streamsize>(cut));
-  const size_t rest = std::min(size, cut + 1);
-  std::ofstream(stem + ".face", std::ios::binary)
-    .write(bytes + rest, static_cast<std::streamsize>(size - rest));
-  isthmus::LooksLikeMSMS(stem + ".vert");
+  const std::string path = isthmus::testing::Folder().Write("x.vert", bytes, bytes + cut);
+  isthmus::testing::Folder().Write("x.face", bytes + std::min(size, cut + 1), bytes + size);
+  isthmus::LooksLikeMSMS(path);
   isthmus::MSMSSurface surface;
   try
   {
-    isthmus::ReadMSMS(stem + ".vert", 0, surface);
+    isthmus::ReadMSMS(path, 0, surface);
   }
   catch (const std::runtime_error& error)
   {

@@ -4,6 +4,7 @@
 //
 // Seeds come from LLVMFuzzerCustomMutator, which now and then starts from a sound file.
 
+#include "FuzzInput.h"
 #include "MacromoleculeReader.h"
 
 #include <algorithm>
@@ -81,8 +82,7 @@ ATOM 1 C A 1 0.0 0.0 0.0 0.1 1.87
 
 extern "C" int LLVMFuzzerInitialize(int*, char***)
 {
-  // Starting threads for each input would take all of the time.
-  setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 1);
+  isthmus::testing::OneThreadAndSilence();
   return 0;
 }
 

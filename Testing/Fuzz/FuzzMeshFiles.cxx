@@ -4,6 +4,7 @@
 //
 // Seeds come from LLVMFuzzerCustomMutator, which now and then starts from a sound file.
 
+#include "FuzzInput.h"
 #include "MEDITFile.h"
 #include "OFFFile.h"
 #include "TetGenMeshFile.h"
@@ -14,12 +15,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <string>
-
-#include <unistd.h>
 
 extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t most);
 
@@ -56,17 +53,6 @@ const std::array<std::string, 4> sound{
     "1 1\n1 1 2 3 -1\n"s
 };
 
-/// A folder of this process' own, and a name in it.
-std::string Stem()
-{
-  static const std::string folder = []
-  {
-    std::string name = (std::filesystem::temp_directory_path() / "fuzz-mesh-XXXXXX").string();
-    return mkdtemp(name.data()) ? name : std::string(".");
-  }();
-  return folder + "/x";
-}
-
 void Demand(bool holds)
 {
   if (!holds)
@@ -88,6 +74,12 @@ void CheckMesh(const CellMesh& mesh)
   }
 }
 
+}
+
+extern "C" int LLVMFuzzerInitialize(int*, char***)
+{
+  isthmus::testing::OneThreadAndSilence();
+  return 0;
 }
 
 extern "C" size_t LLVMFuzzerCustomMutator(
@@ -112,10 +104,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
   const auto* const bytes = reinterpret_cast<const char*>(data) + 1;
   const char* const end = bytes + size - 1;
   const char* const cut = data[0] % formats.size() < 2 ? bytes : std::find(bytes, end, '\0');
-  const std::string path = Stem() + format.Extension;
-  std::ofstream(Stem() + ".node", std::ios::binary).write(bytes, cut - bytes);
   const char* const rest = cut == bytes ? bytes : std::min(end, cut + 1);
-  std::ofstream(path, std::ios::binary).write(rest, end - rest);
+  isthmus::testing::Folder().Write("x.node", bytes, cut);
+  const std::string path =
+    isthmus::testing::Folder().Write(std::string("x") + format.Extension, rest, end);
   isthmus::LooksLikeOFF(path);
   isthmus::LooksLikeMEDIT(path);
   isthmus::LooksLikeTetGen(path);

@@ -3,13 +3,13 @@
 //
 // Seeds come from LLVMFuzzerCustomMutator, which now and then starts from a sound file.
 
+#include "FuzzInput.h"
 #include "vtkOpenDXReader.h"
 #include "vtkOpenDXWriter.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
@@ -18,9 +18,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
-
-#include <sys/mman.h>
-#include <unistd.h>
 
 extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t most);
 
@@ -46,28 +43,6 @@ component "positions" value 1
 component "data" value 3
 )";
 const std::string Raw = "object 3 class array type float items 12 lsb ieee data follows\n";
-
-/// A file in memory with a path that can be opened.
-class MemoryFile
-{
-public:
-  MemoryFile(const void* bytes, std::size_t size)
-    : Descriptor(memfd_create("grid", 0))
-  {
-    if (::write(this->Descriptor, bytes, size) != static_cast<ssize_t>(size))
-    {
-      std::abort();
-    }
-  }
-  ~MemoryFile() { ::close(this->Descriptor); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-
-  std::string Path() const { return "/proc/self/fd/" + std::to_string(this->Descriptor); }
-
-private:
-  int Descriptor;
-};
 
 void ReadFrom(const std::string& path, int index, vtkImageData* image)
 {
@@ -103,7 +78,7 @@ void ExpectSame(vtkImageData* a, vtkImageData* b)
 
 extern "C" int LLVMFuzzerInitialize(int*, char***)
 {
-  vtkObject::GlobalWarningDisplayOff(); // sentences are expected and not the point here
+  isthmus::testing::OneThreadAndSilence();
   return 0;
 }
 
@@ -127,20 +102,21 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
   {
     return 0;
   }
-  const MemoryFile file(data + 1, size - 1);
+  const isthmus::testing::MemoryFolder& folder = isthmus::testing::Folder();
+  const auto* const bytes = reinterpret_cast<const char*>(data);
   vtkNew<vtkImageData> image;
-  ReadFrom(file.Path(), data[0] % 3, image);
+  ReadFrom(folder.Write("grid.dx", bytes + 1, bytes + size), data[0] % 3, image);
   if (image->GetNumberOfPoints() == 0)
   {
     return 0; // refused with a sentence
   }
-  const MemoryFile copy("", 0);
+  const std::string copy = folder.Write("copy.dx", bytes, bytes);
   vtkNew<vtkOpenDXWriter> writer;
   writer->SetInputData(image);
-  writer->SetFileName(copy.Path().c_str());
+  writer->SetFileName(copy.c_str());
   writer->Write();
   vtkNew<vtkImageData> back;
-  ReadFrom(copy.Path(), 0, back);
+  ReadFrom(copy, 0, back);
   ExpectSame(image, back);
   return 0;
 }

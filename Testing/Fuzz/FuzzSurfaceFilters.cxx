@@ -4,6 +4,7 @@
 // Byte 0 chooses the filter, 1 to 8 its properties, 9 the shape (1 in 2: a sphere that the other
 // bytes damage, as they do with points and corners; else all of it from the bytes).
 
+#include "FuzzInput.h"
 #include "vtkChokingLoops.h"
 #include "vtkMeshQualityReport.h"
 #include "vtkOffsetSurface.h"
@@ -170,7 +171,7 @@ void CheckPoints(vtkDataObject* data)
 
 extern "C" int LLVMFuzzerInitialize(int*, char***)
 {
-  vtkObject::GlobalWarningDisplayOff(); // sentences are expected and not the point here
+  isthmus::testing::OneThreadAndSilence();
   return 0;
 }
 

@@ -22,8 +22,8 @@ from good_data import INPUTS, filters, image, kinds, made, surface
 COUNT = int(sys.argv[1]) if len(sys.argv) > 1 else 4
 SEED = int(os.environ.get("ISTHMUS_SEED", "1"))
 ODD = [0.0, -0.0, 1e-300, 1e-38, 1e-12, 1e12, 1e38, 1e99, 1e150, 1e300, math.inf, math.nan]
-# Documented to have NaN where there is nothing to tell.
-MAY_BE_NAN = {"Death", "Persistence", "Potential"}
+# Documented to have NaN where there is nothing to tell, or infinity for a cell without area.
+MAY_BE_NAN = {"Death", "Persistence", "Potential", "RadiusEdgeRatio"}
 
 
 def damaged_surface(random):
