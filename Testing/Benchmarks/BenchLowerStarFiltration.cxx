@@ -125,7 +125,10 @@ void BesideTTK(benchmark::State& state, const std::string& file, double volumes)
 {
   const Case made = Make(file, volumes);
   ValuedTetrahedra theirs{ made.Mesh.Points, made.Values, {} };
-  theirs.Tetrahedra.assign(made.Mesh.Tetrahedra.begin(), made.Mesh.Tetrahedra.end());
+  for (const Tetrahedron& t : made.Mesh.Tetrahedra)
+  {
+    theirs.Tetrahedra.push_back({ t[0], t[1], t[2], t[3] });
+  }
   for (double& value : theirs.Values)
   {
     value *= value; // as in ours, so that births and deaths are the same numbers
