@@ -9,8 +9,6 @@ same rotations by APBS (srfm mol, two solutions each), with its own surface. Pri
 """
 
 import argparse
-import subprocess
-import tempfile
 from pathlib import Path
 
 import numpy
@@ -18,41 +16,13 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
+import apbs_solvation
 import find_isthmus  # noqa: F401 (before isthmus)
 import isthmus
 
 DECAY = 2.0  # of the Gaussians
 SURFACES = ("gaussian", "flow", "ses")
 QUANTILES = (0.99, 0.999, 0.9999, 1.0)
-APBS = """read
-  mol pqr molecule.pqr
-end
-elec name solv
-{common}  sdie {solvent}
-{ions}end
-elec name ref
-{common}  sdie {solute}
-end
-print elecEnergy solv - ref end
-quit
-"""
-COMMON = """  mg-manual
-  dime {n[0]} {n[1]} {n[2]}
-  grid {h} {h} {h}
-  gcent {c[0]} {c[1]} {c[2]}
-  mol 1
-  lpbe
-  bcfl mdh
-  pdie {solute}
-  srfm mol
-  chgm spl0
-  srad 1.4
-  swin 0.3
-  sdens 10.0
-  temp {kelvin}
-  calcenergy total
-  calcforce no
-"""
 
 
 def read(path):
@@ -157,17 +127,11 @@ def apbs_energy(positions, charges, radii, h=0.5, solute=2.0, solvent=80.0, kelv
     low, high = positions.min(axis=0), positions.max(axis=0)
     sides = (high - low + 2.0 * 12.0) / h
     counts = [int(numpy.ceil(side / 32.0)) * 32 + 1 for side in sides]
-    with tempfile.TemporaryDirectory() as folder:
-        with open(Path(folder) / "molecule.pqr", "w") as file:
-            for i, (x, q, r) in enumerate(zip(positions, charges, radii)):
-                file.write("ATOM %d X MOL 1 %.4f %.4f %.4f %.4f %.4f\n" % (i + 1, *x, q, r))
-        common = COMMON.format(n=counts, h=h, c=(low + high) / 2.0, solute=solute, kelvin=kelvin)
-        ions = "".join(f"  ion charge {z} conc {salt} radius 2.0\n" for z in (1, -1)) if salt else ""
-        (Path(folder) / "in").write_text(
-            APBS.format(common=common, solute=solute, solvent=solvent, ions=ions))
-        done = subprocess.run(["apbs", "in"], cwd=folder, capture_output=True, text=True, check=True)
-    line = [text for text in done.stdout.splitlines() if "Global net ELEC energy" in text][0]
-    return float(line.split("=")[1].split()[0]) / 4.184
+    pqr = "".join("ATOM %d X MOL 1 %.4f %.4f %.4f %.4f %.4f\n" % (i + 1, *x, q, r)
+                  for i, (x, q, r) in enumerate(zip(positions, charges, radii)))
+    center = "{} {} {}".format(*(low + high) / 2.0)
+    return apbs_solvation.energy(
+        pqr, apbs_solvation.input_text(counts, h, center, solute, solvent, kelvin, salt))
 
 
 def drift(energies):

@@ -12,13 +12,12 @@ the data from $ISTHMUS_DATA_DIR, else from ../shared/data beside the clone; --mo
 
 import argparse
 import os
-import re
 import subprocess
-import tempfile
 from pathlib import Path
 
 import numpy
 
+import apbs_solvation
 import find_isthmus  # noqa: F401 (before isthmus)
 import isthmus
 
@@ -33,35 +32,6 @@ MOLECULES = (("methanol", "solv/methanol.pqr", -5.10, None),
              ("glyceryl triacetate", "geoflow/gly.pqr", -8.84, None),
              ("methoxide", "solv/methoxide.pqr", None, None), ("acetate", "ionize/acetate.pqr", None, None),
              ("ion of 3 angstrom", "born/ion.pqr", None, None))
-APBS = """read
-  mol pqr molecule.pqr
-end
-elec name solv
-{common}  sdie {solvent}
-end
-elec name ref
-{common}  sdie {solute}
-end
-print elecEnergy solv - ref end
-quit
-"""
-COMMON = """  mg-manual
-  dime 97 97 97
-  grid 0.25 0.25 0.25
-  gcent mol 1
-  mol 1
-  lpbe
-  bcfl mdh
-  pdie {solute}
-  srfm mol
-  chgm spl0
-  srad 1.4
-  swin 0.3
-  sdens 10.0
-  temp 298.15
-  calcenergy total
-  calcforce no
-"""
 
 
 def data(relative):
@@ -102,12 +72,8 @@ def policies():
 
 def apbs_polar(path):
     """kcal/mol, its own molecular surface on nodes of the same spacing."""
-    common = COMMON.format(solute=SOLUTE)
-    with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "molecule.pqr").write_text(path.read_text())
-        (Path(folder) / "in").write_text(APBS.format(common=common, solute=SOLUTE, solvent=SOLVENT))
-        said = subprocess.run(["apbs", "in"], cwd=folder, text=True, capture_output=True, timeout=300).stdout
-    return float(re.findall(r"Global net ELEC energy = ([-\d.E+]+) kJ/mol", said)[-1]) / 4.184
+    text = apbs_solvation.input_text((97, 97, 97), SPACING, "mol 1", SOLUTE, SOLVENT)
+    return apbs_solvation.energy(path.read_text(), text, timeout=300)
 
 
 def left_out(rows):

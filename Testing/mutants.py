@@ -44,7 +44,7 @@ MUTANTS = {
         "irregular[static_cast<std::size_t>(node)] = any || true;", ("TestSurfaceToGrid", "*")),
     "A ball's area is 5 % too large": (
         "Filters/Curvature/SurfacePatch.cxx", "sums.Area += AreaInBall(", "sums.Area += 1.05 * AreaInBall(",
-        ("TestSurfaceCurvature", "SurfaceCurvature.BallAndDiscHaveTheirAreas")),
+        ("TestCurvatureNeighbourhoods", "SurfaceCurvature.BallAndDiscHaveTheirAreas")),
     "An open fan begins at its wrong end": (
         "Filters/CellComplex/EdgeTable.cxx", "  if (this->Mesh.IsOutside(this->Mesh.Beta3(this->Mesh.Beta2(dart))))\n  {\n    return true;",
         "  if (this->Mesh.IsOutside(this->Mesh.Beta3(dart)))\n  {\n    return true;", ("TestCompactCombinatorialMap", "*")),

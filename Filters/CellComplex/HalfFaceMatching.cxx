@@ -34,11 +34,12 @@ HalfFaceMatching<Id>::HalfFaceMatching(Map& map)
   const std::size_t wanted =
     std::clamp<std::size_t>(map.H2D.size() / HalfFacesPerBucket, 1, std::size_t(1) << 14);
   const std::size_t vertices = map.V2D.size();
-  while ((vertices >> this->BucketShift) + 1 > wanted && (vertices >> this->BucketShift) > 0)
+  std::size_t buckets = vertices + 1;
+  for (; buckets > wanted && buckets > 1; ++this->BucketShift)
   {
-    ++this->BucketShift;
+    buckets = (vertices >> (this->BucketShift + 1)) + 1;
   }
-  this->Buckets = (vertices >> this->BucketShift) + 1;
+  this->Buckets = buckets;
 }
 
 template <typename Id>

@@ -87,9 +87,9 @@ AnalysisCost CostOf(const SurfaceView& samples)
   cost.Rank =
     static_cast<std::size_t>(std::max<std::int64_t>(0, 2 * std::int64_t{ Parts(samples) } - euler));
   cost.Units = UnitsOfStages + UnitsOfClass * static_cast<double>(cost.Rank);
-  const double words = static_cast<double>((cost.Rank + 63) / 64);
-  cost.Bytes =
-    FixedBytes + (BytesOfSample + BytesOfWord * words) * static_cast<double>(cost.Samples);
+  const std::size_t words = (cost.Rank + 63) / 64;
+  cost.Bytes = FixedBytes +
+    (BytesOfSample + BytesOfWord * static_cast<double>(words)) * static_cast<double>(cost.Samples);
   return cost;
 }
 

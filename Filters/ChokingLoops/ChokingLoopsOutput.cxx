@@ -67,22 +67,48 @@ const char* NameOf(FeatureKind kind)
   }
 }
 
-/// Radius, fill and widening, and the same by the names that they had before; these go with 2.0.
-void AddSizes(const ShapeFeature& f, Columns<vtkDoubleArray>& numbers)
+/// What an output says of its features: a row for each of its cells or points.
+struct FeatureRows
 {
-  for (const char* name : { "Radius", "Distance" })
+  Columns<vtkIntArray> Integers;
+  Columns<vtkDoubleArray> Numbers;
+
+  /// What all outputs have.
+  void Add(const ShownFeature& shown, const ShapeFeature& f)
   {
-    numbers[name]->InsertNextValue(f.Distance());
+    this->Integers["FeatureId"]->InsertNextValue(static_cast<int>(shown.Index));
+    this->Integers["Kind"]->InsertNextValue(static_cast<int>(f.Kind));
+    this->Numbers["Radius"]->InsertNextValue(f.Distance());
   }
-  for (const char* name : { "Fill", "Death" })
+  void AddSide(const ShapeFeature& f)
   {
-    numbers[name]->InsertNextValue(f.Fill);
+    this->Integers["Side"]->InsertNextValue(static_cast<int>(f.Side));
   }
-  for (const char* name : { "Widening", "Persistence" })
+  /// The radius by the name that it had before; goes with 2.0.
+  void AddDistance(const ShapeFeature& f)
   {
-    numbers[name]->InsertNextValue(f.Widening());
+    this->Numbers["Distance"]->InsertNextValue(f.Distance());
   }
-}
+  /// Fill and widening, and the same by the names that they had before; these go with 2.0.
+  void AddSizes(const ShapeFeature& f)
+  {
+    for (const char* name : { "Fill", "Death" })
+    {
+      this->Numbers[name]->InsertNextValue(f.Fill);
+    }
+    for (const char* name : { "Widening", "Persistence" })
+    {
+      this->Numbers[name]->InsertNextValue(f.Widening());
+    }
+  }
+
+  template <typename Attributes>
+  void AddTo(Attributes* attributes) const
+  {
+    this->Integers.AddTo(attributes);
+    this->Numbers.AddTo(attributes);
+  }
+};
 
 /// Points of a feature in an output, each inserted once.
 class PointMap
@@ -120,11 +146,6 @@ vtkSmartPointer<vtkPoints> DoublePoints()
   return points;
 }
 
-}
-
-namespace
-{
-
 /// The cells of one feature's loops.
 using Cells = std::vector<std::vector<vtkIdType>>;
 
@@ -152,8 +173,7 @@ void FillLoops(
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkStringArray> names;
   names->SetName("KindName");
-  Columns<vtkIntArray> integers;
-  Columns<vtkDoubleArray> numbers;
+  FeatureRows rows;
   std::map<const LoopFeature*, Cells> drawn;
   for (const ShownFeature& shown : features)
   {
@@ -170,22 +190,21 @@ void FillLoops(
       lines->InsertNextCell(static_cast<vtkIdType>(cells[k].size()), cells[k].data());
       const SimplexId anchor = shown.Geometry->Anchors[k];
       names->InsertNextValue(NameOf(f.Kind));
-      integers["Kind"]->InsertNextValue(static_cast<int>(f.Kind));
-      integers["Side"]->InsertNextValue(static_cast<int>(f.Side));
-      integers["Trusted"]->InsertNextValue(f.Trusted);
-      integers["FeatureId"]->InsertNextValue(static_cast<int>(shown.Index));
-      integers["SharedWith"]->InsertNextValue(static_cast<int>(shown.SharedWith));
-      integers["Component"]->InsertNextValue(loops.Homology().ComponentOf(anchor));
-      AddSizes(f, numbers);
-      numbers["Uncertainty"]->InsertNextValue(UncertaintyOf(f));
-      numbers["Length"]->InsertNextValue(shown.Geometry->Lengths[k]);
-      numbers["Reach"]->InsertNextValue(reach);
+      rows.Add(shown, f);
+      rows.AddSide(f);
+      rows.AddDistance(f);
+      rows.AddSizes(f);
+      rows.Integers["Trusted"]->InsertNextValue(f.Trusted);
+      rows.Integers["SharedWith"]->InsertNextValue(static_cast<int>(shown.SharedWith));
+      rows.Integers["Component"]->InsertNextValue(loops.Homology().ComponentOf(anchor));
+      rows.Numbers["Uncertainty"]->InsertNextValue(UncertaintyOf(f));
+      rows.Numbers["Length"]->InsertNextValue(shown.Geometry->Lengths[k]);
+      rows.Numbers["Reach"]->InsertNextValue(reach);
     }
   }
   output->SetPoints(points);
   output->SetLines(lines);
-  integers.AddTo(output->GetCellData());
-  numbers.AddTo(output->GetCellData());
+  rows.AddTo(output->GetCellData());
   output->GetCellData()->AddArray(names);
   output->GetCellData()->SetActiveScalars("Radius");
 }
@@ -195,8 +214,7 @@ void FillMembranes(
 {
   const vtkSmartPointer<vtkPoints> points = DoublePoints();
   vtkNew<vtkCellArray> triangles;
-  Columns<vtkIntArray> integers;
-  Columns<vtkDoubleArray> numbers;
+  FeatureRows rows;
   for (const ShownFeature& shown : features)
   {
     const ShapeFeature& f = loops.Diagram().Features[shown.Index];
@@ -204,17 +222,14 @@ void FillMembranes(
     for (const auto& t : shown.Geometry->Membrane)
     {
       triangles->InsertNextCell({ map.Of(t[0]), map.Of(t[1]), map.Of(t[2]) });
-      integers["FeatureId"]->InsertNextValue(static_cast<int>(shown.Index));
-      integers["Kind"]->InsertNextValue(static_cast<int>(f.Kind));
-      numbers["Area"]->InsertNextValue(shown.Geometry->Area);
-      numbers["Radius"]->InsertNextValue(f.Distance());
-      numbers["Distance"]->InsertNextValue(f.Distance()); // its name before; goes with 2.0
+      rows.Add(shown, f);
+      rows.AddDistance(f);
+      rows.Numbers["Area"]->InsertNextValue(shown.Geometry->Area);
     }
   }
   output->SetPoints(points);
   output->SetPolys(triangles);
-  integers.AddTo(output->GetCellData());
-  numbers.AddTo(output->GetCellData());
+  rows.AddTo(output->GetCellData());
 }
 
 void FillChokePoints(
@@ -222,21 +237,17 @@ void FillChokePoints(
 {
   const vtkSmartPointer<vtkPoints> points = DoublePoints();
   vtkNew<vtkCellArray> vertices;
-  Columns<vtkIntArray> integers;
-  Columns<vtkDoubleArray> numbers;
+  FeatureRows rows;
   for (const ShownFeature& shown : features)
   {
     const ShapeFeature& f = loops.Diagram().Features[shown.Index];
     vertices->InsertNextCell({ points->InsertNextPoint(loops.ChokePoint(shown.Index).data()) });
-    integers["FeatureId"]->InsertNextValue(static_cast<int>(shown.Index));
-    integers["Kind"]->InsertNextValue(static_cast<int>(f.Kind));
-    integers["Side"]->InsertNextValue(static_cast<int>(f.Side));
-    numbers["Radius"]->InsertNextValue(f.Distance());
+    rows.Add(shown, f);
+    rows.AddSide(f);
   }
   output->SetPoints(points);
   output->SetVerts(vertices);
-  integers.AddTo(output->GetPointData());
-  numbers.AddTo(output->GetPointData());
+  rows.AddTo(output->GetPointData());
   output->GetPointData()->SetActiveScalars("Radius");
 }
 

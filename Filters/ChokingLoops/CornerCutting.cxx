@@ -245,7 +245,8 @@ SurfaceCurve CutCorners(
   {
     bent.Bends.push_back({ pin, 0 });
   }
-  std::size_t left = 2 * Generations * bent.Bends.size() * (reach > 0.0 ? 1 : 0); // cuts
+  std::size_t left =
+    std::size_t{ 2 } * Generations * bent.Bends.size() * (reach > 0.0 ? 1 : 0); // cuts
   for (std::size_t i = 0; i < bent.Bends.size() && left > 0;)
   {
     const Bend bend = bent.Bends[i];

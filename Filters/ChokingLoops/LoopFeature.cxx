@@ -28,6 +28,7 @@ std::vector<Point3> PointsOf(
   const ChokingLoops& loops, const LoopFeature& feature, const std::vector<SimplexId>& loop)
 {
   std::vector<Point3> points;
+  points.reserve(loop.size());
   for (const SimplexId p : loop)
   {
     points.push_back(feature.Point(p, loops.Samples()));

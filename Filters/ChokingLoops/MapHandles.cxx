@@ -77,7 +77,7 @@ std::array<std::int64_t, 3> BettiAt(const FeatureList& features, bool superlevel
     const ScalarFeature& feature = features.Features[i];
     const bool alive =
       Along(superlevel, feature.Birth) <= at && at < Along(superlevel, feature.Death);
-    betti[static_cast<std::size_t>(feature.Pair.Dimension)] += alive ? 1 : 0;
+    betti[static_cast<unsigned char>(feature.Pair.Dimension)] += alive ? 1 : 0;
   }
   return betti;
 }

@@ -10,8 +10,7 @@ namespace isthmus
 std::vector<double> MorseValues(const SurfaceView& surface, const TetrahedralMesh& mesh,
   MorseFunction function, const ProgressCallback& progress)
 {
-  const std::vector<double> exact =
-    SurfaceDistances(surface, mesh.Points, Between(progress, 0.0, 0.5));
+  std::vector<double> exact = SurfaceDistances(surface, mesh.Points, Between(progress, 0.0, 0.5));
   if (function == MorseFunction::ClosestPoint)
   {
     return exact;

@@ -17,10 +17,12 @@ Point3 NodeOf(const DistanceGrid& grid, std::size_t i)
 {
   const auto node = static_cast<std::int64_t>(i);
   const std::int64_t layer = grid.Dimensions[0] * grid.Dimensions[1];
+  const std::int64_t k = node / layer;
+  const std::int64_t j = node % layer / grid.Dimensions[0];
   return grid.Origin +
     grid.Spacing *
-    Point3{ static_cast<double>(node % grid.Dimensions[0]),
-      static_cast<double>(node % layer / grid.Dimensions[0]), static_cast<double>(node / layer) };
+    Point3{ static_cast<double>(node % grid.Dimensions[0]), static_cast<double>(j),
+      static_cast<double>(k) };
 }
 
 /// Room for the offset and two cells beyond it.

@@ -2,6 +2,7 @@
 
 #include "Bounds3.h"
 #include "ChokeFit.h"
+#include "TriangleTree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,15 +53,6 @@ Outline OutlineOf(const ChokingLoops& loops, const ShownFeature& shown)
   return outline;
 }
 
-double SquaredDistance(const Point3& p, const Point3& a, const Point3& b)
-{
-  const Point3 edge = b - a;
-  const double length2 = Dot(edge, edge);
-  const double u = length2 > 0.0 ? std::clamp(Dot(p - a, edge) / length2, 0.0, 1.0) : 0.0;
-  const Point3 d = p - a - u * edge;
-  return Dot(d, d);
-}
-
 /// True when each point of `a` is within `reach` of some loop of `b`.
 bool LiesAlong(const Outline& a, const Outline& b, double reach)
 {
@@ -71,7 +63,7 @@ bool LiesAlong(const Outline& a, const Outline& b, double reach)
       {
         for (std::size_t i = 0; i < loop.size(); ++i)
         {
-          if (SquaredDistance(p, loop[i], loop[(i + 1) % loop.size()]) <= reach * reach)
+          if (SquaredDistanceToSegment(p, loop[i], loop[(i + 1) % loop.size()]) <= reach * reach)
           {
             return true;
           }
@@ -107,6 +99,7 @@ bool PassesNear(
     [&](const auto& t)
     {
       std::vector<Point3> corners;
+      corners.reserve(t.size());
       for (const SimplexId p : t)
       {
         corners.push_back(geometry.Point(p, loops.Samples()));
@@ -154,6 +147,7 @@ const ShownFeature* LoopsFor(const ChokingLoops& loops, const std::vector<ShownF
 void FindShared(const ChokingLoops& loops, std::vector<ShownFeature>& features)
 {
   std::vector<char> isFree; // nothing holds its own loop
+  isFree.reserve(features.size());
   for (const ShownFeature& shown : features)
   {
     isFree.push_back(shown.Geometry->Held || shown.Geometry->Collapsed);

@@ -3,6 +3,8 @@ isthmus_room(
     vtkHessianCurvature
     vtkScalarRegions
     vtkSurfaceCurvature
+  HEADERS
+    CurvatureArrays
   SOURCES
     CurvatureDescriptors
     CurvatureOfImage

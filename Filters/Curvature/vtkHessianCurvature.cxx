@@ -5,6 +5,7 @@
 #include "CurvatureOfImage.h"
 #include "FiniteDifference.h"
 #include "GaussianScale.h"
+#include "ImageCrop.h"
 #include "ImageExtent.h"
 #include "RangeGuard.h"
 
@@ -64,7 +65,7 @@ void CropToPiece(vtkImageData* image, vtkInformation* outInfo)
     image->GetPointGhostArray() || image->GetCellGhostArray();
   if (split && isthmus::Contains(extent, piece))
   {
-    image->Crop(piece.data());
+    isthmus::CropTo(image, piece);
   }
 }
 
@@ -326,17 +327,6 @@ void vtkHessianCurvature::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Accuracy: " << this->Accuracy << "\n"
      << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n"
      << indent << "Scale: " << this->Scale << "\n"
-     << indent << "ShapeIndexConvention: " << this->ShapeIndexConvention << "\n"
-     << indent << "GenerateGaussianCurvature: " << this->GenerateGaussianCurvature << "\n"
-     << indent << "GenerateMeanCurvature: " << this->GenerateMeanCurvature << "\n"
-     << indent << "GenerateMaximumCurvature: " << this->GenerateMaximumCurvature << "\n"
-     << indent << "GenerateMinimumCurvature: " << this->GenerateMinimumCurvature << "\n"
-     << indent << "GenerateShapeIndex: " << this->GenerateShapeIndex << "\n"
-     << indent << "GenerateCurvedness: " << this->GenerateCurvedness << "\n"
-     << indent << "GeneratePrincipalDirection1: " << this->GeneratePrincipalDirection1 << "\n"
-     << indent << "GeneratePrincipalDirection2: " << this->GeneratePrincipalDirection2 << "\n"
-     << indent << "GenerateSurfaceType: " << this->GenerateSurfaceType << "\n"
-     << indent << "FlatTolerance: " << this->FlatTolerance << "\n"
-     << indent << "GaussianTolerance: " << this->GaussianTolerance << "\n"
-     << indent << "MeanTolerance: " << this->MeanTolerance << "\n";
+     << indent << "ShapeIndexConvention: " << this->ShapeIndexConvention << "\n";
+  this->PrintCurvatureArrays(os, indent);
 }

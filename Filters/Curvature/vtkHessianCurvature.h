@@ -47,6 +47,7 @@
 #ifndef vtkHessianCurvature_h
 #define vtkHessianCurvature_h
 
+#include "CurvatureArrays.h"
 #include "vtkDataSetAlgorithm.h"
 #include "vtkIsthmusModule.h" // for the export macro
 
@@ -103,54 +104,11 @@ public:
   vtkGetMacro(ShapeIndexConvention, int);
   ///@}
 
-  ///@{
-  /**
-   * Which arrays to make. Default: on, but for principal directions and surface type.
-   */
-  vtkSetMacro(GenerateGaussianCurvature, vtkTypeBool);
-  vtkGetMacro(GenerateGaussianCurvature, vtkTypeBool);
-  vtkBooleanMacro(GenerateGaussianCurvature, vtkTypeBool);
-  vtkSetMacro(GenerateMeanCurvature, vtkTypeBool);
-  vtkGetMacro(GenerateMeanCurvature, vtkTypeBool);
-  vtkBooleanMacro(GenerateMeanCurvature, vtkTypeBool);
-  vtkSetMacro(GenerateMaximumCurvature, vtkTypeBool);
-  vtkGetMacro(GenerateMaximumCurvature, vtkTypeBool);
-  vtkBooleanMacro(GenerateMaximumCurvature, vtkTypeBool);
-  vtkSetMacro(GenerateMinimumCurvature, vtkTypeBool);
-  vtkGetMacro(GenerateMinimumCurvature, vtkTypeBool);
-  vtkBooleanMacro(GenerateMinimumCurvature, vtkTypeBool);
-  vtkSetMacro(GenerateShapeIndex, vtkTypeBool);
-  vtkGetMacro(GenerateShapeIndex, vtkTypeBool);
-  vtkBooleanMacro(GenerateShapeIndex, vtkTypeBool);
-  vtkSetMacro(GenerateCurvedness, vtkTypeBool);
-  vtkGetMacro(GenerateCurvedness, vtkTypeBool);
-  vtkBooleanMacro(GenerateCurvedness, vtkTypeBool);
-  vtkSetMacro(GeneratePrincipalDirection1, vtkTypeBool);
-  vtkGetMacro(GeneratePrincipalDirection1, vtkTypeBool);
-  vtkBooleanMacro(GeneratePrincipalDirection1, vtkTypeBool);
-  vtkSetMacro(GeneratePrincipalDirection2, vtkTypeBool);
-  vtkGetMacro(GeneratePrincipalDirection2, vtkTypeBool);
-  vtkBooleanMacro(GeneratePrincipalDirection2, vtkTypeBool);
-  vtkSetMacro(GenerateSurfaceType, vtkTypeBool);
-  vtkGetMacro(GenerateSurfaceType, vtkTypeBool);
-  vtkBooleanMacro(GenerateSurfaceType, vtkTypeBool);
-  ///@}
-
-  ///@{
-  /**
-   * What `SurfaceType` takes for zero, no units: a point is flat where curvedness x smallest
-   * spacing is at most FlatTolerance; elsewhere K is zero where |K| is at most GaussianTolerance x
-   * curvedness^2, and H where |H| is at most MeanTolerance x curvedness. Default 1e-3 each. Types:
-   * 0 none, 1 pit, 2 valley, 3 saddle ridge, 4 flat, 5 minimal surface, 6 saddle valley, 7 ridge,
-   * 8 peak.
-   */
-  vtkSetMacro(FlatTolerance, double);
-  vtkGetMacro(FlatTolerance, double);
-  vtkSetMacro(GaussianTolerance, double);
-  vtkGetMacro(GaussianTolerance, double);
-  vtkSetMacro(MeanTolerance, double);
-  vtkGetMacro(MeanTolerance, double);
-  ///@}
+  /// GenerateGaussianCurvature and so on: which arrays to make; default on, but for principal
+  /// directions and surface type. FlatTolerance, GaussianTolerance and MeanTolerance: what
+  /// `SurfaceType` takes for zero, no units, default 1e-3 each; a point is flat where curvedness x
+  /// the smallest spacing is at most FlatTolerance. CurvatureArrays.h has the whole list.
+  ISTHMUS_CURVATURE_ARRAYS();
 
 protected:
   vtkHessianCurvature();
@@ -170,18 +128,6 @@ protected:
   vtkTypeBool InsideIsHigher = 1;
   double Scale = 0.0;
   int ShapeIndexConvention = Thesis;
-  vtkTypeBool GenerateGaussianCurvature = 1;
-  vtkTypeBool GenerateMeanCurvature = 1;
-  vtkTypeBool GenerateMaximumCurvature = 1;
-  vtkTypeBool GenerateMinimumCurvature = 1;
-  vtkTypeBool GenerateShapeIndex = 1;
-  vtkTypeBool GenerateCurvedness = 1;
-  vtkTypeBool GeneratePrincipalDirection1 = 0;
-  vtkTypeBool GeneratePrincipalDirection2 = 0;
-  vtkTypeBool GenerateSurfaceType = 0;
-  double FlatTolerance = 1e-3;
-  double GaussianTolerance = 1e-3;
-  double MeanTolerance = 1e-3;
 
 private:
   vtkHessianCurvature(const vtkHessianCurvature&) = delete;

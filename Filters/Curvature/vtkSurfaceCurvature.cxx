@@ -246,17 +246,6 @@ void vtkSurfaceCurvature::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "Orientation: " << this->Orientation << "\n";
   os << indent << "ShapeIndexConvention: " << this->ShapeIndexConvention << "\n";
-  os << indent << "GenerateGaussianCurvature: " << this->GenerateGaussianCurvature << "\n";
-  os << indent << "GenerateMeanCurvature: " << this->GenerateMeanCurvature << "\n";
-  os << indent << "GenerateMaximumCurvature: " << this->GenerateMaximumCurvature << "\n";
-  os << indent << "GenerateMinimumCurvature: " << this->GenerateMinimumCurvature << "\n";
-  os << indent << "GenerateShapeIndex: " << this->GenerateShapeIndex << "\n";
-  os << indent << "GenerateCurvedness: " << this->GenerateCurvedness << "\n";
-  os << indent << "GeneratePrincipalDirection1: " << this->GeneratePrincipalDirection1 << "\n";
-  os << indent << "GeneratePrincipalDirection2: " << this->GeneratePrincipalDirection2 << "\n";
-  os << indent << "GenerateSurfaceType: " << this->GenerateSurfaceType << "\n";
   os << indent << "GeneratePointArea: " << this->GeneratePointArea << "\n";
-  os << indent << "FlatTolerance: " << this->FlatTolerance << "\n";
-  os << indent << "GaussianTolerance: " << this->GaussianTolerance << "\n";
-  os << indent << "MeanTolerance: " << this->MeanTolerance << "\n";
+  this->PrintCurvatureArrays(os, indent);
 }

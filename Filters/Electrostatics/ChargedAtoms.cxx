@@ -75,7 +75,7 @@ bool LacksCharges(vtkPointSet* atoms, const ChargeArrays& arrays)
 vtkSmartPointer<vtkPointSet> PointsOf(
   const ChargedProtein& protein, vtkPointSet* atoms, const ChargeArrays& arrays)
 {
-  const auto result = vtkSmartPointer<vtkPointSet>::Take(atoms->NewInstance());
+  auto result = vtkSmartPointer<vtkPointSet>::Take(atoms->NewInstance());
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;

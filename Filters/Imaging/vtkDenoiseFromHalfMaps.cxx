@@ -1,6 +1,7 @@
 #include "vtkDenoiseFromHalfMaps.h"
 
 #include "AlgorithmGuard.h"
+#include "ImageCrop.h"
 #include "ImageExtent.h"
 #include "vtkHighOrderDiffusion.h"
 
@@ -175,8 +176,7 @@ int vtkDenoiseFromHalfMaps::RequestData(
         this->Denoise(one, vtkImageData::GetData(input[1]), image);
         isthmus::Extent piece{};
         image->GetExtent(piece.data());
-        piece = isthmus::PieceOf(output->GetInformationObject(0), piece);
-        image->Crop(piece.data());
+        isthmus::CropTo(image, isthmus::PieceOf(output->GetInformationObject(0), piece));
       }
     });
 }

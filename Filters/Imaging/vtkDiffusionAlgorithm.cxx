@@ -3,6 +3,7 @@
 #include "AlgorithmGuard.h"
 #include "ChosenScalars.h"
 #include "DiffusionImage.h"
+#include "ImageCrop.h"
 #include "RankParts.h"
 #include "WholeSurface.h"
 
@@ -131,7 +132,7 @@ int vtkDiffusionAlgorithm::RequestData(
       const isthmus::RankParts parts(this->Controller, whole, own, this->HaloWidth());
       vtkDataArray* scalars = this->ScalarsOnAllRanks(input, parts);
       output->ShallowCopy(input);
-      output->Crop(own.data());
+      isthmus::CropTo(output, own);
       double anyDouble = scalars && !FitsFloat(scalars) ? 1.0 : 0.0;
       parts.Sum(&anyDouble, 1); // a rank without nodes has no array to tell it
       if (anyDouble > 0.0)
@@ -144,8 +145,7 @@ int vtkDiffusionAlgorithm::RequestData(
       }
       if (!this->IsParallel())
       {
-        isthmus::Extent piece = isthmus::PieceOf(outputs->GetInformationObject(0), own);
-        output->Crop(piece.data());
+        isthmus::CropTo(output, isthmus::PieceOf(outputs->GetInformationObject(0), own));
       }
     });
 }

@@ -292,6 +292,11 @@ std::vector<double> DistanceToSurface(
   std::vector<double> squared = Band(mesh, grid).Run(band, Between(progress, 0.0, 0.5));
   const auto crossings =
     SurfaceCrossings(mesh, grid, CrossingNormal::Triangles, Between(progress, 0.5, 0.6));
+  if (crossings.empty() && mesh.NumberOfTriangles() > 0)
+  {
+    // It lies between the lines of the grid: a needle, or smaller than a cell.
+    return ExactDistanceToSurface(mesh, grid, Between(progress, 0.6, 1.0));
+  }
   // A node beyond the band takes the nearest of the crossings along x, y and z.
   std::vector<double> far(squared.size(), Infinity);
   for (const int axis : { 0, 1, 2 })

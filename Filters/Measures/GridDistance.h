@@ -7,7 +7,7 @@
  * lower envelopes of P. Felzenszwalb and D. Huttenlocher, "Distance transforms of sampled
  * functions", Theory of Computing 8 (2012) 415, doi:10.4086/toc.2012.v008a019. Crossings lie on the
  * surface, about a spacing h apart, so far values are never too small and too large by at most
- * about h^2 / (2 distance).
+ * about h^2 / (2 distance). A surface that crosses no line of the grid is exact everywhere.
  */
 #ifndef isthmus_GridDistance_h
 #define isthmus_GridDistance_h

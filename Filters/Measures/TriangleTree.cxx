@@ -14,6 +14,8 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t DeepestStack = 128; // 7 that wait on each of 12 levels, and one
 
+}
+
 double SquaredDistanceToSegment(const Point3& x, const Point3& a, const Point3& b)
 {
   const Point3 d = b - a;
@@ -21,8 +23,6 @@ double SquaredDistanceToSegment(const Point3& x, const Point3& a, const Point3& 
   const double t = dd > 0.0 ? std::clamp(Dot(x - a, d) / dd, 0.0, 1.0) : 0.0;
   const Point3 rest = x - a - t * d;
   return Dot(rest, rest);
-}
-
 }
 
 double SquaredDistanceToTriangle(const Point3& x, const std::array<Point3, 3>& corners)

@@ -15,6 +15,10 @@
 namespace isthmus
 {
 
+/// Squared distance of `x` from the segment from `a` to `b`, which may be one point.
+VTKISTHMUS_EXPORT double SquaredDistanceToSegment(
+  const Point3& x, const Point3& a, const Point3& b);
+
 /// Squared distance of `x` from a triangle: to its plane over the inside, else to its border.
 VTKISTHMUS_EXPORT double SquaredDistanceToTriangle(
   const Point3& x, const std::array<Point3, 3>& corners);

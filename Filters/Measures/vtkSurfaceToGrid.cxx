@@ -4,6 +4,7 @@
 #include "ChosenScalars.h"
 #include "GridDistance.h"
 #include "GridImages.h"
+#include "ImageCrop.h"
 #include "ImageExtent.h"
 #include "ImageScalars.h"
 #include "LevelCrossings.h"
@@ -203,7 +204,7 @@ int vtkSurfaceToGrid::RequestData(
     // All ranks have all of the grid: each keeps its piece.
     isthmus::Extent all{};
     output->GetExtent(all.data());
-    output->Crop(isthmus::PieceOf(outputVector->GetInformationObject(0), all).data());
+    isthmus::CropTo(output, isthmus::PieceOf(outputVector->GetInformationObject(0), all));
   }
   return result;
 }

@@ -1,5 +1,6 @@
 #include "MeshQuality.h"
 
+#include "Index.h"
 #include "ParallelFor.h"
 #include "Pi.h"
 #include "RangeGuard.h"
@@ -103,7 +104,7 @@ Measured<6> Measure(std::array<Point3, 4> p)
 template <std::size_t Corners>
 QualitySummary MeasureAll(const View<Point3>& points,
   const View<std::array<vtkIdType, Corners>>& cells, int bins, std::vector<CellAngles>& measures,
-  const ProgressCallback& progress)
+  const ProgressCallback& progress, const View<unsigned char>& ghosts)
 {
   DemandRange("NumberOfBins", bins, 1, MostBins, "It counts the columns of the histogram.");
   const UnitScale range(points); // refuses what no product of lengths can be made of
@@ -111,6 +112,7 @@ QualitySummary MeasureAll(const View<Point3>& points,
   QualitySummary summary;
   summary.Bins.assign(static_cast<std::size_t>(bins), 0);
   std::mutex mutex;
+  const auto counted = [&ghosts](std::size_t cell) { return ghosts.empty() || ghosts[cell] == 0; };
   ParallelFor(
     0, static_cast<std::int64_t>(cells.size()), 8192,
     [&](std::int64_t first, std::int64_t last)
@@ -127,8 +129,8 @@ QualitySummary MeasureAll(const View<Point3>& points,
         measures[static_cast<std::size_t>(i)] = measured.Cell;
         for (const double angle : measured.Angles)
         {
-          ++counts[static_cast<std::size_t>(
-            std::clamp(static_cast<int>(angle / 180.0 * bins), 0, bins - 1))];
+          counts[static_cast<std::size_t>(std::clamp(
+            static_cast<int>(angle / 180.0 * bins), 0, bins - 1))] += counted(At(i)) ? 1 : 0;
         }
       }
       const std::lock_guard<std::mutex> lock(mutex);
@@ -139,15 +141,20 @@ QualitySummary MeasureAll(const View<Point3>& points,
     },
     progress);
   // In order, so that the sum is the same on any number of threads.
-  for (const CellAngles& cell : measures)
+  for (std::size_t i = 0; i < measures.size(); ++i)
   {
+    if (!counted(i))
+    {
+      continue;
+    }
+    const CellAngles& cell = measures[i];
     summary.SmallestAngle = std::min(summary.SmallestAngle, cell.Smallest);
     summary.LargestAngle = std::max(summary.LargestAngle, cell.Largest);
     summary.LargestRadiusEdge = std::max(summary.LargestRadiusEdge, cell.RadiusEdge);
     summary.TotalSize += cell.Size;
     summary.Slivers += Corners == 4 && cell.Smallest < 5.0 ? 1 : 0;
+    ++summary.Cells;
   }
-  summary.Cells = static_cast<std::int64_t>(cells.size());
   return summary;
 }
 
@@ -164,16 +171,16 @@ CellAngles MeasureTetrahedron(const Point3& a, const Point3& b, const Point3& c,
 }
 
 QualitySummary MeasureQuality(const SurfaceView& surface, int bins, std::vector<CellAngles>& cells,
-  const ProgressCallback& progress)
+  const ProgressCallback& progress, const View<unsigned char>& ghosts)
 {
-  return MeasureAll<3>(surface.Points, surface.Triangles, bins, cells, progress);
+  return MeasureAll<3>(surface.Points, surface.Triangles, bins, cells, progress, ghosts);
 }
 
 QualitySummary MeasureQuality(const std::vector<Point3>& points,
   const std::vector<Tetrahedron>& tetrahedra, int bins, std::vector<CellAngles>& cells,
-  const ProgressCallback& progress)
+  const ProgressCallback& progress, const View<unsigned char>& ghosts)
 {
-  return MeasureAll<4>(points, tetrahedra, bins, cells, progress);
+  return MeasureAll<4>(points, tetrahedra, bins, cells, progress, ghosts);
 }
 
 }

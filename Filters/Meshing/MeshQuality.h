@@ -46,11 +46,14 @@ VTKISTHMUS_EXPORT CellAngles MeasureTetrahedron(
   const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 
 /// Measures of each cell into `cells` (of the same size) and the summary, in parallel. O(n).
+/// `ghosts`: one flag a cell, or none; where it is not 0 the cell is measured, and not in the
+/// summary, since another rank has it in its own.
 VTKISTHMUS_EXPORT QualitySummary MeasureQuality(const SurfaceView& surface, int bins,
-  std::vector<CellAngles>& cells, const ProgressCallback& progress = {});
+  std::vector<CellAngles>& cells, const ProgressCallback& progress = {},
+  const View<unsigned char>& ghosts = {});
 VTKISTHMUS_EXPORT QualitySummary MeasureQuality(const std::vector<Point3>& points,
   const std::vector<Tetrahedron>& tetrahedra, int bins, std::vector<CellAngles>& cells,
-  const ProgressCallback& progress = {});
+  const ProgressCallback& progress = {}, const View<unsigned char>& ghosts = {});
 
 }
 

@@ -20,6 +20,7 @@
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <cmath>
@@ -81,6 +82,15 @@ std::vector<isthmus::Point3> PointsOf(vtkPointSet* mesh)
     }
   }
   return points;
+}
+
+/// The flags of cells that other ranks have, too.
+isthmus::View<unsigned char> GhostsOf(vtkPointSet* mesh)
+{
+  vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+  return ghosts ? isthmus::View<unsigned char>(
+                    ghosts->GetPointer(0), static_cast<std::size_t>(ghosts->GetNumberOfTuples()))
+                : isthmus::View<unsigned char>();
 }
 
 void AddArray(vtkPointSet* mesh, const char* name, const std::vector<isthmus::CellAngles>& cells,
@@ -229,11 +239,12 @@ int vtkMeshQualityReport::RequestData(
       const bool tetrahedra = mesh->IsA("vtkUnstructuredGrid") != 0;
       const auto points = PointsOf(mesh);
       std::vector<isthmus::CellAngles> cells;
+      const isthmus::View<unsigned char> ghosts = GhostsOf(mesh);
       const isthmus::QualitySummary own = tetrahedra
         ? isthmus::MeasureQuality(
-            points, CellsOf<4>(mesh, VTK_TETRA), this->NumberOfBins, cells, progress)
-        : isthmus::MeasureQuality(
-            { points, CellsOf<3>(mesh, VTK_TRIANGLE) }, this->NumberOfBins, cells, progress);
+            points, CellsOf<4>(mesh, VTK_TETRA), this->NumberOfBins, cells, progress, ghosts)
+        : isthmus::MeasureQuality({ points, CellsOf<3>(mesh, VTK_TRIANGLE) }, this->NumberOfBins,
+            cells, progress, ghosts);
       const isthmus::QualitySummary summary = OverRanks(this, own);
       marked->ShallowCopy(mesh);
       if (summary.Cells == 0)

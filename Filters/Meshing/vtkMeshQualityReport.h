@@ -14,6 +14,9 @@
  * Output 1: vtkTable, one row for each of NumberOfBins bins over 0 to 180 degrees: `Angle` (middle
  * of the bin), `Count`, `Fraction` of all angles (three for a triangle, six for a tetrahedron).
  *
+ * On several MPI ranks the line and the table are of all of them; ghost cells are measured, and not
+ * counted.
+ *
  * vtkMeshQuality gives one measure at a time and no dihedral range; what it has agrees (tested). On
  * other cells: one sentence through vtkErrorMacro and empty outputs. O(n), in parallel.
  */

@@ -3,7 +3,9 @@
 #include "AtomInput.h"
 #include "ChemicalElement.h"
 
+#include <vtkAlgorithm.h>
 #include <vtkDataArray.h>
+#include <vtkInformation.h>
 #include <vtkMolecule.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
@@ -223,6 +225,12 @@ AtomBalls BallsOf(vtkDataObject* atoms, const char* name, const AtomChoice& choi
       "of radii in the reader, or another array.");
   }
   return result;
+}
+
+AtomBalls BallsOf(vtkAlgorithm* filter, vtkDataObject* atoms, const AtomChoice& choice)
+{
+  vtkInformation* radii = filter->GetInputArrayInformation(0);
+  return BallsOf(atoms, radii ? radii->Get(vtkDataObject::FIELD_NAME()) : nullptr, choice);
 }
 
 }

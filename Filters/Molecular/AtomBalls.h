@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+class vtkAlgorithm;
 class vtkDataObject;
 class vtkDataSetAttributes;
 class vtkPoints;
@@ -60,6 +61,10 @@ std::vector<int> AtomElements(vtkDataObject* atoms);
  */
 VTKISTHMUS_EXPORT AtomBalls BallsOf(
   vtkDataObject* atoms, const char* radii, const AtomChoice& choice = {});
+
+/// The same with the radii of `filter`'s input array 0.
+VTKISTHMUS_EXPORT AtomBalls BallsOf(
+  vtkAlgorithm* filter, vtkDataObject* atoms, const AtomChoice& choice);
 
 }
 

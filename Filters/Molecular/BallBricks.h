@@ -7,6 +7,7 @@
 
 #include "Ball.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -44,6 +45,31 @@ struct NodeRange
   std::int64_t First;
   std::int64_t Last;
 };
+
+/// Calls `use(row, j, k, y, z)` for the nodes of each row of `brick` within the ball's radius: j
+/// and k are the row's place along the second and third axis, y and z its distance from the centre
+/// there.
+template <typename Use>
+void ForEachRow(const Ball& ball, const Brick& brick, Use&& use)
+{
+  const NodeRange planes(ball.Centre[2], ball.Radius, brick.First[2], brick.Last[2]);
+  for (std::int64_t k = planes.First; k < planes.Last; ++k)
+  {
+    const double z = static_cast<double>(k) - ball.Centre[2];
+    const double left = std::max(0.0, ball.Radius * ball.Radius - z * z);
+    const NodeRange rows(ball.Centre[1], std::sqrt(left), brick.First[1], brick.Last[1]);
+    for (std::int64_t j = rows.First; j < rows.Last; ++j)
+    {
+      const double y = static_cast<double>(j) - ball.Centre[1];
+      const NodeRange row(
+        ball.Centre[0], std::sqrt(std::max(0.0, left - y * y)), brick.First[0], brick.Last[0]);
+      if (!row.IsEmpty())
+      {
+        use(row, j, k, y, z);
+      }
+    }
+  }
+}
 
 /**
  * The bricks of a grid and which balls reach into each, in an order of the balls that does not

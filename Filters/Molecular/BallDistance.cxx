@@ -27,25 +27,13 @@ void LowerRow(float* row, std::int64_t nodes, float firstX, float restSquared, f
 void LowerBrick(
   const FlowGrid& grid, const Ball& ball, double band, const Brick& brick, float* values)
 {
-  const NodeRange planes(ball.Centre[2], ball.Radius, brick.First[2], brick.Last[2]);
-  for (std::int64_t k = planes.First; k < planes.Last; ++k)
-  {
-    const double z = static_cast<double>(k) - ball.Centre[2];
-    const double left = std::max(0.0, ball.Radius * ball.Radius - z * z);
-    const NodeRange rows(ball.Centre[1], std::sqrt(left), brick.First[1], brick.Last[1]);
-    for (std::int64_t j = rows.First; j < rows.Last; ++j)
+  ForEachRow(ball, brick,
+    [&](const NodeRange& row, std::int64_t j, std::int64_t k, double y, double z)
     {
-      const double y = static_cast<double>(j) - ball.Centre[1];
-      const NodeRange row(
-        ball.Centre[0], std::sqrt(std::max(0.0, left - y * y)), brick.First[0], brick.Last[0]);
-      if (!row.IsEmpty())
-      {
-        LowerRow(values + row.First + grid.Row() * j + grid.Plane() * k, row.Last - row.First,
-          static_cast<float>(static_cast<double>(row.First) - ball.Centre[0]),
-          static_cast<float>(y * y + z * z), static_cast<float>(ball.Radius - band));
-      }
-    }
-  }
+      LowerRow(values + row.First + grid.Row() * j + grid.Plane() * k, row.Last - row.First,
+        static_cast<float>(static_cast<double>(row.First) - ball.Centre[0]),
+        static_cast<float>(y * y + z * z), static_cast<float>(ball.Radius - band));
+    });
 }
 
 }

@@ -39,22 +39,13 @@ void AddPair(const FlowGrid& grid, const Ball& ball, const DispersionPair& pair,
   std::vector<float>& energy)
 {
   const double h = grid.Spacing();
-  const NodeRange planes(ball.Centre[2], ball.Radius, brick.First[2], brick.Last[2]);
-  for (std::int64_t k = planes.First; k < planes.Last; ++k)
-  {
-    const double z = static_cast<double>(k) - ball.Centre[2];
-    const double left = std::max(0.0, ball.Radius * ball.Radius - z * z);
-    const NodeRange rows(ball.Centre[1], std::sqrt(left), brick.First[1], brick.Last[1]);
-    for (std::int64_t j = rows.First; j < rows.Last; ++j)
+  ForEachRow(ball, brick,
+    [&](const NodeRange& row, std::int64_t j, std::int64_t k, double y, double z)
     {
-      const double y = static_cast<double>(j) - ball.Centre[1];
-      const double reach = std::sqrt(std::max(0.0, left - y * y));
-      const NodeRange row(ball.Centre[0], reach, brick.First[0], brick.Last[0]);
       float* to = energy.data() + grid.Row() * j + grid.Plane() * k;
       AddRow(pair, h, static_cast<double>(row.First) - ball.Centre[0], y * y + z * z,
         static_cast<int>(row.Last - row.First), to + row.First);
-    }
-  }
+    });
 }
 
 void AddEnergy(const FlowGrid& grid, const std::vector<DispersionAtom>& atoms,

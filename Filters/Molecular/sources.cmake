@@ -8,6 +8,9 @@ isthmus_room(
     vtkNonpolarSolvation
     vtkPolarizedCurvature
     vtkPoreProfile
+  HEADERS
+    AtomProperties
+    SolventProperties
   SOURCES
     Assignment
     AtomBalls

@@ -101,9 +101,7 @@ SurfaceFlowParameters vtkMolecularFlowSurface::Internals::Parameters() const
 
 AtomBalls vtkMolecularFlowSurface::Internals::Atoms(vtkDataObject* input) const
 {
-  vtkInformation* array = this->Self->GetInputArrayInformation(0);
-  return isthmus::BallsOf(input, array ? array->Get(vtkDataObject::FIELD_NAME()) : nullptr,
-    { this->Self->KeepWaters, this->Self->UnitedAtoms });
+  return isthmus::BallsOf(this->Self, input, { this->Self->KeepWaters, this->Self->UnitedAtoms });
 }
 
 /// The times of the flow that can be asked for; none where time is not the flow's.
@@ -330,10 +328,8 @@ void vtkMolecularFlowSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IsoValue: " << this->IsoValue << "\n";
   os << indent << "CoarseToFine: " << this->CoarseToFine << "\n";
   os << indent << "Solvent: " << this->Solvent << "\n";
-  os << indent << "SurfaceTension: " << this->SurfaceTension << "\n";
-  os << indent << "Pressure: " << this->Pressure << "\n";
+  this->PrintSolventProperties(os, indent);
   os << indent << "DelaunayQuality: " << this->DelaunayQuality << "\n";
-  os << indent << "KeepWaters: " << this->KeepWaters << "\n";
-  os << indent << "UnitedAtoms: " << this->UnitedAtoms << "\n";
+  this->PrintAtomProperties(os, indent);
   os << indent << "TimeSteps: " << this->TimeSteps << "\n";
 }

@@ -44,6 +44,8 @@
 #ifndef vtkMolecularFlowSurface_h
 #define vtkMolecularFlowSurface_h
 
+#include "AtomProperties.h"
+#include "SolventProperties.h"
 #include "vtkIsthmusModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -155,40 +157,11 @@ public:
   ///@}
 
   ///@{
-  /// In kcal/mol per square angstrom, above 0: for Energy, and against the solvent's pull. Default
-  /// 0.0700, see vtkNonpolarSolvation.
-  vtkSetMacro(SurfaceTension, double);
-  vtkGetMacro(SurfaceTension, double);
-  ///@}
-
-  ///@{
-  /// In kcal/mol per cubic angstrom, with Solvent on. Default 0.0464, see vtkNonpolarSolvation.
-  vtkSetMacro(Pressure, double);
-  vtkGetMacro(Pressure, double);
-  ///@}
-
-  ///@{
   /// Triangles with no angle below 30 degrees by Delaunay refinement (vtkDelaunayIsosurface) in
   /// place of those of the grid's cells; some ten times as long. Default off.
   vtkSetMacro(DelaunayQuality, bool);
   vtkGetMacro(DelaunayQuality, bool);
   vtkBooleanMacro(DelaunayQuality, bool);
-  ///@}
-
-  ///@{
-  /// Water counts as part of the molecule. Default off.
-  vtkSetMacro(KeepWaters, bool);
-  vtkGetMacro(KeepWaters, bool);
-  vtkBooleanMacro(KeepWaters, bool);
-  ///@}
-
-  ///@{
-  /// Where amino acids or nucleotides come without any hydrogen and the radii are those of a table
-  /// by element, radii of united atoms take their place: C 1.85, N 1.75, O 1.65, P 2.10, S 2.00
-  /// (ChemicalElement.h). Radii of a force field stay as they are. Default on.
-  vtkSetMacro(UnitedAtoms, bool);
-  vtkGetMacro(UnitedAtoms, bool);
-  vtkBooleanMacro(UnitedAtoms, bool);
   ///@}
 
   ///@{
@@ -202,6 +175,13 @@ public:
   /// Output 1 and 2.
   vtkImageData* GetImage();
   vtkTable* GetHistory();
+
+  /// KeepWaters and UnitedAtoms: which atoms count and how large they are, see AtomProperties.h.
+  /// Default off and on.
+  ISTHMUS_ATOM_PROPERTIES();
+  /// SurfaceTension, above 0, for Energy and against the solvent's pull, and Pressure, with Solvent
+  /// on: SolventProperties.h. Defaults 0.0700 and 0.0464.
+  ISTHMUS_SOLVENT_PROPERTIES();
 
 protected:
   vtkMolecularFlowSurface();
@@ -233,11 +213,7 @@ private:
   double IsoValue = 0.5;
   bool CoarseToFine = true;
   bool Solvent = false;
-  double SurfaceTension = 0.0700;
-  double Pressure = 0.0464;
   bool DelaunayQuality = false;
-  bool KeepWaters = false;
-  bool UnitedAtoms = true;
   int TimeSteps = 0;
   std::unique_ptr<isthmus::InputInAdvance> Advance;
 };

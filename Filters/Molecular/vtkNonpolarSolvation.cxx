@@ -204,10 +204,8 @@ int vtkNonpolarSolvation::RequestData(
       vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
       isthmus::DemandOnOneRank(this, input, "atoms");
       vtkImageData* image = vtkImageData::GetData(inputVector[1]);
-      vtkInformation* radii = this->GetInputArrayInformation(0);
       const isthmus::AtomBalls atoms =
-        isthmus::BallsOf(input, radii ? radii->Get(vtkDataObject::FIELD_NAME()) : nullptr,
-          { this->KeepWaters, this->UnitedAtoms });
+        isthmus::BallsOf(this, input, { this->KeepWaters, this->UnitedAtoms });
       if (atoms.Balls.empty())
       {
         return;
@@ -231,11 +229,9 @@ int vtkNonpolarSolvation::RequestData(
 void vtkNonpolarSolvation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SurfaceTension: " << this->SurfaceTension << "\n";
-  os << indent << "Pressure: " << this->Pressure << "\n";
+  this->PrintSolventProperties(os, indent);
   os << indent << "SolventDensity: " << this->SolventDensity << "\n";
   os << indent << "SolventRadius: " << this->SolventRadius << "\n";
   os << indent << "SolventWellDepth: " << this->SolventWellDepth << "\n";
-  os << indent << "KeepWaters: " << this->KeepWaters << "\n";
-  os << indent << "UnitedAtoms: " << this->UnitedAtoms << "\n";
+  this->PrintAtomProperties(os, indent);
 }

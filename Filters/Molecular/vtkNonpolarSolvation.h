@@ -29,6 +29,8 @@
 #ifndef vtkNonpolarSolvation_h
 #define vtkNonpolarSolvation_h
 
+#include "AtomProperties.h"
+#include "SolventProperties.h"
 #include "vtkIsthmusModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -38,18 +40,6 @@ public:
   static vtkNonpolarSolvation* New();
   vtkTypeMacro(vtkNonpolarSolvation, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /// gamma, kcal/mol per square angstrom. Default 0.0700.
-  vtkSetMacro(SurfaceTension, double);
-  vtkGetMacro(SurfaceTension, double);
-  ///@}
-
-  ///@{
-  /// p, kcal/mol per cubic angstrom. Default 0.0464.
-  vtkSetMacro(Pressure, double);
-  vtkGetMacro(Pressure, double);
-  ///@}
 
   ///@{
   /// rho_0, molecules per cubic angstrom, at least 0. Default 0.033428 (water).
@@ -71,15 +61,11 @@ public:
   vtkGetMacro(SolventWellDepth, double);
   ///@}
 
-  ///@{
-  /// As in the vtkMolecularFlowSurface that made the surface. Defaults off and on.
-  vtkSetMacro(KeepWaters, bool);
-  vtkGetMacro(KeepWaters, bool);
-  vtkBooleanMacro(KeepWaters, bool);
-  vtkSetMacro(UnitedAtoms, bool);
-  vtkGetMacro(UnitedAtoms, bool);
-  vtkBooleanMacro(UnitedAtoms, bool);
-  ///@}
+  /// KeepWaters and UnitedAtoms: which atoms count and how large they are, see AtomProperties.h; as
+  /// in the vtkMolecularFlowSurface that made the surface. Default off and on.
+  ISTHMUS_ATOM_PROPERTIES();
+  /// SurfaceTension and Pressure: SolventProperties.h. Defaults 0.0700 and 0.0464.
+  ISTHMUS_SOLVENT_PROPERTIES();
 
 protected:
   vtkNonpolarSolvation();
@@ -95,13 +81,9 @@ private:
   vtkNonpolarSolvation(const vtkNonpolarSolvation&) = delete;
   void operator=(const vtkNonpolarSolvation&) = delete;
 
-  double SurfaceTension = 0.0700;
-  double Pressure = 0.0464;
   double SolventDensity = 0.033428;
   double SolventRadius = 1.7683;
   double SolventWellDepth = 0.1521;
-  bool KeepWaters = false;
-  bool UnitedAtoms = true;
 };
 
 #endif

@@ -38,14 +38,24 @@ typename K::Point_3 PointOf(const Point3& p)
   return typename K::Point_3(p[0], p[1], p[2]);
 }
 
-double SquaredRadius(const Point3& p, const Point3& q, const Point3& r, const Point3& s)
+/// The edges of a tetrahedron from its first corner, and the squares of their lengths.
+struct CornerEdges
+{
+  Point3 A, B, C;
+  double AA, BB, CC;
+};
+
+CornerEdges EdgesFrom(const Point3& p, const Point3& q, const Point3& r, const Point3& s)
 {
   const Point3 a = q - p;
   const Point3 b = r - p;
   const Point3 c = s - p;
-  const double aa = Dot(a, a);
-  const double bb = Dot(b, b);
-  const double cc = Dot(c, c);
+  return { a, b, c, Dot(a, a), Dot(b, b), Dot(c, c) };
+}
+
+double SquaredRadius(const Point3& p, const Point3& q, const Point3& r, const Point3& s)
+{
+  const auto& [a, b, c, aa, bb, cc] = EdgesFrom(p, q, r, s);
   const Point3 bc = Cross(b, c);
   const double det = Dot(a, bc);
   if (det * det <= FlatnessLimit * FlatnessLimit * aa * bb * cc)
@@ -108,12 +118,7 @@ constexpr std::size_t ReportEvery = 1 << 18;
 /// True if s lies strictly inside the smallest sphere through p, q and r.
 bool IsInBall(const Point3& p, const Point3& q, const Point3& r, const Point3& s)
 {
-  const Point3 a = q - p;
-  const Point3 b = r - p;
-  const Point3 c = s - p;
-  const double aa = Dot(a, a);
-  const double bb = Dot(b, b);
-  const double cc = Dot(c, c);
+  const auto& [a, b, c, aa, bb, cc] = EdgesFrom(p, q, r, s);
   const Point3 n = Cross(a, b);
   // |c|^2 - 2 c.centre, times |n|^2.
   const double power = Dot(n, n) * cc - Dot(aa * Cross(b, n) + bb * Cross(n, a), c);

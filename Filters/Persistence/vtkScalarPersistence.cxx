@@ -2,6 +2,7 @@
 
 #include "AlgorithmGuard.h"
 #include "ChosenScalars.h"
+#include "ImageCrop.h"
 #include "ImageDiagram.h"
 #include "ImageExtent.h"
 #include "PersistenceTables.h"
@@ -182,11 +183,10 @@ void vtkScalarPersistence::FillSimplified(const Work& work, vtkInformationVector
     output->GetPointData()->SetScalars(values);
   }
   vtkInformation* info = outputVector->GetInformationObject(SimplifiedPort);
-  isthmus::Extent asked = isthmus::ExtentOf(info, Pipeline::UPDATE_EXTENT());
+  const isthmus::Extent asked = isthmus::ExtentOf(info, Pipeline::UPDATE_EXTENT());
   if (!isthmus::IsEmpty(asked))
   {
-    asked = isthmus::PieceOf(info, asked);
-    output->Crop(asked.data());
+    isthmus::CropTo(output, isthmus::PieceOf(info, asked));
   }
 }
 

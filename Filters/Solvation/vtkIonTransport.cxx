@@ -40,8 +40,7 @@ struct vtkIonTransport::Internals
 
   isthmus::AtomBalls Balls(vtkDataObject* input) const
   {
-    return isthmus::BallsOf(input, isthmus::InputArrayName(this->Self, 0).c_str(),
-      { this->Self->KeepWaters, this->Self->UnitedAtoms });
+    return isthmus::BallsOf(this->Self, input, { this->Self->KeepWaters, this->Self->UnitedAtoms });
   }
 
   isthmus::IonTransportParameters Parameters() const;
@@ -314,13 +313,11 @@ void vtkIonTransport::PrintSelf(ostream& os, vtkIndent indent)
   list("SweepVoltages", this->SweepVoltages, 2);
   list("SweepFactors", this->SweepFactors, 2);
   os << indent << "MovingSurface: " << this->MovingSurface << "\n";
-  os << indent << "SurfaceTension: " << this->SurfaceTension << "\n";
-  os << indent << "Pressure: " << this->Pressure << "\n";
+  this->PrintSolventProperties(os, indent);
   os << indent << "UpdatePeriod: " << this->UpdatePeriod << "\n";
   os << indent << "SurfaceRelaxation: " << this->SurfaceRelaxation << "\n";
   os << indent << "FieldRelaxation: " << this->FieldRelaxation << "\n";
   os << indent << "UpdateTolerance: " << this->UpdateTolerance << "\n";
   os << indent << "MaximumUpdates: " << this->MaximumUpdates << "\n";
-  os << indent << "KeepWaters: " << this->KeepWaters << "\n";
-  os << indent << "UnitedAtoms: " << this->UnitedAtoms << "\n";
+  this->PrintAtomProperties(os, indent);
 }

@@ -43,6 +43,8 @@
 #ifndef vtkIonTransport_h
 #define vtkIonTransport_h
 
+#include "AtomProperties.h"
+#include "SolventProperties.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusModule.h" // for the export macro
 
@@ -181,15 +183,6 @@ public:
   ///@}
 
   ///@{
-  /// Where it moves: gamma, kcal/mol per square angstrom, above 0, and p, kcal/mol per cubic
-  /// angstrom; well depths as for vtkNonpolarSolvation. Defaults 0.0700 and 0.0464.
-  vtkSetMacro(SurfaceTension, double);
-  vtkGetMacro(SurfaceTension, double);
-  vtkSetMacro(Pressure, double);
-  vtkGetMacro(Pressure, double);
-  ///@}
-
-  ///@{
   /// Where it moves: steps of the flow between two solutions, fewer where the volume rests before;
   /// the part of each period's motion and of each new force that is taken (above 0, at most 1); it
   /// rests when currents and the water in the membrane's hole change by less than this part of them
@@ -206,20 +199,17 @@ public:
   vtkGetMacro(MaximumUpdates, int);
   ///@}
 
-  ///@{
-  /// As for vtkMolecularFlowSurface. Defaults off and on.
-  vtkSetMacro(KeepWaters, bool);
-  vtkGetMacro(KeepWaters, bool);
-  vtkBooleanMacro(KeepWaters, bool);
-  vtkSetMacro(UnitedAtoms, bool);
-  vtkGetMacro(UnitedAtoms, bool);
-  vtkBooleanMacro(UnitedAtoms, bool);
-  ///@}
-
   /// Output 1, 2 and 3.
   vtkTable* GetSections();
   vtkTable* GetSweep();
   vtkTable* GetUpdates();
+
+  /// KeepWaters and UnitedAtoms: which atoms count and how large they are, see AtomProperties.h.
+  /// Default off and on.
+  ISTHMUS_ATOM_PROPERTIES();
+  /// SurfaceTension, above 0, and Pressure, where the surface moves: SolventProperties.h; well
+  /// depths as for vtkNonpolarSolvation. Defaults 0.0700 and 0.0464.
+  ISTHMUS_SOLVENT_PROPERTIES();
 
 protected:
   vtkIonTransport();
@@ -261,15 +251,11 @@ private:
   double SweepVoltages[2] = { -100.0, 100.0 };
   double SweepFactors[2] = { 0.1, 10.0 };
   bool MovingSurface = false;
-  double SurfaceTension = 0.0700;
-  double Pressure = 0.0464;
   int UpdatePeriod = 20;
   double SurfaceRelaxation = 1.0;
   double FieldRelaxation = 1.0;
   double UpdateTolerance = 1e-3;
   int MaximumUpdates = 10;
-  bool KeepWaters = false;
-  bool UnitedAtoms = true;
   std::unique_ptr<isthmus::InputInAdvance> Advance;
 };
 

@@ -28,17 +28,7 @@
 
 vtkStandardNewMacro(vtkSolvationSurface);
 
-namespace
-{
-
 using isthmus::SolvationUpdate;
-
-std::string ArrayChosen(vtkAlgorithm* self, int index)
-{
-  return isthmus::InputArrayName(self, index);
-}
-
-}
 
 /// What one execution works with.
 struct vtkSolvationSurface::Internals
@@ -50,8 +40,7 @@ struct vtkSolvationSurface::Internals
 
   isthmus::AtomBalls Balls(vtkDataObject* input) const
   {
-    return isthmus::BallsOf(input, ArrayChosen(this->Self, 0).c_str(),
-      { this->Self->KeepWaters, this->Self->UnitedAtoms });
+    return isthmus::BallsOf(this->Self, input, { this->Self->KeepWaters, this->Self->UnitedAtoms });
   }
 
   isthmus::SolvationParameters Parameters() const;
@@ -98,7 +87,7 @@ std::vector<isthmus::ChargedAtom> vtkSolvationSurface::Internals::Charges(
   vtkDataObject* input, const isthmus::AtomBalls& atoms) const
 {
   std::vector<isthmus::ChargedAtom> charges =
-    isthmus::AtomChargesOf(input, atoms, ArrayChosen(this->Self, 1));
+    isthmus::AtomChargesOf(input, atoms, isthmus::InputArrayName(this->Self, 1));
   if (std::all_of(charges.begin(), charges.end(),
         [](const isthmus::ChargedAtom& atom) { return atom.Charge == 0.0; }))
   {
@@ -244,8 +233,7 @@ void vtkSolvationSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ProbeRadius: " << this->ProbeRadius << "\n";
   os << indent << "Spacing: " << this->Spacing << "\n";
   os << indent << "Padding: " << this->Padding << "\n";
-  os << indent << "SurfaceTension: " << this->SurfaceTension << "\n";
-  os << indent << "Pressure: " << this->Pressure << "\n";
+  this->PrintSolventProperties(os, indent);
   os << indent << "SoluteDielectric: " << this->SoluteDielectric << "\n";
   os << indent << "SolventDielectric: " << this->SolventDielectric << "\n";
   os << indent << "DielectricModel: " << this->DielectricModel << "\n";
@@ -257,6 +245,5 @@ void vtkSolvationSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FieldRelaxation: " << this->FieldRelaxation << "\n";
   os << indent << "EnergyTolerance: " << this->EnergyTolerance << "\n";
   os << indent << "MaximumUpdates: " << this->MaximumUpdates << "\n";
-  os << indent << "KeepWaters: " << this->KeepWaters << "\n";
-  os << indent << "UnitedAtoms: " << this->UnitedAtoms << "\n";
+  this->PrintAtomProperties(os, indent);
 }

@@ -36,6 +36,8 @@
 #ifndef vtkSolvationSurface_h
 #define vtkSolvationSurface_h
 
+#include "AtomProperties.h"
+#include "SolventProperties.h"
 #include "vtkIsthmusModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -84,15 +86,6 @@ public:
   /// Solvent around the surface for the potential, in angstrom. Default 10.
   vtkSetMacro(Padding, double);
   vtkGetMacro(Padding, double);
-  ///@}
-
-  ///@{
-  /// gamma, kcal/mol per square angstrom, above 0, and p, kcal/mol per cubic angstrom. Defaults
-  /// 0.0700 and 0.0464, see vtkNonpolarSolvation.
-  vtkSetMacro(SurfaceTension, double);
-  vtkGetMacro(SurfaceTension, double);
-  vtkSetMacro(Pressure, double);
-  vtkGetMacro(Pressure, double);
   ///@}
 
   ///@{
@@ -157,19 +150,15 @@ public:
   vtkGetMacro(MaximumUpdates, int);
   ///@}
 
-  ///@{
-  /// As for vtkMolecularFlowSurface. Defaults off and on.
-  vtkSetMacro(KeepWaters, bool);
-  vtkGetMacro(KeepWaters, bool);
-  vtkBooleanMacro(KeepWaters, bool);
-  vtkSetMacro(UnitedAtoms, bool);
-  vtkGetMacro(UnitedAtoms, bool);
-  vtkBooleanMacro(UnitedAtoms, bool);
-  ///@}
-
   /// Output 1 and 2.
   vtkImageData* GetImage();
   vtkTable* GetUpdates();
+
+  /// KeepWaters and UnitedAtoms: which atoms count and how large they are, see AtomProperties.h.
+  /// Default off and on.
+  ISTHMUS_ATOM_PROPERTIES();
+  /// SurfaceTension, above 0, and Pressure: SolventProperties.h. Defaults 0.0700 and 0.0464.
+  ISTHMUS_SOLVENT_PROPERTIES();
 
 protected:
   vtkSolvationSurface();
@@ -194,8 +183,6 @@ private:
   double ProbeRadius = 1.4;
   double Spacing = 0.5;
   double Padding = 10.0;
-  double SurfaceTension = 0.0700;
-  double Pressure = 0.0464;
   double SoluteDielectric = 2.0;
   double SolventDielectric = 80.0;
   int DielectricModel = SharpInterface;
@@ -207,8 +194,6 @@ private:
   double FieldRelaxation = 1.0;
   double EnergyTolerance = 1e-3;
   int MaximumUpdates = 20;
-  bool KeepWaters = false;
-  bool UnitedAtoms = true;
   std::unique_ptr<isthmus::InputInAdvance> Advance;
 };
 

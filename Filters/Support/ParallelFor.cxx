@@ -43,7 +43,7 @@ class FirstException
 public:
   bool Caught() const { return this->Seen.load(std::memory_order_relaxed); }
 
-  void Keep(std::exception_ptr exception)
+  void Keep(const std::exception_ptr& exception)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     if (!this->Seen.exchange(true))

@@ -2,6 +2,7 @@ isthmus_room(
   HEADERS
     CellList
     CellType
+    FilterProperties
     GridCells
     Handles
     Progress
@@ -13,7 +14,8 @@ isthmus_room(
     ChosenScalars
     ErrorOnce
     GridCells
-    ImageExtent
+    ImageCrop
+  ImageExtent
     LargePages
     ParallelFor
     PipelineInputs

@@ -1,4 +1,7 @@
 isthmus_room(
+  CLASSES
+    vtkGuardedFileWriter
+    vtkImageArrayWriter
   SOURCES
     Bzip2BlockFinder
     Bzip2Blocks

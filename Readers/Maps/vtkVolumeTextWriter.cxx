@@ -1,13 +1,10 @@
 #include "vtkVolumeTextWriter.h"
 
 #include "AlgorithmGuard.h"
-#include "PrintableText.h"
 #include "TextFile.h"
 
 #include <vtkDataArray.h>
-#include <vtkErrorCode.h>
 #include <vtkImageData.h>
-#include <vtkInformation.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 
@@ -85,47 +82,13 @@ void WriteRows(vtkImageData* image, vtkDataArray* array, const std::string& path
 
 }
 
-vtkVolumeTextWriter::~vtkVolumeTextWriter()
+void vtkVolumeTextWriter::WriteFile()
 {
-  this->SetFileName(nullptr);
-}
-
-int vtkVolumeTextWriter::FillInputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  return 1;
-}
-
-void vtkVolumeTextWriter::WriteData()
-{
-  this->SetErrorCode(vtkErrorCode::NoError);
-  try
+  vtkImageData* const image = this->GetImage();
+  WriteRows(image, ArrayOf(image, this->ArrayName), this->FileName, isthmus::ProgressOf(this));
+  if (!LiesOnWholeNumbers(image))
   {
-    if (!this->FileName || !*this->FileName)
-    {
-      throw std::invalid_argument("There is no file name: set FileName.");
-    }
-    auto* const image = vtkImageData::SafeDownCast(this->GetInput());
-    WriteRows(image, ArrayOf(image, this->ArrayName), this->FileName, isthmus::ProgressOf(this));
-    if (!LiesOnWholeNumbers(image))
-    {
-      vtkWarningMacro("A .dat file holds no origin and no spacing: note them elsewhere, or write "
-                      "OpenDX (.dx), which holds both.");
-    }
+    vtkWarningMacro("A .dat file holds no origin and no spacing: note them elsewhere, or write "
+                    "OpenDX (.dx), which holds both.");
   }
-  catch (const isthmus::Cancelled&)
-  {
-  }
-  catch (const std::exception& error)
-  {
-    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
-    vtkErrorMacro(<< isthmus::Printable(error.what()));
-  }
-}
-
-void vtkVolumeTextWriter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
-  os << indent << "ArrayName: " << this->ArrayName << "\n";
 }

@@ -13,50 +13,24 @@
 #ifndef vtkVolumeTextWriter_h
 #define vtkVolumeTextWriter_h
 
+#include "vtkImageArrayWriter.h"
 #include "vtkIsthmusModule.h" // for the export macro
 
-#include <vtkWriter.h>
-
-#include <string> // for the array's name
-
-class VTKISTHMUS_EXPORT vtkVolumeTextWriter : public vtkWriter
+class VTKISTHMUS_EXPORT vtkVolumeTextWriter : public vtkImageArrayWriter
 {
 public:
   static vtkVolumeTextWriter* New();
-  vtkTypeMacro(vtkVolumeTextWriter, vtkWriter);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /// The file to write. Default: none.
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
-  ///@}
-
-  ///@{
-  /// Point array to write. Default empty: the active scalars, else the first point array.
-  vtkSetMacro(ArrayName, std::string);
-  vtkGetMacro(ArrayName, std::string);
-  ///@}
+  vtkTypeMacro(vtkVolumeTextWriter, vtkImageArrayWriter);
 
 protected:
   vtkVolumeTextWriter() = default;
-  ~vtkVolumeTextWriter() override;
+  ~vtkVolumeTextWriter() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  void WriteData() override;
-  /// What VTK 9.7 calls in its place.
-  virtual bool WriteDataAndReturn()
-  {
-    this->WriteData();
-    return this->GetErrorCode() == 0;
-  }
+  void WriteFile() override;
 
 private:
   vtkVolumeTextWriter(const vtkVolumeTextWriter&) = delete;
   void operator=(const vtkVolumeTextWriter&) = delete;
-
-  char* FileName = nullptr;
-  std::string ArrayName;
 };
 
 #endif

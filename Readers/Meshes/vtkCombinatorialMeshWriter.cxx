@@ -5,7 +5,6 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkErrorCode.h>
 #include <vtkIdList.h>
 #include <vtkInformation.h>
 #include <vtkNew.h>
@@ -134,52 +133,33 @@ isthmus::CombinatorialMesh MeshOf(vtkUnstructuredGrid* grid, std::string& remark
 
 }
 
-vtkCombinatorialMeshWriter::~vtkCombinatorialMeshWriter()
-{
-  this->SetFileName(nullptr);
-}
-
 int vtkCombinatorialMeshWriter::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
   return 1;
 }
 
-void vtkCombinatorialMeshWriter::WriteData()
+void vtkCombinatorialMeshWriter::WriteFile()
 {
-  this->SetErrorCode(vtkErrorCode::NoError);
-  try
+  std::string remark;
+  const isthmus::CombinatorialMesh mesh =
+    MeshOf(vtkUnstructuredGrid::SafeDownCast(this->GetInput()), remark);
+  if (!remark.empty())
   {
-    if (!this->FileName || !*this->FileName)
-    {
-      throw std::invalid_argument("No file name is given: set FileName.");
-    }
-    std::string remark;
-    const isthmus::CombinatorialMesh mesh =
-      MeshOf(vtkUnstructuredGrid::SafeDownCast(this->GetInput()), remark);
-    if (!remark.empty())
-    {
-      vtkWarningMacro(<< remark);
-    }
-    std::ofstream file(this->FileName, std::ios::binary);
-    isthmus::WriteCombinatorialMesh(mesh, this->Binary, file);
-    file.close();
-    if (!file)
-    {
-      throw std::runtime_error("The file '" + std::string(this->FileName) +
-        "' can't be written to its end: check its folder and the space left.");
-    }
+    vtkWarningMacro(<< remark);
   }
-  catch (const std::exception& error)
+  std::ofstream file(this->FileName, std::ios::binary);
+  isthmus::WriteCombinatorialMesh(mesh, this->Binary, file);
+  file.close();
+  if (!file)
   {
-    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
-    vtkErrorMacro(<< error.what());
+    throw std::runtime_error("The file '" + std::string(this->FileName) +
+      "' can't be written to its end: check its folder and the space left.");
   }
 }
 
 void vtkCombinatorialMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "Binary: " << this->Binary << "\n";
 }

@@ -13,24 +13,17 @@
 #ifndef vtkCombinatorialMeshWriter_h
 #define vtkCombinatorialMeshWriter_h
 
+#include "vtkGuardedFileWriter.h"
 #include "vtkIsthmusModule.h" // for the export macro
-
-#include <vtkWriter.h>
 
 class vtkUnstructuredGrid;
 
-class VTKISTHMUS_EXPORT vtkCombinatorialMeshWriter : public vtkWriter
+class VTKISTHMUS_EXPORT vtkCombinatorialMeshWriter : public vtkGuardedFileWriter
 {
 public:
   static vtkCombinatorialMeshWriter* New();
-  vtkTypeMacro(vtkCombinatorialMeshWriter, vtkWriter);
+  vtkTypeMacro(vtkCombinatorialMeshWriter, vtkGuardedFileWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /// The file to write. Default: none.
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
-  ///@}
 
   ///@{
   /// Numbers as little-endian bytes (default) or as text.
@@ -41,18 +34,11 @@ public:
 
 protected:
   vtkCombinatorialMeshWriter() = default;
-  ~vtkCombinatorialMeshWriter() override;
+  ~vtkCombinatorialMeshWriter() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void WriteData() override;
-  /// What VTK 9.7 calls in its place.
-  virtual bool WriteDataAndReturn()
-  {
-    this->WriteData();
-    return this->GetErrorCode() == 0;
-  }
+  void WriteFile() override;
 
-  char* FileName = nullptr;
   bool Binary = true;
 
 private:

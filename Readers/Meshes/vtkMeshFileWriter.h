@@ -6,47 +6,31 @@
 #ifndef vtkMeshFileWriter_h
 #define vtkMeshFileWriter_h
 
+#include "vtkGuardedFileWriter.h"
 #include "vtkIsthmusModule.h" // for the export macro
-
-#include <vtkWriter.h>
 
 namespace isthmus
 {
 struct CellMesh;
 }
 
-class VTKISTHMUS_EXPORT vtkMeshFileWriter : public vtkWriter
+class VTKISTHMUS_EXPORT vtkMeshFileWriter : public vtkGuardedFileWriter
 {
 public:
-  vtkAbstractTypeMacro(vtkMeshFileWriter, vtkWriter);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /// The file to write. Default: none.
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
-  ///@}
+  vtkAbstractTypeMacro(vtkMeshFileWriter, vtkGuardedFileWriter);
 
 protected:
   vtkMeshFileWriter() = default;
-  ~vtkMeshFileWriter() override;
+  ~vtkMeshFileWriter() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void WriteData() override;
-  /// What VTK 9.7 calls in its place.
-  virtual bool WriteDataAndReturn()
-  {
-    this->WriteData();
-    return this->GetErrorCode() == 0;
-  }
+  void WriteFile() override;
 
   /// Writes `mesh` to FileName, which is set, or throws with a sentence.
   virtual void WriteMesh(const isthmus::CellMesh& mesh) = 0;
 
   /// Names of the arrays that the format holds, separated by blanks.
   virtual const char* ArrayNames() const = 0;
-
-  char* FileName = nullptr;
 
 private:
   vtkMeshFileWriter(const vtkMeshFileWriter&) = delete;

@@ -5,11 +5,9 @@
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
-#include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
-#include <vtkInformation.h>
 #include <vtkMatrix3x3.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -85,53 +83,19 @@ void WriteAs(vtkDataArray* array, const std::string& path, const isthmus::VoxelL
 
 }
 
-vtkOpenDXWriter::~vtkOpenDXWriter()
+void vtkOpenDXWriter::WriteFile()
 {
-  this->SetFileName(nullptr);
-}
-
-int vtkOpenDXWriter::FillInputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  return 1;
-}
-
-void vtkOpenDXWriter::WriteData()
-{
-  this->SetErrorCode(vtkErrorCode::NoError);
-  try
+  vtkImageData* const image = this->GetImage();
+  if (image->GetNumberOfPoints() == 0)
   {
-    if (!this->FileName || !*this->FileName)
-    {
-      throw std::invalid_argument("There is no file name: set FileName.");
-    }
-    auto* const image = vtkImageData::SafeDownCast(this->GetInput());
-    if (image->GetNumberOfPoints() == 0)
-    {
-      throw std::invalid_argument("The image has no nodes: there is nothing to write.");
-    }
-    vtkDataArray* const array = ArrayOf(image, this->ArrayName);
-    const std::vector<std::string> names = Texts(image->GetFieldData(), "FieldName");
-    isthmus::OpenDXLabels labels{ names.empty() ? (array->GetName() ? array->GetName() : "data")
-                                                : names.front(),
-      Texts(image->GetFieldData(), "Comments") };
-    const auto write =
-      array->GetDataType() == VTK_FLOAT ? &WriteAs<vtkFloatArray> : &WriteAs<vtkDoubleArray>;
-    write(array, this->FileName, LatticeOf(image), labels, isthmus::ProgressOf(this));
+    throw std::invalid_argument("The image has no nodes: there is nothing to write.");
   }
-  catch (const isthmus::Cancelled&)
-  {
-  }
-  catch (const std::exception& error)
-  {
-    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
-    vtkErrorMacro(<< error.what());
-  }
-}
-
-void vtkOpenDXWriter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
-  os << indent << "ArrayName: " << this->ArrayName << "\n";
+  vtkDataArray* const array = ArrayOf(image, this->ArrayName);
+  const std::vector<std::string> names = Texts(image->GetFieldData(), "FieldName");
+  isthmus::OpenDXLabels labels{ names.empty() ? (array->GetName() ? array->GetName() : "data")
+                                              : names.front(),
+    Texts(image->GetFieldData(), "Comments") };
+  const auto write =
+    array->GetDataType() == VTK_FLOAT ? &WriteAs<vtkFloatArray> : &WriteAs<vtkDoubleArray>;
+  write(array, this->FileName, LatticeOf(image), labels, isthmus::ProgressOf(this));
 }

@@ -4,9 +4,10 @@
  *
  * Plain text, three values a line, z fastest, with origin and deltas in world coordinates (the
  * image's direction matrix included); gzip-compressed where the name ends in .gz. float arrays are
- * written as type float, all others as double. Every number has the fewest digits from which the
- * same bits come back: vtkOpenDXReader gives the same values and, to the last bit, grid (64-bit
- * integers beyond 2^53 aside). The image's field data `Comments` and `FieldName` are kept.
+ * written as type float, all others as double. Without an ArrayName the array is `Potential` if
+ * there is one. Every number has the fewest digits from which the same bits come back:
+ * vtkOpenDXReader gives the same values and, to the last bit, grid (64-bit integers beyond 2^53
+ * aside). The image's field data `Comments` and `FieldName` are kept.
  *
  * An image without such an array, an empty one, and a file that can't be written to its end are
  * errors with the error code set; no part of a file is left behind.
@@ -14,47 +15,20 @@
 #ifndef vtkOpenDXWriter_h
 #define vtkOpenDXWriter_h
 
+#include "vtkImageArrayWriter.h"
 #include "vtkIsthmusModule.h" // for the export macro
 
-#include <vtkWriter.h>
-
-#include <string> // for the name of the array
-
-class VTKISTHMUS_EXPORT vtkOpenDXWriter : public vtkWriter
+class VTKISTHMUS_EXPORT vtkOpenDXWriter : public vtkImageArrayWriter
 {
 public:
   static vtkOpenDXWriter* New();
-  vtkTypeMacro(vtkOpenDXWriter, vtkWriter);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /// The file to write. Default: none.
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
-  ///@}
-
-  ///@{
-  /// Point array to write. Default: empty, which is `Potential` if there is one, else the active
-  /// scalars, else the first point array.
-  vtkSetMacro(ArrayName, std::string);
-  vtkGetMacro(ArrayName, std::string);
-  ///@}
+  vtkTypeMacro(vtkOpenDXWriter, vtkImageArrayWriter);
 
 protected:
   vtkOpenDXWriter() = default;
-  ~vtkOpenDXWriter() override;
+  ~vtkOpenDXWriter() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  void WriteData() override;
-  /// What VTK 9.7 calls in its place.
-  virtual bool WriteDataAndReturn()
-  {
-    this->WriteData();
-    return this->GetErrorCode() == 0;
-  }
-
-  char* FileName = nullptr;
-  std::string ArrayName;
+  void WriteFile() override;
 
 private:
   vtkOpenDXWriter(const vtkOpenDXWriter&) = delete;

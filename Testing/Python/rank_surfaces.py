@@ -36,6 +36,11 @@ def table_of(table):
             for c in range(table.GetNumberOfColumns())}
 
 
+def counts_of(table):
+    column = table.GetColumnByName("Count") if table and table.IsA("vtkTable") else None
+    return [column.GetValue(row) for row in range(column.GetNumberOfTuples())] if column else []
+
+
 def result(proxy):
     algorithm = proxy.GetClientSideObject()
     errors = []
@@ -56,6 +61,7 @@ def result(proxy):
         inside = first.GetPointData().GetArray("Inside")
         nodes = sum(inside.GetValue(i) for i in range(inside.GetNumberOfTuples())) if inside else 0
     return {"errors": errors, "area": area, "table": table_of(last), "inside": nodes,
+            "quality": counts_of(last),
             "points": first.GetNumberOfPoints(), "cells": first.GetNumberOfCells()}
 
 

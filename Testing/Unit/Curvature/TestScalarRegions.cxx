@@ -69,12 +69,12 @@ double AreaBelow(const Model& mesh, const std::vector<double>& values, double th
       f[i] = values[static_cast<std::size_t>(t[i])] - threshold;
       negative += f[i] < 0.0;
     }
-    const Model one{ { mesh.Points[static_cast<std::size_t>(t[0])],
-                       mesh.Points[static_cast<std::size_t>(t[1])],
-                       mesh.Points[static_cast<std::size_t>(t[2])] },
+    const TriangleMesh one{ { mesh.Points[static_cast<std::size_t>(t[0])],
+                              mesh.Points[static_cast<std::size_t>(t[1])],
+                              mesh.Points[static_cast<std::size_t>(t[2])] },
       { { 0, 1, 2 } } };
     const ThresholdedScalar nothing{ { 0, 0, 0 }, {} };
-    const double area = RegionAreas(one.View(), nothing, nothing, AreaRule::WholeTriangles)[0];
+    const double area = RegionAreas(one, nothing, nothing, AreaRule::WholeTriangles)[0];
     double part = negative == 3 ? 1.0 : 0.0;
     for (std::size_t k = 0; k < 3 && (negative == 1 || negative == 2); ++k)
     {
@@ -95,10 +95,10 @@ double AreaBelow(const Model& mesh, const std::vector<double>& values, double th
 TEST(ScalarRegions, OneTriangleByHand)
 {
   // Area 1/2; the scalar is x, so x < 1/4 is 1/2 - (3/4)^2 / 2.
-  Model mesh{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } } };
+  const TriangleMesh mesh{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } } };
   const ThresholdedScalar x{ { 0, 1, 0 }, { 0.25, 0.5 } };
   const ThresholdedScalar y{ { 0, 0, 1 }, { 0.5 } };
-  const auto areas = RegionAreas(mesh.View(), x, y, AreaRule::Fractional);
+  const auto areas = RegionAreas(mesh, x, y, AreaRule::Fractional);
   const double expected[6] = { 0.125, 0.09375, 0.125, 0.03125, 0.125, 0.0 };
   for (std::size_t i = 0; i < 6; ++i)
   {

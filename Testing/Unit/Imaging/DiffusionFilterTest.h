@@ -16,6 +16,9 @@
 #include <vtkSmartPointer.h>
 #include <vtkTestErrorObserver.h>
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -89,6 +92,20 @@ inline std::vector<double> Values(vtkDataArray* array)
     values.push_back(array->GetTuple1(n));
   }
   return values;
+}
+
+/// `Filter`: a Listened.
+template <typename Filter>
+void ExpectTakesASliceAndNamesInvalidValues()
+{
+  const auto slice = BumpImage(VTK_FLOAT, 14, 12, 1);
+  Filter filter(slice);
+  const std::vector<double> values = Values(filter.Result());
+  EXPECT_EQ(values.size(), 168u);
+  EXPECT_TRUE(
+    std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }));
+  slice->SetScalarComponentFromDouble(5, 1, 0, 0, std::nan(""));
+  EXPECT_NE(Filter(slice).Complaint().find("node (5, 1, 0)"), std::string::npos);
 }
 
 }

@@ -1,8 +1,9 @@
-#include "Bounds3.h"
-#include "LevelTriangles.h"
+// Levels that suit a map, dust that is hidden, and the vtk class.
+
 #include "MapSurface.h"
+#include "Pi.h"
+#include "SampledGrid.h"
 #include "SensibleLevel.h"
-#include "SurfaceCheck.h"
 #include "SurfaceTopology.h"
 #include "vtkMapSurface.h"
 
@@ -10,75 +11,30 @@
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
-#include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
-#include <vtkMatrix3x3.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkSMPTools.h>
 #include <vtkShortArray.h>
 #include <vtkTestErrorObserver.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
+#include <vector>
 
 using namespace isthmus;
+using namespace isthmus::testing;
 
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
 constexpr double Nan = std::numeric_limits<double>::quiet_NaN();
-
-struct Grid
-{
-  std::vector<double> Values;
-  GridView<const double> View;
-};
-
-/// `f(x, y, z)` at the nodes, in the grid's own frame.
-template <typename Function>
-Grid Sampled(std::array<std::int64_t, 3> n, std::array<double, 3> h, Function&& f)
-{
-  Grid grid;
-  for (std::int64_t k = 0; k < n[2]; ++k)
-  {
-    for (std::int64_t j = 0; j < n[1]; ++j)
-    {
-      for (std::int64_t i = 0; i < n[0]; ++i)
-      {
-        grid.Values.push_back(f(static_cast<double>(i) * h[0], static_cast<double>(j) * h[1],
-          static_cast<double>(k) * h[2]));
-      }
-    }
-  }
-  grid.View = { grid.Values.data(), n, h };
-  return grid;
-}
-
-double Ball(double x, double y, double z, const Point3& c, double r)
-{
-  return r - std::hypot(x - c[0], y - c[1], z - c[2]);
-}
-
-TriangleMesh At(const Grid& grid, double level, bool close = true, bool higher = true)
-{
-  LevelTrianglesParameters parameters;
-  parameters.Level = level;
-  parameters.CloseAtBorder = close;
-  parameters.InsideIsHigher = higher;
-  return LevelTriangles(grid.View, parameters);
-}
-
-std::string DefectsOf(const TriangleMesh& mesh)
-{
-  return FindDefects(mesh).Sentence();
-}
 
 vtkSmartPointer<vtkImageData> ImageOf(const Grid& grid)
 {
@@ -96,136 +52,11 @@ vtkSmartPointer<vtkImageData> ImageOf(const Grid& grid)
   return image;
 }
 
-/// Two balls of radius 6 and 3, 100 inside of them and -1 outside, smooth in between.
-Grid TwoBalls()
-{
-  return Sampled({ 40, 30, 30 }, { 1, 1, 1 },
-    [](double x, double y, double z)
-    {
-      const double depth =
-        std::max(Ball(x, y, z, { 12, 15, 15 }, 6), Ball(x, y, z, { 30, 15, 15 }, 3));
-      return 49.5 + 50.5 * std::tanh(depth);
-    });
-}
-
 double FieldOf(vtkPolyData* surface, const char* name)
 {
   return surface->GetFieldData()->GetArray(name)->GetComponent(0, 0);
 }
 
-}
-
-// The polyhedron is inscribed up to the curvature of the sphere within a cell: second order.
-TEST(LevelTriangles, AreaAndVolumeOfABallConvergeWithOrderTwo)
-{
-  double last[2] = { 0, 0 };
-  for (const int n : { 21, 41, 81 })
-  {
-    const double h = 4.0 / (n - 1);
-    const Grid grid = Sampled({ n, n, n }, { h, h, h },
-      [](double x, double y, double z) {
-        return Ball(x, y, z, { 2.03, 1.98, 2.01 }, 1.4);
-      });
-    const TriangleMesh mesh = At(grid, 0.0);
-    EXPECT_EQ(DefectsOf(mesh), "");
-    EXPECT_EQ(EulerCharacteristic(mesh), 2);
-    double area = 0.0;
-    for (const Triangle& t : mesh.Triangles)
-    {
-      const auto at = [&](std::size_t c) { return mesh.Points[static_cast<std::size_t>(t[c])]; };
-      const Point3 normal = Cross(at(1) - at(0), at(2) - at(0));
-      area += std::sqrt(Dot(normal, normal)) / 2.0;
-    }
-    const double errors[2] = { std::abs(area / (4 * Pi * 1.96) - 1),
-      std::abs(SignedVolume(mesh) / (4 * Pi * 2.744 / 3) - 1) };
-    for (int i = 0; i < 2; ++i)
-    {
-      if (last[i] > 0.0)
-      {
-        EXPECT_GT(std::log2(last[i] / errors[i]), 1.8) << "n = " << n;
-      }
-      last[i] = errors[i];
-    }
-  }
-}
-
-// Signs at random meet all 256 cases in all neighbourhoods.
-TEST(LevelTriangles, NoiseGivesAClosedManifoldThatFacesOutwards)
-{
-  std::mt19937 random(7);
-  const Grid grid = Sampled({ 17, 16, 15 }, { 1, 2, 3 },
-    [&](double, double, double) { return static_cast<double>(random() % 5) - 2.0; });
-  for (const double level : { -1.5, 0.0, 0.3, 1.0 }) // 0 and 1 are values of nodes
-  {
-    const TriangleMesh mesh = At(grid, level);
-    EXPECT_EQ(DefectsOf(mesh), "") << level;
-    EXPECT_GT(SignedVolume(mesh), 0.0);
-    EXPECT_EQ(DefectsOf(At(grid, level, true, false)), "") << level;
-  }
-}
-
-TEST(LevelTriangles, ALevelThatLeavesTheGridIsClosedHalfACellBeyondIt)
-{
-  const Grid grid = Sampled({ 5, 4, 6 }, { 1, 2, 0.5 }, [](double, double, double) { return 3.0; });
-  const TriangleMesh box = At(grid, 1.0);
-  EXPECT_EQ(DefectsOf(box), "");
-  EXPECT_EQ(EulerCharacteristic(box), 2);
-  Bounds3 bounds{ box.Points[0], box.Points[0] };
-  for (const Point3& p : box.Points)
-  {
-    bounds.Add(p);
-  }
-  EXPECT_EQ(bounds.Min, (Point3{ -0.5, -1, -0.25 }));
-  EXPECT_EQ(bounds.Max, (Point3{ 4.5, 7, 2.75 }));
-  EXPECT_TRUE(At(grid, 1.0, false).Triangles.empty());
-
-  const Grid slope =
-    Sampled({ 6, 6, 6 }, { 1, 1, 1 }, [](double x, double, double) { return x - 2.25; });
-  const TriangleMesh open = At(slope, 0.0, false);
-  EXPECT_EQ(open.Triangles.size(), 50U); // the plane x = 2.25 through 25 cells
-  EXPECT_FALSE(FindDefects(open).BoundaryTriangles.empty());
-  for (const Point3& p : open.Points)
-  {
-    EXPECT_DOUBLE_EQ(p[0], 2.25);
-  }
-}
-
-TEST(LevelTriangles, WhatIsNoNumberIsOutside)
-{
-  Grid grid =
-    Sampled({ 8, 8, 8 }, { 1, 1, 1 }, [](double x, double, double) { return x < 3.5 ? Nan : 1.0; });
-  grid.Values[511] = std::numeric_limits<double>::infinity();
-  grid.Values[255] = -1e300;
-  const TriangleMesh mesh = At(grid, 0.5);
-  EXPECT_EQ(DefectsOf(mesh), "");
-  EXPECT_EQ(FindDefects(mesh).InvalidPoints.size(), 0U);
-  EXPECT_THROW(At(grid, Nan), std::invalid_argument);
-}
-
-TEST(LevelTriangles, HugeValuesInterpolate)
-{
-  const Grid grid = Sampled(
-    { 2, 2, 2 }, { 1, 1, 1 }, [](double x, double, double) { return x < 0.5 ? -1e308 : 1e308; });
-  for (const Point3& p : At(grid, 0.0, false).Points)
-  {
-    EXPECT_DOUBLE_EQ(p[0], 0.5);
-  }
-}
-
-TEST(LevelTriangles, SameBitsOnOneAndOnThreeThreads)
-{
-  std::mt19937 random(3);
-  const Grid grid = Sampled({ 30, 31, 67 }, { 1, 1, 1 },
-    [&](double, double, double) { return static_cast<double>(random() % 1000); });
-  TriangleMesh meshes[2];
-  for (const int threads : { 1, 3 })
-  {
-    vtkSMPTools::LocalScope(vtkSMPTools::Config(threads, "STDThread", false),
-      [&]() { meshes[threads / 3] = At(grid, 700.5); });
-  }
-  EXPECT_EQ(meshes[0].Points, meshes[1].Points);
-  EXPECT_EQ(meshes[0].Triangles, meshes[1].Triangles);
-  EXPECT_FALSE(meshes[0].Triangles.empty());
 }
 
 TEST(SensibleLevel, SplitsTwoClassesWhateverTheHotVoxels)

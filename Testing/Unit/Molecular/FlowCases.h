@@ -5,6 +5,7 @@
 #ifndef isthmus_FlowCases_h
 #define isthmus_FlowCases_h
 
+#include "BallPoints.h"
 #include "PolyDataTriangles.h"
 #include "SurfaceFlowParameters.h"
 #include "SurfaceMeasures.h"
@@ -115,23 +116,6 @@ inline std::vector<Ball> BallsOfPQR(const std::string& file)
     }
   }
   return balls;
-}
-
-inline vtkSmartPointer<vtkPolyData> AtomsOf(const std::vector<Ball>& balls, int type = VTK_DOUBLE)
-{
-  auto atoms = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataType(type);
-  const auto radii = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
-  radii->SetName("Radius");
-  for (const Ball& ball : balls)
-  {
-    points->InsertNextPoint(ball.Centre.data());
-    radii->InsertNextTuple(&ball.Radius);
-  }
-  atoms->SetPoints(points);
-  atoms->GetPointData()->AddArray(radii);
-  return atoms;
 }
 
 inline vtkSmartPointer<vtkMolecularFlowSurface> FilterOf(vtkDataObject* atoms)

@@ -2,6 +2,7 @@
 
 #include "vtkMolecularDensity.h"
 
+#include "BallPoints.h"
 #include "MolecularDensity.h"
 
 #include <vtkCallbackCommand.h>
@@ -24,6 +25,7 @@
 #include <random>
 
 using namespace isthmus;
+using isthmus::testing::AtomsOf;
 
 namespace
 {
@@ -99,23 +101,6 @@ double Squared(const std::array<double, 3>& a, const std::array<double, 3>& b)
 {
   return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
     (a[2] - b[2]) * (a[2] - b[2]);
-}
-
-vtkSmartPointer<vtkPolyData> Atoms(const std::vector<Ball>& balls, int type = VTK_DOUBLE)
-{
-  auto atoms = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataType(type);
-  const auto radii = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
-  radii->SetName("Radius");
-  for (const Ball& ball : balls)
-  {
-    points->InsertNextPoint(ball.Centre.data());
-    radii->InsertNextTuple(&ball.Radius);
-  }
-  atoms->SetPoints(points);
-  atoms->GetPointData()->AddArray(radii);
-  return atoms;
 }
 
 }
@@ -256,7 +241,7 @@ TEST(MolecularDensity, FloatAndDoubleInputThroughVTK)
   for (const int type : { VTK_FLOAT, VTK_DOUBLE })
   {
     vtkNew<vtkMolecularDensity> filter;
-    filter->SetInputData(Atoms(balls, type));
+    filter->SetInputData(AtomsOf(balls, type));
     filter->SetPadding(1.0, 2.0, 3.0);
     filter->SetRadiusScale(1.2);
     filter->Update();
@@ -296,24 +281,24 @@ TEST(MolecularDensity, BadInputIsToldInASentence)
   const std::vector<Ball> sound{ { { 0.0, 0.0, 0.0 }, 1.5 }, { { 2.0, 0.0, 0.0 }, 1.5 } };
   EXPECT_EQ(saidOf(vtkNew<vtkPolyData>()), "");
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
-  const auto noRadii = Atoms(sound);
+  const auto noRadii = AtomsOf(sound);
   noRadii->GetPointData()->RemoveArray("Radius");
   EXPECT_NE(
     saidOf(noRadii).find("no point array Radius of radii; they have: none"), std::string::npos);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   std::vector<Ball> bad = sound;
   bad[1].Centre[2] = std::nan("");
-  EXPECT_NE(saidOf(Atoms(bad)).find("Atom 1 has a coordinate"), std::string::npos);
+  EXPECT_NE(saidOf(AtomsOf(bad)).find("Atom 1 has a coordinate"), std::string::npos);
   bad = sound;
   bad[0].Radius = -1.0;
-  EXPECT_NE(saidOf(Atoms(bad)).find("negative radius"), std::string::npos);
+  EXPECT_NE(saidOf(AtomsOf(bad)).find("negative radius"), std::string::npos);
   bad[0].Radius = std::nan("");
-  EXPECT_NE(saidOf(Atoms(bad)).find("1 of 2 atoms have no radius"), std::string::npos);
+  EXPECT_NE(saidOf(AtomsOf(bad)).find("1 of 2 atoms have no radius"), std::string::npos);
   EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
   bad[1].Radius = std::nan("");
-  EXPECT_NE(saidOf(Atoms(bad)).find("2 of 2 atoms have no radius"), std::string::npos);
+  EXPECT_NE(saidOf(AtomsOf(bad)).find("2 of 2 atoms have no radius"), std::string::npos);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
-  const auto atoms = Atoms(sound);
+  const auto atoms = AtomsOf(sound);
   EXPECT_EQ(saidOf(atoms), "");
   filter->SetSpacing(0.0);
   EXPECT_NE(saidOf(atoms).find("Spacing is 0"), std::string::npos);
@@ -340,7 +325,7 @@ TEST(MolecularDensity, BadInputIsToldInASentence)
 TEST(MolecularDensity, ProgressRisesAndStopIsHonoured)
 {
   vtkNew<vtkMolecularDensity> filter;
-  filter->SetInputData(Atoms(RandomBalls(20000, 60.0)));
+  filter->SetInputData(AtomsOf(RandomBalls(20000, 60.0)));
   filter->SetSpacing(0.4);
   struct State
   {

@@ -2,6 +2,7 @@
 
 #include "vtkMolecularPockets.h"
 
+#include "BallPoints.h"
 #include "MolecularPockets.h"
 #include "PolymerAtoms.h"
 #include "SharedData.h"
@@ -101,23 +102,6 @@ Point3 Turn(const Point3& p)
   return { q[0] + 50.0, c * q[1] - s * q[2] - 30.0, s * q[1] + c * q[2] + 120.0 };
 }
 
-vtkNew<vtkPolyData> PointsOf(const std::vector<Ball>& atoms)
-{
-  vtkNew<vtkPolyData> data;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> radii;
-  radii->SetName("Radius");
-  for (const Ball& atom : atoms)
-  {
-    points->InsertNextPoint(atom.Centre.data());
-    radii->InsertNextValue(atom.Radius);
-  }
-  data->SetPoints(points);
-  data->GetPointData()->AddArray(radii);
-  return data;
-}
-
 /// Runs the filter and returns its errors and warnings.
 template <typename Change>
 std::string ErrorsOf(vtkPolyData* input, Change change, vtkIdType& pockets)
@@ -198,7 +182,7 @@ TEST(MolecularPockets, SameBitsOnAnyNumberOfThreads)
 {
   ISTHMUS_NEEDS_SHARED_DATA("molecules/1hew.pdb");
   const std::string path = (isthmus::testing::SharedDataFolder() / "molecules/1hew.pdb").string();
-  const auto data = PointsOf(AtomsOf(path));
+  const auto data = isthmus::testing::AtomsOf(AtomsOf(path));
   const auto scores = [&](int threads)
   {
     std::vector<double> values;
@@ -238,7 +222,7 @@ TEST(MolecularPockets, NoAtomsFewOrFlatOnesHaveNoPockets)
   {
     vtkIdType pockets = -1;
     EXPECT_EQ(ErrorsOf(
-                PointsOf(*atoms), [](vtkMolecularPockets*) {}, pockets),
+                isthmus::testing::AtomsOf(*atoms), [](vtkMolecularPockets*) {}, pockets),
       "");
     EXPECT_EQ(pockets, 0);
   }
@@ -279,7 +263,7 @@ TEST(MolecularPockets, WhatIsOutOfRangeIsToldInASentence)
   const auto expect = [&](const char* word, auto change)
   {
     vtkIdType pockets = -1;
-    const std::string said = ErrorsOf(PointsOf(atoms), change, pockets);
+    const std::string said = ErrorsOf(isthmus::testing::AtomsOf(atoms), change, pockets);
     EXPECT_NE(said.find(word), std::string::npos) << word << " not in: " << said;
     EXPECT_EQ(pockets, 0);
   };

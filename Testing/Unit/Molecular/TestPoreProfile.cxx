@@ -3,6 +3,7 @@
 
 #include "vtkPoreProfile.h"
 
+#include "BallPoints.h"
 #include "PlaneBall.h"
 #include "PoreProfile.h"
 
@@ -22,6 +23,7 @@
 #include <cmath>
 
 using namespace isthmus;
+using isthmus::testing::AtomsOf;
 
 namespace
 {
@@ -77,23 +79,6 @@ double Least(const Pore& pore)
     least = std::min(least, sample.Radius);
   }
   return least;
-}
-
-vtkNew<vtkPolyData> PointsOf(const std::vector<Ball>& atoms)
-{
-  vtkNew<vtkPolyData> data;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> radii;
-  radii->SetName("Radius");
-  for (const Ball& atom : atoms)
-  {
-    points->InsertNextPoint(atom.Centre.data());
-    radii->InsertNextValue(atom.Radius);
-  }
-  data->SetPoints(points);
-  data->GetPointData()->AddArray(radii);
-  return data;
 }
 
 }
@@ -183,7 +168,7 @@ TEST(PoreProfile, ClosedShellAndFewAtomsHaveNone)
 
 TEST(PoreProfile, FilterGivesLinesTablesAndTubesOnAnyNumberOfThreads)
 {
-  const auto data = PointsOf(Hyperboloid(24));
+  const auto data = AtomsOf(Hyperboloid(24));
   const auto radii = [&](int threads)
   {
     std::vector<double> values;
@@ -214,7 +199,7 @@ TEST(PoreProfile, FilterGivesLinesTablesAndTubesOnAnyNumberOfThreads)
 
 TEST(PoreProfile, WhatIsOutOfRangeIsToldInASentence)
 {
-  const auto data = PointsOf(Hyperboloid(24));
+  const auto data = AtomsOf(Hyperboloid(24));
   const auto refuses = [&](auto&& change, const char* word)
   {
     vtkNew<vtkPoreProfile> profile;

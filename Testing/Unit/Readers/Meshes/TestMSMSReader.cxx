@@ -62,7 +62,7 @@ TEST(MSMSReader, ReadsHeadersCommentsAndAtomNames)
   EXPECT_EQ(surface.SphereOfPoint, (std::vector<int>{ 6, 7, 8 }));
   EXPECT_EQ(surface.TypeOfPoint, (std::vector<int>{ 2, 1, 3 }));
   ASSERT_EQ(surface.Triangles.size(), 1u);
-  EXPECT_EQ(surface.Triangles[0], (std::array<std::int64_t, 3>{ 0, 1, 2 }));
+  EXPECT_EQ(surface.Triangles[0], (isthmus::Triangle{ 0, 1, 2 }));
   EXPECT_EQ(surface.ComponentOfTriangle, (std::vector<int>{ 4 }));
   EXPECT_EQ(surface.AnalyticFaceOfTriangle, (std::vector<int>{ 12 }));
   EXPECT_EQ(vtkMSMSReader::CanReadFile(file.c_str()), 1);

@@ -1,0 +1,26 @@
+/**
+ * @file FilterProperties.h
+ * @brief For properties that filters of different bases share: declared in one line, with the
+ * member.
+ *
+ * Macros, since VTK wraps for Python and for panels what a class and its first base declare. They
+ * stand in a class at the end of its public part: what follows is protected.
+ */
+#ifndef isthmus_FilterProperties_h
+#define isthmus_FilterProperties_h
+
+#define ISTHMUS_PROPERTY(type, name, value)                                                        \
+public:                                                                                            \
+  vtkSetMacro(name, type);                                                                         \
+  vtkGetMacro(name, type);                                                                         \
+                                                                                                   \
+protected:                                                                                         \
+  type name = value
+
+/// A property that is on or off: `type` is bool or vtkTypeBool.
+#define ISTHMUS_SWITCH(type, name, value)                                                          \
+public:                                                                                            \
+  vtkBooleanMacro(name, type);                                                                     \
+  ISTHMUS_PROPERTY(type, name, value)
+
+#endif

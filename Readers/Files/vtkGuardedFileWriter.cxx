@@ -1,0 +1,40 @@
+#include "vtkGuardedFileWriter.h"
+
+#include "PrintableText.h"
+#include "Progress.h"
+
+#include <vtkErrorCode.h>
+
+#include <stdexcept>
+
+vtkGuardedFileWriter::~vtkGuardedFileWriter()
+{
+  this->SetFileName(nullptr);
+}
+
+void vtkGuardedFileWriter::WriteData()
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  try
+  {
+    if (!this->FileName || !*this->FileName)
+    {
+      throw std::invalid_argument("There is no file name: set FileName.");
+    }
+    this->WriteFile();
+  }
+  catch (const isthmus::Cancelled&)
+  {
+  }
+  catch (const std::exception& error)
+  {
+    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
+    vtkErrorMacro(<< isthmus::Printable(error.what()));
+  }
+}
+
+void vtkGuardedFileWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}

@@ -1,0 +1,49 @@
+/**
+ * @class vtkGuardedFileWriter
+ * @brief What our writers share: a file's name, and one sentence where a file can't be written.
+ *
+ * No file name, or whatever keeps the file from being written to its end, is one error with the
+ * error code set; a stop on request is none.
+ */
+#ifndef vtkGuardedFileWriter_h
+#define vtkGuardedFileWriter_h
+
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <vtkWriter.h>
+
+class VTKISTHMUS_EXPORT vtkGuardedFileWriter : public vtkWriter
+{
+public:
+  vtkAbstractTypeMacro(vtkGuardedFileWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The file to write. Default: none.
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+protected:
+  vtkGuardedFileWriter() = default;
+  ~vtkGuardedFileWriter() override;
+
+  void WriteData() override;
+  /// What VTK 9.7 calls in its place.
+  virtual bool WriteDataAndReturn()
+  {
+    this->WriteData();
+    return this->GetErrorCode() == 0;
+  }
+
+  /// Writes the input to FileName, which is set, or throws with a sentence.
+  virtual void WriteFile() = 0;
+
+  char* FileName = nullptr;
+
+private:
+  vtkGuardedFileWriter(const vtkGuardedFileWriter&) = delete;
+  void operator=(const vtkGuardedFileWriter&) = delete;
+};
+
+#endif

@@ -1,0 +1,42 @@
+/**
+ * @class vtkImageArrayWriter
+ * @brief What writers of one point array of a vtkImageData share: the file's and the array's name.
+ */
+#ifndef vtkImageArrayWriter_h
+#define vtkImageArrayWriter_h
+
+#include "vtkGuardedFileWriter.h"
+#include "vtkIsthmusModule.h" // for the export macro
+
+#include <string> // for the array's name
+
+class vtkImageData;
+
+class VTKISTHMUS_EXPORT vtkImageArrayWriter : public vtkGuardedFileWriter
+{
+public:
+  vtkAbstractTypeMacro(vtkImageArrayWriter, vtkGuardedFileWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Point array to write. Default empty: the format's usual one if there is one (named in the
+  /// writer's description), else the active scalars, else the first point array.
+  vtkSetMacro(ArrayName, std::string);
+  vtkGetMacro(ArrayName, std::string);
+  ///@}
+
+protected:
+  vtkImageArrayWriter() = default;
+  ~vtkImageArrayWriter() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  vtkImageData* GetImage();
+
+  std::string ArrayName;
+
+private:
+  vtkImageArrayWriter(const vtkImageArrayWriter&) = delete;
+  void operator=(const vtkImageArrayWriter&) = delete;
+};
+
+#endif

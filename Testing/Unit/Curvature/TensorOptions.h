@@ -1,0 +1,24 @@
+/**
+ * @file TensorOptions.h
+ * @brief Curvature by the edge tensor over a neighbourhood.
+ */
+#ifndef isthmus_TensorOptions_h
+#define isthmus_TensorOptions_h
+
+#include "SurfaceCurvature.h"
+
+namespace isthmus::testing
+{
+
+inline SurfaceCurvatureOptions Tensor(CurvatureNeighbourhood neighbourhood, double radius = 0.0)
+{
+  SurfaceCurvatureOptions options;
+  options.Estimate = CurvatureEstimate::EdgeTensor;
+  options.Neighbourhood = neighbourhood;
+  options.Radius = radius;
+  return options;
+}
+
+}
+
+#endif

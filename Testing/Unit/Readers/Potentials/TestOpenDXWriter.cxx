@@ -1,0 +1,147 @@
+// OpenDX files out: every bit comes back, and what cannot be written is a sentence.
+
+#include "OpenDXTestFiles.h"
+#include "vtkOpenDXWriter.h"
+
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkErrorCode.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
+#include <vtkTestErrorObserver.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <string>
+
+using namespace isthmus::testing;
+
+namespace
+{
+
+/// Values that test printing: every exponent, neighbours of round numbers, denormals, zeros.
+template <typename Array>
+vtkSmartPointer<vtkImageData> HardImage()
+{
+  using T = typename Array::ValueType;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetExtent(2, 8, -3, 1, 5, 15);
+  image->SetSpacing(0.1, 1.0 / 3.0, 0.7e-3);
+  image->SetOrigin(-31.315, 1e-7, 12345.678);
+  vtkNew<Array> values;
+  values->SetName("Potential");
+  values->SetNumberOfTuples(image->GetNumberOfPoints());
+  std::uint64_t state = 88172645463325252ull;
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    T value;
+    do
+    {
+      state ^= state << 13;
+      state ^= state >> 7;
+      state ^= state << 17;
+      std::memcpy(&value, &state, sizeof(T));
+    } while (!std::isfinite(value));
+    values->SetValue(i, value);
+  }
+  const T special[] = { T(0), T(-0.0), std::numeric_limits<T>::denorm_min(),
+    std::numeric_limits<T>::max(), std::nextafter(T(1), T(2)), T(1e-5), T(0.1), T(1e23) };
+  for (vtkIdType i = 0; i < 8; ++i)
+  {
+    values->SetValue(i, special[i]);
+  }
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+
+template <typename Array>
+void ExpectSameBack(const char* name)
+{
+  const File file("", name);
+  const auto image = HardImage<Array>();
+  const auto back = WriteAndRead(image, file.Path);
+  auto* before = Array::SafeDownCast(image->GetPointData()->GetScalars());
+  auto* after = Array::SafeDownCast(back->GetPointData()->GetArray("Potential"));
+  ASSERT_NE(after, nullptr);
+  ASSERT_EQ(after->GetNumberOfTuples(), before->GetNumberOfTuples());
+  EXPECT_EQ(std::memcmp(after->GetPointer(0), before->GetPointer(0),
+              static_cast<std::size_t>(before->GetDataSize()) * sizeof(*before->GetPointer(0))),
+    0);
+  double first[3];
+  image->TransformIndexToPhysicalPoint(2, -3, 5, first);
+  for (int a = 0; a < 3; ++a)
+  {
+    EXPECT_EQ(back->GetOrigin()[a], first[a]);
+    EXPECT_EQ(back->GetSpacing()[a], image->GetSpacing()[a]);
+  }
+}
+
+}
+
+TEST(OpenDXWriter, EveryBitComesBack)
+{
+  ExpectSameBack<vtkDoubleArray>("double.dx");
+  ExpectSameBack<vtkFloatArray>("float.dx");
+  ExpectSameBack<vtkDoubleArray>("double.dx.gz");
+  const File packed("", "double.dx.gz");
+  WriteAndRead(HardImage<vtkFloatArray>(), packed.Path);
+  EXPECT_EQ(Content(packed.Path).find("object 1 class gridpositions counts 7 5 11"), 0u);
+}
+
+TEST(OpenDXWriter, TurnedGridsAndLabelsComeBack)
+{
+  const File file("# the unit is kT/e\nobject 1 class gridpositions counts 2 3 2\norigin 1 2 3\n"
+                  "delta 0 -0.5 0\ndelta 0.25 0 0\ndelta 0 0 2\n" +
+    twelve + "object \"my field\" class field\n");
+  const Reading reading(file.Path);
+  const File copy("", "copy.dx");
+  WriteAndRead(reading.Image, copy.Path);
+  const Reading again(copy.Path);
+  EXPECT_EQ(again.Text("Comments"), "the unit is kT/e");
+  EXPECT_EQ(again.Text("FieldName"), "my field");
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      EXPECT_EQ(again.Image->GetDirectionMatrix()->GetElement(i, j),
+        reading.Image->GetDirectionMatrix()->GetElement(i, j));
+    }
+  }
+  ExpectFileOrder(again, { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 });
+}
+
+TEST(OpenDXWriter, WhatCannotBeWrittenIsASentence)
+{
+  const auto expect = [](
+                        vtkImageData* image, const char* path, const char* array, const char* words)
+  {
+    vtkNew<vtkOpenDXWriter> writer;
+    vtkNew<vtkTest::ErrorObserver> observer;
+    writer->AddObserver(vtkCommand::ErrorEvent, observer);
+    writer->SetInputData(image);
+    writer->SetFileName(path);
+    writer->SetArrayName(array);
+    writer->Write();
+    EXPECT_NE(observer->GetErrorMessage().find(words), std::string::npos)
+      << observer->GetErrorMessage();
+    EXPECT_NE(writer->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+  };
+  const File file("");
+  vtkNew<vtkImageData> empty;
+  expect(empty, file.Path.c_str(), "", "no nodes");
+  vtkNew<vtkImageData> bare;
+  bare->SetDimensions(2, 2, 2);
+  expect(bare, file.Path.c_str(), "", "no point array");
+  expect(HardImage<vtkFloatArray>(), file.Path.c_str(), "Charge", "'Charge'");
+  expect(HardImage<vtkFloatArray>(), "no/such/folder.dx", "", "can't be written");
+  EXPECT_FALSE(std::ifstream(file.Path).good());
+}
