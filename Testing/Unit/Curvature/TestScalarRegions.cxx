@@ -104,7 +104,7 @@ TEST(ScalarRegions, OneTriangleByHand)
   {
     EXPECT_NEAR(areas[i], expected[i], 1e-16) << i;
   }
-  const auto whole = RegionAreas(mesh.View(), x, y, AreaRule::WholeTriangles);
+  const auto whole = RegionAreas(mesh, x, y, AreaRule::WholeTriangles);
   EXPECT_EQ(whole, (std::vector<double>{ 0.5, 0, 0, 0, 0, 0 }));
   EXPECT_EQ(MiddleRegion(2, 0, 1), 1u);
   EXPECT_EQ(MiddleRegion(2, 0, 2), 2u);
