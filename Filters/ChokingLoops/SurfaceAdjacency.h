@@ -11,7 +11,7 @@
 namespace isthmus
 {
 
-/// 3 t + k for corner k of triangle t, so None is before the first.
+/// A side of a triangle seen from it: 3 t + k runs from corner k of triangle t.
 using HalfEdgeId = Handle<struct SurfaceHalfEdge, SimplexId>;
 /// Not an edge of the complex of the surface's points: SurfaceInComplex leads from one to the
 /// other.
