@@ -1,0 +1,20 @@
+# Included by Sanitized.cmake: data races, with more threads than processors. VTK is not instrumented,
+# but its threads are started, joined and locked by calls that the sanitizer sees: nothing has to be
+# suppressed.
+set(ENV{VTK_SMP_BACKEND_IN_USE} STDThread)
+set(ENV{VTK_SMP_MAX_THREADS} 4)
+set(folder "${WORK_DIR}/sanitized-threads")
+# All parallel code goes through ParallelFor. These have locks, atomics or shared arrays of their own,
+# or write neighbouring rows; with ISTHMUS_LONG_TESTS=1 all programs are built.
+set(only "")
+if (NOT "$ENV{ISTHMUS_LONG_TESTS}" STREQUAL "1")
+  set(only TestParallelFor TestPathEnds TestSimplexOrder TestStarMatching TestStarDefects
+    TestSurfaceToGrid TestDiffusionRows TestCompactCombinatorialMap TestCubicalPersistence)
+  list(JOIN only " " only)
+endif ()
+build_sanitized("${folder}" -DISTHMUS_UNIT_SHARE=0 "-DISTHMUS_UNIT_ONLY=${only}"
+  -DISTHMUS_SANITIZE=thread)
+run("${CMAKE_CTEST_COMMAND}" --test-dir "${folder}" --output-on-failure --parallel 2 -L Unit
+  --exclude-regex "${long_tests}")
+unset(ENV{VTK_SMP_BACKEND_IN_USE})
+unset(ENV{VTK_SMP_MAX_THREADS})
