@@ -22,7 +22,8 @@ if (NOT "$ENV{ISTHMUS_LONG_TESTS}" STREQUAL "1")
 endif ()
 unset(ENV{ISTHMUS_TURN})
 
-# Left out: tests of seconds that become minutes here, of code that shorter ones reach as well.
+# Left out: tests of seconds that become minutes here, of code that shorter ones reach as well, and
+# one of the process' peak memory, to which sanitizers add.
 set(long_tests "SuperStepsReachTheEnd|TimeOrderIsTwo|FourierModesDecay|IsosurfacesOfNoise"
   "|EverySharedSurfaceIsFilled|HasItsLoops/(129110|65004)|StrutsOfABuckyball|Runs/Stability"
   "|ErrorFallsWithRefinement|TheLongestSuperStep|MeanIsKept|PlateauOnIrregularMeshes|TestGridMap"
@@ -39,7 +40,8 @@ set(long_tests "SuperStepsReachTheEnd|TimeOrderIsTwo|FourierModesDecay|Isosurfac
   "|NoTrianglesCrossWhere|SharpEdgesOfMachineParts|PolyhedraBecome|ManyKindsOfDamage"
   "|LimitsOfTimeAndMemory|ResultDigests|SquareOfTheSpacing|EdgesOfSampledSolids"
   "|AreTheSame/(elk|skull|cup)|OfAWallOfBlobs"
-  "|CutsTheHandlesBelow|OneCutEndsAHandle|FastMarchingComesToTheDistance")
+  "|CutsTheHandlesBelow|OneCutEndsAHandle|FastMarchingComesToTheDistance"
+  "|BytesAreWithinAFactorOfTwo")
 string(CONCAT long_tests ${long_tests})
 
 # build_sanitized(FOLDER OPTION...): GCC's builds judge the warnings; clang has others.
