@@ -66,9 +66,9 @@ class CheckTidy(unittest.TestCase):
                    "bool Keep(std::string s)\n{\n  Kept = std::move(s);\n  return s.empty();\n}\n")
         self.assert_finds("Filters/Support/Moved.cxx:7:10: error", "[bugprone-use-after-move")
 
-    def test_product_that_overflows_before_it_is_widened(self):
-        self.write("Wide.cxx", "long Size(int x, int y)\n{\n  return x * y;\n}\n")
-        self.assert_finds("Wide.cxx:3:", "[bugprone-implicit-widening-of-multiplication-result")
+    def test_division_that_loses_what_it_is_for(self):
+        self.write("Half.cxx", "double Half(int x)\n{\n  return 0.5 + x / 2;\n}\n")
+        self.assert_finds("Half.cxx:3:", "[bugprone-integer-division")
 
     def test_copy_in_a_loop(self):
         self.write("Copies.cxx", "#include <string>\n#include <vector>\n"
