@@ -16,6 +16,13 @@ def goal(**given):
     return {**dict.fromkeys(KEYS, ""), "what": "w", "benchmark": "Bench", "unit": "s", **given}
 
 
+def with_headers(source):
+    """What a benchmark says, and its headers beside it."""
+    text = source.read_text(encoding="utf-8")
+    headers = [HERE / name for name in re.findall(r'^#include "([^"]+)"', text, re.MULTILINE)]
+    return text + "".join(header.read_text(encoding="utf-8") for header in headers if header.exists())
+
+
 class Table(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -64,7 +71,7 @@ class Table(unittest.TestCase):
         for one in goals:
             source = HERE / one["benchmark"]
             source = source if source.suffix == ".py" else source.with_suffix(".cxx")
-            text = source.read_text(encoding="utf-8")
+            text = with_headers(source)
             for key in (one["ours"], one["against key"]):
                 known = key in ("", "seconds") or key.split()[-1] in text
                 self.assertTrue(known, f"{source.name} has no counter {key}")
