@@ -109,7 +109,7 @@ private:
     {
       if (pieces[e] != DualCells::NoPiece)
       {
-        const auto piece = static_cast<unsigned char>(pieces[e]);
+        const std::size_t piece = static_cast<unsigned char>(pieces[e]);
         const GridCrossing& crossing =
           this->CrossingOf(this->Cells.NodeOfEdge(cell, DualEdge(e)), e / 4);
         planes[piece].push_back({ this->PositionOf(crossing, 0.0), crossing.Normal });
