@@ -209,6 +209,7 @@ std::vector<std::string> CatchAll(
   Refinement& refinement, const SurfaceView& guide, const std::vector<SeededComponent>& components)
 {
   std::vector<std::vector<Vertex>> seeds;
+  seeds.reserve(components.size());
   for (const SeededComponent& component : components)
   {
     seeds.push_back(refinement.Insert(guide, component.Seeds));

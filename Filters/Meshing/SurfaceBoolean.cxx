@@ -141,6 +141,7 @@ std::vector<Triangle> PolygonFilling(const std::vector<Point3>& polygon)
   cgal::WithSentence(
     "filling a loop", [&] { PMP::triangulate_hole_polyline(points, std::back_inserter(filling)); });
   std::vector<Triangle> triangles;
+  triangles.reserve(filling.size());
   for (const auto& t : filling)
   {
     triangles.push_back({ t.first, t.second, t.third });

@@ -40,7 +40,7 @@ std::array<std::uint8_t, 27> MakeCells()
   const auto directions = MakeDirections();
   for (std::size_t cell = 0; cell < 27; ++cell)
   {
-    cells[static_cast<std::size_t>(directions[cell])] = static_cast<std::uint8_t>(cell);
+    cells[static_cast<unsigned char>(directions[cell])] = static_cast<std::uint8_t>(cell);
   }
   return cells;
 }
