@@ -32,7 +32,7 @@ constexpr double CapCosine = -0.9998;
 class OriginVisitor : public PMP::Corefinement::Default_visitor<SurfaceMesh>
 {
 public:
-  OriginVisitor(const SurfaceMesh& first, Origins ofFirst, Origins ofSecond)
+  OriginVisitor(const SurfaceMesh& first, const Origins& ofFirst, const Origins& ofSecond)
     : First(&first)
     , OfFirst(ofFirst)
     , OfSecond(ofSecond)
@@ -133,6 +133,7 @@ TriangleMesh OutwardSurface(const SurfaceView& mesh)
 std::vector<Triangle> PolygonFilling(const std::vector<Point3>& polygon)
 {
   std::vector<cgal::Point> points;
+  points.reserve(polygon.size());
   for (const Point3& p : polygon)
   {
     points.push_back(cgal::ToCGAL(p));
