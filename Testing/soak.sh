@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# Everything random, with new seeds, for HOURS: fuzz targets under address and undefined-behaviour
-# checks, damaged surfaces and volumes through every filter, property and composite sweeps.
+# Everything random, with new seeds, for HOURS on two cores: fuzz targets under address and
+# undefined-behaviour checks; beside them, damaged surfaces and volumes through every filter, and
+# filters again and again.
 # Usage: Testing/soak.sh HOURS [FOLDER]      (FOLDER, default build/soak, keeps seeds and failures)
 #
+# ISTHMUS_SOAK_SEED=N   the seed to begin from (default: the time)
 # ISTHMUS_SOAK_TIDY=1   clang-tidy over all sources of the library, besides: an hour or more
 #
 # FOLDER/corpus/X   what each fuzz target found worth keeping, taken up again by the next run
@@ -29,8 +31,9 @@ if [ ${#targets[@]} -eq 0 ]; then
   exit 2
 fi
 
-# Two thirds of the time for the fuzz targets, two at a time; the rest for damaged data.
-share=$((seconds * 2 / 3 * 2 / ${#targets[@]}))
+# The damaged data takes one of the two lanes for two thirds of the time; the rest is the targets'.
+damage_seconds=$((seconds * 2 / 3))
+share=$(((2 * seconds - damage_seconds) / ${#targets[@]}))
 [ "$share" -gt 0 ] || share=1
 export ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=1:allocator_may_return_null=1}
 
@@ -48,10 +51,31 @@ fuzz() {
   done
 }
 
-echo "seed $seed, $hours h, ${#targets[@]} fuzz targets, $share s each"
-: >"$folder/log/seed"
+# part SCRIPT SEED ARGUMENT...: one run of a script of Testing/Python, written down when it fails.
+part() {
+  ISTHMUS_SEED=$2 xvfb-run -a pvpython "$source_dir/Testing/Python/$1.py" "${@:3}" \
+    >>"$folder/log/$1" 2>&1 && return
+  echo "$1 ${*:3}, ISTHMUS_SEED=$2: see $folder/log/$1" | tee -a "$folder/log/failures"
+}
+
+# Fifty damaged surfaces and volumes at a time until the time is up; once, filters again and again.
+damage() {
+  local end=$((SECONDS + damage_seconds)) first=0
+  part Reexecution "$seed" 50
+  while [ $SECONDS -lt $end ]; do
+    part RandomDamage "$seed" 50 $first
+    first=$((first + 50))
+  done
+}
+
+export PV_PLUGIN_PATH=${PV_PLUGIN_PATH:-$build_dir/lib/isthmus/plugins}
+export PYTHONPATH=${PYTHONPATH:-$(echo "$build_dir"/lib/python3*/site-packages)}
+export ISTHMUS_PANELS_DIR=$source_dir/Plugin
+for name in RandomDamage Reexecution failures "${targets[@]##*/}"; do : >"$folder/log/$name"; done
+echo "$seed" >>"$folder/log/seeds"
+echo "seed $seed, $hours h, ${#targets[@]} fuzz targets, $share s each, damage $damage_seconds s"
+damage &
 for target in "${targets[@]}"; do
-  : >"$folder/log/$(basename "$target")"
   while [ "$(jobs -rp | wc -l)" -ge 2 ]; do wait -n; done
   fuzz "$target" &
 done
@@ -66,29 +90,10 @@ for target in "${targets[@]}"; do
   echo "$name: $runs inputs, $bad kept in $folder/failed/$name"
 done
 echo "all readers and filters: $total inputs"
-
-# Damaged surfaces and volumes through every filter, a new seed a round, until the time is up.
-part() {
-  echo "$1 $2" >>"$folder/log/seed"
-  ISTHMUS_SEED=$2 xvfb-run -a pvpython "$source_dir/Testing/Python/$1.py" "${@:3}" \
-    >>"$folder/log/$1" 2>&1
-}
-export PV_PLUGIN_PATH=${PV_PLUGIN_PATH:-$build_dir/lib/isthmus/plugins}
-export PYTHONPATH=${PYTHONPATH:-$(echo "$build_dir"/lib/python3*/site-packages)}
-export ISTHMUS_PANELS_DIR=$source_dir/Plugin
-end=$((SECONDS + seconds / 3)) round=0
-while [ $SECONDS -lt $end ]; do
-  for script in RandomDamage Reexecution; do
-    if ! part $script $((seed + round)) 200; then
-      failures=$((failures + 1))
-      echo "$script failed with ISTHMUS_SEED=$((seed + round)): see $folder/log/$script"
-    fi
-  done
-  round=$((round + 1))
-done
-grep -h "^soak:" "$folder/log/RandomDamage" "$folder/log/Reexecution" 2>/dev/null |
+grep -h "^soak:" "$folder/log/RandomDamage" "$folder/log/Reexecution" |
   awk '{ surfaces += $3; volumes += $5; runs += $7 } END {
     print surfaces + 0 " damaged surfaces, " volumes + 0 " damaged volumes, " runs + 0 " runs of filters" }'
+failures=$((failures + $(wc -l <"$folder/log/failures")))
 if [ "${ISTHMUS_SOAK_TIDY:-}" = 1 ] &&
   ! python3 -B "$source_dir/Testing/check_tidy.py" --build "$build_dir" --jobs 2 | tee "$folder/log/tidy"; then
   failures=$((failures + 1))

@@ -105,8 +105,11 @@ def size_of(data):
     return sum(leaf.GetNumberOfElements(kind) for leaf in leaves(data) for kind in range(7))
 
 
-def not_finite(data):
-    """Names of point arrays (and 'points') of `data` with numbers that are none."""
+def not_finite(data, infinite=()):
+    """Names of arrays (and 'points') of `data` with numbers that are none.
+
+    Those in `infinite` may be infinite: of these only NaN counts.
+    """
     names = set()
     for leaf in leaves(data):
         if hasattr(leaf, "GetPoints") and leaf.GetPoints():
@@ -117,7 +120,10 @@ def not_finite(data):
         for attributes in (getattr(leaf, "GetPointData", None), getattr(leaf, "GetCellData", None)):
             for i in range(attributes().GetNumberOfArrays() if attributes else 0):
                 array = attributes().GetArray(i)
-                if array and array.GetNumberOfValues() and not numpy.isfinite(
-                        vtk_to_numpy(array).astype(float)).all():
+                if not array or not array.GetNumberOfValues():
+                    continue
+                values = vtk_to_numpy(array).astype(float)
+                bad = numpy.isnan(values) if array.GetName() in infinite else ~numpy.isfinite(values)
+                if bad.any():
                     names.add(array.GetName() or "(unnamed)")
     return names

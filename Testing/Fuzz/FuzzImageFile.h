@@ -1,0 +1,68 @@
+/**
+ * @file FuzzImageFile.h
+ * @brief What targets of readers with a writer share: what was read is written, and comes back.
+ */
+#ifndef isthmus_FuzzImageFile_h
+#define isthmus_FuzzImageFile_h
+
+#include "FuzzInput.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace isthmus::testing
+{
+
+/// Aborts unless both arrays are there and hold the same numbers of one type.
+inline void ExpectSame(vtkDataArray* first, vtkDataArray* second)
+{
+  if (!first || !second || first->GetNumberOfValues() != second->GetNumberOfValues() ||
+    first->GetDataType() != second->GetDataType())
+  {
+    std::abort();
+  }
+  for (vtkIdType i = 0; i < first->GetNumberOfValues(); ++i)
+  {
+    const double was = first->GetVariantValue(i).ToDouble();
+    const double is = second->GetVariantValue(i).ToDouble();
+    if (!(was == is || (std::isnan(was) && std::isnan(is))))
+    {
+      std::abort();
+    }
+  }
+}
+
+/// What `reader` makes of a file: an image without points where it refuses.
+template <class Reader>
+vtkSmartPointer<vtkImageData> ReadImage(Reader* reader, const std::string& path)
+{
+  Reader::CanReadFile(path.c_str());
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+/// Writes `image`, which has points, as the file `name` and reads it again: its array is the same.
+template <class Reader, class Writer>
+void ExpectToComeBack(vtkImageData* image, const char* array, const std::string& name)
+{
+  const std::string path = Folder().Write(name, nullptr, nullptr);
+  vtkNew<Writer> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(path.c_str());
+  writer->Write();
+  vtkNew<Reader> reader;
+  ExpectSame(image->GetPointData()->GetArray(array),
+    ReadImage(reader.Get(), path)->GetPointData()->GetArray(array));
+}
+
+}
+
+#endif
