@@ -31,10 +31,10 @@ if [ ${#targets[@]} -eq 0 ]; then
   exit 2
 fi
 
-# The damaged data takes one of the two lanes for two thirds of the time; the rest is the targets'.
-damage_seconds=$((seconds * 2 / 3))
-share=$(((2 * seconds - damage_seconds) / ${#targets[@]}))
+# One core for the targets, one for damaged data, which at the end goes to the re-executions.
+share=$((seconds / ${#targets[@]}))
 [ "$share" -gt 0 ] || share=1
+damage_seconds=$((seconds * 5 / 6))
 export ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=1:allocator_may_return_null=1}
 
 fuzz() {
@@ -58,14 +58,14 @@ part() {
   echo "$1 ${*:3}, ISTHMUS_SEED=$2: see $folder/log/$1" | tee -a "$folder/log/failures"
 }
 
-# Fifty damaged surfaces and volumes at a time until the time is up; once, filters again and again.
+# Fifty damaged surfaces and volumes at a time; then, once, filters again and again.
 damage() {
   local end=$((SECONDS + damage_seconds)) first=0
-  part Reexecution "$seed" 50
   while [ $SECONDS -lt $end ]; do
     part RandomDamage "$seed" 50 $first
     first=$((first + 50))
   done
+  part Reexecution "$seed" 50
 }
 
 export PV_PLUGIN_PATH=${PV_PLUGIN_PATH:-$build_dir/lib/isthmus/plugins}
@@ -76,8 +76,7 @@ echo "$seed" >>"$folder/log/seeds"
 echo "seed $seed, $hours h, ${#targets[@]} fuzz targets, $share s each, damage $damage_seconds s"
 damage &
 for target in "${targets[@]}"; do
-  while [ "$(jobs -rp | wc -l)" -ge 2 ]; do wait -n; done
-  fuzz "$target" &
+  fuzz "$target"
 done
 wait
 
