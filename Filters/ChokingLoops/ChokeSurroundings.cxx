@@ -16,13 +16,13 @@ constexpr double LargestCapacity = 1e12;           ///< so that a million of the
 
 CellPlace ChokeSurroundings::Meet(TetrahedronId cell)
 {
-  const auto next = CellPlace::At(this->Met.size());
-  const auto [known, isNew] = this->Places.emplace(cell, next);
-  if (isNew)
+  CellPlace& place = this->Places[cell];
+  if (!place.Exists())
   {
+    place = CellPlace::At(this->Met.size());
     this->Met.push_back(cell);
   }
-  return known->second;
+  return place;
 }
 
 Point3 ChokeSurroundings::Middle(TetrahedronId cell) const
@@ -50,7 +50,7 @@ void ChokeSurroundings::Link(TriangleId triangle, CellPlace from, CellPlace to)
 bool ChokeSurroundings::Collect(double reach, std::size_t most)
 {
   this->Reach = reach;
-  this->Places.clear();
+  this->Places.Clear();
   this->Met.clear();
   this->All.clear();
   for (const TetrahedronId cell : this->F.TriangleSides(this->Choke))

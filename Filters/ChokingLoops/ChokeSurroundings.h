@@ -5,10 +5,10 @@
 #ifndef isthmus_ChokeSurroundings_h
 #define isthmus_ChokeSurroundings_h
 
+#include "IdMap.h"
 #include "ShapeFeatures.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace isthmus
 {
@@ -28,14 +28,11 @@ void ForFaces(const CellFiltration& f, TetrahedronId cell, Visit&& visit)
     {
       continue;
     }
-    const auto begin =
-      std::lower_bound(f.TriangleFaces.begin(), f.TriangleFaces.end(), 4 * first->Value);
-    for (auto s = begin; s != f.TriangleFaces.end() && *s / 4 == first->Value; ++s)
+    for (const TriangleId t : f.TrianglesFrom(*first))
     {
-      const TetrahedronId other = f.Neighbours[*first][static_cast<std::size_t>(*s % 4)];
-      if (*first == cell || other == cell)
+      if (*first == cell || f.TriangleSides(t)[1] == cell)
       {
-        visit(TriangleId::At(static_cast<std::size_t>(s - f.TriangleFaces.begin())));
+        visit(t);
       }
     }
   }
@@ -80,7 +77,8 @@ public:
 
   const std::vector<CellLink>& Links() const { return this->All; }
 
-  CellPlace PlaceOf(TetrahedronId cell) const { return this->Places.at(cell); }
+  /// @pre The cell is one of Cells().
+  CellPlace PlaceOf(TetrahedronId cell) const { return this->Places[cell]; }
 
   /// Calls visit(triangle, cell beyond) for the faces that link a cell.
   template <typename Visit>
@@ -115,7 +113,7 @@ private:
   Point3 Centre;
   double Radius;
   double Reach = 0.0;
-  std::unordered_map<TetrahedronId, CellPlace> Places;
+  IdMap<TetrahedronId, CellPlace> Places{ CellPlace::None() };
   HandleVector<CellPlace, TetrahedronId> Met;
   std::vector<CellLink> All;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <functional>
 #include <map>
 
@@ -19,10 +20,9 @@ struct Closed
   std::vector<SimplexId> Points;
 };
 
-HomologyClass Sum(HomologyClass a, const HomologyClass& b)
+void Add(HomologyClass& sum, const HomologyClass& c)
 {
-  std::transform(a.begin(), a.end(), b.begin(), a.begin(), std::bit_xor<>());
-  return a;
+  std::transform(sum.begin(), sum.end(), c.begin(), sum.begin(), std::bit_xor<>());
 }
 
 /// Shortest paths from one contact, and their classes, each closed through the same other paths.
@@ -34,19 +34,23 @@ public:
     , Base(base)
     , Paths(context.Surface, base, reach)
   {
-    for (const SimplexId p : this->Paths.Points())
+    this->Classes.reserve(this->Paths.Points().size());
+    this->Classes.push_back(context.Homology.ClassOf({}));
+    for (std::size_t i = 1; i < this->Paths.Points().size(); ++i)
     {
-      const HalfEdgeId last = this->Paths.Last(p);
-      this->Classes.emplace(p,
-        last.Exists() ? Sum(this->Classes.at(context.Surface.From(last)),
-                          context.Homology.ClassOf({ context.Surface.Edge(last) }))
-                      : context.Homology.ClassOf({}));
+      const HalfEdgeId last = this->Paths.LastAt(i);
+      this->Classes.push_back(this->ClassTo(context.Surface.From(last)));
+      context.Homology.AddTo(this->Classes.back(), context.Surface.Edge(last));
     }
   }
 
   SimplexId Root() const { return this->Base; }
   const SurfacePaths& Lengths() const { return this->Paths; }
-  const HomologyClass& ClassTo(SimplexId p) const { return this->Classes.at(p); }
+  const HomologyClass& ClassAt(std::size_t place) const { return this->Classes[place]; }
+  const HomologyClass& ClassTo(SimplexId p) const
+  {
+    return this->Classes[static_cast<std::size_t>(this->Paths.PlaceOf(p))];
+  }
 
   /// From the root to p, both included.
   std::vector<SimplexId> PathTo(SimplexId p) const
@@ -64,7 +68,7 @@ private:
   const FeatureContext& Context;
   SimplexId Base;
   SurfacePaths Paths;
-  std::unordered_map<SimplexId, HomologyClass> Classes;
+  std::vector<HomologyClass> Classes; ///< by place among Paths.Points()
 };
 
 /// A closed walk whose last point is its first, as a loop; what it goes to and fro there, goes.
@@ -79,45 +83,61 @@ std::vector<SimplexId> LoopOf(const std::vector<SimplexId>& walk)
     walk.end() - static_cast<std::ptrdiff_t>(tail + 1) };
 }
 
+using ShortestOfClass = std::map<HomologyClass, std::pair<double, HalfEdgeId>>;
+
+/// Of each class but zero, the length of the shortest loop from `one` over an edge to `other` and
+/// straight back, and that edge.
+ShortestOfClass ShortestOfClasses(
+  const FeatureContext& context, const Tree& one, const Tree& other, double longest)
+{
+  const SurfaceAdjacency& surface = context.Surface;
+  const double straight = one.Lengths().Length(other.Root());
+  const HomologyClass& back = one.ClassTo(other.Root());
+  HomologyClass c;
+  ShortestOfClass best;
+  for (std::size_t i = 0; i < one.Lengths().Points().size(); ++i)
+  {
+    const HalfEdgeId first = surface.Leaving(one.Lengths().Points()[i]);
+    HalfEdgeId h = first;
+    do
+    {
+      const HalfEdgeId over = h;
+      h = surface.Turn(h);
+      const std::ptrdiff_t place = other.Lengths().PlaceOf(surface.To(over));
+      const auto k = static_cast<std::size_t>(place);
+      const double length = place < 0
+        ? HUGE_VAL
+        : straight + one.Lengths().LengthAt(i) + surface.Length(over) + other.Lengths().LengthAt(k);
+      if (length > longest)
+      {
+        continue;
+      }
+      c = back;
+      Add(c, one.ClassAt(i));
+      Add(c, other.ClassAt(k));
+      context.Homology.AddTo(c, surface.Edge(over));
+      if (!IsZero(c))
+      {
+        auto& known = best.try_emplace(c, HUGE_VAL, over).first->second;
+        known = length < known.first ? std::make_pair(length, over) : known;
+      }
+    } while (h != first);
+  }
+  return best;
+}
+
 /// The shortest loops that go straight from one contact to another (or the same) and come back,
 /// one of each class in `bounding`.
 std::vector<Closed> LoopsThrough(const FeatureContext& context, const HomologySpan& bounding,
   const Tree& one, const Tree& other, double longest)
 {
-  const SurfaceAdjacency& surface = context.Surface;
-  std::map<HomologyClass, std::pair<double, HalfEdgeId>> best;
   if (!one.Lengths().Has(other.Root()))
   {
     return {};
   }
-  const double straight = one.Lengths().Length(other.Root());
-  const HomologyClass& out = one.ClassTo(other.Root());
-  for (const SimplexId p : one.Lengths().Points())
-  {
-    const HalfEdgeId first = surface.Leaving(p);
-    HalfEdgeId h = first;
-    do
-    {
-      const SimplexId q = surface.To(h);
-      const double length = other.Lengths().Has(q)
-        ? straight + one.Lengths().Length(p) + surface.Length(h) + other.Lengths().Length(q)
-        : HUGE_VAL;
-      if (length <= longest)
-      {
-        const HomologyClass c = Sum(Sum(Sum(one.ClassTo(p), other.ClassTo(q)), out),
-          context.Homology.ClassOf({ surface.Edge(h) }));
-        const auto known =
-          IsZero(c) ? best.end() : best.emplace(c, std::make_pair(HUGE_VAL, h)).first;
-        if (known != best.end() && length < known->second.first)
-        {
-          known->second = { length, h };
-        }
-      }
-      h = surface.Turn(h);
-    } while (h != first);
-  }
+  const SurfaceAdjacency& surface = context.Surface;
   std::vector<Closed> loops;
-  for (const auto& [c, shortest] : best)
+  for (const auto& [c, shortest] : ShortestOfClasses(context, one, other, longest))
   {
     if (bounding.Contains(c))
     {
@@ -147,9 +167,9 @@ Membrane FanFrom(const FeatureContext& context, const Point3& centre, std::vecto
   return membrane;
 }
 
-std::vector<Tree> TreesOf(const FeatureContext& context, const ShapeFeature& f, double reach)
+std::deque<Tree> TreesOf(const FeatureContext& context, const ShapeFeature& f, double reach)
 {
-  std::vector<Tree> trees;
+  std::deque<Tree> trees; // which are not moved
   for (const SimplexId p : context.Filtration.TrianglePoints(f.Choke))
   {
     if (context.Surface.Leaving(p).Exists())
@@ -171,7 +191,7 @@ std::vector<Membrane> EncirclingMembranes(const FeatureContext& context,
   {
     return {};
   }
-  const std::vector<Tree> trees = TreesOf(context, f, 0.5 * longest);
+  const std::deque<Tree> trees = TreesOf(context, f, 0.5 * longest);
   std::vector<Closed> loops;
   for (std::size_t i = 0; i < trees.size(); ++i)
   {
@@ -199,7 +219,7 @@ std::optional<Membrane> ContactMembrane(const FeatureContext& context,
   const LocatedFeatures& features, std::size_t feature, double longest)
 {
   const ShapeFeature& f = features.Diagram.Features[feature];
-  const std::vector<Tree> trees = TreesOf(context, f, longest);
+  const std::deque<Tree> trees = TreesOf(context, f, longest);
   std::vector<SimplexId> loop;
   HomologyClass c = context.Homology.ClassOf({});
   for (std::size_t i = 0; i < trees.size(); ++i)
@@ -211,7 +231,7 @@ std::optional<Membrane> ContactMembrane(const FeatureContext& context,
     }
     const std::vector<SimplexId> path = trees[i].PathTo(next);
     loop.insert(loop.end(), path.begin(), path.end() - 1);
-    c = Sum(c, trees[i].ClassTo(next));
+    Add(c, trees[i].ClassTo(next));
   }
   Membrane membrane = FanFrom(context, features.Centres[feature], std::move(loop));
   const bool holds = membrane.Loops[0].size() >= 3 &&

@@ -43,13 +43,15 @@ public:
     this->Index();
   }
 
-  /// Distances from the feed along arcs that are not full; false: the drain is out of reach.
+  /// Distances to the drain along arcs that are not full, as far as the feed is; false: there is no
+  /// way from it. Measured from there, a way that begins at the feed hardly ever ends elsewhere.
   bool Measure();
+
+  /// Per node, 1 where flow from the feed could still get.
+  std::vector<char> Reached() const;
 
   /// Fills shortest paths until each has a full arc.
   void Block();
-
-  bool IsReached(std::int32_t node) const { return this->Level[At(node)] >= 0; }
 
 private:
   std::int32_t From(std::int32_t arc) const { return this->Target[At(arc ^ 1)]; }
@@ -103,22 +105,43 @@ private:
 bool Network::Measure()
 {
   std::fill(this->Level.begin(), this->Level.end(), -1);
+  std::vector<std::int32_t> queue{ this->Drain };
+  this->Level[At(this->Drain)] = 0;
+  for (std::size_t i = 0; i < queue.size() && this->Level[At(this->Feed)] < 0; ++i)
+  {
+    for (std::int32_t k = this->First[At(queue[i])]; k < this->First[At(queue[i]) + 1]; ++k)
+    {
+      const std::int32_t arc = this->Arcs[At(k)];
+      const std::int32_t from = this->Target[At(arc)];
+      if (this->Left[At(arc ^ 1)] > 0 && this->Level[At(from)] < 0)
+      {
+        this->Level[At(from)] = this->Level[At(queue[i])] + 1;
+        queue.push_back(from);
+      }
+    }
+  }
+  return this->Level[At(this->Feed)] >= 0;
+}
+
+std::vector<char> Network::Reached() const
+{
+  std::vector<char> reached(this->Level.size(), 0);
   std::vector<std::int32_t> queue{ this->Feed };
-  this->Level[At(this->Feed)] = 0;
+  reached[At(this->Feed)] = 1;
   for (std::size_t i = 0; i < queue.size(); ++i)
   {
     for (std::int32_t k = this->First[At(queue[i])]; k < this->First[At(queue[i]) + 1]; ++k)
     {
       const std::int32_t arc = this->Arcs[At(k)];
       const std::int32_t to = this->Target[At(arc)];
-      if (this->Left[At(arc)] > 0 && this->Level[At(to)] < 0)
+      if (this->Left[At(arc)] > 0 && reached[At(to)] == 0)
       {
-        this->Level[At(to)] = this->Level[At(queue[i])] + 1;
+        reached[At(to)] = 1;
         queue.push_back(to);
       }
     }
   }
-  return this->Level[At(this->Drain)] >= 0;
+  return reached;
 }
 
 void Network::Block()
@@ -149,7 +172,7 @@ void Network::Block()
     }
     const std::int32_t arc = this->Arcs[At(k)];
     const std::int32_t to = this->Target[At(arc)];
-    if (this->Left[At(arc)] > 0 && this->Level[At(to)] == this->Level[At(node)] + 1)
+    if (this->Left[At(arc)] > 0 && this->Level[At(to)] == this->Level[At(node)] - 1)
     {
       path.push_back(arc);
       node = to;
@@ -173,11 +196,8 @@ std::vector<char> MinimumCut(std::int32_t nodes, const std::vector<FlowLink>& li
     Report(progress, 1.0 - std::pow(0.95, sweep)); // nobody knows how many there will be
     network.Block();
   }
-  std::vector<char> reached(At(nodes));
-  for (std::int32_t n = 0; n < nodes; ++n)
-  {
-    reached[At(n)] = network.IsReached(n) ? 1 : 0;
-  }
+  std::vector<char> reached = network.Reached();
+  reached.resize(At(nodes)); // without feed and drain
   return reached;
 }
 

@@ -158,10 +158,7 @@ HomologyClass SurfaceHomology::ClassOf(const SurfaceChain& edges) const
   HomologyClass c(this->Words, 0);
   for (const SurfaceEdgeId e : edges)
   {
-    for (std::size_t w = 0; w < this->Words; ++w)
-    {
-      c[w] ^= this->Crossings.empty() ? 0 : this->Crossings[this->Words * e.Index() + w];
-    }
+    this->AddTo(c, e);
   }
   return c;
 }

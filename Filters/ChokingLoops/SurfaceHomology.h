@@ -43,6 +43,16 @@ public:
   /// The class of a cycle of edges. Its coordinates are with respect to the loops above.
   VTKISTHMUS_EXPORT HomologyClass ClassOf(const SurfaceChain& edges) const;
 
+  /// Adds an edge to the class of a chain, which is that of no edges at first, and ClassOf() the
+  /// chain where it is a cycle.
+  void AddTo(HomologyClass& c, SurfaceEdgeId edge) const
+  {
+    for (std::size_t w = 0; w < this->Words && !this->Crossings.empty(); ++w)
+    {
+      c[w] ^= this->Crossings[this->Words * edge.Index() + w];
+    }
+  }
+
 private:
   void GrowTree();
   struct Cotree;

@@ -16,11 +16,15 @@ SurfacePaths::SurfacePaths(
   {
     const auto [length, p, last] = queue.top();
     queue.pop();
-    if (!this->Known.emplace(p, Path{ length, last }).second)
+    std::int32_t& place = this->Places[p];
+    if (place >= 0)
     {
       continue;
     }
+    place = static_cast<std::int32_t>(this->Settled.size());
     this->Settled.push_back(p);
+    this->Lengths.push_back(length);
+    this->Lasts.push_back(last);
     if (p == to)
     {
       return;

@@ -5,9 +5,12 @@
 #ifndef isthmus_SurfacePaths_h
 #define isthmus_SurfacePaths_h
 
+#include "IdMap.h"
 #include "SurfaceAdjacency.h"
 
-#include <unordered_map>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace isthmus
 {
@@ -24,23 +27,26 @@ public:
   /// Points by the length of their paths, `from` first.
   const std::vector<SimplexId>& Points() const { return this->Settled; }
 
-  bool Has(SimplexId p) const { return this->Known.count(p) != 0; }
+  /// Where a point stands in Points(); -1: there is no path to it.
+  std::ptrdiff_t PlaceOf(SimplexId p) const { return this->Places[p]; }
+  double LengthAt(std::size_t place) const { return this->Lengths[place]; }
+  HalfEdgeId LastAt(std::size_t place) const { return this->Lasts[place]; }
+
+  bool Has(SimplexId p) const { return this->Places[p] >= 0; }
 
   /// @pre Has(p).
-  double Length(SimplexId p) const { return this->Known.at(p).Length; }
+  double Length(SimplexId p) const { return this->Lengths[Index(p)]; }
 
   /// The last half edge of the path to p, None for the first point. @pre Has(p).
-  HalfEdgeId Last(SimplexId p) const { return this->Known.at(p).Last; }
+  HalfEdgeId Last(SimplexId p) const { return this->Lasts[Index(p)]; }
 
 private:
-  struct Path
-  {
-    double Length;
-    HalfEdgeId Last;
-  };
+  std::size_t Index(SimplexId p) const { return static_cast<std::size_t>(this->Places[p]); }
 
-  std::unordered_map<SimplexId, Path> Known; ///< of the points settled
+  IdMap<SimplexId, std::int32_t> Places{ -1 }; ///< of the points settled
   std::vector<SimplexId> Settled;
+  std::vector<double> Lengths;
+  std::vector<HalfEdgeId> Lasts;
 };
 
 }

@@ -71,6 +71,22 @@ void MakeTriangles(CellFiltration& f, const ProgressCallback& progress)
     });
 }
 
+/// See TriangleBlocks.
+std::vector<SimplexId> BlocksOf(const CellFiltration& f)
+{
+  std::vector<SimplexId> blocks;
+  blocks.reserve(f.Tetrahedra.size() / CellFiltration::CellsOfBlock + 2);
+  for (const TriangleId t : f.Triangles())
+  {
+    const auto block =
+      static_cast<std::uint32_t>(f.TriangleFaces[t]) / (4 * CellFiltration::CellsOfBlock);
+    blocks.resize(std::max<std::size_t>(blocks.size(), block + 1), t.Value);
+  }
+  blocks.resize(f.Tetrahedra.size() / CellFiltration::CellsOfBlock + 2,
+    static_cast<SimplexId>(f.TriangleCount()));
+  return blocks;
+}
+
 /// `begin` to the end returned: the ids of [begin, end) in ascending order, each once. A point's
 /// neighbours come about five times each, and are few: they are put in their places one by one.
 SimplexId* SortOnce(SimplexId* begin, SimplexId* end)
@@ -205,6 +221,7 @@ void CellFiltration::Connect(const ProgressCallback& progress)
       "sample spacing.");
   }
   MakeTriangles(*this, Between(progress, 0.0, 0.3));
+  this->TriangleBlocks = BlocksOf(*this);
   MakeEdges(*this, Between(progress, 0.3, 0.7));
   LinkTriangleEdges(*this, Between(progress, 0.7, 1.0));
 }

@@ -29,6 +29,8 @@ namespace isthmus
  */
 struct CellFiltration
 {
+  static constexpr std::size_t CellsOfBlock = 64;
+
   std::vector<Point3> Points;
   HandleVector<TetrahedronId, std::array<SimplexId, 4>> Tetrahedra;
   /// Across the face opposite to corner k, or None for the exterior.
@@ -38,6 +40,9 @@ struct CellFiltration
   /// that it is opposite to. Ascending. Points and sides follow from it: they are a third of all
   /// memory when they are kept.
   HandleVector<TriangleId, SimplexId> TriangleFaces;
+  /// The first triangle of every 64th tetrahedron, and their number at the end: a look-up by
+  /// bisection in all of them waits for memory at each step.
+  std::vector<SimplexId> TriangleBlocks;
   HandleVector<TriangleId, std::array<EdgeId, 3>> TriangleEdges; ///< edge k is opposite to point k
   HandleVector<EdgeId, std::array<SimplexId, 2>> Edges;          ///< points, ascending, sorted
   std::vector<EdgeId> FirstEdge; ///< edges whose smaller point is p: [FirstEdge[p], [p+1])
@@ -70,6 +75,22 @@ struct CellFiltration
   {
     const auto p = static_cast<std::size_t>(point);
     return { this->FirstEdge[p].Value, this->FirstEdge[p + 1].Value };
+  }
+
+  /// The triangles whose first side is `cell`, four at most.
+  HandleRange<TriangleId> TrianglesFrom(TetrahedronId cell) const
+  {
+    const auto block = static_cast<std::size_t>(cell.Value) / CellsOfBlock;
+    const auto begin = this->TriangleFaces.begin();
+    const auto from = std::lower_bound(
+      begin + this->TriangleBlocks[block], begin + this->TriangleBlocks[block + 1], 4 * cell.Value);
+    const auto end = begin + this->TriangleBlocks[block + 1];
+    auto to = from;
+    while (to != end && *to / 4 == cell.Value)
+    {
+      ++to;
+    }
+    return { static_cast<SimplexId>(from - begin), static_cast<SimplexId>(to - begin) };
   }
 
   std::size_t TriangleCount() const { return this->TriangleFaces.size(); }
