@@ -182,7 +182,7 @@ RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParame
     return {};
   }
   DemandManifold(mesh);
-  const UnitScale scale(mesh.Points);
+  const UnitScale scale(mesh);
   if (!scale.IsOne())
   {
     SurfaceRemeshParameters scaled = parameters;
@@ -224,7 +224,7 @@ RemeshedSurface SimplifySurface(
     return {};
   }
   DemandManifold(mesh);
-  const UnitScale scale(mesh.Points);
+  const UnitScale scale(mesh);
   if (!scale.IsOne())
   {
     return AtUnitScale(CopyOf(mesh), scale,

@@ -156,7 +156,7 @@ void DemandCleanSurface(const SurfaceView& mesh, const ProgressCallback& progres
 
 RepairedSurface RepairSurface(const SurfaceView& mesh, const ProgressCallback& progress)
 {
-  const UnitScale scale(mesh.Points);
+  const UnitScale scale(mesh);
   if (!scale.IsOne())
   {
     TriangleMesh scaled = CopyOf(mesh);

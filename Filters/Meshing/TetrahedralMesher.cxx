@@ -197,7 +197,7 @@ TetrahedralMesh MeshTetrahedra(const SurfaceView& surface, const TetrahedralPara
   {
     return {};
   }
-  const UnitScale scale(surface.Points);
+  const UnitScale scale(surface);
   if (!scale.IsOne())
   {
     TriangleMesh scaled = CopyOf(surface);

@@ -128,6 +128,34 @@ UnitScale::UnitScale(const View<Point3>& points)
   }
 }
 
+UnitScale::UnitScale(const SurfaceView& surface)
+  : UnitScale(surface.Points)
+{
+  const auto isPoint = [&surface](vtkIdType id)
+  { return id >= 0 && id < surface.NumberOfPoints(); };
+  for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
+  {
+    const Triangle& t = surface.Triangles[i];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if (!isPoint(t[k]) || !isPoint(t[(k + 1) % 3]))
+      {
+        continue; // whoever looks at corners says so
+      }
+      const Point3 a = this->TheFactor * surface.Point(t[k]);
+      const Point3 b = this->TheFactor * surface.Point(t[(k + 1) % 3]);
+      const double edge = Distance(a, b);
+      if (a != b && edge < 1.0 / LargestReach)
+      {
+        throw std::invalid_argument("Triangle " + std::to_string(i) + " has an edge of " +
+          Shown(edge / this->TheFactor) + ", and other points are more than " +
+          Shown(LargestReach) +
+          " times as far away: no mesh is made of both. Remove the points that are far off.");
+      }
+    }
+  }
+}
+
 void UnitScale::Apply(std::vector<Point3>& points) const
 {
   if (!this->IsOne())

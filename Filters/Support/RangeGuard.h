@@ -7,7 +7,7 @@
 #define isthmus_RangeGuard_h
 
 #include "Point3.h"
-#include "View.h"
+#include "SurfaceView.h"
 #include "vtkIsthmusModule.h"
 
 #include <string>
@@ -21,6 +21,10 @@ namespace isthmus
 /// Lengths and coordinates that are worked with: beyond, products of a few of them are no doubles.
 constexpr double SmallestLength = 1e-100;
 constexpr double LargestLength = 1e100;
+
+/// How much longer than the shortest edge a surface may reach: where that is brought to about 1,
+/// sixth powers of edges, which squared volumes are, are just above 0.
+constexpr double LargestReach = 1e50;
 
 /// A number as sentences show it: six digits at most, and NaN in words.
 VTKISTHMUS_EXPORT std::string Shown(double value);
@@ -51,6 +55,12 @@ public:
   /// @throws std::invalid_argument, with the point, for a coordinate beyond LargestLength, and
   /// where all are below SmallestLength but not 0.
   explicit UnitScale(const View<Point3>& points);
+
+  /// Of the surface's points.
+  /// @throws std::invalid_argument, with the triangle, too, for an edge that is not 0, and shorter
+  /// than the largest coordinate by more than LargestReach: one point far away makes all others
+  /// next to one.
+  explicit UnitScale(const SurfaceView& surface);
 
   /// Of a length, to the scale that is worked in.
   double Factor() const { return this->TheFactor; }

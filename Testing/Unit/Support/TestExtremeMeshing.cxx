@@ -57,6 +57,31 @@ TEST(Extremes, RepairOfAPointFarAway)
   }
 }
 
+// Found by the soak: next to a point that far away all others are one, and CGAL's smoothing of what
+// they span gave points that are not finite, on which its next step ended the program.
+TEST(Extremes, OnePointFarAwayIsToldByAllThatMesh)
+{
+  for (const double place : { 1e60, 1e99 })
+  {
+    const auto surface = OnePointAt(place);
+    for (const int target :
+      { vtkSurfaceRemesh::RELATIVE_EDGE_LENGTH, vtkSurfaceRemesh::NUMBER_OF_TRIANGLES })
+    {
+      TopologyFilterRun<vtkSurfaceRemesh> remesh(
+        surface, [target](vtkSurfaceRemesh* filter) { filter->SetTarget(target); });
+      EXPECT_NE(remesh.Messages().find("far off"), std::string::npos) << remesh.Messages();
+      EXPECT_EQ(remesh.Surface(0)->GetNumberOfPoints(), 0);
+    }
+    for (const bool repair : { false, true })
+    {
+      TopologyFilterRun<vtkTetrahedralMesher> mesher(
+        surface, [repair](vtkTetrahedralMesher* filter) { filter->SetRepair(repair); });
+      EXPECT_NE(mesher.Messages(), "") << "at " << place;
+      EXPECT_EQ(mesher.Grid(0)->GetNumberOfPoints(), 0);
+    }
+  }
+}
+
 TEST(Extremes, DelaunayIsosurfaceOfExtremeSpacings)
 {
   for (const double spacing : { 1e-30, 1e50, 1e90 })
