@@ -41,8 +41,9 @@ struct SurfaceRemeshParameters
  * boundaries stay edges, but may be split.
  *
  * @pre manifold and oriented, without triangles that have no area; boundaries are fine.
- * @throws std::invalid_argument otherwise, with the triangles concerned, and when EdgeLength is not
- * positive or would give more than 50 million triangles; Cancelled. Progress and stopping come with
+ * @throws std::invalid_argument otherwise, with the triangles concerned, when EdgeLength is not
+ * positive or would give more than 50 million triangles, and for points whose edges are all shorter
+ * than 2^-50 of the largest coordinate; Cancelled. Progress and stopping come with
  * each projected point. O(n log n) an iteration.
  */
 VTKISTHMUS_EXPORT RemeshedSurface RemeshSurface(const SurfaceView& mesh,
