@@ -223,9 +223,9 @@ RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParame
     return AtUnitScale(CopyOf(mesh), scale,
       [&](const SurfaceView& small) { return RemeshSurface(small, scaled, progress); });
   }
-  DemandResolved(mesh);
   const double length = parameters.EdgeLength;
   const double expected = ExpectedTriangles(mesh, length);
+  DemandResolved(mesh);
   DemandRange("NumberOfIterations", parameters.Iterations, 0, 1000, "It counts rounds.");
   DemandRange("FeatureAngle", parameters.FeatureAngle, 0.0, 180.0, "It is an angle in degrees.");
   return cgal::WithSentence("remeshing the surface",
