@@ -105,9 +105,12 @@ ShortestOfClass ShortestOfClasses(
       h = surface.Turn(h);
       const std::ptrdiff_t place = other.Lengths().PlaceOf(surface.To(over));
       const auto k = static_cast<std::size_t>(place);
-      const double length = place < 0
-        ? HUGE_VAL
-        : straight + one.Lengths().LengthAt(i) + surface.Length(over) + other.Lengths().LengthAt(k);
+      if (place < 0 || (&one == &other && k < i)) // there, it is the same loop the other way
+      {
+        continue;
+      }
+      const double paths = straight + one.Lengths().LengthAt(i) + other.Lengths().LengthAt(k);
+      const double length = paths > longest ? HUGE_VAL : paths + surface.Length(over);
       if (length > longest)
       {
         continue;

@@ -50,12 +50,6 @@ SurfaceAdjacency::SurfaceAdjacency(const SurfaceView& mesh)
   }
 }
 
-double SurfaceAdjacency::Length(HalfEdgeId h) const
-{
-  return Distance(this->Surface.Points[static_cast<std::size_t>(this->From(h))],
-    this->Surface.Points[static_cast<std::size_t>(this->To(h))]);
-}
-
 HalfEdgeId SurfaceAdjacency::Find(SimplexId a, SimplexId b) const
 {
   const HalfEdgeId start = this->Leaving(a);

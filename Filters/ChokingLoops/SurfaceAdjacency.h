@@ -65,7 +65,11 @@ public:
   /// The next half edge that leaves From(h), counter-clockwise seen from outside.
   HalfEdgeId Turn(HalfEdgeId h) const { return this->Opposite(Previous(h)); }
 
-  double Length(HalfEdgeId h) const;
+  double Length(HalfEdgeId h) const
+  {
+    return Distance(this->Surface.Points[static_cast<std::size_t>(this->From(h))],
+      this->Surface.Points[static_cast<std::size_t>(this->To(h))]);
+  }
 
   /// The half edge from a to b, or None. Time: the valence of a.
   VTKISTHMUS_EXPORT HalfEdgeId Find(SimplexId a, SimplexId b) const;

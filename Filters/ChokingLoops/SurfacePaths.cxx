@@ -1,5 +1,6 @@
 #include "SurfacePaths.h"
 
+#include <cmath>
 #include <queue>
 #include <tuple>
 
@@ -37,10 +38,11 @@ SurfacePaths::SurfacePaths(
     HalfEdgeId h = first;
     do
     {
-      const double there = length + surface.Length(h);
-      if (there <= reach && !this->Has(surface.To(h)))
+      const SimplexId next = surface.To(h);
+      const double there = this->Has(next) ? HUGE_VAL : length + surface.Length(h);
+      if (there <= reach)
       {
-        queue.emplace(there, surface.To(h), h);
+        queue.emplace(there, next, h);
       }
       h = surface.Turn(h);
     } while (h != first);
