@@ -2,6 +2,7 @@
 
 #include "GemmiAssembly.h"
 #include "GemmiAtom.h"
+#include "MMCIFBlock.h"
 #include "PDBPieces.h"
 #include "PDBStream.h"
 #include "PQRFile.h"
@@ -218,18 +219,6 @@ Macromolecule PDBWithoutOldColumns(std::string_view text, const std::string& pat
   }
 }
 
-/// Gives unknown values of a column a number by which they are found again.
-void MarkBlanks(gemmi::cif::Block& block, const char* tag)
-{
-  for (std::string& value : block.find_values(tag))
-  {
-    if (gemmi::cif::is_null(value))
-    {
-      value = PDBStream::BlankText;
-    }
-  }
-}
-
 }
 
 Macromolecule ParsePDB(std::string_view text, const std::string& path,
@@ -275,8 +264,7 @@ Macromolecule ParseMMCIF(std::string_view text, const std::string& path,
     Report(progress, 0.5);
     for (gemmi::cif::Block& block : document.blocks)
     {
-      MarkBlanks(block, "_atom_site.occupancy");
-      MarkBlanks(block, "_atom_site.B_iso_or_equiv");
+      PrepareForGemmi(block);
     }
     gemmi::Structure structure = gemmi::make_structure(document);
     if (!choice.Assembly.empty())

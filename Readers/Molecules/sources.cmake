@@ -6,6 +6,7 @@ isthmus_room(
     CovalentBonds
     GemmiAssembly
     GemmiStructure
+    MMCIFBlock
     MacromoleculeReader
     MoleculeOutput
     PDBPieces
