@@ -82,8 +82,8 @@ ChokingLoops::ChokingLoops(
     {
       surface = this->State->Samples;
     }
-    samples = Refined(
-      this->State->Samples, blurred, spacing * std::pow(0.6, round), Between(progress, to, to));
+    samples = Refined(this->State->Samples, blurred, spacing * std::pow(0.6, round),
+      spacing * std::pow(0.6, Rounds), Between(progress, to, to));
     times.Sampling += watch.Lap();
     cost = NextCost(samples, *this->State, times, round + 1, own);
     if (samples.Points.empty() || !FitsMemory(cost, parameters.MemoryLimit, tooMuch))

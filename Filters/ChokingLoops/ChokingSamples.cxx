@@ -41,9 +41,16 @@ double LengthOfEdges(const SurfaceView& surface)
 }
 
 TriangleMesh Refined(const SurfaceView& mesh, const std::vector<Refinement>& wanted, double spacing,
-  const ProgressCallback& progress)
+  double finest, const ProgressCallback& progress)
 {
-  const double everywhere = wanted.size() > ManyPlaces ? 0.6 * spacing : HUGE_VAL;
+  const bool isMany = wanted.size() > ManyPlaces;
+  const auto settled = static_cast<std::size_t>(std::count_if(wanted.begin(), wanted.end(),
+    [finest](const Refinement& r) { return r.EdgeLength >= finest; }));
+  if (isMany && 2 * settled < wanted.size())
+  {
+    return {};
+  }
+  const double everywhere = isMany ? 0.6 * spacing : HUGE_VAL;
   return SplitLongEdges(
     CopyOf(mesh),
     [&wanted, everywhere](const Point3& a, const Point3& b)
@@ -95,7 +102,7 @@ TriangleMesh FirstSamples(
   // Edges of a good mesh scatter round their mean: those up to 1.7 times it stay whole.
   spacing = 1.7 * EdgeLengthFor(surface, UsualSamples);
   // Needles take far more points than their area suggests.
-  const std::size_t most = 4 * surface.Points.size() + static_cast<std::size_t>(5.0 * UsualSamples);
+  const std::size_t most = 4 * surface.Points.size() + static_cast<std::size_t>(2.0 * UsualSamples);
   // Edges are split to it, whatever the area: needles have next to none.
   spacing = std::max(spacing, edges / (4.0 * static_cast<double>(most)));
   const auto still = Between(progress, 0.0, 0.0); // quick, but may have to be repeated

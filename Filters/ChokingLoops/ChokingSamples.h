@@ -29,9 +29,11 @@ VTKISTHMUS_EXPORT TriangleMesh FirstSamples(
   const SurfaceView& surface, double& spacing, const ProgressCallback& progress = {});
 
 /// `mesh` split again near the places wanted, or everywhere to 0.6 of `spacing` where these are
-/// many. An empty mesh when that takes too many points.
+/// many. An empty mesh when that takes too many points, or when less than half of many places would
+/// be settled by `finest`, to which rounds like this one come: a flat surface, a needle.
 VTKISTHMUS_EXPORT TriangleMesh Refined(const SurfaceView& mesh,
-  const std::vector<Refinement>& wanted, double spacing, const ProgressCallback& progress = {});
+  const std::vector<Refinement>& wanted, double spacing, double finest,
+  const ProgressCallback& progress = {});
 
 }
 
