@@ -102,7 +102,7 @@ TriangleMesh FirstSamples(
   // Edges of a good mesh scatter round their mean: those up to 1.7 times it stay whole.
   spacing = 1.7 * EdgeLengthFor(surface, UsualSamples);
   // Needles take far more points than their area suggests.
-  const std::size_t most = 4 * surface.Points.size() + static_cast<std::size_t>(2.0 * UsualSamples);
+  const std::size_t most = 4 * surface.Points.size() + static_cast<std::size_t>(5.0 * UsualSamples);
   // Edges are split to it, whatever the area: needles have next to none.
   spacing = std::max(spacing, edges / (4.0 * static_cast<double>(most)));
   const auto still = Between(progress, 0.0, 0.0); // quick, but may have to be repeated
