@@ -18,11 +18,28 @@ constexpr double UsualSamples = 20000.0;
 /// More would take some 30 GB.
 constexpr std::size_t MostSamples = 20'000'000;
 
+/// Of the spacing: what three rounds that are finer by 0.6 would still tell, and half of it.
+constexpr double Telling = 0.1;
+
 /// More places than this mean that the sampling is too coarse everywhere.
 constexpr std::size_t ManyPlaces = 64;
 
 /// Points that refinement may add, beside doubling what there are.
 constexpr std::size_t MorePoints = 100000;
+
+/// Twice the volume by the area of a closed surface: how thick a plate is, how wide half a rod.
+double ThicknessOf(const SurfaceView& surface)
+{
+  const Point3 origin = surface.Point(surface.Corners(0)[0]);
+  double volume = 0.0;
+  for (const Triangle& t : surface.Triangles)
+  {
+    volume += Dot(surface.Point(t[0]) - origin,
+                Cross(surface.Point(t[1]) - origin, surface.Point(t[2]) - origin)) /
+      6.0;
+  }
+  return 2.0 * std::abs(volume) / SurfaceArea(surface);
+}
 
 /// Sum of the lengths of all edges of a closed surface.
 double LengthOfEdges(const SurfaceView& surface)
@@ -102,7 +119,10 @@ TriangleMesh FirstSamples(
   // Edges of a good mesh scatter round their mean: those up to 1.7 times it stay whole.
   spacing = 1.7 * EdgeLengthFor(surface, UsualSamples);
   // Needles take far more points than their area suggests.
-  const std::size_t most = 4 * surface.Points.size() + static_cast<std::size_t>(5.0 * UsualSamples);
+  // Where all is thinner than refined samples could tell, they would be for nothing.
+  const double share = ThicknessOf(surface) < Telling * spacing ? 1.0 : 5.0;
+  const std::size_t most =
+    4 * surface.Points.size() + static_cast<std::size_t>(share * UsualSamples);
   // Edges are split to it, whatever the area: needles have next to none.
   spacing = std::max(spacing, edges / (4.0 * static_cast<double>(most)));
   const auto still = Between(progress, 0.0, 0.0); // quick, but may have to be repeated

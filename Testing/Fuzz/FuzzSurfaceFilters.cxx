@@ -23,6 +23,7 @@
 #include <vtkNew.h>
 #include <vtkPointSet.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -40,6 +41,13 @@ constexpr std::size_t MostPoints = 200;
 /// Numbers that properties and coordinates take beside sound ones.
 const double Odd[] = { 0.0, -1.0, 1e-300, 1e-38, 1e-12, 1e-3, 0.3, 2.0, 1e3, 1e9, 1e20, 1e38, 1e150,
   1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() };
+
+/// What asks for millions of triangles or nodes by its meaning takes minutes under sanitizers, and
+/// is not the point; what is to be refused stays as it is.
+double Bounded(double length, double least)
+{
+  return length > 1e-6 && length < least ? least : length;
+}
 
 struct Bytes
 {
@@ -106,8 +114,8 @@ vtkSmartPointer<vtkAlgorithm> FilterOf(Bytes& bytes)
   {
     auto filter = vtkSmartPointer<vtkSurfaceRemesh>::New();
     filter->SetTarget(bytes.Take() % 3);
-    filter->SetRelativeEdgeLength(bytes.Number());
-    filter->SetEdgeLength(std::abs(bytes.Number()));
+    filter->SetRelativeEdgeLength(Bounded(bytes.Number(), 0.2));
+    filter->SetEdgeLength(Bounded(std::abs(bytes.Number()), 0.05));
     filter->SetNumberOfTriangles(bytes.Take());
     filter->SetFeatureAngle(bytes.Number());
     return filter;
@@ -115,9 +123,11 @@ vtkSmartPointer<vtkAlgorithm> FilterOf(Bytes& bytes)
   if (kind == 3)
   {
     auto filter = vtkSmartPointer<vtkSurfaceToGrid>::New();
-    filter->SetSpacing(bytes.Number());
+    const double spacing = bytes.Number();
+    filter->SetSpacing(Bounded(spacing, 0.05));
     filter->SetPadding(bytes.Take() % 8);
-    filter->SetBandWidth(bytes.Number());
+    const double band = bytes.Number();
+    filter->SetBandWidth(spacing > 0.2 ? band : std::min(band, 3.0));
     return filter;
   }
   if (kind == 4)
