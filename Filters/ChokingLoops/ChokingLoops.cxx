@@ -243,9 +243,10 @@ const Membrane* ChokingLoops::TightMembraneOf(std::size_t feature, const Progres
   return known->second ? &*known->second : nullptr;
 }
 
-std::vector<Membrane> ChokingLoops::EncirclingMembranesOf(std::size_t feature, double longest) const
+std::vector<Membrane> ChokingLoops::EncirclingMembranesOf(
+  std::size_t feature, double longest, std::size_t most) const
 {
-  return EncirclingMembranes(this->State->Context, this->State->Found, feature, longest);
+  return EncirclingMembranes(this->State->Context, this->State->Found, feature, longest, most);
 }
 
 std::optional<Membrane> ChokingLoops::ContactMembraneOf(std::size_t feature, double longest) const

@@ -29,7 +29,7 @@ struct ChokingLoopParameters
 {
   /// Edges of the surface are split until none is longer. In units of the data; 0: automatic, which
   /// spreads some 20,000 samples over the surface and refines where a feature can't be told from
-  /// the sampling.
+  /// the sampling, as long as that settles half of such places.
   double SampleSpacing = 0.0;
   /// Go on with a surface that crosses itself. Counts of handles and tunnels are then not assured.
   bool AllowSelfIntersections = false;
@@ -113,7 +113,7 @@ public:
 
   /// EncirclingMembranes() of a feature.
   VTKISTHMUS_EXPORT std::vector<Membrane> EncirclingMembranesOf(
-    std::size_t feature, double longest) const;
+    std::size_t feature, double longest, std::size_t most = SIZE_MAX) const;
 
   /// ContactMembrane() of a feature.
   VTKISTHMUS_EXPORT std::optional<Membrane> ContactMembraneOf(

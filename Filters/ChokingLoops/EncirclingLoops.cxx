@@ -1,5 +1,6 @@
 #include "EncirclingLoops.h"
 
+#include "Pi.h"
 #include "SurfacePaths.h"
 
 #include <algorithm>
@@ -12,6 +13,11 @@ namespace isthmus
 {
 namespace
 {
+
+/// Lengths looked at begin with once round the ball, but no less than this part of the longest, and
+/// grow by this factor until there are loops enough.
+constexpr double FirstPart = 0.05;
+constexpr double Growth = 1.5;
 
 /// A loop along edges: an edge closed through the tree of shortest paths.
 struct Closed
@@ -32,24 +38,37 @@ public:
   Tree(const FeatureContext& context, SimplexId base, double reach)
     : Context(context)
     , Base(base)
+    , Words(context.Homology.ClassOf({}).size())
     , Paths(context.Surface, base, reach)
   {
-    this->Classes.reserve(this->Paths.Points().size());
-    this->Classes.push_back(context.Homology.ClassOf({}));
-    for (std::size_t i = 1; i < this->Paths.Points().size(); ++i)
-    {
-      const HalfEdgeId last = this->Paths.LastAt(i);
-      this->Classes.push_back(this->ClassTo(context.Surface.From(last)));
-      context.Homology.AddTo(this->Classes.back(), context.Surface.Edge(last));
-    }
+    this->AddClasses();
+  }
+
+  /// Takes in the points within `reach`.
+  void Grow(double reach)
+  {
+    this->Paths.Grow(reach);
+    this->AddClasses();
   }
 
   SimplexId Root() const { return this->Base; }
   const SurfacePaths& Lengths() const { return this->Paths; }
-  const HomologyClass& ClassAt(std::size_t place) const { return this->Classes[place]; }
-  const HomologyClass& ClassTo(SimplexId p) const
+
+  /// Adds the class of the path to a point, by its place among Lengths().Points().
+  void AddClassAt(std::size_t place, HomologyClass& c) const
   {
-    return this->Classes[static_cast<std::size_t>(this->Paths.PlaceOf(p))];
+    for (std::size_t w = 0; w < this->Words; ++w)
+    {
+      c[w] ^= this->Classes[this->Words * place + w];
+    }
+  }
+
+  /// The class of the path to p. @pre Lengths().Has(p).
+  HomologyClass ClassTo(SimplexId p) const
+  {
+    HomologyClass c(this->Words, 0);
+    this->AddClassAt(static_cast<std::size_t>(this->Paths.PlaceOf(p)), c);
+    return c;
   }
 
   /// From the root to p, both included.
@@ -65,11 +84,32 @@ public:
   }
 
 private:
+  void AddClasses();
+
   const FeatureContext& Context;
   SimplexId Base;
+  std::size_t Words; ///< of a class
   SurfacePaths Paths;
-  std::vector<HomologyClass> Classes; ///< by place among Paths.Points()
+  std::vector<std::uint64_t> Classes; ///< by place among Paths.Points()
+  std::size_t Known = 0;              ///< of the places
 };
+
+void Tree::AddClasses()
+{
+  HomologyClass c(this->Words);
+  for (; this->Known < this->Paths.Points().size(); ++this->Known)
+  {
+    std::fill(c.begin(), c.end(), 0);
+    const HalfEdgeId last = this->Paths.LastAt(this->Known);
+    if (last.Exists())
+    {
+      const SimplexId before = this->Context.Surface.From(last);
+      this->AddClassAt(static_cast<std::size_t>(this->Paths.PlaceOf(before)), c);
+      this->Context.Homology.AddTo(c, this->Context.Surface.Edge(last));
+    }
+    this->Classes.insert(this->Classes.end(), c.begin(), c.end());
+  }
+}
 
 /// A closed walk whose last point is its first, as a loop; what it goes to and fro there, goes.
 std::vector<SimplexId> LoopOf(const std::vector<SimplexId>& walk)
@@ -83,76 +123,101 @@ std::vector<SimplexId> LoopOf(const std::vector<SimplexId>& walk)
     walk.end() - static_cast<std::ptrdiff_t>(tail + 1) };
 }
 
-using ShortestOfClass = std::map<HomologyClass, std::pair<double, HalfEdgeId>>;
-
-/// Of each class but zero, the length of the shortest loop from `one` over an edge to `other` and
-/// straight back, and that edge.
-ShortestOfClass ShortestOfClasses(
-  const FeatureContext& context, const Tree& one, const Tree& other, double longest)
+/// Loops that go straight from one contact to another (or the same) over an edge and come back: the
+/// shortest of each class that bounds, ascending as the trees grow.
+class LoopsThrough
 {
-  const SurfaceAdjacency& surface = context.Surface;
-  const double straight = one.Lengths().Length(other.Root());
-  const HomologyClass& back = one.ClassTo(other.Root());
-  HomologyClass c;
-  ShortestOfClass best;
-  for (std::size_t i = 0; i < one.Lengths().Points().size(); ++i)
+public:
+  LoopsThrough(const FeatureContext& context, const Tree& one, const Tree& other)
+    : Context(context)
+    , One(one)
+    , Other(other)
   {
-    const HalfEdgeId first = surface.Leaving(one.Lengths().Points()[i]);
+  }
+
+  /// Those longer than all before, `longest` at most. @pre The trees reach as far as half of that.
+  std::vector<Closed> Next(const HomologySpan& bounding, double longest);
+
+private:
+  void Search(double longest);
+  std::vector<SimplexId> Along(HalfEdgeId over) const;
+
+  const FeatureContext& Context;
+  const Tree& One;
+  const Tree& Other;
+  /// Of each class but zero, the length of its shortest loop, and the edge that closes it.
+  std::map<HomologyClass, std::pair<double, HalfEdgeId>> Shortest;
+  double Searched = -1.0; ///< no longer ones are known
+};
+
+void LoopsThrough::Search(double longest)
+{
+  const SurfaceAdjacency& surface = this->Context.Surface;
+  const SurfacePaths& one = this->One.Lengths();
+  const SurfacePaths& other = this->Other.Lengths();
+  const double straight = one.Length(this->Other.Root());
+  const HomologyClass back = this->One.ClassTo(this->Other.Root());
+  HomologyClass c;
+  for (std::size_t i = 0; i < one.Points().size(); ++i)
+  {
+    const HalfEdgeId first = surface.Leaving(one.Points()[i]);
     HalfEdgeId h = first;
     do
     {
       const HalfEdgeId over = h;
       h = surface.Turn(h);
-      const std::ptrdiff_t place = other.Lengths().PlaceOf(surface.To(over));
+      const std::ptrdiff_t place = other.PlaceOf(surface.To(over));
       const auto k = static_cast<std::size_t>(place);
       if (place < 0 || (&one == &other && k < i)) // there, it is the same loop the other way
       {
         continue;
       }
-      const double paths = straight + one.Lengths().LengthAt(i) + other.Lengths().LengthAt(k);
+      const double paths = straight + one.LengthAt(i) + other.LengthAt(k);
       const double length = paths > longest ? HUGE_VAL : paths + surface.Length(over);
-      if (length > longest)
+      if (length > longest || length <= this->Searched)
       {
         continue;
       }
       c = back;
-      Add(c, one.ClassAt(i));
-      Add(c, other.ClassAt(k));
-      context.Homology.AddTo(c, surface.Edge(over));
+      this->One.AddClassAt(i, c);
+      this->Other.AddClassAt(k, c);
+      this->Context.Homology.AddTo(c, surface.Edge(over));
       if (!IsZero(c))
       {
-        auto& known = best.try_emplace(c, HUGE_VAL, over).first->second;
+        auto& known = this->Shortest.try_emplace(c, HUGE_VAL, over).first->second;
         known = length < known.first ? std::make_pair(length, over) : known;
       }
     } while (h != first);
   }
-  return best;
 }
 
-/// The shortest loops that go straight from one contact to another (or the same) and come back,
-/// one of each class in `bounding`.
-std::vector<Closed> LoopsThrough(const FeatureContext& context, const HomologySpan& bounding,
-  const Tree& one, const Tree& other, double longest)
+/// From `One` over the edge to `Other`, and straight back.
+std::vector<SimplexId> LoopsThrough::Along(HalfEdgeId over) const
 {
-  if (!one.Lengths().Has(other.Root()))
+  std::vector<SimplexId> walk = this->One.PathTo(this->Context.Surface.From(over));
+  const std::vector<SimplexId> on = this->Other.PathTo(this->Context.Surface.To(over));
+  walk.insert(walk.end(), on.rbegin(), on.rend());
+  const std::vector<SimplexId> back = this->One.PathTo(this->Other.Root());
+  walk.insert(walk.end(), back.rbegin() + 1, back.rend());
+  return LoopOf(walk);
+}
+
+std::vector<Closed> LoopsThrough::Next(const HomologySpan& bounding, double longest)
+{
+  if (!this->One.Lengths().Has(this->Other.Root()))
   {
     return {};
   }
-  const SurfaceAdjacency& surface = context.Surface;
+  this->Search(longest);
   std::vector<Closed> loops;
-  for (const auto& [c, shortest] : ShortestOfClasses(context, one, other, longest))
+  for (const auto& [c, shortest] : this->Shortest)
   {
-    if (bounding.Contains(c))
+    if (shortest.first > this->Searched && bounding.Contains(c))
     {
-      // From `one` over the edge to `other`, and straight back.
-      std::vector<SimplexId> walk = one.PathTo(surface.From(shortest.second));
-      const std::vector<SimplexId> on = other.PathTo(surface.To(shortest.second));
-      walk.insert(walk.end(), on.rbegin(), on.rend());
-      const std::vector<SimplexId> back = one.PathTo(other.Root());
-      walk.insert(walk.end(), back.rbegin() + 1, back.rend());
-      loops.push_back({ shortest.first, LoopOf(walk) });
+      loops.push_back({ shortest.first, this->Along(shortest.second) });
     }
   }
+  this->Searched = longest;
   return loops;
 }
 
@@ -168,6 +233,35 @@ Membrane FanFrom(const FeatureContext& context, const Point3& centre, std::vecto
   }
   membrane.Loops.push_back(std::move(loop));
   return membrane;
+}
+
+/// What all searches find up to a length, ascending.
+std::vector<Closed> NextOf(
+  std::vector<LoopsThrough>& searches, const HomologySpan& bounding, double longest)
+{
+  std::vector<Closed> loops;
+  for (LoopsThrough& search : searches)
+  {
+    const auto found = search.Next(bounding, longest);
+    loops.insert(loops.end(), found.begin(), found.end());
+  }
+  std::stable_sort(loops.begin(), loops.end(),
+    [](const Closed& a, const Closed& b) { return a.Length < b.Length; });
+  return loops;
+}
+
+/// Adds the membranes of loops that may stand for the feature's own.
+void AddShortest(const FeatureContext& context, const LocatedFeatures& features,
+  std::size_t feature, std::vector<Closed> loops, std::vector<Membrane>& membranes)
+{
+  for (Closed& loop : loops)
+  {
+    Membrane membrane = FanFrom(context, features.Centres[feature], std::move(loop.Points));
+    if (IsInterchangeable(context, features, feature, membrane))
+    {
+      membranes.push_back(std::move(membrane));
+    }
+  }
 }
 
 std::deque<Tree> TreesOf(const FeatureContext& context, const ShapeFeature& f, double reach)
@@ -186,7 +280,7 @@ std::deque<Tree> TreesOf(const FeatureContext& context, const ShapeFeature& f, d
 }
 
 std::vector<Membrane> EncirclingMembranes(const FeatureContext& context,
-  const LocatedFeatures& features, std::size_t feature, double longest)
+  const LocatedFeatures& features, std::size_t feature, double longest, std::size_t most)
 {
   const ShapeFeature& f = features.Diagram.Features[feature];
   const HomologySpan bounding = BoundingClasses(context, features, f.Side);
@@ -194,27 +288,28 @@ std::vector<Membrane> EncirclingMembranes(const FeatureContext& context,
   {
     return {};
   }
-  const std::deque<Tree> trees = TreesOf(context, f, 0.5 * longest);
-  std::vector<Closed> loops;
+  double length = std::clamp(2.0 * Pi * f.Distance(), FirstPart * longest, longest);
+  std::deque<Tree> trees = TreesOf(context, f, 0.5 * length);
+  std::vector<LoopsThrough> searches;
   for (std::size_t i = 0; i < trees.size(); ++i)
   {
     for (std::size_t j = i; j < trees.size(); ++j)
     {
-      const auto found = LoopsThrough(context, bounding, trees[i], trees[j], longest);
-      loops.insert(loops.end(), found.begin(), found.end());
+      searches.emplace_back(context, trees[i], trees[j]);
     }
   }
-  std::stable_sort(loops.begin(), loops.end(),
-    [](const Closed& a, const Closed& b) { return a.Length < b.Length; });
   std::vector<Membrane> membranes;
-  for (Closed& loop : loops)
+  AddShortest(context, features, feature, NextOf(searches, bounding, length), membranes);
+  while (length < longest && membranes.size() < most)
   {
-    Membrane membrane = FanFrom(context, features.Centres[feature], std::move(loop.Points));
-    if (IsInterchangeable(context, features, feature, membrane))
+    length = std::min(longest, Growth * length);
+    for (Tree& tree : trees)
     {
-      membranes.push_back(std::move(membrane));
+      tree.Grow(0.5 * length);
     }
+    AddShortest(context, features, feature, NextOf(searches, bounding, length), membranes);
   }
+  membranes.resize(std::min(membranes.size(), most));
   return membranes;
 }
 

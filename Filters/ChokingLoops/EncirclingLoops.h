@@ -13,7 +13,8 @@ namespace isthmus
 /**
  * For a choke whose own loops can be drawn together on M, or slide off it: the shortest loops along
  * edges through one or two of the points where the ball touches M, of each class of H1(M; Z/2) that
- * bounds on the side of the feature, ascending by length, `longest` at most. Such a class can't be
+ * bounds on the side of the feature, ascending by length, `longest` at most, the first `most` of
+ * them. Such a class can't be
  * drawn together, so there is something tight in it. The membrane is the fan seen from the choke
  * point.
  *
@@ -22,10 +23,11 @@ namespace isthmus
  *
  * Source: J. Erickson, K. Whittlesey, "Greedy optimal homotopy and homology generators", SODA 2005,
  * section 2: the shortest loop of a class through a point is an edge closed through the tree of
- * shortest paths. O(n log n) in the points within half of `longest`, for each contact.
+ * shortest paths. O(n log n) in the points within half of `longest`, for each contact; where there
+ * are as many as `most`, of no more than three quarters of the longest of them.
  */
 VTKISTHMUS_EXPORT std::vector<Membrane> EncirclingMembranes(const FeatureContext& context,
-  const LocatedFeatures& features, std::size_t feature, double longest);
+  const LocatedFeatures& features, std::size_t feature, double longest, std::size_t most);
 
 /// The loop straight along edges from each contact to the next, where it bounds: the last resort,
 /// since it may go to and fro. Paths are `longest` at most.

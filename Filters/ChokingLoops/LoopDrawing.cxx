@@ -97,26 +97,16 @@ std::vector<SimplexId> PinsOn(
   return on;
 }
 
-/// Shortens one loop of a feature and lets its membrane follow; false: it can be drawn together on
-/// M.
-bool Tighten(const SurfaceAdjacency& surface, const LoopDrawing& drawing,
-  std::vector<SimplexId>& loop, LoopFeature& feature, const ProgressCallback& progress)
+/// Puts a tight curve in the place of a loop and lets the membrane follow.
+void Follow(const SurfaceAdjacency& surface, const SurfaceCurve& tight, double cut,
+  std::vector<SimplexId>& loop, LoopFeature& feature)
 {
-  LoopShorteningParameters parameters;
-  parameters.MaximumRounds = drawing.Rounds;
-  const std::vector<SimplexId> held = PinsOn(loop, drawing.Pins);
-  SurfaceCurve curve = held.empty() ? ShortenLoop(surface, loop, parameters, progress)
-                                    : ShortenPinned(surface, loop, held, parameters, progress);
-  curve = CutCorners(surface, std::move(curve), SharpestKept, drawing.Cut);
-  if (!curve.Contractible)
-  {
-    const std::vector<SimplexId> shortened = AddCurve(surface, curve, feature);
-    Zipper(feature, surface.Mesh()).Close(loop, shortened);
-    loop = shortened;
-    feature.Converged = feature.Converged && curve.Converged;
-    feature.SharpestBend = std::max(feature.SharpestBend, curve.SharpestBend);
-  }
-  return !curve.Contractible;
+  const SurfaceCurve curve = CutCorners(surface, tight, SharpestKept, cut);
+  const std::vector<SimplexId> shortened = AddCurve(surface, curve, feature);
+  Zipper(feature, surface.Mesh()).Close(loop, shortened);
+  loop = shortened;
+  feature.Converged = feature.Converged && curve.Converged;
+  feature.SharpestBend = std::max(feature.SharpestBend, curve.SharpestBend);
 }
 
 void Measure(const SurfaceView& samples, LoopFeature& feature)
@@ -140,23 +130,43 @@ void Measure(const SurfaceView& samples, LoopFeature& feature)
 
 }
 
+std::vector<SurfaceCurve> TightLoops(const SurfaceAdjacency& surface, const Membrane& membrane,
+  int rounds, const std::vector<SimplexId>& pins, const ProgressCallback& progress)
+{
+  std::vector<SurfaceCurve> tight;
+  LoopShorteningParameters parameters;
+  parameters.MaximumRounds = rounds;
+  const auto count = static_cast<double>(membrane.Loops.size());
+  for (std::size_t i = 0; rounds > 0 && i < membrane.Loops.size(); ++i)
+  {
+    const std::vector<SimplexId>& loop = membrane.Loops[i];
+    const std::vector<SimplexId> held = PinsOn(loop, pins);
+    const auto part =
+      Between(progress, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+    tight.push_back(held.empty() ? ShortenLoop(surface, loop, parameters, part)
+                                 : ShortenPinned(surface, loop, held, parameters, part));
+  }
+  return tight;
+}
+
 LoopFeature Drawn(const SurfaceAdjacency& surface, const Membrane& membrane,
-  const LoopDrawing& drawing, const ProgressCallback& progress)
+  const std::vector<SurfaceCurve>& tight, double cut)
 {
   LoopFeature feature;
   feature.Membrane = membrane.Triangles;
   feature.Extra = membrane.Extra;
-  const auto count = static_cast<double>(membrane.Loops.size());
   for (std::size_t i = 0; i < membrane.Loops.size(); ++i)
   {
-    const auto part =
-      Between(progress, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
     std::vector<SimplexId> loop = membrane.Loops[i];
-    const bool holds = drawing.Rounds == 0 || Tighten(surface, drawing, loop, feature, part);
+    const bool holds = tight.empty() || !tight[i].Contractible;
     if (!holds && i > 0)
     {
       AddFan(loop, feature.Membrane); // beside others, a border that M itself closes is none
       continue;
+    }
+    if (holds && !tight.empty())
+    {
+      Follow(surface, tight[i], cut, loop, feature);
     }
     feature.Collapsed = feature.Collapsed || !holds;
     feature.Loops.push_back(std::move(loop));

@@ -37,18 +37,17 @@ struct LoopFeature
 /// Radians that a loop held at a point may turn there before its corner is cut.
 constexpr double SharpestKept = 0.7853981633974483;
 
-/// How loops are drawn tight.
-struct LoopDrawing
-{
-  int Rounds = 0;              ///< of shortening; 0: as they come
-  std::vector<SimplexId> Pins; ///< points that a loop keeps passing if it passes them
-  double Cut = 0.0;            ///< corners at pins above SharpestKept are cut so far off
-};
+/// The loops of a membrane as tight as M holds them; those that pass some of `pins` keep passing
+/// these. None with 0 `rounds`: they stay as they come. @throws Cancelled.
+VTKISTHMUS_EXPORT std::vector<SurfaceCurve> TightLoops(const SurfaceAdjacency& surface,
+  const Membrane& membrane, int rounds, const std::vector<SimplexId>& pins = {},
+  const ProgressCallback& progress = {});
 
-/// The loops of a membrane, drawn tight, and strips between the old and the new ones. Of several,
-/// those that can be drawn together on M are filled instead. @throws Cancelled.
+/// The feature with the tight loops of its membrane, if there are any, and strips between the old
+/// and the new ones. Corners at pins above SharpestKept are cut `cut` off. Of several loops those
+/// that can be drawn together on M are filled instead.
 VTKISTHMUS_EXPORT LoopFeature Drawn(const SurfaceAdjacency& surface, const Membrane& membrane,
-  const LoopDrawing& drawing, const ProgressCallback& progress = {});
+  const std::vector<SurfaceCurve>& tight, double cut = 0.0);
 
 }
 

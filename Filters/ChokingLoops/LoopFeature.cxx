@@ -178,8 +178,9 @@ void TightestFit::Try(LoopFeature candidate, bool isEncircling)
 void TightestFit::TryFree(
   const Membrane& membrane, bool isEncircling, const ProgressCallback& progress)
 {
+  const SurfaceAdjacency& surface = this->Loops.Adjacency();
   LoopFeature candidate =
-    Drawn(this->Loops.Adjacency(), membrane, { this->Rounds, {}, 0.0 }, progress);
+    Drawn(surface, membrane, TightLoops(surface, membrane, this->Rounds, {}, progress));
   for (const auto& loop : candidate.Loops)
   {
     if (isEncircling && !candidate.Converged)
@@ -193,31 +194,29 @@ void TightestFit::TryFree(
 
 void TightestFit::TryHeld(const Membrane& membrane, bool isEncircling)
 {
+  const SurfaceAdjacency& surface = this->Loops.Adjacency();
   const double radius = this->Loops.Diagram().Features[this->Index].Distance();
   const std::vector<SimplexId> touched = ContactsOn(membrane, this->Contacts);
   for (unsigned choice = (1U << touched.size()) - 1U; choice > 0; --choice)
   {
-    LoopDrawing drawing{ this->Rounds, {}, 0.0 };
+    std::vector<SimplexId> pins;
     for (std::size_t k = 0; k < touched.size(); ++k)
     {
       if (choice >> k & 1U)
       {
-        drawing.Pins.push_back(touched[k]);
+        pins.push_back(touched[k]);
       }
     }
-    LoopFeature held = Drawn(this->Loops.Adjacency(), membrane, drawing);
+    const std::vector<SurfaceCurve> tight = TightLoops(surface, membrane, this->Rounds, pins);
+    LoopFeature held = Drawn(surface, membrane, tight);
     held.Held = true;
     const bool isCut = held.SharpestBend > SharpestKept;
     this->Try(std::move(held), isEncircling);
-    for (const double cut : this->Tolerances.CornerCuts)
+    for (std::size_t i = 0; isCut && i < this->Tolerances.CornerCuts.size(); ++i)
     {
-      if (isCut)
-      {
-        drawing.Cut = cut * radius;
-        held = Drawn(this->Loops.Adjacency(), membrane, drawing);
-        held.Held = true;
-        this->Try(std::move(held), isEncircling);
-      }
+      held = Drawn(surface, membrane, tight, this->Tolerances.CornerCuts[i] * radius);
+      held.Held = true;
+      this->Try(std::move(held), isEncircling);
     }
   }
 }
@@ -255,13 +254,12 @@ LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
   Report(progress, 0.8);
   const double longest =
     fit.Fits() ? Freedom * fit.Length() : LongestRound * 2.0 * Pi * f.Distance();
-  const std::vector<Membrane> round = loops.EncirclingMembranesOf(index, AlongEdges * longest);
-  for (std::size_t i = 0; i < std::min(round.size(), MostRound); ++i)
+  for (const Membrane& round : loops.EncirclingMembranesOf(index, AlongEdges * longest, MostRound))
   {
-    fit.TryFree(round[i], true);
+    fit.TryFree(round, true);
     if (!fit.Fits())
     {
-      fit.TryHeld(round[i], true);
+      fit.TryHeld(round, true);
     }
   }
   const auto last = fit.IsLongEnough() ? std::nullopt : loops.ContactMembraneOf(index, longest);

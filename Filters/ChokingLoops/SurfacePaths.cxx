@@ -1,52 +1,65 @@
 #include "SurfacePaths.h"
 
-#include <cmath>
-#include <queue>
-#include <tuple>
+#include "Index.h"
 
 namespace isthmus
 {
 
 SurfacePaths::SurfacePaths(
   const SurfaceAdjacency& surface, SimplexId from, double reach, SimplexId to)
+  : Surface(surface)
+  , Goal(to)
 {
-  using Entry = std::tuple<double, SimplexId, HalfEdgeId>; // length, point, half edge that came
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  queue.emplace(0.0, from, HalfEdgeId::None());
-  while (!queue.empty())
+  this->Queue.push({ this->Left(from), from, HalfEdgeId::None(), 0.0 });
+  this->Grow(reach);
+}
+
+/// No path from p to the goal is shorter; 0 without one.
+double SurfacePaths::Left(SimplexId p) const
+{
+  const auto& points = this->Surface.Mesh().Points;
+  return this->Goal < 0 ? 0.0 : Distance(points[At(p)], points[At(this->Goal)]);
+}
+
+void SurfacePaths::Grow(double reach)
+{
+  while (!this->Queue.empty() && this->Queue.top().Least <= reach)
   {
-    const auto [length, p, last] = queue.top();
-    queue.pop();
-    std::int32_t& place = this->Places[p];
-    if (place >= 0)
+    const Entry entry = this->Queue.top();
+    this->Queue.pop();
+    if (!this->Has(entry.Point))
     {
-      continue;
-    }
-    place = static_cast<std::int32_t>(this->Settled.size());
-    this->Settled.push_back(p);
-    this->Lengths.push_back(length);
-    this->Lasts.push_back(last);
-    if (p == to)
-    {
-      return;
-    }
-    const HalfEdgeId first = surface.Leaving(p);
-    if (!first.Exists())
-    {
-      return; // no triangle uses it
-    }
-    HalfEdgeId h = first;
-    do
-    {
-      const SimplexId next = surface.To(h);
-      const double there = this->Has(next) ? HUGE_VAL : length + surface.Length(h);
-      if (there <= reach)
+      this->Settle(entry);
+      if (entry.Point == this->Goal)
       {
-        queue.emplace(there, next, h);
+        return;
       }
-      h = surface.Turn(h);
-    } while (h != first);
+    }
   }
+}
+
+void SurfacePaths::Settle(const Entry& entry)
+{
+  this->Places[entry.Point] = static_cast<std::int32_t>(this->Settled.size());
+  this->Settled.push_back(entry.Point);
+  this->Lengths.push_back(entry.Length);
+  this->Lasts.push_back(entry.Last);
+  const HalfEdgeId first = this->Surface.Leaving(entry.Point);
+  if (!first.Exists())
+  {
+    return; // no triangle uses it
+  }
+  HalfEdgeId h = first;
+  do
+  {
+    const SimplexId next = this->Surface.To(h);
+    if (!this->Has(next))
+    {
+      const double length = entry.Length + this->Surface.Length(h);
+      this->Queue.push({ length + this->Left(next), next, h, length });
+    }
+    h = this->Surface.Turn(h);
+  } while (h != first);
 }
 
 }

@@ -10,21 +10,33 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <queue>
+#include <tuple>
 #include <vector>
 
 namespace isthmus
 {
 
-/// The tree of shortest paths (E. W. Dijkstra, Numer. Math. 1 (1959) 269). O(n log n) in the
-/// number of points met.
+/**
+ * The tree of shortest paths (E. W. Dijkstra, Numer. Math. 1 (1959) 269). O(n log n) in the number
+ * of points met.
+ *
+ * With `to` it ends there and looks that way first, by the straight line that is left (P. E. Hart,
+ * N. J. Nilsson, B. Raphael, IEEE Trans. Syst. Sci. Cybern. 4 (1968) 100): the path to that point
+ * is the shortest, and of the others only those are met over which a shorter one could lead.
+ */
 class SurfacePaths
 {
 public:
-  /// Paths of at most `reach`; the search ends at `to`, if given.
+  /// Paths of at most `reach`. @pre `surface` outlives this object.
   VTKISTHMUS_EXPORT SurfacePaths(
     const SurfaceAdjacency& surface, SimplexId from, double reach, SimplexId to = -1);
 
-  /// Points by the length of their paths, `from` first.
+  /// Goes on to paths of at most `reach`, as if it had been asked for at first.
+  VTKISTHMUS_EXPORT void Grow(double reach);
+
+  /// Points by the length of their paths (with `to`, as they were met), `from` first.
   const std::vector<SimplexId>& Points() const { return this->Settled; }
 
   /// Where a point stands in Points(); -1: there is no path to it.
@@ -41,8 +53,27 @@ public:
   HalfEdgeId Last(SimplexId p) const { return this->Lasts[Index(p)]; }
 
 private:
-  std::size_t Index(SimplexId p) const { return static_cast<std::size_t>(this->Places[p]); }
+  struct Entry
+  {
+    double Least; ///< of a path that leads this way: Length, and what is left to `to`
+    SimplexId Point;
+    HalfEdgeId Last;
+    double Length;
 
+    bool operator>(const Entry& other) const
+    {
+      return std::tie(this->Least, this->Point, this->Last) >
+        std::tie(other.Least, other.Point, other.Last);
+    }
+  };
+
+  std::size_t Index(SimplexId p) const { return static_cast<std::size_t>(this->Places[p]); }
+  void Settle(const Entry& entry);
+  double Left(SimplexId p) const;
+
+  const SurfaceAdjacency& Surface;
+  SimplexId Goal;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> Queue;
   IdMap<SimplexId, std::int32_t> Places{ -1 }; ///< of the points settled
   std::vector<SimplexId> Settled;
   std::vector<double> Lengths;

@@ -232,6 +232,27 @@ TEST(EncirclingLoops, AreNoLongerThanAskedShortestFirst)
   EXPECT_TRUE(loops.EncirclingMembranesOf(handle, 0.0).empty());
 }
 
+TEST(EncirclingLoops, AreTheFirstOfAllWhereFewAreAsked)
+{
+  const RoughTorus torus;
+  const ChokingLoops loops = torus.Analysed();
+  for (const FeatureKind kind : { FeatureKind::Handle, FeatureKind::Tunnel })
+  {
+    const std::size_t feature = FeatureOf(loops, kind);
+    const std::vector<Membrane> all = loops.EncirclingMembranesOf(feature, 20.0);
+    ASSERT_GE(all.size(), 2U);
+    for (std::size_t most = 0; most <= all.size() + 1; ++most)
+    {
+      const std::vector<Membrane> some = loops.EncirclingMembranesOf(feature, 20.0, most);
+      ASSERT_EQ(some.size(), std::min(most, all.size()));
+      for (std::size_t i = 0; i < some.size(); ++i)
+      {
+        EXPECT_EQ(some[i].Loops, all[i].Loops);
+      }
+    }
+  }
+}
+
 TEST(EncirclingLoops, DoNotDependOnPlaceOrUnit)
 {
   const RoughTorus torus;

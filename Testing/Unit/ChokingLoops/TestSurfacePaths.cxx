@@ -114,6 +114,24 @@ TEST(SurfacePaths, ReachAsFarAsAsked)
   }
 }
 
+TEST(SurfacePaths, GoOnAsIfAskedForAtFirst)
+{
+  const TriangleMesh mesh = RoughTorus(40, 15);
+  const SurfaceAdjacency surface(mesh);
+  SurfacePaths grown(surface, 5, 0.0);
+  for (const double reach : { 0.02, 0.3, 0.3, 0.1, 1.1 })
+  {
+    grown.Grow(reach);
+  }
+  const SurfacePaths paths(surface, 5, 1.1);
+  EXPECT_EQ(grown.Points(), paths.Points());
+  for (const SimplexId p : paths.Points())
+  {
+    EXPECT_EQ(grown.Length(p), paths.Length(p));
+    EXPECT_EQ(grown.Last(p), paths.Last(p));
+  }
+}
+
 TEST(SurfacePaths, EndWhereAsked)
 {
   const TriangleMesh mesh = RoughTorus(40, 15);
@@ -122,11 +140,13 @@ TEST(SurfacePaths, EndWhereAsked)
   const SurfacePaths paths(surface, 5, HUGE_VAL, 300);
   EXPECT_EQ(paths.Points().back(), 300);
   EXPECT_NEAR(paths.Length(300), lengths[300], 1e-12);
-  // All that is nearer was met, nothing that is farther.
+  // All that the straight line beyond leaves shorter was met, nothing that it makes longer.
   for (std::size_t p = 0; p < lengths.size(); ++p)
   {
-    EXPECT_EQ(paths.Has(static_cast<SimplexId>(p)), lengths[p] <= lengths[300]) << p;
+    const double least = lengths[p] + Distance(mesh.Points[p], mesh.Points[300]);
+    EXPECT_EQ(paths.Has(static_cast<SimplexId>(p)), least <= lengths[300] * (1.0 + 1e-12)) << p;
   }
+  EXPECT_LT(paths.Points().size(), SurfacePaths(surface, 5, lengths[300]).Points().size());
   EXPECT_FALSE(SurfacePaths(surface, 5, 0.5 * lengths[300], 300).Has(300));
   EXPECT_EQ(SurfacePaths(surface, 5, HUGE_VAL, 5).Points().size(), 1U);
 }
