@@ -3,6 +3,7 @@
 #include "Index.h"
 
 #include <cmath>
+#include <utility>
 
 namespace isthmus
 {
@@ -47,46 +48,50 @@ void ChokeSurroundings::Link(TriangleId triangle, CellPlace from, CellPlace to)
     { { from, to }, static_cast<std::int64_t>(std::min(capacity, LargestCapacity)), triangle });
 }
 
+/// From a cell over one of its faces, if that is within reach.
+void ChokeSurroundings::Cross(TriangleId triangle, CellPlace from)
+{
+  if (!this->IsWithinReach(triangle))
+  {
+    this->Beyond.emplace_back(triangle, from);
+    return;
+  }
+  const TetrahedronId beyond = this->F.Across(triangle, this->Met[from]);
+  const CellPlace other = this->Meet(beyond);
+  if (!beyond.Exists() || other > from)
+  {
+    this->Link(triangle, from, other);
+  }
+}
+
 bool ChokeSurroundings::Collect(double reach, std::size_t most)
 {
   this->Reach = reach;
-  this->Places.Clear();
-  this->Met.clear();
-  this->All.clear();
   for (const TetrahedronId cell : this->F.TriangleSides(this->Choke))
   {
     this->Meet(cell);
   }
-  bool isPart = false;
-  for (std::size_t i = 0; i < this->Met.size() && this->Met.size() <= most; ++i)
+  for (const auto& [triangle, cell] : std::exchange(this->Beyond, {}))
   {
-    const auto own = CellPlace::At(i);
-    const TetrahedronId cell = this->Met[own];
-    if (!cell.Exists())
-    {
-      continue;
-    }
-    ForFaces(this->F, cell,
-      [&](TriangleId t)
-      {
-        if (this->Context.IsWall(t))
-        {
-          return;
-        }
-        if (!this->IsWithinReach(t))
-        {
-          isPart = true;
-          return;
-        }
-        const TetrahedronId beyond = this->F.Across(t, cell);
-        const CellPlace other = this->Meet(beyond);
-        if (!beyond.Exists() || other > own)
-        {
-          this->Link(t, own, other);
-        }
-      });
+    this->Cross(triangle, cell);
   }
-  return isPart;
+  for (; this->Passed < this->Met.size() && this->Met.size() <= most; ++this->Passed)
+  {
+    const auto own = CellPlace::At(this->Passed);
+    const TetrahedronId cell = this->Met[own];
+    if (cell.Exists())
+    {
+      ForFaces(this->F, cell,
+        [&](TriangleId t)
+        {
+          if (!this->Context.IsWall(t))
+          {
+            this->Cross(t, own);
+          }
+        });
+    }
+  }
+  return !this->Beyond.empty();
 }
 
 }

@@ -70,7 +70,8 @@ public:
 
   /// Takes in the cells that a walk from the choke meets across triangles with a corner within
   /// `reach` of the centre, `most` and a few at most; false: there are no others. What lies beyond
-  /// the complex is met, but not passed: it leads to nothing but dead ends.
+  /// the complex is met, but not passed: it leads to nothing but dead ends. Asked again, it goes on
+  /// from there. @pre `reach` is no less than before.
   bool Collect(double reach, std::size_t most);
 
   const HandleVector<CellPlace, TetrahedronId>& Cells() const { return this->Met; }
@@ -94,6 +95,7 @@ public:
 
 private:
   CellPlace Meet(TetrahedronId cell);
+  void Cross(TriangleId triangle, CellPlace from);
   void Link(TriangleId triangle, CellPlace from, CellPlace to);
   double Area(TriangleId triangle) const;
 
@@ -115,6 +117,8 @@ private:
   double Reach = 0.0;
   IdMap<TetrahedronId, CellPlace> Places{ CellPlace::None() };
   HandleVector<CellPlace, TetrahedronId> Met;
+  std::size_t Passed = 0; ///< of the cells met: those whose faces were looked at
+  std::vector<std::pair<TriangleId, CellPlace>> Beyond; ///< faces of these out of reach
   std::vector<CellLink> All;
 };
 

@@ -79,18 +79,25 @@ private:
     }
   }
 
-  void Fill(const std::vector<std::int32_t>& path)
+  /// As much along a path as it takes, and the place of its first arc that is full then.
+  std::size_t Fill(const std::vector<std::int32_t>& path)
   {
     std::int64_t least = Unbounded;
-    for (const std::int32_t arc : path)
+    std::size_t full = 0;
+    for (std::size_t i = 0; i < path.size(); ++i)
     {
-      least = std::min(least, this->Left[At(arc)]);
+      if (this->Left[At(path[i])] < least)
+      {
+        least = this->Left[At(path[i])];
+        full = i;
+      }
     }
     for (const std::int32_t arc : path)
     {
       this->Left[At(arc)] -= this->Left[At(arc)] == Unbounded ? 0 : least;
       this->Left[At(arc ^ 1)] += least;
     }
+    return full;
   }
 
   std::int32_t Feed;
@@ -153,9 +160,9 @@ void Network::Block()
   {
     if (node == this->Drain)
     {
-      this->Fill(path);
-      path.clear();
-      node = this->Feed;
+      const std::size_t full = this->Fill(path);
+      node = this->From(path[full]);
+      path.resize(full); // what leads there can take more
       continue;
     }
     std::int32_t& k = next[At(node)];

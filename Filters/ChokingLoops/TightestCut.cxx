@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr double FirstReach = 3.0;       ///< of the search, in radii of the choke
+constexpr double LastReach = 6.0;        ///< a membrane that needs more is not taken (README.md)
 constexpr double Anchor = 1.5;           ///< of what stays whole on either side, in radii
 constexpr double Grain = 0.15;           ///< side of the cubes that share a node, in radii
 constexpr std::size_t MostCells = 50000; ///< seconds of work, for each feature that asks
@@ -223,10 +224,9 @@ TriangleChain TightestCut(const FeatureContext& context, const ShapeFeature& fea
     return {};
   }
   ChokeFlow around(context, feature, centre);
-  double reach = FirstReach * feature.Distance();
-  for (bool isPart = true; isPart; reach *= 2.0)
+  for (double radii = FirstReach; radii <= LastReach; radii *= 2.0)
   {
-    isPart = around.Collect(reach);
+    const bool isPart = around.Collect(radii * feature.Distance());
     if (around.IsTooLarge())
     {
       return {};

@@ -20,9 +20,9 @@ struct ShapeFeature;
  * wrap the way through it.
  *
  * It stands in for the cycle that an edge closed, which may run round the whole shape. The search
- * begins within 3 radii of `centre` and reaches as far as the membrane needs. The boundary lies on
- * M, up to edges as short as the sampling error. Empty when nothing parts the sides, or beyond
- * 50,000 tetrahedra within reach. Cost: that of MinimumCut on the tetrahedra within
+ * begins within 3 radii of `centre` and goes on to 6 where the membrane needs it. The boundary lies
+ * on M, up to edges as short as the sampling error. Empty when nothing parts the sides there, or
+ * beyond 50,000 tetrahedra within reach. Cost: that of MinimumCut on the tetrahedra within
  * reach, which a walk from the choke triangle finds.
  *
  * Empty, too, where the choke triangle lies on M. @pre `feature.Choke` is a triangle of the
