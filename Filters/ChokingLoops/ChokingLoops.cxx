@@ -19,9 +19,12 @@ namespace
 /// Rounds of refinement round features that the sampling blurs.
 constexpr int Rounds = 3;
 
-/// More handles and tunnels that are not settled than a finer sampling is going to settle: with so
-/// many places it is finer by 0.6 everywhere (ChokingSamples.cxx), with fewer as fine as they ask.
-constexpr std::size_t ManyUnsettled = 64;
+/// What a finer sampling everywhere leaves, one finer in places leaves as well; and where a round
+/// settles less than half of its places, the next would settle less and take as long again.
+bool IsInVain(std::size_t before, std::size_t left)
+{
+  return 2 * left > before || (before > ManyPlaces && left <= ManyPlaces);
+}
 
 /// What the samples of round `round` take, by what those before took; `own` points has the surface
 /// itself.
@@ -31,7 +34,7 @@ AnalysisCost NextCost(const SurfaceView& samples, const ChokingAnalysis& before,
   AnalysisCost cost = CostOf(samples);
   const std::size_t unsettled = CountUnsettled(before.Found);
   cost.LearnFrom(before.Cost, times.LastRound);
-  if (unsettled > (round < Rounds ? ManyUnsettled : 0))
+  if (unsettled > (round < Rounds ? ManyPlaces : 0))
   {
     cost.ExpectCompletion(own);
   }
@@ -60,6 +63,7 @@ ChokingLoops::ChokingLoops(
     surface = {};
   }
   std::string tooMuch;
+  std::size_t before = 0; // places that the round before left blurred
   AnalysisCost cost = CostOf(samples);
   if (!FitsMemory(cost, parameters.MemoryLimit, tooMuch))
   {
@@ -74,10 +78,12 @@ ChokingLoops::ChokingLoops(
     this->AnalyseSamples(std::move(samples), cost, parameters, times, part);
     times.LastRound = watch.Lap();
     const std::vector<Refinement> blurred = this->State->Blurred();
-    if (!automatic || round == Rounds || blurred.empty())
+    const bool isLast = round == Rounds || (round > 0 && IsInVain(before, blurred.size()));
+    if (!automatic || isLast || blurred.empty())
     {
       break;
     }
+    before = blurred.size();
     if (surface.Points.empty())
     {
       surface = this->State->Samples;

@@ -21,9 +21,6 @@ constexpr std::size_t MostSamples = 20'000'000;
 /// Of the spacing: what three rounds that are finer by 0.6 would still tell, and half of it.
 constexpr double Telling = 0.1;
 
-/// More places than this mean that the sampling is too coarse everywhere.
-constexpr std::size_t ManyPlaces = 64;
-
 /// Points that refinement may add, beside doubling what there are.
 constexpr std::size_t MorePoints = 100000;
 

@@ -18,6 +18,9 @@ struct Refinement
   double EdgeLength;
 };
 
+/// More places than this to be refined mean that the sampling is too coarse everywhere.
+constexpr std::size_t ManyPlaces = 64;
+
 /**
  * The surface split until no edge is longer than `spacing`; where that is 0, it becomes the spacing
  * of some 20,000 samples spread evenly, longer where needles would take many more.
@@ -29,8 +32,9 @@ VTKISTHMUS_EXPORT TriangleMesh FirstSamples(
   const SurfaceView& surface, double& spacing, const ProgressCallback& progress = {});
 
 /// `mesh` split again near the places wanted, or everywhere to 0.6 of `spacing` where these are
-/// many. An empty mesh when that takes too many points, or when less than half of many places would
-/// be settled by `finest`, to which rounds like this one come: a flat surface, a needle.
+/// more than ManyPlaces. An empty mesh when that takes too many points, or when less than half of
+/// many places would be settled by `finest`, to which rounds like this one come: a flat surface, a
+/// needle.
 VTKISTHMUS_EXPORT TriangleMesh Refined(const SurfaceView& mesh,
   const std::vector<Refinement>& wanted, double spacing, double finest,
   const ProgressCallback& progress = {});

@@ -1,0 +1,156 @@
+// How finely a surface is sampled, and where more finely, by the lengths of the edges; and that
+// what a finer sampling everywhere leaves is not sampled again.
+
+#include "ChokingLoops.h"
+#include "ChokingSamples.h"
+#include "ChokingSurfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+using namespace isthmus;
+using namespace isthmus::testing;
+
+namespace
+{
+
+/// The longest edge of those whose middle is so near to `centre`.
+double LongestEdge(const TriangleMesh& mesh, const Point3& centre = {}, double reach = HUGE_VAL)
+{
+  double longest = 0.0;
+  for (const Triangle& t : mesh.Triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Point3& a = mesh.Points[static_cast<std::size_t>(t[k])];
+      const Point3& b = mesh.Points[static_cast<std::size_t>(t[(k + 1) % 3])];
+      const bool isNear = Distance(0.5 * (a + b), centre) <= reach;
+      longest = std::max(longest, isNear ? Distance(a, b) : 0.0);
+    }
+  }
+  return longest;
+}
+
+/// So many places round a torus that ask for edges of `length`.
+std::vector<Refinement> Places(std::size_t count, double length)
+{
+  std::vector<Refinement> places;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double angle = 2.0 * M_PI * static_cast<double>(i) / static_cast<double>(count);
+    places.push_back({ { std::cos(angle), std::sin(angle), 0.0 }, 0.01, length });
+  }
+  return places;
+}
+
+TriangleMesh SampledTorus(double spacing)
+{
+  return FirstSamples(Torus(1.0, 0.3, 60, 30), spacing);
+}
+
+TEST(ChokingSamples, FewPlacesAreFinerThere)
+{
+  const TriangleMesh samples = SampledTorus(0.08);
+  const Point3 place = samples.Points.front();
+  const TriangleMesh refined = Refined(samples, { { place, 0.2, 0.02 } }, 0.08, 0.0173);
+  EXPECT_LE(LongestEdge(refined, place, 0.2), 0.02);
+  EXPECT_LE(LongestEdge(samples), 0.08);
+  // Far from there nothing was split.
+  const Point3 opposite{ -place[0], -place[1], -place[2] };
+  EXPECT_EQ(LongestEdge(refined, opposite, 0.5), LongestEdge(samples, opposite, 0.5));
+  EXPECT_LT(refined.Points.size(), 2 * samples.Points.size());
+}
+
+TEST(ChokingSamples, ManyPlacesMakeAllFiner)
+{
+  const TriangleMesh samples = SampledTorus(0.08);
+  const double finest = 0.216 * 0.08;
+  const TriangleMesh refined = Refined(samples, Places(ManyPlaces + 1, 0.02), 0.08, finest);
+  EXPECT_LE(LongestEdge(refined), 0.6 * 0.08);
+  EXPECT_GT(LongestEdge(refined), 0.02);
+}
+
+TEST(ChokingSamples, ManyPlacesThatNoRoundSettlesAreLeft)
+{
+  const TriangleMesh samples = SampledTorus(0.08);
+  const double finest = 0.216 * 0.08;
+  std::vector<Refinement> places = Places(ManyPlaces + 2, 0.5 * finest);
+  EXPECT_TRUE(Refined(samples, places, 0.08, finest).Points.empty());
+  // Half of them can be settled; then one less.
+  for (std::size_t i = 0; i < places.size() / 2; ++i)
+  {
+    places[i].EdgeLength = 1.01 * finest;
+  }
+  EXPECT_FALSE(Refined(samples, places, 0.08, finest).Points.empty());
+  places.front().EdgeLength = 0.5 * finest;
+  EXPECT_TRUE(Refined(samples, places, 0.08, finest).Points.empty());
+  // Few are tried all the same.
+  places.resize(1);
+  EXPECT_FALSE(Refined(samples, places, 0.08, finest).Points.empty());
+}
+
+TEST(ChokingSamples, RodsTooThinToTellBeginWithFew)
+{
+  // As thick as a hair of their spacing, and a hundred times that: needles take up to 100,000
+  // points.
+  const auto rod = [](double radius)
+  {
+    return Revolution(
+      [radius](double z) { return radius * std::sqrt(1.0 - 0.99 * z * z); }, -1.0, 1.0, 24, 200);
+  };
+  double spacing = 0.0;
+  const TriangleMesh thin = FirstSamples(rod(1e-7), spacing);
+  const std::size_t own = rod(1e-7).Points.size();
+  EXPECT_LE(thin.Points.size(), 4 * own + 20000);
+  EXPECT_GT(spacing, 0.0);
+}
+
+/// A cube of noise, `n` cells along a side, the outer ones empty.
+TriangleMesh Noise(int n)
+{
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  return LevelSet(
+    [&](double x, double y, double z)
+    {
+      const double value = normal(random);
+      return std::max({ std::abs(x), std::abs(y), std::abs(z) }) > 0.9 ? 1.0 : value;
+    },
+    1.0, n);
+}
+
+/// How many samples each round of an analysis has.
+std::vector<std::size_t> SamplesOfRounds(const TriangleMesh& surface)
+{
+  std::vector<std::size_t> samples;
+  ChokingLoopParameters parameters;
+  parameters.Estimated = [&samples](const AnalysisCost& cost)
+  {
+    if (samples.empty() || samples.back() != cost.Samples)
+    {
+      samples.push_back(cost.Samples);
+    }
+  };
+  const ChokingLoops loops(surface, parameters);
+  EXPECT_EQ(loops.Samples().Points.size(), samples.back());
+  return samples;
+}
+
+TEST(ChokingSamples, NoiseIsMadeFinerEverywhereAndNotInPlacesAfterwards)
+{
+  const std::vector<std::size_t> samples = SamplesOfRounds(Noise(14));
+  ASSERT_EQ(samples.size(), 2U);
+  EXPECT_GT(samples[1], 2 * samples[0]) << "edges of 0.6: 1 / 0.36 times as many";
+  EXPECT_LT(samples[1], 4 * samples[0]);
+}
+
+TEST(ChokingSamples, ARoundThatSettlesLessThanHalfIsTheLast)
+{
+  const std::vector<std::size_t> samples = SamplesOfRounds(Noise(12));
+  ASSERT_EQ(samples.size(), 2U);
+  EXPECT_LT(samples[1], 2 * samples[0]) << "finer in places";
+}
+
+}
