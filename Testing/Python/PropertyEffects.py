@@ -129,7 +129,8 @@ def conditions():
         for decorator in hints.iter("PropertyWidgetDecorator") if hints is not None else ():
             if decorator.get("type") == "GenericDecorator" and decorator.get("inverse") != "1":
                 value = decorator.get("value") or decorator.get("values", "").split()[0]
-                found.setdefault((proxy, name), []).append((decorator.get("property"), value))
+                if value != "null":  # an input that may be missing, and is here
+                    found.setdefault((proxy, name), []).append((decorator.get("property"), value))
 
     for root in panels():
         for proxy in root.iter("SourceProxy"):
