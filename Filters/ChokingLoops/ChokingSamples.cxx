@@ -2,6 +2,7 @@
 
 #include "Index.h"
 #include "RangeGuard.h"
+#include "SurfaceTopology.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,15 +28,7 @@ constexpr std::size_t MorePoints = 100000;
 /// Twice the volume by the area of a closed surface: how thick a plate is, how wide half a rod.
 double ThicknessOf(const SurfaceView& surface)
 {
-  const Point3 origin = surface.Point(surface.Corners(0)[0]);
-  double volume = 0.0;
-  for (const Triangle& t : surface.Triangles)
-  {
-    volume += Dot(surface.Point(t[0]) - origin,
-                Cross(surface.Point(t[1]) - origin, surface.Point(t[2]) - origin)) /
-      6.0;
-  }
-  return 2.0 * std::abs(volume) / SurfaceArea(surface);
+  return 2.0 * std::abs(SignedVolume(surface)) / SurfaceArea(surface);
 }
 
 /// Sum of the lengths of all edges of a closed surface.
