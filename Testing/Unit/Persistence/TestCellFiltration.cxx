@@ -1,0 +1,89 @@
+// The complex that filtrations stand on, held against what its tetrahedra say one by one.
+
+#include "DelaunayFiltration.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+#include <set>
+
+using namespace isthmus;
+
+namespace
+{
+
+CellFiltration OfRandomPoints(std::size_t count)
+{
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> place(0.0, 1.0);
+  std::vector<Point3> points(count);
+  for (Point3& p : points)
+  {
+    p = { place(random), place(random), place(random) };
+  }
+  return DelaunayFiltration(points);
+}
+
+/// Sides of each triangle, by its corners.
+std::map<std::array<SimplexId, 3>, std::set<TetrahedronId>> SidesOf(const CellFiltration& f)
+{
+  std::map<std::array<SimplexId, 3>, std::set<TetrahedronId>> sides;
+  for (const TetrahedronId cell : f.Tetrahedra.Keys())
+  {
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      std::vector<SimplexId> face(f.Tetrahedra[cell].begin(), f.Tetrahedra[cell].end());
+      face.erase(face.begin() + static_cast<std::ptrdiff_t>(k));
+      std::sort(face.begin(), face.end());
+      sides[{ face[0], face[1], face[2] }].insert(cell);
+    }
+  }
+  return sides;
+}
+
+class CellFiltrationOf : public ::testing::TestWithParam<std::size_t>
+{
+};
+
+TEST_P(CellFiltrationOf, PointsHasEachFaceOnceWithItsSides)
+{
+  const CellFiltration f = OfRandomPoints(GetParam());
+  const auto sides = SidesOf(f);
+  ASSERT_EQ(f.TriangleCount(), sides.size());
+  for (const TriangleId t : f.Triangles())
+  {
+    const auto found = sides.find(f.TrianglePoints(t));
+    ASSERT_NE(found, sides.end());
+    const auto beside = f.TriangleSides(t);
+    EXPECT_EQ(beside[0], *found->second.begin());
+    EXPECT_EQ(beside[1].Exists(), found->second.size() == 2);
+    EXPECT_TRUE(!beside[1].Exists() || beside[1] == *found->second.rbegin());
+    EXPECT_EQ(f.Across(t, beside[0]), beside[1]);
+  }
+}
+
+// A cell finds the triangles of which it is the first side, whichever block of cells it is in.
+TEST_P(CellFiltrationOf, PointsFindsTheTrianglesFromACell)
+{
+  const CellFiltration f = OfRandomPoints(GetParam());
+  std::map<TetrahedronId, std::vector<TriangleId>> from;
+  for (const TriangleId t : f.Triangles())
+  {
+    from[f.TriangleSides(t)[0]].push_back(t);
+  }
+  for (const TetrahedronId cell : f.Tetrahedra.Keys())
+  {
+    std::vector<TriangleId> found;
+    for (const TriangleId t : f.TrianglesFrom(cell))
+    {
+      found.push_back(t);
+    }
+    EXPECT_EQ(found, from[cell]) << cell.Value;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Few, CellFiltrationOf, ::testing::Values(4, 5, 7, 30, 2000));
+
+}
