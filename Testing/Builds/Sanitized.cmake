@@ -7,7 +7,10 @@ include("${CMAKE_CURRENT_LIST_DIR}/Common.cmake")
 
 set(share 0)
 set(sanitizers AddressSanitizer ThreadSanitizer)
-if (NOT "$ENV{ISTHMUS_LONG_TESTS}" STREQUAL "1")
+set(whole FALSE)
+if ("$ENV{ISTHMUS_LONG_TESTS}" STREQUAL "1")
+  set(whole TRUE)
+else ()
   set(turn 0)
   if ("$ENV{ISTHMUS_TURN}" MATCHES "^[0-9]+$")
     set(turn "$ENV{ISTHMUS_TURN}")
@@ -21,6 +24,7 @@ if (NOT "$ENV{ISTHMUS_LONG_TESTS}" STREQUAL "1")
   endif ()
 endif ()
 unset(ENV{ISTHMUS_TURN})
+unset(ENV{ISTHMUS_LONG_TESTS}) # whole: all tests, not their long cases
 
 # Left out: tests of seconds that become minutes here, of code that shorter ones reach as well, and
 # one of the process' peak memory, to which sanitizers add.
@@ -41,7 +45,7 @@ set(long_tests "SuperStepsReachTheEnd|TimeOrderIsTwo|FourierModesDecay|Isosurfac
   "|LimitsOfTimeAndMemory|ResultDigests|SquareOfTheSpacing|EdgesOfSampledSolids"
   "|AreTheSame/(elk|skull|cup)|OfAWallOfBlobs"
   "|CutsTheHandlesBelow|OneCutEndsAHandle|FastMarchingComesToTheDistance"
-  "|BytesAreWithinAFactorOfTwo")
+  "|BytesAreWithinAFactorOfTwo|StagesSharingAPass|DiffusionSteps.ResultsDoNotDependOnThreads")
 string(CONCAT long_tests ${long_tests})
 
 # build_sanitized(FOLDER OPTION...): GCC's builds judge the warnings; clang has others.

@@ -7,7 +7,7 @@ set(folder "${WORK_DIR}/sanitized-threads")
 # All parallel code goes through ParallelFor. These have locks, atomics or shared arrays of their own,
 # or write neighbouring rows; with ISTHMUS_LONG_TESTS=1 all programs are built.
 set(only "")
-if (NOT "$ENV{ISTHMUS_LONG_TESTS}" STREQUAL "1")
+if (NOT whole)
   set(only TestParallelFor TestPathEnds TestSimplexOrder TestStarMatching TestStarDefects
     TestSurfaceToGrid TestDiffusionRows TestCompactCombinatorialMap TestCubicalPersistence)
   list(JOIN only " " only)
