@@ -24,7 +24,6 @@ class IdMap
 public:
   explicit IdMap(Value unset)
     : Table(unset)
-    , Unset(unset)
   {
   }
   // A copy of CGAL's table has another default.
@@ -33,8 +32,6 @@ public:
 
   const Value& operator[](Id id) const { return this->Table[Number(id)]; }
   Value& operator[](Id id) { return this->Table[Number(id)]; }
-
-  void Clear() { this->Table.clear(this->Unset); }
 
 private:
   struct Same
@@ -56,7 +53,6 @@ private:
   }
 
   CGAL::Unique_hash_map<std::size_t, Value, Same> Table;
-  Value Unset;
 };
 
 }
