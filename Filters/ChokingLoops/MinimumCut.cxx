@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace isthmus
 {
@@ -13,8 +14,20 @@ namespace
 
 constexpr std::int64_t Unbounded = std::numeric_limits<std::int64_t>::max();
 
-/// Arc 2 l runs along link l, arc 2 l + 1 against it. Node `nodes` feeds the sources, the one after
-/// it drains the sinks.
+/// An arc of the network, beside the others that leave its node: what searches look at comes in
+/// rows.
+struct Arc
+{
+  std::int64_t Left; ///< what it can still take
+  std::int64_t Both; ///< with what its twin can
+  std::int32_t Target;
+  std::int32_t Twin; ///< the arc the other way
+
+  /// What the twin can still take.
+  std::int64_t Back() const { return this->Both - this->Left; }
+};
+
+/// Node `nodes` feeds the sources, the one after it drains the sinks.
 class Network
 {
 public:
@@ -25,22 +38,39 @@ public:
     , First(At(nodes) + 3, 0)
     , Level(At(nodes) + 2)
   {
-    const std::size_t arcs = 2 * (links.size() + sources.size() + sinks.size());
-    this->Target.reserve(arcs);
-    this->Left.reserve(arcs);
-    for (const FlowLink& link : links)
+    this->Queue.reserve(At(nodes) + 2);
+    const auto forAll = [&](auto&& visit)
     {
-      this->Add(link.Nodes[0], link.Nodes[1], link.Capacity, link.Capacity);
-    }
-    for (const std::int32_t node : sources)
-    {
-      this->Add(this->Feed, node, Unbounded, 0);
-    }
-    for (const std::int32_t node : sinks)
-    {
-      this->Add(node, this->Drain, Unbounded, 0);
-    }
-    this->Index();
+      for (const FlowLink& link : links)
+      {
+        visit(link.Nodes[0], link.Nodes[1], link.Capacity, link.Capacity);
+      }
+      for (const std::int32_t node : sources)
+      {
+        visit(this->Feed, node, Unbounded, std::int64_t{ 0 });
+      }
+      for (const std::int32_t node : sinks)
+      {
+        visit(node, this->Drain, Unbounded, std::int64_t{ 0 });
+      }
+    };
+    forAll(
+      [this](std::int32_t from, std::int32_t to, std::int64_t, std::int64_t)
+      {
+        ++this->First[At(from) + 1];
+        ++this->First[At(to) + 1];
+      });
+    std::partial_sum(this->First.begin(), this->First.end(), this->First.begin());
+    this->Arcs.resize(At(this->First.back()));
+    std::vector<std::int32_t> next(this->First.begin(), this->First.end() - 1);
+    forAll(
+      [this, &next](std::int32_t from, std::int32_t to, std::int64_t along, std::int64_t against)
+      {
+        const std::int32_t there = next[At(from)]++;
+        const std::int32_t back = next[At(to)]++;
+        this->Arcs[At(there)] = { along, along + against, to, back };
+        this->Arcs[At(back)] = { against, along + against, from, there };
+      });
   }
 
   /// Distances to the drain along arcs that are not full, as far as the feed is; false: there is no
@@ -54,29 +84,9 @@ public:
   void Block();
 
 private:
-  std::int32_t From(std::int32_t arc) const { return this->Target[At(arc ^ 1)]; }
-
-  void Add(std::int32_t from, std::int32_t to, std::int64_t along, std::int64_t against)
+  std::int32_t From(std::int32_t arc) const
   {
-    this->Target.insert(this->Target.end(), { to, from });
-    this->Left.insert(this->Left.end(), { along, against });
-    ++this->First[At(from) + 1];
-    ++this->First[At(to) + 1];
-  }
-
-  void Index()
-  {
-    for (std::size_t i = 1; i < this->First.size(); ++i)
-    {
-      this->First[i] += this->First[i - 1];
-    }
-    std::vector<std::int32_t> next(this->First.begin(), this->First.end() - 1);
-    this->Arcs.resize(this->Target.size());
-    for (std::size_t a = 0; a < this->Target.size(); ++a)
-    {
-      const auto arc = static_cast<std::int32_t>(a);
-      this->Arcs[At(next[At(this->From(arc))]++)] = arc;
-    }
+    return this->Arcs[At(this->Arcs[At(arc)].Twin)].Target;
   }
 
   /// As much along a path as it takes, and the place of its first arc that is full then.
@@ -86,16 +96,20 @@ private:
     std::size_t full = 0;
     for (std::size_t i = 0; i < path.size(); ++i)
     {
-      if (this->Left[At(path[i])] < least)
+      if (this->Arcs[At(path[i])].Left < least)
       {
-        least = this->Left[At(path[i])];
+        least = this->Arcs[At(path[i])].Left;
         full = i;
       }
     }
-    for (const std::int32_t arc : path)
+    for (const std::int32_t at : path)
     {
-      this->Left[At(arc)] -= this->Left[At(arc)] == Unbounded ? 0 : least;
-      this->Left[At(arc ^ 1)] += least;
+      Arc& arc = this->Arcs[At(at)];
+      if (arc.Left != Unbounded) // from the feed and to the drain, which nothing comes back from
+      {
+        arc.Left -= least;
+        this->Arcs[At(arc.Twin)].Left += least;
+      }
     }
     return full;
   }
@@ -103,27 +117,26 @@ private:
   std::int32_t Feed;
   std::int32_t Drain;
   std::vector<std::int32_t> First; ///< arcs that leave node n: Arcs[First[n]] to Arcs[First[n + 1]]
-  std::vector<std::int32_t> Arcs;
-  std::vector<std::int32_t> Target;
-  std::vector<std::int64_t> Left; ///< what an arc can still take
+  std::vector<Arc> Arcs;
   std::vector<std::int32_t> Level;
+  std::vector<std::int32_t> Queue; ///< of Measure()
 };
 
 bool Network::Measure()
 {
   std::fill(this->Level.begin(), this->Level.end(), -1);
-  std::vector<std::int32_t> queue{ this->Drain };
+  std::vector<std::int32_t>& queue = this->Queue;
+  queue.assign(1, this->Drain);
   this->Level[At(this->Drain)] = 0;
   for (std::size_t i = 0; i < queue.size() && this->Level[At(this->Feed)] < 0; ++i)
   {
     for (std::int32_t k = this->First[At(queue[i])]; k < this->First[At(queue[i]) + 1]; ++k)
     {
-      const std::int32_t arc = this->Arcs[At(k)];
-      const std::int32_t from = this->Target[At(arc)];
-      if (this->Left[At(arc ^ 1)] > 0 && this->Level[At(from)] < 0)
+      const Arc& arc = this->Arcs[At(k)];
+      if (arc.Back() > 0 && this->Level[At(arc.Target)] < 0)
       {
-        this->Level[At(from)] = this->Level[At(queue[i])] + 1;
-        queue.push_back(from);
+        this->Level[At(arc.Target)] = this->Level[At(queue[i])] + 1;
+        queue.push_back(arc.Target);
       }
     }
   }
@@ -139,12 +152,11 @@ std::vector<char> Network::Reached() const
   {
     for (std::int32_t k = this->First[At(queue[i])]; k < this->First[At(queue[i]) + 1]; ++k)
     {
-      const std::int32_t arc = this->Arcs[At(k)];
-      const std::int32_t to = this->Target[At(arc)];
-      if (this->Left[At(arc)] > 0 && reached[At(to)] == 0)
+      const Arc& arc = this->Arcs[At(k)];
+      if (arc.Left > 0 && reached[At(arc.Target)] == 0)
       {
-        reached[At(to)] = 1;
-        queue.push_back(to);
+        reached[At(arc.Target)] = 1;
+        queue.push_back(arc.Target);
       }
     }
   }
@@ -166,28 +178,27 @@ void Network::Block()
       continue;
     }
     std::int32_t& k = next[At(node)];
-    if (k == this->First[At(node) + 1])
-    {
-      if (path.empty())
-      {
-        return;
-      }
-      node = this->From(path.back());
-      path.pop_back();
-      ++next[At(node)];
-      continue;
-    }
-    const std::int32_t arc = this->Arcs[At(k)];
-    const std::int32_t to = this->Target[At(arc)];
-    if (this->Left[At(arc)] > 0 && this->Level[At(to)] == this->Level[At(node)] - 1)
-    {
-      path.push_back(arc);
-      node = to;
-    }
-    else
+    const std::int32_t end = this->First[At(node) + 1];
+    const std::int32_t below = this->Level[At(node)] - 1;
+    const auto leadsOn = [&](const Arc& arc)
+    { return arc.Left > 0 && this->Level[At(arc.Target)] == below; };
+    while (k < end && !leadsOn(this->Arcs[At(k)]))
     {
       ++k;
     }
+    if (k < end)
+    {
+      path.push_back(k);
+      node = this->Arcs[At(k)].Target;
+      continue;
+    }
+    if (path.empty())
+    {
+      return;
+    }
+    node = this->From(path.back());
+    path.pop_back();
+    ++next[At(node)];
   }
 }
 

@@ -28,7 +28,7 @@ struct FlowLink
  * so that the answer depends on nothing but the input.
  *
  * Source: E. A. Dinic, Soviet Math. Doklady 11 (1970) 1277: blocking flows along shortest paths.
- * Worst case O(nodes^2 links); on the graphs of tetrahedra here some 20 sweeps. 40 bytes a link.
+ * Worst case O(nodes^2 links); on the graphs of tetrahedra here some 20 sweeps. 48 bytes a link.
  *
  * @pre nodes of links, sources and sinks lie in [0, nodes); no node is source and sink.
  * @throws Cancelled.
