@@ -56,11 +56,26 @@ void ChokeSurroundings::Cross(TriangleId triangle, CellPlace from)
     this->Beyond.emplace_back(triangle, from);
     return;
   }
-  const TetrahedronId beyond = this->F.Across(triangle, this->Met[from]);
-  const CellPlace other = this->Meet(beyond);
-  if (!beyond.Exists() || other > from)
+  this->Link(triangle, from, this->Meet(this->F.Across(triangle, this->Met[from])));
+}
+
+/// Over the faces of a cell that were not met from their other side.
+void ChokeSurroundings::Pass(CellPlace own)
+{
+  const TetrahedronId cell = this->Met[own];
+  for (std::size_t corner = 0; cell.Exists() && corner < 4; ++corner)
   {
-    this->Link(triangle, from, other);
+    const TetrahedronId beyond = this->F.Neighbours[cell][corner];
+    const CellPlace place = beyond.Exists() ? this->PlaceOf(beyond) : CellPlace::None();
+    if (place.Exists() && place < own)
+    {
+      continue;
+    }
+    const TriangleId triangle = this->F.TriangleOf(cell, corner);
+    if (!this->Context.IsWall(triangle))
+    {
+      this->Cross(triangle, own);
+    }
   }
 }
 
@@ -77,19 +92,7 @@ bool ChokeSurroundings::Collect(double reach, std::size_t most)
   }
   for (; this->Passed < this->Met.size() && this->Met.size() <= most; ++this->Passed)
   {
-    const auto own = CellPlace::At(this->Passed);
-    const TetrahedronId cell = this->Met[own];
-    if (cell.Exists())
-    {
-      ForFaces(this->F, cell,
-        [&](TriangleId t)
-        {
-          if (!this->Context.IsWall(t))
-          {
-            this->Cross(t, own);
-          }
-        });
-    }
+    this->Pass(CellPlace::At(this->Passed));
   }
   return !this->Beyond.empty();
 }

@@ -13,31 +13,6 @@
 namespace isthmus
 {
 
-/// Calls visit(triangle) for each face of a tetrahedron. Triangles are sorted by the first of
-/// their sides, the tetrahedron with the smaller id (CellFiltration::Connect()).
-template <typename Visit>
-void ForFaces(const CellFiltration& f, TetrahedronId cell, Visit&& visit)
-{
-  const auto& n = f.Neighbours[cell];
-  std::array<TetrahedronId, 5> firsts{ n[0], n[1], n[2], n[3], cell };
-  std::sort(firsts.begin(), firsts.end());
-  const auto end = std::unique(firsts.begin(), firsts.end());
-  for (auto first = firsts.begin(); first != end && *first <= cell; ++first)
-  {
-    if (!first->Exists())
-    {
-      continue;
-    }
-    for (const TriangleId t : f.TrianglesFrom(*first))
-    {
-      if (*first == cell || f.TriangleSides(t)[1] == cell)
-      {
-        visit(t);
-      }
-    }
-  }
-}
-
 /// Place of a cell among the surroundings of a choke.
 using CellPlace = Handle<struct SurroundingCell, std::int32_t>;
 
@@ -95,6 +70,7 @@ public:
 
 private:
   CellPlace Meet(TetrahedronId cell);
+  void Pass(CellPlace own);
   void Cross(TriangleId triangle, CellPlace from);
   void Link(TriangleId triangle, CellPlace from, CellPlace to);
   double Area(TriangleId triangle) const;
@@ -134,7 +110,10 @@ void ChokeSurroundings::ForLinks(TetrahedronId cell, Visit&& visit) const
   };
   if (cell.Exists())
   {
-    ForFaces(this->F, cell, report);
+    for (std::size_t corner = 0; corner < 4; ++corner)
+    {
+      report(this->F.TriangleOf(cell, corner));
+    }
     return;
   }
   for (const CellLink& link : this->All)

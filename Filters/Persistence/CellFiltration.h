@@ -29,7 +29,7 @@ namespace isthmus
  */
 struct CellFiltration
 {
-  static constexpr std::size_t CellsOfBlock = 64;
+  static constexpr std::size_t CellsOfBlock = 8;
 
   std::vector<Point3> Points;
   HandleVector<TetrahedronId, std::array<SimplexId, 4>> Tetrahedra;
@@ -40,7 +40,7 @@ struct CellFiltration
   /// that it is opposite to. Ascending. Points and sides follow from it: they are a third of all
   /// memory when they are kept.
   HandleVector<TriangleId, SimplexId> TriangleFaces;
-  /// The first triangle of every 64th tetrahedron, and their number at the end: a look-up by
+  /// The first triangle of every 8th tetrahedron, and their number at the end: a look-up by
   /// bisection in all of them waits for memory at each step.
   std::vector<SimplexId> TriangleBlocks;
   HandleVector<TriangleId, std::array<EdgeId, 3>> TriangleEdges; ///< edge k is opposite to point k
@@ -77,21 +77,8 @@ struct CellFiltration
     return { this->FirstEdge[p].Value, this->FirstEdge[p + 1].Value };
   }
 
-  /// The triangles whose first side is `cell`, four at most.
-  HandleRange<TriangleId> TrianglesFrom(TetrahedronId cell) const
-  {
-    const auto block = static_cast<std::size_t>(cell.Value) / CellsOfBlock;
-    const auto begin = this->TriangleFaces.begin();
-    const auto from = std::lower_bound(
-      begin + this->TriangleBlocks[block], begin + this->TriangleBlocks[block + 1], 4 * cell.Value);
-    const auto end = begin + this->TriangleBlocks[block + 1];
-    auto to = from;
-    while (to != end && *to / 4 == cell.Value)
-    {
-      ++to;
-    }
-    return { static_cast<SimplexId>(from - begin), static_cast<SimplexId>(to - begin) };
-  }
+  /// The triangle opposite to a corner of a tetrahedron. A bisection among some 20 ids.
+  TriangleId TriangleOf(TetrahedronId cell, std::size_t corner) const;
 
   std::size_t TriangleCount() const { return this->TriangleFaces.size(); }
   HandleRange<TriangleId> Triangles() const { return this->TriangleFaces.Keys(); }
@@ -131,6 +118,24 @@ struct CellFiltration
       { return p != triangle[0] && p != triangle[1] && p != triangle[2]; });
   }
 };
+
+inline TriangleId CellFiltration::TriangleOf(TetrahedronId cell, std::size_t corner) const
+{
+  TetrahedronId first = cell;
+  if (const TetrahedronId other = this->Neighbours[cell][corner]; other.Exists() && other < cell)
+  {
+    const auto& back = this->Neighbours[other];
+    first = other;
+    corner = static_cast<std::size_t>(std::find(back.begin(), back.end(), cell) - back.begin());
+  }
+  const std::size_t block = first.Index() / CellsOfBlock;
+  const auto begin = this->TriangleFaces.begin();
+  const auto face = static_cast<std::uint32_t>(4 * first.Index() + corner);
+  const auto at =
+    std::lower_bound(begin + this->TriangleBlocks[block], begin + this->TriangleBlocks[block + 1],
+      face, [](SimplexId a, std::uint32_t b) { return static_cast<std::uint32_t>(a) < b; });
+  return TriangleId(static_cast<SimplexId>(at - begin));
+}
 
 inline std::array<SimplexId, 3> CellFiltration::TrianglePoints(TriangleId triangle) const
 {

@@ -64,23 +64,21 @@ TEST_P(CellFiltrationOf, PointsHasEachFaceOnceWithItsSides)
   }
 }
 
-// A cell finds the triangles of which it is the first side, whichever block of cells it is in.
-TEST_P(CellFiltrationOf, PointsFindsTheTrianglesFromACell)
+// A cell finds its triangles, whichever block of cells their ids are in.
+TEST_P(CellFiltrationOf, PointsFindsTheTriangleOppositeToACorner)
 {
   const CellFiltration f = OfRandomPoints(GetParam());
-  std::map<TetrahedronId, std::vector<TriangleId>> from;
-  for (const TriangleId t : f.Triangles())
-  {
-    from[f.TriangleSides(t)[0]].push_back(t);
-  }
   for (const TetrahedronId cell : f.Tetrahedra.Keys())
   {
-    std::vector<TriangleId> found;
-    for (const TriangleId t : f.TrianglesFrom(cell))
+    for (std::size_t corner = 0; corner < 4; ++corner)
     {
-      found.push_back(t);
+      const TriangleId found = f.TriangleOf(cell, corner);
+      ASSERT_LT(found.Index(), f.TriangleCount());
+      const auto sides = f.TriangleSides(found);
+      EXPECT_TRUE(sides[0] == cell || sides[1] == cell) << cell.Value;
+      EXPECT_EQ(f.Across(found, cell), f.Neighbours[cell][corner]);
+      EXPECT_EQ(f.Opposite(cell, f.TrianglePoints(found)), f.Tetrahedra[cell][corner]);
     }
-    EXPECT_EQ(found, from[cell]) << cell.Value;
   }
 }
 
