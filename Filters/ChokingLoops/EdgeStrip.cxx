@@ -12,10 +12,11 @@ namespace
 /// The corner left of (a, b), from the three lengths.
 Point2 Corner(const Point2& a, const Point2& b, double toA, double toB)
 {
-  const double c = std::hypot(b[0] - a[0], b[1] - a[1]);
+  const Point2 d{ b[0] - a[0], b[1] - a[1] };
+  const double c = std::sqrt(d[0] * d[0] + d[1] * d[1]);
   const double x = (toA * toA - toB * toB + c * c) / (2.0 * c);
   const double y = std::sqrt(std::max(0.0, toA * toA - x * x));
-  const Point2 u{ (b[0] - a[0]) / c, (b[1] - a[1]) / c };
+  const Point2 u{ d[0] / c, d[1] / c };
   return { a[0] + x * u[0] - y * u[1], a[1] + x * u[1] + y * u[0] };
 }
 
@@ -167,11 +168,16 @@ UnfoldedStrip Unfold(const SurfaceAdjacency& s, const EdgeStrip& strip, std::siz
 {
   UnfoldedStrip plane;
   const std::size_t n = strip.size();
+  plane.From.reserve(n + 1);
+  plane.To.reserve(n + 1);
   plane.From.push_back({ 0.0, 0.0 });
   plane.To.push_back({ s.Length(strip[start].HalfEdge), 0.0 });
+  std::size_t here = start;
   for (std::size_t i = 0; i < n; ++i)
   {
-    UnfoldOver(s, strip[(start + i) % n].HalfEdge, strip[(start + i + 1) % n].HalfEdge, plane);
+    const std::size_t next = here + 1 < n ? here + 1 : 0;
+    UnfoldOver(s, strip[here].HalfEdge, strip[next].HalfEdge, plane);
+    here = next;
   }
   return plane;
 }

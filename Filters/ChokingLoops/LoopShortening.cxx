@@ -27,8 +27,12 @@ public:
 
   double Length() const { return LengthOf(this->Surface, this->Edges); }
 
-  /// The shortest closed path in the strip: shortest paths, each cut open at another edge.
-  void Straighten(int turns, double tolerance);
+  /// Shortest paths in the strip, each cut open at another edge than the one before.
+  void Straighten(int turns);
+
+  /// The shortest closed path in the strip: until that gains no more than `tolerance` of its
+  /// length.
+  void StraightenFully(double tolerance);
 
   /// Leads the strip round the points at which the path bends needlessly; false: there are none.
   bool Lead();
@@ -41,14 +45,23 @@ private:
   EdgeStrip Edges;
 };
 
-void Shortener::Straighten(int turns, double tolerance)
+void Shortener::Straighten(int turns)
 {
-  double before = HUGE_VAL;
   for (int turn = 0; turn<turns&& this->Edges.size()> 1; ++turn)
   {
     this->StraightenFrom(turn % 2 == 0 ? 0 : this->Edges.size() / 2);
+  }
+}
+
+void Shortener::StraightenFully(double tolerance)
+{
+  this->Straighten(2);
+  double before = this->Length();
+  for (int turn = 2; turn < 100 && this->Edges.size() > 1; ++turn)
+  {
+    this->StraightenFrom(turn % 2 == 0 ? 0 : this->Edges.size() / 2);
     const double now = this->Length();
-    if (turn > 1 && before - now <= tolerance * now)
+    if (before - now <= tolerance * now)
     {
       break;
     }
@@ -147,11 +160,17 @@ double LengthAlong(const SurfaceAdjacency& s, const std::vector<SimplexId>& loop
 double LengthOf(const SurfaceAdjacency& surface, const std::vector<SurfaceCurvePoint>& crossings)
 {
   double length = 0.0;
-  for (std::size_t i = 0; i < crossings.size(); ++i)
+  if (crossings.empty())
   {
-    const Point3 d = PositionOf(surface, crossings[(i + 1) % crossings.size()]) -
-      PositionOf(surface, crossings[i]);
-    length += Length(d);
+    return length;
+  }
+  const Point3 first = PositionOf(surface, crossings.front());
+  Point3 here = first;
+  for (std::size_t i = 1; i <= crossings.size(); ++i)
+  {
+    const Point3 next = i < crossings.size() ? PositionOf(surface, crossings[i]) : first;
+    length += Distance(here, next);
+    here = next;
   }
   return length;
 }
@@ -167,10 +186,10 @@ SurfaceCurve ShortenLoop(const SurfaceAdjacency& surface, const std::vector<Simp
   {
     // The number of rounds is not known: each takes a tenth of what is left of the bar.
     Report(progress, 1.0 - std::pow(0.9, round));
-    shortener.Straighten(3, parameters.Tolerance);
+    shortener.Straighten(3);
     if (!shortener.Lead())
     {
-      shortener.Straighten(100, 0.01 * parameters.Tolerance);
+      shortener.StraightenFully(0.01 * parameters.Tolerance);
       curve.Converged = !shortener.Lead();
     }
     length = shortener.Length();
