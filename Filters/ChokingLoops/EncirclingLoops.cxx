@@ -158,7 +158,11 @@ void LoopsThrough::Search(double longest)
   const double straight = one.Length(this->Other.Root());
   const HomologyClass back = this->One.ClassTo(this->Other.Root());
   HomologyClass c;
-  for (std::size_t i = 0; i < one.Points().size(); ++i)
+  // From the edge's end to the other root it is no farther than back over the edge: a loop there is
+  // at most twice as long as `straight`, the path to the point and the edge. Such were known
+  // before.
+  for (std::size_t i = one.FirstBeyond(0.5 * this->Searched - straight - one.LongestEdge());
+       i < one.Points().size(); ++i)
   {
     const HalfEdgeId first = surface.Leaving(one.Points()[i]);
     HalfEdgeId h = first;

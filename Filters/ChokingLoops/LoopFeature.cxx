@@ -252,8 +252,8 @@ LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
     }
   }
   Report(progress, 0.8);
-  const double longest =
-    fit.Fits() ? Freedom * fit.Length() : LongestRound * 2.0 * Pi * f.Distance();
+  const double longest = std::min(
+    fit.Fits() ? Freedom * fit.Length() : HUGE_VAL, LongestRound * 2.0 * Pi * f.Distance());
   for (const Membrane& round : loops.EncirclingMembranesOf(index, AlongEdges * longest, MostRound))
   {
     fit.TryFree(round, true);

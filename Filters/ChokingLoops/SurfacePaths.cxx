@@ -2,6 +2,8 @@
 
 #include "Index.h"
 
+#include <algorithm>
+
 namespace isthmus
 {
 
@@ -55,7 +57,9 @@ void SurfacePaths::Settle(const Entry& entry)
     const SimplexId next = this->Surface.To(h);
     if (!this->Has(next))
     {
-      const double length = entry.Length + this->Surface.Length(h);
+      const double edge = this->Surface.Length(h);
+      const double length = entry.Length + edge;
+      this->Longest = std::max(this->Longest, edge);
       this->Queue.push({ length + this->Left(next), next, h, length });
     }
     h = this->Surface.Turn(h);

@@ -44,6 +44,16 @@ public:
   double LengthAt(std::size_t place) const { return this->Lengths[place]; }
   HalfEdgeId LastAt(std::size_t place) const { return this->Lasts[place]; }
 
+  /// The place of the first point whose path is longer than `length`. @pre Without `to`.
+  std::size_t FirstBeyond(double length) const
+  {
+    return static_cast<std::size_t>(
+      std::upper_bound(this->Lengths.begin(), this->Lengths.end(), length) - this->Lengths.begin());
+  }
+
+  /// Of the edges between these points and others; no edge between two of them is longer.
+  double LongestEdge() const { return this->Longest; }
+
   bool Has(SimplexId p) const { return this->Places[p] >= 0; }
 
   /// @pre Has(p).
@@ -75,6 +85,7 @@ private:
   SimplexId Goal;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> Queue;
   IdMap<SimplexId, std::int32_t> Places{ -1 }; ///< of the points settled
+  double Longest = 0.0;                        ///< edge
   std::vector<SimplexId> Settled;
   std::vector<double> Lengths;
   std::vector<HalfEdgeId> Lasts;

@@ -14,8 +14,9 @@ namespace isthmus
 namespace
 {
 
-constexpr double FirstReach = 3.0;       ///< of the search, in radii of the choke
-constexpr double LastReach = 6.0;        ///< a membrane that needs more is not taken (README.md)
+/// Of the search, in radii of the choke: each costs almost three times the one before, and a
+/// membrane that needs more than the last is not taken (README.md).
+constexpr std::array<double, 3> Reaches = { 3.0, 4.25, 6.0 };
 constexpr double Anchor = 1.5;           ///< of what stays whole on either side, in radii
 constexpr double Grain = 0.15;           ///< side of the cubes that share a node, in radii
 constexpr std::size_t MostCells = 50000; ///< seconds of work, for each feature that asks
@@ -224,7 +225,7 @@ TriangleChain TightestCut(const FeatureContext& context, const ShapeFeature& fea
     return {};
   }
   ChokeFlow around(context, feature, centre);
-  for (double radii = FirstReach; radii <= LastReach; radii *= 2.0)
+  for (const double radii : Reaches)
   {
     const bool isPart = around.Collect(radii * feature.Distance());
     if (around.IsTooLarge())
