@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Everything random, with new seeds, for HOURS on two cores: fuzz targets under address and
-# undefined-behaviour checks; beside them, damaged surfaces and volumes through every filter, and
-# filters again and again.
+# Everything random, with new seeds, for HOURS on two cores. One of them: fuzz targets under address
+# and undefined-behaviour checks, three quarters of the time; the other, and the first for the rest:
+# damaged surfaces and volumes through every filter; at the end, filters again and again.
 # Usage: Testing/soak.sh HOURS [FOLDER]      (FOLDER, default build/soak, keeps seeds and failures)
 #
 # ISTHMUS_SOAK_SEED=N   the seed to begin from (default: the time)
@@ -31,8 +31,7 @@ if [ ${#targets[@]} -eq 0 ]; then
   exit 2
 fi
 
-# One core for the targets, one for damaged data, which at the end goes to the re-executions.
-share=$((seconds / ${#targets[@]}))
+share=$((seconds * 3 / 4 / ${#targets[@]}))
 [ "$share" -gt 0 ] || share=1
 damage_seconds=$((seconds * 5 / 6))
 export ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=1:allocator_may_return_null=1}
@@ -58,14 +57,13 @@ part() {
   echo "$1 ${*:3}, ISTHMUS_SEED=$2: see $folder/log/$1" | tee -a "$folder/log/failures"
 }
 
-# Fifty damaged surfaces and volumes at a time; then, once, filters again and again.
+# damage FIRST END: damaged surfaces and volumes, ten at a time from number FIRST on, until END.
 damage() {
-  local end=$((SECONDS + damage_seconds)) first=0
-  while [ $SECONDS -lt $end ]; do
-    part RandomDamage "$seed" 50 $first
-    first=$((first + 50))
+  local first=$1
+  while [ $SECONDS -lt "$2" ]; do
+    part RandomDamage "$seed" 10 "$first"
+    first=$((first + 10))
   done
-  part Reexecution "$seed" 50
 }
 
 export PV_PLUGIN_PATH=${PV_PLUGIN_PATH:-$build_dir/lib/isthmus/plugins}
@@ -74,10 +72,15 @@ export ISTHMUS_PANELS_DIR=$source_dir/Plugin
 for name in RandomDamage Reexecution failures "${targets[@]##*/}"; do : >"$folder/log/$name"; done
 echo "$seed" >>"$folder/log/seeds"
 echo "seed $seed, $hours h, ${#targets[@]} fuzz targets, $share s each, damage $damage_seconds s"
-damage &
+began=$SECONDS
+{
+  damage 0 $((began + damage_seconds))
+  part Reexecution "$seed" 50
+} &
 for target in "${targets[@]}"; do
   fuzz "$target"
 done
+damage 1000000 $((began + seconds))
 wait
 
 total=0

@@ -219,3 +219,7 @@ def made(name, kind=None, replaced=None, optional=True):
     proxy = getattr(servermanager.filters, name)(**inputs, **COARSE.get(name, {}))
     proxy.UpdateVTKObjects()
     return proxy
+
+
+# The first proxy of a process takes a tenth of a second. Trials run in children: theirs is made here.
+made(filters()[0])
