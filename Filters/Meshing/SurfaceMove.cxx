@@ -1,10 +1,13 @@
 #include "SurfaceMove.h"
 
+#include "Index.h"
 #include "ParallelFor.h"
 #include "ParallelReduce.h"
 #include "TriangleTree.h"
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace isthmus
 {
@@ -19,6 +22,27 @@ struct SortedFace
 
   bool operator<(const SortedFace& o) const { return this->Corners < o.Corners; }
 };
+
+/// Calls visit(SortedFace) for the faces of the tetrahedra of positive region.
+template <typename Visit>
+void ForFacesOfSolids(const TetrahedralMesh& mesh, Visit&& visit)
+{
+  for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
+  {
+    const Tetrahedron& t = mesh.Tetrahedra[i];
+    if (mesh.Regions[i] <= 0)
+    {
+      continue;
+    }
+    for (const Triangle& face : { Triangle{ t[0], t[2], t[1] }, Triangle{ t[0], t[1], t[3] },
+           Triangle{ t[1], t[2], t[3] }, Triangle{ t[0], t[3], t[2] } })
+    {
+      Triangle sorted = face;
+      std::sort(sorted.begin(), sorted.end());
+      visit(SortedFace{ sorted, face });
+    }
+  }
+}
 
 struct Largest
 {
@@ -67,34 +91,31 @@ double LargestDistance(const SurfaceView& from, const TriangleTree& to)
 
 TriangleMesh SkinOf(const TetrahedralMesh& mesh)
 {
-  std::vector<SortedFace> faces;
-  for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
-  {
-    const Tetrahedron& t = mesh.Tetrahedra[i];
-    if (mesh.Regions[i] > 0)
-    {
-      for (const Triangle& face : { Triangle{ t[0], t[2], t[1] }, Triangle{ t[0], t[1], t[3] },
-             Triangle{ t[1], t[2], t[3] }, Triangle{ t[0], t[3], t[2] } })
-      {
-        Triangle sorted = face;
-        std::sort(sorted.begin(), sorted.end());
-        faces.push_back({ sorted, face });
-      }
-    }
-  }
-  std::sort(faces.begin(), faces.end());
+  // Side by side by their first corner: each lot is sorted where it lies.
+  std::vector<std::size_t> first(mesh.Points.size() + 2, 0);
+  ForFacesOfSolids(mesh, [&first](const SortedFace& face) { ++first[At(face.Corners[0]) + 2]; });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<SortedFace> faces(first.back());
+  ForFacesOfSolids(
+    mesh, [&](const SortedFace& face) { faces[first[At(face.Corners[0]) + 1]++] = face; });
   TriangleMesh skin;
   skin.Points = mesh.Points;
-  for (std::size_t i = 0; i < faces.size(); ++i)
+  for (std::size_t p = 0; p < mesh.Points.size(); ++p)
   {
-    const bool sameAsNext = i + 1 < faces.size() && faces[i].Corners == faces[i + 1].Corners;
-    if (sameAsNext)
+    const auto at = [&faces](std::size_t i)
+    { return faces.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::sort(at(first[p]), at(first[p + 1]));
+    for (std::size_t i = first[p]; i < first[p + 1]; ++i)
     {
-      ++i;
-    }
-    else
-    {
-      skin.Triangles.push_back(faces[i].Outward);
+      const bool sameAsNext = i + 1 < first[p + 1] && faces[i].Corners == faces[i + 1].Corners;
+      if (sameAsNext)
+      {
+        ++i;
+      }
+      else
+      {
+        skin.Triangles.push_back(faces[i].Outward);
+      }
     }
   }
   return skin;

@@ -3,6 +3,7 @@
 #include "Bounds3.h"
 #include "Pi.h"
 
+#include <complex>
 #include <numeric>
 
 namespace isthmus
@@ -27,13 +28,60 @@ Point3 MiddleOf(const std::array<Point3, 3>& t)
 
 }
 
-double SolidAngle(const Point3& a, const Point3& b, const Point3& c)
+namespace
+{
+
+/// Along its direction from 0 lies half the solid angle of a triangle.
+std::complex<double> HalfAngle(const Point3& a, const Point3& b, const Point3& c)
 {
   const double la = Length(a);
   const double lb = Length(b);
   const double lc = Length(c);
   const double below = la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb;
-  return 2.0 * std::atan2(Dot(a, Cross(b, c)), below);
+  return { below, Dot(a, Cross(b, c)) };
+}
+
+/// Sum of the angles of complex numbers: that of their product, and the times it went round. For
+/// some tens of them, which the product is then not too small for.
+class AngleSum
+{
+public:
+  void Add(const std::complex<double>& z)
+  {
+    const double size = std::abs(z.real()) + std::abs(z.imag());
+    if (!(size > 0.0))
+    {
+      return; // seen from a corner: no angle
+    }
+    const double x = z.real() / size;
+    const double y = z.imag() / size;
+    const double re = this->Re * x - this->Im * y;
+    const double im = this->Re * y + this->Im * x;
+    const bool isUp = this->Im >= 0.0;
+    if (isUp == (y >= 0.0) && isUp != (im >= 0.0))
+    {
+      this->Rounds += isUp ? 1.0 : -1.0;
+    }
+    this->Re = re;
+    this->Im = im;
+  }
+
+  double Sum() const
+  {
+    return std::atan2(this->Im + 0.0, this->Re) + 2.0 * Pi * this->Rounds; // -0 is up as 0 is
+  }
+
+private:
+  double Re = 1.0;
+  double Im = 0.0;
+  double Rounds = 0.0;
+};
+
+}
+
+double SolidAngle(const Point3& a, const Point3& b, const Point3& c)
+{
+  return 2.0 * std::arg(HalfAngle(a, b, c));
 }
 
 WindingNumber::WindingNumber(const SurfaceView& mesh)
@@ -142,11 +190,13 @@ double WindingNumber::operator()(const Point3& x) const
     }
     else
     {
+      AngleSum half;
       for (std::int64_t i = part.First; i < part.First + part.Count; ++i)
       {
         const auto& t = this->Corners[static_cast<std::size_t>(i)];
-        sum += SolidAngle(t[0] - x, t[1] - x, t[2] - x);
+        half.Add(HalfAngle(t[0] - x, t[1] - x, t[2] - x));
       }
+      sum += 2.0 * half.Sum();
     }
   }
   return sum / FourPi;

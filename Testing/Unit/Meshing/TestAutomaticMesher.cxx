@@ -5,7 +5,6 @@
 #include "SurfaceMove.h"
 #include "SurfaceTopology.h"
 #include "TetrahedralChecks.h"
-#include "WindingNumber.h"
 
 #include <gtest/gtest.h>
 
@@ -15,48 +14,6 @@
 
 using namespace isthmus;
 using namespace isthmus::testing;
-
-TEST(WindingNumber, IsOneInsideZeroOutsideAndInBetweenAtHoles)
-{
-  TriangleMesh sphere = Sphere({ 0, 0, 0 }, 1.0, 40);
-  const WindingNumber closed(sphere);
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> place(-2.0, 2.0);
-  for (int i = 0; i < 500; ++i)
-  {
-    const Point3 x{ place(random), place(random), place(random) };
-    double exact = 0.0;
-    for (const Triangle& t : sphere.Triangles)
-    {
-      const auto at = [&](std::size_t c)
-      { return sphere.Points[static_cast<std::size_t>(t[c])] - x; };
-      exact += SolidAngle(at(0), at(1), at(2));
-    }
-    const double r = std::sqrt(Dot(x, x));
-    EXPECT_NEAR(closed(x), exact / (16.0 * std::atan(1.0)), 0.02);
-    if (std::abs(r - 1.0) > 0.02)
-    {
-      EXPECT_NEAR(closed(x), r < 1.0 ? 1.0 : 0.0, 0.02) << r;
-    }
-  }
-  // A hemisphere is seen from its centre under half of all directions.
-  TriangleMesh half = sphere;
-  half.Triangles.clear();
-  for (const Triangle& t : sphere.Triangles)
-  {
-    double z = 0.0;
-    for (const std::int64_t id : t)
-    {
-      z += sphere.Points[static_cast<std::size_t>(id)][2];
-    }
-    if (z > 0.0)
-    {
-      half.Triangles.push_back(t);
-    }
-  }
-  EXPECT_NEAR(WindingNumber(half)({ 0, 0, 0 }), 0.5, 0.05);
-  EXPECT_EQ(WindingNumber({})({ 0, 0, 0 }), 0.0);
-}
 
 TEST(SurfaceMove, HausdorffDistanceOfConcentricSpheres)
 {
