@@ -5,12 +5,13 @@ empty output. Seed and number make the damage, so any case can be had again by i
 are how many surfaces and volumes each (default 4, for ctest), the first number, and filters.
 
     ISTHMUS_SEED=7 pvpython RandomDamage.py 1000
-    ISTHMUS_SEED=7 pvpython RandomDamage.py 1 312 IsthmusMapChokingLoops
+    ISTHMUS_SEED=7 pvpython RandomDamage.py 1 312 MapChokingLoops
 """
 
 import math
 import os
 import sys
+import time
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -115,23 +116,51 @@ def trial(name, kind, data, sound):
     return f"silently not finite: {sorted(bad)}" if sound and bad and not listener.warnings else "ok"
 
 
+def names_for(kind):
+    return [name for name in ONLY or filters()
+            if kind in kinds(name) or (kind == "vtkPolyData" and "vtkPointSet" in kinds(name))]
+
+
+def first_wrong(names, kind, data, sound):
+    """The first filter that goes wrong, and how; or 'ok'."""
+    for name in names:
+        began = time.process_time()
+        said = trial(name, kind, data, sound)
+        took = time.process_time() - began
+        if said not in ("ok", "refused") or took > robustness_trials.SECONDS:
+            return f"{name}: {said}, {took:.1f} s"
+    return "ok"
+
+
+def complaints(names, kind, data, sound):
+    """What goes wrong, filter by filter. One child tries them all; only where that does not end well,
+    each has a child, a clock and a bound of its own."""
+    word, said, took = robustness_trials.run(lambda: first_wrong(names, kind, data, sound),
+                                             seconds=5 * robustness_trials.SECONDS)
+    if (word, said) == ("done", "ok"):
+        return []
+    wrong = []
+    for name in names:
+        alone, sentence, took = robustness_trials.run(lambda: trial(name, kind, data, sound))
+        if alone != "done" or sentence not in ("ok", "refused"):
+            wrong.append(f"{name}: {alone}, {took:.1f} s: {sentence[-400:]}")
+    if not wrong and word in ("signal", "failed"):
+        wrong.append(f"{' '.join(names)}, only one after the other: {word}: {said[-400:]}")
+    return wrong
+
+
 def main():
     counts, wrong = {"vtkPolyData": 0, "vtkImageData": 0}, []
     runs = 0
     for number in range(FIRST, FIRST + COUNT):
         for kind, damaged in (("vtkPolyData", damaged_surface), ("vtkImageData", damaged_volume)):
             data, sound = damaged(numpy.random.default_rng([SEED, number]))
+            names = names_for(kind)
             counts[kind] += 1
-            for name in ONLY or filters():
-                wanted = kinds(name)
-                if kind not in wanted and not (kind == "vtkPolyData" and "vtkPointSet" in wanted):
-                    continue
-                runs += 1
-                word, said, took = robustness_trials.run(lambda: trial(name, kind, data, sound))
-                if word != "done" or said not in ("ok", "refused"):
-                    wrong.append(f"seed {SEED}, {kind} {number}, {name}: {word}, {took:.1f} s: "
-                                 f"{said[-400:]}")
-                    print(wrong[-1], flush=True)
+            runs += len(names)
+            for complaint in complaints(names, kind, data, sound):
+                wrong.append(f"seed {SEED}, {kind} {number}, {complaint}")
+                print(wrong[-1], flush=True)
     print(f"soak: surfaces {counts['vtkPolyData']} volumes {counts['vtkImageData']} runs {runs}")
     assert not wrong, f"{len(wrong)} of {runs} runs went wrong"
 
