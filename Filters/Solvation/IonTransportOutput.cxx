@@ -11,6 +11,10 @@
 #include <vtkSmartPointer.h>
 #include <vtkTable.h>
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
 namespace isthmus
 {
 namespace
@@ -44,6 +48,19 @@ void AddColumn(const std::string& name, const Rows& rows, Value&& value, vtkTabl
     column->InsertNextValue(value(row));
   }
   table->AddColumn(column);
+}
+
+/// Doubles that the solution holds may be more than floats do.
+void DemandFinite(vtkFloatArray* array)
+{
+  const float* const values = array->GetPointer(0);
+  if (!std::all_of(
+        values, values + array->GetNumberOfValues(), [](float v) { return std::isfinite(v); }))
+  {
+    throw std::runtime_error(std::string(array->GetName()) +
+      " leaves the range of its numbers (3.4e38) at some nodes: such charges hold more ions than "
+      "there can be. Correct the charges of the atoms, which are in units of e.");
+  }
 }
 
 /// The fluxes of all species at a node, and their current in pA a square angstrom.
@@ -117,6 +134,13 @@ void FillTransportImage(
       }
     },
     progress);
+  for (int i = 0; i < image->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    if (auto* const written = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(i)))
+    {
+      DemandFinite(written);
+    }
+  }
 }
 
 void FillTransportNumbers(const TransportPoint& point, const std::vector<TransportSpecies>& species,

@@ -5,9 +5,14 @@
 #include "ChannelPassage.h"
 #include "ChannelTube.h"
 #include "ElectrostaticUnits.h"
+#include "IonTransportOutput.h"
 #include "TransportCurrents.h"
 
 #include <gtest/gtest.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
 
 #include <cmath>
 #include <iostream>
@@ -177,6 +182,35 @@ TEST(UnseenChannels, WhatHasNoAnswerInDoublesIsHeard)
     {
       std::cout << charge << " e: " << error.what() << "\n";
       EXPECT_NE(std::string(error.what()).find("range of numbers"), std::string::npos);
+    }
+  }
+}
+
+TEST(UnseenChannels, MoreIonsThanFloatsCountAreRefused)
+{
+  // What a charge in the water holds round it grows with it: 837 mol/l for each e here.
+  for (const double charge : { 1.0, 1e20, 1e38 })
+  {
+    IonTransportParameters p = TubeParameters(2.5);
+    p.MaximumIterations = 10;
+    Tube tube = MakeTube(p.Membrane, 2.5, 0.0);
+    tube.Charges.assign(1, { { 0.3, 0.2, 0.1 }, charge, 1.0 });
+    const TransportGrid grid = GridOf(tube, p);
+    PoissonNernstPlanck solution(grid, p);
+    solution.Solve();
+    vtkNew<vtkImageData> image;
+    try
+    {
+      FillTransportImage(solution, image);
+      EXPECT_LT(charge, 1e38);
+      EXPECT_TRUE(
+        std::isfinite(image->GetPointData()->GetArray("Concentration_Cl")->GetRange()[1]));
+    }
+    catch (const std::runtime_error& error)
+    {
+      EXPECT_EQ(charge, 1e38);
+      EXPECT_NE(
+        std::string(error.what()).find("Concentration_Cl leaves the range"), std::string::npos);
     }
   }
 }
