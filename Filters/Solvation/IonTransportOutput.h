@@ -18,7 +18,8 @@ namespace isthmus
 void SetImageGeometry(const TransportDomain& domain, vtkImageData* image);
 
 /// Potential (active), Concentration_NAME and Flux_NAME of each species, CurrentDensity,
-/// SignedDistance. Parallel.
+/// SignedDistance. Parallel. @throws std::runtime_error where a number is none for a float:
+/// charges that are none hold more ions than there can be; Cancelled.
 void FillTransportImage(
   const PoissonNernstPlanck& solution, vtkImageData* image, const ProgressCallback& progress = {});
 

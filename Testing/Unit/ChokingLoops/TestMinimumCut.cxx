@@ -92,8 +92,9 @@ TEST(MinimumCut, OfAGridIsItsWaist)
     {
       for (std::int32_t i = 0; i < N; ++i)
       {
-        const auto link = [&](std::int32_t other, std::int64_t capacity)
-        { links.push_back({ { at(i, j, k), other }, capacity }); };
+        const auto link = [&](std::int32_t other, std::int64_t capacity) {
+          links.push_back({ { at(i, j, k), other }, capacity });
+        };
         if (i + 1 < N)
         {
           link(at(i + 1, j, k), 1000);
