@@ -2,8 +2,6 @@
 
 #include "Index.h"
 
-#include <algorithm>
-
 namespace isthmus
 {
 

@@ -8,6 +8,7 @@
 #include "IdMap.h"
 #include "SurfaceAdjacency.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>

@@ -7,6 +7,7 @@
 #include "ShapeFeatures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace isthmus

@@ -45,7 +45,8 @@ set(long_tests "SuperStepsReachTheEnd|TimeOrderIsTwo|FourierModesDecay|Isosurfac
   "|LimitsOfTimeAndMemory|ResultDigests|SquareOfTheSpacing|EdgesOfSampledSolids"
   "|AreTheSame/(elk|skull|cup)|OfAWallOfBlobs"
   "|CutsTheHandlesBelow|OneCutEndsAHandle|FastMarchingComesToTheDistance"
-  "|BytesAreWithinAFactorOfTwo|StagesSharingAPass|DiffusionSteps.ResultsDoNotDependOnThreads")
+  "|BytesAreWithinAFactorOfTwo|StagesSharingAPass|DiffusionSteps.ResultsDoNotDependOnThreads"
+  "|SolvationPolicies")
 string(CONCAT long_tests ${long_tests})
 
 # build_sanitized(FOLDER OPTION...): GCC's builds judge the warnings; clang has others.
