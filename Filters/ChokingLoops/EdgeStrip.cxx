@@ -12,11 +12,10 @@ namespace
 /// The corner left of (a, b), from the three lengths.
 Point2 Corner(const Point2& a, const Point2& b, double toA, double toB)
 {
-  const Point2 d{ b[0] - a[0], b[1] - a[1] };
-  const double c = std::sqrt(d[0] * d[0] + d[1] * d[1]);
+  const double c = std::hypot(b[0] - a[0], b[1] - a[1]);
   const double x = (toA * toA - toB * toB + c * c) / (2.0 * c);
   const double y = std::sqrt(std::max(0.0, toA * toA - x * x));
-  const Point2 u{ d[0] / c, d[1] / c };
+  const Point2 u{ (b[0] - a[0]) / c, (b[1] - a[1]) / c };
   return { a[0] + x * u[0] - y * u[1], a[1] + x * u[1] + y * u[0] };
 }
 
