@@ -9,6 +9,7 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Polygon_mesh_processing/tangential_relaxation.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
@@ -28,9 +29,6 @@ using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 constexpr double MostTriangles = 5e7;
 
-/// Of the largest coordinate: what a few sums of coordinates round away.
-constexpr double Resolution = 0x1p-50;
-
 void DemandManifold(const SurfaceView& mesh)
 {
   SurfaceDefects defects = FindDefects(mesh);
@@ -41,35 +39,25 @@ void DemandManifold(const SurfaceView& mesh)
   }
 }
 
-/// Around a point whose edges are all below what coordinates resolve, all triangles become flat,
-/// and CGAL 5.5's tangential relaxation looks up the edge of a half edge that there is none of.
-void DemandResolved(const SurfaceView& mesh)
+/// Which edges are features, for CGAL to ask.
+struct Features
 {
-  double reach = 0.0;
-  std::vector<double> longest(mesh.Points.size(), -1.0); // edge of each point; < 0: none
-  for (const Triangle& t : mesh.Triangles)
+  using key_type = SurfaceMesh::Edge_index;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::read_write_property_map_tag;
+
+  SurfaceMesh::Property_map<key_type, bool> Map;
+  const SurfaceMesh* Mesh = nullptr;
+
+  /// Where all triangles around a point are flat, CGAL 5.5's tangential relaxation asks for the
+  /// edge of a half edge that there is none of: as a feature it is left alone.
+  friend bool get(const Features& features, key_type e)
   {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      const auto a = static_cast<std::size_t>(t[c]);
-      const auto b = static_cast<std::size_t>(t[(c + 1) % 3]);
-      const double edge = Distance(mesh.Points[a], mesh.Points[b]);
-      longest[a] = std::max(longest[a], edge);
-      longest[b] = std::max(longest[b], edge);
-      reach = std::max({ reach, std::abs(mesh.Points[a][0]), std::abs(mesh.Points[a][1]),
-        std::abs(mesh.Points[a][2]) });
-    }
+    return e.idx() >= features.Mesh->num_edges() || features.Map[e];
   }
-  for (std::size_t i = 0; i < longest.size(); ++i)
-  {
-    if (longest[i] >= 0.0 && longest[i] < Resolution * reach)
-    {
-      throw std::invalid_argument("The edges at point " + std::to_string(i) + " are " +
-        Shown(longest[i]) + " long at most, and coordinates of " + Shown(reach) +
-        " are told no finer than that: remove the points that are far off, or the tiny part.");
-    }
-  }
-}
+  friend void put(const Features& features, key_type e, bool is) { features.Map[e] = is; }
+};
 
 /// Triangles of edges of `length`, or more; a length that is none, or that many, is refused.
 double ExpectedTriangles(const SurfaceView& mesh, double length)
@@ -163,28 +151,50 @@ RemeshedSurface Located(SurfaceMesh& remeshed, const OldSurface& old)
 /// Visits of points, against those expected, after which remeshing has no end.
 constexpr double ManyTimes = 100.0;
 
-/// Puts moved points back onto the old surface; the only place where CGAL lets us speak.
-struct Projection
+/// Puts points that are on no feature and no border back onto the old surface.
+class Projection
 {
-  const SurfaceMesh* Mesh;
-  const OldSurface* Old;
-  const ProgressCallback* Progress;
-  double Expected;
-  std::int64_t* Done;
-
-  cgal::Point operator()(SurfaceMesh::Vertex_index v) const
+public:
+  Projection(const OldSurface& old, double expected, const ProgressCallback& progress)
+    : Old(old)
+    , Expected(expected)
+    , Progress(progress)
   {
-    if (static_cast<double>(++*this->Done) > ManyTimes * this->Expected + 1e5)
+  }
+
+  void Project(const Features& features, SurfaceMesh& mesh)
+  {
+    const auto holds = [&](SurfaceMesh::Halfedge_index h)
+    { return mesh.is_border(mesh.edge(h)) || get(features, mesh.edge(h)); };
+    for (const auto v : mesh.vertices())
+    {
+      this->Count();
+      const auto edges = mesh.halfedges_around_target(mesh.halfedge(v));
+      if (!mesh.is_isolated(v) && std::none_of(edges.begin(), edges.end(), holds))
+      {
+        mesh.point(v) = this->Old.Nearest(mesh.point(v));
+      }
+    }
+  }
+
+private:
+  void Count()
+  {
+    if (static_cast<double>(++this->Done) > ManyTimes * this->Expected + 1e5)
     {
       throw std::runtime_error("Remeshing came to no end: the surface has needles or folds that "
                                "splitting makes no better. Repair it, or ask for a longer edge.");
     }
-    if (*this->Done % 256 == 0)
+    if (this->Done % 256 == 0)
     {
-      Report(*this->Progress, std::min(1.0, static_cast<double>(*this->Done) / this->Expected));
+      Report(this->Progress, std::min(1.0, static_cast<double>(this->Done) / this->Expected));
     }
-    return this->Old->Nearest(this->Mesh->point(v));
   }
+
+  const OldSurface& Old;
+  double Expected;
+  const ProgressCallback& Progress;
+  std::int64_t Done = 0;
 };
 
 /// Stops at a number of edges; also where progress is told, since CGAL asks it for each collapse.
@@ -225,7 +235,6 @@ RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParame
   }
   const double length = parameters.EdgeLength;
   const double expected = ExpectedTriangles(mesh, length);
-  DemandResolved(mesh);
   DemandRange("NumberOfIterations", parameters.Iterations, 0, 1000, "It counts rounds.");
   DemandRange("FeatureAngle", parameters.FeatureAngle, 0.0, 180.0, "It is an angle in degrees.");
   return cgal::WithSentence("remeshing the surface",
@@ -234,18 +243,23 @@ RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParame
       const SurfaceMesh before = cgal::ToSurfaceMesh(mesh);
       const OldSurface old(mesh, before);
       SurfaceMesh after = before;
-      auto isFeature =
-        after.add_property_map<SurfaceMesh::Edge_index, bool>("e:is_feature", false).first;
+      const Features isFeature{
+        after.add_property_map<SurfaceMesh::Edge_index, bool>("e:is_feature", false).first, &after
+      };
       PMP::detect_sharp_edges(after, parameters.FeatureAngle, isFeature);
       const auto rest = Between(progress, 0.05, 0.95);
-      std::int64_t done = 0;
-      const Projection projection{ &after, &old, &rest,
-        0.5 * expected * std::max(1, parameters.Iterations), &done };
-      PMP::isotropic_remeshing(faces(after), length, after,
-        CGAL::parameters::number_of_iterations(
-          static_cast<unsigned>(std::max(0, parameters.Iterations)))
-          .edge_is_constrained_map(isFeature)
-          .projection_functor(projection));
+      Projection projection(old, 0.5 * expected * std::max(1, parameters.Iterations), rest);
+      for (int i = 0; i < parameters.Iterations; ++i)
+      {
+        // Its own relaxation asks for edges that there are none of: Features.
+        PMP::isotropic_remeshing(faces(after), length, after,
+          CGAL::parameters::edge_is_constrained_map(isFeature)
+            .number_of_relaxation_steps(0)
+            .do_project(false));
+        PMP::tangential_relaxation(
+          vertices(after), after, CGAL::parameters::edge_is_constrained_map(isFeature));
+        projection.Project(isFeature, after);
+      }
       return Located(after, old);
     });
 }
