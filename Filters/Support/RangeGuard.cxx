@@ -28,14 +28,6 @@ bool IsFinite(const Point3& p)
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
-void Multiply(std::vector<Point3>& points, double factor)
-{
-  for (Point3& p : points)
-  {
-    p = factor * p;
-  }
-}
-
 }
 
 std::string Shown(double value)
@@ -126,6 +118,13 @@ UnitScale::UnitScale(const View<Point3>& points)
   {
     this->TheFactor = std::ldexp(1.0, -exponent);
   }
+  const double least = largest / LargestReach;
+  const auto isTrace = [least](double x) { return x != 0.0 && std::abs(x) < least; };
+  if (std::any_of(points.begin(), points.end(),
+        [&](const Point3& p) { return std::any_of(p.begin(), p.end(), isTrace); }))
+  {
+    this->Least = this->TheFactor * least;
+  }
 }
 
 UnitScale::UnitScale(const SurfaceView& surface)
@@ -158,17 +157,21 @@ UnitScale::UnitScale(const SurfaceView& surface)
 
 void UnitScale::Apply(std::vector<Point3>& points) const
 {
-  if (!this->IsOne())
+  for (Point3& p : points)
   {
-    Multiply(points, this->TheFactor);
+    for (double& x : p)
+    {
+      x *= this->TheFactor;
+      x = std::abs(x) < this->Least ? 0.0 : x;
+    }
   }
 }
 
 void UnitScale::Undo(std::vector<Point3>& points) const
 {
-  if (!this->IsOne())
+  for (Point3& p : points)
   {
-    Multiply(points, 1.0 / this->TheFactor);
+    p = 1.0 / this->TheFactor * p;
   }
 }
 

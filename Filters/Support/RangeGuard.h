@@ -46,7 +46,9 @@ VTKISTHMUS_EXPORT void DemandFrame(vtkImageData* image);
  * Brings coordinates to about 1 for code that takes fourth powers of lengths, and back.
  *
  * The factor is a power of two, so nothing is rounded; it is 1 where the largest coordinate is
- * between 2^-20 and 2^20, so ordinary data come as they are. O(points).
+ * between 2^-20 and 2^20, so ordinary data come as they are. Only coordinates below the largest by
+ * more than LargestReach become 0: products of lengths in which they alone differ are no doubles,
+ * and CGAL divides by them. O(points).
  */
 class VTKISTHMUS_EXPORT UnitScale
 {
@@ -64,13 +66,15 @@ public:
 
   /// Of a length, to the scale that is worked in.
   double Factor() const { return this->TheFactor; }
-  bool IsOne() const { return this->TheFactor == 1.0; }
+  /// Apply() would change nothing.
+  bool IsOne() const { return this->TheFactor == 1.0 && this->Least == 0.0; }
 
   void Apply(std::vector<Point3>& points) const;
   void Undo(std::vector<Point3>& points) const;
 
 private:
   double TheFactor = 1.0;
+  double Least = 0.0; ///< what is below, scaled, becomes 0
 };
 
 }

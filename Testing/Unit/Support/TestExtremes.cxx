@@ -169,6 +169,22 @@ TEST(RangeGuard, ScalesByPowersOfTwoOnlyWhatNeedsIt)
     std::invalid_argument);
 }
 
+TEST(RangeGuard, TakesTracesBesideTheLargestCoordinateForNothing)
+{
+  std::vector<isthmus::Point3> points{ { 1.0, 6e-17, -1e-51 }, { 0.5, 1e-300, 0.0 } };
+  const isthmus::UnitScale scale(points);
+  EXPECT_FALSE(scale.IsOne());
+  scale.Apply(points);
+  EXPECT_EQ(points, (std::vector<isthmus::Point3>{ { 1.0, 6e-17, 0.0 }, { 0.5, 0.0, 0.0 } }));
+  EXPECT_TRUE(isthmus::UnitScale(points).IsOne());
+  points = { { 1e60, 1.0, 1e11 }, { 0.0, -1e9, 0.0 } };
+  const auto before = points;
+  const isthmus::UnitScale far(points);
+  far.Apply(points);
+  far.Undo(points);
+  EXPECT_EQ(points, (std::vector<isthmus::Point3>{ { before[0][0], 0.0, 1e11 }, { 0, 0, 0 } }));
+}
+
 TEST(RangeGuard, RefusesNaNWithTheRange)
 {
   try
