@@ -139,7 +139,7 @@ private:
       {
         this->Repaired = RepairSurface(this->Surface, Between(this->Progress, 0.2, 0.3));
         this->Changes = this->Repaired->Changes;
-        DemandCleanSurface(this->Repaired->Mesh);
+        DemandCleanSurface(this->Repaired->Mesh, {}, true);
         const TriangleMesh sound = SoundPart(this->Surface);
         const double lost = OneSidedDistance(sound, this->Repaired->Mesh);
         if (!(lost <= 0.02 * BoundsOf(sound).Diagonal()))

@@ -5,6 +5,11 @@
 #include "SurfaceCheck.h"
 #include "SurfaceIntake.h"
 
+// Patches are replaced, not smoothed first: by triangles without area smoothing moves points to
+// NaN, for which GMP raises SIGFPE (CGAL 5.5); and it took 16 times as long for 2 % more clean
+// surfaces.
+#define CGAL_PMP_REMOVE_SELF_INTERSECTIONS_NO_SMOOTHING
+
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -82,6 +87,52 @@ SurfaceMesh AsSurface(Soup soup)
   PMP::polygon_soup_to_polygon_mesh(soup.Points, soup.Triangles, mesh);
   PMP::stitch_borders(mesh);
   return mesh;
+}
+
+/// Passes of the removal: what one leaves crossing, the next may replace together with more around
+/// it. Of 700 damaged surfaces (TestDamagedSurfaces' kinds) 517 were clean after one, 555 after
+/// three.
+constexpr int MostPasses = 3;
+
+/// Asked by CGAL before each patch that it replaces; copied, so it only refers.
+struct RemovalWatch : PMP::experimental::Remove_self_intersection_default_visitor<SurfaceMesh>
+{
+  const SurfaceMesh* Mesh = nullptr;
+  const ProgressCallback* Progress = nullptr;
+  int* Rounds = nullptr;
+
+  /// A patch that does not fit leaves a hole with borders wrongly linked, on which CGAL 5.5 walks
+  /// out of its arrays. Seen in the counts: each edge of a closed mesh has two of its triangles.
+  bool stop() const
+  {
+    Report(*this->Progress, 1.0 - std::pow(0.8, *this->Rounds));
+    if (std::size_t{ 3 } * this->Mesh->number_of_faces() !=
+      std::size_t{ 2 } * this->Mesh->number_of_edges())
+    {
+      throw std::runtime_error("Triangles that cross could not be replaced without tearing the "
+                               "surface: make it anew (Contour, Offset Surface), or remove the "
+                               "part.");
+    }
+    return false;
+  }
+  void end_iteration() { ++*this->Rounds; }
+};
+
+void RemoveSelfIntersections(SurfaceMesh& mesh, const ProgressCallback& progress)
+{
+  int rounds = 0;
+  RemovalWatch watch;
+  watch.Mesh = &mesh;
+  watch.Progress = &progress;
+  watch.Rounds = &rounds;
+  for (int pass = 0; pass < MostPasses; ++pass)
+  {
+    if (PMP::experimental::remove_self_intersections(
+          mesh, CGAL::parameters::preserve_genus(false).visitor(watch)))
+    {
+      return;
+    }
+  }
 }
 
 std::string ChangesBetween(const SurfaceDefects& defects, const SurfaceView& before,
@@ -181,8 +232,7 @@ RepairedSurface RepairSurface(const SurfaceView& mesh, const ProgressCallback& p
       const bool crossings = PMP::does_self_intersect(surface);
       if (crossings)
       {
-        PMP::experimental::remove_self_intersections(
-          surface, CGAL::parameters::preserve_genus(false));
+        RemoveSelfIntersections(surface, Between(progress, 0.5, 0.9));
       }
       Report(progress, 0.9);
       RepairedSurface result;

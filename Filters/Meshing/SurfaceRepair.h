@@ -38,7 +38,8 @@ struct RepairedSurface
  * be), holes filled, self-intersections removed (CGAL's experimental routine).
  *
  * It need not succeed: what comes out must be checked with DemandCleanSurface().
- * @throws std::invalid_argument when nothing closed is left.
+ * @throws std::invalid_argument when nothing closed is left, std::runtime_error where that routine
+ * tears the surface, Cancelled.
  */
 VTKISTHMUS_EXPORT RepairedSurface RepairSurface(
   const SurfaceView& mesh, const ProgressCallback& progress = {});

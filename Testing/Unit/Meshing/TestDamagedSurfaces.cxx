@@ -1,11 +1,15 @@
 // The Automatic engine on surfaces of many kinds with many kinds of damage, among them decimated
-// ones of the shared data: tetrahedra, and a volume or a distance that is as stated.
+// ones of the shared data: tetrahedra, and a volume or a distance that is as stated. Repair,
+// remeshing and CGAL's mesher on coordinates that no one expects.
 
 #include "DamagedSurfaces.h"
 #include "LongTests.h"
 #include "SharedData.h"
+#include "SurfaceCheck.h"
 #include "SurfaceFiles.h"
 #include "SurfaceMove.h"
+#include "SurfaceRemesh.h"
+#include "SurfaceRepair.h"
 #include "TetrahedralChecks.h"
 
 #include <vtkQuadricDecimation.h>
@@ -110,6 +114,122 @@ void Fill(const DamagedSurface& surface, Row& row)
   EXPECT_LE(surface.Volume >= 0.0 ? off : 0.0, 0.01 * truth + swept) << made.Report;
 }
 
+}
+
+namespace
+{
+
+/// Nothing, tiny, huge, infinite or no number.
+const std::vector<double> Odd{ 0.0, 1e-300, 1e-38, 1e-12, 1e12, 1e38, 1e99, 1e150, 1e300,
+  std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() };
+
+/// Below what the other coordinates resolve, or nearly.
+const std::vector<double> Traces{ 0.0, 1e-14, 1e-15, 1e-16, 1e-17, 1e-18, 1e-20, 1e-22, 1e-24,
+  1e-26, 1e-30, 1e-28, 1e-34 };
+
+/// Some coordinates of a sound surface, most of them along one axis, become one of `values`.
+TriangleMesh WithCoordinates(std::uint64_t seed, const std::vector<double>& values)
+{
+  Chance chance(seed);
+  TriangleMesh mesh = SoundSurface(chance);
+  const std::size_t axis = chance.Below(3);
+  const std::size_t count = 1 + chance.Below(5) * (1 + mesh.Points.size() / 200);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    Point3& point = AnyPoint(mesh, chance);
+    const std::size_t at = chance.Below(4) > 0 ? axis : chance.Below(3);
+    point[at] = values[chance.Below(values.size())];
+  }
+  return mesh;
+}
+
+/// `known` seeds, as many as `usual`, and those whose turn it is; ISTHMUS_FUZZ_CASES=6000 asks for
+/// more.
+std::vector<std::uint64_t> SeedsAnd(std::vector<std::uint64_t> known, std::uint64_t usual)
+{
+  const char* const wanted = std::getenv("ISTHMUS_FUZZ_CASES");
+  const std::uint64_t count = wanted ? std::strtoull(wanted, nullptr, 10) : usual;
+  const std::uint64_t first = LongCases("", 20).FirstSeed(count);
+  for (std::uint64_t i = 0; i < count; ++i)
+  {
+    known.push_back(i);
+    if (first != 0)
+    {
+      known.push_back(first + i);
+    }
+  }
+  return known;
+}
+
+/// How many of the seeds `make` made a mesh of; the others ended in a sentence.
+template <typename Make>
+int MadeOf(const std::vector<std::uint64_t>& seeds, Make&& make)
+{
+  int made = 0;
+  for (const std::uint64_t seed : seeds)
+  {
+    SCOPED_TRACE(seed);
+    try
+    {
+      for (const Point3& p : make(seed))
+      {
+        EXPECT_TRUE(std::isfinite(p[0] + p[1] + p[2]));
+      }
+      ++made;
+    }
+    catch (const std::exception& error)
+    {
+      EXPECT_GT(std::string(error.what()).size(), 40u) << error.what();
+    }
+  }
+  std::printf("%d of %zu made\n", made, seeds.size());
+  return made;
+}
+
+}
+
+/// Among them six for which CGAL's smoothing ended in SIGFPE.
+TEST(SurfaceRepair, OddCoordinatesEndInASurfaceOrASentence)
+{
+  const auto seeds = SeedsAnd({ 2014, 2042, 2908, 3099, 3717, 4209 }, 200);
+  const int made = MadeOf(seeds,
+    [](std::uint64_t seed)
+    {
+      const TriangleMesh mesh = RepairSurface(WithCoordinates(seed, Odd)).Mesh;
+      EXPECT_TRUE(FindDefects(mesh).BoundaryTriangles.empty());
+      return mesh.Points;
+    });
+  EXPECT_GE(4 * static_cast<std::size_t>(made), seeds.size()); // the others reach too far
+}
+
+/// Stars of flat triangles, for which CGAL's relaxation looked up edges that there are none of:
+/// every fiftieth ended in SIGSEGV.
+TEST(SurfaceRemesh, TracesEndInASurfaceOrASentence)
+{
+  SurfaceRemeshParameters parameters;
+  parameters.EdgeLength = 0.1;
+  parameters.Iterations = 3;
+  const auto seeds = SeedsAnd({}, 100);
+  const int made = MadeOf(seeds,
+    [&](std::uint64_t seed)
+    { return RemeshSurface(WithCoordinates(seed, Traces), parameters).Mesh.Points; });
+  EXPECT_GE(4 * static_cast<std::size_t>(made), 3 * seeds.size());
+}
+
+/// Coordinates of 1e-300, with which products became no numbers (SIGFPE), are taken for 0.
+TEST(TetrahedralMesher, TracesEndInAMeshOrASentence)
+{
+  TetrahedralParameters parameters = Limited();
+  parameters.Library = TetrahedralLibrary::CGAL;
+  parameters.CGAL.MaximumPoints = 5000;
+  const std::vector<std::uint64_t> seeds{ 304, 364, 572, 1470 };
+  const int made = MadeOf(seeds,
+    [&](std::uint64_t seed)
+    {
+      const TriangleMesh repaired = RepairSurface(WithCoordinates(seed, Odd)).Mesh;
+      return MeshTetrahedra(repaired, parameters).Points;
+    });
+  EXPECT_GE(made, 2); // two take more points than allowed
 }
 
 /// Acceptance 3. A few cases of each kind, others at each turn; ISTHMUS_FUZZ_CASES=1000 for as

@@ -11,6 +11,7 @@
 #include "SurfaceRepair.h"
 #include "TetrahedralMesher.h"
 
+#include <vtkCleanPolyData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -19,8 +20,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <functional>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <random>
@@ -169,6 +172,72 @@ TEST(MeshingFuzz, RepairThenTetGen)
   parameters.TetGen.Limits = { 5.0, std::uint64_t{ 2 } << 30 };
   Fuzz("Repair, TetGen", 0.8,
     [&](const TriangleMesh& mesh) { return Fills(RepairSurface(mesh).Mesh, parameters); });
+}
+
+namespace
+{
+
+/// A sphere with five points elsewhere (surface 284 of RandomDamage.py, seed 20261125): CGAL's
+/// removal of self-intersections leaves it torn, and went out of its arrays in the next round.
+TriangleMesh SphereThatTears()
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(5.0);
+  source->SetThetaResolution(10);
+  source->SetPhiResolution(8);
+  vtkNew<vtkCleanPolyData> clean; // numbers the points by use
+  clean->SetInputConnection(source->GetOutputPort());
+  clean->Update();
+  TriangleMesh mesh = MeshOf(clean->GetOutput());
+  constexpr double None = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& [point, z] : { std::pair<std::size_t, double>{ 12, 1e38 }, { 29, 1e-300 },
+         { 39, None }, { 55, None }, { 58, 1e12 } })
+  {
+    mesh.Points[point][2] = z;
+  }
+  return mesh;
+}
+
+}
+
+TEST(MeshingFuzz, SurfacesThatTearUnderRepairEndInASentence)
+{
+  try
+  {
+    RepairSurface(SphereThatTears());
+    FAIL() << "nothing was said";
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("without tearing the surface"), std::string::npos)
+      << error.what();
+  }
+}
+
+TEST(MeshingFuzz, RepairOfCrossingsRisesAndIsStoppedAnywhere)
+{
+  TriangleMesh mesh = SmallSphere(12);
+  for (const std::size_t p : { 5, 40, 70, 100 })
+  {
+    mesh.Points[p] = -1.5 * mesh.Points[p]; // through the other side
+  }
+  std::vector<double> told;
+  RepairSurface(mesh,
+    [&told](double fraction)
+    {
+      told.push_back(fraction);
+      return true;
+    });
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  const auto within =
+    std::count_if(told.begin(), told.end(), [](double f) { return f > 0.5 && f < 0.9; });
+  EXPECT_GE(within, 3);
+  for (std::size_t last = 0; last < told.size(); ++last)
+  {
+    std::size_t calls = 0;
+    EXPECT_THROW(RepairSurface(mesh, [&](double) { return calls++ < last; }), Cancelled) << last;
+    EXPECT_EQ(calls, last + 1);
+  }
 }
 
 TEST(MeshingFuzz, Remesh)
