@@ -25,7 +25,7 @@ COUNT = int(sys.argv[1]) if len(sys.argv) > 1 else 4
 FIRST = int(sys.argv[2]) if len(sys.argv) > 2 else 0
 ONLY = sys.argv[3:]
 SEED = int(os.environ.get("ISTHMUS_SEED", "1"))
-ODD = [0.0, -0.0, 1e-300, 1e-38, 1e-12, 1e12, 1e38, 1e99, 1e150, 1e300, math.inf, math.nan]
+ODD = [0.0, -0.0, 1e-300, 1e-38, 1e-20, 1e-16, 1e-12, 1e12, 1e38, 1e99, 1e150, 1e300, math.inf, math.nan]
 # Documented to have NaN where there is nothing to tell.
 MAY_BE_NAN = {"Death", "Persistence", "Potential"}
 # Documented to be infinite for a cell without area or volume; never NaN.

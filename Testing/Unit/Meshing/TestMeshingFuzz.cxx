@@ -178,7 +178,7 @@ namespace
 {
 
 /// A sphere with five points elsewhere (surface 284 of RandomDamage.py, seed 20261125): CGAL's
-/// removal of self-intersections leaves it torn, and went out of its arrays in the next round.
+/// removal of self-intersections left it torn, and went out of its arrays in the next round.
 TriangleMesh SphereThatTears()
 {
   vtkNew<vtkSphereSource> source;
@@ -200,6 +200,7 @@ TriangleMesh SphereThatTears()
 
 }
 
+/// Ours, or CGAL's where its own checks are compiled in (sanitized builds).
 TEST(MeshingFuzz, SurfacesThatTearUnderRepairEndInASentence)
 {
   try
@@ -209,8 +210,10 @@ TEST(MeshingFuzz, SurfacesThatTearUnderRepairEndInASentence)
   }
   catch (const std::runtime_error& error)
   {
-    EXPECT_NE(std::string(error.what()).find("without tearing the surface"), std::string::npos)
-      << error.what();
+    const std::string said = error.what();
+    EXPECT_TRUE(said.find("without tearing the surface") != std::string::npos ||
+      said.find("CGAL failed while repairing the surface (is_valid") == 0)
+      << said;
   }
 }
 
