@@ -1,17 +1,12 @@
 #include "GemmiAssembly.h"
 
 #include <gemmi/assembly.hpp>
-#include <gemmi/remarks.hpp>
 
 namespace isthmus
 {
 
 void TakeAssembly(gemmi::Structure& structure, const std::string& name, const std::string& path)
 {
-  if (structure.assemblies.empty() && !structure.raw_remarks.empty())
-  {
-    gemmi::read_metadata_from_remarks(structure);
-  }
   std::string known;
   for (const gemmi::Assembly& assembly : structure.assemblies)
   {

@@ -100,6 +100,11 @@ char* PDBStream::gets(char* to, int size)
     // gemmi 0.5.7 keeps these lines and reads past the end of short ones.
     this->Line.resize(std::max(this->Line.size(), width), ' ');
   }
+  else if (IsRecord(this->Line, "DBRE"))
+  {
+    // Of no use here, and gemmi adds up ten digits, beyond what an int holds.
+    this->Line.clear();
+  }
   this->Line += '\n';
   std::memcpy(to, this->Line.c_str(), this->Line.size() + 1);
   return to;

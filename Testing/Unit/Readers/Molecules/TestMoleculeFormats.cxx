@@ -114,6 +114,21 @@ TEST(MacromoleculeReader, PDBValuesAndWhatIsUnknown)
   EXPECT_EQ(molecule.Bonds[2].First, 3);
 }
 
+// Found by FuzzMacromoleculeReader: gemmi adds up all ten digits of a DBREF2 record, beyond what an
+// int holds (undefined, which the sanitizers tell).
+TEST(MacromoleculeReader, ReferencesToDataBasesAreNotAskedForNumbers)
+{
+  const std::string references =
+    "DBREF1 1ABC A    1     2  UNP                  A0A000_HUMAN\n"
+    "DBREF2 1ABC A     A0A000                     9999999999  8888888888\n"
+    "dbref  1ABC A    1     2  UNP    P12345   X_HUMAN      99999  99999\n";
+  const Macromolecule with = Parsed(references + SmallPDB, MoleculeFormat::PDB);
+  const Macromolecule without = Parsed(SmallPDB, MoleculeFormat::PDB);
+  EXPECT_EQ(NamesOf(with), NamesOf(without));
+  EXPECT_EQ(with.Bonds.size(), without.Bonds.size());
+  EXPECT_EQ(with.Warnings, without.Warnings);
+}
+
 TEST(MacromoleculeReader, OldColumnsAreLeftOutWithAWarning)
 {
   const std::string old =
