@@ -60,6 +60,12 @@ def _require_surface(source):
                          "browser; Map to surface makes one of a density map.")
 
 
+def _require_one(source, what):
+    """Groups go through most filters block by block, but not as the second input that some ask for."""
+    if look.data_of(source).GetCompositeDataSetType() != -1:
+        raise ValueError(f"This works on one {what}, and a group is selected: take it out by Extract Block.")
+
+
 def _has_atoms(source):
     look.data_of(source)
     return source.PointData["Radius"] is not None
@@ -103,13 +109,15 @@ def _require_triangles(surface):
 
 
 # ---------------------------------------------------------------------------- the pipelines
+# Filters are given their input first, without its name: with the name they choose arrays by what the
+# active source has. (Curvature On Surface would take it for its volume, and is told its array.)
 
 def map_to_surface(source, level=None):
     """(surface,): the map's closed surface; at the recommended or a sensible level where none is
     given, which then stands in the panel, ready to be moved."""
     _require_volume(source)
     surface = simple.MapSurface(
-        registrationName="Surface", Input=source,
+        source, registrationName="Surface",
         Scalars=["POINTS", _point_array(source)], MinimumComponentShare=DUST)
     if level is not None:
         surface.AutomaticLevel, surface.Level = 0, level
@@ -124,6 +132,8 @@ def map_to_surface(source, level=None):
 def map_to_curvature(source, level=None):
     """(surface, curvature): the map's surface coloured by the curvature of the map there, smoothed
     over one and a half nodes."""
+    _require_volume(source)
+    _require_one(source, "map")
     (surface,) = map_to_surface(source, level)
     curvature = simple.CurvatureOnSurface(
         registrationName="Curvature", Input=surface, Volume=source,
@@ -146,7 +156,7 @@ def map_to_loops(source, level=None):
 def surface_to_loops(source):
     """(loops,): the choking loops of a closed surface."""
     _require_surface(source)
-    loops = simple.ChokingLoops(registrationName="Choking loops", Input=source)
+    loops = simple.ChokingLoops(source, registrationName="Choking loops")
     loops.UpdatePipeline()
     if loops.FieldData["NumberOfSamples"] is None:
         raise ValueError("The surface has no choking loops that could be found: the messages say why. "
@@ -170,20 +180,21 @@ def protein_to_sites(source, potential=None):
     or, where that folder can't be written, in the current one.
     """
     _require_atoms(source)
+    _require_one(source, "molecule")
     if potential is None:
         source = charges.charged(source)
     density, surface = _molecule(source)
     if potential is None:
         potential = simple.PoissonBoltzmannOnSurface(
-            registrationName="Potential", Input=source, Surface=density, IsoValue=1.0,
+            source, registrationName="Potential", Surface=density, IsoValue=1.0,
             SolventDielectric=78.54, IonicStrength=0.15)
     curvature = simple.CurvatureOnSurface(
         registrationName="Curvature", Input=surface, Volume=density,
         Scalars=["POINTS", "Density"])
     polarized = simple.PolarizedCurvature(
-        registrationName="Polarized curvature", Input=curvature, PotentialImage=potential)
+        curvature, registrationName="Polarized curvature", PotentialImage=potential)
     sites = simple.BindingSitesInPockets(
-        registrationName="Binding sites", Input=polarized, Atoms=source,
+        polarized, registrationName="Binding sites", Atoms=source,
         RankedArray=["POINTS", "PolarizedCurvature"])
     if not _has_pockets(source):  # asked before, since the filter would warn as well
         sites.UsePockets = 0
@@ -194,7 +205,7 @@ def protein_to_sites(source, potential=None):
 
 
 def _has_pockets(atoms):
-    pockets = simple.MolecularPockets(Input=atoms)
+    pockets = simple.MolecularPockets(atoms)
     pockets.UpdatePipeline()
     count = simple.OutputPort(pockets, 1).GetDataInformation().GetNumberOfRows()
     simple.Delete(pockets)
@@ -218,9 +229,9 @@ def _molecule(source):
     """Density and surface of the atoms."""
     _require_atoms(source)
     density = simple.MolecularDensity(
-        registrationName="Molecular density", Input=source, Decay=DECAY, Spacing=SPACING)
+        source, registrationName="Molecular density", Decay=DECAY, Spacing=SPACING)
     surface = simple.MapSurface(
-        registrationName="Molecular surface", Input=density,
+        density, registrationName="Molecular surface",
         Scalars=["POINTS", "Density"], AutomaticLevel=0, Level=1.0,
         MinimumComponentShare=0.05)
     surface.UpdatePipeline()
@@ -336,11 +347,11 @@ def use_proposed_threshold(number):
 def run(function):
     """A button of the toolbar: the pipeline on the active source, or on what that was made from; shown
     in the active view, with all else hidden."""
-    source = simple.GetActiveSource()
-    if source is None:
+    selected = simple.GetActiveSource()
+    if selected is None:
         _tell("Select a source in the pipeline browser first: open a map, a molecule or a surface.")
         return
-    source = _upstream(source, _fits(function))
+    source = _upstream(selected, _fits(function))
     before = set(simple.GetSources().values())
     try:
         proxies = globals()[function](source)
@@ -349,6 +360,7 @@ def run(function):
     except ValueError as error:
         for proxy in set(simple.GetSources().values()) - before:
             simple.Delete(proxy)
+        simple.SetActiveSource(selected)  # what was deleted may have been it
         _tell(str(error))
         return
     view = simple.GetActiveViewOrCreate("RenderView")

@@ -34,7 +34,7 @@ ELEMENTS = (("6", "C", (0.72, 0.72, 0.66)), ("7", "N", (0.0, 0.447, 0.698)),
 
 def protein_to_pockets(source):
     """(residues, pockets): the pockets of a molecule, and the residues of the best one."""
-    pockets = simple.MolecularPockets(registrationName="Pockets", Input=source)
+    pockets = simple.MolecularPockets(source, registrationName="Pockets")
     return _with_residues(pockets, "The molecule has no pockets of this size: lower Inner Radius, or raise "
                                    "Outer Radius, of Molecular Pockets.")
 
@@ -42,7 +42,7 @@ def protein_to_pockets(source):
 def protein_to_pores(source):
     """(chart, residues, pores): the channels that run through a molecule, the profile of the longest
     one, and the residues that line it."""
-    pores = simple.PoreProfile(registrationName="Pores", Input=source)
+    pores = simple.PoreProfile(source, registrationName="Pores")
     residues, pores = _with_residues(
         pores, "No channel runs through the molecule. Pore Profile follows the way between two points, or "
                "along a direction: choose its Mode.")
@@ -75,7 +75,7 @@ def residues_of(features):
     found = _fed_by(features, kind["atoms"], "Threshold")
     if found is None:
         found = simple.Threshold(
-            registrationName="Residues", Input=simple.OutputPort(features, kind["atoms"]),
+            simple.OutputPort(features, kind["atoms"]), registrationName="Residues",
             Scalars=["POINTS", kind["id"]], ThresholdMethod="Between", LowerThreshold=1, UpperThreshold=1)
         found.UpdatePipeline()
     return found
@@ -87,7 +87,7 @@ def chart_of(pores):
     found = _fed_by(pores, port, "ThresholdTable")
     if found is None:
         found = simple.ThresholdTable(
-            registrationName="Profile", Input=simple.OutputPort(pores, port), Column=["ROWS", "PoreId"],
+            simple.OutputPort(pores, port), registrationName="Profile", Column=["ROWS", "PoreId"],
             MinValue=1, MaxValue=1, Mode="Between")
         found.UpdatePipeline()
     return found

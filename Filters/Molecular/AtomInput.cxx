@@ -58,6 +58,9 @@ void TakeNumbers(vtkPointSet* input, const char* name, std::size_t count, Take t
   }
 }
 
+/// The reader's array of radii, which filters look for by themselves.
+constexpr const char* DefaultRadii = "Radius";
+
 /// The array of that name; null where it is not there and need not.
 vtkDataArray* RadiiOf(const std::string& name, vtkPointSet* input, bool canDoWithout)
 {
@@ -138,6 +141,11 @@ ChosenAtoms ChooseAtoms(const std::string& radiusArray, vtkPointSet* input,
   chosen.IsSurface = withoutRadii == WithoutRadii::SurfacePoints && !chosen.HasElements && mesh &&
     mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
   vtkDataArray* radii = RadiiOf(radiusArray, input, chosen.HasElements || chosen.IsSurface);
+  if (!radii && chosen.HasElements && !radiusArray.empty() && radiusArray != DefaultRadii)
+  {
+    chosen.Warnings.push_back("There is no point array " + radiusArray +
+      " of radii: van der Waals radii (Bondi) were taken. Choose another array.");
+  }
   PolymerChoice choice = ChoosePolymer(chosen.Named, options);
   chosen.Notes = std::move(choice.Notes);
   std::size_t without = 0;

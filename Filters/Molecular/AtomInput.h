@@ -44,8 +44,8 @@ enum class WithoutRadii
 /**
  * Reads the arrays Element, AtomName, ResidueName, ResidueId, Chain, InsertionCode, AltLoc,
  * Occupancy and IsHetero as far as they are there, keeps what `options` says, and takes the radii
- * from the point array `radii`. Where that array is missing, elements
- * have Bondi's radii. Atoms whose radius is NaN are left out with a warning.
+ * from the point array `radii`. Where that array is missing, elements have Bondi's radii, with a
+ * warning if it is another one than Radius. Atoms whose radius is NaN are left out with a warning.
  *
  * Throws std::invalid_argument for radii that are not there, negative or infinite, and places that
  * are not finite.
