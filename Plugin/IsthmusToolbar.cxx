@@ -7,6 +7,7 @@
 #include <pqPipelineSource.h>
 #include <pqPropertiesPanel.h>
 #include <pqServerManagerModel.h>
+#include <pqUndoStack.h>
 
 #include <QApplication>
 #include <QIcon>
@@ -36,13 +37,14 @@ void ApplyWhatWaits()
 }
 
 /// Runs a pipeline on what the panel shows; what it made is up to date, so that Apply has nothing
-/// to do.
+/// to do. Steps before it can no longer be undone, since it stands on them.
 void Run(const QString& call)
 {
   ApplyWhatWaits();
   const QList<pqPipelineSource*> before = Sources();
   QApplication::setOverrideCursor(Qt::WaitCursor);
   isthmus::RunPipelines(call);
+  CLEAR_UNDO_STACK();
   QApplication::restoreOverrideCursor();
   for (pqPipelineSource* source : Sources())
   {

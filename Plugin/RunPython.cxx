@@ -1,5 +1,7 @@
 #include "RunPython.h"
 
+#include <pqUndoStack.h>
+
 #include <vtkPythonInterpreter.h>
 
 namespace isthmus
@@ -15,6 +17,9 @@ void RunPipelines(const QString& call)
   // read.
   const QString statement =
     "import paraview.simple\nimport isthmus_pipelines\nisthmus_pipelines." + call + '\n';
+  // Undone piece by piece, what a script has built comes apart, and a table's view that is taken
+  // back ends ParaView 5.11.
+  SCOPED_UNDO_EXCLUDE();
   vtkPythonInterpreter::RunSimpleString(statement.toUtf8().constData());
 }
 

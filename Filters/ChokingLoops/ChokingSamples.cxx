@@ -96,6 +96,15 @@ TriangleMesh FirstSamples(
       Shown(edges / spacing) + " points along the edges alone, and the most is " +
       Shown(static_cast<double>(MostSamples)) + ": raise it.");
   }
+  // Triangles with edges of that length, equilateral ones at the most, and half as many points.
+  const double fewest =
+    spacing > 0.0 ? SurfaceArea(surface) / (0.5 * std::sqrt(3.0) * spacing * spacing) : 0.0;
+  if (fewest > static_cast<double>(MostSamples))
+  {
+    throw std::invalid_argument("A SampleSpacing of " + Shown(spacing) + " takes " + Shown(fewest) +
+      " points at least, and the most is " + Shown(static_cast<double>(MostSamples)) +
+      ": raise it.");
+  }
   if (spacing > 0.0)
   {
     TriangleMesh samples = split(MostSamples, progress);

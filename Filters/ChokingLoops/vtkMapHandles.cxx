@@ -9,6 +9,7 @@
 #include "MapHandles.h"
 #include "NamedColumns.h"
 #include "PolyDataMesh.h"
+#include "RangeGuard.h"
 #include "vtkChokingLoops.h"
 
 #include <vtkCallbackCommand.h>
@@ -116,12 +117,12 @@ void vtkMapHandles::CheckParameters() const
   isthmus::DemandLevels(this->NumberOfLevels, this->UseRange ? this->Range : nullptr);
   if (!this->UseStableLevel && !std::isfinite(this->Level))
   {
-    throw std::invalid_argument("Level is " + std::to_string(this->Level) +
+    throw std::invalid_argument("Level is " + isthmus::Shown(this->Level) +
       ": give a value of the map, or switch UseStableLevel on.");
   }
   if (this->UseRecommendedLevel && !std::isfinite(this->RecommendedLevel))
   {
-    throw std::invalid_argument("RecommendedLevel is " + std::to_string(this->RecommendedLevel) +
+    throw std::invalid_argument("RecommendedLevel is " + isthmus::Shown(this->RecommendedLevel) +
       ": give a value of the map, or switch UseRecommendedLevel off.");
   }
 }

@@ -3,6 +3,7 @@
 #include "CurvatureDescriptors.h"
 #include "EdgeBends.h"
 #include "ParallelReduce.h"
+#include "RangeGuard.h"
 #include "StarCurvature.h"
 #include "SurfacePatch.h"
 
@@ -268,7 +269,7 @@ SurfaceCurvatureResult CurvatureOfSurface(
 {
   if (!(options.Radius >= 0.0) || std::isinf(options.Radius))
   {
-    throw std::invalid_argument("Radius is " + std::to_string(options.Radius) +
+    throw std::invalid_argument("Radius is " + Shown(options.Radius) +
       ", but it is a length: give a positive one, or 0 for three mean edge lengths.");
   }
   return Estimator(mesh, options).Run(progress);

@@ -1,6 +1,7 @@
 #include "IonAtmosphere.h"
 
 #include "ElectrostaticUnits.h"
+#include "RangeGuard.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,8 +33,7 @@ void RequireSpecies(const IonSpecies& s)
     !std::isfinite(s.Radius))
   {
     throw std::invalid_argument("An ion has the valence " + std::to_string(s.Valence) +
-      ", the concentration " + std::to_string(s.Concentration) + " mol/l and the radius " +
-      std::to_string(s.Radius) +
+      ", the concentration " + Shown(s.Concentration) + " mol/l and the radius " + Shown(s.Radius) +
       ", but concentrations are 0 or more and all three are finite numbers.");
   }
 }

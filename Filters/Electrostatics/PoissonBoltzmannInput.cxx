@@ -2,6 +2,7 @@
 
 #include "GridImages.h"
 #include "ImageScalars.h"
+#include "RangeGuard.h"
 #include "SoluteVolume.h"
 #include "TrilinearField.h"
 
@@ -150,7 +151,7 @@ AtomInput AtomsOf(vtkAlgorithm* filter, vtkPointSet* points, bool radiiNeeded)
     if (atom.Radius < 0.0)
     {
       throw std::invalid_argument("The radius of atom " + std::to_string(i) + " is " +
-        std::to_string(atom.Radius) + ", but a radius is 0 or more.");
+        Shown(atom.Radius) + ", but a radius is 0 or more.");
     }
     input.NetCharge += atom.Charge;
     absolute += std::abs(atom.Charge);

@@ -7,6 +7,7 @@
 #include "PoissonBoltzmann.h"
 #include "PoissonBoltzmannInput.h"
 #include "PoissonBoltzmannOutput.h"
+#include "RangeGuard.h"
 #include "SoluteVolume.h"
 #include "SolverMemory.h"
 
@@ -185,7 +186,7 @@ isthmus::PoissonBoltzmannParameters vtkPoissonBoltzmann::Parameters() const
   p.Ions = this->Ions->Species;
   if (!(this->IonicStrength >= 0.0) || std::isinf(this->IonicStrength))
   {
-    throw std::invalid_argument("IonicStrength is " + std::to_string(this->IonicStrength) +
+    throw std::invalid_argument("IonicStrength is " + isthmus::Shown(this->IonicStrength) +
       " mol/l, but it is 0 or more: 0.15 is physiological.");
   }
   if (p.Ions.empty() && this->IonicStrength > 0.0)
@@ -194,7 +195,7 @@ isthmus::PoissonBoltzmannParameters vtkPoissonBoltzmann::Parameters() const
   }
   if (!std::isfinite(this->IsoValue))
   {
-    throw std::invalid_argument("IsoValue is " + std::to_string(this->IsoValue) +
+    throw std::invalid_argument("IsoValue is " + isthmus::Shown(this->IsoValue) +
       ", but it is a level of the surface's scalars: give a finite number.");
   }
   isthmus::CheckParameters(p);

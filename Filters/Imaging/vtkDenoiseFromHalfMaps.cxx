@@ -34,6 +34,12 @@ vtkDataArray* ScalarsOf(vtkImageData* half, const char* which)
     throw std::invalid_argument(
       std::string("The ") + which + " half map has no scalars of one number at each node.");
   }
+  if (scalars->GetNumberOfTuples() != half->GetNumberOfPoints())
+  {
+    throw std::invalid_argument(std::string("The ") + which + " half map has " +
+      std::to_string(scalars->GetNumberOfTuples()) + " values for its " +
+      std::to_string(half->GetNumberOfPoints()) + " nodes: it is damaged.");
+  }
   return scalars;
 }
 

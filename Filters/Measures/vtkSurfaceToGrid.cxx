@@ -77,7 +77,7 @@ void vtkSurfaceToGrid::GridAround(vtkPolyData* surface, vtkImageData* grid)
 {
   if (!(this->Spacing >= 0.0) || std::isinf(this->Spacing))
   {
-    throw std::invalid_argument("Spacing is " + std::to_string(this->Spacing) +
+    throw std::invalid_argument("Spacing is " + isthmus::Shown(this->Spacing) +
       ", but it is a length: give a positive one, or 0 for 1/64 of the surface's longest side.");
   }
   double box[6];

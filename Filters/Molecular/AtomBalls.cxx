@@ -173,7 +173,8 @@ std::vector<int> AtomElements(vtkDataObject* atoms)
   }
   if (array && array->GetNumberOfComponents() == 1)
   {
-    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    const vtkIdType count = AtomPoints(atoms)->GetNumberOfPoints(); // the array may be longer
+    for (vtkIdType i = 0; i < count; ++i)
     {
       const double element = array->GetComponent(i, 0);
       const bool known = element >= 0.0 && element < NumberOfElements;

@@ -4,6 +4,7 @@
 #include "FlowBand.h"
 #include "FlowSteps.h"
 #include "ParallelFor.h"
+#include "RangeGuard.h"
 #include "SolventExcludedDistance.h"
 
 #include <algorithm>
@@ -112,7 +113,7 @@ void CheckAnythingInside(
       })->Radius;
     throw std::runtime_error("No node of the grid lies inside of an atom, so the surface vanishes: "
                              "the Spacing is " +
-      std::to_string(parameters.Spacing) + ", the largest radius " + std::to_string(largest) +
+      Shown(parameters.Spacing) + ", the largest radius " + Shown(largest) +
       ". Choose a Spacing below that.");
   }
 }

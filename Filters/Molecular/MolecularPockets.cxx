@@ -7,6 +7,7 @@
 #include "PocketLabels.h"
 #include "PocketMouths.h"
 #include "PointBins.h"
+#include "RangeGuard.h"
 
 #include <cmath>
 #include <map>
@@ -23,7 +24,7 @@ void CheckLength(const char* name, double value)
 {
   if (!(value > 0.0 && value <= 1000.0))
   {
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+    throw std::invalid_argument(std::string(name) + " is " + Shown(value) +
       ", but it is a length: give a positive number of angstrom, at most 1000.");
   }
 }
@@ -35,18 +36,18 @@ void CheckOptions(const PocketOptions& options)
   CheckLength("BurialRadius", options.BurialRadius);
   if (!(options.ProbeRadius >= 0.0 && options.ProbeRadius <= options.InnerRadius))
   {
-    throw std::invalid_argument("ProbeRadius is " + std::to_string(options.ProbeRadius) +
-      ", but it must lie between 0 and InnerRadius, " + std::to_string(options.InnerRadius) + ".");
+    throw std::invalid_argument("ProbeRadius is " + Shown(options.ProbeRadius) +
+      ", but it must lie between 0 and InnerRadius, " + Shown(options.InnerRadius) + ".");
   }
   if (!(options.OuterRadius > options.InnerRadius))
   {
-    throw std::invalid_argument("OuterRadius is " + std::to_string(options.OuterRadius) +
-      ", but it must be larger than InnerRadius, " + std::to_string(options.InnerRadius) +
+    throw std::invalid_argument("OuterRadius is " + Shown(options.OuterRadius) +
+      ", but it must be larger than InnerRadius, " + Shown(options.InnerRadius) +
       ": a pocket is where the inner ball has room and the outer one does not come.");
   }
   if (!(options.MinimumVolume >= 0.0) || std::isinf(options.MinimumVolume))
   {
-    throw std::invalid_argument("MinimumVolume is " + std::to_string(options.MinimumVolume) +
+    throw std::invalid_argument("MinimumVolume is " + Shown(options.MinimumVolume) +
       ", but it must be a finite number and not negative.");
   }
 }
@@ -75,7 +76,7 @@ RegularFiltration Enlarged(const std::vector<Ball>& atoms, const std::vector<std
     if (atoms[i].Radius < 0.0)
     {
       throw std::invalid_argument("Atom " + std::to_string(i) + " has the radius " +
-        std::to_string(atoms[i].Radius) + ", but a radius is not negative.");
+        Shown(atoms[i].Radius) + ", but a radius is not negative.");
     }
     centres.push_back(atoms[i].Centre);
     radii.push_back(atoms[i].Radius + probe);

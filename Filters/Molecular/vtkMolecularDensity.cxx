@@ -4,6 +4,7 @@
 #include "ImageExtent.h"
 #include "MolecularDensity.h"
 #include "PipelineInputs.h"
+#include "RangeGuard.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -70,7 +71,7 @@ Atoms AtomsOf(vtkPointSet* input, vtkDataArray* radii, double scale)
   }
   if (!(scale > 0.0) || std::isinf(scale))
   {
-    throw std::invalid_argument("RadiusScale is " + std::to_string(scale) +
+    throw std::invalid_argument("RadiusScale is " + isthmus::Shown(scale) +
       ", but it is a factor of lengths: give a positive number.");
   }
   Atoms atoms;
@@ -102,7 +103,7 @@ vtkFloatArray* AddDensity(vtkImageData* image, const DensityGrid& grid)
 {
   const double nodes = static_cast<double>(grid.Dimensions[0]) *
     static_cast<double>(grid.Dimensions[1]) * static_cast<double>(grid.Dimensions[2]);
-  const std::string tooLarge = "A Spacing of " + std::to_string(grid.Spacing) +
+  const std::string tooLarge = "A Spacing of " + isthmus::Shown(grid.Spacing) +
     " makes a grid of " + std::to_string(grid.Dimensions[0]) + " x " +
     std::to_string(grid.Dimensions[1]) + " x " + std::to_string(grid.Dimensions[2]) +
     " nodes, which takes " + std::to_string(std::llround(nodes * sizeof(float) / 1e9)) +

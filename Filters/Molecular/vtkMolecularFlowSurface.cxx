@@ -8,6 +8,7 @@
 #include "FlowTimes.h"
 #include "ImageExtent.h"
 #include "PipelineInputs.h"
+#include "RangeGuard.h"
 #include "SolventExcludedSurface.h"
 #include "SurfaceFlow.h"
 #include "ThesisFlow.h"
@@ -45,7 +46,7 @@ void CheckRange(const char* name, double value, double low, double high, const c
   if (!(value > low && value < high))
   {
     throw std::invalid_argument(
-      std::string(name) + " is " + std::to_string(value) + ", but it is " + what);
+      std::string(name) + " is " + isthmus::Shown(value) + ", but it is " + what);
   }
 }
 
@@ -172,7 +173,7 @@ void vtkMolecularFlowSurface::Internals::Surface(
   if (surface->GetNumberOfPoints() == 0)
   {
     throw std::runtime_error("The surface vanishes at an IsoValue of " +
-      std::to_string(this->Self->IsoValue) +
+      isthmus::Shown(this->Self->IsoValue) +
       ": nothing lies that deep inside. Choose a lower one, or a smaller Spacing.");
   }
   if (!this->Self->DelaunayQuality)

@@ -2,6 +2,7 @@
 
 #include "Index.h"
 #include "ParallelFor.h"
+#include "RangeGuard.h"
 #include "TriangulationCells.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -69,7 +70,7 @@ void CheckBalls(const std::vector<Point3>& centres, const std::vector<double>& r
     if (!(radii[i] >= 0.0 && radii[i] < largest))
     {
       throw std::invalid_argument("Ball " + std::to_string(i) + " has the radius " +
-        std::to_string(radii[i]) + ", but a radius is a finite number and not negative.");
+        Shown(radii[i]) + ", but a radius is a finite number and not negative.");
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include "AlgorithmGuard.h"
 #include "FullereneStability.h"
+#include "RangeGuard.h"
 #include "WholeSurface.h"
 
 #include <vtkDataArray.h>
@@ -159,7 +160,7 @@ void vtkFullereneStability::CheckParameters() const
 {
   if (!(this->FilterDelta >= 0.0) || std::isinf(this->FilterDelta))
   {
-    throw std::invalid_argument("FilterDelta is " + std::to_string(this->FilterDelta) +
+    throw std::invalid_argument("FilterDelta is " + isthmus::Shown(this->FilterDelta) +
       ", but it is the length of a bar: give 0 or a positive number.");
   }
   if (this->ScaleByRadius && this->Method == Exact)

@@ -2,18 +2,21 @@
 
 #include "WholeSurface.h"
 
+#include <vtkAbstractArray.h>
 #include <vtkAlgorithm.h>
 #include <vtkAlgorithmOutput.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataObject.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkInformation.h>
 #include <vtkInformationStringVectorKey.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
 
 #include <stdexcept>
+#include <utility>
 
 namespace isthmus
 {
@@ -38,6 +41,30 @@ bool Fits(vtkAlgorithm* self, int port, vtkDataObject* data, std::string& wanted
   return wanted.empty();
 }
 
+/// No array of `data` ends before the last element of its kind.
+void DemandWholeArrays(vtkDataObject* data)
+{
+  for (const auto& [kind, elements] :
+    { std::pair<int, const char*>{ vtkDataObject::POINT, "points" },
+      { vtkDataObject::CELL, "cells" }, { vtkDataObject::VERTEX, "vertices" },
+      { vtkDataObject::EDGE, "edges" }, { vtkDataObject::ROW, "rows" } })
+  {
+    vtkDataSetAttributes* attributes = data->GetAttributes(kind);
+    const vtkIdType count = attributes ? data->GetNumberOfElements(kind) : 0;
+    for (int a = 0; count > 0 && a < attributes->GetNumberOfArrays(); ++a)
+    {
+      vtkAbstractArray* array = attributes->GetAbstractArray(a);
+      if (array && array->GetNumberOfTuples() < count)
+      {
+        throw std::invalid_argument("The array '" +
+          std::string(array->GetName() ? array->GetName() : "(unnamed)") + "' has " +
+          std::to_string(array->GetNumberOfTuples()) + " values for the " + std::to_string(count) +
+          " " + elements + " of the input: it is damaged. Make it anew, or leave it out.");
+      }
+    }
+  }
+}
+
 }
 
 void DemandInputs(vtkAlgorithm* self)
@@ -53,6 +80,10 @@ void DemandInputs(vtkAlgorithm* self)
         throw std::invalid_argument("Input " + std::to_string(port) + " got a " +
           data->GetClassName() + ", but this filter works on a " + wanted +
           " there: take out what is of another kind (Extract Block), or convert it.");
+      }
+      if (data)
+      {
+        DemandWholeArrays(data);
       }
     }
   }

@@ -19,7 +19,9 @@ namespace isthmus
 {
 
 /// @throws std::invalid_argument, with both types, where an input is not of a type that its port
-/// asks for. Guarded (AlgorithmGuard.h) begins with it.
+/// asks for; with the array, where one has fewer values than there are points (cells, rows ...)
+/// that it is to say something of, and would be read beyond its end. Guarded (AlgorithmGuard.h)
+/// begins with it. O(arrays).
 VTKISTHMUS_EXPORT void DemandInputs(vtkAlgorithm* self);
 
 /**

@@ -11,7 +11,9 @@
 
 #include <vtkErrorCode.h>
 
+#include <filesystem>
 #include <stdexcept>
+#include <system_error>
 
 namespace isthmus
 {
@@ -35,6 +37,31 @@ inline unsigned long ErrorCodeOf(ReaderFailure kind)
       break;
   }
   return vtkErrorCode::UserError;
+}
+
+/**
+ * What CanReadFile returns for a file that `looks(fileName)` like one of the reader's, or not.
+ *
+ * Empty files, folders and pipes have nothing to judge by: there the name decides, by which
+ * ParaView has chosen whom it asks, and reading tells what is wrong. Refused by all, they would be
+ * offered to readers that wait for pipes, or fall over empty files.
+ */
+template <typename Looks>
+int CanRead(const char* fileName, Looks&& looks)
+{
+  if (!fileName)
+  {
+    return 0;
+  }
+  std::error_code failed;
+  const auto status = std::filesystem::status(fileName, failed);
+  const bool isThere = !failed && std::filesystem::exists(status);
+  if (isThere &&
+    (!std::filesystem::is_regular_file(status) || std::filesystem::is_empty(fileName, failed)))
+  {
+    return 1;
+  }
+  return looks(fileName) ? 1 : 0;
 }
 
 /**

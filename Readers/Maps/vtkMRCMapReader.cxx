@@ -124,7 +124,7 @@ vtkMRCMapReader::~vtkMRCMapReader()
 
 int vtkMRCMapReader::CanReadFile(const char* fileName)
 {
-  return fileName && isthmus::LooksLikeMRCFile(fileName) ? 1 : 0;
+  return isthmus::CanRead(fileName, isthmus::LooksLikeMRCFile);
 }
 
 template <typename Body>

@@ -68,17 +68,21 @@ vtkVolumeTextReader::~vtkVolumeTextReader()
 
 int vtkVolumeTextReader::CanReadFile(const char* fileName)
 {
-  try
-  {
-    const auto source = isthmus::OpenByteSource(fileName ? fileName : "");
-    isthmus::TextWords words(*source);
-    ReadCounts(words, MostValues(*source));
-    return 1;
-  }
-  catch (const isthmus::ReaderError&)
-  {
-    return 0;
-  }
+  return isthmus::CanRead(fileName,
+    [](const char* path)
+    {
+      try
+      {
+        const auto source = isthmus::OpenByteSource(path);
+        isthmus::TextWords words(*source);
+        ReadCounts(words, MostValues(*source));
+        return true;
+      }
+      catch (const isthmus::ReaderError&)
+      {
+        return false;
+      }
+    });
 }
 
 int vtkVolumeTextReader::RequestInformation(

@@ -168,18 +168,21 @@ vtkCombinatorialMeshReader::~vtkCombinatorialMeshReader()
 
 int vtkCombinatorialMeshReader::CanReadFile(const char* fileName)
 {
-  const std::string magic = "isthmus-combinatorial-mesh";
-  std::string begin(magic.size(), '\0');
-  try
-  {
-    // Folders, pipes and what else is no regular file are refused, not waited for.
-    const auto source = isthmus::OpenByteSource(fileName ? fileName : "");
-    return source->Read(0, begin.data(), begin.size()) == begin.size() && begin == magic;
-  }
-  catch (const std::exception&)
-  {
-    return 0;
-  }
+  return isthmus::CanRead(fileName,
+    [](const char* path)
+    {
+      const std::string magic = "isthmus-combinatorial-mesh";
+      std::string begin(magic.size(), '\0');
+      try
+      {
+        const auto source = isthmus::OpenByteSource(path);
+        return source->Read(0, begin.data(), begin.size()) == begin.size() && begin == magic;
+      }
+      catch (const std::exception&)
+      {
+        return false;
+      }
+    });
 }
 
 int vtkCombinatorialMeshReader::RequestData(

@@ -2,6 +2,7 @@
 
 #include "AlgorithmGuard.h"
 #include "MEDITFile.h"
+#include "ReaderGuard.h"
 
 #include <vtkObjectFactory.h>
 
@@ -9,7 +10,7 @@ vtkStandardNewMacro(vtkMEDITReader);
 
 int vtkMEDITReader::CanReadFile(const char* fileName)
 {
-  return fileName && isthmus::LooksLikeMEDIT(fileName) ? 1 : 0;
+  return isthmus::CanRead(fileName, isthmus::LooksLikeMEDIT);
 }
 
 void vtkMEDITReader::ReadMesh(isthmus::CellMesh& mesh)

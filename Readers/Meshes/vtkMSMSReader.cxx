@@ -71,7 +71,7 @@ vtkMSMSReader::~vtkMSMSReader()
 
 int vtkMSMSReader::CanReadFile(const char* fileName)
 {
-  return fileName && isthmus::LooksLikeMSMS(fileName) ? 1 : 0;
+  return isthmus::CanRead(fileName, isthmus::LooksLikeMSMS);
 }
 
 int vtkMSMSReader::RequestData(

@@ -22,7 +22,7 @@ vtkOFFSurfaceReader::~vtkOFFSurfaceReader()
 
 int vtkOFFSurfaceReader::CanReadFile(const char* fileName)
 {
-  return fileName && isthmus::LooksLikeOFF(fileName) ? 1 : 0;
+  return isthmus::CanRead(fileName, isthmus::LooksLikeOFF);
 }
 
 int vtkOFFSurfaceReader::RequestData(

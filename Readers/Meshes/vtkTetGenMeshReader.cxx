@@ -1,6 +1,7 @@
 #include "vtkTetGenMeshReader.h"
 
 #include "AlgorithmGuard.h"
+#include "ReaderGuard.h"
 #include "TetGenMeshFile.h"
 
 #include <vtkObjectFactory.h>
@@ -9,7 +10,7 @@ vtkStandardNewMacro(vtkTetGenMeshReader);
 
 int vtkTetGenMeshReader::CanReadFile(const char* fileName)
 {
-  return fileName && isthmus::LooksLikeTetGen(fileName) ? 1 : 0;
+  return isthmus::CanRead(fileName, isthmus::LooksLikeTetGen);
 }
 
 void vtkTetGenMeshReader::ReadMesh(isthmus::CellMesh& mesh)

@@ -47,7 +47,7 @@ vtkMolecule* vtkMacromoleculeReader::GetMolecule()
 
 int vtkMacromoleculeReader::CanReadFile(const char* fileName)
 {
-  return fileName && isthmus::LooksLikeMolecule(fileName) ? 1 : 0;
+  return isthmus::CanRead(fileName, isthmus::LooksLikeMolecule);
 }
 
 int vtkMacromoleculeReader::RequestInformation(

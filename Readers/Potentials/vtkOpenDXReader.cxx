@@ -171,7 +171,7 @@ vtkOpenDXReader::~vtkOpenDXReader()
 
 int vtkOpenDXReader::CanReadFile(const char* fileName)
 {
-  return fileName && isthmus::LooksLikeOpenDXFile(fileName) ? 1 : 0;
+  return isthmus::CanRead(fileName, isthmus::LooksLikeOpenDXFile);
 }
 
 template <typename Body>

@@ -115,7 +115,7 @@ vtkSmartPointer<vtkAlgorithm> FilterOf(Bytes& bytes)
     auto filter = vtkSmartPointer<vtkSurfaceRemesh>::New();
     filter->SetTarget(bytes.Take() % 3);
     filter->SetRelativeEdgeLength(Bounded(bytes.Number(), 0.2));
-    filter->SetEdgeLength(Bounded(std::abs(bytes.Number()), 0.05));
+    filter->SetEdgeLength(Bounded(std::abs(bytes.Number()), 0.1));
     filter->SetNumberOfTriangles(bytes.Take());
     filter->SetFeatureAngle(bytes.Number());
     return filter;

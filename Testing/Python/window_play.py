@@ -113,8 +113,16 @@ def answer(places):
         click(*APPLY_AT)
 
 
-def play(name, data, events, clicks, folder):
-    """Plays a session and returns (log, picture)."""
+def press(keys):
+    """Keys, one after the other, with the mouse over the pipeline browser."""
+    subprocess.run(["xdotool", "mousemove", "150", "400", "click", "1"], check=True)
+    for key in keys:
+        time.sleep(1.5)
+        subprocess.run(["xdotool", "key", key], check=True)
+
+
+def play(name, data, events, clicks, folder, keys=()):
+    """Plays a session, then presses `keys`, and returns (log, picture)."""
     prepare(folder)
     script, log, picture = folder / "session.xml", folder / "paraview.log", folder / "window.png"
     write_script(script, events)
@@ -137,6 +145,9 @@ def play(name, data, events, clicks, folder):
                 answer(clicks)
                 clicks = ()
         time.sleep(5)  # the window paints after the script
+        press(keys) if keys else None
+        if paraview.poll() is not None:
+            sys.exit(f"{name}: paraview ended with {paraview.returncode} after {keys}")
         subprocess.run(["import", "-window", "root", str(picture)], check=True, timeout=60)
     finally:
         paraview.kill()

@@ -121,6 +121,30 @@ TEST(MolecularFlowSurface, RadiiGoByElementWhereThereAreNone)
   EXPECT_NEAR(MeasuresOf(filter->GetOutput()).Whole.Area, byMolecule, 1e-4);
 }
 
+/// Values for elements beyond the atoms were written beyond the radii.
+TEST(MolecularFlowSurface, ElementsBeyondTheAtomsAreNotRead)
+{
+  const auto pointsWith = [](vtkIdType elements)
+  {
+    auto atoms = GlycineInWater(false);
+    atoms->GetPointData()->RemoveArray("Radius");
+    vtkNew<vtkUnsignedShortArray> element;
+    element->SetName("Element");
+    element->SetNumberOfTuples(elements);
+    element->FillValue(6);
+    atoms->GetPointData()->AddArray(element);
+    vtkNew<vtkMolecularFlowSurface> filter;
+    Errors errors(filter);
+    const std::string said = errors.Of(atoms);
+    EXPECT_EQ(said.find("damaged") != std::string::npos, elements < atoms->GetNumberOfPoints());
+    return filter->GetOutput()->GetNumberOfPoints();
+  };
+  const vtkIdType count = GlycineInWater(false)->GetNumberOfPoints();
+  EXPECT_GT(pointsWith(count), 100);
+  EXPECT_EQ(pointsWith(1000), pointsWith(count));
+  EXPECT_EQ(pointsWith(count - 1), 0);
+}
+
 TEST(MolecularFlowSurface, InputStaysAsItWasAndFloatsWork)
 {
   const auto doubles = AtomsOf(Catenoid().Balls());

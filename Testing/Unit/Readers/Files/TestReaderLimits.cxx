@@ -127,6 +127,36 @@ TEST(ReaderLimits, FoldersAreCalledFolders)
     std::string::npos);
 }
 
+/// ParaView asks the readers of a name in turn, and then offers those that do not look at files: of
+/// ParaView 5.11's, one never ends on an empty file, and GDAL's waits for pipes.
+TEST(ReaderLimits, WhatHasNoContentsIsTakenByItsName)
+{
+  const std::string empty = Folder() / "empty.any";
+  std::ofstream(empty).flush();
+  const std::string folder = Folder() / "folder.any";
+  std::filesystem::create_directories(folder);
+  const std::string pipe = Folder() / "pipe.any";
+  std::filesystem::remove(pipe);
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::string other = Folder() / "other.any";
+  std::ofstream(other) << "of another format\n";
+  const auto expect = [&](auto reader, const char* name)
+  {
+    for (const std::string& path : { empty, folder, pipe })
+    {
+      EXPECT_EQ(reader->CanReadFile(path.c_str()), 1) << name << " " << path;
+    }
+    EXPECT_EQ(reader->CanReadFile(other.c_str()), 0) << name;
+    EXPECT_EQ(reader->CanReadFile((other + ".missing").c_str()), 0) << name;
+    EXPECT_EQ(reader->CanReadFile(nullptr), 0) << name;
+  };
+  expect(vtkSmartPointer<vtkCombinatorialMeshReader>::New(), "cmesh");
+  expect(vtkSmartPointer<vtkMSMSReader>::New(), "MSMS");
+  expect(vtkSmartPointer<vtkMacromoleculeReader>::New(), "molecule");
+  expect(vtkSmartPointer<vtkOpenDXReader>::New(), "OpenDX");
+  expect(vtkSmartPointer<vtkMRCMapReader>::New(), "map");
+}
+
 TEST(ReaderLimits, MSMSFilesKeepThePromiseOfTheirFirstLine)
 {
   EXPECT_EQ(Complaint<vtkMSMSReader>(MSMSPair(4, 4)).first, "");
