@@ -2,10 +2,13 @@
 
 #include "Index.h"
 #include "ParallelFor.h"
+#include "RangeGuard.h"
 #include "StarDefects.h"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace isthmus
 {
@@ -97,6 +100,35 @@ SurfaceDefects FindDefects(const SurfaceView& mesh, const ProgressCallback& prog
   FindStarDefects(mesh, skip, found);
   Report(progress, 1.0);
   return found;
+}
+
+void DemandResolved(const SurfaceView& mesh)
+{
+  constexpr double resolution = 0x1p-50; // what a few sums of coordinates round away
+  double reach = 0.0;
+  std::vector<double> longest(mesh.Points.size(), -1.0); // edge of each point; < 0: none
+  for (const Triangle& t : mesh.Triangles)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const auto a = static_cast<std::size_t>(t[c]);
+      const auto b = static_cast<std::size_t>(t[(c + 1) % 3]);
+      const double edge = Distance(mesh.Points[a], mesh.Points[b]);
+      longest[a] = std::max(longest[a], edge);
+      longest[b] = std::max(longest[b], edge);
+      reach = std::max({ reach, std::abs(mesh.Points[a][0]), std::abs(mesh.Points[a][1]),
+        std::abs(mesh.Points[a][2]) });
+    }
+  }
+  for (std::size_t i = 0; i < longest.size(); ++i)
+  {
+    if (longest[i] >= 0.0 && longest[i] < resolution * reach)
+    {
+      throw std::invalid_argument("The edges at point " + std::to_string(i) + " are " +
+        Shown(longest[i]) + " long at most, and coordinates of " + Shown(reach) +
+        " are told no finer than that: remove the points that are far off, or the tiny part.");
+    }
+  }
 }
 
 }

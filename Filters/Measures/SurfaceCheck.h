@@ -17,6 +17,12 @@ namespace isthmus
 VTKISTHMUS_EXPORT SurfaceDefects FindDefects(
   const SurfaceView& mesh, const ProgressCallback& progress = {});
 
+/// @throws std::invalid_argument, with the point, for one whose edges are all below what
+/// coordinates as large as the largest resolve: new triangles there would be flat, and what lies
+/// there gone without a word; with one point at 1e18, all of an ordinary surface. Corners must be
+/// points. O(n).
+VTKISTHMUS_EXPORT void DemandResolved(const SurfaceView& mesh);
+
 }
 
 #endif

@@ -29,9 +29,6 @@ using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 constexpr double MostTriangles = 5e7;
 
-/// Of the largest coordinate: what a few sums of coordinates round away.
-constexpr double Resolution = 0x1p-50;
-
 void DemandManifold(const SurfaceView& mesh)
 {
   SurfaceDefects defects = FindDefects(mesh);
@@ -39,36 +36,6 @@ void DemandManifold(const SurfaceView& mesh)
   if (!defects.None())
   {
     throw std::invalid_argument(defects.Sentence() + " Mend the surface before remeshing it.");
-  }
-}
-
-/// Around a point whose edges are all below what coordinates resolve, the new triangles would be
-/// flat, and what lies there gone without a word: with one point at 1e18, all of an ordinary surface.
-void DemandResolved(const SurfaceView& mesh)
-{
-  double reach = 0.0;
-  std::vector<double> longest(mesh.Points.size(), -1.0); // edge of each point; < 0: none
-  for (const Triangle& t : mesh.Triangles)
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      const auto a = static_cast<std::size_t>(t[c]);
-      const auto b = static_cast<std::size_t>(t[(c + 1) % 3]);
-      const double edge = Distance(mesh.Points[a], mesh.Points[b]);
-      longest[a] = std::max(longest[a], edge);
-      longest[b] = std::max(longest[b], edge);
-      reach = std::max({ reach, std::abs(mesh.Points[a][0]), std::abs(mesh.Points[a][1]),
-        std::abs(mesh.Points[a][2]) });
-    }
-  }
-  for (std::size_t i = 0; i < longest.size(); ++i)
-  {
-    if (longest[i] >= 0.0 && longest[i] < Resolution * reach)
-    {
-      throw std::invalid_argument("The edges at point " + std::to_string(i) + " are " +
-        Shown(longest[i]) + " long at most, and coordinates of " + Shown(reach) +
-        " are told no finer than that: remove the points that are far off, or the tiny part.");
-    }
   }
 }
 
