@@ -42,9 +42,9 @@ inline unsigned long ErrorCodeOf(ReaderFailure kind)
 /**
  * What CanReadFile returns for a file that `looks(fileName)` like one of the reader's, or not.
  *
- * Empty files, folders and pipes have nothing to judge by: there the name decides, by which
- * ParaView has chosen whom it asks, and reading tells what is wrong. Refused by all, they would be
- * offered to readers that wait for pipes, or fall over empty files.
+ * Empty files, folders and pipes have nothing to judge by: there the name decides (its extension,
+ * by which ParaView has chosen whom it asks), and reading tells what is wrong. Refused by all, they
+ * would be offered to readers that wait for pipes, or fall over empty files.
  */
 template <typename Looks>
 int CanRead(const char* fileName, Looks&& looks)
@@ -55,8 +55,9 @@ int CanRead(const char* fileName, Looks&& looks)
   }
   std::error_code failed;
   const auto status = std::filesystem::status(fileName, failed);
-  const bool isThere = !failed && std::filesystem::exists(status);
-  if (isThere &&
+  const bool isNamed =
+    !failed && std::filesystem::exists(status) && std::filesystem::path(fileName).has_extension();
+  if (isNamed &&
     (!std::filesystem::is_regular_file(status) || std::filesystem::is_empty(fileName, failed)))
   {
     return 1;
