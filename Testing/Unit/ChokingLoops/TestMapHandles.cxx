@@ -324,14 +324,14 @@ TEST(MapHandles, BadInputIsToldInASentence)
   filter->UseRangeOff();
   filter->UseStableLevelOff();
   filter->SetLevel(std::nan(""));
-  EXPECT_NE(said().find("Level is nan"), std::string::npos);
+  EXPECT_NE(said().find("Level is not a number"), std::string::npos);
   filter->UseStableLevelOn();
   filter->SetNumberOfLevels(0);
   EXPECT_NE(said().find("NumberOfLevels is 0"), std::string::npos);
   filter->SetNumberOfLevels(64);
   filter->UseRecommendedLevelOn();
   filter->SetRecommendedLevel(std::nan(""));
-  EXPECT_NE(said().find("RecommendedLevel is nan"), std::string::npos);
+  EXPECT_NE(said().find("RecommendedLevel is not a number"), std::string::npos);
   filter->UseRecommendedLevelOff();
   EXPECT_EQ(said(), "");
   image->GetPointData()->GetScalars()->SetComponent(22, 0, std::nan(""));

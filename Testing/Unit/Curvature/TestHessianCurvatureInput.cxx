@@ -164,7 +164,7 @@ TEST(HessianCurvatureFilter, BadInputIsNamed)
   brief->Fill(1.0);
   bare->GetPointData()->SetScalars(brief);
   EXPECT_NE(
-    ErrorOf(filter, bare).find("Array 'Brief' has 7 values for the 125"), std::string::npos);
+    ErrorOf(filter, bare).find("array 'Brief' has 7 values for the 125"), std::string::npos);
 
   const auto image = SampledImage(Block(), Spheres);
   vtkNew<vtkDoubleArray> cells;

@@ -224,7 +224,7 @@ TEST(HighOrderDiffusionFilter, TakesAnArrayAsSourceIfItFits)
     }
     else
     {
-      EXPECT_NE(with.Complaint().find("'P' has 1679 tuples"), std::string::npos)
+      EXPECT_NE(with.Complaint().find("'P' has 1679 values"), std::string::npos)
         << with.Complaint();
     }
   }
