@@ -17,7 +17,7 @@ complain()
   failed=1
 }
 
-for check in check_floors check_order check_contracts check_handles check_lengths check_readmes check_links; do
+for check in check_modules check_order check_contracts check_handles check_lengths check_readmes check_links; do
   said=$(python3 -B "Testing/$check.py") || { echo "$said"; failed=1; }
 done
 
@@ -34,8 +34,8 @@ fi
 
 # What versions of VTK differ in is met by calls that all have; where there are none, by one header.
 git grep -nIE '(VTK|PARAVIEW)_(VERSION_CHECK|VERSION_NUMBER|MAJOR_VERSION|MINOR_VERSION)' \
-  -- '*.h' '*.cxx' ':!Filters/Support/VTKVersions.h' |
-  complain "Version checks outside Filters/Support/VTKVersions.h"
+  -- '*.h' '*.cxx' ':!Filters/Core/VTKVersions.h' |
+  complain "Version checks outside Filters/Core/VTKVersions.h"
 git grep -nIE '"/(work|tmp|home|root)/' -- '*.cxx' '*.h' '*.py' '*.md' '*.txt' '*.cmake' '*.xml' |
   complain "Paths of one machine"
 git ls-files -z | xargs -0 -r stat -c '%s %n' 2>/dev/null | awk '$1 > 200000' |

@@ -7,7 +7,7 @@ Reads the headers and sources of the library (Filters, Readers). Of each signatu
 definition, function type, lambda) it takes the parameters that are plain integers, signed or not,
 by value or by reference, an alias of one or a template's own id type, and sorts them by the last word
 of their names into kinds of ids. Two kinds in one signature could be passed the wrong way round and
-nothing would tell: give them the handles of Filters/Support/Handles.h (or of the room). Handles are
+nothing would tell: give them the handles of Filters/Core/Handles.h (or of the room). Handles are
 no plain integers, so a signature that has them passes.
 
 Prints what is wrong, a line each, and ends with 1 then.

@@ -5,7 +5,7 @@
 
 A block of a README headed by `<!-- order from X -->` names, each once, exactly the concepts of the room
 (X.h and X.cxx are one) that X reaches by its includes, X first, in an order in which each includes only
-those after it, or what lies in other rooms, which check_floors.py holds to lower floors. What is called
+those after it, or what lies in other rooms, which check_modules.py holds to lower floors. What is called
 is declared in what is included, by itself or by way of others, and so lies later, too. Headers are
 looked for in ROOT/Filters; vtkChokingLoops has to have such a block. Prints what is wrong, a line each,
 and ends with 1 then.
@@ -14,7 +14,7 @@ import pathlib
 import re
 import sys
 
-from check_floors import included_names
+from check_modules import included_names
 
 # {room: the start of each order that its README must draw}
 DRAWN = {"Filters/ChokingLoops": ["vtkChokingLoops"]}

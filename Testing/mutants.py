@@ -15,14 +15,14 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-CGAL = "Filters/Meshing/CGALTetrahedra.cxx"
+CGAL = "Filters/Tetrahedra/CGALTetrahedra.cxx"
 FIVE = "TestTetrahedralProperties", "TetrahedralProperties.CGALKeepsItsFiveCriteria"
 
 # name: (file, what stands there, the mistake, (program, GoogleTest filter) or a script of Testing/Python
 # with its arguments)
 MUTANTS = {
     "TetGen's ratio is not passed on": (
-        "Filters/Meshing/TetGenProcess.cxx", '"q" + Number(criteria.RadiusEdgeRatio)', '"q" + Number(2.0)',
+        "Filters/Tetrahedra/TetGenProcess.cxx", '"q" + Number(criteria.RadiusEdgeRatio)', '"q" + Number(2.0)',
         ("TestTetrahedralMesher", "TetrahedralMesher.TetGenKeepsItsBounds")),
     "CGAL's facet angle is not passed on": (
         CGAL, "params::facet_angle = c.FacetAngle", "params::facet_angle = 0.0 * c.FacetAngle", FIVE),
@@ -36,11 +36,11 @@ MUTANTS = {
     "CGAL's cell size is not passed on": (
         CGAL, "params::cell_size = cells", "params::cell_size = (static_cast<void>(cells), 0.0)", FIVE),
     "A histogram is a bin off": (
-        "Filters/Meshing/MeshQuality.cxx", "static_cast<int>(angle / 180.0 * bins)",
+        "Filters/Tetrahedra/MeshQuality.cxx", "static_cast<int>(angle / 180.0 * bins)",
         "static_cast<int>(angle / 180.0 * bins) + 1",
         ("TestMeshQuality", "MeshQuality.HistogramCountsEveryAngleOnce")),
     "Every node counts as irregular": (
-        "Filters/Measures/SurfaceCrossings.cxx", "irregular[static_cast<std::size_t>(node)] = any;",
+        "Filters/Surfaces/SurfaceCrossings.cxx", "irregular[static_cast<std::size_t>(node)] = any;",
         "irregular[static_cast<std::size_t>(node)] = any || true;", ("TestSurfaceToGrid", "*")),
     "A ball's area is 5 % too large": (
         "Filters/Curvature/SurfacePatch.cxx", "sums.Area += AreaInBall(", "sums.Area += 1.05 * AreaInBall(",
@@ -49,7 +49,7 @@ MUTANTS = {
         "Filters/CellComplex/EdgeTable.cxx", "  if (this->Mesh.IsOutside(this->Mesh.Beta3(this->Mesh.Beta2(dart))))\n  {\n    return true;",
         "  if (this->Mesh.IsOutside(this->Mesh.Beta3(dart)))\n  {\n    return true;", ("TestCompactCombinatorialMap", "*")),
     "The mesher refuses everything": (
-        "Filters/Meshing/TetrahedralMesher.cxx", "demand(c.FacetAngle >= 0.0 &&", "demand(c.FacetAngle < 0.0 &&",
+        "Filters/Tetrahedra/TetrahedralMesher.cxx", "demand(c.FacetAngle >= 0.0 &&", "demand(c.FacetAngle < 0.0 &&",
         ("TestMeshingFuzz", "MeshingFuzz.CGAL")),
     "The picture of six descriptors is blank": (
         "Examples/MapToCurvature.py", '    simple.ColorBy(display, ("POINTS", array))',

@@ -13,7 +13,7 @@ if [ $install = yes ]; then
 fi
 configure_and_build -DISTHMUS_TESTING=ON -DISTHMUS_WERROR=ON
 
-# Long tests take turns (Unit/Support/LongTests.h): each commit runs another share, always the same.
+# Long tests take turns (Unit/Core/LongTests.h): each commit runs another share, always the same.
 export ISTHMUS_TURN=${ISTHMUS_TURN:-$(git -C "$source_dir" log -1 --format=%ct 2>/dev/null || true)}
 
 say "Testing"

@@ -12,13 +12,13 @@ class CheckContracts(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name)
-        self.write("Filters/Support/View.h", "/// @throws std::runtime_error\nvoid Look();\n")
-        self.write("Filters/Support/View.cxx",
+        self.write("Filters/Core/View.h", "/// @throws std::runtime_error\nvoid Look();\n")
+        self.write("Filters/Core/View.cxx",
                    '#include "View.h"\nvoid Look() { throw std::runtime_error("dark"); }\n')
         self.write("Filters/Meshing/Mesher.h",
                    '#include "View.h"\n/// After Look(), see Mesher.cxx and <vector>.\nvoid Mesh();\n')
         self.write("Filters/Meshing/Mesher.cxx", '#include "Mesher.h"\nvoid Mesh() { Look(); }\n')
-        self.write("Filters/Meshing/README.md", "`Mesher.h`, and TestX.cxx of each concept X.\n")
+        self.write("Filters/Contouring/README.md", "`Mesher.h`, and TestX.cxx of each concept X.\n")
 
     def write(self, name, text=""):
         path = self.root / name
@@ -73,8 +73,8 @@ class CheckContracts(unittest.TestCase):
         self.assert_complains("README.md:1 names Testing/Python/Hose.py")
 
     def test_error_that_no_header_tells(self):
-        self.write("Filters/Support/View.h", "/// Throws up.\nvoid Look();\n")
-        self.assert_complains("Filters/Support/View.h", "@throws")
+        self.write("Filters/Core/View.h", "/// Throws up.\nvoid Look();\n")
+        self.assert_complains("Filters/Core/View.h", "@throws")
 
 
 if __name__ == "__main__":

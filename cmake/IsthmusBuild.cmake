@@ -1,11 +1,11 @@
-# The VTK module and its Python package, laid out in the build tree as they will be installed.
+# The VTK modules and their Python package, laid out in the build tree as they will be installed.
 
-# A function, so that the CMAKE_BINARY_DIR it sets stays inside: vtk_module_build() adds the root
-# as a subdirectory of CMAKE_BINARY_DIR, which must not be the build tree of the root itself.
-function (isthmus_build_module)
+# All modules, and `Isthmus::vtkIsthmus`, the one target that links them all.
+function (isthmus_build_modules)
+  isthmus_module_files(module_files)
   vtk_module_scan(
-    MODULE_FILES "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module"
-    REQUEST_MODULES Isthmus::vtkIsthmus
+    MODULE_FILES ${module_files}
+    WANT_BY_DEFAULT ON
     PROVIDES_MODULES modules
     REQUIRES_MODULES required
     HIDE_MODULES_FROM_CACHE ON)
@@ -15,10 +15,9 @@ function (isthmus_build_module)
     endif ()
   endforeach ()
 
-  set(root_binary_dir "${CMAKE_BINARY_DIR}")
-  set(CMAKE_BINARY_DIR "${root_binary_dir}/module")
-  set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${root_binary_dir}/${CMAKE_INSTALL_LIBDIR}")
-  set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${root_binary_dir}/${CMAKE_INSTALL_BINDIR}")
+  set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+  set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
+  set(CMAKE_WINDOWS_EXPORT_ALL_SYMBOLS ON)
   vtk_module_build(
     MODULES ${modules}
     PACKAGE Isthmus
@@ -30,24 +29,37 @@ function (isthmus_build_module)
     CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Isthmus"
     LICENSE_DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/Isthmus"
     HIERARCHY_DESTINATION "${CMAKE_INSTALL_LIBDIR}/vtk/hierarchy/Isthmus")
+
+  add_library(vtkIsthmus INTERFACE)
+  add_library(Isthmus::vtkIsthmus ALIAS vtkIsthmus)
+  target_link_libraries(vtkIsthmus INTERFACE ${modules})
+  install(TARGETS vtkIsthmus EXPORT Isthmus)
   set_property(GLOBAL PROPERTY isthmus_modules "${modules}")
 endfunction ()
 
-# `import isthmus`: the wrapped classes and what __init__.py adds.
+# `import isthmus`: the wrapped classes of all modules and what __init__.py adds.
 function (isthmus_build_python)
   get_property(modules GLOBAL PROPERTY isthmus_modules)
   vtk_module_python_default_destination(destination)
   set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
   vtk_module_wrap_python(
     MODULES ${modules}
+    WRAPPED_MODULES wrapped
     TARGET Isthmus::IsthmusPython # TARGET X::Python would install a Python.h over CPython's.
     PYTHON_PACKAGE isthmus
     MODULE_DESTINATION "${destination}"
     LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
     INSTALL_HEADERS OFF)
-  set(package "${CMAKE_CURRENT_SOURCE_DIR}/cmake/isthmus_init.py")
-  configure_file("${package}" "${CMAKE_BINARY_DIR}/${destination}/isthmus/__init__.py" COPYONLY)
-  install(FILES "${package}" DESTINATION "${destination}/isthmus" RENAME __init__.py)
+
+  set(ISTHMUS_PYTHON_IMPORTS)
+  foreach (module IN LISTS wrapped)
+    string(REPLACE "Isthmus::" "vtkIsthmus" library "${module}")
+    string(APPEND ISTHMUS_PYTHON_IMPORTS "from .${library} import *  # noqa: F401,F403\n")
+  endforeach ()
+  configure_file("${CMAKE_CURRENT_SOURCE_DIR}/cmake/isthmus_init.py.in"
+    "${CMAKE_BINARY_DIR}/${destination}/isthmus/__init__.py" @ONLY)
+  install(FILES "${CMAKE_BINARY_DIR}/${destination}/isthmus/__init__.py"
+    DESTINATION "${destination}/isthmus")
   # The same files travel inside the plugin, for windows without this package.
   foreach (part IN ITEMS pipelines charges look pockets trajectories)
     set(source "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/isthmus_${part}.py")

@@ -2,6 +2,30 @@
 
 include(CMakePackageConfigHelpers)
 
+# Of each module, by component: the components of Isthmus and of VTK that it needs.
+get_property(modules GLOBAL PROPERTY isthmus_modules)
+set(ISTHMUS_COMPONENTS)
+set(ISTHMUS_COMPONENT_DEPENDS "")
+foreach (module IN LISTS modules)
+  string(REPLACE "Isthmus::" "" component "${module}")
+  list(APPEND ISTHMUS_COMPONENTS "${component}")
+  set(own)
+  set(foreign)
+  foreach (property IN ITEMS depends private_depends)
+    get_property(needed GLOBAL PROPERTY "_vtk_module_${module}_${property}")
+    foreach (name IN LISTS needed)
+      if (name MATCHES "^Isthmus::(.+)$")
+        list(APPEND own "${CMAKE_MATCH_1}")
+      elseif (name MATCHES "^VTK::(.+)$")
+        list(APPEND foreign "${CMAKE_MATCH_1}")
+      endif ()
+    endforeach ()
+  endforeach ()
+  string(APPEND ISTHMUS_COMPONENT_DEPENDS
+    "set(_isthmus_${component}_needs ${own})\nset(_isthmus_${component}_vtk ${foreign})\n")
+endforeach ()
+string(REPLACE ";" " " ISTHMUS_COMPONENT_DEPENDS "${ISTHMUS_COMPONENT_DEPENDS}")
+
 set(package_destination "${CMAKE_INSTALL_LIBDIR}/cmake/Isthmus")
 configure_package_config_file(
   "${CMAKE_CURRENT_SOURCE_DIR}/cmake/IsthmusConfig.cmake.in"

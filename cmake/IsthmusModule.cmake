@@ -1,93 +1,102 @@
-# The VTK module Isthmus::vtkIsthmus: every class and algorithm of the library. Each room (a folder
-# under Filters or Readers) names its own files in its sources.cmake:
+# isthmus_add_module: one VTK module of a folder under Filters or Readers, from its CMakeLists.txt:
 #
-#   isthmus_room(
+#   isthmus_add_module(Isthmus::FiltersImaging
 #     [CLASSES vtkX ...]        VTK classes, wrapped and installed
-#     [HEADERS X ...]           headers for C++ users, installed beside those of the classes
-#     [SOURCES X ...]           what they are made of
+#     [HEADERS X ...]           headers for C++ users, installed as <folder>/X.h
+#     [FLAT_HEADERS X ...]      those of HEADERS that were installed as X.h before 1.0
+#     [SOURCES X ...]           implementation
 #     [CGAL X ...]              sources that include CGAL
 #     [VECTORISED X ...])       sources whose loops must vectorise
 #
-# all without extension and folder.
+# all without extension. What it depends on is listed in the vtk.module beside it; its headers are
+# included as "Imaging/X.h", those of its VTK classes as "vtkX.h", by it and by the modules that
+# declare it.
 
-# Adds a room's files to the lists of the caller: classes, sources, cgal_sources, vectorised_sources
-# (the last two are in `sources`, too), headers and rooms.
-function (isthmus_room)
-  cmake_parse_arguments(PARSE_ARGV 0 room "" "" "CLASSES;HEADERS;SOURCES;CGAL;VECTORISED")
-  if (room_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "isthmus_room: not a list of its own: ${room_UNPARSED_ARGUMENTS}")
-  endif ()
-  file(RELATIVE_PATH folder "${CMAKE_CURRENT_SOURCE_DIR}" "${CMAKE_CURRENT_LIST_DIR}")
-  list(TRANSFORM room_CLASSES PREPEND "${folder}/")
-  list(TRANSFORM room_HEADERS REPLACE "(.+)" "${folder}/\\1.h")
-  foreach (kind IN ITEMS SOURCES CGAL VECTORISED)
-    list(TRANSFORM room_${kind} PREPEND "${folder}/")
-    list(TRANSFORM room_${kind} APPEND ".cxx")
-  endforeach ()
-  set(rooms ${rooms} "${folder}" PARENT_SCOPE)
-  set(classes ${classes} ${room_CLASSES} PARENT_SCOPE)
-  set(headers ${headers} ${room_HEADERS} PARENT_SCOPE)
-  set(sources ${sources} ${room_SOURCES} ${room_CGAL} ${room_VECTORISED} PARENT_SCOPE)
-  set(cgal_sources ${cgal_sources} ${room_CGAL} PARENT_SCOPE)
-  set(vectorised_sources ${vectorised_sources} ${room_VECTORISED} PARENT_SCOPE)
+# isthmus_module_files(OUT): all vtk.module files, the one list of modules.
+function (isthmus_module_files out)
+  file(GLOB files CONFIGURE_DEPENDS
+    "${ISTHMUS_SOURCE_DIR}/Filters/*/vtk.module" "${ISTHMUS_SOURCE_DIR}/Readers/*/vtk.module")
+  set("${out}" ${files} PARENT_SCOPE)
 endfunction ()
 
-file(GLOB room_files CONFIGURE_DEPENDS
-  "${CMAKE_CURRENT_SOURCE_DIR}/Filters/*/sources.cmake"
-  "${CMAKE_CURRENT_SOURCE_DIR}/Readers/*/sources.cmake")
-foreach (room_file IN LISTS room_files)
-  include("${room_file}")
-endforeach ()
+# isthmus_vtk_components(OUT HEADING...): names of VTK's modules under these headings (DEPENDS,
+# PRIVATE_DEPENDS, TEST_DEPENDS) of all vtk.module files.
+function (isthmus_vtk_components out)
+  isthmus_module_files(files)
+  set(found)
+  foreach (file IN LISTS files)
+    set(heading)
+    file(STRINGS "${file}" lines)
+    foreach (line IN LISTS lines)
+      if (line MATCHES "^[A-Z_]+$")
+        set(heading "${line}")
+      elseif (heading IN_LIST ARGN AND line MATCHES "^ +VTK::(.+)$")
+        list(APPEND found "${CMAKE_MATCH_1}")
+      endif ()
+    endforeach ()
+  endforeach ()
+  list(REMOVE_DUPLICATES found)
+  list(SORT found)
+  set("${out}" ${found} PARENT_SCOPE)
+endfunction ()
 
-# Loops with square roots and comparisons vectorise only without errno and signals for them; values
-# (infinities and NaN too) are the same.
-if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-  set_source_files_properties(${vectorised_sources} PROPERTIES
-    COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math")
-endif ()
+set(ISTHMUS_SOURCE_DIR "${CMAKE_CURRENT_LIST_DIR}/..")
+get_filename_component(ISTHMUS_SOURCE_DIR "${ISTHMUS_SOURCE_DIR}" ABSOLUTE)
 
-vtk_module_add_module(Isthmus::vtkIsthmus
-  CLASSES ${classes}
-  SOURCES ${sources}
-  NOWRAP_HEADERS ${headers})
+function (isthmus_add_module name)
+  cmake_parse_arguments(PARSE_ARGV 1 module "" ""
+    "CLASSES;HEADERS;FLAT_HEADERS;SOURCES;CGAL;VECTORISED")
+  if (module_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "isthmus_add_module: unknown arguments ${module_UNPARSED_ARGUMENTS}")
+  endif ()
+  get_filename_component(folder "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
+  list(TRANSFORM module_HEADERS APPEND ".h")
+  foreach (kind IN ITEMS SOURCES CGAL VECTORISED)
+    list(TRANSFORM module_${kind} APPEND ".cxx")
+  endforeach ()
 
-# Public, since the wrappers include every class by its bare name; installed headers lie flat.
-foreach (room IN LISTS rooms)
-  vtk_module_include(Isthmus::vtkIsthmus
-    PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${room}>")
-endforeach ()
-vtk_module_compile_features(Isthmus::vtkIsthmus PUBLIC cxx_std_17)
+  vtk_module_add_module(${name}
+    CLASSES ${module_CLASSES}
+    SOURCES ${module_SOURCES} ${module_CGAL} ${module_VECTORISED})
+  vtk_module_compile_features(${name} PUBLIC cxx_std_17)
 
-# VTK's own build (remote module) has no target of ours for warnings and sanitizers.
-if (TARGET isthmus_compiler)
-  vtk_module_link(Isthmus::vtkIsthmus PRIVATE "$<BUILD_INTERFACE:isthmus_compiler>")
-endif ()
+  # A folder of its own that holds nothing but this module's, so that "Imaging/X.h" is found by the
+  # modules that declare this one, and by no others.
+  set(include_dir "${CMAKE_CURRENT_BINARY_DIR}/include")
+  file(MAKE_DIRECTORY "${include_dir}")
+  file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}" "${include_dir}/${folder}" SYMBOLIC)
+  vtk_module_include(${name} PUBLIC "$<BUILD_INTERFACE:${include_dir}>")
+  vtk_module_install_headers(FILES ${module_HEADERS} SUBDIR "${folder}")
 
-find_package(BZip2 REQUIRED)
-vtk_module_link(Isthmus::vtkIsthmus PRIVATE BZip2::BZip2)
+  # The names of before 1.0 forward to those of now until 1.1.
+  foreach (header IN LISTS module_FLAT_HEADERS)
+    set(forward "${CMAKE_CURRENT_BINARY_DIR}/flat/${header}.h")
+    file(CONFIGURE OUTPUT "${forward}" CONTENT
+"#pragma message(\"${header}.h is deprecated and will be removed in 1.1: include ${folder}/${header}.h\")
+#include \"${folder}/${header}.h\"
+")
+    vtk_module_install_headers(FILES "${forward}")
+  endforeach ()
 
-# Faster than zlib at gzip, but made for few processors: zlib stays where it is missing.
-find_path(ISAL_INCLUDE_DIR isa-l/igzip_lib.h)
-find_library(ISAL_LIBRARY isal)
-if (ISAL_INCLUDE_DIR AND ISAL_LIBRARY)
-  vtk_module_include(Isthmus::vtkIsthmus SYSTEM PRIVATE "${ISAL_INCLUDE_DIR}")
-  vtk_module_link(Isthmus::vtkIsthmus PRIVATE "${ISAL_LIBRARY}")
-  vtk_module_definitions(Isthmus::vtkIsthmus PRIVATE ISTHMUS_HAS_ISAL)
-endif ()
+  # Loops with square roots and comparisons vectorise only without errno and signals for them; values
+  # (infinities and NaN too) are the same.
+  if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    set_source_files_properties(${module_VECTORISED} PROPERTIES
+      COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math")
+  endif ()
 
-# Headers only; Debian's gemmi-dev has no CMake package. Its CIF grammar is built on PEGTL.
-find_path(GEMMI_INCLUDE_DIR gemmi/pdb.hpp REQUIRED)
-find_path(PEGTL_INCLUDE_DIR tao/pegtl.hpp REQUIRED)
-vtk_module_include(Isthmus::vtkIsthmus SYSTEM PRIVATE
-  "${GEMMI_INCLUDE_DIR}" "${PEGTL_INCLUDE_DIR}")
+  # Not linked as CGAL::CGAL, whose compile options would slow down everybody else's loops.
+  if (module_CGAL)
+    find_package(CGAL 5.5 REQUIRED)
+    vtk_module_include(${name} SYSTEM PRIVATE ${CGAL_INCLUDE_DIRS})
+    vtk_module_link(${name} PRIVATE ${MPFR_LIBRARIES} ${GMP_LIBRARIES})
+    set_source_files_properties(${module_CGAL} PROPERTIES
+      COMPILE_OPTIONS "-frounding-math"
+      COMPILE_DEFINITIONS CGAL_NO_WARNINGS) # they go to stderr; ours go to VTK
+  endif ()
 
-find_package(Eigen3 REQUIRED NO_MODULE)
-vtk_module_link(Isthmus::vtkIsthmus PRIVATE "$<BUILD_INTERFACE:Eigen3::Eigen>")
-
-# Not linked as CGAL::CGAL, whose compile options would slow down everybody else's loops.
-find_package(CGAL 5.5 REQUIRED)
-vtk_module_include(Isthmus::vtkIsthmus SYSTEM PRIVATE ${CGAL_INCLUDE_DIRS})
-vtk_module_link(Isthmus::vtkIsthmus PRIVATE ${MPFR_LIBRARIES} ${GMP_LIBRARIES})
-set_source_files_properties(${cgal_sources} PROPERTIES
-  COMPILE_OPTIONS "-frounding-math"
-  COMPILE_DEFINITIONS CGAL_NO_WARNINGS) # they go to stderr; ours go to VTK
+  # VTK's own build has no target of ours for warnings and sanitizers.
+  if (TARGET isthmus_compiler)
+    vtk_module_link(${name} PRIVATE "$<BUILD_INTERFACE:isthmus_compiler>")
+  endif ()
+endfunction ()

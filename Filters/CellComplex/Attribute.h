@@ -5,9 +5,9 @@
 #ifndef isthmus_Attribute_h
 #define isthmus_Attribute_h
 
-#include "CompactCombinatorialMap.h"
-#include "EdgeTable.h"
-#include "FaceTable.h"
+#include "CellComplex/CompactCombinatorialMap.h"
+#include "CellComplex/EdgeTable.h"
+#include "CellComplex/FaceTable.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
-#include "CellEdgeTable.h"
+#include "CellComplex/CellEdgeTable.h"
 
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
 
 namespace isthmus
 {

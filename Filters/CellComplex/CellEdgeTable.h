@@ -8,14 +8,15 @@
 #ifndef isthmus_CellEdgeTable_h
 #define isthmus_CellEdgeTable_h
 
-#include "EdgeTable.h"
+#include "CellComplex/EdgeTable.h"
+#include "vtkIsthmusFiltersCellComplexModule.h"
 
 namespace isthmus
 {
 
 /// Memory: one id for each edge of each cell. Built in parallel from the table of edges.
 template <typename Id>
-class VTKISTHMUS_EXPORT CellEdgeTable
+class VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT CellEdgeTable
 {
 public:
   using Map = DartMap<Id>;

@@ -1,6 +1,6 @@
-#include "CellVertexCheck.h"
+#include "CellComplex/CellVertexCheck.h"
 
-#include "MeshError.h"
+#include "CellComplex/MeshError.h"
 
 #include <algorithm>
 #include <string>

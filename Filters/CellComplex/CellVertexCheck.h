@@ -6,7 +6,7 @@
 #ifndef isthmus_CellVertexCheck_h
 #define isthmus_CellVertexCheck_h
 
-#include "View.h"
+#include "Core/View.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -5,7 +5,7 @@
 #ifndef isthmus_CombinatorialHandles_h
 #define isthmus_CombinatorialHandles_h
 
-#include "Handles.h"
+#include "Core/Handles.h"
 
 #include <cstddef>
 

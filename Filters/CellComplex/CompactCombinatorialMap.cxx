@@ -1,13 +1,13 @@
-#include "CompactCombinatorialMap.h"
+#include "CellComplex/CompactCombinatorialMap.h"
 
-#include "CellEdgeTable.h"
-#include "CellVertexCheck.h"
-#include "EdgeTable.h"
-#include "FaceTable.h"
-#include "HalfFaceMatching.h"
-#include "ParallelFor.h"
-#include "StarTable.h"
-#include "StarWalk.h"
+#include "CellComplex/CellEdgeTable.h"
+#include "CellComplex/CellVertexCheck.h"
+#include "CellComplex/EdgeTable.h"
+#include "CellComplex/FaceTable.h"
+#include "CellComplex/HalfFaceMatching.h"
+#include "CellComplex/StarTable.h"
+#include "CellComplex/StarWalk.h"
+#include "Core/ParallelFor.h"
 
 #include <algorithm>
 #include <atomic>

@@ -19,10 +19,11 @@
 #ifndef isthmus_CompactCombinatorialMap_h
 #define isthmus_CompactCombinatorialMap_h
 
-#include "CellList.h"
-#include "DartMap.h"
-#include "MeshError.h"
-#include "Progress.h"
+#include "CellComplex/CellList.h"
+#include "CellComplex/DartMap.h"
+#include "CellComplex/MeshError.h"
+#include "Core/Progress.h"
+#include "vtkIsthmusFiltersCellComplexModule.h"
 
 #include <cstdint>
 #include <memory>
@@ -58,7 +59,7 @@ class StarTable;
  * any number of threads. Their cost depends on the valence only, never on the size of the mesh.
  */
 template <typename Id = std::uint32_t>
-class VTKISTHMUS_EXPORT CompactCombinatorialMap : public DartMap<Id>
+class VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT CompactCombinatorialMap : public DartMap<Id>
 {
 public:
   using typename DartMap<Id>::Vertex;

@@ -1,4 +1,4 @@
-#include "CutAndMerge.h"
+#include "CellComplex/CutAndMerge.h"
 
 #include <map>
 #include <stdexcept>

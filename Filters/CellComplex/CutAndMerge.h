@@ -9,7 +9,8 @@
 #ifndef isthmus_CutAndMerge_h
 #define isthmus_CutAndMerge_h
 
-#include "CompactCombinatorialMap.h"
+#include "CellComplex/CompactCombinatorialMap.h"
+#include "vtkIsthmusFiltersCellComplexModule.h"
 
 #include <utility>
 #include <vector>
@@ -35,14 +36,14 @@ struct EditedCells
 /// O(n3 + n0).
 /// @throws std::invalid_argument unless `keep` has one entry a cell.
 template <typename Id>
-VTKISTHMUS_EXPORT EditedCells CutOut(
+VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT EditedCells CutOut(
   const CompactCombinatorialMap<Id>& map, const std::vector<unsigned char>& keep);
 
 /// All cells of `first`, then those of `second`, whose vertices follow but for those paired as
 /// (vertex of first, vertex of second). O(n3 + n0).
 /// @throws std::invalid_argument for a vertex that does not exist or is paired twice.
 template <typename Id>
-VTKISTHMUS_EXPORT EditedCells Merge(const CompactCombinatorialMap<Id>& first,
+VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT EditedCells Merge(const CompactCombinatorialMap<Id>& first,
   const CompactCombinatorialMap<Id>& second,
   const std::vector<std::pair<std::int64_t, std::int64_t>>& sameVertices);
 

@@ -1,4 +1,4 @@
-#include "DartMap.h"
+#include "CellComplex/DartMap.h"
 
 #include <algorithm>
 

@@ -8,11 +8,11 @@
 #ifndef isthmus_DartMap_h
 #define isthmus_DartMap_h
 
-#include "CellType.h"
-#include "CombinatorialHandles.h"
-#include "View.h"
+#include "CellComplex/CellType.h"
+#include "CellComplex/CombinatorialHandles.h"
+#include "Core/View.h"
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusFiltersCellComplexModule.h" // for the export macro
 
 #include <cstdint>
 #include <utility>
@@ -34,7 +34,7 @@ struct TableMemory
  * does not depend on the size of the mesh.
  */
 template <typename Id = std::uint32_t>
-class VTKISTHMUS_EXPORT DartMap
+class VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT DartMap
 {
 public:
   using IdType = Id;

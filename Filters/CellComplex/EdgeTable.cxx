@@ -1,6 +1,6 @@
-#include "EdgeTable.h"
+#include "CellComplex/EdgeTable.h"
 
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
 
 #include <algorithm>
 

@@ -9,9 +9,10 @@
 #ifndef isthmus_EdgeTable_h
 #define isthmus_EdgeTable_h
 
-#include "DartMap.h"
-#include "FirstEqual.h"
-#include "Progress.h"
+#include "CellComplex/DartMap.h"
+#include "CellComplex/FirstEqual.h"
+#include "Core/Progress.h"
+#include "vtkIsthmusFiltersCellComplexModule.h"
 
 #include <algorithm>
 
@@ -29,7 +30,7 @@ namespace isthmus
  * linear in the number of cells; memory 2 n1 + n0 + 9 ids, n1 more while it is built.
  */
 template <typename Id>
-class VTKISTHMUS_EXPORT EdgeTable
+class VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT EdgeTable
 {
 public:
   using Map = DartMap<Id>;

@@ -1,6 +1,6 @@
-#include "FaceTable.h"
+#include "CellComplex/FaceTable.h"
 
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
 
 #include <algorithm>
 #include <utility>

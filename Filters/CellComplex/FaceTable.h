@@ -8,8 +8,9 @@
 #ifndef isthmus_FaceTable_h
 #define isthmus_FaceTable_h
 
-#include "DartMap.h"
-#include "Progress.h"
+#include "CellComplex/DartMap.h"
+#include "Core/Progress.h"
+#include "vtkIsthmusFiltersCellComplexModule.h"
 
 #include <algorithm>
 
@@ -23,7 +24,7 @@ namespace isthmus
  * while it is built.
  */
 template <typename Id>
-class VTKISTHMUS_EXPORT FaceTable
+class VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT FaceTable
 {
 public:
   using Map = DartMap<Id>;

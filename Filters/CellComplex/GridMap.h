@@ -5,8 +5,8 @@
 #ifndef isthmus_GridMap_h
 #define isthmus_GridMap_h
 
-#include "CompactCombinatorialMap.h"
-#include "GridCells.h"
+#include "CellComplex/CompactCombinatorialMap.h"
+#include "CellComplex/GridCells.h"
 
 #include <vtkUnstructuredGrid.h>
 

@@ -1,6 +1,6 @@
-#include "HalfFaceMatching.h"
+#include "CellComplex/HalfFaceMatching.h"
 
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
 
 #include <algorithm>
 #include <string>

@@ -11,9 +11,9 @@
 #ifndef isthmus_HalfFaceMatching_h
 #define isthmus_HalfFaceMatching_h
 
-#include "DartMap.h"
-#include "MeshError.h"
-#include "Progress.h"
+#include "CellComplex/DartMap.h"
+#include "CellComplex/MeshError.h"
+#include "Core/Progress.h"
 
 #include <array>
 #include <memory>

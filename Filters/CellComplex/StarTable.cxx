@@ -1,4 +1,4 @@
-#include "StarTable.h"
+#include "CellComplex/StarTable.h"
 
 namespace isthmus
 {

@@ -8,14 +8,15 @@
 #ifndef isthmus_StarTable_h
 #define isthmus_StarTable_h
 
-#include "DartMap.h"
+#include "CellComplex/DartMap.h"
+#include "vtkIsthmusFiltersCellComplexModule.h"
 
 namespace isthmus
 {
 
 /// Memory: n0 + 1 ids and one for each vertex of each cell. Built in time linear in these.
 template <typename Id>
-class VTKISTHMUS_EXPORT StarTable
+class VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT StarTable
 {
 public:
   using Map = DartMap<Id>;

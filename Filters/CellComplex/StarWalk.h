@@ -8,9 +8,9 @@
 #ifndef isthmus_StarWalk_h
 #define isthmus_StarWalk_h
 
-#include "DartMap.h"
-#include "ReusableSet.h"
-#include "TetrahedronWays.h"
+#include "CellComplex/DartMap.h"
+#include "CellComplex/ReusableSet.h"
+#include "CellComplex/TetrahedronWays.h"
 
 #include <algorithm>
 #include <cstddef>

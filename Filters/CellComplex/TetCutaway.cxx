@@ -1,4 +1,4 @@
-#include "TetCutaway.h"
+#include "CellComplex/TetCutaway.h"
 
 namespace isthmus
 {

@@ -8,7 +8,8 @@
 #ifndef isthmus_TetCutaway_h
 #define isthmus_TetCutaway_h
 
-#include "CompactCombinatorialMap.h"
+#include "CellComplex/CompactCombinatorialMap.h"
+#include "vtkIsthmusFiltersCellComplexModule.h"
 
 #include <array>
 #include <functional>
@@ -40,9 +41,10 @@ struct CutawayRule
  * Time: the cells that go and their neighbours; memory: one byte a cell.
  */
 template <typename Id>
-VTKISTHMUS_EXPORT std::vector<unsigned char> CutAway(const CompactCombinatorialMap<Id>& map,
-  typename CompactCombinatorialMap<Id>::Cell seed, const CutawayRule& rule,
-  const std::function<Position(std::size_t)>& centerOf, const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT std::vector<unsigned char> CutAway(
+  const CompactCombinatorialMap<Id>& map, typename CompactCombinatorialMap<Id>::Cell seed,
+  const CutawayRule& rule, const std::function<Position(std::size_t)>& centerOf,
+  const ProgressCallback& progress = {});
 
 }
 

@@ -9,7 +9,7 @@
 #ifndef isthmus_TetrahedronWays_h
 #define isthmus_TetrahedronWays_h
 
-#include "CellType.h"
+#include "CellComplex/CellType.h"
 
 #include <array>
 #include <cstdint>

@@ -5,9 +5,9 @@
 #ifndef isthmus_VertexStar_h
 #define isthmus_VertexStar_h
 
-#include "CompactCombinatorialMap.h"
-#include "EdgeTable.h"
-#include "StarWalk.h"
+#include "CellComplex/CompactCombinatorialMap.h"
+#include "CellComplex/EdgeTable.h"
+#include "CellComplex/StarWalk.h"
 
 namespace isthmus
 {

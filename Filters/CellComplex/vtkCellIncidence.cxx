@@ -1,11 +1,11 @@
 #include "vtkCellIncidence.h"
 
-#include "AlgorithmGuard.h"
-#include "EdgeTable.h"
-#include "FaceTable.h"
-#include "GridMap.h"
-#include "ParallelFor.h"
-#include "WholeSurface.h"
+#include "CellComplex/EdgeTable.h"
+#include "CellComplex/FaceTable.h"
+#include "CellComplex/GridMap.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/ParallelFor.h"
+#include "Core/WholeSurface.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

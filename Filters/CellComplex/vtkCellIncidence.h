@@ -27,11 +27,11 @@
 #ifndef vtkCellIncidence_h
 #define vtkCellIncidence_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusFiltersCellComplexModule.h" // for the export macro
 
 #include <vtkPolyDataAlgorithm.h>
 
-class VTKISTHMUS_EXPORT vtkCellIncidence : public vtkPolyDataAlgorithm
+class VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT vtkCellIncidence : public vtkPolyDataAlgorithm
 {
 public:
   static vtkCellIncidence* New();

@@ -1,10 +1,10 @@
 #include "vtkTetCutaway.h"
 
-#include "AlgorithmGuard.h"
-#include "FaceTable.h"
-#include "GridMap.h"
-#include "TetCutaway.h"
-#include "WholeSurface.h"
+#include "CellComplex/FaceTable.h"
+#include "CellComplex/GridMap.h"
+#include "CellComplex/TetCutaway.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/WholeSurface.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

@@ -24,11 +24,11 @@
 #ifndef vtkTetCutaway_h
 #define vtkTetCutaway_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusFiltersCellComplexModule.h" // for the export macro
 
 #include <vtkPolyDataAlgorithm.h>
 
-class VTKISTHMUS_EXPORT vtkTetCutaway : public vtkPolyDataAlgorithm
+class VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT vtkTetCutaway : public vtkPolyDataAlgorithm
 {
 public:
   static vtkTetCutaway* New();

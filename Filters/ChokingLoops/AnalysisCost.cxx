@@ -1,7 +1,7 @@
-#include "AnalysisCost.h"
+#include "ChokingLoops/AnalysisCost.h"
 
-#include "AvailableMemory.h"
-#include "DisjointSets.h"
+#include "Core/AvailableMemory.h"
+#include "Core/DisjointSets.h"
 
 #include <algorithm>
 

@@ -5,8 +5,8 @@
 #ifndef isthmus_AnalysisCost_h
 #define isthmus_AnalysisCost_h
 
-#include "SurfaceView.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "Core/SurfaceView.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h" // for the export macro
 
 #include <cstddef>
 #include <string>
@@ -55,27 +55,28 @@ struct AnalysisCost
   double Seconds = -1.0;      ///< of the whole, triangulation included; below 0: not known yet
 
   /// With the time that the triangulation took.
-  VTKISTHMUS_EXPORT AnalysisCost After(double triangulation) const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT AnalysisCost After(double triangulation) const;
 
   /// Takes over Units from the same surface on fewer samples, which took so long without
   /// GeneratorCompletion.h.
-  VTKISTHMUS_EXPORT void LearnFrom(const AnalysisCost& before, double seconds);
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void LearnFrom(const AnalysisCost& before, double seconds);
 
   /// Handles or tunnels are to be found on the surface's own points.
-  VTKISTHMUS_EXPORT void ExpectCompletion(std::size_t points);
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void ExpectCompletion(std::size_t points);
 
   /// Seconds that this takes.
-  VTKISTHMUS_EXPORT double Completion() const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double Completion() const;
 };
 
 /// Cost of the samples of a closed surface, without the time. O(n).
-VTKISTHMUS_EXPORT AnalysisCost CostOf(const SurfaceView& samples);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT AnalysisCost CostOf(const SurfaceView& samples);
 
 /**
  * Whether that fits into `limit` bytes (0: what is available). If not, `sentence` says what it
  * would take and what to do.
  */
-VTKISTHMUS_EXPORT bool FitsMemory(const AnalysisCost& cost, double limit, std::string& sentence);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool FitsMemory(
+  const AnalysisCost& cost, double limit, std::string& sentence);
 
 }
 

@@ -1,4 +1,4 @@
-#include "ChainPieces.h"
+#include "ChokingLoops/ChainPieces.h"
 
 #include <map>
 

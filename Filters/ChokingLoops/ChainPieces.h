@@ -5,7 +5,8 @@
 #ifndef isthmus_ChainPieces_h
 #define isthmus_ChainPieces_h
 
-#include "SurfaceInComplex.h"
+#include "ChokingLoops/SurfaceInComplex.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <set>
 
@@ -23,10 +24,11 @@ void Toggle(std::set<Id>& chain, Id e)
 }
 
 /// Boundary of a set of triangles, over Z/2, ascending.
-VTKISTHMUS_EXPORT EdgeChain BoundaryOf(const CellFiltration& f, const TriangleChain& triangles);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeChain BoundaryOf(
+  const CellFiltration& f, const TriangleChain& triangles);
 
 /// Of `triangles`, those that hang together with `seed` across edges that are not on M.
-VTKISTHMUS_EXPORT TriangleChain PieceAround(const CellFiltration& f,
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleChain PieceAround(const CellFiltration& f,
   const SurfaceInComplex& surface, const std::set<TriangleId>& triangles, TriangleId seed);
 
 }

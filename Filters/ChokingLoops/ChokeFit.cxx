@@ -1,6 +1,6 @@
-#include "ChokeFit.h"
+#include "ChokingLoops/ChokeFit.h"
 
-#include "Pi.h"
+#include "Core/Pi.h"
 
 #include <algorithm>
 #include <cmath>

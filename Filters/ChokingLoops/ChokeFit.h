@@ -5,7 +5,8 @@
 #ifndef isthmus_ChokeFit_h
 #define isthmus_ChokeFit_h
 
-#include "ShapeFeatures.h"
+#include "ChokingLoops/ShapeFeatures.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -14,7 +15,7 @@ namespace isthmus
  * How far the true radius may lie below Distance(): between sqrt(d^2 - e^2) and d, since
  * d_M^2 <= d_S^2 <= d_M^2 + e^2 for a surface M and its samples S.
  */
-VTKISTHMUS_EXPORT double UncertaintyOf(const ShapeFeature& feature);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double UncertaintyOf(const ShapeFeature& feature);
 
 /**
  * No loop that surrounds a choke point is shorter: 2 pi (Distance() - UncertaintyOf()).
@@ -24,16 +25,17 @@ VTKISTHMUS_EXPORT double UncertaintyOf(const ShapeFeature& feature);
  * sphere, and a closed curve on a unit sphere that lies in none is at least 2 pi long (W. Fenchel,
  * Math. Ann. 101 (1929) 238).
  */
-VTKISTHMUS_EXPORT double ShortestGirth(const ShapeFeature& feature);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double ShortestGirth(const ShapeFeature& feature);
 
 /// True when `centre` is within `reach` of the convex hull of `points`. By the points that bound
 /// it one after another (E. G. Gilbert, SIAM J. Control 4 (1966) 61); O(points) each.
-VTKISTHMUS_EXPORT bool IsSurrounded(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool IsSurrounded(
   const Point3& centre, double reach, const std::vector<Point3>& points);
 
 /// Largest angle, in radians, by which a closed polygon turns at a point; points closer together
 /// than `least` count as one.
-VTKISTHMUS_EXPORT double SharpestTurn(const std::vector<Point3>& polygon, double least);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double SharpestTurn(
+  const std::vector<Point3>& polygon, double least);
 
 }
 

@@ -1,6 +1,6 @@
-#include "ChokeSurroundings.h"
+#include "ChokingLoops/ChokeSurroundings.h"
 
-#include "Index.h"
+#include "Core/Index.h"
 
 #include <cmath>
 #include <utility>

@@ -5,8 +5,8 @@
 #ifndef isthmus_ChokeSurroundings_h
 #define isthmus_ChokeSurroundings_h
 
-#include "IdMap.h"
-#include "ShapeFeatures.h"
+#include "ChokingLoops/IdMap.h"
+#include "ChokingLoops/ShapeFeatures.h"
 
 #include <algorithm>
 

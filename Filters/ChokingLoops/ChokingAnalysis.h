@@ -5,13 +5,13 @@
 #ifndef isthmus_ChokingAnalysis_h
 #define isthmus_ChokingAnalysis_h
 
-#include "AnalysisCost.h"
-#include "ChokingSamples.h"
-#include "FeatureMembrane.h"
-#include "GeneratorCompletion.h"
-#include "Index.h"
-#include "Stopwatch.h"
-#include "SurfaceMending.h"
+#include "ChokingLoops/AnalysisCost.h"
+#include "ChokingLoops/ChokingSamples.h"
+#include "ChokingLoops/FeatureMembrane.h"
+#include "ChokingLoops/GeneratorCompletion.h"
+#include "ChokingLoops/SurfaceMending.h"
+#include "Core/Index.h"
+#include "Core/Stopwatch.h"
 
 #include <cmath>
 #include <map>

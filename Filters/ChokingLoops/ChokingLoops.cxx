@@ -1,11 +1,11 @@
-#include "ChokingLoops.h"
+#include "ChokingLoops/ChokingLoops.h"
 
-#include "ChokingAnalysis.h"
-#include "ChokingSurface.h"
-#include "DelaunayFiltration.h"
-#include "EncirclingLoops.h"
-#include "LowerStarFiltration.h"
-#include "SurfaceSampling.h"
+#include "ChokingLoops/ChokingAnalysis.h"
+#include "ChokingLoops/ChokingSurface.h"
+#include "ChokingLoops/EncirclingLoops.h"
+#include "ChokingLoops/SurfaceSampling.h"
+#include "Persistence/DelaunayFiltration.h"
+#include "Persistence/LowerStarFiltration.h"
 
 #include <algorithm>
 #include <cmath>

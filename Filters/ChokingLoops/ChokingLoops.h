@@ -10,12 +10,13 @@
 #ifndef isthmus_ChokingLoops_h
 #define isthmus_ChokingLoops_h
 
-#include "AnalysisCost.h"
-#include "FeatureMembrane.h"
-#include "FeatureSelection.h"
-#include "ShapeFeatures.h"
-#include "SurfaceMending.h"
-#include "TetrahedralMesh.h"
+#include "ChokingLoops/AnalysisCost.h"
+#include "ChokingLoops/FeatureMembrane.h"
+#include "ChokingLoops/FeatureSelection.h"
+#include "ChokingLoops/ShapeFeatures.h"
+#include "ChokingLoops/SurfaceMending.h"
+#include "Core/TetrahedralMesh.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <functional>
 #include <memory>
@@ -62,7 +63,7 @@ public:
    *
    * Time is near linear: some 20 s and 1.5 GB for a million points, on two threads.
    */
-  VTKISTHMUS_EXPORT explicit ChokingLoops(TriangleMesh surface,
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT explicit ChokingLoops(TriangleMesh surface,
     const ChokingLoopParameters& parameters = {}, const ProgressCallback& progress = {});
 
   /**
@@ -70,60 +71,62 @@ public:
    * or both (thesis, 6.3.1): `values` at the mesh's points, in units of the data, 0 on the surface.
    * Every triangle of the surface must be a face of the mesh.
    */
-  VTKISTHMUS_EXPORT ChokingLoops(const SurfaceView& surface, const TetrahedralMesh& mesh,
-    const std::vector<double>& values, const ProgressCallback& progress = {});
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT ChokingLoops(const SurfaceView& surface,
+    const TetrahedralMesh& mesh, const std::vector<double>& values,
+    const ProgressCallback& progress = {});
 
-  VTKISTHMUS_EXPORT ~ChokingLoops();
-  VTKISTHMUS_EXPORT ChokingLoops(ChokingLoops&&) noexcept;
-  VTKISTHMUS_EXPORT ChokingLoops& operator=(ChokingLoops&&) noexcept;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT ~ChokingLoops();
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT ChokingLoops(ChokingLoops&&) noexcept;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT ChokingLoops& operator=(ChokingLoops&&) noexcept;
 
-  VTKISTHMUS_EXPORT const FeatureDiagram& Diagram() const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const FeatureDiagram& Diagram() const;
 
   /// The surface, split as it was sampled: loops and membranes are lists of its points.
-  VTKISTHMUS_EXPORT const TriangleMesh& Samples() const;
-  VTKISTHMUS_EXPORT const SurfaceAdjacency& Adjacency() const;
-  VTKISTHMUS_EXPORT const SurfaceHomology& Homology() const;
-  VTKISTHMUS_EXPORT const ChokingLoopTimes& Times() const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const TriangleMesh& Samples() const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const SurfaceAdjacency& Adjacency() const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const SurfaceHomology& Homology() const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const ChokingLoopTimes& Times() const;
 
   /// What the work on these samples was estimated to take.
-  VTKISTHMUS_EXPORT const AnalysisCost& Cost() const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const AnalysisCost& Cost() const;
 
   /// What was repaired of the surface before.
-  VTKISTHMUS_EXPORT const SurfaceMending& Mended() const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const SurfaceMending& Mended() const;
 
   /// What the user should know about the result: a sentence or two, or nothing.
-  VTKISTHMUS_EXPORT const std::string& Remark() const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const std::string& Remark() const;
 
   /// Largest sampling error anywhere: the least radius that can be trusted everywhere.
-  VTKISTHMUS_EXPORT double LargestError() const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double LargestError() const;
 
   /// Features of a selection, ascending by Distance(): indices into Diagram().Features.
-  VTKISTHMUS_EXPORT std::vector<std::size_t> Select(const FeatureSelection& selection) const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<std::size_t> Select(
+    const FeatureSelection& selection) const;
 
   /// Loops and membrane of a feature. Made when first asked for.
-  VTKISTHMUS_EXPORT const Membrane& MembraneOf(std::size_t feature);
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const Membrane& MembraneOf(std::size_t feature);
 
   /// The same, of one that has been asked for before.
-  VTKISTHMUS_EXPORT const Membrane& MembraneOfMade(std::size_t feature) const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const Membrane& MembraneOfMade(std::size_t feature) const;
 
   /// TightMembrane() of a feature, found when first asked for; null where there is none, and for a
   /// handle or tunnel whose loops it could not stand for (IsInterchangeable()).
-  VTKISTHMUS_EXPORT const Membrane* TightMembraneOf(
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const Membrane* TightMembraneOf(
     std::size_t feature, const ProgressCallback& progress = {});
 
   /// EncirclingMembranes() of a feature.
-  VTKISTHMUS_EXPORT std::vector<Membrane> EncirclingMembranesOf(
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<Membrane> EncirclingMembranesOf(
     std::size_t feature, double longest, std::size_t most = SIZE_MAX) const;
 
   /// ContactMembrane() of a feature.
-  VTKISTHMUS_EXPORT std::optional<Membrane> ContactMembraneOf(
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<Membrane> ContactMembraneOf(
     std::size_t feature, double longest) const;
 
   /// Points of the samples where the ball that gets stuck touches the surface.
-  VTKISTHMUS_EXPORT std::vector<SimplexId> ContactsOf(std::size_t feature) const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<SimplexId> ContactsOf(std::size_t feature) const;
 
   /// Centre of the ball that gets stuck.
-  VTKISTHMUS_EXPORT Point3 ChokePoint(std::size_t feature) const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT Point3 ChokePoint(std::size_t feature) const;
 
 private:
   void AnalyseSamples(TriangleMesh samples, AnalysisCost cost,

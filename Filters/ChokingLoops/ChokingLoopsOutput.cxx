@@ -1,7 +1,7 @@
-#include "ChokingLoopsOutput.h"
+#include "ChokingLoops/ChokingLoopsOutput.h"
 
-#include "ChokeFit.h"
-#include "LoopLimits.h"
+#include "ChokingLoops/ChokeFit.h"
+#include "ChokingLoops/LoopLimits.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

@@ -5,7 +5,7 @@
 #ifndef isthmus_ChokingLoopsOutput_h
 #define isthmus_ChokingLoopsOutput_h
 
-#include "SharedLoops.h"
+#include "ChokingLoops/SharedLoops.h"
 
 class vtkPolyData;
 class vtkTable;

@@ -1,8 +1,8 @@
-#include "ChokingSamples.h"
+#include "ChokingLoops/ChokingSamples.h"
 
-#include "Index.h"
-#include "RangeGuard.h"
-#include "SurfaceTopology.h"
+#include "Core/Index.h"
+#include "Core/RangeGuard.h"
+#include "Surfaces/SurfaceTopology.h"
 
 #include <algorithm>
 #include <cmath>

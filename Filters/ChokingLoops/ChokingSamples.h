@@ -5,7 +5,8 @@
 #ifndef isthmus_ChokingSamples_h
 #define isthmus_ChokingSamples_h
 
-#include "SurfaceSampling.h"
+#include "ChokingLoops/SurfaceSampling.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -28,14 +29,14 @@ constexpr std::size_t ManyPlaces = 64;
  * @throws std::invalid_argument for a spacing that is no length, or takes more than 20 million
  * points along the edges alone; std::runtime_error when it takes more; Cancelled.
  */
-VTKISTHMUS_EXPORT TriangleMesh FirstSamples(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh FirstSamples(
   const SurfaceView& surface, double& spacing, const ProgressCallback& progress = {});
 
 /// `mesh` split again near the places wanted, or everywhere to 0.6 of `spacing` where these are
 /// more than ManyPlaces. An empty mesh when that takes too many points, or when less than half of
 /// many places would be settled by `finest`, to which rounds like this one come: a flat surface, a
 /// needle.
-VTKISTHMUS_EXPORT TriangleMesh Refined(const SurfaceView& mesh,
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh Refined(const SurfaceView& mesh,
   const std::vector<Refinement>& wanted, double spacing, double finest,
   const ProgressCallback& progress = {});
 

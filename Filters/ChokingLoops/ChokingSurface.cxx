@@ -1,11 +1,11 @@
-#include "ChokingSurface.h"
+#include "ChokingLoops/ChokingSurface.h"
 
-#include "Bounds3.h"
-#include "RangeGuard.h"
-#include "SelfIntersections.h"
-#include "SurfaceCheck.h"
-#include "SurfaceIntake.h"
-#include "ThinTriangles.h"
+#include "Core/Bounds3.h"
+#include "Core/RangeGuard.h"
+#include "Remeshing/SelfIntersections.h"
+#include "Remeshing/ThinTriangles.h"
+#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceIntake.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,8 @@
 #ifndef isthmus_ChokingSurface_h
 #define isthmus_ChokingSurface_h
 
-#include "SurfaceMending.h"
+#include "ChokingLoops/SurfaceMending.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -19,8 +20,8 @@ namespace isthmus
  * With `mending`, what is closed and oriented but has crossings, touching or double parts or thin
  * triangles is repaired as MendedSurface() does, and what was done is told there.
  */
-VTKISTHMUS_EXPORT TriangleMesh CheckedSurface(TriangleMesh surface, bool allowCrossings,
-  const ProgressCallback& progress = {}, SurfaceMending* mending = nullptr);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh CheckedSurface(TriangleMesh surface,
+  bool allowCrossings, const ProgressCallback& progress = {}, SurfaceMending* mending = nullptr);
 
 }
 

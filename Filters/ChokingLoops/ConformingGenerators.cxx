@@ -1,9 +1,9 @@
-#include "ConformingGenerators.h"
+#include "ChokingLoops/ConformingGenerators.h"
 
-#include "Index.h"
-#include "LowerStarFiltration.h"
-#include "TetrahedralMesh.h"
-#include "TetrahedralMesher.h"
+#include "Core/Index.h"
+#include "Core/TetrahedralMesh.h"
+#include "Persistence/LowerStarFiltration.h"
+#include "Tetrahedra/TetrahedralMesher.h"
 
 #include <cmath>
 #include <unordered_map>

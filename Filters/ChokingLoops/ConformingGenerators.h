@@ -6,7 +6,8 @@
 #ifndef isthmus_ConformingGenerators_h
 #define isthmus_ConformingGenerators_h
 
-#include "FeatureMembrane.h"
+#include "ChokingLoops/FeatureMembrane.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -34,7 +35,7 @@ struct ConformingGenerator
  * @throws std::runtime_error or std::invalid_argument with a sentence when TetGen is missing, fails
  * or takes longer than two minutes; Cancelled. Time and memory: see MeshTetrahedra().
  */
-VTKISTHMUS_EXPORT std::vector<ConformingGenerator> ConformingGenerators(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<ConformingGenerator> ConformingGenerators(
   const SurfaceView& surface, const ProgressCallback& progress = {});
 
 /**
@@ -45,9 +46,10 @@ VTKISTHMUS_EXPORT std::vector<ConformingGenerator> ConformingGenerators(
 class SplitSurface
 {
 public:
-  VTKISTHMUS_EXPORT SplitSurface(const SurfaceView& surface, const SurfaceAdjacency& samples);
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SplitSurface(
+    const SurfaceView& surface, const SurfaceAdjacency& samples);
 
-  VTKISTHMUS_EXPORT Membrane Of(const Membrane& membrane) const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT Membrane Of(const Membrane& membrane) const;
 
 private:
   bool IsSplit(SimplexId a, SimplexId b) const;

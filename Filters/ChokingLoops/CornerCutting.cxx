@@ -1,8 +1,8 @@
-#include "CornerCutting.h"
+#include "ChokingLoops/CornerCutting.h"
 
-#include "Pi.h"
-#include "StripBend.h"
-#include "StripFunnel.h"
+#include "ChokingLoops/StripBend.h"
+#include "ChokingLoops/StripFunnel.h"
+#include "Core/Pi.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,8 @@
 #ifndef isthmus_CornerCutting_h
 #define isthmus_CornerCutting_h
 
-#include "LoopShortening.h"
+#include "ChokingLoops/LoopShortening.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -20,7 +21,7 @@ namespace isthmus
  *
  * Time: proportional to what is cut.
  */
-VTKISTHMUS_EXPORT SurfaceCurve CutCorners(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceCurve CutCorners(
   const SurfaceAdjacency& surface, SurfaceCurve curve, double sharpest, double reach);
 
 }

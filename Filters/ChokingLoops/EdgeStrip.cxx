@@ -1,4 +1,4 @@
-#include "EdgeStrip.h"
+#include "ChokingLoops/EdgeStrip.h"
 
 #include <algorithm>
 #include <cmath>

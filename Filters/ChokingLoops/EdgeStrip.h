@@ -5,7 +5,8 @@
 #ifndef isthmus_EdgeStrip_h
 #define isthmus_EdgeStrip_h
 
-#include "SurfaceAdjacency.h"
+#include "ChokingLoops/SurfaceAdjacency.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -18,31 +19,34 @@ struct SurfaceCurvePoint
 };
 
 /// Where a point of a curve lies.
-VTKISTHMUS_EXPORT Point3 PositionOf(const SurfaceAdjacency& surface, const SurfaceCurvePoint& p);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT Point3 PositionOf(
+  const SurfaceAdjacency& surface, const SurfaceCurvePoint& p);
 
 /// The edges that a closed curve crosses, each as half edge of the triangle that the curve enters
 /// there: seen along the curve, From is on the left and To on the right.
 using EdgeStrip = std::vector<SurfaceCurvePoint>;
 
 /// Takes out crossings that go back at once over the same edge.
-VTKISTHMUS_EXPORT void CancelReturns(const SurfaceAdjacency& surface, EdgeStrip& strip);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void CancelReturns(
+  const SurfaceAdjacency& surface, EdgeStrip& strip);
 
 /// The same of an open strip.
-VTKISTHMUS_EXPORT EdgeStrip WithoutReturns(const SurfaceAdjacency& surface, const EdgeStrip& strip);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeStrip WithoutReturns(
+  const SurfaceAdjacency& surface, const EdgeStrip& strip);
 
 /// The strip just left of a closed loop of points, consecutive ones joined by an edge: at each
 /// point, the edges between the ways in and out. Throws std::invalid_argument where no edge joins
 /// two of them.
-VTKISTHMUS_EXPORT EdgeStrip StripLeftOf(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeStrip StripLeftOf(
   const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop);
 
 /// The same for an open path of points, from the first to the last: neither end is passed.
-VTKISTHMUS_EXPORT EdgeStrip StripLeftOfPath(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeStrip StripLeftOfPath(
   const SurfaceAdjacency& surface, const std::vector<SimplexId>& path);
 
 /// Takes out crossings that go back at once over the same edge, and those of edges that the ends
 /// `from` and `to` of an open path lie on.
-VTKISTHMUS_EXPORT void CancelReturns(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void CancelReturns(
   const SurfaceAdjacency& surface, EdgeStrip& strip, SimplexId from, SimplexId to);
 
 using Point2 = std::array<double, 2>;
@@ -61,15 +65,17 @@ struct UnfoldedStrip
 };
 
 /// Triangles keep their lengths, neighbours their common edge. One edge more than the strip has.
-VTKISTHMUS_EXPORT UnfoldedStrip Unfold(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT UnfoldedStrip Unfold(
   const SurfaceAdjacency& surface, const EdgeStrip& strip, std::size_t start);
 
 /// The strip of an open path between two points, its ends as edges without length: two edges more
 /// than the strip has. @pre the strip is not empty and has no edge that ends at `from` or `to`.
-VTKISTHMUS_EXPORT UnfoldedStrip UnfoldPath(const SurfaceAdjacency& surface, const EdgeStrip& strip);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT UnfoldedStrip UnfoldPath(
+  const SurfaceAdjacency& surface, const EdgeStrip& strip);
 
 /// A strip laid into the plane from its first edge to its last.
-VTKISTHMUS_EXPORT UnfoldedStrip UnfoldOpen(const SurfaceAdjacency& surface, const EdgeStrip& strip);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT UnfoldedStrip UnfoldOpen(
+  const SurfaceAdjacency& surface, const EdgeStrip& strip);
 
 /// At a fraction of edge i of an unfolded strip.
 inline Point2 PointOn(const UnfoldedStrip& plane, std::size_t i, double fraction)

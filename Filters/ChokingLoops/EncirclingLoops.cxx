@@ -1,7 +1,7 @@
-#include "EncirclingLoops.h"
+#include "ChokingLoops/EncirclingLoops.h"
 
-#include "Pi.h"
-#include "SurfacePaths.h"
+#include "ChokingLoops/SurfacePaths.h"
+#include "Core/Pi.h"
 
 #include <algorithm>
 #include <cmath>

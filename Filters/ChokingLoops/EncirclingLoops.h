@@ -5,7 +5,8 @@
 #ifndef isthmus_EncirclingLoops_h
 #define isthmus_EncirclingLoops_h
 
-#include "GeneratorCompletion.h"
+#include "ChokingLoops/GeneratorCompletion.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -26,13 +27,15 @@ namespace isthmus
  * shortest paths. O(n log n) in the points within half of `longest`, for each contact; where there
  * are as many as `most`, of no more than three quarters of the longest of them.
  */
-VTKISTHMUS_EXPORT std::vector<Membrane> EncirclingMembranes(const FeatureContext& context,
-  const LocatedFeatures& features, std::size_t feature, double longest, std::size_t most);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<Membrane> EncirclingMembranes(
+  const FeatureContext& context, const LocatedFeatures& features, std::size_t feature,
+  double longest, std::size_t most);
 
 /// The loop straight along edges from each contact to the next, where it bounds: the last resort,
 /// since it may go to and fro. Paths are `longest` at most.
-VTKISTHMUS_EXPORT std::optional<Membrane> ContactMembrane(const FeatureContext& context,
-  const LocatedFeatures& features, std::size_t feature, double longest);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<Membrane> ContactMembrane(
+  const FeatureContext& context, const LocatedFeatures& features, std::size_t feature,
+  double longest);
 
 }
 

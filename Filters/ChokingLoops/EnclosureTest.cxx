@@ -1,6 +1,6 @@
-#include "EnclosureTest.h"
+#include "ChokingLoops/EnclosureTest.h"
 
-#include "Index.h"
+#include "Core/Index.h"
 
 #include <algorithm>
 #include <cmath>

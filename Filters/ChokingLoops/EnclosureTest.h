@@ -5,8 +5,9 @@
 #ifndef isthmus_EnclosureTest_h
 #define isthmus_EnclosureTest_h
 
-#include "Bounds3.h"
-#include "SurfaceHomology.h"
+#include "ChokingLoops/SurfaceHomology.h"
+#include "Core/Bounds3.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -20,11 +21,12 @@ namespace isthmus
 class EnclosureTest
 {
 public:
-  VTKISTHMUS_EXPORT EnclosureTest(const SurfaceView& mesh, const SurfaceHomology& homology);
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EnclosureTest(
+    const SurfaceView& mesh, const SurfaceHomology& homology);
 
   /// Ascending ids of the components that enclose `p`: an odd number of them means inside. Within
   /// rounding (1e-12 of the size) of the surface either answer may come.
-  VTKISTHMUS_EXPORT std::vector<int> Enclosing(const Point3& p) const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<int> Enclosing(const Point3& p) const;
 
 private:
   std::size_t Bin(double v, std::size_t axis) const;

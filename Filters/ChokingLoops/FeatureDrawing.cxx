@@ -1,6 +1,6 @@
-#include "FeatureDrawing.h"
+#include "ChokingLoops/FeatureDrawing.h"
 
-#include "Stopwatch.h"
+#include "Core/Stopwatch.h"
 
 #include <algorithm>
 

@@ -5,7 +5,8 @@
 #ifndef isthmus_FeatureDrawing_h
 #define isthmus_FeatureDrawing_h
 
-#include "LoopFeature.h"
+#include "ChokingLoops/LoopFeature.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <functional>
 #include <map>
@@ -20,7 +21,8 @@ struct DrawingCost
   double Seconds = 0.0;
 
   /// When `done` of `count` features, SampledFirst() ones, took so long.
-  VTKISTHMUS_EXPORT static DrawingCost After(std::size_t done, std::size_t count, double seconds);
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT static DrawingCost After(
+    std::size_t done, std::size_t count, double seconds);
 };
 
 /**
@@ -33,7 +35,8 @@ struct DrawingCost
  * 0.3 to 0.6 of it. A factor of two is not assured: a skew sample tells too little more often than
  * too much, on noisy contours 0.36 to 0.93 of what it took.
  */
-VTKISTHMUS_EXPORT std::vector<std::size_t> SampledFirst(std::size_t count, std::size_t& sample);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<std::size_t> SampledFirst(
+  std::size_t count, std::size_t& sample);
 
 /// By feature and rounds of shortening.
 using DrawnFeatures = std::map<std::pair<std::size_t, int>, LoopFeature>;
@@ -45,8 +48,9 @@ using DrawnFeatures = std::map<std::pair<std::size_t, int>, LoopFeature>;
  *
  * @throws Cancelled.
  */
-VTKISTHMUS_EXPORT void DrawFeatures(ChokingLoops& loops, const std::vector<std::size_t>& features,
-  int rounds, DrawnFeatures& drawn, const std::function<void(const DrawingCost&)>& estimated = {},
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void DrawFeatures(ChokingLoops& loops,
+  const std::vector<std::size_t>& features, int rounds, DrawnFeatures& drawn,
+  const std::function<void(const DrawingCost&)>& estimated = {},
   const ProgressCallback& progress = {});
 
 }

@@ -1,8 +1,8 @@
-#include "FeatureMembrane.h"
+#include "ChokingLoops/FeatureMembrane.h"
 
-#include "ChainPieces.h"
-#include "Index.h"
-#include "TightestCut.h"
+#include "ChokingLoops/ChainPieces.h"
+#include "ChokingLoops/TightestCut.h"
+#include "Core/Index.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,8 @@
 #ifndef isthmus_FeatureMembrane_h
 #define isthmus_FeatureMembrane_h
 
-#include "ShapeFeatures.h"
+#include "ChokingLoops/ShapeFeatures.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <optional>
 
@@ -37,24 +38,25 @@ struct Membrane
  * Loops is empty.
  * Time: proportional to what is passed.
  */
-VTKISTHMUS_EXPORT Membrane FeatureMembrane(const FeatureContext& context, SpaceRegions& regions,
-  const ShapeFeature& feature, HomologySpan* span = nullptr);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT Membrane FeatureMembrane(const FeatureContext& context,
+  SpaceRegions& regions, const ShapeFeature& feature, HomologySpan* span = nullptr);
 
 /// The membrane that TightestCut() finds, with all of its loops on M; nothing where it finds none.
-VTKISTHMUS_EXPORT std::optional<Membrane> TightMembrane(const FeatureContext& context,
-  const ShapeFeature& feature, const Point3& centre, const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<Membrane> TightMembrane(
+  const FeatureContext& context, const ShapeFeature& feature, const Point3& centre,
+  const ProgressCallback& progress = {});
 
 /// Adds the fan that a closed loop of points bounds, seen from its first point.
-VTKISTHMUS_EXPORT void AddFan(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void AddFan(
   const std::vector<SimplexId>& loop, std::vector<std::array<SimplexId, 3>>& triangles);
 
 /// Splits a cycle of edges of M (every point in an even number of them) into simple loops of
 /// points.
-VTKISTHMUS_EXPORT std::vector<std::vector<SimplexId>> SimpleLoops(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<std::vector<SimplexId>> SimpleLoops(
   const SurfaceAdjacency& surface, const SurfaceChain& edges);
 
 /// The edges of M between consecutive points of a closed loop.
-VTKISTHMUS_EXPORT SurfaceChain LoopEdges(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceChain LoopEdges(
   const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop);
 
 }

@@ -1,4 +1,4 @@
-#include "FeatureSelection.h"
+#include "ChokingLoops/FeatureSelection.h"
 
 #include <algorithm>
 #include <functional>

@@ -5,7 +5,8 @@
 #ifndef isthmus_FeatureSelection_h
 #define isthmus_FeatureSelection_h
 
-#include "ShapeFeatures.h"
+#include "ChokingLoops/ShapeFeatures.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -57,10 +58,11 @@ struct PersistenceGap
  * behind the last, and the two neighbours whose difference is largest. One narrower than a
  * hundredth of the side's reference length is none; the threshold is that hundredth then.
  */
-VTKISTHMUS_EXPORT PersistenceGap LargestGap(const FeatureDiagram& diagram, SpaceSide side);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT PersistenceGap LargestGap(
+  const FeatureDiagram& diagram, SpaceSide side);
 
 /// Indices of the features of a selection, ascending by Distance(). O(n log n).
-VTKISTHMUS_EXPORT std::vector<std::size_t> SelectFeatures(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<std::size_t> SelectFeatures(
   const FeatureDiagram& diagram, const FeatureSelection& selection);
 
 }

@@ -1,6 +1,6 @@
-#include "GeneratorCompletion.h"
+#include "ChokingLoops/GeneratorCompletion.h"
 
-#include "ConformingGenerators.h"
+#include "ChokingLoops/ConformingGenerators.h"
 
 #include <algorithm>
 #include <functional>

@@ -5,7 +5,8 @@
 #ifndef isthmus_GeneratorCompletion_h
 #define isthmus_GeneratorCompletion_h
 
-#include "FeatureMembrane.h"
+#include "ChokingLoops/FeatureMembrane.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <optional>
 
@@ -22,7 +23,7 @@ struct LocatedFeatures
 
 /// How many handles and tunnels the samples do not settle: not above the sampling error, or without
 /// a loop.
-VTKISTHMUS_EXPORT std::size_t CountUnsettled(const LocatedFeatures& features);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::size_t CountUnsettled(const LocatedFeatures& features);
 
 inline bool AllSettled(const LocatedFeatures& features)
 {
@@ -34,11 +35,11 @@ inline bool AllSettled(const LocatedFeatures& features)
  * ones; for handles and tunnels when the two differ by a sum of the classes of those before it on
  * its side, so that all of them together stay independent, whichever are exchanged.
  */
-VTKISTHMUS_EXPORT bool IsInterchangeable(const FeatureContext& context,
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool IsInterchangeable(const FeatureContext& context,
   const LocatedFeatures& features, std::size_t feature, const Membrane& other);
 
 /// The classes of loops that bound on a side: those of its handles, or of its tunnels.
-VTKISTHMUS_EXPORT HomologySpan BoundingClasses(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT HomologySpan BoundingClasses(
   const FeatureContext& context, const LocatedFeatures& features, SpaceSide side);
 
 /**
@@ -50,8 +51,8 @@ VTKISTHMUS_EXPORT HomologySpan BoundingClasses(
  *
  * @throws what ConformingGenerators() throws; `features` is then as before.
  */
-VTKISTHMUS_EXPORT void CompleteGenerators(const FeatureContext& context, const SurfaceView& surface,
-  LocatedFeatures& features, const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void CompleteGenerators(const FeatureContext& context,
+  const SurfaceView& surface, LocatedFeatures& features, const ProgressCallback& progress = {});
 
 }
 

@@ -1,4 +1,4 @@
-#include "GridTetrahedra.h"
+#include "ChokingLoops/GridTetrahedra.h"
 
 #include <vtkCellType.h>
 #include <vtkUnstructuredGrid.h>

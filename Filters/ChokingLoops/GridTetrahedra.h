@@ -5,8 +5,8 @@
 #ifndef isthmus_GridTetrahedra_h
 #define isthmus_GridTetrahedra_h
 
-#include "TetrahedralMesh.h"
-#include "TriangleMesh.h"
+#include "Core/TetrahedralMesh.h"
+#include "Core/TriangleMesh.h"
 
 class vtkUnstructuredGrid;
 

@@ -1,14 +1,14 @@
-#include "HandleFilling.h"
+#include "ChokingLoops/HandleFilling.h"
 
-#include "ChokingSurface.h"
-#include "EnclosureTest.h"
-#include "LoopFeature.h"
-#include "MembranePlate.h"
-#include "SelfIntersections.h"
-#include "SurfaceBoolean.h"
-#include "SurfaceCheck.h"
-#include "SurfaceTopology.h"
-#include "ThinTriangles.h"
+#include "ChokingLoops/ChokingSurface.h"
+#include "ChokingLoops/EnclosureTest.h"
+#include "ChokingLoops/LoopFeature.h"
+#include "ChokingLoops/MembranePlate.h"
+#include "Remeshing/SelfIntersections.h"
+#include "Remeshing/SurfaceBoolean.h"
+#include "Remeshing/ThinTriangles.h"
+#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceTopology.h"
 
 #include <algorithm>
 #include <cmath>

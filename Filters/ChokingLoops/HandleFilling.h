@@ -8,7 +8,8 @@
 #ifndef isthmus_HandleFilling_h
 #define isthmus_HandleFilling_h
 
-#include "ChokingLoops.h"
+#include "ChokingLoops/ChokingLoops.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -61,7 +62,7 @@ struct FilledSurface
  * ChokingLoops does; Cancelled.
  * Time: one ChokingLoops for each round (mostly one or two), and O(n log n) for each plate.
  */
-VTKISTHMUS_EXPORT FilledSurface FillHandles(TriangleMesh surface,
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT FilledSurface FillHandles(TriangleMesh surface,
   const HandleFillingParameters& parameters, const ProgressCallback& progress = {});
 
 }

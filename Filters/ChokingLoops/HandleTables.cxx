@@ -1,6 +1,6 @@
-#include "HandleTables.h"
+#include "ChokingLoops/HandleTables.h"
 
-#include "NamedColumns.h"
+#include "Persistence/NamedColumns.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataSetAttributes.h>

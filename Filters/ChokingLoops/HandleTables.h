@@ -5,7 +5,7 @@
 #ifndef isthmus_HandleTables_h
 #define isthmus_HandleTables_h
 
-#include "MapHandles.h"
+#include "ChokingLoops/MapHandles.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
-#include "LoopDrawing.h"
+#include "ChokingLoops/LoopDrawing.h"
 
-#include "CornerCutting.h"
-#include "PinnedShortening.h"
+#include "ChokingLoops/CornerCutting.h"
+#include "ChokingLoops/PinnedShortening.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,9 @@
 #ifndef isthmus_LoopDrawing_h
 #define isthmus_LoopDrawing_h
 
-#include "FeatureMembrane.h"
-#include "LoopShortening.h"
+#include "ChokingLoops/FeatureMembrane.h"
+#include "ChokingLoops/LoopShortening.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -39,15 +40,15 @@ constexpr double SharpestKept = 0.7853981633974483;
 
 /// The loops of a membrane as tight as M holds them; those that pass some of `pins` keep passing
 /// these. None with 0 `rounds`: they stay as they come. @throws Cancelled.
-VTKISTHMUS_EXPORT std::vector<SurfaceCurve> TightLoops(const SurfaceAdjacency& surface,
-  const Membrane& membrane, int rounds, const std::vector<SimplexId>& pins = {},
-  const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<SurfaceCurve> TightLoops(
+  const SurfaceAdjacency& surface, const Membrane& membrane, int rounds,
+  const std::vector<SimplexId>& pins = {}, const ProgressCallback& progress = {});
 
 /// The feature with the tight loops of its membrane, if there are any, and strips between the old
 /// and the new ones. Corners at pins above SharpestKept are cut `cut` off. Of several loops those
 /// that can be drawn together on M are filled instead.
-VTKISTHMUS_EXPORT LoopFeature Drawn(const SurfaceAdjacency& surface, const Membrane& membrane,
-  const std::vector<SurfaceCurve>& tight, double cut = 0.0);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT LoopFeature Drawn(const SurfaceAdjacency& surface,
+  const Membrane& membrane, const std::vector<SurfaceCurve>& tight, double cut = 0.0);
 
 }
 

@@ -1,7 +1,7 @@
-#include "LoopFeature.h"
+#include "ChokingLoops/LoopFeature.h"
 
-#include "ChokeFit.h"
-#include "LoopDrawing.h"
+#include "ChokingLoops/ChokeFit.h"
+#include "ChokingLoops/LoopDrawing.h"
 
 #include <algorithm>
 #include <cmath>

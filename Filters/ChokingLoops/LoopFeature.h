@@ -5,9 +5,10 @@
 #ifndef isthmus_LoopFeature_h
 #define isthmus_LoopFeature_h
 
-#include "ChokingLoops.h"
-#include "LoopDrawing.h"
-#include "Pi.h"
+#include "ChokingLoops/ChokingLoops.h"
+#include "ChokingLoops/LoopDrawing.h"
+#include "Core/Pi.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -36,7 +37,7 @@ struct LoopTolerances
 };
 
 /// True when loops belong to the choke point of a feature, see MakeLoopFeature().
-VTKISTHMUS_EXPORT bool Belongs(const ChokingLoops& loops, std::size_t feature,
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool Belongs(const ChokingLoops& loops, std::size_t feature,
   const LoopFeature& geometry, const LoopTolerances& tolerances = {});
 
 /**
@@ -54,8 +55,9 @@ VTKISTHMUS_EXPORT bool Belongs(const ChokingLoops& loops, std::size_t feature,
  *
  * @throws Cancelled.
  */
-VTKISTHMUS_EXPORT LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t feature, int rounds,
-  const ProgressCallback& progress = {}, const LoopTolerances& tolerances = {});
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT LoopFeature MakeLoopFeature(ChokingLoops& loops,
+  std::size_t feature, int rounds, const ProgressCallback& progress = {},
+  const LoopTolerances& tolerances = {});
 
 }
 

@@ -1,4 +1,4 @@
-#include "LoopLimits.h"
+#include "ChokingLoops/LoopLimits.h"
 
 #include <algorithm>
 #include <map>

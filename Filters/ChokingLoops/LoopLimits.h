@@ -9,7 +9,8 @@
 #ifndef isthmus_LoopLimits_h
 #define isthmus_LoopLimits_h
 
-#include "SharedLoops.h"
+#include "ChokingLoops/SharedLoops.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -23,11 +24,12 @@ struct LoopLimits
 
 /// Distance of the farthest point of a feature's loops from its choke point, in radii: 1 and little
 /// more for a round neck, sqrt(1 + (a/b)^2) for a slot with sides a and b < a.
-VTKISTHMUS_EXPORT double ReachOf(const ChokingLoops& loops, const ShownFeature& feature);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double ReachOf(
+  const ChokingLoops& loops, const ShownFeature& feature);
 
 /// Leaves out what is beyond the limits, and sorts. Where the first of several features that share
 /// a loop goes, the next takes its place in SharedWith. O(points of all loops).
-VTKISTHMUS_EXPORT void KeepWithin(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void KeepWithin(
   const ChokingLoops& loops, const LoopLimits& limits, std::vector<ShownFeature>& features);
 
 }

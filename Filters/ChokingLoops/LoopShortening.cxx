@@ -1,9 +1,9 @@
-#include "LoopShortening.h"
+#include "ChokingLoops/LoopShortening.h"
 
-#include "Index.h"
-#include "Pi.h"
-#include "StripBend.h"
-#include "StripFunnel.h"
+#include "ChokingLoops/StripBend.h"
+#include "ChokingLoops/StripFunnel.h"
+#include "Core/Index.h"
+#include "Core/Pi.h"
 
 #include <algorithm>
 #include <cmath>

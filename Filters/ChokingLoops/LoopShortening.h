@@ -10,8 +10,9 @@
 #ifndef isthmus_LoopShortening_h
 #define isthmus_LoopShortening_h
 
-#include "EdgeStrip.h"
-#include "Progress.h"
+#include "ChokingLoops/EdgeStrip.h"
+#include "Core/Progress.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -30,7 +31,7 @@ struct SurfaceCurve
 };
 
 /// The length of the closed curve through these points.
-VTKISTHMUS_EXPORT double LengthOf(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double LengthOf(
   const SurfaceAdjacency& surface, const std::vector<SurfaceCurvePoint>& crossings);
 
 struct LoopShorteningParameters
@@ -45,7 +46,7 @@ struct LoopShorteningParameters
  * Never longer than the curve given. Cost of a round: the number of edges crossed. Throws
  * std::invalid_argument for a loop with consecutive points that no edge joins, and Cancelled.
  */
-VTKISTHMUS_EXPORT SurfaceCurve ShortenLoop(const SurfaceAdjacency& surface,
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceCurve ShortenLoop(const SurfaceAdjacency& surface,
   const std::vector<SimplexId>& loop, const LoopShorteningParameters& parameters = {},
   const ProgressCallback& progress = {});
 

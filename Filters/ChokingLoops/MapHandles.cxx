@@ -1,4 +1,4 @@
-#include "MapHandles.h"
+#include "ChokingLoops/MapHandles.h"
 
 #include <algorithm>
 #include <cmath>

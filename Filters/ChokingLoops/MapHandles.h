@@ -5,7 +5,8 @@
 #ifndef isthmus_MapHandles_h
 #define isthmus_MapHandles_h
 
-#include "ScalarFeatures.h"
+#include "Persistence/ScalarFeatures.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -38,18 +39,18 @@ struct StableInterval
 };
 
 /// Bridges, then windows, each by FeatureId, of the features kept.
-VTKISTHMUS_EXPORT std::vector<MapHandle> MapHandles(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<MapHandle> MapHandles(
   const VolumeView& volume, const FeatureList& features, const FeatureParameters& parameters);
 
 /**
  * The intervals between levels in `range` where a feature that is kept begins or ends, the longest
  * first. Those with nothing in them (no component) are left out.
  */
-VTKISTHMUS_EXPORT std::vector<StableInterval> StableIntervals(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<StableInterval> StableIntervals(
   const FeatureList& features, bool superlevel, const std::array<double, 2>& range);
 
 /// Betti numbers of the features kept at one level.
-VTKISTHMUS_EXPORT std::array<std::int64_t, 3> BettiAt(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::array<std::int64_t, 3> BettiAt(
   const FeatureList& features, bool superlevel, double level);
 
 }

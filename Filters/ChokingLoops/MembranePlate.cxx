@@ -1,8 +1,8 @@
-#include "MembranePlate.h"
+#include "ChokingLoops/MembranePlate.h"
 
-#include "Index.h"
-#include "SelfIntersections.h"
-#include "SurfaceBoolean.h"
+#include "Core/Index.h"
+#include "Remeshing/SelfIntersections.h"
+#include "Remeshing/SurfaceBoolean.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #ifndef isthmus_MembranePlate_h
 #define isthmus_MembranePlate_h
 
-#include "TriangleMesh.h"
-#include "vtkIsthmusModule.h"
+#include "Core/TriangleMesh.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <optional>
 
@@ -29,7 +29,7 @@ struct MembranePlate
  *
  * The curve is taken at points no farther apart than half of `rim`, between 32 and 256 of them.
  */
-VTKISTHMUS_EXPORT std::optional<MembranePlate> PlateOn(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<MembranePlate> PlateOn(
   const std::vector<Point3>& loop, double thickness, double rim);
 
 }

@@ -1,6 +1,6 @@
-#include "MinimumCut.h"
+#include "ChokingLoops/MinimumCut.h"
 
-#include "Index.h"
+#include "Core/Index.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #ifndef isthmus_MinimumCut_h
 #define isthmus_MinimumCut_h
 
-#include "Progress.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Progress.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <array>
 #include <cstdint>
@@ -33,7 +33,7 @@ struct FlowLink
  * @pre nodes of links, sources and sinks lie in [0, nodes); no node is source and sink.
  * @throws Cancelled.
  */
-VTKISTHMUS_EXPORT std::vector<char> MinimumCut(std::int32_t nodes,
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<char> MinimumCut(std::int32_t nodes,
   const std::vector<FlowLink>& links, const std::vector<std::int32_t>& sources,
   const std::vector<std::int32_t>& sinks, const ProgressCallback& progress = {});
 

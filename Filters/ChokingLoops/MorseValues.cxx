@@ -1,8 +1,8 @@
-#include "MorseValues.h"
+#include "ChokingLoops/MorseValues.h"
 
-#include "Bounds3.h"
-#include "EdgeDistances.h"
-#include "SurfaceDistance.h"
+#include "ChokingLoops/SurfaceDistance.h"
+#include "Core/Bounds3.h"
+#include "Persistence/EdgeDistances.h"
 
 namespace isthmus
 {

@@ -5,10 +5,10 @@
 #ifndef isthmus_MorseValues_h
 #define isthmus_MorseValues_h
 
-#include "Progress.h"
-#include "SurfaceView.h"
-#include "TetrahedralMesh.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Progress.h"
+#include "Core/SurfaceView.h"
+#include "Core/TetrahedralMesh.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -27,7 +27,7 @@ constexpr std::int64_t MorseGridCells = 100;
 
 /// Values at the mesh's points, 0 on the surface. Errors and cost: SurfaceDistance.h,
 /// EdgeDistances.h.
-VTKISTHMUS_EXPORT std::vector<double> MorseValues(const SurfaceView& surface,
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<double> MorseValues(const SurfaceView& surface,
   const TetrahedralMesh& mesh, MorseFunction function, const ProgressCallback& progress = {});
 
 }

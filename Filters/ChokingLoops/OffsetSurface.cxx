@@ -1,8 +1,8 @@
-#include "OffsetSurface.h"
+#include "ChokingLoops/OffsetSurface.h"
 
-#include "Bounds3.h"
-#include "GridDistance.h"
-#include "RangeGuard.h"
+#include "Core/Bounds3.h"
+#include "Core/RangeGuard.h"
+#include "Surfaces/GridDistance.h"
 
 #include <algorithm>
 #include <stdexcept>

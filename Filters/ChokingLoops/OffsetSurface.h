@@ -5,7 +5,8 @@
 #ifndef isthmus_OffsetSurface_h
 #define isthmus_OffsetSurface_h
 
-#include "SurfaceDistance.h"
+#include "ChokingLoops/SurfaceDistance.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -33,8 +34,8 @@ enum class OffsetSide
  * Time: cells^3 nodes at some 50 ns, and some microseconds for each node near the level. Memory: 32
  * bytes a node.
  */
-VTKISTHMUS_EXPORT DistanceGrid OffsetDistances(const SurfaceView& surface, double distance,
-  OffsetSide side, std::int64_t cells, const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT DistanceGrid OffsetDistances(const SurfaceView& surface,
+  double distance, OffsetSide side, std::int64_t cells, const ProgressCallback& progress = {});
 
 }
 

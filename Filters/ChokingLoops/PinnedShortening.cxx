@@ -1,8 +1,8 @@
-#include "PinnedShortening.h"
+#include "ChokingLoops/PinnedShortening.h"
 
-#include "Pi.h"
-#include "StripBend.h"
-#include "StripFunnel.h"
+#include "ChokingLoops/StripBend.h"
+#include "ChokingLoops/StripFunnel.h"
+#include "Core/Pi.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,8 @@
 #ifndef isthmus_PinnedShortening_h
 #define isthmus_PinnedShortening_h
 
-#include "LoopShortening.h"
+#include "ChokingLoops/LoopShortening.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -16,7 +17,7 @@ namespace isthmus
  *
  * @pre at least one pin is a point of the loop. @throws what ShortenLoop() throws.
  */
-VTKISTHMUS_EXPORT SurfaceCurve ShortenPinned(const SurfaceAdjacency& surface,
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceCurve ShortenPinned(const SurfaceAdjacency& surface,
   const std::vector<SimplexId>& loop, const std::vector<SimplexId>& pins,
   const LoopShorteningParameters& parameters = {}, const ProgressCallback& progress = {});
 

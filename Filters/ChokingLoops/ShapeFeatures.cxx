@@ -1,6 +1,6 @@
-#include "ShapeFeatures.h"
+#include "ChokingLoops/ShapeFeatures.h"
 
-#include "SpaceRegions.h"
+#include "ChokingLoops/SpaceRegions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,9 @@
 #ifndef isthmus_ShapeFeatures_h
 #define isthmus_ShapeFeatures_h
 
-#include "SpaceRegions.h"
-#include "SurfaceGenerators.h"
+#include "ChokingLoops/SpaceRegions.h"
+#include "ChokingLoops/SurfaceGenerators.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -65,7 +66,7 @@ struct FeatureDiagram
  * the greatest death; it is kept as Noise. Pairs of equal birth and death, and those that die below
  * the error, are left out.
  */
-VTKISTHMUS_EXPORT FeatureDiagram ShapeFeatures(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT FeatureDiagram ShapeFeatures(
   const FeatureContext& context, SpaceRegions& regions, const ProgressCallback& progress = {});
 
 }

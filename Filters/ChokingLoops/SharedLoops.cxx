@@ -1,8 +1,8 @@
-#include "SharedLoops.h"
+#include "ChokingLoops/SharedLoops.h"
 
-#include "Bounds3.h"
-#include "ChokeFit.h"
-#include "TriangleTree.h"
+#include "ChokingLoops/ChokeFit.h"
+#include "Core/Bounds3.h"
+#include "Surfaces/TriangleTree.h"
 
 #include <algorithm>
 #include <cmath>

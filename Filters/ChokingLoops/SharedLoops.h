@@ -5,7 +5,8 @@
 #ifndef isthmus_SharedLoops_h
 #define isthmus_SharedLoops_h
 
-#include "LoopFeature.h"
+#include "ChokingLoops/LoopFeature.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -30,7 +31,8 @@ struct ShownFeature
  *
  * Cost: pairs of similar loops times their points squared.
  */
-VTKISTHMUS_EXPORT void FindShared(const ChokingLoops& loops, std::vector<ShownFeature>& features);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void FindShared(
+  const ChokingLoops& loops, std::vector<ShownFeature>& features);
 
 }
 

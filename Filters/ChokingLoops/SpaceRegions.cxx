@@ -1,6 +1,6 @@
-#include "SpaceRegions.h"
+#include "ChokingLoops/SpaceRegions.h"
 
-#include "Index.h"
+#include "Core/Index.h"
 
 namespace isthmus
 {

@@ -5,10 +5,11 @@
 #ifndef isthmus_SpaceRegions_h
 #define isthmus_SpaceRegions_h
 
-#include "DisjointSets.h"
-#include "EnclosureTest.h"
-#include "FiltrationPairs.h"
-#include "SurfaceInComplex.h"
+#include "ChokingLoops/EnclosureTest.h"
+#include "ChokingLoops/SurfaceInComplex.h"
+#include "Core/DisjointSets.h"
+#include "Persistence/FiltrationPairs.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <algorithm>
 #include <map>
@@ -60,11 +61,11 @@ struct FeatureContext
 class SpaceRegions
 {
 public:
-  VTKISTHMUS_EXPORT explicit SpaceRegions(
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT explicit SpaceRegions(
     const FeatureContext& context, const ProgressCallback& progress = {});
 
   /// The components of M that enclose a tetrahedron, ascending; none for the exterior (None).
-  VTKISTHMUS_EXPORT const std::vector<int>& Of(TetrahedronId cell);
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const std::vector<int>& Of(TetrahedronId cell);
 
   /// The same for a triangle that is no wall.
   const std::vector<int>& OfTriangle(TriangleId triangle);
@@ -84,8 +85,9 @@ private:
 };
 
 /// Centre of the smallest sphere through the corners of a triangle or tetrahedron.
-VTKISTHMUS_EXPORT Point3 Circumcentre(const Point3& p, const Point3& q, const Point3& r);
-VTKISTHMUS_EXPORT Point3 Circumcentre(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT Point3 Circumcentre(
+  const Point3& p, const Point3& q, const Point3& r);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT Point3 Circumcentre(
   const Point3& p, const Point3& q, const Point3& r, const Point3& s);
 
 inline bool FeatureContext::IsWall(TriangleId t) const

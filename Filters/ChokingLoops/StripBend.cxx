@@ -1,4 +1,4 @@
-#include "StripBend.h"
+#include "ChokingLoops/StripBend.h"
 
 #include <algorithm>
 #include <cmath>

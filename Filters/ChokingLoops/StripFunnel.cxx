@@ -1,4 +1,4 @@
-#include "StripFunnel.h"
+#include "ChokingLoops/StripFunnel.h"
 
 #include <algorithm>
 

@@ -8,7 +8,8 @@
 #ifndef isthmus_StripFunnel_h
 #define isthmus_StripFunnel_h
 
-#include "EdgeStrip.h"
+#include "ChokingLoops/EdgeStrip.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -18,7 +19,7 @@ namespace isthmus
  * between: where it crosses each of these, as fractions from From to To; 0 or 1 where it bends
  * round an end. Entry 0 belongs to the first edge and is 0. O(number of edges) for most strips.
  */
-VTKISTHMUS_EXPORT std::vector<double> ShortestCrossings(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<double> ShortestCrossings(
   const UnfoldedStrip& plane, const Point2& p, const Point2& q);
 
 }

@@ -1,4 +1,4 @@
-#include "SurfaceAdjacency.h"
+#include "ChokingLoops/SurfaceAdjacency.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,9 @@
 #ifndef isthmus_SurfaceAdjacency_h
 #define isthmus_SurfaceAdjacency_h
 
-#include "CellFiltration.h"
-#include "SurfaceView.h"
+#include "Core/SurfaceView.h"
+#include "Persistence/CellFiltration.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -30,7 +31,7 @@ class SurfaceAdjacency
 {
 public:
   /// O(n log n), 28 bytes a half edge. @pre The owner of `mesh` outlives this object.
-  VTKISTHMUS_EXPORT explicit SurfaceAdjacency(const SurfaceView& mesh);
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT explicit SurfaceAdjacency(const SurfaceView& mesh);
   explicit SurfaceAdjacency(TriangleMesh&& mesh) = delete;
 
   const SurfaceView& Mesh() const { return this->Surface; }
@@ -72,7 +73,7 @@ public:
   }
 
   /// The half edge from a to b, or None. Time: the valence of a.
-  VTKISTHMUS_EXPORT HalfEdgeId Find(SimplexId a, SimplexId b) const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT HalfEdgeId Find(SimplexId a, SimplexId b) const;
 
 private:
   SurfaceView Surface;

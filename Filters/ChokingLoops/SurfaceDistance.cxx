@@ -1,9 +1,9 @@
-#include "SurfaceDistance.h"
+#include "ChokingLoops/SurfaceDistance.h"
 
-#include "FastMarching.h"
-#include "GridDistance.h"
-#include "ParallelFor.h"
-#include "TriangleTree.h"
+#include "Core/ParallelFor.h"
+#include "Persistence/FastMarching.h"
+#include "Surfaces/GridDistance.h"
+#include "Surfaces/TriangleTree.h"
 
 namespace isthmus
 {

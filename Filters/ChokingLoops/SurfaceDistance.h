@@ -5,18 +5,19 @@
 #ifndef isthmus_SurfaceDistance_h
 #define isthmus_SurfaceDistance_h
 
-#include "Bounds3.h"
-#include "Progress.h"
-#include "SurfaceCrossings.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Bounds3.h"
+#include "Core/Progress.h"
+#include "Surfaces/SurfaceCrossings.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
 
 /// Distance, not signed, of each point to the nearest point of any triangle, by a
 /// TriangleTree. Some microseconds a point, in parallel, the same bits on any number of threads.
-VTKISTHMUS_EXPORT std::vector<double> SurfaceDistances(const SurfaceView& surface,
-  const std::vector<Point3>& points, const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<double> SurfaceDistances(
+  const SurfaceView& surface, const std::vector<Point3>& points,
+  const ProgressCallback& progress = {});
 
 /// A regular grid over a box.
 struct DistanceGrid
@@ -27,7 +28,7 @@ struct DistanceGrid
   std::vector<double> Values; ///< x fastest
 
   /// Trilinear; `p` is clamped to the grid.
-  VTKISTHMUS_EXPORT double At(const Point3& p) const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double At(const Point3& p) const;
 };
 
 inline GridShape ShapeOf(const DistanceGrid& grid)
@@ -41,16 +42,16 @@ inline GridShape ShapeOf(const DistanceGrid& grid)
  * By DistanceToSurface(): exact within two spacings h of the surface; farther away too large by at
  * most about h^2 / (2 distance), which is what trilinear sampling may be wrong by as well.
  */
-VTKISTHMUS_EXPORT DistanceGrid GridOfDistances(const SurfaceView& surface, const Bounds3& box,
-  std::int64_t cells, const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT DistanceGrid GridOfDistances(const SurfaceView& surface,
+  const Bounds3& box, std::int64_t cells, const ProgressCallback& progress = {});
 
 /**
  * The same by fast marching (FastMarch()), from the nodes within two spacings of the surface, where
  * it is exact: |grad d| = 1 solved to first order, error O(h log h), as the thesis has it where a
  * surface comes from an implicit function that is no signed distance (6.3.2).
  */
-VTKISTHMUS_EXPORT DistanceGrid MarchedDistances(const SurfaceView& surface, const Bounds3& box,
-  std::int64_t cells, const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT DistanceGrid MarchedDistances(const SurfaceView& surface,
+  const Bounds3& box, std::int64_t cells, const ProgressCallback& progress = {});
 
 }
 

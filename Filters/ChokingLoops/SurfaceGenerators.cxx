@@ -1,6 +1,6 @@
-#include "SurfaceGenerators.h"
+#include "ChokingLoops/SurfaceGenerators.h"
 
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
 
 #include <algorithm>
 #include <map>

@@ -5,9 +5,10 @@
 #ifndef isthmus_SurfaceGenerators_h
 #define isthmus_SurfaceGenerators_h
 
-#include "FiltrationPairs.h"
-#include "SurfaceHomology.h"
-#include "SurfaceInComplex.h"
+#include "ChokingLoops/SurfaceHomology.h"
+#include "ChokingLoops/SurfaceInComplex.h"
+#include "Persistence/FiltrationPairs.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -28,9 +29,9 @@ struct SurfaceGenerator
  * dies"), and what a filler closes is a class of its side plus, perhaps, one that died before on
  * the other. Ascending by value. Time: 2g reductions of cycles and an elimination of 2g columns.
  */
-VTKISTHMUS_EXPORT std::vector<SurfaceGenerator> SurfaceGenerators(const SurfaceHomology& homology,
-  const SurfaceInComplex& surface, const CellFiltration& f, const FiltrationPairs& pairs,
-  const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<SurfaceGenerator> SurfaceGenerators(
+  const SurfaceHomology& homology, const SurfaceInComplex& surface, const CellFiltration& f,
+  const FiltrationPairs& pairs, const ProgressCallback& progress = {});
 
 }
 

@@ -1,6 +1,6 @@
-#include "SurfaceHomology.h"
+#include "ChokingLoops/SurfaceHomology.h"
 
-#include "Index.h"
+#include "Core/Index.h"
 
 #include <algorithm>
 

@@ -5,7 +5,8 @@
 #ifndef isthmus_SurfaceHomology_h
 #define isthmus_SurfaceHomology_h
 
-#include "SurfaceAdjacency.h"
+#include "ChokingLoops/SurfaceAdjacency.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <algorithm>
 
@@ -25,7 +26,7 @@ class SurfaceHomology
 {
 public:
   /// O(n (1 + g / 64)) in time; with handles, g / 4 bytes an edge.
-  VTKISTHMUS_EXPORT explicit SurfaceHomology(const SurfaceAdjacency& surface);
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT explicit SurfaceHomology(const SurfaceAdjacency& surface);
 
   /// 2g, g being the sum over all components.
   std::size_t Rank() const { return this->Generators.size(); }
@@ -38,10 +39,10 @@ public:
   }
 
   /// Basis loop i as edges.
-  VTKISTHMUS_EXPORT SurfaceChain Loop(std::size_t i) const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceChain Loop(std::size_t i) const;
 
   /// The class of a cycle of edges. Its coordinates are with respect to the loops above.
-  VTKISTHMUS_EXPORT HomologyClass ClassOf(const SurfaceChain& edges) const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT HomologyClass ClassOf(const SurfaceChain& edges) const;
 
   /// Adds an edge to the class of a chain, which is that of no edges at first, and ClassOf() the
   /// chain where it is a cycle.
@@ -80,7 +81,7 @@ class HomologySpan
 {
 public:
   /// Adds a class; true when it was not in the subspace before.
-  VTKISTHMUS_EXPORT bool Add(HomologyClass c);
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool Add(HomologyClass c);
 
   bool Contains(HomologyClass c) const
   {
@@ -91,7 +92,7 @@ public:
   std::size_t Rank() const { return this->Rows.size(); }
 
 private:
-  VTKISTHMUS_EXPORT void Reduce(HomologyClass& c) const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void Reduce(HomologyClass& c) const;
 
   std::vector<std::pair<std::size_t, HomologyClass>> Rows; ///< leading bit, reduced class
 };

@@ -1,7 +1,7 @@
-#include "SurfaceInComplex.h"
+#include "ChokingLoops/SurfaceInComplex.h"
 
-#include "Index.h"
-#include "SurfacePaths.h"
+#include "ChokingLoops/SurfacePaths.h"
+#include "Core/Index.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,8 @@
 #ifndef isthmus_SurfaceInComplex_h
 #define isthmus_SurfaceInComplex_h
 
-#include "SurfaceAdjacency.h"
+#include "ChokingLoops/SurfaceAdjacency.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -16,8 +17,8 @@ class SurfaceInComplex
 {
 public:
   /// O(n). Keeps references to both.
-  VTKISTHMUS_EXPORT SurfaceInComplex(const SurfaceAdjacency& surface, const CellFiltration& f,
-    const ProgressCallback& progress = {});
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceInComplex(const SurfaceAdjacency& surface,
+    const CellFiltration& f, const ProgressCallback& progress = {});
 
   /// The surface's edge that an edge of the complex is, or None.
   SurfaceEdgeId SurfaceEdge(EdgeId edge) const { return this->OnSurface[edge]; }
@@ -27,11 +28,11 @@ public:
    * the Voronoi cells that it passes. Each of these enters before half the edge's length, and the
    * path can be deformed into the edge within the balls of that radius.
    */
-  VTKISTHMUS_EXPORT EdgeChain Image(SurfaceEdgeId surfaceEdge) const;
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeChain Image(SurfaceEdgeId surfaceEdge) const;
 
   /// Shortest path of surface edges between two points of the surface, at most `reach` long; empty
   /// when there is none.
-  VTKISTHMUS_EXPORT std::vector<SurfaceEdgeId> ShortestPath(
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<SurfaceEdgeId> ShortestPath(
     SimplexId from, SimplexId to, double reach) const;
 
 private:

@@ -1,11 +1,11 @@
-#include "SurfaceMending.h"
+#include "ChokingLoops/SurfaceMending.h"
 
-#include "Index.h"
-#include "RangeGuard.h"
-#include "SurfaceCheck.h"
-#include "SurfaceIntake.h"
-#include "SurfaceRepair.h"
-#include "ThinTriangles.h"
+#include "Core/Index.h"
+#include "Core/RangeGuard.h"
+#include "Remeshing/SurfaceRepair.h"
+#include "Remeshing/ThinTriangles.h"
+#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceIntake.h"
 
 #include <map>
 #include <stdexcept>

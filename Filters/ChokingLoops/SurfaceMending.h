@@ -5,9 +5,9 @@
 #ifndef isthmus_SurfaceMending_h
 #define isthmus_SurfaceMending_h
 
-#include "Progress.h"
-#include "SurfaceView.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Progress.h"
+#include "Core/SurfaceView.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <string>
 
@@ -34,8 +34,9 @@ constexpr double MendedShare = 0.01;
  * std::invalid_argument with a sentence when that fails or changes the volume by more than
  * MendedShare. `what` says what is wrong and begins that sentence.
  */
-VTKISTHMUS_EXPORT TriangleMesh MendedSurface(const SurfaceView& surface, const std::string& what,
-  bool allowCrossings, SurfaceMending& mending, const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh MendedSurface(const SurfaceView& surface,
+  const std::string& what, bool allowCrossings, SurfaceMending& mending,
+  const ProgressCallback& progress = {});
 
 }
 

@@ -1,6 +1,6 @@
-#include "SurfacePaths.h"
+#include "ChokingLoops/SurfacePaths.h"
 
-#include "Index.h"
+#include "Core/Index.h"
 
 namespace isthmus
 {

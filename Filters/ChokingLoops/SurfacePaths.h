@@ -5,8 +5,9 @@
 #ifndef isthmus_SurfacePaths_h
 #define isthmus_SurfacePaths_h
 
-#include "IdMap.h"
-#include "SurfaceAdjacency.h"
+#include "ChokingLoops/IdMap.h"
+#include "ChokingLoops/SurfaceAdjacency.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -31,11 +32,11 @@ class SurfacePaths
 {
 public:
   /// Paths of at most `reach`. @pre `surface` outlives this object.
-  VTKISTHMUS_EXPORT SurfacePaths(
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfacePaths(
     const SurfaceAdjacency& surface, SimplexId from, double reach, SimplexId to = -1);
 
   /// Goes on to paths of at most `reach`, as if it had been asked for at first.
-  VTKISTHMUS_EXPORT void Grow(double reach);
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void Grow(double reach);
 
   /// Points by the length of their paths (with `to`, as they were met), `from` first.
   const std::vector<SimplexId>& Points() const { return this->Settled; }

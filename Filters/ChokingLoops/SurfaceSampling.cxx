@@ -1,6 +1,6 @@
-#include "SurfaceSampling.h"
+#include "ChokingLoops/SurfaceSampling.h"
 
-#include "Index.h"
+#include "Core/Index.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,9 @@
 #ifndef isthmus_SurfaceSampling_h
 #define isthmus_SurfaceSampling_h
 
-#include "Progress.h"
-#include "SurfaceView.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Progress.h"
+#include "Core/SurfaceView.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <functional>
 
@@ -22,10 +22,10 @@ namespace isthmus
  * of S with death^2 - birth^2 > e^2 is one of M, and a radius d of S means one of M between
  * sqrt(d^2 - e^2) and d. O(n).
  */
-VTKISTHMUS_EXPORT std::vector<double> SamplingErrors(const SurfaceView& mesh);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<double> SamplingErrors(const SurfaceView& mesh);
 
 /// Edge length that spreads about `points` samples evenly over the area of `mesh`.
-VTKISTHMUS_EXPORT double EdgeLengthFor(const SurfaceView& mesh, double points);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double EdgeLengthFor(const SurfaceView& mesh, double points);
 
 /**
  * Splits edges longer than `limit(point, point)` at their midpoints, again and again, until none is
@@ -33,7 +33,7 @@ VTKISTHMUS_EXPORT double EdgeLengthFor(const SurfaceView& mesh, double points);
  *
  * An empty mesh when that takes more than `maximumPoints`.
  */
-VTKISTHMUS_EXPORT TriangleMesh SplitLongEdges(TriangleMesh mesh,
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh SplitLongEdges(TriangleMesh mesh,
   const std::function<double(const Point3&, const Point3&)>& limit, std::size_t maximumPoints,
   const ProgressCallback& progress = {});
 

@@ -1,10 +1,10 @@
-#include "TightestCut.h"
+#include "ChokingLoops/TightestCut.h"
 
-#include "ChainPieces.h"
-#include "ChokeSurroundings.h"
-#include "Index.h"
-#include "MinimumCut.h"
-#include "ShapeFeatures.h"
+#include "ChokingLoops/ChainPieces.h"
+#include "ChokingLoops/ChokeSurroundings.h"
+#include "ChokingLoops/MinimumCut.h"
+#include "ChokingLoops/ShapeFeatures.h"
+#include "Core/Index.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,8 @@
 #ifndef isthmus_TightestCut_h
 #define isthmus_TightestCut_h
 
-#include "SpaceRegions.h"
+#include "ChokingLoops/SpaceRegions.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
@@ -29,7 +30,7 @@ struct ShapeFeature;
  * complex.
  * @throws Cancelled.
  */
-VTKISTHMUS_EXPORT TriangleChain TightestCut(const FeatureContext& context,
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleChain TightestCut(const FeatureContext& context,
   const ShapeFeature& feature, const Point3& centre, const ProgressCallback& progress = {});
 
 }

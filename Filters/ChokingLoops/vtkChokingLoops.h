@@ -59,7 +59,7 @@
 #ifndef vtkChokingLoops_h
 #define vtkChokingLoops_h
 
-#include "vtkIsthmusModule.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory>
@@ -76,7 +76,7 @@ struct SurfaceView;
 struct TetrahedralMesh;
 }
 
-class VTKISTHMUS_EXPORT vtkChokingLoops : public vtkPolyDataAlgorithm
+class VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT vtkChokingLoops : public vtkPolyDataAlgorithm
 {
 public:
   static vtkChokingLoops* New();

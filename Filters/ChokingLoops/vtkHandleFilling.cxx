@@ -1,9 +1,9 @@
 #include "vtkHandleFilling.h"
 
-#include "AlgorithmGuard.h"
-#include "HandleFilling.h"
-#include "PolyDataMesh.h"
-#include "WholeSurface.h"
+#include "ChokingLoops/HandleFilling.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/PolyDataMesh.h"
+#include "Core/WholeSurface.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>

@@ -26,10 +26,10 @@
 #ifndef vtkHandleFilling_h
 #define vtkHandleFilling_h
 
-#include "vtkIsthmusModule.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
-class VTKISTHMUS_EXPORT vtkHandleFilling : public vtkPolyDataAlgorithm
+class VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT vtkHandleFilling : public vtkPolyDataAlgorithm
 {
 public:
   static vtkHandleFilling* New();

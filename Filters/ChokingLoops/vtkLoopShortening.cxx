@@ -1,10 +1,10 @@
 #include "vtkLoopShortening.h"
 
-#include "AlgorithmGuard.h"
-#include "ChokingSurface.h"
-#include "LoopShortening.h"
-#include "PolyDataMesh.h"
-#include "WholeSurface.h"
+#include "ChokingLoops/ChokingSurface.h"
+#include "ChokingLoops/LoopShortening.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/PolyDataMesh.h"
+#include "Core/WholeSurface.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

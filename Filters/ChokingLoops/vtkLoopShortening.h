@@ -20,10 +20,10 @@
 #ifndef vtkLoopShortening_h
 #define vtkLoopShortening_h
 
-#include "vtkIsthmusModule.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
-class VTKISTHMUS_EXPORT vtkLoopShortening : public vtkPolyDataAlgorithm
+class VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT vtkLoopShortening : public vtkPolyDataAlgorithm
 {
 public:
   static vtkLoopShortening* New();

@@ -1,13 +1,13 @@
 #include "vtkMapChokingLoops.h"
 
-#include "AlgorithmGuard.h"
-#include "ChosenScalars.h"
-#include "ClosedLevelSet.h"
-#include "ImageExtent.h"
-#include "ImageScalars.h"
-#include "LevelTriangles.h"
-#include "MapSurface.h"
-#include "PolyDataMesh.h"
+#include "Contouring/ClosedLevelSet.h"
+#include "Contouring/LevelTriangles.h"
+#include "Contouring/MapSurface.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/ChosenScalars.h"
+#include "Core/ImageExtent.h"
+#include "Core/ImageScalars.h"
+#include "Core/PolyDataMesh.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>

@@ -24,7 +24,7 @@
 #define vtkMapChokingLoops_h
 
 #include "vtkChokingLoops.h"
-#include "vtkIsthmusModule.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 #include "vtkSmartPointer.h"
 
 #include <limits>
@@ -32,7 +32,7 @@
 
 class vtkImageData;
 
-class VTKISTHMUS_EXPORT vtkMapChokingLoops : public vtkChokingLoops
+class VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT vtkMapChokingLoops : public vtkChokingLoops
 {
 public:
   static vtkMapChokingLoops* New();

@@ -37,7 +37,7 @@
 #ifndef vtkMapHandles_h
 #define vtkMapHandles_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusFiltersChokingLoopsModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
 #include <limits> // for NaN
@@ -48,7 +48,7 @@ namespace isthmus
 class ImageDiagram;
 }
 
-class VTKISTHMUS_EXPORT vtkMapHandles : public vtkPolyDataAlgorithm
+class VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT vtkMapHandles : public vtkPolyDataAlgorithm
 {
 public:
   static vtkMapHandles* New();

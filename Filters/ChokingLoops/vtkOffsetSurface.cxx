@@ -1,9 +1,9 @@
 #include "vtkOffsetSurface.h"
 
-#include "AlgorithmGuard.h"
-#include "OffsetSurface.h"
-#include "PolyDataTriangles.h"
-#include "WholeSurface.h"
+#include "ChokingLoops/OffsetSurface.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/PolyDataTriangles.h"
+#include "Core/WholeSurface.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>

@@ -14,10 +14,10 @@
 #ifndef vtkOffsetSurface_h
 #define vtkOffsetSurface_h
 
-#include "vtkIsthmusModule.h"
+#include "vtkIsthmusFiltersChokingLoopsModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
-class VTKISTHMUS_EXPORT vtkOffsetSurface : public vtkPolyDataAlgorithm
+class VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT vtkOffsetSurface : public vtkPolyDataAlgorithm
 {
 public:
   static vtkOffsetSurface* New();

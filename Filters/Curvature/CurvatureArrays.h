@@ -5,7 +5,7 @@
 #ifndef isthmus_CurvatureArrays_h
 #define isthmus_CurvatureArrays_h
 
-#include "FilterProperties.h"
+#include "Core/FilterProperties.h"
 
 #include <ostream> // the wrappers see it declared only
 

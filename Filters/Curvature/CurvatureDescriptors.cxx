@@ -1,4 +1,4 @@
-#include "CurvatureDescriptors.h"
+#include "Curvature/CurvatureDescriptors.h"
 
 #include <array>
 

@@ -22,9 +22,9 @@
 #ifndef isthmus_CurvatureDescriptors_h
 #define isthmus_CurvatureDescriptors_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 
-#include "Pi.h"
+#include "Core/Pi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,7 +112,7 @@ enum class SurfaceType : unsigned char
 constexpr int NumberOfSurfaceTypes = 9;
 
 /// English name of a surface type, for example "Saddle ridge".
-VTKISTHMUS_EXPORT const char* SurfaceTypeName(SurfaceType type);
+VTKISTHMUSFILTERSCURVATURE_EXPORT const char* SurfaceTypeName(SurfaceType type);
 
 /**
  * What counts as zero in Table 2.1, all without unit, all measured at the point itself.
@@ -129,7 +129,7 @@ struct SurfaceTypeTolerance
 };
 
 /// Type of the surface by Table 2.1; `spacing` is the (smallest) node distance of the grid.
-VTKISTHMUS_EXPORT SurfaceType ClassifySurface(
+VTKISTHMUSFILTERSCURVATURE_EXPORT SurfaceType ClassifySurface(
   double mean, double halfDifference, double spacing, const SurfaceTypeTolerance& tolerance);
 
 }

@@ -1,7 +1,7 @@
-#include "CurvatureOfImage.h"
+#include "Curvature/CurvatureOfImage.h"
 
-#include "LargePages.h"
-#include "SurfaceTypeNames.h"
+#include "Core/LargePages.h"
+#include "Curvature/SurfaceTypeNames.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>

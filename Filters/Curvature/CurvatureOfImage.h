@@ -7,8 +7,8 @@
 #ifndef isthmus_CurvatureOfImage_h
 #define isthmus_CurvatureOfImage_h
 
-#include "HessianCurvature.h"
-#include "ImageExtent.h"
+#include "Core/ImageExtent.h"
+#include "Curvature/HessianCurvature.h"
 
 class vtkDataArray;
 class vtkDataSet;

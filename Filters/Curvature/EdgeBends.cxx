@@ -1,6 +1,6 @@
-#include "EdgeBends.h"
+#include "Curvature/EdgeBends.h"
 
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
 
 #include <cmath>
 

@@ -5,9 +5,9 @@
 #ifndef isthmus_EdgeBends_h
 #define isthmus_EdgeBends_h
 
-#include "SurfaceView.h"
-#include "TriangleStars.h"
-#include "vtkIsthmusModule.h"
+#include "Core/SurfaceView.h"
+#include "Surfaces/TriangleStars.h"
+#include "vtkIsthmusFiltersCurvatureModule.h"
 
 #include <Eigen/Dense>
 
@@ -35,7 +35,7 @@ struct PrincipalFrame
 
 /// The neighbour and the bending angle across each edge of each triangle; edge e of a triangle runs
 /// from its corner e to the next. Building is parallel; 64 bytes a triangle.
-class VTKISTHMUS_EXPORT EdgeBends
+class VTKISTHMUSFILTERSCURVATURE_EXPORT EdgeBends
 {
 public:
   EdgeBends(const SurfaceView& mesh, const TriangleStars& stars);

@@ -1,6 +1,6 @@
-#include "FiniteDifference.h"
+#include "Curvature/FiniteDifference.h"
 
-#include "VectorClones.h"
+#include "Core/VectorClones.h"
 
 #include <stdexcept>
 #include <string>

@@ -12,9 +12,9 @@
 #ifndef isthmus_FiniteDifference_h
 #define isthmus_FiniteDifference_h
 
-#include "GridView.h"
-#include "ScalarTypes.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "Core/GridView.h"
+#include "Curvature/ScalarTypes.h"
+#include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 
 #include <array>
 #include <cstdint>
@@ -36,7 +36,7 @@ struct DerivativeRows
 
 /// Nodes that a difference reaches to each side: 1 for accuracy 2, 2 for accuracy 4.
 /// @throws std::invalid_argument for any other accuracy.
-VTKISTHMUS_EXPORT int StencilRadius(int accuracy);
+VTKISTHMUSFILTERSCURVATURE_EXPORT int StencilRadius(int accuracy);
 
 /**
  * Derivatives at the `count` nodes (first[0] ... first[0] + count - 1, first[1], first[2]), into
@@ -46,7 +46,7 @@ VTKISTHMUS_EXPORT int StencilRadius(int accuracy);
  * inside `grid`. O(count): 19 values read for each node with accuracy 2, 61 with 4.
  */
 template <typename T>
-VTKISTHMUS_EXPORT void DifferentiateAtNodes(const GridView<const T>& grid,
+VTKISTHMUSFILTERSCURVATURE_EXPORT void DifferentiateAtNodes(const GridView<const T>& grid,
   const std::array<std::int64_t, 3>& first, std::int64_t count, int accuracy, DerivativeRows& rows);
 
 }

@@ -1,6 +1,6 @@
-#include "GaussianScale.h"
+#include "Curvature/GaussianScale.h"
 
-#include "RangeGuard.h"
+#include "Core/RangeGuard.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>

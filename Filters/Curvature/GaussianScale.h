@@ -5,7 +5,7 @@
 #ifndef isthmus_GaussianScale_h
 #define isthmus_GaussianScale_h
 
-#include "Progress.h"
+#include "Core/Progress.h"
 
 #include <vtkSmartPointer.h>
 

@@ -1,9 +1,9 @@
-#include "HessianCurvature.h"
+#include "Curvature/HessianCurvature.h"
 
-#include "FiniteDifference.h"
-#include "ParallelFor.h"
-#include "PointDerivative.h"
-#include "ShapeRows.h"
+#include "Core/ParallelFor.h"
+#include "Curvature/FiniteDifference.h"
+#include "Curvature/PointDerivative.h"
+#include "Curvature/ShapeRows.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -32,11 +32,11 @@
 #ifndef isthmus_HessianCurvature_h
 #define isthmus_HessianCurvature_h
 
-#include "GridView.h"
-#include "HessianCurvatureParameters.h"
-#include "Progress.h"
-#include "ScalarTypes.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "Core/GridView.h"
+#include "Core/Progress.h"
+#include "Curvature/HessianCurvatureParameters.h"
+#include "Curvature/ScalarTypes.h"
+#include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 
 #include <array>
 #include <cstdint>
@@ -62,9 +62,9 @@ struct NodeBox
  * leaves the grid, and Cancelled when `progress` asks to stop.
  */
 template <typename T>
-VTKISTHMUS_EXPORT void HessianCurvatureAtNodes(const GridView<const T>& grid, const NodeBox& box,
-  const HessianCurvatureOptions& options, const CurvatureArrays<ResultType<T>>& arrays,
-  const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSCURVATURE_EXPORT void HessianCurvatureAtNodes(const GridView<const T>& grid,
+  const NodeBox& box, const HessianCurvatureOptions& options,
+  const CurvatureArrays<ResultType<T>>& arrays, const ProgressCallback& progress = {});
 
 /// Writes the positions of points [first, first + count) to `indices`, three numbers each, in node
 /// units from the grid's first node. Called by several threads at once, with count at most 128.
@@ -79,8 +79,8 @@ using PointSource =
  * for each; about 30 KB of scratch memory per thread.
  */
 template <typename T>
-VTKISTHMUS_EXPORT void HessianCurvatureAtPoints(const GridView<const T>& grid, std::int64_t count,
-  const PointSource& points, const HessianCurvatureOptions& options,
+VTKISTHMUSFILTERSCURVATURE_EXPORT void HessianCurvatureAtPoints(const GridView<const T>& grid,
+  std::int64_t count, const PointSource& points, const HessianCurvatureOptions& options,
   const CurvatureArrays<ResultType<T>>& arrays, const ProgressCallback& progress = {});
 
 }

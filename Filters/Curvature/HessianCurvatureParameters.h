@@ -5,7 +5,7 @@
 #ifndef isthmus_HessianCurvatureParameters_h
 #define isthmus_HessianCurvatureParameters_h
 
-#include "CurvatureDescriptors.h"
+#include "Curvature/CurvatureDescriptors.h"
 
 #include <array>
 

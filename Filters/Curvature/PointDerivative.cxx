@@ -1,6 +1,6 @@
-#include "PointDerivative.h"
+#include "Curvature/PointDerivative.h"
 
-#include "VectorClones.h"
+#include "Core/VectorClones.h"
 
 #include <algorithm>
 #include <cmath>

@@ -20,8 +20,8 @@
 #ifndef isthmus_PointDerivative_h
 #define isthmus_PointDerivative_h
 
-#include "FiniteDifference.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "Curvature/FiniteDifference.h"
+#include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 
 namespace isthmus
 {
@@ -36,7 +36,7 @@ namespace isthmus
  * Cost: 64 or 512 values read.
  */
 template <typename T>
-VTKISTHMUS_EXPORT bool DifferentiateAtPoint(const GridView<const T>& grid,
+VTKISTHMUSFILTERSCURVATURE_EXPORT bool DifferentiateAtPoint(const GridView<const T>& grid,
   const std::array<double, 3>& index, int accuracy, std::int64_t place, DerivativeRows& rows);
 
 }

@@ -1,4 +1,4 @@
-#include "RegionTables.h"
+#include "Curvature/RegionTables.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkIntArray.h>

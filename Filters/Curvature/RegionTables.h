@@ -5,7 +5,7 @@
 #ifndef isthmus_RegionTables_h
 #define isthmus_RegionTables_h
 
-#include "ScalarRegions.h"
+#include "Curvature/ScalarRegions.h"
 
 #include <string>
 

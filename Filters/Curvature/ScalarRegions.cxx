@@ -1,6 +1,6 @@
-#include "ScalarRegions.h"
+#include "Curvature/ScalarRegions.h"
 
-#include "ParallelReduce.h"
+#include "Core/ParallelReduce.h"
 
 #include <Eigen/Dense>
 

@@ -18,9 +18,9 @@
 #ifndef isthmus_ScalarRegions_h
 #define isthmus_ScalarRegions_h
 
-#include "Progress.h"
-#include "SurfaceView.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "Core/Progress.h"
+#include "Core/SurfaceView.h"
+#include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 
 #include <vector>
 
@@ -36,7 +36,7 @@ struct ThresholdedScalar
   std::size_t Regions() const { return this->Thresholds.size() + 1; }
 
   /// Region of a value, in [0, Regions()).
-  VTKISTHMUS_EXPORT std::size_t RegionOf(double value) const;
+  VTKISTHMUSFILTERSCURVATURE_EXPORT std::size_t RegionOf(double value) const;
 };
 
 enum class AreaRule
@@ -46,7 +46,8 @@ enum class AreaRule
 };
 
 /// Region of a triangle by the quick rule, from those of its corners: the middle of the three.
-VTKISTHMUS_EXPORT std::size_t MiddleRegion(std::size_t a, std::size_t b, std::size_t c);
+VTKISTHMUSFILTERSCURVATURE_EXPORT std::size_t MiddleRegion(
+  std::size_t a, std::size_t b, std::size_t c);
 
 /**
  * Area of each pair of regions: entry i x second.Regions() + j is that of region i of `first` and
@@ -56,7 +57,7 @@ VTKISTHMUS_EXPORT std::size_t MiddleRegion(std::size_t a, std::size_t b, std::si
  * @throws std::invalid_argument for thresholds that do not ascend or are not numbers, and for a
  * value at a used point that is not finite; Cancelled.
  */
-VTKISTHMUS_EXPORT std::vector<double> RegionAreas(const SurfaceView& mesh,
+VTKISTHMUSFILTERSCURVATURE_EXPORT std::vector<double> RegionAreas(const SurfaceView& mesh,
   const ThresholdedScalar& first, const ThresholdedScalar& second, AreaRule rule,
   const ProgressCallback& progress = {});
 

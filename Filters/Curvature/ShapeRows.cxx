@@ -1,6 +1,6 @@
-#include "ShapeRows.h"
+#include "Curvature/ShapeRows.h"
 
-#include "VectorClones.h"
+#include "Core/VectorClones.h"
 
 #include <algorithm>
 #include <cmath>

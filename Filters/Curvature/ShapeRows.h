@@ -7,8 +7,8 @@
 #ifndef isthmus_ShapeRows_h
 #define isthmus_ShapeRows_h
 
-#include "FiniteDifference.h"
-#include "HessianCurvatureParameters.h"
+#include "Curvature/FiniteDifference.h"
+#include "Curvature/HessianCurvatureParameters.h"
 
 namespace isthmus
 {

@@ -1,4 +1,4 @@
-#include "StarCurvature.h"
+#include "Curvature/StarCurvature.h"
 
 #include <algorithm>
 #include <cmath>

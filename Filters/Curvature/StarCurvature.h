@@ -5,9 +5,9 @@
 #ifndef isthmus_StarCurvature_h
 #define isthmus_StarCurvature_h
 
-#include "SurfaceCurvatureParameters.h"
-#include "SurfaceView.h"
-#include "TriangleStars.h"
+#include "Core/SurfaceView.h"
+#include "Curvature/SurfaceCurvatureParameters.h"
+#include "Surfaces/TriangleStars.h"
 
 #include <Eigen/Dense>
 

@@ -1,11 +1,11 @@
-#include "SurfaceCurvature.h"
+#include "Curvature/SurfaceCurvature.h"
 
-#include "CurvatureDescriptors.h"
-#include "EdgeBends.h"
-#include "ParallelReduce.h"
-#include "RangeGuard.h"
-#include "StarCurvature.h"
-#include "SurfacePatch.h"
+#include "Core/ParallelReduce.h"
+#include "Core/RangeGuard.h"
+#include "Curvature/CurvatureDescriptors.h"
+#include "Curvature/EdgeBends.h"
+#include "Curvature/StarCurvature.h"
+#include "Curvature/SurfacePatch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -36,10 +36,10 @@
 #ifndef isthmus_SurfaceCurvature_h
 #define isthmus_SurfaceCurvature_h
 
-#include "Progress.h"
-#include "SurfaceCurvatureParameters.h"
-#include "SurfaceView.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "Core/Progress.h"
+#include "Core/SurfaceView.h"
+#include "Curvature/SurfaceCurvatureParameters.h"
+#include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 
 namespace isthmus
 {
@@ -52,7 +52,7 @@ namespace isthmus
  * for EdgeTensor.
  * @throws std::invalid_argument for a Radius that is negative or not finite, and Cancelled.
  */
-VTKISTHMUS_EXPORT SurfaceCurvatureResult CurvatureOfSurface(const SurfaceView& mesh,
+VTKISTHMUSFILTERSCURVATURE_EXPORT SurfaceCurvatureResult CurvatureOfSurface(const SurfaceView& mesh,
   const SurfaceCurvatureOptions& options, const ProgressCallback& progress = {});
 
 }

@@ -1,4 +1,4 @@
-#include "SurfacePatch.h"
+#include "Curvature/SurfacePatch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,8 @@
 #ifndef isthmus_SurfacePatch_h
 #define isthmus_SurfacePatch_h
 
-#include "EdgeBends.h"
+#include "Curvature/EdgeBends.h"
+#include "vtkIsthmusFiltersCurvatureModule.h"
 
 #include <queue>
 #include <vector>
@@ -15,7 +16,7 @@ namespace isthmus
 
 /// Sums over balls and geodesic discs about points of one surface. It keeps scratch memory (4 bytes
 /// a triangle, 16 a point for discs), so make one for many points, and one for each thread.
-class VTKISTHMUS_EXPORT SurfacePatch
+class VTKISTHMUSFILTERSCURVATURE_EXPORT SurfacePatch
 {
 public:
   SurfacePatch(

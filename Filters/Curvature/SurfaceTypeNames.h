@@ -5,7 +5,7 @@
 #ifndef isthmus_SurfaceTypeNames_h
 #define isthmus_SurfaceTypeNames_h
 
-#include "CurvatureDescriptors.h"
+#include "Curvature/CurvatureDescriptors.h"
 
 #include <vtkFieldData.h>
 #include <vtkNew.h>

@@ -1,13 +1,13 @@
 #include "vtkHessianCurvature.h"
 
-#include "AlgorithmGuard.h"
-#include "ChosenScalars.h"
-#include "CurvatureOfImage.h"
-#include "FiniteDifference.h"
-#include "GaussianScale.h"
-#include "ImageCrop.h"
-#include "ImageExtent.h"
-#include "RangeGuard.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/ChosenScalars.h"
+#include "Core/ImageCrop.h"
+#include "Core/ImageExtent.h"
+#include "Core/RangeGuard.h"
+#include "Curvature/CurvatureOfImage.h"
+#include "Curvature/FiniteDifference.h"
+#include "Curvature/GaussianScale.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataObjectTypes.h>

@@ -47,15 +47,15 @@
 #ifndef vtkHessianCurvature_h
 #define vtkHessianCurvature_h
 
-#include "CurvatureArrays.h"
+#include "Curvature/CurvatureArrays.h"
 #include "vtkDataSetAlgorithm.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 
 class vtkDataArray;
 class vtkImageData;
 class vtkPoints;
 
-class VTKISTHMUS_EXPORT vtkHessianCurvature : public vtkDataSetAlgorithm
+class VTKISTHMUSFILTERSCURVATURE_EXPORT vtkHessianCurvature : public vtkDataSetAlgorithm
 {
 public:
   static vtkHessianCurvature* New();

@@ -1,10 +1,10 @@
 #include "vtkScalarRegions.h"
 
-#include "AlgorithmGuard.h"
-#include "PolyDataTriangles.h"
-#include "RegionTables.h"
-#include "ScalarRegions.h"
-#include "WholeSurface.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/PolyDataTriangles.h"
+#include "Core/WholeSurface.h"
+#include "Curvature/RegionTables.h"
+#include "Curvature/ScalarRegions.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

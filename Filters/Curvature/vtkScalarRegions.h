@@ -36,7 +36,7 @@
 #ifndef vtkScalarRegions_h
 #define vtkScalarRegions_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
 #include <vector> // for the thresholds
@@ -49,7 +49,7 @@ struct ThresholdedScalar;
 
 class vtkTable;
 
-class VTKISTHMUS_EXPORT vtkScalarRegions : public vtkPolyDataAlgorithm
+class VTKISTHMUSFILTERSCURVATURE_EXPORT vtkScalarRegions : public vtkPolyDataAlgorithm
 {
 public:
   static vtkScalarRegions* New();

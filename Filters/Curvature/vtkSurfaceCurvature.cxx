@@ -1,13 +1,13 @@
 #include "vtkSurfaceCurvature.h"
 
-#include "AlgorithmGuard.h"
-#include "CurvatureDescriptors.h"
-#include "Index.h"
-#include "PolyDataTriangles.h"
-#include "SurfaceCurvature.h"
-#include "SurfaceIntake.h"
-#include "SurfaceTypeNames.h"
-#include "WholeSurface.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/Index.h"
+#include "Core/PolyDataTriangles.h"
+#include "Core/WholeSurface.h"
+#include "Curvature/CurvatureDescriptors.h"
+#include "Curvature/SurfaceCurvature.h"
+#include "Curvature/SurfaceTypeNames.h"
+#include "Surfaces/SurfaceIntake.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkInformation.h>

@@ -39,8 +39,8 @@
 #ifndef vtkSurfaceCurvature_h
 #define vtkSurfaceCurvature_h
 
-#include "CurvatureArrays.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "Curvature/CurvatureArrays.h"
+#include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
 namespace isthmus
@@ -48,7 +48,7 @@ namespace isthmus
 struct SurfaceCurvatureResult;
 }
 
-class VTKISTHMUS_EXPORT vtkSurfaceCurvature : public vtkPolyDataAlgorithm
+class VTKISTHMUSFILTERSCURVATURE_EXPORT vtkSurfaceCurvature : public vtkPolyDataAlgorithm
 {
 public:
   static vtkSurfaceCurvature* New();

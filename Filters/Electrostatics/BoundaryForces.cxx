@@ -1,7 +1,7 @@
-#include "BoundaryForces.h"
+#include "Electrostatics/BoundaryForces.h"
 
-#include "ElectrostaticUnits.h"
-#include "SurfacePotential.h"
+#include "Electrostatics/ElectrostaticUnits.h"
+#include "Electrostatics/SurfacePotential.h"
 
 #include <cmath>
 

@@ -17,15 +17,16 @@
 #ifndef isthmus_BoundaryForces_h
 #define isthmus_BoundaryForces_h
 
-#include "PotentialOnBox.h"
-#include "SurfaceMotion.h"
+#include "Electrostatics/PotentialOnBox.h"
+#include "Electrostatics/SurfaceMotion.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
 
 /// The pull at each crossing of the solution's surface with the grid, kcal/mol/angstrom^3; 0 where
 /// no field could be fitted. O(crossings), parallel.
-VTKISTHMUS_EXPORT std::vector<double> PullAtCrossings(
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<double> PullAtCrossings(
   const PotentialOnBox& solution, double kelvin);
 
 /// On each atom, kT/angstrom, along the grid's axes.
@@ -40,7 +41,7 @@ struct BoundaryForces
  * surface are summed over the nodes at their border. O(crossings times atoms near + nodes); the
  * same bits on any number of threads.
  */
-VTKISTHMUS_EXPORT BoundaryForces ForcesOnBoundary(
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT BoundaryForces ForcesOnBoundary(
   const PotentialOnBox& solution, const SurfaceMotion& motion);
 
 }

@@ -1,7 +1,7 @@
-#include "BoundaryPotential.h"
+#include "Electrostatics/BoundaryPotential.h"
 
-#include "ChargeTree.h"
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
+#include "Electrostatics/ChargeTree.h"
 
 #include <cmath>
 #include <memory>

@@ -5,9 +5,9 @@
 #ifndef isthmus_BoundaryPotential_h
 #define isthmus_BoundaryPotential_h
 
-#include "ChargeSums.h"
-#include "LevelFunction.h"
-#include "vtkIsthmusModule.h"
+#include "Electrostatics/ChargeSums.h"
+#include "Electrostatics/LevelFunction.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
@@ -19,19 +19,21 @@ using PotentialFunction = std::function<double(const Point3&)>;
  * itself in the solvent. It decays and solves the linear equation outside, but knows nothing of the
  * cavity that the solute is.
  */
-VTKISTHMUS_EXPORT PotentialFunction MultipleDebyeHueckel(const std::vector<ChargedAtom>& atoms,
-  double coulombLength, double solventDielectric, double kappa);
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT PotentialFunction MultipleDebyeHueckel(
+  const std::vector<ChargedAtom>& atoms, double coulombLength, double solventDielectric,
+  double kappa);
 
 /// The same with all charge in the middle, in a sphere around all atoms.
-VTKISTHMUS_EXPORT PotentialFunction SingleDebyeHueckel(const std::vector<ChargedAtom>& atoms,
-  double coulombLength, double solventDielectric, double kappa);
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT PotentialFunction SingleDebyeHueckel(
+  const std::vector<ChargedAtom>& atoms, double coulombLength, double solventDielectric,
+  double kappa);
 
 /**
  * Sets the border nodes of u to f. With a `sampleLength` (angstrom) above 0, f is called at nodes
  * so far apart only, also a little beyond the border, and interpolated by cubics: f must be smooth
  * there. Parallel.
  */
-VTKISTHMUS_EXPORT void FillBorder(
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT void FillBorder(
   const SolverBox& box, const PotentialFunction& f, double sampleLength, std::vector<double>& u);
 
 }

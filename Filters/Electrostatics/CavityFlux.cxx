@@ -1,4 +1,4 @@
-#include "CavityFlux.h"
+#include "Electrostatics/CavityFlux.h"
 
 #include <algorithm>
 

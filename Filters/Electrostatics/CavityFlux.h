@@ -21,7 +21,7 @@
 #ifndef isthmus_CavityFlux_h
 #define isthmus_CavityFlux_h
 
-#include "CrossingValues.h"
+#include "Electrostatics/CrossingValues.h"
 
 namespace isthmus
 {

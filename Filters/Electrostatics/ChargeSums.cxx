@@ -1,6 +1,6 @@
-#include "ChargeSums.h"
+#include "Electrostatics/ChargeSums.h"
 
-#include "VectorClones.h"
+#include "Core/VectorClones.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #ifndef isthmus_ChargeSums_h
 #define isthmus_ChargeSums_h
 
-#include "PoissonBoltzmannParameters.h"
-#include "vtkIsthmusModule.h"
+#include "Electrostatics/PoissonBoltzmannParameters.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 #include <vector>
 
@@ -67,13 +67,15 @@ struct SecondOrderTaylor
 };
 
 /// sum q / |x - r| and its derivatives; about a nanosecond for each charge.
-VTKISTHMUS_EXPORT SecondOrderTaylor CoulombSum(const ChargeList& charges, const Point3& x);
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SecondOrderTaylor CoulombSum(
+  const ChargeList& charges, const Point3& x);
 
 /// sum q / max(|x - r|, nearest).
-VTKISTHMUS_EXPORT double CoulombValue(const ChargeList& charges, const Point3& x, double nearest);
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT double CoulombValue(
+  const ChargeList& charges, const Point3& x, double nearest);
 
 /// sum q exp(-kappa |x - r|) / |x - r| over charges [first, last); a nanosecond or two for each.
-VTKISTHMUS_EXPORT double ScreenedSum(
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT double ScreenedSum(
   const ChargeList& charges, double kappa, const Point3& x, std::size_t first, std::size_t last);
 
 /// Over all.

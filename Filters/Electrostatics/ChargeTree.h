@@ -10,14 +10,14 @@
 #ifndef isthmus_ChargeTree_h
 #define isthmus_ChargeTree_h
 
-#include "ChargeSums.h"
-#include "vtkIsthmusModule.h"
+#include "Electrostatics/ChargeSums.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
 
 /// Building: O(n log n), most of it parallel; memory about 8 numbers for each charge.
-class VTKISTHMUS_EXPORT ChargeTree
+class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT ChargeTree
 {
 public:
   explicit ChargeTree(const ChargeList& charges);

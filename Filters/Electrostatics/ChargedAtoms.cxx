@@ -1,7 +1,7 @@
-#include "ChargedAtoms.h"
+#include "Electrostatics/ChargedAtoms.h"
 
-#include "AtomInput.h"
-#include "ChemicalElement.h"
+#include "Atoms/AtomInput.h"
+#include "Atoms/ChemicalElement.h"
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>

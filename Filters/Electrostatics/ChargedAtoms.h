@@ -5,7 +5,7 @@
 #ifndef isthmus_ChargedAtoms_h
 #define isthmus_ChargedAtoms_h
 
-#include "ProteinCharges.h"
+#include "Electrostatics/ProteinCharges.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkType.h>

@@ -1,7 +1,7 @@
-#include "ChargesOnGrid.h"
+#include "Electrostatics/ChargesOnGrid.h"
 
-#include "ChargeTree.h"
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
+#include "Electrostatics/ChargeTree.h"
 
 #include <algorithm>
 #include <cmath>

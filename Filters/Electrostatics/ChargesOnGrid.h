@@ -5,16 +5,18 @@
 #ifndef isthmus_ChargesOnGrid_h
 #define isthmus_ChargesOnGrid_h
 
-#include "ChargeSums.h"
-#include "InterfaceGeometry.h"
+#include "Electrostatics/ChargeSums.h"
+#include "Electrostatics/InterfaceGeometry.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
 
 /// G with derivatives at each point, directly or, with many charges, by a tree for each brick of
 /// 8^3 nodes of the box. Parallel.
-VTKISTHMUS_EXPORT std::vector<SecondOrderTaylor> ChargesAtPoints(const ChargeList& charges,
-  const SolverBox& box, const std::vector<Point3>& points, const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<SecondOrderTaylor> ChargesAtPoints(
+  const ChargeList& charges, const SolverBox& box, const std::vector<Point3>& points,
+  const ProgressCallback& progress = {});
 
 /// What the same charges have at crossings of a surface with the same box, in their order.
 struct KnownCharges
@@ -34,8 +36,8 @@ std::vector<SecondOrderTaylor> ChargesAtCrossings(const ChargeList& charges, con
  * to a charge than a quarter of the shortest spacing take its potential from there. By a tree from
  * some hundred charges on; relative error 1e-5.
  */
-VTKISTHMUS_EXPORT void ChargesAtNodes(const ChargeList& charges, const SolverBox& box,
-  const std::function<void(std::int64_t node, double g)>& use,
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT void ChargesAtNodes(const ChargeList& charges,
+  const SolverBox& box, const std::function<void(std::int64_t node, double g)>& use,
   const ProgressCallback& progress = {});
 
 }

@@ -1,6 +1,6 @@
-#include "ClosedCavities.h"
+#include "Electrostatics/ClosedCavities.h"
 
-#include "DisjointSets.h"
+#include "Core/DisjointSets.h"
 
 #include <algorithm>
 #include <unordered_map>

@@ -5,7 +5,8 @@
 #ifndef isthmus_ClosedCavities_h
 #define isthmus_ClosedCavities_h
 
-#include "InterfaceGeometry.h"
+#include "Electrostatics/InterfaceGeometry.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
@@ -16,8 +17,9 @@ namespace isthmus
  * across diagonals are joined by a neck thinner than the spacing, as finer grids show. Both orders
  * are those of the crossings. O(nodes), by runs of nodes along x: about 40 bytes a run, at most.
  */
-VTKISTHMUS_EXPORT std::vector<std::vector<std::int64_t>> WallsOfClosedCavities(const SolverBox& box,
-  const std::vector<unsigned char>& inside, const std::vector<InterfaceCrossing>& crossings);
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<std::vector<std::int64_t>> WallsOfClosedCavities(
+  const SolverBox& box, const std::vector<unsigned char>& inside,
+  const std::vector<InterfaceCrossing>& crossings);
 
 }
 

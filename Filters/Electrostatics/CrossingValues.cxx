@@ -1,4 +1,4 @@
-#include "CrossingValues.h"
+#include "Electrostatics/CrossingValues.h"
 
 #include <algorithm>
 

@@ -5,9 +5,9 @@
 #ifndef isthmus_CrossingValues_h
 #define isthmus_CrossingValues_h
 
-#include "ChargeSums.h"
-#include "InterfaceFit.h"
-#include "vtkIsthmusModule.h"
+#include "Electrostatics/ChargeSums.h"
+#include "Electrostatics/InterfaceFit.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
@@ -34,11 +34,11 @@ struct InterfaceProblem
 };
 
 /// The nodes around the edge of a crossing, with weights, for a fit at the crossing.
-VTKISTHMUS_EXPORT FitNodes NodesAroundCrossing(const SolverBox& box,
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT FitNodes NodesAroundCrossing(const SolverBox& box,
   const std::vector<unsigned char>& inside, const InterfaceCrossing& crossing, double length);
 
 /// Weights (h / h_a)^2 of the axes, h the shortest spacing.
-VTKISTHMUS_EXPORT Point3 AxisWeights(const SolverBox& box);
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT Point3 AxisWeights(const SolverBox& box);
 
 /// A fictitious value as a sum over nodes and a constant.
 struct Continuation

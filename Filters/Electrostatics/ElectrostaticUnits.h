@@ -7,7 +7,7 @@
 #ifndef isthmus_ElectrostaticUnits_h
 #define isthmus_ElectrostaticUnits_h
 
-#include "Pi.h"
+#include "Core/Pi.h"
 
 namespace isthmus::units
 {

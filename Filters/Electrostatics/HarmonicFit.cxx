@@ -1,4 +1,4 @@
-#include "HarmonicFit.h"
+#include "Electrostatics/HarmonicFit.h"
 
 #include <Eigen/Dense>
 

@@ -9,8 +9,8 @@
 #ifndef isthmus_HarmonicFit_h
 #define isthmus_HarmonicFit_h
 
-#include "LevelFunction.h"
-#include "vtkIsthmusModule.h"
+#include "Electrostatics/LevelFunction.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
@@ -22,7 +22,7 @@ struct ValueAndGradient
 };
 
 /// Of u at x (frame of the volume). Throws std::invalid_argument where no node around is inside.
-VTKISTHMUS_EXPORT ValueAndGradient HarmonicAt(const SolverBox& box,
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT ValueAndGradient HarmonicAt(const SolverBox& box,
   const std::vector<unsigned char>& inside, const std::vector<double>& u, const Point3& x);
 
 }

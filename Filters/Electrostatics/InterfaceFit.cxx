@@ -1,4 +1,4 @@
-#include "InterfaceFit.h"
+#include "Electrostatics/InterfaceFit.h"
 
 #include <Eigen/Dense>
 

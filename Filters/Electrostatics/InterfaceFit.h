@@ -22,8 +22,8 @@
 #ifndef isthmus_InterfaceFit_h
 #define isthmus_InterfaceFit_h
 
-#include "InterfaceGeometry.h"
-#include "vtkIsthmusModule.h"
+#include "Electrostatics/InterfaceGeometry.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
@@ -87,8 +87,8 @@ struct FitTarget
  * Fits at a point with frame `frame` and writes one functional for each target. The functionals
  * take as data phi: u + T2G(y) at inside nodes, u at outside nodes. With None nothing is written.
  */
-VTKISTHMUS_EXPORT FitQuality FitInterface(const FitMedium& medium, const SurfaceFrame& frame,
-  const FitNodes& nodes, const std::vector<FitTarget>& targets,
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT FitQuality FitInterface(const FitMedium& medium,
+  const SurfaceFrame& frame, const FitNodes& nodes, const std::vector<FitTarget>& targets,
   std::vector<FitFunctional>& functionals);
 
 }

@@ -1,7 +1,7 @@
-#include "InterfaceGeometry.h"
+#include "Electrostatics/InterfaceGeometry.h"
 
-#include "LocalPolynomial.h"
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
+#include "Electrostatics/LocalPolynomial.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -10,9 +10,9 @@
 #ifndef isthmus_InterfaceGeometry_h
 #define isthmus_InterfaceGeometry_h
 
-#include "LevelFunction.h"
-#include "Progress.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Progress.h"
+#include "Electrostatics/LevelFunction.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 #include <vector>
 
@@ -37,7 +37,7 @@ struct InterfaceCrossing
 };
 
 /// 1 for the nodes of the box inside the level, else 0. Parallel.
-VTKISTHMUS_EXPORT std::vector<unsigned char> SidesOfNodes(
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<unsigned char> SidesOfNodes(
   const LevelFunction& level, const SolverBox& box);
 
 /**
@@ -45,16 +45,17 @@ VTKISTHMUS_EXPORT std::vector<unsigned char> SidesOfNodes(
  * three nodes to the border of the box. O(nodes + 200 crossings), parallel, the same on any number
  * of threads; Cancelled.
  */
-VTKISTHMUS_EXPORT std::vector<InterfaceCrossing> FindCrossings(const LevelFunction& level,
-  const SolverBox& box, const std::vector<unsigned char>& inside,
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<InterfaceCrossing> FindCrossings(
+  const LevelFunction& level, const SolverBox& box, const std::vector<unsigned char>& inside,
   const ProgressCallback& progress = {});
 
 /// The point of the level set next to `x`, which lies near it (within a spacing or so): Newton
 /// steps along the gradient of the polynomial through 6^3 nodes.
-VTKISTHMUS_EXPORT Point3 OnLevel(const LevelFunction& level, const SolverBox& box, Point3 x);
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT Point3 OnLevel(
+  const LevelFunction& level, const SolverBox& box, Point3 x);
 
 /// The frame of the level set through the point `x` (frame of the volume).
-VTKISTHMUS_EXPORT SurfaceFrame FrameAt(
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SurfaceFrame FrameAt(
   const LevelFunction& level, const SolverBox& box, const Point3& x);
 
 }

@@ -1,6 +1,6 @@
-#include "InterfaceOperator.h"
+#include "Electrostatics/InterfaceOperator.h"
 
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
 
 #include <algorithm>
 

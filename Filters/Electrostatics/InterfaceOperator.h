@@ -8,14 +8,15 @@
 #ifndef isthmus_InterfaceOperator_h
 #define isthmus_InterfaceOperator_h
 
-#include "IrregularRows.h"
+#include "Electrostatics/IrregularRows.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 #include <memory>
 
 namespace isthmus
 {
 
-class VTKISTHMUS_EXPORT InterfaceOperator
+class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT InterfaceOperator
 {
 public:
   /// Box and sides are referred to, not copied.

@@ -1,6 +1,6 @@
-#include "InterfaceSolver.h"
+#include "Electrostatics/InterfaceSolver.h"
 
-#include "ParallelReduce.h"
+#include "Core/ParallelReduce.h"
 
 #include <algorithm>
 #include <cmath>

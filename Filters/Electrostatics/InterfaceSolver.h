@@ -10,9 +10,10 @@
 #ifndef isthmus_InterfaceSolver_h
 #define isthmus_InterfaceSolver_h
 
-#include "InterfaceOperator.h"
-#include "MultigridPoisson.h"
-#include "Progress.h"
+#include "Core/Progress.h"
+#include "Electrostatics/InterfaceOperator.h"
+#include "Electrostatics/MultigridPoisson.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
@@ -42,7 +43,7 @@ struct SolverWorkspace
  * Improves u, whose residual b - A u is in `work.Residual`, until the residual is small enough.
  * Throws std::runtime_error when the residual is not finite.
  */
-VTKISTHMUS_EXPORT SolverReport SolveInterface(const InterfaceOperator& matrix,
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SolverReport SolveInterface(const InterfaceOperator& matrix,
   MultigridPoisson& multigrid, const SolverControl& control, SolverWorkspace& work,
   std::vector<double>& u, const ProgressCallback& progress = {});
 
@@ -50,7 +51,7 @@ VTKISTHMUS_EXPORT SolverReport SolveInterface(const InterfaceOperator& matrix,
 void RequireConvergence(const SolverReport& report, const SolverControl& control);
 
 /// sqrt(sum a_i^2), the same bits on any number of threads.
-VTKISTHMUS_EXPORT double NormOf(const std::vector<double>& a);
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT double NormOf(const std::vector<double>& a);
 
 }
 

@@ -1,4 +1,4 @@
-#include "IonAccess.h"
+#include "Electrostatics/IonAccess.h"
 
 #include <algorithm>
 #include <cmath>

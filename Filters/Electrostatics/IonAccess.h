@@ -5,8 +5,8 @@
 #ifndef isthmus_IonAccess_h
 #define isthmus_IonAccess_h
 
-#include "InterfaceGeometry.h"
-#include "vtkIsthmusModule.h"
+#include "Electrostatics/InterfaceGeometry.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 #include <cmath>
 
@@ -28,7 +28,7 @@ struct IonBorderNode
  * layer 0: 0 inside, 1 outside. The nodes in between go to `border`, if any is given. O(nodes +
  * crossings layer^3 / h^3), serial.
  */
-VTKISTHMUS_EXPORT std::vector<float> IonAccess(const SolverBox& box,
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<float> IonAccess(const SolverBox& box,
   const std::vector<unsigned char>& inside, const std::vector<InterfaceCrossing>& crossings,
   double layer, std::vector<IonBorderNode>* border = nullptr);
 
@@ -41,7 +41,7 @@ struct CutCell
 };
 
 /// The cells that a sum over nodes outside takes wholly or not at all, by node. O(crossings).
-VTKISTHMUS_EXPORT std::vector<CutCell> CutCells(const SolverBox& box,
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<CutCell> CutCells(const SolverBox& box,
   const std::vector<unsigned char>& inside, const std::vector<InterfaceCrossing>& crossings);
 
 /// The distance over which the access goes from 0 to 1.

@@ -1,7 +1,7 @@
-#include "IonAtmosphere.h"
+#include "Electrostatics/IonAtmosphere.h"
 
-#include "ElectrostaticUnits.h"
-#include "RangeGuard.h"
+#include "Core/RangeGuard.h"
+#include "Electrostatics/ElectrostaticUnits.h"
 
 #include <algorithm>
 #include <cmath>

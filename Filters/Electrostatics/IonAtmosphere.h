@@ -5,8 +5,8 @@
 #ifndef isthmus_IonAtmosphere_h
 #define isthmus_IonAtmosphere_h
 
-#include "PoissonBoltzmannParameters.h"
-#include "vtkIsthmusModule.h"
+#include "Electrostatics/PoissonBoltzmannParameters.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 #include <cstddef>
 
@@ -23,7 +23,7 @@ namespace isthmus
  * together with the others: between the radii of two layers there is charge where u is 0 (which the
  * linear equation leaves out, as it asks what the solute does).
  */
-class VTKISTHMUS_EXPORT IonAtmosphere
+class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT IonAtmosphere
 {
 public:
   /// Throws std::invalid_argument for concentrations that are negative and charges that don't

@@ -1,6 +1,6 @@
-#include "IrregularRows.h"
+#include "Electrostatics/IrregularRows.h"
 
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
 
 #include <cmath>
 #include <limits>

@@ -12,7 +12,8 @@
 #ifndef isthmus_IrregularRows_h
 #define isthmus_IrregularRows_h
 
-#include "CavityFlux.h"
+#include "Electrostatics/CavityFlux.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
@@ -33,7 +34,7 @@ struct IrregularRows
 };
 
 /// O(crossings), about 10 microseconds each; parallel; the same bits on any number of threads.
-VTKISTHMUS_EXPORT IrregularRows AssembleIrregularRows(
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT IrregularRows AssembleIrregularRows(
   const InterfaceProblem& problem, const ProgressCallback& progress = {});
 
 /// The permittivity of an edge that the surface crosses, `fraction` of it in the solute.

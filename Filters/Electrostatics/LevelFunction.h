@@ -5,8 +5,8 @@
 #ifndef isthmus_LevelFunction_h
 #define isthmus_LevelFunction_h
 
-#include "GridView.h"
-#include "PoissonBoltzmannParameters.h"
+#include "Core/GridView.h"
+#include "Electrostatics/PoissonBoltzmannParameters.h"
 
 #include <algorithm>
 #include <cmath>

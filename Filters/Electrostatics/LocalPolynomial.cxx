@@ -1,4 +1,4 @@
-#include "LocalPolynomial.h"
+#include "Electrostatics/LocalPolynomial.h"
 
 #include <cmath>
 

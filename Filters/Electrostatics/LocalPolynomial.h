@@ -5,7 +5,7 @@
 #ifndef isthmus_LocalPolynomial_h
 #define isthmus_LocalPolynomial_h
 
-#include "LevelFunction.h"
+#include "Electrostatics/LevelFunction.h"
 
 #include <array>
 #include <cstdint>

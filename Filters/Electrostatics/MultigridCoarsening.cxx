@@ -1,7 +1,7 @@
 // The coarser grids of a multigrid cycle, and what they are made of.
 
-#include "MultigridEdges.h"
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
+#include "Electrostatics/MultigridEdges.h"
 
 #include <algorithm>
 

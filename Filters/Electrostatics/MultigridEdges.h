@@ -5,7 +5,7 @@
 #ifndef isthmus_MultigridEdges_h
 #define isthmus_MultigridEdges_h
 
-#include "MultigridLevel.h"
+#include "Electrostatics/MultigridLevel.h"
 
 namespace isthmus
 {

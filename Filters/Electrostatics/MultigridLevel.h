@@ -5,7 +5,7 @@
 #ifndef isthmus_MultigridLevel_h
 #define isthmus_MultigridLevel_h
 
-#include "EdgePermittivity.h"
+#include "Electrostatics/EdgePermittivity.h"
 
 #include <cstdint>
 #include <memory>

@@ -1,7 +1,7 @@
-#include "MultigridPoisson.h"
+#include "Electrostatics/MultigridPoisson.h"
 
-#include "MultigridLevel.h"
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
+#include "Electrostatics/MultigridLevel.h"
 
 #include <algorithm>
 

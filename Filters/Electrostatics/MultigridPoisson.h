@@ -17,8 +17,8 @@
 #ifndef isthmus_MultigridPoisson_h
 #define isthmus_MultigridPoisson_h
 
-#include "EdgePermittivity.h"
-#include "vtkIsthmusModule.h"
+#include "Electrostatics/EdgePermittivity.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 #include <array>
 #include <cstdint>
@@ -31,7 +31,7 @@ namespace isthmus
 struct MultigridLevel;
 
 /// Memory: 12.6 bytes a node beside the codes' three, 4.6 more with a diagonal.
-class VTKISTHMUS_EXPORT MultigridPoisson
+class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT MultigridPoisson
 {
 public:
   /// `weights` are (h / h_axis)^2, h the shortest spacing.

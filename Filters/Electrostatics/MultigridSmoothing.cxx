@@ -1,7 +1,7 @@
 // What is done on one grid of a multigrid cycle: smoothing, residuals down, corrections up.
 
-#include "MultigridEdges.h"
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
+#include "Electrostatics/MultigridEdges.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #ifndef isthmus_NodeLoops_h
 #define isthmus_NodeLoops_h
 
-#include "LevelFunction.h"
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
+#include "Electrostatics/LevelFunction.h"
 
 namespace isthmus
 {

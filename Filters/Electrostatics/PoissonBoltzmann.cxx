@@ -1,6 +1,6 @@
-#include "PoissonBoltzmann.h"
+#include "Electrostatics/PoissonBoltzmann.h"
 
-#include "ElectrostaticUnits.h"
+#include "Electrostatics/ElectrostaticUnits.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -20,22 +20,26 @@
 #ifndef isthmus_PoissonBoltzmann_h
 #define isthmus_PoissonBoltzmann_h
 
-#include "PotentialOnBox.h"
+#include "Electrostatics/PotentialOnBox.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
 
 /// Throws std::invalid_argument, with the property, for parameters out of their range.
-VTKISTHMUS_EXPORT void CheckParameters(const PoissonBoltzmannParameters& parameters);
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT void CheckParameters(
+  const PoissonBoltzmannParameters& parameters);
 
 /**
  * The nodes of the volume and as many around as give `padding` between surface and border.
  * Throws std::invalid_argument where the level set is empty or leaves the volume.
  */
-VTKISTHMUS_EXPORT SolverBox BoxAround(const LevelFunction& level, double padding);
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SolverBox BoxAround(
+  const LevelFunction& level, double padding);
 
 /// Every `stride`-th node of `box`, and as many more at the upper end as reach its border.
-VTKISTHMUS_EXPORT SolverBox CoarserBox(const SolverBox& box, std::int64_t stride);
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SolverBox CoarserBox(
+  const SolverBox& box, std::int64_t stride);
 
 /**
  * Solves on `box`. Atoms are in the frame of the volume and inside the level; it refers to what it
@@ -46,8 +50,8 @@ VTKISTHMUS_EXPORT SolverBox CoarserBox(const SolverBox& box, std::int64_t stride
  * atoms (by a tree above); memory 80 to 104 bytes a node.
  * The same bits on any number of threads.
  */
-VTKISTHMUS_EXPORT std::unique_ptr<PotentialOnBox> SolvePoissonBoltzmann(const LevelFunction& level,
-  const SolverBox& box, const std::vector<ChargedAtom>& atoms,
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::unique_ptr<PotentialOnBox> SolvePoissonBoltzmann(
+  const LevelFunction& level, const SolverBox& box, const std::vector<ChargedAtom>& atoms,
   const PoissonBoltzmannParameters& parameters, const IonAtmosphere& ions,
   const ProgressCallback& progress = {});
 
@@ -55,7 +59,7 @@ VTKISTHMUS_EXPORT std::unique_ptr<PotentialOnBox> SolvePoissonBoltzmann(const Le
 /// border values included: from its potential, until the residual is as small as it became there,
 /// with the charges summed anew only where the surface did move. `last` is not referred to; after
 /// its Release() it is small. Throws, time and threads: as above.
-VTKISTHMUS_EXPORT std::unique_ptr<PotentialOnBox> SolveAgain(
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::unique_ptr<PotentialOnBox> SolveAgain(
   const LevelFunction& level, const PotentialOnBox& last, const ProgressCallback& progress = {});
 
 }

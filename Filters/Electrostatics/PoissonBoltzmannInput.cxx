@@ -1,10 +1,10 @@
-#include "PoissonBoltzmannInput.h"
+#include "Electrostatics/PoissonBoltzmannInput.h"
 
-#include "GridImages.h"
-#include "ImageScalars.h"
-#include "RangeGuard.h"
-#include "SoluteVolume.h"
-#include "TrilinearField.h"
+#include "Core/ImageScalars.h"
+#include "Core/RangeGuard.h"
+#include "Core/TrilinearField.h"
+#include "Electrostatics/SoluteVolume.h"
+#include "Surfaces/GridImages.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkDataArray.h>

@@ -5,7 +5,7 @@
 #ifndef isthmus_PoissonBoltzmannInput_h
 #define isthmus_PoissonBoltzmannInput_h
 
-#include "LevelFunction.h"
+#include "Electrostatics/LevelFunction.h"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 // What the equation was solved with, as maps on the image's nodes.
 
-#include "PoissonBoltzmannOutput.h"
+#include "Electrostatics/PoissonBoltzmannOutput.h"
 
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
 
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>

@@ -1,11 +1,11 @@
-#include "PoissonBoltzmannOutput.h"
+#include "Electrostatics/PoissonBoltzmannOutput.h"
 
-#include "BoundaryForces.h"
-#include "ChargesOnGrid.h"
-#include "ElectrostaticUnits.h"
-#include "GridImages.h"
-#include "SoluteVolume.h"
-#include "SurfacePotential.h"
+#include "Electrostatics/BoundaryForces.h"
+#include "Electrostatics/ChargesOnGrid.h"
+#include "Electrostatics/ElectrostaticUnits.h"
+#include "Electrostatics/SoluteVolume.h"
+#include "Electrostatics/SurfacePotential.h"
+#include "Surfaces/GridImages.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>

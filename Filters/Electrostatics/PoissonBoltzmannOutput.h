@@ -5,8 +5,8 @@
 #ifndef isthmus_PoissonBoltzmannOutput_h
 #define isthmus_PoissonBoltzmannOutput_h
 
-#include "PotentialOnBox.h"
-#include "Progress.h"
+#include "Core/Progress.h"
+#include "Electrostatics/PotentialOnBox.h"
 
 #include <string>
 

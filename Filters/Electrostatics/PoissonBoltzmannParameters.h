@@ -5,7 +5,7 @@
 #ifndef isthmus_PoissonBoltzmannParameters_h
 #define isthmus_PoissonBoltzmannParameters_h
 
-#include "Point3.h"
+#include "Core/Point3.h"
 
 #include <array>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // What goes in and out of vtkPoissonBoltzmann.
 
-#include "AlgorithmGuard.h"
-#include "AtomInput.h"
-#include "ChargedAtoms.h"
+#include "Atoms/AtomInput.h"
+#include "Core/AlgorithmGuard.h"
+#include "Electrostatics/ChargedAtoms.h"
 #include "vtkPoissonBoltzmann.h"
 
 #include <vtkImageData.h>

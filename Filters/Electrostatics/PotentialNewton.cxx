@@ -1,7 +1,7 @@
 // Newton's method for the full Poisson-Boltzmann equation.
 
-#include "NodeLoops.h"
-#include "PotentialOnBox.h"
+#include "Electrostatics/NodeLoops.h"
+#include "Electrostatics/PotentialOnBox.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,12 +1,12 @@
-#include "PotentialOnBox.h"
+#include "Electrostatics/PotentialOnBox.h"
 
-#include "ChargesOnGrid.h"
-#include "ClosedCavities.h"
-#include "ElectrostaticUnits.h"
-#include "HarmonicFit.h"
-#include "NodeLoops.h"
-#include "ParallelFor.h"
-#include "ParallelReduce.h"
+#include "Core/ParallelFor.h"
+#include "Core/ParallelReduce.h"
+#include "Electrostatics/ChargesOnGrid.h"
+#include "Electrostatics/ClosedCavities.h"
+#include "Electrostatics/ElectrostaticUnits.h"
+#include "Electrostatics/HarmonicFit.h"
+#include "Electrostatics/NodeLoops.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -12,10 +12,11 @@
 #ifndef isthmus_PotentialOnBox_h
 #define isthmus_PotentialOnBox_h
 
-#include "InterfaceSolver.h"
-#include "IonAccess.h"
-#include "IonAtmosphere.h"
-#include "RadiatedPotential.h"
+#include "Electrostatics/InterfaceSolver.h"
+#include "Electrostatics/IonAccess.h"
+#include "Electrostatics/IonAtmosphere.h"
+#include "Electrostatics/RadiatedPotential.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 #include <memory>
 
@@ -23,7 +24,7 @@ namespace isthmus
 {
 
 /// Memory: see PoissonBoltzmann.h.
-class VTKISTHMUS_EXPORT PotentialOnBox
+class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT PotentialOnBox
 {
 public:
   /// Finds the surface and fits the rows at it. What is passed is referred to, not copied, but for

@@ -1,7 +1,7 @@
-#include "ProteinCharges.h"
+#include "Electrostatics/ProteinCharges.h"
 
-#include "ChemicalElement.h"
-#include "PrintableText.h"
+#include "Atoms/ChemicalElement.h"
+#include "Core/PrintableText.h"
 
 #include <cmath>
 #include <cstdio>

@@ -9,8 +9,9 @@
 #ifndef isthmus_ProteinCharges_h
 #define isthmus_ProteinCharges_h
 
-#include "ChildProcess.h"
-#include "PolymerAtoms.h"
+#include "Atoms/PolymerAtoms.h"
+#include "Core/ChildProcess.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
@@ -47,8 +48,9 @@ struct ChargedProtein
  *   residues in one, coordinates beyond +-9,999; no atom with a residue's name.
  * @throws std::runtime_error where the program is not there, fails or takes longer than `limits`.
  */
-VTKISTHMUS_EXPORT ChargedProtein ChargeProtein(const std::vector<NamedAtom>& atoms,
-  ChargeTable table, const ChildLimits& limits, const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT ChargedProtein ChargeProtein(
+  const std::vector<NamedAtom>& atoms, ChargeTable table, const ChildLimits& limits,
+  const ProgressCallback& progress = {});
 
 }
 

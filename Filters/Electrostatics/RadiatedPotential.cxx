@@ -1,7 +1,7 @@
-#include "RadiatedPotential.h"
+#include "Electrostatics/RadiatedPotential.h"
 
-#include "ChargeTree.h"
-#include "ElectrostaticUnits.h"
+#include "Electrostatics/ChargeTree.h"
+#include "Electrostatics/ElectrostaticUnits.h"
 
 #include <algorithm>
 #include <cmath>

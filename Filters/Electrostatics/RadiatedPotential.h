@@ -5,7 +5,8 @@
 #ifndef isthmus_RadiatedPotential_h
 #define isthmus_RadiatedPotential_h
 
-#include "BoundaryPotential.h"
+#include "Electrostatics/BoundaryPotential.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
@@ -17,7 +18,8 @@ struct BoxNodes
 };
 
 /// Least distance of the nodes `inside` from the border, angstrom.
-VTKISTHMUS_EXPORT double GapAround(const BoxNodes& inside, const SolverBox& box);
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT double GapAround(
+  const BoxNodes& inside, const SolverBox& box);
 
 /// Every Stride-th node of the surface of a box of nodes.
 struct RadiatingBox : BoxNodes
@@ -27,7 +29,8 @@ struct RadiatingBox : BoxNodes
 
 /// About half-way between the nodes `inside` and the border, two nodes off the border at least;
 /// strides are about a quarter of the gap.
-VTKISTHMUS_EXPORT RadiatingBox HalfWayOut(const BoxNodes& inside, const SolverBox& box);
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT RadiatingBox HalfWayOut(
+  const BoxNodes& inside, const SolverBox& box);
 
 /**
  * The function outside of the range of nodes that decays, solves the linear equation there and
@@ -43,7 +46,7 @@ VTKISTHMUS_EXPORT RadiatingBox HalfWayOut(const BoxNodes& inside, const SolverBo
  * distance of range and border), each a pair of charges for source and dipole. Above some thousand
  * of them, by a tree.
  */
-VTKISTHMUS_EXPORT PotentialFunction RadiatedPotential(
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT PotentialFunction RadiatedPotential(
   const SolverBox& box, const std::vector<double>& u, const RadiatingBox& range, double kappa);
 
 }

@@ -1,11 +1,11 @@
-#include "SoluteVolume.h"
+#include "Electrostatics/SoluteVolume.h"
 
-#include "GridDistance.h"
-#include "GridImages.h"
-#include "ImageScalars.h"
-#include "MolecularDensity.h"
-#include "PolyDataTriangles.h"
-#include "SolverMemory.h"
+#include "Atoms/MolecularDensity.h"
+#include "Core/ImageScalars.h"
+#include "Core/PolyDataTriangles.h"
+#include "Electrostatics/SolverMemory.h"
+#include "Surfaces/GridDistance.h"
+#include "Surfaces/GridImages.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

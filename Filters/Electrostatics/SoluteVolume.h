@@ -5,8 +5,8 @@
 #ifndef isthmus_SoluteVolume_h
 #define isthmus_SoluteVolume_h
 
-#include "LevelFunction.h"
-#include "Progress.h"
+#include "Core/Progress.h"
+#include "Electrostatics/LevelFunction.h"
 
 #include <vtkSmartPointer.h>
 

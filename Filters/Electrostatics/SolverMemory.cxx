@@ -1,6 +1,6 @@
-#include "SolverMemory.h"
+#include "Electrostatics/SolverMemory.h"
 
-#include "AvailableMemory.h"
+#include "Core/AvailableMemory.h"
 
 #include <stdexcept>
 

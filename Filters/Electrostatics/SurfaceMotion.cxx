@@ -1,4 +1,4 @@
-#include "SurfaceMotion.h"
+#include "Electrostatics/SurfaceMotion.h"
 
 #include <algorithm>
 #include <cmath>

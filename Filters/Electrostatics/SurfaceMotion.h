@@ -8,8 +8,8 @@
 #ifndef isthmus_SurfaceMotion_h
 #define isthmus_SurfaceMotion_h
 
-#include "PoissonBoltzmannParameters.h"
-#include "vtkIsthmusModule.h"
+#include "Electrostatics/PoissonBoltzmannParameters.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +24,7 @@ struct SurfaceShare
 };
 
 /// Atoms in cells of about their size. Memory 8 bytes an atom and cell.
-class VTKISTHMUS_EXPORT SurfaceMotion
+class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SurfaceMotion
 {
 public:
   /**

@@ -1,9 +1,9 @@
-#include "SurfacePotential.h"
+#include "Electrostatics/SurfacePotential.h"
 
-#include "ChargesOnGrid.h"
-#include "CrossingValues.h"
-#include "ElectrostaticUnits.h"
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
+#include "Electrostatics/ChargesOnGrid.h"
+#include "Electrostatics/CrossingValues.h"
+#include "Electrostatics/ElectrostaticUnits.h"
 
 #include <cmath>
 #include <limits>

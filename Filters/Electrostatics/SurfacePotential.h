@@ -8,7 +8,8 @@
 #ifndef isthmus_SurfacePotential_h
 #define isthmus_SurfacePotential_h
 
-#include "PotentialOnBox.h"
+#include "Electrostatics/PotentialOnBox.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
 {
@@ -24,14 +25,15 @@ struct SurfaceValues
 };
 
 /// At points of the surface of a solved problem (frame of the volume). Parallel.
-VTKISTHMUS_EXPORT SurfaceValues EvaluateAtSurface(const PotentialOnBox& problem,
-  const LevelFunction& level, const std::vector<Point3>& points, double kelvin,
-  const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SurfaceValues EvaluateAtSurface(
+  const PotentialOnBox& problem, const LevelFunction& level, const std::vector<Point3>& points,
+  double kelvin, const ProgressCallback& progress = {});
 
 /// At each crossing of the surface with an edge of the grid, of which the problem knows the
 /// surface's frame and the charges' potential already: by the 4 x 3 x 3 nodes around the edge.
 /// Parallel.
-VTKISTHMUS_EXPORT SurfaceValues EvaluateAtCrossings(const PotentialOnBox& problem, double kelvin);
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SurfaceValues EvaluateAtCrossings(
+  const PotentialOnBox& problem, double kelvin);
 
 }
 

@@ -1,15 +1,15 @@
 #include "vtkPoissonBoltzmann.h"
 
-#include "AlgorithmGuard.h"
-#include "ChargedAtoms.h"
-#include "ImageExtent.h"
-#include "PipelineInputs.h"
-#include "PoissonBoltzmann.h"
-#include "PoissonBoltzmannInput.h"
-#include "PoissonBoltzmannOutput.h"
-#include "RangeGuard.h"
-#include "SoluteVolume.h"
-#include "SolverMemory.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/ImageExtent.h"
+#include "Core/PipelineInputs.h"
+#include "Core/RangeGuard.h"
+#include "Electrostatics/ChargedAtoms.h"
+#include "Electrostatics/PoissonBoltzmann.h"
+#include "Electrostatics/PoissonBoltzmannInput.h"
+#include "Electrostatics/PoissonBoltzmannOutput.h"
+#include "Electrostatics/SoluteVolume.h"
+#include "Electrostatics/SolverMemory.h"
 
 #include <vtkDataSetAttributes.h>
 #include <vtkImageData.h>

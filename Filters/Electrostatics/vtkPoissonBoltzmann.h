@@ -73,7 +73,7 @@
 #define vtkPoissonBoltzmann_h
 
 #include "vtkImageAlgorithm.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusFiltersElectrostaticsModule.h" // for the export macro
 
 #include <memory> // for what is shared between the requests
 #include <string> // for warnings
@@ -93,7 +93,7 @@ class ChargedAtomsCache;
 class InputInAdvance;
 }
 
-class VTKISTHMUS_EXPORT vtkPoissonBoltzmann : public vtkImageAlgorithm
+class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT vtkPoissonBoltzmann : public vtkImageAlgorithm
 {
 public:
   static vtkPoissonBoltzmann* New();

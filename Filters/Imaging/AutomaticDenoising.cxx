@@ -1,4 +1,4 @@
-#include "AutomaticDenoising.h"
+#include "Imaging/AutomaticDenoising.h"
 
 #include <algorithm>
 #include <cmath>

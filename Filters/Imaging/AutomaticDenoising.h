@@ -5,15 +5,16 @@
 #ifndef isthmus_AutomaticDenoising_h
 #define isthmus_AutomaticDenoising_h
 
-#include "HighOrderDiffusion.h"
-#include "NoiseEstimate.h"
+#include "Imaging/HighOrderDiffusion.h"
+#include "Imaging/NoiseEstimate.h"
+#include "vtkIsthmusFiltersImagingModule.h"
 
 namespace isthmus
 {
 
 /// A gradient that noise alone rarely reaches, data unit per length, where `voxel` is the
 /// length between nodes; 1 for an image without noise.
-VTKISTHMUS_EXPORT double NoiseSigma(const NoiseEstimate& noise, double voxel);
+VTKISTHMUSFILTERSIMAGING_EXPORT double NoiseSigma(const NoiseEstimate& noise, double voxel);
 
 /**
  * Sets Sigma, PreSmoothing, Time and ResidualSmoothing for parameters.Order, its diffusivity, and a
@@ -22,7 +23,7 @@ VTKISTHMUS_EXPORT double NoiseSigma(const NoiseEstimate& noise, double voxel);
  * the length to smooth over grow with the ratio of noise to signal; the residual is smoothed a
  * little more than the image. Without noise, Time is 0.
  */
-VTKISTHMUS_EXPORT void ChooseDenoising(
+VTKISTHMUSFILTERSIMAGING_EXPORT void ChooseDenoising(
   const NoiseEstimate& noise, double strength, double voxel, DiffusionParameters& parameters);
 
 }

@@ -1,6 +1,6 @@
-#include "BoxMean.h"
+#include "Imaging/BoxMean.h"
 
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,7 +1,7 @@
-#include "ChebyshevSeries.h"
+#include "Imaging/ChebyshevSeries.h"
 
-#include "Pi.h"
-#include "TimeSteps.h"
+#include "Core/Pi.h"
+#include "Imaging/TimeSteps.h"
 
 #include <unsupported/Eigen/FFT>
 

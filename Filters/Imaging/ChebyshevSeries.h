@@ -5,7 +5,7 @@
 #ifndef isthmus_ChebyshevSeries_h
 #define isthmus_ChebyshevSeries_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusFiltersImagingModule.h" // for the export macro
 
 #include <functional>
 #include <vector>
@@ -23,7 +23,7 @@ namespace isthmus
  * more.
  * @throws std::invalid_argument for a series longer than MaximumEvaluations (TimeSteps.h).
  */
-VTKISTHMUS_EXPORT std::vector<double> ChebyshevSeries(
+VTKISTHMUSFILTERSIMAGING_EXPORT std::vector<double> ChebyshevSeries(
   const std::function<double(double)>& f, double tolerance);
 
 }

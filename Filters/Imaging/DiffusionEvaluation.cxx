@@ -1,7 +1,7 @@
-#include "DiffusionEvaluation.h"
+#include "Imaging/DiffusionEvaluation.h"
 
-#include "DiffusionPipeline.h"
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
+#include "Imaging/DiffusionPipeline.h"
 
 #include <memory>
 #include <mutex>

@@ -9,8 +9,8 @@
 #ifndef isthmus_DiffusionEvaluation_h
 #define isthmus_DiffusionEvaluation_h
 
-#include "DiffusionOperator.h"
-#include "Progress.h"
+#include "Core/Progress.h"
+#include "Imaging/DiffusionOperator.h"
 
 namespace isthmus
 {

@@ -5,7 +5,7 @@
 #ifndef isthmus_DiffusionGrid_h
 #define isthmus_DiffusionGrid_h
 
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
 
 #include <array>
 #include <cstdint>

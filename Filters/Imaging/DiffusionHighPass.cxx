@@ -1,6 +1,6 @@
-#include "DiffusionHighPass.h"
+#include "Imaging/DiffusionHighPass.h"
 
-#include "TimeSteps.h"
+#include "Imaging/TimeSteps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -14,7 +14,8 @@
 #ifndef isthmus_DiffusionHighPass_h
 #define isthmus_DiffusionHighPass_h
 
-#include "HighOrderDiffusion.h"
+#include "Imaging/HighOrderDiffusion.h"
+#include "vtkIsthmusFiltersImagingModule.h"
 
 namespace isthmus
 {
@@ -29,7 +30,7 @@ struct HighPassParameters
 };
 
 /// @throws std::invalid_argument, in a sentence, for parameters that mean nothing.
-VTKISTHMUS_EXPORT void Check(const HighPassParameters& parameters);
+VTKISTHMUSFILTERSIMAGING_EXPORT void Check(const HighPassParameters& parameters);
 
 /**
  * Evolves u and v, both holding the input, in place.
@@ -39,7 +40,7 @@ VTKISTHMUS_EXPORT void Check(const HighPassParameters& parameters);
  * v. Throws as Diffuse does.
  */
 template <typename T>
-VTKISTHMUS_EXPORT void EvolveHighPass(const DiffusionGrid<T>& grid,
+VTKISTHMUSFILTERSIMAGING_EXPORT void EvolveHighPass(const DiffusionGrid<T>& grid,
   const HighPassParameters& parameters, T* u, T* v, const ProgressCallback& progress = {});
 
 }

@@ -1,5 +1,5 @@
-#include "DiffusionImage.h"
-#include "LargePages.h"
+#include "Imaging/DiffusionImage.h"
+#include "Core/LargePages.h"
 
 #include <vtkArrayDispatch.h>
 #include <vtkDataArrayRange.h>

@@ -5,9 +5,9 @@
 #ifndef isthmus_DiffusionImage_h
 #define isthmus_DiffusionImage_h
 
-#include "DiffusionGrid.h"
-#include "Progress.h"
-#include "RankParts.h"
+#include "Core/Progress.h"
+#include "Imaging/DiffusionGrid.h"
+#include "Imaging/RankParts.h"
 
 #include <vtkAOSDataArrayTemplate.h>
 #include <vtkSmartPointer.h>

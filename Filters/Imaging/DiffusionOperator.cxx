@@ -1,4 +1,4 @@
-#include "DiffusionOperator.h"
+#include "Imaging/DiffusionOperator.h"
 
 #include <cmath>
 

@@ -12,7 +12,7 @@
 #ifndef isthmus_DiffusionOperator_h
 #define isthmus_DiffusionOperator_h
 
-#include "DiffusionRows.h"
+#include "Imaging/DiffusionRows.h"
 
 #include <array>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "DiffusionParameters.h"
+#include "Imaging/DiffusionParameters.h"
 
 #include <cmath>
 #include <sstream>

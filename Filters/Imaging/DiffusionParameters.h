@@ -5,7 +5,7 @@
 #ifndef isthmus_DiffusionParameters_h
 #define isthmus_DiffusionParameters_h
 
-#include "vtkIsthmusModule.h"
+#include "vtkIsthmusFiltersImagingModule.h"
 
 #include <array>
 #include <cstdint>
@@ -51,7 +51,7 @@ struct DiffusionParameters
 };
 
 /// @throws std::invalid_argument, in a sentence, for parameters that mean nothing.
-VTKISTHMUS_EXPORT void Check(const DiffusionParameters& parameters);
+VTKISTHMUSFILTERSIMAGING_EXPORT void Check(const DiffusionParameters& parameters);
 
 /// What happened, step by step: a curve to plot.
 struct DiffusionReport

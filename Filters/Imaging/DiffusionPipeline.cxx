@@ -1,4 +1,4 @@
-#include "DiffusionPipeline.h"
+#include "Imaging/DiffusionPipeline.h"
 
 namespace isthmus
 {

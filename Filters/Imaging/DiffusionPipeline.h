@@ -9,8 +9,8 @@
 #ifndef isthmus_DiffusionPipeline_h
 #define isthmus_DiffusionPipeline_h
 
-#include "DiffusionOperator.h"
-#include "PlaneRing.h"
+#include "Imaging/DiffusionOperator.h"
+#include "Imaging/PlaneRing.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
-#include "DiffusionRows.h"
+#include "Imaging/DiffusionRows.h"
 
-#include "VectorClones.h"
+#include "Core/VectorClones.h"
 
 #include <cmath>
 #include <cstring>

@@ -1,9 +1,9 @@
-#include "EdgeCoefficient.h"
+#include "Imaging/EdgeCoefficient.h"
 
-#include "BoxMean.h"
-#include "DiffusionEvaluation.h"
-#include "StageSequence.h"
-#include "TimeSteps.h"
+#include "Imaging/BoxMean.h"
+#include "Imaging/DiffusionEvaluation.h"
+#include "Imaging/StageSequence.h"
+#include "Imaging/TimeSteps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #ifndef isthmus_EdgeCoefficient_h
 #define isthmus_EdgeCoefficient_h
 
-#include "DiffusionGrid.h"
-#include "DiffusionParameters.h"
+#include "Imaging/DiffusionGrid.h"
+#include "Imaging/DiffusionParameters.h"
 
 namespace isthmus
 {

@@ -1,9 +1,9 @@
-#include "HighOrderDiffusion.h"
+#include "Imaging/HighOrderDiffusion.h"
 
-#include "DiffusionEvaluation.h"
-#include "EdgeCoefficient.h"
-#include "StageSequence.h"
-#include "TimeSteps.h"
+#include "Imaging/DiffusionEvaluation.h"
+#include "Imaging/EdgeCoefficient.h"
+#include "Imaging/StageSequence.h"
+#include "Imaging/TimeSteps.h"
 
 #include <algorithm>
 #include <cmath>

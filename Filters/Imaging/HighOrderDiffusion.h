@@ -22,9 +22,10 @@
 #ifndef isthmus_HighOrderDiffusion_h
 #define isthmus_HighOrderDiffusion_h
 
-#include "DiffusionGrid.h"
-#include "DiffusionParameters.h"
-#include "Progress.h"
+#include "Core/Progress.h"
+#include "Imaging/DiffusionGrid.h"
+#include "Imaging/DiffusionParameters.h"
+#include "vtkIsthmusFiltersImagingModule.h"
 
 #include <array>
 
@@ -32,11 +33,11 @@ namespace isthmus
 {
 
 /// Nodes around a rank's own ones that the computation needs from other ranks.
-VTKISTHMUS_EXPORT int HaloWidth(const DiffusionParameters& parameters);
+VTKISTHMUSFILTERSIMAGING_EXPORT int HaloWidth(const DiffusionParameters& parameters);
 
 /// The largest stable explicit step: 2 / (sum_p d_p lambda^(p+1) + fidelity), where lambda is
 /// 4 (1/hx^2 + 1/hy^2 + 1/hz^2).
-VTKISTHMUS_EXPORT double ExplicitStepLimit(
+VTKISTHMUSFILTERSIMAGING_EXPORT double ExplicitStepLimit(
   const DiffusionParameters& parameters, const std::array<double, 3>& spacing);
 
 /**
@@ -55,7 +56,7 @@ VTKISTHMUS_EXPORT double ExplicitStepLimit(
  * with LocalVariance or PreSmoothing. Time: proportional to nodes x Evaluations.
  */
 template <typename T>
-VTKISTHMUS_EXPORT DiffusionReport Diffuse(const DiffusionGrid<T>& grid,
+VTKISTHMUSFILTERSIMAGING_EXPORT DiffusionReport Diffuse(const DiffusionGrid<T>& grid,
   const DiffusionParameters& parameters, T* values, const T* input, const T* source,
   const ProgressCallback& progress = {});
 

@@ -1,4 +1,4 @@
-#include "NoiseEstimate.h"
+#include "Imaging/NoiseEstimate.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,8 @@
 #ifndef isthmus_NoiseEstimate_h
 #define isthmus_NoiseEstimate_h
 
-#include "DiffusionGrid.h"
+#include "Imaging/DiffusionGrid.h"
+#include "vtkIsthmusFiltersImagingModule.h"
 
 namespace isthmus
 {
@@ -37,7 +38,8 @@ struct NoiseEstimate
  * and a search for more than 32 values, which in a map ends soon.
  */
 template <typename T>
-VTKISTHMUS_EXPORT NoiseEstimate EstimateNoise(const DiffusionGrid<T>& grid, const T* values);
+VTKISTHMUSFILTERSIMAGING_EXPORT NoiseEstimate EstimateNoise(
+  const DiffusionGrid<T>& grid, const T* values);
 
 }
 

@@ -1,9 +1,9 @@
-#include "PDETransform.h"
+#include "Imaging/PDETransform.h"
 
-#include "ChebyshevSeries.h"
-#include "Pi.h"
-#include "StageSequence.h"
-#include "TimeSteps.h"
+#include "Core/Pi.h"
+#include "Imaging/ChebyshevSeries.h"
+#include "Imaging/StageSequence.h"
+#include "Imaging/TimeSteps.h"
 
 #include <algorithm>
 #include <cmath>

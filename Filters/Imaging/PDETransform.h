@@ -26,7 +26,8 @@
 #ifndef isthmus_PDETransform_h
 #define isthmus_PDETransform_h
 
-#include "HighOrderDiffusion.h"
+#include "Imaging/HighOrderDiffusion.h"
+#include "vtkIsthmusFiltersImagingModule.h"
 
 #include <vector>
 
@@ -43,10 +44,11 @@ struct PDETransformParameters
 };
 
 /// @throws std::invalid_argument, in a sentence, for parameters that mean nothing.
-VTKISTHMUS_EXPORT void Check(const PDETransformParameters& parameters);
+VTKISTHMUSFILTERSIMAGING_EXPORT void Check(const PDETransformParameters& parameters);
 
 /// The low-pass behind mode k (0 the first).
-VTKISTHMUS_EXPORT DiffusionParameters LowPass(const PDETransformParameters& parameters, int k);
+VTKISTHMUSFILTERSIMAGING_EXPORT DiffusionParameters LowPass(
+  const PDETransformParameters& parameters, int k);
 
 /**
  * Makes `modes[k]` = X_(k+1) - X_(k+2) (k from 0) of the input in `values`, and `values` the
@@ -62,7 +64,7 @@ VTKISTHMUS_EXPORT DiffusionParameters LowPass(const PDETransformParameters& para
  * several stages are done in one pass.
  */
 template <typename T>
-VTKISTHMUS_EXPORT void TransformByPDE(const DiffusionGrid<T>& grid,
+VTKISTHMUSFILTERSIMAGING_EXPORT void TransformByPDE(const DiffusionGrid<T>& grid,
   const PDETransformParameters& parameters, T* values, const std::vector<T*>& modes,
   const ProgressCallback& progress = {});
 

@@ -5,7 +5,7 @@
 #ifndef isthmus_PlaneRing_h
 #define isthmus_PlaneRing_h
 
-#include "DiffusionRows.h"
+#include "Imaging/DiffusionRows.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "RankParts.h"
+#include "Imaging/RankParts.h"
 
 #include <vtkCommunicator.h>
 #include <vtkMultiProcessController.h>

@@ -5,7 +5,7 @@
 #ifndef isthmus_RankParts_h
 #define isthmus_RankParts_h
 
-#include "ImageExtent.h"
+#include "Core/ImageExtent.h"
 
 #include <vector>
 

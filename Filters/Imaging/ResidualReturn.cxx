@@ -1,7 +1,7 @@
-#include "ResidualReturn.h"
+#include "Imaging/ResidualReturn.h"
 
-#include "HighOrderDiffusion.h"
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
+#include "Imaging/HighOrderDiffusion.h"
 
 #include <algorithm>
 #include <cmath>

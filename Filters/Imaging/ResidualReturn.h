@@ -13,8 +13,9 @@
 #ifndef isthmus_ResidualReturn_h
 #define isthmus_ResidualReturn_h
 
-#include "DiffusionGrid.h"
-#include "Progress.h"
+#include "Core/Progress.h"
+#include "Imaging/DiffusionGrid.h"
+#include "vtkIsthmusFiltersImagingModule.h"
 
 namespace isthmus
 {
@@ -25,8 +26,8 @@ namespace isthmus
  * spacing)^2 evaluations of the heat equation. Throws as Diffuse does.
  */
 template <typename T>
-VTKISTHMUS_EXPORT void ReturnResidual(const DiffusionGrid<T>& grid, double deviation, T* residual,
-  T* values, const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSIMAGING_EXPORT void ReturnResidual(const DiffusionGrid<T>& grid, double deviation,
+  T* residual, T* values, const ProgressCallback& progress = {});
 
 }
 

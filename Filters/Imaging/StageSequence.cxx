@@ -1,7 +1,7 @@
-#include "StageSequence.h"
+#include "Imaging/StageSequence.h"
 
-#include "DiffusionEvaluation.h"
-#include "LargePages.h"
+#include "Core/LargePages.h"
+#include "Imaging/DiffusionEvaluation.h"
 
 #include <algorithm>
 #include <initializer_list>

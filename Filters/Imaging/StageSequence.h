@@ -5,9 +5,9 @@
 #ifndef isthmus_StageSequence_h
 #define isthmus_StageSequence_h
 
-#include "DiffusionGrid.h"
-#include "DiffusionOperator.h"
-#include "Progress.h"
+#include "Core/Progress.h"
+#include "Imaging/DiffusionGrid.h"
+#include "Imaging/DiffusionOperator.h"
 
 #include <array>
 #include <memory>

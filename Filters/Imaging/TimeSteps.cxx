@@ -1,4 +1,4 @@
-#include "TimeSteps.h"
+#include "Imaging/TimeSteps.h"
 
 #include <algorithm>
 #include <cmath>

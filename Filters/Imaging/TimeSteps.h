@@ -5,7 +5,8 @@
 #ifndef isthmus_TimeSteps_h
 #define isthmus_TimeSteps_h
 
-#include "DiffusionRows.h"
+#include "Imaging/DiffusionRows.h"
+#include "vtkIsthmusFiltersImagingModule.h"
 
 #include <vector>
 
@@ -27,11 +28,12 @@ constexpr int MaximumStages = 199;
 constexpr double MaximumEvaluations = 1e6;
 
 /// @throws std::invalid_argument unless `evaluations` is at most MaximumEvaluations.
-VTKISTHMUS_EXPORT void DemandEvaluations(double evaluations);
+VTKISTHMUSFILTERSIMAGING_EXPORT void DemandEvaluations(double evaluations);
 
 /// Explicit steps of at most `limit` that lead to `time`; `count` equal ones if it is not 0.
 /// @throws std::invalid_argument, naming the limit, if these would be longer than it.
-VTKISTHMUS_EXPORT std::vector<TimeStep> EulerSteps(double time, double limit, int count);
+VTKISTHMUSFILTERSIMAGING_EXPORT std::vector<TimeStep> EulerSteps(
+  double time, double limit, int count);
 
 /**
  * Super steps that lead to `time`, where one explicit step may be at most `limit`.
@@ -43,7 +45,8 @@ VTKISTHMUS_EXPORT std::vector<TimeStep> EulerSteps(double time, double limit, in
  * (README has the measurements). With `count`, that many equal ones.
  * @throws std::invalid_argument, naming the limit, if one would need more than MaximumStages.
  */
-VTKISTHMUS_EXPORT std::vector<TimeStep> SuperSteps(double time, double limit, int count);
+VTKISTHMUSFILTERSIMAGING_EXPORT std::vector<TimeStep> SuperSteps(
+  double time, double limit, int count);
 
 /// How many stages a super step of this length takes: odd, at least three.
 int SuperStages(double length, double limit);

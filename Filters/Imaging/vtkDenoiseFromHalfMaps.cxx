@@ -1,8 +1,8 @@
 #include "vtkDenoiseFromHalfMaps.h"
 
-#include "AlgorithmGuard.h"
-#include "ImageCrop.h"
-#include "ImageExtent.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/ImageCrop.h"
+#include "Core/ImageExtent.h"
 #include "vtkHighOrderDiffusion.h"
 
 #include <vtkCallbackCommand.h>

@@ -19,9 +19,9 @@
 #define vtkDenoiseFromHalfMaps_h
 
 #include "vtkImageAlgorithm.h"
-#include "vtkIsthmusModule.h"
+#include "vtkIsthmusFiltersImagingModule.h"
 
-class VTKISTHMUS_EXPORT vtkDenoiseFromHalfMaps : public vtkImageAlgorithm
+class VTKISTHMUSFILTERSIMAGING_EXPORT vtkDenoiseFromHalfMaps : public vtkImageAlgorithm
 {
 public:
   static vtkDenoiseFromHalfMaps* New();

@@ -1,11 +1,11 @@
 #include "vtkDiffusionAlgorithm.h"
 
-#include "AlgorithmGuard.h"
-#include "ChosenScalars.h"
-#include "DiffusionImage.h"
-#include "ImageCrop.h"
-#include "RankParts.h"
-#include "WholeSurface.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/ChosenScalars.h"
+#include "Core/ImageCrop.h"
+#include "Core/WholeSurface.h"
+#include "Imaging/DiffusionImage.h"
+#include "Imaging/RankParts.h"
 
 #include <vtkCommunicator.h>
 #include <vtkDataArray.h>

@@ -19,7 +19,7 @@
 #define vtkDiffusionAlgorithm_h
 
 #include "vtkImageAlgorithm.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusFiltersImagingModule.h" // for the export macro
 
 class vtkDataArray;
 class vtkImageData;
@@ -34,7 +34,7 @@ class DiffusionImage;
 class RankParts;
 }
 
-class VTKISTHMUS_EXPORT vtkDiffusionAlgorithm : public vtkImageAlgorithm
+class VTKISTHMUSFILTERSIMAGING_EXPORT vtkDiffusionAlgorithm : public vtkImageAlgorithm
 {
 public:
   vtkTypeMacro(vtkDiffusionAlgorithm, vtkImageAlgorithm);
@@ -78,7 +78,7 @@ protected:
   virtual void Process(isthmus::DiffusionImage<double>& image) = 0;
   ///@}
 
-  /// The array to work on (Support/ChosenScalars.h); null on a rank without nodes.
+  /// The array to work on (Core/ChosenScalars.h); null on a rank without nodes.
   vtkDataArray* ChosenScalars(vtkImageData* image);
 
 private:

@@ -1,7 +1,7 @@
 #include "vtkDiffusionHighPass.h"
 
-#include "DiffusionHighPass.h"
-#include "DiffusionImage.h"
+#include "Imaging/DiffusionHighPass.h"
+#include "Imaging/DiffusionImage.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

@@ -21,8 +21,9 @@
 #define vtkDiffusionHighPass_h
 
 #include "vtkDiffusionAlgorithm.h"
+#include "vtkIsthmusFiltersImagingModule.h"
 
-class VTKISTHMUS_EXPORT vtkDiffusionHighPass : public vtkDiffusionAlgorithm
+class VTKISTHMUSFILTERSIMAGING_EXPORT vtkDiffusionHighPass : public vtkDiffusionAlgorithm
 {
 public:
   static vtkDiffusionHighPass* New();

@@ -1,9 +1,9 @@
 #include "vtkHighOrderDiffusion.h"
 
-#include "AutomaticDenoising.h"
-#include "DiffusionImage.h"
-#include "HighOrderDiffusion.h"
-#include "ResidualReturn.h"
+#include "Imaging/AutomaticDenoising.h"
+#include "Imaging/DiffusionImage.h"
+#include "Imaging/HighOrderDiffusion.h"
+#include "Imaging/ResidualReturn.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

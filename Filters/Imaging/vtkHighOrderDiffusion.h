@@ -35,6 +35,7 @@
 #define vtkHighOrderDiffusion_h
 
 #include "vtkDiffusionAlgorithm.h"
+#include "vtkIsthmusFiltersImagingModule.h"
 
 namespace isthmus
 {
@@ -42,7 +43,7 @@ struct DiffusionParameters;
 struct NoiseEstimate;
 }
 
-class VTKISTHMUS_EXPORT vtkHighOrderDiffusion : public vtkDiffusionAlgorithm
+class VTKISTHMUSFILTERSIMAGING_EXPORT vtkHighOrderDiffusion : public vtkDiffusionAlgorithm
 {
 public:
   static vtkHighOrderDiffusion* New();

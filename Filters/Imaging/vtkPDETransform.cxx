@@ -1,7 +1,7 @@
 #include "vtkPDETransform.h"
 
-#include "DiffusionImage.h"
-#include "PDETransform.h"
+#include "Imaging/DiffusionImage.h"
+#include "Imaging/PDETransform.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

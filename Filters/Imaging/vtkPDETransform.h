@@ -18,13 +18,14 @@
 #define vtkPDETransform_h
 
 #include "vtkDiffusionAlgorithm.h"
+#include "vtkIsthmusFiltersImagingModule.h"
 
 namespace isthmus
 {
 struct PDETransformParameters;
 }
 
-class VTKISTHMUS_EXPORT vtkPDETransform : public vtkDiffusionAlgorithm
+class VTKISTHMUSFILTERSIMAGING_EXPORT vtkPDETransform : public vtkDiffusionAlgorithm
 {
 public:
   static vtkPDETransform* New();

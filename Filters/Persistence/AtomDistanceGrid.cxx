@@ -1,6 +1,6 @@
-#include "AtomDistanceGrid.h"
+#include "Persistence/AtomDistanceGrid.h"
 
-#include "FastMarching.h"
+#include "Persistence/FastMarching.h"
 
 #include <algorithm>
 #include <cmath>

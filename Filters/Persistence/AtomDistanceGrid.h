@@ -5,9 +5,9 @@
 #ifndef isthmus_AtomDistanceGrid_h
 #define isthmus_AtomDistanceGrid_h
 
-#include "FullereneParameters.h"
-#include "Progress.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Progress.h"
+#include "Persistence/FullereneParameters.h"
+#include "vtkIsthmusFiltersPersistenceModule.h"
 
 #include <array>
 
@@ -26,7 +26,7 @@ struct AtomDistances
 /// See GridBars (FullereneStability.h). The grid reaches Theta beyond the outermost atom. Cost:
 /// with exact distances some (Theta / Spacing)^3 steps an atom, with fast marching O(nodes log
 /// nodes) a type; 4 to 13 bytes a node. The same on any number of threads.
-VTKISTHMUS_EXPORT AtomDistances AtomDistance(const std::vector<Point3>& atoms,
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT AtomDistances AtomDistance(const std::vector<Point3>& atoms,
   const std::vector<double>& scales, const GridDistanceParameters& parameters,
   const ProgressCallback& progress = {});
 

@@ -1,8 +1,8 @@
-#include "CellFiltration.h"
+#include "Persistence/CellFiltration.h"
 
-#include "Index.h"
-#include "ParallelFor.h"
-#include "SimplexOrder.h"
+#include "Core/Index.h"
+#include "Core/ParallelFor.h"
+#include "Persistence/SimplexOrder.h"
 
 #include <algorithm>
 #include <limits>

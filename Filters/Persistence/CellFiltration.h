@@ -5,10 +5,10 @@
 #ifndef isthmus_CellFiltration_h
 #define isthmus_CellFiltration_h
 
-#include "Point3.h"
-#include "Progress.h"
-#include "SimplexIds.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Point3.h"
+#include "Core/Progress.h"
+#include "Persistence/SimplexIds.h"
+#include "vtkIsthmusFiltersPersistenceModule.h"
 
 #include <algorithm>
 #include <array>
@@ -62,13 +62,13 @@ struct CellFiltration
 
   /// Derives triangles and edges from tetrahedra and their neighbours. O(n), some 150 bytes a
   /// tetrahedron in all. Throws std::runtime_error beyond 2^29 tetrahedra.
-  VTKISTHMUS_EXPORT void Connect(const ProgressCallback& progress = {});
+  VTKISTHMUSFILTERSPERSISTENCE_EXPORT void Connect(const ProgressCallback& progress = {});
 
   /// Sorts triangles and edges by value, ties by index (SimplexOrder.h). O(n).
-  VTKISTHMUS_EXPORT void Order(const ProgressCallback& progress = {});
+  VTKISTHMUSFILTERSPERSISTENCE_EXPORT void Order(const ProgressCallback& progress = {});
 
   /// The edge between two points, or None.
-  VTKISTHMUS_EXPORT EdgeId FindEdge(SimplexId a, SimplexId b) const;
+  VTKISTHMUSFILTERSPERSISTENCE_EXPORT EdgeId FindEdge(SimplexId a, SimplexId b) const;
 
   /// The edges whose smaller point is `point`.
   HandleRange<EdgeId> EdgesAbove(SimplexId point) const

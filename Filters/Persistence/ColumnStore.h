@@ -5,7 +5,7 @@
 #ifndef isthmus_ColumnStore_h
 #define isthmus_ColumnStore_h
 
-#include "CellFiltration.h"
+#include "Persistence/CellFiltration.h"
 
 #include <bitset>
 

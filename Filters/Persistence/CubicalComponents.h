@@ -5,9 +5,9 @@
 #ifndef isthmus_CubicalComponents_h
 #define isthmus_CubicalComponents_h
 
-#include "CubicalGradient.h"
-#include "DisjointSets.h"
-#include "PathEnds.h"
+#include "Core/DisjointSets.h"
+#include "Persistence/CubicalGradient.h"
+#include "Persistence/PathEnds.h"
 
 #include <algorithm>
 #include <array>

@@ -5,9 +5,9 @@
 #ifndef isthmus_CubicalCritical_h
 #define isthmus_CubicalCritical_h
 
-#include "CubicalComponents.h"
-#include "ParallelFor.h"
-#include "VolumeView.h"
+#include "Core/ParallelFor.h"
+#include "Persistence/CubicalComponents.h"
+#include "Persistence/VolumeView.h"
 
 #include <algorithm>
 #include <type_traits>

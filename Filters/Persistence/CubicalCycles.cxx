@@ -1,9 +1,9 @@
-#include "CubicalCycles.h"
+#include "Persistence/CubicalCycles.h"
 
-#include "CubicalCritical.h"
-#include "CubicalLoops.h"
-#include "LoopCompletion.h"
-#include "WayRound.h"
+#include "Persistence/CubicalCritical.h"
+#include "Persistence/CubicalLoops.h"
+#include "Persistence/LoopCompletion.h"
+#include "Persistence/WayRound.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,9 @@
 #ifndef isthmus_CubicalCycles_h
 #define isthmus_CubicalCycles_h
 
-#include "Progress.h"
-#include "ScalarFeatures.h"
+#include "Core/Progress.h"
+#include "Persistence/ScalarFeatures.h"
+#include "vtkIsthmusFiltersPersistenceModule.h"
 
 #include <array>
 #include <vector>
@@ -35,9 +36,9 @@ struct CubicalCycle
  *
  * Costs the pairing once more, and a search of at most the whole volume for each cycle.
  */
-VTKISTHMUS_EXPORT std::vector<CubicalCycle> CubicalCycles(const VolumeView& volume,
-  const std::array<double, 3>& spacing, const FeatureList& features, bool superlevel,
-  std::size_t most, const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<CubicalCycle> CubicalCycles(
+  const VolumeView& volume, const std::array<double, 3>& spacing, const FeatureList& features,
+  bool superlevel, std::size_t most, const ProgressCallback& progress = {});
 
 }
 

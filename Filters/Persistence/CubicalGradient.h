@@ -5,9 +5,9 @@
 #ifndef isthmus_CubicalGradient_h
 #define isthmus_CubicalGradient_h
 
-#include "CubicalPairs.h"
-#include "LowerStars.h"
-#include "OrderedValues.h"
+#include "Persistence/CubicalPairs.h"
+#include "Persistence/LowerStars.h"
+#include "Persistence/OrderedValues.h"
 
 #include <array>
 #include <cstdint>

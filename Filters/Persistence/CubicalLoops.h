@@ -5,8 +5,8 @@
 #ifndef isthmus_CubicalLoops_h
 #define isthmus_CubicalLoops_h
 
-#include "EdgeColumn.h"
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
+#include "Persistence/EdgeColumn.h"
 
 #include <algorithm>
 #include <chrono>

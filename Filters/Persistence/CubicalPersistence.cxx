@@ -1,8 +1,8 @@
-#include "CubicalPersistence.h"
+#include "Persistence/CubicalPersistence.h"
 
-#include "CubicalCritical.h"
-#include "CubicalLoops.h"
-#include "ParallelReduce.h"
+#include "Core/ParallelReduce.h"
+#include "Persistence/CubicalCritical.h"
+#include "Persistence/CubicalLoops.h"
 
 #include <algorithm>
 

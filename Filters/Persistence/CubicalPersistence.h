@@ -5,9 +5,10 @@
 #ifndef isthmus_CubicalPersistence_h
 #define isthmus_CubicalPersistence_h
 
-#include "CubicalPairs.h"
-#include "Progress.h"
-#include "VolumeView.h"
+#include "Core/Progress.h"
+#include "Persistence/CubicalPairs.h"
+#include "Persistence/VolumeView.h"
+#include "vtkIsthmusFiltersPersistenceModule.h"
 
 namespace isthmus
 {
@@ -31,7 +32,7 @@ namespace isthmus
  * Throws std::invalid_argument, with its place, at a value that is not a number. Infinities are
  * values like others. A volume without nodes has no pairs.
  */
-VTKISTHMUS_EXPORT CubicalDiagram CubicalPersistence(const VolumeView& volume,
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT CubicalDiagram CubicalPersistence(const VolumeView& volume,
   const CubicalParameters& parameters = {}, const ProgressCallback& progress = {});
 
 }

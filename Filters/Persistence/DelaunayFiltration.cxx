@@ -1,9 +1,9 @@
-#include "DelaunayFiltration.h"
+#include "Persistence/DelaunayFiltration.h"
 
-#include "Index.h"
-#include "ParallelFor.h"
-#include "Stopwatch.h"
-#include "TriangulationCells.h"
+#include "Core/Index.h"
+#include "Core/ParallelFor.h"
+#include "Core/Stopwatch.h"
+#include "Persistence/TriangulationCells.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>

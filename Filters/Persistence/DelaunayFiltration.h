@@ -5,7 +5,8 @@
 #ifndef isthmus_DelaunayFiltration_h
 #define isthmus_DelaunayFiltration_h
 
-#include "CellFiltration.h"
+#include "Persistence/CellFiltration.h"
+#include "vtkIsthmusFiltersPersistenceModule.h"
 
 #include <functional>
 
@@ -28,7 +29,7 @@ namespace isthmus
  * `points` are distinct and finite. Fewer than four, or all in one plane, throw
  * std::invalid_argument. O(n log n) for samples of a surface; about 1.1 KB a point.
  */
-VTKISTHMUS_EXPORT CellFiltration DelaunayFiltration(std::vector<Point3> points,
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT CellFiltration DelaunayFiltration(std::vector<Point3> points,
   const ProgressCallback& progress = {},
   const std::function<void(double seconds)>& triangulated = {});
 

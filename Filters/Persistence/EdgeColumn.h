@@ -5,8 +5,8 @@
 #ifndef isthmus_EdgeColumn_h
 #define isthmus_EdgeColumn_h
 
-#include "CubicalGradient.h"
-#include "KeyNumbers.h"
+#include "Persistence/CubicalGradient.h"
+#include "Persistence/KeyNumbers.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,6 +1,6 @@
-#include "EdgeDistances.h"
+#include "Persistence/EdgeDistances.h"
 
-#include "Index.h"
+#include "Core/Index.h"
 
 #include <cmath>
 #include <functional>

@@ -5,9 +5,9 @@
 #ifndef isthmus_EdgeDistances_h
 #define isthmus_EdgeDistances_h
 
-#include "Progress.h"
-#include "TetrahedralMesh.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Progress.h"
+#include "Core/TetrahedralMesh.h"
+#include "vtkIsthmusFiltersPersistenceModule.h"
 
 #include <cstdint>
 #include <vector>
@@ -19,7 +19,7 @@ namespace isthmus
  * Length of the shortest path along edges of the mesh from each of its points to a point of
  * `sources` (Dijkstra). Infinity where there is none. O(n log n).
  */
-VTKISTHMUS_EXPORT std::vector<double> EdgeDistances(const TetrahedralMesh& mesh,
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<double> EdgeDistances(const TetrahedralMesh& mesh,
   const std::vector<std::int64_t>& sources, const ProgressCallback& progress = {});
 
 }

@@ -1,4 +1,4 @@
-#include "FastMarching.h"
+#include "Persistence/FastMarching.h"
 
 #include <algorithm>
 #include <cmath>

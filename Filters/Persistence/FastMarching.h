@@ -5,7 +5,7 @@
 #ifndef isthmus_FastMarching_h
 #define isthmus_FastMarching_h
 
-#include "vtkIsthmusModule.h"
+#include "vtkIsthmusFiltersPersistenceModule.h"
 
 #include <array>
 #include <cstdint>
@@ -19,8 +19,9 @@ namespace isthmus
  * PNAS 93, 1996). `values` holds the distances of the nodes listed as `known` and is filled
  * elsewhere, up to `greatest`. Error O(spacing log spacing). O(n log n).
  */
-VTKISTHMUS_EXPORT void FastMarch(const std::array<std::int64_t, 3>& dimensions, double spacing,
-  const std::vector<std::int64_t>& known, float greatest, std::vector<float>& values);
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT void FastMarch(const std::array<std::int64_t, 3>& dimensions,
+  double spacing, const std::vector<std::int64_t>& known, float greatest,
+  std::vector<float>& values);
 
 }
 

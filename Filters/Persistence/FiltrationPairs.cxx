@@ -1,7 +1,7 @@
-#include "FiltrationPairs.h"
+#include "Persistence/FiltrationPairs.h"
 
-#include "ParallelFor.h"
-#include "VoidPairs.h"
+#include "Core/ParallelFor.h"
+#include "Persistence/VoidPairs.h"
 
 #include <algorithm>
 

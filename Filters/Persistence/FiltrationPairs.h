@@ -5,7 +5,8 @@
 #ifndef isthmus_FiltrationPairs_h
 #define isthmus_FiltrationPairs_h
 
-#include "ColumnStore.h"
+#include "Persistence/ColumnStore.h"
+#include "vtkIsthmusFiltersPersistenceModule.h"
 
 #include <functional>
 
@@ -29,7 +30,7 @@ public:
    * percent of an alpha complex's columns need none, the worst case is cubic. Time and memory are
    * near linear for samples of surfaces. `progress` can stop it.
    */
-  VTKISTHMUS_EXPORT explicit FiltrationPairs(
+  VTKISTHMUSFILTERSPERSISTENCE_EXPORT explicit FiltrationPairs(
     const CellFiltration& f, const ProgressCallback& progress = {});
 
   /// The tetrahedron that fills the void closed by `triangle`; None: it closes none, or
@@ -44,7 +45,7 @@ public:
 
   /// The triangles whose boundary is the reduced boundary of a negative triangle: a cycle whose
   /// latest edge is LoopClosed(triangle).
-  VTKISTHMUS_EXPORT TriangleChain Filling(TriangleId triangle) const;
+  VTKISTHMUSFILTERSPERSISTENCE_EXPORT TriangleChain Filling(TriangleId triangle) const;
 
   /// True for an edge that the cycle under reduction may not keep.
   using Unwanted = std::function<bool(EdgeId edge)>;
@@ -54,7 +55,7 @@ public:
    * ranked below `limit`, that loop's boundary is added, latest edge first. Returns the new cycle;
    * the triangles passed are added (mod 2) to `swept`, so that z + result = boundary of swept.
    */
-  VTKISTHMUS_EXPORT EdgeChain Push(
+  VTKISTHMUSFILTERSPERSISTENCE_EXPORT EdgeChain Push(
     const EdgeChain& z, TriangleRank limit, const Unwanted& unwanted, TriangleChain& swept) const;
 
   /**
@@ -62,7 +63,7 @@ public:
    * first, whose reduced boundaries add up to it. An edge whose loop nothing fills stands as its
    * own rank plus the number of triangles.
    */
-  VTKISTHMUS_EXPORT std::vector<std::int64_t> Bounding(const EdgeChain& z) const;
+  VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<std::int64_t> Bounding(const EdgeChain& z) const;
 
 private:
   void PairLoops(const ProgressCallback& progress);

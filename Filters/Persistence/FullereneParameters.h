@@ -5,7 +5,7 @@
 #ifndef isthmus_FullereneParameters_h
 #define isthmus_FullereneParameters_h
 
-#include "TriangleMesh.h"
+#include "Core/TriangleMesh.h"
 
 #include <cstdint>
 #include <vector>

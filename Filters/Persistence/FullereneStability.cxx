@@ -1,9 +1,9 @@
-#include "FullereneStability.h"
+#include "Persistence/FullereneStability.h"
 
-#include "AtomDistanceGrid.h"
-#include "CubicalPersistence.h"
-#include "DelaunayFiltration.h"
-#include "FiltrationPairs.h"
+#include "Persistence/AtomDistanceGrid.h"
+#include "Persistence/CubicalPersistence.h"
+#include "Persistence/DelaunayFiltration.h"
+#include "Persistence/FiltrationPairs.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,9 @@
 #ifndef isthmus_FullereneStability_h
 #define isthmus_FullereneStability_h
 
-#include "FullereneParameters.h"
-#include "Progress.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Progress.h"
+#include "Persistence/FullereneParameters.h"
+#include "vtkIsthmusFiltersPersistenceModule.h"
 
 namespace isthmus
 {
@@ -20,7 +20,7 @@ namespace isthmus
  * point so far away that it takes no part; fewer than three atoms, or atoms in one line, have no
  * bars. Throws std::invalid_argument for a coordinate that is not finite.
  */
-VTKISTHMUS_EXPORT std::vector<DistanceBar> AlphaBars(
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<DistanceBar> AlphaBars(
   const std::vector<Point3>& atoms, const ProgressCallback& progress = {});
 
 /**
@@ -35,15 +35,15 @@ VTKISTHMUS_EXPORT std::vector<DistanceBar> AlphaBars(
  * Throws std::invalid_argument for parameters or atoms that are not finite or not positive, and
  * std::runtime_error for a grid of more than 2^31 nodes.
  */
-VTKISTHMUS_EXPORT std::vector<DistanceBar> GridBars(const std::vector<Point3>& atoms,
-  const std::vector<double>& scales, const GridDistanceParameters& parameters,
-  const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<DistanceBar> GridBars(
+  const std::vector<Point3>& atoms, const std::vector<double>& scales,
+  const GridDistanceParameters& parameters, const ProgressCallback& progress = {});
 
 /**
  * The row of the table that these bars make. A bar that ends at `theta` has not ended and is kept
  * however short; give infinity for alpha complexes.
  */
-VTKISTHMUS_EXPORT FullereneStability StabilityOf(const std::vector<Point3>& atoms,
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT FullereneStability StabilityOf(const std::vector<Point3>& atoms,
   const std::vector<DistanceBar>& bars, double filterDelta, double theta);
 
 }

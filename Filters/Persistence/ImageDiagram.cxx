@@ -1,6 +1,6 @@
-#include "ImageDiagram.h"
+#include "Persistence/ImageDiagram.h"
 
-#include "CubicalPersistence.h"
+#include "Persistence/CubicalPersistence.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

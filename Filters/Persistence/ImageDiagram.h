@@ -5,9 +5,9 @@
 #ifndef isthmus_ImageDiagram_h
 #define isthmus_ImageDiagram_h
 
-#include "CubicalPairs.h"
-#include "Progress.h"
-#include "VolumeView.h"
+#include "Core/Progress.h"
+#include "Persistence/CubicalPairs.h"
+#include "Persistence/VolumeView.h"
 
 #include <vtkType.h>
 

@@ -5,7 +5,7 @@
 #ifndef isthmus_LoopCompletion_h
 #define isthmus_LoopCompletion_h
 
-#include "CubicalGradient.h"
+#include "Persistence/CubicalGradient.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,10 +1,10 @@
-#include "LowerStarFiltration.h"
+#include "Persistence/LowerStarFiltration.h"
 
-#include "Index.h"
-#include "ParallelFor.h"
-#include "RadixSort.h"
-#include "SimplexOrder.h"
-#include "SurfaceView.h"
+#include "Core/Index.h"
+#include "Core/ParallelFor.h"
+#include "Core/RadixSort.h"
+#include "Core/SurfaceView.h"
+#include "Persistence/SimplexOrder.h"
 
 #include <algorithm>
 #include <cmath>

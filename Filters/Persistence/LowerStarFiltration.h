@@ -5,9 +5,10 @@
 #ifndef isthmus_LowerStarFiltration_h
 #define isthmus_LowerStarFiltration_h
 
-#include "CellFiltration.h"
-#include "TetrahedralMesh.h"
-#include "TriangleMesh.h"
+#include "Core/TetrahedralMesh.h"
+#include "Core/TriangleMesh.h"
+#include "Persistence/CellFiltration.h"
+#include "vtkIsthmusFiltersPersistenceModule.h"
 
 namespace isthmus
 {
@@ -22,7 +23,7 @@ namespace isthmus
  * @throws std::invalid_argument when a face has more than two tetrahedra, a triangle of the surface
  * is no face of the mesh, or a value is negative or not finite. O(n log n).
  */
-VTKISTHMUS_EXPORT CellFiltration LowerStarFiltration(const TetrahedralMesh& mesh,
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT CellFiltration LowerStarFiltration(const TetrahedralMesh& mesh,
   const std::vector<double>& values, TriangleMesh& surface, const ProgressCallback& progress = {});
 
 }

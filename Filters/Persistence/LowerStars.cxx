@@ -1,6 +1,6 @@
-#include "LowerStars.h"
+#include "Persistence/LowerStars.h"
 
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
 
 #include <algorithm>
 #include <utility>

@@ -5,10 +5,10 @@
 #ifndef isthmus_LowerStars_h
 #define isthmus_LowerStars_h
 
-#include "OrderedValues.h"
-#include "Progress.h"
-#include "RankedSet.h"
-#include "StarMatching.h"
+#include "Core/Progress.h"
+#include "Persistence/OrderedValues.h"
+#include "Persistence/RankedSet.h"
+#include "Persistence/StarMatching.h"
 
 #include <array>
 #include <cstdint>

@@ -5,8 +5,8 @@
 #ifndef isthmus_PathEnds_h
 #define isthmus_PathEnds_h
 
-#include "ParallelFor.h"
-#include "RankedSet.h"
+#include "Core/ParallelFor.h"
+#include "Persistence/RankedSet.h"
 
 #include <algorithm>
 #include <array>

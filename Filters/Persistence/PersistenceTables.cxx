@@ -1,6 +1,6 @@
-#include "PersistenceTables.h"
+#include "Persistence/PersistenceTables.h"
 
-#include "NamedColumns.h"
+#include "Persistence/NamedColumns.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

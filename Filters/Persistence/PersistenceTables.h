@@ -5,8 +5,8 @@
 #ifndef isthmus_PersistenceTables_h
 #define isthmus_PersistenceTables_h
 
-#include "CubicalCycles.h"
-#include "ScalarFeatures.h"
+#include "Persistence/CubicalCycles.h"
+#include "Persistence/ScalarFeatures.h"
 
 class vtkImageData;
 class vtkPolyData;

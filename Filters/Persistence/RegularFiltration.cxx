@@ -1,9 +1,9 @@
-#include "RegularFiltration.h"
+#include "Persistence/RegularFiltration.h"
 
-#include "Index.h"
-#include "ParallelFor.h"
-#include "RangeGuard.h"
-#include "TriangulationCells.h"
+#include "Core/Index.h"
+#include "Core/ParallelFor.h"
+#include "Core/RangeGuard.h"
+#include "Persistence/TriangulationCells.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>

@@ -6,7 +6,8 @@
 #ifndef isthmus_RegularFiltration_h
 #define isthmus_RegularFiltration_h
 
-#include "CellFiltration.h"
+#include "Persistence/CellFiltration.h"
+#include "vtkIsthmusFiltersPersistenceModule.h"
 
 namespace isthmus
 {
@@ -41,7 +42,7 @@ struct RegularFiltration
  *
  * O(n log n) for atoms: 10 us and 1.3 KB a ball. The same bits on any number of threads.
  */
-VTKISTHMUS_EXPORT RegularFiltration MakeRegularFiltration(
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT RegularFiltration MakeRegularFiltration(
   std::vector<Point3> centres, std::vector<double> radii, const ProgressCallback& progress = {});
 
 }

@@ -1,4 +1,4 @@
-#include "ScalarFeatures.h"
+#include "Persistence/ScalarFeatures.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,9 @@
 #ifndef isthmus_ScalarFeatures_h
 #define isthmus_ScalarFeatures_h
 
-#include "CubicalPairs.h"
-#include "VolumeView.h"
+#include "Persistence/CubicalPairs.h"
+#include "Persistence/VolumeView.h"
+#include "vtkIsthmusFiltersPersistenceModule.h"
 
 #include <array>
 #include <cstdint>
@@ -55,7 +56,7 @@ struct FeatureList
 };
 
 /// Throws std::invalid_argument for a range or a persistence that is none.
-VTKISTHMUS_EXPORT FeatureList ScalarFeatures(const VolumeView& volume,
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT FeatureList ScalarFeatures(const VolumeView& volume,
   const VolumeStatistics& statistics, const CubicalDiagram& diagram,
   const FeatureParameters& parameters);
 
@@ -71,15 +72,16 @@ struct BettiCurves
 };
 
 /// Cost O((features + levels) log levels).
-VTKISTHMUS_EXPORT BettiCurves CountBetti(
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT BettiCurves CountBetti(
   const FeatureList& features, bool superlevel, const std::vector<double>& levels);
 
 /// Throws std::invalid_argument unless there are from 2 to a million levels and the first of two
 /// finite ends of the range is below the second; null: no range.
-VTKISTHMUS_EXPORT void DemandLevels(std::int64_t count, const double* range);
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT void DemandLevels(std::int64_t count, const double* range);
 
 /// `count` levels from `low` to `high`, both included exactly; one where they are equal.
-VTKISTHMUS_EXPORT std::vector<double> EvenLevels(double low, double high, std::int64_t count);
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<double> EvenLevels(
+  double low, double high, std::int64_t count);
 
 }
 

@@ -1,6 +1,6 @@
-#include "ScalarSimplification.h"
+#include "Persistence/ScalarSimplification.h"
 
-#include "StarMatching.h"
+#include "Persistence/StarMatching.h"
 
 #include <algorithm>
 #include <queue>

@@ -5,8 +5,9 @@
 #ifndef isthmus_ScalarSimplification_h
 #define isthmus_ScalarSimplification_h
 
-#include "Progress.h"
-#include "ScalarFeatures.h"
+#include "Core/Progress.h"
+#include "Persistence/ScalarFeatures.h"
+#include "vtkIsthmusFiltersPersistenceModule.h"
 
 namespace isthmus
 {
@@ -23,8 +24,9 @@ namespace isthmus
  *
  * Serial, O(n log n): about 0.3 us a node, 12 bytes a node.
  */
-VTKISTHMUS_EXPORT void SimplifyScalar(const VolumeView& volume, const FeatureList& features,
-  bool superlevel, void* result, const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT void SimplifyScalar(const VolumeView& volume,
+  const FeatureList& features, bool superlevel, void* result,
+  const ProgressCallback& progress = {});
 
 }
 

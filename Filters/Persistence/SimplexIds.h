@@ -5,7 +5,7 @@
 #ifndef isthmus_SimplexIds_h
 #define isthmus_SimplexIds_h
 
-#include "Handles.h"
+#include "Core/Handles.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,8 +1,8 @@
-#include "SimplexOrder.h"
+#include "Persistence/SimplexOrder.h"
 
-#include "Index.h"
-#include "ParallelFor.h"
-#include "RadixSort.h"
+#include "Core/Index.h"
+#include "Core/ParallelFor.h"
+#include "Core/RadixSort.h"
 
 #include <algorithm>
 #include <cstring>

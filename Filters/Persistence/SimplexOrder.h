@@ -5,9 +5,9 @@
 #ifndef isthmus_SimplexOrder_h
 #define isthmus_SimplexOrder_h
 
-#include "Progress.h"
-#include "SimplexIds.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "Core/Progress.h"
+#include "Persistence/SimplexIds.h"
+#include "vtkIsthmusFiltersPersistenceModule.h" // for the export macro
 
 namespace isthmus
 {
@@ -32,21 +32,23 @@ template <typename Id, typename Rank>
 HandleVector<Rank, Id> SimplexOrder(const HandleVector<Id, std::uint32_t>& level,
   HandleVector<Id, Rank>& rank, const ProgressCallback& progress = {});
 
-extern template VTKISTHMUS_EXPORT HandleVector<EdgeRank, EdgeId> SimplexOrder(
+extern template VTKISTHMUSFILTERSPERSISTENCE_EXPORT HandleVector<EdgeRank, EdgeId> SimplexOrder(
   const HandleVector<EdgeId, double>& value, const HandleVector<EdgeId, char>& first,
   HandleVector<EdgeId, EdgeRank>& rank, const ProgressCallback& progress);
-extern template VTKISTHMUS_EXPORT HandleVector<TriangleRank, TriangleId> SimplexOrder(
-  const HandleVector<TriangleId, double>& value, const HandleVector<TriangleId, char>& first,
-  HandleVector<TriangleId, TriangleRank>& rank, const ProgressCallback& progress);
-extern template VTKISTHMUS_EXPORT HandleVector<TetrahedronRank, TetrahedronId> SimplexOrder(
-  const HandleVector<TetrahedronId, double>& value, const HandleVector<TetrahedronId, char>& first,
+extern template VTKISTHMUSFILTERSPERSISTENCE_EXPORT HandleVector<TriangleRank, TriangleId>
+SimplexOrder(const HandleVector<TriangleId, double>& value,
+  const HandleVector<TriangleId, char>& first, HandleVector<TriangleId, TriangleRank>& rank,
+  const ProgressCallback& progress);
+extern template VTKISTHMUSFILTERSPERSISTENCE_EXPORT HandleVector<TetrahedronRank, TetrahedronId>
+SimplexOrder(const HandleVector<TetrahedronId, double>& value,
+  const HandleVector<TetrahedronId, char>& first,
   HandleVector<TetrahedronId, TetrahedronRank>& rank, const ProgressCallback& progress);
 
-extern template VTKISTHMUS_EXPORT HandleVector<EdgeRank, EdgeId> SimplexOrder(
+extern template VTKISTHMUSFILTERSPERSISTENCE_EXPORT HandleVector<EdgeRank, EdgeId> SimplexOrder(
   const HandleVector<EdgeId, std::uint32_t>& level, HandleVector<EdgeId, EdgeRank>& rank,
   const ProgressCallback& progress);
-extern template VTKISTHMUS_EXPORT HandleVector<TriangleRank, TriangleId> SimplexOrder(
-  const HandleVector<TriangleId, std::uint32_t>& level,
+extern template VTKISTHMUSFILTERSPERSISTENCE_EXPORT HandleVector<TriangleRank, TriangleId>
+SimplexOrder(const HandleVector<TriangleId, std::uint32_t>& level,
   HandleVector<TriangleId, TriangleRank>& rank, const ProgressCallback& progress);
 
 }

@@ -1,4 +1,4 @@
-#include "StarMatching.h"
+#include "Persistence/StarMatching.h"
 
 namespace isthmus
 {

@@ -5,7 +5,7 @@
 #ifndef isthmus_StarMatching_h
 #define isthmus_StarMatching_h
 
-#include "Handles.h"
+#include "Core/Handles.h"
 
 #include <array>
 #include <cstdint>

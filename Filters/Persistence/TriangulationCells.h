@@ -5,7 +5,7 @@
 #ifndef isthmus_TriangulationCells_h
 #define isthmus_TriangulationCells_h
 
-#include "CellFiltration.h"
+#include "Persistence/CellFiltration.h"
 
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/property_map.h>

@@ -1,8 +1,8 @@
-#include "VoidPairs.h"
+#include "Persistence/VoidPairs.h"
 
-#include "DisjointSets.h"
-#include "ParallelFor.h"
-#include "SimplexOrder.h"
+#include "Core/DisjointSets.h"
+#include "Core/ParallelFor.h"
+#include "Persistence/SimplexOrder.h"
 
 #include <algorithm>
 

@@ -5,7 +5,8 @@
 #ifndef isthmus_VoidPairs_h
 #define isthmus_VoidPairs_h
 
-#include "CellFiltration.h"
+#include "Persistence/CellFiltration.h"
+#include "vtkIsthmusFiltersPersistenceModule.h"
 
 namespace isthmus
 {
@@ -19,7 +20,7 @@ namespace isthmus
  * enters together lies together. Near linear; 8 bytes a tetrahedron and 8 a triangle beside the
  * result.
  */
-VTKISTHMUS_EXPORT HandleVector<TriangleId, TetrahedronId> VoidPairs(
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT HandleVector<TriangleId, TetrahedronId> VoidPairs(
   const CellFiltration& f, const ProgressCallback& progress = {});
 
 }

@@ -1,6 +1,6 @@
-#include "VolumeView.h"
+#include "Persistence/VolumeView.h"
 
-#include "ParallelReduce.h"
+#include "Core/ParallelReduce.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #ifndef isthmus_VolumeView_h
 #define isthmus_VolumeView_h
 
-#include "vtkIsthmusModule.h"
+#include "vtkIsthmusFiltersPersistenceModule.h"
 
 #include <array>
 #include <cstdint>
@@ -44,7 +44,7 @@ struct VolumeView
   }
 
   /// Integers beyond 2^53 are rounded.
-  VTKISTHMUS_EXPORT double Value(std::int64_t node) const;
+  VTKISTHMUSFILTERSPERSISTENCE_EXPORT double Value(std::int64_t node) const;
 };
 
 /// Calls `work` with a typed pointer to the values: `const float*`, `const std::int16_t*`, ...
@@ -71,7 +71,7 @@ decltype(auto) WithTypedValues(const VolumeView& volume, Work&& work)
 }
 
 /// Throws std::invalid_argument with the place of the first value that is not a number.
-VTKISTHMUS_EXPORT void RefuseNaN(const VolumeView& volume);
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT void RefuseNaN(const VolumeView& volume);
 
 /// Of the finite values; a volume without any has an empty range (Minimum above Maximum).
 struct VolumeStatistics
@@ -83,7 +83,7 @@ struct VolumeStatistics
 };
 
 /// Two passes in parallel, the same bits on any number of threads. Throws as RefuseNaN does.
-VTKISTHMUS_EXPORT VolumeStatistics MeasureVolume(const VolumeView& volume);
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT VolumeStatistics MeasureVolume(const VolumeView& volume);
 
 }
 

@@ -5,7 +5,7 @@
 #ifndef isthmus_WayRound_h
 #define isthmus_WayRound_h
 
-#include "CubicalGradient.h"
+#include "Persistence/CubicalGradient.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 #include "vtkFullereneStability.h"
 
-#include "AlgorithmGuard.h"
-#include "FullereneStability.h"
-#include "RangeGuard.h"
-#include "WholeSurface.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/RangeGuard.h"
+#include "Core/WholeSurface.h"
+#include "Persistence/FullereneStability.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>

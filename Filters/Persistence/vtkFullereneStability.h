@@ -37,10 +37,10 @@
 #ifndef vtkFullereneStability_h
 #define vtkFullereneStability_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusFiltersPersistenceModule.h" // for the export macro
 #include "vtkTableAlgorithm.h"
 
-class VTKISTHMUS_EXPORT vtkFullereneStability : public vtkTableAlgorithm
+class VTKISTHMUSFILTERSPERSISTENCE_EXPORT vtkFullereneStability : public vtkTableAlgorithm
 {
 public:
   static vtkFullereneStability* New();

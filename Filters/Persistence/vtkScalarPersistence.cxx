@@ -1,12 +1,12 @@
 #include "vtkScalarPersistence.h"
 
-#include "AlgorithmGuard.h"
-#include "ChosenScalars.h"
-#include "ImageCrop.h"
-#include "ImageDiagram.h"
-#include "ImageExtent.h"
-#include "PersistenceTables.h"
-#include "ScalarSimplification.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/ChosenScalars.h"
+#include "Core/ImageCrop.h"
+#include "Core/ImageExtent.h"
+#include "Persistence/ImageDiagram.h"
+#include "Persistence/PersistenceTables.h"
+#include "Persistence/ScalarSimplification.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

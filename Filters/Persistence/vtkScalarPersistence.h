@@ -51,7 +51,7 @@
 #ifndef vtkScalarPersistence_h
 #define vtkScalarPersistence_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusFiltersPersistenceModule.h" // for the export macro
 #include "vtkTableAlgorithm.h"
 
 #include <memory> // for the cache
@@ -65,7 +65,7 @@ namespace isthmus
 class ImageDiagram;
 }
 
-class VTKISTHMUS_EXPORT vtkScalarPersistence : public vtkTableAlgorithm
+class VTKISTHMUSFILTERSPERSISTENCE_EXPORT vtkScalarPersistence : public vtkTableAlgorithm
 {
 public:
   static vtkScalarPersistence* New();

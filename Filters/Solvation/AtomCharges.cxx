@@ -1,4 +1,4 @@
-#include "AtomCharges.h"
+#include "Solvation/AtomCharges.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>

@@ -5,8 +5,8 @@
 #ifndef isthmus_AtomCharges_h
 #define isthmus_AtomCharges_h
 
-#include "AtomBalls.h"
-#include "PoissonBoltzmannParameters.h"
+#include "Atoms/AtomBalls.h"
+#include "Electrostatics/PoissonBoltzmannParameters.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
-#include "ChannelPassage.h"
+#include "Solvation/ChannelPassage.h"
 
-#include "DisjointSets.h"
-#include "RangeGuard.h"
+#include "Core/DisjointSets.h"
+#include "Core/RangeGuard.h"
 
 #include <algorithm>
 #include <stdexcept>

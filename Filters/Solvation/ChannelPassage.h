@@ -9,7 +9,8 @@
 #ifndef isthmus_ChannelPassage_h
 #define isthmus_ChannelPassage_h
 
-#include "TransportGrid.h"
+#include "Solvation/TransportGrid.h"
+#include "vtkIsthmusFiltersSolvationModule.h"
 
 namespace isthmus
 {
@@ -23,15 +24,15 @@ struct ChannelPassage
 
 /// The widest way, from node to node. O(n log n).
 /// @throws std::runtime_error where the grid does not lead from bath to bath at all.
-VTKISTHMUS_EXPORT ChannelPassage FindPassage(const TransportGrid& grid);
+VTKISTHMUSFILTERSSOLVATION_EXPORT ChannelPassage FindPassage(const TransportGrid& grid);
 
 /// @throws std::runtime_error, with the place and what to do, where the way is closed.
-VTKISTHMUS_EXPORT void DemandOpen(const ChannelPassage& passage);
+VTKISTHMUSFILTERSSOLVATION_EXPORT void DemandOpen(const ChannelPassage& passage);
 
 /// Closes the faces between nodes that no water connects to a bath: nothing says what ions are in
 /// such pockets.
 /// @throws std::runtime_error where none are left that lead from bath to bath.
-VTKISTHMUS_EXPORT void ClosePockets(TransportGrid& grid);
+VTKISTHMUSFILTERSSOLVATION_EXPORT void ClosePockets(TransportGrid& grid);
 
 }
 

@@ -1,6 +1,6 @@
-#include "ChannelSolution.h"
+#include "Solvation/ChannelSolution.h"
 
-#include "IonTransportInput.h"
+#include "Solvation/IonTransportInput.h"
 
 namespace isthmus
 {

@@ -5,8 +5,8 @@
 #ifndef isthmus_ChannelSolution_h
 #define isthmus_ChannelSolution_h
 
-#include "Ball.h"
-#include "MovingChannel.h"
+#include "Atoms/Ball.h"
+#include "Solvation/MovingChannel.h"
 
 #include <memory>
 #include <vector>

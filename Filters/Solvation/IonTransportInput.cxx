@@ -1,12 +1,12 @@
-#include "IonTransportInput.h"
+#include "Solvation/IonTransportInput.h"
 
-#include "FlowGrid.h"
-#include "GridDistance.h"
-#include "GridImages.h"
-#include "IonTransportOutput.h"
-#include "PolyDataTriangles.h"
-#include "PrintableText.h"
-#include "SurfaceCrossings.h"
+#include "Core/PolyDataTriangles.h"
+#include "Core/PrintableText.h"
+#include "MolecularSurfaces/FlowGrid.h"
+#include "Solvation/IonTransportOutput.h"
+#include "Surfaces/GridDistance.h"
+#include "Surfaces/GridImages.h"
+#include "Surfaces/SurfaceCrossings.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>

@@ -5,8 +5,8 @@
 #ifndef isthmus_IonTransportInput_h
 #define isthmus_IonTransportInput_h
 
-#include "Progress.h"
-#include "TransportGrid.h"
+#include "Core/Progress.h"
+#include "Solvation/TransportGrid.h"
 
 #include <string>
 #include <vector>

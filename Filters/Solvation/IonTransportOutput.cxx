@@ -1,6 +1,6 @@
-#include "IonTransportOutput.h"
+#include "Solvation/IonTransportOutput.h"
 
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>

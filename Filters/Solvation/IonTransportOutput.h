@@ -5,8 +5,8 @@
 #ifndef isthmus_IonTransportOutput_h
 #define isthmus_IonTransportOutput_h
 
-#include "MovingChannel.h"
-#include "TransportSweep.h"
+#include "Solvation/MovingChannel.h"
+#include "Solvation/TransportSweep.h"
 
 class vtkImageData;
 class vtkTable;

@@ -1,6 +1,6 @@
-#include "IonTransportParameters.h"
+#include "Solvation/IonTransportParameters.h"
 
-#include "RangeGuard.h"
+#include "Core/RangeGuard.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -5,8 +5,8 @@
 #ifndef isthmus_IonTransportParameters_h
 #define isthmus_IonTransportParameters_h
 
-#include "PoissonBoltzmannParameters.h"
-#include "vtkIsthmusModule.h"
+#include "Electrostatics/PoissonBoltzmannParameters.h"
+#include "vtkIsthmusFiltersSolvationModule.h"
 
 #include <algorithm>
 #include <string>
@@ -67,7 +67,7 @@ struct IonTransportReport
 
 /// @throws std::invalid_argument, with a sentence, for values out of their range, a membrane
 /// without a normal, species without a valence, and baths that carry a charge.
-VTKISTHMUS_EXPORT void CheckTransport(const IonTransportParameters& parameters);
+VTKISTHMUSFILTERSSOLVATION_EXPORT void CheckTransport(const IonTransportParameters& parameters);
 
 }
 

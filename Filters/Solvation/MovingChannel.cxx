@@ -1,11 +1,11 @@
-#include "MovingChannel.h"
+#include "Solvation/MovingChannel.h"
 
-#include "FlowBand.h"
-#include "FlowResult.h"
-#include "FlowSteps.h"
-#include "LevelMeasure.h"
-#include "RangeGuard.h"
-#include "SurfacePull.h"
+#include "Core/RangeGuard.h"
+#include "MolecularSurfaces/FlowBand.h"
+#include "MolecularSurfaces/FlowResult.h"
+#include "MolecularSurfaces/FlowSteps.h"
+#include "MolecularSurfaces/LevelMeasure.h"
+#include "Solvation/SurfacePull.h"
 
 #include <algorithm>
 #include <cmath>

@@ -22,12 +22,12 @@
 #ifndef isthmus_MovingChannel_h
 #define isthmus_MovingChannel_h
 
-#include "ChannelPassage.h"
-#include "Dispersion.h"
-#include "SurfacePeriod.h"
-#include "TransportCurrents.h"
-#include "WallPull.h"
-#include "vtkIsthmusModule.h"
+#include "MolecularSurfaces/Dispersion.h"
+#include "Solvation/ChannelPassage.h"
+#include "Solvation/SurfacePeriod.h"
+#include "Solvation/TransportCurrents.h"
+#include "Solvation/WallPull.h"
+#include "vtkIsthmusFiltersSolvationModule.h"
 
 #include <memory>
 
@@ -58,7 +58,7 @@ struct ChannelUpdate
 /// each node of the band between them. Memory: twice
 /// that of the solution (the last one is where the next begins), 40 bytes a node for the flow.
 /// The same bits on any number of threads.
-class VTKISTHMUS_EXPORT MovingChannel
+class VTKISTHMUSFILTERSSOLVATION_EXPORT MovingChannel
 {
 public:
   static constexpr double BytesPerNode = 500.0;

@@ -1,8 +1,8 @@
 // The half of PoissonNernstPlanck that solves for the ions, with the potential given.
-#include "PoissonNernstPlanck.h"
+#include "Solvation/PoissonNernstPlanck.h"
 
-#include "Pi.h"
-#include "ScharfetterGummel.h"
+#include "Core/Pi.h"
+#include "Solvation/ScharfetterGummel.h"
 
 #include <algorithm>
 #include <cmath>

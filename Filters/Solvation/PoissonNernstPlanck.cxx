@@ -1,7 +1,7 @@
-#include "PoissonNernstPlanck.h"
+#include "Solvation/PoissonNernstPlanck.h"
 
-#include "ElectrostaticUnits.h"
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
+#include "Electrostatics/ElectrostaticUnits.h"
 
 #include <algorithm>
 #include <cmath>

@@ -20,11 +20,11 @@
 #ifndef isthmus_PoissonNernstPlanck_h
 #define isthmus_PoissonNernstPlanck_h
 
-#include "Handles.h"
-#include "Progress.h"
-#include "ResistorNetwork.h"
-#include "TransportGrid.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Handles.h"
+#include "Core/Progress.h"
+#include "Solvation/ResistorNetwork.h"
+#include "Solvation/TransportGrid.h"
+#include "vtkIsthmusFiltersSolvationModule.h"
 
 #include <vector>
 
@@ -36,7 +36,7 @@ using SpeciesId = Handle<struct SpeciesKind, std::size_t>;
 
 /// Memory: 160 bytes a node for two networks, 40 for phi and work, 8 for each species. The same
 /// bits on any number of threads: the loops that decide about them run on one.
-class VTKISTHMUS_EXPORT PoissonNernstPlanck
+class VTKISTHMUSFILTERSSOLVATION_EXPORT PoissonNernstPlanck
 {
 public:
   /// The grid is referred to.

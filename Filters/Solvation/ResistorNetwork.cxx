@@ -1,4 +1,4 @@
-#include "ResistorNetwork.h"
+#include "Solvation/ResistorNetwork.h"
 
 #include <algorithm>
 #include <cmath>

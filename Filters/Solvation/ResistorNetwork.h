@@ -16,8 +16,8 @@
 #ifndef isthmus_ResistorNetwork_h
 #define isthmus_ResistorNetwork_h
 
-#include "Progress.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Progress.h"
+#include "vtkIsthmusFiltersSolvationModule.h"
 
 #include <array>
 #include <cstdint>
@@ -27,7 +27,7 @@ namespace isthmus
 {
 
 /// Memory: 80 bytes a node. Time: some 20 ns a node and iteration, on one thread.
-class VTKISTHMUS_EXPORT ResistorNetwork
+class VTKISTHMUSFILTERSSOLVATION_EXPORT ResistorNetwork
 {
 public:
   /// `held`, one value a node, is referred to: not 0 where u is given.

@@ -1,16 +1,16 @@
-#include "SolvationFlow.h"
+#include "Solvation/SolvationFlow.h"
 
-#include "BallDistance.h"
-#include "DispersionIntegral.h"
-#include "ElectrostaticUnits.h"
-#include "FlowBand.h"
-#include "FlowMemory.h"
-#include "FlowResult.h"
-#include "FlowStart.h"
-#include "LevelMeasure.h"
-#include "NearestBall.h"
-#include "SolventExcludedDistance.h"
-#include "SurfacePull.h"
+#include "Atoms/NearestBall.h"
+#include "Electrostatics/ElectrostaticUnits.h"
+#include "MolecularSurfaces/BallDistance.h"
+#include "MolecularSurfaces/DispersionIntegral.h"
+#include "MolecularSurfaces/FlowBand.h"
+#include "MolecularSurfaces/FlowMemory.h"
+#include "MolecularSurfaces/FlowResult.h"
+#include "MolecularSurfaces/FlowStart.h"
+#include "MolecularSurfaces/LevelMeasure.h"
+#include "MolecularSurfaces/SolventExcludedDistance.h"
+#include "Solvation/SurfacePull.h"
 
 #include <algorithm>
 #include <cmath>

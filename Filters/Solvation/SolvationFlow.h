@@ -27,11 +27,11 @@
 #ifndef isthmus_SolvationFlow_h
 #define isthmus_SolvationFlow_h
 
-#include "FlowGrid.h"
-#include "PoissonBoltzmann.h"
-#include "Progress.h"
-#include "SolvationParameters.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Progress.h"
+#include "Electrostatics/PoissonBoltzmann.h"
+#include "MolecularSurfaces/FlowGrid.h"
+#include "Solvation/SolvationParameters.h"
+#include "vtkIsthmusFiltersSolvationModule.h"
 
 #include <memory>
 
@@ -42,7 +42,7 @@ namespace isthmus
 /// ones anew only where the surface moved (SolveAgain()); between them UpdatePeriod steps at 3 ns
 /// for each node of the band. Memory: that of the solution (120 bytes a node, the last surface's
 /// potential and crossings with it) and of the flow. The same bits on any number of threads.
-class VTKISTHMUS_EXPORT SolvationFlow
+class VTKISTHMUSFILTERSSOLVATION_EXPORT SolvationFlow
 {
 public:
   /// @throws std::invalid_argument for lists of different lengths, parameters out of range, charges

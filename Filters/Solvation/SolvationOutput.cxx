@@ -1,9 +1,9 @@
-#include "SolvationOutput.h"
+#include "Solvation/SolvationOutput.h"
 
-#include "AtomInput.h"
-#include "FlowSurfaceOutput.h"
-#include "PoissonBoltzmannOutput.h"
-#include "SoluteVolume.h"
+#include "Atoms/AtomInput.h"
+#include "Electrostatics/PoissonBoltzmannOutput.h"
+#include "Electrostatics/SoluteVolume.h"
+#include "MolecularSurfaces/FlowSurfaceOutput.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>

@@ -5,7 +5,7 @@
 #ifndef isthmus_SolvationOutput_h
 #define isthmus_SolvationOutput_h
 
-#include "SolvationFlow.h"
+#include "Solvation/SolvationFlow.h"
 
 #include <string>
 #include <vector>

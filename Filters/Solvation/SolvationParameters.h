@@ -5,10 +5,10 @@
 #ifndef isthmus_SolvationParameters_h
 #define isthmus_SolvationParameters_h
 
-#include "Dispersion.h"
-#include "PoissonBoltzmannParameters.h"
-#include "SurfaceFlowParameters.h"
-#include "SurfacePeriod.h"
+#include "Electrostatics/PoissonBoltzmannParameters.h"
+#include "MolecularSurfaces/Dispersion.h"
+#include "MolecularSurfaces/SurfaceFlowParameters.h"
+#include "Solvation/SurfacePeriod.h"
 
 namespace isthmus
 {

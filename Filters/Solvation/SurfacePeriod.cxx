@@ -1,8 +1,8 @@
-#include "SurfacePeriod.h"
+#include "Solvation/SurfacePeriod.h"
 
-#include "FlowBand.h"
-#include "FlowSteps.h"
-#include "LevelMeasure.h"
+#include "MolecularSurfaces/FlowBand.h"
+#include "MolecularSurfaces/FlowSteps.h"
+#include "MolecularSurfaces/LevelMeasure.h"
 
 #include <algorithm>
 #include <cmath>

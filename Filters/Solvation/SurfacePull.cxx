@@ -1,4 +1,4 @@
-#include "SurfacePull.h"
+#include "Solvation/SurfacePull.h"
 
 namespace isthmus
 {

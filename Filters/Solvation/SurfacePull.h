@@ -11,9 +11,9 @@
 #ifndef isthmus_SurfacePull_h
 #define isthmus_SurfacePull_h
 
-#include "BoundaryForces.h"
-#include "FlowGrid.h"
-#include "vtkIsthmusModule.h"
+#include "Electrostatics/BoundaryForces.h"
+#include "MolecularSurfaces/FlowGrid.h"
+#include "vtkIsthmusFiltersSolvationModule.h"
 
 #include <vector>
 
@@ -26,7 +26,7 @@ namespace isthmus
  * layer, so that values are carried off the surface to both sides. The level's volume is the grid
  * without its margin. O(nodes), serial; 5 bytes a node.
  */
-VTKISTHMUS_EXPORT std::vector<float> CarriedOff(const SolverBox& box,
+VTKISTHMUSFILTERSSOLVATION_EXPORT std::vector<float> CarriedOff(const SolverBox& box,
   const std::vector<InterfaceCrossing>& crossings, const std::vector<double>& values,
   const FlowGrid& grid);
 

@@ -1,6 +1,6 @@
-#include "TransportCurrents.h"
+#include "Solvation/TransportCurrents.h"
 
-#include "ElectrostaticUnits.h"
+#include "Electrostatics/ElectrostaticUnits.h"
 
 #include <algorithm>
 #include <cmath>

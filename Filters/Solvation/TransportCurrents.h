@@ -5,7 +5,8 @@
 #ifndef isthmus_TransportCurrents_h
 #define isthmus_TransportCurrents_h
 
-#include "PoissonNernstPlanck.h"
+#include "Solvation/PoissonNernstPlanck.h"
+#include "vtkIsthmusFiltersSolvationModule.h"
 
 namespace isthmus
 {
@@ -29,14 +30,14 @@ struct CurrentProfile
  * gives off, so currents through all sections are the same but for the accuracy of the solution.
  * O(nodes).
  */
-VTKISTHMUS_EXPORT CurrentProfile CurrentsOf(const PoissonNernstPlanck& solution);
+VTKISTHMUSFILTERSSOLVATION_EXPORT CurrentProfile CurrentsOf(const PoissonNernstPlanck& solution);
 
 /// The flux of a species at a node, ions a nanosecond and square angstrom: the mean of its faces'.
-VTKISTHMUS_EXPORT Point3 FluxAt(
+VTKISTHMUSFILTERSSOLVATION_EXPORT Point3 FluxAt(
   const PoissonNernstPlanck& solution, SpeciesId species, std::int64_t node);
 
 /// pA for an ion of 1 e a nanosecond.
-VTKISTHMUS_EXPORT double PicoamperePerIon();
+VTKISTHMUSFILTERSSOLVATION_EXPORT double PicoamperePerIon();
 
 }
 

@@ -1,9 +1,9 @@
-#include "TransportDomain.h"
+#include "Solvation/TransportDomain.h"
 
-#include "AvailableMemory.h"
-#include "BallDistance.h"
-#include "FlowGrid.h"
-#include "SolventExcludedDistance.h"
+#include "Core/AvailableMemory.h"
+#include "MolecularSurfaces/BallDistance.h"
+#include "MolecularSurfaces/FlowGrid.h"
+#include "MolecularSurfaces/SolventExcludedDistance.h"
 
 #include <algorithm>
 #include <cmath>

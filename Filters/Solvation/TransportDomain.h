@@ -9,9 +9,10 @@
 #ifndef isthmus_TransportDomain_h
 #define isthmus_TransportDomain_h
 
-#include "Ball.h"
-#include "IonTransportParameters.h"
-#include "Progress.h"
+#include "Atoms/Ball.h"
+#include "Core/Progress.h"
+#include "Solvation/IonTransportParameters.h"
+#include "vtkIsthmusFiltersSolvationModule.h"
 
 #include <array>
 #include <cstdint>
@@ -57,17 +58,18 @@ struct TransportDomain
 
 /// @throws std::invalid_argument for parameters out of range, std::runtime_error with the size
 /// where the memory for it is not there.
-VTKISTHMUS_EXPORT TransportDomain DomainAround(
+VTKISTHMUSFILTERSSOLVATION_EXPORT TransportDomain DomainAround(
   const std::vector<Ball>& atoms, const IonTransportParameters& parameters);
 
 /// @throws std::runtime_error with the domain's size where so many bytes a node are not there.
-VTKISTHMUS_EXPORT void DemandMemory(const TransportDomain& domain, double bytesPerNode);
+VTKISTHMUSFILTERSSOLVATION_EXPORT void DemandMemory(
+  const TransportDomain& domain, double bytesPerNode);
 
 /// The distance from each node to the solvent-excluded surface of atoms
 /// (SolventExcludedDistance.h), or for ProbeRadius 0 to the atoms; angstrom, negative within, cut
 /// at 4.5 spacings. Parallel.
 /// @throws Cancelled.
-VTKISTHMUS_EXPORT std::vector<float> DistanceToAtoms(const TransportDomain& domain,
+VTKISTHMUSFILTERSSOLVATION_EXPORT std::vector<float> DistanceToAtoms(const TransportDomain& domain,
   const std::vector<Ball>& atoms, double probeRadius, const ProgressCallback& progress = {});
 
 }

@@ -1,7 +1,7 @@
-#include "TransportGrid.h"
+#include "Solvation/TransportGrid.h"
 
-#include "IrregularRows.h"
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
+#include "Electrostatics/IrregularRows.h"
 
 #include <algorithm>
 #include <cmath>

@@ -15,7 +15,8 @@
 #ifndef isthmus_TransportGrid_h
 #define isthmus_TransportGrid_h
 
-#include "TransportDomain.h"
+#include "Solvation/TransportDomain.h"
+#include "vtkIsthmusFiltersSolvationModule.h"
 
 namespace isthmus
 {
@@ -46,12 +47,12 @@ struct TransportGrid
 /// `solute` are distances as of DistanceToAtoms() (TransportDomain.h), or nothing where there is a
 /// membrane only; charges are spread over eight nodes each. O(nodes). Parallel.
 /// @throws Cancelled.
-VTKISTHMUS_EXPORT TransportGrid MakeTransportGrid(const TransportDomain& domain,
+VTKISTHMUSFILTERSSOLVATION_EXPORT TransportGrid MakeTransportGrid(const TransportDomain& domain,
   const std::vector<float>& solute, const std::vector<ChargedAtom>& charges,
   const IonTransportParameters& parameters, const ProgressCallback& progress = {});
 
 /// The part of a unit square on which distance + g1 u + g2 v is positive, u and v in [-1/2, 1/2].
-VTKISTHMUS_EXPORT double PositivePart(double distance, double g1, double g2);
+VTKISTHMUSFILTERSSOLVATION_EXPORT double PositivePart(double distance, double g1, double g2);
 
 }
 

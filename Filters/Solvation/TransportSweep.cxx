@@ -1,6 +1,6 @@
-#include "TransportSweep.h"
+#include "Solvation/TransportSweep.h"
 
-#include "RangeGuard.h"
+#include "Core/RangeGuard.h"
 
 #include <cmath>
 

@@ -5,7 +5,8 @@
 #ifndef isthmus_TransportSweep_h
 #define isthmus_TransportSweep_h
 
-#include "TransportCurrents.h"
+#include "Solvation/TransportCurrents.h"
+#include "vtkIsthmusFiltersSolvationModule.h"
 
 namespace isthmus
 {
@@ -21,19 +22,20 @@ struct TransportPoint
 
 /// Voltages in equal steps, the factor 1.
 /// @throws std::invalid_argument for ends out of range or less than two points.
-VTKISTHMUS_EXPORT std::vector<TransportPoint> SweptVoltages(double from, double to, int points);
+VTKISTHMUSFILTERSSOLVATION_EXPORT std::vector<TransportPoint> SweptVoltages(
+  double from, double to, int points);
 
 /// Factors in equal ratios, at one voltage.
 /// @throws std::invalid_argument for ends out of range or less than two points.
-VTKISTHMUS_EXPORT std::vector<TransportPoint> SweptFactors(
+VTKISTHMUSFILTERSSOLVATION_EXPORT std::vector<TransportPoint> SweptFactors(
   double from, double to, int points, double voltage);
 
 /// What there is of a solution where it stands.
-VTKISTHMUS_EXPORT TransportPoint PointOf(const PoissonNernstPlanck& solution);
+VTKISTHMUSFILTERSSOLVATION_EXPORT TransportPoint PointOf(const PoissonNernstPlanck& solution);
 
 /// Solves at the point's voltage and factor, from where `solution` stands, and keeps what is found.
 /// @throws what PoissonNernstPlanck::Solve does.
-VTKISTHMUS_EXPORT void SolveAt(
+VTKISTHMUSFILTERSSOLVATION_EXPORT void SolveAt(
   TransportPoint& point, PoissonNernstPlanck& solution, const ProgressCallback& progress = {});
 
 }

@@ -1,6 +1,6 @@
-#include "TransportWarnings.h"
+#include "Solvation/TransportWarnings.h"
 
-#include "RangeGuard.h"
+#include "Core/RangeGuard.h"
 
 #include <algorithm>
 

@@ -5,9 +5,9 @@
 #ifndef isthmus_TransportWarnings_h
 #define isthmus_TransportWarnings_h
 
-#include "AtomBalls.h"
-#include "ChannelSolution.h"
-#include "TransportSweep.h"
+#include "Atoms/AtomBalls.h"
+#include "Solvation/ChannelSolution.h"
+#include "Solvation/TransportSweep.h"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
-#include "WallPull.h"
+#include "Solvation/WallPull.h"
 
-#include "CrossingValues.h"
-#include "ElectrostaticUnits.h"
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
+#include "Electrostatics/CrossingValues.h"
+#include "Electrostatics/ElectrostaticUnits.h"
 
 #include <algorithm>
 #include <cmath>

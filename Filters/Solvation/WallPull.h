@@ -22,9 +22,9 @@
 #ifndef isthmus_WallPull_h
 #define isthmus_WallPull_h
 
-#include "InterfaceGeometry.h"
-#include "PoissonNernstPlanck.h"
-#include "vtkIsthmusModule.h"
+#include "Electrostatics/InterfaceGeometry.h"
+#include "Solvation/PoissonNernstPlanck.h"
+#include "vtkIsthmusFiltersSolvationModule.h"
 
 namespace isthmus
 {
@@ -41,7 +41,7 @@ struct WallValues
  * nodes more on each side. Crossings at the domain's border, and those that no field can be fitted
  * to, are left out. O(crossings), parallel.
  */
-VTKISTHMUS_EXPORT WallValues PullAtWall(const PoissonNernstPlanck& solution,
+VTKISTHMUSFILTERSSOLVATION_EXPORT WallValues PullAtWall(const PoissonNernstPlanck& solution,
   const LevelFunction& level, const SolverBox& box, std::int64_t margin);
 
 }

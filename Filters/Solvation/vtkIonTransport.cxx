@@ -1,15 +1,15 @@
 #include "vtkIonTransport.h"
 
-#include "AlgorithmGuard.h"
-#include "AtomCharges.h"
-#include "AtomInput.h"
-#include "ChannelSolution.h"
-#include "DispersionAtoms.h"
-#include "ImageExtent.h"
-#include "IonTransportInput.h"
-#include "IonTransportOutput.h"
-#include "PipelineInputs.h"
-#include "TransportWarnings.h"
+#include "Atoms/AtomInput.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/ImageExtent.h"
+#include "Core/PipelineInputs.h"
+#include "MolecularSurfaces/DispersionAtoms.h"
+#include "Solvation/AtomCharges.h"
+#include "Solvation/ChannelSolution.h"
+#include "Solvation/IonTransportInput.h"
+#include "Solvation/IonTransportOutput.h"
+#include "Solvation/TransportWarnings.h"
 
 #include <vtkImageData.h>
 #include <vtkInformation.h>

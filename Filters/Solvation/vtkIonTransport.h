@@ -43,10 +43,10 @@
 #ifndef vtkIonTransport_h
 #define vtkIonTransport_h
 
-#include "AtomProperties.h"
-#include "SolventProperties.h"
+#include "Atoms/AtomProperties.h"
+#include "MolecularSurfaces/SolventProperties.h"
 #include "vtkImageAlgorithm.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusFiltersSolvationModule.h" // for the export macro
 
 #include <memory> // for what it asks of its input
 #include <string> // for names
@@ -58,7 +58,7 @@ namespace isthmus
 class InputInAdvance;
 }
 
-class VTKISTHMUS_EXPORT vtkIonTransport : public vtkImageAlgorithm
+class VTKISTHMUSFILTERSSOLVATION_EXPORT vtkIonTransport : public vtkImageAlgorithm
 {
 public:
   static vtkIonTransport* New();

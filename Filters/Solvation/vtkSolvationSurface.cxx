@@ -1,16 +1,16 @@
 #include "vtkSolvationSurface.h"
 
-#include "AlgorithmGuard.h"
-#include "AtomBalls.h"
-#include "AtomCharges.h"
-#include "AtomInput.h"
-#include "DispersionAtoms.h"
-#include "FlowSurfaceOutput.h"
-#include "ImageExtent.h"
-#include "PipelineInputs.h"
-#include "SolvationFlow.h"
-#include "SolvationOutput.h"
-#include "SurfaceFlow.h"
+#include "Atoms/AtomBalls.h"
+#include "Atoms/AtomInput.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/ImageExtent.h"
+#include "Core/PipelineInputs.h"
+#include "MolecularSurfaces/DispersionAtoms.h"
+#include "MolecularSurfaces/FlowSurfaceOutput.h"
+#include "MolecularSurfaces/SurfaceFlow.h"
+#include "Solvation/AtomCharges.h"
+#include "Solvation/SolvationFlow.h"
+#include "Solvation/SolvationOutput.h"
 
 #include <vtkDataObject.h>
 #include <vtkImageData.h>

@@ -36,9 +36,9 @@
 #ifndef vtkSolvationSurface_h
 #define vtkSolvationSurface_h
 
-#include "AtomProperties.h"
-#include "SolventProperties.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "Atoms/AtomProperties.h"
+#include "MolecularSurfaces/SolventProperties.h"
+#include "vtkIsthmusFiltersSolvationModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for what it asks of its input
@@ -51,7 +51,7 @@ namespace isthmus
 class InputInAdvance;
 }
 
-class VTKISTHMUS_EXPORT vtkSolvationSurface : public vtkPolyDataAlgorithm
+class VTKISTHMUSFILTERSSOLVATION_EXPORT vtkSolvationSurface : public vtkPolyDataAlgorithm
 {
 public:
   static vtkSolvationSurface* New();

@@ -7,7 +7,7 @@
 #ifndef isthmus_ByteSource_h
 #define isthmus_ByteSource_h
 
-#include "Progress.h"
+#include "Core/Progress.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "Bzip2BlockFinder.h"
+#include "Files/Bzip2BlockFinder.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
-#include "Bzip2Blocks.h"
+#include "Files/Bzip2Blocks.h"
 
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
 
 #include <algorithm>
 #include <cstring>

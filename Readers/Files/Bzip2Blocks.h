@@ -16,9 +16,9 @@
 #ifndef isthmus_Bzip2Blocks_h
 #define isthmus_Bzip2Blocks_h
 
-#include "Bzip2BlockFinder.h"
-#include "Bzip2Codec.h"
-#include "CodecState.h"
+#include "Files/Bzip2BlockFinder.h"
+#include "Files/Bzip2Codec.h"
+#include "Files/CodecState.h"
 
 #include <deque>
 #include <memory>

@@ -7,7 +7,7 @@
 #ifndef isthmus_Bzip2Codec_h
 #define isthmus_Bzip2Codec_h
 
-#include "CodecState.h"
+#include "Files/CodecState.h"
 
 #include <bzlib.h>
 

@@ -1,12 +1,12 @@
-#include "CompressedSource.h"
+#include "Files/CompressedSource.h"
 
-#include "Bzip2Blocks.h"
-#include "Bzip2Codec.h"
-#include "CodecState.h"
-#include "GzipCodec.h"
-#include "ParallelFor.h"
-#include "ReaderError.h"
-#include "RetriedSource.h"
+#include "Core/ParallelFor.h"
+#include "Files/Bzip2Blocks.h"
+#include "Files/Bzip2Codec.h"
+#include "Files/CodecState.h"
+#include "Files/GzipCodec.h"
+#include "Files/ReaderError.h"
+#include "Files/RetriedSource.h"
 
 #include <algorithm>
 #include <vector>

@@ -9,8 +9,8 @@
 #ifndef isthmus_CompressedSource_h
 #define isthmus_CompressedSource_h
 
-#include "ByteSource.h"
-#include "PlainFile.h"
+#include "Files/ByteSource.h"
+#include "Files/PlainFile.h"
 
 #include <memory>
 

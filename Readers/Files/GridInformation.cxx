@@ -1,6 +1,6 @@
-#include "GridInformation.h"
+#include "Files/GridInformation.h"
 
-#include "ReaderError.h"
+#include "Files/ReaderError.h"
 
 #include <vtkDataObject.h>
 #include <vtkImageData.h>

@@ -5,7 +5,7 @@
 #ifndef isthmus_GridInformation_h
 #define isthmus_GridInformation_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersFilesModule.h" // for the export macro
 
 #include <array>
 #include <cstdint>
@@ -27,15 +27,15 @@ struct GridInformation
 };
 
 /// Puts the grid into the information of an output.
-VTKISTHMUS_EXPORT void Describe(const GridInformation& grid, vtkInformation* info);
+VTKISTHMUSREADERSFILES_EXPORT void Describe(const GridInformation& grid, vtkInformation* info);
 
 /// A file that was replaced since its information was read would be shown in the old geometry.
 /// @throws ReaderError (BadRequest) where `info` describes another grid
-VTKISTHMUS_EXPORT void DemandUnchanged(
+VTKISTHMUSREADERSFILES_EXPORT void DemandUnchanged(
   const GridInformation& grid, vtkInformation* info, const char* path);
 
 /// Gives the image the extent that is asked for, and the grid's geometry.
-VTKISTHMUS_EXPORT void StartImage(vtkInformation* info, vtkImageData* image);
+VTKISTHMUSREADERSFILES_EXPORT void StartImage(vtkInformation* info, vtkImageData* image);
 
 }
 

@@ -10,7 +10,7 @@
 #ifndef isthmus_GzipCodec_h
 #define isthmus_GzipCodec_h
 
-#include "CodecState.h"
+#include "Files/CodecState.h"
 
 #ifdef ISTHMUS_HAS_ISAL
 #include <isa-l/igzip_lib.h>

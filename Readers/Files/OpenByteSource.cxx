@@ -1,9 +1,9 @@
-#include "OpenByteSource.h"
+#include "Files/OpenByteSource.h"
 
-#include "CompressedSource.h"
-#include "LargePages.h"
-#include "PlainFile.h"
-#include "ReaderError.h"
+#include "Core/LargePages.h"
+#include "Files/CompressedSource.h"
+#include "Files/PlainFile.h"
+#include "Files/ReaderError.h"
 
 #include <algorithm>
 #include <cmath>

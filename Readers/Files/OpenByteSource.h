@@ -5,9 +5,9 @@
 #ifndef isthmus_OpenByteSource_h
 #define isthmus_OpenByteSource_h
 
-#include "ByteSource.h"
-#include "Progress.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "Core/Progress.h"
+#include "Files/ByteSource.h"
+#include "vtkIsthmusReadersFilesModule.h" // for the export macro
 
 #include <memory>
 #include <string>
@@ -17,13 +17,14 @@ namespace isthmus
 
 /// Opens a regular file.
 /// @throws ReaderError for a missing, unreadable or empty one and for folders.
-VTKISTHMUS_EXPORT std::unique_ptr<ByteSource> OpenByteSource(const std::string& path);
+VTKISTHMUSREADERSFILES_EXPORT std::unique_ptr<ByteSource> OpenByteSource(const std::string& path);
 
 /// All of the content, checksum checked.
 /// @throws ReaderError as Read does, when it is cut, and when compressed content grows beyond 64
 /// MiB and 16 times its file, as no text of numbers does, before memory is spent on it; and
 /// std::bad_alloc.
-VTKISTHMUS_EXPORT std::string ReadAll(ByteSource& source, const ProgressCallback& progress = {});
+VTKISTHMUSREADERSFILES_EXPORT std::string ReadAll(
+  ByteSource& source, const ProgressCallback& progress = {});
 
 }
 

@@ -1,6 +1,6 @@
-#include "PlainFile.h"
+#include "Files/PlainFile.h"
 
-#include "ReaderError.h"
+#include "Files/ReaderError.h"
 
 #include <algorithm>
 #include <cerrno>

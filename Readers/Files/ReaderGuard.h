@@ -6,8 +6,8 @@
 #ifndef isthmus_ReaderGuard_h
 #define isthmus_ReaderGuard_h
 
-#include "AlgorithmGuard.h"
-#include "ReaderError.h"
+#include "Core/AlgorithmGuard.h"
+#include "Files/ReaderError.h"
 
 #include <vtkErrorCode.h>
 

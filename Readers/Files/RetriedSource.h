@@ -8,8 +8,8 @@
 #ifndef isthmus_RetriedSource_h
 #define isthmus_RetriedSource_h
 
-#include "ByteSource.h"
-#include "ReaderError.h"
+#include "Files/ByteSource.h"
+#include "Files/ReaderError.h"
 
 #include <functional>
 #include <memory>

@@ -1,7 +1,7 @@
-#include "SkewedLattice.h"
+#include "Files/SkewedLattice.h"
 
-#include "ParallelFor.h"
-#include "ReaderError.h"
+#include "Core/ParallelFor.h"
+#include "Files/ReaderError.h"
 
 #include <vtkMath.h>
 

@@ -5,8 +5,8 @@
 #ifndef isthmus_SkewedLattice_h
 #define isthmus_SkewedLattice_h
 
-#include "Progress.h"
-#include "VoxelLattice.h"
+#include "Core/Progress.h"
+#include "Files/VoxelLattice.h"
 
 #include <array>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "StridedCopy.h"
+#include "Files/StridedCopy.h"
 
 #include <algorithm>
 #include <cstring>

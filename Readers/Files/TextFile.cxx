@@ -1,4 +1,4 @@
-#include "TextFile.h"
+#include "Files/TextFile.h"
 
 #include <vtk_zlib.h>
 

@@ -5,7 +5,7 @@
 #ifndef isthmus_TextFile_h
 #define isthmus_TextFile_h
 
-#include "NumberTypes.h"
+#include "Files/NumberTypes.h"
 
 #include <array>
 #include <string>

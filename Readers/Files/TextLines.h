@@ -5,7 +5,7 @@
 #ifndef isthmus_TextLines_h
 #define isthmus_TextLines_h
 
-#include "Progress.h"
+#include "Core/Progress.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,7 +1,7 @@
-#include "TextWords.h"
+#include "Files/TextWords.h"
 
-#include "NumberTypes.h"
-#include "ReaderError.h"
+#include "Files/NumberTypes.h"
+#include "Files/ReaderError.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -5,7 +5,7 @@
 #ifndef isthmus_TextWords_h
 #define isthmus_TextWords_h
 
-#include "ByteSource.h"
+#include "Files/ByteSource.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "VoxelLattice.h"
+#include "Files/VoxelLattice.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "vtkGuardedFileWriter.h"
 
-#include "PrintableText.h"
-#include "Progress.h"
+#include "Core/PrintableText.h"
+#include "Core/Progress.h"
 
 #include <vtkErrorCode.h>
 

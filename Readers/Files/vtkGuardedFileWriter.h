@@ -8,11 +8,11 @@
 #ifndef vtkGuardedFileWriter_h
 #define vtkGuardedFileWriter_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersFilesModule.h" // for the export macro
 
 #include <vtkWriter.h>
 
-class VTKISTHMUS_EXPORT vtkGuardedFileWriter : public vtkWriter
+class VTKISTHMUSREADERSFILES_EXPORT vtkGuardedFileWriter : public vtkWriter
 {
 public:
   vtkAbstractTypeMacro(vtkGuardedFileWriter, vtkWriter);

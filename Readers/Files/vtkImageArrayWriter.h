@@ -6,13 +6,13 @@
 #define vtkImageArrayWriter_h
 
 #include "vtkGuardedFileWriter.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersFilesModule.h" // for the export macro
 
 #include <string> // for the array's name
 
 class vtkImageData;
 
-class VTKISTHMUS_EXPORT vtkImageArrayWriter : public vtkGuardedFileWriter
+class VTKISTHMUSREADERSFILES_EXPORT vtkImageArrayWriter : public vtkGuardedFileWriter
 {
 public:
   vtkAbstractTypeMacro(vtkImageArrayWriter, vtkGuardedFileWriter);

@@ -1,4 +1,4 @@
-#include "MRCFieldData.h"
+#include "Maps/MRCFieldData.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>

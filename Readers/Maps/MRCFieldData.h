@@ -5,7 +5,7 @@
 #ifndef isthmus_MRCFieldData_h
 #define isthmus_MRCFieldData_h
 
-#include "MRCMap.h"
+#include "Maps/MRCMap.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
-#include "MRCGeometry.h"
+#include "Maps/MRCGeometry.h"
 
-#include "Pi.h"
+#include "Core/Pi.h"
 
 #include <algorithm>
 #include <cctype>

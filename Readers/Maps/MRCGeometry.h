@@ -8,8 +8,8 @@
 #ifndef isthmus_MRCGeometry_h
 #define isthmus_MRCGeometry_h
 
-#include "MRCHeader.h"
-#include "VoxelLattice.h"
+#include "Files/VoxelLattice.h"
+#include "Maps/MRCHeader.h"
 
 #include <string>
 

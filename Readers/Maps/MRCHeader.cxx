@@ -1,6 +1,6 @@
-#include "MRCHeader.h"
+#include "Maps/MRCHeader.h"
 
-#include "MRCHeaderWords.h"
+#include "Maps/MRCHeaderWords.h"
 
 #include <limits>
 

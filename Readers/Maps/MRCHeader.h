@@ -8,8 +8,8 @@
 #ifndef isthmus_MRCHeader_h
 #define isthmus_MRCHeader_h
 
-#include "MRCMode.h"
-#include "VoxelLattice.h"
+#include "Files/VoxelLattice.h"
+#include "Maps/MRCMode.h"
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
-#include "MRCHeaderDecoder.h"
+#include "Maps/MRCHeaderDecoder.h"
 
-#include "Pi.h"
+#include "Core/Pi.h"
 
 #include <vtkMath.h>
 

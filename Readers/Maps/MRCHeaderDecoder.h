@@ -6,8 +6,8 @@
 #ifndef isthmus_MRCHeaderDecoder_h
 #define isthmus_MRCHeaderDecoder_h
 
-#include "MRCHeader.h"
-#include "MRCHeaderWords.h"
+#include "Maps/MRCHeader.h"
+#include "Maps/MRCHeaderWords.h"
 
 namespace isthmus
 {

@@ -1,7 +1,7 @@
-#include "MRCHeaderParser.h"
+#include "Maps/MRCHeaderParser.h"
 
-#include "MRCHeaderDecoder.h"
-#include "ReaderError.h"
+#include "Files/ReaderError.h"
+#include "Maps/MRCHeaderDecoder.h"
 
 namespace isthmus
 {

@@ -5,7 +5,7 @@
 #ifndef isthmus_MRCHeaderParser_h
 #define isthmus_MRCHeaderParser_h
 
-#include "MRCHeader.h"
+#include "Maps/MRCHeader.h"
 
 namespace isthmus
 {

@@ -1,6 +1,6 @@
-#include "MRCHeaderWords.h"
+#include "Maps/MRCHeaderWords.h"
 
-#include "MRCMode.h"
+#include "Maps/MRCMode.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "MRCMap.h"
+#include "Maps/MRCMap.h"
 
-#include "MRCHeaderParser.h"
-#include "MRCHeaderWords.h"
-#include "OpenByteSource.h"
-#include "ReaderError.h"
+#include "Files/OpenByteSource.h"
+#include "Files/ReaderError.h"
+#include "Maps/MRCHeaderParser.h"
+#include "Maps/MRCHeaderWords.h"
 
 #include <algorithm>
 #include <exception>

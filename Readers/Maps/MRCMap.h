@@ -11,11 +11,11 @@
 #ifndef isthmus_MRCMap_h
 #define isthmus_MRCMap_h
 
-#include "ByteSource.h"
-#include "MRCGeometry.h"
-#include "MRCHeader.h"
-#include "MRCVoxels.h"
-#include "SkewedLattice.h"
+#include "Files/ByteSource.h"
+#include "Files/SkewedLattice.h"
+#include "Maps/MRCGeometry.h"
+#include "Maps/MRCHeader.h"
+#include "Maps/MRCVoxels.h"
 
 #include <array>
 #include <cstdint>

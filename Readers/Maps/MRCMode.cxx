@@ -1,4 +1,4 @@
-#include "MRCMode.h"
+#include "Maps/MRCMode.h"
 
 #include <cstring>
 

@@ -1,8 +1,8 @@
-#include "MRCVoxels.h"
+#include "Maps/MRCVoxels.h"
 
-#include "ParallelFor.h"
-#include "ReaderError.h"
-#include "StridedCopy.h"
+#include "Core/ParallelFor.h"
+#include "Files/ReaderError.h"
+#include "Files/StridedCopy.h"
 
 #include <algorithm>
 #include <memory>

@@ -5,10 +5,10 @@
 #ifndef isthmus_MRCVoxels_h
 #define isthmus_MRCVoxels_h
 
-#include "ByteSource.h"
-#include "MRCMode.h"
-#include "Progress.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Progress.h"
+#include "Files/ByteSource.h"
+#include "Maps/MRCMode.h"
+#include "vtkIsthmusReadersMapsModule.h"
 
 #include <array>
 #include <cstdint>
@@ -46,7 +46,7 @@ struct MRCSelection
  * row.
  * @throws ReaderError (Truncated, Damaged, CannotRead) and Cancelled.
  */
-VTKISTHMUS_EXPORT void ReadMRCVoxels(ByteSource& source, const MRCVoxelLayout& layout,
+VTKISTHMUSREADERSMAPS_EXPORT void ReadMRCVoxels(ByteSource& source, const MRCVoxelLayout& layout,
   const MRCSelection& selection, void* out, const ProgressCallback& progress);
 
 }

@@ -1,4 +1,4 @@
-#include "RecommendedLevel.h"
+#include "Maps/RecommendedLevel.h"
 
 #include <algorithm>
 #include <cctype>

@@ -5,7 +5,7 @@
 #ifndef isthmus_RecommendedLevel_h
 #define isthmus_RecommendedLevel_h
 
-#include "vtkIsthmusModule.h"
+#include "vtkIsthmusReadersMapsModule.h"
 
 #include <optional>
 #include <string>
@@ -16,14 +16,14 @@ namespace isthmus
 /// The level in the text of an EMDB header: the primary contour's (or the first one's) of
 /// `map/contour_list/contour/level`, format 3, or `map/contourLevel`, format 1.9. Nothing where the
 /// text has none that is a finite number.
-VTKISTHMUS_EXPORT std::optional<double> LevelOfHeader(const std::string& xml);
+VTKISTHMUSREADERSMAPS_EXPORT std::optional<double> LevelOfHeader(const std::string& xml);
 
 /**
  * The level for the map `fileName`, whose name begins with emd_NNNN (or emd-NNNN, EMD-NNNN):
  * from `emd-NNNN.xml`, with either sign and either case, beside it or in the folder `../header` of
  * the archive. Nothing where there is no such file, or no level in it; never throws for that.
  */
-VTKISTHMUS_EXPORT std::optional<double> RecommendedLevel(const std::string& fileName);
+VTKISTHMUSREADERSMAPS_EXPORT std::optional<double> RecommendedLevel(const std::string& fileName);
 
 }
 

@@ -1,13 +1,13 @@
 #include "vtkMRCMapReader.h"
 
-#include "GridInformation.h"
-#include "LargePages.h"
-#include "MRCFieldData.h"
-#include "MRCMap.h"
-#include "PrintableText.h"
-#include "ReaderError.h"
-#include "ReaderGuard.h"
-#include "RecommendedLevel.h"
+#include "Core/LargePages.h"
+#include "Core/PrintableText.h"
+#include "Files/GridInformation.h"
+#include "Files/ReaderError.h"
+#include "Files/ReaderGuard.h"
+#include "Maps/MRCFieldData.h"
+#include "Maps/MRCMap.h"
+#include "Maps/RecommendedLevel.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>

@@ -50,7 +50,7 @@
 #define vtkMRCMapReader_h
 
 #include "vtkImageAlgorithm.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersMapsModule.h" // for the export macro
 
 #include <string> // for the last warning
 
@@ -59,7 +59,7 @@ namespace isthmus
 class MRCMap;
 }
 
-class VTKISTHMUS_EXPORT vtkMRCMapReader : public vtkImageAlgorithm
+class VTKISTHMUSREADERSMAPS_EXPORT vtkMRCMapReader : public vtkImageAlgorithm
 {
 public:
   static vtkMRCMapReader* New();

@@ -1,8 +1,8 @@
 #include "vtkVolumeTextReader.h"
 
-#include "OpenByteSource.h"
-#include "ReaderGuard.h"
-#include "TextWords.h"
+#include "Files/OpenByteSource.h"
+#include "Files/ReaderGuard.h"
+#include "Files/TextWords.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>

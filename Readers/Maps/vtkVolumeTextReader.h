@@ -13,11 +13,11 @@
 #ifndef vtkVolumeTextReader_h
 #define vtkVolumeTextReader_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersMapsModule.h" // for the export macro
 
 #include <vtkImageAlgorithm.h>
 
-class VTKISTHMUS_EXPORT vtkVolumeTextReader : public vtkImageAlgorithm
+class VTKISTHMUSREADERSMAPS_EXPORT vtkVolumeTextReader : public vtkImageAlgorithm
 {
 public:
   static vtkVolumeTextReader* New();

@@ -1,7 +1,7 @@
 #include "vtkVolumeTextWriter.h"
 
-#include "AlgorithmGuard.h"
-#include "TextFile.h"
+#include "Core/AlgorithmGuard.h"
+#include "Files/TextFile.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

@@ -14,9 +14,9 @@
 #define vtkVolumeTextWriter_h
 
 #include "vtkImageArrayWriter.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersMapsModule.h" // for the export macro
 
-class VTKISTHMUS_EXPORT vtkVolumeTextWriter : public vtkImageArrayWriter
+class VTKISTHMUSREADERSMAPS_EXPORT vtkVolumeTextWriter : public vtkImageArrayWriter
 {
 public:
   static vtkVolumeTextWriter* New();

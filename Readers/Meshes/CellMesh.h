@@ -5,7 +5,7 @@
 #ifndef isthmus_CellMesh_h
 #define isthmus_CellMesh_h
 
-#include "MeshAttribute.h"
+#include "Meshes/MeshAttribute.h"
 
 #include <array>
 #include <cstdint>

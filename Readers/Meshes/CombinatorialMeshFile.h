@@ -9,10 +9,10 @@
 #ifndef isthmus_CombinatorialMeshFile_h
 #define isthmus_CombinatorialMeshFile_h
 
-#include "CellList.h"
-#include "MeshAttribute.h"
+#include "CellComplex/CellList.h"
+#include "Meshes/MeshAttribute.h"
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
 #include <cstdint>
 #include <iosfwd>
@@ -41,11 +41,11 @@ struct CombinatorialMesh
  * O(size).
  * @throws std::runtime_error with the line (of the header part) and what is wrong.
  */
-VTKISTHMUS_EXPORT CombinatorialMesh ParseCombinatorialMesh(std::string_view contents);
+VTKISTHMUSREADERSMESHES_EXPORT CombinatorialMesh ParseCombinatorialMesh(std::string_view contents);
 
 /// Writes a mesh; parsing what it writes gives the same mesh, bit for bit.
 /// @throws std::invalid_argument for names with line breaks.
-VTKISTHMUS_EXPORT void WriteCombinatorialMesh(
+VTKISTHMUSREADERSMESHES_EXPORT void WriteCombinatorialMesh(
   const CombinatorialMesh& mesh, bool binary, std::ostream& stream);
 
 }

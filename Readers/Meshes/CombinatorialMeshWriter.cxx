@@ -1,6 +1,6 @@
-#include "CombinatorialMeshFile.h"
+#include "Meshes/CombinatorialMeshFile.h"
 
-#include "NumberTypes.h"
+#include "Files/NumberTypes.h"
 
 #include <ostream>
 #include <stdexcept>

@@ -1,10 +1,10 @@
-#include "MEDITFile.h"
+#include "Meshes/MEDITFile.h"
 
-#include "MeshWords.h"
-#include "OpenByteSource.h"
-#include "PrintableText.h"
-#include "ReaderError.h"
-#include "TextFile.h"
+#include "Core/PrintableText.h"
+#include "Files/OpenByteSource.h"
+#include "Files/ReaderError.h"
+#include "Files/TextFile.h"
+#include "Meshes/MeshWords.h"
 
 #include <algorithm>
 #include <cctype>

@@ -14,10 +14,10 @@
 #ifndef isthmus_MEDITFile_h
 #define isthmus_MEDITFile_h
 
-#include "CellMesh.h"
-#include "Progress.h"
+#include "Core/Progress.h"
+#include "Meshes/CellMesh.h"
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
 #include <string>
 
@@ -29,7 +29,7 @@ namespace isthmus
  * both. @throws ReaderError with path, line and reason: no MEDIT text (MFEM and Netgen use .mesh,
  * too), two dimensions, a vertex that is not there, an early end. Time and memory: O(bytes).
  */
-VTKISTHMUS_EXPORT CellMesh ReadMEDIT(
+VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadMEDIT(
   const std::string& path, const ProgressCallback& progress = {});
 
 /**
@@ -38,11 +38,11 @@ VTKISTHMUS_EXPORT CellMesh ReadMEDIT(
  * @throws std::invalid_argument for polygons and quadratic cells, std::runtime_error when the file
  * can't be written.
  */
-VTKISTHMUS_EXPORT void WriteMEDIT(
+VTKISTHMUSREADERSMESHES_EXPORT void WriteMEDIT(
   const CellMesh& mesh, const std::string& path, const ProgressCallback& progress = {});
 
 /// Does the file begin with MEDIT's first word?
-VTKISTHMUS_EXPORT bool LooksLikeMEDIT(const std::string& path);
+VTKISTHMUSREADERSMESHES_EXPORT bool LooksLikeMEDIT(const std::string& path);
 
 }
 

@@ -1,10 +1,10 @@
-#include "MSMSReader.h"
+#include "Meshes/MSMSReader.h"
 
-#include "Handles.h"
-#include "OpenByteSource.h"
-#include "RangeGuard.h"
-#include "ReaderError.h"
-#include "TextLines.h"
+#include "Core/Handles.h"
+#include "Core/RangeGuard.h"
+#include "Files/OpenByteSource.h"
+#include "Files/ReaderError.h"
+#include "Files/TextLines.h"
 
 #include <cmath>
 #include <cstdlib>

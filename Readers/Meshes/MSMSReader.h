@@ -9,9 +9,9 @@
 #ifndef isthmus_MSMSReader_h
 #define isthmus_MSMSReader_h
 
-#include "Corners.h"
-#include "Progress.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Corners.h"
+#include "Core/Progress.h"
+#include "vtkIsthmusReadersMeshesModule.h"
 
 #include <array>
 #include <cstdint>
@@ -42,15 +42,15 @@ struct MSMSSurface
  * @throws std::runtime_error with file, line and reason when one of them is missing, no regular
  * file, not as described above, or has not as many rows as its line of counts says.
  */
-VTKISTHMUS_EXPORT void ReadMSMS(const std::filesystem::path& file, int component,
+VTKISTHMUSREADERSMESHES_EXPORT void ReadMSMS(const std::filesystem::path& file, int component,
   MSMSSurface& surface, const ProgressCallback& progress = {});
 
 /// The pairs that belong together: `file`, then X_1, X_2, ... as long as they exist.
-VTKISTHMUS_EXPORT std::vector<std::filesystem::path> MSMSComponents(
+VTKISTHMUSREADERSMESHES_EXPORT std::vector<std::filesystem::path> MSMSComponents(
   const std::filesystem::path& file);
 
 /// Does the file begin as MSMS' .vert or .face files do?
-VTKISTHMUS_EXPORT bool LooksLikeMSMS(const std::filesystem::path& file);
+VTKISTHMUSREADERSMESHES_EXPORT bool LooksLikeMSMS(const std::filesystem::path& file);
 
 }
 

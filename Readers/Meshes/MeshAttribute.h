@@ -5,7 +5,7 @@
 #ifndef isthmus_MeshAttribute_h
 #define isthmus_MeshAttribute_h
 
-#include "NumberTypes.h"
+#include "Files/NumberTypes.h"
 
 #include <cstdint>
 #include <string>

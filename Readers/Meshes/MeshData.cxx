@@ -1,4 +1,4 @@
-#include "MeshData.h"
+#include "Meshes/MeshData.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

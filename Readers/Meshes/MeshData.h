@@ -5,7 +5,7 @@
 #ifndef isthmus_MeshData_h
 #define isthmus_MeshData_h
 
-#include "CellMesh.h"
+#include "Meshes/CellMesh.h"
 
 #include <vtkSmartPointer.h>
 

@@ -5,9 +5,9 @@
 #ifndef isthmus_MeshWords_h
 #define isthmus_MeshWords_h
 
-#include "ByteSource.h"
-#include "Progress.h"
-#include "TextWords.h"
+#include "Core/Progress.h"
+#include "Files/ByteSource.h"
+#include "Files/TextWords.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,11 +1,11 @@
-#include "OFFFile.h"
+#include "Meshes/OFFFile.h"
 
-#include "MeshWords.h"
-#include "OpenByteSource.h"
-#include "PrintableText.h"
-#include "ReaderError.h"
-#include "TextFile.h"
-#include "TextLines.h"
+#include "Core/PrintableText.h"
+#include "Files/OpenByteSource.h"
+#include "Files/ReaderError.h"
+#include "Files/TextFile.h"
+#include "Files/TextLines.h"
+#include "Meshes/MeshWords.h"
 
 #include <algorithm>
 #include <stdexcept>

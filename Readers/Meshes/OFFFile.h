@@ -14,10 +14,10 @@
 #ifndef isthmus_OFFFile_h
 #define isthmus_OFFFile_h
 
-#include "CellMesh.h"
-#include "Progress.h"
+#include "Core/Progress.h"
+#include "Meshes/CellMesh.h"
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
 #include <string>
 
@@ -34,7 +34,8 @@ namespace isthmus
  * dimensions (4OFF, nOFF), a vertex that is not there, a coordinate that is not finite, an early
  * end. Time and memory: O(bytes).
  */
-VTKISTHMUS_EXPORT CellMesh ReadOFF(const std::string& path, const ProgressCallback& progress = {});
+VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadOFF(
+  const std::string& path, const ProgressCallback& progress = {});
 
 /**
  * Writes points and cells up to polygons; read again, coordinates are the same bits. With a point
@@ -42,11 +43,11 @@ VTKISTHMUS_EXPORT CellMesh ReadOFF(const std::string& path, const ProgressCallba
  * @throws std::invalid_argument for volume cells, std::runtime_error when the file can't be
  * written.
  */
-VTKISTHMUS_EXPORT void WriteOFF(
+VTKISTHMUSREADERSMESHES_EXPORT void WriteOFF(
   const CellMesh& mesh, const std::string& path, const ProgressCallback& progress = {});
 
 /// Does the file begin as an OFF file does?
-VTKISTHMUS_EXPORT bool LooksLikeOFF(const std::string& path);
+VTKISTHMUSREADERSMESHES_EXPORT bool LooksLikeOFF(const std::string& path);
 
 }
 

@@ -1,10 +1,10 @@
-#include "TetGenMeshFile.h"
+#include "Meshes/TetGenMeshFile.h"
 
-#include "MeshWords.h"
-#include "OpenByteSource.h"
-#include "ReaderError.h"
-#include "TextFile.h"
-#include "TextLines.h"
+#include "Files/OpenByteSource.h"
+#include "Files/ReaderError.h"
+#include "Files/TextFile.h"
+#include "Files/TextLines.h"
+#include "Meshes/MeshWords.h"
 
 #include <algorithm>
 #include <filesystem>

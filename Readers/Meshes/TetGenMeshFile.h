@@ -12,10 +12,10 @@
 #ifndef isthmus_TetGenMeshFile_h
 #define isthmus_TetGenMeshFile_h
 
-#include "CellMesh.h"
-#include "Progress.h"
+#include "Core/Progress.h"
+#include "Meshes/CellMesh.h"
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
 #include <string>
 
@@ -31,7 +31,7 @@ namespace isthmus
  * dimensions, a vertex that is not there, ids out of order, an early end. Time and memory:
  * O(bytes).
  */
-VTKISTHMUS_EXPORT CellMesh ReadTetGenFiles(
+VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadTetGenFiles(
   const std::string& path, const ProgressCallback& progress = {});
 
 /**
@@ -40,11 +40,11 @@ VTKISTHMUS_EXPORT CellMesh ReadTetGenFiles(
  * @throws std::invalid_argument for other cells, or tetrahedra of both orders;
  * std::runtime_error when a file can't be written.
  */
-VTKISTHMUS_EXPORT void WriteTetGenFiles(
+VTKISTHMUSREADERSMESHES_EXPORT void WriteTetGenFiles(
   const CellMesh& mesh, const std::string& path, const ProgressCallback& progress = {});
 
 /// Does the file begin with such a line of counts?
-VTKISTHMUS_EXPORT bool LooksLikeTetGen(const std::string& path);
+VTKISTHMUSREADERSMESHES_EXPORT bool LooksLikeTetGen(const std::string& path);
 
 }
 

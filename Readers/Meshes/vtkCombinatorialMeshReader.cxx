@@ -1,10 +1,10 @@
 #include "vtkCombinatorialMeshReader.h"
 
-#include "CombinatorialMeshFile.h"
-#include "GridCells.h"
-#include "MeshData.h"
-#include "OpenByteSource.h"
-#include "ReaderGuard.h"
+#include "CellComplex/GridCells.h"
+#include "Files/OpenByteSource.h"
+#include "Files/ReaderGuard.h"
+#include "Meshes/CombinatorialMeshFile.h"
+#include "Meshes/MeshData.h"
 
 #include <vtkCellType.h>
 #include <vtkErrorCode.h>

@@ -33,11 +33,12 @@
 #ifndef vtkCombinatorialMeshReader_h
 #define vtkCombinatorialMeshReader_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
 #include <vtkUnstructuredGridAlgorithm.h>
 
-class VTKISTHMUS_EXPORT vtkCombinatorialMeshReader : public vtkUnstructuredGridAlgorithm
+class VTKISTHMUSREADERSMESHES_EXPORT vtkCombinatorialMeshReader
+  : public vtkUnstructuredGridAlgorithm
 {
 public:
   static vtkCombinatorialMeshReader* New();

@@ -1,7 +1,7 @@
 #include "vtkCombinatorialMeshWriter.h"
 
-#include "CombinatorialMeshFile.h"
-#include "GridCells.h"
+#include "CellComplex/GridCells.h"
+#include "Meshes/CombinatorialMeshFile.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

@@ -14,11 +14,11 @@
 #define vtkCombinatorialMeshWriter_h
 
 #include "vtkGuardedFileWriter.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
 class vtkUnstructuredGrid;
 
-class VTKISTHMUS_EXPORT vtkCombinatorialMeshWriter : public vtkGuardedFileWriter
+class VTKISTHMUSREADERSMESHES_EXPORT vtkCombinatorialMeshWriter : public vtkGuardedFileWriter
 {
 public:
   static vtkCombinatorialMeshWriter* New();

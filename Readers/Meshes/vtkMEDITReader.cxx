@@ -1,8 +1,8 @@
 #include "vtkMEDITReader.h"
 
-#include "AlgorithmGuard.h"
-#include "MEDITFile.h"
-#include "ReaderGuard.h"
+#include "Core/AlgorithmGuard.h"
+#include "Files/ReaderGuard.h"
+#include "Meshes/MEDITFile.h"
 
 #include <vtkObjectFactory.h>
 

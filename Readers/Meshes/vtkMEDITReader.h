@@ -10,11 +10,11 @@
 #ifndef vtkMEDITReader_h
 #define vtkMEDITReader_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
 #include "vtkMeshFileReader.h"
 
-class VTKISTHMUS_EXPORT vtkMEDITReader : public vtkMeshFileReader
+class VTKISTHMUSREADERSMESHES_EXPORT vtkMEDITReader : public vtkMeshFileReader
 {
 public:
   static vtkMEDITReader* New();

@@ -1,7 +1,7 @@
 #include "vtkMEDITWriter.h"
 
-#include "AlgorithmGuard.h"
-#include "MEDITFile.h"
+#include "Core/AlgorithmGuard.h"
+#include "Meshes/MEDITFile.h"
 
 #include <vtkObjectFactory.h>
 

@@ -10,11 +10,11 @@
 #ifndef vtkMEDITWriter_h
 #define vtkMEDITWriter_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
 #include "vtkMeshFileWriter.h"
 
-class VTKISTHMUS_EXPORT vtkMEDITWriter : public vtkMeshFileWriter
+class VTKISTHMUSREADERSMESHES_EXPORT vtkMEDITWriter : public vtkMeshFileWriter
 {
 public:
   static vtkMEDITWriter* New();

@@ -1,7 +1,7 @@
 #include "vtkMSMSReader.h"
 
-#include "MSMSReader.h"
-#include "ReaderGuard.h"
+#include "Files/ReaderGuard.h"
+#include "Meshes/MSMSReader.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

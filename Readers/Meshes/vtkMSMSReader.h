@@ -14,10 +14,10 @@
 #ifndef vtkMSMSReader_h
 #define vtkMSMSReader_h
 
-#include "vtkIsthmusModule.h"
+#include "vtkIsthmusReadersMeshesModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
-class VTKISTHMUS_EXPORT vtkMSMSReader : public vtkPolyDataAlgorithm
+class VTKISTHMUSREADERSMESHES_EXPORT vtkMSMSReader : public vtkPolyDataAlgorithm
 {
 public:
   static vtkMSMSReader* New();

@@ -1,7 +1,7 @@
 #include "vtkMeshFileReader.h"
 
-#include "MeshData.h"
-#include "ReaderGuard.h"
+#include "Files/ReaderGuard.h"
+#include "Meshes/MeshData.h"
 
 #include <vtkInformationVector.h>
 #include <vtkUnstructuredGrid.h>

@@ -5,7 +5,7 @@
 #ifndef vtkMeshFileReader_h
 #define vtkMeshFileReader_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
 #include <vtkUnstructuredGridAlgorithm.h>
 
@@ -14,7 +14,7 @@ namespace isthmus
 struct CellMesh;
 }
 
-class VTKISTHMUS_EXPORT vtkMeshFileReader : public vtkUnstructuredGridAlgorithm
+class VTKISTHMUSREADERSMESHES_EXPORT vtkMeshFileReader : public vtkUnstructuredGridAlgorithm
 {
 public:
   vtkAbstractTypeMacro(vtkMeshFileReader, vtkUnstructuredGridAlgorithm);

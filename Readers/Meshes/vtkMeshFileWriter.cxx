@@ -1,6 +1,6 @@
 #include "vtkMeshFileWriter.h"
 
-#include "MeshData.h"
+#include "Meshes/MeshData.h"
 
 #include <vtkInformation.h>
 #include <vtkPointSet.h>

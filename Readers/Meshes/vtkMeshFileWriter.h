@@ -7,14 +7,14 @@
 #define vtkMeshFileWriter_h
 
 #include "vtkGuardedFileWriter.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
 namespace isthmus
 {
 struct CellMesh;
 }
 
-class VTKISTHMUS_EXPORT vtkMeshFileWriter : public vtkGuardedFileWriter
+class VTKISTHMUSREADERSMESHES_EXPORT vtkMeshFileWriter : public vtkGuardedFileWriter
 {
 public:
   vtkAbstractTypeMacro(vtkMeshFileWriter, vtkGuardedFileWriter);

@@ -1,8 +1,8 @@
 #include "vtkOFFSurfaceReader.h"
 
-#include "MeshData.h"
-#include "OFFFile.h"
-#include "ReaderGuard.h"
+#include "Files/ReaderGuard.h"
+#include "Meshes/MeshData.h"
+#include "Meshes/OFFFile.h"
 
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>

@@ -10,11 +10,11 @@
 #ifndef vtkOFFSurfaceReader_h
 #define vtkOFFSurfaceReader_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
 #include <vtkPolyDataAlgorithm.h>
 
-class VTKISTHMUS_EXPORT vtkOFFSurfaceReader : public vtkPolyDataAlgorithm
+class VTKISTHMUSREADERSMESHES_EXPORT vtkOFFSurfaceReader : public vtkPolyDataAlgorithm
 {
 public:
   static vtkOFFSurfaceReader* New();

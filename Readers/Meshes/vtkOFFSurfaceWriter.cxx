@@ -1,7 +1,7 @@
 #include "vtkOFFSurfaceWriter.h"
 
-#include "AlgorithmGuard.h"
-#include "OFFFile.h"
+#include "Core/AlgorithmGuard.h"
+#include "Meshes/OFFFile.h"
 
 #include <vtkInformation.h>
 #include <vtkObjectFactory.h>

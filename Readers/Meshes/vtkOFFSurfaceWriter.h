@@ -10,11 +10,11 @@
 #ifndef vtkOFFSurfaceWriter_h
 #define vtkOFFSurfaceWriter_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
 #include "vtkMeshFileWriter.h"
 
-class VTKISTHMUS_EXPORT vtkOFFSurfaceWriter : public vtkMeshFileWriter
+class VTKISTHMUSREADERSMESHES_EXPORT vtkOFFSurfaceWriter : public vtkMeshFileWriter
 {
 public:
   static vtkOFFSurfaceWriter* New();

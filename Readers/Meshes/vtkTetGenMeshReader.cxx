@@ -1,8 +1,8 @@
 #include "vtkTetGenMeshReader.h"
 
-#include "AlgorithmGuard.h"
-#include "ReaderGuard.h"
-#include "TetGenMeshFile.h"
+#include "Core/AlgorithmGuard.h"
+#include "Files/ReaderGuard.h"
+#include "Meshes/TetGenMeshFile.h"
 
 #include <vtkObjectFactory.h>
 

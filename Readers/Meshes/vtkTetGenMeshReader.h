@@ -11,11 +11,11 @@
 #ifndef vtkTetGenMeshReader_h
 #define vtkTetGenMeshReader_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
 #include "vtkMeshFileReader.h"
 
-class VTKISTHMUS_EXPORT vtkTetGenMeshReader : public vtkMeshFileReader
+class VTKISTHMUSREADERSMESHES_EXPORT vtkTetGenMeshReader : public vtkMeshFileReader
 {
 public:
   static vtkTetGenMeshReader* New();

@@ -1,7 +1,7 @@
 #include "vtkTetGenMeshWriter.h"
 
-#include "AlgorithmGuard.h"
-#include "TetGenMeshFile.h"
+#include "Core/AlgorithmGuard.h"
+#include "Meshes/TetGenMeshFile.h"
 
 #include <vtkObjectFactory.h>
 

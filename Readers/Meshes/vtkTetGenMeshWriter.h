@@ -11,11 +11,11 @@
 #ifndef vtkTetGenMeshWriter_h
 #define vtkTetGenMeshWriter_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 
 #include "vtkMeshFileWriter.h"
 
-class VTKISTHMUS_EXPORT vtkTetGenMeshWriter : public vtkMeshFileWriter
+class VTKISTHMUSREADERSMESHES_EXPORT vtkTetGenMeshWriter : public vtkMeshFileWriter
 {
 public:
   static vtkTetGenMeshWriter* New();

@@ -1,7 +1,7 @@
-#include "AtomSelection.h"
+#include "Molecules/AtomSelection.h"
 
-#include "ChemicalElement.h"
-#include "ParallelFor.h"
+#include "Atoms/ChemicalElement.h"
+#include "Core/ParallelFor.h"
 
 #include <algorithm>
 #include <atomic>

@@ -5,8 +5,8 @@
 #ifndef isthmus_AtomSelection_h
 #define isthmus_AtomSelection_h
 
-#include "Macromolecule.h"
-#include "MoleculeOptions.h"
+#include "Molecules/Macromolecule.h"
+#include "Molecules/MoleculeOptions.h"
 
 namespace isthmus
 {

@@ -1,7 +1,7 @@
-#include "CovalentBonds.h"
+#include "Molecules/CovalentBonds.h"
 
-#include "ChemicalElement.h"
-#include "ParallelFor.h"
+#include "Atoms/ChemicalElement.h"
+#include "Core/ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>

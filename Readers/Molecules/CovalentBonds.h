@@ -5,9 +5,9 @@
 #ifndef isthmus_CovalentBonds_h
 #define isthmus_CovalentBonds_h
 
-#include "Macromolecule.h"
-#include "Progress.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Progress.h"
+#include "Molecules/Macromolecule.h"
+#include "vtkIsthmusReadersMoleculesModule.h"
 
 namespace isthmus
 {
@@ -26,10 +26,11 @@ namespace isthmus
  * of bond length, none is added, with a warning. Parallel; the result is the same on any number of
  * threads.
  */
-VTKISTHMUS_EXPORT void AddCovalentBonds(Macromolecule& molecule, const ProgressCallback& progress);
+VTKISTHMUSREADERSMOLECULES_EXPORT void AddCovalentBonds(
+  Macromolecule& molecule, const ProgressCallback& progress);
 
 /// Sorts the bonds and keeps one of each pair, that of the file first.
-VTKISTHMUS_EXPORT void SortBonds(Macromolecule& molecule);
+VTKISTHMUSREADERSMOLECULES_EXPORT void SortBonds(Macromolecule& molecule);
 
 }
 

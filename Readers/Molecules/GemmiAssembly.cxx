@@ -1,4 +1,4 @@
-#include "GemmiAssembly.h"
+#include "Molecules/GemmiAssembly.h"
 
 #include <gemmi/assembly.hpp>
 

@@ -5,8 +5,8 @@
 #ifndef isthmus_GemmiAtom_h
 #define isthmus_GemmiAtom_h
 
-#include "Macromolecule.h"
-#include "PDBStream.h"
+#include "Molecules/Macromolecule.h"
+#include "Molecules/PDBStream.h"
 
 #include <gemmi/model.hpp>
 

@@ -1,11 +1,11 @@
-#include "GemmiStructure.h"
+#include "Molecules/GemmiStructure.h"
 
-#include "GemmiAssembly.h"
-#include "GemmiAtom.h"
-#include "MMCIFBlock.h"
-#include "PDBPieces.h"
-#include "PDBStream.h"
-#include "PQRFile.h"
+#include "Molecules/GemmiAssembly.h"
+#include "Molecules/GemmiAtom.h"
+#include "Molecules/MMCIFBlock.h"
+#include "Molecules/PDBPieces.h"
+#include "Molecules/PDBStream.h"
+#include "Molecules/PQRFile.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,9 +12,9 @@
 #ifndef isthmus_GemmiStructure_h
 #define isthmus_GemmiStructure_h
 
-#include "Macromolecule.h"
-#include "Progress.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Progress.h"
+#include "Molecules/Macromolecule.h"
+#include "vtkIsthmusReadersMoleculesModule.h"
 
 #include <cstdint>
 #include <string>
@@ -37,12 +37,12 @@ struct StructureChoice
  * memory O(bytes).
  * @throws std::runtime_error with file and reason.
  */
-VTKISTHMUS_EXPORT Macromolecule ParsePDB(std::string_view text, const std::string& path,
-  const StructureChoice& choice, const ProgressCallback& progress);
+VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParsePDB(std::string_view text,
+  const std::string& path, const StructureChoice& choice, const ProgressCallback& progress);
 
 /// The same for mmCIF; bonds are those of struct_conn, hydrogen bonds left out.
-VTKISTHMUS_EXPORT Macromolecule ParseMMCIF(std::string_view text, const std::string& path,
-  const StructureChoice& choice, const ProgressCallback& progress);
+VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParseMMCIF(std::string_view text,
+  const std::string& path, const StructureChoice& choice, const ProgressCallback& progress);
 
 }
 

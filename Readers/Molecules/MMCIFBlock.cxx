@@ -1,6 +1,6 @@
-#include "MMCIFBlock.h"
+#include "Molecules/MMCIFBlock.h"
 
-#include "PDBStream.h"
+#include "Molecules/PDBStream.h"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,12 @@
-#include "MacromoleculeReader.h"
+#include "Molecules/MacromoleculeReader.h"
 
-#include "AtomSelection.h"
-#include "CovalentBonds.h"
-#include "GemmiStructure.h"
-#include "OpenByteSource.h"
-#include "PQRFile.h"
-#include "ParallelFor.h"
-#include "XYZFile.h"
+#include "Core/ParallelFor.h"
+#include "Files/OpenByteSource.h"
+#include "Molecules/AtomSelection.h"
+#include "Molecules/CovalentBonds.h"
+#include "Molecules/GemmiStructure.h"
+#include "Molecules/PQRFile.h"
+#include "Molecules/XYZFile.h"
 
 #include <algorithm>
 #include <atomic>

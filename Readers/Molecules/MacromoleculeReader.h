@@ -7,10 +7,10 @@
 #ifndef isthmus_MacromoleculeReader_h
 #define isthmus_MacromoleculeReader_h
 
-#include "Macromolecule.h"
-#include "MoleculeOptions.h"
-#include "Progress.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Progress.h"
+#include "Molecules/Macromolecule.h"
+#include "Molecules/MoleculeOptions.h"
+#include "vtkIsthmusReadersMoleculesModule.h"
 
 #include <cstdint>
 #include <string>
@@ -27,21 +27,22 @@ namespace isthmus
  *
  * Time O(bytes + n log n); memory: the text and about 250 bytes an atom.
  */
-VTKISTHMUS_EXPORT Macromolecule ReadMacromolecule(
+VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ReadMacromolecule(
   const std::string& path, const MoleculeOptions& options, const ProgressCallback& progress = {});
 
 /// The same from a text in memory, whose format must be named; `path` is for the sentences.
-VTKISTHMUS_EXPORT Macromolecule ParseMacromolecule(std::string_view text, const std::string& path,
-  const MoleculeOptions& options, const ProgressCallback& progress = {});
+VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParseMacromolecule(std::string_view text,
+  const std::string& path, const MoleculeOptions& options, const ProgressCallback& progress = {});
 
 /**
  * The number of models in a file. Of PDB and PQR files the MODEL records are counted; mmCIF and XYZ
  * are parsed. Throws as ReadMacromolecule.
  */
-VTKISTHMUS_EXPORT std::int64_t CountModels(const std::string& path, MoleculeFormat format);
+VTKISTHMUSREADERSMOLECULES_EXPORT std::int64_t CountModels(
+  const std::string& path, MoleculeFormat format);
 
 /// Is the file there, named as one of the formats, and does it begin with text?
-VTKISTHMUS_EXPORT bool LooksLikeMolecule(const std::string& path);
+VTKISTHMUSREADERSMOLECULES_EXPORT bool LooksLikeMolecule(const std::string& path);
 
 }
 

@@ -5,7 +5,7 @@
 #ifndef isthmus_MoleculeOptions_h
 #define isthmus_MoleculeOptions_h
 
-#include "ChemicalElement.h"
+#include "Atoms/ChemicalElement.h"
 
 #include <cstdint>
 #include <string>

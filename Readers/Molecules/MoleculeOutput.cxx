@@ -1,10 +1,10 @@
-#include "MoleculeOutput.h"
+#include "Molecules/MoleculeOutput.h"
 
-#include "ChemicalElement.h"
-#include "LargePages.h"
-#include "Macromolecule.h"
-#include "ParallelFor.h"
-#include "PrintableText.h"
+#include "Atoms/ChemicalElement.h"
+#include "Core/LargePages.h"
+#include "Core/ParallelFor.h"
+#include "Core/PrintableText.h"
+#include "Molecules/Macromolecule.h"
 
 #include <vtkAbstractArray.h>
 #include <vtkCellArray.h>

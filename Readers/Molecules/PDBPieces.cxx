@@ -1,8 +1,8 @@
-#include "PDBPieces.h"
+#include "Molecules/PDBPieces.h"
 
-#include "GemmiAtom.h"
-#include "PDBStream.h"
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
+#include "Molecules/GemmiAtom.h"
+#include "Molecules/PDBStream.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -10,9 +10,9 @@
 #ifndef isthmus_PDBPieces_h
 #define isthmus_PDBPieces_h
 
-#include "Macromolecule.h"
-#include "Progress.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Progress.h"
+#include "Molecules/Macromolecule.h"
+#include "vtkIsthmusReadersMoleculesModule.h"
 
 #include <array>
 #include <cstddef>
@@ -37,7 +37,7 @@ struct JoinedPDB
  * LINK, CISPEP, an END before the last piece, or anything at all that is wrong.
  * @throws Cancelled.
  */
-VTKISTHMUS_EXPORT std::optional<JoinedPDB> ReadPDBInPieces(std::string_view text,
+VTKISTHMUSREADERSMOLECULES_EXPORT std::optional<JoinedPDB> ReadPDBInPieces(std::string_view text,
   const std::string& path, std::size_t bytesOfAPiece, const ProgressCallback& progress);
 
 }

@@ -1,4 +1,4 @@
-#include "PDBStream.h"
+#include "Molecules/PDBStream.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #ifndef isthmus_PDBStream_h
 #define isthmus_PDBStream_h
 
-#include "Progress.h"
-#include "TextLines.h"
+#include "Core/Progress.h"
+#include "Files/TextLines.h"
 
 #include <array>
 #include <stdexcept>

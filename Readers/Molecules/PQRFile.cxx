@@ -1,7 +1,7 @@
-#include "PQRFile.h"
+#include "Molecules/PQRFile.h"
 
-#include "ChemicalElement.h"
-#include "TextLines.h"
+#include "Atoms/ChemicalElement.h"
+#include "Files/TextLines.h"
 
 #include <cctype>
 #include <cmath>

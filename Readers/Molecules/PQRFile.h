@@ -14,9 +14,9 @@
 #ifndef isthmus_PQRFile_h
 #define isthmus_PQRFile_h
 
-#include "Macromolecule.h"
-#include "Progress.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Progress.h"
+#include "Molecules/Macromolecule.h"
+#include "vtkIsthmusReadersMoleculesModule.h"
 
 #include <string>
 #include <string_view>
@@ -29,8 +29,8 @@ namespace isthmus
  * elements are guessed from names. O(bytes).
  * @throws std::runtime_error with file, line and reason.
  */
-VTKISTHMUS_EXPORT Macromolecule ParsePQR(std::string_view text, const std::string& path,
-  std::int64_t model, const ProgressCallback& progress);
+VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParsePQR(std::string_view text,
+  const std::string& path, std::int64_t model, const ProgressCallback& progress);
 
 }
 

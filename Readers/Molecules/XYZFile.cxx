@@ -1,7 +1,7 @@
-#include "XYZFile.h"
+#include "Molecules/XYZFile.h"
 
-#include "ChemicalElement.h"
-#include "TextLines.h"
+#include "Atoms/ChemicalElement.h"
+#include "Files/TextLines.h"
 
 #include <cmath>
 

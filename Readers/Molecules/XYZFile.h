@@ -8,9 +8,9 @@
 #ifndef isthmus_XYZFile_h
 #define isthmus_XYZFile_h
 
-#include "Macromolecule.h"
-#include "Progress.h"
-#include "vtkIsthmusModule.h"
+#include "Core/Progress.h"
+#include "Molecules/Macromolecule.h"
+#include "vtkIsthmusReadersMoleculesModule.h"
 
 #include <string>
 #include <string_view>
@@ -23,8 +23,8 @@ namespace isthmus
  * @throws std::runtime_error with file, line and reason, also when the comment of an extended XYZ
  * file announces other columns.
  */
-VTKISTHMUS_EXPORT Macromolecule ParseXYZ(std::string_view text, const std::string& path,
-  std::int64_t model, const ProgressCallback& progress);
+VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParseXYZ(std::string_view text,
+  const std::string& path, std::int64_t model, const ProgressCallback& progress);
 
 }
 

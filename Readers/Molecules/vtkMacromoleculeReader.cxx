@@ -1,9 +1,9 @@
 #include "vtkMacromoleculeReader.h"
 
-#include "MacromoleculeReader.h"
-#include "MoleculeOutput.h"
-#include "PrintableText.h"
-#include "ReaderGuard.h"
+#include "Core/PrintableText.h"
+#include "Files/ReaderGuard.h"
+#include "Molecules/MacromoleculeReader.h"
+#include "Molecules/MoleculeOutput.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>

@@ -40,7 +40,7 @@
 #ifndef vtkMacromoleculeReader_h
 #define vtkMacromoleculeReader_h
 
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersMoleculesModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
 #include <cstdint> // for models
@@ -48,7 +48,7 @@
 
 class vtkMolecule;
 
-class VTKISTHMUS_EXPORT vtkMacromoleculeReader : public vtkPolyDataAlgorithm
+class VTKISTHMUSREADERSMOLECULES_EXPORT vtkMacromoleculeReader : public vtkPolyDataAlgorithm
 {
 public:
   static vtkMacromoleculeReader* New();

@@ -1,6 +1,6 @@
-#include "OpenDXObjects.h"
+#include "Potentials/OpenDXObjects.h"
 
-#include "NumberTypes.h"
+#include "Files/NumberTypes.h"
 
 #include <algorithm>
 #include <array>

@@ -5,8 +5,8 @@
 #ifndef isthmus_OpenDXObjects_h
 #define isthmus_OpenDXObjects_h
 
-#include "TextWords.h"
-#include "VoxelLattice.h"
+#include "Files/TextWords.h"
+#include "Files/VoxelLattice.h"
 
 #include <cstdint>
 #include <string>

@@ -1,9 +1,9 @@
-#include "OpenDXReader.h"
+#include "Potentials/OpenDXReader.h"
 
-#include "NumberTypes.h"
-#include "OpenByteSource.h"
-#include "ParallelFor.h"
-#include "ReaderError.h"
+#include "Core/ParallelFor.h"
+#include "Files/NumberTypes.h"
+#include "Files/OpenByteSource.h"
+#include "Files/ReaderError.h"
 
 #include <algorithm>
 #include <array>

@@ -10,10 +10,10 @@
 #ifndef isthmus_OpenDXReader_h
 #define isthmus_OpenDXReader_h
 
-#include "ByteSource.h"
-#include "OpenDXObjects.h"
-#include "SkewedLattice.h"
-#include "TextWords.h"
+#include "Files/ByteSource.h"
+#include "Files/SkewedLattice.h"
+#include "Files/TextWords.h"
+#include "Potentials/OpenDXObjects.h"
 
 #include <cstdint>
 #include <memory>

@@ -1,6 +1,6 @@
-#include "OpenDXWriter.h"
+#include "Potentials/OpenDXWriter.h"
 
-#include "TextFile.h"
+#include "Files/TextFile.h"
 
 #include <type_traits>
 

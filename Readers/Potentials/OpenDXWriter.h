@@ -5,8 +5,8 @@
 #ifndef isthmus_OpenDXWriter_h
 #define isthmus_OpenDXWriter_h
 
-#include "Progress.h"
-#include "VoxelLattice.h"
+#include "Core/Progress.h"
+#include "Files/VoxelLattice.h"
 
 #include <string>
 #include <vector>

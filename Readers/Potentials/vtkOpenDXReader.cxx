@@ -1,12 +1,12 @@
 #include "vtkOpenDXReader.h"
 
-#include "GridInformation.h"
-#include "LargePages.h"
-#include "OpenDXReader.h"
-#include "ParallelReduce.h"
-#include "Pi.h"
-#include "ReaderError.h"
-#include "ReaderGuard.h"
+#include "Core/LargePages.h"
+#include "Core/ParallelReduce.h"
+#include "Core/Pi.h"
+#include "Files/GridInformation.h"
+#include "Files/ReaderError.h"
+#include "Files/ReaderGuard.h"
+#include "Potentials/OpenDXReader.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>

@@ -33,7 +33,7 @@
 #define vtkOpenDXReader_h
 
 #include "vtkImageAlgorithm.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersPotentialsModule.h" // for the export macro
 
 #include <string> // for the name of the array
 
@@ -42,7 +42,7 @@ namespace isthmus
 class OpenDXReader;
 }
 
-class VTKISTHMUS_EXPORT vtkOpenDXReader : public vtkImageAlgorithm
+class VTKISTHMUSREADERSPOTENTIALS_EXPORT vtkOpenDXReader : public vtkImageAlgorithm
 {
 public:
   static vtkOpenDXReader* New();

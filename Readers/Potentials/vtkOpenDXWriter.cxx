@@ -1,7 +1,7 @@
 #include "vtkOpenDXWriter.h"
 
-#include "AlgorithmGuard.h"
-#include "OpenDXWriter.h"
+#include "Core/AlgorithmGuard.h"
+#include "Potentials/OpenDXWriter.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>

@@ -16,9 +16,9 @@
 #define vtkOpenDXWriter_h
 
 #include "vtkImageArrayWriter.h"
-#include "vtkIsthmusModule.h" // for the export macro
+#include "vtkIsthmusReadersPotentialsModule.h" // for the export macro
 
-class VTKISTHMUS_EXPORT vtkOpenDXWriter : public vtkImageArrayWriter
+class VTKISTHMUSREADERSPOTENTIALS_EXPORT vtkOpenDXWriter : public vtkImageArrayWriter
 {
 public:
   static vtkOpenDXWriter* New();

@@ -2,10 +2,10 @@
 // they took, in CPU seconds: ten shared surfaces, and contours with noise. The last row has the
 // worst of all.
 
-#include "ChokingLoops.h"
+#include "ChokingLoops/ChokingLoops.h"
+#include "ChokingLoops/FeatureDrawing.h"
 #include "ChokingSurfaces.h"
 #include "CpuEstimate.h"
-#include "FeatureDrawing.h"
 #include "PeakMemory.h"
 
 #include <benchmark/benchmark.h>

@@ -1,10 +1,10 @@
 // Choking loops against GUDHI's alpha complex and persistence on the same points; their growth and
 // peak memory; how fast they answer to sliders.
 
+#include "ChokingLoops/LoopFeature.h"
+#include "ChokingLoops/SurfaceSampling.h"
 #include "ChokingSurfaces.h"
-#include "LoopFeature.h"
 #include "PeakMemory.h"
-#include "SurfaceSampling.h"
 #include "vtkChokingLoops.h"
 
 #include <vtkLogger.h>

@@ -4,13 +4,13 @@
 // Construction is timed for several sizes; queries sweep over the whole mesh, and "ns" is the time
 // of one query. All peers answer the same question; their answers are compared by checksum.
 
-#include "CellEdgeTable.h"
-#include "CompactCombinatorialMap.h"
-#include "EdgeTable.h"
-#include "FaceTable.h"
+#include "CellComplex/CellEdgeTable.h"
+#include "CellComplex/CompactCombinatorialMap.h"
+#include "CellComplex/EdgeTable.h"
+#include "CellComplex/FaceTable.h"
+#include "CellComplex/StarTable.h"
+#include "CellComplex/VertexStar.h"
 #include "MapSweeps.h"
-#include "StarTable.h"
-#include "VertexStar.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,9 +1,9 @@
 // A bzip2 file of 32 MB of floats, unpacked by our source on all threads and by libbz2 alone, in
 // turn.
 
-#include "OpenByteSource.h"
-#include "ParallelFor.h"
-#include "Stopwatch.h"
+#include "Core/ParallelFor.h"
+#include "Core/Stopwatch.h"
+#include "Files/OpenByteSource.h"
 #include "TemporaryFile.h"
 
 #include <benchmark/benchmark.h>

@@ -4,10 +4,10 @@
 // as the signed distance on n^3 nodes and, for dual contouring, as crossings and normals. Run by
 // hand.
 
-#include "DualContouring.h"
-#include "MeshQuality.h"
-#include "PolyDataMesh.h"
-#include "SurfaceMove.h"
+#include "Contouring/DualContouring.h"
+#include "Core/PolyDataMesh.h"
+#include "Surfaces/SurfaceMove.h"
+#include "Tetrahedra/MeshQuality.h"
 #include "vtkDelaunayIsosurface.h"
 #include "vtkDualContouring.h"
 

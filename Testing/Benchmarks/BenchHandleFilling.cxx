@@ -1,9 +1,9 @@
 // Small handles and tunnels taken away, beside the least that it can cost: one analysis of the
 // surface and the membranes of what goes.
 
+#include "ChokingLoops/HandleFilling.h"
+#include "ChokingLoops/LoopFeature.h"
 #include "ChokingSurfaces.h"
-#include "HandleFilling.h"
-#include "LoopFeature.h"
 
 #include <benchmark/benchmark.h>
 

@@ -2,8 +2,8 @@
 // vtkCurvatures on the same isosurface. Each is the whole filter, allocation of its output
 // included. The CPU column counts all threads, so that it says something on a busy machine, too.
 #include "CopyBandwidth.h"
+#include "Core/ParallelFor.h"
 #include "FieldImage.h"
-#include "ParallelFor.h"
 #include "vtkHessianCurvature.h"
 
 #include <vtkCurvatures.h>

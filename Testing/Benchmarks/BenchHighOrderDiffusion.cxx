@@ -1,8 +1,8 @@
 // Voxels a second and step of the diffusion filters, beside vtkImageAnisotropicDiffusion3D, ITK and
 // the machine's memory bandwidth in the same run; super time stepping against forward Euler.
 #include "CopyBandwidth.h"
-#include "HighOrderDiffusion.h"
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
+#include "Imaging/HighOrderDiffusion.h"
 #include "vtkDiffusionHighPass.h"
 #include "vtkHighOrderDiffusion.h"
 #include "vtkPDETransform.h"

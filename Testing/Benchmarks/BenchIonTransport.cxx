@@ -4,7 +4,7 @@
 // times and its four vectors four times), at the speed of a copy; and the ratio of the two.
 
 #include "CopyBandwidth.h"
-#include "PoissonNernstPlanck.h"
+#include "Solvation/PoissonNernstPlanck.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,7 +1,7 @@
 // Isosurface stuffing: tetrahedra a second and memory, uniform and graded. Acceptance: 10^6
 // tetrahedra in under 10 s. Run by hand on a quiet machine.
 
-#include "IsosurfaceStuffing.h"
+#include "Tetrahedra/IsosurfaceStuffing.h"
 
 #include <benchmark/benchmark.h>
 

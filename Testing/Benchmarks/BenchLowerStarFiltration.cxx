@@ -6,13 +6,13 @@
 // TTK runs before and after ours, so that a machine whose load changes shows. The meshes are
 // TetGen's, of the inside of shared surfaces, the function the distance from the surface, squared.
 
+#include "ChokingLoops/MorseValues.h"
 #include "ChokingSurfaces.h"
-#include "FiltrationPairs.h"
-#include "LowerStarFiltration.h"
-#include "MorseValues.h"
 #include "PeerPrograms.h"
-#include "SurfaceTopology.h"
-#include "TetrahedralMesher.h"
+#include "Persistence/FiltrationPairs.h"
+#include "Persistence/LowerStarFiltration.h"
+#include "Surfaces/SurfaceTopology.h"
+#include "Tetrahedra/TetrahedralMesher.h"
 
 #include <vtkSMPTools.h>
 

@@ -2,12 +2,12 @@
 // Delaunay isosurface beside vtkFlyingEdges3D, remeshing and quality. Run by hand;
 // --benchmark_filter=10000000 for the largest (some minutes and 5 GB).
 
-#include "ClosedLevelSet.h"
-#include "DelaunayIsosurface.h"
-#include "MeshQuality.h"
-#include "PolyDataMesh.h"
-#include "SurfaceRemesh.h"
-#include "TetrahedralMesher.h"
+#include "Contouring/ClosedLevelSet.h"
+#include "Contouring/DelaunayIsosurface.h"
+#include "Core/PolyDataMesh.h"
+#include "Remeshing/SurfaceRemesh.h"
+#include "Tetrahedra/MeshQuality.h"
+#include "Tetrahedra/TetrahedralMesher.h"
 
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>

@@ -2,7 +2,7 @@
 // growing numbers of atoms; beside filling the grid once (what no method can go below) and beside
 // vtkGaussianSplatter on the same grid with the same reach.
 
-#include "MolecularDensity.h"
+#include "Atoms/MolecularDensity.h"
 
 #include <vtkGaussianSplatter.h>
 #include <vtkNew.h>

@@ -3,11 +3,11 @@
 // vtkMolecularDensity's algorithm on the same atoms, spacing and padding. With files named by
 // ISTHMUS_FLOW_ATOMS (PDB or PQR, divided by colons), those molecules as well.
 
-#include "AtomBalls.h"
-#include "MolecularDensity.h"
-#include "SolventExcludedSurface.h"
-#include "SurfaceFlow.h"
-#include "ThesisFlow.h"
+#include "Atoms/AtomBalls.h"
+#include "Atoms/MolecularDensity.h"
+#include "MolecularSurfaces/SolventExcludedSurface.h"
+#include "MolecularSurfaces/SurfaceFlow.h"
+#include "MolecularSurfaces/ThesisFlow.h"
 #include "vtkMacromoleculeReader.h"
 
 #include <vtkNew.h>

@@ -2,10 +2,10 @@
 // N), beside the triangulation alone, which is the floor: times_triangulation is the ratio of CPU
 // times, all threads. peak_MB is what a run needed beyond the atoms.
 
-#include "MolecularPockets.h"
 #include "PeakMemory.h"
-#include "PoreProfile.h"
-#include "RegularFiltration.h"
+#include "Persistence/RegularFiltration.h"
+#include "Pockets/MolecularPockets.h"
+#include "Pockets/PoreProfile.h"
 #include "vtkMacromoleculeReader.h"
 
 #include <vtkDataArray.h>

@@ -1,11 +1,11 @@
 // Time and memory of the combinatorial map beside OpenVolumeMesh, on the same million tetrahedra of
 // a grid of cubes. "ns" is the time of one query; each pair must give the same sum of answers.
 
-#include "CompactCombinatorialMap.h"
+#include "CellComplex/CompactCombinatorialMap.h"
 
-#include "EdgeTable.h"
+#include "CellComplex/EdgeTable.h"
+#include "CellComplex/VertexStar.h"
 #include "GeneratedMeshes.h"
-#include "VertexStar.h"
 
 #include <benchmark/benchmark.h>
 

@@ -3,10 +3,10 @@
 // APBS (two solutions: solvated and reference) and the ratios. CPU time is what a busy machine
 // leaves meaningful. Needs ISTHMUS_DATA_DIR or the default data, and `apbs`.
 
-#include "ElectrostaticUnits.h"
-#include "MolecularDensity.h"
+#include "Atoms/MolecularDensity.h"
+#include "Electrostatics/ElectrostaticUnits.h"
+#include "Electrostatics/PoissonBoltzmann.h"
 #include "PeakMemory.h"
-#include "PoissonBoltzmann.h"
 #include "SharedData.h"
 
 #include <benchmark/benchmark.h>

@@ -11,7 +11,7 @@
 //
 // --benchmark_filter=Peers: the table alone.
 
-#include "CubicalPersistence.h"
+#include "Persistence/CubicalPersistence.h"
 
 #include "CubicalPeer.h"
 #include "PeakMemory.h"

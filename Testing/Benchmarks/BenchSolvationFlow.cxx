@@ -4,7 +4,7 @@
 // from nothing, and the ratio of the two. Needs ISTHMUS_DATA_DIR or the default data.
 
 #include "ChargedProtein.h"
-#include "SolvationFlow.h"
+#include "Solvation/SolvationFlow.h"
 
 #include <benchmark/benchmark.h>
 

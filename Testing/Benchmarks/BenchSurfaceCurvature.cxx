@@ -1,9 +1,9 @@
 // Curvature of a million triangles beside vtkCurvatures, and the areas between thresholds.
 
-#include "ScalarRegions.h"
-#include "SurfaceCurvature.h"
-#include "SurfaceMeasures.h"
+#include "Curvature/ScalarRegions.h"
+#include "Curvature/SurfaceCurvature.h"
 #include "SurfaceModels.h"
+#include "Surfaces/SurfaceMeasures.h"
 
 #include <benchmark/benchmark.h>
 

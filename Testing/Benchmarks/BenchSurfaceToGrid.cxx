@@ -1,8 +1,8 @@
 // A million triangles onto 256^3 nodes: flags and signed distance, by part.
 
-#include "GridDistance.h"
-#include "SurfaceCrossings.h"
 #include "SurfaceModels.h"
+#include "Surfaces/GridDistance.h"
+#include "Surfaces/SurfaceCrossings.h"
 
 #include <benchmark/benchmark.h>
 

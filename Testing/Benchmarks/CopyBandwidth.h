@@ -6,7 +6,7 @@
 #ifndef isthmus_CopyBandwidth_h
 #define isthmus_CopyBandwidth_h
 
-#include "ParallelFor.h"
+#include "Core/ParallelFor.h"
 
 #include <algorithm>
 #include <chrono>

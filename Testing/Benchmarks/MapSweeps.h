@@ -6,7 +6,7 @@
 #ifndef isthmus_MapSweeps_h
 #define isthmus_MapSweeps_h
 
-#include "CompactCombinatorialMap.h"
+#include "CellComplex/CompactCombinatorialMap.h"
 #include "GeneratedMeshes.h"
 
 #include <benchmark/benchmark.h>

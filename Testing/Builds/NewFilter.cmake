@@ -11,7 +11,7 @@ endforeach ()
 file(COPY "${SOURCE_DIR}/.clang-tidy" DESTINATION "${copy}") # Testing/README.md points to it
 
 run("${copy}/cmake/new_filter.sh" PhaseFlip Imaging)
-foreach (check IN ITEMS check_floors check_readmes check_links)
+foreach (check IN ITEMS check_modules check_readmes check_links)
   run("${Python3_EXECUTABLE}" "${copy}/Testing/${check}.py" "${copy}")
 endforeach ()
 execute_process(COMMAND "${copy}/cmake/new_filter.sh" PhaseFlip Imaging

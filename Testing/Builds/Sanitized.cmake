@@ -1,5 +1,5 @@
 # The plain module by clang under sanitizers, with leaks, all of it in turns (as in
-# Unit/Support/LongTests.h), or whole with ISTHMUS_LONG_TESTS=1:
+# Unit/Core/LongTests.h), or whole with ISTHMUS_LONG_TESTS=1:
 #   two turns of three   address and undefined behaviour: the consumer, a third of the unit tests'
 #                        programs without their long cases, ten seconds of each fuzz target
 #   the third            threads: the unit tests of what runs on threads, on four of them

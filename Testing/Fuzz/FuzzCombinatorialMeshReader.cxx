@@ -3,11 +3,11 @@
 //
 // Seeds come from LLVMFuzzerCustomMutator, which now and then starts from a sound file.
 
-#include "CombinatorialMeshFile.h"
-#include "CompactCombinatorialMap.h"
-#include "EdgeTable.h"
-#include "FaceTable.h"
+#include "CellComplex/CompactCombinatorialMap.h"
+#include "CellComplex/EdgeTable.h"
+#include "CellComplex/FaceTable.h"
 #include "FuzzInput.h"
+#include "Meshes/CombinatorialMeshFile.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -4,7 +4,7 @@
 // Seeds come from LLVMFuzzerCustomMutator, which now and then starts from a sound pair.
 
 #include "FuzzInput.h"
-#include "MSMSReader.h"
+#include "Meshes/MSMSReader.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 // Seeds come from LLVMFuzzerCustomMutator, which now and then starts from a sound file.
 
 #include "FuzzInput.h"
-#include "MacromoleculeReader.h"
+#include "Molecules/MacromoleculeReader.h"
 
 #include <algorithm>
 #include <cmath>

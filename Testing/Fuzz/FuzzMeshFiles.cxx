@@ -5,9 +5,9 @@
 // Seeds come from LLVMFuzzerCustomMutator, which now and then starts from a sound file.
 
 #include "FuzzInput.h"
-#include "MEDITFile.h"
-#include "OFFFile.h"
-#include "TetGenMeshFile.h"
+#include "Meshes/MEDITFile.h"
+#include "Meshes/OFFFile.h"
+#include "Meshes/TetGenMeshFile.h"
 
 #include <algorithm>
 #include <array>

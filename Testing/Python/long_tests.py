@@ -1,4 +1,4 @@
-"""Which of the long cases of a test run now; the twin of Testing/Unit/Support/LongTests.h.
+"""Which of the long cases of a test run now; the twin of Testing/Unit/Core/LongTests.h.
 
 All of them with ISTHMUS_LONG_TESTS=1; else those whose turn it is by ISTHMUS_TURN, which
 Testing/run.sh sets to the commit's date; without it none.

@@ -6,7 +6,7 @@
 #ifndef isthmus_BruteForceIncidence_h
 #define isthmus_BruteForceIncidence_h
 
-#include "CellList.h"
+#include "CellComplex/CellList.h"
 
 #include <algorithm>
 #include <cstdint>

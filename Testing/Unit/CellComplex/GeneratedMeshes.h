@@ -5,7 +5,7 @@
 #ifndef isthmus_GeneratedMeshes_h
 #define isthmus_GeneratedMeshes_h
 
-#include "CellList.h"
+#include "CellComplex/CellList.h"
 
 #include <array>
 #include <cstdint>

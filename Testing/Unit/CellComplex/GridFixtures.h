@@ -5,8 +5,8 @@
 #ifndef isthmus_GridFixtures_h
 #define isthmus_GridFixtures_h
 
+#include "CellComplex/GridCells.h"
 #include "GeneratedMeshes.h"
-#include "GridCells.h"
 
 #include <vtkCellType.h>
 #include <vtkNew.h>

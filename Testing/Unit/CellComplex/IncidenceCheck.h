@@ -6,12 +6,12 @@
 #define isthmus_IncidenceCheck_h
 
 #include "BruteForceIncidence.h"
-#include "CellEdgeTable.h"
-#include "CompactCombinatorialMap.h"
-#include "EdgeTable.h"
-#include "FaceTable.h"
-#include "StarTable.h"
-#include "VertexStar.h"
+#include "CellComplex/CellEdgeTable.h"
+#include "CellComplex/CompactCombinatorialMap.h"
+#include "CellComplex/EdgeTable.h"
+#include "CellComplex/FaceTable.h"
+#include "CellComplex/StarTable.h"
+#include "CellComplex/VertexStar.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Memory of the combinatorial map: the tables' formula without slack, the peak while it is built.
 
-#include "CompactCombinatorialMap.h"
+#include "CellComplex/CompactCombinatorialMap.h"
 
-#include "EdgeTable.h"
-#include "FaceTable.h"
+#include "CellComplex/EdgeTable.h"
+#include "CellComplex/FaceTable.h"
 #include "GeneratedMeshes.h"
 
 #include <gtest/gtest.h>

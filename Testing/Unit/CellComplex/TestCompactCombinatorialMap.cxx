@@ -1,7 +1,7 @@
-#include "CompactCombinatorialMap.h"
+#include "CellComplex/CompactCombinatorialMap.h"
 
-#include "EdgeTable.h"
-#include "FaceTable.h"
+#include "CellComplex/EdgeTable.h"
+#include "CellComplex/FaceTable.h"
 #include "GeneratedMeshes.h"
 #include "IncidenceCheck.h"
 

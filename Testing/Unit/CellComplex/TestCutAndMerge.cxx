@@ -1,6 +1,6 @@
-#include "CutAndMerge.h"
+#include "CellComplex/CutAndMerge.h"
 
-#include "Attribute.h"
+#include "CellComplex/Attribute.h"
 #include "GeneratedMeshes.h"
 #include "IncidenceCheck.h"
 

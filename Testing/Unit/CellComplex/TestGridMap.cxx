@@ -1,6 +1,6 @@
 // The map of every shared volume mesh and of VTK grids of each cell type.
 
-#include "GridMap.h"
+#include "CellComplex/GridMap.h"
 
 #include "GridFixtures.h"
 #include "IncidenceCheck.h"

@@ -1,11 +1,11 @@
 // The parts a walk around a vertex is made of, each against the standard library, and stars that
 // outgrow the first memory of a walk.
 
-#include "FirstEqual.h"
+#include "CellComplex/FirstEqual.h"
+#include "CellComplex/ReusableSet.h"
+#include "CellComplex/StarTable.h"
+#include "CellComplex/VertexStar.h"
 #include "GeneratedMeshes.h"
-#include "ReusableSet.h"
-#include "StarTable.h"
-#include "VertexStar.h"
 
 #include <gtest/gtest.h>
 

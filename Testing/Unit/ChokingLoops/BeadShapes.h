@@ -5,8 +5,8 @@
 #ifndef isthmus_BeadShapes_h
 #define isthmus_BeadShapes_h
 
-#include "Bounds3.h"
 #include "ChokingSurfaces.h"
+#include "Core/Bounds3.h"
 
 #include <algorithm>
 #include <cmath>

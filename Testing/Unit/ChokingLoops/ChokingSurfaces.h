@@ -5,7 +5,7 @@
 #ifndef isthmus_ChokingSurfaces_h
 #define isthmus_ChokingSurfaces_h
 
-#include "PolyDataMesh.h"
+#include "Core/PolyDataMesh.h"
 #include "SharedData.h"
 
 #include <vtkCleanPolyData.h>

@@ -6,7 +6,7 @@
 #ifndef isthmus_CpuEstimate_h
 #define isthmus_CpuEstimate_h
 
-#include "AnalysisCost.h"
+#include "ChokingLoops/AnalysisCost.h"
 
 #include <sys/resource.h>
 

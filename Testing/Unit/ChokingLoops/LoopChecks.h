@@ -5,7 +5,7 @@
 #ifndef isthmus_LoopChecks_h
 #define isthmus_LoopChecks_h
 
-#include "ChokingLoops.h"
+#include "ChokingLoops/ChokingLoops.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // What an analysis is said to take: counts against shapes of known genus, bytes against the peak
 // that the kernel tells, seconds in CPU time, whose unit is a stage of the same run.
 
-#include "AnalysisCost.h"
-#include "ChokingLoops.h"
+#include "ChokingLoops/AnalysisCost.h"
+#include "ChokingLoops/ChokingLoops.h"
+#include "ChokingLoops/FeatureDrawing.h"
 #include "ChokingSurfaces.h"
 #include "CpuEstimate.h"
-#include "FeatureDrawing.h"
 #include "PeakMemory.h"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // On every shared surface: what the filter counts, draws and lists agrees, and each loop is long
 // enough for the ball in it and without sharp corners.
 
-#include "ChokeFit.h"
+#include "ChokingLoops/ChokeFit.h"
+#include "ChokingLoops/SurfaceAdjacency.h"
 #include "ChokingSurfaces.h"
-#include "SurfaceAdjacency.h"
-#include "SurfaceIntake.h"
+#include "Surfaces/SurfaceIntake.h"
 #include "vtkChokingLoops.h"
 
 #include <vtkCellArray.h>

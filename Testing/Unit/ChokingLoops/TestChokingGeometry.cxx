@@ -1,7 +1,7 @@
 // Radii and lengths of choking loops on surfaces whose narrow places are known by formula.
 
+#include "ChokingLoops/LoopFeature.h"
 #include "ChokingSurfaces.h"
-#include "LoopFeature.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Counts, independence and geometry of choking loops, on shared surfaces and on formulas.
 
+#include "ChokingLoops/LoopFeature.h"
 #include "ChokingSurfaces.h"
 #include "LoopChecks.h"
-#include "LoopFeature.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // vtkChokingLoops as it is steered: what is not computed again, how it stops, how it tells.
 
-#include "ChokingLoops.h"
+#include "ChokingLoops/ChokingLoops.h"
+#include "ChokingLoops/LoopLimits.h"
 #include "ChokingSurfaces.h"
-#include "LoopLimits.h"
 #include "vtkChokingLoops.h"
 
 #include <vtkCallbackCommand.h>

@@ -1,8 +1,8 @@
 // Every neck of a shape has its loop, at its place, as tight as it gets, and none has two.
 
 #include "BeadShapes.h"
-#include "ChokeFit.h"
-#include "SharedLoops.h"
+#include "ChokingLoops/ChokeFit.h"
+#include "ChokingLoops/SharedLoops.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // How finely a surface is sampled, and where more finely, by the lengths of the edges; and that
 // what a finer sampling everywhere leaves is not sampled again.
 
-#include "ChokingLoops.h"
-#include "ChokingSamples.h"
+#include "ChokingLoops/ChokingLoops.h"
+#include "ChokingLoops/ChokingSamples.h"
 #include "ChokingSurfaces.h"
 
 #include <gtest/gtest.h>

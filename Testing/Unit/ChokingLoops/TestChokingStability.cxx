@@ -2,10 +2,10 @@
 // each way of disturbing them; of the sixteen pairs of a surface and a way, another one ten times
 // at each turn (LongTests.h); with ISTHMUS_LONG_TESTS=1 all of them fifty times (half an hour).
 
+#include "ChokingLoops/LoopFeature.h"
 #include "ChokingSurfaces.h"
 #include "LongTests.h"
-#include "LoopFeature.h"
-#include "SurfaceRemesh.h"
+#include "Remeshing/SurfaceRemesh.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // geometry.
 
 #include "BeadShapes.h"
-#include "CornerCutting.h"
-#include "PinnedShortening.h"
+#include "ChokingLoops/CornerCutting.h"
+#include "ChokingLoops/PinnedShortening.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Shortest loops round a choke, held against a search that knows of no homology: on a torus, how
 // often a walk goes round either way is seen from the angles of its points.
 
-#include "ChokingLoops.h"
+#include "ChokingLoops/ChokingLoops.h"
 #include "ChokingSurfaces.h"
 
 #include <gtest/gtest.h>

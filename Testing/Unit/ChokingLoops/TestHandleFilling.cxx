@@ -1,9 +1,9 @@
-#include "HandleFilling.h"
+#include "ChokingLoops/HandleFilling.h"
 
 #include "BeadShapes.h"
-#include "SelfIntersections.h"
-#include "SurfaceCheck.h"
-#include "SurfaceTopology.h"
+#include "Remeshing/SelfIntersections.h"
+#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceTopology.h"
 #include "vtkHandleFilling.h"
 
 #include <vtkCellData.h>

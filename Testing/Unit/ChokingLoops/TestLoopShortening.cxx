@@ -1,7 +1,7 @@
 // Geodesic loops against lengths known from formulas; their class; bad input.
 
+#include "ChokingLoops/LoopShortening.h"
 #include "ChokingSurfaces.h"
-#include "LoopShortening.h"
 #include "vtkLoopShortening.h"
 
 #include <vtkCellData.h>

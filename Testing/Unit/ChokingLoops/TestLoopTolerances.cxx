@@ -1,8 +1,8 @@
 // The loops of a shape do not hang on where the lines between good and bad ones are drawn.
 
 #include "BeadShapes.h"
+#include "ChokingLoops/LoopFeature.h"
 #include "ChokingSurfaces.h"
-#include "LoopFeature.h"
 
 #include <gtest/gtest.h>
 

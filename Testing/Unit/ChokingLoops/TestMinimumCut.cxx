@@ -1,7 +1,7 @@
 // The cheapest set of links that parts two nodes, held against all ways to part a few nodes.
 
-#include "Index.h"
-#include "MinimumCut.h"
+#include "ChokingLoops/MinimumCut.h"
+#include "Core/Index.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-#include "MorseValues.h"
+#include "ChokingLoops/MorseValues.h"
 
+#include "ChokingLoops/SurfaceDistance.h"
 #include "ChokingSurfaces.h"
-#include "SurfaceDistance.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Offsets against closed formulas, their sides, and what happens to bad input.
 
+#include "ChokingLoops/OffsetSurface.h"
 #include "ChokingSurfaces.h"
-#include "OffsetSurface.h"
 #include "vtkOffsetSurface.h"
 
 #include <vtkCallbackCommand.h>

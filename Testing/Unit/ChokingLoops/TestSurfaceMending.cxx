@@ -1,11 +1,11 @@
 // Damaged surfaces: each ends in loops, told what was repaired, or in a sentence. Some two dozen
 // cases in ctest; ISTHMUS_FUZZ_CASES=2000 in the environment asks for more.
 
-#include "ChokingSurface.h"
+#include "ChokingLoops/ChokingSurface.h"
 #include "ChokingSurfaces.h"
-#include "SelfIntersections.h"
-#include "SurfaceCheck.h"
-#include "ThinTriangles.h"
+#include "Remeshing/SelfIntersections.h"
+#include "Remeshing/ThinTriangles.h"
+#include "Surfaces/SurfaceCheck.h"
 #include "TopologyFilterRun.h"
 
 #include <vtkCellData.h>

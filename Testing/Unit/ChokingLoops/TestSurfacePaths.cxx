@@ -1,7 +1,7 @@
 // Shortest paths along edges against a relaxation that has no queue, and against great circles.
 
+#include "ChokingLoops/SurfacePaths.h"
 #include "ChokingSurfaces.h"
-#include "SurfacePaths.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #ifndef isthmus_HessianExample_h
 #define isthmus_HessianExample_h
 
-#include "HessianCurvature.h"
+#include "Curvature/HessianCurvature.h"
 
 #include <algorithm>
 #include <array>

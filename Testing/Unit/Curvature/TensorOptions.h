@@ -5,7 +5,7 @@
 #ifndef isthmus_TensorOptions_h
 #define isthmus_TensorOptions_h
 
-#include "SurfaceCurvature.h"
+#include "Curvature/SurfaceCurvature.h"
 
 namespace isthmus::testing
 {

@@ -1,12 +1,12 @@
 // The edge tensor over one ring, balls and geodesic discs.
 
-#include "EdgeBends.h"
-#include "Pi.h"
-#include "SurfaceCurvature.h"
+#include "Core/Pi.h"
+#include "Curvature/EdgeBends.h"
+#include "Curvature/SurfaceCurvature.h"
+#include "Curvature/SurfacePatch.h"
 #include "SurfaceModels.h"
-#include "SurfacePatch.h"
+#include "Surfaces/TriangleStars.h"
 #include "TensorOptions.h"
-#include "TriangleStars.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "FiniteDifference.h"
-#include "PointDerivative.h"
+#include "Curvature/FiniteDifference.h"
+#include "Curvature/PointDerivative.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The algorithm without VTK's data model: against the other route, at umbilics, under symmetries,
 // on any number of threads.
 
+#include "Curvature/HessianCurvature.h"
 #include "FundamentalForms.h"
-#include "HessianCurvature.h"
 #include "HessianExample.h"
 
 #include <vtkSMPTools.h>

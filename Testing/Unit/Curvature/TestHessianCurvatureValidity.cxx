@@ -1,8 +1,8 @@
 // The algorithm without VTK's data model at places that have no curvature, in boxes of the grid,
 // and with wrong arguments.
 
-#include "FiniteDifference.h"
-#include "HessianCurvature.h"
+#include "Curvature/FiniteDifference.h"
+#include "Curvature/HessianCurvature.h"
 #include "HessianExample.h"
 
 #include <gtest/gtest.h>

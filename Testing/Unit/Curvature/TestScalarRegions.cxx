@@ -1,4 +1,4 @@
-#include "ScalarRegions.h"
+#include "Curvature/ScalarRegions.h"
 #include "SharedData.h"
 #include "SurfaceModels.h"
 #include "vtkScalarRegions.h"

@@ -1,8 +1,8 @@
 // Curvature of meshes: spheres, areas, signs, invariances, points without curvature.
 
-#include "Pi.h"
+#include "Core/Pi.h"
+#include "Curvature/SurfaceCurvature.h"
 #include "SharedData.h"
-#include "SurfaceCurvature.h"
 #include "SurfaceModels.h"
 #include "TensorOptions.h"
 

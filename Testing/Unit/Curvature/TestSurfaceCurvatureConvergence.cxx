@@ -1,6 +1,6 @@
 // Orders of convergence on the surface types of the thesis' Table 2.1.
 
-#include "SurfaceCurvature.h"
+#include "Curvature/SurfaceCurvature.h"
 #include "SurfaceModels.h"
 #include "TensorOptions.h"
 

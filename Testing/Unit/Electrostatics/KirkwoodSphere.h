@@ -8,8 +8,8 @@
 #ifndef isthmus_KirkwoodSphere_h
 #define isthmus_KirkwoodSphere_h
 
-#include "ElectrostaticUnits.h"
-#include "PoissonBoltzmannParameters.h"
+#include "Electrostatics/ElectrostaticUnits.h"
+#include "Electrostatics/PoissonBoltzmannParameters.h"
 
 #include <cmath>
 #include <utility>

@@ -16,7 +16,7 @@
 #ifndef isthmus_ManufacturedInterface_h
 #define isthmus_ManufacturedInterface_h
 
-#include "InterfaceSolver.h"
+#include "Electrostatics/InterfaceSolver.h"
 
 #include <Eigen/Dense>
 

@@ -5,8 +5,8 @@
 #ifndef isthmus_RadialSolution_h
 #define isthmus_RadialSolution_h
 
-#include "ElectrostaticUnits.h"
-#include "IonAtmosphere.h"
+#include "Electrostatics/ElectrostaticUnits.h"
+#include "Electrostatics/IonAtmosphere.h"
 
 #include <algorithm>
 #include <cmath>

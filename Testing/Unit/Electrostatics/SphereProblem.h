@@ -5,8 +5,8 @@
 #ifndef isthmus_SphereProblem_h
 #define isthmus_SphereProblem_h
 
+#include "Electrostatics/PoissonBoltzmann.h"
 #include "KirkwoodSphere.h"
-#include "PoissonBoltzmann.h"
 
 #include <algorithm>
 

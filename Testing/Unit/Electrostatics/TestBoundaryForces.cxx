@@ -1,10 +1,10 @@
 // The whole force on each atom beside the slope of the solvation energy when the atom moves and the
 // surface with it; the ions' part in strong salt; shares of atoms in a surface's motion.
 
-#include "BoundaryForces.h"
+#include "Electrostatics/BoundaryForces.h"
 
-#include "Pi.h"
-#include "PoissonBoltzmann.h"
+#include "Core/Pi.h"
+#include "Electrostatics/PoissonBoltzmann.h"
 
 #include <gtest/gtest.h>
 

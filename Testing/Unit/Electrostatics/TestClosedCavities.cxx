@@ -1,6 +1,6 @@
 // Which cavities are closed: against a plain flood from the border, on sides drawn by lot.
 
-#include "ClosedCavities.h"
+#include "Electrostatics/ClosedCavities.h"
 
 #include <gtest/gtest.h>
 

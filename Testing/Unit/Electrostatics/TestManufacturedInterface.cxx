@@ -2,7 +2,7 @@
 // curvature flow: the errors fall by the square of the spacing.
 
 #include "ManufacturedInterface.h"
-#include "SurfaceFlow.h"
+#include "MolecularSurfaces/SurfaceFlow.h"
 
 #include <gtest/gtest.h>
 

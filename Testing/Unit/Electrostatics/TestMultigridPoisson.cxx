@@ -2,10 +2,10 @@
 // spacings and jumps of the permittivity; the sums over charges by tree against direct ones; the
 // harmonic fit on harmonic functions.
 
-#include "ChargeTree.h"
-#include "ChargesOnGrid.h"
-#include "HarmonicFit.h"
-#include "MultigridPoisson.h"
+#include "Electrostatics/ChargeTree.h"
+#include "Electrostatics/ChargesOnGrid.h"
+#include "Electrostatics/HarmonicFit.h"
+#include "Electrostatics/MultigridPoisson.h"
 
 #include <vtkSMPTools.h>
 

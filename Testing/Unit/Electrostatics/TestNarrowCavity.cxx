@@ -1,8 +1,8 @@
 // Cavities inside a solute that are a few nodes wide, where a fit on both sides has next to nothing
 // outside to go by: a charge in a dielectric shell, against the series of its three regions.
 
-#include "ElectrostaticUnits.h"
-#include "PoissonBoltzmann.h"
+#include "Electrostatics/ElectrostaticUnits.h"
+#include "Electrostatics/PoissonBoltzmann.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "SphereProblem.h"
 
-#include "SurfacePotential.h"
+#include "Electrostatics/SurfacePotential.h"
 
 #include <vtkSMPTools.h>
 

@@ -1,7 +1,7 @@
 // Charges for atoms that have none: by pdb2pqr where it is there, and by programs of its name that
 // do what it could: give an answer, fail, hang, talk nonsense, or not be there.
 
-#include "ProteinCharges.h"
+#include "Electrostatics/ProteinCharges.h"
 #include "SharedData.h"
 #include "vtkPoissonBoltzmann.h"
 

@@ -1,8 +1,8 @@
 // Two charged spheres that feel each other, against their multipoles: the narrow of solvent between
 // them, energies and potentials; far apart they are Kirkwood's.
 
+#include "Electrostatics/PoissonBoltzmann.h"
 #include "KirkwoodSphere.h"
-#include "PoissonBoltzmann.h"
 #include "TwoSpheres.h"
 
 #include <gtest/gtest.h>

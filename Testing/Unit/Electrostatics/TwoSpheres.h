@@ -15,8 +15,8 @@
 #ifndef isthmus_TwoSpheres_h
 #define isthmus_TwoSpheres_h
 
-#include "ElectrostaticUnits.h"
-#include "PoissonBoltzmannParameters.h"
+#include "Electrostatics/ElectrostaticUnits.h"
+#include "Electrostatics/PoissonBoltzmannParameters.h"
 
 #include <Eigen/Dense>
 

@@ -5,7 +5,7 @@
 #ifndef isthmus_DiffusionReference_h
 #define isthmus_DiffusionReference_h
 
-#include "HighOrderDiffusion.h"
+#include "Imaging/HighOrderDiffusion.h"
 
 #include <algorithm>
 #include <cmath>

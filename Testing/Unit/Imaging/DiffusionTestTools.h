@@ -5,7 +5,7 @@
 #ifndef isthmus_DiffusionTestTools_h
 #define isthmus_DiffusionTestTools_h
 
-#include "HighOrderDiffusion.h"
+#include "Imaging/HighOrderDiffusion.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "DiffusionHighPass.h"
+#include "Imaging/DiffusionHighPass.h"
 
 #include "DiffusionFilterTest.h"
 #include "DiffusionTestTools.h"

@@ -1,6 +1,6 @@
 // The vector kernels that can be wrong in their own right.
 
-#include "DiffusionRows.h"
+#include "Imaging/DiffusionRows.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "PDETransform.h"
+#include "Imaging/PDETransform.h"
 
 #include "DiffusionFilterTest.h"
 #include "DiffusionTestTools.h"

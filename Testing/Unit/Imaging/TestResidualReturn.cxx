@@ -1,7 +1,7 @@
 // What is given back: long waves whole, short ones not, by the Gaussian's factor in between.
 
 #include "DiffusionTestTools.h"
-#include "ResidualReturn.h"
+#include "Imaging/ResidualReturn.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #ifndef isthmus_BlockMeshes_h
 #define isthmus_BlockMeshes_h
 
-#include "TetrahedralMesh.h"
-#include "TriangleMesh.h"
+#include "Core/TetrahedralMesh.h"
+#include "Core/TriangleMesh.h"
 
 #include <algorithm>
 #include <cstdint>

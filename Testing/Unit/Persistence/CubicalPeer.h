@@ -5,7 +5,7 @@
 #ifndef isthmus_CubicalPeer_h
 #define isthmus_CubicalPeer_h
 
-#include "CubicalPersistence.h"
+#include "Persistence/CubicalPersistence.h"
 
 #if __has_include(<gudhi/Bitmap_cubical_complex.h>)
 #define ISTHMUS_HAS_GUDHI_CUBICAL 1

@@ -5,8 +5,8 @@
 #ifndef isthmus_PersistenceVolumes_h
 #define isthmus_PersistenceVolumes_h
 
+#include "Persistence/VolumeView.h"
 #include "SharedData.h"
-#include "VolumeView.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

@@ -1,6 +1,6 @@
 // The complex that filtrations stand on, held against what its tetrahedra say one by one.
 
-#include "DelaunayFiltration.h"
+#include "Persistence/DelaunayFiltration.h"
 
 #include <gtest/gtest.h>
 

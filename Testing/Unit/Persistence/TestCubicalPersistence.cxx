@@ -1,7 +1,7 @@
 // Pairs of volumes against GUDHI, against complexes drawn by hand and against counting;
 // invariances; every type; bad input.
 
-#include "CubicalPersistence.h"
+#include "Persistence/CubicalPersistence.h"
 
 #include "CubicalChecks.h"
 #include "PersistenceVolumes.h"

@@ -4,8 +4,8 @@
 #include "vtkFullereneStability.h"
 
 #include "AlphaPeer.h"
-#include "AtomDistanceGrid.h"
-#include "FullereneStability.h"
+#include "Persistence/AtomDistanceGrid.h"
+#include "Persistence/FullereneStability.h"
 #include "SharedData.h"
 
 #include <vtkCommand.h>

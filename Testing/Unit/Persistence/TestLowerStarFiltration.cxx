@@ -2,12 +2,12 @@
 // boundary matrix, its two-tetrahedra example, and the four Morse functions through the filter.
 
 #include "BlockMeshes.h"
+#include "ChokingLoops/SurfaceDistance.h"
 #include "ChokingSurfaces.h"
-#include "EdgeDistances.h"
 #include "LoopChecks.h"
-#include "LowerStarFiltration.h"
-#include "SurfaceDistance.h"
-#include "TetrahedralMesher.h"
+#include "Persistence/EdgeDistances.h"
+#include "Persistence/LowerStarFiltration.h"
+#include "Tetrahedra/TetrahedralMesher.h"
 #include "TopologyFilterRun.h"
 
 #include <vtkCellData.h>

@@ -1,7 +1,7 @@
 // Ends of paths against walking each of them step by step: one long chain, random forests, fixed
 // places; their numbers in the order of places.
 
-#include "PathEnds.h"
+#include "Persistence/PathEnds.h"
 
 #include <gtest/gtest.h>
 

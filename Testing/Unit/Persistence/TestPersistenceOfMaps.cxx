@@ -1,7 +1,7 @@
 // Persistence of real maps: every shared one of at most 128^3 against GUDHI; EMD-5043 turned,
 // mirrored and moved; memory per node.
 
-#include "CubicalPersistence.h"
+#include "Persistence/CubicalPersistence.h"
 
 #include "CubicalChecks.h"
 #include "HeldBytes.h"

@@ -1,6 +1,6 @@
 // The order of simplices is that of a plain stable sort, for values of every kind.
 
-#include "SimplexOrder.h"
+#include "Persistence/SimplexOrder.h"
 
 #include <vtkSMPTools.h>
 

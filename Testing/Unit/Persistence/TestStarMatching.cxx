@@ -1,6 +1,6 @@
 // Matchings of lower stars against counting the components and holes of their links.
 
-#include "StarMatching.h"
+#include "Persistence/StarMatching.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 #ifndef AxisymmetricPore_h
 #define AxisymmetricPore_h
 
-#include "ElectrostaticUnits.h"
-#include "ScharfetterGummel.h"
-#include "TransportGrid.h"
+#include "Electrostatics/ElectrostaticUnits.h"
+#include "Solvation/ScharfetterGummel.h"
+#include "Solvation/TransportGrid.h"
 #include "TransportLine.h"
 
 #include <Eigen/Sparse>

@@ -2,9 +2,9 @@
 #ifndef ChannelTube_h
 #define ChannelTube_h
 
-#include "Ball.h"
-#include "ElectrostaticUnits.h"
-#include "IonTransportParameters.h"
+#include "Atoms/Ball.h"
+#include "Electrostatics/ElectrostaticUnits.h"
+#include "Solvation/IonTransportParameters.h"
 
 #include <cmath>
 #include <vector>

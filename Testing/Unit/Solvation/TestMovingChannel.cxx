@@ -2,8 +2,8 @@
 // beside a radial solution of its own, no force against the surface at rest, and what is told.
 
 #include "ChannelTube.h"
-#include "ElectrostaticUnits.h"
-#include "MovingChannel.h"
+#include "Electrostatics/ElectrostaticUnits.h"
+#include "Solvation/MovingChannel.h"
 
 #include <vtkSMPTools.h>
 

@@ -1,8 +1,8 @@
 // Surface and field in turn: ions beside Born's formula, pairs, policies of updating, the pull.
 
 #include "KirkwoodSphere.h"
-#include "SolvationFlow.h"
-#include "SurfacePull.h"
+#include "Solvation/SolvationFlow.h"
+#include "Solvation/SurfacePull.h"
 #include "TwoSpheres.h"
 
 #include <vtkSMPTools.h>

@@ -2,7 +2,7 @@
 // rest, and on the way there the energy falls.
 
 #include "ChargedProtein.h"
-#include "SolvationFlow.h"
+#include "Solvation/SolvationFlow.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // axisymmetric solution of its own, turned by 30 degrees, closed, with pockets.
 
 #include "AxisymmetricPore.h"
-#include "ChannelPassage.h"
+#include "Solvation/ChannelPassage.h"
 #include "TransportLine.h"
 
 #include <gtest/gtest.h>

@@ -2,11 +2,11 @@
 // ions of every valence, hardly any room, high voltages, strong charges, membranes off the centre.
 // The answers of physics hold: the current's sign, one current in all sections, no negative ions.
 
-#include "ChannelPassage.h"
 #include "ChannelTube.h"
-#include "ElectrostaticUnits.h"
-#include "IonTransportOutput.h"
-#include "TransportCurrents.h"
+#include "Electrostatics/ElectrostaticUnits.h"
+#include "Solvation/ChannelPassage.h"
+#include "Solvation/IonTransportOutput.h"
+#include "Solvation/TransportCurrents.h"
 
 #include <gtest/gtest.h>
 #include <vtkDataArray.h>

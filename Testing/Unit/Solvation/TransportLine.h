@@ -3,9 +3,9 @@
 #ifndef TransportLine_h
 #define TransportLine_h
 
-#include "ElectrostaticUnits.h"
-#include "PoissonNernstPlanck.h"
-#include "TransportCurrents.h"
+#include "Electrostatics/ElectrostaticUnits.h"
+#include "Solvation/PoissonNernstPlanck.h"
+#include "Solvation/TransportCurrents.h"
 
 namespace isthmus::testing
 {

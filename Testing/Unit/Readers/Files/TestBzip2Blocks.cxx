@@ -1,8 +1,8 @@
 // bzip2 files unpacked block by block beside libbz2 alone: the same bytes, the same ends, and the
 // same place of damage, for any number of threads.
 
-#include "OpenByteSource.h"
-#include "ReaderError.h"
+#include "Files/OpenByteSource.h"
+#include "Files/ReaderError.h"
 #include "TemporaryFile.h"
 
 #include <vtkSMPTools.h>

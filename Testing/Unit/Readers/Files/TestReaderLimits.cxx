@@ -7,10 +7,10 @@
 #include "vtkMacromoleculeReader.h"
 #include "vtkOpenDXReader.h"
 
+#include "Core/PrintableText.h"
+#include "Files/ReaderError.h"
 #include "MRCTestFile.h"
-#include "MSMSReader.h"
-#include "PrintableText.h"
-#include "ReaderError.h"
+#include "Meshes/MSMSReader.h"
 #include "TemporaryFile.h"
 
 #include <vtkDataArray.h>

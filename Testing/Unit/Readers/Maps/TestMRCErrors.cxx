@@ -1,9 +1,9 @@
 // Files that can't be read: a sentence, an error code, an empty output, and no large allocation.
 
+#include "Files/ReaderError.h"
 #include "MRCTestFile.h"
 #include "MRCTestReading.h"
-#include "MRCVoxels.h"
-#include "ReaderError.h"
+#include "Maps/MRCVoxels.h"
 
 #include <vtkErrorCode.h>
 

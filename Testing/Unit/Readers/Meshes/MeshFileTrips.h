@@ -5,7 +5,7 @@
 #ifndef isthmus_MeshFileTrips_h
 #define isthmus_MeshFileTrips_h
 
-#include "Progress.h"
+#include "Core/Progress.h"
 #include "TemporaryFile.h"
 
 #include <vtkErrorCode.h>

@@ -2,8 +2,8 @@
 
 #include "vtkCombinatorialMeshReader.h"
 
-#include "CombinatorialMeshFile.h"
 #include "GridFixtures.h"
+#include "Meshes/CombinatorialMeshFile.h"
 #include "TemporaryFile.h"
 #include "vtkCombinatorialMeshWriter.h"
 

@@ -1,8 +1,8 @@
 // MEDIT's files: the shared ones against an independent parser, round trips bit for bit, damaged
 // files, each with its line; what all writers leave out.
 
-#include "MEDITFile.h"
 #include "MeshFileTrips.h"
+#include "Meshes/MEDITFile.h"
 #include "SharedData.h"
 #include "TemporaryFile.h"
 #include "VolumeMeshFiles.h"

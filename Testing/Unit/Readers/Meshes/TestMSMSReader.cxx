@@ -1,11 +1,11 @@
 #include "vtkMSMSReader.h"
 
-#include "MSMSReader.h"
-#include "PolyDataMesh.h"
+#include "Core/PolyDataMesh.h"
+#include "Meshes/MSMSReader.h"
 #include "SharedData.h"
-#include "ShellNesting.h"
-#include "SurfaceCheck.h"
-#include "SurfaceTopology.h"
+#include "Surfaces/ShellNesting.h"
+#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceTopology.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

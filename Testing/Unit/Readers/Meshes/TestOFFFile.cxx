@@ -2,7 +2,7 @@
 // each with its line.
 
 #include "MeshFileTrips.h"
-#include "OFFFile.h"
+#include "Meshes/OFFFile.h"
 #include "SharedData.h"
 #include "SurfaceFiles.h"
 #include "TemporaryFile.h"

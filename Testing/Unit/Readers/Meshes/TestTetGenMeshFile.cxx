@@ -1,9 +1,9 @@
 // TetGen's files: round trips bit for bit, damaged files, each with its line.
 
 #include "MeshFileTrips.h"
+#include "Meshes/TetGenMeshFile.h"
 #include "SharedData.h"
 #include "TemporaryFile.h"
-#include "TetGenMeshFile.h"
 #include "vtkTetGenMeshReader.h"
 #include "vtkTetGenMeshWriter.h"
 

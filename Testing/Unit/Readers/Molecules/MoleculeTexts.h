@@ -5,7 +5,7 @@
 #ifndef isthmus_MoleculeTexts_h
 #define isthmus_MoleculeTexts_h
 
-#include "MacromoleculeReader.h"
+#include "Molecules/MacromoleculeReader.h"
 
 #include <string>
 

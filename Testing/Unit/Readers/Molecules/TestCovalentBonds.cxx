@@ -1,6 +1,6 @@
 // Bonds by distance, beside all pairs; threads, crowds and coordinates of any size.
 
-#include "CovalentBonds.h"
+#include "Molecules/CovalentBonds.h"
 
 #include <vtkSMPTools.h>
 

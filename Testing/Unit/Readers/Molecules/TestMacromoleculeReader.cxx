@@ -1,8 +1,8 @@
 // Selections, conformers and assemblies of small molecules, and the vtk class. Real files are read
 // by Testing/Python/MacromoleculeReader.py, beside gemmi.
 
-#include "MacromoleculeReader.h"
 #include "MoleculeTexts.h"
+#include "Molecules/MacromoleculeReader.h"
 #include "TemporaryFile.h"
 #include "vtkMacromoleculeReader.h"
 

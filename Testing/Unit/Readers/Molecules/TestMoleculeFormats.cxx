@@ -1,6 +1,6 @@
 // Small molecules written in the test in each format, with what must come of them by hand.
 
-#include "ChemicalElement.h"
+#include "Atoms/ChemicalElement.h"
 #include "MoleculeTexts.h"
 
 #include <gtest/gtest.h>

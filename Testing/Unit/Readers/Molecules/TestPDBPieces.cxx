@@ -1,8 +1,8 @@
 // Pieces of a PDB file, read by themselves and joined, beside the file read whole.
 
-#include "GemmiStructure.h"
-#include "MacromoleculeReader.h"
-#include "PDBPieces.h"
+#include "Molecules/GemmiStructure.h"
+#include "Molecules/MacromoleculeReader.h"
+#include "Molecules/PDBPieces.h"
 #include "TemporaryFile.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,68 @@
+/**
+ * @file MolecularDensity.h
+ * @brief Atoms as a function on a grid: the union of their balls, or a sum of Gaussians.
+ *
+ * With the balls' centres x_i and radii R_i (van der Waals radii times a factor eta), the union is
+ *
+ *   rho(x) = 1 if |x - x_i| <= R_i for any i, else 0,
+ *
+ * the sharp start of geometric-flow surfaces (thesis 3.11), and the smooth form is
+ *
+ *   rho(x) = sum_i exp(-d (|x - x_i|^2 / R_i^2 - 1))
+ *
+ * (J. F. Blinn, ACM Trans. Graph. 1 (1982) 235; in this form Y. Zhang, G. Xu, C. Bajaj, Comput.
+ * Aided Geom. Des. 23 (2006) 510, with beta = -d). Each term is 1 on its ball's sphere, so **the
+ * level 1 of either form encloses all balls**: exactly the sphere for an atom alone, a little more
+ * where atoms meet, the less the greater the decay d. Terms below 1e-6 are left out. The integral
+ * is e^d (pi / d)^(3/2) sum R_i^3.
+ */
+#ifndef isthmus_MolecularDensity_h
+#define isthmus_MolecularDensity_h
+
+#include "Atoms/Ball.h"
+#include "Core/GridView.h"
+#include "Core/Progress.h"
+#include "vtkIsthmusFiltersAtomsModule.h"
+
+#include <array>
+#include <vector>
+
+namespace isthmus
+{
+
+/// Cubic cells around balls.
+struct DensityGrid
+{
+  std::array<double, 3> Origin{ 0.0, 0.0, 0.0 };
+  std::array<std::int64_t, 3> Dimensions{ 0, 0, 0 };
+  double Spacing = 1.0;
+};
+
+/**
+ * The smallest grid with node distance `spacing` whose box holds all balls and `padding` more on
+ * each side along x, y, z. Throws std::invalid_argument for a spacing that is not positive, a
+ * padding that is negative, balls that are not finite, and more than 2^31 nodes along an axis.
+ */
+VTKISTHMUSFILTERSATOMS_EXPORT DensityGrid GridAroundBalls(
+  const std::vector<Ball>& balls, double spacing, const std::array<double, 3>& padding);
+
+/**
+ * Writes the union of the balls to the nodes of `to`, whose dimensions and (first) spacing are
+ * taken and whose first node is at `origin`.
+ *
+ * Both functions work brick by brick in parallel. The result does not depend on the number of
+ * threads, nor on the order of the balls. Time and memory O(nodes + sum over balls of the nodes in
+ * reach); balls with radius 0 leave no trace. Throws std::invalid_argument for radii that are
+ * negative or not finite, or so large against the grid that the bookkeeping would not fit.
+ */
+VTKISTHMUSFILTERSATOMS_EXPORT void UnionOfBalls(const std::vector<Ball>& balls,
+  const std::array<double, 3>& origin, GridView<float> to, const ProgressCallback& progress = {});
+
+/// The same for the sum of Gaussians with the given decay (above 0, up to 500), summed up in
+/// double.
+VTKISTHMUSFILTERSATOMS_EXPORT void GaussianSum(const std::vector<Ball>& balls, double decay,
+  const std::array<double, 3>& origin, GridView<float> to, const ProgressCallback& progress = {});
+
+}
+
+#endif

@@ -1,0 +1,40 @@
+/**
+ * @file NearestBall.h
+ * @brief Which of many balls is nearest to a place.
+ */
+#ifndef isthmus_NearestBall_h
+#define isthmus_NearestBall_h
+
+#include "Atoms/Ball.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace isthmus
+{
+
+/// Balls in cells. Memory O(balls + cells), of which there are at most eight a ball.
+class NearestBall
+{
+public:
+  explicit NearestBall(const std::vector<Ball>& balls);
+
+  /// Number of the ball with the least |place - centre| - radius; the lower of two alike.
+  std::size_t At(const std::array<double, 3>& place) const;
+
+private:
+  using Cell = std::array<std::int64_t, 3>;
+  Cell CellOf(const std::array<double, 3>& place) const;
+
+  std::vector<Ball> Balls;
+  std::array<double, 3> Low{};
+  double Size = 1.0;
+  double Largest = 0.0;
+  Cell Counts{};
+  std::vector<std::vector<std::size_t>> Members;
+};
+
+}
+
+#endif

@@ -1,0 +1,322 @@
+#include "Atoms/PolymerAtoms.h"
+
+#include "Atoms/ChemicalElement.h"
+#include "Atoms/PointBins.h"
+
+#include <map>
+#include <tuple>
+
+namespace isthmus
+{
+namespace
+{
+
+/// A peptide bond is 1.33 angstrom long, a phosphodiester 1.6; the next neighbours are 2.4 away.
+constexpr double LongestLink = 1.9;
+
+const std::set<std::string>& StandardResidues()
+{
+  static const std::set<std::string> names{ "ALA", "ARG", "ASN", "ASP", "CYS", "GLN", "GLU", "GLY",
+    "HIS", "ILE", "LEU", "LYS", "MET", "PHE", "PRO", "SER", "THR", "TRP", "TYR", "VAL", "ASX",
+    "GLX", "UNK", "SEC", "PYL", "MSE", // protonation and bonds, as force fields name them
+    "HID", "HIE", "HIP", "HSD", "HSE", "HSP", "CYX", "CYM", "ASH", "GLH", "LYN", "ARN", "TYM", "A",
+    "C", "G", "U", "I", "DA", "DC", "DG", "DT", "DI", "DU", "RA", "RC", "RG", "RU", "ADE", "CYT",
+    "GUA", "URA", "THY" };
+  return names;
+}
+
+const std::set<std::string>& ProstheticGroups()
+{
+  static const std::set<std::string> names{ "HEM", "HEA", "HEB", "HEC", "HEV", "HAS", "DHE", "SRM",
+    "CLA", "CHL", "BCL", "BCB", "BPH", "BPB", "PHO", "FAD", "FMN", "SF4", "FES", "F3S", "CLF",
+    "CFM", "F43", "B12", "COB", "CNC", "PLP", "PQQ", "RET", "MTE", "MGD", "HDD", "TPP" };
+  return names;
+}
+
+enum class Kind
+{
+  Polymer,
+  Water,
+  Ion,
+  Prosthetic,
+  Ligand
+};
+
+using ResidueKey = std::tuple<std::string, int, std::string, std::string>;
+
+struct Residue
+{
+  std::vector<std::size_t> Atoms;
+  std::size_t HeavyAtoms = 0;
+  std::string Name;
+  bool IsHetero = false;
+  bool IsPolymer = false;
+};
+
+bool IsHydrogen(const NamedAtom& atom)
+{
+  return atom.Element == 1;
+}
+
+/// Residues in the order of their first atoms, and the residue of each atom.
+std::vector<Residue> Residues(const std::vector<NamedAtom>& atoms, std::vector<std::size_t>& of)
+{
+  std::map<ResidueKey, std::size_t> numbers;
+  std::vector<Residue> residues;
+  of.resize(atoms.size());
+  for (std::size_t i = 0; i < atoms.size(); ++i)
+  {
+    const NamedAtom& a = atoms[i];
+    const bool next = i > 0 && a.ResidueId == atoms[i - 1].ResidueId &&
+      a.Residue == atoms[i - 1].Residue && a.Chain == atoms[i - 1].Chain &&
+      a.InsertionCode == atoms[i - 1].InsertionCode;
+    of[i] = next
+      ? of[i - 1]
+      : numbers
+          .emplace(ResidueKey{ a.Chain, a.ResidueId, a.InsertionCode, a.Residue }, residues.size())
+          .first->second;
+    if (of[i] == residues.size())
+    {
+      residues.emplace_back();
+      residues.back().Name = a.Residue;
+    }
+    Residue& residue = residues[of[i]];
+    residue.Atoms.push_back(i);
+    residue.IsHetero = residue.IsHetero || a.IsHetero;
+    residue.HeavyAtoms += IsHydrogen(a) ? 0 : 1;
+  }
+  return residues;
+}
+
+/// 1 and 2 are linked by peptide bonds, 3 and 4 by phosphodiesters.
+int LinkEnd(const NamedAtom& atom)
+{
+  if (atom.Name == "N" || atom.Name == "C")
+  {
+    return atom.Name == "N" ? 1 : 2;
+  }
+  if (atom.Name == "P")
+  {
+    return 3;
+  }
+  return atom.Name == "O3'" || atom.Name == "O3*" ? 4 : 0;
+}
+
+bool Fit(int a, int b)
+{
+  return (a == 1 && b == 2) || (a == 2 && b == 1) || (a == 3 && b == 4) || (a == 4 && b == 3);
+}
+
+/// Lets what is linked to a residue of a chain be one, too.
+void SpreadAlongChains(const std::vector<NamedAtom>& atoms, const std::vector<std::size_t>& of,
+  std::vector<Residue>& residues)
+{
+  std::vector<std::size_t> ends;
+  std::vector<Point3> places;
+  for (std::size_t i = 0; i < atoms.size(); ++i)
+  {
+    if (LinkEnd(atoms[i]) != 0)
+    {
+      ends.push_back(i);
+      places.push_back(atoms[i].Place);
+    }
+  }
+  const PointBins bins(places, 2.0 * LongestLink);
+  std::vector<std::size_t> open;
+  for (std::size_t r = 0; r < residues.size(); ++r)
+  {
+    if (residues[r].IsPolymer)
+    {
+      open.push_back(r);
+    }
+  }
+  while (!open.empty())
+  {
+    const Residue from = residues[open.back()];
+    open.pop_back();
+    for (const std::size_t i : from.Atoms)
+    {
+      if (LinkEnd(atoms[i]) == 0)
+      {
+        continue;
+      }
+      bins.Near(atoms[i].Place, LongestLink,
+        [&](std::int64_t end, double)
+        {
+          const std::size_t other = ends[static_cast<std::size_t>(end)];
+          Residue& to = residues[of[other]];
+          if (!to.IsPolymer && !IsWater(to.Name) && Fit(LinkEnd(atoms[i]), LinkEnd(atoms[other])))
+          {
+            to.IsPolymer = true;
+            open.push_back(of[other]);
+          }
+        });
+    }
+  }
+}
+
+Kind KindOf(const Residue& residue, bool anyPolymer)
+{
+  if (IsWater(residue.Name))
+  {
+    return Kind::Water;
+  }
+  if (residue.IsPolymer || !anyPolymer)
+  {
+    return Kind::Polymer;
+  }
+  if (residue.HeavyAtoms <= 1)
+  {
+    return Kind::Ion;
+  }
+  return ProstheticGroups().count(residue.Name) > 0 ? Kind::Prosthetic : Kind::Ligand;
+}
+
+bool Keeps(const PolymerOptions& options, Kind kind)
+{
+  switch (kind)
+  {
+    case Kind::Water:
+      return options.Waters;
+    case Kind::Ion:
+      return options.Ions;
+    case Kind::Prosthetic:
+      return options.ProstheticGroups || options.Ligands;
+    case Kind::Ligand:
+      return options.Ligands;
+    default:
+      return true;
+  }
+}
+
+/// The alternate location to keep of each place in a chain, where there are any.
+class Locations
+{
+public:
+  explicit Locations(const std::vector<NamedAtom>& atoms)
+  {
+    for (const NamedAtom& a : atoms)
+    {
+      if (!a.AltLoc.empty())
+      {
+        this->Sums[Place(a)][a.AltLoc] += a.Occupancy;
+        this->OfAtom[{ Place(a), a.Name }].insert(a.AltLoc);
+      }
+    }
+  }
+
+  bool Keeps(const NamedAtom& a) const
+  {
+    if (a.AltLoc.empty())
+    {
+      return true;
+    }
+    const auto& sums = this->Sums.at(Place(a));
+    auto best = sums.begin();
+    for (auto at = sums.begin(); at != sums.end(); ++at)
+    {
+      best = at->second > best->second ? at : best;
+    }
+    const auto& own = this->OfAtom.at({ Place(a), a.Name });
+    return a.AltLoc == (own.count(best->first) > 0 ? best->first : *own.begin());
+  }
+
+private:
+  using Key = std::tuple<std::string, int, std::string>;
+  static Key Place(const NamedAtom& a) { return { a.Chain, a.ResidueId, a.InsertionCode }; }
+
+  std::map<Key, std::map<std::string, double>> Sums;
+  std::map<std::pair<Key, std::string>, std::set<std::string>> OfAtom;
+};
+
+/// What was left out, counted.
+class LeftOut
+{
+public:
+  void Add(Kind kind, const Residue& residue)
+  {
+    auto& [residues, atoms] = this->Counts[kind][residue.Name];
+    ++residues;
+    atoms += residue.HeavyAtoms;
+  }
+
+  std::vector<std::string> Sentences() const
+  {
+    std::vector<std::string> sentences;
+    for (const auto& [kind, names] : this->Counts)
+    {
+      std::string text = kind == Kind::Water ? "Water was left out:"
+        : kind == Kind::Ion                  ? "Ions were left out:"
+        : kind == Kind::Prosthetic           ? "Prosthetic groups were left out:"
+                                             : "Ligands were left out:";
+      const char* separator = " ";
+      for (const auto& [name, count] : names)
+      {
+        text += separator + std::to_string(count.first) + " " + name + " (" +
+          std::to_string(count.second) + (count.second == 1 ? " heavy atom)" : " heavy atoms)");
+        separator = ", ";
+      }
+      sentences.push_back(text + ".");
+    }
+    return sentences;
+  }
+
+private:
+  std::map<Kind, std::map<std::string, std::pair<std::size_t, std::size_t>>> Counts;
+};
+
+}
+
+PolymerChoice ChoosePolymer(const std::vector<NamedAtom>& atoms, const PolymerOptions& options)
+{
+  std::vector<std::size_t> of;
+  std::vector<Residue> residues = Residues(atoms, of);
+  bool anyPolymer = false;
+  for (Residue& residue : residues)
+  {
+    residue.IsPolymer = !residue.IsHetero && StandardResidues().count(residue.Name) > 0;
+    anyPolymer = anyPolymer || residue.IsPolymer;
+  }
+  SpreadAlongChains(atoms, of, residues);
+  LeftOut leftOut;
+  std::vector<char> kept(residues.size(), 1);
+  for (std::size_t r = 0; r < residues.size(); ++r)
+  {
+    const Kind kind = KindOf(residues[r], anyPolymer);
+    if (!Keeps(options, kind) && options.Residues.count(residues[r].Name) == 0)
+    {
+      kept[r] = 0;
+      leftOut.Add(kind, residues[r]);
+    }
+  }
+  const Locations locations(atoms);
+  PolymerChoice choice;
+  choice.Notes = leftOut.Sentences();
+  choice.AnyChain = anyPolymer;
+  std::size_t hydrogens = 0;
+  std::size_t alternates = 0;
+  for (std::size_t i = 0; i < atoms.size(); ++i)
+  {
+    const bool wanted = kept[of[i]] != 0;
+    const bool hydrogen = IsHydrogen(atoms[i]) && !options.Hydrogens;
+    const bool here = locations.Keeps(atoms[i]);
+    hydrogens += wanted && hydrogen ? 1 : 0;
+    alternates += wanted && !hydrogen && !here ? 1 : 0;
+    if (wanted && !hydrogen && here)
+    {
+      choice.Kept.push_back(i);
+    }
+  }
+  if (hydrogens > 0)
+  {
+    choice.Notes.push_back(std::to_string(hydrogens) + " hydrogens were left out.");
+  }
+  if (alternates > 0)
+  {
+    choice.Notes.push_back(
+      std::to_string(alternates) + " atoms at less occupied alternate locations were left out.");
+  }
+  return choice;
+}
+
+}

@@ -1,0 +1,233 @@
+#include "vtkMolecularDensity.h"
+
+#include "Atoms/MolecularDensity.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/ImageExtent.h"
+#include "Core/PipelineInputs.h"
+#include "Core/RangeGuard.h"
+
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkMolecularDensity);
+
+namespace
+{
+
+using isthmus::Ball;
+using isthmus::DensityGrid;
+
+/// The atoms with a radius, scaled, and how many have none.
+struct Atoms
+{
+  std::vector<Ball> Balls;
+  vtkIdType WithoutRadius = 0;
+};
+
+/// The point array that the filter's input array 0 names. Throws when it is not there.
+vtkDataArray* RadiiOf(vtkAlgorithm* filter, vtkPointSet* input)
+{
+  const char* name = filter->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  if (!name || !*name)
+  {
+    name = "Radius"; // a panel that has seen no data yet sends an empty name
+  }
+  vtkDataArray* radii = input->GetPointData()->GetArray(name);
+  if (!radii)
+  {
+    std::string there;
+    for (int i = 0; i < input->GetPointData()->GetNumberOfArrays(); ++i)
+    {
+      const char* other = input->GetPointData()->GetArrayName(i);
+      there += std::string(" ") + (other ? other : "(unnamed)");
+    }
+    throw std::invalid_argument("The atoms have no point array " + std::string(name) +
+      " of radii; they have:" + (there.empty() ? " none" : there) +
+      ". Read them with vtkMacromoleculeReader, or choose one of these.");
+  }
+  return radii;
+}
+
+Atoms AtomsOf(vtkPointSet* input, vtkDataArray* radii, double scale)
+{
+  if (radii->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument("The array of radii has several components, but one number for "
+                                "each atom is needed: extract one component first.");
+  }
+  if (!(scale > 0.0) || std::isinf(scale))
+  {
+    throw std::invalid_argument("RadiusScale is " + isthmus::Shown(scale) +
+      ", but it is a factor of lengths: give a positive number.");
+  }
+  Atoms atoms;
+  atoms.Balls.reserve(static_cast<std::size_t>(input->GetNumberOfPoints()));
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    Ball ball{ {}, scale * radii->GetComponent(i, 0) };
+    if (std::isnan(ball.Radius))
+    {
+      ++atoms.WithoutRadius;
+      continue;
+    }
+    input->GetPoint(i, ball.Centre.data());
+    atoms.Balls.push_back(ball);
+  }
+  return atoms;
+}
+
+void SetGeometry(const DensityGrid& grid, vtkImageData* image)
+{
+  image->SetDimensions(static_cast<int>(grid.Dimensions[0]), static_cast<int>(grid.Dimensions[1]),
+    static_cast<int>(grid.Dimensions[2]));
+  image->SetOrigin(grid.Origin.data());
+  image->SetSpacing(grid.Spacing, grid.Spacing, grid.Spacing);
+}
+
+/// The array `Density` of the image, not yet filled.
+vtkFloatArray* AddDensity(vtkImageData* image, const DensityGrid& grid)
+{
+  const double nodes = static_cast<double>(grid.Dimensions[0]) *
+    static_cast<double>(grid.Dimensions[1]) * static_cast<double>(grid.Dimensions[2]);
+  const std::string tooLarge = "A Spacing of " + isthmus::Shown(grid.Spacing) +
+    " makes a grid of " + std::to_string(grid.Dimensions[0]) + " x " +
+    std::to_string(grid.Dimensions[1]) + " x " + std::to_string(grid.Dimensions[2]) +
+    " nodes, which takes " + std::to_string(std::llround(nodes * sizeof(float) / 1e9)) +
+    " GB and does not fit into memory: choose a larger one.";
+  // Far beyond any memory, and near to what 64 bits count.
+  if (nodes > 1e15)
+  {
+    throw std::runtime_error(tooLarge);
+  }
+  vtkNew<vtkFloatArray> density;
+  density->SetName("Density");
+  // Asked of malloc first, since a vtkDataArray that gets no memory prints an error of its own.
+  const auto values = static_cast<std::size_t>(nodes);
+  auto* memory = static_cast<float*>(std::malloc(values * sizeof(float)));
+  if (!memory)
+  {
+    throw std::runtime_error(tooLarge);
+  }
+  density->SetVoidArray(
+    memory, static_cast<vtkIdType>(values), 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+  image->GetPointData()->SetScalars(density);
+  return density;
+}
+
+}
+
+vtkMolecularDensity::vtkMolecularDensity()
+  : Advance(std::make_unique<isthmus::InputInAdvance>(this))
+{
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Radius");
+}
+
+vtkMolecularDensity::~vtkMolecularDensity() = default;
+
+int vtkMolecularDensity::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  return 1;
+}
+
+int vtkMolecularDensity::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // The extent of the grid has to be told now, and it is that of the atoms: so make the atoms.
+  this->Advance->Update();
+  vtkPointSet* input = vtkPointSet::GetData(inputVector[0], 0);
+  vtkNew<vtkImageData> image;
+  image->SetExtent(0, -1, 0, -1, 0, -1);
+  int result = 1;
+  if (input && input->GetNumberOfPoints() > 0) // else empty, or blocks that come one by one
+  {
+    result = isthmus::Guarded(this, image,
+      [&]()
+      {
+        this->Advance->DemandOnOneRank(0, "atoms");
+        const Atoms atoms = AtomsOf(input, RadiiOf(this, input), this->RadiusScale);
+        SetGeometry(isthmus::GridAroundBalls(atoms.Balls, this->Spacing,
+                      { this->Padding[0], this->Padding[1], this->Padding[2] }),
+          image);
+      });
+  }
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  isthmus::TellGeometry(outInfo, image);
+  vtkDataObject::SetPointDataActiveScalarInfo(outInfo, VTK_FLOAT, 1);
+  return result;
+}
+
+int vtkMolecularDensity::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkImageData* output = vtkImageData::GetData(outputVector, 0);
+  vtkPointSet* input = vtkPointSet::GetData(inputVector[0], 0);
+  output->Initialize();
+  return isthmus::Guarded(this, output,
+    [&]()
+    {
+      this->Advance->DemandOnOneRank(0, "atoms");
+      if (input && input->GetNumberOfPoints() > 0)
+      {
+        this->FillImage(input, output);
+      }
+    });
+}
+
+void vtkMolecularDensity::FillImage(vtkPointSet* input, vtkImageData* output)
+{
+  const Atoms atoms = AtomsOf(input, RadiiOf(this, input), this->RadiusScale);
+  if (atoms.WithoutRadius > 0)
+  {
+    vtkWarningMacro(<< atoms.WithoutRadius << " of " << input->GetNumberOfPoints()
+                    << " atoms have no radius and were left out: choose another table of radii in "
+                       "the reader.");
+  }
+  if (atoms.Balls.empty())
+  {
+    return;
+  }
+  const DensityGrid grid = isthmus::GridAroundBalls(
+    atoms.Balls, this->Spacing, { this->Padding[0], this->Padding[1], this->Padding[2] });
+  SetGeometry(grid, output);
+  const isthmus::GridView<float> nodes{ AddDensity(output, grid)->GetPointer(0), grid.Dimensions,
+    { grid.Spacing, grid.Spacing, grid.Spacing } };
+  const auto progress = isthmus::ProgressOf(this);
+  if (this->Form == UnionOfBalls)
+  {
+    isthmus::UnionOfBalls(atoms.Balls, grid.Origin, nodes, progress);
+  }
+  else
+  {
+    isthmus::GaussianSum(atoms.Balls, this->Decay, grid.Origin, nodes, progress);
+  }
+  vtkNew<vtkDoubleArray> level; // for vtkMapSurface
+  level->SetName("RecommendedLevel");
+  level->InsertNextValue(this->Form == UnionOfBalls ? 0.5 : 1.0);
+  output->GetFieldData()->AddArray(level);
+}
+
+void vtkMolecularDensity::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Form: " << this->Form << "\n";
+  os << indent << "RadiusScale: " << this->RadiusScale << "\n";
+  os << indent << "Decay: " << this->Decay << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "Padding: " << this->Padding[0] << " " << this->Padding[1] << " "
+     << this->Padding[2] << "\n";
+}

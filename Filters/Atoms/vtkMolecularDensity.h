@@ -1,0 +1,115 @@
+/**
+ * @class   vtkMolecularDensity
+ * @brief   atoms as a volume: union of balls, or a smooth sum of Gaussians
+ *
+ * Input: the atoms, any vtkPointSet whose point array `Radius` (or the one chosen with
+ * SetInputArrayToProcess) holds radii in the unit of the points (angstrom); vtkMacromoleculeReader
+ * makes it. Output: vtkImageData around the atoms with the point array `Density` (float, no unit).
+ *
+ * With radii R_i = RadiusScale x radius,
+ *
+ *  - UnionOfBalls: 1 within a distance of R_i of an atom, else 0;
+ *  - GaussianSum (default): sum of exp(-Decay (|x - x_i|^2 / R_i^2 - 1)).
+ *
+ * **Surface.** Contour at 1 (GaussianSum) or 0.5 (UnionOfBalls): the first encloses all balls and
+ * is smooth, the second has the steps of the grid. Decay 2.3 gives a surface near the
+ * solvent-excluded one; smaller values close more crevices. Formulas and sources:
+ * MolecularDensity.h.
+ *
+ * The grid has cubic cells; its first node lies Padding beyond the outermost ball. It is the whole
+ * grid whatever part is asked for. Atoms without radius (NaN) are left out, with a warning; atoms
+ * with radius 0 leave no trace.
+ *
+ * **Errors** (sentence, empty output): no radii; negative radii, coordinates that are not finite; a
+ * Spacing that is not positive or so small that the grid does not fit into memory. No atoms: an
+ * empty image and no error.
+ *
+ * **Cost.** Linear in atoms and nodes: 100,000 atoms at 0.5 angstrom in 0.12 s on two
+ * threads. Memory 4 bytes a node and about 100 bytes an atom. The same bits on any number of
+ * threads and in any order of the atoms. On several MPI ranks, each makes the density of its own
+ * atoms: gather them first.
+ */
+#ifndef vtkMolecularDensity_h
+#define vtkMolecularDensity_h
+
+#include "vtkImageAlgorithm.h"
+#include "vtkIsthmusFiltersAtomsModule.h" // for the export macro
+
+#include <memory> // for what it asks of its input
+
+class vtkPointSet;
+
+namespace isthmus
+{
+class InputInAdvance;
+}
+
+class VTKISTHMUSFILTERSATOMS_EXPORT vtkMolecularDensity : public vtkImageAlgorithm
+{
+public:
+  static vtkMolecularDensity* New();
+  vtkTypeMacro(vtkMolecularDensity, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Forms
+  {
+    UnionOfBalls = 0,
+    GaussianSum = 1
+  };
+
+  ///@{
+  /// UnionOfBalls or GaussianSum (default).
+  vtkSetClampMacro(Form, int, UnionOfBalls, GaussianSum);
+  vtkGetMacro(Form, int);
+  ///@}
+
+  ///@{
+  /// The factor eta of all radii. Default 1.
+  vtkSetMacro(RadiusScale, double);
+  vtkGetMacro(RadiusScale, double);
+  ///@}
+
+  ///@{
+  /// How fast a Gaussian falls off, no unit, above 0, up to 500. Default 2.3.
+  vtkSetMacro(Decay, double);
+  vtkGetMacro(Decay, double);
+  ///@}
+
+  ///@{
+  /// Distance of the nodes, in the unit of the points. Default 0.5.
+  vtkSetMacro(Spacing, double);
+  vtkGetMacro(Spacing, double);
+  ///@}
+
+  ///@{
+  /// Room between the outermost ball and the border of the grid, along x, y, z, in the unit of the
+  /// points. Default 3 each, so that the surface at level 1 is closed.
+  vtkSetVector3Macro(Padding, double);
+  vtkGetVector3Macro(Padding, double);
+  ///@}
+
+protected:
+  vtkMolecularDensity();
+  ~vtkMolecularDensity() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkMolecularDensity(const vtkMolecularDensity&) = delete;
+  void operator=(const vtkMolecularDensity&) = delete;
+
+  void FillImage(vtkPointSet* atoms, vtkImageData* output);
+
+  int Form = GaussianSum;
+  double RadiusScale = 1.0;
+  double Decay = 2.3;
+  double Spacing = 0.5;
+  double Padding[3] = { 3.0, 3.0, 3.0 };
+  std::unique_ptr<isthmus::InputInAdvance> Advance;
+};
+
+#endif

@@ -1,0 +1,74 @@
+/**
+ * @file GridCells.h
+ * @brief The volume cells of a vtkUnstructuredGrid as a list of cells of a few types.
+ */
+#ifndef isthmus_GridCells_h
+#define isthmus_GridCells_h
+
+#include "CellComplex/CellList.h"
+#include "Core/Progress.h"
+
+#include "vtkIsthmusFiltersCellComplexModule.h" // for the export macro
+
+#include <vtkType.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkUnstructuredGrid;
+
+namespace isthmus
+{
+
+/// One kind of linear VTK cell.
+struct GridCellType
+{
+  int VTKType;
+  CellType Type;              ///< VTK's faces, in VTK's numbering
+  std::vector<int> TurnedOut; ///< the order of vertices that turns the cell inside out
+};
+
+/// The linear VTK volume cells, polyhedra aside.
+VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT const std::vector<GridCellType>& LinearCellTypes();
+
+/**
+ * Cells of three dimensions: the linear ones, VTK_POLYHEDRON (faces turned to agree with the first
+ * one), and quadratic and Lagrange cells by their corners.
+ */
+class VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT GridCells
+{
+public:
+  enum class Orientation
+  {
+    AsGiven, ///< as VTK's numbering says
+    ByVolume ///< turned inside out where the signed volume is negative
+  };
+
+  /// Time and memory O(cells).
+  /// @throws std::invalid_argument naming the cell for a volume cell that has no fixed faces
+  /// (VTK_CONVEX_POINT_SET) or a polyhedron that is not closed.
+  GridCells(
+    vtkUnstructuredGrid* grid, Orientation orientation, const ProgressCallback& progress = {});
+
+  CellList List() const;
+  std::int64_t NumberOfCells() const { return static_cast<std::int64_t>(this->GridIds.size()); }
+  /// Number in the grid of cell `cell` of the list.
+  vtkIdType GridId(std::size_t cell) const { return this->GridIds[cell]; }
+  /// A sentence about what was simplified or left out; empty if nothing was.
+  std::string Remark() const;
+
+private:
+  class Builder;
+
+  std::int64_t NumberOfPoints = 0;
+  std::vector<CellType> Types;
+  std::vector<CellRun> Runs;
+  std::vector<std::int64_t> Vertices;
+  std::vector<vtkIdType> GridIds;
+  std::int64_t Simplified = 0, LeftOut = 0;
+};
+
+}
+
+#endif

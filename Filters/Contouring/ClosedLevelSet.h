@@ -1,0 +1,44 @@
+/**
+ * @file ClosedLevelSet.h
+ * @brief A volume's level set in the frame of its grid, closed outside, as field and as triangles.
+ */
+#ifndef isthmus_ClosedLevelSet_h
+#define isthmus_ClosedLevelSet_h
+
+#include "Contouring/DelaunayIsosurface.h"
+#include "Core/Bounds3.h"
+#include "Core/TriangleMesh.h"
+#include "vtkIsthmusFiltersContouringModule.h"
+
+#include <array>
+
+class vtkDataArray;
+class vtkImageData;
+
+namespace isthmus
+{
+
+struct ClosedLevelSet
+{
+  ScalarField Field;             ///< valid as long as the image's scalars are
+  Bounds3 Bounds;                ///< of the image and one layer of cells around it
+  TriangleMesh Guide;            ///< by vtkFlyingEdges3D
+  std::array<double, 2> Range{}; ///< of the values
+};
+
+/**
+ * The level set of `scalars` (points of `image`, one component) in the frame of the grid: first
+ * node at the origin, axes along the grid, lengths by spacing. Copies the image (with its layer of
+ * cells) once as float, or as double where it is double, for the guide.
+ * @throws std::invalid_argument when a value is not finite, the image has fewer than two nodes
+ * along an axis, or it is a mask of two values, on whose corners refinement would not end.
+ */
+VTKISTHMUSFILTERSCONTOURING_EXPORT ClosedLevelSet CloseLevelSet(
+  vtkImageData* image, vtkDataArray* scalars, double level, bool insideIsHigher);
+
+/// From the frame of the grid to the world, triangles turned where the image's axes are mirrored.
+VTKISTHMUSFILTERSCONTOURING_EXPORT void ToWorld(vtkImageData* image, TriangleMesh& mesh);
+
+}
+
+#endif

@@ -1,0 +1,310 @@
+#include "Contouring/DelaunayIsosurface.h"
+
+#include "Contouring/SurfaceSeeds.h"
+#include "Core/RangeGuard.h"
+#include "Remeshing/CGALSurface.h"
+#include "Remeshing/CGALWithoutDumps.h"
+#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceTopology.h"
+
+#include <CGAL/Labeled_mesh_domain_3.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/make_mesh_3.h>
+
+#include <unordered_map>
+
+namespace isthmus
+{
+namespace
+{
+
+using cgal::Kernel;
+using Domain = CGAL::Labeled_mesh_domain_3<Kernel>;
+using Triangulation = CGAL::Mesh_triangulation_3<Domain>::type;
+using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
+using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
+using Vertex = Triangulation::Vertex_handle;
+
+void CheckParameters(const DelaunayIsosurfaceParameters& p)
+{
+  if (!(p.Angle >= 0.0 && p.Angle <= 30.0))
+  {
+    throw std::invalid_argument("The angle is " + std::to_string(p.Angle) +
+      " degrees, but it must be from 0 to 30: above, refinement need not end.");
+  }
+  DemandAbove("Radius", p.Radius, 0.0, LargestLength, "It is a length.");
+  DemandAbove("Distance", p.Distance, 0.0, LargestLength, "It is a length.");
+  if (!std::isfinite(p.Level))
+  {
+    throw std::invalid_argument("The level is " + Shown(p.Level) + ": it must be a finite number.");
+  }
+  DemandRange("MaximumNumberOfPoints", static_cast<double>(p.MaximumPoints), 4, 1e9,
+    "It bounds the points of the result.");
+}
+
+/// Sizes that the search for points does not resolve, or that take more points than allowed, are
+/// refused before refinement begins.
+void DemandBudget(
+  const DelaunayIsosurfaceParameters& p, const Bounds3& bounds, const SurfaceView& guide)
+{
+  const double finest = 1e-6 * bounds.Diagonal();
+  if (p.Radius < finest || p.Distance < finest)
+  {
+    throw std::runtime_error("Radius is " + Shown(p.Radius) + " and Distance " + Shown(p.Distance) +
+      ", but the surface is found to some " + Shown(finest) +
+      " (a millionth of the volume's diagonal): ask for larger ones.");
+  }
+  const double area = SurfaceArea(guide);
+  // No triangle of circumradius r is larger than (3 sqrt(3) / 4) r^2, and there are two a point.
+  const double least = area / (2.6 * p.Radius * p.Radius);
+  if (least > static_cast<double>(p.MaximumPoints))
+  {
+    throw std::runtime_error("A Radius of " + Shown(p.Radius) + " takes at least " + Shown(least) +
+      " points, and the most is " + Shown(static_cast<double>(p.MaximumPoints)) +
+      ": ask for a larger one, or make the spacings of the volume more alike (Resample To Image).");
+  }
+}
+
+/// Negative inside, as CGAL wants it; counts how often it was asked, the only thing that tells how
+/// far CGAL is.
+class Side
+{
+public:
+  Side(const ScalarField& field, const DelaunayIsosurfaceParameters& parameters, double expected,
+    const ProgressCallback& progress)
+    : Field(field)
+    , Parameters(parameters)
+    , Expected(expected)
+    , Progress(progress)
+  {
+  }
+
+  double operator()(const cgal::Point& p) const
+  {
+    if (++this->Asked % 4096 == 0)
+    {
+      const auto asked = static_cast<double>(this->Asked);
+      Report(this->Progress, asked / (asked + this->Expected));
+    }
+    const double value = this->Field(cgal::FromCGAL(p));
+    const bool inside = this->Parameters.InsideIsHigher ? value > this->Parameters.Level
+                                                        : value < this->Parameters.Level;
+    return inside ? -1.0 : 1.0;
+  }
+
+private:
+  const ScalarField& Field;
+  const DelaunayIsosurfaceParameters& Parameters;
+  double Expected;
+  const ProgressCallback& Progress;
+  mutable std::int64_t Asked = 0;
+};
+
+/// Refinement of one surface, in rounds of more and more points to start from.
+class Refinement
+{
+public:
+  Refinement(const Domain& domain, const DelaunayIsosurfaceParameters& parameters)
+    : TheDomain(domain)
+    , Parameters(parameters)
+  {
+  }
+
+  std::vector<Vertex> Insert(const SurfaceView& guide, const std::vector<std::int64_t>& ids)
+  {
+    std::vector<Vertex> inserted;
+    for (const std::int64_t id : ids)
+    {
+      const Point3& p = guide.Points[static_cast<std::size_t>(id)];
+      const Vertex v =
+        this->Result.triangulation().insert(Triangulation::Weighted_point(cgal::ToCGAL(p)));
+      this->Result.set_dimension(v, 2);
+      this->Result.set_index(
+        v, this->TheDomain.index_from_surface_patch_index(Domain::Surface_patch_index(0, 1)));
+      inserted.push_back(v);
+    }
+    return inserted;
+  }
+
+  void Run()
+  {
+    namespace params = CGAL::parameters;
+    const Criteria criteria(params::facet_angle = this->Parameters.Angle,
+      params::facet_size = this->Parameters.Radius,
+      params::facet_distance = this->Parameters.Distance);
+    CGAL::Mesh_error_code error{};
+    CGAL::refine_mesh_3(this->Result, this->TheDomain, criteria, params::no_reset_c3t3(),
+      params::no_perturb(), params::no_exude(), params::manifold(),
+      params::mesh_3_options(params::maximal_number_of_vertices =
+                               static_cast<std::size_t>(this->Parameters.MaximumPoints),
+        params::pointer_to_error_code = &error));
+    if (error == CGAL::CGAL_MESH_3_MAXIMAL_NUMBER_OF_VERTICES_REACHED)
+    {
+      throw std::runtime_error("Refinement passed " +
+        std::to_string(this->Parameters.MaximumPoints) +
+        " points: ask for a larger radius or distance; or move the level a little, since at a "
+        "level where two parts just touch it has no end.");
+    }
+  }
+
+  /// Is one of these vertices part of the surface?
+  bool Caught(const std::vector<Vertex>& vertices) const
+  {
+    return std::any_of(vertices.begin(), vertices.end(),
+      [this](const Vertex& v) { return this->Result.face_status(v) != Complex::NOT_IN_COMPLEX; });
+  }
+
+  TriangleMesh Surface() const
+  {
+    TriangleMesh mesh;
+    std::unordered_map<const void*, std::int64_t> ids;
+    for (auto f = this->Result.facets_in_complex_begin(); f != this->Result.facets_in_complex_end();
+         ++f)
+    {
+      // The corners opposite to vertex i, counter-clockwise seen from outside its cell.
+      constexpr int corners[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
+      auto cell = f->first;
+      int i = f->second;
+      if (!this->Result.is_in_complex(cell))
+      {
+        const auto inner = cell->neighbor(i);
+        i = inner->index(cell);
+        cell = inner;
+      }
+      Triangle t{};
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        const auto vertex = cell->vertex(corners[i][c]);
+        const auto [known, isNew] =
+          ids.emplace(&*vertex, static_cast<std::int64_t>(mesh.Points.size()));
+        if (isNew)
+        {
+          mesh.Points.push_back(cgal::FromCGAL(vertex->point().point()));
+        }
+        t[c] = known->second;
+      }
+      mesh.Triangles.push_back(t);
+    }
+    return mesh;
+  }
+
+private:
+  const Domain& TheDomain;
+  const DelaunayIsosurfaceParameters& Parameters;
+  Complex Result;
+};
+
+std::string Place(const SeededComponent& component)
+{
+  const Point3 middle = 0.5 * (component.Bounds.Min + component.Bounds.Max);
+  return "(" + std::to_string(middle[0]) + ", " + std::to_string(middle[1]) + ", " +
+    std::to_string(middle[2]) + "), " + std::to_string(component.Bounds.Diagonal()) + " across";
+}
+
+/// Refines from the seeds of every component, and from all points of those that were not caught;
+/// returns the places of those that were not even then.
+std::vector<std::string> CatchAll(
+  Refinement& refinement, const SurfaceView& guide, const std::vector<SeededComponent>& components)
+{
+  std::vector<std::vector<Vertex>> seeds;
+  seeds.reserve(components.size());
+  for (const SeededComponent& component : components)
+  {
+    seeds.push_back(refinement.Insert(guide, component.Seeds));
+  }
+  refinement.Run();
+  bool again = false;
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    if (!refinement.Caught(seeds[c]))
+    {
+      seeds[c] = refinement.Insert(guide, components[c].Points);
+      again = true;
+    }
+  }
+  if (again)
+  {
+    refinement.Run();
+  }
+  std::vector<std::string> lost;
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    if (!refinement.Caught(seeds[c]))
+    {
+      lost.push_back(Place(components[c]));
+    }
+  }
+  return lost;
+}
+
+/// What differs between the surface and its guide.
+std::string Differences(
+  const SurfaceView& surface, const SurfaceView& guide, const std::vector<std::string>& lost)
+{
+  if (!lost.empty())
+  {
+    return "Left out, since too small for the sizes asked for (lower Radius and Distance to keep "
+           "them): " +
+      std::to_string(lost.size()) + " of the level set's components, the first at " + lost.front() +
+      ".";
+  }
+  const SurfaceDefects defects = FindDefects(surface);
+  if (!defects.None())
+  {
+    return defects.Sentence();
+  }
+  const auto count = [](const SurfaceView& mesh)
+  {
+    const std::vector<int> labels = Components(mesh);
+    return labels.empty() ? 0 : *std::max_element(labels.begin(), labels.end()) + 1;
+  };
+  const int mine = count(surface);
+  const int theirs = count(guide);
+  const auto genus = [](const SurfaceView& mesh, int components)
+  { return components - EulerCharacteristic(mesh) / 2; };
+  if (mine != theirs || genus(surface, mine) != genus(guide, theirs))
+  {
+    return "Topology differs from that of marching cubes: " + std::to_string(mine) +
+      " components and genus " + std::to_string(genus(surface, mine)) + ", there " +
+      std::to_string(theirs) + " and " + std::to_string(genus(guide, theirs)) +
+      ": ask for a smaller radius.";
+  }
+  return {};
+}
+
+}
+
+DelaunayIsosurfaceResult DelaunayIsosurface(const ScalarField& field, const Bounds3& bounds,
+  const SurfaceView& guide, const DelaunayIsosurfaceParameters& parameters,
+  const ProgressCallback& progress)
+{
+  CheckParameters(parameters);
+  if (guide.Triangles.empty())
+  {
+    return {};
+  }
+  return cgal::WithSentence("refining the isosurface",
+    [&]
+    {
+      Report(progress, 0.0);
+      DemandBudget(parameters, bounds, guide);
+      const auto components = SpreadSeeds(guide, 2.0 * parameters.Radius);
+      const double expected = 400.0 * static_cast<double>(guide.Points.size());
+      const Side side(field, parameters, expected, progress);
+      const CGAL::Bbox_3 box(
+        bounds.Min[0], bounds.Min[1], bounds.Min[2], bounds.Max[0], bounds.Max[1], bounds.Max[2]);
+      const Domain domain =
+        Domain::create_implicit_mesh_domain(CGAL::parameters::function = std::cref(side),
+          CGAL::parameters::bounding_object = box, CGAL::parameters::relative_error_bound = 1e-7);
+      Refinement refinement(domain, parameters);
+      const std::vector<std::string> lost = CatchAll(refinement, guide, components);
+      DelaunayIsosurfaceResult result;
+      result.Surface = refinement.Surface();
+      result.Warning = Differences(result.Surface, guide, lost);
+      return result;
+    });
+}
+
+}

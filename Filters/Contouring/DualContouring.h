@@ -1,0 +1,43 @@
+/**
+ * @file DualContouring.h
+ * @brief A surface with its sharp edges from crossings and normals on a grid.
+ *
+ * T. Ju, F. Losasso, S. Schaefer, J. Warren, ACM Trans. Graph. 21 (2002) 339,
+ * doi:10.1145/566654.566586: in each cell the point nearest to the planes
+ * of its crossings (QuadraticErrors.h), around each crossed edge a quadrilateral of four of
+ * them. A cell has a point for each piece of surface in it (DualCells.h), so that the surface is
+ * manifold; it is open only where it leaves the grid. Points are kept in their cells, but for
+ * those of edges that pass beside (ContourPlaces.h). That makes
+ * crossing polygons rare but does not rule them out; FreeOfCrossings does.
+ *
+ * With a tolerance the points of an octree's cells are put together (S. Schaefer, T. Ju, J. Warren,
+ * doi:10.1109/TVCG.2007.1012; ContourClusters.h) and the surface is looked at until it is manifold
+ * and near enough (ContourRefinement.h).
+ */
+#ifndef isthmus_DualContouring_h
+#define isthmus_DualContouring_h
+
+#include "Contouring/DualContouringParameters.h"
+#include "Core/Progress.h"
+#include "vtkIsthmusFiltersContouringModule.h"
+
+namespace isthmus
+{
+
+/**
+ * The contour of `grid`, in its frame (first node at the origin) or moved by ToWorld. Where an edge
+ * is crossed several times, the middle one counts.
+ *
+ * Second order on smooth surfaces; edges and corners of planes come out exact where normals are.
+ * O(cells + crossings log crossings), points in parallel with the same bits on any number of
+ * threads; 400 bytes a point, with a tolerance three times that, and some searches for the nearest
+ * triangle a point.
+ * @throws std::invalid_argument for parameters out of range, std::runtime_error where inside and
+ * crossings contradict each other, and Cancelled.
+ */
+VTKISTHMUSFILTERSCONTOURING_EXPORT DualContour DualContouring(const HermiteGrid& grid,
+  const DualContouringParameters& parameters, const ProgressCallback& progress = {});
+
+}
+
+#endif

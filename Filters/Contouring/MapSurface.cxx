@@ -1,0 +1,208 @@
+#include "Contouring/MapSurface.h"
+
+#include "Core/DisjointSets.h"
+#include "Core/ParallelFor.h"
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace isthmus
+{
+namespace
+{
+
+Point3 DoubleArea(const SurfaceView& mesh, const Triangle& t)
+{
+  const Point3& a = mesh.Points[static_cast<std::size_t>(t[0])];
+  return Cross(mesh.Points[static_cast<std::size_t>(t[1])] - a,
+    mesh.Points[static_cast<std::size_t>(t[2])] - a);
+}
+
+void Check(const DustParameters& parameters)
+{
+  if (!(parameters.MinimumArea >= 0.0) || std::isinf(parameters.MinimumArea))
+  {
+    throw std::invalid_argument("MinimumComponentArea must be a finite number, 0 or more.");
+  }
+  if (!(parameters.MinimumShare >= 0.0) || !(parameters.MinimumShare <= 1.0))
+  {
+    throw std::invalid_argument("MinimumComponentShare must be from 0 to 1.");
+  }
+  if (parameters.Largest < 0)
+  {
+    throw std::invalid_argument("LargestComponents must be 0 (all of them) or more.");
+  }
+}
+
+struct Component
+{
+  double Area = 0.0;
+  std::int64_t First = 0; ///< triangle
+};
+
+/// Components in the order of their first triangles, and which one each triangle belongs to.
+std::vector<Component> FindComponents(
+  const SurfaceView& mesh, std::vector<std::int64_t>& ofTriangle)
+{
+  DisjointSets<std::int64_t> sets(static_cast<std::int64_t>(mesh.Points.size()));
+  for (const Triangle& t : mesh.Triangles)
+  {
+    sets.Join(t[0], t[1]);
+    sets.Join(t[0], t[2]);
+  }
+  std::vector<std::int64_t> ofRoot(mesh.Points.size(), -1);
+  std::vector<Component> components;
+  ofTriangle.resize(mesh.Triangles.size());
+  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  {
+    auto& component = ofRoot[static_cast<std::size_t>(sets.Find(mesh.Triangles[t][0]))];
+    if (component < 0)
+    {
+      component = static_cast<std::int64_t>(components.size());
+      components.push_back({ 0.0, static_cast<std::int64_t>(t) });
+    }
+    const Point3 normal = DoubleArea(mesh, mesh.Triangles[t]);
+    components[static_cast<std::size_t>(component)].Area += Length(normal) / 2.0;
+    ofTriangle[t] = component;
+  }
+  return components;
+}
+
+/// Rank of each component by area, or -1 for one that goes; `areas` of those that stay.
+std::vector<std::int64_t> RankOf(const std::vector<Component>& components,
+  const DustParameters& parameters, std::vector<double>& areas)
+{
+  std::vector<std::size_t> order(components.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b) { return components[a].Area > components[b].Area; });
+  std::vector<std::int64_t> rank(components.size(), -1);
+  const auto most =
+    parameters.Largest == 0 ? order.size() : static_cast<std::size_t>(parameters.Largest);
+  for (std::size_t r = 0; r < std::min(most, order.size()); ++r)
+  {
+    const double area = components[order[r]].Area;
+    if (area < parameters.MinimumArea || area < parameters.MinimumShare * components[order[0]].Area)
+    {
+      break;
+    }
+    rank[order[r]] = static_cast<std::int64_t>(r);
+    areas.push_back(area);
+  }
+  return rank;
+}
+
+/// Takes away the triangles without a rank, and the points that are then of no use.
+void Compact(TriangleMesh& mesh, std::vector<std::int64_t>& ranks)
+{
+  std::vector<std::int64_t> ids(mesh.Points.size(), -1);
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  {
+    if (ranks[t] >= 0)
+    {
+      for (const std::int64_t corner : mesh.Triangles[t])
+      {
+        ids[static_cast<std::size_t>(corner)] = 0;
+      }
+      ranks[kept] = ranks[t];
+      mesh.Triangles[kept++] = mesh.Triangles[t];
+    }
+  }
+  mesh.Triangles.resize(kept);
+  ranks.resize(kept);
+  std::size_t points = 0;
+  for (std::size_t p = 0; p < ids.size(); ++p)
+  {
+    if (ids[p] == 0)
+    {
+      ids[p] = static_cast<std::int64_t>(points);
+      mesh.Points[points++] = mesh.Points[p];
+    }
+  }
+  mesh.Points.resize(points);
+  for (Triangle& t : mesh.Triangles)
+  {
+    for (vtkIdType& corner : t)
+    {
+      corner = ids[static_cast<std::size_t>(corner)];
+    }
+  }
+}
+
+}
+
+DustResult HideDust(TriangleMesh mesh, const DustParameters& parameters)
+{
+  Check(parameters);
+  DustResult result;
+  const std::vector<Component> components = FindComponents(mesh, result.Components);
+  const std::vector<std::int64_t> rank = RankOf(components, parameters, result.Areas);
+  result.Found = static_cast<std::int64_t>(components.size());
+  for (std::int64_t& component : result.Components)
+  {
+    component = rank[static_cast<std::size_t>(component)];
+  }
+  if (result.Areas.size() < components.size())
+  {
+    Compact(mesh, result.Components);
+  }
+  result.Surface = std::move(mesh);
+  return result;
+}
+
+std::vector<Point3> PointNormals(const SurfaceView& mesh)
+{
+  std::vector<Point3> normals(mesh.Points.size(), Point3{ 0, 0, 0 });
+  for (const Triangle& t : mesh.Triangles)
+  {
+    const Point3 normal = DoubleArea(mesh, t);
+    for (const std::int64_t corner : t)
+    {
+      Point3& sum = normals[static_cast<std::size_t>(corner)];
+      sum = sum + normal;
+    }
+  }
+  for (Point3& normal : normals)
+  {
+    const double length = Length(normal);
+    if (length > 0.0)
+    {
+      normal = (1.0 / length) * normal;
+    }
+  }
+  return normals;
+}
+
+template <typename T>
+std::vector<double> SampleValues(const GridView<const T>& grid)
+{
+  // An odd step without a common factor with the rows or layers passes over all columns alike.
+  std::int64_t step = grid.Size() / (std::int64_t{ 1 } << 20) + 1;
+  if (step > 1)
+  {
+    step |= 1;
+    while (std::gcd(step, grid.Dimensions[0] * grid.Dimensions[1]) > 1)
+    {
+      step += 2;
+    }
+  }
+  std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(grid.Size() / step + 1));
+  for (std::int64_t n = 0; n < grid.Size(); n += step)
+  {
+    const auto value = static_cast<double>(grid.Data[n]);
+    if (std::isfinite(value))
+    {
+      values.push_back(value);
+    }
+  }
+  return values;
+}
+
+template std::vector<double> SampleValues(const GridView<const float>&);
+template std::vector<double> SampleValues(const GridView<const double>&);
+
+}

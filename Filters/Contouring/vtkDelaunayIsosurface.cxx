@@ -1,0 +1,132 @@
+#include "vtkDelaunayIsosurface.h"
+
+#include "Contouring/ClosedLevelSet.h"
+#include "Contouring/DelaunayIsosurface.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/ChosenScalars.h"
+#include "Core/ImageExtent.h"
+#include "Core/ImageScalars.h"
+#include "Core/PolyDataMesh.h"
+#include "Core/RangeGuard.h"
+#include "Core/WholeSurface.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkDelaunayIsosurface);
+
+namespace
+{
+
+/// A power of two that brings spacings of 1e-100 or 1e100 to about 1; 1 for usual ones.
+double ScaleOf(vtkImageData* image)
+{
+  const double* h = image->GetSpacing();
+  int exponent = 0;
+  std::frexp(std::max({ h[0], h[1], h[2] }), &exponent);
+  constexpr int usual = 20;
+  return std::abs(exponent) > usual ? std::ldexp(1.0, -exponent) : 1.0;
+}
+
+}
+
+vtkDelaunayIsosurface::vtkDelaunayIsosurface()
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+int vtkDelaunayIsosurface::FillInputPortInformation(int, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+int vtkDelaunayIsosurface::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
+{
+  // Refinement sees all of the surface at once, so every rank would need the whole volume.
+  isthmus::AskForWholeImage(input[0]->GetInformationObject(0));
+  return 1;
+}
+
+int vtkDelaunayIsosurface::RequestData(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  auto* image = vtkImageData::GetData(input[0]);
+  auto* surface = vtkPolyData::GetData(output);
+  return isthmus::Guarded(this, surface,
+    [&]
+    {
+      isthmus::DemandAll(input[0]->GetInformationObject(0));
+      // Each rank has all of the volume; the surface is made once.
+      if (image->GetNumberOfPoints() == 0 ||
+        !isthmus::IsMadeHere(input[0]->GetInformationObject(0)))
+      {
+        return;
+      }
+      vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
+      isthmus::RequireSpacing(image);
+      isthmus::DemandFrame(image);
+      const double factor = ScaleOf(image);
+      vtkNew<vtkImageData> scaled;
+      scaled->CopyStructure(image);
+      const double* own = image->GetSpacing();
+      scaled->SetSpacing(factor * own[0], factor * own[1], factor * own[2]);
+      const double* h = scaled->GetSpacing();
+      const double spacing = std::min({ h[0], h[1], h[2] });
+      isthmus::DelaunayIsosurfaceParameters parameters;
+      parameters.Level = this->Level;
+      parameters.InsideIsHigher = this->InsideIsHigher;
+      parameters.Angle = this->Angle;
+      parameters.Radius = this->Radius == 0.0 ? 1.5 * spacing : factor * this->Radius;
+      parameters.Distance = this->Distance == 0.0 ? 0.25 * spacing : factor * this->Distance;
+      parameters.MaximumPoints = this->MaximumNumberOfPoints;
+
+      const auto progress = isthmus::ProgressOf(this);
+      const isthmus::ClosedLevelSet level =
+        isthmus::CloseLevelSet(scaled, scalars, this->Level, this->InsideIsHigher);
+      isthmus::Report(progress, 0.05);
+      if (level.Guide.Triangles.empty())
+      {
+        vtkWarningMacro(<< "Nothing is inside Level " << this->Level
+                        << ": the volume has values from " << level.Range[0] << " to "
+                        << level.Range[1] << ".");
+      }
+      isthmus::DelaunayIsosurfaceResult result = isthmus::DelaunayIsosurface(
+        level.Field, level.Bounds, level.Guide, parameters, isthmus::Between(progress, 0.05, 1.0));
+      for (isthmus::Point3& p : result.Surface.Points)
+      {
+        std::transform(p.begin(), p.end(), p.begin(), [factor](double x) { return x / factor; });
+      }
+      isthmus::ToWorld(image, result.Surface);
+      isthmus::SetMesh(result.Surface, surface);
+      surface->GetFieldData()->PassData(image->GetFieldData());
+      if (!result.Warning.empty())
+      {
+        vtkWarningMacro(<< result.Warning);
+      }
+    });
+}
+
+void vtkDelaunayIsosurface::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Level: " << this->Level << "\n";
+  os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
+  os << indent << "Angle: " << this->Angle << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Distance: " << this->Distance << "\n";
+  os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
+}

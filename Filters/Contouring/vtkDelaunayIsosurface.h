@@ -1,0 +1,90 @@
+/**
+ * @class vtkDelaunayIsosurface
+ * @brief A level set of a volume as a closed surface of well-shaped triangles.
+ *
+ * Input: vtkImageData with one-component point scalars of any number type, any spacing, origin and
+ * direction. The level set is that of the trilinear interpolation. Where it leaves the volume it is
+ * closed within one layer of cells around it.
+ *
+ * Output: vtkPolyData, triangles facing away from the inside, in world coordinates; closed and
+ * manifold. Every angle is at least Angle; circumcircles and the distance to the level set keep to
+ * Radius and Distance. Refinement starts on every component that vtkFlyingEdges3D finds; when the
+ * topology differs from that surface's all the same, a warning says how.
+ *
+ * Source: J.-D. Boissonnat, S. Oudot, doi:10.1016/j.gmod.2005.01.004, by CGAL's Mesh_3; defaults
+ * of the thesis (4.4.1.1) are Angle 30, Radius 0.8, Distance 0.8. On failure: one sentence through
+ * vtkErrorMacro and an empty output. The whole volume is needed on one rank. One thread.
+ */
+#ifndef vtkDelaunayIsosurface_h
+#define vtkDelaunayIsosurface_h
+
+#include "vtkIsthmusFiltersContouringModule.h"
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKISTHMUSFILTERSCONTOURING_EXPORT vtkDelaunayIsosurface : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkDelaunayIsosurface* New();
+  vtkTypeMacro(vtkDelaunayIsosurface, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Value of the level set, in the unit of the scalars. Default 0.
+  vtkSetMacro(Level, double);
+  vtkGetMacro(Level, double);
+  ///@}
+
+  ///@{
+  /// The inside is where the value is above the level (densities). Default on.
+  vtkSetMacro(InsideIsHigher, bool);
+  vtkGetMacro(InsideIsHigher, bool);
+  vtkBooleanMacro(InsideIsHigher, bool);
+  ///@}
+
+  ///@{
+  /// Smallest angle of a triangle, in degrees, 0 to 30. Default 30.
+  vtkSetMacro(Angle, double);
+  vtkGetMacro(Angle, double);
+  ///@}
+
+  ///@{
+  /// Radius of a triangle's surface Delaunay ball at most, in the unit of the spacing; 0: 1.5 times
+  /// the smallest spacing. Default 0.
+  vtkSetMacro(Radius, double);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /// Distance from a triangle's circumcentre to the level set at most, in the unit of the spacing;
+  /// 0: a quarter of the smallest spacing. Default 0.
+  vtkSetMacro(Distance, double);
+  vtkGetMacro(Distance, double);
+  ///@}
+
+  ///@{
+  /// Points of the surface at which refinement gives up with an error. Default 5 million.
+  vtkSetMacro(MaximumNumberOfPoints, vtkIdType);
+  vtkGetMacro(MaximumNumberOfPoints, vtkIdType);
+  ///@}
+
+protected:
+  vtkDelaunayIsosurface();
+  ~vtkDelaunayIsosurface() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* information) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkDelaunayIsosurface(const vtkDelaunayIsosurface&) = delete;
+  void operator=(const vtkDelaunayIsosurface&) = delete;
+
+  double Level = 0.0;
+  bool InsideIsHigher = true;
+  double Angle = 30.0;
+  double Radius = 0.0;
+  double Distance = 0.0;
+  vtkIdType MaximumNumberOfPoints = 5000000;
+};
+
+#endif

@@ -1,0 +1,276 @@
+#include "vtkDualContouring.h"
+
+#include "Contouring/ClosedLevelSet.h"
+#include "Contouring/DualContouring.h"
+#include "Contouring/KinkedCrossings.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/Bounds3.h"
+#include "Core/ChosenScalars.h"
+#include "Core/ImageExtent.h"
+#include "Core/ImageScalars.h"
+#include "Core/ParallelFor.h"
+#include "Core/PolyDataTriangles.h"
+#include "Core/WholeSurface.h"
+
+#include <vtkCellArray.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMatrix3x3.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkDualContouring);
+
+namespace
+{
+
+using isthmus::operator+;
+using isthmus::operator-;
+
+template <typename T>
+isthmus::HermiteGrid HermiteOf(
+  const isthmus::LevelView<T>& level, const isthmus::ProgressCallback& progress)
+{
+  isthmus::CheckFinite(level.Grid);
+  isthmus::HermiteGrid grid;
+  grid.Shape = { level.Grid.Dimensions, level.Grid.Spacing };
+  grid.Inside.resize(static_cast<std::size_t>(level.Grid.Size()));
+  std::transform(level.Grid.Data, level.Grid.Data + level.Grid.Size(), grid.Inside.begin(),
+    [&level](T value) { return level.IsInside(static_cast<double>(value)) ? 1 : 0; });
+  std::vector<std::vector<isthmus::GridCrossing>> layers(
+    static_cast<std::size_t>(level.Grid.Dimensions[2]));
+  isthmus::ParallelFor(
+    0, level.Grid.Dimensions[2], 4,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t k = first; k < last; ++k)
+      {
+        isthmus::AppendKinkedCrossings(level, k, layers[static_cast<std::size_t>(k)]);
+      }
+    },
+    progress);
+  for (const auto& layer : layers)
+  {
+    grid.Crossings.insert(grid.Crossings.end(), layer.begin(), layer.end());
+  }
+  return grid;
+}
+
+/// A surface moved to the frame of a grid around it, two layers away.
+struct MovedSurface
+{
+  std::vector<isthmus::Point3> Points;
+  isthmus::SurfaceView View;
+  isthmus::GridShape Shape;
+  isthmus::Point3 Origin;
+};
+
+MovedSurface Move(const isthmus::SurfaceView& surface, double spacing)
+{
+  if (!(spacing >= 0.0) || std::isinf(spacing))
+  {
+    throw std::invalid_argument("Spacing is " + std::to_string(spacing) +
+      ", but it is a length: give a positive one, or 0 for 1/64 of the longest side.");
+  }
+  const isthmus::Point3& first = surface.Point(surface.Corners(0)[0]);
+  isthmus::Bounds3 box{ first, first };
+  for (const isthmus::Triangle& corners : surface.Triangles)
+  {
+    for (const vtkIdType point : corners)
+    {
+      box.Add(surface.Point(point));
+    }
+  }
+  const isthmus::Point3 size = box.Max - box.Min;
+  const double h = spacing > 0.0 ? spacing : *std::max_element(size.begin(), size.end()) / 64.0;
+  constexpr double mostNodes = 2e9;
+  double nodes = 1.0;
+  MovedSurface moved;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    // Off by a part of a spacing, so that flat sides do not fall on nodes.
+    constexpr double layers = 2.37;
+    moved.Origin[a] = box.Min[a] - layers * h;
+    const double count = std::ceil(size[a] / h + 2.0 * layers) + 1.0;
+    nodes *= count;
+    moved.Shape.Dimensions[a] = count < mostNodes ? static_cast<std::int64_t>(count) : 0;
+    moved.Shape.Spacing[a] = h;
+  }
+  if (!(h > 0.0) || !(nodes < mostNodes))
+  {
+    throw std::invalid_argument("The surface has no size, or the spacing makes more than two "
+                                "thousand million nodes: choose a larger one.");
+  }
+  moved.Points = isthmus::PointsFrom(moved.Origin, surface);
+  moved.View = { moved.Points, surface.Triangles };
+  return moved;
+}
+
+isthmus::HermiteGrid HermiteOf(
+  const MovedSurface& moved, double featureThreshold, const isthmus::ProgressCallback& progress)
+{
+  isthmus::HermiteGrid grid;
+  grid.Shape = moved.Shape;
+  grid.Crossings = isthmus::SurfaceCrossings(
+    moved.View, moved.Shape, isthmus::CrossingNormal::Triangles, progress);
+  grid.Inside = isthmus::NodesInside(moved.View, moved.Shape);
+  grid.Sharp =
+    isthmus::FindSharpEdges(moved.View, isthmus::SharpCosine(std::max(0.07, featureThreshold)));
+  return grid;
+}
+
+isthmus::DualContour ContourOf(vtkImageData* image, vtkDataArray* scalars, double value,
+  bool insideIsHigher, isthmus::DualContouringParameters parameters,
+  const isthmus::ProgressCallback& progress)
+{
+  parameters.ToWorld = [image](std::vector<isthmus::Point3>& points)
+  {
+    isthmus::TriangleMesh mesh{ std::move(points), {} };
+    isthmus::ToWorld(image, mesh);
+    points = std::move(mesh.Points);
+  };
+  isthmus::DualContour contour;
+  isthmus::UseScalars(image, scalars,
+    [&](const auto& grid)
+    {
+      using T = std::remove_const_t<std::remove_pointer_t<decltype(grid.Data)>>;
+      const isthmus::LevelView<T> level{ grid, value, insideIsHigher };
+      contour = isthmus::DualContouring(HermiteOf(level, isthmus::Between(progress, 0.0, 0.3)),
+        parameters, isthmus::Between(progress, 0.3, 1.0));
+    });
+  return contour;
+}
+
+isthmus::DualContour ContourOf(const isthmus::SurfaceView& surface, double spacing,
+  isthmus::DualContouringParameters parameters, const isthmus::ProgressCallback& progress)
+{
+  const MovedSurface moved = Move(surface, spacing);
+  parameters.ToWorld = [&moved](std::vector<isthmus::Point3>& points)
+  {
+    for (isthmus::Point3& p : points)
+    {
+      p = p + moved.Origin;
+    }
+  };
+  return isthmus::DualContouring(
+    HermiteOf(moved, parameters.FeatureThreshold, isthmus::Between(progress, 0.0, 0.3)), parameters,
+    isthmus::Between(progress, 0.3, 1.0));
+}
+
+void SetContour(const isthmus::DualContour& contour, bool mirrored, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(contour.Points.size()));
+  for (std::size_t i = 0; i < contour.Points.size(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), contour.Points[i].data());
+  }
+  vtkNew<vtkCellArray> cells;
+  for (const auto& polygon : contour.Polygons)
+  {
+    std::array<vtkIdType, 4> ids{ polygon[0], polygon[1], polygon[2], polygon[3] };
+    const vtkIdType count = ids[3] < 0 ? 3 : 4;
+    if (mirrored)
+    {
+      std::reverse(ids.begin(), ids.begin() + count);
+    }
+    cells->InsertNextCell(count, ids.data());
+  }
+  output->SetPoints(points);
+  output->SetPolys(cells);
+}
+
+}
+
+vtkDualContouring::vtkDualContouring()
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+int vtkDualContouring::FillInputPortInformation(int, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  information->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+int vtkDualContouring::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
+{
+  isthmus::AskForWholeImage(input[0]->GetInformationObject(0));
+  return 1;
+}
+
+int vtkDualContouring::RequestData(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  auto* image = vtkImageData::GetData(input[0]);
+  auto* piece = vtkPolyData::GetData(input[0]);
+  auto* result = vtkPolyData::GetData(output);
+  return isthmus::Guarded(this, result,
+    [&]
+    {
+      const auto surface = isthmus::WholeSurface(this, piece);
+      isthmus::DualContouringParameters parameters;
+      parameters.FeatureThreshold = this->FeatureThreshold;
+      parameters.Reach = this->Reach;
+      parameters.Triangles = !this->Quadrilaterals;
+      parameters.Tolerance = this->Tolerance;
+      parameters.FreeOfCrossings = this->FreeOfCrossings;
+      isthmus::DualContour contour;
+      bool isMirrored = false;
+      isthmus::DemandAll(input[0]->GetInformationObject(0));
+      if (image && image->GetNumberOfPoints() > 0 &&
+        isthmus::IsMadeHere(input[0]->GetInformationObject(0)))
+      {
+        if (!std::isfinite(this->Level))
+        {
+          throw std::invalid_argument("Level is not a number.");
+        }
+        contour = ContourOf(image, isthmus::ChosenScalars(this, image), this->Level,
+          this->InsideIsHigher, parameters, isthmus::ProgressOf(this));
+        isMirrored = image->GetDirectionMatrix()->Determinant() < 0.0;
+        result->GetFieldData()->PassData(image->GetFieldData());
+      }
+      if (surface && surface->GetNumberOfCells() > 0)
+      {
+        const isthmus::PolyDataTriangles triangles(surface);
+        if (triangles.View().NumberOfTriangles() > 0)
+        {
+          contour =
+            ContourOf(triangles.View(), this->Spacing, parameters, isthmus::ProgressOf(this));
+          result->GetFieldData()->PassData(surface->GetFieldData());
+        }
+      }
+      SetContour(contour, isMirrored, result);
+      if (contour.Crossing > 0)
+      {
+        vtkWarningMacro(<< contour.Crossing
+                        << " triangles still cross each other, where the level leaves the volume.");
+      }
+    });
+}
+
+void vtkDualContouring::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Level: " << this->Level << "\n";
+  os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "FeatureThreshold: " << this->FeatureThreshold << "\n";
+  os << indent << "Reach: " << this->Reach << "\n";
+  os << indent << "Quadrilaterals: " << this->Quadrilaterals << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "FreeOfCrossings: " << this->FreeOfCrossings << "\n";
+}

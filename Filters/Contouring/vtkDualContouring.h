@@ -1,0 +1,113 @@
+/**
+ * @class vtkDualContouring
+ * @brief A surface with sharp edges and corners kept, from a volume or from another surface.
+ *
+ * Input: vtkImageData with one-component point scalars (normals are the volume's gradient, beside
+ * edges that of one side), or a closed vtkPolyData (normals are its triangles'), which is met with
+ * a grid of Spacing.
+ *
+ * Output: vtkPolyData in world coordinates, facing outward: triangles, or quadrilaterals. Every
+ * edge belongs to two polygons; the surface is open only where a level leaves the volume. Field
+ * data of the input are kept.
+ *
+ * Source: T. Ju et al., doi:10.1145/566654.566586, with a vertex for each piece of surface in a
+ * cell (S. Schaefer et al., doi:10.1109/TVCG.2007.1012). Polygons may cross where the surface turns
+ * within a cell, unless FreeOfCrossings is on. On failure: one
+ * sentence through vtkErrorMacro and an empty output. Cost: see DualContouring.h. The whole input
+ * is needed on one rank.
+ */
+#ifndef vtkDualContouring_h
+#define vtkDualContouring_h
+
+#include "vtkIsthmusFiltersContouringModule.h"
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKISTHMUSFILTERSCONTOURING_EXPORT vtkDualContouring : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkDualContouring* New();
+  vtkTypeMacro(vtkDualContouring, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Value of the level set, in the unit of the scalars; volumes only. Default 0.
+  vtkSetMacro(Level, double);
+  vtkGetMacro(Level, double);
+  ///@}
+
+  ///@{
+  /// The inside is where the value is above the level; volumes only. Default on.
+  vtkSetMacro(InsideIsHigher, bool);
+  vtkGetMacro(InsideIsHigher, bool);
+  vtkBooleanMacro(InsideIsHigher, bool);
+  ///@}
+
+  ///@{
+  /// Spacing of the grid for a surface, in its unit; 0: 1/64 of the longest side of its bounds.
+  /// Default 0.
+  vtkSetMacro(Spacing, double);
+  vtkGetMacro(Spacing, double);
+  ///@}
+
+  ///@{
+  /// How much normals must vary within a cell to count as an edge or a corner, as a part of the
+  /// largest eigenvalue, 0 to 1: smaller keeps blunter edges and more noise. Of surfaces, edges of
+  /// this angle, but 30 degrees at least, are kept exactly. Default 0.07: 30 degrees.
+  vtkSetMacro(FeatureThreshold, double);
+  vtkGetMacro(FeatureThreshold, double);
+  ///@}
+
+  ///@{
+  /// Spacings by which a vertex may leave its cell, 0 to 1, for others that have a vertex of their
+  /// own; into empty ones, and to edges, it may go at 0 already. Polygons cross more easily above
+  /// 0. Default 0.
+  vtkSetMacro(Reach, double);
+  vtkGetMacro(Reach, double);
+  ///@}
+
+  ///@{
+  /// Quadrilaterals, as the method makes them, instead of triangles. Default off.
+  vtkSetMacro(Quadrilaterals, bool);
+  vtkGetMacro(Quadrilaterals, bool);
+  vtkBooleanMacro(Quadrilaterals, bool);
+  ///@}
+
+  ///@{
+  /// How far the surface may be from that of all cells, in the unit of length of the input: above
+  /// 0, cells are put together where the surface is flat enough (octree), and it stays manifold.
+  /// Default 0: none are.
+  vtkSetMacro(Tolerance, double);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /// No two triangles cross: those that do are cut into smaller ones that each stay in a cell,
+  /// which rounds edges there. Needs triangles and Reach 0. Default off.
+  vtkSetMacro(FreeOfCrossings, bool);
+  vtkGetMacro(FreeOfCrossings, bool);
+  vtkBooleanMacro(FreeOfCrossings, bool);
+  ///@}
+
+protected:
+  vtkDualContouring();
+  ~vtkDualContouring() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* information) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkDualContouring(const vtkDualContouring&) = delete;
+  void operator=(const vtkDualContouring&) = delete;
+
+  double Level = 0.0;
+  bool InsideIsHigher = true;
+  double Spacing = 0.0;
+  double FeatureThreshold = 0.07;
+  double Reach = 0.0;
+  bool Quadrilaterals = false;
+  double Tolerance = 0.0;
+  bool FreeOfCrossings = false;
+};
+
+#endif

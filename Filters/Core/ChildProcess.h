@@ -1,0 +1,70 @@
+/**
+ * @file ChildProcess.h
+ * @brief Runs another program under limits, so that whatever it does stays there.
+ */
+#ifndef isthmus_ChildProcess_h
+#define isthmus_ChildProcess_h
+
+#include "Core/Progress.h"
+#include "vtkIsthmusFiltersCoreModule.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace isthmus
+{
+
+/// A new, empty folder in the system's folder for temporary files, removed with all it holds.
+class VTKISTHMUSFILTERSCORE_EXPORT TemporaryFolder
+{
+public:
+  /// @throws std::runtime_error when it can't be made.
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& Path() const { return this->Folder; }
+
+private:
+  std::filesystem::path Folder;
+};
+
+struct ChildLimits
+{
+  double Seconds = 600.0;  ///< of wall time
+  std::uint64_t Bytes = 0; ///< of address space; 0: no limit
+};
+
+enum class ChildEnd
+{
+  Exited,   ///< by itself; Code is its exit status
+  Crashed,  ///< by a signal; Code is its number
+  TimedOut, ///< killed after ChildLimits::Seconds
+  NotFound, ///< there is no such program
+  NotRun    ///< there is, but it is a folder, or no program
+};
+
+struct ChildResult
+{
+  ChildEnd End = ChildEnd::Exited;
+  int Code = 0;
+  std::string Output; ///< the last 4,000 characters of what it wrote to stdout and stderr
+};
+
+/**
+ * Runs `command` (program, found on PATH, and its arguments) to its end, its output going to the
+ * file `log`. `progress` is called about twenty times a second with the fraction of the time limit
+ * used; a false answer kills the program and throws Cancelled. However this function is left, the
+ * program has ended; should this process be killed meanwhile, the program is, too, and the folder
+ * of `log` is removed.
+ * @throws std::runtime_error when no process can be started.
+ */
+VTKISTHMUSFILTERSCORE_EXPORT ChildResult RunChild(const std::vector<std::string>& command,
+  const ChildLimits& limits, const std::filesystem::path& log, const ProgressCallback& progress);
+
+}
+
+#endif

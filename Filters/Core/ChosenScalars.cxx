@@ -1,0 +1,80 @@
+#include "Core/ChosenScalars.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataObject.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkPointData.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace isthmus
+{
+namespace
+{
+
+std::string NamesOf(vtkPointData* data)
+{
+  std::string names;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    const char* name = data->GetArrayName(i);
+    names += (i > 0 ? ", '" : "'") + std::string(name ? name : "(unnamed)") + "'";
+  }
+  return names.empty() ? "none" : names;
+}
+
+[[noreturn]] void RefuseMissing(const char* name, vtkImageData* image)
+{
+  throw std::invalid_argument((name ? "The image has no array '" + std::string(name) + "'"
+                                    : std::string("The image has no active scalars")) +
+    " to work on; its point arrays are: " + NamesOf(image->GetPointData()) +
+    ". Choose one of them as Scalars (in C++ by SetInputArrayToProcess).");
+}
+
+void RequireOnePerNode(vtkImageData* image, vtkDataArray* scalars, bool onCells)
+{
+  const std::string name = scalars->GetName() ? scalars->GetName() : "(unnamed)";
+  if (onCells)
+  {
+    throw std::invalid_argument("Array '" + name +
+      "' is not on points: convert it first, with vtkCellDataToPointData for instance.");
+  }
+  if (scalars->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument("Array '" + name + "' has " +
+      std::to_string(scalars->GetNumberOfComponents()) +
+      " components, but one number for each node is needed: take a component or the magnitude.");
+  }
+  if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    throw std::invalid_argument("Array '" + name + "' has " +
+      std::to_string(scalars->GetNumberOfTuples()) + " values for the " +
+      std::to_string(image->GetNumberOfPoints()) + " nodes of the image: it is damaged.");
+  }
+}
+
+}
+
+vtkDataArray* ChosenScalars(vtkAlgorithm* filter, vtkImageData* image)
+{
+  vtkInformation* chosen = filter->GetInputArrayInformation(0);
+  const char* name = chosen->Get(vtkDataObject::FIELD_NAME());
+  const bool named = name && *name;
+  const bool onCells =
+    chosen->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  vtkDataSetAttributes* data =
+    onCells ? static_cast<vtkDataSetAttributes*>(image->GetCellData()) : image->GetPointData();
+  vtkDataArray* scalars = named ? data->GetArray(name) : data->GetScalars();
+  if (!scalars)
+  {
+    RefuseMissing(named ? name : nullptr, image);
+  }
+  RequireOnePerNode(image, scalars, onCells);
+  return scalars;
+}
+
+}

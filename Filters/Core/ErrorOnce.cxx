@@ -1,0 +1,44 @@
+#include "Core/ErrorOnce.h"
+
+#include "Core/PrintableText.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkDemandDrivenPipeline.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
+
+#include <algorithm>
+
+namespace isthmus
+{
+namespace
+{
+
+/// What was said last and when, kept with the algorithm, so that it goes when that goes.
+vtkInformationStringKey* LastWords()
+{
+  static auto* const key = vtkInformationStringKey::MakeKey("LAST_WORDS", "isthmus");
+  return key;
+}
+
+vtkMTimeType LastChange(vtkAlgorithm* self)
+{
+  auto* executive = vtkDemandDrivenPipeline::SafeDownCast(self->GetExecutive());
+  return std::max(self->GetMTime(), executive ? executive->GetPipelineMTime() : 0);
+}
+
+}
+
+void TellError(vtkAlgorithm* self, const std::string& sentence)
+{
+  const std::string words = std::to_string(LastChange(self)) + ' ' + sentence;
+  const char* last = LastWords()->Get(self->GetInformation());
+  if (last && words == last)
+  {
+    return;
+  }
+  LastWords()->Set(self->GetInformation(), words);
+  vtkErrorWithObjectMacro(self, << Printable(sentence));
+}
+
+}

@@ -1,0 +1,225 @@
+#include "Core/ImageExtent.h"
+
+#include "Core/WholeSurface.h"
+
+#include <vtkExtentTranslator.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkNew.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace isthmus
+{
+namespace
+{
+
+/// `index` as an integer within [low, high]; NaN gives `low`.
+int Clipped(double index, int low, int high)
+{
+  return index > low ? (index < high ? static_cast<int>(index) : high) : low;
+}
+
+}
+
+Extent ExtentOf(vtkInformation* info, vtkInformationIntegerVectorKey* key)
+{
+  Extent extent{ 0, -1, 0, -1, 0, -1 };
+  if (info->Has(key))
+  {
+    info->Get(key, extent.data());
+  }
+  return extent;
+}
+
+Extent PieceOf(vtkInformation* request, const Extent& all)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const int pieces = Pipeline::GetUpdateNumberOfPieces(request);
+  if (pieces <= 1)
+  {
+    return all;
+  }
+  Extent whole = all;
+  Extent piece{ 0, -1, 0, -1, 0, -1 };
+  vtkNew<vtkExtentTranslator> translator;
+  translator->PieceToExtentThreadSafe(Pipeline::GetUpdatePiece(request), pieces,
+    Pipeline::GetUpdateGhostLevel(request), whole.data(), piece.data(),
+    vtkExtentTranslator::BLOCK_MODE, 0);
+  return piece;
+}
+
+void AskForAll(vtkInformation* request)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  request->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  request->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  request->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+}
+
+void AskForWholeImage(vtkInformation* input)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (input->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+    // Else a source that can make a part makes this rank's, whatever the extent.
+    AskForAll(input);
+  }
+}
+
+void TellGeometry(vtkInformation* output, vtkImageData* image)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  output->Set(Pipeline::WHOLE_EXTENT(), image->GetExtent(), 6);
+  output->Set(vtkDataObject::ORIGIN(), image->GetOrigin(), 3);
+  output->Set(vtkDataObject::SPACING(), image->GetSpacing(), 3);
+}
+
+void TellGeometry(vtkInformation* output, const std::function<void(vtkImageData*)>& make)
+{
+  vtkNew<vtkImageData> image;
+  image->SetExtent(0, -1, 0, -1, 0, -1);
+  try
+  {
+    make(image);
+  }
+  catch (const std::exception&)
+  {
+    image->SetExtent(0, -1, 0, -1, 0, -1);
+  }
+  TellGeometry(output, image);
+}
+
+bool IsFirstPiece(vtkInformation* output)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  return !output->Has(Pipeline::UPDATE_PIECE_NUMBER()) ||
+    output->Get(Pipeline::UPDATE_PIECE_NUMBER()) <= 0;
+}
+
+void DemandAll(vtkInformation* info)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkImageData* image = info ? vtkImageData::GetData(info) : nullptr;
+  // Blocks of composite data come without a whole extent of their own.
+  if (!image || !info->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    return;
+  }
+  Extent delivered{};
+  image->GetExtent(delivered.data());
+  if (!Contains(delivered, ExtentOf(info, Pipeline::WHOLE_EXTENT())))
+  {
+    throw std::runtime_error(
+      "Only a part of the image is on this rank, and all of it is needed: "
+      "run on one rank, or read the image with a reader that gives each rank "
+      "what it asks for.");
+  }
+}
+
+bool IsMadeHere(vtkInformation* info)
+{
+  return OnFirstRank() || !info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+}
+
+bool IsEmpty(const Extent& extent)
+{
+  return extent[1] < extent[0] || extent[3] < extent[2] || extent[5] < extent[4];
+}
+
+Extent Grown(const Extent& extent, const std::array<int, 3>& reach, const Extent& whole)
+{
+  if (IsEmpty(extent))
+  {
+    return extent;
+  }
+  Extent grown{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // Doubles, since a reach may be as large as an int.
+    const int low = whole[2 * axis];
+    const int high = whole[2 * axis + 1];
+    grown[2 * axis] = Clipped(static_cast<double>(extent[2 * axis]) - reach[axis], low, high);
+    grown[2 * axis + 1] =
+      Clipped(static_cast<double>(extent[2 * axis + 1]) + reach[axis], low, high);
+  }
+  return grown;
+}
+
+std::int64_t NodeCount(const Extent& extent)
+{
+  std::int64_t count = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    count *= std::max<std::int64_t>(0, std::int64_t(extent[2 * axis + 1]) - extent[2 * axis] + 1);
+  }
+  return count;
+}
+
+Extent Intersection(const Extent& a, const Extent& b)
+{
+  Extent both;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    both[2 * axis] = std::max(a[2 * axis], b[2 * axis]);
+    both[2 * axis + 1] = std::min(a[2 * axis + 1], b[2 * axis + 1]);
+  }
+  return both;
+}
+
+bool Contains(const Extent& outer, const Extent& inner)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (inner[2 * axis] < outer[2 * axis] || inner[2 * axis + 1] > outer[2 * axis + 1])
+    {
+      return IsEmpty(inner);
+    }
+  }
+  return true;
+}
+
+int LayersBetween(const Extent& inner, const Extent& outer)
+{
+  int layers = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    layers = std::max(
+      { layers, inner[2 * axis] - outer[2 * axis], outer[2 * axis + 1] - inner[2 * axis + 1] });
+  }
+  return layers;
+}
+
+Extent Covering(
+  vtkImageData* image, const double bounds[6], const std::array<int, 3>& reach, const Extent& whole)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low{ infinity, infinity, infinity };
+  std::array<double, 3> high{ -infinity, -infinity, -infinity };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double point[3] = { bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)],
+      bounds[4 + (corner >> 2)] };
+    double index[3];
+    image->TransformPhysicalPointToContinuousIndex(point, index);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = std::min(low[axis], index[axis]);
+      high[axis] = std::max(high[axis], index[axis]);
+    }
+  }
+  Extent cells{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    cells[2 * axis] = Clipped(std::floor(low[axis]), whole[2 * axis], whole[2 * axis + 1]);
+    cells[2 * axis + 1] = Clipped(std::ceil(high[axis]), whole[2 * axis], whole[2 * axis + 1]);
+  }
+  return Grown(cells, reach, whole);
+}
+
+}

@@ -1,0 +1,90 @@
+/**
+ * @file ImageScalars.h
+ * @brief The scalars of a vtkImageData as a GridView of float or double.
+ */
+#ifndef isthmus_ImageScalars_h
+#define isthmus_ImageScalars_h
+
+#include "Core/GridView.h"
+
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace isthmus
+{
+
+/// @throws std::invalid_argument, with the axis, unless all spacings are positive and finite.
+inline void RequireSpacing(vtkImageData* image)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double spacing = image->GetSpacing()[axis];
+    if (!(spacing > 0.0) || std::isinf(spacing))
+    {
+      throw std::invalid_argument("The image has the spacing " + std::to_string(spacing) +
+        " along " + "xyz"[axis] + ", but spacings must be positive and finite: set another one.");
+    }
+  }
+}
+
+/// @throws std::invalid_argument, with the node, unless all values are finite numbers.
+template <typename T>
+void CheckFinite(const GridView<const T>& grid)
+{
+  for (std::int64_t node = 0; node < grid.Size(); ++node)
+  {
+    if (!std::isfinite(static_cast<double>(grid.Data[node])))
+    {
+      const std::int64_t row = node / grid.Dimensions[0];
+      throw std::invalid_argument("The value at node (" +
+        std::to_string(node % grid.Dimensions[0]) + ", " +
+        std::to_string(row % grid.Dimensions[1]) + ", " + std::to_string(row / grid.Dimensions[1]) +
+        ") of the image is not a finite number. Crop the image or replace the value.");
+    }
+  }
+}
+
+/// Calls `use(grid)` with a GridView<const float> or, for all other types, GridView<const double>;
+/// a copy is made where the values are not stored as one of both.
+template <typename Use>
+void UseScalars(vtkImageData* image, vtkDataArray* scalars, Use&& use)
+{
+  RequireSpacing(image);
+  int dimensions[3];
+  double spacing[3];
+  image->GetDimensions(dimensions);
+  image->GetSpacing(spacing);
+  const auto fill = [&](auto grid, const auto* values)
+  {
+    grid.Data = values;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      grid.Dimensions[axis] = dimensions[axis];
+      grid.Spacing[axis] = spacing[axis];
+    }
+    use(grid);
+  };
+  if (auto* floats = vtkArrayDownCast<vtkFloatArray>(scalars))
+  {
+    fill(GridView<const float>{}, floats->GetPointer(0));
+    return;
+  }
+  vtkSmartPointer<vtkDoubleArray> doubles = vtkArrayDownCast<vtkDoubleArray>(scalars);
+  if (!doubles)
+  {
+    doubles = vtkSmartPointer<vtkDoubleArray>::New();
+    doubles->DeepCopy(scalars);
+  }
+  fill(GridView<const double>{}, doubles->GetPointer(0));
+}
+
+}
+
+#endif

@@ -1,0 +1,128 @@
+#include "Core/ParallelFor.h"
+
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <mutex>
+#include <string>
+
+namespace isthmus
+{
+namespace
+{
+
+bool SequentialByDefault()
+{
+  return std::strcmp(vtkSMPTools::GetBackend(), "Sequential") == 0 &&
+    std::getenv("VTK_SMP_BACKEND_IN_USE") == nullptr;
+}
+
+/// Runs `work` under the backend that our loops use.
+template <typename Work>
+void WithBackend(Work&& work)
+{
+  if (SequentialByDefault())
+  {
+    // Spelt as a std::string: a literal would convert to bool and switch on nested parallelism.
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(std::string("STDThread")), work);
+  }
+  else
+  {
+    work();
+  }
+}
+
+/// Keeps the first exception of any thread, since none may leave a vtkSMPTools functor.
+class FirstException
+{
+public:
+  bool Caught() const { return this->Seen.load(std::memory_order_relaxed); }
+
+  void Keep(const std::exception_ptr& exception)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (!this->Seen.exchange(true))
+    {
+      this->Exception = exception;
+    }
+  }
+
+  void Rethrow() const
+  {
+    if (this->Exception)
+    {
+      std::rethrow_exception(this->Exception);
+    }
+  }
+
+private:
+  std::atomic<bool> Seen{ false };
+  std::mutex Mutex;
+  std::exception_ptr Exception;
+};
+
+void RunRound(std::int64_t begin, std::int64_t end, std::int64_t grain, const RangeBody& body)
+{
+  FirstException failure;
+  auto guarded = [&](vtkIdType first, vtkIdType last)
+  {
+    // The Sequential backend and a small range hand over everything at once: the grain is then
+    // ours to keep, since bodies size their scratch memory by it.
+    for (std::int64_t piece = first; piece < last && !failure.Caught(); piece += grain)
+    {
+      try
+      {
+        body(piece, std::min<std::int64_t>(piece + grain, last));
+      }
+      catch (...)
+      {
+        failure.Keep(std::current_exception());
+      }
+    }
+  };
+  WithBackend([&]() { vtkSMPTools::For(begin, end, grain, guarded); });
+  failure.Rethrow();
+}
+
+}
+
+void ParallelFor(std::int64_t begin, std::int64_t end, std::int64_t grain, const RangeBody& body,
+  const ProgressCallback& progress)
+{
+  grain = std::max<std::int64_t>(grain, 1);
+  if (!progress)
+  {
+    RunRound(begin, end, grain, body);
+    return;
+  }
+  using Clock = std::chrono::steady_clock;
+  constexpr double roundSeconds = 0.1;
+  std::int64_t round = grain * ParallelThreads();
+  for (std::int64_t first = begin; first < end;)
+  {
+    const std::int64_t last = std::min(end, first + round);
+    const Clock::time_point start = Clock::now();
+    RunRound(first, last, grain, body);
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    Report(progress, static_cast<double>(last - begin) / static_cast<double>(end - begin));
+    first = last;
+    // Grow at most fourfold, since the first rounds are also the ones that touch cold memory.
+    const double factor = std::clamp(roundSeconds / std::max(seconds, 1e-9), 0.25, 4.0);
+    round = std::max(grain * ParallelThreads(),
+      static_cast<std::int64_t>(static_cast<double>(round) * factor) / grain * grain);
+  }
+}
+
+int ParallelThreads()
+{
+  int threads = 1;
+  WithBackend([&]() { threads = vtkSMPTools::GetEstimatedNumberOfThreads(); });
+  return threads;
+}
+
+}

@@ -1,0 +1,71 @@
+/**
+ * @file PolyDataTriangles.h
+ * @brief The triangles of a vtkPolyData, ready for the algorithms on surfaces.
+ */
+#ifndef isthmus_PolyDataTriangles_h
+#define isthmus_PolyDataTriangles_h
+
+#include "Core/SurfaceView.h"
+#include "vtkIsthmusFiltersCoreModule.h" // for the export macro
+
+#include <utility>
+#include <vector>
+
+class vtkPolyData;
+
+namespace isthmus
+{
+
+/**
+ * The one way from a vtkPolyData to triangles: a copy of its polygons and strips, in the order of
+ * its cells, and of all its points, whose ids stay.
+ *
+ * Polygons of four and more corners are split by vtkPolygon, the thesis' surfaces being triangles;
+ * vertices and lines have no area and are left out. Memory: 24 bytes a point, 24 a triangle, and 8
+ * a triangle where some cells are not triangles.
+ */
+class VTKISTHMUSFILTERSCORE_EXPORT PolyDataTriangles
+{
+public:
+  /// What is done where corners are no points, coordinates not finite, polygons not to be split.
+  enum class Damage
+  {
+    Refused,
+    Kept ///< for what looks for it (SurfaceCheck.h) or mends it; polygons that can't be split lack
+         ///< triangles. Corners of what must be split have to be points even so.
+  };
+
+  /// @throws std::invalid_argument, with the number of the cell or point, for a corner that is not
+  /// a point of the surface, for a used point with a coordinate that is not finite, and for a
+  /// polygon that can't be split.
+  explicit PolyDataTriangles(vtkPolyData* surface, Damage damage = Damage::Refused);
+
+  /// @pre This object outlives the view.
+  SurfaceView View() const { return this->Mesh; }
+
+  /// The triangles for what changes them; nothing is left here.
+  TriangleMesh TakeMesh() { return std::move(this->Mesh); }
+
+  /// Cell of the vtkPolyData that `triangle` belongs to.
+  vtkIdType CellOf(vtkIdType triangle) const
+  {
+    return this->Cells.empty() ? this->FirstCell + triangle : this->Cells[At(triangle)];
+  }
+
+private:
+  void CopyTriangles(vtkPolyData* surface);
+  void AddPolygons(vtkPolyData* surface);
+  void AddStrips(vtkPolyData* surface);
+  void AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell);
+  void CheckCorners(const vtkIdType* corners, vtkIdType count, vtkIdType cell) const;
+  void CheckPoints() const;
+
+  TriangleMesh Mesh;
+  vtkIdType FirstCell = 0;      ///< that has an area
+  std::vector<vtkIdType> Cells; ///< of triangles; empty where all cells are triangles
+  Damage OnDamage;
+};
+
+}
+
+#endif

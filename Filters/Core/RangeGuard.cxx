@@ -1,0 +1,178 @@
+#include "Core/RangeGuard.h"
+
+#include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace isthmus
+{
+namespace
+{
+
+/// Powers of two within which coordinates are left alone.
+constexpr int UsualExponent = 20;
+
+[[noreturn]] void Refuse(
+  const char* property, double value, const std::string& range, const char* meaning)
+{
+  throw std::invalid_argument(std::string(property) + " is " + Shown(value) + ", but it must be " +
+    range + "." + (*meaning ? " " : "") + meaning);
+}
+
+bool IsFinite(const Point3& p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+}
+
+std::string Shown(double value)
+{
+  if (std::isnan(value))
+  {
+    return "not a number";
+  }
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+void DemandRange(const char* property, double value, double low, double high, const char* meaning)
+{
+  if (!(value >= low && value <= high))
+  {
+    Refuse(property, value, "from " + Shown(low) + " to " + Shown(high), meaning);
+  }
+}
+
+void DemandAbove(const char* property, double value, double low, double high, const char* meaning)
+{
+  if (!(value > low && value <= high))
+  {
+    Refuse(property, value, "above " + Shown(low) + " and at most " + Shown(high), meaning);
+  }
+}
+
+void DemandFrame(vtkImageData* image)
+{
+  const int* extent = image->GetExtent();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double spacing = std::abs(image->GetSpacing()[axis]);
+    const double origin = image->GetOrigin()[axis];
+    const std::string along = std::string(" of the image along ") + "xyz"[axis];
+    DemandRange(
+      ("The spacing" + along).c_str(), spacing, SmallestLength, LargestLength, "Set another one.");
+    DemandRange(
+      ("The origin" + along).c_str(), origin, -LargestLength, LargestLength, "Set another one.");
+    const double far = spacing *
+      std::max(std::abs(double(extent[2 * axis])), std::abs(double(extent[2 * axis + 1])));
+    DemandRange(("The farthest node" + along).c_str(), far, 0.0, LargestLength,
+      "Choose another unit of length.");
+    for (int row = 0; row < 3; ++row)
+    {
+      DemandRange("An entry of the image's direction matrix",
+        image->GetDirectionMatrix()->GetElement(row, axis), -2.0, 2.0,
+        "It should be a rotation: set another one.");
+    }
+  }
+}
+
+UnitScale::UnitScale(const View<Point3>& points)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (!IsFinite(points[i]))
+    {
+      continue;
+    }
+    for (const double x : points[i])
+    {
+      largest = std::max(largest, std::abs(x));
+    }
+    if (largest > LargestLength)
+    {
+      throw std::invalid_argument("Point " + std::to_string(i) + " has the coordinate " +
+        Shown(largest) + ": at most " + Shown(LargestLength) +
+        " can be worked with. Remove the point, or choose another unit of length.");
+    }
+  }
+  if (largest == 0.0)
+  {
+    return;
+  }
+  if (largest < SmallestLength)
+  {
+    throw std::invalid_argument("The largest coordinate of the surface is " + Shown(largest) +
+      ": it should be at least " + Shown(SmallestLength) +
+      ". Choose another unit of length (Transform).");
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  if (std::abs(exponent) > UsualExponent)
+  {
+    this->TheFactor = std::ldexp(1.0, -exponent);
+  }
+  const double least = largest / LargestReach;
+  const auto isTrace = [least](double x) { return x != 0.0 && std::abs(x) < least; };
+  if (std::any_of(points.begin(), points.end(),
+        [&](const Point3& p) { return std::any_of(p.begin(), p.end(), isTrace); }))
+  {
+    this->Least = this->TheFactor * least;
+  }
+}
+
+UnitScale::UnitScale(const SurfaceView& surface)
+  : UnitScale(surface.Points)
+{
+  const auto isPoint = [&surface](vtkIdType id)
+  { return id >= 0 && id < surface.NumberOfPoints(); };
+  for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
+  {
+    const Triangle& t = surface.Triangles[i];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if (!isPoint(t[k]) || !isPoint(t[(k + 1) % 3]))
+      {
+        continue; // whoever looks at corners says so
+      }
+      const Point3 a = this->TheFactor * surface.Point(t[k]);
+      const Point3 b = this->TheFactor * surface.Point(t[(k + 1) % 3]);
+      const double edge = Distance(a, b);
+      if (a != b && edge < 1.0 / LargestReach)
+      {
+        throw std::invalid_argument("Triangle " + std::to_string(i) + " has an edge of " +
+          Shown(edge / this->TheFactor) + ", and other points are more than " +
+          Shown(LargestReach) +
+          " times as far away: no mesh is made of both. Remove the points that are far off.");
+      }
+    }
+  }
+}
+
+void UnitScale::Apply(std::vector<Point3>& points) const
+{
+  for (Point3& p : points)
+  {
+    for (double& x : p)
+    {
+      x *= this->TheFactor;
+      x = std::abs(x) < this->Least ? 0.0 : x;
+    }
+  }
+}
+
+void UnitScale::Undo(std::vector<Point3>& points) const
+{
+  for (Point3& p : points)
+  {
+    p = 1.0 / this->TheFactor * p;
+  }
+}
+
+}

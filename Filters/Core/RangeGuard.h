@@ -1,0 +1,82 @@
+/**
+ * @file RangeGuard.h
+ * @brief Numbers that no algorithm should meet are refused here, with a sentence, before
+ * third-party code sees them: properties out of their range, frames of images, coordinates.
+ */
+#ifndef isthmus_RangeGuard_h
+#define isthmus_RangeGuard_h
+
+#include "Core/Point3.h"
+#include "Core/SurfaceView.h"
+#include "vtkIsthmusFiltersCoreModule.h"
+
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+namespace isthmus
+{
+
+/// Lengths and coordinates that are worked with: beyond, products of a few of them are no doubles.
+constexpr double SmallestLength = 1e-100;
+constexpr double LargestLength = 1e100;
+
+/// How much longer than the shortest edge a surface may reach: where that is brought to about 1,
+/// sixth powers of edges, which squared volumes are, are just above 0.
+constexpr double LargestReach = 1e50;
+
+/// A number as sentences show it: six digits at most, and NaN in words.
+VTKISTHMUSFILTERSCORE_EXPORT std::string Shown(double value);
+
+/// @throws std::invalid_argument, with the property's name, value and range, unless
+/// low <= value <= high. NaN is refused. `meaning` ends the sentence.
+VTKISTHMUSFILTERSCORE_EXPORT void DemandRange(
+  const char* property, double value, double low, double high, const char* meaning = "");
+
+/// The same for low < value <= high.
+VTKISTHMUSFILTERSCORE_EXPORT void DemandAbove(
+  const char* property, double value, double low, double high, const char* meaning = "");
+
+/// @throws std::invalid_argument, with the axis, unless origin, spacing and direction are finite,
+/// spacings not 0, and all coordinates and spacings between SmallestLength and LargestLength.
+VTKISTHMUSFILTERSCORE_EXPORT void DemandFrame(vtkImageData* image);
+
+/**
+ * Brings coordinates to about 1 for code that takes fourth powers of lengths, and back.
+ *
+ * The factor is a power of two, so nothing is rounded; it is 1 where the largest coordinate is
+ * between 2^-20 and 2^20, so ordinary data come as they are. Only coordinates below the largest by
+ * more than LargestReach become 0: products of lengths in which they alone differ are no doubles,
+ * and CGAL divides by them. O(points).
+ */
+class VTKISTHMUSFILTERSCORE_EXPORT UnitScale
+{
+public:
+  /// Points that are not finite are not looked at.
+  /// @throws std::invalid_argument, with the point, for a coordinate beyond LargestLength, and
+  /// where all are below SmallestLength but not 0.
+  explicit UnitScale(const View<Point3>& points);
+
+  /// Of the surface's points.
+  /// @throws std::invalid_argument, with the triangle, too, for an edge that is not 0, and shorter
+  /// than the largest coordinate by more than LargestReach: one point far away makes all others
+  /// next to one.
+  explicit UnitScale(const SurfaceView& surface);
+
+  /// Of a length, to the scale that is worked in.
+  double Factor() const { return this->TheFactor; }
+  /// Apply() would change nothing.
+  bool IsOne() const { return this->TheFactor == 1.0 && this->Least == 0.0; }
+
+  void Apply(std::vector<Point3>& points) const;
+  void Undo(std::vector<Point3>& points) const;
+
+private:
+  double TheFactor = 1.0;
+  double Least = 0.0; ///< what is below, scaled, becomes 0
+};
+
+}
+
+#endif

@@ -1,0 +1,28 @@
+/**
+ * @file TetrahedralMesh.h
+ * @brief The owner of a mesh of tetrahedra.
+ */
+#ifndef isthmus_TetrahedralMesh_h
+#define isthmus_TetrahedralMesh_h
+
+#include "Core/Corners.h"
+#include "Core/Point3.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace isthmus
+{
+
+/// Indexed tetrahedra of positive volume, (p1-p0)x(p2-p0).(p3-p0) > 0, with a region for each.
+struct TetrahedralMesh
+{
+  std::vector<Point3> Points;
+  std::vector<Tetrahedron> Tetrahedra;
+  std::vector<int> Regions;                 ///< one for each tetrahedron
+  std::vector<std::int64_t> OriginalPoints; ///< for each point: its id in the input, or -1
+};
+
+}
+
+#endif

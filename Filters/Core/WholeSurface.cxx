@@ -1,0 +1,238 @@
+#include "Core/WholeSurface.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkAppendPolyData.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCommunicator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkIdList.h>
+#include <vtkMultiProcessController.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+namespace isthmus
+{
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> WithoutGhosts(vtkPolyData* piece)
+{
+  if (!piece->GetCellGhostArray() && !piece->GetPointGhostArray())
+  {
+    return piece;
+  }
+  auto own = vtkSmartPointer<vtkPolyData>::New();
+  own->DeepCopy(piece); // its cells are changed in place
+  own->RemoveGhostCells();
+  own->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  own->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  return own;
+}
+
+/// For each point the lowest id of those at the same place.
+std::vector<vtkIdType> FirstAtSamePlace(vtkPolyData* surface)
+{
+  const auto count = static_cast<std::size_t>(surface->GetNumberOfPoints());
+  std::vector<std::array<double, 3>> places(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    surface->GetPoint(static_cast<vtkIdType>(i), places[i].data());
+    for (double& x : places[i])
+    {
+      x += 0.0; // -0 becomes 0
+    }
+  }
+  // By their bytes, so that what is not a number has its place, too.
+  const auto compare = [&places](vtkIdType a, vtkIdType b)
+  {
+    return std::memcmp(places[static_cast<std::size_t>(a)].data(),
+      places[static_cast<std::size_t>(b)].data(), sizeof(double[3]));
+  };
+  std::vector<vtkIdType> order(count);
+  std::iota(order.begin(), order.end(), vtkIdType{ 0 });
+  std::sort(order.begin(), order.end(),
+    [&compare](vtkIdType a, vtkIdType b)
+    {
+      const int difference = compare(a, b);
+      return difference != 0 ? difference < 0 : a < b;
+    });
+  std::vector<vtkIdType> first(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const bool same = i > 0 && compare(order[i - 1], order[i]) == 0;
+    first[static_cast<std::size_t>(order[i])] =
+      same ? first[static_cast<std::size_t>(order[i - 1])] : order[i];
+  }
+  return first;
+}
+
+vtkSmartPointer<vtkCellArray> Renumbered(vtkCellArray* cells, const std::vector<vtkIdType>& id)
+{
+  auto result = vtkSmartPointer<vtkCellArray>::New();
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c)
+  {
+    cells->GetCellAtId(c, corners);
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    {
+      corners->SetId(k, id[static_cast<std::size_t>(corners->GetId(k))]);
+    }
+    result->InsertNextCell(corners);
+  }
+  return result;
+}
+
+/// One point for each place. Ranks cut a surface along edges, whose ends each of them has.
+vtkSmartPointer<vtkPolyData> Sewn(vtkPolyData* surface)
+{
+  std::vector<vtkIdType> id = FirstAtSamePlace(surface);
+  vtkNew<vtkIdList> kept;
+  for (std::size_t i = 0; i < id.size(); ++i)
+  {
+    const bool isFirst = id[i] == static_cast<vtkIdType>(i);
+    id[i] = isFirst ? kept->InsertNextId(id[i]) : id[static_cast<std::size_t>(id[i])];
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(surface->GetPoints() ? surface->GetPoints()->GetDataType() : VTK_DOUBLE);
+  points->SetNumberOfPoints(kept->GetNumberOfIds());
+  result->GetPointData()->CopyAllOn();
+  result->GetPointData()->CopyAllocate(surface->GetPointData(), kept->GetNumberOfIds());
+  for (vtkIdType i = 0; i < kept->GetNumberOfIds(); ++i)
+  {
+    points->SetPoint(i, surface->GetPoint(kept->GetId(i)));
+    result->GetPointData()->CopyData(surface->GetPointData(), kept->GetId(i), i);
+  }
+  result->SetPoints(points);
+  result->SetVerts(Renumbered(surface->GetVerts(), id));
+  result->SetLines(Renumbered(surface->GetLines(), id));
+  result->SetPolys(Renumbered(surface->GetPolys(), id));
+  result->SetStrips(Renumbered(surface->GetStrips(), id));
+  result->GetCellData()->ShallowCopy(surface->GetCellData());
+  result->GetFieldData()->ShallowCopy(surface->GetFieldData());
+  return result;
+}
+
+}
+
+int NumberOfRanks()
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return controller ? controller->GetNumberOfProcesses() : 1;
+}
+
+bool OnFirstRank()
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return !controller || controller->GetLocalProcessId() == 0;
+}
+
+void DemandNoBlocks(vtkAlgorithm* filter)
+{
+  if (NumberOfRanks() == 1)
+  {
+    return;
+  }
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
+    {
+      // While blocks are run one by one, what lies right before the filter has the block; what lies
+      // before ParaView's post filter, which it puts between any two, has them all.
+      int output = 0;
+      vtkAlgorithm* before = filter->GetInputAlgorithm(port, i, output);
+      vtkDataObject* data = before && before->IsA("vtkPVPostFilter")
+        ? before->GetInputDataObject(0, 0)
+        : filter->GetInputDataObject(port, i);
+      if (vtkCompositeDataSet::SafeDownCast(data))
+      {
+        throw std::runtime_error("Blocks on several ranks can't be put together here, since a rank "
+                                 "may lack some: run Merge Blocks first, or use one rank.");
+      }
+    }
+  }
+}
+
+int RanksWithPoints(vtkDataObject* data)
+{
+  const bool any = data &&
+    (data->GetNumberOfElements(vtkDataObject::POINT) > 0 ||
+      data->GetNumberOfElements(vtkDataObject::VERTEX) > 0);
+  const int own = any ? 1 : 0;
+  if (NumberOfRanks() == 1)
+  {
+    return own;
+  }
+  int ranks = 0;
+  vtkMultiProcessController::GetGlobalController()->AllReduce(
+    &own, &ranks, 1, vtkCommunicator::SUM_OP);
+  return ranks;
+}
+
+void RefuseSeveralRanks(int ranks, const std::string& what)
+{
+  if (ranks > 1)
+  {
+    throw std::runtime_error("The " + what + " lie on " + std::to_string(ranks) +
+      " ranks, and all are needed on one: read them with a reader that gives them to one rank, or "
+      "run on one rank.");
+  }
+}
+
+void DemandOnOneRank(vtkAlgorithm* filter, vtkDataObject* piece, const std::string& what)
+{
+  DemandNoBlocks(filter);
+  RefuseSeveralRanks(RanksWithPoints(piece), what);
+}
+
+vtkSmartPointer<vtkPolyData> WholeSurface(vtkAlgorithm* filter, vtkPolyData* piece, WholeOn where)
+{
+  if (!piece)
+  {
+    return piece;
+  }
+  vtkSmartPointer<vtkPolyData> own = WithoutGhosts(piece);
+  if (NumberOfRanks() == 1)
+  {
+    return own;
+  }
+  DemandNoBlocks(filter);
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  std::vector<vtkSmartPointer<vtkDataObject>> pieces;
+  controller->Gather(own, pieces, 0);
+  auto whole = vtkSmartPointer<vtkPolyData>::New();
+  if (controller->GetLocalProcessId() == 0)
+  {
+    vtkNew<vtkAppendPolyData> append;
+    for (vtkDataObject* one : pieces)
+    {
+      auto* part = vtkPolyData::SafeDownCast(one);
+      if (part && part->GetNumberOfPoints() > 0)
+      {
+        append->AddInputData(part);
+      }
+    }
+    if (append->GetNumberOfInputConnections(0) > 0)
+    {
+      append->Update();
+      whole = Sewn(append->GetOutput());
+    }
+  }
+  if (where == WholeOn::EachRank)
+  {
+    controller->Broadcast(whole, 0);
+  }
+  return whole;
+}
+
+}

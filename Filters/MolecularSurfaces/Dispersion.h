@@ -1,0 +1,68 @@
+/**
+ * @file Dispersion.h
+ * @brief The attraction between atoms and the solvent around them.
+ *
+ * The attractive part of a Lennard-Jones pair by Weeks, Chandler and Andersen (J. Chem. Phys. 54
+ * (1971) 5237), with the well's depth eps at the distance m:
+ *
+ *   u(r) = -eps for r < m,   eps ((m / r)^12 - 2 (m / r)^6) beyond,
+ *
+ * m = R_i + R_s and eps = sqrt(eps_i eps_s) of half the minimum's distance and depth of atom and
+ * solvent. The thesis' 4.6 writes the pair with its depth times 4 and calls that the depth; here
+ * eps is the depth.
+ */
+#ifndef isthmus_Dispersion_h
+#define isthmus_Dispersion_h
+
+#include "MolecularSurfaces/FlowStart.h"
+#include "vtkIsthmusFiltersMolecularSurfacesModule.h"
+
+#include <array>
+#include <vector>
+
+namespace isthmus
+{
+
+/// Half the distance of the minimum between two of a kind, angstrom, and its depth, kcal/mol.
+struct DispersionAtom
+{
+  std::array<double, 3> Centre;
+  double Radius;
+  double WellDepth;
+};
+
+/// Energies in kcal/mol, lengths in angstrom. Water: TIP3P's oxygen, 1 g/cm^3.
+struct SolventParameters
+{
+  double SurfaceTension = 0.0700;
+  double Pressure = 0.0464;
+  double Density = 0.033428; ///< molecules a cubic angstrom
+  double Radius = 1.7683;
+  double WellDepth = 0.1521;
+};
+
+/// Pair of an atom and a solvent molecule.
+struct DispersionPair
+{
+  DispersionPair(const DispersionAtom& atom, const SolventParameters& solvent);
+
+  double At(double squaredDistance) const;
+  /// The integral over all space.
+  double Integral() const;
+
+  double Minimum; ///< m, angstrom
+  double Depth;   ///< eps, kcal/mol
+};
+
+/// Half the minimum's distance and the depth of an element by AMBER's parm99 (W. D. Cornell et al.,
+/// J. Am. Chem. Soc. 117 (1995) 5179): H of alkyl groups, C sp3, N, O of carbonyl groups, F, P, S,
+/// Cl, Br, I. Depth 0 for others.
+VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT std::array<double, 2> DispersionOfElement(int element);
+
+/// -V / gamma = (pressure - density U) / gamma of equation 4.9, U from atoms within 10 angstrom.
+VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT PullField SolventPull(
+  std::vector<DispersionAtom> atoms, const SolventParameters& solvent);
+
+}
+
+#endif

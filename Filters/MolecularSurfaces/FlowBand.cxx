@@ -1,0 +1,115 @@
+#include "MolecularSurfaces/FlowBand.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isthmus
+{
+namespace
+{
+
+enum : unsigned char
+{
+  HasNear = 1,
+  FirstIsNear = 2,
+  LastIsNear = 4
+};
+
+/// Cuts the distances of a chunk, copies them to Next, and tells what of it lies in the band.
+unsigned char Settle(float* distance, float* next)
+{
+  bool any = false;
+  for (std::int64_t i = 0; i < FlowGrid::Chunk; ++i)
+  {
+    const float value = std::clamp(distance[i], -FlowGrid::Band, FlowGrid::Band);
+    distance[i] = value;
+    next[i] = value;
+    any = any || std::abs(value) < FlowGrid::Band;
+  }
+  const bool first = std::abs(distance[0]) < FlowGrid::Band;
+  const bool last = std::abs(distance[FlowGrid::Chunk - 1]) < FlowGrid::Band;
+  return static_cast<unsigned char>(
+    (any ? HasNear : 0) | (first ? FirstIsNear : 0) | (last ? LastIsNear : 0));
+}
+
+void SettleRange(FlowField& field, std::int64_t first, std::int64_t last)
+{
+  for (std::int64_t node = first; node < last; node += FlowGrid::Chunk)
+  {
+    field.Near[static_cast<std::size_t>(node / FlowGrid::Chunk)] =
+      Settle(field.Distance.data() + node, field.Next.data() + node);
+  }
+}
+
+/// Stencils of redistancing reach so far, so that rows and planes at the border are never in a run.
+constexpr std::int64_t Reach = 2;
+
+/// The runs of one plane: its chunks that are near, or next to a node that is.
+void RunsOfPlane(const FlowField& field, std::int64_t plane, std::vector<ChunkRun>& runs)
+{
+  const std::int64_t row = field.Grid.Row() / FlowGrid::Chunk;
+  const std::int64_t rows = field.Grid.Dimensions()[1];
+  const std::int64_t planeChunks = row * rows;
+  for (std::int64_t j = Reach; j + Reach < rows; ++j)
+  {
+    const unsigned char* near = field.Near.data() + planeChunks * plane + row * j;
+    for (std::int64_t c = 0; c < row; ++c)
+    {
+      const bool active = (near[c] | near[c - row] | near[c + row] | near[c - planeChunks] |
+                            near[c + planeChunks]) != 0 ||
+        (c > 0 && (near[c - 1] & LastIsNear) != 0) ||
+        (c + 1 < row && (near[c + 1] & FirstIsNear) != 0);
+      if (!active)
+      {
+        continue;
+      }
+      const std::int64_t node = FlowGrid::Chunk * (planeChunks * plane + row * j + c);
+      if (!runs.empty() && c > 0 && runs.back().First + runs.back().Nodes == node)
+      {
+        runs.back().Nodes += FlowGrid::Chunk;
+      }
+      else
+      {
+        runs.push_back({ node, FlowGrid::Chunk });
+      }
+    }
+  }
+}
+
+void GatherRuns(FlowField& field)
+{
+  const std::int64_t planes = field.Grid.Dimensions()[2];
+  std::vector<std::vector<ChunkRun>> ofPlane(static_cast<std::size_t>(planes));
+  ParallelFor(Reach, planes - Reach, 16,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t k = first; k < last; ++k)
+      {
+        RunsOfPlane(field, k, ofPlane[static_cast<std::size_t>(k)]);
+      }
+    });
+  field.Runs.clear();
+  for (const std::vector<ChunkRun>& runs : ofPlane)
+  {
+    field.Runs.insert(field.Runs.end(), runs.begin(), runs.end());
+  }
+}
+
+}
+
+void FindBand(FlowField& field)
+{
+  ParallelFor(0, field.Grid.NumberOfNodes() / FlowGrid::Chunk, 1 << 14,
+    [&](std::int64_t first, std::int64_t last)
+    { SettleRange(field, FlowGrid::Chunk * first, FlowGrid::Chunk * last); });
+  GatherRuns(field);
+}
+
+void MoveBand(FlowField& field)
+{
+  ForEachRun(
+    field, [&](std::int64_t first, std::int64_t last) { SettleRange(field, first, last); });
+  GatherRuns(field);
+}
+
+}

@@ -1,0 +1,56 @@
+/**
+ * @file NonpolarEnergy.h
+ * @brief The nonpolar energy of solvation of atoms within a surface, whole and by atom.
+ *
+ *   G = gamma Area + p Vol + rho_0 int_solvent U dr
+ *
+ * (thesis 4.3 to 4.6; J. A. Wagoner, N. A. Baker, Proc. Natl. Acad. Sci. 103 (2006) 8331), U the
+ * sum of the atoms' attraction, see Dispersion.h and DispersionIntegral.h.
+ */
+#ifndef isthmus_NonpolarEnergy_h
+#define isthmus_NonpolarEnergy_h
+
+#include "Atoms/MolecularDensity.h"
+#include "Core/Progress.h"
+#include "MolecularSurfaces/Dispersion.h"
+#include "vtkIsthmusFiltersMolecularSurfacesModule.h"
+
+#include <vector>
+
+namespace isthmus
+{
+
+/// Lengths in angstrom, energies in kcal/mol.
+struct NonpolarTerms
+{
+  double Area = 0.0;
+  double Volume = 0.0;
+  double SurfaceEnergy = 0.0;    ///< gamma Area
+  double VolumeEnergy = 0.0;     ///< p Vol
+  double DispersionEnergy = 0.0; ///< rho_0 int U
+
+  double Total() const { return this->SurfaceEnergy + this->VolumeEnergy + this->DispersionEnergy; }
+};
+
+struct NonpolarEnergies
+{
+  NonpolarTerms Whole;
+  /// Area and volume go to the atom whose ball is nearest, dispersion to the atom it comes from.
+  /// They add up to the whole.
+  std::vector<NonpolarTerms> Atoms;
+};
+
+/**
+ * Energies of the surface on which `distance` (angstrom, negative inside, one value a node of
+ * `grid`) is 0. `balls` and `atoms` are the same atoms in the same order. Second
+ * order in the spacing. Time and memory: DispersionEnergies() and 17 bytes a node. The same bits on
+ * any number of threads. Throws std::invalid_argument for lists of different lengths, and
+ * Cancelled.
+ */
+VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT NonpolarEnergies NonpolarEnergy(
+  const std::vector<Ball>& balls, const std::vector<DispersionAtom>& atoms, const DensityGrid& grid,
+  const float* distance, const SolventParameters& solvent, const ProgressCallback& progress = {});
+
+}
+
+#endif

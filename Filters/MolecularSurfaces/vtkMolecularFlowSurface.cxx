@@ -1,0 +1,336 @@
+#include "vtkMolecularFlowSurface.h"
+
+#include "Atoms/AtomBalls.h"
+#include "Atoms/AtomInput.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/ImageExtent.h"
+#include "Core/PipelineInputs.h"
+#include "Core/RangeGuard.h"
+#include "MolecularSurfaces/DispersionAtoms.h"
+#include "MolecularSurfaces/FlowSurfaceOutput.h"
+#include "MolecularSurfaces/FlowTimes.h"
+#include "MolecularSurfaces/SolventExcludedSurface.h"
+#include "MolecularSurfaces/SurfaceFlow.h"
+#include "MolecularSurfaces/ThesisFlow.h"
+#include "vtkDelaunayIsosurface.h"
+
+#include <vtkAlgorithmOutput.h>
+#include <vtkDataObject.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTable.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkMolecularFlowSurface);
+
+namespace
+{
+
+using isthmus::AtomBalls;
+using isthmus::SurfaceFlowParameters;
+using isthmus::SurfaceFlowResult;
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+void CheckRange(const char* name, double value, double low, double high, const char* what)
+{
+  if (!(value > low && value < high))
+  {
+    throw std::invalid_argument(
+      std::string(name) + " is " + isthmus::Shown(value) + ", but it is " + what);
+  }
+}
+
+}
+
+/// What one execution works with.
+struct vtkMolecularFlowSurface::Internals
+{
+  explicit Internals(vtkMolecularFlowSurface* self)
+    : Self(self)
+  {
+  }
+
+  SurfaceFlowParameters Parameters() const;
+  AtomBalls Atoms(vtkDataObject* input) const;
+  std::vector<double> Times(vtkInformation* input) const;
+  void Check() const;
+  SurfaceFlowResult Flow(const AtomBalls& atoms, vtkDataObject* input, double time,
+    const isthmus::ProgressCallback& progress) const;
+  void Warn(const AtomBalls& atoms, const SurfaceFlowResult& result) const;
+  void Surface(vtkImageData* image, bool ofS, vtkPolyData* surface) const;
+
+  /// How far outside of the flow's surface the IsoValue lies, in angstrom.
+  double Offset() const
+  {
+    return isthmus::HalfWidthOfS * this->Self->Spacing * (1.0 - 2.0 * this->Self->IsoValue);
+  }
+
+  vtkMolecularFlowSurface* Self;
+};
+
+SurfaceFlowParameters vtkMolecularFlowSurface::Internals::Parameters() const
+{
+  const vtkMolecularFlowSurface* self = this->Self;
+  SurfaceFlowParameters parameters;
+  parameters.Spacing = self->Spacing;
+  parameters.Padding = self->Padding;
+  parameters.CoarseToFine = self->CoarseToFine;
+  if (self->Preset == Custom)
+  {
+    parameters.Enlargement = self->Enlargement;
+    parameters.EvolutionTime = self->EvolutionTime;
+    parameters.Steady = self->Steady;
+    parameters.ProbeRadius = self->ProbeRadius;
+    return parameters;
+  }
+  parameters.Enlargement = self->Preset == Coarse ? 2.0 : 1.3;
+  parameters.EvolutionTime = 2.5;
+  parameters.Steady = self->Preset == Hull || self->Preset == Channel;
+  parameters.ProbeRadius = self->Preset == Channel ? 1.4 : 0.0;
+  return parameters;
+}
+
+AtomBalls vtkMolecularFlowSurface::Internals::Atoms(vtkDataObject* input) const
+{
+  return isthmus::BallsOf(this->Self, input, { this->Self->KeepWaters, this->Self->UnitedAtoms });
+}
+
+/// The times of the flow that can be asked for; none where time is not the flow's.
+std::vector<double> vtkMolecularFlowSurface::Internals::Times(vtkInformation* input) const
+{
+  const SurfaceFlowParameters parameters = this->Parameters();
+  const bool flows = !parameters.Steady && this->Self->Method != SolventExcluded;
+  return isthmus::FlowTimes(flows ? this->Self->TimeSteps : 0, parameters.EvolutionTime, input);
+}
+
+void vtkMolecularFlowSurface::Internals::Check() const
+{
+  constexpr double any = 1e300;
+  CheckRange("IsoValue", this->Self->IsoValue, 0.0, 1.0,
+    "a level between the outside (0) and the inside (1): give a number between them.");
+  CheckRange("SurfaceTension", this->Self->SurfaceTension, 0.0, any,
+    "an energy for each square angstrom: give a positive number.");
+  CheckRange("Pressure", this->Self->Pressure, -any, any,
+    "an energy for each cubic angstrom: give a finite number.");
+}
+
+SurfaceFlowResult vtkMolecularFlowSurface::Internals::Flow(const AtomBalls& atoms,
+  vtkDataObject* input, double time, const isthmus::ProgressCallback& progress) const
+{
+  SurfaceFlowParameters parameters = this->Parameters();
+  parameters.EvolutionTime = time;
+  if (this->Self->Method == ThesisFlow)
+  {
+    return isthmus::ThesisFlow(atoms.Balls, parameters, progress);
+  }
+  if (this->Self->Method == SolventExcluded)
+  {
+    return isthmus::SolventExcludedSurface(atoms.Balls, parameters, progress);
+  }
+  isthmus::PullField pull;
+  if (this->Self->Solvent)
+  {
+    isthmus::SolventParameters solvent;
+    solvent.SurfaceTension = this->Self->SurfaceTension;
+    solvent.Pressure = this->Self->Pressure;
+    pull = isthmus::SolventPull(isthmus::DispersionAtomsOf(input, atoms), solvent);
+  }
+  return isthmus::SurfaceFlow(atoms.Balls, parameters, pull, progress);
+}
+
+void vtkMolecularFlowSurface::Internals::Warn(
+  const AtomBalls& atoms, const SurfaceFlowResult& result) const
+{
+  if (atoms.WithoutRadius > 0)
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      << atoms.WithoutRadius << " of " << atoms.NumberOfAtoms
+      << " atoms have no radius and were left out: choose another table of radii in the reader.");
+  }
+  if (!result.Rests)
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      << "The surface still moves after " << result.History.back().Time
+      << " square angstrom of flow: parts of it are larger than a steady flow was made for. It is "
+         "shown as it is then.");
+  }
+}
+
+void vtkMolecularFlowSurface::Internals::Surface(
+  vtkImageData* image, bool ofS, vtkPolyData* surface) const
+{
+  isthmus::ContourImage(image, ofS, this->Self->IsoValue, this->Offset(), surface);
+  if (surface->GetNumberOfPoints() == 0)
+  {
+    throw std::runtime_error("The surface vanishes at an IsoValue of " +
+      isthmus::Shown(this->Self->IsoValue) +
+      ": nothing lies that deep inside. Choose a lower one, or a smaller Spacing.");
+  }
+  if (!this->Self->DelaunayQuality)
+  {
+    return;
+  }
+  vtkNew<vtkDelaunayIsosurface> delaunay;
+  delaunay->SetInputData(image);
+  delaunay->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, ofS ? "S" : "SignedDistance");
+  delaunay->SetLevel(ofS ? this->Self->IsoValue : this->Offset());
+  delaunay->SetInsideIsHigher(ofS);
+  delaunay->Update();
+  if (delaunay->GetOutput()->GetNumberOfPoints() == 0)
+  {
+    throw std::runtime_error("Delaunay refinement of the surface failed, as told before: switch "
+                             "DelaunayQuality off, or choose another Spacing.");
+  }
+  surface->ShallowCopy(delaunay->GetOutput());
+}
+
+vtkMolecularFlowSurface::vtkMolecularFlowSurface()
+  : Advance(std::make_unique<isthmus::InputInAdvance>(this))
+{
+  this->SetNumberOfOutputPorts(3);
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Radius");
+}
+
+vtkMolecularFlowSurface::~vtkMolecularFlowSurface() = default;
+
+vtkImageData* vtkMolecularFlowSurface::GetImage()
+{
+  return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+vtkTable* vtkMolecularFlowSurface::GetHistory()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+int vtkMolecularFlowSurface::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMolecule");
+  return 1;
+}
+
+int vtkMolecularFlowSurface::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  const char* types[] = { "vtkPolyData", "vtkImageData", "vtkTable" };
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
+  return 1;
+}
+
+int vtkMolecularFlowSurface::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // The extent of the image has to be told now, and it is that of the atoms: so make the atoms.
+  this->Advance->Update();
+  vtkInformation* outInfo = outputVector->GetInformationObject(1);
+  isthmus::TellGeometry(outInfo,
+    [&](vtkImageData* image)
+    {
+      this->Advance->DemandOnOneRank(0, "atoms");
+      const AtomBalls atoms = Internals(this).Atoms(vtkDataObject::GetData(inputVector[0]));
+      if (!atoms.Balls.empty())
+      {
+        isthmus::SetImageGeometry(
+          isthmus::FlowResultGrid(atoms.Balls, Internals(this).Parameters()), image);
+      }
+    });
+  vtkDataObject::SetPointDataActiveScalarInfo(outInfo, VTK_FLOAT, 1);
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  for (int port = 0; port < 3; ++port)
+  {
+    isthmus::TellTimes(
+      Internals(this).Times(input), input, outputVector->GetInformationObject(port));
+  }
+  return 1;
+}
+
+int vtkMolecularFlowSurface::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+{
+  return 1; // the extent asked of the image means nothing to the atoms
+}
+
+int vtkMolecularFlowSurface::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* surface = vtkPolyData::GetData(outputVector, 0);
+  vtkImageData* image = vtkImageData::GetData(outputVector, 1);
+  vtkTable* history = vtkTable::GetData(outputVector, 2);
+  surface->Initialize();
+  image->Initialize();
+  history->Initialize();
+  return isthmus::Guarded(this, surface,
+    [&]()
+    {
+      const Internals internals(this);
+      internals.Check();
+      vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+      this->Advance->DemandOnOneRank(0, "atoms");
+      const AtomBalls atoms = internals.Atoms(input);
+      const auto progress = isthmus::ProgressOf(this);
+      const std::vector<double> times = internals.Times(inputVector[0]->GetInformationObject(0));
+      const int port = std::max(0, request->Get(Pipeline::FROM_OUTPUT_PORT()));
+      const double time = times.empty()
+        ? internals.Parameters().EvolutionTime
+        : isthmus::TimeAskedFor(times, outputVector->GetInformationObject(port));
+      const SurfaceFlowResult result =
+        internals.Flow(atoms, input, time, isthmus::Between(progress, 0.0, 0.85));
+      if (atoms.Balls.empty())
+      {
+        return;
+      }
+      vtkNew<vtkImageData> made;
+      isthmus::FillImage(result, internals.Offset(), made);
+      isthmus::Report(progress, 0.9);
+      internals.Surface(made, !result.S.empty(), surface);
+      isthmus::Report(progress, 1.0);
+      internals.Warn(atoms, result);
+      image->ShallowCopy(made);
+      isthmus::FillHistory(
+        result, this->SurfaceTension, this->Solvent ? this->Pressure : 0.0, history);
+      for (vtkDataObject* output : { static_cast<vtkDataObject*>(surface),
+             static_cast<vtkDataObject*>(image), static_cast<vtkDataObject*>(history) })
+      {
+        if (!atoms.Notes.empty()) // ParaView takes an empty array for the end of field data
+        {
+          isthmus::AddNotes(atoms.Notes, output);
+        }
+        if (!times.empty())
+        {
+          output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+        }
+      }
+    });
+}
+
+void vtkMolecularFlowSurface::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Preset: " << this->Preset << "\n";
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "Enlargement: " << this->Enlargement << "\n";
+  os << indent << "EvolutionTime: " << this->EvolutionTime << "\n";
+  os << indent << "Steady: " << this->Steady << "\n";
+  os << indent << "ProbeRadius: " << this->ProbeRadius << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "Padding: " << this->Padding << "\n";
+  os << indent << "IsoValue: " << this->IsoValue << "\n";
+  os << indent << "CoarseToFine: " << this->CoarseToFine << "\n";
+  os << indent << "Solvent: " << this->Solvent << "\n";
+  this->PrintSolventProperties(os, indent);
+  os << indent << "DelaunayQuality: " << this->DelaunayQuality << "\n";
+  this->PrintAtomProperties(os, indent);
+  os << indent << "TimeSteps: " << this->TimeSteps << "\n";
+}

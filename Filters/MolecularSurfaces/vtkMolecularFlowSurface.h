@@ -1,0 +1,222 @@
+/**
+ * @class   vtkMolecularFlowSurface
+ * @brief   the surface of a molecule by mean curvature flow that the atoms stop
+ *
+ * Input: atoms, a vtkPointSet whose point array `Radius` (or the one chosen with
+ * SetInputArrayToProcess) holds radii in angstrom, or a vtkMolecule; where there is no such array,
+ * radii go by element (array `Element`, or the molecule's atomic numbers; Bondi's table, then
+ * Alvarez'). Water is left out unless KeepWaters is on, and of alternate locations one stays.
+ * Proteins and nucleic acids without hydrogens get radii of united atoms, see UnitedAtoms. The
+ * field array `Notes` of outputs 0 and 1 has a sentence for each of these.
+ *
+ * Outputs:
+ *  - 0: vtkPolyData, the surface: closed, facing outwards, with Normals;
+ *  - 1: vtkImageData with `SignedDistance` (angstrom, negative inside; exact to second order
+ * within 4.5 spacings of the surface, cut there) and `S` in [0, 1] (1/2 on the surface, over 2.4
+ * spacings);
+ *  - 2: vtkTable, the history: `Time` (square angstrom), `Spacing` (of the grid it ran on), `Area`,
+ *    `Volume`, `Energy` (kcal/mol: SurfaceTension x Area, and + Pressure x Volume with Solvent on).
+ *
+ * The flow starts from balls of Enlargement times the radius and goes on for EvolutionTime, or
+ * until it rests (Steady): then it is the *minimal molecular surface*, which has the least area
+ * around the atoms and is a hull: it fills pockets, pores and tunnels. A ProbeRadius adds a second
+ * obstacle, the solvent-excluded surface of that probe, which the flow can't cross: what the probe
+ * can enter stays open, and the rest is smooth without the cusps of that surface. Formulas,
+ * sources: SurfaceFlow.h.
+ *
+ * **What users call a molecular surface** is the solvent-excluded one of water (probe 1.4): for
+ * electrostatics and for channels set a ProbeRadius of 1.4, or the preset Channel. The default is
+ * the thesis', without a probe.
+ *
+ * **Time.** With TimeSteps above 0 the pipeline's time is the flow's: a time slider shows the
+ * surface on its way.
+ *
+ * **Errors** (sentence, empty outputs): atoms without radii and elements; coordinates or radii that
+ * are not finite, negative radii, none above 0; parameters out of range; a grid that does not fit
+ * into memory, told with its size before anything is allocated; a Spacing so large that no node
+ * lies inside of an atom. Atoms with radius NaN are left out with a warning. No atoms: empty
+ * outputs, no error.
+ *
+ * **Cost.** Lysozyme (1960 atoms, 0.5 angstrom): some 60 steps to the thesis' time, 200 fine ones
+ * to rest. A step goes with area / Spacing, steps for a given time with 1 / Spacing^2. Memory: 40
+ * to 50 bytes a node. The same bits on any number of threads. All atoms are needed on one rank.
+ */
+#ifndef vtkMolecularFlowSurface_h
+#define vtkMolecularFlowSurface_h
+
+#include "Atoms/AtomProperties.h"
+#include "MolecularSurfaces/SolventProperties.h"
+#include "vtkIsthmusFiltersMolecularSurfacesModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for what it asks of its input
+
+class vtkImageData;
+class vtkTable;
+
+namespace isthmus
+{
+class InputInAdvance;
+}
+
+class VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT vtkMolecularFlowSurface
+  : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkMolecularFlowSurface* New();
+  vtkTypeMacro(vtkMolecularFlowSurface, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Presets
+  {
+    Custom = 0, ///< the properties below
+    Fine = 1,   ///< Enlargement 1.3, EvolutionTime 2.5: the thesis' fine surface
+    Coarse = 2, ///< Enlargement 2.0, EvolutionTime 2.5: the thesis' coarse surface
+    Hull = 3,   ///< Enlargement 1.3, Steady, no probe: the minimal molecular surface
+    Channel = 4 ///< Enlargement 1.3, Steady, ProbeRadius 1.4: what water enters stays open
+  };
+
+  enum Methods
+  {
+    SignedDistanceFlow = 0, ///< second order in the spacing
+    ThesisFlow = 1,         ///< as the thesis prints it, to compare with
+    SolventExcluded = 2     ///< no flow: the surface of a probe of ProbeRadius, to compare with
+  };
+
+  ///@{
+  /// Custom (default): as set below. Any other takes its own Enlargement, EvolutionTime, Steady and
+  /// ProbeRadius in place of those set.
+  vtkSetClampMacro(Preset, int, Custom, Channel);
+  vtkGetMacro(Preset, int);
+  ///@}
+
+  ///@{
+  /// How the surface is made. Default SignedDistanceFlow.
+  vtkSetClampMacro(Method, int, SignedDistanceFlow, SolventExcluded);
+  vtkGetMacro(Method, int);
+  ///@}
+
+  ///@{
+  /// The factor eta of the radii that the flow starts from, at least 1. Default 1.3.
+  vtkSetMacro(Enlargement, double);
+  vtkGetMacro(Enlargement, double);
+  ///@}
+
+  ///@{
+  /// How long the flow goes on, in square angstrom, unless Steady. Default 2.5, the thesis' 100
+  /// steps.
+  vtkSetMacro(EvolutionTime, double);
+  vtkGetMacro(EvolutionTime, double);
+  ///@}
+
+  ///@{
+  /// Go on until the surface rests. Default off.
+  vtkSetMacro(Steady, bool);
+  vtkGetMacro(Steady, bool);
+  vtkBooleanMacro(Steady, bool);
+  ///@}
+
+  ///@{
+  /// Radius of the probe that keeps pores and pockets open, in angstrom; 0 (default): none.
+  vtkSetMacro(ProbeRadius, double);
+  vtkGetMacro(ProbeRadius, double);
+  ///@}
+
+  ///@{
+  /// Distance of the nodes, in angstrom. Default 0.5.
+  vtkSetMacro(Spacing, double);
+  vtkGetMacro(Spacing, double);
+  ///@}
+
+  ///@{
+  /// Room from the enlarged atoms to the border of the grid, in angstrom. Two spacings are always
+  /// kept, so that the surface never touches the border. Default 1.7.
+  vtkSetMacro(Padding, double);
+  vtkGetMacro(Padding, double);
+  ///@}
+
+  ///@{
+  /// Level of S that output 0 shows, between 0 and 1 (not included); by larger ones it lies further
+  /// inside: 1.2 Spacing (1 - 2 IsoValue) outside of the flow's surface. Default 0.5.
+  vtkSetMacro(IsoValue, double);
+  vtkGetMacro(IsoValue, double);
+  ///@}
+
+  ///@{
+  /// Begin a Steady flow on coarser grids, many times faster. Default on.
+  vtkSetMacro(CoarseToFine, bool);
+  vtkGetMacro(CoarseToFine, bool);
+  vtkBooleanMacro(CoarseToFine, bool);
+  ///@}
+
+  ///@{
+  /// Let the solvent pull: pressure and dispersion (thesis 4.9) beside the surface tension. Default
+  /// off.
+  vtkSetMacro(Solvent, bool);
+  vtkGetMacro(Solvent, bool);
+  vtkBooleanMacro(Solvent, bool);
+  ///@}
+
+  ///@{
+  /// Triangles with no angle below 30 degrees by Delaunay refinement (vtkDelaunayIsosurface) in
+  /// place of those of the grid's cells; some ten times as long. Default off.
+  vtkSetMacro(DelaunayQuality, bool);
+  vtkGetMacro(DelaunayQuality, bool);
+  vtkBooleanMacro(DelaunayQuality, bool);
+  ///@}
+
+  ///@{
+  /// Above 0: the outputs have so many time steps after the first, from 0 to EvolutionTime (square
+  /// angstrom), and are made for the one that the pipeline asks for. Not with Steady, nor where the
+  /// atoms have time steps of their own. Default 0.
+  vtkSetClampMacro(TimeSteps, int, 0, 10000);
+  vtkGetMacro(TimeSteps, int);
+  ///@}
+
+  /// Output 1 and 2.
+  vtkImageData* GetImage();
+  vtkTable* GetHistory();
+
+  /// KeepWaters and UnitedAtoms: which atoms count and how large they are, see AtomProperties.h.
+  /// Default off and on.
+  ISTHMUS_ATOM_PROPERTIES();
+  /// SurfaceTension, above 0, for Energy and against the solvent's pull, and Pressure, with Solvent
+  /// on: SolventProperties.h. Defaults 0.0700 and 0.0464.
+  ISTHMUS_SOLVENT_PROPERTIES();
+
+protected:
+  vtkMolecularFlowSurface();
+  ~vtkMolecularFlowSurface() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkMolecularFlowSurface(const vtkMolecularFlowSurface&) = delete;
+  void operator=(const vtkMolecularFlowSurface&) = delete;
+
+  struct Internals;
+  friend struct Internals;
+
+  int Preset = Custom;
+  int Method = SignedDistanceFlow;
+  double Enlargement = 1.3;
+  double EvolutionTime = 2.5;
+  bool Steady = false;
+  double ProbeRadius = 0.0;
+  double Spacing = 0.5;
+  double Padding = 1.7;
+  double IsoValue = 0.5;
+  bool CoarseToFine = true;
+  bool Solvent = false;
+  bool DelaunayQuality = false;
+  int TimeSteps = 0;
+  std::unique_ptr<isthmus::InputInAdvance> Advance;
+};
+
+#endif

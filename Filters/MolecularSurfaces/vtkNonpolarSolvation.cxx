@@ -1,0 +1,237 @@
+#include "vtkNonpolarSolvation.h"
+
+#include "Atoms/AtomBalls.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/ImageExtent.h"
+#include "Core/WholeSurface.h"
+#include "MolecularSurfaces/DispersionAtoms.h"
+#include "MolecularSurfaces/NonpolarEnergy.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMatrix3x3.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkNonpolarSolvation);
+
+namespace
+{
+
+using isthmus::NonpolarEnergies;
+using isthmus::NonpolarTerms;
+
+struct Column
+{
+  const char* Name;
+  double (*Value)(const NonpolarTerms&);
+};
+
+const Column Columns[] = {
+  { "Area", [](const NonpolarTerms& t) { return t.Area; } },
+  { "Volume", [](const NonpolarTerms& t) { return t.Volume; } },
+  { "SurfaceEnergy", [](const NonpolarTerms& t) { return t.SurfaceEnergy; } },
+  { "VolumeEnergy", [](const NonpolarTerms& t) { return t.VolumeEnergy; } },
+  { "DispersionEnergy", [](const NonpolarTerms& t) { return t.DispersionEnergy; } },
+  { "NonpolarEnergy", [](const NonpolarTerms& t) { return t.Total(); } },
+};
+
+void CheckNumber(const char* name, double value, bool negativeAllowed)
+{
+  if (!std::isfinite(value) || (value < 0.0 && !negativeAllowed))
+  {
+    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+      ": give a finite number" + (negativeAllowed ? "." : " of 0 or more."));
+  }
+}
+
+isthmus::DensityGrid GridOf(vtkImageData* image)
+{
+  isthmus::DensityGrid grid;
+  const double* h = image->GetSpacing();
+  if (!(h[0] > 0.0) || std::abs(h[1] - h[0]) > 1e-6 * h[0] || std::abs(h[2] - h[0]) > 1e-6 * h[0] ||
+    !image->GetDirectionMatrix()->IsIdentity())
+  {
+    throw std::invalid_argument("The volume's cells are not cubes along the axes, as those of "
+                                "vtkMolecularFlowSurface are: take its output.");
+  }
+  grid.Spacing = h[0];
+  const int* extent = image->GetExtent();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto a = static_cast<std::size_t>(axis);
+    grid.Origin[a] = image->GetOrigin()[axis] + grid.Spacing * extent[2 * axis];
+    grid.Dimensions[a] = image->GetDimensions()[axis];
+  }
+  return grid;
+}
+
+std::vector<float> DistancesOf(vtkImageData* image)
+{
+  vtkDataArray* array = image->GetPointData()->GetArray("SignedDistance");
+  if (!array || array->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument("The volume has no array SignedDistance of one component: take "
+                                "output 1 of vtkMolecularFlowSurface.");
+  }
+  std::vector<float> distances(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (vtkIdType node = 0; node < array->GetNumberOfTuples(); ++node)
+  {
+    const double value = array->GetComponent(node, 0);
+    if (std::isnan(value))
+    {
+      throw std::invalid_argument(
+        "SignedDistance is not a number at node " + std::to_string(node) + ": fill it in first.");
+    }
+    distances[static_cast<std::size_t>(node)] = static_cast<float>(value);
+  }
+  return distances;
+}
+
+void FillAtoms(vtkDataObject* input, const isthmus::AtomBalls& atoms,
+  const NonpolarEnergies& energies, vtkPolyData* output)
+{
+  output->SetPoints(isthmus::AtomPoints(input));
+  output->GetPointData()->ShallowCopy(isthmus::AtomData(input));
+  output->SetFieldData(input->GetFieldData());
+  auto* surface = vtkPolyData::SafeDownCast(input);
+  if (surface && surface->GetNumberOfCells() > 0)
+  {
+    output->CopyStructure(surface);
+    output->GetCellData()->ShallowCopy(surface->GetCellData());
+  }
+  else
+  {
+    vtkNew<vtkCellArray> vertices;
+    for (vtkIdType atom = 0; atom < atoms.NumberOfAtoms; ++atom)
+    {
+      vertices->InsertNextCell(1, &atom);
+    }
+    output->SetVerts(vertices);
+  }
+  for (const Column& column : Columns)
+  {
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(column.Name);
+    values->SetNumberOfValues(atoms.NumberOfAtoms);
+    values->FillValue(0.0);
+    for (std::size_t i = 0; i < atoms.Ids.size(); ++i)
+    {
+      values->SetValue(atoms.Ids[i], column.Value(energies.Atoms[i]));
+    }
+    output->GetPointData()->AddArray(values);
+  }
+  output->GetPointData()->SetActiveScalars("NonpolarEnergy");
+}
+
+void FillTable(const NonpolarTerms& whole, vtkTable* table)
+{
+  for (const Column& column : Columns)
+  {
+    vtkNew<vtkDoubleArray> value;
+    value->SetName(column.Name);
+    value->InsertNextValue(column.Value(whole));
+    table->AddColumn(value);
+  }
+}
+
+}
+
+vtkNonpolarSolvation::vtkNonpolarSolvation()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Radius");
+}
+
+int vtkNonpolarSolvation::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  if (port == 1)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+    return 1;
+  }
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMolecule");
+  return 1;
+}
+
+int vtkNonpolarSolvation::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
+  return 1;
+}
+
+int vtkNonpolarSolvation::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
+{
+  // All of the inside counts, whatever piece is asked for.
+  if (vtkInformation* image = input[1]->GetInformationObject(0))
+  {
+    isthmus::AskForWholeImage(image);
+  }
+  return 1;
+}
+
+int vtkNonpolarSolvation::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkTable* table = vtkTable::GetData(outputVector, 1);
+  output->Initialize();
+  table->Initialize();
+  return isthmus::Guarded(this, output,
+    [&]()
+    {
+      CheckNumber("SurfaceTension", this->SurfaceTension, true);
+      CheckNumber("Pressure", this->Pressure, true);
+      CheckNumber("SolventDensity", this->SolventDensity, false);
+      CheckNumber("SolventRadius", this->SolventRadius, false);
+      CheckNumber("SolventWellDepth", this->SolventWellDepth, false);
+      vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+      isthmus::DemandOnOneRank(this, input, "atoms");
+      vtkImageData* image = vtkImageData::GetData(inputVector[1]);
+      const isthmus::AtomBalls atoms =
+        isthmus::BallsOf(this, input, { this->KeepWaters, this->UnitedAtoms });
+      if (atoms.Balls.empty())
+      {
+        return;
+      }
+      if (atoms.WithoutRadius > 0)
+      {
+        vtkWarningMacro(<< atoms.WithoutRadius << " of " << atoms.NumberOfAtoms
+                        << " atoms have no radius and were left out.");
+      }
+      const isthmus::SolventParameters solvent{ this->SurfaceTension, this->Pressure,
+        this->SolventDensity, this->SolventRadius, this->SolventWellDepth };
+      const std::vector<float> distances = DistancesOf(image);
+      const NonpolarEnergies energies =
+        isthmus::NonpolarEnergy(atoms.Balls, isthmus::DispersionAtomsOf(input, atoms),
+          GridOf(image), distances.data(), solvent, isthmus::ProgressOf(this));
+      FillAtoms(input, atoms, energies, output);
+      FillTable(energies.Whole, table);
+    });
+}
+
+void vtkNonpolarSolvation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  this->PrintSolventProperties(os, indent);
+  os << indent << "SolventDensity: " << this->SolventDensity << "\n";
+  os << indent << "SolventRadius: " << this->SolventRadius << "\n";
+  os << indent << "SolventWellDepth: " << this->SolventWellDepth << "\n";
+  this->PrintAtomProperties(os, indent);
+}

@@ -1,0 +1,89 @@
+/**
+ * @class   vtkNonpolarSolvation
+ * @brief   nonpolar solvation energy of a molecule within its surface, whole and by atom
+ *
+ * Input 0: the atoms, as for vtkMolecularFlowSurface. Input 1: an image whose array
+ * `SignedDistance` (angstrom, negative inside) describes the surface: output 1 of that filter, of
+ * the same atoms.
+ *
+ * Outputs:
+ *  - 0: vtkPolyData, the atoms with `Area` (square angstrom), `Volume` (cubic angstrom),
+ *    `SurfaceEnergy`, `VolumeEnergy`, `DispersionEnergy` and their sum `NonpolarEnergy` (kcal/mol),
+ * which add up to those of the whole; atoms without a ball have 0;
+ *  - 1: vtkTable, one row: the same of the whole.
+ *
+ * G = SurfaceTension x Area + Pressure x Volume + dispersion (thesis 4.3 to 4.6 in the form of
+ * Wagoner and Baker 2006). Lennard-Jones parameters of the atoms: the point array `WellDepth`
+ * (kcal/mol), then with the radii as half the minimum's distance, or else by element (AMBER
+ * parm99); of the solvent: TIP3P's oxygen at 1 g/cm^3 by default.
+ *
+ * SurfaceTension 0.0700 kcal/mol/A^2 and Pressure 0.0464 kcal/mol/A^3 are fitted to eleven alkanes
+ * with minimal molecular surfaces of AMBER radii: rms 0.21, left out one by one 0.26 kcal/mol. They
+ * are worth that, for alkanes and that surface, and nothing is known of them for proteins. See
+ * README.
+ *
+ * **Errors** (sentence, empty outputs): those of the atoms; no `SignedDistance`; cells that are not
+ * cubes; parameters that are not finite, negative densities or depths. Cost: atoms x nodes inside
+ * within 12 angstrom.
+ */
+#ifndef vtkNonpolarSolvation_h
+#define vtkNonpolarSolvation_h
+
+#include "Atoms/AtomProperties.h"
+#include "MolecularSurfaces/SolventProperties.h"
+#include "vtkIsthmusFiltersMolecularSurfacesModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT vtkNonpolarSolvation : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkNonpolarSolvation* New();
+  vtkTypeMacro(vtkNonpolarSolvation, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// rho_0, molecules per cubic angstrom, at least 0. Default 0.033428 (water).
+  vtkSetMacro(SolventDensity, double);
+  vtkGetMacro(SolventDensity, double);
+  ///@}
+
+  ///@{
+  /// Half the distance of the minimum between two solvent molecules, angstrom, at least 0. Default
+  /// 1.7683 (TIP3P's oxygen).
+  vtkSetMacro(SolventRadius, double);
+  vtkGetMacro(SolventRadius, double);
+  ///@}
+
+  ///@{
+  /// Depth of that minimum (not four times it), kcal/mol, at least 0. Default 0.1521 (TIP3P's
+  /// oxygen).
+  vtkSetMacro(SolventWellDepth, double);
+  vtkGetMacro(SolventWellDepth, double);
+  ///@}
+
+  /// KeepWaters and UnitedAtoms: which atoms count and how large they are, see AtomProperties.h; as
+  /// in the vtkMolecularFlowSurface that made the surface. Default off and on.
+  ISTHMUS_ATOM_PROPERTIES();
+  /// SurfaceTension and Pressure: SolventProperties.h. Defaults 0.0700 and 0.0464.
+  ISTHMUS_SOLVENT_PROPERTIES();
+
+protected:
+  vtkNonpolarSolvation();
+  ~vtkNonpolarSolvation() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkNonpolarSolvation(const vtkNonpolarSolvation&) = delete;
+  void operator=(const vtkNonpolarSolvation&) = delete;
+
+  double SolventDensity = 0.033428;
+  double SolventRadius = 1.7683;
+  double SolventWellDepth = 0.1521;
+};
+
+#endif

@@ -1,0 +1,158 @@
+#include "Pockets/BindingSiteTable.h"
+
+#include "Atoms/PointBins.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace isthmus
+{
+namespace
+{
+
+/// A residue near a site: its first atom, by which it is named, and how many.
+struct NearResidue
+{
+  std::size_t First;
+  int Atoms = 0;
+};
+
+/// Residues by what makes them one.
+using NearResidues = std::map<std::tuple<std::string, int, std::string, std::string>, NearResidue>;
+
+std::string TextOf(const NearResidues& residues, const ChosenAtoms& atoms)
+{
+  std::vector<NearResidue> sorted;
+  for (const auto& [key, residue] : residues)
+  {
+    sorted.push_back(residue);
+  }
+  std::sort(sorted.begin(), sorted.end(),
+    [](const NearResidue& a, const NearResidue& b)
+    { return a.Atoms != b.Atoms ? a.Atoms > b.Atoms : a.First < b.First; });
+  std::string text;
+  for (const NearResidue& residue : sorted)
+  {
+    const std::string count = std::to_string(residue.Atoms);
+    if (!atoms.HasNames)
+    {
+      return count + (residue.Atoms == 1 ? " atom" : " atoms");
+    }
+    const NamedAtom& atom = atoms.Named[residue.First];
+    text += (text.empty() ? "" : ", ") + atom.Chain + (atom.Chain.empty() ? "" : " ") +
+      atom.Residue + ' ' + std::to_string(atom.ResidueId) + atom.InsertionCode + " (" + count + ')';
+  }
+  return text;
+}
+
+template <typename Array, typename Get>
+void AddColumn(vtkTable* table, const char* name, const BindingSiteResult& result, Get&& get)
+{
+  vtkNew<Array> column;
+  column->SetName(name);
+  for (std::size_t i = 0; i < result.Sites.size(); ++i)
+  {
+    column->InsertNextValue(get(i));
+  }
+  table->AddColumn(column);
+}
+
+const char* NameOfClass(int kind)
+{
+  static const char* const names[] = { "none", "for - proteins", "for - ligands", "for + proteins",
+    "for + ligands" };
+  return names[kind >= 0 && kind < 5 ? kind : 0];
+}
+
+}
+
+std::vector<std::string> ResiduesOfSites(const SurfaceView& surface, const std::vector<int>& labels,
+  std::size_t sites, const ChosenAtoms& atoms)
+{
+  std::vector<Point3> places;
+  std::vector<std::size_t> siteOf;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+  {
+    if (labels[i] > 0)
+    {
+      places.push_back(surface.Points[i]);
+      siteOf.push_back(static_cast<std::size_t>(labels[i]) - 1);
+    }
+  }
+  const PointBins bins(places, SiteReach);
+  std::vector<NearResidues> near(sites);
+  for (const vtkIdType point : atoms.Points)
+  {
+    const auto id = static_cast<std::size_t>(point);
+    const NamedAtom& atom = atoms.Named[id];
+    std::set<std::size_t> found;
+    bins.Near(atom.Place, SiteReach,
+      [&](std::int64_t place, double) { found.insert(siteOf[static_cast<std::size_t>(place)]); });
+    for (const std::size_t site : found)
+    {
+      const auto [at, isNew] = near[site].try_emplace(
+        { atom.Chain, atom.ResidueId, atom.InsertionCode, atom.Residue }, NearResidue{ id });
+      ++at->second.Atoms;
+    }
+  }
+  std::vector<std::string> texts;
+  for (const NearResidues& residues : near)
+  {
+    texts.push_back(TextOf(residues, atoms));
+  }
+  return texts;
+}
+
+void FillSiteTable(
+  const BindingSiteResult& result, const std::vector<std::string>& residues, vtkTable* table)
+{
+  const std::vector<BindingSite>& sites = result.Sites;
+  const auto real = [&](const char* name, double BindingSite::*member)
+  {
+    AddColumn<vtkDoubleArray>(table, name, result, [&](std::size_t i) { return sites[i].*member; });
+  };
+  AddColumn<vtkIntArray>(
+    table, "Rank", result, [](std::size_t i) { return static_cast<int>(i) + 1; });
+  real("Score", &BindingSite::Score);
+  AddColumn<vtkIntArray>(
+    table, "SiteClass", result, [&](std::size_t i) { return int{ sites[i].Kind }; });
+  AddColumn<vtkStringArray>(
+    table, "Class", result, [&](std::size_t i) { return NameOfClass(sites[i].Kind); });
+  if (!residues.empty())
+  {
+    AddColumn<vtkStringArray>(
+      table, "Residues", result, [&](std::size_t i) { return residues[i]; });
+  }
+  if (std::any_of(
+        sites.begin(), sites.end(), [](const BindingSite& site) { return site.Volume > 0.0; }))
+  {
+    real("Volume", &BindingSite::Volume);
+  }
+  real("Area", &BindingSite::Area);
+  real("MeanDepth", &BindingSite::MeanDepth);
+  real("MeanPotential", &BindingSite::MeanPotential);
+  const char* const centre[] = { "CenterX", "CenterY", "CenterZ" };
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    AddColumn<vtkDoubleArray>(
+      table, centre[a], result, [&](std::size_t i) { return sites[i].Centre[a]; });
+  }
+  AddColumn<vtkIdTypeArray>(
+    table, "Points", result, [&](std::size_t i) { return sites[i].Points; });
+  vtkNew<vtkDoubleArray> threshold;
+  threshold->SetName("Threshold");
+  threshold->InsertNextValue(result.Threshold);
+  table->GetFieldData()->AddArray(threshold);
+}
+
+}

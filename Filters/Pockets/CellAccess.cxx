@@ -1,0 +1,91 @@
+#include "Pockets/CellAccess.h"
+
+#include "Core/Index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace isthmus
+{
+namespace
+{
+
+template <std::size_t N>
+double Clearance(
+  const RegularFiltration& f, const std::array<SimplexId, N>& corners, double value, double probe)
+{
+  double largest = 0.0;
+  for (const SimplexId p : corners)
+  {
+    largest = std::max(largest, f.Radii[At(p)]);
+  }
+  return std::sqrt(std::max(0.0, value + largest * largest)) - (largest - probe);
+}
+
+/// A way that has reached `Cell` through `Triangle`.
+struct Way
+{
+  double Width;
+  TetrahedronId Cell;
+  TriangleId Triangle;
+
+  /// The widest comes first, then the lowest ids.
+  bool operator<(const Way& other) const
+  {
+    if (this->Width != other.Width)
+    {
+      return this->Width < other.Width;
+    }
+    return this->Cell != other.Cell ? this->Cell > other.Cell : this->Triangle > other.Triangle;
+  }
+};
+
+}
+
+CellAccess FindAccess(const RegularFiltration& f, const FacesByCell& faces, double probe)
+{
+  const CellFiltration& c = f.Complex;
+  CellAccess access;
+  access.CellClearance.resize(c.Tetrahedra.size());
+  for (const TetrahedronId cell : c.Tetrahedra.Keys())
+  {
+    access.CellClearance[cell] = Clearance(f, c.Tetrahedra[cell], c.TetrahedronValue[cell], probe);
+  }
+  access.TriangleClearance.resize(c.TriangleCount());
+  std::priority_queue<Way> ways;
+  for (const TriangleId t : c.Triangles())
+  {
+    access.TriangleClearance[t] = Clearance(f, c.TrianglePoints(t), c.TriangleValue[t], probe);
+    const auto sides = c.TriangleSides(t);
+    if (!sides[0].Exists() || !sides[1].Exists())
+    {
+      ways.push({ access.TriangleClearance[t], std::max(sides[0], sides[1]), t });
+    }
+  }
+  access.Access.assign(c.Tetrahedra.size(), 0.0);
+  access.TowardsOut.assign(c.Tetrahedra.size(), TriangleId::None());
+  while (!ways.empty())
+  {
+    const Way way = ways.top();
+    ways.pop();
+    if (access.TowardsOut[way.Cell].Exists())
+    {
+      continue;
+    }
+    access.TowardsOut[way.Cell] = way.Triangle;
+    const double width = std::min(way.Width, access.CellClearance[way.Cell]);
+    access.Access[way.Cell] = width;
+    for (const TriangleId triangle : faces[way.Cell])
+    {
+      const TetrahedronId next = c.Across(triangle, way.Cell);
+      if (next.Exists() && !access.TowardsOut[next].Exists())
+      {
+        ways.push({ std::min(width, access.TriangleClearance[triangle]), next, triangle });
+      }
+    }
+  }
+  return access;
+}
+
+}

@@ -1,0 +1,37 @@
+/**
+ * @file CellAccess.h
+ * @brief Room around atoms: how wide each tetrahedron is, and the widest way to it from outside.
+ */
+#ifndef isthmus_CellAccess_h
+#define isthmus_CellAccess_h
+
+#include "Pockets/EmptySpace.h"
+#include "vtkIsthmusFiltersPocketsModule.h"
+
+namespace isthmus
+{
+
+/**
+ * *Clearance*: the radius of the largest ball that touches no atom, centred at the orthogonal
+ * sphere's centre of a tetrahedron, or of a triangle (where its latest coface is, if attached):
+ * sqrt(a + R^2) - r for the value a and the largest of the simplex' atoms, R = r + probe.
+ *
+ * *Access*: the radius of the largest ball that gets from outside to there, the maximum over all
+ * ways through triangles of the least clearance met (the dual, over H2, of where voids are born).
+ */
+struct CellAccess
+{
+  HandleVector<TetrahedronId, double> CellClearance;
+  HandleVector<TriangleId, double> TriangleClearance;
+  HandleVector<TetrahedronId, double> Access;
+  HandleVector<TetrahedronId, TriangleId> TowardsOut; ///< the triangle that the widest way takes
+};
+
+/// `probe` is what the radii of `f` have been enlarged by. O(n log n): one pass of Dijkstra's
+/// algorithm, 1 us a tetrahedron; ties go to the lower id.
+VTKISTHMUSFILTERSPOCKETS_EXPORT CellAccess FindAccess(
+  const RegularFiltration& f, const FacesByCell& faces, double probe);
+
+}
+
+#endif

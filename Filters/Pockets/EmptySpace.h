@@ -1,0 +1,57 @@
+/**
+ * @file EmptySpace.h
+ * @brief How much of each tetrahedron balls leave empty, and how much of their surface faces it.
+ *
+ * With K the dual complex of the balls' union (the simplices of value 0 and less), the union is the
+ * alternating sum over K of what the balls of a simplex share: balls - lenses + threes - fours
+ * (H. Edelsbrunner, Discrete Comput. Geom. 13 (1995) 415). Each term is dealt out to the tetrahedra
+ * around its simplex by their angles there. A tetrahedron of K is full; another one keeps
+ *
+ *   volume - sum of sectors + sum of slices of lenses - sum of halves of threes,
+ *
+ * and likewise for the area, by atom. A single figure may be negative. Sums over the tetrahedra of
+ * a void are exact; where a region ends at a mouth, balls are cut as their sectors are and not by
+ * the mouth's triangles, so that the parts of any division of space add up to the whole.
+ */
+#ifndef isthmus_EmptySpace_h
+#define isthmus_EmptySpace_h
+
+#include "Atoms/BallOverlap.h"
+#include "Persistence/RegularFiltration.h"
+#include "vtkIsthmusFiltersPocketsModule.h"
+
+namespace isthmus
+{
+
+struct EmptyCell
+{
+  double Volume = 0.0;          ///< not inside of any ball
+  std::array<double, 4> Area{}; ///< of the balls' surface, by the tetrahedron's corners
+};
+
+/// The triangle opposite to each corner of each tetrahedron.
+using FacesByCell = HandleVector<TetrahedronId, std::array<TriangleId, 4>>;
+
+/// Of tetrahedron `cell`, which must not belong to K (its value is above 0). About 3 us.
+VTKISTHMUSFILTERSPOCKETS_EXPORT EmptyCell EmptySpaceOf(
+  const RegularFiltration& f, const FacesByCell& faces, TetrahedronId cell);
+
+VTKISTHMUSFILTERSPOCKETS_EXPORT FacesByCell FacesOfCells(const CellFiltration& complex);
+
+/// Volume and surface of the union of all balls.
+struct UnionMeasure
+{
+  double Volume = 0.0;
+  double Area = 0.0;
+};
+
+/**
+ * Of the balls of `f`; `empty` holds EmptySpaceOf each tetrahedron (zeros for those of K). Needs at
+ * least one tetrahedron.
+ */
+VTKISTHMUSFILTERSPOCKETS_EXPORT UnionMeasure MeasureUnion(
+  const RegularFiltration& f, const HandleVector<TetrahedronId, EmptyCell>& empty);
+
+}
+
+#endif

@@ -1,0 +1,306 @@
+#include "Pockets/FeatureInput.h"
+
+#include "Pockets/MolecularPockets.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+#include <vtkVariant.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+namespace isthmus
+{
+namespace
+{
+
+constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
+
+vtkDataArray* NumbersOf(vtkDataSetAttributes* data, const std::string& name)
+{
+  return vtkDataArray::SafeDownCast(data->GetAbstractArray(name.c_str()));
+}
+
+double ValueOf(vtkDataArray* array, vtkIdType i)
+{
+  return array ? array->GetComponent(i, 0) : Unknown;
+}
+
+/// What a list separated by commas holds, sorted.
+std::vector<std::string> NamesIn(const std::string& list)
+{
+  std::vector<std::string> names;
+  for (std::size_t at = 0; at < list.size();)
+  {
+    const std::size_t end = std::min(list.find(", ", at), list.size());
+    names.push_back(list.substr(at, end - at));
+    at = end + 2;
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::vector<InputFeature> RowsOf(vtkTable* table)
+{
+  std::vector<InputFeature> features;
+  vtkDataSetAttributes* data = table->GetRowData();
+  vtkDataArray* number = NumbersOf(data, "PoreId");
+  for (const char* prefix : { "Center", "Bottleneck" })
+  {
+    vtkDataArray* at[3];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      at[k] = NumbersOf(data, std::string(prefix) + static_cast<char>('X' + k));
+    }
+    if (!at[0] || !at[1] || !at[2])
+    {
+      continue;
+    }
+    for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+    {
+      const double radius = ValueOf(NumbersOf(data, "Radius"), row);
+      features.push_back({ { { ValueOf(at[0], row), ValueOf(at[1], row), ValueOf(at[2], row) },
+                             radius, {} },
+        { radius, ValueOf(NumbersOf(data, "Volume"), row), ValueOf(NumbersOf(data, "Score"), row) },
+        number ? static_cast<std::int64_t>(ValueOf(number, row)) : row + 1 });
+    }
+    return features;
+  }
+  if (table->GetNumberOfRows() > 0)
+  {
+    throw std::invalid_argument("The table has no columns CenterX, CenterY, CenterZ (nor "
+                                "BottleneckX, ...): take the Ranking of Molecular Pockets, the "
+                                "Pores of Pore Profile, or points.");
+  }
+  return features;
+}
+
+/// The arrays that say which feature a cell or point belongs to.
+struct Owner
+{
+  vtkDataSetAttributes* Data = nullptr;
+  vtkDataArray* Whole = nullptr;
+  vtkDataArray* Part = nullptr;
+  bool IsPore = false;
+};
+
+Owner OwnerIn(vtkPointSet* input)
+{
+  const std::pair<const char*, const char*> names[] = { { "PocketId", "MouthId" },
+    { "PoreId", "Rank" }, { "FeatureId", "" } };
+  for (const auto& [whole, part] : names)
+  {
+    for (auto* data :
+      std::initializer_list<vtkDataSetAttributes*>{ input->GetPointData(), input->GetCellData() })
+    {
+      if (vtkDataArray* array = NumbersOf(data, whole))
+      {
+        return { data, array, NumbersOf(data, part), whole == names[1].first };
+      }
+    }
+  }
+  return {};
+}
+
+Point3 CentreOf(vtkPointSet* input, vtkIdType cell)
+{
+  vtkNew<vtkIdList> corners;
+  input->GetCellPoints(cell, corners);
+  Point3 sum{ 0.0, 0.0, 0.0 };
+  for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+  {
+    Point3 corner;
+    input->GetPoint(corners->GetId(k), corner.data());
+    sum = sum + corner;
+  }
+  return (1.0 / static_cast<double>(corners->GetNumberOfIds())) * sum;
+}
+
+/// A feature as its cells or points are added to it.
+struct Group
+{
+  Point3 Sum{ 0.0, 0.0, 0.0 };
+  double Weight = 0.0;
+  Point3 PlainSum{ 0.0, 0.0, 0.0 };
+  double Count = 0.0;
+  double Radius = Unknown;
+  double Volume = Unknown;
+  double Score = Unknown;
+
+  void Add(const Point3& place, double weight, double radius)
+  {
+    this->Sum = this->Sum + weight * place;
+    this->Weight += weight;
+    this->PlainSum = this->PlainSum + place;
+    this->Count += 1.0;
+    this->Radius = std::fmax(this->Radius, radius);
+  }
+
+  void AddNarrow(const Point3& place, double radius)
+  {
+    if (this->Count == 0.0 || radius < this->Radius)
+    {
+      *this = { place, 1.0, place, 1.0, radius, Unknown, Unknown };
+    }
+  }
+
+  /// The plain mean where nothing has a weight.
+  Point3 Place() const
+  {
+    return this->Weight > 0.0 ? (1.0 / this->Weight) * this->Sum
+                              : (1.0 / this->Count) * this->PlainSum;
+  }
+
+  /// Empty room with so many atoms around it.
+  void AddRoom(double volume, double atoms)
+  {
+    const double share = volume * BurialWeight(atoms);
+    this->Volume = std::isnan(this->Volume) ? volume : this->Volume + volume;
+    this->Score = std::isnan(this->Score) ? share : this->Score + share;
+  }
+};
+
+std::vector<InputFeature> GroupsOf(vtkPointSet* input, const Owner& owner)
+{
+  const bool isOfCells = owner.Data == input->GetCellData();
+  vtkDataArray* room = NumbersOf(owner.Data, "EmptyVolume");
+  vtkDataArray* atoms = NumbersOf(owner.Data, "Burial");
+  vtkDataArray* width = NumbersOf(owner.Data, "Radius");
+  width = width ? width : NumbersOf(owner.Data, "Clearance");
+  std::map<std::pair<double, double>, Group> groups;
+  for (vtkIdType i = 0; i < owner.Whole->GetNumberOfTuples(); ++i)
+  {
+    const std::pair<double, double> key{ ValueOf(owner.Whole, i),
+      owner.Part ? ValueOf(owner.Part, i) : 0.0 };
+    if (!std::isfinite(key.first) || !std::isfinite(key.second) ||
+      (isOfCells && input->GetCellSize(i) == 0))
+    {
+      continue; // belongs to nothing, or is nowhere
+    }
+    Group& group = groups[key];
+    Point3 place;
+    if (isOfCells)
+    {
+      place = CentreOf(input, i);
+    }
+    else
+    {
+      input->GetPoint(i, place.data());
+    }
+    if (owner.IsPore)
+    {
+      group.AddNarrow(place, ValueOf(width, i));
+      continue;
+    }
+    const bool isRoom = room && atoms;
+    const double n = ValueOf(atoms, i);
+    group.Add(
+      place, isRoom ? std::max(0.0, ValueOf(room, i)) * BurialWeight(n) : 1.0, ValueOf(width, i));
+    if (isRoom)
+    {
+      group.AddRoom(ValueOf(room, i), n);
+    }
+  }
+  std::vector<InputFeature> features;
+  for (const auto& [key, group] : groups)
+  {
+    const auto row = static_cast<std::int64_t>(features.size()) + 1;
+    features.push_back(
+      { { group.Place(), group.Radius, {} }, { group.Radius, group.Volume, group.Score },
+        owner.Part ? row : static_cast<std::int64_t>(key.first) });
+  }
+  return features;
+}
+
+std::vector<InputFeature> PointsOf(vtkPointSet* input)
+{
+  std::vector<InputFeature> features(static_cast<std::size_t>(input->GetNumberOfPoints()));
+  auto* names = vtkStringArray::SafeDownCast(input->GetPointData()->GetAbstractArray("Residues"));
+  for (std::size_t i = 0; i < features.size(); ++i)
+  {
+    const auto point = static_cast<vtkIdType>(i);
+    InputFeature& feature = features[i];
+    input->GetPoint(point, feature.Feature.Place.data());
+    const char* values[] = { "Radius", "Volume", "Score" };
+    for (std::size_t k = 0; k < feature.Values.size(); ++k)
+    {
+      feature.Values[k] = ValueOf(NumbersOf(input->GetPointData(), values[k]), point);
+    }
+    feature.Feature.Radius = feature.Values[0];
+    feature.Number = point + 1;
+    if (names)
+    {
+      feature.Feature.Lining = NamesIn(names->GetValue(point));
+    }
+  }
+  return features;
+}
+
+/// Gives each feature the residues that the lining table has under its number.
+void AddLining(vtkTable* lining, std::vector<InputFeature>& features)
+{
+  vtkDataArray* owner = NumbersOf(lining->GetRowData(), "PocketId");
+  owner = owner ? owner : NumbersOf(lining->GetRowData(), "PoreId");
+  std::map<std::int64_t, TrackedFeature*> byNumber;
+  for (InputFeature& feature : features)
+  {
+    byNumber[feature.Number] = &feature.Feature;
+  }
+  for (vtkIdType row = 0; owner && row < lining->GetNumberOfRows(); ++row)
+  {
+    const auto at = byNumber.find(static_cast<std::int64_t>(ValueOf(owner, row)));
+    if (at != byNumber.end())
+    {
+      std::string& name = at->second->Lining.emplace_back();
+      for (const char* column : { "Chain", "ResidueId", "InsertionCode", "ResidueName" })
+      {
+        name += lining->GetValueByName(row, column).ToString() + "|";
+      }
+    }
+  }
+  for (InputFeature& feature : features)
+  {
+    std::sort(feature.Feature.Lining.begin(), feature.Feature.Lining.end());
+  }
+}
+
+}
+
+std::vector<InputFeature> FeaturesOf(vtkDataObject* input, vtkTable* lining)
+{
+  auto* points = vtkPointSet::SafeDownCast(input);
+  if (!points)
+  {
+    auto features = RowsOf(vtkTable::SafeDownCast(input));
+    if (lining)
+    {
+      AddLining(lining, features);
+    }
+    return features;
+  }
+  const Owner owner = OwnerIn(points);
+  const bool areBottlenecks = owner.IsPore && owner.Part;
+  if (!owner.Whole || areBottlenecks)
+  {
+    return PointsOf(points);
+  }
+  auto features = GroupsOf(points, owner);
+  if (lining && !owner.Part)
+  {
+    AddLining(lining, features);
+  }
+  return features;
+}
+
+}

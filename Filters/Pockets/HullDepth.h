@@ -1,0 +1,39 @@
+/**
+ * @file HullDepth.h
+ * @brief How far points lie below the convex hull of a surface.
+ */
+#ifndef isthmus_HullDepth_h
+#define isthmus_HullDepth_h
+
+#include "Core/Progress.h"
+#include "Core/SurfaceView.h"
+
+#include <array>
+#include <vector>
+
+namespace isthmus
+{
+
+/**
+ * The convex hull as an intersection of 1000 half spaces n.x <= max over the surface of n.p, with n
+ * evenly spread over the sphere (a Fibonacci lattice; no direction is farther than 0.07 from one of
+ * them). It holds the hull, so depths are never too small. They are too large by at most 0.07 times
+ * the distance from the nearest place of the hull to the next of its corners, and on a hull that is
+ * round (radius R) by 0.0025 R. Points that no triangle uses don't count.
+ */
+class HullDepth
+{
+public:
+  HullDepth(const SurfaceView& mesh, const ProgressCallback& progress);
+
+  /// Distance of a point within the hull to its boundary.
+  double operator()(const double* point) const;
+
+private:
+  std::vector<std::array<double, 3>> Directions;
+  std::vector<double> Heights;
+};
+
+}
+
+#endif

@@ -1,0 +1,199 @@
+#include "Pockets/LiningResidues.h"
+
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkIdList.h>
+#include <vtkIntArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+
+#include <set>
+
+namespace isthmus
+{
+namespace
+{
+
+const NamedAtom& AtomAt(const ChosenAtoms& atoms, vtkIdType point)
+{
+  return atoms.Named[static_cast<std::size_t>(point)];
+}
+
+/// For each point the points that the lines of `input` lead to from it.
+std::vector<std::vector<vtkIdType>> BondedTo(vtkPointSet* input)
+{
+  std::vector<std::vector<vtkIdType>> bonded;
+  if (auto* molecule = vtkPolyData::SafeDownCast(input))
+  {
+    bonded.resize(static_cast<std::size_t>(molecule->GetNumberOfPoints()));
+    vtkNew<vtkIdList> ends;
+    for (vtkIdType bond = 0; bond < molecule->GetLines()->GetNumberOfCells(); ++bond)
+    {
+      molecule->GetLines()->GetCellAtId(bond, ends);
+      if (ends->GetNumberOfIds() == 2)
+      {
+        bonded[static_cast<std::size_t>(ends->GetId(0))].push_back(ends->GetId(1));
+      }
+    }
+  }
+  return bonded;
+}
+
+}
+
+std::vector<LiningResidue> LiningResiduesOf(
+  const std::vector<LiningAtom>& lining, const ChosenAtoms& atoms)
+{
+  std::map<std::array<std::string, 4>, std::size_t> numbers;
+  std::vector<LiningResidue> residues;
+  for (const LiningAtom& one : lining)
+  {
+    const vtkIdType point = atoms.Points[static_cast<std::size_t>(one.Atom)];
+    const NamedAtom& atom = AtomAt(atoms, point);
+    const std::string number =
+      atoms.HasNames ? std::to_string(atom.ResidueId) : "point " + std::to_string(point);
+    const auto [at, isNew] = numbers.emplace(
+      std::array<std::string, 4>{ atom.Chain, number, atom.InsertionCode, atom.Residue },
+      residues.size());
+    if (isNew)
+    {
+      residues.emplace_back();
+    }
+    residues[at->second].Points.push_back(point);
+    residues[at->second].Area += one.Area;
+  }
+  return residues;
+}
+
+LiningTable::LiningTable(const char* featureName)
+{
+  this->Feature->SetName(featureName);
+  this->Chain->SetName("Chain");
+  this->ResidueId->SetName("ResidueId");
+  this->InsertionCode->SetName("InsertionCode");
+  this->ResidueName->SetName("ResidueName");
+  this->Names->SetName("Atoms");
+  this->Ids->SetName("AtomIds");
+  this->Count->SetName("NumberOfAtoms");
+  this->Area->SetName("Area");
+}
+
+LiningTable::~LiningTable() = default;
+
+void LiningTable::Add(
+  int feature, const std::vector<LiningResidue>& residues, const ChosenAtoms& atoms)
+{
+  for (const LiningResidue& residue : residues)
+  {
+    const NamedAtom& first = AtomAt(atoms, residue.Points.front());
+    std::string names;
+    std::string ids;
+    for (const vtkIdType point : residue.Points)
+    {
+      names += (names.empty() ? "" : " ") + AtomAt(atoms, point).Name;
+      ids += (ids.empty() ? "" : " ") + std::to_string(point);
+    }
+    this->Feature->InsertNextValue(feature);
+    this->Chain->InsertNextValue(first.Chain);
+    this->ResidueId->InsertNextValue(first.ResidueId);
+    this->InsertionCode->InsertNextValue(first.InsertionCode);
+    this->ResidueName->InsertNextValue(first.Residue);
+    this->Names->InsertNextValue(names);
+    this->Ids->InsertNextValue(ids);
+    this->Count->InsertNextValue(static_cast<int>(residue.Points.size()));
+    this->Area->InsertNextValue(residue.Area);
+  }
+}
+
+void LiningTable::Fill(vtkTable* output)
+{
+  for (vtkAbstractArray* column :
+    std::initializer_list<vtkAbstractArray*>{ this->Feature, this->Chain, this->ResidueId,
+      this->InsertionCode, this->ResidueName, this->Names, this->Ids, this->Count, this->Area })
+  {
+    output->AddColumn(column);
+  }
+}
+
+ResidueAtoms::ResidueAtoms(const ChosenAtoms& atoms, vtkPointSet* input, const char* featureName)
+  : Atoms(atoms)
+  , Input(input)
+{
+  this->Feature->SetName(featureName);
+  for (const vtkIdType point : atoms.Points)
+  {
+    this->OfResidue[KeyOf(AtomAt(atoms, point))].push_back(point);
+  }
+}
+
+ResidueAtoms::~ResidueAtoms() = default;
+
+ResidueAtoms::Key ResidueAtoms::KeyOf(const NamedAtom& atom)
+{
+  return { atom.Chain, std::to_string(atom.ResidueId), atom.InsertionCode, atom.Residue };
+}
+
+void ResidueAtoms::Add(int feature, const std::vector<LiningResidue>& residues)
+{
+  this->FirstOfFeature.push_back(this->Points.size());
+  for (const LiningResidue& residue : residues)
+  {
+    const auto& whole = this->Atoms.HasNames
+      ? this->OfResidue.at(KeyOf(AtomAt(this->Atoms, residue.Points.front())))
+      : residue.Points;
+    for (const vtkIdType point : whole)
+    {
+      this->Points.push_back(point);
+      this->Feature->InsertNextValue(feature);
+    }
+  }
+}
+
+void ResidueAtoms::Fill(vtkPolyData* output)
+{
+  const auto count = static_cast<vtkIdType>(this->Points.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  vtkPointData* data = output->GetPointData();
+  data->CopyAllocate(this->Input->GetPointData(), count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const vtkIdType from = this->Points[static_cast<std::size_t>(i)];
+    points->InsertNextPoint(this->Input->GetPoint(from));
+    data->CopyData(this->Input->GetPointData(), from, i);
+    vertices->InsertNextCell(1, &i);
+  }
+  vtkNew<vtkCellArray> bonds;
+  const auto bonded = BondedTo(this->Input);
+  this->FirstOfFeature.push_back(this->Points.size());
+  for (std::size_t f = 0; !bonded.empty() && f + 1 < this->FirstOfFeature.size(); ++f)
+  {
+    std::map<vtkIdType, vtkIdType> place;
+    for (std::size_t i = this->FirstOfFeature[f]; i < this->FirstOfFeature[f + 1]; ++i)
+    {
+      place.emplace(this->Points[i], static_cast<vtkIdType>(i));
+    }
+    for (const auto& [point, id] : place)
+    {
+      for (const vtkIdType other : bonded[static_cast<std::size_t>(point)])
+      {
+        const auto at = place.find(other);
+        if (at != place.end())
+        {
+          const vtkIdType both[2] = { id, at->second };
+          bonds->InsertNextCell(2, both);
+        }
+      }
+    }
+  }
+  output->SetPoints(points);
+  output->SetVerts(vertices);
+  output->SetLines(bonds);
+  data->SetScalars(this->Feature);
+}
+
+}

@@ -1,0 +1,82 @@
+/**
+ * @file LiningResidues.h
+ * @brief The residues that line a pocket or a pore, as rows of a table and as atoms to show.
+ */
+#ifndef isthmus_LiningResidues_h
+#define isthmus_LiningResidues_h
+
+#include "Atoms/AtomInput.h"
+#include "Pockets/PocketParameters.h"
+
+#include <vtkNew.h>
+
+#include <map>
+
+class vtkDoubleArray;
+class vtkIdTypeArray;
+class vtkIntArray;
+class vtkPointSet;
+class vtkPolyData;
+class vtkStringArray;
+class vtkTable;
+
+namespace isthmus
+{
+
+/// A residue with those of its atoms that line something. Without residue names, an atom each.
+struct LiningResidue
+{
+  std::vector<vtkIdType> Points; ///< of the input
+  double Area = 0.0;             ///< of their surface that faces it
+};
+
+/// In the order of the file.
+std::vector<LiningResidue> LiningResiduesOf(
+  const std::vector<LiningAtom>& lining, const ChosenAtoms& atoms);
+
+/// Columns: the feature's number, Chain, ResidueId, InsertionCode, ResidueName, Atoms (names
+/// between blanks), AtomIds (points of the input), NumberOfAtoms, Area.
+class LiningTable
+{
+public:
+  explicit LiningTable(const char* featureName);
+  ~LiningTable();
+  void Add(int feature, const std::vector<LiningResidue>& residues, const ChosenAtoms& atoms);
+  void Fill(vtkTable* output);
+
+private:
+  vtkNew<vtkIntArray> Feature;
+  vtkNew<vtkIntArray> ResidueId;
+  vtkNew<vtkIntArray> Count;
+  vtkNew<vtkStringArray> Chain;
+  vtkNew<vtkStringArray> InsertionCode;
+  vtkNew<vtkStringArray> ResidueName;
+  vtkNew<vtkStringArray> Names;
+  vtkNew<vtkStringArray> Ids;
+  vtkNew<vtkDoubleArray> Area;
+};
+
+/// Whole residues as points with the input's arrays, and the input's bonds among them.
+class ResidueAtoms
+{
+public:
+  ResidueAtoms(const ChosenAtoms& atoms, vtkPointSet* input, const char* featureName);
+  ~ResidueAtoms();
+  void Add(int feature, const std::vector<LiningResidue>& residues);
+  void Fill(vtkPolyData* output);
+
+private:
+  using Key = std::array<std::string, 4>;
+  static Key KeyOf(const NamedAtom& atom);
+
+  const ChosenAtoms& Atoms;
+  vtkPointSet* Input;
+  std::map<Key, std::vector<vtkIdType>> OfResidue;
+  std::vector<vtkIdType> Points;
+  vtkNew<vtkIntArray> Feature;
+  std::vector<std::size_t> FirstOfFeature;
+};
+
+}
+
+#endif

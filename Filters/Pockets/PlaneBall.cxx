@@ -1,0 +1,274 @@
+#include "Pockets/PlaneBall.h"
+
+#include "Core/Pi.h"
+
+#include <limits>
+
+namespace isthmus
+{
+namespace
+{
+
+std::vector<Point3> CentresOf(const std::vector<Ball>& atoms)
+{
+  std::vector<Point3> centres;
+  for (const Ball& atom : atoms)
+  {
+    centres.push_back(atom.Centre);
+  }
+  return centres;
+}
+
+/// value + slope . d, a linear model over the plane's two coordinates.
+struct Linear
+{
+  double Value;
+  std::array<double, 2> Slope;
+
+  double operator()(const std::array<double, 2>& d) const
+  {
+    return this->Value + this->Slope[0] * d[0] + this->Slope[1] * d[1];
+  }
+};
+
+double Least(const std::vector<Linear>& models, const std::array<double, 2>& d)
+{
+  double least = HUGE_VAL;
+  for (const Linear& model : models)
+  {
+    least = std::min(least, model(d));
+  }
+  return least;
+}
+
+/**
+ * Where in the square |d| <= size the least of the models is greatest. That is a corner of the
+ * polyhedron under all of them: where three of the models or sides of the square meet.
+ */
+std::array<double, 2> BestStep(const std::vector<Linear>& models, double size)
+{
+  std::array<double, 2> best{ 0.0, 0.0 };
+  double bestValue = Least(models, best);
+  const auto offer = [&](const std::array<double, 2>& d)
+  {
+    constexpr double slack = 1.0 + 1e-12;
+    if (std::fabs(d[0]) <= size * slack && std::fabs(d[1]) <= size * slack)
+    {
+      const double value = Least(models, d);
+      if (value > bestValue)
+      {
+        bestValue = value;
+        best = d;
+      }
+    }
+  };
+  const std::size_t n = models.size();
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    for (std::size_t j = i + 1; j < n; ++j)
+    {
+      // Equal values of i and j lie on a line; it meets the sides, and the lines of others.
+      const double a = models[i].Slope[0] - models[j].Slope[0];
+      const double b = models[i].Slope[1] - models[j].Slope[1];
+      const double c = models[j].Value - models[i].Value;
+      for (const double side : { -size, size })
+      {
+        offer({ side, (c - a * side) / b });
+        offer({ (c - b * side) / a, side });
+      }
+      for (std::size_t k = j + 1; k < n; ++k)
+      {
+        const double e = models[i].Slope[0] - models[k].Slope[0];
+        const double f = models[i].Slope[1] - models[k].Slope[1];
+        const double g = models[k].Value - models[i].Value;
+        const double det = a * f - b * e;
+        offer({ (c * f - b * g) / det, (a * g - c * e) / det });
+      }
+    }
+  }
+  for (const double x : { -size, size })
+  {
+    offer({ x, size });
+    offer({ x, -size });
+  }
+  return best;
+}
+
+/// Two directions of length 1 that span the plane.
+std::array<Point3, 2> Axes(const Point3& normal)
+{
+  const std::size_t least = std::fabs(normal[0]) <= std::fabs(normal[1])
+    ? (std::fabs(normal[0]) <= std::fabs(normal[2]) ? 0 : 2)
+    : (std::fabs(normal[1]) <= std::fabs(normal[2]) ? 1 : 2);
+  Point3 helper{ 0.0, 0.0, 0.0 };
+  helper[least] = 1.0;
+  const Point3 cross = Cross(normal, helper);
+  const Point3 u = (1.0 / Length(cross)) * cross;
+  return { u, Cross(normal, u) };
+}
+
+double RoomAt(const std::vector<Ball>& atoms, const Point3& place)
+{
+  double least = HUGE_VAL;
+  for (const Ball& atom : atoms)
+  {
+    least = std::min(least, Length(place - atom.Centre) - atom.Radius);
+  }
+  return least;
+}
+
+/// Linear models, at `place` where the room is `least`, of the distances that may matter within
+/// `size`: the nearest ones.
+std::vector<Linear> ModelsAt(const std::vector<Ball>& atoms, const Point3& place,
+  const std::array<Point3, 2>& axes, double size, double least)
+{
+  constexpr std::size_t most = 8;
+  std::vector<Linear> models;
+  for (const Ball& atom : atoms)
+  {
+    const Point3 d = place - atom.Centre;
+    const double length = Length(d);
+    if (length - atom.Radius <= least + 2.0 * std::sqrt(2.0) * size && length > 0.0)
+    {
+      models.push_back(
+        { length - atom.Radius, { Dot(d, axes[0]) / length, Dot(d, axes[1]) / length } });
+    }
+  }
+  std::sort(models.begin(), models.end(),
+    [](const Linear& a, const Linear& b) { return a.Value < b.Value; });
+  models.resize(std::min(models.size(), most));
+  return models;
+}
+
+}
+
+AtomField::AtomField(const std::vector<Ball>& atoms)
+  : Atoms(atoms)
+  , Bins(CentresOf(atoms), 4.0)
+{
+  for (const Ball& atom : atoms)
+  {
+    this->Largest = std::max(this->Largest, atom.Radius);
+  }
+}
+
+AtomField::Room AtomField::At(const Point3& place, double guess) const
+{
+  constexpr double furthest = 1e4;
+  constexpr double growth = 1.26; // twice the volume
+  Room room{ HUGE_VAL, -1 };
+  double reach = std::max(guess, 4.0);
+  const auto look = [&]()
+  {
+    this->Bins.Near(place, reach + this->Largest,
+      [&](std::int64_t id, double squared)
+      {
+        const double radius = std::sqrt(squared) - this->Atoms[static_cast<std::size_t>(id)].Radius;
+        if (radius < room.Radius || (radius == room.Radius && id < room.Atom))
+        {
+          room = { radius, id };
+        }
+      });
+  };
+  for (look(); room.Radius > reach && reach < furthest; look())
+  {
+    reach = std::min(growth * reach, room.Radius);
+  }
+  return room;
+}
+
+std::vector<std::int64_t> AtomField::Touching(const Point3& place, double reach) const
+{
+  std::vector<std::int64_t> near;
+  this->Bins.Near(place, reach + this->Largest,
+    [&](std::int64_t id, double squared)
+    {
+      const double distance = reach + this->Atoms[static_cast<std::size_t>(id)].Radius;
+      if (squared <= distance * distance)
+      {
+        near.push_back(id);
+      }
+    });
+  return near;
+}
+
+std::vector<Ball> AtomField::Near(const Point3& place, double reach) const
+{
+  std::vector<Ball> near;
+  for (const std::int64_t id : this->Touching(place, reach))
+  {
+    near.push_back(this->Atoms[static_cast<std::size_t>(id)]);
+  }
+  return near;
+}
+
+PlaneBall ClimbInPlane(
+  const AtomField& field, const Plane& plane, const Point3& start, const Climb& climb)
+{
+  const auto axes = Axes(plane.Normal);
+  Point3 place = start - Dot(start - plane.Origin, plane.Normal) * plane.Normal;
+  const Point3 first = place;
+  double radius = field.At(place, climb.Room - Length(place - start)).Radius;
+  double size = 0.5;
+  // The atoms that can count while the place stays within `fetched`.
+  constexpr double fetched = 1.5;
+  const auto fetch = [&]() { return field.Near(place, radius + 2.0 * fetched); };
+  std::vector<Ball> atoms = fetch();
+  Point3 fetchedAt = place;
+  for (int step = 0; step < 200 && size > climb.Tolerance && radius < climb.Enough; ++step)
+  {
+    if (Length(place - fetchedAt) + 1.5 * size > fetched)
+    {
+      fetchedAt = place;
+      atoms = fetch();
+    }
+    const auto models = ModelsAt(atoms, place, axes, size, radius);
+    const auto d = BestStep(models, size);
+    const Point3 next = place + d[0] * axes[0] + d[1] * axes[1];
+    const double promised = Least(models, d) - radius;
+    const double gained = RoomAt(atoms, next) - radius;
+    const bool inside = Length(next - first) <= climb.Reach;
+    if (inside && gained > 0.1 * promised && gained > 0.0)
+    {
+      place = next;
+      radius += gained;
+      size = gained > 0.7 * promised ? std::min(0.5, 2.0 * size) : size;
+    }
+    else
+    {
+      size *= 0.25;
+    }
+  }
+  return { place, field.At(place, radius).Radius };
+}
+
+PlaneBall LargestBallInPlane(const AtomField& field, const Plane& plane,
+  const std::vector<Point3>& starts, double width, double enough)
+{
+  const auto axes = Axes(plane.Normal);
+  Climb rough{ 2.0 * std::max(width, 1.0), enough, 1e-2, width };
+  PlaneBall best = ClimbInPlane(field, plane, starts.front(), rough);
+  const PlaneBall first = best;
+  const auto offer = [&](const Point3& start)
+  {
+    // Climbs that end in one place differ by less: the first of them stays. A centre outside of the
+    // first ball is another place, of a wider vestibule or another pore.
+    rough.Room = first.Radius - Length(start - first.Centre);
+    const PlaneBall ball = ClimbInPlane(field, plane, start, rough);
+    const bool here = Length(ball.Centre - first.Centre) <= std::max(first.Radius, 1.0);
+    best = here && ball.Radius > best.Radius + 1e-4 ? ball : best;
+  };
+  std::for_each(starts.begin() + 1, starts.end(), offer);
+  constexpr int around = 6;
+  for (int i = 0; i < 2 * around && best.Radius < enough; ++i)
+  {
+    const double angle = Pi / around * (i % around * 2 + i / around);
+    const double r = (i < around ? 0.5 : 0.9) * std::max(width, 0.0);
+    offer(starts.front() + r * std::cos(angle) * axes[0] + r * std::sin(angle) * axes[1]);
+  }
+  return best.Radius < enough
+    ? ClimbInPlane(field, plane, best.Centre, { rough.Reach, enough, 1e-11, best.Radius })
+    : best;
+}
+
+}

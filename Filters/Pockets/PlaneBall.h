@@ -1,0 +1,84 @@
+/**
+ * @file PlaneBall.h
+ * @brief The largest ball between atoms with its centre in a plane.
+ */
+#ifndef isthmus_PlaneBall_h
+#define isthmus_PlaneBall_h
+
+#include "Atoms/Ball.h"
+#include "Atoms/PointBins.h"
+#include "vtkIsthmusFiltersPocketsModule.h"
+
+#include <vector>
+
+namespace isthmus
+{
+
+/// Atoms, to be asked for the room around a place.
+class AtomField
+{
+public:
+  VTKISTHMUSFILTERSPOCKETS_EXPORT explicit AtomField(const std::vector<Ball>& atoms);
+
+  /// Distance of `place` from the nearest atom's surface, and that atom. The nearer the guess is to
+  /// that distance, the less it takes.
+  struct Room
+  {
+    double Radius;
+    std::int64_t Atom;
+  };
+  VTKISTHMUSFILTERSPOCKETS_EXPORT Room At(const Point3& place, double guess = 0.0) const;
+
+  /// The atoms whose surface is within `reach` of `place`.
+  VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<Ball> Near(const Point3& place, double reach) const;
+
+  /// Their numbers, in no order that matters.
+  VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<std::int64_t> Touching(
+    const Point3& place, double reach) const;
+
+private:
+  const std::vector<Ball>& Atoms;
+  double Largest = 0.0;
+  PointBins Bins;
+};
+
+struct Plane
+{
+  Point3 Origin;
+  Point3 Normal; ///< of length 1
+};
+
+struct PlaneBall
+{
+  Point3 Centre;
+  double Radius;
+};
+
+/// How far to climb.
+struct Climb
+{
+  double Reach;      ///< from the start
+  double Enough;     ///< radius at which to stop
+  double Tolerance;  ///< length of the last step
+  double Room = 0.0; ///< about that of the start, where known: saves time
+};
+
+/**
+ * Climbs from `start` to a local maximum, within the plane, of the distance from the nearest atom's
+ * surface.
+ *
+ * The distance is the least of smooth functions. Each step maximises their linear models in a
+ * square whose size follows the success of the step, so that the last steps converge quadratically
+ * to where three atoms touch the ball. Some 30 steps of 2 us.
+ */
+VTKISTHMUSFILTERSPOCKETS_EXPORT PlaneBall ClimbInPlane(
+  const AtomField& atoms, const Plane& plane, const Point3& start, const Climb& climb);
+
+/// The best of climbs from `starts` and from places around the first within a ball of radius
+/// `width`.
+VTKISTHMUSFILTERSPOCKETS_EXPORT PlaneBall LargestBallInPlane(const AtomField& atoms,
+  const Plane& plane, const std::vector<Point3>& starts, double width, double enough);
+
+}
+
+#endif

@@ -1,0 +1,288 @@
+#include "Pockets/PocketOutput.h"
+
+#include "Pockets/LiningResidues.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace isthmus
+{
+namespace
+{
+
+template <typename Array>
+vtkNew<Array> Named(const char* name)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  return array;
+}
+
+/// Points of atoms, each once for each pocket.
+class AtomPoints
+{
+public:
+  AtomPoints(const ChosenAtoms& atoms, vtkPoints* points, vtkIdTypeArray* ids)
+    : Atoms(atoms)
+    , Points(points)
+    , Ids(ids)
+  {
+    points->SetDataTypeToDouble();
+  }
+
+  void NextPocket() { this->Places.clear(); }
+
+  vtkIdType operator()(std::int64_t atom)
+  {
+    const auto [at, isNew] = this->Places.emplace(atom, this->Points->GetNumberOfPoints());
+    if (isNew)
+    {
+      const auto i = static_cast<std::size_t>(atom);
+      this->Points->InsertNextPoint(this->Atoms.Balls[i].Centre.data());
+      this->Ids->InsertNextValue(this->Atoms.Points[i]);
+    }
+    return at->second;
+  }
+
+private:
+  const ChosenAtoms& Atoms;
+  vtkPoints* Points;
+  vtkIdTypeArray* Ids;
+  std::map<std::int64_t, vtkIdType> Places;
+};
+
+int NumberOf(std::size_t pocket)
+{
+  return static_cast<int>(pocket) + 1;
+}
+
+/// Shares of the lining surface on nitrogen and oxygen, and on the rest; NaN without elements.
+std::array<double, 2> PolarShares(const Pocket& pocket, const ChosenAtoms& atoms)
+{
+  double polar = 0.0;
+  double all = 0.0;
+  for (const LiningAtom& lining : pocket.Lining)
+  {
+    const auto point =
+      static_cast<std::size_t>(atoms.Points[static_cast<std::size_t>(lining.Atom)]);
+    const int element = atoms.Named[point].Element;
+    polar += element == 7 || element == 8 ? lining.Area : 0.0;
+    all += lining.Area;
+  }
+  if (!atoms.HasElements || all <= 0.0)
+  {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    return { unknown, unknown };
+  }
+  return { polar / all, 1.0 - polar / all };
+}
+
+}
+
+void FillPocketCells(const PocketReport& report, vtkUnstructuredGrid* output)
+{
+  vtkNew<vtkPoints> points;
+  auto ids = Named<vtkIdTypeArray>("AtomId");
+  auto pocketId = Named<vtkIntArray>("PocketId");
+  auto clearance = Named<vtkDoubleArray>("Clearance");
+  auto access = Named<vtkDoubleArray>("AccessRadius");
+  auto burial = Named<vtkIdTypeArray>("Burial");
+  auto volume = Named<vtkDoubleArray>("EmptyVolume");
+  AtomPoints place(report.Atoms, points, ids);
+  output->AllocateExact(1, 1);
+  for (std::size_t i = 0; i < report.Pockets.size(); ++i)
+  {
+    place.NextPocket();
+    for (const PocketCell& cell : report.Pockets[i].Cells)
+    {
+      vtkIdType corners[4];
+      std::transform(cell.Atoms.begin(), cell.Atoms.end(), corners, std::ref(place));
+      double p[4][3];
+      for (int k = 0; k < 4; ++k)
+      {
+        points->GetPoint(corners[k], p[k]);
+      }
+      const Point3 origin{ p[0][0], p[0][1], p[0][2] };
+      const auto side = [&](int k) { return Point3{ p[k][0], p[k][1], p[k][2] } - origin; };
+      if (Dot(side(3), Cross(side(1), side(2))) < 0.0)
+      {
+        std::swap(corners[2], corners[3]);
+      }
+      output->InsertNextCell(VTK_TETRA, 4, corners);
+      pocketId->InsertNextValue(NumberOf(i));
+      clearance->InsertNextValue(cell.Clearance);
+      access->InsertNextValue(cell.Access);
+      burial->InsertNextValue(cell.Burial);
+      volume->InsertNextValue(cell.Volume);
+    }
+  }
+  output->SetPoints(points);
+  output->GetPointData()->AddArray(ids);
+  output->GetCellData()->SetScalars(pocketId);
+  for (vtkDataArray* array :
+    std::initializer_list<vtkDataArray*>{ clearance, access, burial, volume })
+  {
+    output->GetCellData()->AddArray(array);
+  }
+}
+
+void FillPocketTable(const PocketReport& report, vtkTable* output)
+{
+  auto rank = Named<vtkIntArray>("Rank");
+  output->AddColumn(rank);
+  const auto add = [&](const char* name, auto&& value)
+  {
+    auto column = Named<vtkDoubleArray>(name);
+    for (std::size_t i = 0; i < report.Pockets.size(); ++i)
+    {
+      column->InsertNextValue(value(report.Pockets[i], i));
+    }
+    output->AddColumn(column);
+  };
+  const auto addCount = [&](const char* name, auto&& value)
+  {
+    auto column = Named<vtkIntArray>(name);
+    for (const Pocket& pocket : report.Pockets)
+    {
+      column->InsertNextValue(static_cast<int>(value(pocket)));
+    }
+    output->AddColumn(column);
+  };
+  for (std::size_t i = 0; i < report.Pockets.size(); ++i)
+  {
+    rank->InsertNextValue(NumberOf(i));
+  }
+  using P = const Pocket&;
+  add("Score", [](P p, std::size_t) { return p.Score; });
+  add("CenterX", [](P p, std::size_t) { return p.Centre[0]; });
+  add("CenterY", [](P p, std::size_t) { return p.Centre[1]; });
+  add("CenterZ", [](P p, std::size_t) { return p.Centre[2]; });
+  add("Volume", [](P p, std::size_t) { return p.Volume; });
+  add("Area", [](P p, std::size_t) { return p.Area; });
+  addCount("Mouths", [](P p) { return p.Mouths.size(); });
+  add("MouthRadius",
+    [](P p, std::size_t) { return p.Mouths.empty() ? 0.0 : p.Mouths.front().Radius; });
+  add("MouthArea",
+    [](P p, std::size_t)
+    {
+      double area = 0.0;
+      for (const PocketMouth& mouth : p.Mouths)
+      {
+        area += mouth.Area;
+      }
+      return area;
+    });
+  add("Radius", [](P p, std::size_t) { return p.Radius; });
+  add("PolarShare", [&](P p, std::size_t) { return PolarShares(p, report.Atoms)[0]; });
+  add("ApolarShare", [&](P p, std::size_t) { return PolarShares(p, report.Atoms)[1]; });
+  addCount("LiningAtoms", [](P p) { return p.Lining.size(); });
+  addCount("Cells", [](P p) { return p.Cells.size(); });
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const auto mean = [&](std::size_t i, double PocketSurfaceMeans::*member)
+  { return report.Means.empty() ? unknown : report.Means[i].*member; };
+  add("MeanPotential", [&](P, std::size_t i) { return mean(i, &PocketSurfaceMeans::Potential); });
+  add("MeanPolarized", [&](P, std::size_t i) { return mean(i, &PocketSurfaceMeans::Polarized); });
+}
+
+void FillMouths(const PocketReport& report, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> triangles;
+  auto ids = Named<vtkIdTypeArray>("AtomId");
+  auto pocketId = Named<vtkIntArray>("PocketId");
+  auto mouthId = Named<vtkIntArray>("MouthId");
+  auto clearance = Named<vtkDoubleArray>("Clearance");
+  AtomPoints place(report.Atoms, points, ids);
+  for (std::size_t i = 0; i < report.Pockets.size(); ++i)
+  {
+    place.NextPocket();
+    const auto& mouths = report.Pockets[i].Mouths;
+    for (std::size_t m = 0; m < mouths.size(); ++m)
+    {
+      for (std::size_t t = 0; t < mouths[m].Triangles.size(); ++t)
+      {
+        const auto& atoms = mouths[m].Triangles[t];
+        const vtkIdType corners[3] = { place(atoms[0]), place(atoms[1]), place(atoms[2]) };
+        triangles->InsertNextCell(3, corners);
+        pocketId->InsertNextValue(NumberOf(i));
+        mouthId->InsertNextValue(NumberOf(m));
+        clearance->InsertNextValue(mouths[m].Clearance[t]);
+      }
+    }
+  }
+  output->SetPoints(points);
+  output->SetPolys(triangles);
+  output->GetPointData()->AddArray(ids);
+  output->GetCellData()->SetScalars(pocketId);
+  output->GetCellData()->AddArray(mouthId);
+  output->GetCellData()->AddArray(clearance);
+}
+
+void FillAlphaBalls(const PocketReport& report, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  auto pocketId = Named<vtkIntArray>("PocketId");
+  auto radius = Named<vtkDoubleArray>("Radius");
+  auto access = Named<vtkDoubleArray>("AccessRadius");
+  auto burial = Named<vtkIdTypeArray>("Burial");
+  for (std::size_t i = 0; i < report.Pockets.size(); ++i)
+  {
+    for (const PocketCell& cell : report.Pockets[i].Cells)
+    {
+      const vtkIdType id = points->InsertNextPoint(cell.Centre.data());
+      vertices->InsertNextCell(1, &id);
+      pocketId->InsertNextValue(NumberOf(i));
+      radius->InsertNextValue(cell.Clearance);
+      access->InsertNextValue(cell.Access);
+      burial->InsertNextValue(cell.Burial);
+    }
+  }
+  output->SetPoints(points);
+  output->SetVerts(vertices);
+  output->GetPointData()->SetScalars(pocketId);
+  output->GetPointData()->AddArray(radius);
+  output->GetPointData()->AddArray(access);
+  output->GetPointData()->AddArray(burial);
+}
+
+void FillLiningResidues(const PocketReport& report, vtkTable* output)
+{
+  LiningTable table("PocketId");
+  for (std::size_t i = 0; i < report.Pockets.size(); ++i)
+  {
+    table.Add(NumberOf(i), LiningResiduesOf(report.Pockets[i].Lining, report.Atoms), report.Atoms);
+  }
+  table.Fill(output);
+}
+
+void FillLiningAtoms(const PocketReport& report, vtkPointSet* input, int shown, vtkPolyData* output)
+{
+  ResidueAtoms atoms(report.Atoms, input, "PocketId");
+  for (std::size_t i = 0; i < report.Pockets.size(); ++i)
+  {
+    if (shown == 0 || shown == NumberOf(i))
+    {
+      atoms.Add(NumberOf(i), LiningResiduesOf(report.Pockets[i].Lining, report.Atoms));
+    }
+  }
+  atoms.Fill(output);
+}
+
+}

@@ -1,0 +1,78 @@
+/**
+ * @file PocketParameters.h
+ * @brief What asks for pockets of a molecule, and what is found.
+ */
+#ifndef isthmus_PocketParameters_h
+#define isthmus_PocketParameters_h
+
+#include "Core/Point3.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace isthmus
+{
+
+/// Lengths in angstrom.
+struct PocketOptions
+{
+  double ProbeRadius = 1.4; ///< of water: volumes and areas are those that its centre can reach
+  double InnerRadius = 1.7; ///< of a ball that has room in a pocket: a united carbon atom
+  double OuterRadius = 3.1; ///< of a ball that does not get in
+  double BurialRadius = 10.0;
+  double MinimumVolume = 10.0; ///< angstrom^3; smaller pockets are left out
+};
+
+/// A way out of a pocket.
+struct PocketMouth
+{
+  double Radius = 0.0;                                ///< of the largest ball that passes
+  double Area = 0.0;                                  ///< open to the probe's centre
+  std::vector<std::array<std::int64_t, 3>> Triangles; ///< of atoms
+  std::vector<double> Clearance;                      ///< one for each
+};
+
+/// A tetrahedron of a pocket.
+struct PocketCell
+{
+  std::array<std::int64_t, 4> Atoms;
+  Point3 Centre; ///< of the ball that is orthogonal to the four atoms enlarged by the probe
+  double Clearance = 0.0;  ///< radius of the ball there that touches no atom
+  double Access = 0.0;     ///< radius of the largest ball that gets there from outside
+  double Volume = 0.0;     ///< empty; only sums count
+  std::int64_t Burial = 0; ///< number of atoms within BurialRadius of Centre
+};
+
+struct LiningAtom
+{
+  std::int64_t Atom;
+  double Area; ///< of its surface that faces the pocket
+};
+
+struct Pocket
+{
+  double Score = 0.0;
+  double Volume = 0.0;
+  double Area = 0.0;
+  double Radius = 0.0; ///< the largest clearance
+  double Access = 0.0; ///< the largest access radius
+  Point3 Centre{ 0.0, 0.0, 0.0 };
+  std::vector<PocketCell> Cells;
+  std::vector<PocketMouth> Mouths; ///< the widest first; none: a void
+  std::vector<LiningAtom> Lining;  ///< in the order of the atoms
+};
+
+struct PocketResult
+{
+  std::vector<Pocket> Pockets; ///< the best first
+  double UnionVolume = 0.0;    ///< of all atoms enlarged by the probe
+  double UnionArea = 0.0;      ///< accessible surface of all atoms
+  double PocketVolume = 0.0;   ///< of all pockets, also those left out as too small
+  double RestVolume = 0.0;     ///< empty volume of the convex hull outside of all pockets
+  double HullVolume = 0.0;     ///< of the tetrahedra in all
+  double FullVolume = 0.0;     ///< of the hull, inside of the enlarged atoms
+};
+
+}
+
+#endif

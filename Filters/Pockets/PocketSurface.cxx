@@ -1,0 +1,136 @@
+#include "Pockets/PocketSurface.h"
+
+#include "Atoms/PointBins.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace isthmus
+{
+namespace
+{
+
+/// A third of the triangles around each point.
+std::vector<double> PointAreas(const SurfaceView& surface)
+{
+  std::vector<double> areas(surface.Points.size(), 0.0);
+  for (vtkIdType i = 0; i < surface.NumberOfTriangles(); ++i)
+  {
+    const Triangle& t = surface.Corners(i);
+    const Point3& first = surface.Point(t[0]);
+    const Point3 n = Cross(surface.Point(t[1]) - first, surface.Point(t[2]) - first);
+    for (const vtkIdType point : t)
+    {
+      areas[At(point)] += Length(n) / 6.0;
+    }
+  }
+  return areas;
+}
+
+/// Sums by area over some points.
+struct AreaSums
+{
+  double Area = 0.0, Polarized = 0.0;
+  double PotentialArea = 0.0, Potential = 0.0;
+
+  void Add(const PocketSurfaceFields& fields, std::size_t point, double area)
+  {
+    if (!std::isnan(fields.Polarized[point]))
+    {
+      this->Area += area;
+      this->Polarized += area * std::fabs(fields.Polarized[point]);
+    }
+    if (!fields.Potential.empty() && !std::isnan(fields.Potential[point]))
+    {
+      this->PotentialArea += area;
+      this->Potential += area * fields.Potential[point];
+    }
+  }
+
+  PocketSurfaceMeans Means() const
+  {
+    return { this->Potential / this->PotentialArea, this->Polarized / this->Area, this->Area };
+  }
+};
+
+}
+
+std::vector<PocketSurfaceMeans> MeasureSurface(const SurfaceView& surface,
+  const PocketSurfaceFields& fields, const std::vector<Pocket>& pockets, double reach)
+{
+  const std::vector<double> areas = PointAreas(surface);
+  const PointBins bins(surface.Points, 3.0);
+  std::vector<PocketSurfaceMeans> means;
+  std::vector<std::size_t> seenBy(surface.Points.size(), pockets.size());
+  for (std::size_t p = 0; p < pockets.size(); ++p)
+  {
+    AreaSums sums;
+    for (const PocketCell& cell : pockets[p].Cells)
+    {
+      bins.Near(cell.Centre, cell.Clearance + reach,
+        [&](std::int64_t id, double)
+        {
+          const auto point = static_cast<std::size_t>(id);
+          if (seenBy[point] != p)
+          {
+            seenBy[point] = p;
+            sums.Add(fields, point, areas[point]);
+          }
+        });
+    }
+    means.push_back(sums.Means());
+  }
+  return means;
+}
+
+void WeighPockets(const SurfaceView& surface, const PocketSurfaceFields& fields,
+  std::vector<Pocket>& pockets, std::vector<PocketSurfaceMeans>& means)
+{
+  const std::vector<double> areas = PointAreas(surface);
+  AreaSums whole;
+  for (std::size_t i = 0; i < areas.size(); ++i)
+  {
+    whole.Add(fields, i, areas[i]);
+  }
+  means = MeasureSurface(surface, fields, pockets);
+  for (std::size_t p = 0; p < pockets.size(); ++p)
+  {
+    const double ratio = means[p].Polarized / whole.Means().Polarized;
+    pockets[p].Score *= std::isfinite(ratio) ? std::sqrt(ratio) : 1.0;
+  }
+  std::vector<std::size_t> order(pockets.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b) { return pockets[a].Score > pockets[b].Score; });
+  std::vector<Pocket> sorted;
+  std::vector<PocketSurfaceMeans> sortedMeans;
+  for (const std::size_t i : order)
+  {
+    sorted.push_back(std::move(pockets[i]));
+    sortedMeans.push_back(means[i]);
+  }
+  pockets = std::move(sorted);
+  means = std::move(sortedMeans);
+}
+
+std::vector<int> LabelSurface(
+  const SurfaceView& surface, const std::vector<Pocket>& pockets, double reach)
+{
+  const PointBins bins(surface.Points, 3.0);
+  std::vector<int> labels(surface.Points.size(), 0);
+  for (std::size_t p = 0; p < pockets.size(); ++p)
+  {
+    for (const PocketCell& cell : pockets[p].Cells)
+    {
+      bins.Near(cell.Centre, cell.Clearance + reach,
+        [&](std::int64_t id, double)
+        {
+          int& label = labels[static_cast<std::size_t>(id)];
+          label = label == 0 ? static_cast<int>(p) + 1 : label;
+        });
+    }
+  }
+  return labels;
+}
+
+}

@@ -1,0 +1,300 @@
+#include "Pockets/PoreOutput.h"
+
+#include "Pockets/PlaneBall.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+#include <vtkTubeFilter.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace isthmus
+{
+namespace
+{
+
+/// HOLE's limits, in angstrom: no water passes; two side by side.
+constexpr double OneWater = 1.15;
+constexpr double TwoWaters = 2.30;
+
+/// An atom so near to a pore's ball lines it; in angstrom.
+constexpr double Reach = 0.5;
+
+template <typename Array>
+vtkNew<Array> Named(const char* name)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  return array;
+}
+
+/// "TRP 23 A", or what of it is known.
+std::string ResidueOf(const ChosenAtoms& atoms, std::int64_t ball)
+{
+  if (ball < 0 || !atoms.HasNames)
+  {
+    return {};
+  }
+  const auto point = static_cast<std::size_t>(atoms.Points[static_cast<std::size_t>(ball)]);
+  const NamedAtom& atom = atoms.Named[point];
+  return atom.Residue + " " + std::to_string(atom.ResidueId) + atom.InsertionCode +
+    (atom.Chain.empty() ? "" : " " + atom.Chain);
+}
+
+/// "SER 54 A, TRP 23 A": the residues with an atom that touches the ball, nearly, in order.
+std::string ResiduesAround(
+  const PoreSample& sample, const AtomField& field, const ChosenAtoms& atoms)
+{
+  std::set<std::string> names;
+  for (const std::int64_t atom : field.Touching(sample.Centre, sample.Radius + Reach))
+  {
+    names.insert(ResidueOf(atoms, atom));
+  }
+  std::string list;
+  for (const std::string& name : names)
+  {
+    list += (list.empty() ? "" : ", ") + name;
+  }
+  return list;
+}
+
+/// The arrays that samples have wherever they go.
+class SampleArrays
+{
+public:
+  void Add(int pore, const PoreSample& sample, const ChosenAtoms& atoms)
+  {
+    this->PoreId->InsertNextValue(pore);
+    this->Radius->InsertNextValue(sample.Radius);
+    this->ArcLength->InsertNextValue(sample.ArcLength);
+    this->Nearest->InsertNextValue(
+      sample.NearestAtom < 0 ? -1 : atoms.Points[static_cast<std::size_t>(sample.NearestAtom)]);
+    this->Residue->InsertNextValue(ResidueOf(atoms, sample.NearestAtom));
+    this->WidthClass->InsertNextValue(
+      sample.Radius < OneWater ? 0 : (sample.Radius < TwoWaters ? 1 : 2));
+  }
+
+  template <typename AddArray>
+  void Give(AddArray add) const
+  {
+    for (vtkAbstractArray* array : std::initializer_list<vtkAbstractArray*>{ this->PoreId,
+           this->ArcLength, this->Radius, this->WidthClass, this->Nearest, this->Residue })
+    {
+      add(array);
+    }
+  }
+
+private:
+  vtkNew<vtkIntArray> PoreId = Named<vtkIntArray>("PoreId");
+  vtkNew<vtkDoubleArray> Radius = Named<vtkDoubleArray>("Radius");
+  vtkNew<vtkDoubleArray> ArcLength = Named<vtkDoubleArray>("ArcLength");
+  vtkNew<vtkIdTypeArray> Nearest = Named<vtkIdTypeArray>("NearestAtom");
+  vtkNew<vtkStringArray> Residue = Named<vtkStringArray>("NearestResidue");
+  vtkNew<vtkIntArray> WidthClass = Named<vtkIntArray>("WidthClass");
+};
+
+int NumberOf(std::size_t pore)
+{
+  return static_cast<int>(pore) + 1;
+}
+
+const PoreSample& Narrowest(const Pore& pore)
+{
+  return *std::min_element(pore.Samples.begin(), pore.Samples.end(),
+    [](const PoreSample& a, const PoreSample& b) { return a.Radius < b.Radius; });
+}
+
+}
+
+void FillPoreLines(const PoreReport& report, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  auto poreId = Named<vtkIntArray>("PoreId");
+  SampleArrays arrays;
+  for (std::size_t p = 0; p < report.Pores.size(); ++p)
+  {
+    const auto& samples = report.Pores[p].Samples;
+    lines->InsertNextCell(static_cast<int>(samples.size()));
+    poreId->InsertNextValue(NumberOf(p));
+    for (const PoreSample& sample : samples)
+    {
+      lines->InsertCellPoint(points->InsertNextPoint(sample.Centre.data()));
+      arrays.Add(NumberOf(p), sample, report.Atoms);
+    }
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  output->GetCellData()->AddArray(poreId);
+  arrays.Give([&](vtkAbstractArray* array) { output->GetPointData()->AddArray(array); });
+  output->GetPointData()->SetActiveScalars("Radius");
+}
+
+void FillPoreSamples(const PoreReport& report, vtkTable* output)
+{
+  SampleArrays arrays;
+  vtkNew<vtkDoubleArray> place[3];
+  for (std::size_t p = 0; p < report.Pores.size(); ++p)
+  {
+    for (const PoreSample& sample : report.Pores[p].Samples)
+    {
+      arrays.Add(NumberOf(p), sample, report.Atoms);
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        place[k]->InsertNextValue(sample.Centre[k]);
+      }
+    }
+  }
+  arrays.Give([&](vtkAbstractArray* array) { output->AddColumn(array); });
+  const char* names[] = { "X", "Y", "Z" };
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    place[k]->SetName(names[k]);
+    output->AddColumn(place[k]);
+  }
+}
+
+void FillPoreTable(const PoreReport& report, vtkTable* output)
+{
+  auto poreId = Named<vtkIntArray>("PoreId");
+  auto bottlenecks = Named<vtkIntArray>("Bottlenecks");
+  const char* names[] = { "Radius", "Length", "Span", "BottleneckX", "BottleneckY", "BottleneckZ" };
+  std::vector<vtkNew<vtkDoubleArray>> columns(6);
+  for (std::size_t p = 0; p < report.Pores.size(); ++p)
+  {
+    const Pore& pore = report.Pores[p];
+    const PoreSample& narrow = Narrowest(pore);
+    const double values[] = { narrow.Radius, pore.Samples.back().ArcLength, pore.Span,
+      narrow.Centre[0], narrow.Centre[1], narrow.Centre[2] };
+    poreId->InsertNextValue(NumberOf(p));
+    bottlenecks->InsertNextValue(static_cast<int>(pore.Bottlenecks.size()));
+    for (std::size_t k = 0; k < columns.size(); ++k)
+    {
+      columns[k]->InsertNextValue(values[k]);
+    }
+  }
+  output->AddColumn(poreId);
+  for (std::size_t k = 0; k < columns.size(); ++k)
+  {
+    columns[k]->SetName(names[k]);
+    output->AddColumn(columns[k]);
+  }
+  output->AddColumn(bottlenecks);
+}
+
+void FillBottlenecks(const PoreReport& report, vtkPolyData* output)
+{
+  const AtomField field(report.Atoms.Balls);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  auto rank = Named<vtkIntArray>("Rank");
+  auto residues = Named<vtkStringArray>("Residues");
+  SampleArrays arrays;
+  for (std::size_t p = 0; p < report.Pores.size(); ++p)
+  {
+    int number = 0;
+    for (const std::size_t i : report.Pores[p].Bottlenecks)
+    {
+      const PoreSample& sample = report.Pores[p].Samples[i];
+      const vtkIdType id = points->InsertNextPoint(sample.Centre.data());
+      vertices->InsertNextCell(1, &id);
+      rank->InsertNextValue(++number);
+      residues->InsertNextValue(ResiduesAround(sample, field, report.Atoms));
+      arrays.Add(NumberOf(p), sample, report.Atoms);
+    }
+  }
+  output->SetPoints(points);
+  output->SetVerts(vertices);
+  arrays.Give([&](vtkAbstractArray* array) { output->GetPointData()->AddArray(array); });
+  output->GetPointData()->AddArray(rank);
+  output->GetPointData()->AddArray(residues);
+  output->GetPointData()->SetActiveScalars("Radius");
+}
+
+std::vector<std::vector<LiningResidue>> PoreLining(const PoreReport& report)
+{
+  std::vector<std::vector<LiningResidue>> residues;
+  const AtomField field(report.Atoms.Balls);
+  for (const Pore& pore : report.Pores)
+  {
+    std::vector<char> lines(report.Atoms.Balls.size(), 0);
+    for (const PoreSample& sample : pore.Samples)
+    {
+      for (const std::int64_t atom : field.Touching(sample.Centre, sample.Radius + Reach))
+      {
+        lines[static_cast<std::size_t>(atom)] = 1;
+      }
+    }
+    std::vector<LiningAtom> lining;
+    for (std::size_t atom = 0; atom < lines.size(); ++atom)
+    {
+      if (lines[atom])
+      {
+        lining.push_back({ static_cast<std::int64_t>(atom), 0.0 });
+      }
+    }
+    residues.push_back(LiningResiduesOf(lining, report.Atoms));
+  }
+  return residues;
+}
+
+void FillPoreLining(const PoreReport& report,
+  const std::vector<std::vector<LiningResidue>>& residues, vtkTable* output)
+{
+  LiningTable table("PoreId");
+  for (std::size_t p = 0; p < residues.size(); ++p)
+  {
+    table.Add(NumberOf(p), residues[p], report.Atoms);
+  }
+  table.Fill(output);
+  output->RemoveColumnByName("Area");
+}
+
+void FillPoreLiningAtoms(const PoreReport& report,
+  const std::vector<std::vector<LiningResidue>>& residues, vtkPointSet* input, vtkPolyData* output)
+{
+  ResidueAtoms atoms(report.Atoms, input, "PoreId");
+  for (std::size_t p = 0; p < residues.size(); ++p)
+  {
+    atoms.Add(NumberOf(p), residues[p]);
+  }
+  atoms.Fill(output);
+}
+
+void FillTubes(vtkPolyData* lines, vtkPolyData* output)
+{
+  // The filter takes scalars as radii as they are; where atoms overlap the line it gets no tube.
+  vtkNew<vtkPolyData> positive;
+  positive->ShallowCopy(lines);
+  auto width = Named<vtkDoubleArray>("TubeWidth");
+  for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
+  {
+    width->InsertNextValue(
+      std::max(0.01, lines->GetPointData()->GetArray("Radius")->GetComponent(i, 0)));
+  }
+  positive->GetPointData()->AddArray(width);
+  positive->GetPointData()->SetActiveScalars("TubeWidth");
+  vtkNew<vtkTubeFilter> tube;
+  tube->SetInputData(positive);
+  tube->SetVaryRadiusToVaryRadiusByAbsoluteScalar();
+  tube->SetNumberOfSides(24);
+  tube->Update();
+  output->ShallowCopy(tube->GetOutput());
+  output->GetPointData()->RemoveArray("TubeWidth");
+  output->GetPointData()->SetActiveScalars("WidthClass");
+}
+
+}

@@ -1,0 +1,43 @@
+/**
+ * @file PoreOutput.h
+ * @brief Pores as VTK data: polylines, tables, bottlenecks, lining residues and atoms, tubes.
+ */
+#ifndef isthmus_PoreOutput_h
+#define isthmus_PoreOutput_h
+
+#include "Pockets/LiningResidues.h"
+#include "Pockets/PoreParameters.h"
+
+class vtkPolyData;
+class vtkTable;
+
+namespace isthmus
+{
+
+struct PoreReport
+{
+  const std::vector<Pore>& Pores;
+  const ChosenAtoms& Atoms;
+};
+
+void FillPoreLines(const PoreReport& report, vtkPolyData* output);
+void FillPoreSamples(const PoreReport& report, vtkTable* output);
+void FillPoreTable(const PoreReport& report, vtkTable* output);
+void FillBottlenecks(const PoreReport& report, vtkPolyData* output);
+
+/// Of each pore the residues with an atom that touches one of its balls, nearly: within 0.5
+/// angstrom.
+std::vector<std::vector<LiningResidue>> PoreLining(const PoreReport& report);
+void FillPoreLining(const PoreReport& report,
+  const std::vector<std::vector<LiningResidue>>& residues, vtkTable* output);
+
+/// Those residues whole, once for each of their pores, with the bonds of the input between them.
+void FillPoreLiningAtoms(const PoreReport& report,
+  const std::vector<std::vector<LiningResidue>>& residues, vtkPointSet* input, vtkPolyData* output);
+
+/// Tubes around the lines, as wide as their Radius.
+void FillTubes(vtkPolyData* lines, vtkPolyData* output);
+
+}
+
+#endif

@@ -1,0 +1,274 @@
+#include "Pockets/PoreProfile.h"
+
+#include "Core/ParallelFor.h"
+#include "Pockets/EmptySpace.h"
+#include "Pockets/PlaneBall.h"
+#include "Pockets/PoreChannels.h"
+#include "Pockets/PoreCourse.h"
+
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace isthmus
+{
+namespace
+{
+
+/// Atoms are weighed as water sees them.
+constexpr double Probe = 1.4;
+
+void CheckLength(const char* name, double value)
+{
+  if (!(value > 0.0 && value <= 1e4))
+  {
+    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+      ", but it is a length: give a positive number of angstrom, at most 10000.");
+  }
+}
+
+void CheckOptions(const PoreOptions& options)
+{
+  CheckLength("EndRadius", options.EndRadius);
+  CheckLength("Spacing", options.Spacing);
+  CheckLength("MaximumOffset", options.MaximumOffset);
+  CheckLength("MinimumRadius", options.MinimumRadius);
+  if (options.Spacing < 0.001)
+  {
+    throw std::invalid_argument("Spacing is " + std::to_string(options.Spacing) +
+      ", but planes nearer than 0.001 angstrom tell nothing more: give a larger one.");
+  }
+  if (!(options.MinimumSpan >= 0.0 && options.MinimumSpan <= 1e6))
+  {
+    throw std::invalid_argument("MinimumSpan is " + std::to_string(options.MinimumSpan) +
+      ", but it must be a length and not negative.");
+  }
+}
+
+void CheckPoint(const char* name, const Point3& p)
+{
+  if (!std::isfinite(p[0] + p[1] + p[2]))
+  {
+    throw std::invalid_argument(std::string(name) + " has a coordinate that is no finite number.");
+  }
+}
+
+RegularFiltration Enlarged(const std::vector<Ball>& atoms, const ProgressCallback& progress)
+{
+  std::vector<Point3> centres;
+  std::vector<double> radii;
+  for (const Ball& atom : atoms)
+  {
+    centres.push_back(atom.Centre);
+    radii.push_back(atom.Radius + Probe);
+  }
+  return MakeRegularFiltration(std::move(centres), std::move(radii), progress);
+}
+
+/// Samples from which the radius rises by `depth` on both sides before it falls below.
+std::vector<std::size_t> Bottlenecks(const std::vector<PoreSample>& samples)
+{
+  constexpr double depth = 0.1; // angstrom
+  std::vector<std::size_t> found;
+  const auto rises = [&](std::size_t i, std::int64_t step)
+  {
+    for (auto k = static_cast<std::int64_t>(i) + step;
+         k >= 0 && k < static_cast<std::int64_t>(samples.size()); k += step)
+    {
+      const double radius = samples[static_cast<std::size_t>(k)].Radius;
+      const bool first = step < 0; // of equal ones
+      if (radius < samples[i].Radius || (first && radius == samples[i].Radius))
+      {
+        return false;
+      }
+      if (radius > samples[i].Radius + depth)
+      {
+        return true;
+      }
+    }
+    return false;
+  };
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    if (rises(i, 1) && rises(i, -1))
+    {
+      found.push_back(i);
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+    [&](std::size_t a, std::size_t b) { return samples[a].Radius < samples[b].Radius; });
+  return found;
+}
+
+Pore PoreThrough(const AtomField& atoms, const Course& course, std::size_t from,
+  const Point3& start, const ProgressCallback& progress)
+{
+  Pore pore;
+  const Point3 in = Foot(course.Planes[from], start);
+  const PlaneBall first = LargestBallInPlane(
+    atoms, course.Planes[from], { in }, std::max(1.0, atoms.At(in).Radius), course.Enough);
+  std::vector<PlaneBall> balls =
+    MarchAlong(atoms, course, from, -1, first, Between(progress, 0.0, 0.5));
+  std::reverse(balls.begin(), balls.end());
+  balls.push_back(first);
+  const auto after = MarchAlong(atoms, course, from, 1, first, Between(progress, 0.5, 1.0));
+  balls.insert(balls.end(), after.begin(), after.end());
+  if (course.End > course.Enough)
+  {
+    // What lies beyond the last narrow places on both sides is outside.
+    const auto isNarrow = [&](const PlaneBall& ball) { return ball.Radius < course.Enough; };
+    balls.erase(std::find_if(balls.rbegin(), balls.rend(), isNarrow).base(), balls.end());
+    balls.erase(balls.begin(), std::find_if(balls.begin(), balls.end(), isNarrow));
+  }
+  if (balls.empty())
+  {
+    return pore;
+  }
+  double length = 0.0;
+  for (std::size_t i = 0; i < balls.size(); ++i)
+  {
+    length += i > 0 ? Length(balls[i].Centre - balls[i - 1].Centre) : 0.0;
+    pore.Samples.push_back({ balls[i].Centre, balls[i].Radius, length,
+      atoms.At(balls[i].Centre, balls[i].Radius).Atom });
+  }
+  pore.Bottlenecks = Bottlenecks(pore.Samples);
+  pore.Span = Length(pore.Samples.back().Centre - pore.Samples.front().Centre);
+  return pore;
+}
+
+Pore PoreOf(const AtomField& atoms, const Channel& channel, const PoreOptions& options,
+  const ProgressCallback& progress)
+{
+  // A way turns from atom to atom: the pore's course is that over three times their size.
+  constexpr double smoothing = 3.0; // angstrom
+  // A wide channel is sampled as coarsely as it is wide, and known up to three times its radius.
+  const double spacing = options.Spacing * (channel.IsWide ? 4.0 : 1.0);
+  Course course = CourseAlong(Resample(channel.Way, spacing), smoothing / spacing);
+  course.Least = channel.Radius;
+  course.Enough = channel.IsWide ? 3.0 * channel.Radius : options.EndRadius;
+  course.End = channel.IsWide ? HUGE_VAL : options.EndRadius;
+  const auto& planes = course.Planes;
+  if (planes.empty())
+  {
+    throw std::runtime_error("The two ends of the pore are the same: give points farther apart.");
+  }
+  const Point3& narrow = channel.Way[channel.Narrowest];
+  std::size_t from = 0;
+  for (std::size_t i = 1; i < planes.size(); ++i)
+  {
+    from = Length(planes[i].Origin - narrow) < Length(planes[from].Origin - narrow) ? i : from;
+  }
+  return PoreThrough(atoms, course, from, narrow, progress);
+}
+
+}
+
+std::vector<Pore> FindPores(
+  const std::vector<Ball>& atoms, const PoreOptions& options, const ProgressCallback& progress)
+{
+  CheckOptions(options);
+  RegularFiltration f = Enlarged(atoms, Between(progress, 0.0, 0.3));
+  std::vector<Pore> pores;
+  if (f.Complex.Tetrahedra.empty())
+  {
+    return pores;
+  }
+  const CellAccess access = FindAccess(f, FacesOfCells(f.Complex), Probe);
+  const auto channels = FindChannels(f, access, Probe, options, Between(progress, 0.3, 0.7));
+  const AtomField field(atoms);
+  std::vector<Pore> found(channels.size());
+  ParallelFor(
+    0, static_cast<std::int64_t>(channels.size()), 1,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        found[i] = PoreOf(field, channels[i], options, {});
+      }
+    },
+    Between(progress, 0.7, 1.0));
+  for (Pore& pore : found)
+  {
+    if (!pore.Samples.empty() && pore.Span >= options.MinimumSpan)
+    {
+      pores.push_back(std::move(pore));
+    }
+  }
+  Report(progress, 1.0);
+  return pores;
+}
+
+Pore PoreBetween(const std::vector<Ball>& atoms, const Point3& first, const Point3& last,
+  const PoreOptions& options, const ProgressCallback& progress)
+{
+  CheckOptions(options);
+  CheckPoint("Point1", first);
+  CheckPoint("Point2", last);
+  if (Length(first - last) <= options.Spacing)
+  {
+    throw std::invalid_argument("Point1 and Point2 are the same, or nearer than Spacing: give the "
+                                "two ends of the pore.");
+  }
+  const RegularFiltration f = Enlarged(atoms, Between(progress, 0.0, 0.4));
+  if (f.Complex.Tetrahedra.empty())
+  {
+    throw std::runtime_error("The atoms lie in one plane, or are fewer than four: nothing runs "
+                             "between them.");
+  }
+  const auto faces = FacesOfCells(f.Complex);
+  const CellAccess access = FindAccess(f, faces, Probe);
+  Channel channel = WayBetween(f, faces, access, first, last, options);
+  channel.Way.front() = first;
+  channel.Way.back() = last;
+  const AtomField field(atoms);
+  double least = HUGE_VAL;
+  for (std::size_t i = 0; i < channel.Way.size(); ++i)
+  {
+    const double room = field.At(channel.Way[i]).Radius;
+    channel.Narrowest = room > 0.0 && room < least ? i : channel.Narrowest;
+    least = room > 0.0 ? std::min(least, room) : least;
+  }
+  return PoreOf(field, channel, options, Between(progress, 0.6, 1.0));
+}
+
+Pore PoreAlong(const std::vector<Ball>& atoms, const Point3& point, const Point3& direction,
+  const PoreOptions& options, const ProgressCallback& progress)
+{
+  CheckOptions(options);
+  CheckPoint("Point", point);
+  CheckPoint("Direction", direction);
+  const double length = Length(direction);
+  if (!(length > 0.0))
+  {
+    throw std::invalid_argument("Direction has no length: give the way along the pore.");
+  }
+  if (atoms.empty())
+  {
+    throw std::runtime_error("There are no atoms, so there is no pore.");
+  }
+  const Point3 along = (1.0 / length) * direction;
+  double low = 0.0;
+  double high = 0.0;
+  for (const Ball& atom : atoms)
+  {
+    low = std::min(low, Dot(atom.Centre - point, along));
+    high = std::max(high, Dot(atom.Centre - point, along));
+  }
+  const auto before = static_cast<std::int64_t>((options.EndRadius - low) / options.Spacing);
+  const auto after = static_cast<std::int64_t>((options.EndRadius + high) / options.Spacing);
+  if (before + after > 10000000)
+  {
+    throw std::invalid_argument("Spacing is " + std::to_string(options.Spacing) +
+      ", too small for atoms this far apart: give a larger one.");
+  }
+  Course course;
+  course.Enough = options.EndRadius;
+  course.End = options.EndRadius;
+  for (std::int64_t i = -before; i <= after; ++i)
+  {
+    course.Planes.push_back({ point + (static_cast<double>(i) * options.Spacing) * along, along });
+  }
+  return PoreThrough(AtomField(atoms), course, static_cast<std::size_t>(before), point, progress);
+}
+
+}

@@ -1,0 +1,53 @@
+/**
+ * @file TrackedData.h
+ * @brief Features of VTK's data, time step by time step, and their tracks as VTK's data.
+ */
+#ifndef isthmus_TrackedData_h
+#define isthmus_TrackedData_h
+
+#include "Pockets/FeatureTracks.h"
+
+#include <array>
+#include <cstdint>
+
+class vtkDataObject;
+class vtkPolyData;
+class vtkTable;
+
+namespace isthmus
+{
+
+/// Features of all time steps so far, and what is carried along: Radius, Volume, Score.
+struct TrackedData
+{
+  std::vector<double> Times; ///< empty: no time steps
+  std::vector<TrackFrame> Frames;
+  std::vector<std::vector<std::array<double, 3>>> Values;
+  std::vector<std::vector<std::int64_t>> Numbers; ///< of the features, in the input
+
+  /// One feature of one frame.
+  struct Place
+  {
+    std::size_t Frame;
+    std::size_t Feature;
+  };
+  using Tracks = std::vector<std::vector<Place>>;
+
+  /// Adds a frame (FeatureInput.h).
+  void Add(vtkDataObject* features, vtkTable* lining);
+
+  /// Forgets all frames.
+  void Clear();
+
+  double TimeOf(std::size_t frame) const { return this->Times.empty() ? 0.0 : this->Times[frame]; }
+  void FillTable(const Tracks& places, vtkTable* table) const;
+  void FillChart(const Tracks& places, const std::vector<std::size_t>& order, int charted,
+    vtkTable* chart) const;
+  void FillPaths(
+    const Tracks& places, const std::vector<std::size_t>& order, vtkPolyData* paths) const;
+  void FillEvents(const std::vector<TrackEvent>& events, vtkTable* table) const;
+};
+
+}
+
+#endif

@@ -1,0 +1,259 @@
+#include "vtkBindingSites.h"
+
+#include "Atoms/AtomInput.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/PolyDataTriangles.h"
+#include "Core/WholeSurface.h"
+#include "Pockets/BindingSiteTable.h"
+#include "Pockets/BindingSites.h"
+#include "Pockets/HullDepth.h"
+#include "Pockets/MolecularPockets.h"
+#include "Pockets/PocketSurface.h"
+
+#include <vtkDataArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkIntArray.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkBindingSites);
+
+namespace
+{
+
+double AmplitudeOf(double value, int mode)
+{
+  if (std::isnan(value) || mode == vtkBindingSites::AbsoluteValue)
+  {
+    return std::abs(value);
+  }
+  return std::max(mode == vtkBindingSites::PositivePart ? value : -value, 0.0);
+}
+
+}
+
+vtkBindingSites::vtkBindingSites()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+  constexpr int points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  this->SetInputArrayToProcess(0, 0, 0, points, "PolarizedCurvature");
+  this->SetInputArrayToProcess(1, 0, 0, points, "SiteClass");
+  this->SetInputArrayToProcess(2, 0, 0, points, "Potential");
+}
+
+void vtkBindingSites::SetAtomsData(vtkPointSet* atoms)
+{
+  this->SetInputData(1, atoms);
+}
+
+int vtkBindingSites::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkPointSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
+  return 1;
+}
+
+int vtkBindingSites::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
+  return 1;
+}
+
+vtkTable* vtkBindingSites::GetSiteTable()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkBindingSites::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkTable* table = vtkTable::GetData(outputVector, 1);
+  table->Initialize();
+  return isthmus::Guarded(this, output,
+    [&]()
+    {
+      const auto surface = isthmus::WholeSurface(this, vtkPolyData::GetData(inputVector[0]));
+      vtkPointSet* atoms = vtkPointSet::GetData(inputVector[1]);
+      output->ShallowCopy(surface);
+      if (surface->GetNumberOfCells() > 0)
+      {
+        std::vector<std::string> notes;
+        std::optional<isthmus::ChosenAtoms> chosen;
+        if (atoms && atoms->GetNumberOfPoints() > 0)
+        {
+          chosen = this->TakeAtoms(atoms);
+          notes = chosen->Notes;
+        }
+        const isthmus::PolyDataTriangles triangles(surface);
+        const bool usesPockets = chosen && this->UsePockets;
+        const isthmus::BindingSiteResult result = usesPockets
+          ? this->Pockets(surface, triangles.View(), *chosen)
+          : this->Patches(surface, triangles.View());
+        vtkNew<vtkIntArray> labels;
+        labels->SetName("BindingSite");
+        labels->SetNumberOfValues(surface->GetNumberOfPoints());
+        std::copy(result.Labels.begin(), result.Labels.end(), labels->GetPointer(0));
+        output->GetPointData()->AddArray(labels);
+        output->GetPointData()->SetActiveScalars("BindingSite");
+        isthmus::FillSiteTable(result,
+          chosen ? isthmus::ResiduesOfSites(
+                     triangles.View(), result.Labels, result.Sites.size(), *chosen)
+                 : std::vector<std::string>(),
+          table);
+        notes.push_back(usesPockets ? "Sites are pockets." : "Sites are patches of the surface.");
+        isthmus::AddNotes(notes, table);
+      }
+    });
+}
+
+vtkDataArray* vtkBindingSites::Scalar(int index, vtkPolyData* surface, const char* remedy)
+{
+  vtkDataArray* array = this->GetInputArrayToProcess(index, surface);
+  if (array &&
+    (array->GetNumberOfComponents() != 1 ||
+      array->GetNumberOfTuples() != surface->GetNumberOfPoints()))
+  {
+    throw std::invalid_argument("The array " +
+      std::string(array->GetName() ? array->GetName() : "without a name") +
+      " is not one number for each point: choose another.");
+  }
+  if (!array && remedy)
+  {
+    const char* name = this->GetInputArrayInformation(index)->Get(vtkDataObject::FIELD_NAME());
+    throw std::invalid_argument("The surface has no point array " +
+      std::string(name && *name ? name : "of that kind") + ": " + remedy);
+  }
+  return array;
+}
+
+isthmus::SiteFields vtkBindingSites::Fields(vtkPolyData* surface)
+{
+  const char* remedy = "run Polarized Curvature, which wants the potential, on it first, or choose "
+                       "another array.";
+  vtkDataArray* values = this->Scalar(0, surface, remedy);
+  vtkDataArray* classes = this->Classes == AllPoints ? nullptr : this->Scalar(1, surface, remedy);
+  vtkDataArray* potential = this->Scalar(2, surface, nullptr);
+  const auto count = static_cast<std::size_t>(surface->GetNumberOfPoints());
+  isthmus::SiteFields fields;
+  fields.Amplitude.resize(count);
+  fields.Kind.assign(count, 1);
+  fields.Potential.resize(potential ? count : 0);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto point = static_cast<vtkIdType>(i);
+    fields.Amplitude[i] = AmplitudeOf(values->GetComponent(point, 0), this->Amplitude);
+    if (potential)
+    {
+      fields.Potential[i] = potential->GetComponent(point, 0);
+    }
+    if (classes)
+    {
+      const double site = classes->GetComponent(point, 0);
+      const bool ligand = site == 2.0 || site == 4.0;
+      const bool protein = site == 1.0 || site == 3.0;
+      const bool wanted =
+        (ligand && this->Classes != Proteins) || (protein && this->Classes != Ligands);
+      fields.Kind[i] = static_cast<unsigned char>(wanted ? site : 0.0);
+    }
+  }
+  return fields;
+}
+
+isthmus::BindingSiteResult vtkBindingSites::Patches(
+  vtkPolyData* surface, const isthmus::SurfaceView& triangles)
+{
+  const isthmus::SiteFields fields = this->Fields(surface);
+  isthmus::BindingSiteOptions options;
+  options.UseQuantile = this->UseQuantile != 0;
+  options.Quantile = this->Quantile;
+  options.Threshold = this->Threshold;
+  options.MergeDistance = this->MergeDistance;
+  options.MinimumArea = this->MinimumArea;
+  options.Ranking = static_cast<isthmus::SiteRanking>(this->RankBy);
+  isthmus::BindingSiteResult result =
+    isthmus::FindBindingSites(triangles, fields, options, isthmus::ProgressOf(this));
+  if (result.Sites.empty())
+  {
+    vtkWarningMacro(<< "No patch of at least " << this->MinimumArea
+                    << " (unit of length squared) has values above the threshold of "
+                    << result.Threshold
+                    << ". Is the array constant, or zero where the classes asked for are? Lower "
+                       "the threshold or the quantile.");
+  }
+  return result;
+}
+
+isthmus::ChosenAtoms vtkBindingSites::TakeAtoms(vtkPointSet* input)
+{
+  isthmus::ChosenAtoms atoms = isthmus::ChooseAtoms("Radius", input, isthmus::PolymerOptions());
+  for (const std::string& warning : atoms.Warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  return atoms;
+}
+
+isthmus::BindingSiteResult vtkBindingSites::Pockets(
+  vtkPolyData* surface, const isthmus::SurfaceView& triangles, const isthmus::ChosenAtoms& atoms)
+{
+  auto pockets =
+    isthmus::FindPockets(atoms.Balls, {}, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.8))
+      .Pockets;
+  isthmus::SiteFields fields = this->Fields(surface);
+  std::vector<isthmus::PocketSurfaceMeans> means;
+  isthmus::WeighPockets(
+    triangles, { std::move(fields.Amplitude), fields.Potential }, pockets, means);
+  isthmus::BindingSiteResult result;
+  result.Threshold = vtkMath::Nan();
+  result.Labels = isthmus::LabelSurface(triangles, pockets);
+  const isthmus::HullDepth depth(triangles, {});
+  for (std::size_t i = 0; i < pockets.size(); ++i)
+  {
+    const double potential = means[i].Potential;
+    isthmus::BindingSite site;
+    site.Kind = static_cast<unsigned char>(potential > 0.0 ? 2 : (potential < 0.0 ? 4 : 0));
+    site.Score = pockets[i].Score;
+    site.Area = means[i].Area;
+    site.Volume = pockets[i].Volume;
+    site.MeanDepth = depth(pockets[i].Centre.data());
+    site.MeanPotential = potential;
+    site.Centre = pockets[i].Centre;
+    site.Points = std::count(result.Labels.begin(), result.Labels.end(), static_cast<int>(i) + 1);
+    result.Sites.push_back(site);
+  }
+  if (pockets.empty())
+  {
+    vtkWarningMacro(
+      << "The molecule has no pocket, so there are no sites: turn Use Pockets off for "
+         "the patches of the surface that stand out.");
+  }
+  return result;
+}
+
+void vtkBindingSites::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "UsePockets: " << this->UsePockets << "\n";
+  os << indent << "Classes: " << this->Classes << "\n";
+  os << indent << "Amplitude: " << this->Amplitude << "\n";
+  os << indent << "UseQuantile: " << this->UseQuantile << "\n";
+  os << indent << "Quantile: " << this->Quantile << "\n";
+  os << indent << "Threshold: " << this->Threshold << "\n";
+  os << indent << "MergeDistance: " << this->MergeDistance << "\n";
+  os << indent << "MinimumArea: " << this->MinimumArea << "\n";
+  os << indent << "RankBy: " << this->RankBy << "\n";
+}

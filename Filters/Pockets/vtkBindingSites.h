@@ -1,0 +1,187 @@
+/**
+ * @class   vtkBindingSites
+ * @brief   likely binding sites: connected patches of large polarized curvature, ranked
+ *
+ * Input: the surface that vtkPolarizedCurvature makes, or any vtkPolyData with a point array to
+ * rank by (input array 0: `PolarizedCurvature`), with classes (input array 1: `SiteClass`) unless
+ * Classes is AllPoints, and, for the means, a potential (input array 2: `Potential`; optional).
+ *
+ * **With atoms** on input 1 (points with `Radius`), sites are the pockets of
+ * vtkMolecularPockets (its defaults), ranked by their score x the square root of the mean
+ * |amplitude| of the surface that lines them. `SiteClass` is then 2 where that surface's mean
+ * potential is positive (a site for a negatively charged ligand), 4 where it is negative, 0 without
+ * a potential; `Area` and `Points` are those of the surface; `MeanDepth` and the centre are the
+ * pocket's. This finds ligands far better: see Filters/Pockets/README.md. What follows is about
+ * patches, without atoms.
+ *
+ * Points above the threshold that edges connect and that have the same class form patches; patches
+ * of the same class closer than MergeDistance become one; each has a rank, 1 is the best.
+ *
+ * **Output 0**, the surface with the point array `BindingSite` (int): 0, or the rank.
+ * **Output 1**, a table with a row for each site: `Rank`, `Score` (integral of the
+ * amplitude over the patch: kT/e angstrom for the polarized curvature), `SiteClass` and, in words,
+ * `Class`; with atoms `Residues` (those with atoms within 4 angstrom of the site, most atoms first:
+ * "A HIS 57 (5)" is chain, name, number, atoms) and, of pockets, `Volume` (angstrom^3); `Area`
+ * (angstrom^2), `MeanDepth` (angstrom below the convex hull of the surface), `MeanPotential` (kT/e;
+ * NaN without a potential), `CenterX`, `CenterY`, `CenterZ` (mean of the patch's points), `Points`.
+ * Its field array `Threshold` is the amplitude that was used, `Notes` says what the sites are and
+ * which atoms were left out. BindingSites.h has definitions.
+ *
+ * **Defaults** were tuned on the eight complexes of Filters/Pockets/BindingSites.md, which says
+ * how well they predict.
+ *
+ * **Errors** (sentence, empty outputs): no such arrays; a quantile, threshold, distance or area out
+ * of range. No point above the threshold (a constant array, say) and a molecule without pockets are
+ * a warning and no site. An empty surface is neither.
+ *
+ * **Cost.** 1 us a point and thread for the hull, in parallel; the same bits on any number of
+ * threads. On several MPI ranks, each works on its own piece: gather the surface first.
+ */
+#ifndef vtkBindingSites_h
+#define vtkBindingSites_h
+
+#include "vtkIsthmusFiltersPocketsModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class vtkAlgorithmOutput;
+class vtkDataArray;
+class vtkPointSet;
+class vtkTable;
+
+namespace isthmus
+{
+struct BindingSiteResult;
+struct ChosenAtoms;
+struct SiteFields;
+struct SurfaceView;
+}
+
+class VTKISTHMUSFILTERSPOCKETS_EXPORT vtkBindingSites : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkBindingSites* New();
+  vtkTypeMacro(vtkBindingSites, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The molecule's atoms, optional: input 1.
+  void SetAtomsConnection(vtkAlgorithmOutput* atoms) { this->SetInputConnection(1, atoms); }
+  void SetAtomsData(vtkPointSet* atoms);
+  ///@}
+
+  ///@{
+  /// Whether sites are pockets where there are atoms. Default: on. Off: patches.
+  vtkSetMacro(UsePockets, bool);
+  vtkGetMacro(UsePockets, bool);
+  vtkBooleanMacro(UsePockets, bool);
+  ///@}
+
+  enum PointClasses
+  {
+    Ligands = 0,
+    Proteins = 1,
+    AllClasses = 2,
+    AllPoints = 3
+  };
+
+  ///@{
+  /// Which points make sites: of SiteClass 2 and 4 (Ligands, default), 1 and 3 (Proteins), 1 to 4
+  /// (AllClasses), or all as one class, without SiteClass (AllPoints).
+  vtkSetClampMacro(Classes, int, Ligands, AllPoints);
+  vtkGetMacro(Classes, int);
+  ///@}
+
+  enum AmplitudeModes
+  {
+    AbsoluteValue = 0,
+    PositivePart = 1,
+    NegativePart = 2
+  };
+
+  ///@{
+  /// What of the array counts: |v| (default), max(v, 0), or max(-v, 0).
+  vtkSetClampMacro(Amplitude, int, AbsoluteValue, NegativePart);
+  vtkGetMacro(Amplitude, int);
+  ///@}
+
+  ///@{
+  /// Whether the threshold is a quantile of the surface's area (default) or a value.
+  vtkSetMacro(UseQuantile, vtkTypeBool);
+  vtkGetMacro(UseQuantile, vtkTypeBool);
+  vtkBooleanMacro(UseQuantile, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// The fraction of the area that lies at or below the threshold, in [0, 1). Default: 0.93.
+  vtkSetMacro(Quantile, double);
+  vtkGetMacro(Quantile, double);
+  ///@}
+
+  ///@{
+  /// Threshold of the amplitude in the array's unit, without UseQuantile. Default: 1 kT/(e
+  /// angstrom).
+  vtkSetMacro(Threshold, double);
+  vtkGetMacro(Threshold, double);
+  ///@}
+
+  ///@{
+  /// Distance within which patches of one class are merged, angstrom. Default: 1; 0: none are.
+  vtkSetMacro(MergeDistance, double);
+  vtkGetMacro(MergeDistance, double);
+  ///@}
+
+  ///@{
+  /// Area below which patches are left out, angstrom^2. Default: 5.
+  vtkSetMacro(MinimumArea, double);
+  vtkGetMacro(MinimumArea, double);
+  ///@}
+
+  enum Rankings
+  {
+    ByScore = 0,
+    ByArea = 1,
+    ByMeanDepth = 2,
+    ByMeanPotential = 3
+  };
+
+  ///@{
+  /// What ranks the sites, the largest first: Score (default), Area, MeanDepth, or |MeanPotential|.
+  vtkSetClampMacro(RankBy, int, ByScore, ByMeanPotential);
+  vtkGetMacro(RankBy, int);
+  ///@}
+
+  /// Output 1.
+  vtkTable* GetSiteTable();
+
+protected:
+  vtkBindingSites();
+  ~vtkBindingSites() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  bool UsePockets = true;
+  int Classes = Ligands;
+  int Amplitude = AbsoluteValue;
+  vtkTypeBool UseQuantile = 1;
+  double Quantile = 0.93;
+  double Threshold = 1.0;
+  double MergeDistance = 1.0;
+  double MinimumArea = 5.0;
+  int RankBy = ByScore;
+
+private:
+  vtkBindingSites(const vtkBindingSites&) = delete;
+  void operator=(const vtkBindingSites&) = delete;
+
+  vtkDataArray* Scalar(int index, vtkPolyData* surface, const char* remedy);
+  isthmus::SiteFields Fields(vtkPolyData* surface);
+  isthmus::BindingSiteResult Patches(vtkPolyData* surface, const isthmus::SurfaceView& triangles);
+  isthmus::ChosenAtoms TakeAtoms(vtkPointSet* input);
+  isthmus::BindingSiteResult Pockets(
+    vtkPolyData* surface, const isthmus::SurfaceView& triangles, const isthmus::ChosenAtoms& atoms);
+};
+
+#endif

@@ -1,0 +1,181 @@
+#include "vtkFeatureTracks.h"
+
+#include "Core/AlgorithmGuard.h"
+#include "Core/WholeSurface.h"
+#include "Pockets/TrackedData.h"
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTable.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkFeatureTracks);
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+struct vtkFeatureTracks::Collected : isthmus::TrackedData
+{
+};
+
+vtkFeatureTracks::vtkFeatureTracks()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(4);
+}
+
+vtkFeatureTracks::~vtkFeatureTracks() = default;
+
+vtkTable* vtkFeatureTracks::GetChart()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+vtkPolyData* vtkFeatureTracks::GetPaths()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+vtkTable* vtkFeatureTracks::GetEvents()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(3));
+}
+
+int vtkFeatureTracks::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable");
+  if (port == 0)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  }
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
+  return 1;
+}
+
+int vtkFeatureTracks::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 2 ? "vtkPolyData" : "vtkTable");
+  return 1;
+}
+
+int vtkFeatureTracks::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Data = std::make_unique<Collected>();
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  if (input->Has(Pipeline::TIME_STEPS()))
+  {
+    const double* times = input->Get(Pipeline::TIME_STEPS());
+    this->Data->Times.assign(times, times + input->Length(Pipeline::TIME_STEPS()));
+  }
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    // The output is that of all times.
+    outputVector->GetInformationObject(port)->Remove(Pipeline::TIME_STEPS());
+    outputVector->GetInformationObject(port)->Remove(Pipeline::TIME_RANGE());
+  }
+  return 1;
+}
+
+int vtkFeatureTracks::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  const std::size_t next = this->Data ? this->Data->Frames.size() : 0;
+  for (int port = 0; this->Data && next < this->Data->Times.size() && port < 2; ++port)
+  {
+    if (vtkInformation* input = inputVector[port]->GetInformationObject(0))
+    {
+      input->Set(Pipeline::UPDATE_TIME_STEP(), this->Data->Times[next]);
+    }
+  }
+  return 1;
+}
+
+int vtkFeatureTracks::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const auto clear = [&]()
+  {
+    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+    {
+      vtkDataObject::GetData(outputVector, port)->Initialize();
+    }
+    this->Data->Clear();
+    request->Remove(Pipeline::CONTINUE_EXECUTING());
+  };
+  const bool done = isthmus::Succeeds(this, vtkDataObject::GetData(outputVector, 0),
+    [&]()
+    {
+      this->Data->Add(
+        vtkDataObject::GetData(inputVector[0], 0), vtkTable::GetData(inputVector[1], 0));
+      const double seen = static_cast<double>(this->Data->Frames.size());
+      isthmus::Report(isthmus::ProgressOf(this),
+        0.9 * seen / std::max(seen, static_cast<double>(this->Data->Times.size())));
+      if (this->Data->Frames.size() < this->Data->Times.size())
+      {
+        request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
+        return;
+      }
+      request->Remove(Pipeline::CONTINUE_EXECUTING());
+      const auto& frames = this->Data->Frames;
+      const bool none =
+        std::all_of(frames.begin(), frames.end(), [](const auto& frame) { return frame.empty(); });
+      if (!none || isthmus::OnFirstRank()) // the frames without features are told once
+      {
+        this->Finish(outputVector);
+      }
+      this->Data->Clear();
+    });
+  if (!done || this->CheckAbort())
+  {
+    clear();
+  }
+  return 1;
+}
+
+void vtkFeatureTracks::Finish(vtkInformationVector* outputs)
+{
+  if (this->MinimumLength < 0)
+  {
+    throw std::invalid_argument("MinimumLength is negative, but it is a number of features.");
+  }
+  const Collected& data = *this->Data;
+  const auto tracks =
+    isthmus::TrackFeatures(data.Frames, { this->MaximumDistance, this->MaximumGap });
+  Collected::Tracks places(static_cast<std::size_t>(tracks.NumberOfTracks));
+  for (std::size_t t = 0; t < data.Frames.size(); ++t)
+  {
+    for (std::size_t i = 0; i < data.Frames[t].size(); ++i)
+    {
+      places[static_cast<std::size_t>(tracks.TrackOf[t][i])].push_back({ t, i });
+    }
+  }
+  data.FillTable(places, vtkTable::GetData(outputs, 0));
+  std::vector<std::size_t> order;
+  for (std::size_t n = 0; n < places.size(); ++n)
+  {
+    if (places[n].size() >= static_cast<std::size_t>(this->MinimumLength))
+    {
+      order.push_back(n);
+    }
+  }
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b) { return places[a].size() > places[b].size(); });
+  data.FillChart(places, order, this->Charted, vtkTable::GetData(outputs, 1));
+  data.FillPaths(places, order, vtkPolyData::GetData(outputs, 2));
+  data.FillEvents(tracks.Events, vtkTable::GetData(outputs, 3));
+}
+
+void vtkFeatureTracks::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+  os << indent << "MaximumGap: " << this->MaximumGap << "\n";
+  os << indent << "Charted: " << this->Charted << "\n";
+  os << indent << "MinimumLength: " << this->MinimumLength << "\n";
+}

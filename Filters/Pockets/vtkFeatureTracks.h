@@ -1,0 +1,109 @@
+/**
+ * @class   vtkFeatureTracks
+ * @brief   pockets, pores or choke points followed through time
+ *
+ * Input 0: features at each time step, of a pipeline with time (a molecule with several models,
+ * say): a table with CenterX, CenterY, CenterZ (the Ranking of vtkMolecularPockets) or BottleneckX,
+ * ... (the Pores of vtkPoreProfile), points (bottlenecks, choke points), or what an array PocketId,
+ * PoreId or FeatureId groups (the pockets, mouths or alpha balls of vtkMolecularPockets, the lines
+ * of vtkPoreProfile, the loops of vtkChokingLoops); FeatureInput.h has the rules. Where there are a
+ * column or array `Radius`, `Volume`, `Score`, they are carried along. Input 1 (optional): the
+ * lining residues of the same filter, which make the matching sure where features are crowded.
+ *
+ * The filter asks for all time steps, one after the other. FeatureTracks.h tells how it matches.
+ *
+ * **Output 0**, vtkTable: a row for each feature and time: `Track` (from 1), `Time`, `FeatureId`
+ * (its row or point there, from 1, or the id that groups it), `X`, `Y`, `Z`, `Radius`, `Volume`,
+ * `Score` (NaN where not known).
+ * **Output 1**, vtkTable for charts: a row for each time, `Time` and a column `Track N` with
+ * Radius, Volume or Score (Charted), NaN where it is missing; the longest tracks come first.
+ * **Output 2**, vtkPolyData: a polyline for each track, point arrays `Track`, `Time`, `Radius`.
+ * **Output 3**, vtkTable: `Event` ("merge" or "split"), `Time`, `Track`, `Other`.
+ *
+ * **Errors** (sentence, empty outputs): an input without places, options out of range. Without time
+ * steps, each feature is a track.
+ */
+#ifndef vtkFeatureTracks_h
+#define vtkFeatureTracks_h
+
+#include "vtkIsthmusFiltersPocketsModule.h" // for the export macro
+#include "vtkTableAlgorithm.h"
+
+#include <memory> // for what is collected
+
+class vtkAlgorithmOutput;
+class vtkPolyData;
+
+class VTKISTHMUSFILTERSPOCKETS_EXPORT vtkFeatureTracks : public vtkTableAlgorithm
+{
+public:
+  static vtkFeatureTracks* New();
+  vtkTypeMacro(vtkFeatureTracks, vtkTableAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The lining residues, optional: input 1.
+  void SetLiningConnection(vtkAlgorithmOutput* table) { this->SetInputConnection(1, table); }
+
+  ///@{
+  /// How far a feature moves at most from one time step to the next. Default: 4 angstrom.
+  vtkSetMacro(MaximumDistance, double);
+  vtkGetMacro(MaximumDistance, double);
+  ///@}
+
+  ///@{
+  /// How many time steps a track may miss. Default: 25.
+  vtkSetMacro(MaximumGap, int);
+  vtkGetMacro(MaximumGap, int);
+  ///@}
+
+  enum ChartedValues
+  {
+    Radius = 0,
+    Volume = 1,
+    Score = 2
+  };
+
+  ///@{
+  /// What output 1 has of each track. Default: Radius.
+  vtkSetClampMacro(Charted, int, Radius, Score);
+  vtkGetMacro(Charted, int);
+  ///@}
+
+  ///@{
+  /// Tracks with fewer features are left out of outputs 1 and 2. Default: 1.
+  vtkSetMacro(MinimumLength, int);
+  vtkGetMacro(MinimumLength, int);
+  ///@}
+
+  vtkTable* GetChart();
+  vtkPolyData* GetPaths();
+  vtkTable* GetEvents();
+
+protected:
+  vtkFeatureTracks();
+  ~vtkFeatureTracks() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkFeatureTracks(const vtkFeatureTracks&) = delete;
+  void operator=(const vtkFeatureTracks&) = delete;
+
+  struct Collected;
+  void Finish(vtkInformationVector* outputs);
+
+  std::unique_ptr<Collected> Data;
+  double MaximumDistance = 4.0;
+  int MaximumGap = 25;
+  int Charted = Radius;
+  int MinimumLength = 1;
+};
+
+#endif

@@ -1,0 +1,208 @@
+#include "vtkMolecularPockets.h"
+
+#include "Core/AlgorithmGuard.h"
+#include "Core/PolyDataTriangles.h"
+#include "Core/WholeSurface.h"
+#include "Pockets/MolecularPockets.h"
+#include "Pockets/PocketOutput.h"
+
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkMolecularPockets);
+
+namespace
+{
+
+void AddNumber(const char* name, double value, vtkDataObject* to)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  to->GetFieldData()->AddArray(array);
+}
+
+/// The numbers of a surface's point array; empty where it is missing and may be.
+std::vector<double> NumbersOf(const std::string& name, vtkPolyData* surface, bool required)
+{
+  vtkDataArray* array = surface->GetPointData()->GetArray(name.c_str());
+  if (!array || array->GetNumberOfComponents() != 1)
+  {
+    if (required)
+    {
+      throw std::invalid_argument("The surface has no point array " + name +
+        " with a number for each point: make it with vtkPolarizedCurvature, or choose an array.");
+    }
+    return {};
+  }
+  std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values[i] = array->GetComponent(static_cast<vtkIdType>(i), 0);
+  }
+  return values;
+}
+
+}
+
+vtkMolecularPockets::vtkMolecularPockets()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(6);
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Radius");
+}
+
+void vtkMolecularPockets::SetSurfaceData(vtkPolyData* surface)
+{
+  this->SetInputData(1, surface);
+}
+
+vtkTable* vtkMolecularPockets::GetPocketTable()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+vtkPolyData* vtkMolecularPockets::GetMouths()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+vtkPolyData* vtkMolecularPockets::GetAlphaBalls()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(3));
+}
+
+vtkTable* vtkMolecularPockets::GetLiningResidues()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(4));
+}
+
+vtkPolyData* vtkMolecularPockets::GetLiningAtoms()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(5));
+}
+
+int vtkMolecularPockets::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
+  return 1;
+}
+
+int vtkMolecularPockets::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  const char* types[] = { "vtkUnstructuredGrid", "vtkTable", "vtkPolyData", "vtkPolyData",
+    "vtkTable", "vtkPolyData" };
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
+  return 1;
+}
+
+int vtkMolecularPockets::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
+  vtkPolyData* surface = vtkPolyData::GetData(inputVector[1], 0);
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkDataObject::GetData(outputVector, port)->Initialize();
+  }
+  const bool done = isthmus::Succeeds(this, vtkDataObject::GetData(outputVector, 0),
+    [&]()
+    {
+      isthmus::DemandOnOneRank(this, atoms, "atoms");
+      if (atoms)
+      {
+        this->Compute(atoms, surface, outputVector);
+      }
+    });
+  if (!done || this->CheckAbort())
+  {
+    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+    {
+      vtkDataObject::GetData(outputVector, port)->Initialize();
+    }
+  }
+  return 1;
+}
+
+void vtkMolecularPockets::Compute(
+  vtkPointSet* input, vtkPolyData* surface, vtkInformationVector* outputs)
+{
+  isthmus::PolymerOptions keep;
+  keep.Hydrogens = this->KeepHydrogens;
+  keep.Waters = this->KeepWaters;
+  keep.Ions = this->KeepIons;
+  keep.Ligands = this->KeepLigands;
+  keep.ProstheticGroups = this->KeepProstheticGroups;
+  keep.Residues = isthmus::NamesIn(this->KeepResidues);
+  isthmus::PocketOptions options;
+  options.ProbeRadius = this->ProbeRadius;
+  options.InnerRadius = this->InnerRadius;
+  options.OuterRadius = this->OuterRadius;
+  options.BurialRadius = this->BurialRadius;
+  options.MinimumVolume = this->MinimumVolume;
+  isthmus::ChosenAtoms atoms;
+  if (input->GetNumberOfPoints() > 0)
+  {
+    atoms = isthmus::ChooseAtoms(isthmus::InputArrayName(this, 0), input, keep);
+  }
+  auto result = isthmus::FindPockets(
+    atoms.Balls, options, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
+  std::vector<isthmus::PocketSurfaceMeans> means;
+  if (surface && surface->GetNumberOfPoints() > 0 && this->UsePolarizedCurvature)
+  {
+    const isthmus::PolyDataTriangles triangles(surface);
+    const isthmus::PocketSurfaceFields fields{ NumbersOf(this->PolarizedArray, surface, true),
+      NumbersOf(this->PotentialArray, surface, false) };
+    isthmus::WeighPockets(triangles.View(), fields, result.Pockets, means);
+  }
+  const isthmus::PocketReport report{ result.Pockets, means, atoms };
+  auto* cells = vtkUnstructuredGrid::GetData(outputs, 0);
+  auto* table = vtkTable::GetData(outputs, 1);
+  isthmus::FillPocketCells(report, cells);
+  isthmus::FillPocketTable(report, table);
+  isthmus::FillMouths(report, vtkPolyData::GetData(outputs, 2));
+  isthmus::FillAlphaBalls(report, vtkPolyData::GetData(outputs, 3));
+  isthmus::FillLiningResidues(report, vtkTable::GetData(outputs, 4));
+  isthmus::FillLiningAtoms(report, input, this->ShownPocket, vtkPolyData::GetData(outputs, 5));
+  AddNumber("AccessibleArea", result.UnionArea, table);
+  AddNumber("AccessibleVolume", result.UnionVolume, table);
+  isthmus::AddNotes(atoms.Notes, cells);
+  isthmus::AddNotes(atoms.Notes, table);
+  for (const std::string& warning : atoms.Warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+}
+
+void vtkMolecularPockets::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ProbeRadius: " << this->ProbeRadius << "\n";
+  os << indent << "InnerRadius: " << this->InnerRadius << "\n";
+  os << indent << "OuterRadius: " << this->OuterRadius << "\n";
+  os << indent << "BurialRadius: " << this->BurialRadius << "\n";
+  os << indent << "MinimumVolume: " << this->MinimumVolume << "\n";
+  os << indent << "UsePolarizedCurvature: " << this->UsePolarizedCurvature << "\n";
+  os << indent << "PolarizedArray: " << this->PolarizedArray << "\n";
+  os << indent << "PotentialArray: " << this->PotentialArray << "\n";
+  os << indent << "KeepHydrogens: " << this->KeepHydrogens << "\n";
+  os << indent << "KeepWaters: " << this->KeepWaters << "\n";
+  os << indent << "KeepIons: " << this->KeepIons << "\n";
+  os << indent << "KeepLigands: " << this->KeepLigands << "\n";
+  os << indent << "KeepProstheticGroups: " << this->KeepProstheticGroups << "\n";
+  os << indent << "KeepResidues: " << this->KeepResidues << "\n";
+  os << indent << "ShownPocket: " << this->ShownPocket << "\n";
+}

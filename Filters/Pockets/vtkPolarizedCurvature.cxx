@@ -1,0 +1,255 @@
+#include "vtkPolarizedCurvature.h"
+
+#include "Core/AlgorithmGuard.h"
+#include "Core/ImageExtent.h"
+#include "Core/ParallelFor.h"
+#include "Pockets/PolarizedCurvature.h"
+
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkPolarizedCurvature);
+
+namespace
+{
+
+/// A plain double (or, with vtkFloatArray, float) copy, or `array` itself where it is one.
+template <typename Array>
+vtkSmartPointer<Array> Plain(vtkDataArray* array)
+{
+  auto plain = vtkSmartPointer<Array>::New();
+  plain->ShallowCopy(array);
+  return plain;
+}
+
+template <typename Array>
+void SampleAs(vtkImageData* image, vtkDataArray* scalars, const double* points, vtkIdType count,
+  double* values, const isthmus::ProgressCallback& progress)
+{
+  using T = typename Array::ValueType;
+  const auto plain = Plain<Array>(scalars);
+  isthmus::GridView<const T> grid;
+  grid.Data = plain->GetPointer(0);
+  isthmus::GridTransform toGrid{};
+  for (int a = 0; a < 3; ++a)
+  {
+    grid.Dimensions[static_cast<std::size_t>(a)] = image->GetDimensions()[a];
+    for (int i = 0; i < 4; ++i)
+    {
+      toGrid[static_cast<std::size_t>(4 * a + i)] =
+        image->GetPhysicalToIndexMatrix()->GetElement(a, i) -
+        (i == 3 ? image->GetExtent()[2 * a] : 0);
+    }
+  }
+  isthmus::SamplePotential(grid, toGrid, points, count, values, progress);
+}
+
+void AddSiteClassNames(vtkFieldData* fields)
+{
+  vtkNew<vtkStringArray> names;
+  names->SetName("SiteClassNames");
+  for (unsigned char site = 0; site < isthmus::NumberOfSiteClasses; ++site)
+  {
+    names->InsertNextValue(isthmus::SiteClassName(static_cast<isthmus::SiteClass>(site)));
+  }
+  fields->AddArray(names);
+}
+
+void CheckScalar(vtkDataArray* array, vtkDataSet* data, const char* what)
+{
+  if (array->GetNumberOfComponents() != 1 ||
+    array->GetNumberOfTuples() != data->GetNumberOfPoints())
+  {
+    throw std::invalid_argument("The array for the " + std::string(what) +
+      " is not one number for each point: choose another.");
+  }
+}
+
+template <typename Array>
+Array* NewPointArray(vtkPolyData* output, const char* name)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfValues(output->GetNumberOfPoints());
+  output->GetPointData()->AddArray(array);
+  return array;
+}
+
+}
+
+vtkPolarizedCurvature::vtkPolarizedCurvature()
+{
+  this->SetNumberOfInputPorts(2);
+  constexpr int points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  this->SetInputArrayToProcess(0, 0, 0, points, "MaximumCurvature");
+  this->SetInputArrayToProcess(1, 0, 0, points, "MinimumCurvature");
+  this->SetInputArrayToProcess(2, 0, 0, points, "Potential");
+}
+
+int vtkPolarizedCurvature::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+void vtkPolarizedCurvature::SetPotentialData(vtkImageData* image)
+{
+  this->SetInputData(1, image);
+}
+
+vtkDataArray* vtkPolarizedCurvature::Scalar(
+  int index, vtkPolyData* surface, const char* what, const char* remedy)
+{
+  vtkDataArray* array = this->GetInputArrayToProcess(index, surface);
+  if (!array)
+  {
+    const char* name = this->GetInputArrayInformation(index)->Get(vtkDataObject::FIELD_NAME());
+    throw std::invalid_argument("There is no point array for the " + std::string(what) +
+      (name ? ", " + std::string(name) : std::string()) + ": " + remedy);
+  }
+  CheckScalar(array, surface, what);
+  return array;
+}
+
+int vtkPolarizedCurvature::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // Any part of the image may be needed, wherever the surface's piece lies.
+  if (vtkInformation* image = inputVector[1]->GetInformationObject(0))
+  {
+    isthmus::AskForWholeImage(image);
+  }
+  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+}
+
+int vtkPolarizedCurvature::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  return isthmus::Guarded(this, output,
+    [&]()
+    {
+      vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
+      vtkImageData* image = vtkImageData::GetData(inputVector[1]);
+      output->ShallowCopy(surface);
+      if (surface->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      vtkNew<vtkDoubleArray> potential;
+      potential->SetName("Potential");
+      potential->SetNumberOfValues(surface->GetNumberOfPoints());
+      image ? this->Sample(surface, image, potential) : this->Copy(surface, potential);
+      this->AddProducts(surface, potential, output);
+    });
+}
+
+void vtkPolarizedCurvature::Copy(vtkPolyData* surface, vtkDoubleArray* potential)
+{
+  vtkDataArray* array = this->Scalar(2, surface, "potential",
+    "give the potential as an image on the second input, or as a point array of the surface.");
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    const double value = array->GetComponent(i, 0);
+    potential->SetValue(i, std::isfinite(value) ? value : std::nan(""));
+  }
+}
+
+void vtkPolarizedCurvature::Sample(
+  vtkPolyData* surface, vtkImageData* image, vtkDoubleArray* potential)
+{
+  vtkDataArray* scalars = image->GetPointData()->GetArray(this->ImageArrayName.c_str());
+  scalars = scalars ? scalars : image->GetPointData()->GetScalars();
+  if (!scalars)
+  {
+    throw std::invalid_argument("The image has neither a point array " + this->ImageArrayName +
+      " nor scalars: give one of the image's point arrays as ImageArrayName.");
+  }
+  CheckScalar(scalars, image, "potential");
+  const vtkIdType count = surface->GetNumberOfPoints();
+  const auto points = Plain<vtkDoubleArray>(surface->GetPoints()->GetData());
+  const auto sample =
+    scalars->GetDataType() == VTK_FLOAT ? &SampleAs<vtkFloatArray> : &SampleAs<vtkDoubleArray>;
+  sample(image, scalars, points->GetPointer(0), count, potential->GetPointer(0),
+    isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.7));
+  vtkIdType off = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    off += std::isnan(potential->GetValue(i)) ? 1 : 0;
+  }
+  if (off == count)
+  {
+    throw std::invalid_argument(
+      "The potential misses the surface: none of its points lies in the "
+      "image. Are both of the same molecule, in the same unit of length?");
+  }
+  if (off > 0)
+  {
+    vtkWarningMacro(<< off << " of " << count
+                    << " points of the surface lie off the grid of the potential (or at values "
+                       "that are not finite): PotentialValid is 0 there and the products are NaN.");
+  }
+}
+
+void vtkPolarizedCurvature::AddProducts(
+  vtkPolyData* surface, vtkDoubleArray* potential, vtkPolyData* output)
+{
+  const char* remedy = "run Surface Curvature or Hessian Curvature on the surface first.";
+  const auto kappa1 = Plain<vtkDoubleArray>(this->Scalar(0, surface, "maximum curvature", remedy));
+  const auto kappa2 = Plain<vtkDoubleArray>(this->Scalar(1, surface, "minimum curvature", remedy));
+  output->GetPointData()->AddArray(potential);
+  auto* positive1 = NewPointArray<vtkDoubleArray>(output, "PositivePotentialKappa1");
+  auto* positive2 = NewPointArray<vtkDoubleArray>(output, "PositivePotentialKappa2");
+  auto* negative1 = NewPointArray<vtkDoubleArray>(output, "NegativePotentialKappa1");
+  auto* negative2 = NewPointArray<vtkDoubleArray>(output, "NegativePotentialKappa2");
+  auto* combined = NewPointArray<vtkDoubleArray>(output, "PolarizedCurvature");
+  auto* site = NewPointArray<vtkUnsignedCharArray>(output, "SiteClass");
+  auto* valid = NewPointArray<vtkUnsignedCharArray>(output, "PotentialValid");
+  const auto body = [&](vtkIdType first, vtkIdType last)
+  {
+    for (vtkIdType i = first; i < last; ++i)
+    {
+      const double phi = potential->GetValue(i);
+      const isthmus::PolarizedPoint point =
+        isthmus::Polarize(phi, kappa1->GetValue(i), kappa2->GetValue(i), this->ClassThreshold);
+      positive1->SetValue(i, point.PositiveKappa1);
+      positive2->SetValue(i, point.PositiveKappa2);
+      negative1->SetValue(i, point.NegativeKappa1);
+      negative2->SetValue(i, point.NegativeKappa2);
+      combined->SetValue(i, point.Combined);
+      site->SetValue(i, static_cast<unsigned char>(point.Site));
+      valid->SetValue(i, std::isnan(phi) ? 0 : 1);
+    }
+  };
+  isthmus::ParallelFor(0, surface->GetNumberOfPoints(), 4096, body,
+    isthmus::Between(isthmus::ProgressOf(this), 0.7, 1.0));
+  output->GetPointData()->SetActiveScalars("PolarizedCurvature");
+  AddSiteClassNames(output->GetFieldData());
+}
+
+void vtkPolarizedCurvature::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ImageArrayName: " << this->ImageArrayName << "\n";
+  os << indent << "ClassThreshold: " << this->ClassThreshold << "\n";
+}

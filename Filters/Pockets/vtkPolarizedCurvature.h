@@ -1,0 +1,99 @@
+/**
+ * @class   vtkPolarizedCurvature
+ * @brief   products of curvature and electrostatic potential on a surface, and binding-site classes
+ *
+ * Input 0: a vtkPolyData with the point arrays `MaximumCurvature` and `MinimumCurvature` (input
+ * arrays 0 and 1), as vtkSurfaceCurvature and vtkHessianCurvature make them. The potential comes
+ * from input 1, a vtkImageData (its point array ImageArrayName), interpolated trilinearly at the
+ * points in world coordinates; without that input, from a point array of the surface (input array
+ * 2: `Potential`).
+ *
+ * **Output**: the surface with its arrays and, on points, double:
+ * - `Potential` (kT/e, or the unit that the image has): NaN at points off the grid;
+ * - `PositivePotentialKappa1`, `PositivePotentialKappa2`, `NegativePotentialKappa1`,
+ *   `NegativePotentialKappa2`: max(Phi, 0) or min(Phi, 0) times kappa_1 or kappa_2
+ *   (kT/(e angstrom)), NaN where the potential is;
+ * - `PolarizedCurvature` = Phi kappa_2;
+ * - `SiteClass` (unsigned char): 0 none, 1 site for a negatively charged protein (Phi > 0,
+ *   kappa_1 > 0), 2 for a negatively charged small ligand (Phi > 0, kappa_2 < 0), 3 for a
+ * positively charged protein (Phi < 0, kappa_1 > 0), 4 for a positively charged small ligand (Phi <
+ * 0, kappa_2 < 0); names in the field array `SiteClassNames`. A saddle has the class of its larger
+ *   amplitude;
+ * - `PotentialValid` (unsigned char): 0 where the point lies off the grid or a value around it is
+ *   not finite, else 1.
+ *
+ * Where the curvature filters marked a point as not valid, curvatures and so products are 0.
+ * Source: X. Feng's thesis, section 5.2.5, Table 5.7; PolarizedCurvature.h has the formulas.
+ *
+ * **Errors** (sentence, empty output): no such arrays, no potential, a potential that misses the
+ * whole surface. One that misses some points gives a warning with their number. An empty surface is
+ * none.
+ *
+ * **Ranks.** Each MPI rank works on its piece of the surface and asks for the whole potential.
+ *
+ * **Cost.** 30 ns a point and thread, in parallel, the same bits on any number of threads; 57 bytes
+ * a point.
+ */
+#ifndef vtkPolarizedCurvature_h
+#define vtkPolarizedCurvature_h
+
+#include "vtkIsthmusFiltersPocketsModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <string> // for the name of an array
+
+class vtkAlgorithmOutput;
+class vtkDataArray;
+class vtkDoubleArray;
+class vtkImageData;
+
+class VTKISTHMUSFILTERSPOCKETS_EXPORT vtkPolarizedCurvature : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkPolarizedCurvature* New();
+  vtkTypeMacro(vtkPolarizedCurvature, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The image of the potential, optional: input 1.
+  void SetPotentialConnection(vtkAlgorithmOutput* image) { this->SetInputConnection(1, image); }
+  void SetPotentialData(vtkImageData* image);
+  ///@}
+
+  ///@{
+  /// Point array of the image that is the potential. Default: `Potential`. If the image has none of
+  /// that name, its active scalars are taken.
+  vtkSetMacro(ImageArrayName, std::string);
+  vtkGetMacro(ImageArrayName, std::string);
+  ///@}
+
+  ///@{
+  /// Amplitude |Phi kappa| up to which a point has class 0, kT/(e angstrom). Default: 0.
+  vtkSetClampMacro(ClassThreshold, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ClassThreshold, double);
+  ///@}
+
+protected:
+  vtkPolarizedCurvature();
+  ~vtkPolarizedCurvature() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  std::string ImageArrayName = "Potential";
+  double ClassThreshold = 0.0;
+
+private:
+  vtkPolarizedCurvature(const vtkPolarizedCurvature&) = delete;
+  void operator=(const vtkPolarizedCurvature&) = delete;
+
+  vtkDataArray* Scalar(int index, vtkPolyData* surface, const char* what, const char* remedy);
+  void Sample(vtkPolyData* surface, vtkImageData* image, vtkDoubleArray* potential);
+  void Copy(vtkPolyData* surface, vtkDoubleArray* potential);
+  void AddProducts(vtkPolyData* surface, vtkDoubleArray* potential, vtkPolyData* output);
+};
+
+#endif

@@ -1,0 +1,230 @@
+#include "vtkPoreProfile.h"
+
+#include "Atoms/AtomInput.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/WholeSurface.h"
+#include "Pockets/PoreOutput.h"
+#include "Pockets/PoreProfile.h"
+
+#include <vtkCellArray.h>
+#include <vtkIdList.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkPoreProfile);
+
+namespace
+{
+
+double LongestEdge(vtkPolyData* surface)
+{
+  double longest = 0.0;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPolys(); ++i)
+  {
+    surface->GetPolys()->GetCellAtId(i, corners);
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    {
+      double p[2][3];
+      surface->GetPoint(corners->GetId(k), p[0]);
+      surface->GetPoint(corners->GetId((k + 1) % corners->GetNumberOfIds()), p[1]);
+      longest = std::max(longest, vtkMath::Distance2BetweenPoints(p[0], p[1]));
+    }
+  }
+  return std::sqrt(longest);
+}
+
+/// Which pores are asked for.
+struct Ways
+{
+  int Mode;
+  const double* Point1;
+  const double* Point2;
+  const double* Point;
+  const double* Direction;
+};
+
+std::vector<isthmus::Pore> Find(const std::vector<isthmus::Ball>& balls, const Ways& ways,
+  const isthmus::PoreOptions& options, const isthmus::ProgressCallback& progress)
+{
+  const auto point = [](const double* p) { return isthmus::Point3{ p[0], p[1], p[2] }; };
+  if (ways.Mode == vtkPoreProfile::Automatic || balls.empty())
+  {
+    return isthmus::FindPores(balls, options, progress);
+  }
+  if (ways.Mode == vtkPoreProfile::TwoPoints)
+  {
+    return { isthmus::PoreBetween(
+      balls, point(ways.Point1), point(ways.Point2), options, progress) };
+  }
+  return { isthmus::PoreAlong(balls, point(ways.Point), point(ways.Direction), options, progress) };
+}
+
+void Fill(const isthmus::PoreReport& report, vtkPointSet* input, vtkInformationVector* outputs)
+{
+  auto* lines = vtkPolyData::GetData(outputs, 0);
+  isthmus::FillPoreLines(report, lines);
+  isthmus::FillPoreSamples(report, vtkTable::GetData(outputs, 1));
+  isthmus::FillPoreTable(report, vtkTable::GetData(outputs, 2));
+  isthmus::FillBottlenecks(report, vtkPolyData::GetData(outputs, 3));
+  const auto residues = isthmus::PoreLining(report);
+  isthmus::FillPoreLining(report, residues, vtkTable::GetData(outputs, 4));
+  isthmus::FillTubes(lines, vtkPolyData::GetData(outputs, 5));
+  isthmus::FillPoreLiningAtoms(report, residues, input, vtkPolyData::GetData(outputs, 6));
+  isthmus::AddNotes(report.Atoms.Notes, lines);
+}
+
+}
+
+vtkPoreProfile::vtkPoreProfile()
+{
+  this->SetNumberOfOutputPorts(7);
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Radius");
+}
+
+vtkTable* vtkPoreProfile::GetProfile()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+vtkTable* vtkPoreProfile::GetPoreTable()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+vtkPolyData* vtkPoreProfile::GetBottlenecks()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(3));
+}
+
+vtkTable* vtkPoreProfile::GetLiningResidues()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(4));
+}
+
+vtkPolyData* vtkPoreProfile::GetTubes()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(5));
+}
+
+vtkPolyData* vtkPoreProfile::GetLiningAtoms()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(6));
+}
+
+int vtkPoreProfile::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  return 1;
+}
+
+int vtkPoreProfile::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  const bool isTable = port == 1 || port == 2 || port == 4;
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), isTable ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+int vtkPoreProfile::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPointSet* input = vtkPointSet::GetData(inputVector[0], 0);
+  const auto clear = [&]()
+  {
+    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+    {
+      vtkDataObject::GetData(outputVector, port)->Initialize();
+    }
+  };
+  clear();
+  const bool done = isthmus::Succeeds(this, vtkDataObject::GetData(outputVector, 0),
+    [&]()
+    {
+      isthmus::DemandOnOneRank(this, input, "atoms");
+      if (input)
+      {
+        this->Compute(input, outputVector);
+      }
+    });
+  if (!done || this->CheckAbort())
+  {
+    clear();
+  }
+  return 1;
+}
+
+void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
+{
+  if (this->MaximumPores < 0)
+  {
+    throw std::invalid_argument("MaximumPores is negative, but it is a number of pores.");
+  }
+  isthmus::PolymerOptions keep;
+  keep.Hydrogens = this->KeepHydrogens;
+  keep.Ions = this->KeepIons;
+  keep.Ligands = this->KeepLigands;
+  keep.ProstheticGroups = true;
+  isthmus::ChosenAtoms atoms;
+  if (input->GetNumberOfPoints() > 0)
+  {
+    atoms = isthmus::ChooseAtoms(
+      isthmus::InputArrayName(this, 0), input, keep, isthmus::WithoutRadii::SurfacePoints);
+  }
+  isthmus::PoreOptions options;
+  options.EndRadius = this->EndRadius;
+  options.Spacing = this->Spacing;
+  options.MinimumRadius = this->MinimumRadius;
+  options.MinimumSpan = this->MinimumSpan;
+  options.MaximumPores = static_cast<std::size_t>(this->MaximumPores);
+  options.MaximumOffset = this->MaximumOffset;
+  if (atoms.IsSurface)
+  {
+    const double longest = LongestEdge(vtkPolyData::SafeDownCast(input));
+    if (longest > options.MinimumRadius)
+    {
+      options.MinimumRadius = longest;
+      atoms.Notes.push_back("The surface's points are up to " + std::to_string(longest) +
+        " apart: channels narrower than that were not looked for.");
+    }
+  }
+  const Ways ways{ this->Mode, this->Point1, this->Point2, this->Point, this->Direction };
+  const auto pores =
+    Find(atoms.Balls, ways, options, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.95));
+  Fill({ pores, atoms }, input, outputs);
+  for (const std::string& warning : atoms.Warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+}
+
+void vtkPoreProfile::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto vector = [&](const char* name, const double* v)
+  { os << indent << name << ": " << v[0] << " " << v[1] << " " << v[2] << "\n"; };
+  os << indent << "Mode: " << this->Mode << "\n";
+  vector("Point1", this->Point1);
+  vector("Point2", this->Point2);
+  vector("Point", this->Point);
+  vector("Direction", this->Direction);
+  os << indent << "EndRadius: " << this->EndRadius << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "MinimumRadius: " << this->MinimumRadius << "\n";
+  os << indent << "MinimumSpan: " << this->MinimumSpan << "\n";
+  os << indent << "MaximumPores: " << this->MaximumPores << "\n";
+  os << indent << "MaximumOffset: " << this->MaximumOffset << "\n";
+  os << indent << "KeepHydrogens: " << this->KeepHydrogens << "\n";
+  os << indent << "KeepIons: " << this->KeepIons << "\n";
+  os << indent << "KeepLigands: " << this->KeepLigands << "\n";
+}

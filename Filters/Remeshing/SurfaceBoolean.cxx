@@ -1,0 +1,153 @@
+#include "Remeshing/SurfaceBoolean.h"
+
+#include "Remeshing/CGALSurface.h"
+
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+
+namespace isthmus
+{
+namespace
+{
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using cgal::SurfaceMesh;
+using Face = SurfaceMesh::Face_index;
+
+/// What a triangle came from, and whether it was there before.
+struct Origin
+{
+  int Tag = 0;
+  bool IsNew = false;
+};
+using Origins = SurfaceMesh::Property_map<Face, Origin>;
+
+/// Triangles along the curve: longest over shortest edge of a needle, cosine of a cap's angle.
+constexpr double NeedleRatio = 50.0;
+constexpr double CapCosine = -0.9998;
+
+/// Hands tags on to the parts of triangles, and to those that go over into the result.
+class OriginVisitor : public PMP::Corefinement::Default_visitor<SurfaceMesh>
+{
+public:
+  OriginVisitor(const SurfaceMesh& first, const Origins& ofFirst, const Origins& ofSecond)
+    : First(&first)
+    , OfFirst(ofFirst)
+    , OfSecond(ofSecond)
+  {
+  }
+
+  void before_subface_creations(Face whole, SurfaceMesh& mesh)
+  {
+    this->Current = this->Of(mesh)[whole].Tag;
+  }
+  void after_subface_created(Face part, SurfaceMesh& mesh)
+  {
+    this->Of(mesh)[part] = { this->Current, true };
+  }
+  void after_face_copy(Face from, const SurfaceMesh& source, Face to, SurfaceMesh& target)
+  {
+    this->Of(target)[to] = { this->Of(source)[from].Tag, true };
+  }
+
+private:
+  Origins& Of(const SurfaceMesh& mesh)
+  {
+    return &mesh == this->First ? this->OfFirst : this->OfSecond;
+  }
+
+  const SurfaceMesh* First;
+  Origins OfFirst;
+  Origins OfSecond;
+  int Current = 0;
+};
+
+Origins AddOrigins(SurfaceMesh& mesh, const std::vector<int>& tags)
+{
+  Origins map = mesh.add_property_map<Face, Origin>("f:origin").first;
+  std::size_t i = 0;
+  for (const Face f : mesh.faces())
+  {
+    map[f] = { tags[i++], false };
+  }
+  return map;
+}
+
+void RemoveSlivers(SurfaceMesh& mesh, const Origins& origins, double finest)
+{
+  std::vector<Face> made;
+  for (const Face f : mesh.faces())
+  {
+    if (origins[f].IsNew)
+    {
+      made.push_back(f);
+    }
+  }
+  PMP::experimental::remove_almost_degenerate_faces(made, mesh, CapCosine, NeedleRatio, finest);
+}
+
+}
+
+TaggedSurface Combined(
+  const TaggedSurface& a, const TaggedSurface& b, BooleanOperation operation, double finest)
+{
+  return cgal::WithSentence("joining two surfaces",
+    [&]
+    {
+      SurfaceMesh first = cgal::ToSurfaceMesh(a.Mesh);
+      SurfaceMesh second = cgal::ToSurfaceMesh(b.Mesh);
+      const Origins origins = AddOrigins(first, a.Tags);
+      const OriginVisitor visitor(first, origins, AddOrigins(second, b.Tags));
+      const auto how = CGAL::parameters::visitor(visitor);
+      const bool isManifold = operation == BooleanOperation::Union
+        ? PMP::corefine_and_compute_union(first, second, first, how)
+        : PMP::corefine_and_compute_difference(first, second, first, how);
+      if (!isManifold)
+      {
+        throw std::runtime_error("Two surfaces touch in a way that no closed surface joins.");
+      }
+      RemoveSlivers(first, origins, finest);
+      TaggedSurface result;
+      result.Mesh = cgal::FromSurfaceMesh(first);
+      for (const Face f : first.faces())
+      {
+        result.Tags.push_back(origins[f].Tag);
+      }
+      return result;
+    });
+}
+
+TriangleMesh OutwardSurface(const SurfaceView& mesh)
+{
+  return cgal::WithSentence("turning the surface",
+    [&]
+    {
+      SurfaceMesh surface = cgal::ToSurfaceMesh(mesh);
+      PMP::orient_to_bound_a_volume(surface);
+      return cgal::FromSurfaceMesh(surface);
+    });
+}
+
+std::vector<Triangle> PolygonFilling(const std::vector<Point3>& polygon)
+{
+  std::vector<cgal::Point> points;
+  points.reserve(polygon.size());
+  for (const Point3& p : polygon)
+  {
+    points.push_back(cgal::ToCGAL(p));
+  }
+  std::vector<CGAL::Triple<int, int, int>> filling;
+  cgal::WithSentence(
+    "filling a loop", [&] { PMP::triangulate_hole_polyline(points, std::back_inserter(filling)); });
+  std::vector<Triangle> triangles;
+  triangles.reserve(filling.size());
+  for (const auto& t : filling)
+  {
+    triangles.push_back({ t.first, t.second, t.third });
+  }
+  return triangles;
+}
+
+}

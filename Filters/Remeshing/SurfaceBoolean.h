@@ -1,0 +1,51 @@
+/**
+ * @file SurfaceBoolean.h
+ * @brief Two closed surfaces joined to one, or one cut out of the other.
+ */
+#ifndef isthmus_SurfaceBoolean_h
+#define isthmus_SurfaceBoolean_h
+
+#include "Core/SurfaceView.h"
+#include "vtkIsthmusFiltersRemeshingModule.h"
+
+namespace isthmus
+{
+
+/// A surface of which every triangle knows what it came from.
+struct TaggedSurface
+{
+  TriangleMesh Mesh;
+  std::vector<int> Tags; ///< one for each triangle; parts of a triangle have its tag
+};
+
+enum class BooleanOperation
+{
+  Union,
+  Difference ///< the first without the second
+};
+
+/**
+ * The surface of the union or difference of what `a` and `b` enclose, by CGAL's corefinement
+ * (exact predicates and constructions along the curve where they cross). Points and triangles away
+ * from that curve stay as they were, bit for bit, though not in their order.
+ *
+ * @pre both are closed, manifold, without self-intersections, and bound a volume: their outer
+ * shells face outward, cavities inward (OutwardSurface()).
+ * @throws std::runtime_error with a sentence where the result is not manifold or CGAL fails.
+ * O((n + m) log(n + m)).
+ */
+VTKISTHMUSFILTERSREMESHING_EXPORT TaggedSurface Combined(
+  const TaggedSurface& a, const TaggedSurface& b, BooleanOperation operation, double finest);
+
+/// `mesh` with each component turned so that all of them together bound a volume.
+/// @pre closed, manifold, without self-intersections. @throws std::runtime_error.
+VTKISTHMUSFILTERSREMESHING_EXPORT TriangleMesh OutwardSurface(const SurfaceView& mesh);
+
+/// The triangles of least area (and then least angles between them) that fill a closed polygon, as
+/// places in it; none where CGAL finds none. O(n^2), at worst O(n^3).
+VTKISTHMUSFILTERSREMESHING_EXPORT std::vector<Triangle> PolygonFilling(
+  const std::vector<Point3>& polygon);
+
+}
+
+#endif

@@ -1,0 +1,328 @@
+#include "Remeshing/SurfaceRemesh.h"
+
+#include "Core/RangeGuard.h"
+#include "Remeshing/CGALSurface.h"
+#include "Surfaces/SurfaceCheck.h"
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Polygon_mesh_processing/tangential_relaxation.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+
+namespace isthmus
+{
+namespace
+{
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace SMS = CGAL::Surface_mesh_simplification;
+using cgal::Kernel;
+using cgal::SurfaceMesh;
+using Primitive = CGAL::AABB_face_graph_triangle_primitive<SurfaceMesh>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
+constexpr double MostTriangles = 5e7;
+
+void DemandManifold(const SurfaceView& mesh)
+{
+  SurfaceDefects defects = FindDefects(mesh);
+  defects.BoundaryTriangles.clear();
+  if (!defects.None())
+  {
+    throw std::invalid_argument(defects.Sentence() + " Mend the surface before remeshing it.");
+  }
+}
+
+/// Which edges are features, for CGAL to ask.
+struct Features
+{
+  using key_type = SurfaceMesh::Edge_index;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::read_write_property_map_tag;
+
+  SurfaceMesh::Property_map<key_type, bool> Map;
+  const SurfaceMesh* Mesh = nullptr;
+
+  /// Where all triangles around a point are flat, CGAL 5.5's tangential relaxation asks for the
+  /// edge of a half edge that there is none of: as a feature it is left alone.
+  friend bool get(const Features& features, key_type e)
+  {
+    return e.idx() >= features.Mesh->num_edges() || features.Map[e];
+  }
+  friend void put(const Features& features, key_type e, bool is) { features.Map[e] = is; }
+};
+
+/// Triangles of edges of `length`, or more; a length that is none, or that many, is refused.
+double ExpectedTriangles(const SurfaceView& mesh, double length)
+{
+  DemandAbove("The edge length", length, 0.0, LargestLength, "It is a length.");
+  double edges = 0.0; // of needles: they have no area, and are split all the same
+  double longest = 0.0;
+  for (const Triangle& t : mesh.Triangles)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const Point3 edge = mesh.Points[static_cast<std::size_t>(t[(c + 1) % 3])] -
+        mesh.Points[static_cast<std::size_t>(t[c])];
+      const double size = Length(edge);
+      edges += 0.5 * std::max(0.0, size / length - 1.0);
+      longest = std::max(longest, size);
+    }
+  }
+  const double expected = std::max(SurfaceArea(mesh) / (0.433 * length * length), edges);
+  if (!(expected < MostTriangles) || length < 1e-9 * longest)
+  {
+    throw std::invalid_argument("An edge length of " + Shown(length) +
+      " is so small that more than 50 million triangles would come out: ask for a larger one.");
+  }
+  return expected;
+}
+
+/// What `remesh` makes of a mesh brought to about 1, at the scale of the mesh again.
+template <typename Remesh>
+RemeshedSurface AtUnitScale(TriangleMesh mesh, const UnitScale& scale, Remesh&& remesh)
+{
+  scale.Apply(mesh.Points);
+  RemeshedSurface result = remesh(mesh);
+  scale.Undo(result.Mesh.Points);
+  return result;
+}
+
+/// The nearest points on the old surface.
+class OldSurface
+{
+public:
+  OldSurface(const SurfaceView& triangles, const SurfaceMesh& mesh)
+    : Triangles(triangles)
+    , Faces(faces(mesh).first, faces(mesh).second, mesh)
+  {
+    this->Faces.accelerate_distance_queries();
+  }
+
+  cgal::Point Nearest(const cgal::Point& p) const { return this->Faces.closest_point(p); }
+
+  SurfaceLocation Locate(const cgal::Point& p) const
+  {
+    const auto [nearest, face] = this->Faces.closest_point_and_primitive(p);
+    const Triangle& t = this->Triangles.Triangles[face.idx()];
+    const auto at = [&](std::size_t c) { return this->Triangles.Point(t[c]); };
+    const Point3 x = cgal::FromCGAL(nearest) - at(0);
+    const Point3 u = at(1) - at(0);
+    const Point3 v = at(2) - at(0);
+    const double uu = Dot(u, u), uv = Dot(u, v), vv = Dot(v, v), xu = Dot(x, u), xv = Dot(x, v);
+    const double det = uu * vv - uv * uv;
+    if (!(det > 0.0)) // a needle, whose area is lost in rounding: by its longer side
+    {
+      const bool first = uu >= vv;
+      const double along = std::clamp(first ? xu / uu : xv / vv, 0.0, 1.0);
+      return { static_cast<std::int64_t>(face.idx()),
+        { 1.0 - along, first ? along : 0.0, first ? 0.0 : along } };
+    }
+    const double b = std::clamp((xu * vv - xv * uv) / det, 0.0, 1.0);
+    const double c = std::clamp((xv * uu - xu * uv) / det, 0.0, 1.0 - b);
+    return { static_cast<std::int64_t>(face.idx()), { 1.0 - b - c, b, c } };
+  }
+
+private:
+  SurfaceView Triangles;
+  Tree Faces;
+};
+
+/// Every point of the new surface on the old one.
+RemeshedSurface Located(SurfaceMesh& remeshed, const OldSurface& old)
+{
+  RemeshedSurface result;
+  result.Mesh = cgal::FromSurfaceMesh(remeshed);
+  result.Locations.reserve(result.Mesh.Points.size());
+  for (const Point3& p : result.Mesh.Points)
+  {
+    result.Locations.push_back(old.Locate(cgal::ToCGAL(p)));
+  }
+  return result;
+}
+
+/// Visits of points, against those expected, after which remeshing has no end.
+constexpr double ManyTimes = 100.0;
+
+/// Puts points that are on no feature and no border back onto the old surface.
+class Projection
+{
+public:
+  Projection(const OldSurface& old, double expected, const ProgressCallback& progress)
+    : Old(old)
+    , Expected(expected)
+    , Progress(progress)
+  {
+  }
+
+  void Project(const Features& features, SurfaceMesh& mesh)
+  {
+    const auto holds = [&](SurfaceMesh::Halfedge_index h)
+    { return mesh.is_border(mesh.edge(h)) || get(features, mesh.edge(h)); };
+    for (const auto v : mesh.vertices())
+    {
+      this->Count();
+      const auto edges = mesh.halfedges_around_target(mesh.halfedge(v));
+      if (!mesh.is_isolated(v) && std::none_of(edges.begin(), edges.end(), holds))
+      {
+        mesh.point(v) = this->Old.Nearest(mesh.point(v));
+      }
+    }
+  }
+
+private:
+  void Count()
+  {
+    if (static_cast<double>(++this->Done) > ManyTimes * this->Expected + 1e5)
+    {
+      throw std::runtime_error("Remeshing came to no end: the surface has needles or folds that "
+                               "splitting makes no better. Repair it, or ask for a longer edge.");
+    }
+    if (this->Done % 256 == 0)
+    {
+      Report(this->Progress, std::min(1.0, static_cast<double>(this->Done) / this->Expected));
+    }
+  }
+
+  const OldSurface& Old;
+  double Expected;
+  const ProgressCallback& Progress;
+  std::int64_t Done = 0;
+};
+
+/// Stops at a number of edges; also where progress is told, since CGAL asks it for each collapse.
+struct StopAtEdges
+{
+  std::size_t Edges;
+  const ProgressCallback* Progress;
+
+  template <typename Cost, typename Profile>
+  bool operator()(const Cost&, const Profile&, std::size_t initial, std::size_t current) const
+  {
+    if (current % 1024 == 0)
+    {
+      Report(*this->Progress,
+        static_cast<double>(initial - current) / static_cast<double>(initial - this->Edges + 1));
+    }
+    return current <= this->Edges;
+  }
+};
+
+}
+
+RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParameters& parameters,
+  const ProgressCallback& progress)
+{
+  if (mesh.Triangles.empty())
+  {
+    return {};
+  }
+  DemandManifold(mesh);
+  const UnitScale scale(mesh);
+  if (!scale.IsOne())
+  {
+    SurfaceRemeshParameters scaled = parameters;
+    scaled.EdgeLength *= scale.Factor();
+    return AtUnitScale(CopyOf(mesh), scale,
+      [&](const SurfaceView& small) { return RemeshSurface(small, scaled, progress); });
+  }
+  const double length = parameters.EdgeLength;
+  const double expected = ExpectedTriangles(mesh, length);
+  DemandResolved(mesh);
+  DemandRange("NumberOfIterations", parameters.Iterations, 0, 1000, "It counts rounds.");
+  DemandRange("FeatureAngle", parameters.FeatureAngle, 0.0, 180.0, "It is an angle in degrees.");
+  return cgal::WithSentence("remeshing the surface",
+    [&]
+    {
+      const SurfaceMesh before = cgal::ToSurfaceMesh(mesh);
+      const OldSurface old(mesh, before);
+      SurfaceMesh after = before;
+      const Features isFeature{
+        after.add_property_map<SurfaceMesh::Edge_index, bool>("e:is_feature", false).first, &after
+      };
+      PMP::detect_sharp_edges(after, parameters.FeatureAngle, isFeature);
+      const auto rest = Between(progress, 0.05, 0.95);
+      Projection projection(old, 0.5 * expected * std::max(1, parameters.Iterations), rest);
+      for (int i = 0; i < parameters.Iterations; ++i)
+      {
+        // Its own relaxation asks for edges that there are none of: Features.
+        PMP::isotropic_remeshing(faces(after), length, after,
+          CGAL::parameters::edge_is_constrained_map(isFeature)
+            .number_of_relaxation_steps(0)
+            .do_project(false));
+        PMP::tangential_relaxation(
+          vertices(after), after, CGAL::parameters::edge_is_constrained_map(isFeature));
+        projection.Project(isFeature, after);
+      }
+      return Located(after, old);
+    });
+}
+
+RemeshedSurface SimplifySurface(
+  const SurfaceView& mesh, std::int64_t triangles, const ProgressCallback& progress)
+{
+  if (mesh.Triangles.empty())
+  {
+    return {};
+  }
+  DemandManifold(mesh);
+  const UnitScale scale(mesh);
+  if (!scale.IsOne())
+  {
+    return AtUnitScale(CopyOf(mesh), scale,
+      [&](const SurfaceView& small) { return SimplifySurface(small, triangles, progress); });
+  }
+  if (triangles < 1)
+  {
+    throw std::invalid_argument("The number of triangles to keep must be positive.");
+  }
+  return cgal::WithSentence("simplifying the surface",
+    [&]
+    {
+      const SurfaceMesh before = cgal::ToSurfaceMesh(mesh);
+      const OldSurface old(mesh, before);
+      SurfaceMesh after = before;
+      std::size_t border = 0;
+      for (const auto e : after.edges())
+      {
+        border += after.is_border(e) ? 1 : 0;
+      }
+      const auto rest = Between(progress, 0.05, 0.95);
+      const StopAtEdges stop{ (3 * static_cast<std::size_t>(triangles) + border) / 2, &rest };
+      SMS::edge_collapse(after, stop,
+        CGAL::parameters::get_cost(SMS::LindstromTurk_cost<SurfaceMesh>())
+          .get_placement(SMS::LindstromTurk_placement<SurfaceMesh>())
+          .filter(SMS::Bounded_normal_change_filter<>()));
+      return Located(after, old);
+    });
+}
+
+double MeanEdgeLength(const SurfaceView& mesh)
+{
+  double sum = 0.0;
+  const auto points = static_cast<std::int64_t>(mesh.Points.size());
+  for (const Triangle& t : mesh.Triangles)
+  {
+    // Corners that are no points are told by what checks the mesh, later.
+    if (std::any_of(t.begin(), t.end(), [points](auto id) { return id < 0 || id >= points; }))
+    {
+      continue;
+    }
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const Point3 edge = mesh.Points[static_cast<std::size_t>(t[(c + 1) % 3])] -
+        mesh.Points[static_cast<std::size_t>(t[c])];
+      sum += Length(edge);
+    }
+  }
+  return mesh.Triangles.empty() ? 0.0 : sum / (3.0 * static_cast<double>(mesh.Triangles.size()));
+}
+
+}

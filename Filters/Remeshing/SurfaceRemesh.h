@@ -1,0 +1,64 @@
+/**
+ * @file SurfaceRemesh.h
+ * @brief Triangles of even size and good angles, or fewer of them, for a surface that has others.
+ *
+ * Remeshing: M. Botsch, L. Kobbelt, Symp. Geometry Processing 2004, doi:10.1145/1057432.1057457.
+ * Simplification: P. Lindstrom, G. Turk, IEEE Visualization 1998, doi:10.1109/VISUAL.1998.745314.
+ * Both as in CGAL.
+ */
+#ifndef isthmus_SurfaceRemesh_h
+#define isthmus_SurfaceRemesh_h
+
+#include "Core/Progress.h"
+#include "Core/SurfaceView.h"
+#include "vtkIsthmusFiltersRemeshingModule.h"
+
+namespace isthmus
+{
+
+/// Where a point of the new surface lies on the old one.
+struct SurfaceLocation
+{
+  std::int64_t Triangle = 0;
+  std::array<double, 3> Weights{ 1.0, 0.0, 0.0 }; ///< of its corners; they add up to 1
+};
+
+struct RemeshedSurface
+{
+  TriangleMesh Mesh;
+  std::vector<SurfaceLocation> Locations; ///< for each point: the nearest on the old surface
+};
+
+struct SurfaceRemeshParameters
+{
+  double EdgeLength = 1.0;    ///< to strive for, in units of the data
+  int Iterations = 5;         ///< each: split, collapse, flip, relax, project
+  double FeatureAngle = 60.0; ///< edges whose triangles' normals differ by more, in degrees, stay
+};
+
+/**
+ * Isotropic remeshing of `mesh`. New points lie on the old surface; edges of features and of
+ * boundaries stay edges, but may be split.
+ *
+ * @pre manifold and oriented, without triangles that have no area; boundaries are fine.
+ * @throws std::invalid_argument otherwise, with the triangles concerned, when EdgeLength is not
+ * positive or would give more than 50 million triangles, and for points whose edges are all shorter
+ * than 2^-50 of the largest coordinate; Cancelled. Progress and stopping come with
+ * each projected point. O(n log n) an iteration.
+ */
+VTKISTHMUSFILTERSREMESHING_EXPORT RemeshedSurface RemeshSurface(const SurfaceView& mesh,
+  const SurfaceRemeshParameters& parameters, const ProgressCallback& progress = {});
+
+/**
+ * Edge collapse of `mesh` down to about `triangles` of them; fewer are not reached where a collapse
+ * would turn a triangle over or change topology. @pre and failure as above. O(n log n).
+ */
+VTKISTHMUSFILTERSREMESHING_EXPORT RemeshedSurface SimplifySurface(
+  const SurfaceView& mesh, std::int64_t triangles, const ProgressCallback& progress = {});
+
+/// Mean length of the sides of all triangles; 0 where there are none.
+VTKISTHMUSFILTERSREMESHING_EXPORT double MeanEdgeLength(const SurfaceView& mesh);
+
+}
+
+#endif

@@ -1,0 +1,111 @@
+#include "vtkSurfaceRemesh.h"
+
+#include "Core/AlgorithmGuard.h"
+#include "Core/PolyDataMesh.h"
+#include "Core/WholeSurface.h"
+#include "Remeshing/SurfaceRemesh.h"
+#include "Surfaces/SurfaceIntake.h"
+
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+vtkStandardNewMacro(vtkSurfaceRemesh);
+
+namespace
+{
+
+/// Numbers of the old points at the new ones, by the corners of the triangle each lies on.
+void InterpolatePointData(vtkPolyData* from, const isthmus::TakenSurface& old,
+  const std::vector<isthmus::SurfaceLocation>& locations, vtkPolyData* to)
+{
+  vtkPointData* source = from->GetPointData();
+  vtkPointData* target = to->GetPointData();
+  for (int a = 0; a < source->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = source->GetArray(a);
+    if (!array || array->GetDataType() == VTK_ID_TYPE)
+    {
+      continue; // ids and words have nothing between them
+    }
+    auto result = vtk::TakeSmartPointer(array->NewInstance());
+    result->SetName(array->GetName());
+    result->SetNumberOfComponents(array->GetNumberOfComponents());
+    result->CopyComponentNames(array);
+    result->SetNumberOfTuples(static_cast<vtkIdType>(locations.size()));
+    for (std::size_t i = 0; i < locations.size(); ++i)
+    {
+      const isthmus::Triangle& t =
+        old.Mesh.Triangles[static_cast<std::size_t>(locations[i].Triangle)];
+      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+      {
+        double value = 0.0;
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          const std::int64_t point = old.OriginalPoints[static_cast<std::size_t>(t[k])];
+          value += locations[i].Weights[k] * array->GetComponent(point, c);
+        }
+        result->SetComponent(static_cast<vtkIdType>(i), c, value);
+      }
+    }
+    const int index = target->AddArray(result);
+    const int attribute = source->IsArrayAnAttribute(a);
+    if (attribute >= 0)
+    {
+      target->SetActiveAttribute(index, attribute);
+    }
+  }
+}
+
+}
+
+int vtkSurfaceRemesh::RequestData(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  auto* after = vtkPolyData::GetData(output);
+  return isthmus::Guarded(this, after,
+    [&]
+    {
+      const auto before = isthmus::WholeSurface(this, vtkPolyData::GetData(input[0]));
+      const auto progress = isthmus::ProgressOf(this);
+      const isthmus::TakenSurface taken = isthmus::TakeSurface(isthmus::MeshOf(before));
+      const isthmus::TriangleMesh& mesh = taken.Mesh;
+      if (mesh.Triangles.empty())
+      {
+        return;
+      }
+      isthmus::RemeshedSurface result;
+      if (this->Target == NUMBER_OF_TRIANGLES)
+      {
+        result = isthmus::SimplifySurface(mesh, this->NumberOfTriangles, progress);
+      }
+      else
+      {
+        isthmus::SurfaceRemeshParameters parameters;
+        parameters.EdgeLength = this->Target == EDGE_LENGTH
+          ? this->EdgeLength
+          : this->RelativeEdgeLength * isthmus::MeanEdgeLength(mesh);
+        parameters.Iterations = this->NumberOfIterations;
+        parameters.FeatureAngle = this->FeatureAngle;
+        result = isthmus::RemeshSurface(mesh, parameters, progress);
+      }
+      isthmus::SetMesh(result.Mesh, after);
+      InterpolatePointData(before, taken, result.Locations, after);
+      after->GetFieldData()->PassData(before->GetFieldData());
+    });
+}
+
+void vtkSurfaceRemesh::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Target: " << this->Target << "\n";
+  os << indent << "RelativeEdgeLength: " << this->RelativeEdgeLength << "\n";
+  os << indent << "EdgeLength: " << this->EdgeLength << "\n";
+  os << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n";
+  os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+}

@@ -1,0 +1,90 @@
+/**
+ * @class vtkSurfaceRemesh
+ * @brief Triangles of even size and good angles, or fewer of them, for a surface that has others.
+ *
+ * Input: vtkPolyData, manifold and oriented, boundaries allowed (polygons are triangulated).
+ * Output: vtkPolyData of triangles. Points lie on the old surface; its point data are interpolated
+ * to them (vtkIdType and string arrays, which can't be, are left out), field data are kept, cell
+ * data are not. Edges whose triangles' normals differ by more than FeatureAngle, and boundaries,
+ * stay.
+ *
+ * Sources: M. Botsch, L. Kobbelt, doi:10.1145/1057432.1057457; P. Lindstrom, G. Turk,
+ * doi:10.1109/VISUAL.1998.745314; both by CGAL. On failure: one sentence through vtkErrorMacro and
+ * an empty output. The whole surface is needed on one rank. One thread.
+ */
+#ifndef vtkSurfaceRemesh_h
+#define vtkSurfaceRemesh_h
+
+#include "vtkIsthmusFiltersRemeshingModule.h"
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKISTHMUSFILTERSREMESHING_EXPORT vtkSurfaceRemesh : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSurfaceRemesh* New();
+  vtkTypeMacro(vtkSurfaceRemesh, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum TargetType
+  {
+    RELATIVE_EDGE_LENGTH,
+    EDGE_LENGTH,
+    NUMBER_OF_TRIANGLES
+  };
+
+  ///@{
+  /// RELATIVE_EDGE_LENGTH, EDGE_LENGTH: remesh; NUMBER_OF_TRIANGLES: simplify. Default
+  /// RELATIVE_EDGE_LENGTH.
+  vtkSetClampMacro(Target, int, RELATIVE_EDGE_LENGTH, NUMBER_OF_TRIANGLES);
+  vtkGetMacro(Target, int);
+  ///@}
+
+  ///@{
+  /// Edge length in mean edge lengths of the input. Default 1.
+  vtkSetMacro(RelativeEdgeLength, double);
+  vtkGetMacro(RelativeEdgeLength, double);
+  ///@}
+
+  ///@{
+  /// Edge length in the unit of the surface. Default 1.
+  vtkSetMacro(EdgeLength, double);
+  vtkGetMacro(EdgeLength, double);
+  ///@}
+
+  ///@{
+  /// Number of triangles to simplify to. Default 10,000.
+  vtkSetMacro(NumberOfTriangles, vtkIdType);
+  vtkGetMacro(NumberOfTriangles, vtkIdType);
+  ///@}
+
+  ///@{
+  /// Rounds of remeshing. Default 5.
+  vtkSetClampMacro(NumberOfIterations, int, 1, 100);
+  vtkGetMacro(NumberOfIterations, int);
+  ///@}
+
+  ///@{
+  /// Remeshing keeps edges sharper than this, in degrees between normals; 180: none. Default 60.
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+protected:
+  vtkSurfaceRemesh() = default;
+  ~vtkSurfaceRemesh() override = default;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkSurfaceRemesh(const vtkSurfaceRemesh&) = delete;
+  void operator=(const vtkSurfaceRemesh&) = delete;
+
+  int Target = RELATIVE_EDGE_LENGTH;
+  double RelativeEdgeLength = 1.0;
+  double EdgeLength = 1.0;
+  vtkIdType NumberOfTriangles = 10000;
+  int NumberOfIterations = 5;
+  double FeatureAngle = 60.0;
+};
+
+#endif

@@ -1,0 +1,34 @@
+/**
+ * @file AreaQuantiles.h
+ * @brief Quantiles of values that each stand for a share of a surface.
+ */
+#ifndef isthmus_AreaQuantiles_h
+#define isthmus_AreaQuantiles_h
+
+#include "Core/SurfaceView.h"
+#include "vtkIsthmusFiltersSurfacesModule.h"
+
+#include <utility>
+#include <vector>
+
+namespace isthmus
+{
+
+/// A value and how much it counts.
+using WeightedValue = std::pair<double, double>;
+
+/// Of one triangle.
+VTKISTHMUSFILTERSSURFACES_EXPORT double TriangleArea(
+  const SurfaceView& surface, vtkIdType triangle);
+
+/// The area that each point of `surface` stands for: a third of that of its triangles.
+VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<double> PointAreas(const SurfaceView& surface);
+
+/// The smallest value that at least `fraction` of the weight lies at or below; `sorted` by value.
+/// @throws std::invalid_argument for no weight or a fraction that is not from 0 to 1.
+VTKISTHMUSFILTERSSURFACES_EXPORT double WeightedQuantile(
+  const std::vector<WeightedValue>& sorted, double fraction);
+
+}
+
+#endif

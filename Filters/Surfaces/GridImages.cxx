@@ -1,0 +1,157 @@
+#include "Surfaces/GridImages.h"
+
+#include "Core/ImageScalars.h"
+
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFlyingEdges3D.h>
+#include <vtkIdTypeArray.h>
+#include <vtkImageData.h>
+#include <vtkIntArray.h>
+#include <vtkMatrix3x3.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace isthmus
+{
+
+GridShape ShapeOf(vtkImageData* image)
+{
+  RequireSpacing(image);
+  GridShape shape;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    shape.Dimensions[axis] = image->GetDimensions()[axis];
+    shape.Spacing[axis] = image->GetSpacing()[axis];
+    if (shape.Dimensions[axis] < 2)
+    {
+      throw std::invalid_argument(std::string("The grid has a single layer of nodes along ") +
+        "xyz"[axis] + ": it must have two or more along each axis.");
+    }
+  }
+  return shape;
+}
+
+vtkSmartPointer<vtkPolyData> InGridAxes(vtkPolyData* surface, vtkImageData* grid)
+{
+  const int* const extent = grid->GetExtent();
+  const double* const h = grid->GetSpacing();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(surface->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double x[3], index[3];
+    surface->GetPoint(i, x);
+    grid->TransformPhysicalPointToContinuousIndex(x, index);
+    points->SetPoint(i, (index[0] - extent[0]) * h[0], (index[1] - extent[2]) * h[1],
+      (index[2] - extent[4]) * h[2]);
+  }
+  auto moved = vtkSmartPointer<vtkPolyData>::New();
+  moved->SetPoints(points);
+  moved->SetPolys(surface->GetPolys());
+  moved->SetStrips(surface->GetStrips());
+  return moved;
+}
+
+vtkSmartPointer<vtkPolyData> IsosurfaceInGridAxes(
+  vtkImageData* image, vtkDataArray* scalars, double level)
+{
+  vtkNew<vtkImageData> plain;
+  plain->SetDimensions(image->GetDimensions());
+  plain->SetSpacing(image->GetSpacing());
+  plain->GetPointData()->SetScalars(scalars);
+  vtkNew<vtkFlyingEdges3D> contour;
+  contour->SetInputData(plain);
+  contour->SetValue(0, level);
+  contour->ComputeNormalsOff();
+  contour->ComputeScalarsOff();
+  contour->Update();
+  return contour->GetOutput();
+}
+
+void AddFlags(vtkImageData* output, const char* name, const std::vector<unsigned char>& flags)
+{
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(flags.size()));
+  std::copy(flags.begin(), flags.end(), array->GetPointer(0));
+  output->GetPointData()->AddArray(array);
+}
+
+void AddSignedDistance(vtkImageData* output, const std::vector<unsigned char>& inside,
+  const std::vector<double>& distance)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("SignedDistance");
+  array->SetNumberOfValues(static_cast<vtkIdType>(distance.size()));
+  std::transform(distance.begin(), distance.end(), inside.begin(), array->GetPointer(0),
+    [](double value, unsigned char isInside) { return isInside ? -value : value; });
+  output->GetPointData()->AddArray(array);
+  output->GetPointData()->SetActiveScalars(
+    "SignedDistance"); // SetScalars would drop a volume's own
+}
+
+void TurnToWorld(vtkMatrix3x3* direction, const std::array<double, 3>& local, double world[3])
+{
+  direction->MultiplyPoint(local.data(), world);
+}
+
+void FillCrossings(
+  const std::vector<GridCrossing>& crossings, vtkImageData* grid, vtkPolyData* output)
+{
+  const auto count = static_cast<vtkIdType>(crossings.size());
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkDoubleArray> normals, fractions;
+  vtkNew<vtkIdTypeArray> nodes, offsets, corners;
+  vtkNew<vtkIntArray> axes;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(count);
+  fractions->SetName("Fraction");
+  fractions->SetNumberOfValues(count);
+  nodes->SetName("Node");
+  nodes->SetNumberOfValues(count);
+  axes->SetName("Axis");
+  axes->SetNumberOfValues(count);
+  corners->SetNumberOfValues(count);
+  const int* const size = grid->GetDimensions();
+  const int* const extent = grid->GetExtent();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const GridCrossing& crossing = crossings[static_cast<std::size_t>(i)];
+    const std::int64_t row = crossing.Node / size[0];
+    double index[3] = { static_cast<double>(extent[0] + crossing.Node % size[0]),
+      static_cast<double>(extent[2] + row % size[1]),
+      static_cast<double>(extent[4] + row / size[1]) };
+    index[crossing.Axis] += crossing.Fraction;
+    double position[3], normal[3];
+    grid->TransformContinuousIndexToPhysicalPoint(index, position);
+    TurnToWorld(grid->GetDirectionMatrix(), crossing.Normal, normal);
+    points->SetPoint(i, position);
+    normals->SetTuple(i, normal);
+    fractions->SetValue(i, crossing.Fraction);
+    nodes->SetValue(i, crossing.Node);
+    axes->SetValue(i, crossing.Axis);
+    corners->SetValue(i, i);
+  }
+  vtkNew<vtkCellArray> vertices;
+  vertices->SetData(1, corners);
+  output->SetPoints(points);
+  output->SetVerts(vertices);
+  output->GetPointData()->SetNormals(normals);
+  output->GetPointData()->AddArray(nodes);
+  output->GetPointData()->AddArray(axes);
+  output->GetPointData()->AddArray(fractions);
+}
+
+}

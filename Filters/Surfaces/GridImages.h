@@ -1,0 +1,44 @@
+/**
+ * @file GridImages.h
+ * @brief Between the algorithms on grids and VTK's images and surfaces.
+ */
+#ifndef isthmus_GridImages_h
+#define isthmus_GridImages_h
+
+#include "Surfaces/SurfaceCrossings.h"
+
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+class vtkDataArray;
+class vtkImageData;
+class vtkPolyData;
+
+namespace isthmus
+{
+
+/// @throws std::invalid_argument for spacings that are not positive and for a single layer of
+/// nodes.
+GridShape ShapeOf(vtkImageData* image);
+
+/// The surface with its points in lengths along the grid's axes from the grid's first node.
+vtkSmartPointer<vtkPolyData> InGridAxes(vtkPolyData* surface, vtkImageData* grid);
+
+/// The image's isosurface, in lengths along its axes from its first node.
+vtkSmartPointer<vtkPolyData> IsosurfaceInGridAxes(
+  vtkImageData* image, vtkDataArray* scalars, double level);
+
+void AddFlags(vtkImageData* output, const char* name, const std::vector<unsigned char>& flags);
+
+/// Adds `SignedDistance`, negative inside, as the active scalars.
+void AddSignedDistance(vtkImageData* output, const std::vector<unsigned char>& inside,
+  const std::vector<double>& distance);
+
+/// Makes `output` the crossings as vertices in world coordinates, with their arrays.
+void FillCrossings(
+  const std::vector<GridCrossing>& crossings, vtkImageData* grid, vtkPolyData* output);
+
+}
+
+#endif

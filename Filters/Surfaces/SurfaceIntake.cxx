@@ -1,0 +1,264 @@
+#include "Surfaces/SurfaceIntake.h"
+
+#include "Core/Bounds3.h"
+#include "Core/Index.h"
+#include "Core/ParallelFor.h"
+#include "Surfaces/FlatTriangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+#include <stdexcept>
+
+namespace isthmus
+{
+namespace
+{
+
+/// A number that points at the same place have in common, and hardly others (G. L. Steele, D. Lea,
+/// C. H. Flood, 2014: the finalizer of SplitMix).
+std::uint64_t HashOf(const Point3& p)
+{
+  std::uint64_t hash = 0;
+  for (const double x : p)
+  {
+    const double coordinate = x + 0.0; // -0.0 is where 0.0 is
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &coordinate, sizeof(bits));
+    hash = (hash ^ bits) + 0x9E3779B97F4A7C15ULL;
+    hash = (hash ^ hash >> 30) * 0xBF58476D1CE4E5B9ULL;
+    hash = (hash ^ hash >> 27) * 0x94D049BB133111EBULL;
+    hash ^= hash >> 31;
+  }
+  return hash;
+}
+
+template <typename Point>
+std::vector<std::uint64_t> HashesOf(std::int64_t count, const Point& point)
+{
+  std::vector<std::uint64_t> hashes(At(count));
+  ParallelFor(0, count, 1 << 14,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t i = begin; i < end; ++i)
+      {
+        hashes[At(i)] = HashOf(point(i));
+      }
+    });
+  return hashes;
+}
+
+/// For each of `count` points the first of those at the same place; `point(i)` gives coordinates.
+/// By a table of places, which stays half empty. What is not a number is at no other's place.
+template <typename Point>
+std::vector<std::int64_t> FirstAtPlace(std::int64_t count, const Point& point)
+{
+  const std::vector<std::uint64_t> hashes = HashesOf(count, point);
+  std::size_t size = 1;
+  while (size < 2 * At(count))
+  {
+    size *= 2;
+  }
+  std::vector<std::int64_t> table(size, -1);
+  std::vector<std::int64_t> first(At(count));
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    const Point3 place = point(i);
+    first[At(i)] = i;
+    if (place != place)
+    {
+      continue;
+    }
+    std::size_t slot = hashes[At(i)] & (size - 1);
+    while (
+      table[slot] >= 0 && (hashes[At(table[slot])] != hashes[At(i)] || point(table[slot]) != place))
+    {
+      slot = (slot + 1) & (size - 1);
+    }
+    if (table[slot] < 0)
+    {
+      table[slot] = i;
+    }
+    first[At(i)] = table[slot];
+  }
+  return first;
+}
+
+/// The points that triangles use: others are at no place, and need not be finite.
+std::vector<std::int64_t> IdsOf(const std::vector<char>& used)
+{
+  std::vector<std::int64_t> ids;
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    if (used[i])
+    {
+      ids.push_back(static_cast<std::int64_t>(i));
+    }
+  }
+  return ids;
+}
+
+bool HasRepeated(const Triangle& t)
+{
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+/// Which of the six faces of `box` a point lies on, one bit each.
+unsigned int FacesOf(const Point3& p, const Bounds3& box, double tolerance)
+{
+  unsigned int faces = 0;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    faces |= p[a] - box.Min[a] <= tolerance ? 1U << 2 * a : 0U;
+    faces |= box.Max[a] - p[a] <= tolerance ? 2U << 2 * a : 0U;
+  }
+  return faces;
+}
+
+/// Whether all corners are points, and finite ones.
+bool IsUsable(const SurfaceView& surface)
+{
+  const auto count = static_cast<std::int64_t>(surface.Points.size());
+  const auto usable = [&](std::int64_t id)
+  {
+    return id >= 0 && id < count &&
+      std::all_of(surface.Points[At(id)].begin(), surface.Points[At(id)].end(),
+        [](double x) { return std::isfinite(x); });
+  };
+  return std::all_of(surface.Triangles.begin(), surface.Triangles.end(),
+    [&](const Triangle& t) { return std::all_of(t.begin(), t.end(), usable); });
+}
+
+}
+
+TriangleMesh MergePoints(const SurfaceView& surface, std::vector<std::int64_t>* original)
+{
+  std::vector<char> used(surface.Points.size(), 0);
+  for (const Triangle& t : surface.Triangles)
+  {
+    for (const std::int64_t p : t)
+    {
+      if (p < 0 || At(p) >= surface.Points.size())
+      {
+        throw std::invalid_argument(
+          "The surface has a triangle with point " + std::to_string(p) + ", which does not exist.");
+      }
+      used[At(p)] = 1;
+    }
+  }
+  const std::vector<std::int64_t> ids = IdsOf(used);
+  const auto first = FirstAtPlace(static_cast<std::int64_t>(ids.size()),
+    [&](std::int64_t i) { return surface.Points[At(ids[At(i)])]; });
+  TriangleMesh merged;
+  std::vector<std::int64_t> idOf(surface.Points.size(), -1);
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    if (first[i] == static_cast<std::int64_t>(i))
+    {
+      idOf[At(ids[i])] = static_cast<std::int64_t>(merged.Points.size());
+      merged.Points.push_back(surface.Points[At(ids[i])]);
+      if (original)
+      {
+        original->push_back(ids[i]);
+      }
+    }
+    else
+    {
+      idOf[At(ids[i])] = idOf[At(ids[At(first[i])])];
+    }
+  }
+  merged.Triangles.reserve(surface.Triangles.size());
+  for (const Triangle& t : surface.Triangles)
+  {
+    const Triangle corners{ idOf[At(t[0])], idOf[At(t[1])], idOf[At(t[2])] };
+    if (HasRepeated(t) || !HasRepeated(corners)) // what was wrong before is told, not hidden
+    {
+      merged.Triangles.push_back(corners);
+    }
+  }
+  return merged;
+}
+
+TakenSurface TakeSurface(TriangleMesh surface)
+{
+  TakenSurface taken;
+  if (!IsUsable(surface) || FindDefects(surface).None())
+  {
+    taken.OriginalPoints.resize(surface.Points.size());
+    std::iota(taken.OriginalPoints.begin(), taken.OriginalPoints.end(), std::int64_t{ 0 });
+    taken.Mesh = std::move(surface);
+    return taken;
+  }
+  taken.Mesh = WithoutFlatTriangles(MergePoints(surface, &taken.OriginalPoints));
+  return taken;
+}
+
+std::vector<Triangle> MergedCorners(const SurfaceView& surface, std::vector<vtkIdType>* places)
+{
+  std::vector<char> used(surface.Points.size(), 0);
+  for (const Triangle& t : surface.Triangles)
+  {
+    for (const vtkIdType corner : t)
+    {
+      used[At(corner)] = 1;
+    }
+  }
+  const std::vector<std::int64_t> ids = IdsOf(used);
+  const auto first = FirstAtPlace(static_cast<std::int64_t>(ids.size()),
+    [&](std::int64_t i) { return surface.Point(ids[At(i)]); });
+  std::vector<vtkIdType> place(used.size());
+  std::iota(place.begin(), place.end(), vtkIdType{ 0 });
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    place[At(ids[i])] = ids[At(first[i])];
+  }
+  std::vector<Triangle> merged;
+  merged.reserve(surface.Triangles.size());
+  for (const Triangle& before : surface.Triangles)
+  {
+    const Triangle after{ place[At(before[0])], place[At(before[1])], place[At(before[2])] };
+    if (HasRepeated(before) || !HasRepeated(after))
+    {
+      merged.push_back(after);
+    }
+  }
+  if (places)
+  {
+    places->swap(place);
+  }
+  return merged;
+}
+
+std::string WhyOpen(const SurfaceView& surface, const SurfaceDefects& defects)
+{
+  if (defects.BoundaryTriangles.empty() || !defects.InvalidPoints.empty() ||
+    !defects.InvalidTriangles.empty())
+  {
+    return {};
+  }
+  Bounds3 box{ surface.Points.front(), surface.Points.front() };
+  for (const Point3& p : surface.Points)
+  {
+    box.Add(p);
+  }
+  const double tolerance = 1e-5 * box.Diagonal(); // coordinates may be rounded to float
+  for (const std::int64_t triangle : defects.BoundaryTriangles)
+  {
+    const Triangle& t = surface.Triangles[At(triangle)];
+    unsigned int faces[3];
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      faces[c] = FacesOf(surface.Points[At(t[c])], box, tolerance);
+    }
+    if ((faces[0] & faces[1]) == 0 && (faces[1] & faces[2]) == 0 && (faces[2] & faces[0]) == 0)
+    {
+      return {};
+    }
+  }
+  return " It is open only at the faces of its box, as a contour is where the level leaves the "
+         "map: "
+         "Map Surface closes it there.";
+}
+
+}

@@ -1,0 +1,54 @@
+/**
+ * @file TriangleNodes.h
+ * @brief The nodes of a TriangleTree: triangles sorted into leaves, bounded by cylinders.
+ */
+#ifndef isthmus_TriangleNodes_h
+#define isthmus_TriangleNodes_h
+
+#include "Core/Point3.h"
+#include "Core/SurfaceView.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace isthmus
+{
+
+/// Eight children a node and eight triangles a leaf, lane by lane, so that a query measures them at
+/// once. Cylinders only tell what is too far, with all rounding on the safe side, so floats serve
+/// for them: (x - Origin) / Scale, at most about 1.
+struct TriangleNodes
+{
+  static constexpr std::size_t Width = 8;
+  using Lanes = std::array<double, Width>;
+  using FloatLanes = std::array<float, Width>;
+
+  /// Eight cylinders; those that are missing are infinitely far.
+  struct Node
+  {
+    alignas(64) std::array<FloatLanes, 3> Centre;
+    std::array<FloatLanes, 3> Axis; ///< unit
+    FloatLanes HalfHeight;
+    FloatLanes Radius;
+    std::array<std::int32_t, Width> Child; ///< a node, or ~n for leaf n
+  };
+
+  /// Eight triangles; the last again where some are missing.
+  struct Leaf
+  {
+    alignas(64) std::array<std::array<Lanes, 3>, 3> Corner; ///< by corner and axis
+  };
+
+  Point3 Origin{ 0.0, 0.0, 0.0 };
+  double Scale = 1.0;
+  std::vector<Node> Nodes; ///< the root first; none where one leaf holds all
+  std::vector<Leaf> Leaves;
+};
+
+/// O(n log n) for n triangles, less than 2^34; nothing for none.
+TriangleNodes MakeTriangleNodes(const SurfaceView& mesh);
+
+}
+
+#endif

@@ -1,0 +1,120 @@
+#include "vtkAreaQuantiles.h"
+
+#include "Core/AlgorithmGuard.h"
+#include "Core/PolyDataTriangles.h"
+#include "Surfaces/AreaQuantiles.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkDoubleArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkAreaQuantiles);
+
+namespace
+{
+
+/// How much each value of an array on points or cells counts.
+std::vector<double> Weights(vtkDataSet* data, int association)
+{
+  const bool onPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  const vtkIdType count = onPoints ? data->GetNumberOfPoints() : data->GetNumberOfCells();
+  auto* surface = vtkPolyData::SafeDownCast(data);
+  if (!surface || surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
+  {
+    return std::vector<double>(static_cast<std::size_t>(count), 1.0);
+  }
+  const isthmus::PolyDataTriangles triangles(surface);
+  const isthmus::SurfaceView view = triangles.View();
+  if (onPoints)
+  {
+    return isthmus::PointAreas(view);
+  }
+  std::vector<double> weights(static_cast<std::size_t>(count), 0.0);
+  for (vtkIdType t = 0; t < view.NumberOfTriangles(); ++t)
+  {
+    weights[isthmus::At(triangles.CellOf(t))] += isthmus::TriangleArea(view, t);
+  }
+  return weights;
+}
+
+}
+
+vtkAreaQuantiles::vtkAreaQuantiles()
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+int vtkAreaQuantiles::FillInputPortInformation(int, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
+int vtkAreaQuantiles::RequestData(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  auto* data = vtkDataSet::GetData(input[0]);
+  auto* table = vtkTable::GetData(output);
+  return isthmus::Guarded(this, table,
+    [&]
+    {
+      if (data->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+      vtkDataArray* array = this->GetInputArrayToProcess(0, data, association);
+      if (!array || array->GetNumberOfComponents() != 1)
+      {
+        throw std::invalid_argument("There is no array of one component to take quantiles of.");
+      }
+      const bool onPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+      vtkDataArray* valid = onPoints ? data->GetPointData()->GetArray("CurvatureValid") : nullptr;
+      const std::vector<double> weights = Weights(data, association);
+      if (array->GetNumberOfTuples() != static_cast<vtkIdType>(weights.size()))
+      {
+        throw std::invalid_argument("The array is not one number for each point or cell.");
+      }
+      std::vector<isthmus::WeightedValue> values;
+      for (std::size_t i = 0; i < weights.size(); ++i)
+      {
+        const auto id = static_cast<vtkIdType>(i);
+        const double value = array->GetComponent(id, 0);
+        if (weights[i] > 0.0 && std::isfinite(value) &&
+          (!valid || valid->GetComponent(id, 0) != 0.0))
+        {
+          values.emplace_back(value, weights[i]);
+        }
+      }
+      if (values.empty())
+      {
+        return;
+      }
+      std::sort(values.begin(), values.end());
+      vtkNew<vtkDoubleArray> range;
+      range->SetName("Range");
+      range->InsertNextValue(isthmus::WeightedQuantile(values, this->Lower));
+      range->InsertNextValue(isthmus::WeightedQuantile(values, this->Upper));
+      table->AddColumn(range);
+    });
+}
+
+void vtkAreaQuantiles::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Lower: " << this->Lower << "\n";
+  os << indent << "Upper: " << this->Upper << "\n";
+}

@@ -1,0 +1,50 @@
+/**
+ * @class vtkAreaQuantiles
+ * @brief Two quantiles of an array over the area of a surface: what a colour bar should span.
+ *
+ * Extremes of curvature and potential sit in a few points near creases; a colour bar between them
+ * shows one flat tint. Input: vtkPolyData (or other vtkDataSet, whose points or cells count alike)
+ * with the point or cell array of `SetInputArrayToProcess(0, ...)`, one component. Values that are
+ * not finite are left out, and those where the point array `CurvatureValid` is 0.
+ *
+ * Output: vtkTable with the column `Range` of two rows: the quantiles Lower and Upper by area; no
+ * row where there is no value. Used by the plugin to choose colour ranges, also on a remote server.
+ * Memory: 16 bytes a value.
+ */
+#ifndef vtkAreaQuantiles_h
+#define vtkAreaQuantiles_h
+
+#include "vtkIsthmusFiltersSurfacesModule.h"
+#include "vtkTableAlgorithm.h"
+
+class VTKISTHMUSFILTERSSURFACES_EXPORT vtkAreaQuantiles : public vtkTableAlgorithm
+{
+public:
+  static vtkAreaQuantiles* New();
+  vtkTypeMacro(vtkAreaQuantiles, vtkTableAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Fractions of the area, 0 to 1. Default 0.02 and 0.98.
+  vtkSetMacro(Lower, double);
+  vtkGetMacro(Lower, double);
+  vtkSetMacro(Upper, double);
+  vtkGetMacro(Upper, double);
+  ///@}
+
+protected:
+  vtkAreaQuantiles();
+  ~vtkAreaQuantiles() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* information) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkAreaQuantiles(const vtkAreaQuantiles&) = delete;
+  void operator=(const vtkAreaQuantiles&) = delete;
+
+  double Lower = 0.02;
+  double Upper = 0.98;
+};
+
+#endif

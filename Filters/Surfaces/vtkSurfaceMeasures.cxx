@@ -1,0 +1,241 @@
+#include "vtkSurfaceMeasures.h"
+
+#include "Core/AlgorithmGuard.h"
+#include "Core/ChosenScalars.h"
+#include "Core/ImageScalars.h"
+#include "Core/PolyDataTriangles.h"
+#include "Core/WholeSurface.h"
+#include "Surfaces/CartesianMeasures.h"
+#include "Surfaces/SurfaceIntake.h"
+#include "Surfaces/SurfaceMeasures.h"
+
+#include <vtkDataSetAttributes.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTable.h>
+
+vtkStandardNewMacro(vtkSurfaceMeasures);
+
+namespace
+{
+
+using isthmus::SurfaceMeasure;
+
+template <typename Array, typename Value>
+void AddNumber(vtkFieldData* fields, const char* name, Value value)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  fields->AddArray(array);
+}
+
+void AddFields(vtkFieldData* fields, const SurfaceMeasure& whole, vtkIdType components)
+{
+  AddNumber<vtkDoubleArray>(fields, "Area", whole.Area);
+  AddNumber<vtkDoubleArray>(fields, "Volume", whole.Volume);
+  AddNumber<vtkIdTypeArray>(fields, "Genus", whole.Genus);
+  AddNumber<vtkIdTypeArray>(fields, "Components", components);
+  AddNumber<vtkIdTypeArray>(fields, "EulerNumber", whole.EulerNumber());
+  AddNumber<vtkIdTypeArray>(fields, "OpenEdges", whole.OpenEdges);
+  AddNumber<vtkIdTypeArray>(fields, "BoundaryLoops", whole.BoundaryLoops);
+  AddNumber<vtkIdTypeArray>(fields, "IrregularPoints", whole.IrregularPoints);
+}
+
+/// Adds a column with `get(row)` for each of `rows`.
+template <typename Array, typename Get>
+void AddColumn(
+  vtkTable* table, const char* name, const std::vector<SurfaceMeasure>& rows, Get&& get)
+{
+  vtkNew<Array> column;
+  column->SetName(name);
+  for (const SurfaceMeasure& row : rows)
+  {
+    column->InsertNextValue(get(row));
+  }
+  table->AddColumn(column);
+}
+
+void FillTable(vtkTable* table, const isthmus::SurfaceMeasures& measures)
+{
+  using Row = SurfaceMeasure;
+  std::vector<Row> rows{ measures.Whole };
+  rows.insert(rows.end(), measures.Components.begin(), measures.Components.end());
+  vtkIdType component = -1;
+  AddColumn<vtkIdTypeArray>(table, "Component", rows, [&](const Row&) { return component++; });
+  AddColumn<vtkDoubleArray>(table, "Area", rows, [](const Row& row) { return row.Area; });
+  AddColumn<vtkDoubleArray>(table, "Volume", rows, [](const Row& row) { return row.Volume; });
+  AddColumn<vtkIdTypeArray>(table, "Genus", rows, [](const Row& row) { return row.Genus; });
+  AddColumn<vtkIdTypeArray>(
+    table, "EulerNumber", rows, [](const Row& row) { return row.EulerNumber(); });
+  AddColumn<vtkIdTypeArray>(table, "Points", rows, [](const Row& row) { return row.Points; });
+  AddColumn<vtkIdTypeArray>(table, "Edges", rows, [](const Row& row) { return row.Edges; });
+  AddColumn<vtkIdTypeArray>(table, "Triangles", rows, [](const Row& row) { return row.Triangles; });
+  AddColumn<vtkIdTypeArray>(table, "OpenEdges", rows, [](const Row& row) { return row.OpenEdges; });
+  AddColumn<vtkIdTypeArray>(
+    table, "BoundaryLoops", rows, [](const Row& row) { return row.BoundaryLoops; });
+  AddColumn<vtkIdTypeArray>(
+    table, "IrregularPoints", rows, [](const Row& row) { return row.IrregularPoints; });
+}
+
+}
+
+vtkSurfaceMeasures::vtkSurfaceMeasures()
+{
+  this->SetNumberOfOutputPorts(2);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+int vtkSurfaceMeasures::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+int vtkSurfaceMeasures::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkDataObject" : "vtkTable");
+  return 1;
+}
+
+int vtkSurfaceMeasures::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  if (!input)
+  {
+    return 0;
+  }
+  if (!output || !output->IsA(input->GetClassName()))
+  {
+    auto made = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
+    outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), made);
+  }
+  if (!vtkTable::GetData(outputVector, 1))
+  {
+    outputVector->GetInformationObject(1)->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkTable>());
+  }
+  return 1;
+}
+
+int vtkSurfaceMeasures::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  // A measure of a part of the image would not be that of the image.
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* info = inputVector[0]->GetInformationObject(0);
+  if (info->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    int whole[6];
+    info->Get(Pipeline::WHOLE_EXTENT(), whole);
+    info->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
+  }
+  return 1;
+}
+
+int vtkSurfaceMeasures::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  vtkTable* table = vtkTable::GetData(outputVector, 1);
+  table->Initialize();
+  return isthmus::Guarded(this, output,
+    [&]()
+    {
+      output->ShallowCopy(vtkDataObject::GetData(inputVector[0], 0));
+      if (auto* surface = vtkPolyData::GetData(inputVector[0], 0))
+      {
+        this->Measure(surface, output, table);
+      }
+      else
+      {
+        this->Measure(vtkImageData::GetData(inputVector[0], 0), output, table);
+      }
+    });
+}
+
+void vtkSurfaceMeasures::Measure(vtkPolyData* surface, vtkDataObject* output, vtkTable* table)
+{
+  // The output is this rank's piece; what is measured, on the first rank, is all of them.
+  const auto sewn = isthmus::WholeSurface(this, surface);
+  if (!isthmus::OnFirstRank())
+  {
+    return;
+  }
+  const isthmus::PolyDataTriangles triangles(sewn);
+  // Points that coincide are one, else each triangle of some files would be a component.
+  const std::vector<isthmus::Triangle> merged = isthmus::MergedCorners(triangles.View());
+  const auto measures =
+    isthmus::MeasureSurface({ triangles.View().Points, merged }, isthmus::ProgressOf(this));
+  const SurfaceMeasure& whole = measures.Whole;
+  AddFields(output->GetFieldData(), whole, static_cast<vtkIdType>(measures.Components.size()));
+  FillTable(table, measures);
+  if (!whole.IsClosed())
+  {
+    vtkWarningMacro(<< "The surface is not closed, so Volume is not a number: " << whole.OpenEdges
+                    << " edges have more triangles on one side than on the other (holes or flipped "
+                       "neighbours). Fill the holes or make the winding consistent first.");
+  }
+  if (whole.IrregularPoints > 0)
+  {
+    vtkWarningMacro(<< "The surface is not a manifold, so Genus is -1: around "
+                    << whole.IrregularPoints
+                    << " points its triangles form neither a disc nor a half disc.");
+  }
+}
+
+void vtkSurfaceMeasures::Measure(vtkImageData* image, vtkDataObject* output, vtkTable* table)
+{
+  if (image->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  if (isthmus::NumberOfRanks() > 1)
+  {
+    throw std::runtime_error("The measures of a level need all of the volume on one rank, and "
+                             "there are " +
+      std::to_string(isthmus::NumberOfRanks()) +
+      ": take the area and volume of its Contour, which are added up, or one rank.");
+  }
+  isthmus::CartesianMeasures measures;
+  isthmus::UseScalars(image, isthmus::ChosenScalars(this, image),
+    [&](const auto& grid)
+    {
+      using T = std::remove_const_t<std::remove_pointer_t<decltype(grid.Data)>>;
+      const isthmus::LevelView<T> level{ grid, this->IsoValue, this->InsideIsHigher != 0 };
+      isthmus::CheckFinite(grid);
+      measures = isthmus::MeasureOnGrid(
+        level, this->InsideValue, this->OutsideValue, isthmus::ProgressOf(this));
+    });
+  const std::pair<const char*, double> values[] = { { "Area", measures.Area },
+    { "Volume", measures.Volume }, { "SmearedArea", measures.SmearedArea },
+    { "SmearedVolume", measures.SmearedVolume } };
+  for (const auto& [name, value] : values)
+  {
+    AddNumber<vtkDoubleArray>(output->GetFieldData(), name, value);
+    table->AddColumn(output->GetFieldData()->GetAbstractArray(name));
+  }
+}
+
+vtkTable* vtkSurfaceMeasures::GetTable()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+void vtkSurfaceMeasures::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "IsoValue: " << this->IsoValue << "\n";
+  os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
+  os << indent << "InsideValue: " << this->InsideValue << "\n";
+  os << indent << "OutsideValue: " << this->OutsideValue << "\n";
+}

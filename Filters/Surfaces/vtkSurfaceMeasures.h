@@ -1,0 +1,98 @@
+/**
+ * @class   vtkSurfaceMeasures
+ * @brief   area, enclosed volume, genus and components of a surface, or of a level of a volume
+ *
+ * The input, a vtkPolyData or a vtkImageData, is passed on with its measures as field data; output
+ * 1 is a vtkTable of the same. Lengths are in the unit of the data, angstrom for molecular data.
+ *
+ * **Surface** (polygons and strips are split into triangles; vertices and lines don't count): field
+ * data `Area`, `Volume`, `Genus`, `Components`, `EulerNumber`, `OpenEdges`, `BoundaryLoops`,
+ * `IrregularPoints`; table: a row for the whole (`Component` -1) and one for each component, with
+ * `Points`, `Edges` and `Triangles` too. Triangles that share a point are one component.
+ * `Volume` is positive where triangles are counter-clockwise seen from outside, and cavities count
+ * against it. It is not a number, with a warning, where the surface doesn't enclose one:
+ * `OpenEdges` are those with more triangles on one side than on the other. `Genus` is the number of
+ * handles, with the `BoundaryLoops` closed; it is -1, with a warning, where the surface has
+ * `IrregularPoints`: points around which its triangles form neither a disc nor a half disc.
+ *
+ * **Image**: four measures of the level IsoValue of its scalars: `Area` and `Volume`, sharp, and
+ * `SmearedArea` and `SmearedVolume` of the scalars scaled to 0 outside and 1 inside. Float and
+ * double are used as they are, other types as a copy in double.
+ *
+ * Formulas and sources: SurfaceMeasures.h, CartesianMeasures.h.
+ *
+ * **Errors** (sentence, empty output): coordinates or scalars that are not finite, damaged cells,
+ * no point scalars or several components, equal InsideValue and OutsideValue. Empty input is none.
+ *
+ * **Cost.** O(triangles), 60 bytes each; O(nodes), no memory. On several MPI ranks, each measures
+ * its own piece: gather the surface first (in ParaView: Aggregate Dataset).
+ */
+#ifndef vtkSurfaceMeasures_h
+#define vtkSurfaceMeasures_h
+
+#include "vtkIsthmusFiltersSurfacesModule.h" // for the export macro
+#include "vtkPassInputTypeAlgorithm.h"
+
+class vtkImageData;
+class vtkPolyData;
+class vtkTable;
+
+class VTKISTHMUSFILTERSSURFACES_EXPORT vtkSurfaceMeasures : public vtkPassInputTypeAlgorithm
+{
+public:
+  static vtkSurfaceMeasures* New();
+  vtkTypeMacro(vtkSurfaceMeasures, vtkPassInputTypeAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Level of the image's scalars that is measured, in their unit. Default: 0.5.
+  vtkSetMacro(IsoValue, double);
+  vtkGetMacro(IsoValue, double);
+  ///@}
+
+  ///@{
+  /// Whether the scalars are higher inside (on, the default: densities) or lower (off: distances).
+  vtkSetMacro(InsideIsHigher, vtkTypeBool);
+  vtkGetMacro(InsideIsHigher, vtkTypeBool);
+  vtkBooleanMacro(InsideIsHigher, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// Scalars deep inside and far outside, in their unit; the smeared measures scale them to 1 and
+  /// 0. Default: 1 and 0, as for a characteristic function.
+  vtkSetMacro(InsideValue, double);
+  vtkGetMacro(InsideValue, double);
+  vtkSetMacro(OutsideValue, double);
+  vtkGetMacro(OutsideValue, double);
+  ///@}
+
+  /// Output 1.
+  vtkTable* GetTable();
+
+protected:
+  vtkSurfaceMeasures();
+  ~vtkSurfaceMeasures() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  double IsoValue = 0.5;
+  vtkTypeBool InsideIsHigher = 1;
+  double InsideValue = 1.0;
+  double OutsideValue = 0.0;
+
+private:
+  vtkSurfaceMeasures(const vtkSurfaceMeasures&) = delete;
+  void operator=(const vtkSurfaceMeasures&) = delete;
+
+  void Measure(vtkPolyData* surface, vtkDataObject* output, vtkTable* table);
+  void Measure(vtkImageData* image, vtkDataObject* output, vtkTable* table);
+};
+
+#endif

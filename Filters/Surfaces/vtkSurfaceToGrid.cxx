@@ -1,0 +1,313 @@
+#include "vtkSurfaceToGrid.h"
+
+#include "Core/AlgorithmGuard.h"
+#include "Core/ChosenScalars.h"
+#include "Core/ImageCrop.h"
+#include "Core/ImageExtent.h"
+#include "Core/ImageScalars.h"
+#include "Core/PipelineInputs.h"
+#include "Core/PolyDataTriangles.h"
+#include "Core/RangeGuard.h"
+#include "Core/WholeSurface.h"
+#include "Surfaces/GridDistance.h"
+#include "Surfaces/GridImages.h"
+#include "Surfaces/LevelCrossings.h"
+#include "Surfaces/SurfaceCrossings.h"
+
+#include <vtkDataSetAttributes.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkSurfaceToGrid);
+
+namespace
+{
+
+using isthmus::GridCrossing;
+using isthmus::GridShape;
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+/// Nodes a grid may have: more could not be numbered by the extents of a vtkImageData.
+constexpr double MostNodesAlongAnAxis = 2147483000.0;
+
+}
+
+vtkSurfaceToGrid::vtkSurfaceToGrid()
+  : Advance(std::make_unique<isthmus::InputInAdvance>(this))
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+vtkSurfaceToGrid::~vtkSurfaceToGrid() = default;
+
+int vtkSurfaceToGrid::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  if (port == 0)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  }
+  else
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkSurfaceToGrid::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkImageData" : "vtkPolyData");
+  return 1;
+}
+
+void vtkSurfaceToGrid::GridAround(vtkPolyData* surface, vtkImageData* grid)
+{
+  if (!(this->Spacing >= 0.0) || std::isinf(this->Spacing))
+  {
+    throw std::invalid_argument("Spacing is " + isthmus::Shown(this->Spacing) +
+      ", but it is a length: give a positive one, or 0 for 1/64 of the surface's longest side.");
+  }
+  double box[6];
+  surface->GetBounds(box);
+  const double longest = std::max({ box[1] - box[0], box[3] - box[2], box[5] - box[4] });
+  const double h = this->Spacing > 0.0 ? this->Spacing : longest / 64.0;
+  if (!(h > 0.0) || std::isinf(h))
+  {
+    throw std::invalid_argument("The surface has no size, or not a finite one, so there is no grid "
+                                "around it: give an image.");
+  }
+  int size[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double nodes =
+      std::ceil((box[2 * axis + 1] - box[2 * axis]) / h) + 1.0 + 2.0 * this->Padding;
+    if (nodes > MostNodesAlongAnAxis)
+    {
+      throw std::invalid_argument("A Spacing of " + std::to_string(h) +
+        " would make more than 2^31 nodes along an axis: choose a larger one.");
+    }
+    size[axis] = std::max(2, static_cast<int>(nodes));
+  }
+  const double pad = this->Padding * h;
+  grid->SetDimensions(size);
+  grid->SetOrigin(box[0] - pad, box[2] - pad, box[4] - pad);
+  grid->SetSpacing(h, h, h);
+}
+
+int vtkSurfaceToGrid::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  vtkInformation* gridInfo = inputVector[1]->GetInformationObject(0);
+  vtkInformation* info = inputVector[0]->GetInformationObject(0);
+  if (vtkImageData::GetData(info))
+  {
+    gridInfo = info;
+  }
+  if (gridInfo)
+  {
+    outInfo->CopyEntry(gridInfo, Pipeline::WHOLE_EXTENT());
+    outInfo->CopyEntry(gridInfo, vtkDataObject::ORIGIN());
+    outInfo->CopyEntry(gridInfo, vtkDataObject::SPACING());
+    outInfo->CopyEntry(gridInfo, vtkDataObject::DIRECTION());
+    return 1;
+  }
+  // The extent of the grid has to be told now, and it is that of the surface: so make the surface.
+  this->Advance->Update();
+  isthmus::TellGeometry(outInfo,
+    [&](vtkImageData* grid)
+    {
+      const auto surface =
+        isthmus::WholeSurface(this, vtkPolyData::GetData(info), isthmus::WholeOn::EachRank);
+      if (surface && surface->GetNumberOfPoints() > 0) // else empty, or blocks that come one by one
+      {
+        this->GridAround(surface, grid);
+      }
+    });
+  return 1;
+}
+
+int vtkSurfaceToGrid::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  // Even-odd counting and distances need all of the grid and of the volume.
+  for (int port = 0; port < 2; ++port)
+  {
+    vtkInformation* info = inputVector[port]->GetInformationObject(0);
+    // Not of a surface, whose pieces are put together here.
+    if (info && vtkImageData::GetData(info) && info->Has(Pipeline::WHOLE_EXTENT()))
+    {
+      int whole[6];
+      info->Get(Pipeline::WHOLE_EXTENT(), whole);
+      info->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
+      isthmus::AskForAll(info);
+    }
+  }
+  return 1;
+}
+
+int vtkSurfaceToGrid::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkImageData* output = vtkImageData::GetData(outputVector, 0);
+  vtkPolyData* crossings = vtkPolyData::GetData(outputVector, 1);
+  output->Initialize();
+  crossings->Initialize();
+  const int result = isthmus::Guarded(this, output,
+    [&]()
+    {
+      isthmus::DemandAll(inputVector[0]->GetInformationObject(0));
+      isthmus::DemandAll(inputVector[1]->GetInformationObject(0));
+      if (auto* image = vtkImageData::GetData(inputVector[0], 0))
+      {
+        output->ShallowCopy(image);
+        if (image->GetNumberOfPoints() > 0)
+        {
+          this->FromImage(image, output, crossings);
+        }
+        return;
+      }
+      const auto surface = isthmus::WholeSurface(
+        this, vtkPolyData::GetData(inputVector[0], 0), isthmus::WholeOn::EachRank);
+      if (auto* grid = vtkImageData::GetData(inputVector[1], 0))
+      {
+        output->CopyStructure(grid);
+      }
+      else if (surface->GetNumberOfPoints() > 0)
+      {
+        this->GridAround(surface, output);
+      }
+      if (output->GetNumberOfPoints() > 0)
+      {
+        this->FromSurface(surface, output, crossings);
+      }
+    });
+  if (output->GetNumberOfPoints() == 0 || !isthmus::OnFirstRank())
+  {
+    crossings->Initialize();
+  }
+  if (isthmus::NumberOfRanks() > 1 && output->GetNumberOfPoints() > 0)
+  {
+    // All ranks have all of the grid: each keeps its piece.
+    isthmus::Extent all{};
+    output->GetExtent(all.data());
+    isthmus::CropTo(output, isthmus::PieceOf(outputVector->GetInformationObject(0), all));
+  }
+  return result;
+}
+
+void vtkSurfaceToGrid::FromSurface(
+  vtkPolyData* surface, vtkImageData* output, vtkPolyData* crossings)
+{
+  const GridShape shape = isthmus::ShapeOf(output);
+  const isthmus::PolyDataTriangles triangles(isthmus::InGridAxes(surface, output));
+  const isthmus::SurfaceView mesh = triangles.View();
+  const auto progress = isthmus::ProgressOf(this);
+  const auto found = isthmus::SurfaceCrossings(mesh, shape,
+    static_cast<isthmus::CrossingNormal>(this->NormalMode), isthmus::Between(progress, 0.05, 0.2));
+  isthmus::FillCrossings(found, output, crossings);
+  if (!this->GenerateInside && !this->GenerateSignedDistance)
+  {
+    return;
+  }
+  const auto inside = isthmus::NodesInside(mesh, shape);
+  isthmus::Report(progress, 0.3);
+  if (this->GenerateInside)
+  {
+    isthmus::AddFlags(output, "Inside", inside);
+    isthmus::AddFlags(output, "Irregular", isthmus::IrregularNodes(inside, shape));
+  }
+  if (this->GenerateSignedDistance)
+  {
+    isthmus::AddSignedDistance(
+      output, inside, this->Distance(mesh, shape, isthmus::Between(progress, 0.35, 1.0)));
+  }
+}
+
+std::vector<double> vtkSurfaceToGrid::Distance(const isthmus::SurfaceView& mesh,
+  const GridShape& shape, const isthmus::ProgressCallback& progress)
+{
+  const double h = *std::max_element(shape.Spacing.begin(), shape.Spacing.end());
+  return this->ExactEverywhere
+    ? isthmus::ExactDistanceToSurface(mesh, shape, progress)
+    : isthmus::DistanceToSurface(mesh, shape, this->BandWidth * h, progress);
+}
+
+void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkPolyData* crossings)
+{
+  const GridShape shape = isthmus::ShapeOf(image);
+  vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
+  isthmus::DemandRange("IsoValue", this->IsoValue, -std::numeric_limits<double>::max(),
+    std::numeric_limits<double>::max(), "It is a value of the volume.");
+  double range[2];
+  scalars->GetFiniteRange(range);
+  if (!(range[0] < this->IsoValue && this->IsoValue < range[1]))
+  {
+    vtkWarningMacro(<< "There is no surface at IsoValue " << this->IsoValue
+                    << ", so SignedDistance is infinite: the volume has values from " << range[0]
+                    << " to " << range[1] << ". Choose one between.");
+  }
+  const auto progress = isthmus::ProgressOf(this);
+  std::vector<unsigned char> inside(static_cast<std::size_t>(shape.Size()));
+  isthmus::UseScalars(image, scalars,
+    [&](const auto& grid)
+    {
+      using T = std::remove_const_t<std::remove_pointer_t<decltype(grid.Data)>>;
+      const isthmus::LevelView<T> level{ grid, this->IsoValue, this->InsideIsHigher != 0 };
+      isthmus::CheckFinite(grid);
+      std::transform(grid.Data, grid.Data + shape.Size(), inside.begin(),
+        [&](T value) { return level.IsInside(static_cast<double>(value)); });
+      std::vector<GridCrossing> found;
+      for (std::int64_t k = 0; k < shape.Dimensions[2]; ++k)
+      {
+        isthmus::AppendLevelCrossings(level, k, found);
+        isthmus::Report(
+          progress, 0.3 * static_cast<double>(k) / static_cast<double>(shape.Dimensions[2]));
+      }
+      isthmus::FillCrossings(found, image, crossings);
+    });
+  if (this->GenerateInside)
+  {
+    isthmus::AddFlags(output, "Inside", inside);
+    isthmus::AddFlags(output, "Irregular", isthmus::IrregularNodes(inside, shape));
+  }
+  if (this->GenerateSignedDistance)
+  {
+    const isthmus::PolyDataTriangles triangles(
+      isthmus::IsosurfaceInGridAxes(image, scalars, this->IsoValue));
+    isthmus::AddSignedDistance(output, inside,
+      this->Distance(triangles.View(), shape, isthmus::Between(progress, 0.35, 1.0)));
+  }
+}
+
+vtkPolyData* vtkSurfaceToGrid::GetCrossings()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+void vtkSurfaceToGrid::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "Padding: " << this->Padding << "\n";
+  os << indent << "IsoValue: " << this->IsoValue << "\n";
+  os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
+  os << indent << "NormalMode: " << this->NormalMode << "\n";
+  os << indent << "GenerateInside: " << this->GenerateInside << "\n";
+  os << indent << "GenerateSignedDistance: " << this->GenerateSignedDistance << "\n";
+  os << indent << "BandWidth: " << this->BandWidth << "\n";
+  os << indent << "ExactEverywhere: " << this->ExactEverywhere << "\n";
+}

@@ -1,0 +1,46 @@
+#include "Tetrahedra/TetrahedralGrid.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnstructuredGrid.h>
+
+namespace isthmus
+{
+
+void SetGrid(const TetrahedralMesh& mesh, vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.Points.size()));
+  vtkNew<vtkIdTypeArray> original;
+  original->SetName("OriginalPointId");
+  original->SetNumberOfValues(points->GetNumberOfPoints());
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), mesh.Points[i].data());
+    original->SetValue(static_cast<vtkIdType>(i), mesh.OriginalPoints[i]);
+  }
+  const auto count = static_cast<vtkIdType>(mesh.Tetrahedra.size());
+  vtkNew<vtkCellArray> cells;
+  cells->AllocateExact(count, 4 * count);
+  vtkNew<vtkIntArray> regions;
+  regions->SetName("RegionId");
+  regions->SetNumberOfValues(count);
+  for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
+  {
+    const Tetrahedron& t = mesh.Tetrahedra[i];
+    cells->InsertNextCell({ t[0], t[1], t[2], t[3] });
+    regions->SetValue(static_cast<vtkIdType>(i), mesh.Regions[i]);
+  }
+  grid->SetPoints(points);
+  grid->SetCells(VTK_TETRA, cells);
+  grid->GetPointData()->AddArray(original);
+  grid->GetCellData()->SetScalars(regions);
+}
+
+}

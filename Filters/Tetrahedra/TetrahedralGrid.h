@@ -1,0 +1,22 @@
+/**
+ * @file TetrahedralGrid.h
+ * @brief From TetrahedralMesh to vtkUnstructuredGrid, for the vtk classes of this room.
+ */
+#ifndef isthmus_TetrahedralGrid_h
+#define isthmus_TetrahedralGrid_h
+
+#include "Core/TetrahedralMesh.h"
+#include "Core/TriangleMesh.h"
+
+class vtkUnstructuredGrid;
+
+namespace isthmus
+{
+
+/// Makes `grid` the points (double) and tetrahedra of `mesh`, with the cell array RegionId (its
+/// scalars) and the point array OriginalPointId.
+void SetGrid(const TetrahedralMesh& mesh, vtkUnstructuredGrid* grid);
+
+}
+
+#endif

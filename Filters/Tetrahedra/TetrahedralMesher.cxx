@@ -1,0 +1,231 @@
+#include "Tetrahedra/TetrahedralMesher.h"
+
+#include "Core/Bounds3.h"
+#include "Core/RangeGuard.h"
+#include "Remeshing/SurfaceRepair.h"
+#include "Surfaces/SurfaceTopology.h"
+
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+namespace isthmus
+{
+namespace
+{
+
+/// The same demands for a surface whose lengths are `factor` times as large.
+TetrahedralParameters Scaled(TetrahedralParameters p, double factor)
+{
+  p.TetGen.MaximumVolume *= factor * factor * factor;
+  p.CGAL.FacetSize *= factor;
+  p.CGAL.FacetDistance *= factor;
+  p.CGAL.CellSize *= factor;
+  return p;
+}
+
+/// Sizes so small that refinement would pass MaximumPoints are refused before it begins.
+void DemandCGALBudget(const SurfaceView& surface, const TetrahedralParameters& parameters)
+{
+  const CGALCriteria& c = parameters.CGAL;
+  if (parameters.Library != TetrahedralLibrary::CGAL)
+  {
+    return;
+  }
+  const double area = SurfaceArea(surface);
+  // No triangle of circumradius r is larger than (3 sqrt(3) / 4) r^2, and there are two a point.
+  const double points = c.FacetSize > 0.0 ? area / (2.6 * c.FacetSize * c.FacetSize) : 0.0;
+  const double cells = c.CellSize > 0.0
+    ? std::abs(SignedVolume(surface)) / (3.6 * c.CellSize * c.CellSize * c.CellSize)
+    : 0.0;
+  const double least = std::max(points, cells);
+  constexpr double hopeless = 1e12; // below, refinement ends at MaximumPoints, and can be stopped
+  if (least > hopeless)
+  {
+    throw std::invalid_argument("The sizes asked of CGAL take at least " + Shown(least) +
+      " points, and the most is " + Shown(static_cast<double>(c.MaximumPoints)) +
+      ": ask for larger ones.");
+  }
+  const double finest = 1e-7 * BoundsOf(surface).Diagonal();
+  for (const double length : { c.FacetSize, c.FacetDistance, c.CellSize })
+  {
+    if (length > 0.0 && length < finest)
+    {
+      throw std::invalid_argument("A size of " + Shown(length) +
+        " is asked of CGAL, but it finds points to " + Shown(finest) +
+        " only (1e-7 of the surface's diagonal): ask for larger ones.");
+    }
+  }
+}
+
+/// The box around `surface`, `margin` of its diagonal away, as 12 triangles facing outward.
+void AddBox(TetrahedralTask& task, const Bounds3& bounds, double margin)
+{
+  const double d = margin * bounds.Diagonal();
+  const Point3 low = bounds.Min - Point3{ d, d, d };
+  const Point3 high = bounds.Max + Point3{ d, d, d };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    task.Box.Points.push_back({ corner & 1 ? high[0] : low[0], corner & 2 ? high[1] : low[1],
+      corner & 4 ? high[2] : low[2] });
+  }
+  task.Box.Triangles = { { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 },
+    { 0, 5, 4 }, { 2, 6, 7 }, { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } };
+  task.Exterior.Seed = bounds.Min - (0.5 * d) * Point3{ 1, 1, 1 };
+  task.Exterior.Volume = SignedVolume(task.Box);
+  for (std::size_t s = 0; s < task.Nesting.Shells.size(); ++s)
+  {
+    if (task.Nesting.OuterRegionIds[s] == 0)
+    {
+      task.Exterior.Volume -= SignedVolume(task.Nesting.Shells[s]);
+    }
+  }
+}
+
+/// Turns the tetrahedra to positive volume, all of them or none, and returns the volume of each
+/// region. Both libraries turn theirs alike; those so flat that rounding decides about the sign of
+/// their volume must stay as their neighbours are, else the skin has triangles facing inward.
+std::map<int, double> OrientAndMeasure(TetrahedralMesh& mesh)
+{
+  std::map<int, double> volumes;
+  double all = 0.0;
+  for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
+  {
+    const Tetrahedron& t = mesh.Tetrahedra[i];
+    const auto at = [&mesh, &t](std::size_t c)
+    { return mesh.Points[static_cast<std::size_t>(t[c])]; };
+    const Point3 origin = at(0);
+    const double volume = Dot(Cross(at(1) - origin, at(2) - origin), at(3) - origin) / 6.0;
+    volumes[mesh.Regions[i]] += volume;
+    all += volume;
+  }
+  if (all < 0.0)
+  {
+    for (Tetrahedron& t : mesh.Tetrahedra)
+    {
+      std::swap(t[2], t[3]);
+    }
+    for (auto& [region, volume] : volumes)
+    {
+      volume = -volume;
+    }
+  }
+  return volumes;
+}
+
+/// Do the tetrahedra fill each region asked for? Libraries are not taken at their word.
+void CheckVolumes(
+  const TetrahedralTask& task, const std::map<int, double>& volumes, double tolerance)
+{
+  std::vector<SpaceRegion> regions = task.Nesting.InnerRegions;
+  if (!task.Box.Triangles.empty())
+  {
+    regions.push_back(task.Exterior);
+  }
+  for (const SpaceRegion& region : regions)
+  {
+    if (!task.IsWanted(region.Id))
+    {
+      continue;
+    }
+    const auto found = volumes.find(region.Id);
+    if (found == volumes.end())
+    {
+      throw std::runtime_error("Region " + std::to_string(region.Id) + " of volume " +
+        Shown(region.Volume) + " got no tetrahedra: it is smaller than the sizes asked for.");
+    }
+    if (std::abs(found->second - region.Volume) > tolerance * region.Volume)
+    {
+      throw std::runtime_error("The tetrahedra of region " + std::to_string(region.Id) +
+        " fill a volume of " + Shown(found->second) + " instead of " + Shown(region.Volume) +
+        ": remesh the surface or use the other library.");
+    }
+  }
+}
+
+}
+
+void CheckTetrahedralParameters(const TetrahedralParameters& p)
+{
+  const auto demand = [](bool fine, const char* sentence)
+  {
+    if (!fine)
+    {
+      throw std::invalid_argument(sentence);
+    }
+  };
+  const TetGenCriteria& t = p.TetGen;
+  demand(p.Side == MeshedSide::Inside || (p.BoxMargin >= 1e-3 && p.BoxMargin <= 1e3),
+    "The margin of the box must be from 0.001 to 1000 diagonals of the surface.");
+  if (p.Library == TetrahedralLibrary::TetGen)
+  {
+    demand(t.RadiusEdgeRatio == 0.0 || (t.RadiusEdgeRatio >= 1.0 && t.RadiusEdgeRatio < 1e6),
+      "TetGen's radius-edge ratio must be 0 (no refinement) or at least 1; below 2 it need not "
+      "end.");
+    demand(t.MinimumDihedral >= 0.0 && t.MinimumDihedral <= 40.0,
+      "TetGen's minimum dihedral angle must be from 0 to 40 degrees.");
+    demand(t.MaximumVolume >= 0.0 && std::isfinite(t.MaximumVolume),
+      "The maximum volume must be positive, or 0 for none.");
+    demand(t.Limits.Seconds > 0.0 && t.Limits.Seconds <= 1e7,
+      "The time limit must be positive, and at most 1e7 s.");
+    return;
+  }
+  const CGALCriteria& c = p.CGAL;
+  for (const double value : { c.FacetSize, c.FacetDistance, c.CellSize, c.CellRadiusEdgeRatio })
+  {
+    demand(value <= LargestLength, "CGAL's sizes and ratios must be numbers of at most 1e100.");
+  }
+  demand(c.FacetAngle >= 0.0 && c.FacetAngle <= 30.0,
+    "CGAL's facet angle must be from 0 to 30 degrees: above, refinement need not end.");
+  demand(c.FacetSize >= 0.0 && c.FacetDistance >= 0.0 && c.CellSize >= 0.0,
+    "CGAL's sizes must be positive, or 0 for the default.");
+  demand(c.CellRadiusEdgeRatio >= 2.0,
+    "CGAL's cell radius-edge ratio must be at least 2: below, refinement need not end.");
+  demand(std::min(c.LloydIterations, c.ODTIterations) >= 0 &&
+      std::max(c.LloydIterations, c.ODTIterations) <= 100,
+    "Iterations of Lloyd and ODT must be from 0 to 100.");
+  demand(c.OptimisationSeconds > 0.0 && c.PerturbSeconds >= 0.0 &&
+      std::isfinite(c.OptimisationSeconds + c.PerturbSeconds),
+    "Time limits of the optimisation must be positive.");
+}
+
+TetrahedralMesh MeshTetrahedra(const SurfaceView& surface, const TetrahedralParameters& parameters,
+  const ProgressCallback& progress)
+{
+  CheckTetrahedralParameters(parameters);
+  if (surface.Triangles.empty())
+  {
+    return {};
+  }
+  const UnitScale scale(surface);
+  if (!scale.IsOne())
+  {
+    TriangleMesh scaled = CopyOf(surface);
+    scale.Apply(scaled.Points);
+    TetrahedralMesh mesh = MeshTetrahedra(scaled, Scaled(parameters, scale.Factor()), progress);
+    scale.Undo(mesh.Points);
+    return mesh;
+  }
+  DemandCleanSurface(surface, Between(progress, 0.0, 0.05), parameters.Repaired);
+  DemandCGALBudget(surface, parameters);
+  const ShellNesting nesting = FindNesting(surface, Between(progress, 0.05, 0.1));
+  TetrahedralTask task{ surface, nesting, parameters, {}, {} };
+  if (parameters.Side != MeshedSide::Inside)
+  {
+    AddBox(task, BoundsOf(surface), parameters.BoxMargin);
+  }
+  Report(progress, 0.1);
+
+  const bool tetgen = parameters.Library == TetrahedralLibrary::TetGen;
+  const auto rest = Between(progress, 0.1, 0.98);
+  TetrahedralMesh mesh = tetgen ? TetGenTetrahedra(task, rest) : CGALTetrahedra(task, rest);
+  const std::map<int, double> volumes = OrientAndMeasure(mesh);
+  // Without KeepSurface TetGen takes nearly flat neighbours as one facet; CGAL replaces the surface
+  // by one of its own, of about the same volume only.
+  const bool exact = tetgen && parameters.TetGen.KeepSurface;
+  CheckVolumes(task, volumes, exact ? 1e-9 : tetgen ? 1e-3 : 0.5);
+  Report(progress, 1.0);
+  return mesh;
+}
+
+}

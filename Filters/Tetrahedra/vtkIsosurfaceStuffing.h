@@ -1,0 +1,100 @@
+/**
+ * @class vtkIsosurfaceStuffing
+ * @brief Tetrahedra of bounded dihedral angles inside, outside or on both sides of a level set.
+ *
+ * Input: vtkImageData with one-component point scalars of any number type, any spacing, origin and
+ * direction (a density, or a signed distance with InsideIsHigher off). The level set is that of the
+ * trilinear interpolation; where it leaves the volume it is closed within one layer of cells.
+ *
+ * Output: vtkUnstructuredGrid of tetrahedra. Cell array `RegionId` (int): 1 inside, 0 outside.
+ * Point array `OnSurface` (unsigned char): 1 on the level set. With BOTH, the two sides share the
+ * points and triangles of the level set and fill the box (the volume's bounds and at least four
+ * layers of cells more), as a Poisson solver needs it. All dihedral angles are from 10.7 to 164.8
+ * degrees, also of a graded mesh. Field data of the input are kept; the field array `KeptPoints`
+ * (vtkIdType) counts the places where the level set turned within a cell (IsosurfaceStuffing.h).
+ *
+ * Source: F. Labelle, J. R. Shewchuk, doi:10.1145/1276377.1276448. Second order in CellSize. Cost:
+ * see IsosurfaceStuffing.h. On failure: one sentence through vtkErrorMacro and an empty output. The
+ * whole volume is needed on one rank.
+ */
+#ifndef vtkIsosurfaceStuffing_h
+#define vtkIsosurfaceStuffing_h
+
+#include "vtkIsthmusFiltersTetrahedraModule.h"
+#include "vtkUnstructuredGridAlgorithm.h"
+
+class VTKISTHMUSFILTERSTETRAHEDRA_EXPORT vtkIsosurfaceStuffing : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkIsosurfaceStuffing* New();
+  vtkTypeMacro(vtkIsosurfaceStuffing, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum SideType
+  {
+    INSIDE,
+    OUTSIDE,
+    BOTH
+  };
+
+  ///@{
+  /// Value of the level set, in the unit of the scalars. Default 0.
+  vtkSetMacro(Level, double);
+  vtkGetMacro(Level, double);
+  ///@}
+
+  ///@{
+  /// The inside is where the value is above the level (densities). Default on.
+  vtkSetMacro(InsideIsHigher, bool);
+  vtkGetMacro(InsideIsHigher, bool);
+  vtkBooleanMacro(InsideIsHigher, bool);
+  ///@}
+
+  ///@{
+  /// INSIDE: where the level set is filled; OUTSIDE: the box without that; BOTH. Default INSIDE.
+  vtkSetClampMacro(Side, int, INSIDE, BOTH);
+  vtkGetMacro(Side, int);
+  ///@}
+
+  ///@{
+  /// Side of the cubes of the lattice, in the unit of the spacing; 0: the smallest spacing. Most
+  /// edges are about as long. Default 0.
+  vtkSetMacro(CellSize, double);
+  vtkGetMacro(CellSize, double);
+  ///@}
+
+  ///@{
+  /// Away from the level set cubes may grow to 2^GradingLevels times CellSize, 0 to 8; 0: uniform.
+  /// Default 0.
+  vtkSetMacro(GradingLevels, int);
+  vtkGetMacro(GradingLevels, int);
+  ///@}
+
+  ///@{
+  /// Memory for the values on the lattice, in MiB, past which nothing is begun; 0: three quarters
+  /// of the machine's. Default 0.
+  vtkSetClampMacro(MemoryLimit, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MemoryLimit, int);
+  ///@}
+
+protected:
+  vtkIsosurfaceStuffing();
+  ~vtkIsosurfaceStuffing() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* information) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkIsosurfaceStuffing(const vtkIsosurfaceStuffing&) = delete;
+  void operator=(const vtkIsosurfaceStuffing&) = delete;
+
+  double Level = 0.0;
+  bool InsideIsHigher = true;
+  int Side = INSIDE;
+  double CellSize = 0.0;
+  int GradingLevels = 0;
+  int MemoryLimit = 0;
+};
+
+#endif

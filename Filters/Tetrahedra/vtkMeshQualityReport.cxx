@@ -1,0 +1,272 @@
+#include "vtkMeshQualityReport.h"
+
+#include "Core/AlgorithmGuard.h"
+#include "Core/WholeSurface.h"
+#include "Tetrahedra/MeshQuality.h"
+
+#include <vtkCell.h>
+#include <vtkCellData.h>
+#include <vtkCommunicator.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdList.h>
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMultiProcessController.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointSet.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkMeshQualityReport);
+
+namespace
+{
+
+/// All cells of `mesh`, which must be of that type. Throws std::invalid_argument, with the cell,
+/// where one is not, or names a point that does not exist.
+template <std::size_t Corners>
+std::vector<std::array<vtkIdType, Corners>> CellsOf(vtkPointSet* mesh, int type)
+{
+  std::vector<std::array<vtkIdType, Corners>> cells(
+    static_cast<std::size_t>(mesh->GetNumberOfCells()));
+  vtkNew<vtkIdList> ids;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    const auto id = static_cast<vtkIdType>(i);
+    if (mesh->GetCellType(id) != type)
+    {
+      throw std::invalid_argument("Cell " + std::to_string(i) + " is a " +
+        mesh->GetCell(id)->GetClassName() +
+        ", but only triangles (poly data) and tetrahedra (unstructured grids) are measured: pass "
+        "the mesh through Triangulate or Tetrahedralize first.");
+    }
+    mesh->GetCellPoints(id, ids);
+    for (std::size_t c = 0; c < Corners; ++c)
+    {
+      const vtkIdType corner = ids->GetId(static_cast<vtkIdType>(c));
+      if (corner < 0 || corner >= mesh->GetNumberOfPoints())
+      {
+        throw std::invalid_argument("Cell " + std::to_string(i) + " has the corner " +
+          std::to_string(corner) + ", but the mesh has " +
+          std::to_string(mesh->GetNumberOfPoints()) + " points: the mesh is damaged.");
+      }
+      cells[i][c] = corner;
+    }
+  }
+  return cells;
+}
+
+std::vector<isthmus::Point3> PointsOf(vtkPointSet* mesh)
+{
+  std::vector<isthmus::Point3> points(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    mesh->GetPoint(static_cast<vtkIdType>(i), points[i].data());
+    for (const double coordinate : points[i])
+    {
+      if (!std::isfinite(coordinate))
+      {
+        throw std::invalid_argument("Point " + std::to_string(i) +
+          " has a coordinate that is not a finite number: remove or mend it first.");
+      }
+    }
+  }
+  return points;
+}
+
+/// The flags of cells that other ranks have, too.
+isthmus::View<unsigned char> GhostsOf(vtkPointSet* mesh)
+{
+  vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+  return ghosts ? isthmus::View<unsigned char>(
+                    ghosts->GetPointer(0), static_cast<std::size_t>(ghosts->GetNumberOfTuples()))
+                : isthmus::View<unsigned char>();
+}
+
+void AddArray(vtkPointSet* mesh, const char* name, const std::vector<isthmus::CellAngles>& cells,
+  double isthmus::CellAngles::*member)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(cells.size()));
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    array->SetValue(static_cast<vtkIdType>(i), cells[i].*member);
+  }
+  mesh->GetCellData()->AddArray(array);
+}
+
+std::string Line(const isthmus::QualitySummary& s, bool tetrahedra)
+{
+  char text[200];
+  std::snprintf(text, sizeof text,
+    "%lld %s, %s %.8g, %s %.2f to %.2f degrees, radius-edge ratio up to %.3f",
+    static_cast<long long>(s.Cells), tetrahedra ? "tetrahedra" : "triangles",
+    tetrahedra ? "volume" : "area", s.TotalSize, tetrahedra ? "dihedral angles" : "angles",
+    s.SmallestAngle, s.LargestAngle, s.LargestRadiusEdge);
+  return text + (tetrahedra ? ", " + std::to_string(s.Slivers) + " slivers" : std::string());
+}
+
+void FillHistogram(const isthmus::QualitySummary& summary, vtkTable* table)
+{
+  vtkNew<vtkDoubleArray> angle, fraction;
+  vtkNew<vtkIdTypeArray> count;
+  angle->SetName("Angle");
+  count->SetName("Count");
+  fraction->SetName("Fraction");
+  std::int64_t all = 0;
+  for (const std::int64_t n : summary.Bins)
+  {
+    all += n;
+  }
+  const double width = 180.0 / static_cast<double>(summary.Bins.size());
+  for (std::size_t b = 0; b < summary.Bins.size(); ++b)
+  {
+    angle->InsertNextValue(width * (static_cast<double>(b) + 0.5));
+    count->InsertNextValue(summary.Bins[b]);
+    fraction->InsertNextValue(
+      all > 0 ? static_cast<double>(summary.Bins[b]) / static_cast<double>(all) : 0.0);
+  }
+  table->AddColumn(angle);
+  table->AddColumn(count);
+  table->AddColumn(fraction);
+}
+
+/// What all ranks have together.
+isthmus::QualitySummary OverRanks(vtkAlgorithm* filter, const isthmus::QualitySummary& own)
+{
+  isthmus::DemandNoBlocks(filter);
+  if (isthmus::NumberOfRanks() == 1)
+  {
+    return own;
+  }
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  isthmus::QualitySummary all = own;
+  std::vector<vtkIdType> mine(own.Bins.begin(), own.Bins.end());
+  mine.insert(mine.end(), { own.Cells, own.Slivers });
+  std::vector<vtkIdType> counts(mine.size());
+  controller->AllReduce(
+    mine.data(), counts.data(), static_cast<vtkIdType>(mine.size()), vtkCommunicator::SUM_OP);
+  all.Slivers = counts.back();
+  all.Cells = counts[counts.size() - 2];
+  all.Bins.assign(counts.begin(), counts.end() - 2);
+  controller->AllReduce(&own.TotalSize, &all.TotalSize, 1, vtkCommunicator::SUM_OP);
+  controller->AllReduce(&own.SmallestAngle, &all.SmallestAngle, 1, vtkCommunicator::MIN_OP);
+  controller->AllReduce(&own.LargestAngle, &all.LargestAngle, 1, vtkCommunicator::MAX_OP);
+  controller->AllReduce(&own.LargestRadiusEdge, &all.LargestRadiusEdge, 1, vtkCommunicator::MAX_OP);
+  return all;
+}
+
+void AddFieldData(const isthmus::QualitySummary& s, const std::string& line, vtkFieldData* data)
+{
+  vtkNew<vtkStringArray> words;
+  words->SetName("QualitySummary");
+  words->InsertNextValue(line);
+  data->AddArray(words);
+  const std::pair<const char*, double> measures[] = { { "SmallestAngle", s.SmallestAngle },
+    { "LargestAngle", s.LargestAngle }, { "LargestRadiusEdgeRatio", s.LargestRadiusEdge },
+    { "Slivers", static_cast<double>(s.Slivers) } };
+  vtkNew<vtkDoubleArray> numbers;
+  numbers->SetName("QualityMeasures");
+  numbers->SetNumberOfComponents(4);
+  numbers->SetNumberOfTuples(1);
+  for (int c = 0; c < 4; ++c)
+  {
+    numbers->SetComponentName(c, measures[c].first);
+    numbers->SetComponent(0, c, measures[c].second);
+  }
+  data->AddArray(numbers);
+}
+
+}
+
+vtkMeshQualityReport::vtkMeshQualityReport()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+int vtkMeshQualityReport::FillInputPortInformation(int, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  information->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+int vtkMeshQualityReport::FillOutputPortInformation(int port, vtkInformation* information)
+{
+  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPointSet" : "vtkTable");
+  return 1;
+}
+
+int vtkMeshQualityReport::RequestDataObject(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  vtkDataObject* mesh = vtkDataObject::GetData(input[0]);
+  vtkInformation* marked = output->GetInformationObject(0);
+  vtkDataObject* present = vtkDataObject::GetData(marked);
+  if (mesh && (!present || !present->IsA(mesh->GetClassName())))
+  {
+    marked->Set(vtkDataObject::DATA_OBJECT(), vtk::TakeSmartPointer(mesh->NewInstance()));
+  }
+  if (!vtkTable::GetData(output, 1))
+  {
+    output->GetInformationObject(1)->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkTable>());
+  }
+  return mesh ? 1 : 0;
+}
+
+int vtkMeshQualityReport::RequestData(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  auto* mesh = vtkPointSet::GetData(input[0]);
+  auto* marked = vtkPointSet::GetData(output, 0);
+  auto* histogram = vtkTable::GetData(output, 1);
+  this->Summary.clear();
+  return isthmus::Guarded(this, marked,
+    [&]
+    {
+      const auto progress = isthmus::ProgressOf(this);
+      const bool tetrahedra = mesh->IsA("vtkUnstructuredGrid") != 0;
+      const auto points = PointsOf(mesh);
+      std::vector<isthmus::CellAngles> cells;
+      const isthmus::View<unsigned char> ghosts = GhostsOf(mesh);
+      const isthmus::QualitySummary own = tetrahedra
+        ? isthmus::MeasureQuality(
+            points, CellsOf<4>(mesh, VTK_TETRA), this->NumberOfBins, cells, progress, ghosts)
+        : isthmus::MeasureQuality({ points, CellsOf<3>(mesh, VTK_TRIANGLE) }, this->NumberOfBins,
+            cells, progress, ghosts);
+      const isthmus::QualitySummary summary = OverRanks(this, own);
+      marked->ShallowCopy(mesh);
+      if (summary.Cells == 0)
+      {
+        return;
+      }
+      this->Summary = Line(summary, tetrahedra);
+      AddArray(marked, "SmallestAngle", cells, &isthmus::CellAngles::Smallest);
+      AddArray(marked, "LargestAngle", cells, &isthmus::CellAngles::Largest);
+      AddArray(marked, "RadiusEdgeRatio", cells, &isthmus::CellAngles::RadiusEdge);
+      marked->GetCellData()->SetActiveScalars("SmallestAngle");
+      AddFieldData(summary, this->Summary, marked->GetFieldData());
+      if (isthmus::OnFirstRank())
+      {
+        FillHistogram(summary, histogram);
+      }
+    });
+}
+
+void vtkMeshQualityReport::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfBins: " << this->NumberOfBins << "\n";
+  os << indent << "Summary: " << this->Summary << "\n";
+}

@@ -1,0 +1,204 @@
+#include "vtkTetrahedralMesher.h"
+
+#include "Core/AlgorithmGuard.h"
+#include "Core/PolyDataMesh.h"
+#include "Core/TetrahedralMesh.h"
+#include "Core/WholeSurface.h"
+#include "Remeshing/SurfaceRepair.h"
+#include "Surfaces/SurfaceIntake.h"
+#include "Tetrahedra/AutomaticMesher.h"
+#include "Tetrahedra/MachineMemory.h"
+#include "Tetrahedra/TetrahedralGrid.h"
+#include "Tetrahedra/TetrahedralMesher.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkTetrahedralMesher);
+
+namespace
+{
+
+/// What AUTOMATIC may use when nobody says otherwise: it tries again with less after a failure.
+constexpr std::uint64_t AutomaticBytes = std::uint64_t{ 8 } << 30;
+
+isthmus::TetrahedralParameters ParametersOf(vtkTetrahedralMesher* filter)
+{
+  isthmus::TetrahedralParameters parameters;
+  const bool automatic = filter->GetLibrary() == vtkTetrahedralMesher::AUTOMATIC;
+  if (!automatic)
+  {
+    parameters.Library = static_cast<isthmus::TetrahedralLibrary>(filter->GetLibrary());
+  }
+  parameters.Side = static_cast<isthmus::MeshedSide>(filter->GetSide());
+  parameters.BoxMargin = filter->GetBoxMargin();
+  const std::uint64_t bytes = filter->GetMemoryLimit() > 0
+    ? static_cast<std::uint64_t>(filter->GetMemoryLimit()) << 20
+    : automatic ? std::min(isthmus::ThreeQuartersOfMemory(), AutomaticBytes)
+                : isthmus::ThreeQuartersOfMemory();
+  parameters.TetGen = { filter->GetKeepSurface(), filter->GetRadiusEdgeRatio(),
+    filter->GetMinimumDihedralAngle(), filter->GetMaximumVolume(), filter->GetTetGenCommand(),
+    { filter->GetTimeLimit(), bytes } };
+  parameters.CGAL.FacetAngle = filter->GetFacetAngle();
+  parameters.CGAL.FacetSize = filter->GetFacetSize();
+  parameters.CGAL.FacetDistance = filter->GetFacetDistance();
+  parameters.CGAL.CellRadiusEdgeRatio = filter->GetCellRadiusEdgeRatio();
+  parameters.CGAL.CellSize = filter->GetCellSize();
+  parameters.CGAL.LloydIterations = filter->GetLloydIterations();
+  parameters.CGAL.ODTIterations = filter->GetODTIterations();
+  parameters.CGAL.OptimisationSeconds = filter->GetOptimisationTimeLimit();
+  parameters.CGAL.PerturbSeconds = filter->GetPerturbTimeLimit();
+  parameters.CGAL.Exude = filter->GetExude();
+  return parameters;
+}
+
+void AddNumber(vtkFieldData* fields, const char* name, double value)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  fields->AddArray(array);
+}
+
+void AddText(vtkFieldData* fields, const char* name, const std::string& text)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  array->InsertNextValue(text);
+  fields->AddArray(array);
+}
+
+void AddReport(const isthmus::AutomaticMesh& made, vtkFieldData* fields)
+{
+  static const char* const names[] = { "TetGen", "TetGen after repair", "CGAL after repair",
+    "Stuffing" };
+  AddText(fields, "Engine", names[static_cast<int>(made.Way)]);
+  AddText(fields, "EngineReport", made.Report);
+  if (!made.Changes.empty())
+  {
+    AddText(fields, "Repair", made.Changes);
+  }
+  AddNumber(fields, "HausdorffDistance", made.Hausdorff);
+  AddNumber(fields, "VolumeBefore", made.VolumeBefore);
+  AddNumber(fields, "VolumeAfter", made.VolumeAfter);
+  AddNumber(fields, "VolumeIsDoubtful", made.IsDoubtful ? 1.0 : 0.0);
+}
+
+/// From ids of points of a surface to those of what it was made of; -1 stays.
+void RenameOriginals(const std::vector<std::int64_t>& original, isthmus::TetrahedralMesh& mesh)
+{
+  for (std::int64_t& id : mesh.OriginalPoints)
+  {
+    id = id < 0 ? id : original[static_cast<std::size_t>(id)];
+  }
+}
+
+/// Fills `grid` by whatever way works; returns what the user should be warned of.
+std::string FillByAnyWay(const isthmus::TakenSurface& surface,
+  const isthmus::TetrahedralParameters& parameters, const isthmus::ProgressCallback& progress,
+  vtkUnstructuredGrid* grid)
+{
+  isthmus::AutomaticMesh made = isthmus::AutomaticTetrahedra(surface.Mesh, parameters, progress);
+  RenameOriginals(surface.OriginalPoints, made.Mesh);
+  isthmus::SetGrid(made.Mesh, grid);
+  if (!made.Mesh.Tetrahedra.empty())
+  {
+    AddReport(made, grid->GetFieldData());
+  }
+  return made.Hausdorff > 0.0 || made.IsDoubtful ? made.Report : std::string();
+}
+
+/// Fills `grid` by the library asked for, after repair if that is wanted; returns likewise.
+std::string FillByLibrary(const isthmus::TakenSurface& surface, bool repair,
+  isthmus::TetrahedralParameters parameters, const isthmus::ProgressCallback& progress,
+  vtkUnstructuredGrid* grid)
+{
+  isthmus::RepairedSurface repaired;
+  parameters.Repaired = repair && !surface.Mesh.Triangles.empty();
+  if (parameters.Repaired)
+  {
+    repaired = isthmus::RepairSurface(surface.Mesh, isthmus::Between(progress, 0.0, 0.2));
+  }
+  isthmus::TetrahedralMesh result =
+    isthmus::MeshTetrahedra(parameters.Repaired ? repaired.Mesh : surface.Mesh, parameters,
+      isthmus::Between(progress, 0.2, 1.0));
+  if (parameters.Repaired)
+  {
+    RenameOriginals(repaired.OriginalPoints, result);
+  }
+  RenameOriginals(surface.OriginalPoints, result);
+  isthmus::SetGrid(result, grid);
+  if (!repaired.Changes.empty())
+  {
+    AddText(grid->GetFieldData(), "Repair", repaired.Changes);
+  }
+  return repaired.Changes;
+}
+
+}
+
+int vtkTetrahedralMesher::FillInputPortInformation(int, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+int vtkTetrahedralMesher::RequestData(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  auto* grid = vtkUnstructuredGrid::GetData(output);
+  return isthmus::Guarded(this, grid,
+    [&]
+    {
+      const auto surface = isthmus::WholeSurface(this, vtkPolyData::GetData(input[0]));
+      const isthmus::TakenSurface taken = isthmus::TakeSurface(isthmus::MeshOf(surface));
+      const isthmus::TetrahedralParameters parameters = ParametersOf(this);
+      const auto progress = isthmus::ProgressOf(this);
+      grid->GetFieldData()->PassData(surface->GetFieldData());
+      const std::string warning = this->Library == AUTOMATIC
+        ? FillByAnyWay(taken, parameters, progress, grid)
+        : FillByLibrary(taken, this->Repair, parameters, progress, grid);
+      if (!warning.empty())
+      {
+        vtkWarningMacro(<< warning);
+      }
+    });
+}
+
+void vtkTetrahedralMesher::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Library: "
+     << (this->Library == TETGEN    ? "TetGen"
+            : this->Library == CGAL ? "CGAL"
+                                    : "Automatic")
+     << "\n";
+  os << indent << "Side: " << this->Side << "\n";
+  os << indent << "BoxMargin: " << this->BoxMargin << "\n";
+  os << indent << "Repair: " << this->Repair << "\n";
+  os << indent << "KeepSurface: " << this->KeepSurface << "\n";
+  os << indent << "RadiusEdgeRatio: " << this->RadiusEdgeRatio << "\n";
+  os << indent << "MinimumDihedralAngle: " << this->MinimumDihedralAngle << "\n";
+  os << indent << "MaximumVolume: " << this->MaximumVolume << "\n";
+  os << indent << "TetGenCommand: " << this->TetGenCommand << "\n";
+  os << indent << "TimeLimit: " << this->TimeLimit << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "FacetAngle: " << this->FacetAngle << "\n";
+  os << indent << "FacetSize: " << this->FacetSize << "\n";
+  os << indent << "FacetDistance: " << this->FacetDistance << "\n";
+  os << indent << "CellRadiusEdgeRatio: " << this->CellRadiusEdgeRatio << "\n";
+  os << indent << "CellSize: " << this->CellSize << "\n";
+  os << indent << "LloydIterations: " << this->LloydIterations << "\n";
+  os << indent << "ODTIterations: " << this->ODTIterations << "\n";
+  os << indent << "OptimisationTimeLimit: " << this->OptimisationTimeLimit << "\n";
+  os << indent << "PerturbTimeLimit: " << this->PerturbTimeLimit << "\n";
+  os << indent << "Exude: " << this->Exude << "\n";
+}

@@ -1,0 +1,226 @@
+/**
+ * @class vtkTetrahedralMesher
+ * @brief Fills a closed surface, or the box around it, with tetrahedra: TetGen, CGAL, stuffing.
+ *
+ * Input: vtkPolyData, a closed, manifold, oriented surface without self-intersections (polygons are
+ * triangulated), of any number of components, some of which may be cavities of others. It is
+ * checked first; what is wrong is told with the ids of the triangles, or mended when Repair is on.
+ *
+ * Output: vtkUnstructuredGrid of tetrahedra in the units of the surface. Cell array `RegionId`
+ * (int): solids 1, 2, ..., exterior 0, cavities -1, -2, ... Point array `OriginalPointId`
+ * (vtkIdType): the point of the surface it was, or -1. Field data of the input is kept; after a
+ * repair, string `Repair` says what was changed. With AUTOMATIC there are the field arrays `Engine`
+ * (string: the way gone), `EngineReport` (string: why, and how far the surface moved, also told as
+ * a warning when it did), `HausdorffDistance`, `VolumeBefore` and `VolumeAfter` (of the solids),
+ * `VolumeIsDoubtful` (1 where these differ by more than a hundredth, else 0); by stuffing, RegionId
+ * is 1 in solids and 0 elsewhere.
+ *
+ * TetGen (H. Si, doi:10.1145/2629697) runs as a program of its own, the command `tetgen` of the
+ * Debian package of that name, under TimeLimit and MemoryLimit, killed on abort. CGAL (Mesh_3) runs
+ * here; it makes a new surface within FacetDistance of the input's, rounding its sharp edges.
+ *
+ * On failure: one sentence through vtkErrorMacro and an empty output. Cost: see
+ * TetrahedralMesher.h. The whole surface is needed on one rank.
+ */
+#ifndef vtkTetrahedralMesher_h
+#define vtkTetrahedralMesher_h
+
+#include "vtkIsthmusFiltersTetrahedraModule.h"
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <string>
+
+class VTKISTHMUSFILTERSTETRAHEDRA_EXPORT vtkTetrahedralMesher : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkTetrahedralMesher* New();
+  vtkTypeMacro(vtkTetrahedralMesher, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum LibraryType
+  {
+    TETGEN,
+    CGAL,
+    AUTOMATIC
+  };
+
+  enum SideType
+  {
+    INSIDE,
+    OUTSIDE,
+    BOTH
+  };
+
+  ///@{
+  /// Who makes the tetrahedra. AUTOMATIC tries what moves the surface least and goes on when that
+  /// fails: TetGen, TetGen after repair, CGAL after repair, isosurface stuffing from the winding
+  /// number (AutomaticMesher.h). Default AUTOMATIC.
+  vtkSetClampMacro(Library, int, TETGEN, AUTOMATIC);
+  vtkGetMacro(Library, int);
+  ///@}
+
+  ///@{
+  /// INSIDE: the solids; OUTSIDE: the box without them, cavities included; BOTH. Default INSIDE.
+  vtkSetClampMacro(Side, int, INSIDE, BOTH);
+  vtkGetMacro(Side, int);
+  ///@}
+
+  ///@{
+  /// Distance from the surface to the box, in diagonals of the surface's bounds; OUTSIDE and BOTH
+  /// only. Default 0.5.
+  vtkSetMacro(BoxMargin, double);
+  vtkGetMacro(BoxMargin, double);
+  ///@}
+
+  ///@{
+  /// Mend a surface that is not clean (RepairSurface of SurfaceRepair.h) and say what was changed;
+  /// AUTOMATIC does so by itself where it must.
+  /// Default off.
+  vtkSetMacro(Repair, bool);
+  vtkGetMacro(Repair, bool);
+  vtkBooleanMacro(Repair, bool);
+  ///@}
+
+  ///@{
+  /// TetGen: add no points to the surface, so that its triangles come out unchanged. Default on.
+  vtkSetMacro(KeepSurface, bool);
+  vtkGetMacro(KeepSurface, bool);
+  vtkBooleanMacro(KeepSurface, bool);
+  ///@}
+
+  ///@{
+  /// TetGen: bound on circumradius / shortest edge (0.612 is a regular tetrahedron); 0 switches
+  /// refinement off. Default 2.
+  vtkSetMacro(RadiusEdgeRatio, double);
+  vtkGetMacro(RadiusEdgeRatio, double);
+  ///@}
+
+  ///@{
+  /// TetGen: dihedral angle to strive for, in degrees, 0 to 40. Default 0.
+  vtkSetMacro(MinimumDihedralAngle, double);
+  vtkGetMacro(MinimumDihedralAngle, double);
+  ///@}
+
+  ///@{
+  /// TetGen: bound on the volume of a tetrahedron, in cubed units of the surface; 0: none. Default
+  /// 0.
+  vtkSetMacro(MaximumVolume, double);
+  vtkGetMacro(MaximumVolume, double);
+  ///@}
+
+  ///@{
+  /// TetGen: the program, found on PATH. Default "tetgen".
+  vtkSetMacro(TetGenCommand, std::string);
+  vtkGetMacro(TetGenCommand, std::string);
+  ///@}
+
+  ///@{
+  /// TetGen: wall time after which it is stopped, in seconds; each run of AUTOMATIC has a quarter
+  /// of it. Default 600.
+  vtkSetMacro(TimeLimit, double);
+  vtkGetMacro(TimeLimit, double);
+  ///@}
+
+  ///@{
+  /// TetGen and stuffing: memory they may use, in MiB; 0: three quarters of the machine's, with
+  /// AUTOMATIC 8 GiB at most. Default 0.
+  vtkSetClampMacro(MemoryLimit, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MemoryLimit, int);
+  ///@}
+
+  ///@{
+  /// CGAL: smallest angle of a triangle of the surface, in degrees, at most 30. Default 25.
+  vtkSetMacro(FacetAngle, double);
+  vtkGetMacro(FacetAngle, double);
+  ///@}
+
+  ///@{
+  /// CGAL: bound on the radius of a surface triangle, in units of the surface; 0: 1/40 of the
+  /// diagonal of its bounds. Default 0.
+  vtkSetMacro(FacetSize, double);
+  vtkGetMacro(FacetSize, double);
+  ///@}
+
+  ///@{
+  /// CGAL: bound on the distance of old and new surface, in units of the surface; 0: a tenth of the
+  /// facet size. Default 0.
+  vtkSetMacro(FacetDistance, double);
+  vtkGetMacro(FacetDistance, double);
+  ///@}
+
+  ///@{
+  /// CGAL: bound on circumradius / shortest edge of a tetrahedron, at least 2. Default 2.
+  vtkSetMacro(CellRadiusEdgeRatio, double);
+  vtkGetMacro(CellRadiusEdgeRatio, double);
+  ///@}
+
+  ///@{
+  /// CGAL: bound on the circumradius of a tetrahedron, in units of the surface; 0: 1/40 of the
+  /// diagonal of its bounds. Outside those bounds sizes grow by 0.3 of the distance. Default 0.
+  vtkSetMacro(CellSize, double);
+  vtkGetMacro(CellSize, double);
+  ///@}
+
+  ///@{
+  /// CGAL: iterations of Lloyd's and of the ODT optimisation after refinement, 0 to 100. Default 0.
+  vtkSetMacro(LloydIterations, int);
+  vtkGetMacro(LloydIterations, int);
+  vtkSetMacro(ODTIterations, int);
+  vtkGetMacro(ODTIterations, int);
+  ///@}
+
+  ///@{
+  /// CGAL: Lloyd and ODT stop after as many seconds each, which makes them depend on the machine.
+  /// Default 60.
+  vtkSetMacro(OptimisationTimeLimit, double);
+  vtkGetMacro(OptimisationTimeLimit, double);
+  ///@}
+
+  ///@{
+  /// CGAL: seconds for which points of slivers are moved about at most; 0: not at all. Default 0.
+  vtkSetMacro(PerturbTimeLimit, double);
+  vtkGetMacro(PerturbTimeLimit, double);
+  ///@}
+
+  ///@{
+  /// CGAL: remove slivers by weights of their points (exudation) in the end. Default on.
+  vtkSetMacro(Exude, bool);
+  vtkGetMacro(Exude, bool);
+  vtkBooleanMacro(Exude, bool);
+  ///@}
+
+protected:
+  vtkTetrahedralMesher() = default;
+  ~vtkTetrahedralMesher() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* information) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkTetrahedralMesher(const vtkTetrahedralMesher&) = delete;
+  void operator=(const vtkTetrahedralMesher&) = delete;
+
+  int Library = AUTOMATIC;
+  int Side = INSIDE;
+  double BoxMargin = 0.5;
+  bool Repair = false;
+  bool KeepSurface = true;
+  double RadiusEdgeRatio = 2.0;
+  double MinimumDihedralAngle = 0.0;
+  double MaximumVolume = 0.0;
+  std::string TetGenCommand = "tetgen";
+  double TimeLimit = 600.0;
+  int MemoryLimit = 0;
+  double FacetAngle = 25.0;
+  double FacetSize = 0.0;
+  double FacetDistance = 0.0;
+  double CellRadiusEdgeRatio = 2.0;
+  double CellSize = 0.0;
+  int LloydIterations = 0;
+  int ODTIterations = 0;
+  double OptimisationTimeLimit = 60.0;
+  double PerturbTimeLimit = 0.0;
+  bool Exude = true;
+};
+
+#endif

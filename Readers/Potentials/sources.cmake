@@ -1,8 +1,0 @@
-isthmus_room(
-  CLASSES
-    vtkOpenDXReader
-    vtkOpenDXWriter
-  SOURCES
-    OpenDXObjects
-    OpenDXReader
-    OpenDXWriter)

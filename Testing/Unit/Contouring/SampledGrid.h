@@ -1,0 +1,80 @@
+/**
+ * @file SampledGrid.h
+ * @brief Functions at the nodes of a grid, and their level sets.
+ */
+#ifndef isthmus_SampledGrid_h
+#define isthmus_SampledGrid_h
+
+#include "Contouring/LevelTriangles.h"
+#include "Surfaces/SurfaceCheck.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace isthmus::testing
+{
+
+struct Grid
+{
+  std::vector<double> Values;
+  GridView<const double> View;
+};
+
+/// `f(x, y, z)` at the nodes, in the grid's own frame.
+template <typename Function>
+Grid Sampled(std::array<std::int64_t, 3> n, std::array<double, 3> h, Function&& f)
+{
+  Grid grid;
+  for (std::int64_t k = 0; k < n[2]; ++k)
+  {
+    for (std::int64_t j = 0; j < n[1]; ++j)
+    {
+      for (std::int64_t i = 0; i < n[0]; ++i)
+      {
+        grid.Values.push_back(f(static_cast<double>(i) * h[0], static_cast<double>(j) * h[1],
+          static_cast<double>(k) * h[2]));
+      }
+    }
+  }
+  grid.View = { grid.Values.data(), n, h };
+  return grid;
+}
+
+inline double Ball(double x, double y, double z, const Point3& c, double r)
+{
+  return r - std::hypot(x - c[0], y - c[1], z - c[2]);
+}
+
+inline TriangleMesh At(const Grid& grid, double level, bool close = true, bool higher = true)
+{
+  LevelTrianglesParameters parameters;
+  parameters.Level = level;
+  parameters.CloseAtBorder = close;
+  parameters.InsideIsHigher = higher;
+  return LevelTriangles(grid.View, parameters);
+}
+
+inline std::string DefectsOf(const TriangleMesh& mesh)
+{
+  return FindDefects(mesh).Sentence();
+}
+
+/// Two balls of radius 6 and 3, 100 inside of them and -1 outside, smooth in between.
+inline Grid TwoBalls()
+{
+  return Sampled({ 40, 30, 30 }, { 1, 1, 1 },
+    [](double x, double y, double z)
+    {
+      const double depth =
+        std::max(Ball(x, y, z, { 12, 15, 15 }, 6), Ball(x, y, z, { 30, 15, 15 }, 3));
+      return 49.5 + 50.5 * std::tanh(depth);
+    });
+}
+
+}
+
+#endif

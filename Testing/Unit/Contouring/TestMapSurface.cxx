@@ -1,0 +1,293 @@
+// Levels that suit a map, dust that is hidden, and the vtk class.
+
+#include "Contouring/MapSurface.h"
+#include "Contouring/SensibleLevel.h"
+#include "Core/Pi.h"
+#include "SampledGrid.h"
+#include "Surfaces/SurfaceTopology.h"
+#include "vtkMapSurface.h"
+
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkShortArray.h>
+#include <vtkTestErrorObserver.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace isthmus;
+using namespace isthmus::testing;
+
+namespace
+{
+
+constexpr double Nan = std::numeric_limits<double>::quiet_NaN();
+
+vtkSmartPointer<vtkImageData> ImageOf(const Grid& grid)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  const auto& n = grid.View.Dimensions;
+  image->SetDimensions(static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2]));
+  image->SetSpacing(grid.View.Spacing.data());
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Density");
+  for (const double value : grid.Values)
+  {
+    values->InsertNextValue(value);
+  }
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+
+double FieldOf(vtkPolyData* surface, const char* name)
+{
+  return surface->GetFieldData()->GetArray(name)->GetComponent(0, 0);
+}
+
+}
+
+TEST(SensibleLevel, SplitsTwoClassesWhateverTheHotVoxels)
+{
+  std::mt19937 random(1);
+  std::normal_distribution<double> background(0.0, 1.0), molecule(20.0, 3.0);
+  std::vector<double> values;
+  for (int i = 0; i < 100000; ++i)
+  {
+    values.push_back(i % 20 == 0 ? molecule(random) : background(random));
+  }
+  values[17] = 1e12;
+  values[4711] = -1e12;
+  const double level = SensibleLevel(values);
+  EXPECT_GT(level, 5.0);
+  EXPECT_LT(level, 15.0);
+}
+
+TEST(SensibleLevel, StaysAboveABackgroundThatFillsTheBox)
+{
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(5.0, 2.0);
+  std::vector<double> values(200000);
+  std::generate(values.begin(), values.end(), [&] { return noise(random); });
+  const double level = SensibleLevel(values); // Otsu's is amid it, at 5
+  EXPECT_GT(level, 5.0 + 2.0 * 2.0);
+  EXPECT_LT(std::count_if(values.begin(), values.end(), [=](double v) { return v > level; }), 2100);
+  EXPECT_GT(values.back(), level);
+}
+
+TEST(SensibleLevel, FewOrEqualValues)
+{
+  std::vector<double> none, same(10, 4.0), two{ 0.0, 9.0, 0.0, 9.0, 9.0 };
+  EXPECT_THROW(SensibleLevel(none), std::invalid_argument);
+  EXPECT_EQ(SensibleLevel(same), 4.0);
+  EXPECT_EQ(SensibleLevel(two), 4.5);
+}
+
+TEST(HideDust, ByAreaShareAndNumber)
+{
+  const Grid grid = TwoBalls();
+  const TriangleMesh mesh = At(grid, 50.0);
+  const DustResult all = HideDust(mesh, {});
+  ASSERT_EQ(all.Areas.size(), 2U);
+  EXPECT_NEAR(all.Areas[0], 4 * Pi * 36, 10);
+  EXPECT_NEAR(all.Areas[1], 4 * Pi * 9, 8); // its facets are a third of its radius
+  EXPECT_EQ(all.Surface.Triangles, mesh.Triangles);
+  for (const DustParameters& parameters :
+    { DustParameters{ 200, 0, 0 }, DustParameters{ 0, 0.5, 0 }, DustParameters{ 0, 0, 1 } })
+  {
+    const DustResult one = HideDust(mesh, parameters);
+    EXPECT_EQ(one.Found, 2);
+    ASSERT_EQ(one.Areas.size(), 1U);
+    EXPECT_EQ(one.Areas[0], all.Areas[0]);
+    EXPECT_EQ(DefectsOf(one.Surface), "");
+    EXPECT_EQ(EulerCharacteristic(one.Surface), 2);
+    EXPECT_EQ(one.Components.size(), one.Surface.Triangles.size());
+  }
+  EXPECT_TRUE(HideDust(mesh, { 1e6, 0, 0 }).Surface.Triangles.empty());
+  EXPECT_THROW(HideDust(mesh, { -1, 0, 0 }), std::invalid_argument);
+  EXPECT_THROW(HideDust(mesh, { Nan, 0, 0 }), std::invalid_argument);
+  EXPECT_THROW(HideDust(mesh, { 0, 1.5, 0 }), std::invalid_argument);
+  EXPECT_THROW(HideDust(mesh, { 0, 0, -1 }), std::invalid_argument);
+}
+
+TEST(VTKMapSurface, AutomaticLevelNormalsComponentsAndFieldData)
+{
+  const auto image = ImageOf(TwoBalls());
+  vtkNew<vtkMapSurface> filter;
+  filter->SetInputData(image);
+  filter->Update();
+  vtkPolyData* surface = filter->GetOutput();
+  EXPECT_GT(filter->GetUsedLevel(), 10.0);
+  EXPECT_LT(filter->GetUsedLevel(), 90.0);
+  EXPECT_EQ(FieldOf(surface, "Level"), filter->GetUsedLevel());
+  EXPECT_EQ(FieldOf(surface, "ComponentsFound"), 2.0);
+  auto* component = vtkIdTypeArray::SafeDownCast(surface->GetCellData()->GetArray("Component"));
+  ASSERT_NE(component, nullptr);
+  EXPECT_EQ(component->GetRange()[1], 1.0);
+  vtkDataArray* normals = surface->GetPointData()->GetNormals();
+  ASSERT_NE(normals, nullptr);
+  for (vtkIdType p = 0; p < surface->GetNumberOfPoints(); ++p)
+  {
+    double point[3], normal[3];
+    surface->GetPoint(p, point);
+    normals->GetTuple(p, normal);
+    const double c = point[0] < 22 ? 12.0 : 30.0;
+    const double length = std::hypot(point[0] - c, point[1] - 15, point[2] - 15);
+    const double along =
+      (normal[0] * (point[0] - c) + normal[1] * (point[1] - 15) + normal[2] * (point[2] - 15)) /
+      length;
+    EXPECT_GT(along, 0.9); // outwards
+  }
+
+  filter->SetLevel(70.0);
+  EXPECT_FALSE(filter->GetAutomaticLevel());
+  filter->SetLargestComponents(1);
+  filter->Update();
+  EXPECT_EQ(FieldOf(surface, "Level"), 70.0);
+  EXPECT_EQ(surface->GetFieldData()->GetArray("ComponentArea")->GetNumberOfTuples(), 1);
+}
+
+TEST(VTKMapSurface, TakesTheRecommendedLevel)
+{
+  const auto image = ImageOf(TwoBalls());
+  vtkNew<vtkDoubleArray> level;
+  level->SetName("RecommendedLevel");
+  level->InsertNextValue(33.25);
+  image->GetFieldData()->AddArray(level);
+  vtkNew<vtkMapSurface> filter;
+  filter->SetInputData(image);
+  filter->Update();
+  EXPECT_EQ(filter->GetUsedLevel(), 33.25);
+  filter->SetLevel(44.0);
+  filter->Update();
+  EXPECT_EQ(filter->GetUsedLevel(), 44.0);
+}
+
+TEST(VTKMapSurface, IntegersExtentDirectionAndNewValues)
+{
+  vtkNew<vtkImageData> image;
+  image->SetExtent(5, 14, -3, 6, 2, 11);
+  image->SetSpacing(2, 2, 2);
+  image->SetOrigin(100, 0, 0);
+  const double mirrored[9] = { 0, 1, 0, 1, 0, 0, 0, 0, 1 }; // x and y swapped: a mirror
+  image->SetDirectionMatrix(mirrored);
+  vtkNew<vtkShortArray> values;
+  values->SetName("Labels");
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    int at[3] = { static_cast<int>(i % 10), static_cast<int>(i / 10 % 10),
+      static_cast<int>(i / 100) };
+    values->InsertNextValue(at[0] == 4 && at[1] == 5 && at[2] == 6 ? 100 : 0);
+  }
+  image->GetPointData()->SetScalars(values);
+  vtkNew<vtkMapSurface> filter;
+  filter->SetInputData(image);
+  filter->SetLevel(50.0);
+  filter->Update();
+  double centre[3], node[3];
+  filter->GetOutput()->GetCenter(centre);
+  image->TransformIndexToPhysicalPoint(9, 2, 8, node);
+  for (int a = 0; a < 3; ++a)
+  {
+    EXPECT_NEAR(centre[a], node[a], 1e-12);
+  }
+  // An octahedron of half diagonal 1 has volume 4/3, positive where it faces outwards.
+  TriangleMesh mesh;
+  for (vtkIdType p = 0; p < filter->GetOutput()->GetNumberOfPoints(); ++p)
+  {
+    Point3 point;
+    filter->GetOutput()->GetPoint(p, point.data());
+    mesh.Points.push_back(point);
+  }
+  for (vtkIdType c = 0; c < filter->GetOutput()->GetNumberOfCells(); ++c)
+  {
+    vtkIdType count;
+    const vtkIdType* ids;
+    filter->GetOutput()->GetCellPoints(c, count, ids);
+    mesh.Triangles.push_back({ ids[0], ids[1], ids[2] });
+  }
+  EXPECT_NEAR(SignedVolume(mesh), 4.0 / 3.0, 1e-9);
+
+  filter->SetAutomaticLevel(true);
+  filter->Update();
+  const double before = filter->GetUsedLevel();
+  for (vtkIdType i = 0; i < values->GetNumberOfValues(); ++i)
+  {
+    values->SetValue(i, static_cast<short>(i % 2 == 0 ? 1000 : 2000));
+  }
+  values->Modified();
+  image->Modified();
+  filter->Update();
+  EXPECT_LT(before, 1000.0);
+  EXPECT_EQ(filter->GetUsedLevel(), 1500.0); // the level that was kept is not that of other values
+}
+
+TEST(VTKMapSurface, DelaunayQualityIsClosedToo)
+{
+  const auto image = ImageOf(TwoBalls());
+  vtkNew<vtkMapSurface> filter;
+  filter->SetInputData(image);
+  filter->SetQuality(vtkMapSurface::Delaunay);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("ComponentArea")->GetNumberOfTuples(), 2);
+}
+
+TEST(VTKMapSurface, RefusesWithASentenceAndAnEmptyOutput)
+{
+  const auto image = ImageOf(TwoBalls());
+  const auto refused = [&](auto&& set, const char* sentence)
+  {
+    vtkNew<vtkMapSurface> filter;
+    vtkNew<vtkTest::ErrorObserver> observer;
+    filter->AddObserver(vtkCommand::ErrorEvent, observer);
+    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+    filter->SetInputData(image);
+    set(filter.Get());
+    filter->Update();
+    EXPECT_TRUE(observer->GetError());
+    EXPECT_NE(observer->GetErrorMessage().find(sentence), std::string::npos)
+      << observer->GetErrorMessage();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  };
+  refused([](auto* f) { f->SetLevel(Nan); }, "Level must be");
+  refused([](auto* f) { f->SetMinimumComponentArea(-1); }, "MinimumComponentArea");
+  refused([](auto* f) { f->SetMinimumComponentShare(Nan); }, "MinimumComponentShare");
+  refused([](auto* f) { f->SetLargestComponents(-2); }, "LargestComponents");
+  refused([](auto* f) { f->SetQuality(2); }, "Quality");
+  refused(
+    [](auto* f)
+    {
+      f->SetQuality(vtkMapSurface::Delaunay);
+      f->SetCloseAtBorder(false);
+    },
+    "CloseAtBorder");
+}
+
+TEST(VTKMapSurface, EmptyInputAndNothingInside)
+{
+  vtkNew<vtkMapSurface> filter;
+  vtkNew<vtkImageData> nothing;
+  filter->SetInputData(nothing);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::WarningEvent, observer);
+  filter->SetInputData(ImageOf(TwoBalls()));
+  filter->SetLevel(1e30);
+  filter->Update();
+  EXPECT_NE(observer->GetWarningMessage().find("Nothing is inside"), std::string::npos);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}

@@ -1,0 +1,211 @@
+// A failed filter says one sentence, once, without VTK's page about its request, and what stands on
+// it is emptied, too.
+
+#include "Core/AlgorithmGuard.h"
+#include "vtkMRCMapReader.h"
+#include "vtkSurfaceToGrid.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkElevationFilter.h>
+#include <vtkErrorCode.h>
+#include <vtkExecutive.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataAlgorithm.h>
+#include <vtkSphereSource.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+/// Fails with Sentence, in RequestInformation as well as in RequestData; copies its input without.
+class Failing : public vtkPolyDataAlgorithm
+{
+public:
+  static Failing* New();
+  vtkTypeMacro(Failing, vtkPolyDataAlgorithm);
+  std::string Sentence;
+
+protected:
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
+  {
+    return isthmus::Guarded(this, vtkPolyData::GetData(output), [this] { this->Fail(); });
+  }
+
+  int RequestData(
+    vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override
+  {
+    auto* result = vtkPolyData::GetData(output);
+    result->ShallowCopy(vtkPolyData::GetData(input[0]));
+    return isthmus::Guarded(this, result, [this] { this->Fail(); });
+  }
+
+private:
+  void Fail() const
+  {
+    if (!this->Sentence.empty())
+    {
+      throw std::runtime_error(this->Sentence);
+    }
+  }
+};
+
+vtkStandardNewMacro(Failing);
+
+/// What an algorithm and its executive say, each sentence an entry.
+class Ear
+{
+public:
+  explicit Ear(vtkAlgorithm* algorithm)
+  {
+    for (vtkObject* who : std::initializer_list<vtkObject*>{ algorithm, algorithm->GetExecutive() })
+    {
+      vtkNew<vtkCallbackCommand> listener;
+      listener->SetClientData(&this->Said);
+      listener->SetCallback(
+        [](vtkObject*, unsigned long, void* said, void* words) {
+          static_cast<std::vector<std::string>*>(said)->emplace_back(
+            static_cast<const char*>(words));
+        });
+      who->AddObserver(vtkCommand::ErrorEvent, listener);
+    }
+  }
+
+  std::vector<std::string> Said;
+};
+
+}
+
+TEST(AlgorithmGuard, OneSentenceOnce)
+{
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<Failing> failing;
+  const Ear ear(failing);
+  failing->SetInputConnection(sphere->GetOutputPort());
+  failing->Sentence = "The sky is down: lift it.";
+  failing->UpdateInformation();
+  ASSERT_EQ(ear.Said.size(), 1U);
+  EXPECT_NE(ear.Said[0].find(failing->Sentence), std::string::npos);
+  failing->Update(); // fails again, for the data
+  failing->Update();
+  EXPECT_EQ(ear.Said.size(), 1U);
+  EXPECT_EQ(failing->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(AlgorithmGuard, IsToldAgainWhenAnythingHasChanged)
+{
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<Failing> failing;
+  const Ear ear(failing);
+  failing->SetInputConnection(sphere->GetOutputPort());
+  failing->Sentence = "The sky is down: lift it.";
+  failing->Update();
+  failing->Modified();
+  failing->Update();
+  EXPECT_EQ(ear.Said.size(), 2U) << "the filter was changed";
+  sphere->SetRadius(3.0);
+  failing->Update();
+  EXPECT_EQ(ear.Said.size(), 3U) << "its input was";
+  failing->Sentence = "The sea is up.";
+  failing->Modified();
+  failing->Update();
+  ASSERT_EQ(ear.Said.size(), 4U);
+  EXPECT_NE(ear.Said[3].find("The sea is up."), std::string::npos);
+}
+
+TEST(AlgorithmGuard, WhatStandsOnItIsEmptiedAndComesBack)
+{
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<Failing> failing;
+  const Ear ear(failing);
+  failing->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkElevationFilter> after;
+  after->SetInputConnection(failing->GetOutputPort());
+  after->Update();
+  const vtkIdType points = after->GetOutput()->GetNumberOfPoints();
+  EXPECT_GT(points, 0);
+  failing->Sentence = "The sky is down: lift it.";
+  failing->Modified();
+  after->Update();
+  EXPECT_EQ(after->GetOutput()->GetNumberOfPoints(), 0);
+  failing->Sentence.clear();
+  failing->Modified();
+  after->Update();
+  EXPECT_EQ(after->GetOutput()->GetNumberOfPoints(), points);
+  EXPECT_EQ(ear.Said.size(), 1U);
+}
+
+TEST(AlgorithmGuard, AFilterThatLooksAheadSaysItOnce)
+{
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkSurfaceToGrid> grid;
+  const Ear ear(grid);
+  grid->SetInputConnection(sphere->GetOutputPort());
+  grid->SetSpacing(-1.0);
+  grid->Update();
+  grid->Update();
+  EXPECT_EQ(ear.Said.size(), 1U) << (ear.Said.size() > 1 ? ear.Said[1] : "");
+  EXPECT_EQ(grid->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(AlgorithmGuard, AStopOfWhatComesBeforeIsHeardAndForgotten)
+{
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkSurfaceToGrid> grid;
+  grid->SetInputConnection(sphere->GetOutputPort());
+  grid->SetSpacing(0.05);
+  vtkNew<vtkElevationFilter> after;
+  after->SetInputConnection(grid->GetOutputPort());
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetClientData(sphere);
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void* source, void*)
+    {
+      if (static_cast<vtkAlgorithm*>(caller)->GetProgress() > 0.0)
+      {
+        static_cast<vtkAlgorithm*>(source)->SetAbortExecuteAndUpdateTime();
+      }
+    });
+  const unsigned long tag = grid->AddObserver(vtkCommand::ProgressEvent, stop);
+  const Ear ear(grid);
+  after->Update();
+  EXPECT_EQ(grid->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(after->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
+  grid->RemoveObserver(tag);
+  sphere->AbortExecuteOff();
+  sphere->Modified();
+  after->Update();
+  EXPECT_GT(after->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
+  EXPECT_TRUE(ear.Said.empty()) << ear.Said[0];
+}
+
+TEST(AlgorithmGuard, AFileThatIsCutShortSaysItOnceAndKeepsItsCode)
+{
+  const auto path = std::filesystem::temp_directory_path() / "isthmus_cut_short.map";
+  std::ofstream(path, std::ios::binary) << std::string(1023, 'x');
+  vtkNew<vtkMRCMapReader> reader;
+  const Ear ear(reader);
+  reader->SetFileName(path.string().c_str());
+  for (int i = 0; i < 3; ++i)
+  {
+    reader->UpdateInformation();
+    reader->Update();
+    EXPECT_NE(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+  }
+  EXPECT_EQ(ear.Said.size(), 1U) << (ear.Said.size() > 1 ? ear.Said[1] : "");
+  std::filesystem::remove(path);
+}

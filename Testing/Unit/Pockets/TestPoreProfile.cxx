@@ -1,0 +1,239 @@
+// Pores of known width: hyperboloids and tubes of atoms; turned and moved; what is no pore; bad
+// input.
+
+#include "vtkPoreProfile.h"
+
+#include "BallPoints.h"
+#include "Pockets/PlaneBall.h"
+#include "Pockets/PoreProfile.h"
+
+#include <vtkCommand.h>
+#include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSMPTools.h>
+#include <vtkTable.h>
+#include <vtkTestErrorObserver.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace isthmus;
+using isthmus::testing::AtomsOf;
+
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+constexpr double Throat = 2.2; // of the free room, angstrom
+constexpr double Radius = 1.5; // of the atoms
+constexpr double Slope = 0.45;
+
+/// Distance from the axis of the atoms' centres at height z.
+double WallAt(double z)
+{
+  return std::sqrt((Throat + Radius) * (Throat + Radius) + Slope * Slope * z * z);
+}
+
+/// A one-sheeted hyperboloid of atoms in rings of `count`, from -12 to 12 along z, with a brim.
+std::vector<Ball> Hyperboloid(int count)
+{
+  std::vector<Ball> atoms;
+  const auto ring = [&](double r, double z, int number)
+  {
+    for (int i = 0; i < number; ++i)
+    {
+      const double angle = 2.0 * Pi * i / number;
+      atoms.push_back({ { r * std::cos(angle), r * std::sin(angle), z }, Radius });
+    }
+  };
+  for (double z = -12.0; z <= 12.0; z += 1.0)
+  {
+    ring(WallAt(z), z, count);
+  }
+  for (double r = WallAt(12.0) + 1.5; r < WallAt(12.0) + 12.0; r += 1.5)
+  {
+    ring(r, -12.0, 3 * count);
+    ring(r, 12.0, 3 * count);
+  }
+  return atoms;
+}
+
+Point3 Turn(const Point3& p)
+{
+  const double c = std::cos(0.7);
+  const double s = std::sin(0.7);
+  const Point3 q{ c * p[0] - s * p[1], s * p[0] + c * p[1], p[2] };
+  return { q[0] + 5.0, c * q[1] - s * q[2] - 30.0, s * q[1] + c * q[2] + 12.0 };
+}
+
+double Least(const Pore& pore)
+{
+  double least = HUGE_VAL;
+  for (const PoreSample& sample : pore.Samples)
+  {
+    least = std::min(least, sample.Radius);
+  }
+  return least;
+}
+
+}
+
+TEST(PoreProfile, HyperboloidHasItsThroatInTheMiddle)
+{
+  const auto atoms = Hyperboloid(24);
+  PoreOptions options;
+  options.EndRadius = 4.5;
+  options.MinimumSpan = 10.0;
+  const auto pores = FindPores(atoms, options);
+  ASSERT_EQ(pores.size(), 1u);
+  // Between rings one angstrom apart the throat is wider than at z = 0, where a ring is.
+  EXPECT_NEAR(Least(pores[0]), Throat, 0.005); // planes are 0.25 apart
+  for (const PoreSample& sample : pores[0].Samples)
+  {
+    EXPECT_LT(std::hypot(sample.Centre[0], sample.Centre[1]), 0.5);
+  }
+  ASSERT_EQ(pores[0].Bottlenecks.empty(), false);
+  EXPECT_NEAR(pores[0].Samples[pores[0].Bottlenecks[0]].Centre[2], 0.0, 0.2);
+}
+
+TEST(PoreProfile, RadiusInPlanesIsTheHyperboloids)
+{
+  // In the plane of a ring the nearest atoms are those of the rings around: the largest ball on the
+  // axis is known by looking at all atoms.
+  const auto atoms = Hyperboloid(24);
+  PoreOptions options;
+  options.EndRadius = 4.5;
+  options.Spacing = 0.5;
+  const Pore pore = PoreAlong(atoms, { 0.3, -0.2, 0.0 }, { 0, 0, 2.0 }, options);
+  ASSERT_GT(pore.Samples.size(), 20u);
+  for (const PoreSample& sample : pore.Samples)
+  {
+    double expected = HUGE_VAL;
+    for (const Ball& atom : atoms)
+    {
+      const Point3 d = atom.Centre - Point3{ 0, 0, sample.Centre[2] };
+      expected = std::min(expected, std::sqrt(Dot(d, d)) - atom.Radius);
+    }
+    EXPECT_GE(sample.Radius, expected - 1e-9);
+    EXPECT_LT(sample.Radius, expected + 0.02);
+  }
+}
+
+TEST(PoreProfile, TwoPointsFollowTheSamePore)
+{
+  const auto atoms = Hyperboloid(24);
+  PoreOptions options;
+  const Pore pore = PoreBetween(atoms, { 0, 0, -8 }, { 0, 0, 8 }, options);
+  EXPECT_NEAR(Least(pore), Throat, 1e-6);
+  EXPECT_NEAR(pore.Span, 16.0, 0.6);
+}
+
+TEST(PoreProfile, TurnedAndMovedItIsTheSame)
+{
+  auto atoms = Hyperboloid(23);
+  PoreOptions options;
+  options.EndRadius = 4.5;
+  options.MinimumSpan = 10.0;
+  const auto before = FindPores(atoms, options);
+  for (Ball& atom : atoms)
+  {
+    atom.Centre = Turn(atom.Centre);
+  }
+  const auto after = FindPores(atoms, options);
+  ASSERT_EQ(before.size(), 1u);
+  ASSERT_EQ(after.size(), 1u);
+  EXPECT_NEAR(Least(before[0]), Least(after[0]), 1e-6);
+}
+
+TEST(PoreProfile, ClosedShellAndFewAtomsHaveNone)
+{
+  std::vector<Ball> shell;
+  for (int i = 0; i < 400; ++i)
+  {
+    const double z = 1.0 - (2.0 * i + 1.0) / 400;
+    const double angle = Pi * (1.0 + std::sqrt(5.0)) * i;
+    const double rho = std::sqrt(1.0 - z * z);
+    shell.push_back({ { 9.0 * rho * std::cos(angle), 9.0 * rho * std::sin(angle), 9.0 * z }, 1.7 });
+  }
+  EXPECT_TRUE(FindPores(shell, {}).empty());
+  EXPECT_TRUE(FindPores({}, {}).empty());
+  EXPECT_TRUE(FindPores({ { { 0, 0, 0 }, 1.0 } }, {}).empty());
+  EXPECT_TRUE(FindPores({ { { 0, 0, 0 }, 1.0 }, { { 0, 0, 0 }, 1.0 } }, {}).empty());
+}
+
+TEST(PoreProfile, FilterGivesLinesTablesAndTubesOnAnyNumberOfThreads)
+{
+  const auto data = AtomsOf(Hyperboloid(24));
+  const auto radii = [&](int threads)
+  {
+    std::vector<double> values;
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false },
+      [&]()
+      {
+        vtkNew<vtkPoreProfile> profile;
+        profile->SetInputData(data);
+        profile->SetEndRadius(4.5);
+        profile->SetMinimumSpan(10.0);
+        profile->Update();
+        auto* array = profile->GetOutput()->GetPointData()->GetArray("Radius");
+        for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+        {
+          values.push_back(array->GetComponent(i, 0));
+        }
+        EXPECT_EQ(profile->GetProfile()->GetNumberOfRows(), array->GetNumberOfTuples());
+        EXPECT_EQ(profile->GetPoreTable()->GetNumberOfRows(), 1);
+        EXPECT_GE(profile->GetBottlenecks()->GetNumberOfPoints(), 1);
+        EXPECT_GT(profile->GetTubes()->GetNumberOfPoints(), array->GetNumberOfTuples());
+      });
+    return values;
+  };
+  const auto one = radii(1);
+  ASSERT_FALSE(one.empty());
+  EXPECT_EQ(one, radii(3));
+}
+
+TEST(PoreProfile, WhatIsOutOfRangeIsToldInASentence)
+{
+  const auto data = AtomsOf(Hyperboloid(24));
+  const auto refuses = [&](auto&& change, const char* word)
+  {
+    vtkNew<vtkPoreProfile> profile;
+    vtkNew<vtkTest::ErrorObserver> observer;
+    profile->AddObserver(vtkCommand::ErrorEvent, observer);
+    profile->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+    profile->SetInputData(data);
+    change(profile.Get());
+    profile->Update();
+    EXPECT_NE(observer->GetErrorMessage().find(word), std::string::npos)
+      << word << " not in: " << observer->GetErrorMessage();
+    EXPECT_EQ(profile->GetOutput()->GetNumberOfPoints(), 0);
+  };
+  for (const double bad : { 0.0, -1.0, std::nan(""), HUGE_VAL })
+  {
+    refuses([&](vtkPoreProfile* p) { p->SetEndRadius(bad); }, "EndRadius");
+    refuses([&](vtkPoreProfile* p) { p->SetSpacing(bad); }, "Spacing");
+    refuses([&](vtkPoreProfile* p) { p->SetMinimumRadius(bad); }, "MinimumRadius");
+    refuses([&](vtkPoreProfile* p) { p->SetMaximumOffset(bad); }, "MaximumOffset");
+  }
+  refuses([](vtkPoreProfile* p) { p->SetMinimumSpan(std::nan("")); }, "MinimumSpan");
+  refuses([](vtkPoreProfile* p) { p->SetMode(vtkPoreProfile::TwoPoints); }, "Point1");
+  refuses(
+    [](vtkPoreProfile* p)
+    {
+      p->SetMode(vtkPoreProfile::PointAndDirection);
+      p->SetDirection(0, 0, 0);
+    },
+    "Direction");
+  refuses(
+    [](vtkPoreProfile* p)
+    {
+      p->SetMode(vtkPoreProfile::PointAndDirection);
+      p->SetPoint(std::nan(""), 0, 0);
+    },
+    "Point");
+}

@@ -1,0 +1,158 @@
+#include "Remeshing/SurfaceRemesh.h"
+
+#include "Core/PolyDataMesh.h"
+#include "SharedData.h"
+#include "SurfaceFiles.h"
+#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceTopology.h"
+#include "Tetrahedra/MeshQuality.h"
+#include "vtkSurfaceRemesh.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkSphereSource.h>
+
+#include <gtest/gtest.h>
+
+using namespace isthmus;
+
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> Sphere()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(1.0);
+  sphere->SetThetaResolution(60);
+  sphere->SetPhiResolution(60);
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  sphere->Update();
+  return sphere->GetOutput();
+}
+
+QualitySummary Quality(const TriangleMesh& mesh)
+{
+  std::vector<CellAngles> cells;
+  return MeasureQuality(mesh, 18, cells);
+}
+
+}
+
+TEST(SurfaceRemesh, EvensOutASphere)
+{
+  const TriangleMesh sphere = MeshOf(Sphere());
+  SurfaceRemeshParameters parameters;
+  parameters.EdgeLength = 0.1;
+  const RemeshedSurface result = RemeshSurface(sphere, parameters);
+  EXPECT_TRUE(FindDefects(result.Mesh).None());
+  EXPECT_EQ(EulerCharacteristic(result.Mesh), 2);
+  EXPECT_NEAR(MeanEdgeLength(result.Mesh), 0.1, 0.01);
+  EXPECT_GT(Quality(result.Mesh).SmallestAngle, 20.0);
+  EXPECT_LT(Quality(sphere).SmallestAngle, 6.0);
+  // Points lie on the old surface, where the old one says they do.
+  for (std::size_t i = 0; i < result.Mesh.Points.size(); ++i)
+  {
+    const SurfaceLocation& where = result.Locations[i];
+    Point3 p{ 0, 0, 0 };
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const auto id = sphere.Triangles[static_cast<std::size_t>(where.Triangle)][c];
+      p = p + where.Weights[c] * sphere.Points[static_cast<std::size_t>(id)];
+    }
+    const Point3 d = p - result.Mesh.Points[i];
+    ASSERT_LT(std::sqrt(Dot(d, d)), 1e-9);
+  }
+}
+
+TEST(SurfaceRemesh, KeepsTheEdgesOfACube)
+{
+  SurfaceRemeshParameters parameters;
+  parameters.EdgeLength = 0.1;
+  const RemeshedSurface result =
+    RemeshSurface(isthmus::testing::Cube({ 0, 0, 0 }, 1.0), parameters);
+  EXPECT_TRUE(FindDefects(result.Mesh).None());
+  EXPECT_NEAR(SignedVolume(result.Mesh), 1.0, 1e-9);
+  EXPECT_GT(result.Mesh.Triangles.size(), 800u);
+}
+
+TEST(SurfaceRemesh, PointDataAreCarriedOver)
+{
+  const auto sphere = Sphere();
+  vtkNew<vtkDoubleArray> height;
+  height->SetName("Height");
+  for (vtkIdType i = 0; i < sphere->GetNumberOfPoints(); ++i)
+  {
+    height->InsertNextValue(sphere->GetPoint(i)[2]);
+  }
+  sphere->GetPointData()->SetScalars(height);
+  vtkNew<vtkSurfaceRemesh> remesh;
+  remesh->SetInputData(sphere);
+  for (const int target :
+    { vtkSurfaceRemesh::RELATIVE_EDGE_LENGTH, vtkSurfaceRemesh::NUMBER_OF_TRIANGLES })
+  {
+    remesh->SetTarget(target);
+    remesh->SetNumberOfTriangles(1000);
+    remesh->Update();
+    vtkPolyData* result = remesh->GetOutput();
+    auto* carried = vtkDoubleArray::SafeDownCast(result->GetPointData()->GetScalars());
+    ASSERT_NE(carried, nullptr);
+    // A linear field is carried exactly to points on the old triangles, and nearly beside them.
+    const double tolerance = target == vtkSurfaceRemesh::NUMBER_OF_TRIANGLES ? 0.02 : 1e-9;
+    for (vtkIdType i = 0; i < result->GetNumberOfPoints(); ++i)
+    {
+      ASSERT_NEAR(carried->GetValue(i), result->GetPoint(i)[2], tolerance);
+    }
+  }
+}
+
+TEST(SurfaceRemesh, SimplifiesToACount)
+{
+  const TriangleMesh sphere = MeshOf(Sphere());
+  const RemeshedSurface result = SimplifySurface(sphere, 500);
+  EXPECT_NEAR(static_cast<double>(result.Mesh.Triangles.size()), 500.0, 2.0);
+  EXPECT_TRUE(FindDefects(result.Mesh).None());
+  EXPECT_NEAR(SignedVolume(result.Mesh), SignedVolume(sphere), 0.02);
+}
+
+TEST(SurfaceRemesh, BoundariesAreFine)
+{
+  TriangleMesh open = isthmus::testing::Cube({ 0, 0, 0 }, 1.0);
+  open.Triangles.resize(10);
+  SurfaceRemeshParameters parameters;
+  parameters.EdgeLength = 0.2;
+  const RemeshedSurface result = RemeshSurface(open, parameters);
+  EXPECT_GT(result.Mesh.Triangles.size(), 100u);
+  EXPECT_EQ(FindDefects(result.Mesh).NonManifoldTriangles.size(), 0u);
+}
+
+TEST(SurfaceRemesh, BadInputEndsInASentenceAndStoppingInCancelled)
+{
+  TriangleMesh twice = isthmus::testing::Cube({ 0, 0, 0 }, 1.0);
+  twice.Triangles.push_back(twice.Triangles[3]);
+  EXPECT_THROW(RemeshSurface(twice, {}), std::invalid_argument);
+  EXPECT_THROW(SimplifySurface(twice, 4), std::invalid_argument);
+  const TriangleMesh cube = isthmus::testing::Cube({ 0, 0, 0 }, 1.0);
+  SurfaceRemeshParameters parameters;
+  for (const double length : { 0.0, -1.0, 1e-5, std::numeric_limits<double>::quiet_NaN() })
+  {
+    parameters.EdgeLength = length;
+    EXPECT_THROW(RemeshSurface(cube, parameters), std::invalid_argument) << length;
+  }
+  EXPECT_THROW(SimplifySurface(cube, 0), std::invalid_argument);
+  parameters.EdgeLength = 0.02;
+  EXPECT_THROW(RemeshSurface(cube, parameters, [](double f) { return f < 0.1; }), Cancelled);
+}
+
+TEST(SurfaceRemesh, FertilityKeepsItsGenus)
+{
+  ISTHMUS_NEEDS_SHARED_DATA("surfaces/fertility.off");
+  const TriangleMesh mesh = MeshOf(
+    isthmus::testing::ReadSurface(isthmus::testing::SharedDataFolder() / "surfaces/fertility.off"));
+  SurfaceRemeshParameters parameters;
+  parameters.EdgeLength = MeanEdgeLength(mesh);
+  const RemeshedSurface result = RemeshSurface(mesh, parameters);
+  EXPECT_TRUE(FindDefects(result.Mesh).None());
+  EXPECT_EQ(EulerCharacteristic(result.Mesh), -6);
+  EXPECT_NEAR(SignedVolume(result.Mesh) / SignedVolume(mesh), 1.0, 1e-2);
+}

@@ -1,0 +1,203 @@
+// Isosurface stuffing of every shared map, and of surfaces offset inwards and outwards: the
+// published angles, every face shared, the box filled.
+
+#include "Contouring/SensibleLevel.h"
+#include "Core/PolyDataMesh.h"
+#include "DamagedSurfaces.h"
+#include "LongTests.h"
+#include "SharedData.h"
+#include "TetrahedralChecks.h"
+#include "vtkIsosurfaceStuffing.h"
+#include "vtkMRCMapReader.h"
+#include "vtkSurfaceToGrid.h"
+
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkExecutive.h>
+#include <vtkIdList.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkTestErrorObserver.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+using namespace isthmus;
+using namespace isthmus::testing;
+
+namespace
+{
+
+TetrahedralMesh MeshOf(vtkUnstructuredGrid* grid)
+{
+  TetrahedralMesh mesh;
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    Point3 p;
+    grid->GetPoint(i, p.data());
+    mesh.Points.push_back(p);
+  }
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    grid->GetCellPoints(i, ids);
+    mesh.Tetrahedra.push_back({ ids->GetId(0), ids->GetId(1), ids->GetId(2), ids->GetId(3) });
+  }
+  mesh.Regions.assign(mesh.Tetrahedra.size(), 1);
+  return mesh;
+}
+
+/// A level between the lowest and the highest value; NaN where there is none.
+double LevelOf(vtkImageData* map)
+{
+  vtkDataArray* scalars = map->GetPointData()->GetScalars();
+  if (!scalars || scalars->GetNumberOfComponents() != 1)
+  {
+    return std::nan("");
+  }
+  std::vector<double> values;
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+  {
+    const double value = scalars->GetComponent(i, 0);
+    if (!std::isfinite(value))
+    {
+      return std::nan("");
+    }
+    values.push_back(value);
+  }
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return *low < *high ? SensibleLevel(values) : std::nan("");
+}
+
+struct Seen
+{
+  std::size_t Maps = 0, Tetrahedra = 0;
+  double Smallest = 180.0, Largest = 0.0;
+};
+
+void Stuff(vtkImageData* map, double level, int levels, Seen& seen)
+{
+  vtkNew<vtkIsosurfaceStuffing> filter;
+  filter->SetInputData(map);
+  filter->SetLevel(level);
+  filter->SetGradingLevels(levels);
+  constexpr vtkIdType large = 300000; // nodes; the outside of noise is millions of tetrahedra
+  filter->SetSide(
+    map->GetNumberOfPoints() < large ? vtkIsosurfaceStuffing::BOTH : vtkIsosurfaceStuffing::INSIDE);
+  filter->Update();
+  const TetrahedralMesh mesh = MeshOf(filter->GetOutput());
+  ASSERT_GT(mesh.Tetrahedra.size(), 0u);
+  const QualitySummary quality = QualityOf(mesh);
+  EXPECT_GE(quality.SmallestAngle, 10.7);
+  EXPECT_LE(quality.LargestAngle, 164.8);
+  seen.Tetrahedra += mesh.Tetrahedra.size();
+  seen.Smallest = std::min(seen.Smallest, quality.SmallestAngle);
+  seen.Largest = std::max(seen.Largest, quality.LargestAngle);
+  constexpr std::size_t few = 200000; // faces are counted in a tree
+  if (mesh.Tetrahedra.size() < few)
+  {
+    EXPECT_EQ(FacesOf(mesh).Crowded, 0);
+  }
+}
+
+}
+
+/// Acceptance 1, "all shared maps": the small ones each time, the others in turns.
+TEST(StuffedMaps, AnglesStayWithinTheBoundsOnAllSharedMaps)
+{
+  ISTHMUS_NEEDS_SHARED_DATA("maps");
+  const LongCases others("StuffedMaps", 10);
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(SharedDataFolder() / "maps"))
+  {
+    if (entry.is_regular_file())
+    {
+      files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  Seen seen;
+  std::size_t index = 0, left = 0;
+  for (const auto& file : files)
+  {
+    constexpr std::uintmax_t small = 70000;
+    if (!others.Has(index++) && std::filesystem::file_size(file) > small)
+    {
+      continue;
+    }
+    SCOPED_TRACE(file.filename().string());
+    vtkNew<vtkMRCMapReader> reader;
+    vtkNew<vtkTest::ErrorObserver> quiet; // some are broken on purpose
+    for (vtkObject* teller :
+      { static_cast<vtkObject*>(reader), static_cast<vtkObject*>(reader->GetExecutive()) })
+    {
+      teller->AddObserver(vtkCommand::ErrorEvent, quiet);
+      teller->AddObserver(vtkCommand::WarningEvent, quiet);
+    }
+    reader->SetFileName(file.c_str());
+    reader->Update();
+    const int* n = reader->GetOutput()->GetDimensions();
+    const double level =
+      std::min({ n[0], n[1], n[2] }) > 1 ? LevelOf(reader->GetOutput()) : std::nan("");
+    if (!std::isfinite(level))
+    {
+      ++left;
+      continue;
+    }
+    ++seen.Maps;
+    Stuff(reader->GetOutput(), level, static_cast<int>(index % 3), seen);
+  }
+  std::printf("%zu maps (%zu others are no volume of finite, different numbers), %zu tetrahedra: "
+              "angles %.2f to %.2f\n",
+    seen.Maps, left, seen.Tetrahedra, seen.Smallest, seen.Largest);
+  EXPECT_GE(seen.Maps, 8u);
+  others.Tell(seen.Maps + left, files.size());
+}
+
+/// Acceptance 1, "offset surfaces": levels of the signed distance to primitives, a spacing and a
+/// half inside to three outside, where fronts of the distance meet in kinks.
+TEST(StuffedMaps, AnglesStayWithinTheBoundsOnOffsetSurfaces)
+{
+  Seen seen;
+  for (unsigned seed = 1; seed <= 5; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Chance chance(seed);
+    const TriangleMesh mesh = SoundSurface(chance);
+    vtkNew<vtkPolyData> surface;
+    SetMesh(mesh, surface);
+    const double h = BoundsOf(mesh).Diagonal() / 24.0;
+    vtkNew<vtkSurfaceToGrid> grid;
+    grid->SetInputData(surface);
+    grid->SetSpacing(h);
+    grid->SetPadding(5);
+    grid->Update();
+    vtkImageData* const image = grid->GetOutput();
+    image->GetPointData()->SetActiveScalars("SignedDistance");
+    for (const double offset : { -1.5, 0.7, 3.0 })
+    {
+      vtkNew<vtkIsosurfaceStuffing> filter;
+      filter->SetInputData(image);
+      filter->SetLevel(offset * h);
+      filter->InsideIsHigherOff();
+      filter->SetGradingLevels(static_cast<int>(seed % 3));
+      filter->Update();
+      const TetrahedralMesh tetrahedra = MeshOf(filter->GetOutput());
+      ASSERT_GT(tetrahedra.Tetrahedra.size(), 0u);
+      const QualitySummary quality = QualityOf(tetrahedra);
+      EXPECT_GE(quality.SmallestAngle, 10.7);
+      EXPECT_LE(quality.LargestAngle, 164.8);
+      EXPECT_EQ(FacesOf(tetrahedra).Crowded, 0);
+      seen.Tetrahedra += tetrahedra.Tetrahedra.size();
+      seen.Smallest = std::min(seen.Smallest, quality.SmallestAngle);
+      seen.Largest = std::max(seen.Largest, quality.LargestAngle);
+    }
+  }
+  std::printf(
+    "%zu tetrahedra: angles %.2f to %.2f\n", seen.Tetrahedra, seen.Smallest, seen.Largest);
+}
