@@ -24,7 +24,7 @@ def names_in(pages):
 
 def check(root):
     complaints, looked_at = [], 0
-    for room in sorted(path.parent for path in root.glob("[FR]*/*/sources.cmake")):
+    for room in sorted(path.parent for path in root.glob("[FR]*/*/vtk.module")):
         pages = pages_of(room, root)
         if not pages:
             complaints.append(f"{room.relative_to(root)} has no README.md")

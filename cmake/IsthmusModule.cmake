@@ -43,6 +43,9 @@ endfunction ()
 set(ISTHMUS_SOURCE_DIR "${CMAKE_CURRENT_LIST_DIR}/..")
 get_filename_component(ISTHMUS_SOURCE_DIR "${ISTHMUS_SOURCE_DIR}" ABSOLUTE)
 
+# Here, since the variables that it sets are needed in several folders.
+find_package(CGAL 5.5 REQUIRED)
+
 function (isthmus_add_module name)
   cmake_parse_arguments(PARSE_ARGV 1 module "" ""
     "CLASSES;HEADERS;FLAT_HEADERS;SOURCES;CGAL;VECTORISED")
@@ -87,7 +90,6 @@ function (isthmus_add_module name)
 
   # Not linked as CGAL::CGAL, whose compile options would slow down everybody else's loops.
   if (module_CGAL)
-    find_package(CGAL 5.5 REQUIRED)
     vtk_module_include(${name} SYSTEM PRIVATE ${CGAL_INCLUDE_DIRS})
     vtk_module_link(${name} PRIVATE ${MPFR_LIBRARIES} ${GMP_LIBRARIES})
     set_source_files_properties(${module_CGAL} PROPERTIES
@@ -95,8 +97,11 @@ function (isthmus_add_module name)
       COMPILE_DEFINITIONS CGAL_NO_WARNINGS) # they go to stderr; ours go to VTK
   endif ()
 
-  # VTK's own build has no target of ours for warnings and sanitizers.
-  if (TARGET isthmus_compiler)
-    vtk_module_link(${name} PRIVATE "$<BUILD_INTERFACE:isthmus_compiler>")
+  vtk_module_link(${name} PRIVATE "$<BUILD_INTERFACE:isthmus_compiler>")
+
+  # A module that calls what it does not declare must not link, either. Sanitizers leave their own
+  # symbols to the program.
+  if (CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT ISTHMUS_SANITIZE AND NOT ISTHMUS_FUZZ)
+    vtk_module_link_options(${name} PRIVATE "LINKER:--no-undefined")
   endif ()
 endfunction ()
