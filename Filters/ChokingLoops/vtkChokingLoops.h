@@ -24,10 +24,10 @@
  *     stuck), `Fill` (radius at which what lies behind is filled), `Widening` (Fill - Radius),
  *     `Uncertainty` (the true radius lies in [Radius - Uncertainty, Radius]), `Trusted` (1: a
  *     feature of the surface, not of its sampling), `Length`, `Reach` (of the feature: distance of
- * its loops' farthest point from the choke point, in radii: 1 for a round neck), `FeatureId`,
- * `SharedWith` (where several narrowings have one loop, as the windows of a wall: `FeatureId` of
- * the first of them, whose points the others' cells use, too; else -1), `Component`. A feature may
- * have several loops, as an annulus has.
+ *     its loops' farthest point from the choke point, in radii: 1 for a round neck), `FeatureId`,
+ *     `SharedWith` (where several narrowings have one loop, as the windows of a wall: `FeatureId`
+ *     of the first of them, whose points the others' cells use, too; else -1), `Component`. A
+ *     feature may have several loops, as an annulus has.
  *  1. membranes: triangles spanning each loop, cell arrays `FeatureId`, `Area` (of the membrane),
  *     `Radius`, `Kind`.
  *  2. choke points: one vertex for a feature, point arrays `Radius`, `Kind`, `Side`, `FeatureId`.

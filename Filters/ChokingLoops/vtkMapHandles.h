@@ -15,11 +15,13 @@
  *    `StableLevel`, `RecommendedLevel`: Beta1 at the row of that level, not a number elsewhere, so
  *    that each is drawn as one mark.
  *  - 3, *Stable Intervals* (vtkTable): `From`, `To`, `Middle`, `Length`, `Beta0` ... `Beta2`: the
- * runs of levels at which nothing that persists appears or goes, the longest first. Its first
- * Middle is the stable level.
- *  - 4, *Contour* (vtkPolyData) at the level chosen, ready for Choking Loops; 5, *Loops* and 6,
- * *Choke Points* of it (with Loops on), by vtkChokingLoops with its default settings. Field data of
- * all: `StableLevel`, `ChosenLevel`, and `RecommendedLevel` where one is given.
+ *    runs of levels at which nothing that persists appears or disappears, the longest first. Its
+ *    first Middle is the stable level.
+ *  - 4, *Contour* (vtkPolyData) at the level chosen, ready for Choking Loops.
+ *  - 5, *Loops* and 6, *Choke Points* of it (with Loops on), by vtkChokingLoops with its default
+ *    settings.
+ *
+ * Field data of all: `StableLevel`, `ChosenLevel`, and `RecommendedLevel` where one is given.
  *
  * **Range.** Density below the noise is no persistence, so bars are clipped to Range; without one
  * it goes from the mean of the map (what surrounds the molecule) to its maximum.

@@ -12,8 +12,8 @@
  * Outputs:
  *  - 0: vtkPolyData, the surface: closed, facing outwards, with Normals;
  *  - 1: vtkImageData with `SignedDistance` (angstrom, negative inside; exact to second order
- * within 4.5 spacings of the surface, cut there) and `S` in [0, 1] (1/2 on the surface, over 2.4
- * spacings);
+ *    within 4.5 spacings of the surface, cut there) and `S` in [0, 1] (1/2 on the surface, over 2.4
+ *    spacings);
  *  - 2: vtkTable, the history: `Time` (square angstrom), `Spacing` (of the grid it ran on), `Area`,
  *    `Volume`, `Energy` (kcal/mol: SurfaceTension x Area, and + Pressure x Volume with Solvent on).
  *

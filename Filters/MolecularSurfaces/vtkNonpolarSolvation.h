@@ -9,7 +9,7 @@
  * Outputs:
  *  - 0: vtkPolyData, the atoms with `Area` (square angstrom), `Volume` (cubic angstrom),
  *    `SurfaceEnergy`, `VolumeEnergy`, `DispersionEnergy` and their sum `NonpolarEnergy` (kcal/mol),
- * which add up to those of the whole; atoms without a ball have 0;
+ *    which add up to those of the whole; atoms without a ball have 0;
  *  - 1: vtkTable, one row: the same of the whole.
  *
  * G = SurfaceTension x Area + Pressure x Volume + dispersion (thesis 4.3 to 4.6 in the form of

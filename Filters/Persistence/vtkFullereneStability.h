@@ -11,10 +11,12 @@
  * filled when its hollow is. The intervals between are the bars.
  *
  * Output 0 (vtkTable), a row for each molecule, lengths in the unit of the points (angstrom):
- *  - `Molecule`: its number among the inputs; `Atoms`;
+ *  - `Molecule`: its number among the inputs;
+ *  - `Atoms`: their number;
  *  - `Bars`: classes of dimension 1 (rings) with Death - Birth of at least FilterDelta;
  *  - `Integral`: of beta_1 over the distance, that is the sum of the lengths of all bars of
- * dimension 1; `FilteredIntegral`: of those counted in Bars;
+ *    dimension 1;
+ *  - `FilteredIntegral`: the same of those counted in Bars;
  *  - `Cavity`: length of the longest bar of dimension 2;
  *  - `BoxLength`: longest side of the box round the atoms; `IntegralPerAtom`,
  *    `FilteredIntegralPerAtom`, `FilteredIntegralPerBoxLength`;

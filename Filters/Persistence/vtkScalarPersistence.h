@@ -29,7 +29,7 @@
  *    diagram (the extremum, for the class that never dies), so that a selection link from the
  *    diagram shows it; the other ends follow.
  *  - 3, *Cycles* (vtkPolyData; with Cycles on): a closed polyline round each tunnel kept, on the
- * grid's edges, short, with `FeatureId`, `Birth`, `Death`, `Persistence`, `Length` on cells.
+ *    grid's edges, short, with `FeatureId`, `Birth`, `Death`, `Persistence`, `Length` on cells.
  *  - 4, *Simplified* (vtkImageData; with Simplify on): the input with the minima and maxima of the
  *    classes that are left out flattened (as TTK's topological simplification does).
  *

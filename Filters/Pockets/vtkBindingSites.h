@@ -17,15 +17,15 @@
  * Points above the threshold that edges connect and that have the same class form patches; patches
  * of the same class closer than MergeDistance become one; each has a rank, 1 is the best.
  *
- * **Output 0**, the surface with the point array `BindingSite` (int): 0, or the rank.
- * **Output 1**, a table with a row for each site: `Rank`, `Score` (integral of the
- * amplitude over the patch: kT/e angstrom for the polarized curvature), `SiteClass` and, in words,
- * `Class`; with atoms `Residues` (those with atoms within 4 angstrom of the site, most atoms first:
- * "A HIS 57 (5)" is chain, name, number, atoms) and, of pockets, `Volume` (angstrom^3); `Area`
- * (angstrom^2), `MeanDepth` (angstrom below the convex hull of the surface), `MeanPotential` (kT/e;
- * NaN without a potential), `CenterX`, `CenterY`, `CenterZ` (mean of the patch's points), `Points`.
- * Its field array `Threshold` is the amplitude that was used, `Notes` says what the sites are and
- * which atoms were left out. BindingSites.h has definitions.
+ * - **Output 0**, the surface with the point array `BindingSite` (int): 0, or the rank.
+ * - **Output 1**, a table with a row for each site: `Rank`, `Score` (integral of the amplitude over
+ *   the patch: kT/e angstrom for the polarized curvature), `SiteClass` and, in words, `Class`; with
+ *   atoms `Residues` (those with atoms within 4 angstrom of the site, most atoms first: "A HIS 57
+ *   (5)" is chain, name, number, atoms) and, of pockets, `Volume` (angstrom^3); `Area`
+ *   (angstrom^2), `MeanDepth` (angstrom below the convex hull of the surface), `MeanPotential`
+ *   (kT/e; NaN without a potential), `CenterX`, `CenterY`, `CenterZ` (mean of the patch's points),
+ *   `Points`. Its field array `Threshold` is the amplitude that was used, `Notes` says what the
+ *   sites are and which atoms were left out. BindingSites.h has definitions.
  *
  * **Defaults** were tuned on the eight complexes of Filters/Pockets/BindingSites.md, which says
  * how well they predict.

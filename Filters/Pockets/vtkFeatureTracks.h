@@ -12,13 +12,13 @@
  *
  * The filter asks for all time steps, one after the other. FeatureTracks.h tells how it matches.
  *
- * **Output 0**, vtkTable: a row for each feature and time: `Track` (from 1), `Time`, `FeatureId`
- * (its row or point there, from 1, or the id that groups it), `X`, `Y`, `Z`, `Radius`, `Volume`,
- * `Score` (NaN where not known).
- * **Output 1**, vtkTable for charts: a row for each time, `Time` and a column `Track N` with
- * Radius, Volume or Score (Charted), NaN where it is missing; the longest tracks come first.
- * **Output 2**, vtkPolyData: a polyline for each track, point arrays `Track`, `Time`, `Radius`.
- * **Output 3**, vtkTable: `Event` ("merge" or "split"), `Time`, `Track`, `Other`.
+ * - **Output 0**, vtkTable: a row for each feature and time: `Track` (from 1), `Time`, `FeatureId`
+ *   (its row or point there, from 1, or the id that groups it), `X`, `Y`, `Z`, `Radius`, `Volume`,
+ *   `Score` (NaN where not known).
+ * - **Output 1**, vtkTable for charts: a row for each time, `Time` and a column `Track N` with
+ *   Radius, Volume or Score (Charted), NaN where it is missing; the longest tracks come first.
+ * - **Output 2**, vtkPolyData: a polyline for each track, point arrays `Track`, `Time`, `Radius`.
+ * - **Output 3**, vtkTable: `Event` ("merge" or "split"), `Time`, `Track`, `Other`.
  *
  * **Errors** (sentence, empty outputs): an input without places, options out of range. Without time
  * steps, each feature is a track.

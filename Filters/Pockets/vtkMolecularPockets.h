@@ -16,24 +16,25 @@
  * A pocket is room for a ball of InnerRadius that a ball of OuterRadius does not reach from
  * outside; MolecularPockets.h has the definitions. The best pocket has the PocketId (and Rank) 1.
  *
- * **Output 0**, vtkUnstructuredGrid: the tetrahedra of the pockets, between centres of atoms. Cell
- * arrays `PocketId`, `Clearance` (radius of the ball there that touches no atom), `AccessRadius`
- * (of the largest that gets there from outside), `Burial` (atoms within BurialRadius),
- * `EmptyVolume` (only sums mean anything). Point array `AtomId`: the input's point.
- * **Output 1**, vtkTable: a row for each pocket: `Rank`, `Score` (angstrom^3 x (atoms/100)^2),
- * `CenterX`, `CenterY`, `CenterZ`, `Volume` (angstrom^3) and `Area` (angstrom^2) accessible to the
- * probe's centre, `Mouths` (0: a void), `MouthRadius` (of the widest), `MouthArea`, `Radius` (of
- * the largest ball), `PolarShare`, `ApolarShare` (of Area, on N and O, and on the rest),
- * `LiningAtoms`, `Cells`, `MeanPotential` (kT/e), `MeanPolarized` (kT/(e angstrom), of the absolute
- * value); NaN where not known. Field data: `AccessibleArea`, `AccessibleVolume` of the whole
- * molecule.
- * **Output 2**, vtkPolyData: triangles of the mouths; `PocketId`, `MouthId`, `Clearance`.
- * **Output 3**, vtkPolyData: alpha balls, points with `PocketId`, `Radius`, `AccessRadius`,
- * `Burial`.
- * **Output 4**, vtkTable: lining residues: `PocketId`, `Chain`, `ResidueId`, `InsertionCode`,
- * `ResidueName`, `Atoms` (names), `AtomIds` (points of the input), `NumberOfAtoms`, `Area`.
- * **Output 5**, vtkPolyData: those residues whole, with their bonds, the input's point arrays and
- * `PocketId`; all of them, or those of ShownPocket.
+ * - **Output 0**, vtkUnstructuredGrid: the tetrahedra of the pockets, between centres of atoms.
+ *   Cell arrays `PocketId`, `Clearance` (radius of the ball there that touches no atom),
+ *   `AccessRadius` (of the largest that gets there from outside), `Burial` (atoms within
+ *   BurialRadius), `EmptyVolume` (only sums mean anything). Point array `AtomId`: the input's
+ *   point.
+ * - **Output 1**, vtkTable: a row for each pocket: `Rank`, `Score` (angstrom^3 x (atoms/100)^2),
+ *   `CenterX`, `CenterY`, `CenterZ`, `Volume` (angstrom^3) and `Area` (angstrom^2) accessible to
+ *   the probe's centre, `Mouths` (0: a void), `MouthRadius` (of the widest), `MouthArea`, `Radius`
+ *   (of the largest ball), `PolarShare`, `ApolarShare` (of Area, on N and O, and on the rest),
+ *   `LiningAtoms`, `Cells`, `MeanPotential` (kT/e), `MeanPolarized` (kT/(e angstrom), of the
+ *   absolute value); NaN where not known. Field data: `AccessibleArea`, `AccessibleVolume` of the
+ *   whole molecule.
+ * - **Output 2**, vtkPolyData: triangles of the mouths; `PocketId`, `MouthId`, `Clearance`.
+ * - **Output 3**, vtkPolyData: alpha balls, points with `PocketId`, `Radius`, `AccessRadius`,
+ *   `Burial`.
+ * - **Output 4**, vtkTable: lining residues: `PocketId`, `Chain`, `ResidueId`, `InsertionCode`,
+ *   `ResidueName`, `Atoms` (names), `AtomIds` (points of the input), `NumberOfAtoms`, `Area`.
+ * - **Output 5**, vtkPolyData: those residues whole, with their bonds, the input's point arrays and
+ *   `PocketId`; all of them, or those of ShownPocket.
  *
  * **Errors** (sentence, empty outputs): no radii and no elements, radii or places out of range,
  * options that are no lengths or contradict each other, a surface without polarized curvature. No

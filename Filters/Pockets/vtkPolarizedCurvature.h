@@ -14,11 +14,13 @@
  *   `NegativePotentialKappa2`: max(Phi, 0) or min(Phi, 0) times kappa_1 or kappa_2
  *   (kT/(e angstrom)), NaN where the potential is;
  * - `PolarizedCurvature` = Phi kappa_2;
- * - `SiteClass` (unsigned char): 0 none, 1 site for a negatively charged protein (Phi > 0,
- *   kappa_1 > 0), 2 for a negatively charged small ligand (Phi > 0, kappa_2 < 0), 3 for a
- * positively charged protein (Phi < 0, kappa_1 > 0), 4 for a positively charged small ligand (Phi <
- * 0, kappa_2 < 0); names in the field array `SiteClassNames`. A saddle has the class of its larger
- *   amplitude;
+ * - `SiteClass` (unsigned char): names in the field array `SiteClassNames`; a saddle has the class
+ *   of its larger amplitude:
+ *   - 0: none;
+ *   - 1: site for a negatively charged protein (Phi > 0, kappa_1 > 0);
+ *   - 2: site for a negatively charged small ligand (Phi > 0, kappa_2 < 0);
+ *   - 3: site for a positively charged protein (Phi < 0, kappa_1 > 0);
+ *   - 4: site for a positively charged small ligand (Phi < 0, kappa_2 < 0);
  * - `PotentialValid` (unsigned char): 0 where the point lies off the grid or a value around it is
  *   not finite, else 1.
  *

@@ -15,20 +15,20 @@
  * Point2; PointAndDirection takes planes across Direction, both ways from Point, as HOLE does.
  * PoreProfile.h and PoreChannels.h have the definitions.
  *
- * **Output 0**, vtkPolyData: a polyline for each pore, through the centres of the largest balls.
- * Point arrays `Radius`, `ArcLength` (angstrom), `NearestAtom` (point of the input),
- * `NearestResidue`, `WidthClass` (0: narrower than water, radius below 1.15; 1: room for one water;
- * 2: for two, from 2.30, HOLE's colours), `PoreId`; cell array `PoreId`. 1 is the longest.
- * **Output 1**, vtkTable: the same samples as rows, with X, Y, Z, for a chart.
- * **Output 2**, vtkTable: a row for each pore: `PoreId`, `Radius` (the least), `Length`, `Span`,
- * `Bottlenecks`, `BottleneckX`, `BottleneckY`, `BottleneckZ`.
- * **Output 3**, vtkPolyData: bottlenecks, local minima of the radius: points with `PoreId`, `Rank`
- * (1: the narrowest), `Radius`, `ArcLength`, `NearestAtom`, `NearestResidue`, `Residues` (those
- * that touch the ball there, within 0.5 angstrom).
- * **Output 4**, vtkTable: lining residues: `PoreId` and the columns of vtkMolecularPockets.
- * **Output 5**, vtkPolyData: tubes of the pores' radii with `Radius`, `WidthClass`, `PoreId`.
- * **Output 6**, vtkPolyData: the lining residues whole, with their bonds, the input's point arrays
- * and `PoreId`.
+ * - **Output 0**, vtkPolyData: a polyline for each pore, through the centres of the largest balls.
+ *   Point arrays `Radius`, `ArcLength` (angstrom), `NearestAtom` (point of the input),
+ *   `NearestResidue`, `WidthClass` (0: narrower than water, radius below 1.15; 1: room for one
+ *   water; 2: for two, from 2.30, HOLE's colours), `PoreId`; cell array `PoreId`. 1 is the longest.
+ * - **Output 1**, vtkTable: the same samples as rows, with X, Y, Z, for a chart.
+ * - **Output 2**, vtkTable: a row for each pore: `PoreId`, `Radius` (the least), `Length`, `Span`,
+ *   `Bottlenecks`, `BottleneckX`, `BottleneckY`, `BottleneckZ`.
+ * - **Output 3**, vtkPolyData: bottlenecks, local minima of the radius: points with `PoreId`,
+ *   `Rank` (1: the narrowest), `Radius`, `ArcLength`, `NearestAtom`, `NearestResidue`, `Residues`
+ *   (those that touch the ball there, within 0.5 angstrom).
+ * - **Output 4**, vtkTable: lining residues: `PoreId` and the columns of vtkMolecularPockets.
+ * - **Output 5**, vtkPolyData: tubes of the pores' radii with `Radius`, `WidthClass`, `PoreId`.
+ * - **Output 6**, vtkPolyData: the lining residues whole, with their bonds, the input's point
+ *   arrays and `PoreId`.
  *
  * **Errors** (sentence, empty outputs): no radii, radii, points or options out of range, no way
  * between the points. No pore that runs through is none.

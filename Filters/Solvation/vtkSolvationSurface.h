@@ -17,7 +17,7 @@
  *  - 0: vtkPolyData, the surface: closed, with `Normals`, `Potential` (kT/e), `NormalField`,
  *    `SurfaceChargeDensity`;
  *  - 1: vtkImageData with `SignedDistance`, `S`, `Potential`, `ReactionPotential` (kT/e) and
- * `Side`;
+ *    `Side`;
  *  - 2: vtkTable, a row for each update: `Update`, `Time` (square angstrom), `Area`, `Volume`,
  *    `SurfaceEnergy`, `VolumeEnergy`, `DispersionEnergy`, `NonpolarEnergy`, `PolarEnergy`,
  *    `TotalEnergy` (kcal/mol), `OnObstacle` (the part of the surface that its obstacle holds).

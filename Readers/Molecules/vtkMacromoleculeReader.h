@@ -7,15 +7,17 @@
  * **Output 0**, vtkPolyData: a point and a vertex for each atom (angstrom, double), a line for each
  * bond. Point arrays:
  *
- * | array | type | what |
- * |---|---|---|
- * | `Radius` | double | van der Waals radius, angstrom: the file's (PQR) or the RadiusTable's; NaN:
- * none | | `Charge` | double | e: the file's (PQR), or its formal charge (PDB, mmCIF) where not 0;
- * NaN: none | | `Element` | unsigned short | atomic number, 0: unknown; its symbol is
- * `ElementSymbols` of the field data | | `AtomName`, `ResidueName`, `Chain` | string | the authors'
- * names (auth_ of mmCIF); empty: none | | `ResidueId` | int | the authors' residue number | |
- * `BFactor` | double | angstrom^2; NaN: none | | `Occupancy` | double | NaN: none | | `IsHetero` |
- * unsigned char | 1: a HETATM record |
+ * - `Radius` (double): van der Waals radius in angstrom, the file's (PQR) or that of RadiusTable;
+ *   NaN: none
+ * - `Charge` (double): in e, the file's (PQR), or its formal charge (PDB, mmCIF) where not 0;
+ *   NaN: none
+ * - `Element` (unsigned short): atomic number, 0: unknown; its symbol is in `ElementSymbols` of the
+ *   field data
+ * - `AtomName`, `ResidueName`, `Chain` (string): the authors' names (auth_ of mmCIF); empty: none
+ * - `ResidueId` (int): the authors' residue number
+ * - `BFactor` (double): angstrom^2; NaN: none
+ * - `Occupancy` (double): NaN: none
+ * - `IsHetero` (unsigned char): 1: a HETATM record
  *
  * and, where the file has any, `InsertionCode` and (with AltLoc "*") `AltLoc`, strings. Cell array
  * `BondSource` (unsigned char): 0 vertex, 1 bond named by the file (CONECT, SSBOND, LINK,
