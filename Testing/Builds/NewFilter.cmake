@@ -1,4 +1,4 @@
-# cmake/new_filter.sh in a copy of the sources: what it writes keeps the rules of the house and
+# cmake/new_filter.sh in a copy of the sources: what it writes passes the checks and
 # compiles against the library of the main build, and its tests fail with "write me".
 include("${CMAKE_CURRENT_LIST_DIR}/Common.cmake")
 
@@ -27,7 +27,7 @@ run("${Python3_EXECUTABLE}" -c
 
 set(folder "${WORK_DIR}/new-filter/build")
 run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}/Testing/Builds/new_filter" -B "${folder}" -G Ninja
-  "-DSOURCES=${copy}" "-DNAME=PhaseFlip" "-DROOM=Imaging" "-DVTK_DIR=${VTK_DIR}"
+  "-DSOURCES=${copy}" "-DNAME=PhaseFlip" "-DMODULE=Imaging" "-DVTK_DIR=${VTK_DIR}"
   "-DMAIN_BINARY_DIR=${MAIN_BINARY_DIR}")
 run("${CMAKE_COMMAND}" --build "${folder}")
 execute_process(COMMAND "${folder}/TestPhaseFlip" RESULT_VARIABLE result OUTPUT_VARIABLE said

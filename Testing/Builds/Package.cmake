@@ -10,7 +10,9 @@ file(GLOB package "${folder}/isthmus_*.deb")
 execute_process(COMMAND dpkg-deb -c "${package}" OUTPUT_VARIABLE contents COMMAND_ERROR_IS_FATAL ANY)
 foreach (part IN ITEMS
   "/usr/bin/plugins/Isthmus/Isthmus.so" # where ParaView of Debian looks
-  "/libvtkIsthmus.so"
+  "/libvtkIsthmusFiltersCore.so"
+  "/libvtkIsthmusReadersMaps.so"
+  "/isthmus/CellComplex/StarTable.h"
   "/usr/lib/python3/dist-packages/isthmus/__init__.py"
   "/usr/lib/python3/dist-packages/isthmus/pipelines.py"
   "/vtkMapSurface.h"
@@ -38,7 +40,7 @@ file(READ "${root}/usr/share/doc/isthmus/copyright" copyright)
 if (NOT copyright MATCHES "CGAL" OR NOT copyright MATCHES "GPL-3.0-or-later")
   message(FATAL_ERROR "The copyright file does not name CGAL's GPL.")
 endif ()
-file(GLOB_RECURSE library "${root}/usr/lib*/libvtkIsthmus.so")
+file(GLOB_RECURSE library "${root}/usr/lib*/libvtkIsthmusFiltersCore.so")
 get_filename_component(library_folder "${library}" DIRECTORY)
 run("${CMAKE_COMMAND}" -E env
   "LD_LIBRARY_PATH=${library_folder}"

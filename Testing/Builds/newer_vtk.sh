@@ -18,11 +18,11 @@ mkdir -p "$folder"
 folder=$(cd "$folder" && pwd)
 jobs=$(nproc)
 
-# Its modules are those of vtk.module: no rendering but where those bring it along, no wrapping.
+# Its modules are those of our vtk.module files: no rendering but where those bring it along, no wrapping.
 modules=()
 while IFS= read -r module; do
   modules+=("-DVTK_MODULE_ENABLE_VTK_$module=YES")
-done < <(sed -n 's/^ *VTK:://p' "$source_dir/vtk.module" | sort -u)
+done < <(sed -n 's/^ *VTK:://p' "$source_dir"/{Filters,Readers}/*/vtk.module | sort -u)
 
 echo "== VTK $(git -C "$vtk" rev-parse HEAD 2>/dev/null || echo 'of no known commit') from $vtk"
 cmake -S "$vtk" -B "$folder/vtk" -G Ninja -DCMAKE_BUILD_TYPE=Release -DVTK_BUILD_ALL_MODULES=OFF \

@@ -1,0 +1,10 @@
+# Module isolation. In a tree that is configured and not built: what a build of each module alone would
+# compile is in it and in the modules that it declares; a source that includes a header of any other
+# module does not compile. Compiled are a few lines only.
+include("${CMAKE_CURRENT_LIST_DIR}/Common.cmake")
+
+set(folder "${WORK_DIR}/modules")
+file(REMOVE_RECURSE "${folder}")
+run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}" -B "${folder}" -G Ninja -DISTHMUS_PARAVIEW=OFF
+  "-DVTK_DIR=${VTK_DIR}" "-DPython3_EXECUTABLE=${Python3_EXECUTABLE}")
+run("${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_LIST_DIR}/check_isolation.py" "${SOURCE_DIR}" "${folder}")
