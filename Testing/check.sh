@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # What can be checked without building, in seconds: run it before each commit, or as a hook:
 #   ln -s ../../Testing/check.sh .git/hooks/pre-commit
-# Floors, the order of a room's files, contracts, typed ids, lengths, READMEs, links, panels, format, paths of one machine, sizes.
+# Modules, the order of a room's files, contracts, typed ids, READMEs, links, panels, format, paths of one machine, sizes.
 set -uo pipefail
 shopt -s lastpipe # what complain sets behind a pipe must last
 cd "$(git -C "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" rev-parse --show-toplevel)" || exit 1
@@ -17,7 +17,7 @@ complain()
   failed=1
 }
 
-for check in check_modules check_order check_contracts check_handles check_lengths check_readmes check_links; do
+for check in check_modules check_order check_contracts check_handles check_readmes check_links; do
   said=$(python3 -B "Testing/$check.py") || { echo "$said"; failed=1; }
 done
 

@@ -1,12 +1,12 @@
 // mesh_parts MAP LEVEL: tetrahedra within a level of a density map, what they consist of, and the
 // mesh cut in two and glued again, by the compact combinatorial map.
 
-#include <Attribute.h>
-#include <CellEdgeTable.h>
-#include <CutAndMerge.h>
-#include <GridMap.h>
-#include <StarTable.h>
-#include <VertexStar.h>
+#include <CellComplex/Attribute.h>
+#include <CellComplex/CellEdgeTable.h>
+#include <CellComplex/CutAndMerge.h>
+#include <CellComplex/GridMap.h>
+#include <CellComplex/StarTable.h>
+#include <CellComplex/VertexStar.h>
 #include <vtkIsosurfaceStuffing.h>
 #include <vtkMRCMapReader.h>
 #include <vtkNew.h>
