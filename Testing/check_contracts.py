@@ -120,10 +120,10 @@ def untold_errors(tree):
     complaints = []
     for path, comments in tree.comments.items():
         place = path.relative_to(tree.root)
-        room = place.parent.as_posix()
+        module = place.parent.as_posix()
         if path.suffix != ".h" or place.parts[0] not in ("Filters", "Readers"):
             continue
-        if room in UNTOLD or path.name.startswith("vtk"): # VTK's classes turn them into messages
+        if module in UNTOLD or path.name.startswith("vtk"): # VTK's classes turn them into messages
             continue
         throws = any(re.search(r"\bthrow\s+\w", tree.code[half]) for half in tree.pair_of(path))
         if throws and not any("@throws" in text for _, text in comments):

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Checks the order in which a room's README draws the files behind a function.
+"""Checks the order in which a module's README draws the files behind a function.
 
     check_order.py [ROOT]
 
-A block of a README headed by `<!-- order from X -->` names, each once, exactly the concepts of the room
+A block of a README headed by `<!-- order from X -->` names, each once, exactly the concepts of the module
 (X.h and X.cxx are one) that X reaches by its includes, X first, in an order in which each includes only
-those after it, or what lies in other rooms, which check_modules.py holds to lower floors. What is called
+those after it, or what lies in other modules. What is called
 is declared in what is included, by itself or by way of others, and so lies later, too. Headers are
 looked for in ROOT/Filters; vtkChokingLoops has to have such a block. Prints what is wrong, a line each,
 and ends with 1 then.
@@ -16,14 +16,14 @@ import sys
 
 from check_modules import included_names
 
-# {room: the start of each order that its README must draw}
+# {module: the start of each order that its README must draw}
 DRAWN = {"Filters/ChokingLoops": ["vtkChokingLoops"]}
 BLOCK = re.compile(r"<!-- order from (\w+) -->\n+((?: {4}.*\n|\n)+)")
 
 
-def arrows_of(room):
-    """{concept: concepts of the room that its files include}."""
-    files = [path for path in sorted(room.iterdir()) if path.suffix in (".h", ".cxx")]
+def arrows_of(module):
+    """{concept: concepts of the module that its files include}."""
+    files = [path for path in sorted(module.iterdir()) if path.suffix in (".h", ".cxx")]
     concepts = {path.stem for path in files}
     arrows = {concept: set() for concept in concepts}
     for path in files:
@@ -43,7 +43,7 @@ def reached_from(start, arrows):
 
 
 def check_block(place, start, drawn, arrows):
-    """Complaints about one block, whose words `drawn` are concepts of the room, in its order."""
+    """Complaints about one block, whose words `drawn` are concepts of the module, in its order."""
     twice = sorted({concept for concept in drawn if drawn.count(concept) > 1})
     complaints = [f"{place} draws {concept} twice in the order from {start}" for concept in twice]
     reached = reached_from(start, arrows)
@@ -64,20 +64,20 @@ def check(root, demanded=None):
     """All complaints about the tree under `root`, and how many arrows the drawn orders have."""
     complaints, looked_at, found = [], 0, set()
     for page in sorted(root.glob("Filters/*/README.md")):
-        room = page.parent.relative_to(root).as_posix()
+        module = page.parent.relative_to(root).as_posix()
         arrows = arrows_of(page.parent)
         for start, block in BLOCK.findall(page.read_text() + "\n"):
-            found.add((room, start))
+            found.add((module, start))
             place = page.relative_to(root).as_posix()
             if start not in arrows:
-                complaints.append(f"{place} draws an order from {start}, which is not in the room")
+                complaints.append(f"{place} draws an order from {start}, which is not in the module")
                 continue
             drawn = [word for word in re.findall(r"\w+", block) if word in arrows]
             looked_at += sum(len(arrows[concept]) for concept in set(drawn))
             complaints += check_block(place, start, drawn, arrows)
-    complaints += [f"{room}/README.md draws no order from {start}"
-                   for room, starts in sorted((DRAWN if demanded is None else demanded).items())
-                   for start in starts if (room, start) not in found]
+    complaints += [f"{module}/README.md draws no order from {start}"
+                   for module, starts in sorted((DRAWN if demanded is None else demanded).items())
+                   for start in starts if (module, start) not in found]
     return complaints, looked_at
 
 

@@ -22,7 +22,7 @@ import subprocess
 import sys
 import time
 
-ROOMS = ("Filters", "Readers", "Plugin")
+FOLDERS = ("Filters", "Readers", "Plugin")
 LONGEST = 900  # seconds that one file may take
 FOUND = re.compile(r"^(\S.*?:\d+:\d+): (?:error|warning): .*$", re.MULTILINE)
 
@@ -32,7 +32,7 @@ def sources_of(build, root):
     entries = json.loads((build / "compile_commands.json").read_text())
     paths = {pathlib.Path(entry["directory"], entry["file"]).resolve() for entry in entries}
     below = {path.relative_to(root) for path in paths if path.is_relative_to(root)}
-    return sorted(path for path in below if path.parts[0] in ROOMS)
+    return sorted(path for path in below if path.parts[0] in FOLDERS)
 
 
 def changed_files(root, base):
@@ -126,7 +126,7 @@ def main():
     base = arrival_of_checks(root) if given.base == "tidy" else given.base
     files = asked or changed_files(root, base)
     chosen = [source_for(path, root, sources) for path in files
-              if path.parts[0] in ROOMS and path.suffix in (".h", ".cxx") and (root / path).exists()]
+              if path.parts[0] in FOLDERS and path.suffix in (".h", ".cxx") and (root / path).exists()]
     chosen = list(dict.fromkeys(source for source in chosen if source))
     if not asked and not given.base:  # sources that no commit names: a shallow clone has few
         chosen += [source for source in sources if source not in set(chosen)]

@@ -64,7 +64,7 @@ class CheckOrder(unittest.TestCase):
     def test_order_from_what_is_not_there(self):
         self.write("README.md", PAGE.format(lines="    vtkTube\n").replace("from vtkTube", "from Gone"))
         self.assertEqual(check_order.check(self.root, {})[0], [
-            "Filters/Tubes/README.md draws an order from Gone, which is not in the room"])
+            "Filters/Tubes/README.md draws an order from Gone, which is not in the module"])
 
     def test_start_that_is_not_first(self):
         self.write("vtkTube.cxx", '#include "Wall.h"\n')

@@ -1,4 +1,4 @@
-// What the vtk classes of the room add: errors as one sentence and an empty output, abort, repair,
+// What the vtk classes of the module add: errors as one sentence and an empty output, abort, repair,
 // what is kept of the input, empty input.
 
 #include "vtkDelaunayIsosurface.h"
