@@ -6,7 +6,7 @@
 #define isthmus_ChokeSurroundings_h
 
 #include "ChokingLoops/IdMap.h"
-#include "ChokingLoops/ShapeFeatures.h"
+#include "ChokingLoops/FeatureDiagram.h"
 
 #include <algorithm>
 

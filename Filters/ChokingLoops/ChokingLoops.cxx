@@ -3,7 +3,7 @@
 #include "ChokingLoops/ChokingAnalysis.h"
 #include "ChokingLoops/ChokingSurface.h"
 #include "ChokingLoops/EncirclingLoops.h"
-#include "ChokingLoops/SurfaceSampling.h"
+#include "ChokingLoops/SurfacePreparation.h"
 #include "Persistence/DelaunayFiltration.h"
 #include "Persistence/LowerStarFiltration.h"
 

@@ -13,7 +13,7 @@
 #include "ChokingLoops/AnalysisCost.h"
 #include "ChokingLoops/FeatureMembrane.h"
 #include "ChokingLoops/FeatureSelection.h"
-#include "ChokingLoops/ShapeFeatures.h"
+#include "ChokingLoops/FeatureDiagram.h"
 #include "ChokingLoops/SurfaceMending.h"
 #include "Core/TetrahedralMesh.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"

@@ -5,7 +5,7 @@
 #ifndef isthmus_ChokingSamples_h
 #define isthmus_ChokingSamples_h
 
-#include "ChokingLoops/SurfaceSampling.h"
+#include "ChokingLoops/SurfacePreparation.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus

@@ -39,7 +39,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<ConformingGenerator> Conforming
   const SurfaceView& surface, const ProgressCallback& progress = {});
 
 /**
- * A loop and membrane of `surface` on the same surface after SplitLongEdges() (SurfaceSampling.h):
+ * A loop and membrane of `surface` on the same surface after SplitLongEdges() (SurfacePreparation.h):
  * each edge of M becomes the pieces that it was split into. `samples` keeps the surface's points as
  * its first ones.
  */

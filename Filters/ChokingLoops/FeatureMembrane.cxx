@@ -1,7 +1,7 @@
 #include "ChokingLoops/FeatureMembrane.h"
 
 #include "ChokingLoops/ChainPieces.h"
-#include "ChokingLoops/TightestCut.h"
+#include "ChokingLoops/MinimumCutMembrane.h"
 #include "Core/Index.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #ifndef isthmus_FeatureMembrane_h
 #define isthmus_FeatureMembrane_h
 
-#include "ChokingLoops/ShapeFeatures.h"
+#include "ChokingLoops/FeatureDiagram.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <optional>

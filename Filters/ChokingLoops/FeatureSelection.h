@@ -5,7 +5,7 @@
 #ifndef isthmus_FeatureSelection_h
 #define isthmus_FeatureSelection_h
 
-#include "ChokingLoops/ShapeFeatures.h"
+#include "ChokingLoops/FeatureDiagram.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus

@@ -32,7 +32,7 @@ struct FeatureContext
   const SurfaceInComplex& Embedding;
   const SurfaceAdjacency& Surface;
   std::vector<double>
-    PointError; ///< SamplingErrors() (SurfaceSampling.h); empty: M is part of the complex
+    PointError; ///< SamplingErrors() (SurfacePreparation.h); empty: M is part of the complex
 
   /// Square of the largest sampling error at the corners of a simplex, with a margin for rounding.
   template <std::size_t N>

@@ -5,7 +5,7 @@
 #include "ChokingLoops/GridTetrahedra.h"
 #include "ChokingLoops/LoopLimits.h"
 #include "ChokingLoops/MorseValues.h"
-#include "ChokingLoops/SurfaceSampling.h"
+#include "ChokingLoops/SurfacePreparation.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/AvailableMemory.h"
 #include "Core/PolyDataMesh.h"

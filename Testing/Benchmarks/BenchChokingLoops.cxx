@@ -2,7 +2,7 @@
 // peak memory; how fast they answer to sliders.
 
 #include "ChokingLoops/LoopFeature.h"
-#include "ChokingLoops/SurfaceSampling.h"
+#include "ChokingLoops/SurfacePreparation.h"
 #include "ChokingSurfaces.h"
 #include "PeakMemory.h"
 #include "vtkChokingLoops.h"

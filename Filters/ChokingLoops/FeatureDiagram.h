@@ -1,9 +1,9 @@
 /**
- * @file ShapeFeatures.h
+ * @file FeatureDiagram.h
  * @brief Every narrowing of a shape, as the pairs of its filtration tell.
  */
-#ifndef isthmus_ShapeFeatures_h
-#define isthmus_ShapeFeatures_h
+#ifndef isthmus_FeatureDiagram_h
+#define isthmus_FeatureDiagram_h
 
 #include "ChokingLoops/SpaceRegions.h"
 #include "ChokingLoops/SurfaceGenerators.h"

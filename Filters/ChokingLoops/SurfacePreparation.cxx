@@ -1,4 +1,4 @@
-#include "ChokingLoops/SurfaceSampling.h"
+#include "ChokingLoops/SurfacePreparation.h"
 
 #include "Core/Index.h"
 

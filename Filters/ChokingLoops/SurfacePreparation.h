@@ -1,9 +1,9 @@
 /**
- * @file SurfaceSampling.h
+ * @file SurfacePreparation.h
  * @brief A surface split so finely that its points stand for the whole of it.
  */
-#ifndef isthmus_SurfaceSampling_h
-#define isthmus_SurfaceSampling_h
+#ifndef isthmus_SurfacePreparation_h
+#define isthmus_SurfacePreparation_h
 
 #include "Core/Progress.h"
 #include "Core/SurfaceView.h"

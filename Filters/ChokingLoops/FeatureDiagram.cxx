@@ -1,4 +1,4 @@
-#include "ChokingLoops/ShapeFeatures.h"
+#include "ChokingLoops/FeatureDiagram.h"
 
 #include "ChokingLoops/SpaceRegions.h"
 

@@ -1,9 +1,9 @@
-#include "ChokingLoops/TightestCut.h"
+#include "ChokingLoops/MinimumCutMembrane.h"
 
 #include "ChokingLoops/ChainPieces.h"
 #include "ChokingLoops/ChokeSurroundings.h"
 #include "ChokingLoops/MinimumCut.h"
-#include "ChokingLoops/ShapeFeatures.h"
+#include "ChokingLoops/FeatureDiagram.h"
 #include "Core/Index.h"
 
 #include <algorithm>

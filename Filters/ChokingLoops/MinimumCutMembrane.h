@@ -1,9 +1,9 @@
 /**
- * @file TightestCut.h
+ * @file MinimumCutMembrane.h
  * @brief The smallest membrane through a choke triangle, whatever cycles the filtration closed.
  */
-#ifndef isthmus_TightestCut_h
-#define isthmus_TightestCut_h
+#ifndef isthmus_MinimumCutMembrane_h
+#define isthmus_MinimumCutMembrane_h
 
 #include "ChokingLoops/SpaceRegions.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
