@@ -27,7 +27,7 @@ struct ChokingLoopTimes
 
 /**
  * The cost of analysing the samples of a surface: filtration, pairs, features and the loops of
- * handles and tunnels. What is drawn afterwards for a choice of features: FeatureDrawing.h.
+ * handles and tunnels. What is drawn afterwards for a choice of features: LoopDrawing.h.
  *
  * Bytes follow from counts alone. Seconds depend on the machine, on what else runs on it and on the
  * shape, so they are told once the samples are triangulated, in units of that stage, which has met

@@ -1,20 +1,14 @@
 /**
  * @file ChokingLoops.h
  * @brief Every narrowing of a closed surface, inside and outside: handles, tunnels, bottlenecks.
- *
- * Source: X. Feng, PhD thesis, chapter 6, on the Delaunay (alpha) filtration of samples of the
- * surface in place of a lower-star filtration of a tetrahedral mesh: a union of balls of radius d
- * round the samples is homotopy equivalent to the alpha complex at d, so that its pairs are those
- * of the offset of M by d, to both sides at once. A tetrahedral mesh serves as well.
  */
 #ifndef isthmus_ChokingLoops_h
 #define isthmus_ChokingLoops_h
 
 #include "ChokingLoops/AnalysisCost.h"
-#include "ChokingLoops/FeatureMembrane.h"
-#include "ChokingLoops/FeatureSelection.h"
 #include "ChokingLoops/FeatureDiagram.h"
-#include "ChokingLoops/SurfaceMending.h"
+#include "ChokingLoops/FeatureMembrane.h"
+#include "ChokingLoops/SurfacePreparation.h"
 #include "Core/TetrahedralMesh.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 
@@ -55,7 +49,7 @@ public:
   /**
    * Analyses `surface` on the Delaunay filtration of its samples. Coinciding points are merged,
    * points that no triangle uses are left out. Orientation is not needed to face outward. Needles,
-   * double triangles, touching and crossing parts are repaired (SurfaceMending.h, Mended()).
+   * double triangles, touching and crossing parts are repaired (SurfacePreparation.h, Mended()).
    *
    * @throws std::invalid_argument with a sentence for a surface that is not closed, consistently
    * oriented and finite, lies in a plane, can't be repaired, or whose size is not between 1e-32 and

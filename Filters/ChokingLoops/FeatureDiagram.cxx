@@ -1,13 +1,219 @@
 #include "ChokingLoops/FeatureDiagram.h"
 
-#include "ChokingLoops/SpaceRegions.h"
+#include "Core/Index.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 namespace isthmus
 {
+
+// ------------------------------------------------------------------------------------------
+// EnclosureTest
+namespace
+{
+
+/// A fixed rotation by no nice angle, so that rays along x meet no axis-parallel edge.
+Point3 Turned(const Point3& p)
+{
+  const Point3 a{ 0.8127, 0.3391, -0.4738 };
+  const Point3 b{ -0.5129, 0.7793, -0.3600 };
+  return { Dot(p, a), Dot(p, b), Dot(p, Cross(a, b)) };
+}
+
+/// Twice the area of (a, b, p) seen along x.
+double Area(const Point3& a, const Point3& b, const Point3& p)
+{
+  return (b[1] - a[1]) * (p[2] - a[2]) - (b[2] - a[2]) * (p[1] - a[1]);
+}
+
+}
+
+EnclosureTest::EnclosureTest(const SurfaceView& mesh, const SurfaceHomology& homology)
+  : Mesh(mesh)
+  , Homology(homology)
+{
+  this->Points.reserve(mesh.Points.size());
+  this->Box.Min = { HUGE_VAL, HUGE_VAL, HUGE_VAL };
+  this->Box.Max = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
+  for (const Point3& p : mesh.Points)
+  {
+    this->Points.push_back(Turned(p));
+    this->Box.Add(this->Points.back());
+  }
+  this->Bins = std::clamp<std::size_t>(
+    static_cast<std::size_t>(0.5 * std::sqrt(static_cast<double>(mesh.Triangles.size()))), 1, 2048);
+  const auto forEachBin = [this](const Triangle& t, auto&& visit)
+  {
+    Bounds3 box{ this->Points[At(t[0])], this->Points[At(t[0])] };
+    box.Add(this->Points[At(t[1])]);
+    box.Add(this->Points[At(t[2])]);
+    for (std::size_t j = this->Bin(box.Min[1], 1); j <= this->Bin(box.Max[1], 1); ++j)
+    {
+      for (std::size_t k = this->Bin(box.Min[2], 2); k <= this->Bin(box.Max[2], 2); ++k)
+      {
+        visit(j * this->Bins + k);
+      }
+    }
+  };
+  this->First.assign(this->Bins * this->Bins + 1, 0);
+  for (const Triangle& t : mesh.Triangles)
+  {
+    forEachBin(t, [this](std::size_t bin) { ++this->First[bin + 1]; });
+  }
+  for (std::size_t i = 1; i < this->First.size(); ++i)
+  {
+    this->First[i] += this->First[i - 1];
+  }
+  this->Inside.resize(At(this->First.back()));
+  std::vector<SimplexId> next(this->First.begin(), this->First.end() - 1);
+  for (std::size_t i = 0; i < mesh.Triangles.size(); ++i)
+  {
+    forEachBin(mesh.Triangles[i],
+      [&](std::size_t bin) { this->Inside[At(next[bin]++)] = static_cast<SimplexId>(i); });
+  }
+}
+
+std::size_t EnclosureTest::Bin(double v, std::size_t axis) const
+{
+  const double width = this->Box.Max[axis] - this->Box.Min[axis];
+  const double scaled =
+    width > 0.0 ? (v - this->Box.Min[axis]) / width * static_cast<double>(this->Bins) : 0.0;
+  // Written so that a NaN goes to the first bin: std::clamp would pass it on to the cast.
+  return scaled > 0.0
+    ? static_cast<std::size_t>(std::min(scaled, static_cast<double>(this->Bins - 1)))
+    : 0;
+}
+
+std::vector<int> EnclosureTest::Enclosing(const Point3& point) const
+{
+  const Point3 p = Turned(point);
+  std::vector<int> crossed;
+  for (std::size_t axis = 1; axis < 3; ++axis)
+  {
+    if (p[axis] < this->Box.Min[axis] || p[axis] > this->Box.Max[axis])
+    {
+      return crossed;
+    }
+  }
+  const std::size_t bin = this->Bin(p[1], 1) * this->Bins + this->Bin(p[2], 2);
+  for (SimplexId i = this->First[bin]; i < this->First[bin + 1]; ++i)
+  {
+    const Triangle& t = this->Mesh.Triangles[At(this->Inside[At(i)])];
+    std::array<double, 3> area; // of p with the edge opposite to corner k
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const std::int64_t a = t[(k + 1) % 3];
+      const std::int64_t b = t[(k + 2) % 3];
+      area[k] = a < b ? Area(this->Points[At(a)], this->Points[At(b)], p)
+                      : -Area(this->Points[At(b)], this->Points[At(a)], p);
+    }
+    // "Positive" for an edge run one way must be "not positive" run the other way.
+    const auto left = [&](std::size_t k)
+    { return t[(k + 1) % 3] < t[(k + 2) % 3] ? area[k] > 0.0 : area[k] >= 0.0; };
+    if (left(0) != left(1) || left(1) != left(2))
+    {
+      continue;
+    }
+    const double sum = area[0] + area[1] + area[2];
+    const double x = (area[0] * this->Points[At(t[0])][0] + area[1] * this->Points[At(t[1])][0] +
+                       area[2] * this->Points[At(t[2])][0]) /
+      sum;
+    if (x > p[0])
+    {
+      crossed.push_back(this->Homology.ComponentOf(static_cast<SimplexId>(t[0])));
+    }
+  }
+  std::sort(crossed.begin(), crossed.end());
+  std::vector<int> odd;
+  for (std::size_t i = 0; i < crossed.size(); ++i)
+  {
+    if (i + 1 < crossed.size() && crossed[i] == crossed[i + 1])
+    {
+      ++i;
+      continue;
+    }
+    odd.push_back(crossed[i]);
+  }
+  return odd;
+}
+
+// ------------------------------------------------------------------------------------------
+// SpaceRegions
+SpaceRegions::SpaceRegions(const FeatureContext& context, const ProgressCallback& progress)
+  : Context(context)
+  , Groups(context.Filtration.Tetrahedra.size())
+  , Test(context.Surface.Mesh(), context.Homology)
+{
+  const CellFiltration& f = context.Filtration;
+  for (const TriangleId t : f.Triangles())
+  {
+    if (t.Index() % (1U << 18) == 0)
+    {
+      Report(progress, static_cast<double>(t.Index()) / static_cast<double>(f.TriangleCount()));
+    }
+    const auto sides = f.TriangleSides(t);
+    if (sides[0].Exists() && sides[1].Exists() && !context.IsWall(t))
+    {
+      const TetrahedronId a = this->Groups.Find(sides[0]);
+      const TetrahedronId b = this->Groups.Find(sides[1]);
+      const bool later = f.EntersLater(a, b);
+      this->Groups.JoinUnder(later ? b : a, later ? a : b);
+    }
+  }
+}
+
+const std::vector<int>& SpaceRegions::Of(TetrahedronId cell)
+{
+  static const std::vector<int> none;
+  if (!cell.Exists())
+  {
+    return none;
+  }
+  const TetrahedronId group = this->Groups.Find(cell);
+  auto known = this->Known.find(group);
+  if (known == this->Known.end())
+  {
+    known = this->Known.emplace(group, this->Test.Enclosing(this->Inner(group))).first;
+  }
+  return known->second;
+}
+
+// In a Delaunay triangulation the circumcentre is what keeps its distance from M; in a mesh that
+// conforms to M the tetrahedron itself lies on one side.
+Point3 SpaceRegions::Inner(TetrahedronId deepest) const
+{
+  const CellFiltration& f = this->Context.Filtration;
+  const auto& t = f.Tetrahedra[deepest];
+  const Point3& p = f.Points[At(t[0])];
+  const Point3& q = f.Points[At(t[1])];
+  const Point3& r = f.Points[At(t[2])];
+  const Point3& s = f.Points[At(t[3])];
+  return this->Context.PointError.empty() ? 0.25 * (p + q + r + s) : Circumcentre(p, q, r, s);
+}
+
+Point3 Circumcentre(const Point3& p, const Point3& q, const Point3& r)
+{
+  const Point3 a = q - p;
+  const Point3 b = r - p;
+  const Point3 n = Cross(a, b);
+  const Point3 towards = Dot(a, a) * Cross(b, n) + Dot(b, b) * Cross(n, a);
+  return p + (0.5 / Dot(n, n)) * towards;
+}
+
+Point3 Circumcentre(const Point3& p, const Point3& q, const Point3& r, const Point3& s)
+{
+  const Point3 a = q - p;
+  const Point3 b = r - p;
+  const Point3 c = s - p;
+  const Point3 sum = Dot(a, a) * Cross(b, c) + Dot(b, b) * Cross(c, a) + Dot(c, c) * Cross(a, b);
+  return p + (0.5 / Dot(a, Cross(b, c))) * sum;
+}
+
+// ------------------------------------------------------------------------------------------
+// FeatureDiagram
 namespace
 {
 
@@ -178,6 +384,85 @@ FeatureDiagram ShapeFeatures(
   Report(progress, 0.85);
   collector.AddLoops(generators);
   return collector.Finish(context.Homology.Rank());
+}
+
+// ------------------------------------------------------------------------------------------
+// FeatureSelection
+namespace
+{
+
+/// Gaps narrower than this part of the reference length are none.
+constexpr double NarrowestGap = 0.01;
+
+bool IsWanted(const FeatureDiagram& diagram, const FeatureSelection& selection,
+  const std::array<double, 2>& leastPersistence, const ShapeFeature& f)
+{
+  const auto side = static_cast<std::size_t>(f.Side);
+  const double most = selection.MaximumDistance.Of(diagram.Reference[side]);
+  const bool near = f.Distance() <= most * (1.0 + 1e-9);
+  if (!(f.Side == SpaceSide::Inside ? selection.Inside : selection.Outside))
+  {
+    return false;
+  }
+  return IsGenerator(f)
+    ? near || selection.AlwaysReportHandles
+    : f.Kind == FeatureKind::Additional && near && f.Persistence() >= leastPersistence[side];
+}
+
+}
+
+PersistenceGap LargestGap(const FeatureDiagram& diagram, SpaceSide side)
+{
+  std::vector<double> bars{ 0.0 };
+  for (const ShapeFeature& f : diagram.Features)
+  {
+    if (f.Side == side && f.Kind == FeatureKind::Additional)
+    {
+      bars.push_back(f.Persistence());
+    }
+  }
+  std::sort(bars.begin(), bars.end(), std::greater<>());
+  const double least = NarrowestGap * diagram.Reference[static_cast<std::size_t>(side)];
+  PersistenceGap gap{ least, 0.0 };
+  for (std::size_t i = 0; i + 1 < bars.size(); ++i)
+  {
+    const double width = bars[i] - bars[i + 1];
+    if (width > std::max(gap.Width, least))
+    {
+      gap = { 0.5 * (bars[i] + bars[i + 1]), width };
+    }
+  }
+  return gap;
+}
+
+std::vector<std::size_t> SelectFeatures(
+  const FeatureDiagram& diagram, const FeatureSelection& selection)
+{
+  std::array<double, 2> least{};
+  for (const SpaceSide side : { SpaceSide::Inside, SpaceSide::Outside })
+  {
+    const auto s = static_cast<std::size_t>(side);
+    least[s] = selection.Threshold == ThresholdMode::LargestGap
+      ? LargestGap(diagram, side).Threshold
+      : selection.MinimumPersistence.Of(diagram.Reference[s]);
+  }
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < diagram.Features.size(); ++i)
+  {
+    if (IsWanted(diagram, selection, least, diagram.Features[i]))
+    {
+      chosen.push_back(i);
+    }
+  }
+  if (selection.MaximumNumber > 0 && chosen.size() > selection.MaximumNumber)
+  {
+    std::stable_sort(chosen.begin(), chosen.end(),
+      [&diagram](std::size_t a, std::size_t b)
+      { return diagram.Features[a].Widening() > diagram.Features[b].Widening(); });
+    chosen.resize(selection.MaximumNumber);
+    std::sort(chosen.begin(), chosen.end());
+  }
+  return chosen;
 }
 
 }

@@ -1,16 +1,144 @@
 /**
  * @file FeatureDiagram.h
- * @brief Every narrowing of a shape, as the pairs of its filtration tell.
+ * @brief The persistence diagram of a shape: pairs of its filtration as handles, tunnels and
+ * additional features, each on its side.
  */
 #ifndef isthmus_FeatureDiagram_h
 #define isthmus_FeatureDiagram_h
 
-#include "ChokingLoops/SpaceRegions.h"
-#include "ChokingLoops/SurfaceGenerators.h"
+#include "ChokingLoops/SurfaceHomology.h"
+#include "Core/Bounds3.h"
+#include "Core/DisjointSets.h"
+#include "Persistence/FiltrationPairs.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
+
+#include <algorithm>
+#include <map>
 
 namespace isthmus
 {
+
+// ------------------------------------------------------------------------------------------
+// Which components of a closed surface enclose a point?
+
+/**
+ * Counts the crossings of a ray, component by component, modulo 2: no orientation is needed, and a
+ * ray through an edge is counted once, since both triangles decide by the same number.
+ *
+ * Building takes O(n), a query the triangles of one bin (some tens).
+ */
+class EnclosureTest
+{
+public:
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EnclosureTest(
+    const SurfaceView& mesh, const SurfaceHomology& homology);
+
+  /// Ascending ids of the components that enclose `p`: an odd number of them means inside. Within
+  /// rounding (1e-12 of the size) of the surface either answer may come.
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<int> Enclosing(const Point3& p) const;
+
+private:
+  std::size_t Bin(double v, std::size_t axis) const;
+
+  std::vector<Point3> Points; ///< turned into general position
+  SurfaceView Mesh;
+  const SurfaceHomology& Homology;
+  Bounds3 Box;
+  std::size_t Bins = 1;
+  std::vector<SimplexId> First;
+  std::vector<SimplexId> Inside;
+};
+
+// ------------------------------------------------------------------------------------------
+// Inside or outside: the regions into which a surface parts the tetrahedra round it.
+
+enum class SpaceSide
+{
+  Inside = 0,
+  Outside = 1
+};
+
+/// A filtration of a surface's surroundings, with what belongs to it.
+struct FeatureContext
+{
+  const CellFiltration& Filtration;
+  const FiltrationPairs& Pairs;
+  const SurfaceHomology& Homology;
+  const SurfaceInComplex& Embedding;
+  const SurfaceAdjacency& Surface;
+  std::vector<double>
+    PointError; ///< SamplingErrors() (SurfacePreparation.h); empty: M is part of the complex
+
+  /// Square of the largest sampling error at the corners of a simplex, with a margin for rounding.
+  template <std::size_t N>
+  double SquaredError(const std::array<SimplexId, N>& corners) const
+  {
+    double e = 0.0;
+    for (const SimplexId p : corners)
+    {
+      e =
+        std::max(e, this->PointError.empty() ? 0.0 : this->PointError[static_cast<std::size_t>(p)]);
+    }
+    return (1.0 + 1e-7) * e * e;
+  }
+
+  /// True for a triangle of the complex that may cross M or be part of it.
+  bool IsWall(TriangleId triangle) const;
+};
+
+/**
+ * Tetrahedra grouped across triangles that are no walls; a group lies in one region, that of the
+ * circumcentre of its latest tetrahedron (of its middle, where M is part of the complex).
+ *
+ * The dual edge of a triangle that enters above the sampling error keeps away from M, so that the
+ * circumcentres at its ends lie on the same side.
+ */
+class SpaceRegions
+{
+public:
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT explicit SpaceRegions(
+    const FeatureContext& context, const ProgressCallback& progress = {});
+
+  /// The components of M that enclose a tetrahedron, ascending; none for the exterior (None).
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const std::vector<int>& Of(TetrahedronId cell);
+
+  /// The same for a triangle that is no wall.
+  const std::vector<int>& OfTriangle(TriangleId triangle);
+
+  static SpaceSide SideOf(const std::vector<int>& enclosing)
+  {
+    return enclosing.size() % 2 == 1 ? SpaceSide::Inside : SpaceSide::Outside;
+  }
+
+private:
+  Point3 Inner(TetrahedronId deepest) const;
+
+  const FeatureContext& Context;
+  DisjointSets<TetrahedronId> Groups; ///< the root of each is its latest tetrahedron
+  EnclosureTest Test;
+  std::map<TetrahedronId, std::vector<int>> Known;
+};
+
+/// Centre of the smallest sphere through the corners of a triangle or tetrahedron.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT Point3 Circumcentre(
+  const Point3& p, const Point3& q, const Point3& r);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT Point3 Circumcentre(
+  const Point3& p, const Point3& q, const Point3& r, const Point3& s);
+
+inline bool FeatureContext::IsWall(TriangleId t) const
+{
+  return this->PointError.empty()
+    ? this->Filtration.TriangleFirst[t] != 0
+    : this->Filtration.TriangleValue[t] <= this->SquaredError(this->Filtration.TrianglePoints(t));
+}
+
+inline const std::vector<int>& SpaceRegions::OfTriangle(TriangleId triangle)
+{
+  return this->Of(this->Context.Filtration.TriangleSides(triangle)[0]);
+}
+
+// ------------------------------------------------------------------------------------------
+// Every narrowing of a shape, as the pairs of its filtration tell.
 
 enum class FeatureKind
 {
@@ -68,6 +196,63 @@ struct FeatureDiagram
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT FeatureDiagram ShapeFeatures(
   const FeatureContext& context, SpaceRegions& regions, const ProgressCallback& progress = {});
+
+// ------------------------------------------------------------------------------------------
+// Which features of a diagram are reported, and the threshold that a diagram proposes.
+
+/// A length as the user states it: in percent of a side's reference length, or in units of the
+/// data.
+struct StatedLength
+{
+  double Value = 0.0;
+  bool Percent = true;
+
+  double Of(double reference) const
+  {
+    return this->Percent ? 0.01 * this->Value * reference : this->Value;
+  }
+};
+
+/// Where additional features part from noise.
+enum class ThresholdMode
+{
+  Given,     ///< at FeatureSelection::MinimumPersistence
+  LargestGap ///< at the largest gap of each side's diagram
+};
+
+/// Which features to report.
+struct FeatureSelection
+{
+  bool Inside = true;
+  bool Outside = true;
+  StatedLength MaximumDistance{ 100.0, true };
+  StatedLength MinimumPersistence{ 5.0, true };
+  ThresholdMode Threshold = ThresholdMode::Given;
+  /// Handles and tunnels need not obey MaximumDistance. MinimumPersistence is never asked of them:
+  /// in a ring of even width nothing widens behind the narrowing, and yet it is a handle.
+  bool AlwaysReportHandles = true;
+  /// Keep the features behind which the space widens most; 0: all of them.
+  std::size_t MaximumNumber = 0;
+};
+
+/// A gap between neighbours of the bars of one side, in the unit of the points.
+struct PersistenceGap
+{
+  double Threshold = 0.0; ///< its middle: persistences above it count
+  double Width = 0.0;     ///< 0: there is none
+};
+
+/**
+ * The largest gap of one side's additional features: their persistences in descending order, 0
+ * behind the last, and the two neighbours whose difference is largest. One narrower than a
+ * hundredth of the side's reference length is none; the threshold is that hundredth then.
+ */
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT PersistenceGap LargestGap(
+  const FeatureDiagram& diagram, SpaceSide side);
+
+/// Indices of the features of a selection, ascending by Distance(). O(n log n).
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<std::size_t> SelectFeatures(
+  const FeatureDiagram& diagram, const FeatureSelection& selection);
 
 }
 

@@ -1,17 +1,23 @@
 #include "ChokingLoops/FeatureMembrane.h"
 
-#include "ChokingLoops/ChainPieces.h"
 #include "ChokingLoops/MinimumCutMembrane.h"
+#include "ChokingLoops/SurfaceHomology.h"
+#include "ChokingLoops/SurfacePaths.h"
 #include "Core/Index.h"
+#include "Core/Pi.h"
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <functional>
 #include <map>
 #include <set>
 
 namespace isthmus
 {
+
+// ------------------------------------------------------------------------------------------
+// FeatureMembrane
 namespace
 {
 
@@ -256,6 +262,389 @@ std::optional<Membrane> TightMembrane(const FeatureContext& context, const Shape
     return std::nullopt;
   }
   return membrane;
+}
+
+/// The sum of the classes of a membrane's loops.
+HomologyClass ClassOf(const FeatureContext& context, const Membrane& membrane)
+{
+  HomologyClass sum = context.Homology.ClassOf({});
+  for (const auto& loop : membrane.Loops)
+  {
+    const HomologyClass c = context.Homology.ClassOf(LoopEdges(context.Surface, loop));
+    std::transform(c.begin(), c.end(), sum.begin(), sum.begin(), std::bit_xor<>());
+  }
+  return sum;
+}
+
+bool IsInterchangeable(const FeatureContext& context, const LocatedFeatures& features,
+  std::size_t feature, const Membrane& other)
+{
+  const ShapeFeature& f = features.Diagram.Features[feature];
+  if (!IsGenerator(f) || !features.Membranes[feature])
+  {
+    return !IsGenerator(f);
+  }
+  HomologyClass difference = ClassOf(context, *features.Membranes[feature]);
+  const HomologyClass c = ClassOf(context, other);
+  std::transform(c.begin(), c.end(), difference.begin(), difference.begin(), std::bit_xor<>());
+  HomologySpan before;
+  for (std::size_t i = 0; i < feature; ++i)
+  {
+    const ShapeFeature& earlier = features.Diagram.Features[i];
+    if (IsGenerator(earlier) && earlier.Side == f.Side && features.Membranes[i])
+    {
+      before.Add(ClassOf(context, *features.Membranes[i]));
+    }
+  }
+  return before.Contains(difference);
+}
+
+HomologySpan BoundingClasses(
+  const FeatureContext& context, const LocatedFeatures& features, SpaceSide side)
+{
+  HomologySpan span;
+  for (std::size_t i = 0; i < features.Membranes.size(); ++i)
+  {
+    const ShapeFeature& f = features.Diagram.Features[i];
+    if (IsGenerator(f) && f.Side == side && features.Membranes[i])
+    {
+      span.Add(ClassOf(context, *features.Membranes[i]));
+    }
+  }
+  return span;
+}
+
+// ------------------------------------------------------------------------------------------
+// EncirclingLoops
+namespace
+{
+
+/// Lengths looked at begin with once round the ball, but no less than this part of the longest, and
+/// grow by this factor until there are loops enough.
+constexpr double FirstPart = 0.05;
+constexpr double Growth = 1.5;
+
+/// A loop along edges: an edge closed through the tree of shortest paths.
+struct Closed
+{
+  double Length;
+  std::vector<SimplexId> Points;
+};
+
+void Add(HomologyClass& sum, const HomologyClass& c)
+{
+  std::transform(sum.begin(), sum.end(), c.begin(), sum.begin(), std::bit_xor<>());
+}
+
+/// Shortest paths from one contact, and their classes, each closed through the same other paths.
+class Tree
+{
+public:
+  Tree(const FeatureContext& context, SimplexId base, double reach)
+    : Context(context)
+    , Base(base)
+    , Words(context.Homology.ClassOf({}).size())
+    , Paths(context.Surface, base, reach)
+  {
+    this->AddClasses();
+  }
+
+  /// Takes in the points within `reach`.
+  void Grow(double reach)
+  {
+    this->Paths.Grow(reach);
+    this->AddClasses();
+  }
+
+  SimplexId Root() const { return this->Base; }
+  const SurfacePaths& Lengths() const { return this->Paths; }
+
+  /// Adds the class of the path to a point, by its place among Lengths().Points().
+  void AddClassAt(std::size_t place, HomologyClass& c) const
+  {
+    for (std::size_t w = 0; w < this->Words; ++w)
+    {
+      c[w] ^= this->Classes[this->Words * place + w];
+    }
+  }
+
+  /// The class of the path to p. @pre Lengths().Has(p).
+  HomologyClass ClassTo(SimplexId p) const
+  {
+    HomologyClass c(this->Words, 0);
+    this->AddClassAt(static_cast<std::size_t>(this->Paths.PlaceOf(p)), c);
+    return c;
+  }
+
+  /// From the root to p, both included.
+  std::vector<SimplexId> PathTo(SimplexId p) const
+  {
+    std::vector<SimplexId> path{ p };
+    for (HalfEdgeId last = this->Paths.Last(p); last.Exists(); last = this->Paths.Last(path.back()))
+    {
+      path.push_back(this->Context.Surface.From(last));
+    }
+    std::reverse(path.begin(), path.end());
+    return path;
+  }
+
+private:
+  void AddClasses();
+
+  const FeatureContext& Context;
+  SimplexId Base;
+  std::size_t Words; ///< of a class
+  SurfacePaths Paths;
+  std::vector<std::uint64_t> Classes; ///< by place among Paths.Points()
+  std::size_t Known = 0;              ///< of the places
+};
+
+void Tree::AddClasses()
+{
+  HomologyClass c(this->Words);
+  for (; this->Known < this->Paths.Points().size(); ++this->Known)
+  {
+    std::fill(c.begin(), c.end(), 0);
+    const HalfEdgeId last = this->Paths.LastAt(this->Known);
+    if (last.Exists())
+    {
+      const SimplexId before = this->Context.Surface.From(last);
+      this->AddClassAt(static_cast<std::size_t>(this->Paths.PlaceOf(before)), c);
+      this->Context.Homology.AddTo(c, this->Context.Surface.Edge(last));
+    }
+    this->Classes.insert(this->Classes.end(), c.begin(), c.end());
+  }
+}
+
+/// A closed walk whose last point is its first, as a loop; what it goes to and fro there, goes.
+std::vector<SimplexId> LoopOf(const std::vector<SimplexId>& walk)
+{
+  std::size_t tail = 0;
+  while (2 * (tail + 1) + 1 < walk.size() && walk[tail + 1] == walk[walk.size() - tail - 2])
+  {
+    ++tail;
+  }
+  return { walk.begin() + static_cast<std::ptrdiff_t>(tail),
+    walk.end() - static_cast<std::ptrdiff_t>(tail + 1) };
+}
+
+/// Loops that go straight from one contact to another (or the same) over an edge and come back: the
+/// shortest of each class that bounds, ascending as the trees grow.
+class LoopsThrough
+{
+public:
+  LoopsThrough(const FeatureContext& context, const Tree& one, const Tree& other)
+    : Context(context)
+    , One(one)
+    , Other(other)
+  {
+  }
+
+  /// Those longer than all before, `longest` at most. @pre The trees reach as far as half of that.
+  std::vector<Closed> Next(const HomologySpan& bounding, double longest);
+
+private:
+  void Search(double longest);
+  std::vector<SimplexId> Along(HalfEdgeId over) const;
+
+  const FeatureContext& Context;
+  const Tree& One;
+  const Tree& Other;
+  /// Of each class but zero, the length of its shortest loop, and the edge that closes it.
+  std::map<HomologyClass, std::pair<double, HalfEdgeId>> Shortest;
+  double Searched = -1.0; ///< no longer ones are known
+};
+
+void LoopsThrough::Search(double longest)
+{
+  const SurfaceAdjacency& surface = this->Context.Surface;
+  const SurfacePaths& one = this->One.Lengths();
+  const SurfacePaths& other = this->Other.Lengths();
+  const double straight = one.Length(this->Other.Root());
+  const HomologyClass back = this->One.ClassTo(this->Other.Root());
+  HomologyClass c;
+  // From the edge's end to the other root it is no farther than back over the edge: a loop there is
+  // at most twice as long as `straight`, the path to the point and the edge. Such were known
+  // before.
+  for (std::size_t i = one.FirstBeyond(0.5 * this->Searched - straight - one.LongestEdge());
+       i < one.Points().size(); ++i)
+  {
+    const HalfEdgeId first = surface.Leaving(one.Points()[i]);
+    HalfEdgeId h = first;
+    do
+    {
+      const HalfEdgeId over = h;
+      h = surface.Turn(h);
+      const std::ptrdiff_t place = other.PlaceOf(surface.To(over));
+      const auto k = static_cast<std::size_t>(place);
+      if (place < 0 || (&one == &other && k < i)) // there, it is the same loop the other way
+      {
+        continue;
+      }
+      const double paths = straight + one.LengthAt(i) + other.LengthAt(k);
+      const double length = paths > longest ? HUGE_VAL : paths + surface.Length(over);
+      if (length > longest || length <= this->Searched)
+      {
+        continue;
+      }
+      c = back;
+      this->One.AddClassAt(i, c);
+      this->Other.AddClassAt(k, c);
+      this->Context.Homology.AddTo(c, surface.Edge(over));
+      if (!IsZero(c))
+      {
+        auto& known = this->Shortest.try_emplace(c, HUGE_VAL, over).first->second;
+        known = length < known.first ? std::make_pair(length, over) : known;
+      }
+    } while (h != first);
+  }
+}
+
+/// From `One` over the edge to `Other`, and straight back.
+std::vector<SimplexId> LoopsThrough::Along(HalfEdgeId over) const
+{
+  std::vector<SimplexId> walk = this->One.PathTo(this->Context.Surface.From(over));
+  const std::vector<SimplexId> on = this->Other.PathTo(this->Context.Surface.To(over));
+  walk.insert(walk.end(), on.rbegin(), on.rend());
+  const std::vector<SimplexId> back = this->One.PathTo(this->Other.Root());
+  walk.insert(walk.end(), back.rbegin() + 1, back.rend());
+  return LoopOf(walk);
+}
+
+std::vector<Closed> LoopsThrough::Next(const HomologySpan& bounding, double longest)
+{
+  if (!this->One.Lengths().Has(this->Other.Root()))
+  {
+    return {};
+  }
+  this->Search(longest);
+  std::vector<Closed> loops;
+  for (const auto& [c, shortest] : this->Shortest)
+  {
+    if (shortest.first > this->Searched && bounding.Contains(c))
+    {
+      loops.push_back({ shortest.first, this->Along(shortest.second) });
+    }
+  }
+  this->Searched = longest;
+  return loops;
+}
+
+/// The fan that a loop bounds, seen from a point off M.
+Membrane FanFrom(const FeatureContext& context, const Point3& centre, std::vector<SimplexId> loop)
+{
+  Membrane membrane;
+  membrane.Extra.push_back(centre);
+  const auto apex = static_cast<SimplexId>(context.Surface.Mesh().Points.size());
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    membrane.Triangles.push_back({ loop[i], loop[(i + 1) % loop.size()], apex });
+  }
+  membrane.Loops.push_back(std::move(loop));
+  return membrane;
+}
+
+/// What all searches find up to a length, ascending.
+std::vector<Closed> NextOf(
+  std::vector<LoopsThrough>& searches, const HomologySpan& bounding, double longest)
+{
+  std::vector<Closed> loops;
+  for (LoopsThrough& search : searches)
+  {
+    const auto found = search.Next(bounding, longest);
+    loops.insert(loops.end(), found.begin(), found.end());
+  }
+  std::stable_sort(loops.begin(), loops.end(),
+    [](const Closed& a, const Closed& b) { return a.Length < b.Length; });
+  return loops;
+}
+
+/// Adds the membranes of loops that may stand for the feature's own.
+void AddShortest(const FeatureContext& context, const LocatedFeatures& features,
+  std::size_t feature, std::vector<Closed> loops, std::vector<Membrane>& membranes)
+{
+  for (Closed& loop : loops)
+  {
+    Membrane membrane = FanFrom(context, features.Centres[feature], std::move(loop.Points));
+    if (IsInterchangeable(context, features, feature, membrane))
+    {
+      membranes.push_back(std::move(membrane));
+    }
+  }
+}
+
+std::deque<Tree> TreesOf(const FeatureContext& context, const ShapeFeature& f, double reach)
+{
+  std::deque<Tree> trees; // which are not moved
+  for (const SimplexId p : context.Filtration.TrianglePoints(f.Choke))
+  {
+    if (context.Surface.Leaving(p).Exists())
+    {
+      trees.emplace_back(context, p, reach);
+    }
+  }
+  return trees;
+}
+
+}
+
+std::vector<Membrane> EncirclingMembranes(const FeatureContext& context,
+  const LocatedFeatures& features, std::size_t feature, double longest, std::size_t most)
+{
+  const ShapeFeature& f = features.Diagram.Features[feature];
+  const HomologySpan bounding = BoundingClasses(context, features, f.Side);
+  if (bounding.Rank() == 0)
+  {
+    return {};
+  }
+  double length = std::clamp(2.0 * Pi * f.Distance(), FirstPart * longest, longest);
+  std::deque<Tree> trees = TreesOf(context, f, 0.5 * length);
+  std::vector<LoopsThrough> searches;
+  for (std::size_t i = 0; i < trees.size(); ++i)
+  {
+    for (std::size_t j = i; j < trees.size(); ++j)
+    {
+      searches.emplace_back(context, trees[i], trees[j]);
+    }
+  }
+  std::vector<Membrane> membranes;
+  AddShortest(context, features, feature, NextOf(searches, bounding, length), membranes);
+  while (length < longest && membranes.size() < most)
+  {
+    length = std::min(longest, Growth * length);
+    for (Tree& tree : trees)
+    {
+      tree.Grow(0.5 * length);
+    }
+    AddShortest(context, features, feature, NextOf(searches, bounding, length), membranes);
+  }
+  membranes.resize(std::min(membranes.size(), most));
+  return membranes;
+}
+
+std::optional<Membrane> ContactMembrane(const FeatureContext& context,
+  const LocatedFeatures& features, std::size_t feature, double longest)
+{
+  const ShapeFeature& f = features.Diagram.Features[feature];
+  const std::deque<Tree> trees = TreesOf(context, f, longest);
+  std::vector<SimplexId> loop;
+  HomologyClass c = context.Homology.ClassOf({});
+  for (std::size_t i = 0; i < trees.size(); ++i)
+  {
+    const SimplexId next = trees[(i + 1) % trees.size()].Root();
+    if (!trees[i].Lengths().Has(next))
+    {
+      return std::nullopt;
+    }
+    const std::vector<SimplexId> path = trees[i].PathTo(next);
+    loop.insert(loop.end(), path.begin(), path.end() - 1);
+    Add(c, trees[i].ClassTo(next));
+  }
+  Membrane membrane = FanFrom(context, features.Centres[feature], std::move(loop));
+  const bool holds = membrane.Loops[0].size() >= 3 &&
+    BoundingClasses(context, features, f.Side).Contains(c) &&
+    IsInterchangeable(context, features, feature, membrane);
+  return holds ? std::optional<Membrane>(std::move(membrane)) : std::nullopt;
 }
 
 }

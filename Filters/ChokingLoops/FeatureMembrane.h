@@ -1,6 +1,7 @@
 /**
  * @file FeatureMembrane.h
- * @brief From the triangle where a ball gets stuck to a loop on the surface and what spans it.
+ * @brief From the triangle where a ball gets stuck to loops on the surface and the membrane that
+ * spans them.
  */
 #ifndef isthmus_FeatureMembrane_h
 #define isthmus_FeatureMembrane_h
@@ -12,6 +13,9 @@
 
 namespace isthmus
 {
+
+// ------------------------------------------------------------------------------------------
+// From the triangle where a ball gets stuck to a loop on the surface and what spans it.
 
 /// Loops on M and the triangles that they bound. Ids are those of the sampled surface's points.
 struct Membrane
@@ -58,6 +62,59 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<std::vector<SimplexId>> SimpleL
 /// The edges of M between consecutive points of a closed loop.
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceChain LoopEdges(
   const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop);
+
+/// A diagram, and for each of its features what spans it and where it is.
+struct LocatedFeatures
+{
+  FeatureDiagram Diagram;
+  std::vector<std::optional<Membrane>> Membranes; ///< made for handles and tunnels, else when asked
+  std::vector<Point3> Centres;                    ///< of the ball that gets stuck
+};
+
+/// The sum of the classes of a membrane's loops.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT HomologyClass ClassOf(
+  const FeatureContext& context, const Membrane& membrane);
+
+/**
+ * True when the loops of another membrane may stand for those of a feature: always for additional
+ * ones; for handles and tunnels when the two differ by a sum of the classes of those before it on
+ * its side, so that all of them together stay independent, whichever are exchanged.
+ */
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool IsInterchangeable(const FeatureContext& context,
+  const LocatedFeatures& features, std::size_t feature, const Membrane& other);
+
+/// The classes of loops that bound on a side: those of its handles, or of its tunnels.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT HomologySpan BoundingClasses(
+  const FeatureContext& context, const LocatedFeatures& features, SpaceSide side);
+
+// ------------------------------------------------------------------------------------------
+// Loops round a choke point of other classes than the cycle that its triangle closed.
+
+/**
+ * For a choke whose own loops can be drawn together on M, or slide off it: the shortest loops along
+ * edges through one or two of the points where the ball touches M, of each class of H1(M; Z/2) that
+ * bounds on the side of the feature, ascending by length, `longest` at most, the first `most` of
+ * them. Such a class can't be
+ * drawn together, so there is something tight in it. The membrane is the fan seen from the choke
+ * point.
+ *
+ * A wall of blobs that closes to a ring, for instance: what parts two neighbours in it is the
+ * wall's own cross-section, since a blob by itself is only a bump.
+ *
+ * Source: J. Erickson, K. Whittlesey, "Greedy optimal homotopy and homology generators", SODA 2005,
+ * section 2: the shortest loop of a class through a point is an edge closed through the tree of
+ * shortest paths. O(n log n) in the points within half of `longest`, for each contact; where there
+ * are as many as `most`, of no more than three quarters of the longest of them.
+ */
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<Membrane> EncirclingMembranes(
+  const FeatureContext& context, const LocatedFeatures& features, std::size_t feature,
+  double longest, std::size_t most);
+
+/// The loop straight along edges from each contact to the next, where it bounds: the last resort,
+/// since it may go to and fro. Paths are `longest` at most.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<Membrane> ContactMembrane(
+  const FeatureContext& context, const LocatedFeatures& features, std::size_t feature,
+  double longest);
 
 }
 

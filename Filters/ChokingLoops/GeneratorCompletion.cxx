@@ -1,31 +1,251 @@
 #include "ChokingLoops/GeneratorCompletion.h"
 
-#include "ChokingLoops/ConformingGenerators.h"
+#include "Core/Index.h"
+#include "Core/TetrahedralMesh.h"
+#include "Persistence/LowerStarFiltration.h"
+#include "Tetrahedra/TetrahedralMesher.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
+#include <unordered_map>
 
 namespace isthmus
 {
+
+// ------------------------------------------------------------------------------------------
+// ConformingGenerators
+namespace
+{
+
+/// TetGen needs seconds where it works; meshes of needles can keep it for ever.
+constexpr double MostSeconds = 120.0;
+
+/// Square of the radius of the smallest ball round three points.
+double SquaredBall(const Point3& p, const Point3& q, const Point3& r)
+{
+  const std::array<double, 3> s{ Dot(q - p, q - p), Dot(r - q, r - q), Dot(p - r, p - r) };
+  const double longest = *std::max_element(s.begin(), s.end());
+  if (2.0 * longest >= s[0] + s[1] + s[2])
+  {
+    return 0.25 * longest; // no acute triangle: half the longest side
+  }
+  const Point3 towards = Circumcentre(p, q, r) - p;
+  return Dot(towards, towards);
+}
+
+Point3 BallCentre(const Point3& p, const Point3& q, const Point3& r)
+{
+  const std::array<double, 3> s{ Dot(q - p, q - p), Dot(r - q, r - q), Dot(p - r, p - r) };
+  const auto longest = std::max_element(s.begin(), s.end());
+  if (2.0 * *longest < s[0] + s[1] + s[2])
+  {
+    return Circumcentre(p, q, r);
+  }
+  return 0.5 * (longest == s.begin() ? p + q : longest == s.begin() + 1 ? q + r : p + r);
+}
+
+/// The complex grows with the balls round its simplices; `surface` gets the ids of its points.
+CellFiltration FiltrationByBalls(const TetrahedralMesh& mesh, TriangleMesh& surface)
+{
+  const std::vector<double> none(mesh.Points.size(), 0.0);
+  CellFiltration f = LowerStarFiltration(mesh, none, surface);
+  const auto point = [&f](SimplexId p) { return f.Points[At(p)]; };
+  for (const EdgeId e : f.Edges.Keys())
+  {
+    const Point3 d = point(f.Edges[e][1]) - point(f.Edges[e][0]);
+    f.EdgeValue[e] = 0.25 * Dot(d, d);
+  }
+  for (const TriangleId t : f.Triangles())
+  {
+    const auto p = f.TrianglePoints(t);
+    f.TriangleValue[t] = SquaredBall(point(p[0]), point(p[1]), point(p[2]));
+    for (const TetrahedronId cell : f.TriangleSides(t))
+    {
+      if (cell.Exists())
+      {
+        double& value = f.TetrahedronValue[cell];
+        value = std::max(value, f.TriangleValue[t]);
+      }
+    }
+  }
+  f.Order();
+  return f;
+}
+
+/// Points of the complex as those of the surface given; TetGen's own follow as extra ones.
+class Renamer
+{
+public:
+  Renamer(const SurfaceView& surface, const SurfaceView& embedded)
+    : Embedded(embedded)
+    , First(static_cast<SimplexId>(surface.Points.size()))
+  {
+    for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        this->Own[static_cast<SimplexId>(embedded.Triangles[t][k])] =
+          static_cast<SimplexId>(surface.Triangles[t][k]);
+      }
+    }
+  }
+
+  void Rename(Membrane& membrane) const
+  {
+    std::unordered_map<SimplexId, SimplexId> extra;
+    const auto rename = [&](SimplexId& p)
+    {
+      const auto own = this->Own.find(p);
+      if (own != this->Own.end())
+      {
+        p = own->second;
+        return;
+      }
+      const auto next = this->First + static_cast<SimplexId>(membrane.Extra.size());
+      const auto made = extra.emplace(p, next);
+      if (made.second)
+      {
+        membrane.Extra.push_back(this->Embedded.Points[At(p)]);
+      }
+      p = made.first->second;
+    };
+    for (auto& loop : membrane.Loops)
+    {
+      std::for_each(loop.begin(), loop.end(), rename);
+    }
+    for (auto& t : membrane.Triangles)
+    {
+      std::for_each(t.begin(), t.end(), rename);
+    }
+  }
+
+private:
+  SurfaceView Embedded;
+  SimplexId First;
+  std::unordered_map<SimplexId, SimplexId> Own;
+};
+
+}
+
+std::vector<ConformingGenerator> ConformingGenerators(
+  const SurfaceView& surface, const ProgressCallback& progress)
+{
+  TetrahedralParameters parameters;
+  parameters.Side = MeshedSide::Both;
+  parameters.TetGen.RadiusEdgeRatio = 0.0; // no refinement: M's own points and those of a box
+  parameters.TetGen.Limits.Seconds = MostSeconds;
+  TriangleMesh embedded = CopyOf(surface);
+  const CellFiltration f =
+    FiltrationByBalls(MeshTetrahedra(surface, parameters, Between(progress, 0.0, 0.6)), embedded);
+  const Renamer renamer(surface, embedded);
+  const FiltrationPairs pairs(f, Between(progress, 0.6, 0.8));
+  const SurfaceAdjacency adjacency(embedded);
+  const SurfaceHomology homology(adjacency);
+  const SurfaceInComplex embedding(adjacency, f);
+  const FeatureContext context{ f, pairs, homology, embedding, adjacency, {} };
+  SpaceRegions regions(context);
+  std::vector<ConformingGenerator> found;
+  HomologySpan span;
+  for (const SurfaceGenerator& generator :
+    SurfaceGenerators(homology, embedding, f, pairs, Between(progress, 0.8, 1.0)))
+  {
+    ShapeFeature feature;
+    feature.Dimension = 1;
+    feature.Choke = generator.Filler;
+    feature.Side = SpaceRegions::SideOf(regions.OfTriangle(generator.Filler));
+    feature.Sum = generator.Sum;
+    const auto t = f.TrianglePoints(generator.Filler);
+    ConformingGenerator made;
+    made.Side = feature.Side;
+    made.Radius = std::sqrt(f.TriangleValue[generator.Filler]);
+    made.Centre = BallCentre(f.Points[At(t[0])], f.Points[At(t[1])], f.Points[At(t[2])]);
+    made.Shape = FeatureMembrane(context, regions, feature, &span);
+    renamer.Rename(made.Shape);
+    found.push_back(std::move(made));
+  }
+  return found;
+}
+
+SplitSurface::SplitSurface(const SurfaceView& surface, const SurfaceAdjacency& samples)
+  : Samples(samples)
+  , Original(surface)
+{
+  const View<Point3>& points = samples.Mesh().Points;
+  for (std::size_t i = surface.Points.size(); i < points.size(); ++i)
+  {
+    this->Added.emplace(points[i], static_cast<SimplexId>(i));
+  }
+}
+
+bool SplitSurface::IsSplit(SimplexId a, SimplexId b) const
+{
+  return this->Original.Find(a, b).Exists() && !this->Samples.Find(a, b).Exists();
+}
+
+// The points from a (included) to b (not included). Midpoints were made by this very formula.
+void SplitSurface::AddPieces(SimplexId a, SimplexId b, std::vector<SimplexId>& points) const
+{
+  if (this->Samples.Find(a, b).Exists())
+  {
+    points.push_back(a);
+    return;
+  }
+  const View<Point3>& at = this->Samples.Mesh().Points;
+  const SimplexId middle = this->Added.at(0.5 * (at[At(a)] + at[At(b)]));
+  this->AddPieces(a, middle, points);
+  this->AddPieces(middle, b, points);
+}
+
+Membrane SplitSurface::Of(const Membrane& membrane) const
+{
+  Membrane split;
+  split.OnSurface = membrane.OnSurface;
+  split.Extra = membrane.Extra;
+  const auto own = static_cast<SimplexId>(this->Original.Mesh().Points.size());
+  const auto all = static_cast<SimplexId>(this->Samples.Mesh().Points.size());
+  for (const auto& loop : membrane.Loops)
+  {
+    std::vector<SimplexId> points;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      this->AddPieces(loop[i], loop[(i + 1) % loop.size()], points);
+    }
+    split.Loops.push_back(std::move(points));
+  }
+  for (const auto& t : membrane.Triangles)
+  {
+    std::vector<SimplexId> points;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const SimplexId a = t[k];
+      const SimplexId b = t[(k + 1) % 3];
+      if (a < own && b < own && this->IsSplit(a, b))
+      {
+        this->AddPieces(a, b, points);
+      }
+      else
+      {
+        points.push_back(a < own ? a : a - own + all);
+      }
+    }
+    for (std::size_t i = 1; i + 1 < points.size(); ++i)
+    {
+      split.Triangles.push_back({ points[0], points[i], points[i + 1] });
+    }
+  }
+  return split;
+}
+
+// ------------------------------------------------------------------------------------------
+// GeneratorCompletion
 namespace
 {
 
 bool IsSettled(const ShapeFeature& feature, const std::optional<Membrane>& membrane)
 {
   return feature.Trusted && membrane && !membrane->Loops.empty();
-}
-
-/// The sum of the classes of a membrane's loops.
-HomologyClass ClassOf(const FeatureContext& context, const Membrane& membrane)
-{
-  HomologyClass sum = context.Homology.ClassOf({});
-  for (const auto& loop : membrane.Loops)
-  {
-    const HomologyClass c = context.Homology.ClassOf(LoopEdges(context.Surface, loop));
-    std::transform(c.begin(), c.end(), sum.begin(), sum.begin(), std::bit_xor<>());
-  }
-  return sum;
 }
 
 ShapeFeature FeatureOf(const ConformingGenerator& generator, double reference)
@@ -71,44 +291,6 @@ std::size_t CountUnsettled(const LocatedFeatures& features)
     count += IsGenerator(f) && !IsSettled(f, features.Membranes[i]) ? 1 : 0;
   }
   return count;
-}
-
-bool IsInterchangeable(const FeatureContext& context, const LocatedFeatures& features,
-  std::size_t feature, const Membrane& other)
-{
-  const ShapeFeature& f = features.Diagram.Features[feature];
-  if (!IsGenerator(f) || !features.Membranes[feature])
-  {
-    return !IsGenerator(f);
-  }
-  HomologyClass difference = ClassOf(context, *features.Membranes[feature]);
-  const HomologyClass c = ClassOf(context, other);
-  std::transform(c.begin(), c.end(), difference.begin(), difference.begin(), std::bit_xor<>());
-  HomologySpan before;
-  for (std::size_t i = 0; i < feature; ++i)
-  {
-    const ShapeFeature& earlier = features.Diagram.Features[i];
-    if (IsGenerator(earlier) && earlier.Side == f.Side && features.Membranes[i])
-    {
-      before.Add(ClassOf(context, *features.Membranes[i]));
-    }
-  }
-  return before.Contains(difference);
-}
-
-HomologySpan BoundingClasses(
-  const FeatureContext& context, const LocatedFeatures& features, SpaceSide side)
-{
-  HomologySpan span;
-  for (std::size_t i = 0; i < features.Membranes.size(); ++i)
-  {
-    const ShapeFeature& f = features.Diagram.Features[i];
-    if (IsGenerator(f) && f.Side == side && features.Membranes[i])
-    {
-      span.Add(ClassOf(context, *features.Membranes[i]));
-    }
-  }
-  return span;
 }
 
 void CompleteGenerators(const FeatureContext& context, const SurfaceView& surface,

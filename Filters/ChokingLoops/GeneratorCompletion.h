@@ -1,6 +1,7 @@
 /**
  * @file GeneratorCompletion.h
- * @brief Handles and tunnels that the samples of a surface do not settle, found on the surface.
+ * @brief Handles and tunnels that the samples do not resolve, found on a tetrahedral mesh that
+ * conforms to the surface.
  */
 #ifndef isthmus_GeneratorCompletion_h
 #define isthmus_GeneratorCompletion_h
@@ -13,13 +14,60 @@
 namespace isthmus
 {
 
-/// A diagram, and for each of its features what spans it and where it is.
-struct LocatedFeatures
+// ------------------------------------------------------------------------------------------
+// Handles and tunnels of a surface from tetrahedra that have its triangles among their
+// faces.
+
+/// A handle or tunnel with the loop that it is and the membrane that fills it.
+struct ConformingGenerator
 {
-  FeatureDiagram Diagram;
-  std::vector<std::optional<Membrane>> Membranes; ///< made for handles and tunnels, else when asked
-  std::vector<Point3> Centres;                    ///< of the ball that gets stuck
+  SpaceSide Side = SpaceSide::Inside;
+  double Radius = 0.0; ///< at most this one is the true radius at which the loop is filled
+  Point3 Centre{ 0.0, 0.0, 0.0 };
+  Membrane Shape; ///< ids of the surface's points, then Extra
 };
+
+/**
+ * Exactly g handles and g tunnels, whatever the distance of sheets: space is tetrahedralized by
+ * TetGen without a new point on the surface M, the simplices of M enter first, the others by the
+ * radius of the smallest ball round their corners, and M's loops are reduced over Z/2.
+ *
+ * M is part of the complex, so the kernel of H1(M) -> H1(side) is what is reduced, and that has
+ * rank g on either side ("half lives, half dies"). Each membrane lies on its side of M. Points of a
+ * triangle are no farther from its corners than the radius of its ball: hence the bound Radius.
+ *
+ * Per side ascending by Radius; loops of one side are independent in H1(M).
+ * @pre `surface` has passed CheckedSurface() (SurfacePreparation.h).
+ * @throws std::runtime_error or std::invalid_argument with a sentence when TetGen is missing, fails
+ * or takes longer than two minutes; Cancelled. Time and memory: see MeshTetrahedra().
+ */
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<ConformingGenerator> ConformingGenerators(
+  const SurfaceView& surface, const ProgressCallback& progress = {});
+
+/**
+ * A loop and membrane of `surface` on the same surface after SplitLongEdges()
+ * (SurfacePreparation.h): each edge of M becomes the pieces that it was split into. `samples` keeps
+ * the surface's points as its first ones.
+ */
+class SplitSurface
+{
+public:
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SplitSurface(
+    const SurfaceView& surface, const SurfaceAdjacency& samples);
+
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT Membrane Of(const Membrane& membrane) const;
+
+private:
+  bool IsSplit(SimplexId a, SimplexId b) const;
+  void AddPieces(SimplexId a, SimplexId b, std::vector<SimplexId>& points) const;
+
+  const SurfaceAdjacency& Samples;
+  SurfaceAdjacency Original;
+  std::map<Point3, SimplexId> Added; ///< the points that splitting made
+};
+
+// ------------------------------------------------------------------------------------------
+// Handles and tunnels that the samples of a surface do not settle, found on the surface.
 
 /// How many handles and tunnels the samples do not settle: not above the sampling error, or without
 /// a loop.
@@ -29,18 +77,6 @@ inline bool AllSettled(const LocatedFeatures& features)
 {
   return CountUnsettled(features) == 0;
 }
-
-/**
- * True when the loops of another membrane may stand for those of a feature: always for additional
- * ones; for handles and tunnels when the two differ by a sum of the classes of those before it on
- * its side, so that all of them together stay independent, whichever are exchanged.
- */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool IsInterchangeable(const FeatureContext& context,
-  const LocatedFeatures& features, std::size_t feature, const Membrane& other);
-
-/// The classes of loops that bound on a side: those of its handles, or of its tunnels.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT HomologySpan BoundingClasses(
-  const FeatureContext& context, const LocatedFeatures& features, SpaceSide side);
 
 /**
  * Makes handles and tunnels g each, with loops, where sheets of M are nearer to each other than the

@@ -1,18 +1,46 @@
 /**
  * @file HandleFilling.h
  * @brief A surface without its small handles and tunnels.
- *
- * Source: X. Feng, PhD thesis, chapter 6, names topological filtering as a use of choking loops:
- * small tunnels filled, thin handles cut.
  */
 #ifndef isthmus_HandleFilling_h
 #define isthmus_HandleFilling_h
 
 #include "ChokingLoops/ChokingLoops.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
+
+#include <optional>
 
 namespace isthmus
 {
+
+// ------------------------------------------------------------------------------------------
+// A membrane with a thickness: what fills a tunnel, or cuts a handle.
+
+/// A closed solid that faces outward.
+struct MembranePlate
+{
+  TriangleMesh Solid;       ///< all of its points are at its edge
+  std::vector<Point3> Loop; ///< the loop that it spans, evenly spaced
+  double Area = 0.0;        ///< of the membrane, within the loop
+  double Thickness = 0.0;
+};
+
+/**
+ * The filling of least area of a closed curve (PolygonFilling()), continued beyond the curve by
+ * `rim` within its surface and made `thickness` thick, half to either side. Nothing where the
+ * filling fails or the plate crosses itself.
+ *
+ * The curve is taken at points no farther apart than half of `rim`, between 32 and 256 of them.
+ */
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<MembranePlate> PlateOn(
+  const std::vector<Point3>& loop, double thickness, double rim);
+
+// ------------------------------------------------------------------------------------------
+// A surface without its small handles and tunnels.
+//
+// Source: X. Feng, PhD thesis, chapter 6, names topological filtering as a use of choking loops:
+// small tunnels filled, thin handles cut.
 
 struct HandleFillingParameters
 {

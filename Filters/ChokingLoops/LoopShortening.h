@@ -1,29 +1,32 @@
 /**
  * @file LoopShortening.h
  * @brief A closed curve on a triangle surface becomes a geodesic loop of its homotopy class.
- *
- * Source: S.-Q. Xin, Y. He, C.-W. Fu, "Efficiently computing exact geodesic loops within finite
- * steps", IEEE TVCG 18 (2012) 879, the thesis' reference [198]: the shortest closed path in the
- * strip of triangles that the curve crosses, by unfolding and a funnel; where the path bends at a
- * point with an angle below pi on its other side, the strip is led round that side.
  */
 #ifndef isthmus_LoopShortening_h
 #define isthmus_LoopShortening_h
 
-#include "ChokingLoops/EdgeStrip.h"
+#include "ChokingLoops/SurfacePaths.h"
 #include "Core/Progress.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus
 {
 
+// ------------------------------------------------------------------------------------------
+// A closed curve on a triangle surface becomes a geodesic loop of its homotopy class.
+//
+// Source: S.-Q. Xin, Y. He, C.-W. Fu, "Efficiently computing exact geodesic loops within finite
+// steps", IEEE TVCG 18 (2012) 879, the thesis' reference [198]: the shortest closed path in the
+// strip of triangles that the curve crosses, by unfolding and a funnel; where the path bends at a
+// point with an angle below pi on its other side, the strip is led round that side.
+
 /// A closed curve that runs straight through triangles.
 struct SurfaceCurve
 {
   std::vector<SurfaceCurvePoint> Crossings;
-  /// Crossings at points of the surface that the curve is held at (PinnedShortening.h).
+  /// Crossings at points of the surface that the curve is held at (LoopShortening.h).
   std::vector<std::size_t> Pins;
-  double SharpestBend = 0.0; ///< largest turn there, in radians (CornerCutting.h)
+  double SharpestBend = 0.0; ///< largest turn there, in radians (LoopShortening.h)
   double Length = 0.0;
   bool Converged = false; ///< a geodesic: straight, or bent with at least pi on either side
   /// The loop could be drawn together to a point within its strip: given as it came.
@@ -49,6 +52,35 @@ struct LoopShorteningParameters
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceCurve ShortenLoop(const SurfaceAdjacency& surface,
   const std::vector<SimplexId>& loop, const LoopShorteningParameters& parameters = {},
   const ProgressCallback& progress = {});
+
+// ------------------------------------------------------------------------------------------
+// A closed curve on a triangle surface, drawn tight between points that it must pass.
+
+/**
+ * As ShortenLoop(), but the curve keeps passing `pins`, points of `loop`, which need not be
+ * straight there: each piece between two of them becomes a geodesic of its homotopy class.
+ *
+ * @pre at least one pin is a point of the loop. @throws what ShortenLoop() throws.
+ */
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceCurve ShortenPinned(const SurfaceAdjacency& surface,
+  const std::vector<SimplexId>& loop, const std::vector<SimplexId>& pins,
+  const LoopShorteningParameters& parameters = {}, const ProgressCallback& progress = {});
+
+// ------------------------------------------------------------------------------------------
+// Takes the corners off a curve that is held at points of a surface.
+
+/**
+ * At each pin (SurfaceCurve::Pins) where the curve turns by more than `sharpest` radians, the piece
+ * from `reach` before it to `reach` behind it (less beside another pin, and a crossing at least)
+ * gives way to the shortest path between its ends on the side of the pin where the angle is
+ * smaller: two corners in place of one, which are cut half as far off in turn where they are too
+ * sharp, five times at most. SurfaceCurve::SharpestBend is then the largest turn at what is left
+ * of them. With `reach` 0 it is only measured.
+ *
+ * Time: proportional to what is cut.
+ */
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceCurve CutCorners(
+  const SurfaceAdjacency& surface, SurfaceCurve curve, double sharpest, double reach);
 
 }
 

@@ -1,11 +1,19 @@
 #include "ChokingLoops/SurfaceHomology.h"
 
+#include "ChokingLoops/SurfacePaths.h"
 #include "Core/Index.h"
+#include "Core/ParallelFor.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
 
 namespace isthmus
 {
+
+// ------------------------------------------------------------------------------------------
+// SurfaceHomology
 /// A spanning tree of the triangles.
 struct SurfaceHomology::Cotree
 {
@@ -192,6 +200,243 @@ bool HomologySpan::Add(HomologyClass c)
   }
   this->Rows.emplace_back(bit, std::move(c));
   return true;
+}
+
+// ------------------------------------------------------------------------------------------
+// SurfaceInComplex
+SurfaceInComplex::SurfaceInComplex(
+  const SurfaceAdjacency& surface, const CellFiltration& f, const ProgressCallback& progress)
+  : Surface(surface)
+  , F(f)
+  , OnSurface(f.Edges.size(), SurfaceEdgeId::None())
+  , InComplex(surface.EdgeCount(), EdgeId::None())
+  , FirstSmaller(f.Points.size() + 1, 0)
+  , SmallerEdges(f.Edges.size())
+{
+  for (const SurfaceEdgeId e : surface.Edges())
+  {
+    if (e.Index() % (1U << 18) == 0)
+    {
+      Report(
+        progress, 0.7 * static_cast<double>(e.Index()) / static_cast<double>(surface.EdgeCount()));
+    }
+    const HalfEdgeId h = surface.HalfEdgeOf(e);
+    const EdgeId image = f.FindEdge(surface.From(h), surface.To(h));
+    if (!image.Exists())
+    {
+      continue;
+    }
+    this->OnSurface[image] = e;
+    const double half = 0.5 * surface.Length(h);
+    const bool first = !f.EdgeFirst.empty() && f.EdgeFirst[image];
+    if (first || f.EdgeValue[image] <= half * half * (1.0 + 1e-9))
+    {
+      this->InComplex[e] = image; // else it enters late, and the walk goes round it
+    }
+  }
+  Report(progress, 0.7);
+  for (const auto& edge : f.Edges)
+  {
+    ++this->FirstSmaller[At(edge[1]) + 1];
+  }
+  std::partial_sum(
+    this->FirstSmaller.begin(), this->FirstSmaller.end(), this->FirstSmaller.begin());
+  std::vector<SimplexId> next(this->FirstSmaller.begin(), this->FirstSmaller.end() - 1);
+  for (const EdgeId e : f.Edges.Keys())
+  {
+    this->SmallerEdges[At(next[At(f.Edges[e][1])]++)] = e;
+  }
+}
+
+EdgeChain SurfaceInComplex::Image(SurfaceEdgeId surfaceEdge) const
+{
+  if (this->InComplex[surfaceEdge].Exists())
+  {
+    return { this->InComplex[surfaceEdge] };
+  }
+  const HalfEdgeId h = this->Surface.HalfEdgeOf(surfaceEdge);
+  const SimplexId end = this->Surface.To(h);
+  const Point3& start = this->F.Points[At(this->Surface.From(h))];
+  const Point3 direction = this->F.Points[At(end)] - start;
+  EdgeChain path;
+  SimplexId here = this->Surface.From(h);
+  while (here != end)
+  {
+    // The neighbour whose cell the segment enters first.
+    const Point3& p = this->F.Points[At(here)];
+    double best = HUGE_VAL;
+    EdgeId through = EdgeId::None();
+    const auto consider = [&](EdgeId e)
+    {
+      const auto& ends = this->F.Edges[e];
+      const Point3& q = this->F.Points[At(ends[0] == here ? ends[1] : ends[0])];
+      const double ahead = Dot(q - p, direction);
+      if (ahead > 0.0)
+      {
+        const double u = (Dot(q - start, q - start) - Dot(p - start, p - start)) / (2.0 * ahead);
+        if (u < best)
+        {
+          best = u;
+          through = e;
+        }
+      }
+    };
+    for (const EdgeId e : this->F.EdgesAbove(here))
+    {
+      consider(e);
+    }
+    for (SimplexId i = this->FirstSmaller[At(here)]; i < this->FirstSmaller[At(here) + 1]; ++i)
+    {
+      consider(this->SmallerEdges[At(i)]);
+    }
+    path.push_back(through);
+    const auto& ends = this->F.Edges[through];
+    here = ends[0] == here ? ends[1] : ends[0];
+  }
+  return path;
+}
+
+std::vector<SurfaceEdgeId> SurfaceInComplex::ShortestPath(
+  SimplexId from, SimplexId to, double reach) const
+{
+  const SurfacePaths paths(this->Surface, from, reach, to);
+  std::vector<SurfaceEdgeId> path;
+  for (SimplexId p = to; paths.Has(to) && p != from; p = this->Surface.From(paths.Last(p)))
+  {
+    path.push_back(this->Surface.Edge(paths.Last(p)));
+  }
+  return path;
+}
+
+// ------------------------------------------------------------------------------------------
+// ChainPieces
+EdgeChain BoundaryOf(const CellFiltration& f, const TriangleChain& triangles)
+{
+  std::set<EdgeId> edges;
+  for (const TriangleId t : triangles)
+  {
+    for (const EdgeId e : f.TriangleEdges[t])
+    {
+      Toggle(edges, e);
+    }
+  }
+  return { edges.begin(), edges.end() };
+}
+
+TriangleChain PieceAround(const CellFiltration& f, const SurfaceInComplex& surface,
+  const std::set<TriangleId>& triangles, TriangleId seed)
+{
+  std::map<EdgeId, TriangleChain> beside;
+  for (const TriangleId t : triangles)
+  {
+    for (const EdgeId e : f.TriangleEdges[t])
+    {
+      beside[e].push_back(t);
+    }
+  }
+  std::set<TriangleId> found{ seed };
+  TriangleChain piece{ seed };
+  for (std::size_t i = 0; i < piece.size(); ++i)
+  {
+    for (const EdgeId e : f.TriangleEdges[piece[i]])
+    {
+      if (surface.SurfaceEdge(e).Exists())
+      {
+        continue;
+      }
+      for (const TriangleId other : beside[e])
+      {
+        if (found.insert(other).second)
+        {
+          piece.push_back(other);
+        }
+      }
+    }
+  }
+  return piece;
+}
+
+// ------------------------------------------------------------------------------------------
+// SurfaceGenerators
+namespace
+{
+
+/// The triangles that bound a loop, as ranks, latest first; what nothing fills ranks above them.
+struct Column
+{
+  std::vector<std::int64_t> Ranks;
+  std::vector<std::size_t> Sum;
+};
+
+template <typename T>
+std::vector<T> SymmetricDifference(
+  const std::vector<T>& a, const std::vector<T>& b, bool descending)
+{
+  std::vector<T> sum;
+  sum.reserve(a.size() + b.size());
+  if (descending)
+  {
+    std::set_symmetric_difference(
+      a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(sum), std::greater<>());
+  }
+  else
+  {
+    std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(sum));
+  }
+  return sum;
+}
+
+}
+
+std::vector<SurfaceGenerator> SurfaceGenerators(const SurfaceHomology& homology,
+  const SurfaceInComplex& surface, const CellFiltration& f, const FiltrationPairs& pairs,
+  const ProgressCallback& progress)
+{
+  std::vector<Column> columns(homology.Rank());
+  ParallelFor(
+    0, static_cast<std::int64_t>(columns.size()), 1,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        EdgeChain image;
+        for (const SurfaceEdgeId e : homology.Loop(i))
+        {
+          const EdgeChain path = surface.Image(e);
+          image.insert(image.end(), path.begin(), path.end());
+        }
+        columns[i] = { pairs.Bounding(image), { i } };
+      }
+    },
+    Between(progress, 0.0, 0.8));
+
+  std::map<std::int64_t, std::size_t> pivots;
+  const auto triangles = static_cast<std::int64_t>(f.TriangleCount());
+  std::vector<SurfaceGenerator> generators;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+  {
+    Report(progress, 0.8 + 0.2 * static_cast<double>(i) / static_cast<double>(columns.size()));
+    Column& c = columns[i];
+    while (!c.Ranks.empty() && pivots.count(c.Ranks.front()) > 0)
+    {
+      const Column& other = columns[pivots[c.Ranks.front()]];
+      c.Ranks = SymmetricDifference(c.Ranks, other.Ranks, true);
+      c.Sum = SymmetricDifference(c.Sum, other.Sum, false);
+    }
+    if (!c.Ranks.empty())
+    {
+      pivots[c.Ranks.front()] = i;
+    }
+  }
+  for (const auto& [rank, i] : pivots)
+  {
+    if (rank < triangles)
+    {
+      const auto filler = TriangleRank::At(static_cast<std::size_t>(rank));
+      generators.push_back({ f.TrianglesInOrder[filler], columns[i].Sum });
+    }
+  }
+  return generators;
 }
 
 }

@@ -1,17 +1,23 @@
 /**
  * @file SurfaceHomology.h
- * @brief First homology of a closed surface: 2g loops, and the class of any other loop.
+ * @brief First homology of a closed surface: a basis, the class of a loop, and where classes die in
+ * a complex.
  */
 #ifndef isthmus_SurfaceHomology_h
 #define isthmus_SurfaceHomology_h
 
-#include "ChokingLoops/SurfaceAdjacency.h"
+#include "ChokingLoops/SurfacePaths.h"
+#include "Persistence/FiltrationPairs.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <algorithm>
+#include <set>
 
 namespace isthmus
 {
+
+// ------------------------------------------------------------------------------------------
+// First homology of a closed surface: 2g loops, and the class of any other loop.
 
 /// Coordinates of a class in H1(M; Z/2), 64 to a word.
 using HomologyClass = std::vector<std::uint64_t>;
@@ -96,6 +102,86 @@ private:
 
   std::vector<std::pair<std::size_t, HomologyClass>> Rows; ///< leading bit, reduced class
 };
+
+// ------------------------------------------------------------------------------------------
+// From edges of a surface to edges of the complex of its points, and back.
+
+/// The surface's points are points of the complex, with the same ids; its edges and triangles need
+/// not be simplices of it.
+class SurfaceInComplex
+{
+public:
+  /// O(n). Keeps references to both.
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceInComplex(const SurfaceAdjacency& surface,
+    const CellFiltration& f, const ProgressCallback& progress = {});
+
+  /// The surface's edge that an edge of the complex is, or None.
+  SurfaceEdgeId SurfaceEdge(EdgeId edge) const { return this->OnSurface[edge]; }
+
+  /**
+   * Edges of the complex that replace an edge of the surface: itself, or the Delaunay edges between
+   * the Voronoi cells that it passes. Each of these enters before half the edge's length, and the
+   * path can be deformed into the edge within the balls of that radius.
+   */
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeChain Image(SurfaceEdgeId surfaceEdge) const;
+
+  /// Shortest path of surface edges between two points of the surface, at most `reach` long; empty
+  /// when there is none.
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<SurfaceEdgeId> ShortestPath(
+    SimplexId from, SimplexId to, double reach) const;
+
+private:
+  const SurfaceAdjacency& Surface;
+  const CellFiltration& F;
+  HandleVector<EdgeId, SurfaceEdgeId> OnSurface;
+  HandleVector<SurfaceEdgeId, EdgeId> InComplex;
+  std::vector<SimplexId> FirstSmaller; ///< edges whose larger point is p, in SmallerEdges
+  std::vector<EdgeId> SmallerEdges;
+};
+
+// ------------------------------------------------------------------------------------------
+// Sets of triangles of a complex: their boundary, and what of them hangs together.
+
+/// Adds an element over Z/2.
+template <typename Id>
+void Toggle(std::set<Id>& chain, Id e)
+{
+  if (!chain.erase(e))
+  {
+    chain.insert(e);
+  }
+}
+
+/// Boundary of a set of triangles, over Z/2, ascending.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeChain BoundaryOf(
+  const CellFiltration& f, const TriangleChain& triangles);
+
+/// Of `triangles`, those that hang together with `seed` across edges that are not on M.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleChain PieceAround(const CellFiltration& f,
+  const SurfaceInComplex& surface, const std::set<TriangleId>& triangles, TriangleId seed);
+
+// ------------------------------------------------------------------------------------------
+// When does each class of loops on a surface become fillable?
+
+/// A class of H1(M) that dies in the complex.
+struct SurfaceGenerator
+{
+  TriangleId Filler;            ///< the triangle that fills it
+  std::vector<std::size_t> Sum; ///< the basis loops of SurfaceHomology whose sum it is
+};
+
+/**
+ * The persistent kernel of H1(M) -> H1(K_d), with Z/2 coefficients: as many fillers as classes of M
+ * die in the complex, each at the value where the kernel grows.
+ *
+ * When the complex fills space, that is all 2g classes: where inside and outside are apart from
+ * each other (above the sampling error), g of them die inside and g outside ("half lives, half
+ * dies"), and what a filler closes is a class of its side plus, perhaps, one that died before on
+ * the other. Ascending by value. Time: 2g reductions of cycles and an elimination of 2g columns.
+ */
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<SurfaceGenerator> SurfaceGenerators(
+  const SurfaceHomology& homology, const SurfaceInComplex& surface, const CellFiltration& f,
+  const FiltrationPairs& pairs, const ProgressCallback& progress = {});
 
 }
 

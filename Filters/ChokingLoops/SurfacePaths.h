@@ -1,12 +1,14 @@
 /**
  * @file SurfacePaths.h
- * @brief Shortest paths along the edges of a surface from one of its points.
+ * @brief Paths on a closed triangle surface: half edges, shortest paths along edges, and across
+ * triangles by the funnel algorithm.
  */
 #ifndef isthmus_SurfacePaths_h
 #define isthmus_SurfacePaths_h
 
 #include "ChokingLoops/IdMap.h"
-#include "ChokingLoops/SurfaceAdjacency.h"
+#include "Core/SurfaceView.h"
+#include "Persistence/CellFiltration.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <algorithm>
@@ -19,6 +21,88 @@
 
 namespace isthmus
 {
+
+// ------------------------------------------------------------------------------------------
+// Half edges of a closed triangle surface: who is beside, round a point, along an edge.
+
+/// A side of a triangle seen from it: 3 t + k runs from corner k of triangle t.
+using HalfEdgeId = Handle<struct SurfaceHalfEdge, SimplexId>;
+/// Not an edge of the complex of the surface's points: SurfaceInComplex leads from one to the
+/// other.
+using SurfaceEdgeId = Handle<struct SurfaceEdge, SimplexId>;
+using SurfaceTriangleId = Handle<struct SurfaceTriangle, SimplexId>;
+
+/// A set of edges of a surface over Z/2.
+using SurfaceChain = std::vector<SurfaceEdgeId>;
+
+/**
+ * Half edge 3 t + k runs from corner k of triangle t to corner k + 1 (mod 3); t lies to its left.
+ *
+ * The surface must be closed, manifold and oriented (FindDefects() (SurfaceCheck.h)).
+ */
+class SurfaceAdjacency
+{
+public:
+  /// O(n log n), 28 bytes a half edge. @pre The owner of `mesh` outlives this object.
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT explicit SurfaceAdjacency(const SurfaceView& mesh);
+  explicit SurfaceAdjacency(TriangleMesh&& mesh) = delete;
+
+  const SurfaceView& Mesh() const { return this->Surface; }
+  HandleRange<HalfEdgeId> HalfEdges() const { return this->Opposites.Keys(); }
+  HandleRange<SurfaceEdgeId> Edges() const { return this->Halves.Keys(); }
+  std::size_t EdgeCount() const { return this->Halves.size(); }
+
+  static SurfaceTriangleId Triangle(HalfEdgeId h) { return SurfaceTriangleId(h.Value / 3); }
+  static HalfEdgeId Next(HalfEdgeId h)
+  {
+    return HalfEdgeId(h.Value % 3 == 2 ? h.Value - 2 : h.Value + 1);
+  }
+  static HalfEdgeId Previous(HalfEdgeId h)
+  {
+    return HalfEdgeId(h.Value % 3 == 0 ? h.Value + 2 : h.Value - 1);
+  }
+
+  static HandleRange<HalfEdgeId> HalfEdgesOf(SurfaceTriangleId t)
+  {
+    return { 3 * t.Index(), 3 * t.Index() + 3 };
+  }
+
+  HalfEdgeId Opposite(HalfEdgeId h) const { return this->Opposites[h]; }
+  /// The edge that h and its opposite share, numbered from 0.
+  SurfaceEdgeId Edge(HalfEdgeId h) const { return this->EdgeIds[h]; }
+  /// One of the two half edges of an edge.
+  HalfEdgeId HalfEdgeOf(SurfaceEdgeId edge) const { return this->Halves[edge]; }
+  SimplexId From(HalfEdgeId h) const;
+  SimplexId To(HalfEdgeId h) const { return this->From(Next(h)); }
+  /// Some half edge that leaves point p; None when no triangle uses it.
+  HalfEdgeId Leaving(SimplexId p) const { return this->Outgoing[static_cast<std::size_t>(p)]; }
+  /// The next half edge that leaves From(h), counter-clockwise seen from outside.
+  HalfEdgeId Turn(HalfEdgeId h) const { return this->Opposite(Previous(h)); }
+
+  double Length(HalfEdgeId h) const
+  {
+    return Distance(this->Surface.Points[static_cast<std::size_t>(this->From(h))],
+      this->Surface.Points[static_cast<std::size_t>(this->To(h))]);
+  }
+
+  /// The half edge from a to b, or None. Time: the valence of a.
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT HalfEdgeId Find(SimplexId a, SimplexId b) const;
+
+private:
+  SurfaceView Surface;
+  HandleVector<HalfEdgeId, HalfEdgeId> Opposites;
+  HandleVector<HalfEdgeId, SurfaceEdgeId> EdgeIds;
+  HandleVector<SurfaceEdgeId, HalfEdgeId> Halves;
+  std::vector<HalfEdgeId> Outgoing; ///< by point
+};
+
+inline SimplexId SurfaceAdjacency::From(HalfEdgeId h) const
+{
+  return static_cast<SimplexId>(this->Surface.Triangles[h.Index() / 3][h.Index() % 3]);
+}
+
+// ------------------------------------------------------------------------------------------
+// Shortest paths along the edges of a surface from one of its points.
 
 /**
  * The tree of shortest paths (E. W. Dijkstra, Numer. Math. 1 (1959) 269). O(n log n) in the number
@@ -92,6 +176,124 @@ private:
   std::vector<double> Lengths;
   std::vector<HalfEdgeId> Lasts;
 };
+
+// ------------------------------------------------------------------------------------------
+// The triangles that a closed curve on a surface passes, as edges crossed, and unfolded.
+
+/// A point of a curve on a surface: on half edge HalfEdge, at a fraction of it from From to To.
+struct SurfaceCurvePoint
+{
+  HalfEdgeId HalfEdge;
+  double Fraction;
+};
+
+/// Where a point of a curve lies.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT Point3 PositionOf(
+  const SurfaceAdjacency& surface, const SurfaceCurvePoint& p);
+
+/// The edges that a closed curve crosses, each as half edge of the triangle that the curve enters
+/// there: seen along the curve, From is on the left and To on the right.
+using EdgeStrip = std::vector<SurfaceCurvePoint>;
+
+/// Takes out crossings that go back at once over the same edge.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void CancelReturns(
+  const SurfaceAdjacency& surface, EdgeStrip& strip);
+
+/// The same of an open strip.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeStrip WithoutReturns(
+  const SurfaceAdjacency& surface, const EdgeStrip& strip);
+
+/// The strip just left of a closed loop of points, consecutive ones joined by an edge: at each
+/// point, the edges between the ways in and out. Throws std::invalid_argument where no edge joins
+/// two of them.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeStrip StripLeftOf(
+  const SurfaceAdjacency& surface, const std::vector<SimplexId>& loop);
+
+/// The same for an open path of points, from the first to the last: neither end is passed.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeStrip StripLeftOfPath(
+  const SurfaceAdjacency& surface, const std::vector<SimplexId>& path);
+
+/// Takes out crossings that go back at once over the same edge, and those of edges that the ends
+/// `from` and `to` of an open path lie on.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void CancelReturns(
+  const SurfaceAdjacency& surface, EdgeStrip& strip, SimplexId from, SimplexId to);
+
+using Point2 = std::array<double, 2>;
+
+/// Twice the signed area of (o, a, b).
+inline double Cross2(const Point2& o, const Point2& a, const Point2& b)
+{
+  return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+}
+
+/// A strip laid into the plane from one edge round to its copy: both ends of every edge.
+struct UnfoldedStrip
+{
+  std::vector<Point2> From;
+  std::vector<Point2> To;
+};
+
+/// Triangles keep their lengths, neighbours their common edge. One edge more than the strip has.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT UnfoldedStrip Unfold(
+  const SurfaceAdjacency& surface, const EdgeStrip& strip, std::size_t start);
+
+/// The strip of an open path between two points, its ends as edges without length: two edges more
+/// than the strip has. @pre the strip is not empty and has no edge that ends at `from` or `to`.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT UnfoldedStrip UnfoldPath(
+  const SurfaceAdjacency& surface, const EdgeStrip& strip);
+
+/// A strip laid into the plane from its first edge to its last.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT UnfoldedStrip UnfoldOpen(
+  const SurfaceAdjacency& surface, const EdgeStrip& strip);
+
+/// At a fraction of edge i of an unfolded strip.
+inline Point2 PointOn(const UnfoldedStrip& plane, std::size_t i, double fraction)
+{
+  const Point2& from = plane.From[i];
+  const Point2& to = plane.To[i];
+  return { from[0] + fraction * (to[0] - from[0]), from[1] + fraction * (to[1] - from[1]) };
+}
+
+// ------------------------------------------------------------------------------------------
+// The shortest path through a row of edges in the plane.
+//
+// Source: D. T. Lee, F. P. Preparata, "Euclidean shortest paths in the presence of rectilinear
+// barriers", Networks 14 (1984) 393: the funnel between the borders of a sleeve of triangles.
+
+/**
+ * The shortest path from `p` on the first edge to `q` on the last one that crosses all edges
+ * between: where it crosses each of these, as fractions from From to To; 0 or 1 where it bends
+ * round an end. Entry 0 belongs to the first edge and is 0. O(number of edges) for most strips.
+ */
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<double> ShortestCrossings(
+  const UnfoldedStrip& plane, const Point2& p, const Point2& q);
+
+// ------------------------------------------------------------------------------------------
+// A strip of triangles led round the other side of a point.
+
+/// Angle at From(h) of the triangle left of h.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double CornerAngle(
+  const SurfaceAdjacency& surface, HalfEdgeId h);
+
+/**
+ * The edges at point p on its other side, for a curve that enters over half edge `enter`, passes
+ * edges that all end at p, and leaves through triangle `last`: with p on its right it turns
+ * clockwise there, and the other way is counter-clockwise. Fractions lie at p.
+ */
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeStrip OtherWayRound(
+  const SurfaceAdjacency& surface, HalfEdgeId enter, SurfaceTriangleId last, SimplexId p);
+
+/// Angle between the ways into and out of p on the side where the edges `other` lie.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double AngleBeyond(const SurfaceAdjacency& surface,
+  const EdgeStrip& other, SimplexId p, const Point3& before, const Point3& after);
+
+/// True for a curve that runs through the end p of its edge.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool Touches(
+  const SurfaceAdjacency& surface, const SurfaceCurvePoint& c, SimplexId p);
+
+/// The end of its edge that a curve runs through, or -1.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SimplexId TouchedBy(
+  const SurfaceAdjacency& surface, const SurfaceCurvePoint& c);
 
 }
 

@@ -1,13 +1,334 @@
 #include "ChokingLoops/SurfacePreparation.h"
 
+#include "Core/Bounds3.h"
 #include "Core/Index.h"
+#include "Core/RangeGuard.h"
+#include "Remeshing/SelfIntersections.h"
+#include "Remeshing/SurfaceRepair.h"
+#include "Remeshing/ThinTriangles.h"
+#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceIntake.h"
+#include "Surfaces/SurfaceTopology.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
+#include <stdexcept>
 #include <unordered_map>
 
 namespace isthmus
 {
+
+// ------------------------------------------------------------------------------------------
+// SurfaceMending
+namespace
+{
+
+/// How far copies of a point are drawn to the middle of their neighbours.
+constexpr double DrawnBy = 0.01;
+
+/// Thin triangles may hide others, and repair may make some.
+constexpr int MostRounds = 3;
+
+/// Moves points that lie at the place of another one into the sheet they belong to.
+void DrawApart(TriangleMesh& mesh)
+{
+  std::map<Point3, std::int64_t> count;
+  for (const Point3& p : mesh.Points)
+  {
+    ++count[p];
+  }
+  std::map<std::int64_t, std::pair<Point3, double>> around; // sum and number of neighbours
+  for (const Triangle& t : mesh.Triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if (count[mesh.Points[At(t[k])]] > 1)
+      {
+        auto& [sum, number] = around.try_emplace(t[k], Point3{ 0, 0, 0 }, 0.0).first->second;
+        sum = sum + mesh.Points[At(t[(k + 1) % 3])] + mesh.Points[At(t[(k + 2) % 3])];
+        number += 2.0;
+      }
+    }
+  }
+  std::vector<std::pair<std::int64_t, Point3>> moved;
+  for (const auto& [id, neighbours] : around)
+  {
+    const Point3 middle = (1.0 / neighbours.second) * neighbours.first;
+    moved.emplace_back(id, (1.0 - DrawnBy) * mesh.Points[At(id)] + DrawnBy * middle);
+  }
+  for (const auto& [id, place] : moved)
+  {
+    mesh.Points[At(id)] = place;
+  }
+}
+
+/// Of the surface as turned, parts that face inward counted as holes.
+double VolumeOf(const SurfaceView& mesh)
+{
+  double six = 0.0;
+  const Point3 origin = mesh.Points.empty() ? Point3{ 0, 0, 0 } : mesh.Points.front();
+  for (const Triangle& t : mesh.Triangles)
+  {
+    six += Dot(mesh.Points[At(t[0])] - origin,
+      Cross(mesh.Points[At(t[1])] - origin, mesh.Points[At(t[2])] - origin));
+  }
+  return std::abs(six / 6.0);
+}
+
+/// Corners of a triangle, the least first, in their order round it.
+std::array<Point3, 3> PlacesOf(const SurfaceView& mesh, const Triangle& t)
+{
+  std::array<Point3, 3> p{ mesh.Points[At(t[0])], mesh.Points[At(t[1])], mesh.Points[At(t[2])] };
+  std::rotate(p.begin(), std::min_element(p.begin(), p.end()), p.end());
+  return p;
+}
+
+/// Counts and places the triangles of `before` that are not in `after`.
+void TellChanged(const SurfaceView& before, const SurfaceView& after, SurfaceMending& mending)
+{
+  std::map<std::array<Point3, 3>, int> left;
+  for (const Triangle& t : after.Triangles)
+  {
+    ++left[PlacesOf(after, t)];
+  }
+  for (const Triangle& t : before.Triangles)
+  {
+    const std::array<Point3, 3> places = PlacesOf(before, t);
+    const auto found = left.find(places);
+    if (found != left.end() && found->second > 0)
+    {
+      --found->second;
+      continue;
+    }
+    ++mending.Changed;
+    mending.Places.push_back((1.0 / 3.0) * (places[0] + places[1] + places[2]));
+  }
+}
+
+/// One round of repair.
+TriangleMesh Repaired(const SurfaceView& surface, const ProgressCallback& progress)
+{
+  TriangleMesh mesh = CopyOf(surface);
+  if (FindDefects(mesh).None() && !ThinTriangles(mesh).empty())
+  {
+    mesh = WithoutThinTriangles(mesh);
+  }
+  const SurfaceDefects defects = FindDefects(mesh);
+  if (!defects.None() || !SelfIntersections(mesh, Between(progress, 0.0, 0.3)).empty())
+  {
+    mesh = RepairSurface(mesh, Between(progress, 0.3, 1.0)).Mesh;
+    DrawApart(mesh);
+    mesh = MergePoints(mesh);
+  }
+  return mesh;
+}
+
+bool IsClean(const SurfaceView& mesh, bool allowCrossings, const ProgressCallback& progress)
+{
+  return !mesh.Triangles.empty() && FindDefects(mesh).None() && ThinTriangles(mesh).empty() &&
+    (allowCrossings || SelfIntersections(mesh, progress).empty());
+}
+
+}
+
+TriangleMesh MendedSurface(const SurfaceView& surface, const std::string& what, bool allowCrossings,
+  SurfaceMending& mending, const ProgressCallback& progress)
+{
+  TriangleMesh mesh = CopyOf(surface);
+  bool clean = false;
+  try
+  {
+    for (int round = 0; round < MostRounds && !clean; ++round)
+    {
+      mesh = Repaired(mesh, Between(progress, 0.0, 0.0));
+      clean = IsClean(mesh, allowCrossings, Between(progress, 0.0, 0.0));
+    }
+  }
+  catch (const Cancelled&)
+  {
+    throw;
+  }
+  catch (const std::exception&)
+  {
+    clean = false; // the sentence below says the same
+  }
+  const std::string advice =
+    " Make the surface anew (Contour, Surface Remesh), or allow self-intersections to go on all "
+    "the same.";
+  if (!clean)
+  {
+    throw std::invalid_argument(what + " It could not be repaired." + advice);
+  }
+  const double before = VolumeOf(surface);
+  const double share = before > 0.0 ? std::abs(VolumeOf(mesh) - before) / before : HUGE_VAL;
+  if (!(share <= MendedShare))
+  {
+    throw std::invalid_argument(what + " Its repair would change the volume by " +
+      Shown(100.0 * share) + " %, and the most is " + Shown(100.0 * MendedShare) + " %." + advice);
+  }
+  TellChanged(surface, mesh, mending);
+  mending.Told = what + " It was repaired: " + std::to_string(mending.Changed) +
+    " triangles changed, and the volume by " + Shown(100.0 * share) + " %.";
+  return mesh;
+}
+
+// ------------------------------------------------------------------------------------------
+// ChokingSurface
+namespace
+{
+
+constexpr double Flat = 1e-10; ///< thickness over width: what rounding leaves of a plane
+
+/// Of all points the one where `measure` is greatest.
+template <typename Measure>
+const Point3& Farthest(const View<Point3>& points, Measure&& measure)
+{
+  return *std::max_element(points.begin(), points.end(),
+    [&measure](const Point3& a, const Point3& b) { return measure(a) < measure(b); });
+}
+
+/// How far the points lie from the plane of three that are far from each other.
+double Thickness(const View<Point3>& points)
+{
+  const Point3& origin = points.front();
+  const auto square = [](const Point3& v) { return Dot(v, v); };
+  const Point3 along =
+    Farthest(points, [&](const Point3& p) { return square(p - origin); }) - origin;
+  const Point3 normal = Cross(along,
+    Farthest(points, [&](const Point3& p) { return square(Cross(along, p - origin)); }) - origin);
+  const auto height = [&](const Point3& p) { return std::abs(Dot(normal, p - origin)); };
+  const double length = std::sqrt(square(normal));
+  return length > 0.0 ? height(Farthest(points, height)) / length : 0.0;
+}
+
+void DemandUsableSize(const SurfaceView& surface)
+{
+  for (std::size_t i = 0; i < surface.Points.size(); ++i)
+  {
+    const Point3& p = surface.Points[i];
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    {
+      throw std::invalid_argument("Point " + std::to_string(i) +
+        " of the surface is not finite: remove it or repair the surface.");
+    }
+  }
+  Bounds3 box{ surface.Points.front(), surface.Points.front() };
+  for (const Point3& p : surface.Points)
+  {
+    box.Add(p);
+  }
+  const double size =
+    std::max({ box.Max[0] - box.Min[0], box.Max[1] - box.Min[1], box.Max[2] - box.Min[2] });
+  // Squared circumradii are quotients of eighth powers of the spacing, a ten-thousandth of this.
+  if (!(size > 1e-32 && size < 1e32))
+  {
+    throw std::invalid_argument(
+      "The surface is " + Shown(size) + " wide, which is out of range (1e-32 to 1e32): scale it.");
+  }
+}
+
+/// Repair would look for an inside for long, in vain.
+void DemandThickness(const SurfaceView& surface)
+{
+  Bounds3 box{ surface.Points.front(), surface.Points.front() };
+  for (const Point3& p : surface.Points)
+  {
+    box.Add(p);
+  }
+  if (Thickness(surface.Points) < Flat * box.Diagonal())
+  {
+    throw std::invalid_argument("All points of the surface lie in a plane, so that it has no "
+                                "inside: give it a thickness.");
+  }
+}
+
+/// Holes, missing points and triangles turned against each other are not guessed at.
+bool CanBeMended(const SurfaceDefects& defects)
+{
+  return defects.InvalidPoints.empty() && defects.InvalidTriangles.empty() &&
+    defects.BoundaryTriangles.empty() && defects.FlippedTriangles.empty();
+}
+
+/// The surface repaired where it has thin triangles; none: it has none, or it is as good with them,
+/// since they are no defect by themselves and can't be taken out without making one.
+std::optional<TriangleMesh> WithoutNeedles(const SurfaceView& surface, bool allowCrossings,
+  SurfaceMending& mending, const ProgressCallback& progress)
+{
+  const std::vector<std::int64_t> thin = ThinTriangles(surface);
+  if (thin.empty())
+  {
+    return std::nullopt;
+  }
+  try
+  {
+    return MendedSurface(surface,
+      "The surface has " + std::to_string(thin.size()) + " triangles next to no area (" +
+        FirstIds(thin) + ").",
+      allowCrossings, mending, progress);
+  }
+  catch (const std::invalid_argument&)
+  {
+    mending = {};
+    return std::nullopt;
+  }
+}
+
+}
+
+TriangleMesh CheckedSurface(TriangleMesh surface, bool allowCrossings,
+  const ProgressCallback& progress, SurfaceMending* mending)
+{
+  if (surface.Triangles.empty() || surface.Points.empty())
+  {
+    throw std::invalid_argument("The surface has no triangles: choking loops need a closed one.");
+  }
+  DemandUsableSize(surface);
+  Report(progress, 0.0);
+  surface = MergePoints(surface);
+  Report(progress, 0.1);
+  const auto rest = Between(progress, 0.6, 1.0);
+  const SurfaceDefects defects = FindDefects(surface, Between(progress, 0.1, 0.2));
+  if (!defects.None() && !(mending && CanBeMended(defects)))
+  {
+    throw std::invalid_argument(defects.Sentence() + WhyOpen(surface, defects) +
+      " Choking loops need a closed, manifold, consistently oriented surface: repair it first "
+      "(Fill Holes, or CapHoles of Choking Loops, closes holes).");
+  }
+  DemandThickness(surface);
+  if (!defects.None())
+  {
+    return MendedSurface(surface, defects.Sentence(), allowCrossings, *mending, rest);
+  }
+  if (mending)
+  {
+    std::optional<TriangleMesh> mended = WithoutNeedles(surface, allowCrossings, *mending, rest);
+    if (mended)
+    {
+      return std::move(*mended);
+    }
+  }
+  const std::vector<std::int64_t> crossing = allowCrossings
+    ? std::vector<std::int64_t>{}
+    : SelfIntersections(surface, Between(progress, 0.2, 0.6));
+  if (crossing.empty())
+  {
+    return surface;
+  }
+  const std::string what = "The surface crosses itself in " + std::to_string(crossing.size()) +
+    " triangles (" + FirstIds(crossing) + ").";
+  if (!mending)
+  {
+    throw std::invalid_argument(what +
+      " Repair it, or allow self-intersections to go on all the "
+      "same.");
+  }
+  return MendedSurface(surface, what, allowCrossings, *mending, rest);
+}
+
+// ------------------------------------------------------------------------------------------
+// SurfacePreparation
 namespace
 {
 
@@ -189,6 +510,131 @@ TriangleMesh SplitLongEdges(TriangleMesh mesh, const Limit& limit, std::size_t m
     left *= 0.5;
   }
   return mesh;
+}
+
+// ------------------------------------------------------------------------------------------
+// ChokingSamples
+namespace
+{
+
+/// Samples that automatic spacing spreads over a surface, however few points it has.
+constexpr double UsualSamples = 20000.0;
+
+/// More would take some 30 GB.
+constexpr std::size_t MostSamples = 20'000'000;
+
+/// Of the spacing: what three rounds that are finer by 0.6 would still tell, and half of it.
+constexpr double Telling = 0.1;
+
+/// Points that refinement may add, beside doubling what there are.
+constexpr std::size_t MorePoints = 100000;
+
+/// Twice the volume by the area of a closed surface: how thick a plate is, how wide half a rod.
+double ThicknessOf(const SurfaceView& surface)
+{
+  return 2.0 * std::abs(SignedVolume(surface)) / SurfaceArea(surface);
+}
+
+/// Sum of the lengths of all edges of a closed surface.
+double LengthOfEdges(const SurfaceView& surface)
+{
+  double edges = 0.0;
+  for (const Triangle& t : surface.Triangles)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      edges += 0.5 * Distance(surface.Points[At(t[c])], surface.Points[At(t[(c + 1) % 3])]);
+    }
+  }
+  return edges;
+}
+
+}
+
+TriangleMesh Refined(const SurfaceView& mesh, const std::vector<Refinement>& wanted, double spacing,
+  double finest, const ProgressCallback& progress)
+{
+  const bool isMany = wanted.size() > ManyPlaces;
+  const auto settled = static_cast<std::size_t>(std::count_if(wanted.begin(), wanted.end(),
+    [finest](const Refinement& r) { return r.EdgeLength >= finest; }));
+  if (isMany && 2 * settled < wanted.size())
+  {
+    return {};
+  }
+  const double everywhere = isMany ? 0.6 * spacing : HUGE_VAL;
+  return SplitLongEdges(
+    CopyOf(mesh),
+    [&wanted, everywhere](const Point3& a, const Point3& b)
+    {
+      double limit = everywhere;
+      if (std::isfinite(everywhere))
+      {
+        return limit;
+      }
+      const Point3 middle = 0.5 * (a + b);
+      const double half2 = 0.25 * Dot(b - a, b - a);
+      for (const Refinement& r : wanted)
+      {
+        const Point3 d = middle - r.Centre;
+        const double reach = r.Radius + std::sqrt(half2);
+        limit = Dot(d, d) < reach * reach ? std::min(limit, r.EdgeLength) : limit;
+      }
+      return limit;
+    },
+    MorePoints + 2 * mesh.Points.size(), progress);
+}
+
+TriangleMesh FirstSamples(
+  const SurfaceView& surface, double& spacing, const ProgressCallback& progress)
+{
+  const auto split = [&surface, &spacing](std::size_t most, const ProgressCallback& part)
+  {
+    return SplitLongEdges(
+      CopyOf(surface), [&spacing](const Point3&, const Point3&) { return spacing; }, most, part);
+  };
+  const double edges = LengthOfEdges(surface);
+  DemandRange("SampleSpacing", spacing, 0.0, LargestLength, "It is a length; 0 chooses one.");
+  if (spacing > 0.0 && edges / spacing > 2.0 * static_cast<double>(MostSamples))
+  {
+    throw std::invalid_argument("A SampleSpacing of " + Shown(spacing) + " takes some " +
+      Shown(edges / spacing) + " points along the edges alone, and the most is " +
+      Shown(static_cast<double>(MostSamples)) + ": raise it.");
+  }
+  // Triangles with edges of that length, equilateral ones at the most, and half as many points.
+  const double fewest =
+    spacing > 0.0 ? SurfaceArea(surface) / (0.5 * std::sqrt(3.0) * spacing * spacing) : 0.0;
+  if (fewest > static_cast<double>(MostSamples))
+  {
+    throw std::invalid_argument("A SampleSpacing of " + Shown(spacing) + " takes " + Shown(fewest) +
+      " points at least, and the most is " + Shown(static_cast<double>(MostSamples)) +
+      ": raise it.");
+  }
+  if (spacing > 0.0)
+  {
+    TriangleMesh samples = split(MostSamples, progress);
+    if (samples.Points.empty())
+    {
+      throw std::runtime_error("Sampling the surface so finely takes more than " +
+        std::to_string(MostSamples) + " points: raise the sample spacing.");
+    }
+    return samples;
+  }
+  // Edges of a good mesh scatter round their mean: those up to 1.7 times it stay whole.
+  spacing = 1.7 * EdgeLengthFor(surface, UsualSamples);
+  // Needles take far more points than their area suggests.
+  // Where all is thinner than refined samples could tell, they would be for nothing.
+  const double share = ThicknessOf(surface) < Telling * spacing ? 1.0 : 5.0;
+  const std::size_t most =
+    4 * surface.Points.size() + static_cast<std::size_t>(share * UsualSamples);
+  // Edges are split to it, whatever the area: needles have next to none.
+  spacing = std::max(spacing, edges / (4.0 * static_cast<double>(most)));
+  const auto still = Between(progress, 0.0, 0.0); // quick, but may have to be repeated
+  TriangleMesh samples = split(most, still);
+  for (; samples.Points.empty(); samples = split(most, still))
+  {
+    spacing *= 1.5;
+  }
+  return samples;
 }
 
 }

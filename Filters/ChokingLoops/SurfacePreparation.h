@@ -1,6 +1,6 @@
 /**
  * @file SurfacePreparation.h
- * @brief A surface split so finely that its points stand for the whole of it.
+ * @brief From the surface given to samples: checked, repaired, refined.
  */
 #ifndef isthmus_SurfacePreparation_h
 #define isthmus_SurfacePreparation_h
@@ -10,9 +10,55 @@
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <functional>
+#include <string>
 
 namespace isthmus
 {
+
+// ------------------------------------------------------------------------------------------
+// Small damage of a surface repaired before its choking loops are sought.
+
+/// What was done to a surface.
+struct SurfaceMending
+{
+  std::int64_t Changed = 0;   ///< triangles of the input that are no longer there
+  std::vector<Point3> Places; ///< their centres
+  std::string Told;           ///< one sentence; empty: nothing was done
+};
+
+/// More than this share of the volume is not changed.
+constexpr double MendedShare = 0.01;
+
+/**
+ * `surface` closed, manifold and oriented, without thin triangles and, unless `allowCrossings`,
+ * without crossings: needles and caps as in ThinTriangles.h, double triangles and crossings as in
+ * SurfaceRepair.h; points where sheets touch become several, each drawn a hundredth of the way to
+ * the middle of its neighbours.
+ *
+ * std::invalid_argument with a sentence when that fails or changes the volume by more than
+ * MendedShare. `what` says what is wrong and begins that sentence.
+ */
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh MendedSurface(const SurfaceView& surface,
+  const std::string& what, bool allowCrossings, SurfaceMending& mending,
+  const ProgressCallback& progress = {});
+
+// ------------------------------------------------------------------------------------------
+// What choking loops ask of a surface, and how it is told when it does not comply.
+
+/**
+ * `surface` with coinciding points merged and unused ones left out, if it is closed, manifold,
+ * consistently oriented, finite, between 1e-32 and 1e32 in size, not in a plane and, unless
+ * `allowCrossings`, free of self-intersections. Else std::invalid_argument with a sentence that
+ * names the triangles.
+ *
+ * With `mending`, what is closed and oriented but has crossings, touching or double parts or thin
+ * triangles is repaired as MendedSurface() does, and what was done is told there.
+ */
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh CheckedSurface(TriangleMesh surface,
+  bool allowCrossings, const ProgressCallback& progress = {}, SurfaceMending* mending = nullptr);
+
+// ------------------------------------------------------------------------------------------
+// A surface split so finely that its points stand for the whole of it.
 
 /**
  * For each point of `mesh`: the largest distance e from a point of a triangle to the nearest corner
@@ -35,6 +81,38 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double EdgeLengthFor(const SurfaceView& mes
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh SplitLongEdges(TriangleMesh mesh,
   const std::function<double(const Point3&, const Point3&)>& limit, std::size_t maximumPoints,
+  const ProgressCallback& progress = {});
+
+// ------------------------------------------------------------------------------------------
+// How finely a surface is sampled for its choking loops, and where more finely.
+
+/// Where the samples should lie closer, and how close.
+struct Refinement
+{
+  Point3 Centre;
+  double Radius;
+  double EdgeLength;
+};
+
+/// More places than this to be refined mean that the sampling is too coarse everywhere.
+constexpr std::size_t ManyPlaces = 64;
+
+/**
+ * The surface split until no edge is longer than `spacing`; where that is 0, it becomes the spacing
+ * of some 20,000 samples spread evenly, longer where needles would take many more.
+ *
+ * @throws std::invalid_argument for a spacing that is no length, or takes more than 20 million
+ * points along the edges alone; std::runtime_error when it takes more; Cancelled.
+ */
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh FirstSamples(
+  const SurfaceView& surface, double& spacing, const ProgressCallback& progress = {});
+
+/// `mesh` split again near the places wanted, or everywhere to 0.6 of `spacing` where these are
+/// more than ManyPlaces. An empty mesh when that takes too many points, or when less than half of
+/// many places would be settled by `finest`, to which rounds like this one come: a flat surface, a
+/// needle.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh Refined(const SurfaceView& mesh,
+  const std::vector<Refinement>& wanted, double spacing, double finest,
   const ProgressCallback& progress = {});
 
 }

@@ -1,9 +1,7 @@
 #include "vtkChokingLoops.h"
 
 #include "ChokingLoops/ChokingLoopsOutput.h"
-#include "ChokingLoops/FeatureDrawing.h"
-#include "ChokingLoops/GridTetrahedra.h"
-#include "ChokingLoops/LoopLimits.h"
+#include "ChokingLoops/LoopDrawing.h"
 #include "ChokingLoops/MorseValues.h"
 #include "ChokingLoops/SurfacePreparation.h"
 #include "Core/AlgorithmGuard.h"
@@ -14,6 +12,7 @@
 #include "Remeshing/SurfaceRepair.h"
 #include "Tetrahedra/TetrahedralMesher.h"
 
+#include <vtkCellType.h>
 #include <vtkDataArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -27,6 +26,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
+#include <string>
 #include <tuple>
 
 vtkStandardNewMacro(vtkChokingLoops);
@@ -88,6 +89,36 @@ isthmus::ChokingLoopParameters ParametersOf(
                                                   << (cost.Own > 0 ? Unsettled : "."));
   };
   return parameters;
+}
+
+/// All points and cells of `grid`. Throws std::invalid_argument for a cell that is no tetrahedron,
+/// with its number, or for none.
+isthmus::TetrahedralMesh TetrahedraOf(vtkUnstructuredGrid* grid)
+{
+  isthmus::TetrahedralMesh mesh;
+  mesh.Points.resize(static_cast<std::size_t>(grid->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    grid->GetPoint(static_cast<vtkIdType>(i), mesh.Points[i].data());
+  }
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    if (grid->GetCellType(c) != VTK_TETRA)
+    {
+      throw std::invalid_argument("Cell " + std::to_string(c) +
+        " of the tetrahedral mesh is no tetrahedron: tetrahedralize it first.");
+    }
+    vtkIdType count = 0;
+    const vtkIdType* p = nullptr;
+    grid->GetCellPoints(c, count, p);
+    mesh.Tetrahedra.push_back({ p[0], p[1], p[2], p[3] });
+  }
+  if (mesh.Tetrahedra.empty())
+  {
+    throw std::invalid_argument("The second input has no tetrahedra: give a mesh of one side of "
+                                "the surface or both, or leave it empty.");
+  }
+  return mesh;
 }
 
 }
@@ -170,7 +201,7 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
     isthmus::TetrahedralParameters mesher;
     mesher.Side = isthmus::MeshedSide::Both;
     const isthmus::TetrahedralMesh mesh =
-      given ? isthmus::TetrahedraOf(given) : isthmus::MeshTetrahedra(triangles, mesher, part);
+      given ? TetrahedraOf(given) : isthmus::MeshTetrahedra(triangles, mesher, part);
     made->Loops = std::make_unique<isthmus::ChokingLoops>(triangles, mesh,
       this->MorseValues(triangles, mesh, given), isthmus::Between(progress, 0.5, 1.0));
   }

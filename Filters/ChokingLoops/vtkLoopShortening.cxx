@@ -1,7 +1,7 @@
 #include "vtkLoopShortening.h"
 
-#include "ChokingLoops/ChokingSurface.h"
 #include "ChokingLoops/LoopShortening.h"
+#include "ChokingLoops/SurfacePreparation.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/PolyDataMesh.h"
 #include "Core/WholeSurface.h"

@@ -3,7 +3,7 @@
 // worst of all.
 
 #include "ChokingLoops/ChokingLoops.h"
-#include "ChokingLoops/FeatureDrawing.h"
+#include "ChokingLoops/LoopDrawing.h"
 #include "ChokingSurfaces.h"
 #include "CpuEstimate.h"
 #include "PeakMemory.h"

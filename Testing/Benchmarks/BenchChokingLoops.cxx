@@ -1,7 +1,7 @@
 // Choking loops against GUDHI's alpha complex and persistence on the same points; their growth and
 // peak memory; how fast they answer to sliders.
 
-#include "ChokingLoops/LoopFeature.h"
+#include "ChokingLoops/LoopDrawing.h"
 #include "ChokingLoops/SurfacePreparation.h"
 #include "ChokingSurfaces.h"
 #include "PeakMemory.h"

@@ -2,7 +2,7 @@
 // surface and the membranes of what goes.
 
 #include "ChokingLoops/HandleFilling.h"
-#include "ChokingLoops/LoopFeature.h"
+#include "ChokingLoops/LoopDrawing.h"
 #include "ChokingSurfaces.h"
 
 #include <benchmark/benchmark.h>

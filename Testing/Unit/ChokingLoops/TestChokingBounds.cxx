@@ -1,8 +1,8 @@
 // On every shared surface: what the filter counts, draws and lists agrees, and each loop is long
 // enough for the ball in it and without sharp corners.
 
-#include "ChokingLoops/ChokeFit.h"
-#include "ChokingLoops/SurfaceAdjacency.h"
+#include "ChokingLoops/LoopDrawing.h"
+#include "ChokingLoops/SurfacePaths.h"
 #include "ChokingSurfaces.h"
 #include "Surfaces/SurfaceIntake.h"
 #include "vtkChokingLoops.h"

@@ -1,6 +1,6 @@
 // Radii and lengths of choking loops on surfaces whose narrow places are known by formula.
 
-#include "ChokingLoops/LoopFeature.h"
+#include "ChokingLoops/LoopDrawing.h"
 #include "ChokingSurfaces.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Counts, independence and geometry of choking loops, on shared surfaces and on formulas.
 
-#include "ChokingLoops/LoopFeature.h"
+#include "ChokingLoops/LoopDrawing.h"
 #include "ChokingSurfaces.h"
 #include "LoopChecks.h"
 

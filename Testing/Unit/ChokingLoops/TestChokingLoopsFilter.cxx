@@ -1,7 +1,7 @@
 // vtkChokingLoops as it is steered: what is not computed again, how it stops, how it tells.
 
 #include "ChokingLoops/ChokingLoops.h"
-#include "ChokingLoops/LoopLimits.h"
+#include "ChokingLoops/ChokingLoopsOutput.h"
 #include "ChokingSurfaces.h"
 #include "vtkChokingLoops.h"
 

@@ -1,8 +1,8 @@
 // Every neck of a shape has its loop, at its place, as tight as it gets, and none has two.
 
 #include "BeadShapes.h"
-#include "ChokingLoops/ChokeFit.h"
-#include "ChokingLoops/SharedLoops.h"
+#include "ChokingLoops/ChokingLoopsOutput.h"
+#include "ChokingLoops/LoopDrawing.h"
 
 #include <gtest/gtest.h>
 

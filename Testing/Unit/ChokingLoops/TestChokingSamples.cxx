@@ -2,7 +2,7 @@
 // what a finer sampling everywhere leaves is not sampled again.
 
 #include "ChokingLoops/ChokingLoops.h"
-#include "ChokingLoops/ChokingSamples.h"
+#include "ChokingLoops/SurfacePreparation.h"
 #include "ChokingSurfaces.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // each way of disturbing them; of the sixteen pairs of a surface and a way, another one ten times
 // at each turn (LongTests.h); with ISTHMUS_LONG_TESTS=1 all of them fifty times (half an hour).
 
-#include "ChokingLoops/LoopFeature.h"
+#include "ChokingLoops/LoopDrawing.h"
 #include "ChokingSurfaces.h"
 #include "LongTests.h"
 #include "Remeshing/SurfaceRemesh.h"

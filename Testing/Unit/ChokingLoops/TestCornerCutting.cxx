@@ -2,8 +2,7 @@
 // geometry.
 
 #include "BeadShapes.h"
-#include "ChokingLoops/CornerCutting.h"
-#include "ChokingLoops/PinnedShortening.h"
+#include "ChokingLoops/LoopShortening.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The loops of a shape do not hang on where the lines between good and bad ones are drawn.
 
 #include "BeadShapes.h"
-#include "ChokingLoops/LoopFeature.h"
+#include "ChokingLoops/LoopDrawing.h"
 #include "ChokingSurfaces.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // The cheapest set of links that parts two nodes, held against all ways to part a few nodes.
 
-#include "ChokingLoops/MinimumCut.h"
+#include "ChokingLoops/MinimumCutMembrane.h"
 #include "Core/Index.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Damaged surfaces: each ends in loops, told what was repaired, or in a sentence. Some two dozen
 // cases in ctest; ISTHMUS_FUZZ_CASES=2000 in the environment asks for more.
 
-#include "ChokingLoops/ChokingSurface.h"
+#include "ChokingLoops/SurfacePreparation.h"
 #include "ChokingSurfaces.h"
 #include "Remeshing/SelfIntersections.h"
 #include "Remeshing/ThinTriangles.h"
