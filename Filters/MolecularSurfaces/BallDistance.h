@@ -9,7 +9,7 @@
 #define isthmus_BallDistance_h
 
 #include "Core/Progress.h"
-#include "MolecularSurfaces/FlowGrid.h"
+#include "MolecularSurfaces/FlowField.h"
 #include "vtkIsthmusFiltersMolecularSurfacesModule.h"
 
 #include <vector>

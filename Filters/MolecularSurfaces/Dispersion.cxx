@@ -2,11 +2,15 @@
 
 #include "Atoms/BallBricks.h"
 #include "Core/ParallelFor.h"
+#include "Core/ParallelReduce.h"
 #include "Core/Pi.h"
 #include "Core/VectorClones.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -154,6 +158,200 @@ PullField SolventPull(std::vector<DispersionAtom> atoms, const SolventParameters
           (solvent.Pressure - solvent.Density * static_cast<double>(value)) / tension);
       });
   };
+}
+
+namespace
+{
+
+using Place = std::array<double, 3>;
+
+constexpr double Near = 12.0;    // angstrom, within which an atom sees single nodes
+constexpr std::int64_t Side = 8; // nodes along a block
+constexpr std::size_t Lanes = 8;
+
+/// Nodes of a block with their volumes, and what they are together. In four arrays, for vector
+/// instructions, and as many as fill these: those at the end have no volume.
+struct Block
+{
+  Place At{ 0.0, 0.0, 0.0 };
+  double Whole = 0.0;
+  std::vector<double> X, Y, Z, Volume;
+
+  void Add(const Place& at, double volume)
+  {
+    this->X.push_back(at[0]);
+    this->Y.push_back(at[1]);
+    this->Z.push_back(at[2]);
+    this->Volume.push_back(volume);
+    this->Whole += volume;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      this->At[axis] += volume * at[axis];
+    }
+  }
+
+  void Finish()
+  {
+    for (double& at : this->At)
+    {
+      at /= std::max(this->Whole, 1e-300);
+    }
+    while (this->X.size() % Lanes != 0)
+    {
+      this->X.push_back(this->X.front());
+      this->Y.push_back(this->Y.front());
+      this->Z.push_back(this->Z.front());
+      this->Volume.push_back(0.0);
+    }
+  }
+};
+
+/// `part(node)` is the part of its cell that a node stands for.
+template <typename Part>
+Block BlockAt(const DensityGrid& grid, Part&& part, const std::array<std::int64_t, 3>& first)
+{
+  Block block;
+  const auto& n = grid.Dimensions;
+  const double cell = std::pow(grid.Spacing, 3);
+  for (std::int64_t k = first[2]; k < std::min(first[2] + Side, n[2]); ++k)
+  {
+    for (std::int64_t j = first[1]; j < std::min(first[1] + Side, n[1]); ++j)
+    {
+      for (std::int64_t i = first[0]; i < std::min(first[0] + Side, n[0]); ++i)
+      {
+        const double volume = cell * part(i + n[0] * (j + n[1] * k));
+        if (volume != 0.0)
+        {
+          block.Add({ grid.Origin[0] + grid.Spacing * static_cast<double>(i),
+                      grid.Origin[1] + grid.Spacing * static_cast<double>(j),
+                      grid.Origin[2] + grid.Spacing * static_cast<double>(k) },
+            volume);
+        }
+      }
+    }
+  }
+  block.Finish();
+  return block;
+}
+
+template <typename Part>
+std::vector<Block> BlocksOf(const DensityGrid& grid, Part&& part)
+{
+  std::array<std::int64_t, 3> counts;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    counts[axis] = (grid.Dimensions[axis] + Side - 1) / Side;
+  }
+  std::vector<Block> blocks(static_cast<std::size_t>(counts[0] * counts[1] * counts[2]));
+  ParallelFor(0, static_cast<std::int64_t>(blocks.size()), 16,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t b = first; b < last; ++b)
+      {
+        blocks[static_cast<std::size_t>(b)] = BlockAt(grid, part,
+          { Side * (b % counts[0]), Side * (b / counts[0] % counts[1]),
+            Side * (b / (counts[0] * counts[1])) });
+      }
+    });
+  blocks.erase(std::remove_if(
+                 blocks.begin(), blocks.end(), [](const Block& block) { return block.X.empty(); }),
+    blocks.end());
+  return blocks;
+}
+
+/// Adds (m / r)^12 - 2 (m / r)^6 times the volumes of `groups` x 8 nodes, with r at least m.
+ISTHMUS_VECTOR_CLONES void WellLoop(std::size_t groups, const double* x, const double* y,
+  const double* z, const double* volume, const double* at, double squaredMinimum, double* sums)
+{
+  for (std::size_t g = 0; g < groups; ++g)
+  {
+    for (std::size_t l = 0; l < Lanes; ++l)
+    {
+      const double dx = x[g * Lanes + l] - at[0];
+      const double dy = y[g * Lanes + l] - at[1];
+      const double dz = z[g * Lanes + l] - at[2];
+      const double r2 = dx * dx + dy * dy + dz * dz;
+      const double ratio = squaredMinimum / (r2 > squaredMinimum ? r2 : squaredMinimum);
+      const double sixth = ratio * ratio * ratio;
+      sums[l] += volume[g * Lanes + l] * (sixth * sixth - 2.0 * sixth);
+    }
+  }
+}
+
+/// The integral of a pair over blocks, of which those farther than `near` count as wholes.
+double IntegralOver(
+  const std::vector<Block>& blocks, const Place& centre, const DispersionPair& pair, double near)
+{
+  double far = 0.0;
+  double sums[Lanes] = {};
+  for (const Block& block : blocks)
+  {
+    const Place& at = block.At;
+    const double squared = (at[0] - centre[0]) * (at[0] - centre[0]) +
+      (at[1] - centre[1]) * (at[1] - centre[1]) + (at[2] - centre[2]) * (at[2] - centre[2]);
+    if (squared > near * near)
+    {
+      far += block.Whole * pair.At(squared);
+      continue;
+    }
+    WellLoop(block.X.size() / Lanes, block.X.data(), block.Y.data(), block.Z.data(),
+      block.Volume.data(), centre.data(), pair.Minimum * pair.Minimum, sums);
+  }
+  double sum = 0.0;
+  for (const double lane : sums)
+  {
+    sum += lane;
+  }
+  return far + pair.Depth * sum;
+}
+
+}
+
+double InsidePart(float distance, double spacing)
+{
+  return std::clamp(0.5 - static_cast<double>(distance) / spacing, 0.0, 1.0);
+}
+
+std::vector<double> DispersionEnergies(const std::vector<DispersionAtom>& atoms,
+  const DensityGrid& grid, const float* distance, const SolventParameters& solvent,
+  const ProgressCallback& progress)
+{
+  const std::vector<Block> inside =
+    BlocksOf(grid, [&](std::int64_t node) { return InsidePart(distance[node], grid.Spacing); });
+  const double near = Near + 0.5 * std::sqrt(3.0) * grid.Spacing * static_cast<double>(Side);
+  std::vector<double> energies(atoms.size());
+  ParallelFor(
+    0, static_cast<std::int64_t>(atoms.size()), 8,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (auto a = static_cast<std::size_t>(first); a < static_cast<std::size_t>(last); ++a)
+      {
+        const DispersionPair pair(atoms[a], solvent);
+        energies[a] =
+          solvent.Density * (pair.Integral() - IntegralOver(inside, atoms[a].Centre, pair, near));
+      }
+    },
+    progress);
+  return energies;
+}
+
+double DispersionChange(const std::vector<DispersionAtom>& atoms, const DensityGrid& grid,
+  const float* before, const float* now, const SolventParameters& solvent)
+{
+  const std::vector<Block> gained = BlocksOf(grid,
+    [&](std::int64_t node)
+    { return InsidePart(now[node], grid.Spacing) - InsidePart(before[node], grid.Spacing); });
+  constexpr double everywhere = std::numeric_limits<double>::infinity();
+  return -solvent.Density *
+    ParallelReduce(static_cast<std::int64_t>(atoms.size()), 8, 0.0,
+      [&](double& partial, std::int64_t first, std::int64_t last)
+      {
+        for (auto a = static_cast<std::size_t>(first); a < static_cast<std::size_t>(last); ++a)
+        {
+          const DispersionPair pair(atoms[a], solvent);
+          partial += IntegralOver(gained, atoms[a].Centre, pair, everywhere);
+        }
+      });
 }
 
 }

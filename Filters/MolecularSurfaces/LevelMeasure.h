@@ -5,7 +5,7 @@
 #ifndef isthmus_LevelMeasure_h
 #define isthmus_LevelMeasure_h
 
-#include "MolecularSurfaces/FlowGrid.h"
+#include "MolecularSurfaces/FlowField.h"
 #include "vtkIsthmusFiltersMolecularSurfacesModule.h"
 
 namespace isthmus

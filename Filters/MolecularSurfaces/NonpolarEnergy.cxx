@@ -3,8 +3,8 @@
 #include "Atoms/NearestBall.h"
 #include "Core/ParallelFor.h"
 #include "Core/Pi.h"
-#include "MolecularSurfaces/DispersionIntegral.h"
-#include "MolecularSurfaces/FlowBand.h"
+#include "MolecularSurfaces/Dispersion.h"
+#include "MolecularSurfaces/FlowField.h"
 #include "MolecularSurfaces/LevelMeasure.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
  *   G = gamma Area + p Vol + rho_0 int_solvent U dr
  *
  * (thesis 4.3 to 4.6; J. A. Wagoner, N. A. Baker, Proc. Natl. Acad. Sci. 103 (2006) 8331), U the
- * sum of the atoms' attraction, see Dispersion.h and DispersionIntegral.h.
+ * sum of the atoms' attraction, see Dispersion.h.
  */
 #ifndef isthmus_NonpolarEnergy_h
 #define isthmus_NonpolarEnergy_h

@@ -1,8 +1,10 @@
 #include "MolecularSurfaces/SurfaceFlow.h"
 
-#include "MolecularSurfaces/FlowMemory.h"
-#include "MolecularSurfaces/FlowResult.h"
-#include "MolecularSurfaces/FlowSteps.h"
+#include "Core/ParallelFor.h"
+#include "MolecularSurfaces/BallDistance.h"
+#include "MolecularSurfaces/FlowField.h"
+#include "MolecularSurfaces/SolventExcludedSurface.h"
+#include "MolecularSurfaces/SurfaceFlowParameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,23 +18,161 @@ namespace isthmus
 namespace
 {
 
-constexpr double Lambda = 0.16;             // dt / spacing^2; 0.25 is where it becomes unstable
-constexpr int StepsToRedistance = 4;        // see the README: more seldom, necks break too early
-constexpr int RedistanceIterations = 2;     // by 0.45 spacings each
-constexpr int FinalIterations = 10;         // through the whole band
-constexpr int StepsToLook = 48;             // between two measures, a multiple of the above
-constexpr double Rest = 1e-5;               // relative change of the volume in StepsToLook
-constexpr int MostSteps = 20000;            // on one grid, or on the coarsest of several
-constexpr int FinerSteps = 4 * StepsToLook; // at least, on finer grids: details only are left
-constexpr double Slow = 1.5e-4;             // relative change of the volume in a square angstrom
-constexpr double StartAgain = 1.3;          // enlargement of what is added on finer levels
-
-/// Where a run of a flow is, and what it writes down.
-struct Chronicle
+/// a <- the greater (or lesser) of a and b at each node.
+template <typename Choose>
+void Combine(std::vector<float>& a, const std::vector<float>& b, Choose choose)
 {
-  const FlowRecord& Look(const FlowField& field)
+  ParallelFor(0, static_cast<std::int64_t>(a.size()), 1 << 18,
+    [&](std::int64_t first, std::int64_t last) {
+      std::transform(a.data() + first, a.data() + last, b.data() + first, a.data() + first, choose);
+    });
+}
+
+float Lower(float a, float b)
+{
+  return std::min(a, b);
+}
+
+float Higher(float a, float b)
+{
+  return std::max(a, b);
+}
+
+/// Where along a coarse axis each fine node lies: the node below and the part of the way.
+struct AxisPlaces
+{
+  AxisPlaces(const FlowGrid& coarse, const FlowGrid& fine, std::size_t axis)
   {
-    Record(field, this->Time, this->Result);
+    const auto nodes = static_cast<std::size_t>(fine.Dimensions()[axis]);
+    const auto last = static_cast<double>(coarse.Dimensions()[axis] - 2);
+    const double offset = fine.Origin()[axis] - coarse.Origin()[axis];
+    for (std::size_t i = 0; i < nodes; ++i)
+    {
+      const double at = (offset + fine.Spacing() * static_cast<double>(i)) / coarse.Spacing();
+      const double below = std::clamp(std::floor(at), 0.0, last);
+      this->Below.push_back(static_cast<std::int64_t>(below));
+      this->Part.push_back(static_cast<float>(std::clamp(at - below, 0.0, 1.0)));
+    }
+  }
+  std::vector<std::int64_t> Below;
+  std::vector<float> Part;
+};
+
+}
+
+FlowField StartField(const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters,
+  double factor, double enlargement, const PullField& pull, const ProgressCallback& progress)
+{
+  constexpr int iterations = 10; // by 0.45 spacings each, all through the band
+  FlowField field(FlowGrid(FlowGridAround(balls, parameters, factor)));
+  const double band = static_cast<double>(FlowGrid::Band);
+  DistanceToBalls(field.Grid, balls, 1.0, 0.0, band, field.Ceiling, Between(progress, 0.0, 0.3));
+  if (factor == 1.0)
+  {
+    CheckGridResolvesAtoms(field, balls, parameters);
+  }
+  DistanceToBalls(
+    field.Grid, balls, enlargement, 0.0, band, field.Distance, Between(progress, 0.3, 0.6));
+  if (parameters.ProbeRadius > 0.0)
+  {
+    field.Floor.resize(field.Distance.size());
+    SolventExcludedDistance(
+      field.Grid, balls, parameters.ProbeRadius, field.Floor, Between(progress, 0.6, 0.9));
+    Combine(field.Floor, field.Ceiling, Lower); // rounding must not cross them
+    Combine(field.Distance, field.Floor, Higher);
+  }
+  if (pull)
+  {
+    field.Pull.assign(field.Distance.size(), 0.0F);
+    pull(field.Grid, field.Pull);
+    const auto h = static_cast<float>(field.Grid.Spacing());
+    std::for_each(field.Pull.begin(), field.Pull.end(), [h](float& value) { value *= h; });
+  }
+  FindBand(field);
+  Redistance(field, iterations, true);
+  Advance(field, 0.0); // back between the bounds
+  Report(progress, 1.0);
+  return field;
+}
+
+namespace
+{
+
+/// How many times the spacing can be doubled before the grid no longer shows the atoms: a coarse
+/// cell is at most twice a mean radius wide, and 16 of them go along the grid's shortest side.
+int NumberOfCoarserLevels(const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters)
+{
+  constexpr double leastNodes = 16.0;
+  constexpr double widestInRadii = 2.0;
+  double sum = 0.0;
+  for (const Ball& ball : balls)
+  {
+    sum += ball.Radius;
+  }
+  const double mean = sum / static_cast<double>(balls.size());
+  const auto& n = FlowGridAround(balls, parameters).Dimensions;
+  const double byNodes = static_cast<double>(*std::min_element(n.begin(), n.end())) / leastNodes;
+  const double byRadius = widestInRadii * mean / parameters.Spacing;
+  const double most = std::min(byNodes, byRadius);
+  return most < 1.0 ? 0 : static_cast<int>(std::floor(std::log2(most)));
+}
+
+/// Makes the inside of `fine` what is inside of it or of `coarse`, whose distances are interpolated
+/// linearly along each axis.
+void AddCoarseField(const FlowField& coarse, FlowField& fine)
+{
+  const AxisPlaces x(coarse.Grid, fine.Grid, 0);
+  const AxisPlaces y(coarse.Grid, fine.Grid, 1);
+  const AxisPlaces z(coarse.Grid, fine.Grid, 2);
+  const auto n = fine.Grid.Dimensions();
+  const std::int64_t row = coarse.Grid.Row();
+  const std::int64_t plane = coarse.Grid.Plane();
+  const auto scale = static_cast<float>(coarse.Grid.Spacing() / fine.Grid.Spacing());
+  const auto between = [](float a, float b, float t) { return a + t * (b - a); };
+  ParallelFor(0, n[1] * n[2], 64,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t line = first; line < last; ++line)
+      {
+        const auto j = static_cast<std::size_t>(line % n[1]);
+        const auto k = static_cast<std::size_t>(line / n[1]);
+        const float* from = coarse.Distance.data() + row * y.Below[j] + plane * z.Below[k];
+        float* to = fine.Distance.data() + n[0] * line;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(n[0]); ++i)
+        {
+          const float* at = from + x.Below[i];
+          const float t = x.Part[i];
+          const float low =
+            between(between(at[0], at[1], t), between(at[row], at[row + 1], t), y.Part[j]);
+          const float high = between(between(at[plane], at[plane + 1], t),
+            between(at[plane + row], at[plane + row + 1], t), y.Part[j]);
+          to[i] = std::min(to[i], scale * between(low, high, z.Part[k]));
+        }
+      }
+    });
+  constexpr int iterations = 10;
+  FindBand(fine);
+  Redistance(fine, iterations);
+  Advance(fine, 0.0);
+}
+
+constexpr double Lambda = 0.16;                // dt / spacing^2; 0.25 is where it becomes unstable
+constexpr int StepsToRedistance = 4;           // see the README: more seldom, necks break too early
+constexpr int RedistanceIterations = 2;        // by 0.45 spacings each
+constexpr int FinalIterations = 10;            // through the whole band
+constexpr int StepsToMeasure = 48;             // between two measures, a multiple of the above
+constexpr double Rest = 1e-5;                  // relative change of the volume in StepsToMeasure
+constexpr int MostSteps = 20000;               // on one grid, or on the coarsest of several
+constexpr int FinerSteps = 4 * StepsToMeasure; // at least, on finer grids: details only are left
+constexpr double Slow = 1.5e-4;                // relative change of the volume in a square angstrom
+constexpr double StartAgain = 1.3;             // enlargement of what is added on finer levels
+
+/// The time of a running flow, and the record of its measures.
+struct FlowHistory
+{
+  const FlowRecord& Measure(const FlowField& field)
+  {
+    RecordMeasures(field, this->Time, this->Result);
     return this->Result.History.back();
   }
 
@@ -50,9 +190,9 @@ void Step(FlowField& field, int step, double lambda)
 }
 
 void RunForTime(
-  FlowField& field, double time, Chronicle& chronicle, const ProgressCallback& progress)
+  FlowField& field, double time, FlowHistory& history, const ProgressCallback& progress)
 {
-  constexpr int looks = 40;
+  constexpr int measures = 40;
   const double h = field.Grid.Spacing();
   const double wanted = std::ceil(time / (Lambda * h * h));
   if (wanted > 1e7)
@@ -63,36 +203,36 @@ void RunForTime(
   const int steps = static_cast<int>(wanted);
   const double dt = steps > 0 ? time / steps : 0.0;
   // Where redistancing has just been, since the volume swings a little in between.
-  const int between = StepsToRedistance * std::max(1, steps / (looks * StepsToRedistance));
-  chronicle.Look(field);
+  const int between = StepsToRedistance * std::max(1, steps / (measures * StepsToRedistance));
+  history.Measure(field);
   for (int step = 1; step <= steps; ++step)
   {
     Step(field, step, dt / (h * h));
-    chronicle.Time += dt;
+    history.Time += dt;
     if (step % between == 0 || step == steps)
     {
-      chronicle.Look(field);
+      history.Measure(field);
     }
     Report(progress, static_cast<double>(step) / steps);
   }
 }
 
-/// The volumes at the last looks, and what they say.
+/// The volumes at the last measures, and whether they have converged.
 class Trend
 {
 public:
   void Add(double volume) { this->Volumes.push_back(volume); }
 
-  /// Relative change since the look before.
+  /// Relative change since the measure before.
   double Change() const
   {
     const std::size_t n = this->Volumes.size();
     return n < 2 ? 1.0 : std::abs(this->Volumes[n - 1] / this->Volumes[n - 2] - 1.0);
   }
 
-  /// Has it come to rest? By two looks, since it may pass through a turning point; or by the means
-  /// of four and the four before, since small surfaces can swing a little for ever.
-  bool IsCalm() const
+  /// By two measures, since the volume may pass through a turning point; or by the means of four
+  /// and the four before, since small surfaces can oscillate for ever.
+  bool HasConverged() const
   {
     const std::size_t n = this->Volumes.size();
     if (n < 3)
@@ -116,23 +256,24 @@ private:
   std::vector<double> Volumes;
 };
 
-/// Runs until the volume rests, or from `enough` steps on until what still happens is slow. Tells
-/// whether either came about in MostSteps.
-bool RunToRest(FlowField& field, int enough, Chronicle& chronicle, const ProgressCallback& progress)
+/// Runs until the volume has converged, or from `enough` steps on until it changes slowly. Returns
+/// whether either happened within MostSteps.
+bool RunToConvergence(
+  FlowField& field, int enough, FlowHistory& history, const ProgressCallback& progress)
 {
   const double dt = Lambda * field.Grid.Spacing() * field.Grid.Spacing();
   Trend trend;
-  trend.Add(chronicle.Look(field).Volume);
+  trend.Add(history.Measure(field).Volume);
   for (int step = 1; step <= MostSteps; ++step)
   {
     Step(field, step, Lambda);
-    chronicle.Time += dt;
+    history.Time += dt;
     // How long it takes is not known, so progress slows down: half after 200 steps.
     Report(progress, step / (step + 200.0));
-    if (step % StepsToLook == 0)
+    if (step % StepsToMeasure == 0)
     {
-      trend.Add(chronicle.Look(field).Volume);
-      if (trend.IsCalm() || (step >= enough && trend.Change() < Slow * dt * StepsToLook))
+      trend.Add(history.Measure(field).Volume);
+      if (trend.HasConverged() || (step >= enough && trend.Change() < Slow * dt * StepsToMeasure))
       {
         return true;
       }
@@ -142,26 +283,28 @@ bool RunToRest(FlowField& field, int enough, Chronicle& chronicle, const Progres
 }
 
 FlowField SteadyField(const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters,
-  const PullField& pull, Chronicle& chronicle, const ProgressCallback& progress)
+  const PullField& pull, FlowHistory& history, const ProgressCallback& progress)
 {
   // With a probe, flows are short; with a pull, coarse grids see too little of it.
   const bool coarse = parameters.CoarseToFine && parameters.ProbeRadius == 0.0 && !pull;
-  const int levels = coarse ? CoarserLevels(balls, parameters) : 0;
+  const int levels = coarse ? NumberOfCoarserLevels(balls, parameters) : 0;
   const auto part = [&](int level) { return static_cast<double>(level) / (levels + 1); };
   FlowField field = StartField(balls, parameters, std::pow(2.0, levels), parameters.Enlargement,
     pull, Between(progress, 0.0, 0.3 * part(1)));
-  bool rests = RunToRest(field, MostSteps, chronicle, Between(progress, 0.3 * part(1), part(1)));
+  bool converged =
+    RunToConvergence(field, MostSteps, history, Between(progress, 0.3 * part(1), part(1)));
   for (int level = levels - 1; level >= 0; --level)
   {
     const int done = levels - level;
     const double third = part(done) + 0.3 * (part(done + 1) - part(done));
     FlowField finer = StartField(balls, parameters, std::pow(2.0, level),
       std::min(parameters.Enlargement, StartAgain), pull, Between(progress, part(done), third));
-    AddCoarse(field, finer);
+    AddCoarseField(field, finer);
     field = std::move(finer);
-    rests = RunToRest(field, FinerSteps, chronicle, Between(progress, third, part(done + 1)));
+    converged =
+      RunToConvergence(field, FinerSteps, history, Between(progress, third, part(done + 1)));
   }
-  chronicle.Result.Rests = rests;
+  history.Result.Converged = converged;
   return field;
 }
 
@@ -189,13 +332,13 @@ SurfaceFlowResult SurfaceFlow(const std::vector<Ball>& balls,
     return result;
   }
   CheckFlowMemory(balls, result.Grid);
-  Chronicle chronicle{ result };
+  FlowHistory history{ result };
   FlowField field = parameters.Steady
-    ? SteadyField(balls, parameters, pull, chronicle, Between(progress, 0.0, 0.95))
+    ? SteadyField(balls, parameters, pull, history, Between(progress, 0.0, 0.95))
     : StartField(balls, parameters, 1.0, parameters.Enlargement, pull, Between(progress, 0.0, 0.3));
   if (!parameters.Steady)
   {
-    RunForTime(field, parameters.EvolutionTime, chronicle, Between(progress, 0.3, 0.95));
+    RunForTime(field, parameters.EvolutionTime, history, Between(progress, 0.3, 0.95));
   }
   Redistance(field, FinalIterations, true);
   Advance(field, 0.0);

@@ -4,8 +4,8 @@
  *
  * With phi < 0 inside and the distance d to the atoms' balls,
  *
- *   phi_t = |grad phi| div(grad phi / |grad phi|) - (V / gamma) |grad phi|,   phi <= d at all
- * times, phi(0) = min_i (|x - x_i| - eta r_i).
+ *   phi_t = |grad phi| div(grad phi / |grad phi|) - (V / gamma) |grad phi|,
+ *   phi <= d at all times,   phi(0) = min_i (|x - x_i| - eta r_i).
  *
  * At rest it is the minimal molecular surface (P. W. Bates, G. W. Wei, S. Zhao, J. Comput. Chem. 29
  * (2008) 380), here by signed distances in a narrow band in place of the thesis' steep S
@@ -17,14 +17,24 @@
 #define isthmus_SurfaceFlow_h
 
 #include "Core/Progress.h"
-#include "MolecularSurfaces/FlowStart.h"
+#include "MolecularSurfaces/FlowField.h"
 #include "MolecularSurfaces/SurfaceFlowParameters.h"
 #include "vtkIsthmusFiltersMolecularSurfacesModule.h"
 
+#include <functional>
 #include <vector>
 
 namespace isthmus
 {
+
+/// Fills in -V / gamma at the nodes of a grid, in 1/angstrom: positive pulls to the atoms.
+using PullField = std::function<void(const FlowGrid& grid, std::vector<float>& pull)>;
+
+/// The field at the flow's start, from balls of `enlargement` times the radius: ceiling, floor,
+/// pull and distances in the band.
+VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT FlowField StartField(const std::vector<Ball>& balls,
+  const SurfaceFlowParameters& parameters, double factor, double enlargement, const PullField& pull,
+  const ProgressCallback& progress);
 
 /**
  * The grid that the result will have, and what SurfaceFlow will take of memory: `bytes` in all.

@@ -1,14 +1,17 @@
 /**
  * @file SurfaceFlowParameters.h
- * @brief What a geometric-flow surface is asked for, and what it gives.
+ * @brief Parameters, grid, memory and result of a molecular surface, for all methods.
+ *
+ * Common to SurfaceFlow.h, ThesisFlow.h and SolventExcludedSurface.h.
  */
 #ifndef isthmus_SurfaceFlowParameters_h
 #define isthmus_SurfaceFlowParameters_h
 
+#include "Atoms/Ball.h"
 #include "Atoms/MolecularDensity.h"
+#include "MolecularSurfaces/FlowField.h"
+#include "vtkIsthmusFiltersMolecularSurfacesModule.h"
 
-#include <array>
-#include <cstdint>
 #include <vector>
 
 namespace isthmus
@@ -19,7 +22,7 @@ struct SurfaceFlowParameters
 {
   double Enlargement = 1.3;   ///< eta: the flow starts from balls of eta times the radius, >= 1
   double EvolutionTime = 2.5; ///< of the flow, where it is not Steady
-  bool Steady = false;        ///< until the surface rests
+  bool Steady = false;        ///< until the surface has converged
   double ProbeRadius = 0.0;   ///< of the second obstacle, the solvent's side; 0: none
   double Spacing = 0.5;
   double Padding = 1.7;     ///< from the enlarged balls to the border; two spacings are always kept
@@ -41,9 +44,42 @@ struct SurfaceFlowResult
   std::vector<float> Distance; ///< angstrom, negative inside, cut at Band
   double Band = 0.0;           ///< angstrom
   std::vector<FlowRecord> History;
-  std::vector<float> S; ///< by the thesis' scheme only: 1 inside, 0 outside
-  bool Rests = true;    ///< false: a Steady flow reached its limit of steps still moving
+  std::vector<float> S;  ///< by the thesis' scheme only: 1 inside, 0 outside
+  bool Converged = true; ///< false: a Steady flow reached its limit of steps while still moving
 };
+
+/// Throws std::invalid_argument for what is out of range.
+VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void CheckFlow(
+  const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters);
+
+/// Throws std::runtime_error when no node of the field's grid lies inside of a ball.
+void CheckGridResolvesAtoms(
+  const FlowField& field, const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters);
+
+/// The grid around the enlarged balls at a spacing of `factor` times that of the parameters.
+VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT DensityGrid FlowGridAround(
+  const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters, double factor = 1.0);
+
+/// Bytes for a flow on `grid`, result and output included: 36 a node, and 24 for each of the
+/// margin's.
+VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT double FlowBytes(const DensityGrid& grid);
+
+/// Throws std::runtime_error with the size that `grid` would need unless it is available; names the
+/// atom that lies far from the others, if there is one.
+VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void CheckFlowMemory(
+  const std::vector<Ball>& balls, const DensityGrid& grid);
+
+/// `factor` times the values of the grid's nodes without its margin, plus `shift`.
+VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT std::vector<float> InnerValues(
+  const FlowGrid& grid, const std::vector<float>& values, float factor, float shift);
+
+/// Fills in the distances, in angstrom.
+VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void StoreDistances(
+  const FlowField& field, SurfaceFlowResult& result);
+
+/// Adds the field's area and volume to the history.
+VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void RecordMeasures(
+  const FlowField& field, double time, SurfaceFlowResult& result);
 
 }
 

@@ -2,11 +2,8 @@
 
 #include "Core/ParallelFor.h"
 #include "MolecularSurfaces/BallDistance.h"
-#include "MolecularSurfaces/FlowBand.h"
-#include "MolecularSurfaces/FlowMemory.h"
-#include "MolecularSurfaces/FlowResult.h"
-#include "MolecularSurfaces/FlowStart.h"
-#include "MolecularSurfaces/FlowSteps.h"
+#include "MolecularSurfaces/FlowField.h"
+#include "MolecularSurfaces/SurfaceFlowParameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +14,9 @@ namespace
 {
 
 constexpr double Lambda = 0.1;      // dt / spacing^2, the thesis' stability aside
-constexpr int StepsToLook = 50;     // between two measures
+constexpr int StepsToMeasure = 50;  // between two measures
 constexpr int MostSteps = 5000;     // when Steady
-constexpr double Rest = 1e-5;       // relative change of the volume in StepsToLook
+constexpr double Rest = 1e-5;       // relative change of the volume in StepsToMeasure
 constexpr float Half = 0.5F;        // the field is 1/2 - S, negative inside as distances are
 constexpr float SpacingsToS = 2.4F; // S changes by 1 in this distance, as in the filter's S
 
@@ -30,7 +27,7 @@ FlowField ThesisField(const std::vector<Ball>& balls, const SurfaceFlowParameter
   FlowField field(FlowGrid(FlowGridAround(balls, parameters)));
   const double band = static_cast<double>(FlowGrid::Band);
   DistanceToBalls(field.Grid, balls, 1.0, 0.0, band, field.Ceiling, Between(progress, 0.0, 0.5));
-  CheckAnythingInside(field, balls, parameters);
+  CheckGridResolvesAtoms(field, balls, parameters);
   DistanceToBalls(field.Grid, balls, parameters.Enlargement, 0.0, band, field.Distance,
     Between(progress, 0.5, 1.0));
   field.Floor.resize(field.Distance.size());
@@ -81,20 +78,20 @@ SurfaceFlowResult ThesisFlow(const std::vector<Ball>& balls,
   const int steps = parameters.Steady ? MostSteps : static_cast<int>(std::min<double>(wanted, 1e7));
   const double dt =
     parameters.Steady ? Lambda * h * h : (steps > 0 ? parameters.EvolutionTime / steps : 0.0);
-  Record(field, 0.0, result);
-  bool rests = false;
-  for (int step = 1; step <= steps && !(rests && parameters.Steady); ++step)
+  RecordMeasures(field, 0.0, result);
+  bool converged = false;
+  for (int step = 1; step <= steps && !(converged && parameters.Steady); ++step)
   {
     Advance(field, dt / (h * h));
-    if (step % StepsToLook == 0 || step == steps)
+    if (step % StepsToMeasure == 0 || step == steps)
     {
       const double before = result.History.back().Volume;
-      Record(field, dt * step, result);
-      rests = std::abs(result.History.back().Volume - before) < Rest * before;
+      RecordMeasures(field, dt * step, result);
+      converged = std::abs(result.History.back().Volume - before) < Rest * before;
     }
     Report(progress, 0.1 + 0.8 * step / (parameters.Steady ? step + 300.0 : steps));
   }
-  result.Rests = rests || !parameters.Steady;
+  result.Converged = converged || !parameters.Steady;
   result.S = InnerValues(field.Grid, field.Distance, -1.0F, Half);
   // Where S is 0 or 1 it tells no distance: such nodes lie beyond the band, the whole margin too.
   std::for_each(field.Distance.begin(), field.Distance.end(),

@@ -8,7 +8,6 @@
 #include "Core/RangeGuard.h"
 #include "MolecularSurfaces/DispersionAtoms.h"
 #include "MolecularSurfaces/FlowSurfaceOutput.h"
-#include "MolecularSurfaces/FlowTimes.h"
 #include "MolecularSurfaces/SolventExcludedSurface.h"
 #include "MolecularSurfaces/SurfaceFlow.h"
 #include "MolecularSurfaces/ThesisFlow.h"
@@ -40,6 +39,51 @@ using isthmus::AtomBalls;
 using isthmus::SurfaceFlowParameters;
 using isthmus::SurfaceFlowResult;
 using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+/// 0 and `steps` more, equally far apart, to `whole` (square angstrom); none for 0 steps, for a
+/// whole that is not a positive number, and where `input` has time steps of its own.
+std::vector<double> FlowTimes(int steps, double whole, vtkInformation* input)
+{
+  std::vector<double> times;
+  if (steps > 0 && whole > 0.0 && std::isfinite(whole) && !input->Has(Pipeline::TIME_STEPS()))
+  {
+    for (int step = 0; step <= steps; ++step)
+    {
+      times.push_back(whole * step / steps);
+    }
+  }
+  return times;
+}
+
+/// Sets these time steps in an output's information; without any, removes earlier ones, unless
+/// they are those of `input`.
+void SetTimes(const std::vector<double>& times, vtkInformation* input, vtkInformation* output)
+{
+  if (!times.empty())
+  {
+    const double range[2] = { times.front(), times.back() };
+    output->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+    output->Set(Pipeline::TIME_RANGE(), range, 2);
+  }
+  else if (!input->Has(Pipeline::TIME_STEPS()))
+  {
+    output->Remove(Pipeline::TIME_STEPS());
+    output->Remove(Pipeline::TIME_RANGE());
+  }
+}
+
+/// The one of `times` (not empty) nearest to the time requested of `output`, the last one where no
+/// time is requested.
+double RequestedTime(const std::vector<double>& times, vtkInformation* output)
+{
+  if (!output->Has(Pipeline::UPDATE_TIME_STEP()))
+  {
+    return times.back();
+  }
+  const double wanted = output->Get(Pipeline::UPDATE_TIME_STEP());
+  return *std::min_element(times.begin(), times.end(),
+    [wanted](double a, double b) { return std::abs(a - wanted) < std::abs(b - wanted); });
+}
 
 void CheckRange(const char* name, double value, double low, double high, const char* what)
 {
@@ -110,7 +154,7 @@ std::vector<double> vtkMolecularFlowSurface::Internals::Times(vtkInformation* in
 {
   const SurfaceFlowParameters parameters = this->Parameters();
   const bool flows = !parameters.Steady && this->Self->Method != SolventExcluded;
-  return isthmus::FlowTimes(flows ? this->Self->TimeSteps : 0, parameters.EvolutionTime, input);
+  return FlowTimes(flows ? this->Self->TimeSteps : 0, parameters.EvolutionTime, input);
 }
 
 void vtkMolecularFlowSurface::Internals::Check() const
@@ -157,7 +201,7 @@ void vtkMolecularFlowSurface::Internals::Warn(
       << atoms.WithoutRadius << " of " << atoms.NumberOfAtoms
       << " atoms have no radius and were left out: choose another table of radii in the reader.");
   }
-  if (!result.Rests)
+  if (!result.Converged)
   {
     vtkWarningWithObjectMacro(this->Self,
       << "The surface still moves after " << result.History.back().Time
@@ -250,8 +294,7 @@ int vtkMolecularFlowSurface::RequestInformation(
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
   for (int port = 0; port < 3; ++port)
   {
-    isthmus::TellTimes(
-      Internals(this).Times(input), input, outputVector->GetInformationObject(port));
+    SetTimes(Internals(this).Times(input), input, outputVector->GetInformationObject(port));
   }
   return 1;
 }
@@ -284,7 +327,7 @@ int vtkMolecularFlowSurface::RequestData(
       const int port = std::max(0, request->Get(Pipeline::FROM_OUTPUT_PORT()));
       const double time = times.empty()
         ? internals.Parameters().EvolutionTime
-        : isthmus::TimeAskedFor(times, outputVector->GetInformationObject(port));
+        : RequestedTime(times, outputVector->GetInformationObject(port));
       const SurfaceFlowResult result =
         internals.Flow(atoms, input, time, isthmus::Between(progress, 0.0, 0.85));
       if (atoms.Balls.empty())

@@ -2,7 +2,7 @@
 
 #include "Core/PolyDataTriangles.h"
 #include "Core/PrintableText.h"
-#include "MolecularSurfaces/FlowGrid.h"
+#include "MolecularSurfaces/FlowField.h"
 #include "Solvation/IonTransportOutput.h"
 #include "Surfaces/GridDistance.h"
 #include "Surfaces/GridImages.h"

@@ -1,10 +1,9 @@
 #include "Solvation/MovingChannel.h"
 
 #include "Core/RangeGuard.h"
-#include "MolecularSurfaces/FlowBand.h"
-#include "MolecularSurfaces/FlowResult.h"
-#include "MolecularSurfaces/FlowSteps.h"
+#include "MolecularSurfaces/FlowField.h"
 #include "MolecularSurfaces/LevelMeasure.h"
+#include "MolecularSurfaces/SurfaceFlowParameters.h"
 #include "Solvation/SurfacePull.h"
 
 #include <algorithm>

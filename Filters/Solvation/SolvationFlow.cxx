@@ -3,13 +3,12 @@
 #include "Atoms/NearestBall.h"
 #include "Electrostatics/ElectrostaticUnits.h"
 #include "MolecularSurfaces/BallDistance.h"
-#include "MolecularSurfaces/DispersionIntegral.h"
-#include "MolecularSurfaces/FlowBand.h"
-#include "MolecularSurfaces/FlowMemory.h"
-#include "MolecularSurfaces/FlowResult.h"
-#include "MolecularSurfaces/FlowStart.h"
+#include "MolecularSurfaces/Dispersion.h"
+#include "MolecularSurfaces/FlowField.h"
 #include "MolecularSurfaces/LevelMeasure.h"
-#include "MolecularSurfaces/SolventExcludedDistance.h"
+#include "MolecularSurfaces/SolventExcludedSurface.h"
+#include "MolecularSurfaces/SurfaceFlow.h"
+#include "MolecularSurfaces/SurfaceFlowParameters.h"
 #include "Solvation/SurfacePull.h"
 
 #include <algorithm>

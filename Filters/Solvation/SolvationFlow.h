@@ -21,7 +21,7 @@
  * **What stops the surface.** The field always pulls towards the charges, many times as strongly as
  * the tension holds: without more, a protein's surface collapses onto its atoms, into every cleft
  * that no water enters. So the obstacle is not the atoms but what a probe rolled over them leaves
- * to them (ProbeRadius; SolventExcludedDistance.h): where the probe can't be, there is no solvent.
+ * to them (ProbeRadius; SolventExcludedSurface.h): where the probe can't be, there is no solvent.
  * With ProbeRadius 0 it is the atoms.
  */
 #ifndef isthmus_SolvationFlow_h
@@ -29,7 +29,7 @@
 
 #include "Core/Progress.h"
 #include "Electrostatics/PoissonBoltzmann.h"
-#include "MolecularSurfaces/FlowGrid.h"
+#include "MolecularSurfaces/FlowField.h"
 #include "Solvation/SolvationParameters.h"
 #include "vtkIsthmusFiltersSolvationModule.h"
 

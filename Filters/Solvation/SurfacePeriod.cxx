@@ -1,7 +1,6 @@
 #include "Solvation/SurfacePeriod.h"
 
-#include "MolecularSurfaces/FlowBand.h"
-#include "MolecularSurfaces/FlowSteps.h"
+#include "MolecularSurfaces/FlowField.h"
 #include "MolecularSurfaces/LevelMeasure.h"
 
 #include <algorithm>

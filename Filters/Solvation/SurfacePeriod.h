@@ -9,7 +9,7 @@
 #ifndef isthmus_SurfacePeriod_h
 #define isthmus_SurfacePeriod_h
 
-#include "MolecularSurfaces/FlowGrid.h"
+#include "MolecularSurfaces/FlowField.h"
 
 #include <vector>
 

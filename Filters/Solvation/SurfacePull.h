@@ -12,7 +12,7 @@
 #define isthmus_SurfacePull_h
 
 #include "Electrostatics/BoundaryForces.h"
-#include "MolecularSurfaces/FlowGrid.h"
+#include "MolecularSurfaces/FlowField.h"
 #include "vtkIsthmusFiltersSolvationModule.h"
 
 #include <vector>

@@ -2,8 +2,8 @@
 
 #include "Core/AvailableMemory.h"
 #include "MolecularSurfaces/BallDistance.h"
-#include "MolecularSurfaces/FlowGrid.h"
-#include "MolecularSurfaces/SolventExcludedDistance.h"
+#include "MolecularSurfaces/FlowField.h"
+#include "MolecularSurfaces/SolventExcludedSurface.h"
 
 #include <algorithm>
 #include <cmath>

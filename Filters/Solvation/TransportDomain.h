@@ -66,7 +66,7 @@ VTKISTHMUSFILTERSSOLVATION_EXPORT void DemandMemory(
   const TransportDomain& domain, double bytesPerNode);
 
 /// The distance from each node to the solvent-excluded surface of atoms
-/// (SolventExcludedDistance.h), or for ProbeRadius 0 to the atoms; angstrom, negative within, cut
+/// (SolventExcludedSurface.h), or for ProbeRadius 0 to the atoms; angstrom, negative within, cut
 /// at 4.5 spacings. Parallel.
 /// @throws Cancelled.
 VTKISTHMUSFILTERSSOLVATION_EXPORT std::vector<float> DistanceToAtoms(const TransportDomain& domain,

@@ -4,7 +4,7 @@
 
 #include "Atoms/NearestBall.h"
 #include "FlowCases.h"
-#include "MolecularSurfaces/DispersionIntegral.h"
+#include "MolecularSurfaces/Dispersion.h"
 #include "MolecularSurfaces/SurfaceFlow.h"
 
 #include <gtest/gtest.h>

@@ -178,7 +178,7 @@ TEST(SurfaceFlow, AtRestOneBallIsItself)
   const SurfaceFlowResult ball = SurfaceFlow({ { { 0.1, 0.2, 0.3 }, 2.0 } }, parameters);
   EXPECT_NEAR(Last(ball).Area / (16.0 * Pi), 1.0, 5e-3);
   EXPECT_NEAR(Last(ball).Volume / (32.0 / 3.0 * Pi), 1.0, 8e-3);
-  EXPECT_TRUE(ball.Rests);
+  EXPECT_TRUE(ball.Converged);
 }
 
 TEST(SurfaceFlow, AFreeSphereShrinksAsItShould)

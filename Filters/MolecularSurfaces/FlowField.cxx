@@ -1,10 +1,63 @@
-#include "MolecularSurfaces/FlowBand.h"
+#include "MolecularSurfaces/FlowField.h"
+
+#include "MolecularSurfaces/FlowKernels.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace isthmus
 {
+namespace
+{
+
+std::int64_t RoundedUp(std::int64_t value, std::int64_t step)
+{
+  return (value + step - 1) / step * step;
+}
+
+}
+
+FlowGrid::FlowGrid(const DensityGrid& inner)
+  : InnerGrid(inner)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    this->Size[axis] = inner.Dimensions[axis] + 2 * Margin[axis];
+  }
+  this->Size[0] = RoundedUp(this->Size[0], Chunk);
+}
+
+std::array<double, 3> FlowGrid::Origin() const
+{
+  std::array<double, 3> origin = this->InnerGrid.Origin;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    origin[axis] -= this->InnerGrid.Spacing * static_cast<double>(Margin[axis]);
+  }
+  return origin;
+}
+
+double FlowGrid::NodesFor(const std::array<std::int64_t, 3>& inner)
+{
+  double nodes = static_cast<double>(RoundedUp(inner[0] + 2 * Margin[0], Chunk));
+  for (std::size_t axis = 1; axis < 3; ++axis)
+  {
+    nodes *= static_cast<double>(inner[axis] + 2 * Margin[axis]);
+  }
+  return nodes;
+}
+
+FlowField::FlowField(const FlowGrid& grid)
+  : Grid(grid)
+  , Distance(static_cast<std::size_t>(grid.NumberOfNodes()), FlowGrid::Band)
+  , Next(this->Distance)
+  , Ceiling(this->Distance)
+  , Free(this->Distance.size(), 1)
+  , Near(this->Distance.size() / static_cast<std::size_t>(FlowGrid::Chunk), 0)
+{
+}
+
 namespace
 {
 
@@ -110,6 +163,40 @@ void MoveBand(FlowField& field)
   ForEachRun(
     field, [&](std::int64_t first, std::int64_t last) { SettleRange(field, first, last); });
   GatherRuns(field);
+}
+
+void Advance(FlowField& field, double lambda)
+{
+  const FlowStep step{ field.Distance.data(), field.Next.data(), field.Ceiling.data(),
+    field.Floor.empty() ? nullptr : field.Floor.data(),
+    field.Pull.empty() ? nullptr : field.Pull.data(), static_cast<float>(lambda) };
+  const FlowStrides strides{ field.Grid.Row(), field.Grid.Plane() };
+  ForEachRun(
+    field, [&](std::int64_t first, std::int64_t last) { AdvanceRow(step, strides, first, last); });
+  std::swap(field.Distance, field.Next);
+}
+
+void Redistance(FlowField& field, int iterations, bool trusted)
+{
+  const FlowStrides strides{ field.Grid.Row(), field.Grid.Plane() };
+  ForEachRun(field,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      HoldSurfaceRow(
+        field.Distance.data(), field.Next.data(), field.Free.data(), trusted, strides, first, last);
+    });
+  std::swap(field.Distance, field.Next);
+  for (int i = 0; i < iterations; ++i)
+  {
+    ForEachRun(field,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        RedistanceRow(
+          field.Distance.data(), field.Next.data(), field.Free.data(), strides, first, last);
+      });
+    std::swap(field.Distance, field.Next);
+  }
+  MoveBand(field);
 }
 
 }

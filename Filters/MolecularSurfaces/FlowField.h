@@ -1,12 +1,17 @@
 /**
- * @file FlowGrid.h
- * @brief The grid of a surface flow: its nodes, a margin that spares the loops all borders, and the
- * arrays on it.
+ * @file FlowField.h
+ * @brief The level-set field of a surface flow: its grid, its narrow band, and steps of it.
+ *
+ * Signed distances in spacings on the nodes of a grid, negative inside. Only the nodes of a band of
+ * +-4.5 spacings around the surface take part in a step; distances are cut there, and the band
+ * follows the surface. The formulas of the steps are in FlowKernels.h.
  */
-#ifndef isthmus_FlowGrid_h
-#define isthmus_FlowGrid_h
+#ifndef isthmus_FlowField_h
+#define isthmus_FlowField_h
 
 #include "Atoms/MolecularDensity.h"
+#include "Core/ParallelFor.h"
+#include "vtkIsthmusFiltersMolecularSurfacesModule.h"
 
 #include <array>
 #include <cstdint>
@@ -78,6 +83,39 @@ struct FlowField
   std::vector<unsigned char> Near; ///< by chunk: has nodes in the band (1), first (2), last (4)
   std::vector<ChunkRun> Runs;      ///< chunks in the band, and their neighbours
 };
+
+/// Looks at every chunk of the grid; for a field whose Distance was just filled.
+VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void FindBand(FlowField& field);
+
+/// Follows the surface: chunks in the band and next to it become the field's runs, distances are
+/// cut at the band and Next made equal to them. Time O(nodes in the runs + chunks of the grid).
+VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void MoveBand(FlowField& field);
+
+/// Calls `work(first, last)` for the nodes of each run, in parallel.
+template <typename Work>
+void ForEachRun(const FlowField& field, Work work)
+{
+  constexpr std::int64_t runsAtOnce = 512; // some 10,000 nodes, to pay for a thread's start
+  ParallelFor(0, static_cast<std::int64_t>(field.Runs.size()), runsAtOnce,
+    [&](std::int64_t firstRun, std::int64_t lastRun)
+    {
+      for (std::int64_t r = firstRun; r < lastRun; ++r)
+      {
+        const ChunkRun& run = field.Runs[static_cast<std::size_t>(r)];
+        work(run.First, run.First + run.Nodes);
+      }
+    });
+}
+
+/// One explicit step of dt = `lambda` squared spacings, at most 0.25; see FlowKernels.h. Distances
+/// end up between floor and ceiling.
+VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void Advance(FlowField& field, double lambda);
+
+/// Makes distances of the values in the band, the surface staying where it is, and moves the band
+/// along. Each iteration carries the distance 0.45 spacings further from the surface. Values next
+/// to the surface are made distances as well, or where `trusted` taken as such.
+VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void Redistance(
+  FlowField& field, int iterations, bool trusted = false);
 
 }
 

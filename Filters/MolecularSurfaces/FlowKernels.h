@@ -1,6 +1,6 @@
 /**
- * @file FlowLoops.h
- * @brief The loops of a surface flow over neighbouring nodes. Lengths in spacings.
+ * @file FlowKernels.h
+ * @brief The finite-difference kernels of a surface flow. Lengths in spacings.
  *
  * With central differences of second order (19 points), one explicit step is
  *
@@ -15,8 +15,8 @@
  * next to the surface are set to phi / |grad phi| and held, so that the surface stays where it is
  * (G. Russo, P. Smereka, J. Comput. Phys. 163 (2000) 51).
  */
-#ifndef isthmus_FlowLoops_h
-#define isthmus_FlowLoops_h
+#ifndef isthmus_FlowKernels_h
+#define isthmus_FlowKernels_h
 
 #include <cstdint>
 

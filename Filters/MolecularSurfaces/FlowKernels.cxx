@@ -1,4 +1,4 @@
-#include "MolecularSurfaces/FlowLoops.h"
+#include "MolecularSurfaces/FlowKernels.h"
 
 #include "Core/VectorClones.h"
 

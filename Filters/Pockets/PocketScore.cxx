@@ -1,0 +1,71 @@
+#include "Pockets/PocketScore.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace isthmus
+{
+
+void ScorePocket(Pocket& pocket)
+{
+  Point3 sum{ 0.0, 0.0, 0.0 };
+  for (const PocketCell& cell : pocket.Cells)
+  {
+    const double share = cell.Volume * BurialWeight(static_cast<double>(cell.Burial));
+    pocket.Volume += cell.Volume;
+    pocket.Score += share;
+    sum = sum + share * cell.Centre;
+    pocket.Radius = std::max(pocket.Radius, cell.Clearance);
+    pocket.Access = std::max(pocket.Access, cell.Access);
+  }
+  if (pocket.Score > 0.0)
+  {
+    pocket.Centre = (1.0 / pocket.Score) * sum;
+    return;
+  }
+  // Only where mouths take more than there is among many atoms: then the room without them counts.
+  double weights = 0.0;
+  pocket.Score = 0.0;
+  for (const PocketCell& cell : pocket.Cells)
+  {
+    const double weight = std::max(0.0, cell.Volume);
+    weights += weight;
+    pocket.Centre = pocket.Centre + weight * cell.Centre;
+  }
+  pocket.Centre = (1.0 / weights) * pocket.Centre;
+}
+
+void RankPockets(std::vector<Pocket>& pockets)
+{
+  std::stable_sort(pockets.begin(), pockets.end(),
+    [](const Pocket& a, const Pocket& b) { return a.Score > b.Score; });
+}
+
+void WeightScoresByCurvature(const SurfaceView& surface, const PocketSurfaceFields& fields,
+  std::vector<Pocket>& pockets, std::vector<PocketSurfaceMeans>& means)
+{
+  const PocketSurfaceMeans whole = MeasureWholeSurface(surface, fields);
+  means = MeasurePocketSurfaces(surface, fields, pockets);
+  for (std::size_t p = 0; p < pockets.size(); ++p)
+  {
+    const double ratio = means[p].Polarized / whole.Polarized;
+    pockets[p].Score *= std::isfinite(ratio) ? std::sqrt(ratio) : 1.0;
+  }
+  std::vector<std::size_t> order(pockets.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b) { return pockets[a].Score > pockets[b].Score; });
+  std::vector<Pocket> sorted;
+  std::vector<PocketSurfaceMeans> sortedMeans;
+  for (const std::size_t i : order)
+  {
+    sorted.push_back(std::move(pockets[i]));
+    sortedMeans.push_back(means[i]);
+  }
+  pockets = std::move(sorted);
+  means = std::move(sortedMeans);
+}
+
+}
