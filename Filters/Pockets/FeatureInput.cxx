@@ -1,6 +1,6 @@
 #include "Pockets/FeatureInput.h"
 
-#include "Pockets/MolecularPockets.h"
+#include "Pockets/PocketScore.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

@@ -6,7 +6,7 @@
 #define isthmus_LiningResidues_h
 
 #include "Atoms/AtomInput.h"
-#include "Pockets/PocketParameters.h"
+#include "Pockets/Pocket.h"
 
 #include <vtkNew.h>
 

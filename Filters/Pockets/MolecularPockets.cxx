@@ -1,17 +1,19 @@
 #include "Pockets/MolecularPockets.h"
 
 #include "Atoms/PointBins.h"
+#include "Core/DisjointSets.h"
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
 #include "Core/RangeGuard.h"
 #include "Pockets/CellAccess.h"
 #include "Pockets/EmptySpace.h"
-#include "Pockets/PocketLabels.h"
-#include "Pockets/PocketMouths.h"
+#include "Pockets/PocketScore.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <queue>
 #include <stdexcept>
 #include <string>
 
@@ -19,6 +21,205 @@ namespace isthmus
 {
 namespace
 {
+
+/// A pocket, from 0 in the order of their first tetrahedra.
+using PocketNumber = Handle<struct PocketKind, std::int32_t>;
+using PocketByCell = HandleVector<TetrahedronId, PocketNumber>;
+
+/// Empty room around a pocket that one of `Way`s has reached.
+struct Way
+{
+  double Width;
+  TetrahedronId Cell;
+  PocketNumber Pocket;
+
+  bool operator<(const Way& other) const
+  {
+    if (this->Width != other.Width)
+    {
+      return this->Width < other.Width;
+    }
+    return this->Cell != other.Cell ? this->Cell > other.Cell : this->Pocket > other.Pocket;
+  }
+};
+
+/// The pocket of each tetrahedron: tetrahedra with room for the inner ball that the outer one does
+/// not reach, joined through triangles that let the inner one pass. O(n).
+PocketByCell PocketCores(
+  const CellFiltration& c, const CellAccess& access, const PocketOptions& options)
+{
+  const auto inside = [&](TetrahedronId cell)
+  {
+    return cell.Exists() && access.CellClearance[cell] > options.InnerRadius &&
+      access.Access[cell] < options.OuterRadius;
+  };
+  DisjointSets<TetrahedronId> sets(c.Tetrahedra.size());
+  for (const TriangleId t : c.Triangles())
+  {
+    const auto sides = c.TriangleSides(t);
+    if (access.TriangleClearance[t] > options.InnerRadius && inside(sides[0]) && inside(sides[1]))
+    {
+      sets.Join(sides[0], sides[1]);
+    }
+  }
+  PocketByCell numbers(c.Tetrahedra.size(), PocketNumber::None());
+  PocketByCell labels(c.Tetrahedra.size(), PocketNumber::None());
+  std::size_t count = 0;
+  for (const TetrahedronId cell : labels.Keys())
+  {
+    if (inside(cell))
+    {
+      PocketNumber& number = numbers[sets.Find(cell)];
+      number = number.Exists() ? number : PocketNumber::At(count++);
+      labels[cell] = number;
+    }
+  }
+  return labels;
+}
+
+/**
+ * Gives the crevices to the pockets: empty tetrahedra too narrow for the inner ball that the probe
+ * reaches from a pocket belong to the one with the widest way. So the room of a void is all of it.
+ * O(n log n).
+ */
+PocketByCell WithCrevices(const CellFiltration& c, const FacesByCell& faces,
+  const CellAccess& access, double outer, const PocketByCell& cores)
+{
+  PocketByCell labels = cores;
+  std::priority_queue<Way> ways;
+  const auto leave = [&](TetrahedronId cell)
+  {
+    for (const TriangleId face : faces[cell])
+    {
+      const TetrahedronId next = c.Across(face, cell);
+      if (next.Exists() && !labels[next].Exists() && c.TriangleValue[face] > 0.0 &&
+        access.Access[next] < outer)
+      {
+        ways.push({ access.TriangleClearance[face], next, labels[cell] });
+      }
+    }
+  };
+  for (const TetrahedronId cell : cores.Keys())
+  {
+    if (cores[cell].Exists())
+    {
+      leave(cell);
+    }
+  }
+  while (!ways.empty())
+  {
+    const Way way = ways.top();
+    ways.pop();
+    if (!labels[way.Cell].Exists())
+    {
+      labels[way.Cell] = way.Pocket;
+      leave(way.Cell);
+    }
+  }
+  return labels;
+}
+
+/// Area of a triangle that is not covered by the discs which its corners' balls are in its plane.
+double OpenArea(const RegularFiltration& f, TriangleId triangle)
+{
+  const CellFiltration& c = f.Complex;
+  const auto t = c.TrianglePoints(triangle);
+  double area = TriangleArea(c.Points[At(t[0])], c.Points[At(t[1])], c.Points[At(t[2])]);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Point3& p = c.Points[At(t[k])];
+    const SimplexId second = t[(k + 1) % 3];
+    const Point3 u = c.Points[At(second)] - p;
+    const Point3 v = c.Points[At(t[(k + 2) % 3])] - p;
+    const Point3 normal = Cross(u, v);
+    const double r = f.Radii[At(t[k])];
+    if (f.VertexValue[At(t[k])] <= 0.0)
+    {
+      area -= 0.5 * std::atan2(Length(normal), Dot(u, v)) * r * r;
+    }
+    if (c.EdgeValue[c.TriangleEdges[triangle][(k + 2) % 3]] <= 0.0)
+    {
+      // Half of the lens of two discs, as segments beyond their common chord.
+      const double q = f.Radii[At(second)];
+      const double d = Length(u);
+      const double chord = 0.5 * (d + (r - q) * (r + q) / d);
+      const auto segment = [](double radius, double height)
+      {
+        const double x = std::clamp(height / radius, -1.0, 1.0);
+        return radius * radius * (std::acos(x) - x * std::sqrt(1.0 - x * x));
+      };
+      area += 0.5 * (segment(r, chord) + segment(q, d - chord));
+    }
+  }
+  return area;
+}
+
+/// The open triangles of one pocket, in their order, with the group of each.
+std::vector<PocketMouth> Group(
+  const RegularFiltration& f, const CellAccess& access, const TriangleChain& open)
+{
+  DisjointSets<std::size_t> sets(open.size());
+  std::map<EdgeId, std::size_t> firstAt;
+  for (std::size_t i = 0; i < open.size(); ++i)
+  {
+    for (const EdgeId edge : f.Complex.TriangleEdges[open[i]])
+    {
+      sets.Join(firstAt.emplace(edge, i).first->second, i);
+    }
+  }
+  std::map<std::size_t, std::size_t> numberOf;
+  std::vector<PocketMouth> mouths;
+  for (std::size_t i = 0; i < open.size(); ++i)
+  {
+    const auto number = numberOf.emplace(sets.Find(i), mouths.size());
+    if (number.second)
+    {
+      mouths.emplace_back();
+    }
+    PocketMouth& mouth = mouths[number.first->second];
+    const auto t = f.Complex.TrianglePoints(open[i]);
+    const double clearance = access.TriangleClearance[open[i]];
+    mouth.Radius = std::max(mouth.Radius, clearance);
+    mouth.Area += OpenArea(f, open[i]);
+    mouth.Triangles.push_back({ t[0], t[1], t[2] });
+    mouth.Clearance.push_back(clearance);
+  }
+  std::stable_sort(mouths.begin(), mouths.end(),
+    [](const PocketMouth& a, const PocketMouth& b) { return a.Radius > b.Radius; });
+  return mouths;
+}
+
+/**
+ * Adds to each pocket the triangles wider than `inner` that lead out of it (`labels`: the pocket of
+ * each tetrahedron); those that share an edge are one mouth. O(n log n).
+ */
+void AddMouths(const RegularFiltration& f, const CellAccess& access, const PocketByCell& labels,
+  double inner, std::vector<Pocket>& pockets)
+{
+  HandleVector<PocketNumber, TriangleChain> open(pockets.size());
+  const auto pocketOf = [&labels](TetrahedronId cell)
+  { return cell.Exists() ? labels[cell] : PocketNumber::None(); };
+  for (const TriangleId t : f.Complex.Triangles())
+  {
+    const auto sides = f.Complex.TriangleSides(t);
+    const PocketNumber a = pocketOf(sides[0]);
+    const PocketNumber b = pocketOf(sides[1]);
+    if (a != b && access.TriangleClearance[t] > inner)
+    {
+      for (const PocketNumber pocket : { a, b })
+      {
+        if (pocket.Exists())
+        {
+          open[pocket].push_back(t);
+        }
+      }
+    }
+  }
+  for (std::size_t i = 0; i < pockets.size(); ++i)
+  {
+    pockets[i].Mouths = Group(f, access, open[PocketNumber::At(i)]);
+  }
+}
 
 void CheckLength(const char* name, double value)
 {
@@ -168,35 +369,6 @@ void FillLining(const Space& space, std::vector<Pocket>& pockets)
   }
 }
 
-void Measure(Pocket& pocket)
-{
-  Point3 sum{ 0.0, 0.0, 0.0 };
-  for (const PocketCell& cell : pocket.Cells)
-  {
-    const double share = cell.Volume * BurialWeight(static_cast<double>(cell.Burial));
-    pocket.Volume += cell.Volume;
-    pocket.Score += share;
-    sum = sum + share * cell.Centre;
-    pocket.Radius = std::max(pocket.Radius, cell.Clearance);
-    pocket.Access = std::max(pocket.Access, cell.Access);
-  }
-  if (pocket.Score > 0.0)
-  {
-    pocket.Centre = (1.0 / pocket.Score) * sum;
-    return;
-  }
-  // Only where mouths take more than there is among many atoms: then the room without them counts.
-  double weights = 0.0;
-  pocket.Score = 0.0;
-  for (const PocketCell& cell : pocket.Cells)
-  {
-    const double weight = std::max(0.0, cell.Volume);
-    weights += weight;
-    pocket.Centre = pocket.Centre + weight * cell.Centre;
-  }
-  pocket.Centre = (1.0 / weights) * pocket.Centre;
-}
-
 /// Gives back the numbers that the caller's atoms have.
 void Renumber(Pocket& pocket, const std::vector<std::size_t>& order)
 {
@@ -272,15 +444,14 @@ PocketResult FindPockets(
   Report(progress, 0.95);
   for (Pocket& pocket : pockets)
   {
-    Measure(pocket);
+    ScorePocket(pocket);
     if (pocket.Volume > 0.0 && pocket.Volume >= options.MinimumVolume)
     {
       Renumber(pocket, order);
       result.Pockets.push_back(std::move(pocket));
     }
   }
-  std::stable_sort(result.Pockets.begin(), result.Pockets.end(),
-    [](const Pocket& a, const Pocket& b) { return a.Score > b.Score; });
+  RankPockets(result.Pockets);
   Report(progress, 1.0);
   return result;
 }

@@ -12,26 +12,18 @@
  * that faces it, exact sums (EmptySpace.h). **Mouths**: triangles that the smaller ball passes on
  * its way out, grouped by shared edges.
  *
- * **Score**: sum over the tetrahedra of empty volume x (n/100)^2, with the number n of atoms within
- * BurialRadius: room counts the more, the more of the protein is around it. **Centre**: of the
- * orthogonal spheres, with the same weights.
+ * **Score, rank, centre**: PocketScore.h.
  */
 #ifndef isthmus_MolecularPockets_h
 #define isthmus_MolecularPockets_h
 
 #include "Atoms/Ball.h"
 #include "Core/Progress.h"
-#include "Pockets/PocketParameters.h"
+#include "Pockets/Pocket.h"
 #include "vtkIsthmusFiltersPocketsModule.h"
 
 namespace isthmus
 {
-
-/// What empty room counts in the score of its pocket, with so many atoms within BurialRadius.
-inline double BurialWeight(double atoms)
-{
-  return 1e-4 * atoms * atoms;
-}
 
 /**
  * Throws std::invalid_argument for options that are no positive lengths, an OuterRadius not above

@@ -1,9 +1,9 @@
 /**
- * @file PocketParameters.h
- * @brief What asks for pockets of a molecule, and what is found.
+ * @file Pocket.h
+ * @brief Pockets of a molecule: parameters and result.
  */
-#ifndef isthmus_PocketParameters_h
-#define isthmus_PocketParameters_h
+#ifndef isthmus_Pocket_h
+#define isthmus_Pocket_h
 
 #include "Core/Point3.h"
 

@@ -6,7 +6,7 @@
 #define isthmus_PocketOutput_h
 
 #include "Atoms/AtomInput.h"
-#include "Pockets/PocketParameters.h"
+#include "Pockets/Pocket.h"
 #include "Pockets/PocketSurface.h"
 
 class vtkPolyData;

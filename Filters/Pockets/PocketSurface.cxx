@@ -3,7 +3,6 @@
 #include "Atoms/PointBins.h"
 
 #include <cmath>
-#include <numeric>
 
 namespace isthmus
 {
@@ -55,7 +54,7 @@ struct AreaSums
 
 }
 
-std::vector<PocketSurfaceMeans> MeasureSurface(const SurfaceView& surface,
+std::vector<PocketSurfaceMeans> MeasurePocketSurfaces(const SurfaceView& surface,
   const PocketSurfaceFields& fields, const std::vector<Pocket>& pockets, double reach)
 {
   const std::vector<double> areas = PointAreas(surface);
@@ -83,8 +82,8 @@ std::vector<PocketSurfaceMeans> MeasureSurface(const SurfaceView& surface,
   return means;
 }
 
-void WeighPockets(const SurfaceView& surface, const PocketSurfaceFields& fields,
-  std::vector<Pocket>& pockets, std::vector<PocketSurfaceMeans>& means)
+PocketSurfaceMeans MeasureWholeSurface(
+  const SurfaceView& surface, const PocketSurfaceFields& fields)
 {
   const std::vector<double> areas = PointAreas(surface);
   AreaSums whole;
@@ -92,28 +91,10 @@ void WeighPockets(const SurfaceView& surface, const PocketSurfaceFields& fields,
   {
     whole.Add(fields, i, areas[i]);
   }
-  means = MeasureSurface(surface, fields, pockets);
-  for (std::size_t p = 0; p < pockets.size(); ++p)
-  {
-    const double ratio = means[p].Polarized / whole.Means().Polarized;
-    pockets[p].Score *= std::isfinite(ratio) ? std::sqrt(ratio) : 1.0;
-  }
-  std::vector<std::size_t> order(pockets.size());
-  std::iota(order.begin(), order.end(), std::size_t{ 0 });
-  std::stable_sort(order.begin(), order.end(),
-    [&](std::size_t a, std::size_t b) { return pockets[a].Score > pockets[b].Score; });
-  std::vector<Pocket> sorted;
-  std::vector<PocketSurfaceMeans> sortedMeans;
-  for (const std::size_t i : order)
-  {
-    sorted.push_back(std::move(pockets[i]));
-    sortedMeans.push_back(means[i]);
-  }
-  pockets = std::move(sorted);
-  means = std::move(sortedMeans);
+  return whole.Means();
 }
 
-std::vector<int> LabelSurface(
+std::vector<int> LabelPocketSurfaces(
   const SurfaceView& surface, const std::vector<Pocket>& pockets, double reach)
 {
   const PointBins bins(surface.Points, 3.0);

@@ -1,12 +1,13 @@
 /**
  * @file PocketSurface.h
- * @brief What a surface with polarized curvature says of the pockets it lines.
+ * @brief The part of a molecular surface that lines a pocket: mean potential and polarized
+ * curvature.
  */
 #ifndef isthmus_PocketSurface_h
 #define isthmus_PocketSurface_h
 
 #include "Core/SurfaceView.h"
-#include "Pockets/PocketParameters.h"
+#include "Pockets/Pocket.h"
 #include "vtkIsthmusFiltersPocketsModule.h"
 
 #include <vector>
@@ -33,20 +34,16 @@ struct PocketSurfaceFields
  * The surface within `reach` of a pocket's alpha balls (centres and clearances of its cells) lines
  * it. One entry for each pocket. O(n log n + cells x points near).
  */
-VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<PocketSurfaceMeans> MeasureSurface(
+VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<PocketSurfaceMeans> MeasurePocketSurfaces(
   const SurfaceView& surface, const PocketSurfaceFields& fields, const std::vector<Pocket>& pockets,
   double reach = 0.5);
 
-/**
- * Multiplies each score by the square root of the pocket's mean polarized curvature over that of
- * the whole surface (1 for a pocket that no surface lines) and ranks anew.
- */
-VTKISTHMUSFILTERSPOCKETS_EXPORT void WeighPockets(const SurfaceView& surface,
-  const PocketSurfaceFields& fields, std::vector<Pocket>& pockets,
-  std::vector<PocketSurfaceMeans>& means);
+/// The same means over the whole surface.
+VTKISTHMUSFILTERSPOCKETS_EXPORT PocketSurfaceMeans MeasureWholeSurface(
+  const SurfaceView& surface, const PocketSurfaceFields& fields);
 
 /// For each point of the surface 0, or 1 + the place of the first pocket that it lines.
-VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<int> LabelSurface(
+VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<int> LabelPocketSurfaces(
   const SurfaceView& surface, const std::vector<Pocket>& pockets, double reach = 0.5);
 
 }

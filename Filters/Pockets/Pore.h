@@ -1,9 +1,9 @@
 /**
- * @file PoreParameters.h
- * @brief What asks for the course and width of pores, and what is found.
+ * @file Pore.h
+ * @brief Pores through a molecule: parameters and result.
  */
-#ifndef isthmus_PoreParameters_h
-#define isthmus_PoreParameters_h
+#ifndef isthmus_Pore_h
+#define isthmus_Pore_h
 
 #include "Core/Point3.h"
 

@@ -6,7 +6,7 @@
 #define isthmus_PoreChannels_h
 
 #include "Pockets/CellAccess.h"
-#include "Pockets/PoreParameters.h"
+#include "Pockets/Pore.h"
 #include "vtkIsthmusFiltersPocketsModule.h"
 
 namespace isthmus

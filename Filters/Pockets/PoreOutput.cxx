@@ -1,6 +1,6 @@
 #include "Pockets/PoreOutput.h"
 
-#include "Pockets/PlaneBall.h"
+#include "Pockets/PoreRadius.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

@@ -6,7 +6,7 @@
 #define isthmus_PoreOutput_h
 
 #include "Pockets/LiningResidues.h"
-#include "Pockets/PoreParameters.h"
+#include "Pockets/Pore.h"
 
 class vtkPolyData;
 class vtkTable;

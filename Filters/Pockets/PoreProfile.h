@@ -12,14 +12,13 @@
 
 #include "Atoms/Ball.h"
 #include "Core/Progress.h"
-#include "Pockets/PoreParameters.h"
+#include "Pockets/Pore.h"
 #include "vtkIsthmusFiltersPocketsModule.h"
 
 namespace isthmus
 {
 
 /// All channels that run through the molecule, the longest first (PoreChannels.h says which).
-/// `probe` only decides how atoms of different radii are weighed against each other.
 VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<Pore> FindPores(const std::vector<Ball>& atoms,
   const PoreOptions& options, const ProgressCallback& progress = {});
 

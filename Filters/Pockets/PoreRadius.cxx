@@ -1,4 +1,4 @@
-#include "Pockets/PlaneBall.h"
+#include "Pockets/PoreRadius.h"
 
 #include "Core/Pi.h"
 

@@ -1,9 +1,9 @@
 /**
- * @file PlaneBall.h
- * @brief The largest ball between atoms with its centre in a plane.
+ * @file PoreRadius.h
+ * @brief The radius of a pore: the largest ball between atoms with its centre in a plane across it.
  */
-#ifndef isthmus_PlaneBall_h
-#define isthmus_PlaneBall_h
+#ifndef isthmus_PoreRadius_h
+#define isthmus_PoreRadius_h
 
 #include "Atoms/Ball.h"
 #include "Atoms/PointBins.h"

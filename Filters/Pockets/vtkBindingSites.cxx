@@ -8,7 +8,7 @@
 #include "Pockets/BindingSites.h"
 #include "Pockets/HullDepth.h"
 #include "Pockets/MolecularPockets.h"
-#include "Pockets/PocketSurface.h"
+#include "Pockets/PocketScore.h"
 
 #include <vtkDataArray.h>
 #include <vtkInformation.h>
@@ -215,11 +215,11 @@ isthmus::BindingSiteResult vtkBindingSites::Pockets(
       .Pockets;
   isthmus::SiteFields fields = this->Fields(surface);
   std::vector<isthmus::PocketSurfaceMeans> means;
-  isthmus::WeighPockets(
+  isthmus::WeightScoresByCurvature(
     triangles, { std::move(fields.Amplitude), fields.Potential }, pockets, means);
   isthmus::BindingSiteResult result;
   result.Threshold = vtkMath::Nan();
-  result.Labels = isthmus::LabelSurface(triangles, pockets);
+  result.Labels = isthmus::LabelPocketSurfaces(triangles, pockets);
   const isthmus::HullDepth depth(triangles, {});
   for (std::size_t i = 0; i < pockets.size(); ++i)
   {

@@ -5,6 +5,7 @@
 #include "Core/WholeSurface.h"
 #include "Pockets/MolecularPockets.h"
 #include "Pockets/PocketOutput.h"
+#include "Pockets/PocketScore.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -166,7 +167,7 @@ void vtkMolecularPockets::Compute(
     const isthmus::PolyDataTriangles triangles(surface);
     const isthmus::PocketSurfaceFields fields{ NumbersOf(this->PolarizedArray, surface, true),
       NumbersOf(this->PotentialArray, surface, false) };
-    isthmus::WeighPockets(triangles.View(), fields, result.Pockets, means);
+    isthmus::WeightScoresByCurvature(triangles.View(), fields, result.Pockets, means);
   }
   const isthmus::PocketReport report{ result.Pockets, means, atoms };
   auto* cells = vtkUnstructuredGrid::GetData(outputs, 0);

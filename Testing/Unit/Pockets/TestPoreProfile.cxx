@@ -4,7 +4,7 @@
 #include "vtkPoreProfile.h"
 
 #include "BallPoints.h"
-#include "Pockets/PlaneBall.h"
+#include "Pockets/PoreRadius.h"
 #include "Pockets/PoreProfile.h"
 
 #include <vtkCommand.h>
