@@ -1,7 +1,7 @@
 #include "Atoms/AtomInput.h"
 
 #include "Atoms/ChemicalElement.h"
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkDataArray.h>
@@ -163,8 +163,8 @@ ChosenAtoms ChooseAtoms(const std::string& radiusArray, vtkPointSet* input,
     }
     if (!(radius >= 0.0 && radius < 1000.0))
     {
-      throw std::invalid_argument("Atom " + std::to_string(i) + " has the radius " + Shown(radius) +
-        ", but a radius in angstrom lies between 0 and 1000.");
+      throw std::invalid_argument("Atom " + std::to_string(i) + " has the radius " +
+        FormatNumber(radius) + ", but a radius in angstrom lies between 0 and 1000.");
     }
     chosen.Balls.push_back({ atom.Place, radius });
     chosen.Points.push_back(static_cast<vtkIdType>(i));

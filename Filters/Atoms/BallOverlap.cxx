@@ -1,6 +1,6 @@
 #include "Atoms/BallOverlap.h"
 
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #define isthmus_BallOverlap_h
 
 #include "Atoms/Ball.h"
-#include "Core/Point3.h"
+#include "Core/Geometry.h"
 #include "vtkIsthmusFiltersAtomsModule.h"
 
 #include <array>

@@ -5,7 +5,7 @@
 #ifndef isthmus_PointBins_h
 #define isthmus_PointBins_h
 
-#include "Core/Point3.h"
+#include "Core/Geometry.h"
 #include "Core/View.h"
 
 #include <algorithm>

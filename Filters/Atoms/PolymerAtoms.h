@@ -5,7 +5,7 @@
 #ifndef isthmus_PolymerAtoms_h
 #define isthmus_PolymerAtoms_h
 
-#include "Core/Point3.h"
+#include "Core/Geometry.h"
 #include "vtkIsthmusFiltersAtomsModule.h"
 
 #include <set>

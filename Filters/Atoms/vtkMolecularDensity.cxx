@@ -4,7 +4,7 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
 #include "Core/PipelineInputs.h"
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -71,7 +71,7 @@ Atoms AtomsOf(vtkPointSet* input, vtkDataArray* radii, double scale)
   }
   if (!(scale > 0.0) || std::isinf(scale))
   {
-    throw std::invalid_argument("RadiusScale is " + isthmus::Shown(scale) +
+    throw std::invalid_argument("RadiusScale is " + isthmus::FormatNumber(scale) +
       ", but it is a factor of lengths: give a positive number.");
   }
   Atoms atoms;
@@ -103,7 +103,7 @@ vtkFloatArray* AddDensity(vtkImageData* image, const DensityGrid& grid)
 {
   const double nodes = static_cast<double>(grid.Dimensions[0]) *
     static_cast<double>(grid.Dimensions[1]) * static_cast<double>(grid.Dimensions[2]);
-  const std::string tooLarge = "A Spacing of " + isthmus::Shown(grid.Spacing) +
+  const std::string tooLarge = "A Spacing of " + isthmus::FormatNumber(grid.Spacing) +
     " makes a grid of " + std::to_string(grid.Dimensions[0]) + " x " +
     std::to_string(grid.Dimensions[1]) + " x " + std::to_string(grid.Dimensions[2]) +
     " nodes, which takes " + std::to_string(std::llround(nodes * sizeof(float) / 1e9)) +
@@ -158,7 +158,7 @@ int vtkMolecularDensity::RequestInformation(
     result = isthmus::Guarded(this, image,
       [&]()
       {
-        this->Advance->DemandOnOneRank(0, "atoms");
+        this->Advance->RequireOneRank(0, "atoms");
         const Atoms atoms = AtomsOf(input, RadiiOf(this, input), this->RadiusScale);
         SetGeometry(isthmus::GridAroundBalls(atoms.Balls, this->Spacing,
                       { this->Padding[0], this->Padding[1], this->Padding[2] }),
@@ -166,7 +166,7 @@ int vtkMolecularDensity::RequestInformation(
       });
   }
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  isthmus::TellGeometry(outInfo, image);
+  isthmus::SetImageInformation(outInfo, image);
   vtkDataObject::SetPointDataActiveScalarInfo(outInfo, VTK_FLOAT, 1);
   return result;
 }
@@ -180,7 +180,7 @@ int vtkMolecularDensity::RequestData(
   return isthmus::Guarded(this, output,
     [&]()
     {
-      this->Advance->DemandOnOneRank(0, "atoms");
+      this->Advance->RequireOneRank(0, "atoms");
       if (input && input->GetNumberOfPoints() > 0)
       {
         this->FillImage(input, output);

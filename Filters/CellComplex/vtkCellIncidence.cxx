@@ -4,8 +4,8 @@
 #include "CellComplex/FaceTable.h"
 #include "CellComplex/GridMap.h"
 #include "Core/AlgorithmGuard.h"
+#include "Core/GatherRanks.h"
 #include "Core/ParallelFor.h"
-#include "Core/WholeSurface.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -195,7 +195,7 @@ int vtkCellIncidence::RequestData(
   const int result = isthmus::Guarded(this, edges,
     [&]()
     {
-      isthmus::DemandOnOneRank(this, input, "cells");
+      isthmus::RequireOneRank(this, input, "cells");
       isthmus::WithMap(input, isthmus::Between(progress, 0.0, 0.5),
         [&](const auto& map, const isthmus::GridCells& cells)
         {

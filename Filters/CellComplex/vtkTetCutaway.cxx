@@ -4,7 +4,7 @@
 #include "CellComplex/GridMap.h"
 #include "CellComplex/TetCutaway.h"
 #include "Core/AlgorithmGuard.h"
-#include "Core/WholeSurface.h"
+#include "Core/GatherRanks.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -241,7 +241,7 @@ int vtkTetCutaway::RequestData(
   const int result = isthmus::Guarded(this, surface,
     [&]()
     {
-      isthmus::DemandOnOneRank(this, input, "cells");
+      isthmus::RequireOneRank(this, input, "cells");
       isthmus::WithMap(input, isthmus::Between(progress, 0.0, 0.6), cut);
       done = true;
     });

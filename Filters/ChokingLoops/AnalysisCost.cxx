@@ -1,7 +1,7 @@
 #include "ChokingLoops/AnalysisCost.h"
 
-#include "Core/AvailableMemory.h"
 #include "Core/DisjointSets.h"
+#include "Core/MemoryBudget.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #ifndef isthmus_AnalysisCost_h
 #define isthmus_AnalysisCost_h
 
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h" // for the export macro
 
 #include <cstddef>

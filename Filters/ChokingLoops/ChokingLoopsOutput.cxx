@@ -1,7 +1,7 @@
 #include "ChokingLoops/ChokingLoopsOutput.h"
 
 #include "ChokingLoops/LoopDrawing.h"
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 #include "Surfaces/TriangleTree.h"
 
 #include <vtkCellArray.h>

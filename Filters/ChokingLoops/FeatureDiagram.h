@@ -7,8 +7,8 @@
 #define isthmus_FeatureDiagram_h
 
 #include "ChokingLoops/SurfaceHomology.h"
-#include "Core/Bounds3.h"
 #include "Core/DisjointSets.h"
+#include "Core/Geometry.h"
 #include "Persistence/FiltrationPairs.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 

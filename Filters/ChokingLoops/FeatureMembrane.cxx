@@ -3,8 +3,8 @@
 #include "ChokingLoops/MinimumCutMembrane.h"
 #include "ChokingLoops/SurfaceHomology.h"
 #include "ChokingLoops/SurfacePaths.h"
+#include "Core/Geometry.h"
 #include "Core/Index.h"
-#include "Core/Pi.h"
 
 #include <algorithm>
 #include <cmath>

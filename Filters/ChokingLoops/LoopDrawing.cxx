@@ -1,7 +1,7 @@
 #include "ChokingLoops/LoopDrawing.h"
 
 #include "ChokingLoops/LoopShortening.h"
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 #include "Core/Stopwatch.h"
 
 #include <algorithm>

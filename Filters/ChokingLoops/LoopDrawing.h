@@ -10,7 +10,7 @@
 #include "ChokingLoops/FeatureDiagram.h"
 #include "ChokingLoops/FeatureMembrane.h"
 #include "ChokingLoops/LoopShortening.h"
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <functional>

@@ -1,8 +1,8 @@
 #include "ChokingLoops/LoopShortening.h"
 
 #include "ChokingLoops/SurfacePaths.h"
+#include "Core/Geometry.h"
 #include "Core/Index.h"
-#include "Core/Pi.h"
 
 #include <algorithm>
 #include <cmath>

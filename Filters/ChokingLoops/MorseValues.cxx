@@ -1,7 +1,7 @@
 #include "ChokingLoops/MorseValues.h"
 
 #include "ChokingLoops/SurfaceDistance.h"
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 #include "Persistence/EdgeDistances.h"
 
 namespace isthmus

@@ -6,8 +6,8 @@
 #define isthmus_MorseValues_h
 
 #include "Core/Progress.h"
-#include "Core/SurfaceView.h"
 #include "Core/TetrahedralMesh.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus

@@ -1,7 +1,8 @@
 #include "ChokingLoops/OffsetSurface.h"
 
-#include "Core/Bounds3.h"
-#include "Core/RangeGuard.h"
+#include "Core/Geometry.h"
+#include "Core/RangeChecks.h"
+#include "Core/UnitScale.h"
 #include "Surfaces/GridDistance.h"
 
 #include <algorithm>
@@ -32,7 +33,7 @@ Bounds3 BoxAround(const SurfaceView& surface, double distance, std::int64_t cell
   {
     throw std::invalid_argument("The surface has no triangles to keep a distance from.");
   }
-  DemandAbove("Distance", distance, 0.0, LargestLength, "It is the distance from the surface.");
+  RequireAbove("Distance", distance, 0.0, LargestLength, "It is the distance from the surface.");
   const auto& first = surface.Points[static_cast<std::size_t>(surface.Triangles[0][0])];
   Bounds3 box{ first, first };
   for (const Triangle& t : surface.Triangles)
@@ -53,8 +54,9 @@ Bounds3 BoxAround(const SurfaceView& surface, double distance, std::int64_t cell
     std::abs(box.Min[2]), std::abs(box.Max[0]), std::abs(box.Max[1]), std::abs(box.Max[2]) });
   if (distance > 1e6 * farthest || distance < 1e-9 * farthest)
   {
-    throw std::invalid_argument("Distance is " + Shown(distance) + ", but the surface reaches to " +
-      Shown(farthest) + ": from 1e-9 to 1e6 of that can be told apart from 0 and from a ball.");
+    throw std::invalid_argument("Distance is " + FormatNumber(distance) +
+      ", but the surface reaches to " + FormatNumber(farthest) +
+      ": from 1e-9 to 1e6 of that can be told apart from 0 and from a ball.");
   }
   const double width = std::max({ size[0], size[1], size[2] }) + 2.0 * distance;
   const double margin = distance + 2.0 * width / static_cast<double>(cells - 4);
@@ -92,7 +94,7 @@ void MakeExact(
 DistanceGrid OffsetDistances(const SurfaceView& surface, double distance, OffsetSide side,
   std::int64_t cells, const ProgressCallback& progress)
 {
-  DemandRange("Resolution", static_cast<double>(cells), 8, 1024, "It counts cells along a side.");
+  RequireRange("Resolution", static_cast<double>(cells), 8, 1024, "It counts cells along a side.");
   const UnitScale scale(surface.Points);
   if (!scale.IsOne())
   {
@@ -116,7 +118,7 @@ DistanceGrid OffsetDistances(const SurfaceView& surface, double distance, Offset
   }
   if (!std::all_of(grid.Values.begin(), grid.Values.end(), [](double d) { return d < HUGE_VAL; }))
   {
-    throw std::runtime_error("At a Distance of " + Shown(distance) +
+    throw std::runtime_error("At a Distance of " + FormatNumber(distance) +
       " the grid is too coarse for the surface, which no node comes near: take a smaller Distance "
       "or a higher Resolution.");
   }

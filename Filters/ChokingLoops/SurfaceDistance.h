@@ -5,7 +5,7 @@
 #ifndef isthmus_SurfaceDistance_h
 #define isthmus_SurfaceDistance_h
 
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 #include "Core/Progress.h"
 #include "Surfaces/SurfaceCrossings.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"

@@ -7,7 +7,7 @@
 #define isthmus_SurfacePaths_h
 
 #include "ChokingLoops/IdMap.h"
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "Persistence/CellFiltration.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 

@@ -1,8 +1,8 @@
 #include "ChokingLoops/SurfacePreparation.h"
 
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 #include "Core/Index.h"
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 #include "Remeshing/SelfIntersections.h"
 #include "Remeshing/SurfaceRepair.h"
 #include "Remeshing/ThinTriangles.h"
@@ -166,11 +166,12 @@ TriangleMesh MendedSurface(const SurfaceView& surface, const std::string& what, 
   if (!(share <= MendedShare))
   {
     throw std::invalid_argument(what + " Its repair would change the volume by " +
-      Shown(100.0 * share) + " %, and the most is " + Shown(100.0 * MendedShare) + " %." + advice);
+      FormatNumber(100.0 * share) + " %, and the most is " + FormatNumber(100.0 * MendedShare) +
+      " %." + advice);
   }
   TellChanged(surface, mesh, mending);
   mending.Told = what + " It was repaired: " + std::to_string(mending.Changed) +
-    " triangles changed, and the volume by " + Shown(100.0 * share) + " %.";
+    " triangles changed, and the volume by " + FormatNumber(100.0 * share) + " %.";
   return mesh;
 }
 
@@ -224,8 +225,8 @@ void DemandUsableSize(const SurfaceView& surface)
   // Squared circumradii are quotients of eighth powers of the spacing, a ten-thousandth of this.
   if (!(size > 1e-32 && size < 1e32))
   {
-    throw std::invalid_argument(
-      "The surface is " + Shown(size) + " wide, which is out of range (1e-32 to 1e32): scale it.");
+    throw std::invalid_argument("The surface is " + FormatNumber(size) +
+      " wide, which is out of range (1e-32 to 1e32): scale it.");
   }
 }
 
@@ -593,21 +594,21 @@ TriangleMesh FirstSamples(
       CopyOf(surface), [&spacing](const Point3&, const Point3&) { return spacing; }, most, part);
   };
   const double edges = LengthOfEdges(surface);
-  DemandRange("SampleSpacing", spacing, 0.0, LargestLength, "It is a length; 0 chooses one.");
+  RequireRange("SampleSpacing", spacing, 0.0, LargestLength, "It is a length; 0 chooses one.");
   if (spacing > 0.0 && edges / spacing > 2.0 * static_cast<double>(MostSamples))
   {
-    throw std::invalid_argument("A SampleSpacing of " + Shown(spacing) + " takes some " +
-      Shown(edges / spacing) + " points along the edges alone, and the most is " +
-      Shown(static_cast<double>(MostSamples)) + ": raise it.");
+    throw std::invalid_argument("A SampleSpacing of " + FormatNumber(spacing) + " takes some " +
+      FormatNumber(edges / spacing) + " points along the edges alone, and the most is " +
+      FormatNumber(static_cast<double>(MostSamples)) + ": raise it.");
   }
   // Triangles with edges of that length, equilateral ones at the most, and half as many points.
   const double fewest =
     spacing > 0.0 ? SurfaceArea(surface) / (0.5 * std::sqrt(3.0) * spacing * spacing) : 0.0;
   if (fewest > static_cast<double>(MostSamples))
   {
-    throw std::invalid_argument("A SampleSpacing of " + Shown(spacing) + " takes " + Shown(fewest) +
-      " points at least, and the most is " + Shown(static_cast<double>(MostSamples)) +
-      ": raise it.");
+    throw std::invalid_argument("A SampleSpacing of " + FormatNumber(spacing) + " takes " +
+      FormatNumber(fewest) + " points at least, and the most is " +
+      FormatNumber(static_cast<double>(MostSamples)) + ": raise it.");
   }
   if (spacing > 0.0)
   {

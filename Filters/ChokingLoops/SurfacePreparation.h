@@ -6,7 +6,7 @@
 #define isthmus_SurfacePreparation_h
 
 #include "Core/Progress.h"
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 #include <functional>

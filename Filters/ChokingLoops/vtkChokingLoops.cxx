@@ -5,10 +5,10 @@
 #include "ChokingLoops/MorseValues.h"
 #include "ChokingLoops/SurfacePreparation.h"
 #include "Core/AlgorithmGuard.h"
-#include "Core/AvailableMemory.h"
-#include "Core/PolyDataMesh.h"
-#include "Core/RangeGuard.h"
-#include "Core/WholeSurface.h"
+#include "Core/GatherRanks.h"
+#include "Core/MemoryBudget.h"
+#include "Core/PolyDataTriangles.h"
+#include "Core/RangeChecks.h"
 #include "Remeshing/SurfaceRepair.h"
 #include "Tetrahedra/TetrahedralMesher.h"
 
@@ -41,7 +41,7 @@ constexpr int ManyRounds = 1000;     ///< as good as until nothing gets shorter
 /// Seconds in words, rounded up to tenths.
 std::string SecondsText(double seconds)
 {
-  return isthmus::Shown(0.1 * std::ceil(10.0 * seconds)) + " s";
+  return isthmus::FormatNumber(0.1 * std::ceil(10.0 * seconds)) + " s";
 }
 
 constexpr const char* Unsettled =
@@ -291,7 +291,7 @@ int vtkChokingLoops::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   vtkSmartPointer<vtkPolyData> whole;
-  const auto gather = [&] { whole = isthmus::WholeSurface(this, vtkPolyData::GetData(input[0])); };
+  const auto gather = [&] { whole = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0])); };
   if (isthmus::Succeeds(this, vtkPolyData::GetData(output, 0), gather))
   {
     this->FindLoops(whole, vtkDataObject::GetData(input[1]), output);

@@ -2,8 +2,8 @@
 
 #include "ChokingLoops/HandleFilling.h"
 #include "Core/AlgorithmGuard.h"
-#include "Core/PolyDataMesh.h"
-#include "Core/WholeSurface.h"
+#include "Core/GatherRanks.h"
+#include "Core/PolyDataTriangles.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -97,7 +97,7 @@ int vtkHandleFilling::RequestData(
   return isthmus::Guarded(this, surface,
     [&]
     {
-      const auto whole = isthmus::WholeSurface(this, vtkPolyData::GetData(input[0]));
+      const auto whole = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0]));
       if (whole->GetNumberOfPoints() == 0)
       {
         return;

@@ -3,8 +3,8 @@
 #include "ChokingLoops/LoopShortening.h"
 #include "ChokingLoops/SurfacePreparation.h"
 #include "Core/AlgorithmGuard.h"
-#include "Core/PolyDataMesh.h"
-#include "Core/WholeSurface.h"
+#include "Core/GatherRanks.h"
+#include "Core/PolyDataTriangles.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -195,7 +195,7 @@ int vtkLoopShortening::RequestData(
     [&]
     {
       const auto whole =
-        isthmus::WholeSurface(this, vtkPolyData::GetData(input[1]), isthmus::WholeOn::EachRank);
+        isthmus::GatherSurface(this, vtkPolyData::GetData(input[1]), isthmus::GatherOn::EachRank);
       const vtkIdType count = loops->GetNumberOfLines();
       if (count == 0)
       {

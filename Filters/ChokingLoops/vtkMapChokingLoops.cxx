@@ -4,10 +4,9 @@
 #include "Contouring/LevelTriangles.h"
 #include "Contouring/MapSurface.h"
 #include "Core/AlgorithmGuard.h"
-#include "Core/ChosenScalars.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
-#include "Core/PolyDataMesh.h"
+#include "Core/PolyDataTriangles.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
@@ -97,7 +96,7 @@ int vtkMapChokingLoops::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
   // A narrow place can be anywhere, so all of the map is needed whatever part is asked for.
-  isthmus::AskForWholeImage(input[0]->GetInformationObject(0));
+  isthmus::RequestWholeExtent(input[0]->GetInformationObject(0));
   return 1;
 }
 
@@ -148,7 +147,7 @@ int vtkMapChokingLoops::RequestData(
   auto* surface = vtkPolyData::GetData(output, SurfacePort);
   const auto contour = [&]
   {
-    isthmus::DemandAll(input[0]->GetInformationObject(0));
+    isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));
     this->Contour(image);
   };
   if (isthmus::Succeeds(this, surface, contour) && this->FindLoops(this->Surface, nullptr, output))

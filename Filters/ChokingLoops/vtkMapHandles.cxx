@@ -3,10 +3,10 @@
 #include "ChokingLoops/MapHandles.h"
 #include "Contouring/ClosedLevelSet.h"
 #include "Core/AlgorithmGuard.h"
-#include "Core/ChosenScalars.h"
 #include "Core/ImageExtent.h"
-#include "Core/PolyDataMesh.h"
-#include "Core/RangeGuard.h"
+#include "Core/ImageScalars.h"
+#include "Core/PolyDataTriangles.h"
+#include "Core/RangeChecks.h"
 #include "Persistence/ImageDiagram.h"
 #include "Persistence/NamedColumns.h"
 #include "vtkChokingLoops.h"
@@ -208,7 +208,7 @@ int vtkMapHandles::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   // A bridge can be anywhere, so all of the map is needed whatever part is asked for.
-  isthmus::AskForWholeImage(inputVector[0]->GetInformationObject(0));
+  isthmus::RequestWholeExtent(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 
@@ -217,12 +217,13 @@ void vtkMapHandles::CheckParameters() const
   isthmus::DemandLevels(this->NumberOfLevels, this->UseRange ? this->Range : nullptr);
   if (!this->UseStableLevel && !std::isfinite(this->Level))
   {
-    throw std::invalid_argument("Level is " + isthmus::Shown(this->Level) +
+    throw std::invalid_argument("Level is " + isthmus::FormatNumber(this->Level) +
       ": give a value of the map, or switch UseStableLevel on.");
   }
   if (this->UseRecommendedLevel && !std::isfinite(this->RecommendedLevel))
   {
-    throw std::invalid_argument("RecommendedLevel is " + isthmus::Shown(this->RecommendedLevel) +
+    throw std::invalid_argument("RecommendedLevel is " +
+      isthmus::FormatNumber(this->RecommendedLevel) +
       ": give a value of the map, or switch UseRecommendedLevel off.");
   }
 }
@@ -322,7 +323,7 @@ int vtkMapHandles::RequestData(
   return isthmus::GuardedOutputs(this, outputVector,
     [&]()
     {
-      isthmus::DemandAll(inputVector[0]->GetInformationObject(0));
+      isthmus::RequireWholeExtent(inputVector[0]->GetInformationObject(0));
       Work work;
       work.Image = vtkImageData::GetData(inputVector[0], 0);
       if (!work.Image || work.Image->GetNumberOfPoints() == 0 ||

@@ -2,8 +2,8 @@
 
 #include "ChokingLoops/OffsetSurface.h"
 #include "Core/AlgorithmGuard.h"
+#include "Core/GatherRanks.h"
 #include "Core/PolyDataTriangles.h"
-#include "Core/WholeSurface.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -53,7 +53,7 @@ int vtkOffsetSurface::RequestData(
   return isthmus::Guarded(this, result,
     [&]
     {
-      const auto surface = isthmus::WholeSurface(this, vtkPolyData::GetData(input[0]));
+      const auto surface = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0]));
       if (surface->GetNumberOfPoints() == 0)
       {
         return;

@@ -5,8 +5,7 @@
 #ifndef isthmus_CellBox_h
 #define isthmus_CellBox_h
 
-#include "Core/Bounds3.h"
-#include "Core/Point3.h"
+#include "Core/Geometry.h"
 #include "Surfaces/SurfaceCrossings.h"
 
 namespace isthmus

@@ -1,7 +1,7 @@
 #include "Contouring/ClosedLevelSet.h"
 
 #include "Core/ImageScalars.h"
-#include "Core/PolyDataMesh.h"
+#include "Core/PolyDataTriangles.h"
 #include "Core/TrilinearField.h"
 
 #include <vtkDataArray.h>

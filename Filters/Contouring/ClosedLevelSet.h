@@ -6,7 +6,7 @@
 #define isthmus_ClosedLevelSet_h
 
 #include "Contouring/DelaunayIsosurface.h"
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 #include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersContouringModule.h"
 

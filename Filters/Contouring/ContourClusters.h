@@ -12,7 +12,7 @@
 #define isthmus_ContourClusters_h
 
 #include "Contouring/UniformContour.h"
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 #include "Core/Index.h"
 
 namespace isthmus

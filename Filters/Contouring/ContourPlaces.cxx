@@ -1,7 +1,7 @@
 #include "Contouring/ContourPlaces.h"
 
 #include "Contouring/CellBox.h"
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 
 namespace isthmus
 {

@@ -3,7 +3,7 @@
 #include "Contouring/CellBox.h"
 #include "Contouring/ContourPolygons.h"
 #include "Contouring/ContourRings.h"
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 #include "Core/Index.h"
 #include "Remeshing/SelfIntersections.h"
 #include "Surfaces/SurfaceMove.h"

@@ -1,7 +1,7 @@
 #include "Contouring/DelaunayIsosurface.h"
 
 #include "Contouring/SurfaceSeeds.h"
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 #include "Remeshing/CGALSurface.h"
 #include "Remeshing/CGALWithoutDumps.h"
 #include "Surfaces/SurfaceCheck.h"
@@ -34,13 +34,14 @@ void CheckParameters(const DelaunayIsosurfaceParameters& p)
     throw std::invalid_argument("The angle is " + std::to_string(p.Angle) +
       " degrees, but it must be from 0 to 30: above, refinement need not end.");
   }
-  DemandAbove("Radius", p.Radius, 0.0, LargestLength, "It is a length.");
-  DemandAbove("Distance", p.Distance, 0.0, LargestLength, "It is a length.");
+  RequireAbove("Radius", p.Radius, 0.0, LargestLength, "It is a length.");
+  RequireAbove("Distance", p.Distance, 0.0, LargestLength, "It is a length.");
   if (!std::isfinite(p.Level))
   {
-    throw std::invalid_argument("The level is " + Shown(p.Level) + ": it must be a finite number.");
+    throw std::invalid_argument(
+      "The level is " + FormatNumber(p.Level) + ": it must be a finite number.");
   }
-  DemandRange("MaximumNumberOfPoints", static_cast<double>(p.MaximumPoints), 4, 1e9,
+  RequireRange("MaximumNumberOfPoints", static_cast<double>(p.MaximumPoints), 4, 1e9,
     "It bounds the points of the result.");
 }
 
@@ -52,8 +53,8 @@ void DemandBudget(
   const double finest = 1e-6 * bounds.Diagonal();
   if (p.Radius < finest || p.Distance < finest)
   {
-    throw std::runtime_error("Radius is " + Shown(p.Radius) + " and Distance " + Shown(p.Distance) +
-      ", but the surface is found to some " + Shown(finest) +
+    throw std::runtime_error("Radius is " + FormatNumber(p.Radius) + " and Distance " +
+      FormatNumber(p.Distance) + ", but the surface is found to some " + FormatNumber(finest) +
       " (a millionth of the volume's diagonal): ask for larger ones.");
   }
   const double area = SurfaceArea(guide);
@@ -61,8 +62,9 @@ void DemandBudget(
   const double least = area / (2.6 * p.Radius * p.Radius);
   if (least > static_cast<double>(p.MaximumPoints))
   {
-    throw std::runtime_error("A Radius of " + Shown(p.Radius) + " takes at least " + Shown(least) +
-      " points, and the most is " + Shown(static_cast<double>(p.MaximumPoints)) +
+    throw std::runtime_error("A Radius of " + FormatNumber(p.Radius) + " takes at least " +
+      FormatNumber(least) + " points, and the most is " +
+      FormatNumber(static_cast<double>(p.MaximumPoints)) +
       ": ask for a larger one, or make the spacings of the volume more alike (Resample To Image).");
   }
 }

@@ -9,9 +9,9 @@
 #ifndef isthmus_DelaunayIsosurface_h
 #define isthmus_DelaunayIsosurface_h
 
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 #include "Core/Progress.h"
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersContouringModule.h"
 
 #include <functional>

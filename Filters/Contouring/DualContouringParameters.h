@@ -6,7 +6,7 @@
 #define isthmus_DualContouringParameters_h
 
 #include "Contouring/SharpEdges.h"
-#include "Core/Point3.h"
+#include "Core/Geometry.h"
 #include "Surfaces/SurfaceCrossings.h"
 
 #include <functional>

@@ -1,6 +1,6 @@
 #include "Contouring/KinkedCrossings.h"
 
-#include "Core/Point3.h"
+#include "Core/Geometry.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 
 #include "Contouring/MapSurfaceParameters.h"
 #include "Core/GridView.h"
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersContouringModule.h"
 
 namespace isthmus

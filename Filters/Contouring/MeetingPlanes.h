@@ -17,7 +17,7 @@
 #define isthmus_MeetingPlanes_h
 
 #include "Contouring/QuadraticErrors.h"
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 
 #include <vector>
 

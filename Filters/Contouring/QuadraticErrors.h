@@ -5,8 +5,7 @@
 #ifndef isthmus_QuadraticErrors_h
 #define isthmus_QuadraticErrors_h
 
-#include "Core/Bounds3.h"
-#include "Core/Point3.h"
+#include "Core/Geometry.h"
 
 #include <cstdint>
 

@@ -5,7 +5,7 @@
 #ifndef isthmus_SharpEdges_h
 #define isthmus_SharpEdges_h
 
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 
 namespace isthmus
 {

@@ -5,8 +5,8 @@
 #ifndef isthmus_SurfaceSeeds_h
 #define isthmus_SurfaceSeeds_h
 
-#include "Core/Bounds3.h"
-#include "Core/SurfaceView.h"
+#include "Core/Geometry.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersContouringModule.h"
 
 namespace isthmus

@@ -3,7 +3,7 @@
 #include "Contouring/CellBox.h"
 #include "Contouring/ContourPlaces.h"
 #include "Contouring/MeetingPlanes.h"
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 #include "Core/ParallelFor.h"
 
 #include <numeric>

@@ -3,12 +3,11 @@
 #include "Contouring/ClosedLevelSet.h"
 #include "Contouring/DelaunayIsosurface.h"
 #include "Core/AlgorithmGuard.h"
-#include "Core/ChosenScalars.h"
+#include "Core/GatherRanks.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
-#include "Core/PolyDataMesh.h"
-#include "Core/RangeGuard.h"
-#include "Core/WholeSurface.h"
+#include "Core/PolyDataTriangles.h"
+#include "Core/RangeChecks.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
@@ -57,7 +56,7 @@ int vtkDelaunayIsosurface::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
   // Refinement sees all of the surface at once, so every rank would need the whole volume.
-  isthmus::AskForWholeImage(input[0]->GetInformationObject(0));
+  isthmus::RequestWholeExtent(input[0]->GetInformationObject(0));
   return 1;
 }
 
@@ -69,7 +68,7 @@ int vtkDelaunayIsosurface::RequestData(
   return isthmus::Guarded(this, surface,
     [&]
     {
-      isthmus::DemandAll(input[0]->GetInformationObject(0));
+      isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));
       // Each rank has all of the volume; the surface is made once.
       if (image->GetNumberOfPoints() == 0 ||
         !isthmus::IsMadeHere(input[0]->GetInformationObject(0)))
@@ -78,7 +77,7 @@ int vtkDelaunayIsosurface::RequestData(
       }
       vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
       isthmus::RequireSpacing(image);
-      isthmus::DemandFrame(image);
+      isthmus::RequireImageGeometry(image);
       const double factor = ScaleOf(image);
       vtkNew<vtkImageData> scaled;
       scaled->CopyStructure(image);

@@ -4,13 +4,12 @@
 #include "Contouring/DualContouring.h"
 #include "Contouring/KinkedCrossings.h"
 #include "Core/AlgorithmGuard.h"
-#include "Core/Bounds3.h"
-#include "Core/ChosenScalars.h"
+#include "Core/GatherRanks.h"
+#include "Core/Geometry.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
 #include "Core/ParallelFor.h"
 #include "Core/PolyDataTriangles.h"
-#include "Core/WholeSurface.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataSetAttributes.h>
@@ -208,7 +207,7 @@ int vtkDualContouring::FillInputPortInformation(int, vtkInformation* information
 int vtkDualContouring::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
-  isthmus::AskForWholeImage(input[0]->GetInformationObject(0));
+  isthmus::RequestWholeExtent(input[0]->GetInformationObject(0));
   return 1;
 }
 
@@ -221,7 +220,7 @@ int vtkDualContouring::RequestData(
   return isthmus::Guarded(this, result,
     [&]
     {
-      const auto surface = isthmus::WholeSurface(this, piece);
+      const auto surface = isthmus::GatherSurface(this, piece);
       isthmus::DualContouringParameters parameters;
       parameters.FeatureThreshold = this->FeatureThreshold;
       parameters.Reach = this->Reach;
@@ -230,7 +229,7 @@ int vtkDualContouring::RequestData(
       parameters.FreeOfCrossings = this->FreeOfCrossings;
       isthmus::DualContour contour;
       bool isMirrored = false;
-      isthmus::DemandAll(input[0]->GetInformationObject(0));
+      isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));
       if (image && image->GetNumberOfPoints() > 0 &&
         isthmus::IsMadeHere(input[0]->GetInformationObject(0)))
       {

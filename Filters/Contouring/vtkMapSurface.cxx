@@ -6,10 +6,9 @@
 #include "Contouring/MapSurface.h"
 #include "Contouring/SensibleLevel.h"
 #include "Core/AlgorithmGuard.h"
-#include "Core/ChosenScalars.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
-#include "Core/PolyDataMesh.h"
+#include "Core/PolyDataTriangles.h"
 
 #include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>
@@ -137,7 +136,7 @@ int vtkMapSurface::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
   // Components are known only from all of the surface.
-  isthmus::AskForWholeImage(input[0]->GetInformationObject(0));
+  isthmus::RequestWholeExtent(input[0]->GetInformationObject(0));
   return 1;
 }
 
@@ -224,7 +223,7 @@ int vtkMapSurface::RequestData(
   return isthmus::Guarded(this, surface,
     [&]
     {
-      isthmus::DemandAll(input[0]->GetInformationObject(0));
+      isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));
       if (image->GetNumberOfPoints() > 0 && isthmus::IsMadeHere(input[0]->GetInformationObject(0)))
       {
         this->MakeSurface(image, surface);

@@ -1,14 +1,14 @@
 /**
  * @file AlgorithmGuard.h
- * @brief What every vtk class of ours does around its algorithm: report, stop, turn errors to
- * words.
+ * @brief What every VTK class does around its algorithm: input checks, progress, abort, exceptions to
+ * error messages, empty outputs.
  */
 #ifndef isthmus_AlgorithmGuard_h
 #define isthmus_AlgorithmGuard_h
 
-#include "Core/ErrorOnce.h"
 #include "Core/PipelineInputs.h"
 #include "Core/Progress.h"
+#include "vtkIsthmusFiltersCoreModule.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkDataObject.h>
@@ -16,10 +16,20 @@
 
 #include <exception>
 #include <new>
+#include <string>
 #include <utility>
 
 namespace isthmus
 {
+
+/**
+ * Tells `sentence` through vtkErrorMacro, unless it is what `self` said last and nothing has
+ * changed since: neither `self` nor what it stands on.
+ *
+ * A pipeline asks for information and for data, the window does so for each of its parts, and
+ * composite data bring a block at a time; all of them meet the same obstacle.
+ */
+VTKISTHMUSFILTERSCORE_EXPORT void ReportError(vtkAlgorithm* self, const std::string& sentence);
 
 /// Progress of `algorithm` as VTK shows it; stops when it, what contains it, or what comes before
 /// it in the pipeline is told to. What comes after it then knows its output for a stopped one's.
@@ -55,14 +65,14 @@ inline void ClearAll(vtkInformationVector* outputs)
  *
  * Inputs of another type than asked for, as blocks of composite data can be, are refused first. A
  * stop on request leaves an empty output; an exception does, too, and its sentence is told once
- * (ErrorOnce.h).
+ * (AlgorithmGuard.h).
  */
 template <typename Body>
 bool Succeeds(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
 {
   try
   {
-    DemandInputs(self);
+    CheckInputs(self);
     body();
     return true;
   }
@@ -71,11 +81,11 @@ bool Succeeds(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
   }
   catch (const std::bad_alloc&)
   {
-    TellError(self, "Not enough memory for the result: crop or subsample the input.");
+    ReportError(self, "Not enough memory for the result: crop or subsample the input.");
   }
   catch (const std::exception& error)
   {
-    TellError(self, error.what());
+    ReportError(self, error.what());
   }
   Clear(output);
   return false;

@@ -1,11 +1,12 @@
 /**
  * @file ImageScalars.h
- * @brief The scalars of a vtkImageData as a GridView of float or double.
+ * @brief The scalars of a vtkImageData: which array, and that as a GridView of float or double.
  */
 #ifndef isthmus_ImageScalars_h
 #define isthmus_ImageScalars_h
 
 #include "Core/GridView.h"
+#include "vtkIsthmusFiltersCoreModule.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -17,8 +18,16 @@
 #include <stdexcept>
 #include <string>
 
+class vtkAlgorithm;
+
 namespace isthmus
 {
+
+/// The array that the filter's input array 0 names; the active scalars where it names none: a panel
+/// that has seen no data yet sends an empty name.
+/// @throws std::invalid_argument, with the arrays that there are, unless it is one number for each
+/// node.
+VTKISTHMUSFILTERSCORE_EXPORT vtkDataArray* ChosenScalars(vtkAlgorithm* filter, vtkImageData* image);
 
 /// @throws std::invalid_argument, with the axis, unless all spacings are positive and finite.
 inline void RequireSpacing(vtkImageData* image)

@@ -1,6 +1,7 @@
 /**
  * @file ParallelFor.h
- * @brief The one door to threads: loops over index ranges through vtkSMPTools.
+ * @brief Parallel loops over index ranges, through vtkSMPTools, and sums with the same bits on any
+ * number of threads.
  *
  * Debian's ParaView starts with vtkSMPTools' Sequential backend, so a plain vtkSMPTools::For runs
  * on one core there. ParallelFor runs its body under STDThread when the backend in use is
@@ -11,10 +12,12 @@
 #define isthmus_ParallelFor_h
 
 #include "Core/Progress.h"
-#include "vtkIsthmusFiltersCoreModule.h" // for the export macro
+#include "vtkIsthmusFiltersCoreModule.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace isthmus
 {
@@ -38,6 +41,37 @@ VTKISTHMUSFILTERSCORE_EXPORT void ParallelFor(std::int64_t begin, std::int64_t e
 
 /// Number of threads that ParallelFor uses now.
 VTKISTHMUSFILTERSCORE_EXPORT int ParallelThreads();
+
+/**
+ * Sum of what `work(partial, first, last)` adds to copies of `zero` for blocks of `block` indices
+ * of [0, count). `Partial` has operator+=.
+ *
+ * Blocks are fixed and added in their order, so the result does not depend on the threads; sums of
+ * sums also keep rounding small: about (block + count / block) roundings instead of count.
+ */
+template <typename Partial, typename Work>
+Partial ParallelReduce(std::int64_t count, std::int64_t block, const Partial& zero, Work&& work,
+  const ProgressCallback& progress = {})
+{
+  const std::int64_t blocks = (count + block - 1) / block;
+  std::vector<Partial> partials(static_cast<std::size_t>(blocks), zero);
+  ParallelFor(
+    0, blocks, 1,
+    [&](std::int64_t firstBlock, std::int64_t lastBlock)
+    {
+      for (std::int64_t b = firstBlock; b < lastBlock; ++b)
+      {
+        work(partials[static_cast<std::size_t>(b)], b * block, std::min(count, (b + 1) * block));
+      }
+    },
+    progress);
+  Partial total = zero;
+  for (const Partial& partial : partials)
+  {
+    total += partial;
+  }
+  return total;
+}
 
 }
 

@@ -1,6 +1,6 @@
 #include "Core/PipelineInputs.h"
 
-#include "Core/WholeSurface.h"
+#include "Core/GatherRanks.h"
 
 #include <vtkAbstractArray.h>
 #include <vtkAlgorithm.h>
@@ -67,7 +67,7 @@ void DemandWholeArrays(vtkDataObject* data)
 
 }
 
-void DemandInputs(vtkAlgorithm* self)
+void CheckInputs(vtkAlgorithm* self)
 {
   for (int port = 0; port < self->GetNumberOfInputPorts(); ++port)
   {
@@ -111,7 +111,7 @@ void InputInAdvance::Update(int port)
   }
 }
 
-void InputInAdvance::DemandOnOneRank(int port, const std::string& what) const
+void InputInAdvance::RequireOneRank(int port, const std::string& what) const
 {
   const auto found = this->RanksOf.find(port);
   RefuseSeveralRanks(found == this->RanksOf.end() ? 0 : found->second, what);

@@ -22,7 +22,7 @@ namespace isthmus
 /// asks for; with the array, where one has fewer values than there are points (cells, rows ...)
 /// that it is to say something of, and would be read beyond its end. Guarded (AlgorithmGuard.h)
 /// begins with it. O(arrays).
-VTKISTHMUSFILTERSCORE_EXPORT void DemandInputs(vtkAlgorithm* self);
+VTKISTHMUSFILTERSCORE_EXPORT void CheckInputs(vtkAlgorithm* self);
 
 /**
  * For a filter whose RequestInformation needs the data of an input: makes them, but not
@@ -43,7 +43,7 @@ public:
   void Update(int port = 0);
   /// @throws std::runtime_error, with `what` they are in the plural, where several ranks had points
   /// when this input was made. Asks no other rank: one without data may skip the execution.
-  void DemandOnOneRank(int port, const std::string& what) const;
+  void RequireOneRank(int port, const std::string& what) const;
 
 private:
   vtkAlgorithm* Self;

@@ -1,17 +1,17 @@
 /**
  * @file PolyDataTriangles.h
- * @brief The triangles of a vtkPolyData, ready for the algorithms on surfaces.
+ * @brief From vtkPolyData to triangles, and back.
  */
 #ifndef isthmus_PolyDataTriangles_h
 #define isthmus_PolyDataTriangles_h
 
-#include "Core/SurfaceView.h"
-#include "vtkIsthmusFiltersCoreModule.h" // for the export macro
+#include "Core/TriangleMesh.h"
+#include "vtkIsthmusFiltersCoreModule.h"
+
+#include <vtkPolyData.h>
 
 #include <utility>
 #include <vector>
-
-class vtkPolyData;
 
 namespace isthmus
 {
@@ -65,6 +65,15 @@ private:
   std::vector<vtkIdType> Cells; ///< of triangles; empty where all cells are triangles
   Damage OnDamage;
 };
+
+/// The triangles of `surface` as PolyDataTriangles makes them, damage kept: for what looks for it
+/// (SurfaceCheck.h) or mends it.
+/// @throws std::invalid_argument, with the cell, for a corner that is no point, where some cells
+/// are not triangles.
+VTKISTHMUSFILTERSCORE_EXPORT TriangleMesh MeshOf(vtkPolyData* surface);
+
+/// Makes `surface` the points (double) and triangles of `mesh`.
+VTKISTHMUSFILTERSCORE_EXPORT void SetMesh(const SurfaceView& mesh, vtkPolyData* surface);
 
 }
 

@@ -5,14 +5,19 @@
 #ifndef isthmus_TetrahedralMesh_h
 #define isthmus_TetrahedralMesh_h
 
-#include "Core/Corners.h"
-#include "Core/Point3.h"
+#include "Core/Geometry.h"
 
+#include <vtkType.h>
+
+#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace isthmus
 {
+
+/// By the ids of its corners.
+using Tetrahedron = std::array<vtkIdType, 4>;
 
 /// Indexed tetrahedra of positive volume, (p1-p0)x(p2-p0).(p3-p0) > 0, with a region for each.
 struct TetrahedralMesh

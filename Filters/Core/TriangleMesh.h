@@ -1,17 +1,26 @@
 /**
  * @file TriangleMesh.h
- * @brief The owner of a triangle surface. What only reads one takes a SurfaceView.
+ * @brief Triangle surfaces: the owner, which what changes a surface takes and returns, and the view
+ * that algorithms take which only read one.
  */
 #ifndef isthmus_TriangleMesh_h
 #define isthmus_TriangleMesh_h
 
-#include "Core/Corners.h"
-#include "Core/Point3.h"
+#include "Core/Geometry.h"
+#include "Core/Index.h"
+#include "Core/View.h"
 
+#include <vtkType.h>
+
+#include <algorithm>
+#include <array>
 #include <vector>
 
 namespace isthmus
 {
+
+/// By the ids of its corners.
+using Triangle = std::array<vtkIdType, 3>;
 
 /// Indexed triangles, counter-clockwise seen from outside. Lengths are in the units of the data
 /// (angstrom for molecular surfaces).
@@ -20,6 +29,67 @@ struct TriangleMesh
   std::vector<Point3> Points;
   std::vector<Triangle> Triangles;
 };
+
+/**
+ * View of a triangle surface; it owns nothing, and a TriangleMesh becomes one wherever one is
+ * taken, at no cost. What reads a surface takes `const SurfaceView&` and, if it keeps it, keeps a
+ * copy of the view; what changes one takes and returns a TriangleMesh.
+ *
+ * Triangles are counter-clockwise seen from outside. Lengths are in the units of the data (angstrom
+ * for molecular surfaces). Unless an algorithm says that it looks for damage itself, every corner
+ * id lies in [0, NumberOfPoints()) and all coordinates of points that triangles use are finite:
+ * PolyDataTriangles sees to both.
+ */
+struct SurfaceView
+{
+  SurfaceView() = default;
+  SurfaceView(const isthmus::View<Point3>& points, const isthmus::View<Triangle>& triangles)
+    : Points(points)
+    , Triangles(triangles)
+  {
+  }
+  /// @pre `mesh` outlives the view, and its vectors are left as they are.
+  SurfaceView(const TriangleMesh& mesh)
+    : Points(mesh.Points)
+    , Triangles(mesh.Triangles)
+  {
+  }
+
+  vtkIdType NumberOfPoints() const { return static_cast<vtkIdType>(this->Points.size()); }
+  vtkIdType NumberOfTriangles() const { return static_cast<vtkIdType>(this->Triangles.size()); }
+  const Point3& Point(vtkIdType point) const { return this->Points[At(point)]; }
+  const Triangle& Corners(vtkIdType triangle) const { return this->Triangles[At(triangle)]; }
+
+  View<Point3> Points;
+  View<Triangle> Triangles;
+};
+
+/// For what changes a surface that it was given as a view.
+inline TriangleMesh CopyOf(const SurfaceView& surface)
+{
+  return { { surface.Points.begin(), surface.Points.end() },
+    { surface.Triangles.begin(), surface.Triangles.end() } };
+}
+
+/// The points of `surface` as seen from `origin`, for algorithms on a grid that begins there; with
+/// the triangles of `surface` they are a view again.
+inline std::vector<Point3> PointsFrom(const Point3& origin, const SurfaceView& surface)
+{
+  std::vector<Point3> points(surface.Points.size());
+  std::transform(surface.Points.begin(), surface.Points.end(), points.begin(),
+    [&origin](const Point3& p) { return p - origin; });
+  return points;
+}
+
+inline double SurfaceArea(const SurfaceView& surface)
+{
+  double sum = 0.0;
+  for (const Triangle& t : surface.Triangles)
+  {
+    sum += TriangleArea(surface.Point(t[0]), surface.Point(t[1]), surface.Point(t[2]));
+  }
+  return sum;
+}
 
 }
 

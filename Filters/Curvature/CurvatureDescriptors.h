@@ -24,7 +24,7 @@
 
 #include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #ifndef isthmus_EdgeBends_h
 #define isthmus_EdgeBends_h
 
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "Surfaces/TriangleStars.h"
 #include "vtkIsthmusFiltersCurvatureModule.h"
 

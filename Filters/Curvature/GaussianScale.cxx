@@ -1,6 +1,6 @@
 #include "Curvature/GaussianScale.h"
 
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>
@@ -51,7 +51,7 @@ void DemandScale(double scale, const double spacing[3], const std::array<std::in
     longest = std::max(longest, step * static_cast<double>(nodes[axis]));
     most = std::min(most, step * mostNodes / cutOff);
   }
-  DemandRange("Scale", scale, 0.0, std::min(longest, most),
+  RequireRange("Scale", scale, 0.0, std::min(longest, most),
     "It is the standard deviation of a Gaussian, in the unit of the spacing: at most the longest "
     "side of the image, and no kernel of a million nodes.");
 }

@@ -1,6 +1,6 @@
 #include "Curvature/ScalarRegions.h"
 
-#include "Core/ParallelReduce.h"
+#include "Core/ParallelFor.h"
 
 #include <Eigen/Dense>
 

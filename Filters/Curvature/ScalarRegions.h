@@ -19,7 +19,7 @@
 #define isthmus_ScalarRegions_h
 
 #include "Core/Progress.h"
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 
 #include <vector>

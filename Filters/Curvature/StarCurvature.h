@@ -5,7 +5,7 @@
 #ifndef isthmus_StarCurvature_h
 #define isthmus_StarCurvature_h
 
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "Curvature/SurfaceCurvatureParameters.h"
 #include "Surfaces/TriangleStars.h"
 

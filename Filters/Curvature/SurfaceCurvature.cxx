@@ -1,7 +1,7 @@
 #include "Curvature/SurfaceCurvature.h"
 
-#include "Core/ParallelReduce.h"
-#include "Core/RangeGuard.h"
+#include "Core/ParallelFor.h"
+#include "Core/RangeChecks.h"
 #include "Curvature/CurvatureDescriptors.h"
 #include "Curvature/EdgeBends.h"
 #include "Curvature/StarCurvature.h"
@@ -269,7 +269,7 @@ SurfaceCurvatureResult CurvatureOfSurface(
 {
   if (!(options.Radius >= 0.0) || std::isinf(options.Radius))
   {
-    throw std::invalid_argument("Radius is " + Shown(options.Radius) +
+    throw std::invalid_argument("Radius is " + FormatNumber(options.Radius) +
       ", but it is a length: give a positive one, or 0 for three mean edge lengths.");
   }
   return Estimator(mesh, options).Run(progress);

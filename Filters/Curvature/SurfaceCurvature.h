@@ -37,7 +37,7 @@
 #define isthmus_SurfaceCurvature_h
 
 #include "Core/Progress.h"
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "Curvature/SurfaceCurvatureParameters.h"
 #include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 

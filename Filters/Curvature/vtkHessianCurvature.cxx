@@ -1,10 +1,9 @@
 #include "vtkHessianCurvature.h"
 
 #include "Core/AlgorithmGuard.h"
-#include "Core/ChosenScalars.h"
-#include "Core/ImageCrop.h"
 #include "Core/ImageExtent.h"
-#include "Core/RangeGuard.h"
+#include "Core/ImageScalars.h"
+#include "Core/RangeChecks.h"
 #include "Curvature/CurvatureOfImage.h"
 #include "Curvature/FiniteDifference.h"
 #include "Curvature/GaussianScale.h"
@@ -310,7 +309,7 @@ int vtkHessianCurvature::RequestData(
         throw std::invalid_argument("The image is empty, so the surface gets no curvature: give "
                                     "the volume that the surface was taken from.");
       }
-      isthmus::DemandFrame(image);
+      isthmus::RequireImageGeometry(image);
       const int* whole = imageInfo->Get(Pipeline::WHOLE_EXTENT());
       isthmus::DemandScale(this->Scale, image->GetSpacing(),
         { std::int64_t(whole[1]) - whole[0] + 1, std::int64_t(whole[3]) - whole[2] + 1,

@@ -1,8 +1,8 @@
 #include "vtkScalarRegions.h"
 
 #include "Core/AlgorithmGuard.h"
+#include "Core/GatherRanks.h"
 #include "Core/PolyDataTriangles.h"
-#include "Core/WholeSurface.h"
 #include "Curvature/RegionTables.h"
 #include "Curvature/ScalarRegions.h"
 
@@ -187,7 +187,7 @@ int vtkScalarRegions::RequestData(
   const int result = isthmus::Guarded(this, output,
     [&]()
     {
-      const auto input = isthmus::WholeSurface(this, vtkPolyData::GetData(inputVector[0], 0));
+      const auto input = isthmus::GatherSurface(this, vtkPolyData::GetData(inputVector[0], 0));
       output->ShallowCopy(input);
       if (input->GetNumberOfCells() > 0)
       {

@@ -1,9 +1,9 @@
 #include "vtkSurfaceCurvature.h"
 
 #include "Core/AlgorithmGuard.h"
+#include "Core/GatherRanks.h"
 #include "Core/Index.h"
 #include "Core/PolyDataTriangles.h"
-#include "Core/WholeSurface.h"
 #include "Curvature/CurvatureDescriptors.h"
 #include "Curvature/SurfaceCurvature.h"
 #include "Curvature/SurfaceTypeNames.h"
@@ -168,7 +168,7 @@ int vtkSurfaceCurvature::RequestData(
   return isthmus::Guarded(this, output,
     [&]()
     {
-      const auto input = isthmus::WholeSurface(this, vtkPolyData::GetData(inputVector[0], 0));
+      const auto input = isthmus::GatherSurface(this, vtkPolyData::GetData(inputVector[0], 0));
       CheckTolerance(this->FlatTolerance, "FlatTolerance");
       CheckTolerance(this->GaussianTolerance, "GaussianTolerance");
       CheckTolerance(this->MeanTolerance, "MeanTolerance");

@@ -7,7 +7,7 @@
 #ifndef isthmus_ElectrostaticUnits_h
 #define isthmus_ElectrostaticUnits_h
 
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 
 namespace isthmus::units
 {

@@ -1,6 +1,6 @@
 #include "Electrostatics/IonAtmosphere.h"
 
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 #include "Electrostatics/ElectrostaticUnits.h"
 
 #include <algorithm>
@@ -33,7 +33,8 @@ void RequireSpecies(const IonSpecies& s)
     !std::isfinite(s.Radius))
   {
     throw std::invalid_argument("An ion has the valence " + std::to_string(s.Valence) +
-      ", the concentration " + Shown(s.Concentration) + " mol/l and the radius " + Shown(s.Radius) +
+      ", the concentration " + FormatNumber(s.Concentration) + " mol/l and the radius " +
+      FormatNumber(s.Radius) +
       ", but concentrations are 0 or more and all three are finite numbers.");
   }
 }

@@ -1,7 +1,7 @@
 #include "Electrostatics/PoissonBoltzmannInput.h"
 
 #include "Core/ImageScalars.h"
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 #include "Core/TrilinearField.h"
 #include "Electrostatics/SoluteVolume.h"
 #include "Surfaces/GridImages.h"
@@ -151,7 +151,7 @@ AtomInput AtomsOf(vtkAlgorithm* filter, vtkPointSet* points, bool radiiNeeded)
     if (atom.Radius < 0.0)
     {
       throw std::invalid_argument("The radius of atom " + std::to_string(i) + " is " +
-        Shown(atom.Radius) + ", but a radius is 0 or more.");
+        FormatNumber(atom.Radius) + ", but a radius is 0 or more.");
     }
     input.NetCharge += atom.Charge;
     absolute += std::abs(atom.Charge);

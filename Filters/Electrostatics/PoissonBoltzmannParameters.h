@@ -5,7 +5,7 @@
 #ifndef isthmus_PoissonBoltzmannParameters_h
 #define isthmus_PoissonBoltzmannParameters_h
 
-#include "Core/Point3.h"
+#include "Core/Geometry.h"
 
 #include <array>
 #include <cstdint>

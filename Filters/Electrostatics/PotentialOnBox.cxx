@@ -1,7 +1,6 @@
 #include "Electrostatics/PotentialOnBox.h"
 
 #include "Core/ParallelFor.h"
-#include "Core/ParallelReduce.h"
 #include "Electrostatics/ChargesOnGrid.h"
 #include "Electrostatics/ClosedCavities.h"
 #include "Electrostatics/ElectrostaticUnits.h"

@@ -1,6 +1,6 @@
 #include "Electrostatics/SolverMemory.h"
 
-#include "Core/AvailableMemory.h"
+#include "Core/MemoryBudget.h"
 
 #include <stdexcept>
 

@@ -3,7 +3,7 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
 #include "Core/PipelineInputs.h"
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 #include "Electrostatics/ChargedAtoms.h"
 #include "Electrostatics/PoissonBoltzmann.h"
 #include "Electrostatics/PoissonBoltzmannInput.h"
@@ -108,8 +108,8 @@ int vtkPoissonBoltzmann::RequestInformation(
   const int result = isthmus::Guarded(this, grid,
     [&]()
     {
-      this->Advance->DemandOnOneRank(0, "atoms");
-      this->Advance->DemandOnOneRank(1, "points of the surface");
+      this->Advance->RequireOneRank(0, "atoms");
+      this->Advance->RequireOneRank(1, "points of the surface");
       const isthmus::GridWish wish{ this->Spacing, this->Padding };
       vtkPolyData* surface = vtkPolyData::GetData(info);
       vtkPointSet* atoms = surface ? nullptr : this->AtomsWithCharges(inputVector);
@@ -120,7 +120,7 @@ int vtkPoissonBoltzmann::RequestInformation(
             : isthmus::GridAroundAtoms(isthmus::AtomsOf(this, atoms, true).Atoms, wish));
       }
     });
-  isthmus::TellGeometry(outInfo, grid);
+  isthmus::SetImageInformation(outInfo, grid);
   return result;
 }
 
@@ -154,8 +154,8 @@ int vtkPoissonBoltzmann::RequestData(
     [&]()
     {
       vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
-      this->Advance->DemandOnOneRank(0, "atoms");
-      this->Advance->DemandOnOneRank(1, "points of the surface");
+      this->Advance->RequireOneRank(0, "atoms");
+      this->Advance->RequireOneRank(1, "points of the surface");
       if (atoms && atoms->GetNumberOfPoints() > 0)
       {
         this->Solve(inputVector, outputVector);
@@ -186,7 +186,7 @@ isthmus::PoissonBoltzmannParameters vtkPoissonBoltzmann::Parameters() const
   p.Ions = this->Ions->Species;
   if (!(this->IonicStrength >= 0.0) || std::isinf(this->IonicStrength))
   {
-    throw std::invalid_argument("IonicStrength is " + isthmus::Shown(this->IonicStrength) +
+    throw std::invalid_argument("IonicStrength is " + isthmus::FormatNumber(this->IonicStrength) +
       " mol/l, but it is 0 or more: 0.15 is physiological.");
   }
   if (p.Ions.empty() && this->IonicStrength > 0.0)
@@ -195,7 +195,7 @@ isthmus::PoissonBoltzmannParameters vtkPoissonBoltzmann::Parameters() const
   }
   if (!std::isfinite(this->IsoValue))
   {
-    throw std::invalid_argument("IsoValue is " + isthmus::Shown(this->IsoValue) +
+    throw std::invalid_argument("IsoValue is " + isthmus::FormatNumber(this->IsoValue) +
       ", but it is a level of the surface's scalars: give a finite number.");
   }
   isthmus::CheckParameters(p);

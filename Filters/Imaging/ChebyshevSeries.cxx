@@ -1,6 +1,6 @@
 #include "Imaging/ChebyshevSeries.h"
 
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 #include "Imaging/TimeSteps.h"
 
 #include <unsupported/Eigen/FFT>

@@ -1,6 +1,6 @@
 #include "Imaging/PDETransform.h"
 
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 #include "Imaging/ChebyshevSeries.h"
 #include "Imaging/StageSequence.h"
 #include "Imaging/TimeSteps.h"

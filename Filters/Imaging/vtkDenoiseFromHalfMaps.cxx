@@ -1,7 +1,6 @@
 #include "vtkDenoiseFromHalfMaps.h"
 
 #include "Core/AlgorithmGuard.h"
-#include "Core/ImageCrop.h"
 #include "Core/ImageExtent.h"
 #include "vtkHighOrderDiffusion.h"
 
@@ -122,7 +121,7 @@ int vtkDenoiseFromHalfMaps::RequestUpdateExtent(
 {
   for (int port = 0; port < 2; ++port)
   {
-    isthmus::AskForWholeImage(input[port]->GetInformationObject(0));
+    isthmus::RequestWholeExtent(input[port]->GetInformationObject(0));
   }
   return 1;
 }
@@ -177,8 +176,8 @@ int vtkDenoiseFromHalfMaps::RequestData(
       auto* one = vtkImageData::GetData(input[0]);
       if (one->GetNumberOfPoints() > 0)
       {
-        isthmus::DemandAll(input[0]->GetInformationObject(0));
-        isthmus::DemandAll(input[1]->GetInformationObject(0));
+        isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));
+        isthmus::RequireWholeExtent(input[1]->GetInformationObject(0));
         this->Denoise(one, vtkImageData::GetData(input[1]), image);
         isthmus::Extent piece{};
         image->GetExtent(piece.data());

@@ -1,9 +1,9 @@
 #include "vtkDiffusionAlgorithm.h"
 
 #include "Core/AlgorithmGuard.h"
-#include "Core/ChosenScalars.h"
-#include "Core/ImageCrop.h"
-#include "Core/WholeSurface.h"
+#include "Core/GatherRanks.h"
+#include "Core/ImageExtent.h"
+#include "Core/ImageScalars.h"
 #include "Imaging/DiffusionImage.h"
 #include "Imaging/RankParts.h"
 
@@ -81,7 +81,7 @@ int vtkDiffusionAlgorithm::RequestUpdateExtent(
   vtkInformation* input = inputs[0]->GetInformationObject(0);
   if (!this->IsParallel())
   {
-    isthmus::AskForWholeImage(input);
+    isthmus::RequestWholeExtent(input);
   }
   else if (input->Has(Pipeline::WHOLE_EXTENT()))
   {
@@ -127,7 +127,7 @@ int vtkDiffusionAlgorithm::RequestData(
   return isthmus::Guarded(this, output,
     [&]()
     {
-      isthmus::DemandNoBlocks(this);
+      isthmus::RequireNoBlocks(this);
       isthmus::Extent own = this->OwnPart(input, outputs->GetInformationObject(0), whole);
       const isthmus::RankParts parts(this->Controller, whole, own, this->HaloWidth());
       vtkDataArray* scalars = this->ScalarsOnAllRanks(input, parts);

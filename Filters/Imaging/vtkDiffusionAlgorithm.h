@@ -78,7 +78,7 @@ protected:
   virtual void Process(isthmus::DiffusionImage<double>& image) = 0;
   ///@}
 
-  /// The array to work on (Core/ChosenScalars.h); null on a rank without nodes.
+  /// The array to work on (Core/ImageScalars.h); null on a rank without nodes.
   vtkDataArray* ChosenScalars(vtkImageData* image);
 
 private:

@@ -1,9 +1,8 @@
 #include "MolecularSurfaces/Dispersion.h"
 
 #include "Atoms/BallBricks.h"
+#include "Core/Geometry.h"
 #include "Core/ParallelFor.h"
-#include "Core/ParallelReduce.h"
-#include "Core/Pi.h"
 #include "Core/VectorClones.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "MolecularSurfaces/LevelMeasure.h"
 
-#include "Core/ParallelReduce.h"
-#include "Core/Point3.h"
+#include "Core/Geometry.h"
+#include "Core/ParallelFor.h"
 
 #include <array>
 #include <cmath>

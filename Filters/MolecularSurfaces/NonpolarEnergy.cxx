@@ -1,8 +1,8 @@
 #include "MolecularSurfaces/NonpolarEnergy.h"
 
 #include "Atoms/NearestBall.h"
+#include "Core/Geometry.h"
 #include "Core/ParallelFor.h"
-#include "Core/Pi.h"
 #include "MolecularSurfaces/Dispersion.h"
 #include "MolecularSurfaces/FlowField.h"
 #include "MolecularSurfaces/LevelMeasure.h"

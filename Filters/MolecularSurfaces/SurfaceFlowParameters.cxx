@@ -1,8 +1,8 @@
 #include "MolecularSurfaces/SurfaceFlowParameters.h"
 
-#include "Core/AvailableMemory.h"
+#include "Core/MemoryBudget.h"
 #include "Core/ParallelFor.h"
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 #include "MolecularSurfaces/FlowField.h"
 #include "MolecularSurfaces/LevelMeasure.h"
 
@@ -121,7 +121,7 @@ void CheckGridResolvesAtoms(
       })->Radius;
     throw std::runtime_error("No node of the grid lies inside of an atom, so the surface vanishes: "
                              "the Spacing is " +
-      Shown(parameters.Spacing) + ", the largest radius " + Shown(largest) +
+      FormatNumber(parameters.Spacing) + ", the largest radius " + FormatNumber(largest) +
       ". Choose a Spacing below that.");
   }
 }

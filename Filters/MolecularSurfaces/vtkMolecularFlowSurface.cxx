@@ -5,7 +5,7 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
 #include "Core/PipelineInputs.h"
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 #include "MolecularSurfaces/DispersionAtoms.h"
 #include "MolecularSurfaces/FlowSurfaceOutput.h"
 #include "MolecularSurfaces/SolventExcludedSurface.h"
@@ -90,7 +90,7 @@ void CheckRange(const char* name, double value, double low, double high, const c
   if (!(value > low && value < high))
   {
     throw std::invalid_argument(
-      std::string(name) + " is " + isthmus::Shown(value) + ", but it is " + what);
+      std::string(name) + " is " + isthmus::FormatNumber(value) + ", but it is " + what);
   }
 }
 
@@ -217,7 +217,7 @@ void vtkMolecularFlowSurface::Internals::Surface(
   if (surface->GetNumberOfPoints() == 0)
   {
     throw std::runtime_error("The surface vanishes at an IsoValue of " +
-      isthmus::Shown(this->Self->IsoValue) +
+      isthmus::FormatNumber(this->Self->IsoValue) +
       ": nothing lies that deep inside. Choose a lower one, or a smaller Spacing.");
   }
   if (!this->Self->DelaunayQuality)
@@ -279,10 +279,10 @@ int vtkMolecularFlowSurface::RequestInformation(
   // The extent of the image has to be told now, and it is that of the atoms: so make the atoms.
   this->Advance->Update();
   vtkInformation* outInfo = outputVector->GetInformationObject(1);
-  isthmus::TellGeometry(outInfo,
+  isthmus::SetImageInformation(outInfo,
     [&](vtkImageData* image)
     {
-      this->Advance->DemandOnOneRank(0, "atoms");
+      this->Advance->RequireOneRank(0, "atoms");
       const AtomBalls atoms = Internals(this).Atoms(vtkDataObject::GetData(inputVector[0]));
       if (!atoms.Balls.empty())
       {
@@ -320,7 +320,7 @@ int vtkMolecularFlowSurface::RequestData(
       const Internals internals(this);
       internals.Check();
       vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-      this->Advance->DemandOnOneRank(0, "atoms");
+      this->Advance->RequireOneRank(0, "atoms");
       const AtomBalls atoms = internals.Atoms(input);
       const auto progress = isthmus::ProgressOf(this);
       const std::vector<double> times = internals.Times(inputVector[0]->GetInformationObject(0));

@@ -2,8 +2,8 @@
 
 #include "Atoms/AtomBalls.h"
 #include "Core/AlgorithmGuard.h"
+#include "Core/GatherRanks.h"
 #include "Core/ImageExtent.h"
-#include "Core/WholeSurface.h"
 #include "MolecularSurfaces/DispersionAtoms.h"
 #include "MolecularSurfaces/NonpolarEnergy.h"
 
@@ -181,7 +181,7 @@ int vtkNonpolarSolvation::RequestUpdateExtent(
   // All of the inside counts, whatever piece is asked for.
   if (vtkInformation* image = input[1]->GetInformationObject(0))
   {
-    isthmus::AskForWholeImage(image);
+    isthmus::RequestWholeExtent(image);
   }
   return 1;
 }
@@ -202,7 +202,7 @@ int vtkNonpolarSolvation::RequestData(
       CheckNumber("SolventRadius", this->SolventRadius, false);
       CheckNumber("SolventWellDepth", this->SolventWellDepth, false);
       vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-      isthmus::DemandOnOneRank(this, input, "atoms");
+      isthmus::RequireOneRank(this, input, "atoms");
       vtkImageData* image = vtkImageData::GetData(inputVector[1]);
       const isthmus::AtomBalls atoms =
         isthmus::BallsOf(this, input, { this->KeepWaters, this->UnitedAtoms });

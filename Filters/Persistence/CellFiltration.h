@@ -5,7 +5,7 @@
 #ifndef isthmus_CellFiltration_h
 #define isthmus_CellFiltration_h
 
-#include "Core/Point3.h"
+#include "Core/Geometry.h"
 #include "Core/Progress.h"
 #include "Persistence/SimplexIds.h"
 #include "vtkIsthmusFiltersPersistenceModule.h"

@@ -1,6 +1,6 @@
 #include "Persistence/CubicalPersistence.h"
 
-#include "Core/ParallelReduce.h"
+#include "Core/ParallelFor.h"
 #include "Persistence/CubicalCritical.h"
 #include "Persistence/CubicalLoops.h"
 

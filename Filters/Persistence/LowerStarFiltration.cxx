@@ -3,7 +3,7 @@
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
 #include "Core/RadixSort.h"
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "Persistence/SimplexOrder.h"
 
 #include <algorithm>

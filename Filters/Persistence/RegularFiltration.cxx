@@ -2,7 +2,7 @@
 
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 #include "Persistence/TriangulationCells.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -70,7 +70,7 @@ void CheckBalls(const std::vector<Point3>& centres, const std::vector<double>& r
     if (!(radii[i] >= 0.0 && radii[i] < largest))
     {
       throw std::invalid_argument("Ball " + std::to_string(i) + " has the radius " +
-        Shown(radii[i]) + ", but a radius is a finite number and not negative.");
+        FormatNumber(radii[i]) + ", but a radius is a finite number and not negative.");
     }
   }
 }

@@ -1,6 +1,6 @@
 #include "Persistence/VolumeView.h"
 
-#include "Core/ParallelReduce.h"
+#include "Core/ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>

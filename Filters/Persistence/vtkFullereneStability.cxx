@@ -1,8 +1,8 @@
 #include "vtkFullereneStability.h"
 
 #include "Core/AlgorithmGuard.h"
-#include "Core/RangeGuard.h"
-#include "Core/WholeSurface.h"
+#include "Core/GatherRanks.h"
+#include "Core/RangeChecks.h"
 #include "Persistence/FullereneStability.h"
 
 #include <vtkDataArray.h>
@@ -160,7 +160,7 @@ void vtkFullereneStability::CheckParameters() const
 {
   if (!(this->FilterDelta >= 0.0) || std::isinf(this->FilterDelta))
   {
-    throw std::invalid_argument("FilterDelta is " + isthmus::Shown(this->FilterDelta) +
+    throw std::invalid_argument("FilterDelta is " + isthmus::FormatNumber(this->FilterDelta) +
       ", but it is the length of a bar: give 0 or a positive number.");
   }
   if (this->ScaleByRadius && this->Method == Exact)
@@ -209,7 +209,7 @@ int vtkFullereneStability::RequestData(
       Tables tables(rows, bars);
       for (int i = 0; i < inputVector[0]->GetNumberOfInformationObjects(); ++i)
       {
-        isthmus::DemandOnOneRank(this, vtkDataObject::GetData(inputVector[0], i), "atoms");
+        isthmus::RequireOneRank(this, vtkDataObject::GetData(inputVector[0], i), "atoms");
         this->AddMolecule(vtkDataObject::GetData(inputVector[0], i), i, tables);
       }
     });

@@ -1,9 +1,8 @@
 #include "vtkScalarPersistence.h"
 
 #include "Core/AlgorithmGuard.h"
-#include "Core/ChosenScalars.h"
-#include "Core/ImageCrop.h"
 #include "Core/ImageExtent.h"
+#include "Core/ImageScalars.h"
 #include "Persistence/ImageDiagram.h"
 #include "Persistence/PersistenceTables.h"
 #include "Persistence/ScalarSimplification.h"
@@ -104,7 +103,7 @@ int vtkScalarPersistence::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   // A loop can run anywhere, so all of the volume is needed whatever part is asked for.
-  isthmus::AskForWholeImage(inputVector[0]->GetInformationObject(0));
+  isthmus::RequestWholeExtent(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 
@@ -196,7 +195,7 @@ int vtkScalarPersistence::RequestData(
   return isthmus::GuardedOutputs(this, outputVector,
     [&]()
     {
-      isthmus::DemandAll(inputVector[0]->GetInformationObject(0));
+      isthmus::RequireWholeExtent(inputVector[0]->GetInformationObject(0));
       Work work;
       work.Image = vtkImageData::GetData(inputVector[0], 0);
       if (!work.Image || work.Image->GetNumberOfPoints() == 0)

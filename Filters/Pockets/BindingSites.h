@@ -21,7 +21,7 @@
 #define isthmus_BindingSites_h
 
 #include "Core/Progress.h"
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersPocketsModule.h" // for the export macro
 
 #include <array>

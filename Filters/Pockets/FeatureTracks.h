@@ -5,7 +5,7 @@
 #ifndef isthmus_FeatureTracks_h
 #define isthmus_FeatureTracks_h
 
-#include "Core/Point3.h"
+#include "Core/Geometry.h"
 #include "Core/Progress.h"
 #include "vtkIsthmusFiltersPocketsModule.h"
 

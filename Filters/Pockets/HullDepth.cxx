@@ -1,7 +1,7 @@
 #include "Pockets/HullDepth.h"
 
+#include "Core/Geometry.h"
 #include "Core/ParallelFor.h"
-#include "Core/Pi.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "Core/DisjointSets.h"
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 #include "Pockets/CellAccess.h"
 #include "Pockets/EmptySpace.h"
 #include "Pockets/PocketScore.h"
@@ -225,7 +225,7 @@ void CheckLength(const char* name, double value)
 {
   if (!(value > 0.0 && value <= 1000.0))
   {
-    throw std::invalid_argument(std::string(name) + " is " + Shown(value) +
+    throw std::invalid_argument(std::string(name) + " is " + FormatNumber(value) +
       ", but it is a length: give a positive number of angstrom, at most 1000.");
   }
 }
@@ -237,18 +237,18 @@ void CheckOptions(const PocketOptions& options)
   CheckLength("BurialRadius", options.BurialRadius);
   if (!(options.ProbeRadius >= 0.0 && options.ProbeRadius <= options.InnerRadius))
   {
-    throw std::invalid_argument("ProbeRadius is " + Shown(options.ProbeRadius) +
-      ", but it must lie between 0 and InnerRadius, " + Shown(options.InnerRadius) + ".");
+    throw std::invalid_argument("ProbeRadius is " + FormatNumber(options.ProbeRadius) +
+      ", but it must lie between 0 and InnerRadius, " + FormatNumber(options.InnerRadius) + ".");
   }
   if (!(options.OuterRadius > options.InnerRadius))
   {
-    throw std::invalid_argument("OuterRadius is " + Shown(options.OuterRadius) +
-      ", but it must be larger than InnerRadius, " + Shown(options.InnerRadius) +
+    throw std::invalid_argument("OuterRadius is " + FormatNumber(options.OuterRadius) +
+      ", but it must be larger than InnerRadius, " + FormatNumber(options.InnerRadius) +
       ": a pocket is where the inner ball has room and the outer one does not come.");
   }
   if (!(options.MinimumVolume >= 0.0) || std::isinf(options.MinimumVolume))
   {
-    throw std::invalid_argument("MinimumVolume is " + Shown(options.MinimumVolume) +
+    throw std::invalid_argument("MinimumVolume is " + FormatNumber(options.MinimumVolume) +
       ", but it must be a finite number and not negative.");
   }
 }
@@ -277,7 +277,7 @@ RegularFiltration Enlarged(const std::vector<Ball>& atoms, const std::vector<std
     if (atoms[i].Radius < 0.0)
     {
       throw std::invalid_argument("Atom " + std::to_string(i) + " has the radius " +
-        Shown(atoms[i].Radius) + ", but a radius is not negative.");
+        FormatNumber(atoms[i].Radius) + ", but a radius is not negative.");
     }
     centres.push_back(atoms[i].Centre);
     radii.push_back(atoms[i].Radius + probe);

@@ -5,7 +5,7 @@
 #ifndef isthmus_Pocket_h
 #define isthmus_Pocket_h
 
-#include "Core/Point3.h"
+#include "Core/Geometry.h"
 
 #include <cstdint>
 #include <vector>

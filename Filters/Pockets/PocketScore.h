@@ -10,7 +10,7 @@
 #ifndef isthmus_PocketScore_h
 #define isthmus_PocketScore_h
 
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "Pockets/Pocket.h"
 #include "Pockets/PocketSurface.h"
 #include "vtkIsthmusFiltersPocketsModule.h"

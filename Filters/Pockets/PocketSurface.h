@@ -6,7 +6,7 @@
 #ifndef isthmus_PocketSurface_h
 #define isthmus_PocketSurface_h
 
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "Pockets/Pocket.h"
 #include "vtkIsthmusFiltersPocketsModule.h"
 

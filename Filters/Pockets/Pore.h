@@ -5,7 +5,7 @@
 #ifndef isthmus_Pore_h
 #define isthmus_Pore_h
 
-#include "Core/Point3.h"
+#include "Core/Geometry.h"
 
 #include <cstdint>
 #include <vector>

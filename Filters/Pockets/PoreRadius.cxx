@@ -1,6 +1,6 @@
 #include "Pockets/PoreRadius.h"
 
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 
 #include <limits>
 

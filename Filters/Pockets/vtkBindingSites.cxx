@@ -2,8 +2,8 @@
 
 #include "Atoms/AtomInput.h"
 #include "Core/AlgorithmGuard.h"
+#include "Core/GatherRanks.h"
 #include "Core/PolyDataTriangles.h"
-#include "Core/WholeSurface.h"
 #include "Pockets/BindingSiteTable.h"
 #include "Pockets/BindingSites.h"
 #include "Pockets/HullDepth.h"
@@ -86,7 +86,7 @@ int vtkBindingSites::RequestData(
   return isthmus::Guarded(this, output,
     [&]()
     {
-      const auto surface = isthmus::WholeSurface(this, vtkPolyData::GetData(inputVector[0]));
+      const auto surface = isthmus::GatherSurface(this, vtkPolyData::GetData(inputVector[0]));
       vtkPointSet* atoms = vtkPointSet::GetData(inputVector[1]);
       output->ShallowCopy(surface);
       if (surface->GetNumberOfCells() > 0)

@@ -1,7 +1,7 @@
 #include "vtkFeatureTracks.h"
 
 #include "Core/AlgorithmGuard.h"
-#include "Core/WholeSurface.h"
+#include "Core/GatherRanks.h"
 #include "Pockets/TrackedData.h"
 
 #include <vtkInformation.h>

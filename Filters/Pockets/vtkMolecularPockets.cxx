@@ -1,8 +1,8 @@
 #include "vtkMolecularPockets.h"
 
 #include "Core/AlgorithmGuard.h"
+#include "Core/GatherRanks.h"
 #include "Core/PolyDataTriangles.h"
-#include "Core/WholeSurface.h"
 #include "Pockets/MolecularPockets.h"
 #include "Pockets/PocketOutput.h"
 #include "Pockets/PocketScore.h"
@@ -122,7 +122,7 @@ int vtkMolecularPockets::RequestData(
   const bool done = isthmus::Succeeds(this, vtkDataObject::GetData(outputVector, 0),
     [&]()
     {
-      isthmus::DemandOnOneRank(this, atoms, "atoms");
+      isthmus::RequireOneRank(this, atoms, "atoms");
       if (atoms)
       {
         this->Compute(atoms, surface, outputVector);

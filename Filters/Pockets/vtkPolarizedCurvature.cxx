@@ -137,7 +137,7 @@ int vtkPolarizedCurvature::RequestUpdateExtent(
   // Any part of the image may be needed, wherever the surface's piece lies.
   if (vtkInformation* image = inputVector[1]->GetInformationObject(0))
   {
-    isthmus::AskForWholeImage(image);
+    isthmus::RequestWholeExtent(image);
   }
   return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }

@@ -2,7 +2,7 @@
 
 #include "Atoms/AtomInput.h"
 #include "Core/AlgorithmGuard.h"
-#include "Core/WholeSurface.h"
+#include "Core/GatherRanks.h"
 #include "Pockets/PoreOutput.h"
 #include "Pockets/PoreProfile.h"
 
@@ -151,7 +151,7 @@ int vtkPoreProfile::RequestData(
   const bool done = isthmus::Succeeds(this, vtkDataObject::GetData(outputVector, 0),
     [&]()
     {
-      isthmus::DemandOnOneRank(this, input, "atoms");
+      isthmus::RequireOneRank(this, input, "atoms");
       if (input)
       {
         this->Compute(input, outputVector);

@@ -5,7 +5,7 @@
 #ifndef isthmus_CGALSurface_h
 #define isthmus_CGALSurface_h
 
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

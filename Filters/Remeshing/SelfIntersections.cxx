@@ -2,7 +2,7 @@
 
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
-#include "Core/RangeGuard.h"
+#include "Core/UnitScale.h"
 #include "Remeshing/CGALSurface.h"
 #include "Surfaces/TriangleBoxTree.h"
 

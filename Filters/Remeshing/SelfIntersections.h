@@ -6,7 +6,7 @@
 #define isthmus_SelfIntersections_h
 
 #include "Core/Progress.h"
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersRemeshingModule.h"
 
 namespace isthmus

@@ -5,7 +5,7 @@
 #ifndef isthmus_SurfaceBoolean_h
 #define isthmus_SurfaceBoolean_h
 
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersRemeshingModule.h"
 
 namespace isthmus

@@ -1,6 +1,7 @@
 #include "Remeshing/SurfaceRemesh.h"
 
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
+#include "Core/UnitScale.h"
 #include "Remeshing/CGALSurface.h"
 #include "Surfaces/SurfaceCheck.h"
 
@@ -62,7 +63,7 @@ struct Features
 /// Triangles of edges of `length`, or more; a length that is none, or that many, is refused.
 double ExpectedTriangles(const SurfaceView& mesh, double length)
 {
-  DemandAbove("The edge length", length, 0.0, LargestLength, "It is a length.");
+  RequireAbove("The edge length", length, 0.0, LargestLength, "It is a length.");
   double edges = 0.0; // of needles: they have no area, and are split all the same
   double longest = 0.0;
   for (const Triangle& t : mesh.Triangles)
@@ -79,7 +80,7 @@ double ExpectedTriangles(const SurfaceView& mesh, double length)
   const double expected = std::max(SurfaceArea(mesh) / (0.433 * length * length), edges);
   if (!(expected < MostTriangles) || length < 1e-9 * longest)
   {
-    throw std::invalid_argument("An edge length of " + Shown(length) +
+    throw std::invalid_argument("An edge length of " + FormatNumber(length) +
       " is so small that more than 50 million triangles would come out: ask for a larger one.");
   }
   return expected;
@@ -236,8 +237,8 @@ RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParame
   const double length = parameters.EdgeLength;
   const double expected = ExpectedTriangles(mesh, length);
   DemandResolved(mesh);
-  DemandRange("NumberOfIterations", parameters.Iterations, 0, 1000, "It counts rounds.");
-  DemandRange("FeatureAngle", parameters.FeatureAngle, 0.0, 180.0, "It is an angle in degrees.");
+  RequireRange("NumberOfIterations", parameters.Iterations, 0, 1000, "It counts rounds.");
+  RequireRange("FeatureAngle", parameters.FeatureAngle, 0.0, 180.0, "It is an angle in degrees.");
   return cgal::WithSentence("remeshing the surface",
     [&]
     {

@@ -10,7 +10,7 @@
 #define isthmus_SurfaceRemesh_h
 
 #include "Core/Progress.h"
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersRemeshingModule.h"
 
 namespace isthmus

@@ -1,6 +1,6 @@
 #include "Remeshing/SurfaceRepair.h"
 
-#include "Core/RangeGuard.h"
+#include "Core/UnitScale.h"
 #include "Remeshing/CGALSurface.h"
 #include "Surfaces/SurfaceCheck.h"
 #include "Surfaces/SurfaceIntake.h"

@@ -6,7 +6,7 @@
 #define isthmus_SurfaceRepair_h
 
 #include "Core/Progress.h"
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "Remeshing/SelfIntersections.h"
 #include "vtkIsthmusFiltersRemeshingModule.h"
 

@@ -1,9 +1,9 @@
 #include "Remeshing/ThinTriangles.h"
 
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
-#include "Core/RangeGuard.h"
+#include "Core/UnitScale.h"
 #include "Remeshing/CGALSurface.h"
 
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>

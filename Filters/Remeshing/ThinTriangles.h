@@ -5,7 +5,7 @@
 #ifndef isthmus_ThinTriangles_h
 #define isthmus_ThinTriangles_h
 
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersRemeshingModule.h" // for the export macro
 
 namespace isthmus

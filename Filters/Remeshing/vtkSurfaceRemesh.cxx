@@ -1,8 +1,8 @@
 #include "vtkSurfaceRemesh.h"
 
 #include "Core/AlgorithmGuard.h"
-#include "Core/PolyDataMesh.h"
-#include "Core/WholeSurface.h"
+#include "Core/GatherRanks.h"
+#include "Core/PolyDataTriangles.h"
 #include "Remeshing/SurfaceRemesh.h"
 #include "Surfaces/SurfaceIntake.h"
 
@@ -70,7 +70,7 @@ int vtkSurfaceRemesh::RequestData(
   return isthmus::Guarded(this, after,
     [&]
     {
-      const auto before = isthmus::WholeSurface(this, vtkPolyData::GetData(input[0]));
+      const auto before = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0]));
       const auto progress = isthmus::ProgressOf(this);
       const isthmus::TakenSurface taken = isthmus::TakeSurface(isthmus::MeshOf(before));
       const isthmus::TriangleMesh& mesh = taken.Mesh;

@@ -1,7 +1,7 @@
 #include "Solvation/ChannelPassage.h"
 
 #include "Core/DisjointSets.h"
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -107,10 +107,11 @@ void DemandOpen(const ChannelPassage& passage)
   }
   const Point3& at = passage.Bottleneck;
   throw std::runtime_error("The channel is not open from bath to bath: its widest way closes at (" +
-    Shown(at[0]) + ", " + Shown(at[1]) + ", " + Shown(at[2]) + "), " + Shown(passage.Along) +
+    FormatNumber(at[0]) + ", " + FormatNumber(at[1]) + ", " + FormatNumber(at[2]) + "), " +
+    FormatNumber(passage.Along) +
     " angstrom along the normal from the membrane's centre, where atoms and membrane leave a "
     "radius of " +
-    Shown(passage.Radius) + " angstrom." + WayOut);
+    FormatNumber(passage.Radius) + " angstrom." + WayOut);
 }
 
 void ClosePockets(TransportGrid& grid)

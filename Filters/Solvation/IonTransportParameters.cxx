@@ -1,6 +1,6 @@
 #include "Solvation/IonTransportParameters.h"
 
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -14,18 +14,19 @@ void CheckSpecies(const TransportSpecies& s)
 {
   const std::string of = " of " + s.Name;
   const double most = 10.0;
-  DemandRange(("The valence" + of).c_str(), s.Valence, -most, most, "It is the ion's charge in e.");
+  RequireRange(
+    ("The valence" + of).c_str(), s.Valence, -most, most, "It is the ion's charge in e.");
   if (s.Valence == 0.0)
   {
     throw std::invalid_argument(
       "The valence" + of + " is 0, but what has no charge carries no current: leave it out.");
   }
   const char* molar = "It is in mol/l.";
-  DemandRange(("The concentration below" + of).c_str(), s.Below, 0.0, most, molar);
-  DemandRange(("The concentration above" + of).c_str(), s.Above, 0.0, most, molar);
-  DemandAbove(("The diffusion coefficient" + of).c_str(), s.Diffusion, 0.0, 1e3,
+  RequireRange(("The concentration below" + of).c_str(), s.Below, 0.0, most, molar);
+  RequireRange(("The concentration above" + of).c_str(), s.Above, 0.0, most, molar);
+  RequireAbove(("The diffusion coefficient" + of).c_str(), s.Diffusion, 0.0, 1e3,
     "It is in 1e-9 m^2/s: 1.96 is potassium's.");
-  DemandAbove(("The channel fraction" + of).c_str(), s.ChannelFraction, 0.0, most,
+  RequireAbove(("The channel fraction" + of).c_str(), s.ChannelFraction, 0.0, most,
     "It is the part of the diffusion coefficient that the channel leaves.");
 }
 
@@ -42,7 +43,7 @@ void CheckNeutral(
   }
   if (std::abs(charge) > rounding * ions)
   {
-    throw std::invalid_argument(std::string("The bath ") + where + " has " + Shown(charge) +
+    throw std::invalid_argument(std::string("The bath ") + where + " has " + FormatNumber(charge) +
       " mol/l of charge, but a bath is neutral: make the sum of valence times concentration 0 "
       "there.");
   }
@@ -71,21 +72,21 @@ void CheckTransport(const IonTransportParameters& p)
   }
   for (const double x : m.Centre)
   {
-    DemandRange("MembraneCenter", x, -1e6, 1e6, "It is a place in angstrom.");
+    RequireRange("MembraneCenter", x, -1e6, 1e6, "It is a place in angstrom.");
   }
-  DemandAbove(
+  RequireAbove(
     "MembraneThickness", m.Thickness, 0.0, 1e3, "It is in angstrom: a bilayer has 24 to 40.");
-  DemandRange("LumenRadius", m.LumenRadius, 0.0, 1e3, "It is in angstrom.");
-  DemandRange("Voltage", p.Voltage, -1000.0, 1000.0, "It is in mV.");
-  DemandRange("ProbeRadius", p.ProbeRadius, 0.0, 10.0, "It is in angstrom.");
-  DemandAbove("Spacing", p.Spacing, 0.0, 10.0, "It is in angstrom.");
-  DemandRange(
+  RequireRange("LumenRadius", m.LumenRadius, 0.0, 1e3, "It is in angstrom.");
+  RequireRange("Voltage", p.Voltage, -1000.0, 1000.0, "It is in mV.");
+  RequireRange("ProbeRadius", p.ProbeRadius, 0.0, 10.0, "It is in angstrom.");
+  RequireAbove("Spacing", p.Spacing, 0.0, 10.0, "It is in angstrom.");
+  RequireRange(
     "Padding", p.Padding, 2.0 * p.Spacing, 1e3, "It is in angstrom, two spacings or more.");
-  DemandRange("SoluteDielectric", p.SoluteDielectric, 1.0, 1000.0);
-  DemandRange("SolventDielectric", p.SolventDielectric, 1.0, 1000.0);
-  DemandRange("Temperature", p.Temperature, 100.0, 1000.0, "It is in kelvin.");
-  DemandRange("Tolerance", p.Tolerance, 1e-10, 1.0, "It is a change of the potential in kT/e.");
-  DemandRange("MaximumIterations", p.MaximumIterations, 1.0, 1e6);
+  RequireRange("SoluteDielectric", p.SoluteDielectric, 1.0, 1000.0);
+  RequireRange("SolventDielectric", p.SolventDielectric, 1.0, 1000.0);
+  RequireRange("Temperature", p.Temperature, 100.0, 1000.0, "It is in kelvin.");
+  RequireRange("Tolerance", p.Tolerance, 1e-10, 1.0, "It is a change of the potential in kT/e.");
+  RequireRange("MaximumIterations", p.MaximumIterations, 1.0, 1e6);
 }
 
 }

@@ -1,6 +1,6 @@
 #include "Solvation/MovingChannel.h"
 
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 #include "MolecularSurfaces/FlowField.h"
 #include "MolecularSurfaces/LevelMeasure.h"
 #include "MolecularSurfaces/SurfaceFlowParameters.h"
@@ -106,9 +106,9 @@ MovingChannel::MovingChannel(const TransportDomain& domain, const std::vector<fl
 {
   CheckTransport(transport);
   CheckPolicy(parameters.Policy);
-  DemandAbove("SurfaceTension", parameters.Solvent.SurfaceTension, 0.0, 1e3,
+  RequireAbove("SurfaceTension", parameters.Solvent.SurfaceTension, 0.0, 1e3,
     "It is an energy for each square angstrom.");
-  DemandRange(
+  RequireRange(
     "Pressure", parameters.Solvent.Pressure, -1e3, 1e3, "It is an energy for each cubic angstrom.");
   this->Start(obstacle);
   this->Steady.assign(this->Field.Distance.size(), 0.0F);
@@ -150,9 +150,10 @@ void MovingChannel::Solve(const ProgressCallback& progress)
   if (!(this->Passage.Radius > 0.0) && !this->Updates.empty())
   {
     const Point3& at = this->Passage.Bottleneck;
-    throw std::runtime_error("The moving surface has closed the channel at (" + Shown(at[0]) +
-      ", " + Shown(at[1]) + ", " + Shown(at[2]) + "), " + Shown(this->Passage.Along) +
-      " angstrom along the normal from the membrane's centre, after " + Shown(this->Time) +
+    throw std::runtime_error("The moving surface has closed the channel at (" +
+      FormatNumber(at[0]) + ", " + FormatNumber(at[1]) + ", " + FormatNumber(at[2]) + "), " +
+      FormatNumber(this->Passage.Along) +
+      " angstrom along the normal from the membrane's centre, after " + FormatNumber(this->Time) +
       " square angstrom of flow: its tension is stronger there than pressure, field and ions. "
       "Choose a smaller SurfaceTension or a larger Pressure, or leave the surface at rest.");
   }

@@ -1,7 +1,7 @@
 // The half of PoissonNernstPlanck that solves for the ions, with the potential given.
 #include "Solvation/PoissonNernstPlanck.h"
 
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 #include "Solvation/ScharfetterGummel.h"
 
 #include <algorithm>

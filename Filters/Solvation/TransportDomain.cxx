@@ -1,6 +1,6 @@
 #include "Solvation/TransportDomain.h"
 
-#include "Core/AvailableMemory.h"
+#include "Core/MemoryBudget.h"
 #include "MolecularSurfaces/BallDistance.h"
 #include "MolecularSurfaces/FlowField.h"
 #include "MolecularSurfaces/SolventExcludedSurface.h"

@@ -1,6 +1,6 @@
 #include "Solvation/TransportSweep.h"
 
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 
 #include <cmath>
 
@@ -20,10 +20,10 @@ double Between01(int point, int points)
 
 std::vector<TransportPoint> SweptVoltages(double from, double to, int points)
 {
-  DemandRange("SweepPoints", points, 2, MostPoints, "A curve has two points or more.");
+  RequireRange("SweepPoints", points, 2, MostPoints, "A curve has two points or more.");
   for (const double end : { from, to })
   {
-    DemandRange("SweepVoltages", end, -1000.0, 1000.0, "They are in mV.");
+    RequireRange("SweepVoltages", end, -1000.0, 1000.0, "They are in mV.");
   }
   std::vector<TransportPoint> all(static_cast<std::size_t>(points));
   for (int i = 0; i < points; ++i)
@@ -35,10 +35,10 @@ std::vector<TransportPoint> SweptVoltages(double from, double to, int points)
 
 std::vector<TransportPoint> SweptFactors(double from, double to, int points, double voltage)
 {
-  DemandRange("SweepPoints", points, 2, MostPoints, "A curve has two points or more.");
+  RequireRange("SweepPoints", points, 2, MostPoints, "A curve has two points or more.");
   for (const double end : { from, to })
   {
-    DemandRange("SweepFactors", end, 1e-6, 1e3, "They multiply the baths' concentrations.");
+    RequireRange("SweepFactors", end, 1e-6, 1e3, "They multiply the baths' concentrations.");
   }
   std::vector<TransportPoint> all(static_cast<std::size_t>(points));
   for (int i = 0; i < points; ++i)

@@ -1,6 +1,6 @@
 #include "Solvation/TransportWarnings.h"
 
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 
 #include <algorithm>
 
@@ -12,8 +12,8 @@ namespace
 std::string Narrow(const ChannelPassage& passage)
 {
   const Point3& at = passage.Bottleneck;
-  return "At (" + Shown(at[0]) + ", " + Shown(at[1]) + ", " + Shown(at[2]) +
-    ") the channel has a radius of " + Shown(passage.Radius) +
+  return "At (" + FormatNumber(at[0]) + ", " + FormatNumber(at[1]) + ", " + FormatNumber(at[2]) +
+    ") the channel has a radius of " + FormatNumber(passage.Radius) +
     " angstrom, less than a Spacing: the current hangs on how the nodes lie there. Choose a "
     "smaller "
     "Spacing.";
@@ -22,15 +22,15 @@ std::string Narrow(const ChannelPassage& passage)
 std::string NotConverged(const TransportPoint& point, double tolerance)
 {
   const IonTransportReport& report = point.Report;
-  const std::string start = "At " + Shown(point.Voltage) + " mV ";
+  const std::string start = "At " + FormatNumber(point.Voltage) + " mV ";
   if (report.Changes.back() > tolerance)
   {
-    return start + "the potential still changed by " + Shown(report.Changes.back()) +
+    return start + "the potential still changed by " + FormatNumber(report.Changes.back()) +
       " kT/e after " + std::to_string(report.Iterations) +
       " iterations. The state that changed least is kept, with Converged 0: choose more "
       "MaximumIterations or a larger Tolerance.";
   }
-  return start + "a part of " + Shown(report.Imbalance) +
+  return start + "a part of " + FormatNumber(report.Imbalance) +
     " of a current is lost on its way: the equations of the ions could not be solved. What there "
     "is "
     "is kept, with Converged 0: choose a smaller Spacing or Voltage, or look for charges that "
@@ -41,7 +41,7 @@ std::string NotConverged(const TransportPoint& point, double tolerance)
 std::string NotAtRest(const MovingChannel& moving)
 {
   return "The surface has not come to rest after " + std::to_string(moving.GetUpdates().size()) +
-    " updates: currents or water still changed by a part of " + Shown(moving.LastChange()) +
+    " updates: currents or water still changed by a part of " + FormatNumber(moving.LastChange()) +
     ". Update " + std::to_string(moving.GetShown() + 1) +
     ", which changed least, is kept, with Rests 0: choose more MaximumUpdates, a larger "
     "UpdateTolerance, or a smaller FieldRelaxation.";

@@ -245,10 +245,10 @@ int vtkIonTransport::RequestInformation(
     this->Advance->Update(1);
   }
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  isthmus::TellGeometry(outInfo,
+  isthmus::SetImageInformation(outInfo,
     [&](vtkImageData* image)
     {
-      this->Advance->DemandOnOneRank(0, "atoms");
+      this->Advance->RequireOneRank(0, "atoms");
       const Internals internals(this);
       const isthmus::AtomBalls atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
       if (!atoms.Balls.empty())
@@ -274,8 +274,8 @@ int vtkIonTransport::RequestData(
     [&]()
     {
       const Internals internals(this);
-      this->Advance->DemandOnOneRank(0, "atoms");
-      this->Advance->DemandOnOneRank(1, "points of the surface");
+      this->Advance->RequireOneRank(0, "atoms");
+      this->Advance->RequireOneRank(1, "points of the surface");
       const isthmus::AtomBalls atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
       if (!atoms.Balls.empty())
       {

@@ -173,10 +173,10 @@ int vtkSolvationSurface::RequestInformation(
 {
   // The extent of the image has to be told now, and it is that of the atoms: so make the atoms.
   this->Advance->Update();
-  isthmus::TellGeometry(outputVector->GetInformationObject(1),
+  isthmus::SetImageInformation(outputVector->GetInformationObject(1),
     [&](vtkImageData* image)
     {
-      this->Advance->DemandOnOneRank(0, "atoms");
+      this->Advance->RequireOneRank(0, "atoms");
       const Internals internals(this);
       const isthmus::AtomBalls atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
       if (!atoms.Balls.empty())
@@ -207,7 +207,7 @@ int vtkSolvationSurface::RequestData(
       const Internals internals(this);
       const isthmus::SolvationParameters parameters = internals.Parameters();
       vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-      this->Advance->DemandOnOneRank(0, "atoms");
+      this->Advance->RequireOneRank(0, "atoms");
       const isthmus::AtomBalls atoms = internals.Balls(input);
       if (atoms.Balls.empty())
       {

@@ -5,7 +5,7 @@
 #ifndef isthmus_AreaQuantiles_h
 #define isthmus_AreaQuantiles_h
 
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersSurfacesModule.h"
 
 #include <utility>

@@ -1,6 +1,6 @@
 #include "Surfaces/CartesianMeasures.h"
 
-#include "Core/ParallelReduce.h"
+#include "Core/ParallelFor.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -5,7 +5,7 @@
 #ifndef isthmus_MeshEdges_h
 #define isthmus_MeshEdges_h
 
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "Surfaces/ShellNesting.h"
 
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "Surfaces/WindingNumber.h"
 

@@ -5,9 +5,9 @@
 #ifndef isthmus_ShellNesting_h
 #define isthmus_ShellNesting_h
 
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 #include "Core/Progress.h"
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersSurfacesModule.h"
 
 namespace isthmus

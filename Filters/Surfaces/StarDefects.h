@@ -5,7 +5,7 @@
 #ifndef isthmus_StarDefects_h
 #define isthmus_StarDefects_h
 
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "Surfaces/SurfaceDefects.h"
 
 namespace isthmus

@@ -2,7 +2,7 @@
 
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 #include "Surfaces/StarDefects.h"
 
 #include <algorithm>
@@ -125,7 +125,7 @@ void DemandResolved(const SurfaceView& mesh)
     if (longest[i] >= 0.0 && longest[i] < resolution * reach)
     {
       throw std::invalid_argument("The edges at point " + std::to_string(i) + " are " +
-        Shown(longest[i]) + " long at most, and coordinates of " + Shown(reach) +
+        FormatNumber(longest[i]) + " long at most, and coordinates of " + FormatNumber(reach) +
         " are told no finer than that: remove the points that are far off, or the tiny part.");
     }
   }

@@ -6,7 +6,7 @@
 #define isthmus_SurfaceCheck_h
 
 #include "Core/Progress.h"
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "Surfaces/SurfaceDefects.h"
 #include "vtkIsthmusFiltersSurfacesModule.h"
 

@@ -1,6 +1,6 @@
 #include "Surfaces/SurfaceIntake.h"
 
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
 #include "Surfaces/FlatTriangles.h"

@@ -6,7 +6,7 @@
 #ifndef isthmus_SurfaceIntake_h
 #define isthmus_SurfaceIntake_h
 
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "Surfaces/SurfaceCheck.h"
 #include "vtkIsthmusFiltersSurfacesModule.h"
 

@@ -16,7 +16,7 @@
 #define isthmus_SurfaceMeasures_h
 
 #include "Core/Progress.h"
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersSurfacesModule.h" // for the export macro
 
 #include <vector>

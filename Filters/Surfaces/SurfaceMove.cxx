@@ -2,7 +2,6 @@
 
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
-#include "Core/ParallelReduce.h"
 #include "Surfaces/TriangleTree.h"
 
 #include <algorithm>

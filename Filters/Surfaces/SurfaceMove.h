@@ -5,8 +5,8 @@
 #ifndef isthmus_SurfaceMove_h
 #define isthmus_SurfaceMove_h
 
-#include "Core/SurfaceView.h"
 #include "Core/TetrahedralMesh.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersSurfacesModule.h"
 
 namespace isthmus

@@ -5,7 +5,7 @@
 #ifndef isthmus_SurfaceTopology_h
 #define isthmus_SurfaceTopology_h
 
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersSurfacesModule.h"
 
 namespace isthmus

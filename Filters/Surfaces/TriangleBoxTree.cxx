@@ -1,6 +1,6 @@
 #include "Surfaces/TriangleBoxTree.h"
 
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
 #include "Core/RadixSort.h"

@@ -5,7 +5,7 @@
 #ifndef isthmus_TriangleBoxTree_h
 #define isthmus_TriangleBoxTree_h
 
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersSurfacesModule.h" // for the export macro
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "Surfaces/TriangleNodes.h"
 
-#include "Core/Point3.h"
+#include "Core/Geometry.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #ifndef isthmus_TriangleNodes_h
 #define isthmus_TriangleNodes_h
 
-#include "Core/Point3.h"
-#include "Core/SurfaceView.h"
+#include "Core/Geometry.h"
+#include "Core/TriangleMesh.h"
 
 #include <array>
 #include <cstdint>

@@ -6,7 +6,7 @@
 #define isthmus_TriangleStars_h
 
 #include "Core/Handles.h"
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersSurfacesModule.h" // for the export macro
 
 #include <utility>

@@ -5,7 +5,7 @@
 #ifndef isthmus_TriangleTree_h
 #define isthmus_TriangleTree_h
 
-#include "Core/Point3.h"
+#include "Core/Geometry.h"
 #include "Surfaces/TriangleNodes.h"
 #include "vtkIsthmusFiltersSurfacesModule.h" // for the export macro
 

@@ -1,7 +1,6 @@
 #include "Surfaces/WindingNumber.h"
 
-#include "Core/Bounds3.h"
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 
 #include <complex>
 #include <numeric>

@@ -10,7 +10,7 @@
 #ifndef isthmus_WindingNumber_h
 #define isthmus_WindingNumber_h
 
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersSurfacesModule.h"
 
 namespace isthmus

@@ -1,10 +1,9 @@
 #include "vtkSurfaceMeasures.h"
 
 #include "Core/AlgorithmGuard.h"
-#include "Core/ChosenScalars.h"
+#include "Core/GatherRanks.h"
 #include "Core/ImageScalars.h"
 #include "Core/PolyDataTriangles.h"
-#include "Core/WholeSurface.h"
 #include "Surfaces/CartesianMeasures.h"
 #include "Surfaces/SurfaceIntake.h"
 #include "Surfaces/SurfaceMeasures.h"
@@ -166,7 +165,7 @@ int vtkSurfaceMeasures::RequestData(
 void vtkSurfaceMeasures::Measure(vtkPolyData* surface, vtkDataObject* output, vtkTable* table)
 {
   // The output is this rank's piece; what is measured, on the first rank, is all of them.
-  const auto sewn = isthmus::WholeSurface(this, surface);
+  const auto sewn = isthmus::GatherSurface(this, surface);
   if (!isthmus::OnFirstRank())
   {
     return;

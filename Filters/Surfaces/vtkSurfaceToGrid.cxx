@@ -1,14 +1,12 @@
 #include "vtkSurfaceToGrid.h"
 
 #include "Core/AlgorithmGuard.h"
-#include "Core/ChosenScalars.h"
-#include "Core/ImageCrop.h"
+#include "Core/GatherRanks.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
 #include "Core/PipelineInputs.h"
 #include "Core/PolyDataTriangles.h"
-#include "Core/RangeGuard.h"
-#include "Core/WholeSurface.h"
+#include "Core/RangeChecks.h"
 #include "Surfaces/GridDistance.h"
 #include "Surfaces/GridImages.h"
 #include "Surfaces/LevelCrossings.h"
@@ -77,7 +75,7 @@ void vtkSurfaceToGrid::GridAround(vtkPolyData* surface, vtkImageData* grid)
 {
   if (!(this->Spacing >= 0.0) || std::isinf(this->Spacing))
   {
-    throw std::invalid_argument("Spacing is " + isthmus::Shown(this->Spacing) +
+    throw std::invalid_argument("Spacing is " + isthmus::FormatNumber(this->Spacing) +
       ", but it is a length: give a positive one, or 0 for 1/64 of the surface's longest side.");
   }
   double box[6];
@@ -127,11 +125,11 @@ int vtkSurfaceToGrid::RequestInformation(
   }
   // The extent of the grid has to be told now, and it is that of the surface: so make the surface.
   this->Advance->Update();
-  isthmus::TellGeometry(outInfo,
+  isthmus::SetImageInformation(outInfo,
     [&](vtkImageData* grid)
     {
       const auto surface =
-        isthmus::WholeSurface(this, vtkPolyData::GetData(info), isthmus::WholeOn::EachRank);
+        isthmus::GatherSurface(this, vtkPolyData::GetData(info), isthmus::GatherOn::EachRank);
       if (surface && surface->GetNumberOfPoints() > 0) // else empty, or blocks that come one by one
       {
         this->GridAround(surface, grid);
@@ -153,7 +151,7 @@ int vtkSurfaceToGrid::RequestUpdateExtent(
       int whole[6];
       info->Get(Pipeline::WHOLE_EXTENT(), whole);
       info->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
-      isthmus::AskForAll(info);
+      isthmus::RequestAll(info);
     }
   }
   return 1;
@@ -169,8 +167,8 @@ int vtkSurfaceToGrid::RequestData(
   const int result = isthmus::Guarded(this, output,
     [&]()
     {
-      isthmus::DemandAll(inputVector[0]->GetInformationObject(0));
-      isthmus::DemandAll(inputVector[1]->GetInformationObject(0));
+      isthmus::RequireWholeExtent(inputVector[0]->GetInformationObject(0));
+      isthmus::RequireWholeExtent(inputVector[1]->GetInformationObject(0));
       if (auto* image = vtkImageData::GetData(inputVector[0], 0))
       {
         output->ShallowCopy(image);
@@ -180,8 +178,8 @@ int vtkSurfaceToGrid::RequestData(
         }
         return;
       }
-      const auto surface = isthmus::WholeSurface(
-        this, vtkPolyData::GetData(inputVector[0], 0), isthmus::WholeOn::EachRank);
+      const auto surface = isthmus::GatherSurface(
+        this, vtkPolyData::GetData(inputVector[0], 0), isthmus::GatherOn::EachRank);
       if (auto* grid = vtkImageData::GetData(inputVector[1], 0))
       {
         output->CopyStructure(grid);
@@ -250,7 +248,7 @@ void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkP
 {
   const GridShape shape = isthmus::ShapeOf(image);
   vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
-  isthmus::DemandRange("IsoValue", this->IsoValue, -std::numeric_limits<double>::max(),
+  isthmus::RequireRange("IsoValue", this->IsoValue, -std::numeric_limits<double>::max(),
     std::numeric_limits<double>::max(), "It is a value of the volume.");
   double range[2];
   scalars->GetFiniteRange(range);

@@ -1,6 +1,6 @@
 #include "Tetrahedra/AutomaticMesher.h"
 
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 #include "Remeshing/SurfaceRepair.h"
 #include "Surfaces/ShellNesting.h"
 #include "Surfaces/SurfaceCheck.h"

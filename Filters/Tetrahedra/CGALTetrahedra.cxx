@@ -1,6 +1,6 @@
 #include "Remeshing/CGALWithoutDumps.h"
 
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 #include "Core/TetrahedralMesh.h"
 #include "Tetrahedra/CGALSolids.h"
 #include "Tetrahedra/TetrahedralMesher.h"

@@ -16,8 +16,7 @@
 #ifndef isthmus_IsosurfaceStuffing_h
 #define isthmus_IsosurfaceStuffing_h
 
-#include "Core/Bounds3.h"
-#include "Core/Point3.h"
+#include "Core/Geometry.h"
 #include "Core/Progress.h"
 #include "Core/TetrahedralMesh.h"
 #include "Tetrahedra/StuffingParameters.h"

@@ -1,9 +1,10 @@
 #include "Tetrahedra/MeshQuality.h"
 
+#include "Core/Geometry.h"
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
-#include "Core/Pi.h"
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
+#include "Core/UnitScale.h"
 
 #include <algorithm>
 #include <mutex>
@@ -106,7 +107,7 @@ QualitySummary MeasureAll(const View<Point3>& points,
   const View<std::array<vtkIdType, Corners>>& cells, int bins, std::vector<CellAngles>& measures,
   const ProgressCallback& progress, const View<unsigned char>& ghosts)
 {
-  DemandRange("NumberOfBins", bins, 1, MostBins, "It counts the columns of the histogram.");
+  RequireRange("NumberOfBins", bins, 1, MostBins, "It counts the columns of the histogram.");
   const UnitScale range(points); // refuses what no product of lengths can be made of
   measures.resize(cells.size());
   QualitySummary summary;

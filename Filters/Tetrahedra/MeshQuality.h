@@ -6,7 +6,7 @@
 #define isthmus_MeshQuality_h
 
 #include "Core/Progress.h"
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersTetrahedraModule.h"
 
 #include <cstdint>

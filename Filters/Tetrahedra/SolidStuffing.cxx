@@ -1,6 +1,6 @@
 #include "Tetrahedra/SolidStuffing.h"
 
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 #include "Surfaces/ShellNesting.h"
 #include "Surfaces/TriangleTree.h"
 #include "Surfaces/WindingNumber.h"

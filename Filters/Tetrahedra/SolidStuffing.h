@@ -6,8 +6,8 @@
 #define isthmus_SolidStuffing_h
 
 #include "Core/Progress.h"
-#include "Core/SurfaceView.h"
 #include "Core/TetrahedralMesh.h"
+#include "Core/TriangleMesh.h"
 #include "Tetrahedra/MeshedSide.h"
 #include "vtkIsthmusFiltersTetrahedraModule.h"
 

@@ -1,7 +1,7 @@
 #include "Tetrahedra/StuffingLattice.h"
 
 #include "Core/ParallelFor.h"
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 
 #include <stdexcept>
 #include <string>
@@ -38,7 +38,7 @@ StuffingLattice::StuffingLattice(const Bounds3& bounds, const StuffingParameters
     const double cells = unit * std::ceil(length / this->Size / unit * (1.0 - 1e-12));
     if (!(cells <= mostCells))
     {
-      throw std::invalid_argument("A cell size of " + Shown(this->Size) +
+      throw std::invalid_argument("A cell size of " + FormatNumber(this->Size) +
         " would make more than 262144 cells along an axis: choose a larger one.");
     }
     this->Count[a] = std::max<std::int64_t>(1, static_cast<std::int64_t>(cells));
@@ -49,7 +49,7 @@ StuffingLattice::StuffingLattice(const Bounds3& bounds, const StuffingParameters
   this->Centres = this->Count[0] * this->Count[1] * this->Count[2];
   if (parameters.MaximumBytes > 0 && this->Bytes() > static_cast<double>(parameters.MaximumBytes))
   {
-    throw std::runtime_error("A cell size of " + Shown(this->Size) + " makes " +
+    throw std::runtime_error("A cell size of " + FormatNumber(this->Size) + " makes " +
       std::to_string(this->Centres) + " cells, whose values need " + Megabytes(this->Bytes()) +
       ", more than the limit of " + Megabytes(static_cast<double>(parameters.MaximumBytes)) +
       ": choose a larger cell size or raise the limit.");

@@ -9,8 +9,7 @@
 #ifndef isthmus_StuffingLattice_h
 #define isthmus_StuffingLattice_h
 
-#include "Core/Bounds3.h"
-#include "Core/Point3.h"
+#include "Core/Geometry.h"
 #include "Core/Progress.h"
 #include "Tetrahedra/StuffingParameters.h"
 

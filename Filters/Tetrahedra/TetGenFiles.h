@@ -5,8 +5,8 @@
 #ifndef isthmus_TetGenFiles_h
 #define isthmus_TetGenFiles_h
 
-#include "Core/SurfaceView.h"
 #include "Core/TetrahedralMesh.h"
+#include "Core/TriangleMesh.h"
 #include "Surfaces/ShellNesting.h"
 
 #include <filesystem>

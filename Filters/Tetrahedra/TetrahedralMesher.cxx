@@ -1,7 +1,8 @@
 #include "Tetrahedra/TetrahedralMesher.h"
 
-#include "Core/Bounds3.h"
-#include "Core/RangeGuard.h"
+#include "Core/Geometry.h"
+#include "Core/RangeChecks.h"
+#include "Core/UnitScale.h"
 #include "Remeshing/SurfaceRepair.h"
 #include "Surfaces/SurfaceTopology.h"
 
@@ -42,8 +43,8 @@ void DemandCGALBudget(const SurfaceView& surface, const TetrahedralParameters& p
   constexpr double hopeless = 1e12; // below, refinement ends at MaximumPoints, and can be stopped
   if (least > hopeless)
   {
-    throw std::invalid_argument("The sizes asked of CGAL take at least " + Shown(least) +
-      " points, and the most is " + Shown(static_cast<double>(c.MaximumPoints)) +
+    throw std::invalid_argument("The sizes asked of CGAL take at least " + FormatNumber(least) +
+      " points, and the most is " + FormatNumber(static_cast<double>(c.MaximumPoints)) +
       ": ask for larger ones.");
   }
   const double finest = 1e-7 * BoundsOf(surface).Diagonal();
@@ -51,8 +52,8 @@ void DemandCGALBudget(const SurfaceView& surface, const TetrahedralParameters& p
   {
     if (length > 0.0 && length < finest)
     {
-      throw std::invalid_argument("A size of " + Shown(length) +
-        " is asked of CGAL, but it finds points to " + Shown(finest) +
+      throw std::invalid_argument("A size of " + FormatNumber(length) +
+        " is asked of CGAL, but it finds points to " + FormatNumber(finest) +
         " only (1e-7 of the surface's diagonal): ask for larger ones.");
     }
   }
@@ -132,13 +133,14 @@ void CheckVolumes(
     if (found == volumes.end())
     {
       throw std::runtime_error("Region " + std::to_string(region.Id) + " of volume " +
-        Shown(region.Volume) + " got no tetrahedra: it is smaller than the sizes asked for.");
+        FormatNumber(region.Volume) +
+        " got no tetrahedra: it is smaller than the sizes asked for.");
     }
     if (std::abs(found->second - region.Volume) > tolerance * region.Volume)
     {
       throw std::runtime_error("The tetrahedra of region " + std::to_string(region.Id) +
-        " fill a volume of " + Shown(found->second) + " instead of " + Shown(region.Volume) +
-        ": remesh the surface or use the other library.");
+        " fill a volume of " + FormatNumber(found->second) + " instead of " +
+        FormatNumber(region.Volume) + ": remesh the surface or use the other library.");
     }
   }
 }

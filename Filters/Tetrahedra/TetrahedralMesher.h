@@ -11,8 +11,8 @@
 
 #include "Core/ChildProcess.h"
 #include "Core/Progress.h"
-#include "Core/SurfaceView.h"
 #include "Core/TetrahedralMesh.h"
+#include "Core/TriangleMesh.h"
 #include "Surfaces/ShellNesting.h"
 #include "Tetrahedra/MeshedSide.h"
 #include "vtkIsthmusFiltersTetrahedraModule.h"

@@ -2,8 +2,7 @@
 
 #include "Contouring/ClosedLevelSet.h"
 #include "Core/AlgorithmGuard.h"
-#include "Core/Bounds3.h"
-#include "Core/ChosenScalars.h"
+#include "Core/Geometry.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
 #include "Core/TetrahedralMesh.h"
@@ -125,7 +124,7 @@ int vtkIsosurfaceStuffing::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
 {
   // The lattice is one for all of the volume.
-  isthmus::AskForWholeImage(input[0]->GetInformationObject(0));
+  isthmus::RequestWholeExtent(input[0]->GetInformationObject(0));
   return 1;
 }
 
@@ -137,7 +136,7 @@ int vtkIsosurfaceStuffing::RequestData(
   return isthmus::Guarded(this, grid,
     [&]
     {
-      isthmus::DemandAll(input[0]->GetInformationObject(0));
+      isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));
       if (image->GetNumberOfPoints() == 0 ||
         !isthmus::IsMadeHere(input[0]->GetInformationObject(0)))
       {

@@ -1,7 +1,7 @@
 #include "vtkMeshQualityReport.h"
 
 #include "Core/AlgorithmGuard.h"
-#include "Core/WholeSurface.h"
+#include "Core/GatherRanks.h"
 #include "Tetrahedra/MeshQuality.h"
 
 #include <vtkCell.h>
@@ -145,7 +145,7 @@ void FillHistogram(const isthmus::QualitySummary& summary, vtkTable* table)
 /// What all ranks have together.
 isthmus::QualitySummary OverRanks(vtkAlgorithm* filter, const isthmus::QualitySummary& own)
 {
-  isthmus::DemandNoBlocks(filter);
+  isthmus::RequireNoBlocks(filter);
   if (isthmus::NumberOfRanks() == 1)
   {
     return own;

@@ -1,9 +1,9 @@
 #include "vtkTetrahedralMesher.h"
 
 #include "Core/AlgorithmGuard.h"
-#include "Core/PolyDataMesh.h"
+#include "Core/GatherRanks.h"
+#include "Core/PolyDataTriangles.h"
 #include "Core/TetrahedralMesh.h"
-#include "Core/WholeSurface.h"
 #include "Remeshing/SurfaceRepair.h"
 #include "Surfaces/SurfaceIntake.h"
 #include "Tetrahedra/AutomaticMesher.h"
@@ -158,7 +158,7 @@ int vtkTetrahedralMesher::RequestData(
   return isthmus::Guarded(this, grid,
     [&]
     {
-      const auto surface = isthmus::WholeSurface(this, vtkPolyData::GetData(input[0]));
+      const auto surface = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0]));
       const isthmus::TakenSurface taken = isthmus::TakeSurface(isthmus::MeshOf(surface));
       const isthmus::TetrahedralParameters parameters = ParametersOf(this);
       const auto progress = isthmus::ProgressOf(this);

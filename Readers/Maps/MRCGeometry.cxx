@@ -1,6 +1,6 @@
 #include "Maps/MRCGeometry.h"
 
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 
 #include <algorithm>
 #include <cctype>

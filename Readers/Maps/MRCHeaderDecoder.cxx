@@ -1,6 +1,6 @@
 #include "Maps/MRCHeaderDecoder.h"
 
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 
 #include <vtkMath.h>
 

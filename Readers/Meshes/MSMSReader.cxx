@@ -1,7 +1,7 @@
 #include "Meshes/MSMSReader.h"
 
 #include "Core/Handles.h"
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
 #include "Files/OpenByteSource.h"
 #include "Files/ReaderError.h"
 #include "Files/TextLines.h"
@@ -84,8 +84,8 @@ public:
     if (this->Promised >= 0.0 && this->Promised != static_cast<double>(this->Count))
     {
       throw ReaderError(ReaderFailure::Truncated,
-        this->Path.string() + ": its first line promises " + Shown(this->Promised) + " " + what +
-          ", but there are " + std::to_string(this->Count) +
+        this->Path.string() + ": its first line promises " + FormatNumber(this->Promised) + " " +
+          what + ", but there are " + std::to_string(this->Count) +
           ". The file is cut or damaged: run MSMS again.");
     }
   }

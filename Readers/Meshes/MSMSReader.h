@@ -9,8 +9,8 @@
 #ifndef isthmus_MSMSReader_h
 #define isthmus_MSMSReader_h
 
-#include "Core/Corners.h"
 #include "Core/Progress.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusReadersMeshesModule.h"
 
 #include <array>

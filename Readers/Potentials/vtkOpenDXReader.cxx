@@ -1,8 +1,8 @@
 #include "vtkOpenDXReader.h"
 
+#include "Core/Geometry.h"
 #include "Core/LargePages.h"
-#include "Core/ParallelReduce.h"
-#include "Core/Pi.h"
+#include "Core/ParallelFor.h"
 #include "Files/GridInformation.h"
 #include "Files/ReaderError.h"
 #include "Files/ReaderGuard.h"

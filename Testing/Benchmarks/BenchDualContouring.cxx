@@ -5,7 +5,7 @@
 // hand.
 
 #include "Contouring/DualContouring.h"
-#include "Core/PolyDataMesh.h"
+#include "Core/PolyDataTriangles.h"
 #include "Surfaces/SurfaceMove.h"
 #include "Tetrahedra/MeshQuality.h"
 #include "vtkDelaunayIsosurface.h"

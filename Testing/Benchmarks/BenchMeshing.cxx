@@ -4,7 +4,7 @@
 
 #include "Contouring/ClosedLevelSet.h"
 #include "Contouring/DelaunayIsosurface.h"
-#include "Core/PolyDataMesh.h"
+#include "Core/PolyDataTriangles.h"
 #include "Remeshing/SurfaceRemesh.h"
 #include "Tetrahedra/MeshQuality.h"
 #include "Tetrahedra/TetrahedralMesher.h"

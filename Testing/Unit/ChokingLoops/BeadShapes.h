@@ -6,7 +6,7 @@
 #define isthmus_BeadShapes_h
 
 #include "ChokingSurfaces.h"
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 
 #include <algorithm>
 #include <cmath>

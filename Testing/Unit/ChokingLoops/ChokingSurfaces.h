@@ -5,7 +5,7 @@
 #ifndef isthmus_ChokingSurfaces_h
 #define isthmus_ChokingSurfaces_h
 
-#include "Core/PolyDataMesh.h"
+#include "Core/PolyDataTriangles.h"
 #include "SharedData.h"
 
 #include <vtkCleanPolyData.h>

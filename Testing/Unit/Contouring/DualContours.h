@@ -5,7 +5,7 @@
 #ifndef isthmus_DualContours_h
 #define isthmus_DualContours_h
 
-#include "Core/PolyDataMesh.h"
+#include "Core/PolyDataTriangles.h"
 #include "vtkDualContouring.h"
 
 #include <vtkDoubleArray.h>

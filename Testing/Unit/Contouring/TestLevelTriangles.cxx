@@ -1,8 +1,7 @@
 // The triangles of a level: areas and volumes of balls, manifolds of noise, borders, threads.
 
 #include "Contouring/LevelTriangles.h"
-#include "Core/Bounds3.h"
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 #include "SampledGrid.h"
 #include "Surfaces/SurfaceCheck.h"
 #include "Surfaces/SurfaceTopology.h"

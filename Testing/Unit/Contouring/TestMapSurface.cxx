@@ -2,7 +2,7 @@
 
 #include "Contouring/MapSurface.h"
 #include "Contouring/SensibleLevel.h"
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 #include "SampledGrid.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "vtkMapSurface.h"

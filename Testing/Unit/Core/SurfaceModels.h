@@ -5,7 +5,7 @@
 #ifndef isthmus_SurfaceModels_h
 #define isthmus_SurfaceModels_h
 
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>

@@ -3,7 +3,8 @@
 // ends in a finite result or in a sentence and an empty output. Those that mesh:
 // TestExtremeMeshing.
 
-#include "Core/RangeGuard.h"
+#include "Core/RangeChecks.h"
+#include "Core/UnitScale.h"
 #include "ExtremeInputs.h"
 #include "SurfaceModels.h"
 #include "TopologyFilterRun.h"
@@ -145,14 +146,14 @@ TEST(Extremes, DiffusionHighPassTellsWhatItWouldTake)
   EXPECT_EQ(messages(10.0, 1.0, 0), "");
 }
 
-TEST(RangeGuard, SaysNumbersInWords)
+TEST(RangeChecks, SaysNumbersInWords)
 {
-  EXPECT_EQ(isthmus::Shown(1e300), "1e+300");
-  EXPECT_EQ(isthmus::Shown(NaN), "not a number");
-  EXPECT_EQ(isthmus::Shown(0.25), "0.25");
+  EXPECT_EQ(isthmus::FormatNumber(1e300), "1e+300");
+  EXPECT_EQ(isthmus::FormatNumber(NaN), "not a number");
+  EXPECT_EQ(isthmus::FormatNumber(0.25), "0.25");
 }
 
-TEST(RangeGuard, ScalesByPowersOfTwoOnlyWhatNeedsIt)
+TEST(UnitScale, ScalesByPowersOfTwoOnlyWhatNeedsIt)
 {
   const std::vector<isthmus::Point3> usual{ { 1.0, -300.0, 0.1 } };
   EXPECT_TRUE(isthmus::UnitScale(usual).IsOne());
@@ -170,7 +171,7 @@ TEST(RangeGuard, ScalesByPowersOfTwoOnlyWhatNeedsIt)
     std::invalid_argument);
 }
 
-TEST(RangeGuard, TakesTracesBesideTheLargestCoordinateForNothing)
+TEST(UnitScale, TakesTracesBesideTheLargestCoordinateForNothing)
 {
   std::vector<isthmus::Point3> points{ { 1.0, 6e-17, -1e-51 }, { 0.5, 1e-300, 0.0 } };
   const isthmus::UnitScale scale(points);
@@ -186,11 +187,11 @@ TEST(RangeGuard, TakesTracesBesideTheLargestCoordinateForNothing)
   EXPECT_EQ(points, (std::vector<isthmus::Point3>{ { before[0][0], 0.0, 1e11 }, { 0, 0, 0 } }));
 }
 
-TEST(RangeGuard, RefusesNaNWithTheRange)
+TEST(RangeChecks, RefusesNaNWithTheRange)
 {
   try
   {
-    isthmus::DemandRange("Angle", NaN, 0.0, 30.0, "It is in degrees.");
+    isthmus::RequireRange("Angle", NaN, 0.0, 30.0, "It is in degrees.");
     FAIL();
   }
   catch (const std::invalid_argument& error)

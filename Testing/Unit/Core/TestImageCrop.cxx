@@ -1,6 +1,6 @@
 // Cropping an image by rows beside VTK's own, value by value.
 
-#include "Core/ImageCrop.h"
+#include "Core/ImageExtent.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

@@ -1,4 +1,3 @@
-#include "Core/PolyDataMesh.h"
 #include "Core/PolyDataTriangles.h"
 #include "Surfaces/MeshEdges.h"
 

@@ -1,6 +1,6 @@
 // The edge tensor over one ring, balls and geodesic discs.
 
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 #include "Curvature/EdgeBends.h"
 #include "Curvature/SurfaceCurvature.h"
 #include "Curvature/SurfacePatch.h"

@@ -1,6 +1,6 @@
 // Curvature of meshes: spheres, areas, signs, invariances, points without curvature.
 
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 #include "Curvature/SurfaceCurvature.h"
 #include "SharedData.h"
 #include "SurfaceModels.h"

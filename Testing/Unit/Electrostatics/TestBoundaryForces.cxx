@@ -3,7 +3,7 @@
 
 #include "Electrostatics/BoundaryForces.h"
 
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 #include "Electrostatics/PoissonBoltzmann.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "Remeshing/SurfaceRemesh.h"
 
-#include "Core/PolyDataMesh.h"
+#include "Core/PolyDataTriangles.h"
 #include "SharedData.h"
 #include "SurfaceFiles.h"
 #include "Surfaces/SurfaceCheck.h"

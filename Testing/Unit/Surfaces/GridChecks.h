@@ -5,7 +5,7 @@
 #ifndef isthmus_GridChecks_h
 #define isthmus_GridChecks_h
 
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 #include "SurfaceModels.h"
 #include "Surfaces/SurfaceCrossings.h"
 

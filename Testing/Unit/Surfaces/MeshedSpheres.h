@@ -5,7 +5,7 @@
 #ifndef isthmus_MeshedSpheres_h
 #define isthmus_MeshedSpheres_h
 
-#include "Core/PolyDataMesh.h"
+#include "Core/PolyDataTriangles.h"
 #include "Tetrahedra/AutomaticMesher.h"
 #include "TetrahedralChecks.h"
 

@@ -1,7 +1,7 @@
 #include "Surfaces/SurfaceCheck.h"
 #include "Surfaces/SurfaceTopology.h"
 
-#include "Core/PolyDataMesh.h"
+#include "Core/PolyDataTriangles.h"
 #include "Remeshing/SurfaceRepair.h"
 #include "SharedData.h"
 #include "SurfaceFiles.h"

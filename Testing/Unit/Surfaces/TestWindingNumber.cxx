@@ -2,7 +2,7 @@
 
 #include "Surfaces/WindingNumber.h"
 
-#include "Core/Pi.h"
+#include "Core/Geometry.h"
 #include "MeshedSpheres.h"
 
 #include <gtest/gtest.h>

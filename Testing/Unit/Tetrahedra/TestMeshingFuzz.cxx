@@ -4,7 +4,7 @@
 
 #include "Contouring/ClosedLevelSet.h"
 #include "Contouring/DelaunayIsosurface.h"
-#include "Core/PolyDataMesh.h"
+#include "Core/PolyDataTriangles.h"
 #include "LongTests.h"
 #include "Remeshing/SurfaceRemesh.h"
 #include "Remeshing/SurfaceRepair.h"

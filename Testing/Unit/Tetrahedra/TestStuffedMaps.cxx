@@ -2,7 +2,7 @@
 // published angles, every face shared, the box filled.
 
 #include "Contouring/SensibleLevel.h"
-#include "Core/PolyDataMesh.h"
+#include "Core/PolyDataTriangles.h"
 #include "DamagedSurfaces.h"
 #include "LongTests.h"
 #include "SharedData.h"

@@ -1,6 +1,6 @@
 // Tetrahedra of the shared surfaces by TetGen and CGAL.
 
-#include "Core/PolyDataMesh.h"
+#include "Core/PolyDataTriangles.h"
 #include "LongTests.h"
 #include "MesherTrial.h"
 #include "Remeshing/SurfaceRepair.h"

@@ -1,6 +1,6 @@
 // What each property of the tetrahedral mesher bounds, measured on the mesh.
 
-#include "Core/PolyDataMesh.h"
+#include "Core/PolyDataTriangles.h"
 #include "SurfaceFiles.h"
 #include "Surfaces/SurfaceMove.h"
 #include "Surfaces/SurfaceTopology.h"

@@ -5,7 +5,7 @@
 #ifndef isthmus_TetrahedralChecks_h
 #define isthmus_TetrahedralChecks_h
 
-#include "Core/Bounds3.h"
+#include "Core/Geometry.h"
 #include "Core/TetrahedralMesh.h"
 #include "Core/TriangleMesh.h"
 #include "Tetrahedra/MeshQuality.h"

@@ -1,6 +1,6 @@
 #include "vtkMSMSReader.h"
 
-#include "Core/PolyDataMesh.h"
+#include "Core/PolyDataTriangles.h"
 #include "Meshes/MSMSReader.h"
 #include "SharedData.h"
 #include "Surfaces/ShellNesting.h"

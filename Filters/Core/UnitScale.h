@@ -1,46 +1,21 @@
 /**
- * @file RangeGuard.h
- * @brief Numbers that no algorithm should meet are refused here, with a sentence, before
- * third-party code sees them: properties out of their range, frames of images, coordinates.
+ * @file UnitScale.h
+ * @brief Very large and very small surfaces, brought to about 1 and back.
  */
-#ifndef isthmus_RangeGuard_h
-#define isthmus_RangeGuard_h
+#ifndef isthmus_UnitScale_h
+#define isthmus_UnitScale_h
 
-#include "Core/Point3.h"
-#include "Core/SurfaceView.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersCoreModule.h"
 
-#include <string>
 #include <vector>
-
-class vtkImageData;
 
 namespace isthmus
 {
 
-/// Lengths and coordinates that are worked with: beyond, products of a few of them are no doubles.
-constexpr double SmallestLength = 1e-100;
-constexpr double LargestLength = 1e100;
-
 /// How much longer than the shortest edge a surface may reach: where that is brought to about 1,
 /// sixth powers of edges, which squared volumes are, are just above 0.
 constexpr double LargestReach = 1e50;
-
-/// A number as sentences show it: six digits at most, and NaN in words.
-VTKISTHMUSFILTERSCORE_EXPORT std::string Shown(double value);
-
-/// @throws std::invalid_argument, with the property's name, value and range, unless
-/// low <= value <= high. NaN is refused. `meaning` ends the sentence.
-VTKISTHMUSFILTERSCORE_EXPORT void DemandRange(
-  const char* property, double value, double low, double high, const char* meaning = "");
-
-/// The same for low < value <= high.
-VTKISTHMUSFILTERSCORE_EXPORT void DemandAbove(
-  const char* property, double value, double low, double high, const char* meaning = "");
-
-/// @throws std::invalid_argument, with the axis, unless origin, spacing and direction are finite,
-/// spacings not 0, and all coordinates and spacings between SmallestLength and LargestLength.
-VTKISTHMUSFILTERSCORE_EXPORT void DemandFrame(vtkImageData* image);
 
 /**
  * Brings coordinates to about 1 for code that takes fourth powers of lengths, and back.

@@ -1,11 +1,9 @@
-#include "Core/RangeGuard.h"
+#include "Core/UnitScale.h"
 
-#include <vtkImageData.h>
-#include <vtkMatrix3x3.h>
+#include "Core/RangeChecks.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 namespace isthmus
@@ -16,70 +14,11 @@ namespace
 /// Powers of two within which coordinates are left alone.
 constexpr int UsualExponent = 20;
 
-[[noreturn]] void Refuse(
-  const char* property, double value, const std::string& range, const char* meaning)
-{
-  throw std::invalid_argument(std::string(property) + " is " + Shown(value) + ", but it must be " +
-    range + "." + (*meaning ? " " : "") + meaning);
-}
-
 bool IsFinite(const Point3& p)
 {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
-}
-
-std::string Shown(double value)
-{
-  if (std::isnan(value))
-  {
-    return "not a number";
-  }
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
-void DemandRange(const char* property, double value, double low, double high, const char* meaning)
-{
-  if (!(value >= low && value <= high))
-  {
-    Refuse(property, value, "from " + Shown(low) + " to " + Shown(high), meaning);
-  }
-}
-
-void DemandAbove(const char* property, double value, double low, double high, const char* meaning)
-{
-  if (!(value > low && value <= high))
-  {
-    Refuse(property, value, "above " + Shown(low) + " and at most " + Shown(high), meaning);
-  }
-}
-
-void DemandFrame(vtkImageData* image)
-{
-  const int* extent = image->GetExtent();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double spacing = std::abs(image->GetSpacing()[axis]);
-    const double origin = image->GetOrigin()[axis];
-    const std::string along = std::string(" of the image along ") + "xyz"[axis];
-    DemandRange(
-      ("The spacing" + along).c_str(), spacing, SmallestLength, LargestLength, "Set another one.");
-    DemandRange(
-      ("The origin" + along).c_str(), origin, -LargestLength, LargestLength, "Set another one.");
-    const double far = spacing *
-      std::max(std::abs(double(extent[2 * axis])), std::abs(double(extent[2 * axis + 1])));
-    DemandRange(("The farthest node" + along).c_str(), far, 0.0, LargestLength,
-      "Choose another unit of length.");
-    for (int row = 0; row < 3; ++row)
-    {
-      DemandRange("An entry of the image's direction matrix",
-        image->GetDirectionMatrix()->GetElement(row, axis), -2.0, 2.0,
-        "It should be a rotation: set another one.");
-    }
-  }
 }
 
 UnitScale::UnitScale(const View<Point3>& points)
@@ -98,7 +37,7 @@ UnitScale::UnitScale(const View<Point3>& points)
     if (largest > LargestLength)
     {
       throw std::invalid_argument("Point " + std::to_string(i) + " has the coordinate " +
-        Shown(largest) + ": at most " + Shown(LargestLength) +
+        FormatNumber(largest) + ": at most " + FormatNumber(LargestLength) +
         " can be worked with. Remove the point, or choose another unit of length.");
     }
   }
@@ -108,8 +47,8 @@ UnitScale::UnitScale(const View<Point3>& points)
   }
   if (largest < SmallestLength)
   {
-    throw std::invalid_argument("The largest coordinate of the surface is " + Shown(largest) +
-      ": it should be at least " + Shown(SmallestLength) +
+    throw std::invalid_argument("The largest coordinate of the surface is " +
+      FormatNumber(largest) + ": it should be at least " + FormatNumber(SmallestLength) +
       ". Choose another unit of length (Transform).");
   }
   int exponent = 0;
@@ -147,8 +86,8 @@ UnitScale::UnitScale(const SurfaceView& surface)
       if (a != b && edge < 1.0 / LargestReach)
       {
         throw std::invalid_argument("Triangle " + std::to_string(i) + " has an edge of " +
-          Shown(edge / this->TheFactor) + ", and other points are more than " +
-          Shown(LargestReach) +
+          FormatNumber(edge / this->TheFactor) + ", and other points are more than " +
+          FormatNumber(LargestReach) +
           " times as far away: no mesh is made of both. Remove the points that are far off.");
       }
     }

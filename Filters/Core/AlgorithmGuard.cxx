@@ -1,4 +1,4 @@
-#include "Core/ErrorOnce.h"
+#include "Core/AlgorithmGuard.h"
 
 #include "Core/PrintableText.h"
 
@@ -29,7 +29,7 @@ vtkMTimeType LastChange(vtkAlgorithm* self)
 
 }
 
-void TellError(vtkAlgorithm* self, const std::string& sentence)
+void ReportError(vtkAlgorithm* self, const std::string& sentence)
 {
   const std::string words = std::to_string(LastChange(self)) + ' ' + sentence;
   const char* last = LastWords()->Get(self->GetInformation());

@@ -1,4 +1,4 @@
-#include "Core/ChosenScalars.h"
+#include "Core/ImageScalars.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCellData.h>

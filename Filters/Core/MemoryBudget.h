@@ -1,9 +1,9 @@
 /**
- * @file AvailableMemory.h
+ * @file MemoryBudget.h
  * @brief How much memory this process can still take, asked before much is allocated.
  */
-#ifndef isthmus_AvailableMemory_h
-#define isthmus_AvailableMemory_h
+#ifndef isthmus_MemoryBudget_h
+#define isthmus_MemoryBudget_h
 
 #include "vtkIsthmusFiltersCoreModule.h"
 

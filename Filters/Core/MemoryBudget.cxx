@@ -1,4 +1,4 @@
-#include "Core/AvailableMemory.h"
+#include "Core/MemoryBudget.h"
 
 #include <algorithm>
 #include <cstdio>

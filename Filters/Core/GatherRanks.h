@@ -1,10 +1,10 @@
 /**
- * @file WholeSurface.h
+ * @file GatherRanks.h
  * @brief A surface that lies in pieces on several ranks, in one piece: for filters whose answer is
  * about the surface and not about its points.
  */
-#ifndef isthmus_WholeSurface_h
-#define isthmus_WholeSurface_h
+#ifndef isthmus_GatherRanks_h
+#define isthmus_GatherRanks_h
 
 #include "vtkIsthmusFiltersCoreModule.h"
 
@@ -20,7 +20,7 @@ namespace isthmus
 {
 
 /// Where the whole surface is wanted.
-enum class WholeOn
+enum class GatherOn
 {
   FirstRank, ///< the others get an empty one, so that nothing is counted or shown twice
   EachRank
@@ -42,7 +42,7 @@ VTKISTHMUSFILTERSCORE_EXPORT void RefuseSeveralRanks(int ranks, const std::strin
 /// @throws std::runtime_error on several ranks where an input of `filter` is composite: blocks are
 /// run one by one, and a rank that lacks one would be waited for without end. Seen in ParaView's
 /// pipelines; in one of VTK alone, blocks look like what they are.
-VTKISTHMUSFILTERSCORE_EXPORT void DemandNoBlocks(vtkAlgorithm* filter);
+VTKISTHMUSFILTERSCORE_EXPORT void RequireNoBlocks(vtkAlgorithm* filter);
 
 /**
  * The pieces of all ranks together, ghost cells left out, points at the same place (bit for bit) on
@@ -50,19 +50,19 @@ VTKISTHMUSFILTERSCORE_EXPORT void DemandNoBlocks(vtkAlgorithm* filter);
  *
  * With several ranks all must call it. Null in, null out (a piece of another kind: Guarded refuses
  * it). Memory: the whole surface where it is wanted.
- * @throws std::runtime_error as DemandNoBlocks
+ * @throws std::runtime_error as RequireNoBlocks
  */
-VTKISTHMUSFILTERSCORE_EXPORT vtkSmartPointer<vtkPolyData> WholeSurface(
-  vtkAlgorithm* filter, vtkPolyData* piece, WholeOn where = WholeOn::FirstRank);
+VTKISTHMUSFILTERSCORE_EXPORT vtkSmartPointer<vtkPolyData> GatherSurface(
+  vtkAlgorithm* filter, vtkPolyData* piece, GatherOn where = GatherOn::FirstRank);
 
 /**
  * For data that are needed whole and not put together here: atoms, meshes.
  *
  * With several ranks all must call it, each with its piece or null.
  * @param what  they are, in the plural, for the sentence
- * @throws std::runtime_error on all ranks where more than one has points, and as DemandNoBlocks
+ * @throws std::runtime_error on all ranks where more than one has points, and as RequireNoBlocks
  */
-VTKISTHMUSFILTERSCORE_EXPORT void DemandOnOneRank(
+VTKISTHMUSFILTERSCORE_EXPORT void RequireOneRank(
   vtkAlgorithm* filter, vtkDataObject* piece, const std::string& what);
 
 }

@@ -1,4 +1,4 @@
-#include "Core/WholeSurface.h"
+#include "Core/GatherRanks.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkAppendPolyData.h>
@@ -137,7 +137,7 @@ bool OnFirstRank()
   return !controller || controller->GetLocalProcessId() == 0;
 }
 
-void DemandNoBlocks(vtkAlgorithm* filter)
+void RequireNoBlocks(vtkAlgorithm* filter)
 {
   if (NumberOfRanks() == 1)
   {
@@ -189,13 +189,13 @@ void RefuseSeveralRanks(int ranks, const std::string& what)
   }
 }
 
-void DemandOnOneRank(vtkAlgorithm* filter, vtkDataObject* piece, const std::string& what)
+void RequireOneRank(vtkAlgorithm* filter, vtkDataObject* piece, const std::string& what)
 {
-  DemandNoBlocks(filter);
+  RequireNoBlocks(filter);
   RefuseSeveralRanks(RanksWithPoints(piece), what);
 }
 
-vtkSmartPointer<vtkPolyData> WholeSurface(vtkAlgorithm* filter, vtkPolyData* piece, WholeOn where)
+vtkSmartPointer<vtkPolyData> GatherSurface(vtkAlgorithm* filter, vtkPolyData* piece, GatherOn where)
 {
   if (!piece)
   {
@@ -206,7 +206,7 @@ vtkSmartPointer<vtkPolyData> WholeSurface(vtkAlgorithm* filter, vtkPolyData* pie
   {
     return own;
   }
-  DemandNoBlocks(filter);
+  RequireNoBlocks(filter);
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   std::vector<vtkSmartPointer<vtkDataObject>> pieces;
   controller->Gather(own, pieces, 0);
@@ -228,7 +228,7 @@ vtkSmartPointer<vtkPolyData> WholeSurface(vtkAlgorithm* filter, vtkPolyData* pie
       whole = Sewn(append->GetOutput());
     }
   }
-  if (where == WholeOn::EachRank)
+  if (where == GatherOn::EachRank)
   {
     controller->Broadcast(whole, 0);
   }
