@@ -6,6 +6,7 @@
 #define isthmus_MeshQuality_h
 
 #include "Core/Progress.h"
+#include "Core/TetrahedralMesh.h"
 #include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersTetrahedraModule.h"
 
