@@ -60,6 +60,9 @@ function (isthmus_build_python)
     "${CMAKE_BINARY_DIR}/${destination}/isthmus/__init__.py" @ONLY)
   install(FILES "${CMAKE_BINARY_DIR}/${destination}/isthmus/__init__.py"
     DESTINATION "${destination}/isthmus")
+  set(old_name "${CMAKE_CURRENT_SOURCE_DIR}/cmake/vtkIsthmus.py")
+  configure_file("${old_name}" "${CMAKE_BINARY_DIR}/${destination}/isthmus/vtkIsthmus.py" COPYONLY)
+  install(FILES "${old_name}" DESTINATION "${destination}/isthmus")
   # The same files travel inside the plugin, for windows without this package.
   foreach (part IN ITEMS pipelines charges look pockets trajectories)
     set(source "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/isthmus_${part}.py")
