@@ -17,7 +17,7 @@ namespace isthmus
 
 /// How many stages of this operator pay when they are done in one pass.
 template <typename T>
-int StagesOfAPass(const DiffusionOperator<T>& diffusion);
+int StagesPerPass(const DiffusionOperator<T>& diffusion);
 
 /**
  * Does the stages of a pass on all nodes, in parallel, bit for bit the same on any number of

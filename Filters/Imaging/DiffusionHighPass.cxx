@@ -1,6 +1,6 @@
 #include "Imaging/DiffusionHighPass.h"
 
-#include "Imaging/TimeSteps.h"
+#include "Imaging/SuperTimeStepping.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,7 +100,7 @@ void EvolveHighPass(const DiffusionGrid<T>& grid, const HighPassParameters& para
 {
   Check(parameters);
   const int steps = parameters.Steps > 0 ? parameters.Steps : AutomaticSteps(parameters);
-  DemandEvaluations(EvaluationsOf(grid.Spacing, parameters, steps));
+  RequireEvaluations(EvaluationsOf(grid.Spacing, parameters, steps));
   const double length = parameters.Time / steps;
   DiffusionParameters diffusion;
   diffusion.Order = 0;

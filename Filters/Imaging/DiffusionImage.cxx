@@ -56,8 +56,8 @@ Extent ExtentOf(vtkImageData* image)
 }
 
 template <typename T>
-DiffusionImage<T>::DiffusionImage(vtkImageData* input, vtkImageData* output, const RankParts& parts,
-  bool voxelUnits, ProgressCallback progress)
+DiffusionImage<T>::DiffusionImage(vtkImageData* input, vtkImageData* output,
+  const DomainDecomposition& parts, bool voxelUnits, ProgressCallback progress)
   : Input(input)
   , Output(output)
   , Parts(parts)

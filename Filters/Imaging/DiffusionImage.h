@@ -7,7 +7,7 @@
 
 #include "Core/Progress.h"
 #include "Imaging/DiffusionGrid.h"
-#include "Imaging/RankParts.h"
+#include "Imaging/DomainDecomposition.h"
 
 #include <vtkAOSDataArrayTemplate.h>
 #include <vtkSmartPointer.h>
@@ -31,8 +31,8 @@ public:
   /// @pre `input` covers the rank's own part; the halo comes from the other ranks.
   /// @throws std::invalid_argument for a spacing that is not positive where there is more than one
   /// node.
-  DiffusionImage(vtkImageData* input, vtkImageData* output, const RankParts& parts, bool voxelUnits,
-    ProgressCallback progress);
+  DiffusionImage(vtkImageData* input, vtkImageData* output, const DomainDecomposition& parts,
+    bool voxelUnits, ProgressCallback progress);
 
   vtkImageData* GetInput() const { return this->Input; }
   const DiffusionGrid<T>& GetGrid() const { return this->Grid; }
@@ -63,7 +63,7 @@ private:
 
   vtkImageData* Input;
   vtkImageData* Output;
-  const RankParts& Parts;
+  const DomainDecomposition& Parts;
   DiffusionGrid<T> Grid;
   ProgressCallback Progress;
   struct Masked

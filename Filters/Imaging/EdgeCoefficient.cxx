@@ -1,18 +1,86 @@
 #include "Imaging/EdgeCoefficient.h"
 
-#include "Imaging/BoxMean.h"
+#include "Core/ParallelFor.h"
 #include "Imaging/DiffusionEvaluation.h"
-#include "Imaging/StageSequence.h"
-#include "Imaging/TimeSteps.h"
+#include "Imaging/SuperTimeStepping.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace isthmus
 {
 namespace
 {
+
+/// Running means along lines that lie side by side: `width` lines, `step` values from node to node.
+template <typename T>
+void MeanAlongLines(
+  T* lines, std::int64_t width, std::int64_t length, std::int64_t step, std::int64_t window)
+{
+  window = std::min(window, length);
+  std::vector<T> copy(static_cast<std::size_t>(width * length));
+  for (std::int64_t n = 0; n < length; ++n)
+  {
+    std::copy_n(lines + n * step, width, copy.data() + n * width);
+  }
+  std::vector<double> sums(static_cast<std::size_t>(width), 0.0);
+  for (std::int64_t n = 0; n < window; ++n)
+  {
+    const T* row = copy.data() + n * width;
+    std::transform(sums.begin(), sums.end(), row, sums.begin(),
+      [](double sum, T value) { return sum + static_cast<double>(value); });
+  }
+  const double scale = 1.0 / static_cast<double>(window);
+  for (std::int64_t n = 0, begin = 0; n < length; ++n)
+  {
+    if (n > window / 2 && begin + window < length)
+    {
+      const T* leaves = copy.data() + begin * width;
+      const T* enters = leaves + window * width;
+      for (std::int64_t i = 0; i < width; ++i)
+      {
+        sums[static_cast<std::size_t>(i)] +=
+          static_cast<double>(enters[i]) - static_cast<double>(leaves[i]);
+      }
+      ++begin;
+    }
+    std::transform(sums.begin(), sums.end(), lines + n * step,
+      [scale](double sum) { return static_cast<T>(sum * scale); });
+  }
+}
+
+/// Replaces each value by the mean over the `window` nodes around it along every axis; near the
+/// grid's ends the window is moved inwards until it fits (and is all of a shorter axis), so that it
+/// always holds that many values as measured. O(nodes), whatever the window.
+template <typename T>
+void BoxMean(const std::array<std::int64_t, 3>& dimensions, int window, T* values)
+{
+  const auto [nx, ny, nz] = dimensions;
+  const std::int64_t plane = nx * ny, length = nz;
+  const std::int64_t rowLength = nx, rows = ny;
+  ParallelFor(0, length, 1,
+    [=](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t k = first; k < last; ++k)
+      {
+        for (std::int64_t j = 0; j < rows; ++j)
+        {
+          MeanAlongLines(values + k * plane + j * rowLength, 1, rowLength, 1, window);
+        }
+        MeanAlongLines(values + k * plane, rowLength, rows, rowLength, window);
+      }
+    });
+  ParallelFor(0, rows, 1,
+    [=](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t j = first; j < last; ++j)
+      {
+        MeanAlongLines(values + j * rowLength, rowLength, length, plane, window);
+      }
+    });
+}
 
 /// Calls body(index, gradient of `values`) for every node, in parallel; one-sided at the ends.
 template <typename T, typename Body>
@@ -99,8 +167,8 @@ void TakeSquaredMean(
 
 /// c = exp(-|grad u|^2 / (2 sigma^2)), sigma^2 the window's mean square less its squared mean.
 template <typename T>
-void FillFromLocalVariance(const DiffusionGrid<T>& grid, const DiffusionParameters& parameters,
-  const T* values, T* variance, T* c)
+void FillFromLocalVariance(const DiffusionGrid<T>& grid,
+  const EdgeCoefficientParameters& parameters, const T* values, T* variance, T* c)
 {
   const int window = parameters.Window;
   if (parameters.Order == 0)
@@ -149,7 +217,7 @@ int Smooth(
   const auto steps = EulerSteps(time, 2.0 / heat.SpectralBound(), 0);
   RowUpdate<T> update;
   update.OfRate = static_cast<T>(steps.front().Length);
-  const auto most = static_cast<std::size_t>(StagesAtOnce(grid, heat));
+  const auto most = static_cast<std::size_t>(StagesPerPass(grid, heat));
   const std::size_t passes = (steps.size() + most - 1) / most;
   DiffusionPass<T> pass;
   pass.Current = values;
@@ -166,16 +234,8 @@ int Smooth(
 
 }
 
-bool LooksBeyondNeighbours(const DiffusionParameters& parameters)
-{
-  using Type = DiffusionParameters::EdgeStoppingType;
-  return parameters.Flow == DiffusionParameters::FlowType::Hyperdiffusion &&
-    (parameters.EdgeStopping == Type::LocalVariance ||
-      (parameters.EdgeStopping == Type::Gaussian && parameters.PreSmoothing > 0.0));
-}
-
 template <typename T>
-int FillEdgeCoefficient(const DiffusionGrid<T>& grid, const DiffusionParameters& parameters,
+int FillEdgeCoefficient(const DiffusionGrid<T>& grid, const EdgeCoefficientParameters& parameters,
   const T* values, const std::array<T*, 2>& scratch, T* coefficient)
 {
   int evaluations = 1;
@@ -184,7 +244,7 @@ int FillEdgeCoefficient(const DiffusionGrid<T>& grid, const DiffusionParameters&
     evaluations += Smooth(grid, parameters.PreSmoothing, values, { scratch[0], coefficient });
     values = scratch[0];
   }
-  if (parameters.EdgeStopping == DiffusionParameters::EdgeStoppingType::LocalVariance)
+  if (parameters.LocalVariance)
   {
     FillFromLocalVariance(grid, parameters, values, scratch[1], coefficient);
   }
@@ -199,9 +259,9 @@ int FillEdgeCoefficient(const DiffusionGrid<T>& grid, const DiffusionParameters&
   return evaluations;
 }
 
-template int FillEdgeCoefficient(const DiffusionGrid<float>&, const DiffusionParameters&,
+template int FillEdgeCoefficient(const DiffusionGrid<float>&, const EdgeCoefficientParameters&,
   const float*, const std::array<float*, 2>&, float*);
-template int FillEdgeCoefficient(const DiffusionGrid<double>&, const DiffusionParameters&,
+template int FillEdgeCoefficient(const DiffusionGrid<double>&, const EdgeCoefficientParameters&,
   const double*, const std::array<double*, 2>&, double*);
 
 }

@@ -6,13 +6,20 @@
 #define isthmus_EdgeCoefficient_h
 
 #include "Imaging/DiffusionGrid.h"
-#include "Imaging/DiffusionParameters.h"
+
+#include <array>
 
 namespace isthmus
 {
 
-/// True if the coefficient needs FillEdgeCoefficient.
-bool LooksBeyondNeighbours(const DiffusionParameters& parameters);
+struct EdgeCoefficientParameters
+{
+  double PreSmoothing = 0.0;  ///< Standard deviation (length) of the Gaussian under the gradient.
+  double Sigma = 1.0;         ///< Scale of gradients (data unit / length) unless LocalVariance.
+  bool LocalVariance = false; ///< sigma from the window around each node (4.35)
+  int Order = 0;              ///< q: of u (0) or of grad u (1 to 3)
+  int Window = 5;             ///< Nodes across the window: odd, 3 or more.
+};
 
 /**
  * Fills `coefficient` with exp(-|grad v|^2 / (2 sigma^2)) at every node.
@@ -24,7 +31,7 @@ bool LooksBeyondNeighbours(const DiffusionParameters& parameters);
  * of a right-hand side this counts for: the heat flow's and one more.
  */
 template <typename T>
-int FillEdgeCoefficient(const DiffusionGrid<T>& grid, const DiffusionParameters& parameters,
+int FillEdgeCoefficient(const DiffusionGrid<T>& grid, const EdgeCoefficientParameters& parameters,
   const T* values, const std::array<T*, 2>& scratch, T* coefficient);
 
 }

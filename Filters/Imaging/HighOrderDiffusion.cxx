@@ -2,12 +2,12 @@
 
 #include "Imaging/DiffusionEvaluation.h"
 #include "Imaging/EdgeCoefficient.h"
-#include "Imaging/StageSequence.h"
-#include "Imaging/TimeSteps.h"
+#include "Imaging/SuperTimeStepping.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 namespace isthmus
@@ -16,6 +16,25 @@ namespace
 {
 
 using Parameters = DiffusionParameters;
+
+void Require(bool holds, const char* what, double value, const char* rule)
+{
+  if (!holds)
+  {
+    std::ostringstream text;
+    text << what << " is " << value << ", but must be " << rule << '.';
+    throw std::invalid_argument(text.str());
+  }
+}
+
+/// True if the coefficient needs more than a node's neighbours, so that it is stored for a step.
+bool NeedsStoredCoefficient(const Parameters& parameters)
+{
+  using Type = Parameters::EdgeStoppingType;
+  return parameters.Flow == Parameters::FlowType::Hyperdiffusion &&
+    (parameters.EdgeStopping == Type::LocalVariance ||
+      (parameters.EdgeStopping == Type::Gaussian && parameters.PreSmoothing > 0.0));
+}
 
 /// The operator of these parameters, without volumes.
 template <typename T>
@@ -106,20 +125,20 @@ Solver<T>::Solver(const DiffusionGrid<T>& grid, const Parameters& parameters, T*
   this->Volumes[Stage] = this->NewVolume();
   const bool super = parameters.Integrator == Parameters::IntegratorType::SuperTimeStepping;
   const bool constant = this->Diffusion.Coefficient == DiffusionCoefficient::Constant;
-  if (super || LooksBeyondNeighbours(parameters))
+  if (super || NeedsStoredCoefficient(parameters))
   {
     this->Volumes[OtherStage] = this->NewVolume();
   }
   if (super)
   {
     this->Volumes[FirstRate] = this->NewVolume();
-    if (StagesAtOnce(grid, this->Diffusion) > 1)
+    if (StagesPerPass(grid, this->Diffusion) > 1)
     {
       this->Volumes[ThirdStage] = this->NewVolume();
       this->Volumes[FourthStage] = this->NewVolume();
     }
   }
-  if (LooksBeyondNeighbours(parameters) || (super && !constant))
+  if (NeedsStoredCoefficient(parameters) || (super && !constant))
   {
     this->Coefficient = this->NewVolume();
   }
@@ -194,9 +213,16 @@ template <typename T>
 int Solver<T>::FillCoefficient(Volume values, Volume scratch, Volume moreScratch)
 {
   int evaluations = 1;
-  if (LooksBeyondNeighbours(this->Parameter))
+  if (NeedsStoredCoefficient(this->Parameter))
   {
-    evaluations = FillEdgeCoefficient<T>(this->Grid, this->Parameter, this->Volumes[values],
+    EdgeCoefficientParameters edges;
+    edges.PreSmoothing = this->Parameter.PreSmoothing;
+    edges.Sigma = this->Parameter.Sigma;
+    edges.LocalVariance =
+      this->Parameter.EdgeStopping == Parameters::EdgeStoppingType::LocalVariance;
+    edges.Order = this->Parameter.Order;
+    edges.Window = this->Parameter.Window;
+    evaluations = FillEdgeCoefficient<T>(this->Grid, edges, this->Volumes[values],
       { this->Volumes[scratch], this->Volumes[moreScratch] }, this->Coefficient);
   }
   else
@@ -230,7 +256,7 @@ void Solver<T>::Advance(
   const TimeStep& step, bool record, DiffusionReport& report, const ProgressCallback& progress)
 {
   this->Diffusion.StoredCoefficient = nullptr;
-  if (LooksBeyondNeighbours(this->Parameter))
+  if (NeedsStoredCoefficient(this->Parameter))
   {
     report.Evaluations += this->FillCoefficient(Now, Stage, OtherStage);
   }
@@ -285,6 +311,40 @@ void Solver<T>::Record(const TimeStep& step, const T* after, DiffusionReport& re
   report.Residual.push_back(super ? std::sqrt(sums[1] / sums[2]) : change / step.Length);
 }
 
+}
+
+void Check(const Parameters& parameters)
+{
+  Require(
+    parameters.Order >= 0 && parameters.Order <= 3, "Order", parameters.Order, "0, 1, 2 or 3");
+  Require(parameters.Time >= 0.0 && std::isfinite(parameters.Time), "Time", parameters.Time,
+    "finite and not negative");
+  Require(parameters.Steps >= 0, "Steps", parameters.Steps, "positive, or 0 for automatic steps");
+  Require(parameters.Fidelity >= 0.0 && std::isfinite(parameters.Fidelity), "Fidelity",
+    parameters.Fidelity, "finite and not negative");
+  Require(parameters.PreSmoothing >= 0.0 && std::isfinite(parameters.PreSmoothing), "PreSmoothing",
+    parameters.PreSmoothing, "finite and not negative");
+  Require(parameters.ResidualSmoothing >= 0.0 && std::isfinite(parameters.ResidualSmoothing),
+    "ResidualSmoothing", parameters.ResidualSmoothing, "finite and not negative");
+  for (const double diffusivity : parameters.Diffusivity)
+  {
+    Require(diffusivity >= 0.0 && std::isfinite(diffusivity), "A diffusivity", diffusivity,
+      "finite and not negative");
+  }
+  const double highest = parameters.Diffusivity[static_cast<std::size_t>(parameters.Order)];
+  Require(highest > 0.0, "The diffusivity of the highest order", highest, "positive");
+  const bool geometric = parameters.Flow == Parameters::FlowType::GeometricFlow;
+  const bool local = parameters.EdgeStopping == Parameters::EdgeStoppingType::LocalVariance;
+  if (geometric || parameters.EdgeStopping == Parameters::EdgeStoppingType::Gaussian)
+  {
+    Require(parameters.Sigma > 0.0 && std::isfinite(parameters.Sigma), "Sigma", parameters.Sigma,
+      "finite and positive");
+  }
+  if (local)
+  {
+    Require(parameters.Window >= 3 && parameters.Window % 2 == 1, "Window", parameters.Window,
+      "odd and at least 3, so that it has a middle");
+  }
 }
 
 int HaloWidth(const Parameters& parameters)

@@ -1,13 +1,15 @@
 #include "Imaging/PDETransform.h"
 
 #include "Core/Geometry.h"
-#include "Imaging/ChebyshevSeries.h"
-#include "Imaging/StageSequence.h"
-#include "Imaging/TimeSteps.h"
+#include "Imaging/SuperTimeStepping.h"
+
+#include <unsupported/Eigen/FFT>
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <type_traits>
 
@@ -52,6 +54,64 @@ DiffusionParameters LowPass(const PDETransformParameters& parameters, int k)
 namespace
 {
 
+/// The coefficients of the polynomial of degree `intervals` through f at 1 - 2s = cos(pi j /
+/// intervals).
+std::vector<double> Interpolate(const std::function<double(double)>& f, std::size_t intervals)
+{
+  std::vector<double> around(2 * intervals); // f once around the circle
+  for (std::size_t j = 0; j <= intervals; ++j)
+  {
+    const double sine = std::sin(Pi * static_cast<double>(j) / static_cast<double>(2 * intervals));
+    const double value = f(sine * sine);
+    around[j] = value;
+    around[(2 * intervals - j) % (2 * intervals)] = value;
+  }
+  std::vector<std::complex<double>> spectrum;
+  Eigen::FFT<double>().fwd(spectrum, around);
+  std::vector<double> coefficients(intervals + 1);
+  for (std::size_t n = 0; n <= intervals; ++n)
+  {
+    const bool end = n == 0 || n == intervals;
+    coefficients[n] = spectrum[n].real() / static_cast<double>(end ? 2 * intervals : intervals);
+  }
+  return coefficients;
+}
+
+double SumOfModuli(const std::vector<double>& terms, std::size_t first)
+{
+  return std::accumulate(terms.begin() + static_cast<std::ptrdiff_t>(first), terms.end(), 0.0,
+    [](double sum, double term) { return sum + std::abs(term); });
+}
+
+/**
+ * Coefficients a_n with f(s) = sum a_n T_n(1 - 2s) on [0, 1], as many as `tolerance` needs.
+ *
+ * Interpolates at cosines, twice as many until the second half of the coefficients is rounding, by
+ * a fast Fourier transform; then leaves out the last ones while the sum of their moduli, which
+ * bounds the error since |T_n| <= 1, stays below the tolerance.
+ * @pre f is smooth, |f| <= 1 (steep near 0 it may be: s is exact there), and tolerance is 1e-14 or
+ * more.
+ * @throws std::invalid_argument for a series longer than MaximumEvaluations.
+ */
+std::vector<double> ChebyshevSeries(const std::function<double(double)>& f, double tolerance)
+{
+  std::size_t intervals = 32;
+  std::vector<double> series = Interpolate(f, intervals);
+  while (SumOfModuli(series, intervals / 2) > tolerance / 2)
+  {
+    intervals *= 2;
+    RequireEvaluations(static_cast<double>(intervals) / 2); // at least so many are needed
+    series = Interpolate(f, intervals);
+  }
+  double left = 0.0;
+  while (series.size() > 2 && left + std::abs(series.back()) <= tolerance)
+  {
+    left += std::abs(series.back());
+    series.pop_back();
+  }
+  return series;
+}
+
 /// -L's bound with room for the rounding of T, beyond which polynomials would grow without end.
 template <typename T>
 double SafeBound(const DiffusionOperator<T>& laplacian)
@@ -73,7 +133,7 @@ std::vector<std::vector<double>> SeriesOfModes(
     lowPasses.push_back(LowPass(parameters, k));
     // Told before the series is worked out: it is about five times as long as this.
     const double wavelength = parameters.FirstWavelength * std::pow(parameters.Ratio, k);
-    DemandEvaluations(std::sqrt(bound) * wavelength / (2.0 * Pi));
+    RequireEvaluations(std::sqrt(bound) * wavelength / (2.0 * Pi));
     all.push_back(ChebyshevSeries(
       [&](double share)
       {

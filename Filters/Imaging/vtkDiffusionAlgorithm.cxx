@@ -5,7 +5,7 @@
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
 #include "Imaging/DiffusionImage.h"
-#include "Imaging/RankParts.h"
+#include "Imaging/DomainDecomposition.h"
 
 #include <vtkCommunicator.h>
 #include <vtkDataArray.h>
@@ -33,7 +33,7 @@ bool FitsFloat(vtkDataArray* array)
 
 /// Progress that is shown, and stops on all ranks if it stops on one.
 isthmus::ProgressCallback SharedProgress(
-  const isthmus::ProgressCallback& own, const isthmus::RankParts& parts)
+  const isthmus::ProgressCallback& own, const isthmus::DomainDecomposition& parts)
 {
   if (!parts.Distributed())
   {
@@ -129,7 +129,7 @@ int vtkDiffusionAlgorithm::RequestData(
     {
       isthmus::RequireNoBlocks(this);
       isthmus::Extent own = this->OwnPart(input, outputs->GetInformationObject(0), whole);
-      const isthmus::RankParts parts(this->Controller, whole, own, this->HaloWidth());
+      const isthmus::DomainDecomposition parts(this->Controller, whole, own, this->HaloWidth());
       vtkDataArray* scalars = this->ScalarsOnAllRanks(input, parts);
       output->ShallowCopy(input);
       isthmus::CropTo(output, own);
@@ -156,7 +156,7 @@ vtkDataArray* vtkDiffusionAlgorithm::ChosenScalars(vtkImageData* image)
 }
 
 vtkDataArray* vtkDiffusionAlgorithm::ScalarsOnAllRanks(
-  vtkImageData* image, const isthmus::RankParts& parts)
+  vtkImageData* image, const isthmus::DomainDecomposition& parts)
 {
   vtkDataArray* scalars = nullptr;
   std::string complaint;
@@ -180,7 +180,7 @@ vtkDataArray* vtkDiffusionAlgorithm::ScalarsOnAllRanks(
 
 template <typename T>
 void vtkDiffusionAlgorithm::Compute(
-  vtkImageData* input, vtkImageData* output, const isthmus::RankParts& parts)
+  vtkImageData* input, vtkImageData* output, const isthmus::DomainDecomposition& parts)
 {
   isthmus::DiffusionImage<T> image(
     input, output, parts, this->VoxelUnits, SharedProgress(isthmus::ProgressOf(this), parts));

@@ -31,7 +31,7 @@ namespace isthmus
 {
 template <typename T>
 class DiffusionImage;
-class RankParts;
+class DomainDecomposition;
 }
 
 class VTKISTHMUSFILTERSIMAGING_EXPORT vtkDiffusionAlgorithm : public vtkImageAlgorithm
@@ -89,10 +89,11 @@ private:
     vtkImageData* input, vtkInformation* request, const std::array<int, 6>& whole);
 
   /// The array to work on; refuses on all ranks if one has none.
-  vtkDataArray* ScalarsOnAllRanks(vtkImageData* image, const isthmus::RankParts& parts);
+  vtkDataArray* ScalarsOnAllRanks(vtkImageData* image, const isthmus::DomainDecomposition& parts);
 
   template <typename T>
-  void Compute(vtkImageData* input, vtkImageData* output, const isthmus::RankParts& parts);
+  void Compute(
+    vtkImageData* input, vtkImageData* output, const isthmus::DomainDecomposition& parts);
 
   vtkDiffusionAlgorithm(const vtkDiffusionAlgorithm&) = delete;
   void operator=(const vtkDiffusionAlgorithm&) = delete;

@@ -3,7 +3,6 @@
 #include "Imaging/AutomaticDenoising.h"
 #include "Imaging/DiffusionImage.h"
 #include "Imaging/HighOrderDiffusion.h"
-#include "Imaging/ResidualReturn.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -88,11 +87,11 @@ void vtkHighOrderDiffusion::Denoise(isthmus::DiffusionImage<T>& image)
   const double voxel = *std::min_element(spacing.begin(), spacing.end());
   if (this->Automatic)
   {
-    isthmus::ChooseDenoising(noise, this->Strength, voxel, parameters);
+    isthmus::ChooseDenoisingParameters(noise, this->Strength, voxel, parameters);
   }
   else if (this->Sigma == 0.0)
   {
-    parameters.Sigma = isthmus::NoiseSigma(noise, voxel);
+    parameters.Sigma = isthmus::NoiseGradient(noise, voxel);
   }
   using Array = typename isthmus::DiffusionImage<T>::Array;
   vtkSmartPointer<Array> input, source;
@@ -111,7 +110,7 @@ void vtkHighOrderDiffusion::Denoise(isthmus::DiffusionImage<T>& image)
   {
     // Copied only now that the steps' volumes are free again.
     auto residual = image.Copy(this->ChosenScalars(image.GetInput()), this->GetMaskInvalid());
-    isthmus::ReturnResidual<T>(image.GetGrid(), parameters.ResidualSmoothing,
+    isthmus::AddSmoothedResidual<T>(image.GetGrid(), parameters.ResidualSmoothing,
       residual->GetPointer(0), values->GetPointer(0),
       isthmus::Between(image.GetProgress(), 0.85, 1.0));
   }

@@ -142,7 +142,7 @@ public:
 
   ///@{
   /// Standard deviation (length) of a Gaussian; what it leaves of input - result is added to the
-  /// result, which so keeps the input's long waves (ResidualReturn.h). Default 0: nothing is.
+  /// result, which so keeps the input's long waves (AutomaticDenoising.h). Default 0: nothing is.
   vtkSetMacro(ResidualSmoothing, double);
   vtkGetMacro(ResidualSmoothing, double);
   ///@}

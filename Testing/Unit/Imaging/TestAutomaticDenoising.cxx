@@ -1,7 +1,7 @@
 // What is given back: long waves whole, short ones not, by the Gaussian's factor in between.
 
 #include "DiffusionTestTools.h"
-#include "Imaging/ResidualReturn.h"
+#include "Imaging/AutomaticDenoising.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ std::vector<double> Wave(const DiffusionGrid<double>& grid, int m)
 
 }
 
-TEST(ResidualReturn, EachWaveComesBackByTheGaussiansFactor)
+TEST(ResidualSmoothing, EachWaveComesBackByTheGaussiansFactor)
 {
   const auto grid = Grid<double>(96, 5, 4);
   const double deviation = 2.0, kept = 0.3;
@@ -34,7 +34,7 @@ TEST(ResidualReturn, EachWaveComesBackByTheGaussiansFactor)
     std::vector<double> input = Wave(grid, m), result = input;
     std::for_each(result.begin(), result.end(), [=](double& value) { value *= kept; });
     const std::vector<double> wave = input;
-    ReturnResidual<double>(grid, deviation, input.data(), result.data());
+    AddSmoothedResidual<double>(grid, deviation, input.data(), result.data());
     const double symbol = 2.0 - 2.0 * std::cos(std::acos(-1.0) * m / 96.0);
     const double expected = kept + (1.0 - kept) * std::exp(-symbol * deviation * deviation / 2.0);
     for (std::size_t node = 0; node < wave.size(); ++node)
@@ -44,12 +44,12 @@ TEST(ResidualReturn, EachWaveComesBackByTheGaussiansFactor)
   }
 }
 
-TEST(ResidualReturn, GivesTheInputsMeanBack)
+TEST(ResidualSmoothing, GivesTheInputsMeanBack)
 {
   const auto grid = Grid<double>(20, 18, 16);
   std::vector<double> input = Noise(grid), result = Noise(grid, 1.0, 2);
   const double mean = Mean(input) + 3.0;
   std::for_each(input.begin(), input.end(), [](double& value) { value += 3.0; });
-  ReturnResidual<double>(grid, 1.5, input.data(), result.data());
+  AddSmoothedResidual<double>(grid, 1.5, input.data(), result.data());
   EXPECT_NEAR(Mean(result), mean, 1e-12);
 }

@@ -1,4 +1,4 @@
-#include "Imaging/RankParts.h"
+#include "Imaging/DomainDecomposition.h"
 
 #include <vtkCommunicator.h>
 #include <vtkMultiProcessController.h>
@@ -52,7 +52,7 @@ bool CutSlab(Extent& mine, const Extent& other)
 
 }
 
-RankParts::RankParts(
+DomainDecomposition::DomainDecomposition(
   vtkMultiProcessController* controller, const Extent& whole, const Extent& own, int halo)
   : Controller(controller)
   , Whole(whole)
@@ -72,14 +72,14 @@ RankParts::RankParts(
   }
 }
 
-Extent RankParts::Shared(std::size_t owner, std::size_t user) const
+Extent DomainDecomposition::Shared(std::size_t owner, std::size_t user) const
 {
   const Extent& part = this->Extents[user];
   const Extent grown = Grown(part, { this->Halo, this->Halo, this->Halo }, this->Whole);
   return grown == part ? Extent{ 0, -1, 0, -1, 0, -1 } : Intersection(this->Extents[owner], grown);
 }
 
-void RankParts::FindOwned()
+void DomainDecomposition::FindOwned()
 {
   // Every rank works out what all own, so that all see the same trouble.
   std::int64_t covered = 0;
@@ -106,7 +106,7 @@ void RankParts::FindOwned()
 }
 
 template <typename T>
-void RankParts::ExchangeHalo(T* values) const
+void DomainDecomposition::ExchangeHalo(T* values) const
 {
   if (!this->Distributed())
   {
@@ -159,7 +159,7 @@ void RankParts::ExchangeHalo(T* values) const
   }
 }
 
-void RankParts::Sum(double* values, int count) const
+void DomainDecomposition::Sum(double* values, int count) const
 {
   if (this->Distributed())
   {
@@ -168,7 +168,7 @@ void RankParts::Sum(double* values, int count) const
   }
 }
 
-template void RankParts::ExchangeHalo(float*) const;
-template void RankParts::ExchangeHalo(double*) const;
+template void DomainDecomposition::ExchangeHalo(float*) const;
+template void DomainDecomposition::ExchangeHalo(double*) const;
 
 }

@@ -1,9 +1,9 @@
 /**
- * @file RankParts.h
+ * @file DomainDecomposition.h
  * @brief The parts of an image on the ranks of a controller: halos, disjoint ownership, sums.
  */
-#ifndef isthmus_RankParts_h
-#define isthmus_RankParts_h
+#ifndef isthmus_DomainDecomposition_h
+#define isthmus_DomainDecomposition_h
 
 #include "Core/ImageExtent.h"
 
@@ -19,14 +19,14 @@ namespace isthmus
  *
  * Parts may overlap, as VTK's do by a layer of nodes: the lowest rank that has a node owns it.
  */
-class RankParts
+class DomainDecomposition
 {
 public:
   /// `own` is what this rank has to compute, `halo` how many nodes it needs around. A null
   /// controller or one of a single process makes one part.
   /// @throws std::runtime_error, on all ranks, if the parts don't make up the whole or overlap
   /// crosswise.
-  RankParts(
+  DomainDecomposition(
     vtkMultiProcessController* controller, const Extent& whole, const Extent& own, int halo);
 
   bool Distributed() const { return this->Extents.size() > 1; }

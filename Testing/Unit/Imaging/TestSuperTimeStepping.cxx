@@ -1,7 +1,7 @@
 // How long steps may be, what is refused, what is reported, and that nothing hangs on threads.
 
 #include "DiffusionTestTools.h"
-#include "Imaging/TimeSteps.h"
+#include "Imaging/SuperTimeStepping.h"
 
 #include <vtkSMPTools.h>
 
