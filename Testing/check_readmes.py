@@ -1,20 +1,19 @@
 #!/usr/bin/env python3
-"""Checks that every header stands in its room's README.
+"""Checks that every header is named in the README of its module.
 
     check_readmes.py [ROOT]
 
-A header X.h stands there when `X` or [X](...) does. The rooms under Readers share Readers/README.md.
-Pages beside a README (BindingSites.md, say) count as part of it. Prints what is missing, a line
-each, and ends with 1 then.
+A header X.h is named when `X` or [X](...) is. Pages beside a README (BindingSites.md, say) count as
+part of it. Prints what is missing, a line each, and ends with 1 then.
 """
 import pathlib
 import re
 import sys
 
 
-def pages_of(room, root):
-    folder = room if room.parent.name == "Filters" else root / "Readers"
-    return sorted(folder.glob("*.md"))
+def pages_of(room):
+    """The README of a module, then the other pages."""
+    return sorted(room.glob("*.md"), key=lambda page: (page.name != "README.md", page.name))
 
 
 def names_in(pages):
@@ -25,8 +24,8 @@ def names_in(pages):
 def check(root):
     complaints, looked_at = [], 0
     for room in sorted(path.parent for path in root.glob("[FR]*/*/vtk.module")):
-        pages = pages_of(room, root)
-        if not pages:
+        pages = pages_of(room)
+        if not pages or pages[0].name != "README.md":
             complaints.append(f"{room.relative_to(root)} has no README.md")
             continue
         named = names_in(pages)
