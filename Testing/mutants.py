@@ -43,8 +43,8 @@ MUTANTS = {
         "Filters/Surfaces/SurfaceCrossings.cxx", "irregular[static_cast<std::size_t>(node)] = any;",
         "irregular[static_cast<std::size_t>(node)] = any || true;", ("TestSurfaceToGrid", "*")),
     "A ball's area is 5 % too large": (
-        "Filters/Curvature/SurfacePatch.cxx", "sums.Area += AreaInBall(", "sums.Area += 1.05 * AreaInBall(",
-        ("TestCurvatureNeighbourhoods", "SurfaceCurvature.BallAndDiscHaveTheirAreas")),
+        "Filters/Curvature/EdgeTensor.cxx", "sums.Area += AreaInBall(", "sums.Area += 1.05 * AreaInBall(",
+        ("TestEdgeTensor", "SurfaceCurvature.BallAndDiscHaveTheirAreas")),
     "An open fan begins at its wrong end": (
         "Filters/CellComplex/EdgeTable.cxx", "  if (this->Mesh.IsOutside(this->Mesh.Beta3(this->Mesh.Beta2(dart))))\n  {\n    return true;",
         "  if (this->Mesh.IsOutside(this->Mesh.Beta3(dart)))\n  {\n    return true;", ("TestCompactCombinatorialMap", "*")),
@@ -55,7 +55,7 @@ MUTANTS = {
         "Examples/MapToCurvature.py", '    simple.ColorBy(display, ("POINTS", array))',
         '    simple.ColorBy(display, ("POINTS", array))\n    display.Visibility = 0', "MapToCurvature.py"),
     "Gaussian curvature is 3 % too large": (
-        "Filters/Curvature/ShapeRows.cxx", "shape.Gaussian[i] = valid ? gaussian", "shape.Gaussian[i] = valid ? 1.03 * gaussian",
+        "Filters/Curvature/HessianCurvatureRows.cxx", "shape.Gaussian[i] = valid ? gaussian", "shape.Gaussian[i] = valid ? 1.03 * gaussian",
         "MapToCurvature.py"),
     "A panel's number goes nowhere": (
         "Plugin/MapSurface.xml", 'command="SetMinimumComponentArea"', 'command="SetMinimumComponentShare"',

@@ -13,14 +13,34 @@
 #define isthmus_FiniteDifference_h
 
 #include "Core/GridView.h"
-#include "Curvature/ScalarTypes.h"
 #include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
+
+/// Expands `instantiate(type)` for each type.
+#define ISTHMUS_FOR_EACH_SCALAR_TYPE(instantiate)                                                  \
+  instantiate(char);                                                                               \
+  instantiate(signed char);                                                                        \
+  instantiate(unsigned char);                                                                      \
+  instantiate(short);                                                                              \
+  instantiate(unsigned short);                                                                     \
+  instantiate(int);                                                                                \
+  instantiate(unsigned int);                                                                       \
+  instantiate(long);                                                                               \
+  instantiate(unsigned long);                                                                      \
+  instantiate(long long);                                                                          \
+  instantiate(unsigned long long);                                                                 \
+  instantiate(float);                                                                              \
+  instantiate(double)
 
 namespace isthmus
 {
+
+/// Type in which results on a grid of `T` are stored: double for double, float for all others.
+template <typename T>
+using ResultType = std::conditional_t<std::is_same_v<T, double>, double, float>;
 
 /// Value, first and second derivatives at up to Capacity places; one array for each, so that loops
 /// over places vectorise. 10 KB: lives on the stack and in the first-level cache.

@@ -2,8 +2,8 @@
 
 #include "Core/ParallelFor.h"
 #include "Curvature/FiniteDifference.h"
+#include "Curvature/HessianCurvatureRows.h"
 #include "Curvature/PointDerivative.h"
-#include "Curvature/ShapeRows.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -137,7 +137,7 @@ void HessianCurvatureAtPoints(const GridView<const T>& grid, std::int64_t count,
         {
           if (!DifferentiateAtPoint(grid, indices[place], options.Accuracy, place, derivatives))
           {
-            SetGradientless(derivatives, place);
+            SetZeroGradient(derivatives, place);
           }
         }
         WriteCurvature(derivatives, places, rule, options, arrays, begin);

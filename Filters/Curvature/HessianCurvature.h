@@ -34,8 +34,8 @@
 
 #include "Core/GridView.h"
 #include "Core/Progress.h"
-#include "Curvature/HessianCurvatureParameters.h"
-#include "Curvature/ScalarTypes.h"
+#include "Curvature/FiniteDifference.h"
+#include "Curvature/HessianCurvatureRows.h"
 #include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
 
 #include <array>

@@ -3,9 +3,8 @@
 #include "Core/ParallelFor.h"
 #include "Core/RangeChecks.h"
 #include "Curvature/CurvatureDescriptors.h"
-#include "Curvature/EdgeBends.h"
-#include "Curvature/StarCurvature.h"
-#include "Curvature/SurfacePatch.h"
+#include "Curvature/EdgeTensor.h"
+#include "Surfaces/TriangleStars.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +19,76 @@ namespace
 
 using Eigen::Vector3d;
 using PointMap = Eigen::Map<const Vector3d>;
+
+/// The triangle (v, v + toA, v + toB) with the cotangents of its three angles.
+struct Corner
+{
+  Vector3d ToA;
+  Vector3d ToB;
+  double TwiceArea;
+  double CotV;
+  double CotA;
+  double CotB;
+};
+
+/// Part of the triangle's area that belongs to v.
+double PartOf(const Corner& corner, DualArea rule)
+{
+  const double area = 0.5 * corner.TwiceArea;
+  if (rule == DualArea::Barycentric)
+  {
+    return area / 3.0;
+  }
+  if (rule == DualArea::Mixed && std::min({ corner.CotV, corner.CotA, corner.CotB }) < 0.0)
+  {
+    return corner.CotV < 0.0 ? area / 2.0 : area / 4.0;
+  }
+  return (corner.CotB * corner.ToA.squaredNorm() + corner.CotA * corner.ToB.squaredNorm()) / 8.0;
+}
+
+/// Sums over the triangles around a point; see the header for the formulas.
+struct StarSums
+{
+  double Angle = 0.0;
+  double Area = 0.0;
+  Eigen::Vector3d Normal = Eigen::Vector3d::Zero();    ///< weighted with areas, not normalised
+  Eigen::Vector3d Cotangent = Eigen::Vector3d::Zero(); ///< 4 A H n
+  bool Degenerate = false; ///< a triangle has no area, to rounding; it is left out
+};
+
+StarSums SumStar(
+  const SurfaceView& mesh, const TriangleStars& stars, vtkIdType point, DualArea rule)
+{
+  StarSums sums;
+  const PointMap v(mesh.Point(point).data());
+  const MeshTriangle* const triangles = stars.Triangles(point);
+  for (vtkIdType i = 0; i < stars.Size(point); ++i)
+  {
+    const auto [a, b] = stars.OppositeEdge(triangles[i], point);
+    Corner corner;
+    corner.ToA = PointMap(mesh.Point(a).data()) - v;
+    corner.ToB = PointMap(mesh.Point(b).data()) - v;
+    const Vector3d opposite = corner.ToB - corner.ToA;
+    const Vector3d normal = corner.ToA.cross(corner.ToB);
+    corner.TwiceArea = normal.norm();
+    const double longest =
+      std::max({ corner.ToA.squaredNorm(), corner.ToB.squaredNorm(), opposite.squaredNorm() });
+    if (!(corner.TwiceArea > 1e-14 * longest))
+    {
+      sums.Degenerate = true;
+      continue;
+    }
+    const double cosine = corner.ToA.dot(corner.ToB);
+    corner.CotV = cosine / corner.TwiceArea;
+    corner.CotA = -corner.ToA.dot(opposite) / corner.TwiceArea;
+    corner.CotB = corner.ToB.dot(opposite) / corner.TwiceArea;
+    sums.Angle += std::atan2(corner.TwiceArea, cosine);
+    sums.Area += PartOf(corner, rule);
+    sums.Normal += normal;
+    sums.Cotangent -= corner.CotA * corner.ToB + corner.CotB * corner.ToA;
+  }
+  return sums;
+}
 
 constexpr double TwoPi = 6.28318530717958647692;
 
@@ -99,7 +168,7 @@ private:
   void Allocate();
   void WithDefect(vtkIdType first, vtkIdType last);
   void WithTensor(vtkIdType first, vtkIdType last);
-  TensorSums NeighbourhoodOf(vtkIdType point, SurfacePatch& patch) const;
+  TensorSums NeighbourhoodOf(vtkIdType point, EdgeTensorIntegrator& patch) const;
   Verdict Judge(std::size_t point, const StarSums& sums) const;
   void Count();
 
@@ -108,7 +177,7 @@ private:
   const TriangleStars Stars;
   const std::vector<StarKind> Kinds;
   const double Side;
-  std::unique_ptr<EdgeBends> Bends;
+  std::unique_ptr<DihedralAngles> Dihedrals;
   double Radius = 0.0;
   std::vector<Verdict> Verdicts;
   SurfaceCurvatureResult Result;
@@ -137,7 +206,7 @@ SurfaceCurvatureResult Estimator::Run(const ProgressCallback& progress)
   std::int64_t grain = 4096;
   if (tensor)
   {
-    this->Bends = std::make_unique<EdgeBends>(this->Mesh, this->Stars);
+    this->Dihedrals = std::make_unique<DihedralAngles>(this->Mesh, this->Stars);
     this->Radius =
       this->Options.Radius > 0.0 ? this->Options.Radius : 3.0 * MeanEdgeLength(this->Mesh);
     // Each piece of the loop clears stamps for all triangles: not too many pieces, then.
@@ -198,7 +267,7 @@ void Estimator::WithDefect(vtkIdType first, vtkIdType last)
   }
 }
 
-TensorSums Estimator::NeighbourhoodOf(vtkIdType point, SurfacePatch& patch) const
+TensorSums Estimator::NeighbourhoodOf(vtkIdType point, EdgeTensorIntegrator& patch) const
 {
   switch (this->Options.Neighbourhood)
   {
@@ -214,12 +283,12 @@ TensorSums Estimator::NeighbourhoodOf(vtkIdType point, SurfacePatch& patch) cons
   for (vtkIdType i = 0; i < this->Stars.Size(point); ++i)
   {
     const Triangle& id = this->Mesh.Corners(star[i].Value);
-    sums.Area += this->Bends->Area(star[i]);
+    sums.Area += this->Dihedrals->Area(star[i]);
     for (std::size_t edge = 0; edge < 3; ++edge)
     {
       const PointMap a(this->Mesh.Point(id[edge]).data());
       const PointMap b(this->Mesh.Point(id[(edge + 1) % 3]).data());
-      this->Bends->AddEdge(star[i], edge, (b - a).norm(), sums);
+      this->Dihedrals->AddEdge(star[i], edge, (b - a).norm(), sums);
     }
   }
   return sums;
@@ -227,7 +296,7 @@ TensorSums Estimator::NeighbourhoodOf(vtkIdType point, SurfacePatch& patch) cons
 
 void Estimator::WithTensor(vtkIdType first, vtkIdType last)
 {
-  SurfacePatch patch(this->Mesh, this->Stars, *this->Bends, this->Radius);
+  EdgeTensorIntegrator patch(this->Mesh, this->Stars, *this->Dihedrals, this->Radius);
   for (vtkIdType point = first; point < last; ++point)
   {
     const auto p = static_cast<std::size_t>(point);

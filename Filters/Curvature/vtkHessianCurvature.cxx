@@ -6,7 +6,7 @@
 #include "Core/RangeChecks.h"
 #include "Curvature/CurvatureOfImage.h"
 #include "Curvature/FiniteDifference.h"
-#include "Curvature/GaussianScale.h"
+#include "Curvature/GaussianSmoothing.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataObjectTypes.h>
@@ -311,7 +311,7 @@ int vtkHessianCurvature::RequestData(
       }
       isthmus::RequireImageGeometry(image);
       const int* whole = imageInfo->Get(Pipeline::WHOLE_EXTENT());
-      isthmus::DemandScale(this->Scale, image->GetSpacing(),
+      isthmus::CheckScale(this->Scale, image->GetSpacing(),
         { std::int64_t(whole[1]) - whole[0] + 1, std::int64_t(whole[3]) - whole[2] + 1,
           std::int64_t(whole[5]) - whole[4] + 1 });
       vtkDataArray* scalars = isthmus::ChosenScalars(this, image);

@@ -62,7 +62,7 @@ public:
     const std::string_view word = this->Word("'" + std::string(keyword) + "'");
     if (word != keyword)
     {
-      this->Fail("'" + std::string(keyword) + "' should be where '" + FormatNumber(word) + "' is.");
+      this->Fail("'" + std::string(keyword) + "' should be where '" + Shown(word) + "' is.");
     }
   }
 
@@ -74,7 +74,7 @@ public:
     if (!FromText(word, value) || value < least || value > most)
     {
       this->Fail(meaning + " should be a number from " + std::to_string(least) + " to " +
-        std::to_string(most) + ", not '" + FormatNumber(word) + "'.");
+        std::to_string(most) + ", not '" + Shown(word) + "'.");
     }
     return value;
   }
@@ -121,7 +121,7 @@ public:
       const std::string_view word = this->Word(meaning);
       if (!FromText(word, value))
       {
-        this->Fail("'" + FormatNumber(word) + "' among the " + meaning + " is no number of their type.");
+        this->Fail("'" + Shown(word) + "' among the " + meaning + " is no number of their type.");
       }
     }
   }
@@ -129,7 +129,7 @@ public:
   bool Binary = false;
 
 private:
-  static std::string FormatNumber(std::string_view word)
+  static std::string Shown(std::string_view word)
   {
     std::string text(word.substr(0, 30));
     for (char& c : text)

@@ -1,4 +1,4 @@
-#include "Curvature/GaussianScale.h"
+#include "Curvature/GaussianSmoothing.h"
 
 #include "Core/RangeChecks.h"
 
@@ -40,7 +40,7 @@ void FollowProgress(vtkObject* caller, unsigned long, void* client, void* fracti
 
 }
 
-void DemandScale(double scale, const double spacing[3], const std::array<std::int64_t, 3>& nodes)
+void CheckScale(double scale, const double spacing[3], const std::array<std::int64_t, 3>& nodes)
 {
   constexpr double mostNodes = 1e6; // of the kernel, which vtkImageGaussianSmooth makes whole
   double longest = 0.0;

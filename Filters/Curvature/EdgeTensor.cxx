@@ -1,4 +1,6 @@
-#include "Curvature/SurfacePatch.h"
+#include "Curvature/EdgeTensor.h"
+
+#include "Core/ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +14,33 @@ namespace
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using PointMap = Eigen::Map<const Vector3d>;
+
+Vector3d NormalOf(const SurfaceView& mesh, MeshTriangle triangle)
+{
+  const Triangle& corner = mesh.Corners(triangle.Value);
+  const PointMap a(mesh.Point(corner[0]).data());
+  return (PointMap(mesh.Point(corner[1]).data()) - a)
+    .cross(PointMap(mesh.Point(corner[2]).data()) - a);
+}
+
+/// The only triangle around `from` that runs along the edge from `to` to `from`; None without one.
+MeshTriangle AcrossEdge(const TriangleStars& stars, vtkIdType from, vtkIdType to)
+{
+  MeshTriangle found = MeshTriangle::None();
+  const MeshTriangle* const triangles = stars.Triangles(from);
+  for (vtkIdType i = 0; i < stars.Size(from); ++i)
+  {
+    if (stars.OppositeEdge(triangles[i], from).second == to)
+    {
+      if (found.Exists())
+      {
+        return MeshTriangle::None();
+      }
+      found = triangles[i];
+    }
+  }
+  return found;
+}
 
 /// Parameters in [0, 1] between which a + t (b - a) is within `radius` of the origin; empty if
 /// equal.
@@ -81,17 +110,80 @@ double AreaInBall(const Vector3d& a, const Vector3d& b, const Vector3d& c, doubl
 
 }
 
-SurfacePatch::SurfacePatch(
-  const SurfaceView& mesh, const TriangleStars& stars, const EdgeBends& bends, double radius)
+DihedralAngles::DihedralAngles(const SurfaceView& mesh, const TriangleStars& stars)
+  : Mesh(mesh)
+  , Neighbours(mesh.Triangles.size())
+  , Angles(mesh.Triangles.size())
+  , Areas(mesh.Triangles.size())
+{
+  ParallelFor(0, mesh.NumberOfTriangles(), 4096,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (const MeshTriangle triangle : HandleRange<MeshTriangle>(first, last))
+      {
+        const Triangle& corner = mesh.Corners(triangle.Value);
+        const Vector3d normal = NormalOf(mesh, triangle);
+        this->Areas[triangle] = 0.5 * normal.norm();
+        for (std::size_t edge = 0; edge < 3; ++edge)
+        {
+          const vtkIdType from = corner[edge];
+          const vtkIdType to = corner[(edge + 1) % 3];
+          const MeshTriangle other = AcrossEdge(stars, from, to);
+          this->Neighbours[triangle][edge] = other;
+          if (other.Exists())
+          {
+            const Vector3d otherNormal = NormalOf(mesh, other);
+            const Vector3d along =
+              (PointMap(mesh.Point(to).data()) - PointMap(mesh.Point(from).data())).normalized();
+            this->Angles[triangle][edge] =
+              std::atan2(normal.cross(otherNormal).dot(along), normal.dot(otherNormal));
+          }
+        }
+      }
+    });
+}
+
+void DihedralAngles::AddEdge(
+  MeshTriangle triangle, std::size_t edge, double part, TensorSums& sums) const
+{
+  const Triangle& corner = this->Mesh.Corners(triangle.Value);
+  const Vector3d along = PointMap(this->Mesh.Point(corner[(edge + 1) % 3]).data()) -
+    PointMap(this->Mesh.Point(corner[edge]).data());
+  const double squaredLength = along.squaredNorm();
+  if (squaredLength > 0.0)
+  {
+    const double beta = this->Angles[triangle][edge];
+    sums.Tensor += (0.5 * beta * part / squaredLength) * along * along.transpose();
+  }
+}
+
+PrincipalFrame PrincipalFrameOf(const Eigen::Matrix3d& tensor, const Vector3d& normal)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor);
+  const Eigen::Matrix3d& vectors = solver.eigenvectors(); // eigenvalues ascend
+  Eigen::Index dropped = 0;
+  (vectors.transpose() * normal).cwiseAbs().maxCoeff(&dropped);
+  const Eigen::Index low = dropped == 0 ? 1 : 0;
+  const Eigen::Index high = dropped == 2 ? 1 : 2;
+  PrincipalFrame frame;
+  frame.Maximum = solver.eigenvalues()[high];
+  frame.Minimum = solver.eigenvalues()[low];
+  frame.Direction1 = vectors.col(low); // exchanged: see SurfaceCurvature.h
+  frame.Direction2 = vectors.col(high);
+  return frame;
+}
+
+EdgeTensorIntegrator::EdgeTensorIntegrator(const SurfaceView& mesh, const TriangleStars& stars,
+  const DihedralAngles& dihedrals, double radius)
   : Mesh(mesh)
   , Stars(stars)
-  , Bends(bends)
+  , Dihedrals(dihedrals)
   , Radius(radius)
   , TriangleStamps(mesh.Triangles.size(), 0)
 {
 }
 
-bool SurfacePatch::Visit(MeshTriangle triangle)
+bool EdgeTensorIntegrator::Visit(MeshTriangle triangle)
 {
   unsigned int& stamp = this->TriangleStamps[triangle];
   const bool isNew = stamp != this->Stamp;
@@ -99,7 +191,7 @@ bool SurfacePatch::Visit(MeshTriangle triangle)
   return isNew;
 }
 
-TensorSums SurfacePatch::OverBall(vtkIdType point)
+TensorSums EdgeTensorIntegrator::OverBall(vtkIdType point)
 {
   ++this->Stamp;
   TensorSums sums;
@@ -122,10 +214,10 @@ TensorSums SurfacePatch::OverBall(vtkIdType point)
       const Vector3d& a = corner[edge];
       const Vector3d& b = corner[(edge + 1) % 3];
       const auto [from, to] = SpanInside(a, b, this->Radius);
-      const MeshTriangle neighbour = this->Bends.Neighbour(triangle, edge);
+      const MeshTriangle neighbour = this->Dihedrals.Neighbour(triangle, edge);
       if (to > from && neighbour.Exists())
       {
-        this->Bends.AddEdge(triangle, edge, (to - from) * (b - a).norm(), sums);
+        this->Dihedrals.AddEdge(triangle, edge, (to - from) * (b - a).norm(), sums);
         if (this->Visit(neighbour))
         {
           this->Pending.push_back(neighbour);
@@ -136,14 +228,14 @@ TensorSums SurfacePatch::OverBall(vtkIdType point)
   return sums;
 }
 
-double SurfacePatch::Distance(vtkIdType point) const
+double EdgeTensorIntegrator::Distance(vtkIdType point) const
 {
   const auto p = static_cast<std::size_t>(point);
   return this->PointStamps[p] == this->Stamp ? this->Distances[p]
                                              : std::numeric_limits<double>::infinity();
 }
 
-void SurfacePatch::Reach(vtkIdType point, double distance)
+void EdgeTensorIntegrator::Reach(vtkIdType point, double distance)
 {
   if (distance < this->Distance(point))
   {
@@ -154,7 +246,8 @@ void SurfacePatch::Reach(vtkIdType point, double distance)
   }
 }
 
-double SurfacePatch::AcrossTriangle(vtkIdType known1, vtkIdType known2, vtkIdType target) const
+double EdgeTensorIntegrator::AcrossTriangle(
+  vtkIdType known1, vtkIdType known2, vtkIdType target) const
 {
   const PointMap a(this->Mesh.Point(known1).data());
   const PointMap b(this->Mesh.Point(known2).data());
@@ -177,7 +270,7 @@ double SurfacePatch::AcrossTriangle(vtkIdType known1, vtkIdType known2, vtkIdTyp
   return passes ? std::min(alongEdges, std::hypot(cx - sx, cy - sy)) : alongEdges;
 }
 
-void SurfacePatch::SpreadDistances(vtkIdType point)
+void EdgeTensorIntegrator::SpreadDistances(vtkIdType point)
 {
   this->PointStamps.resize(this->Mesh.Points.size(), 0);
   this->Distances.resize(this->Mesh.Points.size());
@@ -204,7 +297,7 @@ void SurfacePatch::SpreadDistances(vtkIdType point)
   }
 }
 
-TensorSums SurfacePatch::OverDisc(vtkIdType point)
+TensorSums EdgeTensorIntegrator::OverDisc(vtkIdType point)
 {
   ++this->Stamp;
   this->Pending.clear();
@@ -217,7 +310,7 @@ TensorSums SurfacePatch::OverDisc(vtkIdType point)
   return sums;
 }
 
-void SurfacePatch::AddDiscTriangle(MeshTriangle triangle, TensorSums& sums) const
+void EdgeTensorIntegrator::AddDiscTriangle(MeshTriangle triangle, TensorSums& sums) const
 {
   const Triangle& id = this->Mesh.Corners(triangle.Value);
   double beyond[3]; // distance to the rim, negative inside
@@ -238,7 +331,7 @@ void SurfacePatch::AddDiscTriangle(MeshTriangle triangle, TensorSums& sums) cons
       fraction = inside == 1 ? s * t : 1.0 - s * t;
     }
   }
-  sums.Area += fraction * this->Bends.Area(triangle);
+  sums.Area += fraction * this->Dihedrals.Area(triangle);
   for (std::size_t edge = 0; edge < 3; ++edge)
   {
     const double a = beyond[edge];
@@ -250,7 +343,7 @@ void SurfacePatch::AddDiscTriangle(MeshTriangle triangle, TensorSums& sums) cons
     const double length = (PointMap(this->Mesh.Point(id[(edge + 1) % 3]).data()) -
       PointMap(this->Mesh.Point(id[edge]).data()))
                             .norm();
-    this->Bends.AddEdge(triangle, edge, part * length, sums);
+    this->Dihedrals.AddEdge(triangle, edge, part * length, sums);
   }
 }
 

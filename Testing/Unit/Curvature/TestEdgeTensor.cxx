@@ -1,9 +1,8 @@
 // The edge tensor over one ring, balls and geodesic discs.
 
 #include "Core/Geometry.h"
-#include "Curvature/EdgeBends.h"
+#include "Curvature/EdgeTensor.h"
 #include "Curvature/SurfaceCurvature.h"
-#include "Curvature/SurfacePatch.h"
 #include "SurfaceModels.h"
 #include "Surfaces/TriangleStars.h"
 #include "TensorOptions.h"
@@ -95,8 +94,8 @@ TEST(SurfaceCurvature, BallAndDiscHaveTheirAreas)
   const auto areasOf = [](const Model& mesh, double radius, vtkIdType point)
   {
     const TriangleStars stars(mesh.View());
-    const EdgeBends bends(mesh.View(), stars);
-    SurfacePatch patch(mesh.View(), stars, bends, radius);
+    const DihedralAngles dihedrals(mesh.View(), stars);
+    EdgeTensorIntegrator patch(mesh.View(), stars, dihedrals, radius);
     const double ball = patch.OverBall(point).Area;
     return std::array<double, 2>{ ball, patch.OverDisc(point).Area };
   };

@@ -1,9 +1,9 @@
 /**
- * @file GaussianScale.h
+ * @file GaussianSmoothing.h
  * @brief Gaussian smoothing of image scalars at a length scale, before they are differentiated.
  */
-#ifndef isthmus_GaussianScale_h
-#define isthmus_GaussianScale_h
+#ifndef isthmus_GaussianSmoothing_h
+#define isthmus_GaussianSmoothing_h
 
 #include "Core/Progress.h"
 
@@ -21,7 +21,7 @@ namespace isthmus
 /// @throws std::invalid_argument, with the range, unless a kernel of standard deviation `scale` is
 /// one for an image of `nodes` nodes of `spacing`: at most the image's longest side, and at most a
 /// million nodes wide.
-void DemandScale(double scale, const double spacing[3], const std::array<std::int64_t, 3>& nodes);
+void CheckScale(double scale, const double spacing[3], const std::array<std::int64_t, 3>& nodes);
 
 /// Nodes that the kernel of standard deviation `scale` reaches on each axis of `spacing`.
 std::array<int, 3> GaussianReach(double scale, const double spacing[3]);

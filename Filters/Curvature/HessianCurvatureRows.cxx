@@ -1,4 +1,4 @@
-#include "Curvature/ShapeRows.h"
+#include "Curvature/HessianCurvatureRows.h"
 
 #include "Core/VectorClones.h"
 
@@ -174,7 +174,7 @@ void WriteDirections(const DerivativeRows& d, std::int64_t count, const ShapeRow
 
 }
 
-void SetGradientless(DerivativeRows& d, std::int64_t place)
+void SetZeroGradient(DerivativeRows& d, std::int64_t place)
 {
   for (DerivativeRows::Row* row :
     { &d.Value, &d.X, &d.Y, &d.Z, &d.XX, &d.YY, &d.ZZ, &d.XY, &d.XZ, &d.YZ })

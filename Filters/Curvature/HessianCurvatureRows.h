@@ -1,0 +1,69 @@
+/**
+ * @file HessianCurvatureRows.h
+ * @brief Options and arrays of HessianCurvature, and its inner step: derivatives to curvature by
+ * rows.
+ *
+ * Formulas, signs, units and what makes a place valid: HessianCurvature.h.
+ */
+#ifndef isthmus_HessianCurvatureRows_h
+#define isthmus_HessianCurvatureRows_h
+
+#include "Curvature/CurvatureDescriptors.h"
+#include "Curvature/FiniteDifference.h"
+
+#include <array>
+
+namespace isthmus
+{
+
+struct HessianCurvatureOptions
+{
+  int Accuracy = 2;           ///< Order of the differences: 2 or 4.
+  bool InsideIsHigher = true; ///< Whether the scalar grows inwards.
+  ShapeIndexConvention Convention = ShapeIndexConvention::Thesis;
+  SurfaceTypeTolerance Tolerance;
+  /// Row-major 3 x 3 matrix, columns the grid's axes in the world; only directions depend on it.
+  std::array<double, 9> Axes{ 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+};
+
+/// Where results go, one value (three for directions) for each place; null for what isn't wanted.
+template <typename T>
+struct CurvatureArrays
+{
+  T* Gaussian = nullptr;
+  T* Mean = nullptr;
+  T* Maximum = nullptr;
+  T* Minimum = nullptr;
+  T* ShapeIndex = nullptr;
+  T* Curvedness = nullptr;
+  T* Direction1 = nullptr;              ///< Unit vectors of kappa_1; their sign means nothing.
+  T* Direction2 = nullptr;              ///< Unit vectors of kappa_2, likewise.
+  unsigned char* SurfaceType = nullptr; ///< Values of enum SurfaceType.
+  unsigned char* Valid = nullptr;       ///< 1 or 0.
+};
+
+/// What decides sign and validity of a place.
+struct ShapeRule
+{
+  bool InsideIsHigher = true;
+  double Spacing = 1.0;       ///< Smallest spacing of the grid.
+  double ValueRounding = 0.0; ///< Relative rounding of the grid's values, with its safety factor.
+  double Largest = 0.0;       ///< Largest finite number of the type that results are stored in.
+};
+
+/// Makes `place` one where no gradient is, which WriteCurvature finds invalid.
+void SetZeroGradient(DerivativeRows& derivatives, std::int64_t place);
+
+/// Writes the curvature at places [0, count) of `derivatives` to places [at, at + count) of
+/// `arrays`.
+template <typename T>
+void WriteCurvature(const DerivativeRows& derivatives, std::int64_t count, const ShapeRule& rule,
+  const HessianCurvatureOptions& options, const CurvatureArrays<T>& arrays, std::int64_t at);
+
+/// Writes zeros, not valid, to places [at, at + count) of `arrays`.
+template <typename T>
+void ClearCurvature(const CurvatureArrays<T>& arrays, std::int64_t at, std::int64_t count);
+
+}
+
+#endif
