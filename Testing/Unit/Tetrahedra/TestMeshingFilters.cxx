@@ -1,5 +1,5 @@
-// What the vtk classes of the module add: errors as one sentence and an empty output, abort, repair,
-// what is kept of the input, empty input.
+// What the vtk classes of the module add: errors as one sentence and an empty output, abort,
+// repair, what is kept of the input, empty input.
 
 #include "vtkDelaunayIsosurface.h"
 #include "vtkMSMSReader.h"
