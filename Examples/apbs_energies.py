@@ -180,7 +180,7 @@ def into_solvent(case, molecule, surface, solvent, salt):
     solver = isthmus.vtkPoissonBoltzmann()
     solver.SetInputData(0, electrostatics.molecule(*molecule))
     solver.SetInputData(1, image)
-    solver.SetIsoValue(level)
+    solver.SetLevel(level)
     solver.SetInsideIsHigher(higher)
     solver.SetSoluteDielectric(case.dielectrics[0])
     solver.SetSolventDielectric(solvent)

@@ -57,14 +57,14 @@ def solve(atoms, surface, spacing):
         source.SetDecay(DECAY)
         source.SetPadding(3.0, 3.0, 3.0)
         port = 0
-        solver.SetIsoValue(1.0)
+        solver.SetLevel(1.0)
     else:
         source = isthmus.vtkMolecularFlowSurface()
         if surface == "ses":
             source.SetMethod(isthmus.vtkMolecularFlowSurface.SolventExcluded)
             source.SetProbeRadius(1.4)
         port = 1
-        solver.SetIsoValue(0.0)
+        solver.SetLevel(0.0)
         solver.SetInsideIsHigher(False)
     source.SetInputData(atoms)
     source.SetSpacing(spacing)

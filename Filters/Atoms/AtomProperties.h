@@ -20,8 +20,8 @@
  * S 2.00 (ChemicalElement.h). Radii of a force field stay as they are. Default on.
  */
 #define ISTHMUS_ATOM_PROPERTIES()                                                                  \
-  ISTHMUS_SWITCH(bool, KeepWaters, false);                                                         \
-  ISTHMUS_SWITCH(bool, UnitedAtoms, true);                                                         \
+  ISTHMUS_SWITCH(KeepWaters, false);                                                               \
+  ISTHMUS_SWITCH(UnitedAtoms, true);                                                               \
                                                                                                    \
   void PrintAtomProperties(ostream& os, vtkIndent indent)                                          \
   {                                                                                                \

@@ -217,8 +217,8 @@ int vtkTetCutaway::RequestData(
     {
       return;
     }
-    const auto seed = this->SeedMode == SEED_POINT ? CellNearest(map, input, this->SeedPoint)
-                                                   : CellOfFace(map, this->SeedFace);
+    const auto seed = this->SeedMode == AtPoint ? CellNearest(map, input, this->SeedPoint)
+                                                : CellOfFace(map, this->SeedFace);
     const auto centerOf = [&](std::size_t cell)
     {
       const auto vertices = map.Vertices(std::decay_t<decltype(seed)>(
@@ -227,7 +227,7 @@ int vtkTetCutaway::RequestData(
     };
     const std::vector<unsigned char> gone =
       isthmus::CutAway(map, seed, rule, centerOf, isthmus::Between(progress, 0.6, 0.8));
-    if (!gone[seed.Value] && this->StopRule == STOP_BY_PLANE)
+    if (!gone[seed.Value] && this->StopRule == ByPlane)
     {
       vtkWarningMacro("Nothing is removed: the seed cell lies on the side of the plane that stays. "
                       "Move the seed or turn PlaneNormal round.");

@@ -24,6 +24,7 @@
 #ifndef vtkTetCutaway_h
 #define vtkTetCutaway_h
 
+#include "Core/Deprecation.h"
 #include "vtkIsthmusFiltersCellComplexModule.h" // for the export macro
 
 #include <vtkPolyDataAlgorithm.h>
@@ -37,13 +38,15 @@ public:
 
   enum SeedModes
   {
-    SEED_POINT = 0,
-    SEED_FACE = 1
+    AtPoint = 0,
+    AtFace = 1,
+    SEED_POINT ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use AtPoint") = AtPoint,
+    SEED_FACE ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use AtFace") = AtFace
   };
   ///@{
   /// What the removal begins at: the boundary face nearest to SeedPoint (default), or the face with
   /// the number SeedFace.
-  vtkSetClampMacro(SeedMode, int, SEED_POINT, SEED_FACE);
+  vtkSetClampMacro(SeedMode, int, AtPoint, AtFace);
   vtkGetMacro(SeedMode, int);
   ///@}
 
@@ -61,13 +64,16 @@ public:
 
   enum StopRules
   {
-    STOP_BY_NUMBER = 0,
-    STOP_BY_DISTANCE = 1,
-    STOP_BY_PLANE = 2
+    ByNumber = 0,
+    ByDistance = 1,
+    ByPlane = 2,
+    STOP_BY_NUMBER ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use ByNumber") = ByNumber,
+    STOP_BY_DISTANCE ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use ByDistance") = ByDistance,
+    STOP_BY_PLANE ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use ByPlane") = ByPlane
   };
   ///@{
   /// What ends the removal: NumberOfCells (default), Distance, or the plane.
-  vtkSetClampMacro(StopRule, int, STOP_BY_NUMBER, STOP_BY_PLANE);
+  vtkSetClampMacro(StopRule, int, ByNumber, ByPlane);
   vtkGetMacro(StopRule, int);
   ///@}
 
@@ -101,10 +107,10 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  int SeedMode = SEED_POINT;
+  int SeedMode = AtPoint;
   double SeedPoint[3] = { 0.0, 0.0, 0.0 };
   vtkIdType SeedFace = 0;
-  int StopRule = STOP_BY_NUMBER;
+  int StopRule = ByNumber;
   vtkIdType NumberOfCells = 1000;
   double Distance = 1.0;
   double PlaneOrigin[3] = { 0.0, 0.0, 0.0 };

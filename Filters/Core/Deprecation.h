@@ -8,7 +8,10 @@
  *     ISTHMUS_DEPRECATED("1.0.0", "use SetLevel")
  *     void SetIsoValue(double level) { this->SetLevel(level); }
  *
- * C++ code that calls it gets a compiler warning, Python code a DeprecationWarning.
+ * C++ code that calls it gets a compiler warning, Python code a DeprecationWarning. For a renamed
+ * enumerator (Python cannot warn of these):
+ *
+ *     INSIDE ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use Inside") = Inside
  */
 #ifndef isthmus_Deprecation_h
 #define isthmus_Deprecation_h
@@ -21,6 +24,13 @@
 #else
 #define ISTHMUS_DEPRECATED(version, instead)                                                       \
   [[deprecated(instead "; deprecated in Isthmus " version ", removed in 1.1.0")]]
+#endif
+
+/// Behind the name of an enumerator.
+#if defined(VTK_WRAPPING_CXX) || defined(__VTK_WRAP__)
+#define ISTHMUS_DEPRECATED_ENUMERATOR(version, instead)
+#else
+#define ISTHMUS_DEPRECATED_ENUMERATOR(version, instead) ISTHMUS_DEPRECATED(version, instead)
 #endif
 
 #endif

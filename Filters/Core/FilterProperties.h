@@ -19,10 +19,10 @@ public:                                                                         
 protected:                                                                                         \
   type name = value
 
-/// A property that is on or off: `type` is bool or vtkTypeBool.
-#define ISTHMUS_SWITCH(type, name, value)                                                          \
+/// A property that is on or off.
+#define ISTHMUS_SWITCH(name, value)                                                                \
 public:                                                                                            \
-  vtkBooleanMacro(name, type);                                                                     \
-  ISTHMUS_PROPERTY(type, name, value)
+  vtkBooleanMacro(name, bool);                                                                     \
+  ISTHMUS_PROPERTY(bool, name, value)
 
 #endif

@@ -19,15 +19,15 @@
  * surface, 6 saddle valley, 7 ridge, 8 peak.
  */
 #define ISTHMUS_CURVATURE_ARRAYS()                                                                 \
-  ISTHMUS_SWITCH(vtkTypeBool, GenerateGaussianCurvature, 1);                                       \
-  ISTHMUS_SWITCH(vtkTypeBool, GenerateMeanCurvature, 1);                                           \
-  ISTHMUS_SWITCH(vtkTypeBool, GenerateMaximumCurvature, 1);                                        \
-  ISTHMUS_SWITCH(vtkTypeBool, GenerateMinimumCurvature, 1);                                        \
-  ISTHMUS_SWITCH(vtkTypeBool, GenerateShapeIndex, 1);                                              \
-  ISTHMUS_SWITCH(vtkTypeBool, GenerateCurvedness, 1);                                              \
-  ISTHMUS_SWITCH(vtkTypeBool, GeneratePrincipalDirection1, 0);                                     \
-  ISTHMUS_SWITCH(vtkTypeBool, GeneratePrincipalDirection2, 0);                                     \
-  ISTHMUS_SWITCH(vtkTypeBool, GenerateSurfaceType, 0);                                             \
+  ISTHMUS_SWITCH(GenerateGaussianCurvature, true);                                                 \
+  ISTHMUS_SWITCH(GenerateMeanCurvature, true);                                                     \
+  ISTHMUS_SWITCH(GenerateMaximumCurvature, true);                                                  \
+  ISTHMUS_SWITCH(GenerateMinimumCurvature, true);                                                  \
+  ISTHMUS_SWITCH(GenerateShapeIndex, true);                                                        \
+  ISTHMUS_SWITCH(GenerateCurvedness, true);                                                        \
+  ISTHMUS_SWITCH(GeneratePrincipalDirection1, false);                                              \
+  ISTHMUS_SWITCH(GeneratePrincipalDirection2, false);                                              \
+  ISTHMUS_SWITCH(GenerateSurfaceType, false);                                                      \
   ISTHMUS_PROPERTY(double, FlatTolerance, 1e-3);                                                   \
   ISTHMUS_PROPERTY(double, GaussianTolerance, 1e-3);                                               \
   ISTHMUS_PROPERTY(double, MeanTolerance, 1e-3);                                                   \

@@ -81,9 +81,9 @@ public:
   /**
    * Whether the scalar is higher inside (on, the default: densities) or lower (off: distances).
    */
-  vtkSetMacro(InsideIsHigher, vtkTypeBool);
-  vtkGetMacro(InsideIsHigher, vtkTypeBool);
-  vtkBooleanMacro(InsideIsHigher, vtkTypeBool);
+  vtkSetMacro(InsideIsHigher, bool);
+  vtkGetMacro(InsideIsHigher, bool);
+  vtkBooleanMacro(InsideIsHigher, bool);
   ///@}
 
   ///@{
@@ -125,7 +125,7 @@ protected:
     vtkInformationVector* outputVector) override;
 
   int Accuracy = 2;
-  vtkTypeBool InsideIsHigher = 1;
+  bool InsideIsHigher = true;
   double Scale = 0.0;
   int ShapeIndexConvention = Thesis;
 

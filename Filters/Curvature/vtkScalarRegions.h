@@ -79,9 +79,9 @@ public:
 
   ///@{
   /// Whether regions of a second scalar cross those of the first. Default: off.
-  vtkSetMacro(UseSecondScalar, vtkTypeBool);
-  vtkGetMacro(UseSecondScalar, vtkTypeBool);
-  vtkBooleanMacro(UseSecondScalar, vtkTypeBool);
+  vtkSetMacro(UseSecondScalar, bool);
+  vtkGetMacro(UseSecondScalar, bool);
+  vtkBooleanMacro(UseSecondScalar, bool);
   ///@}
 
   enum AreaRules
@@ -132,7 +132,7 @@ protected:
 
   std::vector<double> Thresholds{ -0.1, 0.1 };
   std::vector<double> SecondThresholds{ -1.0, 2.0 };
-  vtkTypeBool UseSecondScalar = 0;
+  bool UseSecondScalar = false;
   int AreaRule = Fractional;
   int SweepSteps = 0;
   double SweepTarget = 0.0;

@@ -31,7 +31,7 @@ using isthmus::SurfaceCurvatureResult;
 
 /// Adds a point array with `get(point)` where points are valid, 0 elsewhere.
 template <typename Array, typename Get>
-void AddDescriptor(vtkPolyData* output, const SurfaceCurvatureResult& result, vtkTypeBool wanted,
+void AddDescriptor(vtkPolyData* output, const SurfaceCurvatureResult& result, bool wanted,
   const char* name, Get&& get)
 {
   if (!wanted)
@@ -51,7 +51,7 @@ void AddDescriptor(vtkPolyData* output, const SurfaceCurvatureResult& result, vt
 }
 
 void AddVectors(
-  vtkPolyData* output, vtkTypeBool wanted, const char* name, const std::vector<double>& vectors)
+  vtkPolyData* output, bool wanted, const char* name, const std::vector<double>& vectors)
 {
   if (!wanted || vectors.empty())
   {
@@ -198,7 +198,7 @@ int vtkSurfaceCurvature::RequestData(
 
 void vtkSurfaceCurvature::AddArrays(const SurfaceCurvatureResult& result, vtkPolyData* output)
 {
-  const auto add = [&](vtkTypeBool wanted, const char* name, auto&& get)
+  const auto add = [&](bool wanted, const char* name, auto&& get)
   { AddDescriptor<vtkDoubleArray>(output, result, wanted, name, get); };
   const auto& mean = result.Mean;
   const auto& half = result.HalfDifference;

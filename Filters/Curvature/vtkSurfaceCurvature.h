@@ -125,9 +125,9 @@ public:
 
   ///@{
   /// Whether to make the array of areas. Default on.
-  vtkSetMacro(GeneratePointArea, vtkTypeBool);
-  vtkGetMacro(GeneratePointArea, vtkTypeBool);
-  vtkBooleanMacro(GeneratePointArea, vtkTypeBool);
+  vtkSetMacro(GeneratePointArea, bool);
+  vtkGetMacro(GeneratePointArea, bool);
+  vtkBooleanMacro(GeneratePointArea, bool);
   ///@}
 
   /// GenerateGaussianCurvature and so on: which arrays to make; default on, but for principal
@@ -149,7 +149,7 @@ protected:
   double Radius = 0.0;
   int Orientation = Automatic;
   int ShapeIndexConvention = Thesis;
-  vtkTypeBool GeneratePointArea = 1;
+  bool GeneratePointArea = true;
 
 private:
   vtkSurfaceCurvature(const vtkSurfaceCurvature&) = delete;

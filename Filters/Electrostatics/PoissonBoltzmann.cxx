@@ -112,7 +112,7 @@ SolverBox BoxAround(const LevelFunction& level, double padding)
   const BoxNodes inside = RangeOfLevel(level);
   if (inside.Last[0] < 0)
   {
-    throw std::invalid_argument("No node is inside the surface: choose another IsoValue, switch "
+    throw std::invalid_argument("No node is inside the surface: choose another Level, switch "
                                 "InsideIsHigher, or make the grid finer.");
   }
   SolverBox box;
@@ -122,7 +122,7 @@ SolverBox BoxAround(const LevelFunction& level, double padding)
     if (inside.First[a] == 0 || inside.Last[a] == n[a] - 1)
     {
       throw std::invalid_argument(std::string("The surface leaves the volume along ") + "xyz"[a] +
-        ", so it is not closed: choose another IsoValue, switch InsideIsHigher, or make the volume "
+        ", so it is not closed: choose another Level, switch InsideIsHigher, or make the volume "
         "larger.");
     }
     // At least six nodes: stencils at the surface reach three, the border's function two.

@@ -205,7 +205,7 @@ void PlaceOnGrid(const SoluteVolume& volume, std::vector<ChargedAtom>& atoms)
   {
     throw std::invalid_argument(std::to_string(outside) +
       " charged atoms lie outside the surface, the first is atom " + std::to_string(first) +
-      ": charges belong inside. Choose another IsoValue, switch InsideIsHigher, give a surface "
+      ": charges belong inside. Choose another Level, switch InsideIsHigher, give a surface "
       "farther out, or leave these atoms out.");
   }
 }

@@ -178,7 +178,7 @@ isthmus::PoissonBoltzmannParameters vtkPoissonBoltzmann::Parameters() const
   p.IonRadius = this->IonRadius;
   p.Temperature = this->Temperature;
   p.Padding = this->Padding;
-  p.Nonlinear = this->Nonlinear != 0;
+  p.Nonlinear = this->Nonlinear;
   p.Condition = static_cast<isthmus::BoundaryCondition>(this->BoundaryCondition);
   p.Dielectric = static_cast<isthmus::DielectricModel>(this->DielectricModel);
   p.Tolerance = this->Tolerance;
@@ -193,9 +193,9 @@ isthmus::PoissonBoltzmannParameters vtkPoissonBoltzmann::Parameters() const
   {
     p.Ions = { { 1.0, this->IonicStrength }, { -1.0, this->IonicStrength } };
   }
-  if (!std::isfinite(this->IsoValue))
+  if (!std::isfinite(this->Level))
   {
-    throw std::invalid_argument("IsoValue is " + isthmus::FormatNumber(this->IsoValue) +
+    throw std::invalid_argument("Level is " + isthmus::FormatNumber(this->Level) +
       ", but it is a level of the surface's scalars: give a finite number.");
   }
   isthmus::CheckParameters(p);
@@ -215,8 +215,8 @@ void vtkPoissonBoltzmann::Solve(
   this->Warn(atoms.Warning);
   const isthmus::GridWish wish{ this->Spacing, this->Padding };
   isthmus::SoluteVolume volume = image
-    ? isthmus::VolumeOfImage(image, isthmus::SurfaceScalars(image), this->IsoValue,
-        this->InsideIsHigher != 0, isthmus::Between(progress, 0.0, 0.05))
+    ? isthmus::VolumeOfImage(image, isthmus::SurfaceScalars(image), this->Level,
+        this->InsideIsHigher, isthmus::Between(progress, 0.0, 0.05))
     : polygons ? isthmus::VolumeOfSurface(polygons, wish, isthmus::Between(progress, 0.0, 0.05))
                : isthmus::VolumeOfAtoms(atoms.Atoms, wish, isthmus::Between(progress, 0.0, 0.05));
   isthmus::PlaceOnGrid(volume, atoms.Atoms);
@@ -264,7 +264,7 @@ void vtkPoissonBoltzmann::Solve(
 void vtkPoissonBoltzmann::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "IsoValue: " << this->IsoValue << "\n";
+  os << indent << "Level: " << this->Level << "\n";
   os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
   os << indent << "SoluteDielectric: " << this->SoluteDielectric << "\n";
   os << indent << "SolventDielectric: " << this->SolventDielectric << "\n";

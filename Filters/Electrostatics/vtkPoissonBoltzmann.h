@@ -8,10 +8,10 @@
  * of a force field (ForceField) by the program pdb2pqr, where it is installed: water and residues
  * that the field does not know are left out, the latter with a warning. Output 2 has them.
  *
- * **Input 1**, optional: the solute's surface. A volume (vtkImageData): the level IsoValue of its
- * scalars, which are higher inside unless InsideIsHigher is off. Or a closed surface (vtkPolyData).
- * Without it: the level 1 of a sum of Gaussians with decay 2.3 (see vtkMolecularDensity), near the
- * solvent-excluded surface.
+ * **Input 1**, optional: the solute's surface. A volume (vtkImageData): the isosurface at Level of
+ * its scalars, which are higher inside unless InsideIsHigher is off. Or a closed surface
+ * (vtkPolyData). Without it: the level 1 of a sum of Gaussians with decay 2.3 (see
+ * vtkMolecularDensity), near the solvent-excluded surface.
  *
  * **Input 2**, optional: a potential (image, kT/e). With BoundaryCondition FromInput it gives the
  * values on the border (focusing; it has to cover the grid), otherwise the iteration starts from
@@ -72,6 +72,7 @@
 #ifndef vtkPoissonBoltzmann_h
 #define vtkPoissonBoltzmann_h
 
+#include "Core/Deprecation.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusFiltersElectrostaticsModule.h" // for the export macro
 
@@ -102,15 +103,19 @@ public:
 
   ///@{
   /// Level of input 1's scalars that is the surface. Default 0.5.
-  vtkSetMacro(IsoValue, double);
-  vtkGetMacro(IsoValue, double);
+  vtkSetMacro(Level, double);
+  vtkGetMacro(Level, double);
+  ISTHMUS_DEPRECATED("1.0.0", "use SetLevel")
+  void SetIsoValue(double level) { this->SetLevel(level); }
+  ISTHMUS_DEPRECATED("1.0.0", "use GetLevel")
+  double GetIsoValue() { return this->GetLevel(); }
   ///@}
 
   ///@{
   /// Whether input 1's scalars are higher inside (on, the default) or lower (distances).
-  vtkSetMacro(InsideIsHigher, vtkTypeBool);
-  vtkGetMacro(InsideIsHigher, vtkTypeBool);
-  vtkBooleanMacro(InsideIsHigher, vtkTypeBool);
+  vtkSetMacro(InsideIsHigher, bool);
+  vtkGetMacro(InsideIsHigher, bool);
+  vtkBooleanMacro(InsideIsHigher, bool);
   ///@}
 
   ///@{
@@ -169,9 +174,9 @@ public:
 
   ///@{
   /// The full Poisson-Boltzmann equation instead of the linearised one. Default off.
-  vtkSetMacro(Nonlinear, vtkTypeBool);
-  vtkGetMacro(Nonlinear, vtkTypeBool);
-  vtkBooleanMacro(Nonlinear, vtkTypeBool);
+  vtkSetMacro(Nonlinear, bool);
+  vtkGetMacro(Nonlinear, bool);
+  vtkBooleanMacro(Nonlinear, bool);
   ///@}
 
   enum BoundaryConditions
@@ -218,16 +223,16 @@ public:
 
   ///@{
   /// Adds the forces that the atoms feel through the surface they carry to output 2. Default off.
-  vtkSetMacro(ComputeBoundaryForces, vtkTypeBool);
-  vtkGetMacro(ComputeBoundaryForces, vtkTypeBool);
-  vtkBooleanMacro(ComputeBoundaryForces, vtkTypeBool);
+  vtkSetMacro(ComputeBoundaryForces, bool);
+  vtkGetMacro(ComputeBoundaryForces, bool);
+  vtkBooleanMacro(ComputeBoundaryForces, bool);
   ///@}
 
   ///@{
   /// Adds the maps of dielectric, ions and charges to output 0. Default off.
-  vtkSetMacro(ComputeMaps, vtkTypeBool);
-  vtkGetMacro(ComputeMaps, vtkTypeBool);
-  vtkBooleanMacro(ComputeMaps, vtkTypeBool);
+  vtkSetMacro(ComputeMaps, bool);
+  vtkGetMacro(ComputeMaps, bool);
+  vtkBooleanMacro(ComputeMaps, bool);
   ///@}
 
   enum ForceFields
@@ -283,8 +288,8 @@ private:
   int MakeOutputs(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
   void Solve(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
-  double IsoValue = 0.5;
-  vtkTypeBool InsideIsHigher = 1;
+  double Level = 0.5;
+  bool InsideIsHigher = true;
   double SoluteDielectric = 2.0;
   double SolventDielectric = 80.0;
   double IonicStrength = 0.0;
@@ -292,14 +297,14 @@ private:
   double Temperature = 298.15;
   double Spacing = 0.5;
   double Padding = 10.0;
-  vtkTypeBool Nonlinear = 0;
+  bool Nonlinear = false;
   int BoundaryCondition = SelfConsistent;
   int DielectricModel = SharpInterface;
   int ForceField = AMBER;
   double Tolerance = 1e-6;
   int MaximumIterations = 100;
-  vtkTypeBool ComputeBoundaryForces = 0;
-  vtkTypeBool ComputeMaps = 0;
+  bool ComputeBoundaryForces = false;
+  bool ComputeMaps = false;
 
   struct Salt;
   std::unique_ptr<Salt> Ions;

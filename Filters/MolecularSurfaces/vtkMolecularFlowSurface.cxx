@@ -113,10 +113,10 @@ struct vtkMolecularFlowSurface::Internals
   void Warn(const AtomBalls& atoms, const SurfaceFlowResult& result) const;
   void Surface(vtkImageData* image, bool ofS, vtkPolyData* surface) const;
 
-  /// How far outside of the flow's surface the IsoValue lies, in angstrom.
+  /// How far outside of the flow's surface the Level lies, in angstrom.
   double Offset() const
   {
-    return isthmus::HalfWidthOfS * this->Self->Spacing * (1.0 - 2.0 * this->Self->IsoValue);
+    return isthmus::HalfWidthOfS * this->Self->Spacing * (1.0 - 2.0 * this->Self->Level);
   }
 
   vtkMolecularFlowSurface* Self;
@@ -160,7 +160,7 @@ std::vector<double> vtkMolecularFlowSurface::Internals::Times(vtkInformation* in
 void vtkMolecularFlowSurface::Internals::Check() const
 {
   constexpr double any = 1e300;
-  CheckRange("IsoValue", this->Self->IsoValue, 0.0, 1.0,
+  CheckRange("Level", this->Self->Level, 0.0, 1.0,
     "a level between the outside (0) and the inside (1): give a number between them.");
   CheckRange("SurfaceTension", this->Self->SurfaceTension, 0.0, any,
     "an energy for each square angstrom: give a positive number.");
@@ -213,11 +213,11 @@ void vtkMolecularFlowSurface::Internals::Warn(
 void vtkMolecularFlowSurface::Internals::Surface(
   vtkImageData* image, bool ofS, vtkPolyData* surface) const
 {
-  isthmus::ContourImage(image, ofS, this->Self->IsoValue, this->Offset(), surface);
+  isthmus::ContourImage(image, ofS, this->Self->Level, this->Offset(), surface);
   if (surface->GetNumberOfPoints() == 0)
   {
-    throw std::runtime_error("The surface vanishes at an IsoValue of " +
-      isthmus::FormatNumber(this->Self->IsoValue) +
+    throw std::runtime_error("The surface vanishes at a Level of " +
+      isthmus::FormatNumber(this->Self->Level) +
       ": nothing lies that deep inside. Choose a lower one, or a smaller Spacing.");
   }
   if (!this->Self->DelaunayQuality)
@@ -228,7 +228,7 @@ void vtkMolecularFlowSurface::Internals::Surface(
   delaunay->SetInputData(image);
   delaunay->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, ofS ? "S" : "SignedDistance");
-  delaunay->SetLevel(ofS ? this->Self->IsoValue : this->Offset());
+  delaunay->SetLevel(ofS ? this->Self->Level : this->Offset());
   delaunay->SetInsideIsHigher(ofS);
   delaunay->Update();
   if (delaunay->GetOutput()->GetNumberOfPoints() == 0)
@@ -369,7 +369,7 @@ void vtkMolecularFlowSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ProbeRadius: " << this->ProbeRadius << "\n";
   os << indent << "Spacing: " << this->Spacing << "\n";
   os << indent << "Padding: " << this->Padding << "\n";
-  os << indent << "IsoValue: " << this->IsoValue << "\n";
+  os << indent << "Level: " << this->Level << "\n";
   os << indent << "CoarseToFine: " << this->CoarseToFine << "\n";
   os << indent << "Solvent: " << this->Solvent << "\n";
   this->PrintSolventProperties(os, indent);

@@ -45,6 +45,7 @@
 #define vtkMolecularFlowSurface_h
 
 #include "Atoms/AtomProperties.h"
+#include "Core/Deprecation.h"
 #include "MolecularSurfaces/SolventProperties.h"
 #include "vtkIsthmusFiltersMolecularSurfacesModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
@@ -137,9 +138,13 @@ public:
 
   ///@{
   /// Level of S that output 0 shows, between 0 and 1 (not included); by larger ones it lies further
-  /// inside: 1.2 Spacing (1 - 2 IsoValue) outside of the flow's surface. Default 0.5.
-  vtkSetMacro(IsoValue, double);
-  vtkGetMacro(IsoValue, double);
+  /// inside: 1.2 Spacing (1 - 2 Level) outside of the flow's surface. Default 0.5.
+  vtkSetMacro(Level, double);
+  vtkGetMacro(Level, double);
+  ISTHMUS_DEPRECATED("1.0.0", "use SetLevel")
+  void SetIsoValue(double level) { this->SetLevel(level); }
+  ISTHMUS_DEPRECATED("1.0.0", "use GetLevel")
+  double GetIsoValue() { return this->GetLevel(); }
   ///@}
 
   ///@{
@@ -211,7 +216,7 @@ private:
   double ProbeRadius = 0.0;
   double Spacing = 0.5;
   double Padding = 1.7;
-  double IsoValue = 0.5;
+  double Level = 0.5;
   bool CoarseToFine = true;
   bool Solvent = false;
   bool DelaunayQuality = false;

@@ -178,7 +178,7 @@ isthmus::BindingSiteResult vtkBindingSites::Patches(
 {
   const isthmus::SiteFields fields = this->Fields(surface);
   isthmus::BindingSiteOptions options;
-  options.UseQuantile = this->UseQuantile != 0;
+  options.UseQuantile = this->UseQuantile;
   options.Quantile = this->Quantile;
   options.Threshold = this->Threshold;
   options.MergeDistance = this->MergeDistance;

@@ -106,9 +106,9 @@ public:
 
   ///@{
   /// Whether the threshold is a quantile of the surface's area (default) or a value.
-  vtkSetMacro(UseQuantile, vtkTypeBool);
-  vtkGetMacro(UseQuantile, vtkTypeBool);
-  vtkBooleanMacro(UseQuantile, vtkTypeBool);
+  vtkSetMacro(UseQuantile, bool);
+  vtkGetMacro(UseQuantile, bool);
+  vtkBooleanMacro(UseQuantile, bool);
   ///@}
 
   ///@{
@@ -165,7 +165,7 @@ protected:
   bool UsePockets = true;
   int Classes = Ligands;
   int Amplitude = AbsoluteValue;
-  vtkTypeBool UseQuantile = 1;
+  bool UseQuantile = true;
   double Quantile = 0.93;
   double Threshold = 1.0;
   double MergeDistance = 1.0;

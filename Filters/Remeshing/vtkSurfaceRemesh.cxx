@@ -79,14 +79,14 @@ int vtkSurfaceRemesh::RequestData(
         return;
       }
       isthmus::RemeshedSurface result;
-      if (this->Target == NUMBER_OF_TRIANGLES)
+      if (this->Target == ByNumberOfTriangles)
       {
         result = isthmus::SimplifySurface(mesh, this->NumberOfTriangles, progress);
       }
       else
       {
         isthmus::SurfaceRemeshParameters parameters;
-        parameters.EdgeLength = this->Target == EDGE_LENGTH
+        parameters.EdgeLength = this->Target == ByEdgeLength
           ? this->EdgeLength
           : this->RelativeEdgeLength * isthmus::MeanEdgeLength(mesh);
         parameters.Iterations = this->NumberOfIterations;

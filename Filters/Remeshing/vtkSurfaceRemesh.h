@@ -15,6 +15,7 @@
 #ifndef vtkSurfaceRemesh_h
 #define vtkSurfaceRemesh_h
 
+#include "Core/Deprecation.h"
 #include "vtkIsthmusFiltersRemeshingModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -27,15 +28,20 @@ public:
 
   enum TargetType
   {
-    RELATIVE_EDGE_LENGTH,
-    EDGE_LENGTH,
-    NUMBER_OF_TRIANGLES
+    ByRelativeEdgeLength,
+    ByEdgeLength,
+    ByNumberOfTriangles,
+    RELATIVE_EDGE_LENGTH ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use ByRelativeEdgeLength") =
+      ByRelativeEdgeLength,
+    EDGE_LENGTH ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use ByEdgeLength") = ByEdgeLength,
+    NUMBER_OF_TRIANGLES ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use ByNumberOfTriangles") =
+      ByNumberOfTriangles
   };
 
   ///@{
-  /// RELATIVE_EDGE_LENGTH, EDGE_LENGTH: remesh; NUMBER_OF_TRIANGLES: simplify. Default
-  /// RELATIVE_EDGE_LENGTH.
-  vtkSetClampMacro(Target, int, RELATIVE_EDGE_LENGTH, NUMBER_OF_TRIANGLES);
+  /// ByRelativeEdgeLength, ByEdgeLength: remesh; ByNumberOfTriangles: simplify. Default
+  /// ByRelativeEdgeLength.
+  vtkSetClampMacro(Target, int, ByRelativeEdgeLength, ByNumberOfTriangles);
   vtkGetMacro(Target, int);
   ///@}
 
@@ -79,7 +85,7 @@ private:
   vtkSurfaceRemesh(const vtkSurfaceRemesh&) = delete;
   void operator=(const vtkSurfaceRemesh&) = delete;
 
-  int Target = RELATIVE_EDGE_LENGTH;
+  int Target = ByRelativeEdgeLength;
   double RelativeEdgeLength = 1.0;
   double EdgeLength = 1.0;
   vtkIdType NumberOfTriangles = 10000;

@@ -210,7 +210,7 @@ void vtkSurfaceMeasures::Measure(vtkImageData* image, vtkDataObject* output, vtk
     [&](const auto& grid)
     {
       using T = std::remove_const_t<std::remove_pointer_t<decltype(grid.Data)>>;
-      const isthmus::LevelView<T> level{ grid, this->IsoValue, this->InsideIsHigher != 0 };
+      const isthmus::LevelView<T> level{ grid, this->Level, this->InsideIsHigher };
       isthmus::CheckFinite(grid);
       measures = isthmus::MeasureOnGrid(
         level, this->InsideValue, this->OutsideValue, isthmus::ProgressOf(this));
@@ -233,7 +233,7 @@ vtkTable* vtkSurfaceMeasures::GetTable()
 void vtkSurfaceMeasures::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "IsoValue: " << this->IsoValue << "\n";
+  os << indent << "Level: " << this->Level << "\n";
   os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
   os << indent << "InsideValue: " << this->InsideValue << "\n";
   os << indent << "OutsideValue: " << this->OutsideValue << "\n";

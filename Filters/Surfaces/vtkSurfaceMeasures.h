@@ -15,8 +15,8 @@
  * handles, with the `BoundaryLoops` closed; it is -1, with a warning, where the surface has
  * `IrregularPoints`: points around which its triangles form neither a disc nor a half disc.
  *
- * **Image**: four measures of the level IsoValue of its scalars: `Area` and `Volume`, sharp, and
- * `SmearedArea` and `SmearedVolume` of the scalars scaled to 0 outside and 1 inside. Float and
+ * **Image**: four measures of the isosurface at Level of its scalars: `Area` and `Volume`, sharp,
+ * and `SmearedArea` and `SmearedVolume` of the scalars scaled to 0 outside and 1 inside. Float and
  * double are used as they are, other types as a copy in double.
  *
  * Formulas and sources: SurfaceMeasures.h, CartesianMeasures.h.
@@ -30,6 +30,7 @@
 #ifndef vtkSurfaceMeasures_h
 #define vtkSurfaceMeasures_h
 
+#include "Core/Deprecation.h"
 #include "vtkIsthmusFiltersSurfacesModule.h" // for the export macro
 #include "vtkPassInputTypeAlgorithm.h"
 
@@ -46,15 +47,19 @@ public:
 
   ///@{
   /// Level of the image's scalars that is measured, in their unit. Default: 0.5.
-  vtkSetMacro(IsoValue, double);
-  vtkGetMacro(IsoValue, double);
+  vtkSetMacro(Level, double);
+  vtkGetMacro(Level, double);
+  ISTHMUS_DEPRECATED("1.0.0", "use SetLevel")
+  void SetIsoValue(double level) { this->SetLevel(level); }
+  ISTHMUS_DEPRECATED("1.0.0", "use GetLevel")
+  double GetIsoValue() { return this->GetLevel(); }
   ///@}
 
   ///@{
   /// Whether the scalars are higher inside (on, the default: densities) or lower (off: distances).
-  vtkSetMacro(InsideIsHigher, vtkTypeBool);
-  vtkGetMacro(InsideIsHigher, vtkTypeBool);
-  vtkBooleanMacro(InsideIsHigher, vtkTypeBool);
+  vtkSetMacro(InsideIsHigher, bool);
+  vtkGetMacro(InsideIsHigher, bool);
+  vtkBooleanMacro(InsideIsHigher, bool);
   ///@}
 
   ///@{
@@ -82,8 +87,8 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  double IsoValue = 0.5;
-  vtkTypeBool InsideIsHigher = 1;
+  double Level = 0.5;
+  bool InsideIsHigher = true;
   double InsideValue = 1.0;
   double OutsideValue = 0.0;
 

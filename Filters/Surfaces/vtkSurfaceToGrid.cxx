@@ -248,13 +248,13 @@ void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkP
 {
   const GridShape shape = isthmus::ShapeOf(image);
   vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
-  isthmus::RequireRange("IsoValue", this->IsoValue, -std::numeric_limits<double>::max(),
+  isthmus::RequireRange("Level", this->Level, -std::numeric_limits<double>::max(),
     std::numeric_limits<double>::max(), "It is a value of the volume.");
   double range[2];
   scalars->GetFiniteRange(range);
-  if (!(range[0] < this->IsoValue && this->IsoValue < range[1]))
+  if (!(range[0] < this->Level && this->Level < range[1]))
   {
-    vtkWarningMacro(<< "There is no surface at IsoValue " << this->IsoValue
+    vtkWarningMacro(<< "There is no surface at Level " << this->Level
                     << ", so SignedDistance is infinite: the volume has values from " << range[0]
                     << " to " << range[1] << ". Choose one between.");
   }
@@ -264,7 +264,7 @@ void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkP
     [&](const auto& grid)
     {
       using T = std::remove_const_t<std::remove_pointer_t<decltype(grid.Data)>>;
-      const isthmus::LevelView<T> level{ grid, this->IsoValue, this->InsideIsHigher != 0 };
+      const isthmus::LevelView<T> level{ grid, this->Level, this->InsideIsHigher };
       isthmus::CheckFinite(grid);
       std::transform(grid.Data, grid.Data + shape.Size(), inside.begin(),
         [&](T value) { return level.IsInside(static_cast<double>(value)); });
@@ -285,7 +285,7 @@ void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkP
   if (this->GenerateSignedDistance)
   {
     const isthmus::PolyDataTriangles triangles(
-      isthmus::IsosurfaceInGridAxes(image, scalars, this->IsoValue));
+      isthmus::IsosurfaceInGridAxes(image, scalars, this->Level));
     isthmus::AddSignedDistance(output, inside,
       this->Distance(triangles.View(), shape, isthmus::Between(progress, 0.35, 1.0)));
   }
@@ -301,7 +301,7 @@ void vtkSurfaceToGrid::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Spacing: " << this->Spacing << "\n";
   os << indent << "Padding: " << this->Padding << "\n";
-  os << indent << "IsoValue: " << this->IsoValue << "\n";
+  os << indent << "Level: " << this->Level << "\n";
   os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
   os << indent << "NormalMode: " << this->NormalMode << "\n";
   os << indent << "GenerateInside: " << this->GenerateInside << "\n";

@@ -3,15 +3,15 @@
  * @brief   a surface on a grid: crossings with grid lines, inside and outside, signed distance
  *
  * Input 0 is a closed surface (vtkPolyData; polygons and strips are split into triangles) or a
- * volume (vtkImageData), whose level IsoValue is the surface. For a surface, the grid is that of
- * the image on input 1, if there is one, else one around the surface with Spacing and Padding. For
- * a volume it is the volume's own.
+ * volume (vtkImageData), whose isosurface at Level is the surface. For a surface, the grid is that
+ * of the image on input 1, if there is one, else one around the surface with Spacing and Padding.
+ * For a volume it is the volume's own.
  *
  * **Output 0**, vtkImageData, on nodes: `Inside` (unsigned char: 1 inside, 0 outside), `Irregular`
  * (unsigned char: 1 for nodes with one of their six neighbours on the other side), `SignedDistance`
  * (double, length, negative inside). A volume keeps its other arrays. Surface: inside by the
  * even-odd rule, so the winding plays no part and cavities are outside. Volume: inside is where the
- * scalar is above IsoValue (below, with InsideIsHigher off); the distance is that to its isosurface
+ * scalar is above Level (below, with InsideIsHigher off); the distance is that to its isosurface
  * by vtkFlyingEdges3D.
  *
  * **Output 1**, vtkPolyData, a vertex for each crossing of the surface with a line of the grid, in
@@ -37,6 +37,7 @@
 #ifndef vtkSurfaceToGrid_h
 #define vtkSurfaceToGrid_h
 
+#include "Core/Deprecation.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusFiltersSurfacesModule.h" // for the export macro
 
@@ -80,16 +81,20 @@ public:
 
   ///@{
   /// Level of a volume that is the surface, in the unit of its scalars. Default: 0.5.
-  vtkSetMacro(IsoValue, double);
-  vtkGetMacro(IsoValue, double);
+  vtkSetMacro(Level, double);
+  vtkGetMacro(Level, double);
+  ISTHMUS_DEPRECATED("1.0.0", "use SetLevel")
+  void SetIsoValue(double level) { this->SetLevel(level); }
+  ISTHMUS_DEPRECATED("1.0.0", "use GetLevel")
+  double GetIsoValue() { return this->GetLevel(); }
   ///@}
 
   ///@{
   /// Whether a volume's scalars are higher inside (on, the default: densities) or lower
   /// (distances).
-  vtkSetMacro(InsideIsHigher, vtkTypeBool);
-  vtkGetMacro(InsideIsHigher, vtkTypeBool);
-  vtkBooleanMacro(InsideIsHigher, vtkTypeBool);
+  vtkSetMacro(InsideIsHigher, bool);
+  vtkGetMacro(InsideIsHigher, bool);
+  vtkBooleanMacro(InsideIsHigher, bool);
   ///@}
 
   enum NormalModes
@@ -107,12 +112,12 @@ public:
 
   ///@{
   /// Whether to make the arrays Inside and Irregular, and SignedDistance. Default: on.
-  vtkSetMacro(GenerateInside, vtkTypeBool);
-  vtkGetMacro(GenerateInside, vtkTypeBool);
-  vtkBooleanMacro(GenerateInside, vtkTypeBool);
-  vtkSetMacro(GenerateSignedDistance, vtkTypeBool);
-  vtkGetMacro(GenerateSignedDistance, vtkTypeBool);
-  vtkBooleanMacro(GenerateSignedDistance, vtkTypeBool);
+  vtkSetMacro(GenerateInside, bool);
+  vtkGetMacro(GenerateInside, bool);
+  vtkBooleanMacro(GenerateInside, bool);
+  vtkSetMacro(GenerateSignedDistance, bool);
+  vtkGetMacro(GenerateSignedDistance, bool);
+  vtkBooleanMacro(GenerateSignedDistance, bool);
   ///@}
 
   ///@{
@@ -124,9 +129,9 @@ public:
 
   ///@{
   /// Whether distances are exact outside the band, too, at some microseconds a node. Default: off.
-  vtkSetMacro(ExactEverywhere, vtkTypeBool);
-  vtkGetMacro(ExactEverywhere, vtkTypeBool);
-  vtkBooleanMacro(ExactEverywhere, vtkTypeBool);
+  vtkSetMacro(ExactEverywhere, bool);
+  vtkGetMacro(ExactEverywhere, bool);
+  vtkBooleanMacro(ExactEverywhere, bool);
   ///@}
 
   /// Output 1.
@@ -147,13 +152,13 @@ protected:
 
   double Spacing = 0.0;
   int Padding = 2;
-  double IsoValue = 0.5;
-  vtkTypeBool InsideIsHigher = 1;
+  double Level = 0.5;
+  bool InsideIsHigher = true;
   int NormalMode = TriangleNormals;
-  vtkTypeBool GenerateInside = 1;
-  vtkTypeBool GenerateSignedDistance = 1;
+  bool GenerateInside = true;
+  bool GenerateSignedDistance = true;
   double BandWidth = 2.0;
-  vtkTypeBool ExactEverywhere = 0;
+  bool ExactEverywhere = false;
 
 private:
   vtkSurfaceToGrid(const vtkSurfaceToGrid&) = delete;

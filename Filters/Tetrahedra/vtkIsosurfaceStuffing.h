@@ -7,7 +7,7 @@
  * trilinear interpolation; where it leaves the volume it is closed within one layer of cells.
  *
  * Output: vtkUnstructuredGrid of tetrahedra. Cell array `RegionId` (int): 1 inside, 0 outside.
- * Point array `OnSurface` (unsigned char): 1 on the level set. With BOTH, the two sides share the
+ * Point array `OnSurface` (unsigned char): 1 on the level set. With Both, the two sides share the
  * points and triangles of the level set and fill the box (the volume's bounds and at least four
  * layers of cells more), as a Poisson solver needs it. All dihedral angles are from 10.7 to 164.8
  * degrees, also of a graded mesh. Field data of the input are kept; the field array `KeptPoints`
@@ -20,6 +20,7 @@
 #ifndef vtkIsosurfaceStuffing_h
 #define vtkIsosurfaceStuffing_h
 
+#include "Core/Deprecation.h"
 #include "vtkIsthmusFiltersTetrahedraModule.h"
 #include "vtkUnstructuredGridAlgorithm.h"
 
@@ -32,9 +33,12 @@ public:
 
   enum SideType
   {
-    INSIDE,
-    OUTSIDE,
-    BOTH
+    Inside,
+    Outside,
+    Both,
+    INSIDE ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use Inside") = Inside,
+    OUTSIDE ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use Outside") = Outside,
+    BOTH ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use Both") = Both
   };
 
   ///@{
@@ -51,8 +55,8 @@ public:
   ///@}
 
   ///@{
-  /// INSIDE: where the level set is filled; OUTSIDE: the box without that; BOTH. Default INSIDE.
-  vtkSetClampMacro(Side, int, INSIDE, BOTH);
+  /// Inside: where the level set is filled; Outside: the box without that; Both. Default Inside.
+  vtkSetClampMacro(Side, int, Inside, Both);
   vtkGetMacro(Side, int);
   ///@}
 
@@ -91,7 +95,7 @@ private:
 
   double Level = 0.0;
   bool InsideIsHigher = true;
-  int Side = INSIDE;
+  int Side = Inside;
   double CellSize = 0.0;
   int GradingLevels = 0;
   int MemoryLimit = 0;

@@ -27,13 +27,13 @@ vtkStandardNewMacro(vtkTetrahedralMesher);
 namespace
 {
 
-/// What AUTOMATIC may use when nobody says otherwise: it tries again with less after a failure.
+/// What Automatic may use when nobody says otherwise: it tries again with less after a failure.
 constexpr std::uint64_t AutomaticBytes = std::uint64_t{ 8 } << 30;
 
 isthmus::TetrahedralParameters ParametersOf(vtkTetrahedralMesher* filter)
 {
   isthmus::TetrahedralParameters parameters;
-  const bool automatic = filter->GetLibrary() == vtkTetrahedralMesher::AUTOMATIC;
+  const bool automatic = filter->GetLibrary() == vtkTetrahedralMesher::Automatic;
   if (!automatic)
   {
     parameters.Library = static_cast<isthmus::TetrahedralLibrary>(filter->GetLibrary());
@@ -163,7 +163,7 @@ int vtkTetrahedralMesher::RequestData(
       const isthmus::TetrahedralParameters parameters = ParametersOf(this);
       const auto progress = isthmus::ProgressOf(this);
       grid->GetFieldData()->PassData(surface->GetFieldData());
-      const std::string warning = this->Library == AUTOMATIC
+      const std::string warning = this->Library == Automatic
         ? FillByAnyWay(taken, parameters, progress, grid)
         : FillByLibrary(taken, this->Repair, parameters, progress, grid);
       if (!warning.empty())
@@ -177,7 +177,7 @@ void vtkTetrahedralMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Library: "
-     << (this->Library == TETGEN    ? "TetGen"
+     << (this->Library == TetGen    ? "TetGen"
             : this->Library == CGAL ? "CGAL"
                                     : "Automatic")
      << "\n";

@@ -9,7 +9,7 @@
  * Output: vtkUnstructuredGrid of tetrahedra in the units of the surface. Cell array `RegionId`
  * (int): solids 1, 2, ..., exterior 0, cavities -1, -2, ... Point array `OriginalPointId`
  * (vtkIdType): the point of the surface it was, or -1. Field data of the input is kept; after a
- * repair, string `Repair` says what was changed. With AUTOMATIC there are the field arrays `Engine`
+ * repair, string `Repair` says what was changed. With Automatic there are the field arrays `Engine`
  * (string: the way gone), `EngineReport` (string: why, and how far the surface moved, also told as
  * a warning when it did), `HausdorffDistance`, `VolumeBefore` and `VolumeAfter` (of the solids),
  * `VolumeIsDoubtful` (1 where these differ by more than a hundredth, else 0); by stuffing, RegionId
@@ -25,6 +25,7 @@
 #ifndef vtkTetrahedralMesher_h
 #define vtkTetrahedralMesher_h
 
+#include "Core/Deprecation.h"
 #include "vtkIsthmusFiltersTetrahedraModule.h"
 #include "vtkUnstructuredGridAlgorithm.h"
 
@@ -39,34 +40,39 @@ public:
 
   enum LibraryType
   {
-    TETGEN,
+    TetGen,
     CGAL,
-    AUTOMATIC
+    Automatic,
+    TETGEN ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use TetGen") = TetGen,
+    AUTOMATIC ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use Automatic") = Automatic
   };
 
   enum SideType
   {
-    INSIDE,
-    OUTSIDE,
-    BOTH
+    Inside,
+    Outside,
+    Both,
+    INSIDE ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use Inside") = Inside,
+    OUTSIDE ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use Outside") = Outside,
+    BOTH ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use Both") = Both
   };
 
   ///@{
-  /// Who makes the tetrahedra. AUTOMATIC tries what moves the surface least and goes on when that
+  /// Who makes the tetrahedra. Automatic tries what moves the surface least and goes on when that
   /// fails: TetGen, TetGen after repair, CGAL after repair, isosurface stuffing from the winding
-  /// number (AutomaticMesher.h). Default AUTOMATIC.
-  vtkSetClampMacro(Library, int, TETGEN, AUTOMATIC);
+  /// number (AutomaticMesher.h). Default Automatic.
+  vtkSetClampMacro(Library, int, TetGen, Automatic);
   vtkGetMacro(Library, int);
   ///@}
 
   ///@{
-  /// INSIDE: the solids; OUTSIDE: the box without them, cavities included; BOTH. Default INSIDE.
-  vtkSetClampMacro(Side, int, INSIDE, BOTH);
+  /// Inside: the solids; Outside: the box without them, cavities included; Both. Default Inside.
+  vtkSetClampMacro(Side, int, Inside, Both);
   vtkGetMacro(Side, int);
   ///@}
 
   ///@{
-  /// Distance from the surface to the box, in diagonals of the surface's bounds; OUTSIDE and BOTH
+  /// Distance from the surface to the box, in diagonals of the surface's bounds; Outside and Both
   /// only. Default 0.5.
   vtkSetMacro(BoxMargin, double);
   vtkGetMacro(BoxMargin, double);
@@ -74,7 +80,7 @@ public:
 
   ///@{
   /// Mend a surface that is not clean (RepairSurface of SurfaceRepair.h) and say what was changed;
-  /// AUTOMATIC does so by itself where it must.
+  /// Automatic does so by itself where it must.
   /// Default off.
   vtkSetMacro(Repair, bool);
   vtkGetMacro(Repair, bool);
@@ -115,7 +121,7 @@ public:
   ///@}
 
   ///@{
-  /// TetGen: wall time after which it is stopped, in seconds; each run of AUTOMATIC has a quarter
+  /// TetGen: wall time after which it is stopped, in seconds; each run of Automatic has a quarter
   /// of it. Default 600.
   vtkSetMacro(TimeLimit, double);
   vtkGetMacro(TimeLimit, double);
@@ -123,7 +129,7 @@ public:
 
   ///@{
   /// TetGen and stuffing: memory they may use, in MiB; 0: three quarters of the machine's, with
-  /// AUTOMATIC 8 GiB at most. Default 0.
+  /// Automatic 8 GiB at most. Default 0.
   vtkSetClampMacro(MemoryLimit, int, 0, VTK_INT_MAX);
   vtkGetMacro(MemoryLimit, int);
   ///@}
@@ -200,8 +206,8 @@ private:
   vtkTetrahedralMesher(const vtkTetrahedralMesher&) = delete;
   void operator=(const vtkTetrahedralMesher&) = delete;
 
-  int Library = AUTOMATIC;
-  int Side = INSIDE;
+  int Library = Automatic;
+  int Side = Inside;
   double BoxMargin = 0.5;
   bool Repair = false;
   bool KeepSurface = true;

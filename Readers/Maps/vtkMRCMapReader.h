@@ -111,9 +111,9 @@ public:
 
   ///@{
   /// Refuse files whose header needed repair. Default: off.
-  vtkSetMacro(Strict, vtkTypeBool);
-  vtkGetMacro(Strict, vtkTypeBool);
-  vtkBooleanMacro(Strict, vtkTypeBool);
+  vtkSetMacro(Strict, bool);
+  vtkGetMacro(Strict, bool);
+  vtkBooleanMacro(Strict, bool);
   ///@}
 
   /// 1 if the content of `fileName` begins like a map (decompressed, if need be), else 0. The name
@@ -134,7 +134,7 @@ protected:
   int CropExtent[6] = { 0, -1, 0, -1, 0, -1 };
   int SampleRate[3] = { 1, 1, 1 };
   int NonOrthogonalCell = Resample;
-  vtkTypeBool Strict = 0;
+  bool Strict = false;
 
 private:
   vtkMRCMapReader(const vtkMRCMapReader&) = delete;

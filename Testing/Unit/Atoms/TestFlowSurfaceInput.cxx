@@ -308,7 +308,7 @@ TEST(MolecularFlowSurface, NumbersOutOfRangeAreToldInASentence)
     { "Enlargement", &Filter::SetEnlargement, 1.3, { 0.9, nan, 1.0 / 0.0 } },
     { "EvolutionTime", &Filter::SetEvolutionTime, 2.5, { -1.0, nan, 1.0 / 0.0 } },
     { "ProbeRadius", &Filter::SetProbeRadius, 0.0, { -1.0, nan, 1.0 / 0.0 } },
-    { "IsoValue", &Filter::SetIsoValue, 0.5, { 0.0, 1.0, -1.0, nan } },
+    { "Level", &Filter::SetLevel, 0.5, { 0.0, 1.0, -1.0, nan } },
     { "SurfaceTension", &Filter::SetSurfaceTension, 0.0700, { 0.0, -1.0, nan, 1.0 / 0.0 } },
     { "Pressure", &Filter::SetPressure, 0.0464, { nan, 1.0 / 0.0 } },
   };
@@ -326,10 +326,10 @@ TEST(MolecularFlowSurface, NumbersOutOfRangeAreToldInASentence)
     EXPECT_EQ(errors.Of(atoms), "") << property.Name;
   }
   const auto small = AtomsOf({ { { 0.0, 0.0, 0.0 }, 0.4 } });
-  filter->SetIsoValue(0.99);
-  EXPECT_NE(errors.Of(small).find("vanishes at an IsoValue"), std::string::npos);
+  filter->SetLevel(0.99);
+  EXPECT_NE(errors.Of(small).find("vanishes at a Level"), std::string::npos);
   EXPECT_TRUE(errors.IsEmpty());
-  filter->SetIsoValue(0.5);
+  filter->SetLevel(0.5);
   filter->SetSpacing(1e-3);
   EXPECT_NE(errors.Of(atoms).find("of memory, of which"), std::string::npos);
   filter->SetSpacing(1e-12);

@@ -81,7 +81,7 @@ TEST(TetCutaway, ByDistanceAndByPlane)
   FilterRun distance(grid,
     [](vtkTetCutaway* filter)
     {
-      filter->SetStopRule(vtkTetCutaway::STOP_BY_DISTANCE);
+      filter->SetStopRule(vtkTetCutaway::ByDistance);
       filter->SetSeedPoint(6.0, 6.0, 0.0);
       filter->SetDistance(2.5);
     });
@@ -92,7 +92,7 @@ TEST(TetCutaway, ByDistanceAndByPlane)
   FilterRun plane(grid,
     [](vtkTetCutaway* filter)
     {
-      filter->SetStopRule(vtkTetCutaway::STOP_BY_PLANE);
+      filter->SetStopRule(vtkTetCutaway::ByPlane);
       filter->SetSeedPoint(6.0, 3.0, 3.0);
       filter->SetPlaneOrigin(3.0, 0.0, 0.0);
       filter->SetPlaneNormal(2.0, 0.0, 0.0);
@@ -117,7 +117,7 @@ TEST(TetCutaway, BeginsAtAFaceByItsNumber)
   FilterRun run(GridOf(Hexahedra(3)),
     [](vtkTetCutaway* filter)
     {
-      filter->SetSeedMode(vtkTetCutaway::SEED_FACE);
+      filter->SetSeedMode(vtkTetCutaway::AtFace);
       filter->SetSeedFace(0);
       filter->SetNumberOfCells(1);
     });
@@ -125,7 +125,7 @@ TEST(TetCutaway, BeginsAtAFaceByItsNumber)
   FilterRun wrong(GridOf(Hexahedra(3)),
     [](vtkTetCutaway* filter)
     {
-      filter->SetSeedMode(vtkTetCutaway::SEED_FACE);
+      filter->SetSeedMode(vtkTetCutaway::AtFace);
       filter->SetSeedFace(108);
     });
   EXPECT_NE(wrong.Messages().find("SeedFace 108 does not exist: the mesh has the faces 0 ... 107"),
@@ -140,7 +140,7 @@ TEST(TetCutaway, WarnsWhenTheSeedIsOnTheOtherSide)
   FilterRun run(grid,
     [](vtkTetCutaway* filter)
     {
-      filter->SetStopRule(vtkTetCutaway::STOP_BY_PLANE);
+      filter->SetStopRule(vtkTetCutaway::ByPlane);
       filter->SetPlaneOrigin(0.0, 0.0, 2.0);
     });
   EXPECT_NE(run.Messages().find("Nothing is removed"), std::string::npos);

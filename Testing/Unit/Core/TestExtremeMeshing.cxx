@@ -71,7 +71,7 @@ TEST(Extremes, OnePointFarAwayIsToldByAllThatMesh)
   {
     const auto surface = OnePointAt(place);
     for (const int target :
-      { vtkSurfaceRemesh::RELATIVE_EDGE_LENGTH, vtkSurfaceRemesh::NUMBER_OF_TRIANGLES })
+      { vtkSurfaceRemesh::ByRelativeEdgeLength, vtkSurfaceRemesh::ByNumberOfTriangles })
     {
       TopologyFilterRun<vtkSurfaceRemesh> remesh(
         surface, [target](vtkSurfaceRemesh* filter) { filter->SetTarget(target); });
@@ -190,7 +190,7 @@ TEST(Extremes, SurfaceRemeshOfLongNeedlesIsRefused)
   TopologyFilterRun<vtkSurfaceRemesh> run(ToPolyData(model),
     [](vtkSurfaceRemesh* filter)
     {
-      filter->SetTarget(vtkSurfaceRemesh::EDGE_LENGTH);
+      filter->SetTarget(vtkSurfaceRemesh::ByEdgeLength);
       filter->SetEdgeLength(0.2);
     });
   EXPECT_NE(run.Messages().find("50 million"), std::string::npos) << run.Messages();
@@ -243,7 +243,7 @@ TEST(Extremes, TetGenCommandsThatAreNoneAreTold)
     TopologyFilterRun<vtkTetrahedralMesher> run(ToPolyData(Icosphere(2, 1.0)),
       [&command](vtkTetrahedralMesher* filter)
       {
-        filter->SetLibrary(vtkTetrahedralMesher::TETGEN);
+        filter->SetLibrary(vtkTetrahedralMesher::TetGen);
         filter->SetTetGenCommand(command.c_str());
       });
     return run.Messages();

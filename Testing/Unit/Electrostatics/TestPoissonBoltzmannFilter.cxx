@@ -164,7 +164,7 @@ Errors RunOn(vtkDataObject* surface, double isoValue, bool insideIsHigher)
   vtkNew<vtkPoissonBoltzmann> filter;
   filter->SetInputDataObject(0, Atoms(sphere));
   filter->SetInputDataObject(1, surface);
-  filter->SetIsoValue(isoValue);
+  filter->SetLevel(isoValue);
   filter->SetInsideIsHigher(insideIsHigher);
   filter->SetIonicStrength(0.0);
   filter->Update();
@@ -297,11 +297,11 @@ TEST(PoissonBoltzmannFilter, FocusingTakesTheBorderFromInput2)
   vtkNew<vtkPoissonBoltzmann> outer, inner;
   outer->SetInputDataObject(0, Atoms(sphere));
   outer->SetInputDataObject(1, Volume(sphere, wide, Minus));
-  outer->SetIsoValue(0.0);
+  outer->SetLevel(0.0);
   inner->SetInputDataObject(0, Atoms(sphere));
   inner->SetInputDataObject(1, Volume(sphere, narrow, Minus));
   inner->SetInputConnection(2, outer->GetOutputPort());
-  inner->SetIsoValue(0.0);
+  inner->SetLevel(0.0);
   inner->SetBoundaryCondition(vtkPoissonBoltzmann::FromInput);
   inner->Update();
   EXPECT_LT(ErrorsOf(inner, sphere).Outside, 0.15);
@@ -321,7 +321,7 @@ void ExpectError(
   filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, executive);
   filter->SetInputDataObject(0, atoms);
   filter->SetInputDataObject(1, Volume(sphere, choice, Minus));
-  filter->SetIsoValue(0.0);
+  filter->SetLevel(0.0);
   change(filter, atoms);
   filter->Update();
   EXPECT_TRUE(observer->GetError()) << words;
@@ -345,7 +345,7 @@ TEST(PoissonBoltzmannFilter, EveryRefusalIsASentence)
   ExpectError([&](Filter, vtkPolyData* a)
     { a->GetPointData()->GetArray("Radius")->SetTuple1(0, -1.0); },
     "radius of atom 0");
-  ExpectError([&](Filter f, vtkPolyData*) { f->SetIsoValue(nan); }, "IsoValue");
+  ExpectError([&](Filter f, vtkPolyData*) { f->SetLevel(nan); }, "Level");
   ExpectError([&](Filter f, vtkPolyData*) { f->SetInsideIsHigher(0); }, "surface");
   ExpectError([&](Filter f, vtkPolyData*) { f->SetIonicStrength(nan); }, "IonicStrength");
   ExpectError([&](Filter f, vtkPolyData*) { f->SetIonicStrength(-0.1); }, "IonicStrength");

@@ -118,13 +118,13 @@ TEST(MolecularFlowSurface, AtomsStayInside)
   }
 }
 
-TEST(MolecularFlowSurface, IsoValueIsAnOffset)
+TEST(MolecularFlowSurface, LevelIsAnOffset)
 {
   const auto filter = FilterOf(AtomsOf({ { { 0.1, 0.2, 0.3 }, 4.0 } }));
   filter->SetSteady(true);
   for (const double level : { 0.2, 0.5, 0.8 })
   {
-    filter->SetIsoValue(level);
+    filter->SetLevel(level);
     filter->Update();
     const double radius =
       std::sqrt(MeasuresOf(filter->GetOutput()).Whole.Area / (4.0 * vtkMath::Pi()));

@@ -89,7 +89,7 @@ TEST(SurfaceRemesh, PointDataAreCarriedOver)
   vtkNew<vtkSurfaceRemesh> remesh;
   remesh->SetInputData(sphere);
   for (const int target :
-    { vtkSurfaceRemesh::RELATIVE_EDGE_LENGTH, vtkSurfaceRemesh::NUMBER_OF_TRIANGLES })
+    { vtkSurfaceRemesh::ByRelativeEdgeLength, vtkSurfaceRemesh::ByNumberOfTriangles })
   {
     remesh->SetTarget(target);
     remesh->SetNumberOfTriangles(1000);
@@ -98,7 +98,7 @@ TEST(SurfaceRemesh, PointDataAreCarriedOver)
     auto* carried = vtkDoubleArray::SafeDownCast(result->GetPointData()->GetScalars());
     ASSERT_NE(carried, nullptr);
     // A linear field is carried exactly to points on the old triangles, and nearly beside them.
-    const double tolerance = target == vtkSurfaceRemesh::NUMBER_OF_TRIANGLES ? 0.02 : 1e-9;
+    const double tolerance = target == vtkSurfaceRemesh::ByNumberOfTriangles ? 0.02 : 1e-9;
     for (vtkIdType i = 0; i < result->GetNumberOfPoints(); ++i)
     {
       ASSERT_NEAR(carried->GetValue(i), result->GetPoint(i)[2], tolerance);

@@ -268,7 +268,7 @@ TEST(CartesianMeasures, SharpAndSmearedOnAnyTypeAndSide)
     other[i] = std::round(1e6 * (3.0 - profile[i]));
   }
   filter->SetInputData(ImageOf(other, n, VTK_INT));
-  filter->SetIsoValue(2.5e6);
+  filter->SetLevel(2.5e6);
   filter->InsideIsHigherOff();
   filter->SetInsideValue(2e6);
   filter->SetOutsideValue(3e6);

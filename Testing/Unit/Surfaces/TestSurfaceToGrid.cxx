@@ -115,7 +115,7 @@ TEST(vtkSurfaceToGrid, LevelOfAnImage)
   }
   vtkNew<vtkSurfaceToGrid> filter;
   filter->SetInputData(image);
-  filter->SetIsoValue(1.73);
+  filter->SetLevel(1.73);
   filter->Update();
   EXPECT_TRUE(filter->GetOutput()->GetPointData()->HasArray("Density"));
   std::set<vtkIdType> below;

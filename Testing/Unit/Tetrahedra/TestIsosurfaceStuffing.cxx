@@ -104,7 +104,7 @@ double Total(const TetrahedralMesh& mesh)
   return sum;
 }
 
-/// Do all triangles of the skin of a mesh of BOTH lie in a side of its box?
+/// Do all triangles of the skin of a mesh of both sides lie in a side of its box?
 bool SkinIsTheBox(const TetrahedralMesh& mesh, const std::set<Triangle>& skin)
 {
   const Bounds3 box = BoundsOf(mesh);

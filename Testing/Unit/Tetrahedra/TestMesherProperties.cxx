@@ -79,7 +79,7 @@ Mesh TetGen(const Change& change)
   return Made(cube,
     [&](vtkTetrahedralMesher* m)
     {
-      m->SetLibrary(vtkTetrahedralMesher::TETGEN);
+      m->SetLibrary(vtkTetrahedralMesher::TetGen);
       m->KeepSurfaceOff();
       change(m);
     });
@@ -130,7 +130,7 @@ TEST(MesherProperties, OfTetGen)
   const Mesh both = TetGen(
     [](vtkTetrahedralMesher* m)
     {
-      m->SetSide(vtkTetrahedralMesher::BOTH);
+      m->SetSide(vtkTetrahedralMesher::Both);
       m->SetBoxMargin(0.25);
     });
   EXPECT_NEAR(both.Width, 1.0 + 0.5 * std::sqrt(3.0), 1e-6);

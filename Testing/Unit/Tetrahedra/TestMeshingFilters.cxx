@@ -105,7 +105,7 @@ TEST(MeshingFilters, AnOpenSurfaceIsRefusedWithItsTriangles)
   vtkNew<vtkTetrahedralMesher> mesher;
   const Observer observer = Watch(mesher);
   mesher->SetInputData(OpenSphere());
-  mesher->SetLibrary(vtkTetrahedralMesher::TETGEN);
+  mesher->SetLibrary(vtkTetrahedralMesher::TetGen);
   mesher->Update();
   EXPECT_TRUE(observer->GetError());
   EXPECT_NE(observer->GetErrorMessage().find("triangles at a hole ("), std::string::npos)
@@ -115,7 +115,7 @@ TEST(MeshingFilters, AnOpenSurfaceIsRefusedWithItsTriangles)
 
 TEST(MeshingFilters, RepairFillsItAndSaysSo)
 {
-  for (const int library : { vtkTetrahedralMesher::TETGEN, vtkTetrahedralMesher::AUTOMATIC })
+  for (const int library : { vtkTetrahedralMesher::TetGen, vtkTetrahedralMesher::Automatic })
   {
     vtkNew<vtkTetrahedralMesher> mesher;
     const Observer observer = Watch(mesher);
@@ -147,7 +147,7 @@ TEST(MeshingFilters, ASoupIsTheSurfaceItWasMadeOf)
     return vtkSmartPointer<vtkUnstructuredGrid>(mesher->GetOutput());
   };
   const auto soup = Soup(Sphere());
-  for (const int library : { vtkTetrahedralMesher::TETGEN, vtkTetrahedralMesher::AUTOMATIC })
+  for (const int library : { vtkTetrahedralMesher::TetGen, vtkTetrahedralMesher::Automatic })
   {
     const auto found = mesh(soup, library);
     EXPECT_GT(found->GetNumberOfCells(), 100);
@@ -200,7 +200,7 @@ TEST(MeshingFilters, AMissingTetGenIsNamed)
   vtkNew<vtkTetrahedralMesher> mesher;
   const Observer observer = Watch(mesher);
   mesher->SetInputData(Sphere());
-  mesher->SetLibrary(vtkTetrahedralMesher::TETGEN);
+  mesher->SetLibrary(vtkTetrahedralMesher::TetGen);
   mesher->SetTetGenCommand("no-such-tetgen");
   mesher->Update();
   EXPECT_NE(observer->GetErrorMessage().find("'no-such-tetgen' was not found"), std::string::npos);

@@ -88,7 +88,7 @@ void Stuff(vtkImageData* map, double level, int levels, Seen& seen)
   filter->SetGradingLevels(levels);
   constexpr vtkIdType large = 300000; // nodes; the outside of noise is millions of tetrahedra
   filter->SetSide(
-    map->GetNumberOfPoints() < large ? vtkIsosurfaceStuffing::BOTH : vtkIsosurfaceStuffing::INSIDE);
+    map->GetNumberOfPoints() < large ? vtkIsosurfaceStuffing::Both : vtkIsosurfaceStuffing::Inside);
   filter->Update();
   const TetrahedralMesh mesh = MeshOf(filter->GetOutput());
   ASSERT_GT(mesh.Tetrahedra.size(), 0u);
