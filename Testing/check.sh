@@ -17,7 +17,7 @@ complain()
   failed=1
 }
 
-for check in check_modules check_order check_contracts check_handles check_readmes check_links; do
+for check in check_modules check_order check_contracts check_handles check_properties check_readmes check_links; do
   said=$(python3 -B "Testing/$check.py") || { echo "$said"; failed=1; }
 done
 

@@ -6,7 +6,7 @@ import subprocess
 import tempfile
 import unittest
 
-CHECKS = ("check_modules", "check_order", "check_contracts", "check_handles",
+CHECKS = ("check_modules", "check_order", "check_contracts", "check_handles", "check_properties",
           "check_readmes", "check_links")
 TESTING = pathlib.Path(__file__).parent
 

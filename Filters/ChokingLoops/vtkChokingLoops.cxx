@@ -64,10 +64,10 @@ void TellEstimate(const isthmus::SurfaceView& surface, double spacing)
   const auto whole = [](double x) { return x < 1e15 ? static_cast<vtkIdType>(std::ceil(x)) : -1; };
   vtkLog(INFO,
     "Choking loops of at least " << whole(samples) << " samples, from "
-                                 << whole(50.0 + samples / 400.0) << " MB on.");
+                                 << whole(50.0 + samples / 400.0) << " MiB on.");
 }
 
-/// The analysis' parameters; `memoryLimit` in MB. The cost of each round is told in the log.
+/// The analysis' parameters; `memoryLimit` in MiB. The cost of each round is told in the log.
 isthmus::ChokingLoopParameters ParametersOf(
   double sampleSpacing, bool allowSelfIntersections, double memoryLimit)
 {

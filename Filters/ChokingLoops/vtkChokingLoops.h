@@ -209,7 +209,8 @@ public:
   ///@}
 
   ///@{
-  /// Point array of input 1 for MorseFunction PointArray: not negative, 0 on the surface.
+  /// Point array of input 1 for MorseFunction PointArray: not negative, 0 on the surface. Default:
+  /// none.
   vtkSetMacro(MorseArrayName, std::string);
   vtkGetMacro(MorseArrayName, std::string);
   ///@}
@@ -245,7 +246,7 @@ public:
   ///@}
 
   ///@{
-  /// Most memory that an analysis may take, in MB; 0 (default): what is available. More samples
+  /// Most memory that an analysis may take, in MiB; 0 (default): what is available. More samples
   /// than fit end in an error that says so.
   vtkSetClampMacro(MemoryLimit, int, 0, VTK_INT_MAX);
   vtkGetMacro(MemoryLimit, int);

@@ -232,22 +232,23 @@ void vtkMapHandles::FindFeatures(Work& work)
 {
   const auto& statistics = this->Last->Statistics(work.Scalars, work.Volume);
   isthmus::FeatureParameters& wanted = work.Parameters;
-  wanted.Superlevel = this->Superlevel;
+  wanted.Superlevel = this->InsideIsHigher;
   wanted.MinimumPersistence = this->MinimumPersistence;
   wanted.PersistenceUnit = isthmus::FeatureParameters::StandardDeviations;
   wanted.Range = this->UseRange ? std::array<double, 2>{ this->Range[0], this->Range[1] }
-    : this->Superlevel          ? std::array<double, 2>{ statistics.Mean, statistics.Maximum }
+    : this->InsideIsHigher      ? std::array<double, 2>{ statistics.Mean, statistics.Maximum }
                                 : std::array<double, 2>{ statistics.Minimum, statistics.Mean };
   if (!(wanted.Range[0] < wanted.Range[1]))
   {
     throw std::invalid_argument("The map has one value everywhere, so it has no levels.");
   }
   isthmus::CubicalParameters parameters;
-  parameters.Superlevel = this->Superlevel;
+  parameters.Superlevel = this->InsideIsHigher;
   const auto& pairs = this->Last->Pairs(
     work.Volume, parameters, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.3));
   work.Features = isthmus::ScalarFeatures(work.Volume, statistics, pairs, wanted);
-  work.Intervals = isthmus::StableIntervals(work.Features, this->Superlevel, work.Parameters.Range);
+  work.Intervals =
+    isthmus::StableIntervals(work.Features, this->InsideIsHigher, work.Parameters.Range);
 }
 
 double vtkMapHandles::ChooseLevel(const Work& work)
@@ -270,7 +271,7 @@ void vtkMapHandles::FillTables(const Work& work, vtkInformationVector* outputVec
     isthmus::FillHandles(handles, port == BridgesPort, work.Features, work.Image, work.Level,
       vtkPolyData::GetData(outputVector, port));
   }
-  const auto curves = isthmus::CountBetti(work.Features, this->Superlevel,
+  const auto curves = isthmus::CountBetti(work.Features, this->InsideIsHigher,
     isthmus::EvenLevels(work.Parameters.Range[0], work.Parameters.Range[1], this->NumberOfLevels));
   isthmus::FillLevels(curves, this->StableLevel,
     this->UseRecommendedLevel ? this->RecommendedLevel : NotANumber,
@@ -281,7 +282,7 @@ void vtkMapHandles::FillTables(const Work& work, vtkInformationVector* outputVec
 void vtkMapHandles::FillSurfaces(const Work& work, vtkInformationVector* outputVector)
 {
   isthmus::ClosedLevelSet level =
-    isthmus::CloseLevelSet(work.Image, work.Scalars, work.Level, this->Superlevel);
+    isthmus::CloseLevelSet(work.Image, work.Scalars, work.Level, this->InsideIsHigher);
   isthmus::ToWorld(work.Image, level.Guide);
   vtkPolyData* contour = vtkPolyData::GetData(outputVector, ContourPort);
   isthmus::SetMesh(level.Guide, contour);
@@ -356,7 +357,7 @@ int vtkMapHandles::RequestData(
 void vtkMapHandles::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Superlevel: " << this->Superlevel << "\n";
+  os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
   os << indent << "MinimumPersistence: " << this->MinimumPersistence << "\n";
   os << indent << "UseRange: " << this->UseRange << "\n";
   os << indent << "Range: " << this->Range[0] << " " << this->Range[1] << "\n";

@@ -39,6 +39,7 @@
 #ifndef vtkMapHandles_h
 #define vtkMapHandles_h
 
+#include "Core/Deprecation.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -59,9 +60,17 @@ public:
 
   ///@{
   /// The object is where the map is above the level (densities). Default on.
-  vtkSetMacro(Superlevel, bool);
-  vtkGetMacro(Superlevel, bool);
-  vtkBooleanMacro(Superlevel, bool);
+  vtkSetMacro(InsideIsHigher, bool);
+  vtkGetMacro(InsideIsHigher, bool);
+  vtkBooleanMacro(InsideIsHigher, bool);
+  ISTHMUS_DEPRECATED("1.0.0", "use SetInsideIsHigher")
+  void SetSuperlevel(bool higher) { this->SetInsideIsHigher(higher); }
+  ISTHMUS_DEPRECATED("1.0.0", "use GetInsideIsHigher")
+  bool GetSuperlevel() { return this->GetInsideIsHigher(); }
+  ISTHMUS_DEPRECATED("1.0.0", "use InsideIsHigherOn")
+  void SuperlevelOn() { this->InsideIsHigherOn(); }
+  ISTHMUS_DEPRECATED("1.0.0", "use InsideIsHigherOff")
+  void SuperlevelOff() { this->InsideIsHigherOff(); }
   ///@}
 
   ///@{
@@ -72,8 +81,8 @@ public:
   ///@}
 
   ///@{
-  /// Look only at levels within Range. Default off: from the mean to the maximum (Superlevel off:
-  /// from the minimum to the mean).
+  /// Look only at levels within Range. Default off: from the mean to the maximum (InsideIsHigher
+  /// off: from the minimum to the mean).
   vtkSetMacro(UseRange, bool);
   vtkGetMacro(UseRange, bool);
   vtkBooleanMacro(UseRange, bool);
@@ -137,7 +146,7 @@ private:
   void FillTables(const Work& work, vtkInformationVector* outputVector);
   void FillSurfaces(const Work& work, vtkInformationVector* outputVector);
 
-  bool Superlevel = true;
+  bool InsideIsHigher = true;
   double MinimumPersistence = 0.5;
   bool UseRange = false;
   double Range[2] = { 0.0, 1.0 };

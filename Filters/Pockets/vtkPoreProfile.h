@@ -67,7 +67,7 @@ public:
   ///@}
 
   ///@{
-  /// The ends of the pore, angstrom, for TwoPoints.
+  /// The ends of the pore, angstrom, for TwoPoints. Default: the origin.
   vtkSetVector3Macro(Point1, double);
   vtkGetVector3Macro(Point1, double);
   vtkSetVector3Macro(Point2, double);

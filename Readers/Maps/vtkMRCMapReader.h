@@ -44,7 +44,7 @@
  * **Cost.** One pass over the bytes needed, in parallel; no copy for float maps of this machine's
  * byte order. Pieces (update extents), CropExtent and SampleRate leave the rest of a plain file
  * unread; a compressed file is decompressed up to the last node needed. Memory: the output, plus a
- * few MB (up to 32 MB for compressed files), plus the nodes read when resampling.
+ * few MiB (up to 32 MiB for compressed files), plus the nodes read when resampling.
  */
 #ifndef vtkMRCMapReader_h
 #define vtkMRCMapReader_h

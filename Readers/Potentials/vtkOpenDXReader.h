@@ -26,7 +26,7 @@
  * **Errors** (missing, empty, truncated, of another kind, damaged): a sentence with file and line,
  * an empty output, and an error code of vtkErrorCode.
  *
- * **Cost.** One pass over the text, about 30 ns a number on one thread; the output, plus 32 MB or
+ * **Cost.** One pass over the text, about 30 ns a number on one thread; the output, plus 32 MiB or
  * one grid plane of constant x. Each MPI rank reads the whole text and keeps its piece.
  */
 #ifndef vtkOpenDXReader_h
@@ -68,7 +68,7 @@ public:
   ///@}
 
   /// 1 if the first word of the file is `object`, as in OpenDX files, else 0; the name plays no
-  /// part. Says nothing on errors. Reads 1 MB at most, unless more of it are comments.
+  /// part. Says nothing on errors. Reads 1 MiB at most, unless more of it are comments.
   static int CanReadFile(const char* fileName);
 
 protected:
