@@ -95,16 +95,14 @@ AnalysisCost CostOf(const SurfaceView& samples)
 
 bool FitsMemory(const AnalysisCost& cost, double limit, std::string& sentence)
 {
-  const double most = limit > 0.0 ? limit : AvailableMemory();
-  if (cost.Bytes <= most)
+  const MemoryBudget budget(limit / 1048576.0);
+  if (budget.Allows(cost.Bytes))
   {
     return true;
   }
-  sentence = "Choking loops of " + std::to_string(cost.Samples) + " samples take some " +
-    MemoryText(cost.Bytes) + ", and " +
-    (limit > 0.0 ? "MemoryLimit is " + MemoryText(most)
-                 : "only " + MemoryText(most) + " are available") +
-    ": raise SampleSpacing" + (limit > 0.0 ? " or MemoryLimit." : ", or simplify the surface.");
+  sentence =
+    budget.Message(cost.Bytes, "The analysis of " + std::to_string(cost.Samples) + " samples",
+      "raise SampleSpacing or simplify the surface");
   return false;
 }
 

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <sys/resource.h>
@@ -16,6 +17,9 @@ namespace
 {
 
 constexpr double Unknown = std::numeric_limits<double>::infinity();
+
+/// More bytes than any machine has, and few enough for std::size_t.
+constexpr double Most = 1e18;
 
 /// The number after `key` in a file of lines "key number", or of a file that is one number.
 double NumberIn(const char* file, const std::string& key)
@@ -35,7 +39,7 @@ double NumberIn(const char* file, const std::string& key)
   return Unknown;
 }
 
-double LeftByGroup()
+double LeftByControlGroup()
 {
   const double most = NumberIn("/sys/fs/cgroup/memory.max", "");
   const double used = NumberIn("/sys/fs/cgroup/memory.current", "");
@@ -44,7 +48,7 @@ double LeftByGroup()
   return known < Unknown ? known + (cached < Unknown ? cached : 0.0) : Unknown;
 }
 
-double LeftByLimit()
+double LeftByProcessLimit()
 {
 #if defined(__unix__) || defined(__APPLE__)
   rlimit limit{};
@@ -62,22 +66,75 @@ double LeftByLimit()
 double AvailableMemory()
 {
   const double machine = NumberIn("/proc/meminfo", "MemAvailable:") * 1024.0;
-  return std::max(0.0, std::min({ machine, LeftByGroup(), LeftByLimit() }));
+  return std::max(0.0, std::min({ machine, LeftByControlGroup(), LeftByProcessLimit() }));
 }
 
 std::string MemoryText(double bytes)
 {
-  const char* units[] = { "KB", "MB", "GB", "TB", "PB", "EB" };
+  const char* units[] = { "KiB", "MiB", "GiB", "TiB", "PiB", "EiB" };
   std::size_t unit = 0;
-  double amount = bytes / 1e3;
+  double amount = bytes / 1024.0;
   while (amount >= 999.5 && unit + 1 < std::size(units))
   {
-    amount /= 1e3;
+    amount /= 1024.0;
     ++unit;
   }
   char text[40];
   std::snprintf(text, sizeof(text), "%.3g %s", amount, units[unit]);
   return text;
+}
+
+MemoryBudget::MemoryBudget(double limit)
+  : Allowed(limit > 0.0 ? limit * 1048576.0 : AvailableMemory())
+  , HasLimit(limit > 0.0)
+{
+}
+
+MemoryBudget MemoryBudget::OfBytes(std::uint64_t bytes)
+{
+  MemoryBudget budget(1.0);
+  budget.Allowed = bytes > 0 ? static_cast<double>(bytes) : Unknown;
+  return budget;
+}
+
+MemoryBudget MemoryBudget::AtMost(double bytes) const
+{
+  MemoryBudget budget = *this;
+  if (bytes < budget.Allowed)
+  {
+    budget.Allowed = bytes;
+    budget.HasLimit = true;
+  }
+  return budget;
+}
+
+std::uint64_t MemoryBudget::WholeBytes() const
+{
+  return this->Allowed < Most
+    ? std::max<std::uint64_t>(1, static_cast<std::uint64_t>(this->Allowed))
+    : 0;
+}
+
+bool MemoryBudget::Allows(double bytes) const
+{
+  return bytes <= this->Allowed && bytes < Most;
+}
+
+std::string MemoryBudget::Message(
+  double bytes, const std::string& what, const std::string& remedy) const
+{
+  return what + " needs about " + MemoryText(bytes) + " of memory, but " +
+    (this->HasLimit ? "MemoryLimit is " + MemoryText(this->Allowed)
+                    : "only " + MemoryText(this->Allowed) + " are available") +
+    ": " + remedy + (this->HasLimit ? ", or raise MemoryLimit." : ".");
+}
+
+void MemoryBudget::Require(double bytes, const std::string& what, const std::string& remedy) const
+{
+  if (!this->Allows(bytes))
+  {
+    throw std::runtime_error(this->Message(bytes, what, remedy));
+  }
 }
 
 }

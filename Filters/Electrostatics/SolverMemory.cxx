@@ -2,7 +2,7 @@
 
 #include "Core/MemoryBudget.h"
 
-#include <stdexcept>
+#include <string>
 
 namespace isthmus
 {
@@ -16,13 +16,8 @@ void RequireMemory(const std::array<std::int64_t, 3>& dimensions)
     needed *= static_cast<double>(n);
     size += (size.empty() ? "" : " x ") + std::to_string(n);
   }
-  const double available = AvailableMemory();
-  if (needed > available)
-  {
-    throw std::runtime_error("A grid of " + size + " nodes takes about " + MemoryText(needed) +
-      " of memory, and " + MemoryText(available) +
-      " are available: choose a larger Spacing or a smaller Padding.");
-  }
+  MemoryBudget().Require(
+    needed, "A grid of " + size + " nodes", "choose a larger Spacing or a smaller Padding");
 }
 
 }

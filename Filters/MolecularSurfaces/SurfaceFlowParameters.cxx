@@ -146,21 +146,19 @@ double FlowBytes(const DensityGrid& grid)
 void CheckFlowMemory(const std::vector<Ball>& balls, const DensityGrid& grid)
 {
   const double needed = FlowBytes(grid);
-  const double available = AvailableMemory();
-  // NaN or infinite sizes do not pass either; what std::size_t counts is beyond any memory.
-  if (needed <= available && needed < 1e18)
+  const MemoryBudget budget;
+  if (budget.Allows(needed))
   {
     return;
   }
   const auto& n = grid.Dimensions;
-  std::ostringstream text;
-  text << "A Spacing of " << grid.Spacing << " makes a grid of " << n[0] << " x " << n[1] << " x "
-       << n[2] << " nodes, and the flow on it takes " << MemoryText(needed)
-       << " of memory, of which " << MemoryText(available)
-       << " are available: choose a Spacing of about "
-       << 1.1 * grid.Spacing * std::cbrt(needed / std::max(available, 1e6)) << " or more."
-       << OutlierText(balls);
-  throw std::runtime_error(text.str());
+  std::ostringstream flow;
+  flow << "The flow on a grid of " << n[0] << " x " << n[1] << " x " << n[2] << " nodes (Spacing "
+       << grid.Spacing << ")";
+  std::ostringstream remedy;
+  remedy << "choose a Spacing of about "
+         << 1.1 * grid.Spacing * std::cbrt(needed / std::max(budget.Bytes(), 1e6)) << " or more";
+  throw std::runtime_error(budget.Message(needed, flow.str(), remedy.str()) + OutlierText(balls));
 }
 
 std::vector<float> InnerValues(

@@ -12,7 +12,7 @@ ChannelSolution::ChannelSolution(const ChannelProblem& problem, const ProgressCa
   const TransportDomain room = problem.Moves ? MovingChannel::Roomy(this->Domain) : this->Domain;
   if (problem.Moves)
   {
-    DemandMemory(room, MovingChannel::BytesPerNode);
+    RequireMemory(room, MovingChannel::BytesPerNode);
   }
   const auto first = Between(progress, 0.0, 0.15);
   const std::vector<float> distances = problem.Surface

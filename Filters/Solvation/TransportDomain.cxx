@@ -19,24 +19,18 @@ constexpr double BytesPerNode = 220.0; // grid, potential, two species, network,
 
 }
 
-void DemandMemory(const TransportDomain& d, double bytesPerNode)
+void RequireMemory(const TransportDomain& d, double bytesPerNode)
 {
   double nodes = 1.0;
   for (const std::int64_t n : d.Dimensions)
   {
     nodes *= static_cast<double>(n);
   }
-  const double needed = bytesPerNode * nodes;
-  const double available = AvailableMemory();
-  if (needed <= available && needed < 1e18)
-  {
-    return;
-  }
-  throw std::runtime_error("A Spacing of " + std::to_string(d.Spacing) + " makes a grid of " +
-    std::to_string(d.Dimensions[0]) + " x " + std::to_string(d.Dimensions[1]) + " x " +
-    std::to_string(d.Dimensions[2]) + " nodes, which takes " + MemoryText(needed) +
-    " of memory, and " + MemoryText(available) +
-    " are available: choose a larger Spacing or a smaller Padding.");
+  MemoryBudget().Require(bytesPerNode * nodes,
+    "A grid of " + std::to_string(d.Dimensions[0]) + " x " + std::to_string(d.Dimensions[1]) +
+      " x " + std::to_string(d.Dimensions[2]) + " nodes (Spacing " + std::to_string(d.Spacing) +
+      ")",
+    "choose a larger Spacing or a smaller Padding");
 }
 
 std::array<double, 2> TransportDomain::AlongAndOff(const Point3& place) const
@@ -91,7 +85,7 @@ TransportDomain DomainAround(
     d.Dimensions[a] = 2 * static_cast<std::int64_t>(nodes) + 1;
     d.Origin[a] = d.Centre[a] - h * nodes;
   }
-  DemandMemory(d, BytesPerNode);
+  RequireMemory(d, BytesPerNode);
   return d;
 }
 

@@ -62,7 +62,7 @@ VTKISTHMUSFILTERSSOLVATION_EXPORT TransportDomain DomainAround(
   const std::vector<Ball>& atoms, const IonTransportParameters& parameters);
 
 /// @throws std::runtime_error with the domain's size where so many bytes a node are not there.
-VTKISTHMUSFILTERSSOLVATION_EXPORT void DemandMemory(
+VTKISTHMUSFILTERSSOLVATION_EXPORT void RequireMemory(
   const TransportDomain& domain, double bytesPerNode);
 
 /// The distance from each node to the solvent-excluded surface of atoms

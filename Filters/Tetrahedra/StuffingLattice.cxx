@@ -1,5 +1,6 @@
 #include "Tetrahedra/StuffingLattice.h"
 
+#include "Core/MemoryBudget.h"
 #include "Core/ParallelFor.h"
 #include "Core/RangeChecks.h"
 
@@ -18,11 +19,6 @@ namespace
 
 /// Layers of cells between the bounds and the box: the surface may change two of them.
 constexpr double FewestLayers = 3.0;
-
-std::string Megabytes(double bytes)
-{
-  return std::to_string(static_cast<std::int64_t>(std::ceil(bytes / 1048576.0))) + " MiB";
-}
 
 }
 
@@ -47,13 +43,11 @@ StuffingLattice::StuffingLattice(const Bounds3& bounds, const StuffingParameters
   }
   this->Corners = (this->Count[0] + 1) * (this->Count[1] + 1) * (this->Count[2] + 1);
   this->Centres = this->Count[0] * this->Count[1] * this->Count[2];
-  if (parameters.MaximumBytes > 0 && this->Bytes() > static_cast<double>(parameters.MaximumBytes))
-  {
-    throw std::runtime_error("A cell size of " + FormatNumber(this->Size) + " makes " +
-      std::to_string(this->Centres) + " cells, whose values need " + Megabytes(this->Bytes()) +
-      ", more than the limit of " + Megabytes(static_cast<double>(parameters.MaximumBytes)) +
-      ": choose a larger cell size or raise the limit.");
-  }
+  MemoryBudget::OfBytes(parameters.MaximumBytes)
+    .Require(this->Bytes(),
+      "A lattice of " + std::to_string(this->Centres) + " cells (cell size " +
+        FormatNumber(this->Size) + ")",
+      "choose a larger cell size");
 }
 
 double StuffingLattice::Bytes() const

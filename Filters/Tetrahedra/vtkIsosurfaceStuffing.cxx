@@ -5,10 +5,10 @@
 #include "Core/Geometry.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
+#include "Core/MemoryBudget.h"
 #include "Core/TetrahedralMesh.h"
 #include "Core/TrilinearField.h"
 #include "Tetrahedra/IsosurfaceStuffing.h"
-#include "Tetrahedra/MachineMemory.h"
 #include "Tetrahedra/TetrahedralGrid.h"
 
 #include <vtkDataSetAttributes.h>
@@ -40,9 +40,7 @@ isthmus::StuffingParameters ParametersOf(vtkIsosurfaceStuffing* filter, vtkImage
     filter->GetCellSize() == 0.0 ? std::min({ h[0], h[1], h[2] }) : filter->GetCellSize();
   parameters.GradingLevels = filter->GetGradingLevels();
   parameters.Side = static_cast<isthmus::MeshedSide>(filter->GetSide());
-  parameters.MaximumBytes = filter->GetMemoryLimit() > 0
-    ? static_cast<std::uint64_t>(filter->GetMemoryLimit()) << 20
-    : isthmus::ThreeQuartersOfMemory();
+  parameters.MaximumBytes = isthmus::MemoryBudget(filter->GetMemoryLimit()).WholeBytes();
   return parameters;
 }
 
@@ -133,7 +131,7 @@ int vtkIsosurfaceStuffing::RequestData(
 {
   auto* image = vtkImageData::GetData(input[0]);
   auto* grid = vtkUnstructuredGrid::GetData(output);
-  return isthmus::Guarded(this, grid,
+  return isthmus::Guarded(this, output,
     [&]
     {
       isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));

@@ -232,7 +232,7 @@ int vtkMeshQualityReport::RequestData(
   auto* marked = vtkPointSet::GetData(output, 0);
   auto* histogram = vtkTable::GetData(output, 1);
   this->Summary.clear();
-  return isthmus::Guarded(this, marked,
+  return isthmus::Guarded(this, output,
     [&]
     {
       const auto progress = isthmus::ProgressOf(this);

@@ -2,12 +2,12 @@
 
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
+#include "Core/MemoryBudget.h"
 #include "Core/PolyDataTriangles.h"
 #include "Core/TetrahedralMesh.h"
 #include "Remeshing/SurfaceRepair.h"
 #include "Surfaces/SurfaceIntake.h"
 #include "Tetrahedra/AutomaticMesher.h"
-#include "Tetrahedra/MachineMemory.h"
 #include "Tetrahedra/TetrahedralGrid.h"
 #include "Tetrahedra/TetrahedralMesher.h"
 
@@ -28,7 +28,7 @@ namespace
 {
 
 /// What Automatic may use when nobody says otherwise: it tries again with less after a failure.
-constexpr std::uint64_t AutomaticBytes = std::uint64_t{ 8 } << 30;
+constexpr double AutomaticBytes = 8.0 * 1024 * 1024 * 1024;
 
 isthmus::TetrahedralParameters ParametersOf(vtkTetrahedralMesher* filter)
 {
@@ -40,13 +40,14 @@ isthmus::TetrahedralParameters ParametersOf(vtkTetrahedralMesher* filter)
   }
   parameters.Side = static_cast<isthmus::MeshedSide>(filter->GetSide());
   parameters.BoxMargin = filter->GetBoxMargin();
-  const std::uint64_t bytes = filter->GetMemoryLimit() > 0
-    ? static_cast<std::uint64_t>(filter->GetMemoryLimit()) << 20
-    : automatic ? std::min(isthmus::ThreeQuartersOfMemory(), AutomaticBytes)
-                : isthmus::ThreeQuartersOfMemory();
+  isthmus::MemoryBudget memory(filter->GetMemoryLimit());
+  if (automatic && filter->GetMemoryLimit() == 0)
+  {
+    memory = memory.AtMost(AutomaticBytes);
+  }
   parameters.TetGen = { filter->GetKeepSurface(), filter->GetRadiusEdgeRatio(),
     filter->GetMinimumDihedralAngle(), filter->GetMaximumVolume(), filter->GetTetGenCommand(),
-    { filter->GetTimeLimit(), bytes } };
+    { filter->GetTimeLimit(), memory.WholeBytes() } };
   parameters.CGAL.FacetAngle = filter->GetFacetAngle();
   parameters.CGAL.FacetSize = filter->GetFacetSize();
   parameters.CGAL.FacetDistance = filter->GetFacetDistance();
@@ -155,7 +156,7 @@ int vtkTetrahedralMesher::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   auto* grid = vtkUnstructuredGrid::GetData(output);
-  return isthmus::Guarded(this, grid,
+  return isthmus::Guarded(this, output,
     [&]
     {
       const auto surface = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0]));

@@ -271,7 +271,7 @@ TEST(MolecularFlowSurface, BadAtomsAreToldInASentence)
   refused({ sound[0], { { 1e300, 0.0, 0.0 }, 1.5 } }, "more than 2^31 nodes");
   std::vector<Ball> far = RandomBalls(50, 10.0);
   far.push_back({ { 1e6, 1e6, 0.0 }, 1.5 });
-  refused(far, "of memory, of which");
+  refused(far, "of memory, but only");
   refused(far, "Atom 50 lies");
   EXPECT_NE(errors.Of(AtomsOf({ sound[0], { { 2.0, 0.0, 0.0 }, nan } })).find("1 of 2 atoms"),
     std::string::npos);
@@ -331,7 +331,7 @@ TEST(MolecularFlowSurface, NumbersOutOfRangeAreToldInASentence)
   EXPECT_TRUE(errors.IsEmpty());
   filter->SetLevel(0.5);
   filter->SetSpacing(1e-3);
-  EXPECT_NE(errors.Of(atoms).find("of memory, of which"), std::string::npos);
+  EXPECT_NE(errors.Of(atoms).find("of memory, but only"), std::string::npos);
   filter->SetSpacing(1e-12);
   EXPECT_NE(errors.Of(atoms).find("more than 2^31 nodes"), std::string::npos);
   filter->SetSpacing(0.5);

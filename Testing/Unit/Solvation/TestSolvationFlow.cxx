@@ -283,5 +283,5 @@ TEST(SolvationFlow, BadInputIsToldInASentence)
   p.Solvent.SurfaceTension = -1.0;
   EXPECT_NE(said(Ion(2.0), p).find("SurfaceTension is "), std::string::npos);
   p = IonParameters(1e-3);
-  EXPECT_NE(said(Ion(2.0), p).find("of memory, of which"), std::string::npos);
+  EXPECT_NE(said(Ion(2.0), p).find("of memory, but only"), std::string::npos);
 }

@@ -331,7 +331,7 @@ TEST(IsosurfaceStuffing, WhatCannotBeMetIsRefused)
   EXPECT_NE(fails(std::nan(""), 0, 0).find("positive length"), std::string::npos);
   EXPECT_NE(fails(1e-9, 0, 0).find("262144 cells"), std::string::npos);
   EXPECT_NE(fails(0.1, 9, 0).find("0 (uniform) to 8"), std::string::npos);
-  EXPECT_NE(fails(0.01, 0, 1 << 20).find("limit of 1 MiB"), std::string::npos);
+  EXPECT_NE(fails(0.01, 0, 1 << 20).find("MemoryLimit is 1 MiB"), std::string::npos);
   EXPECT_EQ(fails(0.5, 0, 0), "");
   EXPECT_THROW(IsosurfaceStuffing([](const Point3&) { return -1.0; }, { { 0, 0, 0 }, { 1, 1, 1 } },
                  {}, [](double) { return false; }),
