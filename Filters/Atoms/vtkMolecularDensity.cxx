@@ -177,7 +177,7 @@ int vtkMolecularDensity::RequestData(
   vtkImageData* output = vtkImageData::GetData(outputVector, 0);
   vtkPointSet* input = vtkPointSet::GetData(inputVector[0], 0);
   output->Initialize();
-  return isthmus::Guarded(this, output,
+  return isthmus::Guarded(this, outputVector,
     [&]()
     {
       this->Advance->RequireOneRank(0, "atoms");

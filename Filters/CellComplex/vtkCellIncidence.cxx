@@ -191,8 +191,7 @@ int vtkCellIncidence::RequestData(
   vtkPolyData* edges = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* faces = vtkPolyData::GetData(outputVector, 1);
   const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
-  bool done = false;
-  const int result = isthmus::Guarded(this, edges,
+  return isthmus::Guarded(this, outputVector,
     [&]()
     {
       isthmus::RequireOneRank(this, input, "cells");
@@ -212,13 +211,7 @@ int vtkCellIncidence::RequestData(
           faces->SetPolys(polygons.MoveTo(faces, input, this->PassCellData));
           faces->GetCellData()->AddArray(second);
         });
-      done = true;
     });
-  if (!done)
-  {
-    faces->Initialize(); // Guarded has emptied the other output
-  }
-  return result;
 }
 
 void vtkCellIncidence::PrintSelf(ostream& os, vtkIndent indent)

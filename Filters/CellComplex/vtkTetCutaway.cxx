@@ -237,19 +237,12 @@ int vtkTetCutaway::RequestData(
     isthmus::Report(progress, 0.9);
     remainder.WriteCells(cells, remaining);
   };
-  bool done = false;
-  const int result = isthmus::Guarded(this, surface,
+  return isthmus::Guarded(this, outputVector,
     [&]()
     {
       isthmus::RequireOneRank(this, input, "cells");
       isthmus::WithMap(input, isthmus::Between(progress, 0.0, 0.6), cut);
-      done = true;
     });
-  if (!done)
-  {
-    remaining->Initialize(); // Guarded has emptied the other output
-  }
-  return result;
 }
 
 void vtkTetCutaway::PrintSelf(ostream& os, vtkIndent indent)

@@ -292,7 +292,7 @@ int vtkChokingLoops::RequestData(
 {
   vtkSmartPointer<vtkPolyData> whole;
   const auto gather = [&] { whole = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0])); };
-  if (isthmus::Succeeds(this, vtkPolyData::GetData(output, 0), gather))
+  if (isthmus::Succeeds(this, output, gather))
   {
     this->FindLoops(whole, vtkDataObject::GetData(input[1]), output);
   }
@@ -310,7 +310,7 @@ bool vtkChokingLoops::FindLoops(
   {
     return true;
   }
-  const bool found = isthmus::Succeeds(this, loops,
+  const bool found = isthmus::Succeeds(this, output,
     [&]
     {
       this->Analyse(surface, mesh);

@@ -94,7 +94,7 @@ int vtkHandleFilling::RequestData(
 {
   auto* surface = vtkPolyData::GetData(output, 0);
   auto* table = vtkTable::GetData(output, 1);
-  return isthmus::Guarded(this, surface,
+  return isthmus::Guarded(this, output,
     [&]
     {
       const auto whole = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0]));

@@ -191,7 +191,7 @@ int vtkLoopShortening::RequestData(
 {
   auto* loops = vtkPolyData::GetData(input[0]);
   auto* result = vtkPolyData::GetData(output);
-  return isthmus::Guarded(this, result,
+  return isthmus::Guarded(this, output,
     [&]
     {
       const auto whole =

@@ -150,7 +150,7 @@ int vtkMapChokingLoops::RequestData(
     isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));
     this->Contour(image);
   };
-  if (isthmus::Succeeds(this, surface, contour) && this->FindLoops(this->Surface, nullptr, output))
+  if (isthmus::Succeeds(this, output, contour) && this->FindLoops(this->Surface, nullptr, output))
   {
     surface->ShallowCopy(this->Surface);
     vtkNew<vtkDoubleArray> level;

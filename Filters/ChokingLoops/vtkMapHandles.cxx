@@ -321,7 +321,7 @@ void vtkMapHandles::FillSurfaces(const Work& work, vtkInformationVector* outputV
 int vtkMapHandles::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return isthmus::GuardedOutputs(this, outputVector,
+  return isthmus::Guarded(this, outputVector,
     [&]()
     {
       isthmus::RequireWholeExtent(inputVector[0]->GetInformationObject(0));

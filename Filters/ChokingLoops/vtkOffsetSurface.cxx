@@ -50,7 +50,7 @@ int vtkOffsetSurface::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   auto* result = vtkPolyData::GetData(output);
-  return isthmus::Guarded(this, result,
+  return isthmus::Guarded(this, output,
     [&]
     {
       const auto surface = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0]));

@@ -65,7 +65,7 @@ int vtkDelaunayIsosurface::RequestData(
 {
   auto* image = vtkImageData::GetData(input[0]);
   auto* surface = vtkPolyData::GetData(output);
-  return isthmus::Guarded(this, surface,
+  return isthmus::Guarded(this, output,
     [&]
     {
       isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));

@@ -217,7 +217,7 @@ int vtkDualContouring::RequestData(
   auto* image = vtkImageData::GetData(input[0]);
   auto* piece = vtkPolyData::GetData(input[0]);
   auto* result = vtkPolyData::GetData(output);
-  return isthmus::Guarded(this, result,
+  return isthmus::Guarded(this, output,
     [&]
     {
       const auto surface = isthmus::GatherSurface(this, piece);

@@ -220,7 +220,7 @@ int vtkMapSurface::RequestData(
 {
   auto* image = vtkImageData::GetData(input[0]);
   auto* surface = vtkPolyData::GetData(output);
-  return isthmus::Guarded(this, surface,
+  return isthmus::Guarded(this, output,
     [&]
     {
       isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));

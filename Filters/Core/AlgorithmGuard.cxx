@@ -29,16 +29,16 @@ vtkMTimeType LastChange(vtkAlgorithm* self)
 
 }
 
-void ReportError(vtkAlgorithm* self, const std::string& sentence)
+void ReportError(vtkAlgorithm* self, const std::string& message)
 {
-  const std::string words = std::to_string(LastChange(self)) + ' ' + sentence;
+  const std::string words = std::to_string(LastChange(self)) + ' ' + message;
   const char* last = LastWords()->Get(self->GetInformation());
   if (last && words == last)
   {
     return;
   }
   LastWords()->Set(self->GetInformation(), words);
-  vtkErrorWithObjectMacro(self, << Printable(sentence));
+  vtkErrorWithObjectMacro(self, << Printable(message));
 }
 
 }

@@ -1,7 +1,7 @@
 /**
  * @file AlgorithmGuard.h
- * @brief What every VTK class does around its algorithm: input checks, progress, abort, exceptions to
- * error messages, empty outputs.
+ * @brief What every VTK class does around its algorithm: input checks, progress, abort, exceptions
+ * to error messages, empty outputs.
  */
 #ifndef isthmus_AlgorithmGuard_h
 #define isthmus_AlgorithmGuard_h
@@ -23,16 +23,17 @@ namespace isthmus
 {
 
 /**
- * Tells `sentence` through vtkErrorMacro, unless it is what `self` said last and nothing has
- * changed since: neither `self` nor what it stands on.
+ * Reports `message` through vtkErrorMacro, unless it is what `self` reported last and nothing has
+ * changed since: neither `self` nor what precedes it in the pipeline.
  *
- * A pipeline asks for information and for data, the window does so for each of its parts, and
+ * A pipeline requests information and then data, the window does so for each of its parts, and
  * composite data bring a block at a time; all of them meet the same obstacle.
  */
-VTKISTHMUSFILTERSCORE_EXPORT void ReportError(vtkAlgorithm* self, const std::string& sentence);
+VTKISTHMUSFILTERSCORE_EXPORT void ReportError(vtkAlgorithm* self, const std::string& message);
 
-/// Progress of `algorithm` as VTK shows it; stops when it, what contains it, or what comes before
-/// it in the pipeline is told to. What comes after it then knows its output for a stopped one's.
+/// Progress of `algorithm` as VTK shows it; aborts the computation when the algorithm, what
+/// contains it, or what precedes it in the pipeline is aborted. What follows it in the pipeline
+/// then treats its output as aborted.
 inline ProgressCallback ProgressOf(vtkAlgorithm* algorithm)
 {
   return [algorithm](double fraction)
@@ -42,33 +43,13 @@ inline ProgressCallback ProgressOf(vtkAlgorithm* algorithm)
   };
 }
 
-/// Null is what a filter has for a block of a kind that it can't even make.
-inline void Clear(vtkDataObject* output)
+/// What the functions below are made of.
+namespace guard
 {
-  if (output)
-  {
-    output->Initialize();
-  }
-}
 
-/// Empties all outputs.
-inline void ClearAll(vtkInformationVector* outputs)
-{
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    Clear(vtkDataObject::GetData(outputs, port));
-  }
-}
-
-/**
- * Runs `body()`; true when it came to its end.
- *
- * Inputs of another type than asked for, as blocks of composite data can be, are refused first. A
- * stop on request leaves an empty output; an exception does, too, and its sentence is told once
- * (AlgorithmGuard.h).
- */
+/// True when `body` came to its end; else its exception is reported, unless it is Cancelled.
 template <typename Body>
-bool Succeeds(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
+bool Ends(vtkAlgorithm* self, Body&& body)
 {
   try
   {
@@ -87,28 +68,75 @@ bool Succeeds(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
   {
     ReportError(self, error.what());
   }
-  Clear(output);
   return false;
 }
 
-/// Runs `body()` likewise and returns what RequestData and RequestInformation should return, always
-/// 1: 0 would have VTK's executive add a page about its request to the sentence, and leave what
-/// stands on this output as it was before.
-template <typename Body>
-int Guarded(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
+/// Null is what a filter has for a block of a type that it cannot even create.
+inline void Clear(vtkDataObject* output)
 {
-  Succeeds(self, output, std::forward<Body>(body));
+  if (output)
+  {
+    output->Initialize();
+  }
+}
+
+inline void Clear(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    Clear(vtkDataObject::GetData(outputs, port));
+  }
+}
+
+}
+
+/**
+ * Guarded for filters that have to know whether `body` came to its end.
+ */
+template <typename Body>
+bool Succeeds(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
+{
+  if (outputs->GetNumberOfInformationObjects() > 1)
+  {
+    guard::Clear(outputs);
+  }
+  const bool ends = guard::Ends(self, std::forward<Body>(body));
+  if (!ends)
+  {
+    guard::Clear(outputs);
+  }
+  return ends;
+}
+
+/**
+ * The frame of every filter's RequestData:
+ *
+ *     return isthmus::Guarded(this, outputVector, [&] { ... });
+ *
+ * Inputs of another type than the filter requires, as blocks of composite data can be, and arrays
+ * that are too short are refused first (PipelineInputs.h); then `body` runs. An exception is
+ * reported as one error, once (ReportError). After an exception, and after an abort (Cancelled),
+ * all outputs are empty. A filter of several outputs begins with empty ones, since it may fill only
+ * some.
+ *
+ * Returns 1 always: after 0 VTK's executive would add a page about its request to the error, and
+ * leave what follows in the pipeline as it was before, instead of empty.
+ */
+template <typename Body>
+int Guarded(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
+{
+  Succeeds(self, outputs, std::forward<Body>(body));
   return 1;
 }
 
-/// Guarded for a filter of several outputs: all are empty unless `body` comes to its end.
+/// The same for an object that is no output's, or one output's only, as RequestInformation fills:
+/// it is empty unless `body` comes to its end.
 template <typename Body>
-int GuardedOutputs(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
+int Guarded(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
 {
-  ClearAll(outputs);
-  if (!Succeeds(self, vtkDataObject::GetData(outputs, 0), std::forward<Body>(body)))
+  if (!guard::Ends(self, std::forward<Body>(body)))
   {
-    ClearAll(outputs);
+    guard::Clear(output);
   }
   return 1;
 }

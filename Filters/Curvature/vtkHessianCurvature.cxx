@@ -282,7 +282,7 @@ int vtkHessianCurvature::RequestData(
     return 1;
   }
   vtkDataSet* output = vtkDataSet::GetData(outputVector, 0);
-  return isthmus::Guarded(this, output,
+  return isthmus::Guarded(this, outputVector,
     [&]()
     {
       this->CheckParameters();

@@ -352,15 +352,7 @@ int vtkScalarRegions::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  const auto clearTables = [&]()
-  {
-    for (const int port : { 1, 2, 3 })
-    {
-      vtkTable::GetData(outputVector, port)->Initialize();
-    }
-  };
-  clearTables();
-  const int result = isthmus::Guarded(this, output,
+  return isthmus::Guarded(this, outputVector,
     [&]()
     {
       const auto input = isthmus::GatherSurface(this, vtkPolyData::GetData(inputVector[0], 0));
@@ -370,11 +362,6 @@ int vtkScalarRegions::RequestData(
         this->Compute(input, output);
       }
     });
-  if (output->GetNumberOfCells() == 0)
-  {
-    clearTables(); // an error or a stop after the first of them
-  }
-  return result;
 }
 
 ThresholdedScalar vtkScalarRegions::Scalar(int index, vtkPolyData* input, std::string& name)

@@ -165,7 +165,7 @@ int vtkSurfaceCurvature::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  return isthmus::Guarded(this, output,
+  return isthmus::Guarded(this, outputVector,
     [&]()
     {
       const auto input = isthmus::GatherSurface(this, vtkPolyData::GetData(inputVector[0], 0));

@@ -143,14 +143,7 @@ int vtkPoissonBoltzmann::RequestUpdateExtent(
 int vtkPoissonBoltzmann::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataObject* outputs[3];
-  for (int port = 0; port < 3; ++port)
-  {
-    outputs[port] = vtkDataObject::GetData(outputVector, port);
-    outputs[port]->Initialize();
-  }
-  bool done = false;
-  const int result = isthmus::Guarded(this, outputs[0],
+  return isthmus::Guarded(this, outputVector,
     [&]()
     {
       vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
@@ -160,14 +153,7 @@ int vtkPoissonBoltzmann::RequestData(
       {
         this->Solve(inputVector, outputVector);
       }
-      done = true;
     });
-  if (!done)
-  {
-    outputs[1]->Initialize();
-    outputs[2]->Initialize();
-  }
-  return result;
 }
 
 isthmus::PoissonBoltzmannParameters vtkPoissonBoltzmann::Parameters() const

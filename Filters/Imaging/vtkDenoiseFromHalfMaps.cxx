@@ -170,7 +170,7 @@ int vtkDenoiseFromHalfMaps::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   auto* image = vtkImageData::GetData(output);
-  return isthmus::Guarded(this, image,
+  return isthmus::Guarded(this, output,
     [&]
     {
       auto* one = vtkImageData::GetData(input[0]);

@@ -124,7 +124,7 @@ int vtkDiffusionAlgorithm::RequestData(
     output->Initialize();
     return 1;
   }
-  return isthmus::Guarded(this, output,
+  return isthmus::Guarded(this, outputs,
     [&]()
     {
       isthmus::RequireNoBlocks(this);

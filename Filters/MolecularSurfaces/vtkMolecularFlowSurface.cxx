@@ -311,10 +311,7 @@ int vtkMolecularFlowSurface::RequestData(
   vtkPolyData* surface = vtkPolyData::GetData(outputVector, 0);
   vtkImageData* image = vtkImageData::GetData(outputVector, 1);
   vtkTable* history = vtkTable::GetData(outputVector, 2);
-  surface->Initialize();
-  image->Initialize();
-  history->Initialize();
-  return isthmus::Guarded(this, surface,
+  return isthmus::Guarded(this, outputVector,
     [&]()
     {
       const Internals internals(this);

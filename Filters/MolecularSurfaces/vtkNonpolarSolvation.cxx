@@ -191,9 +191,7 @@ int vtkNonpolarSolvation::RequestData(
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
-  output->Initialize();
-  table->Initialize();
-  return isthmus::Guarded(this, output,
+  return isthmus::Guarded(this, outputVector,
     [&]()
     {
       CheckNumber("SurfaceTension", this->SurfaceTension, true);

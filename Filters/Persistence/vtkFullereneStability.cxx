@@ -200,9 +200,7 @@ int vtkFullereneStability::RequestData(
 {
   vtkTable* rows = vtkTable::GetData(outputVector, 0);
   vtkTable* bars = vtkTable::GetData(outputVector, 1);
-  rows->Initialize();
-  bars->Initialize();
-  const int result = isthmus::Guarded(this, rows,
+  return isthmus::Guarded(this, outputVector,
     [&]()
     {
       this->CheckParameters();
@@ -213,11 +211,6 @@ int vtkFullereneStability::RequestData(
         this->AddMolecule(vtkDataObject::GetData(inputVector[0], i), i, tables);
       }
     });
-  if (rows->GetNumberOfColumns() == 0)
-  {
-    bars->Initialize();
-  }
-  return result;
 }
 
 void vtkFullereneStability::PrintSelf(ostream& os, vtkIndent indent)

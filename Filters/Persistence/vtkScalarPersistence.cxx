@@ -192,7 +192,7 @@ void vtkScalarPersistence::FillSimplified(const Work& work, vtkInformationVector
 int vtkScalarPersistence::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return isthmus::GuardedOutputs(this, outputVector,
+  return isthmus::Guarded(this, outputVector,
     [&]()
     {
       isthmus::RequireWholeExtent(inputVector[0]->GetInformationObject(0));

@@ -82,8 +82,7 @@ int vtkBindingSites::RequestData(
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
-  table->Initialize();
-  return isthmus::Guarded(this, output,
+  return isthmus::Guarded(this, outputVector,
     [&]()
     {
       const auto surface = isthmus::GatherSurface(this, vtkPolyData::GetData(inputVector[0]));

@@ -99,16 +99,7 @@ int vtkFeatureTracks::RequestUpdateExtent(
 int vtkFeatureTracks::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto clear = [&]()
-  {
-    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-    {
-      vtkDataObject::GetData(outputVector, port)->Initialize();
-    }
-    this->Data->Clear();
-    request->Remove(Pipeline::CONTINUE_EXECUTING());
-  };
-  const bool done = isthmus::Succeeds(this, vtkDataObject::GetData(outputVector, 0),
+  const bool done = isthmus::Succeeds(this, outputVector,
     [&]()
     {
       this->Data->Add(
@@ -129,11 +120,13 @@ int vtkFeatureTracks::RequestData(
       {
         this->Finish(outputVector);
       }
+      isthmus::Report(isthmus::ProgressOf(this), 1.0);
       this->Data->Clear();
     });
-  if (!done || this->CheckAbort())
+  if (!done)
   {
-    clear();
+    this->Data->Clear();
+    request->Remove(Pipeline::CONTINUE_EXECUTING());
   }
   return 1;
 }

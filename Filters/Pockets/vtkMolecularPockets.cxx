@@ -115,11 +115,7 @@ int vtkMolecularPockets::RequestData(
 {
   vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
   vtkPolyData* surface = vtkPolyData::GetData(inputVector[1], 0);
-  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-  {
-    vtkDataObject::GetData(outputVector, port)->Initialize();
-  }
-  const bool done = isthmus::Succeeds(this, vtkDataObject::GetData(outputVector, 0),
+  return isthmus::Guarded(this, outputVector,
     [&]()
     {
       isthmus::RequireOneRank(this, atoms, "atoms");
@@ -127,15 +123,8 @@ int vtkMolecularPockets::RequestData(
       {
         this->Compute(atoms, surface, outputVector);
       }
+      isthmus::Report(isthmus::ProgressOf(this), 1.0);
     });
-  if (!done || this->CheckAbort())
-  {
-    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-    {
-      vtkDataObject::GetData(outputVector, port)->Initialize();
-    }
-  }
-  return 1;
 }
 
 void vtkMolecularPockets::Compute(

@@ -146,7 +146,7 @@ int vtkPolarizedCurvature::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return isthmus::Guarded(this, output,
+  return isthmus::Guarded(this, outputVector,
     [&]()
     {
       vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);

@@ -140,15 +140,7 @@ int vtkPoreProfile::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPointSet* input = vtkPointSet::GetData(inputVector[0], 0);
-  const auto clear = [&]()
-  {
-    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-    {
-      vtkDataObject::GetData(outputVector, port)->Initialize();
-    }
-  };
-  clear();
-  const bool done = isthmus::Succeeds(this, vtkDataObject::GetData(outputVector, 0),
+  return isthmus::Guarded(this, outputVector,
     [&]()
     {
       isthmus::RequireOneRank(this, input, "atoms");
@@ -156,12 +148,8 @@ int vtkPoreProfile::RequestData(
       {
         this->Compute(input, outputVector);
       }
+      isthmus::Report(isthmus::ProgressOf(this), 1.0);
     });
-  if (!done || this->CheckAbort())
-  {
-    clear();
-  }
-  return 1;
 }
 
 void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)

@@ -67,7 +67,7 @@ int vtkSurfaceRemesh::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   auto* after = vtkPolyData::GetData(output);
-  return isthmus::Guarded(this, after,
+  return isthmus::Guarded(this, output,
     [&]
     {
       const auto before = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0]));

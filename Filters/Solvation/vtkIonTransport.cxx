@@ -270,7 +270,7 @@ int vtkIonTransport::RequestUpdateExtent(
 int vtkIonTransport::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return isthmus::GuardedOutputs(this, outputVector,
+  return isthmus::Guarded(this, outputVector,
     [&]()
     {
       const Internals internals(this);

@@ -197,11 +197,7 @@ int vtkSolvationSurface::RequestUpdateExtent(
 int vtkSolvationSurface::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  for (int port = 0; port < 3; ++port)
-  {
-    vtkDataObject::GetData(outputVector, port)->Initialize();
-  }
-  return isthmus::Guarded(this, vtkDataObject::GetData(outputVector, 0),
+  return isthmus::Guarded(this, outputVector,
     [&]()
     {
       const Internals internals(this);

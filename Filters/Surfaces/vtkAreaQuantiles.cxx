@@ -68,7 +68,7 @@ int vtkAreaQuantiles::RequestData(
 {
   auto* data = vtkDataSet::GetData(input[0]);
   auto* table = vtkTable::GetData(output);
-  return isthmus::Guarded(this, table,
+  return isthmus::Guarded(this, output,
     [&]
     {
       if (data->GetNumberOfPoints() == 0)

@@ -146,8 +146,7 @@ int vtkSurfaceMeasures::RequestData(
 {
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
-  table->Initialize();
-  return isthmus::Guarded(this, output,
+  return isthmus::Guarded(this, outputVector,
     [&]()
     {
       output->ShallowCopy(vtkDataObject::GetData(inputVector[0], 0));

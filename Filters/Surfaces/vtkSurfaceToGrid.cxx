@@ -162,9 +162,7 @@ int vtkSurfaceToGrid::RequestData(
 {
   vtkImageData* output = vtkImageData::GetData(outputVector, 0);
   vtkPolyData* crossings = vtkPolyData::GetData(outputVector, 1);
-  output->Initialize();
-  crossings->Initialize();
-  const int result = isthmus::Guarded(this, output,
+  const int result = isthmus::Guarded(this, outputVector,
     [&]()
     {
       isthmus::RequireWholeExtent(inputVector[0]->GetInformationObject(0));

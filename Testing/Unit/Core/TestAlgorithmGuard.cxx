@@ -51,7 +51,7 @@ protected:
   {
     auto* result = vtkPolyData::GetData(output);
     result->ShallowCopy(vtkPolyData::GetData(input[0]));
-    return isthmus::Guarded(this, result, [this] { this->Fail(); });
+    return isthmus::Guarded(this, output, [this] { this->Fail(); });
   }
 
 private:
@@ -65,6 +65,42 @@ private:
 };
 
 vtkStandardNewMacro(Failing);
+
+/// Fills both outputs, then fails with Sentence, or is aborted where there is none.
+class FailingTwice : public vtkPolyDataAlgorithm
+{
+public:
+  static FailingTwice* New();
+  vtkTypeMacro(FailingTwice, vtkPolyDataAlgorithm);
+  std::string Sentence;
+  bool Sound = false;
+
+protected:
+  FailingTwice() { this->SetNumberOfOutputPorts(2); }
+
+  int RequestData(
+    vtkInformation*, vtkInformationVector** input, vtkInformationVector* outputs) override
+  {
+    return isthmus::Guarded(this, outputs,
+      [&]
+      {
+        for (int port = 0; port < 2; ++port)
+        {
+          vtkPolyData::GetData(outputs, port)->ShallowCopy(vtkPolyData::GetData(input[0]));
+        }
+        if (!this->Sound)
+        {
+          if (this->Sentence.empty())
+          {
+            throw isthmus::Cancelled();
+          }
+          throw std::runtime_error(this->Sentence);
+        }
+      });
+  }
+};
+
+vtkStandardNewMacro(FailingTwice);
 
 /// What an algorithm and its executive say, each sentence an entry.
 class Ear
@@ -147,6 +183,30 @@ TEST(AlgorithmGuard, WhatStandsOnItIsEmptiedAndComesBack)
   after->Update();
   EXPECT_EQ(after->GetOutput()->GetNumberOfPoints(), points);
   EXPECT_EQ(ear.Said.size(), 1U);
+}
+
+TEST(AlgorithmGuard, AllOutputsAreEmptyAfterAnErrorAndAfterAnAbort)
+{
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<FailingTwice> failing;
+  const Ear ear(failing);
+  failing->SetInputConnection(sphere->GetOutputPort());
+  const auto pointsOf = [&](int port)
+  { return vtkPolyData::SafeDownCast(failing->GetOutputDataObject(port))->GetNumberOfPoints(); };
+  failing->Sound = true;
+  failing->Update();
+  EXPECT_GT(pointsOf(0), 0);
+  EXPECT_GT(pointsOf(1), 0);
+  for (const char* sentence : { "The sky is down: lift it.", "" })
+  {
+    failing->Sound = false;
+    failing->Sentence = sentence;
+    failing->Modified();
+    failing->Update();
+    EXPECT_EQ(pointsOf(0), 0) << sentence;
+    EXPECT_EQ(pointsOf(1), 0) << sentence;
+  }
+  EXPECT_EQ(ear.Said.size(), 1U); // an abort is no error
 }
 
 TEST(AlgorithmGuard, AFilterThatLooksAheadSaysItOnce)
