@@ -7,7 +7,7 @@
 #include "Remeshing/SelfIntersections.h"
 #include "Remeshing/SurfaceBoolean.h"
 #include "Remeshing/ThinTriangles.h"
-#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 
 #include <algorithm>

@@ -38,7 +38,7 @@ using SurfaceChain = std::vector<SurfaceEdgeId>;
 /**
  * Half edge 3 t + k runs from corner k of triangle t to corner k + 1 (mod 3); t lies to its left.
  *
- * The surface must be closed, manifold and oriented (FindDefects() (SurfaceCheck.h)).
+ * The surface must be closed, manifold and oriented (FindDefects() (SurfaceDefects.h)).
  */
 class SurfaceAdjacency
 {

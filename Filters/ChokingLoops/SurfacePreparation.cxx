@@ -6,8 +6,8 @@
 #include "Remeshing/SelfIntersections.h"
 #include "Remeshing/SurfaceRepair.h"
 #include "Remeshing/ThinTriangles.h"
-#include "Surfaces/SurfaceCheck.h"
-#include "Surfaces/SurfaceIntake.h"
+#include "Surfaces/SurfaceCleaning.h"
+#include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 
 #include <algorithm>

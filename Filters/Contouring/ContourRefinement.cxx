@@ -6,7 +6,7 @@
 #include "Core/Geometry.h"
 #include "Core/Index.h"
 #include "Remeshing/SelfIntersections.h"
-#include "Surfaces/SurfaceMove.h"
+#include "Surfaces/HausdorffDistance.h"
 
 #include <map>
 #include <optional>

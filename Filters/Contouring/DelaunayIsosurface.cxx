@@ -4,7 +4,7 @@
 #include "Core/RangeChecks.h"
 #include "Remeshing/CGALSurface.h"
 #include "Remeshing/CGALWithoutDumps.h"
-#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 
 #include <CGAL/Labeled_mesh_domain_3.h>

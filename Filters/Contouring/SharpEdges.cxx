@@ -1,7 +1,7 @@
 #include "Contouring/SharpEdges.h"
 
 #include "Core/Index.h"
-#include "Surfaces/SurfaceIntake.h"
+#include "Surfaces/SurfaceCleaning.h"
 
 #include <tuple>
 

@@ -31,8 +31,8 @@ public:
   enum class Damage
   {
     Refused,
-    Kept ///< for what looks for it (SurfaceCheck.h) or mends it; polygons that can't be split lack
-         ///< triangles. Corners of what must be split have to be points even so.
+    Kept ///< for what looks for it (SurfaceDefects.h) or mends it; polygons that can't be split
+         ///< lack triangles. Corners of what must be split have to be points even so.
   };
 
   /// @throws std::invalid_argument, with the number of the cell or point, for a corner that is not
@@ -67,7 +67,7 @@ private:
 };
 
 /// The triangles of `surface` as PolyDataTriangles makes them, damage kept: for what looks for it
-/// (SurfaceCheck.h) or mends it.
+/// (SurfaceDefects.h) or mends it.
 /// @throws std::invalid_argument, with the cell, for a corner that is no point, where some cells
 /// are not triangles.
 VTKISTHMUSFILTERSCORE_EXPORT TriangleMesh MeshOf(vtkPolyData* surface);

@@ -7,7 +7,7 @@
 #include "Curvature/CurvatureDescriptors.h"
 #include "Curvature/SurfaceCurvature.h"
 #include "Curvature/SurfaceTypeNames.h"
-#include "Surfaces/SurfaceIntake.h"
+#include "Surfaces/SurfaceCleaning.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkInformation.h>
@@ -93,8 +93,8 @@ void Spread(const std::vector<vtkIdType>& places, SurfaceCurvatureResult& result
   spread(result.Direction2, 3);
 }
 
-/// Curvature with points that coincide as one (SurfaceIntake.h) where the surface is not closed and
-/// regular as it is: files with texture coordinates or normals at corners are so at every seam.
+/// Curvature with points that coincide as one (SurfaceCleaning.h) where the surface is not closed
+/// and regular as it is: files with texture coordinates or normals at corners are so at every seam.
 /// `places`: for each point the one that stands for its place, empty where all are their own.
 SurfaceCurvatureResult CurvatureOfPlaces(const isthmus::SurfaceView& mesh,
   const isthmus::SurfaceCurvatureOptions& options, const isthmus::ProgressCallback& progress,

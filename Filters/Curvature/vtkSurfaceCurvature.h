@@ -19,7 +19,7 @@
  * one-sided, with an error of the order of edge length / Radius), at points without triangles,
  * around which the surface is not a disc or not wound alike, at triangles without area, and where
  * obtuse triangles make the Voronoi area negative (choose Mixed). A warning counts them; boundaries
- * are no reason for one. Points that coincide are one (SurfaceIntake.h): a file with texture
+ * are no reason for one. Points that coincide are one (SurfaceCleaning.h): a file with texture
  * coordinates or normals at corners has no border at its seams; `PointArea` is shared among them.
  *
  * **Sign.** A sphere has positive curvature, 1/r. Which side is outside is chosen by Orientation.

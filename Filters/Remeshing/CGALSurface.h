@@ -31,7 +31,7 @@ inline Point3 FromCGAL(const Point& p)
 }
 
 /// Triangles in their order, so that face i is triangle i; points in theirs, unused ones included.
-/// @pre the mesh is manifold and oriented (SurfaceCheck.h).
+/// @pre the mesh is manifold and oriented (SurfaceDefects.h).
 /// @throws std::invalid_argument where it is not.
 inline SurfaceMesh ToSurfaceMesh(const SurfaceView& mesh)
 {

@@ -3,7 +3,7 @@
 #include "Core/RangeChecks.h"
 #include "Core/UnitScale.h"
 #include "Remeshing/CGALSurface.h"
-#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceDefects.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
@@ -236,7 +236,7 @@ RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParame
   }
   const double length = parameters.EdgeLength;
   const double expected = ExpectedTriangles(mesh, length);
-  DemandResolved(mesh);
+  RequireResolved(mesh);
   RequireRange("NumberOfIterations", parameters.Iterations, 0, 1000, "It counts rounds.");
   RequireRange("FeatureAngle", parameters.FeatureAngle, 0.0, 180.0, "It is an angle in degrees.");
   return cgal::WithSentence("remeshing the surface",

@@ -2,8 +2,8 @@
 
 #include "Core/UnitScale.h"
 #include "Remeshing/CGALSurface.h"
-#include "Surfaces/SurfaceCheck.h"
-#include "Surfaces/SurfaceIntake.h"
+#include "Surfaces/SurfaceCleaning.h"
+#include "Surfaces/SurfaceDefects.h"
 
 // Patches are replaced, not smoothed first: by triangles without area smoothing moves points to
 // NaN, for which GMP raises SIGFPE (CGAL 5.5); and it took 16 times as long for 2 % more clean

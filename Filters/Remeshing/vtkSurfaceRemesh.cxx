@@ -4,7 +4,7 @@
 #include "Core/GatherRanks.h"
 #include "Core/PolyDataTriangles.h"
 #include "Remeshing/SurfaceRemesh.h"
-#include "Surfaces/SurfaceIntake.h"
+#include "Surfaces/SurfaceCleaning.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -20,7 +20,7 @@ namespace
 {
 
 /// Numbers of the old points at the new ones, by the corners of the triangle each lies on.
-void InterpolatePointData(vtkPolyData* from, const isthmus::TakenSurface& old,
+void InterpolatePointData(vtkPolyData* from, const isthmus::CleanedSurface& old,
   const std::vector<isthmus::SurfaceLocation>& locations, vtkPolyData* to)
 {
   vtkPointData* source = from->GetPointData();
@@ -72,7 +72,7 @@ int vtkSurfaceRemesh::RequestData(
     {
       const auto before = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0]));
       const auto progress = isthmus::ProgressOf(this);
-      const isthmus::TakenSurface taken = isthmus::TakeSurface(isthmus::MeshOf(before));
+      const isthmus::CleanedSurface taken = isthmus::CleanSurface(isthmus::MeshOf(before));
       const isthmus::TriangleMesh& mesh = taken.Mesh;
       if (mesh.Triangles.empty())
       {

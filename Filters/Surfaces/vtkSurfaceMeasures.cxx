@@ -5,7 +5,7 @@
 #include "Core/ImageScalars.h"
 #include "Core/PolyDataTriangles.h"
 #include "Surfaces/CartesianMeasures.h"
-#include "Surfaces/SurfaceIntake.h"
+#include "Surfaces/SurfaceCleaning.h"
 #include "Surfaces/SurfaceMeasures.h"
 
 #include <vtkDataSetAttributes.h>

@@ -2,9 +2,9 @@
 
 #include "Core/Geometry.h"
 #include "Remeshing/SurfaceRepair.h"
+#include "Surfaces/HausdorffDistance.h"
 #include "Surfaces/ShellNesting.h"
-#include "Surfaces/SurfaceCheck.h"
-#include "Surfaces/SurfaceMove.h"
+#include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "Tetrahedra/SolidStuffing.h"
 
@@ -227,7 +227,7 @@ private:
   {
     if (this->Parameters.Side != MeshedSide::Outside)
     {
-      return SkinOf(this->Result.Mesh);
+      return BoundarySurface(this->Result.Mesh);
     }
     TetrahedralMesh outside = this->Result.Mesh;
     Bounds3 box{ outside.Points.at(0), outside.Points.at(0) };
@@ -237,7 +237,7 @@ private:
     }
     const double slack = 1e-7 * box.Diagonal(); // CGAL's corners of the box are rounded
     outside.Regions.assign(outside.Tetrahedra.size(), 1);
-    TriangleMesh skin = SkinOf(outside);
+    TriangleMesh skin = BoundarySurface(outside);
     const auto isBox = [&](const Triangle& t)
     {
       for (std::size_t a = 0; a < 3; ++a)

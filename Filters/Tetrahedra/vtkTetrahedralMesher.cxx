@@ -6,7 +6,7 @@
 #include "Core/PolyDataTriangles.h"
 #include "Core/TetrahedralMesh.h"
 #include "Remeshing/SurfaceRepair.h"
-#include "Surfaces/SurfaceIntake.h"
+#include "Surfaces/SurfaceCleaning.h"
 #include "Tetrahedra/AutomaticMesher.h"
 #include "Tetrahedra/TetrahedralGrid.h"
 #include "Tetrahedra/TetrahedralMesher.h"
@@ -103,7 +103,7 @@ void RenameOriginals(const std::vector<std::int64_t>& original, isthmus::Tetrahe
 }
 
 /// Fills `grid` by whatever way works; returns what the user should be warned of.
-std::string FillByAnyWay(const isthmus::TakenSurface& surface,
+std::string FillByAnyWay(const isthmus::CleanedSurface& surface,
   const isthmus::TetrahedralParameters& parameters, const isthmus::ProgressCallback& progress,
   vtkUnstructuredGrid* grid)
 {
@@ -118,7 +118,7 @@ std::string FillByAnyWay(const isthmus::TakenSurface& surface,
 }
 
 /// Fills `grid` by the library asked for, after repair if that is wanted; returns likewise.
-std::string FillByLibrary(const isthmus::TakenSurface& surface, bool repair,
+std::string FillByLibrary(const isthmus::CleanedSurface& surface, bool repair,
   isthmus::TetrahedralParameters parameters, const isthmus::ProgressCallback& progress,
   vtkUnstructuredGrid* grid)
 {
@@ -160,7 +160,7 @@ int vtkTetrahedralMesher::RequestData(
     [&]
     {
       const auto surface = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0]));
-      const isthmus::TakenSurface taken = isthmus::TakeSurface(isthmus::MeshOf(surface));
+      const isthmus::CleanedSurface taken = isthmus::CleanSurface(isthmus::MeshOf(surface));
       const isthmus::TetrahedralParameters parameters = ParametersOf(this);
       const auto progress = isthmus::ProgressOf(this);
       grid->GetFieldData()->PassData(surface->GetFieldData());

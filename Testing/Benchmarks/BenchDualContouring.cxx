@@ -6,7 +6,7 @@
 
 #include "Contouring/DualContouring.h"
 #include "Core/PolyDataTriangles.h"
-#include "Surfaces/SurfaceMove.h"
+#include "Surfaces/HausdorffDistance.h"
 #include "Tetrahedra/MeshQuality.h"
 #include "vtkDelaunayIsosurface.h"
 #include "vtkDualContouring.h"

@@ -4,7 +4,7 @@
 #include "ChokingLoops/LoopDrawing.h"
 #include "ChokingLoops/SurfacePaths.h"
 #include "ChokingSurfaces.h"
-#include "Surfaces/SurfaceIntake.h"
+#include "Surfaces/SurfaceCleaning.h"
 #include "vtkChokingLoops.h"
 
 #include <vtkCellArray.h>

@@ -2,7 +2,7 @@
 
 #include "BeadShapes.h"
 #include "Remeshing/SelfIntersections.h"
-#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "vtkHandleFilling.h"
 

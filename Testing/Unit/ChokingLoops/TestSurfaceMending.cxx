@@ -5,7 +5,7 @@
 #include "ChokingSurfaces.h"
 #include "Remeshing/SelfIntersections.h"
 #include "Remeshing/ThinTriangles.h"
-#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceDefects.h"
 #include "TopologyFilterRun.h"
 
 #include <vtkCellData.h>

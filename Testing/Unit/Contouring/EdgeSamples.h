@@ -6,7 +6,7 @@
 #define isthmus_EdgeSamples_h
 
 #include "Core/TriangleMesh.h"
-#include "Surfaces/SurfaceMove.h"
+#include "Surfaces/HausdorffDistance.h"
 
 #include <cmath>
 #include <map>
@@ -46,7 +46,7 @@ inline std::vector<SharpSide> SharpSides(const TriangleMesh& solid)
   return sides;
 }
 
-/// Points of no extent, as triangles, for the searches of SurfaceMove.h.
+/// Points of no extent, as triangles, for the searches of HausdorffDistance.h.
 inline TriangleMesh AsMesh(std::vector<Point3> points)
 {
   TriangleMesh mesh;

@@ -6,7 +6,7 @@
 #define isthmus_SampledGrid_h
 
 #include "Contouring/LevelTriangles.h"
-#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceDefects.h"
 
 #include <algorithm>
 #include <array>

@@ -8,9 +8,9 @@
 #include "Remeshing/SelfIntersections.h"
 #include "SharedData.h"
 #include "SurfaceFiles.h"
+#include "Surfaces/HausdorffDistance.h"
 #include "Surfaces/ShellNesting.h"
-#include "Surfaces/SurfaceCheck.h"
-#include "Surfaces/SurfaceMove.h"
+#include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "Surfaces/TriangleTree.h"
 

@@ -2,7 +2,7 @@
 
 #include "Contouring/ClosedLevelSet.h"
 #include "SharedData.h"
-#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "Tetrahedra/MeshQuality.h"
 #include "vtkDelaunayIsosurface.h"

@@ -2,8 +2,8 @@
 
 #include "DualContours.h"
 #include "SurfaceFiles.h"
-#include "Surfaces/SurfaceCheck.h"
-#include "Surfaces/SurfaceMove.h"
+#include "Surfaces/HausdorffDistance.h"
+#include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "Surfaces/TriangleTree.h"
 

@@ -3,7 +3,7 @@
 #include "Contouring/LevelTriangles.h"
 #include "Core/Geometry.h"
 #include "SampledGrid.h"
-#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 
 #include <vtkSMPTools.h>

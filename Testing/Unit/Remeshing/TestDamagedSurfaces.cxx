@@ -8,8 +8,8 @@
 #include "Remeshing/SurfaceRepair.h"
 #include "SharedData.h"
 #include "SurfaceFiles.h"
-#include "Surfaces/SurfaceCheck.h"
-#include "Surfaces/SurfaceMove.h"
+#include "Surfaces/HausdorffDistance.h"
+#include "Surfaces/SurfaceDefects.h"
 #include "TetrahedralChecks.h"
 
 #include <vtkQuadricDecimation.h>
@@ -110,7 +110,7 @@ void Fill(const DamagedSurface& surface, Row& row)
   // A surface that moves by no more than this sweeps no more than that; what is enclosed by one
   // that crosses itself is a matter of reading, which the report says.
   EXPECT_TRUE(surface.Volume >= 0.0 || made.IsDoubtful) << made.Report;
-  const double swept = 1.5 * AreaOf(SkinOf(made.Mesh)) * made.Hausdorff;
+  const double swept = 1.5 * AreaOf(BoundarySurface(made.Mesh)) * made.Hausdorff;
   EXPECT_LE(surface.Volume >= 0.0 ? off : 0.0, 0.01 * truth + swept) << made.Report;
 }
 

@@ -4,7 +4,7 @@
 #include "ChokingSurfaces.h"
 #include "Remeshing/CGALSurface.h"
 #include "Remeshing/SelfIntersections.h"
-#include "Surfaces/SurfaceIntake.h"
+#include "Surfaces/SurfaceCleaning.h"
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 

@@ -3,7 +3,7 @@
 #include "Core/PolyDataTriangles.h"
 #include "SharedData.h"
 #include "SurfaceFiles.h"
-#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "Tetrahedra/MeshQuality.h"
 #include "vtkSurfaceRemesh.h"

@@ -6,7 +6,7 @@
 #include "SharedData.h"
 #include "SurfaceFiles.h"
 #include "SurfaceTable.h"
-#include "Surfaces/SurfaceMove.h"
+#include "Surfaces/HausdorffDistance.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "Surfaces/TriangleTree.h"
 #include "TetrahedralChecks.h"
@@ -59,7 +59,7 @@ void Damage(TriangleMesh& mesh, std::mt19937& random)
 /// The largest distance of the surface's sound corners from the skin, each triangle looked at.
 double FarthestCorner(const TriangleMesh& surface, const TetrahedralMesh& mesh)
 {
-  const TriangleMesh skin = SkinOf(mesh);
+  const TriangleMesh skin = BoundarySurface(mesh);
   const auto count = static_cast<std::int64_t>(surface.Points.size());
   double farthest = 0.0;
   for (const Triangle& t : surface.Triangles)

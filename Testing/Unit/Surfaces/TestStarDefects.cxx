@@ -1,7 +1,7 @@
 // Defects of surfaces that are nothing but defects, beside their definitions taken literally.
 
-#include "Surfaces/SurfaceCheck.h"
-#include "Surfaces/SurfaceIntake.h"
+#include "Surfaces/SurfaceCleaning.h"
+#include "Surfaces/SurfaceDefects.h"
 
 #include <gtest/gtest.h>
 

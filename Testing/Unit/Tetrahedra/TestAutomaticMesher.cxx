@@ -2,7 +2,7 @@
 
 #include "MeshedSpheres.h"
 #include "SurfaceFiles.h"
-#include "Surfaces/SurfaceMove.h"
+#include "Surfaces/HausdorffDistance.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "TetrahedralChecks.h"
 
@@ -15,7 +15,7 @@
 using namespace isthmus;
 using namespace isthmus::testing;
 
-TEST(SurfaceMove, HausdorffDistanceOfConcentricSpheres)
+TEST(HausdorffDistance, HausdorffDistanceOfConcentricSpheres)
 {
   const TriangleMesh a = Sphere({ 0, 0, 0 }, 1.0, 60), b = Sphere({ 0, 0, 0 }, 1.2, 60);
   EXPECT_NEAR(HausdorffDistance(a, b), 0.2, 0.005);

@@ -8,7 +8,7 @@
 #include "LongTests.h"
 #include "Remeshing/SurfaceRemesh.h"
 #include "Remeshing/SurfaceRepair.h"
-#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceDefects.h"
 #include "Tetrahedra/TetrahedralMesher.h"
 
 #include <vtkCleanPolyData.h>

@@ -7,7 +7,7 @@
 #include "SharedData.h"
 #include "SurfaceFiles.h"
 #include "SurfaceTable.h"
-#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "Tetrahedra/TetrahedralMesher.h"
 #include "vtkMSMSReader.h"

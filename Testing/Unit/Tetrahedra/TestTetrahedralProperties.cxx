@@ -2,7 +2,7 @@
 
 #include "Core/PolyDataTriangles.h"
 #include "SurfaceFiles.h"
-#include "Surfaces/SurfaceMove.h"
+#include "Surfaces/HausdorffDistance.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "Tetrahedra/TetrahedralMesher.h"
 #include "TetrahedralChecks.h"
@@ -65,7 +65,7 @@ Measured Measure(const TetrahedralMesh& mesh, const TriangleMesh& surface)
     m.SmallestDihedral = std::min(m.SmallestDihedral, cell.Smallest);
     m.Volume = std::max(m.Volume, VolumeOf(mesh, i));
   }
-  const TriangleMesh skin = SkinOf(mesh);
+  const TriangleMesh skin = BoundarySurface(mesh);
   for (const Triangle& t : skin.Triangles)
   {
     const auto at = [&](std::size_t c) { return skin.Points[static_cast<std::size_t>(t[c])]; };

@@ -4,7 +4,7 @@
 #include "Meshes/MSMSReader.h"
 #include "SharedData.h"
 #include "Surfaces/ShellNesting.h"
-#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 
 #include <vtkCellData.h>

@@ -1,13 +1,13 @@
 /**
- * @file SurfaceIntake.h
- * @brief One rule for surfaces that come in: points that coincide are one, and what is open is
- * named.
+ * @file SurfaceCleaning.h
+ * @brief Surfaces as algorithms need them: coinciding points merged, triangles without area removed
+ * (nothing else moves), and why a surface is open.
  */
-#ifndef isthmus_SurfaceIntake_h
-#define isthmus_SurfaceIntake_h
+#ifndef isthmus_SurfaceCleaning_h
+#define isthmus_SurfaceCleaning_h
 
 #include "Core/TriangleMesh.h"
-#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceDefects.h"
 #include "vtkIsthmusFiltersSurfacesModule.h"
 
 #include <string>
@@ -27,7 +27,7 @@ VTKISTHMUSFILTERSSURFACES_EXPORT TriangleMesh MergePoints(
   const SurfaceView& surface, std::vector<std::int64_t>* original = nullptr);
 
 /// A surface as algorithms want it that need each place once.
-struct TakenSurface
+struct CleanedSurface
 {
   TriangleMesh Mesh;
   std::vector<std::int64_t> OriginalPoints; ///< for each point: its id in what came in
@@ -35,11 +35,11 @@ struct TakenSurface
 
 /**
  * `surface` as it is where FindDefects finds nothing; else with coinciding points merged
- * (MergePoints) and without triangles that have no area (FlatTriangles.h). Holes and whatever else
- * there is stay. Where a corner is no point, or one is not finite, it stays as it is altogether,
- * for what repairs or refuses it. O(n).
+ * (MergePoints) and without triangles that have no area (SurfaceCleaning.h). Holes and whatever
+ * else there is stay. Where a corner is no point, or one is not finite, it stays as it is
+ * altogether, for what repairs or refuses it. O(n).
  */
-VTKISTHMUSFILTERSSURFACES_EXPORT TakenSurface TakeSurface(TriangleMesh surface);
+VTKISTHMUSFILTERSSURFACES_EXPORT CleanedSurface CleanSurface(TriangleMesh surface);
 
 /// The corners of the triangles of `surface` after the same merging; its points stay where they
 /// are. `places`, if given, gets for each point the one that stands for its place; itself for a
@@ -54,6 +54,19 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> MergedCorners(
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT std::string WhyOpen(
   const SurfaceView& surface, const SurfaceDefects& defects);
+
+/**
+ * `surface` without triangles that have no area, as a set of points the same.
+ *
+ * Those with a corner twice are left out. Of one whose corners a, b, c lie on a line, b between the
+ * others, the neighbour (c, a, d) across the side ac is split at b: (c, b, d) and (b, a, d) stand
+ * for both; at a border it is left out. It stays, to be told by FindDefects, where an edge bd is
+ * there already or ac has more than two triangles.
+ *
+ * @pre corners exist and are finite, and no two points are at one place (MergePoints).
+ * O(n log n) for each layer of flat triangles upon each other, of which 16 are tried.
+ */
+VTKISTHMUSFILTERSSURFACES_EXPORT TriangleMesh RemoveFlatTriangles(TriangleMesh surface);
 
 }
 

@@ -1,4 +1,4 @@
-#include "Surfaces/SurfaceIntake.h"
+#include "Surfaces/SurfaceCleaning.h"
 #include "vtkSurfaceMeasures.h"
 
 #include <vtkCellArray.h>
@@ -36,7 +36,7 @@ TriangleMesh Soup()
 
 }
 
-TEST(SurfaceIntake, PointsThatCoincideAreOne)
+TEST(SurfaceCleaning, PointsThatCoincideAreOne)
 {
   TriangleMesh soup = Soup();
   soup.Points.push_back({ 9, 9, 9 }); // of no triangle
@@ -47,7 +47,7 @@ TEST(SurfaceIntake, PointsThatCoincideAreOne)
   EXPECT_TRUE(FindDefects(merged).None()) << FindDefects(merged).Sentence();
 }
 
-TEST(SurfaceIntake, WhatCollapsesGoesAndWhatWasWrongStays)
+TEST(SurfaceCleaning, WhatCollapsesGoesAndWhatWasWrongStays)
 {
   TriangleMesh soup = Soup();
   soup.Points.push_back({ 0, 0, 0 });
@@ -59,7 +59,7 @@ TEST(SurfaceIntake, WhatCollapsesGoesAndWhatWasWrongStays)
   EXPECT_THROW(MergePoints(soup), std::invalid_argument);
 }
 
-TEST(SurfaceIntake, NamesALevelThatLeavesTheMapAndNothingElse)
+TEST(SurfaceCleaning, NamesALevelThatLeavesTheMapAndNothingElse)
 {
   TriangleMesh open = MergePoints(Soup());
   open.Triangles.erase(open.Triangles.begin()); // that on z = 0, a face of the box
@@ -76,7 +76,7 @@ TEST(SurfaceIntake, NamesALevelThatLeavesTheMapAndNothingElse)
   EXPECT_EQ(WhyOpen(MergePoints(Soup()), FindDefects(MergePoints(Soup()))), "");
 }
 
-TEST(SurfaceIntake, SurfaceMeasuresOfASoupAreThoseOfTheSurface)
+TEST(SurfaceCleaning, SurfaceMeasuresOfASoupAreThoseOfTheSurface)
 {
   const TriangleMesh soup = Soup();
   vtkNew<vtkPolyData> surface;
@@ -129,19 +129,19 @@ double VolumeOf(const TriangleMesh& mesh)
 
 }
 
-TEST(SurfaceIntake, WhatIsCleanStaysAsItIs)
+TEST(SurfaceCleaning, WhatIsCleanStaysAsItIs)
 {
   const TriangleMesh clean = MergePoints(Soup());
-  const TakenSurface taken = TakeSurface(clean);
+  const CleanedSurface taken = CleanSurface(clean);
   EXPECT_EQ(taken.Mesh.Points, clean.Points);
   EXPECT_EQ(taken.Mesh.Triangles, clean.Triangles);
   EXPECT_EQ(taken.OriginalPoints, (std::vector<std::int64_t>{ 0, 1, 2, 3 }));
 }
 
-TEST(SurfaceIntake, OriginalPointsLieWhereThePointsDo)
+TEST(SurfaceCleaning, OriginalPointsLieWhereThePointsDo)
 {
   const TriangleMesh soup = Soup();
-  const TakenSurface taken = TakeSurface(soup);
+  const CleanedSurface taken = CleanSurface(soup);
   ASSERT_EQ(taken.OriginalPoints.size(), taken.Mesh.Points.size());
   for (std::size_t i = 0; i < taken.OriginalPoints.size(); ++i)
   {
@@ -149,17 +149,17 @@ TEST(SurfaceIntake, OriginalPointsLieWhereThePointsDo)
   }
 }
 
-TEST(SurfaceIntake, AFlatTriangleIsExchangedAndNothingMoves)
+TEST(SurfaceCleaning, AFlatTriangleIsExchangedAndNothingMoves)
 {
   const TriangleMesh flat = OctahedronWithFlat();
   ASSERT_EQ(FindDefects(flat).DegenerateTriangles.size(), 1U);
-  const TakenSurface taken = TakeSurface(flat);
+  const CleanedSurface taken = CleanSurface(flat);
   EXPECT_TRUE(FindDefects(taken.Mesh).None()) << FindDefects(taken.Mesh).Sentence();
   EXPECT_EQ(taken.Mesh.Triangles.size(), flat.Triangles.size());
   EXPECT_DOUBLE_EQ(VolumeOf(taken.Mesh), 4.0 / 3.0);
 }
 
-TEST(SurfaceIntake, FlatTrianglesUponEachOtherGoLayerByLayer)
+TEST(SurfaceCleaning, FlatTrianglesUponEachOtherGoLayerByLayer)
 {
   // The side 0-4 with three points on it, each between its neighbours of the layer before.
   TriangleMesh mesh = OctahedronWithFlat();
@@ -170,30 +170,30 @@ TEST(SurfaceIntake, FlatTrianglesUponEachOtherGoLayerByLayer)
   mesh.Triangles.insert(
     mesh.Triangles.end(), { { 7, 1, 6 }, { 8, 1, 4 }, { 0, 7, 6 }, { 6, 8, 4 } });
   ASSERT_EQ(FindDefects(mesh).DegenerateTriangles.size(), 3U);
-  const TakenSurface taken = TakeSurface(mesh);
+  const CleanedSurface taken = CleanSurface(mesh);
   EXPECT_TRUE(FindDefects(taken.Mesh).None()) << FindDefects(taken.Mesh).Sentence();
   EXPECT_DOUBLE_EQ(VolumeOf(taken.Mesh), 4.0 / 3.0);
 }
 
-TEST(SurfaceIntake, AFlatTriangleAtABorderIsLeftOut)
+TEST(SurfaceCleaning, AFlatTriangleAtABorderIsLeftOut)
 {
   TriangleMesh mesh = OctahedronWithFlat();
   mesh.Triangles.erase(mesh.Triangles.begin() + 2); // that behind the flat one: a hole
-  const TakenSurface taken = TakeSurface(mesh);
+  const CleanedSurface taken = CleanSurface(mesh);
   const SurfaceDefects defects = FindDefects(taken.Mesh);
   EXPECT_TRUE(defects.DegenerateTriangles.empty());
   EXPECT_EQ(taken.Mesh.Triangles.size(), mesh.Triangles.size() - 1);
   EXPECT_FALSE(defects.BoundaryTriangles.empty()); // what is open is told, not closed
 }
 
-TEST(SurfaceIntake, ARepeatedCornerGoesAndWhatIsNoPointStays)
+TEST(SurfaceCleaning, ARepeatedCornerGoesAndWhatIsNoPointStays)
 {
   TriangleMesh mesh = OctahedronWithFlat();
   mesh.Triangles.push_back({ 3, 3, 0 });
-  EXPECT_TRUE(FindDefects(TakeSurface(mesh).Mesh).None());
+  EXPECT_TRUE(FindDefects(CleanSurface(mesh).Mesh).None());
   mesh.Triangles.push_back({ 3, 99, 0 });
-  EXPECT_EQ(TakeSurface(mesh).Mesh.Triangles, mesh.Triangles);
+  EXPECT_EQ(CleanSurface(mesh).Mesh.Triangles, mesh.Triangles);
   mesh.Triangles.pop_back();
   mesh.Points[2][1] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(TakeSurface(mesh).Mesh.Triangles, mesh.Triangles);
+  EXPECT_EQ(CleanSurface(mesh).Mesh.Triangles, mesh.Triangles);
 }

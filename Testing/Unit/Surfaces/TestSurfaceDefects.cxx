@@ -1,4 +1,4 @@
-#include "Surfaces/SurfaceCheck.h"
+#include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 
 #include "Core/PolyDataTriangles.h"
@@ -49,7 +49,7 @@ void ExpectMentions(const std::string& sentence, const std::string& words)
 
 }
 
-TEST(SurfaceCheck, ACubeIsCleanAndHasVolumeOne)
+TEST(SurfaceDefects, ACubeIsCleanAndHasVolumeOne)
 {
   const TriangleMesh cube = Cube({ 5, -3, 1 }, 1.0);
   EXPECT_EQ(FindDefects(cube).Sentence(), "");
@@ -58,7 +58,7 @@ TEST(SurfaceCheck, ACubeIsCleanAndHasVolumeOne)
   EXPECT_EQ(WhyRefused(cube), "");
 }
 
-TEST(SurfaceCheck, EachDefectIsNamedWithItsPlace)
+TEST(SurfaceDefects, EachDefectIsNamedWithItsPlace)
 {
   TriangleMesh hole = Cube({ 0, 0, 0 }, 1.0);
   hole.Triangles.pop_back();
@@ -86,7 +86,7 @@ TEST(SurfaceCheck, EachDefectIsNamedWithItsPlace)
   ExpectMentions(WhyRefused(flat), "triangles without area (");
 }
 
-TEST(SurfaceCheck, CubesThatShareAPointOrCrossAreRefused)
+TEST(SurfaceDefects, CubesThatShareAPointOrCrossAreRefused)
 {
   TriangleMesh touching = Cube({ 0, 0, 0 }, 1.0);
   isthmus::testing::Append(touching, Cube({ 1, 1, 1 }, 1.0));
@@ -120,7 +120,7 @@ TEST(SurfaceRepair, MendsACubeWithAHoleAndATurnedTriangle)
   }
 }
 
-TEST(SurfaceCheck, EverySharedSurfaceIsWhatItIsKnownToBe)
+TEST(SurfaceDefects, EverySharedSurfaceIsWhatItIsKnownToBe)
 {
   ISTHMUS_NEEDS_SHARED_DATA("surfaces");
   for (const isthmus::testing::KnownSurface& known : isthmus::testing::KnownSurfaces)

@@ -1,9 +1,10 @@
 /**
- * @file SurfaceMove.h
- * @brief How far the skin of a tetrahedral mesh is from the surface it was made for.
+ * @file HausdorffDistance.h
+ * @brief Hausdorff distance of two surfaces, and the boundary surface of a tetrahedral mesh, whose
+ * distance from the surface it was made for shows how far the mesher moved it.
  */
-#ifndef isthmus_SurfaceMove_h
-#define isthmus_SurfaceMove_h
+#ifndef isthmus_HausdorffDistance_h
+#define isthmus_HausdorffDistance_h
 
 #include "Core/TetrahedralMesh.h"
 #include "Core/TriangleMesh.h"
@@ -13,7 +14,7 @@ namespace isthmus
 {
 
 /// The faces between tetrahedra of positive region and everything else, facing out of them.
-VTKISTHMUSFILTERSSURFACES_EXPORT TriangleMesh SkinOf(const TetrahedralMesh& mesh);
+VTKISTHMUSFILTERSSURFACES_EXPORT TriangleMesh BoundarySurface(const TetrahedralMesh& mesh);
 
 /**
  * Largest distance of points, middles of edges and middles of triangles of either surface from the

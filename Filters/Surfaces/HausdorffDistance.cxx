@@ -1,4 +1,4 @@
-#include "Surfaces/SurfaceMove.h"
+#include "Surfaces/HausdorffDistance.h"
 
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
@@ -88,7 +88,7 @@ double LargestDistance(const SurfaceView& from, const TriangleTree& to)
 
 }
 
-TriangleMesh SkinOf(const TetrahedralMesh& mesh)
+TriangleMesh BoundarySurface(const TetrahedralMesh& mesh)
 {
   // Side by side by their first corner: each lot is sorted where it lies.
   std::vector<std::size_t> first(mesh.Points.size() + 2, 0);
