@@ -92,14 +92,14 @@ ChannelPassage FindPassage(const TransportGrid& grid)
     if (joined.Through())
     {
       const Point3 place = d.Place(node);
-      return { place, d.AlongAndOff(place)[0], static_cast<double>(distance(node)) };
+      return { place, d.AxialAndRadial(place)[0], static_cast<double>(distance(node)) };
     }
   }
   throw std::runtime_error(
     "The grid does not lead from one bath to the other." + std::string(WayOut));
 }
 
-void DemandOpen(const ChannelPassage& passage)
+void RequireOpen(const ChannelPassage& passage)
 {
   if (passage.Radius > 0.0)
   {
@@ -114,7 +114,7 @@ void DemandOpen(const ChannelPassage& passage)
     FormatNumber(passage.Radius) + " angstrom." + WayOut);
 }
 
-void ClosePockets(TransportGrid& grid)
+void CloseIsolatedPockets(TransportGrid& grid)
 {
   const std::array<std::int64_t, 3> steps = grid.Domain.Steps();
   Joined joined(grid);

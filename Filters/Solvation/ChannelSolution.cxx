@@ -1,15 +1,57 @@
 #include "Solvation/ChannelSolution.h"
 
-#include "Solvation/IonTransportInput.h"
+#include "Core/PolyDataTriangles.h"
+#include "MolecularSurfaces/FlowField.h"
+#include "Solvation/IonTransportOutput.h"
+#include "Surfaces/GridDistance.h"
+#include "Surfaces/GridImages.h"
+#include "Surfaces/SurfaceCrossings.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include <stdexcept>
 
 namespace isthmus
 {
+namespace
+{
+
+/// The distance from each node to closed triangles, angstrom, negative within, cut at 4.5 spacings.
+/// Parallel.
+/// @throws std::invalid_argument where they are not closed, Cancelled.
+std::vector<float> DistanceToClosed(
+  const TransportDomain& domain, vtkPolyData* surface, const ProgressCallback& progress)
+{
+  if (surface->GetNumberOfPoints() == 0)
+  {
+    throw std::invalid_argument("The surface on input 1 is empty: give the molecule's closed "
+                                "surface, or take the input away to have one made of the atoms.");
+  }
+  vtkNew<vtkImageData> image;
+  SetImageGeometry(domain, image);
+  const GridShape shape = ShapeOf(image);
+  const auto inAxes = InGridAxes(surface, image);
+  const PolyDataTriangles triangles(inAxes);
+  const std::vector<unsigned char> inside = NodesInside(triangles.View(), shape);
+  const std::vector<double> distance = DistanceToSurface(
+    triangles.View(), shape, static_cast<double>(FlowGrid::Band) * domain.Spacing, progress);
+  std::vector<float> to(distance.size());
+  for (std::size_t node = 0; node < to.size(); ++node)
+  {
+    to[node] = static_cast<float>(inside[node] != 0 ? -distance[node] : distance[node]);
+  }
+  return to;
+}
+
+}
 
 ChannelSolution::ChannelSolution(const ChannelProblem& problem, const ProgressCallback& progress)
   : Domain(DomainAround(problem.Balls, problem.Transport))
 {
   const IonTransportParameters& p = problem.Transport;
-  const TransportDomain room = problem.Moves ? MovingChannel::Roomy(this->Domain) : this->Domain;
+  const TransportDomain room = problem.Moves ? MovingChannel::Padded(this->Domain) : this->Domain;
   if (problem.Moves)
   {
     RequireMemory(room, MovingChannel::BytesPerNode);
@@ -28,10 +70,10 @@ ChannelSolution::ChannelSolution(const ChannelProblem& problem, const ProgressCa
   this->Grid = std::make_unique<TransportGrid>(
     MakeTransportGrid(this->Domain, distances, problem.Charges, p, Between(progress, 0.15, 0.3)));
   this->Passage = FindPassage(*this->Grid);
-  DemandOpen(this->Passage);
-  ClosePockets(*this->Grid);
-  this->Still = std::make_unique<PoissonNernstPlanck>(*this->Grid, p);
-  this->Still->Solve(Between(progress, 0.3, 1.0));
+  RequireOpen(this->Passage);
+  CloseIsolatedPockets(*this->Grid);
+  this->Fixed = std::make_unique<PoissonNernstPlanck>(*this->Grid, p);
+  this->Fixed->Solve(Between(progress, 0.3, 1.0));
 }
 
 }

@@ -1,6 +1,7 @@
 /**
  * @file ChannelSolution.h
- * @brief Potential and ions of a channel whose surface is at rest or moves, from VTK's atoms on.
+ * @brief Potential and ions of a channel whose surface is fixed or moves: the problem that
+ * vtkIonTransport solves.
  */
 #ifndef isthmus_ChannelSolution_h
 #define isthmus_ChannelSolution_h
@@ -20,33 +21,33 @@ struct ChannelProblem
 {
   std::vector<Ball> Balls;
   std::vector<ChargedAtom> Charges;
-  vtkPolyData* Surface = nullptr; ///< closed; without it the balls' own is made
+  vtkPolyData* Surface = nullptr; ///< closed; nullptr: the solvent-excluded surface of the balls
   IonTransportParameters Transport;
   bool Moves = false;
   std::vector<DispersionAtom> Attracting; ///< where it moves
   MovingChannelParameters Motion;         ///< likewise
 };
 
-/// Solved when it is made.
+/// The constructor solves the problem.
 class ChannelSolution
 {
 public:
-  /// @throws what its parts do, with sentences; Cancelled.
+  /// @throws what its parts throw; Cancelled.
   explicit ChannelSolution(const ChannelProblem& problem, const ProgressCallback& progress = {});
 
-  PoissonNernstPlanck& Get() { return this->Moving ? this->Moving->GetSolution() : *this->Still; }
+  PoissonNernstPlanck& Get() { return this->Moving ? this->Moving->GetSolution() : *this->Fixed; }
   const ChannelPassage& GetPassage() const
   {
     return this->Moving ? this->Moving->GetPassage() : this->Passage;
   }
-  /// Nothing where the surface is at rest.
+  /// Null where the surface is fixed.
   const MovingChannel* GetMoving() const { return this->Moving.get(); }
 
 private:
   const TransportDomain Domain;
   ChannelPassage Passage;
   std::unique_ptr<TransportGrid> Grid;
-  std::unique_ptr<PoissonNernstPlanck> Still;
+  std::unique_ptr<PoissonNernstPlanck> Fixed;
   std::unique_ptr<MovingChannel> Moving;
 };
 

@@ -167,7 +167,7 @@ void FillMotion(const MovingChannel* moving, const std::vector<TransportSpecies>
   {
     return;
   }
-  AddNumbers("Rests", { moving->Rests() ? 1.0 : 0.0 }, image);
+  AddNumbers("Rests", { moving->HasConverged() ? 1.0 : 0.0 }, image);
   AddNumbers("ShownUpdate", { static_cast<double>(moving->GetShown() + 1) }, image);
   const std::vector<ChannelUpdate>& updates = moving->GetUpdates();
   using Update = ChannelUpdate;

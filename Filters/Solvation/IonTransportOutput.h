@@ -6,7 +6,7 @@
 #define isthmus_IonTransportOutput_h
 
 #include "Solvation/MovingChannel.h"
-#include "Solvation/TransportSweep.h"
+#include "Solvation/TransportCurrents.h"
 
 class vtkImageData;
 class vtkTable;
@@ -18,18 +18,18 @@ namespace isthmus
 void SetImageGeometry(const TransportDomain& domain, vtkImageData* image);
 
 /// Potential (active), Concentration_NAME and Flux_NAME of each species, CurrentDensity,
-/// SignedDistance. Parallel. @throws std::runtime_error where a number is none for a float:
-/// charges that are none hold more ions than there can be; Cancelled.
+/// SignedDistance. Parallel. @throws std::runtime_error where a number exceeds the
+/// range of float, as absurd charges make it; Cancelled.
 void FillTransportImage(
   const PoissonNernstPlanck& solution, vtkImageData* image, const ProgressCallback& progress = {});
 
-/// Field data that tell how far the solution is to be trusted.
+/// Field data on the accuracy of the solution.
 void FillTransportNumbers(const TransportPoint& point, const std::vector<TransportSpecies>& species,
   const ChannelPassage& passage, vtkImageData* image);
 
-/// Of a surface that moved, a row an update: Update, Time, AreaChange, LumenVolume, EnergyChange,
+/// Of a moving surface, a row an update: Update, Time, AreaChange, LumenVolume, EnergyChange,
 /// OnObstacle, BottleneckRadius, Current_NAME, Current; and Rests and ShownUpdate as field data. No
-/// rows and no field data for one at rest (nothing).
+/// rows and no field data for a fixed one (nullptr).
 void FillMotion(const MovingChannel* moving, const std::vector<TransportSpecies>& species,
   vtkImageData* image, vtkTable* table);
 

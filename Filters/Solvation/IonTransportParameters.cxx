@@ -1,8 +1,10 @@
 #include "Solvation/IonTransportParameters.h"
 
+#include "Core/PrintableText.h"
 #include "Core/RangeChecks.h"
 
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 namespace isthmus
@@ -87,6 +89,28 @@ void CheckTransport(const IonTransportParameters& p)
   RequireRange("Temperature", p.Temperature, 100.0, 1000.0, "It is in kelvin.");
   RequireRange("Tolerance", p.Tolerance, 1e-10, 1.0, "It is a change of the potential in kT/e.");
   RequireRange("MaximumIterations", p.MaximumIterations, 1.0, 1e6);
+}
+
+void NameSpecies(const std::string& names, std::vector<TransportSpecies>& species)
+{
+  const char* const between = " ,;\t\n";
+  const std::string text = Printable(names);
+  std::size_t at = 0;
+  std::size_t number = 0;
+  std::set<std::string> taken;
+  for (TransportSpecies& s : species)
+  {
+    at = text.find_first_not_of(between, at);
+    const std::size_t end = text.find_first_of(between, at);
+    s.Name = at == std::string::npos ? "Ion" + std::to_string(++number) : text.substr(at, end - at);
+    number += at == std::string::npos ? 0 : 1;
+    at = at == std::string::npos ? at : end;
+    if (!taken.insert(s.Name).second)
+    {
+      throw std::invalid_argument(
+        "Two species are called " + s.Name + ": give each a name of its own in SpeciesNames.");
+    }
+  }
 }
 
 }

@@ -1,6 +1,6 @@
 /**
  * @file IonTransportParameters.h
- * @brief What steady ion transport is asked for, and what it tells of the way to its answer.
+ * @brief Parameters of steady ion transport, and the report of its iteration.
  */
 #ifndef isthmus_IonTransportParameters_h
 #define isthmus_IonTransportParameters_h
@@ -68,6 +68,12 @@ struct IonTransportReport
 /// @throws std::invalid_argument, with a sentence, for values out of their range, a membrane
 /// without a normal, species without a valence, and baths that carry a charge.
 VTKISTHMUSFILTERSSOLVATION_EXPORT void CheckTransport(const IonTransportParameters& parameters);
+
+/// Gives each species its name from a list separated by blanks, commas or semicolons, or `Ion` and
+/// its number.
+/// @throws std::invalid_argument for a name that two have.
+VTKISTHMUSFILTERSSOLVATION_EXPORT void NameSpecies(
+  const std::string& names, std::vector<TransportSpecies>& species);
 
 }
 

@@ -4,7 +4,7 @@
 #include "MolecularSurfaces/FlowField.h"
 #include "MolecularSurfaces/LevelMeasure.h"
 #include "MolecularSurfaces/SurfaceFlowParameters.h"
-#include "Solvation/SurfacePull.h"
+#include "Solvation/CoupledFlow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +82,7 @@ double ChannelUpdate::Current() const
   return all;
 }
 
-TransportDomain MovingChannel::Roomy(const TransportDomain& domain)
+TransportDomain MovingChannel::Padded(const TransportDomain& domain)
 {
   TransportDomain room = domain;
   for (std::size_t a = 0; a < 3; ++a)
@@ -97,12 +97,12 @@ MovingChannel::MovingChannel(const TransportDomain& domain, const std::vector<fl
   std::vector<ChargedAtom> charges, const std::vector<DispersionAtom>& atoms,
   const IonTransportParameters& transport, const MovingChannelParameters& parameters)
   : Domain(domain)
-  , Room(Roomy(domain))
+  , Room(Padded(domain))
   , Charges(std::move(charges))
   , Transport(transport)
   , Parameters(parameters)
   , Field(FlowGrid(GridOf(this->Room)))
-  , Taken(parameters.Policy.FieldRelaxation)
+  , ForceFraction(parameters.Policy.FieldRelaxation)
 {
   CheckTransport(transport);
   CheckPolicy(parameters.Policy);
@@ -118,7 +118,7 @@ MovingChannel::MovingChannel(const TransportDomain& domain, const std::vector<fl
     value *= static_cast<float>(domain.Spacing);
   }
   this->Field.Pull = this->Steady;
-  CutPull(this->Field.Pull);
+  LimitPull(this->Field.Pull);
 }
 
 MovingChannel::~MovingChannel() = default;
@@ -130,7 +130,7 @@ void MovingChannel::Start(const std::vector<float>& obstacle)
   {
     const std::array<std::int64_t, 3> at = this->Room.Indices(node);
     const double membrane = ToMembrane(
-      this->Domain, this->Transport.Membrane, this->Room.AlongAndOff(this->Room.Place(node)));
+      this->Domain, this->Transport.Membrane, this->Room.AxialAndRadial(this->Room.Place(node)));
     const double solute =
       obstacle.empty() ? membrane : static_cast<double>(obstacle[static_cast<std::size_t>(node)]);
     const auto to = static_cast<std::size_t>(this->Field.Grid.Index(at[0], at[1], at[2]));
@@ -139,7 +139,7 @@ void MovingChannel::Start(const std::vector<float>& obstacle)
     this->Field.Distance[to] = this->Field.Ceiling[to];
   }
   FindBand(this->Field);
-  Settle(this->Field);
+  RestoreDistances(this->Field);
 }
 
 void MovingChannel::Solve(const ProgressCallback& progress)
@@ -157,8 +157,8 @@ void MovingChannel::Solve(const ProgressCallback& progress)
       " square angstrom of flow: its tension is stronger there than pressure, field and ions. "
       "Choose a smaller SurfaceTension or a larger Pressure, or leave the surface at rest.");
   }
-  DemandOpen(this->Passage);
-  ClosePockets(*grid);
+  RequireOpen(this->Passage);
+  CloseIsolatedPockets(*grid);
   auto solution = std::make_unique<PoissonNernstPlanck>(*grid, this->Transport);
   if (this->Solution)
   {
@@ -204,7 +204,7 @@ void MovingChannel::Record()
     water += within ? static_cast<double>(this->Grid->Water[p]) : 0.0;
   }
   update.LumenVolume = water * std::pow(this->Domain.Spacing, 3);
-  update.OnObstacle = PartOnObstacle(this->Field);
+  update.OnObstacle = FractionOnObstacle(this->Field);
   update.Bottleneck = this->Passage.Radius;
   const CurrentProfile currents = CurrentsOf(*this->Solution);
   for (std::size_t k = 0; k < this->Transport.Species.size(); ++k)
@@ -216,7 +216,7 @@ void MovingChannel::Record()
   if (last == 0 || this->Change(last) < this->LeastChange)
   {
     this->LeastChange = last == 0 ? std::numeric_limits<double>::infinity() : this->Change(last);
-    this->Kept = last;
+    this->ShownUpdate = last;
     this->Best = this->Field.Distance;
   }
 }
@@ -242,7 +242,7 @@ double MovingChannel::LastChange() const
                                   : std::numeric_limits<double>::infinity();
 }
 
-bool MovingChannel::Rests() const
+bool MovingChannel::HasConverged() const
 {
   const std::size_t n = this->Updates.size();
   const double tolerance = this->Parameters.Policy.Tolerance;
@@ -261,7 +261,7 @@ WallValues MovingChannel::PullAtWall() const
 }
 
 /// Whether the last change took back some of the one before.
-bool MovingChannel::TurnsBack() const
+bool MovingChannel::Oscillates() const
 {
   const std::size_t n = this->Updates.size();
   double product = 0.0;
@@ -277,18 +277,19 @@ bool MovingChannel::TurnsBack() const
 void MovingChannel::Pull()
 {
   const WallValues wall = this->PullAtWall();
-  this->Taken *= this->TurnsBack() ? 0.5 : 1.0;
-  TakePull(this->Field, this->Steady,
-    CarriedOff(FlowBox(this->Room), wall.Crossings, wall.Pull, this->Field.Grid),
+  this->ForceFraction *= this->Oscillates() ? 0.5 : 1.0;
+  UpdatePull(this->Field, this->Steady,
+    ExtendOffSurface(FlowBox(this->Room), wall.Crossings, wall.Pull, this->Field.Grid),
     this->Domain.Spacing / this->Parameters.Solvent.SurfaceTension,
-    this->Updates.size() > 1 ? this->Taken : 1.0);
+    this->Updates.size() > 1 ? this->ForceFraction : 1.0);
 }
 
 void MovingChannel::Run(const ProgressCallback& progress)
 {
   // How many it takes is not known, so progress slows down.
   const auto at = [](int done) { return 0.95 * done / (done + 3.0); };
-  for (int update = 0; update < this->Parameters.Policy.MaximumUpdates && !this->Rests(); ++update)
+  for (int update = 0; update < this->Parameters.Policy.MaximumUpdates && !this->HasConverged();
+       ++update)
   {
     if (update > 0)
     {
@@ -298,11 +299,11 @@ void MovingChannel::Run(const ProgressCallback& progress)
     this->Solve(Between(progress, at(update), at(update + 1)));
     this->Record();
   }
-  if (this->Rests())
+  if (this->HasConverged())
   {
-    this->Kept = this->Updates.size() - 1;
+    this->ShownUpdate = this->Updates.size() - 1;
   }
-  else if (this->Kept + 1 < this->Updates.size())
+  else if (this->ShownUpdate + 1 < this->Updates.size())
   {
     this->Field.Distance = this->Best;
     FindBand(this->Field);

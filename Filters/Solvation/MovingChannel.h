@@ -1,6 +1,7 @@
 /**
  * @file MovingChannel.h
- * @brief A channel whose wall feels the ions that go through it: the thesis' LB-PNP system.
+ * @brief A channel whose wall moves under the ions' forces: Laplace-Beltrami and
+ * Poisson-Nernst-Planck equations, coupled.
  *
  * The coupled Laplace-Beltrami and Poisson-Nernst-Planck equations (thesis 4.25 to 4.28; G. W. Wei,
  * Q. Zheng, Z. Chen, K. Xia, SIAM Rev. 54 (2012) 699) in sharp form. What is not water, atoms and
@@ -9,13 +10,14 @@
  *   phi_t = |grad phi| div(grad phi / |grad phi|) - (V_2 / gamma) |grad phi|,
  *   -V_2 = p - rho_0 U + pull of field and ions (WallPull.h),
  *
- * for a period of steps with the pull fixed (SurfacePeriod.h); then potential and ions are solved
- * for with the wall where it is (PoissonNernstPlanck.h, from the last solution), the pull is made
- * anew, and so on until the currents, and the water in the membrane's hole, change by less than
- * Tolerance twice in a row. Where a change takes back the one before (a crease that the field opens
- * and tension closes in turn), the part of new forces that is taken is halved from there on.
+ * for a period of steps with the pull fixed (CoupledFlow.h); then potential and ions are solved
+ * for with the wall where it is (PoissonNernstPlanck.h, from the last solution), the pull is
+ * computed anew, and so on until the currents, and the water in the membrane's hole, change by less
+ * than Tolerance twice in a row. Where a change takes back the one before (a crease that the field
+ * opens and tension closes alternately), the fraction of new forces that is used is halved from
+ * there on.
  *
- * It begins on its obstacle, the molecule's surface at rest, so that the first update is ion
+ * It begins on its obstacle, the molecule's unmoved surface, so that the first update is ion
  * transport without motion, and the tension may close creases and pores from there on but not open
  * more than the obstacle leaves. The membrane is an obstacle, too: flat, with a round hole.
  */
@@ -24,7 +26,7 @@
 
 #include "MolecularSurfaces/Dispersion.h"
 #include "Solvation/ChannelPassage.h"
-#include "Solvation/SurfacePeriod.h"
+#include "Solvation/CoupledFlow.h"
 #include "Solvation/TransportCurrents.h"
 #include "Solvation/WallPull.h"
 #include "vtkIsthmusFiltersSolvationModule.h"
@@ -63,10 +65,10 @@ class VTKISTHMUSFILTERSSOLVATION_EXPORT MovingChannel
 public:
   static constexpr double BytesPerNode = 500.0;
 
-  /// The domain with room around it for the membrane's rim: the grid that distances are needed on.
-  static TransportDomain Roomy(const TransportDomain& domain);
+  /// The domain with a margin for the membrane's rim: the grid that distances are needed on.
+  static TransportDomain Padded(const TransportDomain& domain);
 
-  /// `obstacle` are distances to the molecule (TransportGrid.h) on the nodes of Roomy(domain), or
+  /// `obstacle` are distances to the molecule (TransportGrid.h) on the nodes of Padded(domain), or
   /// nothing where there is a membrane only; `atoms` are those that attract the water.
   /// @throws std::invalid_argument for parameters out of range.
   MovingChannel(const TransportDomain& domain, const std::vector<float>& obstacle,
@@ -76,20 +78,20 @@ public:
   MovingChannel(const MovingChannel&) = delete;
   void operator=(const MovingChannel&) = delete;
 
-  /// Until it rests or MaximumUpdates; the state that changed least stays then.
+  /// Until convergence, or MaximumUpdates; the state that changed least is kept then.
   /// @throws std::runtime_error, with the place, where the channel is closed, or closes on the way;
   /// what PoissonNernstPlanck::Solve does; Cancelled.
   void Run(const ProgressCallback& progress = {});
 
-  /// Whether currents and water came to rest.
-  bool Rests() const;
-  /// The largest change of the last update, as a part of what rests within Tolerance.
+  /// Whether currents and lumen volume have converged.
+  bool HasConverged() const;
+  /// The largest relative change of the last update.
   double LastChange() const;
-  /// Which of the updates the solution is of.
-  std::size_t GetShown() const { return this->Kept; }
+  /// The update that the solution belongs to.
+  std::size_t GetShown() const { return this->ShownUpdate; }
   const std::vector<ChannelUpdate>& GetUpdates() const { return this->Updates; }
   const ChannelPassage& GetPassage() const { return this->Passage; }
-  /// The pull at the wall that there is now; places are those of Roomy(domain).
+  /// The pull at the wall that there is now; places are those of Padded(domain).
   WallValues PullAtWall() const;
   PoissonNernstPlanck& GetSolution() { return *this->Solution; }
 
@@ -97,7 +99,7 @@ private:
   void Start(const std::vector<float>& obstacle);
   void Solve(const ProgressCallback& progress);
   void Record();
-  bool TurnsBack() const;
+  bool Oscillates() const;
   void Pull();
   double Change(std::size_t update) const;
   double SteadyEnergy() const;
@@ -108,10 +110,10 @@ private:
   const MovingChannelParameters Parameters;
   FlowField Field;
   std::vector<float> Steady; ///< the part of the pull that stays, in spacings
-  double Taken;              ///< the part of each new force
+  double ForceFraction;      ///< of each new force
   double Time = 0.0;
   double FirstArea = 0.0, FirstEnergy = 0.0;
-  std::size_t Kept = 0;
+  std::size_t ShownUpdate = 0;
   std::vector<float> Best; ///< distances of the update that changed least
   double LeastChange = 0.0;
   ChannelPassage Passage;

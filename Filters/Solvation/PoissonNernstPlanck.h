@@ -1,6 +1,6 @@
 /**
  * @file PoissonNernstPlanck.h
- * @brief Ions that drift and diffuse through a channel in the field that they make themselves.
+ * @brief Steady drift and diffusion of ions through a channel in a self-consistent field.
  *
  * The steady Poisson-Nernst-Planck equations (thesis 4.19 to 4.28, with the surface at rest):
  *
@@ -10,12 +10,21 @@
  * phi in kT/e, c_k in mol/l, C the Coulomb length, N ions in a cubic angstrom at 1 mol/l. In the
  * baths phi and c_k are given; no ion goes through a wall, no field through the domain's side.
  *
- * Finite volumes (TransportGrid.h) with fluxes after Scharfetter and Gummel (ScharfetterGummel.h).
- * Gummel's iteration (IEEE Trans. Electron Devices 11 (1964) 455) takes in turn Nernst-Planck with
- * phi given, linear in Slotboom's v_k = c_k exp(z_k phi), and Poisson with v_k given, by Newton's
- * method: the ions' charge falls as phi grows, so that equation has one solution. Both are networks
- * of resistors (ResistorNetwork.h). It ends when a new phi differs by less than Tolerance in all
- * water.
+ * Finite volumes (TransportGrid.h) with fluxes after Scharfetter and Gummel (IEEE
+ * Trans. Electron Devices 16 (1969) 64), exact where phi is linear along an edge of length h from
+ * node p to node q:
+ *
+ *   J = (D / h) g (v_p - v_q),   v = c exp(z phi),
+ *   g = exp(-z (phi_p + phi_q) / 2) (x / 2) / sinh(x / 2),   x = z (phi_q - phi_p).
+ *
+ * In v (Slotboom's variable, mol/l) the equation div J = 0 is that of a network of resistors, whose
+ * matrix is symmetric and an M-matrix: v lies between the baths' values, so c is never negative.
+ *
+ * Gummel's iteration (IEEE Trans. Electron Devices 11 (1964) 455) alternates between Nernst-Planck
+ * with phi given, linear in Slotboom's v_k = c_k exp(z_k phi), and Poisson with v_k given, by
+ * Newton's method: the ions' charge falls as phi grows, so that equation has one solution. Both are
+ * networks of resistors (ResistorNetwork.h). It ends when a new phi differs by less than Tolerance
+ * in all water.
  */
 #ifndef isthmus_PoissonNernstPlanck_h
 #define isthmus_PoissonNernstPlanck_h
@@ -26,10 +35,25 @@
 #include "Solvation/TransportGrid.h"
 #include "vtkIsthmusFiltersSolvationModule.h"
 
+#include <cmath>
 #include <vector>
 
 namespace isthmus
 {
+
+/// The g of the Scharfetter-Gummel flux from exp(-z phi / 2) at both ends of an edge.
+inline double SlotboomConductance(double rootP, double rootQ)
+{
+  const double ratio = rootP / rootQ; // exp(x / 2)
+  const double product = rootP * rootQ;
+  if (std::abs(ratio - 1.0) < 1e-4)
+  {
+    const double half =
+      ratio - 1.0; // x / 2 = half - half^2 / 2 + ..., and the series is even in it
+    return product * (1.0 - half * half / 6.0);
+  }
+  return product * 2.0 * std::log(ratio) / (ratio - 1.0 / ratio);
+}
 
 /// A species by its place in IonTransportParameters::Species.
 using SpeciesId = Handle<struct SpeciesKind, std::size_t>;
@@ -84,7 +108,7 @@ private:
   double SolvePoisson(double accuracy, const ProgressCallback& progress);
   double NewtonStep(const ProgressCallback& progress);
   double Throughput(SpeciesId species) const;
-  double Trickle(SpeciesId species) const;
+  double NegligibleCurrent(SpeciesId species) const;
 
   const TransportGrid& Grid;
   const IonTransportParameters Parameters;

@@ -99,7 +99,7 @@ double ResistorNetwork::Residual(const std::vector<double>& u, const std::vector
   return total;
 }
 
-double ResistorNetwork::Turnover(const std::vector<double>& u) const
+double ResistorNetwork::SumOfMagnitudes(const std::vector<double>& u) const
 {
   double total = 0.0;
   for (std::size_t node = 0; node < u.size(); ++node)

@@ -52,7 +52,7 @@ public:
 
   /// What terms g u that cancel add up to: their rounding is the least that a residual can be.
   /// After Factor().
-  double Turnover(const std::vector<double>& u) const;
+  double SumOfMagnitudes(const std::vector<double>& u) const;
 
   struct Control
   {

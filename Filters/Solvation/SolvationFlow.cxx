@@ -9,7 +9,7 @@
 #include "MolecularSurfaces/SolventExcludedSurface.h"
 #include "MolecularSurfaces/SurfaceFlow.h"
 #include "MolecularSurfaces/SurfaceFlowParameters.h"
-#include "Solvation/SurfacePull.h"
+#include "Solvation/CoupledFlow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,7 +110,7 @@ FlowField SolvationFlow::StartingField(const ProgressCallback& progress) const
       field.Distance[n] = std::min(field.Distance[n], field.Ceiling[n]);
     }
     FindBand(field);
-    Settle(field);
+    RestoreDistances(field);
   }
   return field;
 }
@@ -163,7 +163,7 @@ void SolvationFlow::Record(const FlowField& field)
   update.DispersionEnergy = this->Dispersion(solvent);
   update.PolarEnergy = this->Solution->GetReport().SolvationEnergy *
     units::ThermalKilocalorie(this->Equation.Temperature);
-  update.OnObstacle = PartOnObstacle(field);
+  update.OnObstacle = FractionOnObstacle(field);
   this->Updates.push_back(update);
   this->Surface.History.push_back(
     { this->Time, field.Grid.Spacing(), measure.Area, measure.Volume });
@@ -172,10 +172,10 @@ void SolvationFlow::Record(const FlowField& field)
 void SolvationFlow::Pull(FlowField& field)
 {
   const std::vector<float> electric =
-    CarriedOff(this->Solution->GetBox(), this->Solution->GetCrossings(),
+    ExtendOffSurface(this->Solution->GetBox(), this->Solution->GetCrossings(),
       PullAtCrossings(*this->Solution, this->Equation.Temperature), field.Grid);
   const double part = this->Updates.size() > 1 ? this->Parameters.Policy.FieldRelaxation : 1.0;
-  TakePull(field, this->Steady, electric,
+  UpdatePull(field, this->Steady, electric,
     field.Grid.Spacing() / this->Parameters.Solvent.SurfaceTension, part);
 }
 
@@ -194,7 +194,7 @@ bool SolvationFlow::IsStill() const
 void SolvationFlow::Run(const ProgressCallback& progress)
 {
   FlowField field = this->StartingField(Between(progress, 0.0, 0.1));
-  CutPull(field.Pull);
+  LimitPull(field.Pull);
   this->Steady = field.Pull;
   for (int update = 0; update < this->Parameters.Policy.MaximumUpdates; ++update)
   {
@@ -203,8 +203,8 @@ void SolvationFlow::Run(const ProgressCallback& progress)
     this->Time += EvolveForPeriod(field, this->Parameters.Policy);
     this->Solve(field, Between(progress, at(update), at(update + 1)));
     this->Record(field);
-    this->AtRest = this->IsStill();
-    if (this->AtRest)
+    this->Converged = this->IsStill();
+    if (this->Converged)
     {
       break;
     }

@@ -1,16 +1,17 @@
 /**
  * @file SolvationFlow.h
- * @brief A molecule's surface at rest under tension, pressure, dispersion and its own field.
+ * @brief The equilibrium surface of a molecule under tension, pressure, dispersion and its own
+ * field.
  *
  * The coupled Laplace-Beltrami and Poisson-Boltzmann equations (thesis 2.3; Z. Chen, N. A. Baker,
  * G. W. Wei, J. Comput. Phys. 229 (2010) 8231) in sharp form: the surface flows (SurfaceFlow.h) by
  *
  *   phi_t = |grad phi| div(grad phi / |grad phi|) - (V / gamma) |grad phi|,
- *   -V = p - rho_0 U + pull of the field (SurfacePull.h),
+ *   -V = p - rho_0 U + pull of the field (CoupledFlow.h),
  *
  * for a period of steps with the pull fixed; then the Poisson-Boltzmann equation is solved with the
- * surface where it is (PoissonBoltzmann.h: dielectrics jump, nothing is smeared), the pull is made
- * anew, and so on until the whole energy
+ * surface where it is (PoissonBoltzmann.h: dielectrics jump, nothing is smeared), the pull is
+ * computed anew, and so on until the whole energy
  *
  *   G = gamma Area + p Volume + rho_0 int_solvent U + G_polar
  *
@@ -29,14 +30,52 @@
 
 #include "Core/Progress.h"
 #include "Electrostatics/PoissonBoltzmann.h"
+#include "Electrostatics/PoissonBoltzmannParameters.h"
+#include "MolecularSurfaces/Dispersion.h"
 #include "MolecularSurfaces/FlowField.h"
-#include "Solvation/SolvationParameters.h"
+#include "MolecularSurfaces/SurfaceFlowParameters.h"
+#include "Solvation/CoupledFlow.h"
 #include "vtkIsthmusFiltersSolvationModule.h"
 
 #include <memory>
 
 namespace isthmus
 {
+
+/// The atoms: balls that the surface encloses, their dispersion parameters and charges.
+struct SolvationAtoms
+{
+  std::vector<Ball> Balls;                ///< angstrom
+  std::vector<DispersionAtom> Dispersion; ///< one for each ball
+  std::vector<ChargedAtom> Charges;       ///< in the frame of the balls; each within one of them
+};
+
+struct SolvationParameters
+{
+  SurfaceFlowParameters Flow;           ///< EvolutionTime, Steady and CoarseToFine are not used
+  SolventParameters Solvent;            ///< tension, pressure, dispersion
+  PoissonBoltzmannParameters Potential; ///< Boundary and Start are not used
+  UpdatePolicy Policy;                  ///< its Tolerance is the total energy's
+};
+
+/// After each solution. Energies in kcal/mol.
+struct SolvationUpdate
+{
+  double Time = 0.0;   ///< of the flow, square angstrom
+  double Area = 0.0;   ///< square angstrom
+  double Volume = 0.0; ///< cubic angstrom
+  double SurfaceEnergy = 0.0;
+  double VolumeEnergy = 0.0;
+  double DispersionEnergy = 0.0;
+  double PolarEnergy = 0.0;
+  double OnObstacle = 0.0; ///< the part of the surface that rests on its obstacle, 0 to 1
+
+  double Nonpolar() const
+  {
+    return this->SurfaceEnergy + this->VolumeEnergy + this->DispersionEnergy;
+  }
+  double Total() const { return this->Nonpolar() + this->PolarEnergy; }
+};
 
 /// Cost: a Poisson-Boltzmann solution for each update (3 to 20), the first with its border, later
 /// ones anew only where the surface moved (SolveAgain()); between them UpdatePeriod steps at 3 ns
@@ -52,12 +91,12 @@ public:
   SolvationFlow(const SolvationFlow&) = delete;
   void operator=(const SolvationFlow&) = delete;
 
-  /// Until it rests, or MaximumUpdates.
+  /// Until convergence, or MaximumUpdates.
   /// @throws what SolvePoissonBoltzmann does, and Cancelled.
   void Run(const ProgressCallback& progress = {});
 
-  /// Whether the energy came to rest; if not, the last surface is there all the same.
-  bool Rests() const { return this->AtRest; }
+  /// Whether the energy has converged; if not, the last surface is kept.
+  bool HasConverged() const { return this->Converged; }
   double GetTemperature() const { return this->Equation.Temperature; } ///< kelvin
   const SurfaceFlowResult& GetSurface() const { return this->Surface; }
   const LevelFunction& GetLevel() const { return this->Level; }
@@ -80,7 +119,7 @@ private:
   std::vector<float> Steady;       ///< the part of the pull that stays, in spacings
   std::vector<float> LastDistance; ///< of the surface before
   double Time = 0.0;
-  bool AtRest = false;
+  bool Converged = false;
   LevelFunction Level;
   SurfaceFlowResult Surface;
   std::unique_ptr<PotentialOnBox> Solution;

@@ -91,7 +91,7 @@ void FillSolvation(const SolvationFlow& flow, const std::vector<std::string>& no
     {
       AddNotes(notes, made);
     }
-    AddNumber("Rests", flow.Rests() ? 1.0 : 0.0, made);
+    AddNumber("Rests", flow.HasConverged() ? 1.0 : 0.0, made);
   }
   outputs.Surface->ShallowCopy(surface);
   outputs.Image->ShallowCopy(image);

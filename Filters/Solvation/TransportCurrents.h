@@ -1,6 +1,7 @@
 /**
  * @file TransportCurrents.h
- * @brief Currents through cross-sections of a channel, and the densities of them at nodes.
+ * @brief Currents through cross-sections of a channel, flux densities at nodes, and curves of
+ * currents over voltage or concentration.
  */
 #ifndef isthmus_TransportCurrents_h
 #define isthmus_TransportCurrents_h
@@ -38,6 +39,33 @@ VTKISTHMUSFILTERSSOLVATION_EXPORT Point3 FluxAt(
 
 /// pA for an ion of 1 e a nanosecond.
 VTKISTHMUSFILTERSSOLVATION_EXPORT double PicoamperePerIon();
+
+/// What is kept of one point.
+struct TransportPoint
+{
+  double Voltage = 0.0; ///< mV
+  double Factor = 1.0;  ///< of the baths' concentrations
+  CurrentProfile Profile;
+  IonTransportReport Report;
+};
+
+/// Voltages in equal steps, the factor 1.
+/// @throws std::invalid_argument for ends out of range or less than two points.
+VTKISTHMUSFILTERSSOLVATION_EXPORT std::vector<TransportPoint> SweptVoltages(
+  double from, double to, int points);
+
+/// Factors in equal ratios, at one voltage.
+/// @throws std::invalid_argument for ends out of range or less than two points.
+VTKISTHMUSFILTERSSOLVATION_EXPORT std::vector<TransportPoint> SweptFactors(
+  double from, double to, int points, double voltage);
+
+/// What there is of a solution where it stands.
+VTKISTHMUSFILTERSSOLVATION_EXPORT TransportPoint PointOf(const PoissonNernstPlanck& solution);
+
+/// Solves at the point's voltage and factor, from where `solution` stands, and keeps what is found.
+/// @throws what PoissonNernstPlanck::Solve does.
+VTKISTHMUSFILTERSSOLVATION_EXPORT void SolveAt(
+  TransportPoint& point, PoissonNernstPlanck& solution, const ProgressCallback& progress = {});
 
 }
 

@@ -1,10 +1,13 @@
 /**
  * @file TransportGrid.h
- * @brief A channel in a membrane between two baths, as finite volumes around the nodes of a grid.
+ * @brief A channel in a membrane between two baths: the domain, and finite volumes around the nodes
+ * of a grid.
  *
  * The domain is a cylinder around the channel's axis (through the membrane's centre, along its
- * normal), so that nothing depends on how these lie to the grid. Beyond its flat ends are the
- * baths, its side lets nothing through. In it, atoms and membrane are one region, water the rest.
+ * normal) that holds all atoms and some more on all sides, so that nothing depends on how these lie
+ * to the grid. The grid is the box around it, with a node in the membrane's centre and a layer of
+ * nodes beyond the cylinder. Beyond the cylinder's flat ends are the baths, its side lets nothing
+ * through. In it, atoms and membrane are one region, water the rest.
  *
  * Nodes have cubes of one spacing around them. The part of each face that is water comes from the
  * signed distance, taken as linear there, so walls lie between the nodes: the area of a pore is
@@ -15,11 +18,68 @@
 #ifndef isthmus_TransportGrid_h
 #define isthmus_TransportGrid_h
 
-#include "Solvation/TransportDomain.h"
+#include "Atoms/Ball.h"
+#include "Core/Progress.h"
+#include "Solvation/IonTransportParameters.h"
 #include "vtkIsthmusFiltersSolvationModule.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
 
 namespace isthmus
 {
+
+/// Where the domain lies, before anything is computed on it.
+struct TransportDomain
+{
+  std::array<std::int64_t, 3> Dimensions{ 0, 0, 0 };
+  Point3 Origin{ 0.0, 0.0, 0.0 };
+  double Spacing = 1.0;
+  Point3 Centre{ 0.0, 0.0, 0.0 };
+  Point3 Normal{ 0.0, 0.0, 1.0 }; ///< of length 1
+  double Radius = 0.0;            ///< of the cylinder
+  double HalfLength = 0.0;        ///< from the centre to the baths, whole spacings
+
+  std::int64_t Size() const
+  {
+    return this->Dimensions[0] * this->Dimensions[1] * this->Dimensions[2];
+  }
+  std::array<std::int64_t, 3> Steps() const
+  {
+    return { 1, this->Dimensions[0], this->Dimensions[0] * this->Dimensions[1] };
+  }
+  std::array<std::int64_t, 3> Indices(std::int64_t node) const
+  {
+    const auto& n = this->Dimensions;
+    return { node % n[0], node / n[0] % n[1], node / (n[0] * n[1]) };
+  }
+  Point3 Place(std::int64_t node) const
+  {
+    const std::array<std::int64_t, 3> at = this->Indices(node);
+    return { this->Origin[0] + this->Spacing * static_cast<double>(at[0]),
+      this->Origin[1] + this->Spacing * static_cast<double>(at[1]),
+      this->Origin[2] + this->Spacing * static_cast<double>(at[2]) };
+  }
+  /// How far along the axis a place is, from the membrane's centre, and how far from the axis.
+  std::array<double, 2> AxialAndRadial(const Point3& place) const;
+};
+
+/// @throws std::invalid_argument for parameters out of range, std::runtime_error with the size
+/// where the memory for it is not there.
+VTKISTHMUSFILTERSSOLVATION_EXPORT TransportDomain DomainAround(
+  const std::vector<Ball>& atoms, const IonTransportParameters& parameters);
+
+/// @throws std::runtime_error with the domain's size where so many bytes a node are not there.
+VTKISTHMUSFILTERSSOLVATION_EXPORT void RequireMemory(
+  const TransportDomain& domain, double bytesPerNode);
+
+/// The distance from each node to the solvent-excluded surface of atoms
+/// (SolventExcludedSurface.h), or for ProbeRadius 0 to the atoms; angstrom, negative within, cut
+/// at 4.5 spacings. Parallel.
+/// @throws Cancelled.
+VTKISTHMUSFILTERSSOLVATION_EXPORT std::vector<float> DistanceToAtoms(const TransportDomain& domain,
+  const std::vector<Ball>& atoms, double probeRadius, const ProgressCallback& progress = {});
 
 /// Which bath a node belongs to.
 enum class Bath : unsigned char
@@ -34,7 +94,7 @@ struct TransportGrid
 {
   TransportDomain Domain;
   std::vector<float> Distance; ///< to atoms and membrane, angstrom, negative within
-  std::vector<float> Along;    ///< of TransportDomain::AlongAndOff
+  std::vector<float> Along;    ///< of TransportDomain::AxialAndRadial
   /// Of edges from a node to the next: permittivity times the part of the face in the domain, and
   /// the part of it that is water, with what was closed beside it (so it may be above 1). 0 where
   /// there is no next node, or one of the two is not in the water.
@@ -44,7 +104,7 @@ struct TransportGrid
   std::vector<double> Charge;       ///< e
 };
 
-/// `solute` are distances as of DistanceToAtoms() (TransportDomain.h), or nothing where there is a
+/// `solute` are distances as of DistanceToAtoms(), or nothing where there is a
 /// membrane only; charges are spread over eight nodes each. O(nodes). Parallel.
 /// @throws Cancelled.
 VTKISTHMUSFILTERSSOLVATION_EXPORT TransportGrid MakeTransportGrid(const TransportDomain& domain,
@@ -52,7 +112,7 @@ VTKISTHMUSFILTERSSOLVATION_EXPORT TransportGrid MakeTransportGrid(const Transpor
   const IonTransportParameters& parameters, const ProgressCallback& progress = {});
 
 /// The part of a unit square on which distance + g1 u + g2 v is positive, u and v in [-1/2, 1/2].
-VTKISTHMUSFILTERSSOLVATION_EXPORT double PositivePart(double distance, double g1, double g2);
+VTKISTHMUSFILTERSSOLVATION_EXPORT double PositiveFraction(double distance, double g1, double g2);
 
 }
 

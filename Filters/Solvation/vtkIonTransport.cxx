@@ -4,12 +4,11 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
 #include "Core/PipelineInputs.h"
+#include "Core/RangeChecks.h"
 #include "MolecularSurfaces/DispersionAtoms.h"
 #include "Solvation/AtomCharges.h"
 #include "Solvation/ChannelSolution.h"
-#include "Solvation/IonTransportInput.h"
 #include "Solvation/IonTransportOutput.h"
-#include "Solvation/TransportWarnings.h"
 
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -23,7 +22,82 @@
 
 vtkStandardNewMacro(vtkIonTransport);
 
+namespace
+{
+
+using isthmus::ChannelPassage;
+using isthmus::FormatNumber;
+using isthmus::MovingChannel;
 using isthmus::TransportPoint;
+
+std::string NarrowChannel(const ChannelPassage& passage)
+{
+  const isthmus::Point3& at = passage.Bottleneck;
+  return "At (" + FormatNumber(at[0]) + ", " + FormatNumber(at[1]) + ", " + FormatNumber(at[2]) +
+    ") the channel has a radius of " + FormatNumber(passage.Radius) +
+    " angstrom, less than a Spacing: the current hangs on how the nodes lie there. Choose a "
+    "smaller "
+    "Spacing.";
+}
+
+std::string IterationNotConverged(const TransportPoint& point, double tolerance)
+{
+  const isthmus::IonTransportReport& report = point.Report;
+  const std::string start = "At " + FormatNumber(point.Voltage) + " mV ";
+  if (report.Changes.back() > tolerance)
+  {
+    return start + "the potential still changed by " + FormatNumber(report.Changes.back()) +
+      " kT/e after " + std::to_string(report.Iterations) +
+      " iterations. The state that changed least is kept, with Converged 0: choose more "
+      "MaximumIterations or a larger Tolerance.";
+  }
+  return start + "a part of " + FormatNumber(report.Imbalance) +
+    " of a current is lost on its way: the equations of the ions could not be solved. What there "
+    "is "
+    "is kept, with Converged 0: choose a smaller Spacing or Voltage, or look for charges that "
+    "touch "
+    "the water.";
+}
+
+std::string SurfaceNotConverged(const MovingChannel& moving)
+{
+  return "The surface has not come to rest after " + std::to_string(moving.GetUpdates().size()) +
+    " updates: currents or water still changed by a part of " + FormatNumber(moving.LastChange()) +
+    ". Update " + std::to_string(moving.GetShown() + 1) +
+    ", which changed least, is kept, with Rests 0: choose more MaximumUpdates, a larger "
+    "UpdateTolerance, or a smaller FieldRelaxation.";
+}
+
+/// Atoms that were left out, a channel narrower than a spacing, the first point that has not
+/// converged or has lost ions on their way, a surface that has not come to rest.
+std::vector<std::string> Warnings(const isthmus::AtomBalls& atoms,
+  isthmus::ChannelSolution& channel, const std::vector<TransportPoint>& points)
+{
+  std::vector<std::string> sentences;
+  if (atoms.WithoutRadius > 0)
+  {
+    sentences.push_back(std::to_string(atoms.WithoutRadius) + " of " +
+      std::to_string(atoms.NumberOfAtoms) + " atoms have no radius and were left out.");
+  }
+  const isthmus::IonTransportParameters& parameters = channel.Get().GetParameters();
+  if (channel.GetPassage().Radius < parameters.Spacing)
+  {
+    sentences.push_back(NarrowChannel(channel.GetPassage()));
+  }
+  const auto left = std::find_if(points.begin(), points.end(),
+    [](const TransportPoint& point) { return !point.Report.Converged; });
+  if (left != points.end())
+  {
+    sentences.push_back(IterationNotConverged(*left, parameters.Tolerance));
+  }
+  if (channel.GetMoving() && !channel.GetMoving()->HasConverged())
+  {
+    sentences.push_back(SurfaceNotConverged(*channel.GetMoving()));
+  }
+  return sentences;
+}
+
+}
 
 struct vtkIonTransport::Salt
 {
@@ -153,7 +227,7 @@ void vtkIonTransport::Internals::Solve(vtkInformationVector** inputs,
     vtkTable::GetData(outputs, 2));
   vtkImageData::GetData(outputs, 0)->ShallowCopy(image);
   points.insert(points.begin(), shown);
-  for (const std::string& sentence : isthmus::TransportWarnings(atoms, channel, points))
+  for (const std::string& sentence : Warnings(atoms, channel, points))
   {
     vtkWarningWithObjectMacro(this->Self, << sentence);
   }

@@ -107,7 +107,7 @@ void vtkSolvationSurface::Internals::Warn(
                                           << " atoms have no radius and were left out.");
   }
   const SolvationUpdate& last = flow.GetUpdates().back();
-  if (!flow.Rests())
+  if (!flow.HasConverged())
   {
     const std::size_t n = flow.GetUpdates().size();
     vtkWarningWithObjectMacro(this->Self, << "The energy has not come to rest after " << n

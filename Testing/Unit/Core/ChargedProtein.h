@@ -6,7 +6,7 @@
 #define isthmus_ChargedProtein_h
 
 #include "SharedData.h"
-#include "Solvation/SolvationParameters.h"
+#include "Solvation/SolvationFlow.h"
 #include "vtkMacromoleculeReader.h"
 
 #include <vtkDataArray.h>

@@ -4,7 +4,7 @@
 #define AxisymmetricPore_h
 
 #include "Electrostatics/ElectrostaticUnits.h"
-#include "Solvation/ScharfetterGummel.h"
+#include "Solvation/PoissonNernstPlanck.h"
 #include "Solvation/TransportGrid.h"
 #include "TransportLine.h"
 

@@ -156,7 +156,7 @@ TEST(MovingChannel, PressureHoldsAPoreOpenThatIsWideEnough)
   const TransportDomain domain = DomainAround({}, p);
   MovingChannel wide(domain, {}, {}, {}, p, Walls(tension, 1.2 * tension / radius, 50, 10));
   wide.Run();
-  EXPECT_TRUE(wide.Rests());
+  EXPECT_TRUE(wide.HasConverged());
   EXPECT_NEAR(RadiusInTheMiddle(wide.GetSolution().GetGrid()) / radius, 1.0, 0.01);
   EXPECT_NEAR(wide.GetUpdates().back().Current() / wide.GetUpdates().front().Current(), 1.0, 0.02);
   MovingChannel narrow(domain, {}, {}, {}, p, Walls(tension, 0.8 * tension / radius, 50, 10));
@@ -193,7 +193,7 @@ TEST(MovingChannel, WallOfALongChargedPoreIsPulledAsInOneDimension)
     const double exact = RadialPush(p, radius, charge) * units::ThermalKilocalorie(p.Temperature);
     for (std::size_t i = 0; i < wall.Pull.size(); ++i)
     {
-      const Point3 at = MovingChannel::Roomy(domain).Place(wall.Crossings[i].Node);
+      const Point3 at = MovingChannel::Padded(domain).Place(wall.Crossings[i].Node);
       if (std::abs(at[2]) < 3.0 && std::hypot(at[0], at[1]) < 5.0)
       {
         sum += wall.Pull[i];
@@ -246,14 +246,14 @@ TEST(MovingChannel, WithoutForcesItIsTheSurfaceAtRest)
   Tube tube = MakeTube(p.Membrane, 3.0, 0.0);
   const TransportDomain domain = DomainAround(tube.Balls, p);
   const std::vector<float> obstacle =
-    DistanceToAtoms(MovingChannel::Roomy(domain), tube.Balls, p.ProbeRadius);
+    DistanceToAtoms(MovingChannel::Padded(domain), tube.Balls, p.ProbeRadius);
   // Pressure enough to hold it on the obstacle: the answer is ion transport on that.
   MovingChannel held(domain, obstacle, {}, {}, p, Walls(0.01, 0.05, 20, 10));
   held.Run();
-  EXPECT_TRUE(held.Rests());
+  EXPECT_TRUE(held.HasConverged());
   TransportGrid grid =
     MakeTransportGrid(domain, DistanceToAtoms(domain, tube.Balls, p.ProbeRadius), {}, p);
-  ClosePockets(grid);
+  CloseIsolatedPockets(grid);
   PoissonNernstPlanck still(grid, p);
   still.Solve();
   const double current = CurrentsOf(still).Mean();
@@ -292,10 +292,10 @@ TEST(MovingChannel, IonsPassWholeAndAreNeverNegativeAndThreadsLeaveNoTrace)
       [&]
       {
         MovingChannel channel(domain,
-          DistanceToAtoms(MovingChannel::Roomy(domain), tube.Balls, p.ProbeRadius), tube.Charges,
+          DistanceToAtoms(MovingChannel::Padded(domain), tube.Balls, p.ProbeRadius), tube.Charges,
           attracting, p, walls);
         channel.Run();
-        EXPECT_TRUE(channel.Rests());
+        EXPECT_TRUE(channel.HasConverged());
         EXPECT_LE(channel.GetUpdates().size(), 10u);
         const PoissonNernstPlanck& solution = channel.GetSolution();
         EXPECT_LT(CurrentsOf(solution).Spread(), 1e-4);
@@ -321,7 +321,7 @@ TEST(MovingChannel, WhatDoesNotRestIsKeptAsItChangedLeast)
   m.Policy.AdaptiveUpdate = false;
   MovingChannel channel(DomainAround({}, p), {}, {}, {}, p, m);
   channel.Run();
-  EXPECT_FALSE(channel.Rests());
+  EXPECT_FALSE(channel.HasConverged());
   ASSERT_EQ(channel.GetUpdates().size(), 4u);
   EXPECT_GT(channel.LastChange(), m.Policy.Tolerance);
   EXPECT_EQ(channel.GetShown(), 1u);

@@ -1,8 +1,8 @@
 // Surface and field in turn: ions beside Born's formula, pairs, policies of updating, the pull.
 
 #include "KirkwoodSphere.h"
+#include "Solvation/CoupledFlow.h"
 #include "Solvation/SolvationFlow.h"
-#include "Solvation/SurfacePull.h"
 #include "TwoSpheres.h"
 
 #include <vtkSMPTools.h>
@@ -68,7 +68,7 @@ TEST(SolvationFlow, IonsHaveBornsEnergy)
     std::cout << "R " << radius << ": " << last.PolarEnergy << " (Born " << Born(radius) << ", "
               << last.PolarEnergy / Born(radius) - 1.0 << ") after " << flow.GetUpdates().size()
               << " updates\n";
-    EXPECT_TRUE(flow.Rests());
+    EXPECT_TRUE(flow.HasConverged());
     EXPECT_LE(flow.GetUpdates().size(), 10u);
     EXPECT_GT(last.OnObstacle, 0.99);
     EXPECT_NEAR(last.PolarEnergy / Born(radius), 1.0, 1e-3);
@@ -91,7 +91,7 @@ TEST(SolvationFlow, IonsInTheSmoothModeEndWithTheSharpEnergy)
     const double last = updates.back().PolarEnergy / Born(radii[i]) - 1.0;
     std::cout << "R " << radii[i] << ": " << onTheWay << " by edges, " << last
               << " by the jump, after " << updates.size() << " updates\n";
-    EXPECT_TRUE(flow.Rests());
+    EXPECT_TRUE(flow.HasConverged());
     EXPECT_LE(updates.size(), 10u);
     EXPECT_EQ(updates.back().Area, updates[updates.size() - 2].Area);
     EXPECT_LT(std::abs(onTheWay), smooth[i]);
@@ -99,7 +99,7 @@ TEST(SolvationFlow, IonsInTheSmoothModeEndWithTheSharpEnergy)
   }
 }
 
-TEST(SurfacePull, OfAnIonIsKnown)
+TEST(CoupledFlow, OfAnIonIsKnown)
 {
   // E just outside is C / (eps_s r^2), and the energy's derivative by r, over the area, the pull.
   SolvationFlow flow(Ion(2.0), IonParameters(0.25));
@@ -126,7 +126,7 @@ TEST(SolvationFlow, IonPairHasTheEnergyOfTwoSpheres)
   std::cout << "pair: " << last.PolarEnergy << " (by multipoles " << exact << ", "
             << last.PolarEnergy / exact - 1.0 << ") after " << flow.GetUpdates().size()
             << " updates\n";
-  EXPECT_TRUE(flow.Rests());
+  EXPECT_TRUE(flow.HasConverged());
   EXPECT_LE(flow.GetUpdates().size(), 10u);
   EXPECT_NEAR(last.PolarEnergy / exact, 1.0, 1e-3);
 }
@@ -147,7 +147,7 @@ TEST(SolvationFlow, ChargesInOneBallHaveKirkwoodsEnergy)
   std::cout << "two charges in a ball: " << last.PolarEnergy << " (Kirkwood " << exact << ", "
             << last.PolarEnergy / exact - 1.0 << ") after " << flow.GetUpdates().size()
             << " updates\n";
-  EXPECT_TRUE(flow.Rests());
+  EXPECT_TRUE(flow.HasConverged());
   EXPECT_LE(flow.GetUpdates().size(), 10u);
   EXPECT_NEAR(last.PolarEnergy / exact, 1.0, 2e-3);
 }
@@ -187,7 +187,7 @@ TEST(SolvationFlow, PoliciesOfUpdatingEndAlike)
     energies.push_back(flow.GetUpdates().back().Total());
     std::cout << "water, period " << policy.Period << ", alpha' " << policy.Relaxation << ": "
               << energies.back() << " after " << flow.GetUpdates().size() << " updates\n";
-    EXPECT_TRUE(flow.Rests());
+    EXPECT_TRUE(flow.HasConverged());
     EXPECT_LE(flow.GetUpdates().size(), 10u);
     EXPECT_NEAR(energies.back() / energies.front(), 1.0, 5e-3);
   }
@@ -237,7 +237,7 @@ TEST(SolvationFlow, WhatDoesNotRestIsToldAndKept)
   p.Policy.MaximumUpdates = 2;
   SolvationFlow flow(IonPair(5.0), p);
   flow.Run();
-  EXPECT_FALSE(flow.Rests());
+  EXPECT_FALSE(flow.HasConverged());
   EXPECT_EQ(flow.GetUpdates().size(), 2u);
   EXPECT_GT(flow.GetUpdates().back().Area, 0.0);
 }

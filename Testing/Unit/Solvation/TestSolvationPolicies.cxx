@@ -37,7 +37,7 @@ std::vector<double> EnergiesAtRest(double probe, const std::vector<int>& periods
       SolvationFlow flow(atoms, p);
       flow.Run();
       const std::vector<SolvationUpdate>& updates = flow.GetUpdates();
-      EXPECT_TRUE(flow.Rests());
+      EXPECT_TRUE(flow.HasConverged());
       EXPECT_LE(updates.size(), 10u);
       std::cout << "period " << period << ", alpha' " << relaxation << ":";
       for (std::size_t u = 0; u < updates.size(); ++u)

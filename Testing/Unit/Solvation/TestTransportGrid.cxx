@@ -48,8 +48,8 @@ CurrentProfile Solved(const TransportGrid& grid, const IonTransportParameters& p
 double Current(const IonTransportParameters& p, const std::vector<ChargedAtom>& charges = {})
 {
   TransportGrid grid = MakeTransportGrid(DomainAround({}, p), {}, charges, p);
-  DemandOpen(FindPassage(grid));
-  ClosePockets(grid);
+  RequireOpen(FindPassage(grid));
+  CloseIsolatedPockets(grid);
   return Solved(grid, p).Mean();
 }
 
@@ -153,7 +153,7 @@ TEST(TransportGrid, PositivePartIsThatOfASquare)
         }
         if (distance != 0.0 || g1 != 0.0 || g2 != 0.0)
         {
-          EXPECT_NEAR(PositivePart(distance, g1, g2), positive / double(n * n), 0.01)
+          EXPECT_NEAR(PositiveFraction(distance, g1, g2), positive / double(n * n), 0.01)
             << distance << " " << g1 << " " << g2;
         }
       }
@@ -176,7 +176,7 @@ TEST(ChannelPassage, TellsWhereAChannelCloses)
       MakeTransportGrid(domain, DistanceToAtoms(domain, ball, p.ProbeRadius), {}, p));
   };
   const ChannelPassage past = passage(2.0, 3.0);
-  DemandOpen(past);
+  RequireOpen(past);
   EXPECT_NEAR(past.Radius, 1.5, 0.3);
   EXPECT_NEAR(past.Bottleneck[0], -2.5, 0.6);
   EXPECT_NEAR(past.Along, 1.5, 2.6); // nodes 2.5 off are as near to the wall as the narrowest is
@@ -184,7 +184,7 @@ TEST(ChannelPassage, TellsWhereAChannelCloses)
   EXPECT_NEAR(closed.Radius, -0.3, 0.2);
   try
   {
-    DemandOpen(closed);
+    RequireOpen(closed);
     FAIL() << "it is closed";
   }
   catch (const std::runtime_error& error)
@@ -200,7 +200,7 @@ TEST(ChannelPassage, ClosesPocketsWithoutABath)
     {
       TransportGrid cut = line;
       cut.Aperture[2][20] = 0.0F;
-      ClosePockets(cut);
+      CloseIsolatedPockets(cut);
     },
     std::runtime_error);
   // A second line beside it, which leads nowhere.
@@ -226,7 +226,7 @@ TEST(ChannelPassage, ClosesPocketsWithoutABath)
     beside(two.Aperture[a], line.Aperture[a], a == 2 ? 1.0F : 0.0F);
   }
   two.Aperture[2][81] = 0.0F; // the last has no next
-  ClosePockets(two);
+  CloseIsolatedPockets(two);
   EXPECT_EQ(two.Water[21], 0.0F);
   EXPECT_EQ(two.Aperture[2][21], 0.0F);
   EXPECT_EQ(two.Water[20], 1.0F);

@@ -29,8 +29,8 @@ TransportGrid GridOf(const Tube& tube, const IonTransportParameters& p)
   const TransportDomain domain = DomainAround(tube.Balls, p);
   TransportGrid grid =
     MakeTransportGrid(domain, DistanceToAtoms(domain, tube.Balls, p.ProbeRadius), tube.Charges, p);
-  DemandOpen(FindPassage(grid));
-  ClosePockets(grid);
+  RequireOpen(FindPassage(grid));
+  CloseIsolatedPockets(grid);
   return grid;
 }
 

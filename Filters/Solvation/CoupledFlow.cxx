@@ -1,4 +1,4 @@
-#include "Solvation/SurfacePeriod.h"
+#include "Solvation/CoupledFlow.h"
 
 #include "MolecularSurfaces/FlowField.h"
 #include "MolecularSurfaces/LevelMeasure.h"
@@ -17,8 +17,8 @@ namespace
 constexpr double Lambda = 0.16;          // dt / spacing^2
 constexpr float MostPull = 0.4F / 0.16F; // a step moves the surface by at most 0.4 spacings
 constexpr int StepsToRedistance = 4;
-constexpr int StepsToLook = 8;
-constexpr double Rest = 1e-5; // relative change of the volume in StepsToLook
+constexpr int StepsToMeasure = 8;
+constexpr double Rest = 1e-5; // relative change of the volume in StepsToMeasure
 
 void Require(bool fine, const char* name, double value, const char* what)
 {
@@ -44,7 +44,7 @@ void CheckPolicy(const UpdatePolicy& p)
     "it is a part of what changes: above 0, below 1");
 }
 
-void Settle(FlowField& field)
+void RestoreDistances(FlowField& field)
 {
   constexpr int iterations = 10;
   Redistance(field, iterations, true);
@@ -66,7 +66,7 @@ double EvolveForPeriod(FlowField& field, const UpdatePolicy& policy)
     {
       Redistance(field, 2);
     }
-    if (policy.AdaptiveUpdate && step % StepsToLook == 0)
+    if (policy.AdaptiveUpdate && step % StepsToMeasure == 0)
     {
       const double last = std::exchange(volume, MeasureLevel(field).Volume);
       if (std::abs(volume - last) < Rest * volume)
@@ -90,11 +90,11 @@ double EvolveForPeriod(FlowField& field, const UpdatePolicy& policy)
     }
     FindBand(field);
   }
-  Settle(field);
+  RestoreDistances(field);
   return Lambda * h * h * steps;
 }
 
-double PartOnObstacle(const FlowField& field)
+double FractionOnObstacle(const FlowField& field)
 {
   constexpr float near = 0.5F;
   constexpr float touching = 0.05F;
@@ -111,7 +111,7 @@ double PartOnObstacle(const FlowField& field)
   return all > 0.0 ? held / all : 0.0;
 }
 
-void CutPull(std::vector<float>& pull)
+void LimitPull(std::vector<float>& pull)
 {
   for (float& value : pull)
   {
@@ -119,7 +119,7 @@ void CutPull(std::vector<float>& pull)
   }
 }
 
-void TakePull(FlowField& field, const std::vector<float>& steady, const std::vector<float>& more,
+void UpdatePull(FlowField& field, const std::vector<float>& steady, const std::vector<float>& more,
   double scale, double part)
 {
   const auto of = static_cast<float>(scale);
@@ -129,6 +129,105 @@ void TakePull(FlowField& field, const std::vector<float>& steady, const std::vec
     const float wanted = std::clamp(steady[n] + of * more[n], -MostPull, MostPull);
     field.Pull[n] = taken * wanted + (1.0F - taken) * field.Pull[n];
   }
+}
+
+namespace
+{
+
+/// Nodes that have a value, the layers that follow from them, and the sums on the way.
+class Layers
+{
+public:
+  explicit Layers(const FlowGrid& grid)
+    : Grid(grid)
+    , Values(static_cast<std::size_t>(grid.NumberOfNodes()), 0.0F)
+    , Counts(this->Values.size(), 0)
+  {
+  }
+
+  void Add(std::int64_t node, float value)
+  {
+    const auto n = static_cast<std::size_t>(node);
+    if (this->Counts[n] == 0)
+    {
+      this->Front.push_back(node);
+    }
+    this->Values[n] += value;
+    ++this->Counts[n];
+  }
+
+  std::vector<float> Carried()
+  {
+    while (!this->Front.empty())
+    {
+      for (const std::int64_t node : this->Front)
+      {
+        const auto n = static_cast<std::size_t>(node);
+        this->Values[n] /= static_cast<float>(this->Counts[n]);
+        this->Counts[n] = Done;
+      }
+      const std::vector<std::int64_t> from = std::move(this->Front);
+      this->Front.clear();
+      for (const std::int64_t node : from)
+      {
+        this->Hand(node);
+      }
+    }
+    return std::move(this->Values);
+  }
+
+private:
+  static constexpr unsigned char Done = 255;
+
+  void Hand(std::int64_t node)
+  {
+    const auto& n = this->Grid.Dimensions();
+    const std::int64_t steps[3] = { 1, this->Grid.Row(), this->Grid.Plane() };
+    const std::int64_t at[3] = { node % n[0], node / n[0] % n[1], node / this->Grid.Plane() };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      for (const std::int64_t side : { -1, 1 })
+      {
+        if (at[axis] + side < 0 || at[axis] + side >= n[axis])
+        {
+          continue;
+        }
+        const std::int64_t next = node + side * steps[axis];
+        if (this->Counts[static_cast<std::size_t>(next)] != Done)
+        {
+          this->Add(next, this->Values[static_cast<std::size_t>(node)]);
+        }
+      }
+    }
+  }
+
+  const FlowGrid& Grid;
+  std::vector<float> Values;
+  std::vector<unsigned char> Counts; ///< at most 6, or Done
+  std::vector<std::int64_t> Front;
+};
+
+}
+
+std::vector<float> ExtendOffSurface(const SolverBox& box,
+  const std::vector<InterfaceCrossing>& crossings, const std::vector<double>& values,
+  const FlowGrid& grid)
+{
+  const auto& n = box.Dimensions;
+  const auto nodeOf = [&](std::int64_t node)
+  {
+    return grid.Index(box.First[0] + node % n[0], box.First[1] + node / n[0] % n[1],
+      box.First[2] + node / (n[0] * n[1]));
+  };
+  Layers layers(grid);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const InterfaceCrossing& crossing = crossings[i];
+    const std::int64_t next = crossing.Node + box.Steps()[static_cast<std::size_t>(crossing.Axis)];
+    layers.Add(nodeOf(crossing.Node), static_cast<float>(values[i]));
+    layers.Add(nodeOf(next), static_cast<float>(values[i]));
+  }
+  return layers.Carried();
 }
 
 }
