@@ -11,7 +11,7 @@
  * Surface tension, pressure, dispersion and the electric field move the surface; the field is that
  * of the charges inside of it (Poisson-Boltzmann equation), so both are made in turn until the
  * energy rests: the thesis' coupled Laplace-Beltrami and Poisson-Boltzmann model in sharp form.
- * Formulas and sources: SolvationFlow.h, SurfacePull.h.
+ * Formulas and sources: SolvationFlow.h, CoupledFlow.h.
  *
  * Outputs:
  *  - 0: vtkPolyData, the surface: closed, with `Normals`, `Potential` (kT/e), `NormalField`,

@@ -151,7 +151,7 @@ struct Row
 
 }
 
-TEST(FlowAccuracy, CatenoidBetweenTwoBallsIsSecondOrder)
+TEST(SurfaceFlowAccuracy, CatenoidBetweenTwoBallsIsSecondOrder)
 {
   const Catenoid exact;
   std::array<double, 3> area{};
@@ -175,7 +175,7 @@ TEST(FlowAccuracy, CatenoidBetweenTwoBallsIsSecondOrder)
   EXPECT_GT(0.5 * std::log2(volume[0] / volume[2]), 1.8);
 }
 
-TEST(FlowAccuracy, NeckBreaksWhereNoCatenoidIs)
+TEST(SurfaceFlowAccuracy, NeckBreaksWhereNoCatenoidIs)
 {
   for (const double spacing : { 0.5, 0.25 })
   {
@@ -191,7 +191,7 @@ TEST(FlowAccuracy, NeckBreaksWhereNoCatenoidIs)
   }
 }
 
-TEST(FlowAccuracy, EarlyTimesAreThoseOfTheCurveAroundARow)
+TEST(SurfaceFlowAccuracy, EarlyTimesAreThoseOfTheCurveAroundARow)
 {
   const Row row;
   for (const double time : { 0.0, 0.1, 0.5, 1.0 })
@@ -221,7 +221,7 @@ TEST(FlowAccuracy, EarlyTimesAreThoseOfTheCurveAroundARow)
 // The two tests below show why areas before T = 2.5 are not asked to be those of the table in
 // ../shared/flows.md: its figures are those of a grid of 0.5 angstrom, which no surface has there.
 
-TEST(FlowAccuracy, LysozymeStartsAsTheUnionOfItsBalls)
+TEST(SurfaceFlowAccuracy, LysozymeStartsAsTheUnionOfItsBalls)
 {
   ISTHMUS_NEEDS_SHARED_DATA("molecules/1hew/1hew.pqr");
   const std::vector<Ball> balls = Lysozyme();
@@ -248,7 +248,7 @@ TEST(FlowAccuracy, LysozymeStartsAsTheUnionOfItsBalls)
   }
 }
 
-TEST(FlowAccuracy, EarlyLysozymeIsNearerToItsLimitThanTheTable)
+TEST(SurfaceFlowAccuracy, EarlyLysozymeIsNearerToItsLimitThanTheTable)
 {
   ISTHMUS_NEEDS_SHARED_DATA("molecules/1hew/1hew.pqr");
   const std::vector<Ball> balls = Lysozyme();
@@ -268,7 +268,7 @@ TEST(FlowAccuracy, EarlyLysozymeIsNearerToItsLimitThanTheTable)
   EXPECT_GT(std::abs(6259.0 - limit), 1.2 * std::abs(areas[0] - limit));
 }
 
-TEST(FlowAccuracy, LysozymeByTime)
+TEST(SurfaceFlowAccuracy, LysozymeByTime)
 {
   ISTHMUS_NEEDS_SHARED_DATA("molecules/1hew/1hew.pqr");
   const auto filter = FilterOf(AtomsOf(Lysozyme()));
@@ -305,7 +305,7 @@ TEST(FlowAccuracy, LysozymeByTime)
   }
 }
 
-TEST(FlowAccuracy, SteadyLysozymeDoesNotKnowWhereItBegan)
+TEST(SurfaceFlowAccuracy, SteadyLysozymeDoesNotKnowWhereItBegan)
 {
   ISTHMUS_NEEDS_SHARED_DATA("molecules/1hew/1hew.pqr");
   const auto filter = FilterOf(AtomsOf(Lysozyme()));

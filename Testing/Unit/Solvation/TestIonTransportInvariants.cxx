@@ -1,6 +1,6 @@
-// Ion transport where nobody looked before: channels of atoms that are their own mirror image,
-// ions of every valence, hardly any room, high voltages, strong charges, membranes off the centre.
-// The answers of physics hold: the current's sign, one current in all sections, no negative ions.
+// Invariants of ion transport in unusual channels: channels of atoms that are their own mirror
+// image, ions of every valence, narrow domains, high voltages, strong charges, membranes off the
+// centre: the sign of the current, one current in all sections, no negative concentrations.
 
 #include "ChannelTube.h"
 #include "Electrostatics/ElectrostaticUnits.h"
@@ -54,7 +54,7 @@ CurrentProfile Sound(PoissonNernstPlanck& solution, const char* name)
 
 }
 
-TEST(UnseenChannels, SymmetricChannelOfAtomsHasASymmetricCurve)
+TEST(IonTransportInvariants, SymmetricChannelOfAtomsHasASymmetricCurve)
 {
   IonTransportParameters p = TubeParameters(2.5);
   p.Tolerance = 1e-6;
@@ -76,7 +76,7 @@ TEST(UnseenChannels, SymmetricChannelOfAtomsHasASymmetricCurve)
   EXPECT_NEAR(Sound(solution, "none").Mean(), 0.0, 1e-6 * least);
 }
 
-TEST(UnseenChannels, IonsOfEveryValencePassWhole)
+TEST(IonTransportInvariants, IonsOfEveryValencePassWhole)
 {
   struct Case
   {
@@ -131,7 +131,7 @@ TEST(UnseenChannels, IonsOfEveryValencePassWhole)
   }
 }
 
-TEST(UnseenChannels, MembranesLieAnywhere)
+TEST(IonTransportInvariants, MembranesLieAnywhere)
 {
   // Off the origin, along no axis, with a normal of any length, as deep in the channel as it may
   // be.
@@ -155,7 +155,7 @@ TEST(UnseenChannels, MembranesLieAnywhere)
   }
 }
 
-TEST(UnseenChannels, WhatHasNoAnswerInDoublesIsHeard)
+TEST(IonTransportInvariants, OverflowIsReported)
 {
   // Charges in the water itself: thousands of kT/e between neighbours. There is an answer with one
   // current in all sections, or a sentence, or a mark that it did not converge.
@@ -186,7 +186,7 @@ TEST(UnseenChannels, WhatHasNoAnswerInDoublesIsHeard)
   }
 }
 
-TEST(UnseenChannels, MoreIonsThanFloatsCountAreRefused)
+TEST(IonTransportInvariants, MoreIonsThanFloatsCountAreRefused)
 {
   // What a charge in the water holds round it grows with it: 837 mol/l for each e here.
   for (const double charge : { 1.0, 1e20, 1e38 })
@@ -215,7 +215,7 @@ TEST(UnseenChannels, MoreIonsThanFloatsCountAreRefused)
   }
 }
 
-TEST(UnseenChannels, IonsThatAreLostOnTheirWayAreHeard)
+TEST(IonTransportInvariants, LostCurrentIsReported)
 {
   // A barrier before a well, for trivalent ions in hardly any salt: what passes is less than what
   // rounding leaves of what turns over in the well. The potential converges all the same.
