@@ -18,6 +18,11 @@ namespace isthmus
 /// the one that means something: the elder of a class, the deepest of a basin. Amortised cost of a
 /// call: O(log n), in practice constant, by halving paths (R. Tarjan and J. van Leeuwen, 1984);
 /// memory: one `Index` a number, so 32 bits do for less than 2^32 of them.
+///
+/// Why not boost::disjoint_sets: its roots are chosen by rank, not by meaning, and ranks take
+/// memory. CPU seconds to join half of the edges of a grid of 4 million nodes, in random order, and
+/// to find all roots (medians of 5 in one process): 0.222 here with 64 bits, 0.168 with 32, 0.376
+/// Boost.
 /// @tparam Index an integer that holds n, or a Handle (Handles.h) of such
 template <class Index>
 class DisjointSets

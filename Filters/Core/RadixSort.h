@@ -93,8 +93,13 @@ bool Pass(const std::vector<Entry>& from, std::vector<Entry>& to, unsigned int b
 /**
  * `entries` in ascending order of the bits [first, last) of key(entry), an unsigned number; equal
  * ones stay in their order. Least significant digit first, 11 bits a pass (H. H. Seward, 1954); a
- * pass in which nothing differs is left out. O(n) a pass, a second copy of the entries while it
+ * pass in which nothing differs is skipped. O(n) a pass, a second copy of the entries while it
  * runs. The same on any number of threads.
+ *
+ * Why not Boost.Sort: it has no stable parallel sort by a key's bits. CPU seconds of one thread for
+ * 4 million random pairs of a 64-bit key and a 32-bit number (medians of 5 in one process): 0.300
+ * here, 0.378 spinsort, 0.429 flat_stable_sort, 0.518 std::stable_sort, 0.360 spreadsort (not
+ * stable); by 24 bits of a 64-bit number 0.094 here, 0.234 spreadsort.
  */
 template <typename Entry, typename Key>
 void RadixSort(std::vector<Entry>& entries, unsigned int first, unsigned int last, const Key& key)

@@ -6,9 +6,14 @@
 #include "Files/ReaderError.h"
 #include "Files/TextLines.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <system_error>
 
 namespace isthmus
 {
@@ -20,17 +25,31 @@ constexpr std::size_t FaceColumns = 5;
 
 using ComponentNumber = Handle<struct MSMSComponent, int>;
 
-/// Up to ten leading numbers of a line; what follows them (an atom's name) is left out.
-std::vector<double> NumbersOf(const std::string& line)
+/// Up to ten leading numbers of a line, whatever the locale; what follows them (an atom's name) is
+/// skipped. Too small for a double is 0, too large infinite.
+std::vector<double> NumbersOf(std::string_view line)
 {
   std::vector<double> numbers;
-  const char* at = line.c_str();
-  char* end = nullptr;
-  for (double x = std::strtod(at, &end); end != at && numbers.size() < 10;
-       x = std::strtod(at, &end))
+  while (numbers.size() < 10)
   {
+    line.remove_prefix(std::min(line.find_first_not_of(" \t\n\v\f\r"), line.size()));
+    if (line.size() > 1 && line[0] == '+' && line[1] != '-')
+    {
+      line.remove_prefix(1); // from_chars takes no plus
+    }
+    double x = 0.0;
+    const auto [rest, error] = std::from_chars(line.data(), line.data() + line.size(), x);
+    if (error == std::errc::invalid_argument)
+    {
+      break;
+    }
+    const auto length = static_cast<std::size_t>(rest - line.data());
+    if (error == std::errc::result_out_of_range)
+    {
+      x = std::strtod(std::string(line.substr(0, length)).c_str(), nullptr);
+    }
     numbers.push_back(x);
-    at = end;
+    line.remove_prefix(length);
   }
   return numbers;
 }
