@@ -12,7 +12,7 @@
  * - Area = sum of A_i; Centre and MeanPotential: means weighted by A_i;
  * - MeanDepth: likewise, of the distance of a point to the convex hull of the surface,
  *   depth(x) = min over unit vectors n of (max over surface points p of n.p) - n.x, taken over 1000
- *   directions: HullDepth.h tells by how much that is too large (some 0.2 angstrom for proteins).
+ *   directions: HullDepth.h says by how much that is too large (some 0.2 angstrom for proteins).
  *   The hull needs no probe radius and no grid; a cavity's depth is its distance to the outside.
  *
  * A patch lines a pocket, so its Centre, the mean of points on the wall, lies within the pocket.

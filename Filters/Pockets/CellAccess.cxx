@@ -23,15 +23,15 @@ double Clearance(
   return std::sqrt(std::max(0.0, value + largest * largest)) - (largest - probe);
 }
 
-/// A way that has reached `Cell` through `Triangle`.
-struct Way
+/// A path that has reached `Cell` through `Triangle`.
+struct Path
 {
   double Width;
   TetrahedronId Cell;
   TriangleId Triangle;
 
   /// The widest comes first, then the lowest ids.
-  bool operator<(const Way& other) const
+  bool operator<(const Path& other) const
   {
     if (this->Width != other.Width)
     {
@@ -53,35 +53,35 @@ CellAccess FindAccess(const RegularFiltration& f, const FacesByCell& faces, doub
     access.CellClearance[cell] = Clearance(f, c.Tetrahedra[cell], c.TetrahedronValue[cell], probe);
   }
   access.TriangleClearance.resize(c.TriangleCount());
-  std::priority_queue<Way> ways;
+  std::priority_queue<Path> paths;
   for (const TriangleId t : c.Triangles())
   {
     access.TriangleClearance[t] = Clearance(f, c.TrianglePoints(t), c.TriangleValue[t], probe);
     const auto sides = c.TriangleSides(t);
     if (!sides[0].Exists() || !sides[1].Exists())
     {
-      ways.push({ access.TriangleClearance[t], std::max(sides[0], sides[1]), t });
+      paths.push({ access.TriangleClearance[t], std::max(sides[0], sides[1]), t });
     }
   }
   access.Access.assign(c.Tetrahedra.size(), 0.0);
-  access.TowardsOut.assign(c.Tetrahedra.size(), TriangleId::None());
-  while (!ways.empty())
+  access.TowardsOutside.assign(c.Tetrahedra.size(), TriangleId::None());
+  while (!paths.empty())
   {
-    const Way way = ways.top();
-    ways.pop();
-    if (access.TowardsOut[way.Cell].Exists())
+    const Path path = paths.top();
+    paths.pop();
+    if (access.TowardsOutside[path.Cell].Exists())
     {
       continue;
     }
-    access.TowardsOut[way.Cell] = way.Triangle;
-    const double width = std::min(way.Width, access.CellClearance[way.Cell]);
-    access.Access[way.Cell] = width;
-    for (const TriangleId triangle : faces[way.Cell])
+    access.TowardsOutside[path.Cell] = path.Triangle;
+    const double width = std::min(path.Width, access.CellClearance[path.Cell]);
+    access.Access[path.Cell] = width;
+    for (const TriangleId triangle : faces[path.Cell])
     {
-      const TetrahedronId next = c.Across(triangle, way.Cell);
-      if (next.Exists() && !access.TowardsOut[next].Exists())
+      const TetrahedronId next = c.Across(triangle, path.Cell);
+      if (next.Exists() && !access.TowardsOutside[next].Exists())
       {
-        ways.push({ std::min(width, access.TriangleClearance[triangle]), next, triangle });
+        paths.push({ std::min(width, access.TriangleClearance[triangle]), next, triangle });
       }
     }
   }

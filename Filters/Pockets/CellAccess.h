@@ -1,6 +1,6 @@
 /**
  * @file CellAccess.h
- * @brief Room around atoms: how wide each tetrahedron is, and the widest way to it from outside.
+ * @brief Clearance of each tetrahedron between atoms, and the widest path to it from outside.
  */
 #ifndef isthmus_CellAccess_h
 #define isthmus_CellAccess_h
@@ -17,14 +17,15 @@ namespace isthmus
  * sqrt(a + R^2) - r for the value a and the largest of the simplex' atoms, R = r + probe.
  *
  * *Access*: the radius of the largest ball that gets from outside to there, the maximum over all
- * ways through triangles of the least clearance met (the dual, over H2, of where voids are born).
+ * paths through triangles of the least clearance met (the dual, over H2, of where voids are born).
  */
 struct CellAccess
 {
   HandleVector<TetrahedronId, double> CellClearance;
   HandleVector<TriangleId, double> TriangleClearance;
   HandleVector<TetrahedronId, double> Access;
-  HandleVector<TetrahedronId, TriangleId> TowardsOut; ///< the triangle that the widest way takes
+  HandleVector<TetrahedronId, TriangleId>
+    TowardsOutside; ///< the triangle that the widest path takes
 };
 
 /// `probe` is what the radii of `f` have been enlarged by. O(n log n): one pass of Dijkstra's

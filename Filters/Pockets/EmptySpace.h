@@ -1,10 +1,11 @@
 /**
  * @file EmptySpace.h
- * @brief How much of each tetrahedron balls leave empty, and how much of their surface faces it.
+ * @brief Empty volume of each tetrahedron between balls, and the surface of the balls that faces
+ * it.
  *
  * With K the dual complex of the balls' union (the simplices of value 0 and less), the union is the
  * alternating sum over K of what the balls of a simplex share: balls - lenses + threes - fours
- * (H. Edelsbrunner, Discrete Comput. Geom. 13 (1995) 415). Each term is dealt out to the tetrahedra
+ * (H. Edelsbrunner, Discrete Comput. Geom. 13 (1995) 415). Each term is shared among the tetrahedra
  * around its simplex by their angles there. A tetrahedron of K is full; another one keeps
  *
  *   volume - sum of sectors + sum of slices of lenses - sum of halves of threes,

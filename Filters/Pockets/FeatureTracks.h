@@ -1,6 +1,6 @@
 /**
  * @file FeatureTracks.h
- * @brief Features of one time step recognised in the next: pockets, pores, loops that move.
+ * @brief Tracking of features over time steps: pockets, pores, loops.
  */
 #ifndef isthmus_FeatureTracks_h
 #define isthmus_FeatureTracks_h

@@ -1,6 +1,6 @@
 /**
  * @file HullDepth.h
- * @brief How far points lie below the convex hull of a surface.
+ * @brief The depth of points below the convex hull of a surface.
  */
 #ifndef isthmus_HullDepth_h
 #define isthmus_HullDepth_h

@@ -26,14 +26,14 @@ namespace
 using PocketNumber = Handle<struct PocketKind, std::int32_t>;
 using PocketByCell = HandleVector<TetrahedronId, PocketNumber>;
 
-/// Empty room around a pocket that one of `Way`s has reached.
-struct Way
+/// Empty room around a pocket that one of `Path`s has reached.
+struct Path
 {
   double Width;
   TetrahedronId Cell;
   PocketNumber Pocket;
 
-  bool operator<(const Way& other) const
+  bool operator<(const Path& other) const
   {
     if (this->Width != other.Width)
     {
@@ -79,14 +79,14 @@ PocketByCell PocketCores(
 
 /**
  * Gives the crevices to the pockets: empty tetrahedra too narrow for the inner ball that the probe
- * reaches from a pocket belong to the one with the widest way. So the room of a void is all of it.
+ * reaches from a pocket belong to the one with the widest path. So the room of a void is all of it.
  * O(n log n).
  */
 PocketByCell WithCrevices(const CellFiltration& c, const FacesByCell& faces,
   const CellAccess& access, double outer, const PocketByCell& cores)
 {
   PocketByCell labels = cores;
-  std::priority_queue<Way> ways;
+  std::priority_queue<Path> paths;
   const auto leave = [&](TetrahedronId cell)
   {
     for (const TriangleId face : faces[cell])
@@ -95,7 +95,7 @@ PocketByCell WithCrevices(const CellFiltration& c, const FacesByCell& faces,
       if (next.Exists() && !labels[next].Exists() && c.TriangleValue[face] > 0.0 &&
         access.Access[next] < outer)
       {
-        ways.push({ access.TriangleClearance[face], next, labels[cell] });
+        paths.push({ access.TriangleClearance[face], next, labels[cell] });
       }
     }
   };
@@ -106,14 +106,14 @@ PocketByCell WithCrevices(const CellFiltration& c, const FacesByCell& faces,
       leave(cell);
     }
   }
-  while (!ways.empty())
+  while (!paths.empty())
   {
-    const Way way = ways.top();
-    ways.pop();
-    if (!labels[way.Cell].Exists())
+    const Path path = paths.top();
+    paths.pop();
+    if (!labels[path.Cell].Exists())
     {
-      labels[way.Cell] = way.Pocket;
-      leave(way.Cell);
+      labels[path.Cell] = path.Pocket;
+      leave(path.Cell);
     }
   }
   return labels;

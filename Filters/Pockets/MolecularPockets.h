@@ -5,7 +5,7 @@
  * **Pocket**: tetrahedra of the regular triangulation with room for a ball of InnerRadius that a
  * ball of OuterRadius does not reach from outside, connected through triangles that let the smaller
  * one pass, and the crevices around them: empty tetrahedra that the probe reaches from there, each
- * given to the pocket with the widest way to it. Where no triangle lets the inner ball out it is a
+ * given to the pocket with the widest path to it. Where no triangle lets the inner ball out it is a
  * void.
  *
  * **Volume, Area**: what the probe's centre can reach of it, and the part of the accessible surface

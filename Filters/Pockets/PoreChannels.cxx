@@ -25,38 +25,39 @@ double EdgeClearance(const RegularFiltration& f, EdgeId edge, double probe)
   return std::sqrt(std::max(0.0, f.Complex.EdgeValue[edge] + r * r)) - (r - probe);
 }
 
-using CellWay = std::vector<TetrahedronId>;
+using CellPath = std::vector<TetrahedronId>;
 
-/// The tetrahedra from `cell` on the widest way out, until a ball of radius `end` gets there.
-CellWay WayOut(const CellFiltration& c, const CellAccess& access, TetrahedronId cell, double end)
+/// The tetrahedra from `cell` on the widest path out, until a ball of radius `end` gets there.
+CellPath WidestPathOut(
+  const CellFiltration& c, const CellAccess& access, TetrahedronId cell, double end)
 {
-  CellWay way;
+  CellPath path;
   while (cell.Exists())
   {
-    way.push_back(cell);
+    path.push_back(cell);
     if (access.Access[cell] >= end)
     {
       break;
     }
-    cell = c.Across(access.TowardsOut[cell], cell);
+    cell = c.Across(access.TowardsOutside[cell], cell);
   }
-  return way;
+  return path;
 }
 
-bool AreDisjoint(const CellWay& a, const CellWay& b)
+bool AreDisjoint(const CellPath& a, const CellPath& b)
 {
   const std::set<TetrahedronId> cells(a.begin(), a.end());
   return std::none_of(
     b.begin(), b.end(), [&](TetrahedronId cell) { return cells.count(cell) > 0; });
 }
 
-/// Centres along a way out. Those of flat tetrahedra at the border may lie anywhere outside: a
+/// Centres along a path out. Those of flat tetrahedra at the border may lie anywhere outside: a
 /// step is no longer than five times the channel's radius.
-std::vector<Point3> CentresAlong(const RegularFiltration& f, const CellWay& way, double radius)
+std::vector<Point3> CentresAlong(const RegularFiltration& f, const CellPath& path, double radius)
 {
   const double longest = 5.0 * radius;
   std::vector<Point3> centres;
-  for (const TetrahedronId cell : way)
+  for (const TetrahedronId cell : path)
   {
     Point3 centre = f.Centres[cell];
     if (!centres.empty())
@@ -70,17 +71,17 @@ std::vector<Point3> CentresAlong(const RegularFiltration& f, const CellWay& way,
   return centres;
 }
 
-/// Both ways as one, from the end of `a` to that of `b`.
-Channel Join(const RegularFiltration& f, const CellWay& a, const CellWay& b, double radius)
+/// Both paths as one, from the end of `a` to that of `b`.
+Channel Join(const RegularFiltration& f, const CellPath& a, const CellPath& b, double radius)
 {
   Channel channel;
   channel.Radius = radius;
-  channel.Way = CentresAlong(f, a, radius);
-  std::reverse(channel.Way.begin(), channel.Way.end());
-  channel.Narrowest = channel.Way.size() - 1;
+  channel.Path = CentresAlong(f, a, radius);
+  std::reverse(channel.Path.begin(), channel.Path.end());
+  channel.Narrowest = channel.Path.size() - 1;
   const auto rest = CentresAlong(f, b, radius);
-  channel.Way.insert(channel.Way.end(), rest.begin(), rest.end());
-  channel.Span = Length(channel.Way.front() - channel.Way.back());
+  channel.Path.insert(channel.Path.end(), rest.begin(), rest.end());
+  channel.Span = Length(channel.Path.front() - channel.Path.back());
   return channel;
 }
 
@@ -108,7 +109,7 @@ double FromLine(const Point3& p, const Point3& a, const Point3& b)
   return Length(p - (a + t * d));
 }
 
-/// A way that has come to `Cell` at some cost.
+/// A path that has come to `Cell` at some cost.
 struct Step
 {
   double Cost;
@@ -147,8 +148,8 @@ std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccess& access
     // A channel wider than EndRadius ends where it leaves the convex hull.
     const bool isWide = radius >= options.EndRadius;
     const double end = isWide ? HUGE_VAL : options.EndRadius;
-    const auto first = WayOut(c, access, sides[0], end);
-    const auto second = WayOut(c, access, sides[1], end);
+    const auto first = WidestPathOut(c, access, sides[0], end);
+    const auto second = WidestPathOut(c, access, sides[1], end);
     if (!AreDisjoint(first, second))
     {
       continue;
@@ -166,7 +167,7 @@ std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccess& access
   return channels;
 }
 
-Channel WayBetween(const RegularFiltration& f, const FacesByCell& faces, const CellAccess& access,
+Channel PathBetween(const RegularFiltration& f, const FacesByCell& faces, const CellAccess& access,
   const Point3& first, const Point3& last, const PoreOptions& options)
 {
   const TetrahedronId start = CellAt(f, access, first);
@@ -210,9 +211,9 @@ Channel WayBetween(const RegularFiltration& f, const FacesByCell& faces, const C
   Channel channel;
   for (TetrahedronId cell = goal; cell.Exists(); cell = from[cell])
   {
-    channel.Way.push_back(f.Centres[cell]);
+    channel.Path.push_back(f.Centres[cell]);
   }
-  std::reverse(channel.Way.begin(), channel.Way.end());
+  std::reverse(channel.Path.begin(), channel.Path.end());
   channel.Span = Length(first - last);
   return channel;
 }

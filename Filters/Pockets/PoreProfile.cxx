@@ -14,12 +14,12 @@ namespace isthmus
 namespace
 {
 
-/// Planes to work off, and where in each the way is, as far as known.
+/// Planes across a pore, and the places of the path in them, where known.
 struct Course
 {
   std::vector<Plane> Planes;
-  std::vector<Point3> Way;
-  double Least = -HUGE_VAL; ///< the way is at least that wide
+  std::vector<Point3> Path;
+  double Least = -HUGE_VAL; ///< the path is at least that wide
   double Enough = 0.0;      ///< radius beyond which it need not be known
   double End = 0.0;         ///< radius beyond which the pore ends
 };
@@ -48,15 +48,15 @@ std::vector<Point3> Smooth(const std::vector<Point3>& points, double width)
   return smooth;
 }
 
-/// `way` at equal distances. Throws std::invalid_argument where that takes more planes than anybody
-/// waits for.
-std::vector<Point3> Resample(const std::vector<Point3>& way, double spacing)
+/// `path` at equal distances. Throws std::invalid_argument where that takes more planes than
+/// anybody waits for.
+std::vector<Point3> Resample(const std::vector<Point3>& path, double spacing)
 {
   constexpr double mostPlanes = 1e5;
   double whole = 0.0;
-  for (std::size_t i = 0; i + 1 < way.size(); ++i)
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
   {
-    whole += Length(way[i + 1] - way[i]);
+    whole += Length(path[i + 1] - path[i]);
   }
   if (!(whole / spacing <= mostPlanes))
   {
@@ -64,16 +64,16 @@ std::vector<Point3> Resample(const std::vector<Point3>& way, double spacing)
       " angstrom long, which takes more than 100000 planes at this Spacing: raise it, or check the "
       "unit of the atoms' coordinates.");
   }
-  std::vector<Point3> points{ way.front() };
+  std::vector<Point3> points{ path.front() };
   double rest = spacing;
-  for (std::size_t i = 0; i + 1 < way.size(); ++i)
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
   {
-    const Point3 step = way[i + 1] - way[i];
+    const Point3 step = path[i + 1] - path[i];
     const double length = Length(step);
     double at = rest;
     for (; at <= length; at += spacing)
     {
-      points.push_back(way[i] + (at / length) * step);
+      points.push_back(path[i] + (at / length) * step);
     }
     rest = at - length;
   }
@@ -93,14 +93,14 @@ Course CourseAlong(const std::vector<Point3>& points, double width)
     if (length > 0.0)
     {
       course.Planes.push_back({ smooth[i], (1.0 / length) * d });
-      course.Way.push_back(points[i]);
+      course.Path.push_back(points[i]);
     }
   }
   return course;
 }
 
 /// Of `p` in `plane`.
-Point3 Foot(const Plane& plane, const Point3& p)
+Point3 Project(const Plane& plane, const Point3& p)
 {
   return p - Dot(p - plane.Origin, plane.Normal) * plane.Normal;
 }
@@ -118,15 +118,15 @@ std::vector<PlaneBall> MarchAlong(const AtomField& atoms, const Course& course, 
     Report(progress,
       static_cast<double>(std::abs(i - static_cast<std::int64_t>(from))) / static_cast<double>(n));
     const Plane& plane = course.Planes[static_cast<std::size_t>(i)];
-    std::vector<Point3> starts{ Foot(plane, ball.Centre) };
-    if (!course.Way.empty())
+    std::vector<Point3> starts{ Project(plane, ball.Centre) };
+    if (!course.Path.empty())
     {
-      starts.push_back(Foot(plane, course.Way[static_cast<std::size_t>(i)]));
+      starts.push_back(Project(plane, course.Path[static_cast<std::size_t>(i)]));
     }
     ball = LargestBallInPlane(atoms, plane, starts, ball.Radius, course.Enough);
     if (ball.Radius < course.Least)
     {
-      // The way is wider than that everywhere: this is a dead end beside it.
+      // The path is wider than that everywhere: this is a dead end beside it.
       const PlaneBall other =
         LargestBallInPlane(atoms, plane, { starts.back() }, course.Least, course.Enough);
       ball = other.Radius > ball.Radius ? other : ball;
@@ -225,7 +225,7 @@ Pore PoreThrough(const AtomField& atoms, const Course& course, std::size_t from,
   const Point3& start, const ProgressCallback& progress)
 {
   Pore pore;
-  const Point3 in = Foot(course.Planes[from], start);
+  const Point3 in = Project(course.Planes[from], start);
   const PlaneBall first = LargestBallInPlane(
     atoms, course.Planes[from], { in }, std::max(1.0, atoms.At(in).Radius), course.Enough);
   std::vector<PlaneBall> balls =
@@ -260,11 +260,11 @@ Pore PoreThrough(const AtomField& atoms, const Course& course, std::size_t from,
 Pore PoreOf(const AtomField& atoms, const Channel& channel, const PoreOptions& options,
   const ProgressCallback& progress)
 {
-  // A way turns from atom to atom: the pore's course is that over three times their size.
+  // A path turns from atom to atom: the pore's course is that over three times their size.
   constexpr double smoothing = 3.0; // angstrom
   // A wide channel is sampled as coarsely as it is wide, and known up to three times its radius.
   const double spacing = options.Spacing * (channel.IsWide ? 4.0 : 1.0);
-  Course course = CourseAlong(Resample(channel.Way, spacing), smoothing / spacing);
+  Course course = CourseAlong(Resample(channel.Path, spacing), smoothing / spacing);
   course.Least = channel.Radius;
   course.Enough = channel.IsWide ? 3.0 * channel.Radius : options.EndRadius;
   course.End = channel.IsWide ? HUGE_VAL : options.EndRadius;
@@ -273,7 +273,7 @@ Pore PoreOf(const AtomField& atoms, const Channel& channel, const PoreOptions& o
   {
     throw std::runtime_error("The two ends of the pore are the same: give points farther apart.");
   }
-  const Point3& narrow = channel.Way[channel.Narrowest];
+  const Point3& narrow = channel.Path[channel.Narrowest];
   std::size_t from = 0;
   for (std::size_t i = 1; i < planes.size(); ++i)
   {
@@ -338,14 +338,14 @@ Pore PoreBetween(const std::vector<Ball>& atoms, const Point3& first, const Poin
   }
   const auto faces = FacesOfCells(f.Complex);
   const CellAccess access = FindAccess(f, faces, Probe);
-  Channel channel = WayBetween(f, faces, access, first, last, options);
-  channel.Way.front() = first;
-  channel.Way.back() = last;
+  Channel channel = PathBetween(f, faces, access, first, last, options);
+  channel.Path.front() = first;
+  channel.Path.back() = last;
   const AtomField field(atoms);
   double least = HUGE_VAL;
-  for (std::size_t i = 0; i < channel.Way.size(); ++i)
+  for (std::size_t i = 0; i < channel.Path.size(); ++i)
   {
-    const double room = field.At(channel.Way[i]).Radius;
+    const double room = field.At(channel.Path[i]).Radius;
     channel.Narrowest = room > 0.0 && room < least ? i : channel.Narrowest;
     least = room > 0.0 ? std::min(least, room) : least;
   }

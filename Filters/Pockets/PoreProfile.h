@@ -32,7 +32,7 @@ VTKISTHMUSFILTERSPOCKETS_EXPORT Pore PoreBetween(const std::vector<Ball>& atoms,
  * std::invalid_argument for a direction without length.
  *
  * All three throw std::invalid_argument for options and atoms out of range, std::runtime_error
- * where there is no way; Cancelled. Some 1 ms a plane.
+ * where there is no path; Cancelled. Some 1 ms a plane.
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT Pore PoreAlong(const std::vector<Ball>& atoms, const Point3& point,
   const Point3& direction, const PoreOptions& options, const ProgressCallback& progress = {});

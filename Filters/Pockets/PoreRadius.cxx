@@ -107,7 +107,7 @@ std::array<Point3, 2> Axes(const Point3& normal)
   return { u, Cross(normal, u) };
 }
 
-double RoomAt(const std::vector<Ball>& atoms, const Point3& place)
+double ClearanceAt(const std::vector<Ball>& atoms, const Point3& place)
 {
   double least = HUGE_VAL;
   for (const Ball& atom : atoms)
@@ -117,8 +117,8 @@ double RoomAt(const std::vector<Ball>& atoms, const Point3& place)
   return least;
 }
 
-/// Linear models, at `place` where the room is `least`, of the distances that may matter within
-/// `size`: the nearest ones.
+/// Linear models, at `place` where the clearance is `least`, of the distances that may matter
+/// within `size`: the nearest ones.
 std::vector<Linear> ModelsAt(const std::vector<Ball>& atoms, const Point3& place,
   const std::array<Point3, 2>& axes, double size, double least)
 {
@@ -152,11 +152,11 @@ AtomField::AtomField(const std::vector<Ball>& atoms)
   }
 }
 
-AtomField::Room AtomField::At(const Point3& place, double guess) const
+AtomField::Clearance AtomField::At(const Point3& place, double guess) const
 {
   constexpr double furthest = 1e4;
   constexpr double growth = 1.26; // twice the volume
-  Room room{ HUGE_VAL, -1 };
+  Clearance clearance{ HUGE_VAL, -1 };
   double reach = std::max(guess, 4.0);
   const auto look = [&]()
   {
@@ -164,17 +164,17 @@ AtomField::Room AtomField::At(const Point3& place, double guess) const
       [&](std::int64_t id, double squared)
       {
         const double radius = std::sqrt(squared) - this->Atoms[static_cast<std::size_t>(id)].Radius;
-        if (radius < room.Radius || (radius == room.Radius && id < room.Atom))
+        if (radius < clearance.Radius || (radius == clearance.Radius && id < clearance.Atom))
         {
-          room = { radius, id };
+          clearance = { radius, id };
         }
       });
   };
-  for (look(); room.Radius > reach && reach < furthest; look())
+  for (look(); clearance.Radius > reach && reach < furthest; look())
   {
-    reach = std::min(growth * reach, room.Radius);
+    reach = std::min(growth * reach, clearance.Radius);
   }
-  return room;
+  return clearance;
 }
 
 std::vector<std::int64_t> AtomField::Touching(const Point3& place, double reach) const
@@ -208,7 +208,7 @@ PlaneBall ClimbInPlane(
   const auto axes = Axes(plane.Normal);
   Point3 place = start - Dot(start - plane.Origin, plane.Normal) * plane.Normal;
   const Point3 first = place;
-  double radius = field.At(place, climb.Room - Length(place - start)).Radius;
+  double radius = field.At(place, climb.Clearance - Length(place - start)).Radius;
   double size = 0.5;
   // The atoms that can count while the place stays within `fetched`.
   constexpr double fetched = 1.5;
@@ -226,7 +226,7 @@ PlaneBall ClimbInPlane(
     const auto d = BestStep(models, size);
     const Point3 next = place + d[0] * axes[0] + d[1] * axes[1];
     const double promised = Least(models, d) - radius;
-    const double gained = RoomAt(atoms, next) - radius;
+    const double gained = ClearanceAt(atoms, next) - radius;
     const bool inside = Length(next - first) <= climb.Reach;
     if (inside && gained > 0.1 * promised && gained > 0.0)
     {
@@ -253,7 +253,7 @@ PlaneBall LargestBallInPlane(const AtomField& field, const Plane& plane,
   {
     // Climbs that end in one place differ by less: the first of them stays. A centre outside of the
     // first ball is another place, of a wider vestibule or another pore.
-    rough.Room = first.Radius - Length(start - first.Centre);
+    rough.Clearance = first.Radius - Length(start - first.Centre);
     const PlaneBall ball = ClimbInPlane(field, plane, start, rough);
     const bool here = Length(ball.Centre - first.Centre) <= std::max(first.Radius, 1.0);
     best = here && ball.Radius > best.Radius + 1e-4 ? ball : best;

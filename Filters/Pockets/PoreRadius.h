@@ -14,7 +14,7 @@
 namespace isthmus
 {
 
-/// Atoms, to be asked for the room around a place.
+/// Atoms with a spatial index, for the clearance around a place.
 class AtomField
 {
 public:
@@ -22,17 +22,17 @@ public:
 
   /// Distance of `place` from the nearest atom's surface, and that atom. The nearer the guess is to
   /// that distance, the less it takes.
-  struct Room
+  struct Clearance
   {
     double Radius;
     std::int64_t Atom;
   };
-  VTKISTHMUSFILTERSPOCKETS_EXPORT Room At(const Point3& place, double guess = 0.0) const;
+  VTKISTHMUSFILTERSPOCKETS_EXPORT Clearance At(const Point3& place, double guess = 0.0) const;
 
   /// The atoms whose surface is within `reach` of `place`.
   VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<Ball> Near(const Point3& place, double reach) const;
 
-  /// Their numbers, in no order that matters.
+  /// Their numbers, unordered.
   VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<std::int64_t> Touching(
     const Point3& place, double reach) const;
 
@@ -54,13 +54,13 @@ struct PlaneBall
   double Radius;
 };
 
-/// How far to climb.
+/// Limits of a climb.
 struct Climb
 {
-  double Reach;      ///< from the start
-  double Enough;     ///< radius at which to stop
-  double Tolerance;  ///< length of the last step
-  double Room = 0.0; ///< about that of the start, where known: saves time
+  double Reach;           ///< from the start
+  double Enough;          ///< radius at which to stop
+  double Tolerance;       ///< length of the last step
+  double Clearance = 0.0; ///< about that of the start, where known: saves time
 };
 
 /**

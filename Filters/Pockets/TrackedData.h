@@ -36,7 +36,7 @@ struct TrackedData
   /// Adds a frame (FeatureInput.h).
   void Add(vtkDataObject* features, vtkTable* lining);
 
-  /// Forgets all frames.
+  /// Removes all frames.
   void Clear();
 
   double TimeOf(std::size_t frame) const { return this->Times.empty() ? 0.0 : this->Times[frame]; }
