@@ -1,14 +1,14 @@
 /**
  * @file SurfaceFlow.h
- * @brief Molecular surfaces by mean curvature flow that the atoms stop.
+ * @brief Molecular surfaces by mean curvature flow with the atoms as obstacle.
  *
  * With phi < 0 inside and the distance d to the atoms' balls,
  *
  *   phi_t = |grad phi| div(grad phi / |grad phi|) - (V / gamma) |grad phi|,
  *   phi <= d at all times,   phi(0) = min_i (|x - x_i| - eta r_i).
  *
- * At rest it is the minimal molecular surface (P. W. Bates, G. W. Wei, S. Zhao, J. Comput. Chem. 29
- * (2008) 380), here by signed distances in a narrow band in place of the thesis' steep S
+ * When converged it is the minimal molecular surface (P. W. Bates, G. W. Wei, S. Zhao, J. Comput.
+ * Chem. 29 (2008) 380), here by signed distances in a narrow band in place of the thesis' steep S
  * (4.2, 5.12): the surface meets the atoms between nodes, which makes it second order in the
  * spacing. With a probe, phi also stays above the signed distance of the solvent-excluded surface:
  * the surface lies between atoms and probe, and what is open to the probe stays open.

@@ -8,7 +8,7 @@
  *
  * chi = 1 in the balls, S = 0 on the border of the box (thesis 4.2, 5.11 to 5.14 and the expanded
  * form after 5.14, misprints corrected), dt = 0.1 spacing^2. It is here to compare with: the jump
- * of S and the steps of chi keep the surface outside of where it should rest (area +15 % at 0.5
+ * of S and the steps of chi keep the surface outside of where it should converge (area +15 % at 0.5
  * angstrom on two balls whose minimal surface is known, order 1/2 in the spacing).
  */
 #ifndef isthmus_ThesisFlow_h

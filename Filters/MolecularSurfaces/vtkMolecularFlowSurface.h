@@ -1,13 +1,13 @@
 /**
  * @class   vtkMolecularFlowSurface
- * @brief   the surface of a molecule by mean curvature flow that the atoms stop
+ * @brief   molecular surface by mean curvature flow with the atoms as obstacle
  *
  * Input: atoms, a vtkPointSet whose point array `Radius` (or the one chosen with
  * SetInputArrayToProcess) holds radii in angstrom, or a vtkMolecule; where there is no such array,
  * radii go by element (array `Element`, or the molecule's atomic numbers; Bondi's table, then
- * Alvarez'). Water is left out unless KeepWaters is on, and of alternate locations one stays.
+ * Alvarez'). Water is dropped unless KeepWaters is on, and one of alternate locations is kept.
  * Proteins and nucleic acids without hydrogens get radii of united atoms, see UnitedAtoms. The
- * field array `Notes` of outputs 0 and 1 has a sentence for each of these.
+ * field array `Notes` of outputs 0 and 1 has a note on each of these.
  *
  * Outputs:
  *  - 0: vtkPolyData, the surface: closed, facing outwards, with Normals;
@@ -18,7 +18,7 @@
  *    `Volume`, `Energy` (kcal/mol: SurfaceTension x Area, and + Pressure x Volume with Solvent on).
  *
  * The flow starts from balls of Enlargement times the radius and goes on for EvolutionTime, or
- * until it rests (Steady): then it is the *minimal molecular surface*, which has the least area
+ * until convergence (Steady): then it is the *minimal molecular surface*, which has the least area
  * around the atoms and is a hull: it fills pockets, pores and tunnels. A ProbeRadius adds a second
  * obstacle, the solvent-excluded surface of that probe, which the flow can't cross: what the probe
  * can enter stays open, and the rest is smooth without the cusps of that surface. Formulas,
@@ -31,15 +31,16 @@
  * **Time.** With TimeSteps above 0 the pipeline's time is the flow's: a time slider shows the
  * surface on its way.
  *
- * **Errors** (sentence, empty outputs): atoms without radii and elements; coordinates or radii that
+ * **Errors** (message, empty outputs): atoms without radii and elements; coordinates or radii that
  * are not finite, negative radii, none above 0; parameters out of range; a grid that does not fit
- * into memory, told with its size before anything is allocated; a Spacing so large that no node
- * lies inside of an atom. Atoms with radius NaN are left out with a warning. No atoms: empty
+ * into memory, reported with its size before anything is allocated; a Spacing so large that no node
+ * lies inside of an atom. Atoms with radius NaN are dropped, with a warning. No atoms: empty
  * outputs, no error.
  *
  * **Cost.** Lysozyme (1960 atoms, 0.5 angstrom): some 60 steps to the thesis' time, 200 fine ones
- * to rest. A step goes with area / Spacing, steps for a given time with 1 / Spacing^2. Memory: 40
- * to 50 bytes a node. The same bits on any number of threads. All atoms are needed on one rank.
+ * to convergence. A step goes with area / Spacing, steps for a given time with 1 / Spacing^2.
+ * Memory: 40 to 50 bytes a node. The same bits on any number of threads. All atoms are needed on
+ * one rank.
  */
 #ifndef vtkMolecularFlowSurface_h
 #define vtkMolecularFlowSurface_h
@@ -111,7 +112,7 @@ public:
   ///@}
 
   ///@{
-  /// Go on until the surface rests. Default off.
+  /// Go on until the surface has converged. Default off.
   vtkSetMacro(Steady, bool);
   vtkGetMacro(Steady, bool);
   vtkBooleanMacro(Steady, bool);

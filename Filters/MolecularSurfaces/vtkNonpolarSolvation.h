@@ -18,11 +18,11 @@
  * parm99); of the solvent: TIP3P's oxygen at 1 g/cm^3 by default.
  *
  * SurfaceTension 0.0700 kcal/mol/A^2 and Pressure 0.0464 kcal/mol/A^3 are fitted to eleven alkanes
- * with minimal molecular surfaces of AMBER radii: rms 0.21, left out one by one 0.26 kcal/mol. They
+ * with minimal molecular surfaces of AMBER radii: rms 0.21, leave one out 0.26 kcal/mol. They
  * are worth that, for alkanes and that surface, and nothing is known of them for proteins. See
  * README.
  *
- * **Errors** (sentence, empty outputs): those of the atoms; no `SignedDistance`; cells that are not
+ * **Errors** (message, empty outputs): those of the atoms; no `SignedDistance`; cells that are not
  * cubes; parameters that are not finite, negative densities or depths. Cost: atoms x nodes inside
  * within 12 angstrom.
  */

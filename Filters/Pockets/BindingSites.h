@@ -44,7 +44,7 @@ struct BindingSiteOptions
   double Quantile = 0.93;     ///< in [0, 1)
   double Threshold = 0.0;     ///< of the amplitude, without UseQuantile
   double MergeDistance = 1.0; ///< length; 0: patches stay as they are
-  double MinimumArea = 5.0;   ///< length^2; smaller patches are left out
+  double MinimumArea = 5.0;   ///< length^2; smaller patches are dropped
   SiteRanking Ranking = SiteRanking::Score;
 };
 

@@ -17,10 +17,10 @@ namespace isthmus
 struct PocketOptions
 {
   double ProbeRadius = 1.4; ///< of water: volumes and areas are those that its centre can reach
-  double InnerRadius = 1.7; ///< of a ball that has room in a pocket: a united carbon atom
-  double OuterRadius = 3.1; ///< of a ball that does not get in
+  double InnerRadius = 1.7; ///< of a ball that fits into a pocket: a united carbon atom
+  double OuterRadius = 3.1; ///< of a ball that does not
   double BurialRadius = 10.0;
-  double MinimumVolume = 10.0; ///< angstrom^3; smaller pockets are left out
+  double MinimumVolume = 10.0; ///< angstrom^3; smaller pockets are dropped
 };
 
 /// A way out of a pocket.
@@ -67,7 +67,7 @@ struct PocketResult
   std::vector<Pocket> Pockets; ///< the best first
   double UnionVolume = 0.0;    ///< of all atoms enlarged by the probe
   double UnionArea = 0.0;      ///< accessible surface of all atoms
-  double PocketVolume = 0.0;   ///< of all pockets, also those left out as too small
+  double PocketVolume = 0.0;   ///< of all pockets, also those dropped as too small
   double RestVolume = 0.0;     ///< empty volume of the convex hull outside of all pockets
   double HullVolume = 0.0;     ///< of the tetrahedra in all
   double FullVolume = 0.0;     ///< of the hull, inside of the enlarged atoms

@@ -25,12 +25,12 @@
  *   (angstrom^2), `MeanDepth` (angstrom below the convex hull of the surface), `MeanPotential`
  *   (kT/e; NaN without a potential), `CenterX`, `CenterY`, `CenterZ` (mean of the patch's points),
  *   `Points`. Its field array `Threshold` is the amplitude that was used, `Notes` says what the
- *   sites are and which atoms were left out. BindingSites.h has definitions.
+ *   sites are and which atoms were dropped. BindingSites.h has definitions.
  *
  * **Defaults** were tuned on the eight complexes of Filters/Pockets/BindingSites.md, which says
  * how well they predict.
  *
- * **Errors** (sentence, empty outputs): no such arrays; a quantile, threshold, distance or area out
+ * **Errors** (message, empty outputs): no such arrays; a quantile, threshold, distance or area out
  * of range. No point above the threshold (a constant array, say) and a molecule without pockets are
  * a warning and no site. An empty surface is neither.
  *
@@ -131,7 +131,7 @@ public:
   ///@}
 
   ///@{
-  /// Area below which patches are left out, angstrom^2. Default: 5.
+  /// Area below which patches are dropped, angstrom^2. Default: 5.
   vtkSetMacro(MinimumArea, double);
   vtkGetMacro(MinimumArea, double);
   ///@}

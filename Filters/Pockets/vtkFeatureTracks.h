@@ -10,7 +10,7 @@
  * column or array `Radius`, `Volume`, `Score`, they are carried along. Input 1 (optional): the
  * lining residues of the same filter, which make the matching sure where features are crowded.
  *
- * The filter asks for all time steps, one after the other. FeatureTracks.h tells how it matches.
+ * The filter requests all time steps, one after the other. FeatureTracks.h has the definitions.
  *
  * - **Output 0**, vtkTable: a row for each feature and time: `Track` (from 1), `Time`, `FeatureId`
  *   (its row or point there, from 1, or the id that groups it), `X`, `Y`, `Z`, `Radius`, `Volume`,
@@ -20,7 +20,7 @@
  * - **Output 2**, vtkPolyData: a polyline for each track, point arrays `Track`, `Time`, `Radius`.
  * - **Output 3**, vtkTable: `Event` ("merge" or "split"), `Time`, `Track`, `Other`.
  *
- * **Errors** (sentence, empty outputs): an input without places, options out of range. Without time
+ * **Errors** (message, empty outputs): an input without places, options out of range. Without time
  * steps, each feature is a track.
  */
 #ifndef vtkFeatureTracks_h
@@ -70,7 +70,7 @@ public:
   ///@}
 
   ///@{
-  /// Tracks with fewer features are left out of outputs 1 and 2. Default: 1.
+  /// Tracks with fewer features are omitted from outputs 1 and 2. Default: 1.
   vtkSetMacro(MinimumLength, int);
   vtkGetMacro(MinimumLength, int);
   ///@}

@@ -4,9 +4,9 @@
  * them
  *
  * Input 0: atoms, points with the array `Radius` (input array 0), as vtkMacromoleculeReader makes
- * them. Where it gives names, water, ions and ligands are left out, and so are hydrogens; modified
+ * them. Where it gives names, water, ions and ligands are dropped, and so are hydrogens; modified
  * residues and what else is linked into a chain stay (PolymerAtoms.h). The field array `Notes` of
- * outputs 0 and 1 says what was left out. Points without names are all taken.
+ * outputs 0 and 1 says what was dropped. Points without names are all taken.
  *
  * Input 1 (optional): a surface with the point arrays `PolarizedCurvature` (PolarizedArray) and,
  * for the mean, `Potential` (PotentialArray; optional), as vtkPolarizedCurvature makes it: then
@@ -36,7 +36,7 @@
  * - **Output 5**, vtkPolyData: those residues whole, with their bonds, the input's point arrays and
  *   `PocketId`; all of them, or those of ShownPocket.
  *
- * **Errors** (sentence, empty outputs): no radii and no elements, radii or places out of range,
+ * **Errors** (message, empty outputs): no radii and no elements, radii or places out of range,
  * options that are no lengths or contradict each other, a surface without polarized curvature. No
  * atoms, fewer than four, or all in one plane: no pockets. Coinciding atoms: the larger counts.
  *
@@ -95,7 +95,7 @@ public:
   ///@}
 
   ///@{
-  /// Volume below which a pocket is left out. Default: 10 angstrom^3.
+  /// Volume below which a pocket is dropped. Default: 10 angstrom^3.
   vtkSetMacro(MinimumVolume, double);
   vtkGetMacro(MinimumVolume, double);
   ///@}

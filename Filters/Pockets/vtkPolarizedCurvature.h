@@ -27,7 +27,7 @@
  * Where the curvature filters marked a point as not valid, curvatures and so products are 0.
  * Source: X. Feng's thesis, section 5.2.5, Table 5.7; PolarizedCurvature.h has the formulas.
  *
- * **Errors** (sentence, empty output): no such arrays, no potential, a potential that misses the
+ * **Errors** (message, empty output): no such arrays, no potential, a potential that misses the
  * whole surface. One that misses some points gives a warning with their number. An empty surface is
  * none.
  *

@@ -3,7 +3,7 @@
  * @brief   the radius along pores and channels of a molecule, and what lines them
  *
  * Input: atoms, points with the array `Radius` (input array 0), as vtkMacromoleculeReader makes
- * them. Where it gives names, water, ions and ligands are left out (the field array `Notes` says
+ * them. Where it gives names, water, ions and ligands are dropped (the field array `Notes` says
  * what); hydrogens stay, unlike in vtkMolecularPockets.
  *
  * Or a closed surface (polygons without a radius), of a map say, as vtkMapSurface makes it: its
@@ -30,7 +30,7 @@
  * - **Output 6**, vtkPolyData: the lining residues whole, with their bonds, the input's point
  *   arrays and `PoreId`.
  *
- * **Errors** (sentence, empty outputs): no radii, radii, points or options out of range, no way
+ * **Errors** (message, empty outputs): no radii, radii, points or options out of range, no way
  * between the points. No pore that runs through is none.
  *
  * **Cost.** Some 1 ms a plane. The same bits on any number of threads.

@@ -11,7 +11,7 @@
  * The pull of the field (BoundaryForces.h: the derivative of the electrostatic energy by the
  * surface's place; thesis 4.18 with the jump in place of its smeared permittivity) is an energy for
  * each volume, never negative: the field draws the solvent towards the charges, and only an
- * obstacle ends that. Ions' osmotic pressure is left out: it is smaller by kappa^2 times a squared
+ * obstacle ends that. Ions' osmotic pressure is omitted: it is smaller by kappa^2 times a squared
  * length of the surface.
  */
 #ifndef isthmus_CoupledFlow_h
@@ -52,7 +52,7 @@ double FractionOnObstacle(const FlowField& field);
 /// Limits a pull (spacings) to what moves the surface by at most 0.4 spacings in a step.
 void LimitPull(std::vector<float>& pull);
 
-/// field.Pull <- part (steady + scale more) + (1 - part) field.Pull, cut.
+/// field.Pull <- part (steady + scale more) + (1 - part) field.Pull, limited.
 void UpdatePull(FlowField& field, const std::vector<float>& steady, const std::vector<float>& more,
   double scale, double part);
 

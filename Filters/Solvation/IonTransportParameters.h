@@ -65,7 +65,7 @@ struct IonTransportReport
   double Imbalance = 0.0; ///< the part of a species' current that nodes do not pass on; largest one
 };
 
-/// @throws std::invalid_argument, with a sentence, for values out of their range, a membrane
+/// @throws std::invalid_argument for values out of their range, a membrane
 /// without a normal, species without a valence, and baths that carry a charge.
 VTKISTHMUSFILTERSSOLVATION_EXPORT void CheckTransport(const IonTransportParameters& parameters);
 

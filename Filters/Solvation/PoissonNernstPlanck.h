@@ -2,7 +2,7 @@
  * @file PoissonNernstPlanck.h
  * @brief Steady drift and diffusion of ions through a channel in a self-consistent field.
  *
- * The steady Poisson-Nernst-Planck equations (thesis 4.19 to 4.28, with the surface at rest):
+ * The steady Poisson-Nernst-Planck equations (thesis 4.19 to 4.28, with a fixed surface):
  *
  *   -div(eps grad phi) = 4 pi C (charges + sum_k z_k N c_k),
  *   div J_k = 0,   J_k = -D_k (grad c_k + z_k c_k grad phi)   in the water,

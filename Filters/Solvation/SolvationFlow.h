@@ -68,7 +68,7 @@ struct SolvationUpdate
   double VolumeEnergy = 0.0;
   double DispersionEnergy = 0.0;
   double PolarEnergy = 0.0;
-  double OnObstacle = 0.0; ///< the part of the surface that rests on its obstacle, 0 to 1
+  double OnObstacle = 0.0; ///< the fraction of the surface on its obstacle
 
   double Nonpolar() const
   {

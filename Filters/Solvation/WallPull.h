@@ -1,6 +1,6 @@
 /**
  * @file WallPull.h
- * @brief What field and ions of a channel do to its wall.
+ * @brief The force of field and ions on the wall of a channel.
  *
  * The thesis' V_2 (4.28) less pressure and dispersion, with the jump in place of its smeared
  * permittivity. A wall that moves towards the atoms by dn gains (pull dn dA),
@@ -13,7 +13,7 @@
  * thickness), mol/l, N ions in a cubic angstrom at 1 mol/l. The last term is the ions' osmotic
  * pressure: what 4.28 has where its generalised potential mu_k is 0, that is where each place is in
  * equilibrium with itself. 4.28 adds sum rho_k mu_k, which out of equilibrium hangs on where phi is
- * said to be 0; no wall feels that, and it is left out.
+ * said to be 0; no wall feels that, and it is omitted.
  *
  * The field is that of a quadratic on both sides of the wall (InterfaceFit.h), fitted to nodes in
  * the water for the most part, to the potential of PoissonNernstPlanck.h. Positive: the water
@@ -39,7 +39,7 @@ struct WallValues
 /**
  * `level` are distances in angstrom on the nodes of `box`, which is the domain's grid with `margin`
  * nodes more on each side. Crossings at the domain's border, and those that no field can be fitted
- * to, are left out. O(crossings), parallel.
+ * to, are dropped. O(crossings), parallel.
  */
 VTKISTHMUSFILTERSSOLVATION_EXPORT WallValues PullAtWall(const PoissonNernstPlanck& solution,
   const LevelFunction& level, const SolverBox& box, std::int64_t margin);

@@ -24,18 +24,18 @@
  *  - 1: vtkTable of cross-sections: `Along` (angstrom), `Current_NAME`, `Current`;
  *  - 2: vtkTable of the sweep: `Voltage` (mV), `ConcentrationFactor`, `Current_NAME`, `Current`,
  *    `CurrentSpread`, `Converged`: an I-V curve. Without a sweep it has the one row of Voltage;
- *  - 3: vtkTable with a row for each update of a MovingSurface (none for one at rest), the first
+ *  - 3: vtkTable with a row for each update of a MovingSurface (none for a fixed one), the first
  *    that of the surface where it begins: `Update`, `Time` (of the flow, square angstrom),
  *    `AreaChange` (square angstrom), `LumenVolume` (water within the membrane's thickness, cubic
  *    angstrom), `EnergyChange` (of tension, pressure and dispersion, kcal/mol), `OnObstacle` (the
  *    part of the surface that can't draw back), `BottleneckRadius`, `Current_NAME`, `Current`.
  *    Output 0 has `Rests` and `ShownUpdate` then, as field data.
  *
- * What does not converge in MaximumIterations is told with its last change, and the state that
- * changed least is kept, with `Converged` 0; so is one whose ions are not conserved to 1e-4, since
- * a linear system got stuck.
+ * What does not converge in MaximumIterations issues a warning with its last change, and the state
+ * that changed least is kept, with `Converged` 0; so is one whose ions are not conserved to 1e-4,
+ * since a linear system got stuck.
  *
- * **Errors** (sentence, empty outputs): those of the atoms, parameters out of range, baths that
+ * **Errors** (message, empty outputs): those of the atoms, parameters out of range, baths that
  * carry a charge, a channel that is not open from bath to bath (with the place where it closes and
  * its radius there), a surface that is not closed, a grid that does not fit into memory. Cost: some
  * 20 microseconds a node for each point of a sweep. All atoms are needed on one rank.
@@ -183,10 +183,11 @@ public:
   ///@}
 
   ///@{
-  /// Where it moves: steps of the flow between two solutions, fewer where the volume rests before;
-  /// the part of each period's motion and of each new force that is taken (above 0, at most 1); it
-  /// rests when currents and the water in the membrane's hole change by less than this part of them
-  /// twice in a row, and ends after MaximumUpdates in any case. Defaults 20, 1, 1, 1e-3, 10.
+  /// Where it moves: steps of the flow between two solutions, fewer where the volume converges
+  /// before; the part of each period's motion and of each new force that is taken (above 0, at most
+  /// 1); it rests when currents and the water in the membrane's hole change by less than this part
+  /// of them twice in a row, and ends after MaximumUpdates in any case. Defaults 20, 1, 1,
+  /// 1e-3, 10.
   vtkSetMacro(UpdatePeriod, int);
   vtkGetMacro(UpdatePeriod, int);
   vtkSetMacro(SurfaceRelaxation, double);

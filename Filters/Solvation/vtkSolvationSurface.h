@@ -1,6 +1,6 @@
 /**
  * @class   vtkSolvationSurface
- * @brief   a molecule's surface at rest in the field that its charges make, with what solvation
+ * @brief   equilibrium surface of a molecule in the field of its charges, with what solvation
  * costs
  *
  * Input: atoms with the point arrays `Charge` (e) and `Radius` (angstrom), or those chosen with
@@ -9,9 +9,9 @@
  * vtkMolecularFlowSurface.
  *
  * Surface tension, pressure, dispersion and the electric field move the surface; the field is that
- * of the charges inside of it (Poisson-Boltzmann equation), so both are made in turn until the
- * energy rests: the thesis' coupled Laplace-Beltrami and Poisson-Boltzmann model in sharp form.
- * Formulas and sources: SolvationFlow.h, CoupledFlow.h.
+ * of the charges inside of it (Poisson-Boltzmann equation), so both are solved for alternately
+ * until the energy converges: the thesis' coupled Laplace-Beltrami and Poisson-Boltzmann model in
+ * sharp form. Formulas and sources: SolvationFlow.h, CoupledFlow.h.
  *
  * Outputs:
  *  - 0: vtkPolyData, the surface: closed, with `Normals`, `Potential` (kT/e), `NormalField`,
@@ -22,14 +22,14 @@
  *    `SurfaceEnergy`, `VolumeEnergy`, `DispersionEnergy`, `NonpolarEnergy`, `PolarEnergy`,
  *    `TotalEnergy` (kcal/mol), `OnObstacle` (the part of the surface that its obstacle holds).
  *
- * The field array `Rests` of outputs 0 and 1 is 1 where the energy came to rest; where it did not,
+ * The field array `Rests` of outputs 0 and 1 is 1 where the energy has converged; where it did not,
  * the surface of the last update is there, with a warning.
  *
  * **ProbeRadius keeps a protein from collapsing**: the field pulls many times harder than the
  * tension holds, so that without a probe the surface ends on the atoms, in clefts that no water
- * enters; that is told by a warning.
+ * enters; a warning says so.
  *
- * **Errors** (sentence, empty outputs): those of the atoms, no charges, a charge outside of all
+ * **Errors** (message, empty outputs): those of the atoms, no charges, a charge outside of all
  * atoms, parameters out of range, a grid that does not fit into memory. Cost: 3 to 10 solutions of
  * the Poisson-Boltzmann equation. All atoms are needed on one rank.
  */
@@ -124,7 +124,7 @@ public:
 
   ///@{
   /// Steps of the flow between two solutions, at least 1; with AdaptiveUpdate fewer, where the
-  /// volume rests before. Defaults 50 and on.
+  /// volume converges before. Defaults 50 and on.
   vtkSetMacro(UpdatePeriod, int);
   vtkGetMacro(UpdatePeriod, int);
   vtkSetMacro(AdaptiveUpdate, bool);
@@ -142,8 +142,8 @@ public:
   ///@}
 
   ///@{
-  /// The surface rests when the energy changes by less than this part of it twice in a row; it ends
-  /// after MaximumUpdates in any case. Defaults 1e-3 and 20.
+  /// The surface has converged when the energy changes by less than this part of it twice in a row;
+  /// it ends after MaximumUpdates in any case. Defaults 1e-3 and 20.
   vtkSetMacro(EnergyTolerance, double);
   vtkGetMacro(EnergyTolerance, double);
   vtkSetMacro(MaximumUpdates, int);
