@@ -35,7 +35,7 @@ void Describe(const GridInformation& grid, vtkInformation* info)
   info->Set(vtkDataObject::DIRECTION(), grid.Direction.data(), 9);
 }
 
-void DemandUnchanged(const GridInformation& grid, vtkInformation* info, const char* path)
+void RequireUnchanged(const GridInformation& grid, vtkInformation* info, const char* path)
 {
   vtkNew<vtkInformation> now;
   Describe(grid, now);

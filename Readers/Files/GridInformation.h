@@ -31,7 +31,7 @@ VTKISTHMUSREADERSFILES_EXPORT void Describe(const GridInformation& grid, vtkInfo
 
 /// A file that was replaced since its information was read would be shown in the old geometry.
 /// @throws ReaderError (BadRequest) where `info` describes another grid
-VTKISTHMUSREADERSFILES_EXPORT void DemandUnchanged(
+VTKISTHMUSREADERSFILES_EXPORT void RequireUnchanged(
   const GridInformation& grid, vtkInformation* info, const char* path);
 
 /// Gives the image the extent that is asked for, and the grid's geometry.

@@ -1,17 +1,131 @@
 #include "Files/OpenByteSource.h"
 
 #include "Core/LargePages.h"
-#include "Files/CompressedSource.h"
-#include "Files/PlainFile.h"
+#include "Core/ParallelFor.h"
+#include "Files/Codecs.h"
+#include "Files/ParallelBzip2.h"
 #include "Files/ReaderError.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace isthmus
 {
 namespace
 {
+
+/// A regular file that many threads can read at once.
+/// Owns an open file; can be moved, not copied.
+class PlainFile
+{
+public:
+  /// @throws ReaderError when `path` is missing, unreadable, empty or not a regular file.
+  explicit PlainFile(const std::string& path);
+  PlainFile(PlainFile&& other) noexcept;
+  PlainFile& operator=(PlainFile&&) = delete;
+  ~PlainFile();
+
+  /// Copies up to `size` bytes at `offset`; fewer only at the end.
+  /// @throws ReaderError on an I/O error.
+  std::size_t Read(std::uint64_t offset, void* to, std::size_t size) const;
+
+  std::uint64_t Size() const { return this->Bytes; }
+  const std::string& Path() const { return this->Name; }
+
+private:
+  std::string Name;
+  int Descriptor = -1;
+  std::uint64_t Bytes = 0;
+};
+
+/// Opens without waiting, since opening a pipe would wait for its writer.
+int OpenForReading(const std::string& path)
+{
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor >= 0)
+  {
+    return descriptor;
+  }
+  if (errno == ENOENT || errno == ENOTDIR)
+  {
+    throw ReaderError(ReaderFailure::NoSuchFile, path + ": there is no such file. Check its name.");
+  }
+  throw ReaderError(ReaderFailure::CannotRead,
+    path + ": the file can't be opened (" + std::strerror(errno) + "). Check its permissions.");
+}
+
+PlainFile::PlainFile(const std::string& path)
+  : Name(path)
+  , Descriptor(OpenForReading(path))
+{
+  struct stat status = {};
+  const char* wrong = nullptr;
+  if (::fstat(this->Descriptor, &status) != 0 || !S_ISREG(status.st_mode))
+  {
+    wrong = S_ISDIR(status.st_mode) ? ": this is a folder. Choose a file in it."
+                                    : ": this is not a regular file. Copy it to one first.";
+  }
+  else if (status.st_size == 0)
+  {
+    wrong = ": the file is empty (0 bytes). Fetch or write it again.";
+  }
+  if (wrong)
+  {
+    ::close(this->Descriptor); // the destructor does not run after a throw
+    const bool empty = S_ISREG(status.st_mode);
+    throw ReaderError(empty ? ReaderFailure::Truncated : ReaderFailure::CannotRead, path + wrong);
+  }
+  this->Bytes = static_cast<std::uint64_t>(status.st_size);
+}
+
+PlainFile::PlainFile(PlainFile&& other) noexcept
+  : Name(std::move(other.Name))
+  , Descriptor(std::exchange(other.Descriptor, -1))
+  , Bytes(other.Bytes)
+{
+}
+
+PlainFile::~PlainFile()
+{
+  if (this->Descriptor >= 0)
+  {
+    ::close(this->Descriptor);
+  }
+}
+
+std::size_t PlainFile::Read(std::uint64_t offset, void* to, std::size_t size) const
+{
+  // Linux transfers at most 2 GiB less a page at once.
+  constexpr std::size_t most = std::size_t{ 1 } << 30;
+  std::size_t done = 0;
+  while (done < size)
+  {
+    const ssize_t got = ::pread(this->Descriptor, static_cast<char*>(to) + done,
+      std::min(size - done, most), static_cast<off_t>(offset + done));
+    if (got < 0 && errno != EINTR)
+    {
+      throw ReaderError(ReaderFailure::CannotRead,
+        this->Name + ": reading failed at byte " + std::to_string(offset + done) + " (" +
+          std::strerror(errno) + ").");
+    }
+    if (got == 0)
+    {
+      break;
+    }
+    done += got > 0 ? static_cast<std::size_t>(got) : 0;
+  }
+  return done;
+}
 
 class PlainSource : public ByteSource
 {
@@ -41,6 +155,227 @@ public:
 private:
   PlainFile File;
 };
+
+constexpr std::size_t bufferBytes = std::size_t{ 1 } << 18;
+
+template <typename Codec>
+class CompressedSource : public ByteSource
+{
+public:
+  explicit CompressedSource(PlainFile file)
+    : File(std::move(file))
+    , Input(bufferBytes)
+    , Decoder(std::make_unique<Codec>())
+  {
+  }
+
+  std::size_t Read(std::uint64_t offset, void* to, std::size_t size) override
+  {
+    this->SkipTo(offset, {});
+    return this->Position == offset ? this->Decompress(static_cast<unsigned char*>(to), size) : 0;
+  }
+
+  bool RandomAccess() const override { return false; }
+  std::uint64_t MostBytes() const override { return Codec::MostBytes(this->File.Size()); }
+  std::string Compression() const override { return Codec::Name; }
+  std::uint64_t FileSize() const override { return this->File.Size(); }
+  const std::string& Path() const override { return this->File.Path(); }
+
+  std::uint64_t CountUpTo(std::uint64_t limit, const ProgressCallback& progress) override
+  {
+    this->SkipTo(limit, progress);
+    return this->Position;
+  }
+
+  void SkipTo(std::uint64_t offset, const ProgressCallback& progress) override
+  {
+    if (offset < this->Position)
+    {
+      this->Restart();
+    }
+    const std::uint64_t first = this->Position;
+    std::vector<unsigned char> thrownAway(offset > first ? bufferBytes : 0);
+    while (this->Position < offset)
+    {
+      const std::size_t size =
+        static_cast<std::size_t>(std::min<std::uint64_t>(offset - this->Position, bufferBytes));
+      if (this->Decompress(thrownAway.data(), size) < size)
+      {
+        return;
+      }
+      Report(progress,
+        static_cast<double>(this->Position - first) / static_cast<double>(offset - first));
+    }
+  }
+
+  void CheckEnd() override
+  {
+    // The checksum follows the content; what follows a map is of no use, so don't go far for it.
+    this->SkipTo(this->Position + 4 * bufferBytes, {});
+  }
+
+  bool IsCut() const override { return this->Cut; }
+
+private:
+  void Restart()
+  {
+    this->Decoder = std::make_unique<Codec>();
+    this->Position = this->FilePosition = 0;
+    this->Left = 0;
+    this->Ended = this->Cut = false;
+  }
+
+  std::size_t Decompress(unsigned char* to, std::size_t size)
+  {
+    std::size_t wanted = size;
+    while (wanted > 0 && !this->Ended)
+    {
+      // Without input left the codec may still hold output that had no room before.
+      this->Refill();
+      const std::size_t before = wanted + this->Left;
+      const CodecState state = this->Decoder->Step(this->Next, this->Left, to, wanted);
+      if (state == CodecState::MemberEnd)
+      {
+        this->Ended = !this->NextMember();
+      }
+      else if (state == CodecState::Damaged)
+      {
+        throw ReaderError(ReaderFailure::Damaged,
+          this->Path() + ": the " + Codec::Name + " data are damaged before byte " +
+            std::to_string(this->FilePosition - this->Left) + " of the file. Test it with '" +
+            Codec::Name + " -t', or fetch it again.");
+      }
+      else if (wanted + this->Left == before)
+      {
+        this->Ended = this->Cut = true; // the file ends within the stream
+      }
+    }
+    this->Position += size - wanted;
+    return size - wanted;
+  }
+
+  void Refill()
+  {
+    if (this->Left == 0)
+    {
+      this->Left = this->File.Read(this->FilePosition, this->Input.data(), this->Input.size());
+      this->FilePosition += this->Left;
+      this->Next = this->Input.data();
+    }
+  }
+
+  /// Looks for a further member; anything else after the end (padding, say) is not content.
+  bool NextMember()
+  {
+    std::copy(this->Next, this->Next + this->Left, this->Input.data());
+    const std::size_t got = this->File.Read(
+      this->FilePosition, this->Input.data() + this->Left, this->Input.size() - this->Left);
+    this->FilePosition += got;
+    this->Left += got;
+    this->Next = this->Input.data();
+    if (!Codec::StartsMember(this->Next, this->Left))
+    {
+      return false;
+    }
+    this->Decoder = std::make_unique<Codec>();
+    return true;
+  }
+
+  PlainFile File;
+  std::vector<unsigned char> Input;
+  std::unique_ptr<Codec> Decoder;
+  std::uint64_t Position = 0;     ///< in the content
+  std::uint64_t FilePosition = 0; ///< of the end of Input in the file
+  unsigned char* Next = nullptr;
+  std::size_t Left = 0;
+  bool Ended = false;
+  bool Cut = false;
+};
+
+/// A fast source of bytes, and a careful one for files that the fast one finds damaged or
+/// truncated: they are read again from the beginning by the careful one, whose bytes and messages
+/// count. Sound files are read once.
+class FallbackSource : public ByteSource
+{
+public:
+  using Opener = std::function<std::unique_ptr<ByteSource>()>;
+
+  /// @pre `quick` gives no byte that what `careful` opens would not give.
+  FallbackSource(std::unique_ptr<ByteSource> quick, Opener careful)
+    : Source(std::move(quick))
+    , Careful(std::move(careful))
+  {
+  }
+
+  std::size_t Read(std::uint64_t offset, void* to, std::size_t size) override
+  {
+    return this->Try([&]() { return this->Source->Read(offset, to, size); });
+  }
+  std::uint64_t CountUpTo(std::uint64_t limit, const ProgressCallback& progress) override
+  {
+    return this->Try([&]() { return this->Source->CountUpTo(limit, progress); });
+  }
+  void SkipTo(std::uint64_t offset, const ProgressCallback& progress) override
+  {
+    this->Try([&]() { return this->Source->SkipTo(offset, progress), 0; });
+  }
+  void CheckEnd() override
+  {
+    this->Try([&]() { return this->Source->CheckEnd(), 0; });
+  }
+  bool IsCut() const override { return this->Source->IsCut(); }
+  bool RandomAccess() const override { return false; }
+  /// As long as the quick one will do.
+  bool UsesThreads() const override { return this->Careful != nullptr; }
+  std::uint64_t MostBytes() const override { return this->Source->MostBytes(); }
+  std::string Compression() const override { return this->Source->Compression(); }
+  std::uint64_t FileSize() const override { return this->Source->FileSize(); }
+  const std::string& Path() const override { return this->Source->Path(); }
+
+private:
+  template <typename Work>
+  auto Try(Work&& work) -> decltype(work())
+  {
+    if (this->Careful)
+    {
+      try
+      {
+        const auto result = work();
+        if (!this->Source->IsCut())
+        {
+          return result;
+        }
+      }
+      catch (const ReaderError&)
+      {
+        // Told by the careful one, in its words.
+      }
+      this->Source = std::exchange(this->Careful, nullptr)();
+    }
+    return work();
+  }
+
+  std::unique_ptr<ByteSource> Source;
+  Opener Careful; ///< empty once it was needed
+};
+
+/// @throws std::bad_alloc; what it returns throws ReaderError as ByteSource says.
+std::unique_ptr<ByteSource> OpenGzip(PlainFile file)
+{
+  return std::make_unique<CompressedSource<GzipCodec>>(std::move(file));
+}
+
+std::unique_ptr<ByteSource> OpenBzip2(PlainFile file)
+{
+  if (ParallelThreads() < 2)
+  {
+    return std::make_unique<CompressedSource<Bzip2Codec>>(std::move(file));
+  }
+  const std::string path = file.Path();
+  return std::make_unique<FallbackSource>(
+    std::make_unique<CompressedSource<ParallelBzip2>>(std::move(file)),
+    [path]() { return std::make_unique<CompressedSource<Bzip2Codec>>(PlainFile(path)); });
+}
 
 }
 

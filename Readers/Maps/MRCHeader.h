@@ -9,7 +9,7 @@
 #define isthmus_MRCHeader_h
 
 #include "Files/VoxelLattice.h"
-#include "Maps/MRCMode.h"
+#include "Maps/MRCVoxels.h"
 
 #include <array>
 #include <cstdint>
@@ -20,6 +20,7 @@ namespace isthmus
 {
 
 constexpr std::size_t mrcHeaderBytes = 1024;
+using MRCHeaderBytes = std::array<unsigned char, mrcHeaderBytes>;
 
 /**
  * The header after repair: every value can be used as it is.
@@ -58,6 +59,23 @@ struct MRCHeader
   /// Bytes from the beginning of the file to the end of the last voxel.
   std::uint64_t FileBytes() const;
 };
+
+/**
+ * Decodes `bytes`. The byte order is the machine stamp's unless the header makes sense only in the
+ * other one. Fields that are out of bounds are replaced, each with a sentence in Repairs.
+ *
+ * `path` is for the sentences. `contentBytes` is what the content has at most; when it is `exact`,
+ * a content that is shorter than the header describes is an error, a longer one a repair.
+ * @throws ReaderError: ForeignFormat when mode or grid make no sense in either order, Truncated.
+ */
+MRCHeader ParseMRCHeader(
+  const MRCHeaderBytes& bytes, const std::string& path, std::uint64_t contentBytes, bool exact);
+
+/**
+ * True when `bytes` are surely or probably the header of a map: grid and mode make sense, and there
+ * is "MAP " or everything else does, too. Never throws.
+ */
+bool LooksLikeMRCHeader(const MRCHeaderBytes& bytes, std::uint64_t contentBytes);
 
 }
 

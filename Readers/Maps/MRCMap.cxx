@@ -2,8 +2,7 @@
 
 #include "Files/OpenByteSource.h"
 #include "Files/ReaderError.h"
-#include "Maps/MRCHeaderParser.h"
-#include "Maps/MRCHeaderWords.h"
+#include "Maps/MRCHeader.h"
 
 #include <algorithm>
 #include <exception>

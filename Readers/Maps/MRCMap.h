@@ -12,7 +12,7 @@
 #define isthmus_MRCMap_h
 
 #include "Files/ByteSource.h"
-#include "Files/SkewedLattice.h"
+#include "Files/VoxelLattice.h"
 #include "Maps/MRCGeometry.h"
 #include "Maps/MRCHeader.h"
 #include "Maps/MRCVoxels.h"

@@ -1,7 +1,7 @@
 #include "vtkVolumeTextWriter.h"
 
 #include "Core/AlgorithmGuard.h"
-#include "Files/TextFile.h"
+#include "Files/TextFileWriter.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -42,7 +42,7 @@ bool LiesOnWholeNumbers(vtkImageData* image)
 }
 
 /// float keeps its own few digits; all other types are exact in double, but for 64-bit integers.
-void WriteNumber(isthmus::TextFile& file, vtkDataArray* array, vtkIdType i)
+void WriteNumber(isthmus::TextFileWriter& file, vtkDataArray* array, vtkIdType i)
 {
   switch (array->GetDataType())
   {
@@ -61,7 +61,7 @@ void WriteRows(vtkImageData* image, vtkDataArray* array, const std::string& path
   const isthmus::ProgressCallback& progress)
 {
   const int* n = image->GetDimensions();
-  isthmus::TextFile file(path);
+  isthmus::TextFileWriter file(path);
   file << n[0] << " " << n[1] << " " << n[2] << "\n";
   for (vtkIdType i = 0, row = 0; i < image->GetNumberOfPoints(); ++row)
   {

@@ -1,11 +1,11 @@
 /**
  * @file CellMesh.h
- * @brief What mesh files of the common formats hold: points, cells of few shapes, numbers on both.
+ * @brief Contents of mesh files: points, cells of a few shapes, and arrays on both.
  */
 #ifndef isthmus_CellMesh_h
 #define isthmus_CellMesh_h
 
-#include "Meshes/MeshAttribute.h"
+#include "Files/NumberTypes.h"
 
 #include <array>
 #include <cstdint>
@@ -15,6 +15,20 @@
 
 namespace isthmus
 {
+
+/// One array on the vertices or on the cells of a mesh file.
+struct MeshAttribute
+{
+  enum class Place
+  {
+    Vertices,
+    Cells
+  };
+  Place On = Place::Vertices;
+  std::string Name;
+  std::int64_t Components = 1;
+  NumberList Values; ///< components run fastest
+};
 
 /// Vertices are in VTK's order (vtkCell and its subclasses).
 enum class CellShape : std::uint8_t

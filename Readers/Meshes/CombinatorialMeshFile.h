@@ -10,7 +10,7 @@
 #define isthmus_CombinatorialMeshFile_h
 
 #include "CellComplex/CellList.h"
-#include "Meshes/MeshAttribute.h"
+#include "Meshes/CellMesh.h"
 
 #include "vtkIsthmusReadersMeshesModule.h" // for the export macro
 

@@ -3,7 +3,7 @@
 #include "Core/PrintableText.h"
 #include "Files/OpenByteSource.h"
 #include "Files/ReaderError.h"
-#include "Files/TextFile.h"
+#include "Files/TextFileWriter.h"
 #include "Meshes/MeshWords.h"
 
 #include <algorithm>
@@ -127,7 +127,7 @@ private:
     {
       this->Words.Point(this->Mesh.Coordinates);
       this->PointReferences.push_back(this->Words.Whole("the reference of a vertex"));
-      this->Words.Tell(i, points);
+      this->Words.ReportRow(i, points);
     }
   }
 
@@ -148,7 +148,7 @@ private:
       }
       this->Mesh.EndCell(kind.Shape);
       this->CellReferences.push_back(this->Words.Whole("the reference of a cell"));
-      this->Words.Tell(i, cells);
+      this->Words.ReportRow(i, cells);
     }
   }
 
@@ -191,7 +191,7 @@ void CheckShapes(const CellMesh& mesh)
   }
 }
 
-void WriteCells(const CellMesh& mesh, const Kind& kind, TextFile& file)
+void WriteCells(const CellMesh& mesh, const Kind& kind, TextFileWriter& file)
 {
   const auto count = std::count(mesh.Shapes.begin(), mesh.Shapes.end(), kind.Shape);
   if (count == 0)
@@ -228,7 +228,7 @@ void WriteMEDIT(const CellMesh& mesh, const std::string& path, const ProgressCal
 {
   CheckShapes(mesh);
   const auto* references = References(mesh, Place::Vertices);
-  TextFile file(path);
+  TextFileWriter file(path);
   file << firstWord << " 2\nDimension 3\nVertices\n" << mesh.NumberOfPoints() << "\n";
   for (std::size_t i = 0; i < mesh.Coordinates.size() / 3; ++i)
   {

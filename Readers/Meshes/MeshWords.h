@@ -76,7 +76,7 @@ public:
   }
 
   /// Tells progress now and then; `done` of `all` rows are read.
-  void Tell(std::int64_t done, std::int64_t all)
+  void ReportRow(std::int64_t done, std::int64_t all)
   {
     constexpr std::int64_t rowsBetweenReports = 1 << 14;
     if (done % rowsBetweenReports == 0)

@@ -3,7 +3,7 @@
 #include "Core/PrintableText.h"
 #include "Files/OpenByteSource.h"
 #include "Files/ReaderError.h"
-#include "Files/TextFile.h"
+#include "Files/TextFileWriter.h"
 #include "Files/TextLines.h"
 #include "Meshes/MeshWords.h"
 
@@ -87,7 +87,7 @@ void ReadPoints(MeshWords& words, const OFFHeader& header, std::int64_t points, 
     {
       AppendColour(rest, colours);
     }
-    words.Tell(i, 2 * points);
+    words.ReportRow(i, 2 * points);
   }
   if (header.Normals)
   {
@@ -132,7 +132,7 @@ void ReadFaces(MeshWords& words, std::int64_t faces, CellMesh& mesh)
     }
     mesh.EndCell(ShapeOf(corners));
     words.RestOfLine();
-    words.Tell(faces + f, 2 * faces);
+    words.ReportRow(faces + f, 2 * faces);
   }
 }
 
@@ -185,7 +185,7 @@ void WriteOFF(const CellMesh& mesh, const std::string& path, const ProgressCallb
   const auto* directions = normals && normals->Components == 3
     ? std::get_if<std::vector<double>>(&normals->Values)
     : nullptr;
-  TextFile file(path);
+  TextFileWriter file(path);
   file << (directions ? "NOFF\n" : "OFF\n") << mesh.NumberOfPoints() << " " << mesh.NumberOfCells()
        << " 0\n";
   for (std::size_t i = 0; i < mesh.Coordinates.size(); i += 3)

@@ -2,7 +2,7 @@
 
 #include "Files/OpenByteSource.h"
 #include "Files/ReaderError.h"
-#include "Files/TextFile.h"
+#include "Files/TextFileWriter.h"
 #include "Files/TextLines.h"
 #include "Meshes/MeshWords.h"
 
@@ -91,7 +91,7 @@ std::int64_t ReadPoints(const std::string& path, CellMesh& mesh, const ProgressC
     ReadId(words, i, first);
     words.Point(mesh.Coordinates);
     columns.Read(words);
-    words.Tell(i, points);
+    words.ReportRow(i, points);
   }
   columns.MoveTo(mesh.Attributes, Place::Vertices);
   source->CheckEnd();
@@ -126,7 +126,7 @@ void ReadTetrahedra(const std::string& path, std::int64_t firstPoint, CellMesh& 
     }
     mesh.EndCell(corners == 4 ? CellShape::Tetrahedron : CellShape::QuadraticTetrahedron);
     columns.Read(words);
-    words.Tell(i, cells);
+    words.ReportRow(i, cells);
   }
   columns.MoveTo(mesh.Attributes, Place::Cells);
   source->CheckEnd();
@@ -151,7 +151,7 @@ void ReadTriangles(const std::string& path, std::int64_t firstPoint, CellMesh& m
     mesh.EndCell(CellShape::Triangle);
     columns.Read(words);
     words.RestOfLine(); // neighbours, with TetGen's -nn
-    words.Tell(i, cells);
+    words.ReportRow(i, cells);
   }
   columns.MoveTo(mesh.Attributes, Place::Cells);
   source->CheckEnd();
@@ -174,7 +174,7 @@ const std::vector<std::int64_t>* Markers(const CellMesh& mesh, Place on)
 }
 
 void WriteAttributes(
-  TextFile& file, const std::vector<double>* values, std::int64_t components, std::size_t row)
+  TextFileWriter& file, const std::vector<double>* values, std::int64_t components, std::size_t row)
 {
   for (std::size_t c = 0; c < static_cast<std::size_t>(components); ++c)
   {
@@ -187,7 +187,7 @@ void WritePoints(const CellMesh& mesh, const std::string& path)
   std::int64_t components = 0;
   const auto* values = Reals(mesh, Place::Vertices, components);
   const auto* markers = Markers(mesh, Place::Vertices);
-  TextFile file(path);
+  TextFileWriter file(path);
   file << mesh.NumberOfPoints() << " 3 " << components << " " << (markers ? 1 : 0) << "\n";
   for (std::size_t i = 0; i < mesh.Coordinates.size() / 3; ++i)
   {
@@ -222,7 +222,7 @@ void WriteTetrahedra(const CellMesh& mesh, const std::vector<std::size_t>& cells
 {
   std::int64_t components = 0;
   const auto* values = Reals(mesh, Place::Cells, components);
-  TextFile file(path);
+  TextFileWriter file(path);
   file << cells.size() << " " << corners << " " << components << "\n";
   std::array<std::int64_t, 10> ids{};
   for (std::size_t row = 0; row < cells.size(); ++row)
@@ -247,7 +247,7 @@ void WriteTriangles(
   const CellMesh& mesh, const std::vector<std::size_t>& cells, const std::string& path)
 {
   const auto* markers = Markers(mesh, Place::Cells);
-  TextFile file(path);
+  TextFileWriter file(path);
   file << cells.size() << " " << (markers ? 1 : 0) << "\n";
   for (std::size_t row = 0; row < cells.size(); ++row)
   {

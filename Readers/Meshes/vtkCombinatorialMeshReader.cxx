@@ -4,7 +4,7 @@
 #include "Files/OpenByteSource.h"
 #include "Files/ReaderGuard.h"
 #include "Meshes/CombinatorialMeshFile.h"
-#include "Meshes/MeshData.h"
+#include "Meshes/MeshConversion.h"
 
 #include <vtkCellType.h>
 #include <vtkErrorCode.h>

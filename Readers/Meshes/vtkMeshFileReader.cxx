@@ -1,7 +1,7 @@
 #include "vtkMeshFileReader.h"
 
 #include "Files/ReaderGuard.h"
-#include "Meshes/MeshData.h"
+#include "Meshes/MeshConversion.h"
 
 #include <vtkInformationVector.h>
 #include <vtkUnstructuredGrid.h>

@@ -1,6 +1,6 @@
 #include "vtkMeshFileWriter.h"
 
-#include "Meshes/MeshData.h"
+#include "Meshes/MeshConversion.h"
 
 #include <vtkInformation.h>
 #include <vtkPointSet.h>

@@ -1,7 +1,7 @@
 #include "vtkOFFSurfaceReader.h"
 
 #include "Files/ReaderGuard.h"
-#include "Meshes/MeshData.h"
+#include "Meshes/MeshConversion.h"
 #include "Meshes/OFFFile.h"
 
 #include <vtkInformationVector.h>

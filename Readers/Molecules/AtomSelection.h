@@ -6,7 +6,6 @@
 #define isthmus_AtomSelection_h
 
 #include "Molecules/Macromolecule.h"
-#include "Molecules/MoleculeOptions.h"
 
 namespace isthmus
 {

@@ -1,26 +1,135 @@
 #include "Molecules/GemmiStructure.h"
 
-#include "Molecules/GemmiAssembly.h"
 #include "Molecules/GemmiAtom.h"
-#include "Molecules/MMCIFBlock.h"
 #include "Molecules/PDBPieces.h"
 #include "Molecules/PDBStream.h"
 #include "Molecules/PQRFile.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 #include <unordered_map>
 #include <utility>
 
+#include <gemmi/assembly.hpp>
+#include <gemmi/atox.hpp>
 #include <gemmi/cif.hpp>
+#include <gemmi/cifdoc.hpp>
 #include <gemmi/mmcif.hpp>
 #include <gemmi/pdb.hpp>
+#include <gemmi/util.hpp>
 
 namespace isthmus
 {
 namespace
 {
+
+/// The file is fine, but does not describe the assembly that was asked for.
+class NoSuchAssembly : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/**
+ * Replaces the models of `structure` by assembly `name` as the file describes it (REMARK 350 of
+ * PDB, pdbx_struct_assembly_gen of mmCIF): each chain once for each of its operators, copies under
+ * names that are free. Atoms on symmetry axes stay single. @throws NoSuchAssembly.
+ */
+void TakeAssembly(gemmi::Structure& structure, const std::string& name, const std::string& path)
+{
+  std::string known;
+  for (const gemmi::Assembly& assembly : structure.assemblies)
+  {
+    known += (known.empty() ? "" : ", ") + assembly.name;
+  }
+  if (!structure.find_assembly(name))
+  {
+    throw NoSuchAssembly(path + ": there is no assembly " + name + "; the file describes " +
+      (known.empty() ? "none." : known + "."));
+  }
+  gemmi::transform_to_assembly(structure, name, gemmi::HowToNameCopiedChain::Short, nullptr);
+}
+
+/// Categories of an mmCIF file that atoms, bonds and assemblies come from.
+const std::array<std::string, 12> CategoriesRead{ "_atom_site.", "_atom_site_anisotrop.",
+  "_atom_sites.", "_cell.", "_symmetry.", "_entity.", "_entity_poly.", "_struct_asym.",
+  "_struct_conn.", "_pdbx_struct_assembly.", "_pdbx_struct_assembly_gen.",
+  "_pdbx_struct_oper_list." };
+
+void DropOthers(gemmi::cif::Block& block)
+{
+  const auto isOther = [](const gemmi::cif::Item& item)
+  {
+    using gemmi::cif::ItemType;
+    const bool isLoop = item.type == ItemType::Loop && !item.loop.tags.empty();
+    if (!isLoop && item.type != ItemType::Pair)
+    {
+      return true;
+    }
+    const std::string tag = gemmi::to_lower(isLoop ? item.loop.tags.front() : item.pair[0]);
+    return std::none_of(CategoriesRead.begin(), CategoriesRead.end(),
+      [&tag](const std::string& category) { return gemmi::starts_with(tag, category); });
+  };
+  block.items.erase(
+    std::remove_if(block.items.begin(), block.items.end(), isOther), block.items.end());
+}
+
+void RequireShortNumbers(gemmi::cif::Block& block, const std::string& tag, std::size_t most)
+{
+  for (const std::string& value : block.find_values(tag))
+  {
+    std::size_t digits = 0;
+    for (const char c : value)
+    {
+      digits = gemmi::is_digit(c) ? digits + 1 : 0;
+      if (digits > most)
+      {
+        throw std::invalid_argument(
+          tag + " has a number of more than " + std::to_string(most) + " digits");
+      }
+    }
+  }
+}
+
+/// Gives unknown values of a column a number by which they are found again.
+void MarkBlanks(gemmi::cif::Block& block, const char* tag)
+{
+  for (std::string& value : block.find_values(tag))
+  {
+    if (gemmi::cif::is_null(value))
+    {
+      value = PDBStream::BlankText;
+    }
+  }
+}
+
+/**
+ * Leaves of a block what atoms, bonds and assemblies come from: gemmi reads all that it knows, and
+ * a fault in what is not wanted would cost the atoms. Unknown occupancies and B factors become
+ * PDBStream::BlankText, by which they are found again. O(values).
+ *
+ * @throws std::invalid_argument for whole numbers of more than nine digits, and of more than five
+ * in the ranges of an assembly's operations: gemmi (0.5.7) adds digits up, and counts from the one
+ * to the other, without a look at their size.
+ */
+void PrepareForGemmi(gemmi::cif::Block& block)
+{
+  DropOthers(block);
+  for (const char* tag : { "_atom_site.id", "_atom_site.auth_seq_id", "_atom_site.label_seq_id",
+         "_atom_site.pdbx_formal_charge", "_struct_conn.ptnr1_auth_seq_id",
+         "_struct_conn.ptnr2_auth_seq_id", "_struct_conn.ptnr1_label_seq_id",
+         "_struct_conn.ptnr2_label_seq_id", "_pdbx_struct_assembly.oligomeric_count" })
+  {
+    RequireShortNumbers(block, tag, 9);
+  }
+  RequireShortNumbers(block, "_pdbx_struct_assembly_gen.oper_expression", 5);
+  MarkBlanks(block, "_atom_site.occupancy");
+  MarkBlanks(block, "_atom_site.B_iso_or_equiv");
+}
 
 [[noreturn]] void Fail(const std::string& path, const char* format, const std::exception& error)
 {

@@ -27,7 +27,7 @@ namespace isthmus
 struct StructureChoice
 {
   std::int64_t Model = 0; ///< from 0
-  std::string Assembly;   ///< GemmiAssembly.h; empty: the file as it is
+  std::string Assembly; ///< a biological assembly that the file describes; empty: the file as it is
 };
 
 /**

@@ -1,9 +1,11 @@
 /**
  * @file Macromolecule.h
- * @brief The atoms and bonds of a molecule, as a file names them.
+ * @brief Atoms and bonds of a molecule file, and the options for reading one.
  */
 #ifndef isthmus_Macromolecule_h
 #define isthmus_Macromolecule_h
+
+#include "Atoms/ChemicalElement.h"
 
 #include <array>
 #include <cstdint>
@@ -67,6 +69,30 @@ inline std::string Describe(const Atom& atom)
   }
   return atom.Chain.empty() ? text : text + " " + atom.Chain;
 }
+
+enum class MoleculeFormat
+{
+  ByName, ///< from the file's extension (.gz and .bz2 left out), else from its first lines
+  PDB,
+  MMCIF,
+  PQR,
+  XYZ
+};
+
+/// Which atoms to read, and what to add to them.
+struct MoleculeOptions
+{
+  MoleculeFormat Format = MoleculeFormat::ByName;
+  std::int64_t Model = 0; ///< from 0, in the order of the file
+  std::string Assembly;   ///< that the file describes, by its name; empty: the file as it is
+  std::string Chains;     ///< names between blanks or commas; empty: all
+  /// Empty: of each residue the location with the highest occupancy; "*": all; else that letter.
+  std::string AltLoc;
+  bool Hetero = true; ///< HETATM atoms, water aside
+  bool Water = true;
+  RadiusTable Radii = RadiusTable::Bondi;
+  bool BondsByDistance = true;
+};
 
 }
 

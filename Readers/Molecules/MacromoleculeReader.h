@@ -9,7 +9,6 @@
 
 #include "Core/Progress.h"
 #include "Molecules/Macromolecule.h"
-#include "Molecules/MoleculeOptions.h"
 #include "vtkIsthmusReadersMoleculesModule.h"
 
 #include <cstdint>

@@ -11,9 +11,8 @@
 #define isthmus_OpenDXReader_h
 
 #include "Files/ByteSource.h"
-#include "Files/SkewedLattice.h"
 #include "Files/TextWords.h"
-#include "Potentials/OpenDXObjects.h"
+#include "Files/VoxelLattice.h"
 
 #include <cstdint>
 #include <memory>
@@ -22,6 +21,19 @@
 
 namespace isthmus
 {
+
+/// One array of a file: its values follow in the file.
+struct OpenDXArray
+{
+  bool Single = false; ///< float; all other types come as double
+  int Components = 1;
+  std::int64_t Items = 0;
+  bool Binary = false;
+  bool Swap = false;         ///< bytes not in this machine's order
+  std::size_t ItemBytes = 8; ///< of one binary number
+  bool Whole = false;        ///< binary whole numbers
+  bool Unsigned = false;     ///< of these: without a sign
+};
 
 /// A file opened at one of its arrays.
 /// @throws ReaderError throughout; sentences name file and line.

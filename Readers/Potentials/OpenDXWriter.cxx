@@ -1,6 +1,6 @@
 #include "Potentials/OpenDXWriter.h"
 
-#include "Files/TextFile.h"
+#include "Files/TextFileWriter.h"
 
 #include <type_traits>
 
@@ -9,7 +9,7 @@ namespace isthmus
 namespace
 {
 
-void WriteGrid(TextFile& file, const VoxelLattice& grid)
+void WriteGrid(TextFileWriter& file, const VoxelLattice& grid)
 {
   const auto& n = grid.Dimensions;
   const auto counts = [&](const char* object)
@@ -40,7 +40,7 @@ template <typename T>
 void WriteOpenDX(const std::string& path, const VoxelLattice& grid, const T* values, int components,
   const OpenDXLabels& labels, const ProgressCallback& progress)
 {
-  TextFile file(path);
+  TextFileWriter file(path);
   for (const std::string& comment : labels.Comments)
   {
     file << "# " << OneLine(comment) << "\n";

@@ -209,7 +209,8 @@ int vtkOpenDXReader::RequestData(
     {
       OpenDXReader file(
         this->FileName, this->FieldIndex, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.2));
-      isthmus::DemandUnchanged(InformationOf(TargetOf(file, this->FileName)), info, this->FileName);
+      isthmus::RequireUnchanged(
+        InformationOf(TargetOf(file, this->FileName)), info, this->FileName);
       isthmus::StartImage(info, output);
       if (output->GetNumberOfPoints() > 0)
       {

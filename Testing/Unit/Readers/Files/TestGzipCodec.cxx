@@ -1,7 +1,7 @@
 // ISA-L beside zlib on whole, broken-off and damaged gzip data, in pieces of any size: the same
 // bytes, the same ends of members, the same refusals.
 
-#include "Files/GzipCodec.h"
+#include "Files/Codecs.h"
 #include "SharedData.h"
 
 #include <gtest/gtest.h>

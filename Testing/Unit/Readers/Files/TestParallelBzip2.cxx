@@ -153,7 +153,7 @@ void ExpectSame(const std::string& packed, int threads, unsigned seed)
 
 }
 
-TEST(Bzip2Blocks, UnpackAsLibbz2Does)
+TEST(ParallelBzip2, UnpackAsLibbz2Does)
 {
   std::mt19937 random(20261123);
   for (unsigned i = 0; i < 40; ++i)
@@ -169,7 +169,7 @@ TEST(Bzip2Blocks, UnpackAsLibbz2Does)
   }
 }
 
-TEST(Bzip2Blocks, TellDamageAsLibbz2Does)
+TEST(ParallelBzip2, TellDamageAsLibbz2Does)
 {
   std::mt19937 random(7);
   const std::string magic = "\x31\x41\x59\x26\x53\x59";
@@ -204,7 +204,7 @@ TEST(Bzip2Blocks, TellDamageAsLibbz2Does)
   EXPECT_GT(cut, 15);
 }
 
-TEST(Bzip2Blocks, ChecksumOfAMemberIsCompared)
+TEST(ParallelBzip2, ChecksumOfAMemberIsCompared)
 {
   std::mt19937 random(3);
   const std::string content = Content(random);
@@ -218,7 +218,7 @@ TEST(Bzip2Blocks, ChecksumOfAMemberIsCompared)
   }
 }
 
-TEST(Bzip2Blocks, EmptyMembersAndOffsetsBefore)
+TEST(ParallelBzip2, EmptyMembersAndOffsetsBefore)
 {
   const std::string text = "a few words";
   const TemporaryFile file(Bzip2("") + Bzip2(text) + Bzip2("") + Bzip2(text), "data.bz2");
@@ -237,7 +237,7 @@ TEST(Bzip2Blocks, EmptyMembersAndOffsetsBefore)
   vtkSMPTools::LocalScope(vtkSMPTools::Config(2, "STDThread", false), read);
 }
 
-TEST(Bzip2Blocks, RunsOfOneValueTakeNoMemory)
+TEST(ParallelBzip2, RunsOfOneValueTakeNoMemory)
 {
   const auto resident = []()
   {

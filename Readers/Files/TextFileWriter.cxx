@@ -1,4 +1,4 @@
-#include "Files/TextFile.h"
+#include "Files/TextFileWriter.h"
 
 #include <vtk_zlib.h>
 
@@ -29,7 +29,7 @@ void RemoveFile(const std::string& path)
 
 }
 
-TextFile::TextFile(const std::string& path)
+TextFileWriter::TextFileWriter(const std::string& path)
   : Path(path)
   // T: no compression, no header of gzip's.
   , File(gzopen(path.c_str(), EndsWithGz(path) ? "wb6" : "wbT"))
@@ -40,7 +40,7 @@ TextFile::TextFile(const std::string& path)
   }
 }
 
-TextFile::~TextFile()
+TextFileWriter::~TextFileWriter()
 {
   if (this->File)
   {
@@ -49,7 +49,7 @@ TextFile::~TextFile()
   }
 }
 
-TextFile& TextFile::operator<<(std::string_view text)
+TextFileWriter& TextFileWriter::operator<<(std::string_view text)
 {
   this->Buffer += text;
   if (this->Buffer.size() > bufferBytes)
@@ -59,7 +59,7 @@ TextFile& TextFile::operator<<(std::string_view text)
   return *this;
 }
 
-void TextFile::Close()
+void TextFileWriter::Close()
 {
   this->Flush();
   const gzFile file = this->File;
@@ -71,7 +71,7 @@ void TextFile::Close()
   }
 }
 
-void TextFile::Flush()
+void TextFileWriter::Flush()
 {
   const auto size = static_cast<unsigned int>(this->Buffer.size());
   if (size > 0 && gzwrite(this->File, this->Buffer.data(), size) != static_cast<int>(size))
@@ -81,7 +81,7 @@ void TextFile::Flush()
   this->Buffer.clear();
 }
 
-void TextFile::Fail() const
+void TextFileWriter::Fail() const
 {
   throw std::runtime_error("The file '" + this->Path +
     "' can't be written to its end: check its folder and the space left.");

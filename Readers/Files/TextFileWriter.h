@@ -1,9 +1,9 @@
 /**
- * @file TextFile.h
+ * @file TextFileWriter.h
  * @brief A text file that is written whole or not at all.
  */
-#ifndef isthmus_TextFile_h
-#define isthmus_TextFile_h
+#ifndef isthmus_TextFileWriter_h
+#define isthmus_TextFileWriter_h
 
 #include "Files/NumberTypes.h"
 
@@ -24,17 +24,17 @@ namespace isthmus
  * Without Close() the file is removed again. Memory: 1 MiB.
  * @throws std::runtime_error with the path when it can't be written.
  */
-class TextFile
+class TextFileWriter
 {
 public:
-  explicit TextFile(const std::string& path);
-  ~TextFile();
-  TextFile(const TextFile&) = delete;
-  TextFile& operator=(const TextFile&) = delete;
+  explicit TextFileWriter(const std::string& path);
+  ~TextFileWriter();
+  TextFileWriter(const TextFileWriter&) = delete;
+  TextFileWriter& operator=(const TextFileWriter&) = delete;
 
-  TextFile& operator<<(std::string_view text);
+  TextFileWriter& operator<<(std::string_view text);
   template <typename T, typename = std::enable_if_t<std::is_arithmetic_v<T>>>
-  TextFile& operator<<(T number)
+  TextFileWriter& operator<<(T number)
   {
     std::array<char, 64> digits;
     return *this << ToText(number, digits);

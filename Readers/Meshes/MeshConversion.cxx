@@ -1,4 +1,4 @@
-#include "Meshes/MeshData.h"
+#include "Meshes/MeshConversion.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

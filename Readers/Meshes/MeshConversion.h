@@ -1,9 +1,9 @@
 /**
- * @file MeshData.h
+ * @file MeshConversion.h
  * @brief Meshes of files as VTK data, and back.
  */
-#ifndef isthmus_MeshData_h
-#define isthmus_MeshData_h
+#ifndef isthmus_MeshConversion_h
+#define isthmus_MeshConversion_h
 
 #include "Meshes/CellMesh.h"
 

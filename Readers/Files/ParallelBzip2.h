@@ -1,0 +1,124 @@
+/**
+ * @file ParallelBzip2.h
+ * @brief Members of a bzip2 file, unpacked block by block on all threads.
+ *
+ * Bzip2BlockFinder cuts the stream, libbz2 unpacks each block as a stream of its own (and checks
+ * its checksum), and the results are handed out in order; the checksum of the member is compared at
+ * its end. As pbzip2 and lbzip2 do (J. Gilchrist, Parallel data compression with bzip2, PDCS 2004).
+ * The bytes are those of libbz2, for any number of threads. What does not fit is only told as
+ * damaged: libbz2 must say what it is, since a block may look cut where it is not.
+ *
+ * Memory: 13 MB a thread, twice libbz2's 3.7 MB, a block's packed bytes and the first MiB of its
+ * content. What a block holds beyond that (runs of one value: 46 MB at most) is unpacked as it is
+ * handed out. The first block comes alone, the next two together, and so on: whoever reads a header
+ * waits for one.
+ */
+#ifndef isthmus_ParallelBzip2_h
+#define isthmus_ParallelBzip2_h
+
+#include "Files/Codecs.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <vector>
+
+namespace isthmus
+{
+
+/// A block as a stream of its own; or, without a stream, the end of a member.
+struct Bzip2Block
+{
+  std::vector<unsigned char> Stream;
+  std::uint64_t DataBits = 0; ///< of Stream, up to the end that was put behind the block
+  std::uint32_t Checksum = 0; ///< of the block, or of all of the member
+};
+
+/**
+ * Cuts a bzip2 stream into blocks that can be decompressed independently.
+ *
+ * A member is "BZh" and a digit, blocks, and an end; a block begins with 0x314159265359 and the
+ * checksum of its content, the end is 0x177245385090 and the checksum of all blocks', padded to a
+ * byte. Blocks follow each other at any bit, so those 48 bits are looked for at every bit, by a
+ * table of the bytes that can lie within them. They may turn up in a block's own data as well (in
+ * one bit of 2.8e14): such a piece does not unpack, so what was cut must be judged by libbz2.
+ *
+ * Time: some 2 ns a byte. Memory: one block, 4 MB at most.
+ */
+class Bzip2BlockFinder
+{
+public:
+  enum class Found
+  {
+    Nothing, ///< the input is used up
+    Block,
+    MemberEnd, ///< the input is moved to the byte behind the member, where another may begin
+    Foreign    ///< no bzip2
+  };
+
+  /// Moves the input on to the next thing found, which is then put into `block`.
+  Found Take(unsigned char*& in, std::size_t& inSize, Bzip2Block& block);
+
+private:
+  enum class Stage
+  {
+    Header,
+    Block,
+    Checksum
+  };
+
+  Found TakeHeader();
+  Found TakeBlockByte(Bzip2Block& block);
+  Found TakeChecksum(Bzip2Block& block);
+  void Cut(std::uint64_t end, Bzip2Block& block) const;
+  std::uint32_t WordAt(std::uint64_t bit) const;
+
+  Stage Now = Stage::Header;
+  unsigned char Level = 0;
+  std::vector<unsigned char> Bytes; ///< from the one where the header, block or end begins
+  std::uint64_t FirstBit = 0;       ///< where it begins in the first of them
+  std::uint64_t Window = 0;         ///< the last eight bytes
+};
+
+class ParallelBzip2
+{
+public:
+  static constexpr const char* Name = Bzip2Codec::Name;
+  static std::uint64_t MostBytes(std::uint64_t size) { return Bzip2Codec::MostBytes(size); }
+  static bool StartsMember(const unsigned char* bytes, std::size_t size)
+  {
+    return Bzip2Codec::StartsMember(bytes, size);
+  }
+
+  ParallelBzip2();
+  ~ParallelBzip2();
+  ParallelBzip2(const ParallelBzip2&) = delete;
+  ParallelBzip2& operator=(const ParallelBzip2&) = delete;
+
+  /// As Bzip2Codec's, but goes on with members that follow at once; without input (the end of the
+  /// file) it hands out what it has.
+  CodecState Step(
+    unsigned char*& in, std::size_t& inSize, unsigned char*& out, std::size_t& outSize);
+
+private:
+  class Unpacked;
+
+  void Gather(unsigned char*& in, std::size_t& inSize);
+  void UnpackAll();
+  bool HandOut(unsigned char*& out, std::size_t& outSize);
+
+  Bzip2BlockFinder Finder;
+  std::vector<Bzip2Block> Waiting;
+  std::size_t WaitingBlocks = 0; ///< the rest of them are ends of members
+  std::deque<std::unique_ptr<Unpacked>> Ready;
+  std::size_t AtOnce = 1;
+  std::uint32_t Checksum = 0; ///< of the member so far
+  bool Ended = false;
+  bool Foreign = false;
+};
+
+}
+
+#endif
