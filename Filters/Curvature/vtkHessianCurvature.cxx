@@ -173,7 +173,7 @@ int vtkHessianCurvature::RequestUpdateExtent(
   return 1;
 }
 
-bool vtkHessianCurvature::AsksForMore(vtkInformation* request, vtkInformation* imageInfo,
+bool vtkHessianCurvature::NeedsLargerExtent(vtkInformation* request, vtkInformation* imageInfo,
   vtkInformation* pointsInfo, vtkInformation* outInfo)
 {
   vtkImageData* image = vtkImageData::GetData(imageInfo);
@@ -277,7 +277,7 @@ int vtkHessianCurvature::RequestData(
   vtkInformation* imageInfo = inputVector[0]->GetInformationObject(0);
   vtkInformation* pointsInfo = inputVector[1]->GetInformationObject(0);
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  if (this->AsksForMore(request, imageInfo, pointsInfo, outInfo))
+  if (this->NeedsLargerExtent(request, imageInfo, pointsInfo, outInfo))
   {
     return 1;
   }

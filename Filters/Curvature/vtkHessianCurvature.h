@@ -37,8 +37,8 @@
  * pass for more if its points lie elsewhere. Results do not depend on the number of threads.
  *
  * **Errors** (sentence, empty output): no scalars, several components, cell data, Accuracy other
- * than 2 or 4, negative or infinite Scale or tolerance. An empty image or surface is none. An image
- * too thin for the stencil is a warning, and nothing is valid.
+ * than 2 or 4, negative or infinite Scale or tolerance. An empty image or surface is not an error.
+ * An image too thin for the stencil is a warning, and nothing is valid.
  *
  * **Cost.** O(nodes) or O(points). No memory beyond the output and a few rows for each thread,
  * unless Scale is on: then one or two copies of the scalars, and time that grows with Scale /
@@ -90,7 +90,7 @@ public:
   /**
    * Standard deviation of a Gaussian that smooths the scalars first, in the unit of the spacing
    * (angstrom); the kernel is cut at 4 standard deviations. Default 0: no smoothing. Choose about
-   * the size of the smallest feature to be told from noise.
+   * the size of the smallest feature to be distinguished from noise.
    */
   vtkSetMacro(Scale, double);
   vtkGetMacro(Scale, double);
@@ -137,8 +137,8 @@ private:
   void WarnIfThin(const int whole[6], bool atPoints);
   void AddCurvature(
     vtkImageData* image, vtkDataArray* scalars, vtkPoints* points, vtkDataSet* output);
-  bool AsksForMore(vtkInformation* request, vtkInformation* imageInfo, vtkInformation* pointsInfo,
-    vtkInformation* outInfo);
+  bool NeedsLargerExtent(vtkInformation* request, vtkInformation* imageInfo,
+    vtkInformation* pointsInfo, vtkInformation* outInfo);
 
   // Ghost layers to ask for in a second pass, after the first brought too little of the image.
   int MoreLayers = 0;

@@ -27,7 +27,8 @@
  * sources.
  *
  * **Errors** (sentence, empty outputs): no such arrays, thresholds that don't ascend, scalars that
- * are not finite, a SweepTarget that is not between the thresholds. An empty surface is none.
+ * are not finite, a SweepTarget that is not between the thresholds. An empty surface is not an
+ * error.
  *
  * **Cost.** O(triangles x regions they lie in), in parallel, the same bits on any number of
  * threads. On several MPI ranks, each sums its own piece: gather the surface first (in ParaView:

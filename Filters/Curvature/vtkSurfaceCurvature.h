@@ -29,7 +29,7 @@
  * a ball, or, for isosurfaces of a volume, vtkHessianCurvature.
  *
  * **Errors** (sentence, empty output): coordinates that are not finite, damaged cells, negative
- * Radius or tolerance. An empty surface is none.
+ * Radius or tolerance. An empty surface is not an error.
  *
  * **Cost.** O(triangles), for balls and discs times the triangles within Radius; in parallel, the
  * same bits on any number of threads. Memory about 300 bytes a point with all arrays. On several

@@ -24,7 +24,7 @@ struct NoiseEstimate
  *
  * A node's pseudo-residual is its value less the mean of its six neighbours (T. Gasser, L. Sroka,
  * C. Jennen-Steinmetz, Biometrika 73 (1986) 625, in three dimensions); its median absolute value
- * over the grid does not notice edges, which are rare. For normal noise it is 0.6745 sqrt(7/6)
+ * over the grid is insensitive to edges, which are rare. For normal noise it is 0.6745 sqrt(7/6)
  * standard deviations. Noise that was low-pass filtered is underestimated.
  *
  * Nodes that have the value of three or more of their neighbours show no noise: a background that

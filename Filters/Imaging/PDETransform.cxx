@@ -131,7 +131,7 @@ std::vector<std::vector<double>> SeriesOfModes(
   for (int k = 0; k < parameters.Modes; ++k)
   {
     lowPasses.push_back(LowPass(parameters, k));
-    // Told before the series is worked out: it is about five times as long as this.
+    // Checked before the series is computed, which is about five times as long as this.
     const double wavelength = parameters.FirstWavelength * std::pow(parameters.Ratio, k);
     RequireEvaluations(std::sqrt(bound) * wavelength / (2.0 * Pi));
     all.push_back(ChebyshevSeries(

@@ -1,6 +1,6 @@
 /**
  * @class vtkDenoiseFromHalfMaps
- * @brief Denoises the mean of two half maps by as much as their difference tells.
+ * @brief Denoises the mean of two half maps; their difference gives the noise level.
  *
  * Two maps of the same thing from independent halves of the data, a and b, have the mean
  * (a + b) / 2, whose noise is (a - b) / 2, signal left out: so its standard deviation is known and

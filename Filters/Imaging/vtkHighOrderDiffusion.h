@@ -26,7 +26,7 @@
  * Cost: time in proportion to nodes x sqrt(Time) with SuperTimeStepping, nodes x Time with
  * ForwardEuler. Memory beside input and output, in volumes of the output's type: 4 with
  * SuperTimeStepping (two stages, the first rate, the coefficient), two more for Order 0 on
- * one rank, 1 to 3 with ForwardEuler; and, where asked for, the input (Fidelity) and P (UseSource)
+ * one rank, 1 to 3 with ForwardEuler; and, where enabled, the input (Fidelity) and P (UseSource)
  * in the output's type.
  *
  * @sa vtkDiffusionHighPass vtkPDETransform

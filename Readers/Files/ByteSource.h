@@ -40,7 +40,7 @@ public:
   /// file, 1032 times the file for gzip (deflate can't do better), without limit for bzip2.
   virtual std::uint64_t MostBytes() const = 0;
 
-  /// Bytes of content up to `limit`, counted by decompressing (plain files know at once).
+  /// Bytes of content up to `limit`, counted by decompressing (immediate for plain files).
   virtual std::uint64_t CountUpTo(std::uint64_t limit, const ProgressCallback& progress) = 0;
 
   /// Goes to `offset` before a Read there, with progress, since decompressing may take long.

@@ -20,7 +20,7 @@
 namespace isthmus
 {
 
-/// How a codec stands after Step(), which moves its arguments past what it has used and written.
+/// State of a decoder after Step(), which moves its arguments past what it has used and written.
 enum class CodecState
 {
   Running,
@@ -48,8 +48,8 @@ public:
   }
 
   /// Unpacks from `in` to `out`, both of which it moves on, until one of them is used up.
-  /// @pre The first time, `in` has the member's whole header: ISA-L 2.30 takes one that comes in
-  /// parts, and has a checksum of its own, for damaged.
+  /// @pre The first time, `in` has the member's whole header: ISA-L 2.30 reports a header
+  /// that comes in parts and has its own checksum as damaged.
   CodecState Step(
     unsigned char*& in, std::size_t& inSize, unsigned char*& out, std::size_t& outSize)
   {

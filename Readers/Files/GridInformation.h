@@ -1,6 +1,6 @@
 /**
  * @file GridInformation.h
- * @brief What a reader of a grid tells VTK's pipeline before it reads, and holds it to afterwards.
+ * @brief Pipeline information of a grid file, set before the data are read and checked afterwards.
  */
 #ifndef isthmus_GridInformation_h
 #define isthmus_GridInformation_h
@@ -34,7 +34,7 @@ VTKISTHMUSREADERSFILES_EXPORT void Describe(const GridInformation& grid, vtkInfo
 VTKISTHMUSREADERSFILES_EXPORT void RequireUnchanged(
   const GridInformation& grid, vtkInformation* info, const char* path);
 
-/// Gives the image the extent that is asked for, and the grid's geometry.
+/// Gives the image the update extent, and the grid's geometry.
 VTKISTHMUSREADERSFILES_EXPORT void StartImage(vtkInformation* info, vtkImageData* image);
 
 }

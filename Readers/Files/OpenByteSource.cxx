@@ -24,7 +24,7 @@ namespace isthmus
 namespace
 {
 
-/// A regular file that many threads can read at once.
+/// A regular file that many threads can read concurrently.
 /// Owns an open file; can be moved, not copied.
 class PlainFile
 {
@@ -348,7 +348,7 @@ private:
       }
       catch (const ReaderError&)
       {
-        // Told by the careful one, in its words.
+        // Reported by the careful one.
       }
       this->Source = std::exchange(this->Careful, nullptr)();
     }

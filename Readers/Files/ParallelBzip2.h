@@ -2,11 +2,11 @@
  * @file ParallelBzip2.h
  * @brief Members of a bzip2 file, unpacked block by block on all threads.
  *
- * Bzip2BlockFinder cuts the stream, libbz2 unpacks each block as a stream of its own (and checks
+ * Bzip2BlockFinder cuts the stream, libbz2 decompresses each block as a separate stream (and checks
  * its checksum), and the results are handed out in order; the checksum of the member is compared at
  * its end. As pbzip2 and lbzip2 do (J. Gilchrist, Parallel data compression with bzip2, PDCS 2004).
- * The bytes are those of libbz2, for any number of threads. What does not fit is only told as
- * damaged: libbz2 must say what it is, since a block may look cut where it is not.
+ * The bytes are those of libbz2, for any number of threads. Any mismatch is reported as damaged
+ * only: libbz2 must find the cause, since a block may look cut where it is not.
  *
  * Memory: 13 MB a thread, twice libbz2's 3.7 MB, a block's packed bytes and the first MiB of its
  * content. What a block holds beyond that (runs of one value: 46 MB at most) is unpacked as it is
@@ -28,7 +28,7 @@
 namespace isthmus
 {
 
-/// A block as a stream of its own; or, without a stream, the end of a member.
+/// A block as a separate stream; or, without a stream, the end of a member.
 struct Bzip2Block
 {
   std::vector<unsigned char> Stream;
@@ -97,8 +97,8 @@ public:
   ParallelBzip2(const ParallelBzip2&) = delete;
   ParallelBzip2& operator=(const ParallelBzip2&) = delete;
 
-  /// As Bzip2Codec's, but goes on with members that follow at once; without input (the end of the
-  /// file) it hands out what it has.
+  /// As Bzip2Codec's, but continues with members that follow immediately; without input (the end of
+  /// the file) it hands out what it has.
   CodecState Step(
     unsigned char*& in, std::size_t& inSize, unsigned char*& out, std::size_t& outSize);
 

@@ -18,7 +18,7 @@ enum class ReaderFailure
   ForeignFormat, ///< the content is not of this kind of file
   Truncated,     ///< fewer bytes than the header describes
   Damaged,       ///< contradictory content, a failed checksum
-  BadRequest,    ///< what was asked for is not in the file
+  BadRequest,    ///< the requested part is not in the file
 };
 
 /// A sentence that says what is wrong, in which file, and what can be done.

@@ -65,7 +65,7 @@ NodeBox NodesNeeded(const VoxelLattice& lattice, const VoxelLattice& grid, const
  * integers are rounded to the nearest. Outside the lattice `out` is 0 and `inside` 0, elsewhere
  * `inside` is 1; along an axis with a single node, inside reaches half a step. The value at a node
  * depends on the node alone, not on `region` or threads.
- * Time: about 10 ns a node and thread. No memory of its own.
+ * Time: about 10 ns a node and thread. Allocates nothing.
  */
 template <typename T>
 void ResampleValues(int components, const VoxelLattice& lattice, const T* nodes,

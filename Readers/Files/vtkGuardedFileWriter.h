@@ -3,7 +3,7 @@
  * @brief What our writers share: a file's name, and one sentence where a file can't be written.
  *
  * No file name, or whatever keeps the file from being written to its end, is one error with the
- * error code set; a stop on request is none.
+ * error code set; an abort is not an error.
  */
 #ifndef vtkGuardedFileWriter_h
 #define vtkGuardedFileWriter_h

@@ -37,7 +37,7 @@
  * surface.
  *
  * **Damaged headers** are read as far as sense can be made of them; each value that had to be
- * replaced is told in a warning and in `Repairs`. With Strict on, the first of them is an error.
+ * replaced is listed in a warning and in `Repairs`. With Strict on, the first of them is an error.
  * Files that can't be read (missing, empty, truncated, of another kind) give an error that names
  * the file and what is wrong, an empty output and an error code of vtkErrorCode.
  *

@@ -40,7 +40,7 @@ struct MSMSSurface
 /**
  * Appends the surface of `file` (either of a pair) and its partner to `surface`. O(bytes).
  * @throws std::runtime_error with file, line and reason when one of them is missing, no regular
- * file, not as described above, or has not as many rows as its line of counts says.
+ * file, not as described above, or has fewer rows than its line of counts says.
  */
 VTKISTHMUSREADERSMESHES_EXPORT void ReadMSMS(const std::filesystem::path& file, int component,
   MSMSSurface& surface, const ProgressCallback& progress = {});

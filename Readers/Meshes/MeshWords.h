@@ -75,7 +75,7 @@ public:
     return id - first;
   }
 
-  /// Tells progress now and then; `done` of `all` rows are read.
+  /// Reports progress from time to time; `done` of `all` rows have been read.
   void ReportRow(std::int64_t done, std::int64_t all)
   {
     constexpr std::int64_t rowsBetweenReports = 1 << 14;

@@ -5,8 +5,8 @@
  * The format is described at vtkCombinatorialMeshReader, which gives back the same points, cells
  * and numbers bit for bit, with three exceptions: vtkIdType arrays come back as 64-bit integers and
  * char as signed char; VTK_POLYHEDRON faces are turned to agree with the cell's first face; cells
- * of higher order lose all but their corners, and points, lines and surface cells are left out,
- * which a warning tells. Arrays that hold no numbers are left out with a warning, too.
+ * of higher order lose all but their corners, and points, lines and surface cells are
+ * dropped, with a warning. Arrays that hold no numbers are dropped with a warning, too.
  *
  * A file that can't be written to its end is an error with the error code set.
  */

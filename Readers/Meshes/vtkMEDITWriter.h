@@ -3,8 +3,8 @@
  * @brief Writes meshes in MEDIT's text format (.mesh), which Gmsh, Mmg, CGAL and fTetWild read.
  *
  * Edges, triangles, quadrilaterals, tetrahedra, pyramids, prisms and hexahedra, by kind; the array
- * `Reference` (whole numbers) of points and cells, else 0. Other arrays are left out, which a
- * warning tells. Other cells, and a file that can't be written to its end, are an error with the
+ * `Reference` (whole numbers) of points and cells, else 0. Other arrays are dropped, with a
+ * warning. Other cells, and a file that can't be written to its end, are an error with the
  * error code set, and leave no file. Time: O(bytes); memory: that of the mesh.
  */
 #ifndef vtkMEDITWriter_h

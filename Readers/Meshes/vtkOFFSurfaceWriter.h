@@ -3,8 +3,8 @@
  * @brief Writes surfaces in Geomview's Object File Format (.off), the thesis' triangle-mesh file.
  *
  * Points, lines and polygons; with a point array `Normals` of doubles an NOFF file. What
- * vtkOFFSurfaceReader reads of it are the same coordinates, bit for bit. Other arrays are left out,
- * which a warning tells. Strips, and a file that can't be written to its end, are an error with the
+ * vtkOFFSurfaceReader reads of it are the same coordinates, bit for bit. Other arrays are dropped,
+ * with a warning. Strips, and a file that can't be written to its end, are an error with the
  * error code set, and leave no file. Time: O(bytes); memory: that of the surface.
  */
 #ifndef vtkOFFSurfaceWriter_h

@@ -4,7 +4,7 @@
  *
  * FileName may end in any of the three: NAME.node gets the points, NAME.ele the tetrahedra,
  * NAME.face the triangles, where there are any. Arrays `Attribute` (double) and `BoundaryMarker`
- * (whole numbers) go with them, others are left out, which a warning tells. Other cells, and a file
+ * (whole numbers) go with them, others are dropped, with a warning. Other cells, and a file
  * that can't be written to its end, are an error with the error code set. Time: O(bytes); memory:
  * that of the mesh.
  */

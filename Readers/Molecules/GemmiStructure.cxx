@@ -238,7 +238,7 @@ void AddConect(const std::vector<std::array<int, 2>>& bonded, Macromolecule& mol
   }
 }
 
-/// Asks whether to go on, but reports nothing.
+/// Checks for abort only, without reporting progress.
 ProgressCallback AbortOnly(const ProgressCallback& progress)
 {
   return progress ? [progress](double) { return progress(0.6); } : ProgressCallback();

@@ -19,10 +19,10 @@ namespace isthmus
 
 /**
  * Reads one model. Radii are those of the file (PQR) or of the table; atoms without are NaN and
- * named in a warning. Bonds are those of the file and, when asked for, those by distance
+ * named in a warning. Bonds are those of the file and, if BondsByDistance, those by distance
  * (CovalentBonds.h).
  * @throws std::runtime_error with a sentence for a file that is missing, damaged or foreign,
- * without any atom, or without the model or chain that was asked for; Cancelled.
+ * without any atom, or without the requested model or chain; Cancelled.
  *
  * Time O(bytes + n log n); memory: the text and about 250 bytes an atom.
  */

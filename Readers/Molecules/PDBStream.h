@@ -1,6 +1,6 @@
 /**
  * @file PDBStream.h
- * @brief The lines of a PDB file as gemmi asks for them, checked and completed on the way.
+ * @brief The lines of a PDB file as a stream for gemmi, checked and completed.
  */
 #ifndef isthmus_PDBStream_h
 #define isthmus_PDBStream_h

@@ -33,7 +33,7 @@
  *
  * **Errors** (sentence, error code, empty outputs): a file that is missing, cut, foreign, without
  * atoms, with coordinates that are no finite numbers; a model, chain, assembly or alternate
- * location that it has not.
+ * location that it does not have.
  *
  * **Cost.** A million atoms from PQR: about 1.5 s on two cores with all bonds, 0.8 GB. Progress and
  * abort work while reading, save that gemmi parses mmCIF in one call. On several MPI ranks, the
@@ -85,7 +85,7 @@ public:
   ///@}
 
   ///@{
-  /// Whether the models are time steps 0, 1, ..., so that the time which the pipeline asks for
+  /// Whether the models are time steps 0, 1, ..., so that the time which the pipeline requests
   /// chooses the model. A ModelIndex above 0 chooses that model at all times. Default on.
   vtkSetMacro(ModelsAsTimeSteps, bool);
   vtkGetMacro(ModelsAsTimeSteps, bool);

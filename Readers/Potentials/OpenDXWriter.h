@@ -14,7 +14,7 @@
 namespace isthmus
 {
 
-/// What stands around the values in the file.
+/// Header and trailer around the values in the file.
 struct OpenDXLabels
 {
   std::string FieldName;

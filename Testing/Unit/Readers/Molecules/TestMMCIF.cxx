@@ -37,7 +37,7 @@ std::string Why(const std::string& text)
 }
 
 // Found by FuzzMacromoleculeReader: gemmi adds digits up beyond what an int holds.
-TEST(MMCIFBlock, NumbersThatNoIntHoldsAreRefusedByTheirColumn)
+TEST(MMCIF, NumbersThatNoIntHoldsAreRefusedByTheirColumn)
 {
   ASSERT_EQ(Why(TwoAtoms("2", "1", "1", "0")), "");
   EXPECT_EQ(Why(TwoAtoms("999999999", "1", "-99999999", "0")), "");
@@ -50,7 +50,7 @@ TEST(MMCIFBlock, NumbersThatNoIntHoldsAreRefusedByTheirColumn)
 }
 
 // gemmi would make a name of each number from the first to the last.
-TEST(MMCIFBlock, LongRangesOfOperationsAreRefused)
+TEST(MMCIF, LongRangesOfOperationsAreRefused)
 {
   const std::string assembly =
     "_pdbx_struct_assembly.id 1\n_pdbx_struct_assembly_gen.assembly_id 1\n"
@@ -61,7 +61,7 @@ TEST(MMCIFBlock, LongRangesOfOperationsAreRefused)
   EXPECT_NE(Why(atoms + assembly + "(1-2000000000)\n").find("oper_expression"), std::string::npos);
 }
 
-TEST(MMCIFBlock, FaultsInWhatIsNotWantedCostNoAtoms)
+TEST(MMCIF, FaultsInWhatIsNotWantedCostNoAtoms)
 {
   const std::string atoms = TwoAtoms("2", "1", "1", "0");
   const std::string helix = "_struct_conf.conf_type_id HELX_P\n_struct_conf.beg_auth_asym_id A\n"
