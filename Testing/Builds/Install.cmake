@@ -5,6 +5,16 @@ file(REMOVE_RECURSE "${prefix}")
 run("${CMAKE_COMMAND}" --install "${MAIN_BINARY_DIR}" --prefix "${prefix}")
 run_consumer("${prefix}" "${WORK_DIR}/consumer")
 
+# The consumer of the version before the modules builds unchanged: all of Isthmus as one target,
+# headers of algorithms without their folder. It may get deprecation warnings.
+set(folder "${WORK_DIR}/previous_consumer")
+file(REMOVE_RECURSE "${folder}")
+run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}/previous_consumer" -B "${folder}" -G Ninja
+  "-DCMAKE_PREFIX_PATH=${prefix}")
+run("${CMAKE_COMMAND}" --build "${folder}")
+run("${folder}/map_curvature" "${WORK_DIR}/consumer/phantom.mrc" 0.5 "${folder}/surface.vtp")
+run("${folder}/mesh_parts" "${WORK_DIR}/consumer/phantom.mrc" 0.5)
+
 # By components: the permissive modules bring nothing of the GPL along, on the link line or loaded.
 set(folder "${WORK_DIR}/components")
 file(REMOVE_RECURSE "${folder}")

@@ -1,0 +1,250 @@
+"""From a density map to a surface coloured by its curvature: the main job of Isthmus.
+
+Usage: pvpython MapToCurvature.py MAP OUTPUT_FOLDER [LEVEL]. Writes curvature.png (six descriptors
+side by side), denoising.png (the surface without and with denoising), surface.vtp, report.json,
+report.txt and pipeline.pvsm, which ParaView opens.
+Without LEVEL, the surface is drawn at Otsu's threshold of the map's histogram.
+"""
+
+import sys
+from pathlib import Path
+
+import numpy
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import SurfaceReport  # noqa: E402
+
+# Array, title of its colour bar, colours, and where the range comes from: "signed" is symmetric
+# about zero, so that white is flat; "unsigned" starts at zero; else the array's whole range.
+DESCRIPTORS = (
+    ("GaussianCurvature", "Gaussian curvature (1/Å²)", "Cool to Warm (Extended)", "signed"),
+    ("MeanCurvature", "Mean curvature (1/Å)", "Cool to Warm (Extended)", "signed"),
+    ("MaximumCurvature", "Maximum curvature (1/Å)", "Cool to Warm (Extended)", "signed"),
+    ("MinimumCurvature", "Minimum curvature (1/Å)", "Cool to Warm (Extended)", "signed"),
+    ("ShapeIndex", "Shape index", "Cool to Warm (Extended)", (-1.0, 1.0)),
+    ("Curvedness", "Curvedness (1/Å)", "Viridis (matplotlib)", "unsigned"),
+)
+BACKGROUND = [1.0, 1.0, 1.0]
+INK = [0.1, 0.1, 0.1]
+
+
+def otsu_threshold(values, bins=256):
+    """Threshold that splits `values` into two classes of greatest variance between them.
+
+    N. Otsu, IEEE Trans. Syst. Man Cybern. 9 (1979) 62, eq. 18.
+    """
+    counts, edges = numpy.histogram(values, bins=bins)
+    centres = (edges[1:] + edges[:-1]) / 2
+    weight = numpy.cumsum(counts) / counts.sum()
+    moment = numpy.cumsum(counts * centres) / counts.sum()
+    spread = numpy.maximum(weight * (1 - weight), 1e-300)
+    return float(edges[1:][numpy.argmax((moment[-1] * weight - moment) ** 2 / spread)])
+
+
+def denoise(volume, **options):
+    return simple.HighOrderDiffusion(
+        Input=volume, Scalars=["POINTS", "Density"], MaskInvalid=1, **options)
+
+
+def open_denoised(path):
+    """Reader and denoised volume of a map."""
+    reader = simple.OpenDataFile(str(path))
+    return reader, denoise(reader, registrationName="Denoised")
+
+
+def isosurface(volume, level, **options):
+    return simple.Contour(
+        Input=volume, ContourBy=["POINTS", "Density"], Isosurfaces=[level], ComputeScalars=0,
+        **options)
+
+
+def build_pipeline(path, level):
+    """Reader -> denoised -> isosurface -> curvature; also what was said about the level."""
+    reader, denoised = open_denoised(path)
+    reader.UpdatePipeline()
+    image = servermanager.Fetch(reader)
+    density = vtk_to_numpy(image.GetPointData().GetArray("Density"))
+    rule = "given"
+    if level is None:
+        level = otsu_threshold(density[numpy.isfinite(density)])
+        rule = "Otsu's threshold of the map's histogram"
+    surface = isosurface(denoised, level, registrationName="Isosurface", ComputeNormals=1)
+    curvature = simple.HessianCurvature(
+        registrationName="HessianCurvature", Input=denoised, Surface=surface)
+    curvature.UpdatePipeline()
+    return reader, denoised, curvature, image, {"value": level, "rule": rule}
+
+
+def points_of(data):
+    return vtk_to_numpy(data.GetPoints().GetData())
+
+
+def symmetry_axis(points):
+    """Principal axis of the points whose variance stands out from the other two, and one across.
+
+    For a ring-like assembly that is its axis of symmetry, along which it looks best.
+    """
+    variances, axes = numpy.linalg.eigh(numpy.cov((points - points.mean(axis=0)).T))
+    single = 0 if variances[1] - variances[0] > variances[2] - variances[1] else 2
+    return axes[:, single], axes[:, 1]
+
+
+def set_properties(proxy, **properties):
+    for name, value in properties.items():
+        setattr(proxy, name, value)
+
+
+def colour_range(values, kind):
+    """Range of a colour bar; the outermost 2 % of the values do not stretch it."""
+    if isinstance(kind, tuple):
+        return kind
+    low, high = numpy.percentile(values, (2, 98))
+    if kind == "signed":
+        high = max(abs(low), abs(high))
+    return (-high if kind == "signed" else 0.0), max(high, 1e-12)
+
+
+def show_colour_bar(table, view, title, limits, labels="%.2g"):
+    """A colour bar below the picture: its ends, its middle, and what it shows."""
+    low, high = limits
+    set_properties(
+        simple.GetScalarBar(table, view), Title=title, ComponentTitle="", Visibility=1,
+        TitleColor=INK, LabelColor=INK, TitleFontSize=15, LabelFontSize=13, ScalarBarLength=0.6,
+        ScalarBarThickness=12, WindowLocation="Any Location", Orientation="Horizontal",
+        Position=[0.2, 0.02], AddRangeLabels=0, UseCustomLabels=1,
+        CustomLabels=[low, (low + high) / 2, high], AutomaticLabelFormat=0, LabelFormat=labels)
+
+
+def show_descriptor(view, curvature, values, descriptor):
+    """The surface in `view`, coloured by one descriptor, with its colour bar."""
+    array, title, colours, kind = descriptor
+    display = simple.Show(curvature, view)
+    simple.ColorBy(display, ("POINTS", array))
+    table = simple.GetColorTransferFunction(array)
+    table.ApplyPreset(colours, True)
+    # Each further Show() colours by the mean curvature first, and would stretch its range.
+    table.AutomaticRescaleRangeMode = "Never"
+    low, high = colour_range(values, kind)
+    table.RescaleTransferFunction(low, high)
+    show_colour_bar(table, view, title, (low, high))
+
+
+def three_by_two(layout):
+    """Splits a layout; its six cells row by row, as ParaView numbers them (children of c: 2c+1, 2c+2)."""
+    layout.SplitVertical(0, 0.5)
+    rows = []
+    for row in (1, 2):
+        layout.SplitHorizontal(row, 1 / 3)
+        right = 2 * row + 2
+        layout.SplitHorizontal(right, 0.5)
+        rows += [2 * row + 1, 2 * right + 1, 2 * right + 2]
+    return rows
+
+
+def look_along(points, direction, up, colour_bar=True):
+    """Properties of a view of the points along `direction`, with room for a colour bar below."""
+    centre = (points.min(axis=0) + points.max(axis=0)) / 2
+    radius = numpy.linalg.norm(numpy.cross(points - centre, direction), axis=1).max()
+    if colour_bar:
+        centre = centre - 0.2 * radius * up
+    return dict(
+        UseColorPaletteForBackground=0, Background=BACKGROUND, OrientationAxesVisibility=0,
+        CameraFocalPoint=centre, CameraPosition=centre + 9 * radius * direction, CameraViewUp=up,
+        CameraParallelProjection=1, CameraParallelScale=(1.3 if colour_bar else 1.15) * radius)
+
+
+def six_views(curvature, data):
+    """One layout with a view for each descriptor, three by two, all from the same direction."""
+    points = points_of(data)
+    camera = look_along(points, *symmetry_axis(points))
+    layout = simple.CreateLayout("Curvature")
+    for cell, descriptor in zip(three_by_two(layout), DESCRIPTORS):
+        view = simple.CreateView("RenderView")
+        layout.AssignView(cell, view)
+        values = vtk_to_numpy(data.GetPointData().GetArray(descriptor[0]))
+        show_descriptor(view, curvature, values, descriptor)
+        set_properties(view, **camera)
+    return layout
+
+
+def noise_level(volume):
+    """Standard deviation of the noise in a volume, as the denoising filter sees it."""
+    probe = denoise(volume, Automatic=0, Time=0)
+    probe.UpdatePipeline()
+    level = servermanager.Fetch(probe).GetFieldData().GetArray("NoiseLevel").GetValue(0)
+    simple.Delete(probe)
+    return level
+
+
+def with_added_noise(image, deviation):
+    """The map with Gaussian noise of known deviation: what denoising is for, on any map."""
+    noisy = image.NewInstance()
+    noisy.CopyStructure(image)
+    density = vtk_to_numpy(image.GetPointData().GetArray("Density")).astype(numpy.float32)
+    noise = numpy.random.default_rng(1).normal(0.0, deviation, density.size).astype(numpy.float32)
+    array = numpy_to_vtk(density + noise, deep=True)
+    array.SetName("Density")
+    noisy.GetPointData().SetScalars(array)
+    source = simple.TrivialProducer(registrationName="With added noise")
+    source.GetClientSideObject().SetOutput(noisy)
+    return source
+
+
+def show_level(volume, level, caption, camera, view):
+    """The isosurface of a volume in one colour, with a line above it."""
+    display = simple.Show(isosurface(volume, level), view)
+    set_properties(
+        display, ColorArrayName=["POINTS", ""], DiffuseColor=[0.75, 0.8, 0.88],
+        AmbientColor=[0.75, 0.8, 0.88])
+    text = simple.Show(simple.Text(Text=caption), view)
+    set_properties(text, Color=INK, FontSize=14, WindowLocation="Upper Center")
+    set_properties(view, **camera)
+
+
+def before_and_after(reader, denoised, image, level, data):
+    """One layout of isosurfaces, same level, same camera: the map without and with denoising, and
+    below it the same with added noise of a deviation equal to the map's own; and the noise levels."""
+    noisy = with_added_noise(image, float(numpy.nanstd(vtk_to_numpy(
+        image.GetPointData().GetArray("Density")))))
+    points = points_of(data)
+    camera = look_along(points, *symmetry_axis(points), colour_bar=False)
+    volumes = {"map": reader, "map, denoised": denoised, "noise added": noisy,
+               "noise added, denoised": denoise(noisy)}
+    noise = {name: noise_level(volume) for name, volume in volumes.items()}
+    layout = simple.CreateLayout("Denoising")
+    layout.SplitVertical(0, 0.5)
+    layout.SplitHorizontal(1, 0.5)
+    layout.SplitHorizontal(2, 0.5)
+    for cell, (name, volume) in zip((3, 4, 5, 6), volumes.items()):
+        view = simple.CreateView("RenderView")
+        layout.AssignView(cell, view)
+        caption = f"{name[0].upper()}{name[1:]}: noise {noise[name]:.2g}"
+        show_level(volume, level, caption, camera, view)
+    return layout, noise
+
+
+def main(path, folder, level):
+    folder.mkdir(parents=True, exist_ok=True)
+    reader, denoised, curvature, image, level = build_pipeline(path, level)
+    data = servermanager.Fetch(curvature)
+    if data.GetNumberOfPolys() == 0:
+        sys.exit(f"There is no surface at level {level['value']:g}: the map's values are "
+                 f"between {image.GetScalarRange()[0]:g} and {image.GetScalarRange()[1]:g}.")
+    # Not as raw appended data, the default: VTK 9.2 with the expat of Debian 12's security updates
+    # stumbles over some of those files, depending on where in the file they begin.
+    simple.SaveData(str(folder / "surface.vtp"), proxy=curvature, DataMode="Binary")
+    layout = six_views(curvature, data)
+    simple.SaveScreenshot(str(folder / "curvature.png"), layout, ImageResolution=[1800, 1200])
+    simple.SaveState(str(folder / "pipeline.pvsm"))
+    layout, noise = before_and_after(reader, denoised, image, level["value"], data)
+    simple.SaveScreenshot(str(folder / "denoising.png"), layout, ImageResolution=[1400, 1400])
+    SurfaceReport.write(path, image, level, noise, data, [row[0] for row in DESCRIPTORS], folder)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        print(__doc__)
+        sys.exit(not {"-h", "--help"} & set(sys.argv[1:]))
+    main(Path(sys.argv[1]), Path(sys.argv[2]), float(sys.argv[3]) if len(sys.argv) > 3 else None)

@@ -1,0 +1,10 @@
+"""A map's surface with its choking loops: a state for File > Load State, or for paraview --state=.
+
+Opens the file $ISTHMUS_FILE, or else maps/emd_1832.map in $ISTHMUS_DATA_DIR. The plugin must be loaded.
+"""
+
+import paraview.simple  # noqa: F401 (the plugin's modules come with it)
+
+import isthmus_pipelines
+
+isthmus_pipelines.state("map_to_loops", "maps/emd_1832.map")

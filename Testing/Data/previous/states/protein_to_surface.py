@@ -1,0 +1,10 @@
+"""The molecular surface of a protein: a state for File > Load State, or for paraview --state=.
+
+Opens the file $ISTHMUS_FILE, or else molecules/1crn_apbs.pqr in $ISTHMUS_DATA_DIR. The plugin must be loaded.
+"""
+
+import paraview.simple  # noqa: F401 (the plugin's modules come with it)
+
+import isthmus_pipelines
+
+isthmus_pipelines.state("protein_to_surface", "molecules/1crn_apbs.pqr")

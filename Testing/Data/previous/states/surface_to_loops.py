@@ -1,0 +1,10 @@
+"""A closed surface with its choking loops: a state for File > Load State, or for paraview --state=.
+
+Opens the file $ISTHMUS_FILE, or else surfaces/torus.obj in $ISTHMUS_DATA_DIR. The plugin must be loaded.
+"""
+
+import paraview.simple  # noqa: F401 (the plugin's modules come with it)
+
+import isthmus_pipelines
+
+isthmus_pipelines.state("surface_to_loops", "surfaces/torus.obj")
