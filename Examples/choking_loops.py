@@ -43,7 +43,7 @@ def numbers_of(loops):
         "LargestSamplingError", "ReferenceLength")}
     stages = ("check", "sampling", "filtration", "pairing", "features")
     rows = [column(data.GetCellData(), name).tolist() for name in
-            ("FeatureId", "Kind", "Side", "Radius", "Widening", "Length", "Trusted")]
+            ("FeatureId", "Kind", "Side", "Radius", "Persistence", "Length", "Trusted")]
     return {
         "handles": facts["NumberOfHandles"][0],
         "tunnels": facts["NumberOfTunnels"][0],
@@ -53,7 +53,7 @@ def numbers_of(loops):
         "largest sampling error": facts["LargestSamplingError"][0],
         "reference length": dict(zip(("inside", "outside"), facts["ReferenceLength"])),
         "seconds": {name: times.GetAsDouble(stage) for stage, name in enumerate(stages)},
-        "loops": [dict(zip(("feature", "kind", "side", "radius", "widening", "length",
+        "loops": [dict(zip(("feature", "kind", "side", "radius", "persistence", "length",
                             "trusted"), row)) for row in zip(*rows)],
     }
 

@@ -18,6 +18,7 @@ from check_modules import included_names
 
 # {module: the start of each order that its README must draw}
 DRAWN = {"Filters/ChokingLoops": ["vtkChokingLoops"]}
+MOST = 12  # concepts that a reader has to visit
 BLOCK = re.compile(r"<!-- order from (\w+) -->\n+((?: {4}.*\n|\n)+)")
 
 
@@ -46,6 +47,8 @@ def check_block(place, start, drawn, arrows):
     """Complaints about one block, whose words `drawn` are concepts of the module, in its order."""
     twice = sorted({concept for concept in drawn if drawn.count(concept) > 1})
     complaints = [f"{place} draws {concept} twice in the order from {start}" for concept in twice]
+    if len(set(drawn)) > MOST:
+        complaints.append(f"{place} draws {len(set(drawn))} files from {start}, more than {MOST}")
     reached = reached_from(start, arrows)
     complaints += [f"{place} does not draw {concept}, which {start} reaches"
                    for concept in sorted(reached - set(drawn))]

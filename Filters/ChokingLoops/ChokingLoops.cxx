@@ -2,7 +2,9 @@
 
 #include "ChokingLoops/GeneratorCompletion.h"
 #include "ChokingLoops/SurfacePreparation.h"
+#include "Core/DisjointSets.h"
 #include "Core/Index.h"
+#include "Core/MemoryBudget.h"
 #include "Core/Stopwatch.h"
 #include "Persistence/DelaunayFiltration.h"
 #include "Persistence/LowerStarFiltration.h"
@@ -15,6 +17,104 @@
 
 namespace isthmus
 {
+namespace
+{
+
+/// Threads and their arenas, and what of a complex does not depend on its size.
+constexpr double FixedBytes = 8e6;
+
+/// Of the complex, its pairs and the surface: 1.3 KB on a million samples, more where a finer
+/// sampling that was given up was held beside it. Of each own point the same again.
+constexpr double BytesOfSample = 1700.0;
+
+/// Of each sample's three edges, a bit for each dual loop that crosses it.
+constexpr double BytesOfWord = 24.0;
+
+/// In triangulations: all stages together,
+constexpr double UnitsOfStages = 3.2;
+
+/// what reducing a class of M adds,
+constexpr double UnitsOfClass = 0.006;
+
+/// and TetGen's mesh of the surface's own points with its pairs, as much as so many samples a
+/// point.
+constexpr double SamplesOfOwnPoint = 11.4;
+
+/// Connected parts, of points that triangles use and others: none of a sampled surface.
+int Parts(const SurfaceView& mesh)
+{
+  DisjointSets<std::int64_t> sets(static_cast<std::int64_t>(mesh.Points.size()));
+  auto components = static_cast<int>(mesh.Points.size());
+  for (const Triangle& t : mesh.Triangles)
+  {
+    for (std::size_t k = 1; k < 3; ++k)
+    {
+      components -= sets.Find(t[0]) != sets.Find(t[k]) ? 1 : 0;
+      sets.Join(t[0], t[k]);
+    }
+  }
+  return components;
+}
+
+}
+
+AnalysisCost AnalysisCost::After(double triangulation) const
+{
+  AnalysisCost cost = *this;
+  cost.Triangulation = triangulation;
+  cost.Seconds = cost.Units * triangulation + cost.Completion();
+  return cost;
+}
+
+void AnalysisCost::LearnFrom(const AnalysisCost& before, double seconds)
+{
+  if (before.Triangulation > 0.0)
+  {
+    this->Units = seconds / before.Triangulation;
+  }
+}
+
+void AnalysisCost::ExpectCompletion(std::size_t points)
+{
+  this->Own = points;
+  this->Bytes += BytesOfSample * static_cast<double>(points);
+}
+
+double AnalysisCost::Completion() const
+{
+  return this->Samples == 0 ? 0.0
+                            : SamplesOfOwnPoint * static_cast<double>(this->Own) *
+      this->Triangulation / static_cast<double>(this->Samples);
+}
+
+AnalysisCost CostOf(const SurfaceView& samples)
+{
+  AnalysisCost cost;
+  cost.Samples = samples.Points.size();
+  // Each triangle has three halves of an edge.
+  const auto euler = static_cast<std::int64_t>(samples.Points.size()) -
+    static_cast<std::int64_t>(samples.Triangles.size() / 2);
+  cost.Rank =
+    static_cast<std::size_t>(std::max<std::int64_t>(0, 2 * std::int64_t{ Parts(samples) } - euler));
+  cost.Units = UnitsOfStages + UnitsOfClass * static_cast<double>(cost.Rank);
+  const std::size_t words = (cost.Rank + 63) / 64;
+  cost.Bytes = FixedBytes +
+    (BytesOfSample + BytesOfWord * static_cast<double>(words)) * static_cast<double>(cost.Samples);
+  return cost;
+}
+
+bool FitsMemory(const AnalysisCost& cost, double limit, std::string& sentence)
+{
+  const MemoryBudget budget(limit / 1048576.0);
+  if (budget.Allows(cost.Bytes))
+  {
+    return true;
+  }
+  sentence =
+    budget.Message(cost.Bytes, "The analysis of " + std::to_string(cost.Samples) + " samples",
+      "raise SampleSpacing or simplify the surface");
+  return false;
+}
 
 /// Everything known about a surface. Built in order, since each part refers to those before.
 struct ChokingAnalysis
@@ -31,7 +131,7 @@ struct ChokingAnalysis
     , Regions(Context, Between(progress, 0.55, 0.6))
   {
     times.Pairing += this->Watch.Lap();
-    this->Found.Diagram = ShapeFeatures(this->Context, this->Regions, Between(progress, 0.6, 0.9));
+    this->Found.Diagram = FindFeatures(this->Context, this->Regions, Between(progress, 0.6, 0.9));
     this->Found.Membranes.resize(this->Found.Diagram.Features.size());
     for (const ShapeFeature& feature : this->Found.Diagram.Features)
     {
@@ -60,7 +160,7 @@ struct ChokingAnalysis
   /// Handles and tunnels that the samples did not settle, from tetrahedra that keep `surface`.
   void Complete(const SurfaceView& surface, const ProgressCallback& progress)
   {
-    if (AllSettled(this->Found))
+    if (AllResolved(this->Found))
     {
       return;
     }
@@ -97,7 +197,7 @@ struct ChokingAnalysis
   static constexpr double WorthRefining = 0.05;
 
   /// Features that a finer sampling would settle.
-  std::vector<Refinement> Blurred() const
+  std::vector<Refinement> UnresolvedFeatures() const
   {
     std::vector<Refinement> wanted;
     for (std::size_t i = 0; i < this->Found.Membranes.size(); ++i)
@@ -110,8 +210,9 @@ struct ChokingAnalysis
         f.Persistence() > WorthRefining * reference;
       if (generator || blurredVoid)
       {
-        const double gap = std::sqrt(std::max(0.0, f.Death * f.Death - f.Birth * f.Birth));
-        wanted.push_back({ this->Found.Centres[i], 2.0 * f.Distance() + f.Error,
+        const double gap =
+          std::sqrt(std::max(0.0, f.PairDeath * f.PairDeath - f.PairBirth * f.PairBirth));
+        wanted.push_back({ this->Found.Centres[i], 2.0 * f.Radius() + f.Error,
           std::min(0.9 * gap, 0.7 * std::sqrt(3.0) * f.Error) });
       }
     }
@@ -128,10 +229,10 @@ struct ChokingAnalysis
   FeatureContext Context;
   SpaceRegions Regions;
   LocatedFeatures Found;
-  std::map<std::size_t, std::optional<Membrane>> Tight; ///< of the features asked for
+  std::map<std::size_t, std::optional<Membrane>> MinimumCuts; ///< of the features asked for
   ChokingLoopTimes Times;
   AnalysisCost Cost;
-  SurfaceMending Mended;
+  RepairReport Repairs;
   std::string Remark;
 };
 
@@ -154,7 +255,7 @@ AnalysisCost NextCost(const SurfaceView& samples, const ChokingAnalysis& before,
   const ChokingLoopTimes& times, int round, std::size_t own)
 {
   AnalysisCost cost = CostOf(samples);
-  const std::size_t unsettled = CountUnsettled(before.Found);
+  const std::size_t unsettled = CountUnresolved(before.Found);
   cost.LearnFrom(before.Cost, times.LastRound);
   if (unsettled > (round < Rounds ? ManyPlaces : 0))
   {
@@ -170,9 +271,9 @@ ChokingLoops::ChokingLoops(
 {
   ChokingLoopTimes times;
   Stopwatch watch;
-  SurfaceMending mended;
+  RepairReport repairs;
   surface = CheckedSurface(
-    std::move(surface), parameters.AllowSelfIntersections, Between(progress, 0.0, 0.2), &mended);
+    std::move(surface), parameters.AllowSelfIntersections, Between(progress, 0.0, 0.2), &repairs);
   times.Check = watch.Lap();
   const bool automatic = parameters.SampleSpacing <= 0.0;
   double spacing = parameters.SampleSpacing;
@@ -199,7 +300,7 @@ ChokingLoops::ChokingLoops(
     const auto part = Between(progress, from, to);
     this->AnalyseSamples(std::move(samples), cost, parameters, times, part);
     times.LastRound = watch.Lap();
-    const std::vector<Refinement> blurred = this->State->Blurred();
+    const std::vector<Refinement> blurred = this->State->UnresolvedFeatures();
     const bool isLast = round == Rounds || (round > 0 && IsInVain(before, blurred.size()));
     if (!automatic || isLast || blurred.empty())
     {
@@ -221,7 +322,7 @@ ChokingLoops::ChokingLoops(
   }
   this->Complete(parameters, surface, own, times, Between(progress, 0.96, 1.0));
   this->State->Times = times;
-  this->State->Mended = std::move(mended);
+  this->State->Repairs = std::move(repairs);
   Report(progress, 1.0);
 }
 
@@ -229,7 +330,7 @@ void ChokingLoops::Complete(const ChokingLoopParameters& parameters, const Surfa
   std::size_t own, ChokingLoopTimes& times, const ProgressCallback& progress)
 {
   AnalysisCost& cost = this->State->Cost;
-  if (cost.Own == 0 && !AllSettled(this->State->Found))
+  if (cost.Own == 0 && !AllResolved(this->State->Found))
   {
     cost.ExpectCompletion(own);
     cost.Seconds = times.LastRound + cost.Completion();
@@ -317,9 +418,9 @@ const ChokingLoopTimes& ChokingLoops::Times() const
   return this->State->Times;
 }
 
-const SurfaceMending& ChokingLoops::Mended() const
+const RepairReport& ChokingLoops::Repairs() const
 {
-  return this->State->Mended;
+  return this->State->Repairs;
 }
 
 const AnalysisCost& ChokingLoops::Cost() const
@@ -354,19 +455,20 @@ const Membrane& ChokingLoops::MembraneOfMade(std::size_t feature) const
   return this->State->Found.Membranes[feature].value();
 }
 
-const Membrane* ChokingLoops::TightMembraneOf(std::size_t feature, const ProgressCallback& progress)
+const Membrane* ChokingLoops::MinimumCutMembraneOf(
+  std::size_t feature, const ProgressCallback& progress)
 {
   ChokingAnalysis& state = *this->State;
-  auto known = state.Tight.find(feature);
-  if (known == state.Tight.end())
+  auto known = state.MinimumCuts.find(feature);
+  if (known == state.MinimumCuts.end())
   {
-    std::optional<Membrane> membrane = TightMembrane(
+    std::optional<Membrane> membrane = MinimumCutMembrane(
       state.Context, state.Found.Diagram.Features[feature], state.Found.Centres[feature], progress);
     if (membrane && !IsInterchangeable(state.Context, state.Found, feature, *membrane))
     {
       membrane.reset();
     }
-    known = state.Tight.emplace(feature, std::move(membrane)).first;
+    known = state.MinimumCuts.emplace(feature, std::move(membrane)).first;
   }
   return known->second ? &*known->second : nullptr;
 }

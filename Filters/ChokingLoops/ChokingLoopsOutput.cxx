@@ -49,7 +49,7 @@ Outline OutlineOf(const ChokingLoops& loops, const ShownFeature& shown)
 {
   const ShapeFeature& f = loops.Diagram().Features[shown.Index];
   const LoopFeature& geometry = *shown.Geometry;
-  Outline outline{ f.Side, f.Distance(),
+  Outline outline{ f.Side, f.Radius(),
     std::accumulate(geometry.Lengths.begin(), geometry.Lengths.end(), 0.0), {}, {} };
   for (const auto& loop : geometry.Loops)
   {
@@ -150,7 +150,7 @@ const ShownFeature* LoopsFor(const ChokingLoops& loops, const std::vector<ShownF
     if (!isFree[i] && features[i].SharedWith < 0 && Longest(other) <= longest &&
       all[features[i].Index].Side == f.Side &&
       (!best || Longest(other) < Longest(*best->Geometry)) && Belongs(loops, needy.Index, other) &&
-      PassesNear(loops, other, centre, NearMembrane * f.Distance()))
+      PassesNear(loops, other, centre, NearMembrane * f.Radius()))
     {
       best = &features[i];
     }
@@ -219,11 +219,11 @@ double ReachOf(const ChokingLoops& loops, const ShownFeature& feature)
       farthest = std::max(farthest, Distance(centre, feature.Geometry->Point(p, loops.Samples())));
     }
   }
-  const double radius = loops.Diagram().Features[feature.Index].Distance();
+  const double radius = loops.Diagram().Features[feature.Index].Radius();
   return radius > 0.0 ? farthest / radius : 0.0;
 }
 
-void KeepWithin(
+void ApplyLimits(
   const ChokingLoops& loops, const LoopLimits& limits, std::vector<ShownFeature>& features)
 {
   const auto isBeyond = [&](const ShownFeature& feature)
@@ -309,28 +309,29 @@ struct FeatureRows
   {
     this->Integers["FeatureId"]->InsertNextValue(static_cast<int>(shown.Index));
     this->Integers["Kind"]->InsertNextValue(static_cast<int>(f.Kind));
-    this->Numbers["Radius"]->InsertNextValue(f.Distance());
+    this->Numbers["Radius"]->InsertNextValue(f.Radius());
   }
   void AddSide(const ShapeFeature& f)
   {
     this->Integers["Side"]->InsertNextValue(static_cast<int>(f.Side));
   }
-  /// The radius by the name that it had before; goes with 2.0.
+  /// Birth, death and persistence (ShapeFeature).
+  void AddBar(const ShapeFeature& f)
+  {
+    this->Numbers["Birth"]->InsertNextValue(f.Birth());
+    this->Numbers["Death"]->InsertNextValue(f.Death);
+    this->Numbers["Persistence"]->InsertNextValue(f.Persistence());
+  }
+  /// Deprecated names, removed in 1.1.0: `Distance` is Radius.
   void AddDistance(const ShapeFeature& f)
   {
-    this->Numbers["Distance"]->InsertNextValue(f.Distance());
+    this->Numbers["Distance"]->InsertNextValue(f.Radius());
   }
-  /// Fill and widening, and the same by the names that they had before; these go with 2.0.
-  void AddSizes(const ShapeFeature& f)
+  /// Deprecated names, removed in 1.1.0: `Fill` is Death, `Widening` is Persistence.
+  void AddFill(const ShapeFeature& f)
   {
-    for (const char* name : { "Fill", "Death" })
-    {
-      this->Numbers[name]->InsertNextValue(f.Fill);
-    }
-    for (const char* name : { "Widening", "Persistence" })
-    {
-      this->Numbers[name]->InsertNextValue(f.Widening());
-    }
+    this->Numbers["Fill"]->InsertNextValue(f.Death);
+    this->Numbers["Widening"]->InsertNextValue(f.Persistence());
   }
 
   template <typename Attributes>
@@ -423,8 +424,9 @@ void FillLoops(
       names->InsertNextValue(NameOf(f.Kind));
       rows.Add(shown, f);
       rows.AddSide(f);
+      rows.AddBar(f);
       rows.AddDistance(f);
-      rows.AddSizes(f);
+      rows.AddFill(f);
       rows.Integers["Trusted"]->InsertNextValue(f.Trusted);
       rows.Integers["SharedWith"]->InsertNextValue(static_cast<int>(shown.SharedWith));
       rows.Integers["Component"]->InsertNextValue(loops.Homology().ComponentOf(anchor));
@@ -454,6 +456,7 @@ void FillMembranes(
     {
       triangles->InsertNextCell({ map.Of(t[0]), map.Of(t[1]), map.Of(t[2]) });
       rows.Add(shown, f);
+      rows.AddBar(f);
       rows.AddDistance(f);
       rows.Numbers["Area"]->InsertNextValue(shown.Geometry->Area);
     }
@@ -474,6 +477,7 @@ void FillChokePoints(
     const ShapeFeature& f = loops.Diagram().Features[shown.Index];
     vertices->InsertNextCell({ points->InsertNextPoint(loops.ChokePoint(shown.Index).data()) });
     rows.Add(shown, f);
+    rows.AddBar(f);
     rows.AddSide(f);
   }
   output->SetPoints(points);
@@ -494,9 +498,10 @@ void FillDiagram(const ChokingLoops& loops, vtkTable* output)
     integers["Dimension"]->InsertNextValue(f.Dimension);
     integers["Side"]->InsertNextValue(static_cast<int>(f.Side));
     integers["Kind"]->InsertNextValue(static_cast<int>(f.Kind));
-    numbers["Birth"]->InsertNextValue(f.Birth);
-    numbers["Death"]->InsertNextValue(f.Death);
-    numbers["Persistence"]->InsertNextValue(f.Persistence());
+    numbers["Birth"]->InsertNextValue(f.PairBirth);
+    numbers["Death"]->InsertNextValue(f.PairDeath);
+    numbers["Persistence"]->InsertNextValue(f.PairDeath - f.PairBirth);
+    numbers["Radius"]->InsertNextValue(f.Radius());
   }
   integers.AddTo(output->GetRowData());
   numbers.AddTo(output->GetRowData());
@@ -532,14 +537,14 @@ void FillFacts(
     const PersistenceGap gap = LargestGap(loops.Diagram(), side);
     numbers["ProposedThreshold"]->InsertNextTuple2(gap.Threshold, gap.Width);
   }
-  const SurfaceMending& mended = loops.Mended();
-  if (!mended.Told.empty())
+  const RepairReport& repairs = loops.Repairs();
+  if (!repairs.Message.empty())
   {
-    counts["Repaired"]->InsertNextValue(mended.Changed);
+    counts["Repaired"]->InsertNextValue(repairs.Changed);
     vtkNew<vtkDoubleArray> places;
     places->SetName("RepairedPlaces");
     places->SetNumberOfComponents(3);
-    for (const Point3& p : mended.Places)
+    for (const Point3& p : repairs.Places)
     {
       places->InsertNextTuple(p.data());
     }

@@ -58,7 +58,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double ReachOf(
 
 /// Leaves out what is beyond the limits, and sorts. Where the first of several features that share
 /// a loop goes, the next takes its place in SharedWith. O(points of all loops).
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void KeepWithin(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void ApplyLimits(
   const ChokingLoops& loops, const LoopLimits& limits, std::vector<ShownFeature>& features);
 
 }

@@ -247,8 +247,8 @@ private:
     ShapeFeature feature;
     feature.Dimension = dimension;
     feature.Choke = choke;
-    feature.Birth = std::sqrt(std::max(birth, 0.0));
-    feature.Death = std::sqrt(death);
+    feature.PairBirth = std::sqrt(std::max(birth, 0.0));
+    feature.PairDeath = std::sqrt(death);
     feature.Error = std::sqrt(error2);
     feature.Trusted = death - birth > error2;
     return feature;
@@ -285,13 +285,13 @@ void Collector::AddVoids()
     const std::vector<int>& region = this->Regional.Of(filler);
     ShapeFeature feature = this->Make(2, t, birth, death, error2);
     feature.Side = SpaceRegions::SideOf(region);
-    feature.Fill = feature.Death;
+    feature.Death = feature.PairDeath;
     feature.Kind = feature.Trusted ? FeatureKind::Additional : FeatureKind::Noise;
     this->Found.emplace_back(feature, region);
     if (!region.empty() && birth <= error2)
     {
       const auto best = own.emplace(region, this->Found.size() - 1).first;
-      if (this->Found[best->second].first.Death < feature.Death)
+      if (this->Found[best->second].first.PairDeath < feature.PairDeath)
       {
         best->second = this->Found.size() - 1;
       }
@@ -345,35 +345,35 @@ FeatureDiagram Collector::Finish(std::size_t expected)
 {
   FeatureDiagram diagram;
   diagram.ExpectedGenerators = expected;
-  std::map<std::vector<int>, double> fill; // per region: the last thing filled
+  std::map<std::vector<int>, double> last; // per region: the last death
   for (const auto& [feature, region] : this->Found)
   {
     double& reference = diagram.Reference[static_cast<std::size_t>(feature.Side)];
-    reference = std::max(reference, feature.Trusted ? feature.Death : 0.0);
-    double& last = fill.emplace(region, 0.0).first->second;
-    last = std::max(last, feature.Trusted ? feature.Death : 0.0);
+    reference = std::max(reference, feature.Trusted ? feature.PairDeath : 0.0);
+    double& death = last.emplace(region, 0.0).first->second;
+    death = std::max(death, feature.Trusted ? feature.PairDeath : 0.0);
   }
   for (auto& [feature, region] : this->Found)
   {
     if (feature.Dimension == 1)
     {
-      feature.Fill = std::max(fill[region], feature.Death);
+      feature.Death = std::max(last[region], feature.PairDeath);
     }
     diagram.Features.push_back(std::move(feature));
   }
   std::sort(diagram.Features.begin(), diagram.Features.end(),
     [](const ShapeFeature& a, const ShapeFeature& b)
     {
-      return a.Distance() != b.Distance() ? a.Distance() < b.Distance()
-        : a.Dimension != b.Dimension      ? a.Dimension < b.Dimension
-                                          : a.Choke < b.Choke;
+      return a.Radius() != b.Radius() ? a.Radius() < b.Radius()
+        : a.Dimension != b.Dimension  ? a.Dimension < b.Dimension
+                                      : a.Choke < b.Choke;
     });
   return diagram;
 }
 
 }
 
-FeatureDiagram ShapeFeatures(
+FeatureDiagram FindFeatures(
   const FeatureContext& context, SpaceRegions& regions, const ProgressCallback& progress)
 {
   const std::vector<SurfaceGenerator> generators = SurfaceGenerators(context.Homology,
@@ -398,8 +398,8 @@ bool IsWanted(const FeatureDiagram& diagram, const FeatureSelection& selection,
   const std::array<double, 2>& leastPersistence, const ShapeFeature& f)
 {
   const auto side = static_cast<std::size_t>(f.Side);
-  const double most = selection.MaximumDistance.Of(diagram.Reference[side]);
-  const bool near = f.Distance() <= most * (1.0 + 1e-9);
+  const double most = selection.MaximumRadius.Of(diagram.Reference[side]);
+  const bool near = f.Radius() <= most * (1.0 + 1e-9);
   if (!(f.Side == SpaceSide::Inside ? selection.Inside : selection.Outside))
   {
     return false;
@@ -458,7 +458,7 @@ std::vector<std::size_t> SelectFeatures(
   {
     std::stable_sort(chosen.begin(), chosen.end(),
       [&diagram](std::size_t a, std::size_t b)
-      { return diagram.Features[a].Widening() > diagram.Features[b].Widening(); });
+      { return diagram.Features[a].Persistence() > diagram.Features[b].Persistence(); });
     chosen.resize(selection.MaximumNumber);
     std::sort(chosen.begin(), chosen.end());
   }

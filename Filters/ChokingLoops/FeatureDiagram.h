@@ -148,30 +148,41 @@ enum class FeatureKind
   Noise = 3       ///< not told apart from the sampling, or M itself
 };
 
-/// One point of the persistence diagram. Radii are in the unit of the points.
+/**
+ * A narrowing of the space on one side of M. Lengths are in the unit of the points.
+ *
+ * A ball that grows inside or outside of M marks it at two radii:
+ * - Birth, also called Radius: of the largest ball that passes the narrowing. There a loop of M is
+ *   filled (handles, tunnels), or a void is closed off (additional features).
+ * - Death: of the largest ball that fits behind it, at which the space there is filled. Of a handle
+ *   or tunnel: the last death in its region.
+ * - Persistence: Death - Birth, how much the space widens behind the narrowing.
+ *
+ * These are the arrays `Birth`, `Death` and `Persistence` of loops, membranes and choke points. The
+ * persistence diagram shows the pair of the filtration, PairBirth and PairDeath: the same for
+ * additional features; for handles and tunnels the class of the loop, which exists from the start
+ * (0) and dies at Radius().
+ */
 struct ShapeFeature
 {
-  int Dimension = 2; ///< 1: a loop, 2: a void
+  int Dimension = 2; ///< of the pair's class: 1: a loop, 2: a void
   SpaceSide Side = SpaceSide::Inside;
   FeatureKind Kind = FeatureKind::Noise;
-  double Birth = 0.0;
-  double Death = 0.0;
-  /// death^2 - birth^2 exceeds the square of the sampling error: a feature of M, not of the
+  double PairBirth = 0.0;
+  double PairDeath = 0.0;
+  /// PairDeath^2 - PairBirth^2 exceeds the square of the sampling error: a feature of M, not of the
   /// samples.
   bool Trusted = false;
   double Error = 0.0; ///< the sampling error there
-  /// The triangle where a ball of radius Distance() gets stuck.
+  /// The triangle where a ball of radius Radius() gets stuck.
   TriangleId Choke = TriangleId::None();
-  /// radius at which what lies beyond is filled; a loop's: the last of its region
-  double Fill = 0.0;
+  double Death = 0.0;
   /// For a handle or tunnel: basis loops of SurfaceHomology that it is the sum of.
   std::vector<std::size_t> Sum;
 
-  /// Radius of the ball that gets stuck: where a loop of M is filled, or a void is closed.
-  double Distance() const { return this->Dimension == 1 ? this->Death : this->Birth; }
-  double Persistence() const { return this->Death - this->Birth; }
-  /// How far the space widens behind the narrowing: Fill - Distance().
-  double Widening() const { return this->Fill - this->Distance(); }
+  double Radius() const { return this->Dimension == 1 ? this->PairDeath : this->PairBirth; }
+  double Birth() const { return this->Radius(); }
+  double Persistence() const { return this->Death - this->Birth(); }
 };
 
 inline bool IsGenerator(const ShapeFeature& feature)
@@ -179,11 +190,11 @@ inline bool IsGenerator(const ShapeFeature& feature)
   return feature.Kind == FeatureKind::Handle || feature.Kind == FeatureKind::Tunnel;
 }
 
-/// What ShapeFeatures found.
+/// What FindFeatures found.
 struct FeatureDiagram
 {
-  std::vector<ShapeFeature> Features;          ///< ascending by Distance()
-  std::array<double, 2> Reference{ 0.0, 0.0 }; ///< per side: largest trusted Death, 0 without any
+  std::vector<ShapeFeature> Features;          ///< ascending by Radius()
+  std::array<double, 2> Reference{ 0.0, 0.0 }; ///< per side: largest trusted PairDeath, 0 if none
   std::size_t ExpectedGenerators = 0;          ///< 2g
 };
 
@@ -194,7 +205,7 @@ struct FeatureDiagram
  * the greatest death; it is kept as Noise. Pairs of equal birth and death, and those that die below
  * the error, are left out.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT FeatureDiagram ShapeFeatures(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT FeatureDiagram FindFeatures(
   const FeatureContext& context, SpaceRegions& regions, const ProgressCallback& progress = {});
 
 // ------------------------------------------------------------------------------------------
@@ -225,13 +236,13 @@ struct FeatureSelection
 {
   bool Inside = true;
   bool Outside = true;
-  StatedLength MaximumDistance{ 100.0, true };
+  StatedLength MaximumRadius{ 100.0, true };
   StatedLength MinimumPersistence{ 5.0, true };
   ThresholdMode Threshold = ThresholdMode::Given;
-  /// Handles and tunnels need not obey MaximumDistance. MinimumPersistence is never asked of them:
+  /// Handles and tunnels need not obey MaximumRadius. MinimumPersistence is never asked of them:
   /// in a ring of even width nothing widens behind the narrowing, and yet it is a handle.
   bool AlwaysReportHandles = true;
-  /// Keep the features behind which the space widens most; 0: all of them.
+  /// Keep the features of the largest persistence; 0: all of them.
   std::size_t MaximumNumber = 0;
 };
 
@@ -250,7 +261,7 @@ struct PersistenceGap
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT PersistenceGap LargestGap(
   const FeatureDiagram& diagram, SpaceSide side);
 
-/// Indices of the features of a selection, ascending by Distance(). O(n log n).
+/// Indices of the features of a selection, ascending by Radius(). O(n log n).
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<std::size_t> SelectFeatures(
   const FeatureDiagram& diagram, const FeatureSelection& selection);
 

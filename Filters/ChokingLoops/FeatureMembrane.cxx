@@ -181,7 +181,7 @@ TriangleChain FillingOfSum(
     }
   }
   return filling.count(feature.Choke)
-    ? PieceAround(context.Filtration, context.Embedding, filling, feature.Choke)
+    ? ConnectedPiece(context.Filtration, context.Embedding, filling, feature.Choke)
     : TriangleChain{};
 }
 
@@ -248,10 +248,10 @@ Membrane FeatureMembrane(const FeatureContext& context, SpaceRegions& regions,
   return membrane;
 }
 
-std::optional<Membrane> TightMembrane(const FeatureContext& context, const ShapeFeature& feature,
-  const Point3& centre, const ProgressCallback& progress)
+std::optional<Membrane> MinimumCutMembrane(const FeatureContext& context,
+  const ShapeFeature& feature, const Point3& centre, const ProgressCallback& progress)
 {
-  const TriangleChain cut = TightestCut(context, feature, centre, progress);
+  const TriangleChain cut = MinimumCutTriangles(context, feature, centre, progress);
   if (cut.empty())
   {
     return std::nullopt;
@@ -597,7 +597,7 @@ std::vector<Membrane> EncirclingMembranes(const FeatureContext& context,
   {
     return {};
   }
-  double length = std::clamp(2.0 * Pi * f.Distance(), FirstPart * longest, longest);
+  double length = std::clamp(2.0 * Pi * f.Radius(), FirstPart * longest, longest);
   std::deque<Tree> trees = TreesOf(context, f, 0.5 * length);
   std::vector<LoopsThrough> searches;
   for (std::size_t i = 0; i < trees.size(); ++i)

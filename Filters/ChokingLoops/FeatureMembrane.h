@@ -45,8 +45,9 @@ struct Membrane
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT Membrane FeatureMembrane(const FeatureContext& context,
   SpaceRegions& regions, const ShapeFeature& feature, HomologySpan* span = nullptr);
 
-/// The membrane that TightestCut() finds, with all of its loops on M; nothing where it finds none.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<Membrane> TightMembrane(
+/// The membrane that MinimumCutTriangles() finds, with all of its loops on M; nothing where it
+/// finds none.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<Membrane> MinimumCutMembrane(
   const FeatureContext& context, const ShapeFeature& feature, const Point3& centre,
   const ProgressCallback& progress = {});
 

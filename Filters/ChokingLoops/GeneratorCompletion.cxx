@@ -243,7 +243,7 @@ Membrane SplitSurface::Of(const Membrane& membrane) const
 namespace
 {
 
-bool IsSettled(const ShapeFeature& feature, const std::optional<Membrane>& membrane)
+bool IsResolved(const ShapeFeature& feature, const std::optional<Membrane>& membrane)
 {
   return feature.Trusted && membrane && !membrane->Loops.empty();
 }
@@ -254,20 +254,20 @@ ShapeFeature FeatureOf(const ConformingGenerator& generator, double reference)
   feature.Dimension = 1;
   feature.Side = generator.Side;
   feature.Kind = generator.Side == SpaceSide::Inside ? FeatureKind::Handle : FeatureKind::Tunnel;
-  feature.Death = generator.Radius;
+  feature.PairDeath = generator.Radius;
   feature.Error = generator.Radius;
-  feature.Fill = std::max(generator.Radius, reference);
+  feature.Death = std::max(generator.Radius, reference);
   return feature;
 }
 
-/// A copy in ascending order of Distance().
+/// A copy in ascending order of Radius().
 LocatedFeatures Sorted(const LocatedFeatures& features)
 {
   const std::vector<ShapeFeature>& all = features.Diagram.Features;
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });
   std::stable_sort(order.begin(), order.end(),
-    [&all](std::size_t a, std::size_t b) { return all[a].Distance() < all[b].Distance(); });
+    [&all](std::size_t a, std::size_t b) { return all[a].Radius() < all[b].Radius(); });
   LocatedFeatures sorted;
   sorted.Diagram.Reference = features.Diagram.Reference;
   sorted.Diagram.ExpectedGenerators = features.Diagram.ExpectedGenerators;
@@ -282,13 +282,13 @@ LocatedFeatures Sorted(const LocatedFeatures& features)
 
 }
 
-std::size_t CountUnsettled(const LocatedFeatures& features)
+std::size_t CountUnresolved(const LocatedFeatures& features)
 {
   std::size_t count = 0;
   for (std::size_t i = 0; i < features.Membranes.size(); ++i)
   {
     const ShapeFeature& f = features.Diagram.Features[i];
-    count += IsGenerator(f) && !IsSettled(f, features.Membranes[i]) ? 1 : 0;
+    count += IsGenerator(f) && !IsResolved(f, features.Membranes[i]) ? 1 : 0;
   }
   return count;
 }
@@ -325,7 +325,7 @@ void CompleteGenerators(const FeatureContext& context, const SurfaceView& surfac
       const HomologyClass c = ClassOf(context, *membrane);
       return bounding[side].Contains(c) && spans[side].Add(c);
     };
-    if (!IsGenerator(f) || (IsSettled(f, membrane) && isTrue()))
+    if (!IsGenerator(f) || (IsResolved(f, membrane) && isTrue()))
     {
       keep(f, membrane, features.Centres[i]);
     }

@@ -71,11 +71,11 @@ private:
 
 /// How many handles and tunnels the samples do not settle: not above the sampling error, or without
 /// a loop.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::size_t CountUnsettled(const LocatedFeatures& features);
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::size_t CountUnresolved(const LocatedFeatures& features);
 
-inline bool AllSettled(const LocatedFeatures& features)
+inline bool AllResolved(const LocatedFeatures& features)
 {
-  return CountUnsettled(features) == 0;
+  return CountUnresolved(features) == 0;
 }
 
 /**
@@ -83,7 +83,7 @@ inline bool AllSettled(const LocatedFeatures& features)
  * samples. ConformingGenerators() of `surface`, which was split into `context.Surface`, give the
  * classes that bound on each side. A generator that the samples settle stays if its class is one of
  * them; the others make way for conforming ones, ascending by radius, that are independent of those
- * that stay. These are not trusted: their true radius lies between 0 and Distance().
+ * that stay. These are not trusted: their true radius lies between 0 and Radius().
  *
  * @throws what ConformingGenerators() throws; `features` is then as before.
  */

@@ -289,7 +289,7 @@ private:
     {
       const bool isWanted = features[i].Kind == FeatureKind::Handle ? this->Parameters.Inside
                                                                     : this->Parameters.Outside;
-      if (IsGenerator(features[i]) && isWanted && features[i].Distance() < this->Parameters.Below)
+      if (IsGenerator(features[i]) && isWanted && features[i].Radius() < this->Parameters.Below)
       {
         small.push_back(i);
       }
@@ -335,7 +335,7 @@ private:
   {
     for (const double thinner : Thinner)
     {
-      const double thickness = thinner * this->Parameters.Thickness * feature.Distance();
+      const double thickness = thinner * this->Parameters.Thickness * feature.Radius();
       for (const double rim : Rims)
       {
         const auto plate = PlateOn(loop, thickness, rim * thickness);
@@ -383,7 +383,7 @@ private:
     }
     this->Result.Mesh = std::move(after.Mesh);
     this->Result.Filling = std::move(after.Tags);
-    this->Result.Fills.push_back({ feature.Kind, feature.Distance(), plate.Area, plate.Thickness });
+    this->Result.Fills.push_back({ feature.Kind, feature.Radius(), plate.Area, plate.Thickness });
     this->Plates.push_back({ feature.Kind, plate });
     this->Now = then;
     ++this->Filled;
@@ -421,7 +421,7 @@ FilledSurface FillHandles(
   }
   FilledSurface result;
   result.Mesh = OutwardSurface(
-    CheckedSurface(std::move(surface), false, Between(progress, 0.0, 0.2), &result.Mended));
+    CheckedSurface(std::move(surface), false, Between(progress, 0.0, 0.2), &result.Repairs));
   result.Filling.assign(result.Mesh.Triangles.size(), 0);
   double from = 0.2;
   for (result.Genus = Topology(result.Mesh).Genus(); result.Genus > 0;)

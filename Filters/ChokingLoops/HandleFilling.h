@@ -69,7 +69,7 @@ struct FilledSurface
   std::vector<HandleFill> Fills;
   std::int64_t Genus = 0; ///< of Mesh, all components together; it was by Fills.size() higher
   std::size_t Left = 0;   ///< handles and tunnels below the size that could not be filled
-  SurfaceMending Mended;
+  RepairReport Repairs;
 };
 
 /**

@@ -22,13 +22,13 @@ constexpr int Steps = 200;
 
 double UncertaintyOf(const ShapeFeature& feature)
 {
-  const double d = feature.Distance();
+  const double d = feature.Radius();
   return d - std::sqrt(std::max(0.0, d * d - feature.Error * feature.Error));
 }
 
 double ShortestGirth(const ShapeFeature& feature)
 {
-  return 2.0 * Pi * (feature.Distance() - UncertaintyOf(feature));
+  return 2.0 * Pi * (feature.Radius() - UncertaintyOf(feature));
 }
 
 bool IsSurrounded(const Point3& centre, double reach, const std::vector<Point3>& points)
@@ -210,7 +210,7 @@ void Measure(const SurfaceView& samples, LoopFeature& feature)
 
 }
 
-std::vector<SurfaceCurve> TightLoops(const SurfaceAdjacency& surface, const Membrane& membrane,
+std::vector<SurfaceCurve> ShortenedLoops(const SurfaceAdjacency& surface, const Membrane& membrane,
   int rounds, const std::vector<SimplexId>& pins, const ProgressCallback& progress)
 {
   std::vector<SurfaceCurve> tight;
@@ -299,7 +299,7 @@ bool Belongs(const ChokingLoops& loops, std::size_t index, const LoopFeature& fe
     points.insert(points.end(), polygon.begin(), polygon.end());
   }
   return !feature.Collapsed && Longest(feature) >= Slack * ShortestGirth(f) &&
-    IsSurrounded(loops.ChokePoint(index), tolerances.Nearness * f.Distance(), points);
+    IsSurrounded(loops.ChokePoint(index), tolerances.Nearness * f.Radius(), points);
 }
 
 namespace
@@ -430,7 +430,7 @@ void TightestFit::TryFree(
 {
   const SurfaceAdjacency& surface = this->Loops.Adjacency();
   LoopFeature candidate =
-    Drawn(surface, membrane, TightLoops(surface, membrane, this->Rounds, {}, progress));
+    Drawn(surface, membrane, ShortenedLoops(surface, membrane, this->Rounds, {}, progress));
   for (const auto& loop : candidate.Loops)
   {
     if (isEncircling && !candidate.Converged)
@@ -445,7 +445,7 @@ void TightestFit::TryFree(
 void TightestFit::TryHeld(const Membrane& membrane, bool isEncircling)
 {
   const SurfaceAdjacency& surface = this->Loops.Adjacency();
-  const double radius = this->Loops.Diagram().Features[this->Index].Distance();
+  const double radius = this->Loops.Diagram().Features[this->Index].Radius();
   const std::vector<SimplexId> touched = ContactsOn(membrane, this->Contacts);
   for (unsigned choice = (1U << touched.size()) - 1U; choice > 0; --choice)
   {
@@ -457,7 +457,7 @@ void TightestFit::TryHeld(const Membrane& membrane, bool isEncircling)
         pins.push_back(touched[k]);
       }
     }
-    const std::vector<SurfaceCurve> tight = TightLoops(surface, membrane, this->Rounds, pins);
+    const std::vector<SurfaceCurve> tight = ShortenedLoops(surface, membrane, this->Rounds, pins);
     LoopFeature held = Drawn(surface, membrane, tight);
     held.Held = true;
     const bool isCut = held.SharpestBend > SharpestKept;
@@ -485,7 +485,7 @@ LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
   {
     return fit.Take();
   }
-  const Membrane* tight = loops.TightMembraneOf(index, Between(progress, 0.4, 0.6));
+  const Membrane* tight = loops.MinimumCutMembraneOf(index, Between(progress, 0.4, 0.6));
   if (tight)
   {
     fit.TryFree(*tight, false, Between(progress, 0.6, 0.7));
@@ -502,8 +502,8 @@ LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
     }
   }
   Report(progress, 0.8);
-  const double longest = std::min(
-    fit.Fits() ? Freedom * fit.Length() : HUGE_VAL, LongestRound * 2.0 * Pi * f.Distance());
+  const double longest =
+    std::min(fit.Fits() ? Freedom * fit.Length() : HUGE_VAL, LongestRound * 2.0 * Pi * f.Radius());
   for (const Membrane& round : loops.EncirclingMembranesOf(index, AlongEdges * longest, MostRound))
   {
     fit.TryFree(round, true);

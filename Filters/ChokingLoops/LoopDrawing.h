@@ -23,13 +23,13 @@ namespace isthmus
 // Does a loop belong to its choke point?
 
 /**
- * How far the true radius may lie below Distance(): between sqrt(d^2 - e^2) and d, since
+ * How far the true radius may lie below Radius(): between sqrt(d^2 - e^2) and d, since
  * d_M^2 <= d_S^2 <= d_M^2 + e^2 for a surface M and its samples S.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double UncertaintyOf(const ShapeFeature& feature);
 
 /**
- * No loop that surrounds a choke point is shorter: 2 pi (Distance() - UncertaintyOf()).
+ * No loop that surrounds a choke point is shorter: 2 pi (Radius() - UncertaintyOf()).
  *
  * M keeps that far away from the choke point c. Drawn from c onto the sphere of that radius, a loop
  * on M gets no longer; if c lies in its convex hull, what is drawn lies in no open half of the
@@ -79,7 +79,7 @@ constexpr double SharpestKept = 0.7853981633974483;
 
 /// The loops of a membrane as tight as M holds them; those that pass some of `pins` keep passing
 /// these. None with 0 `rounds`: they stay as they come. @throws Cancelled.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<SurfaceCurve> TightLoops(
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<SurfaceCurve> ShortenedLoops(
   const SurfaceAdjacency& surface, const Membrane& membrane, int rounds,
   const std::vector<SimplexId>& pins = {}, const ProgressCallback& progress = {});
 
@@ -125,8 +125,8 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool Belongs(const ChokingLoops& loops, std
  *
  * A trusted feature's loops belong to its choke point: the longest is at least 0.98 ShortestGirth()
  * long, and the point lies within 0.3 of its radius of their convex hull. Of MembraneOf() and,
- * where those loops do not belong or are long, TightMembraneOf() the shorter ones that belong are
- * taken. Where neither does, since nothing on M holds them there, the loops are held where the
+ * where those loops do not belong or are long, MinimumCutMembraneOf() the shorter ones that belong
+ * are taken. Where neither does, since nothing on M holds them there, the loops are held where the
  * choking ball touches M, geodesic between these points, corners cut off. Where they turn sharply
  * even so (above 54 degrees), or a loop of another class that bounds there is no longer
  * (EncirclingMembranesOf()), that one is taken; where all are hairpins, a tight loop of the class

@@ -78,7 +78,7 @@ void Shortener::StraightenFrom(std::size_t start)
   const double u = this->Edges[start].Fraction;
   const Point2 p = PointOn(plane, 0, u);
   const Point2 q = PointOn(plane, plane.From.size() - 1, u);
-  const std::vector<double> fraction = ShortestCrossings(plane, p, q);
+  const std::vector<double> fraction = FunnelCrossings(plane, p, q);
   for (std::size_t i = 1; i < fraction.size(); ++i)
   {
     this->Edges[(start + i) % this->Edges.size()].Fraction = fraction[i];
@@ -128,10 +128,10 @@ bool Shortener::LeadRound(std::size_t first, std::size_t count, SimplexId p)
   }
   const SurfaceTriangleId last =
     SurfaceAdjacency::Triangle(this->Edges[(first + count - 1) % n].HalfEdge);
-  const EdgeStrip other = OtherWayRound(s, enter, last, p);
+  const EdgeStrip other = StripOnOtherSide(s, enter, last, p);
   const Point3 before = PositionOf(s, this->Edges[(first + n - 1) % n]);
   const Point3 after = PositionOf(s, this->Edges[(first + count) % n]);
-  if (AngleBeyond(s, other, p, before, after) >= Pi - 1e-9)
+  if (AngleOnOtherSide(s, other, p, before, after) >= Pi - 1e-9)
   {
     return false;
   }
@@ -141,7 +141,7 @@ bool Shortener::LeadRound(std::size_t first, std::size_t count, SimplexId p)
     strip.push_back(this->Edges[(first + count + k) % n]);
   }
   strip.insert(strip.end(), other.begin(), other.end());
-  CancelReturns(s, strip);
+  RemoveBacktracking(s, strip);
   this->Edges = std::move(strip);
   return true;
 }
@@ -263,7 +263,7 @@ void GeodesicArc::Straighten()
   }
   const UnfoldedStrip plane = UnfoldPath(this->Surface, this->Edges);
   const std::vector<double> fraction =
-    ShortestCrossings(plane, plane.From.front(), plane.From.back());
+    FunnelCrossings(plane, plane.From.front(), plane.From.back());
   for (std::size_t i = 0; i < this->Edges.size(); ++i)
   {
     this->Edges[i].Fraction = fraction[i + 1];
@@ -295,12 +295,12 @@ bool GeodesicArc::Lead()
 bool GeodesicArc::LeadRound(std::size_t first, std::size_t end, SimplexId p)
 {
   const SurfaceAdjacency& s = this->Surface;
-  const EdgeStrip other = OtherWayRound(
+  const EdgeStrip other = StripOnOtherSide(
     s, this->Edges[first].HalfEdge, SurfaceAdjacency::Triangle(this->Edges[end - 1].HalfEdge), p);
   const Point3 before = first > 0 ? PositionOf(s, this->Edges[first - 1]) : this->At(this->From);
   const Point3 after =
     end < this->Edges.size() ? PositionOf(s, this->Edges[end]) : this->At(this->To);
-  if (AngleBeyond(s, other, p, before, after) >= Pi - 1e-9)
+  if (AngleOnOtherSide(s, other, p, before, after) >= Pi - 1e-9)
   {
     return false;
   }
@@ -309,7 +309,7 @@ bool GeodesicArc::LeadRound(std::size_t first, std::size_t end, SimplexId p)
   EdgeStrip strip(at(0), at(first));
   strip.insert(strip.end(), other.begin(), other.end());
   strip.insert(strip.end(), at(end), this->Edges.end());
-  CancelReturns(s, strip, this->From, this->To);
+  RemoveBacktracking(s, strip, this->From, this->To);
   this->Edges = std::move(strip);
   return true;
 }
@@ -385,7 +385,7 @@ void Straighten(const SurfaceAdjacency& surface, EdgeStrip& strip)
 {
   const UnfoldedStrip plane = UnfoldOpen(surface, strip);
   const std::vector<double> fraction =
-    ShortestCrossings(plane, PointOn(plane, 0, strip.front().Fraction),
+    FunnelCrossings(plane, PointOn(plane, 0, strip.front().Fraction),
       PointOn(plane, strip.size() - 1, strip.back().Fraction));
   for (std::size_t i = 1; i + 1 < strip.size(); ++i)
   {
@@ -408,9 +408,9 @@ bool Lead(const SurfaceAdjacency& surface, EdgeStrip& strip)
     {
       continue;
     }
-    const EdgeStrip other = OtherWayRound(
+    const EdgeStrip other = StripOnOtherSide(
       surface, strip[i].HalfEdge, SurfaceAdjacency::Triangle(strip[end - 1].HalfEdge), p);
-    if (AngleBeyond(surface, other, p, PositionOf(surface, strip[i - 1]),
+    if (AngleOnOtherSide(surface, other, p, PositionOf(surface, strip[i - 1]),
           PositionOf(surface, strip[end])) >= Pi - 1e-9)
     {
       continue;
@@ -420,7 +420,7 @@ bool Lead(const SurfaceAdjacency& surface, EdgeStrip& strip)
     EdgeStrip led(strip.begin(), at(i));
     led.insert(led.end(), other.begin(), other.end());
     led.insert(led.end(), at(end), strip.end());
-    led = WithoutReturns(surface, led);
+    led = WithoutBacktracking(surface, led);
     if (led.size() >= 2 && led.front().HalfEdge == strip.front().HalfEdge &&
       led.back().HalfEdge == strip.back().HalfEdge)
     {
@@ -549,8 +549,9 @@ EdgeStrip Corner::Beside() const
   for (const bool isLeft : { true, false })
   {
     const EdgeStrip fan = this->FanBeside(isLeft);
-    const double angle =
-      fan.empty() ? HUGE_VAL : AngleBeyond(this->Surface, fan, p, this->Place(-1), this->Place(1));
+    const double angle = fan.empty()
+      ? HUGE_VAL
+      : AngleOnOtherSide(this->Surface, fan, p, this->Place(-1), this->Place(1));
     if (angle < least)
     {
       least = angle;

@@ -338,7 +338,7 @@ public:
     : F(context.Filtration)
     , Choke(feature.Choke)
     , Centre(centre)
-    , Radius(feature.Distance())
+    , Radius(feature.Radius())
     , Around(context, feature, centre)
   {
   }
@@ -523,20 +523,20 @@ bool EndsInSpace(const FeatureContext& context, const TriangleChain& triangles)
 
 }
 
-TriangleChain TightestCut(const FeatureContext& context, const ShapeFeature& feature,
+TriangleChain MinimumCutTriangles(const FeatureContext& context, const ShapeFeature& feature,
   const Point3& centre, const ProgressCallback& progress)
 {
   const auto sides = context.Filtration.TriangleSides(feature.Choke);
   // Values on a mesh need not be lengths: where one is not above 0, no surroundings are its own.
   // And nothing passes through a triangle of M.
-  if (sides[0] == sides[1] || !(feature.Distance() > 0.0) || context.IsWall(feature.Choke))
+  if (sides[0] == sides[1] || !(feature.Radius() > 0.0) || context.IsWall(feature.Choke))
   {
     return {};
   }
   ChokeFlow around(context, feature, centre);
   for (const double radii : Reaches)
   {
-    const bool isPart = around.Collect(radii * feature.Distance());
+    const bool isPart = around.Collect(radii * feature.Radius());
     if (around.IsTooLarge())
     {
       return {};
@@ -546,7 +546,7 @@ TriangleChain TightestCut(const FeatureContext& context, const ShapeFeature& fea
     {
       return {};
     }
-    TriangleChain piece = PieceAround(context.Filtration, context.Embedding, cut, feature.Choke);
+    TriangleChain piece = ConnectedPiece(context.Filtration, context.Embedding, cut, feature.Choke);
     if (!isPart || !EndsInSpace(context, piece))
     {
       return piece;

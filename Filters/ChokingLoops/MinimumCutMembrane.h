@@ -7,7 +7,6 @@
 #define isthmus_MinimumCutMembrane_h
 
 #include "ChokingLoops/FeatureDiagram.h"
-#include "ChokingLoops/IdMap.h"
 #include "Core/Progress.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 
@@ -66,14 +65,14 @@ struct CellLink
 class ChokeSurroundings
 {
 public:
-  /// @pre `feature.Choke` is a triangle of the complex, `feature.Distance()` is above 0.
+  /// @pre `feature.Choke` is a triangle of the complex, `feature.Radius()` is above 0.
   ChokeSurroundings(
     const FeatureContext& context, const ShapeFeature& feature, const Point3& centre)
     : Context(context)
     , F(context.Filtration)
     , Choke(feature.Choke)
     , Centre(centre)
-    , Radius(feature.Distance())
+    , Radius(feature.Radius())
   {
   }
 
@@ -181,8 +180,9 @@ struct ShapeFeature;
  * complex.
  * @throws Cancelled.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleChain TightestCut(const FeatureContext& context,
-  const ShapeFeature& feature, const Point3& centre, const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleChain MinimumCutTriangles(
+  const FeatureContext& context, const ShapeFeature& feature, const Point3& centre,
+  const ProgressCallback& progress = {});
 
 }
 

@@ -5,7 +5,7 @@
 #ifndef isthmus_OffsetSurface_h
 #define isthmus_OffsetSurface_h
 
-#include "ChokingLoops/SurfaceDistance.h"
+#include "Persistence/SurfaceDistance.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 
 namespace isthmus

@@ -323,7 +323,7 @@ EdgeChain BoundaryOf(const CellFiltration& f, const TriangleChain& triangles)
   return { edges.begin(), edges.end() };
 }
 
-TriangleChain PieceAround(const CellFiltration& f, const SurfaceInComplex& surface,
+TriangleChain ConnectedPiece(const CellFiltration& f, const SurfaceInComplex& surface,
   const std::set<TriangleId>& triangles, TriangleId seed)
 {
   std::map<EdgeId, TriangleChain> beside;

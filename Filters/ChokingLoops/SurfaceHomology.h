@@ -157,7 +157,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT EdgeChain BoundaryOf(
   const CellFiltration& f, const TriangleChain& triangles);
 
 /// Of `triangles`, those that hang together with `seed` across edges that are not on M.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleChain PieceAround(const CellFiltration& f,
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleChain ConnectedPiece(const CellFiltration& f,
   const SurfaceInComplex& surface, const std::set<TriangleId>& triangles, TriangleId seed);
 
 // ------------------------------------------------------------------------------------------

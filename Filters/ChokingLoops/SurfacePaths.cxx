@@ -160,7 +160,7 @@ Point3 PositionOf(const SurfaceAdjacency& s, const SurfaceCurvePoint& p)
   return (1.0 - p.Fraction) * a + p.Fraction * b;
 }
 
-EdgeStrip WithoutReturns(const SurfaceAdjacency& s, const EdgeStrip& strip)
+EdgeStrip WithoutBacktracking(const SurfaceAdjacency& s, const EdgeStrip& strip)
 {
   EdgeStrip kept;
   for (const SurfaceCurvePoint& c : strip)
@@ -201,9 +201,9 @@ void AddLeftOf(
 
 }
 
-void CancelReturns(const SurfaceAdjacency& s, EdgeStrip& strip)
+void RemoveBacktracking(const SurfaceAdjacency& s, EdgeStrip& strip)
 {
-  EdgeStrip kept = WithoutReturns(s, strip);
+  EdgeStrip kept = WithoutBacktracking(s, strip);
   std::size_t first = 0;
   while (kept.size() - first >= 2 && s.Opposite(kept.back().HalfEdge) == kept[first].HalfEdge)
   {
@@ -213,9 +213,9 @@ void CancelReturns(const SurfaceAdjacency& s, EdgeStrip& strip)
   strip.assign(kept.begin() + static_cast<std::ptrdiff_t>(first), kept.end());
 }
 
-void CancelReturns(const SurfaceAdjacency& s, EdgeStrip& strip, SimplexId from, SimplexId to)
+void RemoveBacktracking(const SurfaceAdjacency& s, EdgeStrip& strip, SimplexId from, SimplexId to)
 {
-  const EdgeStrip kept = WithoutReturns(s, strip);
+  const EdgeStrip kept = WithoutBacktracking(s, strip);
   const auto endsAt = [&s](const SurfaceCurvePoint& c, SimplexId p)
   { return s.From(c.HalfEdge) == p || s.To(c.HalfEdge) == p; };
   const auto first =
@@ -232,7 +232,7 @@ EdgeStrip StripLeftOf(const SurfaceAdjacency& s, const std::vector<SimplexId>& l
   {
     AddLeftOf(s, loop, i, strip);
   }
-  CancelReturns(s, strip);
+  RemoveBacktracking(s, strip);
   return strip;
 }
 
@@ -243,7 +243,7 @@ EdgeStrip StripLeftOfPath(const SurfaceAdjacency& s, const std::vector<SimplexId
   {
     AddLeftOf(s, path, i, strip);
   }
-  CancelReturns(s, strip, path.front(), path.back());
+  RemoveBacktracking(s, strip, path.front(), path.back());
   return strip;
 }
 
@@ -414,7 +414,7 @@ std::vector<double> CrossingsOf(
 
 }
 
-std::vector<double> ShortestCrossings(const UnfoldedStrip& plane, const Point2& p, const Point2& q)
+std::vector<double> FunnelCrossings(const UnfoldedStrip& plane, const Point2& p, const Point2& q)
 {
   return CrossingsOf(plane, Funnel(plane, p, q), p, q);
 }
@@ -442,7 +442,7 @@ double CornerAngle(const SurfaceAdjacency& s, HalfEdgeId h)
   return std::acos(std::clamp((a * a + b * b - c * c) / (2.0 * a * b), -1.0, 1.0));
 }
 
-EdgeStrip OtherWayRound(
+EdgeStrip StripOnOtherSide(
   const SurfaceAdjacency& s, HalfEdgeId enter, SurfaceTriangleId last, SimplexId p)
 {
   const bool onRight = s.To(enter) == p;
@@ -455,7 +455,7 @@ EdgeStrip OtherWayRound(
   return other;
 }
 
-double AngleBeyond(const SurfaceAdjacency& s, const EdgeStrip& other, SimplexId p,
+double AngleOnOtherSide(const SurfaceAdjacency& s, const EdgeStrip& other, SimplexId p,
   const Point3& before, const Point3& after)
 {
   const Point3& centre = PointAt(s, p);

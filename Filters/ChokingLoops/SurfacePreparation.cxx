@@ -21,7 +21,7 @@ namespace isthmus
 {
 
 // ------------------------------------------------------------------------------------------
-// SurfaceMending
+// RepairReport
 namespace
 {
 
@@ -86,7 +86,7 @@ std::array<Point3, 3> PlacesOf(const SurfaceView& mesh, const Triangle& t)
 }
 
 /// Counts and places the triangles of `before` that are not in `after`.
-void TellChanged(const SurfaceView& before, const SurfaceView& after, SurfaceMending& mending)
+void ReportChanges(const SurfaceView& before, const SurfaceView& after, RepairReport& report)
 {
   std::map<std::array<Point3, 3>, int> left;
   for (const Triangle& t : after.Triangles)
@@ -102,8 +102,8 @@ void TellChanged(const SurfaceView& before, const SurfaceView& after, SurfaceMen
       --found->second;
       continue;
     }
-    ++mending.Changed;
-    mending.Places.push_back((1.0 / 3.0) * (places[0] + places[1] + places[2]));
+    ++report.Changed;
+    report.Places.push_back((1.0 / 3.0) * (places[0] + places[1] + places[2]));
   }
 }
 
@@ -133,8 +133,8 @@ bool IsClean(const SurfaceView& mesh, bool allowCrossings, const ProgressCallbac
 
 }
 
-TriangleMesh MendedSurface(const SurfaceView& surface, const std::string& what, bool allowCrossings,
-  SurfaceMending& mending, const ProgressCallback& progress)
+TriangleMesh RepairedForAnalysis(const SurfaceView& surface, const std::string& what,
+  bool allowCrossings, RepairReport& report, const ProgressCallback& progress)
 {
   TriangleMesh mesh = CopyOf(surface);
   bool clean = false;
@@ -163,14 +163,14 @@ TriangleMesh MendedSurface(const SurfaceView& surface, const std::string& what, 
   }
   const double before = VolumeOf(surface);
   const double share = before > 0.0 ? std::abs(VolumeOf(mesh) - before) / before : HUGE_VAL;
-  if (!(share <= MendedShare))
+  if (!(share <= RepairableShare))
   {
     throw std::invalid_argument(what + " Its repair would change the volume by " +
-      FormatNumber(100.0 * share) + " %, and the most is " + FormatNumber(100.0 * MendedShare) +
+      FormatNumber(100.0 * share) + " %, and the most is " + FormatNumber(100.0 * RepairableShare) +
       " %." + advice);
   }
-  TellChanged(surface, mesh, mending);
-  mending.Told = what + " It was repaired: " + std::to_string(mending.Changed) +
+  ReportChanges(surface, mesh, report);
+  report.Message = what + " It was repaired: " + std::to_string(report.Changed) +
     " triangles changed, and the volume by " + FormatNumber(100.0 * share) + " %.";
   return mesh;
 }
@@ -204,7 +204,7 @@ double Thickness(const View<Point3>& points)
   return length > 0.0 ? height(Farthest(points, height)) / length : 0.0;
 }
 
-void DemandUsableSize(const SurfaceView& surface)
+void RequireUsableSize(const SurfaceView& surface)
 {
   for (std::size_t i = 0; i < surface.Points.size(); ++i)
   {
@@ -231,7 +231,7 @@ void DemandUsableSize(const SurfaceView& surface)
 }
 
 /// Repair would look for an inside for long, in vain.
-void DemandThickness(const SurfaceView& surface)
+void RequireThickness(const SurfaceView& surface)
 {
   Bounds3 box{ surface.Points.front(), surface.Points.front() };
   for (const Point3& p : surface.Points)
@@ -246,7 +246,7 @@ void DemandThickness(const SurfaceView& surface)
 }
 
 /// Holes, missing points and triangles turned against each other are not guessed at.
-bool CanBeMended(const SurfaceDefects& defects)
+bool CanBeRepaired(const SurfaceDefects& defects)
 {
   return defects.InvalidPoints.empty() && defects.InvalidTriangles.empty() &&
     defects.BoundaryTriangles.empty() && defects.FlippedTriangles.empty();
@@ -255,7 +255,7 @@ bool CanBeMended(const SurfaceDefects& defects)
 /// The surface repaired where it has thin triangles; none: it has none, or it is as good with them,
 /// since they are no defect by themselves and can't be taken out without making one.
 std::optional<TriangleMesh> WithoutNeedles(const SurfaceView& surface, bool allowCrossings,
-  SurfaceMending& mending, const ProgressCallback& progress)
+  RepairReport& report, const ProgressCallback& progress)
 {
   const std::vector<std::int64_t> thin = ThinTriangles(surface);
   if (thin.empty())
@@ -264,50 +264,50 @@ std::optional<TriangleMesh> WithoutNeedles(const SurfaceView& surface, bool allo
   }
   try
   {
-    return MendedSurface(surface,
+    return RepairedForAnalysis(surface,
       "The surface has " + std::to_string(thin.size()) + " triangles next to no area (" +
         FirstIds(thin) + ").",
-      allowCrossings, mending, progress);
+      allowCrossings, report, progress);
   }
   catch (const std::invalid_argument&)
   {
-    mending = {};
+    report = {};
     return std::nullopt;
   }
 }
 
 }
 
-TriangleMesh CheckedSurface(TriangleMesh surface, bool allowCrossings,
-  const ProgressCallback& progress, SurfaceMending* mending)
+TriangleMesh CheckedSurface(
+  TriangleMesh surface, bool allowCrossings, const ProgressCallback& progress, RepairReport* report)
 {
   if (surface.Triangles.empty() || surface.Points.empty())
   {
     throw std::invalid_argument("The surface has no triangles: choking loops need a closed one.");
   }
-  DemandUsableSize(surface);
+  RequireUsableSize(surface);
   Report(progress, 0.0);
   surface = MergePoints(surface);
   Report(progress, 0.1);
   const auto rest = Between(progress, 0.6, 1.0);
   const SurfaceDefects defects = FindDefects(surface, Between(progress, 0.1, 0.2));
-  if (!defects.None() && !(mending && CanBeMended(defects)))
+  if (!defects.None() && !(report && CanBeRepaired(defects)))
   {
     throw std::invalid_argument(defects.Sentence() + WhyOpen(surface, defects) +
       " Choking loops need a closed, manifold, consistently oriented surface: repair it first "
       "(Fill Holes, or CapHoles of Choking Loops, closes holes).");
   }
-  DemandThickness(surface);
+  RequireThickness(surface);
   if (!defects.None())
   {
-    return MendedSurface(surface, defects.Sentence(), allowCrossings, *mending, rest);
+    return RepairedForAnalysis(surface, defects.Sentence(), allowCrossings, *report, rest);
   }
-  if (mending)
+  if (report)
   {
-    std::optional<TriangleMesh> mended = WithoutNeedles(surface, allowCrossings, *mending, rest);
-    if (mended)
+    std::optional<TriangleMesh> repairs = WithoutNeedles(surface, allowCrossings, *report, rest);
+    if (repairs)
     {
-      return std::move(*mended);
+      return std::move(*repairs);
     }
   }
   const std::vector<std::int64_t> crossing = allowCrossings
@@ -319,13 +319,13 @@ TriangleMesh CheckedSurface(TriangleMesh surface, bool allowCrossings,
   }
   const std::string what = "The surface crosses itself in " + std::to_string(crossing.size()) +
     " triangles (" + FirstIds(crossing) + ").";
-  if (!mending)
+  if (!report)
   {
     throw std::invalid_argument(what +
       " Repair it, or allow self-intersections to go on all the "
       "same.");
   }
-  return MendedSurface(surface, what, allowCrossings, *mending, rest);
+  return RepairedForAnalysis(surface, what, allowCrossings, *report, rest);
 }
 
 // ------------------------------------------------------------------------------------------

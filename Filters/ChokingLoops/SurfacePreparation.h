@@ -19,15 +19,15 @@ namespace isthmus
 // Small damage of a surface repaired before its choking loops are sought.
 
 /// What was done to a surface.
-struct SurfaceMending
+struct RepairReport
 {
   std::int64_t Changed = 0;   ///< triangles of the input that are no longer there
   std::vector<Point3> Places; ///< their centres
-  std::string Told;           ///< one sentence; empty: nothing was done
+  std::string Message;        ///< one sentence; empty: nothing was done
 };
 
 /// More than this share of the volume is not changed.
-constexpr double MendedShare = 0.01;
+constexpr double RepairableShare = 0.01;
 
 /**
  * `surface` closed, manifold and oriented, without thin triangles and, unless `allowCrossings`,
@@ -36,10 +36,10 @@ constexpr double MendedShare = 0.01;
  * the middle of its neighbours.
  *
  * std::invalid_argument with a sentence when that fails or changes the volume by more than
- * MendedShare. `what` says what is wrong and begins that sentence.
+ * RepairableShare. `what` says what is wrong and begins that sentence.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh MendedSurface(const SurfaceView& surface,
-  const std::string& what, bool allowCrossings, SurfaceMending& mending,
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh RepairedForAnalysis(const SurfaceView& surface,
+  const std::string& what, bool allowCrossings, RepairReport& report,
   const ProgressCallback& progress = {});
 
 // ------------------------------------------------------------------------------------------
@@ -51,11 +51,11 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh MendedSurface(const SurfaceVie
  * `allowCrossings`, free of self-intersections. Else std::invalid_argument with a sentence that
  * names the triangles.
  *
- * With `mending`, what is closed and oriented but has crossings, touching or double parts or thin
- * triangles is repaired as MendedSurface() does, and what was done is told there.
+ * With `report`, what is closed and oriented but has crossings, touching or double parts or thin
+ * triangles is repaired as RepairedForAnalysis() does, and what was done is told there.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh CheckedSurface(TriangleMesh surface,
-  bool allowCrossings, const ProgressCallback& progress = {}, SurfaceMending* mending = nullptr);
+  bool allowCrossings, const ProgressCallback& progress = {}, RepairReport* report = nullptr);
 
 // ------------------------------------------------------------------------------------------
 // A surface split so finely that its points stand for the whole of it.

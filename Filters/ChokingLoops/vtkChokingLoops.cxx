@@ -2,13 +2,13 @@
 
 #include "ChokingLoops/ChokingLoopsOutput.h"
 #include "ChokingLoops/LoopDrawing.h"
-#include "ChokingLoops/MorseValues.h"
 #include "ChokingLoops/SurfacePreparation.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
 #include "Core/MemoryBudget.h"
 #include "Core/PolyDataTriangles.h"
 #include "Core/RangeChecks.h"
+#include "Persistence/SurfaceDistance.h"
 #include "Remeshing/SurfaceRepair.h"
 #include "Tetrahedra/TetrahedralMesher.h"
 
@@ -210,9 +210,9 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
 
 void vtkChokingLoops::Keep(std::unique_ptr<Cache> made)
 {
-  if (!made->Loops->Mended().Told.empty())
+  if (!made->Loops->Repairs().Message.empty())
   {
-    vtkWarningMacro(<< made->Loops->Mended().Told);
+    vtkWarningMacro(<< made->Loops->Repairs().Message);
   }
   if (!made->Loops->Remark().empty())
   {
@@ -253,7 +253,7 @@ isthmus::FeatureSelection vtkChokingLoops::Selection() const
   isthmus::FeatureSelection selection;
   selection.Inside = this->Side != Outside;
   selection.Outside = this->Side != Inside;
-  selection.MaximumDistance = { this->MaximumDistance, this->MaximumDistanceUnit == Percent };
+  selection.MaximumRadius = { this->MaximumRadius, this->MaximumRadiusUnit == Percent };
   selection.MinimumPersistence = { this->MinimumPersistence,
     this->MinimumPersistenceUnit == Percent };
   selection.Threshold = this->ThresholdMode == LargestGap ? isthmus::ThresholdMode::LargestGap
@@ -282,7 +282,7 @@ std::vector<isthmus::ShownFeature> vtkChokingLoops::DrawLoops()
     }
   }
   isthmus::FindShared(analysis, shown);
-  isthmus::KeepWithin(
+  isthmus::ApplyLimits(
     analysis, { this->MaximumLength, this->MaximumReach, this->LoopOrder == ByLength }, shown);
   return shown;
 }
@@ -340,8 +340,8 @@ void vtkChokingLoops::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Side: " << this->Side << "\n";
-  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
-  os << indent << "MaximumDistanceUnit: " << this->MaximumDistanceUnit << "\n";
+  os << indent << "MaximumRadius: " << this->MaximumRadius << "\n";
+  os << indent << "MaximumRadiusUnit: " << this->MaximumRadiusUnit << "\n";
   os << indent << "MinimumPersistence: " << this->MinimumPersistence << "\n";
   os << indent << "MinimumPersistenceUnit: " << this->MinimumPersistenceUnit << "\n";
   os << indent << "ThresholdMode: " << this->ThresholdMode << "\n";

@@ -19,24 +19,39 @@
  * TetrahedralMesh.
  *
  * Outputs:
- *  0. loops: closed polylines on the surface. Cell arrays `Kind` (0 handle, 1 tunnel, 2
- *     additional), `Side` (0 inside, 1 outside), `KindName`, `Radius` (of the ball that gets
- *     stuck), `Fill` (radius at which what lies behind is filled), `Widening` (Fill - Radius),
- *     `Uncertainty` (the true radius lies in [Radius - Uncertainty, Radius]), `Trusted` (1: a
- *     feature of the surface, not of its sampling), `Length`, `Reach` (of the feature: distance of
- *     its loops' farthest point from the choke point, in radii: 1 for a round neck), `FeatureId`,
- *     `SharedWith` (where several narrowings have one loop, as the windows of a wall: `FeatureId`
- *     of the first of them, whose points the others' cells use, too; else -1), `Component`. A
- *     feature may have several loops, as an annulus has.
- *  1. membranes: triangles spanning each loop, cell arrays `FeatureId`, `Area` (of the membrane),
- *     `Radius`, `Kind`.
- *  2. choke points: one vertex for a feature, point arrays `Radius`, `Kind`, `Side`, `FeatureId`.
- *  3. persistence diagram: a vtkTable with `FeatureId`, `Dimension`, `Side`, `Birth`, `Death`,
- *     `Persistence`, `Kind` (3: noise, or the surface itself). A bar and its loops have one
- *     `FeatureId`, so that selecting one shows the other.
+ *  0. loops: closed polylines on the surface. Cell arrays:
+ *     - `Kind` (0 handle, 1 tunnel, 2 additional), `KindName`, `Side` (0 inside, 1 outside)
+ *     - `Radius`: of the ball that gets stuck
+ *     - `Birth`: equal to `Radius`
+ *     - `Death`: radius at which the space behind the narrowing is filled
+ *     - `Persistence`: Death - Birth
+ *     - `Uncertainty`: the true radius lies in [Radius - Uncertainty, Radius]
+ *     - `Trusted`: 1 for a feature of the surface, 0 if it may be one of the sampling
+ *     - `Length`
+ *     - `Reach`: of the feature, distance of its loops' farthest point from the choke point, in
+ *       radii: 1 for a round neck
+ *     - `FeatureId`, `Component`
+ *     - `SharedWith`: where several narrowings have one loop, such as the windows of a wall: the
+ *       `FeatureId` of the first of them, whose points the others' cells use; otherwise -1
  *
- * **Deprecated, gone with 2.0:** the loops' arrays `Distance` (now `Radius`), `Death` (`Fill`) and
- * `Persistence` (`Widening`), and the membranes' `Distance` (`Radius`).
+ *     A feature may have several loops, as an annulus has.
+ *  1. membranes: triangles spanning each loop, cell arrays `FeatureId`, `Area` (of the membrane),
+ *     `Radius`, `Birth`, `Death`, `Persistence`, `Kind`.
+ *  2. choke points: one vertex for a feature, point arrays `Radius`, `Birth`, `Death`,
+ *     `Persistence`, `Kind`, `Side`, `FeatureId`.
+ *  3. persistence diagram: a vtkTable with `FeatureId`, `Dimension`, `Side`, `Birth`, `Death`,
+ *     `Persistence`, `Radius`, `Kind` (3: noise, or the surface itself). A bar and its loops have
+ *     the same `FeatureId`, so that selecting one shows the other. Rows of dimension 2 (additional
+ *     loops) have the same birth and death as their loops. Rows of dimension 1 (handles and
+ *     tunnels) are the class of the loop on the surface: birth 0, death `Radius`.
+ *
+ * Birth, death and persistence are defined once, in FeatureDiagram.h (ShapeFeature).
+ *
+ * **Deprecated, removed in 1.1.0:** the arrays `Fill` (now `Death`) and `Widening` (`Persistence`)
+ * of the loops, and `Distance` (`Radius`) of loops and membranes. They are still there, with the
+ * same values; an array cannot issue a warning when it is read. Deprecated methods:
+ * SetMaximumDistance() and SetMaximumDistanceUnit(), now SetMaximumRadius() and
+ * SetMaximumRadiusUnit().
  *
  * Lengths are in the unit of the points, areas in its square. Field data of output 0:
  * `NumberOfSamples`, `LargestSamplingError`, `ReferenceLength` (inside, outside),
@@ -53,12 +68,14 @@
  * mesh that TetGen makes of both sides; a warning then says that their `Radius` is an upper
  * bound, or, where TetGen fails, that their number and side are not assured.
  *
- * The analysis is kept: thresholds, sides and shortening are answered from it. Time is near linear,
- * some 30 s and 2.5 GB for a million points on two threads; loops and membranes cost little.
+ * The analysis is cached: changes of thresholds, side and shortening do not repeat it. Time is near
+ * linear, some 30 s and 2.5 GB for a million points on two threads; loops and membranes cost
+ * little.
  */
 #ifndef vtkChokingLoops_h
 #define vtkChokingLoops_h
 
+#include "Core/Deprecation.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
@@ -128,15 +145,23 @@ public:
   ///@{
   /// Report narrowings up to this radius: in percent of the side's reference length, the largest
   /// radius at which anything on that side is filled, or in the unit of the points. Default 100 %.
-  vtkSetMacro(MaximumDistance, double);
-  vtkGetMacro(MaximumDistance, double);
-  vtkSetClampMacro(MaximumDistanceUnit, int, Percent, Absolute);
-  vtkGetMacro(MaximumDistanceUnit, int);
+  vtkSetMacro(MaximumRadius, double);
+  vtkGetMacro(MaximumRadius, double);
+  vtkSetClampMacro(MaximumRadiusUnit, int, Percent, Absolute);
+  vtkGetMacro(MaximumRadiusUnit, int);
+  ISTHMUS_DEPRECATED("1.0.0", "use SetMaximumRadius")
+  void SetMaximumDistance(double radius) { this->SetMaximumRadius(radius); }
+  ISTHMUS_DEPRECATED("1.0.0", "use GetMaximumRadius")
+  double GetMaximumDistance() { return this->GetMaximumRadius(); }
+  ISTHMUS_DEPRECATED("1.0.0", "use SetMaximumRadiusUnit")
+  void SetMaximumDistanceUnit(int unit) { this->SetMaximumRadiusUnit(unit); }
+  ISTHMUS_DEPRECATED("1.0.0", "use GetMaximumRadiusUnit")
+  int GetMaximumDistanceUnit() { return this->GetMaximumRadiusUnit(); }
   ///@}
 
   ///@{
-  /// Report additional loops behind which the space widens by at least this: in percent of the
-  /// side's reference length or in the unit of the points. Default 5 %.
+  /// Report additional loops of at least this persistence: in percent of the side's reference
+  /// length or in the unit of the points. Default 5 %.
   vtkSetMacro(MinimumPersistence, double);
   vtkGetMacro(MinimumPersistence, double);
   vtkSetClampMacro(MinimumPersistenceUnit, int, Percent, Absolute);
@@ -144,29 +169,30 @@ public:
   ///@}
 
   ///@{
-  /// Given (default): MinimumPersistence parts additional loops from noise. LargestGap: the largest
-  /// gap of each side's diagram does, as `ProposedThreshold` tells it; gaps narrower than 1 % of
-  /// the reference length count as none, and what is below that is noise then.
+  /// Given (default): MinimumPersistence separates additional loops from noise. LargestGap: the
+  /// largest gap of each side's diagram does, as in the field data `ProposedThreshold`; gaps
+  /// narrower than 1 % of the reference length are ignored, and that length is the threshold if no
+  /// gap is wider.
   vtkSetClampMacro(ThresholdMode, int, Given, LargestGap);
   vtkGetMacro(ThresholdMode, int);
   ///@}
 
   ///@{
-  /// Report at most that many features, those behind which the space widens most. 0 (default): all.
+  /// Report at most that many features, those of the largest persistence. 0 (default): all.
   vtkSetClampMacro(MaximumNumberOfLoops, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumNumberOfLoops, int);
   ///@}
 
   ///@{
-  /// Leave out features of any kind with a loop longer than this, in the unit of the points. 0
+  /// Drop features of any kind with a loop longer than this, in the unit of the points. 0
   /// (default): however long.
   vtkSetMacro(MaximumLength, double);
   vtkGetMacro(MaximumLength, double);
   ///@}
 
   ///@{
-  /// Leave out features of any kind whose loops pass farther than this from the choke point, in
-  /// radii, as the cell array `Reach` tells it: 1 for a round neck, large for a slot. 0 (default):
+  /// Drop features of any kind whose loops pass farther than this from the choke point, in
+  /// radii, the cell array `Reach`: 1 for a round neck, large for a slot. 0 (default):
   /// however far.
   vtkSetMacro(MaximumReach, double);
   vtkGetMacro(MaximumReach, double);
@@ -185,7 +211,7 @@ public:
   ///@}
 
   ///@{
-  /// Report handles and tunnels whatever MaximumDistance says. Default on.
+  /// Report handles and tunnels whatever MaximumRadius says. Default on.
   vtkSetMacro(AlwaysReportHandles, bool);
   vtkGetMacro(AlwaysReportHandles, bool);
   vtkBooleanMacro(AlwaysReportHandles, bool);
@@ -266,14 +292,13 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
-  /// All outputs for a surface; `mesh` as in input 1, or null.
-  bool FindLoops(vtkPolyData* surface, vtkDataObject* mesh, vtkInformationVector* output);
-
 private:
   vtkChokingLoops(const vtkChokingLoops&) = delete;
   void operator=(const vtkChokingLoops&) = delete;
 
   struct Cache;
+  /// All outputs for a surface; `mesh` as in input 1, or null.
+  bool FindLoops(vtkPolyData* surface, vtkDataObject* mesh, vtkInformationVector* output);
   void Analyse(vtkPolyData* surface, vtkDataObject* mesh);
   void Keep(std::unique_ptr<Cache> made);
   isthmus::FeatureSelection Selection() const;
@@ -282,8 +307,8 @@ private:
     const isthmus::TetrahedralMesh& mesh, vtkUnstructuredGrid* given);
 
   int Side = Both;
-  double MaximumDistance = 100.0;
-  int MaximumDistanceUnit = Percent;
+  double MaximumRadius = 100.0;
+  int MaximumRadiusUnit = Percent;
   double MinimumPersistence = 5.0;
   int MinimumPersistenceUnit = Percent;
   int ThresholdMode = Given;

@@ -110,9 +110,9 @@ int vtkHandleFilling::RequestData(
       parameters.Analysis.SampleSpacing = this->SampleSpacing;
       const isthmus::FilledSurface filled =
         isthmus::FillHandles(isthmus::MeshOf(whole), parameters, isthmus::ProgressOf(this));
-      if (!filled.Mended.Told.empty())
+      if (!filled.Repairs.Message.empty())
       {
-        vtkWarningMacro(<< filled.Mended.Told);
+        vtkWarningMacro(<< filled.Repairs.Message);
       }
       if (filled.Left > 0)
       {

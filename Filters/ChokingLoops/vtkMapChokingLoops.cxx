@@ -1,5 +1,6 @@
 #include "vtkMapChokingLoops.h"
 
+#include "Contouring/AutomaticLevel.h"
 #include "Contouring/ClosedLevelSet.h"
 #include "Contouring/LevelTriangles.h"
 #include "Contouring/MapSurface.h"
@@ -7,7 +8,10 @@
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
 #include "Core/PolyDataTriangles.h"
+#include "vtkChokingLoops.h"
 
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
@@ -20,12 +24,14 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkTable.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 
 vtkStandardNewMacro(vtkMapChokingLoops);
 
@@ -33,6 +39,10 @@ namespace
 {
 
 constexpr int SurfacePort = 4;
+
+/// What is handed on of the loops' algorithm.
+constexpr std::array<unsigned long, 3> InnerEventTypes{ vtkCommand::ProgressEvent,
+  vtkCommand::ErrorEvent, vtkCommand::WarningEvent };
 
 /// Nodes along each axis, origin, spacing and direction.
 std::array<double, 18> FrameOf(vtkImageData* image)
@@ -52,6 +62,49 @@ std::string RangeOf(vtkDataArray* scalars)
   std::ostringstream text;
   text << "the map has values from " << range[0] << " to " << range[1];
   return text.str();
+}
+
+/// What an algorithm inside of another one reports, handed on.
+struct InnerEvents
+{
+  explicit InnerEvents(vtkAlgorithm* outer)
+    : Outer(outer)
+    , Progress(isthmus::ProgressOf(outer))
+  {
+  }
+
+  vtkAlgorithm* Outer;
+  isthmus::ProgressCallback Progress;
+  std::string Error;
+
+  static void Follow(vtkObject*, unsigned long event, void* client, void* data)
+  {
+    auto* self = static_cast<InnerEvents*>(client);
+    if (event == vtkCommand::ProgressEvent)
+    {
+      self->Progress(*static_cast<double*>(data));
+      return;
+    }
+    // "ERROR: In FILE, line N\nCLASS (ADDRESS): MESSAGE\n\n"
+    std::string text(static_cast<const char*>(data));
+    const std::size_t start = text.find("): ");
+    text.erase(0, start == std::string::npos ? 0 : start + 3);
+    text.erase(text.find_last_not_of('\n') + 1);
+    if (event == vtkCommand::ErrorEvent)
+    {
+      self->Error = text;
+      return;
+    }
+    vtkWarningWithObjectMacro(self->Outer, << text);
+  }
+};
+
+/// ParaView's default of a level: the middle of the range.
+bool IsMiddle(double level, vtkDataArray* scalars)
+{
+  double range[2];
+  scalars->GetFiniteRange(range, 0);
+  return std::abs(level - 0.5 * (range[0] + range[1])) <= 1e-6 * (range[1] - range[0]);
 }
 
 }
@@ -76,7 +129,8 @@ struct vtkMapChokingLoops::Key
 };
 
 vtkMapChokingLoops::vtkMapChokingLoops()
-  : MadeOf(new Key)
+  : LevelOfMap(new isthmus::AutomaticLevel)
+  , MadeOf(new Key)
 {
   this->SetNumberOfInputPorts(1);
   this->SetNumberOfOutputPorts(SurfacePort + 1);
@@ -86,9 +140,91 @@ vtkMapChokingLoops::vtkMapChokingLoops()
 
 vtkMapChokingLoops::~vtkMapChokingLoops() = default;
 
+#define FORWARD(name, type, result)                                                                \
+  void vtkMapChokingLoops::Set##name(type value)                                                   \
+  {                                                                                                \
+    const vtkMTimeType before = this->Loops->GetMTime();                                           \
+    this->Loops->Set##name(value);                                                                 \
+    if (this->Loops->GetMTime() != before)                                                         \
+    {                                                                                              \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  result vtkMapChokingLoops::Get##name()                                                           \
+  {                                                                                                \
+    return this->Loops->Get##name();                                                               \
+  }
+
+FORWARD(Side, int, int)
+FORWARD(MaximumRadius, double, double)
+FORWARD(MaximumRadiusUnit, int, int)
+FORWARD(MinimumPersistence, double, double)
+FORWARD(MinimumPersistenceUnit, int, int)
+FORWARD(ThresholdMode, int, int)
+FORWARD(MaximumNumberOfLoops, int, int)
+FORWARD(MaximumLength, double, double)
+FORWARD(MaximumReach, double, double)
+FORWARD(LoopOrder, int, int)
+FORWARD(AlwaysReportHandles, bool, bool)
+FORWARD(SampleSpacing, double, double)
+FORWARD(Shortening, int, int)
+FORWARD(ShorteningRounds, int, int)
+FORWARD(AllowSelfIntersections, bool, bool)
+FORWARD(MemoryLimit, int, int)
+FORWARD(CapHoles, bool, bool)
+FORWARD(Filtration, int, int)
+FORWARD(MorseFunction, int, int)
+FORWARD(MorseArrayName, const std::string&, std::string)
+
+#undef FORWARD
+
+double* vtkMapChokingLoops::GetStageTimes()
+{
+  return this->Loops->GetStageTimes();
+}
+
+void vtkMapChokingLoops::SetLevel(double level)
+{
+  const bool automatic = !std::isfinite(level); // as before 1.0: no level
+  if (this->AutomaticLevel != automatic || this->LevelIsFromPanel ||
+    (!automatic && this->Level != level))
+  {
+    this->Level = automatic ? this->Level : level;
+    this->AutomaticLevel = automatic;
+    this->LevelIsFromPanel = false;
+    this->Modified();
+  }
+}
+
+void vtkMapChokingLoops::SetPanelLevel(double level)
+{
+  if (this->Level != level || !this->LevelIsFromPanel)
+  {
+    this->Level = level;
+    this->LevelIsFromPanel = true;
+    this->Modified();
+  }
+}
+
+void vtkMapChokingLoops::SetAutomaticLevel(bool automatic)
+{
+  if (this->AutomaticLevel != automatic || this->LevelIsFromPanel)
+  {
+    this->AutomaticLevel = automatic;
+    this->LevelIsFromPanel = false;
+    this->Modified();
+  }
+}
+
 int vtkMapChokingLoops::FillInputPortInformation(int, vtkInformation* information)
 {
   information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+int vtkMapChokingLoops::FillOutputPortInformation(int port, vtkInformation* information)
+{
+  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 3 ? "vtkTable" : "vtkPolyData");
   return 1;
 }
 
@@ -100,15 +236,25 @@ int vtkMapChokingLoops::RequestUpdateExtent(
   return 1;
 }
 
+double vtkMapChokingLoops::ChooseLevel(vtkImageData* image, vtkDataArray* scalars)
+{
+  const bool isGiven =
+    !this->AutomaticLevel || (this->LevelIsFromPanel && !IsMiddle(this->Level, scalars));
+  const double level =
+    isGiven ? this->Level : this->LevelOfMap->Of(image, scalars, this->InsideIsHigher);
+  if (!std::isfinite(level))
+  {
+    throw std::invalid_argument("Level is not a finite number; " + RangeOf(scalars) + ".");
+  }
+  return level;
+}
+
 void vtkMapChokingLoops::Contour(vtkImageData* image)
 {
   vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
-  if (!std::isfinite(this->Level))
-  {
-    throw std::invalid_argument("Choking loops of a map need a Level, and none was given: " +
-      RangeOf(scalars) + ", and Map Surface proposes one.");
-  }
-  const Key key{ scalars, scalars->GetMTime(), FrameOf(image), this->Level, this->InsideIsHigher,
+  const double level = this->ChooseLevel(image, scalars);
+  this->UsedLevel = level;
+  const Key key{ scalars, scalars->GetMTime(), FrameOf(image), level, this->InsideIsHigher,
     this->LargestComponents };
   if (this->Surface && *this->MadeOf == key)
   {
@@ -116,7 +262,7 @@ void vtkMapChokingLoops::Contour(vtkImageData* image)
   }
   this->Surface = nullptr;
   isthmus::LevelTrianglesParameters parameters;
-  parameters.Level = this->Level;
+  parameters.Level = level;
   parameters.InsideIsHigher = this->InsideIsHigher;
   isthmus::TriangleMesh mesh;
   isthmus::UseScalars(
@@ -125,13 +271,39 @@ void vtkMapChokingLoops::Contour(vtkImageData* image)
   if (mesh.Triangles.empty())
   {
     std::ostringstream text;
-    text << "Nothing is inside the Level " << this->Level << ": " << RangeOf(scalars) << ".";
+    text << "Nothing is inside the Level " << level << ": " << RangeOf(scalars) << ".";
     throw std::invalid_argument(text.str());
   }
   isthmus::ToWorld(image, mesh);
   this->Surface = vtkSmartPointer<vtkPolyData>::New();
   isthmus::SetMesh(mesh, this->Surface);
   *this->MadeOf = key;
+}
+
+void vtkMapChokingLoops::FindLoops(vtkInformationVector* output)
+{
+  InnerEvents events(this);
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetCallback(InnerEvents::Follow);
+  observer->SetClientData(&events);
+  std::array<unsigned long, 3> tags{};
+  std::transform(InnerEventTypes.begin(), InnerEventTypes.end(), tags.begin(),
+    [&](unsigned long event) { return this->Loops->AddObserver(event, observer); });
+  this->Loops->SetContainerAlgorithm(this); // stops with this one
+  this->Loops->SetInputData(this->Surface);
+  this->Loops->Modified(); // an output that was stopped is not kept
+  this->Loops->Update();
+  std::for_each(
+    tags.begin(), tags.end(), [this](unsigned long tag) { this->Loops->RemoveObserver(tag); });
+  if (!events.Error.empty())
+  {
+    throw std::runtime_error(events.Error);
+  }
+  isthmus::Report(events.Progress, 1.0); // leaves where it was stopped
+  for (int port = 0; port < SurfacePort; ++port)
+  {
+    vtkDataObject::GetData(output, port)->ShallowCopy(this->Loops->GetOutputDataObject(port));
+  }
 }
 
 int vtkMapChokingLoops::RequestData(
@@ -143,28 +315,28 @@ int vtkMapChokingLoops::RequestData(
   {
     return 1;
   }
-  auto* loops = vtkPolyData::GetData(output, 0);
-  auto* surface = vtkPolyData::GetData(output, SurfacePort);
-  const auto contour = [&]
-  {
-    isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));
-    this->Contour(image);
-  };
-  if (isthmus::Succeeds(this, output, contour) && this->FindLoops(this->Surface, nullptr, output))
-  {
-    surface->ShallowCopy(this->Surface);
-    vtkNew<vtkDoubleArray> level;
-    level->SetName("Level");
-    level->InsertNextValue(this->Level);
-    loops->GetFieldData()->AddArray(level);
-  }
-  return 1;
+  return isthmus::Guarded(this, output,
+    [&]
+    {
+      isthmus::RequireWholeExtent(input[0]->GetInformationObject(0));
+      this->Contour(image);
+      this->FindLoops(output);
+      vtkPolyData::GetData(output, SurfacePort)->ShallowCopy(this->Surface);
+      vtkNew<vtkDoubleArray> level;
+      level->SetName("Level");
+      level->InsertNextValue(this->UsedLevel);
+      vtkPolyData::GetData(output, 0)->GetFieldData()->AddArray(level);
+    });
 }
 
 void vtkMapChokingLoops::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Level: " << this->Level << "\n";
+  os << indent << "AutomaticLevel: " << this->AutomaticLevel << "\n";
+  os << indent << "UsedLevel: " << this->UsedLevel << "\n";
   os << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n";
   os << indent << "LargestComponents: " << this->LargestComponents << "\n";
+  os << indent << "Loops:\n";
+  this->Loops->PrintSelf(os, indent.GetNextIndent());
 }

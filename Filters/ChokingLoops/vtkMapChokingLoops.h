@@ -1,49 +1,72 @@
 /**
  * @class vtkMapChokingLoops
- * @brief A density map in, its choking loops out: contour, closed and clean, then vtkChokingLoops.
+ * @brief The choking loops of a density map: its surface at a level, then vtkChokingLoops.
  *
  * Input: vtkImageData with one-component point scalars of any number type, any spacing, origin and
  * direction. Values that are not numbers count as outside.
  *
- * Outputs 0 to 3 are those of vtkChokingLoops, whose parameters this filter has, too; output 4 is
- * the surface, as vtkMapSurface makes it at the same level: closed half a cell beyond the map where
- * the level leaves it. Radii are in the unit of the map, angstrom. Field data of output 0 has the
- * `Level`.
+ * Outputs 0 to 3 are those of vtkChokingLoops; output 4 is the surface, as vtkMapSurface makes it
+ * at the same level: closed half a cell beyond the map where the level leaves it. Radii are in the
+ * unit of the map, angstrom. Field data of output 0 has the `Level` used.
  *
- * Level has to be given: a finite number between the least and the greatest value of the map.
- * vtkMapSurface proposes one. The contour and the analysis are kept: thresholds, side and
- * shortening are answered from them.
+ * The level is automatic unless one is given, as in vtkMapSurface: the one that the depositors
+ * recommend, else one that separates the molecule from its surroundings. The contour and the
+ * analysis are cached: changes of thresholds, side and shortening do not repeat them.
  *
- * Errors (sentence, empty outputs): those of vtkChokingLoops; no level, or one that nothing is
- * inside of. Cost: that of vtkMapSurface and vtkChokingLoops. On several MPI ranks the first one
- * does everything. CapHoles, Filtration and MorseFunction have no meaning here and are left alone.
+ * Errors (message and empty outputs): those of vtkChokingLoops; a level that nothing is inside of.
+ * Cost: that of vtkMapSurface and vtkChokingLoops. On several MPI ranks the first one does
+ * everything.
  *
  * @sa vtkMapSurface vtkChokingLoops vtkMapHandles
  */
 #ifndef vtkMapChokingLoops_h
 #define vtkMapChokingLoops_h
 
-#include "vtkChokingLoops.h"
+#include "Core/Deprecation.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
-#include "vtkSmartPointer.h"
+#include "vtkNew.h" // for the analysis
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // for the surface
 
-#include <limits>
 #include <memory>
+#include <string>
 
+class vtkChokingLoops;
+class vtkDataArray;
 class vtkImageData;
 
-class VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT vtkMapChokingLoops : public vtkChokingLoops
+namespace isthmus
+{
+class AutomaticLevel;
+}
+
+class VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT vtkMapChokingLoops : public vtkPolyDataAlgorithm
 {
 public:
   static vtkMapChokingLoops* New();
-  vtkTypeMacro(vtkMapChokingLoops, vtkChokingLoops);
+  vtkTypeMacro(vtkMapChokingLoops, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Value of the level set, in the unit of the scalars. Default: none, not a number.
-  vtkSetMacro(Level, double);
+  /// Value of the level set, in the unit of the scalars. Setting a finite one switches
+  /// AutomaticLevel off. Default 0.
+  void SetLevel(double level);
   vtkGetMacro(Level, double);
   ///@}
+
+  /// As SetLevel(), for panels and state files, where the level always has a value: the middle of
+  /// the map's range, which ParaView proposes, counts as none given.
+  void SetPanelLevel(double level);
+
+  ///@{
+  /// Take the recommended level, or else a sensible one, instead of Level. Default on.
+  void SetAutomaticLevel(bool automatic);
+  vtkGetMacro(AutomaticLevel, bool);
+  vtkBooleanMacro(AutomaticLevel, bool);
+  ///@}
+
+  /// The level of the last run.
+  vtkGetMacro(UsedLevel, double);
 
   ///@{
   /// The inside is where the value is above the level (densities). Default on.
@@ -58,11 +81,81 @@ public:
   vtkGetMacro(LargestComponents, int);
   ///@}
 
+  ///@{
+  /// Parameters of vtkChokingLoops, documented there, with the same defaults.
+  void SetSide(int value);
+  int GetSide();
+  void SetMaximumRadius(double value);
+  double GetMaximumRadius();
+  void SetMaximumRadiusUnit(int value);
+  int GetMaximumRadiusUnit();
+  void SetMinimumPersistence(double value);
+  double GetMinimumPersistence();
+  void SetMinimumPersistenceUnit(int value);
+  int GetMinimumPersistenceUnit();
+  void SetThresholdMode(int value);
+  int GetThresholdMode();
+  void SetMaximumNumberOfLoops(int value);
+  int GetMaximumNumberOfLoops();
+  void SetMaximumLength(double value);
+  double GetMaximumLength();
+  void SetMaximumReach(double value);
+  double GetMaximumReach();
+  void SetLoopOrder(int value);
+  int GetLoopOrder();
+  void SetAlwaysReportHandles(bool value);
+  bool GetAlwaysReportHandles();
+  vtkBooleanMacro(AlwaysReportHandles, bool);
+  void SetSampleSpacing(double value);
+  double GetSampleSpacing();
+  void SetShortening(int value);
+  int GetShortening();
+  void SetShorteningRounds(int value);
+  int GetShorteningRounds();
+  void SetAllowSelfIntersections(bool value);
+  bool GetAllowSelfIntersections();
+  vtkBooleanMacro(AllowSelfIntersections, bool);
+  void SetMemoryLimit(int value);
+  int GetMemoryLimit();
+  ///@}
+
+  ///@{
+  /// Deprecated, removed in 1.1.0.
+  ISTHMUS_DEPRECATED("1.0.0", "the surface of a map is closed")
+  void SetCapHoles(bool value);
+  ISTHMUS_DEPRECATED("1.0.0", "the surface of a map is closed")
+  bool GetCapHoles();
+  ISTHMUS_DEPRECATED("1.0.0", "the filtration of a map's surface is Delaunay")
+  void SetFiltration(int value);
+  ISTHMUS_DEPRECATED("1.0.0", "the filtration of a map's surface is Delaunay")
+  int GetFiltration();
+  ISTHMUS_DEPRECATED("1.0.0", "it needs a tetrahedral mesh: use vtkChokingLoops")
+  void SetMorseFunction(int value);
+  ISTHMUS_DEPRECATED("1.0.0", "it needs a tetrahedral mesh: use vtkChokingLoops")
+  int GetMorseFunction();
+  ISTHMUS_DEPRECATED("1.0.0", "it needs a tetrahedral mesh: use vtkChokingLoops")
+  void SetMorseArrayName(const std::string& value);
+  ISTHMUS_DEPRECATED("1.0.0", "it needs a tetrahedral mesh: use vtkChokingLoops")
+  std::string GetMorseArrayName();
+  ISTHMUS_DEPRECATED("1.0.0", "use SetMaximumRadius")
+  void SetMaximumDistance(double radius) { this->SetMaximumRadius(radius); }
+  ISTHMUS_DEPRECATED("1.0.0", "use GetMaximumRadius")
+  double GetMaximumDistance() { return this->GetMaximumRadius(); }
+  ISTHMUS_DEPRECATED("1.0.0", "use SetMaximumRadiusUnit")
+  void SetMaximumDistanceUnit(int unit) { this->SetMaximumRadiusUnit(unit); }
+  ISTHMUS_DEPRECATED("1.0.0", "use GetMaximumRadiusUnit")
+  int GetMaximumDistanceUnit() { return this->GetMaximumRadiusUnit(); }
+  ///@}
+
+  /// As in vtkChokingLoops.
+  double* GetStageTimes() VTK_SIZEHINT(5);
+
 protected:
   vtkMapChokingLoops();
   ~vtkMapChokingLoops() override;
 
   int FillInputPortInformation(int port, vtkInformation* information) override;
+  int FillOutputPortInformation(int port, vtkInformation* information) override;
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
   int RequestData(
@@ -72,12 +165,19 @@ private:
   vtkMapChokingLoops(const vtkMapChokingLoops&) = delete;
   void operator=(const vtkMapChokingLoops&) = delete;
 
+  double ChooseLevel(vtkImageData* image, vtkDataArray* scalars);
   void Contour(vtkImageData* image);
+  void FindLoops(vtkInformationVector* output);
 
-  double Level = std::numeric_limits<double>::quiet_NaN();
+  double Level = 0.0;
+  bool AutomaticLevel = true;
+  bool LevelIsFromPanel = false;
+  double UsedLevel = 0.0;
   bool InsideIsHigher = true;
   int LargestComponents = 0;
 
+  vtkNew<vtkChokingLoops> Loops;
+  std::unique_ptr<isthmus::AutomaticLevel> LevelOfMap;
   struct Key;
   std::unique_ptr<Key> MadeOf; ///< the surface of the last run
   vtkSmartPointer<vtkPolyData> Surface;

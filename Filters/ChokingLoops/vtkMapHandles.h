@@ -91,7 +91,10 @@ public:
   ///@}
 
   ///@{
-  /// Take the stable level (default) or Level for contour and loops.
+  /// Take the stable level (default) or Level for contour and loops. The stable level is proposed
+  /// from the topology of the map over all levels; it is not the automatic level of vtkMapSurface
+  /// and vtkMapChokingLoops, which is recommended by the depositors or separates values. Setting
+  /// Level does not switch UseStableLevel off.
   vtkSetMacro(UseStableLevel, bool);
   vtkGetMacro(UseStableLevel, bool);
   vtkBooleanMacro(UseStableLevel, bool);

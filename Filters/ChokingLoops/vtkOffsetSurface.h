@@ -2,7 +2,7 @@
  * @class vtkOffsetSurface
  * @brief The points at a given distance from a surface: what is left for a ball to roll in.
  *
- * Shows what "choked at d" means (thesis, Fig. 6.4): at the `Distance` of a choking loop the offset
+ * Shows what "choked at d" means (thesis, Fig. 6.4): at the `Radius` of a choking loop the offset
  * surface pinches off there. The distance to the triangles is sampled on a regular grid, exactly
  * where it matters, and contoured (flying edges), so that the result is right to about the square
  * of the grid spacing over the distance.

@@ -1,10 +1,10 @@
 #include "vtkMapSurface.h"
 
+#include "Contouring/AutomaticLevel.h"
 #include "Contouring/ClosedLevelSet.h"
 #include "Contouring/DelaunayIsosurface.h"
 #include "Contouring/LevelTriangles.h"
 #include "Contouring/MapSurface.h"
-#include "Contouring/SensibleLevel.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
@@ -106,10 +106,13 @@ void AddComponents(const isthmus::DustResult& result, vtkPolyData* surface)
 }
 
 vtkMapSurface::vtkMapSurface()
+  : LevelOfMap(new isthmus::AutomaticLevel)
 {
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
+
+vtkMapSurface::~vtkMapSurface() = default;
 
 void vtkMapSurface::SetLevel(double level)
 {
@@ -140,31 +143,6 @@ int vtkMapSurface::RequestUpdateExtent(
   return 1;
 }
 
-double vtkMapSurface::ChooseLevel(vtkImageData* image, vtkDataArray* scalars)
-{
-  vtkDataArray* recommended = image->GetFieldData()->GetArray("RecommendedLevel");
-  if (recommended && recommended->GetNumberOfValues() == 1)
-  {
-    return recommended->GetComponent(0, 0);
-  }
-  const vtkMTimeType time = std::max(scalars->GetMTime(), image->GetMTime());
-  if (this->LevelOf != scalars || this->LevelTime != time ||
-    this->LevelIsHigher != this->InsideIsHigher)
-  {
-    std::vector<double> values;
-    isthmus::UseScalars(
-      image, scalars, [&](const auto& grid) { values = isthmus::SampleValues(grid); });
-    const double sign = this->InsideIsHigher ? 1.0 : -1.0;
-    std::transform(
-      values.begin(), values.end(), values.begin(), [sign](double value) { return sign * value; });
-    this->SensibleLevel = sign * isthmus::SensibleLevel(values);
-    this->LevelOf = scalars;
-    this->LevelTime = time;
-    this->LevelIsHigher = this->InsideIsHigher;
-  }
-  return this->SensibleLevel;
-}
-
 void vtkMapSurface::MakeSurface(vtkImageData* image, vtkPolyData* surface)
 {
   if (this->Quality != Cubes && this->Quality != Delaunay)
@@ -177,7 +155,8 @@ void vtkMapSurface::MakeSurface(vtkImageData* image, vtkPolyData* surface)
                                 "take the quality Cubes.");
   }
   vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
-  const double level = this->AutomaticLevel ? this->ChooseLevel(image, scalars) : this->Level;
+  const double level =
+    this->AutomaticLevel ? this->LevelOfMap->Of(image, scalars, this->InsideIsHigher) : this->Level;
   if (!std::isfinite(level))
   {
     throw std::invalid_argument("Level must be a finite number.");

@@ -27,8 +27,14 @@
 #include "vtkIsthmusFiltersContouringModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
-class vtkDataArray;
+#include <memory> // for the level
+
 class vtkImageData;
+
+namespace isthmus
+{
+class AutomaticLevel;
+}
 
 class VTKISTHMUSFILTERSCONTOURING_EXPORT vtkMapSurface : public vtkPolyDataAlgorithm
 {
@@ -113,14 +119,13 @@ public:
 
 protected:
   vtkMapSurface();
-  ~vtkMapSurface() override = default;
+  ~vtkMapSurface() override;
 
   int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  double ChooseLevel(vtkImageData* image, vtkDataArray* scalars);
   void MakeSurface(vtkImageData* image, vtkPolyData* surface);
 
   vtkMapSurface(const vtkMapSurface&) = delete;
@@ -137,11 +142,7 @@ private:
   int Quality = Cubes;
   bool GenerateNormals = true;
 
-  // What SensibleLevel said, and of what.
-  double SensibleLevel = 0.0;
-  vtkDataArray* LevelOf = nullptr; // compared only
-  vtkMTimeType LevelTime = 0;
-  bool LevelIsHigher = true;
+  std::unique_ptr<isthmus::AutomaticLevel> LevelOfMap;
 };
 
 #endif

@@ -32,7 +32,7 @@ void Find(const TriangleMesh& mesh, double below)
   for (std::size_t i = 0; i < loops.Diagram().Features.size(); ++i)
   {
     const ShapeFeature& f = loops.Diagram().Features[i];
-    if (IsGenerator(f) && f.Distance() < below)
+    if (IsGenerator(f) && f.Radius() < below)
     {
       benchmark::DoNotOptimize(MakeLoopFeature(loops, i, UntilGeodesic));
     }

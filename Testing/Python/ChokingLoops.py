@@ -28,9 +28,9 @@ loops = ChokingLoops(Input=shape)
 UpdatePipeline(proxy=loops)
 lines = output_of(loops, 0)
 assert lines.GetNumberOfCells() == 2, lines.GetNumberOfCells()
-for name in ("Kind", "Side", "KindName", "Radius", "Fill", "Widening", "Trusted", "Length", "Reach",
+for name in ("Kind", "Side", "KindName", "Radius", "Birth", "Death", "Persistence", "Trusted", "Length", "Reach",
              "FeatureId", "SharedWith", "Component",
-             "Distance", "Death", "Persistence"):  # the last three: the old names, one version
+             "Distance", "Fill", "Widening"):  # the last three are deprecated
     assert lines.GetCellData().GetAbstractArray(name), name
 kinds = {lines.GetCellData().GetAbstractArray("KindName").GetValue(i) for i in range(2)}
 assert kinds == {"handle", "tunnel"}, kinds

@@ -6,7 +6,7 @@
 #ifndef isthmus_CpuEstimate_h
 #define isthmus_CpuEstimate_h
 
-#include "ChokingLoops/AnalysisCost.h"
+#include "ChokingLoops/ChokingLoops.h"
 
 #include <sys/resource.h>
 

@@ -1,7 +1,6 @@
 // What an analysis is said to take: counts against shapes of known genus, bytes against the peak
 // that the kernel tells, seconds in CPU time, whose unit is a stage of the same run.
 
-#include "ChokingLoops/AnalysisCost.h"
 #include "ChokingLoops/ChokingLoops.h"
 #include "ChokingLoops/LoopDrawing.h"
 #include "ChokingSurfaces.h"

@@ -69,10 +69,12 @@ std::map<int, Told> ToldByLoops(vtkPolyData* loops)
     }
     t.Loops.push_back(polygon);
     EXPECT_EQ(ids->GetId(0), ids->GetId(ids->GetNumberOfIds() - 1)) << "not closed";
-    // Both names of one number, as long as there are two.
+    EXPECT_EQ(At(data, "Birth", c), t.Radius);
+    EXPECT_EQ(At(data, "Persistence", c), At(data, "Death", c) - At(data, "Birth", c));
+    // Deprecated names.
     EXPECT_EQ(At(data, "Distance", c), t.Radius);
-    EXPECT_EQ(At(data, "Death", c), At(data, "Fill", c));
-    EXPECT_EQ(At(data, "Persistence", c), At(data, "Widening", c));
+    EXPECT_EQ(At(data, "Fill", c), At(data, "Death", c));
+    EXPECT_EQ(At(data, "Widening", c), At(data, "Persistence", c));
   }
   return told;
 }
@@ -104,6 +106,7 @@ void ExpectAgreement(vtkChokingLoops* filter, const std::map<int, Told>& told)
     EXPECT_EQ(At(rows, "Kind", id), t.Kind);
     EXPECT_EQ(At(rows, "Side", id), t.Side);
     EXPECT_EQ(At(rows, At(rows, "Dimension", id) == 1 ? "Death" : "Birth", id), t.Radius);
+    EXPECT_EQ(At(rows, "Radius", id), t.Radius);
   }
   auto* membranes = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
   std::set<int> spanned;

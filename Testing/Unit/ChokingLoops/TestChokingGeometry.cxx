@@ -27,7 +27,7 @@ Errors ErrorsOf(ChokingLoops& loops, std::size_t feature, double radius)
   const LoopFeature shown = MakeLoopFeature(loops, feature, UntilGeodesic);
   EXPECT_EQ(shown.Lengths.size(), 1U);
   EXPECT_TRUE(loops.Diagram().Features[feature].Trusted);
-  return { std::abs(loops.Diagram().Features[feature].Distance() / radius - 1.0),
+  return { std::abs(loops.Diagram().Features[feature].Radius() / radius - 1.0),
     std::abs(shown.Lengths[0] / (2.0 * M_PI * radius) - 1.0) };
 }
 

@@ -325,7 +325,7 @@ std::map<std::pair<int, int>, std::vector<double>> DistancesOf(TriangleMesh mesh
   for (const std::size_t i : loops.Select({}))
   {
     const ShapeFeature& f = loops.Diagram().Features[i];
-    distances[{ static_cast<int>(f.Kind), static_cast<int>(f.Side) }].push_back(f.Distance());
+    distances[{ static_cast<int>(f.Kind), static_cast<int>(f.Side) }].push_back(f.Radius());
   }
   for (auto& entry : distances)
   {

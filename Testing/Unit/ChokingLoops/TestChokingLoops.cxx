@@ -17,7 +17,7 @@ namespace
 FeatureSelection Percent(double distance, double persistence)
 {
   FeatureSelection selection;
-  selection.MaximumDistance = { distance, true };
+  selection.MaximumRadius = { distance, true };
   selection.MinimumPersistence = { persistence, true };
   return selection;
 }
@@ -30,7 +30,7 @@ int Near(const ChokingLoops& loops, const FeatureSelection& selection, SpaceSide
   for (const std::size_t i : loops.Select(selection))
   {
     const ShapeFeature& f = loops.Diagram().Features[i];
-    count += f.Side == side && std::abs(f.Distance() / centre - 1.0) < tolerance;
+    count += f.Side == side && std::abs(f.Radius() / centre - 1.0) < tolerance;
   }
   return count;
 }
@@ -123,7 +123,7 @@ TEST(ChokingLoops, NeckOfADumbbell)
   ASSERT_EQ(chosen.size(), 1U);
   const ShapeFeature& f = loops.Diagram().Features[chosen[0]];
   EXPECT_EQ(f.Kind, FeatureKind::Additional);
-  EXPECT_NEAR(f.Distance(), neck, 0.01 * neck);
+  EXPECT_NEAR(f.Radius(), neck, 0.01 * neck);
   const LoopFeature shown = MakeLoopFeature(loops, chosen[0], 1000);
   EXPECT_NEAR(shown.Lengths[0], 2.0 * M_PI * neck, 0.01 * 2.0 * M_PI * neck);
   EXPECT_NEAR(shown.Area, M_PI * neck * neck, 0.2 * M_PI * neck * neck);
@@ -159,7 +159,7 @@ TEST(ChokingLoops, ErrorFallsWithRefinement)
     {
       if (loops.Diagram().Features[i].Kind == FeatureKind::Handle)
       {
-        distance = loops.Diagram().Features[i].Distance();
+        distance = loops.Diagram().Features[i].Radius();
         length = MakeLoopFeature(loops, i, 1000).Lengths[0];
       }
     }
@@ -213,8 +213,8 @@ bool IsMended(TriangleMesh mesh, const std::string& words)
   try
   {
     const ChokingLoops loops(std::move(mesh));
-    EXPECT_NE(loops.Mended().Told.find(words), std::string::npos) << loops.Mended().Told;
-    EXPECT_GT(loops.Mended().Changed, 0);
+    EXPECT_NE(loops.Repairs().Message.find(words), std::string::npos) << loops.Repairs().Message;
+    EXPECT_GT(loops.Repairs().Changed, 0);
     return true;
   }
   catch (const std::invalid_argument& error)

@@ -111,9 +111,9 @@ TEST(ChokingLoopsFilter, SteeringDoesNotAnalyseAgain)
     { [loops] { loops->SetSide(vtkChokingLoops::Inside); }, 31 + 59 },
     { [loops] { loops->SetShortening(vtkChokingLoops::Geodesic); }, 31 + 59 },
     { [loops] { loops->SetSide(vtkChokingLoops::Outside); }, 31 + 1 },
-    { [loops] { loops->SetMaximumDistance(25.0); }, 31 },
+    { [loops] { loops->SetMaximumRadius(25.0); }, 31 },
     { [loops] { loops->SetAlwaysReportHandles(false); }, 12 },
-    { [loops] { loops->SetMaximumDistanceUnit(vtkChokingLoops::Absolute); }, 31 + 1 },
+    { [loops] { loops->SetMaximumRadiusUnit(vtkChokingLoops::Absolute); }, 31 + 1 },
     { [loops] { loops->SetShorteningRounds(2); }, 31 + 1 },
   };
   for (const auto& [change, count] : changes)
@@ -213,9 +213,9 @@ TEST(ChokingLoopsFilter, WhereTheFirstOfTwoThatShareGoesTheOtherStandsAlone)
   const ShownFeature first{ tunnel, &loop, -1 };
   std::vector<ShownFeature> shown{ first, { handle, &loop, static_cast<std::ptrdiff_t>(tunnel) } };
   EXPECT_NEAR(ReachOf(loops, first), 1.3 / 0.7, 0.05);
-  KeepWithin(loops, { 0.0, 2.0, false }, shown);
+  ApplyLimits(loops, { 0.0, 2.0, false }, shown);
   EXPECT_EQ(shown.size(), 2U);
-  KeepWithin(loops, { 0.0, 1.5, false }, shown);
+  ApplyLimits(loops, { 0.0, 1.5, false }, shown);
   ASSERT_EQ(shown.size(), 1U);
   EXPECT_EQ(shown[0].Index, handle);
   EXPECT_EQ(shown[0].SharedWith, -1);

@@ -81,13 +81,13 @@ void ExpectTight(const Analysed& analysed, bool areSmooth = true)
     if (f.Trusted)
     {
       EXPECT_GE(*std::max_element(lengths.begin(), lengths.end()), 0.98 * ShortestGirth(f))
-        << "feature " << shown.Index << " of radius " << f.Distance();
+        << "feature " << shown.Index << " of radius " << f.Radius();
     }
     for (std::size_t k = 0; areSmooth && k < lengths.size(); ++k)
     {
       EXPECT_LT(
-        SharpestTurn(PolygonOf(analysed.Loops, *shown.Geometry, k), 1e-6 * f.Distance()), Corner)
-        << "feature " << shown.Index << " of radius " << f.Distance() << ", side "
+        SharpestTurn(PolygonOf(analysed.Loops, *shown.Geometry, k), 1e-6 * f.Radius()), Corner)
+        << "feature " << shown.Index << " of radius " << f.Radius() << ", side "
         << static_cast<int>(f.Side) << ", length " << lengths[k];
     }
   }
@@ -111,7 +111,7 @@ void ExpectLoops(const Analysed& analysed, const std::vector<Neck>& necks, Space
     for (std::size_t n = 0; n < necks.size(); ++n)
     {
       const Point3 d = MiddleOf(PolygonOf(analysed.Loops, *shown.Geometry, 0)) - necks[n].Place;
-      const double place = std::sqrt(Dot(d, d)) / f.Distance();
+      const double place = std::sqrt(Dot(d, d)) / f.Radius();
       if (place < 0.35)
       {
         const double girth = 2.0 * M_PI * necks[n].Radius;
@@ -238,7 +238,7 @@ TEST(ChokingNecks, NestedShells)
   {
     const auto& lengths = shown.Geometry->Lengths;
     std::cout << "side " << static_cast<int>(analysed.Feature(shown).Side) << " radius "
-              << analysed.Feature(shown).Distance() << " loops";
+              << analysed.Feature(shown).Radius() << " loops";
     for (const double length : lengths)
     {
       std::cout << " " << length;
@@ -294,7 +294,7 @@ void ExpectSharedRightly(const Analysed& analysed)
 {
   for (const ShownFeature& shown : analysed.Shown)
   {
-    const double radius = analysed.Feature(shown).Distance();
+    const double radius = analysed.Feature(shown).Radius();
     for (const ShownFeature& other : analysed.Shown)
     {
       if (static_cast<std::ptrdiff_t>(other.Index) == shown.SharedWith)

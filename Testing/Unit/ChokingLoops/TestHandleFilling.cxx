@@ -37,7 +37,7 @@ std::array<std::vector<double>, 2> RadiiOf(const TriangleMesh& mesh)
   {
     if (IsGenerator(f))
     {
-      radii[static_cast<std::size_t>(f.Kind)].push_back(f.Distance());
+      radii[static_cast<std::size_t>(f.Kind)].push_back(f.Radius());
     }
   }
   std::sort(radii[0].begin(), radii[0].end());

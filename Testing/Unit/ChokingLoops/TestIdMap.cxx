@@ -1,6 +1,6 @@
 // The table of what is known of some ids, against std::map.
 
-#include "ChokingLoops/IdMap.h"
+#include "ChokingLoops/SurfacePaths.h"
 #include "Core/Handles.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
-#include "ChokingLoops/MorseValues.h"
+#include "Persistence/SurfaceDistance.h"
 
-#include "ChokingLoops/SurfaceDistance.h"
 #include "ChokingSurfaces.h"
 
 #include <gtest/gtest.h>

@@ -90,7 +90,7 @@ void AddNeedle(TriangleMesh& mesh, std::size_t t, double area)
 
 void ExpectMended(const TriangleMesh& damaged, double handles, double tunnels)
 {
-  SurfaceMending mending;
+  RepairReport mending;
   const TriangleMesh mended = CheckedSurface(damaged, false, {}, &mending);
   EXPECT_TRUE(FindDefects(mended).None());
   EXPECT_TRUE(ThinTriangles(mended).empty());
@@ -107,19 +107,19 @@ void ExpectMended(const TriangleMesh& damaged, double handles, double tunnels)
   EXPECT_EQ(facts->GetArray("NumberOfTunnels")->GetTuple1(0), tunnels);
 }
 
-TEST(SurfaceMending, NothingToDo)
+TEST(RepairReport, NothingToDo)
 {
-  SurfaceMending mending;
+  RepairReport mending;
   const TriangleMesh torus = Torus(1.0, 0.3, 30, 20);
   const TriangleMesh checked = CheckedSurface(torus, false, {}, &mending);
   EXPECT_EQ(checked.Triangles, torus.Triangles);
   EXPECT_EQ(mending.Changed, 0);
-  EXPECT_TRUE(mending.Told.empty());
+  EXPECT_TRUE(mending.Message.empty());
   FilterRun run(DataOf(torus));
   EXPECT_FALSE(run.Surface(0)->GetFieldData()->GetArray("Repaired"));
 }
 
-TEST(SurfaceMending, Needles)
+TEST(RepairReport, Needles)
 {
   for (const double area : { 1e-8, 1e-10, 1e-12, 1e-14, 1e-15 })
   {
@@ -131,7 +131,7 @@ TEST(SurfaceMending, Needles)
   }
 }
 
-TEST(SurfaceMending, CapsAndPointsOnEdges)
+TEST(RepairReport, CapsAndPointsOnEdges)
 {
   TriangleMesh mesh = Torus(1.0, 0.3, 30, 20);
   const Triangle t = mesh.Triangles[100];
@@ -140,7 +140,7 @@ TEST(SurfaceMending, CapsAndPointsOnEdges)
   ExpectMended(mesh, 1.0, 1.0);
 }
 
-TEST(SurfaceMending, SheetsThatTouchInAPoint)
+TEST(RepairReport, SheetsThatTouchInAPoint)
 {
   TriangleMesh pair = Torus(1.0, 0.3, 30, 20);
   const TriangleMesh other = pair;
@@ -164,7 +164,7 @@ TEST(SurfaceMending, SheetsThatTouchInAPoint)
   ExpectMended(pair, 2.0, 2.0);
 }
 
-TEST(SurfaceMending, TooMuchToMendIsRefused)
+TEST(RepairReport, TooMuchToMendIsRefused)
 {
   TriangleMesh crossed = Torus(1.0, 0.3, 30, 20);
   Append(crossed, Torus(1.0, 0.3, 30, 20), { 0.5, 0.1, 0.2 });
@@ -174,7 +174,7 @@ TEST(SurfaceMending, TooMuchToMendIsRefused)
   EXPECT_EQ(run.Surface(0)->GetNumberOfCells(), 0);
 }
 
-TEST(SurfaceMending, MemoryLimitEndsInASentence)
+TEST(RepairReport, MemoryLimitEndsInASentence)
 {
   FilterRun run(DataOf(Torus(1.0, 0.3, 30, 20)), [](vtkChokingLoops* f) { f->SetMemoryLimit(5); });
   EXPECT_NE(run.Messages().find("MemoryLimit is"), std::string::npos) << run.Messages();
@@ -223,7 +223,7 @@ int Cases()
   return asked ? std::atoi(asked) : 24;
 }
 
-TEST(SurfaceMending, DamagedSurfaces)
+TEST(RepairReport, DamagedSurfaces)
 {
   const std::vector<std::string> names{ "Kitten.off", "double-torus.obj", "fandisk.off",
     "knot1.off", "rocker_arm_1600.off", "eight.off" };

@@ -2,7 +2,7 @@
 // boundary matrix, its two-tetrahedra example, and the four Morse functions through the filter.
 
 #include "BlockMeshes.h"
-#include "ChokingLoops/SurfaceDistance.h"
+#include "Persistence/SurfaceDistance.h"
 #include "ChokingSurfaces.h"
 #include "LoopChecks.h"
 #include "Persistence/EdgeDistances.h"
@@ -160,7 +160,7 @@ TEST(LowerStarFiltration, PairsAreThoseOfThePlainReduction)
         std::multiset<Pair> found;
         for (const ShapeFeature& f : loops.Diagram().Features)
         {
-          found.emplace(f.Dimension, f.Birth, f.Death);
+          found.emplace(f.Dimension, f.PairBirth, f.PairDeath);
         }
         ASSERT_EQ(found.size(), expected.size()) << c.Name << ", seed " << seed;
         for (auto a = found.begin(), b = expected.begin(); a != found.end(); ++a, ++b)

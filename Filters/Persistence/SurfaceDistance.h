@@ -1,23 +1,25 @@
 /**
  * @file SurfaceDistance.h
- * @brief Distance to a triangle surface: exact at points, or at the nodes of a grid.
+ * @brief Distance to a triangle surface at points, at the nodes of a grid, or at the points of a
+ * tetrahedral mesh as a function for its lower-star filtration.
  */
 #ifndef isthmus_SurfaceDistance_h
 #define isthmus_SurfaceDistance_h
 
 #include "Core/Geometry.h"
 #include "Core/Progress.h"
+#include "Core/TetrahedralMesh.h"
+#include "Core/TriangleMesh.h"
 #include "Surfaces/SurfaceCrossings.h"
-#include "vtkIsthmusFiltersChokingLoopsModule.h"
+#include "vtkIsthmusFiltersPersistenceModule.h"
 
 namespace isthmus
 {
 
 /// Distance, not signed, of each point to the nearest point of any triangle, by a
 /// TriangleTree. Some microseconds a point, in parallel, the same bits on any number of threads.
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<double> SurfaceDistances(
-  const SurfaceView& surface, const std::vector<Point3>& points,
-  const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<double> SurfaceDistances(const SurfaceView& surface,
+  const std::vector<Point3>& points, const ProgressCallback& progress = {});
 
 /// A regular grid over a box.
 struct DistanceGrid
@@ -28,7 +30,7 @@ struct DistanceGrid
   std::vector<double> Values; ///< x fastest
 
   /// Trilinear; `p` is clamped to the grid.
-  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double At(const Point3& p) const;
+  VTKISTHMUSFILTERSPERSISTENCE_EXPORT double At(const Point3& p) const;
 };
 
 inline GridShape ShapeOf(const DistanceGrid& grid)
@@ -42,7 +44,7 @@ inline GridShape ShapeOf(const DistanceGrid& grid)
  * By DistanceToSurface(): exact within two spacings h of the surface; farther away too large by at
  * most about h^2 / (2 distance), which is what trilinear sampling may be wrong by as well.
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT DistanceGrid GridOfDistances(const SurfaceView& surface,
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT DistanceGrid GridOfDistances(const SurfaceView& surface,
   const Bounds3& box, std::int64_t cells, const ProgressCallback& progress = {});
 
 /**
@@ -50,8 +52,24 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT DistanceGrid GridOfDistances(const SurfaceV
  * it is exact: |grad d| = 1 solved to first order, error O(h log h), as the thesis has it where a
  * surface comes from an implicit function that is no signed distance (6.3.2).
  */
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT DistanceGrid MarchedDistances(const SurfaceView& surface,
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT DistanceGrid MarchedDistances(const SurfaceView& surface,
   const Bounds3& box, std::int64_t cells, const ProgressCallback& progress = {});
+
+/// The numbers are vtkChokingLoops::MorseFunctionType's.
+enum class MorseFunction
+{
+  ClosestPoint = 0, ///< exact
+  EdgePaths = 1,    ///< shortest way along edges of the mesh (thesis, field B)
+  GridDistance = 2, ///< exact at the nodes of a grid, between them trilinear (field A)
+  FastMarching = 4  ///< marched on that grid (field C)
+};
+
+/// Cells of the grids along the longest side of the mesh's box.
+constexpr std::int64_t MorseGridCells = 100;
+
+/// Values at the mesh's points, 0 on the surface. Errors and cost: above, and EdgeDistances.h.
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<double> MorseValues(const SurfaceView& surface,
+  const TetrahedralMesh& mesh, MorseFunction function, const ProgressCallback& progress = {});
 
 }
 
