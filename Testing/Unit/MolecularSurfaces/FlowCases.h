@@ -6,6 +6,7 @@
 #define isthmus_FlowCases_h
 
 #include "BallPoints.h"
+#include "Core/Geometry.h"
 #include "Core/PolyDataTriangles.h"
 #include "MolecularSurfaces/SurfaceFlowParameters.h"
 #include "Surfaces/SurfaceMeasures.h"
@@ -28,8 +29,6 @@
 
 namespace isthmus::testing
 {
-
-constexpr double Pi = 3.14159265358979323846;
 
 /// Two balls of radius R, centres at +-`distance` R: the minimal surface around them.
 struct Catenoid

@@ -1,6 +1,7 @@
 // Overlaps, unions, voids and pockets against Monte Carlo, points on spheres, and each other.
 
 #include "Atoms/BallOverlap.h"
+#include "Core/Geometry.h"
 #include "Pockets/EmptySpace.h"
 #include "Pockets/MolecularPockets.h"
 
@@ -16,8 +17,6 @@ using namespace isthmus;
 
 namespace
 {
-
-constexpr double Pi = 3.14159265358979323846;
 
 Point3 OnSphere(std::mt19937& random)
 {

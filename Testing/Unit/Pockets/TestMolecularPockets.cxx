@@ -1,5 +1,6 @@
 // Real proteins turned, moved, shuffled; areas by a second method; who is left out; bad input.
 
+#include "Core/Geometry.h"
 #include "vtkMolecularPockets.h"
 
 #include "Atoms/PolymerAtoms.h"
@@ -33,8 +34,6 @@ using namespace isthmus;
 
 namespace
 {
-
-constexpr double Pi = 3.14159265358979323846;
 
 /// The chain's heavy atoms of a file.
 std::vector<Ball> AtomsOf(const std::string& path)

@@ -1,5 +1,6 @@
 // Pockets weighed by a surface: means and ranks that are known; what binding sites say of them.
 
+#include "Core/Geometry.h"
 #include "Pockets/MolecularPockets.h"
 #include "Pockets/PocketSurface.h"
 #include "vtkBindingSites.h"
@@ -30,7 +31,6 @@ using namespace isthmus;
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
 constexpr double Apart = 40.0;
 
 /// Two hollow balls of atoms, the first the larger: two voids.

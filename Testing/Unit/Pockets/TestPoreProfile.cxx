@@ -1,11 +1,12 @@
 // Pores of known width: hyperboloids and tubes of atoms; turned and moved; what is no pore; bad
 // input.
 
+#include "Core/Geometry.h"
 #include "vtkPoreProfile.h"
 
 #include "BallPoints.h"
-#include "Pockets/PoreRadius.h"
 #include "Pockets/PoreProfile.h"
+#include "Pockets/PoreRadius.h"
 
 #include <vtkCommand.h>
 #include <vtkDoubleArray.h>
@@ -28,7 +29,6 @@ using isthmus::testing::AtomsOf;
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
 constexpr double Throat = 2.2; // of the free room, angstrom
 constexpr double Radius = 1.5; // of the atoms
 constexpr double Slope = 0.45;
