@@ -4,11 +4,17 @@
 #include "ChokingLoops/SurfaceHomology.h"
 #include "Core/Index.h"
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized" // in boost/graph/detail/adjacency_list.hpp
+#endif
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace isthmus
@@ -19,195 +25,62 @@ namespace isthmus
 namespace
 {
 
-constexpr std::int64_t Unbounded = std::numeric_limits<std::int64_t>::max();
+using FlowGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS,
+  boost::no_property, boost::property<boost::edge_index_t, std::size_t>>;
+using FlowArc = boost::graph_traits<FlowGraph>::edge_descriptor;
 
-/// An arc of the network, beside the others that leave its node: what searches look at comes in
-/// rows.
-struct Arc
-{
-  std::int64_t Left; ///< what it can still take
-  std::int64_t Both; ///< with what its twin can
-  std::int32_t Target;
-  std::int32_t Twin; ///< the arc the other way
-
-  /// What the twin can still take.
-  std::int64_t Back() const { return this->Both - this->Left; }
-};
-
-/// Node `nodes` feeds the sources, the one after it drains the sinks.
-class Network
+/// Links as arcs in both directions, each the reverse of the other.
+class FlowNetwork
 {
 public:
-  Network(std::int32_t nodes, const std::vector<FlowLink>& links,
-    const std::vector<std::int32_t>& sources, const std::vector<std::int32_t>& sinks)
-    : Feed(nodes)
-    , Drain(nodes + 1)
-    , First(At(nodes) + 3, 0)
-    , Level(At(nodes) + 2)
+  explicit FlowNetwork(std::int32_t nodes)
+    : Graph(At(nodes))
   {
-    this->Queue.reserve(At(nodes) + 2);
-    const auto forAll = [&](auto&& visit)
-    {
-      for (const FlowLink& link : links)
-      {
-        visit(link.Nodes[0], link.Nodes[1], link.Capacity, link.Capacity);
-      }
-      for (const std::int32_t node : sources)
-      {
-        visit(this->Feed, node, Unbounded, std::int64_t{ 0 });
-      }
-      for (const std::int32_t node : sinks)
-      {
-        visit(node, this->Drain, Unbounded, std::int64_t{ 0 });
-      }
-    };
-    forAll(
-      [this](std::int32_t from, std::int32_t to, std::int64_t, std::int64_t)
-      {
-        ++this->First[At(from) + 1];
-        ++this->First[At(to) + 1];
-      });
-    std::partial_sum(this->First.begin(), this->First.end(), this->First.begin());
-    this->Arcs.resize(At(this->First.back()));
-    std::vector<std::int32_t> next(this->First.begin(), this->First.end() - 1);
-    forAll(
-      [this, &next](std::int32_t from, std::int32_t to, std::int64_t along, std::int64_t against)
-      {
-        const std::int32_t there = next[At(from)]++;
-        const std::int32_t back = next[At(to)]++;
-        this->Arcs[At(there)] = { along, along + against, to, back };
-        this->Arcs[At(back)] = { against, along + against, from, there };
-      });
   }
 
-  /// Distances to the drain along arcs that are not full, as far as the feed is; false: there is no
-  /// way from it. Measured from there, a way that begins at the feed hardly ever ends elsewhere.
-  bool Measure();
+  void Add(std::int32_t from, std::int32_t to, std::int64_t along, std::int64_t against)
+  {
+    const FlowArc there = this->AddArc(from, to, along);
+    const FlowArc back = this->AddArc(to, from, against);
+    this->Reverse.push_back(back);
+    this->Reverse.push_back(there);
+  }
 
-  /// Per node, 1 where flow from the feed could still get.
-  std::vector<char> Reached() const;
-
-  /// Fills shortest paths until each has a full arc.
-  void Block();
+  /// One char a node: 1 for those that flow from `source` could still reach.
+  std::vector<char> Reached(std::int32_t source, std::int32_t sink)
+  {
+    const std::size_t nodes = num_vertices(this->Graph);
+    std::vector<std::int64_t> residual(this->Capacity.size());
+    std::vector<FlowArc> predecessor(nodes);
+    std::vector<boost::default_color_type> colour(nodes);
+    std::vector<std::int64_t> distance(nodes);
+    const auto arc = get(boost::edge_index, this->Graph);
+    const auto node = get(boost::vertex_index, this->Graph);
+    boost::boykov_kolmogorov_max_flow(this->Graph,
+      boost::make_iterator_property_map(this->Capacity.begin(), arc),
+      boost::make_iterator_property_map(residual.begin(), arc),
+      boost::make_iterator_property_map(this->Reverse.begin(), arc),
+      boost::make_iterator_property_map(predecessor.begin(), node),
+      boost::make_iterator_property_map(colour.begin(), node),
+      boost::make_iterator_property_map(distance.begin(), node), node, At(source), At(sink));
+    std::vector<char> reached(nodes);
+    std::transform(colour.begin(), colour.end(), reached.begin(),
+      [](boost::default_color_type c)
+      { return static_cast<char>(c == boost::black_color); }); // the tree of the source
+    return reached;
+  }
 
 private:
-  std::int32_t From(std::int32_t arc) const
+  FlowArc AddArc(std::int32_t from, std::int32_t to, std::int64_t capacity)
   {
-    return this->Arcs[At(this->Arcs[At(arc)].Twin)].Target;
+    this->Capacity.push_back(capacity);
+    return add_edge(At(from), At(to), this->Capacity.size() - 1, this->Graph).first;
   }
 
-  /// As much along a path as it takes, and the place of its first arc that is full then.
-  std::size_t Fill(const std::vector<std::int32_t>& path)
-  {
-    std::int64_t least = Unbounded;
-    std::size_t full = 0;
-    for (std::size_t i = 0; i < path.size(); ++i)
-    {
-      if (this->Arcs[At(path[i])].Left < least)
-      {
-        least = this->Arcs[At(path[i])].Left;
-        full = i;
-      }
-    }
-    for (const std::int32_t at : path)
-    {
-      Arc& arc = this->Arcs[At(at)];
-      if (arc.Left != Unbounded) // from the feed and to the drain, which nothing comes back from
-      {
-        arc.Left -= least;
-        this->Arcs[At(arc.Twin)].Left += least;
-      }
-    }
-    return full;
-  }
-
-  std::int32_t Feed;
-  std::int32_t Drain;
-  std::vector<std::int32_t> First; ///< arcs that leave node n: Arcs[First[n]] to Arcs[First[n + 1]]
-  std::vector<Arc> Arcs;
-  std::vector<std::int32_t> Level;
-  std::vector<std::int32_t> Queue; ///< of Measure()
+  FlowGraph Graph;
+  std::vector<std::int64_t> Capacity;
+  std::vector<FlowArc> Reverse;
 };
-
-bool Network::Measure()
-{
-  std::fill(this->Level.begin(), this->Level.end(), -1);
-  std::vector<std::int32_t>& queue = this->Queue;
-  queue.assign(1, this->Drain);
-  this->Level[At(this->Drain)] = 0;
-  for (std::size_t i = 0; i < queue.size() && this->Level[At(this->Feed)] < 0; ++i)
-  {
-    for (std::int32_t k = this->First[At(queue[i])]; k < this->First[At(queue[i]) + 1]; ++k)
-    {
-      const Arc& arc = this->Arcs[At(k)];
-      if (arc.Back() > 0 && this->Level[At(arc.Target)] < 0)
-      {
-        this->Level[At(arc.Target)] = this->Level[At(queue[i])] + 1;
-        queue.push_back(arc.Target);
-      }
-    }
-  }
-  return this->Level[At(this->Feed)] >= 0;
-}
-
-std::vector<char> Network::Reached() const
-{
-  std::vector<char> reached(this->Level.size(), 0);
-  std::vector<std::int32_t> queue{ this->Feed };
-  reached[At(this->Feed)] = 1;
-  for (std::size_t i = 0; i < queue.size(); ++i)
-  {
-    for (std::int32_t k = this->First[At(queue[i])]; k < this->First[At(queue[i]) + 1]; ++k)
-    {
-      const Arc& arc = this->Arcs[At(k)];
-      if (arc.Left > 0 && reached[At(arc.Target)] == 0)
-      {
-        reached[At(arc.Target)] = 1;
-        queue.push_back(arc.Target);
-      }
-    }
-  }
-  return reached;
-}
-
-void Network::Block()
-{
-  std::vector<std::int32_t> next(this->First.begin(), this->First.end() - 1);
-  std::vector<std::int32_t> path;
-  std::int32_t node = this->Feed;
-  for (;;)
-  {
-    if (node == this->Drain)
-    {
-      const std::size_t full = this->Fill(path);
-      node = this->From(path[full]);
-      path.resize(full); // what leads there can take more
-      continue;
-    }
-    std::int32_t& k = next[At(node)];
-    const std::int32_t end = this->First[At(node) + 1];
-    const std::int32_t below = this->Level[At(node)] - 1;
-    const auto leadsOn = [&](const Arc& arc)
-    { return arc.Left > 0 && this->Level[At(arc.Target)] == below; };
-    while (k < end && !leadsOn(this->Arcs[At(k)]))
-    {
-      ++k;
-    }
-    if (k < end)
-    {
-      path.push_back(k);
-      node = this->Arcs[At(k)].Target;
-      continue;
-    }
-    if (path.empty())
-    {
-      return;
-    }
-    node = this->From(path.back());
-    path.pop_back();
-    ++next[At(node)];
-  }
-}
 
 }
 
@@ -215,14 +88,23 @@ std::vector<char> MinimumCut(std::int32_t nodes, const std::vector<FlowLink>& li
   const std::vector<std::int32_t>& sources, const std::vector<std::int32_t>& sinks,
   const ProgressCallback& progress)
 {
-  Network network(nodes, links, sources, sinks);
-  for (int sweep = 0; network.Measure(); ++sweep)
+  constexpr std::int64_t Unbounded = std::numeric_limits<std::int64_t>::max() / 4;
+  Report(progress, 0.0);
+  FlowNetwork network(nodes + 2); // the last two feed the sources and drain the sinks
+  for (const FlowLink& link : links)
   {
-    Report(progress, 1.0 - std::pow(0.95, sweep)); // nobody knows how many there will be
-    network.Block();
+    network.Add(link.Nodes[0], link.Nodes[1], link.Capacity, link.Capacity);
   }
-  std::vector<char> reached = network.Reached();
-  reached.resize(At(nodes)); // without feed and drain
+  for (const std::int32_t node : sources)
+  {
+    network.Add(nodes, node, Unbounded, 0);
+  }
+  for (const std::int32_t node : sinks)
+  {
+    network.Add(node, nodes + 1, Unbounded, 0);
+  }
+  std::vector<char> reached = network.Reached(nodes, nodes + 1);
+  reached.resize(At(nodes));
   return reached;
 }
 

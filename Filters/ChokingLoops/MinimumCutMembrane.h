@@ -33,11 +33,11 @@ struct FlowLink
  * links. The links from 1 to 0 are a minimum cut, the one nearest to the sources. Whole numbers,
  * so that the answer depends on nothing but the input.
  *
- * Source: E. A. Dinic, Soviet Math. Doklady 11 (1970) 1277: blocking flows along shortest paths.
- * Worst case O(nodes^2 links); on the graphs of tetrahedra here some 20 sweeps. 48 bytes a link.
+ * Source: Y. Boykov, V. Kolmogorov, IEEE Trans. PAMI 26 (2004) 1124, by Boost.Graph. It runs to its
+ * end once begun: 0.1 s on the largest graphs of tetrahedra here.
  *
  * @pre nodes of links, sources and sinks lie in [0, nodes); no node is source and sink.
- * @throws Cancelled.
+ * @throws Cancelled before it begins.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<char> MinimumCut(std::int32_t nodes,
   const std::vector<FlowLink>& links, const std::vector<std::int32_t>& sources,
