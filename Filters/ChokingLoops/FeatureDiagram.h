@@ -138,7 +138,7 @@ inline const std::vector<int>& SpaceRegions::OfTriangle(TriangleId triangle)
 }
 
 // ------------------------------------------------------------------------------------------
-// Every narrowing of a shape, as the pairs of its filtration tell.
+// Every narrowing of a shape, from the pairs of its filtration.
 
 enum class FeatureKind
 {

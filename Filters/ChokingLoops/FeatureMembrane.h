@@ -89,7 +89,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT HomologySpan BoundingClasses(
   const FeatureContext& context, const LocatedFeatures& features, SpaceSide side);
 
 // ------------------------------------------------------------------------------------------
-// Loops round a choke point of other classes than the cycle that its triangle closed.
+// Loops around a choke point in other classes than the cycle that its triangle closed.
 
 /**
  * For a choke whose own loops can be drawn together on M, or slide off it: the shortest loops along

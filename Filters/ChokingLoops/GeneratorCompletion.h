@@ -67,7 +67,7 @@ private:
 };
 
 // ------------------------------------------------------------------------------------------
-// Handles and tunnels that the samples of a surface do not settle, found on the surface.
+// Handles and tunnels that the samples of a surface do not resolve, found on the surface.
 
 /// How many handles and tunnels the samples do not settle: not above the sampling error, or without
 /// a loop.

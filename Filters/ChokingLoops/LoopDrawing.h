@@ -49,7 +49,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double SharpestTurn(
   const std::vector<Point3>& polygon, double least);
 
 // ------------------------------------------------------------------------------------------
-// From a membrane's loops along edges to tight ones, with the membrane that follows them.
+// From a membrane's loops along edges to geodesic ones, with the membrane adapted to them.
 
 /// Geometry of one feature. Membrane corners are ids: those below the number of samples are points
 /// of the sampled surface, the others Extra points.
@@ -139,7 +139,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT LoopFeature MakeLoopFeature(ChokingLoops& l
   const LoopTolerances& tolerances = {});
 
 // ------------------------------------------------------------------------------------------
-// The loops of many features, and how long drawing them is going to take.
+// The loops of many features, and the estimated time to draw them.
 
 /// What is left to draw, and how long that is going to take.
 struct DrawingCost

@@ -54,7 +54,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceCurve ShortenLoop(const SurfaceAdjac
   const ProgressCallback& progress = {});
 
 // ------------------------------------------------------------------------------------------
-// A closed curve on a triangle surface, drawn tight between points that it must pass.
+// A closed curve that is geodesic between fixed points.
 
 /**
  * As ShortenLoop(), but the curve keeps passing `pins`, points of `loop`, which need not be
@@ -67,7 +67,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceCurve ShortenPinned(const SurfaceAdj
   const LoopShorteningParameters& parameters = {}, const ProgressCallback& progress = {});
 
 // ------------------------------------------------------------------------------------------
-// Takes the corners off a curve that is held at points of a surface.
+// Cuts the corners of a curve that is held at points of a surface.
 
 /**
  * At each pin (SurfaceCurve::Pins) where the curve turns by more than `sharpest` radians, the piece

@@ -19,7 +19,7 @@ namespace isthmus
 {
 
 // ------------------------------------------------------------------------------------------
-// The cheapest set of links whose removal parts sources from sinks.
+// The minimum cut of a network: the cheapest set of links that separates sources from sinks.
 
 /// A link of two nodes that flow may pass either way.
 struct FlowLink
@@ -44,7 +44,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<char> MinimumCut(std::int32_t n
   const std::vector<std::int32_t>& sinks, const ProgressCallback& progress = {});
 
 // ------------------------------------------------------------------------------------------
-// The tetrahedra round a choke triangle, and the triangles that link them.
+// The tetrahedra around a choke triangle, and the triangles between them.
 
 /// Place of a cell among the surroundings of a choke.
 using CellPlace = Handle<struct SurroundingCell, std::int32_t>;

@@ -140,7 +140,7 @@ private:
 };
 
 // ------------------------------------------------------------------------------------------
-// Sets of triangles of a complex: their boundary, and what of them hangs together.
+// Chains of triangles of a complex: their boundary and their connected pieces.
 
 /// Adds an element over Z/2.
 template <typename Id>
@@ -161,7 +161,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleChain ConnectedPiece(const CellFilt
   const SurfaceInComplex& surface, const std::set<TriangleId>& triangles, TriangleId seed);
 
 // ------------------------------------------------------------------------------------------
-// When does each class of loops on a surface become fillable?
+// The triangle, hence the radius, at which each class of loops on a surface dies.
 
 /// A class of H1(M) that dies in the complex.
 struct SurfaceGenerator

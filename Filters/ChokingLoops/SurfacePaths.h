@@ -25,7 +25,7 @@ namespace isthmus
 {
 
 // ------------------------------------------------------------------------------------------
-// Half edges of a closed triangle surface: who is beside, round a point, along an edge.
+// Half edges of a closed triangle surface: neighbours across, around a point, along an edge.
 
 /// A side of a triangle seen from it: 3 t + k runs from corner k of triangle t.
 using HalfEdgeId = Handle<struct SurfaceHalfEdge, SimplexId>;
@@ -304,7 +304,7 @@ inline Point2 PointOn(const UnfoldedStrip& plane, std::size_t i, double fraction
 }
 
 // ------------------------------------------------------------------------------------------
-// The shortest path through a row of edges in the plane.
+// The funnel algorithm: the shortest path through a sequence of edges in the plane.
 //
 // Source: D. T. Lee, F. P. Preparata, "Euclidean shortest paths in the presence of rectilinear
 // barriers", Networks 14 (1984) 393: the funnel between the borders of a sleeve of triangles.
@@ -318,7 +318,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<double> FunnelCrossings(
   const UnfoldedStrip& plane, const Point2& p, const Point2& q);
 
 // ------------------------------------------------------------------------------------------
-// A strip of triangles led round the other side of a point.
+// A strip of triangles rerouted around the other side of a point.
 
 /// Angle at From(h) of the triangle left of h.
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double CornerAngle(

@@ -16,7 +16,7 @@ namespace isthmus
 {
 
 // ------------------------------------------------------------------------------------------
-// Small damage of a surface repaired before its choking loops are sought.
+// Repair of small defects of a surface before its analysis.
 
 /// What was done to a surface.
 struct RepairReport
@@ -43,7 +43,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh RepairedForAnalysis(const Surf
   const ProgressCallback& progress = {});
 
 // ------------------------------------------------------------------------------------------
-// What choking loops ask of a surface, and how it is told when it does not comply.
+// Requirements on a surface; messages name the triangles that violate them.
 
 /**
  * `surface` with coinciding points merged and unused ones left out, if it is closed, manifold,

@@ -1,5 +1,5 @@
 """From a map to its choking loops in one step: GroEL's 36 handles and 36 tunnels at 1.5, with the radii
-of Map Surface and Choking Loops one after the other; no level, and one that nothing is inside of.
+of Map Surface and Choking Loops one after the other; the automatic level; one that nothing is inside of.
 """
 
 import sys
@@ -49,6 +49,14 @@ assert sum(before) > 0
 loops.MinimumPersistence = 20
 UpdatePipeline(proxy=loops)
 assert stage_times(loops) == before
+
+# Without a level, that of Map Surface; a level given by a script or an old state file counts (above).
+automatic, proposed = MapChokingLoops(Input=density), MapSurface(Input=density)
+UpdatePipeline(proxy=automatic)
+UpdatePipeline(proxy=proposed)
+levels = [output_of(proxy).GetFieldData().GetArray("Level").GetValue(0) for proxy in (automatic, proposed)]
+assert levels[0] == levels[1], levels
+assert output_of(automatic, 4).GetNumberOfPoints() == output_of(proposed).GetNumberOfPoints()
 
 vtkObject.GlobalWarningDisplayOff()
 empty = MapChokingLoops(Input=Wavelet(), Level=1e6)
