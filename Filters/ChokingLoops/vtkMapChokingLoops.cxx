@@ -178,6 +178,18 @@ FORWARD(MorseArrayName, const std::string&, std::string)
 
 #undef FORWARD
 
+void vtkMapChokingLoops::CapHolesOn()
+{
+  this->Loops->CapHolesOn();
+  this->Modified();
+}
+
+void vtkMapChokingLoops::CapHolesOff()
+{
+  this->Loops->CapHolesOff();
+  this->Modified();
+}
+
 double* vtkMapChokingLoops::GetStageTimes()
 {
   return this->Loops->GetStageTimes();

@@ -47,6 +47,48 @@ public:
   vtkTypeMacro(vtkMapChokingLoops, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  // Values of the properties, as in vtkChokingLoops.
+  enum SideType
+  {
+    Inside,
+    Outside,
+    Both
+  };
+  enum ShorteningType
+  {
+    None,
+    Rounds,
+    Geodesic
+  };
+  enum ThresholdModeType
+  {
+    Given,
+    LargestGap
+  };
+  enum UnitType
+  {
+    Percent,
+    Absolute
+  };
+  enum LoopOrderType
+  {
+    ByRadius,
+    ByLength
+  };
+  enum FiltrationType
+  {
+    Delaunay ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use vtkChokingLoops::Delaunay"),
+    TetrahedralMesh ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use vtkChokingLoops::TetrahedralMesh")
+  };
+  enum MorseFunctionType
+  {
+    ClosestPoint ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use vtkChokingLoops::ClosestPoint"),
+    EdgePaths ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use vtkChokingLoops::EdgePaths"),
+    GridDistance ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use vtkChokingLoops::GridDistance"),
+    PointArray ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use vtkChokingLoops::PointArray"),
+    FastMarching ISTHMUS_DEPRECATED_ENUMERATOR("1.0.0", "use vtkChokingLoops::FastMarching")
+  };
+
   ///@{
   /// Value of the level set, in the unit of the scalars. Setting a finite one switches
   /// AutomaticLevel off. Default 0.
@@ -125,6 +167,10 @@ public:
   void SetCapHoles(bool value);
   ISTHMUS_DEPRECATED("1.0.0", "the surface of a map is closed")
   bool GetCapHoles();
+  ISTHMUS_DEPRECATED("1.0.0", "the surface of a map is closed")
+  void CapHolesOn();
+  ISTHMUS_DEPRECATED("1.0.0", "the surface of a map is closed")
+  void CapHolesOff();
   ISTHMUS_DEPRECATED("1.0.0", "the filtration of a map's surface is Delaunay")
   void SetFiltration(int value);
   ISTHMUS_DEPRECATED("1.0.0", "the filtration of a map's surface is Delaunay")
