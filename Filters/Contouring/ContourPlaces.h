@@ -14,9 +14,9 @@
 #ifndef isthmus_ContourPlaces_h
 #define isthmus_ContourPlaces_h
 
-#include "Contouring/ContourFeatures.h"
+#include "Contouring/HermiteGrid.h"
 #include "Contouring/DualCells.h"
-#include "Contouring/QuadraticErrors.h"
+#include "Contouring/QuadricError.h"
 
 namespace isthmus
 {

@@ -4,7 +4,7 @@
  *
  * T. Ju, F. Losasso, S. Schaefer, J. Warren, ACM Trans. Graph. 21 (2002) 339,
  * doi:10.1145/566654.566586: in each cell the point nearest to the planes
- * of its crossings (QuadraticErrors.h), around each crossed edge a quadrilateral of four of
+ * of its crossings (QuadricError.h), around each crossed edge a quadrilateral of four of
  * them. A cell has a point for each piece of surface in it (DualCells.h), so that the surface is
  * manifold; it is open only where it leaves the grid. Points are kept in their cells, but for
  * those of edges that pass beside (ContourPlaces.h). That makes

@@ -16,7 +16,7 @@
 #ifndef isthmus_MeetingPlanes_h
 #define isthmus_MeetingPlanes_h
 
-#include "Contouring/QuadraticErrors.h"
+#include "Contouring/QuadricError.h"
 #include "Core/Geometry.h"
 
 #include <vector>

@@ -6,7 +6,7 @@
 #define isthmus_UniformContour_h
 
 #include "Contouring/DualContouringParameters.h"
-#include "Contouring/QuadraticErrors.h"
+#include "Contouring/QuadricError.h"
 #include "Core/Progress.h"
 
 namespace isthmus

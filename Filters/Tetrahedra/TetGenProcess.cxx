@@ -1,6 +1,6 @@
 #include "Core/ChildProcess.h"
 #include "Core/TetrahedralMesh.h"
-#include "Tetrahedra/TetGenFiles.h"
+#include "Tetrahedra/TetGenTetrahedra.h"
 #include "Tetrahedra/TetrahedralMesher.h"
 
 #include <csignal>

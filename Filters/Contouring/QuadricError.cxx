@@ -1,4 +1,4 @@
-#include "Contouring/QuadraticErrors.h"
+#include "Contouring/QuadricError.h"
 
 #include <Eigen/Dense>
 

@@ -1,9 +1,9 @@
 /**
- * @file TetGenFiles.h
+ * @file TetGenTetrahedra.h
  * @brief The text files through which we talk with TetGen's program.
  */
-#ifndef isthmus_TetGenFiles_h
-#define isthmus_TetGenFiles_h
+#ifndef isthmus_TetGenTetrahedra_h
+#define isthmus_TetGenTetrahedra_h
 
 #include "Core/TetrahedralMesh.h"
 #include "Core/TriangleMesh.h"

@@ -1,9 +1,9 @@
 /**
- * @file QuadraticErrors.h
+ * @file QuadricError.h
  * @brief The point nearest to a set of planes within a box.
  */
-#ifndef isthmus_QuadraticErrors_h
-#define isthmus_QuadraticErrors_h
+#ifndef isthmus_QuadricError_h
+#define isthmus_QuadricError_h
 
 #include "Core/Geometry.h"
 

@@ -1,9 +1,9 @@
 /**
- * @file ContourFeatures.h
+ * @file HermiteGrid.h
  * @brief The sharp edges and corners in each cell of a grid.
  */
-#ifndef isthmus_ContourFeatures_h
-#define isthmus_ContourFeatures_h
+#ifndef isthmus_HermiteGrid_h
+#define isthmus_HermiteGrid_h
 
 #include "Contouring/SharpEdges.h"
 #include "Surfaces/SurfaceCrossings.h"

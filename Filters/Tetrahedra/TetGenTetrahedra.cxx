@@ -1,4 +1,4 @@
-#include "Tetrahedra/TetGenFiles.h"
+#include "Tetrahedra/TetGenTetrahedra.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "Contouring/ContourFeatures.h"
+#include "Contouring/HermiteGrid.h"
 
 #include "Contouring/CellBox.h"
 
