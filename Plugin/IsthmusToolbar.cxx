@@ -110,7 +110,7 @@ IsthmusToolbar::IsthmusToolbar(QObject* parent)
     [this] { Settle(this->actions()); });
   QTimer::singleShot(0, this, [this] { Settle(this->actions()); });
   this->Add("map_to_surface", "MapToSurface", tr("Map to surface"),
-    tr("The selected map as a closed surface at a sensible level, without dust"));
+    tr("The selected map as a closed surface at an automatic level, without dust"));
   this->Add("map_to_curvature", "MapToCurvature", tr("Map to curvature"),
     tr("The selected map as a surface coloured by its mean curvature"));
   this->Add("map_to_loops", "MapToLoops", tr("Map to choking loops"),

@@ -113,7 +113,7 @@ def _require_triangles(surface):
 # active source has. (Curvature On Surface would take it for its volume, and is told its array.)
 
 def map_to_surface(source, level=None):
-    """(surface,): the map's closed surface; at the recommended or a sensible level where none is
+    """(surface,): the map's closed surface; at the recommended or an automatic level where none is
     given, which then stands in the panel, ready to be moved."""
     _require_volume(source)
     surface = simple.MapSurface(

@@ -22,7 +22,7 @@ FIVE = "TestTetrahedralProperties", "TetrahedralProperties.CGALKeepsItsFiveCrite
 # with its arguments)
 MUTANTS = {
     "TetGen's ratio is not passed on": (
-        "Filters/Tetrahedra/TetGenProcess.cxx", '"q" + Number(criteria.RadiusEdgeRatio)', '"q" + Number(2.0)',
+        "Filters/Tetrahedra/TetGenTetrahedra.cxx", '"q" + Number(criteria.RadiusEdgeRatio)', '"q" + Number(2.0)',
         ("TestTetrahedralMesher", "TetrahedralMesher.TetGenKeepsItsBounds")),
     "CGAL's facet angle is not passed on": (
         CGAL, "params::facet_angle = c.FacetAngle", "params::facet_angle = 0.0 * c.FacetAngle", FIVE),

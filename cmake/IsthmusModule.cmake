@@ -3,7 +3,7 @@
 #   isthmus_add_module(Isthmus::FiltersImaging
 #     [CLASSES vtkX ...]        VTK classes, wrapped and installed
 #     [HEADERS X ...]           headers for C++ users, installed as <folder>/X.h
-#     [FLAT_HEADERS X ...]      those of HEADERS that were installed as X.h before 1.0
+#     [FLAT_HEADERS X ...]      those of HEADERS that were installed as X.h before 1.0; Y=X: as Y.h
 #     [SOURCES X ...]           implementation
 #     [CGAL X ...]              sources that include CGAL
 #     [VECTORISED X ...])       sources whose loops must vectorise
@@ -72,10 +72,12 @@ function (isthmus_add_module name)
   vtk_module_install_headers(FILES ${module_HEADERS} SUBDIR "${folder}")
 
   # The names of before 1.0 forward to those of now until 1.1.
-  foreach (header IN LISTS module_FLAT_HEADERS)
-    set(forward "${CMAKE_CURRENT_BINARY_DIR}/flat/${header}.h")
+  foreach (name_before IN LISTS module_FLAT_HEADERS)
+    string(REGEX REPLACE "^.*=" "" header "${name_before}")
+    string(REGEX REPLACE "=.*$" "" name_before "${name_before}")
+    set(forward "${CMAKE_CURRENT_BINARY_DIR}/flat/${name_before}.h")
     file(CONFIGURE OUTPUT "${forward}" CONTENT
-"#pragma message(\"${header}.h is deprecated and will be removed in 1.1: include ${folder}/${header}.h\")
+"#pragma message(\"${name_before}.h is deprecated and will be removed in 1.1: include ${folder}/${header}.h\")
 #include \"${folder}/${header}.h\"
 ")
     vtk_module_install_headers(FILES "${forward}")

@@ -2,8 +2,8 @@
 // mesh cut in two and glued again, by the compact combinatorial map.
 
 #include <CellComplex/Attribute.h>
-#include <CellComplex/CellEdgeTable.h>
 #include <CellComplex/CutAndMerge.h>
+#include <CellComplex/EdgeTable.h>
 #include <CellComplex/GridMap.h>
 #include <CellComplex/StarTable.h>
 #include <CellComplex/VertexStar.h>

@@ -8,7 +8,8 @@
 #ifndef isthmus_CellType_h
 #define isthmus_CellType_h
 
-#include "vtkIsthmusFiltersCellComplexModule.h" // for the export macro
+#include "Core/View.h"
+#include "vtkIsthmusFiltersCellComplexModule.h"
 
 #include <cstdint>
 #include <map>
@@ -134,6 +135,25 @@ private:
   std::vector<Dart> Darts; // [0] is unused
   std::vector<Local> FaceOffsets, FaceDarts;
   std::vector<Local> VertexOffsets, VertexDarts;
+};
+
+//--------------------------------------------------------------------------------------------------
+// A volume mesh as a list of cells of a few types.
+
+/// `NumberOfCells` consecutive cells of one type.
+struct CellRun
+{
+  std::size_t Type = 0; ///< place in the list of types
+  std::int64_t NumberOfCells = 0;
+};
+
+/// Runs of cells, numbered in their order, and the vertices of all cells one after the other.
+struct CellList
+{
+  std::int64_t NumberOfVertices = 0;
+  std::vector<CellType> Types;
+  std::vector<CellRun> Runs;
+  View<std::int64_t> CellVertices; ///< not owned
 };
 
 }

@@ -48,7 +48,7 @@ bool AreDistinct(const View<std::int64_t>& vertices)
 
 }
 
-void CellVertexCheck::Look(std::size_t cell, View<std::int64_t> vertices)
+void CellVertexCheck::Add(std::size_t cell, View<std::int64_t> vertices)
 {
   bool inRange = true;
   for (const std::int64_t vertex : vertices)
@@ -62,7 +62,7 @@ void CellVertexCheck::Look(std::size_t cell, View<std::int64_t> vertices)
   }
 }
 
-void CellVertexCheck::Demand() const
+void CellVertexCheck::ThrowIfBad() const
 {
   if (!this->OutOfRange.empty())
   {

@@ -1,7 +1,6 @@
 /**
  * @file CellVertexCheck.h
- * @brief Whether the vertices of each cell exist, and are there once; else a sentence that names
- * the cells.
+ * @brief Checks that the vertices of each cell exist and are different.
  */
 #ifndef isthmus_CellVertexCheck_h
 #define isthmus_CellVertexCheck_h
@@ -16,7 +15,7 @@
 namespace isthmus
 {
 
-/// Looks at cells, in any order and from any number of threads, then tells what was wrong.
+/// Checks cells, in any order and from any number of threads, and collects the invalid ones.
 class CellVertexCheck
 {
 public:
@@ -25,10 +24,10 @@ public:
   {
   }
 
-  void Look(std::size_t cell, View<std::int64_t> vertices);
+  void Add(std::size_t cell, View<std::int64_t> vertices);
 
-  /// @throws MeshError (OutOfRange, else Degenerate) with the first cells that were found wanting.
-  void Demand() const;
+  /// @throws MeshError (OutOfRange, else Degenerate) with the first invalid cells.
+  void ThrowIfBad() const;
 
 private:
   std::int64_t NumberOfVertices;

@@ -1,6 +1,5 @@
 #include "CellComplex/CompactCombinatorialMap.h"
 
-#include "CellComplex/CellEdgeTable.h"
 #include "CellComplex/CellVertexCheck.h"
 #include "CellComplex/EdgeTable.h"
 #include "CellComplex/FaceTable.h"
@@ -151,14 +150,14 @@ void CompactCombinatorialMap<Id>::CopyVertices(
         const Block& block = this->BlockOf(cell);
         const std::size_t base = block.VertexIndex(cell, 0);
         const std::int64_t* vertices = &cellVertices[base];
-        check.Look(c, { vertices, block.VertexCount });
+        check.Add(c, { vertices, block.VertexCount });
         for (unsigned v = 0; v < block.VertexCount; ++v)
         {
           this->Cv2V[base + v] = Vertex(static_cast<Id>(vertices[v]));
         }
       }
     });
-  check.Demand();
+  check.ThrowIfBad();
 }
 
 template <typename Id>

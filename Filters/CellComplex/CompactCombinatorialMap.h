@@ -19,7 +19,7 @@
 #ifndef isthmus_CompactCombinatorialMap_h
 #define isthmus_CompactCombinatorialMap_h
 
-#include "CellComplex/CellList.h"
+#include "CellComplex/CellType.h"
 #include "CellComplex/DartMap.h"
 #include "CellComplex/MeshError.h"
 #include "Core/Progress.h"

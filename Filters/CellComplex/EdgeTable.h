@@ -10,14 +10,43 @@
 #define isthmus_EdgeTable_h
 
 #include "CellComplex/DartMap.h"
-#include "CellComplex/FirstEqual.h"
 #include "Core/Progress.h"
 #include "vtkIsthmusFiltersCellComplexModule.h"
 
 #include <algorithm>
+#include <cstdint>
+
+#if defined(__SSE2__) && defined(__GNUC__)
+#include <emmintrin.h>
+#endif
 
 namespace isthmus
 {
+
+/// The place of the first of the eight `numbers` that is `wanted`; 8 where none is.
+template <typename Id>
+inline unsigned FirstEqualOfEight(const Id* numbers, Id wanted)
+{
+  unsigned place = 0;
+  while (place < 8 && numbers[place] != wanted)
+  {
+    ++place;
+  }
+  return place;
+}
+
+#if defined(__SSE2__) && defined(__GNUC__)
+/// The same without branches, by the vectors that every x86-64 has.
+inline unsigned FirstEqualOfEight(const std::uint32_t* numbers, std::uint32_t wanted)
+{
+  const __m128i all = _mm_set1_epi32(static_cast<int>(wanted));
+  const auto* const fours = reinterpret_cast<const __m128i*>(numbers);
+  const __m128i low = _mm_cmpeq_epi32(_mm_loadu_si128(fours), all);
+  const __m128i high = _mm_cmpeq_epi32(_mm_loadu_si128(fours + 1), all);
+  const int bytes = _mm_movemask_epi8(_mm_packs_epi16(_mm_packs_epi32(low, high), low));
+  return static_cast<unsigned>(__builtin_ctz(static_cast<unsigned>(bytes & 0xff) | 0x100u));
+}
+#endif
 
 /**
  * Each pair of vertices that an edge of a cell joins is one edge, however many fans of cells it
@@ -136,6 +165,39 @@ private:
   std::vector<Id> E2V; // the larger vertex of each edge; Stride more places, so that Of may overrun
   std::vector<Id> V2E; // n0 + 1 places
   std::vector<std::pair<Edge, Dart>> Pinched; // sorted; empty unless the mesh is pinched
+};
+
+//--------------------------------------------------------------------------------------------------
+// The number of each edge of each cell of a combinatorial map, as a list: table C2E.
+//
+// EdgeTable finds the edge of a dart by a short search; where the edges of all cells are asked for
+// again and again this table gives them at once, for more memory.
+
+/// Memory: one id for each edge of each cell. Built in parallel from the table of edges.
+template <typename Id>
+class VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT CellEdgeTable
+{
+public:
+  using Map = DartMap<Id>;
+  using Edge = typename Map::Edge;
+  using Cell = typename Map::Cell;
+  using Dart = typename Map::Dart;
+
+  CellEdgeTable(const Map& map, const EdgeTable<Id>& edges);
+
+  Edge Of(Dart dart) const { return this->C2E[this->Mesh.IndexOf(dart) / 2]; }
+  /// The edges of a cell, in the order of the map's EdgeDarts(cell).
+  View<Edge> Of(Cell cell) const
+  {
+    return { this->C2E.data() + this->Mesh.IndexOf(this->Mesh.MakeDart(cell, 1)) / 2,
+      this->Mesh.EdgeDarts(cell).size() };
+  }
+
+  void AppendMemory(std::vector<TableMemory>& report) const;
+
+private:
+  const Map& Mesh;
+  std::vector<Edge> C2E;
 };
 
 }

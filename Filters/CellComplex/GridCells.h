@@ -5,7 +5,7 @@
 #ifndef isthmus_GridCells_h
 #define isthmus_GridCells_h
 
-#include "CellComplex/CellList.h"
+#include "CellComplex/CellType.h"
 #include "Core/Progress.h"
 
 #include "vtkIsthmusFiltersCellComplexModule.h" // for the export macro

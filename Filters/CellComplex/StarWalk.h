@@ -8,16 +8,175 @@
 #ifndef isthmus_StarWalk_h
 #define isthmus_StarWalk_h
 
+#include "CellComplex/CellType.h"
 #include "CellComplex/DartMap.h"
-#include "CellComplex/ReusableSet.h"
-#include "CellComplex/TetrahedronWays.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace isthmus
 {
+
+//--------------------------------------------------------------------------------------------------
+// A small set of ids for one walk after another.
+
+/**
+ * A set of ids that is emptied in constant time and keeps its memory: 8 kB (16 for 64-bit ids), or
+ * four slots an id once there were more than 512. Whether an id is new is an even chance in a walk,
+ * so that Insert has no branch on it; with few of the slots taken, two ids seldom want the same
+ * one.
+ */
+template <typename Id>
+class ReusableSet
+{
+  struct Slot
+  {
+    Id Key = 0;
+    Id Stamp = 0;
+  };
+
+public:
+  ReusableSet() { this->Slots.resize(std::size_t(1) << (64 - this->Shift)); }
+
+  void Clear()
+  {
+    this->Size = 0;
+    if (++this->Stamp == 0)
+    {
+      std::fill(this->Slots.begin(), this->Slots.end(), Slot{});
+      this->Stamp = 1;
+    }
+  }
+
+  /// The set as a loop wants it, in registers; valid until the set is asked for more room.
+  class Marks
+  {
+  public:
+    /// False if `id` was there already.
+    bool Insert(Id id) const
+    {
+      Slot* slot = this->Slots +
+        static_cast<std::size_t>((std::uint64_t(id) * 0x9E3779B97F4A7C15u) >> this->Shift);
+      if ((slot->Stamp == this->Stamp) & (slot->Key != id))
+      {
+        slot = this->Probe(slot, id);
+      }
+      const bool fresh = slot->Stamp != this->Stamp;
+      *slot = { id, this->Stamp };
+      return fresh;
+    }
+
+  private:
+    friend class ReusableSet;
+    Marks(Slot* slots, unsigned shift, Id stamp)
+      : Slots(slots)
+      , Shift(shift)
+      , Stamp(stamp)
+    {
+    }
+
+    /// The slot of `id`, or a free one for it, where its first choice, `taken`, is another's.
+    [[gnu::noinline, gnu::cold]] Slot* Probe(Slot* taken, Id id) const
+    {
+      Slot* const end = this->Slots + (std::size_t(1) << (64 - this->Shift));
+      while (taken->Stamp == this->Stamp && taken->Key != id)
+      {
+        taken = taken + 1 == end ? this->Slots : taken + 1;
+      }
+      return taken;
+    }
+
+    Slot* Slots;
+    unsigned Shift;
+    Id Stamp;
+  };
+
+  /// Makes room for `ids` altogether, so many that Room() tells.
+  Marks WithRoomFor(std::size_t ids)
+  {
+    while (this->Room() < ids)
+    {
+      this->Grow();
+    }
+    this->Size = std::max(this->Size, ids);
+    return { this->Slots.data(), this->Shift, this->Stamp };
+  }
+  std::size_t Room() const { return this->Slots.size() / 2; }
+
+  /// False if `id` was there already.
+  bool Insert(Id id)
+  {
+    const std::size_t before = this->Size;
+    const bool fresh = this->WithRoomFor(before + 1).Insert(id);
+    this->Size = before + (fresh ? 1 : 0);
+    return fresh;
+  }
+
+private:
+  [[gnu::noinline, gnu::cold]] void Grow()
+  {
+    std::vector<Slot> old(2 * this->Slots.size());
+    old.swap(this->Slots);
+    --this->Shift;
+    const Marks marks{ this->Slots.data(), this->Shift, this->Stamp };
+    for (const Slot& slot : old)
+    {
+      if (slot.Stamp == this->Stamp)
+      {
+        marks.Insert(slot.Key);
+      }
+    }
+  }
+
+  std::vector<Slot> Slots;
+  unsigned Shift = 64 - 10;
+  Id Stamp = 1;
+  std::size_t Size = 0; // at least what is in it
+};
+
+//--------------------------------------------------------------------------------------------------
+// The transitions from tetrahedron to tetrahedron around a vertex, as small tables.
+//
+// A spoke is a dart that starts at the vertex. The three faces at the vertex are told by a spoke's
+// local dart, and the spoke beyond a face by the local dart that the table H2D of the map gives
+// there: beta1 of beta3, as CellType has them.
+
+struct TetrahedronTransitions
+{
+  /// A face at the vertex; `Position` is that of the spoke within it, as StarWalk crosses it.
+  struct Transition
+  {
+    std::uint8_t Face = 0, Position = 0;
+  };
+
+  static constexpr unsigned Darts = 13; ///< local ones; 0: outside
+
+  /// By spoke, the face of the spoke itself first, else in the order of its vertex' darts.
+  std::array<std::array<Transition, 3>, Darts> Transitions;
+  std::array<std::array<std::uint8_t, 3>, Darts> Spoke; ///< by dart across and position
+
+  TetrahedronTransitions()
+    : Transitions{}
+    , Spoke{}
+  {
+    const CellType& type = CellType::Tetrahedron();
+    for (unsigned dart = 1; dart < Darts; ++dart)
+    {
+      const CellType::Dart& spoke = type.At(dart);
+      for (unsigned i = 0, next = 1; i < 3; ++i)
+      {
+        const CellType::Dart& local = type.At(type.VertexDart(spoke.Start, i));
+        const Transition transition{ static_cast<std::uint8_t>(local.Face),
+          static_cast<std::uint8_t>(local.Position) };
+        this->Transitions[dart][local.Face == spoke.Face ? 0 : next++] = transition;
+        this->Spoke[dart][i] = static_cast<std::uint8_t>(type.At(type.Back(dart, i)).Next);
+      }
+    }
+  }
+};
 
 /**
  * The star and link of one vertex after the other. Each thread needs one of its own; its memory is
@@ -37,7 +196,7 @@ public:
 
   explicit StarWalk(const Map& map)
     : Mesh(map)
-    , Ways(map.HasOnlyTetrahedra() ? &WaysOfTetrahedra() : nullptr)
+    , Table(map.HasOnlyTetrahedra() ? &TransitionsOfTetrahedra() : nullptr)
   {
   }
 
@@ -144,7 +303,7 @@ private:
     }
     std::size_t next = this->Count;
     this->Add(seed);
-    if (this->Ways)
+    if (this->Table)
     {
       this->FloodTetrahedra(next);
       return;
@@ -174,7 +333,7 @@ private:
   /// where they came from. Each spoke is written, new or not, so that no branch hangs on that.
   void FloodTetrahedra(std::size_t next)
   {
-    const TetrahedronWays& ways = *this->Ways;
+    const TetrahedronTransitions& table = *this->Table;
     const Dart* const beyond = this->Mesh.Neighbours(typename Map::Cell(0)).begin();
     const unsigned bits = this->Mesh.DartBits();
     const Id localMask = static_cast<Id>((Id(1) << bits) - 1);
@@ -191,14 +350,15 @@ private:
       }
       const Id spoke = spokes[next].Value;
       const Dart* const faces = beyond + 4 * std::size_t(spoke >> bits);
-      const TetrahedronWays::Way* const way = ways.Onward[spoke & localMask].data();
+      const TetrahedronTransitions::Transition* const way =
+        table.Transitions[spoke & localMask].data();
       for (unsigned w = first; w < 3; ++w)
       {
         const Id across = faces[way[w].Face].Value;
         const auto local = static_cast<unsigned>(across & localMask);
         if (local != 0)
         {
-          spokes[count] = Dart(across - local + ways.Spoke[local][way[w].Position]);
+          spokes[count] = Dart(across - local + table.Spoke[local][way[w].Position]);
           count += marks.Insert(across >> bits) ? 1 : 0;
         }
       }
@@ -206,10 +366,10 @@ private:
     this->Count = count;
   }
 
-  static const TetrahedronWays& WaysOfTetrahedra()
+  static const TetrahedronTransitions& TransitionsOfTetrahedra()
   {
-    static const TetrahedronWays ways;
-    return ways;
+    static const TetrahedronTransitions table;
+    return table;
   }
 
   /// Adds the new cells beyond the faces at the vertex of one cell.
@@ -252,7 +412,7 @@ private:
 
 protected:
   const Map& Mesh;
-  const TetrahedronWays* const Ways; // null unless there are tetrahedra alone
+  const TetrahedronTransitions* const Table; // null unless all cells are tetrahedra
   std::vector<Dart> Buffer;
   ReusableSet<Id> Found;
 };

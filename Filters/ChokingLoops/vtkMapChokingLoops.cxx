@@ -2,8 +2,8 @@
 
 #include "Contouring/AutomaticLevel.h"
 #include "Contouring/ClosedLevelSet.h"
-#include "Contouring/LevelTriangles.h"
 #include "Contouring/MapSurface.h"
+#include "Contouring/MarchingCubes.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
@@ -273,12 +273,12 @@ void vtkMapChokingLoops::Contour(vtkImageData* image)
     return;
   }
   this->Surface = nullptr;
-  isthmus::LevelTrianglesParameters parameters;
-  parameters.Level = level;
+  isthmus::MarchingCubesParameters parameters;
+  parameters.Level = this->Level;
   parameters.InsideIsHigher = this->InsideIsHigher;
   isthmus::TriangleMesh mesh;
   isthmus::UseScalars(
-    image, scalars, [&](const auto& grid) { mesh = isthmus::LevelTriangles(grid, parameters); });
+    image, scalars, [&](const auto& grid) { mesh = isthmus::MarchingCubes(grid, parameters); });
   mesh = isthmus::HideDust(std::move(mesh), { 0.0, 0.0, this->LargestComponents }).Surface;
   if (mesh.Triangles.empty())
   {

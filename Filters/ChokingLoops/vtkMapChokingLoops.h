@@ -101,7 +101,7 @@ public:
   void SetPanelLevel(double level);
 
   ///@{
-  /// Take the recommended level, or else a sensible one, instead of Level. Default on.
+  /// Take the recommended level, or else an estimated one, instead of Level. Default on.
   void SetAutomaticLevel(bool automatic);
   vtkGetMacro(AutomaticLevel, bool);
   vtkBooleanMacro(AutomaticLevel, bool);

@@ -7,8 +7,8 @@
 #include "Core/ImageScalars.h"
 #include "Core/PolyDataTriangles.h"
 #include "Core/RangeChecks.h"
-#include "Persistence/ImageDiagram.h"
 #include "Persistence/NamedColumns.h"
+#include "Persistence/PersistenceCache.h"
 #include "vtkChokingLoops.h"
 
 #include <vtkCallbackCommand.h>
@@ -182,7 +182,7 @@ struct vtkMapHandles::Work
 };
 
 vtkMapHandles::vtkMapHandles()
-  : Last(new isthmus::ImageDiagram)
+  : Last(new isthmus::PersistenceCache)
 {
   this->SetNumberOfOutputPorts(PortCount);
   this->SetInputArrayToProcess(
@@ -214,7 +214,7 @@ int vtkMapHandles::RequestUpdateExtent(
 
 void vtkMapHandles::CheckParameters() const
 {
-  isthmus::DemandLevels(this->NumberOfLevels, this->UseRange ? this->Range : nullptr);
+  isthmus::RequireLevels(this->NumberOfLevels, this->UseRange ? this->Range : nullptr);
   if (!this->UseStableLevel && !std::isfinite(this->Level))
   {
     throw std::invalid_argument("Level is " + isthmus::FormatNumber(this->Level) +

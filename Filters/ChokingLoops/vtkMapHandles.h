@@ -48,7 +48,7 @@
 
 namespace isthmus
 {
-class ImageDiagram;
+class PersistenceCache;
 }
 
 class VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT vtkMapHandles : public vtkPolyDataAlgorithm
@@ -160,7 +160,7 @@ private:
   int NumberOfLevels = 256;
   bool Loops = false;
   double StableLevel = std::numeric_limits<double>::quiet_NaN();
-  std::unique_ptr<isthmus::ImageDiagram> Last; ///< kept for the same input
+  std::unique_ptr<isthmus::PersistenceCache> Last; ///< kept for the same input
 };
 
 #endif

@@ -1,7 +1,6 @@
 #include "Contouring/AutomaticLevel.h"
 
-#include "Contouring/MapSurface.h"
-#include "Contouring/SensibleLevel.h"
+#include "Contouring/LevelEstimate.h"
 #include "Core/ImageScalars.h"
 
 #include <vtkDataArray.h>
@@ -29,7 +28,7 @@ double AutomaticLevel::Of(vtkImageData* image, vtkDataArray* scalars, bool insid
     const double sign = insideIsHigher ? 1.0 : -1.0;
     std::transform(
       values.begin(), values.end(), values.begin(), [sign](double value) { return sign * value; });
-    this->Cached = sign * SensibleLevel(values);
+    this->Cached = sign * EstimateLevel(values);
     this->Scalars = scalars;
     this->Time = time;
     this->InsideIsHigher = insideIsHigher;

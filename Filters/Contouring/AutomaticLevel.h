@@ -16,8 +16,8 @@ namespace isthmus
 
 /**
  * The level that the map's depositors recommend, where the reader found it (field data
- * `RecommendedLevel`), else SensibleLevel() of its values. One policy for all filters that take a
- * map: automatic unless a level is given. The sensible level is cached until the map changes.
+ * `RecommendedLevel`), else EstimateLevel() of its values. One policy for all filters that take a
+ * map: automatic unless a level is given. The estimate is cached until the map changes.
  */
 class AutomaticLevel
 {

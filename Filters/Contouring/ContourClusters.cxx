@@ -1,12 +1,13 @@
 #include "Contouring/ContourClusters.h"
 
-#include "Contouring/CellBox.h"
+#include "Contouring/HermiteGrid.h"
 
 #include <algorithm>
 #include <numeric>
 
 namespace isthmus
 {
+
 namespace
 {
 
@@ -217,6 +218,335 @@ void ContourClusters::Choose()
     const std::int64_t above = parent < 0 ? -1 : this->Top[At(parent)];
     this->Top[At(id)] = above >= 0 ? above : this->MayStand[At(id)] ? id : -1;
   }
+}
+
+namespace
+{
+
+using Pair = std::array<std::int64_t, 2>;
+
+Pair Sorted(std::int64_t a, std::int64_t b)
+{
+  return { std::min(a, b), std::max(a, b) };
+}
+
+class Maker
+{
+public:
+  Maker(const UniformContour& contour, const ContourClusters& clusters, bool triangles)
+    : Contour(contour)
+    , Clusters(clusters)
+    , Triangles(triangles)
+  {
+  }
+
+  /// Points on the faces around what is cut.
+  void AddFacePoints(const ContourCuts& cuts)
+  {
+    for (std::size_t e = 0; e < this->Contour.Edges.size(); ++e)
+    {
+      if (!cuts.Has(static_cast<std::int64_t>(e)))
+      {
+        continue;
+      }
+      const UniformContour::Edge& edge = this->Contour.Edges[e];
+      for (std::size_t i = 0; i < 4; ++i)
+      {
+        const std::int64_t a = edge.Around[i], b = edge.Around[(i + 1) % 4];
+        const std::int64_t other = cuts.Beyond(static_cast<std::int64_t>(e), a, b);
+        if (other >= 0 && this->FacePoints.count(Sorted(a, b)) == 0)
+        {
+          const Point3& there = this->Contour.Edges[static_cast<std::size_t>(other)].Crossing;
+          this->FacePoints[Sorted(a, b)] = this->AddPoint(0.5 * (edge.Crossing + there));
+        }
+      }
+    }
+  }
+
+  void AddPolygon(std::int64_t e)
+  {
+    const UniformContour::Edge& edge = this->Contour.Edges[static_cast<std::size_t>(e)];
+    std::array<std::int64_t, 4> corners{ -1, -1, -1, -1 };
+    std::size_t count = 0;
+    for (const std::int64_t point : edge.Around)
+    {
+      const std::int64_t top = this->Clusters.Tops()[static_cast<std::size_t>(point)];
+      if (count == 0 || corners[count - 1] != top)
+      {
+        corners[count++] = top;
+      }
+    }
+    if (count > 1 && corners[0] == corners[count - 1])
+    {
+      corners[--count] = -1;
+    }
+    if (count < 3)
+    {
+      return;
+    }
+    if (count == 4 && (corners[0] == corners[2] || corners[1] == corners[3]))
+    {
+      this->Result.Folded.push_back(e);
+      return;
+    }
+    if (!this->FacePoints.empty() && this->AddFan(e, corners, count))
+    {
+      return;
+    }
+    if (count == 3 || !this->Triangles)
+    {
+      this->Add(e, corners);
+      return;
+    }
+    this->AddHalves(e, corners, edge.Normal);
+  }
+
+  ContourPolygons Result;
+
+private:
+  std::int64_t AddPoint(const Point3& x)
+  {
+    this->Result.More.push_back(x);
+    return this->Clusters.Size() + static_cast<std::int64_t>(this->Result.More.size()) - 1;
+  }
+
+  void Add(std::int64_t e, const std::array<std::int64_t, 4>& corners)
+  {
+    this->Result.Corners.push_back(corners);
+    this->Result.Edge.push_back(e);
+  }
+
+  /// Triangles around the crossing, if any side has a point of its own.
+  bool AddFan(std::int64_t e, const std::array<std::int64_t, 4>& corners, std::size_t count)
+  {
+    std::vector<std::int64_t> border;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      border.push_back(corners[i]);
+      const auto found = this->FacePoints.find(Sorted(corners[i], corners[(i + 1) % count]));
+      if (found != this->FacePoints.end())
+      {
+        border.push_back(found->second);
+      }
+    }
+    if (border.size() == count)
+    {
+      return false;
+    }
+    const std::int64_t middle =
+      this->AddPoint(this->Contour.Edges[static_cast<std::size_t>(e)].Crossing);
+    for (std::size_t i = 0; i < border.size(); ++i)
+    {
+      this->Add(e, { middle, border[i], border[(i + 1) % border.size()], -1 });
+    }
+    return true;
+  }
+
+  /// Cosine of the angle between triangle and `normal`; -1 for triangles without area, or so thin
+  /// that rounding decides where they face, as of three points on a sharp edge.
+  double Agreement(std::int64_t a, std::int64_t b, std::int64_t c, const Point3& normal) const
+  {
+    const Point3 u = this->Clusters.PointOf(b) - this->Clusters.PointOf(a);
+    const Point3 v = this->Clusters.PointOf(c) - this->Clusters.PointOf(a);
+    const Point3 n = Cross(u, v);
+    const double length = Length(n);
+    constexpr double thin = 1e-6;
+    return length > thin * (Dot(u, u) + Dot(v, v)) ? Dot(n, normal) / length : -1.0;
+  }
+
+  /// How far the middle between two corners is from the planes that the four points are made for.
+  double OffPlanes(std::int64_t e, std::int64_t a, std::int64_t b) const
+  {
+    const Point3 middle = 0.5 * (this->Clusters.PointOf(a) + this->Clusters.PointOf(b));
+    double sum = 0.0;
+    for (const std::int64_t point : this->Contour.Edges[static_cast<std::size_t>(e)].Around)
+    {
+      sum += this->Contour.Errors[static_cast<std::size_t>(point)].At(middle);
+    }
+    return sum;
+  }
+
+  /// Are both points of the uniform contour, and on sharp edges?
+  bool AreSharp(std::int64_t a, std::int64_t b) const
+  {
+    const auto isSharp = [this](std::int64_t id)
+    { return !this->Clusters.IsCluster(id) && this->Contour.IsSharp[At(id)] != 0; };
+    return isSharp(a) && isSharp(b);
+  }
+
+  /// Cut along the diagonal that keeps a sharp edge, unless a triangle would then face backwards.
+  void AddHalves(std::int64_t e, const std::array<std::int64_t, 4>& q, const Point3& normal)
+  {
+    const double first = std::min(
+      this->Agreement(q[0], q[1], q[2], normal), this->Agreement(q[0], q[2], q[3], normal));
+    const double second = std::min(
+      this->Agreement(q[1], q[2], q[3], normal), this->Agreement(q[1], q[3], q[0], normal));
+    const bool firstIsSharp = this->AreSharp(q[0], q[2]);
+    const bool isFirst = !(first > 0.0 && second > 0.0) ? first >= second
+      : firstIsSharp != this->AreSharp(q[1], q[3])
+      ? firstIsSharp
+      : this->OffPlanes(e, q[0], q[2]) <= this->OffPlanes(e, q[1], q[3]);
+    const std::size_t turn = isFirst ? 0 : 1;
+    this->Add(e, { q[turn], q[turn + 1], q[turn + 2], -1 });
+    this->Add(e, { q[turn], q[turn + 2], q[(turn + 3) % 4], -1 });
+  }
+
+  const UniformContour& Contour;
+  const ContourClusters& Clusters;
+  bool Triangles;
+  std::map<Pair, std::int64_t> FacePoints;
+};
+
+}
+
+ContourCuts::ContourCuts(const UniformContour& contour)
+  : IsCut(contour.Edges.size(), 0)
+{
+  for (std::size_t e = 0; e < contour.Edges.size(); ++e)
+  {
+    const auto& around = contour.Edges[e].Around;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      this->Sides.push_back(
+        { Sorted(around[i], around[(i + 1) % 4]), static_cast<std::int64_t>(e) });
+    }
+  }
+  std::sort(this->Sides.begin(), this->Sides.end(),
+    [](const Side& a, const Side& b)
+    { return a.Points != b.Points ? a.Points < b.Points : a.Edge < b.Edge; });
+}
+
+std::int64_t ContourCuts::Beyond(std::int64_t edge, std::int64_t a, std::int64_t b) const
+{
+  const Pair wanted = Sorted(a, b);
+  auto side = std::lower_bound(this->Sides.begin(), this->Sides.end(), wanted,
+    [](const Side& s, const Pair& points) { return s.Points < points; });
+  for (; side != this->Sides.end() && side->Points == wanted; ++side)
+  {
+    if (side->Edge != edge)
+    {
+      return side->Edge;
+    }
+  }
+  return -1;
+}
+
+ContourPolygons PolygonsOf(const UniformContour& contour, const ContourClusters& clusters,
+  bool triangles, const ContourCuts* cuts)
+{
+  Maker maker(contour, clusters, triangles);
+  if (cuts)
+  {
+    maker.AddFacePoints(*cuts);
+  }
+  for (std::size_t e = 0; e < contour.Edges.size(); ++e)
+  {
+    maker.AddPolygon(static_cast<std::int64_t>(e));
+  }
+  return std::move(maker.Result);
+}
+
+namespace
+{
+
+/// The corner of a polygon, and the ones after and before it.
+struct Wedge
+{
+  std::int64_t Corner, Next, Before, Edge;
+  bool operator<(const Wedge& o) const
+  {
+    return this->Corner != o.Corner ? this->Corner < o.Corner : this->Next < o.Next;
+  }
+};
+
+using Wedges = std::vector<Wedge>;
+
+/// All wedges of one corner, ordered by Next.
+struct Around
+{
+  Wedges::const_iterator First, Last;
+
+  std::size_t Size() const { return static_cast<std::size_t>(this->Last - this->First); }
+  /// The wedge beyond the side towards Before; Size() when there is none.
+  std::size_t After(std::size_t wedge) const
+  {
+    const std::int64_t side = this->First[static_cast<std::ptrdiff_t>(wedge)].Before;
+    const auto found = std::lower_bound(
+      this->First, this->Last, side, [](const Wedge& w, std::int64_t id) { return w.Next < id; });
+    return found != this->Last && found->Next == side
+      ? static_cast<std::size_t>(found - this->First)
+      : this->Size();
+  }
+};
+
+bool IsRing(const Around& around, bool mayBeOpen)
+{
+  const std::size_t count = around.Size();
+  const auto sameNext = [](const Wedge& a, const Wedge& b) { return a.Next == b.Next; };
+  if (std::adjacent_find(around.First, around.Last, sameNext) != around.Last)
+  {
+    return false;
+  }
+  std::vector<char> isReached(count, 0);
+  for (std::size_t w = 0; w < count; ++w)
+  {
+    if (around.After(w) < count)
+    {
+      isReached[around.After(w)] = 1;
+    }
+  }
+  const auto start =
+    static_cast<std::size_t>(std::find(isReached.begin(), isReached.end(), 0) - isReached.begin());
+  const bool isChain = start < count;
+  const std::size_t first = isChain ? start : 0;
+  std::size_t steps = 1;
+  for (std::size_t w = around.After(first); w < count && w != first && steps <= count; ++steps)
+  {
+    w = around.After(w);
+  }
+  return steps == count && (isChain ? mayBeOpen : count >= 3);
+}
+
+Wedges WedgesOf(const ContourPolygons& polygons)
+{
+  Wedges wedges;
+  for (std::size_t i = 0; i < polygons.Corners.size(); ++i)
+  {
+    const auto& q = polygons.Corners[i];
+    const std::size_t count = q[3] < 0 ? 3 : 4;
+    for (std::size_t c = 0; c < count; ++c)
+    {
+      wedges.push_back({ q[c], q[(c + 1) % count], q[(c + count - 1) % count], polygons.Edge[i] });
+    }
+  }
+  std::sort(wedges.begin(), wedges.end());
+  return wedges;
+}
+
+}
+
+NonManifoldPoints FindNonManifoldPoints(
+  const ContourPolygons& polygons, const std::vector<char>& mayBeOpen)
+{
+  NonManifoldPoints bad{ polygons.Folded, std::vector<char>(mayBeOpen.size(), 0) };
+  const Wedges wedges = WedgesOf(polygons);
+  for (auto first = wedges.begin(), last = first; first != wedges.end(); first = last)
+  {
+    const std::int64_t corner = first->Corner;
+    last =
+      std::find_if(first, wedges.end(), [corner](const Wedge& w) { return w.Corner != corner; });
+    const auto at = static_cast<std::size_t>(corner);
+    const bool isMore = at >= mayBeOpen.size();
+    if (!isMore)
+    {
+      bad.IsThere[at] = 1;
+    }
+    if (!IsRing({ first, last }, isMore || mayBeOpen[at] != 0))
+    {
+      std::for_each(first, last, [&bad](const Wedge& w) { bad.Edges.push_back(w.Edge); });
+    }
+  }
+  return bad;
 }
 
 }

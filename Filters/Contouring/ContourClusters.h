@@ -1,12 +1,6 @@
 /**
  * @file ContourClusters.h
- * @brief Points of a uniform contour put together in an octree.
- *
- * S. Schaefer, T. Ju, J. Warren, IEEE TVCG 13 (2007) 610, doi:10.1109/TVCG.2007.1012: in each cell
- * of the octree, from small to large, the points that the surface joins within the cell become a
- * cluster, with a point of its own where the planes of all are met best. It may stand for them
- * where its planes are met within the tolerance (root of the mean square) and its piece of surface
- * is a disc: points - edges + faces, each inside the cell, is 1.
+ * @brief Vertex clustering of a uniform contour in an octree, and the polygons that it gives.
  */
 #ifndef isthmus_ContourClusters_h
 #define isthmus_ContourClusters_h
@@ -15,8 +9,19 @@
 #include "Core/Geometry.h"
 #include "Core/Index.h"
 
+#include <map>
+
 namespace isthmus
 {
+
+//--------------------------------------------------------------------------------------------------
+// Points of a uniform contour put together in an octree.
+//
+// S. Schaefer, T. Ju, J. Warren, IEEE TVCG 13 (2007) 610, doi:10.1109/TVCG.2007.1012: in each cell
+// of the octree, from small to large, the points that the surface joins within the cell become a
+// cluster, with a point of its own where the planes of all are met best. It may stand for them
+// where its planes are met within the tolerance (root of the mean square) and its piece of surface
+// is a disc: points - edges + faces, each inside the cell, is 1.
 
 class ContourClusters
 {
@@ -43,7 +48,7 @@ private:
   struct Open ///< a cluster or point without parent, as yet
   {
     std::int64_t Id;
-    QuadraticErrors Errors;
+    QuadricError Errors;
   };
   struct Level ///< what is left to put together
   {
@@ -68,6 +73,68 @@ private:
   std::vector<char> MayStand;
   std::vector<std::int64_t> Top; ///< of each id
 };
+
+//--------------------------------------------------------------------------------------------------
+// The polygons of a contour whose points are put together, and finer ones where they cross.
+//
+// A quadrilateral whose points are put together becomes a triangle or nothing. A *cut* one becomes
+// triangles around its crossing; where it borders on another one (a "side": a face of the grid
+// between two cells), they get a point on that face, halfway between both crossings. Each of these
+// triangles stays in one cell (T. Ju, T. Udeshi, Intersection-free contouring on an octree grid,
+// Pacific Graphics 2006).
+
+/// Corners: ids of points and clusters, then of More; the fourth is -1 in triangles.
+struct ContourPolygons
+{
+  std::vector<std::array<std::int64_t, 4>> Corners;
+  std::vector<std::int64_t> Edge;   ///< of each: the crossed edge it is around
+  std::vector<std::int64_t> Folded; ///< crossed edges two of whose opposite points are the same
+  std::vector<Point3> More;         ///< crossings, and points on faces
+};
+
+/// Which quadrilaterals are cut. @pre only those none of whose points stand in a cluster.
+class ContourCuts
+{
+public:
+  /// O(edges log edges), 100 bytes an edge.
+  explicit ContourCuts(const UniformContour& contour);
+
+  bool Has(std::int64_t edge) const { return this->IsCut[static_cast<std::size_t>(edge)] != 0; }
+  void Cut(std::int64_t edge) { this->IsCut[static_cast<std::size_t>(edge)] = 1; }
+  /// The other edge around which two points are neighbours; -1 at the border of the grid.
+  std::int64_t Beyond(std::int64_t edge, std::int64_t a, std::int64_t b) const;
+
+private:
+  struct Side
+  {
+    std::array<std::int64_t, 2> Points; ///< ascending
+    std::int64_t Edge;
+  };
+
+  std::vector<Side> Sides; ///< ascending
+  std::vector<char> IsCut;
+};
+
+/// O(edges). @param cuts none, or what is to be cut.
+ContourPolygons PolygonsOf(const UniformContour& contour, const ContourClusters& clusters,
+  bool triangles, const ContourCuts* cuts);
+
+//--------------------------------------------------------------------------------------------------
+// Do the polygons around each point of a contour form one ring?
+
+struct NonManifoldPoints
+{
+  std::vector<std::int64_t> Edges; ///< crossed edges of the polygons in them, and folded ones
+  std::vector<char> IsThere;       ///< of each point and cluster: it has polygons
+};
+
+/**
+ * Points whose polygons are not one ring of three or more, each beside the next one with the same
+ * side out; a chain will do for those of `mayBeOpen` and for points of polygons.More.
+ * O(n log n), 130 bytes a polygon.
+ */
+NonManifoldPoints FindNonManifoldPoints(
+  const ContourPolygons& polygons, const std::vector<char>& mayBeOpen);
 
 }
 

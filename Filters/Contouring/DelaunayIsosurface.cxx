@@ -1,6 +1,6 @@
 #include "Contouring/DelaunayIsosurface.h"
 
-#include "Contouring/SurfaceSeeds.h"
+#include "Contouring/SeedPoints.h"
 #include "Core/RangeChecks.h"
 #include "Remeshing/CGALSurface.h"
 #include "Remeshing/CGALWithoutDumps.h"
@@ -47,7 +47,7 @@ void CheckParameters(const DelaunayIsosurfaceParameters& p)
 
 /// Sizes that the search for points does not resolve, or that take more points than allowed, are
 /// refused before refinement begins.
-void DemandBudget(
+void RequireBudget(
   const DelaunayIsosurfaceParameters& p, const Bounds3& bounds, const SurfaceView& guide)
 {
   const double finest = 1e-6 * bounds.Diagonal();
@@ -291,7 +291,7 @@ DelaunayIsosurfaceResult DelaunayIsosurface(const ScalarField& field, const Boun
     [&]
     {
       Report(progress, 0.0);
-      DemandBudget(parameters, bounds, guide);
+      RequireBudget(parameters, bounds, guide);
       const auto components = SpreadSeeds(guide, 2.0 * parameters.Radius);
       const double expected = 400.0 * static_cast<double>(guide.Points.size());
       const Side side(field, parameters, expected, progress);

@@ -5,24 +5,32 @@
  * T. Ju, F. Losasso, S. Schaefer, J. Warren, ACM Trans. Graph. 21 (2002) 339,
  * doi:10.1145/566654.566586: in each cell the point nearest to the planes
  * of its crossings (QuadricError.h), around each crossed edge a quadrilateral of four of
- * them. A cell has a point for each piece of surface in it (DualCells.h), so that the surface is
- * manifold; it is open only where it leaves the grid. Points are kept in their cells, but for
- * those of edges that pass beside (ContourPlaces.h). That makes
+ * them. A cell has a point for each piece of surface in it (UniformContour.h), so that the surface
+ * is manifold; it is open only where it leaves the grid. Points are kept in their cells, but for
+ * those of edges that pass beside (UniformContour.h). That makes
  * crossing polygons rare but does not rule them out; FreeOfCrossings does.
  *
  * With a tolerance the points of an octree's cells are put together (S. Schaefer, T. Ju, J. Warren,
- * doi:10.1109/TVCG.2007.1012; ContourClusters.h) and the surface is looked at until it is manifold
- * and near enough (ContourRefinement.h).
+ * doi:10.1109/TVCG.2007.1012; ContourClusters.h) and clusters are split again until the surface is
+ * manifold and within the tolerance.
  */
 #ifndef isthmus_DualContouring_h
 #define isthmus_DualContouring_h
 
-#include "Contouring/DualContouringParameters.h"
+#include "Contouring/UniformContour.h"
 #include "Core/Progress.h"
 #include "vtkIsthmusFiltersContouringModule.h"
 
 namespace isthmus
 {
+
+/// Polygons of three or four corners (the fourth then differs from -1).
+struct DualContour
+{
+  std::vector<Point3> Points;
+  std::vector<std::array<std::int64_t, 4>> Polygons; ///< counter-clockwise seen from outside
+  std::int64_t Crossing = 0; ///< of FreeOfCrossings: triangles that still cross (at the border)
+};
 
 /**
  * The contour of `grid`, in its frame (first node at the origin) or moved by ToWorld. Where an edge

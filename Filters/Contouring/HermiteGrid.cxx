@@ -1,11 +1,126 @@
 #include "Contouring/HermiteGrid.h"
 
-#include "Contouring/CellBox.h"
+#include "Core/Index.h"
+#include "Surfaces/SurfaceCleaning.h"
 
 #include <limits>
+#include <tuple>
 
 namespace isthmus
 {
+
+Bounds3 CellBox(
+  const GridShape& shape, const std::array<std::int64_t, 3>& index, std::int64_t size, double reach)
+{
+  Bounds3 box;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const auto last = static_cast<double>(shape.Dimensions[a] - 1);
+    const auto low = static_cast<double>(index[a]);
+    const auto side = static_cast<double>(size);
+    box.Min[a] = shape.Spacing[a] * std::max(-reach, low - reach * side);
+    box.Max[a] = shape.Spacing[a] * std::min(last + reach, low + side + reach * side);
+  }
+  return box;
+}
+
+std::int64_t CellAt(const GridShape& grid, const Point3& x)
+{
+  std::array<std::int64_t, 3> index;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const double at = std::floor(x[a] / grid.Spacing[a]);
+    if (!(at >= 0.0 && at < static_cast<double>(grid.Dimensions[a] - 1)))
+    {
+      return -1;
+    }
+    index[a] = static_cast<std::int64_t>(at);
+  }
+  return index[0] + grid.Dimensions[0] * (index[1] + grid.Dimensions[1] * index[2]);
+}
+
+namespace
+{
+
+/// A side of a triangle with an area.
+struct Side
+{
+  std::array<vtkIdType, 2> Ends; ///< ascending
+  Point3 Normal;
+};
+
+std::vector<Side> SidesOf(const SurfaceView& surface)
+{
+  std::vector<Side> sides;
+  sides.reserve(3 * surface.Triangles.size());
+  for (const Triangle& t : MergedCorners(surface))
+  {
+    const Point3& first = surface.Point(t[0]);
+    const Point3 n = Cross(surface.Point(t[1]) - first, surface.Point(t[2]) - first);
+    const double length = Length(n);
+    for (std::size_t c = 0; c < 3 && length > 0.0; ++c)
+    {
+      const vtkIdType a = t[c], b = t[(c + 1) % 3];
+      sides.push_back({ { std::min(a, b), std::max(a, b) }, (1.0 / length) * n });
+    }
+  }
+  std::sort(sides.begin(), sides.end(),
+    [](const Side& a, const Side& b)
+    { return std::tie(a.Ends, a.Normal) < std::tie(b.Ends, b.Normal); });
+  return sides;
+}
+
+/// A segment's end: its point, and the other end.
+using End = std::array<vtkIdType, 2>;
+
+std::vector<Point3> CornersOf(const SurfaceView& surface, std::vector<End> ends, double cosine)
+{
+  std::sort(ends.begin(), ends.end());
+  const auto along = [&](const End& end)
+  {
+    const Point3 d = surface.Point(end[1]) - surface.Point(end[0]);
+    return (1.0 / Length(d)) * d;
+  };
+  std::vector<Point3> corners;
+  for (std::size_t i = 0, next = 0; i < ends.size(); i = next)
+  {
+    while (next < ends.size() && ends[next][0] == ends[i][0])
+    {
+      ++next;
+    }
+    if (next - i != 2 || -Dot(along(ends[i]), along(ends[i + 1])) < cosine)
+    {
+      corners.push_back(surface.Point(ends[i][0]));
+    }
+  }
+  return corners;
+}
+
+}
+
+SharpEdges FindSharpEdges(const SurfaceView& surface, double cosine)
+{
+  const std::vector<Side> sides = SidesOf(surface);
+  SharpEdges sharp;
+  std::vector<End> ends;
+  for (std::size_t i = 0, next = 0; i < sides.size(); i = next)
+  {
+    while (next < sides.size() && sides[next].Ends == sides[i].Ends)
+    {
+      ++next;
+    }
+    if (next - i > 2 || (next - i == 2 && Dot(sides[i].Normal, sides[i + 1].Normal) < cosine))
+    {
+      const auto [a, b] = sides[i].Ends;
+      sharp.Segments.push_back({ surface.Point(a), surface.Point(b) });
+      ends.push_back({ a, b });
+      ends.push_back({ b, a });
+    }
+  }
+  sharp.Corners = CornersOf(surface, std::move(ends), cosine);
+  return sharp;
+}
+
 namespace
 {
 
@@ -50,7 +165,7 @@ struct Nearest
 
 }
 
-ContourFeatures::ContourFeatures(const SharpEdges& sharp, const GridShape& grid)
+SharpFeatureGrid::SharpFeatureGrid(const SharpEdges& sharp, const GridShape& grid)
 {
   for (const auto& segment : sharp.Segments)
   {
@@ -69,7 +184,7 @@ ContourFeatures::ContourFeatures(const SharpEdges& sharp, const GridShape& grid)
   std::stable_sort(this->Corners.begin(), this->Corners.end(), before);
 }
 
-void ContourFeatures::AddPieces(const std::array<Point3, 2>& segment, const GridShape& grid)
+void SharpFeatureGrid::AddPieces(const std::array<Point3, 2>& segment, const GridShape& grid)
 {
   const Point3 along = segment[1] - segment[0];
   std::vector<double> stops{ 0.0, 1.0 };
@@ -94,7 +209,7 @@ void ContourFeatures::AddPieces(const std::array<Point3, 2>& segment, const Grid
   }
 }
 
-std::optional<Point3> ContourFeatures::NearestCorner(
+std::optional<Point3> SharpFeatureGrid::NearestCorner(
   std::int64_t cell, const Point3& x, const Filter& isMine) const
 {
   Nearest nearest{ x };
@@ -109,7 +224,7 @@ std::optional<Point3> ContourFeatures::NearestCorner(
   return nearest.Place;
 }
 
-std::optional<Point3> ContourFeatures::NearestOnEdge(
+std::optional<Point3> SharpFeatureGrid::NearestOnEdge(
   std::int64_t cell, const Point3& x, Part part, const Filter& isMine) const
 {
   const double beside = part == Part::Middle ? 0.1 : 0.0;

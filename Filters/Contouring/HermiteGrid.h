@@ -1,11 +1,12 @@
 /**
  * @file HermiteGrid.h
- * @brief The sharp edges and corners in each cell of a grid.
+ * @brief Crossings of a surface with the lines of a grid, its normals there and its sharp edges.
  */
 #ifndef isthmus_HermiteGrid_h
 #define isthmus_HermiteGrid_h
 
-#include "Contouring/SharpEdges.h"
+#include "Core/Geometry.h"
+#include "Core/TriangleMesh.h"
 #include "Surfaces/SurfaceCrossings.h"
 
 #include <functional>
@@ -14,11 +15,61 @@
 namespace isthmus
 {
 
-class ContourFeatures
+//--------------------------------------------------------------------------------------------------
+// The box of a cell of a grid or octree, and the cell at a place.
+
+/// The cube of `size` cells each way at `index`, grown by `reach` of its sides, within the grid
+/// grown by `reach` cells.
+Bounds3 CellBox(const GridShape& shape, const std::array<std::int64_t, 3>& index, std::int64_t size,
+  double reach);
+
+/// Lowest node of the cell that `x` lies in, -1 outside the grid.
+std::int64_t CellAt(const GridShape& grid, const Point3& x);
+
+//--------------------------------------------------------------------------------------------------
+// The edges and corners of a triangle surface over which its normal jumps.
+
+struct SharpEdges
+{
+  std::vector<std::array<Point3, 2>> Segments;
+  /// Where one, three or more segments end, or two that turn by more than the angle.
+  std::vector<Point3> Corners;
+};
+
+/// Where a surface crosses the lines of a grid, with its normals there ("Hermite data").
+struct HermiteGrid
+{
+  GridShape Shape;
+  std::vector<unsigned char> Inside;   ///< of each node: 1 inside, else 0
+  std::vector<GridCrossing> Crossings; ///< ordered by node and axis; normals outward
+  SharpEdges Sharp;                    ///< where known: points of their cells go there
+};
+
+/**
+ * Edges whose two triangles' normals enclose an angle with a cosine below `cosine`, and those of
+ * more than two triangles. Points in one place are one; triangles without area have no normal and
+ * do not count. Ordered by the ids of their points. O(n log n), 100 bytes a triangle.
+ */
+SharpEdges FindSharpEdges(const SurfaceView& surface, double cosine);
+
+/**
+ * Cosine of the angle between two planes, as often met, above which a cell of dual contouring takes
+ * them for one: n1 n1^T + n2 n2^T has the eigenvalues 1 + c and 1 - c, and the smaller one does not
+ * count where it is below `threshold` times the larger.
+ */
+inline double SharpCosine(double threshold)
+{
+  return (1.0 - threshold) / (1.0 + threshold);
+}
+
+//--------------------------------------------------------------------------------------------------
+// The sharp edges and corners in each cell of a grid.
+
+class SharpFeatureGrid
 {
 public:
   /// What is outside the grid is left out. O(n log n) for n pieces of edge, 60 bytes each.
-  ContourFeatures(const SharpEdges& sharp, const GridShape& grid);
+  SharpFeatureGrid(const SharpEdges& sharp, const GridShape& grid);
 
   using Filter = std::function<bool(const Point3&)>;
 

@@ -176,33 +176,4 @@ std::vector<Point3> PointNormals(const SurfaceView& mesh)
   return normals;
 }
 
-template <typename T>
-std::vector<double> SampleValues(const GridView<const T>& grid)
-{
-  // An odd step without a common factor with the rows or layers passes over all columns alike.
-  std::int64_t step = grid.Size() / (std::int64_t{ 1 } << 20) + 1;
-  if (step > 1)
-  {
-    step |= 1;
-    while (std::gcd(step, grid.Dimensions[0] * grid.Dimensions[1]) > 1)
-    {
-      step += 2;
-    }
-  }
-  std::vector<double> values;
-  values.reserve(static_cast<std::size_t>(grid.Size() / step + 1));
-  for (std::int64_t n = 0; n < grid.Size(); n += step)
-  {
-    const auto value = static_cast<double>(grid.Data[n]);
-    if (std::isfinite(value))
-    {
-      values.push_back(value);
-    }
-  }
-  return values;
-}
-
-template std::vector<double> SampleValues(const GridView<const float>&);
-template std::vector<double> SampleValues(const GridView<const double>&);
-
 }

@@ -1,17 +1,33 @@
 /**
  * @file MapSurface.h
- * @brief What turns the triangles of a map's level into a surface to look at: no dust, normals.
+ * @brief Post-processing of the level set of a map: small components (dust) removed, normals.
  */
 #ifndef isthmus_MapSurface_h
 #define isthmus_MapSurface_h
 
-#include "Contouring/MapSurfaceParameters.h"
-#include "Core/GridView.h"
 #include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersContouringModule.h"
 
+#include <cstdint>
+
 namespace isthmus
 {
+
+/// Criteria for the components of a surface: one that fails any of the three is removed.
+struct DustParameters
+{
+  double MinimumArea = 0.0;  ///< length^2
+  double MinimumShare = 0.0; ///< of the area of the largest component, from 0 to 1
+  int Largest = 0;           ///< keep that many of the largest; 0: all
+};
+
+struct DustResult
+{
+  TriangleMesh Surface;                 ///< what stays, in its order
+  std::vector<std::int64_t> Components; ///< of each triangle, 0 for the largest
+  std::vector<double> Areas;            ///< of each component that stays, largest first
+  std::int64_t Found = 0;               ///< components before
+};
 
 /**
  * `mesh` without its small components (triangles connected by points), the others ranked by area,
@@ -24,10 +40,6 @@ VTKISTHMUSFILTERSCONTOURING_EXPORT DustResult HideDust(
 /// Unit normals at the points, outwards: the mean of the triangles' weighted by area. 0 for a point
 /// that no triangle uses.
 VTKISTHMUSFILTERSCONTOURING_EXPORT std::vector<Point3> PointNormals(const SurfaceView& mesh);
-
-/// A fair sample of at most 2^20 of the grid's values that are finite, for SensibleLevel.
-template <typename T>
-VTKISTHMUSFILTERSCONTOURING_EXPORT std::vector<double> SampleValues(const GridView<const T>& grid);
 
 }
 

@@ -1,6 +1,6 @@
 /**
  * @file QuadricError.h
- * @brief The point nearest to a set of planes within a box.
+ * @brief Quadric errors: the point that fits a set of planes best within a box.
  */
 #ifndef isthmus_QuadricError_h
 #define isthmus_QuadricError_h
@@ -8,20 +8,24 @@
 #include "Core/Geometry.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace isthmus
 {
+
+//--------------------------------------------------------------------------------------------------
+// The point nearest to a set of planes within a box.
 
 /**
  * Sum over planes (through p, unit normal n) of (n . (x - p))^2, and the mean of the p. Kept as the
  * quadratic form of x around the first plane's p, so that sums of many cells are as small as that
  * of one; 160 bytes.
  */
-class QuadraticErrors
+class QuadricError
 {
 public:
   void Add(const Point3& p, const Point3& n);
-  void Add(const QuadraticErrors& other);
+  void Add(const QuadricError& other);
 
   std::int64_t NumberOfPlanes() const { return this->Count; }
   /// Mean of the points. @pre a plane was added.
@@ -51,6 +55,35 @@ private:
   double Constant = 0.0;          ///< sum of (n . p)^2
   Point3 Sum{};                   ///< of the p
 };
+
+//--------------------------------------------------------------------------------------------------
+// The planes of a piece of surface in a cell, of faces that bend.
+//
+// The tangent planes of a curved face do not meet on it: seen from a point x of a sphere of radius
+// R, the tangent plane at a distance s passes s^2 / 2 R outside. The plane through the crossing p_i
+// whose normal is halfway between that there and that at x,
+//
+//     (n_i + n(x)) . (x - p_i) = 0,
+//
+// passes through x for every sphere and, with n the gradient, for every quadric (the trapezoid rule
+// along the chord is exact for linear gradients). n(x) is n(p) + k (x - p) with p and n the means
+// of a face's crossings in the cell and k the curvature that fits them best. A face is crossings
+// whose normals differ by less than 30 degrees, one by one.
+
+struct TangentPlane
+{
+  Point3 Place;
+  Point3 Normal; ///< unit
+};
+
+/**
+ * The planes that meet best in `around`: the tangent ones, or those halfway where they meet better,
+ * which is on edges and corners of curved faces. Where the normals vary in one direction only, as
+ * told by `threshold` (QuadricError::Rank), the tangent ones. O(n^2), n <= 12 in a cell.
+ * @pre `planes` is not empty; `around` has their places.
+ */
+QuadricError FitQuadricError(
+  const std::vector<TangentPlane>& planes, const Bounds3& around, double threshold);
 
 }
 

@@ -2,7 +2,7 @@
 
 #include "Contouring/ClosedLevelSet.h"
 #include "Contouring/DualContouring.h"
-#include "Contouring/KinkedCrossings.h"
+#include "Contouring/ENOCrossings.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
 #include "Core/Geometry.h"
@@ -53,7 +53,7 @@ isthmus::HermiteGrid HermiteOf(
     {
       for (std::int64_t k = first; k < last; ++k)
       {
-        isthmus::AppendKinkedCrossings(level, k, layers[static_cast<std::size_t>(k)]);
+        isthmus::AppendENOCrossings(level, k, layers[static_cast<std::size_t>(k)]);
       }
     },
     progress);

@@ -3,8 +3,8 @@
 #include "Contouring/AutomaticLevel.h"
 #include "Contouring/ClosedLevelSet.h"
 #include "Contouring/DelaunayIsosurface.h"
-#include "Contouring/LevelTriangles.h"
 #include "Contouring/MapSurface.h"
+#include "Contouring/MarchingCubes.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
@@ -56,13 +56,13 @@ isthmus::TriangleMesh DelaunaySurface(vtkMapSurface* self, vtkImageData* image,
 isthmus::TriangleMesh CubesSurface(vtkMapSurface* self, vtkImageData* image, vtkDataArray* scalars,
   double level, const isthmus::ProgressCallback& progress)
 {
-  isthmus::LevelTrianglesParameters parameters;
+  isthmus::MarchingCubesParameters parameters;
   parameters.Level = level;
   parameters.InsideIsHigher = self->GetInsideIsHigher();
   parameters.CloseAtBorder = self->GetCloseAtBorder();
   isthmus::TriangleMesh mesh;
   isthmus::UseScalars(image, scalars,
-    [&](const auto& grid) { mesh = isthmus::LevelTriangles(grid, parameters, progress); });
+    [&](const auto& grid) { mesh = isthmus::MarchingCubes(grid, parameters, progress); });
   return mesh;
 }
 

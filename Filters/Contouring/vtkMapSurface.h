@@ -1,6 +1,6 @@
 /**
  * @class vtkMapSurface
- * @brief A density map as a closed, clean surface at a sensible level.
+ * @brief A density map as a closed, clean surface at an automatic level.
  *
  * Input: vtkImageData with one-component point scalars of any number type, any spacing, origin and
  * direction. Values that are not numbers count as outside.
@@ -12,7 +12,7 @@
  *
  * AutomaticLevel takes the level that the map's depositors recommend, where the reader found it
  * (field data `RecommendedLevel`, from `emd-NNNN.xml` beside the map), else one that separates the
- * molecule from its surroundings (SensibleLevel.h). It is kept until the map changes, so that a new
+ * molecule from its surroundings (LevelEstimate.h). It is kept until the map changes, so that a new
  * Level costs two passes over the map and the surface: well under a second for 256^3 nodes.
  *
  * Memory: surface with normals, 100 bytes a triangle; the map is not copied where it is float or
@@ -60,7 +60,7 @@ public:
   void SetLevelOnly(double level);
 
   ///@{
-  /// Take the recommended level, or else a sensible one, instead of Level. Default on.
+  /// Take the recommended level, or else an estimated one, instead of Level. Default on.
   vtkSetMacro(AutomaticLevel, bool);
   vtkGetMacro(AutomaticLevel, bool);
   vtkBooleanMacro(AutomaticLevel, bool);
@@ -70,8 +70,8 @@ public:
   vtkGetMacro(UsedLevel, double);
 
   ///@{
-  /// The inside is where the value is above the level (densities). Default on. A sensible level is
-  /// found for either.
+  /// The inside is where the value is above the level (densities). Default on. An automatic level
+  /// is found for either.
   vtkSetMacro(InsideIsHigher, bool);
   vtkGetMacro(InsideIsHigher, bool);
   vtkBooleanMacro(InsideIsHigher, bool);

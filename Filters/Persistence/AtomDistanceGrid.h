@@ -6,13 +6,21 @@
 #define isthmus_AtomDistanceGrid_h
 
 #include "Core/Progress.h"
-#include "Persistence/FullereneParameters.h"
+#include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersPersistenceModule.h"
 
 #include <array>
 
 namespace isthmus
 {
+
+/// How the distance from the atoms is put on a grid. Lengths in the unit of the points.
+struct GridDistanceParameters
+{
+  double Spacing = 0.2;      ///< of the nodes
+  double Theta = 2.0;        ///< distances beyond are not looked at
+  bool FastMarching = false; ///< as in the thesis, first order; else the exact distance
+};
 
 /// Values at nodes, x fastest, cut at the greatest distance asked for.
 struct AtomDistances

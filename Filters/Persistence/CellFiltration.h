@@ -6,8 +6,8 @@
 #define isthmus_CellFiltration_h
 
 #include "Core/Geometry.h"
+#include "Core/Handles.h"
 #include "Core/Progress.h"
-#include "Persistence/SimplexIds.h"
 #include "vtkIsthmusFiltersPersistenceModule.h"
 
 #include <algorithm>
@@ -17,6 +17,72 @@
 
 namespace isthmus
 {
+
+//--------------------------------------------------------------------------------------------------
+// Ids of a filtration's edges, triangles and tetrahedra, and their places in its order.
+
+/// The integer of all of these; ids of points are it as it stands. 32 bits: a complex has at most
+/// 2^29 tetrahedra, whose faces are numbered, which is about 80 million points;
+/// CellFiltration::Connect() refuses more with a sentence.
+using SimplexId = std::int32_t;
+
+using EdgeId = Handle<struct FiltrationEdge, SimplexId>;
+using TriangleId = Handle<struct FiltrationTriangle, SimplexId>;
+/// None: what is beyond the complex.
+using TetrahedronId = Handle<struct FiltrationTetrahedron, SimplexId>;
+
+/// Position in the order of entry among the simplices of the same dimension.
+using EdgeRank = Handle<struct FiltrationEdgeRank, SimplexId>;
+using TriangleRank = Handle<struct FiltrationTriangleRank, SimplexId>;
+using TetrahedronRank = Handle<struct FiltrationTetrahedronRank, SimplexId>;
+
+static_assert(sizeof(EdgeId) == sizeof(SimplexId) && sizeof(TriangleRank) == sizeof(SimplexId));
+
+/// A set of edges, or of triangles, over Z/2: ids without repetition.
+using EdgeChain = std::vector<EdgeId>;
+using TriangleChain = std::vector<TriangleId>;
+
+//--------------------------------------------------------------------------------------------------
+// The order in which simplices enter, by a radix sort of their values.
+
+/**
+ * All simplices of one dimension in ascending (first, value, id); `rank` becomes the inverse.
+ *
+ * `first` marks simplices that come before all others (one flag each, or none); no value is NaN.
+ * Bits of doubles, turned round below zero, stand in the order of their values: the 32 leading ones
+ * in which the values differ are sorted by three stable passes of 11, and runs of equal ones by the
+ * value itself. O(n), parallel, the same on any number of threads; 16 bytes a simplex while it
+ * runs.
+ */
+template <typename Id, typename Rank>
+HandleVector<Rank, Id> SimplexOrder(const HandleVector<Id, double>& value,
+  const HandleVector<Id, char>& first, HandleVector<Id, Rank>& rank,
+  const ProgressCallback& progress = {});
+
+/// The same by levels, counted from 0: all simplices in ascending (level, id). Two passes for up to
+/// four million levels.
+template <typename Id, typename Rank>
+HandleVector<Rank, Id> SimplexOrder(const HandleVector<Id, std::uint32_t>& level,
+  HandleVector<Id, Rank>& rank, const ProgressCallback& progress = {});
+
+extern template VTKISTHMUSFILTERSPERSISTENCE_EXPORT HandleVector<EdgeRank, EdgeId> SimplexOrder(
+  const HandleVector<EdgeId, double>& value, const HandleVector<EdgeId, char>& first,
+  HandleVector<EdgeId, EdgeRank>& rank, const ProgressCallback& progress);
+extern template VTKISTHMUSFILTERSPERSISTENCE_EXPORT HandleVector<TriangleRank, TriangleId>
+SimplexOrder(const HandleVector<TriangleId, double>& value,
+  const HandleVector<TriangleId, char>& first, HandleVector<TriangleId, TriangleRank>& rank,
+  const ProgressCallback& progress);
+extern template VTKISTHMUSFILTERSPERSISTENCE_EXPORT HandleVector<TetrahedronRank, TetrahedronId>
+SimplexOrder(const HandleVector<TetrahedronId, double>& value,
+  const HandleVector<TetrahedronId, char>& first,
+  HandleVector<TetrahedronId, TetrahedronRank>& rank, const ProgressCallback& progress);
+
+extern template VTKISTHMUSFILTERSPERSISTENCE_EXPORT HandleVector<EdgeRank, EdgeId> SimplexOrder(
+  const HandleVector<EdgeId, std::uint32_t>& level, HandleVector<EdgeId, EdgeRank>& rank,
+  const ProgressCallback& progress);
+extern template VTKISTHMUSFILTERSPERSISTENCE_EXPORT HandleVector<TriangleRank, TriangleId>
+SimplexOrder(const HandleVector<TriangleId, std::uint32_t>& level,
+  HandleVector<TriangleId, TriangleRank>& rank, const ProgressCallback& progress);
 
 /**
  * A simplicial 3-complex and the value at which each of its simplices enters.
@@ -64,7 +130,7 @@ struct CellFiltration
   /// tetrahedron in all. Throws std::runtime_error beyond 2^29 tetrahedra.
   VTKISTHMUSFILTERSPERSISTENCE_EXPORT void Connect(const ProgressCallback& progress = {});
 
-  /// Sorts triangles and edges by value, ties by index (SimplexOrder.h). O(n).
+  /// Sorts triangles and edges by value, ties by index (CellFiltration.h). O(n).
   VTKISTHMUSFILTERSPERSISTENCE_EXPORT void Order(const ProgressCallback& progress = {});
 
   /// The edge between two points, or None.

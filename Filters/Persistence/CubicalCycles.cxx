@@ -1,16 +1,383 @@
 #include "Persistence/CubicalCycles.h"
 
-#include "Persistence/CubicalCritical.h"
+#include "Persistence/CubicalComponents.h"
+#include "Persistence/CubicalGradient.h"
 #include "Persistence/CubicalLoops.h"
-#include "Persistence/LoopCompletion.h"
-#include "Persistence/WayRound.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <queue>
+#include <set>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace isthmus
 {
+
+//--------------------------------------------------------------------------------------------------
+// Shortest ways through a volume's complex, for the cycles round its tunnels.
+
+/**
+ * Shortest ways through the complex just before a node enters (Dijkstra, by cells: along edges and
+ * across faces and cubes). Cost: the part of the volume within the length of the way.
+ */
+template <typename Gradient>
+class ShortestPaths
+{
+public:
+  using Nodes = std::vector<std::int64_t>;
+
+  ShortestPaths(const Gradient& gradient, const std::array<double, 3>& spacing)
+    : Cells(gradient)
+  {
+    for (std::size_t cell = 0; cell < 26; ++cell)
+    {
+      double squared = 0.0;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const double step = Star::Steps[cell][axis] * spacing[axis];
+        squared += step * step;
+      }
+      this->Lengths[cell] = std::sqrt(squared);
+    }
+  }
+
+  /// From the far end of an edge round to its node, which is the one that enters: nodes, both ends
+  /// included. Empty where there is no way.
+  Nodes Round(std::int64_t node, std::int64_t far)
+  {
+    return this->Find(far, node, node, std::numeric_limits<double>::infinity());
+  }
+
+  /// Between two nodes that were there before `latest`, if there is a way shorter than `limit`.
+  Nodes Between(std::int64_t from, std::int64_t to, std::int64_t latest, double limit)
+  {
+    return this->Find(from, to, latest, limit);
+  }
+
+  double StepLength(StarCell cell) const { return this->Lengths[cell.Index()]; }
+
+private:
+  Nodes Find(std::int64_t from, std::int64_t to, std::int64_t latest, double limit)
+  {
+    this->Start = from;
+    this->Goal = to;
+    this->Latest = latest;
+    this->Reached.clear();
+    Open open;
+    this->Offer(open, from, 0.0, from);
+    while (!open.empty())
+    {
+      const auto [length, at] = open.top();
+      open.pop();
+      if (length >= limit)
+      {
+        break;
+      }
+      if (at == to)
+      {
+        return this->Trace();
+      }
+      if (length <= this->Reached[at].Length)
+      {
+        this->Spread(open, at, length);
+      }
+    }
+    return {};
+  }
+
+  struct Visit
+  {
+    double Length;
+    std::int64_t From;
+  };
+  using Entry = std::pair<double, std::int64_t>;
+  using Open = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
+
+  void Offer(Open& open, std::int64_t node, double length, std::int64_t from)
+  {
+    const auto [visit, isNew] = this->Reached.try_emplace(node, Visit{ length, from });
+    if (isNew || length < visit->second.Length)
+    {
+      visit->second = { length, from };
+      open.push({ length, node });
+    }
+  }
+
+  void Spread(Open& open, std::int64_t at, double length)
+  {
+    const LowerStars& stars = this->Cells.Lower();
+    for (const StarCell cell : HandleRange<StarCell>(Star::Node))
+    {
+      if (!this->StaysInside(at, cell))
+      {
+        continue;
+      }
+      const std::int64_t next = at + stars.Offset(cell);
+      // The last step is along another edge of the node; diagonals keep away from it, so that
+      // they do not run along the edge itself.
+      const bool arrives = next == this->Latest && next == this->Goal &&
+        cell.Value < Star::FirstFace && at != this->Start;
+      if (arrives || this->WasThere(at, cell))
+      {
+        this->Offer(open, next, length + this->StepLength(cell), at);
+      }
+    }
+  }
+
+  bool StaysInside(std::int64_t node, StarCell cell) const
+  {
+    const LowerStars& stars = this->Cells.Lower();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const std::int64_t at = node / stars.Stride(axis) % stars.Dimensions()[axis];
+      const std::int64_t to = at + Star::Steps[cell.Index()][axis];
+      if (to < 0 || to >= stars.Dimensions()[axis])
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Whether all corners of the cell entered before the latest.
+  bool WasThere(std::int64_t node, StarCell cell) const
+  {
+    const auto& step = Star::Steps[cell.Index()];
+    for (int corner = 1; corner < 8; ++corner)
+    {
+      std::int64_t at = node;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        at += (corner >> axis & 1) != 0 ? step[axis] * this->Cells.Lower().Stride(axis) : 0;
+      }
+      if (!this->Cells.IsLater(this->Latest, at))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  Nodes Trace()
+  {
+    Nodes nodes{ this->Goal };
+    while (nodes.back() != this->Start)
+    {
+      nodes.push_back(this->Reached[nodes.back()].From);
+    }
+    std::reverse(nodes.begin(), nodes.end());
+    return nodes;
+  }
+
+  const Gradient& Cells;
+  std::array<double, 26> Lengths{};
+  std::int64_t Goal = 0;
+  std::int64_t Start = 0;
+  std::int64_t Latest = 0;
+  std::unordered_map<std::int64_t, Visit> Reached;
+};
+
+//--------------------------------------------------------------------------------------------------
+// Closes a reduced column, from which edges that join components were left out.
+
+/**
+ * The edges that join components are a spanning tree of the grid: gradient paths down to minima,
+ * and critical edges between these. What is missing from a column is the only set of them that
+ * makes its ends meet, and it lies below the column.
+ */
+template <typename Gradient>
+class LoopCompletion
+{
+public:
+  using Key = typename Gradient::Key;
+  using Nodes = std::vector<std::int64_t>;
+
+  LoopCompletion(
+    const Gradient& gradient, const std::vector<Key>& edges, const std::vector<char>& negative)
+    : Cells(gradient)
+    , Edges(edges)
+    , Negative(negative)
+  {
+  }
+
+  /// Closed ways that together run along the column and what it lacks.
+  std::vector<Nodes> Close(const std::vector<Key>& column)
+  {
+    if (this->Above.empty())
+    {
+      this->MakeTree();
+    }
+    this->Chain.clear();
+    std::set<std::int64_t> odd;
+    for (const Key& edge : column)
+    {
+      const auto ends = this->Cells.EndsOf(edge);
+      this->ToggleEdge(ends[0], ends[1]);
+      Toggle(odd, ends[0]);
+      Toggle(odd, ends[1]);
+    }
+    for (const std::int64_t node : odd)
+    {
+      this->ToggleWayToRoot(node);
+    }
+    return this->TakeLoops();
+  }
+
+private:
+  struct Link
+  {
+    std::int64_t Minimum; ///< towards the root
+    std::size_t Edge;     ///< number of the critical edge between
+  };
+
+  template <typename T>
+  static void Toggle(std::set<T>& set, const T& member)
+  {
+    if (!set.insert(member).second)
+    {
+      set.erase(member);
+    }
+  }
+
+  void ToggleEdge(std::int64_t a, std::int64_t b)
+  {
+    Toggle(this->Chain, std::make_pair(std::min(a, b), std::max(a, b)));
+  }
+
+  std::int64_t Below(std::int64_t node) const
+  {
+    const int edge = this->Cells.Lower()[node].Partner[Star::Node];
+    return edge == Star::Node ? node : node + this->Cells.Lower().Offset(StarCell(edge));
+  }
+
+  std::int64_t MinimumOf(std::int64_t node) const
+  {
+    for (std::int64_t next = this->Below(node); next != node; next = this->Below(node))
+    {
+      node = next;
+    }
+    return node;
+  }
+
+  /// Descends from `node` to its minimum, toggling the way.
+  std::int64_t ToggleDescent(std::int64_t node)
+  {
+    for (std::int64_t next = this->Below(node); next != node; next = this->Below(node))
+    {
+      this->ToggleEdge(node, next);
+      node = next;
+    }
+    return node;
+  }
+
+  void ToggleWayToRoot(std::int64_t node)
+  {
+    std::int64_t minimum = this->ToggleDescent(node);
+    for (auto link = this->Above.find(minimum); link->second.Minimum >= 0;
+         link = this->Above.find(minimum))
+    {
+      const auto ends = this->Cells.EndsOf(this->Edges[link->second.Edge]);
+      this->ToggleEdge(ends[0], ends[1]);
+      this->ToggleDescent(ends[0]);
+      this->ToggleDescent(ends[1]);
+      minimum = link->second.Minimum;
+    }
+  }
+
+  void MakeTree()
+  {
+    std::map<std::int64_t, std::vector<Link>> neighbours;
+    for (std::size_t i = 0; i < this->Edges.size(); ++i)
+    {
+      if (this->Negative[i])
+      {
+        const auto ends = this->Cells.EndsOf(this->Edges[i]);
+        const std::int64_t a = this->MinimumOf(ends[0]);
+        const std::int64_t b = this->MinimumOf(ends[1]);
+        neighbours[a].push_back({ b, i });
+        neighbours[b].push_back({ a, i });
+      }
+    }
+    const std::int64_t root = this->MinimumOf(0);
+    this->Above[root] = { -1, 0 };
+    Nodes open{ root };
+    while (!open.empty())
+    {
+      const std::int64_t minimum = open.back();
+      open.pop_back();
+      for (const Link& link : neighbours[minimum])
+      {
+        if (this->Above.try_emplace(link.Minimum, Link{ minimum, link.Edge }).second)
+        {
+          open.push_back(link.Minimum);
+        }
+      }
+    }
+  }
+
+  /// Takes closed ways off the chain until nothing is left. Every node has an even number of edges.
+  std::vector<Nodes> TakeLoops()
+  {
+    std::map<std::int64_t, std::set<std::int64_t>> beside;
+    for (const auto& edge : this->Chain)
+    {
+      beside[edge.first].insert(edge.second);
+      beside[edge.second].insert(edge.first);
+    }
+    std::vector<Nodes> loops;
+    while (!beside.empty())
+    {
+      Nodes way{ beside.begin()->first };
+      std::map<std::int64_t, std::size_t> at{ { way.front(), 0 } };
+      for (;;)
+      {
+        const std::int64_t here = way.back();
+        const std::int64_t next = *beside[here].begin();
+        Remove(beside, here, next);
+        Remove(beside, next, here);
+        const auto [seen, isNew] = at.try_emplace(next, way.size());
+        if (!isNew)
+        {
+          // A loop has closed; what leads to it is taken up again later.
+          loops.emplace_back(way.begin() + static_cast<std::ptrdiff_t>(seen->second), way.end());
+          for (std::size_t i = 0; i < seen->second; ++i)
+          {
+            beside[way[i]].insert(way[i + 1]);
+            beside[way[i + 1]].insert(way[i]);
+          }
+          break;
+        }
+        way.push_back(next);
+      }
+    }
+    return loops;
+  }
+
+  static void Remove(
+    std::map<std::int64_t, std::set<std::int64_t>>& beside, std::int64_t from, std::int64_t to)
+  {
+    const auto found = beside.find(from);
+    found->second.erase(to);
+    if (found->second.empty())
+    {
+      beside.erase(found);
+    }
+  }
+
+  const Gradient& Cells;
+  const std::vector<Key>& Edges;
+  const std::vector<char>& Negative;
+  std::map<std::int64_t, Link> Above; ///< from each minimum towards the root
+  std::set<std::pair<std::int64_t, std::int64_t>> Chain;
+};
+
 namespace
 {
 
@@ -74,7 +441,7 @@ public:
   {
   }
 
-  WayRound<Gradient>& Shortest() { return this->Ways; }
+  ShortestPaths<Gradient>& Shortest() { return this->Ways; }
 
   /**
    * Replaces arcs, longer ones first, by shorter ways where what lies between is filled by the
@@ -133,7 +500,7 @@ private:
 
   const Gradient& Cells;
   LoopReduction<Gradient>& Reduction;
-  WayRound<Gradient> Ways;
+  ShortestPaths<Gradient> Ways;
   std::array<double, 3> Spacing;
 };
 

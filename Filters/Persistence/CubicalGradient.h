@@ -5,7 +5,7 @@
 #ifndef isthmus_CubicalGradient_h
 #define isthmus_CubicalGradient_h
 
-#include "Persistence/CubicalPairs.h"
+#include "Persistence/CubicalDiagram.h"
 #include "Persistence/LowerStars.h"
 #include "Persistence/OrderedValues.h"
 

@@ -1,7 +1,7 @@
 #include "Persistence/CubicalPersistence.h"
 
 #include "Core/ParallelFor.h"
-#include "Persistence/CubicalCritical.h"
+#include "Persistence/CubicalComponents.h"
 #include "Persistence/CubicalLoops.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #define isthmus_CubicalPersistence_h
 
 #include "Core/Progress.h"
-#include "Persistence/CubicalPairs.h"
+#include "Persistence/CubicalDiagram.h"
 #include "Persistence/VolumeView.h"
 #include "vtkIsthmusFiltersPersistenceModule.h"
 

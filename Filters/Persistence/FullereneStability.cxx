@@ -1,6 +1,5 @@
 #include "Persistence/FullereneStability.h"
 
-#include "Persistence/AtomDistanceGrid.h"
 #include "Persistence/CubicalPersistence.h"
 #include "Persistence/DelaunayFiltration.h"
 #include "Persistence/FiltrationPairs.h"
@@ -180,7 +179,7 @@ std::vector<DistanceBar> GridBars(const std::vector<Point3>& atoms,
   return bars;
 }
 
-FullereneStability StabilityOf(const std::vector<Point3>& atoms,
+FullereneStability ComputeStability(const std::vector<Point3>& atoms,
   const std::vector<DistanceBar>& bars, double filterDelta, double theta)
 {
   FullereneStability row;

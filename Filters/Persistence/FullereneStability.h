@@ -6,11 +6,33 @@
 #define isthmus_FullereneStability_h
 
 #include "Core/Progress.h"
-#include "Persistence/FullereneParameters.h"
+#include "Persistence/AtomDistanceGrid.h"
 #include "vtkIsthmusFiltersPersistenceModule.h"
 
 namespace isthmus
 {
+
+/// A class of the growing balls: dimension 1 (a ring) or 2 (a cage), from distance to distance.
+struct DistanceBar
+{
+  int Dimension = 1;
+  double Birth = 0.0;
+  double Death = 0.0;
+
+  double Length() const { return this->Death - this->Birth; }
+};
+
+/// One row of the table.
+struct FullereneStability
+{
+  std::int64_t Atoms = 0;
+  std::int64_t Bars = 0;         ///< of dimension 1, at least FilterDelta long
+  double Integral = 0.0;         ///< of beta_1 over distance: sum of the lengths of all bars
+  double FilteredIntegral = 0.0; ///< of those at least FilterDelta long
+  double Cavity = 0.0;           ///< length of the longest bar of dimension 2
+  double BoxLength = 0.0;        ///< longest side of the box round the atoms
+  double EnergyProxy = 0.0;      ///< -FilteredIntegral / Atoms
+};
 
 /**
  * Bars of dimension 1 and 2 of the union of balls round the atoms, by the alpha complex: exact, no
@@ -43,8 +65,9 @@ VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<DistanceBar> GridBars(
  * The row of the table that these bars make. A bar that ends at `theta` has not ended and is kept
  * however short; give infinity for alpha complexes.
  */
-VTKISTHMUSFILTERSPERSISTENCE_EXPORT FullereneStability StabilityOf(const std::vector<Point3>& atoms,
-  const std::vector<DistanceBar>& bars, double filterDelta, double theta);
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT FullereneStability ComputeStability(
+  const std::vector<Point3>& atoms, const std::vector<DistanceBar>& bars, double filterDelta,
+  double theta);
 
 }
 

@@ -4,7 +4,7 @@
 #include "Core/ParallelFor.h"
 #include "Core/RadixSort.h"
 #include "Core/TriangleMesh.h"
-#include "Persistence/SimplexOrder.h"
+#include "Persistence/CellFiltration.h"
 
 #include <algorithm>
 #include <cmath>

@@ -222,7 +222,7 @@ BettiCurves CountBetti(
   return curves;
 }
 
-void DemandLevels(std::int64_t count, const double* range)
+void RequireLevels(std::int64_t count, const double* range)
 {
   if (count < 2 || count > 1000000)
   {

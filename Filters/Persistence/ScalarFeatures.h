@@ -5,7 +5,7 @@
 #ifndef isthmus_ScalarFeatures_h
 #define isthmus_ScalarFeatures_h
 
-#include "Persistence/CubicalPairs.h"
+#include "Persistence/CubicalDiagram.h"
 #include "Persistence/VolumeView.h"
 #include "vtkIsthmusFiltersPersistenceModule.h"
 
@@ -77,7 +77,7 @@ VTKISTHMUSFILTERSPERSISTENCE_EXPORT BettiCurves CountBetti(
 
 /// Throws std::invalid_argument unless there are from 2 to a million levels and the first of two
 /// finite ends of the range is below the second; null: no range.
-VTKISTHMUSFILTERSPERSISTENCE_EXPORT void DemandLevels(std::int64_t count, const double* range);
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT void RequireLevels(std::int64_t count, const double* range);
 
 /// `count` levels from `low` to `high`, both included exactly; one where they are equal.
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<double> EvenLevels(

@@ -191,7 +191,7 @@ void vtkFullereneStability::AddMolecule(vtkDataObject* input, vtkIdType number, 
   {
     bars = isthmus::AlphaBars(atoms, isthmus::ProgressOf(this));
   }
-  tables.AddRow(number, isthmus::StabilityOf(atoms, bars, this->FilterDelta, theta));
+  tables.AddRow(number, isthmus::ComputeStability(atoms, bars, this->FilterDelta, theta));
   tables.AddBars(number, bars);
 }
 

@@ -3,7 +3,7 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
-#include "Persistence/ImageDiagram.h"
+#include "Persistence/PersistenceCache.h"
 #include "Persistence/PersistenceTables.h"
 #include "Persistence/ScalarSimplification.h"
 
@@ -57,7 +57,7 @@ struct vtkScalarPersistence::Work
 };
 
 vtkScalarPersistence::vtkScalarPersistence()
-  : Last(new isthmus::ImageDiagram)
+  : Last(new isthmus::PersistenceCache)
 {
   this->SetNumberOfOutputPorts(PortCount);
   this->SetInputArrayToProcess(
@@ -109,7 +109,7 @@ int vtkScalarPersistence::RequestUpdateExtent(
 
 void vtkScalarPersistence::CheckParameters() const
 {
-  isthmus::DemandLevels(this->NumberOfLevels, this->UseRange ? this->Range : nullptr);
+  isthmus::RequireLevels(this->NumberOfLevels, this->UseRange ? this->Range : nullptr);
   if (this->MaximumNumberOfCycles < 1)
   {
     throw std::invalid_argument("MaximumNumberOfCycles is " +

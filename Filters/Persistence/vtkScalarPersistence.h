@@ -62,7 +62,7 @@ class vtkTable;
 
 namespace isthmus
 {
-class ImageDiagram;
+class PersistenceCache;
 }
 
 class VTKISTHMUSFILTERSPERSISTENCE_EXPORT vtkScalarPersistence : public vtkTableAlgorithm
@@ -176,7 +176,7 @@ private:
   bool Cycles = false;
   int MaximumNumberOfCycles = 100;
   bool Simplify = false;
-  std::unique_ptr<isthmus::ImageDiagram> Last; ///< kept for the same input
+  std::unique_ptr<isthmus::PersistenceCache> Last; ///< kept for the same input
 };
 
 #endif

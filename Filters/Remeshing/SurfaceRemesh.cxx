@@ -30,7 +30,7 @@ using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 constexpr double MostTriangles = 5e7;
 
-void DemandManifold(const SurfaceView& mesh)
+void RequireManifold(const SurfaceView& mesh)
 {
   SurfaceDefects defects = FindDefects(mesh);
   defects.BoundaryTriangles.clear();
@@ -225,7 +225,7 @@ RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParame
   {
     return {};
   }
-  DemandManifold(mesh);
+  RequireManifold(mesh);
   const UnitScale scale(mesh);
   if (!scale.IsOne())
   {
@@ -273,7 +273,7 @@ RemeshedSurface SimplifySurface(
   {
     return {};
   }
-  DemandManifold(mesh);
+  RequireManifold(mesh);
   const UnitScale scale(mesh);
   if (!scale.IsOne())
   {

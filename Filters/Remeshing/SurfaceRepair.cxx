@@ -186,7 +186,7 @@ TriangleMesh TurnedAlike(const SurfaceView& mesh)
     });
 }
 
-void DemandCleanSurface(const SurfaceView& mesh, const ProgressCallback& progress, bool repaired)
+void RequireCleanSurface(const SurfaceView& mesh, const ProgressCallback& progress, bool repaired)
 {
   const std::string advice = repaired
     ? " Repair could not mend it: make the surface anew (Contour, Offset Surface), or remove the "

@@ -18,7 +18,7 @@ namespace isthmus
 /// @throws std::invalid_argument with a sentence that names what is wrong, and where, unless `mesh`
 /// is closed, manifold, oriented and free of self-intersections. The way out that it names is not
 /// repair where the surface is `repaired` already.
-VTKISTHMUSFILTERSREMESHING_EXPORT void DemandCleanSurface(
+VTKISTHMUSFILTERSREMESHING_EXPORT void RequireCleanSurface(
   const SurfaceView& mesh, const ProgressCallback& progress = {}, bool repaired = false);
 
 /// The triangles of `mesh`, coinciding points merged, duplicates dropped, and
@@ -37,7 +37,7 @@ struct RepairedSurface
  * removed, coinciding points merged, orientation made consistent (points duplicated where it can't
  * be), holes filled, self-intersections removed (CGAL's experimental routine).
  *
- * It need not succeed: what comes out must be checked with DemandCleanSurface().
+ * It need not succeed: what comes out must be checked with RequireCleanSurface().
  * @throws std::invalid_argument when nothing closed is left, std::runtime_error where that routine
  * tears the surface, Cancelled.
  */

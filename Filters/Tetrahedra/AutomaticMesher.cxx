@@ -6,15 +6,112 @@
 #include "Surfaces/ShellNesting.h"
 #include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
-#include "Tetrahedra/SolidStuffing.h"
+#include "Surfaces/TriangleTree.h"
+#include "Surfaces/WindingNumber.h"
+#include "Tetrahedra/IsosurfaceStuffing.h"
 
 #include <new>
 #include <optional>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 namespace isthmus
 {
+
+namespace
+{
+
+/// Distance to a soup, positive where it winds around a point by more than a half.
+class SolidField
+{
+public:
+  explicit SolidField(const SurfaceView& soup)
+    : Winding(soup)
+    , Tree(soup)
+    , Triangles(static_cast<std::int64_t>(soup.Triangles.size()))
+  {
+  }
+
+  double operator()(const Point3& x) const
+  {
+    // The nearest triangle of the last place asked for, which is beside this one, saves most of the
+    // search; whatever it is, the answer is the same.
+    thread_local std::int64_t last = -1;
+    const auto nearest = this->Tree.Find(x, last < this->Triangles ? last : -1);
+    last = nearest.Guess;
+    const double distance = std::sqrt(nearest.Squared);
+    return std::abs(this->Winding(x)) > 0.5 ? distance : -distance;
+  }
+
+private:
+  WindingNumber Winding;
+  TriangleTree Tree;
+  std::int64_t Triangles;
+};
+
+/// Leaves the tetrahedra of region 0 and the points they use.
+TetrahedralMesh OutsideOf(const TetrahedralMesh& mesh)
+{
+  TetrahedralMesh outside;
+  std::vector<std::int64_t> ids(mesh.Points.size(), -1);
+  for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
+  {
+    if (mesh.Regions[i] != 0)
+    {
+      continue;
+    }
+    Tetrahedron t = mesh.Tetrahedra[i];
+    for (vtkIdType& id : t)
+    {
+      std::int64_t& known = ids[static_cast<std::size_t>(id)];
+      if (known < 0)
+      {
+        known = static_cast<std::int64_t>(outside.Points.size());
+        outside.Points.push_back(mesh.Points[static_cast<std::size_t>(id)]);
+      }
+      id = known;
+    }
+    outside.Tetrahedra.push_back(t);
+  }
+  outside.Regions.assign(outside.Tetrahedra.size(), 0);
+  outside.OriginalPoints.assign(outside.Points.size(), -1);
+  return outside;
+}
+
+}
+
+TetrahedralMesh StuffSolid(const SurfaceView& soup, const SolidStuffingParameters& parameters,
+  const ProgressCallback& progress)
+{
+  const char* const nothing =
+    "The surface encloses nothing: it is no closed surface, nor nearly one.";
+  if (soup.Triangles.empty())
+  {
+    throw std::invalid_argument(nothing);
+  }
+  const Bounds3 bounds = BoundsOf(soup);
+  const double diagonal = bounds.Diagonal();
+  if (!(diagonal > 0.0) || !std::isfinite(diagonal * diagonal * diagonal))
+  {
+    throw std::invalid_argument("The surface has no size, or one too large for its volume.");
+  }
+  const SolidField field(soup);
+  StuffingParameters stuffing;
+  // Whether anything is enclosed shows on the inside, so it is always made.
+  stuffing.Side = parameters.Side == MeshedSide::Inside ? MeshedSide::Inside : MeshedSide::Both;
+  stuffing.Margin = parameters.Side == MeshedSide::Inside ? 0.0 : parameters.BoxMargin * diagonal;
+  stuffing.MaximumBytes = parameters.MaximumBytes;
+  stuffing.GradingLevels = parameters.Side == MeshedSide::Inside ? 0 : 4;
+  stuffing.CellSize = parameters.CellSize > 0.0 ? parameters.CellSize : diagonal / 100.0;
+  TetrahedralMesh mesh = IsosurfaceStuffing(field, bounds, stuffing, progress).Mesh;
+  if (std::count(mesh.Regions.begin(), mesh.Regions.end(), 1) == 0)
+  {
+    throw std::invalid_argument(nothing);
+  }
+  return parameters.Side == MeshedSide::Outside ? OutsideOf(mesh) : std::move(mesh);
+}
+
 namespace
 {
 
@@ -83,15 +180,15 @@ public:
 
   AutomaticMesh Run()
   {
-    const bool done = this->TryTetGen(this->Surface, MeshingWay::TetGen, 0.0, 0.2) ||
+    const bool done = this->TryTetGen(this->Surface, MeshingBackend::TetGen, 0.0, 0.2) ||
       (this->TryRepair() &&
-        (this->TryTetGen(this->Repaired->Mesh, MeshingWay::RepairedTetGen, 0.3, 0.5) ||
+        (this->TryTetGen(this->Repaired->Mesh, MeshingBackend::RepairedTetGen, 0.3, 0.5) ||
           this->TryCGAL()));
     if (!done)
     {
       this->Stuff();
     }
-    this->Tell();
+    this->WriteReport();
     return std::move(this->Result);
   }
 
@@ -120,7 +217,7 @@ private:
     return false;
   }
 
-  bool TryTetGen(const SurfaceView& mesh, MeshingWay way, double from, double to)
+  bool TryTetGen(const SurfaceView& mesh, MeshingBackend backend, double from, double to)
   {
     return this->Try("TetGen",
       [&]
@@ -128,7 +225,7 @@ private:
         this->Parameters.Library = TetrahedralLibrary::TetGen;
         this->Result.Mesh =
           MeshTetrahedra(mesh, this->Parameters, Between(this->Progress, from, to));
-        this->Result.Way = way;
+        this->Result.Backend = backend;
       });
   }
 
@@ -139,7 +236,7 @@ private:
       {
         this->Repaired = RepairSurface(this->Surface, Between(this->Progress, 0.2, 0.3));
         this->Changes = this->Repaired->Changes;
-        DemandCleanSurface(this->Repaired->Mesh, {}, true);
+        RequireCleanSurface(this->Repaired->Mesh, {}, true);
         const TriangleMesh sound = SoundPart(this->Surface);
         const double lost = OneSidedDistance(sound, this->Repaired->Mesh);
         if (!(lost <= 0.02 * BoundsOf(sound).Diagonal()))
@@ -163,7 +260,7 @@ private:
         this->Parameters.Library = TetrahedralLibrary::CGAL;
         this->Result.Mesh =
           MeshTetrahedra(this->Repaired->Mesh, this->Parameters, Between(this->Progress, 0.5, 0.7));
-        this->Result.Way = MeshingWay::RepairedCGAL;
+        this->Result.Backend = MeshingBackend::RepairedCGAL;
       });
   }
 
@@ -182,30 +279,31 @@ private:
     {
       throw std::invalid_argument(error.what() + this->Reasons);
     }
-    this->Result.Way = MeshingWay::Stuffing;
+    this->Result.Backend = MeshingBackend::Stuffing;
   }
 
-  void Tell()
+  void WriteReport()
   {
     AutomaticMesh& result = this->Result;
     result.Changes = this->Changes;
     for (std::int64_t& id : result.Mesh.OriginalPoints)
     {
-      id = id < 0 || result.Way != MeshingWay::RepairedTetGen
+      id = id < 0 || result.Backend != MeshingBackend::RepairedTetGen
         ? id
         : this->Repaired->OriginalPoints[static_cast<std::size_t>(id)];
     }
     const TriangleMesh sound = SoundPart(this->Surface);
     result.VolumeBefore = VolumeAsGiven(sound);
-    const TriangleMesh skin = this->SkinOfSolids();
-    result.VolumeAfter = std::abs(SignedVolume(skin));
+    const TriangleMesh boundary = this->BoundaryOfSolids();
+    result.VolumeAfter = std::abs(SignedVolume(boundary));
     result.IsDoubtful =
       !(std::abs(result.VolumeAfter - result.VolumeBefore) <= 0.01 * result.VolumeBefore);
-    const bool kept = result.Way == MeshingWay::TetGen && this->Parameters.TetGen.KeepSurface;
-    result.Hausdorff = kept ? 0.0 : HausdorffDistance(sound, skin);
+    const bool kept =
+      result.Backend == MeshingBackend::TetGen && this->Parameters.TetGen.KeepSurface;
+    result.Hausdorff = kept ? 0.0 : HausdorffDistance(sound, boundary);
     static const char* const names[] = { "TetGen", "TetGen after repair", "CGAL after repair",
       "isosurface stuffing from the winding number" };
-    result.Report = std::string("Tetrahedra by ") + names[static_cast<int>(result.Way)] +
+    result.Report = std::string("Tetrahedra by ") + names[static_cast<int>(result.Backend)] +
       (kept
           ? ": the surface is kept."
           : ": the surface moved by at most " + Text(result.Hausdorff) + ", the volume went from " +
@@ -215,15 +313,15 @@ private:
       result.Report += " The volume is doubtful: it depends on how holes are closed and crossings "
                        "understood; look at the skin of the mesh, or mend the surface before.";
     }
-    if (result.Way != MeshingWay::TetGen)
+    if (result.Backend != MeshingBackend::TetGen)
     {
       result.Report += (this->Changes.empty() ? "" : " " + this->Changes) +
         (this->Reasons.empty() ? "" : " Tried before:" + this->Reasons);
     }
   }
 
-  /// For the outside alone it is the skin of what is not meshed, but for the box.
-  TriangleMesh SkinOfSolids() const
+  /// With Outside it is the boundary of what is meshed, without the box.
+  TriangleMesh BoundaryOfSolids() const
   {
     if (this->Parameters.Side != MeshedSide::Outside)
     {
@@ -237,7 +335,7 @@ private:
     }
     const double slack = 1e-7 * box.Diagonal(); // CGAL's corners of the box are rounded
     outside.Regions.assign(outside.Tetrahedra.size(), 1);
-    TriangleMesh skin = BoundarySurface(outside);
+    TriangleMesh boundary = BoundarySurface(outside);
     const auto isBox = [&](const Triangle& t)
     {
       for (std::size_t a = 0; a < 3; ++a)
@@ -245,8 +343,9 @@ private:
         for (const double at : { box.Min[a], box.Max[a] })
         {
           if (std::all_of(t.begin(), t.end(),
-                [&](std::int64_t id)
-                { return std::abs(skin.Points[static_cast<std::size_t>(id)][a] - at) < slack; }))
+                [&](std::int64_t id) {
+                  return std::abs(boundary.Points[static_cast<std::size_t>(id)][a] - at) < slack;
+                }))
           {
             return true;
           }
@@ -254,9 +353,10 @@ private:
       }
       return false;
     };
-    skin.Triangles.erase(
-      std::remove_if(skin.Triangles.begin(), skin.Triangles.end(), isBox), skin.Triangles.end());
-    return skin;
+    boundary.Triangles.erase(
+      std::remove_if(boundary.Triangles.begin(), boundary.Triangles.end(), isBox),
+      boundary.Triangles.end());
+    return boundary;
   }
 
   SurfaceView Surface;

@@ -1,18 +1,44 @@
 /**
  * @file AutomaticMesher.h
- * @brief Tetrahedra for any surface that looks closed: the way that moves it least is tried first.
+ * @brief Tetrahedra for any surface that looks closed, by the backend that moves it least.
  */
 #ifndef isthmus_AutomaticMesher_h
 #define isthmus_AutomaticMesher_h
 
+#include "Core/Progress.h"
 #include "Core/TetrahedralMesh.h"
+#include "Core/TriangleMesh.h"
+#include "Tetrahedra/MeshedSide.h"
 #include "Tetrahedra/TetrahedralMesher.h"
 #include "vtkIsthmusFiltersTetrahedraModule.h"
 
 namespace isthmus
 {
 
-enum class MeshingWay
+//--------------------------------------------------------------------------------------------------
+// Isosurface stuffing of what a triangle soup encloses, by its winding number.
+
+struct SolidStuffingParameters
+{
+  double CellSize = 0.0; ///< a length; 0: a hundredth of the diagonal
+  MeshedSide Side = MeshedSide::Inside;
+  double BoxMargin = 0.5;         ///< Outside, Both: in diagonals of the surface's box
+  std::uint64_t MaximumBytes = 0; ///< of the lattice; 0: no limit
+};
+
+/**
+ * Tetrahedra of the points that `soup` winds around by more than one half, whatever its
+ * orientation: region 1 inside, 0 outside. Distances to the soup place the new surface between the
+ * points of the lattice, so that it is the old one where that is closed, and spans the holes.
+ *
+ * Cost: some microseconds for each of the two points of a cell, in parallel.
+ * @pre corners exist and are finite.
+ * @throws std::invalid_argument when nothing is enclosed; otherwise as IsosurfaceStuffing.
+ */
+VTKISTHMUSFILTERSTETRAHEDRA_EXPORT TetrahedralMesh StuffSolid(const SurfaceView& soup,
+  const SolidStuffingParameters& parameters, const ProgressCallback& progress = {});
+
+enum class MeshingBackend
 {
   TetGen,         ///< on the surface as it is
   RepairedTetGen, ///< on the surface as RepairSurface leaves it
@@ -23,10 +49,10 @@ enum class MeshingWay
 struct AutomaticMesh
 {
   TetrahedralMesh Mesh; ///< OriginalPoints: of the surface given
-  MeshingWay Way = MeshingWay::TetGen;
-  std::string Report;     ///< the way gone, why not another, how far the surface moved
-  std::string Changes;    ///< what repair changed on that way; else empty
-  double Hausdorff = 0.0; ///< between the surface and the skin of the solids
+  MeshingBackend Backend = MeshingBackend::TetGen;
+  std::string Report;     ///< the backend, why others failed, how far the surface moved
+  std::string Changes;    ///< what repair changed, if it was used; else empty
+  double Hausdorff = 0.0; ///< between the surface and the boundary of the solids
   /// Enclosed by the triangles given, turned alike: holes are closed by cones to the middle of
   /// their box, what they enclose twice counts twice.
   double VolumeBefore = 0.0;
@@ -37,7 +63,7 @@ struct AutomaticMesh
 };
 
 /**
- * Goes on to the next way whenever one ends in an error or passes a limit: TetGen (the surface
+ * Backends are tried until one neither fails nor exceeds a limit: TetGen (the surface
  * stays), TetGen after RepairSurface, CGAL after it, and isosurface stuffing (IsosurfaceStuffing.h)
  * of the place where the winding number (WindingNumber.h) is above one half, which needs nothing of
  * the surface.

@@ -19,7 +19,7 @@
 #include "Core/Geometry.h"
 #include "Core/Progress.h"
 #include "Core/TetrahedralMesh.h"
-#include "Tetrahedra/StuffingParameters.h"
+#include "Tetrahedra/StuffingLattice.h"
 #include "vtkIsthmusFiltersTetrahedraModule.h"
 
 #include <functional>

@@ -1,23 +1,50 @@
 /**
  * @file StuffingLattice.h
- * @brief The body-centred cubic lattice of isosurface stuffing, its values and its octree.
- *
- * Positions on the lattice are in halves of a cell: corners of cells have three even numbers,
- * centres three odd ones. Centres of larger cells and middles of their edges fall on corners of the
- * finest ones, so that one table of values serves every size.
+ * @brief The lattice of isosurface stuffing: values, octree, tetrahedra, points moved to the
+ * surface.
  */
 #ifndef isthmus_StuffingLattice_h
 #define isthmus_StuffingLattice_h
 
 #include "Core/Geometry.h"
 #include "Core/Progress.h"
-#include "Tetrahedra/StuffingParameters.h"
+#include "Tetrahedra/MeshedSide.h"
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
 namespace isthmus
 {
+
+//--------------------------------------------------------------------------------------------------
+// What isosurface stuffing is asked for, and its constants.
+
+struct StuffingParameters
+{
+  double CellSize = 1.0; ///< side of the cubes of the lattice, a length
+  int GradingLevels = 0; ///< away from the surface cubes may be up to 2^levels as large; 0: uniform
+  MeshedSide Side = MeshedSide::Inside;
+  double Margin = 0.0; ///< length by which the box exceeds the bounds; three cells at least
+  std::uint64_t MaximumBytes = 0; ///< of the lattice; 0: no limit
+};
+
+/// A lattice point is moved onto the surface when it is nearer than this part of an edge of the
+/// lattice. Over all positions of the surface (searched at random and at the ends of each case), no
+/// other pair tried has a larger smallest angle: 10.3 degrees; see TestIsosurfaceStuffing.
+constexpr double StuffingAlphaLong = 0.28;
+constexpr double StuffingAlphaShort = 0.392;
+
+/// Bounds on all dihedral angles in degrees: the published ones.
+constexpr double StuffingSmallestAngle = 10.78;
+constexpr double StuffingLargestAngle = 164.74;
+
+//--------------------------------------------------------------------------------------------------
+// The body-centred cubic lattice of isosurface stuffing, its values and its octree.
+//
+// Positions on the lattice are in halves of a cell: corners of cells have three even numbers,
+// centres three odd ones. Centres of larger cells and middles of their edges fall on corners of the
+// finest ones, so that one table of values serves every size.
 
 using LatticePoint = std::array<std::int64_t, 3>;
 using LatticeTetrahedron = std::array<LatticePoint, 4>;
@@ -79,6 +106,119 @@ private:
   std::vector<double> Values;
   std::vector<unsigned char> Near;
   std::vector<unsigned char> Levels; ///< of the octant each finest cell belongs to; empty: all 0
+};
+
+//--------------------------------------------------------------------------------------------------
+// The tetrahedra of the graded body-centred cubic lattice.
+//
+// Labelle and Shewchuk, 2007, section 4. Between two octants of one size four tetrahedra share the
+// edge of their centres (cut in two where an edge of the face is split by smaller neighbours). A
+// face to smaller octants, or to the outside of the box, is a fan about its middle; a face to a
+// larger octant is cut by the diagonal through the larger face's middle. All dihedral angles are
+// from 45 to 135 degrees.
+
+/// The octant of a cell: its first finest cell and its side in finest cells.
+struct Octant
+{
+  LatticePoint First;
+  int Level;
+
+  std::int64_t Side() const { return std::int64_t{ 1 } << this->Level; }
+  LatticePoint Centre() const
+  {
+    const std::int64_t s = this->Side();
+    return { 2 * this->First[0] + s, 2 * this->First[1] + s, 2 * this->First[2] + s };
+  }
+};
+
+/// The tetrahedra of one octant that it, and not a neighbour, has to make: at most 48.
+class StuffingBackground
+{
+public:
+  explicit StuffingBackground(const StuffingLattice& lattice)
+    : Lattice(lattice)
+  {
+  }
+
+  /// Appends the tetrahedra of `octant` to `out`. Their orientation is not fixed.
+  void Append(const Octant& octant, std::vector<LatticeTetrahedron>& out) const;
+
+  /// Calls visit(octant) for each octant that begins in layer k of the finest cells.
+  template <typename Visit>
+  void ForEachOctant(std::int64_t k, Visit&& visit) const
+  {
+    const auto& n = this->Lattice.Cells();
+    for (std::int64_t j = 0; j < n[1]; ++j)
+    {
+      for (std::int64_t i = 0; i < n[0]; ++i)
+      {
+        const Octant octant{ { i, j, k }, this->Lattice.Level({ i, j, k }) };
+        if (((i | j | k) & (octant.Side() - 1)) == 0)
+        {
+          visit(octant);
+        }
+      }
+    }
+  }
+
+private:
+  using Face = std::array<LatticePoint, 4>;
+
+  void AppendFan(
+    const Octant& octant, const Face& face, std::vector<LatticeTetrahedron>& out) const;
+  void AppendHalves(const Octant& octant, const Octant& larger, const Face& face,
+    std::vector<LatticeTetrahedron>& out) const;
+  bool IsSplit(const LatticePoint& a, const LatticePoint& b, int level) const;
+
+  /// Visits the parts of the edge a b: one, or two where a smaller octant has a corner in between.
+  template <typename Visit>
+  void ForEachPart(const LatticePoint& a, const LatticePoint& b, int level, Visit&& visit) const
+  {
+    if (!this->IsSplit(a, b, level))
+    {
+      visit(a, b);
+      return;
+    }
+    const LatticePoint middle{ (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2 };
+    visit(a, middle);
+    visit(middle, b);
+  }
+
+  const StuffingLattice& Lattice;
+};
+
+//--------------------------------------------------------------------------------------------------
+// Which lattice points are moved onto the surface, and where the surface cuts the rest.
+
+/// Side of a lattice point: inside 1, outside -1, moved onto the surface 0.
+class StuffingWarp
+{
+public:
+  /// Moves each point whose nearest crossing of the surface with one of its edges (by linear
+  /// interpolation) is within the alphas to that crossing, all points at once and in parallel.
+  StuffingWarp(const StuffingLattice& lattice, const ProgressCallback& progress);
+
+  int Side(const LatticePoint& p) const;
+  Point3 Position(const LatticePoint& p) const;
+  /// Crossing on the edge between two points of different sides, neither of them moved.
+  Point3 Crossing(const LatticePoint& a, const LatticePoint& b) const;
+
+  /// How far a point is moved.
+  double MoveLength(const LatticePoint& p) const;
+  /// Moves a point back; crossings too near to it are put off to the alphas.
+  void Keep(const LatticePoint& p);
+  /// Calls of Keep() so far.
+  std::int64_t Stayed() const { return this->StayedCount; }
+
+private:
+  static constexpr unsigned char Unmoved = 255;
+
+  unsigned char NearestCrossing(const LatticePoint& p, std::int64_t node) const;
+  double FractionFrom(std::int64_t node, std::int64_t other) const;
+
+  const StuffingLattice& Lattice;
+  std::vector<unsigned char> Edge; ///< of each node: along which it is moved
+  std::int64_t StayedCount = 0;
 };
 
 }

@@ -26,7 +26,7 @@ TetrahedralParameters Scaled(TetrahedralParameters p, double factor)
 }
 
 /// Sizes so small that refinement would pass MaximumPoints are refused before it begins.
-void DemandCGALBudget(const SurfaceView& surface, const TetrahedralParameters& parameters)
+void RequireCGALBudget(const SurfaceView& surface, const TetrahedralParameters& parameters)
 {
   const CGALCriteria& c = parameters.CGAL;
   if (parameters.Library != TetrahedralLibrary::CGAL)
@@ -208,8 +208,8 @@ TetrahedralMesh MeshTetrahedra(const SurfaceView& surface, const TetrahedralPara
     scale.Undo(mesh.Points);
     return mesh;
   }
-  DemandCleanSurface(surface, Between(progress, 0.0, 0.05), parameters.Repaired);
-  DemandCGALBudget(surface, parameters);
+  RequireCleanSurface(surface, Between(progress, 0.0, 0.05), parameters.Repaired);
+  RequireCGALBudget(surface, parameters);
   const ShellNesting nesting = FindNesting(surface, Between(progress, 0.05, 0.1));
   TetrahedralTask task{ surface, nesting, parameters, {}, {} };
   if (parameters.Side != MeshedSide::Inside)

@@ -3,8 +3,8 @@
  * @brief Tetrahedra inside, outside or on both sides of a closed surface, by TetGen or by CGAL.
  *
  * TetGen: H. Si, ACM Trans. Math. Softw. 41 (2015) 11, doi:10.1145/2629697; run as a program of its
- * own (TetGenProcess.cxx). CGAL: P. Alliez et al., 3D Mesh Generation, CGAL 5.5 User and Reference
- * Manual; Delaunay refinement of J.-D. Boissonnat, S. Oudot, Graph. Models 67 (2005) 405.
+ * own (TetGenTetrahedra.cxx). CGAL: P. Alliez et al., 3D Mesh Generation, CGAL 5.5 User and
+ * Reference Manual; Delaunay refinement of J.-D. Boissonnat, S. Oudot, Graph. Models 67 (2005) 405.
  */
 #ifndef isthmus_TetrahedralMesher_h
 #define isthmus_TetrahedralMesher_h
@@ -106,7 +106,7 @@ struct TetrahedralTask
   }
 };
 
-/// TetGen on a checked surface (TetGenProcess.cxx).
+/// TetGen on a checked surface (TetGenTetrahedra.cxx).
 TetrahedralMesh TetGenTetrahedra(const TetrahedralTask& task, const ProgressCallback& progress);
 
 /// CGAL's Mesh_3 on a checked surface (CGALTetrahedra.cxx).

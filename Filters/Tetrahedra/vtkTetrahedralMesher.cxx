@@ -81,7 +81,7 @@ void AddReport(const isthmus::AutomaticMesh& made, vtkFieldData* fields)
 {
   static const char* const names[] = { "TetGen", "TetGen after repair", "CGAL after repair",
     "Stuffing" };
-  AddText(fields, "Engine", names[static_cast<int>(made.Way)]);
+  AddText(fields, "Engine", names[static_cast<int>(made.Backend)]);
   AddText(fields, "EngineReport", made.Report);
   if (!made.Changes.empty())
   {

@@ -9,7 +9,7 @@
 #ifndef isthmus_CombinatorialMeshFile_h
 #define isthmus_CombinatorialMeshFile_h
 
-#include "CellComplex/CellList.h"
+#include "CellComplex/CellType.h"
 #include "Meshes/CellMesh.h"
 
 #include "vtkIsthmusReadersMeshesModule.h" // for the export macro

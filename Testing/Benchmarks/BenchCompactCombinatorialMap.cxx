@@ -4,7 +4,6 @@
 // Construction is timed for several sizes; queries sweep over the whole mesh, and "ns" is the time
 // of one query. All peers answer the same question; their answers are compared by checksum.
 
-#include "CellComplex/CellEdgeTable.h"
 #include "CellComplex/CompactCombinatorialMap.h"
 #include "CellComplex/EdgeTable.h"
 #include "CellComplex/FaceTable.h"

@@ -6,7 +6,7 @@
 #ifndef isthmus_BruteForceIncidence_h
 #define isthmus_BruteForceIncidence_h
 
-#include "CellComplex/CellList.h"
+#include "CellComplex/CellType.h"
 
 #include <algorithm>
 #include <cstdint>

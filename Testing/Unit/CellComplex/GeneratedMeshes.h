@@ -5,7 +5,7 @@
 #ifndef isthmus_GeneratedMeshes_h
 #define isthmus_GeneratedMeshes_h
 
-#include "CellComplex/CellList.h"
+#include "CellComplex/CellType.h"
 
 #include <array>
 #include <cstdint>

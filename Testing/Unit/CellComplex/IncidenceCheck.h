@@ -6,7 +6,6 @@
 #define isthmus_IncidenceCheck_h
 
 #include "BruteForceIncidence.h"
-#include "CellComplex/CellEdgeTable.h"
 #include "CellComplex/CompactCombinatorialMap.h"
 #include "CellComplex/EdgeTable.h"
 #include "CellComplex/FaceTable.h"

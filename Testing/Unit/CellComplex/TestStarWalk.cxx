@@ -1,9 +1,9 @@
 // The parts a walk around a vertex is made of, each against the standard library, and stars that
 // outgrow the first memory of a walk.
 
-#include "CellComplex/FirstEqual.h"
-#include "CellComplex/ReusableSet.h"
+#include "CellComplex/EdgeTable.h"
 #include "CellComplex/StarTable.h"
+#include "CellComplex/StarWalk.h"
 #include "CellComplex/VertexStar.h"
 #include "GeneratedMeshes.h"
 

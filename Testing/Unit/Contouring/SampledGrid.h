@@ -5,7 +5,7 @@
 #ifndef isthmus_SampledGrid_h
 #define isthmus_SampledGrid_h
 
-#include "Contouring/LevelTriangles.h"
+#include "Contouring/MarchingCubes.h"
 #include "Surfaces/SurfaceDefects.h"
 
 #include <algorithm>
@@ -51,11 +51,11 @@ inline double Ball(double x, double y, double z, const Point3& c, double r)
 
 inline TriangleMesh At(const Grid& grid, double level, bool close = true, bool higher = true)
 {
-  LevelTrianglesParameters parameters;
+  MarchingCubesParameters parameters;
   parameters.Level = level;
   parameters.CloseAtBorder = close;
   parameters.InsideIsHigher = higher;
-  return LevelTriangles(grid.View, parameters);
+  return MarchingCubes(grid.View, parameters);
 }
 
 inline std::string DefectsOf(const TriangleMesh& mesh)

@@ -1,7 +1,7 @@
 // Levels that suit a map, dust that is hidden, and the vtk class.
 
+#include "Contouring/LevelEstimate.h"
 #include "Contouring/MapSurface.h"
-#include "Contouring/SensibleLevel.h"
 #include "Core/Geometry.h"
 #include "SampledGrid.h"
 #include "Surfaces/SurfaceTopology.h"
@@ -59,7 +59,7 @@ double FieldOf(vtkPolyData* surface, const char* name)
 
 }
 
-TEST(SensibleLevel, SplitsTwoClassesWhateverTheHotVoxels)
+TEST(EstimateLevel, SplitsTwoClassesWhateverTheHotVoxels)
 {
   std::mt19937 random(1);
   std::normal_distribution<double> background(0.0, 1.0), molecule(20.0, 3.0);
@@ -70,29 +70,29 @@ TEST(SensibleLevel, SplitsTwoClassesWhateverTheHotVoxels)
   }
   values[17] = 1e12;
   values[4711] = -1e12;
-  const double level = SensibleLevel(values);
+  const double level = EstimateLevel(values);
   EXPECT_GT(level, 5.0);
   EXPECT_LT(level, 15.0);
 }
 
-TEST(SensibleLevel, StaysAboveABackgroundThatFillsTheBox)
+TEST(EstimateLevel, StaysAboveABackgroundThatFillsTheBox)
 {
   std::mt19937 random(1);
   std::normal_distribution<double> noise(5.0, 2.0);
   std::vector<double> values(200000);
   std::generate(values.begin(), values.end(), [&] { return noise(random); });
-  const double level = SensibleLevel(values); // Otsu's is amid it, at 5
+  const double level = EstimateLevel(values); // Otsu's is amid it, at 5
   EXPECT_GT(level, 5.0 + 2.0 * 2.0);
   EXPECT_LT(std::count_if(values.begin(), values.end(), [=](double v) { return v > level; }), 2100);
   EXPECT_GT(values.back(), level);
 }
 
-TEST(SensibleLevel, FewOrEqualValues)
+TEST(EstimateLevel, FewOrEqualValues)
 {
   std::vector<double> none, same(10, 4.0), two{ 0.0, 9.0, 0.0, 9.0, 9.0 };
-  EXPECT_THROW(SensibleLevel(none), std::invalid_argument);
-  EXPECT_EQ(SensibleLevel(same), 4.0);
-  EXPECT_EQ(SensibleLevel(two), 4.5);
+  EXPECT_THROW(EstimateLevel(none), std::invalid_argument);
+  EXPECT_EQ(EstimateLevel(same), 4.0);
+  EXPECT_EQ(EstimateLevel(two), 4.5);
 }
 
 TEST(HideDust, ByAreaShareAndNumber)

@@ -5,7 +5,7 @@
 #ifndef isthmus_AlphaPeer_h
 #define isthmus_AlphaPeer_h
 
-#include "Persistence/FullereneParameters.h"
+#include "Persistence/FullereneStability.h"
 
 #if __has_include(<gudhi/Alpha_complex_3d.h>)
 #define ISTHMUS_HAS_GUDHI_ALPHA 1

@@ -35,7 +35,6 @@ namespace
 {
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double Pi = 3.14159265358979323846;
 
 std::vector<Point3> Polygon(int corners, double radius)
 {
@@ -73,12 +72,12 @@ std::vector<Point3> ReadXYZ(const std::filesystem::path& path)
 
 FullereneStability Exact(const std::vector<Point3>& atoms)
 {
-  return StabilityOf(atoms, AlphaBars(atoms), 0.2, Infinity);
+  return ComputeStability(atoms, AlphaBars(atoms), 0.2, Infinity);
 }
 
 FullereneStability OnGrid(const std::vector<Point3>& atoms, double spacing, bool marching = false)
 {
-  return StabilityOf(atoms, GridBars(atoms, {}, { spacing, 2.0, marching }), 0.2, 2.0);
+  return ComputeStability(atoms, GridBars(atoms, {}, { spacing, 2.0, marching }), 0.2, 2.0);
 }
 
 /// All molecules of the shared folder.
@@ -186,7 +185,8 @@ TEST(FullereneStability, EqualsGudhiOnAllMolecules)
     const auto atoms = ReadXYZ(path);
     ASSERT_GE(atoms.size(), 20u) << path;
     const FullereneStability ours = Exact(atoms);
-    const FullereneStability theirs = StabilityOf(atoms, AlphaBarsOfGudhi(atoms), 0.2, Infinity);
+    const FullereneStability theirs =
+      ComputeStability(atoms, AlphaBarsOfGudhi(atoms), 0.2, Infinity);
     EXPECT_NEAR(ours.Integral, theirs.Integral, 1e-9) << path;
     EXPECT_NEAR(ours.FilteredIntegral, theirs.FilteredIntegral, 1e-9) << path;
     EXPECT_NEAR(ours.Cavity, theirs.Cavity, 1e-9) << path;

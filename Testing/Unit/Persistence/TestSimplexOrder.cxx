@@ -1,6 +1,6 @@
 // The order of simplices is that of a plain stable sort, for values of every kind.
 
-#include "Persistence/SimplexOrder.h"
+#include "Persistence/CellFiltration.h"
 
 #include <vtkSMPTools.h>
 

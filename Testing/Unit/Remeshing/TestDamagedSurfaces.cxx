@@ -60,7 +60,7 @@ TriangleMesh SharedSurface(Chance& chance)
 struct Row
 {
   int Cases = 0, Filled = 0, Within = 0, Moved = 0;
-  std::array<int, 4> Ways{};
+  std::array<int, 4> Backends{};
 };
 
 double AreaOf(const TriangleMesh& mesh)
@@ -89,10 +89,10 @@ void Fill(const DamagedSurface& surface, Row& row)
   parameters.CGAL.CellSize = box.Diagonal() / 40.0;
   const AutomaticMesh made = AutomaticTetrahedra(surface.Mesh, parameters);
   ++row.Filled;
-  ++row.Ways[static_cast<std::size_t>(made.Way)];
+  ++row.Backends[static_cast<std::size_t>(made.Backend)];
   EXPECT_GT(made.VolumeAfter, 0.0);
   EXPECT_NEAR(Solids(made.Mesh) / made.VolumeAfter, 1.0, 1e-6);
-  if (made.Way == MeshingWay::Stuffing)
+  if (made.Backend == MeshingBackend::Stuffing)
   {
     const QualitySummary quality = QualityOf(made.Mesh);
     EXPECT_GE(quality.SmallestAngle, 10.7);
@@ -278,7 +278,7 @@ TEST(AutomaticMesher, ManyKindsOfDamage)
   for (const auto& [name, row] : table)
   {
     std::printf("%-18s %5d %6d %6d %8d %4d %8d | %10d | %d\n", name.c_str(), row.Cases, row.Filled,
-      row.Ways[0], row.Ways[1], row.Ways[2], row.Ways[3], row.Within, row.Moved);
+      row.Backends[0], row.Backends[1], row.Backends[2], row.Backends[3], row.Within, row.Moved);
     all.Cases += row.Cases;
     all.Filled += row.Filled;
     all.Within += row.Within;

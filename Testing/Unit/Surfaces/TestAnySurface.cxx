@@ -88,7 +88,7 @@ double FarthestCorner(const TriangleMesh& surface, const TetrahedralMesh& mesh)
 struct Ends
 {
   int Filled = 0, Within = 0, Doubtful = 0, Moved = 0;
-  std::array<int, 4> Ways{};
+  std::array<int, 4> Backends{};
 };
 
 void Fill(const TriangleMesh& mesh, double volume, std::uint64_t seed, Ends& ends)
@@ -98,18 +98,19 @@ void Fill(const TriangleMesh& mesh, double volume, std::uint64_t seed, Ends& end
   parameters.CGAL.CellSize = 0.06;
   const AutomaticMesh made = AutomaticTetrahedra(mesh, parameters);
   ++ends.Filled;
-  ++ends.Ways[static_cast<std::size_t>(made.Way)];
+  ++ends.Backends[static_cast<std::size_t>(made.Backend)];
   EXPECT_NEAR(Solids(made.Mesh), made.VolumeAfter, 1e-6);
   EXPECT_GE(1.0001 * made.Hausdorff + 1e-9, FarthestCorner(mesh, made.Mesh));
   EXPECT_EQ(made.IsDoubtful, made.Report.find("doubtful") != std::string::npos);
-  if (made.Way == MeshingWay::Stuffing)
+  if (made.Backend == MeshingBackend::Stuffing)
   {
     const QualitySummary quality = QualityOf(made.Mesh);
     EXPECT_GE(quality.SmallestAngle, 10.7);
     EXPECT_LE(quality.LargestAngle, 164.8);
   }
   // Points that were moved make another solid where the surface is sound still.
-  const double truth = made.Way == MeshingWay::TetGen ? std::abs(SignedVolume(mesh)) : volume;
+  const double truth =
+    made.Backend == MeshingBackend::TetGen ? std::abs(SignedVolume(mesh)) : volume;
   const double off = std::abs(made.VolumeAfter / truth - 1.0);
   if (off <= 0.01)
   {
@@ -165,8 +166,8 @@ TEST(AutomaticMesher, DamagedSurfacesAreFilled)
   std::printf(
     "%d damaged: %d filled (TetGen %d, after repair %d, CGAL %d, stuffing %d); %d within 1 "
     "%% of the sphere, the volume of %d others said to be doubtful, %d moved as said\n",
-    cases, ends.Filled, ends.Ways[0], ends.Ways[1], ends.Ways[2], ends.Ways[3], ends.Within,
-    ends.Doubtful, ends.Moved);
+    cases, ends.Filled, ends.Backends[0], ends.Backends[1], ends.Backends[2], ends.Backends[3],
+    ends.Within, ends.Doubtful, ends.Moved);
   EXPECT_GE(ends.Filled, cases * 99 / 100);
 }
 
@@ -197,7 +198,7 @@ TEST(AutomaticMesher, SharedSurfacesAreFilled)
         made.Mesh.Tetrahedra.size(), seconds.count(), made.VolumeAfter, known.Volume,
         made.Report.c_str());
       EXPECT_GT(made.VolumeAfter, 0.0);
-      if (made.Way == MeshingWay::Stuffing)
+      if (made.Backend == MeshingBackend::Stuffing)
       {
         EXPECT_GE(QualityOf(made.Mesh).SmallestAngle, 10.7);
         EXPECT_LE(QualityOf(made.Mesh).LargestAngle, 164.8);

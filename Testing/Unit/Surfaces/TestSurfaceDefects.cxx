@@ -33,7 +33,7 @@ std::string WhyRefused(const TriangleMesh& mesh)
 {
   try
   {
-    DemandCleanSurface(mesh);
+    RequireCleanSurface(mesh);
   }
   catch (const std::invalid_argument& error)
   {

@@ -31,14 +31,14 @@ TEST(AutomaticMesher, TakesTheWayThatMovesTheSurfaceLeast)
 {
   const TriangleMesh clean = Sphere({ 0, 0, 0 }, 1.0);
   const AutomaticMesh kept = AutomaticTetrahedra(clean, Limited());
-  EXPECT_EQ(kept.Way, MeshingWay::TetGen);
+  EXPECT_EQ(kept.Backend, MeshingBackend::TetGen);
   EXPECT_EQ(kept.Hausdorff, 0.0);
   EXPECT_NEAR(kept.VolumeAfter, SignedVolume(clean), 1e-9);
 
   TriangleMesh holed = clean;
   holed.Triangles.pop_back();
   const AutomaticMesh repaired = AutomaticTetrahedra(holed, Limited());
-  EXPECT_EQ(repaired.Way, MeshingWay::RepairedTetGen) << repaired.Report;
+  EXPECT_EQ(repaired.Backend, MeshingBackend::RepairedTetGen) << repaired.Report;
   EXPECT_NEAR(repaired.VolumeAfter, SignedVolume(clean), 1e-2);
   EXPECT_NE(repaired.Report.find("filled 1 hole"), std::string::npos) << repaired.Report;
 
@@ -46,7 +46,7 @@ TEST(AutomaticMesher, TakesTheWayThatMovesTheSurfaceLeast)
   TetrahedralParameters noTetGen = Limited();
   noTetGen.TetGen.Command = "no-such-program";
   const AutomaticMesh cgal = AutomaticTetrahedra(clean, noTetGen);
-  EXPECT_EQ(cgal.Way, MeshingWay::RepairedCGAL) << cgal.Report;
+  EXPECT_EQ(cgal.Backend, MeshingBackend::RepairedCGAL) << cgal.Report;
   EXPECT_NEAR(cgal.VolumeAfter / SignedVolume(clean), 1.0, 0.02);
   EXPECT_GT(cgal.Hausdorff, 0.0);
   EXPECT_LT(cgal.Hausdorff, 0.05);
@@ -64,7 +64,7 @@ TEST(AutomaticMesher, SpheresThatCrossBecomeTheirUnion)
   coarse.CGAL.CellSize = 0.06;
   const AutomaticMesh made = AutomaticTetrahedra(two, coarse);
   std::printf("%s\n", made.Report.c_str());
-  EXPECT_EQ(made.Way, MeshingWay::Stuffing);
+  EXPECT_EQ(made.Backend, MeshingBackend::Stuffing);
   EXPECT_NEAR(made.VolumeAfter / both, 1.0, 0.015); // the spheres have facets: 0.8 % less
   const QualitySummary quality = QualityOf(made.Mesh);
   EXPECT_GE(quality.SmallestAngle, 10.7);

@@ -1,7 +1,7 @@
 // Isosurface stuffing of every shared map, and of surfaces offset inwards and outwards: the
 // published angles, every face shared, the box filled.
 
-#include "Contouring/SensibleLevel.h"
+#include "Contouring/LevelEstimate.h"
 #include "Core/PolyDataTriangles.h"
 #include "DamagedSurfaces.h"
 #include "LongTests.h"
@@ -71,7 +71,7 @@ double LevelOf(vtkImageData* map)
     values.push_back(value);
   }
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  return *low < *high ? SensibleLevel(values) : std::nan("");
+  return *low < *high ? EstimateLevel(values) : std::nan("");
 }
 
 struct Seen

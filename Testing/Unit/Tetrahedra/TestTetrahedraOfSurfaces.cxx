@@ -83,7 +83,7 @@ TEST(TetrahedralMesher, LysozymeIsFilledOnceRepaired)
   const TriangleMesh surface = MeshOf(reader->GetOutput());
   EXPECT_NE(WhyRefused(surface, {}).find("43 triangles"), std::string::npos);
   const RepairedSurface repaired = RepairSurface(surface);
-  DemandCleanSurface(repaired.Mesh);
+  RequireCleanSurface(repaired.Mesh);
   EXPECT_EQ(EulerCharacteristic(repaired.Mesh), 8);
   double filled = 0.0;
   const TetrahedralMesh mesh = MeshTetrahedra(repaired.Mesh, {});

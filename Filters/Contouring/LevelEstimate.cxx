@@ -1,0 +1,118 @@
+#include "Contouring/LevelEstimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <stdexcept>
+
+namespace isthmus
+{
+namespace
+{
+
+double Quantile(const std::vector<double>& sorted, double fraction)
+{
+  const double position = fraction * static_cast<double>(sorted.size() - 1);
+  return sorted[static_cast<std::size_t>(std::lround(position))];
+}
+
+/// Otsu's threshold of sorted values: half way between the last of one class and the first of the
+/// other.
+double TwoClasses(const std::vector<double>& sorted)
+{
+  // About the median, so that a large offset costs no digits.
+  const double middle = Quantile(sorted, 0.5);
+  double total = 0.0;
+  for (const double value : sorted)
+  {
+    total += value - middle;
+  }
+  const auto count = static_cast<double>(sorted.size());
+  double below = 0.0, best = -1.0, threshold = middle;
+  for (std::size_t i = 0; i + 1 < sorted.size(); ++i)
+  {
+    below += sorted[i] - middle;
+    if (sorted[i] == sorted[i + 1])
+    {
+      continue;
+    }
+    const double n = static_cast<double>(i + 1);
+    const double difference = total * n / count - below;
+    const double between = difference * difference / (n * (count - n));
+    if (between > best)
+    {
+      best = between;
+      threshold = sorted[i] / 2.0 + sorted[i + 1] / 2.0;
+    }
+  }
+  return threshold;
+}
+
+/// Standard deviation of the values below the median about it: the median distance, which for a
+/// normal distribution is 0.6745 of it.
+double LowerDeviation(const std::vector<double>& sorted)
+{
+  return (Quantile(sorted, 0.5) - Quantile(sorted, 0.25)) / 0.674490;
+}
+
+}
+
+double EstimateLevel(std::vector<double>& values)
+{
+  if (values.empty())
+  {
+    throw std::invalid_argument("The map has no value that is a finite number.");
+  }
+  std::sort(values.begin(), values.end());
+  const double low = Quantile(values, 0.0005);
+  const double high = Quantile(values, 0.9995);
+  if (!(low < high))
+  {
+    // Less than a thousandth differs from the rest; take it for what is meant all the same.
+    return values.front() / 2.0 + values.back() / 2.0;
+  }
+  const double background = Quantile(values, 0.5) + 3.0 * LowerDeviation(values);
+  const double top = Quantile(values, 0.99);
+  for (double& value : values)
+  {
+    value = std::clamp(value, low, high);
+  }
+  const double level = std::max(TwoClasses(values), std::min(background, top));
+  // A few values only, as in a label map: still below the highest, so that something is inside.
+  const auto below = std::lower_bound(values.begin(), values.end(), values.back());
+  return level < values.back() || below == values.begin()
+    ? level
+    : *(below - 1) / 2.0 + values.back() / 2.0;
+}
+
+template <typename T>
+std::vector<double> SampleValues(const GridView<const T>& grid)
+{
+  // An odd step without a common factor with the rows or layers passes over all columns alike.
+  std::int64_t step = grid.Size() / (std::int64_t{ 1 } << 20) + 1;
+  if (step > 1)
+  {
+    step |= 1;
+    while (std::gcd(step, grid.Dimensions[0] * grid.Dimensions[1]) > 1)
+    {
+      step += 2;
+    }
+  }
+  std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(grid.Size() / step + 1));
+  for (std::int64_t n = 0; n < grid.Size(); n += step)
+  {
+    const auto value = static_cast<double>(grid.Data[n]);
+    if (std::isfinite(value))
+    {
+      values.push_back(value);
+    }
+  }
+  return values;
+}
+
+template std::vector<double> SampleValues(const GridView<const float>&);
+template std::vector<double> SampleValues(const GridView<const double>&);
+
+}

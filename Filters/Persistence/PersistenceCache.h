@@ -1,0 +1,50 @@
+/**
+ * @file PersistenceCache.h
+ * @brief The pairs of an image's scalars, computed once for the same values.
+ */
+#ifndef isthmus_PersistenceCache_h
+#define isthmus_PersistenceCache_h
+
+#include "Core/Progress.h"
+#include "Persistence/CubicalDiagram.h"
+#include "Persistence/VolumeView.h"
+
+#include <vtkType.h>
+
+#include <array>
+#include <optional>
+
+class vtkDataArray;
+class vtkImageData;
+
+namespace isthmus
+{
+
+/// The values as they lie in memory. Throws std::invalid_argument for arrays that are not plain
+/// numbers in one piece.
+VolumeView VolumeOf(vtkDataArray* scalars, vtkImageData* image);
+
+/// Statistics and pairs of the last scalars. They do not depend on thresholds, so that threshold
+/// changes are instant; changed values, another sign or other levels recompute them.
+class PersistenceCache
+{
+public:
+  /// Clears the cache where the scalars differ from the cached ones.
+  const VolumeStatistics& Statistics(vtkDataArray* scalars, const VolumeView& volume);
+
+  /// Of the values last given to Statistics.
+  const CubicalDiagram& Pairs(const VolumeView& volume, const CubicalParameters& parameters,
+    const ProgressCallback& progress);
+
+private:
+  const void* Scalars = nullptr;
+  vtkMTimeType Time = 0;
+  std::array<std::int64_t, 3> Dimensions{ -1, -1, -1 };
+  VolumeStatistics Known;
+  CubicalParameters Parameters;
+  std::optional<CubicalDiagram> Diagram;
+};
+
+}
+
+#endif
