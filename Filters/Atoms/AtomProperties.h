@@ -17,7 +17,7 @@
  *
  * UnitedAtoms: where amino acids or nucleotides come without any hydrogen and the radii are those
  * of a table by element, radii of united atoms take their place: C 1.85, N 1.75, O 1.65, P 2.10,
- * S 2.00 (ChemicalElement.h). Radii of a force field stay as they are. Default on.
+ * S 2.00 (AtomRadii.h). Radii of a force field stay as they are. Default on.
  */
 #define ISTHMUS_ATOM_PROPERTIES()                                                                  \
   ISTHMUS_SWITCH(KeepWaters, false);                                                               \

@@ -1,6 +1,7 @@
 #include "vtkMolecularDensity.h"
 
 #include "Atoms/MolecularDensity.h"
+#include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
 #include "Core/PipelineInputs.h"
@@ -28,64 +29,24 @@ vtkStandardNewMacro(vtkMolecularDensity);
 namespace
 {
 
-using isthmus::Ball;
 using isthmus::DensityGrid;
+using isthmus::MoleculeAtoms;
 
-/// The atoms with a radius, scaled, and how many have none.
-struct Atoms
+/// All atoms, those of radius 0 included; radii times `scale`.
+MoleculeAtoms ScaledAtoms(vtkDataObject* input, const std::string& radii, double scale)
 {
-  std::vector<Ball> Balls;
-  vtkIdType WithoutRadius = 0;
-};
-
-/// The point array that the filter's input array 0 names. Throws when it is not there.
-vtkDataArray* RadiiOf(vtkAlgorithm* filter, vtkPointSet* input)
-{
-  const char* name = filter->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  if (!name || !*name)
-  {
-    name = "Radius"; // a panel that has seen no data yet sends an empty name
-  }
-  vtkDataArray* radii = input->GetPointData()->GetArray(name);
-  if (!radii)
-  {
-    std::string there;
-    for (int i = 0; i < input->GetPointData()->GetNumberOfArrays(); ++i)
-    {
-      const char* other = input->GetPointData()->GetArrayName(i);
-      there += std::string(" ") + (other ? other : "(unnamed)");
-    }
-    throw std::invalid_argument("The atoms have no point array " + std::string(name) +
-      " of radii; they have:" + (there.empty() ? " none" : there) +
-      ". Read them with vtkMacromoleculeReader, or choose one of these.");
-  }
-  return radii;
-}
-
-Atoms AtomsOf(vtkPointSet* input, vtkDataArray* radii, double scale)
-{
-  if (radii->GetNumberOfComponents() != 1)
-  {
-    throw std::invalid_argument("The array of radii has several components, but one number for "
-                                "each atom is needed: extract one component first.");
-  }
   if (!(scale > 0.0) || std::isinf(scale))
   {
     throw std::invalid_argument("RadiusScale is " + isthmus::FormatNumber(scale) +
       ", but it is a factor of lengths: give a positive number.");
   }
-  Atoms atoms;
-  atoms.Balls.reserve(static_cast<std::size_t>(input->GetNumberOfPoints()));
-  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  isthmus::AtomOptions all;
+  all.RadiusArray = radii;
+  all.ZeroRadii = true;
+  MoleculeAtoms atoms = isthmus::ReadAtoms(input, all);
+  for (isthmus::Ball& ball : atoms.Balls)
   {
-    Ball ball{ {}, scale * radii->GetComponent(i, 0) };
-    if (std::isnan(ball.Radius))
-    {
-      ++atoms.WithoutRadius;
-      continue;
-    }
-    input->GetPoint(i, ball.Centre.data());
-    atoms.Balls.push_back(ball);
+    ball.Radius *= scale;
   }
   return atoms;
 }
@@ -147,28 +108,25 @@ int vtkMolecularDensity::FillInputPortInformation(int, vtkInformation* info)
 int vtkMolecularDensity::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // The extent of the grid has to be told now, and it is that of the atoms: so make the atoms.
+  // The extent of the grid is that of the atoms, so these are needed now.
   this->Advance->Update();
-  vtkPointSet* input = vtkPointSet::GetData(inputVector[0], 0);
-  vtkNew<vtkImageData> image;
-  image->SetExtent(0, -1, 0, -1, 0, -1);
-  int result = 1;
-  if (input && input->GetNumberOfPoints() > 0) // else empty, or blocks that come one by one
-  {
-    result = isthmus::Guarded(this, image,
-      [&]()
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  isthmus::SetImageInformation(outInfo,
+    [&](vtkImageData* image)
+    {
+      this->Advance->RequireOneRank(0, "atoms");
+      vtkPointSet* input = vtkPointSet::GetData(inputVector[0], 0);
+      if (input && input->GetNumberOfPoints() > 0) // else empty, or blocks that come one by one
       {
-        this->Advance->RequireOneRank(0, "atoms");
-        const Atoms atoms = AtomsOf(input, RadiiOf(this, input), this->RadiusScale);
+        const MoleculeAtoms atoms =
+          ScaledAtoms(input, isthmus::InputArrayName(this, 0), this->RadiusScale);
         SetGeometry(isthmus::GridAroundBalls(atoms.Balls, this->Spacing,
                       { this->Padding[0], this->Padding[1], this->Padding[2] }),
           image);
-      });
-  }
-  vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  isthmus::SetImageInformation(outInfo, image);
+      }
+    });
   vtkDataObject::SetPointDataActiveScalarInfo(outInfo, VTK_FLOAT, 1);
-  return result;
+  return 1;
 }
 
 int vtkMolecularDensity::RequestData(
@@ -190,12 +148,11 @@ int vtkMolecularDensity::RequestData(
 
 void vtkMolecularDensity::FillImage(vtkPointSet* input, vtkImageData* output)
 {
-  const Atoms atoms = AtomsOf(input, RadiiOf(this, input), this->RadiusScale);
-  if (atoms.WithoutRadius > 0)
+  const MoleculeAtoms atoms =
+    ScaledAtoms(input, isthmus::InputArrayName(this, 0), this->RadiusScale);
+  for (const std::string& warning : atoms.Warnings)
   {
-    vtkWarningMacro(<< atoms.WithoutRadius << " of " << input->GetNumberOfPoints()
-                    << " atoms have no radius and were left out: choose another table of radii in "
-                       "the reader.");
+    vtkWarningMacro(<< warning);
   }
   if (atoms.Balls.empty())
   {

@@ -4,7 +4,8 @@
  *
  * Input: the atoms, any vtkPointSet whose point array `Radius` (or the one chosen with
  * SetInputArrayToProcess) holds radii in the unit of the points (angstrom); vtkMacromoleculeReader
- * makes it. Output: vtkImageData around the atoms with the point array `Density` (float, no unit).
+ * makes it. Without that array, radii go by element (array `Element`; AtomRadii.h). Output:
+ * vtkImageData around the atoms with the point array `Density` (float, no unit).
  *
  * With radii R_i = RadiusScale x radius,
  *
@@ -20,9 +21,9 @@
  * grid whatever part is asked for. Atoms without radius (NaN) are left out, with a warning; atoms
  * with radius 0 leave no trace.
  *
- * **Errors** (sentence, empty output): no radii; negative radii, coordinates that are not finite; a
- * Spacing that is not positive or so small that the grid does not fit into memory. No atoms: an
- * empty image and no error.
+ * **Errors** (sentence, empty output): neither radii nor elements; negative radii, coordinates that
+ * are not finite; a Spacing that is not positive or so small that the grid does not fit into
+ * memory. No atoms: an empty image and no error.
  *
  * **Cost.** Linear in atoms and nodes: 100,000 atoms at 0.5 angstrom in 0.12 s on two
  * threads. Memory 4 bytes a node and about 100 bytes an atom. The same bits on any number of

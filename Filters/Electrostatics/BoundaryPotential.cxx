@@ -2,8 +2,11 @@
 
 #include "Core/ParallelFor.h"
 #include "Electrostatics/ChargeTree.h"
+#include "Electrostatics/ElectrostaticUnits.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace isthmus
@@ -122,6 +125,122 @@ void FillBorder(
     FillFace(box, f, sampleLength, axis, 0, u);
     FillFace(box, f, sampleLength, axis, box.Dimensions[axis] - 1, u);
   }
+}
+
+namespace
+{
+
+/// Weights of n + 1 equidistant nodes: trapezoids, the three at each end corrected.
+std::vector<double> GregoryWeights(std::int64_t pieces, double h)
+{
+  constexpr double ends[3] = { 3.0 / 8.0, 7.0 / 6.0, 23.0 / 24.0 };
+  std::vector<double> weights(static_cast<std::size_t>(pieces) + 1, h);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+  {
+    const std::size_t end = std::min(i, weights.size() - 1 - i);
+    if (weights.size() >= 6)
+    {
+      weights[i] *= end < 3 ? ends[end] : 1.0;
+    }
+    else if (end == 0)
+    {
+      weights[i] *= pieces > 0 ? 0.5 : 0.0;
+    }
+  }
+  return weights;
+}
+
+/// One face of the range: `axis` is fixed at its lower or upper end.
+void AddFace(const SolverBox& box, const std::vector<double>& u, const RadiatingBox& range,
+  std::size_t axis, bool upper, ChargeList& charges)
+{
+  const std::size_t b = (axis + 1) % 3;
+  const std::size_t c = (axis + 2) % 3;
+  const auto steps = box.Steps();
+  const double sign = upper ? 1.0 : -1.0;
+  const double h = box.Spacing[axis];
+  const auto weights = [&](std::size_t side)
+  {
+    return GregoryWeights((range.Last[side] - range.First[side]) / range.Stride[side],
+      static_cast<double>(range.Stride[side]) * box.Spacing[side]);
+  };
+  const std::vector<double> along = weights(b);
+  const std::vector<double> across = weights(c);
+  // A dipole is two charges so near that the pair's own size is not felt.
+  const double apart = 0.05 * h;
+  for (std::size_t j = 0; j < along.size(); ++j)
+  {
+    for (std::size_t k = 0; k < across.size(); ++k)
+    {
+      std::array<std::int64_t, 3> at{};
+      at[axis] = upper ? range.Last[axis] : range.First[axis];
+      at[b] = range.First[b] + static_cast<std::int64_t>(j) * range.Stride[b];
+      at[c] = range.First[c] + static_cast<std::int64_t>(k) * range.Stride[c];
+      const std::int64_t node = at[0] * steps[0] + at[1] * steps[1] + at[2] * steps[2];
+      double w[5];
+      for (int s = -2; s <= 2; ++s)
+      {
+        w[s + 2] = u[static_cast<std::size_t>(node + s * steps[axis])];
+      }
+      const double slope = sign * ((w[0] - w[4]) + 8.0 * (w[3] - w[1])) / (12.0 * h);
+      const double area = along[j] * across[k] / (4.0 * Pi);
+      Point3 x = box.Position(at[0], at[1], at[2]);
+      const double half = -0.5 * slope * area;
+      const double dipole = 0.5 * w[2] * area / apart;
+      x[axis] += sign * apart;
+      charges.Add(x, half + dipole);
+      x[axis] -= 2.0 * sign * apart;
+      charges.Add(x, half - dipole);
+    }
+  }
+}
+
+}
+
+double GapAround(const BoxNodes& inside, const SolverBox& box)
+{
+  double gap = std::numeric_limits<double>::infinity();
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const std::int64_t nodes = std::min(inside.First[a], box.Dimensions[a] - 1 - inside.Last[a]);
+    gap = std::min(gap, static_cast<double>(nodes) * box.Spacing[a]);
+  }
+  return gap;
+}
+
+RadiatingBox HalfWayOut(const BoxNodes& inside, const SolverBox& box)
+{
+  const double gap = GapAround(inside, box);
+  RadiatingBox range;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const std::int64_t end = box.Dimensions[a] - 1;
+    range.First[a] = std::max<std::int64_t>(2, inside.First[a] / 2);
+    range.Last[a] = std::min(end - 2, (inside.Last[a] + end + 1) / 2);
+    range.Stride[a] = std::max<std::int64_t>(1, std::llround(0.25 * gap / box.Spacing[a]));
+    // Whole strides: the rest is taken off both ends.
+    const std::int64_t rest = (range.Last[a] - range.First[a]) % range.Stride[a];
+    range.First[a] += rest / 2;
+    range.Last[a] -= rest - rest / 2;
+  }
+  return range;
+}
+
+PotentialFunction RadiatedPotential(
+  const SolverBox& box, const std::vector<double>& u, const RadiatingBox& range, double kappa)
+{
+  auto charges = std::make_shared<ChargeList>();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    AddFace(box, u, range, axis, false, *charges);
+    AddFace(box, u, range, axis, true, *charges);
+  }
+  if (charges->Size() < FewestForTree)
+  {
+    return [charges, kappa](const Point3& x) { return ScreenedSum(*charges, kappa, x); };
+  }
+  auto tree = std::make_shared<ChargeTree>(*charges);
+  return [tree, kappa](const Point3& x) { return tree->ScreenedSum(x, kappa); };
 }
 
 }

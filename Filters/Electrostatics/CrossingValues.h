@@ -6,7 +6,7 @@
 #define isthmus_CrossingValues_h
 
 #include "Electrostatics/ChargeSums.h"
-#include "Electrostatics/InterfaceFit.h"
+#include "Electrostatics/InterfaceJumpConditions.h"
 #include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
@@ -67,11 +67,12 @@ struct CrossingValues
  * smeared over cells: the energy of an ion of 2 angstrom at a spacing of 0.25 is off by 14 % so, by
  * 0.11 % here.)
  *
- * SharpInterface: by InterfaceFit; by the ghost-fluid values where nothing can be fitted, and where
- * fewer of the nodes around are outside than a harmonic quadratic has coefficients (9): in a cavity
- * or cleft of the molecule a node or two wide. There the fit continues the outside function from
- * values inside, whose errors count solvent / solute dielectric times outside and shift the
- * potential of a whole cavity; the ghost-fluid fluxes add up to 0 around it.
+ * SharpInterface: by InterfaceJumpConditions; by the ghost-fluid values where nothing can be
+ * fitted, and where fewer of the nodes around are outside than a harmonic quadratic has
+ * coefficients (9): in a cavity or cleft of the molecule a node or two wide. There the fit
+ * continues the outside function from values inside, whose errors count solvent / solute dielectric
+ * times outside and shift the potential of a whole cavity; the ghost-fluid fluxes add up to 0
+ * around it.
  */
 CrossingValues ValuesAtCrossing(const InterfaceProblem& problem, std::size_t index);
 

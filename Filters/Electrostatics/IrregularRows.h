@@ -4,15 +4,15 @@
  *
  * Row of a node p on a side with permittivity eps, times h^2 (h the shortest spacing):
  * eps sum_axes (h / h_a)^2 (2 u_p - v_before - v_after) = 0, where v is the value of a neighbour on
- * the same side, and the value that InterfaceFit continues across the surface for one on the other.
- * The rows of a closed cavity have a part in common (CavityFlux.h) that is not in their entries.
- * The term of the ions is not in the row; it is added by InterfaceOperator. Rows are scaled such
- * that their diagonal is that of the preconditioner.
+ * the same side, and the value that InterfaceJumpConditions continues across the surface for one on
+ * the other. The rows of a closed cavity have a part in common (ClosedCavities.h) that is not in
+ * their entries. The term of the ions is not in the row; it is added by InterfaceOperator. Rows are
+ * scaled such that their diagonal is that of the preconditioner.
  */
 #ifndef isthmus_IrregularRows_h
 #define isthmus_IrregularRows_h
 
-#include "Electrostatics/CavityFlux.h"
+#include "Electrostatics/ClosedCavities.h"
 #include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus

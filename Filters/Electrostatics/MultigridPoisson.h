@@ -17,7 +17,6 @@
 #ifndef isthmus_MultigridPoisson_h
 #define isthmus_MultigridPoisson_h
 
-#include "Electrostatics/EdgePermittivity.h"
 #include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 #include <array>
@@ -27,6 +26,16 @@
 
 namespace isthmus
 {
+
+/**
+ * Permittivities by code, so that the finest grid takes three bytes a node: `Code[a][node]` names
+ * the permittivity `Table[Code]` of the edge from the node to the next along axis a.
+ */
+struct EdgePermittivity
+{
+  std::array<std::vector<unsigned char>, 3> Code;
+  std::array<float, 256> Table{};
+};
 
 struct MultigridLevel;
 

@@ -4,7 +4,7 @@
  * surface.
  *
  * Linear or nonlinear Poisson-Boltzmann equation with two dielectric constants that jump at a level
- * set; formulation in PotentialOnBox.h, the surface in InterfaceFit.h, the solver in
+ * set; formulation in PotentialOnBox.h, the surface in InterfaceJumpConditions.h, the solver in
  * InterfaceSolver.h. Units: angstrom, e, kT/e, mol/l.
  *
  * The volume that holds the level set may end close to it: the equation is solved on a box with at

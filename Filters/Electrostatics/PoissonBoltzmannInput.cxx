@@ -23,40 +23,12 @@ namespace isthmus
 namespace
 {
 
-/// The point array that the filter's input array `index` names, or null.
-vtkDataArray* NamedArray(vtkAlgorithm* filter, int index, vtkDataSet* data)
-{
-  const char* name = filter->GetInputArrayInformation(index)->Get(vtkDataObject::FIELD_NAME());
-  vtkPointData* arrays = data->GetPointData();
-  return name && *name ? arrays->GetArray(name) : nullptr;
-}
-
-std::string ArraysOf(vtkDataSet* data)
-{
-  std::string there;
-  for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
-  {
-    const char* name = data->GetPointData()->GetArrayName(i);
-    there += std::string(" ") + (name ? name : "(unnamed)");
-  }
-  return there.empty() ? " none" : there;
-}
-
 void RequireOneComponent(vtkDataArray* array, const char* what)
 {
   if (array->GetNumberOfComponents() != 1)
   {
     throw std::invalid_argument(std::string("The array of ") + what +
       " has several components, but one number for each point is needed: extract one first.");
-  }
-}
-
-void RequireFinite(double value, const char* what, vtkIdType atom)
-{
-  if (!std::isfinite(value))
-  {
-    throw std::invalid_argument(std::string("The ") + what + " of atom " + std::to_string(atom) +
-      " is not a finite number: correct it, or leave the atom out.");
   }
 }
 
@@ -120,54 +92,48 @@ std::function<double(const Point3&)> OnItsGrid(
 
 }
 
-AtomInput AtomsOf(vtkAlgorithm* filter, vtkPointSet* points, bool radiiNeeded)
+std::vector<ChargedAtom> ChargedAtomsOf(
+  vtkDataObject* input, const MoleculeAtoms& atoms, const std::string& name)
 {
-  vtkDataArray* charges = NamedArray(filter, 0, points);
-  if (!charges)
+  const std::vector<double> charges = AtomCharges(input, atoms, name);
+  std::vector<ChargedAtom> charged;
+  for (std::size_t i = 0; i < charges.size(); ++i)
   {
-    throw std::invalid_argument(
-      "The atoms have no point array of charges; they have:" + ArraysOf(points) +
-      ". Read a PQR file: pdb2pqr makes one from a PDB file, with the charges of a force field.");
+    charged.push_back({ {}, charges[i], 0.0 });
+    AtomPoints(input)->GetPoint(atoms.Kept[i], charged.back().Position.data());
   }
-  RequireOneComponent(charges, "charges");
-  vtkDataArray* radii = NamedArray(filter, 1, points);
-  if (!radii && radiiNeeded)
-  {
-    throw std::invalid_argument("The atoms have no point array of radii; they have:" +
-      ArraysOf(points) + ". Without a surface on input 1 they are needed to make one.");
-  }
-  AtomInput input;
+  return charged;
+}
+
+SoluteAtoms ReadSolute(vtkAlgorithm* filter, vtkPointSet* points, bool radiiNeeded)
+{
+  AtomOptions all;
+  all.RadiusArray = InputArrayName(filter, 1);
+  all.ZeroRadii = true;
+  all.Fallback = radiiNeeded ? RadiusFallback::None : RadiusFallback::Zero;
+  all.Missing = MissingRadius::Refuse;
+  const MoleculeAtoms atoms = ReadAtoms(points, all);
+  SoluteAtoms solute;
+  solute.Atoms = ChargedAtomsOf(points, atoms, InputArrayName(filter, 0));
   double absolute = 0.0;
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  for (std::size_t i = 0; i < solute.Atoms.size(); ++i)
   {
-    ChargedAtom atom{ {}, charges->GetComponent(i, 0), radii ? radii->GetComponent(i, 0) : 0.0 };
-    points->GetPoint(i, atom.Position.data());
-    RequireFinite(atom.Charge, "charge", i);
-    RequireFinite(atom.Radius, "radius", i);
-    for (const double x : atom.Position)
-    {
-      RequireFinite(x, "position", i);
-    }
-    if (atom.Radius < 0.0)
-    {
-      throw std::invalid_argument("The radius of atom " + std::to_string(i) + " is " +
-        FormatNumber(atom.Radius) + ", but a radius is 0 or more.");
-    }
-    input.NetCharge += atom.Charge;
+    ChargedAtom& atom = solute.Atoms[i];
+    atom.Radius = atoms.Balls[i].Radius; // every atom has a ball
+    solute.NetCharge += atom.Charge;
     absolute += std::abs(atom.Charge);
-    input.Atoms.push_back(atom);
   }
   if (!(absolute > 0.0))
   {
     throw std::invalid_argument("All charges are 0, so there is no potential: read a PQR file, or "
                                 "choose another array of charges.");
   }
-  if (std::abs(input.NetCharge - std::round(input.NetCharge)) > 0.01)
+  if (std::abs(solute.NetCharge - std::round(solute.NetCharge)) > 0.01)
   {
-    input.Warning = "The net charge is " + std::to_string(input.NetCharge) +
+    solute.Warning = "The net charge is " + std::to_string(solute.NetCharge) +
       " e, not a whole number: atoms may be missing, or their charges.";
   }
-  return input;
+  return solute;
 }
 
 vtkDataArray* SurfaceScalars(vtkImageData* image)
@@ -181,7 +147,7 @@ vtkDataArray* SurfaceScalars(vtkImageData* image)
   {
     throw std::invalid_argument("The volume on input 1 has no active point scalars whose level "
                                 "would be the surface; it has:" +
-      ArraysOf(image) + ". Make one of these active.");
+      ArrayNames(image->GetPointData()) + ". Make one of these active.");
   }
   RequireOneComponent(scalars, "the surface's scalars");
   return scalars;
@@ -227,8 +193,8 @@ void SetPotentialInput(
   values = values ? values : potential->GetPointData()->GetScalars();
   if (!values)
   {
-    throw std::invalid_argument(
-      "The potential on input 2 has no such point array; it has:" + ArraysOf(potential) + ".");
+    throw std::invalid_argument("The potential on input 2 has no such point array; it has:" +
+      ArrayNames(potential->GetPointData()) + ".");
   }
   RequireOneComponent(values, "the potential");
   const auto function = OnItsGrid(potential, values, grid);

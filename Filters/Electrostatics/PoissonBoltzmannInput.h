@@ -5,13 +5,16 @@
 #ifndef isthmus_PoissonBoltzmannInput_h
 #define isthmus_PoissonBoltzmannInput_h
 
+#include "Atoms/MoleculeAtoms.h"
 #include "Electrostatics/LevelFunction.h"
+#include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 #include <string>
 #include <vector>
 
 class vtkAlgorithm;
 class vtkDataArray;
+class vtkDataObject;
 class vtkImageData;
 class vtkPointSet;
 
@@ -20,16 +23,23 @@ namespace isthmus
 
 struct SoluteVolume;
 
-struct AtomInput
+/// The charges of the point array `name` at the places of `atoms.Kept`, with radius 0. Throws as
+/// AtomCharges does.
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<ChargedAtom> ChargedAtomsOf(
+  vtkDataObject* input, const MoleculeAtoms& atoms, const std::string& name);
+
+/// The atoms of the solute.
+struct SoluteAtoms
 {
   std::vector<ChargedAtom> Atoms; ///< all points, in world coordinates
   double NetCharge = 0.0;         ///< e
-  std::string Warning;            ///< empty where there is nothing to warn of
+  std::string Warning;            ///< empty: none
 };
 
 /// By the filter's input arrays 0 (charges) and 1 (radii; 0 where there are none and none are
-/// needed). Throws std::invalid_argument for what the filter's documentation lists.
-AtomInput AtomsOf(vtkAlgorithm* filter, vtkPointSet* points, bool radiiNeeded);
+/// needed). Throws std::invalid_argument as ReadAtoms and AtomCharges do, for an atom without a
+/// radius, and where all charges are 0.
+SoluteAtoms ReadSolute(vtkAlgorithm* filter, vtkPointSet* points, bool radiiNeeded);
 
 /// The active scalars of input 1, or its only array.
 vtkDataArray* SurfaceScalars(vtkImageData* image);

@@ -12,10 +12,10 @@
 #ifndef isthmus_PotentialOnBox_h
 #define isthmus_PotentialOnBox_h
 
+#include "Electrostatics/BoundaryPotential.h"
 #include "Electrostatics/InterfaceSolver.h"
 #include "Electrostatics/IonAccess.h"
 #include "Electrostatics/IonAtmosphere.h"
-#include "Electrostatics/RadiatedPotential.h"
 #include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 #include <memory>

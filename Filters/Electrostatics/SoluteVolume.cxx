@@ -291,11 +291,11 @@ SoluteVolume VolumeOfSurface(
 }
 
 SoluteVolume VolumeOfAtoms(
-  const std::vector<ChargedAtom>& atoms, const GridWish& wish, const ProgressCallback& progress)
+  const std::vector<ChargedAtom>& atoms, vtkImageData* grid, const ProgressCallback& progress)
 {
   constexpr double decay = 2.3;
   SoluteVolume volume;
-  volume.Grid = GridAroundAtoms(atoms, wish);
+  volume.Grid = grid;
   volume.Decay = decay;
   volume.Kind = "level 1 of a sum of Gaussians, decay 2.3";
   const GridShape shape = ShapeOf(volume.Grid);

@@ -39,7 +39,7 @@ struct GridWish
   double Padding = 10.0;
 };
 
-/// The grid that VolumeOfSurface and VolumeOfAtoms will use. Throws std::invalid_argument.
+/// The grids for VolumeOfSurface and VolumeOfAtoms. Throws std::invalid_argument.
 vtkSmartPointer<vtkImageData> GridAroundSurface(vtkPolyData* surface, const GridWish& wish);
 vtkSmartPointer<vtkImageData> GridAroundAtoms(
   const std::vector<ChargedAtom>& atoms, const GridWish& wish);
@@ -58,9 +58,9 @@ SoluteVolume VolumeOfImage(vtkImageData* image, vtkDataArray* scalars, double le
 SoluteVolume VolumeOfSurface(
   vtkPolyData* surface, const GridWish& wish, const ProgressCallback& progress = {});
 
-/// Level 1 of the sum of Gaussians of MolecularDensity.h with decay 2.3.
-SoluteVolume VolumeOfAtoms(const std::vector<ChargedAtom>& atoms, const GridWish& wish,
-  const ProgressCallback& progress = {});
+/// Level 1 of the sum of Gaussians of MolecularDensity.h with decay 2.3, on the nodes of `grid`.
+SoluteVolume VolumeOfAtoms(
+  const std::vector<ChargedAtom>& atoms, vtkImageData* grid, const ProgressCallback& progress = {});
 
 /// From world coordinates to lengths along the grid's axes from its first node, and back.
 Point3 ToGrid(vtkImageData* grid, const Point3& world);

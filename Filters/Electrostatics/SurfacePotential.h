@@ -2,8 +2,8 @@
  * @file SurfacePotential.h
  * @brief Potential, field and induced charge at points of the surface, fitted from both sides.
  *
- * The fit of InterfaceFit.h at the point itself, to the 4 x 4 x 4 nodes around: nothing is
- * interpolated across the surface, where the field jumps.
+ * The fit of InterfaceJumpConditions.h at the point itself, to the 4 x 4 x 4 nodes around: nothing
+ * is interpolated across the surface, where the field jumps.
  */
 #ifndef isthmus_SurfacePotential_h
 #define isthmus_SurfacePotential_h

@@ -1,10 +1,11 @@
 #include "vtkPoissonBoltzmann.h"
 
+#include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
 #include "Core/PipelineInputs.h"
 #include "Core/RangeChecks.h"
-#include "Electrostatics/ChargedAtoms.h"
+#include "Electrostatics/ForceFieldAtoms.h"
 #include "Electrostatics/PoissonBoltzmann.h"
 #include "Electrostatics/PoissonBoltzmannInput.h"
 #include "Electrostatics/PoissonBoltzmannOutput.h"
@@ -36,7 +37,7 @@ struct vtkPoissonBoltzmann::Salt
 vtkPoissonBoltzmann::vtkPoissonBoltzmann()
   : Ions(std::make_unique<Salt>())
   , Advance(std::make_unique<isthmus::InputInAdvance>(this))
-  , Charged(std::make_unique<isthmus::ChargedAtomsCache>())
+  , Charged(std::make_unique<isthmus::ForceFieldAtomsCache>())
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
@@ -86,6 +87,70 @@ int vtkPoissonBoltzmann::GetNumberOfIons()
   return static_cast<int>(this->Ions->Species.size());
 }
 
+vtkPolyData* vtkPoissonBoltzmann::GetSurface()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+vtkPointSet* vtkPoissonBoltzmann::GetAtoms()
+{
+  return vtkPointSet::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+int vtkPoissonBoltzmann::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkImageData");
+  if (port == 1)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  }
+  if (port > 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkPoissonBoltzmann::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  const char* const types[] = { "vtkImageData", "vtkPolyData", "vtkPointSet" };
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
+  return 1;
+}
+
+vtkTypeBool vtkPoissonBoltzmann::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return this->MakeOutputs(inputVector, outputVector);
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+int vtkPoissonBoltzmann::MakeOutputs(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const auto ensure = [&](int port, vtkDataObject* wanted)
+  {
+    vtkInformation* info = outputVector->GetInformationObject(port);
+    vtkDataObject* present = info->Get(vtkDataObject::DATA_OBJECT());
+    if (!present || !present->IsA(wanted->GetClassName()))
+    {
+      vtkSmartPointer<vtkDataObject> made =
+        vtkSmartPointer<vtkDataObject>::Take(wanted->NewInstance());
+      info->Set(vtkDataObject::DATA_OBJECT(), made);
+    }
+  };
+  vtkNew<vtkImageData> image;
+  vtkNew<vtkPolyData> surface;
+  ensure(0, image);
+  ensure(1, surface);
+  vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
+  ensure(2, atoms ? static_cast<vtkDataObject*>(atoms) : surface);
+  return 1;
+}
+
 int vtkPoissonBoltzmann::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -100,28 +165,39 @@ int vtkPoissonBoltzmann::RequestInformation(
     outInfo->CopyEntry(info, vtkDataObject::DIRECTION());
     return 1;
   }
-  // The extent of the grid has to be told now, and it is that of surface or atoms: so make them.
-  const int port = vtkPolyData::GetData(info) ? 1 : 0;
-  this->Advance->Update(port);
-  vtkNew<vtkImageData> grid;
-  grid->SetExtent(0, -1, 0, -1, 0, -1);
-  const int result = isthmus::Guarded(this, grid,
-    [&]()
+  // The extent of the grid is that of the surface or of the atoms as they come. No program runs
+  // here.
+  this->Advance->Update(vtkPolyData::GetData(info) ? 1 : 0);
+  isthmus::SetImageInformation(outInfo,
+    [&](vtkImageData* grid)
     {
       this->Advance->RequireOneRank(0, "atoms");
       this->Advance->RequireOneRank(1, "points of the surface");
-      const isthmus::GridWish wish{ this->Spacing, this->Padding };
       vtkPolyData* surface = vtkPolyData::GetData(info);
-      vtkPointSet* atoms = surface ? nullptr : this->AtomsWithCharges(inputVector);
-      if (surface ? surface->GetNumberOfPoints() > 0 : atoms && atoms->GetNumberOfPoints() > 0)
+      vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
+      if (surface && surface->GetNumberOfPoints() > 0)
       {
-        grid->CopyStructure(surface
-            ? isthmus::GridAroundSurface(surface, wish)
-            : isthmus::GridAroundAtoms(isthmus::AtomsOf(this, atoms, true).Atoms, wish));
+        grid->CopyStructure(isthmus::GridAroundSurface(surface, { this->Spacing, this->Padding }));
+      }
+      else if (!surface && atoms && atoms->GetNumberOfPoints() > 0)
+      {
+        grid->CopyStructure(this->GridAround(atoms));
       }
     });
-  isthmus::SetImageInformation(outInfo, grid);
-  return result;
+  return 1;
+}
+
+vtkSmartPointer<vtkImageData> vtkPoissonBoltzmann::GridAround(vtkPointSet* atoms)
+{
+  const isthmus::ChargeArrays arrays{ isthmus::InputArrayName(this, 0),
+    isthmus::InputArrayName(this, 1) };
+  isthmus::GridWish wish{ this->Spacing, this->Padding };
+  if (!isthmus::LacksCharges(atoms, arrays))
+  {
+    return isthmus::GridAroundAtoms(isthmus::ReadSolute(this, atoms, true).Atoms, wish);
+  }
+  wish.Padding += isthmus::HydrogenMargin;
+  return isthmus::GridAroundAtoms(isthmus::PolymerWithoutCharges(atoms), wish);
 }
 
 int vtkPoissonBoltzmann::RequestUpdateExtent(
@@ -188,6 +264,27 @@ isthmus::PoissonBoltzmannParameters vtkPoissonBoltzmann::Parameters() const
   return p;
 }
 
+vtkPointSet* vtkPoissonBoltzmann::AtomsWithCharges(vtkInformationVector** inputVector)
+{
+  vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
+  const isthmus::ChargeArrays arrays{ isthmus::InputArrayName(this, 0),
+    isthmus::InputArrayName(this, 1) };
+  if (!atoms || atoms->GetNumberOfPoints() == 0 || !isthmus::LacksCharges(atoms, arrays))
+  {
+    return atoms;
+  }
+  return this->Charged->Get(atoms, arrays, static_cast<isthmus::ChargeTable>(this->ForceField),
+    isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.05));
+}
+
+void vtkPoissonBoltzmann::Warn(const std::string& sentence)
+{
+  if (!sentence.empty())
+  {
+    vtkWarningMacro(<< sentence);
+  }
+}
+
 void vtkPoissonBoltzmann::Solve(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -196,15 +293,17 @@ void vtkPoissonBoltzmann::Solve(
   vtkImageData* image = vtkImageData::GetData(inputVector[1], 0);
   vtkPolyData* polygons = vtkPolyData::GetData(inputVector[1], 0);
   isthmus::PoissonBoltzmannParameters parameters = this->Parameters();
-  isthmus::AtomInput atoms = isthmus::AtomsOf(this, points, !image && !polygons);
+  isthmus::SoluteAtoms atoms = isthmus::ReadSolute(this, points, !image && !polygons);
   this->Warn(points == vtkPointSet::GetData(inputVector[0], 0) ? "" : this->Charged->Warning());
   this->Warn(atoms.Warning);
   const isthmus::GridWish wish{ this->Spacing, this->Padding };
   isthmus::SoluteVolume volume = image
     ? isthmus::VolumeOfImage(image, isthmus::SurfaceScalars(image), this->Level,
         this->InsideIsHigher, isthmus::Between(progress, 0.0, 0.05))
-    : polygons ? isthmus::VolumeOfSurface(polygons, wish, isthmus::Between(progress, 0.0, 0.05))
-               : isthmus::VolumeOfAtoms(atoms.Atoms, wish, isthmus::Between(progress, 0.0, 0.05));
+    : polygons
+    ? isthmus::VolumeOfSurface(polygons, wish, isthmus::Between(progress, 0.0, 0.05))
+    : isthmus::VolumeOfAtoms(atoms.Atoms, this->GridAround(vtkPointSet::GetData(inputVector[0], 0)),
+        isthmus::Between(progress, 0.0, 0.05));
   isthmus::PlaceOnGrid(volume, atoms.Atoms);
   isthmus::SetPotentialInput(vtkImageData::GetData(inputVector[2], 0), volume.Grid, parameters);
   const double padding =

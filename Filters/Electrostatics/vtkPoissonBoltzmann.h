@@ -29,7 +29,8 @@
  * **Output 0**: image with, on points, double: `Potential` (kT/e) and `ReactionPotential` (kT/e:
  * the potential less that of the charges in a medium with SoluteDielectric everywhere), and `Side`
  * (unsigned char, 1 inside). On the grid of input 1 where that is a volume, else on one of Spacing
- * with Padding around. Field data: `SolvationEnergy` (kcal/mol; from a medium with SoluteDielectric
+ * with Padding around (around the chains of the input, and 2 angstrom more, where pdb2pqr adds the
+ * charges). Field data: `SolvationEnergy` (kcal/mol; from a medium with SoluteDielectric
  * everywhere into the solvent), `SolvationEnergyKT`, `SolvationEnergyKilojoule`, `Iterations` (of
  * BiCGSTAB on this grid, those of all Newton steps and those for the border made on it included),
  * `BorderIterations` (on a coarser grid, for the border), `NewtonSteps`, `ResidualHistory` (of the
@@ -75,6 +76,7 @@
 #include "Core/Deprecation.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkIsthmusFiltersElectrostaticsModule.h" // for the export macro
+#include "vtkSmartPointer.h"
 
 #include <memory> // for what is shared between the requests
 #include <string> // for warnings
@@ -90,7 +92,7 @@ struct SoluteVolume;
 
 namespace isthmus
 {
-class ChargedAtomsCache;
+class ForceFieldAtomsCache;
 class InputInAdvance;
 }
 
@@ -284,6 +286,8 @@ private:
 
   isthmus::PoissonBoltzmannParameters Parameters() const;
   void Warn(const std::string& sentence); ///< empty: not
+  /// The grid without input 1, the same for information and data.
+  vtkSmartPointer<vtkImageData> GridAround(vtkPointSet* atoms);
   vtkPointSet* AtomsWithCharges(vtkInformationVector** inputVector);
   int MakeOutputs(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
   void Solve(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
@@ -309,7 +313,7 @@ private:
   struct Salt;
   std::unique_ptr<Salt> Ions;
   std::unique_ptr<isthmus::InputInAdvance> Advance;
-  std::unique_ptr<isthmus::ChargedAtomsCache> Charged;
+  std::unique_ptr<isthmus::ForceFieldAtomsCache> Charged;
 };
 
 #endif

@@ -10,7 +10,7 @@
 namespace isthmus
 {
 
-std::vector<DispersionAtom> DispersionAtomsOf(vtkDataObject* input, const AtomBalls& atoms)
+std::vector<DispersionAtom> DispersionAtomsOf(vtkDataObject* input, const MoleculeAtoms& atoms)
 {
   std::vector<DispersionAtom> result;
   if (atoms.Balls.empty())
@@ -28,7 +28,7 @@ std::vector<DispersionAtom> DispersionAtomsOf(vtkDataObject* input, const AtomBa
   for (std::size_t i = 0; i < atoms.Balls.size(); ++i)
   {
     const Ball& ball = atoms.Balls[i];
-    const vtkIdType id = atoms.Ids[i];
+    const vtkIdType id = atoms.Points[i];
     if (depths)
     {
       const double depth = depths->GetComponent(id, 0);

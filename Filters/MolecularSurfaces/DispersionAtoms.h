@@ -5,7 +5,7 @@
 #ifndef isthmus_DispersionAtoms_h
 #define isthmus_DispersionAtoms_h
 
-#include "Atoms/AtomBalls.h"
+#include "Atoms/MoleculeAtoms.h"
 #include "MolecularSurfaces/Dispersion.h"
 
 #include <vector>
@@ -21,7 +21,7 @@ namespace isthmus
  * element. Throws std::invalid_argument where there are neither, or a depth is negative or not
  * finite.
  */
-std::vector<DispersionAtom> DispersionAtomsOf(vtkDataObject* input, const AtomBalls& atoms);
+std::vector<DispersionAtom> DispersionAtomsOf(vtkDataObject* input, const MoleculeAtoms& atoms);
 
 }
 

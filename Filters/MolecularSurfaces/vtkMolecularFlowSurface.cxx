@@ -1,7 +1,6 @@
 #include "vtkMolecularFlowSurface.h"
 
-#include "Atoms/AtomBalls.h"
-#include "Atoms/AtomInput.h"
+#include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
 #include "Core/PipelineInputs.h"
@@ -35,7 +34,7 @@ vtkStandardNewMacro(vtkMolecularFlowSurface);
 namespace
 {
 
-using isthmus::AtomBalls;
+using isthmus::MoleculeAtoms;
 using isthmus::SurfaceFlowParameters;
 using isthmus::SurfaceFlowResult;
 using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -105,12 +104,12 @@ struct vtkMolecularFlowSurface::Internals
   }
 
   SurfaceFlowParameters Parameters() const;
-  AtomBalls Atoms(vtkDataObject* input) const;
+  MoleculeAtoms Atoms(vtkDataObject* input) const;
   std::vector<double> Times(vtkInformation* input) const;
   void Check() const;
-  SurfaceFlowResult Flow(const AtomBalls& atoms, vtkDataObject* input, double time,
+  SurfaceFlowResult Flow(const MoleculeAtoms& atoms, vtkDataObject* input, double time,
     const isthmus::ProgressCallback& progress) const;
-  void Warn(const AtomBalls& atoms, const SurfaceFlowResult& result) const;
+  void Warn(const MoleculeAtoms& atoms, const SurfaceFlowResult& result) const;
   void Surface(vtkImageData* image, bool ofS, vtkPolyData* surface) const;
 
   /// How far outside of the flow's surface the Level lies, in angstrom.
@@ -144,9 +143,11 @@ SurfaceFlowParameters vtkMolecularFlowSurface::Internals::Parameters() const
   return parameters;
 }
 
-AtomBalls vtkMolecularFlowSurface::Internals::Atoms(vtkDataObject* input) const
+MoleculeAtoms vtkMolecularFlowSurface::Internals::Atoms(vtkDataObject* input) const
 {
-  return isthmus::BallsOf(this->Self, input, { this->Self->KeepWaters, this->Self->UnitedAtoms });
+  return isthmus::ReadAtoms(input,
+    isthmus::WholeMolecule(
+      isthmus::InputArrayName(this->Self, 0), this->Self->KeepWaters, this->Self->UnitedAtoms));
 }
 
 /// The times of the flow that can be asked for; none where time is not the flow's.
@@ -168,7 +169,7 @@ void vtkMolecularFlowSurface::Internals::Check() const
     "an energy for each cubic angstrom: give a finite number.");
 }
 
-SurfaceFlowResult vtkMolecularFlowSurface::Internals::Flow(const AtomBalls& atoms,
+SurfaceFlowResult vtkMolecularFlowSurface::Internals::Flow(const MoleculeAtoms& atoms,
   vtkDataObject* input, double time, const isthmus::ProgressCallback& progress) const
 {
   SurfaceFlowParameters parameters = this->Parameters();
@@ -193,13 +194,11 @@ SurfaceFlowResult vtkMolecularFlowSurface::Internals::Flow(const AtomBalls& atom
 }
 
 void vtkMolecularFlowSurface::Internals::Warn(
-  const AtomBalls& atoms, const SurfaceFlowResult& result) const
+  const MoleculeAtoms& atoms, const SurfaceFlowResult& result) const
 {
-  if (atoms.WithoutRadius > 0)
+  for (const std::string& warning : atoms.Warnings)
   {
-    vtkWarningWithObjectMacro(this->Self,
-      << atoms.WithoutRadius << " of " << atoms.NumberOfAtoms
-      << " atoms have no radius and were left out: choose another table of radii in the reader.");
+    vtkWarningWithObjectMacro(this->Self, << warning);
   }
   if (!result.Converged)
   {
@@ -283,7 +282,7 @@ int vtkMolecularFlowSurface::RequestInformation(
     [&](vtkImageData* image)
     {
       this->Advance->RequireOneRank(0, "atoms");
-      const AtomBalls atoms = Internals(this).Atoms(vtkDataObject::GetData(inputVector[0]));
+      const MoleculeAtoms atoms = Internals(this).Atoms(vtkDataObject::GetData(inputVector[0]));
       if (!atoms.Balls.empty())
       {
         isthmus::SetImageGeometry(
@@ -318,7 +317,7 @@ int vtkMolecularFlowSurface::RequestData(
       internals.Check();
       vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
       this->Advance->RequireOneRank(0, "atoms");
-      const AtomBalls atoms = internals.Atoms(input);
+      const MoleculeAtoms atoms = internals.Atoms(input);
       const auto progress = isthmus::ProgressOf(this);
       const std::vector<double> times = internals.Times(inputVector[0]->GetInformationObject(0));
       const int port = std::max(0, request->Get(Pipeline::FROM_OUTPUT_PORT()));

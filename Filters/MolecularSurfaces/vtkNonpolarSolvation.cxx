@@ -1,6 +1,6 @@
 #include "vtkNonpolarSolvation.h"
 
-#include "Atoms/AtomBalls.h"
+#include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
 #include "Core/ImageExtent.h"
@@ -100,7 +100,7 @@ std::vector<float> DistancesOf(vtkImageData* image)
   return distances;
 }
 
-void FillAtoms(vtkDataObject* input, const isthmus::AtomBalls& atoms,
+void FillAtoms(vtkDataObject* input, const isthmus::MoleculeAtoms& atoms,
   const NonpolarEnergies& energies, vtkPolyData* output)
 {
   output->SetPoints(isthmus::AtomPoints(input));
@@ -127,9 +127,9 @@ void FillAtoms(vtkDataObject* input, const isthmus::AtomBalls& atoms,
     values->SetName(column.Name);
     values->SetNumberOfValues(atoms.NumberOfAtoms);
     values->FillValue(0.0);
-    for (std::size_t i = 0; i < atoms.Ids.size(); ++i)
+    for (std::size_t i = 0; i < atoms.Points.size(); ++i)
     {
-      values->SetValue(atoms.Ids[i], column.Value(energies.Atoms[i]));
+      values->SetValue(atoms.Points[i], column.Value(energies.Atoms[i]));
     }
     output->GetPointData()->AddArray(values);
   }
@@ -202,16 +202,16 @@ int vtkNonpolarSolvation::RequestData(
       vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
       isthmus::RequireOneRank(this, input, "atoms");
       vtkImageData* image = vtkImageData::GetData(inputVector[1]);
-      const isthmus::AtomBalls atoms =
-        isthmus::BallsOf(this, input, { this->KeepWaters, this->UnitedAtoms });
+      const isthmus::MoleculeAtoms atoms = isthmus::ReadAtoms(input,
+        isthmus::WholeMolecule(
+          isthmus::InputArrayName(this, 0), this->KeepWaters, this->UnitedAtoms));
       if (atoms.Balls.empty())
       {
         return;
       }
-      if (atoms.WithoutRadius > 0)
+      for (const std::string& warning : atoms.Warnings)
       {
-        vtkWarningMacro(<< atoms.WithoutRadius << " of " << atoms.NumberOfAtoms
-                        << " atoms have no radius and were left out.");
+        vtkWarningMacro(<< warning);
       }
       const isthmus::SolventParameters solvent{ this->SurfaceTension, this->Pressure,
         this->SolventDensity, this->SolventRadius, this->SolventWellDepth };

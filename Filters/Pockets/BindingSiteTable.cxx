@@ -30,7 +30,7 @@ struct NearResidue
 /// Residues by what makes them one.
 using NearResidues = std::map<std::tuple<std::string, int, std::string, std::string>, NearResidue>;
 
-std::string TextOf(const NearResidues& residues, const ChosenAtoms& atoms)
+std::string TextOf(const NearResidues& residues, const MoleculeAtoms& atoms)
 {
   std::vector<NearResidue> sorted;
   for (const auto& [key, residue] : residues)
@@ -77,7 +77,7 @@ const char* NameOfClass(int kind)
 }
 
 std::vector<std::string> ResiduesOfSites(const SurfaceView& surface, const std::vector<int>& labels,
-  std::size_t sites, const ChosenAtoms& atoms)
+  std::size_t sites, const MoleculeAtoms& atoms)
 {
   std::vector<Point3> places;
   std::vector<std::size_t> siteOf;

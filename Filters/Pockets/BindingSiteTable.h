@@ -5,7 +5,7 @@
 #ifndef isthmus_BindingSiteTable_h
 #define isthmus_BindingSiteTable_h
 
-#include "Atoms/AtomInput.h"
+#include "Atoms/MoleculeAtoms.h"
 #include "Pockets/BindingSites.h"
 
 #include <string>
@@ -27,7 +27,7 @@ constexpr double SiteReach = 4.0;
  * O(n log n) and the pairs within reach.
  */
 std::vector<std::string> ResiduesOfSites(const SurfaceView& surface, const std::vector<int>& labels,
-  std::size_t sites, const ChosenAtoms& atoms);
+  std::size_t sites, const MoleculeAtoms& atoms);
 
 /// Columns Rank, Score, SiteClass and, in words, Class; Residues and Volume where there are any;
 /// Area and what else was measured. The field array Threshold.

@@ -17,7 +17,7 @@ namespace isthmus
 namespace
 {
 
-const NamedAtom& AtomAt(const ChosenAtoms& atoms, vtkIdType point)
+const NamedAtom& AtomAt(const MoleculeAtoms& atoms, vtkIdType point)
 {
   return atoms.Named[static_cast<std::size_t>(point)];
 }
@@ -45,7 +45,7 @@ std::vector<std::vector<vtkIdType>> BondedTo(vtkPointSet* input)
 }
 
 std::vector<LiningResidue> LiningResiduesOf(
-  const std::vector<LiningAtom>& lining, const ChosenAtoms& atoms)
+  const std::vector<LiningAtom>& lining, const MoleculeAtoms& atoms)
 {
   std::map<std::array<std::string, 4>, std::size_t> numbers;
   std::vector<LiningResidue> residues;
@@ -84,7 +84,7 @@ LiningTable::LiningTable(const char* featureName)
 LiningTable::~LiningTable() = default;
 
 void LiningTable::Add(
-  int feature, const std::vector<LiningResidue>& residues, const ChosenAtoms& atoms)
+  int feature, const std::vector<LiningResidue>& residues, const MoleculeAtoms& atoms)
 {
   for (const LiningResidue& residue : residues)
   {
@@ -118,7 +118,7 @@ void LiningTable::Fill(vtkTable* output)
   }
 }
 
-ResidueAtoms::ResidueAtoms(const ChosenAtoms& atoms, vtkPointSet* input, const char* featureName)
+ResidueAtoms::ResidueAtoms(const MoleculeAtoms& atoms, vtkPointSet* input, const char* featureName)
   : Atoms(atoms)
   , Input(input)
 {

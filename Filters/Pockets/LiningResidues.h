@@ -5,7 +5,7 @@
 #ifndef isthmus_LiningResidues_h
 #define isthmus_LiningResidues_h
 
-#include "Atoms/AtomInput.h"
+#include "Atoms/MoleculeAtoms.h"
 #include "Pockets/Pocket.h"
 
 #include <vtkNew.h>
@@ -32,7 +32,7 @@ struct LiningResidue
 
 /// In the order of the file.
 std::vector<LiningResidue> LiningResiduesOf(
-  const std::vector<LiningAtom>& lining, const ChosenAtoms& atoms);
+  const std::vector<LiningAtom>& lining, const MoleculeAtoms& atoms);
 
 /// Columns: the feature's number, Chain, ResidueId, InsertionCode, ResidueName, Atoms (names
 /// between blanks), AtomIds (points of the input), NumberOfAtoms, Area.
@@ -41,7 +41,7 @@ class LiningTable
 public:
   explicit LiningTable(const char* featureName);
   ~LiningTable();
-  void Add(int feature, const std::vector<LiningResidue>& residues, const ChosenAtoms& atoms);
+  void Add(int feature, const std::vector<LiningResidue>& residues, const MoleculeAtoms& atoms);
   void Fill(vtkTable* output);
 
 private:
@@ -60,7 +60,7 @@ private:
 class ResidueAtoms
 {
 public:
-  ResidueAtoms(const ChosenAtoms& atoms, vtkPointSet* input, const char* featureName);
+  ResidueAtoms(const MoleculeAtoms& atoms, vtkPointSet* input, const char* featureName);
   ~ResidueAtoms();
   void Add(int feature, const std::vector<LiningResidue>& residues);
   void Fill(vtkPolyData* output);
@@ -69,7 +69,7 @@ private:
   using Key = std::array<std::string, 4>;
   static Key KeyOf(const NamedAtom& atom);
 
-  const ChosenAtoms& Atoms;
+  const MoleculeAtoms& Atoms;
   vtkPointSet* Input;
   std::map<Key, std::vector<vtkIdType>> OfResidue;
   std::vector<vtkIdType> Points;

@@ -34,10 +34,10 @@ vtkNew<Array> Named(const char* name)
 }
 
 /// Points of atoms, each once for each pocket.
-class AtomPoints
+class AtomPointInserter
 {
 public:
-  AtomPoints(const ChosenAtoms& atoms, vtkPoints* points, vtkIdTypeArray* ids)
+  AtomPointInserter(const MoleculeAtoms& atoms, vtkPoints* points, vtkIdTypeArray* ids)
     : Atoms(atoms)
     , Points(points)
     , Ids(ids)
@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  const ChosenAtoms& Atoms;
+  const MoleculeAtoms& Atoms;
   vtkPoints* Points;
   vtkIdTypeArray* Ids;
   std::map<std::int64_t, vtkIdType> Places;
@@ -72,7 +72,7 @@ int NumberOf(std::size_t pocket)
 }
 
 /// Shares of the lining surface on nitrogen and oxygen, and on the rest; NaN without elements.
-std::array<double, 2> PolarShares(const Pocket& pocket, const ChosenAtoms& atoms)
+std::array<double, 2> PolarShares(const Pocket& pocket, const MoleculeAtoms& atoms)
 {
   double polar = 0.0;
   double all = 0.0;
@@ -103,7 +103,7 @@ void FillPocketCells(const PocketReport& report, vtkUnstructuredGrid* output)
   auto access = Named<vtkDoubleArray>("AccessRadius");
   auto burial = Named<vtkIdTypeArray>("Burial");
   auto volume = Named<vtkDoubleArray>("EmptyVolume");
-  AtomPoints place(report.Atoms, points, ids);
+  AtomPointInserter place(report.Atoms, points, ids);
   output->AllocateExact(1, 1);
   for (std::size_t i = 0; i < report.Pockets.size(); ++i)
   {
@@ -207,7 +207,7 @@ void FillMouths(const PocketReport& report, vtkPolyData* output)
   auto pocketId = Named<vtkIntArray>("PocketId");
   auto mouthId = Named<vtkIntArray>("MouthId");
   auto clearance = Named<vtkDoubleArray>("Clearance");
-  AtomPoints place(report.Atoms, points, ids);
+  AtomPointInserter place(report.Atoms, points, ids);
   for (std::size_t i = 0; i < report.Pockets.size(); ++i)
   {
     place.NextPocket();

@@ -5,10 +5,11 @@
 #ifndef isthmus_PocketOutput_h
 #define isthmus_PocketOutput_h
 
-#include "Atoms/AtomInput.h"
+#include "Atoms/MoleculeAtoms.h"
 #include "Pockets/Pocket.h"
 #include "Pockets/PocketSurface.h"
 
+class vtkPointSet;
 class vtkPolyData;
 class vtkTable;
 class vtkUnstructuredGrid;
@@ -21,7 +22,7 @@ struct PocketReport
 {
   const std::vector<Pocket>& Pockets;
   const std::vector<PocketSurfaceMeans>& Means;
-  const ChosenAtoms& Atoms;
+  const MoleculeAtoms& Atoms;
 };
 
 void FillPocketCells(const PocketReport& report, vtkUnstructuredGrid* output);

@@ -40,7 +40,7 @@ vtkNew<Array> Named(const char* name)
 }
 
 /// "TRP 23 A", or what of it is known.
-std::string ResidueOf(const ChosenAtoms& atoms, std::int64_t ball)
+std::string ResidueOf(const MoleculeAtoms& atoms, std::int64_t ball)
 {
   if (ball < 0 || !atoms.HasNames)
   {
@@ -54,7 +54,7 @@ std::string ResidueOf(const ChosenAtoms& atoms, std::int64_t ball)
 
 /// "SER 54 A, TRP 23 A": the residues with an atom that touches the ball, nearly, in order.
 std::string ResiduesAround(
-  const PoreSample& sample, const AtomField& field, const ChosenAtoms& atoms)
+  const PoreSample& sample, const AtomField& field, const MoleculeAtoms& atoms)
 {
   std::set<std::string> names;
   for (const std::int64_t atom : field.Touching(sample.Centre, sample.Radius + Reach))
@@ -73,7 +73,7 @@ std::string ResiduesAround(
 class SampleArrays
 {
 public:
-  void Add(int pore, const PoreSample& sample, const ChosenAtoms& atoms)
+  void Add(int pore, const PoreSample& sample, const MoleculeAtoms& atoms)
   {
     this->PoreId->InsertNextValue(pore);
     this->Radius->InsertNextValue(sample.Radius);

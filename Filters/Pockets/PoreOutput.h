@@ -8,6 +8,7 @@
 #include "Pockets/LiningResidues.h"
 #include "Pockets/Pore.h"
 
+class vtkPointSet;
 class vtkPolyData;
 class vtkTable;
 
@@ -17,7 +18,7 @@ namespace isthmus
 struct PoreReport
 {
   const std::vector<Pore>& Pores;
-  const ChosenAtoms& Atoms;
+  const MoleculeAtoms& Atoms;
 };
 
 void FillPoreLines(const PoreReport& report, vtkPolyData* output);

@@ -1,6 +1,6 @@
 #include "vtkBindingSites.h"
 
-#include "Atoms/AtomInput.h"
+#include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
 #include "Core/PolyDataTriangles.h"
@@ -91,7 +91,7 @@ int vtkBindingSites::RequestData(
       if (surface->GetNumberOfCells() > 0)
       {
         std::vector<std::string> notes;
-        std::optional<isthmus::ChosenAtoms> chosen;
+        std::optional<isthmus::MoleculeAtoms> chosen;
         if (atoms && atoms->GetNumberOfPoints() > 0)
         {
           chosen = this->TakeAtoms(atoms);
@@ -196,9 +196,9 @@ isthmus::BindingSiteResult vtkBindingSites::Patches(
   return result;
 }
 
-isthmus::ChosenAtoms vtkBindingSites::TakeAtoms(vtkPointSet* input)
+isthmus::MoleculeAtoms vtkBindingSites::TakeAtoms(vtkPointSet* input)
 {
-  isthmus::ChosenAtoms atoms = isthmus::ChooseAtoms("Radius", input, isthmus::PolymerOptions());
+  isthmus::MoleculeAtoms atoms = isthmus::ReadAtoms(input, isthmus::PolymerOf("Radius", {}));
   for (const std::string& warning : atoms.Warnings)
   {
     vtkWarningMacro(<< warning);
@@ -207,7 +207,7 @@ isthmus::ChosenAtoms vtkBindingSites::TakeAtoms(vtkPointSet* input)
 }
 
 isthmus::BindingSiteResult vtkBindingSites::Pockets(
-  vtkPolyData* surface, const isthmus::SurfaceView& triangles, const isthmus::ChosenAtoms& atoms)
+  vtkPolyData* surface, const isthmus::SurfaceView& triangles, const isthmus::MoleculeAtoms& atoms)
 {
   auto pockets =
     isthmus::FindPockets(atoms.Balls, {}, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.8))

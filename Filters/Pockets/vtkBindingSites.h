@@ -51,7 +51,7 @@ class vtkTable;
 namespace isthmus
 {
 struct BindingSiteResult;
-struct ChosenAtoms;
+struct MoleculeAtoms;
 struct SiteFields;
 struct SurfaceView;
 }
@@ -179,9 +179,9 @@ private:
   vtkDataArray* Scalar(int index, vtkPolyData* surface, const char* remedy);
   isthmus::SiteFields Fields(vtkPolyData* surface);
   isthmus::BindingSiteResult Patches(vtkPolyData* surface, const isthmus::SurfaceView& triangles);
-  isthmus::ChosenAtoms TakeAtoms(vtkPointSet* input);
-  isthmus::BindingSiteResult Pockets(
-    vtkPolyData* surface, const isthmus::SurfaceView& triangles, const isthmus::ChosenAtoms& atoms);
+  isthmus::MoleculeAtoms TakeAtoms(vtkPointSet* input);
+  isthmus::BindingSiteResult Pockets(vtkPolyData* surface, const isthmus::SurfaceView& triangles,
+    const isthmus::MoleculeAtoms& atoms);
 };
 
 #endif

@@ -143,11 +143,8 @@ void vtkMolecularPockets::Compute(
   options.OuterRadius = this->OuterRadius;
   options.BurialRadius = this->BurialRadius;
   options.MinimumVolume = this->MinimumVolume;
-  isthmus::ChosenAtoms atoms;
-  if (input->GetNumberOfPoints() > 0)
-  {
-    atoms = isthmus::ChooseAtoms(isthmus::InputArrayName(this, 0), input, keep);
-  }
+  const isthmus::MoleculeAtoms atoms =
+    isthmus::ReadAtoms(input, isthmus::PolymerOf(isthmus::InputArrayName(this, 0), keep));
   auto result = isthmus::FindPockets(
     atoms.Balls, options, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
   std::vector<isthmus::PocketSurfaceMeans> means;

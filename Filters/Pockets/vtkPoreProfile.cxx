@@ -1,6 +1,6 @@
 #include "vtkPoreProfile.h"
 
-#include "Atoms/AtomInput.h"
+#include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
 #include "Pockets/PoreOutput.h"
@@ -163,12 +163,9 @@ void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
   keep.Ions = this->KeepIons;
   keep.Ligands = this->KeepLigands;
   keep.ProstheticGroups = true;
-  isthmus::ChosenAtoms atoms;
-  if (input->GetNumberOfPoints() > 0)
-  {
-    atoms = isthmus::ChooseAtoms(
-      isthmus::InputArrayName(this, 0), input, keep, isthmus::WithoutRadii::SurfacePoints);
-  }
+  isthmus::AtomOptions which = isthmus::PolymerOf(isthmus::InputArrayName(this, 0), keep);
+  which.SurfacePoints = true;
+  isthmus::MoleculeAtoms atoms = isthmus::ReadAtoms(input, which);
   isthmus::PoreOptions options;
   options.EndRadius = this->EndRadius;
   options.Spacing = this->Spacing;

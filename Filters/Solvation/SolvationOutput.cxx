@@ -1,6 +1,6 @@
 #include "Solvation/SolvationOutput.h"
 
-#include "Atoms/AtomInput.h"
+#include "Atoms/MoleculeAtoms.h"
 #include "Electrostatics/PoissonBoltzmannOutput.h"
 #include "Electrostatics/SoluteVolume.h"
 #include "MolecularSurfaces/FlowSurfaceOutput.h"

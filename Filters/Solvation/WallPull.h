@@ -15,9 +15,9 @@
  * equilibrium with itself. 4.28 adds sum rho_k mu_k, which out of equilibrium hangs on where phi is
  * said to be 0; no wall feels that, and it is omitted.
  *
- * The field is that of a quadratic on both sides of the wall (InterfaceFit.h), fitted to nodes in
- * the water for the most part, to the potential of PoissonNernstPlanck.h. Positive: the water
- * gains.
+ * The field is that of a quadratic on both sides of the wall (InterfaceJumpConditions.h), fitted to
+ * nodes in the water for the most part, to the potential of PoissonNernstPlanck.h. Positive: the
+ * water gains.
  */
 #ifndef isthmus_WallPull_h
 #define isthmus_WallPull_h

@@ -1,12 +1,12 @@
 #include "vtkIonTransport.h"
 
-#include "Atoms/AtomInput.h"
+#include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
 #include "Core/PipelineInputs.h"
 #include "Core/RangeChecks.h"
+#include "Electrostatics/PoissonBoltzmannInput.h"
 #include "MolecularSurfaces/DispersionAtoms.h"
-#include "Solvation/AtomCharges.h"
 #include "Solvation/ChannelSolution.h"
 #include "Solvation/IonTransportOutput.h"
 
@@ -70,15 +70,10 @@ std::string SurfaceNotConverged(const MovingChannel& moving)
 
 /// Atoms that were left out, a channel narrower than a spacing, the first point that has not
 /// converged or has lost ions on their way, a surface that has not come to rest.
-std::vector<std::string> Warnings(const isthmus::AtomBalls& atoms,
+std::vector<std::string> Warnings(const isthmus::MoleculeAtoms& atoms,
   isthmus::ChannelSolution& channel, const std::vector<TransportPoint>& points)
 {
-  std::vector<std::string> sentences;
-  if (atoms.WithoutRadius > 0)
-  {
-    sentences.push_back(std::to_string(atoms.WithoutRadius) + " of " +
-      std::to_string(atoms.NumberOfAtoms) + " atoms have no radius and were left out.");
-  }
+  std::vector<std::string> sentences = atoms.Warnings;
   const isthmus::IonTransportParameters& parameters = channel.Get().GetParameters();
   if (channel.GetPassage().Radius < parameters.Spacing)
   {
@@ -112,17 +107,20 @@ struct vtkIonTransport::Internals
   {
   }
 
-  isthmus::AtomBalls Balls(vtkDataObject* input) const
+  isthmus::MoleculeAtoms Balls(vtkDataObject* input) const
   {
-    return isthmus::BallsOf(this->Self, input, { this->Self->KeepWaters, this->Self->UnitedAtoms });
+    isthmus::AtomOptions options = isthmus::WholeMolecule(
+      isthmus::InputArrayName(this->Self, 0), this->Self->KeepWaters, this->Self->UnitedAtoms);
+    options.Missing = isthmus::MissingRadius::Refuse; // it has a charge
+    return isthmus::ReadAtoms(input, options);
   }
 
   isthmus::IonTransportParameters Parameters() const;
   isthmus::MovingChannelParameters Motion() const;
   isthmus::ChannelProblem Problem(
-    vtkInformationVector** inputs, const isthmus::AtomBalls& atoms) const;
+    vtkInformationVector** inputs, const isthmus::MoleculeAtoms& atoms) const;
   std::vector<TransportPoint> Points() const;
-  void Solve(vtkInformationVector** inputs, const isthmus::AtomBalls& atoms,
+  void Solve(vtkInformationVector** inputs, const isthmus::MoleculeAtoms& atoms,
     vtkInformationVector* outputs) const;
 
   vtkIonTransport* Self;
@@ -181,12 +179,12 @@ isthmus::MovingChannelParameters vtkIonTransport::Internals::Motion() const
 }
 
 isthmus::ChannelProblem vtkIonTransport::Internals::Problem(
-  vtkInformationVector** inputs, const isthmus::AtomBalls& atoms) const
+  vtkInformationVector** inputs, const isthmus::MoleculeAtoms& atoms) const
 {
   vtkDataObject* const input = vtkDataObject::GetData(inputs[0]);
   isthmus::ChannelProblem problem;
   problem.Balls = atoms.Balls;
-  problem.Charges = isthmus::AtomChargesOf(input, atoms, isthmus::InputArrayName(this->Self, 1));
+  problem.Charges = isthmus::ChargedAtomsOf(input, atoms, isthmus::InputArrayName(this->Self, 1));
   problem.Surface = vtkPolyData::GetData(inputs[1], 0);
   problem.Transport = this->Parameters();
   problem.Moves = this->Self->MovingSurface;
@@ -199,7 +197,7 @@ isthmus::ChannelProblem vtkIonTransport::Internals::Problem(
 }
 
 void vtkIonTransport::Internals::Solve(vtkInformationVector** inputs,
-  const isthmus::AtomBalls& atoms, vtkInformationVector* outputs) const
+  const isthmus::MoleculeAtoms& atoms, vtkInformationVector* outputs) const
 {
   const auto progress = isthmus::ProgressOf(this->Self);
   std::vector<TransportPoint> points = this->Points();
@@ -324,7 +322,7 @@ int vtkIonTransport::RequestInformation(
     {
       this->Advance->RequireOneRank(0, "atoms");
       const Internals internals(this);
-      const isthmus::AtomBalls atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
+      const isthmus::MoleculeAtoms atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
       if (!atoms.Balls.empty())
       {
         isthmus::SetImageGeometry(
@@ -350,7 +348,7 @@ int vtkIonTransport::RequestData(
       const Internals internals(this);
       this->Advance->RequireOneRank(0, "atoms");
       this->Advance->RequireOneRank(1, "points of the surface");
-      const isthmus::AtomBalls atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
+      const isthmus::MoleculeAtoms atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
       if (!atoms.Balls.empty())
       {
         internals.Solve(inputVector, atoms, outputVector);

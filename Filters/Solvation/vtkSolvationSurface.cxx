@@ -1,14 +1,13 @@
 #include "vtkSolvationSurface.h"
 
-#include "Atoms/AtomBalls.h"
-#include "Atoms/AtomInput.h"
+#include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
 #include "Core/PipelineInputs.h"
+#include "Electrostatics/PoissonBoltzmannInput.h"
 #include "MolecularSurfaces/DispersionAtoms.h"
 #include "MolecularSurfaces/FlowSurfaceOutput.h"
 #include "MolecularSurfaces/SurfaceFlow.h"
-#include "Solvation/AtomCharges.h"
 #include "Solvation/SolvationFlow.h"
 #include "Solvation/SolvationOutput.h"
 
@@ -38,15 +37,18 @@ struct vtkSolvationSurface::Internals
   {
   }
 
-  isthmus::AtomBalls Balls(vtkDataObject* input) const
+  isthmus::MoleculeAtoms Balls(vtkDataObject* input) const
   {
-    return isthmus::BallsOf(this->Self, input, { this->Self->KeepWaters, this->Self->UnitedAtoms });
+    isthmus::AtomOptions options = isthmus::WholeMolecule(
+      isthmus::InputArrayName(this->Self, 0), this->Self->KeepWaters, this->Self->UnitedAtoms);
+    options.Missing = isthmus::MissingRadius::Refuse; // it has a charge
+    return isthmus::ReadAtoms(input, options);
   }
 
   isthmus::SolvationParameters Parameters() const;
   std::vector<isthmus::ChargedAtom> Charges(
-    vtkDataObject* input, const isthmus::AtomBalls& atoms) const;
-  void Warn(const isthmus::SolvationFlow& flow, const isthmus::AtomBalls& atoms) const;
+    vtkDataObject* input, const isthmus::MoleculeAtoms& atoms) const;
+  void Warn(const isthmus::SolvationFlow& flow, const isthmus::MoleculeAtoms& atoms) const;
 
   vtkSolvationSurface* Self;
 };
@@ -84,10 +86,10 @@ isthmus::SolvationParameters vtkSolvationSurface::Internals::Parameters() const
 }
 
 std::vector<isthmus::ChargedAtom> vtkSolvationSurface::Internals::Charges(
-  vtkDataObject* input, const isthmus::AtomBalls& atoms) const
+  vtkDataObject* input, const isthmus::MoleculeAtoms& atoms) const
 {
   std::vector<isthmus::ChargedAtom> charges =
-    isthmus::AtomChargesOf(input, atoms, isthmus::InputArrayName(this->Self, 1));
+    isthmus::ChargedAtomsOf(input, atoms, isthmus::InputArrayName(this->Self, 1));
   if (std::all_of(charges.begin(), charges.end(),
         [](const isthmus::ChargedAtom& atom) { return atom.Charge == 0.0; }))
   {
@@ -98,13 +100,12 @@ std::vector<isthmus::ChargedAtom> vtkSolvationSurface::Internals::Charges(
 }
 
 void vtkSolvationSurface::Internals::Warn(
-  const isthmus::SolvationFlow& flow, const isthmus::AtomBalls& atoms) const
+  const isthmus::SolvationFlow& flow, const isthmus::MoleculeAtoms& atoms) const
 {
   constexpr double nearlyAll = 0.9;
-  if (atoms.WithoutRadius > 0)
+  for (const std::string& warning : atoms.Warnings)
   {
-    vtkWarningWithObjectMacro(this->Self, << atoms.WithoutRadius << " of " << atoms.NumberOfAtoms
-                                          << " atoms have no radius and were left out.");
+    vtkWarningWithObjectMacro(this->Self, << warning);
   }
   const SolvationUpdate& last = flow.GetUpdates().back();
   if (!flow.HasConverged())
@@ -178,7 +179,7 @@ int vtkSolvationSurface::RequestInformation(
     {
       this->Advance->RequireOneRank(0, "atoms");
       const Internals internals(this);
-      const isthmus::AtomBalls atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
+      const isthmus::MoleculeAtoms atoms = internals.Balls(vtkDataObject::GetData(inputVector[0]));
       if (!atoms.Balls.empty())
       {
         isthmus::SetImageGeometry(
@@ -204,7 +205,7 @@ int vtkSolvationSurface::RequestData(
       const isthmus::SolvationParameters parameters = internals.Parameters();
       vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
       this->Advance->RequireOneRank(0, "atoms");
-      const isthmus::AtomBalls atoms = internals.Balls(input);
+      const isthmus::MoleculeAtoms atoms = internals.Balls(input);
       if (atoms.Balls.empty())
       {
         return;

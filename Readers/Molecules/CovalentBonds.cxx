@@ -1,6 +1,6 @@
 #include "Molecules/CovalentBonds.h"
 
-#include "Atoms/ChemicalElement.h"
+#include "Atoms/AtomRadii.h"
 #include "Core/ParallelFor.h"
 
 #include <algorithm>

@@ -18,7 +18,7 @@ namespace isthmus
  *   0.4 angstrom < distance < r_1 + r_2 + 0.45 angstrom
  *
  * (E. C. Meng, R. A. Lewis, J. Comput. Chem. 12 (1991) 891, with the tolerance of Open Babel, N. M.
- * O'Boyle et al., J. Cheminform. 3 (2011) 33), where r are the covalent radii of ChemicalElement.h.
+ * O'Boyle et al., J. Cheminform. 3 (2011) 33), where r are the covalent radii of AtomRadii.h.
  * Metals and atoms of unknown element get none; neither do two hydrogens, nor atoms of two
  * different alternate locations. Bonds that are there stay; all come sorted, each once.
  *

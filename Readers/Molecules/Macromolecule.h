@@ -5,7 +5,7 @@
 #ifndef isthmus_Macromolecule_h
 #define isthmus_Macromolecule_h
 
-#include "Atoms/ChemicalElement.h"
+#include "Atoms/AtomRadii.h"
 
 #include <array>
 #include <cstdint>

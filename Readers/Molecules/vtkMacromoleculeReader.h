@@ -130,7 +130,7 @@ public:
 
   ///@{
   /// Radii for files that have none: Bondi (1964, default; few metals) or Alvarez (2013; nearly all
-  /// elements). See ChemicalElement.h.
+  /// elements). See AtomRadii.h.
   vtkSetClampMacro(RadiusTable, int, Bondi, Alvarez);
   vtkGetMacro(RadiusTable, int);
   ///@}

@@ -3,8 +3,8 @@
 // vtkMolecularDensity's algorithm on the same atoms, spacing and padding. With files named by
 // ISTHMUS_FLOW_ATOMS (PDB or PQR, divided by colons), those molecules as well.
 
-#include "Atoms/AtomBalls.h"
 #include "Atoms/MolecularDensity.h"
+#include "Atoms/MoleculeAtoms.h"
 #include "MolecularSurfaces/SolventExcludedSurface.h"
 #include "MolecularSurfaces/SurfaceFlow.h"
 #include "MolecularSurfaces/ThesisFlow.h"
@@ -126,7 +126,7 @@ void RegisterFile(const std::string& file)
   vtkNew<vtkMacromoleculeReader> reader;
   reader->SetFileName(file.c_str());
   reader->Update();
-  const std::vector<Ball> balls = BallsOf(reader->GetOutput(), "Radius").Balls;
+  const std::vector<Ball> balls = ReadAtoms(reader->GetOutput(), WholeMolecule("Radius")).Balls;
   const double spacing = balls.size() > 20000 ? 0.8 : 0.5;
   for (const bool steady : { false, true })
   {

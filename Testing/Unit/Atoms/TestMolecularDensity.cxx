@@ -291,7 +291,7 @@ TEST(MolecularDensity, BadInputIsToldInASentence)
   EXPECT_NE(saidOf(AtomsOf(bad)).find("Atom 1 has a coordinate"), std::string::npos);
   bad = sound;
   bad[0].Radius = -1.0;
-  EXPECT_NE(saidOf(AtomsOf(bad)).find("negative radius"), std::string::npos);
+  EXPECT_NE(saidOf(AtomsOf(bad)).find("The radius of atom 0 is -1"), std::string::npos);
   bad[0].Radius = std::nan("");
   EXPECT_NE(saidOf(AtomsOf(bad)).find("1 of 2 atoms have no radius"), std::string::npos);
   EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);

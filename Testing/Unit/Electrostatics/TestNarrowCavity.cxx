@@ -134,7 +134,7 @@ TEST(NarrowCavity, PotentialOfCavitiesOfAFewNodes)
       largest = std::max(largest, errors.Largest);
       potential = std::max(potential, errors.Potential);
     }
-    // Without the fluxes of the cavity's wall (CavityFlux.h) 0.053 at 0.8, 0.0123 at 2.
+    // Without the fluxes of the cavity's wall (ClosedCavities.h) 0.053 at 0.8, 0.0123 at 2.
     EXPECT_LT(largest, (inner < 1.0 ? 0.02 : 0.005) * potential) << inner;
   }
 }

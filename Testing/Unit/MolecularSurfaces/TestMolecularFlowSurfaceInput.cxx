@@ -1,6 +1,6 @@
 // What vtkMolecularFlowSurface makes of its input: radii, names, time steps, bad atoms and numbers.
 
-#include "Atoms/AtomBalls.h"
+#include "Atoms/MoleculeAtoms.h"
 #include "FlowCases.h"
 
 #include <vtkDataArray.h>
@@ -188,10 +188,10 @@ TEST(MolecularFlowSurface, WaterIsLeftOutAndToldUnlessKept)
 
 TEST(MolecularFlowSurface, ChainsWithoutHydrogensHaveRadiiOfUnitedAtoms)
 {
-  const auto radii = [](vtkDataObject* atoms, const AtomChoice& choice)
+  const auto radii = [](vtkDataObject* atoms, bool unitedAtoms = true)
   {
     std::vector<double> found;
-    for (const Ball& ball : BallsOf(atoms, "Radius", choice).Balls)
+    for (const Ball& ball : ReadAtoms(atoms, WholeMolecule("Radius", false, unitedAtoms)).Balls)
     {
       found.push_back(ball.Radius);
     }
@@ -200,15 +200,15 @@ TEST(MolecularFlowSurface, ChainsWithoutHydrogensHaveRadiiOfUnitedAtoms)
   const std::vector<double> plain{ 1.55, 1.70, 1.70, 1.52 };
   const std::vector<double> united{ 1.75, 1.85, 1.85, 1.65 };
   const auto bare = GlycineInWater(false);
-  EXPECT_EQ(radii(bare, {}), united);
-  EXPECT_EQ(radii(bare, { false, false }), plain);
-  EXPECT_EQ(BallsOf(bare, "Radius").Notes.size(), 2u);
-  EXPECT_EQ(BallsOf(bare, "None").Balls[1].Radius, 1.85); // by element
+  EXPECT_EQ(radii(bare), united);
+  EXPECT_EQ(radii(bare, false), plain);
+  EXPECT_EQ(ReadAtoms(bare, WholeMolecule("Radius")).Notes.size(), 2u);
+  EXPECT_EQ(ReadAtoms(bare, WholeMolecule("None")).Balls[1].Radius, 1.85); // by element
   // Hydrogens, radii of a force field, and what is no chain stay as they are.
-  EXPECT_EQ(radii(GlycineInWater(true), {})[1], 1.70);
+  EXPECT_EQ(radii(GlycineInWater(true))[1], 1.70);
   const auto charged = GlycineInWater(false);
   charged->GetPointData()->GetArray("Radius")->SetComponent(1, 0, 1.908);
-  EXPECT_EQ(radii(charged, {})[0], 1.55);
+  EXPECT_EQ(radii(charged)[0], 1.55);
   const auto ligand = GlycineInWater(false);
   auto* residues =
     vtkStringArray::SafeDownCast(ligand->GetPointData()->GetAbstractArray("ResidueName"));
@@ -216,7 +216,7 @@ TEST(MolecularFlowSurface, ChainsWithoutHydrogensHaveRadiiOfUnitedAtoms)
   {
     residues->SetValue(i, "LIG");
   }
-  EXPECT_EQ(radii(ligand, {}), plain);
+  EXPECT_EQ(radii(ligand), plain);
 }
 
 TEST(MolecularFlowSurface, TimeOfThePipelineIsThatOfTheFlow)
@@ -263,8 +263,8 @@ TEST(MolecularFlowSurface, BadAtomsAreToldInASentence)
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   refused({ { { 0.0, nan, 0.0 }, 1.5 } }, "Atom 0 has a coordinate");
-  refused({ sound[0], { { 0.0, 0.0, 0.0 }, -1.0 } }, "Atom 1 has a coordinate or radius");
-  refused({ { { 0.0, 0.0, 0.0 }, 1.0 / 0.0 } }, "Atom 0 has a coordinate or radius");
+  refused({ sound[0], { { 0.0, 0.0, 0.0 }, -1.0 } }, "The radius of atom 1 is -1");
+  refused({ { { 0.0, 0.0, 0.0 }, 1.0 / 0.0 } }, "The radius of atom 0 is inf");
   refused({ { { 0.0, 0.0, 0.0 }, 0.0 } }, "None of the 1 atoms has a radius above 0");
   refused({ { { 0.0, 0.0, 0.0 }, nan } }, "None of the 1 atoms has a radius above 0");
   refused({ { { 0.3, 0.3, 0.3 }, 1e-3 } }, "the surface vanishes");

@@ -1,5 +1,6 @@
 // Small molecules written in the test in each format, with what must come of them by hand.
 
+#include "Atoms/AtomRadii.h"
 #include "Atoms/ChemicalElement.h"
 #include "MoleculeTexts.h"
 

@@ -1,7 +1,7 @@
-#include "Electrostatics/ChargedAtoms.h"
+#include "Electrostatics/ForceFieldAtoms.h"
 
-#include "Atoms/AtomInput.h"
 #include "Atoms/ChemicalElement.h"
+#include "Atoms/MoleculeAtoms.h"
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
@@ -104,7 +104,21 @@ vtkSmartPointer<vtkPointSet> PointsOf(
   return result;
 }
 
-vtkPointSet* ChargedAtomsCache::Get(vtkPointSet* atoms, const ChargeArrays& arrays,
+std::vector<ChargedAtom> PolymerWithoutCharges(vtkPointSet* atoms)
+{
+  constexpr double radius = 2.0; // of the largest heavy atoms in force fields
+  PolymerOptions chains;
+  chains.Hydrogens = true;
+  const std::vector<NamedAtom> named = NamedAtomsOf(atoms);
+  std::vector<ChargedAtom> polymer;
+  for (const std::size_t i : ChoosePolymer(named, chains).Kept)
+  {
+    polymer.push_back({ named[i].Place, 0.0, radius });
+  }
+  return polymer;
+}
+
+vtkPointSet* ForceFieldAtomsCache::Get(vtkPointSet* atoms, const ChargeArrays& arrays,
   ChargeTable table, const ProgressCallback& progress)
 {
   const std::string names = arrays.Charge + '\n' + arrays.Radius;
@@ -114,11 +128,11 @@ vtkPointSet* ChargedAtomsCache::Get(vtkPointSet* atoms, const ChargeArrays& arra
     this->Input = nullptr; // a stop on request leaves nothing to be taken for an answer
     this->Charged = nullptr;
     this->Failure.clear();
-    this->Told.clear();
+    this->Warned.clear();
     try
     {
       const ChargedProtein protein = ChargeProtein(NamedAtomsOf(atoms), table, {}, progress);
-      this->Told = protein.Warning;
+      this->Warned = protein.Warning;
       this->Charged = PointsOf(protein, atoms, arrays);
     }
     catch (const Cancelled&)

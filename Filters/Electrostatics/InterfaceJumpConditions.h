@@ -1,6 +1,6 @@
 /**
- * @file InterfaceFit.h
- * @brief The potential on both sides of the surface at a point, fitted to the nodes around.
+ * @file InterfaceJumpConditions.h
+ * @brief The jump conditions at the surface, built into a fit of the potential on both sides.
  *
  * With n the outward normal, W the curvature tensor, rho = eps_m / eps_s and y = x - x0, the total
  * potential is a quadratic p- inside with the unknowns
@@ -19,8 +19,8 @@
  * Inside equations have the weight (eps_m / eps_s)^FitExponent besides: their truncation error is
  * larger by 1 / rho.
  */
-#ifndef isthmus_InterfaceFit_h
-#define isthmus_InterfaceFit_h
+#ifndef isthmus_InterfaceJumpConditions_h
+#define isthmus_InterfaceJumpConditions_h
 
 #include "Electrostatics/InterfaceGeometry.h"
 #include "vtkIsthmusFiltersElectrostaticsModule.h"

@@ -1,4 +1,4 @@
-#include "Electrostatics/InterfaceFit.h"
+#include "Electrostatics/InterfaceJumpConditions.h"
 
 #include <Eigen/Dense>
 

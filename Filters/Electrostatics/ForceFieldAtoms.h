@@ -1,10 +1,11 @@
 /**
- * @file ChargedAtoms.h
+ * @file ForceFieldAtoms.h
  * @brief Atoms of a file without charges (PDB, mmCIF) as atoms with a force field's.
  */
-#ifndef isthmus_ChargedAtoms_h
-#define isthmus_ChargedAtoms_h
+#ifndef isthmus_ForceFieldAtoms_h
+#define isthmus_ForceFieldAtoms_h
 
+#include "Electrostatics/PoissonBoltzmannParameters.h"
 #include "Electrostatics/ProteinCharges.h"
 
 #include <vtkSmartPointer.h>
@@ -30,15 +31,21 @@ bool LacksCharges(vtkPointSet* atoms, const ChargeArrays& arrays);
 vtkSmartPointer<vtkPointSet> PointsOf(
   const ChargedProtein& protein, vtkPointSet* atoms, const ChargeArrays& arrays);
 
-/// Charges are found once for each input, though information and data both ask for them; so is why
-/// there are none.
-class ChargedAtomsCache
+/// How far hydrogens may lie beyond the balls of the atoms that carry them, angstrom.
+constexpr double HydrogenMargin = 2.0;
+
+/// The chains of atoms that lack charges, before pdb2pqr, as balls of 2 angstrom with charge 0.
+/// Only for the extent of a grid.
+std::vector<ChargedAtom> PolymerWithoutCharges(vtkPointSet* atoms);
+
+/// Charges are found once for each input and force field; so is the reason why there are none.
+class ForceFieldAtomsCache
 {
 public:
   /// @throws what ChargeProtein does.
   vtkPointSet* Get(vtkPointSet* atoms, const ChargeArrays& arrays, ChargeTable table,
     const ProgressCallback& progress);
-  const std::string& Warning() const { return this->Told; }
+  const std::string& Warning() const { return this->Warned; }
 
 private:
   vtkPointSet* Input = nullptr; ///< to know it again by, no more
@@ -46,7 +53,7 @@ private:
   ChargeTable Table = ChargeTable::AMBER;
   std::string Names;
   vtkSmartPointer<vtkPointSet> Charged;
-  std::string Told, Failure;
+  std::string Warned, Failure;
 };
 
 }

@@ -1,0 +1,344 @@
+#include "Atoms/MoleculeAtoms.h"
+
+#include "Atoms/ChemicalElement.h"
+#include "Core/RangeChecks.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkDataArray.h>
+#include <vtkDataObject.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkMolecule.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedShortArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace isthmus
+{
+namespace
+{
+
+vtkStringArray* TextsOf(vtkDataObject* input, const char* name)
+{
+  return vtkStringArray::SafeDownCast(AtomData(input)->GetAbstractArray(name));
+}
+
+/// An array of one number for each atom; none where it has several.
+vtkDataArray* NumbersOf(vtkDataObject* input, const char* name)
+{
+  vtkDataArray* array = AtomData(input)->GetArray(name);
+  return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
+}
+
+template <typename Member>
+void TakeTexts(vtkDataObject* input, const char* name, Member member, std::vector<NamedAtom>& atoms)
+{
+  if (vtkStringArray* array = TextsOf(input, name))
+  {
+    for (std::size_t i = 0; i < atoms.size(); ++i)
+    {
+      atoms[i].*member = array->GetValue(static_cast<vtkIdType>(i));
+    }
+  }
+}
+
+template <typename Take>
+void TakeNumbers(vtkDataObject* input, const char* name, std::size_t count, Take take)
+{
+  if (vtkDataArray* array = NumbersOf(input, name))
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      take(i, array->GetComponent(static_cast<vtkIdType>(i), 0));
+    }
+  }
+}
+
+bool IsFinite(const std::array<double, 3>& x)
+{
+  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+}
+
+[[noreturn]] void RefuseCoordinate(std::size_t atom)
+{
+  throw std::invalid_argument("Atom " + std::to_string(atom) +
+    " has a coordinate that is not finite: correct it, or leave the atom out.");
+}
+
+void CheckBall(const Ball& ball, std::size_t atom)
+{
+  if (!IsFinite(ball.Centre))
+  {
+    RefuseCoordinate(atom);
+  }
+  if (!(ball.Radius >= 0.0) || std::isinf(ball.Radius))
+  {
+    throw std::invalid_argument("The radius of atom " + std::to_string(atom) + " is " +
+      FormatNumber(ball.Radius) +
+      ", but a radius is a finite length of 0 or more: correct it, or leave the atom out.");
+  }
+}
+
+/// Is it a mesh, whose points are no atoms?
+bool HasPolygons(vtkDataObject* input)
+{
+  auto* mesh = vtkPolyData::SafeDownCast(input);
+  return mesh && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
+}
+
+/// The atoms that count, by the names of their residues.
+PolymerChoice Select(vtkDataObject* input, const AtomOptions& options, MoleculeAtoms& atoms)
+{
+  PolymerChoice choice;
+  if (!options.Selection)
+  {
+    choice.Kept.resize(static_cast<std::size_t>(atoms.NumberOfAtoms));
+    std::iota(choice.Kept.begin(), choice.Kept.end(), std::size_t{ 0 });
+    return choice;
+  }
+  atoms.Named = NamedAtomsOf(input);
+  choice = ChoosePolymer(atoms.Named, *options.Selection);
+  if (choice.Kept.empty() && options.RequireBalls && !options.Selection->Waters)
+  {
+    throw std::invalid_argument(
+      "All atoms are water, which is left out: switch KeepWaters on to have its surface.");
+  }
+  return choice;
+}
+
+void AddBalls(vtkDataObject* input, const std::vector<std::size_t>& kept, const AtomRadii& radii,
+  const AtomOptions& options, MoleculeAtoms& atoms)
+{
+  vtkPoints* places = AtomPoints(input);
+  vtkIdType dropped = 0;
+  for (const std::size_t i : kept)
+  {
+    const auto point = static_cast<vtkIdType>(i);
+    Ball ball{ {}, radii.Values[i] };
+    places->GetPoint(point, ball.Centre.data());
+    if (std::isnan(ball.Radius))
+    {
+      if (options.Missing == MissingRadius::Refuse)
+      {
+        throw std::invalid_argument("The radius of atom " + std::to_string(i) +
+          " is missing (NaN), and the result depends on it: choose another table of radii in the "
+          "reader, or another array.");
+      }
+      ++dropped;
+      continue;
+    }
+    CheckBall(ball, i);
+    atoms.Kept.push_back(point);
+    if (ball.Radius > 0.0 || options.ZeroRadii)
+    {
+      atoms.Balls.push_back(ball);
+      atoms.Points.push_back(point);
+    }
+  }
+  if (dropped > 0)
+  {
+    atoms.Warnings.push_back(std::to_string(dropped) + " of " +
+      std::to_string(atoms.NumberOfAtoms) +
+      " atoms have no radius and were left out: choose another table of radii in the reader.");
+  }
+}
+
+}
+
+AtomOptions WholeMolecule(const std::string& radiusArray, bool keepWaters, bool unitedAtoms)
+{
+  PolymerOptions all;
+  all.Hydrogens = all.Ions = all.Ligands = all.ProstheticGroups = true;
+  all.Waters = keepWaters;
+  AtomOptions options;
+  options.RadiusArray = radiusArray;
+  options.Selection = all;
+  options.UnitedAtoms = unitedAtoms;
+  options.RequireBalls = true;
+  return options;
+}
+
+AtomOptions PolymerOf(const std::string& radiusArray, const PolymerOptions& selection)
+{
+  AtomOptions options;
+  options.RadiusArray = radiusArray;
+  options.Selection = selection;
+  options.ZeroRadii = true;
+  return options;
+}
+
+MoleculeAtoms ReadAtoms(vtkDataObject* input, const AtomOptions& options)
+{
+  MoleculeAtoms atoms;
+  vtkPoints* places = AtomPoints(input);
+  atoms.NumberOfAtoms = places ? places->GetNumberOfPoints() : 0;
+  if (atoms.NumberOfAtoms == 0)
+  {
+    return atoms;
+  }
+  const std::vector<int> elements = AtomElements(input);
+  atoms.HasNames = TextsOf(input, "ResidueName") != nullptr;
+  atoms.HasElements = !elements.empty();
+  atoms.IsSurface = options.SurfacePoints && !atoms.HasElements && HasPolygons(input);
+  AtomRadii radii = ReadRadii(AtomData(input), atoms.NumberOfAtoms, elements, options.RadiusArray,
+    atoms.IsSurface ? RadiusFallback::Zero : options.Fallback);
+  if (!radii.Warning.empty())
+  {
+    atoms.Warnings.push_back(radii.Warning);
+  }
+  const PolymerChoice choice = Select(input, options, atoms);
+  atoms.Notes = choice.Notes;
+  if (options.UnitedAtoms && choice.AnyChain && atoms.HasElements &&
+    UniteAtoms(choice.Kept, elements, radii))
+  {
+    atoms.Notes.emplace_back("There are no hydrogens, so carbon, nitrogen, oxygen, phosphorus and "
+                             "sulphur have the radii of united atoms: switch UnitedAtoms off for "
+                             "those of the input.");
+  }
+  AddBalls(input, choice.Kept, radii, options, atoms);
+  if (atoms.Balls.empty() && options.RequireBalls)
+  {
+    throw std::invalid_argument("None of the " + std::to_string(atoms.NumberOfAtoms) +
+      " atoms has a radius above 0, so there is nothing to make a surface of: choose another table "
+      "of radii in the reader, or another array.");
+  }
+  return atoms;
+}
+
+std::vector<double> AtomCharges(
+  vtkDataObject* input, const MoleculeAtoms& atoms, const std::string& name)
+{
+  vtkDataArray* values = AtomData(input)->GetArray(name.c_str());
+  if (!values || values->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument("The atoms have no point array " + name +
+      " with one charge for each; they have:" + ArrayNames(AtomData(input)) +
+      ". Read a PQR file (pdb2pqr makes one from a PDB file, with the charges of a force field), "
+      "or choose another array.");
+  }
+  std::vector<double> charges;
+  for (const vtkIdType point : atoms.Kept)
+  {
+    charges.push_back(values->GetComponent(point, 0));
+    if (!std::isfinite(charges.back()))
+    {
+      throw std::invalid_argument("The charge of atom " + std::to_string(point) +
+        " is not a finite number: correct it, or leave the atom out.");
+    }
+  }
+  return charges;
+}
+
+vtkPoints* AtomPoints(vtkDataObject* atoms)
+{
+  if (auto* molecule = vtkMolecule::SafeDownCast(atoms))
+  {
+    return molecule->GetAtomicPositionArray();
+  }
+  auto* points = vtkPointSet::SafeDownCast(atoms);
+  return points ? points->GetPoints() : nullptr;
+}
+
+vtkDataSetAttributes* AtomData(vtkDataObject* atoms)
+{
+  if (auto* molecule = vtkMolecule::SafeDownCast(atoms))
+  {
+    return molecule->GetVertexData();
+  }
+  return vtkPointSet::SafeDownCast(atoms)->GetPointData();
+}
+
+std::vector<int> AtomElements(vtkDataObject* atoms)
+{
+  std::vector<int> elements;
+  vtkDataArray* array = NumbersOf(atoms, "Element");
+  if (auto* molecule = vtkMolecule::SafeDownCast(atoms))
+  {
+    array = molecule->GetAtomicNumberArray();
+  }
+  if (array)
+  {
+    const vtkIdType count = AtomPoints(atoms)->GetNumberOfPoints(); // the array may be longer
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      const double element = array->GetComponent(i, 0);
+      const bool known = element >= 0.0 && element < NumberOfElements;
+      elements.push_back(known ? static_cast<int>(element) : 0);
+    }
+  }
+  return elements;
+}
+
+std::vector<NamedAtom> NamedAtomsOf(vtkDataObject* input)
+{
+  vtkPoints* places = AtomPoints(input);
+  std::vector<NamedAtom> atoms(static_cast<std::size_t>(places ? places->GetNumberOfPoints() : 0));
+  for (std::size_t i = 0; i < atoms.size(); ++i)
+  {
+    places->GetPoint(static_cast<vtkIdType>(i), atoms[i].Place.data());
+    if (!IsFinite(atoms[i].Place))
+    {
+      RefuseCoordinate(i);
+    }
+  }
+  TakeTexts(input, "AtomName", &NamedAtom::Name, atoms);
+  TakeTexts(input, "ResidueName", &NamedAtom::Residue, atoms);
+  TakeTexts(input, "Chain", &NamedAtom::Chain, atoms);
+  TakeTexts(input, "InsertionCode", &NamedAtom::InsertionCode, atoms);
+  TakeTexts(input, "AltLoc", &NamedAtom::AltLoc, atoms);
+  const std::vector<int> elements = atoms.empty() ? std::vector<int>() : AtomElements(input);
+  for (std::size_t i = 0; i < elements.size(); ++i)
+  {
+    atoms[i].Element = elements[i];
+  }
+  const std::size_t n = atoms.size();
+  TakeNumbers(input, "ResidueId", n,
+    [&](std::size_t i, double value) { atoms[i].ResidueId = static_cast<int>(value); });
+  TakeNumbers(input, "Occupancy", n,
+    [&](std::size_t i, double value) { atoms[i].Occupancy = std::isnan(value) ? 1.0 : value; });
+  TakeNumbers(
+    input, "IsHetero", n, [&](std::size_t i, double value) { atoms[i].IsHetero = value != 0.0; });
+  return atoms;
+}
+
+std::string InputArrayName(vtkAlgorithm* filter, int index)
+{
+  vtkInformation* array = filter->GetInputArrayInformation(index);
+  const char* name = array ? array->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+  return name ? name : "";
+}
+
+std::set<std::string> NamesIn(const std::string& list)
+{
+  constexpr const char* separators = " ,;\t\n";
+  std::set<std::string> names;
+  for (std::size_t at = list.find_first_not_of(separators); at != std::string::npos;)
+  {
+    const std::size_t end = std::min(list.find_first_of(separators, at), list.size());
+    names.insert(list.substr(at, end - at));
+    at = list.find_first_not_of(separators, end);
+  }
+  return names;
+}
+
+void AddNotes(const std::vector<std::string>& notes, vtkDataObject* to)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName("Notes");
+  for (const std::string& note : notes)
+  {
+    array->InsertNextValue(note);
+  }
+  to->GetFieldData()->AddArray(array);
+}
+
+}

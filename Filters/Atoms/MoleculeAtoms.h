@@ -1,0 +1,114 @@
+/**
+ * @file MoleculeAtoms.h
+ * @brief The atoms of a VTK data set: which of them count, their places, radii, charges and names.
+ *
+ * The one way in which molecular filters read their input, a vtkPointSet or a vtkMolecule:
+ *
+ * - radii: AtomRadii.h;
+ * - charges: AtomCharges, from a point array, required;
+ * - elements: the atomic numbers of a molecule, or the point array `Element`;
+ * - names: the point arrays `AtomName`, `ResidueName`, `ResidueId`, `Chain`, `InsertionCode`,
+ *   `AltLoc`, `Occupancy` and `IsHetero` of vtkMacromoleculeReader, as far as they are there;
+ * - waters, ions, ligands, hydrogens and alternate locations: PolymerAtoms.h.
+ */
+#ifndef isthmus_MoleculeAtoms_h
+#define isthmus_MoleculeAtoms_h
+
+#include "Atoms/AtomRadii.h"
+#include "Atoms/Ball.h"
+#include "Atoms/PolymerAtoms.h"
+#include "vtkIsthmusFiltersAtomsModule.h"
+
+#include <vtkType.h>
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataObject;
+class vtkDataSetAttributes;
+class vtkPoints;
+
+namespace isthmus
+{
+
+/// Which atoms count, and how large they are.
+struct AtomOptions
+{
+  std::string RadiusArray = "Radius";
+  std::optional<PolymerOptions> Selection; ///< none: all atoms
+  /// Where chains of amino acids or nucleotides come without any hydrogen, and radii go by element,
+  /// those of united atoms (RadiusTable::UnitedAtom) replace them.
+  bool UnitedAtoms = false;
+  bool ZeroRadii = false;     ///< atoms with radius 0 have a ball, too
+  bool RequireBalls = false;  ///< std::invalid_argument where no atom has a radius above 0
+  bool SurfacePoints = false; ///< polygons without elements or radii are points with radius 0
+  RadiusFallback Fallback = RadiusFallback::Element;
+  MissingRadius Missing = MissingRadius::Drop;
+};
+
+/// All residues but water, which is kept on request (the properties of AtomProperties.h).
+VTKISTHMUSFILTERSATOMS_EXPORT AtomOptions WholeMolecule(
+  const std::string& radiusArray, bool keepWaters = false, bool unitedAtoms = true);
+
+/// The chains and what `options` keeps besides; atoms of radius 0 included.
+VTKISTHMUSFILTERSATOMS_EXPORT AtomOptions PolymerOf(
+  const std::string& radiusArray, const PolymerOptions& options);
+
+/// The atoms that a filter works on.
+struct MoleculeAtoms
+{
+  std::vector<Ball> Balls;           ///< of the atoms with a radius
+  std::vector<vtkIdType> Points;     ///< of each ball: its point in the input
+  std::vector<vtkIdType> Kept;       ///< points of all atoms that count, those of radius 0 included
+  std::vector<NamedAtom> Named;      ///< of all points of the input, where there was a selection
+  std::vector<std::string> Notes;    ///< a sentence for each kind that was dropped or replaced
+  std::vector<std::string> Warnings; ///< a sentence for each thing that should have been there
+  vtkIdType NumberOfAtoms = 0;       ///< of the input
+  bool HasNames = false;             ///< any residue names
+  bool HasElements = false;
+  bool IsSurface = false; ///< points of polygons, see AtomOptions::SurfacePoints
+};
+
+/**
+ * Reads the atoms of a vtkPointSet or a vtkMolecule as `options` says; none where it has no points.
+ *
+ * Throws std::invalid_argument for radii that AtomRadii.h refuses, that are negative or infinite,
+ * for coordinates that are not finite, and where no atom is left but one is required.
+ */
+VTKISTHMUSFILTERSATOMS_EXPORT MoleculeAtoms ReadAtoms(
+  vtkDataObject* atoms, const AtomOptions& options);
+
+/// The charges of `atoms.Kept`, from the point array `name` of `input`. Throws
+/// std::invalid_argument where there is no such array of one component, or a charge is not finite.
+VTKISTHMUSFILTERSATOMS_EXPORT std::vector<double> AtomCharges(
+  vtkDataObject* input, const MoleculeAtoms& atoms, const std::string& name);
+
+/// Points of a vtkPointSet or a vtkMolecule; null for anything else.
+VTKISTHMUSFILTERSATOMS_EXPORT vtkPoints* AtomPoints(vtkDataObject* atoms);
+
+/// Point data of a vtkPointSet, vertex data of a vtkMolecule.
+VTKISTHMUSFILTERSATOMS_EXPORT vtkDataSetAttributes* AtomData(vtkDataObject* atoms);
+
+/// Number of the element of each atom (0: unknown); empty where neither molecule nor array has
+/// elements.
+VTKISTHMUSFILTERSATOMS_EXPORT std::vector<int> AtomElements(vtkDataObject* atoms);
+
+/// The names of all atoms. Throws std::invalid_argument for coordinates that are not finite.
+VTKISTHMUSFILTERSATOMS_EXPORT std::vector<NamedAtom> NamedAtomsOf(vtkDataObject* atoms);
+
+/// The name of the array that input array `index` of `filter` is; empty: none.
+VTKISTHMUSFILTERSATOMS_EXPORT std::string InputArrayName(vtkAlgorithm* filter, int index);
+
+/// Adds the field array `Notes`.
+VTKISTHMUSFILTERSATOMS_EXPORT void AddNotes(
+  const std::vector<std::string>& notes, vtkDataObject* to);
+
+/// Names between blanks, commas or semicolons.
+VTKISTHMUSFILTERSATOMS_EXPORT std::set<std::string> NamesIn(const std::string& list);
+
+}
+
+#endif
