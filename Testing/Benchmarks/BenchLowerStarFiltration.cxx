@@ -6,11 +6,11 @@
 // TTK runs before and after ours, so that a machine whose load changes shows. The meshes are
 // TetGen's, of the inside of shared surfaces, the function the distance from the surface, squared.
 
-#include "Persistence/SurfaceDistance.h"
 #include "ChokingSurfaces.h"
 #include "PeerPrograms.h"
 #include "Persistence/FiltrationPairs.h"
 #include "Persistence/LowerStarFiltration.h"
+#include "Persistence/SurfaceDistance.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "Tetrahedra/TetrahedralMesher.h"
 

@@ -2,11 +2,11 @@
 // boundary matrix, its two-tetrahedra example, and the four Morse functions through the filter.
 
 #include "BlockMeshes.h"
-#include "Persistence/SurfaceDistance.h"
 #include "ChokingSurfaces.h"
 #include "LoopChecks.h"
 #include "Persistence/EdgeDistances.h"
 #include "Persistence/LowerStarFiltration.h"
+#include "Persistence/SurfaceDistance.h"
 #include "Tetrahedra/TetrahedralMesher.h"
 #include "TopologyFilterRun.h"
 
