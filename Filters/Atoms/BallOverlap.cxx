@@ -43,7 +43,7 @@ Overlap<2> Lens(const Ball& a, const Ball& b)
     { 2.0 * Pi * a.Radius * ha, 2.0 * Pi * b.Radius * hb } };
 }
 
-Overlap<3> HalfOfThree(const Ball& a, const Ball& b, const Ball& c)
+Overlap<3> HalfTripleIntersection(const Ball& a, const Ball& b, const Ball& c)
 {
   const Ball* balls[3] = { &a, &b, &c };
   const Point3 x = CommonPoint(a, b, c);

@@ -35,7 +35,8 @@ VTKISTHMUSFILTERSATOMS_EXPORT Overlap<2> Lens(const Ball& a, const Ball& b);
  * it by inclusion and exclusion: sectors of the balls, minus slices of the lenses, plus the half
  * asked for (H. Edelsbrunner, P. Fu, in "Measuring space filling diagrams and voids", 1994).
  */
-VTKISTHMUSFILTERSATOMS_EXPORT Overlap<3> HalfOfThree(const Ball& a, const Ball& b, const Ball& c);
+VTKISTHMUSFILTERSATOMS_EXPORT Overlap<3> HalfTripleIntersection(
+  const Ball& a, const Ball& b, const Ball& c);
 
 /// Fraction of all directions from `p` that point into the tetrahedron p, a, b, c.
 VTKISTHMUSFILTERSATOMS_EXPORT double SolidAngle(

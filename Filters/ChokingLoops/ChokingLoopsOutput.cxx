@@ -149,7 +149,8 @@ const ShownFeature* LoopsFor(const ChokingLoops& loops, const std::vector<ShownF
     const LoopFeature& other = *features[i].Geometry;
     if (!isFree[i] && features[i].SharedWith < 0 && Longest(other) <= longest &&
       all[features[i].Index].Side == f.Side &&
-      (!best || Longest(other) < Longest(*best->Geometry)) && Belongs(loops, needy.Index, other) &&
+      (!best || Longest(other) < Longest(*best->Geometry)) &&
+      BelongsToChokePoint(loops, needy.Index, other) &&
       PassesNear(loops, other, centre, NearMembrane * f.Radius()))
     {
       best = &features[i];
@@ -507,7 +508,7 @@ void FillDiagram(const ChokingLoops& loops, vtkTable* output)
   numbers.AddTo(output->GetRowData());
 }
 
-void FillFacts(
+void AddAnalysisFieldData(
   const ChokingLoops& loops, const std::vector<ShownFeature>& features, vtkPolyData* output)
 {
   Columns<vtkDoubleArray> numbers;

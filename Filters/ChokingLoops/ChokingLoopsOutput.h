@@ -30,7 +30,7 @@ struct ShownFeature
  * coincide: as many of them, of lengths that differ by less than 2 %, and no point of either
  * farther than a tenth of the smaller radius from the other. And a feature that nothing on M holds
  * a loop of takes the shortest one of another feature that belongs to its choke point, too
- * (Belongs()), with a membrane within 0.3 of its radius of that.
+ * (BelongsToChokePoint()), with a membrane within 0.3 of its radius of that.
  *
  * Cost: pairs of similar loops times their points squared.
  */
@@ -82,7 +82,7 @@ void FillChokePoints(
 void FillDiagram(const ChokingLoops& loops, vtkTable* output);
 
 /// Facts about the analysis, as field data of the loops.
-void FillFacts(
+void AddAnalysisFieldData(
   const ChokingLoops& loops, const std::vector<ShownFeature>& features, vtkPolyData* output);
 
 }

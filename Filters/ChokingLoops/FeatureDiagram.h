@@ -213,7 +213,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT FeatureDiagram FindFeatures(
 
 /// A length as the user states it: in percent of a side's reference length, or in units of the
 /// data.
-struct StatedLength
+struct LengthSetting
 {
   double Value = 0.0;
   bool Percent = true;
@@ -236,8 +236,8 @@ struct FeatureSelection
 {
   bool Inside = true;
   bool Outside = true;
-  StatedLength MaximumRadius{ 100.0, true };
-  StatedLength MinimumPersistence{ 5.0, true };
+  LengthSetting MaximumRadius{ 100.0, true };
+  LengthSetting MinimumPersistence{ 5.0, true };
   ThresholdMode Threshold = ThresholdMode::Given;
   /// Handles and tunnels need not obey MaximumRadius. MinimumPersistence is never asked of them:
   /// in a ring of even width nothing widens behind the narrowing, and yet it is a handle.

@@ -288,7 +288,7 @@ std::vector<Point3> PointsOf(
 
 }
 
-bool Belongs(const ChokingLoops& loops, std::size_t index, const LoopFeature& feature,
+bool BelongsToChokePoint(const ChokingLoops& loops, std::size_t index, const LoopFeature& feature,
   const LoopTolerances& tolerances)
 {
   const ShapeFeature& f = loops.Diagram().Features[index];
@@ -309,8 +309,8 @@ namespace
 constexpr double Freedom = 1.05;
 
 /// Encircling loops looked for are so long at most, in circumferences of the ball; and of how many.
-constexpr double LongestRound = 3.0;
-constexpr std::size_t MostRound = 6;
+constexpr double MaxEncirclingLength = 3.0;
+constexpr std::size_t MaxEncirclingLoops = 6;
 
 /// Paths along edges are so much longer than geodesics.
 constexpr double AlongEdges = 1.15;
@@ -348,7 +348,7 @@ public:
   /// Held at some of the points where the ball touches M, all of them first.
   void TryHeld(const Membrane& membrane, bool isEncircling);
 
-  bool Belongs() const { return this->BestGrade >= Grade::Jagged; }
+  bool BelongsToChokePoint() const { return this->BestGrade >= Grade::Jagged; }
   bool IsLongEnough() const { return this->BestGrade >= Grade::Hairpin; }
   bool Fits() const { return this->BestGrade == Grade::Fits; }
   double Length() const { return Longest(this->Best); }
@@ -384,7 +384,7 @@ private:
 
 TightestFit::Grade TightestFit::GradeOf(const LoopFeature& candidate) const
 {
-  if (!isthmus::Belongs(this->Loops, this->Index, candidate, this->Tolerances))
+  if (!isthmus::BelongsToChokePoint(this->Loops, this->Index, candidate, this->Tolerances))
   {
     const bool isShort = Longest(candidate) < Slack * this->Girth;
     return candidate.Collapsed    ? Grade::Collapsed
@@ -481,7 +481,7 @@ LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
   TightestFit fit(loops, index, rounds, tolerances);
   fit.TryFree(pushed, false, Between(progress, 0.0, 0.4));
   if (rounds == 0 || !f.Trusted || !f.Choke.Exists() ||
-    (fit.Belongs() && fit.Length() < Roomy * fit.ShortestLength()))
+    (fit.BelongsToChokePoint() && fit.Length() < Roomy * fit.ShortestLength()))
   {
     return fit.Take();
   }
@@ -490,7 +490,7 @@ LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
   {
     fit.TryFree(*tight, false, Between(progress, 0.6, 0.7));
   }
-  if (fit.Belongs())
+  if (fit.BelongsToChokePoint())
   {
     return fit.Take();
   }
@@ -502,9 +502,10 @@ LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
     }
   }
   Report(progress, 0.8);
-  const double longest =
-    std::min(fit.Fits() ? Freedom * fit.Length() : HUGE_VAL, LongestRound * 2.0 * Pi * f.Radius());
-  for (const Membrane& round : loops.EncirclingMembranesOf(index, AlongEdges * longest, MostRound))
+  const double longest = std::min(
+    fit.Fits() ? Freedom * fit.Length() : HUGE_VAL, MaxEncirclingLength * 2.0 * Pi * f.Radius());
+  for (const Membrane& round :
+    loops.EncirclingMembranesOf(index, AlongEdges * longest, MaxEncirclingLoops))
   {
     fit.TryFree(round, true);
     if (!fit.Fits())

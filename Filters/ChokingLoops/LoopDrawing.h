@@ -116,8 +116,8 @@ struct LoopTolerances
 };
 
 /// True when loops belong to the choke point of a feature, see MakeLoopFeature().
-VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool Belongs(const ChokingLoops& loops, std::size_t feature,
-  const LoopFeature& geometry, const LoopTolerances& tolerances = {});
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool BelongsToChokePoint(const ChokingLoops& loops,
+  std::size_t feature, const LoopFeature& geometry, const LoopTolerances& tolerances = {});
 
 /**
  * Loops and membrane of a feature; with `rounds` above 0 the loops are shortened that often, and a

@@ -293,7 +293,7 @@ TriangleMesh CheckedSurface(
   const SurfaceDefects defects = FindDefects(surface, Between(progress, 0.1, 0.2));
   if (!defects.None() && !(report && CanBeRepaired(defects)))
   {
-    throw std::invalid_argument(defects.Sentence() + WhyOpen(surface, defects) +
+    throw std::invalid_argument(defects.Sentence() + DescribeOpenBoundary(surface, defects) +
       " Choking loops need a closed, manifold, consistently oriented surface: repair it first "
       "(Fill Holes, or CapHoles of Choking Loops, closes holes).");
   }

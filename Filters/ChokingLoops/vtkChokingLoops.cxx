@@ -325,7 +325,7 @@ bool vtkChokingLoops::FindLoops(
       isthmus::FillMembranes(analysis, shown, membranes);
       isthmus::FillChokePoints(analysis, shown, points);
       isthmus::FillDiagram(analysis, diagram);
-      isthmus::FillFacts(analysis, shown, loops);
+      isthmus::AddAnalysisFieldData(analysis, shown, loops);
     });
   if (!found)
   {

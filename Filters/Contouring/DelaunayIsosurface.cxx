@@ -3,7 +3,7 @@
 #include "Contouring/SeedPoints.h"
 #include "Core/RangeChecks.h"
 #include "Remeshing/CGALSurface.h"
-#include "Remeshing/CGALWithoutDumps.h"
+#include "Remeshing/SuppressCGALDumps.h"
 #include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 
@@ -287,7 +287,7 @@ DelaunayIsosurfaceResult DelaunayIsosurface(const ScalarField& field, const Boun
   {
     return {};
   }
-  return cgal::WithSentence("refining the isosurface",
+  return cgal::RethrowWithContext("refining the isosurface",
     [&]
     {
       Report(progress, 0.0);

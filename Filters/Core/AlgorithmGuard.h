@@ -80,14 +80,15 @@ inline void Clear(vtkDataObject* output)
   }
 }
 
-inline void Clear(vtkInformationVector* outputs)
+}
+
+/// Empties all outputs, with the field data of the input that VTK's executive has copied there.
+inline void ClearOutputs(vtkInformationVector* outputs)
 {
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {
-    Clear(vtkDataObject::GetData(outputs, port));
+    guard::Clear(vtkDataObject::GetData(outputs, port));
   }
-}
-
 }
 
 /**
@@ -96,14 +97,10 @@ inline void Clear(vtkInformationVector* outputs)
 template <typename Body>
 bool Succeeds(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
 {
-  if (outputs->GetNumberOfInformationObjects() > 1)
-  {
-    guard::Clear(outputs);
-  }
   const bool ends = guard::Ends(self, std::forward<Body>(body));
   if (!ends)
   {
-    guard::Clear(outputs);
+    ClearOutputs(outputs);
   }
   return ends;
 }
@@ -116,8 +113,7 @@ bool Succeeds(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
  * Inputs of another type than the filter requires, as blocks of composite data can be, and arrays
  * that are too short are refused first (PipelineInputs.h); then `body` runs. An exception is
  * reported as one error, once (ReportError). After an exception, and after an abort (Cancelled),
- * all outputs are empty. A filter of several outputs begins with empty ones, since it may fill only
- * some.
+ * all outputs are empty.
  *
  * Returns 1 always: after 0 VTK's executive would add a page about its request to the error, and
  * leave what follows in the pipeline as it was before, instead of empty.

@@ -12,7 +12,7 @@ namespace isthmus
 namespace
 {
 
-std::vector<Point3> PlacesOfCrossings(const PotentialOnBox& solution)
+std::vector<Point3> PlacesOfCrossings(const GridPotential& solution)
 {
   const SolverBox& box = solution.GetBox();
   std::vector<Point3> places;
@@ -52,7 +52,7 @@ void Subtract(const std::vector<SurfaceShare>& shares, double weight, std::vecto
   }
 }
 
-double IonPressure(const PotentialOnBox& solution, std::size_t layer, double phi)
+double IonPressure(const GridPotential& solution, std::size_t layer, double phi)
 {
   const IonAtmosphere& ions = solution.GetIons();
   const double pressure = solution.GetParameters().Nonlinear ? ions.Pressure(layer, phi)
@@ -61,7 +61,7 @@ double IonPressure(const PotentialOnBox& solution, std::size_t layer, double phi
 }
 
 /// The ions that keep off the surface: access goes from 0 to 1 over IonBorderWidth, and with it.
-void AddDistantIons(const PotentialOnBox& solution, std::size_t layer, const SurfaceMotion& motion,
+void AddDistantIons(const GridPotential& solution, std::size_t layer, const SurfaceMotion& motion,
   std::vector<Point3>& forces)
 {
   const SolverBox& box = solution.GetBox();
@@ -80,7 +80,7 @@ void AddDistantIons(const PotentialOnBox& solution, std::size_t layer, const Sur
 
 }
 
-std::vector<double> PullAtCrossings(const PotentialOnBox& solution, double kelvin)
+std::vector<double> PullAtCrossings(const GridPotential& solution, double kelvin)
 {
   const SurfaceValues field = EvaluateAtCrossings(solution, kelvin);
   std::vector<double> pull(solution.GetCrossings().size());
@@ -92,7 +92,7 @@ std::vector<double> PullAtCrossings(const PotentialOnBox& solution, double kelvi
   return pull;
 }
 
-BoundaryForces ForcesOnBoundary(const PotentialOnBox& solution, const SurfaceMotion& motion)
+BoundaryForces ForcesOnBoundary(const GridPotential& solution, const SurfaceMotion& motion)
 {
   const double kelvin = solution.GetParameters().Temperature;
   const SolverBox& box = solution.GetBox();

@@ -20,8 +20,8 @@
 #ifndef isthmus_BoundaryForces_h
 #define isthmus_BoundaryForces_h
 
+#include "Electrostatics/GridPotential.h"
 #include "Electrostatics/PoissonBoltzmannParameters.h"
-#include "Electrostatics/PotentialOnBox.h"
 #include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 #include <cstddef>
@@ -71,7 +71,7 @@ private:
 /// The pull at each crossing of the solution's surface with the grid, kcal/mol/angstrom^3; 0 where
 /// no field could be fitted. O(crossings), parallel.
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<double> PullAtCrossings(
-  const PotentialOnBox& solution, double kelvin);
+  const GridPotential& solution, double kelvin);
 
 /// On each atom, kT/angstrom, along the grid's axes.
 struct BoundaryForces
@@ -86,7 +86,7 @@ struct BoundaryForces
  * same bits on any number of threads.
  */
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT BoundaryForces ForcesOnBoundary(
-  const PotentialOnBox& solution, const SurfaceMotion& motion);
+  const GridPotential& solution, const SurfaceMotion& motion);
 
 }
 

@@ -208,7 +208,7 @@ double GapAround(const BoxNodes& inside, const SolverBox& box)
   return gap;
 }
 
-RadiatingBox HalfWayOut(const BoxNodes& inside, const SolverBox& box)
+RadiatingBox MakeIntermediateBox(const BoxNodes& inside, const SolverBox& box)
 {
   const double gap = GapAround(inside, box);
   RadiatingBox range;

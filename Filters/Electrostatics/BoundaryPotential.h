@@ -56,7 +56,7 @@ struct RadiatingBox : BoxNodes
 
 /// About half-way between the nodes `inside` and the border, two nodes off the border at least;
 /// strides are about a quarter of the gap.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT RadiatingBox HalfWayOut(
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT RadiatingBox MakeIntermediateBox(
   const BoxNodes& inside, const SolverBox& box);
 
 /**

@@ -149,7 +149,7 @@ struct FluxSum
   double RightSide = 0.0;
 
   void Add(std::int64_t node, double factor) { this->Entries.emplace_back(node, factor); }
-  void Add(const CrossingValues& values, const Continuation& v, double factor)
+  void Add(const InterfaceExtrapolation& values, const Continuation& v, double factor)
   {
     for (std::size_t i = 0; i < v.Coefficient.size(); ++i)
     {
@@ -180,7 +180,7 @@ struct FluxSum
 
 /// Adds F+ - F- of a crossing; returns its node outside.
 std::int64_t AddExcess(const InterfaceProblem& problem, const InterfaceCrossing& c,
-  const CrossingValues& values, FluxSum& sum)
+  const InterfaceExtrapolation& values, FluxSum& sum)
 {
   const auto a = static_cast<std::size_t>(c.Axis);
   const double weight = AxisWeights(*problem.Box)[a];
@@ -213,7 +213,7 @@ void SetShares(
 }
 
 std::vector<CavityFlux> CavityFluxes(const InterfaceProblem& problem,
-  const std::vector<CrossingValues>& values, const std::vector<std::int64_t>& nodes)
+  const std::vector<InterfaceExtrapolation>& values, const std::vector<std::int64_t>& nodes)
 {
   std::vector<CavityFlux> cavities;
   for (const std::vector<std::int64_t>& wall : problem.Cavities)

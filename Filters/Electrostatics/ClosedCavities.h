@@ -22,7 +22,7 @@
 #ifndef isthmus_ClosedCavities_h
 #define isthmus_ClosedCavities_h
 
-#include "Electrostatics/CrossingValues.h"
+#include "Electrostatics/InterfaceExtrapolation.h"
 #include "Electrostatics/InterfaceGeometry.h"
 #include "vtkIsthmusFiltersElectrostaticsModule.h"
 
@@ -51,10 +51,11 @@ struct CavityFlux
 
 /**
  * For each closed cavity of `problem.Cavities`, in their order; `nodes` are those of the irregular
- * rows. Row and sum are times h^2, as IrregularRows.h has it. O(crossings of closed cavities).
+ * rows. Row and sum are times h^2, as InterfaceMatrixRows.h has it. O(crossings of closed
+ * cavities).
  */
 std::vector<CavityFlux> CavityFluxes(const InterfaceProblem& problem,
-  const std::vector<CrossingValues>& values, const std::vector<std::int64_t>& nodes);
+  const std::vector<InterfaceExtrapolation>& values, const std::vector<std::int64_t>& nodes);
 
 }
 

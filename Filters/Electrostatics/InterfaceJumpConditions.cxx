@@ -105,9 +105,9 @@ Basis TargetBasis(const FitTarget& target, const LocalFrame& f, double rho, doub
 /// The nodes that are usable, as rows.
 struct Rows
 {
-  std::array<Basis, MostFitNodes> Row;
-  std::array<double, MostFitNodes> Weight;
-  std::array<std::size_t, MostFitNodes> Node;
+  std::array<Basis, MaxFitNodes> Row;
+  std::array<double, MaxFitNodes> Weight;
+  std::array<std::size_t, MaxFitNodes> Node;
   std::size_t Count = 0;
 };
 

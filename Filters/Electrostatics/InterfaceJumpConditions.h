@@ -46,18 +46,18 @@ struct FitNode
   double Weight;
 };
 
-constexpr std::size_t MostFitNodes = 64;
+constexpr std::size_t MaxFitNodes = 64;
 
 /// The nodes around an edge (4 x 3 x 3) or a point (4 x 4 x 4), x running fastest.
 struct FitNodes
 {
-  std::array<FitNode, MostFitNodes> Node;
-  std::array<std::int64_t, MostFitNodes> Id;
+  std::array<FitNode, MaxFitNodes> Node;
+  std::array<std::int64_t, MaxFitNodes> Id;
   std::size_t Count = 0;
 };
 
 /// A linear function of the fit's data: sum of Weight[i] x data of node i.
-using FitFunctional = std::array<double, MostFitNodes>;
+using FitFunctional = std::array<double, MaxFitNodes>;
 
 enum class FitQuality
 {

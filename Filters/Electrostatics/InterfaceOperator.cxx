@@ -71,7 +71,7 @@ void InterfaceOperator::ApplyIrregularRows(
   const std::vector<T>& z, std::vector<double>& out, double sign, bool withRight) const
 {
   const float* d = this->Diagonal ? this->Diagonal->data() : nullptr;
-  const IrregularRows& rows = this->Rows;
+  const InterfaceMatrixRows& rows = this->Rows;
   ParallelFor(0, static_cast<std::int64_t>(rows.Node.size()), 4096,
     [&](std::int64_t first, std::int64_t last)
     {
@@ -128,7 +128,7 @@ void InterfaceOperator::Residual(const std::vector<double>& u, std::vector<doubl
 float InterfaceOperator::SmoothRow(std::size_t row, double common, double commonDiagonal,
   const std::vector<double>& r, std::vector<float>& z) const
 {
-  const IrregularRows& rows = this->Rows;
+  const InterfaceMatrixRows& rows = this->Rows;
   float* u = z.data() + rows.Node[row];
   const double extra = this->Diagonal ? rows.Scale[row] *
       static_cast<double>((*this->Diagonal)[static_cast<std::size_t>(rows.Node[row])])

@@ -8,7 +8,7 @@
 #ifndef isthmus_InterfaceOperator_h
 #define isthmus_InterfaceOperator_h
 
-#include "Electrostatics/IrregularRows.h"
+#include "Electrostatics/InterfaceMatrixRows.h"
 #include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 #include <memory>
@@ -23,8 +23,8 @@ public:
   InterfaceOperator(const SolverBox& box, const std::vector<unsigned char>& inside,
     double soluteDielectric, double solventDielectric);
 
-  void SetRows(IrregularRows rows) { this->Rows = std::move(rows); }
-  const IrregularRows& GetRows() const { return this->Rows; }
+  void SetRows(InterfaceMatrixRows rows) { this->Rows = std::move(rows); }
+  const InterfaceMatrixRows& GetRows() const { return this->Rows; }
 
   /// The ions' derivative h^2 d(charge)/du at each node; null for none. It is kept, not copied.
   void SetDiagonal(std::shared_ptr<const std::vector<float>> diagonal)
@@ -67,7 +67,7 @@ private:
   const std::vector<unsigned char>& Inside;
   double Solute, Solvent;
   Point3 Weights;
-  IrregularRows Rows;
+  InterfaceMatrixRows Rows;
   std::shared_ptr<const std::vector<float>> Diagonal;
 };
 

@@ -71,11 +71,11 @@ std::int64_t StrideForBorder(const SolverBox& box)
 /// The border function of SelfConsistent, from solutions of `problem` with border values that get
 /// better.
 PotentialFunction SelfConsistentBorder(
-  PotentialOnBox& problem, PotentialFunction border, const ProgressCallback& progress)
+  GridPotential& problem, PotentialFunction border, const ProgressCallback& progress)
 {
   constexpr int rounds = 2;
   constexpr double tolerances[rounds] = { 1e-2, 1e-4 }; // the second corrects the first
-  const RadiatingBox range = HalfWayOut(problem.RangeInside(), problem.GetBox());
+  const RadiatingBox range = MakeIntermediateBox(problem.RangeInside(), problem.GetBox());
   for (int round = 0; round < rounds; ++round)
   {
     problem.SetBorder(border, true);
@@ -149,7 +149,7 @@ SolverBox CoarserBox(const SolverBox& box, std::int64_t stride)
   return coarse;
 }
 
-std::unique_ptr<PotentialOnBox> SolvePoissonBoltzmann(const LevelFunction& level,
+std::unique_ptr<GridPotential> SolvePoissonBoltzmann(const LevelFunction& level,
   const SolverBox& box, const std::vector<ChargedAtom>& atoms,
   const PoissonBoltzmannParameters& parameters, const IonAtmosphere& ions,
   const ProgressCallback& progress)
@@ -157,11 +157,11 @@ std::unique_ptr<PotentialOnBox> SolvePoissonBoltzmann(const LevelFunction& level
   CheckParameters(parameters);
   const auto setUp = [&](const SolverBox& on, double from, double to)
   {
-    return std::make_unique<PotentialOnBox>(
+    return std::make_unique<GridPotential>(
       level, on, atoms, parameters, ions, Between(progress, from, to));
   };
   const double kappa = std::sqrt(ions.Linear() / parameters.SolventDielectric);
-  std::unique_ptr<PotentialOnBox> problem;
+  std::unique_ptr<GridPotential> problem;
   PotentialFunction border;
   int borderIterations = 0;
   switch (parameters.Condition)
@@ -198,10 +198,10 @@ std::unique_ptr<PotentialOnBox> SolvePoissonBoltzmann(const LevelFunction& level
   return problem;
 }
 
-std::unique_ptr<PotentialOnBox> SolveAgain(
-  const LevelFunction& level, const PotentialOnBox& last, const ProgressCallback& progress)
+std::unique_ptr<GridPotential> SolveAgain(
+  const LevelFunction& level, const GridPotential& last, const ProgressCallback& progress)
 {
-  auto problem = std::make_unique<PotentialOnBox>(level, last.GetBox(), last.GetAtoms(),
+  auto problem = std::make_unique<GridPotential>(level, last.GetBox(), last.GetAtoms(),
     last.GetParameters(), last.GetIons(), Between(progress, 0.0, 0.5), &last);
   problem->Solve(last.GetParameters().Tolerance, Between(progress, 0.5, 0.95));
   problem->Evaluate();

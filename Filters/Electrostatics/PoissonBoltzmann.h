@@ -4,7 +4,7 @@
  * surface.
  *
  * Linear or nonlinear Poisson-Boltzmann equation with two dielectric constants that jump at a level
- * set; formulation in PotentialOnBox.h, the surface in InterfaceJumpConditions.h, the solver in
+ * set; formulation in GridPotential.h, the surface in InterfaceJumpConditions.h, the solver in
  * InterfaceSolver.h. Units: angstrom, e, kT/e, mol/l.
  *
  * The volume that holds the level set may end close to it: the equation is solved on a box with at
@@ -20,7 +20,7 @@
 #ifndef isthmus_PoissonBoltzmann_h
 #define isthmus_PoissonBoltzmann_h
 
-#include "Electrostatics/PotentialOnBox.h"
+#include "Electrostatics/GridPotential.h"
 #include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
@@ -50,7 +50,7 @@ VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SolverBox CoarserBox(
  * atoms (by a tree above); memory 80 to 104 bytes a node.
  * The same bits on any number of threads.
  */
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::unique_ptr<PotentialOnBox> SolvePoissonBoltzmann(
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::unique_ptr<GridPotential> SolvePoissonBoltzmann(
   const LevelFunction& level, const SolverBox& box, const std::vector<ChargedAtom>& atoms,
   const PoissonBoltzmannParameters& parameters, const IonAtmosphere& ions,
   const ProgressCallback& progress = {});
@@ -59,8 +59,8 @@ VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::unique_ptr<PotentialOnBox> SolvePois
 /// border values included: from its potential, until the residual is as small as it became there,
 /// with the charges summed anew only where the surface did move. `last` is not referred to; after
 /// its Release() it is small. Throws, time and threads: as above.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::unique_ptr<PotentialOnBox> SolveAgain(
-  const LevelFunction& level, const PotentialOnBox& last, const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::unique_ptr<GridPotential> SolveAgain(
+  const LevelFunction& level, const GridPotential& last, const ProgressCallback& progress = {});
 
 }
 

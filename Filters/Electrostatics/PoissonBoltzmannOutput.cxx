@@ -94,8 +94,7 @@ vtkSmartPointer<vtkPolyData> LevelTriangles(const SoluteVolume& volume)
 
 }
 
-void FillImage(
-  const PotentialOnBox& solution, vtkImageData* image, const ProgressCallback& progress)
+void FillImage(const GridPotential& solution, vtkImageData* image, const ProgressCallback& progress)
 {
   const SolverBox& box = solution.GetBox();
   SolverBox crop = box;
@@ -139,7 +138,7 @@ void FillImage(
   image->GetPointData()->AddArray(side);
 }
 
-void FillFieldData(const PotentialOnBox& solution, const PoissonBoltzmannParameters& parameters,
+void FillFieldData(const GridPotential& solution, const PoissonBoltzmannParameters& parameters,
   double netCharge, const std::string& surface, vtkImageData* image)
 {
   const PoissonBoltzmannReport& report = solution.GetReport();
@@ -164,7 +163,7 @@ void FillFieldData(const PotentialOnBox& solution, const PoissonBoltzmannParamet
   image->GetFieldData()->AddArray(kind);
 }
 
-void FillSurface(const PotentialOnBox& solution, const SoluteVolume& volume, double kelvin,
+void FillSurface(const GridPotential& solution, const SoluteVolume& volume, double kelvin,
   vtkPolyData* polygons, vtkPolyData* output, const ProgressCallback& progress)
 {
   std::vector<Point3> places;
@@ -210,7 +209,7 @@ void FillSurface(const PotentialOnBox& solution, const SoluteVolume& volume, dou
 }
 
 void FillAtoms(
-  const PotentialOnBox& solution, const SoluteVolume& volume, double kelvin, vtkPointSet* atoms)
+  const GridPotential& solution, const SoluteVolume& volume, double kelvin, vtkPointSet* atoms)
 {
   const PoissonBoltzmannReport& report = solution.GetReport();
   std::vector<double> energies = report.AtomEnergies;
@@ -223,7 +222,7 @@ void FillAtoms(
   atoms->GetPointData()->AddArray(Forces("ReactionForce", report.AtomForces, volume, kelvin));
 }
 
-void FillBoundaryForces(const PotentialOnBox& solution, const SoluteVolume& volume,
+void FillBoundaryForces(const GridPotential& solution, const SoluteVolume& volume,
   const std::vector<ChargedAtom>& onGrid, vtkPointSet* atoms)
 {
   const double kelvin = solution.GetParameters().Temperature;
@@ -280,7 +279,7 @@ void ForNodesOf(vtkImageData* image, const SolverBox& box, const Use& use)
     });
 }
 
-vtkSmartPointer<vtkFloatArray> AccessMap(const PotentialOnBox& solution, vtkImageData* image)
+vtkSmartPointer<vtkFloatArray> AccessMap(const GridPotential& solution, vtkImageData* image)
 {
   auto map = Map("IonAccessibility", image, 1);
   const IonAtmosphere& ions = solution.GetIons();
@@ -348,7 +347,7 @@ vtkSmartPointer<vtkFloatArray> ChargeMap(
 }
 
 void FillMaps(
-  const PotentialOnBox& solution, const std::vector<ChargedAtom>& onGrid, vtkImageData* image)
+  const GridPotential& solution, const std::vector<ChargedAtom>& onGrid, vtkImageData* image)
 {
   const SolverBox& box = solution.GetBox();
   auto dielectric = Map("Dielectric", image, 3);

@@ -6,7 +6,7 @@
 #define isthmus_PoissonBoltzmannOutput_h
 
 #include "Core/Progress.h"
-#include "Electrostatics/PotentialOnBox.h"
+#include "Electrostatics/GridPotential.h"
 
 #include <string>
 
@@ -21,25 +21,25 @@ struct SoluteVolume;
 
 /// Adds Potential (active), ReactionPotential and Side, cropped to the image.
 void FillImage(
-  const PotentialOnBox& solution, vtkImageData* image, const ProgressCallback& progress = {});
+  const GridPotential& solution, vtkImageData* image, const ProgressCallback& progress = {});
 
 /// Adds Dielectric, IonAccessibility and ChargeDensity; see vtkPoissonBoltzmann.h.
 void FillMaps(
-  const PotentialOnBox& solution, const std::vector<ChargedAtom>& onGrid, vtkImageData* image);
+  const GridPotential& solution, const std::vector<ChargedAtom>& onGrid, vtkImageData* image);
 
-void FillFieldData(const PotentialOnBox& solution, const PoissonBoltzmannParameters& parameters,
+void FillFieldData(const GridPotential& solution, const PoissonBoltzmannParameters& parameters,
   double netCharge, const std::string& surface, vtkImageData* image);
 
 /// `polygons` with the values at its points, or, where it is null, the volume's level.
-void FillSurface(const PotentialOnBox& solution, const SoluteVolume& volume, double kelvin,
+void FillSurface(const GridPotential& solution, const SoluteVolume& volume, double kelvin,
   vtkPolyData* polygons, vtkPolyData* output, const ProgressCallback& progress = {});
 
 void FillAtoms(
-  const PotentialOnBox& solution, const SoluteVolume& volume, double kelvin, vtkPointSet* atoms);
+  const GridPotential& solution, const SoluteVolume& volume, double kelvin, vtkPointSet* atoms);
 
 /// Adds DielectricBoundaryForce, IonicBoundaryForce and PolarForce to what FillAtoms has filled,
 /// from the atoms on the volume's grid.
-void FillBoundaryForces(const PotentialOnBox& solution, const SoluteVolume& volume,
+void FillBoundaryForces(const GridPotential& solution, const SoluteVolume& volume,
   const std::vector<ChargedAtom>& onGrid, vtkPointSet* atoms);
 
 }

@@ -45,8 +45,9 @@ enum class BoundaryCondition
 /// How the equation sees the jump of the dielectric constant at the surface.
 enum class DielectricModel
 {
-  SharpInterface = 0,  ///< jump conditions, fitted: InterfaceJumpConditions.h
-  SmoothDielectric = 1 ///< a permittivity for each edge, of its parts in series: CrossingValues.h
+  SharpInterface = 0, ///< jump conditions, fitted: InterfaceJumpConditions.h
+  SmoothDielectric =
+    1 ///< a permittivity for each edge, of its parts in series: InterfaceExtrapolation.h
 };
 
 struct PoissonBoltzmannParameters

@@ -23,7 +23,7 @@ namespace
 /// Width of the band in which distances are exact, in spacings: stencils reach three diagonally.
 constexpr double Band = 6.0;
 
-void RequireWish(const GridWish& wish)
+void RequireWish(const GridRequest& wish)
 {
   if (!(wish.Spacing > 0.0) || std::isinf(wish.Spacing))
   {
@@ -203,7 +203,7 @@ vtkSmartPointer<vtkImageData> StructureOf(vtkImageData* image)
 
 }
 
-vtkSmartPointer<vtkImageData> GridAroundSurface(vtkPolyData* surface, const GridWish& wish)
+vtkSmartPointer<vtkImageData> GridAroundSurface(vtkPolyData* surface, const GridRequest& wish)
 {
   RequireWish(wish);
   double box[6];
@@ -219,7 +219,7 @@ vtkSmartPointer<vtkImageData> GridAroundSurface(vtkPolyData* surface, const Grid
 }
 
 vtkSmartPointer<vtkImageData> GridAroundAtoms(
-  const std::vector<ChargedAtom>& atoms, const GridWish& wish)
+  const std::vector<ChargedAtom>& atoms, const GridRequest& wish)
 {
   RequireWish(wish);
   const DensityGrid grid =
@@ -280,7 +280,7 @@ SoluteVolume VolumeOfImage(vtkImageData* image, vtkDataArray* scalars, double le
 }
 
 SoluteVolume VolumeOfSurface(
-  vtkPolyData* surface, const GridWish& wish, const ProgressCallback& progress)
+  vtkPolyData* surface, const GridRequest& wish, const ProgressCallback& progress)
 {
   SoluteVolume volume;
   volume.Grid = GridAroundSurface(surface, wish);

@@ -33,16 +33,16 @@ struct SoluteVolume
 };
 
 /// How a grid is made where none is given.
-struct GridWish
+struct GridRequest
 {
   double Spacing = 0.5;
   double Padding = 10.0;
 };
 
 /// The grids for VolumeOfSurface and VolumeOfAtoms. Throws std::invalid_argument.
-vtkSmartPointer<vtkImageData> GridAroundSurface(vtkPolyData* surface, const GridWish& wish);
+vtkSmartPointer<vtkImageData> GridAroundSurface(vtkPolyData* surface, const GridRequest& wish);
 vtkSmartPointer<vtkImageData> GridAroundAtoms(
-  const std::vector<ChargedAtom>& atoms, const GridWish& wish);
+  const std::vector<ChargedAtom>& atoms, const GridRequest& wish);
 
 /**
  * An image's level. Values that are cut off near the surface (masks, clamped distances) are
@@ -56,7 +56,7 @@ SoluteVolume VolumeOfImage(vtkImageData* image, vtkDataArray* scalars, double le
 /// The signed distance from closed triangles. Throws std::invalid_argument where they are not
 /// closed.
 SoluteVolume VolumeOfSurface(
-  vtkPolyData* surface, const GridWish& wish, const ProgressCallback& progress = {});
+  vtkPolyData* surface, const GridRequest& wish, const ProgressCallback& progress = {});
 
 /// Level 1 of the sum of Gaussians of MolecularDensity.h with decay 2.3, on the nodes of `grid`.
 SoluteVolume VolumeOfAtoms(

@@ -2,8 +2,8 @@
 
 #include "Core/ParallelFor.h"
 #include "Electrostatics/ChargesOnGrid.h"
-#include "Electrostatics/CrossingValues.h"
 #include "Electrostatics/ElectrostaticUnits.h"
+#include "Electrostatics/InterfaceExtrapolation.h"
 
 #include <cmath>
 #include <limits>
@@ -50,7 +50,7 @@ FitNodes NodesAroundPoint(
 class Evaluation
 {
 public:
-  Evaluation(const PotentialOnBox& problem, std::size_t count, double kelvin)
+  Evaluation(const GridPotential& problem, std::size_t count, double kelvin)
     : Problem(problem)
     , Ratio(problem.GetMedium().SoluteDielectric / problem.GetMedium().SolventDielectric)
     , FieldOfCharge(4.0 * Pi * units::CoulombLength(kelvin))
@@ -102,7 +102,7 @@ public:
   }
 
 private:
-  const PotentialOnBox& Problem;
+  const GridPotential& Problem;
   const double Ratio;
   const double FieldOfCharge;
   SurfaceValues Values;
@@ -110,7 +110,7 @@ private:
 
 }
 
-SurfaceValues EvaluateAtSurface(const PotentialOnBox& problem, const LevelFunction& level,
+SurfaceValues EvaluateAtSurface(const GridPotential& problem, const LevelFunction& level,
   const std::vector<Point3>& points, double kelvin, const ProgressCallback& progress)
 {
   const SolverBox& box = problem.GetBox();
@@ -133,7 +133,7 @@ SurfaceValues EvaluateAtSurface(const PotentialOnBox& problem, const LevelFuncti
   return values.Finish();
 }
 
-SurfaceValues EvaluateAtCrossings(const PotentialOnBox& problem, double kelvin)
+SurfaceValues EvaluateAtCrossings(const GridPotential& problem, double kelvin)
 {
   const std::vector<InterfaceCrossing>& crossings = problem.GetCrossings();
   Evaluation values(problem, crossings.size(), kelvin);

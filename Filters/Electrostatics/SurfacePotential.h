@@ -8,7 +8,7 @@
 #ifndef isthmus_SurfacePotential_h
 #define isthmus_SurfacePotential_h
 
-#include "Electrostatics/PotentialOnBox.h"
+#include "Electrostatics/GridPotential.h"
 #include "vtkIsthmusFiltersElectrostaticsModule.h"
 
 namespace isthmus
@@ -25,15 +25,15 @@ struct SurfaceValues
 };
 
 /// At points of the surface of a solved problem (frame of the volume). Parallel.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SurfaceValues EvaluateAtSurface(
-  const PotentialOnBox& problem, const LevelFunction& level, const std::vector<Point3>& points,
-  double kelvin, const ProgressCallback& progress = {});
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SurfaceValues EvaluateAtSurface(const GridPotential& problem,
+  const LevelFunction& level, const std::vector<Point3>& points, double kelvin,
+  const ProgressCallback& progress = {});
 
 /// At each crossing of the surface with an edge of the grid, of which the problem knows the
 /// surface's frame and the charges' potential already: by the 4 x 3 x 3 nodes around the edge.
 /// Parallel.
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SurfaceValues EvaluateAtCrossings(
-  const PotentialOnBox& problem, double kelvin);
+  const GridPotential& problem, double kelvin);
 
 }
 

@@ -191,7 +191,7 @@ vtkSmartPointer<vtkImageData> vtkPoissonBoltzmann::GridAround(vtkPointSet* atoms
 {
   const isthmus::ChargeArrays arrays{ isthmus::InputArrayName(this, 0),
     isthmus::InputArrayName(this, 1) };
-  isthmus::GridWish wish{ this->Spacing, this->Padding };
+  isthmus::GridRequest wish{ this->Spacing, this->Padding };
   if (!isthmus::LacksCharges(atoms, arrays))
   {
     return isthmus::GridAroundAtoms(isthmus::ReadSolute(this, atoms, true).Atoms, wish);
@@ -296,7 +296,7 @@ void vtkPoissonBoltzmann::Solve(
   isthmus::SoluteAtoms atoms = isthmus::ReadSolute(this, points, !image && !polygons);
   this->Warn(points == vtkPointSet::GetData(inputVector[0], 0) ? "" : this->Charged->Warning());
   this->Warn(atoms.Warning);
-  const isthmus::GridWish wish{ this->Spacing, this->Padding };
+  const isthmus::GridRequest wish{ this->Spacing, this->Padding };
   isthmus::SoluteVolume volume = image
     ? isthmus::VolumeOfImage(image, isthmus::SurfaceScalars(image), this->Level,
         this->InsideIsHigher, isthmus::Between(progress, 0.0, 0.05))

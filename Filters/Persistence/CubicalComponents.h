@@ -22,10 +22,10 @@ namespace isthmus
 {
 
 /// Sets of numbered places, each known by its eldest.
-class ElderSets
+class ElderRuleSets
 {
 public:
-  explicit ElderSets(std::size_t count)
+  explicit ElderRuleSets(std::size_t count)
     : Sets(static_cast<std::uint32_t>(count))
     , Eldest(count)
   {
@@ -110,7 +110,7 @@ void PairComponents(const Gradient& gradient, const std::vector<typename Gradien
   const PathEnds<typename Gradient::Key::Link>& minima, std::vector<char>& negative,
   std::vector<CubicalPair>& pairs)
 {
-  ElderSets components(minima.Places.size());
+  ElderRuleSets components(minima.Places.size());
   const auto nodeOf = [&](std::size_t minimum)
   { return static_cast<std::int64_t>(minima.Places[minimum]); };
   negative.assign(edges.size(), 0);
@@ -148,7 +148,7 @@ template <typename Gradient>
 void PairVoids(const Gradient& gradient, std::vector<typename Gradient::Key>& faces,
   const PathEnds<typename Gradient::Key::Link>& maxima, std::vector<CubicalPair>& pairs)
 {
-  ElderSets voids(maxima.Places.size());
+  ElderRuleSets voids(maxima.Places.size());
   const std::int64_t outside = gradient.NodeOutside();
   const auto cubeOf = [&](std::size_t maximum)
   { return static_cast<std::int64_t>(maxima.Places[maximum]); };

@@ -116,7 +116,7 @@ CubicalDiagram CubicalPersistence(
   {
     return { {}, std::vector<std::int64_t>(parameters.Levels.size(), 0) };
   }
-  RefuseNaN(volume);
+  RejectNaN(volume);
   Report(progress, 0.0);
   CubicalDiagram diagram;
   WithGradient(volume, parameters.Superlevel, Between(progress, 0.0, 0.4),

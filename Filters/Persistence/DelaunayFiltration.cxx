@@ -259,7 +259,7 @@ CellFiltration DelaunayFiltration(std::vector<Point3> points, const ProgressCall
     Stopwatch watch;
     Delaunay triangulation;
     Triangulate(f.Points, triangulation, Between(progress, 0.0, 0.4));
-    TakeCells(triangulation, f, Between(progress, 0.4, 0.45));
+    ImportCells(triangulation, f, Between(progress, 0.4, 0.45));
     if (triangulated)
     {
       triangulated(watch.Lap());

@@ -297,7 +297,7 @@ RegularFiltration MakeRegularFiltration(
     Triangulate(f, triangulation, Between(progress, 0.0, 0.5));
     if (triangulation.dimension() == 3)
     {
-      TakeCells(triangulation, f.Complex, Between(progress, 0.5, 0.55));
+      ImportCells(triangulation, f.Complex, Between(progress, 0.5, 0.55));
     }
   }
   CellFiltration& c = f.Complex;

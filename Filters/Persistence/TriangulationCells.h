@@ -40,7 +40,7 @@ std::vector<std::size_t> SpatialOrder(const std::vector<typename Kernel::Point_3
  * @throws Cancelled.
  */
 template <typename Triangulation>
-void TakeCells(
+void ImportCells(
   const Triangulation& triangulation, CellFiltration& f, const ProgressCallback& progress)
 {
   constexpr std::size_t reportEvery = 1 << 18;

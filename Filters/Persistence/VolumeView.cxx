@@ -126,7 +126,7 @@ double VolumeView::Value(std::int64_t node) const
     *this, [node](const auto* values) { return static_cast<double>(values[node]); });
 }
 
-void RefuseNaN(const VolumeView& volume)
+void RejectNaN(const VolumeView& volume)
 {
   if (!volume.Floating)
   {
@@ -147,7 +147,7 @@ void RefuseNaN(const VolumeView& volume)
 
 VolumeStatistics MeasureVolume(const VolumeView& volume)
 {
-  RefuseNaN(volume);
+  RejectNaN(volume);
   const Extremes range = WithTypedValues(
     volume, [&](const auto* values) { return ExtremesOf(values, volume.NodeCount()); });
   VolumeStatistics statistics;

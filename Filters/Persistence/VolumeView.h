@@ -71,7 +71,7 @@ decltype(auto) WithTypedValues(const VolumeView& volume, Work&& work)
 }
 
 /// Throws std::invalid_argument with the place of the first value that is not a number.
-VTKISTHMUSFILTERSPERSISTENCE_EXPORT void RefuseNaN(const VolumeView& volume);
+VTKISTHMUSFILTERSPERSISTENCE_EXPORT void RejectNaN(const VolumeView& volume);
 
 /// Of the finite values; a volume without any has an empty range (Minimum above Maximum).
 struct VolumeStatistics
@@ -82,7 +82,7 @@ struct VolumeStatistics
   double StandardDeviation = 0.0;
 };
 
-/// Two passes in parallel, the same bits on any number of threads. Throws as RefuseNaN does.
+/// Two passes in parallel, the same bits on any number of threads. Throws as RejectNaN does.
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT VolumeStatistics MeasureVolume(const VolumeView& volume);
 
 }

@@ -40,7 +40,8 @@ void TakeThrees(const RegularFiltration& f, const std::array<TriangleId, 4>& fac
       continue;
     }
     const auto t = f.Complex.TrianglePoints(face);
-    const Overlap<3> half = HalfOfThree(BallOf(f, t[0]), BallOf(f, t[1]), BallOf(f, t[2]));
+    const Overlap<3> half =
+      HalfTripleIntersection(BallOf(f, t[0]), BallOf(f, t[1]), BallOf(f, t[2]));
     empty.Volume -= half.Volume;
     for (std::size_t k = 0; k < 3; ++k)
     {
@@ -157,7 +158,8 @@ void AddOutside(const RegularFiltration& f, UnionMeasure& sum)
     if (hull && c.TriangleValue[triangle] <= 0.0)
     {
       const auto t = c.TrianglePoints(triangle);
-      const Overlap<3> half = HalfOfThree(BallOf(f, t[0]), BallOf(f, t[1]), BallOf(f, t[2]));
+      const Overlap<3> half =
+        HalfTripleIntersection(BallOf(f, t[0]), BallOf(f, t[1]), BallOf(f, t[2]));
       sum.Volume += half.Volume;
       sum.Area += half.Area[0] + half.Area[1] + half.Area[2];
     }

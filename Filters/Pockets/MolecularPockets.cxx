@@ -5,7 +5,7 @@
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
 #include "Core/RangeChecks.h"
-#include "Pockets/CellAccess.h"
+#include "Pockets/CellAccessibility.h"
 #include "Pockets/EmptySpace.h"
 #include "Pockets/PocketScore.h"
 
@@ -46,7 +46,7 @@ struct Path
 /// The pocket of each tetrahedron: tetrahedra with room for the inner ball that the outer one does
 /// not reach, joined through triangles that let the inner one pass. O(n).
 PocketByCell PocketCores(
-  const CellFiltration& c, const CellAccess& access, const PocketOptions& options)
+  const CellFiltration& c, const CellAccessibility& access, const PocketOptions& options)
 {
   const auto inside = [&](TetrahedronId cell)
   {
@@ -83,7 +83,7 @@ PocketByCell PocketCores(
  * O(n log n).
  */
 PocketByCell WithCrevices(const CellFiltration& c, const FacesByCell& faces,
-  const CellAccess& access, double outer, const PocketByCell& cores)
+  const CellAccessibility& access, double outer, const PocketByCell& cores)
 {
   PocketByCell labels = cores;
   std::priority_queue<Path> paths;
@@ -156,7 +156,7 @@ double OpenArea(const RegularFiltration& f, TriangleId triangle)
 
 /// The open triangles of one pocket, in their order, with the group of each.
 std::vector<PocketMouth> Group(
-  const RegularFiltration& f, const CellAccess& access, const TriangleChain& open)
+  const RegularFiltration& f, const CellAccessibility& access, const TriangleChain& open)
 {
   DisjointSets<std::size_t> sets(open.size());
   std::map<EdgeId, std::size_t> firstAt;
@@ -193,8 +193,8 @@ std::vector<PocketMouth> Group(
  * Adds to each pocket the triangles wider than `inner` that lead out of it (`labels`: the pocket of
  * each tetrahedron); those that share an edge are one mouth. O(n log n).
  */
-void AddMouths(const RegularFiltration& f, const CellAccess& access, const PocketByCell& labels,
-  double inner, std::vector<Pocket>& pockets)
+void AddMouths(const RegularFiltration& f, const CellAccessibility& access,
+  const PocketByCell& labels, double inner, std::vector<Pocket>& pockets)
 {
   HandleVector<PocketNumber, TriangleChain> open(pockets.size());
   const auto pocketOf = [&labels](TetrahedronId cell)
@@ -309,7 +309,7 @@ HandleVector<TetrahedronId, EmptyCell> EmptyCells(
 struct Space
 {
   RegularFiltration Filtration;
-  CellAccess Access;
+  CellAccessibility Access;
   HandleVector<TetrahedronId, EmptyCell> Empty;
   PocketByCell Cores; ///< of each tetrahedron with room for the inner ball
   PocketByCell Labels;

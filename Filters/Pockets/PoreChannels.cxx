@@ -29,7 +29,7 @@ using CellPath = std::vector<TetrahedronId>;
 
 /// The tetrahedra from `cell` on the widest path out, until a ball of radius `end` gets there.
 CellPath WidestPathOut(
-  const CellFiltration& c, const CellAccess& access, TetrahedronId cell, double end)
+  const CellFiltration& c, const CellAccessibility& access, TetrahedronId cell, double end)
 {
   CellPath path;
   while (cell.Exists())
@@ -86,7 +86,8 @@ Channel Join(const RegularFiltration& f, const CellPath& a, const CellPath& b, d
 }
 
 /// The tetrahedron whose free room is nearest to a place.
-TetrahedronId CellAt(const RegularFiltration& f, const CellAccess& access, const Point3& place)
+TetrahedronId CellAt(
+  const RegularFiltration& f, const CellAccessibility& access, const Point3& place)
 {
   TetrahedronId best = TetrahedronId::None();
   double least = HUGE_VAL;
@@ -124,8 +125,8 @@ struct Step
 
 }
 
-std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccess& access, double probe,
-  const PoreOptions& options, const ProgressCallback& progress)
+std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccessibility& access,
+  double probe, const PoreOptions& options, const ProgressCallback& progress)
 {
   CellFiltration& c = f.Complex;
   c.Order(Between(progress, 0.0, 0.3));
@@ -167,8 +168,9 @@ std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccess& access
   return channels;
 }
 
-Channel PathBetween(const RegularFiltration& f, const FacesByCell& faces, const CellAccess& access,
-  const Point3& first, const Point3& last, const PoreOptions& options)
+Channel PathBetween(const RegularFiltration& f, const FacesByCell& faces,
+  const CellAccessibility& access, const Point3& first, const Point3& last,
+  const PoreOptions& options)
 {
   const TetrahedronId start = CellAt(f, access, first);
   const TetrahedronId goal = CellAt(f, access, last);

@@ -5,7 +5,7 @@
 #ifndef isthmus_PoreChannels_h
 #define isthmus_PoreChannels_h
 
-#include "Pockets/CellAccess.h"
+#include "Pockets/CellAccessibility.h"
 #include "Pockets/Pore.h"
 #include "vtkIsthmusFiltersPocketsModule.h"
 
@@ -32,7 +32,7 @@ struct Channel
  * n), and the reduction of FiltrationPairs.
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<Channel> FindChannels(RegularFiltration& f,
-  const CellAccess& access, double probe, const PoreOptions& options,
+  const CellAccessibility& access, double probe, const PoreOptions& options,
   const ProgressCallback& progress = {});
 
 /**
@@ -40,8 +40,8 @@ VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<Channel> FindChannels(RegularFiltrat
  * than MaximumOffset from the straight line. Throws std::runtime_error where there is none.
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT Channel PathBetween(const RegularFiltration& f,
-  const FacesByCell& faces, const CellAccess& access, const Point3& first, const Point3& last,
-  const PoreOptions& options);
+  const FacesByCell& faces, const CellAccessibility& access, const Point3& first,
+  const Point3& last, const PoreOptions& options);
 
 }
 

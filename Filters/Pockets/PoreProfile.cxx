@@ -294,7 +294,7 @@ std::vector<Pore> FindPores(
   {
     return pores;
   }
-  const CellAccess access = FindAccess(f, FacesOfCells(f.Complex), Probe);
+  const CellAccessibility access = FindAccess(f, FacesOfCells(f.Complex), Probe);
   const auto channels = FindChannels(f, access, Probe, options, Between(progress, 0.3, 0.7));
   const AtomField field(atoms);
   std::vector<Pore> found(channels.size());
@@ -337,7 +337,7 @@ Pore PoreBetween(const std::vector<Ball>& atoms, const Point3& first, const Poin
                              "between them.");
   }
   const auto faces = FacesOfCells(f.Complex);
-  const CellAccess access = FindAccess(f, faces, Probe);
+  const CellAccessibility access = FindAccess(f, faces, Probe);
   Channel channel = PathBetween(f, faces, access, first, last, options);
   channel.Path.front() = first;
   channel.Path.back() = last;

@@ -78,7 +78,7 @@ inline TriangleMesh FromSurfaceMesh(SurfaceMesh& mesh)
 /// Runs `body()`.
 /// @throws std::runtime_error with a sentence about `doing` for what CGAL's own checks throw.
 template <typename Body>
-auto WithSentence(const char* doing, Body&& body)
+auto RethrowWithContext(const char* doing, Body&& body)
 {
   try
   {

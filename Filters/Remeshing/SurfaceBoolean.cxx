@@ -93,7 +93,7 @@ void RemoveSlivers(SurfaceMesh& mesh, const Origins& origins, double finest)
 TaggedSurface Combined(
   const TaggedSurface& a, const TaggedSurface& b, BooleanOperation operation, double finest)
 {
-  return cgal::WithSentence("joining two surfaces",
+  return cgal::RethrowWithContext("joining two surfaces",
     [&]
     {
       SurfaceMesh first = cgal::ToSurfaceMesh(a.Mesh);
@@ -121,7 +121,7 @@ TaggedSurface Combined(
 
 TriangleMesh OutwardSurface(const SurfaceView& mesh)
 {
-  return cgal::WithSentence("turning the surface",
+  return cgal::RethrowWithContext("turning the surface",
     [&]
     {
       SurfaceMesh surface = cgal::ToSurfaceMesh(mesh);
@@ -139,7 +139,7 @@ std::vector<Triangle> PolygonFilling(const std::vector<Point3>& polygon)
     points.push_back(cgal::ToCGAL(p));
   }
   std::vector<CGAL::Triple<int, int, int>> filling;
-  cgal::WithSentence(
+  cgal::RethrowWithContext(
     "filling a loop", [&] { PMP::triangulate_hole_polyline(points, std::back_inserter(filling)); });
   std::vector<Triangle> triangles;
   triangles.reserve(filling.size());

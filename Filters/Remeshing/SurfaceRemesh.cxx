@@ -239,7 +239,7 @@ RemeshedSurface RemeshSurface(const SurfaceView& mesh, const SurfaceRemeshParame
   RequireResolved(mesh);
   RequireRange("NumberOfIterations", parameters.Iterations, 0, 1000, "It counts rounds.");
   RequireRange("FeatureAngle", parameters.FeatureAngle, 0.0, 180.0, "It is an angle in degrees.");
-  return cgal::WithSentence("remeshing the surface",
+  return cgal::RethrowWithContext("remeshing the surface",
     [&]
     {
       const SurfaceMesh before = cgal::ToSurfaceMesh(mesh);
@@ -284,7 +284,7 @@ RemeshedSurface SimplifySurface(
   {
     throw std::invalid_argument("The number of triangles to keep must be positive.");
   }
-  return cgal::WithSentence("simplifying the surface",
+  return cgal::RethrowWithContext("simplifying the surface",
     [&]
     {
       const SurfaceMesh before = cgal::ToSurfaceMesh(mesh);

@@ -159,9 +159,9 @@ std::string ChangesBetween(const SurfaceDefects& defects, const SurfaceView& bef
 
 }
 
-TriangleMesh TurnedAlike(const SurfaceView& mesh)
+TriangleMesh OrientConsistently(const SurfaceView& mesh)
 {
-  return cgal::WithSentence("turning triangles alike",
+  return cgal::RethrowWithContext("turning triangles alike",
     [&]
     {
       const SurfaceDefects defects = FindDefects(mesh);
@@ -195,7 +195,7 @@ void RequireCleanSurface(const SurfaceView& mesh, const ProgressCallback& progre
   const SurfaceDefects defects = FindDefects(mesh, Between(progress, 0.0, 0.3));
   if (!defects.None())
   {
-    throw std::invalid_argument(defects.Sentence() + WhyOpen(mesh, defects) + advice);
+    throw std::invalid_argument(defects.Sentence() + DescribeOpenBoundary(mesh, defects) + advice);
   }
   const std::vector<std::int64_t> crossing = SelfIntersections(mesh, Between(progress, 0.3, 1.0));
   if (!crossing.empty())
@@ -216,7 +216,7 @@ RepairedSurface RepairSurface(const SurfaceView& mesh, const ProgressCallback& p
     scale.Undo(result.Mesh.Points);
     return result;
   }
-  return cgal::WithSentence("repairing the surface",
+  return cgal::RethrowWithContext("repairing the surface",
     [&]
     {
       const SurfaceDefects defects = FindDefects(mesh);

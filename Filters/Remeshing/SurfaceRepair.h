@@ -23,7 +23,7 @@ VTKISTHMUSFILTERSREMESHING_EXPORT void RequireCleanSurface(
 
 /// The triangles of `mesh`, coinciding points merged, duplicates dropped, and
 /// neighbours turned alike; as it is where that is so already. @pre corners exist and are finite.
-VTKISTHMUSFILTERSREMESHING_EXPORT TriangleMesh TurnedAlike(const SurfaceView& mesh);
+VTKISTHMUSFILTERSREMESHING_EXPORT TriangleMesh OrientConsistently(const SurfaceView& mesh);
 
 struct RepairedSurface
 {

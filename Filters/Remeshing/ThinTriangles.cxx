@@ -77,7 +77,7 @@ TriangleMesh WithoutThinTriangles(const SurfaceView& mesh)
     scale.Undo(result.Points);
     return result;
   }
-  return cgal::WithSentence("removing thin triangles",
+  return cgal::RethrowWithContext("removing thin triangles",
     [&]
     {
       Bounds3 box{ mesh.Points.front(), mesh.Points.front() };

@@ -249,7 +249,7 @@ bool MovingChannel::HasConverged() const
   return n > 2 && this->Change(n - 1) <= tolerance && this->Change(n - 2) <= tolerance;
 }
 
-WallValues MovingChannel::PullAtWall() const
+WallValues MovingChannel::ForceAtWall() const
 {
   SurfaceFlowResult surface;
   StoreDistances(this->Field, surface);
@@ -257,7 +257,7 @@ WallValues MovingChannel::PullAtWall() const
   LevelFunction level;
   level.Floats = { surface.Distance.data(), this->Room.Dimensions, { h, h, h } };
   level.InsideIsHigher = false;
-  return isthmus::PullAtWall(*this->Solution, level, FlowBox(this->Room), Margin);
+  return isthmus::ForceAtWall(*this->Solution, level, FlowBox(this->Room), Margin);
 }
 
 /// Whether the last change took back some of the one before.
@@ -276,7 +276,7 @@ bool MovingChannel::Oscillates() const
 
 void MovingChannel::Pull()
 {
-  const WallValues wall = this->PullAtWall();
+  const WallValues wall = this->ForceAtWall();
   this->ForceFraction *= this->Oscillates() ? 0.5 : 1.0;
   UpdatePull(this->Field, this->Steady,
     ExtendOffSurface(FlowBox(this->Room), wall.Crossings, wall.Pull, this->Field.Grid),

@@ -8,7 +8,7 @@
  * membrane together, has one surface; it flows (SurfaceFlow.h) by
  *
  *   phi_t = |grad phi| div(grad phi / |grad phi|) - (V_2 / gamma) |grad phi|,
- *   -V_2 = p - rho_0 U + pull of field and ions (WallPull.h),
+ *   -V_2 = p - rho_0 U + pull of field and ions (WallForce.h),
  *
  * for a period of steps with the pull fixed (CoupledFlow.h); then potential and ions are solved
  * for with the wall where it is (PoissonNernstPlanck.h, from the last solution), the pull is
@@ -28,7 +28,7 @@
 #include "Solvation/ChannelPassage.h"
 #include "Solvation/CoupledFlow.h"
 #include "Solvation/TransportCurrents.h"
-#include "Solvation/WallPull.h"
+#include "Solvation/WallForce.h"
 #include "vtkIsthmusFiltersSolvationModule.h"
 
 #include <memory>
@@ -92,7 +92,7 @@ public:
   const std::vector<ChannelUpdate>& GetUpdates() const { return this->Updates; }
   const ChannelPassage& GetPassage() const { return this->Passage; }
   /// The pull at the wall that there is now; places are those of Padded(domain).
-  WallValues PullAtWall() const;
+  WallValues ForceAtWall() const;
   PoissonNernstPlanck& GetSolution() { return *this->Solution; }
 
 private:

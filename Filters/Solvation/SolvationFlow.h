@@ -16,8 +16,8 @@
  *   G = gamma Area + p Volume + rho_0 int_solvent U + G_polar
  *
  * changes by less than Tolerance twice in a row. With Potential.Dielectric SmoothDielectric (one
- * permittivity an edge, CrossingValues.h) the way there is the thesis' own, and the last surface's
- * energy is computed once more by the jump: one more row of updates.
+ * permittivity an edge, InterfaceExtrapolation.h) the way there is the thesis' own, and the last
+ * surface's energy is computed once more by the jump: one more row of updates.
  *
  * **What stops the surface.** The field always pulls towards the charges, many times as strongly as
  * the tension holds: without more, a protein's surface collapses onto its atoms, into every cleft
@@ -100,7 +100,7 @@ public:
   double GetTemperature() const { return this->Equation.Temperature; } ///< kelvin
   const SurfaceFlowResult& GetSurface() const { return this->Surface; }
   const LevelFunction& GetLevel() const { return this->Level; }
-  const PotentialOnBox& GetSolution() const { return *this->Solution; }
+  const GridPotential& GetSolution() const { return *this->Solution; }
   const std::vector<SolvationUpdate>& GetUpdates() const { return this->Updates; }
 
 private:
@@ -122,7 +122,7 @@ private:
   bool Converged = false;
   LevelFunction Level;
   SurfaceFlowResult Surface;
-  std::unique_ptr<PotentialOnBox> Solution;
+  std::unique_ptr<GridPotential> Solution;
   std::vector<SolvationUpdate> Updates;
 };
 

@@ -2,7 +2,7 @@
 
 #include "Core/MemoryBudget.h"
 #include "Core/ParallelFor.h"
-#include "Electrostatics/IrregularRows.h"
+#include "Electrostatics/InterfaceMatrixRows.h"
 #include "MolecularSurfaces/BallDistance.h"
 #include "MolecularSurfaces/FlowField.h"
 #include "MolecularSurfaces/SolventExcludedSurface.h"

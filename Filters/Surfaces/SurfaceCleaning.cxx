@@ -357,7 +357,7 @@ std::vector<Triangle> MergedCorners(const SurfaceView& surface, std::vector<vtkI
   return merged;
 }
 
-std::string WhyOpen(const SurfaceView& surface, const SurfaceDefects& defects)
+std::string DescribeOpenBoundary(const SurfaceView& surface, const SurfaceDefects& defects)
 {
   if (defects.BoundaryTriangles.empty() || !defects.InvalidPoints.empty() ||
     !defects.InvalidTriangles.empty())

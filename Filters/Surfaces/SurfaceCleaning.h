@@ -52,7 +52,7 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> MergedCorners(
  * contour is where the level leaves the map: a sentence that says so, and the way out, to append to
  * SurfaceDefects::Sentence(). Else empty.
  */
-VTKISTHMUSFILTERSSURFACES_EXPORT std::string WhyOpen(
+VTKISTHMUSFILTERSSURFACES_EXPORT std::string DescribeOpenBoundary(
   const SurfaceView& surface, const SurfaceDefects& defects);
 
 /**

@@ -53,13 +53,13 @@ TriangleTree::TriangleTree(const SurfaceView& mesh)
 /// One query. Its loops over lanes have no branches, so that they become vector instructions.
 class TriangleTree::Search
 {
-  using Node = TriangleNodes::Node;
-  using Leaf = TriangleNodes::Leaf;
-  using Lanes = TriangleNodes::Lanes;
-  static constexpr std::size_t Width = TriangleNodes::Width;
+  using Node = TriangleTreeNodes::Node;
+  using Leaf = TriangleTreeNodes::Leaf;
+  using Lanes = TriangleTreeNodes::Lanes;
+  static constexpr std::size_t Width = TriangleTreeNodes::Width;
 
 public:
-  Search(const TriangleNodes& tree, const Point3& x)
+  Search(const TriangleTreeNodes& tree, const Point3& x)
     : Tree(tree)
     , X(x)
   {
@@ -126,7 +126,7 @@ private:
   /// more than all the rest.
   void OpenNode(const Node& node)
   {
-    alignas(64) TriangleNodes::FloatLanes squared;
+    alignas(64) TriangleTreeNodes::FloatLanes squared;
     for (std::size_t n = 0; n < Width; ++n)
     {
       const float rx = this->Place[0] - node.Centre[0][n], ry = this->Place[1] - node.Centre[1][n],
@@ -210,7 +210,7 @@ private:
 
   static constexpr double Smallest = std::numeric_limits<double>::min();
 
-  const TriangleNodes& Tree;
+  const TriangleTreeNodes& Tree;
   const Point3 X;
   static constexpr float Rounding = 0x1p-20F;
   std::array<float, 3> Place; ///< X in the tree's scale

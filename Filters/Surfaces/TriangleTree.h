@@ -6,7 +6,7 @@
 #define isthmus_TriangleTree_h
 
 #include "Core/Geometry.h"
-#include "Surfaces/TriangleNodes.h"
+#include "Surfaces/TriangleTreeNodes.h"
 #include "vtkIsthmusFiltersSurfacesModule.h" // for the export macro
 
 #include <array>
@@ -59,7 +59,7 @@ public:
 private:
   class Search;
 
-  TriangleNodes Tree;
+  TriangleTreeNodes Tree;
 };
 
 }

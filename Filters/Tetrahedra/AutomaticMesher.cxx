@@ -145,7 +145,7 @@ TriangleMesh SoundPart(const SurfaceView& mesh)
 /// As AutomaticMesh::VolumeBefore.
 double VolumeAsGiven(const SurfaceView& sound)
 {
-  const TriangleMesh turned = TurnedAlike(sound);
+  const TriangleMesh turned = OrientConsistently(sound);
   const Bounds3 box = BoundsOf(turned);
   const Point3 middle = 0.5 * (box.Min + box.Max);
   double sum = 0.0;
@@ -268,7 +268,7 @@ private:
   {
     // Crossings and holes do no harm here, triangles turned against each other do.
     const TriangleMesh sound =
-      this->Repaired ? this->Repaired->Mesh : TurnedAlike(SoundPart(this->Surface));
+      this->Repaired ? this->Repaired->Mesh : OrientConsistently(SoundPart(this->Surface));
     const SolidStuffingParameters parameters{ this->Parameters.CGAL.CellSize, this->Parameters.Side,
       this->Parameters.BoxMargin, this->Parameters.TetGen.Limits.Bytes };
     try

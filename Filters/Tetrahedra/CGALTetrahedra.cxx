@@ -1,4 +1,4 @@
-#include "Remeshing/CGALWithoutDumps.h"
+#include "Remeshing/SuppressCGALDumps.h"
 
 #include "Core/Geometry.h"
 #include "Core/TetrahedralMesh.h"
@@ -397,7 +397,7 @@ Complex Refine(const DomainWithBox& domain, const std::vector<const SurfaceMesh*
 
 TetrahedralMesh CGALTetrahedra(const TetrahedralTask& task, const ProgressCallback& progress)
 {
-  return cgal::WithSentence("filling the surface with tetrahedra",
+  return cgal::RethrowWithContext("filling the surface with tetrahedra",
     [&]
     {
       const Bounds3 bounds = BoundsOf(task.Surface);

@@ -274,7 +274,7 @@ Macromolecule TryPDB(std::string_view text, const std::string& path, bool cutAt7
 
 /// Some programs, APBS among them, separate the values by blanks wherever the columns are.
 Macromolecule PDBInWords(std::string_view text, const std::string& path, std::int64_t model,
-  const OtherColumns& first, const ProgressCallback& progress)
+  const NonstandardColumnsError& first, const ProgressCallback& progress)
 {
   Macromolecule molecule;
   try
@@ -347,7 +347,7 @@ Macromolecule ParsePDB(std::string_view text, const std::string& path,
   {
     throw;
   }
-  catch (const OtherColumns& error)
+  catch (const NonstandardColumnsError& error)
   {
     if (!choice.Assembly.empty())
     {

@@ -137,8 +137,8 @@ void PDBStream::CheckAtom()
     double x = 0.0;
     if (!IsNumber(Columns(this->Line, from, 8), x) || !std::isfinite(x))
     {
-      throw OtherColumns(this->Lines.Here() + "columns " + std::to_string(from + 1) + " to " +
-        std::to_string(from + 8) +
+      throw NonstandardColumnsError(this->Lines.Here() + "columns " + std::to_string(from + 1) +
+        " to " + std::to_string(from + 8) +
         " hold no coordinate (a finite number). Is it a PDB file, and whole?");
     }
   }

@@ -18,7 +18,7 @@ namespace isthmus
 {
 
 /// Thrown on a line whose coordinates are not where PDB has them.
-struct OtherColumns : std::runtime_error
+struct NonstandardColumnsError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
@@ -26,9 +26,9 @@ struct OtherColumns : std::runtime_error
 /**
  * A stream for gemmi's PDB parser. Blank occupancies and B factors, of which gemmi would make 1 and
  * 20, are given as the number Blank; references to sequence data bases (DBREF) are left out.
- * @throws OtherColumns where an atom's coordinates are not finite numbers, std::runtime_error where
- * columns 79-80 are not a charge, both with the line; on a record of a piece that only the whole
- * file can say more of.
+ * @throws NonstandardColumnsError where an atom's coordinates are not finite numbers,
+ * std::runtime_error where columns 79-80 are not a charge, both with the line; on a record of a
+ * piece that only the whole file can say more of.
  */
 class PDBStream
 {

@@ -301,7 +301,7 @@ void ExpectSharedRightly(const Analysed& analysed)
       {
         EXPECT_EQ(other.SharedWith, -1);
         EXPECT_EQ(other.Geometry, shown.Geometry);
-        EXPECT_TRUE(Belongs(analysed.Loops, shown.Index, *other.Geometry));
+        EXPECT_TRUE(BelongsToChokePoint(analysed.Loops, shown.Index, *other.Geometry));
       }
       else if (shown.SharedWith < 0 && other.SharedWith < 0 && shown.Index < other.Index &&
         analysed.Feature(shown).Side == analysed.Feature(other).Side &&

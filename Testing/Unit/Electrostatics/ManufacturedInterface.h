@@ -152,7 +152,7 @@ inline ManufacturedErrors SolveManufactured(
     { m.Solute, m.Solvent, std::pow(m.Solute / m.Solvent, PoissonBoltzmannParameters().FitExponent),
       0.0, box.Spacing[0] },
     {} };
-  IrregularRows rows = AssembleIrregularRows(problem);
+  InterfaceMatrixRows rows = AssembleIrregularRows(problem);
   ManufacturedErrors errors;
   errors.Fallbacks = rows.LinearFits + rows.GhostFits;
   InterfaceOperator matrix(box, inside, m.Solute, m.Solvent);

@@ -107,7 +107,7 @@ struct SphereProblem
     return { x[0] - this->Half, x[1] - this->Half, x[2] - this->Half };
   }
 
-  std::unique_ptr<PotentialOnBox> Solve()
+  std::unique_ptr<GridPotential> Solve()
   {
     this->Ions =
       std::make_unique<IonAtmosphere>(this->Parameters.Ions, this->Parameters.Temperature);
@@ -122,7 +122,7 @@ struct SphereErrors
   double Outside = 0.0, Inside = 0.0, Energy = 0.0;
 };
 
-inline SphereErrors ErrorsOf(const SphereProblem& problem, const PotentialOnBox& solution)
+inline SphereErrors ErrorsOf(const SphereProblem& problem, const GridPotential& solution)
 {
   SphereErrors errors;
   const SolverBox& box = solution.GetBox();

@@ -131,7 +131,7 @@ TEST(BallOverlap, HalvesOfThreeAgainstRandomPoints)
     { { { 0, 0, 0 }, 3.0 }, { { 2.6, 0, 0 }, 0.8 }, { { 2.4, 0.7, 0.3 }, 0.9 } } };
   for (const auto& b : triples)
   {
-    const Overlap<3> half = HalfOfThree(b[0], b[1], b[2]);
+    const Overlap<3> half = HalfTripleIntersection(b[0], b[1], b[2]);
     const auto in = [&](const Point3& p, std::size_t skip)
     {
       bool all = true;

@@ -188,7 +188,7 @@ TEST(MovingChannel, WallOfALongChargedPoreIsPulledAsInOneDimension)
     MovingChannel channel(
       domain, {}, ChargedWall(p.Membrane, 7.0, charge), {}, p, Walls(0.07, 0.0, 1, 1));
     channel.Run();
-    const WallValues wall = channel.PullAtWall();
+    const WallValues wall = channel.ForceAtWall();
     double sum = 0.0, count = 0.0;
     const double exact = RadialPush(p, radius, charge) * units::ThermalKilocalorie(p.Temperature);
     for (std::size_t i = 0; i < wall.Pull.size(); ++i)

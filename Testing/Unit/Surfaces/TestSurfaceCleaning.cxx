@@ -63,7 +63,8 @@ TEST(SurfaceCleaning, NamesALevelThatLeavesTheMapAndNothingElse)
 {
   TriangleMesh open = MergePoints(Soup());
   open.Triangles.erase(open.Triangles.begin()); // that on z = 0, a face of the box
-  EXPECT_NE(WhyOpen(open, FindDefects(open)).find("leaves the map"), std::string::npos);
+  EXPECT_NE(
+    DescribeOpenBoundary(open, FindDefects(open)).find("leaves the map"), std::string::npos);
   TriangleMesh torn = MergePoints(Soup());
   torn.Triangles.erase(torn.Triangles.begin() + 2); // the slanted one
   // Its edges lie on faces of the box, those of a tetrahedron do: so two tetrahedra in one box.
@@ -72,8 +73,8 @@ TEST(SurfaceCleaning, NamesALevelThatLeavesTheMapAndNothingElse)
     torn.Points.push_back(p + Point3{ 5, 5, 5 });
     torn.Points.push_back(p + Point3{ -5, -5, -5 });
   }
-  EXPECT_EQ(WhyOpen(torn, FindDefects(torn)), "");
-  EXPECT_EQ(WhyOpen(MergePoints(Soup()), FindDefects(MergePoints(Soup()))), "");
+  EXPECT_EQ(DescribeOpenBoundary(torn, FindDefects(torn)), "");
+  EXPECT_EQ(DescribeOpenBoundary(MergePoints(Soup()), FindDefects(MergePoints(Soup()))), "");
 }
 
 TEST(SurfaceCleaning, SurfaceMeasuresOfASoupAreThoseOfTheSurface)

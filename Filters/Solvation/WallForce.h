@@ -1,5 +1,5 @@
 /**
- * @file WallPull.h
+ * @file WallForce.h
  * @brief The force of field and ions on the wall of a channel.
  *
  * The thesis' V_2 (4.28) less pressure and dispersion, with the jump in place of its smeared
@@ -19,8 +19,8 @@
  * nodes in the water for the most part, to the potential of PoissonNernstPlanck.h. Positive: the
  * water gains.
  */
-#ifndef isthmus_WallPull_h
-#define isthmus_WallPull_h
+#ifndef isthmus_WallForce_h
+#define isthmus_WallForce_h
 
 #include "Electrostatics/InterfaceGeometry.h"
 #include "Solvation/PoissonNernstPlanck.h"
@@ -41,7 +41,7 @@ struct WallValues
  * nodes more on each side. Crossings at the domain's border, and those that no field can be fitted
  * to, are dropped. O(crossings), parallel.
  */
-VTKISTHMUSFILTERSSOLVATION_EXPORT WallValues PullAtWall(const PoissonNernstPlanck& solution,
+VTKISTHMUSFILTERSSOLVATION_EXPORT WallValues ForceAtWall(const PoissonNernstPlanck& solution,
   const LevelFunction& level, const SolverBox& box, std::int64_t margin);
 
 }

@@ -1,13 +1,13 @@
 /**
- * @file CGALWithoutDumps.h
+ * @file SuppressCGALDumps.h
  * @brief CGAL's Mesh_3 leaves no files behind where it fails.
  *
  * The facets' refinement and others write dump-bug.mesh and dump-bug.binary.cgal into the current
  * folder and a line to the terminal before they throw (CGAL 5.5). Include this before any header of
  * Mesh_3: they then call a function that does nothing.
  */
-#ifndef isthmus_CGALWithoutDumps_h
-#define isthmus_CGALWithoutDumps_h
+#ifndef isthmus_SuppressCGALDumps_h
+#define isthmus_SuppressCGALDumps_h
 
 #include <CGAL/Mesh_3/Dump_c3t3.h>
 
@@ -17,12 +17,12 @@ namespace CGAL
 {
 
 template <typename C3t3>
-void KeepNoDump(const C3t3&, const std::string&)
+void DiscardDump(const C3t3&, const std::string&)
 {
 }
 
 }
 
-#define dump_c3t3 KeepNoDump
+#define dump_c3t3 DiscardDump
 
 #endif

@@ -1,9 +1,9 @@
 /**
- * @file CellAccess.h
+ * @file CellAccessibility.h
  * @brief Clearance of each tetrahedron between atoms, and the widest path to it from outside.
  */
-#ifndef isthmus_CellAccess_h
-#define isthmus_CellAccess_h
+#ifndef isthmus_CellAccessibility_h
+#define isthmus_CellAccessibility_h
 
 #include "Pockets/EmptySpace.h"
 #include "vtkIsthmusFiltersPocketsModule.h"
@@ -19,7 +19,7 @@ namespace isthmus
  * *Access*: the radius of the largest ball that gets from outside to there, the maximum over all
  * paths through triangles of the least clearance met (the dual, over H2, of where voids are born).
  */
-struct CellAccess
+struct CellAccessibility
 {
   HandleVector<TetrahedronId, double> CellClearance;
   HandleVector<TriangleId, double> TriangleClearance;
@@ -30,7 +30,7 @@ struct CellAccess
 
 /// `probe` is what the radii of `f` have been enlarged by. O(n log n): one pass of Dijkstra's
 /// algorithm, 1 us a tetrahedron; ties go to the lower id.
-VTKISTHMUSFILTERSPOCKETS_EXPORT CellAccess FindAccess(
+VTKISTHMUSFILTERSPOCKETS_EXPORT CellAccessibility FindAccess(
   const RegularFiltration& f, const FacesByCell& faces, double probe);
 
 }

@@ -1,4 +1,4 @@
-#include "Pockets/CellAccess.h"
+#include "Pockets/CellAccessibility.h"
 
 #include "Core/Index.h"
 
@@ -43,10 +43,10 @@ struct Path
 
 }
 
-CellAccess FindAccess(const RegularFiltration& f, const FacesByCell& faces, double probe)
+CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& faces, double probe)
 {
   const CellFiltration& c = f.Complex;
-  CellAccess access;
+  CellAccessibility access;
   access.CellClearance.resize(c.Tetrahedra.size());
   for (const TetrahedronId cell : c.Tetrahedra.Keys())
   {

@@ -1,5 +1,5 @@
 /**
- * @file PotentialOnBox.h
+ * @file GridPotential.h
  * @brief The Poisson-Boltzmann problem of a surface and charges on one box of nodes.
  *
  *     inside:   phi = G + u,  G = sum C q_i / (eps_m |x - r_i|),  Laplace u = 0
@@ -9,8 +9,8 @@
  * so u inside is the reaction potential, without any self-energy to subtract, and no second
  * solution is needed for an energy.
  */
-#ifndef isthmus_PotentialOnBox_h
-#define isthmus_PotentialOnBox_h
+#ifndef isthmus_GridPotential_h
+#define isthmus_GridPotential_h
 
 #include "Electrostatics/BoundaryPotential.h"
 #include "Electrostatics/InterfaceSolver.h"
@@ -24,16 +24,16 @@ namespace isthmus
 {
 
 /// Memory: see PoissonBoltzmann.h.
-class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT PotentialOnBox
+class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT GridPotential
 {
 public:
   /// Finds the surface and fits the rows at it. What is passed is referred to, not copied, but for
   /// the level. `last` is another surface's solution with all else the same: potential, border and
   /// what residuals are relative to begin as they are there.
-  PotentialOnBox(const LevelFunction& level, const SolverBox& box,
+  GridPotential(const LevelFunction& level, const SolverBox& box,
     const std::vector<ChargedAtom>& atoms, const PoissonBoltzmannParameters& parameters,
     const IonAtmosphere& ions, const ProgressCallback& progress = {},
-    const PotentialOnBox* last = nullptr);
+    const GridPotential* last = nullptr);
 
   /// Sets border values; with `sampled`, f is smooth and known beyond the border, too.
   void SetBorder(const PotentialFunction& border, bool sampled);
@@ -78,7 +78,7 @@ public:
   BoxNodes RangeInside() const;
 
 private:
-  void EvaluateCharges(const PotentialOnBox* last, const ProgressCallback& progress);
+  void EvaluateCharges(const GridPotential* last, const ProgressCallback& progress);
   void Assemble(std::vector<SurfaceIons> ions, const ProgressCallback& progress);
   /// Whether the ions of any layer reach a node.
   bool IonsReach(std::size_t node) const;

@@ -1,4 +1,4 @@
-#include "Electrostatics/CrossingValues.h"
+#include "Electrostatics/InterfaceExtrapolation.h"
 
 #include <algorithm>
 
@@ -64,7 +64,7 @@ bool IsNarrow(const FitNodes& nodes)
 
 /// The ghost-fluid values: jumps taken along the edge alone.
 void GhostFluid(const InterfaceProblem& problem, const InterfaceCrossing& c,
-  const SecondOrderTaylor& charges, const FitNodes& nodes, CrossingValues& values)
+  const SecondOrderTaylor& charges, const FitNodes& nodes, InterfaceExtrapolation& values)
 {
   const auto a = static_cast<std::size_t>(c.Axis);
   const std::int64_t step = problem.Box->Steps()[a];
@@ -139,14 +139,14 @@ Point3 AxisWeights(const SolverBox& box)
   return w;
 }
 
-CrossingValues ValuesAtCrossing(const InterfaceProblem& problem, std::size_t index)
+InterfaceExtrapolation ValuesAtCrossing(const InterfaceProblem& problem, std::size_t index)
 {
   const InterfaceCrossing& c = (*problem.Crossings)[index];
   const SecondOrderTaylor& charges = (*problem.Charges)[index];
   const FitNodes nodes =
     NodesAroundCrossing(*problem.Box, *problem.Inside, c, problem.Medium.Length);
   const bool lowerInside = (*problem.Inside)[static_cast<std::size_t>(c.Node)] != 0;
-  CrossingValues values{};
+  InterfaceExtrapolation values{};
   std::copy_n(nodes.Id.begin(), nodes.Count, values.Id.begin());
   if (problem.Model == DielectricModel::SmoothDielectric)
   {

@@ -1,4 +1,4 @@
-#include "Surfaces/TriangleNodes.h"
+#include "Surfaces/TriangleTreeNodes.h"
 
 #include "Core/Geometry.h"
 
@@ -15,16 +15,16 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-using Node = TriangleNodes::Node;
-using Leaf = TriangleNodes::Leaf;
-constexpr std::size_t Width = TriangleNodes::Width;
+using Node = TriangleTreeNodes::Node;
+using Leaf = TriangleTreeNodes::Leaf;
+constexpr std::size_t Width = TriangleTreeNodes::Width;
 
 class Builder
 {
 public:
   explicit Builder(const SurfaceView& mesh);
 
-  TriangleNodes Build();
+  TriangleTreeNodes Build();
 
 private:
   struct Part
@@ -75,7 +75,7 @@ private:
   Cylinder CylinderAround(std::int64_t first, std::int64_t last) const;
 
   SurfaceView Mesh;
-  TriangleNodes Tree;
+  TriangleTreeNodes Tree;
   std::vector<vtkIdType> Order;
   std::vector<std::array<float, 3>> Centres;
 };
@@ -97,7 +97,7 @@ Builder::Builder(const SurfaceView& mesh)
   }
 }
 
-TriangleNodes Builder::Build()
+TriangleTreeNodes Builder::Build()
 {
   this->Place();
   this->Tree.Leaves.reserve(this->Order.size() / Width + 1);
@@ -304,9 +304,9 @@ std::int64_t Builder::Halve(std::int64_t first, std::int64_t last)
 
 }
 
-TriangleNodes MakeTriangleNodes(const SurfaceView& mesh)
+TriangleTreeNodes MakeTriangleNodes(const SurfaceView& mesh)
 {
-  return mesh.NumberOfTriangles() > 0 ? Builder(mesh).Build() : TriangleNodes{};
+  return mesh.NumberOfTriangles() > 0 ? Builder(mesh).Build() : TriangleTreeNodes{};
 }
 
 }

@@ -1,9 +1,9 @@
 /**
- * @file CrossingValues.h
+ * @file InterfaceExtrapolation.h
  * @brief What the two sides' functions are across the surface, at the ends of an edge it crosses.
  */
-#ifndef isthmus_CrossingValues_h
-#define isthmus_CrossingValues_h
+#ifndef isthmus_InterfaceExtrapolation_h
+#define isthmus_InterfaceExtrapolation_h
 
 #include "Electrostatics/ChargeSums.h"
 #include "Electrostatics/InterfaceJumpConditions.h"
@@ -48,7 +48,7 @@ struct Continuation
 };
 
 /// Of a crossing: the function of the lower end's side at the upper end, and the reverse.
-struct CrossingValues
+struct InterfaceExtrapolation
 {
   std::array<std::int64_t, 36> Id;
   Continuation AtUpper, AtLower;
@@ -74,7 +74,7 @@ struct CrossingValues
  * times outside and shift the potential of a whole cavity; the ghost-fluid fluxes add up to 0
  * around it.
  */
-CrossingValues ValuesAtCrossing(const InterfaceProblem& problem, std::size_t index);
+InterfaceExtrapolation ValuesAtCrossing(const InterfaceProblem& problem, std::size_t index);
 
 }
 

@@ -1,9 +1,9 @@
 /**
- * @file TriangleNodes.h
+ * @file TriangleTreeNodes.h
  * @brief The nodes of a TriangleTree: triangles sorted into leaves, bounded by cylinders.
  */
-#ifndef isthmus_TriangleNodes_h
-#define isthmus_TriangleNodes_h
+#ifndef isthmus_TriangleTreeNodes_h
+#define isthmus_TriangleTreeNodes_h
 
 #include "Core/Geometry.h"
 #include "Core/TriangleMesh.h"
@@ -18,7 +18,7 @@ namespace isthmus
 /// Eight children a node and eight triangles a leaf, lane by lane, so that a query measures them at
 /// once. Cylinders only tell what is too far, with all rounding on the safe side, so floats serve
 /// for them: (x - Origin) / Scale, at most about 1.
-struct TriangleNodes
+struct TriangleTreeNodes
 {
   static constexpr std::size_t Width = 8;
   using Lanes = std::array<double, Width>;
@@ -47,7 +47,7 @@ struct TriangleNodes
 };
 
 /// O(n log n) for n triangles, less than 2^34; nothing for none.
-TriangleNodes MakeTriangleNodes(const SurfaceView& mesh);
+TriangleTreeNodes MakeTriangleNodes(const SurfaceView& mesh);
 
 }
 

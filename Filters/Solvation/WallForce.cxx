@@ -1,8 +1,8 @@
-#include "Solvation/WallPull.h"
+#include "Solvation/WallForce.h"
 
 #include "Core/ParallelFor.h"
-#include "Electrostatics/CrossingValues.h"
 #include "Electrostatics/ElectrostaticUnits.h"
+#include "Electrostatics/InterfaceExtrapolation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,9 +60,9 @@ private:
 };
 
 /// The nodes around an edge, weighted by their distances alone. Rows of equations hang on those at
-/// its ends, which so have a thousandfold weight (CrossingValues.h); but here one permittivity an
-/// edge leaves the largest errors there, and at an end just behind the wall they would be the
-/// slope.
+/// its ends, which so have a thousandfold weight (InterfaceExtrapolation.h); but here one
+/// permittivity an edge leaves the largest errors there, and at an end just behind the wall they
+/// would be the slope.
 FitNodes Wall::NodesAround(const InterfaceCrossing& crossing) const
 {
   const double h = this->Domain.Spacing;
@@ -190,7 +190,7 @@ double Wall::PullAt(const InterfaceCrossing& crossing) const
 
 }
 
-WallValues PullAtWall(const PoissonNernstPlanck& solution, const LevelFunction& level,
+WallValues ForceAtWall(const PoissonNernstPlanck& solution, const LevelFunction& level,
   const SolverBox& box, std::int64_t margin)
 {
   const Wall wall(solution, level, box, margin);

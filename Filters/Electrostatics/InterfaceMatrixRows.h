@@ -1,5 +1,5 @@
 /**
- * @file IrregularRows.h
+ * @file InterfaceMatrixRows.h
  * @brief The equations of the nodes next to the surface, as rows of a sparse matrix.
  *
  * Row of a node p on a side with permittivity eps, times h^2 (h the shortest spacing):
@@ -9,8 +9,8 @@
  * their entries. The term of the ions is not in the row; it is added by InterfaceOperator. Rows are
  * scaled such that their diagonal is that of the preconditioner.
  */
-#ifndef isthmus_IrregularRows_h
-#define isthmus_IrregularRows_h
+#ifndef isthmus_InterfaceMatrixRows_h
+#define isthmus_InterfaceMatrixRows_h
 
 #include "Electrostatics/ClosedCavities.h"
 #include "vtkIsthmusFiltersElectrostaticsModule.h"
@@ -19,7 +19,7 @@ namespace isthmus
 {
 
 /// Compressed rows; columns are distances in nodes from the row's own node.
-struct IrregularRows
+struct InterfaceMatrixRows
 {
   std::vector<std::int64_t> Node;  ///< in increasing order
   std::vector<std::int64_t> Start; ///< of each row, and the end
@@ -34,7 +34,7 @@ struct IrregularRows
 };
 
 /// O(crossings), about 10 microseconds each; parallel; the same bits on any number of threads.
-VTKISTHMUSFILTERSELECTROSTATICS_EXPORT IrregularRows AssembleIrregularRows(
+VTKISTHMUSFILTERSELECTROSTATICS_EXPORT InterfaceMatrixRows AssembleIrregularRows(
   const InterfaceProblem& problem, const ProgressCallback& progress = {});
 
 /// The permittivity of an edge that the surface crosses, `fraction` of it in the solute.

@@ -1,4 +1,4 @@
-#include "Electrostatics/IrregularRows.h"
+#include "Electrostatics/InterfaceMatrixRows.h"
 
 #include "Core/ParallelFor.h"
 
@@ -38,7 +38,7 @@ public:
     }
     this->Entries.emplace_back(column, value);
   }
-  void Add(const CrossingValues& values, const Continuation& v, double factor)
+  void Add(const InterfaceExtrapolation& values, const Continuation& v, double factor)
   {
     for (std::size_t i = 0; i < v.Coefficient.size(); ++i)
     {
@@ -66,7 +66,7 @@ std::size_t FindCrossing(const std::vector<InterfaceCrossing>& all, std::int64_t
   return static_cast<std::size_t>(found - all.begin());
 }
 
-void BuildRow(const InterfaceProblem& problem, const std::vector<CrossingValues>& values,
+void BuildRow(const InterfaceProblem& problem, const std::vector<InterfaceExtrapolation>& values,
   RowBuilder& row, double& preconditioner)
 {
   const auto& inside = *problem.Inside;
@@ -116,9 +116,9 @@ std::vector<std::int64_t> IrregularNodesOf(
 }
 
 /// Rows [first, last) of the matrix, appended to `part`.
-void AssembleRange(const InterfaceProblem& problem, const std::vector<CrossingValues>& values,
-  const std::vector<std::int64_t>& nodes, std::int64_t first, std::int64_t last,
-  IrregularRows& part)
+void AssembleRange(const InterfaceProblem& problem,
+  const std::vector<InterfaceExtrapolation>& values, const std::vector<std::int64_t>& nodes,
+  std::int64_t first, std::int64_t last, InterfaceMatrixRows& part)
 {
   RowBuilder row(*problem.Box);
   for (std::int64_t r = first; r < last; ++r)
@@ -142,10 +142,10 @@ void AssembleRange(const InterfaceProblem& problem, const std::vector<CrossingVa
 }
 
 /// Room for what is appended: growing by doubling would hold twice that, at the peak of memory.
-void Reserve(const std::vector<IrregularRows>& parts, IrregularRows& all)
+void Reserve(const std::vector<InterfaceMatrixRows>& parts, InterfaceMatrixRows& all)
 {
   std::size_t entries = 0;
-  for (const IrregularRows& part : parts)
+  for (const InterfaceMatrixRows& part : parts)
   {
     entries += part.Column.size();
   }
@@ -157,7 +157,7 @@ void Reserve(const std::vector<IrregularRows>& parts, IrregularRows& all)
   all.Diagonal.reserve(all.Node.size());
 }
 
-void Append(const IrregularRows& part, IrregularRows& all)
+void Append(const InterfaceMatrixRows& part, InterfaceMatrixRows& all)
 {
   const auto offset = static_cast<std::int64_t>(all.Column.size());
   for (const std::int64_t start : part.Start)
@@ -175,11 +175,11 @@ void Append(const IrregularRows& part, IrregularRows& all)
 
 }
 
-IrregularRows AssembleIrregularRows(
+InterfaceMatrixRows AssembleIrregularRows(
   const InterfaceProblem& problem, const ProgressCallback& progress)
 {
   const auto count = static_cast<std::int64_t>(problem.Crossings->size());
-  std::vector<CrossingValues> values(static_cast<std::size_t>(count));
+  std::vector<InterfaceExtrapolation> values(static_cast<std::size_t>(count));
   ParallelFor(
     0, count, 256,
     [&](std::int64_t first, std::int64_t last)
@@ -191,11 +191,11 @@ IrregularRows AssembleIrregularRows(
       }
     },
     Between(progress, 0.0, 0.7));
-  IrregularRows rows;
+  InterfaceMatrixRows rows;
   rows.Node = IrregularNodesOf(*problem.Crossings, problem.Box->Steps());
   const auto total = static_cast<std::int64_t>(rows.Node.size());
   constexpr std::int64_t block = 1024;
-  std::vector<IrregularRows> parts(static_cast<std::size_t>((total + block - 1) / block));
+  std::vector<InterfaceMatrixRows> parts(static_cast<std::size_t>((total + block - 1) / block));
   ParallelFor(
     0, static_cast<std::int64_t>(parts.size()), 1,
     [&](std::int64_t first, std::int64_t last)
@@ -207,7 +207,7 @@ IrregularRows AssembleIrregularRows(
       }
     },
     Between(progress, 0.7, 1.0));
-  for (const CrossingValues& v : values)
+  for (const InterfaceExtrapolation& v : values)
   {
     rows.LinearFits += v.Quality == FitQuality::Linear ? 1 : 0;
     rows.GhostFits += v.Quality == FitQuality::None ? 1 : 0;
@@ -215,7 +215,7 @@ IrregularRows AssembleIrregularRows(
   rows.Cavities = CavityFluxes(problem, values, rows.Node);
   values = {};
   Reserve(parts, rows);
-  for (IrregularRows& part : parts)
+  for (InterfaceMatrixRows& part : parts)
   {
     Append(part, rows);
     part = {};

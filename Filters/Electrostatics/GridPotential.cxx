@@ -1,4 +1,4 @@
-#include "Electrostatics/PotentialOnBox.h"
+#include "Electrostatics/GridPotential.h"
 
 #include "Core/ParallelFor.h"
 #include "Electrostatics/ChargesOnGrid.h"
@@ -49,9 +49,9 @@ constexpr unsigned char InSolute = 255;
 
 }
 
-PotentialOnBox::PotentialOnBox(const LevelFunction& level, const SolverBox& box,
+GridPotential::GridPotential(const LevelFunction& level, const SolverBox& box,
   const std::vector<ChargedAtom>& atoms, const PoissonBoltzmannParameters& parameters,
-  const IonAtmosphere& ions, const ProgressCallback& progress, const PotentialOnBox* last)
+  const IonAtmosphere& ions, const ProgressCallback& progress, const GridPotential* last)
   : Box(box)
   , Atoms(atoms)
   , Parameters(parameters)
@@ -84,18 +84,18 @@ PotentialOnBox::PotentialOnBox(const LevelFunction& level, const SolverBox& box,
   this->Report.Crossings = static_cast<std::int64_t>(this->Crossings.size());
 }
 
-double PotentialOnBox::Kappa() const
+double GridPotential::Kappa() const
 {
   return std::sqrt(this->Ions.Linear() / this->Parameters.SolventDielectric);
 }
 
-double PotentialOnBox::LayerRadius(std::size_t layer) const
+double GridPotential::LayerRadius(std::size_t layer) const
 {
   const double radius = this->Ions.LayerRadius(layer);
   return radius < 0.0 ? this->Parameters.IonRadius : radius;
 }
 
-double PotentialOnBox::ChargeAtSurface(double phi) const
+double GridPotential::ChargeAtSurface(double phi) const
 {
   double sum = 0.0;
   for (std::size_t layer = 0; layer < this->Ions.NumberOfLayers(); ++layer)
@@ -105,7 +105,7 @@ double PotentialOnBox::ChargeAtSurface(double phi) const
   return sum;
 }
 
-double PotentialOnBox::DerivativeAtSurface(double phi) const
+double GridPotential::DerivativeAtSurface(double phi) const
 {
   double sum = 0.0;
   for (std::size_t layer = 0; layer < this->Ions.NumberOfLayers(); ++layer)
@@ -115,13 +115,13 @@ double PotentialOnBox::DerivativeAtSurface(double phi) const
   return sum;
 }
 
-bool PotentialOnBox::IonsReach(std::size_t node) const
+bool GridPotential::IonsReach(std::size_t node) const
 {
   return std::any_of(this->Access.begin(), this->Access.end(),
     [&](const std::vector<float>& access) { return access[node] > 0.0F; });
 }
 
-double PotentialOnBox::ScaledDerivative(std::size_t node, bool nonlinear) const
+double GridPotential::ScaledDerivative(std::size_t node, bool nonlinear) const
 {
   double sum = 0.0;
   for (std::size_t layer = 0; layer < this->Access.size(); ++layer)
@@ -133,7 +133,7 @@ double PotentialOnBox::ScaledDerivative(std::size_t node, bool nonlinear) const
   return this->Spacing * this->Spacing * sum;
 }
 
-void PotentialOnBox::EvaluateCharges(const PotentialOnBox* last, const ProgressCallback& progress)
+void GridPotential::EvaluateCharges(const GridPotential* last, const ProgressCallback& progress)
 {
   const double factor =
     units::CoulombLength(this->Parameters.Temperature) / this->Parameters.SoluteDielectric;
@@ -149,18 +149,18 @@ void PotentialOnBox::EvaluateCharges(const PotentialOnBox* last, const ProgressC
   this->AtCrossing = ChargesAtCrossings(this->Charges, this->Box, this->Crossings, known, progress);
 }
 
-void PotentialOnBox::Assemble(std::vector<SurfaceIons> ions, const ProgressCallback& progress)
+void GridPotential::Assemble(std::vector<SurfaceIons> ions, const ProgressCallback& progress)
 {
   const InterfaceProblem problem{ &this->Box, &this->Inside, &this->Crossings, &this->AtCrossing,
     this->Medium, std::move(ions), this->Parameters.Dielectric,
     WallsOfClosedCavities(this->Box, this->Inside, this->Crossings) };
-  IrregularRows rows = AssembleIrregularRows(problem, progress);
+  InterfaceMatrixRows rows = AssembleIrregularRows(problem, progress);
   this->Report.LinearFits = rows.LinearFits;
   this->Report.GhostFits = rows.GhostFits;
   this->Matrix->SetRows(std::move(rows));
 }
 
-EdgePermittivity PotentialOnBox::Permittivities() const
+EdgePermittivity GridPotential::Permittivities() const
 {
   EdgePermittivity edges;
   for (std::size_t c = 0; c < edges.Table.size(); ++c)
@@ -184,14 +184,14 @@ EdgePermittivity PotentialOnBox::Permittivities() const
   return edges;
 }
 
-void PotentialOnBox::SetBorder(const PotentialFunction& border, bool sampled)
+void GridPotential::SetBorder(const PotentialFunction& border, bool sampled)
 {
   // What charges and surface radiate is as smooth on the border as these are far from it.
   const double length = 0.3 * GapAround(this->RangeInside(), this->Box);
   FillBorder(this->Box, border, sampled ? length : 0.0, this->U);
 }
 
-void PotentialOnBox::SetStart(const PotentialFunction& start)
+void GridPotential::SetStart(const PotentialFunction& start)
 {
   ParallelFor(0, static_cast<std::int64_t>(this->U.size()), 4096,
     [&](std::int64_t first, std::int64_t last)
@@ -206,7 +206,7 @@ void PotentialOnBox::SetStart(const PotentialFunction& start)
     });
 }
 
-void PotentialOnBox::FillDiagonal(bool nonlinear)
+void GridPotential::FillDiagonal(bool nonlinear)
 {
   if (this->Access.empty())
   {
@@ -223,7 +223,7 @@ void PotentialOnBox::FillDiagonal(bool nonlinear)
   this->Multigrid->SetDiagonal(this->IonDiagonal);
 }
 
-void PotentialOnBox::Solve(double tolerance, const ProgressCallback& progress)
+void GridPotential::Solve(double tolerance, const ProgressCallback& progress)
 {
   this->Report.NewtonSteps = 0;
   this->Report.Residuals.clear();
@@ -236,7 +236,7 @@ void PotentialOnBox::Solve(double tolerance, const ProgressCallback& progress)
   this->SolveNonlinear(tolerance, Between(progress, 0.3, 1.0));
 }
 
-void PotentialOnBox::SolveLinear(double tolerance, const ProgressCallback& progress)
+void GridPotential::SolveLinear(double tolerance, const ProgressCallback& progress)
 {
   this->FillDiagonal(false);
   this->Work.Residual.resize(this->U.size());
@@ -257,7 +257,7 @@ void PotentialOnBox::SolveLinear(double tolerance, const ProgressCallback& progr
   RequireConvergence(report, control);
 }
 
-void PotentialOnBox::Evaluate()
+void GridPotential::Evaluate()
 {
   auto& report = this->Report;
   report.AtomPotentials.assign(this->Atoms.size(), 0.0);
@@ -303,7 +303,7 @@ void PotentialOnBox::Evaluate()
   report.SolvationEnergy += report.IonEnergy;
 }
 
-void PotentialOnBox::Release()
+void GridPotential::Release()
 {
   this->Matrix.reset();
   this->Multigrid.reset();
@@ -312,7 +312,7 @@ void PotentialOnBox::Release()
   this->Access = {};
 }
 
-BoxNodes PotentialOnBox::RangeInside() const
+BoxNodes GridPotential::RangeInside() const
 {
   const auto& n = this->Box.Dimensions;
   BoxNodes range{ { n[0], n[1], n[2] }, { -1, -1, -1 } };
@@ -332,7 +332,7 @@ BoxNodes PotentialOnBox::RangeInside() const
   return range;
 }
 
-double PotentialOnBox::SurfaceValue(
+double GridPotential::SurfaceValue(
   std::size_t crossing, const FitNodes& nodes, const FitFunctional& functional) const
 {
   double phi = 0.0;
@@ -345,7 +345,7 @@ double PotentialOnBox::SurfaceValue(
   return phi;
 }
 
-SurfaceIons PotentialOnBox::IonsAt(double phi) const
+SurfaceIons GridPotential::IonsAt(double phi) const
 {
   const double solvent = this->Parameters.SolventDielectric;
   const double length = this->Medium.Length;
@@ -361,7 +361,7 @@ SurfaceIons PotentialOnBox::IonsAt(double phi) const
   return { slope / solvent, (this->ChargeAtSurface(v) - slope * v) / solvent };
 }
 
-std::vector<SurfaceIons> PotentialOnBox::IonsAtCrossings() const
+std::vector<SurfaceIons> GridPotential::IonsAtCrossings() const
 {
   std::vector<SurfaceIons> ions(this->Crossings.size(), { this->Medium.KappaSquared, 0.0 });
   ParallelFor(0, static_cast<std::int64_t>(ions.size()), 256,
@@ -382,7 +382,7 @@ std::vector<SurfaceIons> PotentialOnBox::IonsAtCrossings() const
   return ions;
 }
 
-double PotentialOnBox::IonEnergyOfCutCells() const
+double GridPotential::IonEnergyOfCutCells() const
 {
   if (!(this->Medium.KappaSquared > 0.0))
   {
@@ -413,14 +413,14 @@ double PotentialOnBox::IonEnergyOfCutCells() const
   return this->Box.Spacing[0] * this->Box.Spacing[1] * this->Box.Spacing[2] * sum;
 }
 
-double PotentialOnBox::NonlinearResidual(
+double GridPotential::NonlinearResidual(
   const std::vector<double>& u, std::vector<double>& out) const
 {
   this->Matrix->SetDiagonal(nullptr);
   this->Matrix->Residual(u, out);
   const double h2 = this->Spacing * this->Spacing;
   // Fitted rows are scaled, and with them the ions' term.
-  const IrregularRows& rows = this->Matrix->GetRows();
+  const InterfaceMatrixRows& rows = this->Matrix->GetRows();
   ForEachNode(u.size(),
     [&](std::size_t i)
     {
@@ -443,7 +443,7 @@ double PotentialOnBox::NonlinearResidual(
   return NormOf(out);
 }
 
-double PotentialOnBox::TakeStep(const std::vector<double>& step, double before)
+double GridPotential::TakeStep(const std::vector<double>& step, double before)
 {
   double factor = 1.0;
   for (int halving = 0; halving < 8; ++halving)
@@ -463,7 +463,7 @@ double PotentialOnBox::TakeStep(const std::vector<double>& step, double before)
     "potential to start from, or choose a finer grid.");
 }
 
-void PotentialOnBox::ClipStart()
+void GridPotential::ClipStart()
 {
   constexpr double clip = 3.0;
   ForEachNode(this->U.size(),
@@ -476,7 +476,7 @@ void PotentialOnBox::ClipStart()
     });
 }
 
-double PotentialOnBox::NewtonStep(double tolerance, double norm)
+double GridPotential::NewtonStep(double tolerance, double norm)
 {
   this->FillDiagonal(true);
   SolverControl control;
@@ -491,7 +491,7 @@ double PotentialOnBox::NewtonStep(double tolerance, double norm)
   return this->TakeStep(step, norm);
 }
 
-void PotentialOnBox::SolveNonlinear(double tolerance, const ProgressCallback& progress)
+void GridPotential::SolveNonlinear(double tolerance, const ProgressCallback& progress)
 {
   this->ClipStart();
   const bool lagged = this->Medium.KappaSquared > 0.0 &&
