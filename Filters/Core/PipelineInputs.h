@@ -25,10 +25,14 @@ namespace isthmus
 VTKISTHMUSFILTERSCORE_EXPORT void CheckInputs(vtkAlgorithm* self);
 
 /**
- * For a filter whose RequestInformation needs the data of an input: makes them, but not
- * while the filter itself is being executed. VTK asks for the information of each block of
- * composite data in the middle of an execution; an update there runs the source again onto the
- * block, and ends the program.
+ * Updates an input from RequestInformation, which filters do not do otherwise: for those that make an
+ * image of given spacing around atoms or surfaces. VTK has to know its whole extent before data, or
+ * image filters downstream allocate empty outputs on their first update, and the extent follows
+ * from the input's points. Nothing else is computed there, and no program is run.
+ *
+ * Not while the filter itself is being executed: VTK asks for the information of each block of
+ * composite data in the middle of an execution; an update there would run the source again onto the
+ * block, and end the program.
  *
  * A member of the filter, made with it; by pointer, since the filter's header is installed.
  */
