@@ -25,9 +25,9 @@ namespace isthmus
 VTKISTHMUSFILTERSCORE_EXPORT void CheckInputs(vtkAlgorithm* self);
 
 /**
- * Updates an input from RequestInformation, which filters do not do otherwise: for those that make an
- * image of given spacing around atoms or surfaces. VTK has to know its whole extent before data, or
- * image filters downstream allocate empty outputs on their first update, and the extent follows
+ * Updates an input from RequestInformation, which filters do not do otherwise: for those that make
+ * an image of given spacing around atoms or surfaces. VTK has to know its whole extent before data,
+ * or image filters downstream allocate empty outputs on their first update, and the extent follows
  * from the input's points. Nothing else is computed there, and no program is run.
  *
  * Not while the filter itself is being executed: VTK asks for the information of each block of
