@@ -247,7 +247,6 @@ int vtkMeshQualityReport::RequestData(
             cells, progress, ghosts);
       const isthmus::QualitySummary summary = OverRanks(this, own);
       marked->ShallowCopy(mesh);
-      histogram->GetFieldData()->ShallowCopy(mesh->GetFieldData()); // Guarded has cleared it
       if (summary.Cells == 0)
       {
         return;
