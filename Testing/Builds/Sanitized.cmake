@@ -39,7 +39,7 @@ set(long_tests "SuperStepsReachTheEnd|TimeOrderIsTwo|FourierModesDecay|Isosurfac
   "|SharedMaps.EqualGudhi|TurnsMirrorsAndShifts|ClosedWindows|ManufacturedInterface|IonsHaveBornsEnergy"
   "|IonsInTheSmoothMode"
   "|AgreesWithItself/(129110|72214|65004|1514499|emd_5043|bumpy|botijo|elk|cup|3holes)"
-  "|SurfaceMending.DamagedSurfaces"
+  "|RepairReport.DamagedSurfaces"
   "|LysozymeStarts|EarlyLysozyme|IsAsNearToTheUniformOne|NoiseStaysManifoldWithItsHandles"
   "|NoTrianglesCrossWhere|SharpEdgesOfMachineParts|PolyhedraBecome|ManyKindsOfDamage"
   "|LimitsOfTimeAndMemory|ResultDigests|SquareOfTheSpacing|EdgesOfSampledSolids"

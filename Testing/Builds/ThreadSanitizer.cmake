@@ -8,7 +8,7 @@ set(folder "${WORK_DIR}/sanitized-threads")
 # or write neighbouring rows; with ISTHMUS_LONG_TESTS=1 all programs are built.
 set(only "")
 if (NOT whole)
-  set(only TestParallelFor TestPathEnds TestSimplexOrder TestStarMatching TestStarDefects
+  set(only TestParallelFor TestGradientPaths TestSimplexOrder TestStarMatching TestStarDefects
     TestSurfaceToGrid TestDiffusionRows TestCompactCombinatorialMap TestCubicalPersistence)
   list(JOIN only " " only)
 endif ()
