@@ -321,7 +321,6 @@ void vtkMapHandles::FillSurfaces(const Work& work, vtkInformationVector* outputV
 int vtkMapHandles::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // What the executive copies from the input is not part of the results.
   isthmus::ClearOutputs(outputVector);
   return isthmus::Guarded(this, outputVector,
     [&]()

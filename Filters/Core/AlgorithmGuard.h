@@ -82,7 +82,9 @@ inline void Clear(vtkDataObject* output)
 
 }
 
-/// Empties all outputs, with the field data of the input that VTK's executive has copied there.
+/// Empties all outputs. At the beginning of RequestData they hold the field data of the input,
+/// which VTK's executive copies there: filters whose outputs are not the input's kind of thing (a
+/// pocket's table is no molecule) call it first.
 inline void ClearOutputs(vtkInformationVector* outputs)
 {
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)

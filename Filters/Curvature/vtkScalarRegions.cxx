@@ -352,6 +352,7 @@ int vtkScalarRegions::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  isthmus::ClearOutputs(outputVector);
   return isthmus::Guarded(this, outputVector,
     [&]()
     {

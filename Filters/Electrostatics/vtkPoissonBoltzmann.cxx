@@ -219,6 +219,7 @@ int vtkPoissonBoltzmann::RequestUpdateExtent(
 int vtkPoissonBoltzmann::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  isthmus::ClearOutputs(outputVector);
   return isthmus::Guarded(this, outputVector,
     [&]()
     {

@@ -310,6 +310,7 @@ int vtkMolecularFlowSurface::RequestData(
   vtkPolyData* surface = vtkPolyData::GetData(outputVector, 0);
   vtkImageData* image = vtkImageData::GetData(outputVector, 1);
   vtkTable* history = vtkTable::GetData(outputVector, 2);
+  isthmus::ClearOutputs(outputVector);
   return isthmus::Guarded(this, outputVector,
     [&]()
     {

@@ -191,6 +191,7 @@ int vtkNonpolarSolvation::RequestData(
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
+  isthmus::ClearOutputs(outputVector);
   return isthmus::Guarded(this, outputVector,
     [&]()
     {

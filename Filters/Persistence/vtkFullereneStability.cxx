@@ -200,6 +200,7 @@ int vtkFullereneStability::RequestData(
 {
   vtkTable* rows = vtkTable::GetData(outputVector, 0);
   vtkTable* bars = vtkTable::GetData(outputVector, 1);
+  isthmus::ClearOutputs(outputVector);
   return isthmus::Guarded(this, outputVector,
     [&]()
     {

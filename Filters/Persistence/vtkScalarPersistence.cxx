@@ -192,7 +192,6 @@ void vtkScalarPersistence::FillSimplified(const Work& work, vtkInformationVector
 int vtkScalarPersistence::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // What the executive copies from the input is not part of the results.
   isthmus::ClearOutputs(outputVector);
   return isthmus::Guarded(this, outputVector,
     [&]()

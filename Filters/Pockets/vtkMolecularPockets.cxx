@@ -115,6 +115,7 @@ int vtkMolecularPockets::RequestData(
 {
   vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
   vtkPolyData* surface = vtkPolyData::GetData(inputVector[1], 0);
+  isthmus::ClearOutputs(outputVector);
   return isthmus::Guarded(this, outputVector,
     [&]()
     {

@@ -342,7 +342,6 @@ int vtkIonTransport::RequestUpdateExtent(
 int vtkIonTransport::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // What the executive copies from the input is not part of the results.
   isthmus::ClearOutputs(outputVector);
   return isthmus::Guarded(this, outputVector,
     [&]()

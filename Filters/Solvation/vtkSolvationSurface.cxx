@@ -198,6 +198,7 @@ int vtkSolvationSurface::RequestUpdateExtent(
 int vtkSolvationSurface::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  isthmus::ClearOutputs(outputVector);
   return isthmus::Guarded(this, outputVector,
     [&]()
     {

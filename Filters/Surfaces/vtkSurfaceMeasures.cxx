@@ -146,6 +146,7 @@ int vtkSurfaceMeasures::RequestData(
 {
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
+  isthmus::ClearOutputs(outputVector);
   return isthmus::Guarded(this, outputVector,
     [&]()
     {

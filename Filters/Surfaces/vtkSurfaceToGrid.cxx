@@ -162,6 +162,7 @@ int vtkSurfaceToGrid::RequestData(
 {
   vtkImageData* output = vtkImageData::GetData(outputVector, 0);
   vtkPolyData* crossings = vtkPolyData::GetData(outputVector, 1);
+  isthmus::ClearOutputs(outputVector);
   const int result = isthmus::Guarded(this, outputVector,
     [&]()
     {
