@@ -292,13 +292,14 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
+  /// All outputs for a surface that is whole on this rank; `mesh` as in input 1, or null.
+  bool FindLoops(vtkPolyData* surface, vtkDataObject* mesh, vtkInformationVector* output);
+
 private:
   vtkChokingLoops(const vtkChokingLoops&) = delete;
   void operator=(const vtkChokingLoops&) = delete;
 
   struct Cache;
-  /// All outputs for a surface; `mesh` as in input 1, or null.
-  bool FindLoops(vtkPolyData* surface, vtkDataObject* mesh, vtkInformationVector* output);
   void Analyse(vtkPolyData* surface, vtkDataObject* mesh);
   void Keep(std::unique_ptr<Cache> made);
   isthmus::FeatureSelection Selection() const;

@@ -40,6 +40,24 @@ namespace
 
 constexpr int SurfacePort = 4;
 
+/// Choking loops of a surface that is whole on this rank, while the others have nothing to do:
+/// nothing is gathered, which all ranks would have to take part in.
+class LoopsOfWholeSurface : public vtkChokingLoops
+{
+public:
+  static LoopsOfWholeSurface* New();
+  vtkTypeMacro(LoopsOfWholeSurface, vtkChokingLoops);
+
+protected:
+  int RequestData(
+    vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override
+  {
+    this->FindLoops(vtkPolyData::GetData(input[0]), nullptr, output);
+    return 1;
+  }
+};
+vtkStandardNewMacro(LoopsOfWholeSurface);
+
 /// What is handed on of the loops' algorithm.
 constexpr std::array<unsigned long, 3> InnerEventTypes{ vtkCommand::ProgressEvent,
   vtkCommand::ErrorEvent, vtkCommand::WarningEvent };
@@ -129,7 +147,8 @@ struct vtkMapChokingLoops::Key
 };
 
 vtkMapChokingLoops::vtkMapChokingLoops()
-  : LevelOfMap(new isthmus::AutomaticLevel)
+  : Loops(vtkSmartPointer<LoopsOfWholeSurface>::New())
+  , LevelOfMap(new isthmus::AutomaticLevel)
   , MadeOf(new Key)
 {
   this->SetNumberOfInputPorts(1);
@@ -274,7 +293,7 @@ void vtkMapChokingLoops::Contour(vtkImageData* image)
   }
   this->Surface = nullptr;
   isthmus::MarchingCubesParameters parameters;
-  parameters.Level = this->Level;
+  parameters.Level = level;
   parameters.InsideIsHigher = this->InsideIsHigher;
   isthmus::TriangleMesh mesh;
   isthmus::UseScalars(

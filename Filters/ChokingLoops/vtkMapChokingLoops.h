@@ -24,9 +24,8 @@
 
 #include "Core/Deprecation.h"
 #include "vtkIsthmusFiltersChokingLoopsModule.h"
-#include "vtkNew.h" // for the analysis
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h" // for the surface
+#include "vtkSmartPointer.h" // for the analysis and the surface
 
 #include <memory>
 #include <string>
@@ -222,7 +221,7 @@ private:
   bool InsideIsHigher = true;
   int LargestComponents = 0;
 
-  vtkNew<vtkChokingLoops> Loops;
+  vtkSmartPointer<vtkChokingLoops> Loops;
   std::unique_ptr<isthmus::AutomaticLevel> LevelOfMap;
   struct Key;
   std::unique_ptr<Key> MadeOf; ///< the surface of the last run
