@@ -217,32 +217,33 @@ double* vtkMapChokingLoops::GetStageTimes()
 void vtkMapChokingLoops::SetLevel(double level)
 {
   const bool automatic = !std::isfinite(level); // as before 1.0: no level
-  if (this->AutomaticLevel != automatic || this->LevelIsFromPanel ||
-    (!automatic && this->Level != level))
+  if (!automatic)
   {
-    this->Level = automatic ? this->Level : level;
-    this->AutomaticLevel = automatic;
-    this->LevelIsFromPanel = false;
-    this->Modified();
+    this->SetPanelLevel(level);
   }
+  this->SetAutomaticLevel(automatic);
 }
 
 void vtkMapChokingLoops::SetPanelLevel(double level)
 {
-  if (this->Level != level || !this->LevelIsFromPanel)
+  if (this->Level != level)
   {
     this->Level = level;
-    this->LevelIsFromPanel = true;
     this->Modified();
   }
 }
 
 void vtkMapChokingLoops::SetAutomaticLevel(bool automatic)
 {
-  if (this->AutomaticLevel != automatic || this->LevelIsFromPanel)
+  this->SetPanelAutomaticLevel(automatic ? 1 : 0);
+}
+
+void vtkMapChokingLoops::SetPanelAutomaticLevel(int mode)
+{
+  if (this->PanelMode != mode)
   {
-    this->AutomaticLevel = automatic;
-    this->LevelIsFromPanel = false;
+    this->PanelMode = mode;
+    this->AutomaticLevel = mode != 0;
     this->Modified();
   }
 }
@@ -270,7 +271,7 @@ int vtkMapChokingLoops::RequestUpdateExtent(
 double vtkMapChokingLoops::ChooseLevel(vtkImageData* image, vtkDataArray* scalars)
 {
   const bool isGiven =
-    !this->AutomaticLevel || (this->LevelIsFromPanel && !IsMiddle(this->Level, scalars));
+    !this->AutomaticLevel || (this->PanelMode == 2 && !IsMiddle(this->Level, scalars));
   const double level =
     isGiven ? this->Level : this->LevelOfMap->Of(image, scalars, this->InsideIsHigher);
   if (!std::isfinite(level))

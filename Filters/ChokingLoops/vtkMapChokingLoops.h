@@ -95,8 +95,11 @@ public:
   vtkGetMacro(Level, double);
   ///@}
 
-  /// As SetLevel(), for panels and state files, where the level always has a value: the middle of
-  /// the map's range, which ParaView proposes, counts as none given.
+  /// For panels and state files, where the level always has a value: 0 takes Level, 1 the automatic
+  /// level, 2 (what panels begin with) Level unless it is the middle of the map's range, which
+  /// ParaView proposes and which counts as none given.
+  void SetPanelAutomaticLevel(int mode);
+  /// Level as panels and state files set it: AutomaticLevel stays as it is.
   void SetPanelLevel(double level);
 
   ///@{
@@ -216,7 +219,7 @@ private:
 
   double Level = 0.0;
   bool AutomaticLevel = true;
-  bool LevelIsFromPanel = false;
+  int PanelMode = 1; ///< of SetPanelAutomaticLevel()
   double UsedLevel = 0.0;
   bool InsideIsHigher = true;
   int LargestComponents = 0;

@@ -78,7 +78,6 @@ SILENT = {
     ("ChokingLoops", "LoopOrder"):
         "the ring's loops rank alike by radius and length: TestChokingLoopsFilter has a slotted plate",
     ("ChokingLoops", "MemoryLimit"): LIMIT,
-    ("MapChokingLoops", "AutomaticLevel"): "a Level that is set counts: MapChokingLoops.py has the automatic one",
     ("MapChokingLoops", "MemoryLimit"): LIMIT,
     ("DelaunayIsosurface", "MaximumNumberOfPoints"): LIMIT,
     ("DiffusionHighPass", "MaskInvalid"): "all values are finite: MaskedMaps.py has others",
