@@ -64,8 +64,8 @@ struct MoleculeAtoms
   std::vector<vtkIdType> Points;     ///< of each ball: its point in the input
   std::vector<vtkIdType> Kept;       ///< points of all atoms that count, those of radius 0 included
   std::vector<NamedAtom> Named;      ///< of all points of the input, where there was a selection
-  std::vector<std::string> Notes;    ///< a sentence for each kind that was dropped or replaced
-  std::vector<std::string> Warnings; ///< a sentence for each thing that should have been there
+  std::vector<std::string> Notes;    ///< one sentence per kind of dropped or replaced value
+  std::vector<std::string> Warnings; ///< one sentence per missing property
   vtkIdType NumberOfAtoms = 0;       ///< of the input
   bool HasNames = false;             ///< any residue names
   bool HasElements = false;

@@ -43,7 +43,7 @@ struct PolymerOptions
 struct PolymerChoice
 {
   std::vector<std::size_t> Kept;  ///< ascending
-  std::vector<std::string> Notes; ///< a sentence for each kind that was left out
+  std::vector<std::string> Notes; ///< one sentence for each kind of atom that was dropped
   bool AnyChain = false;          ///< whether a residue of a chain was recognised
 };
 

@@ -170,7 +170,7 @@ private:
 //--------------------------------------------------------------------------------------------------
 // The number of each edge of each cell of a combinatorial map, as a list: table C2E.
 //
-// EdgeTable finds the edge of a dart by a short search; where the edges of all cells are asked for
+// EdgeTable finds the edge of a dart by a short search; where the edges of all cells are needed
 // again and again this table gives them at once, for more memory.
 
 /// Memory: one id for each edge of each cell. Built in parallel from the table of edges.

@@ -51,7 +51,7 @@ public:
     }
   }
 
-  /// The set as a loop wants it, in registers; valid until the set is asked for more room.
+  /// The set as a loop wants it, in registers; valid until the set grows.
   class Marks
   {
   public:
@@ -94,7 +94,7 @@ public:
     Id Stamp;
   };
 
-  /// Makes room for `ids` altogether, so many that Room() tells.
+  /// Reserves space for `ids` in all; Room() returns how many fit.
   Marks WithRoomFor(std::size_t ids)
   {
     while (this->Room() < ids)
@@ -140,7 +140,7 @@ private:
 //--------------------------------------------------------------------------------------------------
 // The transitions from tetrahedron to tetrahedron around a vertex, as small tables.
 //
-// A spoke is a dart that starts at the vertex. The three faces at the vertex are told by a spoke's
+// A spoke is a dart that starts at the vertex. The three faces at the vertex follow from a spoke's
 // local dart, and the spoke beyond a face by the local dart that the table H2D of the map gives
 // there: beta1 of beta3, as CellType has them.
 

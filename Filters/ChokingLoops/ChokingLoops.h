@@ -37,8 +37,8 @@ struct ChokingLoopTimes
  * handles and tunnels. What is drawn afterwards for a choice of features: LoopDrawing.h.
  *
  * Bytes follow from counts alone. Seconds depend on the machine, on what else runs on it and on the
- * shape, so they are told once the samples are triangulated, in units of that stage, which has met
- * all three:
+ * shape, so they are predicted once the samples are triangulated, in units of that stage, which has
+ * met all three:
  * - all stages but the next take 3.2 and 0.006 for each class of loops. Those are medians of 25
  *   surfaces and contours; how hard the classes are to reduce (0 to 2.5 units, most on noisy
  *   contours) and whether radii need exact arithmetic (3 units more on flat pieces) is the shape's,
@@ -47,9 +47,10 @@ struct ChokingLoopTimes
  * - where the samples do not settle all handles and tunnels, the surface's own points are
  *   tetrahedralized and analysed as well (GeneratorCompletion.h): 11.4 times as long a point. That
  *   is expected in the last round, and where more than 64 were not settled by the round before;
- * else it is told once the features are known.
+ * else it is predicted once the features are known.
  *
- * Each of the 25 told by constants from the other 24: 0.53 to 1.28 of what it took (CPU seconds).
+ * Each of the 25 predicted with constants fitted to the other 24: 0.53 to 1.28 of what it took (CPU
+ * seconds).
  */
 struct AnalysisCost
 {

@@ -35,7 +35,7 @@ constexpr double NearMembrane = 0.3;   ///< in radii
 
 using Polygon = std::vector<Point3>;
 
-/// A feature's loops as polygons, and what quickly tells two of them apart.
+/// A feature's loops as polygons, with a quick test that two of them differ.
 struct Outline
 {
   SpaceSide Side;

@@ -145,7 +145,7 @@ enum class FeatureKind
   Handle = 0,     ///< a loop of M that bounds inside, but not on M
   Tunnel = 1,     ///< one that bounds outside
   Additional = 2, ///< a narrowing that homology of M does not see
-  Noise = 3       ///< not told apart from the sampling, or M itself
+  Noise = 3       ///< not distinguishable from the sampling, or M itself
 };
 
 /**
