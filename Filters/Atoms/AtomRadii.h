@@ -1,19 +1,19 @@
 /**
  * @file AtomRadii.h
- * @brief Radii by element, and the radius of an atom that comes without one.
+ * @brief Radii by element, and the radius of an atom without a given radius.
  *
  * All molecular filters decide the radius of an atom here, in this order:
  *
  * 1. the value of the point array of radii, `Radius` unless another one is chosen;
  * 2. where there is no such array, the van der Waals radius of the element (DefaultRadius):
- * Bondi's, or Alvarez' where Bondi has none. A warning if another array than `Radius` was asked
- * for;
+ * Bondi's, or Alvarez' where Bondi has none. A warning is issued if another array than `Radius` was
+ * requested;
  * 3. where there are no elements either, std::invalid_argument.
  *
  * An atom that has no radius after this (NaN in the array, an element in neither table) is dropped
  * with a warning by filters of shape and refused by filters that use its charge (MissingRadius).
  * Poisson-Boltzmann energies depend on the radii of a force field, so vtkPoissonBoltzmann requires
- * the array (RadiusFallback::None). Where chains come without any hydrogen and radii are those of a
+ * the array (RadiusFallback::None). Where chains have no hydrogens at all and radii are those of a
  * table by element, radii of united atoms replace them on request (UniteAtoms).
  */
 #ifndef isthmus_AtomRadii_h
@@ -42,7 +42,7 @@ enum class RadiusTable
   Alvarez,
   /// Atoms with the hydrogens that they carry, one radius for each element of a biopolymer: C 1.85,
   /// N 1.75, O 1.65, P 2.10, S 2.00. From S. J. Weiner et al., J. Am. Chem. Soc. 106 (1984) 765, as
-  /// O. S. Smart et al. (HOLE, J. Mol. Graph. 14 (1996) 354) sum them up.
+  /// summarised by O. S. Smart et al. (HOLE, J. Mol. Graph. 14 (1996) 354).
   UnitedAtom
 };
 
@@ -51,7 +51,7 @@ VTKISTHMUSFILTERSATOMS_EXPORT double VanDerWaalsRadius(int element, RadiusTable 
 
 /**
  * Covalent radius in angstrom, B. Cordero et al., Dalton Trans. (2008) 2832 (carbon: sp3); NaN for
- * metals and noble gases, whose neighbours are not found by distance.
+ * metals and noble gases, for which bonds are not determined by distance.
  */
 VTKISTHMUSFILTERSATOMS_EXPORT double CovalentRadius(int element);
 
@@ -63,7 +63,7 @@ VTKISTHMUSFILTERSATOMS_EXPORT double DefaultRadius(int element);
 enum class RadiusFallback
 {
   Element, ///< DefaultRadius; std::invalid_argument without elements
-  Zero,    ///< radius 0: only the places are used, as of the points of a surface
+  Zero,    ///< radius 0: only positions are used, e.g. for the points of a surface
   None     ///< std::invalid_argument
 };
 
@@ -83,8 +83,8 @@ struct AtomRadii
 };
 
 /**
- * The radii of `count` atoms with point data `data`, from the array `name` (empty: `Radius`) or as
- * `fallback` says. `elements` is empty where the input has none.
+ * The radii of `count` atoms with point data `data`, from the array `name` (empty: `Radius`) or
+ * according to `fallback`. `elements` is empty where the input has none.
  *
  * Throws std::invalid_argument for an array with several components, and where there are no radii.
  */
@@ -92,11 +92,11 @@ AtomRadii ReadRadii(vtkDataSetAttributes* data, vtkIdType count, const std::vect
   const std::string& name, RadiusFallback fallback);
 
 /// Replaces the radii of the atoms `kept` by those of united atoms where none of them is a hydrogen
-/// and all radii are those of a table by element; whether it did.
+/// and all radii are those of a table by element. Returns whether it did.
 bool UniteAtoms(
   const std::vector<std::size_t>& kept, const std::vector<int>& elements, AtomRadii& radii);
 
-/// The names of point arrays for a message, each after a blank; " none".
+/// The names of point arrays for a message, each preceded by a blank; " none" if there are none.
 VTKISTHMUSFILTERSATOMS_EXPORT std::string ArrayNames(vtkDataSetAttributes* data);
 
 }

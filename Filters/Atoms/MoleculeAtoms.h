@@ -1,14 +1,15 @@
 /**
  * @file MoleculeAtoms.h
- * @brief The atoms of a VTK data set: which of them count, their places, radii, charges and names.
+ * @brief The atoms of a VTK data set: which of them are used, their positions, radii, charges and
+ * names.
  *
- * The one way in which molecular filters read their input, a vtkPointSet or a vtkMolecule:
+ * All molecular filters read their input, a vtkPointSet or a vtkMolecule, through this header:
  *
  * - radii: AtomRadii.h;
  * - charges: AtomCharges, from a point array, required;
  * - elements: the atomic numbers of a molecule, or the point array `Element`;
  * - names: the point arrays `AtomName`, `ResidueName`, `ResidueId`, `Chain`, `InsertionCode`,
- *   `AltLoc`, `Occupancy` and `IsHetero` of vtkMacromoleculeReader, as far as they are there;
+ *   `AltLoc`, `Occupancy` and `IsHetero` of vtkMacromoleculeReader, as far as they exist;
  * - waters, ions, ligands, hydrogens and alternate locations: PolymerAtoms.h.
  */
 #ifndef isthmus_MoleculeAtoms_h
@@ -34,15 +35,15 @@ class vtkPoints;
 namespace isthmus
 {
 
-/// Which atoms count, and how large they are.
+/// Which atoms are used, and their radii.
 struct AtomOptions
 {
   std::string RadiusArray = "Radius";
   std::optional<PolymerOptions> Selection; ///< none: all atoms
-  /// Where chains of amino acids or nucleotides come without any hydrogen, and radii go by element,
-  /// those of united atoms (RadiusTable::UnitedAtom) replace them.
+  /// Where chains of amino acids or nucleotides have no hydrogens at all, and radii are those of a
+  /// table by element, radii of united atoms (RadiusTable::UnitedAtom) replace them.
   bool UnitedAtoms = false;
-  bool ZeroRadii = false;     ///< atoms with radius 0 have a ball, too
+  bool ZeroRadii = false;     ///< atoms with radius 0 also get a ball
   bool RequireBalls = false;  ///< std::invalid_argument where no atom has a radius above 0
   bool SurfacePoints = false; ///< polygons without elements or radii are points with radius 0
   RadiusFallback Fallback = RadiusFallback::Element;
@@ -53,19 +54,19 @@ struct AtomOptions
 VTKISTHMUSFILTERSATOMS_EXPORT AtomOptions WholeMolecule(
   const std::string& radiusArray, bool keepWaters = false, bool unitedAtoms = true);
 
-/// The chains and what `options` keeps besides; atoms of radius 0 included.
+/// The chains and what else `options` keeps, including atoms of radius 0.
 VTKISTHMUSFILTERSATOMS_EXPORT AtomOptions PolymerOf(
   const std::string& radiusArray, const PolymerOptions& options);
 
 /// The atoms that a filter works on.
 struct MoleculeAtoms
 {
-  std::vector<Ball> Balls;           ///< of the atoms with a radius
-  std::vector<vtkIdType> Points;     ///< of each ball: its point in the input
-  std::vector<vtkIdType> Kept;       ///< points of all atoms that count, those of radius 0 included
-  std::vector<NamedAtom> Named;      ///< of all points of the input, where there was a selection
-  std::vector<std::string> Notes;    ///< one sentence per kind of dropped or replaced value
-  std::vector<std::string> Warnings; ///< one sentence per missing property
+  std::vector<Ball> Balls;       ///< of the atoms with a radius
+  std::vector<vtkIdType> Points; ///< of each ball: its point in the input
+  std::vector<vtkIdType> Kept;   ///< points of all atoms that are used, including those of radius 0
+  std::vector<NamedAtom> Named;  ///< of all points of the input, where there was a selection
+  std::vector<std::string> Notes;    ///< one message per kind of dropped or replaced value
+  std::vector<std::string> Warnings; ///< one message per missing property
   vtkIdType NumberOfAtoms = 0;       ///< of the input
   bool HasNames = false;             ///< any residue names
   bool HasElements = false;
@@ -73,7 +74,8 @@ struct MoleculeAtoms
 };
 
 /**
- * Reads the atoms of a vtkPointSet or a vtkMolecule as `options` says; none where it has no points.
+ * Reads the atoms of a vtkPointSet or a vtkMolecule according to `options`; empty if it has no
+ * points.
  *
  * Throws std::invalid_argument for radii that AtomRadii.h refuses, that are negative or infinite,
  * for coordinates that are not finite, and where no atom is left but one is required.
@@ -99,7 +101,7 @@ VTKISTHMUSFILTERSATOMS_EXPORT std::vector<int> AtomElements(vtkDataObject* atoms
 /// The names of all atoms. Throws std::invalid_argument for coordinates that are not finite.
 VTKISTHMUSFILTERSATOMS_EXPORT std::vector<NamedAtom> NamedAtomsOf(vtkDataObject* atoms);
 
-/// The name of the array that input array `index` of `filter` is; empty: none.
+/// The name of the array selected as input array `index` of `filter`; empty: none.
 VTKISTHMUSFILTERSATOMS_EXPORT std::string InputArrayName(vtkAlgorithm* filter, int index);
 
 /// Adds the field array `Notes`.

@@ -29,50 +29,51 @@ struct ChokingLoopTimes
   double Filtration = 0.0;
   double Pairing = 0.0;
   double Features = 0.0;
-  double LastRound = 0.0; ///< of these, from the last sampling on: what AnalysisCost estimates
+  double LastRound = 0.0; ///< the part since the last sampling, which AnalysisCost estimates
 };
 
 /**
  * The cost of analysing the samples of a surface: filtration, pairs, features and the loops of
- * handles and tunnels. What is drawn afterwards for a choice of features: LoopDrawing.h.
+ * handles and tunnels. The cost of drawing selected features afterwards is estimated in
+ * LoopDrawing.h.
  *
- * Bytes follow from counts alone. Seconds depend on the machine, on what else runs on it and on the
- * shape, so they are predicted once the samples are triangulated, in units of that stage, which has
- * met all three:
+ * Bytes follow from counts alone. Seconds depend on the machine, its load and the shape, so they
+ * are predicted after the samples are triangulated, as multiples of the time of that stage, which
+ * reflects all three:
  * - all stages but the next take 3.2 and 0.006 for each class of loops. Those are medians of 25
  *   surfaces and contours; how hard the classes are to reduce (0 to 2.5 units, most on noisy
- *   contours) and whether radii need exact arithmetic (3 units more on flat pieces) is the shape's,
- *   and hardly changes as it is sampled more finely: from the second round on, the units that the
- *   round before took are taken instead;
- * - where the samples do not settle all handles and tunnels, the surface's own points are
- *   tetrahedralized and analysed as well (GeneratorCompletion.h): 11.4 times as long a point. That
- *   is expected in the last round, and where more than 64 were not settled by the round before;
- * else it is predicted once the features are known.
+ *   contours) and whether radii need exact arithmetic (3 units more on flat pieces) depend on the
+ *   shape and hardly change with finer sampling: from the second round on, the units of the
+ *   previous round are used instead;
+ * - where the samples do not resolve all handles and tunnels, the surface's own points are
+ *   tetrahedralized and analysed as well (GeneratorCompletion.h), which takes 11.4 times as long
+ *   per point. It is included in the estimate in the last round, and where the previous round left
+ *   more than 64 unresolved; otherwise it is predicted once the features are known.
  *
- * Each of the 25 predicted with constants fitted to the other 24: 0.53 to 1.28 of what it took (CPU
- * seconds).
+ * Cross-validation (each of the 25 predicted with constants fitted to the other 24): estimates are
+ * 0.53 to 1.28 of the actual CPU time.
  */
 struct AnalysisCost
 {
   std::size_t Samples = 0;
   std::size_t Rank = 0;       ///< of H1(M): twice the genus, all components together
-  std::size_t Own = 0;        ///< the surface's own points, where handles are to be found on them
+  std::size_t Own = 0;        ///< the surface's own points, if GeneratorCompletion.h uses them
   double Bytes = 0.0;         ///< at the peak
-  double Triangulation = 0.0; ///< seconds that it took
+  double Triangulation = 0.0; ///< its time in seconds
   double Units = 0.0;         ///< all stages but GeneratorCompletion.h, in triangulations
   double Seconds = -1.0;      ///< of the whole, triangulation included; below 0: not known yet
 
   /// With the time that the triangulation took.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT AnalysisCost After(double triangulation) const;
 
-  /// Takes over Units from the same surface on fewer samples, which took so long without
-  /// GeneratorCompletion.h.
+  /// Derives Units from the analysis of the same surface on fewer samples, which took `seconds`
+  /// without GeneratorCompletion.h.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void LearnFrom(const AnalysisCost& before, double seconds);
 
-  /// Handles or tunnels are to be found on the surface's own points.
+  /// Includes the cost of GeneratorCompletion.h on the surface's own `points`.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void ExpectCompletion(std::size_t points);
 
-  /// Seconds that this takes.
+  /// Its estimated time in seconds.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double Completion() const;
 };
 
@@ -80,8 +81,8 @@ struct AnalysisCost
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT AnalysisCost CostOf(const SurfaceView& samples);
 
 /**
- * Whether that fits into `limit` bytes (0: what is available). If not, `sentence` says what it
- * would take and what to do.
+ * Whether that fits into `limit` bytes (0: the available memory). If not, `sentence` is an error
+ * message that states the required memory and what to do.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool FitsMemory(
   const AnalysisCost& cost, double limit, std::string& sentence);
@@ -89,47 +90,48 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool FitsMemory(
 struct ChokingLoopParameters
 {
   /// Edges of the surface are split until none is longer. In units of the data; 0: automatic, which
-  /// spreads some 20,000 samples over the surface and refines where a feature can't be told from
-  /// the sampling, as long as that settles half of such places.
+  /// spreads about 20,000 samples over the surface and refines where a feature cannot be
+  /// distinguished from the sampling, as long as a round resolves at least half of such places.
   double SampleSpacing = 0.0;
-  /// Go on with a surface that crosses itself. Counts of handles and tunnels are then not assured.
+  /// Analyse a surface even if it intersects itself. Numbers of handles and tunnels are then not
+  /// guaranteed.
   bool AllowSelfIntersections = false;
-  /// Bytes that the analysis may take; 0: what is available. More samples than fit end in a
-  /// sentence; refinement that would not fit is left out.
+  /// Memory limit of the analysis in bytes; 0: the available memory. An error is thrown if the
+  /// samples do not fit; refinement that would not fit is skipped.
   double MemoryLimit = 0.0;
-  /// Called with what the work on the samples takes: before it begins, and with the time, too, once
-  /// they are triangulated. Again when they are refined, and when handles or tunnels turn out not
-  /// to be settled by them (GeneratorCompletion.h).
+  /// Called with the estimated cost of the samples: before the work begins, and again, including
+  /// the time, once they are triangulated; also after each refinement, and if handles or tunnels
+  /// turn out not to be resolved by the samples (GeneratorCompletion.h).
   std::function<void(const AnalysisCost& cost)> Estimated;
 };
 
 struct ChokingAnalysis;
 
 /**
- * The analysis of one surface. Building it is the work; selecting and asking for a membrane is
- * quick, and membranes are kept once made.
+ * The analysis of one surface. The constructor does the work; selecting features and computing a
+ * membrane is fast, and membranes are cached.
  */
 class ChokingLoops
 {
 public:
   /**
    * Analyses `surface` on the Delaunay filtration of its samples. Coinciding points are merged,
-   * points that no triangle uses are left out. Orientation is not needed to face outward. Needles,
+   * points that no triangle uses are dropped. The orientation need not face outward. Needles,
    * double triangles, touching and crossing parts are repaired (SurfacePreparation.h, Repairs()).
    *
-   * @throws std::invalid_argument with a sentence for a surface that is not closed, consistently
-   * oriented and finite, lies in a plane, can't be repaired, or whose size is not between 1e-32 and
-   * 1e32; std::runtime_error when it would take too many samples; Cancelled.
+   * @throws std::invalid_argument for a surface that is not closed, consistently oriented and
+   * finite, lies in a plane, cannot be repaired, or whose size is not between 1e-32 and 1e32;
+   * std::runtime_error if it would need too many samples; Cancelled.
    *
-   * Time is near linear: some 20 s and 1.5 GB for a million points, on two threads.
+   * Time is nearly linear: about 20 s and 1.5 GB for a million points, on two threads.
    */
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT explicit ChokingLoops(TriangleMesh surface,
     const ChokingLoopParameters& parameters = {}, const ProgressCallback& progress = {});
 
   /**
-   * Analyses `surface` on the lower-star filtration of a function on a tetrahedral mesh of one side
-   * or both (thesis, 6.3.1): `values` at the mesh's points, in units of the data, 0 on the surface.
-   * Every triangle of the surface must be a face of the mesh.
+   * Analyses `surface` on the lower-star filtration of a function on a tetrahedral mesh on one or
+   * both sides (thesis, 6.3.1): `values` at the mesh's points, in units of the data, 0 on the
+   * surface. Every triangle of the surface must be a face of the mesh.
    */
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT ChokingLoops(const SurfaceView& surface,
     const TetrahedralMesh& mesh, const std::vector<double>& values,
@@ -147,13 +149,13 @@ public:
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const SurfaceHomology& Homology() const;
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const ChokingLoopTimes& Times() const;
 
-  /// What the work on these samples was estimated to take.
+  /// The estimated cost of the work on these samples.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const AnalysisCost& Cost() const;
 
-  /// What was repaired of the surface before.
+  /// The repairs of the surface before the analysis.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const RepairReport& Repairs() const;
 
-  /// What the user should know about the result: a sentence or two, or nothing.
+  /// A message to the user about the result, in one or two sentences; empty if there is none.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const std::string& Remark() const;
 
   /// Largest sampling error anywhere: the least radius that can be trusted everywhere.
@@ -163,14 +165,14 @@ public:
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<std::size_t> Select(
     const FeatureSelection& selection) const;
 
-  /// Loops and membrane of a feature. Made when first asked for.
+  /// Loops and membrane of a feature; computed on first use.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const Membrane& MembraneOf(std::size_t feature);
 
-  /// The same, of one that has been asked for before.
+  /// The same for a feature whose membrane has been computed before.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const Membrane& MembraneOfMade(std::size_t feature) const;
 
-  /// MinimumCutMembrane() of a feature, found when first asked for; null where there is none, and
-  /// for a handle or tunnel whose loops it could not stand for (IsInterchangeable()).
+  /// MinimumCutMembrane() of a feature, computed on first use; null if there is none, and for a
+  /// handle or tunnel whose loops it could not replace (IsInterchangeable()).
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const Membrane* MinimumCutMembraneOf(
     std::size_t feature, const ProgressCallback& progress = {});
 

@@ -23,7 +23,7 @@ namespace isthmus
 
 /**
  * Counts the crossings of a ray, component by component, modulo 2: no orientation is needed, and a
- * ray through an edge is counted once, since both triangles decide by the same number.
+ * ray through an edge is counted once, since both triangles evaluate the same expression.
  *
  * Building takes O(n), a query the triangles of one bin (some tens).
  */
@@ -34,13 +34,13 @@ public:
     const SurfaceView& mesh, const SurfaceHomology& homology);
 
   /// Ascending ids of the components that enclose `p`: an odd number of them means inside. Within
-  /// rounding (1e-12 of the size) of the surface either answer may come.
+  /// rounding (1e-12 of the size) of the surface either result is possible.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<int> Enclosing(const Point3& p) const;
 
 private:
   std::size_t Bin(double v, std::size_t axis) const;
 
-  std::vector<Point3> Points; ///< turned into general position
+  std::vector<Point3> Points; ///< rotated into general position
   SurfaceView Mesh;
   const SurfaceHomology& Homology;
   Bounds3 Box;
@@ -50,7 +50,7 @@ private:
 };
 
 // ------------------------------------------------------------------------------------------
-// Inside or outside: the regions into which a surface parts the tetrahedra round it.
+// Inside or outside: the regions into which a surface divides the tetrahedra around it.
 
 enum class SpaceSide
 {
@@ -58,7 +58,7 @@ enum class SpaceSide
   Outside = 1
 };
 
-/// A filtration of a surface's surroundings, with what belongs to it.
+/// A filtration of a surface's surroundings, with associated data.
 struct FeatureContext
 {
   const CellFiltration& Filtration;
@@ -87,8 +87,9 @@ struct FeatureContext
 };
 
 /**
- * Tetrahedra grouped across triangles that are no walls; a group lies in one region, that of the
- * circumcentre of its latest tetrahedron (of its middle, where M is part of the complex).
+ * Tetrahedra grouped across triangles that are not walls (IsWall()); a group lies in one region,
+ * that of the circumcentre of its last tetrahedron in the filtration (of its centroid, where M is
+ * part of the complex).
  *
  * The dual edge of a triangle that enters above the sampling error keeps away from M, so that the
  * circumcentres at its ends lie on the same side.
@@ -102,7 +103,7 @@ public:
   /// The components of M that enclose a tetrahedron, ascending; none for the exterior (None).
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const std::vector<int>& Of(TetrahedronId cell);
 
-  /// The same for a triangle that is no wall.
+  /// The same for a triangle that is not a wall.
   const std::vector<int>& OfTriangle(TriangleId triangle);
 
   static SpaceSide SideOf(const std::vector<int>& enclosing)
@@ -114,7 +115,7 @@ private:
   Point3 Inner(TetrahedronId deepest) const;
 
   const FeatureContext& Context;
-  DisjointSets<TetrahedronId> Groups; ///< the root of each is its latest tetrahedron
+  DisjointSets<TetrahedronId> Groups; ///< the root of each is its last tetrahedron
   EnclosureTest Test;
   std::map<TetrahedronId, std::vector<int>> Known;
 };
@@ -144,18 +145,18 @@ enum class FeatureKind
 {
   Handle = 0,     ///< a loop of M that bounds inside, but not on M
   Tunnel = 1,     ///< one that bounds outside
-  Additional = 2, ///< a narrowing that homology of M does not see
+  Additional = 2, ///< a narrowing that the homology of M does not detect
   Noise = 3       ///< not distinguishable from the sampling, or M itself
 };
 
 /**
  * A narrowing of the space on one side of M. Lengths are in the unit of the points.
  *
- * A ball that grows inside or outside of M marks it at two radii:
+ * A ball that grows inside or outside of M defines two radii:
  * - Birth, also called Radius: of the largest ball that passes the narrowing. There a loop of M is
  *   filled (handles, tunnels), or a void is closed off (additional features).
- * - Death: of the largest ball that fits behind it, at which the space there is filled. Of a handle
- *   or tunnel: the last death in its region.
+ * - Death: of the largest ball that fits behind it, at which the space there is filled. For a
+ *   handle or tunnel: the last death in its region.
  * - Persistence: Death - Birth, how much the space widens behind the narrowing.
  *
  * These are the arrays `Birth`, `Death` and `Persistence` of loops, membranes and choke points. The
@@ -173,7 +174,7 @@ struct ShapeFeature
   /// PairDeath^2 - PairBirth^2 exceeds the square of the sampling error: a feature of M, not of the
   /// samples.
   bool Trusted = false;
-  double Error = 0.0; ///< the sampling error there
+  double Error = 0.0; ///< the local sampling error
   /// The triangle where a ball of radius Radius() gets stuck.
   TriangleId Choke = TriangleId::None();
   double Death = 0.0;
@@ -199,11 +200,12 @@ struct FeatureDiagram
 };
 
 /**
- * The pairs of a filtration as features: sides and kinds decided, M's own classes set apart.
+ * The pairs of a filtration as features with side and kind; the classes of M itself are kept
+ * separate.
  *
  * M's own class in each bounded region of its complement is the pair, born below the error, with
  * the greatest death; it is kept as Noise. Pairs of equal birth and death, and those that die below
- * the error, are left out.
+ * the error, are omitted.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT FeatureDiagram FindFeatures(
   const FeatureContext& context, SpaceRegions& regions, const ProgressCallback& progress = {});
@@ -211,8 +213,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT FeatureDiagram FindFeatures(
 // ------------------------------------------------------------------------------------------
 // Which features of a diagram are reported, and the threshold that a diagram proposes.
 
-/// A length as the user states it: in percent of a side's reference length, or in units of the
-/// data.
+/// A length as given by the user: in percent of a side's reference length, or in units of the data.
 struct LengthSetting
 {
   double Value = 0.0;
@@ -224,11 +225,11 @@ struct LengthSetting
   }
 };
 
-/// Where additional features part from noise.
+/// How additional features are separated from noise.
 enum class ThresholdMode
 {
-  Given,     ///< at FeatureSelection::MinimumPersistence
-  LargestGap ///< at the largest gap of each side's diagram
+  Given,     ///< by FeatureSelection::MinimumPersistence
+  LargestGap ///< by the largest gap of each side's diagram
 };
 
 /// Which features to report.
@@ -239,24 +240,24 @@ struct FeatureSelection
   LengthSetting MaximumRadius{ 100.0, true };
   LengthSetting MinimumPersistence{ 5.0, true };
   ThresholdMode Threshold = ThresholdMode::Given;
-  /// Handles and tunnels need not obey MaximumRadius. MinimumPersistence is never asked of them:
-  /// in a ring of even width nothing widens behind the narrowing, and yet it is a handle.
+  /// Handles and tunnels need not obey MaximumRadius. MinimumPersistence never applies to them: a
+  /// ring of constant width does not widen behind the narrowing, and yet it is a handle.
   bool AlwaysReportHandles = true;
   /// Keep the features of the largest persistence; 0: all of them.
   std::size_t MaximumNumber = 0;
 };
 
-/// A gap between neighbours of the bars of one side, in the unit of the points.
+/// A gap between consecutive persistences of one side, in the unit of the points.
 struct PersistenceGap
 {
-  double Threshold = 0.0; ///< its middle: persistences above it count
+  double Threshold = 0.0; ///< its middle: features with a larger persistence are selected
   double Width = 0.0;     ///< 0: there is none
 };
 
 /**
- * The largest gap of one side's additional features: their persistences in descending order, 0
- * behind the last, and the two neighbours whose difference is largest. One narrower than a
- * hundredth of the side's reference length is none; the threshold is that hundredth then.
+ * The largest gap of one side's additional features: the largest difference of consecutive
+ * persistences in descending order, with 0 after the last. A gap narrower than a hundredth of the
+ * side's reference length does not count; the threshold is then that hundredth.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT PersistenceGap LargestGap(
   const FeatureDiagram& diagram, SpaceSide side);

@@ -31,15 +31,15 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double UncertaintyOf(const ShapeFeature& fe
 /**
  * No loop that surrounds a choke point is shorter: 2 pi (Radius() - UncertaintyOf()).
  *
- * M keeps that far away from the choke point c. Drawn from c onto the sphere of that radius, a loop
- * on M gets no longer; if c lies in its convex hull, what is drawn lies in no open half of the
- * sphere, and a closed curve on a unit sphere that lies in none is at least 2 pi long (W. Fenchel,
- * Math. Ann. 101 (1929) 238).
+ * M keeps that far away from the choke point c. Projected from c onto the sphere of that radius, a
+ * loop on M does not get longer; if c lies in its convex hull, the projection lies in no open
+ * hemisphere, and a closed curve on a unit sphere that lies in no open hemisphere is at least 2 pi
+ * long (W. Fenchel, Math. Ann. 101 (1929) 238).
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double ShortestGirth(const ShapeFeature& feature);
 
-/// True when `centre` is within `reach` of the convex hull of `points`. By the points that bound
-/// it one after another (E. G. Gilbert, SIAM J. Control 4 (1966) 61); O(points) each.
+/// True when `centre` is within `reach` of the convex hull of `points`. By Gilbert's algorithm (E.
+/// G. Gilbert, SIAM J. Control 4 (1966) 61); O(points) per iteration.
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool IsSurrounded(
   const Point3& centre, double reach, const std::vector<Point3>& points);
 
@@ -61,10 +61,10 @@ struct LoopFeature
   std::vector<std::array<SimplexId, 3>> Membrane;
   std::vector<Point3> Extra;
   double Area = 0.0;
-  bool Collapsed = false;    ///< a loop can be drawn together on M: it stands as it came
-  bool Held = false;         ///< nothing on M holds a loop, so it is held where the ball touches M
-  bool Converged = true;     ///< the loops are as tight as they get, but where they are held
-  double SharpestBend = 0.0; ///< largest turn where it is held, in radians
+  bool Collapsed = false;    ///< a loop is contractible on M: it is returned unchanged
+  bool Held = false;         ///< no geodesic loop at the choke: fixed where the ball touches M
+  bool Converged = true;     ///< the loops cannot be shortened further, except where they are fixed
+  double SharpestBend = 0.0; ///< largest turning angle where it is fixed, in radians
   bool Encircling = false;   ///< not of the class that the choke closed (FeatureMembrane.h)
 
   const Point3& Point(SimplexId id, const SurfaceView& samples) const
@@ -74,44 +74,46 @@ struct LoopFeature
   }
 };
 
-/// Radians that a loop held at a point may turn there before its corner is cut.
+/// Largest turning angle, in radians, of a loop at a fixed point; sharper corners are cut.
 constexpr double SharpestKept = 0.7853981633974483;
 
-/// The loops of a membrane as tight as M holds them; those that pass some of `pins` keep passing
-/// these. None with 0 `rounds`: they stay as they come. @throws Cancelled.
+/// The loops of a membrane, shortened on M; those that pass through some of `pins` keep doing so.
+/// Empty with 0 `rounds`: the loops are not changed. @throws Cancelled.
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<SurfaceCurve> ShortenedLoops(
   const SurfaceAdjacency& surface, const Membrane& membrane, int rounds,
   const std::vector<SimplexId>& pins = {}, const ProgressCallback& progress = {});
 
-/// The feature with the tight loops of its membrane, if there are any, and strips between the old
-/// and the new ones. Corners at pins above SharpestKept are cut `cut` off. Of several loops those
-/// that can be drawn together on M are filled instead.
+/// The feature with the shortened loops of its membrane, if there are any, and strips between the
+/// old and the new ones. Corners at pins that turn by more than SharpestKept are cut at a distance
+/// of `cut`. If there are several loops, those that are contractible on M are filled instead.
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT LoopFeature Drawn(const SurfaceAdjacency& surface,
   const Membrane& membrane, const std::vector<SurfaceCurve>& tight, double cut = 0.0);
 
 // ------------------------------------------------------------------------------------------
 // A choking loop as it is shown: curves on the surface and a membrane that they bound.
 
-/// What tells a loop that belongs to its choke from one that does not, and within what bounds each
-/// may be chosen: TestLoopTolerances holds lengths to 3 % at the ends of 0.25 to 0.32, 47 to 60
-/// degrees, 80 to 100 degrees, { 0.25, 0.4 } to { 0.35, 0.52 }; most loops stay as they are.
+/// What distinguishes a loop that belongs to its choke from one that does not, and the range in
+/// which each parameter may be chosen: TestLoopTolerances checks that lengths change by at most 3 %
+/// at the ends of 0.25 to 0.32, 47 to 60 degrees, 80 to 100 degrees, { 0.25, 0.4 } to
+/// { 0.35, 0.52 }; most loops do not change.
 struct LoopTolerances
 {
   /// In radii: how far the choke point may lie outside of the hull of its loops. A round loop that
   /// touches the ball is as long as 0.98 of its girth only within sqrt(1 - 0.98^2) = 0.2 of it; a
-  /// wider one, of a neck that is not round, is still to be within 0.35 of its place (there one
-  /// loop of skull_low_resolution.obj is another, 6 % shorter).
+  /// wider one, of a neck that is not round, should still be within 0.35 of its position (with
+  /// 0.35, one loop of skull_low_resolution.obj is replaced by another, 6 % shorter).
   double Nearness = 0.3;
-  /// Radians that a loop may turn where it is held: above SharpestKept (45 degrees), at which
-  /// corners are cut no more, and no more than the 60 degrees that loops may turn by at all: 54.
+  /// Largest turning angle of a loop where it is fixed, in radians: above SharpestKept (45
+  /// degrees), below which corners are not cut, and at most the 60 degrees that are allowed
+  /// anywhere on a loop: 54.
   double SharpestHeld = 0.3 * Pi;
-  /// From this turn on a loop goes back rather than round: its ways in and out have an angle below
-  /// 90 degrees.
+  /// From this turning angle on, a loop reverses its direction instead of surrounding the choke (a
+  /// hairpin): its two directions at the point form an angle below 90 degrees.
   double SharpestLoop = 0.5 * Pi;
-  /// In radii: how far off corners are cut, one try after the other; loops that get shorter than
-  /// their girth so are not taken. Cut again by halves, a cut reaches up to twice as far; contacts
-  /// spread evenly round the ball are 2 pi / 3 apart, so that cuts of up to pi / 6 = 0.52 from both
-  /// ends leave some of the loop between them.
+  /// In radii: distances at which corners are cut, tried one after the other; loops that become
+  /// shorter than their girth are rejected. With repeated cuts at half the distance, a cut reaches
+  /// up to twice as far; contacts spread evenly around the ball are 2 pi / 3 apart, so that cuts of
+  /// up to pi / 6 = 0.52 from both ends leave some of the loop between them.
   std::array<double, 2> CornerCuts{ 0.3, 0.5 };
 };
 
@@ -120,17 +122,17 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool BelongsToChokePoint(const ChokingLoops
   std::size_t feature, const LoopFeature& geometry, const LoopTolerances& tolerances = {});
 
 /**
- * Loops and membrane of a feature; with `rounds` above 0 the loops are shortened that often, and a
- * strip of triangles between the old and the new loop keeps the membrane's boundary theirs.
+ * Loops and membrane of a feature; with `rounds` above 0 the loops are shortened by that many
+ * rounds, and a strip of triangles between the old and the new loop extends the membrane to them.
  *
  * A trusted feature's loops belong to its choke point: the longest is at least 0.98 ShortestGirth()
- * long, and the point lies within 0.3 of its radius of their convex hull. Of MembraneOf() and,
- * where those loops do not belong or are long, MinimumCutMembraneOf() the shorter ones that belong
- * are taken. Where neither does, since nothing on M holds them there, the loops are held where the
- * choking ball touches M, geodesic between these points, corners cut off. Where they turn sharply
- * even so (above 54 degrees), or a loop of another class that bounds there is no longer
- * (EncirclingMembranesOf()), that one is taken; where all are hairpins, a tight loop of the class
- * elsewhere, which then does not surround the choke point.
+ * long, and the point lies within 0.3 of its radius of their convex hull. Of the loops of
+ * MembraneOf() and, where those do not belong or are long, of MinimumCutMembraneOf(), the shorter
+ * ones that belong are used. If neither belong, since there is no geodesic loop there, the loops
+ * are fixed where the choking ball touches M, geodesic between these points, with corners cut off.
+ * If they still turn sharply (by more than 54 degrees), or if a loop of another class that bounds
+ * there (EncirclingMembranesOf()) is no longer, that loop is used; if all are hairpins, a geodesic
+ * loop of the class elsewhere, which then does not surround the choke point.
  *
  * @throws Cancelled.
  */
@@ -141,37 +143,38 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT LoopFeature MakeLoopFeature(ChokingLoops& l
 // ------------------------------------------------------------------------------------------
 // The loops of many features, and the estimated time to draw them.
 
-/// What is left to draw, and how long that is going to take.
+/// The number of loops still to be drawn, and the estimated time.
 struct DrawingCost
 {
   std::size_t Loops = 0;
   double Seconds = 0.0;
 
-  /// When `done` of `count` features, SampledFirst() ones, took so long.
+  /// The estimate after `done` of `count` features, in the order of SampledFirst(), took `seconds`.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT static DrawingCost After(
     std::size_t done, std::size_t count, double seconds);
 };
 
 /**
- * Places of `count` features in the order to draw them: at first a sample spread evenly over them,
- * then the others. `sample` becomes its size: a quarter, 24 at least; all, where they are no more.
+ * Indices of `count` features in drawing order: first a sample spread evenly over them, then the
+ * others. `sample` becomes the size of the sample: a quarter, at least 24; all, if there are fewer.
  *
- * What a loop takes is not to be seen before (a neck that holds it: milliseconds; one that slides
- * off, a thousand times as much), but the mean of a fair sample is. The deviation of the times is
- * 1.4 to 3 times their mean (twelve surfaces and noisy contours), that of the mean of 24 of them so
- * 0.3 to 0.6 of it. A factor of two is not assured: a skew sample tells too little more often than
- * too much, on noisy contours 0.36 to 0.93 of what it took.
+ * The time of a single loop cannot be predicted (a loop on a neck: milliseconds; one that slides
+ * off: a thousand times as much), but a mean can be estimated from a sample. The standard deviation
+ * of the times is 1.4 to 3 times their mean (twelve surfaces and noisy contours), that of the mean
+ * of 24 of them therefore 0.3 to 0.6 of it. A factor of two is not guaranteed: since the
+ * distribution is skewed, the estimate is more often too low than too high, on noisy contours 0.36
+ * to 0.93 of the actual time.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<std::size_t> SampledFirst(
   std::size_t count, std::size_t& sample);
 
-/// By feature and rounds of shortening.
+/// Key: feature and rounds of shortening.
 using DrawnFeatures = std::map<std::pair<std::size_t, int>, LoopFeature>;
 
 /**
- * Draws the loops of `features` (MakeLoopFeature()) that are not among `drawn` already. Where there
- * are more than 24 of them, `estimated` is told once what is left and how long it is going to take,
- * after a quarter of them or 24. The result does not depend on the order.
+ * Draws the loops of `features` (MakeLoopFeature()) that are not among `drawn` already. If there
+ * are more than 24, `estimated` is called once, after a quarter of them or 24, with the remaining
+ * number and the estimated time. The result does not depend on the order.
  *
  * @throws Cancelled.
  */

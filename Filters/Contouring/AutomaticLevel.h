@@ -15,9 +15,10 @@ namespace isthmus
 {
 
 /**
- * The level that the map's depositors recommend, where the reader found it (field data
- * `RecommendedLevel`), else EstimateLevel() of its values. One policy for all filters that take a
- * map: automatic unless a level is given. The estimate is cached until the map changes.
+ * The level that the map's depositors recommend, if the reader found it (field data
+ * `RecommendedLevel`), else EstimateLevel() of its values. The same policy applies to all filters
+ * whose input is a map: automatic unless a level is given. The estimate is cached until the map
+ * changes.
  */
 class AutomaticLevel
 {
@@ -27,7 +28,7 @@ public:
 
 private:
   double Cached = 0.0;
-  vtkDataArray* Scalars = nullptr; // compared only
+  vtkDataArray* Scalars = nullptr; // only compared, never dereferenced
   vtkMTimeType Time = 0;
   bool InsideIsHigher = true;
 };
