@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# What can be checked without building, in seconds: run it before each commit, or as a hook:
+# Checks that need no build and take seconds: run it before each commit, or as a hook:
 #   ln -s ../../Testing/check.sh .git/hooks/pre-commit
-# Modules, the order of a room's files, contracts, typed ids, READMEs, links, panels, format, paths of one machine, sizes.
+# Modules, the order of a module's files, contracts, typed ids, READMEs, links, panels, format, absolute paths, file sizes.
 set -uo pipefail
-shopt -s lastpipe # what complain sets behind a pipe must last
+shopt -s lastpipe # variables set by complain after a pipe must persist
 cd "$(git -C "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" rev-parse --show-toplevel)" || exit 1
 
 failed=0
-# complain HEADING: fails if there is anything on standard input, and shows it.
+# complain HEADING: prints its standard input, if any, and marks the check as failed.
 complain()
 {
   local found
@@ -32,7 +32,7 @@ else
   echo "clang-format is not installed: format not checked." >&2
 fi
 
-# What versions of VTK differ in is met by calls that all have; where there are none, by one header.
+# Differences between VTK versions are handled by calls that all have, or else in one header.
 git grep -nIE '(VTK|PARAVIEW)_(VERSION_CHECK|VERSION_NUMBER|MAJOR_VERSION|MINOR_VERSION)' \
   -- '*.h' '*.cxx' ':!Filters/Core/VTKVersions.h' |
   complain "Version checks outside Filters/Core/VTKVersions.h"

@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
-"""Checks that what comments name is there, and that what is thrown is told.
+"""Checks that names in comments exist, and that headers document what is thrown.
 
     check_contracts.py [ROOT]
 
 In comments of the library (Filters, Readers, Plugin):
 
-- a function `Name()` is one that the file, what it includes, or what includes it declares or calls;
-  written `Owner::Name()`, or followed by the header that has it in brackets, one of the whole tree;
-- a file `Name.h`, `Name.cxx`, `Name.py`, `Name.md` exists, here or, for a header, in what our code
-  includes; the pages (*.md) are held to this, too.
+- a function `Name()` is declared or called by the file, by what it includes, or by what includes it;
+  written `Owner::Name()`, or followed by its header in brackets, it may be anywhere in the tree;
+- a file `Name.h`, `Name.cxx`, `Name.py`, `Name.md` exists in the tree or, for a header, among those
+  that our code includes; this also applies to pages (*.md).
 
-A header of an algorithm whose code throws says so with @throws. Prints what is wrong, a line each, and
-ends with 1 then.
+A header of an algorithm whose code throws documents it with @throws. Prints one line per error; the exit
+status is 1 if there are any.
 """
 import pathlib
 import re

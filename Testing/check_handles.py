@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""Checks that where ids of two kinds meet in one function, their types tell them apart.
+"""Checks that where ids of two kinds meet in one function, their types differ.
 
     check_handles.py [ROOT]
 
 Reads the headers and sources of the library (Filters, Readers). Of each signature (declaration,
 definition, function type, lambda) it takes the parameters that are plain integers, signed or not,
 by value or by reference, an alias of one or a template's own id type, and sorts them by the last word
-of their names into kinds of ids. Two kinds in one signature could be passed the wrong way round and
-nothing would tell: give them the handles of Filters/Core/Handles.h (or of the room). Handles are
-no plain integers, so a signature that has them passes.
+of their names into kinds of ids. Two kinds in one signature could be exchanged by mistake
+without an error: use the handles of Filters/Core/Handles.h (or of the module) for them. Handles are not
+plain integers, so a signature with handles passes.
 
-Prints what is wrong, a line each, and ends with 1 then.
+Prints one line per error; the exit status is 1 if there are any.
 """
 import pathlib
 import re

@@ -3,7 +3,7 @@
 
     check_links.py [ROOT]
 
-Prints what is wrong, a line each, and ends with 1 then.
+Prints one line per error; the exit status is 1 if there are any.
 """
 import pathlib
 import re

@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
-"""Checks the modules: what they declare, what they include, and which licence that gives them.
+"""Checks the modules: their declarations, includes and licences.
 
     check_modules.py [ROOT]
 
 Each folder under Filters and Readers is a VTK module with a vtk.module and a CMakeLists.txt. A header
 includes only its own module's headers and those of modules in DEPENDS, a source also those in
-PRIVATE_DEPENDS (the compiler sees what a dependency brings along, this check does not). Algorithm
+PRIVATE_DEPENDS (the compiler also accepts headers of indirect dependencies, this check does not). Algorithm
 headers are included as "Folder/X.h", those of VTK classes as "vtkX.h". Neither modules nor the files of
-a module depend on each other in a circle, X.h and X.cxx counting as one. Every source is listed in
+a module have circular dependencies, with X.h and X.cxx as one unit. Every source is listed in
 CMakeLists.txt, and every name there is a file. Installed headers (vtkX.h and those under HEADERS)
 include no others. No two headers define a class of one name. The modules in PERMISSIVE are built
-without CGAL, which is GPL, and so is all that they depend on. Prints the violations, a line each, and
-ends with 1 then.
+without CGAL, which is GPL, and so is all that they depend on. Prints one line per violation; the
+exit status is 1 if there are any.
 """
 import collections
 import pathlib

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""Checks the order in which a module's README draws the files behind a function.
+"""Checks the order in which a module's README lists the files behind a function.
 
     check_order.py [ROOT]
 
 A block of a README headed by `<!-- order from X -->` names, each once, exactly the concepts of the module
 (X.h and X.cxx are one) that X reaches by its includes, X first, in an order in which each includes only
-those after it, or what lies in other modules. What is called
-is declared in what is included, by itself or by way of others, and so lies later, too. Headers are
-looked for in ROOT/Filters; vtkChokingLoops has to have such a block. Prints what is wrong, a line each,
-and ends with 1 then.
+those after it, or files of other modules. Functions
+are declared in included headers, directly or indirectly, so a callee is also listed later. Headers are
+searched for in ROOT/Filters; vtkChokingLoops must have such a block. Prints one line per error; the exit
+status is 1 if there are any.
 """
 import pathlib
 import re

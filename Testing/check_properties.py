@@ -10,9 +10,9 @@ In the headers of vtk classes and property macros (Filters, Readers) and in the 
 - which side of an isosurface is inside is `InsideIsHigher`;
 - memory is given in MiB, never in MB;
 - enumerators are in PascalCase (`ByArea`), names of programs and formats as they are written elsewhere;
-- what can be set can be read, and its comment states the default.
+- a property with a setter has a getter, and its comment states the default.
 
-Prints what is wrong, a line each, and ends with 1 then.
+Prints one line per error; the exit status is 1 if there are any.
 """
 import pathlib
 import re

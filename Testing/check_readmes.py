@@ -4,7 +4,7 @@
     check_readmes.py [ROOT]
 
 A header X.h is named when `X` or [X](...) is. Pages beside a README (BindingSites.md, say) count as
-part of it. Prints what is missing, a line each, and ends with 1 then.
+part of it. Prints one line per missing header; the exit status is 1 if there are any.
 """
 import pathlib
 import re

@@ -3,13 +3,13 @@
 
     check_tidy.py [--build FOLDER] [--base REV] [--seconds N] [--jobs N] [FILE...]
 
-Without FILE: the library's files in the order in which commits changed them, the newest first, until
-SECONDS are over (0, the default: until all are done); with --base those changed since REV only, or,
-where REV is the word tidy, since .clang-tidy came. A
-header stands for its own source, or for the first one that includes it. FOLDER (default: build) has
-the compile_commands.json of cmake. Prints what is found, each place once, and how many files of how
-many were looked at; ends with 1 if anything was found, with 77 where there is no clang-tidy, unless
-ISTHMUS_REQUIRE_DATA=1 asks for all tests.
+Without FILE: the library's files in the order of their last change, newest first, until SECONDS have
+passed (0, the default: no limit); with --base only those changed since REV, or, if REV is the word
+tidy, since .clang-tidy was added. For a header, its own source is checked, or the first one that
+includes it. FOLDER (default: build) has
+the compile_commands.json of cmake. Prints each finding once, and how many files were checked; the
+exit status is 1 if anything was found, and 77 without clang-tidy, unless ISTHMUS_REQUIRE_DATA=1
+requires all tests.
 """
 import argparse
 import concurrent.futures

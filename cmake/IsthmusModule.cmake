@@ -1,4 +1,5 @@
-# isthmus_add_module: one VTK module of a folder under Filters or Readers, from its CMakeLists.txt:
+# isthmus_add_module: adds the VTK module of a folder under Filters or Readers; called in its
+# CMakeLists.txt:
 #
 #   isthmus_add_module(Isthmus::FiltersImaging
 #     [CLASSES vtkX ...]        VTK classes, wrapped and installed
@@ -6,13 +7,13 @@
 #     [FLAT_HEADERS X ...]      those of HEADERS that were installed as X.h before 1.0; Y=X: as Y.h
 #     [SOURCES X ...]           implementation
 #     [CGAL X ...]              sources that include CGAL
-#     [VECTORISED X ...])       sources whose loops must vectorise
+#     [VECTORISED X ...])       sources whose loops must be vectorised
 #
-# all without extension. What it depends on is listed in the vtk.module beside it; its headers are
-# included as "Imaging/X.h", those of its VTK classes as "vtkX.h", by it and by the modules that
-# declare it.
+# File names have no extension. Dependencies are listed in the vtk.module of the same folder; the
+# module itself and those that declare it as a dependency include its headers as "Imaging/X.h",
+# those of its VTK classes as "vtkX.h".
 
-# isthmus_module_files(OUT): all vtk.module files, the one list of modules.
+# isthmus_module_files(OUT): all vtk.module files; they define the list of modules.
 function (isthmus_module_files out)
   file(GLOB files CONFIGURE_DEPENDS
     "${ISTHMUS_SOURCE_DIR}/Filters/*/vtk.module" "${ISTHMUS_SOURCE_DIR}/Readers/*/vtk.module")
@@ -43,7 +44,7 @@ endfunction ()
 set(ISTHMUS_SOURCE_DIR "${CMAKE_CURRENT_LIST_DIR}/..")
 get_filename_component(ISTHMUS_SOURCE_DIR "${ISTHMUS_SOURCE_DIR}" ABSOLUTE)
 
-# Here, since the variables that it sets are needed in several folders.
+# At this level, since several folders need the variables that it sets.
 find_package(CGAL 5.5 REQUIRED)
 
 function (isthmus_add_module name)
@@ -63,15 +64,15 @@ function (isthmus_add_module name)
     SOURCES ${module_SOURCES} ${module_CGAL} ${module_VECTORISED})
   vtk_module_compile_features(${name} PUBLIC cxx_std_17)
 
-  # A folder of its own that holds nothing but this module's, so that "Imaging/X.h" is found by the
-  # modules that declare this one, and by no others.
+  # A separate folder with only this module's headers, so that "Imaging/X.h" is found only by
+  # modules that declare this one.
   set(include_dir "${CMAKE_CURRENT_BINARY_DIR}/include")
   file(MAKE_DIRECTORY "${include_dir}")
   file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}" "${include_dir}/${folder}" SYMBOLIC)
   vtk_module_include(${name} PUBLIC "$<BUILD_INTERFACE:${include_dir}>")
   vtk_module_install_headers(FILES ${module_HEADERS} SUBDIR "${folder}")
 
-  # The names of before 1.0 forward to those of now until 1.1.
+  # Until 1.1, headers with the names used before 1.0 forward to the present ones.
   foreach (name_before IN LISTS module_FLAT_HEADERS)
     string(REGEX REPLACE "^.*=" "" header "${name_before}")
     string(REGEX REPLACE "=.*$" "" name_before "${name_before}")
@@ -83,26 +84,26 @@ function (isthmus_add_module name)
     vtk_module_install_headers(FILES "${forward}")
   endforeach ()
 
-  # Loops with square roots and comparisons vectorise only without errno and signals for them; values
-  # (infinities and NaN too) are the same.
+  # Loops with square roots and comparisons are vectorised only if these need not set errno or raise
+  # signals; results (including infinities and NaN) are the same.
   if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     set_source_files_properties(${module_VECTORISED} PROPERTIES
       COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math")
   endif ()
 
-  # Not linked as CGAL::CGAL, whose compile options would slow down everybody else's loops.
+  # Not linked as CGAL::CGAL, whose compile options would slow down the loops of other sources.
   if (module_CGAL)
     vtk_module_include(${name} SYSTEM PRIVATE ${CGAL_INCLUDE_DIRS})
     vtk_module_link(${name} PRIVATE ${MPFR_LIBRARIES} ${GMP_LIBRARIES})
     set_source_files_properties(${module_CGAL} PROPERTIES
       COMPILE_OPTIONS "-frounding-math"
-      COMPILE_DEFINITIONS CGAL_NO_WARNINGS) # they go to stderr; ours go to VTK
+      COMPILE_DEFINITIONS CGAL_NO_WARNINGS) # these would go to stderr; Isthmus reports through VTK
   endif ()
 
   vtk_module_link(${name} PRIVATE "$<BUILD_INTERFACE:isthmus_compiler>")
 
-  # A module that calls what it does not declare must not link, either. Sanitizers leave their own
-  # symbols to the program.
+  # A module that calls undeclared modules must also fail to link. Not with sanitizers, whose symbols
+  # are defined by the program.
   if (CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT ISTHMUS_SANITIZE AND NOT ISTHMUS_FUZZ)
     vtk_module_link_options(${name} PRIVATE "LINKER:--no-undefined")
   endif ()
