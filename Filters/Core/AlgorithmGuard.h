@@ -1,7 +1,7 @@
 /**
  * @file AlgorithmGuard.h
- * @brief What every VTK class does around its algorithm: input checks, progress, abort, exceptions
- * to error messages, empty outputs.
+ * @brief What every VTK class does before and after its algorithm: input checks, progress, abort,
+ * conversion of exceptions to error messages, empty outputs.
  */
 #ifndef isthmus_AlgorithmGuard_h
 #define isthmus_AlgorithmGuard_h
@@ -23,17 +23,17 @@ namespace isthmus
 {
 
 /**
- * Reports `message` through vtkErrorMacro, unless it is what `self` reported last and nothing has
- * changed since: neither `self` nor what precedes it in the pipeline.
+ * Reports `message` through vtkErrorMacro, unless `self` reported the same message last and neither
+ * `self` nor the upstream pipeline has been modified since.
  *
- * A pipeline requests information and then data, the window does so for each of its parts, and
- * composite data bring a block at a time; all of them meet the same obstacle.
+ * A pipeline requests information and then data, ParaView's window does so several times, and
+ * composite data are processed block by block; all of these would report the same error.
  */
 VTKISTHMUSFILTERSCORE_EXPORT void ReportError(vtkAlgorithm* self, const std::string& message);
 
-/// Progress of `algorithm` as VTK shows it; aborts the computation when the algorithm, what
-/// contains it, or what precedes it in the pipeline is aborted. What follows it in the pipeline
-/// then treats its output as aborted.
+/// Progress of `algorithm` as VTK shows it; aborts the computation when the algorithm, its
+/// container, or an upstream algorithm is aborted. Downstream algorithms then treat its output as
+/// aborted.
 inline ProgressCallback ProgressOf(vtkAlgorithm* algorithm)
 {
   return [algorithm](double fraction)
@@ -43,11 +43,11 @@ inline ProgressCallback ProgressOf(vtkAlgorithm* algorithm)
   };
 }
 
-/// What the functions below are made of.
+/// Implementation of the functions below.
 namespace guard
 {
 
-/// True when `body` came to its end; else its exception is reported, unless it is Cancelled.
+/// True if `body` completed; otherwise its exception is reported, unless it is Cancelled.
 template <typename Body>
 bool Ends(vtkAlgorithm* self, Body&& body)
 {
@@ -71,7 +71,7 @@ bool Ends(vtkAlgorithm* self, Body&& body)
   return false;
 }
 
-/// Null is what a filter has for a block of a type that it cannot even create.
+/// `output` is null for a block of a type that the filter cannot create.
 inline void Clear(vtkDataObject* output)
 {
   if (output)
@@ -83,8 +83,8 @@ inline void Clear(vtkDataObject* output)
 }
 
 /// Empties all outputs. At the beginning of RequestData they hold the field data of the input,
-/// which VTK's executive copies there: filters whose outputs are not the input's kind of thing (a
-/// pocket's table is no molecule) call it first.
+/// which VTK's executive copies there: filters whose outputs differ in kind from the input (a table
+/// of pockets is not a molecule) call it first.
 inline void ClearOutputs(vtkInformationVector* outputs)
 {
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
@@ -94,7 +94,7 @@ inline void ClearOutputs(vtkInformationVector* outputs)
 }
 
 /**
- * Guarded for filters that have to know whether `body` came to its end.
+ * Guarded() for filters that need to know whether `body` completed.
  */
 template <typename Body>
 bool Succeeds(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
@@ -108,7 +108,7 @@ bool Succeeds(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
 }
 
 /**
- * The frame of every filter's RequestData:
+ * To be used in every filter's RequestData:
  *
  *     return isthmus::Guarded(this, outputVector, [&] { ... });
  *
@@ -117,8 +117,8 @@ bool Succeeds(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
  * reported as one error, once (ReportError). After an exception, and after an abort (Cancelled),
  * all outputs are empty.
  *
- * Returns 1 always: after 0 VTK's executive would add a page about its request to the error, and
- * leave what follows in the pipeline as it was before, instead of empty.
+ * Returns 1 always: after 0 VTK's executive would append a long description of its request to the
+ * error, and leave downstream outputs unchanged instead of empty.
  */
 template <typename Body>
 int Guarded(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
@@ -127,8 +127,8 @@ int Guarded(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
   return 1;
 }
 
-/// The same for an object that is no output's, or one output's only, as RequestInformation fills:
-/// it is empty unless `body` comes to its end.
+/// The same for an object that is not an output, or for a single output, as in RequestInformation:
+/// it is empty unless `body` completes.
 template <typename Body>
 int Guarded(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
 {

@@ -1,6 +1,6 @@
 /**
  * @file ChildProcess.h
- * @brief Runs another program under limits, so that whatever it does stays there.
+ * @brief Runs another program with limits, isolated from this process.
  */
 #ifndef isthmus_ChildProcess_h
 #define isthmus_ChildProcess_h
@@ -16,7 +16,8 @@
 namespace isthmus
 {
 
-/// A new, empty folder in the system's folder for temporary files, removed with all it holds.
+/// A new, empty folder in the system's folder for temporary files, removed with its contents by the
+/// destructor.
 class VTKISTHMUSFILTERSCORE_EXPORT TemporaryFolder
 {
 public:
@@ -44,7 +45,7 @@ enum class ChildEnd
   Crashed,  ///< by a signal; Code is its number
   TimedOut, ///< killed after ChildLimits::Seconds
   NotFound, ///< there is no such program
-  NotRun    ///< there is, but it is a folder, or no program
+  NotRun    ///< it exists, but is a folder or not executable
 };
 
 struct ChildResult
@@ -57,9 +58,9 @@ struct ChildResult
 /**
  * Runs `command` (program, found on PATH, and its arguments) to its end, its output going to the
  * file `log`. `progress` is called about twenty times a second with the fraction of the time limit
- * used; a false answer kills the program and throws Cancelled. However this function is left, the
- * program has ended; should this process be killed meanwhile, the program is, too, and the folder
- * of `log` is removed.
+ * used; if it returns false, the program is killed and Cancelled is thrown. When this function
+ * returns or throws, the program has ended; if this process is killed meanwhile, the program is
+ * killed, too, and the folder of `log` is removed.
  * @throws std::runtime_error when no process can be started.
  */
 VTKISTHMUSFILTERSCORE_EXPORT ChildResult RunChild(const std::vector<std::string>& command,

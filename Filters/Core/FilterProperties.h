@@ -1,10 +1,10 @@
 /**
  * @file FilterProperties.h
- * @brief For properties that filters of different bases share: declared in one line, with the
- * member.
+ * @brief Macros for properties that filters with different base classes share: each declares
+ * property and member in one line.
  *
- * Macros, since VTK wraps for Python and for panels what a class and its first base declare. They
- * stand in a class at the end of its public part: what follows is protected.
+ * Macros, since VTK wraps only what a class and its first base class declare. Use them at the end
+ * of the public part of a class: what follows is protected.
  */
 #ifndef isthmus_FilterProperties_h
 #define isthmus_FilterProperties_h
@@ -19,7 +19,7 @@ public:                                                                         
 protected:                                                                                         \
   type name = value
 
-/// A property that is on or off.
+/// A Boolean property.
 #define ISTHMUS_SWITCH(name, value)                                                                \
 public:                                                                                            \
   vtkBooleanMacro(name, bool);                                                                     \

@@ -1,6 +1,6 @@
 /**
  * @file Handles.h
- * @brief Typed ids: an edge can't pass for a triangle, nor a place in an order for either.
+ * @brief Typed ids: an edge cannot be passed as a triangle, nor a position in an order as either.
  */
 #ifndef isthmus_Handles_h
 #define isthmus_Handles_h
@@ -14,11 +14,11 @@ namespace isthmus
 {
 
 /**
- * An id of one kind. It costs what its integer costs, in memory and in time, and turns into no
- * other kind and no number by itself.
+ * An id of one kind. It needs no more memory or time than its integer, and does not convert
+ * implicitly to another kind or to a number.
  *
- * @tparam Kind tells kinds apart; need not be complete
- * @tparam Id the integer; only a signed one can say that there is none
+ * @tparam Kind a tag type that distinguishes kinds; need not be complete
+ * @tparam Id the integer; only a signed one has a value for "none"
  */
 template <typename Kind, typename Id>
 struct Handle
@@ -31,7 +31,7 @@ struct Handle
   {
   }
 
-  /// The id with this place in a vector. @pre `index` fits into Id.
+  /// The id with this index in a vector. @pre `index` fits into Id.
   static constexpr Handle At(std::size_t index) { return Handle(static_cast<Id>(index)); }
 
   /// No id at all: -1, below all others.
@@ -46,7 +46,7 @@ struct Handle
     return this->Value >= 0;
   }
 
-  /// Its place in a vector. @pre it exists.
+  /// Its index in a vector. @pre it is not None().
   constexpr std::size_t Index() const { return static_cast<std::size_t>(this->Value); }
 
   friend constexpr bool operator==(Handle a, Handle b) { return a.Value == b.Value; }
@@ -57,7 +57,7 @@ struct Handle
   friend constexpr bool operator>=(Handle a, Handle b) { return a.Value >= b.Value; }
 };
 
-/// Ids one after the other, for a `for`.
+/// A range of consecutive ids, for a range-based `for`.
 template <typename Key>
 class HandleRange
 {
@@ -102,7 +102,7 @@ private:
   std::size_t End;
 };
 
-/// Values of all ids of a kind: a vector that only such an id looks into.
+/// Values of all ids of a kind: a vector that only such an id can index.
 template <typename Key, typename Value>
 class HandleVector : public std::vector<Value>
 {
@@ -119,7 +119,7 @@ public:
   Value& operator[](Key id) { return Base::operator[](id.Index()); }
   const Value& operator[](Key id) const { return Base::operator[](id.Index()); }
 
-  /// The ids that it has values of.
+  /// The ids for which it has values.
   HandleRange<Key> Keys() const { return HandleRange<Key>(this->size()); }
 };
 

@@ -26,64 +26,65 @@ using Extent = std::array<int, 6>;
 VTKISTHMUSFILTERSCORE_EXPORT Extent ExtentOf(
   vtkInformation* info, vtkInformationIntegerVectorKey* key);
 
-/// What a source that splits `all` makes for the piece that `request` asks for, ghost layers
-/// included.
+/// The extent that a source which splits `all` makes for the piece requested by `request`,
+/// including ghost layers.
 VTKISTHMUSFILTERSCORE_EXPORT Extent PieceOf(vtkInformation* request, const Extent& all);
 
-/// Makes a request for an image one for all of it, on each rank.
+/// Changes a request for an image to a request for the whole image, on each rank.
 VTKISTHMUSFILTERSCORE_EXPORT void RequestAll(vtkInformation* request);
 
-/// Asks the image of `input` for its whole extent, whatever part is wanted of the result.
+/// Requests the whole extent of the image of `input`, for any requested part of the result.
 VTKISTHMUSFILTERSCORE_EXPORT void RequestWholeExtent(vtkInformation* input);
 
-/// Tells the pipeline the whole extent, origin and spacing of the image that `output` will be.
+/// Sets the whole extent, origin and spacing of the image that `output` will be in the pipeline.
 VTKISTHMUSFILTERSCORE_EXPORT void SetImageInformation(vtkInformation* output, vtkImageData* image);
 
-/// The same for an image whose geometry `make` sets. Nothing is said where that throws, but an
-/// empty extent told: the execution meets it again, and empties its outputs along with the
-/// sentence.
+/// The same for an image whose geometry `make` sets. If that throws, no error is reported, but an
+/// empty extent is set: the execution fails in the same way, reports the error and empties its
+/// outputs.
 VTKISTHMUSFILTERSCORE_EXPORT void SetImageInformation(
   vtkInformation* output, const std::function<void(vtkImageData*)>& make);
 
-/// Whether `output` is asked for as the first piece, or whole: where what cannot be split is made.
+/// Whether `output` is requested as the first piece or as a whole: results that cannot be split are
+/// made there.
 VTKISTHMUSFILTERSCORE_EXPORT bool IsFirstPiece(vtkInformation* output);
 
-/// @throws std::runtime_error where the image that `info` holds is not all that there is: a source
-/// that splits it whatever is asked for.
+/// @throws std::runtime_error if the image in `info` is not the whole image, because its source
+/// always splits it.
 VTKISTHMUSFILTERSCORE_EXPORT void RequireWholeExtent(vtkInformation* info);
 
-/// Whether this rank makes the result of the image in `info`. Of one that every rank has whole, the
-/// first does; blocks of composite data, which have no whole extent of their own, are made where
-/// they are.
+/// Whether this rank makes the result of the image in `info`. If every rank has the whole image,
+/// the first rank does; blocks of composite data, which have no whole extent, are processed on
+/// their own rank.
 VTKISTHMUSFILTERSCORE_EXPORT bool IsMadeHere(vtkInformation* info);
 
 VTKISTHMUSFILTERSCORE_EXPORT bool IsEmpty(const Extent& extent);
 
-/// `extent` with `reach` more nodes to each side, kept within `whole`. An empty one stays as it is.
+/// `extent` with `reach` more nodes to each side, kept within `whole`. An empty one is not changed.
 VTKISTHMUSFILTERSCORE_EXPORT Extent Grown(
   const Extent& extent, const std::array<int, 3>& reach, const Extent& whole);
 
 /// Nodes of an extent, 0 if it is empty.
 VTKISTHMUSFILTERSCORE_EXPORT std::int64_t NodeCount(const Extent& extent);
 
-/// The nodes that are in both.
+/// The intersection of both.
 VTKISTHMUSFILTERSCORE_EXPORT Extent Intersection(const Extent& a, const Extent& b);
 
 /// Whether no node of `inner` lies outside `outer`.
 VTKISTHMUSFILTERSCORE_EXPORT bool Contains(const Extent& outer, const Extent& inner);
 
-/// How many layers of nodes around `inner` it takes to cover `outer`.
+/// The number of layers of nodes around `inner` needed to cover `outer`.
 VTKISTHMUSFILTERSCORE_EXPORT int LayersBetween(const Extent& inner, const Extent& outer);
 
 /// The nodes of the cells that `bounds` (world, vtk's order) meets, with `reach` more to each side,
-/// kept within `whole`. The bounds are taken through the image's physical-to-index transform.
+/// kept within `whole`. The bounds are transformed by the image's physical-to-index transform.
 VTKISTHMUSFILTERSCORE_EXPORT Extent Covering(vtkImageData* image, const double bounds[6],
   const std::array<int, 3>& reach, const Extent& whole);
 
 /**
- * Makes `image` its own part in `extent`: nodes, cells and all arrays as vtkImageData::Crop leaves
- * them, and none where `extent` has none of it. Linear in the values kept; VTK's goes value by
- * value, which took ten times the curvature of a volume in two pieces.
+ * Crops `image` to `extent`: nodes, cells and all arrays as by vtkImageData::Crop; empty if
+ * `extent` contains none of it. Linear in the number of remaining values; VTK copies value by
+ * value, which took ten times as long as the curvature of a volume in two pieces.
  */
 VTKISTHMUSFILTERSCORE_EXPORT void CropTo(vtkImageData* image, const Extent& extent);
 

@@ -1,6 +1,7 @@
 /**
  * @file ImageScalars.h
- * @brief The scalars of a vtkImageData: which array, and that as a GridView of float or double.
+ * @brief The scalars of a vtkImageData: choice of the array, and its values as a GridView of float
+ * or double.
  */
 #ifndef isthmus_ImageScalars_h
 #define isthmus_ImageScalars_h
@@ -23,10 +24,9 @@ class vtkAlgorithm;
 namespace isthmus
 {
 
-/// The array that the filter's input array 0 names; the active scalars where it names none: a panel
-/// that has seen no data yet sends an empty name.
-/// @throws std::invalid_argument, with the arrays that there are, unless it is one number for each
-/// node.
+/// The array that the filter's input array 0 names; the active scalars if it names none: a panel
+/// without data sends an empty name.
+/// @throws std::invalid_argument, listing the available arrays, unless it has one number per node.
 VTKISTHMUSFILTERSCORE_EXPORT vtkDataArray* ChosenScalars(vtkAlgorithm* filter, vtkImageData* image);
 
 /// @throws std::invalid_argument, with the axis, unless all spacings are positive and finite.
@@ -61,7 +61,7 @@ void CheckFinite(const GridView<const T>& grid)
 }
 
 /// Calls `use(grid)` with a GridView<const float> or, for all other types, GridView<const double>;
-/// a copy is made where the values are not stored as one of both.
+/// a copy is made if the values are stored in another way.
 template <typename Use>
 void UseScalars(vtkImageData* image, vtkDataArray* scalars, Use&& use)
 {

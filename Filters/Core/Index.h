@@ -1,6 +1,6 @@
 /**
  * @file Index.h
- * @brief Ids, which are signed as VTK's are, as places in the library's vectors.
+ * @brief Signed ids, like VTK's, as indices of standard library vectors.
  */
 #ifndef isthmus_Index_h
 #define isthmus_Index_h

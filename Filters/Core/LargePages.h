@@ -1,6 +1,7 @@
 /**
  * @file LargePages.h
- * @brief Memory of whole volumes in pages of 2 MiB instead of 4 KiB, where the system lends them.
+ * @brief Memory of whole volumes in pages of 2 MiB instead of 4 KiB, where the system provides
+ * them.
  */
 #ifndef isthmus_LargePages_h
 #define isthmus_LargePages_h
@@ -13,12 +14,12 @@ namespace isthmus
 {
 
 /**
- * Asks for large pages under the `bytes` from `data`, which were just allocated and will all be
- * written. The first touch of a page is a trap into the kernel: for results that are computed as
- * fast as memory takes them, 4 KiB pages made that a third of the time (curvature at nodes).
+ * Requests large pages for the `bytes` from `data`, which were just allocated and will all be
+ * written. The first access to a page is a page fault: for results limited by memory bandwidth,
+ * these took a third of the time with 4 KiB pages (curvature at nodes).
  *
- * Only advice: below 8 MiB, on systems other than Linux and where large pages are switched off,
- * nothing happens. Values are never touched.
+ * This is only a hint: below 8 MiB, on systems other than Linux and where large pages are switched
+ * off, nothing happens. Values are never changed.
  */
 VTKISTHMUSFILTERSCORE_EXPORT void AdviseLargePages(void* data, std::size_t bytes);
 

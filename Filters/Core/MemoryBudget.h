@@ -1,6 +1,6 @@
 /**
  * @file MemoryBudget.h
- * @brief How much memory a computation may take, decided before it allocates.
+ * @brief How much memory a computation may use, checked before it allocates.
  */
 #ifndef isthmus_MemoryBudget_h
 #define isthmus_MemoryBudget_h
@@ -13,7 +13,7 @@
 namespace isthmus
 {
 
-/// Bytes that the machine, the control group and the limits of this process leave. Infinite where
+/// Bytes that the machine, the control group and the limits of this process allow. Infinite where
 /// none of them can be determined (systems other than Linux).
 VTKISTHMUSFILTERSCORE_EXPORT double AvailableMemory();
 
@@ -21,9 +21,9 @@ VTKISTHMUSFILTERSCORE_EXPORT double AvailableMemory();
 VTKISTHMUSFILTERSCORE_EXPORT std::string MemoryText(double bytes);
 
 /**
- * The memory that a computation may take: the user's limit, or what is available where there is
- * none. Each algorithm predicts its own bytes; whether they fit, and the message where they do not,
- * are decided here:
+ * The memory that a computation may use: the user's limit, or the available memory if there is
+ * none. Each algorithm predicts its own bytes; this class checks whether they fit and composes the
+ * error message:
  *
  *     MemoryBudget(filter->GetMemoryLimit()).Require(130.0 * nodes, "A grid of 9 x 9 x 9 nodes",
  *       "choose a larger Spacing");
@@ -31,30 +31,30 @@ VTKISTHMUSFILTERSCORE_EXPORT std::string MemoryText(double bytes);
 class VTKISTHMUSFILTERSCORE_EXPORT MemoryBudget
 {
 public:
-  /// @param limit in MiB, as the property MemoryLimit of filters; 0 or less: what is available now
+  /// @param limit in MiB, like the property MemoryLimit of filters; 0 or less: the available memory
   explicit MemoryBudget(double limit = 0.0);
 
-  /// A limit in bytes that the caller has decided, e.g. by WholeBytes(); 0: no limit at all.
+  /// A limit in bytes chosen by the caller, e.g. from WholeBytes(); 0: no limit.
   static MemoryBudget OfBytes(std::uint64_t bytes);
 
-  /// What may be taken. Infinite where there is no limit and the memory is unknown.
+  /// The memory that may be used. Infinite where there is no limit and the memory is unknown.
   double Bytes() const { return this->Allowed; }
 
-  /// The same, but `bytes` at most; that counts as a limit of the user's.
+  /// The same, but at most `bytes`, which is treated as a limit set by the user.
   MemoryBudget AtMost(double bytes) const;
 
-  /// The same for interfaces in which 0 means that there is no limit (ulimit); never 0 else.
+  /// The same for interfaces in which 0 means no limit (ulimit); otherwise never 0.
   std::uint64_t WholeBytes() const;
 
-  /// Whether a prediction fits. NaN, infinity and what no machine has (1e18) never do.
+  /// Whether a prediction fits. NaN, infinity and more than any machine has (1e18) never do.
   bool Allows(double bytes) const;
 
   /// "WHAT needs about 3 GiB of memory, but only 1 GiB are available: REMEDY.", or, under a limit,
   /// "... but MemoryLimit is 1 GiB: REMEDY, or raise MemoryLimit."
   std::string Message(double bytes, const std::string& what, const std::string& remedy) const;
 
-  /// @param what    subject of the message, in the singular, with the sizes that count
-  /// @param remedy  what to do, by the name of a property: "choose a larger Spacing"
+  /// @param what    subject of the message, in the singular, with the relevant sizes
+  /// @param remedy  what to do, naming a property: "choose a larger Spacing"
   /// @throws std::runtime_error with Message() unless Allows(bytes).
   void Require(double bytes, const std::string& what, const std::string& remedy) const;
 

@@ -28,13 +28,13 @@ using RangeBody = std::function<void(std::int64_t first, std::int64_t last)>;
 /**
  * Calls `body` on disjoint pieces that together cover [begin, end), in parallel, in no order.
  *
- * A piece has about `grain` indices (at least 1), so choose it large enough to pay for one call.
- * The result is independent of the thread count as long as `body` writes only what belongs to its
- * own indices. The first exception a piece throws is thrown again on the calling thread; pieces
- * not yet begun are then left out.
+ * A piece has about `grain` indices (at least 1), so choose it large enough to amortise one call.
+ * The result is independent of the thread count as long as `body` writes only data of its own
+ * indices. The first exception that a piece throws is rethrown on the calling thread; pieces not
+ * yet started are then skipped.
  *
- * With `progress`, the range is worked off in rounds of about a tenth of a second; after each, it
- * is called on the calling thread with the fraction done, and a false answer throws Cancelled.
+ * With `progress`, the range is processed in rounds of about a tenth of a second; after each, it is
+ * called on the calling thread with the fraction done, and Cancelled is thrown if it returns false.
  */
 VTKISTHMUSFILTERSCORE_EXPORT void ParallelFor(std::int64_t begin, std::int64_t end,
   std::int64_t grain, const RangeBody& body, const ProgressCallback& progress = {});

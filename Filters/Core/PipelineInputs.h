@@ -1,9 +1,10 @@
 /**
  * @file PipelineInputs.h
- * @brief What a filter must know of its inputs before it takes them for what it asked for.
+ * @brief Checks of a filter's inputs before it uses them as the types that it requires.
  *
- * A window and a script can connect anything: blocks of several kinds, a table for a surface.
- * VTK's executive checks the type of the whole only, and hands a filter the blocks as they come.
+ * ParaView's window and scripts can connect anything: blocks of several types, a table instead of a
+ * surface. VTK's executive only checks the type of the whole, and passes blocks to a filter
+ * unchecked.
  */
 #ifndef isthmus_PipelineInputs_h
 #define isthmus_PipelineInputs_h
@@ -18,23 +19,23 @@ class vtkAlgorithm;
 namespace isthmus
 {
 
-/// @throws std::invalid_argument, with both types, where an input is not of a type that its port
-/// asks for; with the array, where one has fewer values than there are points (cells, rows ...)
-/// that it is to say something of, and would be read beyond its end. Guarded (AlgorithmGuard.h)
-/// begins with it. O(arrays).
+/// @throws std::invalid_argument, naming both types, if an input does not have a type that its port
+/// requires; naming the array, if one has fewer values than there are points (cells, rows ...) and
+/// would be read beyond its end. Guarded (AlgorithmGuard.h) calls it first. O(arrays).
 VTKISTHMUSFILTERSCORE_EXPORT void CheckInputs(vtkAlgorithm* self);
 
 /**
  * Updates an input from RequestInformation, which filters do not do otherwise: for those that make
- * an image of given spacing around atoms or surfaces. VTK has to know its whole extent before data,
- * or image filters downstream allocate empty outputs on their first update, and the extent follows
- * from the input's points. Nothing else is computed there, and no program is run.
+ * an image of given spacing around atoms or surfaces. VTK must know the whole extent before it
+ * requests data, or downstream image filters allocate empty outputs on their first update, and the
+ * extent depends on the input's points. Nothing else is computed there, and no external program is
+ * run.
  *
- * Not while the filter itself is being executed: VTK asks for the information of each block of
- * composite data in the middle of an execution; an update there would run the source again onto the
- * block, and end the program.
+ * It does nothing while the filter itself is being executed: VTK requests the information of each
+ * block of composite data during an execution; an update there would execute the source again into
+ * the block, and crash.
  *
- * A member of the filter, made with it; by pointer, since the filter's header is installed.
+ * A member of the filter, created with it; held by pointer, since the filter's header is installed.
  */
 class VTKISTHMUSFILTERSCORE_EXPORT InputInAdvance
 {
@@ -43,15 +44,15 @@ public:
   InputInAdvance(const InputInAdvance&) = delete;
   InputInAdvance& operator=(const InputInAdvance&) = delete;
 
-  /// With several ranks all must call it.
+  /// With several ranks all of them must call it.
   void Update(int port = 0);
-  /// @throws std::runtime_error, with `what` they are in the plural, where several ranks had points
-  /// when this input was made. Asks no other rank: one without data may skip the execution.
+  /// @throws std::runtime_error if several ranks had points when this input was updated; `what`
+  /// names the data in the plural. No communication: a rank without data may skip the execution.
   void RequireOneRank(int port, const std::string& what) const;
 
 private:
   vtkAlgorithm* Self;
-  std::map<int, int> RanksOf; ///< of each port: ranks with points
+  std::map<int, int> RanksOf; ///< number of ranks with points, by port
   int Executing = 0;          ///< depth: the execution of a block lies within that of the whole
 };
 

@@ -17,22 +17,23 @@ namespace isthmus
 {
 
 /**
- * The one way from a vtkPolyData to triangles: a copy of its polygons and strips, in the order of
- * its cells, and of all its points, whose ids stay.
+ * Conversion of a vtkPolyData to triangles: a copy of its polygons and strips, in the order of its
+ * cells, and of all its points, whose ids do not change.
  *
- * Polygons of four and more corners are split by vtkPolygon, the thesis' surfaces being triangles;
- * vertices and lines have no area and are left out. Memory: 24 bytes a point, 24 a triangle, and 8
- * a triangle where some cells are not triangles.
+ * Polygons of four and more corners are split by vtkPolygon, since algorithms work on triangles;
+ * vertices and lines have no area and are dropped. Memory: 24 bytes a point, 24 a triangle, and 8 a
+ * triangle where some cells are not triangles.
  */
 class VTKISTHMUSFILTERSCORE_EXPORT PolyDataTriangles
 {
 public:
-  /// What is done where corners are no points, coordinates not finite, polygons not to be split.
+  /// Treatment of invalid point ids, coordinates that are not finite, and polygons that cannot be
+  /// split.
   enum class Damage
   {
     Refused,
-    Kept ///< for what looks for it (SurfaceDefects.h) or mends it; polygons that can't be split
-         ///< lack triangles. Corners of what must be split have to be points even so.
+    Kept ///< for code that finds (SurfaceDefects.h) or repairs defects; polygons that cannot be
+         ///< split lack triangles. Corners of polygons to be split must be valid points even so.
   };
 
   /// @throws std::invalid_argument, with the number of the cell or point, for a corner that is not
@@ -43,7 +44,7 @@ public:
   /// @pre This object outlives the view.
   SurfaceView View() const { return this->Mesh; }
 
-  /// The triangles for what changes them; nothing is left here.
+  /// Moves the triangles out, to be changed; this object is empty afterwards.
   TriangleMesh TakeMesh() { return std::move(this->Mesh); }
 
   /// Cell of the vtkPolyData that `triangle` belongs to.
@@ -66,13 +67,13 @@ private:
   Damage OnDamage;
 };
 
-/// The triangles of `surface` as PolyDataTriangles makes them, damage kept: for what looks for it
-/// (SurfaceDefects.h) or mends it.
-/// @throws std::invalid_argument, with the cell, for a corner that is no point, where some cells
-/// are not triangles.
+/// The triangles of `surface` as by PolyDataTriangles, with defects kept, for code that finds
+/// (SurfaceDefects.h) or repairs them.
+/// @throws std::invalid_argument, naming the cell, for an invalid point id, if some cells are not
+/// triangles.
 VTKISTHMUSFILTERSCORE_EXPORT TriangleMesh MeshOf(vtkPolyData* surface);
 
-/// Makes `surface` the points (double) and triangles of `mesh`.
+/// Sets `surface` to the points (double) and triangles of `mesh`.
 VTKISTHMUSFILTERSCORE_EXPORT void SetMesh(const SurfaceView& mesh, vtkPolyData* surface);
 
 }

@@ -1,6 +1,6 @@
 /**
  * @file PrintableText.h
- * @brief What files and programs say, made fit for a sentence.
+ * @brief Text of files and programs, made printable for error messages.
  */
 #ifndef isthmus_PrintableText_h
 #define isthmus_PrintableText_h
@@ -13,8 +13,8 @@ namespace isthmus
 {
 
 /// `text` with a question mark for each byte that is not part of valid UTF-8, or a control
-/// character other than a line end. Python's observers get nothing at all for a sentence that is
-/// not UTF-8.
+/// character other than a line end. Python observers receive nothing for a message that is not
+/// valid UTF-8.
 VTKISTHMUSFILTERSCORE_EXPORT std::string Printable(const std::string& text);
 
 }

@@ -1,6 +1,6 @@
 /**
  * @file Progress.h
- * @brief How a long computation tells how far it is, and how it is stopped.
+ * @brief How a long computation reports its progress, and how it is aborted.
  */
 #ifndef isthmus_Progress_h
 #define isthmus_Progress_h
@@ -11,11 +11,11 @@
 namespace isthmus
 {
 
-/// Called with the fraction done, in [0, 1], on the thread that started the work; false stops it.
-/// An empty callback means that nobody listens.
+/// Called with the fraction done, in [0, 1], on the thread that started the work; returning false
+/// aborts it. An empty callback is allowed.
 using ProgressCallback = std::function<bool(double fraction)>;
 
-/// Thrown by an algorithm whose ProgressCallback asked it to stop. Not an error for the user.
+/// Thrown by an algorithm whose ProgressCallback returned false. Not an error for the user.
 class Cancelled : public std::runtime_error
 {
 public:
@@ -25,8 +25,8 @@ public:
   }
 };
 
-/// Reports `fraction` to `progress`, if anybody listens.
-/// @throws Cancelled when told to stop.
+/// Reports `fraction` to `progress`, if it is not empty.
+/// @throws Cancelled if it returns false.
 inline void Report(const ProgressCallback& progress, double fraction)
 {
   if (progress && !progress(fraction))

@@ -1,7 +1,7 @@
 /**
  * @file RangeChecks.h
- * @brief Numbers that no algorithm should meet are refused here, with a sentence, before
- * third-party code sees them: properties out of their range, frames of images, coordinates.
+ * @brief Refuses invalid numbers with an error message before they reach algorithms and third-party
+ * code: properties out of range, image geometry, coordinates.
  */
 #ifndef isthmus_RangeChecks_h
 #define isthmus_RangeChecks_h
@@ -15,15 +15,16 @@ class vtkImageData;
 namespace isthmus
 {
 
-/// Lengths and coordinates that are worked with: beyond, products of a few of them are no doubles.
+/// Range of valid lengths and coordinates: beyond it, products of a few of them overflow or
+/// underflow.
 constexpr double SmallestLength = 1e-100;
 constexpr double LargestLength = 1e100;
 
-/// A number as sentences show it: six digits at most, and NaN in words.
+/// A number formatted for messages: six digits at most, and NaN in words.
 VTKISTHMUSFILTERSCORE_EXPORT std::string FormatNumber(double value);
 
-/// @throws std::invalid_argument, with the property's name, value and range, unless
-/// low <= value <= high. NaN is refused. `meaning` ends the sentence.
+/// @throws std::invalid_argument, with the property's name, value and range, unless low <= value <=
+/// high. NaN is refused. `meaning` is the end of the message.
 VTKISTHMUSFILTERSCORE_EXPORT void RequireRange(
   const char* property, double value, double low, double high, const char* meaning = "");
 

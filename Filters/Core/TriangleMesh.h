@@ -1,7 +1,7 @@
 /**
  * @file TriangleMesh.h
- * @brief Triangle surfaces: the owner, which what changes a surface takes and returns, and the view
- * that algorithms take which only read one.
+ * @brief Triangle surfaces: an owning type, which functions that change a surface take and return,
+ * and a view, which functions that only read a surface take.
  */
 #ifndef isthmus_TriangleMesh_h
 #define isthmus_TriangleMesh_h
@@ -31,14 +31,14 @@ struct TriangleMesh
 };
 
 /**
- * View of a triangle surface; it owns nothing, and a TriangleMesh becomes one wherever one is
- * taken, at no cost. What reads a surface takes `const SurfaceView&` and, if it keeps it, keeps a
- * copy of the view; what changes one takes and returns a TriangleMesh.
+ * Non-owning view of a triangle surface, to which a TriangleMesh converts implicitly at no cost.
+ * Code that reads a surface takes `const SurfaceView&` and, if it stores it, stores a copy of the
+ * view; code that changes one takes and returns a TriangleMesh.
  *
  * Triangles are counter-clockwise seen from outside. Lengths are in the units of the data (angstrom
- * for molecular surfaces). Unless an algorithm says that it looks for damage itself, every corner
- * id lies in [0, NumberOfPoints()) and all coordinates of points that triangles use are finite:
- * PolyDataTriangles sees to both.
+ * for molecular surfaces). Unless an algorithm states that it checks for defects itself, every
+ * corner id lies in [0, NumberOfPoints()) and all coordinates of points that triangles use are
+ * finite: PolyDataTriangles ensures both.
  */
 struct SurfaceView
 {
@@ -48,7 +48,7 @@ struct SurfaceView
     , Triangles(triangles)
   {
   }
-  /// @pre `mesh` outlives the view, and its vectors are left as they are.
+  /// @pre `mesh` outlives the view, and its vectors do not change.
   SurfaceView(const TriangleMesh& mesh)
     : Points(mesh.Points)
     , Triangles(mesh.Triangles)
@@ -64,7 +64,7 @@ struct SurfaceView
   View<Triangle> Triangles;
 };
 
-/// For what changes a surface that it was given as a view.
+/// A copy, for code that changes a surface given as a view.
 inline TriangleMesh CopyOf(const SurfaceView& surface)
 {
   return { { surface.Points.begin(), surface.Points.end() },

@@ -1,6 +1,6 @@
 /**
  * @file UnitScale.h
- * @brief Very large and very small surfaces, brought to about 1 and back.
+ * @brief Scales very large and very small surfaces to about 1 and back.
  */
 #ifndef isthmus_UnitScale_h
 #define isthmus_UnitScale_h
@@ -13,22 +13,22 @@
 namespace isthmus
 {
 
-/// How much longer than the shortest edge a surface may reach: where that is brought to about 1,
-/// sixth powers of edges, which squared volumes are, are just above 0.
+/// Largest ratio of a surface's extent to its shortest edge: if the extent is scaled to about 1,
+/// sixth powers of edges (squared volumes) are still above 0.
 constexpr double LargestReach = 1e50;
 
 /**
- * Brings coordinates to about 1 for code that takes fourth powers of lengths, and back.
+ * Scales coordinates to about 1 for code that computes fourth powers of lengths, and back.
  *
  * The factor is a power of two, so nothing is rounded; it is 1 where the largest coordinate is
- * between 2^-20 and 2^20, so ordinary data come as they are. Only coordinates below the largest by
- * more than LargestReach become 0: products of lengths in which they alone differ are no doubles,
+ * between 2^-20 and 2^20, so ordinary data are not changed. Only coordinates below the largest by
+ * more than LargestReach become 0: products of lengths in which they alone differ would underflow,
  * and CGAL divides by them. O(points).
  */
 class VTKISTHMUSFILTERSCORE_EXPORT UnitScale
 {
 public:
-  /// Points that are not finite are not looked at.
+  /// Points that are not finite are ignored.
   /// @throws std::invalid_argument, with the point, for a coordinate beyond LargestLength, and
   /// where all are below SmallestLength but not 0.
   explicit UnitScale(const View<Point3>& points);

@@ -1,7 +1,7 @@
 /**
  * @file VTKVersions.h
- * @brief The one place that asks for VTK's version, for what no single call serves from the oldest
- * (that of ParaView 5.11) to the newest.
+ * @brief The only file that depends on VTK's version, for functions without a common call in all
+ * versions from that of ParaView 5.11 to the newest.
  */
 #ifndef isthmus_VTKVersions_h
 #define isthmus_VTKVersions_h

@@ -6,9 +6,9 @@
 #define isthmus_VectorClones_h
 
 /**
- * Before a function: compile it for AVX-512, AVX2 and the baseline, and choose when the library is
- * loaded. Worth it for long loops of double arithmetic only. Results may differ in the last bit
- * from machine to machine, not from run to run.
+ * Placed before a function: compiles it for AVX-512, AVX2 and the baseline; the version is chosen
+ * when the library is loaded. Useful only for long loops of double arithmetic. Results may differ
+ * in the last bit from machine to machine, not from run to run.
  *
  * Elsewhere than GCC 12 on x86-64 Linux, and under sanitizers (whose start-up comes after the
  * choice), it is empty and the function is compiled once.

@@ -1,6 +1,6 @@
 /**
  * @file View.h
- * @brief Some neighbouring elements of somebody else's array.
+ * @brief Non-owning view of consecutive elements of an array.
  */
 #ifndef isthmus_View_h
 #define isthmus_View_h
