@@ -18,11 +18,11 @@
  * MolecularDensity.h.
  *
  * The grid has cubic cells; its first node lies Padding beyond the outermost ball. It is the whole
- * grid whatever part is asked for. Atoms without radius (NaN) are left out, with a warning; atoms
- * with radius 0 leave no trace.
+ * grid for any requested part. Atoms without radius (NaN) are dropped, with a warning; atoms with
+ * radius 0 leave no trace.
  *
- * **Errors** (sentence, empty output): neither radii nor elements; negative radii, coordinates that
- * are not finite; a Spacing that is not positive or so small that the grid does not fit into
+ * **Errors** (one message, empty output): neither radii nor elements; negative radii, coordinates
+ * that are not finite; a Spacing that is not positive or so small that the grid does not fit into
  * memory. No atoms: an empty image and no error.
  *
  * **Cost.** Linear in atoms and nodes: 100,000 atoms at 0.5 angstrom in 0.12 s on two

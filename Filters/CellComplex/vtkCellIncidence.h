@@ -3,8 +3,8 @@
  * @brief Edges and faces of a volume mesh, each once, with a number and what they belong to.
  *
  * Input: vtkUnstructuredGrid of linear volume cells of any type, VTK_POLYHEDRON too. Cells of
- * higher order are taken by their corner points, and points, lines and surface cells are left out;
- * a warning says so.
+ * higher order are represented by their corner points, and points, lines and surface cells are
+ * dropped; a warning says so.
  *
  * Output port 0, vtkPolyData: each edge as one line, from its smaller to its larger point. Cell
  * data: EdgeId (vtkIdType), OnBoundary (unsigned char, 1 on the mesh's boundary),

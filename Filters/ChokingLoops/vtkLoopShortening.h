@@ -11,8 +11,8 @@
  * Output: one closed polyline for each, with its cell data, `Length`, `Converged` (1: a geodesic)
  * and `Contractible` (1: it could be drawn together to a point; it is then given as it came).
  *
- * Errors (sentence, empty output): a surface that CheckedSurface() in SurfacePreparation.h refuses,
- * a loop on two parts of the surface, a loop that is a point or a path there and back.
+ * Errors (one message, empty output): a surface that CheckedSurface() in SurfacePreparation.h
+ * refuses, a loop on two parts of the surface, a loop that is a point or a path there and back.
  *
  * Source: S.-Q. Xin, Y. He, C.-W. Fu, IEEE TVCG 18 (2012) 879. Time: the number of edges crossed, a
  * round.

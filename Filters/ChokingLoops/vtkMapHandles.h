@@ -24,15 +24,15 @@
  * Field data of all: `StableLevel`, `ChosenLevel`, and `RecommendedLevel` where one is given.
  *
  * **Range.** Density below the noise is no persistence, so bars are clipped to Range; without one
- * it goes from the mean of the map (what surrounds the molecule) to its maximum.
+ * it extends from the mean of the map (the surroundings of the molecule) to its maximum.
  *
  * **Report saddles, not bars.** Equal narrowings of a symmetric map come in groups of saddles at
  * nearly one level, but the elder rule hands them to different dimensions: one of n joins the last
  * component, the others close tunnels.
  *
- * **Errors** (sentence, empty outputs): a value that is not a number; a range or persistence that
- * is none; a map without a level to choose. Cost: that of vtkScalarPersistence, a contour, and with
- * Loops that of vtkChokingLoops. On several MPI ranks the first one does everything.
+ * **Errors** (one message, empty outputs): a value that is not a number; a range or persistence
+ * that is none; a map without a level to choose. Cost: that of vtkScalarPersistence, a contour, and
+ * with Loops that of vtkChokingLoops. On several MPI ranks the first one does everything.
  *
  * Method: MapHandles.h, CubicalPersistence.h.
  */

@@ -7,8 +7,8 @@
  * where it matters, and contoured (flying edges), so that the result is right to about the square
  * of the grid spacing over the distance.
  *
- * Input: triangles (vtkPolyData), closed unless both sides are asked for. Output: the surface at
- * `Distance` on the side asked for, with normals that face away from the input and the cell spacing
+ * Input: triangles (vtkPolyData), closed unless both sides are requested. Output: the surface at
+ * `Distance` on the requested side, with normals that face away from the input and the cell spacing
  * as field data `GridSpacing`. Formulas, errors and cost: OffsetSurface.h.
  */
 #ifndef vtkOffsetSurface_h

@@ -12,7 +12,7 @@
  * topology differs from that surface's all the same, a warning says how.
  *
  * Source: J.-D. Boissonnat, S. Oudot, doi:10.1016/j.gmod.2005.01.004, by CGAL's Mesh_3; defaults
- * of the thesis (4.4.1.1) are Angle 30, Radius 0.8, Distance 0.8. On failure: one sentence through
+ * of the thesis (4.4.1.1) are Angle 30, Radius 0.8, Distance 0.8. On failure: one error through
  * vtkErrorMacro and an empty output. The whole volume is needed on one rank. One thread.
  */
 #ifndef vtkDelaunayIsosurface_h

@@ -13,7 +13,7 @@
  * Source: T. Ju et al., doi:10.1145/566654.566586, with a vertex for each piece of surface in a
  * cell (S. Schaefer et al., doi:10.1109/TVCG.2007.1012). Polygons may cross where the surface turns
  * within a cell, unless FreeOfCrossings is on. On failure: one
- * sentence through vtkErrorMacro and an empty output. Cost: see DualContouring.h. The whole input
+ * error through vtkErrorMacro and an empty output. Cost: see DualContouring.h. The whole input
  * is needed on one rank.
  */
 #ifndef vtkDualContouring_h

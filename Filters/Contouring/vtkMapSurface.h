@@ -16,7 +16,7 @@
  * Level costs two passes over the map and the surface: well under a second for 256^3 nodes.
  *
  * Memory: surface with normals, 100 bytes a triangle; the map is not copied where it is float or
- * double. On failure: one sentence through vtkErrorMacro and an empty output. The whole map is
+ * double. On failure: one error through vtkErrorMacro and an empty output. The whole map is
  * needed on one rank.
  *
  * @sa vtkDelaunayIsosurface vtkHessianCurvature

@@ -36,7 +36,7 @@
  * same values to rounding. With input 1, a rank asks for its piece of the image, and in a second
  * pass for more if its points lie elsewhere. Results do not depend on the number of threads.
  *
- * **Errors** (sentence, empty output): no scalars, several components, cell data, Accuracy other
+ * **Errors** (one message, empty output): no scalars, several components, cell data, Accuracy other
  * than 2 or 4, negative or infinite Scale or tolerance. An empty image or surface is not an error.
  * An image too thin for the stencil is a warning, and nothing is valid.
  *

@@ -26,8 +26,8 @@
  * Polygons and strips are split into triangles for areas. ScalarRegions.h has the rules and
  * sources.
  *
- * **Errors** (sentence, empty outputs): no such arrays, thresholds that don't ascend, scalars that
- * are not finite, a SweepTarget that is not between the thresholds. An empty surface is not an
+ * **Errors** (one message, empty outputs): no such arrays, thresholds that don't ascend, scalars
+ * that are not finite, a SweepTarget that is not between the thresholds. An empty surface is not an
  * error.
  *
  * **Cost.** O(triangles x regions they lie in), in parallel, the same bits on any number of
@@ -58,8 +58,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Thresholds of the first scalar, ascending, in its unit. Default: -0.1 and 0.1 (1/angstrom, for
-  /// curvatures). Setting one beyond the last makes room for it; getting one there gives 0.
+  /// Thresholds of the first scalar, ascending, in its unit. Default: -0.1 and 0.1 (1/angstrom,
+  /// for curvatures). Setting one beyond the last extends the list; getting one there returns 0.
   void SetNumberOfThresholds(int number);
   int GetNumberOfThresholds() const { return static_cast<int>(this->Thresholds.size()); }
   void SetThreshold(int index, double value);

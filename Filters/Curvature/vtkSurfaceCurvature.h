@@ -28,7 +28,7 @@
  * that are regular in some parameters. On irregular ones it doesn't converge; take EdgeTensor with
  * a ball, or, for isosurfaces of a volume, vtkHessianCurvature.
  *
- * **Errors** (sentence, empty output): coordinates that are not finite, damaged cells, negative
+ * **Errors** (one message, empty output): coordinates that are not finite, damaged cells, negative
  * Radius or tolerance. An empty surface is not an error.
  *
  * **Cost.** O(triangles), for balls and discs times the triangles within Radius; in parallel, the

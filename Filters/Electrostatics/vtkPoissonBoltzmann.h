@@ -6,7 +6,7 @@
  * (angstrom; others by SetInputArrayToProcess 0 and 1), as vtkMacromoleculeReader makes from a PQR
  * file. Atoms with names but without charges (a PDB or mmCIF file) get hydrogens, charges and radii
  * of a force field (ForceField) by the program pdb2pqr, where it is installed: water and residues
- * that the field does not know are left out, the latter with a warning. Output 2 has them.
+ * that the force field does not contain are dropped, the latter with a warning. Output 2 has them.
  *
  * **Input 1**, optional: the solute's surface. A volume (vtkImageData): the isosurface at Level of
  * its scalars, which are higher inside unless InsideIsHigher is off. Or a closed surface
@@ -59,8 +59,8 @@
  * of solvent around, and cropped. Nodes nearer to a charge than a quarter of the spacing have the
  * charge's potential at that distance.
  *
- * **Errors** (sentence, empty outputs): no charges, or all 0; charges outside the surface; negative
- * radii; numbers that are not finite; a surface that is open, empty or leaves the volume;
+ * **Errors** (one message, empty outputs): no charges, or all 0; charges outside the surface;
+ * negative radii; numbers that are not finite; a surface that is open, empty or leaves the volume;
  * properties out of range; an input 2 that does not cover the border or is not finite; no
  * convergence. A net charge that is not integral, or a box small for the Debye length, gives a
  * warning. No atoms: empty outputs and no error.

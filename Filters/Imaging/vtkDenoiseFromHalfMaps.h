@@ -3,8 +3,9 @@
  * @brief Denoises the mean of two half maps; their difference gives the noise level.
  *
  * Two maps of the same thing from independent halves of the data, a and b, have the mean
- * (a + b) / 2, whose noise is (a - b) / 2, signal left out: so its standard deviation is known and
- * need not be estimated. The mean goes to vtkHighOrderDiffusion with that KnownNoise.
+ * (a + b) / 2, whose noise is (a - b) / 2, which contains no signal: its standard deviation is
+ * known and need not be estimated. The mean is passed to vtkHighOrderDiffusion with that
+ * KnownNoise.
  *
  * Input 0 and 1: vtkImageData of the same nodes (dimensions, spacing, origin, direction to 1e-4 of
  * a spacing), one-component point scalars each. Nodes where the halves are equal, as outside of a

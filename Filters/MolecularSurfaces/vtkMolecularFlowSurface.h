@@ -17,9 +17,9 @@
  *  - 2: vtkTable, the history: `Time` (square angstrom), `Spacing` (of the grid it ran on), `Area`,
  *    `Volume`, `Energy` (kcal/mol: SurfaceTension x Area, and + Pressure x Volume with Solvent on).
  *
- * The flow starts from balls of Enlargement times the radius and goes on for EvolutionTime, or
- * until convergence (Steady): then it is the *minimal molecular surface*, which has the least area
- * around the atoms and is a hull: it fills pockets, pores and tunnels. A ProbeRadius adds a second
+ * The flow starts from balls of Enlargement times the radius and runs for EvolutionTime, or until
+ * convergence (Steady): then it is the *minimal molecular surface*, which has the least area around
+ * the atoms and is a hull: it fills pockets, pores and tunnels. A ProbeRadius adds a second
  * obstacle, the solvent-excluded surface of that probe, which the flow can't cross: what the probe
  * can enter stays open, and the rest is smooth without the cusps of that surface. Formulas,
  * sources: SurfaceFlow.h.
@@ -38,9 +38,9 @@
  * outputs, no error.
  *
  * **Cost.** Lysozyme (1960 atoms, 0.5 angstrom): some 60 steps to the thesis' time, 200 fine ones
- * to convergence. A step goes with area / Spacing, steps for a given time with 1 / Spacing^2.
- * Memory: 40 to 50 bytes a node. The same bits on any number of threads. All atoms are needed on
- * one rank.
+ * to convergence. The cost of a step is proportional to area / Spacing, the number of steps for a
+ * given time to 1 / Spacing^2. Memory: 40 to 50 bytes a node. The same bits on any number of
+ * threads. All atoms are needed on one rank.
  */
 #ifndef vtkMolecularFlowSurface_h
 #define vtkMolecularFlowSurface_h
@@ -105,7 +105,7 @@ public:
   ///@}
 
   ///@{
-  /// How long the flow goes on, in square angstrom, unless Steady. Default 2.5, the thesis' 100
+  /// Evolution time of the flow, in square angstrom, unless Steady. Default 2.5, the thesis' 100
   /// steps.
   vtkSetMacro(EvolutionTime, double);
   vtkGetMacro(EvolutionTime, double);

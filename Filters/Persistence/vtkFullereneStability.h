@@ -27,9 +27,9 @@
  *
  * **How far to trust it.** Among isomers of one size, C36 and C40, FilteredIntegral follows the
  * energy of the same geometry (r = -0.955 and -0.876); counting adjacent pentagons does so better
- * (0.961 and 0.967). Over sizes, EnergyProxy mostly follows 1 / Atoms. See the room's README.
+ * (0.961 and 0.967). Over sizes, EnergyProxy mostly follows 1 / Atoms. See the module's README.
  *
- * **Errors** (sentence, empty output): coordinates that are not finite; parameters that are no
+ * **Errors** (one message, empty output): coordinates that are not finite; parameters that are no
  * lengths; no radii where ScaleByRadius asks for them. Without atoms: an empty table and no error.
  *
  * Exact (default): the alpha complex, milliseconds for a molecule. Grid: as the thesis did, the

@@ -4,7 +4,7 @@
  *
  * Input: vtkImageData with one number per node (float, double or any integer). As the level rises
  * (falls, with Superlevel), the set of nodes below (above) it grows; the filter says when each of
- * its components, tunnels and cavities appears and when it goes, over Z/2.
+ * its components, tunnels and cavities appears and disappears, over Z/2.
  *
  * **Who touches whom.** The V-construction: the nodes are the points of the complex, and an edge,
  * face or cube of the grid is in it as soon as all of its corners are. So two nodes of the object
@@ -31,15 +31,15 @@
  *  - 3, *Cycles* (vtkPolyData; with Cycles on): a closed polyline round each tunnel kept, on the
  *    grid's edges, short, with `FeatureId`, `Birth`, `Death`, `Persistence`, `Length` on cells.
  *  - 4, *Simplified* (vtkImageData; with Simplify on): the input with the minima and maxima of the
- *    classes that are left out flattened (as TTK's topological simplification does).
+ *    dropped classes flattened (as TTK's topological simplification does).
  *
  * **What is listed.** Classes with Death - Birth of at least MinimumPersistence (absolute values;
  * the part within Range, where UseRange is on), and always the class that never dies. A class that
  * begins and ends at one value is never listed. FeatureId counts all classes from the longest down
  * and so stays the same when the threshold moves.
  *
- * **Errors** (sentence, empty outputs): a value that is not a number, with its place; a range or a
- * persistence that is none. An empty image gives empty outputs.
+ * **Errors** (one message, empty outputs): a value that is not a number, with its place; a range or
+ * a persistence that is none. An empty image gives empty outputs.
  *
  * **Cost.** On maps 60-200 ns and 4-20 bytes a node beside the input, in white noise 2 us and 100
  * bytes; changing MinimumPersistence only looks up what is known. The same on any number of
@@ -100,7 +100,7 @@ public:
   ///@}
 
   ///@{
-  /// Look only at levels within Range: classes without a part there are left out, and persistence
+  /// Look only at levels within Range: classes without a part there are dropped, and persistence
   /// is the length of that part. Default off.
   vtkSetMacro(UseRange, bool);
   vtkGetMacro(UseRange, bool);

@@ -13,7 +13,7 @@
  * each score is multiplied by the square root of the pocket's mean |polarized curvature| over the
  * surface's.
  *
- * A pocket is room for a ball of InnerRadius that a ball of OuterRadius does not reach from
+ * A pocket is space for a ball of InnerRadius that a ball of OuterRadius does not reach from
  * outside; MolecularPockets.h has the definitions. The best pocket has the PocketId (and Rank) 1.
  *
  * - **Output 0**, vtkUnstructuredGrid: the tetrahedra of the pockets, between centres of atoms.
@@ -77,7 +77,7 @@ public:
   ///@}
 
   ///@{
-  /// Radius of the ball that has room in a pocket. Default: 1.7 angstrom, a carbon atom.
+  /// Radius of the ball that fits into a pocket. Default: 1.7 angstrom, a carbon atom.
   vtkSetMacro(InnerRadius, double);
   vtkGetMacro(InnerRadius, double);
   ///@}

@@ -8,8 +8,8 @@
  *
  * Or a closed surface (polygons without a radius), of a map say, as vtkMapSurface makes it: its
  * points are taken as atoms of radius 0, so that radii are too large by some h^2 / 6r at edges of
- * h. Channels narrower than its longest edge are not told from the gaps between points and left
- * out.
+ * h. Channels narrower than its longest edge cannot be distinguished from the gaps between points
+ * and are left out.
  *
  * Mode Automatic finds the channels that run through; TwoPoints takes the pore from Point1 to
  * Point2; PointAndDirection takes planes across Direction, both ways from Point, as HOLE does.

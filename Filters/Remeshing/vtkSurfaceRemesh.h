@@ -4,12 +4,11 @@
  *
  * Input: vtkPolyData, manifold and oriented, boundaries allowed (polygons are triangulated).
  * Output: vtkPolyData of triangles. Points lie on the old surface; its point data are interpolated
- * to them (vtkIdType and string arrays, which can't be, are left out), field data are kept, cell
- * data are not. Edges whose triangles' normals differ by more than FeatureAngle, and boundaries,
- * stay.
+ * to them (except vtkIdType and string arrays, which are dropped), field data are kept, cell data
+ * are not. Edges whose triangles' normals differ by more than FeatureAngle, and boundaries, stay.
  *
  * Sources: M. Botsch, L. Kobbelt, doi:10.1145/1057432.1057457; P. Lindstrom, G. Turk,
- * doi:10.1109/VISUAL.1998.745314; both by CGAL. On failure: one sentence through vtkErrorMacro and
+ * doi:10.1109/VISUAL.1998.745314; both by CGAL. On failure: one error through vtkErrorMacro and
  * an empty output. The whole surface is needed on one rank. One thread.
  */
 #ifndef vtkSurfaceRemesh_h

@@ -5,7 +5,7 @@
  * Extremes of curvature and potential sit in a few points near creases; a colour bar between them
  * shows one flat tint. Input: vtkPolyData (or other vtkDataSet, whose points or cells count alike)
  * with the point or cell array of `SetInputArrayToProcess(0, ...)`, one component. Values that are
- * not finite are left out, and those where the point array `CurvatureValid` is 0.
+ * not finite are ignored, and those where the point array `CurvatureValid` is 0.
  *
  * Output: vtkTable with the column `Range` of two rows: the quantiles Lower and Upper by area; no
  * row where there is no value. Used by the plugin to choose colour ranges, also on a remote server.

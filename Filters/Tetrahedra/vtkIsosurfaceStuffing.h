@@ -14,7 +14,7 @@
  * (vtkIdType) counts the places where the level set turned within a cell (IsosurfaceStuffing.h).
  *
  * Source: F. Labelle, J. R. Shewchuk, doi:10.1145/1276377.1276448. Second order in CellSize. Cost:
- * see IsosurfaceStuffing.h. On failure: one sentence through vtkErrorMacro and an empty output. The
+ * see IsosurfaceStuffing.h. On failure: one error through vtkErrorMacro and an empty output. The
  * whole volume is needed on one rank.
  */
 #ifndef vtkIsosurfaceStuffing_h

@@ -18,7 +18,7 @@
  * counted.
  *
  * vtkMeshQuality gives one measure at a time and no dihedral range; what it has agrees (tested). On
- * other cells: one sentence through vtkErrorMacro and empty outputs. O(n), in parallel.
+ * other cells: one error through vtkErrorMacro and empty outputs. O(n), in parallel.
  */
 #ifndef vtkMeshQualityReport_h
 #define vtkMeshQualityReport_h

@@ -4,22 +4,22 @@
  *
  * Input: vtkPolyData, a closed, manifold, oriented surface without self-intersections (polygons are
  * triangulated), of any number of components, some of which may be cavities of others. It is
- * checked first; what is wrong is told with the ids of the triangles, or mended when Repair is on.
+ * checked first; errors name the ids of the triangles, or are repaired when Repair is on.
  *
  * Output: vtkUnstructuredGrid of tetrahedra in the units of the surface. Cell array `RegionId`
  * (int): solids 1, 2, ..., exterior 0, cavities -1, -2, ... Point array `OriginalPointId`
  * (vtkIdType): the point of the surface it was, or -1. Field data of the input is kept; after a
  * repair, string `Repair` says what was changed. With Automatic there are the field arrays `Engine`
- * (string: the way gone), `EngineReport` (string: why, and how far the surface moved, also told as
- * a warning when it did), `HausdorffDistance`, `VolumeBefore` and `VolumeAfter` (of the solids),
- * `VolumeIsDoubtful` (1 where these differ by more than a hundredth, else 0); by stuffing, RegionId
- * is 1 in solids and 0 elsewhere.
+ * (string: the backend used), `EngineReport` (string: why, and how far the surface moved, also
+ * issued as a warning when it did), `HausdorffDistance`, `VolumeBefore` and `VolumeAfter` (of the
+ * solids), `VolumeIsDoubtful` (1 where these differ by more than a hundredth, else 0); by stuffing,
+ * RegionId is 1 in solids and 0 elsewhere.
  *
  * TetGen (H. Si, doi:10.1145/2629697) runs as a program of its own, the command `tetgen` of the
  * Debian package of that name, under TimeLimit and MemoryLimit, killed on abort. CGAL (Mesh_3) runs
  * here; it makes a new surface within FacetDistance of the input's, rounding its sharp edges.
  *
- * On failure: one sentence through vtkErrorMacro and an empty output. Cost: see
+ * On failure: one error through vtkErrorMacro and an empty output. Cost: see
  * TetrahedralMesher.h. The whole surface is needed on one rank.
  */
 #ifndef vtkTetrahedralMesher_h
@@ -58,9 +58,9 @@ public:
   };
 
   ///@{
-  /// Who makes the tetrahedra. Automatic tries what moves the surface least and goes on when that
-  /// fails: TetGen, TetGen after repair, CGAL after repair, isosurface stuffing from the winding
-  /// number (AutomaticMesher.h). Default Automatic.
+  /// Meshing backend. Automatic tries the one that moves the surface least and then the next
+  /// when that fails: TetGen, TetGen after repair, CGAL after repair, isosurface stuffing from the
+  /// winding number (AutomaticMesher.h). Default Automatic.
   vtkSetClampMacro(Library, int, TetGen, Automatic);
   vtkGetMacro(Library, int);
   ///@}

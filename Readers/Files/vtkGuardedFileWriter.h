@@ -1,6 +1,6 @@
 /**
  * @class vtkGuardedFileWriter
- * @brief What our writers share: a file's name, and one sentence where a file can't be written.
+ * @brief Base class of our writers: file name, and one error message if a file cannot be written.
  *
  * No file name, or whatever keeps the file from being written to its end, is one error with the
  * error code set; an abort is not an error.
@@ -36,7 +36,7 @@ protected:
     return this->GetErrorCode() == 0;
   }
 
-  /// Writes the input to FileName, which is set, or throws with a sentence.
+  /// Writes the input to FileName, which is set, or throws.
   virtual void WriteFile() = 0;
 
   char* FileName = nullptr;

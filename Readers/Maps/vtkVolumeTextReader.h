@@ -7,7 +7,7 @@
  * origin 0 and spacing 1, since the file has neither. Written and read again, doubles are the same
  * bits; floats are once they are rounded to float again.
  *
- * A file that is missing, cut, too long or wrong: one sentence with the line, the error code, an
+ * A file that is missing, cut, too long or wrong: one error with the line, the error code, an
  * empty output. Time and memory: O(numbers).
  */
 #ifndef vtkVolumeTextReader_h

@@ -7,7 +7,7 @@
  * Origin and spacing are not part of the format, a warning is issued where they are not 0 and 1.
  *
  * No nodes, no such array, an array of several components, a file that can't be written to its end:
- * one sentence through vtkErrorMacro, the error code set, and no file. About 0.1 us a number;
+ * one error through vtkErrorMacro, the error code set, and no file. About 0.1 us a number;
  * memory 1 MiB.
  */
 #ifndef vtkVolumeTextWriter_h

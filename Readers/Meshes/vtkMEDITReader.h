@@ -5,7 +5,7 @@
  * Output: vtkUnstructuredGrid of edges, triangles, quadrilaterals, tetrahedra, pyramids, prisms and
  * hexahedra, in the order of the file, with the array `Reference` on points and cells. The sections
  * are described in MEDITFile.h. A file that is missing, cut or wrong, and .mesh files of other
- * programs: one sentence with the line, the error code, an empty output. Time and memory: O(bytes).
+ * programs: one error with the line, the error code, an empty output. Time and memory: O(bytes).
  */
 #ifndef vtkMEDITReader_h
 #define vtkMEDITReader_h

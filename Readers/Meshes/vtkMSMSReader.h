@@ -8,7 +8,7 @@
  * Output: vtkPolyData of triangles in angstrom. Point arrays `Normals` (active normals, away from
  * the molecule), `AnalyticFace`, `Atom` (nearest atom, from 0), `SurfaceType` (1 toric, 2
  * reentrant, 3 contact); cell arrays `SurfaceType`, `AnalyticFace`, `Component` (0, 1, 2, ...:
- * which pair). A missing, cut or foreign file: one sentence through vtkErrorMacro, error code,
+ * which pair). A missing, cut or foreign file: one error through vtkErrorMacro, error code,
  * empty output.
  */
 #ifndef vtkMSMSReader_h

@@ -32,7 +32,7 @@ protected:
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// Fills `mesh` from FileName, which is set, or throws with a sentence.
+  /// Fills `mesh` from FileName, which is set, or throws.
   virtual void ReadMesh(isthmus::CellMesh& mesh) = 0;
 
   char* FileName = nullptr;

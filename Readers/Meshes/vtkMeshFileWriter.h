@@ -26,7 +26,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void WriteFile() override;
 
-  /// Writes `mesh` to FileName, which is set, or throws with a sentence.
+  /// Writes `mesh` to FileName, which is set, or throws.
   virtual void WriteMesh(const isthmus::CellMesh& mesh) = 0;
 
   /// Names of the arrays that the format holds, separated by blanks.

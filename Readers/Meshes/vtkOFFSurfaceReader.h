@@ -4,7 +4,7 @@
  *
  * Output: vtkPolyData with points in double precision; of NOFF files the active normals `Normals`,
  * of COFF files `Colors` (red, green, blue, opacity as bytes). The grammar is in OFFFile.h. A file
- * that is missing, cut or wrong: one sentence with the line, the error code, an empty output. Time
+ * that is missing, cut or wrong: one error with the line, the error code, an empty output. Time
  * and memory: O(bytes).
  */
 #ifndef vtkOFFSurfaceReader_h

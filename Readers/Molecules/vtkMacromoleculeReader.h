@@ -25,14 +25,14 @@
  * order of the file, save that gemmi brings those of one residue together.
  *
  * Several models are time steps (ModelsAsTimeSteps). Field data: `NumberOfModels`; `ElementSymbols`
- * (string 6 is "C"); `Notes` and `Warnings`: what was left out or is missing, one sentence each.
- * Warnings also go to vtkWarningMacro: old columns left out, atoms without radius.
+ * (string 6 is "C"); `Notes` and `Warnings`: what was dropped or is missing, one message each.
+ * Warnings also go to vtkWarningMacro: old columns ignored, atoms without radius.
  *
  * **Output 1**, vtkMolecule: the same atoms and bonds (order 1) and point arrays, for molecule
  * mappers.
  *
- * **Errors** (sentence, error code, empty outputs): a file that is missing, cut, foreign, without
- * atoms, with coordinates that are no finite numbers; a model, chain, assembly or alternate
+ * **Errors** (one message, error code, empty outputs): a file that is missing, cut, foreign,
+ * without atoms, with coordinates that are no finite numbers; a model, chain, assembly or alternate
  * location that it does not have.
  *
  * **Cost.** A million atoms from PQR: about 1.5 s on two cores with all bonds, 0.8 GB. Progress and

@@ -12,7 +12,7 @@
  * or int; rank 0, or rank 1 with a shape, which becomes components; text, or raw bytes after
  * `binary`, `ieee`, `lsb` or `msb`) and field, attributes and comments. Values run with z fastest
  * in the file and are put in VTK's order, x fastest. float stays float, all else becomes double.
- * **Refused** with a sentence: values in another file, irregular positions, matrices, counts that
+ * **Refused** with an error: values in another file, irregular positions, matrices, counts that
  * disagree, words where numbers belong, too few values or too many.
  *
  * **Deltas.** Along x, y, z: spacing and origin. Orthogonal but turned or reversed: also the
@@ -23,7 +23,7 @@
  * **Field data:** `Comments` (texts), `FieldName`, `Notes` (what the warnings said), when there are
  * any. Values that are not finite are kept and counted in a warning.
  *
- * **Errors** (missing, empty, truncated, of another kind, damaged): a sentence with file and line,
+ * **Errors** (missing, empty, truncated, of another kind, damaged): an error with file and line,
  * an empty output, and an error code of vtkErrorCode.
  *
  * **Cost.** One pass over the text, about 30 ns a number on one thread; the output, plus 32 MiB or
