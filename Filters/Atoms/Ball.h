@@ -1,6 +1,6 @@
 /**
  * @file Ball.h
- * @brief An atom as the filters of this room see it.
+ * @brief An atom as the molecular filters use it.
  */
 #ifndef isthmus_Ball_h
 #define isthmus_Ball_h

@@ -37,13 +37,13 @@ struct PolymerOptions
   bool Ions = false;              ///< residues of one heavy atom
   bool Ligands = false;           ///< all else that is no part of a chain
   bool ProstheticGroups = false;  ///< hemes, flavins, iron-sulphur clusters, chlorophylls, ...
-  std::set<std::string> Residues; ///< kept whatever they are
+  std::set<std::string> Residues; ///< always kept
 };
 
 struct PolymerChoice
 {
   std::vector<std::size_t> Kept;  ///< ascending
-  std::vector<std::string> Notes; ///< one sentence for each kind of atom that was dropped
+  std::vector<std::string> Notes; ///< one message for each kind of atom that was dropped
   bool AnyChain = false;          ///< whether a residue of a chain was recognised
 };
 

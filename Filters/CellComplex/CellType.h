@@ -56,7 +56,7 @@ public:
     Local Position = 0; ///< its place in that face, 0 for the first dart
   };
 
-  /// @throws std::invalid_argument with a sentence unless the faces are a sphere: each edge in two
+  /// @throws std::invalid_argument with a message unless the faces are a sphere: each edge in two
   /// faces that run along it in opposite directions, one fan of faces at each vertex, in one piece,
   /// V - E + F = 2; and for more than 65,534 darts.
   CellType(std::string name, int numberOfVertices, FaceList faces);

@@ -8,13 +8,12 @@
  * beta3 = beta1 o beta3 o beta1. Source: X. Feng, "Geometric and topological modeling techniques
  * for large and complex shapes", chapter 3, with the corrections named where they apply.
  *
- * Tables (names of the thesis; n0 vertices, n3 cells, n_b boundary faces; one id each):
- * Cv2V the vertices of each cell, H2D beta3 of the first dart of each half face (the number of the
- * boundary face where there is no other cell), V2D a dart of each vertex, on a boundary face where
- * there is one, B2D the dart of each boundary face. For tetrahedra 4 (4 n3 + 4 n3 + n0 + n_b)
- * bytes. Edges() and Faces() add E2D, V2E and F2D, V2F when first asked for; Stars() lists the
- * cells around each vertex for those who sweep over all of them (the thesis walks each star
- * instead).
+ * Tables (names of the thesis; n0 vertices, n3 cells, n_b boundary faces; one id each): Cv2V the
+ * vertices of each cell, H2D beta3 of the first dart of each half face (the number of the boundary
+ * face where there is no other cell), V2D a dart of each vertex, on a boundary face where there is
+ * one, B2D the dart of each boundary face. For tetrahedra 4 (4 n3 + 4 n3 + n0 + n_b) bytes. Edges()
+ * and Faces() add E2D, V2E and F2D, V2F on first use; Stars() lists the cells around each vertex
+ * for those who sweep over all of them (the thesis walks each star instead).
  */
 #ifndef isthmus_CompactCombinatorialMap_h
 #define isthmus_CompactCombinatorialMap_h

@@ -3,7 +3,7 @@
  * @brief The darts of a volume mesh, the maps between them, and what meets in each.
  *
  * This is what CompactCombinatorialMap builds and everything that walks a mesh reads; formulas,
- * tables and source are told there.
+ * tables and source are described there.
  */
 #ifndef isthmus_DartMap_h
 #define isthmus_DartMap_h
@@ -71,7 +71,7 @@ public:
   unsigned LocalDart(Dart dart) const { return static_cast<unsigned>(dart.Value & this->Mask()); }
   /// True for what lies beyond a boundary face (and for the dart of a vertex without cells).
   bool IsOutside(Dart dart) const { return this->LocalDart(dart) == 0; }
-  /// The boundary face that an outside dart stands for.
+  /// The boundary face that an outside dart represents.
   BoundaryFace BoundaryFaceOf(Dart outside) const
   {
     return BoundaryFace(outside.Value >> this->Bits);

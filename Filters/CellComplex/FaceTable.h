@@ -66,7 +66,7 @@ public:
   void AppendMemory(std::vector<TableMemory>& report) const;
 
 private:
-  /// The first dart of the half face that stands for the face of `half`.
+  /// The first dart of the half face that represents the face of `half`.
   Dart Leader(HalfFace half) const
   {
     const Dart across = this->Mesh.Across(half);

@@ -55,7 +55,7 @@ public:
   std::int64_t NumberOfCells() const { return static_cast<std::int64_t>(this->GridIds.size()); }
   /// Number in the grid of cell `cell` of the list.
   vtkIdType GridId(std::size_t cell) const { return this->GridIds[cell]; }
-  /// A sentence about what was simplified or left out; empty if nothing was.
+  /// A message about what was simplified or left out; empty if nothing was.
   std::string Remark() const;
 
 private:

@@ -11,7 +11,7 @@
 namespace isthmus
 {
 
-/// Thrown when cells are refused; the sentence names the first of them.
+/// Thrown when cells are refused; the message names the first of them.
 class MeshError : public std::invalid_argument
 {
 public:

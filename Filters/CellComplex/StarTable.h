@@ -3,7 +3,7 @@
  * @brief The cells around each vertex of a combinatorial map, as a list: table V2S.
  *
  * VertexStar walks a star with the map's own tables; this one costs more memory than all of them
- * would for a few queries, and pays for itself where every vertex's star is asked for.
+ * would for a few queries, and pays for itself where every vertex's star is needed.
  */
 #ifndef isthmus_StarTable_h
 #define isthmus_StarTable_h

@@ -38,7 +38,7 @@ struct ConformingGenerator
  *
  * Per side ascending by Radius; loops of one side are independent in H1(M).
  * @pre `surface` has passed CheckedSurface() (SurfacePreparation.h).
- * @throws std::runtime_error or std::invalid_argument with a sentence when TetGen is missing, fails
+ * @throws std::runtime_error or std::invalid_argument with a message when TetGen is missing, fails
  * or takes longer than two minutes; Cancelled. Time and memory: see MeshTetrahedra().
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<ConformingGenerator> ConformingGenerators(

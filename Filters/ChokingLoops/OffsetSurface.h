@@ -20,15 +20,15 @@ enum class OffsetSide
 
 /**
  * Distances on a grid of `cells` cells along its longest side, which has room for the offset: its
- * level `distance` is the offset of `surface` on the side asked for. With one side only, distances
+ * level `distance` is the offset of `surface` on the requested side. With one side only, distances
  * on the other are negative.
  *
  * Values within two spacings h of that level are exact, so that a contour lies
  * within about h^2 / (8 distance) of a smooth offset. Others tell on which side of the level they
  * are.
  *
- * @throws std::invalid_argument with a sentence: `distance` or a point is not finite, `distance` is
- * not above 0, there are no triangles, or one side is asked for and the surface is not closed;
+ * @throws std::invalid_argument with a message: `distance` or a point is not finite, `distance` is
+ * not above 0, there are no triangles, or one side is requested and the surface is not closed;
  * Cancelled.
  *
  * Time: cells^3 nodes at some 50 ns, and some microseconds for each node near the level. Memory: 32

@@ -168,13 +168,13 @@ public:
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfacePaths(
     const SurfaceAdjacency& surface, SimplexId from, double reach, SimplexId to = -1);
 
-  /// Goes on to paths of at most `reach`, as if it had been asked for at first.
+  /// Extends the search to paths of at most `reach`, as if started with it.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void Grow(double reach);
 
   /// Points by the length of their paths (with `to`, as they were met), `from` first.
   const std::vector<SimplexId>& Points() const { return this->Settled; }
 
-  /// Where a point stands in Points(); -1: there is no path to it.
+  /// The index of a point in Points(); -1: there is no path to it.
   std::ptrdiff_t PlaceOf(SimplexId p) const { return this->Places[p]; }
   double LengthAt(std::size_t place) const { return this->Lengths[place]; }
   HalfEdgeId LastAt(std::size_t place) const { return this->Lasts[place]; }

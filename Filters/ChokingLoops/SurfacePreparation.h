@@ -23,7 +23,7 @@ struct RepairReport
 {
   std::int64_t Changed = 0;   ///< triangles of the input that are no longer there
   std::vector<Point3> Places; ///< their centres
-  std::string Message;        ///< one sentence; empty: nothing was done
+  std::string Message;        ///< one message; empty: nothing was done
 };
 
 /// More than this share of the volume is not changed.
@@ -35,8 +35,8 @@ constexpr double RepairableShare = 0.01;
  * SurfaceRepair.h; points where sheets touch become several, each drawn a hundredth of the way to
  * the middle of its neighbours.
  *
- * std::invalid_argument with a sentence when that fails or changes the volume by more than
- * RepairableShare. `what` says what is wrong and begins that sentence.
+ * std::invalid_argument with a message when that fails or changes the volume by more than
+ * RepairableShare. `what` says what is wrong and begins that message.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh RepairedForAnalysis(const SurfaceView& surface,
   const std::string& what, bool allowCrossings, RepairReport& report,
@@ -48,7 +48,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh RepairedForAnalysis(const Surf
 /**
  * `surface` with coinciding points merged and unused ones left out, if it is closed, manifold,
  * consistently oriented, finite, between 1e-32 and 1e32 in size, not in a plane and, unless
- * `allowCrossings`, free of self-intersections. Else std::invalid_argument with a sentence that
+ * `allowCrossings`, free of self-intersections. Else std::invalid_argument with a message that
  * names the triangles.
  *
  * With `report`, what is closed and oriented but has crossings, touching or double parts or thin

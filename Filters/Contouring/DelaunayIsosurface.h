@@ -36,7 +36,7 @@ struct DelaunayIsosurfaceParameters
 struct DelaunayIsosurfaceResult
 {
   TriangleMesh Surface; ///< closed, manifold, facing away from the inside
-  /// Where topology differs from that of the guide, one sentence; else empty.
+  /// Where topology differs from that of the guide, one message; else empty.
   std::string Warning;
 };
 

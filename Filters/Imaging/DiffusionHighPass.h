@@ -29,7 +29,7 @@ struct HighPassParameters
   int Steps = 0; ///< Splitting steps; 0: so many that coupling and diffusion change little in one.
 };
 
-/// @throws std::invalid_argument, in a sentence, for parameters that mean nothing.
+/// @throws std::invalid_argument for invalid parameters.
 VTKISTHMUSFILTERSIMAGING_EXPORT void Check(const HighPassParameters& parameters);
 
 /**

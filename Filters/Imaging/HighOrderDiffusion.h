@@ -69,7 +69,7 @@ struct DiffusionParameters
   int Steps = 0;         ///< That many equal steps; 0 chooses them (see README).
 };
 
-/// @throws std::invalid_argument, in a sentence, for parameters that mean nothing.
+/// @throws std::invalid_argument for invalid parameters.
 VTKISTHMUSFILTERSIMAGING_EXPORT void Check(const DiffusionParameters& parameters);
 
 /// What happened, step by step: a curve to plot.
@@ -96,7 +96,7 @@ VTKISTHMUSFILTERSIMAGING_EXPORT double ExplicitStepLimit(
  * grid's size.
  * @pre values are finite.
  * @throws std::invalid_argument for bad parameters, for fixed Steps that are larger than the
- * integrator can take (the sentence names the limit) and std::runtime_error for values that cease
+ * integrator can take (the message names the limit) and std::runtime_error for values that cease
  * to be finite.
  *
  * Memory: extra volumes of T beside values, input and source. SuperTimeStepping 4: two for stages,

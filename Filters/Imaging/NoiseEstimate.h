@@ -1,6 +1,6 @@
 /**
  * @file NoiseEstimate.h
- * @brief How noisy a volume is, whatever it shows.
+ * @brief The noise level of a volume, independent of its content.
  */
 #ifndef isthmus_NoiseEstimate_h
 #define isthmus_NoiseEstimate_h

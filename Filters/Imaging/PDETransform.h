@@ -43,7 +43,7 @@ struct PDETransformParameters
   double Ratio = 2.0;           ///< of a mode's wavelength to the one before, above 1
 };
 
-/// @throws std::invalid_argument, in a sentence, for parameters that mean nothing.
+/// @throws std::invalid_argument for invalid parameters.
 VTKISTHMUSFILTERSIMAGING_EXPORT void Check(const PDETransformParameters& parameters);
 
 /// The low-pass behind mode k (0 the first).

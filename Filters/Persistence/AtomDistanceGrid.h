@@ -22,7 +22,7 @@ struct GridDistanceParameters
   bool FastMarching = false; ///< as in the thesis, first order; else the exact distance
 };
 
-/// Values at nodes, x fastest, cut at the greatest distance asked for.
+/// Values at nodes, x fastest, clamped at the greatest distance requested.
 struct AtomDistances
 {
   std::array<std::int64_t, 3> Dimensions{ 0, 0, 0 };

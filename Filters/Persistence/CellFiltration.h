@@ -23,7 +23,7 @@ namespace isthmus
 
 /// The integer of all of these; ids of points are it as it stands. 32 bits: a complex has at most
 /// 2^29 tetrahedra, whose faces are numbered, which is about 80 million points;
-/// CellFiltration::Connect() refuses more with a sentence.
+/// CellFiltration::Connect() refuses more with a message.
 using SimplexId = std::int32_t;
 
 using EdgeId = Handle<struct FiltrationEdge, SimplexId>;

@@ -1,6 +1,6 @@
 /**
  * @file CubicalDiagram.h
- * @brief What the persistence of a volume is asked for and what it gives.
+ * @brief Parameters and results of the persistence of a volume.
  */
 #ifndef isthmus_CubicalDiagram_h
 #define isthmus_CubicalDiagram_h
@@ -71,7 +71,7 @@ struct CubicalDiagram
   /// Those with birth and death at different values, and the one that never ends; by dimension,
   /// then in the order of the cells that end them (voids: that give birth to them).
   std::vector<CubicalPair> Pairs;
-  /// Euler number of the sublevel (superlevel) set at each of the levels asked for, counted from
+  /// Euler number of the sublevel (superlevel) set at each of the requested levels, counted from
   /// cells, not from pairs.
   std::vector<std::int64_t> EulerNumbers;
 };

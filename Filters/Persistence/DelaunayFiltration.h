@@ -24,7 +24,8 @@ namespace isthmus
  * Predicates are exact; radii are computed in doubles where an error bound of 1e-9 relative holds
  * and with rational numbers where not (flat tetrahedra, needles).
  *
- * `triangulated` is told the time that the triangulation took, by which the rest can be foretold.
+ * `triangulated` is called with the time of the triangulation, from which the rest can be
+ * predicted.
  *
  * `points` are distinct and finite. Fewer than four, or all in one plane, throw
  * std::invalid_argument. O(n log n) for samples of a surface; about 1.1 KB a point.

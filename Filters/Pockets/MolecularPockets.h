@@ -2,7 +2,7 @@
  * @file MolecularPockets.h
  * @brief Pockets, voids and their mouths from the weighted alpha filtration of atoms.
  *
- * **Pocket**: tetrahedra of the regular triangulation with room for a ball of InnerRadius that a
+ * **Pocket**: tetrahedra of the regular triangulation with space for a ball of InnerRadius that a
  * ball of OuterRadius does not reach from outside, connected through triangles that let the smaller
  * one pass, and the crevices around them: empty tetrahedra that the probe reaches from there, each
  * given to the pocket with the widest path to it. Where no triangle lets the inner ball out it is a

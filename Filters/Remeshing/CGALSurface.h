@@ -76,7 +76,7 @@ inline TriangleMesh FromSurfaceMesh(SurfaceMesh& mesh)
 }
 
 /// Runs `body()`.
-/// @throws std::runtime_error with a sentence about `doing` for what CGAL's own checks throw.
+/// @throws std::runtime_error with a message about `doing` for what CGAL's own checks throw.
 template <typename Body>
 auto RethrowWithContext(const char* doing, Body&& body)
 {

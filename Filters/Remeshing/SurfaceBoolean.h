@@ -31,7 +31,7 @@ enum class BooleanOperation
  *
  * @pre both are closed, manifold, without self-intersections, and bound a volume: their outer
  * shells face outward, cavities inward (OutwardSurface()).
- * @throws std::runtime_error with a sentence where the result is not manifold or CGAL fails.
+ * @throws std::runtime_error with a message where the result is not manifold or CGAL fails.
  * O((n + m) log(n + m)).
  */
 VTKISTHMUSFILTERSREMESHING_EXPORT TaggedSurface Combined(

@@ -1,6 +1,6 @@
 /**
  * @file SurfaceRepair.h
- * @brief What can be mended of a surface by CGAL.
+ * @brief Repair of surfaces by CGAL.
  */
 #ifndef isthmus_SurfaceRepair_h
 #define isthmus_SurfaceRepair_h
@@ -15,7 +15,7 @@
 namespace isthmus
 {
 
-/// @throws std::invalid_argument with a sentence that names what is wrong, and where, unless `mesh`
+/// @throws std::invalid_argument with a message that names what is wrong, and where, unless `mesh`
 /// is closed, manifold, oriented and free of self-intersections. The way out that it names is not
 /// repair where the surface is `repaired` already.
 VTKISTHMUSFILTERSREMESHING_EXPORT void RequireCleanSurface(
@@ -29,7 +29,7 @@ struct RepairedSurface
 {
   TriangleMesh Mesh;
   std::vector<std::int64_t> OriginalPoints; ///< for each point: its id in the input, or -1
-  std::string Changes;                      ///< one sentence; empty when nothing was changed
+  std::string Changes;                      ///< one message; empty when nothing was changed
 };
 
 /**

@@ -26,7 +26,7 @@ struct TransportSpecies
   double ChannelFraction = 1.0; ///< the part of it within the membrane's slab
 };
 
-/// A flat membrane, closed but for a round hole that the channel stands in.
+/// A flat membrane, closed except for a round hole around the channel.
 struct MembraneSlab
 {
   Point3 Centre{ 0.0, 0.0, 0.0 }; ///< on the channel's axis, angstrom

@@ -59,10 +59,10 @@ VTKISTHMUSFILTERSSOLVATION_EXPORT std::vector<TransportPoint> SweptVoltages(
 VTKISTHMUSFILTERSSOLVATION_EXPORT std::vector<TransportPoint> SweptFactors(
   double from, double to, int points, double voltage);
 
-/// What there is of a solution where it stands.
+/// The current state of a solution.
 VTKISTHMUSFILTERSSOLVATION_EXPORT TransportPoint PointOf(const PoissonNernstPlanck& solution);
 
-/// Solves at the point's voltage and factor, from where `solution` stands, and keeps what is found.
+/// Solves at the point's voltage and factor, starting from `solution`, and stores the result.
 /// @throws what PoissonNernstPlanck::Solve does.
 VTKISTHMUSFILTERSSOLVATION_EXPORT void SolveAt(
   TransportPoint& point, PoissonNernstPlanck& solution, const ProgressCallback& progress = {});

@@ -21,7 +21,7 @@ using WeightedValue = std::pair<double, double>;
 VTKISTHMUSFILTERSSURFACES_EXPORT double TriangleArea(
   const SurfaceView& surface, vtkIdType triangle);
 
-/// The area that each point of `surface` stands for: a third of that of its triangles.
+/// The area assigned to each point of `surface`: a third of that of its triangles.
 VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<double> PointAreas(const SurfaceView& surface);
 
 /// The smallest value that at least `fraction` of the weight lies at or below; `sorted` by value.

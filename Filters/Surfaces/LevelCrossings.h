@@ -3,8 +3,8 @@
  * @brief Where a level of a volume crosses the lines of its grid, and with which normal.
  *
  * A grid edge from node i to node i+1 along an axis is crossed where one end is inside and the
- * other isn't; nodes exactly at the level count as outside, so no crossing is missed or told twice.
- * Then
+ * other isn't; nodes exactly at the level count as outside, so no crossing is missed or counted
+ * twice. Then
  *
  *     t   = (level - S_i) / (S_{i+1} - S_i),     position = x_i + t h
  *     n   = normalised( n_i + t (n_{i+1} - n_i) )

@@ -49,7 +49,7 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> MergedCorners(
 
 /**
  * Where a surface that FindDefects found to be open is so only at the faces of its own box, as a
- * contour is where the level leaves the map: a sentence that says so, and the way out, to append to
+ * contour is where the level leaves the map: a message that says so, and the way out, to append to
  * SurfaceDefects::Sentence(). Else empty.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT std::string DescribeOpenBoundary(

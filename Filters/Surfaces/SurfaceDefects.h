@@ -36,7 +36,7 @@ struct SurfaceDefects
 
   bool None() const;
 
-  /// Empty when there are none; else one sentence with counts and the first few ids of each kind.
+  /// Empty when there are none; else one message with counts and the first few ids of each kind.
   VTKISTHMUSFILTERSSURFACES_EXPORT std::string Sentence() const;
 };
 

@@ -23,7 +23,7 @@ VTKISTHMUSFILTERSSURFACES_EXPORT double SolidAngle(
 
 /// Building O(n log n), 130 bytes a triangle; a query O(log n) triangles. Queries may run in
 /// parallel. Parts farther away than three times their radius are taken as dipoles, which is good
-/// to about 0.01: enough to tell 0 from 1.
+/// to about 0.01: enough to distinguish 0 from 1.
 class VTKISTHMUSFILTERSSURFACES_EXPORT WindingNumber
 {
 public:

@@ -18,7 +18,7 @@ namespace isthmus
 {
 
 //--------------------------------------------------------------------------------------------------
-// What isosurface stuffing is asked for, and its constants.
+// Parameters of isosurface stuffing, and its constants.
 
 struct StuffingParameters
 {

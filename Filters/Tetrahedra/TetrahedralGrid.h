@@ -1,6 +1,6 @@
 /**
  * @file TetrahedralGrid.h
- * @brief From TetrahedralMesh to vtkUnstructuredGrid, for the vtk classes of this room.
+ * @brief From TetrahedralMesh to vtkUnstructuredGrid, for the VTK classes of this module.
  */
 #ifndef isthmus_TetrahedralGrid_h
 #define isthmus_TetrahedralGrid_h

@@ -64,18 +64,18 @@ struct TetrahedralParameters
   MeshedSide Side = MeshedSide::Inside;
   double BoxMargin = 0.5; ///< Outside, Both: distance of surface and box, in diagonals of the
                           ///< surface's box
-  bool Repaired = false;  ///< repair was tried: a surface that still has defects is told so
+  bool Repaired = false;  ///< repair was tried: if defects remain, the message says so
   TetGenCriteria TetGen;
   CGALCriteria CGAL;
 };
 
 /**
- * Tetrahedra of the regions of ShellNesting on the side asked for; Regions holds their ids (solids
+ * Tetrahedra of the regions of ShellNesting on the requested side; Regions holds their ids (solids
  * 1, 2, ..., exterior 0, cavities -1, -2, ...).
  *
  * @pre `surface` is a closed, manifold, oriented surface without self-intersections, whatever way
  * it faces; all of that is checked first.
- * @throws std::invalid_argument with a sentence that names the defects and their triangles;
+ * @throws std::invalid_argument with a message that names the defects and their triangles;
  * std::runtime_error when the library fails, runs out of memory or time, or gives tetrahedra that
  * do not fill the regions (TetGen with KeepSurface: to 1e-9 of their volume); Cancelled.
  *
@@ -85,7 +85,7 @@ struct TetrahedralParameters
 VTKISTHMUSFILTERSTETRAHEDRA_EXPORT TetrahedralMesh MeshTetrahedra(const SurfaceView& surface,
   const TetrahedralParameters& parameters, const ProgressCallback& progress = {});
 
-/// @throws std::invalid_argument with a sentence unless the parameters of the library can be met.
+/// @throws std::invalid_argument with a message unless the parameters of the library can be met.
 VTKISTHMUSFILTERSTETRAHEDRA_EXPORT void CheckTetrahedralParameters(
   const TetrahedralParameters& parameters);
 
@@ -98,7 +98,7 @@ struct TetrahedralTask
   TriangleMesh Box;     ///< 12 triangles facing outward; empty for MeshedSide::Inside
   SpaceRegion Exterior; ///< between the surface and the box
 
-  /// Does the side asked for include the region of that id?
+  /// Whether the requested side includes the region of that id.
   bool IsWanted(int region) const
   {
     const MeshedSide side = this->Parameters.Side;

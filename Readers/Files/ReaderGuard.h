@@ -1,6 +1,6 @@
 /**
  * @file ReaderGuard.h
- * @brief What the readers' VTK classes do around reading: a file named, errors as sentences and
+ * @brief What the readers' VTK classes do around reading: a file named, errors as messages and
  * codes.
  */
 #ifndef isthmus_ReaderGuard_h
@@ -66,7 +66,7 @@ int CanRead(const char* fileName, Looks&& looks)
 }
 
 /**
- * Runs body() for a reader of `fileName`; what goes wrong becomes a sentence, an empty output (see
+ * Runs body() for a reader of `fileName`; what goes wrong becomes a message, an empty output (see
  * Guarded) and an error code. `setErrorCode(code)` is called only where the code changes, since
  * that marks the reader as modified, and has it read again. Returns what RequestData returns.
  * @throws nothing, whatever body() throws.

@@ -18,7 +18,7 @@
 namespace isthmus
 {
 
-/// Goes through a text line by line, with progress, and makes sentences about the line it is at.
+/// Goes through a text line by line, with progress, and makes messages about the line it is at.
 class TextLines
 {
 public:

@@ -52,7 +52,7 @@ struct MRCHeader
   Matrix3 SkewMatrix{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } }; ///< SKWMAT, rows
   std::array<double, 3> SkewTranslation{ 0.0, 0.0, 0.0 };
   std::vector<std::string> Labels;
-  std::vector<std::string> Repairs; ///< one sentence for each value that was not as it should be
+  std::vector<std::string> Repairs; ///< one message for each value that was not as it should be
 
   /// Bytes of all voxels.
   std::uint64_t DataBytes() const;
@@ -62,9 +62,9 @@ struct MRCHeader
 
 /**
  * Decodes `bytes`. The byte order is the machine stamp's unless the header makes sense only in the
- * other one. Fields that are out of bounds are replaced, each with a sentence in Repairs.
+ * other one. Fields that are out of bounds are replaced, each with a message in Repairs.
  *
- * `path` is for the sentences. `contentBytes` is what the content has at most; when it is `exact`,
+ * `path` is for the messages. `contentBytes` is what the content has at most; when it is `exact`,
  * a content that is shorter than the header describes is an error, a longer one a repair.
  * @throws ReaderError: ForeignFormat when mode or grid make no sense in either order, Truncated.
  */

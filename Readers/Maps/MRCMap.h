@@ -45,7 +45,7 @@ class MRCMap
 {
 public:
   /// Reads the header (1 KB).
-  /// @throws ReaderError with a sentence that begins with the path.
+  /// @throws ReaderError with a message that begins with the path.
   explicit MRCMap(const std::string& path);
 
   const MRCHeader& Header() const { return this->Head; }

@@ -1,6 +1,6 @@
 /**
  * @file MeshWords.h
- * @brief Counts, points and vertex numbers of a mesh file, checked, with sentences about its lines.
+ * @brief Counts, points and vertex numbers of a mesh file, checked, with messages about its lines.
  */
 #ifndef isthmus_MeshWords_h
 #define isthmus_MeshWords_h
@@ -29,7 +29,7 @@ public:
   }
 
   /// A number of things of which each takes at least `bytes` bytes of the file: a damaged count
-  /// costs a sentence, not memory.
+  /// causes an error, not an allocation.
   std::int64_t Count(const char* what, std::uint64_t bytes = 2)
   {
     const std::int64_t count = this->Whole(what);

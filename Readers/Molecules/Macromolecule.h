@@ -45,7 +45,7 @@ struct Bond
   bool FromFile; ///< named by the file; else found by distance
 };
 
-/// One model of a file. Notes are sentences worth reading, warnings are sentences worth showing.
+/// One model of a file. Notes are for reference, warnings are shown to the user.
 struct Macromolecule
 {
   std::vector<Atom> Atoms;
@@ -55,7 +55,7 @@ struct Macromolecule
   std::vector<std::string> Warnings;
 };
 
-/// "FE of HEM 142 A", for sentences.
+/// "FE of HEM 142 A", for messages.
 inline std::string Describe(const Atom& atom)
 {
   if (atom.ResidueName.empty())

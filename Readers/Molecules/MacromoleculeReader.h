@@ -21,7 +21,7 @@ namespace isthmus
  * Reads one model. Radii are those of the file (PQR) or of the table; atoms without are NaN and
  * named in a warning. Bonds are those of the file and, if BondsByDistance, those by distance
  * (CovalentBonds.h).
- * @throws std::runtime_error with a sentence for a file that is missing, damaged or foreign,
+ * @throws std::runtime_error with a message for a file that is missing, damaged or foreign,
  * without any atom, or without the requested model or chain; Cancelled.
  *
  * Time O(bytes + n log n); memory: the text and about 250 bytes an atom.
@@ -29,7 +29,7 @@ namespace isthmus
 VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ReadMacromolecule(
   const std::string& path, const MoleculeOptions& options, const ProgressCallback& progress = {});
 
-/// The same from a text in memory, whose format must be named; `path` is for the sentences.
+/// The same from a text in memory, whose format must be named; `path` is for the messages.
 VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParseMacromolecule(std::string_view text,
   const std::string& path, const MoleculeOptions& options, const ProgressCallback& progress = {});
 

@@ -36,7 +36,7 @@ struct OpenDXArray
 };
 
 /// A file opened at one of its arrays.
-/// @throws ReaderError throughout; sentences name file and line.
+/// @throws ReaderError throughout; messages name file and line.
 class OpenDXReader
 {
 public:
