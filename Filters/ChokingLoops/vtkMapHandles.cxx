@@ -5,9 +5,9 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
+#include "Core/NamedColumns.h"
 #include "Core/PolyDataTriangles.h"
 #include "Core/RangeChecks.h"
-#include "Persistence/NamedColumns.h"
 #include "Persistence/PersistenceCache.h"
 #include "vtkChokingLoops.h"
 

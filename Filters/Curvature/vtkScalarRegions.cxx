@@ -2,6 +2,7 @@
 
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
+#include "Core/NamedColumns.h"
 #include "Core/PolyDataTriangles.h"
 #include "Curvature/ScalarRegions.h"
 
@@ -9,6 +10,7 @@
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -35,18 +37,6 @@ namespace
 using namespace isthmus;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-template <typename Array, typename Get>
-void AddColumn(vtkTable* table, const std::string& name, std::size_t rows, Get&& get)
-{
-  vtkNew<Array> column;
-  column->SetName(name.c_str());
-  for (std::size_t row = 0; row < rows; ++row)
-  {
-    column->InsertNextValue(get(row));
-  }
-  table->AddColumn(column);
-}
 
 double LowerEnd(const ThresholdedScalar& scalar, std::size_t region)
 {
@@ -103,19 +93,19 @@ void FillRegionTable(vtkTable* table, const ThresholdedScalar& first,
     return std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(columns), 0.0);
   };
   const double total = std::accumulate(areas.begin(), areas.end(), 0.0);
-  AddColumn<vtkIntArray>(
-    table, "Region", rows, [](std::size_t row) { return static_cast<int>(row); });
-  AddColumn<vtkDoubleArray>(
-    table, "From", rows, [&](std::size_t row) { return LowerEnd(first, row); });
-  AddColumn<vtkDoubleArray>(
-    table, "To", rows, [&](std::size_t row) { return UpperEnd(first, row); });
-  AddColumn<vtkDoubleArray>(table, "Area", rows, rowArea);
-  AddColumn<vtkDoubleArray>(
-    table, "Fraction", rows, [&](std::size_t row) { return Share(rowArea(row), total); });
+  isthmus::AddColumnOf<vtkIntArray>(
+    table->GetRowData(), "Region", rows, [](std::size_t row) { return static_cast<int>(row); });
+  isthmus::AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "From", rows, [&](std::size_t row) { return LowerEnd(first, row); });
+  isthmus::AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "To", rows, [&](std::size_t row) { return UpperEnd(first, row); });
+  isthmus::AddColumnOf<vtkDoubleArray>(table->GetRowData(), "Area", rows, rowArea);
+  isthmus::AddColumnOf<vtkDoubleArray>(table->GetRowData(), "Fraction", rows,
+    [&](std::size_t row) { return Share(rowArea(row), total); });
   for (std::size_t column = 0; columns > 1 && column < columns; ++column)
   {
-    AddColumn<vtkDoubleArray>(table, NameOf(second, secondName, column), rows,
-      [&](std::size_t row) { return areas[row * columns + column]; });
+    isthmus::AddColumnOf<vtkDoubleArray>(table->GetRowData(), NameOf(second, secondName, column),
+      rows, [&](std::size_t row) { return areas[row * columns + column]; });
   }
 }
 
@@ -161,14 +151,16 @@ void FillSweepTable(vtkTable* table, const SurfaceView& mesh, const ThresholdedS
     return area;
   };
   const std::size_t rows = minima.size();
-  AddColumn<vtkDoubleArray>(table, "Minimum", rows, [&](std::size_t i) { return minima[i]; });
-  AddColumn<vtkDoubleArray>(table, "Maximum", rows, [&](std::size_t i) { return maxima[i]; });
-  AddColumn<vtkDoubleArray>(
-    table, "Below", rows, [&](std::size_t i) { return sum(-Infinity, minima[i]); });
-  AddColumn<vtkDoubleArray>(
-    table, "Between", rows, [&](std::size_t i) { return sum(minima[i], maxima[i]); });
-  AddColumn<vtkDoubleArray>(
-    table, "Above", rows, [&](std::size_t i) { return sum(maxima[i], Infinity); });
+  isthmus::AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "Minimum", rows, [&](std::size_t i) { return minima[i]; });
+  isthmus::AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "Maximum", rows, [&](std::size_t i) { return maxima[i]; });
+  isthmus::AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "Below", rows, [&](std::size_t i) { return sum(-Infinity, minima[i]); });
+  isthmus::AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "Between", rows, [&](std::size_t i) { return sum(minima[i], maxima[i]); });
+  isthmus::AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "Above", rows, [&](std::size_t i) { return sum(maxima[i], Infinity); });
 }
 
 /// Areas between `bins` + 1 values, equally spaced from the lowest to the highest on the surface.
@@ -201,10 +193,11 @@ void FillHistogram(vtkTable* table, const SurfaceView& mesh, const ThresholdedSc
   const auto rows = static_cast<std::size_t>(bins);
   const auto middle = [&](std::size_t i)
   { return bins > 1 ? low + (static_cast<double>(i) + 0.5) * width : 0.5 * (low + high); };
-  AddColumn<vtkDoubleArray>(table, "Value", rows, middle);
-  AddColumn<vtkDoubleArray>(table, "Area", rows, [&](std::size_t i) { return areas[i]; });
-  AddColumn<vtkDoubleArray>(
-    table, "Fraction", rows, [&](std::size_t i) { return Share(areas[i], total); });
+  isthmus::AddColumnOf<vtkDoubleArray>(table->GetRowData(), "Value", rows, middle);
+  isthmus::AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "Area", rows, [&](std::size_t i) { return areas[i]; });
+  isthmus::AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "Fraction", rows, [&](std::size_t i) { return Share(areas[i], total); });
 }
 
 /// Regions of points, then those of cells: the middle ones of their corners'.

@@ -1,8 +1,11 @@
 #include "MolecularSurfaces/FlowSurfaceOutput.h"
 
+#include "Core/NamedColumns.h"
 #include "Core/ParallelFor.h"
 
+#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
@@ -47,18 +50,6 @@ void Fill(vtkFloatArray* to, const Value& value)
         values[node] = value(static_cast<std::size_t>(node));
       }
     });
-}
-
-template <typename Value>
-void AddColumn(const SurfaceFlowResult& result, const char* name, vtkTable* table, Value value)
-{
-  vtkNew<vtkDoubleArray> column;
-  column->SetName(name);
-  for (const FlowRecord& record : result.History)
-  {
-    column->InsertNextValue(value(record));
-  }
-  table->AddColumn(column);
 }
 
 }
@@ -127,11 +118,16 @@ void ContourImage(
 void FillHistory(
   const SurfaceFlowResult& result, double tension, double pressure, vtkTable* history)
 {
-  AddColumn(result, "Time", history, [](const FlowRecord& r) { return r.Time; });
-  AddColumn(result, "Spacing", history, [](const FlowRecord& r) { return r.Spacing; });
-  AddColumn(result, "Area", history, [](const FlowRecord& r) { return r.Area; });
-  AddColumn(result, "Volume", history, [](const FlowRecord& r) { return r.Volume; });
-  AddColumn(result, "Energy", history,
+  vtkFieldData* const data = history->GetRowData();
+  AddColumnOf<vtkDoubleArray>(
+    data, "Time", result.History, [](const FlowRecord& r) { return r.Time; });
+  AddColumnOf<vtkDoubleArray>(
+    data, "Spacing", result.History, [](const FlowRecord& r) { return r.Spacing; });
+  AddColumnOf<vtkDoubleArray>(
+    data, "Area", result.History, [](const FlowRecord& r) { return r.Area; });
+  AddColumnOf<vtkDoubleArray>(
+    data, "Volume", result.History, [](const FlowRecord& r) { return r.Volume; });
+  AddColumnOf<vtkDoubleArray>(data, "Energy", result.History,
     [=](const FlowRecord& r) { return tension * r.Area + pressure * r.Volume; });
 }
 

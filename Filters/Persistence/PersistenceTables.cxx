@@ -1,6 +1,6 @@
 #include "Persistence/PersistenceTables.h"
 
-#include "Persistence/NamedColumns.h"
+#include "Core/NamedColumns.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

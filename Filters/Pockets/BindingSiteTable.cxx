@@ -1,7 +1,9 @@
 #include "Pockets/BindingSiteTable.h"
 
 #include "Atoms/PointBins.h"
+#include "Core/NamedColumns.h"
 
+#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
@@ -53,18 +55,6 @@ std::string TextOf(const NearResidues& residues, const MoleculeAtoms& atoms)
       atom.Residue + ' ' + std::to_string(atom.ResidueId) + atom.InsertionCode + " (" + count + ')';
   }
   return text;
-}
-
-template <typename Array, typename Get>
-void AddColumn(vtkTable* table, const char* name, const BindingSiteResult& result, Get&& get)
-{
-  vtkNew<Array> column;
-  column->SetName(name);
-  for (std::size_t i = 0; i < result.Sites.size(); ++i)
-  {
-    column->InsertNextValue(get(i));
-  }
-  table->AddColumn(column);
 }
 
 const char* NameOfClass(int kind)
@@ -119,19 +109,20 @@ void FillSiteTable(
   const std::vector<BindingSite>& sites = result.Sites;
   const auto real = [&](const char* name, double BindingSite::*member)
   {
-    AddColumn<vtkDoubleArray>(table, name, result, [&](std::size_t i) { return sites[i].*member; });
+    AddColumnOf<vtkDoubleArray>(
+      table->GetRowData(), name, sites.size(), [&](std::size_t i) { return sites[i].*member; });
   };
-  AddColumn<vtkIntArray>(
-    table, "Rank", result, [](std::size_t i) { return static_cast<int>(i) + 1; });
+  AddColumnOf<vtkIntArray>(table->GetRowData(), "Rank", sites.size(),
+    [](std::size_t i) { return static_cast<int>(i) + 1; });
   real("Score", &BindingSite::Score);
-  AddColumn<vtkIntArray>(
-    table, "SiteClass", result, [&](std::size_t i) { return int{ sites[i].Kind }; });
-  AddColumn<vtkStringArray>(
-    table, "Class", result, [&](std::size_t i) { return NameOfClass(sites[i].Kind); });
+  AddColumnOf<vtkIntArray>(table->GetRowData(), "SiteClass", sites.size(),
+    [&](std::size_t i) { return int{ sites[i].Kind }; });
+  AddColumnOf<vtkStringArray>(table->GetRowData(), "Class", sites.size(),
+    [&](std::size_t i) { return NameOfClass(sites[i].Kind); });
   if (!residues.empty())
   {
-    AddColumn<vtkStringArray>(
-      table, "Residues", result, [&](std::size_t i) { return residues[i]; });
+    AddColumnOf<vtkStringArray>(
+      table->GetRowData(), "Residues", sites.size(), [&](std::size_t i) { return residues[i]; });
   }
   if (std::any_of(
         sites.begin(), sites.end(), [](const BindingSite& site) { return site.Volume > 0.0; }))
@@ -144,11 +135,11 @@ void FillSiteTable(
   const char* const centre[] = { "CenterX", "CenterY", "CenterZ" };
   for (std::size_t a = 0; a < 3; ++a)
   {
-    AddColumn<vtkDoubleArray>(
-      table, centre[a], result, [&](std::size_t i) { return sites[i].Centre[a]; });
+    AddColumnOf<vtkDoubleArray>(table->GetRowData(), centre[a], sites.size(),
+      [&](std::size_t i) { return sites[i].Centre[a]; });
   }
-  AddColumn<vtkIdTypeArray>(
-    table, "Points", result, [&](std::size_t i) { return sites[i].Points; });
+  AddColumnOf<vtkIdTypeArray>(
+    table->GetRowData(), "Points", sites.size(), [&](std::size_t i) { return sites[i].Points; });
   vtkNew<vtkDoubleArray> threshold;
   threshold->SetName("Threshold");
   threshold->InsertNextValue(result.Threshold);

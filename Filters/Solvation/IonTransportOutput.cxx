@@ -1,7 +1,9 @@
 #include "Solvation/IonTransportOutput.h"
 
+#include "Core/NamedColumns.h"
 #include "Core/ParallelFor.h"
 
+#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
@@ -35,19 +37,6 @@ void AddNumbers(const std::string& name, const std::vector<double>& values, vtkD
   auto array = Named<vtkDoubleArray>(name, static_cast<vtkIdType>(values.size()));
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   to->GetFieldData()->AddArray(array);
-}
-
-/// A column with one value for each of `rows`.
-template <typename Rows, typename Value>
-void AddColumn(const std::string& name, const Rows& rows, Value&& value, vtkTable* table)
-{
-  vtkNew<vtkDoubleArray> column;
-  column->SetName(name.c_str());
-  for (const auto& row : rows)
-  {
-    column->InsertNextValue(value(row));
-  }
-  table->AddColumn(column);
 }
 
 /// Doubles that the solution holds may be more than floats do.
@@ -171,68 +160,67 @@ void FillMotion(const MovingChannel* moving, const std::vector<TransportSpecies>
   AddNumbers("ShownUpdate", { static_cast<double>(moving->GetShown() + 1) }, image);
   const std::vector<ChannelUpdate>& updates = moving->GetUpdates();
   using Update = ChannelUpdate;
-  AddColumn(
-    "Update", updates, [number = 0.0](const Update&) mutable { return ++number; }, table);
-  AddColumn(
-    "Time", updates, [](const Update& u) { return u.Time; }, table);
-  AddColumn(
-    "AreaChange", updates, [](const Update& u) { return u.AreaChange; }, table);
-  AddColumn(
-    "LumenVolume", updates, [](const Update& u) { return u.LumenVolume; }, table);
-  AddColumn(
-    "EnergyChange", updates, [](const Update& u) { return u.EnergyChange; }, table);
-  AddColumn(
-    "OnObstacle", updates, [](const Update& u) { return u.OnObstacle; }, table);
-  AddColumn(
-    "BottleneckRadius", updates, [](const Update& u) { return u.Bottleneck; }, table);
+  AddColumnOf<vtkDoubleArray>(table->GetRowData(), "Update", updates,
+    [number = 0.0](const Update&) mutable { return ++number; });
+  AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "Time", updates, [](const Update& u) { return u.Time; });
+  AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "AreaChange", updates, [](const Update& u) { return u.AreaChange; });
+  AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "LumenVolume", updates, [](const Update& u) { return u.LumenVolume; });
+  AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "EnergyChange", updates, [](const Update& u) { return u.EnergyChange; });
+  AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "OnObstacle", updates, [](const Update& u) { return u.OnObstacle; });
+  AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "BottleneckRadius", updates, [](const Update& u) { return u.Bottleneck; });
   for (std::size_t k = 0; k < species.size(); ++k)
   {
-    AddColumn(
-      "Current_" + species[k].Name, updates, [k](const Update& u) { return u.Currents[k]; }, table);
+    AddColumnOf<vtkDoubleArray>(table->GetRowData(), "Current_" + species[k].Name, updates,
+      [k](const Update& u) { return u.Currents[k]; });
   }
-  AddColumn(
-    "Current", updates, [](const Update& u) { return u.Current(); }, table);
+  AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "Current", updates, [](const Update& u) { return u.Current(); });
 }
 
 void FillSections(
   const CurrentProfile& profile, const std::vector<TransportSpecies>& species, vtkTable* table)
 {
   std::vector<double> whole(profile.Along.size(), 0.0);
-  AddColumn(
-    "Along", profile.Along, [](double along) { return along; }, table);
+  AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "Along", profile.Along, [](double along) { return along; });
   for (std::size_t k = 0; k < species.size(); ++k)
   {
-    AddColumn(
-      "Current_" + species[k].Name, profile.Currents[k], [](double x) { return x; }, table);
+    AddColumnOf<vtkDoubleArray>(table->GetRowData(), "Current_" + species[k].Name,
+      profile.Currents[k], [](double x) { return x; });
     for (std::size_t i = 0; i < whole.size(); ++i)
     {
       whole[i] += profile.Currents[k][i];
     }
   }
-  AddColumn(
-    "Current", whole, [](double current) { return current; }, table);
+  AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "Current", whole, [](double current) { return current; });
 }
 
 void FillSweep(const std::vector<TransportPoint>& points,
   const std::vector<TransportSpecies>& species, vtkTable* table)
 {
   using Point = TransportPoint;
-  AddColumn(
-    "Voltage", points, [](const Point& p) { return p.Voltage; }, table);
-  AddColumn(
-    "ConcentrationFactor", points, [](const Point& p) { return p.Factor; }, table);
+  AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "Voltage", points, [](const Point& p) { return p.Voltage; });
+  AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "ConcentrationFactor", points, [](const Point& p) { return p.Factor; });
   for (std::size_t k = 0; k < species.size(); ++k)
   {
-    AddColumn(
-      "Current_" + species[k].Name, points, [k](const Point& p) { return p.Profile.Mean(k); },
-      table);
+    AddColumnOf<vtkDoubleArray>(table->GetRowData(), "Current_" + species[k].Name, points,
+      [k](const Point& p) { return p.Profile.Mean(k); });
   }
-  AddColumn(
-    "Current", points, [](const Point& p) { return p.Profile.Mean(); }, table);
-  AddColumn(
-    "CurrentSpread", points, [](const Point& p) { return p.Profile.Spread(); }, table);
-  AddColumn(
-    "Converged", points, [](const Point& p) { return p.Report.Converged ? 1.0 : 0.0; }, table);
+  AddColumnOf<vtkDoubleArray>(
+    table->GetRowData(), "Current", points, [](const Point& p) { return p.Profile.Mean(); });
+  AddColumnOf<vtkDoubleArray>(table->GetRowData(), "CurrentSpread", points,
+    [](const Point& p) { return p.Profile.Spread(); });
+  AddColumnOf<vtkDoubleArray>(table->GetRowData(), "Converged", points,
+    [](const Point& p) { return p.Report.Converged ? 1.0 : 0.0; });
 }
 
 }

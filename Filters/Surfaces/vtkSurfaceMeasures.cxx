@@ -3,6 +3,7 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
 #include "Core/ImageScalars.h"
+#include "Core/NamedColumns.h"
 #include "Core/PolyDataTriangles.h"
 #include "Surfaces/CartesianMeasures.h"
 #include "Surfaces/SurfaceCleaning.h"
@@ -47,40 +48,34 @@ void AddFields(vtkFieldData* fields, const SurfaceMeasure& whole, vtkIdType comp
   AddNumber<vtkIdTypeArray>(fields, "IrregularPoints", whole.IrregularPoints);
 }
 
-/// Adds a column with `get(row)` for each of `rows`.
-template <typename Array, typename Get>
-void AddColumn(
-  vtkTable* table, const char* name, const std::vector<SurfaceMeasure>& rows, Get&& get)
-{
-  vtkNew<Array> column;
-  column->SetName(name);
-  for (const SurfaceMeasure& row : rows)
-  {
-    column->InsertNextValue(get(row));
-  }
-  table->AddColumn(column);
-}
-
 void FillTable(vtkTable* table, const isthmus::SurfaceMeasures& measures)
 {
   using Row = SurfaceMeasure;
+  vtkFieldData* const data = table->GetRowData();
   std::vector<Row> rows{ measures.Whole };
   rows.insert(rows.end(), measures.Components.begin(), measures.Components.end());
   vtkIdType component = -1;
-  AddColumn<vtkIdTypeArray>(table, "Component", rows, [&](const Row&) { return component++; });
-  AddColumn<vtkDoubleArray>(table, "Area", rows, [](const Row& row) { return row.Area; });
-  AddColumn<vtkDoubleArray>(table, "Volume", rows, [](const Row& row) { return row.Volume; });
-  AddColumn<vtkIdTypeArray>(table, "Genus", rows, [](const Row& row) { return row.Genus; });
-  AddColumn<vtkIdTypeArray>(
-    table, "EulerNumber", rows, [](const Row& row) { return row.EulerNumber(); });
-  AddColumn<vtkIdTypeArray>(table, "Points", rows, [](const Row& row) { return row.Points; });
-  AddColumn<vtkIdTypeArray>(table, "Edges", rows, [](const Row& row) { return row.Edges; });
-  AddColumn<vtkIdTypeArray>(table, "Triangles", rows, [](const Row& row) { return row.Triangles; });
-  AddColumn<vtkIdTypeArray>(table, "OpenEdges", rows, [](const Row& row) { return row.OpenEdges; });
-  AddColumn<vtkIdTypeArray>(
-    table, "BoundaryLoops", rows, [](const Row& row) { return row.BoundaryLoops; });
-  AddColumn<vtkIdTypeArray>(
-    table, "IrregularPoints", rows, [](const Row& row) { return row.IrregularPoints; });
+  isthmus::AddColumnOf<vtkIdTypeArray>(
+    data, "Component", rows, [&](const Row&) { return component++; });
+  isthmus::AddColumnOf<vtkDoubleArray>(data, "Area", rows, [](const Row& row) { return row.Area; });
+  isthmus::AddColumnOf<vtkDoubleArray>(
+    data, "Volume", rows, [](const Row& row) { return row.Volume; });
+  isthmus::AddColumnOf<vtkIdTypeArray>(
+    data, "Genus", rows, [](const Row& row) { return row.Genus; });
+  isthmus::AddColumnOf<vtkIdTypeArray>(
+    data, "EulerNumber", rows, [](const Row& row) { return row.EulerNumber(); });
+  isthmus::AddColumnOf<vtkIdTypeArray>(
+    data, "Points", rows, [](const Row& row) { return row.Points; });
+  isthmus::AddColumnOf<vtkIdTypeArray>(
+    data, "Edges", rows, [](const Row& row) { return row.Edges; });
+  isthmus::AddColumnOf<vtkIdTypeArray>(
+    data, "Triangles", rows, [](const Row& row) { return row.Triangles; });
+  isthmus::AddColumnOf<vtkIdTypeArray>(
+    data, "OpenEdges", rows, [](const Row& row) { return row.OpenEdges; });
+  isthmus::AddColumnOf<vtkIdTypeArray>(
+    data, "BoundaryLoops", rows, [](const Row& row) { return row.BoundaryLoops; });
+  isthmus::AddColumnOf<vtkIdTypeArray>(
+    data, "IrregularPoints", rows, [](const Row& row) { return row.IrregularPoints; });
 }
 
 }

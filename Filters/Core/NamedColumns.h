@@ -1,6 +1,6 @@
 /**
  * @file NamedColumns.h
- * @brief Named arrays made and filled in one line.
+ * @brief Named arrays of attributes or tables, made and filled in one line.
  */
 #ifndef isthmus_NamedColumns_h
 #define isthmus_NamedColumns_h
@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <string>
+#include <type_traits>
 
 namespace isthmus
 {
@@ -36,8 +37,20 @@ void AddColumn(vtkFieldData* data, const std::string& name, const Numbers& numbe
   }
 }
 
+/// A new array with of(row) for each of `rows` rows, numbered from 0.
+template <typename Array, typename Of>
+void AddColumnOf(vtkFieldData* data, const std::string& name, std::size_t rows, Of&& of)
+{
+  auto* column = AddArray<Array>(data, name, rows);
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    column->SetValue(static_cast<vtkIdType>(row), of(row));
+  }
+}
+
 /// A new array with of(item) for each item.
-template <typename Array, typename Items, typename Of>
+template <typename Array, typename Items, typename Of,
+  typename = std::enable_if_t<!std::is_integral_v<Items>>>
 void AddColumnOf(vtkFieldData* data, const std::string& name, const Items& items, Of&& of)
 {
   auto* column = AddArray<Array>(data, name, items.size());
