@@ -310,7 +310,7 @@ bool vtkChokingLoops::FindLoops(
   {
     return true;
   }
-  const bool found = isthmus::Succeeds(this, output,
+  return isthmus::Succeeds(this, output,
     [&]
     {
       this->Analyse(surface, mesh);
@@ -327,13 +327,6 @@ bool vtkChokingLoops::FindLoops(
       isthmus::FillDiagram(analysis, diagram);
       isthmus::AddAnalysisFieldData(analysis, shown, loops);
     });
-  if (!found)
-  {
-    membranes->Initialize();
-    points->Initialize();
-    diagram->Initialize();
-  }
-  return found;
 }
 
 void vtkChokingLoops::PrintSelf(ostream& os, vtkIndent indent)

@@ -40,6 +40,10 @@ namespace
 
 constexpr int SurfacePort = 4;
 
+/// Values of the panel's Automatic Level that use or may use the automatic one.
+constexpr int On = 1;
+constexpr int UnlessGiven = 2;
+
 /// Choking loops of a surface that is whole on this rank, while the others have nothing to do:
 /// nothing is gathered, which all ranks would have to take part in.
 class LoopsOfWholeSurface : public vtkChokingLoops
@@ -52,9 +56,12 @@ protected:
   int RequestData(
     vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override
   {
-    this->FindLoops(vtkPolyData::GetData(input[0]), nullptr, output);
+    this->Found = this->FindLoops(vtkPolyData::GetData(input[0]), nullptr, output);
     return 1;
   }
+
+public:
+  bool Found = false; ///< whether the last run came to its end
 };
 vtkStandardNewMacro(LoopsOfWholeSurface);
 
@@ -235,7 +242,7 @@ void vtkMapChokingLoops::SetPanelLevel(double level)
 
 void vtkMapChokingLoops::SetAutomaticLevel(bool automatic)
 {
-  this->SetPanelAutomaticLevel(automatic ? 1 : 0);
+  this->SetPanelAutomaticLevel(automatic ? On : 0);
 }
 
 void vtkMapChokingLoops::SetPanelAutomaticLevel(int mode)
@@ -243,7 +250,7 @@ void vtkMapChokingLoops::SetPanelAutomaticLevel(int mode)
   if (this->PanelMode != mode)
   {
     this->PanelMode = mode;
-    this->AutomaticLevel = mode != 0;
+    this->AutomaticLevel = mode == On || mode == UnlessGiven;
     this->Modified();
   }
 }
@@ -270,8 +277,13 @@ int vtkMapChokingLoops::RequestUpdateExtent(
 
 double vtkMapChokingLoops::ChooseLevel(vtkImageData* image, vtkDataArray* scalars)
 {
+  // Once proposed, a level stays so while upstream changes the range.
+  if (this->PanelMode == UnlessGiven && IsMiddle(this->Level, scalars))
+  {
+    this->ProposedLevel = this->Level;
+  }
   const bool isGiven =
-    !this->AutomaticLevel || (this->PanelMode == 2 && !IsMiddle(this->Level, scalars));
+    !this->AutomaticLevel || (this->PanelMode == UnlessGiven && this->Level != this->ProposedLevel);
   const double level =
     isGiven ? this->Level : this->LevelOfMap->Of(image, scalars, this->InsideIsHigher);
   if (!std::isfinite(level))
@@ -324,7 +336,9 @@ void vtkMapChokingLoops::FindLoops(vtkInformationVector* output)
   this->Loops->SetContainerAlgorithm(this); // stops with this one
   this->Loops->SetInputData(this->Surface);
   this->Loops->Modified(); // an output that was stopped is not kept
-  this->Loops->Update();
+  auto* loops = static_cast<LoopsOfWholeSurface*>(this->Loops.Get());
+  loops->Found = false;
+  loops->Update();
   std::for_each(
     tags.begin(), tags.end(), [this](unsigned long tag) { this->Loops->RemoveObserver(tag); });
   if (!events.Error.empty())
@@ -332,9 +346,17 @@ void vtkMapChokingLoops::FindLoops(vtkInformationVector* output)
     throw std::runtime_error(events.Error);
   }
   isthmus::Report(events.Progress, 1.0); // leaves where it was stopped
+  if (!loops->Found)                     // its message is not issued where VTK's warnings are off
+  {
+    throw std::runtime_error("The choking loops of the map's surface were not found.");
+  }
   for (int port = 0; port < SurfacePort; ++port)
   {
-    vtkDataObject::GetData(output, port)->ShallowCopy(this->Loops->GetOutputDataObject(port));
+    vtkDataObject* const result = vtkDataObject::GetData(output, port);
+    const auto ofMap = vtkSmartPointer<vtkFieldData>::New();
+    ofMap->ShallowCopy(result->GetFieldData()); // which VTK's executive has passed on
+    result->ShallowCopy(loops->GetOutputDataObject(port));
+    result->GetFieldData()->PassData(ofMap);
   }
 }
 

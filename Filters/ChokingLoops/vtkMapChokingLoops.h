@@ -27,6 +27,7 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for the analysis and the surface
 
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -95,9 +96,9 @@ public:
   vtkGetMacro(Level, double);
   ///@}
 
-  /// For panels and state files, where the level always has a value: 0 takes Level, 1 the automatic
-  /// level, 2 (what panels begin with) Level unless it is the middle of the map's range, which
-  /// ParaView proposes and which counts as none given.
+  /// For panels, where the level always has a value. 1: the automatic level; 2, what a new panel
+  /// has: Level, unless it is the middle of the map's range, which ParaView proposes and which
+  /// counts as none given; 0 and 3: Level, whatever it is. State files of before 1.0 have 0.
   void SetPanelAutomaticLevel(int mode);
   /// Level as panels and state files set it: AutomaticLevel stays as it is.
   void SetPanelLevel(double level);
@@ -220,6 +221,7 @@ private:
   double Level = 0.0;
   bool AutomaticLevel = true;
   int PanelMode = 1; ///< of SetPanelAutomaticLevel()
+  double ProposedLevel = std::numeric_limits<double>::quiet_NaN();
   double UsedLevel = 0.0;
   bool InsideIsHigher = true;
   int LargestComponents = 0;

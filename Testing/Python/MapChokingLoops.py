@@ -58,7 +58,27 @@ levels = [output_of(proxy).GetFieldData().GetArray("Level").GetValue(0) for prox
 assert levels[0] == levels[1], levels
 assert output_of(automatic, 4).GetNumberOfPoints() == output_of(proposed).GetNumberOfPoints()
 
+# The proposed level stays one while the map's range changes; a state file of before 1.0 takes it as it is.
+assert automatic.AutomaticLevel == "Unless a level is given", automatic.AutomaticLevel
+middle = MapChokingLoops(Input=density)
+middle.SMProxy.GetProperty("AutomaticLevel").SetElement(0, 0)
+UpdatePipeline(proxy=middle)
+low, high = density.PointData["Density"].GetRange()
+used = output_of(middle).GetFieldData().GetArray("Level").GetValue(0)
+assert abs(used - 0.5 * (low + high)) < 1e-5 * (high - low), (used, low, high)
+
+# The map's own field data are on the loops.
+assert output_of(automatic).GetFieldData().GetNumberOfArrays() > output_of(density).GetFieldData().GetNumberOfArrays()
+for i in range(output_of(density).GetFieldData().GetNumberOfArrays()):
+    name = output_of(density).GetFieldData().GetArrayName(i)
+    assert output_of(automatic).GetFieldData().GetAbstractArray(name), name
+
 vtkObject.GlobalWarningDisplayOff()
+# An analysis that fails leaves all outputs empty, the surface too.
+short = MapChokingLoops(Input=density, Level=1.5, MemoryLimit=1)
+UpdatePipeline(proxy=short)
+for port in (0, 1, 2, 4):
+    assert output_of(short, port).GetNumberOfPoints() == 0, port
 empty = MapChokingLoops(Input=Wavelet(), Level=1e6)
 UpdatePipeline(proxy=empty)
 for port in (0, 1, 2, 4):
