@@ -90,6 +90,16 @@ MemoryBudget::MemoryBudget(double limit)
 {
 }
 
+MemoryBudget MemoryBudget::OfMachine(double limit)
+{
+  MemoryBudget budget(limit);
+  if (!budget.HasLimit)
+  {
+    budget.Allowed = 0.75 * NumberIn("/proc/meminfo", "MemTotal:") * 1024.0;
+  }
+  return budget;
+}
+
 MemoryBudget MemoryBudget::OfBytes(std::uint64_t bytes)
 {
   MemoryBudget budget(1.0);

@@ -34,6 +34,10 @@ public:
   /// @param limit in MiB, like the property MemoryLimit of filters; 0 or less: the available memory
   explicit MemoryBudget(double limit = 0.0);
 
+  /// A limit in MiB likewise, but 0: three quarters of the machine's memory, whatever is in use.
+  /// For algorithms whose result depends on the budget, and so must not depend on what else runs.
+  static MemoryBudget OfMachine(double limit);
+
   /// A limit in bytes chosen by the caller, e.g. from WholeBytes(); 0: no limit.
   static MemoryBudget OfBytes(std::uint64_t bytes);
 

@@ -101,7 +101,7 @@ TetrahedralMesh StuffSolid(const SurfaceView& soup, const SolidStuffingParameter
   // Whether anything is enclosed shows on the inside, so it is always made.
   stuffing.Side = parameters.Side == MeshedSide::Inside ? MeshedSide::Inside : MeshedSide::Both;
   stuffing.Margin = parameters.Side == MeshedSide::Inside ? 0.0 : parameters.BoxMargin * diagonal;
-  stuffing.MaximumBytes = parameters.MaximumBytes;
+  stuffing.Memory = MemoryBudget::OfBytes(parameters.MaximumBytes);
   stuffing.GradingLevels = parameters.Side == MeshedSide::Inside ? 0 : 4;
   stuffing.CellSize = parameters.CellSize > 0.0 ? parameters.CellSize : diagonal / 100.0;
   TetrahedralMesh mesh = IsosurfaceStuffing(field, bounds, stuffing, progress).Mesh;

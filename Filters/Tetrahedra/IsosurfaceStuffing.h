@@ -42,7 +42,7 @@ struct IsosurfaceStuffingResult
  * The surface is that of the linear interpolation along lattice edges: second order in CellSize.
  *
  * @throws std::invalid_argument on parameters that can't be met or a lattice of more than 2^18
- * cells along an axis; std::runtime_error where MaximumBytes does not hold the lattice; Cancelled.
+ * cells along an axis; std::runtime_error where Memory does not hold the lattice; Cancelled.
  *
  * Cost: two values a cell of the box; 21 bytes a cell, and some 70 bytes a tetrahedron. Sampling
  * and warping are parallel; the result has the same bits on any number of threads.

@@ -43,11 +43,10 @@ StuffingLattice::StuffingLattice(const Bounds3& bounds, const StuffingParameters
   }
   this->Corners = (this->Count[0] + 1) * (this->Count[1] + 1) * (this->Count[2] + 1);
   this->Centres = this->Count[0] * this->Count[1] * this->Count[2];
-  MemoryBudget::OfBytes(parameters.MaximumBytes)
-    .Require(this->Bytes(),
-      "A lattice of " + std::to_string(this->Centres) + " cells (cell size " +
-        FormatNumber(this->Size) + ")",
-      "choose a larger cell size");
+  parameters.Memory.Require(this->Bytes(),
+    "A lattice of " + std::to_string(this->Centres) + " cells (cell size " +
+      FormatNumber(this->Size) + ")",
+    "choose a larger cell size");
 }
 
 double StuffingLattice::Bytes() const

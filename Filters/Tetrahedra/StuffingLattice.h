@@ -7,6 +7,7 @@
 #define isthmus_StuffingLattice_h
 
 #include "Core/Geometry.h"
+#include "Core/MemoryBudget.h"
 #include "Core/Progress.h"
 #include "Tetrahedra/MeshedSide.h"
 
@@ -18,7 +19,7 @@ namespace isthmus
 {
 
 //--------------------------------------------------------------------------------------------------
-// Parameters of isosurface stuffing, and its constants.
+// Parameters and constants of isosurface stuffing.
 
 struct StuffingParameters
 {
@@ -26,7 +27,7 @@ struct StuffingParameters
   int GradingLevels = 0; ///< away from the surface cubes may be up to 2^levels as large; 0: uniform
   MeshedSide Side = MeshedSide::Inside;
   double Margin = 0.0; ///< length by which the box exceeds the bounds; three cells at least
-  std::uint64_t MaximumBytes = 0; ///< of the lattice; 0: no limit
+  MemoryBudget Memory = MemoryBudget::OfBytes(0); ///< of the lattice; OfBytes(0): no limit
 };
 
 /// A lattice point is moved onto the surface when it is nearer than this part of an edge of the
@@ -58,7 +59,7 @@ class StuffingLattice
 public:
   /// Cells that cover `bounds` and the margin.
   /// @throws std::invalid_argument for more than 2^18 cells along an axis, and std::runtime_error
-  /// with both figures where MaximumBytes is passed.
+  /// with both figures where Memory is exceeded.
   StuffingLattice(const Bounds3& bounds, const StuffingParameters& parameters);
 
   /// Bytes that Sample() and Grade() will take.

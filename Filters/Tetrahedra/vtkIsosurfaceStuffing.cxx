@@ -40,7 +40,7 @@ isthmus::StuffingParameters ParametersOf(vtkIsosurfaceStuffing* filter, vtkImage
     filter->GetCellSize() == 0.0 ? std::min({ h[0], h[1], h[2] }) : filter->GetCellSize();
   parameters.GradingLevels = filter->GetGradingLevels();
   parameters.Side = static_cast<isthmus::MeshedSide>(filter->GetSide());
-  parameters.MaximumBytes = isthmus::MemoryBudget(filter->GetMemoryLimit()).WholeBytes();
+  parameters.Memory = isthmus::MemoryBudget::OfMachine(filter->GetMemoryLimit());
   return parameters;
 }
 

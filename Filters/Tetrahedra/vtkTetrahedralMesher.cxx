@@ -40,7 +40,7 @@ isthmus::TetrahedralParameters ParametersOf(vtkTetrahedralMesher* filter)
   }
   parameters.Side = static_cast<isthmus::MeshedSide>(filter->GetSide());
   parameters.BoxMargin = filter->GetBoxMargin();
-  isthmus::MemoryBudget memory(filter->GetMemoryLimit());
+  isthmus::MemoryBudget memory = isthmus::MemoryBudget::OfMachine(filter->GetMemoryLimit());
   if (automatic && filter->GetMemoryLimit() == 0)
   {
     memory = memory.AtMost(AutomaticBytes);

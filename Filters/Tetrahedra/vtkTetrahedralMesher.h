@@ -128,7 +128,7 @@ public:
   ///@}
 
   ///@{
-  /// TetGen and stuffing: memory they may use, in MiB; 0: what is available, with
+  /// TetGen and stuffing: memory they may use, in MiB; 0: three quarters of the machine's, with
   /// Automatic 8 GiB at most. Default 0.
   vtkSetClampMacro(MemoryLimit, int, 0, VTK_INT_MAX);
   vtkGetMacro(MemoryLimit, int);

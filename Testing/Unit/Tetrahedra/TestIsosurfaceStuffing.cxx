@@ -315,7 +315,7 @@ TEST(IsosurfaceStuffing, WhatCannotBeMetIsRefused)
     StuffingParameters parameters;
     parameters.CellSize = size;
     parameters.GradingLevels = levels;
-    parameters.MaximumBytes = bytes;
+    parameters.Memory = MemoryBudget::OfBytes(bytes);
     try
     {
       IsosurfaceStuffing(
