@@ -10,6 +10,9 @@
  * requested;
  * 3. where there are no elements either, std::invalid_argument.
  *
+ * Readers that write the array (vtkMacromoleculeReader) take it from the table that is chosen
+ * there.
+ *
  * An atom that has no radius after this (NaN in the array, an element in neither table) is dropped
  * with a warning by filters of shape and refused by filters that use its charge (MissingRadius).
  * Poisson-Boltzmann energies depend on the radii of a force field, so vtkPoissonBoltzmann requires

@@ -74,7 +74,7 @@ bool IsFinite(const std::array<double, 3>& x)
     " has a coordinate that is not finite: correct it, or leave the atom out.");
 }
 
-void CheckBall(const Ball& ball, std::size_t atom)
+void CheckBall(const Ball& ball, std::size_t atom, double maximum)
 {
   if (!IsFinite(ball.Centre))
   {
@@ -85,6 +85,12 @@ void CheckBall(const Ball& ball, std::size_t atom)
     throw std::invalid_argument("The radius of atom " + std::to_string(atom) + " is " +
       FormatNumber(ball.Radius) +
       ", but a radius is a finite length of 0 or more: correct it, or leave the atom out.");
+  }
+  if (ball.Radius >= maximum)
+  {
+    throw std::invalid_argument("The radius of atom " + std::to_string(atom) + " is " +
+      FormatNumber(ball.Radius) + ", but radii in angstrom are below " + FormatNumber(maximum) +
+      ": choose another array.");
   }
 }
 
@@ -136,7 +142,7 @@ void AddBalls(vtkDataObject* input, const std::vector<std::size_t>& kept, const 
       ++dropped;
       continue;
     }
-    CheckBall(ball, i);
+    CheckBall(ball, i, options.MaximumRadius);
     atoms.Kept.push_back(point);
     if (ball.Radius > 0.0 || options.ZeroRadii)
     {
@@ -173,6 +179,7 @@ AtomOptions PolymerOf(const std::string& radiusArray, const PolymerOptions& sele
   options.RadiusArray = radiusArray;
   options.Selection = selection;
   options.ZeroRadii = true;
+  options.MaximumRadius = 1000.0; // radii in other units, or an array of something else
   return options;
 }
 

@@ -22,6 +22,7 @@
 
 #include <vtkType.h>
 
+#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -45,6 +46,8 @@ struct AtomOptions
   bool UnitedAtoms = false;
   bool ZeroRadii = false;     ///< atoms with radius 0 also get a ball
   bool RequireBalls = false;  ///< std::invalid_argument where no atom has a radius above 0
+  /// Angstrom. A radius that is as large is refused.
+  double MaximumRadius = std::numeric_limits<double>::infinity();
   bool SurfacePoints = false; ///< polygons without elements or radii are points with radius 0
   RadiusFallback Fallback = RadiusFallback::Element;
   MissingRadius Missing = MissingRadius::Drop;
@@ -58,7 +61,7 @@ VTKISTHMUSFILTERSATOMS_EXPORT AtomOptions WholeMolecule(
 VTKISTHMUSFILTERSATOMS_EXPORT AtomOptions PolymerOf(
   const std::string& radiusArray, const PolymerOptions& options);
 
-/// The atoms that a filter works on.
+/// The atoms that a filter works on. Places and radii in angstrom.
 struct MoleculeAtoms
 {
   std::vector<Ball> Balls;       ///< of the atoms with a radius
@@ -77,13 +80,15 @@ struct MoleculeAtoms
  * Reads the atoms of a vtkPointSet or a vtkMolecule according to `options`; empty if it has no
  * points.
  *
- * Throws std::invalid_argument for radii that AtomRadii.h refuses, that are negative or infinite,
- * for coordinates that are not finite, and where no atom is left but one is required.
+ * O(atoms), with the names of residues where there is a selection.
+ * @throws std::invalid_argument for radii that AtomRadii.h refuses, that are negative, infinite or
+ * MaximumRadius, or missing under MissingRadius::Refuse; for coordinates that are not finite; and
+ * where no atom is left but one is required.
  */
 VTKISTHMUSFILTERSATOMS_EXPORT MoleculeAtoms ReadAtoms(
   vtkDataObject* atoms, const AtomOptions& options);
 
-/// The charges of `atoms.Kept`, from the point array `name` of `input`. Throws
+/// The charges of `atoms.Kept` in e, from the point array `name` of `input`. Throws
 /// std::invalid_argument where there is no such array of one component, or a charge is not finite.
 VTKISTHMUSFILTERSATOMS_EXPORT std::vector<double> AtomCharges(
   vtkDataObject* input, const MoleculeAtoms& atoms, const std::string& name);

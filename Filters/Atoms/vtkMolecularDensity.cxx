@@ -4,6 +4,7 @@
 #include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
+#include "Core/MemoryBudget.h"
 #include "Core/PipelineInputs.h"
 #include "Core/RangeChecks.h"
 
@@ -64,16 +65,11 @@ vtkFloatArray* AddDensity(vtkImageData* image, const DensityGrid& grid)
 {
   const double nodes = static_cast<double>(grid.Dimensions[0]) *
     static_cast<double>(grid.Dimensions[1]) * static_cast<double>(grid.Dimensions[2]);
-  const std::string tooLarge = "A Spacing of " + isthmus::FormatNumber(grid.Spacing) +
-    " makes a grid of " + std::to_string(grid.Dimensions[0]) + " x " +
-    std::to_string(grid.Dimensions[1]) + " x " + std::to_string(grid.Dimensions[2]) +
-    " nodes, which takes " + std::to_string(std::llround(nodes * sizeof(float) / 1e9)) +
-    " GB and does not fit into memory: choose a larger one.";
-  // Far beyond any memory, and near to what 64 bits count.
-  if (nodes > 1e15)
-  {
-    throw std::runtime_error(tooLarge);
-  }
+  isthmus::MemoryBudget().Require(nodes * sizeof(float),
+    "A grid of " + std::to_string(grid.Dimensions[0]) + " x " + std::to_string(grid.Dimensions[1]) +
+      " x " + std::to_string(grid.Dimensions[2]) + " nodes (Spacing " +
+      isthmus::FormatNumber(grid.Spacing) + ")",
+    "choose a larger Spacing");
   vtkNew<vtkFloatArray> density;
   density->SetName("Density");
   // Asked of malloc first, since a vtkDataArray that gets no memory prints an error of its own.
@@ -81,7 +77,7 @@ vtkFloatArray* AddDensity(vtkImageData* image, const DensityGrid& grid)
   auto* memory = static_cast<float*>(std::malloc(values * sizeof(float)));
   if (!memory)
   {
-    throw std::runtime_error(tooLarge);
+    throw std::bad_alloc();
   }
   density->SetVoidArray(
     memory, static_cast<vtkIdType>(values), 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);

@@ -2,9 +2,12 @@
 
 #include "Atoms/ChemicalElement.h"
 #include "Atoms/MoleculeAtoms.h"
+#include "Core/NamedColumns.h"
 
 #include <vtkCellArray.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -17,23 +20,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <map>
+
+#include <tuple>
+
 namespace isthmus
 {
 namespace
 {
-
-template <typename Array, typename Value>
-void AddColumn(const ChargedProtein& protein, const std::string& name, vtkPointSet* to, Value value)
-{
-  vtkNew<Array> array;
-  array->SetName(name.c_str());
-  array->SetNumberOfValues(static_cast<vtkIdType>(protein.Atoms.size()));
-  for (std::size_t i = 0; i < protein.Atoms.size(); ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), value(protein.Atoms[i]));
-  }
-  to->GetPointData()->AddArray(array);
-}
 
 /// An array that all atoms of a residue share.
 void CopyColumn(const ChargedProtein& protein, const char* name, vtkPointSet* from, vtkPointSet* to)
@@ -90,12 +84,13 @@ vtkSmartPointer<vtkPointSet> PointsOf(
     polygons->SetVerts(vertices);
   }
   using Atom = const ForceFieldAtom&;
-  AddColumn<vtkDoubleArray>(protein, arrays.Charge, result, [](Atom a) { return a.Charge; });
-  AddColumn<vtkDoubleArray>(protein, arrays.Radius, result, [](Atom a) { return a.Radius; });
-  AddColumn<vtkStringArray>(protein, "AtomName", result, [](Atom a) { return a.Name; });
-  AddColumn<vtkUnsignedShortArray>(protein, "Element", result,
+  vtkFieldData* const data = result->GetPointData();
+  AddColumnOf<vtkDoubleArray>(data, arrays.Charge, protein.Atoms, [](Atom a) { return a.Charge; });
+  AddColumnOf<vtkDoubleArray>(data, arrays.Radius, protein.Atoms, [](Atom a) { return a.Radius; });
+  AddColumnOf<vtkStringArray>(data, "AtomName", protein.Atoms, [](Atom a) { return a.Name; });
+  AddColumnOf<vtkUnsignedShortArray>(data, "Element", protein.Atoms,
     [](Atom a) { return static_cast<unsigned short>(ElementOfAtomName(a.Name, a.Residue)); });
-  AddColumn<vtkIdTypeArray>(protein, "InputAtom", result,
+  AddColumnOf<vtkIdTypeArray>(data, "InputAtom", protein.Atoms,
     [](Atom a) { return a.IsNew ? -1 : static_cast<vtkIdType>(a.Like); });
   for (const char* name : { "ResidueName", "ResidueId", "Chain", "InsertionCode", "IsHetero" })
   {
@@ -104,16 +99,43 @@ vtkSmartPointer<vtkPointSet> PointsOf(
   return result;
 }
 
+namespace
+{
+
+/// Heavy atoms of the amino acids, that of the end of a chain not counted; 0: another residue.
+int HeavyAtomsOf(const std::string& residue)
+{
+  static const std::map<std::string, int> counts{ { "ALA", 5 }, { "ARG", 11 }, { "ASN", 8 },
+    { "ASP", 8 }, { "CYS", 6 }, { "GLN", 9 }, { "GLU", 9 }, { "GLY", 4 }, { "HIS", 10 },
+    { "ILE", 8 }, { "LEU", 8 }, { "LYS", 9 }, { "MET", 8 }, { "PHE", 11 }, { "PRO", 7 },
+    { "SER", 6 }, { "THR", 7 }, { "TRP", 14 }, { "TYR", 12 }, { "VAL", 7 } };
+  const auto found = counts.find(residue);
+  return found == counts.end() ? 0 : found->second;
+}
+
+}
+
 std::vector<ChargedAtom> PolymerWithoutCharges(vtkPointSet* atoms)
 {
   constexpr double radius = 2.0; // of the largest heavy atoms in force fields
-  PolymerOptions chains;
-  chains.Hydrogens = true;
+  constexpr double reach = 9.0;  // of a side chain that is rebuilt: arginine's, from CA
+  PolymerOptions charged;        // free amino acids, which the program charges, count as ligands
+  charged.Hydrogens = charged.Ions = charged.Ligands = charged.ProstheticGroups = true;
   const std::vector<NamedAtom> named = NamedAtomsOf(atoms);
-  std::vector<ChargedAtom> polymer;
-  for (const std::size_t i : ChoosePolymer(named, chains).Kept)
+  const auto residueOf = [](const NamedAtom& atom)
+  { return std::make_tuple(atom.Chain, atom.ResidueId, atom.InsertionCode, atom.Residue); };
+  std::map<decltype(residueOf(named[0])), int> heavy;
+  const std::vector<std::size_t> kept = ChoosePolymer(named, charged).Kept;
+  for (const std::size_t i : kept)
   {
-    polymer.push_back({ named[i].Place, 0.0, radius });
+    heavy[residueOf(named[i])] += named[i].Element != 1 ? 1 : 0;
+  }
+  std::vector<ChargedAtom> polymer;
+  for (const std::size_t i : kept)
+  {
+    const bool isRebuilt =
+      named[i].Name == "CA" && heavy[residueOf(named[i])] < HeavyAtomsOf(named[i].Residue);
+    polymer.push_back({ named[i].Place, 0.0, isRebuilt ? reach : radius });
   }
   return polymer;
 }

@@ -34,8 +34,9 @@ vtkSmartPointer<vtkPointSet> PointsOf(
 /// How far hydrogens may lie beyond the balls of the atoms that carry them, angstrom.
 constexpr double HydrogenMargin = 2.0;
 
-/// The chains of atoms that lack charges, before pdb2pqr, as balls of 2 angstrom with charge 0.
-/// Only for the extent of a grid.
+/// What pdb2pqr may charge of atoms that lack charges, all but water, as balls of 2 angstrom with
+/// charge 0; of 9 around CA where a side chain is incomplete and will be rebuilt. Only for the
+/// extent of a grid.
 std::vector<ChargedAtom> PolymerWithoutCharges(vtkPointSet* atoms);
 
 /// Charges are found once for each input and force field; so is the reason why there are none.
