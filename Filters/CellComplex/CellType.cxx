@@ -248,7 +248,7 @@ std::size_t CellType::MemoryBytes() const
       sizeof(Local);
   for (const std::vector<int>& face : this->FaceVertices)
   {
-    bytes += sizeof(face) + face.capacity() * sizeof(int);
+    bytes += sizeof(std::vector<int>) + face.capacity() * sizeof(int);
   }
   return bytes;
 }

@@ -127,8 +127,7 @@ int Guarded(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
   return 1;
 }
 
-/// The same for an object that is not an output, or for a single output, as in RequestInformation:
-/// it is empty unless `body` completes.
+/// The same for one data object, as readers fill: it is empty unless `body` completes.
 template <typename Body>
 int Guarded(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
 {

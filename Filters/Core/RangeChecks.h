@@ -1,7 +1,7 @@
 /**
  * @file RangeChecks.h
- * @brief Refuses invalid numbers with an error message before they reach algorithms and third-party
- * code: properties out of range, image geometry, coordinates.
+ * @brief Refuses properties and image geometry that are out of range with an error message, before
+ * they reach algorithms and third-party code. Coordinates: UnitScale.h.
  */
 #ifndef isthmus_RangeChecks_h
 #define isthmus_RangeChecks_h

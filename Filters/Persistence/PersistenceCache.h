@@ -29,10 +29,11 @@ VolumeView VolumeOf(vtkDataArray* scalars, vtkImageData* image);
 class PersistenceCache
 {
 public:
-  /// Clears the cache where the scalars differ from the cached ones.
+  /// Clears the cache where the scalars differ from the cached ones. O(n).
   const VolumeStatistics& Statistics(vtkDataArray* scalars, const VolumeView& volume);
 
-  /// Of the values last given to Statistics.
+  /// Pairs of the same values. Cost where they are not cached: CubicalPersistence.h.
+  /// @pre Statistics() was called with this volume. @throws Cancelled
   const CubicalDiagram& Pairs(const VolumeView& volume, const CubicalParameters& parameters,
     const ProgressCallback& progress);
 

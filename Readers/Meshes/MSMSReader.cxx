@@ -10,6 +10,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -46,7 +47,9 @@ std::vector<double> NumbersOf(std::string_view line)
     const auto length = static_cast<std::size_t>(rest - line.data());
     if (error == std::errc::result_out_of_range)
     {
-      x = std::strtod(std::string(line.substr(0, length)).c_str(), nullptr);
+      const std::string_view word = line.substr(0, length);
+      const bool isTiny = word.find("e-") != word.npos || word.find("E-") != word.npos;
+      x = isTiny ? 0.0 : std::numeric_limits<double>::infinity();
     }
     numbers.push_back(x);
     line.remove_prefix(length);

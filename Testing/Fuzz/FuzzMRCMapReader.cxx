@@ -3,7 +3,7 @@
 // The first 8 bytes choose what is done with the rest, so that the fuzzer need not invent
 // compressed streams: how it is packed, the file's ending, and the reader's properties. Built by
 // -DISTHMUS_FUZZ=ON, or alone by clang++ -fsanitize=fuzzer,address,undefined with the sources of
-// Readers and Filters/Support. Seeds come from LLVMFuzzerCustomMutator, which now and then starts
+// Readers and Filters/Core. Seeds come from LLVMFuzzerCustomMutator, which now and then starts
 // from a sound map.
 
 #include "FuzzInput.h"
