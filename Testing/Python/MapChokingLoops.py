@@ -62,6 +62,7 @@ assert output_of(automatic, 4).GetNumberOfPoints() == output_of(proposed).GetNum
 assert automatic.AutomaticLevel == "Unless a level is given", automatic.AutomaticLevel
 middle = MapChokingLoops(Input=density)
 middle.SMProxy.GetProperty("AutomaticLevel").SetElement(0, 0)
+middle.SMProxy.UpdateVTKObjects()
 UpdatePipeline(proxy=middle)
 low, high = density.PointData["Density"].GetRange()
 used = output_of(middle).GetFieldData().GetArray("Level").GetValue(0)
