@@ -44,8 +44,8 @@ struct AtomOptions
   /// Where chains of amino acids or nucleotides have no hydrogens at all, and radii are those of a
   /// table by element, radii of united atoms (RadiusTable::UnitedAtom) replace them.
   bool UnitedAtoms = false;
-  bool ZeroRadii = false;     ///< atoms with radius 0 also get a ball
-  bool RequireBalls = false;  ///< std::invalid_argument where no atom has a radius above 0
+  bool ZeroRadii = false;    ///< atoms with radius 0 also get a ball
+  bool RequireBalls = false; ///< std::invalid_argument where no atom has a radius above 0
   /// Angstrom. A radius that is as large is refused.
   double MaximumRadius = std::numeric_limits<double>::infinity();
   bool SurfacePoints = false; ///< polygons without elements or radii are points with radius 0
