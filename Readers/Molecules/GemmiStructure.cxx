@@ -1,5 +1,6 @@
 #include "Molecules/GemmiStructure.h"
 
+#include "Molecules/CIFAtomTable.h"
 #include "Molecules/GemmiAtom.h"
 #include "Molecules/PDBPieces.h"
 #include "Molecules/PDBStream.h"
@@ -55,14 +56,17 @@ void TakeAssembly(gemmi::Structure& structure, const std::string& name, const st
 }
 
 /// Categories of an mmCIF file that atoms, bonds and assemblies come from.
-const std::array<std::string, 12> CategoriesRead{ "_atom_site.", "_atom_site_anisotrop.",
-  "_atom_sites.", "_cell.", "_symmetry.", "_entity.", "_entity_poly.", "_struct_asym.",
-  "_struct_conn.", "_pdbx_struct_assembly.", "_pdbx_struct_assembly_gen.",
-  "_pdbx_struct_oper_list." };
+const std::vector<std::string> CategoriesRead{ "_atom_site.", "_atom_site_", "_atom_sites.",
+  "_atom_type", "_cell.", "_cell_", "_chem_comp_atom.", "_chem_comp_bond.", "_symmetry.",
+  "_entity.", "_entity_poly.", "_ma_qa_metric", "_struct_asym.", "_struct_conn.",
+  "_pdbx_struct_assembly.", "_pdbx_struct_assembly_gen.", "_pdbx_struct_oper_list." };
 
-void DropOthers(gemmi::cif::Block& block)
+/// Those of them without which there are still atoms.
+const std::vector<std::string> CategoriesOfAtoms{ "_atom_site." };
+
+void DropOthers(gemmi::cif::Block& block, const std::vector<std::string>& categories)
 {
-  const auto isOther = [](const gemmi::cif::Item& item)
+  const auto isOther = [&categories](const gemmi::cif::Item& item)
   {
     using gemmi::cif::ItemType;
     const bool isLoop = item.type == ItemType::Loop && !item.loop.tags.empty();
@@ -71,7 +75,7 @@ void DropOthers(gemmi::cif::Block& block)
       return true;
     }
     const std::string tag = gemmi::to_lower(isLoop ? item.loop.tags.front() : item.pair[0]);
-    return std::none_of(CategoriesRead.begin(), CategoriesRead.end(),
+    return std::none_of(categories.begin(), categories.end(),
       [&tag](const std::string& category) { return gemmi::starts_with(tag, category); });
   };
   block.items.erase(
@@ -109,16 +113,17 @@ void MarkBlanks(gemmi::cif::Block& block, const char* tag)
 
 /**
  * Leaves of a block what atoms, bonds and assemblies come from: gemmi reads all that it knows, and
- * a fault in what is not wanted would cost the atoms. Unknown occupancies and B factors become
- * PDBStream::BlankText, by which they are found again. O(values).
+ * a fault in what is not wanted would cost the atoms. Completes the table of atoms. Unknown
+ * occupancies and B factors become PDBStream::BlankText, by which they are found again. O(values).
  *
  * @throws std::invalid_argument for whole numbers of more than nine digits, and of more than five
  * in the ranges of an assembly's operations: gemmi (0.5.7) adds digits up, and counts from the one
  * to the other, without a look at their size.
  */
-void PrepareForGemmi(gemmi::cif::Block& block)
+CIFAtoms PrepareForGemmi(gemmi::cif::Block& block)
 {
-  DropOthers(block);
+  DropOthers(block, CategoriesRead);
+  CIFAtoms atoms = CompleteAtomTable(block);
   for (const char* tag : { "_atom_site.id", "_atom_site.auth_seq_id", "_atom_site.label_seq_id",
          "_atom_site.pdbx_formal_charge", "_struct_conn.ptnr1_auth_seq_id",
          "_struct_conn.ptnr2_auth_seq_id", "_struct_conn.ptnr1_label_seq_id",
@@ -129,6 +134,7 @@ void PrepareForGemmi(gemmi::cif::Block& block)
   RequireShortNumbers(block, "_pdbx_struct_assembly_gen.oper_expression", 5);
   MarkBlanks(block, "_atom_site.occupancy");
   MarkBlanks(block, "_atom_site.B_iso_or_equiv");
+  return atoms;
 }
 
 [[noreturn]] void Fail(const std::string& path, const char* format, const std::exception& error)
@@ -160,8 +166,24 @@ std::size_t CountAtoms(const gemmi::Model& model)
   return count;
 }
 
+/// pLDDT by model, label_asym_id and label_seq_id.
+using Confidence = decltype(CIFAtoms::Confidence);
+
+double ConfidenceOf(const Confidence& values, std::int64_t model, const gemmi::Residue& residue)
+{
+  if (values.empty())
+  {
+    return Atom::Unknown;
+  }
+  const std::string number =
+    residue.label_seq.has_value() ? std::to_string(*residue.label_seq) : std::string();
+  const auto found = values.find({ model, residue.subchain, number });
+  return found == values.end() ? Atom::Unknown : found->second;
+}
+
 /// Copies one model and the connections that gemmi knows.
-Macromolecule Flatten(const gemmi::Structure& structure, std::int64_t wanted)
+Macromolecule Flatten(const gemmi::Structure& structure, std::int64_t wanted,
+  const Confidence& confidence = Confidence())
 {
   Macromolecule molecule;
   molecule.NumberOfModels = static_cast<std::int64_t>(structure.models.size());
@@ -176,6 +198,7 @@ Macromolecule Flatten(const gemmi::Structure& structure, std::int64_t wanted)
   {
     for (const gemmi::Residue& residue : chain.residues)
     {
+      const double plddt = ConfidenceOf(confidence, wanted, residue);
       for (const gemmi::Atom& atom : residue.atoms)
       {
         if (!structure.connections.empty())
@@ -184,6 +207,7 @@ Macromolecule Flatten(const gemmi::Structure& structure, std::int64_t wanted)
         }
         molecule.Atoms.emplace_back();
         Assign(molecule.Atoms.back(), chain, residue, atom);
+        molecule.Atoms.back().PLDDT = plddt;
       }
     }
   }
@@ -363,6 +387,153 @@ Macromolecule ParsePDB(std::string_view text, const std::string& path,
   }
 }
 
+namespace
+{
+
+/// A data block with atoms.
+struct BlockOfAtoms
+{
+  gemmi::cif::Block* Block;
+  CIFAtoms Atoms;
+};
+
+/// "A, B, C, ..."
+std::string NamesOf(const std::vector<BlockOfAtoms>& blocks)
+{
+  constexpr std::size_t mostNamed = 5;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(blocks.size(), mostNamed); ++i)
+  {
+    names += (i > 0 ? ", " : "") + blocks[i].Block->name;
+  }
+  return names + (blocks.size() > mostNamed ? ", ..." : "");
+}
+
+/// The blocks with atoms. Chemical components beside a structure are its dictionary.
+std::vector<BlockOfAtoms> FindAtoms(gemmi::cif::Document& document)
+{
+  std::vector<BlockOfAtoms> blocks;
+  bool hasReflections = false;
+  std::string why; // the first block that can't be read
+  for (gemmi::cif::Block& block : document.blocks)
+  {
+    hasReflections =
+      hasReflections || block.has_tag("_refln.index_h") || block.has_tag("_refln_index_h");
+    try
+    {
+      CIFAtoms atoms = PrepareForGemmi(block);
+      if (atoms.From != CIFAtoms::Source::None)
+      {
+        blocks.push_back({ &block, std::move(atoms) });
+      }
+    }
+    catch (const std::invalid_argument& error)
+    {
+      why = why.empty() ? "data block " + block.name + ": " + error.what() : why;
+    }
+  }
+  if (blocks.empty() && !why.empty())
+  {
+    throw std::invalid_argument(why);
+  }
+  const auto isComponent = [](const BlockOfAtoms& block)
+  { return block.Atoms.From == CIFAtoms::Source::ChemicalComponent; };
+  if (!std::all_of(blocks.begin(), blocks.end(), isComponent))
+  {
+    blocks.erase(std::remove_if(blocks.begin(), blocks.end(), isComponent), blocks.end());
+  }
+  if (blocks.empty())
+  {
+    throw std::invalid_argument(hasReflections
+        ? "it contains reflections (structure factors) and no atoms; open the coordinate file"
+        : "there is no atom in it; no data block has a table with coordinates: _atom_site with "
+          "Cartn_x, y, z or "
+          "fract_x, y, z, or _chem_comp_atom");
+  }
+  if (!why.empty())
+  {
+    blocks[0].Atoms.Warnings.push_back("Dropped: " + why + ".");
+  }
+  return blocks;
+}
+
+/// The structure of a block; if a table beside the atoms is at fault, the atoms alone.
+gemmi::Structure StructureOf(BlockOfAtoms& block, bool needsAssembly)
+{
+  try
+  {
+    return gemmi::make_structure_from_block(*block.Block);
+  }
+  catch (const std::exception& error)
+  {
+    if (needsAssembly)
+    {
+      throw;
+    }
+    DropOthers(*block.Block, CategoriesOfAtoms);
+    gemmi::Structure structure = gemmi::make_structure_from_block(*block.Block);
+    block.Atoms.Warnings.push_back(
+      std::string("The tables beside the atoms (struct_conn, assemblies) can't be read (") +
+      error.what() + ") and were dropped; bonds are found by distance.");
+    return structure;
+  }
+}
+
+/// Bonds of a chemical component, whose table names atoms.
+void AddNamedBonds(const CIFAtoms& atoms, Macromolecule& molecule)
+{
+  std::unordered_map<std::string, std::int64_t> place;
+  for (const Atom& atom : molecule.Atoms)
+  {
+    place.emplace(atom.Name, static_cast<std::int64_t>(place.size()));
+  }
+  for (const auto& pair : atoms.Bonded)
+  {
+    const auto first = place.find(pair[0]);
+    const auto second = place.find(pair[1]);
+    if (first != place.end() && second != place.end())
+    {
+      AddBond(molecule, first->second, second->second);
+    }
+  }
+}
+
+/// The model that is asked for, of those of all blocks one after the other.
+Macromolecule ReadBlocks(
+  gemmi::cif::Document& document, const std::string& path, const StructureChoice& choice)
+{
+  std::vector<BlockOfAtoms> blocks = FindAtoms(document);
+  Macromolecule molecule;
+  std::int64_t models = 0;
+  for (BlockOfAtoms& block : blocks)
+  {
+    gemmi::Structure structure = StructureOf(block, !choice.Assembly.empty());
+    const auto own = static_cast<std::int64_t>(structure.models.size());
+    if (choice.Model >= models && choice.Model < models + own)
+    {
+      if (!choice.Assembly.empty())
+      {
+        TakeAssembly(structure, choice.Assembly, path);
+      }
+      molecule = Flatten(structure, choice.Model - models, block.Atoms.Confidence);
+      AddNamedBonds(block.Atoms, molecule);
+      molecule.Notes = std::move(block.Atoms.Notes);
+      molecule.Warnings = std::move(block.Atoms.Warnings);
+    }
+    models += own;
+  }
+  molecule.NumberOfModels = models;
+  if (blocks.size() > 1)
+  {
+    molecule.Warnings.push_back("The file has " + std::to_string(blocks.size()) +
+      " data blocks with atoms (" + NamesOf(blocks) + "), which are its models 0 to " +
+      std::to_string(models - 1) + "; this is model " + std::to_string(choice.Model) + ".");
+  }
+  return molecule;
+}
+
+}
+
 Macromolecule ParseMMCIF(std::string_view text, const std::string& path,
   const StructureChoice& choice, const ProgressCallback& progress)
 {
@@ -371,16 +542,7 @@ Macromolecule ParseMMCIF(std::string_view text, const std::string& path,
   {
     gemmi::cif::Document document = gemmi::cif::read_memory(text.data(), text.size(), path.c_str());
     Report(progress, 0.5);
-    for (gemmi::cif::Block& block : document.blocks)
-    {
-      PrepareForGemmi(block);
-    }
-    gemmi::Structure structure = gemmi::make_structure(document);
-    if (!choice.Assembly.empty())
-    {
-      TakeAssembly(structure, choice.Assembly, path);
-    }
-    molecule = Flatten(structure, choice.Model);
+    molecule = ReadBlocks(document, path, choice);
   }
   catch (const Cancelled&)
   {
@@ -389,6 +551,11 @@ Macromolecule ParseMMCIF(std::string_view text, const std::string& path,
   catch (const NoSuchAssembly&)
   {
     throw;
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw std::runtime_error(
+      path + ": this can't be read as mmCIF or core CIF: " + error.what() + ".");
   }
   catch (const std::exception& error)
   {

@@ -24,6 +24,7 @@
 #include <vtkUnsignedShortArray.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <stdexcept>
@@ -48,6 +49,21 @@ MakeArray Numbers(const Macromolecule& molecule, const char* name, Value value)
     AdviseLargePages(array.Get());
     std::transform(molecule.Atoms.begin(), molecule.Atoms.end(), array->GetPointer(0), value);
     return array;
+  };
+}
+
+/// The same of a value that few files have; no array where it is NaN for all atoms.
+template <typename Value>
+MakeArray RareNumbers(const Macromolecule& molecule, const char* name, Value value)
+{
+  return [&molecule, name, value]() -> vtkSmartPointer<vtkAbstractArray>
+  {
+    if (std::all_of(molecule.Atoms.begin(), molecule.Atoms.end(),
+          [&value](const Atom& atom) { return std::isnan(value(atom)); }))
+    {
+      return nullptr;
+    }
+    return Numbers<vtkDoubleArray>(molecule, name, value)();
   };
 }
 
@@ -104,7 +120,8 @@ std::vector<MakeArray> PointArrays(const Macromolecule& molecule, bool withAltLo
     Numbers<vtkDoubleArray>(molecule, "Occupancy", [](const Atom& a) { return a.Occupancy; }),
     Numbers<vtkUnsignedCharArray>(molecule, "IsHetero",
       [](const Atom& a) { return static_cast<unsigned char>(a.IsHetero ? 1 : 0); }),
-    Letters(molecule, "InsertionCode", [](const Atom& a) { return a.InsertionCode; }) };
+    Letters(molecule, "InsertionCode", [](const Atom& a) { return a.InsertionCode; }),
+    RareNumbers(molecule, "pLDDT", [](const Atom& a) { return a.PLDDT; }) };
   if (withAltLoc)
   {
     arrays.push_back(Letters(molecule, "AltLoc", [](const Atom& a) { return a.AltLoc; }));

@@ -19,7 +19,8 @@
  * - `Occupancy` (double): NaN: none
  * - `IsHetero` (unsigned char): 1: a HETATM record
  *
- * and, where the file has any, `InsertionCode` and (with AltLoc "*") `AltLoc`, strings. Cell array
+ * and, where the file has any, `InsertionCode` and (with AltLoc "*") `AltLoc`, strings, and `pLDDT`
+ * (double, 0 to 100): confidence of predicted residues, where ModelCIF names it so. Cell array
  * `BondSource` (unsigned char): 0 vertex, 1 bond named by the file (CONECT, SSBOND, LINK,
  * struct_conn), 2 bond by distance (CovalentBonds.h). Bond orders are not known. Atoms come in the
  * order of the file, save that gemmi brings those of one residue together.

@@ -1,0 +1,64 @@
+/**
+ * @file CIFAtomTable.h
+ * @brief The atom table of a CIF block, completed for gemmi's mmCIF reader.
+ *
+ * gemmi reads `_atom_site` of PDBx/mmCIF only with all columns that files of the PDB have.
+ * Predictors, refinement programs and exporters write fewer, and other kinds of CIF have other
+ * tables:
+ *
+ * - PDBx/mmCIF: coordinates and the name of the atom are enough. Columns that are missing are
+ * added, with values of the matching auth_ or label_ column where there is one, else as unknown;
+ *   elements come from the names (ChemicalElement.h).
+ * - core CIF of small molecules (`_atom_site_label`, `_atom_site_fract_x`; COD, CSD, ICSD):
+ *   fractional coordinates are converted with the cell. Symmetry is not applied. U_iso is converted
+ *   to B, groups of disorder are alternate locations.
+ * - chemical components (`_chem_comp_atom`; CCD of the PDB, monomer libraries): ideal coordinates
+ *   where they are complete, else those of the example.
+ *
+ * Rows without coordinates (`?`, `.`, NaN, infinite) are dropped, with a warning and their number.
+ */
+#ifndef isthmus_CIFAtomTable_h
+#define isthmus_CIFAtomTable_h
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <gemmi/cifdoc.hpp>
+
+namespace isthmus
+{
+
+/// What CompleteAtomTable did to a block.
+struct CIFAtoms
+{
+  enum class Source
+  {
+    None, ///< the block has no atoms
+    MMCIF,
+    CoreCIF,
+    ChemicalComponent
+  };
+
+  Source From = Source::None;
+  std::size_t Rows = 0;                           ///< with coordinates
+  std::vector<std::array<std::string, 2>> Bonded; ///< names of atoms, of a chemical component
+  /// pLDDT of ModelCIF, 0 to 100, by model (from 0), label_asym_id and label_seq_id.
+  std::map<std::tuple<std::int64_t, std::string, std::string>, double> Confidence;
+  std::vector<std::string> Notes;
+  std::vector<std::string> Warnings;
+};
+
+/**
+ * Brings the atom table of `block` into the form that gemmi reads. O(values).
+ * @throws std::invalid_argument where no row has coordinates, fractional coordinates lack a cell,
+ * or there is no column of names.
+ */
+CIFAtoms CompleteAtomTable(gemmi::cif::Block& block);
+
+}
+
+#endif
