@@ -42,11 +42,17 @@ enum class CellShape : std::uint8_t
   Pyramid,
   Wedge,
   Hexahedron,
-  QuadraticTetrahedron
+  QuadraticTetrahedron,
+  QuadraticEdge,
+  QuadraticTriangle,
+  BiquadraticQuadrilateral,
+  BiquadraticWedge,
+  TriquadraticHexahedron
 };
 
 /// How many vertices each shape has, in the order of CellShape; 0: any number.
-inline constexpr std::array<std::int64_t, 10> VerticesOfShape{ 1, 2, 3, 4, 0, 4, 5, 6, 8, 10 };
+inline constexpr std::array<std::int64_t, 15> VerticesOfShape{ 1, 2, 3, 4, 0, 4, 5, 6, 8, 10, 3, 6,
+  9, 18, 27 };
 
 /// Ids from 0. Attributes have a tuple for each point or each cell.
 struct CellMesh
@@ -56,6 +62,7 @@ struct CellMesh
   std::vector<std::int64_t> Offsets{ 0 }; ///< #cells + 1, into Vertices
   std::vector<std::int64_t> Vertices;
   std::vector<MeshAttribute> Attributes;
+  std::vector<std::string> Warnings; ///< what of the file was dropped, one sentence each
 
   std::int64_t NumberOfPoints() const
   {

@@ -5,11 +5,14 @@
 #include "Files/ReaderError.h"
 #include "Files/TextFileWriter.h"
 #include "Meshes/MeshWords.h"
+#include "Meshes/MiddleNodes.h"
 
 #include <algorithm>
 #include <cctype>
 #include <limits>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace isthmus
 {
@@ -30,6 +33,36 @@ constexpr std::array<Kind, 7> kinds{ Kind{ "Edges", CellShape::Line },
   Kind{ "Triangles", CellShape::Triangle }, Kind{ "Quadrilaterals", CellShape::Quadrilateral },
   Kind{ "Tetrahedra", CellShape::Tetrahedron }, Kind{ "Pyramids", CellShape::Pyramid },
   Kind{ "Prisms", CellShape::Wedge }, Kind{ "Hexahedra", CellShape::Hexahedron } };
+
+/// Cells with nodes on their edges, faces and in their middle, which are read and not written.
+constexpr std::array<Kind, 6> quadraticKinds{ Kind{ "EdgesP2", CellShape::QuadraticEdge },
+  Kind{ "TrianglesP2", CellShape::QuadraticTriangle },
+  Kind{ "QuadrilateralsQ2", CellShape::BiquadraticQuadrilateral },
+  Kind{ "TetrahedraP2", CellShape::QuadraticTetrahedron },
+  Kind{ "PrismsP2", CellShape::BiquadraticWedge },
+  Kind{ "HexahedraQ2", CellShape::TriquadraticHexahedron } };
+
+/// Null: the section is no cells, or of a kind that is not read.
+const Kind* FindKind(std::string_view name)
+{
+  const auto isIt = [name](const Kind& known) { return known.Name == name; };
+  const auto* linear = std::find_if(kinds.begin(), kinds.end(), isIt);
+  const auto* quadratic = std::find_if(quadraticKinds.begin(), quadraticKinds.end(), isIt);
+  return linear != kinds.end() ? linear : quadratic != quadraticKinds.end() ? quadratic : nullptr;
+}
+
+/// Are these cells of a higher order ("TetrahedraP3", "PyramidsP2")?
+bool IsOfHigherOrder(std::string_view name)
+{
+  return std::any_of(kinds.begin(), kinds.end(),
+    [name](const Kind& kind)
+    {
+      const std::size_t size = kind.Name.size();
+      return name.size() == size + 2 && name.substr(0, size) == kind.Name &&
+        (name[size] == 'P' || name[size] == 'Q') &&
+        std::isdigit(static_cast<unsigned char>(name[size + 1])) != 0;
+    });
+}
 
 bool BeginsSection(const std::string& word)
 {
@@ -54,6 +87,10 @@ public:
       word = this->ReadSection(word);
     }
     this->CheckVertices();
+    for (const auto& [first, last] : this->Sections)
+    {
+      OrderMiddleNodes(this->Mesh, first, last);
+    }
     this->Mesh.Attributes.push_back(
       { Place::Vertices, "Reference", 1, std::move(this->PointReferences) });
     this->Mesh.Attributes.push_back(
@@ -77,8 +114,7 @@ private:
   /// Returns the word that begins the next one.
   std::string ReadSection(const std::string& name)
   {
-    const auto* kind = std::find_if(
-      kinds.begin(), kinds.end(), [&name](const Kind& known) { return known.Name == name; });
+    const Kind* kind = FindKind(name);
     if (name == "Dimension")
     {
       if (this->Words.Whole("the dimension") != 3)
@@ -90,13 +126,13 @@ private:
     {
       this->ReadPoints();
     }
-    else if (kind != kinds.end())
+    else if (kind)
     {
       this->ReadCells(*kind);
     }
     else if (BeginsSection(name))
     {
-      return this->SkipSection();
+      return this->SkipSection(name);
     }
     else
     {
@@ -106,9 +142,15 @@ private:
     return std::string(this->Words.Word());
   }
 
-  std::string SkipSection()
+  std::string SkipSection(const std::string& name)
   {
     std::string word(this->Words.Word());
+    if (IsOfHigherOrder(name) && word != "0")
+    {
+      this->Mesh.Warnings.push_back("The section " + name + " (" + Printable(word.substr(0, 20)) +
+        " cells) was dropped: VTK has no cell for it. Export the mesh with linear or quadratic "
+        "cells.");
+    }
     while (!word.empty() && !BeginsSection(word))
     {
       word = this->Words.Word();
@@ -140,6 +182,7 @@ private:
     const std::int64_t points = this->Mesh.Coordinates.empty()
       ? std::numeric_limits<std::int64_t>::max() - 1
       : this->Mesh.NumberOfPoints();
+    const auto before = static_cast<std::size_t>(this->Mesh.NumberOfCells());
     for (std::int64_t i = 0; i < cells; ++i)
     {
       for (std::int64_t c = 0; c < size; ++c)
@@ -150,6 +193,7 @@ private:
       this->CellReferences.push_back(this->Words.Whole("the reference of a cell"));
       this->Words.ReportRow(i, cells);
     }
+    this->Sections.emplace_back(before, static_cast<std::size_t>(this->Mesh.NumberOfCells()));
   }
 
   void CheckVertices()
@@ -167,6 +211,7 @@ private:
   CellMesh Mesh;
   std::vector<std::int64_t> PointReferences;
   std::vector<std::int64_t> CellReferences;
+  std::vector<std::pair<std::size_t, std::size_t>> Sections; ///< of cells: first, last + 1
 };
 
 const std::vector<std::int64_t>* References(const CellMesh& mesh, Place on)

@@ -7,9 +7,11 @@
  *     file    = "MeshVersionFormatted" V "Dimension" 3 section* "End"
  *     section = "Vertices" N (x y z reference)* | KIND N (vertex* reference)* | other
  *     KIND    = Edges | Triangles | Quadrilaterals | Tetrahedra | Pyramids | Prisms | Hexahedra
+ *             | EdgesP2 | TrianglesP2 | QuadrilateralsQ2 | TetrahedraP2 | PrismsP2 | HexahedraQ2
  *
- * Vertices are numbered from 1 and may come after the cells. Other sections (corners, ridges,
- * normals, ...) are left out. # begins a comment.
+ * Vertices are numbered from 1 and may come after the cells. Quadratic cells are read with all
+ * nodes, in VTK's order (MiddleNodes.h); those that VTK lacks (P3, PyramidsP2) are dropped with a
+ * warning. Other sections (corners, ridges, normals, ...) are skipped. # begins a comment.
  */
 #ifndef isthmus_MEDITFile_h
 #define isthmus_MEDITFile_h

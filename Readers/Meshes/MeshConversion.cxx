@@ -4,12 +4,14 @@
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkTypeTraits.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -24,8 +26,10 @@ namespace
 {
 
 /// VTK's number of each shape, in the order of CellShape.
-constexpr std::array<int, 10> vtkTypes{ VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON,
-  VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON, VTK_QUADRATIC_TETRA };
+constexpr std::array<int, 15> vtkTypes{ VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON,
+  VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON, VTK_QUADRATIC_TETRA, VTK_QUADRATIC_EDGE,
+  VTK_QUADRATIC_TRIANGLE, VTK_BIQUADRATIC_QUAD, VTK_BIQUADRATIC_QUADRATIC_WEDGE,
+  VTK_TRIQUADRATIC_HEXAHEDRON };
 
 CellShape ShapeOf(int vtkType)
 {
@@ -167,6 +171,21 @@ void AddAttributes(const std::vector<MeshAttribute>& attributes, vtkDataSet* dat
     }
     to->AddArray(array);
   }
+}
+
+void AddNotes(const std::vector<std::string>& notes, vtkDataSet* data)
+{
+  if (notes.empty())
+  {
+    return;
+  }
+  vtkNew<vtkStringArray> array;
+  array->SetName("Notes");
+  for (const std::string& note : notes)
+  {
+    array->InsertNextValue(note);
+  }
+  data->GetFieldData()->AddArray(array);
 }
 
 void ToGrid(const CellMesh& mesh, vtkUnstructuredGrid* grid)

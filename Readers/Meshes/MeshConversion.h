@@ -27,6 +27,9 @@ vtkSmartPointer<vtkDataArray> ToDataArray(const NumberList& numbers, std::int64_
 /// Each attribute as a point or cell array of `data`.
 void AddAttributes(const std::vector<MeshAttribute>& attributes, vtkDataSet* data);
 
+/// The sentences as the field data array `Notes`; none where there are none.
+void AddNotes(const std::vector<std::string>& notes, vtkDataSet* data);
+
 /// Points (double), cells and arrays. `Normals` become the active normals.
 void ToGrid(const CellMesh& mesh, vtkUnstructuredGrid* grid);
 

@@ -5,6 +5,7 @@
 #include "Files/TextFileWriter.h"
 #include "Files/TextLines.h"
 #include "Meshes/MeshWords.h"
+#include "Meshes/MiddleNodes.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -132,6 +133,31 @@ void ReadTetrahedra(const std::string& path, std::int64_t firstPoint, CellMesh& 
   source->CheckEnd();
 }
 
+/// The numbers that follow the corners of a triangle on its line.
+std::vector<std::int64_t> FurtherNumbers(MeshWords& words, std::int64_t row)
+{
+  const std::string rest = words.RestOfLine();
+  std::vector<std::int64_t> numbers;
+  std::string_view left = rest;
+  for (std::string_view word = NextWord(left); !word.empty(); word = NextWord(left))
+  {
+    numbers.emplace_back();
+    if (!IsNumber(word, numbers.back()))
+    {
+      words.Refuse("row " + std::to_string(row + 1) + ", above this line, has '" +
+        std::string(word.substr(0, 30)) +
+        "' where a whole number should be. Is it a file of "
+        "TetGen, and whole?");
+    }
+  }
+  return numbers;
+}
+
+/**
+ * Behind its corners, a row has the middles of the edges (with TetGen's -o2), the marker, and two
+ * neighbours (with -nn). The line of counts only says whether there are markers: how many numbers
+ * there are decides.
+ */
 void ReadTriangles(const std::string& path, std::int64_t firstPoint, CellMesh& mesh,
   const ProgressCallback& progress)
 {
@@ -140,7 +166,9 @@ void ReadTriangles(const std::string& path, std::int64_t firstPoint, CellMesh& m
   const std::int64_t cells = words.Count("the number of triangles", 7);
   Columns columns;
   columns.Marker = words.Whole("the number of boundary markers") != 0;
+  const std::size_t markers = columns.Marker ? 1 : 0;
   std::int64_t first = 1;
+  std::size_t further = 0;
   for (std::int64_t i = 0; i < cells; ++i)
   {
     ReadId(words, i, first);
@@ -148,11 +176,32 @@ void ReadTriangles(const std::string& path, std::int64_t firstPoint, CellMesh& m
     {
       mesh.Vertices.push_back(words.Vertex(mesh.NumberOfPoints(), firstPoint));
     }
-    mesh.EndCell(CellShape::Triangle);
-    columns.Read(words);
-    words.RestOfLine(); // neighbours, with TetGen's -nn
+    const std::vector<std::int64_t> numbers = FurtherNumbers(words, i);
+    further = i == 0 ? numbers.size() : further;
+    if (numbers.size() != further || further < markers)
+    {
+      words.Refuse("row " + std::to_string(i + 1) + ", above this line, has " +
+        std::to_string(numbers.size()) + " numbers behind its corners instead of " +
+        std::to_string(std::max(further, markers)) + ". The file is cut or damaged.");
+    }
+    const bool isQuadratic = further == markers + 3 || further == markers + 5;
+    for (std::size_t n = 0; isQuadratic && n < 3; ++n)
+    {
+      if (numbers[n] < firstPoint || numbers[n] - firstPoint >= mesh.NumberOfPoints())
+      {
+        words.Refuse("row " + std::to_string(i + 1) + ", above this line, names vertex " +
+          std::to_string(numbers[n]) + ", which is not there.");
+      }
+      mesh.Vertices.push_back(numbers[n] - firstPoint);
+    }
+    mesh.EndCell(isQuadratic ? CellShape::QuadraticTriangle : CellShape::Triangle);
+    if (columns.Marker)
+    {
+      columns.Markers.push_back(numbers[isQuadratic ? 3 : 0]);
+    }
     words.ReportRow(i, cells);
   }
+  OrderMiddleNodes(mesh, 0, mesh.Shapes.size());
   columns.MoveTo(mesh.Attributes, Place::Cells);
   source->CheckEnd();
 }

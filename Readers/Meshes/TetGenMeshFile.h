@@ -7,7 +7,9 @@
  *
  *     .node  POINTS 3 ATTRIBUTES MARKERS(0|1)       id x y z attribute* [marker]
  *     .ele   TETRAHEDRA CORNERS(4|10) ATTRIBUTES    id vertex* attribute*
- *     .face  TRIANGLES MARKERS(0|1)                 id v1 v2 v3 [marker] ...
+ *     .face  TRIANGLES MARKERS(0|1)                 id v1 v2 v3 [m1 m2 m3] [marker] [n1 n2]
+ *
+ * m1 to m3 are the middles of the edges, with TetGen's -o2; n1 and n2 neighbours, with -nn.
  */
 #ifndef isthmus_TetGenMeshFile_h
 #define isthmus_TetGenMeshFile_h
@@ -24,8 +26,8 @@ namespace isthmus
 
 /**
  * Reads the points of NAME.node and what the file that was named holds: tetrahedra of .ele (with
- * ten corners: QuadraticTetrahedron), triangles of .face, nothing but points of .node. Attributes:
- * `Attribute` (double, on points or cells), `BoundaryMarker` (int64).
+ * ten corners: QuadraticTetrahedron), triangles of .face (with -o2: QuadraticTriangle), nothing but
+ * points of .node. Attributes: `Attribute` (double, on points or cells), `BoundaryMarker` (int64).
  *
  * @throws ReaderError with path, line and reason: a partner that is missing, points of two
  * dimensions, a vertex that is not there, ids out of order, an early end. Time and memory:

@@ -6,6 +6,8 @@
 #include <vtkInformationVector.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <string>
+
 vtkMeshFileReader::vtkMeshFileReader()
 {
   this->SetNumberOfInputPorts(0);
@@ -27,6 +29,16 @@ int vtkMeshFileReader::RequestData(
       isthmus::CellMesh mesh;
       this->ReadMesh(mesh);
       isthmus::ToGrid(mesh, grid);
+      isthmus::AddNotes(mesh.Warnings, grid);
+      if (!mesh.Warnings.empty())
+      {
+        std::string all;
+        for (const std::string& warning : mesh.Warnings)
+        {
+          all += (all.empty() ? "" : " ") + warning;
+        }
+        vtkWarningMacro(<< this->FileName << ": " << all);
+      }
     });
 }
 

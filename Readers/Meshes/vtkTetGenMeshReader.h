@@ -3,9 +3,9 @@
  * @brief Reads meshes as TetGen writes them: .node, .ele, .face.
  *
  * FileName is any of the three; the points come from NAME.node beside it. Output:
- * vtkUnstructuredGrid of tetrahedra (.ele; with -o2 quadratic ones), triangles (.face) or points
- * alone (.node), arrays `Attribute` and `BoundaryMarker` where the file has them. The rows are
- * described in TetGenMeshFile.h. A file that is missing, cut or wrong: one error with the line,
+ * vtkUnstructuredGrid of tetrahedra (.ele) and triangles (.face), quadratic ones with -o2, or
+ * points alone (.node), arrays `Attribute` and `BoundaryMarker` where the file has them. The rows
+ * are described in TetGenMeshFile.h. A file that is missing, cut or wrong: one error with the line,
  * the error code, an empty output. Time and memory: O(bytes).
  */
 #ifndef vtkTetGenMeshReader_h
