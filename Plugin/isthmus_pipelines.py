@@ -159,6 +159,10 @@ def surface_to_loops(source):
     loops = simple.ChokingLoops(source, registrationName="Choking loops")
     loops.UpdatePipeline()
     if loops.FieldData["NumberOfSamples"] is None:
+        # Closes holes and turns patches alike, with a warning that says what was done.
+        loops.CapHoles = 1
+        loops.UpdatePipeline()
+    if loops.FieldData["NumberOfSamples"] is None:
         raise ValueError("The surface has no choking loops that could be found: the messages say why. "
                          "Map Surface makes surfaces that are closed.")
     return (loops,)

@@ -8,6 +8,7 @@
 #include "Remeshing/ThinTriangles.h"
 #include "Surfaces/SurfaceCleaning.h"
 #include "Surfaces/SurfaceDefects.h"
+#include "Surfaces/SurfaceMending.h"
 #include "Surfaces/SurfaceTopology.h"
 
 #include <algorithm>
@@ -252,6 +253,13 @@ bool CanBeRepaired(const SurfaceDefects& defects)
     defects.BoundaryTriangles.empty() && defects.FlippedTriangles.empty();
 }
 
+/// Open, with all points and triangles as they must be.
+bool IsMerelyOpen(const SurfaceDefects& defects)
+{
+  return defects.InvalidPoints.empty() && defects.InvalidTriangles.empty() &&
+    !defects.BoundaryTriangles.empty();
+}
+
 /// The surface repaired where it has thin triangles; none: it has none, or it is as good with them,
 /// since they are no defect by themselves and can't be taken out without making one.
 std::optional<TriangleMesh> WithoutNeedles(const SurfaceView& surface, bool allowCrossings,
@@ -278,24 +286,20 @@ std::optional<TriangleMesh> WithoutNeedles(const SurfaceView& surface, bool allo
 
 }
 
-TriangleMesh CheckedSurface(
-  TriangleMesh surface, bool allowCrossings, const ProgressCallback& progress, RepairReport* report)
+namespace
 {
-  if (surface.Triangles.empty() || surface.Points.empty())
-  {
-    throw std::invalid_argument("The surface has no triangles: choking loops need a closed one.");
-  }
-  RequireUsableSize(surface);
-  Report(progress, 0.0);
-  surface = MergePoints(surface);
-  Report(progress, 0.1);
+
+/// What CheckedSurface does once coinciding points are merged and cracks closed.
+TriangleMesh CheckedMergedSurface(TriangleMesh surface, const SurfaceDefects& defects,
+  bool allowCrossings, const ProgressCallback& progress, RepairReport* report)
+{
   const auto rest = Between(progress, 0.6, 1.0);
-  const SurfaceDefects defects = FindDefects(surface, Between(progress, 0.1, 0.2));
   if (!defects.None() && !(report && CanBeRepaired(defects)))
   {
     throw std::invalid_argument(defects.Sentence() + DescribeOpenBoundary(surface, defects) +
       " Choking loops need a closed, manifold, consistently oriented surface: repair it first "
-      "(Fill Holes, or CapHoles of Choking Loops, closes holes).");
+      "(CapHoles of Choking Loops closes holes and turns triangles alike; Fill Holes closes "
+      "holes).");
   }
   RequireThickness(surface);
   if (!defects.None())
@@ -326,6 +330,37 @@ TriangleMesh CheckedSurface(
       "same.");
   }
   return RepairedForAnalysis(surface, what, allowCrossings, *report, rest);
+}
+
+}
+
+TriangleMesh CheckedSurface(
+  TriangleMesh surface, bool allowCrossings, const ProgressCallback& progress, RepairReport* report)
+{
+  if (surface.Triangles.empty() || surface.Points.empty())
+  {
+    throw std::invalid_argument("The surface has no triangles: choking loops need a closed one.");
+  }
+  RequireUsableSize(surface);
+  Report(progress, 0.0);
+  surface = MergePoints(surface);
+  Report(progress, 0.1);
+  SurfaceDefects defects = FindDefects(surface, Between(progress, 0.1, 0.2));
+  SurfaceMending mending;
+  if (report && IsMerelyOpen(defects))
+  {
+    const std::vector<Triangle> joined = JoinCracks(surface, mending);
+    surface = MergePoints(SurfaceView(surface.Points, joined));
+    defects = FindDefects(surface);
+  }
+  TriangleMesh checked =
+    CheckedMergedSurface(std::move(surface), defects, allowCrossings, progress, report);
+  const std::string message = mending.Message();
+  if (!message.empty())
+  {
+    report->Message = message + (report->Message.empty() ? "" : " ") + report->Message;
+  }
+  return checked;
 }
 
 // ------------------------------------------------------------------------------------------

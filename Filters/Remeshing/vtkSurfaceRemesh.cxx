@@ -5,6 +5,8 @@
 #include "Core/PolyDataTriangles.h"
 #include "Remeshing/SurfaceRemesh.h"
 #include "Surfaces/SurfaceCleaning.h"
+#include "Surfaces/SurfaceDefects.h"
+#include "Surfaces/SurfaceMending.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -72,11 +74,22 @@ int vtkSurfaceRemesh::RequestData(
     {
       const auto before = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0]));
       const auto progress = isthmus::ProgressOf(this);
-      const isthmus::CleanedSurface taken = isthmus::CleanSurface(isthmus::MeshOf(before));
-      const isthmus::TriangleMesh& mesh = taken.Mesh;
+      isthmus::CleanedSurface taken = isthmus::CleanSurface(isthmus::MeshOf(before));
+      isthmus::TriangleMesh& mesh = taken.Mesh;
       if (mesh.Triangles.empty())
       {
         return;
+      }
+      isthmus::SurfaceMending mending;
+      if (!isthmus::FindDefects(mesh).FlippedTriangles.empty())
+      {
+        mesh.Triangles = isthmus::TurnAlike(mesh, mending);
+      }
+      std::string message = taken.Message + (taken.Message.empty() ? "" : " ");
+      message += mending.Message();
+      if (!message.empty())
+      {
+        vtkWarningMacro(<< message);
       }
       isthmus::RemeshedSurface result;
       if (this->Target == ByNumberOfTriangles)

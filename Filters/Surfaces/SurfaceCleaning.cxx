@@ -5,6 +5,7 @@
 #include "Core/ParallelFor.h"
 #include "Surfaces/MeshEdges.h"
 #include "Surfaces/SurfaceDefects.h"
+#include "Surfaces/SurfaceMending.h"
 
 #include <algorithm>
 #include <cmath>
@@ -317,7 +318,19 @@ CleanedSurface CleanSurface(TriangleMesh surface)
     taken.Mesh = std::move(surface);
     return taken;
   }
-  taken.Mesh = RemoveFlatTriangles(MergePoints(surface, &taken.OriginalPoints));
+  taken.Mesh = MergePoints(surface, &taken.OriginalPoints);
+  SurfaceMending mending;
+  std::vector<Triangle> joined = JoinCracks(taken.Mesh, mending);
+  if (mending.Joined > 0)
+  {
+    std::vector<std::int64_t> used;
+    taken.Mesh = MergePoints(SurfaceView(taken.Mesh.Points, joined), &used);
+    std::transform(used.begin(), used.end(), used.begin(),
+      [&taken](std::int64_t id) { return taken.OriginalPoints[At(id)]; });
+    taken.OriginalPoints = std::move(used);
+    taken.Message = mending.Message();
+  }
+  taken.Mesh = RemoveFlatTriangles(std::move(taken.Mesh));
   return taken;
 }
 

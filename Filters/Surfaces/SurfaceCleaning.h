@@ -31,11 +31,13 @@ struct CleanedSurface
 {
   TriangleMesh Mesh;
   std::vector<std::int64_t> OriginalPoints; ///< for each point: its id in what came in
+  std::string Message;                      ///< cracks that were closed; empty: there were none
 };
 
 /**
  * `surface` as it is where FindDefects finds nothing; else with coinciding points merged
- * (MergePoints) and without triangles that have no area (SurfaceCleaning.h). Holes and whatever
+ * (MergePoints), cracks closed (JoinCracks of SurfaceMending.h) and without triangles that have no
+ * area (SurfaceCleaning.h). Holes and whatever
  * else there is stay. Where a corner is no point, or one is not finite, it stays as it is
  * altogether, for what repairs or refuses it. O(n).
  */

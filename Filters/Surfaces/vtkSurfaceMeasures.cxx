@@ -8,6 +8,7 @@
 #include "Surfaces/CartesianMeasures.h"
 #include "Surfaces/SurfaceCleaning.h"
 #include "Surfaces/SurfaceMeasures.h"
+#include "Surfaces/SurfaceMending.h"
 
 #include <vtkDataSetAttributes.h>
 #include <vtkFieldData.h>
@@ -167,9 +168,25 @@ void vtkSurfaceMeasures::Measure(vtkPolyData* surface, vtkDataObject* output, vt
   }
   const isthmus::PolyDataTriangles triangles(sewn);
   // Points that coincide are one, else each triangle of some files would be a component.
-  const std::vector<isthmus::Triangle> merged = isthmus::MergedCorners(triangles.View());
-  const auto measures =
-    isthmus::MeasureSurface({ triangles.View().Points, merged }, isthmus::ProgressOf(this));
+  const auto& points = triangles.View().Points;
+  std::vector<isthmus::Triangle> corners = isthmus::MergedCorners(triangles.View());
+  const auto progress = isthmus::ProgressOf(this);
+  auto measures =
+    isthmus::MeasureSurface({ points, corners }, isthmus::Between(progress, 0.0, 0.8));
+  isthmus::SurfaceMending mending;
+  if (!measures.Whole.IsClosed())
+  {
+    corners = isthmus::JoinCracks({ points, corners }, mending);
+    corners = isthmus::TurnAlike({ points, corners }, mending);
+  }
+  corners = isthmus::TurnShells({ points, corners }, mending);
+  if (!mending.Message().empty())
+  {
+    measures = isthmus::MeasureSurface({ points, corners });
+    vtkWarningMacro(<< "The measures are those of the surface as it must be meant: "
+                    << mending.Message() << " The output is the surface as it came.");
+  }
+  isthmus::Report(progress, 1.0);
   const SurfaceMeasure& whole = measures.Whole;
   AddFields(output->GetFieldData(), whole, static_cast<vtkIdType>(measures.Components.size()));
   FillTable(table, measures);

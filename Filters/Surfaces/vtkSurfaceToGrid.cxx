@@ -10,6 +10,7 @@
 #include "Surfaces/GridDistance.h"
 #include "Surfaces/GridImages.h"
 #include "Surfaces/LevelCrossings.h"
+#include "Surfaces/SurfaceCleaning.h"
 #include "Surfaces/SurfaceCrossings.h"
 
 #include <vtkDataSetAttributes.h>
@@ -157,6 +158,29 @@ int vtkSurfaceToGrid::RequestUpdateExtent(
   return 1;
 }
 
+/// Where the surface is not closed, once more with cracks between its facets closed.
+void vtkSurfaceToGrid::FromSurfaceOrJoined(
+  vtkPolyData* surface, vtkImageData* output, vtkPolyData* crossings)
+{
+  try
+  {
+    this->FromSurface(surface, output, crossings);
+  }
+  catch (const std::invalid_argument&)
+  {
+    isthmus::CleanedSurface cleaned = isthmus::CleanSurface(isthmus::MeshOf(surface));
+    if (cleaned.Message.empty())
+    {
+      throw;
+    }
+    vtkNew<vtkPolyData> joined;
+    isthmus::SetMesh(cleaned.Mesh, joined);
+    vtkWarningMacro(<< cleaned.Message);
+    crossings->Initialize();
+    this->FromSurface(joined, output, crossings);
+  }
+}
+
 int vtkSurfaceToGrid::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -189,7 +213,7 @@ int vtkSurfaceToGrid::RequestData(
       }
       if (output->GetNumberOfPoints() > 0)
       {
-        this->FromSurface(surface, output, crossings);
+        this->FromSurfaceOrJoined(surface, output, crossings);
       }
     });
   if (output->GetNumberOfPoints() == 0 || !isthmus::OnFirstRank())

@@ -168,6 +168,7 @@ private:
   std::vector<double> Distance(const isthmus::SurfaceView& mesh, const isthmus::GridShape& shape,
     const std::function<bool(double)>& progress);
   void FromSurface(vtkPolyData* surface, vtkImageData* output, vtkPolyData* crossings);
+  void FromSurfaceOrJoined(vtkPolyData* surface, vtkImageData* output, vtkPolyData* crossings);
   void FromImage(vtkImageData* image, vtkImageData* output, vtkPolyData* crossings);
 
   std::unique_ptr<isthmus::InputInAdvance> Advance;

@@ -5,6 +5,7 @@
 #include "Surfaces/HausdorffDistance.h"
 #include "Surfaces/ShellNesting.h"
 #include "Surfaces/SurfaceDefects.h"
+#include "Surfaces/SurfaceMending.h"
 #include "Surfaces/SurfaceTopology.h"
 #include "Surfaces/TriangleTree.h"
 #include "Surfaces/WindingNumber.h"
@@ -145,7 +146,9 @@ TriangleMesh SoundPart(const SurfaceView& mesh)
 /// As AutomaticMesh::VolumeBefore.
 double VolumeAsGiven(const SurfaceView& sound)
 {
-  const TriangleMesh turned = OrientConsistently(sound);
+  TriangleMesh turned = OrientConsistently(sound);
+  SurfaceMending mending;
+  turned.Triangles = TurnShells(turned, mending);
   const Bounds3 box = BoundsOf(turned);
   const Point3 middle = 0.5 * (box.Min + box.Max);
   double sum = 0.0;

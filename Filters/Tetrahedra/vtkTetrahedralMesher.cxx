@@ -161,6 +161,10 @@ int vtkTetrahedralMesher::RequestData(
     {
       const auto surface = isthmus::GatherSurface(this, vtkPolyData::GetData(input[0]));
       const isthmus::CleanedSurface taken = isthmus::CleanSurface(isthmus::MeshOf(surface));
+      if (!taken.Message.empty())
+      {
+        vtkWarningMacro(<< taken.Message);
+      }
       const isthmus::TetrahedralParameters parameters = ParametersOf(this);
       const auto progress = isthmus::ProgressOf(this);
       grid->GetFieldData()->PassData(surface->GetFieldData());

@@ -1,0 +1,65 @@
+/**
+ * @file SurfaceMending.h
+ * @brief Small faults that surfaces of files have and that have one remedy: cracks between facets,
+ * patches that are turned over, cavities that face the wrong way.
+ *
+ * Points stay where they are; only the corners of triangles change.
+ */
+#ifndef isthmus_SurfaceMending_h
+#define isthmus_SurfaceMending_h
+
+#include "Core/TriangleMesh.h"
+#include "vtkIsthmusFiltersSurfacesModule.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace isthmus
+{
+
+/// What was done.
+struct SurfaceMending
+{
+  std::int64_t Joined = 0; ///< points merged with others, within Tolerance
+  double Tolerance = 0.0;  ///< distance up to which points were merged
+  double Share = 0.0;      ///< the same as a share of the diagonal of the surface's box
+  std::int64_t Turned = 0; ///< triangles turned to face as their neighbours do
+  std::int64_t Shells = 0; ///< closed shells turned as a whole
+
+  /// One message, empty when nothing was done.
+  VTKISTHMUSFILTERSSURFACES_EXPORT std::string Message() const;
+};
+
+/**
+ * `surface` with points at its open edges merged that are nearly at one place, as rounding leaves
+ * them between the facets of STL files. Of the tolerances 1e-7, 1e-6, 1e-5 and 1e-4 of the
+ * diagonal, none above a tenth of the median open edge, the smallest is taken after which the
+ * fewest triangles are at a hole, if no edge gets more than two triangles by it. Triangles that
+ * lose an edge are dropped. O(n).
+ * @pre coinciding points are merged (MergedCorners), corners exist and are finite.
+ */
+VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> JoinCracks(
+  const SurfaceView& surface, SurfaceMending& done);
+
+/**
+ * `surface` with neighbours turned alike: in each component, triangles that cover the smaller area
+ * are turned. Components that no turning makes consistent (a Moebius strip) stay as they are. Edges
+ * of more than two triangles are not crossed. O(n log n).
+ */
+VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> TurnAlike(
+  const SurfaceView& surface, SurfaceMending& done);
+
+/**
+ * `surface` with closed shells facing as they must, given the outermost ones: a shell directly in
+ * another faces the other way, so that cavities are subtracted and bodies in cavities added.
+ * Outermost shells are turned outward if any of them faces outward; where all face inward, so does
+ * the result. Shells that cross are not nested; those around others are looked for among the
+ * thousand largest. O(n log n), winding numbers by a tree.
+ */
+VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> TurnShells(
+  const SurfaceView& surface, SurfaceMending& done);
+
+}
+
+#endif
