@@ -21,7 +21,7 @@ import sys
 MACRO = re.compile(r"\bvtk(Set|Get|Boolean)(\w*?)Macro\(\s*(\w+)\s*(?:,\s*([\w:]+))?")
 DEPRECATED = re.compile(r"ISTHMUS_DEPRECATED\([^)]*\)\s*[^;{]*?\b(\w+)\(")
 ENUM = re.compile(r"\benum\b[^{;]*\{([^}]*)\}")
-ACRONYMS = {"AMBER", "CGAL", "MMCIF", "PARSE", "PDB", "PQR", "XYZ"}
+ACRONYMS = {"AMBER", "CGAL", "GRO", "MMCIF", "MOL2", "PARSE", "PDB", "PDBQT", "PQR", "SDF", "XYZ"}
 # Levels of a filtration and of an isosurface: only the latter have an inside.
 FILTRATIONS = {"vtkScalarPersistence.h"}
 OTHER_NAMES = re.compile(r"IsoValue|Isovalue|ContourValue")

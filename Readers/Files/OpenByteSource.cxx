@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -377,6 +378,28 @@ std::unique_ptr<ByteSource> OpenBzip2(PlainFile file)
     [path]() { return std::make_unique<CompressedSource<Bzip2Codec>>(PlainFile(path)); });
 }
 
+/// @throws ReaderError where a file begins as one of a compression that is not read.
+void RefuseOtherCompressions(const unsigned char (&magic)[4], const std::string& path)
+{
+  const struct
+  {
+    unsigned char Magic[4];
+    const char* Name;
+    const char* Command;
+  } others[] = { { { 0x28, 0xb5, 0x2f, 0xfd }, "zstd", "zstd -d" },
+    { { 0xfd, '7', 'z', 'X' }, "xz", "xz -dk" }, { { 'P', 'K', 3, 4 }, "zip", "unzip" },
+    { { '7', 'z', 0xbc, 0xaf }, "7z", "7z x" }, { { 4, 0x22, 0x4d, 0x18 }, "lz4", "lz4 -d" } };
+  for (const auto& other : others)
+  {
+    if (std::equal(std::begin(magic), std::end(magic), std::begin(other.Magic)))
+    {
+      throw ReaderError(ReaderFailure::ForeignFormat,
+        path + ": the file is compressed with " + other.Name +
+          ", which is not read (gzip and bzip2 are). Unpack it first: " + other.Command + " FILE");
+    }
+  }
+}
+
 }
 
 std::unique_ptr<ByteSource> OpenByteSource(const std::string& path)
@@ -384,6 +407,7 @@ std::unique_ptr<ByteSource> OpenByteSource(const std::string& path)
   PlainFile file(path);
   unsigned char magic[4] = {};
   file.Read(0, magic, sizeof(magic));
+  RefuseOtherCompressions(magic, path);
   if (magic[0] == 0x1f && magic[1] == 0x8b)
   {
     return OpenGzip(std::move(file));

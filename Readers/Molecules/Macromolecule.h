@@ -77,7 +77,11 @@ enum class MoleculeFormat
   PDB,
   MMCIF,
   PQR,
-  XYZ
+  XYZ, ///< also extended XYZ and TINKER's
+  PDBQT,
+  GRO,
+  MOL2,
+  SDF
 };
 
 /// Which atoms to read, and what to add to them.

@@ -2,8 +2,10 @@
 
 #include "Core/ParallelFor.h"
 #include "Files/OpenByteSource.h"
+#include "Files/TextLines.h"
 #include "Molecules/AtomSelection.h"
 #include "Molecules/CovalentBonds.h"
+#include "Molecules/ExchangeFormats.h"
 #include "Molecules/GemmiStructure.h"
 #include "Molecules/PQRFile.h"
 #include "Molecules/XYZFile.h"
@@ -44,7 +46,11 @@ MoleculeFormat FormatOfName(const std::string& path)
   const std::pair<const char*, MoleculeFormat> extensions[] = { { ".pdb", MoleculeFormat::PDB },
     { ".ent", MoleculeFormat::PDB }, { ".cif", MoleculeFormat::MMCIF },
     { ".mmcif", MoleculeFormat::MMCIF }, { ".pqr", MoleculeFormat::PQR },
-    { ".xyz", MoleculeFormat::XYZ } };
+    { ".xyz", MoleculeFormat::XYZ }, { ".extxyz", MoleculeFormat::XYZ },
+    { ".txyz", MoleculeFormat::XYZ }, { ".arc", MoleculeFormat::XYZ },
+    { ".pdbqt", MoleculeFormat::PDBQT }, { ".gro", MoleculeFormat::GRO },
+    { ".mol2", MoleculeFormat::MOL2 }, { ".sdf", MoleculeFormat::SDF },
+    { ".mol", MoleculeFormat::SDF } };
   for (const auto& [extension, format] : extensions)
   {
     if (EndsWith(name, extension))
@@ -53,6 +59,53 @@ MoleculeFormat FormatOfName(const std::string& path)
     }
   }
   return MoleculeFormat::ByName;
+}
+
+/// What to do with a file in a format that is not read; empty: it is not known.
+std::string OtherFormat(const std::string& path, std::string_view text)
+{
+  const std::string name = Lower(path);
+  const struct
+  {
+    const char* Extensions;
+    const char* Sentence;
+  } formats[] = {
+    { ".bcif ",
+      "this is BinaryCIF, which is not read. Fetch or write the structure as mmCIF (.cif)." },
+    { ".mmtf ",
+      "this is MMTF, which is not read; the PDB has retired it. Fetch the structure as mmCIF "
+      "(.cif)." },
+    { ".json .mmjson ",
+      "this is mmJSON, which is not read. Convert it by 'gemmi convert FILE.json FILE.cif'." },
+    { ".psf .prmtop .parm7 .top .itp .tpr ",
+      "this is a topology: it has no coordinates. Open a structure (.pdb, .gro, .pqr), and let "
+      "pdb2pqr "
+      "or ParmEd write a PQR file where charges are needed." },
+    { ".dcd .xtc .trr .nc .ncdf .mdcrd .crd .h5md ",
+      "this is a trajectory. Open its structure first, then use the Trajectory Reader, or write "
+      "frames as "
+      "PDB (gmx trjconv, cpptraj, MDAnalysis)." },
+    { ".mae .maegz .cdx .cml .smi .inchi .pse .cxs .hin ",
+      "this format is not read. Write the molecule as PDB, mmCIF, MOL2 or SDF with the program "
+      "that made "
+      "it, or by 'obabel FILE -O FILE.mol2'." },
+  };
+  for (const auto& format : formats)
+  {
+    std::string_view rest = format.Extensions;
+    for (auto extension = NextWord(rest); !extension.empty(); extension = NextWord(rest))
+    {
+      if (EndsWith(name, std::string(extension)))
+      {
+        return format.Sentence;
+      }
+    }
+  }
+  if (text.substr(0, 1) == "{")
+  {
+    return "this is JSON. Where it is mmJSON, convert it by 'gemmi convert FILE.json FILE.cif'.";
+  }
+  return {};
 }
 
 MoleculeFormat FormatOfText(std::string_view text, const std::string& path)
@@ -69,9 +122,19 @@ MoleculeFormat FormatOfText(std::string_view text, const std::string& path)
       return MoleculeFormat::PDB;
     }
   }
+  if (text.find("@<TRIPOS>MOLECULE") != std::string_view::npos)
+  {
+    return MoleculeFormat::MOL2;
+  }
+  const std::string other = OtherFormat(path, text);
+  if (!other.empty())
+  {
+    throw std::runtime_error(path + ": " + other);
+  }
   throw std::runtime_error(path +
-    ": neither the name (.pdb .ent .cif .pqr .xyz) nor the content says which format this is. Name "
-    "the format.");
+    ": neither the name (.pdb .ent .cif .pqr .xyz .pdbqt .gro .mol2 .sdf .mol) nor the content "
+    "says "
+    "which format this is. Name the format.");
 }
 
 Macromolecule Parse(std::string_view text, const std::string& path, MoleculeFormat format,
@@ -84,7 +147,8 @@ Macromolecule Parse(std::string_view text, const std::string& path, MoleculeForm
   const bool isStructure = format == MoleculeFormat::MMCIF || format == MoleculeFormat::PDB;
   if (!isStructure && !choice.Assembly.empty())
   {
-    throw std::runtime_error(path + ": PQR and XYZ files describe no assemblies. Leave it empty.");
+    throw std::runtime_error(
+      path + ": only PDB and mmCIF files describe assemblies. Leave Assembly empty.");
   }
   switch (format)
   {
@@ -94,6 +158,11 @@ Macromolecule Parse(std::string_view text, const std::string& path, MoleculeForm
       return ParsePQR(text, path, choice.Model, progress);
     case MoleculeFormat::XYZ:
       return ParseXYZ(text, path, choice.Model, progress);
+    case MoleculeFormat::PDBQT:
+    case MoleculeFormat::GRO:
+    case MoleculeFormat::MOL2:
+    case MoleculeFormat::SDF:
+      return ParseExchangeFormat(text, path, format, choice.Model, progress);
     default:
       return ParsePDB(text, path, choice, progress);
   }
@@ -306,7 +375,7 @@ std::int64_t CountModels(const std::string& path, MoleculeFormat format)
   {
     format = FormatOfText(text, path);
   }
-  if (format == MoleculeFormat::MMCIF || format == MoleculeFormat::XYZ)
+  if (format != MoleculeFormat::PDB && format != MoleculeFormat::PQR)
   {
     return Parse(text, path, format, {}, {}).NumberOfModels;
   }

@@ -1,8 +1,10 @@
 /**
  * @file MacromoleculeReader.h
- * @brief Reads molecules from PDB, mmCIF, PQR and XYZ files, plain or compressed.
+ * @brief Reads molecules from PDB, mmCIF, PQR, XYZ, PDBQT, GRO, MOL2 and SDF files, plain or
+ * compressed.
  *
- * The formats are described in GemmiStructure.h, PQRFile.h and XYZFile.h.
+ * The formats are described in GemmiStructure.h, PQRFile.h, XYZFile.h and
+ * ExchangeFormats.h.
  */
 #ifndef isthmus_MacromoleculeReader_h
 #define isthmus_MacromoleculeReader_h
@@ -34,7 +36,7 @@ VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParseMacromolecule(std::string_v
   const std::string& path, const MoleculeOptions& options, const ProgressCallback& progress = {});
 
 /**
- * The number of models in a file. Of PDB and PQR files the MODEL records are counted; mmCIF and XYZ
+ * The number of models in a file. Of PDB and PQR files the MODEL records are counted; others
  * are parsed. Throws as ReadMacromolecule.
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT std::int64_t CountModels(

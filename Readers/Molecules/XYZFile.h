@@ -4,6 +4,12 @@
  *
  * A frame is a line with the number of atoms, a line of comment, and a line for each atom: symbol
  * or atomic number, x, y, z in angstrom; what follows on the line is left out. Frames are models.
+ *
+ * Extended XYZ names its columns in the comment (Properties=species:S:1:pos:R:3:...), in any order:
+ * species (or Z), pos, charge (or charges, initial_charges, q) and radius are read.
+ *
+ * TINKER's XYZ has no comment: number of atoms and title, perhaps a line with the box, and for each
+ * atom its number, name, x, y, z, type and the numbers of the bonded atoms.
  */
 #ifndef isthmus_XYZFile_h
 #define isthmus_XYZFile_h
@@ -21,7 +27,7 @@ namespace isthmus
 /**
  * The atoms of frame `model` (from 0); name and residue name are the symbol and empty. O(bytes).
  * @throws std::runtime_error with file, line and reason, also when the comment of an extended XYZ
- * file announces other columns.
+ * file lacks species or positions.
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParseXYZ(std::string_view text,
   const std::string& path, std::int64_t model, const ProgressCallback& progress);

@@ -1,16 +1,17 @@
 /**
  * @class   vtkMacromoleculeReader
- * @brief   atoms and bonds from PDB, mmCIF, PQR and XYZ files
+ * @brief   atoms and bonds from PDB, mmCIF, PQR, XYZ, PDBQT, GRO, MOL2 and SDF files
  *
- * Extensions .pdb .ent .cif .mmcif .pqr .xyz, plain, .gz or .bz2; other names by their content.
+ * Extensions .pdb .ent .cif .mmcif .pqr .xyz .extxyz .pdbqt .gro .mol2 .sdf .mol, plain, .gz or
+ * .bz2; other names by their content.
  *
  * **Output 0**, vtkPolyData: a point and a vertex for each atom (angstrom, double), a line for each
  * bond. Point arrays:
  *
  * - `Radius` (double): van der Waals radius in angstrom, the file's (PQR) or that of RadiusTable;
  *   NaN: none
- * - `Charge` (double): in e, the file's (PQR), or its formal charge (PDB, mmCIF) where not 0;
- *   NaN: none
+ * - `Charge` (double): in e, the file's (PQR, PDBQT, MOL2), or its formal charge (PDB, mmCIF) where
+ * not 0; NaN: none
  * - `Element` (unsigned short): atomic number, 0: unknown; its symbol is in `ElementSymbols` of the
  *   field data
  * - `AtomName`, `ResidueName`, `Chain` (string): the authors' names (auth_ of mmCIF); empty: none
@@ -70,12 +71,16 @@ public:
     PDB = 1,
     MMCIF = 2,
     PQR = 3,
-    XYZ = 4
+    XYZ = 4, ///< also extended XYZ and TINKER's
+    PDBQT = 5,
+    GRO = 6,
+    MOL2 = 7,
+    SDF = 8
   };
 
   ///@{
   /// Default ByName: from the extension, else from the content.
-  vtkSetClampMacro(Format, int, ByName, XYZ);
+  vtkSetClampMacro(Format, int, ByName, SDF);
   vtkGetMacro(Format, int);
   ///@}
 

@@ -1,0 +1,511 @@
+#include "Molecules/ExchangeFormats.h"
+
+#include "Atoms/ChemicalElement.h"
+#include "Files/TextLines.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+namespace isthmus
+{
+namespace
+{
+
+bool BeginsWith(std::string_view line, std::string_view with)
+{
+  return line.substr(0, with.size()) == with;
+}
+
+double FiniteNumber(std::string_view word, const TextLines& lines, const char* what)
+{
+  double value = 0.0;
+  if (!IsNumber(word, value) || !std::isfinite(value))
+  {
+    lines.Fail(std::string(what) + " belongs where '" + std::string(word.substr(0, 30)) +
+      "' is. Is the file whole, and what its name says?");
+  }
+  return value;
+}
+
+std::int64_t Count(std::string_view word, const TextLines& lines, const char* what)
+{
+  std::int64_t value = 0;
+  if (!IsNumber(word, value) || value < 0)
+  {
+    lines.Fail(std::string(what) + " belongs where '" + std::string(word.substr(0, 30)) +
+      "' is. Is the file whole, and what its name says?");
+  }
+  return value;
+}
+
+std::string_view NextLine(TextLines& lines)
+{
+  std::string_view line;
+  if (!lines.Next(line))
+  {
+    lines.Fail("the file ends within a molecule. Fetch or write it again.");
+  }
+  return line;
+}
+
+void AddBond(Macromolecule& molecule, std::int64_t a, std::int64_t b, const TextLines& lines)
+{
+  const auto atoms = static_cast<std::int64_t>(molecule.Atoms.size());
+  if (a < 0 || b < 0 || a >= atoms || b >= atoms || a == b)
+  {
+    lines.Fail("a bond names atoms that are not there. Correct the file.");
+  }
+  molecule.Bonds.push_back({ std::min(a, b), std::max(a, b), true });
+}
+
+// ------------------------------------------------------------------------------------------
+// PDBQT
+
+/// AutoDock's types, version 4.2 and Vina's; 0 for pseudo atoms.
+int ElementOfAutoDockType(std::string_view type, std::string_view residue)
+{
+  static const std::unordered_map<std::string_view, int> types{ { "HD", 1 }, { "HS", 1 },
+    { "A", 6 }, { "CG", 6 }, { "CG0", 6 }, { "CG1", 6 }, { "CG2", 6 }, { "CG3", 6 }, { "NS", 7 },
+    { "NX", 7 }, { "OA", 8 }, { "OS", 8 }, { "OX", 8 }, { "SA", 16 }, { "G", 0 }, { "GA", 0 },
+    { "G0", 0 }, { "G1", 0 }, { "G2", 0 }, { "G3", 0 }, { "J", 0 }, { "Q", 0 }, { "W", 0 },
+    { "X", 0 }, { "Z", 0 } };
+  const auto found = types.find(type);
+  if (found != types.end())
+  {
+    return found->second;
+  }
+  if (type == "NA" || type == "Na") // a nitrogen that accepts hydrogen bonds, save in sodium
+  {
+    return residue == "NA" || residue == "NA+" || residue == "SOD" ? 11 : 7;
+  }
+  return ElementOfSymbol(type);
+}
+
+Atom ReadPDBQTAtom(std::string_view line, const TextLines& lines)
+{
+  Atom atom;
+  atom.IsHetero = BeginsWith(line, "HETATM");
+  IsNumber(Columns(line, 6, 5), atom.Serial);
+  atom.Name = Columns(line, 12, 4);
+  atom.AltLoc = line.size() > 16 ? line[16] : ' ';
+  atom.ResidueName = Columns(line, 17, 4);
+  atom.Chain = Columns(line, 21, 1);
+  IsNumber(Columns(line, 22, 4), atom.ResidueId);
+  atom.InsertionCode = line.size() > 26 ? line[26] : ' ';
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    atom.Position[axis] = FiniteNumber(Columns(line, 30 + 8 * axis, 8), lines, "a coordinate");
+  }
+  const auto optional = [&line](std::size_t from, std::size_t size)
+  {
+    double value = 0.0;
+    return IsNumber(Columns(line, from, size), value) ? value : Atom::Unknown;
+  };
+  atom.Occupancy = optional(54, 6);
+  atom.BFactor = optional(60, 6);
+  atom.Charge = FiniteNumber(Columns(line, 66, 10), lines, "a partial charge");
+  const std::string_view type = Columns(line, 76, 4);
+  if (type.empty())
+  {
+    lines.Fail(
+      "the type of AutoDock (columns 78-79) is missing. Is it a PDBQT file? Name a PDB file "
+      ".pdb.");
+  }
+  atom.Element = ElementOfAutoDockType(type, atom.ResidueName);
+  return atom;
+}
+
+Macromolecule ParsePDBQT(std::string_view text, const std::string& path, std::int64_t model,
+  const ProgressCallback& progress)
+{
+  Macromolecule molecule;
+  TextLines lines(text, path, progress);
+  bool inModel = false;
+  for (std::string_view line; lines.Next(line);)
+  {
+    if (!BeginsWith(line, "ATOM") && !BeginsWith(line, "HETATM"))
+    {
+      inModel = inModel && !BeginsWith(line, "ENDMDL") && !BeginsWith(line, "MODEL");
+      continue;
+    }
+    molecule.NumberOfModels += inModel ? 0 : 1;
+    inModel = true;
+    Atom atom = ReadPDBQTAtom(line, lines);
+    if (molecule.NumberOfModels - 1 == model)
+    {
+      molecule.Atoms.push_back(std::move(atom));
+    }
+  }
+  return molecule;
+}
+
+// ------------------------------------------------------------------------------------------
+// GRO
+
+/// The width of a coordinate: the distance of decimal points, as the format's manual says.
+std::size_t CoordinateWidth(std::string_view line, const TextLines& lines)
+{
+  constexpr std::size_t first = 20;
+  const std::size_t one = line.find('.', first);
+  const std::size_t two = one == std::string_view::npos ? one : line.find('.', one + 1);
+  if (two == std::string_view::npos)
+  {
+    lines.Fail(
+      "this is no atom of a GRO file (residue, atom and their numbers in columns 1-20, then "
+      "x, y, z in nm). Is the file whole?");
+  }
+  return two - one;
+}
+
+Atom ReadGROAtom(std::string_view line, std::size_t width, const TextLines& lines)
+{
+  constexpr double angstromOfNanometre = 10.0;
+  Atom atom;
+  IsNumber(Columns(line, 0, 5), atom.ResidueId);
+  atom.ResidueName = Columns(line, 5, 5);
+  atom.Name = Columns(line, 10, 5);
+  IsNumber(Columns(line, 15, 5), atom.Serial);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    atom.Position[axis] = angstromOfNanometre *
+      FiniteNumber(Columns(line, 20 + width * axis, width), lines, "a coordinate");
+    // 1.234 nm is 12.34 angstrom, and not the double beside it.
+    atom.Position[axis] = std::round(atom.Position[axis] * 1e9) / 1e9;
+  }
+  atom.Element = ElementOfAtomName(atom.Name, atom.ResidueName);
+  return atom;
+}
+
+Macromolecule ParseGRO(std::string_view text, const std::string& path, std::int64_t model,
+  const ProgressCallback& progress)
+{
+  Macromolecule molecule;
+  TextLines lines(text, path, progress);
+  for (std::string_view line; lines.Next(line);) // the title, which may be empty
+  {
+    std::string_view number;
+    if (!lines.Next(number))
+    {
+      if (Trimmed(line).empty())
+      {
+        break; // an empty line at the end
+      }
+      lines.Fail("the number of atoms belongs on the line after the title. Is it a GRO file?");
+    }
+    if (molecule.NumberOfModels > 0 && Trimmed(line).empty() && Trimmed(number).empty())
+    {
+      continue;
+    }
+    const std::int64_t count = Count(Trimmed(number), lines, "the number of atoms");
+    std::size_t width = 0;
+    for (std::int64_t i = 0; i < count; ++i)
+    {
+      line = NextLine(lines);
+      width = i == 0 ? CoordinateWidth(line, lines) : width;
+      Atom atom = ReadGROAtom(line, width, lines);
+      if (molecule.NumberOfModels == model)
+      {
+        molecule.Atoms.push_back(std::move(atom));
+      }
+    }
+    lines.Next(line); // the box
+    ++molecule.NumberOfModels;
+  }
+  molecule.Notes.emplace_back("GRO file: elements from the names, no chains.");
+  return molecule;
+}
+
+// ------------------------------------------------------------------------------------------
+// MOL2
+
+/// "C.ar" is carbon; "Du" and "LP" are no element; "Cl" is chlorine.
+int ElementOfTriposType(std::string_view type)
+{
+  return ElementOfSymbol(type.substr(0, type.find('.')));
+}
+
+Atom ReadMOL2Atom(std::string_view line, bool hasCharges, const TextLines& lines)
+{
+  Atom atom;
+  IsNumber(NextWord(line), atom.Serial);
+  atom.Name = NextWord(line);
+  for (double& x : atom.Position)
+  {
+    x = FiniteNumber(NextWord(line), lines, "a coordinate");
+  }
+  const std::string_view type = NextWord(line);
+  if (type.empty())
+  {
+    lines.Fail("the type of an atom is missing. Is the file whole?");
+  }
+  atom.Element = ElementOfTriposType(type);
+  IsNumber(NextWord(line), atom.ResidueId);
+  std::string_view residue = NextWord(line);
+  // "ALA12" is residue ALA, number 12, where the number of the substructure is another one.
+  const std::size_t digits = residue.find_last_not_of("0123456789") + 1;
+  int number = 0;
+  if (digits > 0 && digits < residue.size() && IsNumber(residue.substr(digits), number))
+  {
+    atom.ResidueId = number;
+    residue = residue.substr(0, digits);
+  }
+  atom.ResidueName = residue == "****" || residue == "<0>" ? std::string_view() : residue;
+  double charge = 0.0;
+  if (hasCharges && IsNumber(NextWord(line), charge) && std::isfinite(charge))
+  {
+    atom.Charge = charge;
+  }
+  return atom;
+}
+
+Macromolecule ParseMOL2(std::string_view text, const std::string& path, std::int64_t model,
+  const ProgressCallback& progress)
+{
+  Macromolecule molecule;
+  TextLines lines(text, path, progress);
+  std::int64_t atoms = 0, bonds = 0;
+  bool hasCharges = true;
+  std::unordered_map<int, std::int64_t> place; // of the numbers of atoms
+  std::string_view line;
+  while (lines.Next(line))
+  {
+    const std::string_view section = Trimmed(line);
+    const bool isWanted = molecule.NumberOfModels - 1 == model;
+    if (section == "@<TRIPOS>MOLECULE")
+    {
+      ++molecule.NumberOfModels;
+      NextLine(lines); // the name
+      std::string_view counts = NextLine(lines);
+      atoms = Count(NextWord(counts), lines, "the number of atoms");
+      const std::string_view second = NextWord(counts);
+      bonds = second.empty() ? 0 : Count(second, lines, "the number of bonds");
+      NextLine(lines); // the kind of molecule
+      hasCharges = Trimmed(NextLine(lines)) != "NO_CHARGES";
+    }
+    else if (section == "@<TRIPOS>ATOM")
+    {
+      for (std::int64_t i = 0; i < atoms; ++i)
+      {
+        Atom atom = ReadMOL2Atom(NextLine(lines), hasCharges, lines);
+        if (isWanted)
+        {
+          place.emplace(atom.Serial, static_cast<std::int64_t>(molecule.Atoms.size()));
+          molecule.Atoms.push_back(std::move(atom));
+        }
+      }
+    }
+    else if (section == "@<TRIPOS>BOND")
+    {
+      for (std::int64_t i = 0; i < bonds; ++i)
+      {
+        std::string_view bond = NextLine(lines);
+        NextWord(bond);
+        const std::int64_t a = Count(NextWord(bond), lines, "the number of an atom");
+        const std::int64_t b = Count(NextWord(bond), lines, "the number of an atom");
+        if (isWanted)
+        {
+          const auto first = place.find(static_cast<int>(a));
+          const auto second = place.find(static_cast<int>(b));
+          AddBond(molecule, first == place.end() ? -1 : first->second,
+            second == place.end() ? -1 : second->second, lines);
+        }
+      }
+    }
+  }
+  return molecule;
+}
+
+// ------------------------------------------------------------------------------------------
+// SDF
+
+void AddSDFAtom(Macromolecule& molecule, std::string_view symbol, const double* position)
+{
+  Atom atom;
+  atom.Name = symbol;
+  atom.Element = ElementOfSymbol(symbol);
+  atom.Serial = static_cast<int>(molecule.Atoms.size()) + 1;
+  std::copy(position, position + 3, atom.Position.begin());
+  molecule.Atoms.push_back(std::move(atom));
+}
+
+/// "M  CHG  2   3  -1   7   1": formal charges of atoms 3 and 7.
+void ReadCharges(Macromolecule& molecule, std::string_view line, const TextLines& lines)
+{
+  std::string_view rest = line.substr(6);
+  const std::int64_t count = Count(NextWord(rest), lines, "the number of charges");
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    const std::int64_t atom = Count(NextWord(rest), lines, "the number of an atom");
+    const double charge = FiniteNumber(NextWord(rest), lines, "a charge");
+    if (atom < 1 || atom > static_cast<std::int64_t>(molecule.Atoms.size()))
+    {
+      lines.Fail("a charge names an atom that is not there. Correct the file.");
+    }
+    molecule.Atoms[static_cast<std::size_t>(atom - 1)].Charge = charge;
+  }
+}
+
+void ReadV2000(std::string_view counts, TextLines& lines, Macromolecule& molecule)
+{
+  const std::int64_t atoms = Count(Columns(counts, 0, 3), lines, "the number of atoms");
+  const std::int64_t bonds = Count(Columns(counts, 3, 3), lines, "the number of bonds");
+  for (std::int64_t i = 0; i < atoms; ++i)
+  {
+    const std::string_view line = NextLine(lines);
+    double position[3];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      position[axis] = FiniteNumber(Columns(line, 10 * axis, 10), lines, "a coordinate");
+    }
+    AddSDFAtom(molecule, Columns(line, 31, 3), position);
+  }
+  for (std::int64_t i = 0; i < bonds; ++i)
+  {
+    const std::string_view line = NextLine(lines);
+    AddBond(molecule, Count(Columns(line, 0, 3), lines, "the number of an atom") - 1,
+      Count(Columns(line, 3, 3), lines, "the number of an atom") - 1, lines);
+  }
+}
+
+/// A line of V3000, whose continuations ("-" at the end) are appended.
+std::string V3000Line(std::string_view line, TextLines& lines)
+{
+  constexpr std::string_view head = "M  V30 ";
+  std::string whole(line.substr(std::min(head.size(), line.size())));
+  while (!whole.empty() && whole.back() == '-')
+  {
+    whole.pop_back();
+    const std::string_view next = NextLine(lines);
+    whole += next.substr(std::min(head.size(), next.size()));
+  }
+  return whole;
+}
+
+void ReadV3000Atom(std::string_view rest, std::unordered_map<std::int64_t, std::int64_t>& place,
+  Macromolecule& molecule, const TextLines& lines)
+{
+  const std::int64_t number = Count(NextWord(rest), lines, "the number of an atom");
+  const std::string_view symbol = NextWord(rest);
+  double position[3];
+  for (double& x : position)
+  {
+    x = FiniteNumber(NextWord(rest), lines, "a coordinate");
+  }
+  place.emplace(number, static_cast<std::int64_t>(molecule.Atoms.size()));
+  AddSDFAtom(molecule, symbol, position);
+  for (auto word = NextWord(rest); !word.empty(); word = NextWord(rest))
+  {
+    if (BeginsWith(word, "CHG="))
+    {
+      molecule.Atoms.back().Charge = FiniteNumber(word.substr(4), lines, "a charge");
+    }
+  }
+}
+
+void ReadV3000(TextLines& lines, Macromolecule& molecule)
+{
+  std::unordered_map<std::int64_t, std::int64_t> place;
+  std::string block;
+  while (true)
+  {
+    const std::string line = V3000Line(NextLine(lines), lines);
+    std::string_view rest = line;
+    if (BeginsWith(line, "END CTAB"))
+    {
+      return;
+    }
+    if (BeginsWith(line, "BEGIN ") || BeginsWith(line, "END "))
+    {
+      block = line[0] == 'B' ? std::string(Trimmed(std::string_view(line).substr(6))) : "";
+    }
+    else if (block == "ATOM")
+    {
+      ReadV3000Atom(rest, place, molecule, lines);
+    }
+    else if (block == "BOND")
+    {
+      NextWord(rest);
+      NextWord(rest);
+      const auto find = [&]
+      {
+        const auto found = place.find(Count(NextWord(rest), lines, "the number of an atom"));
+        return found == place.end() ? std::int64_t{ -1 } : found->second;
+      };
+      const std::int64_t first = find();
+      AddBond(molecule, first, find(), lines);
+    }
+  }
+}
+
+Macromolecule ParseSDF(std::string_view text, const std::string& path, std::int64_t model,
+  const ProgressCallback& progress)
+{
+  Macromolecule molecule;
+  TextLines lines(text, path, progress);
+  std::string_view line;
+  while (lines.Next(line)) // the title
+  {
+    std::string_view program, comment, counts;
+    if (!lines.Next(program) || !lines.Next(comment) || !lines.Next(counts))
+    {
+      if (Trimmed(line).empty() && Trimmed(program).empty() && Trimmed(comment).empty())
+      {
+        break; // empty lines at the end
+      }
+      lines.Fail("the file ends before the counts of a molecule. Fetch or write it again.");
+    }
+    Macromolecule one;
+    const bool isWanted = molecule.NumberOfModels == model;
+    if (counts.find("V3000") != std::string_view::npos)
+    {
+      ReadV3000(lines, one);
+    }
+    else
+    {
+      ReadV2000(counts, lines, one);
+    }
+    while (lines.Next(line) && Trimmed(line) != "$$$$")
+    {
+      if (BeginsWith(line, "M  CHG"))
+      {
+        ReadCharges(one, line, lines);
+      }
+    }
+    if (isWanted)
+    {
+      molecule.Atoms = std::move(one.Atoms);
+      molecule.Bonds = std::move(one.Bonds);
+      if (Columns(program, 20, 2) == "2D")
+      {
+        molecule.Warnings.emplace_back("The file says that its coordinates are those of a drawing "
+                                       "(2D): distances and surfaces mean nothing. Make a "
+                                       "conformer first.");
+      }
+    }
+    ++molecule.NumberOfModels;
+  }
+  return molecule;
+}
+
+}
+
+Macromolecule ParseExchangeFormat(std::string_view text, const std::string& path,
+  MoleculeFormat format, std::int64_t model, const ProgressCallback& progress)
+{
+  switch (format)
+  {
+    case MoleculeFormat::PDBQT:
+      return ParsePDBQT(text, path, model, progress);
+    case MoleculeFormat::GRO:
+      return ParseGRO(text, path, model, progress);
+    case MoleculeFormat::MOL2:
+      return ParseMOL2(text, path, model, progress);
+    default:
+      return ParseSDF(text, path, model, progress);
+  }
+}
+
+}
