@@ -112,7 +112,61 @@ std::vector<double> SampleValues(const GridView<const T>& grid)
   return values;
 }
 
+template <typename T>
+MapContrast ContrastOf(const GridView<const T>& grid)
+{
+  MapContrast contrast;
+  double count = 0.0, sum = 0.0, squares = 0.0, cubes = 0.0;
+  const std::int64_t size = grid.Size();
+  const double origin = size > 0 && std::isfinite(static_cast<double>(grid.Data[0]))
+    ? static_cast<double>(grid.Data[0])
+    : 0.0; // near the mean, so that powers lose fewer digits
+  for (std::int64_t n = 0; n < size; ++n)
+  {
+    const double value = static_cast<double>(grid.Data[n]) - origin;
+    if (std::isfinite(value))
+    {
+      count += 1.0;
+      sum += value;
+      squares += value * value;
+      cubes += value * value * value;
+    }
+  }
+  const double mean = sum / count;
+  const double variance = squares / count - mean * mean;
+  if (!(variance > 0.0) || !std::isfinite(cubes))
+  {
+    return contrast;
+  }
+  const double deviation = std::sqrt(variance);
+  contrast.Skewness = (cubes / count - 3.0 * mean * squares / count + 2.0 * mean * mean * mean) /
+    (variance * deviation);
+  const double low = mean + origin - 2.0 * deviation;
+  double lows = 0.0, border = 0.0, borderLows = 0.0;
+  const auto& dimensions = grid.Dimensions;
+  for (std::int64_t k = 0; k < dimensions[2]; ++k)
+  {
+    for (std::int64_t j = 0; j < dimensions[1]; ++j)
+    {
+      const bool onFace = k == 0 || k + 1 == dimensions[2] || j == 0 || j + 1 == dimensions[1];
+      for (std::int64_t i = 0; i < dimensions[0]; ++i)
+      {
+        const bool isLow = static_cast<double>(grid(i, j, k)) < low;
+        const bool isBorder = onFace || i == 0 || i + 1 == dimensions[0];
+        lows += isLow ? 1.0 : 0.0;
+        border += isBorder ? 1.0 : 0.0;
+        borderLows += isLow && isBorder ? 1.0 : 0.0;
+      }
+    }
+  }
+  contrast.LowShare = lows / count;
+  contrast.BorderLowShare = borderLows / border;
+  return contrast;
+}
+
 template std::vector<double> SampleValues(const GridView<const float>&);
+template MapContrast ContrastOf(const GridView<const float>&);
+template MapContrast ContrastOf(const GridView<const double>&);
 template std::vector<double> SampleValues(const GridView<const double>&);
 
 }

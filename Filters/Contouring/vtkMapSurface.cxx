@@ -3,6 +3,7 @@
 #include "Contouring/AutomaticLevel.h"
 #include "Contouring/ClosedLevelSet.h"
 #include "Contouring/DelaunayIsosurface.h"
+#include "Contouring/LevelEstimate.h"
 #include "Contouring/MapSurface.h"
 #include "Contouring/MarchingCubes.h"
 #include "Core/AlgorithmGuard.h"
@@ -162,6 +163,22 @@ void vtkMapSurface::MakeSurface(vtkImageData* image, vtkPolyData* surface)
     throw std::invalid_argument("Level must be a finite number.");
   }
   this->UsedLevel = level;
+  if (this->AutomaticLevel && this->InsideIsHigher &&
+    !image->GetFieldData()->GetArray("RecommendedLevel"))
+  {
+    isthmus::MapContrast contrast;
+    isthmus::UseScalars(
+      image, scalars, [&](const auto& grid) { contrast = isthmus::ContrastOf(grid); });
+    if (contrast.IsInverted())
+    {
+      vtkWarningMacro(
+        << "The contrast of the map seems to be inverted, with density darker than the "
+           "background (skewness "
+        << contrast.Skewness
+        << ", low values away from the border): the surface is likely to be specks of "
+           "noise. Switch InsideIsHigher off.");
+    }
+  }
 
   const auto progress = isthmus::ProgressOf(this);
   const auto extracting = isthmus::Between(progress, 0.0, 0.7);

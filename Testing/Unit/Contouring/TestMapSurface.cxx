@@ -4,10 +4,13 @@
 #include "Contouring/MapSurface.h"
 #include "Core/Geometry.h"
 #include "SampledGrid.h"
+#include "SharedData.h"
 #include "Surfaces/SurfaceTopology.h"
+#include "vtkMRCMapReader.h"
 #include "vtkMapSurface.h"
 
 #include <vtkCellData.h>
+#include <vtkCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
@@ -273,6 +276,83 @@ TEST(VTKMapSurface, RefusesWithASentenceAndAnEmptyOutput)
       f->SetCloseAtBorder(false);
     },
     "CloseAtBorder");
+}
+
+// Density darker than the background: in synthetic maps with noise of each size, and in real ones
+// turned over; the same maps as they are get no warning.
+TEST(VTKMapSurface, InvertedContrastIsSuspected)
+{
+  const auto warning = [](vtkImageData* image, double sign, bool higher)
+  {
+    auto turned = vtkSmartPointer<vtkImageData>::New();
+    turned->CopyStructure(image);
+    vtkNew<vtkDoubleArray> values;
+    vtkDataArray* from = image->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < from->GetNumberOfTuples(); ++i)
+    {
+      values->InsertNextValue(sign * from->GetComponent(i, 0));
+    }
+    turned->GetPointData()->SetScalars(values);
+    vtkNew<vtkTest::ErrorObserver> observer;
+    vtkNew<vtkMapSurface> filter;
+    filter->AddObserver(vtkCommand::WarningEvent, observer);
+    filter->SetInputData(turned);
+    filter->SetInsideIsHigher(higher);
+    filter->Update();
+    return observer->GetWarning() ? observer->GetWarningMessage() : std::string();
+  };
+  const auto expect = [&warning](vtkImageData* image, const std::string& what)
+  {
+    EXPECT_EQ(warning(image, 1.0, true).find("inverted"), std::string::npos) << what;
+    EXPECT_NE(warning(image, -1.0, true).find("Switch InsideIsHigher off"), std::string::npos)
+      << what;
+    EXPECT_EQ(warning(image, -1.0, false).find("inverted"), std::string::npos) << what;
+  };
+  std::mt19937 random(5);
+  for (const double noise : { 0.0, 0.05, 0.15 })
+  {
+    std::normal_distribution<double> deviation(0.0, noise > 0.0 ? noise : 1.0);
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(40, 40, 40);
+    vtkNew<vtkDoubleArray> values;
+    for (int n = 0; n < 40 * 40 * 40; ++n)
+    {
+      const double x = n % 40 - 18.0, y = n / 40 % 40 - 20.0, z = n / 1600 - 22.0;
+      values->InsertNextValue(
+        std::exp(-(x * x + y * y + z * z) / 60.0) + (noise > 0.0 ? deviation(random) : 0.0));
+    }
+    image->GetPointData()->SetScalars(values);
+    expect(image, "noise " + std::to_string(noise));
+  }
+  // Noise alone, and a map within a mask whose outside is far lower, say nothing.
+  std::normal_distribution<double> deviation(0.0, 1.0);
+  vtkNew<vtkImageData> masked, nothing;
+  vtkNew<vtkDoubleArray> within, alone;
+  for (int n = 0; n < 40 * 40 * 40; ++n)
+  {
+    const double x = n % 40 - 19.5, y = n / 40 % 40 - 19.5, z = n / 1600 - 19.5;
+    const double r = std::sqrt(x * x + y * y + z * z);
+    const double noise = deviation(random);
+    alone->InsertNextValue(noise);
+    within->InsertNextValue(r > 27.0 ? -20.0 : noise + (r < 6.0 ? 4.0 : 0.0));
+  }
+  masked->SetDimensions(40, 40, 40);
+  masked->GetPointData()->SetScalars(within);
+  nothing->SetDimensions(40, 40, 40);
+  nothing->GetPointData()->SetScalars(alone);
+  EXPECT_EQ(warning(masked, 1.0, true).find("inverted"), std::string::npos);
+  EXPECT_EQ(warning(nothing, 1.0, true).find("inverted"), std::string::npos);
+  EXPECT_EQ(warning(nothing, -1.0, true).find("inverted"), std::string::npos);
+
+  ISTHMUS_NEEDS_SHARED_DATA("maps/emd_5043.map");
+  for (const char* name :
+    { "emd_5043.map", "emd_1832.map", "1oel_10.mrc", "emd_5170.map", "D7.ccp4" })
+  {
+    vtkNew<vtkMRCMapReader> reader;
+    reader->SetFileName((SharedDataFolder() / "maps" / name).c_str());
+    reader->Update();
+    expect(reader->GetOutput(), name);
+  }
 }
 
 TEST(VTKMapSurface, EmptyInputAndNothingInside)
