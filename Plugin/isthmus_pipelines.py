@@ -122,6 +122,13 @@ def map_to_surface(source, level=None):
     if level is not None:
         surface.AutomaticLevel, surface.Level = 0, level
     surface.UpdatePipeline()
+    if surface.FieldData["InvertedContrast"]:
+        # The filter has warned; the switch stands in the panel, above the level that follows from it.
+        surface.InsideIsHigher = 0
+        surface.UpdatePipeline()
+        vtkOutputWindow.GetInstance().DisplayWarningText(
+            "Isthmus: The contrast of the map seems to be inverted, so Inside Is Higher was switched off. Switch "
+            "it on, with an automatic level, if the density is brighter than the background.\n")
     _require_triangles(surface)
     surface.Level = _field_number(surface, "Level")
     surface.AutomaticLevel = 0

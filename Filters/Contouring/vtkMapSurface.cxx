@@ -144,6 +144,29 @@ int vtkMapSurface::RequestUpdateExtent(
   return 1;
 }
 
+/// Warns where an automatic level looks for high values and the density is darker than the
+/// background.
+bool vtkMapSurface::IsSuspectedOfInversion(vtkImageData* image, vtkDataArray* scalars)
+{
+  if (!this->AutomaticLevel || !this->InsideIsHigher ||
+    image->GetFieldData()->GetArray("RecommendedLevel"))
+  {
+    return false;
+  }
+  isthmus::MapContrast contrast;
+  isthmus::UseScalars(
+    image, scalars, [&](const auto& grid) { contrast = isthmus::ContrastOf(grid); });
+  if (contrast.IsInverted())
+  {
+    vtkWarningMacro(<< "The contrast of the map seems to be inverted, with density darker than the "
+                       "background (skewness "
+                    << contrast.Skewness
+                    << ", low values away from the border): the surface is likely to be specks of "
+                       "noise. Switch InsideIsHigher off.");
+  }
+  return contrast.IsInverted();
+}
+
 void vtkMapSurface::MakeSurface(vtkImageData* image, vtkPolyData* surface)
 {
   if (this->Quality != Cubes && this->Quality != Delaunay)
@@ -163,22 +186,7 @@ void vtkMapSurface::MakeSurface(vtkImageData* image, vtkPolyData* surface)
     throw std::invalid_argument("Level must be a finite number.");
   }
   this->UsedLevel = level;
-  if (this->AutomaticLevel && this->InsideIsHigher &&
-    !image->GetFieldData()->GetArray("RecommendedLevel"))
-  {
-    isthmus::MapContrast contrast;
-    isthmus::UseScalars(
-      image, scalars, [&](const auto& grid) { contrast = isthmus::ContrastOf(grid); });
-    if (contrast.IsInverted())
-    {
-      vtkWarningMacro(
-        << "The contrast of the map seems to be inverted, with density darker than the "
-           "background (skewness "
-        << contrast.Skewness
-        << ", low values away from the border): the surface is likely to be specks of "
-           "noise. Switch InsideIsHigher off.");
-    }
-  }
+  const bool isInverted = this->IsSuspectedOfInversion(image, scalars);
 
   const auto progress = isthmus::ProgressOf(this);
   const auto extracting = isthmus::Between(progress, 0.0, 0.7);
@@ -198,6 +206,10 @@ void vtkMapSurface::MakeSurface(vtkImageData* image, vtkPolyData* surface)
   surface->GetFieldData()->PassData(image->GetFieldData());
   AddFieldData("Level", { level }, surface);
   AddComponents(result, surface);
+  if (isInverted)
+  {
+    AddFieldData("InvertedContrast", { 1.0 }, surface);
+  }
   if (result.Surface.Triangles.empty())
   {
     double range[2];

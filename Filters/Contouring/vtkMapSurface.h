@@ -8,7 +8,9 @@
  * Output: vtkPolyData, triangles facing away from the inside, with unit point normals and the cell
  * array `Component` (0 for the one of the largest area). It is a manifold, and closed unless
  * CloseAtBorder is off. Field data: that of the input, `Level` (the one taken), `ComponentsFound`
- * (before dust was hidden) and `ComponentArea` (length^2) of those that stay, largest first.
+ * (before dust was hidden) and `ComponentArea` (length^2) of those that stay, largest first;
+ * `InvertedContrast` (1), with a warning, where an automatic level was taken above a density that
+ * seems darker than the background (MapContrast in LevelEstimate.h).
  *
  * AutomaticLevel takes the level that the map's depositors recommend, where the reader found it
  * (field data `RecommendedLevel`, from `emd-NNNN.xml` beside the map), else one that separates the
@@ -29,6 +31,7 @@
 
 #include <memory> // for the level
 
+class vtkDataArray;
 class vtkImageData;
 
 namespace isthmus
@@ -127,6 +130,7 @@ protected:
 
 private:
   void MakeSurface(vtkImageData* image, vtkPolyData* surface);
+  bool IsSuspectedOfInversion(vtkImageData* image, vtkDataArray* scalars);
 
   vtkMapSurface(const vtkMapSurface&) = delete;
   void operator=(const vtkMapSurface&) = delete;
