@@ -27,6 +27,7 @@ namespace cif = gemmi::cif;
 using Axes = std::array<const char*, 3>;
 
 constexpr Axes Cartesian{ "Cartn_x", "Cartn_y", "Cartn_z" };
+constexpr Axes UnknownCartesian{ "unknown_x", "unknown_y", "unknown_z" };
 constexpr Axes Fractional{ "fract_x", "fract_y", "fract_z" };
 constexpr Axes Ideal{ "pdbx_model_Cartn_x_ideal", "pdbx_model_Cartn_y_ideal",
   "pdbx_model_Cartn_z_ideal" };
@@ -269,6 +270,25 @@ std::string Written(double value)
   return text.data();
 }
 
+std::size_t CountMissing(AtomTable& table, const Axes& axes)
+{
+  std::size_t missing = 0;
+  for (std::size_t row = 0; row < table.Rows(); ++row)
+  {
+    missing += std::any_of(axes.begin(), axes.end(),
+                 [&](const char* axis) { return IsNoNumber(table.At(row, table.Find(axis))); })
+      ? 1
+      : 0;
+  }
+  return missing;
+}
+
+/// Whether there are such coordinates, and of any row at all.
+bool HasAny(AtomTable& table, const Axes& axes)
+{
+  return table.Has(axes) && CountMissing(table, axes) < table.Rows();
+}
+
 /// Replaces fractional by Cartesian coordinates.
 void Orthogonalize(cif::Block& block, AtomTable& table)
 {
@@ -277,6 +297,7 @@ void Orthogonalize(cif::Block& block, AtomTable& table)
   for (std::size_t i = 0; i < 3; ++i)
   {
     columns[i] = table.Find(Fractional[i]);
+    table.Rename(Cartesian[i], UnknownCartesian[i]); // they are unknown in all rows
   }
   for (std::size_t row = 0; row < table.Rows(); ++row)
   {
@@ -477,19 +498,6 @@ void TranslateCoreCIF(cif::Block& block, AtomTable& table, CIFAtoms& atoms)
                            "the atoms are those of the asymmetric unit, symmetry is not applied.");
 }
 
-std::size_t CountMissing(AtomTable& table, const Axes& axes)
-{
-  std::size_t missing = 0;
-  for (std::size_t row = 0; row < table.Rows(); ++row)
-  {
-    missing += std::any_of(axes.begin(), axes.end(),
-                 [&](const char* axis) { return IsNoNumber(table.At(row, table.Find(axis))); })
-      ? 1
-      : 0;
-  }
-  return missing;
-}
-
 /// The columns of a chemical component as mmCIF has them. False: it has no coordinates.
 bool TranslateComponent(cif::Block& block, AtomTable& table, CIFAtoms& atoms)
 {
@@ -591,6 +599,87 @@ void PlanCopy(AtomTable& table, const char* name, const char* like, const char* 
   FillUnknown(table, own, other);
 }
 
+/// A sign, digits and, where `suffix` allows it, one letter.
+bool IsWholeNumber(const std::string& value, bool suffix)
+{
+  std::size_t at = !value.empty() && (value[0] == '-' || value[0] == '+') ? 1 : 0;
+  const std::size_t first = at;
+  while (at < value.size() && gemmi::is_digit(value[at]))
+  {
+    ++at;
+  }
+  const bool hasSuffix = suffix && at + 1 == value.size() && value[at] >= 'A';
+  return at > first && (at == value.size() || hasSuffix);
+}
+
+/// "2+" and "1-" of some programs as "2" and "-1"; what is no whole number as unknown.
+std::string CleanCharge(const std::string& value)
+{
+  const char last = value.empty() ? ' ' : value.back();
+  if ((last == '+' || last == '-') && IsWholeNumber(value.substr(0, value.size() - 1), false))
+  {
+    return (last == '-' ? "-" : "") + value.substr(0, value.size() - 1);
+  }
+  const double number = cif::as_number(value);
+  return number == std::round(number) && std::abs(number) < 100.0
+    ? std::to_string(static_cast<int>(number))
+    : "?";
+}
+
+/// The letter of a value that should be one.
+void KeepFirstLetter(AtomTable& table, const char* name)
+{
+  const int column = table.Find(name);
+  for (std::size_t row = 0; column >= 0 && row < table.Rows(); ++row)
+  {
+    std::string& value = table.At(row, column);
+    if (value.size() > 1)
+    {
+      const std::string text = cif::as_string(value);
+      value = text.size() > 1 ? text.substr(0, 1) : value;
+    }
+  }
+}
+
+/// gemmi refuses the file for one value that is no number: such values become unknown, counted.
+void CleanWholeNumbers(AtomTable& table, CIFAtoms& atoms)
+{
+  const int insertion = table.Find("pdbx_PDB_ins_code");
+  for (const char* name : { "auth_seq_id", "label_seq_id", "pdbx_formal_charge" })
+  {
+    const int column = table.Find(name);
+    const bool isCharge = name[0] == 'p';
+    const bool isAuthor = name[0] == 'a';
+    std::size_t dropped = 0;
+    for (std::size_t row = 0; column >= 0 && row < table.Rows(); ++row)
+    {
+      std::string& value = table.At(row, column);
+      if (cif::is_null(value) || IsWholeNumber(value, false))
+      {
+        continue;
+      }
+      const std::string text = cif::as_string(value);
+      if (isAuthor && IsWholeNumber(text, true))
+      {
+        // Of two insertion codes the one with a column of its own counts.
+        const bool twice = insertion >= 0 && !cif::is_null(table.At(row, insertion));
+        value = twice ? text.substr(0, text.size() - 1) : text;
+        continue;
+      }
+      value = isCharge ? CleanCharge(text) : IsWholeNumber(text, false) ? text : "?";
+      dropped += value == "?" ? 1 : 0;
+    }
+    if (dropped > 0)
+    {
+      atoms.Notes.push_back(std::to_string(dropped) + (dropped == 1 ? " value" : " values") +
+        " of " + name + " that " + (dropped == 1 ? "is" : "are") +
+        " no whole number: taken as unknown.");
+    }
+  }
+  KeepFirstLetter(table, "label_alt_id");
+  KeepFirstLetter(table, "pdbx_PDB_ins_code");
+}
+
 /// Adds the columns that gemmi requires.
 void CompleteColumns(AtomTable& table, CIFAtoms& atoms)
 {
@@ -618,6 +707,7 @@ void CompleteColumns(AtomTable& table, CIFAtoms& atoms)
     atoms.Notes.push_back(std::to_string(elements) + (elements == 1 ? " atom has" : " atoms have") +
       " no element in the file: decided from the names of atom and residue.");
   }
+  CleanWholeNumbers(table, atoms);
   FillUnknown(table, table.Find("auth_atom_id"), table.Find("label_atom_id"));
   FillUnknown(table, table.Find("auth_comp_id"), table.Find("label_comp_id"));
   FillUnknown(table, table.Find("auth_asym_id"), table.Find("label_asym_id"));
@@ -691,7 +781,7 @@ CIFAtoms CompleteAtomTable(cif::Block& block)
     RenameCategory(*loop, prefix);
     AtomTable table(*loop);
     const bool isComponent = source == Source::ChemicalComponent;
-    const bool isFractional = !table.Has(Cartesian) && table.Has(Fractional);
+    const bool isFractional = table.Has(Fractional) && !HasAny(table, Cartesian);
     if (isComponent ? !TranslateComponent(block, table, atoms)
                     : !isFractional && !table.Has(Cartesian))
     {

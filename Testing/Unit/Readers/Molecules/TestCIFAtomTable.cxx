@@ -383,6 +383,46 @@ TEST(CIFAtomTable, ConfidenceOfModelCIFIsAnArray)
   EXPECT_EQ(molecule.Atoms[0].BFactor, 12.5);
 }
 
+TEST(CIFAtomTable, FractionalCoordinatesCountWhereCartesianOnesAreUnknown)
+{
+  const Macromolecule molecule =
+    FromCIF("data_x\n_cell.length_a 10\n_cell.length_b 20\n_cell.length_c 30\nloop_\n"
+            "_atom_site.label_atom_id\n_atom_site.type_symbol\n_atom_site.Cartn_x\n"
+            "_atom_site.Cartn_y\n_atom_site.Cartn_z\n_atom_site.fract_x\n_atom_site.fract_y\n"
+            "_atom_site.fract_z\nC1 C ? ? ? 0.1 0.1 0.1\nO1 O ? ? ? 0.2 0.1 0.1\n");
+  ASSERT_EQ(molecule.Atoms.size(), 2u);
+  EXPECT_NEAR(molecule.Atoms[1].Position[0], 2.0, 1e-12);
+  EXPECT_NEAR(molecule.Atoms[1].Position[2], 3.0, 1e-12);
+}
+
+TEST(CIFAtomTable, ValuesThatAreNoNumbersCostNoAtoms)
+{
+  const std::vector<std::string> columns{ "label_atom_id", "auth_seq_id", "pdbx_PDB_ins_code",
+    "pdbx_formal_charge", "label_alt_id", "Cartn_x", "Cartn_y", "Cartn_z" };
+  std::string text = "data_x\nloop_\n";
+  for (const std::string& column : columns)
+  {
+    text += "_atom_site." + column + "\n";
+  }
+  text += "N   one ?  2+  .  0 0 0\nCA  15A B  1-  .  2 0 0\nC '16' ?  x   .  4 0 0\n"
+          "O   17C ?  1.0 AB 6 0 0\nCB  -3  AB +1  .  8 0 0\n";
+  const Macromolecule molecule = FromCIF(text);
+  ASSERT_EQ(NamesOf(molecule), "N CA C OA CB ");
+  const int numbers[] = { 0, 15, 16, 17, -3 };
+  const double charges[] = { 2, -1, Atom::Unknown, 1, 1 };
+  const char insertions[] = { ' ', 'B', ' ', 'C', 'A' };
+  for (std::size_t i = 0; i < 5; ++i)
+  {
+    EXPECT_EQ(molecule.Atoms[i].ResidueId, numbers[i]) << i;
+    EXPECT_EQ(molecule.Atoms[i].InsertionCode, insertions[i]) << i;
+    EXPECT_TRUE(molecule.Atoms[i].Charge == charges[i] ||
+      (std::isnan(molecule.Atoms[i].Charge) && std::isnan(charges[i])))
+      << i << " " << molecule.Atoms[i].Charge;
+  }
+  EXPECT_TRUE(Mention(molecule.Notes, "1 value of auth_seq_id"));
+  EXPECT_TRUE(Mention(molecule.Notes, "1 value of pdbx_formal_charge"));
+}
+
 TEST(CIFAtomTable, FaultsInConnectionsCostNoAtoms)
 {
   const std::string connections =
