@@ -97,7 +97,10 @@ TetrahedralMesh StuffSolid(const SurfaceView& soup, const SolidStuffingParameter
   {
     throw std::invalid_argument("The surface has no size, or one too large for its volume.");
   }
-  const SolidField field(soup);
+  // Of a cavity that faces as the shell around it, the winding number would be 2.
+  SurfaceMending mending;
+  const std::vector<Triangle> turned = TurnShells(soup, mending);
+  const SolidField field(SurfaceView(soup.Points, turned));
   StuffingParameters stuffing;
   // Whether anything is enclosed shows on the inside, so it is always made.
   stuffing.Side = parameters.Side == MeshedSide::Inside ? MeshedSide::Inside : MeshedSide::Both;

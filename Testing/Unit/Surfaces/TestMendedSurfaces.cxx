@@ -9,6 +9,7 @@
 #include "Surfaces/SurfaceMeasures.h"
 #include "Surfaces/SurfaceMending.h"
 #include "Surfaces/SurfaceTopology.h"
+#include "Tetrahedra/AutomaticMesher.h"
 #include "TopologyFilterRun.h"
 
 #include <vtkChokingLoops.h>
@@ -291,6 +292,33 @@ TEST(MendedSurfaces, ReportedFilesHaveTheVolumeOfTheirShape)
   const Measured cavity = Measure(ReadOBJ(folder / "s09_cavity_same_orientation.obj"));
   const double shell = 4.0 / 3.0 * M_PI * (1000.0 - 64.0);
   EXPECT_NEAR(cavity.Volume, shell, 0.02 * shell);
+}
+
+// The winding number, by which isosurface stuffing decides, is 2 in a cavity that faces the wrong
+// way.
+TEST(MendedSurfaces, StuffedSolidsHaveTheirCavities)
+{
+  for (const bool turned : { false, true })
+  {
+    const TriangleMesh cavity = Sphere(5.0);
+    const TriangleMesh shell = Together({ Sphere(10.0), turned ? InsideOut(cavity) : cavity });
+    SolidStuffingParameters parameters;
+    parameters.CellSize = 1.0;
+    const TetrahedralMesh mesh = StuffSolid(shell, parameters);
+    double volume = 0.0;
+    for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
+    {
+      const auto& t = mesh.Tetrahedra[i];
+      const Point3& a = mesh.Points[At(t[0])];
+      volume += mesh.Regions[i] == 0
+        ? 0.0
+        : std::abs(Dot(mesh.Points[At(t[1])] - a,
+            Cross(mesh.Points[At(t[2])] - a, mesh.Points[At(t[3])] - a))) /
+          6.0;
+    }
+    const double right = SignedVolume(Sphere(10.0)) - SignedVolume(cavity);
+    EXPECT_NEAR(volume, right, 0.02 * right) << turned;
+  }
 }
 
 TEST(MendedSurfaces, FiltersTakeFacetsWithCracks)
