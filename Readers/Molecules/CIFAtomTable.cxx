@@ -226,7 +226,9 @@ double NumberOf(cif::Block& block, const std::string& category, const std::strin
 {
   for (const char* between : { ".", "_" })
   {
-    for (const std::string& value : block.find_values(category + between + name))
+    std::string tag = category;
+    tag.append(between).append(name);
+    for (const std::string& value : block.find_values(tag))
     {
       return cif::as_number(value);
     }
@@ -410,7 +412,7 @@ std::string SymbolOfLabel(const std::string& label, const std::set<std::string>&
   }
   if (letters.size() > 1)
   {
-    const std::string two = letters.substr(0, 2);
+    std::string two = letters.substr(0, 2);
     const bool isProper = std::islower(static_cast<unsigned char>(two[1])) != 0;
     if (ElementOfSymbol(two) > 0 && (isProper || listed.count(gemmi::to_lower(two)) > 0))
     {
