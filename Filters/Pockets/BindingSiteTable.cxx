@@ -96,6 +96,7 @@ std::vector<std::string> ResiduesOfSites(const SurfaceView& surface, const std::
     }
   }
   std::vector<std::string> texts;
+  texts.reserve(near.size());
   for (const NearResidues& residues : near)
   {
     texts.push_back(TextOf(residues, atoms));
