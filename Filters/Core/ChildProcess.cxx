@@ -28,6 +28,7 @@ public:
   Child(std::vector<std::string> command, const std::filesystem::path& log)
   {
     std::vector<char*> arguments;
+    arguments.reserve(command.size() + 1);
     for (std::string& word : command)
     {
       arguments.push_back(word.data());

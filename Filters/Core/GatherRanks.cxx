@@ -55,6 +55,7 @@ std::vector<vtkIdType> FirstAtSamePlace(vtkPolyData* surface)
   // By their bytes, so that what is not a number has its place, too.
   const auto compare = [&places](vtkIdType a, vtkIdType b)
   {
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the bytes are meant
     return std::memcmp(places[static_cast<std::size_t>(a)].data(),
       places[static_cast<std::size_t>(b)].data(), sizeof(double[3]));
   };

@@ -20,7 +20,7 @@ void AdviseLargePages(void* data, std::size_t bytes)
   const auto begin = reinterpret_cast<std::uintptr_t>(data);
   const std::uintptr_t first = (begin + page - 1) / page * page;
   const std::uintptr_t end = (begin + bytes) / page * page;
-  madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+  madvise(static_cast<char*>(data) + (first - begin), end - first, MADV_HUGEPAGE);
 #else
   (void)data;
   (void)bytes;
