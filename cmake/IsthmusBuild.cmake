@@ -37,6 +37,14 @@ function (isthmus_build_modules)
   set_property(GLOBAL PROPERTY isthmus_modules "${modules}")
 endfunction ()
 
+# Generated wrappers of one module's classes read the same headers and never change alone: compiled as
+# one source, the headers are parsed once.
+function (isthmus_compile_together target)
+  if (TARGET "${target}")
+    set_target_properties("${target}" PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+  endif ()
+endfunction ()
+
 # `import isthmus`: the wrapped classes of all modules and what __init__.py adds.
 function (isthmus_build_python)
   get_property(modules GLOBAL PROPERTY isthmus_modules)
@@ -54,6 +62,7 @@ function (isthmus_build_python)
   set(ISTHMUS_PYTHON_IMPORTS)
   foreach (module IN LISTS wrapped)
     string(REPLACE "Isthmus::" "vtkIsthmus" library "${module}")
+    isthmus_compile_together("${library}Python")
     string(APPEND ISTHMUS_PYTHON_IMPORTS "from .${library} import *  # noqa: F401,F403\n")
   endforeach ()
   configure_file("${CMAKE_CURRENT_SOURCE_DIR}/cmake/isthmus_init.py.in"
@@ -85,4 +94,9 @@ function (isthmus_build_plugin)
     LIBRARY_SUBDIRECTORY "isthmus/plugins"
     INSTALL_HEADERS OFF
     PLUGINS_FILE_NAME "isthmus.plugins.xml")
+  get_property(modules GLOBAL PROPERTY isthmus_modules)
+  foreach (module IN LISTS modules)
+    string(REPLACE "Isthmus::" "vtkIsthmus" library "${module}")
+    isthmus_compile_together("${library}CS")
+  endforeach ()
 endfunction ()
