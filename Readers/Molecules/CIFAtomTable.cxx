@@ -534,9 +534,9 @@ bool TranslateComponent(cif::Block& block, AtomTable& table, CIFAtoms& atoms)
       std::abs(value) < 100.0 ? std::to_string(static_cast<int>(std::lround(value))) : "?";
   }
   table.Rename("charge", "pdbx_formal_charge");
-  for (auto row : block.find("_chem_comp_bond.", { "atom_id_1", "atom_id_2" }))
+  for (auto row : block.find("_chem_comp_bond.", { "atom_id_1", "atom_id_2", "?comp_id" }))
   {
-    atoms.Bonded.push_back({ row.str(0), row.str(1) });
+    atoms.Bonded.push_back({ row.has(2) ? row.str(2) : "", row.str(0), row.str(1) });
   }
   atoms.Notes.push_back(
     std::string("Chemical component: the ") + best->second + " coordinates were read.");

@@ -44,8 +44,9 @@ struct CIFAtoms
   };
 
   Source From = Source::None;
-  std::size_t Rows = 0;                           ///< with coordinates
-  std::vector<std::array<std::string, 2>> Bonded; ///< names of atoms, of a chemical component
+  std::size_t Rows = 0; ///< with coordinates
+  /// Bonds of chemical components: component (empty: not given) and names of both atoms.
+  std::vector<std::array<std::string, 3>> Bonded;
   /// pLDDT of ModelCIF, 0 to 100, by model (from 0), label_asym_id and label_seq_id.
   std::map<std::tuple<std::int64_t, std::string, std::string>, double> Confidence;
   std::vector<std::string> Notes;

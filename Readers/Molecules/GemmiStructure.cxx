@@ -482,15 +482,20 @@ gemmi::Structure StructureOf(BlockOfAtoms& block, bool needsAssembly)
 /// Bonds of a chemical component, whose table names atoms.
 void AddNamedBonds(const CIFAtoms& atoms, Macromolecule& molecule)
 {
+  // By component and name, and by name alone where the table does not give the component.
+  const auto keyOf = [](const std::string& component, const std::string& name)
+  { return component + '\n' + name; };
   std::unordered_map<std::string, std::int64_t> place;
-  for (const Atom& atom : molecule.Atoms)
+  for (std::size_t i = 0; !atoms.Bonded.empty() && i < molecule.Atoms.size(); ++i)
   {
-    place.emplace(atom.Name, static_cast<std::int64_t>(place.size()));
+    const Atom& atom = molecule.Atoms[i];
+    place.emplace(keyOf(atom.ResidueName, atom.Name), static_cast<std::int64_t>(i));
+    place.emplace(keyOf("", atom.Name), static_cast<std::int64_t>(i));
   }
-  for (const auto& pair : atoms.Bonded)
+  for (const auto& [component, one, other] : atoms.Bonded)
   {
-    const auto first = place.find(pair[0]);
-    const auto second = place.find(pair[1]);
+    const auto first = place.find(keyOf(component, one));
+    const auto second = place.find(keyOf(component, other));
     if (first != place.end() && second != place.end())
     {
       AddBond(molecule, first->second, second->second);
@@ -498,7 +503,7 @@ void AddNamedBonds(const CIFAtoms& atoms, Macromolecule& molecule)
   }
 }
 
-/// The model that is asked for, of those of all blocks one after the other.
+/// The chosen model. Models are counted through all blocks with atoms.
 Macromolecule ReadBlocks(
   gemmi::cif::Document& document, const std::string& path, const StructureChoice& choice)
 {

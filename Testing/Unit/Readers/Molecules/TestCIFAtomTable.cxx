@@ -10,8 +10,10 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace isthmus;
@@ -347,6 +349,29 @@ TEST(CIFAtomTable, ChemicalComponentHasItsBonds)
     "_chem_comp_atom.x\n_chem_comp_atom.y\n_chem_comp_atom.z\n" +
     "EOH C1 C 0.000 1 0 0\nEOH O O 0 2.4 0 0\n" + bonds;
   EXPECT_EQ(NamesOf(FromCIF(library)), "C1 O ");
+}
+
+// Two components in one table have atoms of the same names.
+TEST(CIFAtomTable, BondsStayWithinTheirComponent)
+{
+  MoleculeOptions fileBonds;
+  fileBonds.BondsByDistance = false;
+  const Macromolecule both =
+    Parsed("data_comp\nloop_\n_chem_comp_atom.comp_id\n_chem_comp_atom.atom_id\n"
+           "_chem_comp_atom.type_symbol\n_chem_comp_atom.x\n_chem_comp_atom.y\n_chem_comp_atom.z\n"
+           "EOH C1 C 0 0 0\nEOH C2 C 1.5 0 0\nEOH O O 0 1.4 0\n"
+           "MOH C1 C 9 0 0\nMOH N N 9 9 0\nMOH O O 9 1.4 0\n"
+           "loop_\n_chem_comp_bond.comp_id\n_chem_comp_bond.atom_id_1\n_chem_comp_bond.atom_id_2\n"
+           "EOH C1 C2\nEOH C1 O\nMOH C1 O\n",
+      MoleculeFormat::MMCIF, fileBonds);
+  ASSERT_EQ(both.Atoms.size(), 6u);
+  std::set<std::pair<std::int64_t, std::int64_t>> bonds;
+  for (const auto& bond : both.Bonds)
+  {
+    bonds.emplace(bond.First, bond.Second);
+  }
+  EXPECT_EQ(
+    bonds, (std::set<std::pair<std::int64_t, std::int64_t>>{ { 0, 1 }, { 0, 2 }, { 3, 5 } }));
 }
 
 TEST(CIFAtomTable, AtomsOfALaterDataBlockAreRead)
