@@ -116,50 +116,41 @@ template <typename T>
 MapContrast ContrastOf(const GridView<const T>& grid)
 {
   MapContrast contrast;
-  double count = 0.0, sum = 0.0, squares = 0.0, cubes = 0.0;
-  const std::int64_t size = grid.Size();
-  const double origin = size > 0 && std::isfinite(static_cast<double>(grid.Data[0]))
-    ? static_cast<double>(grid.Data[0])
-    : 0.0; // near the mean, so that powers lose fewer digits
-  for (std::int64_t n = 0; n < size; ++n)
+  const std::vector<double> values = SampleValues(grid);
+  const auto count = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+  double squares = 0.0, cubes = 0.0;
+  for (const double value : values)
   {
-    const double value = static_cast<double>(grid.Data[n]) - origin;
-    if (std::isfinite(value))
-    {
-      count += 1.0;
-      sum += value;
-      squares += value * value;
-      cubes += value * value * value;
-    }
+    const double difference = value - mean;
+    squares += difference * difference;
+    cubes += difference * difference * difference;
   }
-  const double mean = sum / count;
-  const double variance = squares / count - mean * mean;
-  if (!(variance > 0.0) || !std::isfinite(cubes))
+  const double deviation = std::sqrt(squares / count);
+  if (!(deviation > 0.0) || !std::isfinite(cubes))
   {
     return contrast;
   }
-  const double deviation = std::sqrt(variance);
-  contrast.Skewness = (cubes / count - 3.0 * mean * squares / count + 2.0 * mean * mean * mean) /
-    (variance * deviation);
-  const double low = mean + origin - 2.0 * deviation;
-  double lows = 0.0, border = 0.0, borderLows = 0.0;
+  contrast.Skewness = cubes / count / (deviation * deviation * deviation);
+  const double low = mean - 2.0 * deviation;
+  contrast.LowShare = static_cast<double>(std::count_if(values.begin(), values.end(),
+                        [low](double value) { return value < low; })) /
+    count;
+  double border = 0.0, borderLows = 0.0;
   const auto& dimensions = grid.Dimensions;
   for (std::int64_t k = 0; k < dimensions[2]; ++k)
   {
     for (std::int64_t j = 0; j < dimensions[1]; ++j)
     {
       const bool onFace = k == 0 || k + 1 == dimensions[2] || j == 0 || j + 1 == dimensions[1];
-      for (std::int64_t i = 0; i < dimensions[0]; ++i)
+      const std::int64_t step = onFace ? 1 : std::max<std::int64_t>(dimensions[0] - 1, 1);
+      for (std::int64_t i = 0; i < dimensions[0]; i += step)
       {
-        const bool isLow = static_cast<double>(grid(i, j, k)) < low;
-        const bool isBorder = onFace || i == 0 || i + 1 == dimensions[0];
-        lows += isLow ? 1.0 : 0.0;
-        border += isBorder ? 1.0 : 0.0;
-        borderLows += isLow && isBorder ? 1.0 : 0.0;
+        border += 1.0;
+        borderLows += static_cast<double>(grid(i, j, k)) < low ? 1.0 : 0.0;
       }
     }
   }
-  contrast.LowShare = lows / count;
   contrast.BorderLowShare = borderLows / border;
   return contrast;
 }

@@ -36,7 +36,7 @@ VTKISTHMUSFILTERSCONTOURING_EXPORT std::vector<double> SampleValues(const GridVi
 struct MapContrast
 {
   double Skewness = 0.0;       ///< third central moment over the cube of the standard deviation
-  double LowShare = 0.0;       ///< of all nodes: those two standard deviations below the mean
+  double LowShare = 0.0;       ///< of the sample: values two standard deviations below the mean
   double BorderLowShare = 0.0; ///< the same of the nodes on the six faces
 
   /**
@@ -51,7 +51,7 @@ struct MapContrast
   }
 };
 
-/// Two passes over the grid, O(nodes).
+/// Of SampleValues() and the nodes on the six faces: O(nodes^(2/3)) beside the sample.
 template <typename T>
 VTKISTHMUSFILTERSCONTOURING_EXPORT MapContrast ContrastOf(const GridView<const T>& grid);
 
