@@ -123,7 +123,7 @@ def map_to_surface(source, level=None):
         surface.AutomaticLevel, surface.Level = 0, level
     surface.UpdatePipeline()
     if surface.FieldData["InvertedContrast"]:
-        # The filter has warned; the switch stands in the panel, above the level that follows from it.
+        # The filter has issued a warning. The user can change the property back in the panel.
         surface.InsideIsHigher = 0
         surface.UpdatePipeline()
         vtkOutputWindow.GetInstance().DisplayWarningText(
@@ -166,7 +166,7 @@ def surface_to_loops(source):
     loops = simple.ChokingLoops(source, registrationName="Choking loops")
     loops.UpdatePipeline()
     if loops.FieldData["NumberOfSamples"] is None:
-        # Closes holes and turns patches alike, with a warning that says what was done.
+        # Closes holes and orients all triangles consistently; the warning says what was done.
         loops.CapHoles = 1
         loops.UpdatePipeline()
     if loops.FieldData["NumberOfSamples"] is None:

@@ -298,8 +298,8 @@ TriangleMesh CheckedMergedSurface(TriangleMesh surface, const SurfaceDefects& de
   {
     throw std::invalid_argument(defects.Sentence() + DescribeOpenBoundary(surface, defects) +
       " Choking loops need a closed, manifold, consistently oriented surface: repair it first "
-      "(CapHoles of Choking Loops closes holes and turns triangles alike; Fill Holes closes "
-      "holes).");
+      "(CapHoles of Choking Loops closes holes and orients triangles consistently; Fill Holes "
+      "closes holes).");
   }
   RequireThickness(surface);
   if (!defects.None())

@@ -18,10 +18,8 @@
 #include <vtkUnsignedShortArray.h>
 
 #include <cmath>
-#include <stdexcept>
-
 #include <map>
-
+#include <stdexcept>
 #include <tuple>
 
 namespace isthmus

@@ -36,10 +36,9 @@ struct CleanedSurface
 
 /**
  * `surface` as it is where FindDefects finds nothing; else with coinciding points merged
- * (MergePoints), cracks closed (JoinCracks of SurfaceMending.h) and without triangles that have no
- * area (SurfaceCleaning.h). Holes and whatever
- * else there is stay. Where a corner is no point, or one is not finite, it stays as it is
- * altogether, for what repairs or refuses it. O(n).
+ * (MergePoints), cracks closed (JoinCracks of SurfaceMending.h) and triangles without area removed.
+ * Holes and other defects stay. Where a corner is no point, or a point is not finite, the surface
+ * is not changed at all. O(n).
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT CleanedSurface CleanSurface(TriangleMesh surface);
 

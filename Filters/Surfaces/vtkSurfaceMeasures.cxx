@@ -183,8 +183,8 @@ void vtkSurfaceMeasures::Measure(vtkPolyData* surface, vtkDataObject* output, vt
   if (!mending.Message().empty())
   {
     measures = isthmus::MeasureSurface({ points, corners });
-    vtkWarningMacro(<< "The measures are those of the surface as it must be meant: "
-                    << mending.Message() << " The output is the surface as it came.");
+    vtkWarningMacro(<< "The measures are those of the repaired surface: " << mending.Message()
+                    << " The output is the surface without these repairs.");
   }
   isthmus::Report(progress, 1.0);
   const SurfaceMeasure& whole = measures.Whole;

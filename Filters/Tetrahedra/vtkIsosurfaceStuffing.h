@@ -75,8 +75,8 @@ public:
   ///@}
 
   ///@{
-  /// Memory for the values on the lattice, in MiB, a larger lattice is refused; 0: three
-  /// quarters of the machine's. Default 0.
+  /// Memory for the values on the lattice, in MiB; a larger lattice is refused. 0: three quarters
+  /// of the machine's memory. Default 0.
   vtkSetClampMacro(MemoryLimit, int, 0, VTK_INT_MAX);
   vtkGetMacro(MemoryLimit, int);
   ///@}
