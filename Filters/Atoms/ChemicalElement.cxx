@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <string>
+#include <utility>
 
 namespace isthmus
 {
@@ -38,6 +39,31 @@ bool IsBiopolymerResidue(std::string_view name)
     (name.size() == 4 && (IsOneOf(name.substr(1), names) || IsOneOf(name.substr(0, 3), names)));
 }
 
+bool IsLetter(char c)
+{
+  return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+
+/// The first letters of a name, digits before them left out.
+std::string_view Letters(std::string_view name)
+{
+  const auto first = std::find_if(name.begin(), name.end(), IsLetter);
+  const auto last = std::find_if_not(first, name.end(), IsLetter);
+  return name.substr(
+    static_cast<std::size_t>(first - name.begin()), static_cast<std::size_t>(last - first));
+}
+
+/// Ions whose names in CHARMM's and AMBER's force fields are no symbols; 0 for all others.
+int ElementOfCharmmIon(std::string_view name)
+{
+  constexpr std::pair<std::string_view, int> ions[] = { { "SOD", 11 }, { "POT", 19 }, { "CLA", 17 },
+    { "CAL", 20 }, { "CES", 55 }, { "LIT", 3 }, { "RUB", 37 }, { "BAR", 56 }, { "CAD", 48 },
+    { "IOD", 53 }, { "IP", 11 }, { "IM", 17 } };
+  const auto found = std::find_if(
+    std::begin(ions), std::end(ions), [name](const auto& ion) { return ion.first == name; });
+  return found == std::end(ions) ? 0 : found->second;
+}
+
 }
 
 const char* ElementSymbol(int element)
@@ -62,22 +88,41 @@ int ElementOfSymbol(std::string_view symbol)
   return at == Symbols.end() ? 0 : static_cast<int>(at - Symbols.begin());
 }
 
-int ElementOfAtomName(std::string_view name, std::string_view residueName)
+int ElementOfIon(std::string_view name, std::string_view residueName)
 {
-  const auto isLetter = [](unsigned char c) { return std::isalpha(c) != 0; };
-  const auto first = std::find_if(name.begin(), name.end(), isLetter);
-  const auto last = std::find_if_not(first, name.end(), isLetter);
-  const std::string_view letters = name.substr(
-    static_cast<std::size_t>(first - name.begin()), static_cast<std::size_t>(last - first));
+  const std::string_view letters = Letters(name);
   if (letters.empty())
   {
     return 0;
   }
-  const bool isIon = residueName.substr(0, letters.size()) == letters &&
-    (residueName.size() == letters.size() || !isLetter(residueName[letters.size()]));
-  if (isIon && ElementOfSymbol(letters) > 0)
+  if (residueName == "ION" || residueName == "IONS")
   {
-    return ElementOfSymbol(letters);
+    const int charmm = ElementOfCharmmIon(letters);
+    return charmm > 0 ? charmm : ElementOfSymbol(letters);
+  }
+  if (letters == residueName || ElementOfSymbol(letters) == ElementOfCharmmIon(residueName))
+  {
+    const int charmm = ElementOfCharmmIon(residueName);
+    if (charmm > 0)
+    {
+      return charmm;
+    }
+  }
+  const bool isNamedAlike = residueName.substr(0, letters.size()) == letters &&
+    (residueName.size() == letters.size() || !IsLetter(residueName[letters.size()]));
+  return isNamedAlike ? ElementOfSymbol(letters) : 0;
+}
+
+int ElementOfAtomName(std::string_view name, std::string_view residueName)
+{
+  const std::string_view letters = Letters(name);
+  if (letters.empty())
+  {
+    return 0;
+  }
+  if (const int ion = ElementOfIon(name, residueName))
+  {
+    return ion;
   }
   const std::string_view two = letters.substr(0, 2);
   if (IsOneOf(two, "CL BR ZN FE MG MN SE SI ") && !IsBiopolymerResidue(residueName))

@@ -22,9 +22,16 @@ VTKISTHMUSFILTERSATOMS_EXPORT const char* ElementSymbol(int element);
 VTKISTHMUSFILTERSATOMS_EXPORT int ElementOfSymbol(std::string_view symbol);
 
 /**
+ * The element of an ion that is a residue of its own, 0 if it is none: "NA+" of "NA", "Ca" of
+ * "CA2", the names of CHARMM (SOD, POT, CAL, CES, CLA, LIT, RUB, BAR, CAD) and AMBER (IP, IM), and
+ * what atoms of residue ION are named.
+ */
+VTKISTHMUSFILTERSATOMS_EXPORT int ElementOfIon(std::string_view name, std::string_view residueName);
+
+/**
  * The element meant by an atom's name in files without an element column (PQR).
  *
- * An atom named as its residue is an ion ("ZN" of "ZN", "NA+" of "NA"): its name is the symbol.
+ * An atom named as its residue is an ion ("ZN" of "ZN", "NA+" of "NA"; ElementOfIon).
  * Else leading digits are left out, CL, BR, ZN, FE, MG, MN, SE and SI outside of the twenty amino
  * acids and the nucleotides are those elements, and otherwise the first letter decides ("CA" is a
  * carbon). 0 where that is no symbol.
