@@ -1,7 +1,7 @@
 #include "Molecules/CIFAtomTable.h"
 
 #include "Atoms/ChemicalElement.h"
-#include "Molecules/PDBStream.h"
+#include "Molecules/GemmiAtom.h"
 
 #include <algorithm>
 #include <cctype>
@@ -696,7 +696,7 @@ void CompleteColumns(AtomTable& table, CIFAtoms& atoms)
     if (table.Find(name) < 0)
     {
       missing += std::string(missing.empty() ? "" : " and ") + name;
-      table.Plan(name, [](std::size_t) { return std::string(PDBStream::BlankText); });
+      table.Plan(name, [](std::size_t) { return std::string(BlankText); });
     }
   }
   if (!missing.empty())

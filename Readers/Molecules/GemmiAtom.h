@@ -6,7 +6,6 @@
 #define isthmus_GemmiAtom_h
 
 #include "Molecules/Macromolecule.h"
-#include "Molecules/PDBStream.h"
 
 #include <gemmi/model.hpp>
 
@@ -15,9 +14,13 @@
 namespace isthmus
 {
 
+/// What gemmi is given for unknown occupancies and B factors, of which it would make 1 and 20.
+constexpr float BlankNumber = 1e38F;
+constexpr const char* BlankText = "1e38";
+
 inline double KnownOrNot(float value)
 {
-  return value == PDBStream::Blank ? Atom::Unknown : static_cast<double>(value);
+  return value == BlankNumber ? Atom::Unknown : static_cast<double>(value);
 }
 
 /// Rounded where gemmi keeps floats, so that 0.7 is 0.7 again in double.

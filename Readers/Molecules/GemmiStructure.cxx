@@ -1,10 +1,12 @@
 #include "Molecules/GemmiStructure.h"
 
+#include "Files/TextLines.h"
 #include "Molecules/CIFAtomTable.h"
 #include "Molecules/GemmiAtom.h"
-#include "Molecules/PDBPieces.h"
-#include "Molecules/PDBStream.h"
+#include "Molecules/PDBFile.h"
+#include "Molecules/PDBLines.h"
 #include "Molecules/PQRFile.h"
+#include "Molecules/ReadingReport.h"
 
 #include <algorithm>
 #include <array>
@@ -106,7 +108,7 @@ void MarkBlanks(gemmi::cif::Block& block, const char* tag)
   {
     if (gemmi::cif::is_null(value))
     {
-      value = PDBStream::BlankText;
+      value = BlankText;
     }
   }
 }
@@ -114,7 +116,7 @@ void MarkBlanks(gemmi::cif::Block& block, const char* tag)
 /**
  * Leaves of a block what atoms, bonds and assemblies come from: gemmi reads all that it knows, and
  * a fault in what is not wanted would cost the atoms. Completes the table of atoms. Unknown
- * occupancies and B factors become PDBStream::BlankText, by which they are found again. O(values).
+ * occupancies and B factors become BlankText, by which they are found again. O(values).
  *
  * @throws std::invalid_argument for whole numbers of more than nine digits, and of more than five
  * in the ranges of an assembly's operations: gemmi (0.5.7) adds digits up, and counts from the one
@@ -227,72 +229,131 @@ Macromolecule Flatten(const gemmi::Structure& structure, std::int64_t wanted,
   return molecule;
 }
 
-void AddConect(const std::vector<std::array<int, 2>>& bonded, Macromolecule& molecule)
-{
-  if (bonded.empty())
-  {
-    return;
-  }
-  std::unordered_map<int, std::int64_t> place;
-  for (const Atom& atom : molecule.Atoms)
-  {
-    if (!place.emplace(atom.Serial, static_cast<std::int64_t>(place.size())).second)
-    {
-      molecule.Notes.emplace_back("Serial number " + std::to_string(atom.Serial) +
-        " comes more than once, so the CONECT records are ambiguous: they were left out.");
-      return;
-    }
-  }
-  std::size_t missing = 0;
-  for (const auto& pair : bonded)
-  {
-    const auto first = place.find(pair[0]);
-    const auto second = place.find(pair[1]);
-    if (first == place.end() || second == place.end())
-    {
-      ++missing;
-      continue;
-    }
-    AddBond(molecule, first->second, second->second);
-  }
-  if (missing > 0)
-  {
-    molecule.Notes.emplace_back(std::to_string(missing) +
-      " bonds of CONECT records name atoms that this model has not: they were left out.");
-  }
-}
-
 /// Checks for abort only, without reporting progress.
 ProgressCallback AbortOnly(const ProgressCallback& progress)
 {
   return progress ? [progress](double) { return progress(0.6); } : ProgressCallback();
 }
 
-Macromolecule TryPDB(std::string_view text, const std::string& path, bool cutAt72,
-  const StructureChoice& choice, ProgressCallback progress)
+/// REMARK 350, which describes assemblies.
+std::string RemarksOnAssemblies(std::string_view text)
 {
-  constexpr std::size_t bytesOfAPiece = std::size_t{ 1 } << 22;
-  if (!cutAt72 && choice.Assembly.empty() && choice.Model == 0 && text.size() > 2 * bytesOfAPiece)
+  std::string remarks;
+  TextLines lines(text, {}, {});
+  for (std::string_view line; lines.Next(line);)
   {
-    if (auto joined = ReadPDBInPieces(text, path, bytesOfAPiece, Between(progress, 0.0, 0.5)))
+    if (line.substr(0, 10) == "REMARK 350")
     {
-      AddConect(joined->Bonded, joined->Molecule);
-      return std::move(joined->Molecule);
+      remarks.append(line).append("\n");
     }
-    progress = AbortOnly(progress);
   }
-  const auto extent = cutAt72 ? PDBStream::Extent::WholeWithout73To80 : PDBStream::Extent::Whole;
-  PDBStream stream(text, path, extent, progress);
-  gemmi::Structure structure =
-    gemmi::pdb_impl::read_pdb_from_stream(stream, path, gemmi::PdbReadOptions());
-  if (!choice.Assembly.empty())
+  return remarks;
+}
+
+gemmi::Atom GemmiAtomOf(const Atom& from)
+{
+  gemmi::Atom atom;
+  atom.name = from.Name;
+  atom.altloc = from.AltLoc == ' ' ? '\0' : from.AltLoc;
+  atom.element = gemmi::Element(from.Element);
+  atom.charge = static_cast<signed char>(std::isnan(from.Charge) ? 0.0 : from.Charge);
+  atom.serial = from.Serial;
+  atom.pos = gemmi::Position(from.Position[0], from.Position[1], from.Position[2]);
+  atom.occ = std::isnan(from.Occupancy) ? BlankNumber : static_cast<float>(from.Occupancy);
+  atom.b_iso = std::isnan(from.BFactor) ? BlankNumber : static_cast<float>(from.BFactor);
+  return atom;
+}
+
+gemmi::ResidueId ResidueIdOf(const Atom& atom)
+{
+  gemmi::ResidueId id;
+  id.seqid.num = atom.ResidueId;
+  id.seqid.icode = atom.InsertionCode;
+  id.name = atom.ResidueName;
+  return id;
+}
+
+/// gemmi's model of atoms that were read, for its assemblies.
+void FillModel(const PDBMolecule& molecule, gemmi::Model& model)
+{
+  for (std::size_t r = 0; r < molecule.Residues.size(); ++r)
   {
-    // CONECT records name atoms of the file: in the copies, bonds are found by distance.
-    TakeAssembly(structure, choice.Assembly, path);
-    return Flatten(structure, choice.Model);
+    const std::size_t first = molecule.Residues[r];
+    const std::size_t last =
+      r + 1 < molecule.Residues.size() ? molecule.Residues[r + 1] : molecule.Atoms.size();
+    const Atom& atom = molecule.Atoms[first];
+    if (model.chains.empty() || model.chains.back().name != atom.Chain)
+    {
+      model.chains.emplace_back(atom.Chain);
+    }
+    model.chains.back().residues.emplace_back(ResidueIdOf(atom));
+    gemmi::Residue& residue = model.chains.back().residues.back();
+    residue.het_flag = atom.IsHetero ? 'H' : 'A';
+    for (std::size_t i = first; i < last; ++i)
+    {
+      residue.atoms.push_back(GemmiAtomOf(molecule.Atoms[i]));
+    }
   }
-  Macromolecule molecule = Flatten(structure, choice.Model);
-  AddConect(stream.Bonded(), molecule);
+}
+
+gemmi::AtomAddress AddressOf(const Atom& atom)
+{
+  gemmi::AtomAddress address;
+  address.chain_name = atom.Chain;
+  address.res_id = ResidueIdOf(atom);
+  address.atom_name = atom.Name;
+  address.altloc = atom.AltLoc == ' ' ? '\0' : atom.AltLoc;
+  return address;
+}
+
+/// An assembly of a model. CONECT records name atoms of the file: in copies, bonds are found by
+/// distance.
+Macromolecule AssemblyOf(const PDBMolecule& molecule, const std::string& name,
+  std::string_view text, const std::string& path)
+{
+  const std::string remarks = RemarksOnAssemblies(text);
+  gemmi::Structure structure = gemmi::read_pdb_from_memory(remarks.data(), remarks.size(), path);
+  FillModel(molecule, structure.models.at(0));
+  for (const Bond& bond : molecule.Links)
+  {
+    gemmi::Connection connection;
+    connection.type = gemmi::Connection::Covale;
+    connection.asu = gemmi::Asu::Same;
+    connection.partner1 = AddressOf(molecule.Atoms[static_cast<std::size_t>(bond.First)]);
+    connection.partner2 = AddressOf(molecule.Atoms[static_cast<std::size_t>(bond.Second)]);
+    structure.connections.push_back(connection);
+  }
+  TakeAssembly(structure, name, path);
+  return Flatten(structure, 0);
+}
+
+Macromolecule ReadColumns(std::string_view text, const std::string& path,
+  const StructureChoice& choice, std::size_t bytesOfAPiece, const ProgressCallback& progress)
+{
+  const PDBLines lines = SplitPDB(text, bytesOfAPiece, Between(progress, 0.0, 0.3));
+  ReadingReport report;
+  const std::vector<PDBModel> models = FindModels(lines, report);
+  Macromolecule molecule;
+  molecule.NumberOfModels = static_cast<std::int64_t>(models.size());
+  if (choice.Model < 0 || choice.Model >= molecule.NumberOfModels)
+  {
+    return molecule;
+  }
+  PDBMolecule read = ReadPDBModel(text, path, lines, models[static_cast<std::size_t>(choice.Model)],
+    report, Between(progress, 0.3, 1.0));
+  if (choice.Assembly.empty())
+  {
+    molecule.Atoms = std::move(read.Atoms);
+    molecule.Bonds = std::move(read.Links);
+    molecule.Bonds.insert(molecule.Bonds.end(), read.Bonds.begin(), read.Bonds.end());
+  }
+  else
+  {
+    Macromolecule assembly = AssemblyOf(read, choice.Assembly, text, path);
+    molecule.Atoms = std::move(assembly.Atoms);
+    molecule.Bonds = std::move(assembly.Bonds);
+  }
+  report.AddTo(molecule);
   return molecule;
 }
 
@@ -327,49 +388,20 @@ Macromolecule PDBInWords(std::string_view text, const std::string& path, std::in
   return molecule;
 }
 
-Macromolecule PDBWithoutOldColumns(std::string_view text, const std::string& path,
-  const StructureChoice& choice, const std::runtime_error& first, const ProgressCallback& progress)
-{
-  try
-  {
-    Macromolecule molecule = TryPDB(text, path, true, choice, progress);
-    molecule.Warnings.emplace_back("Columns 73-80 hold something else than segment, element and "
-                                   "charge, as in old PDB files: read without them.");
-    return molecule;
-  }
-  catch (const Cancelled&)
-  {
-    throw;
-  }
-  catch (const NoSuchAssembly&)
-  {
-    throw;
-  }
-  catch (const std::runtime_error&)
-  {
-    // The first reason is the one to tell: it was found in the file as it is.
-    Fail(path, "PDB", first);
-  }
-}
-
 }
 
 Macromolecule ParsePDB(std::string_view text, const std::string& path,
-  const StructureChoice& choice, const ProgressCallback& progress)
+  const StructureChoice& choice, const ProgressCallback& progress, std::size_t bytesOfAPiece)
 {
-  // Each further way is tried without progress from the start again, which would not be monotone.
-  const ProgressCallback stopOnly = AbortOnly(progress);
+  if (gemmi::starts_with(std::string(text.substr(0, 5)), "data_") || text.substr(0, 4) == "{\"da")
+  {
+    throw std::runtime_error(path +
+      ": this is mmCIF or mmJSON, not PDB. Name it .cif or choose its format (mmJSON: gemmi "
+      "convert).");
+  }
   try
   {
-    return TryPDB(text, path, false, choice, progress);
-  }
-  catch (const Cancelled&)
-  {
-    throw;
-  }
-  catch (const NoSuchAssembly&)
-  {
-    throw;
+    return ReadColumns(text, path, choice, bytesOfAPiece, progress);
   }
   catch (const NonstandardColumnsError& error)
   {
@@ -379,12 +411,17 @@ Macromolecule ParsePDB(std::string_view text, const std::string& path,
         ": the values are not in the columns of a PDB file, so its assemblies can't be read. Leave "
         "Assembly empty.");
     }
-    return PDBInWords(text, path, choice.Model, error, stopOnly);
+    // Without progress from the start again, which would not be monotone.
+    return PDBInWords(text, path, choice.Model, error, AbortOnly(progress));
   }
-  catch (const std::runtime_error& error)
-  {
-    return PDBWithoutOldColumns(text, path, choice, error, stopOnly);
-  }
+}
+
+std::int64_t CountPDBModels(std::string_view text)
+{
+  ReadingReport report;
+  constexpr std::size_t bytesOfAPiece = std::size_t{ 1 } << 20;
+  const PDBLines lines = SplitPDB(text, bytesOfAPiece, {});
+  return std::max<std::int64_t>(static_cast<std::int64_t>(FindModels(lines, report).size()), 1);
 }
 
 namespace

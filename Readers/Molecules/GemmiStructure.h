@@ -1,13 +1,11 @@
 /**
  * @file GemmiStructure.h
- * @brief Atoms from PDB and mmCIF files, by gemmi.
+ * @brief Atoms from PDB and mmCIF files, the latter by gemmi.
  *
- * gemmi (M. Wojdyr, J. Open Source Softw. 7 (2022) 4200) reads wwPDB's format 3.3, hybrid-36
- * numbers and PDBx/mmCIF. Around it, what it leaves out: coordinates that are no numbers are
- * refused, occupancies and B factors that are blank are unknown (not 1 and 20), CONECT records are
- * bonds, old files with text in columns 73-80 are read without those columns, and files whose
- * values stand elsewhere than in PDB's columns are read by the blanks between them; both with a
- * warning.
+ * gemmi (M. Wojdyr, J. Open Source Softw. 7 (2022) 4200) reads PDBx/mmCIF and makes biological
+ * assemblies of both. Atoms of PDB files are read by PDBFile.h: simulation programs, servers and
+ * predictors write columns and separators that gemmi does not expect. Files whose values are
+ * elsewhere than in PDB's columns are read by the blanks between them, with a warning.
  */
 #ifndef isthmus_GemmiStructure_h
 #define isthmus_GemmiStructure_h
@@ -16,6 +14,7 @@
 #include "Molecules/Macromolecule.h"
 #include "vtkIsthmusReadersMoleculesModule.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -33,14 +32,19 @@ struct StructureChoice
 /**
  * The atoms of a model in gemmi's order: that of the file, except that atoms of one
  * residue come together. Bonds are those of CONECT, SSBOND and LINK within the asymmetric unit;
- * charges are formal ones, where the file gives any other than 0. Radii are not set. Time and
+ * charges are formal ones, where the file gives any other than 0. Radii are not set. Lines are
+ * read in pieces of `bytesOfAPiece`, several at once; their size makes no difference. Time and
  * memory O(bytes).
  * @throws std::runtime_error with file and reason.
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParsePDB(std::string_view text,
-  const std::string& path, const StructureChoice& choice, const ProgressCallback& progress);
+  const std::string& path, const StructureChoice& choice, const ProgressCallback& progress,
+  std::size_t bytesOfAPiece = std::size_t{ 1 } << 20);
 
-/// The same for mmCIF; bonds are those of struct_conn, hydrogen bonds left out.
+/// The number of models that ParsePDB finds, at least 1.
+VTKISTHMUSREADERSMOLECULES_EXPORT std::int64_t CountPDBModels(std::string_view text);
+
+/// As ParsePDB, for mmCIF; bonds are those of struct_conn, hydrogen bonds left out.
 VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParseMMCIF(std::string_view text,
   const std::string& path, const StructureChoice& choice, const ProgressCallback& progress);
 

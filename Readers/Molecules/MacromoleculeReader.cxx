@@ -14,6 +14,7 @@
 #include <atomic>
 #include <cctype>
 #include <cmath>
+#include <mutex>
 #include <stdexcept>
 
 namespace isthmus
@@ -312,33 +313,60 @@ Macromolecule ReadMacromolecule(
 namespace
 {
 
-constexpr std::string_view ModelLine = "\nMODEL ";
-
-/// Lines that begin with MODEL; `text` begins at a line or with the end of one.
-std::int64_t CountLines(std::string_view text)
+/// Numbers of lines that begin models or end them, and the first END.
+struct Separators
 {
-  std::int64_t count = 0;
-  for (std::size_t at = text.find(ModelLine); at != std::string_view::npos;
-       at = text.find(ModelLine, at + 1))
+  static constexpr std::uint64_t None = ~std::uint64_t{ 0 };
+
+  std::int64_t Models = 0;
+  std::int64_t EndModels = 0;
+  std::int64_t Ends = 0;
+  std::uint64_t FirstEnd = None;
+
+  Separators& operator+=(const Separators& other)
   {
-    ++count;
+    this->Models += other.Models;
+    this->EndModels += other.EndModels;
+    this->Ends += other.Ends;
+    this->FirstEnd = std::min(this->FirstEnd, other.FirstEnd);
+    return *this;
   }
-  return count;
-}
+};
 
-/// Models of PDB and PQR: their records, or the one that has none.
-std::int64_t CountRecords(std::string_view text)
+/// Those behind the line ends of `text` but for its last `overlap` bytes; `text` is at `offset` of
+/// the file, after a line end of its own if `hasLineEnd`.
+Separators FindSeparators(
+  std::string_view text, std::uint64_t offset, bool hasLineEnd, std::size_t overlap)
 {
-  const bool first = text.substr(0, ModelLine.size() - 1) == ModelLine.substr(1);
-  return std::max<std::int64_t>((first ? 1 : 0) + CountLines(text), 1);
+  Separators found;
+  const std::size_t last = text.size() - std::min(overlap, text.size());
+  const auto begins = [text](std::size_t at, std::string_view with)
+  { return text.substr(at, with.size()) == with; };
+  for (std::size_t at = text.find('\n'); at < last; at = text.find('\n', at + 1))
+  {
+    found.Models += begins(at, "\nMODEL ") ? 1 : 0;
+    if (begins(at, "\nENDMDL"))
+    {
+      ++found.EndModels;
+    }
+    else if (begins(at, "\nEND") && (at + 4 >= text.size() || text[at + 4] <= ' '))
+    {
+      ++found.Ends;
+      found.FirstEnd = std::min(found.FirstEnd, offset + at - (hasLineEnd && at > 0 ? 1 : 0));
+    }
+  }
+  return found;
 }
 
-/// The same without the whole text in memory, several parts of it at once.
-std::int64_t CountRecords(ByteSource& source)
+constexpr std::size_t LongestSeparator = 8; ///< "\nENDMDL" and one more
+
+/// The same of a file without the whole text in memory, several parts of it at once.
+Separators FindSeparators(ByteSource& source)
 {
   constexpr std::uint64_t part = 1 << 20;
   const std::uint64_t size = source.MostBytes();
-  std::atomic<std::int64_t> count{ 0 };
+  std::mutex mutex;
+  Separators all;
   ParallelFor(0, static_cast<std::int64_t>((size + part - 1) / part), 8,
     [&](std::int64_t first, std::int64_t last)
     {
@@ -346,14 +374,37 @@ std::int64_t CountRecords(ByteSource& source)
       std::string text;
       for (auto p = static_cast<std::uint64_t>(first); p < static_cast<std::uint64_t>(last); ++p)
       {
-        text.resize(part + ModelLine.size());
+        text.resize(part + LongestSeparator + 1);
         text[0] = '\n'; // before the file
         const std::size_t before = p == 0 ? 1 : 0;
-        text.resize(before + source.Read(p * part, &text[before], part + ModelLine.size() - 1));
-        count += CountLines(text);
+        text.resize(before + source.Read(p * part, &text[before], part + LongestSeparator));
+        const std::size_t overlap = text.size() > part + before ? text.size() - part - before : 0;
+        const Separators found = FindSeparators(text, p * part, p == 0, overlap);
+        const std::lock_guard<std::mutex> lock(mutex);
+        all += found;
       }
     });
-  return std::max<std::int64_t>(count, 1);
+  return all;
+}
+
+/// Whether the number of models is that of MODEL records, or one because nothing but a few lines
+/// follows END. Other files have to be read.
+bool IsCountedByRecords(const Separators& found, ByteSource& source)
+{
+  if (found.Models > 0 || found.EndModels + found.Ends == 0)
+  {
+    return true;
+  }
+  if (found.EndModels > 0 || found.Ends > 1)
+  {
+    return false;
+  }
+  std::string after(std::size_t{ 1 } << 16, ' ');
+  const std::size_t size = source.Read(found.FirstEnd, after.data(), after.size());
+  const bool isWhole = size < after.size();
+  after.resize(size);
+  return isWhole && after.find("\nATOM") == std::string::npos &&
+    after.find("\nHETATM") == std::string::npos;
 }
 
 }
@@ -366,20 +417,30 @@ std::int64_t CountModels(const std::string& path, MoleculeFormat format)
     format = FormatOfName(path);
   }
   const bool isByRecord = format == MoleculeFormat::PDB || format == MoleculeFormat::PQR;
+  Separators found;
   if (isByRecord && source->RandomAccess())
   {
-    return CountRecords(*source);
+    found = FindSeparators(*source);
+  }
+  if (isByRecord && source->RandomAccess() &&
+    (format == MoleculeFormat::PQR || IsCountedByRecords(found, *source)))
+  {
+    return std::max<std::int64_t>(found.Models, 1);
   }
   const std::string text = ReadAll(*source);
   if (format == MoleculeFormat::ByName)
   {
     format = FormatOfText(text, path);
   }
-  if (format != MoleculeFormat::PDB && format != MoleculeFormat::PQR)
+  if (format == MoleculeFormat::PQR)
   {
-    return Parse(text, path, format, {}, {}).NumberOfModels;
+    return std::max<std::int64_t>(FindSeparators("\n" + text, 0, true, 0).Models, 1);
   }
-  return CountRecords(text);
+  if (format == MoleculeFormat::PDB)
+  {
+    return CountPDBModels(text);
+  }
+  return Parse(text, path, format, {}, {}).NumberOfModels;
 }
 
 bool LooksLikeMolecule(const std::string& path)

@@ -36,8 +36,8 @@ VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParseMacromolecule(std::string_v
   const std::string& path, const MoleculeOptions& options, const ProgressCallback& progress = {});
 
 /**
- * The number of models in a file. Of PDB and PQR files the MODEL records are counted; others
- * are parsed. Throws as ReadMacromolecule.
+ * The number of models in a file. Of PQR files, and of PDB files without END between their atoms,
+ * the MODEL records are counted; others are parsed. Throws as ReadMacromolecule.
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT std::int64_t CountModels(
   const std::string& path, MoleculeFormat format);

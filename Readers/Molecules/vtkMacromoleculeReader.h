@@ -12,8 +12,8 @@
  *   NaN: none
  * - `Charge` (double): in e, the file's (PQR, PDBQT, MOL2), or its formal charge (PDB, mmCIF) where
  * not 0; NaN: none
- * - `Element` (unsigned short): atomic number, 0: unknown; its symbol is in `ElementSymbols` of the
- *   field data
+ * - `Element` (unsigned short): atomic number, 0: unknown or none (beads, ghost and dummy atoms);
+ *   its symbol is in `ElementSymbols` of the field data
  * - `AtomName`, `ResidueName`, `Chain` (string): the authors' names (auth_ of mmCIF); empty: none
  * - `ResidueId` (int): the authors' residue number
  * - `BFactor` (double): angstrom^2; NaN: none
@@ -24,11 +24,12 @@
  * (double, 0 to 100): confidence of predicted residues, where ModelCIF names it so. Cell array
  * `BondSource` (unsigned char): 0 vertex, 1 bond named by the file (CONECT, SSBOND, LINK,
  * struct_conn), 2 bond by distance (CovalentBonds.h). Bond orders are not known. Atoms come in the
- * order of the file, save that gemmi brings those of one residue together.
+ * order of the file, save that those of one residue come together.
  *
- * Several models are time steps (ModelsAsTimeSteps). Field data: `NumberOfModels`; `ElementSymbols`
+ * Several models are time steps (ModelsAsTimeSteps), those that END separates in a PDB file as well
+ * where they repeat the same atoms (PDBLines.h). Field data: `NumberOfModels`; `ElementSymbols`
  * (string 6 is "C"); `Notes` and `Warnings`: what was dropped or is missing, one message each.
- * Warnings also go to vtkWarningMacro: old columns ignored, atoms without radius.
+ * Warnings also go to vtkWarningMacro: elements that the file does not give, atoms without radius.
  *
  * **Output 1**, vtkMolecule: the same atoms and bonds (order 1) and point arrays, for molecule
  * mappers.

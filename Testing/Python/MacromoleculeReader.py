@@ -68,6 +68,9 @@ WARNED = {
     "apbs/geoflow/gly.pdb": "not in the columns",
     "apbs/ion-pmf/ion-pmf.pdb": "not in the columns",
     "complexes/1atp.pdb.gz": "2 atoms have no radius",
+    **{f"apbs/alkanes/{name}.pdb": "by the columns of the name" for name in (
+        "2-methylbutane", "butane", "cyclohexane", "cyclopentane", "ethane", "hexane", "isobutane",
+        "methane", "mol", "neopentane", "pentane", "propane")},
 }
 
 

@@ -1,0 +1,105 @@
+/**
+ * @file PDBColumns.h
+ * @brief Columns of PDB files as programs write them: residues, chains, numbers, coordinates.
+ *
+ * wwPDB's format 3.3 has the residue name in columns 18-20, the chain in 22, the number in 23-26
+ * and an insertion code in 27. Programs with larger systems write:
+ *
+ * - residue names of four letters in 18-21 (CHARMM, VMD, NAMD, GROMOS: TIP3, POPC, LYSH), where
+ *   others (gemmi, phenix) have chains of two letters in 21-22;
+ * - numbers of five digits in 23-27 or 22-26, hexadecimal (VMD), hybrid-36 (cctbx), starting again
+ *   at 0, or asterisks where they no longer fit;
+ * - the chain as a segment in 73-76, with 22 blank;
+ * - coordinates wider than their eight columns, with all that follows shifted to the right.
+ *
+ * The same text can mean two things, so the file as a whole decides.
+ */
+#ifndef isthmus_PDBColumns_h
+#define isthmus_PDBColumns_h
+
+#include "Molecules/PDBLines.h"
+#include "Molecules/ReadingReport.h"
+#include "vtkIsthmusReadersMoleculesModule.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_set>
+#include <vector>
+
+namespace isthmus
+{
+
+/**
+ * The columns (from 0) where x, y and z begin and z ends: 30, 38, 46 and 54, unless the numbers
+ * have three decimals, follow each other and one of them is wider than eight columns.
+ */
+std::array<std::size_t, 4> CoordinateColumns(std::string_view atom);
+
+/// By how many columns all that follows the coordinates is shifted.
+inline std::size_t CoordinateShift(std::string_view atom)
+{
+  return CoordinateColumns(atom)[3] - 54;
+}
+
+/// Consecutive lines with one residue in columns 18-27 and one segment.
+struct PDBRun
+{
+  std::size_t First; ///< of PDBLines::Atoms
+  std::size_t Last;
+  std::size_t Part; ///< of the model
+  std::string Name;
+  std::string Chain;
+  std::string FileChain; ///< as the file has it, before chains of several parts are renamed
+  std::string Segment;
+  std::optional<int> Number;
+  char InsertionCode = ' ';
+};
+
+/// What four letters in columns 18-21 mean in a file.
+class PDBResidueNames
+{
+public:
+  PDBResidueNames() = default;
+  explicit PDBResidueNames(const std::vector<PDBRun>& runs, const PDBLines& lines);
+
+  /// Whether columns 18-22 are a name of four letters and a chain of one.
+  bool IsLong(std::string_view fiveColumns) const;
+
+private:
+  std::unordered_set<std::string> Long;
+};
+
+/**
+ * The runs of a model, decoded. `withSegments`: columns 73-76 are segments, and name chains where
+ * column 22 is blank. Chains of later parts whose names are those of earlier ones get free names.
+ * O(atoms).
+ */
+std::vector<PDBRun> ReadRuns(const PDBLines& lines, const PDBModel& model, bool withSegments,
+  PDBResidueNames& names, ReadingReport& report);
+
+/// The number in `text` in base 10, 16 (hexadecimal) or 36 (hybrid-36 of four or five columns, as
+/// cctbx writes it), if it is one.
+VTKISTHMUSREADERSMOLECULES_EXPORT std::optional<int> PDBNumber(std::string_view text, int base);
+
+/**
+ * Numbers that only those before them explain: hexadecimal digits without letters, and asterisks.
+ */
+class PDBSerials
+{
+public:
+  /// The number in `field`, blanks around it; one more than the last where it is none.
+  int Next(std::string_view field);
+
+  bool AnyHexadecimal() const { return this->IsHexadecimal; }
+
+private:
+  int Last = 0;
+  bool IsHexadecimal = false;
+};
+
+}
+
+#endif

@@ -1,0 +1,883 @@
+#include "Molecules/PDBFile.h"
+
+#include "Core/ParallelFor.h"
+#include "Files/TextLines.h"
+#include "Molecules/AtomElements.h"
+#include "Molecules/PDBColumns.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+namespace isthmus
+{
+namespace
+{
+
+constexpr std::int64_t AtomsAtOnce = 1 << 13;
+
+bool IsDigit(char c)
+{
+  return c >= '0' && c <= '9';
+}
+
+/// The number that a field begins with, as programs in C read it; NaN if it begins with none.
+double NumberAtBegin(std::string_view field)
+{
+  if (!field.empty() && field[0] == '+')
+  {
+    field.remove_prefix(1);
+  }
+  double value = 0.0;
+  const auto result = std::from_chars(field.data(), field.data() + field.size(), value);
+  return result.ec == std::errc() && std::isfinite(value) ? value : Atom::Unknown;
+}
+
+/// As gemmi keeps it for mmCIF files: in single precision, rounded to five decimals where that is
+/// the same number.
+double SinglePrecision(double value)
+{
+  const auto single = static_cast<float>(value);
+  const double rounded = std::round(static_cast<double>(single) * 1e5) / 1e5;
+  return static_cast<float>(rounded) == single ? rounded : static_cast<double>(single);
+}
+
+// ------------------------------------------------------------------------------------------
+// Groups of lines: residues
+
+struct ResidueKey
+{
+  std::string Name;
+  std::string Segment;
+  std::optional<int> Number;
+  char InsertionCode;
+
+  bool operator==(const ResidueKey& other) const
+  {
+    return this->Number == other.Number && this->Name == other.Name &&
+      this->Segment == other.Segment && this->InsertionCode == other.InsertionCode;
+  }
+};
+
+struct HashOfResidue
+{
+  std::size_t operator()(const ResidueKey& key) const
+  {
+    const auto number =
+      static_cast<std::size_t>(static_cast<std::uint32_t>(key.Number.value_or(0)));
+    return number * 0x9E3779B97F4A7C15u ^ std::hash<std::string>()(key.Name);
+  }
+};
+
+/// Where the atoms of runs go, so that those of a residue come together.
+struct Order
+{
+  std::vector<std::size_t> Residue;  ///< of each run
+  std::vector<std::size_t> Place;    ///< of the first atom of each run
+  std::vector<std::size_t> Starts;   ///< first atom of each residue
+  std::vector<std::size_t> FirstRun; ///< of each residue, which names it
+  std::size_t Atoms = 0;
+};
+
+Order OrderOf(const std::vector<PDBRun>& runs)
+{
+  Order order;
+  std::unordered_map<ResidueKey, std::size_t, HashOfResidue> known;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+  {
+    const PDBRun& run = runs[r];
+    if (r > 0 && (run.Chain != runs[r - 1].Chain || run.Part != runs[r - 1].Part))
+    {
+      known.clear();
+    }
+    const char code = static_cast<char>(run.InsertionCode & ~0x20); // capitals or not
+    const auto [found, isNew] =
+      known.emplace(ResidueKey{ run.Name, run.Segment, run.Number, code }, order.Starts.size());
+    if (isNew)
+    {
+      order.Starts.push_back(0);
+      order.FirstRun.push_back(r);
+    }
+    order.Residue.push_back(found->second);
+    order.Starts[found->second] += run.Last - run.First; // the size, for now
+  }
+  for (std::size_t& start : order.Starts)
+  {
+    const std::size_t size = std::exchange(start, order.Atoms);
+    order.Atoms += size;
+  }
+  std::vector<std::size_t> next = order.Starts;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+  {
+    order.Place.push_back(next[order.Residue[r]]);
+    next[order.Residue[r]] += runs[r].Last - runs[r].First;
+  }
+  return order;
+}
+
+// ------------------------------------------------------------------------------------------
+// Lines
+
+/// Whether columns 77-80 hold the number of a line or anything else than element and charge.
+bool HasOldColumns(std::string_view line)
+{
+  if (line.size() < 79 || (line[78] == ' ' && (line.size() < 80 || line[79] == ' ')))
+  {
+    return false;
+  }
+  const std::size_t shift = CoordinateShift(line);
+  const bool noElement =
+    Columns(line, 76 + shift, 2).find_first_not_of("0123456789") == std::string_view::npos;
+  const std::string_view charge = Columns(line, 78 + shift, 2);
+  return noElement && !charge.empty() && charge.find_first_of("+-") == std::string_view::npos;
+}
+
+/// Whether most atoms have other things in columns 73-80, as files from before 1996 do.
+bool HasOldColumns(const PDBLines& lines, const PDBModel& model)
+{
+  std::size_t all = 0;
+  std::size_t old = 0;
+  for (const PDBPart& part : model)
+  {
+    for (std::size_t i = part.First; i < part.Last; ++i)
+    {
+      old += HasOldColumns(lines.Atoms[i]) ? 1 : 0;
+    }
+    all += part.Last - part.First;
+  }
+  return 2 * old > all;
+}
+
+/// "2+", "+2" or "2"; nothing where it is none of them.
+std::optional<double> ChargeOf(std::string_view text)
+{
+  if (text.empty())
+  {
+    return Atom::Unknown;
+  }
+  char digit = text[0];
+  char sign = text.size() > 1 ? text[1] : ' ';
+  if (IsDigit(sign))
+  {
+    std::swap(digit, sign);
+  }
+  if (!IsDigit(digit) || (sign != '+' && sign != '-' && sign != ' '))
+  {
+    return {};
+  }
+  const double charge = (digit - '0') * (sign == '-' ? -1.0 : 1.0);
+  return charge == 0.0 ? Atom::Unknown : charge;
+}
+
+/// What is wrong with lines, by the first one of each kind.
+struct Faults
+{
+  static constexpr std::size_t None = static_cast<std::size_t>(-1);
+
+  std::size_t NoCoordinate = None; ///< lines of PDBLines::Atoms
+  std::size_t NoCoordinateColumn = 0;
+  std::size_t Short = None;
+  std::size_t Lost = 0; ///< asterisks for coordinates
+  std::size_t FirstLost = None;
+  std::size_t Shifted = 0;
+  std::size_t BadValues = 0; ///< occupancies and B factors
+  std::size_t FirstBadValue = None;
+  std::size_t BadCharges = 0;
+  std::size_t FirstBadCharge = None;
+  std::size_t OddSerials = 0;
+
+  void Add(const Faults& other)
+  {
+    if (other.NoCoordinate < this->NoCoordinate)
+    {
+      this->NoCoordinate = other.NoCoordinate;
+      this->NoCoordinateColumn = other.NoCoordinateColumn;
+    }
+    this->Short = std::min(this->Short, other.Short);
+    this->Lost += other.Lost;
+    this->FirstLost = std::min(this->FirstLost, other.FirstLost);
+    this->Shifted += other.Shifted;
+    this->BadValues += other.BadValues;
+    this->FirstBadValue = std::min(this->FirstBadValue, other.FirstBadValue);
+    this->BadCharges += other.BadCharges;
+    this->FirstBadCharge = std::min(this->FirstBadCharge, other.FirstBadCharge);
+    this->OddSerials += other.OddSerials;
+  }
+};
+
+/// Columns 7-11, or 7-12 where six digits are.
+std::string_view SerialOf(std::string_view line)
+{
+  const bool isWide = line.size() > 11 && IsDigit(line[11]) && IsDigit(line[10]);
+  return Columns(line, 6, isWide ? 6 : 5);
+}
+
+bool ReadPosition(std::string_view line, std::size_t index, Atom& atom, Faults& faults)
+{
+  const std::array<std::size_t, 4> ends = CoordinateColumns(line);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::string_view field = Columns(line, ends[axis], ends[axis + 1] - ends[axis]);
+    if (IsNumber(field, atom.Position[axis]) && std::isfinite(atom.Position[axis]))
+    {
+      continue;
+    }
+    if (field.size() > 3 && field.find_first_not_of('*') == std::string_view::npos)
+    {
+      ++faults.Lost;
+      faults.FirstLost = std::min(faults.FirstLost, index);
+      atom.Position[axis] = Atom::Unknown;
+    }
+    else if (index < faults.NoCoordinate)
+    {
+      faults.NoCoordinate = index;
+      faults.NoCoordinateColumn = ends[axis];
+    }
+    return false;
+  }
+  if (line.size() < ends[3])
+  {
+    faults.Short = std::min(faults.Short, index);
+    return false;
+  }
+  faults.Shifted += ends[3] > 54 ? 1 : 0;
+  return true;
+}
+
+void ReadAtom(std::string_view line, std::size_t index, bool withColumns73To80, Atom& atom,
+  AtomColumns& columns, Faults& faults)
+{
+  if (!ReadPosition(line, index, atom, faults))
+  {
+    return;
+  }
+  atom.Name = Columns(line, 12, 4);
+  atom.AltLoc = line[16];
+  const std::string_view serial = SerialOf(line);
+  faults.OddSerials += IsNumber(serial, atom.Serial) ? 0 : 1;
+  const std::size_t shift = CoordinateShift(line);
+  for (const auto& [from, value] :
+    { std::pair(54 + shift, &atom.Occupancy), std::pair(60 + shift, &atom.BFactor) })
+  {
+    const std::string_view field = Columns(line, from, 6);
+    *value = SinglePrecision(NumberAtBegin(field));
+    if (std::isnan(*value) && !field.empty())
+    {
+      ++faults.BadValues;
+      faults.FirstBadValue = std::min(faults.FirstBadValue, index);
+    }
+  }
+  std::copy_n(line.begin() + 12, 4, columns.Name.begin());
+  columns.Symbol = { ' ', ' ' };
+  if (!withColumns73To80)
+  {
+    return;
+  }
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    columns.Symbol[i] = 76 + shift + i < line.size() ? line[76 + shift + i] : ' ';
+  }
+  const std::optional<double> charge = ChargeOf(Columns(line, 78 + shift, 2));
+  atom.Charge = charge.value_or(Atom::Unknown);
+  if (!charge)
+  {
+    ++faults.BadCharges;
+    faults.FirstBadCharge = std::min(faults.FirstBadCharge, index);
+  }
+}
+
+// ------------------------------------------------------------------------------------------
+// The model
+
+class ModelReader
+{
+public:
+  ModelReader(std::string_view text, const std::string& path, const PDBLines& lines,
+    const PDBModel& model, ReadingReport& report)
+    : Text(text)
+    , Path(path)
+    , Lines(lines)
+    , Model(model)
+    , Report(report)
+  {
+  }
+
+  PDBMolecule Read(const ProgressCallback& progress)
+  {
+    const bool isOld = HasOldColumns(this->Lines, this->Model);
+    if (isOld)
+    {
+      this->Report.Warn("Columns 73-80 hold something else than segment, element and charge, as in "
+                        "old PDB files: read without them.");
+    }
+    this->Runs = ReadRuns(this->Lines, this->Model, !isOld, this->Names, this->Report);
+    const Order order = OrderOf(this->Runs);
+    this->ReadAtoms(order, !isOld, progress);
+    this->Result.Residues = order.Starts;
+    this->ReportFaults();
+    this->DropLost();
+    if (this->Problems.OddSerials > 0)
+    {
+      this->ReadSerials();
+    }
+    SetElements(this->Result.Atoms, this->Texts, this->Result.Residues, this->Report);
+    this->AddConect();
+    this->AddLinks();
+    return std::move(this->Result);
+  }
+
+private:
+  void ReadAtoms(const Order& order, bool withColumns73To80, const ProgressCallback& progress)
+  {
+    this->Result.Atoms.reserve(order.Atoms);
+    this->Result.Atoms.resize(order.Atoms);
+    this->Texts.resize(order.Atoms);
+    this->LineOfAtom.resize(order.Atoms);
+    std::mutex mutex;
+    ParallelFor(
+      0, static_cast<std::int64_t>(this->Runs.size()), AtomsAtOnce / 8,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        Faults faults;
+        for (auto r = static_cast<std::size_t>(first); r < static_cast<std::size_t>(last); ++r)
+        {
+          const PDBRun& run = this->Runs[r];
+          const PDBRun& residue = this->Runs[order.FirstRun[order.Residue[r]]];
+          const bool isHetero = (this->Lines.Atoms[residue.First][0] & ~0x20) == 'H';
+          std::size_t place = order.Place[r];
+          for (std::size_t i = run.First; i < run.Last; ++i, ++place)
+          {
+            Atom& atom = this->Result.Atoms[place];
+            this->LineOfAtom[place] = i;
+            ReadAtom(this->Lines.Atoms[i], i, withColumns73To80, atom, this->Texts[place], faults);
+            atom.ResidueName = residue.Name;
+            atom.Chain = residue.Chain;
+            atom.ResidueId = residue.Number.value_or(0);
+            atom.InsertionCode = residue.InsertionCode;
+            atom.IsHetero = isHetero;
+          }
+        }
+        const std::lock_guard<std::mutex> lock(mutex);
+        this->Problems.Add(faults);
+      },
+      progress);
+  }
+
+  std::string Here(std::size_t atom) const { return LineOf(this->Text, this->Lines.Atoms[atom]); }
+
+  void ReportFaults()
+  {
+    const Faults& found = this->Problems;
+    if (found.NoCoordinate < found.Short)
+    {
+      throw NonstandardColumnsError(this->Path + ", " + this->Here(found.NoCoordinate) +
+        ": columns " + std::to_string(found.NoCoordinateColumn + 1) + " to " +
+        std::to_string(found.NoCoordinateColumn + 8) +
+        " hold no coordinate (a finite number). Is it a PDB file, and whole?");
+    }
+    if (found.Short != Faults::None)
+    {
+      throw std::runtime_error(this->Path + ", " + this->Here(found.Short) +
+        ": the line ends within its coordinates. Is the file whole?");
+    }
+    const auto count = [this](std::size_t times, const char* what, std::size_t first)
+    {
+      if (times > 0)
+      {
+        this->Report.Count(what, this->Here(first), times);
+      }
+    };
+    count(found.Lost, "Atoms with asterisks for coordinates, dropped", found.FirstLost);
+    count(found.BadValues, "Occupancies and B factors that are no numbers, dropped",
+      found.FirstBadValue);
+    count(
+      found.BadCharges, "Unreadable formal charges (columns 79-80), dropped", found.FirstBadCharge);
+    if (found.Shifted > 0)
+    {
+      this->Report.Note(
+        "Atoms with coordinates wider than their columns, which shift what follows: " +
+        std::to_string(found.Shifted) + ".");
+    }
+  }
+
+  /// Removes atoms whose coordinates are asterisks.
+  void DropLost()
+  {
+    if (this->Problems.Lost == 0)
+    {
+      return;
+    }
+    std::vector<Atom>& atoms = this->Result.Atoms;
+    std::vector<std::size_t> starts;
+    std::size_t kept = 0;
+    std::size_t residue = 0;
+    for (std::size_t i = 0; i < atoms.size(); ++i)
+    {
+      while (residue < this->Result.Residues.size() && this->Result.Residues[residue] == i)
+      {
+        starts.push_back(kept);
+        ++residue;
+      }
+      const auto& x = atoms[i].Position;
+      if (std::isnan(x[0] + x[1] + x[2]))
+      {
+        continue;
+      }
+      if (kept != i)
+      {
+        atoms[kept] = std::move(atoms[i]);
+        this->Texts[kept] = this->Texts[i];
+        this->LineOfAtom[kept] = this->LineOfAtom[i];
+      }
+      ++kept;
+    }
+    atoms.resize(kept);
+    this->Texts.resize(kept);
+    this->LineOfAtom.resize(kept);
+    // residues without atoms
+    starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
+    if (!starts.empty() && starts.back() == kept)
+    {
+      starts.pop_back();
+    }
+    this->Result.Residues = std::move(starts);
+  }
+
+  /// Serial numbers that only those before them explain.
+  void ReadSerials()
+  {
+    std::unordered_map<std::size_t, int> serials;
+    PDBSerials decoder;
+    for (const PDBPart& part : this->Model)
+    {
+      for (std::size_t i = part.First; i < part.Last; ++i)
+      {
+        serials.emplace(i, decoder.Next(SerialOf(this->Lines.Atoms[i])));
+      }
+    }
+    this->IsHexadecimal = decoder.AnyHexadecimal();
+    for (std::size_t i = 0; i < this->Result.Atoms.size(); ++i)
+    {
+      this->Result.Atoms[i].Serial = serials.at(this->LineOfAtom[i]);
+    }
+  }
+
+  // ---------------------------------------------------------------------------------------
+  // Bonds
+
+  /// The part of the model that a record is in; none if it is in none and concerns all.
+  std::optional<std::size_t> PartOf(const PDBRecord& record) const
+  {
+    if (this->Model.size() < 2)
+    {
+      return {};
+    }
+    const bool isBefore = record.Is == PDBRecord::Kind::Link; // SSBOND and LINK come first
+    if (!isBefore && record.Atom == 0)
+    {
+      return {};
+    }
+    return this->PartOfLine(isBefore ? record.Atom : record.Atom - 1);
+  }
+
+  /// The part with an atom of PDBLines; none if it is of another model.
+  std::optional<std::size_t> PartOfLine(std::size_t atom) const
+  {
+    const auto after = std::upper_bound(this->Model.begin(), this->Model.end(), atom,
+      [](std::size_t line, const PDBPart& part) { return line < part.First; });
+    if (after == this->Model.begin() || atom >= (after - 1)->Last)
+    {
+      return {};
+    }
+    return static_cast<std::size_t>(after - this->Model.begin()) - 1;
+  }
+
+  /// Of atoms with this serial number: their places; -1 where there are several.
+  using Places = std::unordered_map<int, std::int64_t>;
+
+  /// Those of a part, whose atoms follow each other, or of all.
+  Places PlacesOf(std::optional<std::size_t> part) const
+  {
+    std::size_t first = 0;
+    std::size_t last = this->Result.Atoms.size();
+    if (part)
+    {
+      const auto begin = [this](std::size_t p)
+      {
+        const auto found = std::partition_point(this->LineOfAtom.begin(), this->LineOfAtom.end(),
+          [&](std::size_t line) { return line < this->Model[p].First; });
+        return static_cast<std::size_t>(found - this->LineOfAtom.begin());
+      };
+      first = begin(*part);
+      last = *part + 1 < this->Model.size() ? begin(*part + 1) : last;
+    }
+    Places places;
+    places.reserve(last - first);
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const auto [found, isNew] =
+        places.emplace(this->Result.Atoms[i].Serial, static_cast<std::int64_t>(i));
+      found->second = isNew ? found->second : -1;
+    }
+    return places;
+  }
+
+  /// The numbers that a field of a CONECT record can mean.
+  std::vector<int> Meanings(std::string_view field) const
+  {
+    std::vector<int> numbers;
+    const auto add = [&](std::optional<int> number)
+    {
+      if (number)
+      {
+        numbers.push_back(*number);
+      }
+    };
+    int decimal = 0;
+    if (IsNumber(field, decimal))
+    {
+      numbers.push_back(decimal);
+    }
+    if (this->IsHexadecimal)
+    {
+      add(PDBNumber(field, 16));
+    }
+    if (numbers.empty() && field.size() == 5)
+    {
+      add(PDBNumber(field, 36));
+    }
+    return numbers;
+  }
+
+  /// Fields of a CONECT record: five columns each, or words where serials have six digits.
+  std::vector<std::string_view> ConectFields(std::string_view line) const
+  {
+    std::vector<std::string_view> fields;
+    std::string_view rest = line.substr(6);
+    if (this->HasLongSerials)
+    {
+      for (auto word = NextWord(rest); !word.empty(); word = NextWord(rest))
+      {
+        for (; word.size() > 6; word.remove_prefix(6))
+        {
+          fields.push_back(word.substr(0, 6));
+        }
+        fields.push_back(word);
+      }
+      return fields;
+    }
+    for (std::size_t at = 6; at < 31; at += 5)
+    {
+      const std::string_view field = Columns(line, at, 5);
+      if (!field.empty() || at == 6)
+      {
+        fields.push_back(field);
+      }
+    }
+    return fields;
+  }
+
+  enum class Found
+  {
+    Unreadable,
+    Missing,
+    Ambiguous,
+    One
+  };
+
+  Found Find(std::string_view field, const Places& places, std::int64_t& place) const
+  {
+    const std::vector<int> meanings = this->Meanings(field);
+    if (meanings.empty())
+    {
+      return Found::Unreadable;
+    }
+    int count = 0;
+    for (const int number : meanings)
+    {
+      const auto found = places.find(number);
+      if (found != places.end())
+      {
+        place = found->second;
+        count += place < 0 ? 2 : 1;
+      }
+    }
+    return count == 0 ? Found::Missing : (count == 1 ? Found::One : Found::Ambiguous);
+  }
+
+  void AddConect()
+  {
+    std::map<std::optional<std::size_t>, Places> known;
+    const auto placesOf = [&](std::optional<std::size_t> part) -> const Places&
+    {
+      const auto [places, isNew] = known.try_emplace(part);
+      if (isNew)
+      {
+        places->second = this->PlacesOf(part);
+      }
+      return places->second;
+    };
+    std::size_t missing = 0;
+    this->HasLongSerials = std::any_of(this->Result.Atoms.begin(), this->Result.Atoms.end(),
+                             [](const Atom& atom) { return atom.Serial > 99999; }) &&
+      this->Problems.OddSerials == 0;
+    for (const PDBRecord& record : this->Lines.Records)
+    {
+      if (record.Is != PDBRecord::Kind::Conect)
+      {
+        continue;
+      }
+      this->AddConect(record, placesOf(this->PartOf(record)), placesOf({}), missing);
+    }
+    if (missing > 0)
+    {
+      this->Report.Note(
+        "Bonds of CONECT records that name atoms which this model has not, dropped: " +
+        std::to_string(missing) + ".");
+    }
+  }
+
+  /// Counts a fault. Finding the first line's number takes time, and is not repeated.
+  void Count(const char* what, const PDBRecord& record)
+  {
+    const bool isFirst = this->Counted.insert(what).second;
+    this->Report.Count(what, isFirst ? LineOf(this->Text, record.Line) : std::string());
+  }
+
+  /// `ofPart` has the atoms of the part that the record is in, `all` those of the model.
+  void AddConect(
+    const PDBRecord& record, const Places& ofPart, const Places& all, std::size_t& missing)
+  {
+    const auto find = [&](std::string_view field, std::int64_t& place)
+    {
+      const Found found = this->Find(field, ofPart, place);
+      return found == Found::Missing ? this->Find(field, all, place) : found;
+    };
+    const std::vector<std::string_view> fields = this->ConectFields(record.Line);
+    std::int64_t from = 0;
+    const Found first = fields.empty() ? Found::Unreadable : find(fields[0], from);
+    if (first == Found::Unreadable || fields.size() < 2)
+    {
+      this->Count("Unreadable CONECT records, dropped", record);
+      return;
+    }
+    for (std::size_t i = 1; i < fields.size(); ++i)
+    {
+      std::int64_t to = 0;
+      const Found second = find(fields[i], to);
+      if (second == Found::Unreadable)
+      {
+        this->Count("Fields of CONECT records that are no serial numbers, dropped", record);
+      }
+      else if (first == Found::Missing || second == Found::Missing)
+      {
+        ++missing;
+      }
+      else if (first == Found::Ambiguous || second == Found::Ambiguous)
+      {
+        this->Count(
+          "Bonds of CONECT records that name serial numbers which come more than once, dropped",
+          record);
+      }
+      else if (from != to)
+      {
+        this->Result.Bonds.push_back({ std::min(from, to), std::max(from, to), true });
+      }
+    }
+  }
+
+  // Number, code, name and chain, and the part of the model.
+  using Address = std::tuple<std::size_t, std::string, std::string, int, char>;
+
+  /// Residues by address, of those that come more than once the first.
+  void IndexResidues()
+  {
+    for (std::size_t r = 0; r < this->Runs.size(); ++r)
+    {
+      const PDBRun& run = this->Runs[r];
+      for (const std::string& chain : { run.FileChain, std::string() })
+      {
+        this->RunOf.emplace(
+          Address{ run.Part, chain, run.Name, run.Number.value_or(0), run.InsertionCode }, r);
+      }
+    }
+    for (std::size_t i = 0; i < this->LineOfAtom.size(); ++i)
+    {
+      this->AtomOfLine.emplace(this->LineOfAtom[i], i);
+    }
+  }
+
+  /// The atoms of the residue at columns [name, ...) of a record; empty if there is none.
+  std::vector<std::size_t> FindResidue(
+    const PDBRecord& record, std::size_t nameAt, std::size_t chainAt, std::size_t numberAt) const
+  {
+    const std::string_view line = record.Line;
+    std::string five(5, ' ');
+    for (std::size_t i = 0; i < 5 && nameAt + i < line.size(); ++i)
+    {
+      five[i] = line[nameAt + i];
+    }
+    const bool isLong = nameAt + 3 == chainAt && this->Names.IsLong(five);
+    const std::string name(Columns(line, nameAt, isLong ? 4 : 3));
+    const std::string chain(isLong ? Columns(line, chainAt + 1, 1) : Columns(line, chainAt, 2));
+    const char code = numberAt + 4 < line.size() ? line[numberAt + 4] : ' ';
+    int number = 0;
+    const std::string_view field = Columns(line, numberAt, 4);
+    const auto hybrid = field.size() == 4 ? PDBNumber(field, 36) : std::nullopt;
+    if (!IsNumber(field, number) && !hybrid)
+    {
+      return {};
+    }
+    number = hybrid.value_or(number);
+    const std::optional<std::size_t> part = this->PartOf(record);
+    for (std::size_t p = part.value_or(0); p < this->Model.size(); ++p)
+    {
+      const auto run = this->RunOf.find({ p, chain, name, number, code });
+      if (run != this->RunOf.end())
+      {
+        return this->AtomsOf(run->second);
+      }
+      if (part)
+      {
+        break;
+      }
+    }
+    return {};
+  }
+
+  /// Of the residue that begins with a run.
+  std::vector<std::size_t> AtomsOf(std::size_t run) const
+  {
+    const auto first = this->AtomOfLine.find(this->Runs[run].First);
+    if (first == this->AtomOfLine.end())
+    {
+      return {};
+    }
+    const auto& starts = this->Result.Residues;
+    const auto next = std::upper_bound(starts.begin(), starts.end(), first->second);
+    const std::size_t end = next == starts.end() ? this->Result.Atoms.size() : *next;
+    std::vector<std::size_t> atoms;
+    for (std::size_t i = *(next - 1); i < end; ++i)
+    {
+      atoms.push_back(i);
+    }
+    return atoms;
+  }
+
+  std::optional<std::size_t> FindAtom(
+    const std::vector<std::size_t>& residue, std::string_view name, char altLoc) const
+  {
+    for (const std::size_t i : residue)
+    {
+      const Atom& atom = this->Result.Atoms[i];
+      if (atom.Name == name && (atom.AltLoc == ' ' || atom.AltLoc == altLoc))
+      {
+        return i;
+      }
+    }
+    return {};
+  }
+
+  /// The sulfur of a disulfide bond, which the record does not name.
+  std::optional<std::size_t> FindSulfur(const std::vector<std::size_t>& residue) const
+  {
+    constexpr int sulfur = 16;
+    const auto usual = this->FindAtom(residue, "SG", ' ');
+    if (usual && this->Result.Atoms[*usual].Element == sulfur)
+    {
+      return usual;
+    }
+    for (const std::size_t i : residue)
+    {
+      if (this->Result.Atoms[i].Element == sulfur)
+      {
+        return i;
+      }
+    }
+    return usual;
+  }
+
+  void AddLinks()
+  {
+    std::size_t missing = 0;
+    bool isIndexed = false;
+    for (const PDBRecord& record : this->Lines.Records)
+    {
+      if (record.Is != PDBRecord::Kind::Link)
+      {
+        continue;
+      }
+      if (!std::exchange(isIndexed, true))
+      {
+        this->IndexResidues();
+      }
+      const std::string_view line = record.Line;
+      const std::string_view operators[] = { Columns(line, 59, 6), Columns(line, 66, 6) };
+      if (operators[0] != operators[1])
+      {
+        continue; // to a symmetry mate
+      }
+      const bool isDisulfide = (line[0] & ~0x20) == 'S';
+      const auto altLoc = [line](std::size_t at) { return at < line.size() ? line[at] : ' '; };
+      const auto first = isDisulfide
+        ? this->FindSulfur(this->FindResidue(record, 11, 14, 17))
+        : this->FindAtom(this->FindResidue(record, 17, 20, 22), Columns(line, 12, 4), altLoc(16));
+      const auto second = isDisulfide
+        ? this->FindSulfur(this->FindResidue(record, 25, 28, 31))
+        : this->FindAtom(this->FindResidue(record, 47, 50, 52), Columns(line, 42, 4), altLoc(46));
+      if (!first || !second)
+      {
+        ++missing;
+        continue;
+      }
+      const auto a = static_cast<std::int64_t>(std::min(*first, *second));
+      const auto b = static_cast<std::int64_t>(std::max(*first, *second));
+      if (a != b)
+      {
+        this->Result.Links.push_back({ a, b, true });
+      }
+    }
+    if (missing > 0)
+    {
+      this->Report.Note("SSBOND and LINK records that are unreadable or name atoms which this "
+                        "model has not, dropped: " +
+        std::to_string(missing) + ".");
+    }
+  }
+
+  std::string_view Text;
+  const std::string& Path;
+  const PDBLines& Lines;
+  const PDBModel& Model;
+  ReadingReport& Report;
+  PDBMolecule Result;
+  PDBResidueNames Names;
+  std::vector<PDBRun> Runs;
+  std::vector<AtomColumns> Texts;
+  std::vector<std::size_t> LineOfAtom;
+  Faults Problems;
+  std::set<std::string> Counted;
+  bool IsHexadecimal = false;
+  bool HasLongSerials = false;
+  std::map<Address, std::size_t> RunOf;
+  std::unordered_map<std::size_t, std::size_t> AtomOfLine;
+};
+
+}
+
+PDBMolecule ReadPDBModel(std::string_view text, const std::string& path, const PDBLines& lines,
+  const PDBModel& model, ReadingReport& report, const ProgressCallback& progress)
+{
+  return ModelReader(text, path, lines, model, report).Read(progress);
+}
+
+}

@@ -1,0 +1,54 @@
+/**
+ * @file PDBFile.h
+ * @brief Atoms and bonds of PDB files, in the columns of the format and of simulation programs.
+ *
+ * The format is wwPDB's 3.3 with the extensions of PDBColumns.h. Lines stand for themselves: a
+ * record that cannot be read costs nothing but itself, and is counted in the report. Also read are
+ * coordinates wider than their eight columns, when all that follows is shifted.
+ */
+#ifndef isthmus_PDBFile_h
+#define isthmus_PDBFile_h
+
+#include "Core/Progress.h"
+#include "Molecules/PDBLines.h"
+#include "Molecules/ReadingReport.h"
+#include "vtkIsthmusReadersMoleculesModule.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isthmus
+{
+
+/// Thrown on a line whose coordinates are not where PDB has them.
+struct NonstandardColumnsError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+struct PDBMolecule
+{
+  std::vector<Atom> Atoms;           ///< in the order of the file, but those of a residue together
+  std::vector<std::size_t> Residues; ///< the first atom of each
+  std::vector<Bond> Bonds;           ///< of CONECT, each as often as the file names it
+  std::vector<Bond> Links;           ///< of SSBOND and LINK, within the asymmetric unit
+};
+
+/**
+ * Reads one model. Lines of one chain that follow each other and have the same residue (number,
+ * insertion code, segment and name) are one residue, also where other residues are between them.
+ * Time and memory O(bytes).
+ * @throws NonstandardColumnsError where an atom's coordinates are not finite numbers,
+ * std::runtime_error where a line ends within them, both with the first such line; Cancelled.
+ */
+VTKISTHMUSREADERSMOLECULES_EXPORT PDBMolecule ReadPDBModel(std::string_view text,
+  const std::string& path, const PDBLines& lines, const PDBModel& model, ReadingReport& report,
+  const ProgressCallback& progress);
+
+}
+
+#endif

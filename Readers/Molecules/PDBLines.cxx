@@ -1,0 +1,417 @@
+#include "Molecules/PDBLines.h"
+
+#include "Atoms/PointBins.h"
+#include "Core/ParallelFor.h"
+#include "Files/TextLines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace isthmus
+{
+namespace
+{
+
+/// Whether a line begins with `name` in capitals or not.
+bool IsRecord(std::string_view line, std::string_view name)
+{
+  return line.size() >= name.size() &&
+    std::equal(name.begin(), name.end(), line.begin(),
+      [](char a, char b) { return a == b || (a == (b & ~0x20) && b >= 'a'); });
+}
+
+/// The same, and no letter or digit follows.
+bool IsWord(std::string_view line, std::string_view name)
+{
+  return IsRecord(line, name) && (line.size() == name.size() || line[name.size()] <= ' ');
+}
+
+std::optional<PDBRecord::Kind> KindOf(std::string_view line)
+{
+  switch (line[0] & ~0x20)
+  {
+    case 'M':
+      return IsWord(line, "MODEL") ? std::optional(PDBRecord::Kind::Model) : std::nullopt;
+    case 'E':
+      if (IsRecord(line, "ENDMDL"))
+      {
+        return PDBRecord::Kind::EndModel;
+      }
+      return IsWord(line, "END") ? std::optional(PDBRecord::Kind::End) : std::nullopt;
+    case 'C':
+      return IsRecord(line, "CONECT") ? std::optional(PDBRecord::Kind::Conect) : std::nullopt;
+    case 'S':
+      return IsRecord(line, "SSBOND") ? std::optional(PDBRecord::Kind::Link) : std::nullopt;
+    case 'L':
+      return IsRecord(line, "LINK") ? std::optional(PDBRecord::Kind::Link) : std::nullopt;
+    default:
+      return {};
+  }
+}
+
+void Split(std::string_view text, PDBLines& lines)
+{
+  for (std::size_t at = 0; at < text.size();)
+  {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    std::string_view line = text.substr(at, end - at);
+    at = end + 1;
+    line = line.substr(0, line.find('\0'));
+    while (!line.empty() && line.back() == '\r')
+    {
+      line.remove_suffix(1);
+    }
+    if (line.empty())
+    {
+      continue;
+    }
+    if (IsRecord(line, "ATOM") || IsRecord(line, "HETA"))
+    {
+      lines.Atoms.push_back(line);
+    }
+    else if (const auto kind = KindOf(line))
+    {
+      lines.Records.push_back({ *kind, lines.Atoms.size(), line });
+    }
+  }
+}
+
+std::vector<std::string_view> Cut(std::string_view text, std::size_t bytesOfAPiece)
+{
+  std::vector<std::string_view> pieces;
+  for (std::size_t begin = 0; begin < text.size();)
+  {
+    const std::size_t end =
+      std::min(text.find('\n', std::min(begin + bytesOfAPiece, text.size())), text.size());
+    const std::size_t next = std::min(end + 1, text.size());
+    pieces.push_back(text.substr(begin, next - begin));
+    begin = next;
+  }
+  return pieces;
+}
+
+// ------------------------------------------------------------------------------------------
+// Models
+
+/// Name, location, residue, chain and number: columns 13 to 27.
+std::string_view Identity(std::string_view atom)
+{
+  return Columns(atom, 12, 15);
+}
+
+bool SameAtoms(const PDBLines& lines, const PDBPart& a, const PDBPart& b)
+{
+  const auto begin = lines.Atoms.begin();
+  const auto at = [begin](std::size_t i) { return begin + static_cast<std::ptrdiff_t>(i); };
+  return a.Last - a.First == b.Last - b.First &&
+    std::equal(at(a.First), at(a.Last), at(b.First),
+      [](std::string_view x, std::string_view y)
+      { return Identity(x) == Identity(y) && Columns(x, 72, 4) == Columns(y, 72, 4); });
+}
+
+/// The smallest number of parts after which the same atoms come again; all of them if never.
+std::size_t Period(const PDBLines& lines, const std::vector<PDBPart>& parts)
+{
+  for (std::size_t period = 1; period < parts.size(); ++period)
+  {
+    bool repeats = parts.size() % period == 0;
+    for (std::size_t i = period; repeats && i < parts.size(); ++i)
+    {
+      repeats = SameAtoms(lines, parts[i - period], parts[i]);
+    }
+    if (repeats)
+    {
+      return period;
+    }
+  }
+  return parts.size();
+}
+
+std::vector<Point3> Places(const PDBLines& lines, const PDBModel& model)
+{
+  std::vector<Point3> places;
+  for (const PDBPart& part : model)
+  {
+    for (std::size_t i = part.First; i < part.Last; ++i)
+    {
+      Point3 place{ 0.0, 0.0, 0.0 };
+      bool known = true;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        known = known && IsNumber(Columns(lines.Atoms[i], 30 + 8 * axis, 8), place[axis]) &&
+          std::abs(place[axis]) < 1e8;
+      }
+      if (known)
+      {
+        places.push_back(place);
+      }
+    }
+  }
+  return places;
+}
+
+/// The distance within which most points have a neighbour.
+double UsualDistance(const std::vector<Point3>& places)
+{
+  constexpr double longest = 4.0; // of C-alphas along a chain; beads are nearer to each other
+  constexpr std::size_t mostAsked = 1000;
+  const PointBins bins(places, longest);
+  std::vector<double> nearest;
+  const std::size_t step = places.size() / mostAsked + 1;
+  for (std::size_t i = 0; i < places.size(); i += step)
+  {
+    double least = longest * longest;
+    bins.Near(places[i], longest,
+      [&](std::int64_t other, double squared)
+      {
+        if (static_cast<std::size_t>(other) != i)
+        {
+          least = std::min(least, squared);
+        }
+      });
+    nearest.push_back(least);
+  }
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  std::nth_element(nearest.begin(), middle, nearest.end());
+  return std::sqrt(*middle);
+}
+
+/**
+ * Whether the same molecule at two places penetrates itself: atoms of the one among those of the
+ * other, nearer than atoms of one molecule come to each other. Two molecules in contact do not.
+ */
+bool Overlap(const std::vector<Point3>& a, const std::vector<Point3>& b)
+{
+  if (a.empty() || b.empty())
+  {
+    return true;
+  }
+  constexpr double nearerThanUsual = 0.6;
+  constexpr std::size_t share = 50; // one atom in fifty
+  const double reach = nearerThanUsual * UsualDistance(a);
+  const PointBins bins(a, 2.0 * reach + 1e-3);
+  std::size_t found = 0;
+  for (const Point3& place : b)
+  {
+    bool isNear = false;
+    bins.Near(place, reach, [&isNear](std::int64_t, double) { isNear = true; });
+    found += isNear ? 1 : 0;
+  }
+  return found * share >= b.size();
+}
+
+struct Box
+{
+  Point3 Low{ 0.0, 0.0, 0.0 };
+  Point3 High{ 0.0, 0.0, 0.0 };
+};
+
+Box BoxOf(const std::vector<Point3>& places)
+{
+  Box box;
+  for (std::size_t axis = 0; axis < 3 && !places.empty(); ++axis)
+  {
+    const auto [low, high] = std::minmax_element(places.begin(), places.end(),
+      [axis](const Point3& a, const Point3& b) { return a[axis] < b[axis]; });
+    box.Low[axis] = (*low)[axis];
+    box.High[axis] = (*high)[axis];
+  }
+  return box;
+}
+
+bool AreApart(const Box& a, const Box& b)
+{
+  constexpr double farther = 4.0; // than two atoms that Overlap calls near
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (a.Low[axis] > b.High[axis] + farther || b.Low[axis] > a.High[axis] + farther)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether any two of `groups` overlap.
+bool AnyOverlap(const PDBLines& lines, const std::vector<PDBModel>& groups)
+{
+  std::vector<std::vector<Point3>> places;
+  std::vector<Box> boxes;
+  for (const PDBModel& group : groups)
+  {
+    places.push_back(Places(lines, group));
+    boxes.push_back(BoxOf(places.back()));
+    for (std::size_t earlier = places.size() - 1; earlier-- > 0;)
+    {
+      if (!AreApart(boxes[earlier], boxes.back()) && Overlap(places[earlier], places.back()))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+std::vector<PDBModel> Grouped(const std::vector<PDBPart>& parts, std::size_t size)
+{
+  std::vector<PDBModel> models;
+  for (std::size_t i = 0; i < parts.size(); i += size)
+  {
+    models.emplace_back(parts.begin() + static_cast<std::ptrdiff_t>(i),
+      parts.begin() + static_cast<std::ptrdiff_t>(std::min(i + size, parts.size())));
+  }
+  return models;
+}
+
+/// Models or one structure, of parts that END separates.
+std::vector<PDBModel> ModelsOfParts(
+  const PDBLines& lines, const std::vector<PDBPart>& parts, ReadingReport& report)
+{
+  const std::string head =
+    "END separates " + std::to_string(parts.size()) + " parts of the file, which ";
+  const std::size_t period = Period(lines, parts);
+  std::vector<PDBModel> models = Grouped(parts, period);
+  if (models.size() == 1)
+  {
+    report.Note(head + "have different atoms: read as one structure.");
+    return models;
+  }
+  if (AnyOverlap(lines, models))
+  {
+    report.Note(head + "repeat the same atoms: read as " + std::to_string(models.size()) +
+      " models (time steps).");
+    return models;
+  }
+  report.Note(head + "repeat the same atoms at places that do not overlap: read as one structure.");
+  return Grouped(parts, parts.size());
+}
+
+/// Parts of atoms between records of the kinds that separate them.
+std::vector<PDBPart> PartsBetween(const PDBLines& lines)
+{
+  std::vector<PDBPart> parts;
+  std::size_t first = 0;
+  const auto end = [&](std::size_t last)
+  {
+    if (last > first)
+    {
+      parts.push_back({ first, last });
+      first = last;
+    }
+  };
+  for (const PDBRecord& record : lines.Records)
+  {
+    if (record.Is == PDBRecord::Kind::End || record.Is == PDBRecord::Kind::EndModel)
+    {
+      end(record.Atom);
+    }
+  }
+  end(lines.Atoms.size());
+  return parts;
+}
+
+/// Models that begin with MODEL.
+std::vector<PDBModel> ModelsByRecord(const PDBLines& lines, ReadingReport& report)
+{
+  std::vector<PDBModel> models;
+  std::size_t first = 0;
+  std::size_t outside = 0;
+  bool isInside = false;
+  PDBModel before;
+  const auto end = [&](std::size_t last)
+  {
+    if (last > first)
+    {
+      (models.empty() ? before : models.back()).push_back({ first, last });
+      outside += isInside ? 0 : last - first;
+    }
+    first = last;
+    isInside = false;
+  };
+  for (const PDBRecord& record : lines.Records)
+  {
+    if (record.Is == PDBRecord::Kind::Model)
+    {
+      end(record.Atom);
+      models.emplace_back();
+      isInside = true;
+    }
+    else if (record.Is == PDBRecord::Kind::EndModel || record.Is == PDBRecord::Kind::End)
+    {
+      end(record.Atom);
+    }
+  }
+  end(lines.Atoms.size());
+  models.front().insert(models.front().begin(), before.begin(), before.end());
+  report.Count("Atoms outside of MODEL and ENDMDL, read with the model beside them", "", outside);
+  return models;
+}
+
+bool Has(const PDBLines& lines, PDBRecord::Kind kind)
+{
+  return std::any_of(lines.Records.begin(), lines.Records.end(),
+    [kind](const PDBRecord& record) { return record.Is == kind; });
+}
+
+}
+
+PDBLines SplitPDB(
+  std::string_view text, std::size_t bytesOfAPiece, const ProgressCallback& progress)
+{
+  const std::vector<std::string_view> pieces = Cut(text, bytesOfAPiece);
+  std::vector<PDBLines> split(pieces.size());
+  ParallelFor(
+    0, static_cast<std::int64_t>(pieces.size()), 1,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (auto p = static_cast<std::size_t>(first); p < static_cast<std::size_t>(last); ++p)
+      {
+        Split(pieces[p], split[p]);
+      }
+    },
+    progress);
+  if (split.size() == 1)
+  {
+    return std::move(split[0]);
+  }
+  PDBLines lines;
+  std::size_t atoms = 0;
+  for (const PDBLines& piece : split)
+  {
+    atoms += piece.Atoms.size();
+  }
+  lines.Atoms.reserve(atoms);
+  for (PDBLines& piece : split)
+  {
+    for (PDBRecord& record : piece.Records)
+    {
+      record.Atom += lines.Atoms.size();
+    }
+    lines.Records.insert(lines.Records.end(), piece.Records.begin(), piece.Records.end());
+    lines.Atoms.insert(lines.Atoms.end(), piece.Atoms.begin(), piece.Atoms.end());
+  }
+  return lines;
+}
+
+std::string LineOf(std::string_view text, std::string_view line)
+{
+  return "line " + std::to_string(1 + std::count(text.data(), line.data(), '\n'));
+}
+
+std::vector<PDBModel> FindModels(const PDBLines& lines, ReadingReport& report)
+{
+  if (Has(lines, PDBRecord::Kind::Model))
+  {
+    return ModelsByRecord(lines, report);
+  }
+  const std::vector<PDBPart> parts = PartsBetween(lines);
+  if (parts.size() < 2 || Has(lines, PDBRecord::Kind::EndModel))
+  {
+    return Grouped(parts, 1);
+  }
+  return ModelsOfParts(lines, parts, report);
+}
+
+}

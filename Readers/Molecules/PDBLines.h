@@ -1,0 +1,81 @@
+/**
+ * @file PDBLines.h
+ * @brief The records of a PDB file, and which of them make a model.
+ */
+#ifndef isthmus_PDBLines_h
+#define isthmus_PDBLines_h
+
+#include "Core/Progress.h"
+#include "Molecules/ReadingReport.h"
+#include "vtkIsthmusReadersMoleculesModule.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isthmus
+{
+
+/// A record other than an atom, and the number of atoms before it.
+struct PDBRecord
+{
+  enum class Kind
+  {
+    Model,    ///< MODEL
+    EndModel, ///< ENDMDL
+    End,      ///< END
+    Conect,   ///< CONECT
+    Link      ///< SSBOND, LINK, LINKR
+  };
+
+  Kind Is;
+  std::size_t Atom;
+  std::string_view Line;
+};
+
+/// The lines of a file that are used, in its order; they point into its text.
+struct PDBLines
+{
+  std::vector<std::string_view> Atoms; ///< ATOM and HETATM, in capitals or not
+  std::vector<PDBRecord> Records;
+};
+
+/// Atoms [First, Last) of PDBLines::Atoms.
+struct PDBPart
+{
+  std::size_t First;
+  std::size_t Last;
+};
+
+/// The parts of the file that a model consists of.
+using PDBModel = std::vector<PDBPart>;
+
+/**
+ * Finds the records of `text`, several pieces of about `bytesOfAPiece` at once; their size makes no
+ * difference. Lines end at a zero byte. All other records are ignored, whatever they contain.
+ * @throws Cancelled.
+ */
+VTKISTHMUSREADERSMOLECULES_EXPORT PDBLines SplitPDB(
+  std::string_view text, std::size_t bytesOfAPiece, const ProgressCallback& progress);
+
+/// "line 7" of `text`, for messages. O(bytes before it).
+std::string LineOf(std::string_view text, std::string_view line);
+
+/**
+ * The models of a file.
+ *
+ * - With MODEL: it begins a model, whatever its number. ENDMDL may be missing.
+ * - Without MODEL, but with ENDMDL: each part that ENDMDL or END ends is a model.
+ * - With END alone: parts that repeat the same atoms at overlapping places are models.
+ * - All other parts that END separates are one structure.
+ *
+ * Atoms outside of MODEL and ENDMDL belong to the model before them, or to the first one. Groups
+ * of parts may repeat as well. `report` notes what was decided.
+ */
+VTKISTHMUSREADERSMOLECULES_EXPORT std::vector<PDBModel> FindModels(
+  const PDBLines& lines, ReadingReport& report);
+
+}
+
+#endif

@@ -1,0 +1,283 @@
+// Models and parts of PDB files: MODEL in any columns, END and ENDMDL between frames or molecules.
+
+#include "PDBText.h"
+#include "TemporaryFile.h"
+#include "vtkMacromoleculeReader.h"
+
+#include <vtkInformation.h>
+#include <vtkNew.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace isthmus;
+using namespace isthmus::testing;
+
+namespace
+{
+
+/// A helix of `residues` with N, CA and C.
+std::string Chain(
+  char chain, double x, int residues = 10, const char* residue = "ALA", double phase = 0.0)
+{
+  std::string text;
+  int serial = 0;
+  for (int i = 1; i <= residues; ++i)
+  {
+    for (const char* name : { " N", " CA", " C" })
+    {
+      const double angle = 1.75 * i + phase;
+      std::array<char, 32> columns;
+      std::snprintf(columns.data(), columns.size(), "%s %c%4d ", residue, chain, i);
+      const double shift = name[1] == 'N' ? -1.0 : (name[2] == 'A' ? 0.0 : 1.0);
+      text += AtomLine(std::to_string(++serial), name, columns.data(), x + 2.3 * std::cos(angle),
+        2.3 * std::sin(angle), 1.5 * i + shift, std::string("  1.00 10.00           ") + name[1]);
+    }
+  }
+  return text;
+}
+
+/// The number of models, and atoms of the first and the last one, which must be what
+/// CountModels says of the file, plain and compressed.
+struct Reading
+{
+  explicit Reading(const std::string& text)
+    : First(FromPDB(text))
+  {
+    const TemporaryFile plain(text, "models.pdb");
+    const TemporaryFile compressed(Gzip(text), "models.pdb.gz");
+    EXPECT_EQ(CountModels(plain.Path(), MoleculeFormat::ByName), this->First.NumberOfModels);
+    EXPECT_EQ(CountModels(compressed.Path(), MoleculeFormat::ByName), this->First.NumberOfModels);
+    this->Last = FromPDB(text, this->First.NumberOfModels - 1);
+  }
+
+  std::vector<std::size_t> Sizes() const
+  {
+    return { static_cast<std::size_t>(this->First.NumberOfModels), this->First.Atoms.size(),
+      this->Last.Atoms.size() };
+  }
+
+  std::string Chains() const
+  {
+    std::string chains;
+    for (const Atom& atom : this->First.Atoms)
+    {
+      chains += chains.empty() || chains.back() != atom.Chain[0] ? atom.Chain : "";
+    }
+    return chains;
+  }
+
+  Macromolecule First;
+  Macromolecule Last;
+};
+
+using Sizes = std::vector<std::size_t>;
+
+}
+
+TEST(PDBModels, ReportedFiles)
+{
+  for (const auto& [name, models] :
+    { std::pair("n01_end_separated_frames.pdb", 5), std::pair("n02_model_col7.pdb", 5) })
+  {
+    const Macromolecule last = FromReport(name, models - 1);
+    EXPECT_EQ(last.NumberOfModels, models) << name;
+    EXPECT_EQ(last.Atoms.size(), 3u) << name;
+    EXPECT_EQ(last.Atoms[0].Position[0], 4.0) << name;
+    EXPECT_EQ(
+      CountModels((SharedDataFolder() / "reports" / name).string(), MoleculeFormat::PDB), models);
+  }
+  for (const char* name : { "n10_chains_repeat_after_end.pdb", "n14_clusplus_rec_lig.pdb" })
+  {
+    const Macromolecule molecule = FromReport(name);
+    EXPECT_EQ(molecule.NumberOfModels, 1) << name;
+    ASSERT_EQ(molecule.Atoms.size(), 6u) << name;
+    EXPECT_EQ(molecule.Atoms[0].Chain, "A");
+    EXPECT_EQ(molecule.Atoms[5].Chain, "B");
+    EXPECT_TRUE(Mention(molecule.Notes, "read as one structure")) << name;
+  }
+}
+
+TEST(PDBModels, ModelRecordsWhateverTheirNumbers)
+{
+  // wwPDB; Vina and other programs; elNemo's amplitudes; from 10000 on; none, and all the same.
+  const std::string atoms[] = { Chain('A', 0), Chain('A', 1), Chain('A', 2) };
+  for (const std::vector<std::string>& records :
+    std::vector<std::vector<std::string>>{ { "MODEL        1", "MODEL        2", "MODEL        3" },
+      { "MODEL 1", "MODEL 2", "MODEL 3" }, { "MODEL     -100", "MODEL        0", "MODEL      100" },
+      { "MODEL     9999", "MODEL    10000", "MODEL   100001" }, { "MODEL", "MODEL", "MODEL" },
+      { "MODEL        1", "MODEL        1", "MODEL        1" },
+      { "MODEL  first", "MODEL  second", "MODEL  third" } })
+  {
+    for (const std::string end : { "ENDMDL\n", "", "TER\nENDMDL\nEND\n", "END\n" })
+    {
+      std::string text;
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        text += records[i] + " \n" + atoms[i] + end;
+      }
+      const Reading reading(text);
+      EXPECT_EQ(reading.Sizes(), (Sizes{ 3, 30, 30 })) << records[1] << end;
+      EXPECT_EQ(reading.Last.Atoms[0].Position[0], reading.First.Atoms[0].Position[0] + 2.0);
+    }
+  }
+}
+
+TEST(PDBModels, AtomsOutsideOfModelsBelongToThoseBesideThem)
+{
+  const std::string ligand =
+    AtomLine("1", " C1", "LIG A 500 ", 3, 3, 3, "  1.00  0.00           C", true);
+  const std::string model = "MODEL        1\n" + Chain('A', 0) + "ENDMDL\n";
+  const Reading after(model + ligand + "END\n");
+  EXPECT_EQ(after.Sizes(), (Sizes{ 1, 31, 31 }));
+  EXPECT_TRUE(Mention(
+    after.First.Warnings, "outside of MODEL and ENDMDL, read with the model beside them: 1."));
+  EXPECT_EQ(Reading(ligand + model).Sizes(), (Sizes{ 1, 31, 31 }));
+  EXPECT_EQ(Reading(model + model + ligand).Sizes(), (Sizes{ 2, 30, 31 }));
+  // Models may differ, and may be empty: MODEL says that they are models.
+  EXPECT_EQ(Reading(model + "MODEL        2\n" + Chain('B', 5, 4) + "ENDMDL\n").Sizes(),
+    (Sizes{ 2, 30, 12 }));
+}
+
+TEST(PDBModels, FramesBetweenENDMDL)
+{
+  EXPECT_EQ(Reading(Chain('A', 0) + "ENDMDL\n" + Chain('A', 1) + "ENDMDL\n" + Chain('A', 2) +
+              "ENDMDL\nEND\n")
+              .Sizes(),
+    (Sizes{ 3, 30, 30 }));
+}
+
+TEST(PDBModels, FramesBetweenEND)
+{
+  // VMD and CHARMM: each frame ends with END, or all but the last one.
+  const std::string frames[] = { Chain('A', 0), Chain('A', 0.5), Chain('A', -1) };
+  for (const std::string end : { "END\n", "TER\nEND\n", "END   \n", "END\r\n" })
+  {
+    for (const std::string& last : { end, std::string() })
+    {
+      const Reading reading("CRYST1   50.000   50.000   50.000  90.00  90.00  90.00\n" + frames[0] +
+        end + frames[1] + end + frames[2] + last);
+      EXPECT_EQ(reading.Sizes(), (Sizes{ 3, 30, 30 })) << end << last;
+      EXPECT_TRUE(Mention(reading.First.Notes,
+        "END separates 3 parts of the file, which repeat the same atoms: read as 3 models"));
+    }
+  }
+  EXPECT_EQ(Reading(frames[0] + "END\n").Sizes(), (Sizes{ 1, 30, 30 }));
+  EXPECT_EQ(Reading(frames[0] + "END\n\n\nEND\n").Sizes(), (Sizes{ 1, 30, 30 }));
+  EXPECT_EQ(Reading("END\n" + frames[0] + "END\nEND\n").Sizes(), (Sizes{ 1, 30, 30 }));
+  // The same twice is two frames.
+  EXPECT_EQ(Reading(frames[0] + "END\n" + frames[0]).Sizes(), (Sizes{ 2, 30, 30 }));
+  // Frames that consist of several parts each.
+  const std::string ligand[] = { Chain('L', 4, 1, "LIG"), Chain('L', 5, 1, "LIG") };
+  const Reading groups(
+    frames[0] + "END\n" + ligand[0] + "END\n" + frames[1] + "END\n" + ligand[1] + "END\n");
+  EXPECT_EQ(groups.Sizes(), (Sizes{ 2, 33, 33 }));
+  EXPECT_EQ(groups.Chains(), "AL");
+}
+
+TEST(PDBModels, MoleculesBetweenEND)
+{
+  // Docking servers: receptor and ligand, of other chains, and of the same.
+  const Reading two(Chain('A', 0) + "END\n" + Chain('B', 12, 7) + "END\n");
+  EXPECT_EQ(two.Sizes(), (Sizes{ 1, 51, 51 }));
+  EXPECT_EQ(two.Chains(), "AB");
+  const Reading same(Chain('A', 0) + Chain('B', 30) + "END\n" + Chain('A', 12, 7) + "END\n");
+  EXPECT_EQ(same.Sizes(), (Sizes{ 1, 81, 81 }));
+  EXPECT_EQ(same.Chains(), "ABC");
+  EXPECT_TRUE(Mention(same.First.Notes, "renamed: 1 (A of part 2 is C)."));
+  // Equal parts that do not overlap: a dimer; and one that has only fused its ends.
+  const Reading dimer(Chain('A', 0) + "END\n" + Chain('A', 9) + "END\n");
+  EXPECT_EQ(dimer.Sizes(), (Sizes{ 1, 60, 60 }));
+  EXPECT_EQ(dimer.Chains(), "AB");
+  EXPECT_TRUE(Mention(dimer.First.Notes, "at places that do not overlap: read as one structure"));
+  // As many atoms at the same places, but of another chain or residue.
+  EXPECT_EQ(Reading(Chain('A', 0) + "END\n" + Chain('B', 0.5)).Sizes(), (Sizes{ 1, 60, 60 }));
+  EXPECT_EQ(
+    Reading(Chain('A', 0) + "END\n" + Chain('A', 0.5, 10, "GLY")).Sizes(), (Sizes{ 1, 60, 60 }));
+  // Wound around each other, in the same box.
+  const double half = 3.14159;
+  EXPECT_EQ(Reading(Chain('A', 0) + "END\n" + Chain('A', 0, 10, "ALA", half) + "END\n").Sizes(),
+    (Sizes{ 1, 60, 60 }));
+  // No chain names at all.
+  EXPECT_EQ(Reading(Chain(' ', 0) + "END\n" + Chain(' ', 9)).Chains(), "A");
+  // More chains than letters.
+  std::string many;
+  for (int i = 0; i < 70; ++i)
+  {
+    many += Chain('A', 20.0 * i, 1) + "END\n";
+  }
+  const Reading crowd(many);
+  EXPECT_EQ(crowd.Sizes(), (Sizes{ 1, 210, 210 }));
+  EXPECT_EQ(crowd.First.Atoms[209].Chain, "A9");
+}
+
+TEST(PDBModels, RecordsOfAPartConcernItsAtoms)
+{
+  // Both parts count their atoms from 1, and have their own disulfide bond.
+  const std::string part = "SSBOND   1 CYS A    1    CYS A    2\n" +
+    AtomLine("1", " SG", "CYS A   1 ", 0, 0, 0, "  1.00  0.00           S") +
+    AtomLine("2", " SG", "CYS A   2 ", 0, 0, 9, "  1.00  0.00           S") +
+    AtomLine("3", " C1", "LIG A   3 ", 0, 0, 20, "  1.00  0.00           C");
+  const std::string other = "SSBOND   1 CYS A    1    CYS A    2\n" +
+    AtomLine("1", " SG", "CYS A   1 ", 50, 0, 0, "  1.00  0.00           S") +
+    AtomLine("2", " SG", "CYS A   2 ", 50, 0, 9, "  1.00  0.00           S");
+  const Macromolecule molecule =
+    FromPDB(part + "CONECT    1    3\nEND\n" + other + "CONECT    2    1\nEND\n");
+  EXPECT_EQ(molecule.NumberOfModels, 1);
+  std::string bonds;
+  for (const Bond& bond : molecule.Bonds)
+  {
+    bonds += std::to_string(bond.First) + "-" + std::to_string(bond.Second) + " ";
+  }
+  EXPECT_EQ(bonds, "0-1 0-2 3-4 ");
+}
+
+TEST(PDBModels, RecordsMayConcernAtomsOfOtherParts)
+{
+  // A ligand outside of the model, and CONECT records after both.
+  const Macromolecule molecule = FromPDB("MODEL        1\n" +
+    AtomLine("1", " SG", "CYS A   1 ", 0, 0, 0, "  1.00  0.00           S") +
+    AtomLine("2", " CB", "CYS A   1 ", 9, 0, 0, "  1.00  0.00           C") + "ENDMDL\n" +
+    AtomLine("3", " C1", "LIG A   3 ", 0, 0, 20, "  1.00  0.00           C", true) +
+    "CONECT    1    2\nCONECT    1    3\nEND\n");
+  ASSERT_EQ(molecule.Bonds.size(), 2u);
+  EXPECT_EQ(molecule.Bonds[0].Second, 1);
+  EXPECT_EQ(molecule.Bonds[1].Second, 2);
+}
+
+TEST(PDBModels, AreTimeSteps)
+{
+  const TemporaryFile file(
+    Chain('A', 0) + "END\n" + Chain('A', 0.5) + "END\n" + Chain('A', 1) + "END\n", "frames.pdb");
+  vtkNew<vtkMacromoleculeReader> reader;
+  reader->SetFileName(file.Path());
+  reader->UpdateInformation();
+  vtkInformation* info = reader->GetOutputInformation(0);
+  ASSERT_EQ(info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()), 3);
+  reader->UpdateTimeStep(2.0);
+  EXPECT_NEAR(reader->GetOutput()->GetPoint(0)[0], 1.0 + 2.3 * std::cos(1.75), 1e-3);
+}
+
+TEST(PDBModels, EndIsCountedAcrossTheEndsOfBlocks)
+{
+  // Blocks of 1 MiB are searched by themselves.
+  constexpr std::size_t block = 1 << 20;
+  const std::string frame = Chain('A', 0);
+  for (std::size_t shift = 0; shift < 8; ++shift)
+  {
+    std::string text = frame;
+    text += std::string(block - text.size() - shift, '\n') + "END\n" + frame + "END\n";
+    const TemporaryFile file(text, "frames.pdb");
+    EXPECT_EQ(CountModels(file.Path(), MoleculeFormat::PDB), 2) << shift;
+    const TemporaryFile far(
+      frame + "END\nREMARK\n" + std::string(100000 + shift, '\n') + frame, "far.pdb");
+    EXPECT_EQ(CountModels(far.Path(), MoleculeFormat::PDB), 2) << shift;
+    const TemporaryFile one(text.substr(0, text.find("END\n")) + "END\n", "one.pdb");
+    EXPECT_EQ(CountModels(one.Path(), MoleculeFormat::PDB), 1) << shift;
+  }
+}
