@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
@@ -37,6 +38,59 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// The box around the copies of the box around all atoms.
+gemmi::Box<gemmi::Position> BoxOf(
+  const gemmi::Structure& structure, const gemmi::Assembly& assembly)
+{
+  gemmi::Box<gemmi::Position> atoms;
+  for (const gemmi::Model& model : structure.models)
+  {
+    for (const gemmi::const_CRA& cra : model.all())
+    {
+      atoms.extend(cra.atom->pos);
+    }
+  }
+  gemmi::Box<gemmi::Position> box;
+  for (const gemmi::Assembly::Gen& generator : assembly.generators)
+  {
+    for (const gemmi::Assembly::Operator& copy : generator.operators)
+    {
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        box.extend(gemmi::Position(
+          copy.transform.apply(gemmi::Vec3(corner % 2 == 0 ? atoms.minimum.x : atoms.maximum.x,
+            corner / 2 % 2 == 0 ? atoms.minimum.y : atoms.maximum.y,
+            corner / 4 == 0 ? atoms.minimum.z : atoms.maximum.z))));
+      }
+    }
+  }
+  return box;
+}
+
+/**
+ * gemmi looks for atoms on symmetry axes with a grid of 4 angstrom around all copies, whose size it
+ * does not check.
+ * @throws NoSuchAssembly where the copies are too far apart for it.
+ */
+void RequireModestBox(
+  const gemmi::Structure& structure, const gemmi::Assembly& assembly, const std::string& path)
+{
+  constexpr double spacing = 4.0;
+  constexpr double mostCells = 2e8;
+  const gemmi::Position size = BoxOf(structure, assembly).get_size();
+  const auto cells = [](double length) { return std::max(length / spacing, 1.0); };
+  const bool hasNone = !(size.x >= 0.0); // no atoms, or no operators
+  if (hasNone || cells(size.x) * cells(size.y) * cells(size.z) < mostCells)
+  {
+    return;
+  }
+  std::ostringstream text;
+  text << path << ": assembly " << assembly.name << " is " << size.x << " x " << size.y << " x "
+       << size.z << " angstrom large, which is too large to search. Correct its operators or leave "
+       << "Assembly empty.";
+  throw NoSuchAssembly(text.str());
+}
+
 /**
  * Replaces the models of `structure` by assembly `name` as the file describes it (REMARK 350 of
  * PDB, pdbx_struct_assembly_gen of mmCIF): each chain once for each of its operators, copies under
@@ -49,11 +103,13 @@ void TakeAssembly(gemmi::Structure& structure, const std::string& name, const st
   {
     known += (known.empty() ? "" : ", ") + assembly.name;
   }
-  if (!structure.find_assembly(name))
+  const gemmi::Assembly* const wanted = structure.find_assembly(name);
+  if (!wanted)
   {
     throw NoSuchAssembly(path + ": there is no assembly " + name + "; the file describes " +
       (known.empty() ? "none." : known + "."));
   }
+  RequireModestBox(structure, *wanted, path);
   gemmi::transform_to_assembly(structure, name, gemmi::HowToNameCopiedChain::Short, nullptr);
 }
 

@@ -135,6 +135,13 @@ TEST(MacromoleculeReader, AssembliesThatTheFileDescribes)
   EXPECT_EQ(dimer.Atoms[0].Chain, "A");
   EXPECT_NE(dimer.Atoms[2].Chain, "A");
   EXPECT_EQ(dimer.Bonds.size(), 2u); // one in each copy
+  // gemmi's search for atoms on symmetry axes has memory for copies that are near enough.
+  std::string far = remarks;
+  far.replace(far.rfind("0.00000\n"), 7, "9999999.9");
+  far.replace(far.find("20.00000"), 8, "9999999.9");
+  far.replace(far.rfind("0.000000        0.00000\n") + 8, 15, "        9999999");
+  EXPECT_NE(WhyRefused(far + atoms, MoleculeFormat::PDB, options).find("too large to search"),
+    std::string::npos);
   options.Assembly = "7";
   EXPECT_EQ(WhyRefused(remarks + atoms, MoleculeFormat::PDB, options),
     "test: there is no assembly 7; the file describes 1.");
