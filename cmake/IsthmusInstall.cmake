@@ -37,6 +37,7 @@ write_basic_package_version_file(
 install(FILES
   "${CMAKE_CURRENT_BINARY_DIR}/IsthmusConfig.cmake"
   "${CMAKE_CURRENT_BINARY_DIR}/IsthmusConfigVersion.cmake"
+  "${CMAKE_CURRENT_SOURCE_DIR}/cmake/IsthmusParaView.cmake"
   DESTINATION "${package_destination}")
 install(FILES "${CMAKE_CURRENT_SOURCE_DIR}/LICENSE"
   DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/Isthmus")

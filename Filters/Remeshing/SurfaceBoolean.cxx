@@ -1,10 +1,10 @@
 #include "Remeshing/SurfaceBoolean.h"
 
 #include "Remeshing/CGALSurface.h"
+#include "Remeshing/CGALVersions.h"
 
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 
 namespace isthmus
@@ -85,7 +85,7 @@ void RemoveSlivers(SurfaceMesh& mesh, const Origins& origins, double finest)
       made.push_back(f);
     }
   }
-  PMP::experimental::remove_almost_degenerate_faces(made, mesh, CapCosine, NeedleRatio, finest);
+  cgal::RemoveNeedlesAndCaps(made, mesh, CapCosine, NeedleRatio, finest);
 }
 
 }

@@ -11,6 +11,7 @@
 // surfaces.
 #define CGAL_PMP_REMOVE_SELF_INTERSECTIONS_NO_SMOOTHING
 
+#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>

@@ -5,8 +5,7 @@
 #include "Core/ParallelFor.h"
 #include "Core/UnitScale.h"
 #include "Remeshing/CGALSurface.h"
-
-#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
+#include "Remeshing/CGALVersions.h"
 
 namespace isthmus
 {
@@ -86,8 +85,8 @@ TriangleMesh WithoutThinTriangles(const SurfaceView& mesh)
         box.Add(p);
       }
       cgal::SurfaceMesh surface = cgal::ToSurfaceMesh(mesh);
-      CGAL::Polygon_mesh_processing::experimental::remove_almost_degenerate_faces(
-        surface, CapCosine, NeedleRatio, CollapseLength * box.Diagonal());
+      cgal::RemoveNeedlesAndCaps(
+        surface.faces(), surface, CapCosine, NeedleRatio, CollapseLength * box.Diagonal());
       return cgal::FromSurfaceMesh(surface);
     });
 }
