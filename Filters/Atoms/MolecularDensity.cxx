@@ -1,6 +1,7 @@
 #include "Atoms/MolecularDensity.h"
 
 #include "Atoms/BallBricks.h"
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "Core/VectorClones.h"
 
@@ -198,7 +199,7 @@ DensityGrid GridAroundBalls(
 {
   if (!(spacing > 0.0) || std::isinf(spacing))
   {
-    throw std::invalid_argument("Spacing is " + std::to_string(spacing) +
+    throw std::invalid_argument("Spacing is " + FormatNumber(spacing) +
       ", but it is the distance of nodes: give a positive length.");
   }
   CheckBalls(balls);
@@ -208,7 +209,7 @@ DensityGrid GridAroundBalls(
   {
     if (!(padding[axis] >= 0.0) || std::isinf(padding[axis]))
     {
-      throw std::invalid_argument("Padding is " + std::to_string(padding[axis]) +
+      throw std::invalid_argument("Padding is " + FormatNumber(padding[axis]) +
         " along an axis, but it is the room around the atoms: give a length of 0 or more.");
     }
     double low = std::numeric_limits<double>::infinity();
@@ -222,7 +223,7 @@ DensityGrid GridAroundBalls(
     const double nodes = std::ceil((high + padding[axis] - grid.Origin[axis]) / spacing) + 1.0;
     if (!(nodes < std::numeric_limits<std::int32_t>::max()))
     {
-      throw std::invalid_argument("A Spacing of " + std::to_string(spacing) +
+      throw std::invalid_argument("A Spacing of " + FormatNumber(spacing) +
         " would make more than 2^31 nodes along an axis: choose a larger one.");
     }
     // Two at least, so that contours and gradients exist.
@@ -244,7 +245,7 @@ void GaussianSum(const std::vector<Ball>& balls, double decay, const std::array<
   constexpr double steepest = 500.0; // exp(709) is the largest double
   if (!(decay > 0.0) || decay > steepest)
   {
-    throw std::invalid_argument("Decay is " + std::to_string(decay) +
+    throw std::invalid_argument("Decay is " + FormatNumber(decay) +
       ", but Gaussians have to fall off, and not at once: give a number above 0, up to 500.");
   }
   // exp(-d (reach^2 - 1)) is the smallest term, with reach in radii.

@@ -5,6 +5,7 @@
 #include "CellComplex/TetCutaway.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
+#include "Core/NumberText.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -249,7 +250,10 @@ void vtkTetCutaway::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   const auto text = [](const double* v)
-  { return std::to_string(v[0]) + " " + std::to_string(v[1]) + " " + std::to_string(v[2]); };
+  {
+    return isthmus::FormatNumber(v[0]) + " " + isthmus::FormatNumber(v[1]) + " " +
+      isthmus::FormatNumber(v[2]);
+  };
   os << indent << "SeedMode: " << this->SeedMode << "\n";
   os << indent << "SeedPoint: " << text(this->SeedPoint) << "\n";
   os << indent << "SeedFace: " << this->SeedFace << "\n";

@@ -7,6 +7,7 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
+#include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 #include "vtkChokingLoops.h"
 
@@ -29,7 +30,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -84,9 +84,7 @@ std::string RangeOf(vtkDataArray* scalars)
 {
   double range[2];
   scalars->GetFiniteRange(range, 0);
-  std::ostringstream text;
-  text << "the map has values from " << range[0] << " to " << range[1];
-  return text.str();
+  return isthmus::TextOf("the map has values from ", range[0], " to ", range[1]);
 }
 
 /// What an algorithm inside of another one reports, handed on.
@@ -314,9 +312,8 @@ void vtkMapChokingLoops::Contour(vtkImageData* image)
   mesh = isthmus::HideDust(std::move(mesh), { 0.0, 0.0, this->LargestComponents }).Surface;
   if (mesh.Triangles.empty())
   {
-    std::ostringstream text;
-    text << "Nothing is inside the Level " << level << ": " << RangeOf(scalars) << ".";
-    throw std::invalid_argument(text.str());
+    throw std::invalid_argument(
+      isthmus::TextOf("Nothing is inside the Level ", level, ": ", RangeOf(scalars), "."));
   }
   isthmus::ToWorld(image, mesh);
   this->Surface = vtkSmartPointer<vtkPolyData>::New();

@@ -1,6 +1,7 @@
 #include "Contouring/ClosedLevelSet.h"
 
 #include "Core/ImageScalars.h"
+#include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 #include "Core/TrilinearField.h"
 
@@ -53,8 +54,8 @@ void RefuseMask(const GridView<const T>& grid, double low, double high)
       { return static_cast<double>(value) == low || static_cast<double>(value) == high; });
   if (mask)
   {
-    throw std::invalid_argument("The volume has only the two values " + std::to_string(low) +
-      " and " + std::to_string(high) +
+    throw std::invalid_argument("The volume has only the two values " + FormatNumber(low) +
+      " and " + FormatNumber(high) +
       ", so its level sets have a corner at every node and refinement would not end: smooth it "
       "first (High-Order Diffusion, Gaussian sum of Molecular Density), or take Contour.");
   }

@@ -1,6 +1,7 @@
 #include "Contouring/DelaunayIsosurface.h"
 
 #include "Contouring/SeedPoints.h"
+#include "Core/NumberText.h"
 #include "Core/RangeChecks.h"
 #include "Remeshing/CGALSurface.h"
 #include "Remeshing/SuppressCGALDumps.h"
@@ -31,7 +32,7 @@ void CheckParameters(const DelaunayIsosurfaceParameters& p)
 {
   if (!(p.Angle >= 0.0 && p.Angle <= 30.0))
   {
-    throw std::invalid_argument("The angle is " + std::to_string(p.Angle) +
+    throw std::invalid_argument("The angle is " + FormatNumber(p.Angle) +
       " degrees, but it must be from 0 to 30: above, refinement need not end.");
   }
   RequireAbove("Radius", p.Radius, 0.0, LargestLength, "It is a length.");
@@ -201,8 +202,8 @@ private:
 std::string Place(const SeededComponent& component)
 {
   const Point3 middle = 0.5 * (component.Bounds.Min + component.Bounds.Max);
-  return "(" + std::to_string(middle[0]) + ", " + std::to_string(middle[1]) + ", " +
-    std::to_string(middle[2]) + "), " + std::to_string(component.Bounds.Diagonal()) + " across";
+  return "(" + FormatNumber(middle[0]) + ", " + FormatNumber(middle[1]) + ", " +
+    FormatNumber(middle[2]) + "), " + FormatNumber(component.Bounds.Diagonal()) + " across";
 }
 
 /// Refines from the seeds of every component, and from all points of those that were not caught;

@@ -8,6 +8,7 @@
 #include "Core/Geometry.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "Core/PolyDataTriangles.h"
 
@@ -77,7 +78,7 @@ MovedSurface Move(const isthmus::SurfaceView& surface, double spacing)
 {
   if (!(spacing >= 0.0) || std::isinf(spacing))
   {
-    throw std::invalid_argument("Spacing is " + std::to_string(spacing) +
+    throw std::invalid_argument("Spacing is " + isthmus::FormatNumber(spacing) +
       ", but it is a length: give a positive one, or 0 for 1/64 of the longest side.");
   }
   const isthmus::Point3& first = surface.Point(surface.Corners(0)[0]);

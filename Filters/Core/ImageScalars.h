@@ -7,6 +7,7 @@
 #define isthmus_ImageScalars_h
 
 #include "Core/GridView.h"
+#include "Core/NumberText.h"
 #include "vtkIsthmusFiltersCoreModule.h"
 
 #include <vtkDataArray.h>
@@ -37,8 +38,8 @@ inline void RequireSpacing(vtkImageData* image)
     const double spacing = image->GetSpacing()[axis];
     if (!(spacing > 0.0) || std::isinf(spacing))
     {
-      throw std::invalid_argument("The image has the spacing " + std::to_string(spacing) +
-        " along " + "xyz"[axis] + ", but spacings must be positive and finite: set another one.");
+      throw std::invalid_argument("The image has the spacing " + FormatNumber(spacing) + " along " +
+        "xyz"[axis] + ", but spacings must be positive and finite: set another one.");
     }
   }
 }

@@ -1,11 +1,11 @@
 #include "Core/MemoryBudget.h"
+#include "Core/NumberText.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <sys/resource.h>
@@ -28,10 +28,9 @@ double NumberIn(const char* file, const std::string& key)
   std::string line;
   while (std::getline(in, line))
   {
-    std::istringstream words(line);
-    std::string word;
+    std::string_view words = line;
     double number = 0.0;
-    if ((key.empty() || (words >> word && word == key)) && words >> number)
+    if ((key.empty() || TakeWord(words) == key) && TakeNumber(words, number))
     {
       return number;
     }
@@ -79,9 +78,7 @@ std::string MemoryText(double bytes)
     amount /= 1024.0;
     ++unit;
   }
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.3g %s", amount, units[unit]);
-  return text;
+  return FormatNumber(amount, 3) + ' ' + units[unit];
 }
 
 MemoryBudget::MemoryBudget(double limit)

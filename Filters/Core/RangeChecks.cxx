@@ -1,11 +1,11 @@
 #include "Core/RangeChecks.h"
+#include "Core/NumberText.h"
 
 #include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 namespace isthmus
@@ -20,17 +20,6 @@ namespace
     ", but it must be " + range + "." + (*meaning ? " " : "") + meaning);
 }
 
-}
-
-std::string FormatNumber(double value)
-{
-  if (std::isnan(value))
-  {
-    return "not a number";
-  }
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
 }
 
 void RequireRange(const char* property, double value, double low, double high, const char* meaning)

@@ -6,6 +6,7 @@
 #ifndef isthmus_RangeChecks_h
 #define isthmus_RangeChecks_h
 
+#include "Core/NumberText.h"
 #include "vtkIsthmusFiltersCoreModule.h"
 
 #include <string>
@@ -19,9 +20,6 @@ namespace isthmus
 /// underflow.
 constexpr double SmallestLength = 1e-100;
 constexpr double LargestLength = 1e100;
-
-/// A number formatted for messages: six digits at most, and NaN in words.
-VTKISTHMUSFILTERSCORE_EXPORT std::string FormatNumber(double value);
 
 /// @throws std::invalid_argument, with the property's name, value and range, unless low <= value <=
 /// high. NaN is refused. `meaning` is the end of the message.

@@ -1,5 +1,6 @@
 #include "Curvature/HessianCurvature.h"
 
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "Curvature/FiniteDifference.h"
 #include "Curvature/HessianCurvatureRows.h"
@@ -22,7 +23,7 @@ void CheckGrid(const GridView<const T>& grid)
     if (!(grid.Spacing[axis] > 0.0) || std::isinf(grid.Spacing[axis]))
     {
       throw std::invalid_argument(std::string("The spacing of the grid along ") + "xyz"[axis] +
-        " is " + std::to_string(grid.Spacing[axis]) + ": it must be a positive length.");
+        " is " + FormatNumber(grid.Spacing[axis]) + ": it must be a positive length.");
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "Curvature/ScalarRegions.h"
 
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 
 #include <Eigen/Dense>
@@ -150,7 +151,7 @@ void CheckThresholds(const ThresholdedScalar& scalar)
   {
     if (!std::isfinite(t[i]) || (i > 0 && !(t[i - 1] < t[i])))
     {
-      throw std::invalid_argument("Threshold " + std::to_string(i) + " is " + std::to_string(t[i]) +
+      throw std::invalid_argument("Threshold " + std::to_string(i) + " is " + FormatNumber(t[i]) +
         ", but thresholds are finite numbers that ascend: sort them and remove repeated ones.");
     }
   }

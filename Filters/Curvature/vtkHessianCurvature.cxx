@@ -3,6 +3,7 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
+#include "Core/NumberText.h"
 #include "Core/RangeChecks.h"
 #include "Curvature/CurvatureOfImage.h"
 #include "Curvature/FiniteDifference.h"
@@ -73,7 +74,7 @@ void CheckNotNegative(double value, const char* name, const char* meaning)
   if (!(value >= 0.0) || std::isinf(value))
   {
     throw std::invalid_argument(
-      std::string(name) + " is " + std::to_string(value) + ", but it is " + meaning + ".");
+      std::string(name) + " is " + isthmus::FormatNumber(value) + ", but it is " + meaning + ".");
   }
 }
 

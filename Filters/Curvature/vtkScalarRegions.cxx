@@ -3,6 +3,7 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
 #include "Core/NamedColumns.h"
+#include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 #include "Curvature/ScalarRegions.h"
 
@@ -25,7 +26,6 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -50,21 +50,15 @@ double UpperEnd(const ThresholdedScalar& scalar, std::size_t region)
 
 std::string NameOf(const ThresholdedScalar& scalar, const std::string& name, std::size_t region)
 {
-  std::ostringstream text;
-  text << name;
   if (region == 0)
   {
-    text << " below " << UpperEnd(scalar, region);
+    return isthmus::TextOf(name, " below ", UpperEnd(scalar, region));
   }
-  else if (region + 1 == scalar.Regions())
+  if (region + 1 == scalar.Regions())
   {
-    text << " from " << LowerEnd(scalar, region);
+    return isthmus::TextOf(name, " from ", LowerEnd(scalar, region));
   }
-  else
-  {
-    text << " " << LowerEnd(scalar, region) << " to " << UpperEnd(scalar, region);
-  }
-  return text.str();
+  return isthmus::TextOf(name, " ", LowerEnd(scalar, region), " to ", UpperEnd(scalar, region));
 }
 
 double Share(double area, double total)
@@ -118,7 +112,7 @@ void FillSweepTable(vtkTable* table, const SurfaceView& mesh, const ThresholdedS
     target < scalar.Thresholds.back();
   if (!between)
   {
-    throw std::invalid_argument("SweepTarget is " + std::to_string(target) +
+    throw std::invalid_argument("SweepTarget is " + FormatNumber(target) +
       ", but the sweep needs it between a lowest and a highest threshold: give thresholds on both "
       "sides of it, or set SweepSteps to 0.");
   }

@@ -3,6 +3,7 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
 #include "Core/Index.h"
+#include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 #include "Curvature/CurvatureDescriptors.h"
 #include "Curvature/SurfaceCurvature.h"
@@ -69,8 +70,8 @@ void CheckTolerance(double value, const char* name)
 {
   if (!(value >= 0.0) || std::isinf(value))
   {
-    throw std::invalid_argument(
-      std::string(name) + " is " + std::to_string(value) + ", but it is a bound: 0 or more.");
+    throw std::invalid_argument(std::string(name) + " is " + isthmus::FormatNumber(value) +
+      ", but it is a bound: 0 or more.");
   }
 }
 

@@ -1,5 +1,6 @@
 #include "Electrostatics/GridPotential.h"
 
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "Electrostatics/ChargesOnGrid.h"
 #include "Electrostatics/ClosedCavities.h"
@@ -517,8 +518,7 @@ void GridPotential::SolveNonlinear(double tolerance, const ProgressCallback& pro
     if (newton >= this->Parameters.MaximumNewtonSteps)
     {
       throw std::runtime_error("Newton's method did not converge in " + std::to_string(newton) +
-        " steps: the residual is " + std::to_string(norm / reference) +
-        " of that of no potential.");
+        " steps: the residual is " + FormatNumber(norm / reference) + " of that of no potential.");
     }
     norm = this->NewtonStep(newton == 0 ? 1e-2 : 1e-3, norm);
     this->Report.Residuals.push_back(norm / reference);

@@ -1,5 +1,7 @@
 #include "Electrostatics/HarmonicFit.h"
 
+#include "Core/NumberText.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -111,9 +113,8 @@ ValueAndGradient HarmonicAt(const SolverBox& box, const std::vector<unsigned cha
     return { c[0], { c[1] / unit, c[2] / unit, c[3] / unit } };
   }
   throw std::invalid_argument(
-    "There is no node of the grid inside the surface around the charge at (" +
-    std::to_string(x[0]) + ", " + std::to_string(x[1]) + ", " + std::to_string(x[2]) +
-    "): choose a finer grid.");
+    "There is no node of the grid inside the surface around the charge at (" + FormatNumber(x[0]) +
+    ", " + FormatNumber(x[1]) + ", " + FormatNumber(x[2]) + "): choose a finer grid.");
 }
 
 }

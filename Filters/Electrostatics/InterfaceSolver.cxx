@@ -1,5 +1,6 @@
 #include "Electrostatics/InterfaceSolver.h"
 
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 
 #include <algorithm>
@@ -152,8 +153,8 @@ void RequireConvergence(const SolverReport& report, const SolverControl& control
   {
     const double reached = report.Residuals.empty() ? 1.0 : report.Residuals.back();
     throw std::runtime_error("The potential did not converge: after " +
-      std::to_string(report.Iterations) + " iterations the residual is " + std::to_string(reached) +
-      " of that of the start, and " + std::to_string(control.Tolerance) +
+      std::to_string(report.Iterations) + " iterations the residual is " + FormatNumber(reached) +
+      " of that of the start, and " + FormatNumber(control.Tolerance) +
       " was asked for. Allow more iterations, or give a smoother surface or a finer grid.");
   }
 }

@@ -1,5 +1,6 @@
 #include "Electrostatics/IonAtmosphere.h"
 
+#include "Core/NumberText.h"
 #include "Core/RangeChecks.h"
 #include "Electrostatics/ElectrostaticUnits.h"
 
@@ -32,7 +33,7 @@ void RequireSpecies(const IonSpecies& s)
   if (!(s.Concentration >= 0.0) || !std::isfinite(s.Concentration) || !std::isfinite(s.Valence) ||
     !std::isfinite(s.Radius))
   {
-    throw std::invalid_argument("An ion has the valence " + std::to_string(s.Valence) +
+    throw std::invalid_argument("An ion has the valence " + FormatNumber(s.Valence) +
       ", the concentration " + FormatNumber(s.Concentration) + " mol/l and the radius " +
       FormatNumber(s.Radius) +
       ", but concentrations are 0 or more and all three are finite numbers.");
@@ -65,7 +66,7 @@ IonAtmosphere::IonAtmosphere(const std::vector<IonSpecies>& species, double kelv
   }
   if (std::abs(net) > 1e-6 * total)
   {
-    throw std::invalid_argument("The ions of the salt carry " + std::to_string(net) +
+    throw std::invalid_argument("The ions of the salt carry " + FormatNumber(net) +
       " mol/l of charge in all, but a solution is neutral: change a concentration.");
   }
 }

@@ -1,5 +1,7 @@
 #include "Electrostatics/PoissonBoltzmann.h"
 
+#include "Core/NumberText.h"
+
 #include "Electrostatics/ElectrostaticUnits.h"
 
 #include <cmath>
@@ -16,7 +18,7 @@ void Require(bool holds, const char* name, double value, const char* what)
   if (!holds)
   {
     throw std::invalid_argument(
-      std::string(name) + " is " + std::to_string(value) + ", but " + what + ".");
+      std::string(name) + " is " + FormatNumber(value) + ", but " + what + ".");
   }
 }
 

@@ -1,6 +1,7 @@
 #include "Electrostatics/PoissonBoltzmannInput.h"
 
 #include "Core/ImageScalars.h"
+#include "Core/NumberText.h"
 #include "Core/RangeChecks.h"
 #include "Core/TrilinearField.h"
 #include "Electrostatics/SoluteVolume.h"
@@ -130,7 +131,7 @@ SoluteAtoms ReadSolute(vtkAlgorithm* filter, vtkPointSet* points, bool radiiNeed
   }
   if (std::abs(solute.NetCharge - std::round(solute.NetCharge)) > 0.01)
   {
-    solute.Warning = "The net charge is " + std::to_string(solute.NetCharge) +
+    solute.Warning = "The net charge is " + FormatNumber(solute.NetCharge) +
       " e, not a whole number: atoms may be missing, or their charges.";
   }
   return solute;

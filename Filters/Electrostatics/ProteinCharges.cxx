@@ -1,13 +1,12 @@
 #include "Electrostatics/ProteinCharges.h"
 
 #include "Atoms/ChemicalElement.h"
+#include "Core/NumberText.h"
 #include "Core/PrintableText.h"
 
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 #include <tuple>
 
@@ -84,12 +83,16 @@ std::string PDBLine(const NamedAtom& atom, const FileResidue& residue, int seria
   // A name that is cut would be another one: what does not fit is nobody the force field knows.
   const std::string name = atom.Name.size() > 4 ? "X" : atom.Name;
   const std::string kind = atom.Residue.size() > 3 ? "X" : atom.Residue;
-  char line[96];
-  std::snprintf(line, sizeof line, "%-6s%5d %-4s %3s %c%4d    %8.3f%8.3f%8.3f%6.2f%6.2f%12s\n",
-    atom.IsHetero ? "HETATM" : "ATOM", serial, ((name.size() < 4 ? " " : "") + name).c_str(),
-    kind.c_str(), residue.Chain, residue.Number, atom.Place[0], atom.Place[1], atom.Place[2], 1.0,
-    0.0, atom.Element > 0 ? ElementSymbol(atom.Element) : "");
-  return line;
+  std::string line = LeftAligned(atom.IsHetero ? "HETATM" : "ATOM", 6) +
+    RightAligned(std::to_string(serial), 5) + ' ' +
+    LeftAligned((name.size() < 4 ? " " : "") + name, 4) + ' ' + RightAligned(kind, 3) + ' ' +
+    residue.Chain + RightAligned(std::to_string(residue.Number), 4) + "    ";
+  for (const double coordinate : atom.Place)
+  {
+    line += RightAligned(FixedNumber(coordinate, 3), 8);
+  }
+  line += "  1.00  0.00";
+  return line + RightAligned(atom.Element > 0 ? ElementSymbol(atom.Element) : "", 12) + '\n';
 }
 
 void WritePDB(const std::vector<NamedAtom>& atoms, const std::vector<FileResidue>& residues,
@@ -116,14 +119,15 @@ void WritePDB(const std::vector<NamedAtom>& atoms, const std::vector<FileResidue
 /// The reason in a log that ends in tracebacks.
 std::string ReasonIn(const std::string& log)
 {
-  std::istringstream lines(log);
-  std::string line, error, told;
-  while (std::getline(lines, line))
+  std::string error, told;
+  for (std::size_t at = 0, end = 0; at < log.size(); at = end + 1)
   {
-    const std::size_t at = line.find("Error: ");
-    if (at != std::string::npos && error.empty())
+    end = std::min(log.find('\n', at), log.size());
+    const std::string line = log.substr(at, end - at);
+    const std::size_t named = line.find("Error: ");
+    if (named != std::string::npos && error.empty())
     {
-      error = line.substr(at + 7);
+      error = line.substr(named + 7);
     }
     for (const std::string level : { "ERROR:", "CRITICAL:" })
     {
@@ -199,14 +203,19 @@ public:
 
   void Take(const std::string& line, ChargedProtein& to)
   {
-    std::istringstream words(line);
-    std::string record, serial, chain;
-    int number = 0;
+    std::string_view words = line;
+    TakeWord(words); // the record's name
+    TakeWord(words); // the serial number
     ForceFieldAtom atom;
-    words >> record >> serial >> atom.Name >> atom.Residue >> chain >> number >> atom.Place[0] >>
-      atom.Place[1] >> atom.Place[2] >> atom.Charge >> atom.Radius;
+    atom.Name = TakeWord(words);
+    atom.Residue = TakeWord(words);
+    const std::string_view chain = TakeWord(words);
+    int number = 0;
+    const bool complete = TakeNumber(words, number) && TakeNumber(words, atom.Place[0]) &&
+      TakeNumber(words, atom.Place[1]) && TakeNumber(words, atom.Place[2]) &&
+      TakeNumber(words, atom.Charge) && TakeNumber(words, atom.Radius);
     const auto at = this->Places.find({ chain.empty() ? ' ' : chain[0], number });
-    if (!words || at == this->Places.end())
+    if (!complete || at == this->Places.end())
     {
       throw std::runtime_error("pdb2pqr gave a line that can't be read (" + Printable(line) +
         "): use version 3." + WayOut);

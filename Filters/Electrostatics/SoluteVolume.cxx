@@ -2,6 +2,7 @@
 
 #include "Atoms/MolecularDensity.h"
 #include "Core/ImageScalars.h"
+#include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 #include "Electrostatics/SolverMemory.h"
 #include "Surfaces/GridDistance.h"
@@ -27,13 +28,13 @@ void RequireWish(const GridRequest& wish)
 {
   if (!(wish.Spacing > 0.0) || std::isinf(wish.Spacing))
   {
-    throw std::invalid_argument("Spacing is " + std::to_string(wish.Spacing) +
+    throw std::invalid_argument("Spacing is " + FormatNumber(wish.Spacing) +
       ", but it is the distance of nodes: give a positive length.");
   }
   if (!(wish.Padding >= 0.0) || std::isinf(wish.Padding))
   {
     throw std::invalid_argument(
-      "Padding is " + std::to_string(wish.Padding) + ", but a length of 0 or more is wanted.");
+      "Padding is " + FormatNumber(wish.Padding) + ", but a length of 0 or more is wanted.");
   }
 }
 
@@ -49,8 +50,8 @@ vtkSmartPointer<vtkImageData> ImageOf(
   }
   if (!(all < 1e11) || dimensions[0] < 1 || dimensions[1] < 1 || dimensions[2] < 1)
   {
-    throw std::invalid_argument("A Spacing of " + std::to_string(spacing) + " makes a grid of " +
-      std::to_string(all) + " nodes, too many: choose a larger one.");
+    throw std::invalid_argument("A Spacing of " + FormatNumber(spacing) + " makes a grid of " +
+      FormatNumber(all) + " nodes, too many: choose a larger one.");
   }
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(dimensions);
@@ -236,7 +237,7 @@ SoluteVolume VolumeOfImage(vtkImageData* image, vtkDataArray* scalars, double le
   SoluteVolume volume;
   volume.Grid = StructureOf(image);
   volume.Scalars = scalars;
-  volume.Kind = std::string("level ") + std::to_string(level) + " of " +
+  volume.Kind = std::string("level ") + FormatNumber(level) + " of " +
     (scalars->GetName() ? scalars->GetName() : "the scalars");
   ShapeOf(image);
   UseScalars(image, scalars,

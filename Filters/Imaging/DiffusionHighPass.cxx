@@ -1,5 +1,7 @@
 #include "Imaging/DiffusionHighPass.h"
 
+#include "Core/NumberText.h"
+
 #include "Imaging/SuperTimeStepping.h"
 
 #include <algorithm>
@@ -74,7 +76,7 @@ void RequireAll(const std::array<double, 2>& values, const char* what)
   {
     if (!(value >= 0.0) || !std::isfinite(value))
     {
-      throw std::invalid_argument(std::string(what) + " is " + std::to_string(value) +
+      throw std::invalid_argument(std::string(what) + " is " + FormatNumber(value) +
         ", but must be finite and not negative.");
     }
   }

@@ -1,5 +1,6 @@
 #include "Imaging/DiffusionImage.h"
 #include "Core/LargePages.h"
+#include "Core/NumberText.h"
 
 #include <vtkArrayDispatch.h>
 #include <vtkDataArrayRange.h>
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 namespace isthmus
@@ -156,12 +156,10 @@ void DiffusionImage<T>::CheckArray(vtkDataArray* array) const
   if (array->GetNumberOfTuples() != this->Input->GetNumberOfPoints() ||
     array->GetNumberOfComponents() != 1)
   {
-    std::ostringstream text;
-    text << "The array '" << (array->GetName() ? array->GetName() : "") << "' has "
-         << array->GetNumberOfTuples() << " tuples of " << array->GetNumberOfComponents()
-         << " components, but the image has " << this->Input->GetNumberOfPoints()
-         << " nodes and needs one number at each.";
-    throw std::invalid_argument(text.str());
+    throw std::invalid_argument(TextOf("The array '", array->GetName() ? array->GetName() : "",
+      "' has ", array->GetNumberOfTuples(), " tuples of ", array->GetNumberOfComponents(),
+      " components, but the image has ", this->Input->GetNumberOfPoints(),
+      " nodes and needs one number at each."));
   }
 }
 
@@ -183,8 +181,7 @@ void DiffusionImage<T>::RefuseInvalid(const T* values) const
   first = std::find_if(
             values, values + this->Grid.Size(), [](T value) { return !std::isfinite(value); }) -
     values;
-  std::ostringstream text;
-  text << count << " of the image's values are not finite";
+  std::string text = TextOf(count, " of the image's values are not finite");
   if (first < this->Grid.Size())
   {
     const auto& n = this->Grid.Dimensions;
@@ -196,11 +193,10 @@ void DiffusionImage<T>::RefuseInvalid(const T* values) const
       index[axis] = node[axis];
     }
     this->Input->TransformContinuousIndexToPhysicalPoint(index, position);
-    text << ", the first at node (" << node[0] << ", " << node[1] << ", " << node[2]
-         << "), position (" << position[0] << ", " << position[1] << ", " << position[2] << ')';
+    text += TextOf(", the first at node (", node[0], ", ", node[1], ", ", node[2], "), position (",
+      position[0], ", ", position[1], ", ", position[2], ")");
   }
-  text << ": repair them, or switch MaskInvalid on to leave them out.";
-  throw std::invalid_argument(text.str());
+  throw std::invalid_argument(text + ": repair them, or switch MaskInvalid on to leave them out.");
 }
 
 template <typename T>

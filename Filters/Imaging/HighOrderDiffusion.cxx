@@ -1,5 +1,7 @@
 #include "Imaging/HighOrderDiffusion.h"
 
+#include "Core/NumberText.h"
+
 #include "Imaging/DiffusionEvaluation.h"
 #include "Imaging/EdgeCoefficient.h"
 #include "Imaging/SuperTimeStepping.h"
@@ -7,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 
 namespace isthmus
@@ -21,9 +22,7 @@ void Require(bool holds, const char* what, double value, const char* rule)
 {
   if (!holds)
   {
-    std::ostringstream text;
-    text << what << " is " << value << ", but must be " << rule << '.';
-    throw std::invalid_argument(text.str());
+    throw std::invalid_argument(TextOf(what, " is ", value, ", but must be ", rule, "."));
   }
 }
 

@@ -1,12 +1,12 @@
 #include "Imaging/SuperTimeStepping.h"
 
 #include "Core/LargePages.h"
+#include "Core/NumberText.h"
 #include "Imaging/DiffusionEvaluation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <sstream>
 #include <stdexcept>
 
 namespace isthmus
@@ -16,11 +16,10 @@ namespace
 
 [[noreturn]] void RefuseSteps(double time, double limit, int count, const char* integrator)
 {
-  std::ostringstream text;
-  text << "With Steps = " << count << " a step is " << time / count << " long, but " << integrator
-       << " is stable only up to " << limit << " for these orders, diffusivities and spacing: take "
-       << std::ceil(time / limit) << " steps or more, or Steps = 0 for automatic ones.";
-  throw std::invalid_argument(text.str());
+  throw std::invalid_argument(
+    TextOf("With Steps = ", count, " a step is ", time / count, " long, but ", integrator,
+      " is stable only up to ", limit, " for these orders, diffusivities and spacing: take ",
+      std::ceil(time / limit), " steps or more, or Steps = 0 for automatic ones."));
 }
 
 /// Length that `stages` stages reach, in explicit steps.
@@ -55,11 +54,9 @@ void RequireEvaluations(double evaluations)
 {
   if (!(evaluations <= MaximumEvaluations))
   {
-    std::ostringstream text;
-    text << "This takes " << evaluations << " evaluations of the equation, or more; the most is "
-         << MaximumEvaluations
-         << ". Lower the end time or the diffusivities, take SuperTimeStepping, or a coarser grid.";
-    throw std::invalid_argument(text.str());
+    throw std::invalid_argument(TextOf("This takes ", evaluations,
+      " evaluations of the equation, or more; the most is ", MaximumEvaluations,
+      ". Lower the end time or the diffusivities, take SuperTimeStepping, or a coarser grid."));
   }
 }
 

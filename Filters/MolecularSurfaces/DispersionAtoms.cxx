@@ -1,5 +1,7 @@
 #include "MolecularSurfaces/DispersionAtoms.h"
 
+#include "Core/NumberText.h"
+
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 
@@ -35,7 +37,7 @@ std::vector<DispersionAtom> DispersionAtomsOf(vtkDataObject* input, const Molecu
       if (!(depth >= 0.0) || std::isinf(depth))
       {
         throw std::invalid_argument("Atom " + std::to_string(id) + " has a WellDepth of " +
-          std::to_string(depth) + ", but it is the depth of a well: give 0 or more, in kcal/mol.");
+          FormatNumber(depth) + ", but it is the depth of a well: give 0 or more, in kcal/mol.");
       }
       result.push_back({ ball.Centre, ball.Radius, depth });
       continue;

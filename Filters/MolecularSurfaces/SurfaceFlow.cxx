@@ -1,5 +1,6 @@
 #include "MolecularSurfaces/SurfaceFlow.h"
 
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "MolecularSurfaces/BallDistance.h"
 #include "MolecularSurfaces/FlowField.h"
@@ -197,7 +198,7 @@ void RunForTime(
   const double wanted = std::ceil(time / (Lambda * h * h));
   if (wanted > 1e7)
   {
-    throw std::invalid_argument("EvolutionTime is " + std::to_string(time) +
+    throw std::invalid_argument("EvolutionTime is " + FormatNumber(time) +
       " square angstrom, which takes more than ten million steps: choose Steady.");
   }
   const int steps = static_cast<int>(wanted);

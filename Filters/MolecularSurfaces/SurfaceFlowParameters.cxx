@@ -1,6 +1,7 @@
 #include "MolecularSurfaces/SurfaceFlowParameters.h"
 
 #include "Core/MemoryBudget.h"
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "Core/RangeChecks.h"
 #include "MolecularSurfaces/FlowField.h"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -25,8 +25,8 @@ void CheckNumber(const char* name, double value, double least, bool allowed, con
 {
   if (!(value > least || (allowed && value == least)) || !std::isfinite(value))
   {
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
-      ", but it is " + what + ": give a number " + (allowed ? "of at least " : "above ") +
+    throw std::invalid_argument(std::string(name) + " is " + FormatNumber(value) + ", but it is " +
+      what + ": give a number " + (allowed ? "of at least " : "above ") +
       std::to_string(static_cast<int>(least)) + ".");
   }
 }
@@ -80,9 +80,7 @@ std::string OutlierText(const std::vector<Ball>& balls)
   {
     return "";
   }
-  std::ostringstream text;
-  text << " Atom " << atom << " lies " << far << " from the middle of the others: is it meant?";
-  return text.str();
+  return TextOf(" Atom ", atom, " lies ", far, " from the middle of the others: is it meant?");
 }
 
 }
@@ -152,13 +150,11 @@ void CheckFlowMemory(const std::vector<Ball>& balls, const DensityGrid& grid)
     return;
   }
   const auto& n = grid.Dimensions;
-  std::ostringstream flow;
-  flow << "The flow on a grid of " << n[0] << " x " << n[1] << " x " << n[2] << " nodes (Spacing "
-       << grid.Spacing << ")";
-  std::ostringstream remedy;
-  remedy << "choose a Spacing of about "
-         << 1.1 * grid.Spacing * std::cbrt(needed / std::max(budget.Bytes(), 1e6)) << " or more";
-  throw std::runtime_error(budget.Message(needed, flow.str(), remedy.str()) + OutlierText(balls));
+  const std::string flow = TextOf("The flow on a grid of ", n[0], " x ", n[1], " x ", n[2],
+    " nodes (Spacing ", grid.Spacing, ")");
+  const std::string remedy = TextOf("choose a Spacing of about ",
+    1.1 * grid.Spacing * std::cbrt(needed / std::max(budget.Bytes(), 1e6)), " or more");
+  throw std::runtime_error(budget.Message(needed, flow, remedy) + OutlierText(balls));
 }
 
 std::vector<float> InnerValues(

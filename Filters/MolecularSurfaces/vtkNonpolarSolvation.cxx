@@ -4,6 +4,7 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
 #include "Core/ImageExtent.h"
+#include "Core/NumberText.h"
 #include "MolecularSurfaces/DispersionAtoms.h"
 #include "MolecularSurfaces/NonpolarEnergy.h"
 
@@ -52,7 +53,7 @@ void CheckNumber(const char* name, double value, bool negativeAllowed)
 {
   if (!std::isfinite(value) || (value < 0.0 && !negativeAllowed))
   {
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+    throw std::invalid_argument(std::string(name) + " is " + isthmus::FormatNumber(value) +
       ": give a finite number" + (negativeAllowed ? "." : " of 0 or more."));
   }
 }

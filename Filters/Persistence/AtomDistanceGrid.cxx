@@ -1,5 +1,7 @@
 #include "Persistence/AtomDistanceGrid.h"
 
+#include "Core/NumberText.h"
+
 #include "Persistence/FastMarching.h"
 
 #include <algorithm>
@@ -17,7 +19,7 @@ void RequirePositive(const char* name, double value)
 {
   if (!(value > 0.0) || std::isinf(value))
   {
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+    throw std::invalid_argument(std::string(name) + " is " + FormatNumber(value) +
       ", but it is a length: give a positive number.");
   }
 }
@@ -38,8 +40,7 @@ void Check(const std::vector<Point3>& atoms, const std::vector<double>& scales,
     if (!scales.empty() && (!(scales[i] > 0.0) || std::isinf(scales[i])))
     {
       throw std::invalid_argument("Atom " + std::to_string(i) + " has the radius " +
-        std::to_string(scales[i]) +
-        ", but distances are to be divided by it: give a positive one.");
+        FormatNumber(scales[i]) + ", but distances are to be divided by it: give a positive one.");
     }
   }
 }
@@ -58,7 +59,7 @@ AtomDistances GridAround(const std::vector<Point3>& atoms, double reach, double 
     nodes *= cells + 1.0;
     if (!(nodes < 2147483648.0))
     {
-      throw std::runtime_error("A Spacing of " + std::to_string(spacing) +
+      throw std::runtime_error("A Spacing of " + FormatNumber(spacing) +
         " makes a grid of more than 2^31 nodes: choose a larger one.");
     }
     grid.Origin[axis] = low;

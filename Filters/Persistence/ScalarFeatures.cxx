@@ -1,5 +1,7 @@
 #include "Persistence/ScalarFeatures.h"
 
+#include "Core/NumberText.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -19,13 +21,13 @@ void Check(const FeatureParameters& parameters)
   if (!(parameters.Range[0] < parameters.Range[1]))
   {
     throw std::invalid_argument("The range of levels goes from " +
-      std::to_string(parameters.Range[0]) + " to " + std::to_string(parameters.Range[1]) +
+      FormatNumber(parameters.Range[0]) + " to " + FormatNumber(parameters.Range[1]) +
       ", but the first has to be below the second.");
   }
   if (!(parameters.MinimumPersistence >= 0.0) || std::isinf(parameters.MinimumPersistence))
   {
     throw std::invalid_argument("MinimumPersistence is " +
-      std::to_string(parameters.MinimumPersistence) +
+      FormatNumber(parameters.MinimumPersistence) +
       ", but it is a difference of levels: give 0 or a positive number.");
   }
 }
@@ -231,8 +233,8 @@ void RequireLevels(std::int64_t count, const double* range)
   }
   if (range && !(std::isfinite(range[0]) && std::isfinite(range[1]) && range[0] < range[1]))
   {
-    throw std::invalid_argument("Range goes from " + std::to_string(range[0]) + " to " +
-      std::to_string(range[1]) + ", but the first has to be below the second.");
+    throw std::invalid_argument("Range goes from " + FormatNumber(range[0]) + " to " +
+      FormatNumber(range[1]) + ", but the first has to be below the second.");
   }
 }
 

@@ -1,6 +1,7 @@
 #include "Pockets/BindingSites.h"
 
 #include "Core/DisjointSets.h"
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "Pockets/HullDepth.h"
 #include "Surfaces/AreaQuantiles.h"
@@ -24,7 +25,7 @@ void Check(bool good, const char* what, double value, const char* range)
   if (!good)
   {
     throw std::invalid_argument(
-      std::string(what) + " is " + std::to_string(value) + ", but should be " + range + ".");
+      std::string(what) + " is " + FormatNumber(value) + ", but should be " + range + ".");
   }
 }
 

@@ -1,6 +1,7 @@
 #include "Pockets/FeatureTracks.h"
 
 #include "Core/Handles.h"
+#include "Core/NumberText.h"
 #include "Pockets/Assignment.h"
 
 #include <algorithm>
@@ -244,7 +245,7 @@ FeatureTracks TrackFeatures(const std::vector<TrackFrame>& frames, const TrackOp
 {
   if (!(options.MaximumDistance > 0.0) || std::isinf(options.MaximumDistance))
   {
-    throw std::invalid_argument("MaximumDistance is " + std::to_string(options.MaximumDistance) +
+    throw std::invalid_argument("MaximumDistance is " + FormatNumber(options.MaximumDistance) +
       ", but it is a length: give a positive number.");
   }
   if (options.MaximumGap < 0)

@@ -1,6 +1,7 @@
 #include "Pockets/PoreChannels.h"
 
 #include "Core/Index.h"
+#include "Core/NumberText.h"
 #include "Persistence/FiltrationPairs.h"
 
 #include <algorithm>
@@ -207,7 +208,7 @@ Channel PathBetween(const RegularFiltration& f, const FacesByCell& faces,
   {
     throw std::runtime_error("There is no way between the two points that stays within "
                              "MaximumOffset, " +
-      std::to_string(options.MaximumOffset) +
+      FormatNumber(options.MaximumOffset) +
       " angstrom, of the straight line: choose points in the pore, or a larger offset.");
   }
   Channel channel;

@@ -1,5 +1,6 @@
 #include "Pockets/PoreProfile.h"
 
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "Pockets/EmptySpace.h"
 #include "Pockets/PoreChannels.h"
@@ -60,7 +61,7 @@ std::vector<Point3> Resample(const std::vector<Point3>& path, double spacing)
   }
   if (!(whole / spacing <= mostPlanes))
   {
-    throw std::invalid_argument("A pore here is " + std::to_string(whole) +
+    throw std::invalid_argument("A pore here is " + FormatNumber(whole) +
       " angstrom long, which takes more than 100000 planes at this Spacing: raise it, or check the "
       "unit of the atoms' coordinates.");
   }
@@ -143,7 +144,7 @@ void CheckLength(const char* name, double value)
 {
   if (!(value > 0.0 && value <= 1e4))
   {
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+    throw std::invalid_argument(std::string(name) + " is " + FormatNumber(value) +
       ", but it is a length: give a positive number of angstrom, at most 10000.");
   }
 }
@@ -156,12 +157,12 @@ void CheckOptions(const PoreOptions& options)
   CheckLength("MinimumRadius", options.MinimumRadius);
   if (options.Spacing < 0.001)
   {
-    throw std::invalid_argument("Spacing is " + std::to_string(options.Spacing) +
+    throw std::invalid_argument("Spacing is " + FormatNumber(options.Spacing) +
       ", but planes nearer than 0.001 angstrom tell nothing more: give a larger one.");
   }
   if (!(options.MinimumSpan >= 0.0 && options.MinimumSpan <= 1e6))
   {
-    throw std::invalid_argument("MinimumSpan is " + std::to_string(options.MinimumSpan) +
+    throw std::invalid_argument("MinimumSpan is " + FormatNumber(options.MinimumSpan) +
       ", but it must be a length and not negative.");
   }
 }
@@ -379,7 +380,7 @@ Pore PoreAlong(const std::vector<Ball>& atoms, const Point3& point, const Point3
   const auto after = static_cast<std::int64_t>((options.EndRadius + high) / options.Spacing);
   if (before + after > 10000000)
   {
-    throw std::invalid_argument("Spacing is " + std::to_string(options.Spacing) +
+    throw std::invalid_argument("Spacing is " + FormatNumber(options.Spacing) +
       ", too small for atoms this far apart: give a larger one.");
   }
   Course course;

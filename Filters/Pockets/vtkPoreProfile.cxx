@@ -3,6 +3,7 @@
 #include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
+#include "Core/NumberText.h"
 #include "Pockets/PoreOutput.h"
 #include "Pockets/PoreProfile.h"
 
@@ -180,7 +181,7 @@ void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
     if (longest > options.MinimumRadius)
     {
       options.MinimumRadius = longest;
-      atoms.Notes.push_back("The surface's points are up to " + std::to_string(longest) +
+      atoms.Notes.push_back("The surface's points are up to " + isthmus::FormatNumber(longest) +
         " apart: channels narrower than that were not looked for.");
     }
   }

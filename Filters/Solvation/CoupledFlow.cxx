@@ -1,5 +1,7 @@
 #include "Solvation/CoupledFlow.h"
 
+#include "Core/NumberText.h"
+
 #include "MolecularSurfaces/FlowField.h"
 #include "MolecularSurfaces/LevelMeasure.h"
 
@@ -25,7 +27,7 @@ void Require(bool fine, const char* name, double value, const char* what)
   if (!fine)
   {
     throw std::invalid_argument(
-      std::string(name) + " is " + std::to_string(value) + ", but " + what + ".");
+      std::string(name) + " is " + FormatNumber(value) + ", but " + what + ".");
   }
 }
 

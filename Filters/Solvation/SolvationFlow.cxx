@@ -1,5 +1,7 @@
 #include "Solvation/SolvationFlow.h"
 
+#include "Core/NumberText.h"
+
 #include "Atoms/NearestBall.h"
 #include "Electrostatics/ElectrostaticUnits.h"
 #include "MolecularSurfaces/BallDistance.h"
@@ -28,7 +30,7 @@ void Require(bool fine, const char* name, double value, const char* what)
   if (!fine)
   {
     throw std::invalid_argument(
-      std::string(name) + " is " + std::to_string(value) + ", but " + what + ".");
+      std::string(name) + " is " + FormatNumber(value) + ", but " + what + ".");
   }
 }
 

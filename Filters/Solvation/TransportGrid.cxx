@@ -1,6 +1,7 @@
 #include "Solvation/TransportGrid.h"
 
 #include "Core/MemoryBudget.h"
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "Electrostatics/InterfaceMatrixRows.h"
 #include "MolecularSurfaces/BallDistance.h"
@@ -31,8 +32,7 @@ void RequireMemory(const TransportDomain& d, double bytesPerNode)
   }
   MemoryBudget().Require(bytesPerNode * nodes,
     "A grid of " + std::to_string(d.Dimensions[0]) + " x " + std::to_string(d.Dimensions[1]) +
-      " x " + std::to_string(d.Dimensions[2]) + " nodes (Spacing " + std::to_string(d.Spacing) +
-      ")",
+      " x " + std::to_string(d.Dimensions[2]) + " nodes (Spacing " + FormatNumber(d.Spacing) + ")",
     "choose a larger Spacing or a smaller Padding");
 }
 
@@ -80,8 +80,8 @@ TransportDomain DomainAround(
     const double nodes = std::ceil(half / h - 1e-6) + 1.0;
     if (!(nodes < 1e9))
     {
-      throw std::invalid_argument("A Spacing of " + std::to_string(h) + " makes " +
-        std::to_string(2.0 * nodes) +
+      throw std::invalid_argument("A Spacing of " + FormatNumber(h) + " makes " +
+        FormatNumber(2.0 * nodes) +
         " nodes along an axis: choose a larger one, or look for an "
         "atom or a MembraneCenter that lies far from the others.");
     }

@@ -3,6 +3,7 @@
 #include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
+#include "Core/NumberText.h"
 #include "Core/PipelineInputs.h"
 #include "Electrostatics/PoissonBoltzmannInput.h"
 #include "MolecularSurfaces/DispersionAtoms.h"
@@ -69,7 +70,7 @@ isthmus::SolvationParameters vtkSolvationSurface::Internals::Parameters() const
   p.Potential.Padding = self->Padding;
   if (!(self->IonicStrength >= 0.0) || std::isinf(self->IonicStrength))
   {
-    throw std::invalid_argument("IonicStrength is " + std::to_string(self->IonicStrength) +
+    throw std::invalid_argument("IonicStrength is " + isthmus::FormatNumber(self->IonicStrength) +
       " mol/l, but it is 0 or more: 0.15 is physiological.");
   }
   if (self->IonicStrength > 0.0)

@@ -1,5 +1,6 @@
 #include "Surfaces/CartesianMeasures.h"
 
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 
 #include <cmath>
@@ -63,7 +64,7 @@ CartesianMeasures MeasureOnGrid(const LevelView<T>& level, double insideValue, d
   if (insideValue == outsideValue)
   {
     throw std::invalid_argument("InsideValue and OutsideValue are both " +
-      std::to_string(insideValue) + ": the smeared measures need two different values.");
+      FormatNumber(insideValue) + ": the smeared measures need two different values.");
   }
   return ParallelReduce(
     level.Grid.Dimensions[2], 1, CartesianMeasures{},

@@ -1,5 +1,6 @@
 #include "Surfaces/GridDistance.h"
 
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "Surfaces/TriangleTree.h"
 
@@ -284,7 +285,7 @@ std::vector<double> DistanceToSurface(
 {
   if (!(band > 0.0) || std::isinf(band))
   {
-    throw std::invalid_argument("The band around the surface is " + std::to_string(band) +
+    throw std::invalid_argument("The band around the surface is " + FormatNumber(band) +
       " wide, but exact distances need a positive width: choose two spacings or so.");
   }
   const double spacing = *std::max_element(grid.Spacing.begin(), grid.Spacing.end());

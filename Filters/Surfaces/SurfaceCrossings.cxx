@@ -1,5 +1,6 @@
 #include "Surfaces/SurfaceCrossings.h"
 
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 
 #include <Eigen/Dense>
@@ -97,7 +98,7 @@ private:
     const int bits = 29 - static_cast<int>(std::ceil(std::log2(reach + 1.0)));
     if (bits < 6)
     {
-      throw std::invalid_argument("The surface reaches " + std::to_string(reach) +
+      throw std::invalid_argument("The surface reaches " + FormatNumber(reach) +
         " spacings away from the grid's first node, more than 2^22: choose a larger spacing, or a "
         "grid that lies at the surface.");
     }

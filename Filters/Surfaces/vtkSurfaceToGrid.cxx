@@ -4,6 +4,7 @@
 #include "Core/GatherRanks.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
+#include "Core/NumberText.h"
 #include "Core/PipelineInputs.h"
 #include "Core/PolyDataTriangles.h"
 #include "Core/RangeChecks.h"
@@ -95,7 +96,7 @@ void vtkSurfaceToGrid::GridAround(vtkPolyData* surface, vtkImageData* grid)
       std::ceil((box[2 * axis + 1] - box[2 * axis]) / h) + 1.0 + 2.0 * this->Padding;
     if (nodes > MostNodesAlongAnAxis)
     {
-      throw std::invalid_argument("A Spacing of " + std::to_string(h) +
+      throw std::invalid_argument("A Spacing of " + isthmus::FormatNumber(h) +
         " would make more than 2^31 nodes along an axis: choose a larger one.");
     }
     size[axis] = std::max(2, static_cast<int>(nodes));

@@ -1,6 +1,7 @@
 #include "Tetrahedra/AutomaticMesher.h"
 
 #include "Core/Geometry.h"
+#include "Core/NumberText.h"
 #include "Remeshing/SurfaceRepair.h"
 #include "Surfaces/HausdorffDistance.h"
 #include "Surfaces/ShellNesting.h"
@@ -14,7 +15,6 @@
 #include <new>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 namespace isthmus
@@ -166,10 +166,7 @@ double VolumeAsGiven(const SurfaceView& sound)
 
 std::string Text(double value)
 {
-  std::ostringstream text;
-  text.precision(4);
-  text << value;
-  return text.str();
+  return FormatNumber(value, 4);
 }
 
 class Attempts

@@ -1,5 +1,6 @@
 #include "Tetrahedra/IsosurfaceStuffing.h"
 
+#include "Core/NumberText.h"
 #include "Core/TetrahedralMesh.h"
 #include "Tetrahedra/MeshQuality.h"
 #include "Tetrahedra/StuffingLattice.h"
@@ -429,7 +430,7 @@ void Check(const StuffingParameters& p)
   if (!(p.CellSize > 0.0) || std::isinf(p.CellSize))
   {
     throw std::invalid_argument(
-      "The cell size is " + std::to_string(p.CellSize) + ", but it must be a positive length.");
+      "The cell size is " + FormatNumber(p.CellSize) + ", but it must be a positive length.");
   }
   if (p.GradingLevels < 0 || p.GradingLevels > 8)
   {

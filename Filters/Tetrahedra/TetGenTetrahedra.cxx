@@ -1,4 +1,5 @@
 #include "Core/ChildProcess.h"
+#include "Core/NumberText.h"
 #include "Core/TetrahedralMesh.h"
 #include "Core/TriangleMesh.h"
 #include "Surfaces/ShellNesting.h"
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <charconv>
 #include <csignal>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -213,13 +213,6 @@ TetrahedralMesh ReadTetGenMesh(const std::filesystem::path& folder, const std::s
 //--------------------------------------------------------------------------------------------------
 // TetGen as a child process.
 
-std::string Number(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6f", value);
-  return text;
-}
-
 /// TetGen's switches: p surface in, A regions, z ids from 0, F no files of faces and edges.
 std::string Switches(const TetGenCriteria& criteria)
 {
@@ -230,14 +223,13 @@ std::string Switches(const TetGenCriteria& criteria)
   }
   if (criteria.RadiusEdgeRatio > 0.0)
   {
-    text += "q" + Number(criteria.RadiusEdgeRatio) + "/" + Number(criteria.MinimumDihedral);
+    text += "q" + FixedNumber(criteria.RadiusEdgeRatio, 6) + "/" +
+      FixedNumber(criteria.MinimumDihedral, 6);
   }
   if (criteria.MaximumVolume > 0.0)
   {
-    char volume[40];
-    // TetGen's parser of switches knows no exponents.
-    std::snprintf(volume, sizeof volume, "a%.17f", criteria.MaximumVolume);
-    text += volume;
+    // TetGen's parser of switches does not understand exponents.
+    text += "a" + FixedNumber(criteria.MaximumVolume, 17);
   }
   return text;
 }

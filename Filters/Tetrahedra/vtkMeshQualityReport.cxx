@@ -2,6 +2,7 @@
 
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
+#include "Core/NumberText.h"
 #include "Tetrahedra/MeshQuality.h"
 
 #include <vtkCell.h>
@@ -24,7 +25,6 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkMeshQualityReport);
@@ -108,13 +108,12 @@ void AddArray(vtkPointSet* mesh, const char* name, const std::vector<isthmus::Ce
 
 std::string Line(const isthmus::QualitySummary& s, bool tetrahedra)
 {
-  char text[200];
-  std::snprintf(text, sizeof text,
-    "%lld %s, %s %.8g, %s %.2f to %.2f degrees, radius-edge ratio up to %.3f",
-    static_cast<long long>(s.Cells), tetrahedra ? "tetrahedra" : "triangles",
-    tetrahedra ? "volume" : "area", s.TotalSize, tetrahedra ? "dihedral angles" : "angles",
-    s.SmallestAngle, s.LargestAngle, s.LargestRadiusEdge);
-  return text + (tetrahedra ? ", " + std::to_string(s.Slivers) + " slivers" : std::string());
+  using isthmus::FixedNumber;
+  return isthmus::TextOf(s.Cells, tetrahedra ? " tetrahedra, volume " : " triangles, area ",
+    isthmus::FormatNumber(s.TotalSize, 8), tetrahedra ? ", dihedral angles " : ", angles ",
+    FixedNumber(s.SmallestAngle, 2), " to ", FixedNumber(s.LargestAngle, 2),
+    " degrees, radius-edge ratio up to ", FixedNumber(s.LargestRadiusEdge, 3),
+    tetrahedra ? isthmus::TextOf(", ", s.Slivers, " slivers") : std::string());
 }
 
 void FillHistogram(const isthmus::QualitySummary& summary, vtkTable* table)

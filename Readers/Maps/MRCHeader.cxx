@@ -1,13 +1,13 @@
 #include "Maps/MRCHeader.h"
 
 #include "Core/Geometry.h"
+#include "Core/NumberText.h"
 #include "Files/ReaderError.h"
 
 #include <vtkMath.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <limits>
 #include <optional>
@@ -181,9 +181,7 @@ bool IsAxisPermutation(const std::array<int, 3>& order)
 
 std::string Text(double value)
 {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.6g", value);
-  return text;
+  return FormatNumber(value);
 }
 
 std::string Text(int value)
@@ -274,10 +272,14 @@ private:
     const std::string found = this->Out.BigEndian ? "big endian" : "little endian";
     if (!stated || *stated != this->Out.BigEndian)
     {
-      char stamp[16];
-      std::snprintf(stamp, sizeof(stamp), "%02x %02x %02x %02x", this->Bytes[212], this->Bytes[213],
-        this->Bytes[214], this->Bytes[215]);
-      this->Repair("The machine stamp (word 54) is " + std::string(stamp) +
+      std::string stamp;
+      for (std::size_t i = 212; i < 216; ++i)
+      {
+        stamp += i > 212 ? " " : "";
+        stamp += "0123456789abcdef"[this->Bytes[i] >> 4];
+        stamp += "0123456789abcdef"[this->Bytes[i] & 15];
+      }
+      this->Repair("The machine stamp (word 54) is " + stamp +
         (stated ? ", which the rest of the header contradicts" : ", which is none") + ": read as " +
         found + ", the byte order in which the header makes sense.");
     }

@@ -1,5 +1,7 @@
 #include "Maps/RecommendedLevel.h"
 
+#include "Core/NumberText.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -7,7 +9,6 @@
 #include <fstream>
 #include <iterator>
 #include <locale>
-#include <sstream>
 #include <system_error>
 
 namespace isthmus
@@ -74,11 +75,9 @@ Element FindElement(const std::string& text, const std::string& name, std::size_
 
 std::optional<double> Number(const std::string& text)
 {
-  std::istringstream words(text);
-  words.imbue(std::locale::classic());
+  std::string_view rest = text;
   double value = 0.0;
-  std::string more;
-  if (!(words >> value) || words >> more || !std::isfinite(value))
+  if (!TakeNumber(rest, value) || !TakeWord(rest).empty() || !std::isfinite(value))
   {
     return std::nullopt;
   }

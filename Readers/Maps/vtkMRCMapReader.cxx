@@ -1,6 +1,7 @@
 #include "vtkMRCMapReader.h"
 
 #include "Core/LargePages.h"
+#include "Core/NumberText.h"
 #include "Core/PrintableText.h"
 #include "Files/GridInformation.h"
 #include "Files/ReaderError.h"
@@ -24,7 +25,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -75,9 +75,7 @@ std::string NameOf(MRCStack::Kind kind)
 
 std::string Degrees(const std::array<double, 3>& angles)
 {
-  char text[96];
-  std::snprintf(text, sizeof(text), "%.6g, %.6g, %.6g", angles[0], angles[1], angles[2]);
-  return text;
+  return isthmus::TextOf(angles[0], ", ", angles[1], ", ", angles[2]);
 }
 
 /// What a user should know about how this map was read, apart from repairs.

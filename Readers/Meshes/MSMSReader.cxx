@@ -1,6 +1,7 @@
 #include "Meshes/MSMSReader.h"
 
 #include "Core/Handles.h"
+#include "Core/NumberText.h"
 #include "Core/RangeChecks.h"
 #include "Files/OpenByteSource.h"
 #include "Files/ReaderError.h"
@@ -123,7 +124,7 @@ public:
   {
     if (!(std::abs(value) < 1e15) || value != std::floor(value))
     {
-      this->Fail("has " + std::to_string(value) + " where a whole number belongs");
+      this->Fail("has " + FormatNumber(value) + " where a whole number belongs");
     }
     return static_cast<std::int64_t>(value);
   }

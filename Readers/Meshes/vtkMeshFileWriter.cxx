@@ -1,11 +1,13 @@
 #include "vtkMeshFileWriter.h"
 
+#include "Core/NumberText.h"
+
 #include "Meshes/MeshConversion.h"
 
 #include <vtkInformation.h>
 #include <vtkPointSet.h>
 
-#include <sstream>
+#include <string_view>
 
 int vtkMeshFileWriter::FillInputPortInformation(int, vtkInformation* info)
 {
@@ -15,11 +17,11 @@ int vtkMeshFileWriter::FillInputPortInformation(int, vtkInformation* info)
 
 void vtkMeshFileWriter::WriteFile()
 {
-  std::istringstream words(this->ArrayNames());
+  const std::string all = this->ArrayNames();
   std::vector<std::string> names;
-  for (std::string name; words >> name;)
+  for (std::string_view rest = all, name; !(name = isthmus::TakeWord(rest)).empty();)
   {
-    names.push_back(name);
+    names.emplace_back(name);
   }
   std::string remark;
   const isthmus::CellMesh mesh =

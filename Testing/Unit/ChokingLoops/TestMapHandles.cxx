@@ -314,7 +314,7 @@ TEST(MapHandles, BadInputIsToldInASentence)
   filter->SetInputData(image);
   EXPECT_EQ(said(), "");
   filter->SetMinimumPersistence(std::nan(""));
-  EXPECT_NE(said().find("MinimumPersistence is nan"), std::string::npos);
+  EXPECT_NE(said().find("MinimumPersistence is not a number"), std::string::npos);
   filter->SetMinimumPersistence(0.5);
   filter->UseRangeOn();
   filter->SetRange(2.0, 1.0);

@@ -136,7 +136,7 @@ TEST(HessianCurvatureFilter, BadParametersAreNamed)
   filter->SetScale(-1.0);
   EXPECT_NE(ErrorOf(filter, image).find("Scale is -1"), std::string::npos);
   filter->SetScale(std::nan(""));
-  EXPECT_NE(ErrorOf(filter, image).find("Scale is nan"), std::string::npos);
+  EXPECT_NE(ErrorOf(filter, image).find("Scale is not a number"), std::string::npos);
   filter->SetScale(0.0);
   filter->SetMeanTolerance(-0.1);
   EXPECT_NE(ErrorOf(filter, image).find("MeanTolerance is -0.1"), std::string::npos);

@@ -205,7 +205,7 @@ TEST(DiffusionSteps, BadParametersAreRefusedInASentence)
     { "Order is 4", [](auto& p) { p.Order = 4; } },
     { "Order is -1", [](auto& p) { p.Order = -1; } },
     { "Time is -1", [](auto& p) { p.Time = -1.0; } },
-    { "Time is nan", [](auto& p) { p.Time = std::nan(""); } },
+    { "Time is not a number", [](auto& p) { p.Time = std::nan(""); } },
     { "Steps is -2", [](auto& p) { p.Steps = -2; } },
     { "Sigma is 0", [](auto& p) { p.Sigma = 0.0; } },
     { "Fidelity is -1", [](auto& p) { p.Fidelity = -1.0; } },

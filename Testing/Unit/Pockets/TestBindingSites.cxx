@@ -331,9 +331,9 @@ TEST(BindingSites, WhatIsMissingOrWrongIsASentence)
       filter->SetUseQuantile(true);
       filter->SetQuantile(1.0);
     },
-    "Quantile is 1.0");
+    "Quantile is 1,");
   expect(
-    caps, [](vtkBindingSites* filter) { filter->SetThreshold(-1.0); }, "Threshold is -1.0");
+    caps, [](vtkBindingSites* filter) { filter->SetThreshold(-1.0); }, "Threshold is -1,");
   expect(
     caps, [](vtkBindingSites* filter) { filter->SetMergeDistance(std::nan("")); }, "MergeDistance");
   expect(

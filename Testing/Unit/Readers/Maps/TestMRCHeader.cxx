@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(Fields, MRCRepair,
     Repair{
       "NegativeCell", [](MRCTestFile& m) { m.SetFloat(12, -40.0f); }, "along y (word 12) is -40" },
     Repair{ "NaNCell", [](MRCTestFile& m) { m.SetFloat(13, std::nanf("")); },
-      "along z (word 13) is nan" },
+      "along z (word 13) is not a number" },
     Repair{ "NoAngles",
       [](MRCTestFile& m) {
         m.SetFloats(14, { 0.0f, 0.0f, 0.0f });

@@ -1,0 +1,88 @@
+/**
+ * @file NumberText.h
+ * @brief Numbers as text, and text as numbers, with a '.' in every locale and no separators.
+ *
+ * printf, strtod, std::to_string(double) and streams follow the locale of the program, which a
+ * host may set: with de_DE they write and read "1,5". Use these functions instead.
+ */
+#ifndef isthmus_NumberText_h
+#define isthmus_NumberText_h
+
+#include "vtkIsthmusFiltersCoreModule.h"
+
+#include <cctype>
+#include <charconv>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <type_traits>
+
+namespace isthmus
+{
+
+/// A number formatted for messages: `digits` at most, six where none are given, and NaN in words.
+VTKISTHMUSFILTERSCORE_EXPORT std::string FormatNumber(double value, int digits = 6);
+
+/// A number with this many digits behind its point, and no exponent.
+VTKISTHMUSFILTERSCORE_EXPORT std::string FixedNumber(double value, int decimals);
+
+/// `text` padded with blanks in front of it (or behind it) to `width` characters, as the columns
+/// of a file need it.
+VTKISTHMUSFILTERSCORE_EXPORT std::string RightAligned(std::string text, std::size_t width);
+VTKISTHMUSFILTERSCORE_EXPORT std::string LeftAligned(std::string text, std::size_t width);
+
+/// The parts one after the other: text, integers and numbers (as FormatNumber writes them).
+template <typename... Parts>
+std::string TextOf(const Parts&... parts)
+{
+  std::string text;
+  const auto add = [&text](const auto& part)
+  {
+    using Part = std::decay_t<decltype(part)>;
+    if constexpr (std::is_floating_point_v<Part>)
+    {
+      text += FormatNumber(static_cast<double>(part));
+    }
+    else if constexpr (std::is_integral_v<Part> && !std::is_same_v<Part, char>)
+    {
+      text += std::to_string(part);
+    }
+    else
+    {
+      text += part;
+    }
+  };
+  (add(parts), ...);
+  return text;
+}
+
+/// The number at the beginning of `text`, after white space, which is removed from it; false, and
+/// nothing changes, if there is none. A plus in front of it is allowed.
+template <typename T>
+bool TakeNumber(std::string_view& text, T& value)
+{
+  std::size_t begin = 0;
+  while (begin < text.size() && std::isspace(static_cast<unsigned char>(text[begin])))
+  {
+    ++begin;
+  }
+  if (begin + 1 < text.size() && text[begin] == '+' && text[begin + 1] != '-')
+  {
+    ++begin;
+  }
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data() + begin, end, value);
+  if (error != std::errc())
+  {
+    return false;
+  }
+  text.remove_prefix(static_cast<std::size_t>(rest - text.data()));
+  return true;
+}
+
+/// The next word of `text`, after white space, which is removed from it; empty at the end.
+VTKISTHMUSFILTERSCORE_EXPORT std::string_view TakeWord(std::string_view& text);
+
+}
+
+#endif

@@ -1,0 +1,59 @@
+// Numbers are written and read with a '.', also where the host has set a locale with a comma.
+#include "Core/MemoryBudget.h"
+#include "Core/NumberText.h"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <cstdlib>
+#include <locale>
+#include <string>
+#include <string_view>
+
+using namespace isthmus;
+
+namespace
+{
+
+void ExpectPoints()
+{
+  EXPECT_EQ(FormatNumber(-1.5), "-1.5");
+  EXPECT_EQ(FormatNumber(1234567.0), "1.23457e+06");
+  EXPECT_EQ(FormatNumber(0.123456789, 8), "0.12345679");
+  EXPECT_EQ(FormatNumber(std::strtod("nan", nullptr)), "not a number");
+  EXPECT_EQ(FixedNumber(2.5, 17), "2.50000000000000000");
+  EXPECT_EQ(FixedNumber(-1.7e308, 17).size(), 328u);
+  EXPECT_EQ(TextOf("(", -1.5, ", ", 12345, ")"), "(-1.5, 12345)");
+  EXPECT_EQ(MemoryText(1.5 * 1024.0 * 1024.0), "1.5 MiB");
+  std::string_view text = " +1.5\t-2 x";
+  double a = 0.0;
+  int b = 0;
+  EXPECT_TRUE(TakeNumber(text, a) && TakeNumber(text, b));
+  EXPECT_EQ(a, 1.5);
+  EXPECT_EQ(b, -2);
+  EXPECT_FALSE(TakeNumber(text, a));
+  EXPECT_EQ(TakeWord(text), "x");
+  EXPECT_TRUE(TakeWord(text).empty());
+  EXPECT_EQ(RightAligned(FixedNumber(27.34, 3), 8) + LeftAligned("x", 3) + '.', "  27.340x  .");
+}
+
+TEST(NumberText, OfTheDefaultLocale)
+{
+  ExpectPoints();
+}
+
+TEST(NumberText, OfALocaleWithCommas)
+{
+  // glibc caches the path of locales, so a generated one is given by LOCPATH from outside.
+  if (!std::setlocale(LC_ALL, "de_DE.UTF-8"))
+  {
+    GTEST_SKIP() << "The locale de_DE.UTF-8 is not installed (or not in LOCPATH).";
+  }
+  const std::locale before = std::locale::global(std::locale("de_DE.UTF-8"));
+  ASSERT_STREQ(std::localeconv()->decimal_point, ",");
+  ExpectPoints();
+  std::locale::global(before);
+  std::setlocale(LC_ALL, "C");
+}
+
+}
