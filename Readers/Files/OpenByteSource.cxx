@@ -400,6 +400,99 @@ void RefuseOtherCompressions(const unsigned char (&magic)[4], const std::string&
   }
 }
 
+/// A source from a few bytes on. Those that have been read to see where it begins are kept, so that
+/// compressed content is not decompressed twice.
+class SourceBehind : public ByteSource
+{
+public:
+  /// `head` follows the first `bytes`, and has been read.
+  SourceBehind(std::unique_ptr<ByteSource> source, std::size_t bytes, std::string head)
+    : Source(std::move(source))
+    , Bytes(bytes)
+    , Head(std::move(head))
+  {
+  }
+
+  std::size_t Read(std::uint64_t offset, void* to, std::size_t size) override
+  {
+    std::size_t kept = 0;
+    if (offset < this->Head.size())
+    {
+      kept = this->Head.copy(static_cast<char*>(to), size, static_cast<std::size_t>(offset));
+    }
+    return kept == size ? kept
+                        : kept +
+        this->Source->Read(offset + kept + this->Bytes, static_cast<char*>(to) + kept, size - kept);
+  }
+  std::uint64_t MostBytes() const override { return this->Source->MostBytes() - this->Bytes; }
+  std::uint64_t CountUpTo(std::uint64_t limit, const ProgressCallback& progress) override
+  {
+    const std::uint64_t counted = this->Source->CountUpTo(
+      std::max<std::uint64_t>(limit, this->Head.size()) + this->Bytes, progress);
+    return std::min(limit, counted - this->Bytes);
+  }
+  void SkipTo(std::uint64_t offset, const ProgressCallback& progress) override
+  {
+    if (offset >= this->Head.size())
+    {
+      this->Source->SkipTo(offset + this->Bytes, progress);
+    }
+  }
+  void CheckEnd() override { this->Source->CheckEnd(); }
+  bool IsCut() const override { return this->Source->IsCut(); }
+  bool RandomAccess() const override { return this->Source->RandomAccess(); }
+  bool UsesThreads() const override { return this->Source->UsesThreads(); }
+  std::string Compression() const override { return this->Source->Compression(); }
+  std::uint64_t FileSize() const override { return this->Source->FileSize(); }
+  const std::string& Path() const override { return this->Source->Path(); }
+
+private:
+  std::unique_ptr<ByteSource> Source;
+  std::size_t Bytes;
+  std::string Head;
+};
+
+}
+
+bool BeginsAsUTF16(std::string_view begin)
+{
+  if (begin.substr(0, 2) == "\xff\xfe" || begin.substr(0, 2) == "\xfe\xff")
+  {
+    return true;
+  }
+  const auto isText = [](char c) { return (c >= ' ' && c < 127) || (c >= '\t' && c <= '\r'); };
+  const auto isUTF16 = [&](std::size_t text)
+  {
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      if (i % 2 == text ? !isText(begin[i]) : begin[i] != 0)
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  return begin.size() >= 4 && (isUTF16(0) || isUTF16(1));
+}
+
+std::unique_ptr<ByteSource> OpenTextSource(const std::string& path)
+{
+  std::unique_ptr<ByteSource> source = OpenByteSource(path);
+  std::string head(4, ' ');
+  head.resize(source->Read(0, head.data(), head.size()));
+  if (BeginsAsUTF16(head))
+  {
+    throw ReaderError(ReaderFailure::ForeignFormat,
+      path +
+        ": the text is in UTF-16 (or UTF-32), which is not read. Save it as UTF-8 or ASCII, or "
+        "convert it: iconv -f UTF-16 -t UTF-8 FILE > OTHER");
+  }
+  const std::size_t mark = head.substr(0, 3) == "\xef\xbb\xbf" ? 3 : 0;
+  if (mark == 0 && source->RandomAccess())
+  {
+    return source;
+  }
+  return std::make_unique<SourceBehind>(std::move(source), mark, head.substr(mark));
 }
 
 std::unique_ptr<ByteSource> OpenByteSource(const std::string& path)

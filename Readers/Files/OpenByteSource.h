@@ -16,6 +16,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace isthmus
 {
@@ -23,6 +24,15 @@ namespace isthmus
 /// Opens a regular file.
 /// @throws ReaderError for a missing, unreadable or empty one and for folders.
 VTKISTHMUSREADERSFILES_EXPORT std::unique_ptr<ByteSource> OpenByteSource(const std::string& path);
+
+/**
+ * The same for a text: without the byte order mark of UTF-8, where there is one.
+ * @throws ReaderError as OpenByteSource does, and for UTF-16, which has a message of its own.
+ */
+VTKISTHMUSREADERSFILES_EXPORT std::unique_ptr<ByteSource> OpenTextSource(const std::string& path);
+
+/// Whether a content that begins so is UTF-16 or UTF-32: a byte order mark, or every other byte 0.
+VTKISTHMUSREADERSFILES_EXPORT bool BeginsAsUTF16(std::string_view begin);
 
 /// All of the content, checksum checked.
 /// @throws ReaderError as Read does, when it is cut, and when compressed content grows beyond 64

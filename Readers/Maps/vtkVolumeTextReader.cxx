@@ -73,7 +73,7 @@ int vtkVolumeTextReader::CanReadFile(const char* fileName)
     {
       try
       {
-        const auto source = isthmus::OpenByteSource(path);
+        const auto source = isthmus::OpenTextSource(path);
         isthmus::TextWords words(*source);
         ReadCounts(words, MostValues(*source));
         return true;
@@ -93,7 +93,7 @@ int vtkVolumeTextReader::RequestInformation(
     [this](unsigned long code) { this->SetErrorCode(code); },
     [&]
     {
-      const auto source = isthmus::OpenByteSource(this->FileName);
+      const auto source = isthmus::OpenTextSource(this->FileName);
       isthmus::TextWords words(*source);
       const std::array<int, 3> n = ReadCounts(words, MostValues(*source));
       const int whole[6] = { 0, n[0] - 1, 0, n[1] - 1, 0, n[2] - 1 };
@@ -110,7 +110,7 @@ int vtkVolumeTextReader::RequestData(
     this, this->FileName, image, [this](unsigned long code) { this->SetErrorCode(code); },
     [&]
     {
-      const auto source = isthmus::OpenByteSource(this->FileName);
+      const auto source = isthmus::OpenTextSource(this->FileName);
       isthmus::TextWords words(*source);
       const std::array<int, 3> n = ReadCounts(words, MostValues(*source));
       vtkNew<vtkDoubleArray> values;

@@ -263,7 +263,7 @@ void WriteCells(const CellMesh& mesh, const Kind& kind, TextFileWriter& file)
 
 CellMesh ReadMEDIT(const std::string& path, const ProgressCallback& progress)
 {
-  const auto source = OpenByteSource(path);
+  const auto source = OpenTextSource(path);
   CellMesh mesh = Reading(*source, progress).Read();
   source->CheckEnd();
   return mesh;
@@ -295,7 +295,7 @@ bool LooksLikeMEDIT(const std::string& path)
 {
   try
   {
-    const auto source = OpenByteSource(path);
+    const auto source = OpenTextSource(path);
     return TextWords(*source).Word() == firstWord;
   }
   catch (const ReaderError&)

@@ -153,7 +153,7 @@ std::string ContentOf(const std::filesystem::path& path, const ProgressCallback&
 {
   try
   {
-    return ReadAll(*OpenByteSource(path.string()), progress);
+    return ReadAll(*OpenTextSource(path.string()), progress);
   }
   catch (const ReaderError& error)
   {
@@ -259,7 +259,7 @@ bool LooksLikeMSMS(const std::filesystem::path& file)
   try
   {
     std::string begin(std::size_t{ 1 } << 16, '\0');
-    begin.resize(OpenByteSource(file.string())->Read(0, begin.data(), begin.size()));
+    begin.resize(OpenTextSource(file.string())->Read(0, begin.data(), begin.size()));
     Rows rows(file, begin, vertices ? VertexColumns : FaceColumns);
     std::vector<double> row;
     return rows.Next(row);

@@ -152,7 +152,7 @@ void CheckSurface(const CellMesh& mesh)
 
 CellMesh ReadOFF(const std::string& path, const ProgressCallback& progress)
 {
-  const auto source = OpenByteSource(path);
+  const auto source = OpenTextSource(path);
   MeshWords words(*source, progress);
   const OFFHeader header = ReadHeader(words);
   // "OFF BINARY" stands on one line; the counts may, too.
@@ -215,7 +215,7 @@ bool LooksLikeOFF(const std::string& path)
 {
   try
   {
-    const auto source = OpenByteSource(path);
+    const auto source = OpenTextSource(path);
     OFFHeader header;
     return Parse(TextWords(*source).Word(), header);
   }

@@ -74,7 +74,7 @@ void ReadId(MeshWords& words, std::int64_t row, std::int64_t& first)
 /// Returns the number of the first point: 0 or 1.
 std::int64_t ReadPoints(const std::string& path, CellMesh& mesh, const ProgressCallback& progress)
 {
-  const auto source = OpenByteSource(path);
+  const auto source = OpenTextSource(path);
   MeshWords words(*source, progress);
   const std::int64_t points = words.Count("the number of points", 6);
   const std::int64_t dimension = words.Whole("the dimension");
@@ -102,7 +102,7 @@ std::int64_t ReadPoints(const std::string& path, CellMesh& mesh, const ProgressC
 void ReadTetrahedra(const std::string& path, std::int64_t firstPoint, CellMesh& mesh,
   const ProgressCallback& progress)
 {
-  const auto source = OpenByteSource(path);
+  const auto source = OpenTextSource(path);
   MeshWords words(*source, progress);
   const std::int64_t cells = words.Count("the number of tetrahedra", 8);
   const std::int64_t corners = words.Whole("the number of corners");
@@ -161,7 +161,7 @@ std::vector<std::int64_t> FurtherNumbers(MeshWords& words, std::int64_t row)
 void ReadTriangles(const std::string& path, std::int64_t firstPoint, CellMesh& mesh,
   const ProgressCallback& progress)
 {
-  const auto source = OpenByteSource(path);
+  const auto source = OpenTextSource(path);
   MeshWords words(*source, progress);
   const std::int64_t cells = words.Count("the number of triangles", 7);
   Columns columns;
@@ -372,7 +372,7 @@ bool LooksLikeTetGen(const std::string& path)
 {
   try
   {
-    const auto source = OpenByteSource(path);
+    const auto source = OpenTextSource(path);
     TextWords words(*source);
     const std::int64_t count = words.Whole("a count");
     const std::int64_t second = words.Whole("a count");

@@ -128,7 +128,7 @@ std::string Contents(const std::string& path, const isthmus::ProgressCallback& p
     // An empty file is told by its missing first line.
     return std::filesystem::is_regular_file(path, none) && std::filesystem::is_empty(path, none)
       ? std::string()
-      : isthmus::ReadAll(*isthmus::OpenByteSource(path), progress);
+      : isthmus::ReadAll(*isthmus::OpenTextSource(path), progress);
   }
   catch (const isthmus::ReaderError& error)
   {
@@ -175,7 +175,7 @@ int vtkCombinatorialMeshReader::CanReadFile(const char* fileName)
       std::string begin(magic.size(), '\0');
       try
       {
-        const auto source = isthmus::OpenByteSource(path);
+        const auto source = isthmus::OpenTextSource(path);
         return source->Read(0, begin.data(), begin.size()) == begin.size() && begin == magic;
       }
       catch (const std::exception&)

@@ -301,7 +301,7 @@ Macromolecule ParseMacromolecule(std::string_view text, const std::string& path,
 Macromolecule ReadMacromolecule(
   const std::string& path, const MoleculeOptions& options, const ProgressCallback& progress)
 {
-  const std::string text = ReadAll(*OpenByteSource(path), Between(progress, 0.0, 0.2));
+  const std::string text = ReadAll(*OpenTextSource(path), Between(progress, 0.0, 0.2));
   MoleculeOptions named = options;
   if (named.Format == MoleculeFormat::ByName)
   {
@@ -411,7 +411,7 @@ bool IsCountedByRecords(const Separators& found, ByteSource& source)
 
 std::int64_t CountModels(const std::string& path, MoleculeFormat format)
 {
-  const auto source = OpenByteSource(path);
+  const auto source = OpenTextSource(path);
   if (format == MoleculeFormat::ByName)
   {
     format = FormatOfName(path);
@@ -453,6 +453,10 @@ bool LooksLikeMolecule(const std::string& path)
   {
     std::array<char, 4096> begin;
     const std::size_t size = OpenByteSource(path)->Read(0, begin.data(), begin.size());
+    if (BeginsAsUTF16({ begin.data(), size }))
+    {
+      return true; // reading it explains what to do
+    }
     return std::find(begin.begin(), begin.begin() + static_cast<std::ptrdiff_t>(size), '\0') ==
       begin.begin() + static_cast<std::ptrdiff_t>(size);
   }

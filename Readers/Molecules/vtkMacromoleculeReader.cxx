@@ -161,9 +161,14 @@ void vtkMacromoleculeReader::Read(std::int64_t model, vtkPolyData* atoms, vtkMol
     isthmus::ReadMacromolecule(this->FileName, options, isthmus::Between(progress, 0.0, 0.8));
   isthmus::FillOutputs(read, this->AltLoc == "*", atoms, molecule);
   isthmus::Report(progress, 1.0);
+  std::string all; // one message, however many faults there are
   for (const std::string& warning : read.Warnings)
   {
-    vtkWarningMacro(<< this->FileName << ": " << isthmus::Printable(warning));
+    all += (all.empty() ? "" : " ") + warning;
+  }
+  if (!all.empty())
+  {
+    vtkWarningMacro(<< this->FileName << ": " << isthmus::Printable(all));
   }
 }
 

@@ -181,7 +181,7 @@ void Decode(const unsigned char* bytes, bool swap, std::int64_t count, T* values
 }
 
 OpenDXReader::OpenDXReader(const std::string& path, int index, const ProgressCallback& progress)
-  : Source(OpenByteSource(path))
+  : Source(OpenTextSource(path))
   , Text(*this->Source)
 {
   this->Word = this->Text.Word();
@@ -439,7 +439,7 @@ bool LooksLikeOpenDXFile(const std::string& path)
 {
   try
   {
-    const std::unique_ptr<ByteSource> source = OpenByteSource(path);
+    const std::unique_ptr<ByteSource> source = OpenTextSource(path);
     return TextWords(*source).Word() == "object";
   }
   catch (const std::exception&)

@@ -1,0 +1,260 @@
+// Byte order marks: every text reader skips that of UTF-8, and says what to do with UTF-16.
+
+#include "Files/OpenByteSource.h"
+#include "Files/ReaderError.h"
+#include "MoleculeTexts.h"
+#include "SharedData.h"
+#include "TemporaryFile.h"
+#include "vtkCombinatorialMeshReader.h"
+#include "vtkMEDITReader.h"
+#include "vtkMSMSReader.h"
+#include "vtkMacromoleculeReader.h"
+#include "vtkOFFSurfaceReader.h"
+#include "vtkOpenDXReader.h"
+#include "vtkTetGenMeshReader.h"
+#include "vtkVolumeTextReader.h"
+
+#include <vtkCommand.h>
+#include <vtkDataSet.h>
+#include <vtkExecutive.h>
+#include <vtkNew.h>
+#include <vtkTestErrorObserver.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace isthmus;
+using namespace isthmus::testing;
+
+namespace
+{
+
+const std::string Mark = "\xef\xbb\xbf";
+
+std::string UTF16(const std::string& text, bool isLittle, bool hasMark)
+{
+  std::string wide = !hasMark ? "" : (isLittle ? "\xff\xfe" : "\xfe\xff");
+  for (const char c : text)
+  {
+    wide += isLittle ? std::string{ c, '\0' } : std::string{ '\0', c };
+  }
+  return wide;
+}
+
+/// Points, cells and complaints of a file.
+struct Result
+{
+  vtkIdType Points = 0;
+  vtkIdType Cells = 0;
+  int CanRead = 0;
+  std::string Complaint;
+
+  bool operator==(const Result& other) const
+  {
+    return this->Points == other.Points && this->Cells == other.Cells &&
+      this->CanRead == other.CanRead && this->Complaint == other.Complaint;
+  }
+};
+
+template <typename Reader>
+Result Read(const std::string& path)
+{
+  vtkNew<Reader> reader;
+  vtkNew<vtkTest::ErrorObserver> observer, pipeline;
+  reader->AddObserver(vtkCommand::ErrorEvent, observer);
+  reader->AddObserver(vtkCommand::WarningEvent, observer);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, pipeline);
+  Result result;
+  result.CanRead = reader->CanReadFile(path.c_str());
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkDataSet* const data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+  result.Points = data ? data->GetNumberOfPoints() : 0;
+  result.Cells = data ? data->GetNumberOfCells() : 0;
+  result.Complaint = observer->GetErrorMessage() + observer->GetWarningMessage();
+  return result;
+}
+
+/// A file that a reader needs, and its content; the first one is opened.
+struct Text
+{
+  std::function<Result(const std::string&)> Reader;
+  std::vector<std::pair<std::string, std::string>> Files;
+  vtkIdType Points;
+};
+
+const std::vector<Text>& Texts()
+{
+  const auto molecule = Read<vtkMacromoleculeReader>;
+  static const std::vector<Text> texts{
+    { molecule,
+      { { "a.pdb",
+        "ATOM      1  N   GLY A   1       0.000   0.000   0.000  1.00  0.00           N\n"
+        "ATOM      2  CA  GLY A   1       1.450   0.000   0.000  1.00  0.00           C\n" } },
+      2 },
+    { molecule,
+      { { "a.pqr",
+        "ATOM 1 N GLY A 1 0.000 0.000 0.000 0.0 1.5\nATOM 2 CA GLY A 1 1.450 0 0 0.0 1.7\n" } },
+      2 },
+    { molecule,
+      { { "a.cif",
+        "data_x\nloop_\n_atom_site.label_atom_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
+        "_atom_site.Cartn_z\nN 0 0 0\nC 1.45 0 0\n" } },
+      2 },
+    { molecule, { { "a.xyz", "2\n\nN 0 0 0\nC 1.45 0 0\n" } }, 2 },
+    { molecule,
+      { { "a.gro",
+        "a pair\n    2\n    1GLY      N    1   0.000   0.000   0.000\n"
+        "    1GLY     CA    2   0.145   0.000   0.000\n   1.0   1.0   1.0\n" } },
+      2 },
+    { molecule,
+      { { "a.mol2",
+        "@<TRIPOS>MOLECULE\na\n 2 1\nSMALL\nNO_CHARGES\n@<TRIPOS>ATOM\n1 N1 0 0 0 N.3\n"
+        "2 C1 1.45 0 0 C.3\n@<TRIPOS>BOND\n1 1 2 1\n" } },
+      2 },
+    { molecule,
+      { { "a.sdf",
+        "a\n  by hand\n\n  2  1  0  0  0  0  0  0  0  0999 V2000\n"
+        "    0.0000    0.0000    0.0000 N   0  0\n    1.4500    0.0000    0.0000 C   0  0\n"
+        "  1  2  1  0\nM  END\n$$$$\n" } },
+      2 },
+    { molecule,
+      { { "a.pdbqt",
+        "ATOM      1  N   GLY A   1       0.000   0.000   0.000  1.00  0.00    -0.063 N \n"
+        "ATOM      2  CA  GLY A   1       1.450   0.000   0.000  1.00  0.00     0.063 C \n" } },
+      2 },
+    { Read<vtkMEDITReader>,
+      { { "a.mesh",
+        "MeshVersionFormatted 2\nDimension 3\nVertices\n3\n0 0 0 0\n1 0 0 0\n0 1 0 "
+        "0\nTriangles\n1\n"
+        "1 2 3 0\nEnd\n" } },
+      3 },
+    { Read<vtkOFFSurfaceReader>, { { "a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n" } }, 3 },
+    { Read<vtkTetGenMeshReader>,
+      { { "a.ele", "1 4 0\n0 0 1 2 3\n" },
+        { "a.node", "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n" } },
+      4 },
+    { Read<vtkMSMSReader>,
+      { { "a.vert",
+          "#vertices\n#vertex #sphere density probe_r\n3 1 1.00 1.50\n0 0 0 0 0 1 0 1 2\n"
+          "1 0 0 0 0 1 0 1 2\n0 1 0 0 0 1 0 1 2\n" },
+        { "a.face", "#faces\n#faces #sphere density probe_r\n1 1 1.00 1.50\n1 2 3 1 1\n" } },
+      3 },
+    { Read<vtkOpenDXReader>,
+      { { "a.dx",
+        "object 1 class gridpositions counts 2 1 1\norigin 0 0 0\ndelta 1 0 0\ndelta 0 1 0\n"
+        "delta 0 0 1\nobject 2 class gridconnections counts 2 1 1\n"
+        "object 3 class array type double rank 0 items 2 data follows\n1 2\n" } },
+      2 },
+    { Read<vtkVolumeTextReader>, { { "a.dat", "2 1 1\n0.5\n1.5\n" } }, 2 },
+    { Read<vtkCombinatorialMeshReader>,
+      { { "a.cmesh",
+        "isthmus-combinatorial-mesh 1 text\ntypes 1\ntype 4 4 tetrahedron\n3 0 2 1\n3 0 1 3\n"
+        "3 1 2 3\n3 2 0 3\nvertices 4 float32\n0 0 0\n1 0 0\n0 1 0\n0 0 1\nblocks 1\nblock 0 1\n"
+        "0 1 2 3\nattributes 0\nend\n" } },
+      4 },
+  };
+  return texts;
+}
+
+/// Writes the files of `text` as `change` makes them, and reads the first one.
+Result Written(const Text& text, const std::function<std::string(const std::string&)>& change)
+{
+  const TemporaryFile file(change(text.Files[0].second), text.Files[0].first);
+  for (std::size_t i = 1; i < text.Files.size(); ++i)
+  {
+    std::ofstream(
+      std::filesystem::path(file.Path()).parent_path() / text.Files[i].first, std::ios::binary)
+      << change(text.Files[i].second);
+  }
+  Result result = text.Reader(file.Path());
+  return result;
+}
+
+}
+
+TEST(TextSource, MarksOfUTF8AreSkipped)
+{
+  for (const Text& text : Texts())
+  {
+    const Result plain = Written(text, [](const std::string& s) { return s; });
+    EXPECT_EQ(plain.Points, text.Points) << text.Files[0].first << plain.Complaint;
+    EXPECT_EQ(plain.Complaint, "") << text.Files[0].first;
+    EXPECT_EQ(Written(text, [](const std::string& s) { return Mark + s; }), plain)
+      << text.Files[0].first;
+    EXPECT_EQ(Written(text, [](const std::string& s) { return Gzip(Mark + s); }), plain)
+      << text.Files[0].first;
+    EXPECT_EQ(Written(text, [](const std::string& s) { return Bzip2(Mark + s); }), plain)
+      << text.Files[0].first;
+  }
+}
+
+TEST(TextSource, UTF16IsNamed)
+{
+  for (const Text& text : Texts())
+  {
+    for (const bool isLittle : { false, true })
+    {
+      for (const bool hasMark : { false, true })
+      {
+        const Result wide =
+          Written(text, [&](const std::string& s) { return UTF16(s, isLittle, hasMark); });
+        EXPECT_EQ(wide.Points, 0) << text.Files[0].first;
+        EXPECT_NE(wide.Complaint.find("iconv -f UTF-16"), std::string::npos)
+          << text.Files[0].first << ": " << wide.Complaint;
+      }
+    }
+  }
+}
+
+TEST(TextSource, ReportedFile)
+{
+  ISTHMUS_NEEDS_SHARED_DATA("reports/b01_bom.pqr");
+  const Macromolecule molecule =
+    ReadMacromolecule((SharedDataFolder() / "reports/b01_bom.pqr").string(), MoleculeOptions());
+  ASSERT_EQ(molecule.Atoms.size(), 2u);
+  EXPECT_EQ(molecule.Atoms[0].Charge + molecule.Atoms[1].Charge, 0.0);
+}
+
+TEST(TextSource, IsTheContentBehindTheMark)
+{
+  std::string content(300000, ' ');
+  for (std::size_t i = 0; i < content.size(); ++i)
+  {
+    content[i] = static_cast<char>('a' + i * i % 26);
+  }
+  for (const std::string& bytes :
+    { content, Mark + content, Gzip(content), Gzip(Mark + content), Bzip2(Mark + content) })
+  {
+    const TemporaryFile file(bytes, "text");
+    const auto source = OpenTextSource(file.Path());
+    // From anywhere to anywhere, across the few bytes that are kept, and back to the beginning.
+    for (const auto& [offset, size] : std::vector<std::pair<std::size_t, std::size_t>>{
+           { 0, 1 }, { 0, 7 }, { 1, 2 }, { 3, 100 }, { 299990, 10 }, { 0, 300000 }, { 2, 5 } })
+    {
+      std::string read(size, '\0');
+      ASSERT_EQ(source->Read(offset, read.data(), size), size);
+      EXPECT_EQ(read, content.substr(offset, size)) << offset;
+    }
+    std::string end(20, '\0');
+    EXPECT_EQ(source->Read(content.size() - 5, end.data(), end.size()), 5u);
+    EXPECT_EQ(source->CountUpTo(content.size() + 10, {}), content.size());
+    EXPECT_EQ(source->CountUpTo(1000, {}), 1000u);
+    EXPECT_EQ(ReadAll(*OpenTextSource(file.Path())), content);
+  }
+  // Files shorter than a mark.
+  for (const std::string few : { "a", "ab", "abc" })
+  {
+    const TemporaryFile file(few, "few");
+    EXPECT_EQ(ReadAll(*OpenTextSource(file.Path())), few);
+    const TemporaryFile packed(Gzip(few), "few.gz");
+    EXPECT_EQ(ReadAll(*OpenTextSource(packed.Path())), few);
+  }
+  EXPECT_FALSE(BeginsAsUTF16("ATOM") || BeginsAsUTF16("") || BeginsAsUTF16("A"));
+}
