@@ -52,6 +52,9 @@ public:
     return true;
   }
 
+  /// "line 7"
+  std::string Line() const { return "line " + std::to_string(this->Number); }
+
   /// "PATH, line 7: "
   std::string Here() const { return this->Path + ", line " + std::to_string(this->Number) + ": "; }
 

@@ -280,15 +280,28 @@ enum class Way
   None ///< not an element, for all that is known
 };
 
+constexpr const char* Dummies = "Ghost or dummy atoms and virtual sites";
+
+void WarnOf(const char* what, std::size_t atoms, ReadingReport& report)
+{
+  if (atoms > 0)
+  {
+    report.Warn(
+      what + std::string(", without element (0) and radius: ") + std::to_string(atoms) + ".");
+  }
+}
+
 /// Decides the atoms of residues one by one, with what the whole file says.
 class Decision
 {
 public:
   Decision(std::vector<Atom>& atoms, const std::vector<AtomColumns>& columns,
-    const std::vector<std::size_t>& starts)
+    const std::vector<std::size_t>& starts, ElementColumn column)
     : Atoms(atoms)
     , Columns(columns)
     , Starts(starts)
+    , Where(column == ElementColumn::PDB ? "in columns 77-78" : "in the file")
+    , IsUsual(column == ElementColumn::None)
     , Ways(atoms.size(), Way::Column)
   {
   }
@@ -320,8 +333,8 @@ public:
     }
     if (this->Absurd > 0)
     {
-      report.Warn("Elements in columns 77-78 that the residue does not contain: " +
-        std::to_string(this->Absurd) +
+      report.Warn("Elements " + this->Where +
+        " that the residue does not contain: " + std::to_string(this->Absurd) +
         " (first: " + ElementSymbol(ElementOfColumns(this->Columns[this->FirstAbsurd])) + " for " +
         Describe(this->Atoms[this->FirstAbsurd]) + ").");
     }
@@ -538,19 +551,12 @@ private:
     add(count(Way::NameLetters), " by the letters of the name");
     if (decided > 0)
     {
-      report.Warn("Atoms without a usable element in columns 77-78: " + std::to_string(decided) +
-        "; decided" + ways + ".");
+      const std::string sentence = "Atoms without a usable element " + this->Where + ": " +
+        std::to_string(decided) + "; decided" + ways + ".";
+      this->IsUsual ? report.Note(sentence) : report.Warn(sentence);
     }
-    const auto none = [&](std::size_t atoms, const char* what)
-    {
-      if (atoms > 0)
-      {
-        report.Warn(
-          what + std::string(", without element (0) and radius: ") + std::to_string(atoms) + ".");
-      }
-    };
-    none(count(Way::Bead), "Beads of a coarse-grained model (Martini)");
-    none(count(Way::Dummy), "Ghost or dummy atoms and virtual sites");
+    WarnOf("Beads of a coarse-grained model (Martini)", count(Way::Bead), report);
+    WarnOf(Dummies, count(Way::Dummy), report);
     if (unknown)
     {
       report.Warn("Atoms whose names mean no element (Element is 0): " +
@@ -561,6 +567,8 @@ private:
   std::vector<Atom>& Atoms;
   const std::vector<AtomColumns>& Columns;
   const std::vector<std::size_t>& Starts;
+  std::string Where;
+  bool IsUsual;
   std::vector<Way> Ways;
   std::mutex Mutex;
   std::size_t Absurd = 0;
@@ -597,10 +605,69 @@ bool IsLongResidueName(std::string_view name)
   return name.size() == 4 && FamilyOfResidue(name) != ResidueFamily::Unknown;
 }
 
-void SetElements(std::vector<Atom>& atoms, const std::vector<AtomColumns>& columns,
-  const std::vector<std::size_t>& starts, ReadingReport& report)
+bool IsDummyName(std::string_view name)
 {
-  Decision(atoms, columns, starts).Run(report);
+  const std::string capitals = Capitals(name);
+  const auto ends = [&capitals](std::string_view with)
+  {
+    return capitals.size() > with.size() &&
+      capitals.compare(capitals.size() - with.size(), with.size(), with) == 0;
+  };
+  return IsDummy(Letters(capitals)) || ends("-BQ") || ends("_BQ") ||
+    capitals.compare(0, 2, "BQ") == 0 || (!capitals.empty() && capitals[0] == '@');
+}
+
+void SetElements(std::vector<Atom>& atoms, const std::vector<AtomColumns>& columns,
+  const std::vector<std::size_t>& starts, ReadingReport& report, ElementColumn column)
+{
+  Decision(atoms, columns, starts, column).Run(report);
+}
+
+void SetElements(std::vector<Atom>& atoms, ReadingReport& report, ElementColumn column)
+{
+  std::vector<AtomColumns> columns(atoms.size());
+  std::vector<std::size_t> starts;
+  for (std::size_t i = 0; i < atoms.size(); ++i)
+  {
+    const Atom& atom = atoms[i];
+    const bool isSame = i > 0 && atom.ResidueId == atoms[i - 1].ResidueId &&
+      atom.InsertionCode == atoms[i - 1].InsertionCode &&
+      atom.ResidueName == atoms[i - 1].ResidueName && atom.Chain == atoms[i - 1].Chain;
+    if (!isSame)
+    {
+      starts.push_back(i);
+    }
+    std::string_view(atom.Name).copy(columns[i].Name.data(), columns[i].Name.size());
+    if (atom.Element > 0)
+    {
+      std::string_view(ElementSymbol(atom.Element))
+        .copy(columns[i].Symbol.data(), columns[i].Symbol.size());
+    }
+  }
+  SetElements(atoms, columns, starts, report, column);
+}
+
+void ReportMissingElements(const std::vector<Atom>& atoms, ReadingReport& report)
+{
+  std::size_t dummies = 0;
+  std::size_t unknown = 0;
+  const Atom* first = nullptr;
+  for (const Atom& atom : atoms)
+  {
+    if (atom.Element == 0)
+    {
+      const bool isDummy = IsDummyName(atom.Name);
+      dummies += isDummy ? 1 : 0;
+      unknown += isDummy ? 0 : 1;
+      first = first || isDummy ? first : &atom;
+    }
+  }
+  WarnOf(Dummies, dummies, report);
+  if (first)
+  {
+    report.Warn("Atoms whose types or symbols mean no element (Element is 0): " +
+      std::to_string(unknown) + " (first: " + Describe(*first) + ").");
+  }
 }
 
 }

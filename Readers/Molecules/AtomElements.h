@@ -1,10 +1,10 @@
 /**
  * @file AtomElements.h
- * @brief Elements of atoms in PDB files, with and without an element column.
+ * @brief Elements of atoms, with and without a column that gives them.
  *
- * An element in columns 77-78 is taken, unless it cannot be (oganesson in a serine, where OG in the
- * wrong column is meant). Files of CHARMM, VMD, NAMD, older GROMACS and AMBER have none. There,
- * in this order:
+ * An element that the file gives (PDB: columns 77-78) is taken, unless it cannot be (oganesson in a
+ * serine, where OG in the wrong column is meant). Files of CHARMM, VMD, NAMD, older GROMACS and
+ * AMBER have none. There, in this order:
  *
  * - residue and atom name: amino acids, nucleotides, lipids, waters, ions and cofactors by their
  *   names in the PDB, CHARMM, AMBER, GROMACS and OPLS;
@@ -47,11 +47,22 @@ VTKISTHMUSREADERSMOLECULES_EXPORT ResidueFamily FamilyOfResidue(std::string_view
 /// Is this a name of four letters that simulation programs give residues (TIP3, POPC, LYSH)?
 VTKISTHMUSREADERSMOLECULES_EXPORT bool IsLongResidueName(std::string_view name);
 
+/// Ghost atoms, dummies, lone pairs and virtual sites, by name or symbol: Bq, X1, EPW, Gh(C), @H.
+VTKISTHMUSREADERSMOLECULES_EXPORT bool IsDummyName(std::string_view name);
+
 /// Columns of an atom's line, blanks included.
 struct AtomColumns
 {
-  std::array<char, 4> Name;   ///< 13-16
-  std::array<char, 2> Symbol; ///< 77-78
+  std::array<char, 4> Name{ ' ', ' ', ' ', ' ' }; ///< 13-16
+  std::array<char, 2> Symbol{ ' ', ' ' };         ///< 77-78
+};
+
+/// Where a format has the elements of atoms.
+enum class ElementColumn
+{
+  PDB,   ///< columns 77-78
+  Table, ///< a column of mmCIF's table
+  None   ///< none has them: deciding them is worth a note only
 };
 
 /**
@@ -60,7 +71,17 @@ struct AtomColumns
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT void SetElements(std::vector<Atom>& atoms,
   const std::vector<AtomColumns>& columns, const std::vector<std::size_t>& starts,
-  ReadingReport& report);
+  ReadingReport& report, ElementColumn column = ElementColumn::PDB);
+
+/**
+ * The same for formats without PDB's columns: the element that an atom has is that of the file, 0
+ * if it has none. Names are not right-justified; residues follow each other.
+ */
+VTKISTHMUSREADERSMOLECULES_EXPORT void SetElements(
+  std::vector<Atom>& atoms, ReadingReport& report, ElementColumn column);
+
+/// Warns of atoms without element, in formats where types or symbols mean elements.
+void ReportMissingElements(const std::vector<Atom>& atoms, ReadingReport& report);
 
 }
 

@@ -377,7 +377,7 @@ void DropRowsWithoutCoordinates(AtomTable& table, CIFAtoms& atoms)
       " atoms has coordinates (they are ?, . or NaN); build or fetch a model that has them");
   }
   table.DropRows(drops);
-  atoms.Warnings.push_back(std::to_string(count) + " of " + std::to_string(rows) +
+  atoms.Report.Warn(std::to_string(count) + " of " + std::to_string(rows) +
     " atoms have no coordinates in the file (?, . or NaN) and were dropped: " + names + ".");
 }
 
@@ -496,8 +496,8 @@ void TranslateCoreCIF(cif::Block& block, AtomTable& table, CIFAtoms& atoms)
   {
     table.Rename("U_iso_or_equiv", "B_iso_or_equiv");
   }
-  atoms.Notes.emplace_back("Crystal structure with fractional coordinates or labels of core CIF: "
-                           "the atoms are those of the asymmetric unit, symmetry is not applied.");
+  atoms.Report.Note("Crystal structure with fractional coordinates or labels of core CIF: "
+                    "the atoms are those of the asymmetric unit, symmetry is not applied.");
 }
 
 /// The columns of a chemical component as mmCIF has them. False: it has no coordinates.
@@ -538,7 +538,7 @@ bool TranslateComponent(cif::Block& block, AtomTable& table, CIFAtoms& atoms)
   {
     atoms.Bonded.push_back({ row.has(2) ? row.str(2) : "", row.str(0), row.str(1) });
   }
-  atoms.Notes.push_back(
+  atoms.Report.Note(
     std::string("Chemical component: the ") + best->second + " coordinates were read.");
   return true;
 }
@@ -555,23 +555,13 @@ void FillUnknown(AtomTable& table, int to, int from)
   }
 }
 
-/// Adds elements where the file has none, from the names. Returns for how many atoms.
+/// Gives atoms without element the symbol X: SetElements decides by names. Returns how many.
 std::size_t CompleteElements(AtomTable& table)
 {
-  const auto element = [&table](std::size_t row)
-  {
-    const auto text = [&](const char* first, const char* second)
-    {
-      const std::string value = table.Text(row, table.Find(first));
-      return value.empty() ? table.Text(row, table.Find(second)) : value;
-    };
-    return std::string(ElementSymbol(ElementOfAtomName(
-      text("auth_atom_id", "label_atom_id"), text("auth_comp_id", "label_comp_id"))));
-  };
   const int column = table.Find("type_symbol");
   if (column < 0)
   {
-    table.Plan("type_symbol", element);
+    table.Plan("type_symbol", [](std::size_t) { return std::string("X"); });
     return table.Rows();
   }
   std::size_t completed = 0;
@@ -579,7 +569,7 @@ std::size_t CompleteElements(AtomTable& table)
   {
     if (cif::is_null(table.At(row, column)))
     {
-      table.At(row, column) = element(row);
+      table.At(row, column) = "X";
       ++completed;
     }
   }
@@ -673,9 +663,8 @@ void CleanWholeNumbers(AtomTable& table, CIFAtoms& atoms)
     }
     if (dropped > 0)
     {
-      atoms.Notes.push_back(std::to_string(dropped) + (dropped == 1 ? " value" : " values") +
-        " of " + name + " that " + (dropped == 1 ? "is" : "are") +
-        " no whole number: taken as unknown.");
+      atoms.Report.Note(std::to_string(dropped) + (dropped == 1 ? " value" : " values") + " of " +
+        name + " that " + (dropped == 1 ? "is" : "are") + " no whole number: taken as unknown.");
     }
   }
   KeepFirstLetter(table, "label_alt_id");
@@ -701,12 +690,12 @@ void CompleteColumns(AtomTable& table, CIFAtoms& atoms)
   }
   if (!missing.empty())
   {
-    atoms.Notes.push_back("The file has no " + missing + ": unknown (NaN) for all atoms.");
+    atoms.Report.Note("The file has no " + missing + ": unknown (NaN) for all atoms.");
   }
   const std::size_t elements = CompleteElements(table);
   if (elements > 0)
   {
-    atoms.Notes.push_back(std::to_string(elements) + (elements == 1 ? " atom has" : " atoms have") +
+    atoms.Report.Note(std::to_string(elements) + (elements == 1 ? " atom has" : " atoms have") +
       " no element in the file: decided from the names of atom and residue.");
   }
   CleanWholeNumbers(table, atoms);

@@ -20,6 +20,8 @@
 #ifndef isthmus_CIFAtomTable_h
 #define isthmus_CIFAtomTable_h
 
+#include "Molecules/ReadingReport.h"
+
 #include <array>
 #include <cstdint>
 #include <map>
@@ -49,8 +51,7 @@ struct CIFAtoms
   std::vector<std::array<std::string, 3>> Bonded;
   /// pLDDT of ModelCIF, 0 to 100, by model (from 0), label_asym_id and label_seq_id.
   std::map<std::tuple<std::int64_t, std::string, std::string>, double> Confidence;
-  std::vector<std::string> Notes;
-  std::vector<std::string> Warnings;
+  ReadingReport Report;
 };
 
 /**

@@ -2,10 +2,13 @@
 
 #include "Atoms/ChemicalElement.h"
 #include "Files/TextLines.h"
+#include "Molecules/AtomElements.h"
+#include "Molecules/ReadingReport.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -51,14 +54,73 @@ std::string_view NextLine(TextLines& lines)
   return line;
 }
 
-void AddBond(Macromolecule& molecule, std::int64_t a, std::int64_t b, const TextLines& lines)
+/// The whole number that `word` is, 0 and counted where it is none and not empty.
+int WholeOr0(std::string_view word, const char* what, const TextLines& lines, ReadingReport& report)
+{
+  int value = 0;
+  if (!word.empty() && !IsNumber(word, value))
+  {
+    report.Count(what, lines.Line());
+  }
+  return value;
+}
+
+/// The number that `word` is, unknown and counted where it is none and not empty.
+double NumberOrUnknown(
+  std::string_view word, const char* what, const TextLines& lines, ReadingReport& report)
+{
+  double value = 0.0;
+  if (IsNumber(word, value) && std::isfinite(value))
+  {
+    return value;
+  }
+  if (!word.empty())
+  {
+    report.Count(what, lines.Line());
+  }
+  return Atom::Unknown;
+}
+
+constexpr const char* OddResidueNumbers = "Residue numbers that are no whole numbers, taken as 0";
+constexpr const char* OddCharges = "Charges that are no numbers, dropped";
+
+/// A bond costs no atom. `a` and `b` are places of atoms, -1 for those that are not there.
+void AddBond(Macromolecule& molecule, std::optional<std::int64_t> a, std::optional<std::int64_t> b,
+  const TextLines& lines, ReadingReport& report)
 {
   const auto atoms = static_cast<std::int64_t>(molecule.Atoms.size());
-  if (a < 0 || b < 0 || a >= atoms || b >= atoms || a == b)
+  if (!a || !b)
   {
-    lines.Fail("a bond names atoms that are not there. Correct the file.");
+    report.Count("Unreadable bonds, dropped", lines.Line());
   }
-  molecule.Bonds.push_back({ std::min(a, b), std::max(a, b), true });
+  else if (*a < 0 || *b < 0 || *a >= atoms || *b >= atoms || *a == *b)
+  {
+    report.Count("Bonds that name atoms which are not there, dropped", lines.Line());
+  }
+  else
+  {
+    molecule.Bonds.push_back({ std::min(*a, *b), std::max(*a, *b), true });
+  }
+}
+
+/// The number of an atom in `word`, from 1.
+std::optional<std::int64_t> AtomNumber(std::string_view word)
+{
+  std::int64_t number = 0;
+  return IsNumber(word, number) ? std::optional<std::int64_t>(number) : std::nullopt;
+}
+
+/// The place of the atom with a number, -1 where there is none.
+template <typename Places>
+std::optional<std::int64_t> PlaceOf(std::string_view word, const Places& places)
+{
+  const std::optional<std::int64_t> number = AtomNumber(word);
+  if (!number)
+  {
+    return {};
+  }
+  const auto found = places.find(*number);
+  return found == places.end() ? std::int64_t{ -1 } : found->second;
 }
 
 // ------------------------------------------------------------------------------------------
@@ -84,7 +146,7 @@ int ElementOfAutoDockType(std::string_view type, std::string_view residue)
   return ElementOfSymbol(type);
 }
 
-Atom ReadPDBQTAtom(std::string_view line, const TextLines& lines)
+Atom ReadPDBQTAtom(std::string_view line, const TextLines& lines, ReadingReport& report)
 {
   Atom atom;
   atom.IsHetero = BeginsWith(line, "HETATM");
@@ -93,23 +155,20 @@ Atom ReadPDBQTAtom(std::string_view line, const TextLines& lines)
   atom.AltLoc = line.size() > 16 ? line[16] : ' ';
   atom.ResidueName = Columns(line, 17, 4);
   atom.Chain = Columns(line, 21, 1);
-  IsNumber(Columns(line, 22, 4), atom.ResidueId);
+  atom.ResidueId = WholeOr0(Columns(line, 22, 4), OddResidueNumbers, lines, report);
   atom.InsertionCode = line.size() > 26 ? line[26] : ' ';
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     atom.Position[axis] = FiniteNumber(Columns(line, 30 + 8 * axis, 8), lines, "a coordinate");
   }
-  const auto optional = [&line](std::size_t from, std::size_t size)
-  {
-    double value = 0.0;
-    return IsNumber(Columns(line, from, size), value) ? value : Atom::Unknown;
-  };
-  atom.Occupancy = optional(54, 6);
-  atom.BFactor = optional(60, 6);
-  atom.Charge = FiniteNumber(Columns(line, 66, 10), lines, "a partial charge");
+  constexpr const char* oddValues = "Occupancies and B factors that are no numbers, dropped";
+  atom.Occupancy = NumberOrUnknown(Columns(line, 54, 6), oddValues, lines, report);
+  atom.BFactor = NumberOrUnknown(Columns(line, 60, 6), oddValues, lines, report);
+  atom.Charge = NumberOrUnknown(Columns(line, 66, 10), OddCharges, lines, report);
   const std::string_view type = Columns(line, 76, 4);
   if (type.empty())
   {
+    FiniteNumber(Columns(line, 66, 10), lines, "a partial charge");
     lines.Fail(
       "the type of AutoDock (columns 78-79) is missing. Is it a PDBQT file? Name a PDB file "
       ".pdb.");
@@ -122,6 +181,8 @@ Macromolecule ParsePDBQT(std::string_view text, const std::string& path, std::in
   const ProgressCallback& progress)
 {
   Macromolecule molecule;
+  ReadingReport report;
+  ReadingReport ofOthers; // models that are not wanted
   TextLines lines(text, path, progress);
   bool inModel = false;
   for (std::string_view line; lines.Next(line);)
@@ -133,12 +194,15 @@ Macromolecule ParsePDBQT(std::string_view text, const std::string& path, std::in
     }
     molecule.NumberOfModels += inModel ? 0 : 1;
     inModel = true;
-    Atom atom = ReadPDBQTAtom(line, lines);
-    if (molecule.NumberOfModels - 1 == model)
+    const bool isWanted = molecule.NumberOfModels - 1 == model;
+    Atom atom = ReadPDBQTAtom(line, lines, isWanted ? report : ofOthers);
+    if (isWanted)
     {
       molecule.Atoms.push_back(std::move(atom));
     }
   }
+  ReportMissingElements(molecule.Atoms, report);
+  report.AddTo(molecule);
   return molecule;
 }
 
@@ -160,11 +224,12 @@ std::size_t CoordinateWidth(std::string_view line, const TextLines& lines)
   return two - one;
 }
 
-Atom ReadGROAtom(std::string_view line, std::size_t width, const TextLines& lines)
+Atom ReadGROAtom(
+  std::string_view line, std::size_t width, const TextLines& lines, ReadingReport& report)
 {
   constexpr double angstromOfNanometre = 10.0;
   Atom atom;
-  IsNumber(Columns(line, 0, 5), atom.ResidueId);
+  atom.ResidueId = WholeOr0(Columns(line, 0, 5), OddResidueNumbers, lines, report);
   atom.ResidueName = Columns(line, 5, 5);
   atom.Name = Columns(line, 10, 5);
   IsNumber(Columns(line, 15, 5), atom.Serial);
@@ -175,7 +240,6 @@ Atom ReadGROAtom(std::string_view line, std::size_t width, const TextLines& line
     // 1.234 nm is 12.34 angstrom, and not the double beside it.
     atom.Position[axis] = std::round(atom.Position[axis] * 1e9) / 1e9;
   }
-  atom.Element = ElementOfAtomName(atom.Name, atom.ResidueName);
   return atom;
 }
 
@@ -183,6 +247,9 @@ Macromolecule ParseGRO(std::string_view text, const std::string& path, std::int6
   const ProgressCallback& progress)
 {
   Macromolecule molecule;
+  ReadingReport report;
+  ReadingReport ofOthers;
+  report.Note("GRO file: elements from the names, no chains.");
   TextLines lines(text, path, progress);
   for (std::string_view line; lines.Next(line);) // the title, which may be empty
   {
@@ -200,13 +267,14 @@ Macromolecule ParseGRO(std::string_view text, const std::string& path, std::int6
       continue;
     }
     const std::int64_t count = Count(Trimmed(number), lines, "the number of atoms");
+    const bool isWanted = molecule.NumberOfModels == model;
     std::size_t width = 0;
     for (std::int64_t i = 0; i < count; ++i)
     {
       line = NextLine(lines);
       width = i == 0 ? CoordinateWidth(line, lines) : width;
-      Atom atom = ReadGROAtom(line, width, lines);
-      if (molecule.NumberOfModels == model)
+      Atom atom = ReadGROAtom(line, width, lines, isWanted ? report : ofOthers);
+      if (isWanted)
       {
         molecule.Atoms.push_back(std::move(atom));
       }
@@ -214,7 +282,8 @@ Macromolecule ParseGRO(std::string_view text, const std::string& path, std::int6
     lines.Next(line); // the box
     ++molecule.NumberOfModels;
   }
-  molecule.Notes.emplace_back("GRO file: elements from the names, no chains.");
+  SetElements(molecule.Atoms, report, ElementColumn::None);
+  report.AddTo(molecule);
   return molecule;
 }
 
@@ -227,7 +296,8 @@ int ElementOfTriposType(std::string_view type)
   return ElementOfSymbol(type.substr(0, type.find('.')));
 }
 
-Atom ReadMOL2Atom(std::string_view line, bool hasCharges, const TextLines& lines)
+Atom ReadMOL2Atom(
+  std::string_view line, bool hasCharges, const TextLines& lines, ReadingReport& report)
 {
   Atom atom;
   IsNumber(NextWord(line), atom.Serial);
@@ -242,7 +312,7 @@ Atom ReadMOL2Atom(std::string_view line, bool hasCharges, const TextLines& lines
     lines.Fail("the type of an atom is missing. Is the file whole?");
   }
   atom.Element = ElementOfTriposType(type);
-  IsNumber(NextWord(line), atom.ResidueId);
+  atom.ResidueId = WholeOr0(NextWord(line), OddResidueNumbers, lines, report);
   std::string_view residue = NextWord(line);
   // "ALA12" is residue ALA, number 12, where the number of the substructure is another one.
   const std::size_t digits = residue.find_last_not_of("0123456789") + 1;
@@ -253,10 +323,9 @@ Atom ReadMOL2Atom(std::string_view line, bool hasCharges, const TextLines& lines
     residue = residue.substr(0, digits);
   }
   atom.ResidueName = residue == "****" || residue == "<0>" ? std::string_view() : residue;
-  double charge = 0.0;
-  if (hasCharges && IsNumber(NextWord(line), charge) && std::isfinite(charge))
+  if (hasCharges)
   {
-    atom.Charge = charge;
+    atom.Charge = NumberOrUnknown(NextWord(line), OddCharges, lines, report);
   }
   return atom;
 }
@@ -265,10 +334,13 @@ Macromolecule ParseMOL2(std::string_view text, const std::string& path, std::int
   const ProgressCallback& progress)
 {
   Macromolecule molecule;
+  ReadingReport report;
+  ReadingReport ofOthers;
   TextLines lines(text, path, progress);
   std::int64_t atoms = 0, bonds = 0;
   bool hasCharges = true;
-  std::unordered_map<int, std::int64_t> place; // of the numbers of atoms
+  std::unordered_map<std::int64_t, std::int64_t> place; // of the numbers of atoms
+  std::string notRead;                                  // sections
   std::string_view line;
   while (lines.Next(line))
   {
@@ -289,7 +361,7 @@ Macromolecule ParseMOL2(std::string_view text, const std::string& path, std::int
     {
       for (std::int64_t i = 0; i < atoms; ++i)
       {
-        Atom atom = ReadMOL2Atom(NextLine(lines), hasCharges, lines);
+        Atom atom = ReadMOL2Atom(NextLine(lines), hasCharges, lines, isWanted ? report : ofOthers);
         if (isWanted)
         {
           place.emplace(atom.Serial, static_cast<std::int64_t>(molecule.Atoms.size()));
@@ -302,19 +374,25 @@ Macromolecule ParseMOL2(std::string_view text, const std::string& path, std::int
       for (std::int64_t i = 0; i < bonds; ++i)
       {
         std::string_view bond = NextLine(lines);
-        NextWord(bond);
-        const std::int64_t a = Count(NextWord(bond), lines, "the number of an atom");
-        const std::int64_t b = Count(NextWord(bond), lines, "the number of an atom");
         if (isWanted)
         {
-          const auto first = place.find(static_cast<int>(a));
-          const auto second = place.find(static_cast<int>(b));
-          AddBond(molecule, first == place.end() ? -1 : first->second,
-            second == place.end() ? -1 : second->second, lines);
+          NextWord(bond); // its number
+          const auto first = PlaceOf(NextWord(bond), place);
+          AddBond(molecule, first, PlaceOf(NextWord(bond), place), lines, report);
         }
       }
     }
+    else if (isWanted && BeginsWith(section, "@<TRIPOS>") && section != "@<TRIPOS>SUBSTRUCTURE")
+    {
+      notRead += (notRead.empty() ? "" : ", ") + std::string(section.substr(9));
+    }
   }
+  if (!notRead.empty())
+  {
+    report.Note("Sections of the MOL2 file that were not read: " + notRead + ".");
+  }
+  ReportMissingElements(molecule.Atoms, report);
+  report.AddTo(molecule);
   return molecule;
 }
 
@@ -332,23 +410,50 @@ void AddSDFAtom(Macromolecule& molecule, std::string_view symbol, const double* 
 }
 
 /// "M  CHG  2   3  -1   7   1": formal charges of atoms 3 and 7.
-void ReadCharges(Macromolecule& molecule, std::string_view line, const TextLines& lines)
+void ReadCharges(
+  Macromolecule& molecule, std::string_view line, const TextLines& lines, ReadingReport& report)
 {
   std::string_view rest = line.substr(6);
-  const std::int64_t count = Count(NextWord(rest), lines, "the number of charges");
+  std::int64_t count = 0;
+  if (!IsNumber(NextWord(rest), count))
+  {
+    report.Count("Unreadable charges (M  CHG), dropped", lines.Line());
+    return;
+  }
   for (std::int64_t i = 0; i < count; ++i)
   {
-    const std::int64_t atom = Count(NextWord(rest), lines, "the number of an atom");
-    const double charge = FiniteNumber(NextWord(rest), lines, "a charge");
-    if (atom < 1 || atom > static_cast<std::int64_t>(molecule.Atoms.size()))
+    const std::optional<std::int64_t> atom = AtomNumber(NextWord(rest));
+    double charge = 0.0;
+    if (!atom || !IsNumber(NextWord(rest), charge) || !std::isfinite(charge))
     {
-      lines.Fail("a charge names an atom that is not there. Correct the file.");
+      report.Count("Unreadable charges (M  CHG), dropped", lines.Line());
+      return;
     }
-    molecule.Atoms[static_cast<std::size_t>(atom - 1)].Charge = charge;
+    if (*atom < 1 || *atom > static_cast<std::int64_t>(molecule.Atoms.size()))
+    {
+      report.Count("Charges that name atoms which are not there, dropped", lines.Line());
+      continue;
+    }
+    molecule.Atoms[static_cast<std::size_t>(*atom - 1)].Charge = charge;
   }
 }
 
-void ReadV2000(std::string_view counts, TextLines& lines, Macromolecule& molecule)
+/// The formal charge by the code in columns 37-39, which M  CHG replaces: 1 is +3, 7 is -3.
+double ChargeOfCode(std::string_view line, const TextLines& lines, ReadingReport& report)
+{
+  constexpr const char* odd = "Codes of charges (columns 37-39) that are not 0 to 7, dropped";
+  const int code = WholeOr0(Columns(line, 36, 3), odd, lines, report);
+  constexpr int radical = 4;
+  if (code < 0 || code > 7)
+  {
+    report.Count(odd, lines.Line());
+    return Atom::Unknown;
+  }
+  return code == 0 || code == radical ? Atom::Unknown : double{ radical } - code;
+}
+
+void ReadV2000(
+  std::string_view counts, TextLines& lines, Macromolecule& molecule, ReadingReport& report)
 {
   const std::int64_t atoms = Count(Columns(counts, 0, 3), lines, "the number of atoms");
   const std::int64_t bonds = Count(Columns(counts, 3, 3), lines, "the number of bonds");
@@ -361,12 +466,17 @@ void ReadV2000(std::string_view counts, TextLines& lines, Macromolecule& molecul
       position[axis] = FiniteNumber(Columns(line, 10 * axis, 10), lines, "a coordinate");
     }
     AddSDFAtom(molecule, Columns(line, 31, 3), position);
+    molecule.Atoms.back().Charge = ChargeOfCode(line, lines, report);
   }
   for (std::int64_t i = 0; i < bonds; ++i)
   {
     const std::string_view line = NextLine(lines);
-    AddBond(molecule, Count(Columns(line, 0, 3), lines, "the number of an atom") - 1,
-      Count(Columns(line, 3, 3), lines, "the number of an atom") - 1, lines);
+    const auto place = [&line](std::size_t from)
+    {
+      const auto number = AtomNumber(Columns(line, from, 3));
+      return number ? std::optional<std::int64_t>(*number - 1) : std::nullopt;
+    };
+    AddBond(molecule, place(0), place(3), lines, report);
   }
 }
 
@@ -385,7 +495,7 @@ std::string V3000Line(std::string_view line, TextLines& lines)
 }
 
 void ReadV3000Atom(std::string_view rest, std::unordered_map<std::int64_t, std::int64_t>& place,
-  Macromolecule& molecule, const TextLines& lines)
+  Macromolecule& molecule, const TextLines& lines, ReadingReport& report)
 {
   const std::int64_t number = Count(NextWord(rest), lines, "the number of an atom");
   const std::string_view symbol = NextWord(rest);
@@ -400,12 +510,12 @@ void ReadV3000Atom(std::string_view rest, std::unordered_map<std::int64_t, std::
   {
     if (BeginsWith(word, "CHG="))
     {
-      molecule.Atoms.back().Charge = FiniteNumber(word.substr(4), lines, "a charge");
+      molecule.Atoms.back().Charge = NumberOrUnknown(word.substr(4), OddCharges, lines, report);
     }
   }
 }
 
-void ReadV3000(TextLines& lines, Macromolecule& molecule)
+void ReadV3000(TextLines& lines, Macromolecule& molecule, ReadingReport& report)
 {
   std::unordered_map<std::int64_t, std::int64_t> place;
   std::string block;
@@ -423,19 +533,14 @@ void ReadV3000(TextLines& lines, Macromolecule& molecule)
     }
     else if (block == "ATOM")
     {
-      ReadV3000Atom(rest, place, molecule, lines);
+      ReadV3000Atom(rest, place, molecule, lines, report);
     }
     else if (block == "BOND")
     {
       NextWord(rest);
       NextWord(rest);
-      const auto find = [&]
-      {
-        const auto found = place.find(Count(NextWord(rest), lines, "the number of an atom"));
-        return found == place.end() ? std::int64_t{ -1 } : found->second;
-      };
-      const std::int64_t first = find();
-      AddBond(molecule, first, find(), lines);
+      const auto first = PlaceOf(NextWord(rest), place);
+      AddBond(molecule, first, PlaceOf(NextWord(rest), place), lines, report);
     }
   }
 }
@@ -444,6 +549,7 @@ Macromolecule ParseSDF(std::string_view text, const std::string& path, std::int6
   const ProgressCallback& progress)
 {
   Macromolecule molecule;
+  ReadingReport report;
   TextLines lines(text, path, progress);
   std::string_view line;
   while (lines.Next(line)) // the title
@@ -458,21 +564,33 @@ Macromolecule ParseSDF(std::string_view text, const std::string& path, std::int6
       lines.Fail("the file ends before the counts of a molecule. Fetch or write it again.");
     }
     Macromolecule one;
+    ReadingReport ofOne;
+    std::size_t fields = 0;
     const bool isWanted = molecule.NumberOfModels == model;
     if (counts.find("V3000") != std::string_view::npos)
     {
-      ReadV3000(lines, one);
+      ReadV3000(lines, one, ofOne);
     }
     else
     {
-      ReadV2000(counts, lines, one);
+      ReadV2000(counts, lines, one, ofOne);
     }
+    bool areCodesReplaced = false;
     while (lines.Next(line) && Trimmed(line) != "$$$$")
     {
-      if (BeginsWith(line, "M  CHG"))
+      const bool isCharge = BeginsWith(line, "M  CHG");
+      if ((isCharge || BeginsWith(line, "M  RAD")) && !std::exchange(areCodesReplaced, true))
       {
-        ReadCharges(one, line, lines);
+        for (Atom& atom : one.Atoms)
+        {
+          atom.Charge = Atom::Unknown;
+        }
       }
+      if (isCharge)
+      {
+        ReadCharges(one, line, lines, ofOne);
+      }
+      fields += BeginsWith(line, ">") ? 1 : 0;
     }
     if (isWanted)
     {
@@ -480,13 +598,20 @@ Macromolecule ParseSDF(std::string_view text, const std::string& path, std::int6
       molecule.Bonds = std::move(one.Bonds);
       if (Columns(program, 20, 2) == "2D")
       {
-        molecule.Warnings.emplace_back("The file says that its coordinates are those of a drawing "
-                                       "(2D): distances and surfaces mean nothing. Make a "
-                                       "conformer first.");
+        ofOne.Warn("The file says that its coordinates are those of a drawing (2D): distances and "
+                   "surfaces mean nothing. Make a conformer first.");
       }
+      if (fields > 0)
+      {
+        ofOne.Note(
+          "Data fields of the SDF file that were not read: " + std::to_string(fields) + ".");
+      }
+      ReportMissingElements(molecule.Atoms, ofOne);
+      report = std::move(ofOne);
     }
     ++molecule.NumberOfModels;
   }
+  report.AddTo(molecule);
   return molecule;
 }
 

@@ -1,6 +1,7 @@
 #include "Molecules/GemmiStructure.h"
 
 #include "Files/TextLines.h"
+#include "Molecules/AtomElements.h"
 #include "Molecules/CIFAtomTable.h"
 #include "Molecules/GemmiAtom.h"
 #include "Molecules/PDBFile.h"
@@ -240,7 +241,7 @@ double ConfidenceOf(const Confidence& values, std::int64_t model, const gemmi::R
 }
 
 /// Copies one model and the connections that gemmi knows.
-Macromolecule Flatten(const gemmi::Structure& structure, std::int64_t wanted,
+Macromolecule Flatten(const gemmi::Structure& structure, std::int64_t wanted, ReadingReport& report,
   const Confidence& confidence = Confidence())
 {
   Macromolecule molecule;
@@ -269,6 +270,7 @@ Macromolecule Flatten(const gemmi::Structure& structure, std::int64_t wanted,
       }
     }
   }
+  std::size_t missing = 0;
   for (const gemmi::Connection& connection : structure.connections)
   {
     if (connection.type == gemmi::Connection::Hydrog || connection.asu == gemmi::Asu::Different)
@@ -281,6 +283,15 @@ Macromolecule Flatten(const gemmi::Structure& structure, std::int64_t wanted,
     {
       AddBond(molecule, first->second, second->second);
     }
+    else
+    {
+      ++missing;
+    }
+  }
+  if (missing > 0)
+  {
+    report.Note("Bonds of struct_conn that name atoms which this model has not, dropped: " +
+      std::to_string(missing) + ".");
   }
   return molecule;
 }
@@ -380,7 +391,8 @@ Macromolecule AssemblyOf(const PDBMolecule& molecule, const std::string& name,
     structure.connections.push_back(connection);
   }
   TakeAssembly(structure, name, path);
-  return Flatten(structure, 0);
+  ReadingReport ofCopies; // their bonds are those of the file
+  return Flatten(structure, 0, ofCopies);
 }
 
 Macromolecule ReadColumns(std::string_view text, const std::string& path,
@@ -545,7 +557,7 @@ std::vector<BlockOfAtoms> FindAtoms(gemmi::cif::Document& document)
   }
   if (!why.empty())
   {
-    blocks[0].Atoms.Warnings.push_back("Dropped: " + why + ".");
+    blocks[0].Atoms.Report.Warn("Dropped: " + why + ".");
   }
   return blocks;
 }
@@ -565,7 +577,7 @@ gemmi::Structure StructureOf(BlockOfAtoms& block, bool needsAssembly)
     }
     DropOthers(*block.Block, CategoriesOfAtoms);
     gemmi::Structure structure = gemmi::make_structure_from_block(*block.Block);
-    block.Atoms.Warnings.push_back(
+    block.Atoms.Report.Warn(
       std::string("The tables beside the atoms (struct_conn, assemblies) can't be read (") +
       error.what() + ") and were dropped; bonds are found by distance.");
     return structure;
@@ -573,7 +585,7 @@ gemmi::Structure StructureOf(BlockOfAtoms& block, bool needsAssembly)
 }
 
 /// Bonds of a chemical component, whose table names atoms.
-void AddNamedBonds(const CIFAtoms& atoms, Macromolecule& molecule)
+void AddNamedBonds(CIFAtoms& atoms, Macromolecule& molecule)
 {
   // By component and name, and by name alone where the table does not give the component.
   const auto keyOf = [](const std::string& component, const std::string& name)
@@ -585,6 +597,7 @@ void AddNamedBonds(const CIFAtoms& atoms, Macromolecule& molecule)
     place.emplace(keyOf(atom.ResidueName, atom.Name), static_cast<std::int64_t>(i));
     place.emplace(keyOf("", atom.Name), static_cast<std::int64_t>(i));
   }
+  std::size_t missing = 0;
   for (const auto& [component, one, other] : atoms.Bonded)
   {
     const auto first = place.find(keyOf(component, one));
@@ -593,6 +606,15 @@ void AddNamedBonds(const CIFAtoms& atoms, Macromolecule& molecule)
     {
       AddBond(molecule, first->second, second->second);
     }
+    else
+    {
+      ++missing;
+    }
+  }
+  if (missing > 0)
+  {
+    atoms.Report.Note("Bonds of chem_comp_bond that name atoms which are not there, dropped: " +
+      std::to_string(missing) + ".");
   }
 }
 
@@ -602,6 +624,7 @@ Macromolecule ReadBlocks(
 {
   std::vector<BlockOfAtoms> blocks = FindAtoms(document);
   Macromolecule molecule;
+  ReadingReport report;
   std::int64_t models = 0;
   for (BlockOfAtoms& block : blocks)
   {
@@ -613,20 +636,29 @@ Macromolecule ReadBlocks(
       {
         TakeAssembly(structure, choice.Assembly, path);
       }
-      molecule = Flatten(structure, choice.Model - models, block.Atoms.Confidence);
+      molecule =
+        Flatten(structure, choice.Model - models, block.Atoms.Report, block.Atoms.Confidence);
       AddNamedBonds(block.Atoms, molecule);
-      molecule.Notes = std::move(block.Atoms.Notes);
-      molecule.Warnings = std::move(block.Atoms.Warnings);
+      if (block.Atoms.From == CIFAtoms::Source::MMCIF)
+      {
+        SetElements(molecule.Atoms, block.Atoms.Report, ElementColumn::Table);
+      }
+      else
+      {
+        ReportMissingElements(molecule.Atoms, block.Atoms.Report);
+      }
+      report = std::move(block.Atoms.Report);
     }
     models += own;
   }
   molecule.NumberOfModels = models;
   if (blocks.size() > 1)
   {
-    molecule.Warnings.push_back("The file has " + std::to_string(blocks.size()) +
-      " data blocks with atoms (" + NamesOf(blocks) + "), which are its models 0 to " +
-      std::to_string(models - 1) + "; this is model " + std::to_string(choice.Model) + ".");
+    report.Warn("The file has " + std::to_string(blocks.size()) + " data blocks with atoms (" +
+      NamesOf(blocks) + "), which are its models 0 to " + std::to_string(models - 1) +
+      "; this is model " + std::to_string(choice.Model) + ".");
   }
+  report.AddTo(molecule);
   return molecule;
 }
 

@@ -2,6 +2,8 @@
 
 #include "Atoms/ChemicalElement.h"
 #include "Files/TextLines.h"
+#include "Molecules/AtomElements.h"
+#include "Molecules/ReadingReport.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +27,7 @@ struct XYZColumns
   int Charge = -1;
   int Radius = -1;
   std::string Others; ///< properties that are not read
+  bool IsExtended = false;
 };
 
 bool IsOneOf(std::string_view word, std::initializer_list<std::string_view> words)
@@ -57,6 +60,7 @@ XYZColumns ColumnsOf(std::string_view comment, const TextLines& lines)
   {
     return columns;
   }
+  columns.IsExtended = true;
   columns.Species = columns.Position = -1;
   const auto next = [&rest]
   {
@@ -141,7 +145,7 @@ Atom ReadAtom(std::string_view line, const XYZColumns& columns,
   {
     atom.Name = ElementSymbol(atom.Element);
   }
-  else
+  else if (!IsDummyName(symbol))
   {
     atom.Element = ElementOfAtomName(symbol, symbol); // "C", "Fe", and "C1" of some programs
   }
@@ -250,6 +254,8 @@ Macromolecule ParseTinker(std::string_view text, const std::string& path, std::i
   const ProgressCallback& progress)
 {
   Macromolecule molecule;
+  ReadingReport report;
+  report.Note("TINKER file: elements from the names of the atom types.");
   TextLines lines(text, path, progress);
   std::vector<std::int64_t> bonded;
   for (std::string_view line; lines.Next(line);)
@@ -292,7 +298,8 @@ Macromolecule ParseTinker(std::string_view text, const std::string& path, std::i
     }
     ++molecule.NumberOfModels;
   }
-  molecule.Notes.emplace_back("TINKER file: elements from the names of the atom types.");
+  ReportMissingElements(molecule.Atoms, report);
+  report.AddTo(molecule);
   return molecule;
 }
 
@@ -306,6 +313,7 @@ Macromolecule ParseXYZ(std::string_view text, const std::string& path, std::int6
     return ParseTinker(text, path, model, progress);
   }
   Macromolecule molecule;
+  ReadingReport report;
   TextLines lines(text, path, progress);
   std::vector<std::string_view> words;
   for (std::string_view line; lines.Next(line);)
@@ -327,7 +335,7 @@ Macromolecule ParseXYZ(std::string_view text, const std::string& path, std::int6
     const bool isWanted = molecule.NumberOfModels == model;
     if (isWanted && !columns.Others.empty())
     {
-      molecule.Notes.push_back(
+      report.Note(
         "Properties of the extended XYZ file that were not read: " + columns.Others + ".");
     }
     for (std::int64_t i = 0; i < count; ++i)
@@ -342,9 +350,17 @@ Macromolecule ParseXYZ(std::string_view text, const std::string& path, std::int6
       {
         molecule.Atoms.push_back(atom);
       }
+      constexpr std::size_t usual = 4;
+      if (isWanted && i == 0 && !columns.IsExtended && words.size() > usual)
+      {
+        report.Note("Columns behind symbol, x, y and z that were not read: " +
+          std::to_string(words.size() - usual) + ".");
+      }
     }
     ++molecule.NumberOfModels;
   }
+  ReportMissingElements(molecule.Atoms, report);
+  report.AddTo(molecule);
   return molecule;
 }
 

@@ -104,8 +104,8 @@ const std::vector<Text>& Texts()
       2 },
     { molecule,
       { { "a.cif",
-        "data_x\nloop_\n_atom_site.label_atom_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
-        "_atom_site.Cartn_z\nN 0 0 0\nC 1.45 0 0\n" } },
+        "data_x\nloop_\n_atom_site.label_atom_id\n_atom_site.type_symbol\n_atom_site.Cartn_x\n"
+        "_atom_site.Cartn_y\n_atom_site.Cartn_z\nN N 0 0 0\nC C 1.45 0 0\n" } },
       2 },
     { molecule, { { "a.xyz", "2\n\nN 0 0 0\nC 1.45 0 0\n" } }, 2 },
     { molecule,

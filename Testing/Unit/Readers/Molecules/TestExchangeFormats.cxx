@@ -209,10 +209,13 @@ TEST(ExchangeFormats, MOL2)
   EXPECT_EQ(Symbols(Parsed(second, MoleculeFormat::ByName)), "Zn ");
   EXPECT_PART(
     WhyRefused(text.substr(0, text.find("  3 O1")), MoleculeFormat::MOL2), "within a molecule");
-  EXPECT_PART(WhyRefused("@<TRIPOS>MOLECULE\nx\n1 1\nS\nC\n@<TRIPOS>ATOM\n1 C 0 0 0 C.3\n"
-                         "@<TRIPOS>BOND\n1 1 7 1\n",
-                MoleculeFormat::MOL2),
-    "not there");
+  const Macromolecule odd = Model("@<TRIPOS>MOLECULE\nx\n1 1\nS\nC\n@<TRIPOS>ATOM\n1 C 0 0 0 C.3\n"
+                                  "@<TRIPOS>BOND\n1 1 7 1\n",
+    MoleculeFormat::MOL2, 0);
+  EXPECT_EQ(odd.Atoms.size() + odd.Bonds.size(), 1u);
+  ASSERT_EQ(odd.Warnings.size(), 1u);
+  EXPECT_PART(
+    odd.Warnings[0], "Bonds that name atoms which are not there, dropped: 1 (first: line 9)");
 }
 
 TEST(ExchangeFormats, SDFOfBothVersions)
@@ -241,9 +244,11 @@ TEST(ExchangeFormats, SDFOfBothVersions)
   ASSERT_FALSE(second.Warnings.empty());
   EXPECT_PART(second.Warnings[0], "2D");
   EXPECT_PART(WhyRefused(v2000.substr(0, 150), MoleculeFormat::SDF), "line");
-  EXPECT_PART(WhyRefused("a\nb\n\n  1  1\n    0.0000    0.0000    0.0000 C\n  1  9  1\n",
-                MoleculeFormat::SDF),
-    "not there");
+  const Macromolecule odd =
+    Model("a\nb\n\n  1  1\n    0.0000    0.0000    0.0000 C\n  1  9  1\n", MoleculeFormat::SDF, 0);
+  EXPECT_EQ(odd.Atoms.size() + odd.Bonds.size(), 1u);
+  ASSERT_EQ(odd.Warnings.size(), 1u);
+  EXPECT_PART(odd.Warnings[0], "which are not there, dropped: 1 (first: line 6)");
 }
 
 // Bytes changed, cut and doubled at random: atoms or a message, and nothing that is not finite.
