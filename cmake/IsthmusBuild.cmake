@@ -79,6 +79,7 @@ function (isthmus_build_python)
     install(FILES "${source}" DESTINATION "${destination}/isthmus" RENAME ${part}.py)
   endforeach ()
   set_property(GLOBAL PROPERTY isthmus_python_destination "${destination}")
+  set(ISTHMUS_PYTHON_DESTINATION "${destination}" CACHE INTERNAL "Where the Python package is (setup.sh)")
 endfunction ()
 
 # The plugin: one library with the panels of Plugin/*.xml.

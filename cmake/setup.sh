@@ -7,16 +7,26 @@ source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=${ISTHMUS_BUILD_DIR:-$source_dir/build}
 jobs=$(nproc)
 
+# Packages of Debian and Ubuntu. A name may be
+#   A|B          the first of these that the archive has
+#   qt5:A        only where ParaView is linked to this version of Qt
+#   optional:A   left out, with a message, where the archive does not have it
+#   A-CLANG-B    with the version of the package `clang` for CLANG
+
 # What Isthmus itself is built from and runs with.
 build_packages=(
   g++ cmake ninja-build
   paraview paraview-dev python3-paraview
-  libbz2-dev zlib1g-dev libisal-dev libeigen3-dev libcgal-dev gemmi-dev tao-pegtl-dev tetgen xvfb xauth)
+  libbz2-dev zlib1g-dev libisal-dev libeigen3-dev libcgal-dev 'libgemmi-dev|gemmi-dev' tao-pegtl-dev
+  tetgen xvfb xauth)
 
-# What find_package(ParaView) of Debian's paraview-dev asks for without depending on it.
+# What find_package(ParaView) of Debian's paraview-dev asks for without depending on it, and the icons
+# of toolbars.
 paraview_packages=(
-  qtbase5-dev libqt5svg5-dev libqt5opengl5-dev qttools5-dev libqt5x11extras5-dev
-  libqt5xmlpatterns5-dev qtxmlpatterns5-dev-tools libopenmpi-dev python3-dev
+  qt5:qtbase5-dev qt5:libqt5svg5-dev qt5:libqt5opengl5-dev qt5:qttools5-dev qt5:libqt5x11extras5-dev
+  qt5:libqt5xmlpatterns5-dev qt5:qtxmlpatterns5-dev-tools
+  qt6:qt6-base-dev qt6:qt6-tools-dev qt6:qt6-svg-dev qt6:qt6-5compat-dev qt6:qt6-svg-plugins qt6:xsltproc
+  libopenmpi-dev python3-dev
   libdouble-conversion-dev libexpat1-dev libfreetype-dev libgl2ps-dev libglew-dev
   libhdf5-openmpi-dev libjpeg-dev libpng-dev libtiff-dev liblz4-dev liblzma-dev libnetcdf-dev
   libogg-dev libtheora-dev libxml2-dev libprotobuf-dev protobuf-compiler libutfcpp-dev
@@ -25,35 +35,95 @@ paraview_packages=(
 
 # What the tests compare with and look through.
 test_packages=(
-  libgtest-dev libbenchmark-dev libgudhi-dev python3-gudhi python3-gemmi python3-mrcfile
-  python3-scipy python3-mdanalysis pdb2pqr openmpi-bin imagemagick xdotool clang clang-format clang-tidy
-  libclang-rt-14-dev)
+  libgtest-dev libbenchmark-dev python3-scipy python3-gemmi python3-mrcfile pdb2pqr openmpi-bin
+  optional:libgudhi-dev optional:python3-gudhi optional:python3-mdanalysis imagemagick xdotool
+  clang clang-format clang-tidy libclang-rt-CLANG-dev)
 
 # What benchmarks alone compare with: 170 MB.
 peer_packages=(libinsighttoolkit5-dev python3-skimage)
 
 say() { printf '\n== %s\n' "$*"; }
 
+# depends_on NAME PATTERN: the part in parentheses of the first dependency of package NAME that matches.
+depends_on()
+{
+  apt-cache depends "$1" 2>/dev/null | sed -nE "s/^ *Depends: $2\$/\\1/p" | head -n 1
+}
+
+# choose_packages NAME...: sets `chosen` to the names that this system's archive has, as explained
+# above; ends where it lacks one that is not optional.
+choose_packages()
+{
+  local entry name alternative qt clang archive lacking=() left_out=()
+  qt=$(depends_on paraview 'libqt([0-9]+)core.*')
+  clang=$(depends_on clang 'clang-([0-9]+)')
+  archive=$(for entry in "$@"; do
+    name=${entry#optional:}
+    printf '%s\n' "${name#qt[0-9]:}" | tr '|' '\n'
+  done | sed "s/CLANG/$clang/" | xargs apt-cache policy 2>/dev/null |
+    awk '/^[^ ].*:$/ { name = substr($1, 1, length($1) - 1) }
+      /^ +Candidate:/ && $2 != "(none)" { print name }')
+  chosen=()
+  for entry in "$@"; do
+    case $entry in
+      qt[0-9]:*) [ "${entry%%:*}" = "qt$qt" ] || continue ;;
+    esac
+    name=${entry#optional:}
+    name=${name#qt[0-9]:}
+    name=${name/CLANG/$clang}
+    for alternative in ${name//|/ }; do
+      if grep -qxF -- "$alternative" <<<"$archive"; then
+        chosen+=("$alternative")
+        continue 2
+      fi
+    done
+    if [ "${entry#optional:}" = "$entry" ]; then
+      lacking+=("$name")
+    else
+      left_out+=("$name")
+    fi
+  done
+  if [ ${#left_out[@]} -gt 0 ]; then
+    say "Not in the archive of $(system_name), so tests that compare with them are skipped: ${left_out[*]}"
+  fi
+  if [ ${#lacking[@]} -gt 0 ]; then
+    echo "Not in the archive of $(system_name): ${lacking[*]}. Isthmus is built on Debian 12 and 13;" \
+      "elsewhere install what these provide and run again with --no-install." >&2
+    exit 1
+  fi
+}
+
+system_name() { (. /etc/os-release && echo "$PRETTY_NAME") 2>/dev/null || uname -s; }
+
 # install_packages NAME...: installs those that are missing, as root or through sudo.
 install_packages()
 {
-  local missing=() name
-  for name in "$@"; do
+  command -v apt-get >/dev/null || {
+    echo "$(system_name) has no apt-get: install what the packages in cmake/setup.sh provide and run" \
+      "again with --no-install." >&2
+    exit 1
+  }
+  local as_root=() missing=() name chosen
+  if [ "$(id -u)" -ne 0 ]; then
+    as_root=(sudo)
+  fi
+  # A fresh system has no lists of packages, from which the names are chosen.
+  if [ -z "$(apt-cache policy paraview 2>/dev/null)" ] && command -v "${as_root[@]:-env}" >/dev/null; then
+    "${as_root[@]}" apt-get update -q
+  fi
+  choose_packages "$@"
+  for name in "${chosen[@]}"; do
     dpkg-query -W -f '${db:Status-Status}\n' "$name" 2>/dev/null | grep -qx installed ||
       missing+=("$name")
   done
   if [ ${#missing[@]} -eq 0 ]; then
-    say "All ${#} packages are installed."
+    say "All ${#chosen[@]} packages are installed."
     return
   fi
-  say "Installing ${#missing[@]} Debian packages: ${missing[*]}"
-  local as_root=()
-  if [ "$(id -u)" -ne 0 ]; then
-    command -v sudo >/dev/null || {
-      echo "Neither root nor sudo: install the packages above and run again with --no-install." >&2
-      exit 1
-    }
-    as_root=(sudo)
+  say "Installing ${#missing[@]} packages on $(system_name): ${missing[*]}"
+  if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
+    echo "Neither root nor sudo: install the packages above and run again with --no-install." >&2
+    exit 1
   fi
   "${as_root[@]}" apt-get update -q
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
@@ -79,7 +149,9 @@ configure_and_build()
 use_build_tree()
 {
   export PV_PLUGIN_PATH="$build_dir/lib/isthmus/plugins"
-  export PYTHONPATH="$build_dir/lib/python3.11/site-packages${PYTHONPATH:+:$PYTHONPATH}"
+  local destination
+  destination=$(sed -n 's/^ISTHMUS_PYTHON_DESTINATION:INTERNAL=//p' "$build_dir/CMakeCache.txt")
+  export PYTHONPATH="$build_dir/$destination${PYTHONPATH:+:$PYTHONPATH}"
 }
 
 # with_display COMMAND...: in the user's display, or in a virtual one where there is none.

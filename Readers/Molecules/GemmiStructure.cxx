@@ -111,7 +111,7 @@ void TakeAssembly(gemmi::Structure& structure, const std::string& name, const st
       (known.empty() ? "none." : known + "."));
   }
   RequireModestBox(structure, *wanted, path);
-  gemmi::transform_to_assembly(structure, name, gemmi::HowToNameCopiedChain::Short, nullptr);
+  gemmi::transform_to_assembly(structure, name, gemmi::HowToNameCopiedChain::Short, {});
 }
 
 /// Categories of an mmCIF file that atoms, bonds and assemblies come from.

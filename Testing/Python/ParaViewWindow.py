@@ -5,7 +5,6 @@ whole window (kept beside the test's other output) and checks that the surface i
 """
 
 import os
-import shutil
 import subprocess
 import sys
 import time
@@ -17,20 +16,10 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 sys.path.insert(0, os.environ["ISTHMUS_EXAMPLES_DIR"])
 import ChooseMap  # noqa: E402
+import window_home  # noqa: E402
 
 STARTED = time.monotonic()
 PATIENCE = 240  # seconds, for a machine with other things to do
-
-
-def prepare(folder):
-    """A home of its own, so that no setting of the user's counts and no welcome dialog shows."""
-    shutil.rmtree(folder, ignore_errors=True)
-    settings = folder / ".config" / "ParaView"
-    settings.mkdir(parents=True)
-    (settings / "ParaView5.11.0.ini").write_text(
-        "[General]\nGeneralSettings.ShowWelcomeDialog=false\n"
-    )
-    ChooseMap.write_phantom(folder / "phantom.map")
 
 
 def wait_for(condition, process, what):
@@ -53,7 +42,8 @@ def coloured_fraction(path):
 
 
 folder = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "ParaViewWindow"
-prepare(folder)
+window_home.prepare(folder)
+ChooseMap.write_phantom(folder / "phantom.map")
 session = Path(__file__).parent / "window_session.py"
 environment = dict(
     os.environ, HOME=str(folder), XDG_RUNTIME_DIR=str(folder), ISTHMUS_SESSION_DIR=str(folder))

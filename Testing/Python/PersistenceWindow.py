@@ -6,7 +6,6 @@ whole window and looks for ParaView's selection colour in it.
 """
 
 import os
-import shutil
 import subprocess
 import sys
 import time
@@ -16,6 +15,7 @@ import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
+import window_home
 from shared_data import shared_data
 
 PATIENCE = 240  # seconds, for a machine with other things to do
@@ -31,10 +31,7 @@ def pixels_of(path):
 
 
 folder = Path(os.environ["ISTHMUS_TEST_OUTPUT_DIR"]) / "PersistenceWindow"
-shutil.rmtree(folder, ignore_errors=True)
-settings = folder / ".config" / "ParaView"
-settings.mkdir(parents=True)
-(settings / "ParaView5.11.0.ini").write_text("[General]\nGeneralSettings.ShowWelcomeDialog=false\n")
+window_home.prepare(folder)
 environment = dict(os.environ, HOME=str(folder), XDG_RUNTIME_DIR=str(folder),
                    ISTHMUS_SESSION_DIR=str(folder),
                    ISTHMUS_SESSION_MAP=str(shared_data("maps/emd_5043.map")))

@@ -6,13 +6,13 @@ click has chosen. The pictures before and after are kept beside the test's other
 """
 
 import os
-import shutil
 import subprocess
 import sys
 import time
 from pathlib import Path
 
 import numpy
+import window_home
 from shared_data import shared_data
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
@@ -24,11 +24,7 @@ BUTTON = "pqClientMainWindow/Isthmus/1QToolButton%d"
 
 def start(folder, data, button):
     """ParaView with the data, Apply and the button of that place in the toolbar."""
-    shutil.rmtree(folder, ignore_errors=True)
-    settings = folder / ".config" / "ParaView"
-    settings.mkdir(parents=True)
-    folder.chmod(0o700)
-    (settings / "ParaView5.11.0.ini").write_text("[General]\nGeneralSettings.ShowWelcomeDialog=false\n")
+    window_home.prepare(folder)
     events = (("pqClientMainWindow", "pause", "12000"),
               (BUTTON % button, "activate", ""), ("pqClientMainWindow", "pause", "1000"))
     lines = ['  <pqevent object="%s" command="%s" arguments="%s"/>' % event for event in events]

@@ -6,13 +6,13 @@ whole window is kept beside the test's other output.
 """
 
 import os
-import shutil
 import subprocess
 import sys
 import time
 from pathlib import Path
 
 import numpy
+import window_home
 from shared_data import shared_data
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
@@ -36,16 +36,6 @@ def button(index):
 def entry(name):
     """Of the menu Filters > Isthmus."""
     return (MENU, "activate", name)
-
-
-def prepare(folder):
-    """A home of its own, so that no setting of the user's counts and no welcome dialog shows."""
-    shutil.rmtree(folder, ignore_errors=True)
-    settings = folder / ".config" / "ParaView"
-    settings.mkdir(parents=True)
-    folder.chmod(0o700)
-    (settings / "ParaView5.11.0.ini").write_text(
-        "[General]\nGeneralSettings.ShowWelcomeDialog=false\n")
 
 
 def line_of(target, command, arguments):
@@ -123,7 +113,7 @@ def press(keys):
 
 def play(name, data, events, clicks, folder, keys=()):
     """Plays a session, then presses `keys`, and returns (log, picture)."""
-    prepare(folder)
+    window_home.prepare(folder)
     script, log, picture = folder / "session.xml", folder / "paraview.log", folder / "window.png"
     write_script(script, events)
     environment = dict(os.environ, HOME=str(folder), XDG_RUNTIME_DIR=str(folder))
