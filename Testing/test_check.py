@@ -7,7 +7,7 @@ import tempfile
 import unittest
 
 CHECKS = ("check_modules", "check_order", "check_contracts", "check_handles", "check_properties",
-          "check_readmes", "check_links")
+          "check_readmes", "check_links")  # check_numbers is run as it is
 TESTING = pathlib.Path(__file__).parent
 
 
@@ -19,6 +19,7 @@ class Check(unittest.TestCase):
         self.write("Testing/check.sh", (TESTING / "check.sh").read_text())
         for check in CHECKS:  # they have tests of their own
             self.write(f"Testing/{check}.py", "")
+        self.write("Testing/check_numbers.py", (TESTING / "check_numbers.py").read_text())
         self.write("Plugin/Good.xml", "<ServerManagerConfiguration/>\n")
         self.write(".clang-format", "BasedOnStyle: LLVM\n")
         self.write("Filters/Good.h", "int good();\n")
@@ -60,6 +61,20 @@ class Check(unittest.TestCase):
     def test_version_check(self):
         self.write("Filters/Bad.h", "#if VTK_MAJOR_VERSION > 8\n#endif\n")
         self.assert_complains("Version checks outside")
+
+    def test_numbers_of_a_locale(self):
+        self.write("Filters/Good.cxx", "// snprintf\nconst char* name = \"strtod\";\n"
+                   "void warn() { vtkWarningMacro(<< isthmus::TextOf(\"<< is \", 1.5, \";\")); }\n")
+        said = self.run_check().stdout
+        self.assertNotIn("Core/NumberText.h", said)
+        self.assertNotIn("isthmus::TextOf", said)
+        for statement in ('std::snprintf(text, 8, "%g", x);', "y = std::strtod(text, nullptr);",
+                          "y = std::stod(text);", "std::ostringstream text;", 'sscanf(text, "%d", &i);',
+                          'vtkWarningMacro(<< "The level is "\n << level);',
+                          'vtkErrorWithObjectMacro(self, << "The level is " << level);'):
+            with self.subTest(statement):
+                self.write("Filters/Core/Bad.cxx", "void f()\n{\n  " + statement + "\n}\n")
+                self.assert_complains("Filters/Core/Bad.cxx:3: ")
 
     def test_path_of_one_machine(self):
         self.write("Testing/Bad.py", 'DATA = "' + '/ho' + 'me/me/data"\n')

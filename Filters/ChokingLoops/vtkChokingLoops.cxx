@@ -6,6 +6,7 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
 #include "Core/MemoryBudget.h"
+#include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 #include "Core/RangeChecks.h"
 #include "Persistence/SurfaceDistance.h"
@@ -49,9 +50,8 @@ constexpr const char* Unsettled =
 
 void TellDrawing(const isthmus::DrawingCost& cost)
 {
-  vtkLog(INFO,
-    "Choking loops: " << cost.Loops << " features to draw yet, " << SecondsText(cost.Seconds)
-                      << " or so.");
+  vtkLog(INFO, << isthmus::TextOf("Choking loops: ", cost.Loops, " features to draw yet, ",
+                 SecondsText(cost.Seconds), " or so."));
 }
 
 /// What an analysis is going to take, as far as it can be known: its time depends on the shape.
@@ -62,9 +62,8 @@ void TellEstimate(const isthmus::SurfaceView& surface, double spacing)
     spacing > 0.0 ? 2.0 * std::pow(isthmus::EdgeLengthFor(surface, 1.0) / spacing, 2.0) : 20000.0;
   const double samples = std::max(static_cast<double>(surface.Points.size()), asked);
   const auto whole = [](double x) { return x < 1e15 ? static_cast<vtkIdType>(std::ceil(x)) : -1; };
-  vtkLog(INFO,
-    "Choking loops of at least " << whole(samples) << " samples, from "
-                                 << whole(50.0 + samples / 400.0) << " MiB on.");
+  vtkLog(INFO, << isthmus::TextOf("Choking loops of at least ", whole(samples), " samples, from ",
+                 whole(50.0 + samples / 400.0), " MiB on."));
 }
 
 /// The analysis' parameters; `memoryLimit` in MiB. The cost of each round is told in the log.
@@ -79,14 +78,12 @@ isthmus::ChokingLoopParameters ParametersOf(
   {
     if (cost.Seconds < 0.0)
     {
-      vtkLog(INFO,
-        "Choking loops: " << cost.Samples << " samples, some " << isthmus::MemoryText(cost.Bytes)
-                          << ".");
+      vtkLog(INFO, << isthmus::TextOf("Choking loops: ", cost.Samples, " samples, some ",
+                     isthmus::MemoryText(cost.Bytes), "."));
       return;
     }
-    vtkLog(INFO,
-      "Choking loops: from sampling to features " << SecondsText(cost.Seconds) << " or so in all"
-                                                  << (cost.Own > 0 ? Unsettled : "."));
+    vtkLog(INFO, << isthmus::TextOf("Choking loops: from sampling to features ",
+                   SecondsText(cost.Seconds), " or so in all", (cost.Own > 0 ? Unsettled : ".")));
   };
   return parameters;
 }

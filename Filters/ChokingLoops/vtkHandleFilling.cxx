@@ -3,6 +3,7 @@
 #include "ChokingLoops/HandleFilling.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
+#include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 
 #include <vtkCellData.h>
@@ -116,9 +117,9 @@ int vtkHandleFilling::RequestData(
       }
       if (filled.Left > 0)
       {
-        vtkWarningMacro(<< filled.Left << " of " << filled.Left + filled.Fills.size()
-                        << " handles and tunnels below the size stay as they were: no membrane of "
-                           "one loop closes them without touching another part of the surface.");
+        vtkWarningMacro(<< isthmus::TextOf(filled.Left, " of ", filled.Left + filled.Fills.size(),
+                          " handles and tunnels below the size stay as they were: no membrane of "
+                          "one loop closes them without touching another part of the surface."));
       }
       FillSurface(filled, whole, surface);
       FillTable(filled.Fills, table);

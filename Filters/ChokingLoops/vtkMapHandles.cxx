@@ -6,6 +6,7 @@
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
 #include "Core/NamedColumns.h"
+#include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 #include "Core/RangeChecks.h"
 #include "Persistence/PersistenceCache.h"
@@ -312,7 +313,7 @@ void vtkMapHandles::FillSurfaces(const Work& work, vtkInformationVector* outputV
   isthmus::Report(progress, 1.0); // leaves where it was stopped
   if (!complaint.empty())
   {
-    vtkWarningMacro(<< "The choking loops of the contour: " << complaint);
+    vtkWarningMacro(<< isthmus::TextOf("The choking loops of the contour: ", complaint));
   }
   vtkPolyData::GetData(outputVector, LoopsPort)->ShallowCopy(loops->GetOutputDataObject(0));
   vtkPolyData::GetData(outputVector, ChokePointsPort)->ShallowCopy(loops->GetOutputDataObject(2));

@@ -6,6 +6,7 @@
 #include "Core/GatherRanks.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
+#include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 #include "Core/RangeChecks.h"
 
@@ -99,9 +100,9 @@ int vtkDelaunayIsosurface::RequestData(
       isthmus::Report(progress, 0.05);
       if (level.Guide.Triangles.empty())
       {
-        vtkWarningMacro(<< "Nothing is inside Level " << this->Level
-                        << ": the volume has values from " << level.Range[0] << " to "
-                        << level.Range[1] << ".");
+        vtkWarningMacro(<< isthmus::TextOf("Nothing is inside Level ", this->Level,
+                          ": the volume has values from ", level.Range[0], " to ", level.Range[1],
+                          "."));
       }
       isthmus::DelaunayIsosurfaceResult result = isthmus::DelaunayIsosurface(
         level.Field, level.Bounds, level.Guide, parameters, isthmus::Between(progress, 0.05, 1.0));

@@ -256,8 +256,8 @@ int vtkDualContouring::RequestData(
       SetContour(contour, isMirrored, result);
       if (contour.Crossing > 0)
       {
-        vtkWarningMacro(<< contour.Crossing
-                        << " triangles still cross each other, where the level leaves the volume.");
+        vtkWarningMacro(<< isthmus::TextOf(contour.Crossing,
+                          " triangles still cross each other, where the level leaves the volume."));
       }
     });
 }

@@ -9,6 +9,7 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
+#include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 
 #include <vtkCellData.h>
@@ -158,11 +159,12 @@ bool vtkMapSurface::IsSuspectedOfInversion(vtkImageData* image, vtkDataArray* sc
     image, scalars, [&](const auto& grid) { contrast = isthmus::ContrastOf(grid); });
   if (contrast.IsInverted())
   {
-    vtkWarningMacro(<< "The contrast of the map seems to be inverted, with density darker than the "
-                       "background (skewness "
-                    << contrast.Skewness
-                    << ", low values away from the border): the surface is likely to be specks of "
-                       "noise. Switch InsideIsHigher off.");
+    vtkWarningMacro(<< isthmus::TextOf(
+                      "The contrast of the map seems to be inverted, with density darker than the "
+                      "background (skewness ",
+                      contrast.Skewness,
+                      ", low values away from the border): the surface is likely to be specks of "
+                      "noise. Switch InsideIsHigher off."));
   }
   return contrast.IsInverted();
 }
@@ -215,11 +217,11 @@ void vtkMapSurface::MakeSurface(vtkImageData* image, vtkPolyData* surface)
     double range[2];
     scalars->GetFiniteRange(range, 0);
     vtkWarningMacro(
-      << (result.Found > 0
-             ? "All components of the surface count as dust: lower MinimumComponentArea."
-             : "Nothing is inside the level: choose another one.")
-      << " The level is " << level << ", the map has values from " << range[0] << " to " << range[1]
-      << ".");
+      << isthmus::TextOf(
+           (result.Found > 0
+               ? "All components of the surface count as dust: lower MinimumComponentArea."
+               : "Nothing is inside the level: choose another one."),
+           " The level is ", level, ", the map has values from ", range[0], " to ", range[1], "."));
   }
 }
 

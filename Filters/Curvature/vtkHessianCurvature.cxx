@@ -233,10 +233,9 @@ void vtkHessianCurvature::WarnIfThin(const int whole[6], bool atPoints)
     const int nodes = whole[2 * axis + 1] - whole[2 * axis] + 1;
     if (nodes < least)
     {
-      vtkWarningMacro(<< "Along "
-                      << "xyz"[axis] << " the image has " << nodes << " of the " << least
-                      << " nodes that Accuracy " << this->Accuracy
-                      << " needs: no value is valid. Take a thicker image.");
+      vtkWarningMacro(<< isthmus::TextOf("Along ", "xyz"[axis], " the image has ", nodes,
+                        " of the ", least, " nodes that Accuracy ", this->Accuracy,
+                        " needs: no value is valid. Take a thicker image."));
     }
   }
 }

@@ -297,7 +297,8 @@ void vtkScalarRegions::Put(std::vector<double>& values, int index, double value)
 {
   if (index < 0)
   {
-    vtkErrorMacro(<< "There is no threshold " << index << ": they are counted from 0.");
+    vtkErrorMacro(<< isthmus::TextOf(
+                    "There is no threshold ", index, ": they are counted from 0."));
     return;
   }
   const auto i = static_cast<std::size_t>(index);

@@ -192,7 +192,7 @@ int vtkSurfaceCurvature::RequestData(
       const std::string complaints = Complaints(result);
       if (!complaints.empty())
       {
-        vtkWarningMacro(<< complaints << "CurvatureValid is 0 there.");
+        vtkWarningMacro(<< isthmus::TextOf(complaints, "CurvatureValid is 0 there."));
       }
     });
 }

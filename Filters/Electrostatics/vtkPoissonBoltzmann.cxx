@@ -3,6 +3,7 @@
 #include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
+#include "Core/NumberText.h"
 #include "Core/PipelineInputs.h"
 #include "Core/RangeChecks.h"
 #include "Electrostatics/ForceFieldAtoms.h"
@@ -318,8 +319,9 @@ void vtkPoissonBoltzmann::Solve(
   if (kappa > 0.0 && this->Padding * kappa < 1.0 && this->BoundaryCondition != SelfConsistent &&
     this->BoundaryCondition != FromInput)
   {
-    vtkWarningMacro("Padding is " << this->Padding << " angstrom, less than the Debye length of "
-                                  << 1.0 / kappa << ": the border is near enough to be felt.");
+    vtkWarningMacro(<< isthmus::TextOf("Padding is ", this->Padding,
+                      " angstrom, less than the Debye length of ", 1.0 / kappa,
+                      ": the border is near enough to be felt."));
   }
   auto* output = vtkImageData::GetData(outputVector, 0);
   if (image)

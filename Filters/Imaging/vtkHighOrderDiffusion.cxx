@@ -1,5 +1,6 @@
 #include "vtkHighOrderDiffusion.h"
 
+#include "Core/NumberText.h"
 #include "Imaging/AutomaticDenoising.h"
 #include "Imaging/DiffusionImage.h"
 #include "Imaging/HighOrderDiffusion.h"
@@ -135,21 +136,23 @@ void vtkHighOrderDiffusion::Explain(const isthmus::NoiseEstimate& noise, double 
   if (noise.FewValues)
   {
     vtkWarningMacro(
-      << "The volume has but a few values, as a mask, labels or a constant have: there "
-         "is no noise in it, and it is left as it is."
-      << remedy);
+      << isthmus::TextOf(
+           "The volume has but a few values, as a mask, labels or a constant have: there "
+           "is no noise in it, and it is left as it is.",
+           remedy));
   }
   else if (!(noise.Noise > 0.0))
   {
-    vtkWarningMacro(<< "No noise was found in the volume, which is left as it is: most nodes are "
-                       "the mean of their neighbours."
-                    << remedy);
+    vtkWarningMacro(<< isthmus::TextOf(
+                      "No noise was found in the volume, which is left as it is: most nodes are "
+                      "the mean of their neighbours.",
+                      remedy));
   }
   else if (change < 1e-4 * noise.Deviation)
   {
-    vtkWarningMacro(<< "Hardly anything was changed: the noise found, " << noise.Noise << ", is "
-                    << 100.0 * noise.Noise / noise.Deviation
-                    << " % of the values' standard deviation. Raise Strength." << remedy);
+    vtkWarningMacro(<< isthmus::TextOf("Hardly anything was changed: the noise found, ",
+                      noise.Noise, ", is ", 100.0 * noise.Noise / noise.Deviation,
+                      " % of the values' standard deviation. Raise Strength.", remedy));
   }
 }
 

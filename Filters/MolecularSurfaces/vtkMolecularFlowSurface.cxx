@@ -3,6 +3,7 @@
 #include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
+#include "Core/NumberText.h"
 #include "Core/PipelineInputs.h"
 #include "Core/RangeChecks.h"
 #include "MolecularSurfaces/DispersionAtoms.h"
@@ -202,10 +203,10 @@ void vtkMolecularFlowSurface::Internals::Warn(
   }
   if (!result.Converged)
   {
-    vtkWarningWithObjectMacro(this->Self,
-      << "The surface still moves after " << result.History.back().Time
-      << " square angstrom of flow: parts of it are larger than a steady flow was made for. It is "
-         "shown as it is then.");
+    vtkWarningWithObjectMacro(
+      this->Self, << isthmus::TextOf("The surface still moves after ", result.History.back().Time,
+                    " square angstrom of flow: parts of it are larger than a steady flow was made "
+                    "for. It is shown as it is then."));
   }
 }
 

@@ -3,6 +3,7 @@
 #include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
+#include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 #include "Pockets/BindingSiteTable.h"
 #include "Pockets/BindingSites.h"
@@ -188,11 +189,11 @@ isthmus::BindingSiteResult vtkBindingSites::Patches(
     isthmus::FindBindingSites(triangles, fields, options, isthmus::ProgressOf(this));
   if (result.Sites.empty())
   {
-    vtkWarningMacro(<< "No patch of at least " << this->MinimumArea
-                    << " (unit of length squared) has values above the threshold of "
-                    << result.Threshold
-                    << ". Is the array constant, or zero where the classes asked for are? Lower "
-                       "the threshold or the quantile.");
+    vtkWarningMacro(<< isthmus::TextOf("No patch of at least ", this->MinimumArea,
+                      " (unit of length squared) has values above the threshold of ",
+                      result.Threshold,
+                      ". Is the array constant, or zero where the classes asked for are? Lower "
+                      "the threshold or the quantile."));
   }
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "Pockets/PolarizedCurvature.h"
 
@@ -205,9 +206,9 @@ void vtkPolarizedCurvature::Sample(
   }
   if (off > 0)
   {
-    vtkWarningMacro(<< off << " of " << count
-                    << " points of the surface lie off the grid of the potential (or at values "
-                       "that are not finite): PotentialValid is 0 there and the products are NaN.");
+    vtkWarningMacro(<< isthmus::TextOf(off, " of ", count,
+                      " points of the surface lie off the grid of the potential (or at values "
+                      "that are not finite): PotentialValid is 0 there and the products are NaN."));
   }
 }
 

@@ -112,18 +112,18 @@ void vtkSolvationSurface::Internals::Warn(
   if (!flow.HasConverged())
   {
     const std::size_t n = flow.GetUpdates().size();
-    vtkWarningWithObjectMacro(this->Self, << "The energy has not come to rest after " << n
-                                          << " updates: the last one is " << last.Total()
-                                          << " kcal/mol, the one before "
-                                          << flow.GetUpdates()[n > 1 ? n - 2 : 0].Total()
-                                          << ". The surface is shown as it is then: choose more "
-                                             "MaximumUpdates or a larger EnergyTolerance.");
+    vtkWarningWithObjectMacro(this->Self,
+      << isthmus::TextOf("The energy has not come to rest after ", n, " updates: the last one is ",
+           last.Total(), " kcal/mol, the one before ", flow.GetUpdates()[n > 1 ? n - 2 : 0].Total(),
+           ". The surface is shown as it is then: choose more "
+           "MaximumUpdates or a larger EnergyTolerance."));
   }
   if (this->Self->ProbeRadius == 0.0 && last.OnObstacle > nearlyAll && atoms.Balls.size() > 1)
   {
     vtkWarningWithObjectMacro(this->Self,
-      << "The field has drawn the surface onto the atoms (" << 100.0 * last.OnObstacle
-      << " % of it): it follows clefts that no water enters. Set a ProbeRadius, 1.4 for water.");
+      << isthmus::TextOf("The field has drawn the surface onto the atoms (",
+           100.0 * last.OnObstacle,
+           " % of it): it follows clefts that no water enters. Set a ProbeRadius, 1.4 for water."));
   }
 }
 

@@ -4,6 +4,7 @@
 #include "Core/GatherRanks.h"
 #include "Core/ImageScalars.h"
 #include "Core/NamedColumns.h"
+#include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 #include "Surfaces/CartesianMeasures.h"
 #include "Surfaces/SurfaceCleaning.h"
@@ -183,8 +184,8 @@ void vtkSurfaceMeasures::Measure(vtkPolyData* surface, vtkDataObject* output, vt
   if (!mending.Message().empty())
   {
     measures = isthmus::MeasureSurface({ points, corners });
-    vtkWarningMacro(<< "The measures are those of the repaired surface: " << mending.Message()
-                    << " The output is the surface without these repairs.");
+    vtkWarningMacro(<< isthmus::TextOf("The measures are those of the repaired surface: ",
+                      mending.Message(), " The output is the surface without these repairs."));
   }
   isthmus::Report(progress, 1.0);
   const SurfaceMeasure& whole = measures.Whole;
@@ -192,15 +193,16 @@ void vtkSurfaceMeasures::Measure(vtkPolyData* surface, vtkDataObject* output, vt
   FillTable(table, measures);
   if (!whole.IsClosed())
   {
-    vtkWarningMacro(<< "The surface is not closed, so Volume is not a number: " << whole.OpenEdges
-                    << " edges have more triangles on one side than on the other (holes or flipped "
-                       "neighbours). Fill the holes or make the winding consistent first.");
+    vtkWarningMacro(<< isthmus::TextOf(
+                      "The surface is not closed, so Volume is not a number: ", whole.OpenEdges,
+                      " edges have more triangles on one side than on the other (holes or flipped "
+                      "neighbours). Fill the holes or make the winding consistent first."));
   }
   if (whole.IrregularPoints > 0)
   {
-    vtkWarningMacro(<< "The surface is not a manifold, so Genus is -1: around "
-                    << whole.IrregularPoints
-                    << " points its triangles form neither a disc nor a half disc.");
+    vtkWarningMacro(<< isthmus::TextOf("The surface is not a manifold, so Genus is -1: around ",
+                      whole.IrregularPoints,
+                      " points its triangles form neither a disc nor a half disc."));
   }
 }
 

@@ -278,9 +278,9 @@ void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkP
   scalars->GetFiniteRange(range);
   if (!(range[0] < this->Level && this->Level < range[1]))
   {
-    vtkWarningMacro(<< "There is no surface at Level " << this->Level
-                    << ", so SignedDistance is infinite: the volume has values from " << range[0]
-                    << " to " << range[1] << ". Choose one between.");
+    vtkWarningMacro(<< isthmus::TextOf("There is no surface at Level ", this->Level,
+                      ", so SignedDistance is infinite: the volume has values from ", range[0],
+                      " to ", range[1], ". Choose one between."));
   }
   const auto progress = isthmus::ProgressOf(this);
   std::vector<unsigned char> inside(static_cast<std::size_t>(shape.Size()));

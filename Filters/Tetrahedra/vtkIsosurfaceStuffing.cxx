@@ -6,6 +6,7 @@
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
 #include "Core/MemoryBudget.h"
+#include "Core/NumberText.h"
 #include "Core/TetrahedralMesh.h"
 #include "Core/TrilinearField.h"
 #include "Tetrahedra/IsosurfaceStuffing.h"
@@ -159,7 +160,7 @@ int vtkIsosurfaceStuffing::RequestData(
       AddFlags(result, grid);
       if (result.Mesh.Tetrahedra.empty())
       {
-        vtkWarningMacro(<< "Nothing is inside Level " << this->Level << ".");
+        vtkWarningMacro(<< isthmus::TextOf("Nothing is inside Level ", this->Level, "."));
       }
     });
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <locale>
 #include <numeric>
 #include <ostream>
 #include <stdexcept>
@@ -398,6 +399,7 @@ void WriteTypes(const CombinatorialMesh& mesh, std::ostream& stream)
 
 void WriteCombinatorialMesh(const CombinatorialMesh& mesh, bool binary, std::ostream& stream)
 {
+  stream.imbue(std::locale::classic()); // no separators in large numbers
   Printer printer(stream, binary);
   stream << "isthmus-combinatorial-mesh 1 " << (binary ? "binary" : "text") << '\n';
   WriteTypes(mesh, stream);

@@ -1,5 +1,6 @@
 #include "vtkMeshFileReader.h"
 
+#include "Core/NumberText.h"
 #include "Files/ReaderGuard.h"
 #include "Meshes/MeshConversion.h"
 
@@ -37,7 +38,7 @@ int vtkMeshFileReader::RequestData(
         {
           all += (all.empty() ? "" : " ") + warning;
         }
-        vtkWarningMacro(<< this->FileName << ": " << all);
+        vtkWarningMacro(<< isthmus::TextOf(this->FileName, ": ", all));
       }
     });
 }

@@ -1,12 +1,13 @@
 #include "Molecules/CIFAtomTable.h"
 
 #include "Atoms/ChemicalElement.h"
+#include "Core/NumberText.h"
 #include "Molecules/GemmiAtom.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <map>
 #include <set>
@@ -267,9 +268,7 @@ gemmi::UnitCell CellOf(cif::Block& block)
 
 std::string Written(double value)
 {
-  std::array<char, 40> text;
-  std::snprintf(text.data(), text.size(), "%.17g", value);
-  return text.data();
+  return FormatNumber(value, 17);
 }
 
 std::size_t CountMissing(AtomTable& table, const Axes& axes)

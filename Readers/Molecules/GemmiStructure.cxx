@@ -1,5 +1,6 @@
 #include "Molecules/GemmiStructure.h"
 
+#include "Core/NumberText.h"
 #include "Files/TextLines.h"
 #include "Molecules/AtomElements.h"
 #include "Molecules/CIFAtomTable.h"
@@ -13,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
@@ -85,11 +85,10 @@ void RequireModestBox(
   {
     return;
   }
-  std::ostringstream text;
-  text << path << ": assembly " << assembly.name << " is " << size.x << " x " << size.y << " x "
-       << size.z << " angstrom large, which is too large to search. Correct its operators or leave "
-       << "Assembly empty.";
-  throw NoSuchAssembly(text.str());
+  throw NoSuchAssembly(
+    TextOf(path, ": assembly ", assembly.name, " is ", size.x, " x ", size.y, " x ", size.z,
+      " angstrom large, which is too large to search. Correct its operators or leave Assembly "
+      "empty."));
 }
 
 /**

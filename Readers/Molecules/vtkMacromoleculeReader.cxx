@@ -1,5 +1,6 @@
 #include "vtkMacromoleculeReader.h"
 
+#include "Core/NumberText.h"
 #include "Core/PrintableText.h"
 #include "Files/ReaderGuard.h"
 #include "Molecules/MacromoleculeReader.h"
@@ -168,7 +169,7 @@ void vtkMacromoleculeReader::Read(std::int64_t model, vtkPolyData* atoms, vtkMol
   }
   if (!all.empty())
   {
-    vtkWarningMacro(<< this->FileName << ": " << isthmus::Printable(all));
+    vtkWarningMacro(<< isthmus::TextOf(this->FileName, ": ", isthmus::Printable(all)));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "Core/Geometry.h"
 #include "Core/LargePages.h"
+#include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
 #include "Files/GridInformation.h"
 #include "Files/ReaderError.h"
@@ -263,7 +264,7 @@ void vtkOpenDXReader::ReadValues(OpenDXReader& file, vtkImageData* output)
   AddTexts(output->GetFieldData(), "Notes", { note });
   if (!note.empty())
   {
-    vtkWarningMacro(<< this->FileName << ": " << note);
+    vtkWarningMacro(<< isthmus::TextOf(this->FileName, ": ", note));
   }
 }
 

@@ -8,14 +8,12 @@
 ISTHMUS_SEED and the number of re-executions (argument, default 6) are for the soak.
 """
 
-import hashlib
 import os
 import resource
 import sys
 import time
 
 import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
 import robustness_trials
@@ -25,28 +23,8 @@ ROUNDS = int(sys.argv[1]) if len(sys.argv) > 1 else 6
 SEED = int(os.environ.get("ISTHMUS_SEED", "1"))
 
 
-def print_of(data):
-    """A digest of all numbers of a data object."""
-    digest = hashlib.sha256()
-    for leaf in robustness_trials.leaves(data):
-        digest.update(leaf.GetClassName().encode())
-        if hasattr(leaf, "GetPoints") and leaf.GetPoints() and hasattr(leaf.GetPoints(), "GetData"):
-            digest.update(vtk_to_numpy(leaf.GetPoints().GetData()).tobytes())
-        if leaf.IsA("vtkPolyData"):
-            for cells in (leaf.GetVerts(), leaf.GetLines(), leaf.GetPolys()):
-                digest.update(vtk_to_numpy(cells.GetConnectivityArray()).tobytes())
-        for kind in ("GetPointData", "GetCellData", "GetRowData", "GetFieldData"):
-            fields = getattr(leaf, kind)() if hasattr(leaf, kind) else None
-            for i in range(fields.GetNumberOfArrays() if fields else 0):
-                array = fields.GetArray(i)
-                if array:
-                    digest.update((array.GetName() or "").encode())
-                    digest.update(vtk_to_numpy(array).tobytes())
-    return digest.hexdigest()
-
-
 def prints(algorithm):
-    return [print_of(algorithm.GetOutputDataObject(i))
+    return [robustness_trials.print_of(algorithm.GetOutputDataObject(i))
             for i in range(algorithm.GetNumberOfOutputPorts())]
 
 

@@ -3,6 +3,7 @@
 The parent makes the data and loads the plugin once; a trial costs a fork, some milliseconds.
 """
 
+import hashlib
 import math
 import os
 import resource
@@ -103,6 +104,26 @@ def leaves(data):
 
 def size_of(data):
     return sum(leaf.GetNumberOfElements(kind) for leaf in leaves(data) for kind in range(7))
+
+
+def print_of(data):
+    """A digest of all numbers of a data object."""
+    digest = hashlib.sha256()
+    for leaf in leaves(data):
+        digest.update(leaf.GetClassName().encode())
+        if hasattr(leaf, "GetPoints") and leaf.GetPoints() and hasattr(leaf.GetPoints(), "GetData"):
+            digest.update(vtk_to_numpy(leaf.GetPoints().GetData()).tobytes())
+        if leaf.IsA("vtkPolyData"):
+            for cells in (leaf.GetVerts(), leaf.GetLines(), leaf.GetPolys()):
+                digest.update(vtk_to_numpy(cells.GetConnectivityArray()).tobytes())
+        for kind in ("GetPointData", "GetCellData", "GetRowData", "GetFieldData"):
+            fields = getattr(leaf, kind)() if hasattr(leaf, kind) else None
+            for i in range(fields.GetNumberOfArrays() if fields else 0):
+                array = fields.GetArray(i)
+                if array:
+                    digest.update((array.GetName() or "").encode())
+                    digest.update(vtk_to_numpy(array).tobytes())
+    return digest.hexdigest()
 
 
 def not_finite(data, infinite=()):

@@ -1,12 +1,11 @@
 // Numbers are written and read with a '.', also where the host has set a locale with a comma.
 #include "Core/MemoryBudget.h"
 #include "Core/NumberText.h"
+#include "GermanNumbers.h"
 
 #include <gtest/gtest.h>
 
-#include <clocale>
 #include <cstdlib>
-#include <locale>
 #include <string>
 #include <string_view>
 
@@ -44,16 +43,9 @@ TEST(NumberText, OfTheDefaultLocale)
 
 TEST(NumberText, OfALocaleWithCommas)
 {
-  // glibc caches the path of locales, so a generated one is given by LOCPATH from outside.
-  if (!std::setlocale(LC_ALL, "de_DE.UTF-8"))
-  {
-    GTEST_SKIP() << "The locale de_DE.UTF-8 is not installed (or not in LOCPATH).";
-  }
-  const std::locale before = std::locale::global(std::locale("de_DE.UTF-8"));
-  ASSERT_STREQ(std::localeconv()->decimal_point, ",");
+  const isthmus::testing::GermanNumbers german;
+  ISTHMUS_NEEDS_GERMAN(german);
   ExpectPoints();
-  std::locale::global(before);
-  std::setlocale(LC_ALL, "C");
 }
 
 }

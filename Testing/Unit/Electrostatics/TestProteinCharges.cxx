@@ -2,6 +2,7 @@
 // do what it could: give an answer, fail, hang, talk nonsense, or not be there.
 
 #include "Electrostatics/ProteinCharges.h"
+#include "GermanNumbers.h"
 #include "SharedData.h"
 #include "vtkPoissonBoltzmann.h"
 
@@ -201,6 +202,29 @@ vtkSmartPointer<vtkPolyData> Points(const std::vector<NamedAtom>& atoms)
     data->GetPointData()->AddArray(arrays[a]);
   }
   return data;
+}
+
+/// pdb2pqr gets coordinates and answers with charges that do not depend on the host's locale.
+TEST(ProteinCharges, AreTheSameInAGermanLocale)
+{
+  if (std::system("command -v pdb2pqr >/dev/null") != 0)
+  {
+    ASSERT_FALSE(isthmus::testing::SharedDataRequired()) << "pdb2pqr is not installed.";
+    GTEST_SKIP() << "pdb2pqr is not installed.";
+  }
+  const auto charged = [] { return ChargeProtein(Molecule(), ChargeTable::PARSE, Short(60.0)); };
+  const ChargedProtein wanted = charged();
+  const isthmus::testing::GermanNumbers german;
+  ISTHMUS_NEEDS_GERMAN(german);
+  const ChargedProtein made = charged();
+  ASSERT_EQ(made.Atoms.size(), wanted.Atoms.size());
+  for (std::size_t i = 0; i < made.Atoms.size(); ++i)
+  {
+    EXPECT_EQ(made.Atoms[i].Place, wanted.Atoms[i].Place);
+    EXPECT_EQ(made.Atoms[i].Charge, wanted.Atoms[i].Charge);
+    EXPECT_EQ(made.Atoms[i].Radius, wanted.Atoms[i].Radius);
+  }
+  EXPECT_EQ(made.Warning, wanted.Warning);
 }
 
 TEST(ProteinCharges, FilterSolvesForAtomsWithoutCharges)
