@@ -53,6 +53,10 @@ public:
   /// After the last Read: whether a compressed stream broke off before its end.
   virtual bool IsCut() const = 0;
 
+  /// Whether line ends of the file, lone carriage returns, are given as newlines: raw bytes in it
+  /// cannot be read.
+  virtual bool ChangesLineEnds() const { return false; }
+
   /// How the file is stored: "none", "gzip" or "bzip2".
   virtual std::string Compression() const = 0;
 

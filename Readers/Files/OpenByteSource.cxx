@@ -452,6 +452,43 @@ private:
   std::string Head;
 };
 
+/// A text whose lines end in carriage returns, with newlines in their places.
+class SourceOfReturns : public ByteSource
+{
+public:
+  explicit SourceOfReturns(std::unique_ptr<ByteSource> source)
+    : Source(std::move(source))
+  {
+  }
+
+  std::size_t Read(std::uint64_t offset, void* to, std::size_t size) override
+  {
+    const std::size_t got = this->Source->Read(offset, to, size);
+    std::replace(static_cast<char*>(to), static_cast<char*>(to) + got, '\r', '\n');
+    return got;
+  }
+  bool ChangesLineEnds() const override { return true; }
+  std::uint64_t MostBytes() const override { return this->Source->MostBytes(); }
+  std::uint64_t CountUpTo(std::uint64_t limit, const ProgressCallback& progress) override
+  {
+    return this->Source->CountUpTo(limit, progress);
+  }
+  void SkipTo(std::uint64_t offset, const ProgressCallback& progress) override
+  {
+    this->Source->SkipTo(offset, progress);
+  }
+  void CheckEnd() override { this->Source->CheckEnd(); }
+  bool IsCut() const override { return this->Source->IsCut(); }
+  bool RandomAccess() const override { return this->Source->RandomAccess(); }
+  bool UsesThreads() const override { return this->Source->UsesThreads(); }
+  std::string Compression() const override { return this->Source->Compression(); }
+  std::uint64_t FileSize() const override { return this->Source->FileSize(); }
+  const std::string& Path() const override { return this->Source->Path(); }
+
+private:
+  std::unique_ptr<ByteSource> Source;
+};
+
 }
 
 bool BeginsAsUTF16(std::string_view begin)
@@ -478,7 +515,7 @@ bool BeginsAsUTF16(std::string_view begin)
 std::unique_ptr<ByteSource> OpenTextSource(const std::string& path)
 {
   std::unique_ptr<ByteSource> source = OpenByteSource(path);
-  std::string head(4, ' ');
+  std::string head(std::size_t{ 1 } << 16, ' ');
   head.resize(source->Read(0, head.data(), head.size()));
   if (BeginsAsUTF16(head))
   {
@@ -488,11 +525,12 @@ std::unique_ptr<ByteSource> OpenTextSource(const std::string& path)
         "convert it: iconv -f UTF-16 -t UTF-8 FILE > OTHER");
   }
   const std::size_t mark = head.substr(0, 3) == "\xef\xbb\xbf" ? 3 : 0;
-  if (mark == 0 && source->RandomAccess())
+  const bool returns = head.find('\r') != std::string::npos && head.find('\n') == std::string::npos;
+  if (mark > 0 || !source->RandomAccess())
   {
-    return source;
+    source = std::make_unique<SourceBehind>(std::move(source), mark, head.substr(mark));
   }
-  return std::make_unique<SourceBehind>(std::move(source), mark, head.substr(mark));
+  return returns ? std::make_unique<SourceOfReturns>(std::move(source)) : std::move(source);
 }
 
 std::unique_ptr<ByteSource> OpenByteSource(const std::string& path)

@@ -26,7 +26,9 @@ namespace isthmus
 VTKISTHMUSREADERSFILES_EXPORT std::unique_ptr<ByteSource> OpenByteSource(const std::string& path);
 
 /**
- * The same for a text: without the byte order mark of UTF-8, where there is one.
+ * The same for a text: without the byte order mark of UTF-8, where there is one; and where the
+ * first 64 KiB have carriage returns but no newline (old Macintosh programs), each carriage return
+ * of the content is given as a newline.
  * @throws ReaderError as OpenByteSource does, and for UTF-16, which has a message of its own.
  */
 VTKISTHMUSREADERSFILES_EXPORT std::unique_ptr<ByteSource> OpenTextSource(const std::string& path);

@@ -250,6 +250,11 @@ void TextWords::EndLine()
 
 void TextWords::Bytes(unsigned char* to, std::size_t count)
 {
+  if (this->Source.ChangesLineEnds())
+  {
+    this->Refuse("raw bytes follow in a file whose line ends were changed to carriage returns, "
+                 "and the bytes with them. Fetch or write it again.");
+  }
   while (count > 0)
   {
     if (this->Next == this->End && !this->Refill())

@@ -2,6 +2,7 @@
 
 #include "Files/OpenByteSource.h"
 #include "Files/ReaderGuard.h"
+#include "Files/TextLines.h"
 #include "Files/TextWords.h"
 
 #include <vtkDoubleArray.h>
@@ -41,7 +42,7 @@ std::array<int, 3> ReadCounts(isthmus::TextWords& words, std::uint64_t mostBytes
     count = static_cast<int>(number);
     values *= static_cast<std::uint64_t>(number);
   }
-  if (!words.RestOfLine().empty())
+  if (!isthmus::Trimmed(words.RestOfLine()).empty())
   {
     words.Refuse("the line above holds more than the three numbers of nodes. This is another "
                  "program's .dat.");

@@ -125,10 +125,22 @@ std::string Contents(const std::string& path, const isthmus::ProgressCallback& p
   try
   {
     std::error_code none;
-    // An empty file is told by its missing first line.
-    return std::filesystem::is_regular_file(path, none) && std::filesystem::is_empty(path, none)
-      ? std::string()
-      : isthmus::ReadAll(*isthmus::OpenTextSource(path), progress);
+    // An empty file is reported by its missing first line.
+    if (std::filesystem::is_regular_file(path, none) && std::filesystem::is_empty(path, none))
+    {
+      return {};
+    }
+    const auto source = isthmus::OpenTextSource(path);
+    std::string contents = isthmus::ReadAll(*source, progress);
+    const std::string_view firstLine(contents.data(), contents.find('\n'));
+    if (source->ChangesLineEnds() && firstLine.find("binary") != std::string_view::npos)
+    {
+      throw isthmus::ReaderError(isthmus::ReaderFailure::Damaged,
+        path +
+          ": the line ends of the file were changed to carriage returns, and its binary numbers "
+          "with them. Fetch or write it again.");
+    }
+    return contents;
   }
   catch (const isthmus::ReaderError& error)
   {

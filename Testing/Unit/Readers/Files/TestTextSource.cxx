@@ -1,4 +1,5 @@
 // Byte order marks: every text reader skips that of UTF-8, and says what to do with UTF-16.
+// Line ends: every text reader gives the same for LF, CR LF and CR.
 
 #include "Files/OpenByteSource.h"
 #include "Files/ReaderError.h"
@@ -210,6 +211,90 @@ TEST(TextSource, UTF16IsNamed)
           << text.Files[0].first << ": " << wide.Complaint;
       }
     }
+  }
+}
+
+namespace
+{
+
+std::string WithLineEnds(const std::string& text, const std::string& end)
+{
+  std::string changed;
+  for (const char c : text)
+  {
+    changed += c == '\n' ? end : std::string(1, c);
+  }
+  return changed;
+}
+
+}
+
+TEST(TextSource, AllLineEndsAreTheSame)
+{
+  for (const Text& text : Texts())
+  {
+    const Result plain = Written(text, [](const std::string& s) { return s; });
+    for (const std::string end : { "\r", "\r\n" })
+    {
+      const auto changed = [&](const std::string& s) { return WithLineEnds(s, end); };
+      EXPECT_EQ(Written(text, changed), plain) << text.Files[0].first;
+      EXPECT_EQ(Written(text, [&](const std::string& s) { return Mark + changed(s); }), plain)
+        << text.Files[0].first;
+      EXPECT_EQ(Written(text, [&](const std::string& s) { return Gzip(changed(s)); }), plain)
+        << text.Files[0].first;
+    }
+  }
+}
+
+/// Beyond the part that decides about the line ends, from any place to any other.
+TEST(TextSource, CarriageReturnsAreGivenAsNewlines)
+{
+  std::string lines;
+  for (int i = 0; i < 30000; ++i)
+  {
+    lines += "line " + std::to_string(i) + "\n";
+  }
+  const std::string returns = WithLineEnds(lines, "\r");
+  for (const std::string& bytes : { returns, Mark + returns, Gzip(returns), Bzip2(returns) })
+  {
+    const TemporaryFile file(bytes, "text");
+    EXPECT_EQ(ReadAll(*OpenTextSource(file.Path())), lines);
+    const auto source = OpenTextSource(file.Path());
+    EXPECT_TRUE(source->ChangesLineEnds());
+    std::string read(50000, '\0');
+    ASSERT_EQ(source->Read(100000, read.data(), read.size()), read.size());
+    EXPECT_EQ(read, lines.substr(100000, 50000));
+  }
+  // A newline anywhere in the first part: returns are what they are.
+  const TemporaryFile mixed("a\rb\r\n" + returns, "text");
+  EXPECT_EQ(ReadAll(*OpenTextSource(mixed.Path())), "a\rb\r\n" + returns);
+}
+
+/// A tool that changes line ends changes raw bytes, too: no numbers may be made of them.
+TEST(TextSource, RawBytesAmongCarriageReturnsAreRefused)
+{
+  const std::vector<Text> texts{
+    { Read<vtkOpenDXReader>,
+      { { "a.dx",
+        "object 1 class gridpositions counts 2 1 1\norigin 0 0 0\ndelta 1 0 0\ndelta 0 1 0\n"
+        "delta 0 0 1\nobject 2 class gridconnections counts 2 1 1\n"
+        "object 3 class array type float rank 0 items 2 lsb ieee data follows\nabcdefgh\n" } },
+      2 },
+    { Read<vtkCombinatorialMeshReader>,
+      { { "a.cmesh",
+        "isthmus-combinatorial-mesh 1 binary\ntypes 1\ntype 4 4 tetrahedron\n3 0 2 1\n3 0 1 3\n"
+        "3 1 2 3\n3 2 0 3\nvertices 1 float32\nabcdefghijkl\nblocks 0\nattributes 0\nend\n" } },
+      1 }
+  };
+  for (const Text& text : texts)
+  {
+    const Result plain = Written(text, [](const std::string& s) { return s; });
+    EXPECT_EQ(plain.Points, text.Points) << plain.Complaint;
+    const Result changed =
+      Written(text, [](const std::string& s) { return WithLineEnds(s, "\r"); });
+    EXPECT_EQ(changed.Points, 0);
+    EXPECT_NE(changed.Complaint.find("changed to carriage returns"), std::string::npos)
+      << changed.Complaint;
   }
 }
 
