@@ -53,6 +53,36 @@ std::string_view Letters(std::string_view name)
     static_cast<std::size_t>(first - name.begin()), static_cast<std::size_t>(last - first));
 }
 
+std::string Capitals(std::string_view text)
+{
+  std::string capitals(text);
+  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
+    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return capitals;
+}
+
+/// Whether a name is a symbol of two letters, where only that makes sense: "Li", "Cl2" with a small
+/// letter; "IR", "PT" alone, but not "CA", "HG", "NE", "OS", "PB", "SG", whose first letters are
+/// those of the atoms that most molecules consist of.
+bool IsSymbolOfTwoLetters(std::string_view name, std::string_view letters)
+{
+  constexpr int lastStable = 83;
+  if (letters.size() != 2)
+  {
+    return false;
+  }
+  const int element = ElementOfSymbol(letters);
+  if (element == 0 || element > lastStable)
+  {
+    return false;
+  }
+  const bool isProper = std::isupper(static_cast<unsigned char>(letters[0])) != 0 &&
+    std::islower(static_cast<unsigned char>(letters[1])) != 0;
+  return isProper ||
+    (letters.size() == name.size() &&
+      std::string_view("HDCNOPS").find(letters[0]) == std::string_view::npos);
+}
+
 /// Ions whose names in CHARMM's and AMBER's force fields are no symbols; 0 for all others.
 int ElementOfCharmmIon(std::string_view name)
 {
@@ -88,8 +118,11 @@ int ElementOfSymbol(std::string_view symbol)
   return at == Symbols.end() ? 0 : static_cast<int>(at - Symbols.begin());
 }
 
-int ElementOfIon(std::string_view name, std::string_view residueName)
+int ElementOfIon(std::string_view nameOfAtom, std::string_view nameOfResidue)
 {
+  const std::string name = Capitals(nameOfAtom);
+  const std::string residue = Capitals(nameOfResidue);
+  const std::string_view residueName = residue;
   const std::string_view letters = Letters(name);
   if (letters.empty())
   {
@@ -125,7 +158,12 @@ int ElementOfAtomName(std::string_view name, std::string_view residueName)
     return ion;
   }
   const std::string_view two = letters.substr(0, 2);
-  if (IsOneOf(two, "CL BR ZN FE MG MN SE SI ") && !IsBiopolymerResidue(residueName))
+  const bool isBiopolymer = IsBiopolymerResidue(residueName);
+  if (!isBiopolymer && IsSymbolOfTwoLetters(name, letters))
+  {
+    return ElementOfSymbol(two);
+  }
+  if (IsOneOf(two, "CL BR ZN FE MG MN SE SI ") && !isBiopolymer)
   {
     return ElementOfSymbol(two);
   }

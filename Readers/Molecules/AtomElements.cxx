@@ -487,7 +487,8 @@ private:
       }
       else
       {
-        const int byLetters = ElementOfAtomName(atom.Name, name);
+        const int metal = this->CoordinatedMetal(i);
+        const int byLetters = metal > 0 ? metal : ElementOfAtomName(atom.Name, name);
         set(byLetters == 0 || this->IsPlausible(byLetters, i)
             ? byLetters
             : ElementOfSymbol(std::string_view(letters).substr(0, 1)),
@@ -507,12 +508,39 @@ private:
     {
       return element > 0;
     }
-    constexpr double longestBond = 1.75;  // C-S is 1.8, Mg-O and Zn-N 1.95 and more
+    return this->Near(atom, LongestBond) == 0;
+  }
+
+  /// The metal that the name of an atom means which is as far from others of its residue as metals
+  /// are from their ligands (CO of a cobalamin, IR of a hexammine), where names are not
+  /// right-justified. 0: it is none.
+  int CoordinatedMetal(std::size_t atom) const
+  {
+    constexpr double longestToLigand = 2.8;
+    constexpr std::size_t fewestLigands = 2;
+    const std::string& name = this->Atoms[atom].Name;
+    if (name.size() != 2 || Letters(name).size() != 2)
+    {
+      return 0;
+    }
+    const int element = ElementOfSymbol(name);
+    return IsMetal(element) && Contains(ResidueFamily::Unknown, {}, element) &&
+        this->Near(atom, LongestBond) == 0 && this->Near(atom, longestToLigand) >= fewestLigands
+      ? element
+      : 0;
+  }
+
+  static constexpr double LongestBond = 1.75; ///< C-S is 1.8, Mg-O and Zn-N 1.95 and more
+
+  /// How many atoms of its residue are nearer to an atom.
+  std::size_t Near(std::size_t atom, double distance) const
+  {
     constexpr std::size_t farthest = 500; // atoms of large residues are near those they follow
     const auto next = std::upper_bound(this->Starts.begin(), this->Starts.end(), atom);
     const auto residue = static_cast<std::size_t>(next - this->Starts.begin()) - 1;
     const std::size_t begin = std::max(this->Starts[residue], atom - std::min(atom, farthest));
     const std::size_t end = std::min(this->End(residue), atom + farthest);
+    std::size_t near = 0;
     for (std::size_t i = begin; i < end; ++i)
     {
       double squared = 0.0;
@@ -521,12 +549,9 @@ private:
         const double d = this->Atoms[i].Position[axis] - this->Atoms[atom].Position[axis];
         squared += d * d;
       }
-      if (i != atom && squared < longestBond * longestBond)
-      {
-        return false;
-      }
+      near += i != atom && squared < distance * distance ? 1 : 0;
     }
-    return true;
+    return near;
   }
 
   void Report(ReadingReport& report) const

@@ -6,6 +6,7 @@
 #include "Molecules/ReadingReport.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <optional>
@@ -296,8 +297,19 @@ int ElementOfTriposType(std::string_view type)
   return ElementOfSymbol(type.substr(0, type.find('.')));
 }
 
-Atom ReadMOL2Atom(
-  std::string_view line, bool hasCharges, const TextLines& lines, ReadingReport& report)
+/// Whether it is one of SYBYL's types: an element, in its spelling, with or without a suffix, or a
+/// dummy. AMBER's "ca", "CT" and "os" are none.
+bool IsTriposType(std::string_view type)
+{
+  constexpr std::array<std::string_view, 6> others{ "Du", "LP", "Hal", "Het", "Hev", "Any" };
+  const std::string_view head = type.substr(0, type.find('.'));
+  const int element = ElementOfSymbol(head);
+  return std::find(others.begin(), others.end(), head) != others.end() ||
+    (element > 0 && (head == ElementSymbol(element) || head == "D" || head == "T"));
+}
+
+Atom ReadMOL2Atom(std::string_view line, bool hasCharges, std::string& otherType,
+  const TextLines& lines, ReadingReport& report)
 {
   Atom atom;
   IsNumber(NextWord(line), atom.Serial);
@@ -312,6 +324,10 @@ Atom ReadMOL2Atom(
     lines.Fail("the type of an atom is missing. Is the file whole?");
   }
   atom.Element = ElementOfTriposType(type);
+  if (otherType.empty() && !IsTriposType(type))
+  {
+    otherType = type;
+  }
   atom.ResidueId = WholeOr0(NextWord(line), OddResidueNumbers, lines, report);
   std::string_view residue = NextWord(line);
   // "ALA12" is residue ALA, number 12, where the number of the substructure is another one.
@@ -341,6 +357,7 @@ Macromolecule ParseMOL2(std::string_view text, const std::string& path, std::int
   bool hasCharges = true;
   std::unordered_map<std::int64_t, std::int64_t> place; // of the numbers of atoms
   std::string notRead;                                  // sections
+  std::string otherType;                                // the first that is none of SYBYL's
   std::string_view line;
   while (lines.Next(line))
   {
@@ -361,7 +378,9 @@ Macromolecule ParseMOL2(std::string_view text, const std::string& path, std::int
     {
       for (std::int64_t i = 0; i < atoms; ++i)
       {
-        Atom atom = ReadMOL2Atom(NextLine(lines), hasCharges, lines, isWanted ? report : ofOthers);
+        std::string ignored;
+        Atom atom = ReadMOL2Atom(NextLine(lines), hasCharges, isWanted ? otherType : ignored, lines,
+          isWanted ? report : ofOthers);
         if (isWanted)
         {
           place.emplace(atom.Serial, static_cast<std::int64_t>(molecule.Atoms.size()));
@@ -391,7 +410,20 @@ Macromolecule ParseMOL2(std::string_view text, const std::string& path, std::int
   {
     report.Note("Sections of the MOL2 file that were not read: " + notRead + ".");
   }
-  ReportMissingElements(molecule.Atoms, report);
+  if (otherType.empty())
+  {
+    ReportMissingElements(molecule.Atoms, report);
+  }
+  else
+  {
+    report.Note("The types of atoms are those of a force field, not SYBYL's (first: " + otherType +
+      "): elements from the names.");
+    for (Atom& atom : molecule.Atoms)
+    {
+      atom.Element = 0;
+    }
+    SetElements(molecule.Atoms, report, ElementColumn::None);
+  }
   report.AddTo(molecule);
   return molecule;
 }

@@ -34,7 +34,8 @@ bool EndsWith(const std::string& text, const std::string& end)
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-MoleculeFormat FormatOfName(const std::string& path)
+/// A name in small letters, without the extension of a compression.
+std::string Uncompressed(const std::string& path)
 {
   std::string name = Lower(path);
   for (const char* compression : { ".gz", ".bz2" })
@@ -44,6 +45,12 @@ MoleculeFormat FormatOfName(const std::string& path)
       name.resize(name.rfind('.'));
     }
   }
+  return name;
+}
+
+MoleculeFormat FormatOfName(const std::string& path)
+{
+  const std::string name = Uncompressed(path);
   const std::pair<const char*, MoleculeFormat> extensions[] = { { ".pdb", MoleculeFormat::PDB },
     { ".ent", MoleculeFormat::PDB }, { ".cif", MoleculeFormat::MMCIF },
     { ".mmcif", MoleculeFormat::MMCIF }, { ".pqr", MoleculeFormat::PQR },
@@ -65,7 +72,7 @@ MoleculeFormat FormatOfName(const std::string& path)
 /// What to do with a file in a format that is not read; empty: it is not known.
 std::string OtherFormat(const std::string& path, std::string_view text)
 {
-  const std::string name = Lower(path);
+  const std::string name = Uncompressed(path);
   const struct
   {
     const char* Extensions;
@@ -78,18 +85,27 @@ std::string OtherFormat(const std::string& path, std::string_view text)
       "(.cif)." },
     { ".json .mmjson ",
       "this is mmJSON, which is not read. Convert it by 'gemmi convert FILE.json FILE.cif'." },
-    { ".psf .prmtop .parm7 .top .itp .tpr ",
+    { ".tpr ",
+      "this is a run input of GROMACS, which is not read. Write its structure by 'gmx editconf -f "
+      "FILE.tpr -o FILE.gro'." },
+    { ".psf .prmtop .parm7 .top .itp ",
       "this is a topology: it has no coordinates. Open a structure (.pdb, .gro, .pqr), and let "
-      "pdb2pqr "
-      "or ParmEd write a PQR file where charges are needed." },
-    { ".dcd .xtc .trr .nc .ncdf .mdcrd .crd .h5md ",
+      "pdb2pqr or ParmEd write a PQR file where charges are needed." },
+    { ".inpcrd .rst7 .restrt .ncrst ",
+      "these are coordinates of AMBER without names of atoms. Write a PDB file by 'ambpdb -p "
+      "TOPOLOGY -c FILE', or with cpptraj or MDAnalysis." },
+    { ".crd .cor ",
+      "these are coordinates of CHARMM or a trajectory of AMBER, which are not read. Write a PDB "
+      "file with CHARMM, VMD, cpptraj or MDAnalysis." },
+    { ".dcd .xtc .trr .nc .ncdf .mdcrd .h5md ",
       "this is a trajectory. Open its structure first, then use the Trajectory Reader, or write "
-      "frames as "
-      "PDB (gmx trjconv, cpptraj, MDAnalysis)." },
-    { ".mae .maegz .cdx .cml .smi .inchi .pse .cxs .hin ",
+      "frames as PDB (gmx trjconv, cpptraj, MDAnalysis)." },
+    { ".smi .inchi ",
+      "this names a molecule without coordinates. Make some by 'obabel FILE -O FILE.sdf "
+      "--gen3d'." },
+    { ".mae .maegz .cdx .cml .pse .cxs .hin .dms .gsd .poscar .cssr .molden .car .xsf ",
       "this format is not read. Write the molecule as PDB, mmCIF, MOL2 or SDF with the program "
-      "that made "
-      "it, or by 'obabel FILE -O FILE.mol2'." },
+      "that made it, or by 'obabel FILE -O FILE.mol2'." },
   };
   for (const auto& format : formats)
   {

@@ -175,6 +175,35 @@ TEST(AtomElements, ColumnsOfNamesInUnknownResidues)
     << counted.Warnings[0];
 }
 
+TEST(AtomElements, MetalsAreKnownByTheirLigands)
+{
+  // Left-justified, in residues that are not known: cobalt with nitrogens at 1.9 angstrom, and the
+  // same name as a carbon at the end of a chain, or far from all others, as in traces of C-alphas.
+  const auto centre = [](const char* name, double distance)
+  {
+    return ElementsOf(
+      FromPDB(AtomLine("1", name, "B1Z A   1 ", 0) + AtomLine("2", "N21", "B1Z A   1 ", distance) +
+        AtomLine("3", "N22", "B1Z A   1 ", 0, distance) +
+        AtomLine("4", "N23", "B1Z A   1 ", -distance)))
+      .substr(0, 2);
+  };
+  EXPECT_EQ(centre("CO", 1.9), "Co");
+  EXPECT_EQ(centre("CO", 1.5), "C ");
+  EXPECT_EQ(centre("CO", 3.8), "C ");
+  EXPECT_EQ(centre("CD", 2.3), "Cd");
+  EXPECT_EQ(centre("CA", 2.4), "Ca");
+  EXPECT_EQ(centre("CO1", 1.9), "C ");
+  // A symbol that can mean nothing else, wherever it is; a small letter.
+  EXPECT_EQ(centre("IR", 1.5), "Ir");
+  EXPECT_EQ(centre("RU", 3.8), "Ru");
+  EXPECT_EQ(centre("Co1", 1.9), "Co");
+  EXPECT_EQ(centre("Br1", 1.9), "Br");
+  EXPECT_EQ(ElementOfAtomName("Li", "LI"), 3); // of GRO files
+  EXPECT_EQ(ElementOfAtomName("IR1", "LIG"), 53);
+  EXPECT_EQ(ElementOfAtomName("HG", "LIG"), 1);
+  EXPECT_EQ(ElementOfAtomName("Cd1", "LEU"), 6);
+}
+
 TEST(AtomElements, AnElementColumnWinsUnlessItIsAbsurd)
 {
   const auto with = [](const char* name, const char* residue, const char* symbol)

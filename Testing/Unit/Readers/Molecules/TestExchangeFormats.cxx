@@ -331,6 +331,11 @@ TEST(ExchangeFormats, OtherFormatsAreNamedWithTheWayOut)
   EXPECT_PART(WhyOfFile("{\"data_1ABC\": {}}", "x.json"), "gemmi convert");
   EXPECT_PART(WhyOfFile("PSF\n", "x.psf"), "topology");
   EXPECT_PART(WhyOfFile("CORD", "x.dcd"), "trajectory");
+  EXPECT_PART(WhyOfFile(Gzip("\x83\xa7 binary"), "x.mmtf.gz"), "MMTF");
+  EXPECT_PART(WhyOfFile("* A\n   1 EXT\n", "x.crd"), "CHARMM or a trajectory of AMBER");
+  EXPECT_PART(WhyOfFile("x\n1\n", "x.rst7"), "ambpdb");
+  EXPECT_PART(WhyOfFile("tpx", "x.tpr"), "gmx editconf");
+  EXPECT_PART(WhyOfFile("CCO", "x.smi"), "--gen3d");
   EXPECT_PART(WhyOfFile("{ f_m_ct", "x.mae"), "obabel");
   EXPECT_PART(WhyOfFile("\x28\xb5\x2f\xfd rest", "x.cif.zst"), "zstd -d");
   EXPECT_PART(WhyOfFile("\xfd"

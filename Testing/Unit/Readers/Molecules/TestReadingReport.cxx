@@ -136,6 +136,35 @@ TEST(ReadingReport, MOL2)
   EXPECT_FALSE(Mention(molecule.Warnings, "Sections"));
 }
 
+TEST(ReadingReport, TypesOfForceFieldsInMOL2AreNoElements)
+{
+  // GAFF's, in ADP: os is no osmium, nb no niobium, ca no calcium, ho no holmium.
+  const auto file = [](const char* types)
+  {
+    std::string text = "@<TRIPOS>MOLECULE\nx\n5 0\nSMALL\nUSER_CHARGES\n@<TRIPOS>ATOM\n";
+    std::string_view rest(types);
+    int number = 0;
+    for (const char* name : { "O3'", "N7", "C5", "HO2", "CL1" })
+    {
+      const std::size_t end = std::min(rest.find(' '), rest.size());
+      ++number;
+      text += std::to_string(number) + " " + name + " " + std::to_string(5 * number) + " 0 0 " +
+        std::string(rest.substr(0, end)) + " 1 LIG 0\n";
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return Read(text, MoleculeFormat::MOL2);
+  };
+  for (const char* types : { "os nb ca ho cl", "OS NB CA HO CL" })
+  {
+    const Macromolecule molecule = file(types);
+    EXPECT_EQ(ElementsOf(molecule), "O N C H Cl ") << types;
+    EXPECT_TRUE(Mention(molecule.Notes, "are those of a force field, not SYBYL's")) << types;
+    EXPECT_TRUE(molecule.Warnings.empty());
+  }
+  // SYBYL's types win over the names.
+  EXPECT_EQ(ElementsOf(file("Os N.ar Ca H.spc Cl")), "Os N Ca H Cl ");
+}
+
 TEST(ReadingReport, SDF)
 {
   const auto atom = [](const char* symbol, const char* code)
