@@ -2,8 +2,8 @@
 
 #include <vtk_zlib.h>
 
-#include <filesystem>
-#include <stdexcept>
+#include <cerrno>
+#include <utility>
 
 namespace isthmus
 {
@@ -17,35 +17,24 @@ bool EndsWithGz(const std::string& path)
   return path.size() >= 3 && path.compare(path.size() - 3, 3, ".gz") == 0;
 }
 
-/// Not what only looks like a file: a device, say.
-void RemoveFile(const std::string& path)
-{
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(path, ignored))
-  {
-    std::filesystem::remove(path, ignored);
-  }
-}
-
 }
 
 TextFileWriter::TextFileWriter(const std::string& path)
-  : Path(path)
+  : File(path)
   // T: no compression, no header of gzip's.
-  , File(gzopen(path.c_str(), EndsWithGz(path) ? "wb6" : "wbT"))
+  , Stream(gzopen(this->File.Written().c_str(), EndsWithGz(path) ? "wb6" : "wbT"))
 {
-  if (!this->File)
+  if (!this->Stream)
   {
-    this->Fail();
+    this->File.Fail(errno);
   }
 }
 
 TextFileWriter::~TextFileWriter()
 {
-  if (this->File)
+  if (this->Stream)
   {
-    gzclose(this->File);
-    RemoveFile(this->Path);
+    gzclose(this->Stream);
   }
 }
 
@@ -59,32 +48,32 @@ TextFileWriter& TextFileWriter::operator<<(std::string_view text)
   return *this;
 }
 
-void TextFileWriter::Close()
+void TextFileWriter::Finish()
 {
   this->Flush();
-  const gzFile file = this->File;
-  this->File = nullptr;
-  if (gzclose(file) != Z_OK)
+  errno = 0;
+  if (gzclose(std::exchange(this->Stream, nullptr)) != Z_OK)
   {
-    RemoveFile(this->Path);
-    this->Fail();
+    this->File.Fail(errno);
   }
+  this->File.Finish();
+}
+
+void TextFileWriter::Close()
+{
+  this->Finish();
+  this->Replace();
 }
 
 void TextFileWriter::Flush()
 {
   const auto size = static_cast<unsigned int>(this->Buffer.size());
-  if (size > 0 && gzwrite(this->File, this->Buffer.data(), size) != static_cast<int>(size))
+  errno = 0;
+  if (size > 0 && gzwrite(this->Stream, this->Buffer.data(), size) != static_cast<int>(size))
   {
-    this->Fail();
+    this->File.Fail(errno);
   }
   this->Buffer.clear();
-}
-
-void TextFileWriter::Fail() const
-{
-  throw std::runtime_error("The file '" + this->Path +
-    "' can't be written to its end: check its folder and the space left.");
 }
 
 }

@@ -5,6 +5,7 @@
 #ifndef isthmus_TextFileWriter_h
 #define isthmus_TextFileWriter_h
 
+#include "Files/FileReplacement.h"
 #include "Files/NumberTypes.h"
 
 #include <array>
@@ -21,7 +22,8 @@ namespace isthmus
  * Text and numbers on their way to a file, gzip-compressed where the path ends in .gz. Numbers have
  * the fewest digits from which the same bits are read, and a '.' in every locale.
  *
- * Without Close() the file is removed again. Memory: 1 MiB.
+ * The file of this name, if any, is replaced by Close(); without it, or where the disk is full, it
+ * stays as it was. Memory: 1 MiB.
  * @throws std::runtime_error with the path when it can't be written.
  */
 class TextFileWriter
@@ -40,15 +42,18 @@ public:
     return *this << ToText(number, digits);
   }
 
-  /// Everything is in the file when this returns.
+  /// Everything is in the file when this returns, and the file has its name.
   void Close();
+
+  /// The two halves of it, for files that belong together: no name is changed until all are whole.
+  void Finish();
+  void Replace() { this->File.Replace(); }
 
 private:
   void Flush();
-  [[noreturn]] void Fail() const;
 
-  std::string Path;
-  gzFile_s* File;
+  FileReplacement File;
+  gzFile_s* Stream;
   std::string Buffer;
 };
 

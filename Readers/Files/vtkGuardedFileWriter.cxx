@@ -12,6 +12,12 @@ vtkGuardedFileWriter::~vtkGuardedFileWriter()
   this->SetFileName(nullptr);
 }
 
+int vtkGuardedFileWriter::Write()
+{
+  this->IsWritten = false;
+  return this->Superclass::Write() != 0 && this->IsWritten ? 1 : 0;
+}
+
 void vtkGuardedFileWriter::WriteData()
 {
   this->SetErrorCode(vtkErrorCode::NoError);
@@ -22,6 +28,7 @@ void vtkGuardedFileWriter::WriteData()
       throw std::invalid_argument("There is no file name: set FileName.");
     }
     this->WriteFile();
+    this->IsWritten = true;
   }
   catch (const isthmus::Cancelled&)
   {

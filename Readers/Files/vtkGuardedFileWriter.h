@@ -3,7 +3,7 @@
  * @brief Base class of our writers: file name, and one error message if a file cannot be written.
  *
  * No file name, or whatever keeps the file from being written to its end, is one error with the
- * error code set; an abort is not an error.
+ * error code set; an abort is not an error. Both leave a file of this name as it was.
  */
 #ifndef vtkGuardedFileWriter_h
 #define vtkGuardedFileWriter_h
@@ -24,6 +24,10 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
+  /// Returns 1 when the file is written to its end, 0 where there is an error or an abort; what was
+  /// in a file of this name before is still there then.
+  int Write() override;
+
 protected:
   vtkGuardedFileWriter() = default;
   ~vtkGuardedFileWriter() override;
@@ -42,6 +46,8 @@ protected:
   char* FileName = nullptr;
 
 private:
+  bool IsWritten = false;
+
   vtkGuardedFileWriter(const vtkGuardedFileWriter&) = delete;
   void operator=(const vtkGuardedFileWriter&) = delete;
 };

@@ -65,16 +65,11 @@ int Rank(CellShape shape)
 
 void ReadPoints(vtkPointSet* data, CellMesh& mesh)
 {
+  RequireFinitePoints(data);
   mesh.Coordinates.resize(static_cast<std::size_t>(data->GetNumberOfPoints()) * 3);
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
-    double* p = mesh.Coordinates.data() + 3 * i;
-    data->GetPoint(i, p);
-    if (!std::all_of(p, p + 3, [](double x) { return std::isfinite(x); }))
-    {
-      throw std::invalid_argument("Point " + std::to_string(i) +
-        " has a coordinate that is not a finite number: mend or remove it before writing.");
-    }
+    data->GetPoint(i, mesh.Coordinates.data() + 3 * i);
   }
 }
 
@@ -227,6 +222,20 @@ void ToSurface(const CellMesh& mesh, vtkPolyData* surface)
   surface->SetPolys(cells[2]);
   AddAttributes(mesh.Attributes, surface);
   MakeNormalsActive(surface);
+}
+
+void RequireFinitePoints(vtkPointSet* data)
+{
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    data->GetPoint(i, p);
+    if (!std::all_of(p, p + 3, [](double x) { return std::isfinite(x); }))
+    {
+      throw std::invalid_argument("Point " + std::to_string(i) +
+        " has a coordinate that is not a finite number: mend or remove it before writing.");
+    }
+  }
 }
 
 CellMesh FromPointSet(vtkPointSet* data, const std::vector<std::string>& names, std::string& remark)

@@ -37,6 +37,9 @@ void ToGrid(const CellMesh& mesh, vtkUnstructuredGrid* grid);
 /// @pre no attribute is on cells, which this order would mix up.
 void ToSurface(const CellMesh& mesh, vtkPolyData* surface);
 
+/// @throws std::invalid_argument with the first point that has a coordinate that is not finite.
+void RequireFinitePoints(vtkPointSet* data);
+
 /**
  * Points, cells and those of `names` among the arrays that hold numbers: whole numbers as int64,
  * others as double. `remark` says which arrays are left out. @throws std::invalid_argument for

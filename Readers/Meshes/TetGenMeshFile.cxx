@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
+#include <vector>
 
 namespace isthmus
 {
@@ -231,12 +233,11 @@ void WriteAttributes(
   }
 }
 
-void WritePoints(const CellMesh& mesh, const std::string& path)
+void WritePoints(const CellMesh& mesh, TextFileWriter& file)
 {
   std::int64_t components = 0;
   const auto* values = Reals(mesh, Place::Vertices, components);
   const auto* markers = Markers(mesh, Place::Vertices);
-  TextFileWriter file(path);
   file << mesh.NumberOfPoints() << " 3 " << components << " " << (markers ? 1 : 0) << "\n";
   for (std::size_t i = 0; i < mesh.Coordinates.size() / 3; ++i)
   {
@@ -249,7 +250,6 @@ void WritePoints(const CellMesh& mesh, const std::string& path)
     }
     file << "\n";
   }
-  file.Close();
 }
 
 /// The cells of one shape.
@@ -267,11 +267,10 @@ std::vector<std::size_t> CellsOf(const CellMesh& mesh, CellShape shape)
 }
 
 void WriteTetrahedra(const CellMesh& mesh, const std::vector<std::size_t>& cells,
-  std::size_t corners, const std::string& path)
+  std::size_t corners, TextFileWriter& file)
 {
   std::int64_t components = 0;
   const auto* values = Reals(mesh, Place::Cells, components);
-  TextFileWriter file(path);
   file << cells.size() << " " << corners << " " << components << "\n";
   std::array<std::int64_t, 10> ids{};
   for (std::size_t row = 0; row < cells.size(); ++row)
@@ -289,14 +288,12 @@ void WriteTetrahedra(const CellMesh& mesh, const std::vector<std::size_t>& cells
     WriteAttributes(file, values, components, cells[row]);
     file << "\n";
   }
-  file.Close();
 }
 
 void WriteTriangles(
-  const CellMesh& mesh, const std::vector<std::size_t>& cells, const std::string& path)
+  const CellMesh& mesh, const std::vector<std::size_t>& cells, TextFileWriter& file)
 {
   const auto* markers = Markers(mesh, Place::Cells);
-  TextFileWriter file(path);
   file << cells.size() << " " << (markers ? 1 : 0) << "\n";
   for (std::size_t row = 0; row < cells.size(); ++row)
   {
@@ -312,7 +309,6 @@ void WriteTriangles(
     }
     file << "\n";
   }
-  file.Close();
 }
 
 }
@@ -351,19 +347,45 @@ void WriteTetGenFiles(
     throw std::invalid_argument("TetGen's files hold tetrahedra, all with 4 or all with 10 points, "
                                 "and triangles: take other cells out, or triangulate them.");
   }
-  WritePoints(mesh, Partner(path, ".node"));
+  // A file of this name that is there would seem to be what was written.
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if ((extension == ".ele" && linear.empty() && quadratic.empty()) ||
+    (extension == ".face" && triangles.empty()))
+  {
+    throw std::invalid_argument("The mesh has no " +
+      std::string(extension == ".ele" ? "tetrahedra" : "triangles") + " for the file '" + path +
+      "': name a file that ends in " + (extension == ".ele" ? ".face" : ".ele") +
+      " for its other cells, or in .node for its points.");
+  }
+  // No file gets its name before all are whole: points and cells belong together.
+  std::vector<std::unique_ptr<TextFileWriter>> files;
+  const auto file = [&](const char* extensionOfPart) -> TextFileWriter&
+  {
+    files.push_back(std::make_unique<TextFileWriter>(Partner(path, extensionOfPart)));
+    return *files.back();
+  };
+  WritePoints(mesh, file(".node"));
   Report(progress, 0.4);
   if (!linear.empty())
   {
-    WriteTetrahedra(mesh, linear, 4, Partner(path, ".ele"));
+    WriteTetrahedra(mesh, linear, 4, file(".ele"));
   }
   if (!quadratic.empty())
   {
-    WriteTetrahedra(mesh, quadratic, 10, Partner(path, ".ele"));
+    WriteTetrahedra(mesh, quadratic, 10, file(".ele"));
   }
   if (!triangles.empty())
   {
-    WriteTriangles(mesh, triangles, Partner(path, ".face"));
+    WriteTriangles(mesh, triangles, file(".face"));
+  }
+  for (const auto& part : files)
+  {
+    part->Finish();
+  }
+  Report(progress, 0.9);
+  for (const auto& part : files)
+  {
+    part->Replace();
   }
   Report(progress, 1.0);
 }

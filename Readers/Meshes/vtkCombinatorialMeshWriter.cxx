@@ -1,7 +1,9 @@
 #include "vtkCombinatorialMeshWriter.h"
 
 #include "CellComplex/GridCells.h"
+#include "Files/FileReplacement.h"
 #include "Meshes/CombinatorialMeshFile.h"
+#include "Meshes/MeshConversion.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -15,6 +17,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -119,6 +122,7 @@ isthmus::CombinatorialMesh MeshOf(vtkUnstructuredGrid* grid, std::string& remark
     {
       throw std::invalid_argument("The points' coordinates are neither float nor double.");
     }
+    isthmus::RequireFinitePoints(grid);
     mesh.Coordinates = Numbers(points->GetData(), mesh.NumberOfVertices, same);
   }
   remark = cells.Remark();
@@ -148,14 +152,16 @@ void vtkCombinatorialMeshWriter::WriteFile()
   {
     vtkWarningMacro(<< remark);
   }
-  std::ofstream file(this->FileName, std::ios::binary);
+  isthmus::FileReplacement replacement(this->FileName);
+  std::ofstream file(replacement.Written(), std::ios::binary);
+  errno = 0;
   isthmus::WriteCombinatorialMesh(mesh, this->Binary, file);
   file.close();
   if (!file)
   {
-    throw std::runtime_error("The file '" + std::string(this->FileName) +
-      "' can't be written to its end: check its folder and the space left.");
+    replacement.Fail(errno);
   }
+  replacement.Replace();
 }
 
 void vtkCombinatorialMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
