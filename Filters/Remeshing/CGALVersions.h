@@ -9,10 +9,31 @@
 #include "Remeshing/CGALSurface.h"
 
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/version.h>
+
+#define ISTHMUS_CGAL_6 (CGAL_VERSION_NR >= 1060000000)
+
+#if ISTHMUS_CGAL_6
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#endif
+
+#include <iterator>
+#include <vector>
 
 namespace isthmus::cgal
 {
+
+/// Traits of an AABB tree in space: named AABB_traits_3 from CGAL 6.0 on.
+#if ISTHMUS_CGAL_6
+template <typename Primitive>
+using TreeTraits = CGAL::AABB_traits_3<Kernel, Primitive>;
+#else
+template <typename Primitive>
+using TreeTraits = CGAL::AABB_traits<Kernel, Primitive>;
+#endif
 
 /// Collapses needles among `faces` (longest over shortest edge above `needleRatio`) where that
 /// moves a point by at most `collapseLength`, and flips caps (cosine of the largest angle below
@@ -22,7 +43,7 @@ template <typename Faces>
 void RemoveNeedlesAndCaps(const Faces& faces, SurfaceMesh& mesh, double capCosine,
   double needleRatio, double collapseLength)
 {
-#if CGAL_VERSION_NR >= 1060000000 // 6.0
+#if ISTHMUS_CGAL_6
   CGAL::Polygon_mesh_processing::remove_almost_degenerate_faces(faces, mesh,
     CGAL::parameters::cap_threshold(capCosine)
       .needle_threshold(needleRatio)
@@ -31,6 +52,22 @@ void RemoveNeedlesAndCaps(const Faces& faces, SurfaceMesh& mesh, double capCosin
   CGAL::Polygon_mesh_processing::experimental::remove_almost_degenerate_faces(
     faces, mesh, capCosine, needleRatio, collapseLength);
 #endif
+}
+
+/// Fills the hole at `border` with triangles and returns them; none where that fails. From CGAL 6.0
+/// on the output iterator is a named parameter.
+inline std::vector<SurfaceMesh::Face_index> FillHole(
+  SurfaceMesh& mesh, SurfaceMesh::Halfedge_index border)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  std::vector<SurfaceMesh::Face_index> patch;
+#if ISTHMUS_CGAL_6
+  PMP::triangulate_hole(
+    mesh, border, CGAL::parameters::face_output_iterator(std::back_inserter(patch)));
+#else
+  PMP::triangulate_hole(mesh, border, std::back_inserter(patch));
+#endif
+  return patch;
 }
 
 }

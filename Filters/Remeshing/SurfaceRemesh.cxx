@@ -3,10 +3,10 @@
 #include "Core/RangeChecks.h"
 #include "Core/UnitScale.h"
 #include "Remeshing/CGALSurface.h"
+#include "Remeshing/CGALVersions.h"
 #include "Surfaces/SurfaceDefects.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
@@ -26,7 +26,7 @@ namespace SMS = CGAL::Surface_mesh_simplification;
 using cgal::Kernel;
 using cgal::SurfaceMesh;
 using Primitive = CGAL::AABB_face_graph_triangle_primitive<SurfaceMesh>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using Tree = CGAL::AABB_tree<cgal::TreeTraits<Primitive>>;
 
 constexpr double MostTriangles = 5e7;
 
