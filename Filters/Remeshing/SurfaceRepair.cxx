@@ -12,11 +12,16 @@
 #include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceMending.h"
 
-// GCC 14 takes the copy of a polygon with one corner in it for one beyond its end.
+// GCC 14 takes the copy of a polygon of one corner in it for a write beyond its end.
+#if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Warray-bounds"
+#pragma GCC diagnostic ignored "-Wstringop-overflow"
+#endif
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic pop
+#endif
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
