@@ -36,6 +36,8 @@ fi
 git grep -nIE '(VTK|PARAVIEW)_(VERSION_CHECK|VERSION_NUMBER|MAJOR_VERSION|MINOR_VERSION)' \
   -- '*.h' '*.cxx' ':!Filters/Core/VTKVersions.h' |
   complain "Version checks outside Filters/Core/VTKVersions.h"
+git grep -nIE '(CGAL|GEMMI)_VERSION' -- '*.h' '*.cxx' ':!Filters/Remeshing/CGALVersions.h' |
+  complain "Version checks outside Filters/Remeshing/CGALVersions.h"
 git grep -nIE '"/(work|tmp|home|root)/' -- '*.cxx' '*.h' '*.py' '*.md' '*.txt' '*.cmake' '*.xml' |
   complain "Paths of one machine"
 git ls-files -z | xargs -0 -r stat -c '%s %n' 2>/dev/null | awk '$1 > 200000' |

@@ -16,8 +16,16 @@ set(CPACK_DEBIAN_PACKAGE_SECTION "science")
 set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # What no binary links to: the window, its Python, the program that makes tetrahedra, and icons, which
-# a root without recommended packages does not show (seen in one).
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "paraview (>= 5.11), python3-paraview, tetgen, libqt5svg5")
+# a root without recommended packages does not show (seen in one). A plugin belongs to one ParaView.
+math(EXPR next_minor "${ParaView_VERSION_MINOR} + 1")
+set(paraview_here "${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}")
+set(icons libqt5svg5) # ParaView 5.11; from 5.13 on it says which Qt it uses
+if (PARAVIEW_QT_MAJOR_VERSION EQUAL 6)
+  set(icons qt6-svg-plugins)
+endif ()
+string(CONCAT CPACK_DEBIAN_PACKAGE_DEPENDS
+  "paraview (>= ${paraview_here}), paraview (<< ${ParaView_VERSION_MAJOR}.${next_minor}~), "
+  "python3-paraview, tetgen, ${icons}")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "apbs")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_SOURCE_DIR}/cmake/package/triggers")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION

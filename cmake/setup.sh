@@ -33,6 +33,13 @@ paraview_packages=(
   libjsoncpp-dev libpugixml-dev libgdal-dev libavcodec-dev libavformat-dev libavutil-dev
   libswscale-dev libboost-dev libx11-dev libxcursor-dev libgl-dev)
 
+# Without ParaView, on the system's VTK (Testing/Builds/plain_vtk.sh). libvtk9-dev brings VTK's Python
+# modules, which are in the way of those of ParaView before Debian 14: a system of its own.
+plain_packages=(
+  g++ cmake ninja-build libvtk9-dev
+  libbz2-dev zlib1g-dev libisal-dev libeigen3-dev libcgal-dev 'libgemmi-dev|gemmi-dev' tao-pegtl-dev
+  tetgen libgtest-dev optional:libgudhi-dev)
+
 # What the tests compare with and look through.
 test_packages=(
   libgtest-dev libbenchmark-dev python3-scipy python3-gemmi python3-mrcfile pdb2pqr openmpi-bin

@@ -28,7 +28,7 @@ if (contents MATCHES "site-packages|isthmus/plugins")
 endif ()
 execute_process(COMMAND dpkg-deb -f "${package}" Depends OUTPUT_VARIABLE depends
   COMMAND_ERROR_IS_FATAL ANY)
-foreach (name IN ITEMS paraview python3-paraview tetgen libgmp10 libqt5core5a)
+foreach (name IN ITEMS paraview python3-paraview tetgen libgmp10 "libqt[56]core")
   if (NOT depends MATCHES "${name}")
     message(FATAL_ERROR "${package} does not depend on ${name}: ${depends}")
   endif ()
