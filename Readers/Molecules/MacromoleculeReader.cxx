@@ -357,15 +357,24 @@ Separators FindSeparators(
   Separators found;
   const std::size_t last = text.size() - std::min(overlap, text.size());
   const auto begins = [text](std::size_t at, std::string_view with)
-  { return text.substr(at, with.size()) == with; };
+  {
+    return text.size() - at >= with.size() &&
+      std::equal(with.begin(), with.end(), text.begin() + static_cast<std::ptrdiff_t>(at),
+        [](char a, char b) { return a == b || (a == (b & ~0x20) && b >= 'a'); });
+  };
+  const auto isWord = [&](std::size_t at, std::string_view with)
+  {
+    const std::size_t end = at + with.size();
+    return begins(at, with) && (end >= text.size() || text[end] <= ' ');
+  };
   for (std::size_t at = text.find('\n'); at < last; at = text.find('\n', at + 1))
   {
-    found.Models += begins(at, "\nMODEL ") ? 1 : 0;
+    found.Models += isWord(at, "\nMODEL") ? 1 : 0;
     if (begins(at, "\nENDMDL"))
     {
       ++found.EndModels;
     }
-    else if (begins(at, "\nEND") && (at + 4 >= text.size() || text[at + 4] <= ' '))
+    else if (isWord(at, "\nEND"))
     {
       ++found.Ends;
       found.FirstEnd = std::min(found.FirstEnd, offset + at - (hasLineEnd && at > 0 ? 1 : 0));
@@ -419,8 +428,8 @@ bool IsCountedByRecords(const Separators& found, ByteSource& source)
   const std::size_t size = source.Read(found.FirstEnd, after.data(), after.size());
   const bool isWhole = size < after.size();
   after.resize(size);
-  return isWhole && after.find("\nATOM") == std::string::npos &&
-    after.find("\nHETATM") == std::string::npos;
+  return isWhole && Lower(after).find("\natom") == std::string::npos &&
+    Lower(after).find("\nheta") == std::string::npos;
 }
 
 }

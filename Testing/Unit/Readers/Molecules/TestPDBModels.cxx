@@ -128,6 +128,26 @@ TEST(PDBModels, ModelRecordsWhateverTheirNumbers)
   }
 }
 
+TEST(PDBModels, RecordsMayBeWrittenInSmallLetters)
+{
+  // Reading compares the count of the whole file with that of the reader.
+  for (const std::string model : { "MODEL\n", "model 1\n", "Model\t1\n" })
+  {
+    for (const std::string end : { "endmdl\n", "end\n", "END\n" })
+    {
+      EXPECT_EQ(Reading(model + Chain('A', 0) + end + model + Chain('A', 1) + end).Sizes(),
+        (Sizes{ 2, 30, 30 }))
+        << model << end;
+    }
+  }
+  std::string small = Chain('A', 0.5);
+  for (std::size_t at = 0; at < small.size(); at = small.find('\n', at) + 1)
+  {
+    small.replace(at, 4, "atom");
+  }
+  EXPECT_EQ(Reading(Chain('A', 0) + "END\n" + small).Sizes(), (Sizes{ 2, 30, 30 }));
+}
+
 TEST(PDBModels, AtomsOutsideOfModelsBelongToThoseBesideThem)
 {
   const std::string ligand =
