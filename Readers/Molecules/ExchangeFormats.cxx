@@ -329,21 +329,45 @@ Atom ReadMOL2Atom(std::string_view line, bool hasCharges, std::string& otherType
     otherType = type;
   }
   atom.ResidueId = WholeOr0(NextWord(line), OddResidueNumbers, lines, report);
-  std::string_view residue = NextWord(line);
-  // "ALA12" is residue ALA, number 12, where the number of the substructure is another one.
-  const std::size_t digits = residue.find_last_not_of("0123456789") + 1;
-  int number = 0;
-  if (digits > 0 && digits < residue.size() && IsNumber(residue.substr(digits), number))
-  {
-    atom.ResidueId = number;
-    residue = residue.substr(0, digits);
-  }
+  const std::string_view residue = NextWord(line);
   atom.ResidueName = residue == "****" || residue == "<0>" ? std::string_view() : residue;
   if (hasCharges)
   {
     atom.Charge = NumberOrUnknown(NextWord(line), OddCharges, lines, report);
   }
   return atom;
+}
+
+/// SYBYL names substructures by residue and number ("ALA12"), others by the residue alone, which
+/// may end in a digit itself ("DC5" of AMBER, "SO4").
+void SplitNamesOfResidues(std::vector<Atom>& atoms)
+{
+  const auto digitsOf = [](const std::string& name)
+  { return name.find_last_not_of("0123456789") + 1; };
+  const auto hasNumber = [&digitsOf](const Atom& atom)
+  {
+    const std::size_t digits = digitsOf(atom.ResidueName);
+    return digits > 0 && digits < atom.ResidueName.size();
+  };
+  if (!std::all_of(atoms.begin(), atoms.end(), hasNumber))
+  {
+    return;
+  }
+  const bool isOne = std::all_of(atoms.begin(), atoms.end(),
+    [&atoms](const Atom& atom) { return atom.ResidueName == atoms[0].ResidueName; });
+  for (Atom& atom : atoms)
+  {
+    const std::size_t digits = digitsOf(atom.ResidueName);
+    const ResidueFamily family = FamilyOfResidue(atom.ResidueName);
+    const bool isWhole =
+      isOne && family != ResidueFamily::Unknown && family != ResidueFamily::AminoAcid;
+    int number = 0;
+    if (!isWhole && IsNumber(std::string_view(atom.ResidueName).substr(digits), number))
+    {
+      atom.ResidueId = number;
+      atom.ResidueName.resize(digits);
+    }
+  }
 }
 
 Macromolecule ParseMOL2(std::string_view text, const std::string& path, std::int64_t model,
@@ -410,6 +434,7 @@ Macromolecule ParseMOL2(std::string_view text, const std::string& path, std::int
   {
     report.Note("Sections of the MOL2 file that were not read: " + notRead + ".");
   }
+  SplitNamesOfResidues(molecule.Atoms);
   if (otherType.empty())
   {
     ReportMissingElements(molecule.Atoms, report);

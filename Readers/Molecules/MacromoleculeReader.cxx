@@ -416,7 +416,7 @@ Separators FindSeparators(ByteSource& source)
 /// follows END. Other files have to be read.
 bool IsCountedByRecords(const Separators& found, ByteSource& source)
 {
-  if (found.Models > 0 || found.EndModels + found.Ends == 0)
+  if (found.EndModels <= found.Models && (found.Models > 0 || found.Ends == 0))
   {
     return true;
   }

@@ -340,6 +340,11 @@ std::vector<PDBModel> ModelsByRecord(const PDBLines& lines, ReadingReport& repor
     }
     else if (record.Is == PDBRecord::Kind::EndModel || record.Is == PDBRecord::Kind::End)
     {
+      if (record.Is == PDBRecord::Kind::EndModel && !isInside && record.Atom > first)
+      {
+        models.emplace_back(); // MODEL is missing
+        isInside = true;
+      }
       end(record.Atom);
     }
   }

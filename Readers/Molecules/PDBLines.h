@@ -65,7 +65,8 @@ std::string LineOf(std::string_view text, std::string_view line);
 /**
  * The models of a file.
  *
- * - With MODEL: it begins a model, whatever its number. ENDMDL may be missing.
+ * - With MODEL: it begins a model, whatever its number. ENDMDL may be missing, or single MODEL
+ *   records where ENDMDL is not.
  * - Without MODEL, but with ENDMDL: each part that ENDMDL or END ends is a model.
  * - With END alone: parts that repeat the same atoms at overlapping places are models.
  * - All other parts that END separates are one structure.

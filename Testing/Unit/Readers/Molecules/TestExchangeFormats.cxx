@@ -218,6 +218,36 @@ TEST(ExchangeFormats, MOL2)
     odd.Warnings[0], "Bonds that name atoms which are not there, dropped: 1 (first: line 9)");
 }
 
+TEST(ExchangeFormats, NamesOfResiduesInMOL2)
+{
+  const auto residues = [](const std::vector<std::string>& names)
+  {
+    std::string text = "@<TRIPOS>MOLECULE\nx\n" + std::to_string(names.size()) +
+      "\nSMALL\nNO_CHARGES\n@<TRIPOS>ATOM\n";
+    int number = 0;
+    for (const std::string& name : names)
+    {
+      ++number;
+      const std::string digits = std::to_string(number);
+      text += digits + " C " + digits + " 0 0 C.3 " + digits + " " + name + "\n";
+    }
+    std::string found;
+    for (const Atom& atom : Model(text, MoleculeFormat::MOL2, 0).Atoms)
+    {
+      found += atom.ResidueName + " " + std::to_string(atom.ResidueId) + ", ";
+    }
+    return found;
+  };
+  EXPECT_EQ(residues({ "ALA12", "CYS13", "HOH201" }), "ALA 12, CYS 13, HOH 201, ");
+  EXPECT_EQ(residues({ "DC1", "DG2", "DA3" }), "DC 1, DG 2, DA 3, ");
+  EXPECT_EQ(residues({ "DC5", "DG", "DA3" }), "DC5 1, DG 2, DA3 3, ");
+  EXPECT_EQ(residues({ "SO4" }), "SO4 1, ");
+  EXPECT_EQ(residues({ "TIP3", "TIP3" }), "TIP3 1, TIP3 2, ");
+  EXPECT_EQ(residues({ "LIG1" }), "LIG 1, ");
+  EXPECT_EQ(residues({ "CYS2" }), "CYS 2, ");
+  EXPECT_EQ(residues({ "123", "LIG" }), "123 1, LIG 2, ");
+}
+
 TEST(ExchangeFormats, SDFOfBothVersions)
 {
   const std::string v2000 =

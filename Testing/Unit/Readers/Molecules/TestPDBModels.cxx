@@ -128,6 +128,18 @@ TEST(PDBModels, ModelRecordsWhateverTheirNumbers)
   }
 }
 
+TEST(PDBModels, OneModelRecordMayBeMissing)
+{
+  const std::string one = Chain('A', 0) + "ENDMDL\n";
+  const std::string two = "MODEL        2\n" + Chain('A', 1) + "ENDMDL\n";
+  EXPECT_EQ(FromPDB(one + two).NumberOfModels, 2);
+  EXPECT_EQ(FromPDB(two + one + two + "END\n").NumberOfModels, 3);
+  EXPECT_EQ(FromPDB(two + one, 1).Atoms.size(), 30u);
+  EXPECT_FALSE(Mention(FromPDB(one + two).Warnings, "outside of MODEL"));
+  const TemporaryFile file(one + two, "models.pdb");
+  EXPECT_EQ(CountModels(file.Path(), MoleculeFormat::PDB), 2);
+}
+
 TEST(PDBModels, RecordsMayBeWrittenInSmallLetters)
 {
   // Reading compares the count of the whole file with that of the reader.
