@@ -38,6 +38,9 @@ git grep -nIE '(VTK|PARAVIEW)_(VERSION_CHECK|VERSION_NUMBER|MAJOR_VERSION|MINOR_
   complain "Version checks outside Filters/Core/VTKVersions.h"
 git grep -nIE '(CGAL|GEMMI)_VERSION' -- '*.h' '*.cxx' ':!Filters/Remeshing/CGALVersions.h' |
   complain "Version checks outside Filters/Remeshing/CGALVersions.h"
+git grep -nE '(->|[.])Update(WholeExtent|Piece|TimeStep)?[(][)]' -- 'Filters/*.cxx' 'Readers/*.cxx' \
+  ':!Filters/Core/InnerAlgorithm.cxx' | grep -v 'Advance->Update' |
+  complain "Algorithms inside of others whose errors are lost: UpdateInner (Filters/Core/InnerAlgorithm.h)"
 git grep -nIE '"/(work|tmp|home|root)/' -- '*.cxx' '*.h' '*.py' '*.md' '*.txt' '*.cmake' '*.xml' |
   complain "Paths of one machine"
 git ls-files -z | xargs -0 -r stat -c '%s %n' 2>/dev/null | awk '$1 > 200000' |

@@ -76,6 +76,10 @@ class Check(unittest.TestCase):
                 self.write("Filters/Core/Bad.cxx", "void f()\n{\n  " + statement + "\n}\n")
                 self.assert_complains("Filters/Core/Bad.cxx:3: ")
 
+    def test_inner_algorithm(self):
+        self.write("Filters/Imaging/vtkBad.cxx", "void f() { smoother->Update(); }\n")
+        self.assert_complains("Algorithms inside of others whose errors are lost")
+
     def test_path_of_one_machine(self):
         self.write("Testing/Bad.py", 'DATA = "' + '/ho' + 'me/me/data"\n')
         self.assert_complains("Paths of one machine")

@@ -7,12 +7,11 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
+#include "Core/InnerAlgorithm.h"
 #include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 #include "vtkChokingLoops.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
@@ -56,18 +55,11 @@ protected:
   int RequestData(
     vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override
   {
-    this->Found = this->FindLoops(vtkPolyData::GetData(input[0]), nullptr, output);
+    this->FindLoops(vtkPolyData::GetData(input[0]), nullptr, output);
     return 1;
   }
-
-public:
-  bool Found = false; ///< whether the last run came to its end
 };
 vtkStandardNewMacro(LoopsOfWholeSurface);
-
-/// What is handed on of the loops' algorithm.
-constexpr std::array<unsigned long, 3> InnerEventTypes{ vtkCommand::ProgressEvent,
-  vtkCommand::ErrorEvent, vtkCommand::WarningEvent };
 
 /// Nodes along each axis, origin, spacing and direction.
 std::array<double, 18> FrameOf(vtkImageData* image)
@@ -86,41 +78,6 @@ std::string RangeOf(vtkDataArray* scalars)
   scalars->GetFiniteRange(range, 0);
   return isthmus::TextOf("the map has values from ", range[0], " to ", range[1]);
 }
-
-/// What an algorithm inside of another one reports, handed on.
-struct InnerEvents
-{
-  explicit InnerEvents(vtkAlgorithm* outer)
-    : Outer(outer)
-    , Progress(isthmus::ProgressOf(outer))
-  {
-  }
-
-  vtkAlgorithm* Outer;
-  isthmus::ProgressCallback Progress;
-  std::string Error;
-
-  static void Follow(vtkObject*, unsigned long event, void* client, void* data)
-  {
-    auto* self = static_cast<InnerEvents*>(client);
-    if (event == vtkCommand::ProgressEvent)
-    {
-      self->Progress(*static_cast<double*>(data));
-      return;
-    }
-    // "ERROR: In FILE, line N\nCLASS (ADDRESS): MESSAGE\n\n"
-    std::string text(static_cast<const char*>(data));
-    const std::size_t start = text.find("): ");
-    text.erase(0, start == std::string::npos ? 0 : start + 3);
-    text.erase(text.find_last_not_of('\n') + 1);
-    if (event == vtkCommand::ErrorEvent)
-    {
-      self->Error = text;
-      return;
-    }
-    vtkWarningWithObjectMacro(self->Outer, << text);
-  }
-};
 
 /// ParaView's default of a level: the middle of the range.
 bool IsMiddle(double level, vtkDataArray* scalars)
@@ -323,30 +280,13 @@ void vtkMapChokingLoops::Contour(vtkImageData* image)
 
 void vtkMapChokingLoops::FindLoops(vtkInformationVector* output)
 {
-  InnerEvents events(this);
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetCallback(InnerEvents::Follow);
-  observer->SetClientData(&events);
-  std::array<unsigned long, 3> tags{};
-  std::transform(InnerEventTypes.begin(), InnerEventTypes.end(), tags.begin(),
-    [&](unsigned long event) { return this->Loops->AddObserver(event, observer); });
   this->Loops->SetContainerAlgorithm(this); // stops with this one
   this->Loops->SetInputData(this->Surface);
   this->Loops->Modified(); // an output that was stopped is not kept
   auto* loops = static_cast<LoopsOfWholeSurface*>(this->Loops.Get());
-  loops->Found = false;
-  loops->Update();
-  std::for_each(
-    tags.begin(), tags.end(), [this](unsigned long tag) { this->Loops->RemoveObserver(tag); });
-  if (!events.Error.empty())
-  {
-    throw std::runtime_error(events.Error);
-  }
-  isthmus::Report(events.Progress, 1.0); // leaves where it was stopped
-  if (!loops->Found)                     // its message is not issued where VTK's warnings are off
-  {
-    throw std::runtime_error("The choking loops of the map's surface were not found.");
-  }
+  isthmus::UpdateInner(loops, isthmus::ProgressOf(this),
+    [this](const std::string& warning) { vtkWarningMacro(<< warning); });
+  isthmus::Report(isthmus::ProgressOf(this), 1.0); // leaves where it was stopped
   for (int port = 0; port < SurfacePort; ++port)
   {
     vtkDataObject* const result = vtkDataObject::GetData(output, port);

@@ -5,6 +5,7 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
+#include "Core/InnerAlgorithm.h"
 #include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
@@ -12,9 +13,7 @@
 #include "Persistence/PersistenceCache.h"
 #include "vtkChokingLoops.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
-#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
@@ -156,18 +155,6 @@ void AddFact(vtkDataObject* output, const char* name, double value)
   isthmus::AddArray<vtkDoubleArray>(output->GetFieldData(), name, 1)->SetValue(0, value);
 }
 
-/// Hands the progress of the loops on.
-void FollowProgress(vtkObject*, unsigned long, void* client, void* fraction)
-{
-  (*static_cast<const isthmus::ProgressCallback*>(client))(*static_cast<double*>(fraction));
-}
-
-/// What the loops complain about is told as a warning: bridges, windows and levels stand without.
-void KeepComplaint(vtkObject*, unsigned long, void* client, void* text)
-{
-  *static_cast<std::string*>(client) += static_cast<const char*>(text);
-}
-
 }
 
 /// What one run works with.
@@ -298,18 +285,21 @@ void vtkMapHandles::FillSurfaces(const Work& work, vtkInformationVector* outputV
   vtkNew<vtkChokingLoops> loops;
   loops->SetInputData(surface);
   loops->SetContainerAlgorithm(this); // stops with this one
-  isthmus::ProgressCallback listener = isthmus::Between(progress, 0.4, 1.0);
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetCallback(FollowProgress);
-  observer->SetClientData(&listener);
-  loops->AddObserver(vtkCommand::ProgressEvent, observer);
-  vtkNew<vtkCallbackCommand> complaints;
-  std::string complaint;
-  complaints->SetCallback(KeepComplaint);
-  complaints->SetClientData(&complaint);
-  loops->AddObserver(vtkCommand::ErrorEvent, complaints);
-  loops->AddObserver(vtkCommand::WarningEvent, complaints);
-  loops->Update();
+  std::string complaint;              // bridges, windows and levels are valid without the loops
+  const auto complain = [&](const std::string& message)
+  { complaint += (complaint.empty() ? "" : " ") + message; };
+  try
+  {
+    isthmus::UpdateInner(loops, isthmus::Between(progress, 0.4, 1.0), complain);
+  }
+  catch (const isthmus::Cancelled&)
+  {
+    throw;
+  }
+  catch (const std::runtime_error& error)
+  {
+    complain(error.what());
+  }
   isthmus::Report(progress, 1.0); // leaves where it was stopped
   if (!complaint.empty())
   {

@@ -3,6 +3,7 @@
 #include "ChokingLoops/OffsetSurface.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
+#include "Core/InnerAlgorithm.h"
 #include "Core/PolyDataTriangles.h"
 
 #include <vtkDoubleArray.h>
@@ -75,7 +76,7 @@ int vtkOffsetSurface::RequestData(
       contour->SetValue(0, this->Distance);
       contour->ComputeNormalsOn();
       contour->ComputeScalarsOff(); // the distance everywhere, which would be the colour
-      contour->Update();
+      isthmus::UpdateInner(contour);
       isthmus::Report(isthmus::ProgressOf(this), 1.0);
       result->ShallowCopy(contour->GetOutput());
       result->SetPoints(InWorld(contour->GetOutput()->GetPoints(), grid));

@@ -1,6 +1,7 @@
 #include "Contouring/ClosedLevelSet.h"
 
 #include "Core/ImageScalars.h"
+#include "Core/InnerAlgorithm.h"
 #include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 #include "Core/TrilinearField.h"
@@ -125,7 +126,7 @@ ClosedLevelSet Close(const GridView<const T>& grid, double level, bool insideIsH
   edges->SetValue(0, level);
   edges->ComputeNormalsOff();
   edges->ComputeScalarsOff();
-  edges->Update();
+  UpdateInner(edges);
   result.Guide = MeshOf(edges->GetOutput());
   return result;
 }

@@ -31,6 +31,7 @@ vtkMTimeType LastChange(vtkAlgorithm* self)
 
 void ReportError(vtkAlgorithm* self, const std::string& message)
 {
+  SetFailure(self, message);
   const std::string words = std::to_string(LastChange(self)) + ' ' + message;
   const char* last = LastWords()->Get(self->GetInformation());
   if (last && words == last)

@@ -6,6 +6,7 @@
 #ifndef isthmus_AlgorithmGuard_h
 #define isthmus_AlgorithmGuard_h
 
+#include "Core/InnerAlgorithm.h"
 #include "Core/PipelineInputs.h"
 #include "Core/Progress.h"
 #include "vtkIsthmusFiltersCoreModule.h"
@@ -51,6 +52,7 @@ namespace guard
 template <typename Body>
 bool Ends(vtkAlgorithm* self, Body&& body)
 {
+  SetFailure(self, {});
   try
   {
     CheckInputs(self);

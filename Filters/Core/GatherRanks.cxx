@@ -1,5 +1,7 @@
 #include "Core/GatherRanks.h"
 
+#include "Core/InnerAlgorithm.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
@@ -225,7 +227,7 @@ vtkSmartPointer<vtkPolyData> GatherSurface(vtkAlgorithm* filter, vtkPolyData* pi
     }
     if (append->GetNumberOfInputConnections(0) > 0)
     {
-      append->Update();
+      UpdateInner(append);
       whole = Sewn(append->GetOutput());
     }
   }

@@ -1,8 +1,8 @@
 #include "Curvature/GaussianSmoothing.h"
 
+#include "Core/InnerAlgorithm.h"
 #include "Core/RangeChecks.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
@@ -25,17 +25,6 @@ constexpr double cutOff = 4.0;
 double Deviation(double scale, double spacing)
 {
   return scale / std::abs(spacing);
-}
-
-/// Hands the smoother's progress on, and a stop back to it.
-void FollowProgress(vtkObject* caller, unsigned long, void* client, void* fraction)
-{
-  auto* smoother = static_cast<vtkImageGaussianSmooth*>(caller);
-  const auto& progress = *static_cast<const ProgressCallback*>(client);
-  if (!progress(*static_cast<double*>(fraction)))
-  {
-    smoother->SetAbortExecute(1);
-  }
 }
 
 }
@@ -89,19 +78,7 @@ vtkSmartPointer<vtkDataArray> SmoothAtScale(
   smoother->SetStandardDeviations(
     Deviation(scale, spacing[0]), Deviation(scale, spacing[1]), Deviation(scale, spacing[2]));
   smoother->SetRadiusFactors(cutOff, cutOff, cutOff);
-  ProgressCallback listener = progress;
-  vtkNew<vtkCallbackCommand> observer;
-  if (progress)
-  {
-    observer->SetCallback(FollowProgress);
-    observer->SetClientData(&listener);
-    smoother->AddObserver(vtkCommand::ProgressEvent, observer);
-  }
-  smoother->Update();
-  if (smoother->GetAbortExecute())
-  {
-    throw Cancelled();
-  }
+  UpdateInner(smoother, progress);
   return smoother->GetOutput()->GetPointData()->GetScalars();
 }
 

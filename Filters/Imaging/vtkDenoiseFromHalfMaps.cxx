@@ -2,9 +2,9 @@
 
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
+#include "Core/InnerAlgorithm.h"
 #include "vtkHighOrderDiffusion.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -66,12 +66,6 @@ void RequireSameNodes(vtkImageData* one, vtkImageData* other)
     throw std::invalid_argument("The half maps do not have the same nodes: take two halves of one "
                                 "reconstruction, with the same box, spacing and origin.");
   }
-}
-
-void ForwardProgress(vtkObject* caller, unsigned long, void* self, void*)
-{
-  static_cast<vtkAlgorithm*>(self)->UpdateProgress(
-    static_cast<vtkAlgorithm*>(caller)->GetProgress());
 }
 
 /// The mean of both as `mean`; returns the standard deviation of half their difference.
@@ -157,11 +151,8 @@ void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtk
   diffusion->SetMaskInvalid(true);
   diffusion->SetController(nullptr);      // every rank has all of the volume
   diffusion->SetContainerAlgorithm(this); // stops with this one
-  vtkNew<vtkCallbackCommand> forward;
-  forward->SetClientData(this);
-  forward->SetCallback(ForwardProgress);
-  diffusion->AddObserver(vtkCommand::ProgressEvent, forward);
-  diffusion->Update();
+  isthmus::UpdateInner(diffusion, isthmus::ProgressOf(this),
+    [this](const std::string& warning) { vtkWarningMacro(<< warning); });
   isthmus::Report(isthmus::ProgressOf(this), 1.0); // leaves where it was stopped
   output->ShallowCopy(diffusion->GetOutput());
 }

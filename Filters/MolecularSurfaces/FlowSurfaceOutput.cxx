@@ -1,5 +1,6 @@
 #include "MolecularSurfaces/FlowSurfaceOutput.h"
 
+#include "Core/InnerAlgorithm.h"
 #include "Core/NamedColumns.h"
 #include "Core/ParallelFor.h"
 
@@ -111,7 +112,7 @@ void ContourImage(
   contour->ComputeNormalsOn();
   contour->ComputeGradientsOff();
   contour->ComputeScalarsOff();
-  contour->Update();
+  UpdateInner(contour);
   surface->ShallowCopy(contour->GetOutput());
 }
 

@@ -3,6 +3,7 @@
 #include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/ImageExtent.h"
+#include "Core/InnerAlgorithm.h"
 #include "Core/NumberText.h"
 #include "Core/PipelineInputs.h"
 #include "Core/RangeChecks.h"
@@ -230,10 +231,23 @@ void vtkMolecularFlowSurface::Internals::Surface(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, ofS ? "S" : "SignedDistance");
   delaunay->SetLevel(ofS ? this->Self->Level : this->Offset());
   delaunay->SetInsideIsHigher(ofS);
-  delaunay->Update();
+  try
+  {
+    isthmus::UpdateInner(delaunay, isthmus::Between(isthmus::ProgressOf(this->Self), 0.9, 1.0),
+      [this](const std::string& warning) { vtkWarningWithObjectMacro(this->Self, << warning); });
+  }
+  catch (const isthmus::Cancelled&)
+  {
+    throw;
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw std::runtime_error("Delaunay refinement of the surface failed: " +
+      std::string(error.what()) + " Or switch DelaunayQuality off.");
+  }
   if (delaunay->GetOutput()->GetNumberOfPoints() == 0)
   {
-    throw std::runtime_error("Delaunay refinement of the surface failed, as told before: switch "
+    throw std::runtime_error("Delaunay refinement of the surface found nothing: switch "
                              "DelaunayQuality off, or choose another Spacing.");
   }
   surface->ShallowCopy(delaunay->GetOutput());

@@ -1,5 +1,6 @@
 #include "Pockets/PoreOutput.h"
 
+#include "Core/InnerAlgorithm.h"
 #include "Pockets/PoreRadius.h"
 
 #include <vtkCellArray.h>
@@ -291,7 +292,7 @@ void FillTubes(vtkPolyData* lines, vtkPolyData* output)
   tube->SetInputData(positive);
   tube->SetVaryRadiusToVaryRadiusByAbsoluteScalar();
   tube->SetNumberOfSides(24);
-  tube->Update();
+  UpdateInner(tube);
   output->ShallowCopy(tube->GetOutput());
   output->GetPointData()->RemoveArray("TubeWidth");
   output->GetPointData()->SetActiveScalars("WidthClass");

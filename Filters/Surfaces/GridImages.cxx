@@ -1,6 +1,7 @@
 #include "Surfaces/GridImages.h"
 
 #include "Core/ImageScalars.h"
+#include "Core/InnerAlgorithm.h"
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
@@ -73,7 +74,7 @@ vtkSmartPointer<vtkPolyData> IsosurfaceInGridAxes(
   contour->SetValue(0, level);
   contour->ComputeNormalsOff();
   contour->ComputeScalarsOff();
-  contour->Update();
+  UpdateInner(contour);
   return contour->GetOutput();
 }
 
