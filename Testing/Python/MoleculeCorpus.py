@@ -3,9 +3,8 @@
     ISTHMUS_CORPUS_DIR      the folder; without it this test is skipped
     ISTHMUS_CORPUS_PYTHON   a Python with the other readers; else the one on the path
 
-Each folder in it is the test suite of a package. The guide's table was made from the files of
-project-gemmi/gemmi, MDAnalysis/mdanalysis, chemfiles/tests-data and biotite-dev/biotite;
-Testing/Data/molecule_corpus.txt lists the commits and paths.
+Each folder in it is the test suite of a package. Testing/Data/molecule_corpus.txt lists repositories, commits
+and paths of those in the table of Readers/Molecules/Agreement.md.
 
 For each file, the first model is compared: atoms with all alternate locations, elements, names of
 chains, residues (chain, number, insertion code, name), and the number of models. A quantity agrees if

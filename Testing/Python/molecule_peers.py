@@ -9,7 +9,9 @@ A quantity that a reader does not give is missing. Atoms are those of the first 
 alternate locations. Residues are counted by chain, number, insertion code and name.
 """
 
+import bz2
 import collections
+import gzip
 import json
 import sys
 import warnings
@@ -135,8 +137,13 @@ def by_mdanalysis(path):
 def by_chemfiles(path):
     if chemfiles is None:
         return None
-    name = path.lower()
-    form = ("Tinker" if ".txyz" in name or ".arc" in name else "")
+    name = path.lower().removesuffix(".gz").removesuffix(".bz2")
+    form = "SDF" if name.endswith(".mol") else "Tinker" if name.endswith((".txyz", ".arc")) else ""
+    if name.endswith(".xyz"):  # TINKER's have the same extension: atoms begin with their number
+        opener = gzip.open if path.endswith(".gz") else bz2.open if path.endswith(".bz2") else open
+        with opener(path, "rt", errors="replace") as file:
+            words = [file.readline().split() for _ in range(3)][-1]
+        form = "Tinker" if len(words) > 5 and words[0] == "1" and words[1][0].isalpha() else ""
     with chemfiles.Trajectory(path, "r", form) as trajectory:
         steps = trajectory.nsteps
         frame = trajectory.read()
@@ -153,7 +160,7 @@ def by_chemfiles(path):
                     [residue_of.get(i, none) for i in range(len(atoms))] if residue_of else None,
                     [residue_of.get(i, none)[0] for i in range(len(atoms))] if residue_of else None)
     # Types are names where the format has no elements, and numbers of a force field in TINKER's.
-    if residue_of and all(atom.type == atom.name for atom in atoms) or form:
+    if residue_of and all(atom.type == atom.name for atom in atoms) or form == "Tinker":
         del found["elements"]
     return found
 
