@@ -10,6 +10,7 @@ jobs=$(nproc)
 # Packages of Debian and Ubuntu. A name may be
 #   A|B          the first of these that the archive has
 #   qt5:A        only where ParaView is linked to this version of Qt
+#   vtk9:A       only where ParaView is linked to VTK of another package (from Debian's 6.1 on)
 #   optional:A   left out, with a message, where the archive does not have it
 #   A-CLANG-B    with the version of the package `clang` for CLANG
 
@@ -26,6 +27,7 @@ paraview_packages=(
   qt5:qtbase5-dev qt5:libqt5svg5-dev qt5:libqt5opengl5-dev qt5:qttools5-dev qt5:libqt5x11extras5-dev
   qt5:libqt5xmlpatterns5-dev qt5:qtxmlpatterns5-dev-tools
   qt6:qt6-base-dev qt6:qt6-tools-dev qt6:qt6-svg-dev qt6:qt6-5compat-dev qt6:qt6-svg-plugins qt6:xsltproc
+  vtk9:libvtk9-dev
   libopenmpi-dev python3-dev
   libdouble-conversion-dev libexpat1-dev libfreetype-dev libgl2ps-dev libglew-dev
   libhdf5-openmpi-dev libjpeg-dev libpng-dev libtiff-dev liblz4-dev liblzma-dev libnetcdf-dev
@@ -51,22 +53,22 @@ peer_packages=(libinsighttoolkit5-dev python3-skimage)
 
 say() { printf '\n== %s\n' "$*"; }
 
-# depends_on NAME PATTERN: the part in parentheses of the first dependency of package NAME that matches.
+# depends_on NAME PATTERN: the part in parentheses of the last dependency of package NAME that matches.
 depends_on()
 {
-  apt-cache depends "$1" 2>/dev/null | sed -nE "s/^ *Depends: $2\$/\\1/p" | head -n 1
+  apt-cache depends "$1" 2>/dev/null | sed -nE "s/^ *Depends: $2\$/\\1/p" | tail -n 1
 }
 
 # choose_packages NAME...: sets `chosen` to the names that this system's archive has, as explained
 # above; ends where it lacks one that is not optional.
 choose_packages()
 {
-  local entry name alternative qt clang archive lacking=() left_out=()
+  local entry name alternative qt vtk clang archive lacking=() left_out=()
   qt=$(depends_on paraview 'libqt([0-9]+)core.*')
+  vtk=$(depends_on paraview 'libvtk([0-9]+).*')
   clang=$(depends_on clang 'clang-([0-9]+)')
   archive=$(for entry in "$@"; do
-    name=${entry#optional:}
-    printf '%s\n' "${name#qt[0-9]:}" | tr '|' '\n'
+    printf '%s\n' "${entry#*:}" | tr '|' '\n'
   done | sed "s/CLANG/$clang/" | xargs apt-cache policy 2>/dev/null |
     awk '/^[^ ].*:$/ { name = substr($1, 1, length($1) - 1) }
       /^ +Candidate:/ && $2 != "(none)" { print name }')
@@ -74,9 +76,9 @@ choose_packages()
   for entry in "$@"; do
     case $entry in
       qt[0-9]:*) [ "${entry%%:*}" = "qt$qt" ] || continue ;;
+      vtk[0-9]:*) [ "${entry%%:*}" = "vtk$vtk" ] || continue ;;
     esac
-    name=${entry#optional:}
-    name=${name#qt[0-9]:}
+    name=${entry#*:}
     name=${name/CLANG/$clang}
     for alternative in ${name//|/ }; do
       if grep -qxF -- "$alternative" <<<"$archive"; then

@@ -43,6 +43,9 @@ if [ "${ISTHMUS_RELEASE_INSIDE:-}" != yes ]; then
     "${BASH_SOURCE[0]}" "$suite" "$@"
 fi
 
+# The first process of its own tree hears signals only where it handles them.
+trap 'exit 130' INT TERM
+
 say() { printf '\n== %s\n' "$*"; }
 
 mkdir -p "$logs"

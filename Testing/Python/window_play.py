@@ -24,8 +24,11 @@ BUTTON = "pqClientMainWindow/Isthmus/1QToolButton%d"
 PANEL = ("pqClientMainWindow/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/"
          "scrollAreaWidgetContents/PropertiesFrame/ProxyPanel/")
 MENU = "pqClientMainWindow/menubar/menuFilters/Isthmus"
-# Apply, in a window of 1600 x 1000.
-APPLY_AT = (48, 508)
+# From 5.13 on the menu of a category is made when the menu Filters opens.
+OPEN_MENU = (("pqClientMainWindow/menubar", "activate", "menuFilters"),
+             ("pqClientMainWindow/menubar/menuFilters", "activate", "Isthmus"))
+# The status bar, in a window of 1600 x 1000: a click there gives the window the keyboard, and does no more.
+STATUS_BAR = (300, 987)
 
 
 def button(index):
@@ -50,8 +53,9 @@ def write_script(path, events):
     begin = () if NOTHING_TO_APPLY in events else (APPLY,)
     pause = ("pqClientMainWindow", "pause", "4000")
     lines = ['<?xml version="1.0" ?>', "<pqevents>"]
-    lines += [line_of(*event)
-              for event in (pause, *begin, *events, ("pqClientMainWindow", "pause", "1000"))]
+    for event in (pause, *begin, *events, ("pqClientMainWindow", "pause", "1000")):
+        lines += [line_of(*each) for each in (OPEN_MENU if event[0] == MENU else ())]
+        lines.append(line_of(*event))
     path.write_text("\n".join(lines + ["</pqevents>"]) + "\n")
 
 
@@ -98,9 +102,10 @@ def answer(places):
             break
         time.sleep(2)
     widen()
-    for _ in range(3):  # while the panel is not yet there the click is lost, and after it Apply is grey
+    for _ in range(3):  # while the panel is not yet there the key is lost, and after it Apply is grey
         time.sleep(2)
-        click(*APPLY_AT)
+        click(*STATUS_BAR)
+        subprocess.run(["xdotool", "key", "alt+a"], check=True)
 
 
 def press(keys):
