@@ -199,7 +199,7 @@ def scene(surface, loops, direction):
     points = vtk_to_numpy(output(surface).GetPoints().GetData()).astype(float)
     size = numpy.linalg.norm(points.max(axis=0) - points.min(axis=0))
     # Its name up to ParaView 5.12, and from 5.13 on.
-    normals = getattr(simple, "GenerateSurfaceNormals", None) or simple.SurfaceNormals
+    normals = getattr(simple, "SurfaceNormals", None) or simple.GenerateSurfaceNormals
     smooth = normals(Input=surface, Splitting=0)
     paint(simple.Show(smooth, view), GREY, 0.30, 0.2)
     show_tubes(loops, (HANDLE, TUNNEL), RED, 0.0042 * size, view)
