@@ -61,18 +61,19 @@ std::string Capitals(std::string_view text)
   return capitals;
 }
 
+constexpr int LastStable = 83; ///< bismuth, nearly
+
 /// Whether a name is a symbol of two letters, where only that makes sense: "Li", "Cl2" with a small
 /// letter; "IR", "PT" alone, but not "CA", "HG", "NE", "OS", "PB", "SG", whose first letters are
 /// those of the atoms that most molecules consist of.
 bool IsSymbolOfTwoLetters(std::string_view name, std::string_view letters)
 {
-  constexpr int lastStable = 83;
   if (letters.size() != 2)
   {
     return false;
   }
   const int element = ElementOfSymbol(letters);
-  if (element == 0 || element > lastStable)
+  if (element == 0 || element > LastStable)
   {
     return false;
   }
@@ -143,7 +144,16 @@ int ElementOfIon(std::string_view nameOfAtom, std::string_view nameOfResidue)
   }
   const bool isNamedAlike = residueName.substr(0, letters.size()) == letters &&
     (residueName.size() == letters.size() || !IsLetter(residueName[letters.size()]));
-  return isNamedAlike ? ElementOfSymbol(letters) : 0;
+  if (isNamedAlike)
+  {
+    return ElementOfSymbol(letters);
+  }
+  // Oxidation states of the PDB: 3CO, 4MO.
+  const std::size_t digits =
+    std::min(residueName.find_first_not_of("0123456789"), residueName.size());
+  const bool isState = digits > 0 && letters.size() == 2 && residueName.substr(digits) == letters;
+  const int element = isState ? ElementOfSymbol(letters) : 0;
+  return element <= LastStable ? element : 0;
 }
 
 int ElementOfAtomName(std::string_view name, std::string_view residueName)

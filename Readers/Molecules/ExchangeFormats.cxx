@@ -238,6 +238,12 @@ Atom ReadGROAtom(
   {
     atom.Position[axis] = angstromOfNanometre *
       FiniteNumber(Columns(line, 20 + width * axis, width), lines, "a coordinate");
+    constexpr double largest = 1e9;
+    if (std::abs(atom.Position[axis]) > largest)
+    {
+      lines.Fail("a coordinate is larger than " + std::to_string(static_cast<int>(largest)) +
+        " angstrom. Is the file whole, and what its name says?");
+    }
     // 1.234 nm is 12.34 angstrom, and not the double beside it.
     atom.Position[axis] = std::round(atom.Position[axis] * 1e9) / 1e9;
   }

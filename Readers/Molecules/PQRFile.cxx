@@ -2,6 +2,7 @@
 
 #include "Atoms/ChemicalElement.h"
 #include "Files/TextLines.h"
+#include "Molecules/AtomElements.h"
 
 #include <cctype>
 #include <cmath>
@@ -120,6 +121,14 @@ bool ReadColumns(std::string_view line, Atom& atom)
   return !atom.Name.empty();
 }
 
+/// Atoms of amino acids, nucleotides and so on are none, whatever their names.
+bool IsDummy(const Atom& atom)
+{
+  const ResidueFamily family = FamilyOfResidue(atom.ResidueName);
+  return (family == ResidueFamily::Unknown || family == ResidueFamily::Water) &&
+    IsDummyName(atom.Name);
+}
+
 void CheckValues(const Atom& atom, const TextLines& lines)
 {
   for (const double value :
@@ -142,6 +151,7 @@ Macromolecule ParsePQR(std::string_view text, const std::string& path, std::int6
   const ProgressCallback& progress)
 {
   Macromolecule molecule;
+  std::size_t dummies = 0;
   TextLines lines(text, path, progress);
   bool inModel = false;
   Atom atom;
@@ -167,12 +177,23 @@ Macromolecule ParsePQR(std::string_view text, const std::string& path, std::int6
     if (molecule.NumberOfModels - 1 == model)
     {
       atom.IsHetero = hetero;
-      if (atom.Element == 0)
+      if (atom.Element == 0 && IsDummy(atom))
+      {
+        ++dummies;
+      }
+      else if (atom.Element == 0)
       {
         atom.Element = ElementOfAtomName(atom.Name, atom.ResidueName);
       }
       molecule.Atoms.push_back(atom);
     }
+  }
+  if (dummies > 0)
+  {
+    molecule.Notes.push_back(
+      "Ghost or dummy atoms and virtual sites, with the radii of the file and "
+      "without element (0): " +
+      std::to_string(dummies) + ".");
   }
   return molecule;
 }

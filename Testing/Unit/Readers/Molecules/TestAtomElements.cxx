@@ -200,6 +200,9 @@ TEST(AtomElements, MetalsAreKnownByTheirLigands)
   EXPECT_EQ(centre("Br1", 1.9), "Br");
   EXPECT_EQ(ElementOfAtomName("Li", "LI"), 3); // of GRO files
   EXPECT_EQ(ElementOfAtomName("IR1", "LIG"), 53);
+  EXPECT_EQ(ElementOfAtomName("CO", "3CO"), 27); // oxidation states of the PDB
+  EXPECT_EQ(ElementOfAtomName("PA", "1PA"), 15);
+  EXPECT_EQ(ElementOfAtomName("C1", "1CO"), 6);
   EXPECT_EQ(ElementOfAtomName("HG", "LIG"), 1);
   EXPECT_EQ(ElementOfAtomName("Cd1", "LEU"), 6);
 }

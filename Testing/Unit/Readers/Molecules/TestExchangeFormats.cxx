@@ -186,6 +186,9 @@ TEST(ExchangeFormats, GROInAngstrom)
     WhyRefused("t\n2\n    1SOL     OW    1   0.126   1.624   1.679\n", MoleculeFormat::GRO),
     "within a molecule");
   EXPECT_PART(WhyRefused("t\nmany\n", MoleculeFormat::GRO), "line 2");
+  EXPECT_PART(
+    WhyRefused("t\n1\n    1SOL     OW    1   0.1261e300   1.678\n1 1 1\n", MoleculeFormat::GRO),
+    "larger than");
 }
 
 TEST(ExchangeFormats, MOL2)

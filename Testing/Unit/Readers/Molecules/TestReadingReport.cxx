@@ -208,6 +208,21 @@ TEST(ReadingReport, XYZAndTinker)
   ExpectCounts(tinker, { "mean no element (Element is 0): 1 (first: **)." });
 }
 
+TEST(ReadingReport, PQR)
+{
+  const Macromolecule molecule =
+    Read("ATOM 1 O WAT 1 0 0 0 0.0 1.7\nATOM 2 EPW WAT 1 0 0 0.2 -1.0 0.0\n"
+         "ATOM 3 Bq LIG 2 9 0 0 0.0 1.5\nATOM 4 CO 3CO 3 19 0 0 3.0 1.0\n"
+         "ATOM 5 NA HEM 4 29 0 0 0.0 1.5\n",
+      MoleculeFormat::PQR);
+  EXPECT_EQ(ElementsOf(molecule), "O X X Co N ");
+  EXPECT_EQ(molecule.Atoms[2].Radius, 1.5); // the file's
+  EXPECT_TRUE(Mention(molecule.Notes,
+    "Ghost or dummy atoms and virtual sites, with the radii of the file and without element (0): "
+    "2."));
+  EXPECT_TRUE(molecule.Warnings.empty());
+}
+
 TEST(ReadingReport, MMCIF)
 {
   const std::string head = "data_x\nloop_\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n"
