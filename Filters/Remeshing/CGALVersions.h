@@ -13,7 +13,13 @@
 #include <CGAL/version.h>
 
 #define ISTHMUS_CGAL_6 (CGAL_VERSION_NR >= 1060000000)
+#define ISTHMUS_CGAL_6_2 (CGAL_VERSION_NR >= 1060200000)
 
+#if ISTHMUS_CGAL_6_2
+#include <CGAL/boost/graph/border.h>
+#else
+#include <CGAL/Polygon_mesh_processing/border.h>
+#endif
 #if ISTHMUS_CGAL_6
 #include <CGAL/AABB_traits_3.h>
 #else
@@ -52,6 +58,19 @@ void RemoveNeedlesAndCaps(const Faces& faces, SurfaceMesh& mesh, double capCosin
   CGAL::Polygon_mesh_processing::experimental::remove_almost_degenerate_faces(
     faces, mesh, capCosine, needleRatio, collapseLength);
 #endif
+}
+
+/// One halfedge of each border. From CGAL 6.2 on the function is one of CGAL itself, with a header
+/// of its own.
+inline std::vector<SurfaceMesh::Halfedge_index> BorderCycles(const SurfaceMesh& mesh)
+{
+  std::vector<SurfaceMesh::Halfedge_index> borders;
+#if ISTHMUS_CGAL_6_2
+  CGAL::extract_boundary_cycles(mesh, std::back_inserter(borders));
+#else
+  CGAL::Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(borders));
+#endif
+  return borders;
 }
 
 /// Fills the hole at `border` with triangles and returns them; none where that fails. From CGAL 6.0

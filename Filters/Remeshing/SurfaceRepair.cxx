@@ -23,7 +23,6 @@
 #pragma GCC diagnostic pop
 #endif
 
-#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -93,10 +92,8 @@ Soup WithoutCracks(const SurfaceView& mesh, const SurfaceDefects& defects, Surfa
 /// Number of holes filled; those that can't be stay open.
 std::size_t FillHoles(SurfaceMesh& mesh)
 {
-  std::vector<SurfaceMesh::Halfedge_index> borders;
-  PMP::extract_boundary_cycles(mesh, std::back_inserter(borders));
   std::size_t filled = 0;
-  for (const auto border : borders)
+  for (const auto border : cgal::BorderCycles(mesh))
   {
     filled += cgal::FillHole(mesh, border).empty() ? 0 : 1;
   }
