@@ -242,6 +242,7 @@ int vtkTetCutaway::RequestData(
     [&]()
     {
       isthmus::RequireOneRank(this, input, "cells");
+      isthmus::RequirePlaces(input, "the cells");
       isthmus::WithMap(input, isthmus::Between(progress, 0.0, 0.6), cut);
     });
 }

@@ -162,6 +162,7 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
     return;
   }
   this->Kept.reset();
+  isthmus::RequirePlaces(vtkPointSet::SafeDownCast(grid), "the mesh");
   std::fill_n(this->StageTimes, 5, 0.0);
   const auto progress = isthmus::Between(isthmus::ProgressOf(this), 0.0, AnalysisPart);
   auto made = std::make_unique<Cache>();

@@ -194,6 +194,7 @@ int vtkLoopShortening::RequestData(
   return isthmus::Guarded(this, output,
     [&]
     {
+      isthmus::RequirePlaces(loops, "the loops");
       const auto whole =
         isthmus::GatherSurface(this, vtkPolyData::GetData(input[1]), isthmus::GatherOn::EachRank);
       const vtkIdType count = loops->GetNumberOfLines();

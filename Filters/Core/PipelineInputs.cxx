@@ -1,6 +1,7 @@
 #include "Core/PipelineInputs.h"
 
 #include "Core/GatherRanks.h"
+#include "Core/NumberText.h"
 
 #include <vtkAbstractArray.h>
 #include <vtkAlgorithm.h>
@@ -9,14 +10,25 @@
 #include <vtkCommand.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataObject.h>
+#include <vtkDataSet.h>
 #include <vtkDataSetAttributes.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkIdList.h>
 #include <vtkInformation.h>
 #include <vtkInformationStringVectorKey.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace isthmus
 {
@@ -65,6 +77,105 @@ void DemandWholeArrays(vtkDataObject* data)
   }
 }
 
+/// Filters compute with all points and cells: those hidden from view would count, unseen.
+void RefuseHidden(vtkDataObject* data, int port)
+{
+  for (const auto& [kind, bit, elements] :
+    { std::tuple<int, unsigned char, const char*>{
+        vtkDataObject::POINT, vtkDataSetAttributes::HIDDENPOINT, "points" },
+      { vtkDataObject::CELL, vtkDataSetAttributes::HIDDENCELL, "cells" } })
+  {
+    const bool has = vtkDataSet::SafeDownCast(data) != nullptr;
+    vtkUnsignedCharArray* const ghosts = has ? data->GetGhostArray(kind) : nullptr;
+    if (!ghosts)
+    {
+      continue;
+    }
+    const unsigned char* const first = ghosts->GetPointer(0);
+    const auto hidden = std::count_if(first, first + ghosts->GetNumberOfValues(),
+      [bit = bit](unsigned char type) { return (type & bit) != 0; });
+    if (hidden > 0)
+    {
+      throw std::invalid_argument(std::to_string(hidden) + " " + elements + " of " + "input " +
+        std::to_string(port) +
+        " are hidden (array vtkGhostType), but this filter cannot leave them out. Extract what is "
+        "visible first (Threshold by vtkGhostType), or remove the array.");
+    }
+  }
+}
+
+template <typename T>
+vtkIdType FirstNotFinite(const T* values, vtkIdType begin, vtkIdType count)
+{
+  const T* const end = values + count;
+  return std::find_if(values + begin, end, [](T x) { return !std::isfinite(x); }) - values;
+}
+
+/// The first value from `begin` on that is not finite, or their number.
+vtkIdType FirstNotFinite(vtkDataArray* values, vtkIdType begin)
+{
+  const vtkIdType count = values->GetNumberOfValues();
+  if (auto* const floats = vtkArrayDownCast<vtkFloatArray>(values))
+  {
+    return FirstNotFinite(floats->GetPointer(0), begin, count);
+  }
+  if (auto* const doubles = vtkArrayDownCast<vtkDoubleArray>(values))
+  {
+    return FirstNotFinite(doubles->GetPointer(0), begin, count);
+  }
+  const int components = values->GetNumberOfComponents();
+  while (begin < count &&
+    std::isfinite(values->GetComponent(begin / components, static_cast<int>(begin % components))))
+  {
+    ++begin;
+  }
+  return begin;
+}
+
+std::vector<bool> UsedPoints(vtkPointSet* data)
+{
+  std::vector<bool> used(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    data->GetCellPoints(cell, ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      const auto id = static_cast<std::size_t>(ids->GetId(i));
+      if (id < used.size())
+      {
+        used[id] = true;
+      }
+    }
+  }
+  return used;
+}
+
+}
+
+void RequirePlaces(vtkPointSet* data, const std::string& name)
+{
+  vtkDataArray* const values = data && data->GetPoints() ? data->GetPoints()->GetData() : nullptr;
+  const vtkIdType count = values ? values->GetNumberOfValues() : 0;
+  std::vector<bool> used; // for what has points that are nowhere
+  for (vtkIdType at = 0; values && (at = FirstNotFinite(values, at)) < count; ++at)
+  {
+    const vtkIdType point = at / 3;
+    if (used.empty())
+    {
+      used = data->GetNumberOfCells() > 0
+        ? UsedPoints(data)
+        : std::vector<bool>(static_cast<std::size_t>(data->GetNumberOfPoints()), true);
+    }
+    if (used[static_cast<std::size_t>(point)])
+    {
+      double p[3];
+      data->GetPoint(point, p);
+      throw std::invalid_argument(
+        TextOf("Point ", point, " of ", name, " is at (", p[0], ", ", p[1], ", ", p[2],
+          "), which is not finite: correct its position, or remove the point and its cells."));
+    }
+  }
 }
 
 void CheckInputs(vtkAlgorithm* self)
@@ -84,6 +195,7 @@ void CheckInputs(vtkAlgorithm* self)
       if (data)
       {
         DemandWholeArrays(data);
+        RefuseHidden(data, port);
       }
     }
   }

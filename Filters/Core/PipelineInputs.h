@@ -15,14 +15,21 @@
 #include <string>
 
 class vtkAlgorithm;
+class vtkPointSet;
 
 namespace isthmus
 {
 
 /// @throws std::invalid_argument, naming both types, if an input does not have a type that its port
 /// requires; naming the array, if one has fewer values than there are points (cells, rows ...) and
-/// would be read beyond its end. Guarded (AlgorithmGuard.h) calls it first. O(arrays).
+/// would be read beyond its end; and for points or cells that are hidden (vtkGhostType), which no
+/// filter can leave out. Guarded (AlgorithmGuard.h) calls it first. O(arrays + ghost types).
 VTKISTHMUSFILTERSCORE_EXPORT void CheckInputs(vtkAlgorithm* self);
+
+/// @throws std::invalid_argument, naming the point, if one is at a position that is not finite;
+/// points that no cell uses are not looked at where there are cells. `name`: "the surface". For
+/// filters whose algorithm has no message of its own. O(points).
+VTKISTHMUSFILTERSCORE_EXPORT void RequirePlaces(vtkPointSet* data, const std::string& name);
 
 /**
  * Updates an input from RequestInformation, which filters do not do otherwise: for those that make

@@ -1,5 +1,7 @@
 #include "Pockets/FeatureInput.h"
 
+#include "Core/NumberText.h"
+#include "Core/PipelineInputs.h"
 #include "Pockets/PocketScore.h"
 
 #include <vtkCellData.h>
@@ -9,6 +11,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
+#include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkVariant.h>
@@ -70,6 +73,15 @@ std::vector<InputFeature> RowsOf(vtkTable* table)
     for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
     {
       const double radius = ValueOf(NumbersOf(data, "Radius"), row);
+      for (vtkDataArray* const coordinate : at)
+      {
+        if (!std::isfinite(coordinate->GetComponent(row, 0)))
+        {
+          throw std::invalid_argument(TextOf("Row ", row, " of the table has the ",
+            coordinate->GetName(), " ", coordinate->GetComponent(row, 0),
+            ", which is not finite: a feature without a place cannot be followed. Take it out."));
+        }
+      }
       features.push_back({ { { ValueOf(at[0], row), ValueOf(at[1], row), ValueOf(at[2], row) },
                              radius, {} },
         { radius, ValueOf(NumbersOf(data, "Volume"), row), ValueOf(NumbersOf(data, "Score"), row) },
@@ -293,8 +305,12 @@ std::vector<InputFeature> FeaturesOf(vtkDataObject* input, vtkTable* lining)
   const bool areBottlenecks = owner.IsPore && owner.Part;
   if (!owner.Whole || areBottlenecks)
   {
+    vtkNew<vtkPolyData> all; // each point counts, also those that no cell uses
+    all->SetPoints(points->GetPoints());
+    RequirePlaces(all, "the features");
     return PointsOf(points);
   }
+  RequirePlaces(points, "the features");
   auto features = GroupsOf(points, owner);
   if (lining && !owner.Part)
   {

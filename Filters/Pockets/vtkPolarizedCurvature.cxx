@@ -152,6 +152,7 @@ int vtkPolarizedCurvature::RequestData(
     {
       vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
       vtkImageData* image = vtkImageData::GetData(inputVector[1]);
+      isthmus::RequirePlaces(surface, "the surface");
       output->ShallowCopy(surface);
       if (surface->GetNumberOfPoints() == 0)
       {

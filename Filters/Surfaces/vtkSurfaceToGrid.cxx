@@ -20,7 +20,9 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -271,7 +273,18 @@ std::vector<double> vtkSurfaceToGrid::Distance(const isthmus::SurfaceView& mesh,
 void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkPolyData* crossings)
 {
   const GridShape shape = isthmus::ShapeOf(image);
-  vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
+  vtkSmartPointer<vtkDataArray> scalars = isthmus::ChosenScalars(this, image);
+  if (scalars->GetDataType() == VTK_BIT) // VTK finds no range and no contour of bits
+  {
+    const auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    bytes->SetName(scalars->GetName());
+    bytes->SetNumberOfValues(scalars->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+    {
+      bytes->SetValue(i, static_cast<unsigned char>(scalars->GetComponent(i, 0)));
+    }
+    scalars = bytes;
+  }
   isthmus::RequireRange("Level", this->Level, -std::numeric_limits<double>::max(),
     std::numeric_limits<double>::max(), "It is a value of the volume.");
   double range[2];
