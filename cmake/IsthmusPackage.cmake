@@ -27,7 +27,8 @@ string(CONCAT CPACK_DEBIAN_PACKAGE_DEPENDS
   "paraview (>= ${paraview_here}), paraview (<< ${ParaView_VERSION_MAJOR}.${next_minor}~), "
   "python3-paraview, tetgen, ${icons}")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "apbs")
-set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_SOURCE_DIR}/cmake/package/triggers")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA
+  "${CMAKE_CURRENT_SOURCE_DIR}/cmake/package/triggers" "${CMAKE_CURRENT_SOURCE_DIR}/cmake/package/prerm")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 "Readers and filters for cryo-EM maps, proteins and closed surfaces: denoising,
 surfaces, curvature, electrostatics at the surface, likely binding sites, and

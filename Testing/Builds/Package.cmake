@@ -34,6 +34,11 @@ foreach (name IN ITEMS paraview python3-paraview tetgen libgmp10 "libqt[56]core"
   endif ()
 endforeach ()
 
+execute_process(COMMAND dpkg-deb -I "${package}" prerm OUTPUT_VARIABLE prerm COMMAND_ERROR_IS_FATAL ANY)
+if (NOT prerm MATCHES "__pycache__")
+  message(FATAL_ERROR "${package} leaves compiled Python files behind when it is removed.")
+endif ()
+
 set(root "${folder}/root")
 run(dpkg-deb -x "${package}" "${root}")
 file(READ "${root}/usr/share/doc/isthmus/copyright" copyright)
