@@ -11,6 +11,14 @@ CHECKS = ("check_modules", "check_order", "check_contracts", "check_handles", "c
 TESTING = pathlib.Path(__file__).parent
 
 
+def has_clang_format():
+    """Of the version whose format check.sh asks for."""
+    if not shutil.which("clang-format"):
+        return False
+    said = subprocess.run(["clang-format", "--version"], capture_output=True, text=True).stdout
+    return "version 14." in said
+
+
 class Check(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -49,11 +57,15 @@ class Check(unittest.TestCase):
         self.write("Testing/check_links.py", "import sys\nprint('A dead link')\nsys.exit(1)\n")
         self.assert_complains("A dead link")
 
+    def test_cgal_version(self):
+        self.write("Filters/Bad.h", "#if CGAL_VERSION_NR > 1\n#endif\n")
+        self.assert_complains("Version checks outside Filters/Remeshing/CGALVersions.h")
+
     def test_broken_panel(self):
         self.write("Plugin/Bad.xml", "<ServerManagerConfiguration>\n")
         self.assert_complains("Panels that are no XML")
 
-    @unittest.skipUnless(shutil.which("clang-format"), "clang-format is not installed")
+    @unittest.skipUnless(has_clang_format(), "clang-format 14 is not installed")
     def test_format(self):
         self.write("Filters/Bad.h", "int   bad( );\n")
         self.assert_complains("Places that clang-format would change")
