@@ -178,7 +178,7 @@ private:
   /// Eight times the lower quartile of the second differences at the nodes around an edge.
   double RoughnessAround(const Index& lower, std::size_t axis) const
   {
-    std::array<double, 108> bends;
+    std::array<double, 108> bends{};
     std::size_t count = 0;
     Index low, high;
     for (std::size_t a = 0; a < 3; ++a)
