@@ -20,6 +20,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import time
 
 FOLDERS = ("Filters", "Readers", "Plugin")
@@ -27,11 +28,21 @@ LONGEST = 900  # seconds that one file may take
 FOUND = re.compile(r"^(\S.*?:\d+:\d+): (?:error|warning): .*$", re.MULTILINE)
 
 
-def sources_of(build, root):
-    """The library's sources in the build, as paths below `root`."""
-    entries = json.loads((build / "compile_commands.json").read_text())
-    paths = {pathlib.Path(entry["directory"], entry["file"]).resolve() for entry in entries}
-    below = {path.relative_to(root) for path in paths if path.is_relative_to(root)}
+def commands_of(build, root, folder):
+    """The library's sources in the build, as paths below `root`; writes their commands to `folder`.
+
+    The build compiles sources in groups, each through a file that includes them. clang-tidy looks at each
+    source alone, with the command of its group.
+    """
+    found = {}
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        path = pathlib.Path(entry["directory"], entry["file"]).resolve()
+        group = path.parent.name == "Unity" and path.exists()
+        for source in re.findall(r'^#include "(.+)"', path.read_text(), re.MULTILINE) if group else [path]:
+            command = entry["command"].replace(entry["file"], str(source))
+            found[pathlib.Path(source)] = {**entry, "file": str(source), "command": command}
+    (folder / "compile_commands.json").write_text(json.dumps(list(found.values())))
+    below = {path.relative_to(root) for path in found if path.is_relative_to(root)}
     return sorted(path for path in below if path.parts[0] in FOLDERS)
 
 
@@ -121,7 +132,8 @@ def main():
     if not (build / "compile_commands.json").exists():
         print(f"{build} has no compile_commands.json: run cmake there with -DISTHMUS_TESTING=ON.")
         return 1
-    sources = sources_of(build, root)
+    commands = tempfile.TemporaryDirectory()
+    build, sources = pathlib.Path(commands.name), commands_of(build, root, pathlib.Path(commands.name))
     asked = [path.resolve().relative_to(root) for path in given.files]
     base = arrival_of_checks(root) if given.base == "tidy" else given.base
     files = asked or changed_files(root, base)

@@ -56,6 +56,15 @@ class CheckTidy(unittest.TestCase):
         for text in texts:
             self.assertIn(text, done.stdout)
 
+    def test_sources_compiled_in_groups(self):
+        self.write("Loop.cxx", "int Last(int n)\n{\n  for (short i = 0; i < n; ++i) {}\n  return n;\n}\n")
+        group = self.root / "Unity/unity_0_cxx.cxx"
+        group.parent.mkdir()
+        group.write_text("".join(f'#include "{path}"\n' for path in (self.root / "Filters/Core").glob("*.cxx")))
+        (self.root / "compile_commands.json").write_text(json.dumps(
+            [{"directory": str(self.root), "file": str(group), "command": f"c++ -o x.o -c {group}"}]))
+        self.assert_finds("Filters/Core/Loop.cxx:3", "2 of 2 sources")
+
     def test_tidy_tree(self): # of C++17, which the commands do not say
         done = self.run_check()
         self.assertEqual((done.returncode, done.stdout),

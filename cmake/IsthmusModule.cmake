@@ -20,10 +20,9 @@ function (isthmus_module_files out)
   set("${out}" ${files} PARENT_SCOPE)
 endfunction ()
 
-# isthmus_vtk_components(OUT HEADING...): names of VTK's modules under these headings (DEPENDS,
-# PRIVATE_DEPENDS, TEST_DEPENDS) of all vtk.module files.
-function (isthmus_vtk_components out)
-  isthmus_module_files(files)
+# isthmus_declared(OUT PREFIX FILES HEADING...): the modules whose names begin with PREFIX (VTK::,
+# Isthmus::), without it, under these headings (DEPENDS, PRIVATE_DEPENDS, TEST_DEPENDS) of FILES.
+function (isthmus_declared out prefix files)
   set(found)
   foreach (file IN LISTS files)
     set(heading)
@@ -31,13 +30,20 @@ function (isthmus_vtk_components out)
     foreach (line IN LISTS lines)
       if (line MATCHES "^[A-Z_]+$")
         set(heading "${line}")
-      elseif (heading IN_LIST ARGN AND line MATCHES "^ +VTK::(.+)$")
+      elseif (heading IN_LIST ARGN AND line MATCHES "^ +${prefix}(.+)$")
         list(APPEND found "${CMAKE_MATCH_1}")
       endif ()
     endforeach ()
   endforeach ()
   list(REMOVE_DUPLICATES found)
   list(SORT found)
+  set("${out}" ${found} PARENT_SCOPE)
+endfunction ()
+
+# isthmus_vtk_components(OUT HEADING...): names of VTK's modules under these headings of all modules.
+function (isthmus_vtk_components out)
+  isthmus_module_files(files)
+  isthmus_declared(found "VTK::" "${files}" ${ARGN})
   set("${out}" ${found} PARENT_SCOPE)
 endfunction ()
 
@@ -95,9 +101,20 @@ function (isthmus_add_module name)
   if (module_CGAL)
     vtk_module_include(${name} SYSTEM PRIVATE ${CGAL_INCLUDE_DIRS})
     vtk_module_link(${name} PRIVATE ${MPFR_LIBRARIES} ${GMP_LIBRARIES})
-    set_source_files_properties(${module_CGAL} PROPERTIES
-      COMPILE_OPTIONS "-frounding-math"
-      COMPILE_DEFINITIONS CGAL_NO_WARNINGS) # these would go to stderr; Isthmus reports through VTK
+    vtk_module_definitions(${name} PRIVATE CGAL_NO_WARNINGS) # to stderr; Isthmus reports through VTK
+    if (module_SOURCES OR module_VECTORISED)
+      set_source_files_properties(${module_CGAL} PROPERTIES COMPILE_OPTIONS "-frounding-math")
+    else ()
+      vtk_module_compile_options(${name} PRIVATE "-frounding-math")
+    endif ()
+  endif ()
+
+  # Compiled in groups, each of which parses VTK's headers and instantiates templates once: half of
+  # the time. CMake leaves sources with options of their own out. -DCMAKE_UNITY_BUILD=OFF compiles
+  # each source alone.
+  get_target_property(target ${name} ALIASED_TARGET)
+  if (NOT DEFINED CMAKE_UNITY_BUILD)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
   endif ()
 
   vtk_module_link(${name} PRIVATE "$<BUILD_INTERFACE:isthmus_compiler>")

@@ -19,7 +19,6 @@ namespace
 {
 
 constexpr std::int64_t CellsPerPiece = 1 << 14;
-constexpr std::int64_t VerticesPerPiece = 1 << 12;
 
 /// Low bits that hold 0 and every local dart.
 unsigned BitsFor(const std::vector<CellType>& types)
@@ -216,6 +215,7 @@ void CompactCombinatorialMap<Id>::ChooseVertexDarts()
 template <typename Id>
 void CompactCombinatorialMap<Id>::FindUmbrellas(const ProgressCallback& progress)
 {
+  constexpr std::int64_t VerticesPerPiece = 1 << 12;
   std::atomic<std::size_t> reached{ 0 };
   ParallelFor(
     0, static_cast<std::int64_t>(this->V2D.size()), VerticesPerPiece,

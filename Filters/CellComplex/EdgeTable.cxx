@@ -7,14 +7,6 @@
 namespace isthmus
 {
 
-namespace
-{
-
-constexpr std::size_t CellsPerChunk = 1u << 15;
-constexpr std::int64_t VerticesPerPiece = 1 << 14;
-
-}
-
 template <typename Id>
 EdgeTable<Id>::EdgeTable(const Map& map, const ProgressCallback& progress)
   : Mesh(map)
@@ -56,6 +48,7 @@ template <typename Id>
 auto EdgeTable<Id>::LeadingDarts(const ProgressCallback& progress) const
   -> std::vector<std::vector<Dart>>
 {
+  constexpr std::size_t CellsPerChunk = 1u << 15;
   const std::size_t cells = this->Mesh.NumberOfCells();
   std::vector<std::vector<Dart>> leaders((cells + CellsPerChunk - 1) / CellsPerChunk);
   ParallelFor(
@@ -115,6 +108,7 @@ void EdgeTable<Id>::SortByVertices(
     std::vector<Dart>().swap(chunk);
   }
   // An open fan goes before a closed one of the same edge, so that it decides IsBoundary.
+  constexpr std::int64_t VerticesPerPiece = 1 << 14;
   const auto key = [this](Dart dart)
   {
     return std::make_tuple(this->Mesh.EndVertex(dart),

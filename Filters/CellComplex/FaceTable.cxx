@@ -7,18 +7,11 @@
 
 namespace isthmus
 {
-namespace
-{
-
-constexpr std::int64_t VerticesPerPiece = 1 << 14;
-constexpr std::size_t CellsPerReport = 1u << 16;
-
-}
-
 template <typename Id>
 template <typename Visit>
 void FaceTable<Id>::ForEachLeader(const ProgressCallback& progress, Visit&& visit) const
 {
+  constexpr std::size_t CellsPerReport = 1u << 16;
   const std::size_t cells = this->Mesh.NumberOfCells();
   for (std::size_t c = 0; c < cells; ++c)
   {
@@ -54,6 +47,7 @@ FaceTable<Id>::FaceTable(const Map& map, const ProgressCallback& progress)
   this->ForEachLeader(Between(progress, 0.3, 0.6),
     [this](HalfFace half)
     { this->F2D[--this->V2F[this->SmallestVertex(half).Value]] = this->Mesh.FirstDart(half); });
+  constexpr std::int64_t VerticesPerPiece = 1 << 14;
   ParallelFor(
     0, static_cast<std::int64_t>(map.NumberOfVertices()), VerticesPerPiece,
     [this](std::int64_t first, std::int64_t last)

@@ -20,8 +20,6 @@ namespace isthmus
 namespace
 {
 
-constexpr vtkIdType CellsPerReport = 1 << 16;
-
 /// A prism with `n` sides: base 0 ... n - 1 counter-clockwise seen from the top, top n ... 2n - 1.
 GridCellType PrismWithSides(int vtkType, const std::string& name, int n)
 {
@@ -288,6 +286,7 @@ GridCells::GridCells(
     this->Vertices.reserve(
       static_cast<std::size_t>(grid->GetCells()->GetNumberOfConnectivityIds()));
   }
+  constexpr vtkIdType CellsPerReport = 1 << 16;
   for (vtkIdType id = 0; id < count; ++id)
   {
     if (id % CellsPerReport == 0)

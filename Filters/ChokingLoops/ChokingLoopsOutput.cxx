@@ -124,13 +124,6 @@ bool PassesNear(
     });
 }
 
-double Longest(const LoopFeature& geometry)
-{
-  return geometry.Lengths.empty()
-    ? 0.0
-    : *std::max_element(geometry.Lengths.begin(), geometry.Lengths.end());
-}
-
 /// What a feature that holds no loop of its own can share, or null. One with an encircling loop
 /// shares only what is before it and no longer.
 const ShownFeature* LoopsFor(const ChokingLoops& loops, const std::vector<ShownFeature>& features,
@@ -139,7 +132,8 @@ const ShownFeature* LoopsFor(const ChokingLoops& loops, const std::vector<ShownF
   const bool isEncircled = !needy.Geometry->Held && !needy.Geometry->Collapsed;
   const auto end =
     isEncircled ? static_cast<std::size_t>(&needy - features.data()) : features.size();
-  const double longest = isEncircled ? (1.0 + SimilarLength) * Longest(*needy.Geometry) : HUGE_VAL;
+  const double longest =
+    isEncircled ? (1.0 + SimilarLength) * needy.Geometry->LongestLength() : HUGE_VAL;
   const auto& all = loops.Diagram().Features;
   const ShapeFeature& f = all[needy.Index];
   const Point3 centre = loops.ChokePoint(needy.Index);
@@ -147,9 +141,9 @@ const ShownFeature* LoopsFor(const ChokingLoops& loops, const std::vector<ShownF
   for (std::size_t i = 0; i < end; ++i)
   {
     const LoopFeature& other = *features[i].Geometry;
-    if (!isFree[i] && features[i].SharedWith < 0 && Longest(other) <= longest &&
+    if (!isFree[i] && features[i].SharedWith < 0 && other.LongestLength() <= longest &&
       all[features[i].Index].Side == f.Side &&
-      (!best || Longest(other) < Longest(*best->Geometry)) &&
+      (!best || other.LongestLength() < best->Geometry->LongestLength()) &&
       BelongsToChokePoint(loops, needy.Index, other) &&
       PassesNear(loops, other, centre, NearMembrane * f.Radius()))
     {

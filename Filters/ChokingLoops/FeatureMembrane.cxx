@@ -75,7 +75,7 @@ std::set<SurfaceEdgeId> OntoSurface(
   return edges;
 }
 
-double Length(const SurfaceView& mesh, const std::vector<SimplexId>& loop)
+double LoopLength(const SurfaceView& mesh, const std::vector<SimplexId>& loop)
 {
   double length = 0.0;
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -199,7 +199,7 @@ Membrane MembraneOf(const FeatureContext& context, const TriangleChain& triangle
     SimpleLoops(context.Surface, { edges.begin(), edges.end() });
   std::sort(loops.begin(), loops.end(),
     [&context](const auto& a, const auto& b)
-    { return Length(context.Surface.Mesh(), a) > Length(context.Surface.Mesh(), b); });
+    { return LoopLength(context.Surface.Mesh(), a) > LoopLength(context.Surface.Mesh(), b); });
   HomologyClass total;
   for (const std::vector<SimplexId>& loop : loops)
   {

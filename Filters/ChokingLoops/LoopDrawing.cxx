@@ -258,6 +258,12 @@ LoopFeature Drawn(const SurfaceAdjacency& surface, const Membrane& membrane,
 
 // ------------------------------------------------------------------------------------------
 // LoopFeature
+double LoopFeature::LongestLength() const
+{
+  return this->Lengths.empty() ? 0.0
+                               : *std::max_element(this->Lengths.begin(), this->Lengths.end());
+}
+
 namespace
 {
 
@@ -266,13 +272,6 @@ constexpr double Roomy = 1.5;
 
 /// Of ShortestGirth(): what discretisation may take off a loop.
 constexpr double Slack = 0.98;
-
-double Longest(const LoopFeature& feature)
-{
-  return feature.Lengths.empty()
-    ? 0.0
-    : *std::max_element(feature.Lengths.begin(), feature.Lengths.end());
-}
 
 std::vector<Point3> PointsOf(
   const ChokingLoops& loops, const LoopFeature& feature, const std::vector<SimplexId>& loop)
@@ -298,7 +297,7 @@ bool BelongsToChokePoint(const ChokingLoops& loops, std::size_t index, const Loo
     const std::vector<Point3> polygon = PointsOf(loops, feature, loop);
     points.insert(points.end(), polygon.begin(), polygon.end());
   }
-  return !feature.Collapsed && Longest(feature) >= Slack * ShortestGirth(f) &&
+  return !feature.Collapsed && feature.LongestLength() >= Slack * ShortestGirth(f) &&
     IsSurrounded(loops.ChokePoint(index), tolerances.Nearness * f.Radius(), points);
 }
 
@@ -351,7 +350,7 @@ public:
   bool BelongsToChokePoint() const { return this->BestGrade >= Grade::Jagged; }
   bool IsLongEnough() const { return this->BestGrade >= Grade::Hairpin; }
   bool Fits() const { return this->BestGrade == Grade::Fits; }
-  double Length() const { return Longest(this->Best); }
+  double Length() const { return this->Best.LongestLength(); }
   double ShortestLength() const { return this->Girth; }
   LoopFeature Take() { return std::move(this->Best); }
 
@@ -386,7 +385,7 @@ TightestFit::Grade TightestFit::GradeOf(const LoopFeature& candidate) const
 {
   if (!isthmus::BelongsToChokePoint(this->Loops, this->Index, candidate, this->Tolerances))
   {
-    const bool isShort = Longest(candidate) < Slack * this->Girth;
+    const bool isShort = candidate.LongestLength() < Slack * this->Girth;
     return candidate.Collapsed    ? Grade::Collapsed
       : isShort || candidate.Held ? Grade::Short
                                   : Grade::Strays;
@@ -401,14 +400,14 @@ double TightestFit::CostOf(const LoopFeature& candidate, Grade grade) const
   switch (grade)
   {
     case Grade::Fits:
-      return (candidate.Held ? Freedom : 1.0) * Longest(candidate);
+      return (candidate.Held ? Freedom : 1.0) * candidate.LongestLength();
     case Grade::Strays:
-      return Longest(candidate);
+      return candidate.LongestLength();
     case Grade::Jagged:
     case Grade::Hairpin:
       return candidate.SharpestBend;
     default:
-      return std::max(0.0, this->Girth - Longest(candidate));
+      return std::max(0.0, this->Girth - candidate.LongestLength());
   }
 }
 
@@ -436,7 +435,7 @@ void TightestFit::TryFree(
     if (isEncircling && !candidate.Converged)
     {
       candidate.SharpestBend = std::max(candidate.SharpestBend,
-        SharpestTurn(PointsOf(this->Loops, candidate, loop), 1e-6 * Longest(candidate)));
+        SharpestTurn(PointsOf(this->Loops, candidate, loop), 1e-6 * candidate.LongestLength()));
     }
   }
   this->Try(std::move(candidate), isEncircling);

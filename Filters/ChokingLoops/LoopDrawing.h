@@ -53,7 +53,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double SharpestTurn(
 
 /// Geometry of one feature. Membrane corners are ids: those below the number of samples are points
 /// of the sampled surface, the others Extra points.
-struct LoopFeature
+struct VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT LoopFeature
 {
   std::vector<std::vector<SimplexId>> Loops;
   std::vector<double> Lengths;
@@ -66,6 +66,9 @@ struct LoopFeature
   bool Converged = true;     ///< the loops cannot be shortened further, except where they are fixed
   double SharpestBend = 0.0; ///< largest turning angle where it is fixed, in radians
   bool Encircling = false;   ///< not of the class that the choke closed (FeatureMembrane.h)
+
+  /// Of its longest loop; 0 without loops.
+  double LongestLength() const;
 
   const Point3& Point(SimplexId id, const SurfaceView& samples) const
   {

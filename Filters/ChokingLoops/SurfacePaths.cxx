@@ -142,7 +142,7 @@ namespace
 {
 
 /// The corner left of (a, b), from the three lengths.
-Point2 Corner(const Point2& a, const Point2& b, double toA, double toB)
+Point2 CornerOf(const Point2& a, const Point2& b, double toA, double toB)
 {
   const double c = std::hypot(b[0] - a[0], b[1] - a[1]);
   const double x = (toA * toA - toB * toB + c * c) / (2.0 * c);
@@ -256,7 +256,7 @@ void UnfoldOver(const SurfaceAdjacency& s, HalfEdgeId h, HalfEdgeId next, Unfold
   const HalfEdgeId second = SurfaceAdjacency::Next(h);
   const Point2 from = plane.From.back();
   const Point2 to = plane.To.back();
-  const Point2 apex = Corner(from, to, s.Length(SurfaceAdjacency::Previous(h)), s.Length(second));
+  const Point2 apex = CornerOf(from, to, s.Length(SurfaceAdjacency::Previous(h)), s.Length(second));
   const bool keepsTo = s.Opposite(next) == second;
   plane.From.push_back(keepsTo ? apex : from);
   plane.To.push_back(keepsTo ? to : apex);
@@ -270,7 +270,7 @@ UnfoldedStrip UnfoldPath(const SurfaceAdjacency& s, const EdgeStrip& strip)
   const HalfEdgeId behind = s.Opposite(first);
   const Point2 from{ 0.0, 0.0 };
   const Point2 to{ s.Length(first), 0.0 };
-  const Point2 start = Corner(to, from, s.Length(SurfaceAdjacency::Previous(behind)),
+  const Point2 start = CornerOf(to, from, s.Length(SurfaceAdjacency::Previous(behind)),
     s.Length(SurfaceAdjacency::Next(behind)));
   UnfoldedStrip plane{ { start, from }, { start, to } };
   for (std::size_t i = 0; i + 1 < strip.size(); ++i)
@@ -278,7 +278,7 @@ UnfoldedStrip UnfoldPath(const SurfaceAdjacency& s, const EdgeStrip& strip)
     UnfoldOver(s, strip[i].HalfEdge, strip[i + 1].HalfEdge, plane);
   }
   const HalfEdgeId last = strip.back().HalfEdge;
-  const Point2 end = Corner(plane.From.back(), plane.To.back(),
+  const Point2 end = CornerOf(plane.From.back(), plane.To.back(),
     s.Length(SurfaceAdjacency::Previous(last)), s.Length(SurfaceAdjacency::Next(last)));
   plane.From.push_back(end);
   plane.To.push_back(end);
@@ -319,17 +319,17 @@ namespace
 {
 
 /// A point where the shortest path touches the border of the strip.
-struct Bend
+struct FunnelTurn
 {
   std::size_t Edge; ///< index from the start of the strip
   bool AtFrom;
 };
 
 /// Shortest path from p to q through the unfolded edges 1 .. n - 1 (funnel).
-std::vector<Bend> Funnel(const UnfoldedStrip& plane, const Point2& p, const Point2& q)
+std::vector<FunnelTurn> Funnel(const UnfoldedStrip& plane, const Point2& p, const Point2& q)
 {
   const std::size_t n = plane.From.size() - 1;
-  std::vector<Bend> bends;
+  std::vector<FunnelTurn> bends;
   Point2 apex = p;
   std::size_t left = 0;
   std::size_t right = 0;
@@ -385,8 +385,8 @@ std::vector<Bend> Funnel(const UnfoldedStrip& plane, const Point2& p, const Poin
 }
 
 /// Where the polyline p, bends, q crosses each edge, as fractions from From to To.
-std::vector<double> CrossingsOf(
-  const UnfoldedStrip& plane, const std::vector<Bend>& bends, const Point2& p, const Point2& q)
+std::vector<double> CrossingsOf(const UnfoldedStrip& plane, const std::vector<FunnelTurn>& bends,
+  const Point2& p, const Point2& q)
 {
   const std::size_t n = plane.From.size() - 1;
   std::vector<double> fraction(n, 0.0);

@@ -60,7 +60,7 @@ std::vector<double> Mark(const BettiCurves& curves, double level)
 
 /// The bridges, or the windows, of `handles` as points at the nodes of `image`: the arrays of the
 /// first two outputs. `level` is the level chosen (for `IsThere`).
-void FillHandles(const std::vector<MapHandle>& handles, bool bridges, const FeatureList& features,
+void WriteHandles(const std::vector<MapHandle>& handles, bool bridges, const FeatureList& features,
   vtkImageData* image, double level, vtkPolyData* output)
 {
   std::vector<MapHandle> wanted;
@@ -256,7 +256,7 @@ void vtkMapHandles::FillTables(const Work& work, vtkInformationVector* outputVec
   const auto handles = isthmus::MapHandles(work.Volume, work.Features, work.Parameters);
   for (const int port : { BridgesPort, WindowsPort })
   {
-    isthmus::FillHandles(handles, port == BridgesPort, work.Features, work.Image, work.Level,
+    isthmus::WriteHandles(handles, port == BridgesPort, work.Features, work.Image, work.Level,
       vtkPolyData::GetData(outputVector, port));
   }
   const auto curves = isthmus::CountBetti(work.Features, this->InsideIsHigher,

@@ -120,9 +120,9 @@ struct CellEdge
   int I, J, K;
   Axis Along;
 };
-constexpr CellEdge CellEdges[12] = { { 0, 0, 0, X }, { 1, 0, 0, Y }, { 0, 1, 0, X }, { 0, 0, 0, Y },
-  { 0, 0, 1, X }, { 1, 0, 1, Y }, { 0, 1, 1, X }, { 0, 0, 1, Y }, { 0, 0, 0, Z }, { 1, 0, 0, Z },
-  { 0, 1, 0, Z }, { 1, 1, 0, Z } };
+constexpr CellEdge EdgesOfCell[12] = { { 0, 0, 0, X }, { 1, 0, 0, Y }, { 0, 1, 0, X },
+  { 0, 0, 0, Y }, { 0, 0, 1, X }, { 1, 0, 1, Y }, { 0, 1, 1, X }, { 0, 0, 1, Y }, { 0, 0, 0, Z },
+  { 1, 0, 0, Z }, { 0, 1, 0, Z }, { 1, 1, 0, Z } };
 
 int TrianglesOf(std::uint8_t cell)
 {
@@ -301,7 +301,7 @@ private:
       Triangle& corners = mesh.Triangles[static_cast<std::size_t>(triangle++)];
       for (std::size_t c = 0; c < 3; ++c)
       {
-        const CellEdge& edge = CellEdges[edges[c]];
+        const CellEdge& edge = EdgesOfCell[edges[c]];
         // VTK's cases turn their front to the side of lower values: outwards.
         corners[c] = (edge.K == 0 ? ids : next)[edge.Along][this->NodeOf(i + edge.I, j + edge.J)];
       }

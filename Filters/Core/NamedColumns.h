@@ -15,6 +15,15 @@
 namespace isthmus
 {
 
+/// A new, empty array of this name.
+template <typename Array>
+vtkNew<Array> NamedArray(const char* name)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  return array;
+}
+
 /// A new array of `count` tuples, which belongs to `data`.
 template <typename Array>
 Array* AddArray(vtkFieldData* data, const std::string& name, std::size_t count)

@@ -39,6 +39,15 @@ void RequireAbove(const char* property, double value, double low, double high, c
   }
 }
 
+void RequireThat(bool holds, const char* property, double value, const char* condition)
+{
+  if (!holds)
+  {
+    throw std::invalid_argument(
+      std::string(property) + " is " + FormatNumber(value) + ", but " + condition + ".");
+  }
+}
+
 void RequireImageGeometry(vtkImageData* image)
 {
   const int* extent = image->GetExtent();

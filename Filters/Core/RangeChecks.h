@@ -30,6 +30,10 @@ VTKISTHMUSFILTERSCORE_EXPORT void RequireRange(
 VTKISTHMUSFILTERSCORE_EXPORT void RequireAbove(
   const char* property, double value, double low, double high, const char* meaning = "");
 
+/// @throws std::invalid_argument "<property> is <value>, but <condition>." unless `holds`.
+VTKISTHMUSFILTERSCORE_EXPORT void RequireThat(
+  bool holds, const char* property, double value, const char* condition);
+
 /// @throws std::invalid_argument, with the axis, unless origin, spacing and direction are finite,
 /// spacings not 0, and all coordinates and spacings between SmallestLength and LargestLength.
 VTKISTHMUSFILTERSCORE_EXPORT void RequireImageGeometry(vtkImageData* image);

@@ -17,15 +17,15 @@ namespace
 {
 
 /// A point of a cut triangle: barycentric coordinates without the first, and both scalars.
-struct Corner
+struct ClippedCorner
 {
   double U, V;
   double Value[2];
 };
 
-using Polygon = std::vector<Corner>;
+using Polygon = std::vector<ClippedCorner>;
 
-Corner Between(const Corner& a, const Corner& b, double t)
+ClippedCorner Between(const ClippedCorner& a, const ClippedCorner& b, double t)
 {
   return { a.U + t * (b.U - a.U), a.V + t * (b.V - a.V),
     { a.Value[0] + t * (b.Value[0] - a.Value[0]), a.Value[1] + t * (b.Value[1] - a.Value[1]) } };
@@ -38,14 +38,14 @@ void Cut(const Polygon& polygon, int scalar, double threshold, Polygon& below, P
   above.clear();
   for (std::size_t i = 0; i < polygon.size(); ++i)
   {
-    const Corner& a = polygon[i];
-    const Corner& b = polygon[(i + 1) % polygon.size()];
+    const ClippedCorner& a = polygon[i];
+    const ClippedCorner& b = polygon[(i + 1) % polygon.size()];
     const double fa = a.Value[scalar] - threshold;
     const double fb = b.Value[scalar] - threshold;
     (fa < 0.0 ? below : above).push_back(a);
     if ((fa < 0.0) != (fb < 0.0))
     {
-      Corner cut = Between(a, b, fa / (fa - fb));
+      ClippedCorner cut = Between(a, b, fa / (fa - fb));
       cut.Value[scalar] = threshold;
       below.push_back(cut);
       above.push_back(cut);
@@ -175,10 +175,10 @@ void CheckValues(const SurfaceView& mesh, const ThresholdedScalar& scalar)
 
 double AreaOf(const SurfaceView& mesh, const Triangle& id)
 {
-  using PointMap = Eigen::Map<const Eigen::Vector3d>;
-  const PointMap a(mesh.Point(id[0]).data());
+  using Position = Eigen::Map<const Eigen::Vector3d>;
+  const Position a(mesh.Point(id[0]).data());
   return 0.5 *
-    (PointMap(mesh.Point(id[1]).data()) - a).cross(PointMap(mesh.Point(id[2]).data()) - a).norm();
+    (Position(mesh.Point(id[1]).data()) - a).cross(Position(mesh.Point(id[2]).data()) - a).norm();
 }
 
 }

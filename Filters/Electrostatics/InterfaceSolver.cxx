@@ -13,12 +13,12 @@ namespace isthmus
 namespace
 {
 
-constexpr std::int64_t Block = 1 << 15;
+constexpr std::int64_t ValuesPerTask = 1 << 15;
 
 template <typename A, typename B>
 double Dot(const std::vector<A>& a, const std::vector<B>& b)
 {
-  return ParallelReduce<double>(static_cast<std::int64_t>(a.size()), Block, 0.0,
+  return ParallelReduce<double>(static_cast<std::int64_t>(a.size()), ValuesPerTask, 0.0,
     [&](double& partial, std::int64_t first, std::int64_t last)
     {
       // Four running sums: one would wait for each addition to end.
@@ -35,7 +35,7 @@ double Dot(const std::vector<A>& a, const std::vector<B>& b)
 template <typename Each>
 void ForEach(std::size_t n, Each&& each)
 {
-  ParallelFor(0, static_cast<std::int64_t>(n), Block,
+  ParallelFor(0, static_cast<std::int64_t>(n), ValuesPerTask,
     [&](std::int64_t first, std::int64_t last)
     {
       for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)

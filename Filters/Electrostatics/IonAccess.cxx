@@ -9,7 +9,7 @@ namespace isthmus
 namespace
 {
 
-double Distance(const InterfaceCrossing& c, const Point3& y)
+double DistanceFrom(const InterfaceCrossing& c, const Point3& y)
 {
   const auto& n = c.Frame.Normal;
   const auto& w = c.Frame.Curvature;
@@ -78,7 +78,7 @@ public:
   {
     const std::int32_t c = this->Nearest[static_cast<std::size_t>(node)];
     return c < 0 ? -1.0
-                 : Distance(this->Crossings[static_cast<std::size_t>(c)], this->From(node, c));
+                 : DistanceFrom(this->Crossings[static_cast<std::size_t>(c)], this->From(node, c));
   }
 
   /// The point of the surface next to a node within reach, and the normal there.

@@ -18,7 +18,7 @@ namespace isthmus
 namespace
 {
 
-constexpr double Reach = 10.0; // angstrom; beyond, a pair gives less than 1/1000 of its depth
+constexpr double CutOff = 10.0; // angstrom; beyond, a pair gives less than 1/1000 of its depth
 
 /// Adds the energy of one pair to a row of nodes, the first `x` spacings from the atom along the
 /// row, all with the squared distance `rest` across.
@@ -68,7 +68,7 @@ void AddEnergy(const FlowGrid& grid, const std::vector<DispersionAtom>& atoms,
   std::vector<DispersionPair> pairs;
   for (const DispersionAtom& atom : sorted)
   {
-    Ball ball{ {}, Reach / h };
+    Ball ball{ {}, CutOff / h };
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       ball.Centre[axis] = (atom.Centre[axis] - origin[axis]) / h;

@@ -13,12 +13,12 @@ namespace isthmus
 namespace
 {
 
-constexpr double Lambda = 0.1;      // dt / spacing^2, the thesis' stability aside
-constexpr int StepsToMeasure = 50;  // between two measures
-constexpr int MostSteps = 5000;     // when Steady
-constexpr double Rest = 1e-5;       // relative change of the volume in StepsToMeasure
-constexpr float Half = 0.5F;        // the field is 1/2 - S, negative inside as distances are
-constexpr float SpacingsToS = 2.4F; // S changes by 1 in this distance, as in the filter's S
+constexpr double ThesisLambda = 0.1;     // dt / spacing^2, the thesis' stability aside
+constexpr int ThesisStepsToMeasure = 50; // between two measures
+constexpr int ThesisMostSteps = 5000;    // when Steady
+constexpr double ThesisRest = 1e-5;      // relative change of the volume in ThesisStepsToMeasure
+constexpr float Half = 0.5F;             // the field is 1/2 - S, negative inside as distances are
+constexpr float SpacingsToS = 2.4F;      // S changes by 1 in this distance, as in the filter's S
 
 /// All nodes but the border's and the margin's run; those of the balls are held at S = 1.
 FlowField ThesisField(const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters,
@@ -74,20 +74,21 @@ SurfaceFlowResult ThesisFlow(const std::vector<Ball>& balls,
   CheckFlowMemory(balls, FlowGridAround(balls, parameters));
   FlowField field = ThesisField(balls, parameters, Between(progress, 0.0, 0.1));
   const double h = parameters.Spacing;
-  const double wanted = std::ceil(parameters.EvolutionTime / (Lambda * h * h));
-  const int steps = parameters.Steady ? MostSteps : static_cast<int>(std::min<double>(wanted, 1e7));
+  const double wanted = std::ceil(parameters.EvolutionTime / (ThesisLambda * h * h));
+  const int steps =
+    parameters.Steady ? ThesisMostSteps : static_cast<int>(std::min<double>(wanted, 1e7));
   const double dt =
-    parameters.Steady ? Lambda * h * h : (steps > 0 ? parameters.EvolutionTime / steps : 0.0);
+    parameters.Steady ? ThesisLambda * h * h : (steps > 0 ? parameters.EvolutionTime / steps : 0.0);
   RecordMeasures(field, 0.0, result);
   bool converged = false;
   for (int step = 1; step <= steps && !(converged && parameters.Steady); ++step)
   {
     Advance(field, dt / (h * h));
-    if (step % StepsToMeasure == 0 || step == steps)
+    if (step % ThesisStepsToMeasure == 0 || step == steps)
     {
       const double before = result.History.back().Volume;
       RecordMeasures(field, dt * step, result);
-      converged = std::abs(result.History.back().Volume - before) < Rest * before;
+      converged = std::abs(result.History.back().Volume - before) < ThesisRest * before;
     }
     Report(progress, 0.1 + 0.8 * step / (parameters.Steady ? step + 300.0 : steps));
   }

@@ -18,7 +18,7 @@ namespace isthmus
 namespace
 {
 
-constexpr std::int64_t Grain = 1 << 16;
+constexpr std::int64_t ValuesPerTask = 1 << 16;
 
 /// 0 for what comes first, else the bits of the value as an integer in the order of entry.
 class EntryKeys
@@ -60,7 +60,7 @@ private:
     std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
     std::uint64_t most = 0;
     std::mutex mutex;
-    ParallelFor(0, static_cast<std::int64_t>(this->Value.size()), Grain,
+    ParallelFor(0, static_cast<std::int64_t>(this->Value.size()), ValuesPerTask,
       [&](std::int64_t begin, std::int64_t end)
       {
         std::uint64_t low = std::numeric_limits<std::uint64_t>::max();
@@ -145,7 +145,7 @@ std::vector<std::int64_t> RunStarts(const std::vector<Entry>& entries)
 {
   const auto n = static_cast<std::int64_t>(entries.size());
   std::vector<std::int64_t> starts;
-  for (std::int64_t p = 0; p < n; p += Grain)
+  for (std::int64_t p = 0; p < n; p += ValuesPerTask)
   {
     std::int64_t start = std::max(p, starts.empty() ? 0 : starts.back());
     while (start > 0 && start < n && entries[At(start - 1)] >> 32 == entries[At(start)] >> 32)
@@ -164,7 +164,7 @@ template <typename Key>
 std::vector<Entry> SortedEntries(std::size_t n, unsigned int bits, const Key& key)
 {
   std::vector<Entry> entries(n);
-  ParallelFor(0, static_cast<std::int64_t>(n), Grain,
+  ParallelFor(0, static_cast<std::int64_t>(n), ValuesPerTask,
     [&](std::int64_t begin, std::int64_t end)
     {
       for (std::int64_t i = begin; i < end; ++i)
@@ -236,7 +236,7 @@ HandleVector<Rank, Id> SimplexOrder(const HandleVector<Id, std::uint32_t>& level
   HandleVector<Rank, Id> order(level.size());
   rank.resize(level.size());
   ParallelFor(
-    0, static_cast<std::int64_t>(level.size()), Grain,
+    0, static_cast<std::int64_t>(level.size()), ValuesPerTask,
     [&](std::int64_t begin, std::int64_t end) { Number(entries, At(begin), At(end), order, rank); },
     Between(progress, 0.6, 1.0));
   return order;

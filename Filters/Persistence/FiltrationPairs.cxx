@@ -12,7 +12,7 @@ namespace isthmus
 namespace
 {
 
-constexpr std::int64_t Grain = 1 << 14;
+constexpr std::int64_t SimplicesPerTask = 1 << 14;
 constexpr std::size_t ReportEveryVoid = 1 << 18;
 
 using Sides = HandleVector<TriangleRank, std::array<TetrahedronRank, 2>>;
@@ -26,7 +26,7 @@ Sides SidesInOrder(
   const auto rank = [&cellRank](TetrahedronId cell)
   { return cell.Exists() ? cellRank[cell] : TetrahedronRank::At(cellRank.size()); };
   Sides sides(f.TriangleCount());
-  ParallelFor(0, static_cast<std::int64_t>(sides.size()), Grain,
+  ParallelFor(0, static_cast<std::int64_t>(sides.size()), SimplicesPerTask,
     [&](std::int64_t begin, std::int64_t end)
     {
       for (const TriangleId t : HandleRange<TriangleId>(begin, end))
@@ -173,7 +173,7 @@ FiltrationPairs::FiltrationPairs(const CellFiltration& f, const ProgressCallback
 HandleVector<TriangleRank, EdgeRank> FiltrationPairs::Pivots() const
 {
   HandleVector<TriangleRank, EdgeRank> pivots(this->F.TriangleCount());
-  ParallelFor(0, static_cast<std::int64_t>(pivots.size()), Grain,
+  ParallelFor(0, static_cast<std::int64_t>(pivots.size()), SimplicesPerTask,
     [&](std::int64_t begin, std::int64_t end)
     {
       for (const TriangleId t : HandleRange<TriangleId>(begin, end))

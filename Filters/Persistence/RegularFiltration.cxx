@@ -24,16 +24,16 @@ namespace
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using ExactKernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<SimplexId, Kernel,
+using RegularVertexBase = CGAL::Triangulation_vertex_base_with_info_3<SimplexId, Kernel,
   CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
-using CellBase = CGAL::Triangulation_cell_base_with_info_3<TetrahedronId, Kernel,
+using RegularCellBase = CGAL::Triangulation_cell_base_with_info_3<TetrahedronId, Kernel,
   CGAL::Regular_triangulation_cell_base_3<Kernel, CGAL::Triangulation_cell_base_3<Kernel>,
     CGAL::Discard_hidden_points>>;
-using Regular =
-  CGAL::Regular_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
+using Regular = CGAL::Regular_triangulation_3<Kernel,
+  CGAL::Triangulation_data_structure_3<RegularVertexBase, RegularCellBase>>;
 
 /// Below this sine-like measure the plain formula could be wrong by more than 1e-9.
-constexpr double FlatnessLimit = 1e-5;
+constexpr double RegularFlatnessLimit = 1e-5;
 /// Powers nearer to 0 than this, relative to their terms, are decided exactly.
 constexpr double Doubtful = 1e-11;
 
@@ -105,7 +105,7 @@ Orthosphere OrthosphereOf(const RegularFiltration& f, const std::array<SimplexId
   const double aa = Dot(a, a);
   const double bb = Dot(b, b);
   const double cc = Dot(c, c);
-  if (det * det <= FlatnessLimit * FlatnessLimit * aa * bb * cc)
+  if (det * det <= RegularFlatnessLimit * RegularFlatnessLimit * aa * bb * cc)
   {
     return ExactOrthosphere(f, t);
   }
@@ -123,7 +123,7 @@ double TrianglePower(const RegularFiltration& f, const std::array<SimplexId, 3>&
   const Point3 n = Cross(a, b);
   const double nn = Dot(n, n);
   const double w = WeightOf(f, t[0]);
-  if (nn <= FlatnessLimit * FlatnessLimit * Dot(a, a) * Dot(b, b))
+  if (nn <= RegularFlatnessLimit * RegularFlatnessLimit * Dot(a, a) * Dot(b, b))
   {
     return CGAL::to_double(CGAL::squared_radius_smallest_orthogonal_sphere(
       BallOf<ExactKernel>(f, t[0]), BallOf<ExactKernel>(f, t[1]), BallOf<ExactKernel>(f, t[2])));

@@ -32,7 +32,7 @@ struct NearResidue
 /// Residues by what makes them one.
 using NearResidues = std::map<std::tuple<std::string, int, std::string, std::string>, NearResidue>;
 
-std::string TextOf(const NearResidues& residues, const MoleculeAtoms& atoms)
+std::string ListOf(const NearResidues& residues, const MoleculeAtoms& atoms)
 {
   std::vector<NearResidue> sorted;
   for (const auto& [key, residue] : residues)
@@ -99,7 +99,7 @@ std::vector<std::string> ResiduesOfSites(const SurfaceView& surface, const std::
   texts.reserve(near.size());
   for (const NearResidues& residues : near)
   {
-    texts.push_back(TextOf(residues, atoms));
+    texts.push_back(ListOf(residues, atoms));
   }
   return texts;
 }

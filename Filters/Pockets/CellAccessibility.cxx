@@ -24,14 +24,14 @@ double Clearance(
 }
 
 /// A path that has reached `Cell` through `Triangle`.
-struct Path
+struct WidestPath
 {
   double Width;
   TetrahedronId Cell;
   TriangleId Triangle;
 
   /// The widest comes first, then the lowest ids.
-  bool operator<(const Path& other) const
+  bool operator<(const WidestPath& other) const
   {
     if (this->Width != other.Width)
     {
@@ -53,7 +53,7 @@ CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& face
     access.CellClearance[cell] = Clearance(f, c.Tetrahedra[cell], c.TetrahedronValue[cell], probe);
   }
   access.TriangleClearance.resize(c.TriangleCount());
-  std::priority_queue<Path> paths;
+  std::priority_queue<WidestPath> paths;
   for (const TriangleId t : c.Triangles())
   {
     access.TriangleClearance[t] = Clearance(f, c.TrianglePoints(t), c.TriangleValue[t], probe);
@@ -67,7 +67,7 @@ CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& face
   access.TowardsOutside.assign(c.Tetrahedra.size(), TriangleId::None());
   while (!paths.empty())
   {
-    const Path path = paths.top();
+    const WidestPath path = paths.top();
     paths.pop();
     if (access.TowardsOutside[path.Cell].Exists())
     {

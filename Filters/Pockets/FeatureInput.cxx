@@ -140,7 +140,7 @@ Point3 CentreOf(vtkPointSet* input, vtkIdType cell)
 }
 
 /// A feature as its cells or points are added to it.
-struct Group
+struct FeatureSum
 {
   Point3 Sum{ 0.0, 0.0, 0.0 };
   double Weight = 0.0;
@@ -190,7 +190,7 @@ std::vector<InputFeature> GroupsOf(vtkPointSet* input, const Owner& owner)
   vtkDataArray* atoms = NumbersOf(owner.Data, "Burial");
   vtkDataArray* width = NumbersOf(owner.Data, "Radius");
   width = width ? width : NumbersOf(owner.Data, "Clearance");
-  std::map<std::pair<double, double>, Group> groups;
+  std::map<std::pair<double, double>, FeatureSum> groups;
   for (vtkIdType i = 0; i < owner.Whole->GetNumberOfTuples(); ++i)
   {
     const std::pair<double, double> key{ ValueOf(owner.Whole, i),
@@ -200,7 +200,7 @@ std::vector<InputFeature> GroupsOf(vtkPointSet* input, const Owner& owner)
     {
       continue; // belongs to nothing, or is nowhere
     }
-    Group& group = groups[key];
+    FeatureSum& group = groups[key];
     Point3 place;
     if (isOfCells)
     {

@@ -14,7 +14,7 @@ namespace
 
 constexpr int directionCount = 1000;
 
-double Dot(const std::array<double, 3>& n, const double* p)
+double HeightAlong(const std::array<double, 3>& n, const double* p)
 {
   return n[0] * p[0] + n[1] * p[1] + n[2] * p[2];
 }
@@ -62,7 +62,7 @@ double HullDepth::operator()(const double* point) const
   double depth = std::numeric_limits<double>::infinity();
   for (std::size_t d = 0; d < this->Directions.size(); ++d)
   {
-    depth = std::min(depth, this->Heights[d] - Dot(this->Directions[d], point));
+    depth = std::min(depth, this->Heights[d] - HeightAlong(this->Directions[d], point));
   }
   return depth;
 }

@@ -1,5 +1,6 @@
 #include "Pockets/PocketOutput.h"
 
+#include "Core/NamedColumns.h"
 #include "Pockets/LiningResidues.h"
 
 #include <vtkCellArray.h>
@@ -24,14 +25,6 @@ namespace isthmus
 {
 namespace
 {
-
-template <typename Array>
-vtkNew<Array> Named(const char* name)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  return array;
-}
 
 /// Points of atoms, each once for each pocket.
 class AtomPointInserter
@@ -97,12 +90,12 @@ std::array<double, 2> PolarShares(const Pocket& pocket, const MoleculeAtoms& ato
 void FillPocketCells(const PocketReport& report, vtkUnstructuredGrid* output)
 {
   vtkNew<vtkPoints> points;
-  auto ids = Named<vtkIdTypeArray>("AtomId");
-  auto pocketId = Named<vtkIntArray>("PocketId");
-  auto clearance = Named<vtkDoubleArray>("Clearance");
-  auto access = Named<vtkDoubleArray>("AccessRadius");
-  auto burial = Named<vtkIdTypeArray>("Burial");
-  auto volume = Named<vtkDoubleArray>("EmptyVolume");
+  auto ids = NamedArray<vtkIdTypeArray>("AtomId");
+  auto pocketId = NamedArray<vtkIntArray>("PocketId");
+  auto clearance = NamedArray<vtkDoubleArray>("Clearance");
+  auto access = NamedArray<vtkDoubleArray>("AccessRadius");
+  auto burial = NamedArray<vtkIdTypeArray>("Burial");
+  auto volume = NamedArray<vtkDoubleArray>("EmptyVolume");
   AtomPointInserter place(report.Atoms, points, ids);
   output->AllocateExact(1, 1);
   for (std::size_t i = 0; i < report.Pockets.size(); ++i)
@@ -143,11 +136,11 @@ void FillPocketCells(const PocketReport& report, vtkUnstructuredGrid* output)
 
 void FillPocketTable(const PocketReport& report, vtkTable* output)
 {
-  auto rank = Named<vtkIntArray>("Rank");
+  auto rank = NamedArray<vtkIntArray>("Rank");
   output->AddColumn(rank);
   const auto add = [&](const char* name, auto&& value)
   {
-    auto column = Named<vtkDoubleArray>(name);
+    auto column = NamedArray<vtkDoubleArray>(name);
     for (std::size_t i = 0; i < report.Pockets.size(); ++i)
     {
       column->InsertNextValue(value(report.Pockets[i], i));
@@ -156,7 +149,7 @@ void FillPocketTable(const PocketReport& report, vtkTable* output)
   };
   const auto addCount = [&](const char* name, auto&& value)
   {
-    auto column = Named<vtkIntArray>(name);
+    auto column = NamedArray<vtkIntArray>(name);
     for (const Pocket& pocket : report.Pockets)
     {
       column->InsertNextValue(static_cast<int>(value(pocket)));
@@ -203,10 +196,10 @@ void FillMouths(const PocketReport& report, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> triangles;
-  auto ids = Named<vtkIdTypeArray>("AtomId");
-  auto pocketId = Named<vtkIntArray>("PocketId");
-  auto mouthId = Named<vtkIntArray>("MouthId");
-  auto clearance = Named<vtkDoubleArray>("Clearance");
+  auto ids = NamedArray<vtkIdTypeArray>("AtomId");
+  auto pocketId = NamedArray<vtkIntArray>("PocketId");
+  auto mouthId = NamedArray<vtkIntArray>("MouthId");
+  auto clearance = NamedArray<vtkDoubleArray>("Clearance");
   AtomPointInserter place(report.Atoms, points, ids);
   for (std::size_t i = 0; i < report.Pockets.size(); ++i)
   {
@@ -238,10 +231,10 @@ void FillAlphaBalls(const PocketReport& report, vtkPolyData* output)
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;
-  auto pocketId = Named<vtkIntArray>("PocketId");
-  auto radius = Named<vtkDoubleArray>("Radius");
-  auto access = Named<vtkDoubleArray>("AccessRadius");
-  auto burial = Named<vtkIdTypeArray>("Burial");
+  auto pocketId = NamedArray<vtkIntArray>("PocketId");
+  auto radius = NamedArray<vtkDoubleArray>("Radius");
+  auto access = NamedArray<vtkDoubleArray>("AccessRadius");
+  auto burial = NamedArray<vtkIdTypeArray>("Burial");
   for (std::size_t i = 0; i < report.Pockets.size(); ++i)
   {
     for (const PocketCell& cell : report.Pockets[i].Cells)

@@ -1,6 +1,7 @@
 #include "Pockets/PocketSurface.h"
 
 #include "Atoms/PointBins.h"
+#include "Surfaces/AreaQuantiles.h"
 
 #include <cmath>
 
@@ -8,23 +9,6 @@ namespace isthmus
 {
 namespace
 {
-
-/// A third of the triangles around each point.
-std::vector<double> PointAreas(const SurfaceView& surface)
-{
-  std::vector<double> areas(surface.Points.size(), 0.0);
-  for (vtkIdType i = 0; i < surface.NumberOfTriangles(); ++i)
-  {
-    const Triangle& t = surface.Corners(i);
-    const Point3& first = surface.Point(t[0]);
-    const Point3 n = Cross(surface.Point(t[1]) - first, surface.Point(t[2]) - first);
-    for (const vtkIdType point : t)
-    {
-      areas[At(point)] += Length(n) / 6.0;
-    }
-  }
-  return areas;
-}
 
 /// Sums by area over some points.
 struct AreaSums

@@ -1,6 +1,7 @@
 #include "Pockets/PoreOutput.h"
 
 #include "Core/InnerAlgorithm.h"
+#include "Core/NamedColumns.h"
 #include "Pockets/PoreRadius.h"
 
 #include <vtkCellArray.h>
@@ -31,14 +32,6 @@ constexpr double TwoWaters = 2.30;
 
 /// An atom so near to a pore's ball lines it; in angstrom.
 constexpr double Reach = 0.5;
-
-template <typename Array>
-vtkNew<Array> Named(const char* name)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  return array;
-}
 
 /// "TRP 23 A", or what of it is known.
 std::string ResidueOf(const MoleculeAtoms& atoms, std::int64_t ball)
@@ -97,15 +90,15 @@ public:
   }
 
 private:
-  vtkNew<vtkIntArray> PoreId = Named<vtkIntArray>("PoreId");
-  vtkNew<vtkDoubleArray> Radius = Named<vtkDoubleArray>("Radius");
-  vtkNew<vtkDoubleArray> ArcLength = Named<vtkDoubleArray>("ArcLength");
-  vtkNew<vtkIdTypeArray> Nearest = Named<vtkIdTypeArray>("NearestAtom");
-  vtkNew<vtkStringArray> Residue = Named<vtkStringArray>("NearestResidue");
-  vtkNew<vtkIntArray> WidthClass = Named<vtkIntArray>("WidthClass");
+  vtkNew<vtkIntArray> PoreId = NamedArray<vtkIntArray>("PoreId");
+  vtkNew<vtkDoubleArray> Radius = NamedArray<vtkDoubleArray>("Radius");
+  vtkNew<vtkDoubleArray> ArcLength = NamedArray<vtkDoubleArray>("ArcLength");
+  vtkNew<vtkIdTypeArray> Nearest = NamedArray<vtkIdTypeArray>("NearestAtom");
+  vtkNew<vtkStringArray> Residue = NamedArray<vtkStringArray>("NearestResidue");
+  vtkNew<vtkIntArray> WidthClass = NamedArray<vtkIntArray>("WidthClass");
 };
 
-int NumberOf(std::size_t pore)
+int PoreNumber(std::size_t pore)
 {
   return static_cast<int>(pore) + 1;
 }
@@ -123,17 +116,17 @@ void FillPoreLines(const PoreReport& report, vtkPolyData* output)
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
-  auto poreId = Named<vtkIntArray>("PoreId");
+  auto poreId = NamedArray<vtkIntArray>("PoreId");
   SampleArrays arrays;
   for (std::size_t p = 0; p < report.Pores.size(); ++p)
   {
     const auto& samples = report.Pores[p].Samples;
     lines->InsertNextCell(static_cast<int>(samples.size()));
-    poreId->InsertNextValue(NumberOf(p));
+    poreId->InsertNextValue(PoreNumber(p));
     for (const PoreSample& sample : samples)
     {
       lines->InsertCellPoint(points->InsertNextPoint(sample.Centre.data()));
-      arrays.Add(NumberOf(p), sample, report.Atoms);
+      arrays.Add(PoreNumber(p), sample, report.Atoms);
     }
   }
   output->SetPoints(points);
@@ -151,7 +144,7 @@ void FillPoreSamples(const PoreReport& report, vtkTable* output)
   {
     for (const PoreSample& sample : report.Pores[p].Samples)
     {
-      arrays.Add(NumberOf(p), sample, report.Atoms);
+      arrays.Add(PoreNumber(p), sample, report.Atoms);
       for (std::size_t k = 0; k < 3; ++k)
       {
         place[k]->InsertNextValue(sample.Centre[k]);
@@ -169,8 +162,8 @@ void FillPoreSamples(const PoreReport& report, vtkTable* output)
 
 void FillPoreTable(const PoreReport& report, vtkTable* output)
 {
-  auto poreId = Named<vtkIntArray>("PoreId");
-  auto bottlenecks = Named<vtkIntArray>("Bottlenecks");
+  auto poreId = NamedArray<vtkIntArray>("PoreId");
+  auto bottlenecks = NamedArray<vtkIntArray>("Bottlenecks");
   const char* names[] = { "Radius", "Length", "Span", "BottleneckX", "BottleneckY", "BottleneckZ" };
   std::vector<vtkNew<vtkDoubleArray>> columns(6);
   for (std::size_t p = 0; p < report.Pores.size(); ++p)
@@ -179,7 +172,7 @@ void FillPoreTable(const PoreReport& report, vtkTable* output)
     const PoreSample& narrow = Narrowest(pore);
     const double values[] = { narrow.Radius, pore.Samples.back().ArcLength, pore.Span,
       narrow.Centre[0], narrow.Centre[1], narrow.Centre[2] };
-    poreId->InsertNextValue(NumberOf(p));
+    poreId->InsertNextValue(PoreNumber(p));
     bottlenecks->InsertNextValue(static_cast<int>(pore.Bottlenecks.size()));
     for (std::size_t k = 0; k < columns.size(); ++k)
     {
@@ -201,8 +194,8 @@ void FillBottlenecks(const PoreReport& report, vtkPolyData* output)
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;
-  auto rank = Named<vtkIntArray>("Rank");
-  auto residues = Named<vtkStringArray>("Residues");
+  auto rank = NamedArray<vtkIntArray>("Rank");
+  auto residues = NamedArray<vtkStringArray>("Residues");
   SampleArrays arrays;
   for (std::size_t p = 0; p < report.Pores.size(); ++p)
   {
@@ -214,7 +207,7 @@ void FillBottlenecks(const PoreReport& report, vtkPolyData* output)
       vertices->InsertNextCell(1, &id);
       rank->InsertNextValue(++number);
       residues->InsertNextValue(ResiduesAround(sample, field, report.Atoms));
-      arrays.Add(NumberOf(p), sample, report.Atoms);
+      arrays.Add(PoreNumber(p), sample, report.Atoms);
     }
   }
   output->SetPoints(points);
@@ -258,7 +251,7 @@ void FillPoreLining(const PoreReport& report,
   LiningTable table("PoreId");
   for (std::size_t p = 0; p < residues.size(); ++p)
   {
-    table.Add(NumberOf(p), residues[p], report.Atoms);
+    table.Add(PoreNumber(p), residues[p], report.Atoms);
   }
   table.Fill(output);
   output->RemoveColumnByName("Area");
@@ -270,7 +263,7 @@ void FillPoreLiningAtoms(const PoreReport& report,
   ResidueAtoms atoms(report.Atoms, input, "PoreId");
   for (std::size_t p = 0; p < residues.size(); ++p)
   {
-    atoms.Add(NumberOf(p), residues[p]);
+    atoms.Add(PoreNumber(p), residues[p]);
   }
   atoms.Fill(output);
 }
@@ -280,7 +273,7 @@ void FillTubes(vtkPolyData* lines, vtkPolyData* output)
   // The filter takes scalars as radii as they are; where atoms overlap the line it gets no tube.
   vtkNew<vtkPolyData> positive;
   positive->ShallowCopy(lines);
-  auto width = Named<vtkDoubleArray>("TubeWidth");
+  auto width = NamedArray<vtkDoubleArray>("TubeWidth");
   for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
   {
     width->InsertNextValue(

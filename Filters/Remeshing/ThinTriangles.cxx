@@ -17,8 +17,8 @@ constexpr double Thin = 1e-6;
 
 /// For CGAL, a little beyond: longest over shortest edge of a needle, cosine of a cap's angle (of
 /// 180 degrees less 1e-5 rad), and the longest edge to collapse, relative to the diagonal.
-constexpr double NeedleRatio = 2e5;
-constexpr double CapCosine = -1.0 + 5e-11;
+constexpr double ThinnestNeedle = 2e5;
+constexpr double FlattestCap = -1.0 + 5e-11;
 constexpr double CollapseLength = 1e-5;
 
 bool IsThin(const Point3& p, const Point3& q, const Point3& r)
@@ -86,7 +86,7 @@ TriangleMesh WithoutThinTriangles(const SurfaceView& mesh)
       }
       cgal::SurfaceMesh surface = cgal::ToSurfaceMesh(mesh);
       cgal::RemoveNeedlesAndCaps(
-        surface.faces(), surface, CapCosine, NeedleRatio, CollapseLength * box.Diagonal());
+        surface.faces(), surface, FlattestCap, ThinnestNeedle, CollapseLength * box.Diagonal());
       return cgal::FromSurfaceMesh(surface);
     });
 }

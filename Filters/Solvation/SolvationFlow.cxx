@@ -1,6 +1,6 @@
 #include "Solvation/SolvationFlow.h"
 
-#include "Core/NumberText.h"
+#include "Core/RangeChecks.h"
 
 #include "Atoms/NearestBall.h"
 #include "Electrostatics/ElectrostaticUnits.h"
@@ -25,22 +25,13 @@ namespace isthmus
 namespace
 {
 
-void Require(bool fine, const char* name, double value, const char* what)
-{
-  if (!fine)
-  {
-    throw std::invalid_argument(
-      std::string(name) + " is " + FormatNumber(value) + ", but " + what + ".");
-  }
-}
-
 void CheckSolvation(const SolvationParameters& p)
 {
   CheckPolicy(p.Policy);
-  Require(p.Solvent.SurfaceTension > 0.0 && std::isfinite(p.Solvent.SurfaceTension),
+  RequireThat(p.Solvent.SurfaceTension > 0.0 && std::isfinite(p.Solvent.SurfaceTension),
     "SurfaceTension", p.Solvent.SurfaceTension,
     "it is an energy for each square angstrom: give a positive number");
-  Require(std::isfinite(p.Solvent.Pressure), "Pressure", p.Solvent.Pressure,
+  RequireThat(std::isfinite(p.Solvent.Pressure), "Pressure", p.Solvent.Pressure,
     "it is an energy for each cubic angstrom: give a finite number");
 }
 

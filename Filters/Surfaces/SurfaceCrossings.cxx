@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 using PointMap = Eigen::Map<const Vector3d>;
 
 /// A line of the grid through a triangle: weights of the corners where it does.
-struct Hit
+struct TriangleHit
 {
   std::int64_t Line[2]; ///< indices on the axis after the line's, and on the one after that
   double Position;      ///< along the line, length
@@ -58,7 +58,7 @@ public:
         std::max<std::int64_t>(0, (least + (std::int64_t{ 1 } << this->Bits) - 1) >> this->Bits);
       high[a] = std::min(this->Grid.Dimensions[this->Across[a]] - 1, most >> this->Bits);
     }
-    Hit hit;
+    TriangleHit hit;
     for (hit.Line[1] = low[1]; hit.Line[1] <= high[1]; ++hit.Line[1])
     {
       for (hit.Line[0] = low[0]; hit.Line[0] <= high[0]; ++hit.Line[0])
@@ -125,7 +125,7 @@ private:
     return d1 != 0 ? (d1 < 0 ? 1 : -1) : (d0 > 0) - (d0 < 0);
   }
 
-  bool Passes(const std::int64_t corner[3][2], Hit& hit) const
+  bool Passes(const std::int64_t corner[3][2], TriangleHit& hit) const
   {
     const std::int64_t x[2] = { hit.Line[0] << this->Bits, hit.Line[1] << this->Bits };
     std::int64_t opposite[3];
@@ -227,7 +227,7 @@ std::vector<GridCrossing> SurfaceCrossings(const SurfaceView& mesh, const GridSh
     const auto collect = [&](vtkIdType triangle, std::vector<GridCrossing>& crossings)
     {
       projection.ForEachHit(triangle,
-        [&](const Hit& hit)
+        [&](const TriangleHit& hit)
         {
           const double index = hit.Position / grid.Spacing[axis];
           const auto last = static_cast<double>(grid.Dimensions[axis] - 1);
@@ -271,7 +271,7 @@ std::vector<unsigned char> NodesInside(const SurfaceView& mesh, const GridShape&
     [&](vtkIdType triangle, std::vector<Crossed>& found)
     {
       projection.ForEachHit(triangle,
-        [&](const Hit& hit)
+        [&](const TriangleHit& hit)
         { found.emplace_back(hit.Line[0] + grid.Dimensions[1] * hit.Line[1], hit.Position); });
     });
   std::sort(crossed.begin(), crossed.end());

@@ -13,7 +13,7 @@ namespace isthmus
 namespace
 {
 
-constexpr std::int64_t Grain = 4096;
+constexpr std::int64_t TrianglesPerTask = 4096;
 
 /// Triangles are sorted by the 33 leading bits of their places: 2048 cells a side tell neighbours
 /// apart well enough.
@@ -76,7 +76,7 @@ void TriangleBoxTree::MakeBoxes(const SurfaceView& mesh)
   const double width = std::max({ extent[0], extent[1], extent[2] });
   const auto count = static_cast<std::int64_t>(mesh.Triangles.size());
   std::vector<std::pair<std::uint64_t, std::int64_t>> places(mesh.Triangles.size());
-  ParallelFor(0, count, Grain,
+  ParallelFor(0, count, TrianglesPerTask,
     [&](std::int64_t begin, std::int64_t end)
     {
       for (std::int64_t t = begin; t < end; ++t)
@@ -88,7 +88,7 @@ void TriangleBoxTree::MakeBoxes(const SurfaceView& mesh)
   RadixSort(places, FirstPlaceBit, 63, [](const auto& place) { return place.first; });
   this->Boxes.resize(places.size());
   const Point3 middle = 0.5 * (all.Min + all.Max);
-  ParallelFor(0, count, Grain,
+  ParallelFor(0, count, TrianglesPerTask,
     [&](std::int64_t begin, std::int64_t end)
     {
       for (std::int64_t i = begin; i < end; ++i)

@@ -143,18 +143,18 @@ struct Parts
   }
 };
 
-StuffingCorner At(const LatticePoint& p)
+StuffingCorner CornerAt(const LatticePoint& p)
 {
   return { p, p };
 }
 
 void AppendTip(const Parts& parts, std::vector<StuffingPiece>& out)
 {
-  StuffingPiece piece{ At(parts.Own[0]) };
+  StuffingPiece piece{ CornerAt(parts.Own[0]) };
   std::size_t next = 1;
   for (std::size_t i = 0; i < parts.Zeros; ++i)
   {
-    piece[next++] = At(parts.Zero[i]);
+    piece[next++] = CornerAt(parts.Zero[i]);
   }
   for (std::size_t i = 0; i < parts.Others; ++i)
   {
@@ -166,10 +166,10 @@ void AppendTip(const Parts& parts, std::vector<StuffingPiece>& out)
 void AppendPyramid(const Parts& parts, std::vector<StuffingPiece>& out)
 {
   const LatticePoint &a = parts.Own[0], &b = parts.Own[1], &c = parts.Other[0];
-  const StuffingCorner apex = At(parts.Zero[0]), ac{ a, c }, bc{ b, c };
-  const StuffingCorner from = StartsAtFirst(a, b, c) ? At(a) : At(b);
+  const StuffingCorner apex = CornerAt(parts.Zero[0]), ac{ a, c }, bc{ b, c };
+  const StuffingCorner from = StartsAtFirst(a, b, c) ? CornerAt(a) : CornerAt(b);
   const StuffingCorner to = StartsAtFirst(a, b, c) ? bc : ac;
-  out.push_back({ apex, from, to, StartsAtFirst(a, b, c) ? At(b) : At(a) });
+  out.push_back({ apex, from, to, StartsAtFirst(a, b, c) ? CornerAt(b) : CornerAt(a) });
   out.push_back({ apex, from, to, StartsAtFirst(a, b, c) ? ac : bc });
 }
 
@@ -200,7 +200,7 @@ void AppendThreeToOne(const Parts& parts, std::vector<StuffingPiece>& out)
   std::array<bool, 3> rises;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    corners[i] = At(parts.Own[i]);
+    corners[i] = CornerAt(parts.Own[i]);
     corners[i + 3] = { parts.Own[i], c };
     rises[i] = StartsAtFirst(parts.Own[i], parts.Own[(i + 1) % 3], c);
   }
@@ -215,7 +215,8 @@ void AppendTwoToTwo(const Parts& parts, std::vector<StuffingPiece>& out)
   // the third one, on the surface, is what keeps the prism from being cut in a circle.
   const bool toC = StartsAtFirst(a, b, c);
   const bool toD = StartsAtFirst(a, b, d);
-  AppendPrism({ At(a), { a, c }, { a, d }, At(b), { b, c }, { b, d } }, { toC, !toC, !toD }, out);
+  AppendPrism(
+    { CornerAt(a), { a, c }, { a, d }, CornerAt(b), { b, c }, { b, d } }, { toC, !toC, !toD }, out);
 }
 
 }
@@ -230,7 +231,7 @@ void CutTetrahedron(
   }
   if (parts.Others == 0)
   {
-    out.push_back({ At(t[0]), At(t[1]), At(t[2]), At(t[3]) });
+    out.push_back({ CornerAt(t[0]), CornerAt(t[1]), CornerAt(t[2]), CornerAt(t[3]) });
   }
   else if (parts.Owns == 1)
   {

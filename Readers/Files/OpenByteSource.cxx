@@ -157,7 +157,7 @@ private:
   PlainFile File;
 };
 
-constexpr std::size_t bufferBytes = std::size_t{ 1 } << 18;
+constexpr std::size_t skipBytes = std::size_t{ 1 } << 18;
 
 template <typename Codec>
 class CompressedSource : public ByteSource
@@ -165,7 +165,7 @@ class CompressedSource : public ByteSource
 public:
   explicit CompressedSource(PlainFile file)
     : File(std::move(file))
-    , Input(bufferBytes)
+    , Input(skipBytes)
     , Decoder(std::make_unique<Codec>())
   {
   }
@@ -195,11 +195,11 @@ public:
       this->Restart();
     }
     const std::uint64_t first = this->Position;
-    std::vector<unsigned char> thrownAway(offset > first ? bufferBytes : 0);
+    std::vector<unsigned char> thrownAway(offset > first ? skipBytes : 0);
     while (this->Position < offset)
     {
       const std::size_t size =
-        static_cast<std::size_t>(std::min<std::uint64_t>(offset - this->Position, bufferBytes));
+        static_cast<std::size_t>(std::min<std::uint64_t>(offset - this->Position, skipBytes));
       if (this->Decompress(thrownAway.data(), size) < size)
       {
         return;
@@ -212,7 +212,7 @@ public:
   void CheckEnd() override
   {
     // The checksum follows the content; what follows a map is of no use, so don't go far for it.
-    this->SkipTo(this->Position + 4 * bufferBytes, {});
+    this->SkipTo(this->Position + 4 * skipBytes, {});
   }
 
   bool IsCut() const override { return this->Cut; }

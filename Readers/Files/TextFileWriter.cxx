@@ -10,7 +10,7 @@ namespace isthmus
 namespace
 {
 
-constexpr std::size_t bufferBytes = std::size_t{ 1 } << 20;
+constexpr std::size_t flushBytes = std::size_t{ 1 } << 20;
 
 bool EndsWithGz(const std::string& path)
 {
@@ -41,7 +41,7 @@ TextFileWriter::~TextFileWriter()
 TextFileWriter& TextFileWriter::operator<<(std::string_view text)
 {
   this->Buffer += text;
-  if (this->Buffer.size() > bufferBytes)
+  if (this->Buffer.size() > flushBytes)
   {
     this->Flush();
   }

@@ -14,11 +14,6 @@ namespace isthmus
 namespace
 {
 
-bool IsDigit(char c)
-{
-  return c >= '0' && c <= '9';
-}
-
 bool AllDigits(std::string_view text)
 {
   return !text.empty() && std::all_of(text.begin(), text.end(), IsDigit);

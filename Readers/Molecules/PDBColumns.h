@@ -32,6 +32,11 @@
 namespace isthmus
 {
 
+constexpr bool IsDigit(char c)
+{
+  return c >= '0' && c <= '9';
+}
+
 /**
  * The columns (from 0) where x, y and z begin and z ends: 30, 38, 46 and 54, unless the numbers
  * have three decimals, follow each other and one of them is wider than eight columns.

@@ -25,11 +25,6 @@ namespace
 
 constexpr std::int64_t AtomsAtOnce = 1 << 13;
 
-bool IsDigit(char c)
-{
-  return c >= '0' && c <= '9';
-}
-
 /// The number that a field begins with, as programs in C read it; NaN if it begins with none.
 double NumberAtBegin(std::string_view field)
 {

@@ -6,6 +6,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/Common.cmake")
 set(folder "${WORK_DIR}/modules")
 file(REMOVE_RECURSE "${folder}")
 run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}" -B "${folder}" -G Ninja -DISTHMUS_PARAVIEW=OFF
+  -DCMAKE_UNITY_BUILD=OFF
   "-DVTK_DIR=${VTK_DIR}" "-DPython3_EXECUTABLE=${Python3_EXECUTABLE}")
 run("${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_LIST_DIR}/check_isolation.py" "${SOURCE_DIR}" "${folder}")
 
