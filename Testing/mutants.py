@@ -11,6 +11,7 @@ An audit found these tests asserting nothing; MUTANTS has one mistake for each t
 """
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -77,12 +78,21 @@ def environment(build):
                 ISTHMUS_DATA_DIR=os.environ.get("ISTHMUS_DATA_DIR", str(ROOT / "../shared/data")))
 
 
+def unit_test(name, filter_):
+    """The program that has the tests of Testing/Unit/<module>/NAME.cxx, and a filter; "*": all of the file."""
+    path = next((ROOT / "Testing/Unit").rglob(name + ".cxx"))
+    if filter_ == "*":
+        suites = set(re.findall(r"^TEST(?:_F|_P)?\((\w+),", path.read_text(), re.MULTILINE))
+        filter_ = ":".join(f"{prefix}{suite}.*" for suite in sorted(suites) for prefix in ("", "*/"))
+    return "Test" + path.parent.name, filter_
+
+
 def passes(test, build):
     """Whether the test, built anew, passes."""
-    program = test[0] if isinstance(test, tuple) else "all"
+    program, filter_ = unit_test(*test) if isinstance(test, tuple) else ("all", "")
     subprocess.run(["cmake", "--build", str(build), "--target", program], check=True, stdout=subprocess.DEVNULL)
     if isinstance(test, tuple):
-        command = [str(build / "Testing/Unit" / program), "--gtest_filter=" + test[1]]
+        command = [str(build / "Testing/Unit" / program), "--gtest_filter=" + filter_]
     else:
         script, *arguments = test.split()
         command = ["xvfb-run", "-a", "pvpython", str(ROOT / "Testing/Python" / script), *arguments]

@@ -1,22 +1,76 @@
 #!/usr/bin/env bash
 # All tests: installs what is missing, builds everything with warnings as errors, runs ctest.
-# Usage: Testing/run.sh [--no-install] [ctest arguments]
+# Usage: Testing/run.sh [--no-install] [--quick] [--module NAME]... [--changed [REVISION]] [ctest arguments]
+#
+#   --module NAME         build and test one module (Imaging), its long tests as well
+#   --changed [REVISION]  the modules with changes since REVISION (default: origin/main), and those that
+#                         depend on them
+#   --quick               only unit tests that take less than a second: under three minutes
+#   --no-install          leave Debian's packages alone
+#
+# Of the long tests, each run does another share (select_tests.py); ISTHMUS_LONG_TESTS=1: all.
 source "$(dirname "${BASH_SOURCE[0]}")/../cmake/setup.sh"
 
 install=yes
-if [ "${1:-}" = --no-install ]; then
-  install=no
+choice=()
+quick=
+while [ $# -gt 0 ]; do
+  case $1 in
+    --no-install) install=no ;;
+    --quick) quick=--quick ;;
+    --module)
+      choice+=(--module "${2:?--module needs the name of a module}")
+      shift
+      ;;
+    --changed)
+      case ${2:-} in
+        '' | -*) choice+=(--changed origin/main) ;;
+        *)
+          choice+=(--changed "$2")
+          shift
+          ;;
+      esac
+      ;;
+    -h | --help)
+      sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+      exit
+      ;;
+    *) break ;;
+  esac
   shift
-fi
+done
+select_tests() { python3 -B "$source_dir/Testing/select_tests.py" "$@"; }
+
 if [ $install = yes ]; then
   install_packages "${build_packages[@]}" "${paraview_packages[@]}" "${test_packages[@]}"
 fi
-configure_and_build -DISTHMUS_TESTING=ON -DISTHMUS_WERROR=ON
+# The targets that the chosen modules' tests need; without a choice everything is built.
+targets=()
+if [ ${#choice[@]} -gt 0 ] || [ -n "$quick" ]; then
+  modules=$(select_tests --modules "${choice[@]}")
+  if [ -z "$modules" ]; then
+    say "No module has changes."
+    exit
+  fi
+  say "Modules: $modules"
+  for module in $modules; do
+    targets+=("unit_tests_$module")
+    [ -n "$quick" ] || targets+=("python_tests_$module")
+  done
+fi
+configure_and_build -DISTHMUS_TESTING=ON -DISTHMUS_WERROR=ON -- "${targets[@]}"
 
-# Long tests take turns (Unit/Core/LongTests.h): each commit runs another share, always the same.
-export ISTHMUS_TURN=${ISTHMUS_TURN:-$(git -C "$source_dir" log -1 --format=%ct 2>/dev/null || true)}
+# Long cases within a test take turns as well (Unit/Core/LongTests.h).
+export ISTHMUS_TURN=${ISTHMUS_TURN:-$(git -C "$source_dir" rev-list --count --first-parent HEAD 2>/dev/null || echo 0)}
 
 say "Testing"
 use_build_tree
 cd "$build_dir"
-exec ctest --output-on-failure --parallel "$jobs" "$@"
+select_tests "$build_dir" "${choice[@]}" $quick --write "$build_dir/chosen_tests.txt"
+# ctest's summary comes last, after the causes of failures.
+status=0
+ctest -I "$build_dir/chosen_tests.txt" --parallel "$jobs" --output-junit "$build_dir/tests.xml" "$@" |
+  tee "$build_dir/ctest.txt" | sed -u '/% tests passed/,$d' || status=$?
+python3 -B "$source_dir/Testing/report_tests.py" "$build_dir/tests.xml" "$build_dir/failed"
+sed -n '/% tests passed/,$p' "$build_dir/ctest.txt"
+exit $status

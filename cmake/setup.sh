@@ -139,19 +139,29 @@ install_packages()
     apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
-# configure_and_build CMAKE-OPTION...
+# configure_and_build CMAKE-OPTION... [-- TARGET...]: all targets if none is named; with ccache if it is
+# installed.
 configure_and_build()
 {
+  local options=() targets=()
+  while [ $# -gt 0 ] && [ "$1" != -- ]; do
+    options+=("$1")
+    shift
+  done
+  if [ $# -gt 1 ]; then targets=(--target "${@:2}"); fi
+  if command -v ccache >/dev/null; then
+    options+=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  fi
   say "Configuring in $build_dir"
   # ParaView's Python is the system's, whatever else is on PATH.
   mkdir -p "$build_dir"
-  cmake -S "$source_dir" -B "$build_dir" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 "$@" \
+  cmake -S "$source_dir" -B "$build_dir" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 "${options[@]}" \
     >"$build_dir/configure.log" 2>&1 || {
     tail -n 40 "$build_dir/configure.log" >&2
     exit 1
   }
   say "Building with $jobs jobs"
-  cmake --build "$build_dir" --parallel "$jobs"
+  cmake --build "$build_dir" --parallel "$jobs" "${targets[@]}"
 }
 
 # The plugin and the Python module of the build tree, found by ParaView's programs.

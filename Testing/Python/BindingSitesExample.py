@@ -1,7 +1,7 @@
 """Examples/binding_sites.py on 1HEW, its potential by our solver: table, picture, and the cleft first;
 without pdb2pqr, which gives the charges, from a potential in a file.
 
-It takes turns (long_tests.py), since BindingSites.py has the same pipeline.
+It takes turns (turns.tsv), since BindingSites.py has the same pipeline.
 """
 
 import csv
@@ -12,11 +12,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-from long_tests import share
 from shared_data import shared_data
 
-if not share(["1hew"], 3):
-    sys.exit(77)
 protein = shared_data("molecules/1hew.pdb")
 potential = shared_data("molecules/1hew/1hew_potential.dx.gz")
 script = Path(os.environ["ISTHMUS_EXAMPLES_DIR"]) / "binding_sites.py"

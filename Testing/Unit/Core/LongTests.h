@@ -2,10 +2,10 @@
  * @file LongTests.h
  * @brief Which of the long cases of a test run now.
  *
- * All of them with ISTHMUS_LONG_TESTS=1. Else a share: the cases are dealt out to a few hands, and
- * ISTHMUS_TURN, any number, says whose turn it is. Testing/run.sh sets it to the commit's date, so
- * that each landing runs another share and a few landings run everything; one commit always runs
- * the same. Without ISTHMUS_TURN none runs. Python's twin is Testing/Python/long_tests.py.
+ * All of them with ISTHMUS_LONG_TESTS=1. Else a share: of `hands` shares, the one whose turn it is
+ * by the hash of the test's name and ISTHMUS_TURN, any number. Testing/run.sh sets it to the number
+ * of merges, so that each merge runs another share. Without ISTHMUS_TURN none runs. The same in
+ * Python: Testing/Python/long_tests.py.
  */
 #ifndef isthmus_LongTests_h
 #define isthmus_LongTests_h
@@ -21,16 +21,21 @@ namespace isthmus::testing
 class LongCases
 {
 public:
-  /// `name` is for the line that Tell() prints; `hands`: about so many landings run all cases.
+  /// `name` is for the hash and the line that Tell() prints; `hands` merges run all cases.
   LongCases(std::string name, std::uint64_t hands)
     : Name(std::move(name))
     , Hands(hands)
   {
+    std::uint32_t hash = 2166136261U; // FNV-1a, as in Testing/select_tests.py
+    for (const char c : this->Name)
+    {
+      hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+    }
     const char* all = std::getenv("ISTHMUS_LONG_TESTS");
     const char* turn = std::getenv("ISTHMUS_TURN");
     this->All = all && std::string(all) == "1";
     this->Some = turn && *turn;
-    this->Turn = this->Some ? std::strtoull(turn, nullptr, 10) % hands : 0;
+    this->Turn = this->Some ? (std::strtoull(turn, nullptr, 10) + hash) % hands : 0;
   }
 
   /// Whether case `index`, counted from 0, runs now.
