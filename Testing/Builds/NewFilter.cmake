@@ -8,7 +8,8 @@ file(MAKE_DIRECTORY "${copy}")
 foreach (folder IN ITEMS cmake Examples Filters Readers Plugin Testing)
   file(COPY "${SOURCE_DIR}/${folder}" DESTINATION "${copy}")
 endforeach ()
-file(COPY "${SOURCE_DIR}/.clang-tidy" DESTINATION "${copy}") # Testing/README.md points to it
+# Testing/README.md points to these.
+file(COPY "${SOURCE_DIR}/.clang-tidy" "${SOURCE_DIR}/CONTRIBUTING.md" DESTINATION "${copy}")
 
 run("${copy}/cmake/new_filter.sh" PhaseFlip Imaging)
 foreach (check IN ITEMS check_modules check_readmes check_links)
