@@ -1,5 +1,7 @@
 #include "Atoms/ChemicalElement.h"
 
+#include "Atoms/NameLetters.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -37,28 +39,6 @@ bool IsBiopolymerResidue(std::string_view name)
     "HSD HSE HSP CYX CYM ASH GLH LYN A C G U DA DC DG DT DU RA RC RG RU ";
   return IsOneOf(name, names) ||
     (name.size() == 4 && (IsOneOf(name.substr(1), names) || IsOneOf(name.substr(0, 3), names)));
-}
-
-bool IsLetter(char c)
-{
-  return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
-
-/// The first letters of a name, digits before them left out.
-std::string_view Letters(std::string_view name)
-{
-  const auto first = std::find_if(name.begin(), name.end(), IsLetter);
-  const auto last = std::find_if_not(first, name.end(), IsLetter);
-  return name.substr(
-    static_cast<std::size_t>(first - name.begin()), static_cast<std::size_t>(last - first));
-}
-
-std::string Capitals(std::string_view text)
-{
-  std::string capitals(text);
-  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
-    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return capitals;
 }
 
 constexpr int LastStable = 83; ///< bismuth, nearly
@@ -124,7 +104,7 @@ int ElementOfIon(std::string_view nameOfAtom, std::string_view nameOfResidue)
   const std::string name = Capitals(nameOfAtom);
   const std::string residue = Capitals(nameOfResidue);
   const std::string_view residueName = residue;
-  const std::string_view letters = Letters(name);
+  const std::string_view letters = FirstLetters(name);
   if (letters.empty())
   {
     return 0;
@@ -158,7 +138,7 @@ int ElementOfIon(std::string_view nameOfAtom, std::string_view nameOfResidue)
 
 int ElementOfAtomName(std::string_view name, std::string_view residueName)
 {
-  const std::string_view letters = Letters(name);
+  const std::string_view letters = FirstLetters(name);
   if (letters.empty())
   {
     return 0;

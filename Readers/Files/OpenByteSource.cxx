@@ -400,14 +400,44 @@ void RefuseOtherCompressions(const unsigned char (&magic)[4], const std::string&
   }
 }
 
+/// Forwards to another source whatever a derived class does not override.
+class ForwardingSource : public ByteSource
+{
+public:
+  explicit ForwardingSource(std::unique_ptr<ByteSource> source)
+    : Source(std::move(source))
+  {
+  }
+
+  std::uint64_t MostBytes() const override { return this->Source->MostBytes(); }
+  std::uint64_t CountUpTo(std::uint64_t limit, const ProgressCallback& progress) override
+  {
+    return this->Source->CountUpTo(limit, progress);
+  }
+  void SkipTo(std::uint64_t offset, const ProgressCallback& progress) override
+  {
+    this->Source->SkipTo(offset, progress);
+  }
+  void CheckEnd() override { this->Source->CheckEnd(); }
+  bool IsCut() const override { return this->Source->IsCut(); }
+  bool RandomAccess() const override { return this->Source->RandomAccess(); }
+  bool UsesThreads() const override { return this->Source->UsesThreads(); }
+  std::string Compression() const override { return this->Source->Compression(); }
+  std::uint64_t FileSize() const override { return this->Source->FileSize(); }
+  const std::string& Path() const override { return this->Source->Path(); }
+
+protected:
+  std::unique_ptr<ByteSource> Source;
+};
+
 /// A source from a few bytes on. Those that have been read to see where it begins are kept, so that
 /// compressed content is not decompressed twice.
-class SourceBehind : public ByteSource
+class SourceBehind : public ForwardingSource
 {
 public:
   /// `head` follows the first `bytes`, and has been read.
   SourceBehind(std::unique_ptr<ByteSource> source, std::size_t bytes, std::string head)
-    : Source(std::move(source))
+    : ForwardingSource(std::move(source))
     , Bytes(bytes)
     , Head(std::move(head))
   {
@@ -438,26 +468,18 @@ public:
       this->Source->SkipTo(offset + this->Bytes, progress);
     }
   }
-  void CheckEnd() override { this->Source->CheckEnd(); }
-  bool IsCut() const override { return this->Source->IsCut(); }
-  bool RandomAccess() const override { return this->Source->RandomAccess(); }
-  bool UsesThreads() const override { return this->Source->UsesThreads(); }
-  std::string Compression() const override { return this->Source->Compression(); }
-  std::uint64_t FileSize() const override { return this->Source->FileSize(); }
-  const std::string& Path() const override { return this->Source->Path(); }
 
 private:
-  std::unique_ptr<ByteSource> Source;
   std::size_t Bytes;
   std::string Head;
 };
 
 /// A text whose lines end in carriage returns, with newlines in their places.
-class SourceOfReturns : public ByteSource
+class SourceOfReturns : public ForwardingSource
 {
 public:
   explicit SourceOfReturns(std::unique_ptr<ByteSource> source)
-    : Source(std::move(source))
+    : ForwardingSource(std::move(source))
   {
   }
 
@@ -468,25 +490,6 @@ public:
     return got;
   }
   bool ChangesLineEnds() const override { return true; }
-  std::uint64_t MostBytes() const override { return this->Source->MostBytes(); }
-  std::uint64_t CountUpTo(std::uint64_t limit, const ProgressCallback& progress) override
-  {
-    return this->Source->CountUpTo(limit, progress);
-  }
-  void SkipTo(std::uint64_t offset, const ProgressCallback& progress) override
-  {
-    this->Source->SkipTo(offset, progress);
-  }
-  void CheckEnd() override { this->Source->CheckEnd(); }
-  bool IsCut() const override { return this->Source->IsCut(); }
-  bool RandomAccess() const override { return this->Source->RandomAccess(); }
-  bool UsesThreads() const override { return this->Source->UsesThreads(); }
-  std::string Compression() const override { return this->Source->Compression(); }
-  std::uint64_t FileSize() const override { return this->Source->FileSize(); }
-  const std::string& Path() const override { return this->Source->Path(); }
-
-private:
-  std::unique_ptr<ByteSource> Source;
 };
 
 }

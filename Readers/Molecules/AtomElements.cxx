@@ -1,11 +1,11 @@
 #include "Molecules/AtomElements.h"
 
 #include "Atoms/ChemicalElement.h"
+#include "Atoms/NameLetters.h"
 #include "Core/ParallelFor.h"
 #include "Files/TextLines.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <initializer_list>
 #include <mutex>
@@ -19,28 +19,6 @@ namespace
 {
 
 using Names = std::unordered_set<std::string_view>;
-
-bool IsLetter(char c)
-{
-  return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
-
-/// The first letters of a name, digits before them left out.
-std::string_view Letters(std::string_view name)
-{
-  const auto first = std::find_if(name.begin(), name.end(), IsLetter);
-  const auto last = std::find_if_not(first, name.end(), IsLetter);
-  return name.substr(
-    static_cast<std::size_t>(first - name.begin()), static_cast<std::size_t>(last - first));
-}
-
-std::string Capitals(std::string_view text)
-{
-  std::string capitals(text);
-  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
-    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return capitals;
-}
 
 // ------------------------------------------------------------------------------------------
 // Residues
@@ -237,7 +215,7 @@ int ElementOfNameColumns(const AtomColumns& columns)
 
 int ElementInFamily(ResidueFamily family, std::string_view residue, std::string_view name)
 {
-  const std::string letters = Capitals(Letters(name));
+  const std::string letters = Capitals(FirstLetters(name));
   if (letters.empty())
   {
     return 0;
@@ -452,7 +430,7 @@ private:
         continue;
       }
       Atom& atom = this->Atoms[i];
-      const std::string letters = Capitals(Letters(atom.Name));
+      const std::string letters = Capitals(FirstLetters(atom.Name));
       const std::string symbol =
         Capitals(Trimmed({ this->Columns[i].Symbol.data(), this->Columns[i].Symbol.size() }));
       const auto set = [&](int element, Way way)
@@ -502,7 +480,7 @@ private:
   /// these.
   bool IsPlausible(int element, std::size_t atom) const
   {
-    const std::string letters = Capitals(Letters(this->Atoms[atom].Name));
+    const std::string letters = Capitals(FirstLetters(this->Atoms[atom].Name));
     if (element == 0 || !IsMetal(element) ||
       std::string_view("HCNOPS").find(letters[0]) == std::string_view::npos)
     {
@@ -519,7 +497,7 @@ private:
     constexpr double longestToLigand = 2.8;
     constexpr std::size_t fewestLigands = 2;
     const std::string& name = this->Atoms[atom].Name;
-    if (name.size() != 2 || Letters(name).size() != 2)
+    if (name.size() != 2 || FirstLetters(name).size() != 2)
     {
       return 0;
     }
@@ -638,7 +616,7 @@ bool IsDummyName(std::string_view name)
     return capitals.size() > with.size() &&
       capitals.compare(capitals.size() - with.size(), with.size(), with) == 0;
   };
-  return IsDummy(Letters(capitals)) || ends("-BQ") || ends("_BQ") ||
+  return IsDummy(FirstLetters(capitals)) || ends("-BQ") || ends("_BQ") ||
     capitals.compare(0, 2, "BQ") == 0 || (!capitals.empty() && capitals[0] == '@');
 }
 

@@ -1,10 +1,10 @@
 #include "Molecules/PQRFile.h"
 
 #include "Atoms/ChemicalElement.h"
+#include "Atoms/NameLetters.h"
 #include "Files/TextLines.h"
 #include "Molecules/AtomElements.h"
 
-#include <cctype>
 #include <cmath>
 
 namespace isthmus
@@ -13,11 +13,6 @@ namespace
 {
 
 using Words = std::array<std::string_view, 12>;
-
-bool IsLetter(char c)
-{
-  return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
 
 /// "1003" or "1003A".
 bool ReadResidueId(std::string_view word, Atom& atom)
