@@ -59,8 +59,8 @@ def main(results, folder):
         log.write_text(output)
         print(f"FAILED {test.get('name')}\n  {cause_of(output, status)[:300]}\n  whole output: {log}")
     if skipped:
-        print(f"Skipped tests: {skipped}, {without_data} of them for want of shared data "
-              "(Testing/fetch_data.sh gets them).")
+        print(f"Skipped tests: {skipped}, {without_data} of them because shared data are missing "
+              "(Testing/fetch_data.sh downloads them).")
 
 
 if __name__ == "__main__":

@@ -39,7 +39,7 @@ class ReportTests(unittest.TestCase):
             with contextlib.redirect_stdout(said):
                 report_tests.main(folder / "tests.xml", folder / "failed")
             self.assertIn("FAILED Bad/one\n  some words\n", said.getvalue())
-            self.assertIn("Skipped tests: 1, 1 of them for want of shared data", said.getvalue())
+            self.assertIn("Skipped tests: 1, 1 of them because shared data are missing", said.getvalue())
             self.assertNotIn("Good", said.getvalue())
             self.assertEqual([path.read_text() for path in (folder / "failed").iterdir()], ["some words\n"])
 

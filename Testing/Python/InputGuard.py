@@ -2,7 +2,7 @@
 (vtkGhostType), a position that is not finite, arrays of bits. The filter refuses them in one message
 and has empty outputs; or repairs the surface with a warning, and all positions of the output are
 finite; or gives for bits what it gives for the same numbers as bytes. None may take them for something
-else without a word.
+else without any message.
 """
 
 import re

@@ -21,7 +21,8 @@ namespace isthmus::testing
 class LongCases
 {
 public:
-  /// `name` is for the hash and the line that Tell() prints; `hands` merges run all cases.
+  /// `name` decides at which turn a case runs and is printed by Tell(). After `hands` consecutive
+  /// merges all cases have run.
   LongCases(std::string name, std::uint64_t hands)
     : Name(std::move(name))
     , Hands(hands)
