@@ -6,6 +6,7 @@
 #   --changed [REVISION]  the modules with changes since REVISION (default: origin/main), and those that
 #                         depend on them
 #   --quick               only unit tests that take less than a second: under three minutes
+#   --all                 every test, whatever its turn; of long cases within a test still a share
 #   --no-install          leave Debian's packages alone
 #
 # Of the long tests, each run does another share (select_tests.py); ISTHMUS_LONG_TESTS=1: all.
@@ -14,10 +15,12 @@ source "$(dirname "${BASH_SOURCE[0]}")/../cmake/setup.sh"
 install=yes
 choice=()
 quick=
+all=
 while [ $# -gt 0 ]; do
   case $1 in
     --no-install) install=no ;;
     --quick) quick=--quick ;;
+    --all) all=--all ;;
     --module)
       choice+=(--module "${2:?--module needs the name of a module}")
       shift
@@ -66,7 +69,7 @@ export ISTHMUS_TURN=${ISTHMUS_TURN:-$(git -C "$source_dir" rev-list --count --fi
 say "Testing"
 use_build_tree
 cd "$build_dir"
-select_tests "$build_dir" "${choice[@]}" $quick --write "$build_dir/chosen_tests.txt"
+select_tests "$build_dir" "${choice[@]}" $quick $all --write "$build_dir/chosen_tests.txt"
 # ctest's summary comes last, after the causes of failures.
 status=0
 ctest -I "$build_dir/chosen_tests.txt" --parallel "$jobs" --output-junit "$build_dir/tests.xml" "$@" |

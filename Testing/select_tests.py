@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Which tests run now: by module, by subset and by turn.
 
-    select_tests.py BUILD [--module NAME]... [--changed REVISION] [--quick] [--turn N] [--write FILE]
+    select_tests.py BUILD [--module NAME]... [--changed REVISION] [--quick] [--all] [--turn N]
+                    [--write FILE]
     select_tests.py BUILD --turns
     select_tests.py --modules [--module NAME]... [--changed REVISION]
 
@@ -14,6 +15,7 @@ With --write, FILE gets the numbers of the tests in the form that `ctest -I FILE
 all tests that take turns are listed with the number of merges since they last ran. With --modules,
 the folders of the modules are printed instead of tests. --changed REVISION means the modules with
 changes since then and all that depend on them. --quick: the unit tests that are not in turns.tsv.
+--all: no test waits for its turn.
 """
 import argparse
 import fnmatch
@@ -153,6 +155,7 @@ def main():
     parser.add_argument("--module", action="append", default=[])
     parser.add_argument("--changed")
     parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--all", action="store_true")
     parser.add_argument("--turn", type=int)
     parser.add_argument("--turns", action="store_true")
     parser.add_argument("--modules", action="store_true")
@@ -178,7 +181,7 @@ def main():
         print_turns(tests, groups, turn)
         return
     # Long tests of modules that someone asks for by name do not wait for their turn.
-    all_turns = bool(given.module) or os.environ.get("ISTHMUS_LONG_TESTS") == "1"
+    all_turns = given.all or bool(given.module) or os.environ.get("ISTHMUS_LONG_TESTS") == "1"
     numbers, later = chosen_tests(tests, groups, turn, folders, given.quick, all_turns)
     if not numbers:
         sys.exit("No test was chosen.")

@@ -2,6 +2,9 @@
 # Checks a release on one version of Debian: a clean root, both commands of README in it, a summary.
 # Usage: Testing/Builds/release.sh SUITE [plain] [ctest arguments]
 #
+# The commands are ./Examples/run.sh and ./Testing/run.sh, the latter with --all: every test, whatever its
+# turn. The shared data are required.
+#
 # SUITE     bookworm, trixie, testing: a name that debootstrap knows
 # plain     Isthmus without ParaView on the suite's own VTK (libvtk9-dev): all unit tests
 #
@@ -93,7 +96,8 @@ fi
 # inside COMMAND: in the clone in the root, as a user of a new machine has it.
 inside()
 {
-  chroot "$root" /usr/bin/env -i HOME=/root LANG=C.UTF-8 PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
+  chroot "$root" /usr/bin/env -i HOME=/root LANG=C.UTF-8 ISTHMUS_REQUIRE_DATA=1 \
+    PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
     ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
     "${launcher[@]}" bash -c "cd /isthmus && $1"
 }
@@ -102,6 +106,7 @@ say "The clone of $(git -C "$source_dir" rev-parse --short HEAD)"
 if [ -d "$root/isthmus/.git" ]; then
   git -C "$root/isthmus" fetch -q "$source_dir" HEAD
   git -C "$root/isthmus" checkout -q --detach FETCH_HEAD
+  git -C "$root/isthmus" clean -q -x -d -f -f
 else
   git clone -q --no-local "$source_dir" "$root/isthmus"
 fi
@@ -115,8 +120,8 @@ if [ $kind = paraview ]; then
   say "./Examples/run.sh"
   inside ./Examples/run.sh >"$logs/$name-example.log" 2>&1 || failed=1
   tail -n 25 "$logs/$name-example.log"
-  say "./Testing/run.sh"
-  inside "./Testing/run.sh --output-junit /isthmus/build/tests.xml $arguments" \
+  say "./Testing/run.sh --all"
+  inside "./Testing/run.sh --all $arguments" \
     >"$logs/$name-tests.log" 2>&1 || failed=1
 else
   say "Isthmus on the VTK of $suite"
