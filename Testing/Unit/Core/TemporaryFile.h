@@ -5,14 +5,14 @@
 #ifndef isthmus_TemporaryFile_h
 #define isthmus_TemporaryFile_h
 
+#include "Core/ChildProcess.h"
+
 #include <bzlib.h>
 #include <zlib.h>
 
 #include <filesystem>
 #include <fstream>
 #include <string>
-
-#include <unistd.h>
 
 namespace isthmus::testing
 {
@@ -49,24 +49,15 @@ class TemporaryFile
 {
 public:
   explicit TemporaryFile(const std::string& content, const std::string& name = "map.mrc")
+    : File((this->Folder.Path() / name).string())
   {
-    std::string pattern = (std::filesystem::temp_directory_path() / "isthmus-XXXXXX").string();
-    this->Folder = ::mkdtemp(pattern.data());
-    this->File = (this->Folder / name).string();
     std::ofstream(this->File, std::ios::binary) << content;
   }
-  ~TemporaryFile()
-  {
-    std::error_code ignored;
-    std::filesystem::remove_all(this->Folder, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   const char* Path() const { return this->File.c_str(); }
 
 private:
-  std::filesystem::path Folder;
+  TemporaryFolder Folder;
   std::string File;
 };
 

@@ -2,6 +2,7 @@
 // it is emptied, too.
 
 #include "Core/AlgorithmGuard.h"
+#include "Core/ChildProcess.h"
 #include "vtkMRCMapReader.h"
 #include "vtkSurfaceToGrid.h"
 
@@ -255,7 +256,8 @@ TEST(AlgorithmGuard, AStopOfWhatComesBeforeIsHeardAndForgotten)
 
 TEST(AlgorithmGuard, AFileThatIsCutShortSaysItOnceAndKeepsItsCode)
 {
-  const auto path = std::filesystem::temp_directory_path() / "isthmus_cut_short.map";
+  const isthmus::TemporaryFolder folder;
+  const auto path = folder.Path() / "isthmus_cut_short.map";
   std::ofstream(path, std::ios::binary) << std::string(1023, 'x');
   vtkNew<vtkMRCMapReader> reader;
   const Ear ear(reader);
@@ -267,5 +269,4 @@ TEST(AlgorithmGuard, AFileThatIsCutShortSaysItOnceAndKeepsItsCode)
     EXPECT_NE(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
   }
   EXPECT_EQ(ear.Said.size(), 1U) << (ear.Said.size() > 1 ? ear.Said[1] : "");
-  std::filesystem::remove(path);
 }

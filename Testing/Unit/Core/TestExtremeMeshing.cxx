@@ -1,5 +1,6 @@
 // The extremes of TestExtremes in the filters that mesh, and what TetGen's command may be.
 
+#include "Core/ChildProcess.h"
 #include "ExtremeInputs.h"
 #include "SurfaceModels.h"
 #include "TopologyFilterRun.h"
@@ -231,8 +232,8 @@ TEST(Extremes, AnAbortOfTheCGALMesherIsHeardWithinASecond)
 
 TEST(Extremes, TetGenCommandsThatAreNoneAreTold)
 {
-  const auto folder = std::filesystem::path(::testing::TempDir()) / "isthmus_tetgen_command";
-  std::filesystem::create_directories(folder);
+  const isthmus::TemporaryFolder own;
+  const std::filesystem::path& folder = own.Path();
   const std::string text = folder / "text";
   std::ofstream(text) << "no program\n";
   const std::string killed = folder / "killed";

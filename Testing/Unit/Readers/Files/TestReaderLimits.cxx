@@ -7,6 +7,7 @@
 #include "vtkMacromoleculeReader.h"
 #include "vtkOpenDXReader.h"
 
+#include "Core/ChildProcess.h"
 #include "Core/PrintableText.h"
 #include "Files/ReaderError.h"
 #include "MRCTestFile.h"
@@ -51,11 +52,11 @@ std::pair<std::string, unsigned long> Complaint(const std::string& path)
   return { observer->GetErrorMessage(), reader->GetErrorCode() };
 }
 
-std::filesystem::path Folder()
+/// One folder for all tests of this process.
+const std::filesystem::path& Folder()
 {
-  const auto folder = std::filesystem::path(::testing::TempDir()) / "isthmus_reader_limits";
-  std::filesystem::create_directories(folder);
-  return folder;
+  static const isthmus::TemporaryFolder folder;
+  return folder.Path();
 }
 
 /// A pair of MSMS files with `faces` of four, whose first line promises four.
@@ -94,7 +95,6 @@ TEST(ReaderLimits, PipesAreRefusedAndNotWaitedFor)
     { "pipe.cmesh", "pipe.vert", "pipe.face", "pipe.pdb", "pipe.dx", "pipe.mrc" })
   {
     const std::string path = Folder() / name;
-    std::filesystem::remove(path);
     ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
   }
   const std::string stem = Folder() / "pipe";
@@ -136,7 +136,6 @@ TEST(ReaderLimits, WhatHasNoContentsIsTakenByItsName)
   const std::string folder = Folder() / "folder.any";
   std::filesystem::create_directories(folder);
   const std::string pipe = Folder() / "pipe.any";
-  std::filesystem::remove(pipe);
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   const std::string other = Folder() / "other.any";
   std::ofstream(other) << "of another format\n";

@@ -1,3 +1,4 @@
+#include "Core/ChildProcess.h"
 #include "Maps/RecommendedLevel.h"
 
 #include <gtest/gtest.h>
@@ -10,18 +11,10 @@ using namespace isthmus;
 namespace
 {
 
-/// A folder of its own that goes when the test is over.
+/// A folder of the test's own with an empty folder "map".
 struct Folder
 {
-  Folder()
-    : Path(std::filesystem::temp_directory_path() /
-        ("isthmus_levels_" +
-          std::string(::testing::UnitTest::GetInstance()->current_test_info()->name())))
-  {
-    std::filesystem::remove_all(this->Path);
-    std::filesystem::create_directories(this->Path / "map");
-  }
-  ~Folder() { std::filesystem::remove_all(this->Path); }
+  Folder() { std::filesystem::create_directories(this->Path / "map"); }
 
   void Write(const std::string& name, const std::string& text) const
   {
@@ -30,7 +23,8 @@ struct Folder
   }
   std::string operator/(const std::string& name) const { return (this->Path / name).string(); }
 
-  std::filesystem::path Path;
+  TemporaryFolder Own;
+  const std::filesystem::path& Path = this->Own.Path();
 };
 
 std::string Contour(const std::string& level)

@@ -1,5 +1,6 @@
 #include "vtkMSMSReader.h"
 
+#include "Core/ChildProcess.h"
 #include "Core/PolyDataTriangles.h"
 #include "Meshes/MSMSReader.h"
 #include "SharedData.h"
@@ -21,14 +22,19 @@ using namespace isthmus;
 namespace
 {
 
-/// Writes a pair of files in the test's own folder and returns the path of the .vert.
-std::filesystem::path Pair(const std::string& vertices, const std::string& faces)
+/// A pair of files in a folder of its own.
+struct Pair
 {
-  const auto folder = std::filesystem::path(::testing::TempDir());
-  std::ofstream(folder / "isthmus_msms.vert") << vertices;
-  std::ofstream(folder / "isthmus_msms.face") << faces;
-  return folder / "isthmus_msms.vert";
-}
+  Pair(const std::string& vertices, const std::string& faces)
+    : File(this->Folder.Path() / "isthmus_msms.vert")
+  {
+    std::ofstream(this->File) << vertices;
+    std::ofstream(this->Folder.Path() / "isthmus_msms.face") << faces;
+  }
+
+  TemporaryFolder Folder;
+  std::filesystem::path File; ///< the .vert
+};
 
 std::string WhyRefused(const std::filesystem::path& file)
 {
@@ -50,13 +56,12 @@ const char* const Three = "0 0 0 0 0 1 0 7 2\n1 0 0 0 0 1 3 8 1\n0 1 0 0 0 1 0 9
 
 TEST(MSMSReader, ReadsHeadersCommentsAndAtomNames)
 {
-  const auto file =
-    Pair("# MSMS solvent excluded surface vertices\n#vertex #sphere density probe_r\n"
-         "3 40 1.00 1.50\n0 0 0 0 0 1 0 7 2 N_ALA_1\n"
-         "1 0 0 0 0 1 3 8 1 CA_ALA_1\n0 1 0 0 0 1 0 9 3 C_ALA_1\n",
-      "#faces\n1 40 1.00 1.50\n1 2 3 1 12\n");
+  const Pair pair("# MSMS solvent excluded surface vertices\n#vertex #sphere density probe_r\n"
+                  "3 40 1.00 1.50\n0 0 0 0 0 1 0 7 2 N_ALA_1\n"
+                  "1 0 0 0 0 1 3 8 1 CA_ALA_1\n0 1 0 0 0 1 0 9 3 C_ALA_1\n",
+    "#faces\n1 40 1.00 1.50\n1 2 3 1 12\n");
   MSMSSurface surface;
-  ReadMSMS(file, 4, surface);
+  ReadMSMS(pair.File, 4, surface);
   ASSERT_EQ(surface.Points.size(), 3u);
   EXPECT_EQ(surface.Points[1][0], 1.0);
   EXPECT_EQ(surface.SphereOfPoint, (std::vector<int>{ 6, 7, 8 }));
@@ -65,16 +70,17 @@ TEST(MSMSReader, ReadsHeadersCommentsAndAtomNames)
   EXPECT_EQ(surface.Triangles[0], (isthmus::Triangle{ 0, 1, 2 }));
   EXPECT_EQ(surface.ComponentOfTriangle, (std::vector<int>{ 4 }));
   EXPECT_EQ(surface.AnalyticFaceOfTriangle, (std::vector<int>{ 12 }));
-  EXPECT_EQ(vtkMSMSReader::CanReadFile(file.c_str()), 1);
+  EXPECT_EQ(vtkMSMSReader::CanReadFile(pair.File.c_str()), 1);
 }
 
 TEST(MSMSReader, DamagedFilesEndInASentenceWithTheLine)
 {
-  EXPECT_NE(WhyRefused(Pair(Three, "1 2 4 1 12\n")).find("names vertex 4"), std::string::npos);
-  EXPECT_NE(WhyRefused(Pair(Three, "1 2 1.5 1 12\n")).find("whole number"), std::string::npos);
-  EXPECT_NE(WhyRefused(Pair(Three, "1 2 3 1 12\n1 2\n")).find("Line 2"), std::string::npos);
-  EXPECT_NE(WhyRefused(Pair("0 0 nan 0 0 1 0 7 2\n", "")).find("not a finite"), std::string::npos);
-  EXPECT_NE(WhyRefused(Pair("hello\n", "")).find("0 numbers instead of 9"), std::string::npos);
+  EXPECT_NE(WhyRefused(Pair(Three, "1 2 4 1 12\n").File).find("names vertex 4"), std::string::npos);
+  EXPECT_NE(WhyRefused(Pair(Three, "1 2 1.5 1 12\n").File).find("whole number"), std::string::npos);
+  EXPECT_NE(WhyRefused(Pair(Three, "1 2 3 1 12\n1 2\n").File).find("Line 2"), std::string::npos);
+  EXPECT_NE(
+    WhyRefused(Pair("0 0 nan 0 0 1 0 7 2\n", "").File).find("not a finite"), std::string::npos);
+  EXPECT_NE(WhyRefused(Pair("hello\n", "").File).find("0 numbers instead of 9"), std::string::npos);
   EXPECT_NE(WhyRefused("no/such.vert").find("There is no file"), std::string::npos);
   EXPECT_EQ(vtkMSMSReader::CanReadFile("no/such.vert"), 0);
   EXPECT_EQ(vtkMSMSReader::CanReadFile("picture.png"), 0);

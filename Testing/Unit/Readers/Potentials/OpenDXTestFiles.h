@@ -5,6 +5,7 @@
 #ifndef isthmus_OpenDXTestFiles_h
 #define isthmus_OpenDXTestFiles_h
 
+#include "Core/ChildProcess.h"
 #include "vtkOpenDXReader.h"
 #include "vtkOpenDXWriter.h"
 
@@ -20,7 +21,6 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
-#include <cstdio>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -28,19 +28,19 @@
 namespace isthmus::testing
 {
 
-/// A file in the test's own folder, deleted at the end.
+/// A file in a folder of its own, deleted at the end; not made if `content` is empty.
 struct File
 {
   explicit File(const std::string& content, const std::string& name = "isthmus.dx")
-    : Path(::testing::TempDir() + "/" +
-        ::testing::UnitTest::GetInstance()->current_test_info()->name() + name)
+    : Path((this->Folder.Path() / name).string())
   {
     if (!content.empty())
     {
       std::ofstream(this->Path, std::ios::binary) << content;
     }
   }
-  ~File() { std::remove(this->Path.c_str()); }
+
+  const TemporaryFolder Folder;
   const std::string Path;
 };
 
