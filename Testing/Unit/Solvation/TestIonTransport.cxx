@@ -1,0 +1,180 @@
+// vtkIonTransport: a pore with the resistance of a cylinder, currents that vanish at Nernst's
+// potentials, and the rectification of a dilute salt.
+
+#include "vtkIonTransport.h"
+
+#include "ChannelTube.h"
+#include "ChargedPoints.h"
+
+#include <vtkCommand.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkTable.h>
+#include <vtkTestErrorObserver.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+using namespace isthmus;
+using namespace isthmus::testing;
+
+namespace
+{
+
+/// kT/e at 298.15 K in mV.
+const double Thermal = 1e3 * units::BoltzmannConstant * 298.15 / units::ElementaryCharge;
+
+double FieldNumber(vtkIonTransport* filter, const char* name)
+{
+  return filter->GetOutput()->GetFieldData()->GetArray(name)->GetComponent(0, 0);
+}
+
+double Cell(vtkTable* table, vtkIdType row, const char* column)
+{
+  return table->GetValueByName(row, column).ToDouble();
+}
+
+/// A filter on a tube of charged atoms in a thin membrane, `below` and `above` mol/l of KCl.
+vtkSmartPointer<vtkIonTransport> TubeInSalt(double charge, double below, double above)
+{
+  constexpr double radius = 2.5;
+  const IonTransportParameters p = TubeParameters(radius);
+  const Tube tube = MakeTube(p.Membrane, radius, charge);
+  auto filter = vtkSmartPointer<vtkIonTransport>::New();
+  filter->SetInputData(
+    ChargedPoints(tube.Balls, std::vector<double>(tube.Balls.size(), charge), 0.1));
+  filter->SetMembraneThickness(p.Membrane.Thickness);
+  filter->SetLumenRadius(p.Membrane.LumenRadius);
+  filter->SetSpacing(p.Spacing);
+  filter->SetPadding(p.Padding);
+  filter->ClearSpecies();
+  filter->AddSpecies(1.0, below, above, 1.96);
+  filter->AddSpecies(-1.0, below, above, 2.03);
+  return filter;
+}
+
+}
+
+TEST(IonTransport, CurrentOfAPoreIsOhms)
+{
+  // One atom without a charge, hidden in the membrane. Resistances of the pore, of the access to it
+  // from both sides (J. E. Hall, J. Gen. Physiol. 66 (1975) 531, in a cylinder of finite width) and
+  // of the baths.
+  constexpr double pore = 4.0, thickness = 16.0, padding = 8.0, salt = 0.5, voltage = 25.0;
+  vtkNew<vtkIonTransport> filter;
+  filter->SetInputData(ChargedPoints({ { { 7.0, 0.0, 0.0 }, 1.7 } }, { 0.0 }, 0.1));
+  filter->SetMembraneThickness(thickness);
+  filter->SetLumenRadius(pore);
+  filter->SetPadding(padding);
+  filter->SetSpacing(1.0);
+  filter->SetVoltage(voltage);
+  filter->ClearSpecies();
+  filter->AddSpecies(1.0, salt, salt, 1.96);
+  filter->AddSpecies(-1.0, salt, salt, 2.03);
+  filter->Update();
+  const double cylinder = 7.0 + 1.7 + padding;
+  const double e = pore / cylinder;
+  const double access = 2.0 * 0.8217 * (1.0 - 1.409 * e + 0.296 * e * e * e) / (Pi * pore);
+  const double resistance = thickness / (Pi * pore * pore) + access +
+    2.0 * padding / (Pi * cylinder * cylinder); // 1/angstrom
+  // D z^2 e^2 c V / kT: mol/l in ions a cubic angstrom, 1e-9 m^2/s in 1e11 square angstrom a
+  // second.
+  const double pico = 1e12 * units::ElementaryCharge * 1e11 * units::IonsPerCubicAngstrom;
+  const double ohm = salt * voltage / Thermal * pico / resistance;
+  EXPECT_NEAR(FieldNumber(filter, "Current") / ((1.96 + 2.03) * ohm), 1.0, 0.02);
+  EXPECT_NEAR(FieldNumber(filter, "Current_K") / (1.96 * ohm), 1.0, 0.02);
+  EXPECT_NEAR(FieldNumber(filter, "Current_Cl") / (2.03 * ohm), 1.0, 0.02);
+  EXPECT_EQ(FieldNumber(filter, "Converged"), 1.0);
+  EXPECT_EQ(FieldNumber(filter, "Voltage"), voltage);
+  EXPECT_NEAR(FieldNumber(filter, "BottleneckRadius"), pore, 0.5);
+
+  vtkTable* sections = filter->GetSections();
+  ASSERT_GT(sections->GetNumberOfRows(), 20);
+  for (vtkIdType row = 0; row < sections->GetNumberOfRows(); ++row)
+  {
+    ASSERT_NEAR(Cell(sections, row, "Current") / FieldNumber(filter, "Current"), 1.0, 1e-4);
+  }
+  EXPECT_EQ(filter->GetSweep()->GetNumberOfRows(), 1);
+  EXPECT_EQ(filter->GetUpdates()->GetNumberOfRows(), 0);
+
+  // On the axis the potential falls from the bath below to that above, with half of it in the
+  // middle, where the current density is that of the pore.
+  vtkImageData* image = filter->GetOutput();
+  const auto at = [image](double z, const char* name, int component = 0)
+  {
+    double place[3] = { 0.0, 0.0, z };
+    return image->GetPointData()->GetArray(name)->GetComponent(image->FindPoint(place), component);
+  };
+  const double far = 0.5 * thickness + padding;
+  EXPECT_NEAR(at(-far, "Potential"), voltage / Thermal, 1e-6);
+  EXPECT_NEAR(at(0.0, "Potential"), 0.5 * voltage / Thermal, 0.01);
+  EXPECT_NEAR(at(far, "Potential"), 0.0, 1e-6);
+  for (const double z : { -far, far })
+  {
+    EXPECT_NEAR(at(z, "Concentration_K"), salt, 1e-5);
+    EXPECT_NEAR(at(z, "Concentration_Cl"), salt, 1e-5);
+  }
+  const double density = FieldNumber(filter, "Current") / (Pi * pore * pore);
+  EXPECT_NEAR(at(0.0, "CurrentDensity", 2) / density, 1.0, 0.05);
+  EXPECT_EQ(at(0.0, "SignedDistance") > 0.0, true);
+}
+
+TEST(IonTransport, CurrentsVanishAtNernstsPotentials)
+{
+  // Whatever the charges of the wall: c exp(z V) is equal in both baths there.
+  const auto filter = TubeInSalt(-0.05, 0.3, 0.1);
+  const double nernst = Thermal * std::log(0.3 / 0.1);
+  filter->SetSweepOf(vtkIonTransport::Voltages);
+  filter->SetSweepVoltages(-nernst, nernst);
+  filter->SetSweepPoints(2);
+  filter->Update();
+  vtkTable* sweep = filter->GetSweep();
+  ASSERT_EQ(sweep->GetNumberOfRows(), 2);
+  EXPECT_NEAR(Cell(sweep, 0, "Voltage"), -nernst, 1e-9);
+  const double potassium = Cell(sweep, 1, "Current_K");
+  const double chloride = Cell(sweep, 0, "Current_Cl");
+  EXPECT_GT(potassium, 1.0); // up, with field and slope
+  EXPECT_LT(chloride, -0.1); // anions up: a current down
+  EXPECT_NEAR(Cell(sweep, 0, "Current_K"), 0.0, 1e-5 * potassium);
+  EXPECT_NEAR(Cell(sweep, 1, "Current_Cl"), 0.0, -1e-5 * chloride);
+  EXPECT_NEAR(Cell(sweep, 1, "Current"), potassium, 1e-4 * potassium);
+}
+
+TEST(IonTransport, DiluteSaltRectifiesAsTheEquationsHaveIt)
+{
+  // With hardly any ions the potential is that of voltage and charges alone, so that the current
+  // is proportional to c_below exp(z V) - c_above.
+  const auto current = [](double below, double above, const char* name)
+  {
+    const auto filter = TubeInSalt(-0.05, below, above);
+    filter->SetVoltage(50.0);
+    filter->Update();
+    return FieldNumber(filter, name);
+  };
+  const double drop = 50.0 / Thermal;
+  for (const double z : { 1.0, -1.0 })
+  {
+    const char* name = z > 0.0 ? "Current_K" : "Current_Cl";
+    const double most = std::exp(z * drop);
+    EXPECT_NEAR(current(3e-6, 1e-6, name) / current(1e-6, 3e-6, name),
+      (3.0 * most - 1.0) / (most - 3.0), 1e-3 * std::abs((3.0 * most - 1.0) / (most - 3.0)))
+      << name;
+  }
+}
+
+TEST(IonTransport, AClosedMembraneIsRefusedWithItsPlace)
+{
+  const auto filter = TubeInSalt(-0.05, 0.1, 0.1);
+  vtkNew<vtkTest::ErrorObserver> said;
+  filter->AddObserver(vtkCommand::ErrorEvent, said);
+  filter->SetLumenRadius(0.0);
+  filter->Update();
+  EXPECT_NE(said->GetErrorMessage().find("closes at ("), std::string::npos)
+    << said->GetErrorMessage();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(filter->GetSections()->GetNumberOfRows(), 0);
+  EXPECT_EQ(filter->GetSweep()->GetNumberOfRows(), 0);
+}
