@@ -50,6 +50,9 @@ def main(results, folder):
         output = test.findtext("system-out") or ""
         if test.get("status") == "notrun":
             skipped += 1
+            for line in output.splitlines():
+                if line.startswith("skipped: "):
+                    print(f"{test.get('name')} {line}")
             without_data += "ISTHMUS_DATA_DIR" in output or "shared data" in output.lower()
         if test.get("status") != "fail":
             continue

@@ -33,13 +33,15 @@ class ReportTests(unittest.TestCase):
             (folder / "CTestTestfile.cmake").write_text(
                 'add_test(Good true)\nadd_test(Bad/one sh -c "echo some words; exit 3")\n'
                 'add_test(Data sh -c "echo ISTHMUS_DATA_DIR is not set; exit 77")\n'
-                'set_tests_properties(Data PROPERTIES SKIP_RETURN_CODE 77)\n')
+                'add_test(Root sh -c "echo skipped: no root; exit 77")\n'
+                'set_tests_properties(Data Root PROPERTIES SKIP_RETURN_CODE 77)\n')
             subprocess.run(["ctest", "--output-junit", folder / "tests.xml"], cwd=folder, capture_output=True)
             said = io.StringIO()
             with contextlib.redirect_stdout(said):
                 report_tests.main(folder / "tests.xml", folder / "failed")
             self.assertIn("FAILED Bad/one\n  some words\n", said.getvalue())
-            self.assertIn("Skipped tests: 1, 1 of them because shared data are missing", said.getvalue())
+            self.assertIn("Skipped tests: 2, 1 of them because shared data are missing", said.getvalue())
+            self.assertIn("Root skipped: no root\n", said.getvalue())
             self.assertNotIn("Good", said.getvalue())
             self.assertEqual([path.read_text() for path in (folder / "failed").iterdir()], ["some words\n"])
 

@@ -1,19 +1,21 @@
 """What ctest's report (--output-junit) says, with the versions of this system's packages. Run by
 release.sh inside the root.
 
-    release_summary.py tests.xml
+    release_summary.py TESTS.xml [SUMMARY.json]
 
-Prints: the system, the versions, numbers of tests, each skipped test with its reason, each that failed;
-last, a row for the table of tested versions (Examples/guide/tested_versions.md).
+Prints: the system, the versions, numbers of tests, each skipped test with its reason, each that failed.
+The same is written to SUMMARY.json, for the table of tested versions (tested_versions.py).
 """
 
 import datetime
+import json
 import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
 
-PACKAGES = {"ParaView": ("paraview",), "VTK": ("libvtk9-dev",), "CGAL": ("libcgal-dev",),
-            "gemmi": ("libgemmi-dev", "gemmi-dev"), "Python": ("python3",), "GCC": ("g++",)}
+PACKAGES = {"ParaView": ("paraview",), "VTK": ("libvtk9-dev",), "Qt": ("qt6-base-dev", "qtbase5-dev"),
+            "CGAL": ("libcgal-dev",), "gemmi": ("libgemmi-dev", "gemmi-dev"), "Python": ("python3",),
+            "GCC": ("g++",)}
 
 
 def version_of(names):
@@ -42,22 +44,24 @@ def reason_of(case):
     return (named or lines or [why or "no reason given"])[-1]
 
 
-def main(report):
+def main(report, summary=None):
     cases = list(ElementTree.parse(report).getroot().iter("testcase"))
-    failed = [case for case in cases if case.get("status") == "fail"]
-    skipped = [case for case in cases if case.get("status") in ("notrun", "disabled")]
-    passed = len(cases) - len(failed) - len(skipped)
+    failed = [case.get("name") for case in cases if case.get("status") == "fail"]
+    skipped = {case.get("name"): reason_of(case) for case in cases if case.get("status") in ("notrun", "disabled")}
     versions = {what: version_of(names) for what, names in PACKAGES.items()}
+    passed = len(cases) - len(failed) - len(skipped)
     print(system_name() + ": " + ", ".join(f"{what} {version}" for what, version in versions.items() if version))
     print(f"{len(cases)} tests: {passed} passed, {len(failed)} failed, {len(skipped)} skipped")
-    for case in skipped:
-        print(f"  skipped {case.get('name')}: {reason_of(case)}")
-    for case in failed:
-        print(f"  FAILED  {case.get('name')}")
+    for name, reason in skipped.items():
+        print(f"  skipped {name}: {reason}")
+    for name in failed:
+        print(f"  FAILED  {name}")
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
-    row = [system_name(), *(version or "-" for version in versions.values()), str(len(cases)), str(passed),
-           str(len(skipped)), str(len(failed)), f"{datetime.date.today()} ({commit})"]
-    print("| " + " | ".join(row) + " |")
+    if summary:
+        with open(summary, "w") as sink:
+            json.dump({"system": system_name(), "versions": versions, "tests": len(cases), "passed": passed,
+                       "failed": failed, "skipped": skipped, "date": str(datetime.date.today()),
+                       "commit": commit}, sink, indent=1)
 
 
 if __name__ == "__main__":

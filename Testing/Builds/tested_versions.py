@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+"""Writes the tables of Examples/guide/tested_versions.md from what release.sh has left: the versions with
+their tests, and the main job's numbers side by side.
+
+    tested_versions.py LOGS [PAGE]
+
+LOGS is ISTHMUS_RELEASE_DIR of release.sh: SUITE.json and SUITE-numbers.json, for the plain builds
+SUITE-plain.json. Tables of suites without these files say so. What is between the lines <!-- NAME --> and
+<!-- end of NAME --> of PAGE is replaced. The exit status is 1 if numbers differ by more than they may.
+"""
+
+import json
+import pathlib
+import sys
+
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "Examples" / "guide" / "tested_versions.md"
+SUITES = {"bookworm": "Debian 12", "trixie": "Debian 13", "testing": "Debian testing"}
+VERSIONS = ("ParaView", "VTK", "Qt", "CGAL", "gemmi", "Python", "GCC")
+# Row of the main job's table: key of the numbers, largest relative difference from Debian 12; 0: equal.
+# Without a limit: Delaunay refinement and tetrahedra of another CGAL.
+ROWS = (("genus", 0), ("handles", 0), ("tunnels", 0), ("additional loops inside", 0),
+        ("additional loops outside", 0), ("area", 1e-3), ("volume", 1e-3), ("loops: birth", 1e-3),
+        ("loops: death", 1e-3), ("loops: length", None), ("Delaunay triangles", None), ("Delaunay area", 1e-3),
+        ("tetrahedra", None), ("volume of the tetrahedra", 1e-3))
+NODES = 1e-6 # of the curvature at nodes, relative to the largest
+
+
+def read(path):
+    return json.loads(path.read_text()) if path.exists() else None
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return lines + ["| " + " | ".join(map(str, row)) + " |" for row in rows]
+
+
+def versions_table(logs):
+    rows, skips = [], []
+    for suite, system in SUITES.items():
+        for name, what in ((suite, system), (f"{suite}-plain", f"{system}, without ParaView")):
+            summary = read(logs / f"{name}.json")
+            if summary is None:
+                if name == suite:
+                    rows.append([what, *["" for _ in VERSIONS], "not run", "", "", "", ""])
+                continue
+            numbers = read(logs / f"{name}-numbers.json") or {}
+            versions = dict(summary["versions"])
+            if numbers.get("VTK"):
+                versions["VTK"] = numbers["VTK"]
+            rows.append([what, *(versions.get(key, "") for key in VERSIONS), summary["tests"], summary["passed"],
+                         len(summary["skipped"]), len(summary["failed"]),
+                         f"{summary['date']} ({summary['commit']})"])
+            for test, reason in summary["skipped"].items():
+                skips.append(f"- {what}, skipped: {test}: {reason}")
+            skips += [f"- {what}, failed: {test}" for test in summary["failed"]]
+    head = ["system", *VERSIONS, "tests", "passed", "skipped", "failed", "date and commit"]
+    return table(head, rows) + ([""] + skips if skips else [])
+
+
+def difference(a, b):
+    """Largest relative difference of two numbers or two lists; None where their lengths differ."""
+    if isinstance(a, list):
+        if len(a) != len(b):
+            return None
+        return max((difference(x, y) for x, y in zip(a, b)), default=0.0)
+    return 0.0 if a == b else abs(a - b) / max(abs(a), abs(b))
+
+
+def of_nodes(a, b):
+    """Largest difference of the curvatures at nodes, relative to the largest curvature."""
+    return max(max(abs(x - y) for x, y in zip(a[name], b[name])) / a[name][0] for name in a)
+
+
+def shown(value):
+    if isinstance(value, list):
+        return f"{len(value)} from {value[0]:.6g} to {value[-1]:.6g}"
+    return f"{value:.9g}"
+
+
+def results_table(logs):
+    """(lines, complaints)."""
+    found = {suite: read(logs / f"{suite}-numbers.json") for suite in SUITES}
+    found = {suite: numbers for suite, numbers in found.items() if numbers}
+    first, *others = found
+    rows, wrong = [], []
+    for key, limit in ROWS:
+        row = [key, shown(found[first][key])]
+        for suite in others:
+            apart = difference(found[first][key], found[suite][key])
+            row += [shown(found[suite][key]), "other number" if apart is None else f"{apart:.1e}" if apart else "0"]
+            if limit is not None and (apart is None or apart > limit):
+                wrong.append(f"{key} of {SUITES[suite]}: {row[-1]}, where {limit:g} is allowed")
+        rows.append(row)
+    row = ["curvature at nodes of EMD-1832, relative to the largest", ""]
+    for suite in others:
+        apart = of_nodes(found[first]["curvature at nodes"], found[suite]["curvature at nodes"])
+        row += ["", f"{apart:.1e}" if apart else "0"]
+        if apart > NODES:
+            wrong.append(f"curvature at nodes of {SUITES[suite]}: {apart:.1e}, where {NODES:g} is allowed")
+    head = ["result", SUITES[first]]
+    for suite in others:
+        head += [SUITES[suite], "relative difference"]
+    return table(head, [*rows, row]), wrong
+
+
+def replaced(text, name, lines):
+    begin, end = f"<!-- {name} -->", f"<!-- end of {name} -->"
+    before, rest = text.split(begin)
+    return before + begin + "\n" + "\n".join(lines) + "\n" + end + rest.split(end)[1]
+
+
+def main(logs, page=PAGE):
+    logs, page = pathlib.Path(logs), pathlib.Path(page)
+    lines, wrong = results_table(logs)
+    text = replaced(page.read_text(), "versions", versions_table(logs))
+    page.write_text(replaced(text, "results", lines))
+    print(*wrong, sep="\n")
+    sys.exit(bool(wrong))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
