@@ -117,10 +117,7 @@ private:
     const Kind* kind = FindKind(name);
     if (name == "Dimension")
     {
-      if (this->Words.Whole("the dimension") != 3)
-      {
-        this->Words.Refuse("only meshes in space (Dimension 3) are read.");
-      }
+      this->ReadDimension();
     }
     else if (name == "Vertices")
     {
@@ -140,6 +137,20 @@ private:
         "' is: the one before has more rows than it says, or the file is damaged.");
     }
     return std::string(this->Words.Word());
+  }
+
+  void ReadDimension()
+  {
+    this->Dimension = this->Words.Whole("the dimension");
+    if (this->Dimension != 2 && this->Dimension != 3)
+    {
+      this->Words.Refuse("the dimension is " + std::to_string(this->Dimension) +
+        "; MEDIT meshes have two or three. The file is damaged: write or fetch it again.");
+    }
+    if (!this->Mesh.Coordinates.empty())
+    {
+      this->Words.Refuse("the dimension comes after the vertices. Move it before them.");
+    }
   }
 
   std::string SkipSection(const std::string& name)
@@ -164,10 +175,13 @@ private:
     {
       this->Words.Refuse("there are Vertices for the second time: this is more than one mesh.");
     }
-    const std::int64_t points = this->Words.Count("the number of vertices", 8);
+    const std::int64_t points = this->Words.Count("the number of vertices", 6);
     for (std::int64_t i = 0; i < points; ++i)
     {
-      this->Words.Point(this->Mesh.Coordinates);
+      for (std::int64_t c = 0; c < 3; ++c)
+      {
+        this->Mesh.Coordinates.push_back(c < this->Dimension ? this->Words.Coordinate() : 0.0);
+      }
       this->PointReferences.push_back(this->Words.Whole("the reference of a vertex"));
       this->Words.ReportRow(i, points);
     }
@@ -209,10 +223,28 @@ private:
 
   MeshWords Words;
   CellMesh Mesh;
+  std::int64_t Dimension = 3;
   std::vector<std::int64_t> PointReferences;
   std::vector<std::int64_t> CellReferences;
   std::vector<std::pair<std::size_t, std::size_t>> Sections; ///< of cells: first, last + 1
 };
+
+/// A 1 of 32 bits in either byte order, and a version from 1 to 4.
+bool IsBinary(ByteSource& source)
+{
+  std::array<unsigned char, 8> begin{};
+  if (source.Read(0, begin.data(), begin.size()) < begin.size())
+  {
+    return false;
+  }
+  const auto isSmall = [&begin](std::size_t at, unsigned most)
+  {
+    const bool little = begin[at] >= 1 && begin[at] <= most && begin[at + 3] == 0;
+    const bool big = begin[at + 3] >= 1 && begin[at + 3] <= most && begin[at] == 0;
+    return (little || big) && begin[at + 1] == 0 && begin[at + 2] == 0;
+  };
+  return isSmall(0, 1) && isSmall(4, 4);
+}
 
 const std::vector<std::int64_t>* References(const CellMesh& mesh, Place on)
 {
@@ -264,6 +296,13 @@ void WriteCells(const CellMesh& mesh, const Kind& kind, TextFileWriter& file)
 CellMesh ReadMEDIT(const std::string& path, const ProgressCallback& progress)
 {
   const auto source = OpenTextSource(path);
+  if (IsBinary(*source))
+  {
+    throw ReaderError(ReaderFailure::ForeignFormat,
+      path +
+        ": this is MEDIT's binary format (.meshb), which is not read. Convert it to text, e.g. by "
+        "'meshio convert FILE.meshb FILE.mesh'.");
+  }
   CellMesh mesh = Reading(*source, progress).Read();
   source->CheckEnd();
   return mesh;
@@ -296,7 +335,7 @@ bool LooksLikeMEDIT(const std::string& path)
   try
   {
     const auto source = OpenTextSource(path);
-    return TextWords(*source).Word() == firstWord;
+    return IsBinary(*source) || TextWords(*source).Word() == firstWord;
   }
   catch (const ReaderError&)
   {

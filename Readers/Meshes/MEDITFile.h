@@ -4,14 +4,15 @@
  *
  * Source: P. Frey, MEDIT: an interactive mesh visualization software, INRIA RT-0253 (2001).
  *
- *     file    = "MeshVersionFormatted" V "Dimension" 3 section* "End"
- *     section = "Vertices" N (x y z reference)* | KIND N (vertex* reference)* | other
+ *     file    = "MeshVersionFormatted" V "Dimension" D section* "End"
+ *     section = "Vertices" N (x y [z] reference)* | KIND N (vertex* reference)* | other
  *     KIND    = Edges | Triangles | Quadrilaterals | Tetrahedra | Pyramids | Prisms | Hexahedra
  *             | EdgesP2 | TrianglesP2 | QuadrilateralsQ2 | TetrahedraP2 | PrismsP2 | HexahedraQ2
  *
- * Vertices are numbered from 1 and may come after the cells. Quadratic cells are read with all
- * nodes, in VTK's order (MiddleNodes.h); those that VTK lacks (P3, PyramidsP2) are dropped with a
- * warning. Other sections (corners, ridges, normals, ...) are skipped. # begins a comment.
+ * D is 3, or 2: then z is 0. Vertices are numbered from 1 and may come after the cells. Quadratic
+ * cells are read with all nodes, in VTK's order (MiddleNodes.h); those that VTK lacks (P3,
+ * PyramidsP2) are dropped with a warning. Other sections (corners, ridges, normals, ...) are
+ * skipped. # begins a comment.
  */
 #ifndef isthmus_MEDITFile_h
 #define isthmus_MEDITFile_h
@@ -29,7 +30,7 @@ namespace isthmus
 /**
  * Reads points and cells in the order of their sections, with the attribute `Reference` (int64) on
  * both. @throws ReaderError with path, line and reason: no MEDIT text (MFEM and Netgen use .mesh,
- * too), two dimensions, a vertex that is not there, an early end. Time and memory: O(bytes).
+ * too; .meshb is binary), a vertex that is not there, an early end. Time and memory: O(bytes).
  */
 VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadMEDIT(
   const std::string& path, const ProgressCallback& progress = {});
@@ -43,7 +44,7 @@ VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadMEDIT(
 VTKISTHMUSREADERSMESHES_EXPORT void WriteMEDIT(
   const CellMesh& mesh, const std::string& path, const ProgressCallback& progress = {});
 
-/// Does the file begin with MEDIT's first word?
+/// Does the file begin with MEDIT's first word, or as its binary format, which ReadMEDIT names?
 VTKISTHMUSREADERSMESHES_EXPORT bool LooksLikeMEDIT(const std::string& path);
 
 }

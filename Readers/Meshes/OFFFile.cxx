@@ -23,8 +23,9 @@ struct OFFHeader
   bool Normals = false;
 };
 
-/// False: no header of an OFF file with three coordinates.
-bool Parse(std::string_view word, OFFHeader& header)
+/// False: no header of an OFF file with three coordinates. `word` becomes what follows it:
+/// ModelNet's files have the number of points there.
+bool Parse(std::string_view& word, OFFHeader& header)
 {
   const auto take = [&word](std::string_view prefix)
   {
@@ -35,14 +36,19 @@ bool Parse(std::string_view word, OFFHeader& header)
   header.Texture = take("ST");
   header.Colours = take("C");
   header.Normals = take("N");
-  return word == "OFF";
+  return take("OFF") &&
+    std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-OFFHeader ReadHeader(MeshWords& words)
+/// `rest`: what follows the header in the same word.
+OFFHeader ReadHeader(MeshWords& words, std::string& rest)
 {
   OFFHeader header;
   const std::string word(words.Word());
-  if (!Parse(word, header))
+  std::string_view left = word;
+  const bool isOFF = Parse(left, header);
+  rest = left;
+  if (!isOFF)
   {
     words.Refuse("an OFF file begins with OFF, COFF, NOFF, CNOFF or ST before one of these, not "
                  "with '" +
@@ -154,9 +160,10 @@ CellMesh ReadOFF(const std::string& path, const ProgressCallback& progress)
 {
   const auto source = OpenTextSource(path);
   MeshWords words(*source, progress);
-  const OFFHeader header = ReadHeader(words);
+  std::string first;
+  const OFFHeader header = ReadHeader(words, first);
   // "OFF BINARY" stands on one line; the counts may, too.
-  const std::string first(words.Word());
+  first = first.empty() ? words.Word() : first;
   std::int64_t points = 0;
   if (!FromText(first, points))
   {
@@ -217,7 +224,9 @@ bool LooksLikeOFF(const std::string& path)
   {
     const auto source = OpenTextSource(path);
     OFFHeader header;
-    return Parse(TextWords(*source).Word(), header);
+    TextWords words(*source);
+    std::string_view word = words.Word();
+    return Parse(word, header);
   }
   catch (const ReaderError&)
   {

@@ -9,7 +9,8 @@
  *     point  = x y z [nx ny nz] [r g b [a]] [s t]        one a line
  *     face   = SIZE VERTEX* [colour]                     one a line, vertices from 0
  *
- * # begins a comment. EDGES is not used, and may be missing from the line.
+ * # begins a comment. EDGES is not used, and may be missing from the line. POINTS may follow OFF
+ * without a blank, as in the files of ModelNet.
  */
 #ifndef isthmus_OFFFile_h
 #define isthmus_OFFFile_h

@@ -317,6 +317,15 @@ CellMesh ReadTetGenFiles(const std::string& path, const ProgressCallback& progre
 {
   CellMesh mesh;
   const std::string extension = std::filesystem::path(path).extension().string();
+  std::error_code none;
+  if (extension == ".face" && !std::filesystem::exists(Partner(path, ".node"), none) &&
+    std::filesystem::exists(Partner(path, ".vert"), none))
+  {
+    throw ReaderError(ReaderFailure::ForeignFormat,
+      path +
+        ": this belongs to a surface of MSMS, not to a mesh of TetGen. Open it with the MSMS "
+        "Surface Reader.");
+  }
   const std::int64_t first = ReadPoints(Partner(path, ".node"), mesh, Between(progress, 0.0, 0.4));
   if (extension == ".ele")
   {

@@ -55,9 +55,28 @@ void ReadArrayType(TextWords& text, std::string& word, OpenDXArray& array)
   }
 }
 
+/// Three numbers behind `key`, or from `word` on where a file lacks the keys; false: `word` is
+/// neither. Reads one word further.
+bool ReadRow(TextWords& text, std::string& word, const char* key, std::array<double, 3>& row)
+{
+  double first = 0.0;
+  const bool isNumber = FromText(word, first);
+  if (word != key && !isNumber)
+  {
+    return false;
+  }
+  for (double& number : row)
+  {
+    number = isNumber && &number == row.data() ? first : text.Number(key);
+  }
+  word = text.Word();
+  return true;
+}
+
 /**
  * The grid of an object of class `gridpositions`, whose class has just been read: counts, origin (0
- * where there is none), three rows of delta. Reads one word further, into `word`.
+ * where there is none), three rows of delta; where none has a key (PyMOL reads such), all are
+ * there. Reads one word further, into `word`.
  * @throws ReaderError, with the line, unless all are finite and the deltas span a volume.
  */
 VoxelLattice ReadOpenDXPositions(TextWords& text, std::string& word)
@@ -78,25 +97,18 @@ VoxelLattice ReadOpenDXPositions(TextWords& text, std::string& word)
     }
   }
   word = text.Word();
-  if (word == "origin")
-  {
-    for (double& position : grid.Origin)
-    {
-      position = text.Number("a coordinate of the origin");
-    }
-    word = text.Word();
-  }
+  ReadRow(text, word, "origin", grid.Origin);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    if (word != "delta")
+    std::array<double, 3> delta{};
+    if (!ReadRow(text, word, "delta", delta))
     {
       text.Refuse("three rows of delta should follow, but '" + word + "' stands where one should.");
     }
     for (std::size_t i = 0; i < 3; ++i)
     {
-      grid.Steps[i][axis] = text.Number("a delta");
+      grid.Steps[i][axis] = delta[i];
     }
-    word = text.Word();
   }
   CheckAxes(grid, text);
   return grid;

@@ -1,4 +1,4 @@
-"""What other readers find in molecule files: one JSON line for each path on standard input.
+"""What other readers find in molecule files: JSON lines for each path on standard input.
 
 Run by MoleculeCorpus.py in a Python that has gemmi, and MDAnalysis and chemfiles if possible:
 
@@ -12,12 +12,12 @@ alternate locations. Residues are counted by chain, number, insertion code and n
 import bz2
 import collections
 import gzip
-import json
-import sys
 import warnings
 from pathlib import Path
 
 import gemmi
+
+from peer_tools import answer_paths
 
 warnings.filterwarnings("ignore")
 try:
@@ -165,23 +165,6 @@ def by_chemfiles(path):
     return found
 
 
-def main():
-    for line in sys.stdin:
-        path = line.rstrip("\n")
-        answer = {"path": path}
-        for name, read in (("gemmi", by_gemmi), ("MDAnalysis", by_mdanalysis),
-                           ("chemfiles", by_chemfiles), ("twin", by_twin)):
-            try:
-                found = read(path)
-            except BaseException as error:  # what a peer refuses is a finding, too; chemfiles'
-                # errors are no Exceptions
-                if isinstance(error, (KeyboardInterrupt, SystemExit)):
-                    raise
-                found = f"{type(error).__name__}: {error}"[:200]
-            if found is not None:
-                answer[name] = found
-        print("@" + json.dumps(answer), flush=True)
-
-
 if __name__ == "__main__":
-    main()
+    answer_paths({"gemmi": by_gemmi, "MDAnalysis": by_mdanalysis, "chemfiles": by_chemfiles,
+                  "twin": by_twin})

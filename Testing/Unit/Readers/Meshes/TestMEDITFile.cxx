@@ -117,7 +117,48 @@ TEST(MEDITFile, DamagedFilesEndInASentenceWithTheLine)
   EXPECT_SAYS(why(points + points), "for the second time");
   EXPECT_SAYS(why("Vertices 1\n0 0 oops 0\n"), "line 4: a coordinate should be a number");
   EXPECT_SAYS(why("MFEM mesh v1.0\n", false), "line 1: a MEDIT mesh begins with");
-  EXPECT_SAYS(why("MeshVersionFormatted 1\nDimension 2\n", false), "line 2: only meshes in space");
+  EXPECT_SAYS(why("MeshVersionFormatted 1\nDimension 4\n", false), "line 2: the dimension is 4");
+  EXPECT_SAYS(why(points + "Dimension 3\nEnd\n"), "the dimension comes after the vertices");
+}
+
+TEST(MEDITFile, PlaneMeshesHaveNoHeight)
+{
+  // As mmg2d, Gmsh and FreeFem write them.
+  for (const std::string dimension : { "Dimension 2", "Dimension\n2" })
+  {
+    const TemporaryFile file("MeshVersionFormatted 2\n\n" + dimension +
+        "\n\nVertices\n4\n0 0.5 1\n1 0.5 2\n1 2 3\n0 2 4\nEdges\n1\n1 2 7\nTriangles\n2\n"
+        "1 2 3 8\n1 3 4 9\nEnd\n",
+      "x.mesh");
+    const auto reader = Opened<vtkMEDITReader>(file.Path());
+    vtkUnstructuredGrid* grid = reader->GetOutput();
+    ASSERT_EQ(grid->GetNumberOfPoints(), 4);
+    ASSERT_EQ(grid->GetNumberOfCells(), 3);
+    EXPECT_EQ(grid->GetPoint(2)[1], 2.0);
+    EXPECT_EQ(grid->GetPoint(2)[2], 0.0);
+    EXPECT_EQ(grid->GetPointData()->GetArray("Reference")->GetComponent(3, 0), 4);
+    EXPECT_EQ(grid->GetCellData()->GetArray("Reference")->GetComponent(2, 0), 9);
+  }
+}
+
+TEST(MEDITFile, TheBinaryFormatIsNamed)
+{
+  // The first words of libMeshb's files: 1 and the version, in either byte order.
+  for (const bool isLittle : { true, false })
+  {
+    for (const char version : { '\1', '\2', '\3', '\4' })
+    {
+      std::string begin(16, '\0');
+      begin[isLittle ? 0 : 3] = 1;
+      begin[isLittle ? 4 : 7] = version;
+      const TemporaryFile file(begin, "x.meshb");
+      EXPECT_EQ(vtkMEDITReader::CanReadFile(file.Path()), 1);
+      EXPECT_SAYS(WhyRefused([](const char* path, const ProgressCallback& progress)
+                    { ReadMEDIT(path, progress); },
+                    begin, "x.meshb"),
+        "MEDIT's binary format (.meshb), which is not read. Convert it");
+    }
+  }
 }
 
 TEST(MeshFiles, WritersSayWhatTheyLeaveOut)

@@ -69,6 +69,25 @@ TEST(OFFFile, HeadersColoursNormalsCommentsAndAllSizesOfFaces)
   EXPECT_EQ(colours->GetComponent(2, 3), 255); // none given: opaque
 }
 
+TEST(OFFFile, CountsMayStandWithoutABlankBehindTheHeader)
+{
+  // As in the files of ModelNet.
+  const std::string rows = " 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const std::string begin : { "OFF3", "OFF 3", "OFF\n3", "\t OFF3" })
+  {
+    const TemporaryFile file(begin + rows, "x.off");
+    EXPECT_EQ(vtkOFFSurfaceReader::CanReadFile(file.Path()), 1) << begin;
+    const auto reader = Opened<vtkOFFSurfaceReader>(file.Path());
+    EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 3) << begin;
+    EXPECT_EQ(reader->GetOutput()->GetNumberOfPolys(), 1) << begin;
+  }
+  for (const std::string begin : { "OFFx", "OFF3x", "OFF-3" })
+  {
+    const TemporaryFile file(begin + rows, "x.off");
+    EXPECT_EQ(vtkOFFSurfaceReader::CanReadFile(file.Path()), 0) << begin;
+  }
+}
+
 TEST(OFFFile, DamagedFilesEndInASentenceWithTheLine)
 {
   const auto why = [](const std::string& content)

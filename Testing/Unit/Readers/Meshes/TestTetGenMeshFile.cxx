@@ -1,5 +1,6 @@
 // TetGen's files: round trips bit for bit, damaged files, each with its line.
 
+#include "Files/ReaderError.h"
 #include "MeshFileTrips.h"
 #include "Meshes/TetGenMeshFile.h"
 #include "SharedData.h"
@@ -17,6 +18,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 using namespace isthmus;
@@ -132,4 +134,17 @@ TEST(TetGenMeshFile, DamagedFilesEndInASentenceWithTheLine)
   EXPECT_SAYS(whyFace("1 0\n0 0 1 4\n"), "x.face, line 2: vertex 4 is named");
   EXPECT_SAYS(whyFace("2 0\n0 0 1 2\n5 0 1 3\n"), "x.face, line 3: row 2 has the number 5");
   EXPECT_SAYS(whyFace("2 0\n0 0 1 2\n"), "x.face, line 1: the number of triangles is given as 2");
+
+  // MSMS has .face files, too.
+  const TemporaryFile faces("#faces\n1 1 1.00 1.50\n1 2 3 1 1\n", "y.face");
+  std::ofstream(std::filesystem::path(faces.Path()).replace_extension(".vert")) << "#vertices\n";
+  try
+  {
+    ReadTetGenFiles(faces.Path());
+    FAIL();
+  }
+  catch (const ReaderError& error)
+  {
+    EXPECT_SAYS(std::string(error.what()), "Open it with the MSMS Surface Reader");
+  }
 }

@@ -71,6 +71,26 @@ TEST(OpenDXReader, ZRunsFastestInTheFile)
   EXPECT_EQ(reading.Text("FieldName"), "regular positions");
 }
 
+TEST(OpenDXReader, OriginAndDeltasMayHaveNoKeys)
+{
+  const File plain(head + twelve, "plain.dx");
+  const File bare(
+    "object 1 class gridpositions counts 2 3 2\n 1 2 3\n0.5 0 0\n0 0.25 0\n0 0 2\n" + twelve);
+  const Reading keys(plain.Path), none(bare.Path);
+  EXPECT_FALSE(none.Observer->GetError()) << none.Observer->GetErrorMessage();
+  ASSERT_EQ(none.Image->GetNumberOfPoints(), 12);
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ(none.Image->GetOrigin()[i], keys.Image->GetOrigin()[i]);
+    EXPECT_EQ(none.Image->GetSpacing()[i], keys.Image->GetSpacing()[i]);
+  }
+  EXPECT_EQ(none.At(1, 2, 0), keys.At(1, 2, 0));
+  const File few(
+    "object 1 class gridpositions counts 2 3 2\n0.5 0 0\n0 0.25 0\n0 0 2\n" + twelve, "few.dx");
+  const Reading three(few.Path);
+  EXPECT_NE(three.Observer->GetErrorMessage().find("three rows of delta"), std::string::npos);
+}
+
 TEST(OpenDXReader, TakesEveryDialectOfTheSharedFiles)
 {
   ISTHMUS_NEEDS_SHARED_DATA("maps/dx/test.dx");
