@@ -98,6 +98,10 @@ DistanceGrid OffsetDistances(const SurfaceView& surface, double distance, Offset
   const UnitScale scale(surface.Points);
   if (!scale.IsOne())
   {
+    if (side != OffsetSide::Both)
+    {
+      RequireShellsApart(surface); // with the place in the user's unit
+    }
     TriangleMesh scaled = CopyOf(surface);
     scale.Apply(scaled.Points);
     DistanceGrid grid = OffsetDistances(scaled, scale.Factor() * distance, side, cells, progress);
@@ -125,8 +129,8 @@ DistanceGrid OffsetDistances(const SurfaceView& surface, double distance, Offset
   if (side != OffsetSide::Both)
   {
     const std::vector<Point3> points = PointsFrom(grid.Origin, surface);
-    const std::vector<unsigned char> inside =
-      NodesInside({ points, surface.Triangles }, ShapeOf(grid));
+    const std::vector<unsigned char> inside = NodesInside({ points, surface.Triangles },
+      ShapeOf(grid), [&](const Point3& p) { return p + grid.Origin; });
     const bool wanted = side == OffsetSide::Inside;
     for (std::size_t i = 0; i < inside.size(); ++i)
     {

@@ -122,7 +122,8 @@ isthmus::HermiteGrid HermiteOf(
   grid.Shape = moved.Shape;
   grid.Crossings = isthmus::SurfaceCrossings(
     moved.View, moved.Shape, isthmus::CrossingNormal::Triangles, progress);
-  grid.Inside = isthmus::NodesInside(moved.View, moved.Shape);
+  grid.Inside = isthmus::NodesInside(
+    moved.View, moved.Shape, [&moved](const isthmus::Point3& p) { return p + moved.Origin; });
   grid.Sharp =
     isthmus::FindSharpEdges(moved.View, isthmus::SharpCosine(std::max(0.07, featureThreshold)));
   return grid;

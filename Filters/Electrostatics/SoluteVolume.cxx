@@ -182,7 +182,8 @@ void SetDistance(SoluteVolume& volume, vtkPolyData* surface,
 {
   const GridShape shape = ShapeOf(volume.Grid);
   const PolyDataTriangles triangles(surface);
-  const std::vector<unsigned char> inside = sides ? *sides : NodesInside(triangles.View(), shape);
+  const std::vector<unsigned char> inside =
+    sides ? *sides : NodesInside(triangles.View(), shape, WorldOf(volume.Grid));
   const double h = *std::max_element(shape.Spacing.begin(), shape.Spacing.end());
   volume.Doubles = DistanceToSurface(triangles.View(), shape, Band * h, progress);
   for (std::size_t i = 0; i < inside.size(); ++i)

@@ -60,10 +60,10 @@
  * charge's potential at that distance.
  *
  * **Errors** (one message, empty outputs): no charges, or all 0; charges outside the surface;
- * negative radii; numbers that are not finite; a surface that is open, empty or leaves the volume;
- * properties out of range; an input 2 that does not cover the border or is not finite; no
- * convergence. A net charge that is not integral, or a box small for the Debye length, gives a
- * warning. No atoms: empty outputs and no error.
+ * negative radii; numbers that are not finite; a surface that is open, empty, crosses another part
+ * of itself (ShellCrossings.h) or leaves the volume; properties out of range; an input 2 that does
+ * not cover the border or is not finite; no convergence. A net charge that is not integral, or a
+ * box small for the Debye length, gives a warning. No atoms: empty outputs and no error.
  *
  * **Cost.** Linear in nodes (6 to 12 iterations at any size) and in charges x crossings, by a tree
  * above 5000 charges; memory 80 to 104 bytes a node. In parallel, the same bits on any number of

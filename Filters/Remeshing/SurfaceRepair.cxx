@@ -8,6 +8,7 @@
 #include "Core/UnitScale.h"
 #include "Remeshing/CGALSurface.h"
 #include "Remeshing/CGALVersions.h"
+#include "Surfaces/ShellCrossings.h"
 #include "Surfaces/SurfaceCleaning.h"
 #include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceMending.h"
@@ -221,8 +222,10 @@ void RequireCleanSurface(const SurfaceView& mesh, const ProgressCallback& progre
   const std::vector<std::int64_t> crossing = SelfIntersections(mesh, Between(progress, 0.3, 1.0));
   if (!crossing.empty())
   {
+    const auto shells = FindShellCrossing(mesh);
     throw std::invalid_argument("The surface intersects itself in " +
-      std::to_string(crossing.size()) + " triangles (" + FirstIds(crossing) + ")." + advice);
+      std::to_string(crossing.size()) + " triangles (" + FirstIds(crossing) + ")." +
+      (shells ? " " + shells->Message() : advice));
   }
 }
 

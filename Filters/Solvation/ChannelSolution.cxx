@@ -34,7 +34,7 @@ std::vector<float> DistanceToClosed(
   const GridShape shape = ShapeOf(image);
   const auto inAxes = InGridAxes(surface, image);
   const PolyDataTriangles triangles(inAxes);
-  const std::vector<unsigned char> inside = NodesInside(triangles.View(), shape);
+  const std::vector<unsigned char> inside = NodesInside(triangles.View(), shape, WorldOf(image));
   const std::vector<double> distance = DistanceToSurface(
     triangles.View(), shape, static_cast<double>(FlowGrid::Band) * domain.Spacing, progress);
   std::vector<float> to(distance.size());

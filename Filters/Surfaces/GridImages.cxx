@@ -62,6 +62,22 @@ vtkSmartPointer<vtkPolyData> InGridAxes(vtkPolyData* surface, vtkImageData* grid
   return moved;
 }
 
+PlaceInWorld WorldOf(vtkImageData* grid)
+{
+  return [grid](const Point3& place)
+  {
+    const int* const extent = grid->GetExtent();
+    double index[3];
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      index[a] = place[a] / grid->GetSpacing()[a] + extent[2 * a];
+    }
+    Point3 world;
+    grid->TransformContinuousIndexToPhysicalPoint(index, world.data());
+    return world;
+  };
+}
+
 vtkSmartPointer<vtkPolyData> IsosurfaceInGridAxes(
   vtkImageData* image, vtkDataArray* scalars, double level)
 {

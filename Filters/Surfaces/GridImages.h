@@ -25,6 +25,9 @@ GridShape ShapeOf(vtkImageData* image);
 /// The surface with its points in lengths along the grid's axes from the grid's first node.
 vtkSmartPointer<vtkPolyData> InGridAxes(vtkPolyData* surface, vtkImageData* grid);
 
+/// From lengths along the grid's axes from its first node to the world, while `grid` exists.
+PlaceInWorld WorldOf(vtkImageData* grid);
+
 /// The image's isosurface, in lengths along its axes from its first node.
 vtkSmartPointer<vtkPolyData> IsosurfaceInGridAxes(
   vtkImageData* image, vtkDataArray* scalars, double level);

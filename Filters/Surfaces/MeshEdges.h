@@ -13,6 +13,12 @@
 namespace isthmus
 {
 
+/// Whether the triangle has a corner twice: it lacks an edge.
+inline bool HasRepeated(const Triangle& t)
+{
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
 /// One side of one triangle, with its ends in ascending order so that neighbours sort together.
 struct HalfEdge
 {

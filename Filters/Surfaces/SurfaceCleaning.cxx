@@ -227,11 +227,6 @@ std::vector<std::int64_t> IdsOf(const std::vector<char>& used)
   return ids;
 }
 
-bool HasRepeated(const Triangle& t)
-{
-  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
-
 /// Which of the six faces of `box` a point lies on, one bit each.
 unsigned int FacesOf(const Point3& p, const Bounds3& box, double tolerance)
 {

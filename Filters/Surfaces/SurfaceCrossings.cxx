@@ -263,8 +263,10 @@ std::vector<GridCrossing> SurfaceCrossings(const SurfaceView& mesh, const GridSh
   return all;
 }
 
-std::vector<unsigned char> NodesInside(const SurfaceView& mesh, const GridShape& grid)
+std::vector<unsigned char> NodesInside(
+  const SurfaceView& mesh, const GridShape& grid, const PlaceInWorld& inWorld)
 {
+  RequireShellsApart(mesh, inWorld);
   const Projection projection(mesh, grid, 0);
   using Crossed = std::pair<std::int64_t, double>; // line j + dimension_y k, position
   std::vector<Crossed> crossed = CollectFromTriangles<Crossed>(mesh, {},

@@ -18,6 +18,7 @@
 #include "Core/Progress.h"
 #include "Core/TriangleMesh.h"
 #include "Surfaces/LevelCrossings.h"
+#include "Surfaces/ShellCrossings.h"
 #include "vtkIsthmusFiltersSurfacesModule.h" // for the export macro
 
 #include <array>
@@ -60,11 +61,12 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<GridCrossing> SurfaceCrossings(cons
  * 1 for each node of `grid` inside `mesh`, else 0, by the even-odd rule along x: the winding of the
  * triangles plays no part, and cavities are outside. Nodes exactly on the surface count as either.
  *
- * Throws as SurfaceCrossings does, and where a line crosses the surface an odd number of times:
- * then it is not closed.
+ * Throws as SurfaceCrossings does, where a line crosses the surface an odd number of times (it is
+ * not closed), and where closed shells cross each other (ShellCrossings.h); `inWorld` gives the
+ * place of that in coordinates that users know.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<unsigned char> NodesInside(
-  const SurfaceView& mesh, const GridShape& grid);
+  const SurfaceView& mesh, const GridShape& grid, const PlaceInWorld& inWorld = {});
 
 /// 1 for each node with one of its six neighbours on the other side, else 0 (irregular nodes).
 VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<unsigned char> IrregularNodes(

@@ -27,11 +27,6 @@ std::vector<Triangle> CornersOf(const SurfaceView& surface)
   return { surface.Triangles.begin(), surface.Triangles.end() };
 }
 
-bool HasRepeated(const Triangle& t)
-{
-  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
-
 double AreaOf(const SurfaceView& surface, const Triangle& t)
 {
   const Point3& a = surface.Point(t[0]);

@@ -7,6 +7,7 @@
 #include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 #include "Surfaces/CartesianMeasures.h"
+#include "Surfaces/ShellCrossings.h"
 #include "Surfaces/SurfaceCleaning.h"
 #include "Surfaces/SurfaceMeasures.h"
 #include "Surfaces/SurfaceMending.h"
@@ -21,6 +22,8 @@
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
+
+#include <limits>
 
 vtkStandardNewMacro(vtkSurfaceMeasures);
 
@@ -187,8 +190,15 @@ void vtkSurfaceMeasures::Measure(vtkPolyData* surface, vtkDataObject* output, vt
     vtkWarningMacro(<< isthmus::TextOf("The measures are those of the repaired surface: ",
                       mending.Message(), " The output is the surface without these repairs."));
   }
+  const auto crossing =
+    isthmus::FindShellCrossing({ points, corners }, isthmus::Between(progress, 0.9, 1.0));
+  SurfaceMeasure& whole = measures.Whole;
+  if (crossing)
+  {
+    whole.Volume = std::numeric_limits<double>::quiet_NaN();
+    vtkWarningMacro(<< isthmus::TextOf("Volume is not a number. ", crossing->Message()));
+  }
   isthmus::Report(progress, 1.0);
-  const SurfaceMeasure& whole = measures.Whole;
   AddFields(output->GetFieldData(), whole, static_cast<vtkIdType>(measures.Components.size()));
   FillTable(table, measures);
   if (!whole.IsClosed())

@@ -13,9 +13,11 @@
  * against it. Cracks between facets, patches that are turned over and cavities that face the same
  * way as the shell around them are mended before, with a warning (SurfaceMending.h). `Volume` is
  * not a number, with a warning, where the surface doesn't enclose one: `OpenEdges` are those with
- * more triangles on one side than on the other. `Genus` is the number of handles, with the
- * `BoundaryLoops` closed; it is -1, with a warning, where the surface has `IrregularPoints`: points
- * around which its triangles form neither a disc nor a half disc.
+ * more triangles on one side than on the other; and where closed components cross each other, with
+ * the place (ShellCrossings.h): the volumes of the components are those of each alone. `Genus` is
+ * the number of handles, with the `BoundaryLoops` closed; it is -1, with a warning, where the
+ * surface has `IrregularPoints`: points around which its triangles form neither a disc nor a half
+ * disc.
  *
  * **Image**: four measures of the isosurface at Level of its scalars: `Area` and `Volume`, sharp,
  * and `SmearedArea` and `SmearedVolume` of the scalars scaled to 0 outside and 1 inside. Float and

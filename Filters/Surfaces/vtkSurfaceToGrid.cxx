@@ -247,7 +247,7 @@ void vtkSurfaceToGrid::FromSurface(
   {
     return;
   }
-  const auto inside = isthmus::NodesInside(mesh, shape);
+  const auto inside = isthmus::NodesInside(mesh, shape, isthmus::WorldOf(output));
   isthmus::Report(progress, 0.3);
   if (this->GenerateInside)
   {

@@ -27,8 +27,9 @@
  * Formulas and sources: SurfaceCrossings.h, LevelCrossings.h, GridDistance.h.
  *
  * **Errors** (one message, empty outputs): surfaces that are not closed (when Inside or
- * SignedDistance are wanted), coordinates that are not finite, damaged cells, negative Spacing,
- * grids of a single layer, no point scalars. An empty surface or image is none.
+ * SignedDistance are wanted), closed parts that cross (ShellCrossings.h), coordinates that are not
+ * finite, damaged cells, negative Spacing, grids of a single layer, no point scalars. An empty
+ * surface or image is none.
  *
  * **Cost.** A million triangles on 256^3 nodes: a few seconds on two cores. Memory 26 bytes a node
  * (1 without distance). On several MPI ranks, each works on its own piece of the surface: gather it

@@ -4,6 +4,8 @@
 #include "Core/RangeChecks.h"
 #include "Core/UnitScale.h"
 #include "Remeshing/SurfaceRepair.h"
+#include "Surfaces/ShellCrossings.h"
+#include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
 
 #include <cmath>
@@ -202,6 +204,10 @@ TetrahedralMesh MeshTetrahedra(const SurfaceView& surface, const TetrahedralPara
   const UnitScale scale(surface);
   if (!scale.IsOne())
   {
+    if (FindDefects(surface).None())
+    {
+      RequireShellsApart(surface); // with the place in the user's unit
+    }
     TriangleMesh scaled = CopyOf(surface);
     scale.Apply(scaled.Points);
     TetrahedralMesh mesh = MeshTetrahedra(scaled, Scaled(parameters, scale.Factor()), progress);

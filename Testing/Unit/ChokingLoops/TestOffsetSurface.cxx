@@ -176,6 +176,39 @@ TEST(OffsetSurface, SaysWhatItCannotDo)
   EXPECT_EQ(Offset({}, 0.3).Error(), "");
 }
 
+TEST(OffsetSurface, SidesOfShellsThatCrossAreRefusedWithThePlace)
+{
+  for (const double unit : { 1.0, 1e9 })
+  {
+    TriangleMesh both = Cube();
+    for (const Point3& p : Cube().Points)
+    {
+      both.Points.push_back({ p[0] + 1.5, p[1] + 0.2, p[2] + 0.3 });
+    }
+    for (const Triangle& t : Cube().Triangles)
+    {
+      both.Triangles.push_back({ t[0] + 8, t[1] + 8, t[2] + 8 });
+    }
+    for (Point3& p : both.Points)
+    {
+      p = unit * p;
+    }
+    for (const int side : { vtkOffsetSurface::Inside, vtkOffsetSurface::Outside })
+    {
+      Offset offset(both, 0.2 * unit, side);
+      const std::string said = offset.Error();
+      double p[3] = { 0.0, 0.0, 0.0 };
+      const std::size_t start = std::min(said.find("cross at ("), said.size());
+      ASSERT_EQ(std::sscanf(said.c_str() + start, "cross at (%lf, %lf, %lf)", p, p + 1, p + 2), 3)
+        << said;
+      const double scaled[] = { p[0] / unit, p[1] / unit, p[2] / unit };
+      EXPECT_NEAR(ToCube(scaled), 0.0, 1e-3) << said;
+      EXPECT_EQ(offset.Result()->GetNumberOfCells(), 0);
+    }
+    EXPECT_EQ(Offset(both, 0.2 * unit).Error(), ""); // the distance from both has no inside
+  }
+}
+
 TEST(OffsetSurface, StopsWheneverItIsAskedTo)
 {
   const TriangleMesh torus = Torus(1.0, 0.4, 60, 30);

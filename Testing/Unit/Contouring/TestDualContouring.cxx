@@ -167,6 +167,31 @@ TEST(DualContouring, QuadrilateralsMirrorsAndThreads)
   }
 }
 
+TEST(DualContouring, SurfacesThatCrossAreRefusedWithTheirPlace)
+{
+  TriangleMesh both = Cube({ 10.0, 20.0, 30.0 }, 2.0);
+  Append(both, Cube({ 11.0, 21.0, 31.0 }, 2.0));
+  vtkNew<vtkPolyData> surface;
+  SetMesh(both, surface);
+  vtkNew<vtkDualContouring> filter;
+  vtkNew<vtkTest::ErrorObserver> said;
+  filter->AddObserver(vtkCommand::ErrorEvent, said);
+  filter->SetInputData(surface);
+  filter->SetSpacing(0.3);
+  filter->Update();
+  double p[3] = { 0.0, 0.0, 0.0 };
+  const std::string message = said->GetErrorMessage();
+  const std::size_t start = std::min(message.find("cross at ("), message.size());
+  ASSERT_EQ(std::sscanf(message.c_str() + start, "cross at (%lf, %lf, %lf)", p, p + 1, p + 2), 3)
+    << message;
+  for (int a = 0; a < 3; ++a) // where both cubes are
+  {
+    EXPECT_GE(p[a], 10.0 * (a + 1) + 1.0) << message;
+    EXPECT_LE(p[a], 10.0 * (a + 1) + 2.0) << message;
+  }
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+}
+
 TEST(DualContouring, WrongInputAndPropertiesAreRefused)
 {
   const auto image = Sampled(9, [](const Point3& p) { return 0.6 - std::abs(p[0]); });

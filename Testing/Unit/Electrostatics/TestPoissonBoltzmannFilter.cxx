@@ -4,6 +4,7 @@
 
 #include "vtkPoissonBoltzmann.h"
 
+#include "Core/PolyDataTriangles.h"
 #include "KirkwoodSphere.h"
 
 #include <vtkCommand.h>
@@ -375,6 +376,33 @@ TEST(PoissonBoltzmannFilter, TooLargeAGridIsRefusedBeforeItsSurfaceIsMade)
       },
       "are available: choose a larger Spacing");
   }
+}
+
+TEST(PoissonBoltzmannFilter, SurfacesThatCrossAreRefusedWithTheirPlace)
+{
+  const Point3 centre = Sphere().Centre;
+  TriangleMesh both;
+  for (const double offset : { 0.0, 6.0 }) // along x: they cross 3 from each centre
+  {
+    vtkNew<vtkSphereSource> ball;
+    ball->SetRadius(5.0);
+    ball->SetCenter(centre[0] + offset, centre[1], centre[2]);
+    ball->SetPhiResolution(30);
+    ball->SetThetaResolution(30);
+    ball->Update();
+    const TriangleMesh one = MeshOf(ball->GetOutput());
+    const auto first = static_cast<vtkIdType>(both.Points.size());
+    both.Points.insert(both.Points.end(), one.Points.begin(), one.Points.end());
+    for (const Triangle& t : one.Triangles)
+    {
+      both.Triangles.push_back({ t[0] + first, t[1] + first, t[2] + first });
+    }
+  }
+  vtkNew<vtkPolyData> surface;
+  SetMesh(both, surface);
+  ExpectError([&](vtkPoissonBoltzmann* filter, vtkPolyData*)
+    { filter->SetInputDataObject(1, surface); },
+    "cross at (103.");
 }
 
 TEST(PoissonBoltzmannFilter, NoAtomsNoError)

@@ -5,6 +5,7 @@
 
 #include "ChannelTube.h"
 #include "ChargedPoints.h"
+#include "Core/PolyDataTriangles.h"
 
 #include <vtkCommand.h>
 #include <vtkFieldData.h>
@@ -177,4 +178,34 @@ TEST(IonTransport, AClosedMembraneIsRefusedWithItsPlace)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(filter->GetSections()->GetNumberOfRows(), 0);
   EXPECT_EQ(filter->GetSweep()->GetNumberOfRows(), 0);
+}
+
+TEST(IonTransport, SurfacesThatCrossAreRefusedWithTheirPlace)
+{
+  const auto filter = TubeInSalt(-0.05, 0.1, 0.1);
+  TriangleMesh boxes;
+  for (const double low : { -4.0, -1.0 }) // along the axis; they overlap from -1 to 3
+  {
+    const auto first = static_cast<vtkIdType>(boxes.Points.size());
+    for (int i = 0; i < 8; ++i)
+    {
+      boxes.Points.push_back(
+        { i & 1 ? 6.0 : 4.0 + 0.1 * low, i & 2 ? 1.5 : -1.5 + 0.1 * low, i & 4 ? low + 7.0 : low });
+    }
+    for (const Triangle& t :
+      { Triangle{ 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 }, { 0, 5, 4 },
+        { 2, 6, 7 }, { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } })
+    {
+      boxes.Triangles.push_back({ t[0] + first, t[1] + first, t[2] + first });
+    }
+  }
+  vtkNew<vtkPolyData> surface;
+  SetMesh(boxes, surface);
+  filter->SetInputData(1, surface);
+  vtkNew<vtkTest::ErrorObserver> said;
+  filter->AddObserver(vtkCommand::ErrorEvent, said);
+  filter->Update();
+  EXPECT_NE(said->GetErrorMessage().find("cross at ("), std::string::npos)
+    << said->GetErrorMessage();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 }

@@ -99,6 +99,7 @@ TEST(SurfaceDefects, CubesThatShareAPointOrCrossAreRefused)
   TriangleMesh crossing = Cube({ 0, 0, 0 }, 1.0);
   isthmus::testing::Append(crossing, Cube({ 0.5, 0.4, 0.3 }, 1.0));
   ExpectMentions(WhyRefused(crossing), "intersects itself in");
+  ExpectMentions(WhyRefused(crossing), "cross at (");
 }
 
 TEST(SurfaceRepair, MendsACubeWithAHoleAndATurnedTriangle)
