@@ -138,7 +138,8 @@ TEST(HessianCurvatureFilter, CylinderDirectionsAndUmbilics)
   filter->GeneratePrincipalDirection2On();
   filter->GenerateSurfaceTypeOn();
   filter->Update();
-  const vtkIdType id = cylinder->FindPoint(4.0 / 7.0, 3.0 / 7.0, 0.0);
+  double place[3] = { 4.0 / 7.0, 3.0 / 7.0, 0.0 }; // VTK 9.3 hides the overload of three numbers
+  const vtkIdType id = cylinder->FindPoint(place);
   const double* p = cylinder->GetPoint(id);
   const double r = std::hypot(p[0], p[1]);
   const double* around = PointArray(filter->GetOutput(), "PrincipalDirection1")->GetTuple3(id);
