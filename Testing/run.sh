@@ -45,7 +45,7 @@ done
 select_tests() { python3 -B "$source_dir/Testing/select_tests.py" "$@"; }
 
 if [ $install = yes ]; then
-  install_packages "${build_packages[@]}" "${paraview_packages[@]}" "${test_packages[@]}"
+  install_packages "${build_packages[@]}" "${paraview_packages[@]}" "${test_packages[@]}" "${guide_packages[@]}"
 fi
 # The targets that the chosen modules' tests need; without a choice everything is built.
 targets=()

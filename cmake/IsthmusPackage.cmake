@@ -9,7 +9,9 @@ set(CPACK_PACKAGING_INSTALL_PREFIX "/usr")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_SOURCE_DIR}/cmake/package/layout.cmake")
 set(CPACK_ISTHMUS_COPYRIGHT "${CMAKE_CURRENT_SOURCE_DIR}/cmake/package/copyright")
-set(CPACK_ISTHMUS_CHANGELOG "${CMAKE_CURRENT_SOURCE_DIR}/cmake/package/changelog")
+configure_file("${CMAKE_CURRENT_SOURCE_DIR}/cmake/package/changelog"
+  "${CMAKE_CURRENT_BINARY_DIR}/package/changelog" @ONLY)
+set(CPACK_ISTHMUS_CHANGELOG "${CMAKE_CURRENT_BINARY_DIR}/package/changelog")
 
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION "science")

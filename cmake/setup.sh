@@ -48,6 +48,11 @@ test_packages=(
   optional:libgudhi-dev optional:python3-gudhi optional:python3-mdanalysis imagemagick xdotool
   clang clang-format clang-tidy libclang-rt-CLANG-dev file dpkg-dev locales)
 
+# What the guide is built by (CMake target `guide`): 60 MB.
+guide_packages=(
+  optional:python3-sphinx optional:python3-myst-parser optional:furo optional:doxygen optional:graphviz
+  optional:libjs-mathjax)
+
 # What benchmarks alone compare with: 170 MB.
 peer_packages=(libinsighttoolkit5-dev python3-skimage)
 

@@ -125,10 +125,12 @@ public:
 
 }
 
+/// @cond
 template <typename Kind, typename Id>
 struct std::hash<isthmus::Handle<Kind, Id>>
 {
   std::size_t operator()(isthmus::Handle<Kind, Id> id) const { return std::hash<Id>()(id.Value); }
 };
+/// @endcond
 
 #endif

@@ -106,7 +106,7 @@ struct SurfaceCurvatureResult
 /**
  * Curvature at all points of `mesh`, in parallel.
  *
- * Points without triangles are invalid. Time: O(#triangles) for AngleDefect and OneRing, times the
+ * Points without triangles are invalid. Time: O(triangles) for AngleDefect and OneRing, times the
  * number of triangles within Radius for the others. Memory: about 100 bytes a point, 100 a triangle
  * for EdgeTensor.
  * @throws std::invalid_argument for a Radius that is negative or not finite, and Cancelled.

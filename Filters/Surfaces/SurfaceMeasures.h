@@ -52,7 +52,7 @@ struct SurfaceMeasures
  * Measures `mesh`. Triangles that share a point belong to one component.
  *
  * Degenerate triangles (no area, or a corner twice) are allowed; the latter make their corners
- * irregular. Time O(#triangles), memory about 60 bytes a triangle.
+ * irregular. Time O(triangles), memory about 60 bytes a triangle.
  * @throws Cancelled.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT SurfaceMeasures MeasureSurface(

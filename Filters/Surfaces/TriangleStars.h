@@ -28,7 +28,7 @@ enum class StarKind : unsigned char
             ///< other, several fans touching in the point, or a triangle with a corner twice.
 };
 
-/// The triangles around each point. Building and memory: O(#triangles).
+/// The triangles around each point. Building and memory: O(triangles).
 class VTKISTHMUSFILTERSSURFACES_EXPORT TriangleStars
 {
 public:

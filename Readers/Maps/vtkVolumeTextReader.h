@@ -2,10 +2,10 @@
  * @class vtkVolumeTextReader
  * @brief Reads voxel values as plain text (.dat): three counts, then numbers, x fastest.
  *
- * The thesis' export of voxel values (X. Feng, 2018, chapter 5), as vtkVolumeTextWriter writes it,
- * plain, .gz or .bz2. Output: vtkImageData with the point array `Density` in double precision,
- * origin 0 and spacing 1, since the file has neither. Written and read again, doubles are the same
- * bits; floats are once they are rounded to float again.
+ * The thesis' export of voxel values (X. Feng, PhD thesis, chapter 5), as vtkVolumeTextWriter
+ * writes it, plain, .gz or .bz2. Output: vtkImageData with the point array `Density` in double
+ * precision, origin 0 and spacing 1, since the file has neither. Written and read again, doubles
+ * are the same bits; floats are once they are rounded to float again.
  *
  * A file that is missing, cut, too long or wrong: one error with the line, the error code, an
  * empty output. Time and memory: O(numbers).

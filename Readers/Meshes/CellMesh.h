@@ -57,9 +57,9 @@ inline constexpr std::array<std::int64_t, 15> VerticesOfShape{ 1, 2, 3, 4, 0, 4,
 /// Ids from 0. Attributes have a tuple for each point or each cell.
 struct CellMesh
 {
-  std::vector<double> Coordinates;        ///< #points x 3
-  std::vector<CellShape> Shapes;          ///< #cells
-  std::vector<std::int64_t> Offsets{ 0 }; ///< #cells + 1, into Vertices
+  std::vector<double> Coordinates;        ///< three for each point
+  std::vector<CellShape> Shapes;          ///< one for each cell
+  std::vector<std::int64_t> Offsets{ 0 }; ///< of each cell and the end, into Vertices
   std::vector<std::int64_t> Vertices;
   std::vector<MeshAttribute> Attributes;
   std::vector<std::string> Warnings; ///< what of the file was dropped, one sentence each

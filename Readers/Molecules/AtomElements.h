@@ -47,7 +47,7 @@ VTKISTHMUSREADERSMOLECULES_EXPORT ResidueFamily FamilyOfResidue(std::string_view
 /// Is this a name of four letters that simulation programs give residues (TIP3, POPC, LYSH)?
 VTKISTHMUSREADERSMOLECULES_EXPORT bool IsLongResidueName(std::string_view name);
 
-/// Ghost atoms, dummies, lone pairs and virtual sites, by name or symbol: Bq, X1, EPW, Gh(C), @H.
+/// Ghost atoms, dummies, lone pairs and virtual sites, by name or symbol: Bq, X1, EPW, Gh(C), `@H`.
 VTKISTHMUSREADERSMOLECULES_EXPORT bool IsDummyName(std::string_view name);
 
 /// Columns of an atom's line, blanks included.

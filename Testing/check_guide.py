@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""Checks that the guide is complete.
+
+    check_guide.py [ROOT]
+
+- each filter, reader and writer of Plugin/*.xml has a hand-written part Examples/guide/filters/NAME.md that is
+  headed by its label, and each such part has a panel;
+- the page that is made of both names every property with its default, every input, and every output;
+- each page of Examples/guide is in a list of contents;
+- the version in CITATION.cff is that of the root CMakeLists.txt, from which all others come.
+
+Prints one line per error; the exit status is 1 if there are any.
+"""
+import pathlib
+import re
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Examples" / "guide" / "site"))
+import pages  # noqa: E402
+
+# Parts of filters/ that are no panel's.
+OTHER = {"index"}
+
+
+def check_panels(site, root):
+    folder = root / pages.GUIDE / "filters"
+    parts = {path.stem: path.read_text() for path in folder.glob("*.md")}
+    for name in sorted(set(parts) - set(site.panels) - OTHER):
+        yield f"Examples/guide/filters/{name}.md belongs to no panel"
+    for name, panel in sorted(site.panels.items()):
+        if name not in parts:
+            yield f"{panel.file}: {name} has no Examples/guide/filters/{name}.md"
+            continue
+        heading = parts[name].split("\n", 1)[0]
+        if heading != f"# {panel.label}":
+            yield f"Examples/guide/filters/{name}.md is headed {heading!r}, the panel {panel.label!r}"
+        page = site.filter_page(panel, parts[name])
+        for entry in panel.properties:
+            if entry.label not in page:
+                yield f"Examples/guide/filters/{name}.md: the page lacks the property {entry.label}"
+            elif entry.default and not entry.is_input and f"`{entry.default}`" not in page:
+                yield f"Examples/guide/filters/{name}.md: the page lacks the default of {entry.label}"
+        for _, output in panel.outputs:
+            if output not in page:
+                yield f"Examples/guide/filters/{name}.md: the page lacks the output {output}"
+
+
+def check_contents(root):
+    folder = root / pages.GUIDE
+    listed = {"index"}
+    for path in folder.rglob("*.md"):
+        for block in re.findall(r"^```\{toctree\}\n(.*?)^```", path.read_text(), re.DOTALL | re.MULTILINE):
+            listed.update(line.strip() for line in block.split("\n") if line and not line.startswith(":"))
+    for path in sorted(folder.glob("*.md")):
+        if path.stem not in listed:
+            yield f"Examples/guide/{path.name} is in no list of contents"
+
+
+def check_version(root):
+    found = re.search(r"^project\(Isthmus VERSION ([\d.]+)", (root / "CMakeLists.txt").read_text(), re.MULTILINE)
+    if not found:
+        yield "CMakeLists.txt has no project(Isthmus VERSION ...)"
+        return
+    version = found.group(1)
+    citation = re.search(r"^version: (\S+)", (root / "CITATION.cff").read_text(), re.MULTILINE)
+    if not citation or citation.group(1) != version:
+        yield f"CITATION.cff does not have the version {version} of CMakeLists.txt"
+
+
+def check(root):
+    site = pages.Site(root, "")
+    complaints = [*check_panels(site, root), *check_contents(root), *check_version(root)]
+    return complaints, len(site.panels)
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[1]).resolve()
+    complaints, looked_at = check(root)
+    if looked_at == 0:
+        complaints.append(f"no panel was found under {root}")
+    for complaint in complaints:
+        print(complaint)
+    print(f"{looked_at} panels looked at, {len(complaints)} complaints")
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
