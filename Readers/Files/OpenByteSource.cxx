@@ -389,14 +389,22 @@ void RefuseOtherCompressions(const unsigned char (&magic)[4], const std::string&
   } others[] = { { { 0x28, 0xb5, 0x2f, 0xfd }, "zstd", "zstd -d" },
     { { 0xfd, '7', 'z', 'X' }, "xz", "xz -dk" }, { { 'P', 'K', 3, 4 }, "zip", "unzip" },
     { { '7', 'z', 0xbc, 0xaf }, "7z", "7z x" }, { { 4, 0x22, 0x4d, 0x18 }, "lz4", "lz4 -d" } };
+  const auto refuse = [&path](const std::string& name, const std::string& command)
+  {
+    throw ReaderError(ReaderFailure::ForeignFormat,
+      path + ": the file is compressed with " + name +
+        ", which is not read (gzip and bzip2 are). Unpack it first: " + command + " FILE");
+  };
   for (const auto& other : others)
   {
     if (std::equal(std::begin(magic), std::end(magic), std::begin(other.Magic)))
     {
-      throw ReaderError(ReaderFailure::ForeignFormat,
-        path + ": the file is compressed with " + other.Name +
-          ", which is not read (gzip and bzip2 are). Unpack it first: " + other.Command + " FILE");
+      refuse(other.Name, other.Command);
     }
+  }
+  if (magic[0] == 0x1f && magic[1] == 0x9d) // of two bytes only
+  {
+    refuse("compress (.Z)", "gzip -d");
   }
 }
 

@@ -52,6 +52,16 @@ public:
     return true;
   }
 
+  /// To a line of the text that is behind the one it is at.
+  void GoTo(std::string_view line)
+  {
+    const auto at = static_cast<std::size_t>(line.data() - this->Text.data());
+    do
+    {
+      this->Next(line);
+    } while (this->At <= at);
+  }
+
   /// "line 7"
   std::string Line() const { return "line " + std::to_string(this->Number); }
 

@@ -626,7 +626,8 @@ void SetElements(std::vector<Atom>& atoms, const std::vector<AtomColumns>& colum
   Decision(atoms, columns, starts, column).Run(report);
 }
 
-void SetElements(std::vector<Atom>& atoms, ReadingReport& report, ElementColumn column)
+void SetElements(std::vector<Atom>& atoms, ReadingReport& report, ElementColumn column,
+  const std::function<bool(const Atom&)>& isDummy)
 {
   std::vector<AtomColumns> columns(atoms.size());
   std::vector<std::size_t> starts;
@@ -645,6 +646,10 @@ void SetElements(std::vector<Atom>& atoms, ReadingReport& report, ElementColumn 
     {
       std::string_view(ElementSymbol(atom.Element))
         .copy(columns[i].Symbol.data(), columns[i].Symbol.size());
+    }
+    else if (isDummy && isDummy(atom))
+    {
+      columns[i].Symbol = { ' ', 'X' };
     }
   }
   SetElements(atoms, columns, starts, report, column);

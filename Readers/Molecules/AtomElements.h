@@ -25,6 +25,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -75,10 +76,11 @@ VTKISTHMUSREADERSMOLECULES_EXPORT void SetElements(std::vector<Atom>& atoms,
 
 /**
  * The same for formats without PDB's columns: the element that an atom has is that of the file, 0
- * if it has none. Names are not right-justified; residues follow each other.
+ * if it has none. Names are not right-justified; residues follow each other. `isDummy`: the file's
+ * symbol means no element.
  */
-VTKISTHMUSREADERSMOLECULES_EXPORT void SetElements(
-  std::vector<Atom>& atoms, ReadingReport& report, ElementColumn column);
+VTKISTHMUSREADERSMOLECULES_EXPORT void SetElements(std::vector<Atom>& atoms, ReadingReport& report,
+  ElementColumn column, const std::function<bool(const Atom&)>& isDummy = {});
 
 /// Warns of atoms without element, in formats where types or symbols mean elements.
 void ReportMissingElements(const std::vector<Atom>& atoms, ReadingReport& report);

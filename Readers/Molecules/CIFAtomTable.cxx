@@ -2,6 +2,8 @@
 
 #include "Atoms/ChemicalElement.h"
 #include "Core/NumberText.h"
+#include "Files/TextLines.h"
+#include "Molecules/AtomElements.h"
 #include "Molecules/GemmiAtom.h"
 
 #include <algorithm>
@@ -397,7 +399,19 @@ std::set<std::string> ListedSymbols(cif::Block& block)
   return symbols;
 }
 
-/// Labels of core CIF begin with the symbol: "Cl1", "C12A". "CA1" is carbon unless Ca is listed.
+/// Whether two capitals at the beginning of a label are a symbol ("CL2", "CU1", "ZN1") rather than
+/// a symbol of one letter and a locant ("CA1", "NB2", "CO1").
+bool IsSymbolInCapitals(const std::string& two)
+{
+  constexpr int heaviest = 92; // CF3 and CM are carbons more often than californium and curium
+  const int element = ElementOfSymbol(two);
+  const bool isLocant = std::string_view("CHNOPS").find(two[0]) != std::string_view::npos &&
+    std::string_view("ABDEGHOZ").find(two[1]) != std::string_view::npos;
+  return element > 0 && element <= heaviest && (!isLocant || two == "SE" || two == "PD");
+}
+
+/// Labels of core CIF begin with the symbol: "Cl1", "C12A", "CL1". "CA1" is carbon unless Ca is
+/// listed.
 std::string SymbolOfLabel(const std::string& label, const std::set<std::string>& listed)
 {
   std::string letters;
@@ -413,7 +427,8 @@ std::string SymbolOfLabel(const std::string& label, const std::set<std::string>&
   {
     std::string two = letters.substr(0, 2);
     const bool isProper = std::islower(static_cast<unsigned char>(two[1])) != 0;
-    if (ElementOfSymbol(two) > 0 && (isProper || listed.count(gemmi::to_lower(two)) > 0))
+    if (ElementOfSymbol(two) > 0 &&
+      (isProper || IsSymbolInCapitals(two) || listed.count(gemmi::to_lower(two)) > 0))
     {
       return two;
     }
@@ -483,6 +498,7 @@ void TranslateCoreCIF(cif::Block& block, AtomTable& table, CIFAtoms& atoms)
     table.Plan("type_symbol",
       [&table, label, listed](std::size_t row)
       { return SymbolOfLabel(table.Text(row, label), listed); });
+    atoms.Report.Note("The file has no elements (type_symbol): decided from the labels.");
   }
   if (table.Find("pdbx_formal_charge") < 0 &&
     std::any_of(charges.begin(), charges.end(), [](int charge) { return charge != 0; }))
@@ -554,25 +570,41 @@ void FillUnknown(AtomTable& table, int to, int from)
   }
 }
 
-/// Gives atoms without element the symbol X: SetElements decides by names. Returns how many.
-std::size_t CompleteElements(AtomTable& table)
+/**
+ * Gives atoms without element the symbol X: SetElements decides by names. Those to which the file
+ * gives symbols that mean none (X) are kept as such in `atoms`, unless it gives no element to any.
+ */
+void CompleteElements(AtomTable& table, CIFAtoms& atoms)
 {
   const int column = table.Find("type_symbol");
   if (column < 0)
   {
     table.Plan("type_symbol", [](std::size_t) { return std::string("X"); });
-    return table.Rows();
+    return;
   }
-  std::size_t completed = 0;
+  const int id = table.Find("id");
+  bool hasElements = false;
   for (std::size_t row = 0; row < table.Rows(); ++row)
   {
+    int number = static_cast<int>(row) + 1; // as it will be given where the file has no ids
     if (cif::is_null(table.At(row, column)))
     {
       table.At(row, column) = "X";
-      ++completed;
+    }
+    else if (ElementOfSymbol(table.Text(row, column)) > 0)
+    {
+      hasElements = true;
+    }
+    else if (IsDummyName(table.Text(row, column)) &&
+      (id < 0 || IsNumber(std::string_view(table.At(row, id)), number)))
+    {
+      atoms.Dummies.insert(number);
     }
   }
-  return completed;
+  if (!hasElements)
+  {
+    atoms.Dummies.clear();
+  }
 }
 
 /// Plans a column that the file lacks: the values of `like`, or `unknown` where that is missing,
@@ -691,12 +723,7 @@ void CompleteColumns(AtomTable& table, CIFAtoms& atoms)
   {
     atoms.Report.Note("The file has no " + missing + ": unknown (NaN) for all atoms.");
   }
-  const std::size_t elements = CompleteElements(table);
-  if (elements > 0)
-  {
-    atoms.Report.Note(std::to_string(elements) + (elements == 1 ? " atom has" : " atoms have") +
-      " no element in the file: decided from the names of atom and residue.");
-  }
+  CompleteElements(table, atoms);
   CleanWholeNumbers(table, atoms);
   FillUnknown(table, table.Find("auth_atom_id"), table.Find("label_atom_id"));
   FillUnknown(table, table.Find("auth_comp_id"), table.Find("label_comp_id"));

@@ -25,6 +25,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -51,6 +52,8 @@ struct CIFAtoms
   std::vector<std::array<std::string, 3>> Bonded;
   /// pLDDT of ModelCIF, 0 to 100, by model (from 0), label_asym_id and label_seq_id.
   std::map<std::tuple<std::int64_t, std::string, std::string>, double> Confidence;
+  /// Ids of atoms whose symbols in the file mean no element.
+  std::set<int> Dummies;
   ReadingReport Report;
 };
 

@@ -3,6 +3,7 @@
 #include "Atoms/ChemicalElement.h"
 #include "Files/TextLines.h"
 #include "Molecules/AtomElements.h"
+#include "Molecules/PDBColumns.h"
 #include "Molecules/ReadingReport.h"
 
 #include <algorithm>
@@ -178,30 +179,21 @@ Atom ReadPDBQTAtom(std::string_view line, const TextLines& lines, ReadingReport&
   return atom;
 }
 
+/// Columns as in PDB, but no segments: charges are there.
+bool IsSamePDBQTAtom(std::string_view a, std::string_view b)
+{
+  return Columns(a, 12, 15) == Columns(b, 12, 15);
+}
+
 Macromolecule ParsePDBQT(std::string_view text, const std::string& path, std::int64_t model,
   const ProgressCallback& progress)
 {
-  Macromolecule molecule;
   ReadingReport report;
-  ReadingReport ofOthers; // models that are not wanted
-  TextLines lines(text, path, progress);
-  bool inModel = false;
-  for (std::string_view line; lines.Next(line);)
-  {
-    if (!BeginsWith(line, "ATOM") && !BeginsWith(line, "HETATM"))
-    {
-      inModel = inModel && !BeginsWith(line, "ENDMDL") && !BeginsWith(line, "MODEL");
-      continue;
-    }
-    molecule.NumberOfModels += inModel ? 0 : 1;
-    inModel = true;
-    const bool isWanted = molecule.NumberOfModels - 1 == model;
-    Atom atom = ReadPDBQTAtom(line, lines, isWanted ? report : ofOthers);
-    if (isWanted)
-    {
-      molecule.Atoms.push_back(std::move(atom));
-    }
-  }
+  Macromolecule molecule = ReadModelOfRecords(
+    text, path, model, { IsSamePDBQTAtom, PDBColumnsOfAtoms.Place },
+    [&report](std::string_view line, const TextLines& lines)
+    { return ReadPDBQTAtom(line, lines, report); },
+    report, progress);
   ReportMissingElements(molecule.Atoms, report);
   report.AddTo(molecule);
   return molecule;

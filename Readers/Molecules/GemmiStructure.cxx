@@ -640,7 +640,8 @@ Macromolecule ReadBlocks(
       AddNamedBonds(block.Atoms, molecule);
       if (block.Atoms.From == CIFAtoms::Source::MMCIF)
       {
-        SetElements(molecule.Atoms, block.Atoms.Report, ElementColumn::Table);
+        SetElements(molecule.Atoms, block.Atoms.Report, ElementColumn::Table,
+          [&block](const Atom& atom) { return block.Atoms.Dummies.count(atom.Serial) > 0; });
       }
       else
       {

@@ -70,7 +70,7 @@ MoleculeFormat FormatOfName(const std::string& path)
 }
 
 /// What to do with a file in a format that is not read; empty: it is not known.
-std::string OtherFormat(const std::string& path, std::string_view text)
+std::string OtherFormat(const std::string& path)
 {
   const std::string name = Uncompressed(path);
   const struct
@@ -118,9 +118,59 @@ std::string OtherFormat(const std::string& path, std::string_view text)
       }
     }
   }
-  if (text.substr(0, 1) == "{")
+  return {};
+}
+
+bool BeginsAs(std::string_view text, std::string_view with)
+{
+  return text.size() >= with.size() &&
+    std::equal(with.begin(), with.end(), text.begin(),
+      [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
+}
+
+/// What is in a file instead of what its name says, and what to do; empty: nothing that is known.
+std::string OtherContent(std::string_view text, MoleculeFormat format)
+{
+  const std::string_view begin = text.substr(0, 1000);
+  const auto has = [begin](std::string_view word) { return begin.find(word) != begin.npos; };
+  const auto first = static_cast<unsigned char>(text.empty() ? ' ' : text[0]);
+  const bool isMessagePack = (first >= 0x80 && first <= 0x8f) || first == 0xde || first == 0xdf;
+  if (isMessagePack && has("mmtf"))
+  {
+    return "this is MMTF, which is not read; the PDB has retired it. Fetch the structure as mmCIF "
+           "(.cif).";
+  }
+  if (isMessagePack && (has("encoder") || has("dataBlocks")))
+  {
+    return "this is BinaryCIF, which is not read. Fetch or write the structure as mmCIF (.cif).";
+  }
+  const std::string_view words =
+    text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  if (BeginsAs(words, "<!doctype html") || BeginsAs(words, "<html"))
+  {
+    return "this is a page of a web site, e.g. a message that the file was not found. Open it in a "
+           "browser, and fetch "
+           "the file again.";
+  }
+  if (BeginsAs(words, "<?xml") || BeginsAs(words, "<PDBx") || BeginsAs(words, "<cml"))
+  {
+    return "this is XML (PDBML, CML, ...), which is not read. Fetch or write the structure as "
+           "mmCIF or PDB.";
+  }
+  if (BeginsAs(words, "version https://git-lfs"))
+  {
+    return "this is a pointer of Git LFS, not the file itself. Fetch it by 'git lfs pull'.";
+  }
+  if (BeginsAs(words, "{"))
   {
     return "this is JSON. Where it is mmJSON, convert it by 'gemmi convert FILE.json FILE.cif'.";
+  }
+  for (const char* record : { "HEADER ", "CRYST1 ", "ATOM  ", "HETATM", "REMARK ", "MODEL  " })
+  {
+    if (format == MoleculeFormat::MMCIF && BeginsAs(words, record))
+    {
+      return "this is PDB, not mmCIF. Name it .pdb, or choose its format.";
+    }
   }
   return {};
 }
@@ -143,7 +193,8 @@ MoleculeFormat FormatOfText(std::string_view text, const std::string& path)
   {
     return MoleculeFormat::MOL2;
   }
-  const std::string other = OtherFormat(path, text);
+  std::string other = OtherFormat(path);
+  other = other.empty() ? OtherContent(text, MoleculeFormat::ByName) : other;
   if (!other.empty())
   {
     throw std::runtime_error(path + ": " + other);
@@ -160,6 +211,11 @@ Macromolecule Parse(std::string_view text, const std::string& path, MoleculeForm
   if (format == MoleculeFormat::ByName)
   {
     format = FormatOfText(text, path);
+  }
+  const std::string other = OtherContent(text, format);
+  if (!other.empty())
+  {
+    throw std::runtime_error(path + ": " + other);
   }
   const bool isStructure = format == MoleculeFormat::MMCIF || format == MoleculeFormat::PDB;
   if (!isStructure && !choice.Assembly.empty())
@@ -447,8 +503,7 @@ std::int64_t CountModels(const std::string& path, MoleculeFormat format)
   {
     found = FindSeparators(*source);
   }
-  if (isByRecord && source->RandomAccess() &&
-    (format == MoleculeFormat::PQR || IsCountedByRecords(found, *source)))
+  if (isByRecord && source->RandomAccess() && IsCountedByRecords(found, *source))
   {
     return std::max<std::int64_t>(found.Models, 1);
   }
@@ -459,7 +514,7 @@ std::int64_t CountModels(const std::string& path, MoleculeFormat format)
   }
   if (format == MoleculeFormat::PQR)
   {
-    return std::max<std::int64_t>(FindSeparators("\n" + text, 0, true, 0).Models, 1);
+    return CountPQRModels(text);
   }
   if (format == MoleculeFormat::PDB)
   {

@@ -278,7 +278,8 @@ std::string FreeName(const std::string& name, const std::set<std::string>& taken
   return free;
 }
 
-/// Gives chains of later parts other names than those of earlier ones.
+}
+
 void RenameChains(std::vector<PDBRun>& runs, ReadingReport& report)
 {
   std::set<std::string> taken;
@@ -317,6 +318,47 @@ void RenameChains(std::vector<PDBRun>& runs, ReadingReport& report)
   }
 }
 
+Macromolecule ReadModelOfRecords(std::string_view text, const std::string& path, std::int64_t model,
+  const PDBAtomText& atoms,
+  const std::function<Atom(std::string_view line, const TextLines& lines)>& read,
+  ReadingReport& report, const ProgressCallback& progress)
+{
+  constexpr std::size_t bytesOfAPiece = std::size_t{ 1 } << 20;
+  const PDBLines split = SplitPDB(text, bytesOfAPiece, Between(progress, 0.0, 0.2));
+  const std::vector<PDBModel> models = FindModels(split, report, atoms);
+  Macromolecule molecule;
+  molecule.NumberOfModels = static_cast<std::int64_t>(models.size());
+  if (model < 0 || model >= molecule.NumberOfModels)
+  {
+    return molecule;
+  }
+  TextLines lines(text, path, Between(progress, 0.2, 1.0));
+  std::vector<PDBRun> runs;
+  const PDBModel& parts = models[static_cast<std::size_t>(model)];
+  for (std::size_t part = 0; part < parts.size(); ++part)
+  {
+    for (std::size_t i = parts[part].First; i < parts[part].Last; ++i)
+    {
+      lines.GoTo(split.Atoms[i]);
+      molecule.Atoms.push_back(read(split.Atoms[i], lines));
+      const std::string& chain = molecule.Atoms.back().Chain;
+      const std::size_t atom = molecule.Atoms.size() - 1;
+      if (runs.empty() || runs.back().Part != part || runs.back().FileChain != chain)
+      {
+        runs.push_back({ atom, atom, part, {}, chain, chain, {}, {} });
+      }
+      runs.back().Last = atom + 1;
+    }
+  }
+  RenameChains(runs, report);
+  for (const PDBRun& run : runs)
+  {
+    for (std::size_t i = run.First; i < run.Last && run.Chain != run.FileChain; ++i)
+    {
+      molecule.Atoms[i].Chain = run.Chain;
+    }
+  }
+  return molecule;
 }
 
 std::array<std::size_t, 4> CoordinateColumns(std::string_view atom)

@@ -17,12 +17,16 @@
 #ifndef isthmus_PDBColumns_h
 #define isthmus_PDBColumns_h
 
+#include "Core/Progress.h"
+#include "Files/TextLines.h"
+#include "Molecules/Macromolecule.h"
 #include "Molecules/PDBLines.h"
 #include "Molecules/ReadingReport.h"
 #include "vtkIsthmusReadersMoleculesModule.h"
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -84,6 +88,19 @@ private:
  */
 std::vector<PDBRun> ReadRuns(const PDBLines& lines, const PDBModel& model, bool withSegments,
   PDBResidueNames& names, ReadingReport& report);
+
+/// Gives chains of later parts other names than those of earlier ones.
+void RenameChains(std::vector<PDBRun>& runs, ReadingReport& report);
+
+/**
+ * The atoms of one model of a file with PDB's records (PQR, PDBQT), each read by `read`, which may
+ * use the line number of `lines` in its messages; with the number of models. Empty where there is
+ * no such model.
+ */
+Macromolecule ReadModelOfRecords(std::string_view text, const std::string& path, std::int64_t model,
+  const PDBAtomText& atoms,
+  const std::function<Atom(std::string_view line, const TextLines& lines)>& read,
+  ReadingReport& report, const ProgressCallback& progress);
 
 /// The number in `text` in base 10, 16 (hexadecimal) or 36 (hybrid-36 of four or five columns, as
 /// cctbx writes it), if it is one.

@@ -95,31 +95,48 @@ std::vector<std::string_view> Cut(std::string_view text, std::size_t bytesOfAPie
 // ------------------------------------------------------------------------------------------
 // Models
 
-/// Name, location, residue, chain and number: columns 13 to 27.
-std::string_view Identity(std::string_view atom)
+/// The same name, location, residue, chain and number (columns 13 to 27), and segment.
+bool HasSameColumns(std::string_view a, std::string_view b)
 {
-  return Columns(atom, 12, 15);
+  return Columns(a, 12, 15) == Columns(b, 12, 15) && Columns(a, 72, 4) == Columns(b, 72, 4);
 }
 
-bool SameAtoms(const PDBLines& lines, const PDBPart& a, const PDBPart& b)
+bool PlaceInColumns(std::string_view atom, Point3& place)
 {
-  const auto begin = lines.Atoms.begin();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (!IsNumber(Columns(atom, 30 + 8 * axis, 8), place[axis]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The lines of a file, and how to read its atoms.
+struct AtomLines
+{
+  const PDBLines& Lines;
+  const PDBAtomText& Text;
+};
+
+bool SameAtoms(const AtomLines& file, const PDBPart& a, const PDBPart& b)
+{
+  const auto begin = file.Lines.Atoms.begin();
   const auto at = [begin](std::size_t i) { return begin + static_cast<std::ptrdiff_t>(i); };
   return a.Last - a.First == b.Last - b.First &&
-    std::equal(at(a.First), at(a.Last), at(b.First),
-      [](std::string_view x, std::string_view y)
-      { return Identity(x) == Identity(y) && Columns(x, 72, 4) == Columns(y, 72, 4); });
+    std::equal(at(a.First), at(a.Last), at(b.First), file.Text.IsSame);
 }
 
 /// The smallest number of parts after which the same atoms come again; all of them if never.
-std::size_t Period(const PDBLines& lines, const std::vector<PDBPart>& parts)
+std::size_t Period(const AtomLines& file, const std::vector<PDBPart>& parts)
 {
   for (std::size_t period = 1; period < parts.size(); ++period)
   {
     bool repeats = parts.size() % period == 0;
     for (std::size_t i = period; repeats && i < parts.size(); ++i)
     {
-      repeats = SameAtoms(lines, parts[i - period], parts[i]);
+      repeats = SameAtoms(file, parts[i - period], parts[i]);
     }
     if (repeats)
     {
@@ -129,21 +146,17 @@ std::size_t Period(const PDBLines& lines, const std::vector<PDBPart>& parts)
   return parts.size();
 }
 
-std::vector<Point3> Places(const PDBLines& lines, const PDBModel& model)
+std::vector<Point3> Places(const AtomLines& file, const PDBModel& model)
 {
+  constexpr double farthest = 1e8;
   std::vector<Point3> places;
   for (const PDBPart& part : model)
   {
     for (std::size_t i = part.First; i < part.Last; ++i)
     {
       Point3 place{ 0.0, 0.0, 0.0 };
-      bool known = true;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        known = known && IsNumber(Columns(lines.Atoms[i], 30 + 8 * axis, 8), place[axis]) &&
-          std::abs(place[axis]) < 1e8;
-      }
-      if (known)
+      if (file.Text.Place(file.Lines.Atoms[i], place) &&
+        std::all_of(place.begin(), place.end(), [](double x) { return std::abs(x) < farthest; }))
       {
         places.push_back(place);
       }
@@ -235,13 +248,13 @@ bool AreApart(const Box& a, const Box& b)
 }
 
 /// Whether any two of `groups` overlap.
-bool AnyOverlap(const PDBLines& lines, const std::vector<PDBModel>& groups)
+bool AnyOverlap(const AtomLines& file, const std::vector<PDBModel>& groups)
 {
   std::vector<std::vector<Point3>> places;
   std::vector<Box> boxes;
   for (const PDBModel& group : groups)
   {
-    places.push_back(Places(lines, group));
+    places.push_back(Places(file, group));
     boxes.push_back(BoxOf(places.back()));
     for (std::size_t earlier = places.size() - 1; earlier-- > 0;)
     {
@@ -267,18 +280,18 @@ std::vector<PDBModel> Grouped(const std::vector<PDBPart>& parts, std::size_t siz
 
 /// Models or one structure, of parts that END separates.
 std::vector<PDBModel> ModelsOfParts(
-  const PDBLines& lines, const std::vector<PDBPart>& parts, ReadingReport& report)
+  const AtomLines& file, const std::vector<PDBPart>& parts, ReadingReport& report)
 {
   const std::string head =
     "END separates " + std::to_string(parts.size()) + " parts of the file, which ";
-  const std::size_t period = Period(lines, parts);
+  const std::size_t period = Period(file, parts);
   std::vector<PDBModel> models = Grouped(parts, period);
   if (models.size() == 1)
   {
     report.Note(head + "have different atoms: read as one structure.");
     return models;
   }
-  if (AnyOverlap(lines, models))
+  if (AnyOverlap(file, models))
   {
     report.Note(head + "repeat the same atoms: read as " + std::to_string(models.size()) +
       " models (time steps).");
@@ -405,7 +418,10 @@ std::string LineOf(std::string_view text, std::string_view line)
   return "line " + std::to_string(1 + std::count(text.data(), line.data(), '\n'));
 }
 
-std::vector<PDBModel> FindModels(const PDBLines& lines, ReadingReport& report)
+const PDBAtomText PDBColumnsOfAtoms{ HasSameColumns, PlaceInColumns };
+
+std::vector<PDBModel> FindModels(
+  const PDBLines& lines, ReadingReport& report, const PDBAtomText& atoms)
 {
   if (Has(lines, PDBRecord::Kind::Model))
   {
@@ -416,7 +432,7 @@ std::vector<PDBModel> FindModels(const PDBLines& lines, ReadingReport& report)
   {
     return Grouped(parts, 1);
   }
-  return ModelsOfParts(lines, parts, report);
+  return ModelsOfParts({ lines, atoms }, parts, report);
 }
 
 }

@@ -9,6 +9,7 @@
 #include "Molecules/ReadingReport.h"
 #include "vtkIsthmusReadersMoleculesModule.h"
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -62,6 +63,16 @@ VTKISTHMUSREADERSMOLECULES_EXPORT PDBLines SplitPDB(
 /// "line 7" of `text`, for messages. O(bytes before it).
 std::string LineOf(std::string_view text, std::string_view line);
 
+/// What FindModels reads of the lines of atoms; by default PDB's columns.
+struct PDBAtomText
+{
+  /// Whether two lines have the same atom: name, location, residue and chain.
+  bool (*IsSame)(std::string_view a, std::string_view b);
+  /// False: there are no coordinates.
+  bool (*Place)(std::string_view atom, std::array<double, 3>& place);
+};
+VTKISTHMUSREADERSMOLECULES_EXPORT extern const PDBAtomText PDBColumnsOfAtoms;
+
 /**
  * The models of a file.
  *
@@ -75,7 +86,7 @@ std::string LineOf(std::string_view text, std::string_view line);
  * of parts may repeat as well. `report` notes what was decided.
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT std::vector<PDBModel> FindModels(
-  const PDBLines& lines, ReadingReport& report);
+  const PDBLines& lines, ReadingReport& report, const PDBAtomText& atoms = PDBColumnsOfAtoms);
 
 }
 

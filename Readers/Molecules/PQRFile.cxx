@@ -4,7 +4,10 @@
 #include "Atoms/NameLetters.h"
 #include "Files/TextLines.h"
 #include "Molecules/AtomElements.h"
+#include "Molecules/PDBColumns.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace isthmus
@@ -140,57 +143,76 @@ void CheckValues(const Atom& atom, const TextLines& lines)
   }
 }
 
+bool ReadLine(std::string_view line, Atom& atom)
+{
+  constexpr std::string_view hetero = "HETATM";
+  atom.IsHetero = (line[0] & ~0x20) == hetero[0];
+  return ReadWords(line.substr(std::min(line.size(), atom.IsHetero ? hetero.size() : 4)), atom) ||
+    ReadColumns(line, atom);
+}
+
+bool IsSameAtom(std::string_view a, std::string_view b)
+{
+  Atom x, y;
+  return ReadLine(a, x) && ReadLine(b, y) && x.Name == y.Name && x.ResidueName == y.ResidueName &&
+    x.ResidueId == y.ResidueId && x.InsertionCode == y.InsertionCode && x.Chain == y.Chain;
+}
+
+bool PlaceOfAtom(std::string_view line, std::array<double, 3>& place)
+{
+  Atom atom;
+  const bool isAtom = ReadLine(line, atom);
+  place = { atom.Position[0], atom.Position[1], atom.Position[2] };
+  return isAtom;
+}
+
+constexpr PDBAtomText textOfAtoms{ IsSameAtom, PlaceOfAtom };
+
 }
 
 Macromolecule ParsePQR(std::string_view text, const std::string& path, std::int64_t model,
   const ProgressCallback& progress)
 {
-  Macromolecule molecule;
+  ReadingReport report;
   std::size_t dummies = 0;
-  TextLines lines(text, path, progress);
-  bool inModel = false;
-  Atom atom;
-  for (std::string_view line; lines.Next(line);)
+  const auto read = [&dummies](std::string_view line, const TextLines& lines)
   {
-    const bool hetero = line.substr(0, 6) == "HETATM";
-    if (!hetero && line.substr(0, 4) != "ATOM")
-    {
-      inModel = inModel && line.substr(0, 6) != "ENDMDL";
-      continue;
-    }
-    if (!inModel)
-    {
-      inModel = true;
-      ++molecule.NumberOfModels;
-    }
-    if (!ReadWords(line.substr(hetero ? 6 : 4), atom) && !ReadColumns(line, atom))
+    Atom atom;
+    if (!ReadLine(line, atom))
     {
       lines.Fail("this is no atom of a PQR file (serial, name, residue, number, x, y, z, charge, "
                  "radius, as words or in columns). Is the file whole, and PQR?");
     }
     CheckValues(atom, lines);
-    if (molecule.NumberOfModels - 1 == model)
+    if (atom.Element == 0 && IsDummy(atom))
     {
-      atom.IsHetero = hetero;
-      if (atom.Element == 0 && IsDummy(atom))
-      {
-        ++dummies;
-      }
-      else if (atom.Element == 0)
-      {
-        atom.Element = ElementOfAtomName(atom.Name, atom.ResidueName);
-      }
-      molecule.Atoms.push_back(atom);
+      ++dummies;
     }
-  }
+    else if (atom.Element == 0)
+    {
+      atom.Element = ElementOfAtomName(atom.Name, atom.ResidueName);
+    }
+    return atom;
+  };
+  Macromolecule molecule =
+    ReadModelOfRecords(text, path, model, textOfAtoms, read, report, progress);
   if (dummies > 0)
   {
-    molecule.Notes.push_back(
-      "Ghost or dummy atoms and virtual sites, with the radii of the file and "
-      "without element (0): " +
+    report.Note("Ghost or dummy atoms and virtual sites, with the radii of the file and without "
+                "element (0): " +
       std::to_string(dummies) + ".");
   }
+  report.AddTo(molecule);
   return molecule;
+}
+
+std::int64_t CountPQRModels(std::string_view text)
+{
+  ReadingReport report;
+  constexpr std::size_t bytesOfAPiece = std::size_t{ 1 } << 20;
+  const PDBLines lines = SplitPDB(text, bytesOfAPiece, {});
+  return std::max<std::int64_t>(
+    static_cast<std::int64_t>(FindModels(lines, report, textOfAtoms).size()), 1);
 }
 
 }

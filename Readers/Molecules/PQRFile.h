@@ -9,7 +9,8 @@
  *  - columns as in PDB files, where numbers may run together: name 13-16, residue 17-21, chain 22,
  *    number 23-26, insertion code 27, x 31-38, y 39-46, z 47-54, then charge and radius as two
  *    words or in columns 55-62 and 63-70.
- * Lines that begin with HETATM are hetero atoms; ENDMDL ends a model; other lines are left out.
+ * Lines that begin with HETATM are hetero atoms; MODEL, ENDMDL and END separate models or parts as
+ * in PDB files (PDBLines.h); other lines are left out.
  */
 #ifndef isthmus_PQRFile_h
 #define isthmus_PQRFile_h
@@ -31,6 +32,9 @@ namespace isthmus
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParsePQR(std::string_view text,
   const std::string& path, std::int64_t model, const ProgressCallback& progress);
+
+/// How many models ParsePQR finds, at least one.
+std::int64_t CountPQRModels(std::string_view text);
 
 }
 

@@ -185,7 +185,7 @@ TEST(CIFAtomTable, CoordinatesAndANameAreEnough)
     FromCIF(Glycine({ "label_atom_id", "Cartn_x", "Cartn_y", "Cartn_z" }));
   EXPECT_EQ(NamesOf(molecule), "N CA C O CA O ");
   EXPECT_EQ(molecule.Atoms[5].Position, (std::array<double, 3>{ 14.0, 0.5, -1.25 }));
-  EXPECT_TRUE(Mention(molecule.Notes, "6 atoms have no element"));
+  EXPECT_TRUE(Mention(molecule.Notes, "Atoms without a usable element in the file: 6;"));
   EXPECT_TRUE(Mention(molecule.Notes, "no occupancy and B_iso_or_equiv"));
   EXPECT_NE(Why(Glycine({ "id", "Cartn_x", "Cartn_y", "Cartn_z" })).find("label_atom_id"),
     std::string::npos);
@@ -311,6 +311,32 @@ TEST(CIFAtomTable, ChargesSymbolsAndDisorderOfCoreCIF)
   MoleculeOptions all;
   all.AltLoc = "*";
   EXPECT_EQ(Parsed(text, MoleculeFormat::MMCIF, all).Atoms.size(), 5u);
+}
+
+TEST(CIFAtomTable, LabelsOfCoreCIFBeginWithTheSymbol)
+{
+  const auto element = [](const std::string& label)
+  {
+    return Formula(
+      FromCIF("data_x\n_cell_length_a 10\n_cell_length_b 10\n_cell_length_c 10\nloop_\n"
+              "_atom_site_label\n_atom_site_fract_x\n_atom_site_fract_y\n_atom_site_fract_z\n" +
+        label + " 0.1 0.1 0.1\n"));
+  };
+  for (const auto& [label, formula] :
+    std::vector<std::pair<const char*, const char*>>{ { "Cl2", "Cl1 " }, { "CL2", "Cl1 " },
+      { "BR1A", "Br1 " }, { "CU1", "Cu1 " }, { "ZN", "Zn1 " }, { "FE1", "Fe1 " }, { "SI3", "Si1 " },
+      { "SE1", "Se1 " }, { "PT1", "Pt1 " }, { "Co1", "Co1 " }, { "C12A", "C1 " }, { "CA1", "C1 " },
+      { "CO2", "C1 " }, { "CF3", "C1 " }, { "NA1", "N1 " }, { "HO5", "H1 " }, { "OW1", "O1 " },
+      { "H1A", "H1 " }, { "D1", "H1 " } })
+  {
+    EXPECT_EQ(element(label), formula) << label;
+  }
+  EXPECT_TRUE(Mention(
+    FromCIF(
+      "data_x\n_cell_length_a 9\n_cell_length_b 9\n_cell_length_c 9\nloop_\n_atom_site_label\n"
+      "_atom_site_fract_x\n_atom_site_fract_y\n_atom_site_fract_z\nC1 0 0 0\n")
+      .Notes,
+    "decided from the labels"));
 }
 
 TEST(CIFAtomTable, ChemicalComponentHasItsBonds)

@@ -377,3 +377,32 @@ TEST(ExchangeFormats, OtherFormatsAreNamedWithTheWayOut)
     "xz");
   EXPECT_PART(WhyOfFile("PK\x03\x04", "x.pdb.zip"), "unzip");
 }
+
+TEST(ExchangeFormats, ContentsOfOtherFormatsAreNamedWhateverTheName)
+{
+  // BinaryCIF's first map has version, encoder and dataBlocks; MMTF's a version of its own.
+  const std::string binaryCIF = "\x83\xa7version\xa5"
+                                "0.3.0\xa7"
+                                "encoder\xa4"
+                                "test\xaa"
+                                "dataBlocks";
+  const std::string mmtf = std::string("\xde\x00\x1f", 3) +
+    "\xabmmtfVersion\xa3"
+    "1.0";
+  for (const char* name : { "x.cif", "x.pdb", "x.ent", "x.pqr", "x.mol2" })
+  {
+    EXPECT_PART(WhyOfFile(binaryCIF, name), "this is BinaryCIF");
+    EXPECT_PART(WhyOfFile(Gzip(mmtf), name), "this is MMTF");
+    EXPECT_PART(WhyOfFile("\n <!DOCTYPE html><html>404</html>", name), "page of a web site");
+    EXPECT_PART(WhyOfFile("<?xml version=\"1.0\"?><PDBx:datablock/>", name), "this is XML");
+    EXPECT_PART(WhyOfFile("version https://git-lfs.github.com/spec/v1\noid sha256:0\n", name),
+      "git lfs pull");
+    EXPECT_PART(WhyOfFile("{\"data_1ABC\": {}}", name), "this is JSON");
+    EXPECT_PART(WhyOfFile("\x1f\x9d\x90 rest", name), "compress (.Z)");
+  }
+  for (const char* first :
+    { "HEADER    X", "CRYST1   10.0", "REMARK  99", "ATOM      1  N   GLY A   1" })
+  {
+    EXPECT_PART(WhyOfFile(std::string(first) + "\n", "x.cif"), "this is PDB, not mmCIF");
+  }
+}

@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -210,6 +211,93 @@ TEST(PDBModels, FramesBetweenEND)
     frames[0] + "END\n" + ligand[0] + "END\n" + frames[1] + "END\n" + ligand[1] + "END\n");
   EXPECT_EQ(groups.Sizes(), (Sizes{ 2, 33, 33 }));
   EXPECT_EQ(groups.Chains(), "AL");
+}
+
+namespace
+{
+
+/// The same helix in PQR (words or columns) or PDBQT.
+std::string As(MoleculeFormat format, std::string pdb, bool inWords = true)
+{
+  std::string text;
+  for (std::size_t at = 0; at < pdb.size(); at = pdb.find('\n', at) + 1)
+  {
+    std::string line = pdb.substr(at, pdb.find('\n', at) - at);
+    if (line.substr(0, 4) != "ATOM")
+    {
+      text += line + "\n";
+      continue;
+    }
+    line.resize(54);
+    if (format == MoleculeFormat::PDBQT)
+    {
+      text += line + "  1.00 10.00     0.250 " + line[13] + " \n";
+      continue;
+    }
+    line += "  0.2500 1.7000";
+    if (inWords)
+    {
+      line.insert(30, " ");
+    }
+    text += line + "\n";
+  }
+  return text;
+}
+
+}
+
+TEST(PDBModels, OfPQRAndPDBQT)
+{
+  // Trajectories of VMD and pdb2pqr, poses of Vina and AutoDock, receptor and ligand one after the
+  // other.
+  const std::string first = Chain('A', 0), second = Chain('A', 0.5),
+                    ligand = Chain('A', 12, 4, "LIG");
+  const struct
+  {
+    std::string PDB;
+    std::int64_t Models;
+    std::size_t Atoms;
+    std::string Chains;
+  } cases[] = {
+    { first + "END\n" + second + "END\n" + first + "END\n", 3, 30, "A" },
+    { first + "TER\nEND\n" + second, 2, 30, "A" },
+    { first + "ENDMDL\n" + second + "ENDMDL\nEND\n", 2, 30, "A" },
+    { "MODEL 1\n" + first + "MODEL 2\n" + second + "END\n", 2, 30, "A" },
+    { "MODEL        1\n" + first + "ENDMDL\nMODEL        2\n" + second + "ENDMDL\n", 2, 30, "A" },
+    { first + "END\n" + ligand + "END\n", 1, 42, "AB" },
+    { first + "END\n" + Chain('A', 30) + "END\n", 1, 60, "AB" },
+    { first + "TER\nEND\n", 1, 30, "A" },
+  };
+  for (const auto& [pdb, models, atoms, chains] : cases)
+  {
+    for (const auto& [format, name, inWords] : { std::tuple(MoleculeFormat::PQR, "m.pqr", true),
+           std::tuple(MoleculeFormat::PQR, "m.pqr", false),
+           std::tuple(MoleculeFormat::PDBQT, "m.pdbqt", true) })
+    {
+      const std::string text = As(format, pdb, inWords);
+      const Macromolecule molecule = Parsed(text, format, {});
+      EXPECT_EQ(molecule.NumberOfModels, models) << name << pdb;
+      EXPECT_EQ(molecule.Atoms.size(), atoms) << name << pdb;
+      std::string found;
+      for (const Atom& atom : molecule.Atoms)
+      {
+        found += found.empty() || found.back() != atom.Chain[0] ? atom.Chain : "";
+      }
+      EXPECT_EQ(found, chains) << name << pdb;
+      const TemporaryFile plain(text, name), packed(Gzip(text), name);
+      EXPECT_EQ(CountModels(plain.Path(), format), models) << name << pdb;
+      EXPECT_EQ(CountModels(packed.Path(), format), models) << name << pdb;
+      MoleculeOptions last;
+      last.Model = models - 1;
+      EXPECT_EQ(Parsed(text, format, last).Atoms.size(), atoms) << name << pdb;
+    }
+  }
+  // Messages name the line, of a later model too; faults of other models cost nothing.
+  const std::string damaged =
+    As(MoleculeFormat::PQR, first + "END\n" + second) + "ATOM 31 C ALA A 11 x 0 0 0 1\n";
+  EXPECT_NE(
+    WhyRefused(damaged, MoleculeFormat::PQR).find("line 62: this is no atom"), std::string::npos)
+    << WhyRefused(damaged, MoleculeFormat::PQR);
 }
 
 TEST(PDBModels, MoleculesBetweenEND)

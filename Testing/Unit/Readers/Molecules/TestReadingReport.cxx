@@ -236,6 +236,25 @@ TEST(ReadingReport, MMCIF)
   ExpectCounts(names,
     { "Atoms without a usable element in the file: 4; decided 4 by residue and atom name.",
       "Ghost or dummy atoms and virtual sites, without element (0) and radius: 1." });
+  // X is no element where the file knows others, and an unknown one where it does not.
+  for (const bool hasIds : { true, false })
+  {
+    const auto id = [hasIds](const char* number) { return std::string(hasIds ? number : ""); };
+    const std::string columns =
+      head + (hasIds ? "_atom_site.id\n" : "") + "_atom_site.type_symbol\n" + place;
+    const Macromolecule some =
+      Read(columns + "CB SER A 1 " + id("7") + " C 0 0 0\nUNK UNX B . " + id("9") +
+          " X 5 0 0\nC1 LIG C . " + id("12") + " Bq 9 0 0\nSE MSE D 2 " + id("15") + " ? 15 0 0\n",
+        MoleculeFormat::MMCIF);
+    EXPECT_EQ(ElementsOf(some), "C X X Se ");
+    ExpectCounts(some,
+      { "Atoms without a usable element in the file: 1; decided 1 by residue and atom name.",
+        "Ghost or dummy atoms and virtual sites, without element (0) and radius: 2." });
+    EXPECT_EQ(ElementsOf(Read(columns + "CB SER A 1 " + id("7") + " X 0 0 0\nC1 LIG C . " +
+                  id("9") + " X 9 0 0\n",
+                MoleculeFormat::MMCIF)),
+      "C C ");
+  }
   // Elements that cannot be are replaced; others win over the names.
   const Macromolecule absurd = Read(head + "_atom_site.type_symbol\n" + place +
       "OG SER A 1 OG 0 0 0\nCB SER A 1 C 5 0 0\nCA LIG B . CA 10 0 0\nD1 DOD C . D 15 0 0\n",
