@@ -41,7 +41,7 @@ def versions_table(logs):
             summary = read(logs / f"{name}.json")
             if summary is None:
                 if name == suite:
-                    rows.append([what, *["" for _ in VERSIONS], "not run", "", "", "", ""])
+                    rows.append([what, *["" for _ in VERSIONS], "not yet run by release.sh", "", "", "", ""])
                 continue
             numbers = read(logs / f"{name}-numbers.json") or {}
             versions = dict(summary["versions"])
