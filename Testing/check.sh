@@ -4,7 +4,12 @@
 # Modules, the order of a module's files, contracts, typed ids, numbers in texts, READMEs, links, the guide, panels, format, absolute paths, file sizes.
 set -uo pipefail
 shopt -s lastpipe # variables set by complain after a pipe must persist
-cd "$(git -C "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" rev-parse --show-toplevel)" || exit 1
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." || exit 1
+# Git lists the files of a clone; a source tarball has none, nor needs it.
+if [ ! -e .git ] || ! command -v git >/dev/null; then
+  echo "Not a clone, or git is not installed: conventions are not checked."
+  exit 77
+fi
 
 failed=0
 # complain HEADING: prints its standard input, if any, and marks the check as failed.

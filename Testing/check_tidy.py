@@ -129,6 +129,9 @@ def main():
     if not shutil.which("clang-tidy"):
         print("clang-tidy is not installed: nothing was looked at.")
         return 1 if os.environ.get("ISTHMUS_REQUIRE_DATA") == "1" else 77
+    if not given.files and not ((root / ".git").exists() and shutil.which("git")):
+        print("Not a clone, or git is not installed: no changed files are known.")
+        return 77
     if not (build / "compile_commands.json").exists():
         print(f"{build} has no compile_commands.json: run cmake there with -DISTHMUS_TESTING=ON.")
         return 1

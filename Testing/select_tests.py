@@ -80,8 +80,11 @@ def turn_of_head(root=ROOT):
     """The number of merges so far; 0 without git's history."""
     if os.environ.get("ISTHMUS_TURN"):
         return int(os.environ["ISTHMUS_TURN"])
-    done = subprocess.run(["git", "-C", root, "rev-list", "--count", "--first-parent", "HEAD"],
-                          capture_output=True, text=True)
+    try:
+        done = subprocess.run(["git", "-C", root, "rev-list", "--count", "--first-parent", "HEAD"],
+                              capture_output=True, text=True)
+    except OSError:  # no git at all
+        return 0
     return int(done.stdout) if done.returncode == 0 else 0
 
 

@@ -3,6 +3,7 @@
 import pathlib
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -102,4 +103,7 @@ class Check(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    if not shutil.which("git"):
+        print("git is not installed")
+        sys.exit(77)
     unittest.main()

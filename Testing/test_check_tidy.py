@@ -135,4 +135,7 @@ class CheckTidy(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    if not shutil.which("git"):
+        print("git is not installed")
+        sys.exit(77)
     unittest.main()

@@ -5,6 +5,7 @@ import math
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -69,6 +70,7 @@ class SelectTests(unittest.TestCase):
         self.assertEqual(select_tests.stable_hash("a"), 0xE40C292C)
         self.assertEqual(select_tests.stable_hash("foobar"), 0xBF9CF968)
 
+    @unittest.skipUnless(shutil.which("git"), "git is not installed")
     def test_turn_of_head_counts_merges(self):
         with tempfile.TemporaryDirectory() as folder:
             def git(*words):
@@ -91,6 +93,7 @@ class SelectTests(unittest.TestCase):
                 if set_before:
                     os.environ["ISTHMUS_TURN"] = set_before
 
+    @unittest.skipUnless(shutil.which("git"), "git is not installed")
     def test_changed_modules_and_those_that_depend_on_them(self):
         with tempfile.TemporaryDirectory() as folder:
             def git(*words):

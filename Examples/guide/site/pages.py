@@ -126,10 +126,8 @@ class Site:
 
     @staticmethod
     def property_row(entry):
-        label = entry.label if entry.label.replace(" ", "") == entry.name else (
-            f"{entry.label} (`{entry.name}`)")
         default = f"`{entry.default}`" if entry.default else ""
-        return f"| {cell(label)} | {cell(default)} | {cell(entry.values)} | {cell(entry.help)} |"
+        return f"| {cell(entry.label)} | {cell(default)} | {cell(entry.values)} | {cell(entry.help)} |"
 
     def property_tables(self, panel):
         plain = [entry for entry in panel.properties if not entry.is_input]
