@@ -63,7 +63,7 @@ def write_phantom(target):
 def choose(folder, given):
     """The map and a sentence that says which it is."""
     if given:
-        return given, f"{given}, as asked"
+        return given, f"{given}, as given"
     here = Path(__file__).resolve().parent.parent
     for data in filter(None, (os.environ.get("ISTHMUS_DATA_DIR"), here.parent / "shared" / "data")):
         path = Path(data) / "maps" / "emd_5043.map"

@@ -93,7 +93,7 @@ def measure(path, image, level, noise, surface, names):
 
 
 def as_text(report):
-    """The same for people."""
+    """The same as text."""
     grid, level, surface = report["map"], report["level"], report["surface"]
     lines = [
         f"Map       {grid['file']}: {' x '.join(map(str, grid['dimensions']))} nodes, "
@@ -113,7 +113,7 @@ def as_text(report):
             "from the integral of Gaussian curvature",
         ]
         if abs(surface["genus_from_euler_number"] - surface["genus_from_gaussian_curvature"]) > 0.5:
-            lines.append("          (the first counts handles; the second falls short where the surface bends within "
+            lines.append("          (the first counts handles; the second is too small where the surface bends within "
                          "a voxel or two)")
     lines.append(f"{'':20}{'minimum':>13}{'maximum':>13}{'area mean':>13}")
     for name, row in report["descriptors"].items():

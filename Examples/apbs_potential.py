@@ -49,7 +49,7 @@ def programs():
 
 
 def open_text(path):
-    """A molecule's file for reading. What is no text has no atom lines, which is told later."""
+    """A molecule's file for reading. What is no text has no atom lines, which is reported later."""
     plain = gzip.open if str(path).endswith(".gz") else open
     return plain(path, "rt", encoding="ascii", errors="replace")
 

@@ -1,4 +1,4 @@
-"""How much do energies of Solvation Surface hang on how it is run, and how near are they to others'?
+"""How much do energies of Solvation Surface depend on how it is run, and how near are they to others'?
 
 Usage: pvpython evaluate_solvation.py [--policies] [--molecules] [--picture] [FOLDER]
 
@@ -110,12 +110,12 @@ def molecules():
 
 
 def picture(path):
-    """The potential on the probe's surface, on the one at rest, on the thesis' fine one; seen alike."""
+    """The potential on the probe's surface, on the converged one, on the thesis' fine one; seen alike."""
     from paraview import servermanager, simple
     atoms = simple.OpenDataFile(str(data(LYSOZYME)))
     panels = []
     for title, properties in (("Solvent-excluded, probe 1.4", {"Method": "Solvent Excluded", "ProbeRadius": 1.4}),
-                              ("Flow, at rest in the field", None), ("Flow, fine (no probe)", {"Preset": "Fine"})):
+                              ("Flow, converged in the field", None), ("Flow, fine (no probe)", {"Preset": "Fine"})):
         if properties is None:
             panels.append((title, simple.SolvationSurface(Input=atoms, Spacing=0.5)))
             continue

@@ -155,7 +155,7 @@ class Done:
         if self.path.exists():
             known = json.loads(self.path.read_text())
             if known["job"] != job:
-                sys.exit(f"{self.path} is of another map, other parameters or other blocks: remove it to start anew.")
+                sys.exit(f"{self.path} is of another map, other parameters or other blocks: remove it to start again.")
             self.sums = {int(block): sums for block, sums in known["sums"].items()}
 
     def add(self, block, sums):

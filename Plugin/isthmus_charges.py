@@ -40,7 +40,7 @@ def charged(source):
 
 
 def _reason(said):
-    """The first error of a log that ends in tracebacks, as a sentence; "RuntimeError" tells nobody anything."""
+    """The first error of a log that ends in tracebacks, as a sentence; "RuntimeError" alone explains nothing."""
     told = [line.partition(":")[2].strip() for line in said.splitlines()
             if line.startswith(("ERROR:", "CRITICAL:")) and line.partition(":")[2].strip()]
     errors = [line.strip() for line in said.splitlines() if "Error: " in line]

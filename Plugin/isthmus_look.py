@@ -180,7 +180,7 @@ def _look_at_mesh(display, view):
 
 
 def _colour_if_it_differs(display, view, array):
-    """Plain where a cell array has one value: a bar from it to itself tells nothing."""
+    """Plain where a cell array has one value: a bar from it to itself shows nothing."""
     cells = _range_of_cells(display.Input, array)
     if cells is None or cells[0] == cells[1]:
         simple.ColorBy(display, None)

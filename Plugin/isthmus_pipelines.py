@@ -6,7 +6,7 @@
 
 Each of the functions takes a source and returns a tuple of the last proxies, the main one last;
 all are ordinary filters, to be changed as one likes. They use proxies only, so that the data stays
-on the server, wherever that is. What can't be done is told in one sentence, as ValueError.
+on the server, wherever that is. What cannot be done raises a ValueError with one sentence.
 
 The buttons of the toolbar are run(); first_look() is what the window calls for each result
 (isthmus_look.py).
@@ -114,7 +114,7 @@ def _require_triangles(surface):
 
 def map_to_surface(source, level=None):
     """(surface,): the map's closed surface; at the recommended or an automatic level where none is
-    given, which then stands in the panel, ready to be moved."""
+    given, which is then shown in the panel."""
     _require_volume(source)
     surface = simple.MapSurface(
         source, registrationName="Surface",
@@ -338,7 +338,7 @@ def _tell(message):
 
 def use_proposed_threshold(number):
     """The button beside Minimum Persistence of the proxy with that global id: the threshold that its last
-    result proposes, of both sides the lower one that parts anything. Loops answer at once."""
+    result proposes, of both sides the lower one that separates anything. Loops change at once."""
     loops = servermanager._getPyProxy(servermanager.ActiveConnection.Session.GetRemoteObject(number))
     proposed = loops.FieldData["ProposedThreshold"]
     if proposed is None:

@@ -129,7 +129,7 @@ def _of(algorithm, path, topology):
 
 
 def request_information(algorithm, path, topology):
-    """Script of RequestInformation: tells the times."""
+    """Script of RequestInformation: reports the times."""
     from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 
     information = algorithm.GetExecutive().GetOutputInformation(0)

@@ -200,7 +200,7 @@ DensityGrid GridAroundBalls(
   if (!(spacing > 0.0) || std::isinf(spacing))
   {
     throw std::invalid_argument("Spacing is " + FormatNumber(spacing) +
-      ", but it is the distance of nodes: give a positive length.");
+      ", but it is the grid spacing: give a positive length.");
   }
   CheckBalls(balls);
   DensityGrid grid;

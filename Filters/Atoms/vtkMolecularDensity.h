@@ -26,7 +26,7 @@
  * memory. No atoms: an empty image and no error.
  *
  * **Cost.** Linear in atoms and nodes: 100,000 atoms at 0.5 angstrom in 0.12 s on two
- * threads. Memory 4 bytes a node and about 100 bytes an atom. The same bits on any number of
+ * threads. Memory 4 bytes a node and about 100 bytes an atom. Bitwise the same on any number of
  * threads and in any order of the atoms. On several MPI ranks, each makes the density of its own
  * atoms: gather them first.
  */

@@ -1,6 +1,7 @@
 /**
  * @file CombinatorialHandles.h
- * @brief Typed ids of the cells of a combinatorial map, so that a vertex can't pass for an edge.
+ * @brief Typed ids of the cells of a combinatorial map, so that a vertex is not mistaken for an
+ * edge.
  */
 #ifndef isthmus_CombinatorialHandles_h
 #define isthmus_CombinatorialHandles_h

@@ -4,7 +4,7 @@
  *
  * To cut a mesh along faces, cut out the cells on each side; to glue two meshes along faces, merge
  * them with the vertices of those faces paired. The result is a list of cells, of which a new map
- * is made: that checks it, and costs what reading the mesh anew would.
+ * is made: that checks it, and costs what reading the mesh again would.
  */
 #ifndef isthmus_CutAndMerge_h
 #define isthmus_CutAndMerge_h

@@ -330,7 +330,7 @@ private:
   }
 
   /// Flood for tetrahedra, by tables and in registers; all but the first cell need not look back
-  /// where they came from. Each spoke is written, new or not, so that no branch hangs on that.
+  /// where they came from. Each spoke is written, new or not, so that no branch depends on that.
   void FloodTetrahedra(std::size_t next)
   {
     const TetrahedronTransitions& table = *this->Table;

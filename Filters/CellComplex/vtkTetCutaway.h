@@ -17,9 +17,9 @@
  *
  * Both outputs keep all points of the input, so that bounds and camera do not move.
  *
- * A seed that does not exist is an error, and a seed on the plane's other side removes nothing and
- * is warned about. Time and memory are linear in the number of cells. On several MPI ranks each
- * rank cuts its own piece.
+ * A seed that does not exist is an error, and a seed on the plane's other side removes nothing
+ * and issues a warning. Time and memory are linear in the number of cells. On several MPI ranks
+ * each rank cuts its own piece.
  */
 #ifndef vtkTetCutaway_h
 #define vtkTetCutaway_h

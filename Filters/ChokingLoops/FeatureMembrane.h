@@ -92,14 +92,14 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT HomologySpan BoundingClasses(
 // Loops around a choke point in other classes than the cycle that its triangle closed.
 
 /**
- * For a choke whose own loops can be drawn together on M, or slide off it: the shortest loops along
+ * For a choke whose own loops can be contracted on M, or slide off it: the shortest loops along
  * edges through one or two of the points where the ball touches M, of each class of H1(M; Z/2) that
  * bounds on the side of the feature, ascending by length, `longest` at most, the first `most` of
- * them. Such a class can't be
- * drawn together, so there is something tight in it. The membrane is the fan seen from the choke
+ * them. Such a class is not
+ * contractible, so there is something tight in it. The membrane is the fan seen from the choke
  * point.
  *
- * A wall of blobs that closes to a ring, for instance: what parts two neighbours in it is the
+ * A wall of blobs that closes to a ring, for instance: what separates two neighbours in it is the
  * wall's own cross-section, since a blob by itself is only a bump.
  *
  * Source: J. Erickson, K. Whittlesey, "Greedy optimal homotopy and homology generators", SODA 2005,

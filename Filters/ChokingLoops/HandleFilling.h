@@ -81,7 +81,7 @@ struct FilledSurface
  * as it was there.
  *
  * A handle and the tunnel it winds round go by one cut: of two that cross, the second waits until
- * what the first has left is analysed anew.
+ * what the first has left is analysed again.
  *
  * Away from the plates, the surface stays bit for bit. A plate is thinner by halves (an eighth at
  * most) where its edge would come out of the wall that holds it.

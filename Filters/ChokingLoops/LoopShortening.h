@@ -29,7 +29,7 @@ struct SurfaceCurve
   double SharpestBend = 0.0; ///< largest turn there, in radians (LoopShortening.h)
   double Length = 0.0;
   bool Converged = false; ///< a geodesic: straight, or bent with at least pi on either side
-  /// The loop could be drawn together to a point within its strip: given as it came.
+  /// The loop is contractible within its strip: it is returned unchanged.
   bool Contractible = false;
 };
 
@@ -72,8 +72,8 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT SurfaceCurve ShortenPinned(const SurfaceAdj
 /**
  * At each pin (SurfaceCurve::Pins) where the curve turns by more than `sharpest` radians, the piece
  * from `reach` before it to `reach` behind it (less beside another pin, and a crossing at least)
- * gives way to the shortest path between its ends on the side of the pin where the angle is
- * smaller: two corners in place of one, which are cut half as far off in turn where they are too
+ * is replaced by the shortest path between its ends on the side of the pin where the angle is
+ * smaller: two corners in place of one, which are cut half as far off again where they are too
  * sharp, five times at most. SurfaceCurve::SharpestBend is then the largest turn at what is left
  * of them. With `reach` 0 it is only measured.
  *

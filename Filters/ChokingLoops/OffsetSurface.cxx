@@ -56,7 +56,7 @@ Bounds3 BoxAround(const SurfaceView& surface, double distance, std::int64_t cell
   {
     throw std::invalid_argument("Distance is " + FormatNumber(distance) +
       ", but the surface reaches to " + FormatNumber(farthest) +
-      ": from 1e-9 to 1e6 of that can be told apart from 0 and from a ball.");
+      ": choose a distance between 1e-9 and 1e6 of that.");
   }
   const double width = std::max({ size[0], size[1], size[2] }) + 2.0 * distance;
   const double margin = distance + 2.0 * width / static_cast<double>(cells - 4);

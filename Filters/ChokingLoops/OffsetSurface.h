@@ -24,15 +24,15 @@ enum class OffsetSide
  * on the other are negative.
  *
  * Values within two spacings h of that level are exact, so that a contour lies
- * within about h^2 / (8 distance) of a smooth offset. Others tell on which side of the level they
- * are.
+ * within about h^2 / (8 distance) of a smooth offset. Others have the correct side of the
+ * level.
  *
  * @throws std::invalid_argument with a message: `distance` or a point is not finite, `distance` is
  * not above 0, there are no triangles, or one side is requested and the surface is not closed;
  * Cancelled.
  *
- * Time: cells^3 nodes at some 50 ns, and some microseconds for each node near the level. Memory: 32
- * bytes a node.
+ * Time: cells^3 nodes at about 50 ns, and some microseconds for each node near the level. Memory:
+ * 32 bytes a node.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT DistanceGrid OffsetDistances(const SurfaceView& surface,
   double distance, OffsetSide side, std::int64_t cells, const ProgressCallback& progress = {});

@@ -155,9 +155,8 @@ TriangleMesh RepairedForAnalysis(const SurfaceView& surface, const std::string& 
   {
     clean = false; // the sentence below says the same
   }
-  const std::string advice =
-    " Make the surface anew (Contour, Surface Remesh), or allow self-intersections to go on all "
-    "the same.";
+  const std::string advice = " Make the surface again (Contour, Surface Remesh), or allow "
+                             "self-intersections to continue anyway.";
   if (!clean)
   {
     throw std::invalid_argument(what + " It could not be repaired." + advice);
@@ -325,9 +324,8 @@ TriangleMesh CheckedMergedSurface(TriangleMesh surface, const SurfaceDefects& de
     " triangles (" + FirstIds(crossing) + ").";
   if (!report)
   {
-    throw std::invalid_argument(what +
-      " Repair it, or allow self-intersections to go on all the "
-      "same.");
+    throw std::invalid_argument(
+      what + " Repair it, or allow self-intersections to continue anyway.");
   }
   return RepairedForAnalysis(surface, what, allowCrossings, *report, rest);
 }

@@ -52,7 +52,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh RepairedForAnalysis(const Surf
  * names the triangles.
  *
  * With `report`, what is closed and oriented but has crossings, touching or double parts or thin
- * triangles is repaired as RepairedForAnalysis() does, and what was done is told there.
+ * triangles is repaired as RepairedForAnalysis() does, and it holds what was done.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleMesh CheckedSurface(TriangleMesh surface,
   bool allowCrossings, const ProgressCallback& progress = {}, RepairReport* report = nullptr);
@@ -99,7 +99,7 @@ constexpr std::size_t ManyPlaces = 64;
 
 /**
  * The surface split until no edge is longer than `spacing`; where that is 0, it becomes the spacing
- * of some 20,000 samples spread evenly, longer where needles would take many more.
+ * of about 20,000 samples spread evenly, longer where needles would take many more.
  *
  * @throws std::invalid_argument for a spacing that is no length, or takes more than 20 million
  * points along the edges alone; std::runtime_error when it takes more; Cancelled.

@@ -82,8 +82,8 @@ isthmus::ChokingLoopParameters ParametersOf(
                      isthmus::MemoryText(cost.Bytes), "."));
       return;
     }
-    vtkLog(INFO, << isthmus::TextOf("Choking loops: from sampling to features ",
-                   SecondsText(cost.Seconds), " or so in all", (cost.Own > 0 ? Unsettled : ".")));
+    vtkLog(INFO, << isthmus::TextOf("Choking loops: from sampling to features about ",
+                   SecondsText(cost.Seconds), " in all", (cost.Own > 0 ? Unsettled : ".")));
   };
   return parameters;
 }

@@ -10,8 +10,8 @@
  * them.
  *
  * Source: X. Feng, PhD thesis, chapter 6. The filtration is the alpha complex of samples of the
- * surface (H. Edelsbrunner, Discrete Comput. Geom. 13, 1995), which is exact for its offset, or the
- * thesis' own, a function on a tetrahedral mesh.
+ * surface (H. Edelsbrunner, Discrete Comput. Geom. 13, 1995), which is exact for its offset, or
+ * that of the thesis, a function on a tetrahedral mesh.
  *
  * Input 0: closed triangulated surfaces (vtkPolyData), any genus, any number of components,
  * cavities included, whichever way they face. Input 1, optional: a tetrahedral mesh
@@ -69,7 +69,7 @@
  * bound, or, where TetGen fails, that their number and side are not assured.
  *
  * The analysis is cached: changes of thresholds, side and shortening do not repeat it. Time is near
- * linear, some 30 s and 2.5 GB for a million points on two threads; loops and membranes cost
+ * linear, about 30 s and 2.5 GB for a million points on two threads; loops and membranes cost
  * little.
  */
 #ifndef vtkChokingLoops_h
@@ -243,7 +243,7 @@ public:
 
   ///@{
   /// Edges of the surface are split until none is longer, in the unit of the points. 0 (default):
-  /// automatic, some 20,000 samples and more where a feature is too small for them.
+  /// automatic, about 20,000 samples and more where a feature is too small for them.
   vtkSetMacro(SampleSpacing, double);
   vtkGetMacro(SampleSpacing, double);
   ///@}

@@ -20,7 +20,7 @@
  * membrane), `Thickness`, `Volume` (Area times Thickness; negative: cut away), in units of the
  * points.
  *
- * Arrays of the input are not handed on, but for its field data. Algorithm, limits, cost:
+ * Of the input's arrays only the field data are passed on. Algorithm, limits, cost:
  * HandleFilling.h.
  */
 #ifndef vtkHandleFilling_h
@@ -37,7 +37,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Handles and tunnels whose ball has a smaller radius than this go. In the unit of the points,
+  /// Handles and tunnels with a smaller radius than this are removed. In the unit of the points,
   /// above 0. Default 1.
   vtkSetMacro(FillHandlesBelow, double);
   vtkGetMacro(FillHandlesBelow, double);

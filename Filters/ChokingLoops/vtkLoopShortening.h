@@ -9,7 +9,7 @@
  * the surface closely.
  *
  * Output: one closed polyline for each, with its cell data, `Length`, `Converged` (1: a geodesic)
- * and `Contractible` (1: it could be drawn together to a point; it is then given as it came).
+ * and `Contractible` (1: it can be contracted to a point, and is returned unchanged).
  *
  * Errors (one message, empty output): a surface that CheckedSurface() in SurfacePreparation.h
  * refuses, a loop on two parts of the surface, a loop that is a point or a path there and back.

@@ -30,9 +30,9 @@
  * nearly one level, but the elder rule hands them to different dimensions: one of n joins the last
  * component, the others close tunnels.
  *
- * **Errors** (one message, empty outputs): a value that is not a number; a range or persistence
- * that is none; a map without a level to choose. Cost: that of vtkScalarPersistence, a contour, and
- * with Loops that of vtkChokingLoops. On several MPI ranks the first one does everything.
+ * **Errors** (one message, empty outputs): a value that is not a number; an invalid range
+ * or persistence; a map without a level to choose. Cost: that of vtkScalarPersistence, a contour,
+ * and with Loops that of vtkChokingLoops. On several MPI ranks the first one does everything.
  *
  * Method: MapHandles.h, CubicalPersistence.h.
  */

@@ -41,7 +41,7 @@ public:
   void Move(std::int64_t point, const Point3& x) { this->Points[At(point)] = x; }
   /// `id` stands for others no more, from the next Choose() on. False if it never did.
   bool Split(std::int64_t id);
-  /// Tops anew. O(points)
+  /// Tops again. O(points)
   void Choose();
 
 private:

@@ -4,7 +4,7 @@
  *
  * J.-D. Boissonnat, S. Oudot, Graph. Models 67 (2005) 405, doi:10.1016/j.gmod.2005.01.004, in
  * CGAL's Mesh_3. Mesh_3 and not Surface_mesher, since it takes points to start from on every
- * component, can be told to make a manifold, and is the one of the two that CGAL keeps.
+ * component, has an option for manifold output, and is the one of the two that CGAL maintains.
  */
 #ifndef isthmus_DelaunayIsosurface_h
 #define isthmus_DelaunayIsosurface_h
@@ -51,7 +51,7 @@ struct DelaunayIsosurfaceResult
  *
  * @throws std::invalid_argument on parameters that can't be met; std::runtime_error when refinement
  * does not end below MaximumPoints (as at a level where the level set is not a manifold);
- * Cancelled. Cost: some 110 microseconds a point of the result.
+ * Cancelled. Cost: about 110 microseconds a point of the result.
  */
 VTKISTHMUSFILTERSCONTOURING_EXPORT DelaunayIsosurfaceResult DelaunayIsosurface(
   const ScalarField& field, const Bounds3& bounds, const SurfaceView& guide,

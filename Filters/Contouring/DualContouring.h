@@ -37,7 +37,7 @@ struct DualContour
  * is crossed several times, the middle one counts.
  *
  * Second order on smooth surfaces; edges and corners of planes come out exact where normals are.
- * O(cells + crossings log crossings), points in parallel with the same bits on any number of
+ * O(cells + crossings log crossings), points in parallel that are bitwise the same on any number of
  * threads; 400 bytes a point, with a tolerance three times that, and some searches for the nearest
  * triangle a point.
  * @throws std::invalid_argument for parameters out of range, std::runtime_error where inside and

@@ -79,7 +79,7 @@ struct TangentPlane
 /**
  * The planes that meet best in `around`: the tangent ones, or those halfway where they meet better,
  * which is on edges and corners of curved faces. Where the normals vary in one direction only, as
- * told by `threshold` (QuadricError::Rank), the tangent ones. O(n^2), n <= 12 in a cell.
+ * judged by `threshold` (QuadricError::Rank), the tangent ones. O(n^2), n <= 12 in a cell.
  * @pre `planes` is not empty; `around` has their places.
  */
 QuadricError FitQuadricError(

@@ -179,7 +179,7 @@ struct UniformContour
 };
 
 /**
- * O(cells + crossings log crossings), points in parallel with the same bits on any number of
+ * O(cells + crossings log crossings), points in parallel that are bitwise the same on any number of
  * threads; 400 bytes a point.
  * @throws std::runtime_error where inside and crossings contradict each other, and Cancelled.
  */

@@ -9,7 +9,7 @@
  * Output: vtkPolyData, triangles facing away from the inside, in world coordinates; closed and
  * manifold. Every angle is at least Angle; circumcircles and the distance to the level set keep to
  * Radius and Distance. Refinement starts on every component that vtkFlyingEdges3D finds; when the
- * topology differs from that surface's all the same, a warning says how.
+ * topology differs from that surface's nevertheless, a warning says how.
  *
  * Source: J.-D. Boissonnat, S. Oudot, doi:10.1016/j.gmod.2005.01.004, by CGAL's Mesh_3; defaults
  * of the thesis (4.4.1.1) are Angle 30, Radius 0.8, Distance 0.8. On failure: one error through

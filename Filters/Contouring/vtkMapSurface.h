@@ -108,7 +108,7 @@ public:
 
   ///@{
   /// Cubes (default): marching cubes, at once. Delaunay: no angle below 30 degrees, as from
-  /// vtkDelaunayIsosurface with its defaults; some 110 microseconds a point.
+  /// vtkDelaunayIsosurface with its defaults; about 110 microseconds a point.
   vtkSetMacro(Quality, int);
   vtkGetMacro(Quality, int);
   ///@}

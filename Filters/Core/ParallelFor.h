@@ -1,7 +1,7 @@
 /**
  * @file ParallelFor.h
- * @brief Parallel loops over index ranges, through vtkSMPTools, and sums with the same bits on any
- * number of threads.
+ * @brief Parallel loops over index ranges, through vtkSMPTools, and sums that are bitwise the same
+ * on any number of threads.
  *
  * Debian's ParaView starts with vtkSMPTools' Sequential backend, so a plain vtkSMPTools::For runs
  * on one core there. ParallelFor runs its body under STDThread when the backend in use is

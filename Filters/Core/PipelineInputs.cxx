@@ -71,7 +71,7 @@ void DemandWholeArrays(vtkDataObject* data)
         throw std::invalid_argument("The array '" +
           std::string(array->GetName() ? array->GetName() : "(unnamed)") + "' has " +
           std::to_string(array->GetNumberOfTuples()) + " values for the " + std::to_string(count) +
-          " " + elements + " of the input: it is damaged. Make it anew, or leave it out.");
+          " " + elements + " of the input: it is damaged. Make it again, or leave it out.");
       }
     }
   }

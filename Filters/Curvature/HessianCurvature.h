@@ -23,8 +23,8 @@
  *
  * A place is valid where the stencil lies in the grid, no value in it is infinite or not a number,
  * and the gradient does not vanish. It vanishes where |g| is at most
- *   - 1e-6 times the spacing times the Frobenius norm of H (a critical point as far as the grid can
- *     tell: the level set would bend within a millionth of a node distance), or
+ *   - 1e-6 times the spacing times the Frobenius norm of H (a critical point at the resolution of
+ *     the grid: the level set would bend within a millionth of a node distance), or
  *   - the rounding of the stored type: 4 epsilon times |value| over the spacing,
  * with the smallest of the three spacings. Both are local, so crops and ranks agree. At other
  * places every value is 0, and so is Valid.

@@ -53,7 +53,7 @@ VTKISTHMUSFILTERSCURVATURE_EXPORT std::size_t MiddleRegion(
  * Area of each pair of regions: entry i x second.Regions() + j is that of region i of `first` and
  * region j of `second`. A scalar without thresholds has one region, so give one for a single table.
  *
- * O(triangles x regions), in parallel, the same bits on any number of threads.
+ * O(triangles x regions), in parallel, bitwise the same on any number of threads.
  * @throws std::invalid_argument for thresholds that do not ascend or are not numbers, and for a
  * value at a used point that is not finite; Cancelled.
  */

@@ -30,7 +30,7 @@
  * that are not finite, a SweepTarget that is not between the thresholds. An empty surface is not an
  * error.
  *
- * **Cost.** O(triangles x regions they lie in), in parallel, the same bits on any number of
+ * **Cost.** O(triangles x regions they lie in), in parallel, bitwise the same on any number of
  * threads. On several MPI ranks, each sums its own piece: gather the surface first (in ParaView:
  * Aggregate Dataset).
  */

@@ -31,10 +31,10 @@
  * **Errors** (one message, empty output): coordinates that are not finite, damaged cells, negative
  * Radius or tolerance. An empty surface is not an error.
  *
- * **Cost.** O(triangles), for balls and discs times the triangles within Radius; in parallel, the
- * same bits on any number of threads. Memory about 300 bytes a point with all arrays. On several
- * MPI ranks, each works on its own piece, whose rim is then a boundary: gather the surface first
- * (in ParaView: Aggregate Dataset).
+ * **Cost.** O(triangles), for balls and discs times the triangles within Radius; in parallel,
+ * bitwise the same on any number of threads. Memory about 300 bytes a point with all arrays. On
+ * several MPI ranks, each works on its own piece, whose rim is then a boundary: gather the surface
+ * first (in ParaView: Aggregate Dataset).
  */
 #ifndef vtkSurfaceCurvature_h
 #define vtkSurfaceCurvature_h

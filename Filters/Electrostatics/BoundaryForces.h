@@ -15,7 +15,7 @@
  * 2 of the linear equation, is the pull there. Which atom carries what: SurfaceMotion.
  *
  * A point of the surface moves along its normal by sum_i Part_i . dr_i when the atoms move by dr_i.
- * The parts of a point add up to the normal, so that the surface goes along with all of the atoms.
+ * The parts of a point add up to the normal, so that the surface moves with all of the atoms.
  */
 #ifndef isthmus_BoundaryForces_h
 #define isthmus_BoundaryForces_h
@@ -82,8 +82,8 @@ struct BoundaryForces
 /**
  * Of a solved problem. The integral over the surface is the sum over crossings of the grid's edges
  * along each axis, |n_axis| times the area between edges for each; ions at a distance from the
- * surface are summed over the nodes at their border. O(crossings times atoms near + nodes); the
- * same bits on any number of threads.
+ * surface are summed over the nodes at their border. O(crossings times atoms near + nodes); bitwise
+ * the same on any number of threads.
  */
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT BoundaryForces ForcesOnBoundary(
   const GridPotential& solution, const SurfaceMotion& motion);

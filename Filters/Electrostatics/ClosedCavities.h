@@ -3,7 +3,7 @@
  * @brief The cavities inside the surface that are cut off from the solvent: their crossings, and
  * the correction that makes the net flux through the wall of each one 0.
  *
- * The potential of a cavity that is cut off from the solvent hangs on one sum: no more flows in
+ * The potential of a cavity that is cut off from the solvent depends on one sum: no more flows in
  * through its wall than its ions take up. The equations of its nodes say so together, with the
  * fluxes F+ of the outside function across the wall's edges; a fit keeps these to its truncation
  * times eps_s only. The inside function's fluxes F- across the same edges,

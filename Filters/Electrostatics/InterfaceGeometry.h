@@ -49,7 +49,7 @@ VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<InterfaceCrossing> FindCrossi
   const LevelFunction& level, const SolverBox& box, const std::vector<unsigned char>& inside,
   const ProgressCallback& progress = {});
 
-/// The point of the level set next to `x`, which lies near it (within a spacing or so): Newton
+/// The point of the level set next to `x`, which lies near it (within about a spacing): Newton
 /// steps along the gradient of the polynomial through 6^3 nodes.
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT Point3 OnLevel(
   const LevelFunction& level, const SolverBox& box, Point3 x);

@@ -33,7 +33,7 @@ struct InterfaceMatrixRows
   std::int64_t GhostFits = 0;
 };
 
-/// O(crossings), about 10 microseconds each; parallel; the same bits on any number of threads.
+/// O(crossings), about 10 microseconds each; parallel; bitwise the same on any number of threads.
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT InterfaceMatrixRows AssembleIrregularRows(
   const InterfaceProblem& problem, const ProgressCallback& progress = {});
 

@@ -5,7 +5,7 @@
  * H. A. van der Vorst, SIAM J. Sci. Stat. Comput. 13 (1992) 631, with right preconditioning: one
  * V(1,1) cycle of the symmetric operator with the permittivities of edges in series at the surface,
  * then one Gauss-Seidel pass over the fitted rows of the true matrix. Sums are made in fixed
- * blocks, so the answer is the same bits on any number of threads.
+ * blocks, so the answer is bitwise the same on any number of threads.
  */
 #ifndef isthmus_InterfaceSolver_h
 #define isthmus_InterfaceSolver_h
@@ -50,7 +50,7 @@ VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SolverReport SolveInterface(const Interfa
 /// Throws std::runtime_error, with what was reached, for a system that did not converge.
 void RequireConvergence(const SolverReport& report, const SolverControl& control);
 
-/// sqrt(sum a_i^2), the same bits on any number of threads.
+/// sqrt(sum a_i^2), bitwise the same on any number of threads.
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT double NormOf(const std::vector<double>& a);
 
 }

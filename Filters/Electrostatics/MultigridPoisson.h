@@ -53,7 +53,7 @@ public:
   /// Sets d (times h^2) on the finest grid; empty for none. It is kept, not copied.
   void SetDiagonal(std::shared_ptr<const std::vector<float>> diagonal);
 
-  /// z = one cycle from z = 0 for the right side r. O(nodes): some 60 bytes of traffic a node.
+  /// z = one cycle from z = 0 for the right side r. O(nodes): about 60 bytes of traffic a node.
   void Cycle(const std::vector<double>& r, std::vector<float>& z);
 
   int NumberOfLevels() const;

@@ -48,7 +48,7 @@ VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SolverBox CoarserBox(
  * Throws std::invalid_argument for bad input, std::runtime_error where an iteration does not
  * converge, Cancelled. Time: linear in nodes and crossings, and in atoms x crossings below 5000
  * atoms (by a tree above); memory 80 to 104 bytes a node.
- * The same bits on any number of threads.
+ * Bitwise the same on any number of threads.
  */
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::unique_ptr<GridPotential> SolvePoissonBoltzmann(
   const LevelFunction& level, const SolverBox& box, const std::vector<ChargedAtom>& atoms,
@@ -57,7 +57,7 @@ VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::unique_ptr<GridPotential> SolvePoiss
 
 /// Solves for a surface that has moved since `last`, everything else being as it is there, its
 /// border values included: from its potential, until the residual is as small as it became there,
-/// with the charges summed anew only where the surface did move. `last` is not referred to; after
+/// with the charges summed again only where the surface did move. `last` is not referred to; after
 /// its Release() it is small. Throws, time and threads: as above.
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::unique_ptr<GridPotential> SolveAgain(
   const LevelFunction& level, const GridPotential& last, const ProgressCallback& progress = {});

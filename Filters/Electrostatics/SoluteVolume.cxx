@@ -29,7 +29,7 @@ void RequireWish(const GridRequest& wish)
   if (!(wish.Spacing > 0.0) || std::isinf(wish.Spacing))
   {
     throw std::invalid_argument("Spacing is " + FormatNumber(wish.Spacing) +
-      ", but it is the distance of nodes: give a positive length.");
+      ", but it is the grid spacing: give a positive length.");
   }
   if (!(wish.Padding >= 0.0) || std::isinf(wish.Padding))
   {

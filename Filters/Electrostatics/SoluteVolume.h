@@ -25,7 +25,7 @@ struct SoluteVolume
 {
   vtkSmartPointer<vtkImageData> Grid;
   LevelFunction Level;
-  std::string Kind;   ///< what the surface is, for people
+  std::string Kind;   ///< what the surface is, in words
   double Decay = 0.0; ///< of the atoms' Gaussians whose level it is; 0 for other surfaces
   std::vector<float> Floats;
   std::vector<double> Doubles;

@@ -55,7 +55,7 @@
  * goes along. Without input 1 that is the surface of the Gaussians; of another one each point goes
  * with the atom whose ball is nearest. Coulomb's force between the charges is not in it.
  *
- * A volume that ends near the surface is no trouble: the equation is solved with Padding angstrom
+ * A volume may end near the surface: the equation is solved with Padding angstrom
  * of solvent around, and cropped. Nodes nearer to a charge than a quarter of the spacing have the
  * charge's potential at that distance.
  *
@@ -66,7 +66,7 @@
  * box small for the Debye length, gives a warning. No atoms: empty outputs and no error.
  *
  * **Cost.** Linear in nodes (6 to 12 iterations at any size) and in charges x crossings, by a tree
- * above 5000 charges; memory 80 to 104 bytes a node. In parallel, the same bits on any number of
+ * above 5000 charges; memory 80 to 104 bytes a node. In parallel, bitwise the same on any number of
  * threads. On several MPI ranks each solves for its own atoms: gather them first (in ParaView:
  * Aggregate Dataset).
  */

@@ -151,7 +151,8 @@ void DiffusionImage<T>::CheckArray(vtkDataArray* array) const
   }
   if (!array)
   {
-    throw std::invalid_argument("The input lacks an array that this filter was told to use.");
+    throw std::invalid_argument(
+      "The input lacks an array that was chosen: choose one that it has.");
   }
   if (array->GetNumberOfTuples() != this->Input->GetNumberOfPoints() ||
     array->GetNumberOfComponents() != 1)

@@ -71,7 +71,7 @@ void GramDivergenceRow(const RowStencil<double>& w, const RowStencil<double>& sl
   const std::array<double, 3>& weights, std::int64_t n, double* out);
 
 /**
- * What one stage of a time step makes of a row:
+ * What one stage of a time step computes from a row:
  *
  *     first + OfCurrent (current - first) + OfPrevious (previous - first)
  *           + OfRate rate + OfFirstRate firstRate.

@@ -86,8 +86,9 @@ double Average(vtkDataArray* one, vtkDataArray* other, vtkDataArray* mean)
   }
   if (!(count > 0.0))
   {
-    throw std::invalid_argument("The half maps are equal, so their difference tells no noise: take "
-                                "two halves, not one map twice.");
+    throw std::invalid_argument(
+      "The half maps are equal, so the noise cannot be estimated from their difference: take "
+      "two halves, not one map twice.");
   }
   return std::sqrt(std::max(0.0, squares / count - (sum / count) * (sum / count)));
 }

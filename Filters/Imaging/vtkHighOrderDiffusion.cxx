@@ -132,7 +132,7 @@ void vtkHighOrderDiffusion::Denoise(isthmus::DiffusionImage<T>& image)
 
 void vtkHighOrderDiffusion::Explain(const isthmus::NoiseEstimate& noise, double change)
 {
-  constexpr char remedy[] = " To smooth it all the same, switch Automatic off and set Time.";
+  constexpr char remedy[] = " To smooth it anyway, switch Automatic off and set Time.";
   if (noise.FewValues)
   {
     vtkWarningMacro(

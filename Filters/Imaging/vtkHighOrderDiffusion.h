@@ -12,10 +12,10 @@
  * with Neumann boundaries: no flux, so that Hyperdiffusion keeps the mean. The odd orders carry
  * the sign that makes them diffuse.
  *
- * In the end, with ResidualSmoothing, long waves that were taken away are given back.
+ * In the end, with ResidualSmoothing, long waves that the diffusion removed are restored.
  *
  * Automatic (the default) chooses Sigma, PreSmoothing, Time and ResidualSmoothing from the noise in
- * the image and Strength, for people who do not know such equations. Without it all parameters are
+ * the image and Strength. Without it all parameters are
  * taken as they are, except that a Sigma of 0 is replaced by the noise level.
  *
  * The output array has the input array's name. Field data: the curves `StepTime`, `StepChange` (rms
@@ -135,7 +135,7 @@ public:
 
   ///@{
   /// Standard deviation (length) of the Gaussian applied to u before the coefficient's gradient is
-  /// taken, so that noise does not pass for edges (Catte et al. 1992). Default 0: as in 4.34.
+  /// taken, so that noise is not mistaken for edges (Catte et al. 1992). Default 0: as in 4.34.
   vtkSetMacro(PreSmoothing, double);
   vtkGetMacro(PreSmoothing, double);
   ///@}

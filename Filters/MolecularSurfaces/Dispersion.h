@@ -76,8 +76,8 @@ double InsidePart(float distance, double spacing);
  * The energy of each atom with the solvent, kcal/mol, for the surface on which `distance`
  * (angstrom, negative inside, one value a node of `grid`) is 0. Inside nodes farther than 12
  * angstrom from an atom act on it by blocks of 8^3. Second order in the spacing. O(inside nodes +
- * atoms x inside nodes within 12 angstrom), half a nanosecond or so for each pair of the latter; 32
- * bytes an inside node. Parallel, the same bits on any number of threads.
+ * atoms x inside nodes within 12 angstrom), about half a nanosecond for each pair of the latter; 32
+ * bytes an inside node. Parallel, bitwise the same on any number of threads.
  * @throws Cancelled.
  */
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT std::vector<double> DispersionEnergies(
@@ -86,7 +86,7 @@ VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT std::vector<double> DispersionEnergies
 
 /// How much the sum of these energies changes from one surface to another on the same grid: by the
 /// nodes whose part inside has changed, of which none counts by its block. O(nodes + atoms x
-/// these); parallel, the same bits on any number of threads.
+/// these); parallel, bitwise the same on any number of threads.
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT double DispersionChange(
   const std::vector<DispersionAtom>& atoms, const DensityGrid& grid, const float* before,
   const float* now, const SolventParameters& solvent);

@@ -95,7 +95,7 @@ VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void MoveBand(FlowField& field);
 template <typename Work>
 void ForEachRun(const FlowField& field, Work work)
 {
-  constexpr std::int64_t runsAtOnce = 512; // some 10,000 nodes, to pay for a thread's start
+  constexpr std::int64_t runsAtOnce = 512; // about 10,000 nodes, to pay for a thread's start
   ParallelFor(0, static_cast<std::int64_t>(field.Runs.size()), runsAtOnce,
     [&](std::int64_t firstRun, std::int64_t lastRun)
     {

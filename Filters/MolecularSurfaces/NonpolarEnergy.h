@@ -43,8 +43,8 @@ struct NonpolarEnergies
 /**
  * Energies of the surface on which `distance` (angstrom, negative inside, one value a node of
  * `grid`) is 0. `balls` and `atoms` are the same atoms in the same order. Second
- * order in the spacing. Time and memory: DispersionEnergies() and 17 bytes a node. The same bits on
- * any number of threads. Throws std::invalid_argument for lists of different lengths, and
+ * order in the spacing. Time and memory: DispersionEnergies() and 17 bytes a node. Bitwise the same
+ * on any number of threads. Throws std::invalid_argument for lists of different lengths, and
  * Cancelled.
  */
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT NonpolarEnergies NonpolarEnergy(

@@ -87,7 +87,7 @@ std::string OutlierText(const std::vector<Ball>& balls)
 
 void CheckFlow(const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters)
 {
-  CheckNumber("Spacing", parameters.Spacing, 0.0, false, "the distance of nodes");
+  CheckNumber("Spacing", parameters.Spacing, 0.0, false, "the grid spacing");
   CheckNumber("Enlargement", parameters.Enlargement, 1.0, true,
     "the factor of the radii that the flow starts from");
   CheckNumber("EvolutionTime", parameters.EvolutionTime, 0.0, true,

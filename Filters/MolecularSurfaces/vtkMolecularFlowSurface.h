@@ -37,9 +37,9 @@
  * lies inside of an atom. Atoms with radius NaN are dropped, with a warning. No atoms: empty
  * outputs, no error.
  *
- * **Cost.** Lysozyme (1960 atoms, 0.5 angstrom): some 60 steps to the thesis' time, 200 fine ones
+ * **Cost.** Lysozyme (1960 atoms, 0.5 angstrom): about 60 steps to the thesis' time, 200 fine ones
  * to convergence. The cost of a step is proportional to area / Spacing, the number of steps for a
- * given time to 1 / Spacing^2. Memory: 40 to 50 bytes a node. The same bits on any number of
+ * given time to 1 / Spacing^2. Memory: 40 to 50 bytes a node. Bitwise the same on any number of
  * threads. All atoms are needed on one rank.
  */
 #ifndef vtkMolecularFlowSurface_h

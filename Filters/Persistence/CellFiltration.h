@@ -126,7 +126,7 @@ struct CellFiltration
   HandleVector<EdgeId, char> EdgeFirst;
   HandleVector<TriangleId, char> TriangleFirst;
 
-  /// Derives triangles and edges from tetrahedra and their neighbours. O(n), some 150 bytes a
+  /// Derives triangles and edges from tetrahedra and their neighbours. O(n), about 150 bytes a
   /// tetrahedron in all. Throws std::runtime_error beyond 2^29 tetrahedra.
   VTKISTHMUSFILTERSPERSISTENCE_EXPORT void Connect(const ProgressCallback& progress = {});
 
@@ -143,7 +143,7 @@ struct CellFiltration
     return { this->FirstEdge[p].Value, this->FirstEdge[p + 1].Value };
   }
 
-  /// The triangle opposite to a corner of a tetrahedron. A bisection among some 20 ids.
+  /// The triangle opposite to a corner of a tetrahedron. A bisection among about 20 ids.
   TriangleId TriangleOf(TetrahedronId cell, std::size_t corner) const;
 
   std::size_t TriangleCount() const { return this->TriangleFaces.size(); }

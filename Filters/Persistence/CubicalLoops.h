@@ -275,8 +275,8 @@ public:
   }
 
   /**
-   * The edges whose loops `faces` fill, as Fill would give them in turn: calls found(i, edge) in
-   * their order. For a reduction that has filled nothing yet.
+   * The edges whose loops `faces` fill, one after the other, as Fill would give them: calls
+   * found(i, edge) in their order. For a reduction that has filled nothing yet.
    *
    * In rounds, on all threads: each of some thousand faces adds columns of earlier ones until it
    * comes to an edge that none of them has; then, in order, the earliest of those that came to an
@@ -290,7 +290,7 @@ public:
   {
     const std::size_t most = std::max<std::size_t>(1024, faces.size() / 16);
     std::vector<Begun> waiting;
-    // A round is told about in parts only where it is a long one, since each part costs threads.
+    // A round is reported in parts only where it is a long one, since each part costs threads.
     double seconds = std::numeric_limits<double>::infinity();
     for (std::size_t next = 0; next < faces.size() || !waiting.empty();)
     {

@@ -40,7 +40,7 @@ struct RegularFiltration
  * Balls in any number and place are welcome: fewer than four, or all in one plane, give no
  * tetrahedron and no simplex at all. Throws std::invalid_argument for what is not finite.
  *
- * O(n log n) for atoms: 10 us and 1.3 KB a ball. The same bits on any number of threads.
+ * O(n log n) for atoms: 10 us and 1.3 KB a ball. Bitwise the same on any number of threads.
  */
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT RegularFiltration MakeRegularFiltration(
   std::vector<Point3> centres, std::vector<double> radii, const ProgressCallback& progress = {});

@@ -55,7 +55,7 @@ struct FeatureList
   std::size_t Kept = 0;   ///< the first so many reach it
 };
 
-/// Throws std::invalid_argument for a range or a persistence that is none.
+/// Throws std::invalid_argument for an invalid range or persistence.
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT FeatureList ScalarFeatures(const VolumeView& volume,
   const VolumeStatistics& statistics, const CubicalDiagram& diagram,
   const FeatureParameters& parameters);

@@ -17,7 +17,7 @@ namespace isthmus
 {
 
 /// Distance, not signed, of each point to the nearest point of any triangle, by a
-/// TriangleTree. Some microseconds a point, in parallel, the same bits on any number of threads.
+/// TriangleTree. Some microseconds a point, in parallel, bitwise the same on any number of threads.
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<double> SurfaceDistances(const SurfaceView& surface,
   const std::vector<Point3>& points, const ProgressCallback& progress = {});
 

@@ -82,7 +82,7 @@ struct VolumeStatistics
   double StandardDeviation = 0.0;
 };
 
-/// Two passes in parallel, the same bits on any number of threads. Throws as RejectNaN does.
+/// Two passes in parallel, bitwise the same on any number of threads. Throws as RejectNaN does.
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT VolumeStatistics MeasureVolume(const VolumeView& volume);
 
 }

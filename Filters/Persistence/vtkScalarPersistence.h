@@ -6,7 +6,7 @@
  * (falls, with Superlevel), the set of nodes below (above) it grows; the filter says when each of
  * its components, tunnels and cavities appears and disappears, over Z/2.
  *
- * **Who touches whom.** The V-construction: the nodes are the points of the complex, and an edge,
+ * **Connectivity.** The V-construction: the nodes are the points of the complex, and an edge,
  * face or cube of the grid is in it as soon as all of its corners are. So two nodes of the object
  * are connected along the axes (6 neighbours), two of the background also across edges and corners
  * (26). The box itself is solid: a tunnel or cavity that only the world beyond the border closes
@@ -38,8 +38,8 @@
  * begins and ends at one value is never listed. FeatureId counts all classes from the longest down
  * and so stays the same when the threshold moves.
  *
- * **Errors** (one message, empty outputs): a value that is not a number, with its place; a range or
- * a persistence that is none. An empty image gives empty outputs.
+ * **Errors** (one message, empty outputs): a value that is not a number, with its place; an invalid
+ * range or persistence. An empty image gives empty outputs.
  *
  * **Cost.** On maps 60-200 ns and 4-20 bytes a node beside the input, in white noise 2 us and 100
  * bytes; changing MinimumPersistence only looks up what is known. The same on any number of

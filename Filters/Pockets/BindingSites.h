@@ -12,7 +12,7 @@
  * - Area = sum of A_i; Centre and MeanPotential: means weighted by A_i;
  * - MeanDepth: likewise, of the distance of a point to the convex hull of the surface,
  *   depth(x) = min over unit vectors n of (max over surface points p of n.p) - n.x, taken over 1000
- *   directions: HullDepth.h says by how much that is too large (some 0.2 angstrom for proteins).
+ *   directions: HullDepth.h says by how much that is too large (about 0.2 angstrom for proteins).
  *   The hull needs no probe radius and no grid; a cavity's depth is its distance to the outside.
  *
  * A patch lines a pocket, so its Centre, the mean of points on the wall, lies within the pocket.
@@ -79,9 +79,9 @@ struct BindingSiteResult
  * Finds and ranks the patches.
  *
  * Throws std::invalid_argument for a quantile outside [0, 1), and a threshold, distance or area
- * that is negative or not finite; Cancelled. The same bits on any number of threads. Time: O(n log
- * n) for n points, plus 1000 n for the hull, in parallel (50 ms for 50 000 points), plus the pairs
- * of selected points within MergeDistance. Memory: 60 bytes a point.
+ * that is negative or not finite; Cancelled. Bitwise the same on any number of threads. Time: O(n
+ * log n) for n points, plus 1000 n for the hull, in parallel (50 ms for 50 000 points), plus the
+ * pairs of selected points within MergeDistance. Memory: 60 bytes a point.
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT BindingSiteResult FindBindingSites(const SurfaceView& mesh,
   const SiteFields& fields, const BindingSiteOptions& options,

@@ -34,7 +34,7 @@ VTKISTHMUSFILTERSPOCKETS_EXPORT void RankPockets(std::vector<Pocket>& pockets);
 
 /**
  * Multiplies each score by the square root of the pocket's mean polarized curvature over that of
- * the whole surface (1 for a pocket that no surface lines) and ranks anew. `means` become those of
+ * the whole surface (1 for a pocket that no surface lines) and ranks again. `means` become those of
  * the pockets, in their new order.
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT void WeightScoresByCurvature(const SurfaceView& surface,

@@ -86,7 +86,8 @@ using GridTransform = std::array<double, 12>;
  * to 5.20), NaN outside the grid and where one of the nodes around is not finite. A point within
  * 1e-9 node distances outside counts as on the border. T is float or double.
  *
- * In parallel, 10 ns a point and thread; the same bits on any number of threads. Throws Cancelled.
+ * In parallel, 10 ns a point and thread; bitwise the same on any number of threads. Throws
+ * Cancelled.
  */
 template <typename T>
 void SamplePotential(const GridView<const T>& grid, const GridTransform& toGrid,

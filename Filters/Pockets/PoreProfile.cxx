@@ -158,7 +158,7 @@ void CheckOptions(const PoreOptions& options)
   if (options.Spacing < 0.001)
   {
     throw std::invalid_argument("Spacing is " + FormatNumber(options.Spacing) +
-      ", but planes nearer than 0.001 angstrom tell nothing more: give a larger one.");
+      ", but planes nearer than 0.001 angstrom give no more detail: choose a larger one.");
   }
   if (!(options.MinimumSpan >= 0.0 && options.MinimumSpan <= 1e6))
   {

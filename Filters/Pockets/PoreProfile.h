@@ -4,7 +4,7 @@
  *
  * As HOLE defines it (O. S. Smart et al., J. Mol. Graph. 14 (1996) 354), but with exact local
  * maxima in place of a random search, and with planes across the pore's own course where no
- * direction is given. Planes are worked off from the start outwards, each from the ball of the one
+ * direction is given. Planes are processed from the start outwards, each from the ball of the one
  * before, so that the course stays in one pore; it ends where the ball is larger than EndRadius.
  */
 #ifndef isthmus_PoreProfile_h
@@ -32,7 +32,7 @@ VTKISTHMUSFILTERSPOCKETS_EXPORT Pore PoreBetween(const std::vector<Ball>& atoms,
  * std::invalid_argument for a direction without length.
  *
  * All three throw std::invalid_argument for options and atoms out of range, std::runtime_error
- * where there is no path; Cancelled. Some 1 ms a plane.
+ * where there is no path; Cancelled. About 1 ms a plane.
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT Pore PoreAlong(const std::vector<Ball>& atoms, const Point3& point,
   const Point3& direction, const PoreOptions& options, const ProgressCallback& progress = {});

@@ -69,7 +69,7 @@ struct Climb
  *
  * The distance is the least of smooth functions. Each step maximises their linear models in a
  * square whose size follows the success of the step, so that the last steps converge quadratically
- * to where three atoms touch the ball. Some 30 steps of 2 us.
+ * to where three atoms touch the ball. About 30 steps of 2 us.
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT PlaneBall ClimbInPlane(
   const AtomField& atoms, const Plane& plane, const Point3& start, const Climb& climb);

@@ -34,7 +34,7 @@
  * of range. No point above the threshold (a constant array, say) and a molecule without pockets are
  * a warning and no site. An empty surface is neither.
  *
- * **Cost.** 1 us a point and thread for the hull, in parallel; the same bits on any number of
+ * **Cost.** 1 us a point and thread for the hull, in parallel; bitwise the same on any number of
  * threads. On several MPI ranks, each works on its own piece: gather the surface first.
  */
 #ifndef vtkBindingSites_h

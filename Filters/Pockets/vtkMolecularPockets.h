@@ -40,8 +40,8 @@
  * options that are no lengths or contradict each other, a surface without polarized curvature. No
  * atoms, fewer than four, or all in one plane: no pockets. Coinciding atoms: the larger counts.
  *
- * **Cost.** 1AON (58,674 atoms): see README.md. The same bits on any number of threads and for any
- * order of the atoms. On several MPI ranks, gather the atoms first.
+ * **Cost.** 1AON (58,674 atoms): see README.md. Bitwise the same on any number of threads and for
+ * any order of the atoms. On several MPI ranks, gather the atoms first.
  */
 #ifndef vtkMolecularPockets_h
 #define vtkMolecularPockets_h
@@ -109,7 +109,7 @@ public:
 
   ///@{
   /// Names of the surface's point arrays. Default: PolarizedCurvature, Potential. (No input arrays:
-  /// on a second input ParaView 5.11 can't do with them.)
+  /// ParaView 5.11 does not support them on a second input.)
   vtkSetMacro(PolarizedArray, std::string);
   vtkGetMacro(PolarizedArray, std::string);
   vtkSetMacro(PotentialArray, std::string);

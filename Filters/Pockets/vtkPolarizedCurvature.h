@@ -29,12 +29,12 @@
  *
  * **Errors** (message, empty output): no such arrays, no potential, a potential that misses the
  * whole surface. One that misses some points gives a warning with their number. An empty surface is
- * none.
+ * not an error.
  *
  * **Ranks.** Each MPI rank works on its piece of the surface and asks for the whole potential.
  *
- * **Cost.** 30 ns a point and thread, in parallel, the same bits on any number of threads; 57 bytes
- * a point.
+ * **Cost.** 30 ns a point and thread, in parallel, bitwise the same on any number of threads; 57
+ * bytes a point.
  */
 #ifndef vtkPolarizedCurvature_h
 #define vtkPolarizedCurvature_h

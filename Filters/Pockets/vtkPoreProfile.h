@@ -33,7 +33,7 @@
  * **Errors** (message, empty outputs): no radii, radii, points or options out of range, no way
  * between the points. No pore that runs through is none.
  *
- * **Cost.** Some 1 ms a plane. The same bits on any number of threads.
+ * **Cost.** About 1 ms a plane. Bitwise the same on any number of threads.
  */
 #ifndef vtkPoreProfile_h
 #define vtkPoreProfile_h

@@ -21,7 +21,7 @@ namespace isthmus
  * predicates decide the rest.
  *
  * Corners must exist and points be finite (std::invalid_argument for coordinates beyond 1e100).
- * O(n log n + pairs of boxes), parallel; some 120 bytes a triangle.
+ * O(n log n + pairs of boxes), parallel; about 120 bytes a triangle.
  */
 VTKISTHMUSFILTERSREMESHING_EXPORT std::vector<std::int64_t> SelfIntersections(
   const SurfaceView& mesh, const ProgressCallback& progress = {});

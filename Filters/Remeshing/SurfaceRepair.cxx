@@ -132,7 +132,7 @@ struct RemovalWatch : PMP::experimental::Remove_self_intersection_default_visito
       std::size_t{ 2 } * this->Mesh->number_of_edges())
     {
       throw std::runtime_error("Triangles that cross could not be replaced without tearing the "
-                               "surface: make it anew (Contour, Offset Surface), or remove the "
+                               "surface: make it again (Contour, Offset Surface), or remove the "
                                "part.");
     }
     return false;
@@ -211,7 +211,7 @@ TriangleMesh OrientConsistently(const SurfaceView& mesh)
 void RequireCleanSurface(const SurfaceView& mesh, const ProgressCallback& progress, bool repaired)
 {
   const std::string advice = repaired
-    ? " Repair could not mend it: make the surface anew (Contour, Offset Surface), or remove the "
+    ? " Repair could not mend it: make the surface again (Contour, Offset Surface), or remove the "
       "part."
     : " Switch on Repair, or mend the surface before.";
   const SurfaceDefects defects = FindDefects(mesh, Between(progress, 0.0, 0.3));

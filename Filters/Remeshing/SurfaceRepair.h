@@ -16,7 +16,7 @@ namespace isthmus
 {
 
 /// @throws std::invalid_argument with a message that names what is wrong, and where, unless `mesh`
-/// is closed, manifold, oriented and free of self-intersections. The way out that it names is not
+/// is closed, manifold, oriented and free of self-intersections. The remedy that it names is not
 /// repair where the surface is `repaired` already.
 VTKISTHMUSFILTERSREMESHING_EXPORT void RequireCleanSurface(
   const SurfaceView& mesh, const ProgressCallback& progress = {}, bool repaired = false);

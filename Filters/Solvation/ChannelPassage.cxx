@@ -131,7 +131,7 @@ void CloseIsolatedPockets(TransportGrid& grid)
   if (!joined.Through())
   {
     throw std::runtime_error(
-      "The channel is narrower than the grid can tell: choose a smaller Spacing." +
+      "The channel is narrower than the grid can resolve: choose a smaller Spacing." +
       std::string(WayOut));
   }
   for (std::int64_t node = 0; node < grid.Domain.Size(); ++node)

@@ -57,7 +57,7 @@ void CheckTransport(const IonTransportParameters& p)
 {
   if (p.Species.empty())
   {
-    throw std::invalid_argument("There are no ions: give at least one species, as K and Cl.");
+    throw std::invalid_argument("There are no ions: give at least one species, e.g. K and Cl.");
   }
   for (const TransportSpecies& s : p.Species)
   {

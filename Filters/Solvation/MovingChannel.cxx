@@ -155,7 +155,7 @@ void MovingChannel::Solve(const ProgressCallback& progress)
       FormatNumber(this->Passage.Along) +
       " angstrom along the normal from the membrane's centre, after " + FormatNumber(this->Time) +
       " square angstrom of flow: its tension is stronger there than pressure, field and ions. "
-      "Choose a smaller SurfaceTension or a larger Pressure, or leave the surface at rest.");
+      "Choose a smaller SurfaceTension or a larger Pressure, or keep the surface fixed.");
   }
   RequireOpen(this->Passage);
   CloseIsolatedPockets(*grid);

@@ -12,10 +12,10 @@
  *
  * for a period of steps with the pull fixed (CoupledFlow.h); then potential and ions are solved
  * for with the wall where it is (PoissonNernstPlanck.h, from the last solution), the pull is
- * computed anew, and so on until the currents, and the water in the membrane's hole, change by less
- * than Tolerance twice in a row. Where a change takes back the one before (a crease that the field
- * opens and tension closes alternately), the fraction of new forces that is used is halved from
- * there on.
+ * computed again, and so on until the currents, and the water in the membrane's hole, change by
+ * less than Tolerance twice in a row. Where a change takes back the one before (a crease that the
+ * field opens and tension closes alternately), the fraction of new forces that is used is halved
+ * from there on.
  *
  * It begins on its obstacle, the molecule's unmoved surface, so that the first update is ion
  * transport without motion, and the tension may close creases and pores from there on but not open
@@ -59,7 +59,7 @@ struct ChannelUpdate
 /// Cost: a solution of PoissonNernstPlanck.h for each update, and UpdatePeriod steps at 3 ns for
 /// each node of the band between them. Memory: twice
 /// that of the solution (the last one is where the next begins), 40 bytes a node for the flow.
-/// The same bits on any number of threads.
+/// Bitwise the same on any number of threads.
 class VTKISTHMUSFILTERSSOLVATION_EXPORT MovingChannel
 {
 public:

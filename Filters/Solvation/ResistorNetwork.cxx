@@ -168,9 +168,8 @@ ResistorNetwork::Answer ResistorNetwork::Solve(std::vector<double>& u,
   {
     if (!std::isfinite(answer.Residual))
     {
-      throw std::runtime_error(
-        "The iteration left the range of numbers: choose a smaller Spacing, a "
-        "smaller Voltage, or look for charges that touch the water.");
+      throw std::runtime_error("The iteration diverged: choose a smaller Spacing, a "
+                               "smaller Voltage, or look for charges that touch the water.");
     }
     if (answer.Iterations == control.MaximumIterations)
     {

@@ -26,7 +26,7 @@
 namespace isthmus
 {
 
-/// Memory: 80 bytes a node. Time: some 20 ns a node and iteration, on one thread.
+/// Memory: 80 bytes a node. Time: about 20 ns a node and iteration, on one thread.
 class VTKISTHMUSFILTERSSOLVATION_EXPORT ResistorNetwork
 {
 public:

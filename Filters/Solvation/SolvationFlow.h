@@ -11,12 +11,12 @@
  *
  * for a period of steps with the pull fixed; then the Poisson-Boltzmann equation is solved with the
  * surface where it is (PoissonBoltzmann.h: dielectrics jump, nothing is smeared), the pull is
- * computed anew, and so on until the whole energy
+ * computed again, and so on until the whole energy
  *
  *   G = gamma Area + p Volume + rho_0 int_solvent U + G_polar
  *
  * changes by less than Tolerance twice in a row. With Potential.Dielectric SmoothDielectric (one
- * permittivity an edge, InterfaceExtrapolation.h) the way there is the thesis' own, and the last
+ * permittivity an edge, InterfaceExtrapolation.h) the way there is that of the thesis, and the last
  * surface's energy is computed once more by the jump: one more row of updates.
  *
  * **What stops the surface.** The field always pulls towards the charges, many times as strongly as
@@ -78,9 +78,9 @@ struct SolvationUpdate
 };
 
 /// Cost: a Poisson-Boltzmann solution for each update (3 to 20), the first with its border, later
-/// ones anew only where the surface moved (SolveAgain()); between them UpdatePeriod steps at 3 ns
+/// ones again only where the surface moved (SolveAgain()); between them UpdatePeriod steps at 3 ns
 /// for each node of the band. Memory: that of the solution (120 bytes a node, the last surface's
-/// potential and crossings with it) and of the flow. The same bits on any number of threads.
+/// potential and crossings with it) and of the flow. Bitwise the same on any number of threads.
 class VTKISTHMUSFILTERSSOLVATION_EXPORT SolvationFlow
 {
 public:

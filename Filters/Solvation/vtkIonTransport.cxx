@@ -35,7 +35,8 @@ std::string NarrowChannel(const ChannelPassage& passage)
   const isthmus::Point3& at = passage.Bottleneck;
   return "At (" + FormatNumber(at[0]) + ", " + FormatNumber(at[1]) + ", " + FormatNumber(at[2]) +
     ") the channel has a radius of " + FormatNumber(passage.Radius) +
-    " angstrom, less than a Spacing: the current hangs on how the nodes lie there. Choose a "
+    " angstrom, less than a Spacing: the current depends on the position of the nodes there. "
+    "Choose a "
     "smaller "
     "Spacing.";
 }
@@ -61,7 +62,7 @@ std::string IterationNotConverged(const TransportPoint& point, double tolerance)
 
 std::string SurfaceNotConverged(const MovingChannel& moving)
 {
-  return "The surface has not come to rest after " + std::to_string(moving.GetUpdates().size()) +
+  return "The surface has not converged after " + std::to_string(moving.GetUpdates().size()) +
     " updates: currents or water still changed by a part of " + FormatNumber(moving.LastChange()) +
     ". Update " + std::to_string(moving.GetShown() + 1) +
     ", which changed least, is kept, with Rests 0: choose more MaximumUpdates, a larger "

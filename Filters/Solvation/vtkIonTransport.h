@@ -5,11 +5,11 @@
  * Input 0: atoms with the point arrays `Charge` (e) and `Radius` (angstrom), or those chosen with
  * SetInputArrayToProcess(0, ...) for radii and (1, ...) for charges: a PQR file has both. Water,
  * alternate locations and missing hydrogens as for vtkMolecularFlowSurface. Input 1 (optional): the
- * molecule's surface as closed polygons, for instance that of vtkSolvationSurface at rest; without
- * it the solvent-excluded surface of ProbeRadius is made.
+ * molecule's surface as closed polygons, for instance that of a converged vtkSolvationSurface;
+ * without it the solvent-excluded surface of ProbeRadius is made.
  *
- * The steady Poisson-Nernst-Planck equations between two baths, which a flat membrane parts; it is
- * closed but for a round hole (LumenRadius) around the axis through MembraneCenter along
+ * The steady Poisson-Nernst-Planck equations between two baths that a flat membrane separates; it
+ * is closed but for a round hole (LumenRadius) around the axis through MembraneCenter along
  * MembraneNormal, where the channel stands. All of it lies in a cylinder around that axis, which
  * holds the atoms and Padding more. Formulas and sources: PoissonNernstPlanck.h, TransportGrid.h.
  *
@@ -19,8 +19,8 @@
  *    for streamlines), `SignedDistance` to atoms and membrane (angstrom, negative within).
  *    Field data: `Voltage`, `Current` and `Current_NAME` (pA, positive along the normal),
  *    `CurrentSpread` (largest difference between sections), `Converged`, `Changes` (of the
- *    potential, by iteration), `BottleneckRadius`, `BottleneckPosition` (of the widest way; at most
- *    4.5 spacings are told);
+ *    potential, by iteration), `BottleneckRadius`, `BottleneckPosition` (of the widest way; no
+ *    more than 4.5 spacings);
  *  - 1: vtkTable of cross-sections: `Along` (angstrom), `Current_NAME`, `Current`;
  *  - 2: vtkTable of the sweep: `Voltage` (mV), `ConcentrationFactor`, `Current_NAME`, `Current`,
  *    `CurrentSpread`, `Converged`: an I-V curve. Without a sweep it has the one row of Voltage;
@@ -28,7 +28,7 @@
  *    that of the surface where it begins: `Update`, `Time` (of the flow, square angstrom),
  *    `AreaChange` (square angstrom), `LumenVolume` (water within the membrane's thickness, cubic
  *    angstrom), `EnergyChange` (of tension, pressure and dispersion, kcal/mol), `OnObstacle` (the
- *    part of the surface that can't draw back), `BottleneckRadius`, `Current_NAME`, `Current`.
+ *    part of the surface that cannot recede), `BottleneckRadius`, `Current_NAME`, `Current`.
  *    Output 0 has `Rests` and `ShownUpdate` then, as field data.
  *
  * What does not converge in MaximumIterations issues a warning with its last change, and the state
@@ -38,7 +38,7 @@
  * **Errors** (message, empty outputs): those of the atoms, parameters out of range, baths that
  * carry a charge, a channel that is not open from bath to bath (with the place where it closes and
  * its radius there), a surface that is not closed or has parts that cross (ShellCrossings.h), a
- * grid that does not fit into memory. Cost: some 20 microseconds a node for each point of a sweep.
+ * grid that does not fit into memory. Cost: about 20 microseconds a node for each point of a sweep.
  * All atoms are needed on one rank.
  */
 #ifndef vtkIonTransport_h
@@ -176,7 +176,7 @@ public:
 
   ///@{
   /// Whether the surface moves with field and ions (thesis' LB-PNP, MovingChannel.h) from the one
-  /// that the atoms or input 1 give, which it never draws back behind, or is at rest there. A sweep
+  /// that the atoms or input 1 give, behind which it never recedes, or is fixed there. A sweep
   /// takes the surface at Voltage. Default off.
   vtkSetMacro(MovingSurface, bool);
   vtkGetMacro(MovingSurface, bool);
@@ -186,9 +186,9 @@ public:
   ///@{
   /// Where it moves: steps of the flow between two solutions, fewer where the volume converges
   /// before; the part of each period's motion and of each new force that is taken (above 0, at most
-  /// 1); it rests when currents and the water in the membrane's hole change by less than this part
-  /// of them twice in a row, and ends after MaximumUpdates in any case. Defaults 20, 1, 1,
-  /// 1e-3, 10.
+  /// 1); it has converged when currents and the water in the membrane's hole change by less than
+  /// this part of them twice in a row, and ends after MaximumUpdates in any case. Defaults 20, 1,
+  /// 1, 1e-3, 10.
   vtkSetMacro(UpdatePeriod, int);
   vtkGetMacro(UpdatePeriod, int);
   vtkSetMacro(SurfaceRelaxation, double);

@@ -113,7 +113,7 @@ void vtkSolvationSurface::Internals::Warn(
   {
     const std::size_t n = flow.GetUpdates().size();
     vtkWarningWithObjectMacro(this->Self,
-      << isthmus::TextOf("The energy has not come to rest after ", n, " updates: the last one is ",
+      << isthmus::TextOf("The energy has not converged after ", n, " updates: the last one is ",
            last.Total(), " kcal/mol, the one before ", flow.GetUpdates()[n > 1 ? n - 2 : 0].Total(),
            ". The surface is shown as it is then: choose more "
            "MaximumUpdates or a larger EnergyTolerance."));

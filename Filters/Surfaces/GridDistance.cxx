@@ -286,7 +286,7 @@ std::vector<double> DistanceToSurface(
   if (!(band > 0.0) || std::isinf(band))
   {
     throw std::invalid_argument("The band around the surface is " + FormatNumber(band) +
-      " wide, but exact distances need a positive width: choose two spacings or so.");
+      " wide, but exact distances need a positive width: choose about two spacings.");
   }
   const double spacing = *std::max_element(grid.Spacing.begin(), grid.Spacing.end());
   band = std::max(band, spacing);

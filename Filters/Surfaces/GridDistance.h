@@ -21,8 +21,8 @@ namespace isthmus
 /**
  * Distance (length, not negative) from each node of `grid` to `mesh`; infinite for an empty mesh.
  *
- * `band` is a length, at least one spacing is used. Parallel, the same bits on any number of
- * threads. Time O(triangles x nodes of their boxes grown by the band + some 40 x nodes); memory 16
+ * `band` is a length, at least one spacing is used. Parallel, bitwise the same on any number of
+ * threads. Time O(triangles x nodes of their boxes grown by the band + about 40 x nodes); memory 16
  * bytes a node and 8 for each triangle and layer of four it is near.
  * @throws std::invalid_argument for a band that is not a positive number, and Cancelled.
  */
@@ -36,7 +36,7 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<double> DistanceToSurface(const Sur
  *
  * Time: O(triangles log triangles) for the tree, then some microseconds a node and thread, more
  * where a large part of the surface is equally far (the centre of a sphere). Memory 8 bytes a node
- * and 150 a triangle. Parallel, the same bits on any number of threads.
+ * and 150 a triangle. Parallel, bitwise the same on any number of threads.
  * @throws Cancelled.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<double> ExactDistanceToSurface(

@@ -50,7 +50,7 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> MergedCorners(
 
 /**
  * Where a surface that FindDefects found to be open is so only at the faces of its own box, as a
- * contour is where the level leaves the map: a message that says so, and the way out, to append to
+ * contour is where the level leaves the map: a message that says so, and the remedy, to append to
  * SurfaceDefects::Sentence(). Else empty.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT std::string DescribeOpenBoundary(
@@ -61,8 +61,8 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::string DescribeOpenBoundary(
  *
  * Those with a corner twice are left out. Of one whose corners a, b, c lie on a line, b between the
  * others, the neighbour (c, a, d) across the side ac is split at b: (c, b, d) and (b, a, d) stand
- * for both; at a border it is left out. It stays, to be told by FindDefects, where an edge bd is
- * there already or ac has more than two triangles.
+ * for both; at a border it is left out. It stays, to be reported by FindDefects, where an edge bd
+ * is there already or ac has more than two triangles.
  *
  * @pre corners exist and are finite, and no two points are at one place (MergePoints).
  * O(n log n) for each layer of flat triangles upon each other, of which 16 are tried.

@@ -50,7 +50,7 @@ enum class CrossingNormal
  * Crossings of `mesh` with the lines of `grid` between its first and last nodes, ordered by node,
  * axis and position. Normals are on the side from which triangles are counter-clockwise.
  *
- * Time O(triangles + crossings log crossings), in parallel, the same bits on any number of
+ * Time O(triangles + crossings log crossings), in parallel, bitwise the same on any number of
  * threads.
  * @throws std::invalid_argument where the surface spans more than 2^22 spacings, and Cancelled.
  */

@@ -43,7 +43,7 @@ struct SurfaceDefects
 /// "3, 17, 20 and 4 more"
 VTKISTHMUSFILTERSSURFACES_EXPORT std::string FirstIds(const std::vector<std::int64_t>& ids);
 
-/// Defects of `mesh`. O(n) for points of bounded valence, in parallel; some 35 bytes a triangle.
+/// Defects of `mesh`. O(n) for points of bounded valence, in parallel; about 35 bytes a triangle.
 VTKISTHMUSFILTERSSURFACES_EXPORT SurfaceDefects FindDefects(
   const SurfaceView& mesh, const ProgressCallback& progress = {});
 

@@ -18,7 +18,7 @@ namespace isthmus
 /**
  * Boxes along the axes round four triangles each, in the order of Morton's curve (G. M. Morton,
  * 1966), under a complete binary tree. Boxes are floats relative to the middle of the surface,
- * rounded so that boxes which overlap still do. O(n log n), some 50 bytes a triangle. Queries may
+ * rounded so that boxes which overlap still do. O(n log n), about 50 bytes a triangle. Queries may
  * run in parallel.
  */
 class TriangleBoxTree

@@ -16,8 +16,8 @@ namespace isthmus
 {
 
 /// Eight children a node and eight triangles a leaf, lane by lane, so that a query measures them at
-/// once. Cylinders only tell what is too far, with all rounding on the safe side, so floats serve
-/// for them: (x - Origin) / Scale, at most about 1.
+/// once. Cylinders only exclude what is too far, with all rounding on the safe side, so floats
+/// serve for them: (x - Origin) / Scale, at most about 1.
 struct TriangleTreeNodes
 {
   static constexpr std::size_t Width = 8;

@@ -27,7 +27,7 @@
  *
  * **Errors** (one message, empty output): coordinates or scalars that are not finite, damaged
  * cells, no point scalars or several components, equal InsideValue and OutsideValue. Empty input is
- * none.
+ * not an error.
  *
  * **Cost.** O(triangles), 60 bytes each; O(nodes), no memory. On several MPI ranks, each measures
  * its own piece: gather the surface first (in ParaView: Aggregate Dataset).

@@ -29,7 +29,7 @@
  * **Errors** (one message, empty outputs): surfaces that are not closed (when Inside or
  * SignedDistance are wanted), closed parts that cross (ShellCrossings.h), coordinates that are not
  * finite, damaged cells, negative Spacing, grids of a single layer, no point scalars. An empty
- * surface or image is none.
+ * surface or image is not an error.
  *
  * **Cost.** A million triangles on 256^3 nodes: a few seconds on two cores. Memory 26 bytes a node
  * (1 without distance). On several MPI ranks, each works on its own piece of the surface: gather it

@@ -31,7 +31,7 @@ struct IsosurfaceStuffingResult
 {
   TetrahedralMesh Mesh;        ///< region 1 inside, 0 outside; OriginalPoints is -1 throughout
   std::vector<bool> OnSurface; ///< of each point: is it on the level set?
-  std::int64_t KeptPoints = 0; ///< points near the surface that stay, as told above
+  std::int64_t KeptPoints = 0; ///< points near the surface that stay, see above
 };
 
 /**
@@ -44,8 +44,8 @@ struct IsosurfaceStuffingResult
  * @throws std::invalid_argument on parameters that can't be met or a lattice of more than 2^18
  * cells along an axis; std::runtime_error where Memory does not hold the lattice; Cancelled.
  *
- * Cost: two values a cell of the box; 21 bytes a cell, and some 70 bytes a tetrahedron. Sampling
- * and warping are parallel; the result has the same bits on any number of threads.
+ * Cost: two values a cell of the box; 21 bytes a cell, and about 70 bytes a tetrahedron. Sampling
+ * and warping are parallel; the result is bitwise the same on any number of threads.
  */
 VTKISTHMUSFILTERSTETRAHEDRA_EXPORT IsosurfaceStuffingResult IsosurfaceStuffing(
   const std::function<double(const Point3&)>& field, const Bounds3& bounds,

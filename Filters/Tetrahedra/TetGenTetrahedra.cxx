@@ -287,7 +287,7 @@ void CheckResult(const ChildResult& result, const TetGenCriteria& criteria)
   {
     throw std::runtime_error("TetGen was ended from outside by the signal " +
       std::string(strsignal(result.Code)) +
-      ": by somebody, or by the system for want of memory. Run it again, with a lower limit of "
+      ": by a user, or by the system because memory ran out. Run it again, with a lower limit of "
       "memory or for fewer tetrahedra.");
   }
   if (result.End == ChildEnd::TimedOut)

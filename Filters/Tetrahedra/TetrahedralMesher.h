@@ -50,7 +50,7 @@ struct CGALCriteria
   double CellRadiusEdgeRatio = 2.0; ///< circumradius / shortest edge at most
   double CellSize = 0.0;            ///< circumradius of a tetrahedron at most
   std::int64_t MaximumPoints = 5'000'000; ///< refinement that passes it ends in an error
-  // Optimisation after refinement, in this order. What ends by the clock need not be repeatable.
+  // Optimisation after refinement, in this order. What has a time limit need not be repeatable.
   int LloydIterations = 0;           ///< points to the middles of their Voronoi cells, at most 100
   int ODTIterations = 0;             ///< points to where tetrahedra follow |x|^2 best, at most 100
   double OptimisationSeconds = 60.0; ///< of Lloyd and of ODT at most, each

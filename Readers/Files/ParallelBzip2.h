@@ -45,7 +45,7 @@ struct Bzip2Block
  * table of the bytes that can lie within them. They may turn up in a block's own data as well (in
  * one bit of 2.8e14): such a piece does not unpack, so what was cut must be judged by libbz2.
  *
- * Time: some 2 ns a byte. Memory: one block, 4 MB at most.
+ * Time: about 2 ns a byte. Memory: one block, 4 MB at most.
  */
 class Bzip2BlockFinder
 {

@@ -43,8 +43,8 @@ inline unsigned long ErrorCodeOf(ReaderFailure kind)
  * What CanReadFile returns for a file that `looks(fileName)` like one of the reader's, or not.
  *
  * Empty files, folders and pipes have nothing to judge by: there the name decides (its extension,
- * by which ParaView has chosen whom it asks), and reading tells what is wrong. Refused by all, they
- * would be offered to readers that wait for pipes, or fall over empty files.
+ * by which ParaView has chosen whom it asks), and reading reports what is wrong. Refused by all,
+ * they would be offered to readers that wait for pipes, or fall over empty files.
  */
 template <typename Looks>
 int CanRead(const char* fileName, Looks&& looks)

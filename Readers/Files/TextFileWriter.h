@@ -20,7 +20,7 @@ namespace isthmus
 
 /**
  * Text and numbers on their way to a file, gzip-compressed where the path ends in .gz. Numbers have
- * the fewest digits from which the same bits are read, and a '.' in every locale.
+ * the fewest digits that are read back bit for bit, and a '.' in every locale.
  *
  * The file of this name, if any, is replaced by Close(); without it, or where the disk is full, it
  * stays as it was. Memory: 1 MiB.

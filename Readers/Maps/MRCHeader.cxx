@@ -285,7 +285,7 @@ private:
     }
     if (!this->Out.HasMapWord)
     {
-      this->Repair("The identifier \"MAP \" (word 53) is missing: read as a map all the same.");
+      this->Repair("The identifier \"MAP \" (word 53) is missing: read as a map anyway.");
     }
   }
 

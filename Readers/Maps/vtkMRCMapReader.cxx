@@ -95,7 +95,7 @@ std::vector<std::string> MRCNotes(const MRCMap& map)
       (map.Resampled()
           ? "resampled to an orthogonal grid by trilinear interpolation; nodes outside the map "
             "are 0, as is the array InsideMap there."
-          : "shown with right angles as asked (KeepCellAxes), so shapes and positions are "
+          : "shown with right angles as chosen (KeepCellAxes), so shapes and positions are "
             "distorted."));
   }
   return notes;
@@ -310,7 +310,7 @@ void vtkMRCMapReader::ReadArrays(MRCMap& map, const int extent[6], vtkImageData*
     {
       throw ReaderError(ReaderFailure::BadRequest,
         std::string(this->FileName) +
-          ": nodes are asked for that the map does not have. If the "
+          ": the requested extent exceeds the map. If the "
           "file has changed, read it again.");
     }
   }

@@ -36,7 +36,7 @@
  * and, where `emd-NNNN.xml` with one lies beside `emd_NNNN.map`, `RecommendedLevel` for its
  * surface.
  *
- * **Damaged headers** are read as far as sense can be made of them; each value that had to be
+ * **Damaged headers** are read as far as they can be interpreted; each value that had to be
  * replaced is listed in a warning and in `Repairs`. With Strict on, the first of them is an error.
  * Files that can't be read (missing, empty, truncated, of another kind) give an error that names
  * the file and what is wrong, an empty output and an error code of vtkErrorCode.

@@ -5,7 +5,7 @@
  * The thesis' export of voxel values (X. Feng, PhD thesis, chapter 5), as vtkVolumeTextWriter
  * writes it, plain, .gz or .bz2. Output: vtkImageData with the point array `Density` in double
  * precision, origin 0 and spacing 1, since the file has neither. Written and read again, doubles
- * are the same bits; floats are once they are rounded to float again.
+ * are equal bit for bit; floats are once they are rounded to float again.
  *
  * A file that is missing, cut, too long or wrong: one error with the line, the error code, an
  * empty output. Time and memory: O(numbers).

@@ -3,8 +3,8 @@
  * @brief Writes the values of an image as plain text (.dat): three counts, then numbers, x fastest.
  *
  * The thesis' export of voxel values (X. Feng, PhD thesis, chapter 5): a line "nx ny nz", then a
- * line of nx values for each row along x. Numbers have the fewest digits from which the same bits
- * are read. Origin and spacing are not part of the format, a warning is issued where they are not 0
+ * line of nx values for each row along x. Numbers have the fewest digits that are read back bit
+ * for bit. Origin and spacing are not part of the format, a warning is issued where they are not 0
  * and 1.
  *
  * No nodes, no such array, an array of several components, a file that can't be written to its end:

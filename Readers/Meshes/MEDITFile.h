@@ -37,7 +37,7 @@ VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadMEDIT(
 
 /**
  * Writes points and cells, by kind; `Reference` attributes of one int64 component, else 0. Read
- * again, coordinates are the same bits and cells of a kind in the same order.
+ * again, coordinates are equal bit for bit and cells of a kind in the same order.
  * @throws std::invalid_argument for polygons and quadratic cells, std::runtime_error when the file
  * can't be written.
  */

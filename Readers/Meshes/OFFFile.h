@@ -39,8 +39,8 @@ VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadOFF(
   const std::string& path, const ProgressCallback& progress = {});
 
 /**
- * Writes points and cells up to polygons; read again, coordinates are the same bits. With a point
- * attribute `Normals` of three components an NOFF file.
+ * Writes points and cells up to polygons; read again, coordinates are equal bit for bit. With a
+ * point attribute `Normals` of three components an NOFF file.
  * @throws std::invalid_argument for volume cells, std::runtime_error when the file can't be
  * written.
  */

@@ -38,7 +38,7 @@ VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadTetGenFiles(
 
 /**
  * Writes NAME.node, and NAME.ele where there are tetrahedra, NAME.face where there are triangles,
- * ids from 1. Read again, coordinates and the attributes named above are the same bits.
+ * ids from 1. Read again, coordinates and the attributes named above are equal bit for bit.
  * @throws std::invalid_argument for other cells, or tetrahedra of both orders;
  * std::runtime_error when a file can't be written.
  */

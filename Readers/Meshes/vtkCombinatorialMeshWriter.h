@@ -2,7 +2,7 @@
  * @class vtkCombinatorialMeshWriter
  * @brief Writes the volume cells of a vtkUnstructuredGrid as a combinatorial mesh (.cmesh).
  *
- * The format is described at vtkCombinatorialMeshReader, which gives back the same points, cells
+ * The format is described at vtkCombinatorialMeshReader, which returns the same points, cells
  * and numbers bit for bit, with three exceptions: vtkIdType arrays come back as 64-bit integers and
  * char as signed char; VTK_POLYHEDRON faces are turned to agree with the cell's first face; cells
  * of higher order lose all but their corners, and points, lines and surface cells are

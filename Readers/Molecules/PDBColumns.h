@@ -112,7 +112,7 @@ VTKISTHMUSREADERSMOLECULES_EXPORT std::optional<int> PDBNumber(std::string_view 
 class PDBSerials
 {
 public:
-  /// The number in `field`, blanks around it; one more than the last where it is none.
+  /// The number in `field`, blanks around it; one more than the last where it is not a number.
   int Next(std::string_view field);
 
   bool AnyHexadecimal() const { return this->IsHexadecimal; }

@@ -23,8 +23,8 @@ struct OpenDXLabels
 
 /**
  * Writes `values` (components for each node of `grid`, x fastest; T float or double) to `path`;
- * gzip-compressed where the path ends in .gz. Each number has the fewest digits from which the same
- * bits are read, the grid's numbers too.
+ * gzip-compressed where the path ends in .gz. Each number has the fewest digits that are read back
+ * bit for bit, the grid's numbers too.
  *
  * Time: about 0.1 us a number, gzip 1 us. Memory: 1 MiB.
  * @throws std::runtime_error when the file can't be written to its end, and Cancelled; either

@@ -235,7 +235,7 @@ void vtkOpenDXReader::ReadValues(OpenDXReader& file, vtkImageData* output)
     {
       throw isthmus::ReaderError(isthmus::ReaderFailure::BadRequest,
         std::string(this->FileName) +
-          ": nodes are asked for that the grid does not have. If the file has changed, read it "
+          ": the requested extent exceeds the grid. If the file has changed, read it "
           "again.");
     }
   }

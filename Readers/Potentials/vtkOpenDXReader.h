@@ -5,8 +5,8 @@
  *
  * Files named .dx or .dx.gz (compression is found from the content). The output is a vtkImageData
  * with the point array `Potential`; APBS writes potentials in kT/e and lengths in angstrom, other
- * programs other things: the file's comments are kept and tell. Source: OpenDX User's Reference,
- * appendix B.2 (native files).
+ * programs other things: the file's comments, which may name the unit, are kept. Source: OpenDX
+ * User's Reference, appendix B.2 (native files).
  *
  * **Read:** objects of class gridpositions (counts, origin, delta rows), array (type float, double
  * or int; rank 0, or rank 1 with a shape, which becomes components; text, or raw bytes after

@@ -5,7 +5,7 @@
  * Plain text, three values a line, z fastest, with origin and deltas in world coordinates (the
  * image's direction matrix included); gzip-compressed where the name ends in .gz. float arrays are
  * written as type float, all others as double. Without an ArrayName the array is `Potential` if
- * there is one. Every number has the fewest digits from which the same bits come back:
+ * there is one. Every number has the fewest digits that are read back bit for bit:
  * vtkOpenDXReader gives the same values and, to the last bit, grid (64-bit integers beyond 2^53
  * aside). The image's field data `Comments` and `FieldName` are kept.
  *

@@ -160,7 +160,7 @@ def moved(change, warning=False):
     return said(lambda it: (it.MovingSurfaceOn(), change(it)), warning)
 
 
-assert "not come to rest after 2 updates" in moved(lambda it: it.SetMaximumUpdates(2), warning=True)
+assert "not converged after 2 updates" in moved(lambda it: it.SetMaximumUpdates(2), warning=True)
 assert "has closed the channel at (" in moved(lambda it: (it.SetPressure(-0.2), it.SetMaximumUpdates(30)))
 assert "SurfaceTension" in moved(lambda it: it.SetSurfaceTension(0.0))
 assert "UpdatePeriod" in moved(lambda it: it.SetUpdatePeriod(0))
