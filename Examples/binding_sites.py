@@ -12,8 +12,8 @@ POTENTIAL  OpenDX file in kT/e (.dx, .dx.gz). Without it, pdb2pqr gives charges,
 FILE       surface to use instead of a Gaussian one of the protein: MSMS .vert (with its .face), or
            anything else that ParaView reads as triangles.
 NUMBER     decay of the Gaussians of the surface: smaller is coarser. Default: 1.2.
-FOLDER     where picture and table go, and the charges they were computed from (.pqr). Default:
-           binding_sites.
+FOLDER     where picture and table go, and the charges they were computed from (.pqr). Default: a
+           temporary folder, which is printed.
 """
 
 import argparse
@@ -28,11 +28,12 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import find_isthmus  # noqa: E402,F401 (before isthmus)
 import apbs_potential  # noqa: E402
 import site_pipeline  # noqa: E402
+from output_folder import output_folder  # noqa: E402
 
 import isthmus  # noqa: E402
 
 
-def arguments(description=__doc__, folder="binding_sites"):
+def arguments(description=__doc__):
     parser = argparse.ArgumentParser(description=description,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("protein", type=Path)
@@ -40,8 +41,10 @@ def arguments(description=__doc__, folder="binding_sites"):
     parser.add_argument("--ligand")
     parser.add_argument("--surface", type=Path)
     parser.add_argument("--decay", type=float, default=site_pipeline.DECAY)
-    parser.add_argument("--output", type=Path, default=Path(folder))
-    return parser.parse_args()
+    parser.add_argument("--output", type=Path)
+    options = parser.parse_args()
+    options.output = output_folder(options.output)
+    return options
 
 
 def charged_atoms(protein, folder, name):
@@ -231,8 +234,7 @@ def prepare(options, folder):
 
 def main():
     options = arguments()
-    options.output.mkdir(parents=True, exist_ok=True)
-    folder = options.output.resolve()
+    folder = options.output
     surface, ligand, name, atoms = prepare(options, folder)
     surface, rows = site_pipeline.sites(surface, atoms)
     if not rows:

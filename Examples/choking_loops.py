@@ -2,8 +2,8 @@
 tunnels in red, additional loops in yellow, choke points as spheres, persistence diagram beside it.
 
 Usage: pvpython choking_loops.py SURFACE [PICTURE] [DISTANCE_PERCENT PERSISTENCE_PERCENT [SIDE]]
-SURFACE: .obj, .stl, .ply, .vtp or .off. PICTURE: choking_loops.png by default; beside it go the loops
-(.vtp) and their numbers (.txt).
+SURFACE: .obj, .stl, .ply, .vtp or .off. PICTURE: a path; default: choking_loops.png in a temporary
+folder. Beside it go the loops (.vtp) and their numbers (.txt). The paths are printed.
 SIDE: Inside, Outside or Both (default).
 
 Other scripts call choking_picture() with any source of a closed surface.
@@ -17,6 +17,8 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkTable
+
+from output_folder import output_folder
 
 INK, GREY = (0.10, 0.10, 0.12), (0.66, 0.74, 0.86)
 RED, YELLOW, BLUE, PALE = (0.83, 0.09, 0.10), (0.98, 0.74, 0.02), (0.13, 0.38, 0.70), (0.72, 0.72, 0.74)
@@ -245,13 +247,14 @@ def told(found):
         "seconds: " + ", ".join("%s %.2f" % item for item in found["seconds"].items())))
 
 
-def main(surface, picture="choking_loops.png", distance=100.0, persistence=5.0, side="Both"):
+def main(surface, picture=None, distance=100.0, persistence=5.0, side="Both"):
     if not Path(surface).is_file():
         sys.exit(f"There is no file {surface}.")
     source = simple.OpenDataFile(str(surface))
     simple.UpdatePipeline(proxy=source)
     if source.GetDataInformation().GetDataSetTypeAsString() != "vtkPolyData":
         sys.exit(f"{surface} is no surface: make one first, of a map with MapToMesh.py for instance.")
+    picture = picture or output_folder() / "choking_loops.png"
     found = choking_picture(source, picture, distance, persistence, side)
     print(told(found))
     loops, numbers = Path(picture).with_suffix(".vtp"), Path(picture).with_suffix(".txt")

@@ -5,7 +5,7 @@ Usage: pvpython electrostatics.py FILE.pqr [--salt MOL] [--direction X Y Z] [--o
 FILE.pqr         the molecule, with charges and radii.
 --salt MOL       ionic strength in mol/l. Default: 0.15.
 --direction      where the camera stands, from the molecule's middle. Default: 0.3 0.2 -1.
---output FOLDER  where isopotentials.png and field_lines.png go; default: the current folder.
+--output FOLDER  where isopotentials.png and field_lines.png go; default: a temporary folder, which is printed.
 
 The surface is coloured from -5 (red) to 5 (blue) kT/e. Isopotential surfaces at -1 and 1 kT/e; field
 lines begin near the surface, go both ways and have the colours of the potential along them.
@@ -19,6 +19,7 @@ from pathlib import Path
 from paraview import simple
 
 import find_isthmus  # noqa: F401 (before isthmus)
+from output_folder import output_folder
 
 LEVEL = 1.0  # kT/e, of the isopotential surfaces
 RANGE = 5.0  # kT/e, of the colours
@@ -106,10 +107,12 @@ def main():
     parser.add_argument("molecule", type=Path)
     parser.add_argument("--salt", type=float, default=0.15)
     parser.add_argument("--direction", type=float, nargs=3, default=(0.3, 0.2, -1.0))
-    parser.add_argument("--output", type=Path, default=Path("."))
+    parser.add_argument("--output", type=Path)
     chosen = parser.parse_args()
-    names = [chosen.output.resolve() / name for name in ("isopotentials.png", "field_lines.png")]
+    folder = output_folder(chosen.output)
+    names = [folder / name for name in ("isopotentials.png", "field_lines.png")]
     pictures(chosen.molecule, chosen.salt, chosen.direction, names)
+    print(*names, sep="\n")
 
 
 if __name__ == "__main__":

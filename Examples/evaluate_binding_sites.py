@@ -4,7 +4,7 @@ Usage: pvpython evaluate_binding_sites.py FOLDER [--work FOLDER] [--surfaces NAM
                                           [--sweep]
 
 FOLDER holds ligands.csv (file, ligand_residue) and the complexes it names. Charges by pdb2pqr, without
-the ligand, are kept in the work folder and used again, as are APBS' potentials. --surfaces: gaussian
+the ligand, and APBS' potentials are kept in the folder --work, if one is named, and used again. --surfaces: gaussian
 (Molecular Density), flow (Molecular Flow Surface) or both. --potentials: ours (Poisson Boltzmann, fitted
 at the surface), apbs (interpolated in its grid) or both. Default: gaussian, ours; a table for each.
 Success: the centre of the best patch (of one of the three best) within 4 angstrom of an atom of the
@@ -26,6 +26,7 @@ from scipy.sparse.csgraph import dijkstra
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import apbs_potential  # noqa: E402
 import site_pipeline  # noqa: E402
+from output_folder import output_folder  # noqa: E402
 
 SUCCESS = 4.0  # angstrom
 DRAWS = 200
@@ -109,7 +110,6 @@ class Complex:
 
 
 def load(folder, work, with_apbs):
-    work.mkdir(parents=True, exist_ok=True)
     complexes = []
     for row in csv.DictReader(open(folder / "ligands.csv")):
         try:
@@ -183,12 +183,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path)
-    parser.add_argument("--work", type=Path, default=Path("binding_site_evaluation"))
+    parser.add_argument("--work", type=Path)
     parser.add_argument("--surfaces", nargs="*", choices=KINDS[0], default=KINDS[0][:1])
     parser.add_argument("--potentials", nargs="*", choices=KINDS[1], default=KINDS[1][:1])
     parser.add_argument("--sweep", action="store_true")
     options = parser.parse_args()
-    complexes = load(options.folder, options.work.resolve(), "apbs" in options.potentials)
+    complexes = load(options.folder, output_folder(options.work), "apbs" in options.potentials)
     for kind in itertools.product(options.surfaces, options.potentials):
         compare(complexes, kind)
     if options.sweep:  # on Gaussian surfaces, whose decay it varies

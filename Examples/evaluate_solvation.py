@@ -6,7 +6,8 @@ Usage: pvpython evaluate_solvation.py [--policies] [--molecules] [--picture] [FO
 (two minutes). --molecules: small molecules beside APBS on the same grid, beside APBS' geometric flow, beside
 experiment; by the constants that alkanes gave, and by ones fitted with each left out (a minute). --picture:
 figure 5.3 of the thesis, the potential on lysozyme's surfaces in the same colours, as
-solvation_potential.png in FOLDER (default: the gallery). Without any of them: all. Prints Markdown. Takes
+solvation_potential.png in FOLDER (default: a temporary folder, which is
+printed). Without any of them: all. Prints Markdown. Takes
 the data from $ISTHMUS_DATA_DIR, else from ../shared/data beside the clone; --molecules needs apbs.
 """
 
@@ -20,6 +21,7 @@ import numpy
 import apbs_solvation
 import find_isthmus  # noqa: F401 (before isthmus)
 import isthmus
+from output_folder import output_folder
 
 HERE = Path(__file__).resolve().parent
 LYSOZYME = "molecules/1hew/1hew.pqr"
@@ -153,7 +155,7 @@ def picture(path):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", nargs="?", default=HERE / "gallery", type=Path)
+    parser.add_argument("folder", nargs="?", type=Path)
     for part in ("policies", "molecules", "picture"):
         parser.add_argument(f"--{part}", action="store_true")
     choice = parser.parse_args()
@@ -163,8 +165,9 @@ def main():
     if choice.molecules or everything:
         molecules()
     if choice.picture or everything:
-        choice.folder.mkdir(parents=True, exist_ok=True)
-        picture(choice.folder / "solvation_potential.png")
+        path = output_folder(choice.folder) / "solvation_potential.png"
+        picture(path)
+        print(path)
 
 
 if __name__ == "__main__":

@@ -3,12 +3,11 @@
 Usage: pvpython flow_surfaces.py MOLECULE [FOLDER]
 
 MOLECULE: PDB, mmCIF or PQR file, plain or compressed. Writes flow_multiresolution.png and
-flow_beside_ses.png into FOLDER (default: the current one) and prints area, volume and genus of each.
+flow_beside_ses.png into FOLDER (default: a temporary one, which is printed) and prints area, volume and genus of each.
 Without a screen, put xvfb-run -a in front.
 """
 
 import sys
-from pathlib import Path
 
 import find_isthmus  # noqa: F401 (before isthmus)
 import isthmus
@@ -20,6 +19,8 @@ from vtkmodules.vtkFiltersCore import vtkProbeFilter
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
                                          vtkTextActor, vtkWindowToImageFilter)
+
+from output_folder import output_folder
 
 METHODS = {"flow": 0, "thesis": 1, "SES": 2}
 
@@ -107,7 +108,6 @@ def main(molecule, folder):
     reader = isthmus.vtkMacromoleculeReader()
     reader.SetFileName(molecule)
     atoms = reader.GetOutputPort()
-    folder.mkdir(parents=True, exist_ok=True)
 
     panels = []
     for text, properties in (
@@ -139,6 +139,7 @@ def main(molecule, folder):
     order = [panels[0], panels[2], (excluded.GetOutput(), "solvent-excluded, probe 1.4", False),
              panels[6], panels[1], panels[3], panels[5], panels[7]]
     picture(order, 4, folder / "flow_beside_ses.png")
+    print("Pictures:", folder)
 
 
 if __name__ == "__main__":
@@ -147,4 +148,4 @@ if __name__ == "__main__":
         sys.exit()
     if len(sys.argv) < 2:
         sys.exit(__doc__)
-    main(sys.argv[1], Path(sys.argv[2] if len(sys.argv) > 2 else "."))
+    main(sys.argv[1], output_folder(sys.argv[2] if len(sys.argv) > 2 else None))

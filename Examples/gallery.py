@@ -1,13 +1,12 @@
 """Makes the pictures of Examples/README.md again: each pipeline of the toolbar on data of its own.
 
-Usage: pvpython gallery.py [FOLDER]. FOLDER: where the pictures go, Examples/gallery by default. Takes
-the data from $ISTHMUS_DATA_DIR, else from ../shared/data beside the clone.
+Usage: pvpython gallery.py [FOLDER]. FOLDER: where the pictures go (the repository's are in Examples/gallery);
+default: a temporary folder, which is printed. Takes the data from $ISTHMUS_DATA_DIR, else from ../shared/data beside the clone.
 """
 
 import os
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
 from paraview import simple
@@ -15,6 +14,7 @@ from paraview import simple
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import electrostatics  # noqa: E402
 import isthmus_pipelines as pipelines  # noqa: E402, there once paraview.simple has loaded the plugin
+from output_folder import output_folder  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 SCENES = (
@@ -87,22 +87,18 @@ def flow_surfaces(path, picture):
 
 
 def main(folder):
-    folder = Path(folder).resolve()
-    folder.mkdir(parents=True, exist_ok=True)
     data = data_folder()
-    with tempfile.TemporaryDirectory() as work:
-        os.chdir(work)  # where the potential goes
-        for function, path, direction in SCENES:
-            scene(function, data / path, direction, folder / f"{function}.png")
-            print(folder / f"{function}.png")
-        electrostatics.pictures(data / "molecules/1hew/1hew.pqr", 0.15, (0.3, 0.2, -1.0),
-                                [folder / "isopotentials.png", folder / "field_lines.png"])
-        flow_surfaces(data / "molecules/1hew.pdb", folder / "flow_surfaces.png")
-        print(folder / "flow_surfaces.png")
+    for function, path, direction in SCENES:
+        scene(function, data / path, direction, folder / f"{function}.png")
+        print(folder / f"{function}.png")
+    electrostatics.pictures(data / "molecules/1hew/1hew.pqr", 0.15, (0.3, 0.2, -1.0),
+                            [folder / "isopotentials.png", folder / "field_lines.png"])
+    flow_surfaces(data / "molecules/1hew.pdb", folder / "flow_surfaces.png")
+    print(folder / "flow_surfaces.png")
 
 
 if __name__ == "__main__":
     if {"-h", "--help"} & set(sys.argv[1:]):
         print(__doc__)
         sys.exit()
-    main(sys.argv[1] if len(sys.argv) > 1 else HERE / "gallery")
+    main(output_folder(sys.argv[1] if len(sys.argv) > 1 else None))

@@ -5,7 +5,7 @@ Usage: pvpython ion_channel.py [--spacing H] [--pictures-only] [FOLDER]
 For surfaces from the bare atoms to half a square angstrom of flow, and for all or a quarter of the ions'
 diffusion in the channel: current at 100 mV, potassium's part of it, the radius at the bottleneck; prints
 Markdown (some two minutes at 0.5 angstrom). Writes ion_channel_curve.png and ion_channel_lines.png into
-FOLDER (default: the gallery). Takes 1GRM from $ISTHMUS_DATA_DIR, else from ../shared/data beside the clone.
+FOLDER (default: a temporary folder, which is printed). Takes 1GRM from $ISTHMUS_DATA_DIR, else from ../shared/data beside the clone.
 """
 
 import argparse
@@ -18,6 +18,7 @@ from paraview import servermanager, simple
 import find_isthmus  # noqa: F401 (before isthmus)
 import isthmus
 from gramicidin import AXIS, with_charges
+from output_folder import output_folder
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 HERE = Path(__file__).resolve().parent
@@ -170,18 +171,19 @@ def lines(solution, atoms, picture):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", nargs="?", default=HERE / "gallery", type=Path)
+    parser.add_argument("folder", nargs="?", type=Path)
     parser.add_argument("--spacing", default=0.5, type=float)
     parser.add_argument("--pictures-only", action="store_true")
     choice = parser.parse_args()
-    choice.folder.mkdir(parents=True, exist_ok=True)
+    folder = output_folder(choice.folder)
     atoms = molecule()
     if not choice.pictures_only:
         table(atoms, choice.spacing)
     solution = channel(atoms, choice.spacing)
     solution.UpdatePipeline()
-    curve(solution, choice.folder / "ion_channel_curve.png")
-    lines(solution, atoms, choice.folder / "ion_channel_lines.png")
+    curve(solution, folder / "ion_channel_curve.png")
+    lines(solution, atoms, folder / "ion_channel_lines.png")
+    print("\nPictures:", folder)
 
 
 if __name__ == "__main__":

@@ -3,13 +3,15 @@ level (or the one that Map Surface proposes), beside the components and tunnels 
 
 Usage: pvpython map_handles.py MAP [PICTURE [RECOMMENDED_LEVEL [LOWEST HIGHEST]]]
 
-PICTURE: map_handles.png by default. RECOMMENDED_LEVEL: that of the EMDB, marked in the chart, or "-".
+PICTURE: a path; default: map_handles.png in a temporary folder. It is printed. RECOMMENDED_LEVEL: that of the EMDB, marked in the chart, or "-".
 LOWEST, HIGHEST: levels to look at (default: from the mean to the maximum).
 """
 
 import sys
 
 from paraview import simple
+
+from output_folder import output_folder
 
 
 def show_map(handles, view):
@@ -53,7 +55,7 @@ def main(arguments):
         return
     if not arguments:
         sys.exit(__doc__)
-    picture = arguments[1] if len(arguments) > 1 else "map_handles.png"
+    picture = arguments[1] if len(arguments) > 1 else str(output_folder() / "map_handles.png")
     density = simple.OpenDataFile(arguments[0])
     handles = simple.MapHandles(Input=density, UseStableLevel=0)
     if len(arguments) > 2 and arguments[2] != "-":
@@ -85,6 +87,7 @@ def main(arguments):
     show_levels(handles, chart)
     simple.Render(rendered)
     simple.SaveScreenshot(picture, layout)
+    print(picture)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """Makes the thesis' pictures of meshes on the shared data: its figures 4.4 to 4.7, 4.13, 4.18 to 4.22.
 
-Usage: pvpython mesh_figures.py [FOLDER]. FOLDER: where the pictures go, Examples/gallery by default.
+Usage: pvpython mesh_figures.py [FOLDER]. FOLDER: where the pictures go (the repository's are in
+Examples/gallery); default: a temporary folder. Prints the path of each.
 Each column is a mesh with the number of its cells and the range of its angles, and below it, where there
 are bars, the histogram of these angles: those of triangles at their corners, of tetrahedra at edges.
 """
@@ -11,7 +12,8 @@ from pathlib import Path
 
 from paraview import servermanager, simple
 
-from gallery import HERE, data_folder
+from gallery import data_folder
+from output_folder import output_folder
 
 MAPS = (("emd_5043.map", "EMD-5043"), ("emd_5170.map", "EMD-5170"), ("emd_1832.map", "EMD-1832"),
         ("1tyq_10.mrc", "Arp2/3, simulated"), ("clean70SRibosome_vol_65p.mrc", "Ribosome"),
@@ -150,8 +152,6 @@ def half(mesh):
 
 
 def main(folder):
-    folder = Path(folder).resolve()
-    folder.mkdir(parents=True, exist_ok=True)
     data = data_folder()
     maps = [simple.OpenDataFile(str(data / "maps" / file)) for file, _ in MAPS]
 
@@ -179,4 +179,4 @@ if __name__ == "__main__":
     if {"-h", "--help"} & set(sys.argv[1:]):
         print(__doc__)
         sys.exit()
-    main(sys.argv[1] if len(sys.argv) > 1 else HERE / "gallery")
+    main(output_folder(sys.argv[1] if len(sys.argv) > 1 else None))

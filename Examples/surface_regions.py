@@ -5,7 +5,7 @@ thesis.
 Usage: pvpython surface_regions.py PROTEIN [POTENTIAL] [the options of binding_sites.py]
 
 Red is below the lower threshold, blue above the upper one. --decay 0.3 gives a coarse surface, on
-which concave regions are clefts and not grooves between atoms. The folder is surface_regions by default.
+which concave regions are clefts and not grooves between atoms.
 """
 
 import sys
@@ -104,9 +104,8 @@ def picture(finders, titles, path):
 
 
 def main():
-    options = binding_sites.arguments(__doc__, "surface_regions")
-    options.output.mkdir(parents=True, exist_ok=True)
-    surface, _, name, _ = binding_sites.prepare(options, options.output.resolve())
+    options = binding_sites.arguments(__doc__)
+    surface, _, name, _ = binding_sites.prepare(options, options.output)
     lines = area_table(surface, "MinimumCurvature", "1/A", CURVATURES) + [""]
     lines += area_table(surface, "Potential", "kT/e", POTENTIALS) + [""] + joint_table(surface)
     print("\n".join(lines))

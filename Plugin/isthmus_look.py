@@ -3,11 +3,13 @@ words for categories, tubes for loops. isthmus_pipelines.py builds what is looke
 first_look() for each result that is new or changed.
 """
 
-from paraview import print_error, servermanager, simple
+from paraview import servermanager, simple
 
 try:
-    import isthmus_pockets as pockets_and_pores  # with the plugin loaded
+    import isthmus_messages as messages  # with the plugin loaded
+    import isthmus_pockets as pockets_and_pores
 except ImportError:
+    from isthmus import messages
     from isthmus import pockets as pockets_and_pores
 
 # Colours. A signed quantity spans a range symmetric about 0, so that what is neutral is flat.
@@ -283,6 +285,8 @@ def _look_at_shape(display, view, source, name):
         _colour_if_it_differs(display, view, "Filling")
     elif name in ENVELOPES:
         _hide_molecule(source.Input, view)
+    elif name == "AtomSelection":
+        pockets_and_pores.sticks(display, view)
     elif name in pockets_and_pores.FEATURES:
         pockets_and_pores.look(display, view, port)
 
@@ -319,14 +323,15 @@ def first_look(*ids):
             view = _look(servermanager._getPyProxy(proxy))
             if view is not None:
                 views[view.GetGlobalID()] = view
-        except Exception as error:  # a look is never worth a failure
-            print_error(f"The first look at a result failed: {error}")
+        except Exception:  # a look is never worth a failure
+            messages.fault("The first look at a result")
     for view in views.values():  # ParaView has drawn them before
         if hasattr(view, "HiddenLineRemoval"):  # a render view
             simple.HideUnusedScalarBars(view)
         view.SMProxy.StillRender()
 
 
+@messages.reports_faults("Proposing a level")
 def first_values(number):
     """Called by the window with the global id of a filter that waits for its first Apply: of a density map,
     the level that Map Surface proposes, where ParaView has put the middle of the map's range."""

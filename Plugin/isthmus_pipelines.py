@@ -18,10 +18,10 @@ from paraview import print_warning, servermanager, simple
 from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 try:
-    import isthmus_charges as charges  # with the plugin, whose window uses them, too
-    import isthmus_look as look
+    import isthmus_look as look  # with the plugin, whose window uses them, too
+    import isthmus_messages as messages
 except ImportError:
-    from isthmus import charges, look
+    from isthmus import look, messages
 
 try:
     import isthmus_pockets as pockets_and_pores  # with the plugin loaded
@@ -31,6 +31,8 @@ except ImportError:
 DUST = 0.01  # components below that share of the largest one's area are hidden
 DECAY = 1.2  # of the Gaussians of a molecular surface: BindingSites.md tells what it was tuned on
 SPACING = 0.6  # angstrom, of a molecular surface's grid
+# Filters that pass on the atoms of a molecule, as the buttons put them in.
+PARTS = ("AtomSelection", "ForceFieldCharges")
 # Filters with a persistence diagram: the port that has it.
 DIAGRAMS = {"ChokingLoops": 3, "ScalarPersistence": 1}
 
@@ -176,28 +178,33 @@ def surface_to_loops(source):
 
 
 def protein_to_surface(source):
-    """(surface,): the smooth molecular surface of the atoms, without cavities smaller than a
-    twentieth of it."""
-    return (_molecule(source)[1],)
+    """(surface,) or (ligands, surface): the smooth molecular surface of the chains, without cavities
+    smaller than a twentieth of it; the ligands and ions, if there are any. Water is left out; the
+    switches of Atom Selection add it, or ligands, to the surface."""
+    chains, ligands = _parts(source)
+    surface = _molecule(chains)[1]
+    return (ligands, surface) if ligands else (surface,)
 
 
 def protein_to_sites(source, potential=None):
-    """(potential, sites): the surface with potential, polarized curvature and likely binding sites,
-    which are the pockets; or patches of the surface, where the molecule has no pocket.
+    """(potential, sites) or (potential, ligands, sites): the surface with potential, polarized curvature
+    and likely binding sites, which are the pockets; or patches of the surface, where the molecule has no
+    pocket. Ligands and ions, if there are any, take no part in it.
 
     potential: a source of it (kT/e) on a grid, an opened .dx file, say. Without one it is computed
-    from the charges of the atoms in 0.15 mol/l of salt; File > Save Data keeps it as a .dx file. A PQR
-    file has charges; of a PDB file pdb2pqr, where it is installed, makes one, which stays beside it
-    or, where that folder can't be written, in the current one.
+    from the charges of the chains in 0.15 mol/l of salt; File > Save Data keeps it as a .dx file. A PQR
+    file has charges; those of a PDB or mmCIF file are a force field's (Force Field Charges, by the
+    program pdb2pqr).
     """
     _require_atoms(source)
     _require_one(source, "molecule")
+    chains, ligands = _parts(source)
     if potential is None:
-        source = charges.charged(source)
-    density, surface = _molecule(source)
+        chains = _charged(chains)
+    density, surface = _molecule(chains)
     if potential is None:
         potential = simple.PoissonBoltzmannOnSurface(
-            source, registrationName="Potential", Surface=density, IsoValue=1.0,
+            chains, registrationName="Potential", Surface=density, IsoValue=1.0,
             SolventDielectric=78.54, IonicStrength=0.15)
     curvature = simple.CurvatureOnSurface(
         registrationName="Curvature", Input=surface, Volume=density,
@@ -205,14 +212,14 @@ def protein_to_sites(source, potential=None):
     polarized = simple.PolarizedCurvature(
         curvature, registrationName="Polarized curvature", PotentialImage=potential)
     sites = simple.BindingSitesInPockets(
-        polarized, registrationName="Binding sites", Atoms=source,
+        polarized, registrationName="Binding sites", Atoms=chains,
         RankedArray=["POINTS", "PolarizedCurvature"])
-    if not _has_pockets(source):  # asked before, since the filter would warn as well
+    if not _has_pockets(chains):  # asked before, since the filter would warn as well
         sites.UsePockets = 0
         print_warning("The molecule has no pockets: the sites shown are patches of its surface (Use Pockets of "
                       "Binding sites is off).")
     sites.UpdatePipeline()
-    return potential, sites
+    return (potential, ligands, sites) if ligands else (potential, sites)
 
 
 def _has_pockets(atoms):
@@ -236,9 +243,41 @@ def protein_to_pores(source):
     return pockets_and_pores.protein_to_pores(source)
 
 
+def _chains(source):
+    """The atoms without ligands, ions and water."""
+    _require_atoms(source)
+    chains = simple.AtomSelection(source, registrationName="Chains")
+    chains.UpdatePipeline()
+    if not look.data_of(chains).GetNumberOfPoints():
+        raise ValueError("The molecule has no atoms but water: open a file with a protein or nucleic acid.")
+    return chains
+
+
+def _parts(source):
+    """(chains, ligands), the latter with ions; None without any."""
+    chains = _chains(source)
+    ligands = simple.AtomSelection(
+        source, registrationName="Ligands", KeepChains=0, KeepLigands=1, KeepIons=1)
+    ligands.UpdatePipeline()
+    if not look.data_of(ligands).GetNumberOfPoints():
+        simple.Delete(ligands)
+        ligands = None
+    return chains, ligands
+
+
+def _charged(atoms):
+    """The atoms with charges: those of their file, or a force field's."""
+    charged = simple.ForceFieldCharges(atoms, registrationName="Charges")
+    charged.UpdatePipeline()
+    if not look.data_of(charged).GetNumberOfPoints():
+        raise ValueError("The atoms have no charges, from which the potential comes, and a force field gave "
+                         "them none; the message before this one says why. Or open a PQR file, or a "
+                         "potential's .dx file for Polarized Curvature.")
+    return charged
+
+
 def _molecule(source):
     """Density and surface of the atoms."""
-    _require_atoms(source)
     density = simple.MolecularDensity(
         source, registrationName="Molecular density", Decay=DECAY, Spacing=SPACING)
     surface = simple.MapSurface(
@@ -305,14 +344,14 @@ def persistence_diagram(source):
 
 def _upstream(source, fits):
     """The nearest source that fits, from `source` back to the files; `source` itself where none does."""
-    waiting, met = [source.SMProxy], set()
+    waiting, met, selected = [source.SMProxy], set(), source.SMProxy
     while waiting:
         proxy = waiting.pop(0)
         if proxy.GetGlobalID() in met:
             continue
         met.add(proxy.GetGlobalID())
         candidate = servermanager._getPyProxy(proxy)
-        if fits(candidate):
+        if fits(candidate) and (proxy == selected or proxy.GetXMLName() not in PARTS):
             return candidate
         waiting += [proxy.GetProducerProxy(i) for i in range(proxy.GetNumberOfProducers())
                     if proxy.GetProducerProxy(i).IsA("vtkSMSourceProxy")]
@@ -330,19 +369,14 @@ def _fits(function):
     return lambda source: True
 
 
-def _tell(message):
-    """An error of the button, as one sentence: without the line of a script that made it; in the window's
-    messages, which open for it as for a filter's."""
-    vtkOutputWindow.GetInstance().DisplayErrorText(f"Isthmus: {message}\n")
-
-
+@messages.reports_faults("The proposed threshold")
 def use_proposed_threshold(number):
     """The button beside Minimum Persistence of the proxy with that global id: the threshold that its last
     result proposes, of both sides the lower one that separates anything. Loops change at once."""
     loops = servermanager._getPyProxy(servermanager.ActiveConnection.Session.GetRemoteObject(number))
     proposed = loops.FieldData["ProposedThreshold"]
     if proposed is None:
-        _tell("There is no threshold to propose before the first result: press Apply first.")
+        messages.tell("There is no threshold to propose before the first result: press Apply first.")
         return
     lines = servermanager.Fetch(simple.OutputPort(loops, 0), 0, 0)
     told = lines.GetFieldData().GetArray("ProposedThreshold")
@@ -355,12 +389,13 @@ def use_proposed_threshold(number):
     simple.RenderAllViews()
 
 
+@messages.reports_faults("The button")
 def run(function):
     """A button of the toolbar: the pipeline on the active source, or on what that was made from; shown
     in the active view, with all else hidden."""
     selected = simple.GetActiveSource()
     if selected is None:
-        _tell("Select a source in the pipeline browser first: open a map, a molecule or a surface.")
+        messages.tell("Select a source in the pipeline browser first: open a map, a molecule or a surface.")
         return
     source = _upstream(selected, _fits(function))
     before = set(simple.GetSources().values())
@@ -368,11 +403,13 @@ def run(function):
         proxies = globals()[function](source)
         if function == "persistence_diagram":
             return
-    except ValueError as error:
+    except Exception as error:
         for proxy in set(simple.GetSources().values()) - before:
             simple.Delete(proxy)
         simple.SetActiveSource(selected)  # what was deleted may have been it
-        _tell(str(error))
+        if not isinstance(error, ValueError):
+            raise
+        messages.tell(str(error))
         return
     view = simple.GetActiveViewOrCreate("RenderView")
     simple.HideAll(view)

@@ -8,7 +8,12 @@ A pocket or pore that is selected, as a row of a table or in the view, has its r
 sticks, and a pore its chart. isthmus_pipelines has the buttons and calls this.
 """
 
-from paraview import print_error, servermanager, simple
+from paraview import servermanager, simple
+
+try:
+    import isthmus_messages as messages  # with the plugin loaded
+except ImportError:
+    from isthmus import messages
 
 POINT, CELL, ROW = 0, 1, 6  # of vtkDataObject's attribute types
 # What numbers the features, and the ports of what is shown of them.
@@ -157,8 +162,8 @@ def follow(features):
             chosen = _selected(features)
             if chosen is not None:
                 choose(features, chosen)
-        except Exception as error:  # a click is never worth a failure
-            print_error(f"The residues of what was selected can't be shown: {error}")
+        except Exception:  # a click is never worth a failure
+            messages.fault("Showing the residues of what was selected")
 
     _followed[number] = features.SMProxy.AddObserver("SelectionChangedEvent", picked)
 
@@ -208,8 +213,8 @@ def _colour_by_rank(display, association, view):
     display.SetScalarBarVisibility(view, True)
 
 
-def _show_residues(residues, view):
-    display = simple.Show(residues, view)
+def sticks(display, view):
+    """Bonds as sticks, coloured by element."""
     display.SetRepresentationType("Surface")
     display.RenderLinesAsTubes, display.LineWidth = 1, 5.0
     simple.ColorBy(display, ("POINTS", "Element"))
@@ -218,6 +223,11 @@ def _show_residues(residues, view):
     table.Annotations = [word for value, name, _ in ELEMENTS for word in (value, name)]
     table.IndexedColors = [part for _, _, colour in ELEMENTS for part in colour]
     display.SetScalarBarVisibility(view, False)
+
+
+def _show_residues(residues, view):
+    display = simple.Show(residues, view)
+    sticks(display, view)
     display.Pickable = 0
     return display
 

@@ -51,10 +51,15 @@ class Trajectory:
         self.stamp = (path, topology, os.path.getmtime(path))
         analysis = _mdanalysis()
         topology = topology or topology_beside(path)
+        # MDAnalysis writes an index of the frames beside some trajectories: beside a link in a folder of
+        # our own, and not among the user's files.
+        self.folder = tempfile.TemporaryDirectory(prefix="isthmus-")
+        link = os.path.join(self.folder.name, os.path.basename(path))
+        os.symlink(os.path.abspath(path), link)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             try:
-                self.universe = analysis.Universe(topology, path)
+                self.universe = analysis.Universe(topology, link)
             except Exception as error:
                 said = " ".join(str(error).split())
                 raise ValueError(f"{path} with {topology}: MDAnalysis can't read them ({said}).") from error

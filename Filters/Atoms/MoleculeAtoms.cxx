@@ -229,8 +229,8 @@ std::vector<double> AtomCharges(
   {
     throw std::invalid_argument("The atoms have no point array " + name +
       " with one charge for each; they have:" + ArrayNames(AtomData(input)) +
-      ". Read a PQR file (pdb2pqr makes one from a PDB file, with the charges of a force field), "
-      "or choose another array.");
+      ". Apply Force Field Charges to the atoms of a PDB or mmCIF file (it needs the program "
+      "pdb2pqr), read a PQR file, or choose another array.");
   }
   std::vector<double> charges;
   for (const vtkIdType point : atoms.Kept)

@@ -3,15 +3,11 @@ result as on the molecule or map itself. And on what they can't take, groups amo
 error of VTK's besides, and what was selected stays selected.
 """
 
-import os
-
 from paraview import servermanager, simple
 from shared_data import shared_data
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkOutputWindow
 
 import isthmus_pipelines as pipelines  # there once paraview.simple has loaded the plugin
-
-os.chdir(os.environ["ISTHMUS_TEST_OUTPUT_DIR"])  # where potentials go
 
 
 class Messages:

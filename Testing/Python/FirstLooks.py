@@ -3,10 +3,12 @@ that it can use, hides all else, and refuses in one sentence; meshes have edges,
 a surface takes the place of its molecule.
 """
 
+from pathlib import Path
+
 from good_data import channel
 from paraview import servermanager, simple
 from shared_data import shared_data
-from vtkmodules.vtkCommonCore import vtkOutputWindow
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkOutputWindow
 
 import isthmus_look as look  # there once paraview.simple has loaded the plugin
 import isthmus_pipelines as pipelines
@@ -54,6 +56,33 @@ def check_refusal():
     pipelines.run("map_to_surface")
     window.RemoveObserver(watched)
     assert len(said) == 1, said
+
+
+def check_fault():
+    """A fault that nobody has foreseen is one sentence without an exception's text, and a file has that."""
+    said, before = [], pipelines.map_to_surface
+
+    def broken(_):
+        raise KeyError("nobody foresaw this")
+
+    def keep(_, __, text):
+        said.append(text)
+
+    keep.CallDataType = VTK_STRING
+    window = vtkOutputWindow.GetInstance()
+    watched = window.AddObserver("ErrorEvent", keep)
+    pipelines.map_to_surface = broken
+    simple.SetActiveSource(simple.Wavelet())
+    pipelines.run("map_to_surface")
+    pipelines.use_proposed_threshold(0)
+    pipelines.map_to_surface = before
+    window.RemoveObserver(watched)
+    assert len(said) == 2 and all("fault in Isthmus" in text for text in said), said
+    assert not any(word in text for text in said for word in ("Error", "nobody", "<string>")), said
+    for text in said:
+        report = Path(text.split("the file ")[1].split(" and, if")[0])
+        assert "Traceback" in report.read_text()
+        report.unlink()
 
 
 def check_first_values():
@@ -120,6 +149,7 @@ def check_looks(density, atoms):
 
 
 check_refusal()
+check_fault()
 check_first_values()
 check_looks(*check_buttons())
 assert servermanager.ActiveConnection is not None

@@ -96,7 +96,8 @@ def run(function, folder, name):
         return False
     facts = []
     if function != "protein_to_sites":
-        first = proxies[0] if function != "surface_to_loops" else source
+        first = (source if function == "surface_to_loops" else
+                 proxies[-1] if function == "protein_to_surface" else proxies[0])
         facts.append(genus_and_components(first))
     if function == "map_to_curvature":
         facts.append(check_first_look(proxies[-1], pipelines.CURVATURES, label))
@@ -116,7 +117,6 @@ def part(names, kind):
     return names if EVERYTHING else names[:FEW[kind]]
 
 
-os.chdir(os.environ["ISTHMUS_TEST_OUTPUT_DIR"])  # where potentials go
 passed = []
 for name in part(MAPS, "map"):
     for function in ("map_to_surface", "map_to_curvature", "map_to_loops"):

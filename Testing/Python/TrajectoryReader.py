@@ -76,6 +76,9 @@ with tempfile.TemporaryDirectory() as folder:
         tracks.UpdatePipeline()
         chart = servermanager.Fetch(tracks, idx=1)
         assert chart.GetNumberOfRows() == FRAMES, chart.GetNumberOfRows()
+        # MDAnalysis keeps an index beside some kinds: not among the user's files.
+        there = sorted(file.name for file in path.parent.iterdir())
+        assert there == sorted(["moving.pdb", path.name]), there
         print(kind, times, chart.GetNumberOfColumns() - 1, "tracks")
     broken = folder / "broken.dcd"
     broken.write_bytes(b"no trajectory")

@@ -1,0 +1,157 @@
+#include "vtkAtomSelection.h"
+
+#include "Atoms/MoleculeAtoms.h"
+#include "Core/AlgorithmGuard.h"
+#include "Core/GatherRanks.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkIdList.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkAtomSelection);
+
+namespace
+{
+
+using isthmus::NamedAtom;
+using isthmus::PolymerChoice;
+using isthmus::PolymerOptions;
+
+/// What `options` keeps beside the chains. Of `choice`, which it keeps with them.
+std::vector<std::size_t> WithoutPolymer(
+  const std::vector<NamedAtom>& atoms, const PolymerOptions& options, const PolymerChoice& choice)
+{
+  PolymerOptions chains;
+  chains.Hydrogens = options.Hydrogens;
+  std::vector<std::size_t> rest;
+  const std::vector<std::size_t> polymer = isthmus::ChoosePolymer(atoms, chains).Kept;
+  std::set_difference(choice.Kept.begin(), choice.Kept.end(), polymer.begin(), polymer.end(),
+    std::back_inserter(rest));
+  const auto isNamed = [&](std::size_t i) { return options.Residues.count(atoms[i].Residue) > 0; };
+  std::vector<std::size_t> named, both;
+  std::copy_if(polymer.begin(), polymer.end(), std::back_inserter(named), isNamed);
+  std::merge(rest.begin(), rest.end(), named.begin(), named.end(), std::back_inserter(both));
+  return both;
+}
+
+/// The points, with their arrays. Returns the new id of each old one, -1: left out.
+std::vector<vtkIdType> CopyPoints(
+  vtkPointSet* atoms, const std::vector<std::size_t>& kept, vtkPointSet* output)
+{
+  std::vector<vtkIdType> placeOf(static_cast<std::size_t>(atoms->GetNumberOfPoints()), -1);
+  const auto count = static_cast<vtkIdType>(kept.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataType(atoms->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(count);
+  vtkPointData* data = output->GetPointData();
+  data->CopyAllOn(); // global and pedigree ids as well
+  data->CopyAllocate(atoms->GetPointData(), count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const auto from = static_cast<vtkIdType>(kept[static_cast<std::size_t>(i)]);
+    points->SetPoint(i, atoms->GetPoint(from));
+    data->CopyData(atoms->GetPointData(), from, i);
+    placeOf[static_cast<std::size_t>(from)] = i;
+  }
+  output->SetPoints(points);
+  return placeOf;
+}
+
+/// The cells whose points are all kept, with their arrays.
+void CopyCells(vtkPolyData* atoms, const std::vector<vtkIdType>& placeOf, vtkPolyData* output)
+{
+  output->AllocateCopy(atoms);
+  vtkCellData* data = output->GetCellData();
+  data->CopyAllOn();
+  data->CopyAllocate(atoms->GetCellData(), atoms->GetNumberOfCells());
+  vtkNew<vtkIdList> ids;
+  // Point by point in the order of vtkPolyData's cell data: vertices, lines, polygons, strips.
+  for (vtkIdType cell = 0; cell < atoms->GetNumberOfCells(); ++cell)
+  {
+    atoms->GetCellPoints(cell, ids);
+    bool whole = true;
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      const vtkIdType place = placeOf[static_cast<std::size_t>(ids->GetId(k))];
+      whole = whole && place >= 0;
+      ids->SetId(k, place);
+    }
+    if (whole)
+    {
+      data->CopyData(
+        atoms->GetCellData(), cell, output->InsertNextCell(atoms->GetCellType(cell), ids));
+    }
+  }
+  output->Squeeze();
+}
+
+}
+
+int vtkAtomSelection::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  isthmus::ClearOutputs(outputVector);
+  return isthmus::Guarded(this, outputVector,
+    [&]()
+    {
+      vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
+      isthmus::RequireOneRank(this, atoms, "atoms");
+      if (atoms && atoms->GetNumberOfPoints() > 0)
+      {
+        this->Select(atoms, vtkPointSet::GetData(outputVector, 0));
+      }
+    });
+}
+
+void vtkAtomSelection::Select(vtkPointSet* atoms, vtkPointSet* output)
+{
+  PolymerOptions keep;
+  keep.Hydrogens = this->KeepHydrogens;
+  keep.Waters = this->KeepWaters;
+  keep.Ions = this->KeepIons;
+  keep.Ligands = this->KeepLigands;
+  keep.ProstheticGroups = this->KeepProstheticGroups;
+  keep.Residues = isthmus::NamesIn(this->KeepResidues);
+  const std::vector<NamedAtom> named = isthmus::NamedAtomsOf(atoms);
+  this->UpdateProgress(0.3);
+  PolymerChoice choice = isthmus::ChoosePolymer(named, keep);
+  if (!this->KeepChains)
+  {
+    choice.Kept = WithoutPolymer(named, keep, choice);
+    choice.Notes.emplace_back("Chains of amino acids and nucleotides were left out.");
+  }
+  this->UpdateProgress(0.7);
+  const std::vector<vtkIdType> placeOf = CopyPoints(atoms, choice.Kept, output);
+  auto* polygons = vtkPolyData::SafeDownCast(atoms);
+  if (polygons && vtkPolyData::SafeDownCast(output))
+  {
+    CopyCells(polygons, placeOf, vtkPolyData::SafeDownCast(output));
+  }
+  output->GetFieldData()->PassData(atoms->GetFieldData());
+  isthmus::AddNotes(choice.Notes, output);
+}
+
+void vtkAtomSelection::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "KeepChains: " << this->KeepChains << "\n";
+  os << indent << "KeepLigands: " << this->KeepLigands << "\n";
+  os << indent << "KeepProstheticGroups: " << this->KeepProstheticGroups << "\n";
+  os << indent << "KeepIons: " << this->KeepIons << "\n";
+  os << indent << "KeepWaters: " << this->KeepWaters << "\n";
+  os << indent << "KeepHydrogens: " << this->KeepHydrogens << "\n";
+  os << indent << "KeepResidues: " << this->KeepResidues << "\n";
+}

@@ -1,0 +1,72 @@
+/**
+ * @class   vtkAtomSelection
+ * @brief   the atoms of a molecule that count: chains, ligands, ions, water
+ *
+ * Input: atoms with the names that vtkMacromoleculeReader gives them, any vtkPointSet. Output, of
+ * the same type: the points that are kept, in the same order, with all point arrays and field data;
+ * of a vtkPolyData also the cells (bonds, with their arrays) all of whose points are kept.
+ *
+ * Each residue is part of a chain of amino acids or nucleotides, an ion (one heavy atom), water, or
+ * a ligand, which is all else; among the ligands are the prosthetic groups (hemes, flavins,
+ * iron-sulphur clusters, chlorophylls and the like), which can be kept alone. PolymerAtoms.h has
+ * the rules. Of alternate locations the one with the greatest sum of occupancies is kept. Where no
+ * residue of a chain is recognised (an XYZ file, say), all atoms but water count as a chain. The
+ * field array `Notes` says what was left out, one message for each kind.
+ *
+ * **Errors** (one message, empty output): coordinates that are not finite. A selection that keeps
+ * nothing is empty and no error.
+ *
+ * **Cost.** O(n log n) in atoms. On several MPI ranks, gather the atoms first.
+ */
+#ifndef vtkAtomSelection_h
+#define vtkAtomSelection_h
+
+#include "Core/FilterProperties.h"
+#include "vtkIsthmusFiltersAtomsModule.h" // for the export macro
+#include "vtkPointSetAlgorithm.h"
+
+#include <string> // for KeepResidues
+
+class VTKISTHMUSFILTERSATOMS_EXPORT vtkAtomSelection : public vtkPointSetAlgorithm
+{
+public:
+  static vtkAtomSelection* New();
+  vtkTypeMacro(vtkAtomSelection, vtkPointSetAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Names of residues to keep in any case, between blanks or commas. Default: none.
+  vtkSetMacro(KeepResidues, std::string);
+  vtkGetMacro(KeepResidues, std::string);
+  ///@}
+
+  /// Chains of amino acids and nucleotides. Default on.
+  ISTHMUS_SWITCH(KeepChains, true);
+  /// Ligands, prosthetic groups included. Default off.
+  ISTHMUS_SWITCH(KeepLigands, false);
+  /// Hemes, flavins, iron-sulphur clusters and the like. Default off.
+  ISTHMUS_SWITCH(KeepProstheticGroups, false);
+  /// Residues of one heavy atom. Default off.
+  ISTHMUS_SWITCH(KeepIons, false);
+  /// Water. Default off.
+  ISTHMUS_SWITCH(KeepWaters, false);
+  /// Hydrogens of what is kept. Default on.
+  ISTHMUS_SWITCH(KeepHydrogens, true);
+
+protected:
+  vtkAtomSelection() = default;
+  ~vtkAtomSelection() override = default;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkAtomSelection(const vtkAtomSelection&) = delete;
+  void operator=(const vtkAtomSelection&) = delete;
+
+  void Select(vtkPointSet* atoms, vtkPointSet* output);
+
+  std::string KeepResidues;
+};
+
+#endif

@@ -1,0 +1,65 @@
+#include "vtkForceFieldCharges.h"
+
+#include "Core/AlgorithmGuard.h"
+#include "Core/GatherRanks.h"
+#include "Electrostatics/ForceFieldAtoms.h"
+
+#include <vtkDataArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkForceFieldCharges);
+
+vtkForceFieldCharges::vtkForceFieldCharges()
+  : Charged(std::make_unique<isthmus::ForceFieldAtomsCache>())
+{
+}
+
+vtkForceFieldCharges::~vtkForceFieldCharges() = default;
+
+int vtkForceFieldCharges::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  isthmus::ClearOutputs(outputVector);
+  return isthmus::Guarded(this, outputVector,
+    [&]()
+    {
+      vtkPointSet* atoms = vtkPointSet::GetData(inputVector[0], 0);
+      vtkPointSet* output = vtkPointSet::GetData(outputVector, 0);
+      isthmus::RequireOneRank(this, atoms, "atoms");
+      if (!atoms || atoms->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      const isthmus::ChargeArrays arrays{ "Charge", "Radius" };
+      if (!isthmus::LacksCharges(atoms, arrays))
+      {
+        if (!atoms->GetPointData()->GetArray("Charge"))
+        {
+          throw std::invalid_argument(
+            "The atoms have neither charges nor names by which a force field knows them: open a "
+            "PDB, mmCIF or PQR file by the Macromolecule Reader.");
+        }
+        output->ShallowCopy(atoms);
+        return;
+      }
+      output->ShallowCopy(this->Charged->Get(atoms, arrays,
+        static_cast<isthmus::ChargeTable>(this->ForceField), isthmus::ProgressOf(this)));
+      output->GetFieldData()->PassData(atoms->GetFieldData());
+      if (!this->Charged->Warning().empty())
+      {
+        vtkWarningMacro(<< this->Charged->Warning());
+      }
+    });
+}
+
+void vtkForceFieldCharges::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ForceField: " << this->ForceField << "\n";
+}
