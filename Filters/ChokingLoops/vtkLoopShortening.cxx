@@ -4,6 +4,7 @@
 #include "ChokingLoops/SurfacePreparation.h"
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
+#include "Core/InputOverlap.h"
 #include "Core/PolyDataTriangles.h"
 
 #include <vtkCellArray.h>
@@ -22,6 +23,14 @@
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkLoopShortening);
+
+vtkLoopShortening::vtkLoopShortening()
+{
+  this->SetNumberOfInputPorts(2);
+  isthmus::OverlapRule rule;
+  rule.Units = false; // loops may be of any size
+  isthmus::SetOverlapRule(this, 1, rule);
+}
 
 namespace
 {

@@ -12,7 +12,9 @@
  * and `Contractible` (1: it can be contracted to a point, and is returned unchanged).
  *
  * Errors (one message, empty output): a surface that CheckedSurface() in SurfacePreparation.h
- * refuses, a loop on two parts of the surface, a loop that is a point or a path there and back.
+ * refuses, a loop on two parts of the surface, a loop that is a point or a path there and back,
+ * loops and a surface that do not overlap (InputOverlap.h; that loops are small is no reason for a
+ * warning here).
  *
  * Source: S.-Q. Xin, Y. He, C.-W. Fu, IEEE TVCG 18 (2012) 879. Time: the number of edges crossed, a
  * round.
@@ -48,7 +50,7 @@ public:
   void SetSurfaceData(vtkDataObject* surface) { this->SetInputData(1, surface); }
 
 protected:
-  vtkLoopShortening() { this->SetNumberOfInputPorts(2); }
+  vtkLoopShortening();
   ~vtkLoopShortening() override = default;
 
   int RequestData(

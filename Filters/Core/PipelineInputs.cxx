@@ -1,6 +1,7 @@
 #include "Core/PipelineInputs.h"
 
 #include "Core/GatherRanks.h"
+#include "Core/InputOverlap.h"
 #include "Core/NumberText.h"
 
 #include <vtkAbstractArray.h>
@@ -199,6 +200,7 @@ void CheckInputs(vtkAlgorithm* self)
       }
     }
   }
+  CheckOverlap(self);
 }
 
 InputInAdvance::InputInAdvance(vtkAlgorithm* self)

@@ -38,7 +38,8 @@
  *
  * **Errors** (one message, empty output): no scalars, several components, cell data, Accuracy other
  * than 2 or 4, negative or infinite Scale or tolerance. An empty image or surface is not an error.
- * An image too thin for the stencil is a warning, and nothing is valid.
+ * An image too thin for the stencil is a warning, and nothing is valid. Points that lie elsewhere
+ * than the image are an error or a warning (InputOverlap.h).
  *
  * **Cost.** O(nodes) or O(points). No memory beyond the output and a few rows for each thread,
  * unless Scale is on: then one or two copies of the scalars, and time that grows with Scale /

@@ -59,6 +59,10 @@
  * of solvent around, and cropped. Nodes nearer to a charge than a quarter of the spacing have the
  * charge's potential at that distance.
  *
+ * **Places.** A single charge outside the surface is an error. Otherwise inputs 1 and 2 are
+ * compared with the atoms as in all filters (InputOverlap.h): no overlap is an error, less than
+ * half of the smaller one in the box of the larger, or a ratio of sizes of 10, a warning.
+ *
  * **Errors** (one message, empty outputs): no charges, or all 0; charges outside the surface;
  * negative radii; numbers that are not finite; a surface that is open, empty, crosses another part
  * of itself (ShellCrossings.h) or leaves the volume; properties out of range; an input 2 that does

@@ -22,7 +22,8 @@
  * are worth that, for alkanes and that surface, and nothing is known of them for proteins. See
  * README.
  *
- * **Errors** (message, empty outputs): those of the atoms; no `SignedDistance`; cells that are not
+ * **Errors** (message, empty outputs): those of the atoms; an image elsewhere than the
+ * atoms (InputOverlap.h); no `SignedDistance`; cells that are not
  * cubes; parameters that are not finite, negative densities or depths. Cost: atoms x nodes inside
  * within 12 angstrom.
  */

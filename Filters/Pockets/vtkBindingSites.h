@@ -30,7 +30,8 @@
  * **Defaults** were tuned on the eight complexes of Filters/Pockets/BindingSites.md, which says
  * how well they predict.
  *
- * **Errors** (message, empty outputs): no such arrays; a quantile, threshold, distance or area out
+ * **Errors** (message, empty outputs): atoms elsewhere than the surface (InputOverlap.h); no such
+ * arrays; a quantile, threshold, distance or area out
  * of range. No point above the threshold (a constant array, say) and a molecule without pockets are
  * a warning and no site. An empty surface is neither.
  *

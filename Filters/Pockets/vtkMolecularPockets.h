@@ -37,8 +37,9 @@
  *   `PocketId`; all of them, or those of ShownPocket.
  *
  * **Errors** (message, empty outputs): no radii and no elements, radii or places out of range,
- * options that are no lengths or contradict each other, a surface without polarized curvature. No
- * atoms, fewer than four, or all in one plane: no pockets. Coinciding atoms: the larger counts.
+ * options that are no lengths or contradict each other, a surface without polarized curvature or
+ * elsewhere than the atoms (InputOverlap.h). No atoms, fewer than four, or all in one plane: no
+ * pockets. Coinciding atoms: the larger counts.
  *
  * **Cost.** 1AON (58,674 atoms): see README.md. Bitwise the same on any number of threads and for
  * any order of the atoms. On several MPI ranks, gather the atoms first.

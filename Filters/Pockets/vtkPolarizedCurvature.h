@@ -28,8 +28,9 @@
  * Source: X. Feng's thesis, section 5.2.5, Table 5.7; PolarizedCurvature.h has the formulas.
  *
  * **Errors** (message, empty output): no such arrays, no potential, a potential that misses the
- * whole surface. One that misses some points gives a warning with their number. An empty surface is
- * not an error.
+ * whole surface. One that misses some points gives a warning with their number, and the comparison
+ * of all filters (InputOverlap.h) another where it misses most of it, or is of another unit of
+ * length. An empty surface is not an error.
  *
  * **Ranks.** Each MPI rank works on its piece of the surface and asks for the whole potential.
  *

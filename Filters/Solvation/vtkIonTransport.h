@@ -37,9 +37,9 @@
  *
  * **Errors** (message, empty outputs): those of the atoms, parameters out of range, baths that
  * carry a charge, a channel that is not open from bath to bath (with the place where it closes and
- * its radius there), a surface that is not closed or has parts that cross (ShellCrossings.h), a
- * grid that does not fit into memory. Cost: about 20 microseconds a node for each point of a sweep.
- * All atoms are needed on one rank.
+ * its radius there), a surface that is not closed, has parts that cross (ShellCrossings.h) or lies
+ * elsewhere than the atoms (InputOverlap.h), a grid that does not fit into memory. Cost: about 20
+ * microseconds a node for each point of a sweep. All atoms are needed on one rank.
  */
 #ifndef vtkIonTransport_h
 #define vtkIonTransport_h

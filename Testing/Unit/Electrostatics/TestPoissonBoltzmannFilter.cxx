@@ -364,6 +364,7 @@ TEST(PoissonBoltzmannFilter, TooLargeAGridIsRefusedBeforeItsSurfaceIsMade)
 {
   vtkNew<vtkSphereSource> ball;
   ball->SetRadius(5.0);
+  ball->SetCenter(Sphere().Centre.data());
   ball->Update();
   for (vtkDataObject* surface :
     { static_cast<vtkDataObject*>(nullptr), ball->GetOutputDataObject(0) })

@@ -87,7 +87,11 @@ TEST(PolarizedCurvature, WhatIsMissingIsASentence)
     far->SetOrigin(100.0, 0.0, 0.0);
     Trial run(sphere, far);
     EXPECT_EQ(run.Update()->GetNumberOfPoints(), 0);
-    EXPECT_NE(run.Error().find("misses the surface"), std::string::npos) << run.Error();
+    EXPECT_NE(run.Error().find("do not overlap"), std::string::npos) << run.Error();
+    far->SetOrigin(5.1, -8.0, -8.0); // right beside the sphere
+    Trial beside(sphere, far);
+    EXPECT_EQ(beside.Update()->GetNumberOfPoints(), 0);
+    EXPECT_NE(beside.Error().find("misses the surface"), std::string::npos) << beside.Error();
   }
   {
     vtkNew<vtkImageData> bare;
