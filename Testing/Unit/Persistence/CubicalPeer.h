@@ -52,6 +52,20 @@ inline Bars BarsOf(const VolumeView& volume, bool superlevel = false)
 
 #if ISTHMUS_HAS_GUDHI_CUBICAL
 
+/// Sorts the cells of a complex by their values. GUDHI 3.11 does that when they are first used and
+/// has no such function; 3.7 did it when it made the complex.
+template <typename Complex>
+auto SortCells(Complex& complex, int) -> decltype(complex.initialize_simplex_associated_to_key())
+{
+  complex.initialize_simplex_associated_to_key();
+}
+
+template <typename Complex>
+void SortCells(Complex& complex, long)
+{
+  complex.initialize_filtration();
+}
+
 /**
  * GUDHI 3.7 takes values for cubes only (T-construction); so its complex is made with any, and each
  * cell is then given the greatest value of its corners. Axes of one node are left out.
@@ -97,7 +111,7 @@ inline Bars BarsOfGudhi(const VolumeView& volume, bool superlevel = false)
       }
     }
   }
-  complex.initialize_simplex_associated_to_key();
+  SortCells(complex, 0);
   Cohomology cohomology(complex);
   cohomology.init_coefficients(2);
   cohomology.compute_persistent_cohomology(-1.0);
