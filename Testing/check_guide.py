@@ -4,7 +4,7 @@
     check_guide.py [ROOT]
 
 - each filter, reader and writer of Plugin/*.xml has a hand-written part Examples/guide/filters/NAME.md that is
-  headed by its label, and each such part has a panel;
+  headed by its label, those of filters have a picture, and each such part has a panel;
 - the page that is made of both names every property with its default, every input, and every output;
 - each page of Examples/guide is in a list of contents;
 - the version in CITATION.cff is that of the root CMakeLists.txt, from which all others come.
@@ -34,6 +34,8 @@ def check_panels(site, root):
         heading = parts[name].split("\n", 1)[0]
         if heading != f"# {panel.label}":
             yield f"Examples/guide/filters/{name}.md is headed {heading!r}, the panel {panel.label!r}"
+        if panel.kind == "filter" and not re.search(r"^!\[[^\]]+\]\([^)]+\)$", parts[name], re.MULTILINE):
+            yield f"Examples/guide/filters/{name}.md has no picture"
         page = site.filter_page(panel, parts[name])
         for entry in panel.properties:
             if entry.label not in page:

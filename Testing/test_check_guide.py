@@ -46,8 +46,8 @@ class CheckGuide(unittest.TestCase):
         self.write("CITATION.cff", "version: 1.2.3\n")
         self.write("Examples/guide/index.md", "# Guide\n\n```{toctree}\n:hidden:\n\nlimits\n```\n")
         self.write("Examples/guide/limits.md", "# Limits\n")
-        self.write("Examples/guide/filters/Tube.md", "# Long Tube\n\nMakes tubes.\n")
-        self.write("Examples/guide/filters/WideTube.md", "# Wide Tube\n\nMakes wide tubes.\n")
+        self.write("Examples/guide/filters/Tube.md", "# Long Tube\n\n![Tubes](Tube.png)\n")
+        self.write("Examples/guide/filters/WideTube.md", "# Wide Tube\n\n![Tubes](Tube.png)\n")
 
     def write(self, name, text):
         path = self.root / name
@@ -78,8 +78,12 @@ class CheckGuide(unittest.TestCase):
         self.assert_complains("Examples/guide/filters/Hose.md belongs to no panel")
 
     def test_heading(self):
-        self.write("Examples/guide/filters/Tube.md", "# Tube\n")
+        self.write("Examples/guide/filters/Tube.md", "# Tube\n\n![Tubes](Tube.png)\n")
         self.assert_complains("Examples/guide/filters/Tube.md is headed '# Tube', the panel 'Long Tube'")
+
+    def test_no_picture(self):
+        self.write("Examples/guide/filters/Tube.md", "# Long Tube\n\nMakes tubes.\n")
+        self.assert_complains("Examples/guide/filters/Tube.md has no picture")
 
     def test_page_outside_of_contents(self):
         self.write("Examples/guide/trust.md", "# Trust\n")
