@@ -9,6 +9,10 @@ set -uo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 into=${1:-$here/../../shared/data}
 server=${ISTHMUS_DATA_SOURCE:-https://raw.githubusercontent.com}
+command -v curl >/dev/null || {
+  echo "fetch_data.sh needs curl: apt install curl" >&2
+  exit 1
+}
 mkdir -p "$into" || exit 1
 declare -A commit
 while IFS=$'\t' read -r repository full _; do

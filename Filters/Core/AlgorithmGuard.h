@@ -59,7 +59,7 @@ bool Ends(vtkAlgorithm* self, Body&& body)
     body();
     return true;
   }
-  catch (const Cancelled&)
+  catch (const Cancelled&) // NOLINT(bugprone-empty-catch): an abort is no error
   {
   }
   catch (const std::bad_alloc&)
