@@ -224,8 +224,9 @@ class Site:
     def python_lines(self):
         """The functions of the Python package, from their docstrings, and its classes."""
         lines = []
-        for part in ("pipelines", "look", "pockets", "charges", "trajectories"):
-            tree = ast.parse((self.root / "Plugin" / f"isthmus_{part}.py").read_text())
+        for path in sorted((self.root / "Plugin").glob("isthmus_*.py")):
+            part = path.stem.removeprefix("isthmus_")
+            tree = ast.parse(path.read_text())
             lines += [f"## isthmus.{part}", "", headers.escaped(ast.get_docstring(tree) or ""), ""]
             for node in tree.body:
                 text = ast.get_docstring(node) if isinstance(node, ast.FunctionDef) else None
