@@ -1,4 +1,4 @@
-"""What does a current through gramicidin depend on? A table, its I-V curve, and the ions' ways through it.
+"""What does a current through gramicidin depend on? A table, its I-V curve, and the paths of the ions.
 
 Usage: pvpython ion_channel.py [--spacing H] [--pictures-only] [FOLDER]
 

@@ -43,7 +43,7 @@ BYTES_A_NODE = 4 * 9  # the block, its result and the six volumes of vtkHighOrde
 
 class Blocks:
     """A grid of nodes x, y, z cut along z and y (whole rows stay together) so that a block with its margin
-    has at most `most` nodes, with as little done twice as can be."""
+    has at most `most` nodes, with as little overlap as possible."""
 
     def __init__(self, size, margin, most):
         best = None

@@ -5,7 +5,7 @@ from pathlib import Path
 
 
 def output_folder(named=None):
-    """The folder `named`, made if need be; without a name a new one among the system's temporary
+    """The folder `named`, made if necessary; without a name a new one among the system's temporary
     folders, so that nothing of the user's is overwritten."""
     if not named:
         return Path(tempfile.mkdtemp(prefix="isthmus-"))

@@ -58,7 +58,7 @@ CATEGORIES = {
 
 
 def data_of(source):
-    """What is known of a source's output, made if need be."""
+    """The information of a source's output, which is updated if necessary."""
     source.UpdatePipeline()
     return source.GetDataInformation().DataInformation
 

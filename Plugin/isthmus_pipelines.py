@@ -309,7 +309,7 @@ def state(function, example):
 
 def persistence_diagram(source):
     """(chart,): the persistence diagram of Choking Loops or Scalar Persistence in a chart view beside
-    the active view: births across, deaths upwards; what lies far above the diagonal lasts."""
+    the active view: births across, deaths upwards; features far above the diagonal are persistent."""
     name = source.SMProxy.GetXMLName()
     if name not in DIAGRAMS:
         raise ValueError("Choking Loops and Scalar Persistence have a persistence diagram: select one in "

@@ -43,7 +43,7 @@ def topology_beside(trajectory):
 
 
 class Trajectory:
-    """The frames of a file, and the molecule that they move."""
+    """The frames of a file, and the molecule whose coordinates they hold."""
 
     def __init__(self, path, topology=""):
         if not path or not os.path.exists(path):

@@ -38,7 +38,7 @@ struct CutawayRule
 
 /**
  * For each cell 1 if it goes, else 0. `centerOf(cell)` gives the center of a cell by its number.
- * Time: the cells that go and their neighbours; memory: one byte a cell.
+ * Time: the removed cells and their neighbours; memory: one byte a cell.
  */
 template <typename Id>
 VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT std::vector<unsigned char> CutAway(

@@ -112,7 +112,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<Membrane> EncirclingMembranes(
   double longest, std::size_t most);
 
 /// The loop straight along edges from each contact to the next, where it bounds: the last resort,
-/// since it may go to and fro. Paths are `longest` at most.
+/// since it may go back and forth. Paths are `longest` at most.
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<Membrane> ContactMembrane(
   const FeatureContext& context, const LocatedFeatures& features, std::size_t feature,
   double longest);

@@ -44,7 +44,7 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<MembranePlate> PlateOn(
 
 struct HandleFillingParameters
 {
-  /// Handles and tunnels with a radius below that go. In the unit of the points.
+  /// Handles and tunnels with a smaller radius are removed. In the unit of the points.
   double Below = 0.0;
   /// Of what fills a tunnel, or of the gap that cuts a handle: in its radii.
   double Thickness = 0.25;

@@ -19,7 +19,7 @@ namespace isthmus
 //
 // S. Schaefer, T. Ju, J. Warren, IEEE TVCG 13 (2007) 610, doi:10.1109/TVCG.2007.1012: in each cell
 // of the octree, from small to large, the points that the surface joins within the cell become a
-// cluster, with a point of its own where the planes of all are met best. It may stand for them
+// cluster, with a point of its own that fits the planes of all best. It may stand for them
 // where its planes are met within the tolerance (root of the mean square) and its piece of surface
 // is a disc: points - edges + faces, each inside the cell, is 1.
 
@@ -130,7 +130,7 @@ struct NonManifoldPoints
 
 /**
  * Points whose polygons are not one ring of three or more, each beside the next one with the same
- * side out; a chain will do for those of `mayBeOpen` and for points of polygons.More.
+ * side out; a chain suffices for those of `mayBeOpen` and for points of polygons.More.
  * O(n log n), 130 bytes a polygon.
  */
 NonManifoldPoints FindNonManifoldPoints(

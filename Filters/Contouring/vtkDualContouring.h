@@ -58,9 +58,9 @@ public:
   ///@}
 
   ///@{
-  /// Spacings by which a vertex may leave its cell, 0 to 1, for others that have a vertex of their
-  /// own; into empty ones, and to edges, it may go at 0 already. Polygons cross more easily above
-  /// 0. Default 0.
+  /// Spacings by which a vertex may leave its cell, 0 to 1, into cells that have a vertex of their
+  /// own. Into empty cells, and to edges, a vertex may always move. Polygons cross more easily
+  /// above 0. Default 0.
   vtkSetMacro(Reach, double);
   vtkGetMacro(Reach, double);
   ///@}

@@ -86,7 +86,7 @@ public:
     : End(count)
   {
   }
-  /// Those from `begin` to `end` - 1, as ParallelFor() hands out rounds. @pre neither is negative.
+  /// Those from `begin` to `end` - 1, as ParallelFor() assigns rounds. @pre neither is negative.
   template <typename Integer>
   HandleRange(Integer begin, Integer end)
     : Begin(static_cast<std::size_t>(begin))

@@ -39,7 +39,7 @@ constexpr double HydrogenMargin = 2.0;
 /// extent of a grid.
 std::vector<ChargedAtom> PolymerWithoutCharges(vtkPointSet* atoms);
 
-/// Charges are found once for each input and force field; so is the reason why there are none.
+/// Charges, or the reason why there are none, are computed once for each input and force field.
 class ForceFieldAtomsCache
 {
 public:

@@ -49,7 +49,7 @@ struct SolverBox
 /**
  * The volume's scalar S as a function that is 0 at the level and below 0 inside.
  *
- * Its derivatives give normals and curvatures, so it should be as straight as can be across the
+ * Its derivatives give normals and curvatures, so it should be as straight as possible across the
  * surface: a sum of Gaussians is taken by its logarithm, -log(S / level). Nothing is copied; one of
  * the two views is set. Beyond the volume it goes on linearly, but never below what is outside.
  */

@@ -254,7 +254,7 @@ public:
   ///@}
 
   ///@{
-  /// Point arrays of input 0, the short way. Default `Charge` and `Radius`.
+  /// Names of the point arrays of input 0. Default `Charge` and `Radius`.
   void SetChargeArrayName(const char* name);
   void SetRadiusArrayName(const char* name);
   ///@}

@@ -38,7 +38,7 @@ public:
   const DiffusionGrid<T>& GetGrid() const { return this->Grid; }
   const ProgressCallback& GetProgress() const { return this->Progress; }
 
-  /// A new volume with the values of a point array of the input, named as it. An array that is
+  /// A new volume with the values of a point array of the input, with its name. An array that is
   /// missing or of the wrong size throws std::invalid_argument; values that are not
   /// finite throw std::invalid_argument, or are replaced and remembered (those of the last such
   /// array) if `mask` is true.

@@ -135,11 +135,10 @@ void vtkHighOrderDiffusion::Explain(const isthmus::NoiseEstimate& noise, double 
   constexpr char remedy[] = " To smooth it anyway, switch Automatic off and set Time.";
   if (noise.FewValues)
   {
-    vtkWarningMacro(
-      << isthmus::TextOf(
-           "The volume has but a few values, as a mask, labels or a constant have: there "
-           "is no noise in it, and it is left as it is.",
-           remedy));
+    vtkWarningMacro(<< isthmus::TextOf(
+                      "The volume has only a few values, like a mask, labels or a constant: there "
+                      "is no noise in it, and it is left as it is.",
+                      remedy));
   }
   else if (!(noise.Noise > 0.0))
   {

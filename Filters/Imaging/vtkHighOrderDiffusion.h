@@ -122,7 +122,7 @@ public:
   ///@}
 
   ///@{
-  /// Gradient that counts as an edge, data unit / length; 0 (default) takes it from the noise.
+  /// Gradient that counts as an edge, data unit / length; 0 (default): from the noise level.
   vtkSetMacro(Sigma, double);
   vtkGetMacro(Sigma, double);
   ///@}

@@ -156,8 +156,8 @@ public:
   ///@}
 
   ///@{
-  /// Let the solvent pull: pressure and dispersion (thesis 4.9) beside the surface tension. Default
-  /// off.
+  /// Include the solvent: pressure and dispersion (thesis 4.9) in addition to the surface tension.
+  /// Default off.
   vtkSetMacro(Solvent, bool);
   vtkGetMacro(Solvent, bool);
   vtkBooleanMacro(Solvent, bool);

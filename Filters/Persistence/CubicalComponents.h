@@ -264,7 +264,7 @@ struct CubicalCritical
   }
 
 private:
-  /// Both, which do not know of each other.
+  /// Both, which are independent of each other.
   template <typename First, typename Second>
   static void AtOnce(First&& first, Second&& second)
   {

@@ -36,8 +36,8 @@ struct RegularFiltration
 /**
  * Triangulates balls (centres and radii, all finite, radii not negative).
  *
- * Predicates are exact, values good to 1e-9 relative, by rational numbers where doubles are not.
- * Balls in any number and place are welcome: fewer than four, or all in one plane, give no
+ * Predicates are exact, values accurate to 1e-9 relative, by rational numbers where doubles are
+ * not. Balls in any number and place are welcome: fewer than four, or all in one plane, give no
  * tetrahedron and no simplex at all. Throws std::invalid_argument for what is not finite.
  *
  * O(n log n) for atoms: 10 us and 1.3 KB a ball. Bitwise the same on any number of threads.

@@ -8,7 +8,7 @@
  * PoreId or FeatureId groups (the pockets, mouths or alpha balls of vtkMolecularPockets, the lines
  * of vtkPoreProfile, the loops of vtkChokingLoops); FeatureInput.h has the rules. Where there are a
  * column or array `Radius`, `Volume`, `Score`, they are carried along. Input 1 (optional): the
- * lining residues of the same filter, which make the matching sure where features are crowded.
+ * lining residues of the same filter, which make the matching reliable where features are crowded.
  *
  * The filter requests all time steps, one after the other. FeatureTracks.h has the definitions.
  *

@@ -102,7 +102,7 @@ public:
   ///@}
 
   ///@{
-  /// Whether a surface, where there is one, weighs in the score. Default: on.
+  /// Whether a surface, where there is one, contributes to the score. Default: on.
   vtkSetMacro(UsePolarizedCurvature, bool);
   vtkGetMacro(UsePolarizedCurvature, bool);
   vtkBooleanMacro(UsePolarizedCurvature, bool);

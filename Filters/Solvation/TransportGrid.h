@@ -70,7 +70,7 @@ struct TransportDomain
 VTKISTHMUSFILTERSSOLVATION_EXPORT TransportDomain DomainAround(
   const std::vector<Ball>& atoms, const IonTransportParameters& parameters);
 
-/// @throws std::runtime_error with the domain's size where so many bytes a node are not there.
+/// @throws std::runtime_error with the domain's size if so many bytes a node are not available.
 VTKISTHMUSFILTERSSOLVATION_EXPORT void RequireMemory(
   const TransportDomain& domain, double bytesPerNode);
 

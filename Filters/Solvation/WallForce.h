@@ -13,7 +13,7 @@
  * thickness), mol/l, N ions in a cubic angstrom at 1 mol/l. The last term is the ions' osmotic
  * pressure: what 4.28 has where its generalised potential mu_k is 0, that is where each place is in
  * equilibrium with itself. 4.28 adds sum rho_k mu_k, which out of equilibrium depends on where phi
- * is said to be 0; no wall feels that, and it is omitted.
+ * is said to be 0; this has no effect on walls, and it is omitted.
  *
  * The field is that of a quadratic on both sides of the wall (InterfaceJumpConditions.h), fitted to
  * nodes in the water for the most part, to the potential of PoissonNernstPlanck.h. Positive: the

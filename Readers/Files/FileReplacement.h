@@ -31,7 +31,7 @@ public:
   /// Where to write.
   const std::string& Written() const { return this->New; }
 
-  /// Puts what was written onto the disk: after it, Replace() needs no more room.
+  /// Flushes what was written to the disk: after it, Replace() needs no more space.
   /// @throws std::runtime_error where the disk does not take it.
   void Finish();
 

@@ -588,7 +588,8 @@ std::string ReadAll(ByteSource& source, const ProgressCallback& progress)
       throw ReaderError(ReaderFailure::Damaged,
         source.Path() + ": the " + source.Compression() + " data unpack to more than " +
           std::to_string(most >> 20) + " MiB, " + std::to_string(usual) +
-          " times their size and more: no text of numbers does. If it is sound, unpack it first.");
+          " times their size and more, which no text of numbers does. If the file is intact, "
+          "unpack it first.");
     }
     Report(progress, 1.0 - std::exp2(-static_cast<double>(text.size()) / double{ 1 << 26 }));
   }

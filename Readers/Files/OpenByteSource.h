@@ -38,7 +38,7 @@ VTKISTHMUSREADERSFILES_EXPORT bool BeginsAsUTF16(std::string_view begin);
 
 /// All of the content, checksum checked.
 /// @throws ReaderError as Read does, when it is cut, and when compressed content grows beyond 64
-/// MiB and 16 times its file, as no text of numbers does, before memory is spent on it; and
+/// MiB and 16 times its file, which no text of numbers does, before memory is allocated for it; and
 /// std::bad_alloc.
 VTKISTHMUSREADERSFILES_EXPORT std::string ReadAll(
   ByteSource& source, const ProgressCallback& progress = {});

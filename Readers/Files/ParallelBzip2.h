@@ -98,7 +98,7 @@ public:
   ParallelBzip2& operator=(const ParallelBzip2&) = delete;
 
   /// As Bzip2Codec's, but continues with members that follow immediately; without input (the end of
-  /// the file) it hands out what it has.
+  /// the file) it returns what it has.
   CodecState Step(
     unsigned char*& in, std::size_t& inSize, unsigned char*& out, std::size_t& outSize);
 

@@ -52,7 +52,7 @@ public:
     return true;
   }
 
-  /// To a line of the text that is behind the one it is at.
+  /// Moves to a line of the text after the current one.
   void GoTo(std::string_view line)
   {
     const auto at = static_cast<std::size_t>(line.data() - this->Text.data());

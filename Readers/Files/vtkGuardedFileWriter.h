@@ -2,8 +2,8 @@
  * @class vtkGuardedFileWriter
  * @brief Base class of our writers: file name, and one error message if a file cannot be written.
  *
- * No file name, or whatever keeps the file from being written to its end, is one error with the
- * error code set; an abort is not an error. Both leave a file of this name as it was.
+ * A missing file name, and any failure to write the whole file, is one error with the error code
+ * set; an abort is not an error. Both leave a file of this name as it was.
  */
 #ifndef vtkGuardedFileWriter_h
 #define vtkGuardedFileWriter_h

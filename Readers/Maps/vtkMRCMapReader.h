@@ -116,8 +116,8 @@ public:
   vtkBooleanMacro(Strict, bool);
   ///@}
 
-  /// 1 if the content of `fileName` begins like a map (decompressed, if need be), else 0. The name
-  /// itself plays no part. Says nothing on errors. Reads 1 KB.
+  /// 1 if the content of `fileName` begins like a map (decompressed, if necessary), else 0. The
+  /// name itself plays no part. Says nothing on errors. Reads 1 KB.
   virtual int CanReadFile(const char* fileName);
 
 protected:

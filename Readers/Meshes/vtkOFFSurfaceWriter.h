@@ -2,8 +2,8 @@
  * @class vtkOFFSurfaceWriter
  * @brief Writes surfaces in Geomview's Object File Format (.off), the thesis' triangle-mesh file.
  *
- * Points, lines and polygons; with a point array `Normals` of doubles an NOFF file. What
- * vtkOFFSurfaceReader reads of it are the same coordinates, bit for bit. Other arrays are dropped,
+ * Points, lines and polygons; with a point array `Normals` of doubles an NOFF file.
+ * vtkOFFSurfaceReader reads the same coordinates from it, bit for bit. Other arrays are dropped,
  * with a warning. Strips, and a file that can't be written to its end, are an error with the
  * error code set, and leave no file. Time: O(bytes); memory: that of the surface.
  */

@@ -30,7 +30,7 @@ double FiniteNumber(std::string_view word, const TextLines& lines, const char* w
   if (!IsNumber(word, value) || !std::isfinite(value))
   {
     lines.Fail(std::string(what) + " belongs where '" + std::string(word.substr(0, 30)) +
-      "' is. Is the file whole, and what its name says?");
+      "' is. The file may be truncated, or not what its name says.");
   }
   return value;
 }
@@ -41,7 +41,7 @@ std::int64_t Count(std::string_view word, const TextLines& lines, const char* wh
   if (!IsNumber(word, value) || value < 0)
   {
     lines.Fail(std::string(what) + " belongs where '" + std::string(word.substr(0, 30)) +
-      "' is. Is the file whole, and what its name says?");
+      "' is. The file may be truncated, or not what its name says.");
   }
   return value;
 }
@@ -212,7 +212,7 @@ std::size_t CoordinateWidth(std::string_view line, const TextLines& lines)
   {
     lines.Fail(
       "this is no atom of a GRO file (residue, atom and their numbers in columns 1-20, then "
-      "x, y, z in nm). Is the file whole?");
+      "x, y, z in nm). The file may be truncated.");
   }
   return two - one;
 }
@@ -234,7 +234,7 @@ Atom ReadGROAtom(
     if (std::abs(atom.Position[axis]) > largest)
     {
       lines.Fail("a coordinate is larger than " + std::to_string(static_cast<int>(largest)) +
-        " angstrom. Is the file whole, and what its name says?");
+        " angstrom. The file may be truncated, or not what its name says.");
     }
     // 1.234 nm is 12.34 angstrom, and not the double beside it.
     atom.Position[axis] = std::round(atom.Position[axis] * 1e9) / 1e9;
@@ -319,7 +319,7 @@ Atom ReadMOL2Atom(std::string_view line, bool hasCharges, std::string& otherType
   const std::string_view type = NextWord(line);
   if (type.empty())
   {
-    lines.Fail("the type of an atom is missing. Is the file whole?");
+    lines.Fail("the type of an atom is missing. The file may be truncated.");
   }
   atom.Element = ElementOfTriposType(type);
   if (otherType.empty() && !IsTriposType(type))

@@ -200,7 +200,7 @@ CIFAtoms PrepareForGemmi(gemmi::cif::Block& block)
   std::string reason = error.what();
   std::replace(reason.begin(), reason.end(), '\n', ' ');
   throw std::runtime_error(path + ": this can't be read as " + format + " (" + reason +
-    "). Is the file whole, and what its name says?");
+    "). The file may be truncated, or not what its name says.");
 }
 
 void AddBond(Macromolecule& molecule, std::int64_t a, std::int64_t b)
@@ -695,8 +695,8 @@ Macromolecule ParseMMCIF(std::string_view text, const std::string& path,
   {
     if (!std::isfinite(atom.Position[0] + atom.Position[1] + atom.Position[2]))
     {
-      throw std::runtime_error(
-        path + ": a coordinate of " + Describe(atom) + " is no finite number. Is the file whole?");
+      throw std::runtime_error(path + ": a coordinate of " + Describe(atom) +
+        " is no finite number. The file may be truncated.");
     }
   }
   return molecule;

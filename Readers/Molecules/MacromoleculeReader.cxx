@@ -251,7 +251,7 @@ void CheckModel(const Macromolecule& molecule, const std::string& path, std::int
   if (molecule.Atoms.empty())
   {
     throw std::runtime_error(
-      path + ": there is no atom in it. Is the file whole, and what its name says?");
+      path + ": there is no atom in it. The file may be truncated, or not what its name says.");
   }
 }
 

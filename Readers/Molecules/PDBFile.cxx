@@ -311,8 +311,9 @@ public:
     const bool isOld = HasOldColumns(this->Lines, this->Model);
     if (isOld)
     {
-      this->Report.Warn("Columns 73-80 hold something else than segment, element and charge, as in "
-                        "old PDB files: read without them.");
+      this->Report.Warn(
+        "Columns 73-80 hold something other than segment, element and charge, as in "
+        "old PDB files: read without them.");
     }
     this->Runs = ReadRuns(this->Lines, this->Model, !isOld, this->Names, this->Report);
     const Order order = OrderOf(this->Runs);
@@ -382,7 +383,7 @@ private:
     if (found.Short != Faults::None)
     {
       throw std::runtime_error(this->Path + ", " + this->Here(found.Short) +
-        ": the line ends within its coordinates. Is the file whole?");
+        ": the line ends within its coordinates. The file may be truncated.");
     }
     const auto count = [this](std::size_t times, const char* what, std::size_t first)
     {

@@ -181,7 +181,7 @@ Macromolecule ParsePQR(std::string_view text, const std::string& path, std::int6
     if (!ReadLine(line, atom))
     {
       lines.Fail("this is no atom of a PQR file (serial, name, residue, number, x, y, z, charge, "
-                 "radius, as words or in columns). Is the file whole, and PQR?");
+                 "radius, as words or in columns). The file may be truncated, or not PQR.");
     }
     CheckValues(atom, lines);
     if (atom.Element == 0 && IsDummy(atom))

@@ -123,7 +123,7 @@ double NumberAt(const std::vector<std::string_view>& words, int column, const Te
   {
     lines.Fail(
       "this is no atom of an XYZ file (symbol, x, y, z, finite numbers, or the columns that "
-      "Properties= names). Is the file whole?");
+      "Properties= names). The file may be truncated.");
   }
   return value;
 }
