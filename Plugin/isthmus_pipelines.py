@@ -389,6 +389,15 @@ def use_proposed_threshold(number):
     simple.RenderAllViews()
 
 
+def use_inverted_contrast(number):
+    """The button beside Inside Is Higher of the Map Surface with that global id, whose last result suspects an
+    inverted contrast: the surface of the dark density."""
+    surface = servermanager._getPyProxy(servermanager.ActiveConnection.Session.GetRemoteObject(number))
+    surface.InsideIsHigher = 0
+    surface.UpdatePipeline()
+    simple.RenderAllViews()
+
+
 @messages.reports_faults("The button")
 def run(function):
     """A button of the toolbar: the pipeline on the active source, or on what that was made from; shown

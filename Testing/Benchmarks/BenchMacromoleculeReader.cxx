@@ -1,6 +1,6 @@
 // A million atoms from PQR: the whole reader with and without bonds by distance, beside a plain
 // loop of fread and strtod that keeps nothing but the five numbers of each line. A million atoms
-// from PDB beside gemmi's own reader.
+// from PDB and from mmCIF beside gemmi's own readers.
 
 #include "vtkMacromoleculeReader.h"
 
@@ -9,6 +9,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <gemmi/cif.hpp>
+#include <gemmi/mmcif.hpp>
 #include <gemmi/pdb.hpp>
 
 #include <algorithm>
@@ -19,6 +21,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -38,7 +41,17 @@ public:
     std::uniform_real_distribution<double> jitter(-0.6, 0.6);
     std::ofstream pqr(this->PQR);
     std::ofstream pdb(this->PDB);
-    std::array<char, 128> line;
+    std::ofstream cif(this->CIF);
+    // The columns of the PDB's files.
+    cif << "data_million\nloop_\n";
+    for (const char* column : { "group_PDB", "id", "type_symbol", "label_atom_id", "label_alt_id",
+           "label_comp_id", "label_asym_id", "label_entity_id", "label_seq_id", "pdbx_PDB_ins_code",
+           "Cartn_x", "Cartn_y", "Cartn_z", "occupancy", "B_iso_or_equiv", "pdbx_formal_charge",
+           "auth_seq_id", "auth_comp_id", "auth_asym_id", "auth_atom_id", "pdbx_PDB_model_num" })
+    {
+      cif << "_atom_site." << column << "\n";
+    }
+    std::array<char, 160> line;
     for (int i = 0; i < Atoms; ++i)
     {
       const double x = 2.15 * (i % 100) + jitter(random);
@@ -53,15 +66,21 @@ public:
         "ATOM  %5d  %-3s ALA A%4d    %8.3f%8.3f%8.3f  1.00 20.00           %c  \n", i % 100000,
         name, i / 5 % 10000, x, y, z, name[0]);
       pdb << line.data();
+      std::snprintf(line.data(), line.size(),
+        "ATOM %d %c %s . ALA A 1 %d ? %.3f %.3f %.3f 1.00 20.00 ? %d ALA A %s 1\n", i + 1, name[0],
+        name, i / 5 + 1, x, y, z, i / 5 + 1, name);
+      cif << line.data();
     }
   }
   ~Files()
   {
     std::filesystem::remove(this->PQR);
     std::filesystem::remove(this->PDB);
+    std::filesystem::remove(this->CIF);
   }
   std::string PQR = (std::filesystem::temp_directory_path() / "isthmus_million.pqr").string();
   std::string PDB = (std::filesystem::temp_directory_path() / "isthmus_million.pdb").string();
+  std::string CIF = (std::filesystem::temp_directory_path() / "isthmus_million.cif").string();
 };
 
 const Files& TheFiles()
@@ -70,8 +89,8 @@ const Files& TheFiles()
   return files;
 }
 
-/// Seconds of one reading of PQR and PDB, kept for the ratios that the peers print.
-std::array<double, 2> Ours{ 0.0, 0.0 };
+/// Seconds of one reading of each file, kept for the ratios that the peers print.
+std::map<std::string, double> Ours;
 
 template <typename Work>
 double Timed(Work&& work)
@@ -98,7 +117,7 @@ void Read(benchmark::State& state, const std::string& file, bool bonds)
 {
   for (auto _ : state)
   {
-    Ours[file == TheFiles().PQR ? 0 : 1] = Timed([&] { ReadOnce(state, file, bonds); });
+    Ours[file] = Timed([&] { ReadOnce(state, file, bonds); });
   }
 }
 
@@ -134,7 +153,7 @@ void FreadStrtod(benchmark::State& state)
 {
   for (auto _ : state)
   {
-    state.counters["reader/this"] = Ours[0] / Timed([&] { FreadStrtodOnce(state); });
+    state.counters["reader/this"] = Ours[TheFiles().PQR] / Timed([&] { FreadStrtodOnce(state); });
   }
 }
 
@@ -144,7 +163,17 @@ void GemmiPDB(benchmark::State& state)
   {
     const double seconds =
       Timed([] { benchmark::DoNotOptimize(gemmi::read_pdb_file(TheFiles().PDB)); });
-    state.counters["reader/this"] = Ours[1] / seconds;
+    state.counters["reader/this"] = Ours[TheFiles().PDB] / seconds;
+  }
+}
+
+void GemmiMMCIF(benchmark::State& state)
+{
+  for (auto _ : state)
+  {
+    const double seconds = Timed([]
+      { benchmark::DoNotOptimize(gemmi::make_structure(gemmi::cif::read_file(TheFiles().CIF))); });
+    state.counters["reader/this"] = Ours[TheFiles().CIF] / seconds;
   }
 }
 
@@ -160,5 +189,9 @@ BENCHMARK_CAPTURE(Read, PDBWithoutDistances, TheFiles().PDB, false)
   ->Unit(benchmark::kSecond)
   ->UseRealTime();
 BENCHMARK(GemmiPDB)->Unit(benchmark::kSecond)->UseRealTime();
+BENCHMARK_CAPTURE(Read, MMCIFWithoutDistances, TheFiles().CIF, false)
+  ->Unit(benchmark::kSecond)
+  ->UseRealTime();
+BENCHMARK(GemmiMMCIF)->Unit(benchmark::kSecond)->UseRealTime();
 
 BENCHMARK_MAIN();

@@ -1,0 +1,26 @@
+/**
+ * @file IsthmusPanelButton.h
+ * @brief A button beside a property that takes over what the last result proposes.
+ *
+ * In a panel, among the hints of the property:
+ *
+ *     <PropertyWidgetDecorator type="isthmus_button" name="UseProposedThreshold"
+ *       call="use_proposed_threshold" icon=":/Isthmus/Diagram.svg" title="..." tip="..."/>
+ *
+ * A click runs isthmus_pipelines.<call>(global id of the proxy). With `field="NAME"` the button is
+ * there only while the result has field data of that name, and shows its title.
+ */
+#ifndef IsthmusPanelButton_h
+#define IsthmusPanelButton_h
+
+#include <pqPropertyWidgetDecorator.h>
+
+class IsthmusPanelButton : public pqPropertyWidgetDecorator
+{
+  Q_OBJECT
+
+public:
+  IsthmusPanelButton(vtkPVXMLElement* xml, pqPropertyWidget* parent);
+};
+
+#endif
