@@ -389,6 +389,7 @@ def use_proposed_threshold(number):
     simple.RenderAllViews()
 
 
+@messages.reports_faults("The inverted contrast")
 def use_inverted_contrast(number):
     """The button beside Inside Is Higher of the Map Surface with that global id, whose last result suspects an
     inverted contrast: the surface of the dark density."""
