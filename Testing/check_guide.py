@@ -7,6 +7,7 @@
   headed by its label, those of filters have a picture, and each such part has a panel;
 - the page that is made of both names every property with its default, every input, and every output;
 - each page of Examples/guide is in a list of contents;
+- tests that pages name as `-R NAME` exist;
 - the version in CITATION.cff is that of the root CMakeLists.txt, from which all others come.
 
 Prints one line per error; the exit status is 1 if there are any.
@@ -69,9 +70,22 @@ def check_version(root):
         yield f"CITATION.cff does not have the version {version} of CMakeLists.txt"
 
 
+def check_tests(root):
+    """Tests that pages name as `-R NAME` exist."""
+    names = {"Python." + path.stem for path in (root / "Testing" / "Python").glob("[A-Z]*.py")}
+    for path in (root / "Testing" / "Unit").rglob("*.cxx"):
+        names.update(".".join(pair) for pair in re.findall(r"^TEST(?:_F|_P)?\((\w+),\s*(\w+)", path.read_text(),
+                                                           re.MULTILINE))
+    for page in sorted((root / pages.GUIDE).glob("*.md")):
+        for name in re.findall(r"`-R ([\w.]+)`", page.read_text()):
+            if not any(name in test for test in names):
+                yield f"Examples/guide/{page.name}: there is no test {name}"
+
+
 def check(root):
     site = pages.Site(root, "")
-    complaints = [*check_panels(site, root), *check_contents(root), *check_version(root)]
+    complaints = [*check_panels(site, root), *check_contents(root), *check_version(root),
+                  *check_tests(root)]
     for lines in pages.GENERATED.values():  # as the guide makes them
         lines(site)
     return complaints, len(site.panels)

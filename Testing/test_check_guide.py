@@ -93,6 +93,12 @@ class CheckGuide(unittest.TestCase):
         self.write("CITATION.cff", "version: 1.2.2\n")
         self.assert_complains("CITATION.cff does not have the version 1.2.3 of CMakeLists.txt")
 
+    def test_named_tests(self):
+        self.write("Testing/Unit/Tubes/TestTube.cxx", "TEST(Tube, IsLong)\n{\n}\n")
+        self.write("Testing/Python/Pipes.py", "")
+        self.write("Examples/guide/limits.md", "# Limits\n\n`-R Tube`, `-R Pipes`, `-R Tube.IsLong`, `-R Tub.e`\n")
+        self.assert_complains("Examples/guide/limits.md: there is no test Tub.e")
+
     def test_lost_property(self):
         check_guide.pages.Site.property_tables, kept = lambda *_: [], check_guide.pages.Site.property_tables
         self.addCleanup(setattr, check_guide.pages.Site, "property_tables", kept)

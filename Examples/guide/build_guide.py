@@ -54,18 +54,38 @@ def copy_mathjax(target):
             shutil.copyfile(source, target / part)
 
 
-def export_macros():
-    """Macros that Doxygen must not take for functions."""
+# What VTK's macros declare, as Doxygen shall show it.
+DECLARATIONS = {
+    "vtkTypeMacro(name, base)": "", "vtkAbstractTypeMacro(name, base)": "",
+    "vtkSetMacro(name, type)": "virtual void Set##name(type value);",
+    "vtkSetClampMacro(name, type, lowest, highest)": "virtual void Set##name(type value);",
+    "vtkGetMacro(name, type)": "virtual type Get##name();",
+    "vtkBooleanMacro(name, type)": "virtual void name##On(); virtual void name##Off();",
+    "vtkSetFilePathMacro(name)": "virtual void Set##name(const char* value);",
+    "vtkGetFilePathMacro(name)": "virtual char* Get##name();",
+    "vtkGetObjectMacro(name, type)": "virtual type* Get##name();",
+    "vtkGetVectorMacro(name, type, count)": "virtual type* Get##name();",
+    **{f"vtkSetVector{n}Macro(name, type)": "virtual void Set##name("
+       + ", ".join(f"type value{i}" for i in range(n)) + ");" for n in (2, 3, 4, 6)},
+    **{f"vtkGetVector{n}Macro(name, type)": "virtual type* Get##name();" for n in (2, 3, 4, 6)},
+    "ISTHMUS_DEPRECATED(version, instead)": "",
+    "ISTHMUS_DEPRECATED_ENUMERATOR(version, instead)": "",
+}
+
+
+def predefined_macros():
+    """Macros for Doxygen: those that export nothing to it, and those that declare methods."""
     names = set()
     for header in ROOT.glob("[FR]*/*/*.h"):
         names.update(re.findall(r"\bVTKISTHMUS\w+_EXPORT\b", header.read_text()))
-    return " ".join(f"{name}=" for name in sorted(names))
+    return " ".join([*(f"{name}=" for name in sorted(names)),
+                     *(f'"{macro}={text}"' for macro, text in DECLARATIONS.items())])
 
 
 def write_doxyfile(output, version):
     text = (SITE / "Doxyfile.in").read_text()
     for name, value in {"VERSION": version, "ROOT": ROOT, "MAINPAGE": SITE / "api.md",
-                        "OUTPUT": output / "html", "PREDEFINED": export_macros()}.items():
+                        "OUTPUT": output / "html", "PREDEFINED": predefined_macros()}.items():
         text = text.replace(f"@{name}@", str(value))
     (output / "Doxyfile").write_text(text)
     return output / "Doxyfile"

@@ -54,15 +54,18 @@ class Site:
         return str(Path("repository") / str(relative).replace(".github", "github"))
 
     def turned_link(self, link, page, place):
-        """A link of `page` of the repository, from its place on the site; None: no such file."""
+        """A link of `page` of the repository, from its place on the site; None: a folder without a page.
+        One that leads nowhere stays, for Sphinx to warn about."""
         if re.match(r"[a-z]+:", link) or link.startswith("#"):
             return link
         name, mark, fragment = link.partition("#")
         target = Path(os.path.normpath(page.parent / name))
         if target.is_dir():
             target = target / "README.md"
+            if not target.exists():
+                return None
         if not target.exists():
-            return None
+            return link
         there = self.place_of(target)
         if target.suffix != ".md":
             self.files[there] = target
