@@ -200,13 +200,15 @@ TriangleMesh SphereThatTears()
 
 }
 
-/// Ours, or CGAL's where its own checks are compiled in (sanitized builds).
+/// A sentence of ours, or CGAL's where its own checks are compiled in (sanitized builds); or a
+/// clean surface: CGAL 6.0 finds patches that fit.
 TEST(MeshingFuzz, SurfacesThatTearUnderRepairEndInASentence)
 {
   try
   {
-    RepairSurface(SphereThatTears());
-    FAIL() << "nothing was said";
+    const RepairedSurface repaired = RepairSurface(SphereThatTears());
+    EXPECT_GT(repaired.Mesh.Triangles.size(), 100U);
+    EXPECT_NO_THROW(RequireCleanSurface(repaired.Mesh));
   }
   catch (const std::runtime_error& error)
   {
