@@ -1,5 +1,5 @@
 """What the window says when something can't be done, in sentences: never an exception's text or a line of a
-script, which goes into a file for whoever mends it."""
+script, which is written to a file for reports."""
 
 import functools
 import tempfile

@@ -79,11 +79,12 @@ inline bool AllResolved(const LocatedFeatures& features)
 }
 
 /**
- * Makes handles and tunnels g each, with loops, where sheets of M are nearer to each other than the
- * samples. ConformingGenerators() of `surface`, which was split into `context.Surface`, give the
- * classes that bound on each side. A generator that the samples settle stays if its class is one of
- * them; the others make way for conforming ones, ascending by radius, that are independent of those
- * that stay. These are not trusted: their true radius lies between 0 and Radius().
+ * Completes handles and tunnels to g each, with loops, where sheets of M are nearer to each other
+ * than the samples. ConformingGenerators() of `surface`, which was split into `context.Surface`,
+ * give the classes that bound on each side. A generator that the samples settle stays if its class
+ * is one of them; the others make way for conforming ones, ascending by radius, that are
+ * independent of those that stay. These are not trusted: their true radius lies between 0 and
+ * Radius().
  *
  * @throws what ConformingGenerators() throws; `features` is then as before.
  */

@@ -27,8 +27,8 @@ struct MarchingCubesParameters
  * Each cut edge of the grid gives one point, so the surface is a manifold whatever the values: with
  * CloseAtBorder closed, else open at the grid's faces only (W. E. Lorensen, H. E. Cline, SIGGRAPH
  * 21 (1987) 163; VTK's table of cases, which agrees across faces). A point keeps a thousandth of
- * its edge away from both ends, so that no triangle is without area where a node has the very
- * level. Values that are not numbers are outside, the surface passing half way to them.
+ * its edge away from both ends, so that no triangle is without area where a node has exactly
+ * the level. Values that are not numbers are outside, the surface passing half way to them.
  *
  * Parallel over layers, the same mesh on any number of threads. Time: two passes that compare each
  * node with the level, and the surface; memory: four ids a node of two layers for each thread, and

@@ -17,7 +17,7 @@ namespace isthmus
 /// Sets of numbers that can be joined. The root of a set is its lowest member, or, by JoinUnder,
 /// the one that means something: the elder of a class, the deepest of a basin. Amortised cost of a
 /// call: O(log n), in practice constant, by halving paths (R. Tarjan and J. van Leeuwen, 1984);
-/// memory: one `Index` a number, so 32 bits do for less than 2^32 of them.
+/// memory: one `Index` a number, so 32 bits suffice for less than 2^32 of them.
 ///
 /// Why not boost::disjoint_sets: its roots are chosen by rank, not by meaning, and ranks take
 /// memory. CPU seconds to join half of the edges of a grid of 4 million nodes, in random order, and

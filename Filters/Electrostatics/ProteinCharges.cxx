@@ -259,7 +259,7 @@ public:
     if (this->Built > 0)
     {
       text += (text.empty() ? "" : " ") + std::to_string(this->Built) +
-        " atoms other than hydrogens were missing; pdb2pqr has put them where they could be.";
+        " atoms other than hydrogens were missing; pdb2pqr has modelled them.";
     }
     return text;
   }

@@ -15,7 +15,7 @@
 namespace isthmus
 {
 
-/// How many stages of this operator pay when they are done in one pass.
+/// How many stages of this operator are worth doing in one pass.
 template <typename T>
 int StagesPerPass(const DiffusionOperator<T>& diffusion);
 

@@ -33,8 +33,8 @@ public:
   /**
    * Calls visit(a, b), triangles a and b, for all pairs with overlapping boxes of which one is in
    * group `group` and the other in it or a later one. Over all groups, each pair comes once. The
-   * group's part of the tree and the whole are descended together, so that the way from the root is
-   * shared by all that goes it.
+   * group's part of the tree and the whole are descended together, so that the path from the root
+   * is shared by all that take it.
    */
   template <typename Visit>
   void ForPairs(std::int64_t group, Visit&& visit) const;

@@ -3,7 +3,7 @@
  * @brief Meshes as TetGen writes them: points in .node, tetrahedra in .ele, triangles in .face.
  *
  * Source: H. Si, TetGen user's manual 1.5, section 5.2. Each file is a line of counts, then a row
- * for each thing; the first number of a row is its own, from 0 or 1 as in the first row of .node.
+ * for each item; the first number of a row is its own, from 0 or 1 as in the first row of .node.
  *
  *     .node  POINTS 3 ATTRIBUTES MARKERS(0|1)       id x y z attribute* [marker]
  *     .ele   TETRAHEDRA CORNERS(4|10) ATTRIBUTES    id vertex* attribute*
