@@ -12,6 +12,7 @@
 #include <vtkImageData.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -23,6 +24,9 @@ namespace
 
 /// Width of the band in which distances are exact, in spacings: stencils reach three diagonally.
 constexpr double Band = 6.0;
+
+/// A box of more nodes along an axis is long and thin, and mostly empty.
+constexpr double MostNodesAlong = 20000.0;
 
 void RequireWish(const GridRequest& wish)
 {
@@ -41,6 +45,17 @@ void RequireWish(const GridRequest& wish)
 vtkSmartPointer<vtkImageData> ImageOf(
   const Point3& origin, const std::array<double, 3>& nodes, double spacing)
 {
+  const double most = *std::max_element(nodes.begin(), nodes.end());
+  if (most > MostNodesAlong)
+  {
+    const double length = spacing * most;
+    throw std::invalid_argument("The box around the molecule is " + FormatNumber(length) +
+      " angstrom long: at a Spacing of " + FormatNumber(spacing) + " these are " +
+      FormatNumber(most) + " nodes, more than the " + FormatNumber(MostNodesAlong) +
+      " along an axis that are solved for. Choose a Spacing of at least " +
+      FormatNumber(1.01 * length / MostNodesAlong, 3) +
+      ", or look for atoms that lie far from the others.");
+  }
   int dimensions[3];
   double all = 1.0;
   for (std::size_t a = 0; a < 3; ++a)

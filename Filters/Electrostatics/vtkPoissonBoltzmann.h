@@ -65,9 +65,10 @@
  *
  * **Errors** (one message, empty outputs): no charges, or all 0; charges outside the surface;
  * negative radii; numbers that are not finite; a surface that is open, empty, crosses another part
- * of itself (ShellCrossings.h) or leaves the volume; properties out of range; an input 2 that does
- * not cover the border or is not finite; no convergence. A net charge that is not integral, or a
- * box small for the Debye length, gives a warning. No atoms: empty outputs and no error.
+ * of itself (ShellCrossings.h) or leaves the volume; properties out of range; a box of more than
+ * 20000 nodes along an axis; an input 2 that does not cover the border or is not finite; no
+ * convergence. A net charge that is not integral, or a box small for the Debye length, gives a
+ * warning. No atoms: empty outputs and no error.
  *
  * **Cost.** Linear in nodes (6 to 12 iterations at any size) and in charges x crossings, by a tree
  * above 5000 charges; memory 80 to 104 bytes a node. In parallel, bitwise the same on any number of

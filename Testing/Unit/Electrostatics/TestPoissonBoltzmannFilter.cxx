@@ -379,6 +379,21 @@ TEST(PoissonBoltzmannFilter, TooLargeAGridIsRefusedBeforeItsSurfaceIsMade)
   }
 }
 
+TEST(PoissonBoltzmannFilter, AnAtomFarFromTheOthersIsRefusedBeforeAnythingIsSolved)
+{
+  // 50,000 nodes by 11 by 13 fit into memory.
+  ExpectError(
+    [&](vtkPoissonBoltzmann* filter, vtkPolyData* atoms)
+    {
+      double p[3];
+      atoms->GetPoint(1, p);
+      atoms->GetPoints()->SetPoint(1, p[0] + 1e5, p[1], p[2]);
+      filter->SetInputDataObject(1, nullptr);
+      filter->SetSpacing(2.0);
+    },
+    "Choose a Spacing of at least 5.05");
+}
+
 TEST(PoissonBoltzmannFilter, SurfacesThatCrossAreRefusedWithTheirPlace)
 {
   const Point3 centre = Sphere().Centre;
