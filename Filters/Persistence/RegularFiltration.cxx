@@ -3,6 +3,7 @@
 #include "Core/Index.h"
 #include "Core/ParallelFor.h"
 #include "Core/RangeChecks.h"
+#include "Core/Stopwatch.h"
 #include "Persistence/TriangulationCells.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -14,6 +15,7 @@
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -144,9 +146,11 @@ Orthosphere EdgeOrthosphere(const RegularFiltration& f, const std::array<Simplex
   return { p[At(e[0])] + t * d, t * t * dd - WeightOf(f, e[0]) };
 }
 
-void Triangulate(
-  const RegularFiltration& f, Regular& triangulation, const ProgressCallback& progress)
+void Triangulate(const RegularFiltration& f, Regular& triangulation,
+  const ProgressCallback& progress, const std::function<void(double)>& predicted)
 {
+  Stopwatch watch;
+  double eighth = 0.0;
   std::vector<Kernel::Point_3> sites;
   sites.reserve(f.Radii.size());
   for (const Point3& p : f.Complex.Points)
@@ -157,6 +161,16 @@ void Triangulate(
   Regular::Vertex_handle hint;
   for (std::size_t i = 0; i < order.size(); ++i)
   {
+    if (i == order.size() / 8)
+    {
+      eighth = watch.Lap();
+    }
+    if (i == order.size() / 4 && predicted)
+    {
+      const double quarter = eighth + watch.Lap();
+      const double power = std::clamp(std::log2(quarter / std::max(eighth, 1e-9)), 1.0, 2.0);
+      predicted(quarter * std::pow(4.0, power));
+    }
     const auto id = static_cast<SimplexId>(order[i]);
     const auto vertex = hint == Regular::Vertex_handle()
       ? triangulation.insert(BallOf<Kernel>(f, id))
@@ -285,8 +299,8 @@ void ValueVertices(RegularFiltration& f)
 
 }
 
-RegularFiltration MakeRegularFiltration(
-  std::vector<Point3> centres, std::vector<double> radii, const ProgressCallback& progress)
+RegularFiltration MakeRegularFiltration(std::vector<Point3> centres, std::vector<double> radii,
+  const ProgressCallback& progress, const std::function<void(double)>& predicted)
 {
   CheckBalls(centres, radii);
   RegularFiltration f;
@@ -294,7 +308,7 @@ RegularFiltration MakeRegularFiltration(
   f.Radii = std::move(radii);
   {
     Regular triangulation;
-    Triangulate(f, triangulation, Between(progress, 0.0, 0.5));
+    Triangulate(f, triangulation, Between(progress, 0.0, 0.5), predicted);
     if (triangulation.dimension() == 3)
     {
       ImportCells(triangulation, f.Complex, Between(progress, 0.5, 0.55));

@@ -9,6 +9,8 @@
 #include "Persistence/CellFiltration.h"
 #include "vtkIsthmusFiltersPersistenceModule.h"
 
+#include <functional>
+
 namespace isthmus
 {
 
@@ -40,10 +42,14 @@ struct RegularFiltration
  * not. Balls in any number and place are welcome: fewer than four, or all in one plane, give no
  * tetrahedron and no simplex at all. Throws std::invalid_argument for what is not finite.
  *
- * O(n log n) for atoms: 10 us and 1.3 KB a ball. Bitwise the same on any number of threads.
+ * O(n log n) for atoms: 10 us and 1.3 KB a ball; more for balls in convex position, as on a
+ * cylinder, where each has many neighbours. `predicted` is called with the seconds that the
+ * triangulation is going to take, once a quarter of the balls is in: these are a random sample, so
+ * that the time grows by the same power from there on. Bitwise the same on any number of threads.
  */
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT RegularFiltration MakeRegularFiltration(
-  std::vector<Point3> centres, std::vector<double> radii, const ProgressCallback& progress = {});
+  std::vector<Point3> centres, std::vector<double> radii, const ProgressCallback& progress = {},
+  const std::function<void(double seconds)>& predicted = {});
 
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
+#include <utility>
 
 namespace isthmus
 {
@@ -23,19 +24,27 @@ double Clearance(
   return std::sqrt(std::max(0.0, value + largest * largest)) - (largest - probe);
 }
 
+/// The order in which triangles enter, by (value, id), as CellFiltration::Order() has it.
+using TriangleEntry = std::pair<double, TriangleId>;
+
 /// A path that has reached `Cell` through `Triangle`.
 struct WidestPath
 {
   double Width;
+  TriangleEntry Narrowest; ///< of its triangles, the one that enters first
   TetrahedronId Cell;
   TriangleId Triangle;
 
-  /// The widest comes first, then the lowest ids.
+  /// The widest comes first, then the one whose triangles enter later, then the lowest ids.
   bool operator<(const WidestPath& other) const
   {
     if (this->Width != other.Width)
     {
       return this->Width < other.Width;
+    }
+    if (this->Narrowest != other.Narrowest)
+    {
+      return this->Narrowest < other.Narrowest;
     }
     return this->Cell != other.Cell ? this->Cell > other.Cell : this->Triangle > other.Triangle;
   }
@@ -60,7 +69,8 @@ CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& face
     const auto sides = c.TriangleSides(t);
     if (!sides[0].Exists() || !sides[1].Exists())
     {
-      paths.push({ access.TriangleClearance[t], std::max(sides[0], sides[1]), t });
+      paths.push({ access.TriangleClearance[t], { c.TriangleValue[t], t },
+        std::max(sides[0], sides[1]), t });
     }
   }
   access.Access.assign(c.Tetrahedra.size(), 0.0);
@@ -81,7 +91,9 @@ CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& face
       const TetrahedronId next = c.Across(triangle, path.Cell);
       if (next.Exists() && !access.TowardsOutside[next].Exists())
       {
-        paths.push({ std::min(width, access.TriangleClearance[triangle]), next, triangle });
+        paths.push({ std::min(width, access.TriangleClearance[triangle]),
+          std::min(path.Narrowest, TriangleEntry(c.TriangleValue[triangle], triangle)), next,
+          triangle });
       }
     }
   }

@@ -29,7 +29,9 @@ struct CellAccessibility
 };
 
 /// `probe` is what the radii of `f` have been enlarged by. O(n log n): one pass of Dijkstra's
-/// algorithm, 1 us a tetrahedron; ties go to the lower id.
+/// algorithm, 1 us a tetrahedron. Of paths that are equally wide, as symmetric molecules have them,
+/// the one whose first triangle to enter the filtration enters last is the widest, so that paths
+/// agree with the pairs of the filtration; then the lower id.
 VTKISTHMUSFILTERSPOCKETS_EXPORT CellAccessibility FindAccess(
   const RegularFiltration& f, const FacesByCell& faces, double probe);
 

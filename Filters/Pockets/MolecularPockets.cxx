@@ -268,7 +268,7 @@ std::vector<std::size_t> CanonicalOrder(const std::vector<Ball>& atoms)
 }
 
 RegularFiltration Enlarged(const std::vector<Ball>& atoms, const std::vector<std::size_t>& order,
-  double probe, const ProgressCallback& progress)
+  const PocketOptions& options, const ProgressCallback& progress)
 {
   std::vector<Point3> centres;
   std::vector<double> radii;
@@ -280,9 +280,9 @@ RegularFiltration Enlarged(const std::vector<Ball>& atoms, const std::vector<std
         FormatNumber(atoms[i].Radius) + ", but a radius is not negative.");
     }
     centres.push_back(atoms[i].Centre);
-    radii.push_back(atoms[i].Radius + probe);
+    radii.push_back(atoms[i].Radius + options.ProbeRadius);
   }
-  return MakeRegularFiltration(std::move(centres), std::move(radii), progress);
+  return MakeRegularFiltration(std::move(centres), std::move(radii), progress, options.Predicted);
 }
 
 HandleVector<TetrahedronId, EmptyCell> EmptyCells(
@@ -315,6 +315,16 @@ struct Space
   PocketByCell Labels;
 };
 
+/// Whether a tetrahedron has less than 1e-4 of the volume that its edges could enclose. Whether
+/// there are any at a flat side of the hull depends on the last bits of the atoms' places.
+bool IsFlat(const CellFiltration& c, const std::array<SimplexId, 4>& t)
+{
+  constexpr double flat = 1e-4;
+  const Point3& p = c.Points[At(t[0])];
+  const Point3 u = c.Points[At(t[1])] - p, v = c.Points[At(t[2])] - p, w = c.Points[At(t[3])] - p;
+  return std::fabs(Dot(u, Cross(v, w))) < flat * Length(u) * Length(v) * Length(w);
+}
+
 void FillCells(const Space& space, const PocketOptions& options, std::vector<Pocket>& pockets)
 {
   const CellFiltration& c = space.Filtration.Complex;
@@ -325,7 +335,7 @@ void FillCells(const Space& space, const PocketOptions& options, std::vector<Poc
       const auto& t = c.Tetrahedra[cell];
       pockets[space.Labels[cell].Index()].Cells.push_back({ { t[0], t[1], t[2], t[3] },
         space.Filtration.Centres[cell], space.Access.CellClearance[cell], space.Access.Access[cell],
-        space.Empty[cell].Volume, 0 });
+        space.Empty[cell].Volume, 0, IsFlat(c, t) });
     }
   }
   const PointBins bins(c.Points, 0.5 * options.BurialRadius);
@@ -421,7 +431,7 @@ PocketResult FindPockets(
   CheckOptions(options);
   const std::vector<std::size_t> order = CanonicalOrder(atoms);
   Space space;
-  space.Filtration = Enlarged(atoms, order, options.ProbeRadius, Between(progress, 0.0, 0.4));
+  space.Filtration = Enlarged(atoms, order, options, Between(progress, 0.0, 0.4));
   const CellFiltration& c = space.Filtration.Complex;
   PocketResult result;
   if (c.Tetrahedra.empty())

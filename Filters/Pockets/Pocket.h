@@ -8,6 +8,7 @@
 #include "Core/Geometry.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace isthmus
@@ -21,6 +22,8 @@ struct PocketOptions
   double OuterRadius = 3.1; ///< of a ball that does not
   double BurialRadius = 10.0;
   double MinimumVolume = 10.0; ///< angstrom^3; smaller pockets are dropped
+  /// Called with the seconds that the triangulation is going to take (RegularFiltration.h).
+  std::function<void(double)> Predicted;
 };
 
 /// A way out of a pocket.
@@ -41,6 +44,7 @@ struct PocketCell
   double Access = 0.0;     ///< radius of the largest ball that gets there from outside
   double Volume = 0.0;     ///< empty; only sums count
   std::int64_t Burial = 0; ///< number of atoms within BurialRadius of Centre
+  bool IsFlat = false;     ///< its centre may lie anywhere: at a flat side of the hull, far outside
 };
 
 struct LiningAtom

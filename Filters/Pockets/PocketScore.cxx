@@ -17,7 +17,7 @@ void ScorePocket(Pocket& pocket)
     pocket.Volume += cell.Volume;
     pocket.Score += share;
     sum = sum + share * cell.Centre;
-    pocket.Radius = std::max(pocket.Radius, cell.Clearance);
+    pocket.Radius = std::max(pocket.Radius, cell.IsFlat ? 0.0 : cell.Clearance);
     pocket.Access = std::max(pocket.Access, cell.Access);
   }
   if (pocket.Score > 0.0)

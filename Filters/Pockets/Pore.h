@@ -8,6 +8,7 @@
 #include "Core/Geometry.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace isthmus
@@ -22,6 +23,8 @@ struct PoreOptions
   double MinimumSpan = 20.0;     ///< distance of their ends
   std::size_t MaximumPores = 20; ///< of those, the ones with the longest spans
   double MaximumOffset = 10.0;   ///< between two points: distance of the way from the straight line
+  /// Called with the seconds that the triangulation is going to take (RegularFiltration.h).
+  std::function<void(double)> Predicted;
 };
 
 /// The largest ball in a plane across a pore.

@@ -26,62 +26,119 @@ double EdgeClearance(const RegularFiltration& f, EdgeId edge, double probe)
   return std::sqrt(std::max(0.0, f.Complex.EdgeValue[edge] + r * r)) - (r - probe);
 }
 
-using CellPath = std::vector<TetrahedronId>;
+/// A way out, which may be empty: where a triangle of the hull closes a channel.
+struct CellPath
+{
+  std::vector<TetrahedronId> Cells;
+  /// The triangle of the hull that it leaves through; None: a ball of EndRadius gets to its end.
+  TriangleId Exit = TriangleId::None();
+};
 
-/// The tetrahedra from `cell` on the widest path out, until a ball of radius `end` gets there.
-CellPath WidestPathOut(
-  const CellFiltration& c, const CellAccessibility& access, TetrahedronId cell, double end)
+/// The tetrahedra from the one behind `start`, `cell`, on the widest path out, until a ball of
+/// radius `end` gets there.
+CellPath WidestPathOut(const CellFiltration& c, const CellAccessibility& access, TriangleId start,
+  TetrahedronId cell, double end)
 {
   CellPath path;
+  path.Exit = start;
   while (cell.Exists())
   {
-    path.push_back(cell);
+    path.Cells.push_back(cell);
     if (access.Access[cell] >= end)
     {
+      path.Exit = TriangleId::None();
       break;
     }
-    cell = c.Across(access.TowardsOutside[cell], cell);
+    path.Exit = access.TowardsOutside[cell];
+    cell = c.Across(path.Exit, cell);
   }
   return path;
 }
 
 bool AreDisjoint(const CellPath& a, const CellPath& b)
 {
-  const std::set<TetrahedronId> cells(a.begin(), a.end());
+  const std::set<TetrahedronId> cells(a.Cells.begin(), a.Cells.end());
   return std::none_of(
-    b.begin(), b.end(), [&](TetrahedronId cell) { return cells.count(cell) > 0; });
+    b.Cells.begin(), b.Cells.end(), [&](TetrahedronId cell) { return cells.count(cell) > 0; });
 }
 
-/// Centres along a path out. Those of flat tetrahedra at the border may lie anywhere outside: a
-/// step is no longer than five times the channel's radius.
-std::vector<Point3> CentresAlong(const RegularFiltration& f, const CellPath& path, double radius)
+/// The unit normal of a triangle of the hull, outwards.
+Point3 OutwardNormal(const RegularFiltration& f, TriangleId exit)
+{
+  const CellFiltration& c = f.Complex;
+  const auto t = c.TrianglePoints(exit);
+  const Point3& a = c.Points[At(t[0])];
+  const Point3 n = Cross(c.Points[At(t[1])] - a, c.Points[At(t[2])] - a);
+  const double length = Length(n);
+  const auto sides = c.TriangleSides(exit);
+  const TetrahedronId inner = sides[0].Exists() ? sides[0] : sides[1];
+  const bool inwards = Dot(n, c.Points[At(c.Opposite(inner, t))] - a) > 0.0;
+  return length > 0.0 ? (inwards ? -1.0 : 1.0) / length * n : Point3{ 0.0, 0.0, 0.0 };
+}
+
+/**
+ * Centres along a path out, beginning with that of the triangle that closes the channel. Those of
+ * flat tetrahedra at the border may lie anywhere outside: a step is no longer than five times the
+ * channel's radius. Whether there are any of them at a flat side of the hull depends on the last
+ * bits of the atoms' places, so a path that leaves through a triangle ends `beyond` it, measured
+ * along its normal, in any case.
+ */
+std::vector<Point3> CentresAlong(const RegularFiltration& f, const CellPath& path, double radius,
+  const Point3& start, double beyond)
 {
   const double longest = 5.0 * radius;
-  std::vector<Point3> centres;
-  for (const TetrahedronId cell : path)
+  std::vector<Point3> centres{ start };
+  for (const TetrahedronId cell : path.Cells)
   {
     Point3 centre = f.Centres[cell];
-    if (!centres.empty())
-    {
-      const Point3 step = centre - centres.back();
-      const double length = Length(step);
-      centre = length > longest ? centres.back() + (longest / length) * step : centre;
-    }
+    const Point3 step = centre - centres.back();
+    const double length = Length(step);
+    centre = length > longest ? centres.back() + (longest / length) * step : centre;
     centres.push_back(centre);
+  }
+  if (path.Exit.Exists() && beyond > 0.0)
+  {
+    const Point3 normal = OutwardNormal(f, path.Exit);
+    const Point3& on = f.Complex.Points[At(f.Complex.TrianglePoints(path.Exit)[0])];
+    // What the last centre lacks to be that far out.
+    const double lacks = beyond - Dot(centres.back() - on, normal);
+    centres.push_back(centres.back() + std::max(lacks, 0.0) * normal);
   }
   return centres;
 }
 
-/// Both paths as one, from the end of `a` to that of `b`.
-Channel Join(const RegularFiltration& f, const CellPath& a, const CellPath& b, double radius)
+/// The centre of the circle that is orthogonal to the balls of a triangle, in its plane.
+Point3 CentreOf(const RegularFiltration& f, TriangleId triangle)
+{
+  const auto t = f.Complex.TrianglePoints(triangle);
+  const Point3& a = f.Complex.Points[At(t[0])];
+  const Point3 u = f.Complex.Points[At(t[1])] - a, v = f.Complex.Points[At(t[2])] - a;
+  const auto square = [](double x) { return x * x; };
+  const double r = square(f.Radii[At(t[0])]);
+  // x = a + s u + q v with 2 x.u = |u|^2 + r^2 - r_1^2 and so on.
+  const double uu = Dot(u, u), vv = Dot(v, v), uv = Dot(u, v);
+  const double p = 0.5 * (uu + r - square(f.Radii[At(t[1])]));
+  const double q = 0.5 * (vv + r - square(f.Radii[At(t[2])]));
+  const double det = uu * vv - uv * uv;
+  if (!(det > 1e-12 * uu * vv))
+  {
+    return (1.0 / 3.0) * (a + f.Complex.Points[At(t[1])] + f.Complex.Points[At(t[2])]);
+  }
+  return a + ((p * vv - q * uv) / det) * u + ((q * uu - p * uv) / det) * v;
+}
+
+/// Both paths as one, from the end of `a` to that of `b`, through the triangle between them.
+Channel Join(const RegularFiltration& f, TriangleId triangle, const CellPath& a, const CellPath& b,
+  double radius, double beyond)
 {
   Channel channel;
   channel.Radius = radius;
-  channel.Path = CentresAlong(f, a, radius);
+  const Point3 start = CentreOf(f, triangle);
+  channel.Path = CentresAlong(f, a, radius, start, beyond);
   std::reverse(channel.Path.begin(), channel.Path.end());
-  channel.Narrowest = channel.Path.size() - 1;
-  const auto rest = CentresAlong(f, b, radius);
-  channel.Path.insert(channel.Path.end(), rest.begin(), rest.end());
+  channel.Narrowest = channel.From = channel.Path.size() - 1;
+  const auto rest = CentresAlong(f, b, radius, start, beyond);
+  channel.Path.insert(channel.Path.end(), rest.begin() + 1, rest.end());
   channel.Span = Length(channel.Path.front() - channel.Path.back());
   return channel;
 }
@@ -138,25 +195,30 @@ std::vector<Channel> FindChannels(RegularFiltration& f, const CellAccessibility&
     const double radius = access.TriangleClearance[t];
     const EdgeId edge = pairs.LoopClosed(t);
     const auto sides = c.TriangleSides(t);
-    if (!edge.Exists() || radius < options.MinimumRadius || !sides[0].Exists() ||
-      !sides[1].Exists() || radius - EdgeClearance(f, edge, probe) < ShortestBar)
+    if (!edge.Exists() || radius < options.MinimumRadius ||
+      radius - EdgeClearance(f, edge, probe) < ShortestBar)
     {
       continue;
     }
-    if (std::min(access.Access[sides[0]], access.Access[sides[1]]) < options.MinimumRadius)
+    const auto isNarrower = [&](TetrahedronId side)
+    { return side.Exists() && access.Access[side] < options.MinimumRadius; };
+    if (isNarrower(sides[0]) || isNarrower(sides[1]))
     {
-      continue; // narrower on the way to it
+      continue; // on the way to it
     }
     // A channel wider than EndRadius ends where it leaves the convex hull.
     const bool isWide = radius >= options.EndRadius;
     const double end = isWide ? HUGE_VAL : options.EndRadius;
-    const auto first = WidestPathOut(c, access, sides[0], end);
-    const auto second = WidestPathOut(c, access, sides[1], end);
+    const auto first = WidestPathOut(c, access, t, sides[0], end);
+    const auto second = WidestPathOut(c, access, t, sides[1], end);
     if (!AreDisjoint(first, second))
     {
       continue;
     }
-    Channel channel = Join(f, first, second, radius);
+    // So far from the hull no atom is nearer than EndRadius.
+    const double beyond =
+      options.EndRadius + *std::max_element(f.Radii.begin(), f.Radii.end()) - probe;
+    Channel channel = Join(f, t, first, second, radius, isWide ? 0.0 : beyond);
     channel.IsWide = isWide;
     if (channel.Span >= options.MinimumSpan)
     {

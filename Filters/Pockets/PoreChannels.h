@@ -19,7 +19,8 @@ struct Channel
   double Radius = 0.0;       ///< at the triangle where it closes
   double Span = 0.0;         ///< distance of the ends
   bool IsWide = false;       ///< wider than EndRadius everywhere
-  std::size_t Narrowest = 0; ///< the centre next to that triangle
+  std::size_t Narrowest = 0; ///< the centre of that triangle, or of the narrowest place
+  std::size_t From = 0;      ///< where planes begin: there, or at the first of two given points
 };
 
 /**

@@ -6,6 +6,8 @@
 #include "Pockets/PoreChannels.h"
 #include "Pockets/PoreRadius.h"
 
+#include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -78,6 +80,19 @@ std::vector<Point3> Resample(const std::vector<Point3>& path, double spacing)
     }
     rest = at - length;
   }
+  return points;
+}
+
+/// The same from the `start`-th point both ways: a plane through the narrowest place has its
+/// radius, one somewhere near it hasn't.
+std::vector<Point3> ResampleFrom(const std::vector<Point3>& path, std::size_t start, double spacing)
+{
+  const auto at = path.begin() + static_cast<std::ptrdiff_t>(start);
+  std::vector<Point3> points =
+    Resample({ std::make_reverse_iterator(at + 1), path.rend() }, spacing);
+  std::reverse(points.begin(), points.end());
+  const std::vector<Point3> rest = Resample({ at, path.end() }, spacing);
+  points.insert(points.end(), rest.begin() + 1, rest.end());
   return points;
 }
 
@@ -175,7 +190,8 @@ void CheckPoint(const char* name, const Point3& p)
   }
 }
 
-RegularFiltration Enlarged(const std::vector<Ball>& atoms, const ProgressCallback& progress)
+RegularFiltration Enlarged(
+  const std::vector<Ball>& atoms, const PoreOptions& options, const ProgressCallback& progress)
 {
   std::vector<Point3> centres;
   std::vector<double> radii;
@@ -184,7 +200,7 @@ RegularFiltration Enlarged(const std::vector<Ball>& atoms, const ProgressCallbac
     centres.push_back(atom.Centre);
     radii.push_back(atom.Radius + Probe);
   }
-  return MakeRegularFiltration(std::move(centres), std::move(radii), progress);
+  return MakeRegularFiltration(std::move(centres), std::move(radii), progress, options.Predicted);
 }
 
 /// Samples from which the radius rises by `depth` on both sides before it falls below.
@@ -265,7 +281,8 @@ Pore PoreOf(const AtomField& atoms, const Channel& channel, const PoreOptions& o
   constexpr double smoothing = 3.0; // angstrom
   // A wide channel is sampled as coarsely as it is wide, and known up to three times its radius.
   const double spacing = options.Spacing * (channel.IsWide ? 4.0 : 1.0);
-  Course course = CourseAlong(Resample(channel.Path, spacing), smoothing / spacing);
+  Course course =
+    CourseAlong(ResampleFrom(channel.Path, channel.From, spacing), smoothing / spacing);
   course.Least = channel.Radius;
   course.Enough = channel.IsWide ? 3.0 * channel.Radius : options.EndRadius;
   course.End = channel.IsWide ? HUGE_VAL : options.EndRadius;
@@ -289,7 +306,7 @@ std::vector<Pore> FindPores(
   const std::vector<Ball>& atoms, const PoreOptions& options, const ProgressCallback& progress)
 {
   CheckOptions(options);
-  RegularFiltration f = Enlarged(atoms, Between(progress, 0.0, 0.3));
+  RegularFiltration f = Enlarged(atoms, options, Between(progress, 0.0, 0.3));
   std::vector<Pore> pores;
   if (f.Complex.Tetrahedra.empty())
   {
@@ -331,7 +348,7 @@ Pore PoreBetween(const std::vector<Ball>& atoms, const Point3& first, const Poin
     throw std::invalid_argument("Point1 and Point2 are the same, or nearer than Spacing: give the "
                                 "two ends of the pore.");
   }
-  const RegularFiltration f = Enlarged(atoms, Between(progress, 0.0, 0.4));
+  const RegularFiltration f = Enlarged(atoms, options, Between(progress, 0.0, 0.4));
   if (f.Complex.Tetrahedra.empty())
   {
     throw std::runtime_error("The atoms lie in one plane, or are fewer than four: nothing runs "

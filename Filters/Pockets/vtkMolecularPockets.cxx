@@ -3,6 +3,7 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
 #include "Core/PolyDataTriangles.h"
+#include "Pockets/LongTriangulation.h"
 #include "Pockets/MolecularPockets.h"
 #include "Pockets/PocketOutput.h"
 #include "Pockets/PocketScore.h"
@@ -144,6 +145,7 @@ void vtkMolecularPockets::Compute(
   options.OuterRadius = this->OuterRadius;
   options.BurialRadius = this->BurialRadius;
   options.MinimumVolume = this->MinimumVolume;
+  options.Predicted = isthmus::LogOfLongTriangulation;
   const isthmus::MoleculeAtoms atoms =
     isthmus::ReadAtoms(input, isthmus::PolymerOf(isthmus::InputArrayName(this, 0), keep));
   auto result = isthmus::FindPockets(

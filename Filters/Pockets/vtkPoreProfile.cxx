@@ -4,6 +4,7 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
 #include "Core/NumberText.h"
+#include "Pockets/LongTriangulation.h"
 #include "Pockets/PoreOutput.h"
 #include "Pockets/PoreProfile.h"
 
@@ -174,6 +175,7 @@ void vtkPoreProfile::Compute(vtkPointSet* input, vtkInformationVector* outputs)
   options.MinimumRadius = this->MinimumRadius;
   options.MinimumSpan = this->MinimumSpan;
   options.MaximumPores = static_cast<std::size_t>(this->MaximumPores);
+  options.Predicted = isthmus::LogOfLongTriangulation;
   options.MaximumOffset = this->MaximumOffset;
   if (atoms.IsSurface)
   {

@@ -88,7 +88,10 @@ TEST(PolarizedCurvature, WhatIsMissingIsASentence)
     Trial run(sphere, far);
     EXPECT_EQ(run.Update()->GetNumberOfPoints(), 0);
     EXPECT_NE(run.Error().find("do not overlap"), std::string::npos) << run.Error();
-    far->SetOrigin(5.1, -8.0, -8.0); // right beside the sphere
+    double box[6], origin[3];
+    far->GetBounds(box);
+    far->GetOrigin(origin); // to be moved right beside the sphere
+    far->SetOrigin(origin[0] + 5.1 - box[0], origin[1] - 8.0 - box[2], origin[2] - 8.0 - box[4]);
     Trial beside(sphere, far);
     EXPECT_EQ(beside.Update()->GetNumberOfPoints(), 0);
     EXPECT_NE(beside.Error().find("misses the surface"), std::string::npos) << beside.Error();

@@ -166,6 +166,22 @@ TEST(PoreProfile, ClosedShellAndFewAtomsHaveNone)
   EXPECT_TRUE(FindPores({ { { 0, 0, 0 }, 1.0 }, { { 0, 0, 0 }, 1.0 } }, {}).empty());
 }
 
+TEST(PoreProfile, TimeOfTheTriangulationIsPredictedOnce)
+{
+  int calls = 0;
+  double predicted = 0.0;
+  PoreOptions options;
+  options.Predicted = [&](double seconds)
+  {
+    ++calls;
+    predicted = seconds;
+  };
+  FindPores(Hyperboloid(24), options);
+  EXPECT_EQ(calls, 1);
+  EXPECT_GT(predicted, 0.0);
+  EXPECT_LT(predicted, 30.0);
+}
+
 TEST(PoreProfile, FilterGivesLinesTablesAndTubesOnAnyNumberOfThreads)
 {
   const auto data = AtomsOf(Hyperboloid(24));
