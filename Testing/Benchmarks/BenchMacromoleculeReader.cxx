@@ -42,7 +42,7 @@ public:
     std::ofstream pqr(this->PQR);
     std::ofstream pdb(this->PDB);
     std::ofstream cif(this->CIF);
-    // The columns of the PDB's files.
+    // The columns of the PDB's files; 100 chains, since gemmi searches a chain for each residue.
     cif << "data_million\nloop_\n";
     for (const char* column : { "group_PDB", "id", "type_symbol", "label_atom_id", "label_alt_id",
            "label_comp_id", "label_asym_id", "label_entity_id", "label_seq_id", "pdbx_PDB_ins_code",
@@ -67,8 +67,8 @@ public:
         name, i / 5 % 10000, x, y, z, name[0]);
       pdb << line.data();
       std::snprintf(line.data(), line.size(),
-        "ATOM %d %c %s . ALA A 1 %d ? %.3f %.3f %.3f 1.00 20.00 ? %d ALA A %s 1\n", i + 1, name[0],
-        name, i / 5 + 1, x, y, z, i / 5 + 1, name);
+        "ATOM %d %c %s . ALA A%d 1 %d ? %.3f %.3f %.3f 1.00 20.00 ? %d ALA A%d %s 1\n", i + 1,
+        name[0], name, i / 10000, i / 5 % 2000 + 1, x, y, z, i / 5 % 2000 + 1, i / 10000, name);
       cif << line.data();
     }
   }
