@@ -2,6 +2,7 @@
 
 #include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
+#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 
 #include <vtkCellArray.h>
@@ -15,6 +16,7 @@
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <iterator>
@@ -55,7 +57,7 @@ std::vector<vtkIdType> CopyPoints(
   const auto count = static_cast<vtkIdType>(kept.size());
   vtkNew<vtkPoints> points;
   points->SetDataType(atoms->GetPoints()->GetDataType());
-  points->SetNumberOfPoints(count);
+  isthmus::SizePoints(points, count);
   vtkPointData* data = output->GetPointData();
   data->CopyAllOn(); // global and pedigree ids as well
   data->CopyAllocate(atoms->GetPointData(), count);
@@ -70,18 +72,16 @@ std::vector<vtkIdType> CopyPoints(
   return placeOf;
 }
 
-/// The cells whose points are all kept, with their arrays.
-void CopyCells(vtkPolyData* atoms, const std::vector<vtkIdType>& placeOf, vtkPolyData* output)
+/// The cells whose points are all kept; their numbers in the input, from `first`, go to `kept`.
+vtkSmartPointer<vtkCellArray> CellsOf(
+  vtkCellArray* cells, const std::vector<vtkIdType>& placeOf, vtkIdType first, vtkIdList* kept)
 {
-  output->AllocateCopy(atoms);
-  vtkCellData* data = output->GetCellData();
-  data->CopyAllOn();
-  data->CopyAllocate(atoms->GetCellData(), atoms->GetNumberOfCells());
+  auto result = vtkSmartPointer<vtkCellArray>::New();
+  isthmus::ReserveCells(result, cells->GetNumberOfCells(), cells->GetNumberOfConnectivityIds());
   vtkNew<vtkIdList> ids;
-  // Point by point in the order of vtkPolyData's cell data: vertices, lines, polygons, strips.
-  for (vtkIdType cell = 0; cell < atoms->GetNumberOfCells(); ++cell)
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
   {
-    atoms->GetCellPoints(cell, ids);
+    cells->GetCellAtId(cell, ids);
     bool whole = true;
     for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
     {
@@ -91,11 +91,27 @@ void CopyCells(vtkPolyData* atoms, const std::vector<vtkIdType>& placeOf, vtkPol
     }
     if (whole)
     {
-      data->CopyData(
-        atoms->GetCellData(), cell, output->InsertNextCell(atoms->GetCellType(cell), ids));
+      result->InsertNextCell(ids);
+      kept->InsertNextId(first + cell);
     }
   }
-  output->Squeeze();
+  return result;
+}
+
+void CopyCells(vtkPolyData* atoms, const std::vector<vtkIdType>& placeOf, vtkPolyData* output)
+{
+  vtkNew<vtkIdList> kept;
+  const vtkIdType lines = atoms->GetNumberOfVerts();
+  const vtkIdType polygons = lines + atoms->GetNumberOfLines();
+  const vtkIdType strips = polygons + atoms->GetNumberOfPolys();
+  output->SetVerts(CellsOf(atoms->GetVerts(), placeOf, 0, kept));
+  output->SetLines(CellsOf(atoms->GetLines(), placeOf, lines, kept));
+  output->SetPolys(CellsOf(atoms->GetPolys(), placeOf, polygons, kept));
+  output->SetStrips(CellsOf(atoms->GetStrips(), placeOf, strips, kept));
+  vtkCellData* data = output->GetCellData();
+  data->CopyAllOn();
+  data->CopyAllocate(atoms->GetCellData(), kept->GetNumberOfIds());
+  data->CopyData(atoms->GetCellData(), kept, vtkIdType(0));
 }
 
 }

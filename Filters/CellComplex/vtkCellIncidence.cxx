@@ -4,6 +4,7 @@
 #include "CellComplex/FaceTable.h"
 #include "CellComplex/GridMap.h"
 #include "Core/AlgorithmGuard.h"
+#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 #include "Core/ParallelFor.h"
 
@@ -36,7 +37,7 @@ vtkNew<Array> NewArray(const char* name, std::size_t size)
 {
   vtkNew<Array> array;
   array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(size));
+  isthmus::SizeArray(array, static_cast<vtkIdType>(size));
   return array;
 }
 
@@ -70,7 +71,7 @@ struct Elements
       sum += sizeOf(i);
     }
     this->Offsets->SetValue(this->Size(), sum);
-    this->Connectivity->SetNumberOfValues(sum);
+    isthmus::SizeArray(this->Connectivity, sum);
   }
 
   vtkIdType* PointsOf(vtkIdType i)

@@ -4,6 +4,7 @@
 #include "CellComplex/GridMap.h"
 #include "CellComplex/TetCutaway.h"
 #include "Core/AlgorithmGuard.h"
+#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 #include "Core/NumberText.h"
 
@@ -169,7 +170,7 @@ private:
     data->CopyData(this->Input->GetCellData(), owners, vtkIdType(0));
     vtkNew<vtkIdTypeArray> original;
     original->SetName("OriginalCellIds");
-    original->SetNumberOfValues(owners->GetNumberOfIds());
+    isthmus::SizeArray(original, owners->GetNumberOfIds());
     std::copy_n(owners->GetPointer(0), owners->GetNumberOfIds(), original->GetPointer(0));
     data->AddArray(original);
   }

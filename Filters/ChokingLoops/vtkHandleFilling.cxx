@@ -2,6 +2,7 @@
 
 #include "ChokingLoops/HandleFilling.h"
 #include "Core/AlgorithmGuard.h"
+#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 #include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
@@ -63,7 +64,7 @@ void FillSurface(const isthmus::FilledSurface& filled, vtkPolyData* given, vtkPo
   surface->GetFieldData()->PassData(given->GetFieldData());
   vtkNew<vtkIntArray> filling;
   filling->SetName("Filling");
-  filling->SetNumberOfValues(static_cast<vtkIdType>(filled.Filling.size()));
+  isthmus::SizeArray(filling, static_cast<vtkIdType>(filled.Filling.size()));
   std::copy(filled.Filling.begin(), filled.Filling.end(), filling->GetPointer(0));
   surface->GetCellData()->SetScalars(filling);
   vtkNew<vtkIdTypeArray> genus;

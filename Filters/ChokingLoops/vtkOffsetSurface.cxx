@@ -2,6 +2,7 @@
 
 #include "ChokingLoops/OffsetSurface.h"
 #include "Core/AlgorithmGuard.h"
+#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 #include "Core/InnerAlgorithm.h"
 #include "Core/PolyDataTriangles.h"
@@ -31,7 +32,7 @@ vtkSmartPointer<vtkPoints> InWorld(vtkPoints* nodes, const isthmus::DistanceGrid
 {
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(nodes->GetNumberOfPoints());
+  isthmus::SizePoints(points, nodes->GetNumberOfPoints());
   for (vtkIdType i = 0; i < nodes->GetNumberOfPoints(); ++i)
   {
     double p[3];
@@ -65,7 +66,7 @@ int vtkOffsetSurface::RequestData(
         isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
       vtkNew<vtkDoubleArray> values;
       values->SetName("DistanceToSurface");
-      values->SetNumberOfValues(static_cast<vtkIdType>(grid.Values.size()));
+      isthmus::SizeArray(values, static_cast<vtkIdType>(grid.Values.size()));
       std::copy(grid.Values.begin(), grid.Values.end(), values->GetPointer(0));
       vtkNew<vtkImageData> image;
       image->SetDimensions(static_cast<int>(grid.Dimensions[0]),

@@ -1,5 +1,6 @@
 #include "Contouring/ClosedLevelSet.h"
 
+#include "Core/ArrayMemory.h"
 #include "Core/ImageScalars.h"
 #include "Core/InnerAlgorithm.h"
 #include "Core/NumberText.h"
@@ -75,7 +76,7 @@ vtkSmartPointer<vtkImageData> Padded(const GridView<const T>& grid, double outsi
   image->SetOrigin(-h[0], -h[1], -h[2]);
   vtkNew<Array> values;
   using Value = typename Array::ValueType;
-  values->SetNumberOfValues(image->GetNumberOfPoints());
+  SizeArray(values, image->GetNumberOfPoints());
   values->Fill(outside);
   const GridView<Value> wide{ values->GetPointer(0), { n[0] + 2, n[1] + 2, n[2] + 2 }, h };
   for (std::int64_t k = 0; k < n[2]; ++k)

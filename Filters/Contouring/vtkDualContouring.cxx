@@ -4,6 +4,7 @@
 #include "Contouring/DualContouring.h"
 #include "Contouring/ENOCrossings.h"
 #include "Core/AlgorithmGuard.h"
+#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 #include "Core/Geometry.h"
 #include "Core/ImageExtent.h"
@@ -171,12 +172,14 @@ void SetContour(const isthmus::DualContour& contour, bool mirrored, vtkPolyData*
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(contour.Points.size()));
+  isthmus::SizePoints(points, static_cast<vtkIdType>(contour.Points.size()));
   for (std::size_t i = 0; i < contour.Points.size(); ++i)
   {
     points->SetPoint(static_cast<vtkIdType>(i), contour.Points[i].data());
   }
   vtkNew<vtkCellArray> cells;
+  const auto polygons = static_cast<vtkIdType>(contour.Polygons.size());
+  isthmus::ReserveCells(cells, polygons, 4 * polygons);
   for (const auto& polygon : contour.Polygons)
   {
     std::array<vtkIdType, 4> ids{ polygon[0], polygon[1], polygon[2], polygon[3] };

@@ -7,6 +7,7 @@
 #include "Contouring/MapSurface.h"
 #include "Contouring/MarchingCubes.h"
 #include "Core/AlgorithmGuard.h"
+#include "Core/ArrayMemory.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
 #include "Core/NumberText.h"
@@ -73,7 +74,7 @@ void AddNormals(const isthmus::SurfaceView& mesh, vtkPolyData* surface)
   vtkNew<vtkFloatArray> normals;
   normals->SetName("Normals");
   normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(static_cast<vtkIdType>(mesh.Points.size()));
+  isthmus::SizeArray(normals, static_cast<vtkIdType>(mesh.Points.size()));
   float* out = normals->GetPointer(0);
   for (const isthmus::Point3& normal : isthmus::PointNormals(mesh))
   {
@@ -98,7 +99,7 @@ void AddComponents(const isthmus::DustResult& result, vtkPolyData* surface)
 {
   vtkNew<vtkIdTypeArray> components;
   components->SetName("Component");
-  components->SetNumberOfValues(static_cast<vtkIdType>(result.Components.size()));
+  isthmus::SizeArray(components, static_cast<vtkIdType>(result.Components.size()));
   std::copy(result.Components.begin(), result.Components.end(), components->GetPointer(0));
   surface->GetCellData()->AddArray(components);
   AddFieldData("ComponentsFound", { static_cast<double>(result.Found) }, surface);

@@ -1,4 +1,5 @@
 #include "Core/GatherRanks.h"
+#include "Core/ArrayMemory.h"
 
 #include "Core/InnerAlgorithm.h"
 
@@ -82,6 +83,7 @@ std::vector<vtkIdType> FirstAtSamePlace(vtkPolyData* surface)
 vtkSmartPointer<vtkCellArray> Renumbered(vtkCellArray* cells, const std::vector<vtkIdType>& id)
 {
   auto result = vtkSmartPointer<vtkCellArray>::New();
+  ReserveCells(result, cells->GetNumberOfCells(), cells->GetNumberOfConnectivityIds());
   vtkNew<vtkIdList> corners;
   for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c)
   {
@@ -108,7 +110,7 @@ vtkSmartPointer<vtkPolyData> Sewn(vtkPolyData* surface)
   auto result = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataType(surface->GetPoints() ? surface->GetPoints()->GetDataType() : VTK_DOUBLE);
-  points->SetNumberOfPoints(kept->GetNumberOfIds());
+  SizePoints(points, kept->GetNumberOfIds());
   result->GetPointData()->CopyAllOn();
   result->GetPointData()->CopyAllocate(surface->GetPointData(), kept->GetNumberOfIds());
   for (vtkIdType i = 0; i < kept->GetNumberOfIds(); ++i)

@@ -1,4 +1,5 @@
 #include "Core/ImageExtent.h"
+#include "Core/ArrayMemory.h"
 
 #include "Core/GatherRanks.h"
 
@@ -253,7 +254,7 @@ void CopyRows(vtkAbstractArray* array, const Extent& from, const Extent& to, vtk
   const vtkIdType rowOfAll = from[1] - from[0] + 1;
   const vtkIdType rowsOfAll = from[3] - from[2] + 1;
   const vtkIdType row = to[1] - to[0] + 1;
-  part->SetNumberOfTuples(NodeCount(to));
+  SizeArray(part, NodeCount(to));
   vtkIdType next = 0;
   for (int k = to[4]; k <= to[5]; ++k)
   {

@@ -5,6 +5,8 @@
 #ifndef isthmus_NamedColumns_h
 #define isthmus_NamedColumns_h
 
+#include "Core/ArrayMemory.h"
+
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 
@@ -30,7 +32,7 @@ Array* AddArray(vtkFieldData* data, const std::string& name, std::size_t count)
 {
   vtkNew<Array> array;
   array->SetName(name.c_str());
-  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  SizeArray(array, static_cast<vtkIdType>(count));
   data->AddArray(array);
   return array;
 }

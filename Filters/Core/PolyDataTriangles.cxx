@@ -1,4 +1,5 @@
 #include "Core/PolyDataTriangles.h"
+#include "Core/ArrayMemory.h"
 
 #include "Core/ParallelFor.h"
 
@@ -186,13 +187,13 @@ void SetMesh(const SurfaceView& mesh, vtkPolyData* surface)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(mesh.NumberOfPoints());
+  SizePoints(points, mesh.NumberOfPoints());
   for (vtkIdType i = 0; i < mesh.NumberOfPoints(); ++i)
   {
     points->SetPoint(i, mesh.Point(i).data());
   }
   vtkNew<vtkCellArray> cells;
-  cells->AllocateExact(mesh.NumberOfTriangles(), 3 * mesh.NumberOfTriangles());
+  ReserveCells(cells, mesh.NumberOfTriangles(), 3 * mesh.NumberOfTriangles());
   for (const Triangle& t : mesh.Triangles)
   {
     cells->InsertNextCell(3, t.data());

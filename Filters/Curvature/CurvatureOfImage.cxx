@@ -1,5 +1,6 @@
 #include "Curvature/CurvatureOfImage.h"
 
+#include "Core/ArrayMemory.h"
 #include "Core/LargePages.h"
 #include "Curvature/SurfaceTypeNames.h"
 
@@ -50,7 +51,7 @@ T* NewArray(bool wanted, const char* name, int components, vtkIdType tuples, vtk
   array.TakeReference(vtkDataArray::CreateDataArray(vtkTypeTraits<T>::VTK_TYPE_ID));
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
+  SizeArray(array, tuples);
   AdviseLargePages(array.Get());
   output->GetPointData()->AddArray(array);
   return static_cast<T*>(array->GetVoidPointer(0));

@@ -1,6 +1,7 @@
 #include "vtkScalarRegions.h"
 
 #include "Core/AlgorithmGuard.h"
+#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 #include "Core/NamedColumns.h"
 #include "Core/NumberText.h"
@@ -200,14 +201,14 @@ struct Labels
   Labels(const ThresholdedScalar& scalar, vtkPolyData* surface, const char* name)
   {
     this->OnPoints->SetName(name);
-    this->OnPoints->SetNumberOfValues(surface->GetNumberOfPoints());
+    isthmus::SizeArray(this->OnPoints, surface->GetNumberOfPoints());
     for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
     {
       const double value = scalar.Values[static_cast<std::size_t>(i)];
       this->OnPoints->SetValue(i, static_cast<int>(scalar.RegionOf(value)));
     }
     this->OnCells->SetName(name);
-    this->OnCells->SetNumberOfValues(surface->GetNumberOfCells());
+    isthmus::SizeArray(this->OnCells, surface->GetNumberOfCells());
     vtkNew<vtkIdList> corners;
     std::vector<int> regions;
     for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
@@ -239,7 +240,7 @@ void AddJoint(
 {
   vtkNew<vtkIntArray> joint;
   joint->SetName("JointRegion");
-  joint->SetNumberOfValues(first->GetNumberOfValues());
+  isthmus::SizeArray(joint, first->GetNumberOfValues());
   for (vtkIdType i = 0; i < first->GetNumberOfValues(); ++i)
   {
     joint->SetValue(i, first->GetValue(i) * static_cast<int>(columns) + second->GetValue(i));
@@ -255,7 +256,7 @@ void AddToonColors(vtkPolyData* output, vtkIntArray* regions, std::size_t count)
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetName("ToonColor");
   colors->SetNumberOfComponents(3);
-  colors->SetNumberOfTuples(regions->GetNumberOfValues());
+  isthmus::SizeArray(colors, regions->GetNumberOfValues());
   for (vtkIdType i = 0; i < regions->GetNumberOfValues(); ++i)
   {
     const int region = regions->GetValue(i);

@@ -1,6 +1,7 @@
 #include "vtkSurfaceCurvature.h"
 
 #include "Core/AlgorithmGuard.h"
+#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 #include "Core/Index.h"
 #include "Core/NumberText.h"
@@ -41,7 +42,7 @@ void AddDescriptor(vtkPolyData* output, const SurfaceCurvatureResult& result, bo
   }
   vtkNew<Array> array;
   array->SetName(name);
-  array->SetNumberOfValues(output->GetNumberOfPoints());
+  isthmus::SizeArray(array, output->GetNumberOfPoints());
   for (std::size_t point = 0; point < result.Valid.size(); ++point)
   {
     using Value = typename Array::ValueType;
@@ -61,7 +62,7 @@ void AddVectors(
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
   array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(output->GetNumberOfPoints());
+  isthmus::SizeArray(array, output->GetNumberOfPoints());
   std::copy(vectors.begin(), vectors.end(), array->GetPointer(0));
   output->GetPointData()->AddArray(array);
 }
@@ -128,7 +129,7 @@ void AddAreas(
   }
   vtkNew<vtkDoubleArray> array;
   array->SetName("PointArea");
-  array->SetNumberOfValues(output->GetNumberOfPoints());
+  isthmus::SizeArray(array, output->GetNumberOfPoints());
   for (std::size_t i = 0; i < areas.size(); ++i)
   {
     array->SetValue(static_cast<vtkIdType>(i),

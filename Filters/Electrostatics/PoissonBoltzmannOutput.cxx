@@ -1,5 +1,6 @@
 #include "Electrostatics/PoissonBoltzmannOutput.h"
 
+#include "Core/ArrayMemory.h"
 #include "Core/ParallelFor.h"
 #include "Electrostatics/BoundaryForces.h"
 #include "Electrostatics/ChargesOnGrid.h"
@@ -34,7 +35,7 @@ vtkSmartPointer<vtkDoubleArray> Doubles(const char* name, std::size_t count, int
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  SizeArray(array, static_cast<vtkIdType>(count));
   return array;
 }
 
@@ -77,7 +78,7 @@ vtkSmartPointer<vtkPolyData> LevelTriangles(const SoluteVolume& volume)
   const auto& n = level.Dimensions();
   vtkNew<vtkFloatArray> values;
   values->SetName("Level");
-  values->SetNumberOfTuples(static_cast<vtkIdType>(n[0] * n[1] * n[2]));
+  SizeArray(values, static_cast<vtkIdType>(n[0] * n[1] * n[2]));
   vtkIdType id = 0;
   for (std::int64_t k = 0; k < n[2]; ++k)
   {
@@ -111,7 +112,7 @@ void FillImage(const GridPotential& solution, vtkImageData* image, const Progres
   auto reaction = Doubles("ReactionPotential", count);
   vtkNew<vtkUnsignedCharArray> side;
   side->SetName("Side");
-  side->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  SizeArray(side, static_cast<vtkIdType>(count));
   double* const total = potential->GetPointer(0);
   double* const rest = reaction->GetPointer(0);
   unsigned char* const in = side->GetPointer(0);
@@ -250,7 +251,7 @@ vtkSmartPointer<vtkFloatArray> Map(const char* name, vtkImageData* image, int co
   auto map = vtkSmartPointer<vtkFloatArray>::New();
   map->SetName(name);
   map->SetNumberOfComponents(components);
-  map->SetNumberOfTuples(image->GetNumberOfPoints());
+  SizeArray(map, image->GetNumberOfPoints());
   map->FillValue(0.0F);
   return map;
 }

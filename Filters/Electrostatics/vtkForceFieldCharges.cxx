@@ -2,6 +2,7 @@
 
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
+#include "Core/PipelineInputs.h"
 #include "Electrostatics/ForceFieldAtoms.h"
 
 #include <vtkDataArray.h>
@@ -36,6 +37,7 @@ int vtkForceFieldCharges::RequestData(
       {
         return;
       }
+      isthmus::RequirePlaces(atoms, "the atoms");
       const isthmus::ChargeArrays arrays{ "Charge", "Radius" };
       if (!isthmus::LacksCharges(atoms, arrays))
       {

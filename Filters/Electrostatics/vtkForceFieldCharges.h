@@ -17,8 +17,8 @@
  * these files do not have.
  *
  * **Errors** (one message, empty output): pdb2pqr is not installed, fails or takes more than ten
- * minutes; atoms without names of residues and without charges; more chains or residues than a PDB
- * file holds.
+ * minutes; atoms without names of residues and without charges; coordinates that are not finite;
+ * more chains or residues than a PDB file holds.
  *
  * **Cost.** pdb2pqr's, some seconds; the answer is kept until the atoms change. On several MPI
  * ranks, gather the atoms first.

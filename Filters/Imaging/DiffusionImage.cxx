@@ -1,4 +1,5 @@
 #include "Imaging/DiffusionImage.h"
+#include "Core/ArrayMemory.h"
 #include "Core/LargePages.h"
 #include "Core/NumberText.h"
 
@@ -100,7 +101,7 @@ vtkSmartPointer<typename DiffusionImage<T>::Array> DiffusionImage<T>::NewVolume(
 {
   auto volume = vtkSmartPointer<Array>::New();
   volume->SetName(name.c_str());
-  volume->SetNumberOfTuples(this->Grid.Size());
+  SizeArray(volume, this->Grid.Size());
   AdviseLargePages(volume.Get());
   return volume;
 }
@@ -265,7 +266,7 @@ void DiffusionImage<T>::AddResult(Array* volume, bool active)
   {
     result = vtkSmartPointer<Array>::New();
     result->SetName(volume->GetName());
-    result->SetNumberOfTuples(this->Output->GetNumberOfPoints());
+    SizeArray(result, this->Output->GetNumberOfPoints());
     AdviseLargePages(result.Get());
     CopyPart(vtk::DataArrayValueRange<1>(volume), this->Parts.Local(), extent,
       result->GetPointer(0), extent);
@@ -282,7 +283,7 @@ void DiffusionImage<T>::AddFieldData(const std::string& name, const std::vector<
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name.c_str());
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  SizeArray(array, static_cast<vtkIdType>(values.size()));
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   this->Output->GetFieldData()->AddArray(array);
 }

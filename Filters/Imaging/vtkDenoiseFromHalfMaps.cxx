@@ -1,6 +1,7 @@
 #include "vtkDenoiseFromHalfMaps.h"
 
 #include "Core/AlgorithmGuard.h"
+#include "Core/ArrayMemory.h"
 #include "Core/ImageExtent.h"
 #include "Core/InnerAlgorithm.h"
 #include "vtkHighOrderDiffusion.h"
@@ -138,7 +139,7 @@ void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtk
   const bool isDouble = scalars->GetDataType() == VTK_DOUBLE || others->GetDataType() == VTK_DOUBLE;
   mean.TakeReference(vtkDataArray::CreateDataArray(isDouble ? VTK_DOUBLE : VTK_FLOAT));
   mean->SetName(scalars->GetName());
-  mean->SetNumberOfTuples(scalars->GetNumberOfTuples());
+  isthmus::SizeArray(mean, scalars->GetNumberOfTuples());
   const double noise = Average(scalars, others, mean);
   vtkNew<vtkImageData> volume;
   volume->CopyStructure(one);

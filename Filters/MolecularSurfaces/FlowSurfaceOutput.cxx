@@ -1,5 +1,6 @@
 #include "MolecularSurfaces/FlowSurfaceOutput.h"
 
+#include "Core/ArrayMemory.h"
 #include "Core/InnerAlgorithm.h"
 #include "Core/NamedColumns.h"
 #include "Core/ParallelFor.h"
@@ -27,7 +28,7 @@ vtkFloatArray* AddArray(vtkImageData* image, const char* name)
 {
   vtkNew<vtkFloatArray> array;
   array->SetName(name);
-  array->SetNumberOfValues(image->GetNumberOfPoints());
+  SizeArray(array, image->GetNumberOfPoints());
   image->GetPointData()->AddArray(array);
   return array;
 }
@@ -102,7 +103,7 @@ void ContourImage(
     const float* values = vtkFloatArray::SafeDownCast(from)->GetPointer(0);
     vtkNew<vtkFloatArray> depth;
     depth->SetName("Depth");
-    depth->SetNumberOfValues(image->GetNumberOfPoints());
+    SizeArray(depth, image->GetNumberOfPoints());
     Fill(depth, [=](std::size_t node) { return -values[node]; });
     inverted->GetPointData()->SetScalars(depth);
   }

@@ -2,6 +2,7 @@
 
 #include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
+#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 #include "Core/ImageExtent.h"
 #include "Core/NumberText.h"
@@ -126,7 +127,7 @@ void FillAtoms(vtkDataObject* input, const isthmus::MoleculeAtoms& atoms,
   {
     vtkNew<vtkDoubleArray> values;
     values->SetName(column.Name);
-    values->SetNumberOfValues(atoms.NumberOfAtoms);
+    isthmus::SizeArray(values, atoms.NumberOfAtoms);
     values->FillValue(0.0);
     for (std::size_t i = 0; i < atoms.Points.size(); ++i)
     {

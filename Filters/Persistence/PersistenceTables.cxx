@@ -1,5 +1,6 @@
 #include "Persistence/PersistenceTables.h"
 
+#include "Core/ArrayMemory.h"
 #include "Core/NamedColumns.h"
 
 #include <vtkCellArray.h>
@@ -135,7 +136,7 @@ void FillSaddles(const FeatureList& features, double end, vtkImageData* image,
   }
   vtkNew<vtkPoints> places;
   places->SetDataTypeToDouble();
-  places->SetNumberOfPoints(static_cast<vtkIdType>(ends.size()));
+  SizePoints(places, static_cast<vtkIdType>(ends.size()));
   vtkNew<vtkCellArray> vertices;
   FeatureColumns columns(points->GetPointData(), ends.size(), end);
   auto* value = AddArray<vtkDoubleArray>(points->GetPointData(), "Value", ends.size());

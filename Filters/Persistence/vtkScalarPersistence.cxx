@@ -1,6 +1,7 @@
 #include "vtkScalarPersistence.h"
 
 #include "Core/AlgorithmGuard.h"
+#include "Core/ArrayMemory.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
 #include "Persistence/PersistenceCache.h"
@@ -167,7 +168,7 @@ void vtkScalarPersistence::FillSimplified(const Work& work, vtkInformationVector
   const auto values =
     vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(work.Scalars->GetDataType()));
   values->SetName(work.Scalars->GetName());
-  values->SetNumberOfTuples(work.Scalars->GetNumberOfTuples());
+  isthmus::SizeArray(values, work.Scalars->GetNumberOfTuples());
   isthmus::SimplifyScalar(work.Volume, work.Features, this->Superlevel, values->GetVoidPointer(0),
     isthmus::Between(isthmus::ProgressOf(this), 0.9, 1.0));
   vtkImageData* output = vtkImageData::GetData(outputVector, SimplifiedPort);

@@ -1,5 +1,6 @@
 #include "Pockets/PocketOutput.h"
 
+#include "Core/ArrayMemory.h"
 #include "Core/NamedColumns.h"
 #include "Pockets/LiningResidues.h"
 
@@ -87,6 +88,22 @@ std::array<double, 2> PolarShares(const Pocket& pocket, const MoleculeAtoms& ato
 
 }
 
+namespace
+{
+
+/// Of all pockets.
+vtkIdType NumberOfCells(const PocketReport& report)
+{
+  vtkIdType count = 0;
+  for (const auto& pocket : report.Pockets)
+  {
+    count += static_cast<vtkIdType>(pocket.Cells.size());
+  }
+  return count;
+}
+
+}
+
 void FillPocketCells(const PocketReport& report, vtkUnstructuredGrid* output)
 {
   vtkNew<vtkPoints> points;
@@ -97,7 +114,14 @@ void FillPocketCells(const PocketReport& report, vtkUnstructuredGrid* output)
   auto burial = NamedArray<vtkIdTypeArray>("Burial");
   auto volume = NamedArray<vtkDoubleArray>("EmptyVolume");
   AtomPointInserter place(report.Atoms, points, ids);
-  output->AllocateExact(1, 1);
+  const vtkIdType count = NumberOfCells(report);
+  vtkNew<vtkCellArray> cells;
+  ReserveCells(cells, count, 4 * count);
+  for (vtkDataArray* array :
+    std::initializer_list<vtkDataArray*>{ pocketId, clearance, access, burial, volume })
+  {
+    ReserveArray(array, count);
+  }
   for (std::size_t i = 0; i < report.Pockets.size(); ++i)
   {
     place.NextPocket();
@@ -116,7 +140,7 @@ void FillPocketCells(const PocketReport& report, vtkUnstructuredGrid* output)
       {
         std::swap(corners[2], corners[3]);
       }
-      output->InsertNextCell(VTK_TETRA, 4, corners);
+      cells->InsertNextCell(4, corners);
       pocketId->InsertNextValue(NumberOf(i));
       clearance->InsertNextValue(cell.Clearance);
       access->InsertNextValue(cell.Access);
@@ -125,6 +149,7 @@ void FillPocketCells(const PocketReport& report, vtkUnstructuredGrid* output)
     }
   }
   output->SetPoints(points);
+  SetCellsOfType(output, VTK_TETRA, cells);
   output->GetPointData()->AddArray(ids);
   output->GetCellData()->SetScalars(pocketId);
   for (vtkDataArray* array :
@@ -235,6 +260,13 @@ void FillAlphaBalls(const PocketReport& report, vtkPolyData* output)
   auto radius = NamedArray<vtkDoubleArray>("Radius");
   auto access = NamedArray<vtkDoubleArray>("AccessRadius");
   auto burial = NamedArray<vtkIdTypeArray>("Burial");
+  const vtkIdType count = NumberOfCells(report);
+  ReserveCells(vertices, count, count);
+  for (vtkDataArray* array :
+    std::initializer_list<vtkDataArray*>{ points->GetData(), pocketId, radius, access, burial })
+  {
+    ReserveArray(array, count);
+  }
   for (std::size_t i = 0; i < report.Pockets.size(); ++i)
   {
     for (const PocketCell& cell : report.Pockets[i].Cells)

@@ -2,6 +2,7 @@
 
 #include "Atoms/MoleculeAtoms.h"
 #include "Core/AlgorithmGuard.h"
+#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 #include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
@@ -106,7 +107,7 @@ int vtkBindingSites::RequestData(
           : this->Patches(surface, triangles.View());
         vtkNew<vtkIntArray> labels;
         labels->SetName("BindingSite");
-        labels->SetNumberOfValues(surface->GetNumberOfPoints());
+        isthmus::SizeArray(labels, surface->GetNumberOfPoints());
         std::copy(result.Labels.begin(), result.Labels.end(), labels->GetPointer(0));
         output->GetPointData()->AddArray(labels);
         output->GetPointData()->SetActiveScalars("BindingSite");

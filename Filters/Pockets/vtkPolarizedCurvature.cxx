@@ -1,6 +1,7 @@
 #include "vtkPolarizedCurvature.h"
 
 #include "Core/AlgorithmGuard.h"
+#include "Core/ArrayMemory.h"
 #include "Core/ImageExtent.h"
 #include "Core/NumberText.h"
 #include "Core/ParallelFor.h"
@@ -87,7 +88,7 @@ Array* NewPointArray(vtkPolyData* output, const char* name)
 {
   vtkNew<Array> array;
   array->SetName(name);
-  array->SetNumberOfValues(output->GetNumberOfPoints());
+  isthmus::SizeArray(array, output->GetNumberOfPoints());
   output->GetPointData()->AddArray(array);
   return array;
 }
@@ -160,7 +161,7 @@ int vtkPolarizedCurvature::RequestData(
       }
       vtkNew<vtkDoubleArray> potential;
       potential->SetName("Potential");
-      potential->SetNumberOfValues(surface->GetNumberOfPoints());
+      isthmus::SizeArray(potential, surface->GetNumberOfPoints());
       image ? this->Sample(surface, image, potential) : this->Copy(surface, potential);
       this->AddProducts(surface, potential, output);
     });

@@ -1,6 +1,7 @@
 #include "vtkSurfaceRemesh.h"
 
 #include "Core/AlgorithmGuard.h"
+#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 #include "Core/PolyDataTriangles.h"
 #include "Remeshing/SurfaceRemesh.h"
@@ -38,7 +39,7 @@ void InterpolatePointData(vtkPolyData* from, const isthmus::CleanedSurface& old,
     result->SetName(array->GetName());
     result->SetNumberOfComponents(array->GetNumberOfComponents());
     result->CopyComponentNames(array);
-    result->SetNumberOfTuples(static_cast<vtkIdType>(locations.size()));
+    isthmus::SizeArray(result, static_cast<vtkIdType>(locations.size()));
     for (std::size_t i = 0; i < locations.size(); ++i)
     {
       const isthmus::Triangle& t =

@@ -1,5 +1,6 @@
 #include "Solvation/IonTransportOutput.h"
 
+#include "Core/ArrayMemory.h"
 #include "Core/NamedColumns.h"
 #include "Core/ParallelFor.h"
 
@@ -28,7 +29,7 @@ vtkSmartPointer<Array> Named(const std::string& name, std::int64_t tuples, int c
   auto array = vtkSmartPointer<Array>::New();
   array->SetName(name.c_str());
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
+  SizeArray(array, tuples);
   return array;
 }
 

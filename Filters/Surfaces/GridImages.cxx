@@ -1,5 +1,6 @@
 #include "Surfaces/GridImages.h"
 
+#include "Core/ArrayMemory.h"
 #include "Core/ImageScalars.h"
 #include "Core/InnerAlgorithm.h"
 
@@ -46,7 +47,7 @@ vtkSmartPointer<vtkPolyData> InGridAxes(vtkPolyData* surface, vtkImageData* grid
   const double* const h = grid->GetSpacing();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(surface->GetNumberOfPoints());
+  SizePoints(points, surface->GetNumberOfPoints());
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
     double x[3], index[3];
@@ -98,7 +99,7 @@ void AddFlags(vtkImageData* output, const char* name, const std::vector<unsigned
 {
   vtkNew<vtkUnsignedCharArray> array;
   array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(flags.size()));
+  SizeArray(array, static_cast<vtkIdType>(flags.size()));
   std::copy(flags.begin(), flags.end(), array->GetPointer(0));
   output->GetPointData()->AddArray(array);
 }
@@ -108,7 +109,7 @@ void AddSignedDistance(vtkImageData* output, const std::vector<unsigned char>& i
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName("SignedDistance");
-  array->SetNumberOfValues(static_cast<vtkIdType>(distance.size()));
+  SizeArray(array, static_cast<vtkIdType>(distance.size()));
   std::transform(distance.begin(), distance.end(), inside.begin(), array->GetPointer(0),
     [](double value, unsigned char isInside) { return isInside ? -value : value; });
   output->GetPointData()->AddArray(array);
@@ -130,17 +131,18 @@ void FillCrossings(
   vtkNew<vtkIdTypeArray> nodes, offsets, corners;
   vtkNew<vtkIntArray> axes;
   points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(count);
+  SizePoints(points, count);
   normals->SetName("Normals");
   normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(count);
+  SizeArray(normals, count);
   fractions->SetName("Fraction");
-  fractions->SetNumberOfValues(count);
+  SizeArray(fractions, count);
   nodes->SetName("Node");
-  nodes->SetNumberOfValues(count);
+  SizeArray(nodes, count);
   axes->SetName("Axis");
-  axes->SetNumberOfValues(count);
-  corners->SetNumberOfValues(count);
+  SizeArray(axes, count);
+  SizeArray(corners, count);
+  SizeArray(offsets, count + 1); // vtkCellArray makes them where they are left out, and may abort
   const int* const size = grid->GetDimensions();
   const int* const extent = grid->GetExtent();
   for (vtkIdType i = 0; i < count; ++i)
@@ -160,9 +162,11 @@ void FillCrossings(
     nodes->SetValue(i, crossing.Node);
     axes->SetValue(i, crossing.Axis);
     corners->SetValue(i, i);
+    offsets->SetValue(i, i);
   }
+  offsets->SetValue(count, count);
   vtkNew<vtkCellArray> vertices;
-  vertices->SetData(1, corners);
+  vertices->SetData(offsets, corners);
   output->SetPoints(points);
   output->SetVerts(vertices);
   output->GetPointData()->SetNormals(normals);

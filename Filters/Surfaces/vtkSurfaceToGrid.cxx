@@ -1,6 +1,7 @@
 #include "vtkSurfaceToGrid.h"
 
 #include "Core/AlgorithmGuard.h"
+#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
@@ -278,7 +279,7 @@ void vtkSurfaceToGrid::FromImage(vtkImageData* image, vtkImageData* output, vtkP
   {
     const auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
     bytes->SetName(scalars->GetName());
-    bytes->SetNumberOfValues(scalars->GetNumberOfTuples());
+    isthmus::SizeArray(bytes, scalars->GetNumberOfTuples());
     for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
     {
       bytes->SetValue(i, static_cast<unsigned char>(scalars->GetComponent(i, 0)));

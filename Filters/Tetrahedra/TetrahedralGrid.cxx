@@ -1,4 +1,5 @@
 #include "Tetrahedra/TetrahedralGrid.h"
+#include "Core/ArrayMemory.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -16,10 +17,10 @@ void SetGrid(const TetrahedralMesh& mesh, vtkUnstructuredGrid* grid)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.Points.size()));
+  SizePoints(points, static_cast<vtkIdType>(mesh.Points.size()));
   vtkNew<vtkIdTypeArray> original;
   original->SetName("OriginalPointId");
-  original->SetNumberOfValues(points->GetNumberOfPoints());
+  SizeArray(original, points->GetNumberOfPoints());
   for (std::size_t i = 0; i < mesh.Points.size(); ++i)
   {
     points->SetPoint(static_cast<vtkIdType>(i), mesh.Points[i].data());
@@ -27,10 +28,10 @@ void SetGrid(const TetrahedralMesh& mesh, vtkUnstructuredGrid* grid)
   }
   const auto count = static_cast<vtkIdType>(mesh.Tetrahedra.size());
   vtkNew<vtkCellArray> cells;
-  cells->AllocateExact(count, 4 * count);
+  ReserveCells(cells, count, 4 * count);
   vtkNew<vtkIntArray> regions;
   regions->SetName("RegionId");
-  regions->SetNumberOfValues(count);
+  SizeArray(regions, count);
   for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
   {
     const Tetrahedron& t = mesh.Tetrahedra[i];
@@ -38,7 +39,7 @@ void SetGrid(const TetrahedralMesh& mesh, vtkUnstructuredGrid* grid)
     regions->SetValue(static_cast<vtkIdType>(i), mesh.Regions[i]);
   }
   grid->SetPoints(points);
-  grid->SetCells(VTK_TETRA, cells);
+  SetCellsOfType(grid, VTK_TETRA, cells);
   grid->GetPointData()->AddArray(original);
   grid->GetCellData()->SetScalars(regions);
 }

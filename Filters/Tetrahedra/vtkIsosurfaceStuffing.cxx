@@ -2,6 +2,7 @@
 
 #include "Contouring/ClosedLevelSet.h"
 #include "Core/AlgorithmGuard.h"
+#include "Core/ArrayMemory.h"
 #include "Core/Geometry.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
@@ -95,7 +96,7 @@ void AddFlags(const isthmus::IsosurfaceStuffingResult& result, vtkUnstructuredGr
 {
   vtkNew<vtkUnsignedCharArray> onSurface;
   onSurface->SetName("OnSurface");
-  onSurface->SetNumberOfValues(grid->GetNumberOfPoints());
+  isthmus::SizeArray(onSurface, grid->GetNumberOfPoints());
   std::copy(result.OnSurface.begin(), result.OnSurface.end(), onSurface->GetPointer(0));
   grid->GetPointData()->RemoveArray("OriginalPointId"); // there are none
   grid->GetPointData()->AddArray(onSurface);

@@ -1,6 +1,7 @@
 #include "vtkMeshQualityReport.h"
 
 #include "Core/AlgorithmGuard.h"
+#include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 #include "Core/NumberText.h"
 #include "Tetrahedra/MeshQuality.h"
@@ -98,7 +99,7 @@ void AddArray(vtkPointSet* mesh, const char* name, const std::vector<isthmus::Ce
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(cells.size()));
+  isthmus::SizeArray(array, static_cast<vtkIdType>(cells.size()));
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
     array->SetValue(static_cast<vtkIdType>(i), cells[i].*member);
@@ -178,7 +179,7 @@ void AddFieldData(const isthmus::QualitySummary& s, const std::string& line, vtk
   vtkNew<vtkDoubleArray> numbers;
   numbers->SetName("QualityMeasures");
   numbers->SetNumberOfComponents(4);
-  numbers->SetNumberOfTuples(1);
+  isthmus::SizeArray(numbers, 1);
   for (int c = 0; c < 4; ++c)
   {
     numbers->SetComponentName(c, measures[c].first);

@@ -1,5 +1,6 @@
 #include "vtkVolumeTextReader.h"
 
+#include "Core/ArrayMemory.h"
 #include "Files/OpenByteSource.h"
 #include "Files/ReaderGuard.h"
 #include "Files/TextLines.h"
@@ -116,7 +117,7 @@ int vtkVolumeTextReader::RequestData(
       const std::array<int, 3> n = ReadCounts(words, MostValues(*source));
       vtkNew<vtkDoubleArray> values;
       values->SetName("Density");
-      values->SetNumberOfTuples(vtkIdType{ n[0] } * n[1] * n[2]);
+      isthmus::SizeArray(values, vtkIdType{ n[0] } * n[1] * n[2]);
       const vtkIdType layer = vtkIdType{ n[0] } * n[1];
       const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
       for (int k = 0; k < n[2]; ++k)

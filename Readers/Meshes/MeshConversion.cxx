@@ -1,4 +1,5 @@
 #include "Meshes/MeshConversion.h"
+#include "Core/ArrayMemory.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -143,7 +144,7 @@ vtkSmartPointer<vtkDataArray> ToDataArray(const NumberList& numbers, std::int64_
       auto array = vtkSmartPointer<vtkDataArray>::Take(
         vtkDataArray::CreateDataArray(vtkTypeTraits<Value>::VTKTypeID()));
       array->SetNumberOfComponents(static_cast<int>(components));
-      array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+      SizeArray(array, static_cast<vtkIdType>(values.size()) / components);
       if (!values.empty())
       {
         std::memcpy(array->GetVoidPointer(0), values.data(), values.size() * sizeof(Value));

@@ -1,6 +1,7 @@
 #include "vtkCombinatorialMeshWriter.h"
 
 #include "CellComplex/GridCells.h"
+#include "Core/ArrayMemory.h"
 #include "Files/FileReplacement.h"
 #include "Meshes/CombinatorialMeshFile.h"
 #include "Meshes/MeshConversion.h"
@@ -53,7 +54,7 @@ isthmus::NumberList Numbers(vtkDataArray* array, std::int64_t count, TupleOf&& t
   {
     tuples->SetId(i, tupleOf(i));
   }
-  plain->SetNumberOfTuples(count);
+  isthmus::SizeArray(plain, count);
   array->GetTuples(tuples, plain);
   isthmus::NumberList list;
   switch (plain->GetDataType())

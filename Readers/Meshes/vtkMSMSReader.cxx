@@ -1,5 +1,6 @@
 #include "vtkMSMSReader.h"
 
+#include "Core/ArrayMemory.h"
 #include "Files/ReaderGuard.h"
 #include "Meshes/MSMSReader.h"
 
@@ -24,7 +25,7 @@ void AddIntegers(vtkDataSetAttributes* to, const char* name, const std::vector<i
 {
   vtkNew<vtkIntArray> array;
   array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  isthmus::SizeArray(array, static_cast<vtkIdType>(values.size()));
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   to->AddArray(array);
 }
@@ -42,6 +43,8 @@ void SetSurface(const isthmus::MSMSSurface& surface, vtkPolyData* output)
     normals->InsertNextTuple(surface.Normals[i].data());
   }
   vtkNew<vtkCellArray> triangles;
+  const auto count = static_cast<vtkIdType>(surface.Triangles.size());
+  isthmus::ReserveCells(triangles, count, 3 * count);
   for (const auto& t : surface.Triangles)
   {
     triangles->InsertNextCell({ t[0], t[1], t[2] });

@@ -1,6 +1,7 @@
 #include "Molecules/MoleculeOutput.h"
 
 #include "Atoms/ChemicalElement.h"
+#include "Core/ArrayMemory.h"
 #include "Core/LargePages.h"
 #include "Core/ParallelFor.h"
 #include "Core/PrintableText.h"
@@ -45,7 +46,7 @@ MakeArray Numbers(const Macromolecule& molecule, const char* name, Value value)
   {
     auto array = vtkSmartPointer<Array>::New();
     array->SetName(name);
-    array->SetNumberOfValues(static_cast<vtkIdType>(molecule.Atoms.size()));
+    SizeArray(array, static_cast<vtkIdType>(molecule.Atoms.size()));
     AdviseLargePages(array.Get());
     std::transform(molecule.Atoms.begin(), molecule.Atoms.end(), array->GetPointer(0), value);
     return array;
@@ -74,7 +75,7 @@ MakeArray Texts(const Macromolecule& molecule, const char* name, Value value)
   {
     auto array = vtkSmartPointer<vtkStringArray>::New();
     array->SetName(name);
-    array->SetNumberOfValues(static_cast<vtkIdType>(molecule.Atoms.size()));
+    SizeArray(array, static_cast<vtkIdType>(molecule.Atoms.size()));
     vtkStdString* next = array->GetPointer(0);
     for (const Atom& atom : molecule.Atoms)
     {
@@ -146,7 +147,7 @@ vtkSmartPointer<vtkPoints> PointsOf(const Macromolecule& molecule)
 {
   vtkNew<vtkDoubleArray> coordinates;
   coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(molecule.Atoms.size()));
+  SizeArray(coordinates, static_cast<vtkIdType>(molecule.Atoms.size()));
   AdviseLargePages(coordinates.Get());
   double* next = coordinates->GetPointer(0);
   for (const Atom& atom : molecule.Atoms)
@@ -163,9 +164,9 @@ template <typename PointId>
 void SetCells(vtkCellArray* cells, vtkIdType count, vtkIdType size, PointId point)
 {
   vtkNew<vtkIdTypeArray> offsets;
-  offsets->SetNumberOfValues(count + 1);
+  SizeArray(offsets, count + 1);
   vtkNew<vtkIdTypeArray> ids;
-  ids->SetNumberOfValues(count * size);
+  SizeArray(ids, count * size);
   for (vtkIdType i = 0; i <= count; ++i)
   {
     offsets->SetValue(i, i * size);
@@ -194,7 +195,7 @@ void SetCells(const Macromolecule& molecule, vtkPolyData* to)
   to->SetLines(lines);
   vtkNew<vtkUnsignedCharArray> source;
   source->SetName("BondSource");
-  source->SetNumberOfValues(atoms + bonds);
+  SizeArray(source, atoms + bonds);
   unsigned char* next = std::fill_n(source->GetPointer(0), atoms, static_cast<unsigned char>(0));
   for (const Bond& bond : molecule.Bonds)
   {

@@ -1,5 +1,6 @@
 #include "vtkOpenDXReader.h"
 
+#include "Core/ArrayMemory.h"
 #include "Core/Geometry.h"
 #include "Core/LargePages.h"
 #include "Core/NumberText.h"
@@ -145,7 +146,7 @@ vtkSmartPointer<vtkUnsignedCharArray> Resampled(OpenDXReader& file, const VoxelL
   file.Read(needed, values.data(), isthmus::Between(progress, 0.0, 0.7));
   auto inside = vtkSmartPointer<vtkUnsignedCharArray>::New();
   inside->SetName("InsideMap");
-  inside->SetNumberOfValues(nodes);
+  isthmus::SizeArray(inside, nodes);
   isthmus::ResampleValues(file.Array().Components, file.Lattice(), values.data(), needed, target,
     box, out, inside->GetPointer(0), isthmus::Between(progress, 0.7, 1.0));
   for (vtkIdType i = 0; i < nodes; ++i)
@@ -242,7 +243,7 @@ void vtkOpenDXReader::ReadValues(OpenDXReader& file, vtkImageData* output)
   vtkNew<Array> values;
   values->SetName(this->ArrayName.c_str());
   values->SetNumberOfComponents(file.Array().Components);
-  values->SetNumberOfTuples(output->GetNumberOfPoints());
+  isthmus::SizeArray(values, output->GetNumberOfPoints());
   isthmus::AdviseLargePages(values.Get());
   std::string note;
   if (IsOrthogonal(file.Lattice()))

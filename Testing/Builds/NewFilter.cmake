@@ -8,8 +8,10 @@ file(MAKE_DIRECTORY "${copy}")
 foreach (folder IN ITEMS cmake Examples Filters Readers Plugin Testing)
   file(COPY "${SOURCE_DIR}/${folder}" DESTINATION "${copy}")
 endforeach ()
-# Testing/README.md points to these.
-file(COPY "${SOURCE_DIR}/.clang-tidy" "${SOURCE_DIR}/CONTRIBUTING.md" DESTINATION "${copy}")
+# READMEs and the guide link to these.
+foreach (file IN ITEMS .clang-tidy .github CHANGELOG.md CITATION.cff CONTRIBUTING.md LICENSE README.md)
+  file(COPY "${SOURCE_DIR}/${file}" DESTINATION "${copy}")
+endforeach ()
 
 run("${copy}/cmake/new_filter.sh" PhaseFlip Imaging)
 foreach (check IN ITEMS check_modules check_readmes check_links)

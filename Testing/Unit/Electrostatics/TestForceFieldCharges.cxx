@@ -15,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -129,6 +130,9 @@ TEST(ForceFieldCharges, WithoutTheProgramOrNamesThereIsOneMessage)
 {
   const Program none(false);
   EXPECT_NE(Complaint(Glycine()).find("pdb2pqr"), std::string::npos) << Complaint(Glycine());
+  const auto nowhere = Glycine();
+  nowhere->GetPoints()->SetPoint(1, std::nan(""), 0.0, 0.0);
+  EXPECT_NE(Complaint(nowhere).find("finite"), std::string::npos) << Complaint(nowhere);
   vtkNew<vtkPolyData> nameless;
   nameless->SetPoints(Glycine()->GetPoints());
   EXPECT_NE(Complaint(nameless).find("neither charges nor names"), std::string::npos)
