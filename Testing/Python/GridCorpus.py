@@ -27,22 +27,13 @@ def image_of(path, resample=False):
     """What Isthmus reads, or its message."""
     is_map = corpus.extension(path) in MAPS
     reader = isthmus.vtkMRCMapReader() if is_map else isthmus.vtkOpenDXReader()
-    messages = []
-
-    def keep(caller, event, message=""):
-        messages.append(message)
-
-    keep.CallDataType = "string0"
-    reader.AddObserver("ErrorEvent", keep)
-    reader.AddObserver("WarningEvent", lambda *_: None)
-    reader.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
     reader.SetFileName(str(path))
     if is_map and not resample:
         reader.SetNonOrthogonalCellToKeepCellAxes()
-    reader.Update()
+    messages = corpus.errors_of_update(reader)
     image = reader.GetOutput()
     if messages or not image.GetNumberOfPoints():
-        return " ".join(messages).split("): ", 1)[-1].strip() or "no values and no message"
+        return messages or "no values and no message"
     return image
 
 

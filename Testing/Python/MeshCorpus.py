@@ -34,20 +34,11 @@ def read(path):
     if path.suffix == ".vert" or path.suffix == ".face" and path.with_suffix(".vert").exists():
         reader = isthmus.vtkMSMSReader()
         reader.SetAllComponents(False)  # other readers read one file
-    messages = []
-
-    def keep(caller, event, message=""):
-        messages.append(message)
-
-    keep.CallDataType = "string0"
-    reader.AddObserver("ErrorEvent", keep)
-    reader.AddObserver("WarningEvent", lambda *_: None)
-    reader.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
     reader.SetFileName(str(path))
-    reader.Update()
+    messages = corpus.errors_of_update(reader)
     output = reader.GetOutputDataObject(0)
     if messages:
-        return " ".join(messages).split("): ", 1)[-1].strip()
+        return messages
     points = numpy.zeros((0, 3))
     if output.GetNumberOfPoints():
         points = vtk_to_numpy(output.GetPoints().GetData())

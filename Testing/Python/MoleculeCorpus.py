@@ -40,22 +40,13 @@ def texts(data, name):
 def read(path):
     """What Isthmus finds, or its message."""
     reader = isthmus.vtkMacromoleculeReader()
-    messages = []
-
-    def keep(caller, event, message=""):
-        messages.append(message)
-
-    keep.CallDataType = "string0"
-    reader.AddObserver("ErrorEvent", keep)
-    reader.AddObserver("WarningEvent", lambda *_: None)
-    reader.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
     reader.SetFileName(str(path))
     reader.SetAltLoc("*")
     reader.SetBondsByDistance(False)
-    reader.Update()
+    messages = corpus.errors_of_update(reader)
     output = reader.GetOutput()
     if messages or not output.GetNumberOfPoints():
-        return " ".join(messages).split("): ", 1)[-1].strip() or "no atoms and no message"
+        return messages or "no atoms and no message"
     data = output.GetPointData()
     chains = texts(data, "Chain")
     codes = texts(data, "InsertionCode") if data.HasArray("InsertionCode") else [""] * len(chains)

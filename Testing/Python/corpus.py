@@ -159,3 +159,18 @@ def add(table, path, ours, theirs, quantities, same=lambda quantity, a, b: a == 
         problem = difference(quantities, ours, readable, found)
         table.add(path, "differ" if problem else "agree", problem,
                   [quantity for quantity in quantities if found[quantity] is not False])
+
+
+def errors_of_update(reader):
+    """Updates a reader and returns the text of its errors, empty without any; warnings are not shown."""
+    messages = []
+
+    def keep(caller, event, message=""):
+        messages.append(message)
+
+    keep.CallDataType = "string0"
+    reader.AddObserver("ErrorEvent", keep)
+    reader.AddObserver("WarningEvent", lambda *_: None)
+    reader.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+    reader.Update()
+    return " ".join(messages).split("): ", 1)[-1].strip()
