@@ -8,7 +8,7 @@ import traceback
 from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 
-def tell(message):
+def show_error(message):
     """An error in the window's messages, which open for it as for a filter's."""
     vtkOutputWindow.GetInstance().DisplayErrorText(f"Isthmus: {message}\n")
 
@@ -31,5 +31,5 @@ def fault(what):
     """Called in an except clause: `what` failed for a reason that nobody has foreseen."""
     with tempfile.NamedTemporaryFile("w", prefix="isthmus-fault-", suffix=".txt", delete=False) as report:
         report.write(traceback.format_exc())
-    tell(f"{what} failed. This is a fault in Isthmus: please report it with the file {report.name} and, if you "
-         "can, the data that was open.")
+    show_error(f"{what} failed. This is a fault in Isthmus: please report it with the file {report.name} and, if "
+               "you can, the data that was open.")

@@ -376,7 +376,7 @@ def use_proposed_threshold(number):
     loops = servermanager._getPyProxy(servermanager.ActiveConnection.Session.GetRemoteObject(number))
     proposed = loops.FieldData["ProposedThreshold"]
     if proposed is None:
-        messages.tell("There is no threshold to propose before the first result: press Apply first.")
+        messages.show_error("There is no threshold to propose before the first result: press Apply first.")
         return
     lines = servermanager.Fetch(simple.OutputPort(loops, 0), 0, 0)
     told = lines.GetFieldData().GetArray("ProposedThreshold")
@@ -405,7 +405,7 @@ def run(function):
     in the active view, with all else hidden."""
     selected = simple.GetActiveSource()
     if selected is None:
-        messages.tell("Select a source in the pipeline browser first: open a map, a molecule or a surface.")
+        messages.show_error("Select a source in the pipeline browser first: open a map, a molecule or a surface.")
         return
     source = _upstream(selected, _fits(function))
     before = set(simple.GetSources().values())
@@ -419,7 +419,7 @@ def run(function):
         simple.SetActiveSource(selected)  # what was deleted may have been it
         if not isinstance(error, ValueError):
             raise
-        messages.tell(str(error))
+        messages.show_error(str(error))
         return
     view = simple.GetActiveViewOrCreate("RenderView")
     simple.HideAll(view)

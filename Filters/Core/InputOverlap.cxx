@@ -31,7 +31,7 @@ namespace
 {
 
 constexpr double GrownBy = 0.1;      // of the larger box's diagonal
-constexpr int NodesAlongAnAxis = 16; // of an image that are asked for
+constexpr int NodesAlongAnAxis = 16; // of an image that are looked at
 constexpr double SameRatio = 0.05;   // off 10
 constexpr double NanometreInAngstrom = 10.0;
 
@@ -277,21 +277,18 @@ void CheckOverlap(vtkAlgorithm* self)
         : "";
       if (overlap->Share <= rule.Refused)
       {
-        throw std::invalid_argument("Inputs 0 and " + std::to_string(port) + " do not overlap" +
-          boxes + ": give data of the same molecule in the same place and unit of length." + units);
+        throw std::invalid_argument(TextOf("Inputs 0 and ", port, " do not overlap", boxes,
+          ": give data of the same molecule in the same place and unit of length.", units));
       }
       if (overlap->Share < rule.Warned)
       {
-        warnings += "Only " + FormatNumber(100.0 * overlap->Share, 2) +
-          " % of the smaller of the "
-          "inputs 0 and " +
-          std::to_string(port) + " lie within the other" + boxes +
-          ": are both of the same molecule, in the same place and unit of length?" + units;
+        warnings += TextOf("Only ", FormatNumber(100.0 * overlap->Share, 2),
+          " % of the smaller of the inputs 0 and ", port, " lie within the other", boxes,
+          ": are both of the same molecule, in the same place and unit of length?", units);
       }
       else if (unit)
       {
-        warnings +=
-          "Inputs 0 and " + std::to_string(port) + " differ in size" + boxes + "." + units;
+        warnings += TextOf("Inputs 0 and ", port, " differ in size", boxes, ".", units);
       }
     }
   }

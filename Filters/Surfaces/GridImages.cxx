@@ -149,9 +149,9 @@ void FillCrossings(
   {
     const GridCrossing& crossing = crossings[static_cast<std::size_t>(i)];
     const std::int64_t row = crossing.Node / size[0];
+    const std::int64_t layer = row / size[1];
     double index[3] = { static_cast<double>(extent[0] + crossing.Node % size[0]),
-      static_cast<double>(extent[2] + row % size[1]),
-      static_cast<double>(extent[4] + row / size[1]) };
+      static_cast<double>(extent[2] + row % size[1]), static_cast<double>(extent[4] + layer) };
     index[crossing.Axis] += crossing.Fraction;
     double position[3], normal[3];
     grid->TransformContinuousIndexToPhysicalPoint(index, position);

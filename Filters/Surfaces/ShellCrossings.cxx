@@ -27,7 +27,7 @@ namespace
 
 /// Less than this part of the surface's diagonal is no crossing but a touch.
 constexpr double TouchingPart = 1e-10;
-/// Points of a shell that are asked for beside those where it touches another.
+/// How many points of a shell are tested, apart from those where it touches another.
 constexpr std::size_t SpreadSamples = 200;
 
 using Corners3 = std::array<Point3, 3>;

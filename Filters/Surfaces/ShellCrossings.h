@@ -10,7 +10,7 @@
  *   union is a surface that has to be made (by Tetrahedral Mesher with Library Automatic).
  * - Shells that touch in points, edges or parts of faces count as apart.
  *
- * NodesInside() applies it by itself.
+ * NodesInside() applies it too.
  */
 #ifndef isthmus_ShellCrossings_h
 #define isthmus_ShellCrossings_h
