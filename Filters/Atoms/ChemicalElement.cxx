@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -25,8 +26,17 @@ constexpr std::array<const char*, NumberOfElements> Symbols{ "X", "H", "He", "Li
 bool IsOneOf(std::string_view text, std::string_view list)
 {
   // Lists are "A B C " with a blank after each.
-  const auto at = list.find(std::string(text) + " ");
-  return !text.empty() && at != std::string_view::npos && (at == 0 || list[at - 1] == ' ');
+  const auto isWord = [&](std::size_t at)
+  {
+    const std::size_t end = at + text.size();
+    return (at == 0 || list[at - 1] == ' ') && end < list.size() && list[end] == ' ';
+  };
+  std::size_t at = text.empty() ? std::string_view::npos : list.find(text);
+  while (at != std::string_view::npos && !isWord(at))
+  {
+    at = list.find(text, at + 1);
+  }
+  return at != std::string_view::npos;
 }
 
 /// Residues in which no atom is of an element with two letters, whatever its name.
@@ -64,6 +74,32 @@ bool IsSymbolOfTwoLetters(std::string_view name, std::string_view letters)
       std::string_view("HDCNOPS").find(letters[0]) == std::string_view::npos);
 }
 
+/// Places of one or two letters in a table: a blank and the alphabet, squared.
+constexpr std::size_t Letters = 27;
+constexpr std::size_t LettersSquared = Letters * Letters;
+
+/// LettersSquared for what is not one or two letters.
+std::size_t PlaceOfLetters(std::string_view symbol)
+{
+  const auto placeOf = [](char c) { return static_cast<std::size_t>((c | 0x20) - 'a') + 1; };
+  if (symbol.empty() || symbol.size() > 2 || !std::all_of(symbol.begin(), symbol.end(), IsLetter))
+  {
+    return LettersSquared;
+  }
+  return Letters * placeOf(symbol[0]) + (symbol.size() > 1 ? placeOf(symbol[1]) : 0);
+}
+
+std::array<std::uint8_t, LettersSquared> ElementsByLetters()
+{
+  std::array<std::uint8_t, LettersSquared> elements{};
+  for (std::size_t element = 1; element < Symbols.size(); ++element)
+  {
+    elements[PlaceOfLetters(Symbols[element])] = static_cast<std::uint8_t>(element);
+  }
+  elements[PlaceOfLetters("D")] = elements[PlaceOfLetters("T")] = 1; // isotopes of hydrogen
+  return elements;
+}
+
 /// Ions whose names in CHARMM's and AMBER's force fields are no symbols; 0 for all others.
 int ElementOfCharmmIon(std::string_view name)
 {
@@ -84,19 +120,9 @@ const char* ElementSymbol(int element)
 
 int ElementOfSymbol(std::string_view symbol)
 {
-  const auto same = [symbol](const char* other)
-  {
-    const std::string_view o(other);
-    return o.size() == symbol.size() &&
-      std::equal(o.begin(), o.end(), symbol.begin(),
-        [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
-  };
-  if (same("D") || same("T")) // the isotopes of hydrogen
-  {
-    return 1;
-  }
-  const auto at = std::find_if(Symbols.begin() + 1, Symbols.end(), same);
-  return at == Symbols.end() ? 0 : static_cast<int>(at - Symbols.begin());
+  static const std::array<std::uint8_t, LettersSquared> elements = ElementsByLetters();
+  const std::size_t letters = PlaceOfLetters(symbol);
+  return letters < LettersSquared ? elements[letters] : 0;
 }
 
 int ElementOfIon(std::string_view nameOfAtom, std::string_view nameOfResidue)

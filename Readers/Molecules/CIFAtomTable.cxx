@@ -2,16 +2,19 @@
 
 #include "Atoms/ChemicalElement.h"
 #include "Core/NumberText.h"
+#include "Core/ParallelFor.h"
 #include "Files/TextLines.h"
 #include "Molecules/AtomElements.h"
 #include "Molecules/GemmiAtom.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cctype>
 #include <cmath>
 #include <functional>
 #include <map>
+#include <mutex>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -155,6 +158,21 @@ public:
     }
     this->Loop.values.resize(kept * width);
     return drops.size() - kept;
+  }
+
+  /// Calls `work(row)` for each row, several at once; it may change values of its row.
+  template <typename Work>
+  void ForRows(Work&& work)
+  {
+    constexpr std::int64_t rowsAtOnce = 1 << 12;
+    ParallelFor(0, static_cast<std::int64_t>(this->Rows()), rowsAtOnce,
+      [&work](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t row = first; row < last; ++row)
+        {
+          work(static_cast<std::size_t>(row));
+        }
+      });
   }
 
 private:
@@ -345,27 +363,37 @@ std::string DescribeRow(AtomTable& table, std::size_t row)
 void DropRowsWithoutCoordinates(AtomTable& table, CIFAtoms& atoms)
 {
   const std::size_t rows = table.Rows();
-  std::vector<bool> drops;
+  const std::array<int, 3> columns{ table.Find(Cartesian[0]), table.Find(Cartesian[1]),
+    table.Find(Cartesian[2]) };
+  const auto isDropped = [&table, &columns](std::size_t row)
+  {
+    return std::any_of(columns.begin(), columns.end(),
+      [&](int column)
+      {
+        const std::string& value = table.At(row, column);
+        return MayBeNoNumber(value) && IsNoNumber(value);
+      });
+  };
+  std::atomic<bool> any{ false };
+  table.ForRows(
+    [&](std::size_t row)
+    {
+      if (isDropped(row))
+      {
+        any = true;
+      }
+    });
+  std::vector<bool> drops(any ? rows : 0, false);
   std::string names;
   std::size_t count = 0;
-  for (const char* axis : Cartesian)
+  for (std::size_t row = 0; row < drops.size(); ++row)
   {
-    const int column = table.Find(axis);
-    for (std::size_t row = 0; row < rows; ++row)
+    drops[row] = isDropped(row);
+    if (drops[row])
     {
-      const std::string& value = table.At(row, column);
-      if (!MayBeNoNumber(value) || !IsNoNumber(value))
-      {
-        continue;
-      }
-      drops.resize(rows, false);
-      if (!drops[row])
-      {
-        drops[row] = true;
-        constexpr std::size_t mostNamed = 5;
-        names += ++count <= mostNamed ? (count > 1 ? ", " : "") + DescribeRow(table, row) : "";
-        names += count == mostNamed + 1 ? ", ..." : "";
-      }
+      constexpr std::size_t mostNamed = 5;
+      names += ++count <= mostNamed ? (count > 1 ? ", " : "") + DescribeRow(table, row) : "";
+      names += count == mostNamed + 1 ? ", ..." : "";
     }
   }
   if (count == 0)
@@ -561,13 +589,18 @@ bool TranslateComponent(cif::Block& block, AtomTable& table, CIFAtoms& atoms)
 /// Fills unknown values of `to` with those of `from`. Both are columns of the table, or -1.
 void FillUnknown(AtomTable& table, int to, int from)
 {
-  for (std::size_t row = 0; to >= 0 && from >= 0 && row < table.Rows(); ++row)
+  if (to < 0 || from < 0)
   {
-    if (cif::is_null(table.At(row, to)))
-    {
-      table.At(row, to) = table.At(row, from);
-    }
+    return;
   }
+  table.ForRows(
+    [&](std::size_t row)
+    {
+      if (cif::is_null(table.At(row, to)))
+      {
+        table.At(row, to) = table.At(row, from);
+      }
+    });
 }
 
 /**
@@ -583,24 +616,33 @@ void CompleteElements(AtomTable& table, CIFAtoms& atoms)
     return;
   }
   const int id = table.Find("id");
-  bool hasElements = false;
-  for (std::size_t row = 0; row < table.Rows(); ++row)
-  {
-    int number = static_cast<int>(row) + 1; // as it will be given where the file has no ids
-    if (cif::is_null(table.At(row, column)))
+  std::atomic<bool> hasElements{ false };
+  std::mutex mutex;
+  table.ForRows(
+    [&](std::size_t row)
     {
-      table.At(row, column) = "X";
-    }
-    else if (ElementOfSymbol(table.Text(row, column)) > 0)
-    {
-      hasElements = true;
-    }
-    else if (IsDummyName(table.Text(row, column)) &&
-      (id < 0 || IsNumber(std::string_view(table.At(row, id)), number)))
-    {
-      atoms.Dummies.insert(number);
-    }
-  }
+      std::string& symbol = table.At(row, column);
+      if (cif::is_null(symbol))
+      {
+        symbol = "X";
+      }
+      else if (ElementOfSymbol(symbol) > 0 || ElementOfSymbol(cif::as_string(symbol)) > 0)
+      {
+        if (!hasElements)
+        {
+          hasElements = true;
+        }
+      }
+      else if (IsDummyName(cif::as_string(symbol)))
+      {
+        int number = static_cast<int>(row) + 1; // as it will be given where the file has no ids
+        if (id < 0 || IsNumber(std::string_view(table.At(row, id)), number))
+        {
+          const std::lock_guard<std::mutex> lock(mutex);
+          atoms.Dummies.insert(number);
+        }
+      }
+    });
   if (!hasElements)
   {
     atoms.Dummies.clear();
@@ -653,15 +695,20 @@ std::string CleanCharge(const std::string& value)
 void KeepFirstLetter(AtomTable& table, const char* name)
 {
   const int column = table.Find(name);
-  for (std::size_t row = 0; column >= 0 && row < table.Rows(); ++row)
+  if (column < 0)
   {
-    std::string& value = table.At(row, column);
-    if (value.size() > 1)
-    {
-      const std::string text = cif::as_string(value);
-      value = text.size() > 1 ? text.substr(0, 1) : value;
-    }
+    return;
   }
+  table.ForRows(
+    [&](std::size_t row)
+    {
+      std::string& value = table.At(row, column);
+      if (value.size() > 1)
+      {
+        const std::string text = cif::as_string(value);
+        value = text.size() > 1 ? text.substr(0, 1) : value;
+      }
+    });
 }
 
 /// gemmi refuses the file for one value that is no number: such values become unknown, counted.
@@ -673,25 +720,31 @@ void CleanWholeNumbers(AtomTable& table, CIFAtoms& atoms)
     const int column = table.Find(name);
     const bool isCharge = name[0] == 'p';
     const bool isAuthor = name[0] == 'a';
-    std::size_t dropped = 0;
-    for (std::size_t row = 0; column >= 0 && row < table.Rows(); ++row)
+    if (column < 0)
     {
-      std::string& value = table.At(row, column);
-      if (cif::is_null(value) || IsWholeNumber(value, false))
-      {
-        continue;
-      }
-      const std::string text = cif::as_string(value);
-      if (isAuthor && IsWholeNumber(text, true))
-      {
-        // Of two insertion codes the one with a column of its own counts.
-        const bool twice = insertion >= 0 && !cif::is_null(table.At(row, insertion));
-        value = twice ? text.substr(0, text.size() - 1) : text;
-        continue;
-      }
-      value = isCharge ? CleanCharge(text) : IsWholeNumber(text, false) ? text : "?";
-      dropped += value == "?" ? 1 : 0;
+      continue;
     }
+    std::atomic<std::size_t> unknown{ 0 };
+    table.ForRows(
+      [&](std::size_t row)
+      {
+        std::string& value = table.At(row, column);
+        if (cif::is_null(value) || IsWholeNumber(value, false))
+        {
+          return;
+        }
+        const std::string text = cif::as_string(value);
+        if (isAuthor && IsWholeNumber(text, true))
+        {
+          // Of two insertion codes the one with a column of its own counts.
+          const bool twice = insertion >= 0 && !cif::is_null(table.At(row, insertion));
+          value = twice ? text.substr(0, text.size() - 1) : text;
+          return;
+        }
+        value = isCharge ? CleanCharge(text) : IsWholeNumber(text, false) ? text : "?";
+        unknown += value == "?" ? 1 : 0;
+      });
+    const std::size_t dropped = unknown;
     if (dropped > 0)
     {
       atoms.Report.Note(std::to_string(dropped) + (dropped == 1 ? " value" : " values") + " of " +
@@ -743,12 +796,16 @@ void CompleteColumns(AtomTable& table, CIFAtoms& atoms)
     table.Plan("id", [](std::size_t row) { return std::to_string(row + 1); });
   }
   const int model = table.Find("pdbx_PDB_model_num");
-  for (std::size_t row = 0; model >= 0 && row < table.Rows(); ++row)
+  if (model >= 0)
   {
-    if (cif::is_null(table.At(row, model)))
-    {
-      table.At(row, model) = "1";
-    }
+    table.ForRows(
+      [&](std::size_t row)
+      {
+        if (cif::is_null(table.At(row, model)))
+        {
+          table.At(row, model) = "1";
+        }
+      });
   }
   table.AddColumns();
 }

@@ -189,11 +189,20 @@ Macromolecule ParsePDBQT(std::string_view text, const std::string& path, std::in
   const ProgressCallback& progress)
 {
   ReadingReport report;
+  const auto read = [&](const std::vector<std::string_view>& lines, const ProgressCallback& reading)
+  {
+    std::vector<Atom> atoms;
+    atoms.reserve(lines.size());
+    TextLines place(text, path, reading);
+    for (const std::string_view line : lines)
+    {
+      place.GoTo(line);
+      atoms.push_back(ReadPDBQTAtom(line, place, report));
+    }
+    return atoms;
+  };
   Macromolecule molecule = ReadModelOfRecords(
-    text, path, model, { IsSamePDBQTAtom, PDBColumnsOfAtoms.Place },
-    [&report](std::string_view line, const TextLines& lines)
-    { return ReadPDBQTAtom(line, lines, report); },
-    report, progress);
+    text, model, { IsSamePDBQTAtom, PDBColumnsOfAtoms.Place }, read, report, progress);
   ReportMissingElements(molecule.Atoms, report);
   report.AddTo(molecule);
   return molecule;

@@ -352,16 +352,23 @@ void SetRadii(Macromolecule& molecule, RadiusTable table)
 Macromolecule ParseMacromolecule(std::string_view text, const std::string& path,
   const MoleculeOptions& options, const ProgressCallback& progress)
 {
-  Macromolecule molecule = Parse(
+  Macromolecule parsed = Parse(
     text, path, options.Format, { options.Model, options.Assembly }, Between(progress, 0.0, 0.6));
+  return CompleteMacromolecule(std::move(parsed), path, options, Between(progress, 0.6, 1.0));
+}
+
+Macromolecule CompleteMacromolecule(Macromolecule parsed, const std::string& path,
+  const MoleculeOptions& options, const ProgressCallback& progress)
+{
+  Macromolecule molecule = std::move(parsed);
   CheckModel(molecule, path, options.Model);
-  Report(progress, 0.6);
+  Report(progress, 0.0);
   SelectAtoms(molecule, options);
   SetRadii(molecule, options.Radii);
-  Report(progress, 0.7);
+  Report(progress, 0.25);
   if (options.BondsByDistance)
   {
-    AddCovalentBonds(molecule, Between(progress, 0.7, 1.0));
+    AddCovalentBonds(molecule, Between(progress, 0.25, 1.0));
   }
   else
   {
@@ -490,7 +497,7 @@ bool IsCountedByRecords(const Separators& found, ByteSource& source)
 
 }
 
-std::int64_t CountModels(const std::string& path, MoleculeFormat format)
+std::int64_t CountModels(const std::string& path, MoleculeFormat format, Macromolecule* parsed)
 {
   const auto source = OpenTextSource(path);
   if (format == MoleculeFormat::ByName)
@@ -520,7 +527,13 @@ std::int64_t CountModels(const std::string& path, MoleculeFormat format)
   {
     return CountPDBModels(text);
   }
-  return Parse(text, path, format, {}, {}).NumberOfModels;
+  Macromolecule molecule = Parse(text, path, format, {}, {});
+  const std::int64_t models = molecule.NumberOfModels;
+  if (parsed)
+  {
+    *parsed = std::move(molecule);
+  }
+  return models;
 }
 
 bool LooksLikeMolecule(const std::string& path)

@@ -37,10 +37,15 @@ VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParseMacromolecule(std::string_v
 
 /**
  * The number of models in a file. Of PQR files, and of PDB files without END between their atoms,
- * the MODEL records are counted; others are parsed. Throws as ReadMacromolecule.
+ * the MODEL records are counted; others are parsed, and `parsed` gets their first model, for
+ * CompleteMacromolecule. Throws as ReadMacromolecule.
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT std::int64_t CountModels(
-  const std::string& path, MoleculeFormat format);
+  const std::string& path, MoleculeFormat format, Macromolecule* parsed = nullptr);
+
+/// What ReadMacromolecule gives for model 0 without an assembly, from what CountModels parsed.
+VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule CompleteMacromolecule(Macromolecule parsed,
+  const std::string& path, const MoleculeOptions& options, const ProgressCallback& progress = {});
 
 /// Is the file there, named as one of the formats, and does it begin with text?
 VTKISTHMUSREADERSMOLECULES_EXPORT bool LooksLikeMolecule(const std::string& path);

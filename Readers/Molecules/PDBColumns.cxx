@@ -318,10 +318,9 @@ void RenameChains(std::vector<PDBRun>& runs, ReadingReport& report)
   }
 }
 
-Macromolecule ReadModelOfRecords(std::string_view text, const std::string& path, std::int64_t model,
-  const PDBAtomText& atoms,
-  const std::function<Atom(std::string_view line, const TextLines& lines)>& read,
-  ReadingReport& report, const ProgressCallback& progress)
+Macromolecule ReadModelOfRecords(std::string_view text, std::int64_t model,
+  const PDBAtomText& atoms, const AtomLinesReader& read, ReadingReport& report,
+  const ProgressCallback& progress)
 {
   constexpr std::size_t bytesOfAPiece = std::size_t{ 1 } << 20;
   const PDBLines split = SplitPDB(text, bytesOfAPiece, Between(progress, 0.0, 0.2));
@@ -332,17 +331,22 @@ Macromolecule ReadModelOfRecords(std::string_view text, const std::string& path,
   {
     return molecule;
   }
-  TextLines lines(text, path, Between(progress, 0.2, 1.0));
-  std::vector<PDBRun> runs;
   const PDBModel& parts = models[static_cast<std::size_t>(model)];
-  for (std::size_t part = 0; part < parts.size(); ++part)
+  std::vector<std::string_view> lines;
+  std::vector<std::size_t> ends; // of the parts, among the atoms
+  for (const PDBPart& part : parts)
   {
-    for (std::size_t i = parts[part].First; i < parts[part].Last; ++i)
+    lines.insert(lines.end(), split.Atoms.begin() + static_cast<std::ptrdiff_t>(part.First),
+      split.Atoms.begin() + static_cast<std::ptrdiff_t>(part.Last));
+    ends.push_back(lines.size());
+  }
+  molecule.Atoms = read(lines, Between(progress, 0.2, 1.0));
+  std::vector<PDBRun> runs;
+  for (std::size_t part = 0, atom = 0; part < parts.size(); ++part)
+  {
+    for (; atom < ends[part]; ++atom)
     {
-      lines.GoTo(split.Atoms[i]);
-      molecule.Atoms.push_back(read(split.Atoms[i], lines));
-      const std::string& chain = molecule.Atoms.back().Chain;
-      const std::size_t atom = molecule.Atoms.size() - 1;
+      const std::string& chain = molecule.Atoms[atom].Chain;
       if (runs.empty() || runs.back().Part != part || runs.back().FileChain != chain)
       {
         runs.push_back({ atom, atom, part, {}, chain, chain, {}, {} });

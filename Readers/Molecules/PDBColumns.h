@@ -92,15 +92,17 @@ std::vector<PDBRun> ReadRuns(const PDBLines& lines, const PDBModel& model, bool 
 /// Gives chains of later parts other names than those of earlier ones.
 void RenameChains(std::vector<PDBRun>& runs, ReadingReport& report);
 
+/// The atoms of lines of a file, each of its own, in their order.
+using AtomLinesReader =
+  std::function<std::vector<Atom>(const std::vector<std::string_view>&, const ProgressCallback&)>;
+
 /**
- * The atoms of one model of a file with PDB's records (PQR, PDBQT), each read by `read`, which may
- * use the line number of `lines` in its messages; with the number of models. Empty where there is
- * no such model.
+ * The atoms of one model of a file with PDB's records (PQR, PDBQT), which `read` reads from their
+ * lines, with the number of models. Empty where there is no such model.
  */
-Macromolecule ReadModelOfRecords(std::string_view text, const std::string& path, std::int64_t model,
-  const PDBAtomText& atoms,
-  const std::function<Atom(std::string_view line, const TextLines& lines)>& read,
-  ReadingReport& report, const ProgressCallback& progress);
+Macromolecule ReadModelOfRecords(std::string_view text, std::int64_t model,
+  const PDBAtomText& atoms, const AtomLinesReader& read, ReadingReport& report,
+  const ProgressCallback& progress);
 
 /// The number in `text` in base 10, 16 (hexadecimal) or 36 (hybrid-36 of four or five columns, as
 /// cctbx writes it), if it is one.

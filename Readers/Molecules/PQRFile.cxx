@@ -2,13 +2,16 @@
 
 #include "Atoms/ChemicalElement.h"
 #include "Atoms/NameLetters.h"
+#include "Core/ParallelFor.h"
 #include "Files/TextLines.h"
 #include "Molecules/AtomElements.h"
 #include "Molecules/PDBColumns.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <stdexcept>
 
 namespace isthmus
 {
@@ -127,20 +130,22 @@ bool IsDummy(const Atom& atom)
     IsDummyName(atom.Name);
 }
 
-void CheckValues(const Atom& atom, const TextLines& lines)
+/// What is wrong with the numbers of an atom; empty: nothing.
+std::string FaultOfValues(const Atom& atom)
 {
   for (const double value :
     { atom.Position[0], atom.Position[1], atom.Position[2], atom.Charge, atom.Radius })
   {
     if (!std::isfinite(value))
     {
-      lines.Fail("a number of " + Describe(atom) + " is not finite. Correct the file.");
+      return "a number of " + Describe(atom) + " is not finite. Correct the file.";
     }
   }
   if (atom.Radius < 0.0)
   {
-    lines.Fail("the radius of " + Describe(atom) + " is negative: are charge and radius swapped?");
+    return "the radius of " + Describe(atom) + " is negative: are charge and radius swapped?";
   }
+  return {};
 }
 
 bool ReadLine(std::string_view line, Atom& atom)
@@ -168,6 +173,64 @@ bool PlaceOfAtom(std::string_view line, std::array<double, 3>& place)
 
 constexpr PDBAtomText textOfAtoms{ IsSameAtom, PlaceOfAtom };
 
+/// Reads an atom with its element. Returns what is wrong with the line; empty: nothing.
+std::string ReadAtom(std::string_view line, Atom& atom, bool& isDummy)
+{
+  if (!ReadLine(line, atom))
+  {
+    return "this is no atom of a PQR file (serial, name, residue, number, x, y, z, charge, "
+           "radius, as words or in columns). The file may be truncated, or not PQR.";
+  }
+  isDummy = atom.Element == 0 && IsDummy(atom);
+  if (atom.Element == 0 && !isDummy)
+  {
+    atom.Element = ElementOfAtomName(atom.Name, atom.ResidueName);
+  }
+  return FaultOfValues(atom);
+}
+
+/// The atoms of lines of `text`, and the number of dummies among them.
+/// @throws std::runtime_error with the number of the first line that is none.
+std::vector<Atom> ReadAtoms(std::string_view text, const std::string& path,
+  const std::vector<std::string_view>& lines, std::size_t& dummies,
+  const ProgressCallback& progress)
+{
+  std::vector<Atom> atoms(lines.size());
+  std::atomic<std::size_t> firstFault{ lines.size() };
+  std::atomic<std::size_t> dummiesFound{ 0 };
+  constexpr std::int64_t linesAtOnce = 1 << 12;
+  ParallelFor(
+    0, static_cast<std::int64_t>(lines.size()), linesAtOnce,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      std::size_t dummiesHere = 0;
+      for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
+      {
+        bool isDummy = false;
+        if (!ReadAtom(lines[i], atoms[i], isDummy).empty())
+        {
+          std::size_t before = firstFault;
+          while (i < before && !firstFault.compare_exchange_weak(before, i))
+          {
+          }
+          break;
+        }
+        dummiesHere += isDummy ? 1 : 0;
+      }
+      dummiesFound += dummiesHere;
+    },
+    progress);
+  if (firstFault < lines.size())
+  {
+    Atom atom;
+    bool isDummy = false;
+    throw std::runtime_error(path + ", " + LineOf(text, lines[firstFault]) + ": " +
+      ReadAtom(lines[firstFault], atom, isDummy));
+  }
+  dummies = dummiesFound;
+  return atoms;
+}
+
 }
 
 Macromolecule ParsePQR(std::string_view text, const std::string& path, std::int64_t model,
@@ -175,27 +238,9 @@ Macromolecule ParsePQR(std::string_view text, const std::string& path, std::int6
 {
   ReadingReport report;
   std::size_t dummies = 0;
-  const auto read = [&dummies](std::string_view line, const TextLines& lines)
-  {
-    Atom atom;
-    if (!ReadLine(line, atom))
-    {
-      lines.Fail("this is no atom of a PQR file (serial, name, residue, number, x, y, z, charge, "
-                 "radius, as words or in columns). The file may be truncated, or not PQR.");
-    }
-    CheckValues(atom, lines);
-    if (atom.Element == 0 && IsDummy(atom))
-    {
-      ++dummies;
-    }
-    else if (atom.Element == 0)
-    {
-      atom.Element = ElementOfAtomName(atom.Name, atom.ResidueName);
-    }
-    return atom;
-  };
-  Macromolecule molecule =
-    ReadModelOfRecords(text, path, model, textOfAtoms, read, report, progress);
+  const auto read = [&](const std::vector<std::string_view>& lines, const ProgressCallback& reading)
+  { return ReadAtoms(text, path, lines, dummies, reading); };
+  Macromolecule molecule = ReadModelOfRecords(text, model, textOfAtoms, read, report, progress);
   if (dummies > 0)
   {
     report.Note("Ghost or dummy atoms and virtual sites, with the radii of the file and without "

@@ -17,14 +17,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkMacromoleculeReader);
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
+/// The number of models, and the first one where counting has parsed it and no output has it yet.
+struct vtkMacromoleculeReader::CountedModels
+{
+  std::string File;
+  long Changed = 0; ///< time of the file's last change
+  unsigned long Bytes = 0;
+  int Format = ByName;
+  std::int64_t Number = 1;
+  isthmus::Macromolecule Parsed;
+
+  bool IsOf(const std::string& file, int format) const
+  {
+    return file == this->File && format == this->Format &&
+      vtksys::SystemTools::ModifiedTime(file) == this->Changed &&
+      vtksys::SystemTools::FileLength(file) == this->Bytes;
+  }
+};
+
 vtkMacromoleculeReader::vtkMacromoleculeReader()
+  : Counted(std::make_unique<CountedModels>())
 {
   this->SetNumberOfInputPorts(0);
   this->SetNumberOfOutputPorts(2);
@@ -55,7 +76,11 @@ int vtkMacromoleculeReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   const bool inTime = this->ModelsAsTimeSteps && this->ModelIndex == 0;
-  const std::int64_t models = inTime ? this->CountModels() : 1;
+  if (inTime)
+  {
+    this->CountModels();
+  }
+  const std::int64_t models = inTime ? this->Counted->Number : 1;
   std::vector<double> times(static_cast<std::size_t>(models));
   std::iota(times.begin(), times.end(), 0.0);
   for (int port = 0; port < 2; ++port)
@@ -78,31 +103,24 @@ int vtkMacromoleculeReader::RequestInformation(
 }
 
 /// 1 also for what can't be read: RequestData says why.
-std::int64_t vtkMacromoleculeReader::CountModels()
+void vtkMacromoleculeReader::CountModels()
 {
-  if (!this->FileName)
+  CountedModels& counted = *this->Counted;
+  if (!this->FileName || counted.IsOf(this->FileName, this->Format))
   {
-    return 1;
+    counted.Number = this->FileName ? counted.Number : 1;
+    return;
   }
-  const std::string name = this->FileName;
-  const long changed = vtksys::SystemTools::ModifiedTime(name);
-  if (name != this->CountedFile || changed != this->CountedTime ||
-    this->Format != this->CountedFormat)
+  counted = { this->FileName, vtksys::SystemTools::ModifiedTime(this->FileName),
+    vtksys::SystemTools::FileLength(this->FileName), this->Format, 1, {} };
+  try
   {
-    this->CountedFile = name;
-    this->CountedTime = changed;
-    this->CountedFormat = this->Format;
-    this->CountedModels = 1;
-    try
-    {
-      this->CountedModels =
-        isthmus::CountModels(name, static_cast<isthmus::MoleculeFormat>(this->Format));
-    }
-    catch (const std::exception&)
-    {
-    }
+    counted.Number = isthmus::CountModels(
+      counted.File, static_cast<isthmus::MoleculeFormat>(this->Format), &counted.Parsed);
   }
-  return this->CountedModels;
+  catch (const std::exception&)
+  {
+  }
 }
 
 /// The model of the time that is asked for, where models are time steps; else ModelIndex.
@@ -125,6 +143,7 @@ int vtkMacromoleculeReader::RequestData(
   vtkInformation* request = outputVector->GetInformationObject(0);
   if (request->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
+    this->Counted->Parsed = {};
     return 1; // the first rank has the molecule
   }
   const int result = isthmus::GuardedRead(
@@ -158,8 +177,13 @@ void vtkMacromoleculeReader::Read(std::int64_t model, vtkPolyData* atoms, vtkMol
   options.Radii = static_cast<isthmus::RadiusTable>(this->RadiusTable);
   options.BondsByDistance = this->BondsByDistance;
   const auto progress = isthmus::ProgressOf(this);
-  const auto read =
-    isthmus::ReadMacromolecule(this->FileName, options, isthmus::Between(progress, 0.0, 0.8));
+  const auto reading = isthmus::Between(progress, 0.0, 0.8);
+  isthmus::Macromolecule parsed = std::exchange(this->Counted->Parsed, {});
+  const bool isParsed = !parsed.Atoms.empty() && model == 0 && options.Assembly.empty() &&
+    this->Counted->IsOf(this->FileName, this->Format);
+  const auto read = isParsed
+    ? isthmus::CompleteMacromolecule(std::move(parsed), this->FileName, options, reading)
+    : isthmus::ReadMacromolecule(this->FileName, options, reading);
   isthmus::FillOutputs(read, this->AltLoc == "*", atoms, molecule);
   isthmus::Report(progress, 1.0);
   std::string all; // one message, however many faults there are

@@ -49,7 +49,8 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <cstdint> // for models
-#include <string>  // for the properties
+#include <memory>
+#include <string> // for the properties
 
 class vtkMolecule;
 
@@ -170,7 +171,7 @@ private:
   void operator=(const vtkMacromoleculeReader&) = delete;
 
   void Read(std::int64_t model, vtkPolyData* atoms, vtkMolecule* molecule);
-  std::int64_t CountModels();
+  void CountModels();
   std::int64_t ModelOf(vtkInformation* request);
 
   char* FileName = nullptr;
@@ -185,11 +186,8 @@ private:
   int RadiusTable = Bondi;
   bool BondsByDistance = true;
 
-  // The count of models, kept until file or format change.
-  std::string CountedFile;
-  long CountedTime = 0;
-  int CountedFormat = ByName;
-  std::int64_t CountedModels = 1;
+  struct CountedModels;
+  std::unique_ptr<CountedModels> Counted; ///< until file or format change
 };
 
 #endif
