@@ -5,6 +5,7 @@
 #include "Core/DisjointSets.h"
 #include "Core/Index.h"
 #include "Core/MemoryBudget.h"
+#include "Core/NumberText.h"
 #include "Core/Stopwatch.h"
 #include "Persistence/DelaunayFiltration.h"
 #include "Persistence/LowerStarFiltration.h"
@@ -120,14 +121,15 @@ bool FitsMemory(const AnalysisCost& cost, double limit, std::string& sentence)
 struct ChokingAnalysis
 {
   ChokingAnalysis(TriangleMesh samples, CellFiltration filtration, std::vector<double> errors,
-    ChokingLoopTimes& times, const ProgressCallback& progress)
+    std::vector<CellError> cellErrors, ChokingLoopTimes& times, const ProgressCallback& progress)
     : Samples(std::move(samples))
     , Filtration(std::move(filtration))
     , Pairs(Filtration, Between(progress, 0.0, 0.5))
     , Adjacency(Samples)
     , Homology(Adjacency)
     , Embedding(Adjacency, Filtration, Between(progress, 0.5, 0.55))
-    , Context{ Filtration, Pairs, Homology, Embedding, Adjacency, std::move(errors) }
+    , Context{ Filtration, Pairs, Homology, Embedding, Adjacency, std::move(errors),
+      std::move(cellErrors) }
     , Regions(Context, Between(progress, 0.55, 0.6))
   {
     times.Pairing += this->Watch.Lap();
@@ -347,6 +349,50 @@ void ChokingLoops::Complete(const ChokingLoopParameters& parameters, const Surfa
   times.LastRound += took;
 }
 
+namespace
+{
+
+/// What a mesh is too coarse for; empty: nothing.
+std::string RemarkOnMesh(const FeatureDiagram& diagram)
+{
+  std::size_t generators = 0, others = 0;
+  double widest = 0.0; // persistence of a narrowing that is within the error
+  double error = 0.0;
+  for (const ShapeFeature& f : diagram.Features)
+  {
+    const bool isOther = f.Dimension == 2 && f.Kind == FeatureKind::Noise && f.PairBirth > 0.0;
+    if (f.Trusted || !(IsGenerator(f) || (isOther && f.Persistence() > f.FunctionError)))
+    {
+      continue;
+    }
+    generators += isOther ? 0 : 1;
+    others += isOther ? 1 : 0;
+    widest = std::max(widest, isOther ? f.Persistence() : 0.0);
+    error = std::max(error, f.FunctionError);
+  }
+  if (generators + others == 0)
+  {
+    return {};
+  }
+  std::string remark = "The tetrahedra are too coarse for ";
+  if (generators > 0)
+  {
+    remark += std::to_string(generators) +
+      (generators == 1 ? " handle or tunnel" : " handles and tunnels") +
+      ", whose radius is smaller than its uncertainty (not trusted)";
+  }
+  if (others > 0)
+  {
+    remark += std::string(generators > 0 ? ", and for " : "") + std::to_string(others) +
+      (others == 1 ? " other narrowing" : " other narrowings") + " of persistence up to " +
+      FormatNumber(widest, 3) + ", not reported";
+  }
+  return remark + ". The error of the function reaches " + FormatNumber(error, 3) +
+    ". Give a finer mesh on the second input, or use the Delaunay filtration.";
+}
+
+}
+
 void ChokingLoops::AnalyseSamples(TriangleMesh samples, AnalysisCost cost,
   const ChokingLoopParameters& parameters, ChokingLoopTimes& times,
   const ProgressCallback& progress)
@@ -370,12 +416,13 @@ void ChokingLoops::AnalyseSamples(TriangleMesh samples, AnalysisCost cost,
     });
   times.Filtration += watch.Lap();
   this->State = std::make_unique<ChokingAnalysis>(std::move(samples), std::move(filtration),
-    std::move(errors), times, Between(progress, 0.6, 1.0));
+    std::move(errors), std::vector<CellError>{}, times, Between(progress, 0.6, 1.0));
   this->State->Cost = cost;
 }
 
 ChokingLoops::ChokingLoops(const SurfaceView& surface, const TetrahedralMesh& mesh,
-  const std::vector<double>& values, const ProgressCallback& progress)
+  const std::vector<double>& values, const std::optional<std::vector<double>>& errors,
+  const ProgressCallback& progress)
 {
   ChokingLoopTimes times;
   Stopwatch watch;
@@ -384,9 +431,12 @@ ChokingLoops::ChokingLoops(const SurfaceView& surface, const TetrahedralMesh& me
   CellFiltration filtration =
     LowerStarFiltration(mesh, values, checked, Between(progress, 0.1, 0.5));
   times.Filtration = watch.Lap();
+  std::vector<CellError> cellErrors =
+    errors ? DistanceErrors(filtration, values, *errors) : RangeErrors(filtration, values);
   this->State = std::make_unique<ChokingAnalysis>(std::move(checked), std::move(filtration),
-    std::vector<double>{}, times, Between(progress, 0.5, 1.0));
+    std::vector<double>{}, std::move(cellErrors), times, Between(progress, 0.5, 1.0));
   this->State->Times = times;
+  this->State->Remark = RemarkOnMesh(this->State->Found.Diagram);
 }
 
 ChokingLoops::~ChokingLoops() = default;
@@ -431,7 +481,12 @@ const AnalysisCost& ChokingLoops::Cost() const
 double ChokingLoops::LargestError() const
 {
   const auto& errors = this->State->Context.PointError;
-  return errors.empty() ? 0.0 : *std::max_element(errors.begin(), errors.end());
+  double largest = errors.empty() ? 0.0 : *std::max_element(errors.begin(), errors.end());
+  for (const ShapeFeature& feature : this->Diagram().Features)
+  {
+    largest = std::max(largest, feature.FunctionError);
+  }
+  return largest;
 }
 
 std::vector<std::size_t> ChokingLoops::Select(const FeatureSelection& selection) const

@@ -132,10 +132,13 @@ public:
    * Analyses `surface` on the lower-star filtration of a function on a tetrahedral mesh on one or
    * both sides (thesis, 6.3.1): `values` at the mesh's points, in units of the data, 0 on the
    * surface. Every triangle of the surface must be a face of the mesh.
+   *
+   * `errors` at the mesh's points: how far the values are from the distance to the surface; none:
+   * they are another function. Radii are known up to the error of the mesh (CellError).
    */
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT ChokingLoops(const SurfaceView& surface,
     const TetrahedralMesh& mesh, const std::vector<double>& values,
-    const ProgressCallback& progress = {});
+    const std::optional<std::vector<double>>& errors, const ProgressCallback& progress = {});
 
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT ~ChokingLoops();
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT ChokingLoops(ChokingLoops&&) noexcept;
@@ -158,7 +161,8 @@ public:
   /// A message to the user about the result, in one or two sentences; empty if there is none.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const std::string& Remark() const;
 
-  /// Largest sampling error anywhere: the least radius that can be trusted everywhere.
+  /// Largest sampling error anywhere, on a mesh the largest error of its function at a feature: the
+  /// least radius that can be trusted everywhere.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double LargestError() const;
 
   /// Features of a selection, ascending by Radius(): indices into Diagram().Features.

@@ -213,9 +213,112 @@ Point3 Circumcentre(const Point3& p, const Point3& q, const Point3& r, const Poi
 }
 
 // ------------------------------------------------------------------------------------------
+// CellError
+namespace
+{
+
+double LongestEdge(const CellFiltration& mesh, const std::array<SimplexId, 4>& corners)
+{
+  double longest = 0.0;
+  for (std::size_t a = 0; a < 4; ++a)
+  {
+    for (std::size_t b = 0; b < a; ++b)
+    {
+      longest =
+        std::max(longest, Length(mesh.Points[At(corners[a])] - mesh.Points[At(corners[b])]));
+    }
+  }
+  return longest;
+}
+
+}
+
+std::vector<CellError> DistanceErrors(const CellFiltration& mesh, const std::vector<double>& values,
+  const std::vector<double>& atPoints)
+{
+  const double jung = std::sqrt(3.0 / 8.0);
+  std::vector<CellError> errors;
+  errors.reserve(mesh.Tetrahedra.size());
+  for (const auto& corners : mesh.Tetrahedra)
+  {
+    double least = HUGE_VAL;
+    double atCorners = 0.0;
+    for (const SimplexId p : corners)
+    {
+      least = std::min(least, values[At(p)]);
+      atCorners = std::max(atCorners, atPoints.empty() ? 0.0 : atPoints[At(p)]);
+    }
+    const double error = jung * LongestEdge(mesh, corners) + atCorners;
+    errors.push_back({ error, std::max(0.0, least - error) });
+  }
+  return errors;
+}
+
+std::vector<CellError> RangeErrors(const CellFiltration& mesh, const std::vector<double>& values)
+{
+  std::vector<CellError> errors;
+  errors.reserve(mesh.Tetrahedra.size());
+  for (const auto& corners : mesh.Tetrahedra)
+  {
+    const auto [least, most] = std::minmax({ values[At(corners[0])], values[At(corners[1])],
+      values[At(corners[2])], values[At(corners[3])] });
+    errors.push_back({ most - least, least });
+  }
+  return errors;
+}
+
+// ------------------------------------------------------------------------------------------
 // FeatureDiagram
 namespace
 {
+
+/**
+ * The largest error of a function on a mesh at all values up to a given one, on each side.
+ *
+ * Where f and g differ by at most e in all cells that reach below a level r, a class that dies at r
+ * by f dies in [r - e, r + e] by g: its chain below r lies below r + e by g, and a chain by g below
+ * some s < r - e would lie below s + e < r by f (H. Edelsbrunner, J. Harer, Computational
+ * Topology, section VIII.2).
+ */
+class ErrorsByLevel
+{
+public:
+  ErrorsByLevel(const FeatureContext& context, SpaceRegions& regions)
+  {
+    if (context.CellErrors.empty())
+    {
+      return;
+    }
+    for (const TetrahedronId cell : context.Filtration.Tetrahedra.Keys())
+    {
+      const SpaceSide side = SpaceRegions::SideOf(regions.Of(cell));
+      this->Errors[static_cast<std::size_t>(side)].push_back(context.CellErrors[cell.Index()]);
+    }
+    for (std::vector<CellError>& side : this->Errors)
+    {
+      std::sort(side.begin(), side.end(),
+        [](const CellError& a, const CellError& b) { return a.Least < b.Least; });
+      double largest = 0.0;
+      for (CellError& error : side)
+      {
+        largest = std::max(largest, error.Error);
+        error.Error = largest;
+      }
+    }
+  }
+
+  /// 0 where there are no errors of cells.
+  double UpTo(double level, SpaceSide side) const
+  {
+    const std::vector<CellError>& errors = this->Errors[static_cast<std::size_t>(side)];
+    const auto end = std::upper_bound(errors.begin(), errors.end(), level,
+      [](double value, const CellError& error) { return value < error.Least; });
+    return end == errors.begin() ? 0.0 : (end - 1)->Error;
+  }
+
+private:
+  std::array<std::vector<CellError>, 2> Errors; ///< by Least; each has the largest up to it
+};
 
 /// Relative difference of squared radii that rounding may make.
 constexpr double Rounding = 1e-7;
@@ -233,6 +336,7 @@ public:
     : Context(context)
     , F(context.Filtration)
     , Regional(regions)
+    , Levels(context, regions)
   {
   }
 
@@ -241,22 +345,28 @@ public:
   FeatureDiagram Finish(std::size_t expected);
 
 private:
-  ShapeFeature Make(
-    int dimension, TriangleId choke, double birth, double death, double error2) const
+  /// `birth`, `death` and `error2` are squares.
+  ShapeFeature Make(int dimension, TriangleId choke, SpaceSide side, double birth, double death,
+    double error2) const
   {
     ShapeFeature feature;
     feature.Dimension = dimension;
     feature.Choke = choke;
+    feature.Side = side;
     feature.PairBirth = std::sqrt(std::max(birth, 0.0));
     feature.PairDeath = std::sqrt(death);
     feature.Error = std::sqrt(error2);
-    feature.Trusted = death - birth > error2;
+    feature.FunctionError = this->Levels.UpTo(feature.PairDeath, side);
+    // A handle or tunnel is there at birth, without an error.
+    const double errors = (birth > 0.0 ? 2.0 : 1.0) * feature.FunctionError;
+    feature.Trusted = death - birth > error2 && feature.PairDeath - feature.PairBirth > errors;
     return feature;
   }
 
   const FeatureContext& Context;
   const CellFiltration& F;
   SpaceRegions& Regional;
+  ErrorsByLevel Levels;
   std::vector<std::pair<ShapeFeature, std::vector<int>>> Found; ///< with the region
 };
 
@@ -283,8 +393,7 @@ void Collector::AddVoids()
       continue;
     }
     const std::vector<int>& region = this->Regional.Of(filler);
-    ShapeFeature feature = this->Make(2, t, birth, death, error2);
-    feature.Side = SpaceRegions::SideOf(region);
+    ShapeFeature feature = this->Make(2, t, SpaceRegions::SideOf(region), birth, death, error2);
     feature.Death = feature.PairDeath;
     feature.Kind = feature.Trusted ? FeatureKind::Additional : FeatureKind::Noise;
     this->Found.emplace_back(feature, region);
@@ -330,8 +439,7 @@ void Collector::AddLoops(const std::vector<SurfaceGenerator>& generators)
       continue;
     }
     const std::vector<int>& region = this->Regional.OfTriangle(t);
-    ShapeFeature feature = this->Make(1, t, birth, death, error2);
-    feature.Side = SpaceRegions::SideOf(region);
+    ShapeFeature feature = this->Make(1, t, SpaceRegions::SideOf(region), birth, death, error2);
     if (generator != byFiller.end())
     {
       feature.Kind = feature.Side == SpaceSide::Inside ? FeatureKind::Handle : FeatureKind::Tunnel;
@@ -346,12 +454,15 @@ FeatureDiagram Collector::Finish(std::size_t expected)
   FeatureDiagram diagram;
   diagram.ExpectedGenerators = expected;
   std::map<std::vector<int>, double> last; // per region: the last death
+  // On a mesh the space is filled at the end whether or not the mesh is fine enough for features.
+  const auto counts = [](const ShapeFeature& feature)
+  { return feature.Trusted || feature.FunctionError > 0.0; };
   for (const auto& [feature, region] : this->Found)
   {
     double& reference = diagram.Reference[static_cast<std::size_t>(feature.Side)];
-    reference = std::max(reference, feature.Trusted ? feature.PairDeath : 0.0);
+    reference = std::max(reference, counts(feature) ? feature.PairDeath : 0.0);
     double& death = last.emplace(region, 0.0).first->second;
-    death = std::max(death, feature.Trusted ? feature.PairDeath : 0.0);
+    death = std::max(death, counts(feature) ? feature.PairDeath : 0.0);
   }
   for (auto& [feature, region] : this->Found)
   {

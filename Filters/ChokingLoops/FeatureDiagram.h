@@ -58,6 +58,31 @@ enum class SpaceSide
   Outside = 1
 };
 
+/// A function on a tetrahedral mesh, linear in each tetrahedron, beside the one that it stands for.
+struct CellError
+{
+  double Error = 0.0; ///< they differ by at most this in the tetrahedron
+  double Least = 0.0; ///< both are at least this there
+};
+
+/**
+ * The errors of the distance to M on a mesh. `values` at its points differ from the distance by at
+ * most `atPoints` of each (empty: not at all).
+ *
+ * The distance changes by no more than one goes, so at a point with barycentric coordinates l_i it
+ * differs from the linear function by at most sum l_i |x - v_i|. By Jensen's inequality that is at
+ * most the radius of the smallest ball around the tetrahedron, and by Jung's theorem at most
+ * sqrt(3/8) of its longest edge.
+ */
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<CellError> DistanceErrors(
+  const CellFiltration& mesh, const std::vector<double>& values,
+  const std::vector<double>& atPoints);
+
+/// The errors of any other function: within a tetrahedron it may have any of the values at its
+/// corners.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<CellError> RangeErrors(
+  const CellFiltration& mesh, const std::vector<double>& values);
+
 /// A filtration of a surface's surroundings, with associated data.
 struct FeatureContext
 {
@@ -68,6 +93,7 @@ struct FeatureContext
   const SurfaceAdjacency& Surface;
   std::vector<double>
     PointError; ///< SamplingErrors() (SurfacePreparation.h); empty: M is part of the complex
+  std::vector<CellError> CellErrors; ///< of each tetrahedron, where M is part of the complex
 
   /// Square of the largest sampling error at the corners of a simplex, with a margin for rounding.
   template <std::size_t N>
@@ -171,10 +197,13 @@ struct ShapeFeature
   FeatureKind Kind = FeatureKind::Noise;
   double PairBirth = 0.0;
   double PairDeath = 0.0;
-  /// PairDeath^2 - PairBirth^2 exceeds the square of the sampling error: a feature of M, not of the
-  /// samples.
+  /// PairDeath^2 - PairBirth^2 exceeds the square of the sampling error, or PairDeath - PairBirth
+  /// twice the error of the function on a mesh (a handle's or tunnel's radius that error itself): a
+  /// feature of M, not of the samples or the mesh.
   bool Trusted = false;
   double Error = 0.0; ///< the local sampling error
+  /// Of the function on a mesh, at all radii up to PairDeath: birth and death are that exact.
+  double FunctionError = 0.0;
   /// The triangle where a ball of radius Radius() gets stuck.
   TriangleId Choke = TriangleId::None();
   double Death = 0.0;

@@ -144,7 +144,7 @@ std::vector<ConformingGenerator> ConformingGenerators(
   const SurfaceAdjacency adjacency(embedded);
   const SurfaceHomology homology(adjacency);
   const SurfaceInComplex embedding(adjacency, f);
-  const FeatureContext context{ f, pairs, homology, embedding, adjacency, {} };
+  const FeatureContext context{ f, pairs, homology, embedding, adjacency, {}, {} };
   SpaceRegions regions(context);
   std::vector<ConformingGenerator> found;
   HomologySpan span;

@@ -22,13 +22,17 @@ constexpr int Steps = 200;
 
 double UncertaintyOf(const ShapeFeature& feature)
 {
+  if (feature.FunctionError > 0.0)
+  {
+    return feature.FunctionError;
+  }
   const double d = feature.Radius();
   return d - std::sqrt(std::max(0.0, d * d - feature.Error * feature.Error));
 }
 
 double ShortestGirth(const ShapeFeature& feature)
 {
-  return 2.0 * Pi * (feature.Radius() - UncertaintyOf(feature));
+  return 2.0 * Pi * std::max(0.0, feature.Radius() - UncertaintyOf(feature));
 }
 
 bool IsSurrounded(const Point3& centre, double reach, const std::vector<Point3>& points)

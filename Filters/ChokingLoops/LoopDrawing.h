@@ -24,7 +24,8 @@ namespace isthmus
 
 /**
  * How far the true radius may lie below Radius(): between sqrt(d^2 - e^2) and d, since
- * d_M^2 <= d_S^2 <= d_M^2 + e^2 for a surface M and its samples S.
+ * d_M^2 <= d_S^2 <= d_M^2 + e^2 for a surface M and its samples S. With a function on a mesh: how
+ * far it may lie below or above (ShapeFeature::FunctionError).
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double UncertaintyOf(const ShapeFeature& feature);
 

@@ -11,6 +11,7 @@
 #include "Core/RangeChecks.h"
 #include "Persistence/SurfaceDistance.h"
 #include "Remeshing/SurfaceRepair.h"
+#include "Surfaces/SurfaceCleaning.h"
 #include "Tetrahedra/TetrahedralMesher.h"
 
 #include <vtkCellType.h>
@@ -27,6 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -118,6 +120,26 @@ isthmus::TetrahedralMesh TetrahedraOf(vtkUnstructuredGrid* grid)
   return mesh;
 }
 
+/// Tetrahedra of both sides of a surface, small enough for about 200,000.
+isthmus::TetrahedralParameters MeshAround(const isthmus::TriangleMesh& surface)
+{
+  constexpr double tetrahedra = 2e5;
+  isthmus::TetrahedralParameters parameters;
+  parameters.Side = isthmus::MeshedSide::Both;
+  parameters.BoxMargin = 0.1;
+  using isthmus::operator-;
+  isthmus::Bounds3 box{ surface.Points.front(), surface.Points.front() };
+  for (const isthmus::Point3& p : surface.Points)
+  {
+    box.Add(p);
+  }
+  const isthmus::Point3 size = box.Max - box.Min;
+  const double margin = 2.0 * parameters.BoxMargin * isthmus::Length(size);
+  parameters.TetGen.MaximumVolume =
+    (size[0] + margin) * (size[1] + margin) * (size[2] + margin) / tetrahedra;
+  return parameters;
+}
+
 }
 
 /// The analysis and what it was made of.
@@ -194,16 +216,38 @@ void vtkChokingLoops::Analyse(vtkPolyData* surface, vtkDataObject* grid)
   }
   else
   {
-    auto* given = vtkUnstructuredGrid::SafeDownCast(grid);
-    const auto part = isthmus::Between(progress, 0.0, 0.4);
-    isthmus::TetrahedralParameters mesher;
-    mesher.Side = isthmus::MeshedSide::Both;
-    const isthmus::TetrahedralMesh mesh =
-      given ? TetrahedraOf(given) : isthmus::MeshTetrahedra(triangles, mesher, part);
-    made->Loops = std::make_unique<isthmus::ChokingLoops>(triangles, mesh,
-      this->MorseValues(triangles, mesh, given), isthmus::Between(progress, 0.5, 1.0));
+    made->Loops = this->AnalyseMesh(std::move(triangles), vtkUnstructuredGrid::SafeDownCast(grid));
   }
   this->Keep(std::move(made));
+}
+
+std::unique_ptr<isthmus::ChokingLoops> vtkChokingLoops::AnalyseMesh(
+  isthmus::TriangleMesh triangles, vtkUnstructuredGrid* given)
+{
+  const auto progress = isthmus::Between(isthmus::ProgressOf(this), 0.0, AnalysisPart);
+  const isthmus::CleanedSurface cleaned = isthmus::CleanSurface(std::move(triangles));
+  if (!cleaned.Message.empty())
+  {
+    vtkWarningMacro(<< cleaned.Message);
+  }
+  const isthmus::TriangleMesh& surface = cleaned.Mesh;
+  const isthmus::TetrahedralMesh mesh = given
+    ? TetrahedraOf(given)
+    : isthmus::MeshTetrahedra(surface, MeshAround(surface), isthmus::Between(progress, 0.0, 0.4));
+  const std::vector<double> values = this->MorseValues(surface, mesh, given);
+  std::optional<std::vector<double>> errors;
+  if (this->MorseFunction != PointArray)
+  {
+    errors.emplace();
+  }
+  if (errors && this->MorseFunction != ClosestPoint)
+  {
+    *errors = isthmus::MorseValues(surface, mesh, isthmus::MorseFunction::ClosestPoint);
+    std::transform(values.begin(), values.end(), errors->begin(), errors->begin(),
+      [](double value, double exact) { return std::abs(value - exact); });
+  }
+  return std::make_unique<isthmus::ChokingLoops>(
+    surface, mesh, values, errors, isthmus::Between(progress, 0.5, 1.0));
 }
 
 void vtkChokingLoops::Keep(std::unique_ptr<Cache> made)

@@ -155,7 +155,7 @@ TEST(LowerStarFiltration, PairsAreThoseOfThePlainReduction)
       for (unsigned seed = 1; seed <= 3; ++seed)
       {
         const std::vector<double> values = RandomValues(blocks, seed);
-        ChokingLoops loops(blocks.Surface, blocks.Mesh, values);
+        ChokingLoops loops(blocks.Surface, blocks.Mesh, values, std::nullopt);
         const std::multiset<Pair> expected = PairsByReduction(blocks, values);
         std::multiset<Pair> found;
         for (const ShapeFeature& f : loops.Diagram().Features)
@@ -185,6 +185,22 @@ TEST(LowerStarFiltration, PairsAreThoseOfThePlainReduction)
   }
 }
 
+void SetTetrahedra(const TetrahedralMesh& mesh, vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Point3& p : mesh.Points)
+  {
+    points->InsertNextPoint(p.data());
+  }
+  grid->SetPoints(points);
+  for (const Tetrahedron& t : mesh.Tetrahedra)
+  {
+    const std::array<vtkIdType, 4> ids{ t[0], t[1], t[2], t[3] };
+    grid->InsertNextCell(VTK_TETRA, 4, ids.data());
+  }
+}
+
 /// The filter on a mesh of both sides of a torus that has points within.
 class MorseFunctions : public ::testing::Test
 {
@@ -198,18 +214,7 @@ protected:
     this->Ring = Torus(1.0, 0.3, 48, 24);
     this->Mesh = MeshTetrahedra(this->Ring, parameters);
     SetMesh(this->Ring, this->Surface);
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    for (const Point3& p : this->Mesh.Points)
-    {
-      points->InsertNextPoint(p.data());
-    }
-    this->Grid->SetPoints(points);
-    for (const Tetrahedron& t : this->Mesh.Tetrahedra)
-    {
-      const std::array<vtkIdType, 4> ids{ t[0], t[1], t[2], t[3] };
-      this->Grid->InsertNextCell(VTK_TETRA, 4, ids.data());
-    }
+    SetTetrahedra(this->Mesh, this->Grid);
     this->Exact = SurfaceDistances(this->Ring, this->Mesh.Points);
     this->AddArray("depth", 1.0);
   }
@@ -225,27 +230,35 @@ protected:
     this->Grid->GetPointData()->AddArray(array);
   }
 
-  /// Of the tetrahedra near the ring, where its handle and tunnel are filled.
-  double LongestEdge() const
+  /// A handle or tunnel.
+  struct Found
   {
-    double longest = 0.0;
-    for (const Tetrahedron& t : this->Mesh.Tetrahedra)
+    double Radius = -1.0;
+    double Uncertainty = 0.0;
+    bool Trusted = false;
+  };
+
+  /// The only handle and the only tunnel of a run that issued no message.
+  static std::array<Found, 2> HandleAndTunnel(TopologyFilterRun<vtkChokingLoops>& run)
+  {
+    EXPECT_EQ(run.Messages(), "");
+    vtkCellData* loops = run.Surface(0)->GetCellData();
+    EXPECT_GE(run.Surface(0)->GetNumberOfCells(), 2);
+    std::array<Found, 2> found;
+    for (vtkIdType i = 0; i < run.Surface(0)->GetNumberOfCells(); ++i)
     {
-      for (std::size_t a = 0; a < 4; ++a)
+      const auto of = [&](const char* name) { return loops->GetArray(name)->GetTuple1(i); };
+      const auto kind = static_cast<std::size_t>(of("Kind"));
+      if (kind < 2)
       {
-        const Point3& p = this->Mesh.Points[static_cast<std::size_t>(t[a])];
-        const Point3& q = this->Mesh.Points[static_cast<std::size_t>(t[(a + 1) % 4])];
-        if (std::max(Dot(p, p), Dot(q, q)) < 1.3 * 1.3)
-        {
-          longest = std::max(longest, std::sqrt(Dot(q - p, q - p)));
-        }
+        EXPECT_EQ(found[kind].Radius, -1.0) << "two of a kind";
+        found[kind] = { of("Radius"), of("Uncertainty"), of("Trusted") == 1.0 };
       }
     }
-    return longest;
+    return found;
   }
 
-  /// Radii of handle and tunnel.
-  std::array<double, 2> Radii(int function, const char* array = "depth")
+  std::array<Found, 2> Measure(int function, const char* array = "depth")
   {
     TopologyFilterRun<vtkChokingLoops> run(this->Surface,
       [&](vtkChokingLoops* filter)
@@ -256,22 +269,18 @@ protected:
         filter->SetMorseArrayName(array);
         filter->SetMinimumPersistence(30.0);
       });
-    EXPECT_EQ(run.Messages(), "");
-    auto* kinds = run.Surface(0)->GetCellData()->GetArray("Kind");
-    std::array<double, 2> radii{ -1.0, -1.0 };
-    EXPECT_GE(run.Surface(0)->GetNumberOfCells(), 2);
-    for (vtkIdType i = 0; i < run.Surface(0)->GetNumberOfCells(); ++i)
-    {
-      const int kind = static_cast<int>(kinds->GetTuple1(i));
-      if (kind < 2)
-      {
-        EXPECT_EQ(radii[static_cast<std::size_t>(kind)], -1.0) << "two of a kind";
-        radii[static_cast<std::size_t>(kind)] =
-          run.Surface(0)->GetCellData()->GetArray("Distance")->GetTuple1(i);
-      }
-    }
-    return radii;
+    return HandleAndTunnel(run);
   }
+
+  std::array<double, 2> Radii(int function, const char* array = "depth")
+  {
+    const std::array<Found, 2> found = this->Measure(function, array);
+    return { found[0].Radius, found[1].Radius };
+  }
+
+  /// Of the polyhedron: the cross-section's polygon of 24 sides, and the 48 sides round the hole.
+  const std::array<double, 2> Polyhedron{ 0.3 * std::cos(M_PI / 24.0),
+    0.7 * std::cos(M_PI / 48.0) };
 
   TriangleMesh Ring;
   TetrahedralMesh Mesh;
@@ -283,12 +292,15 @@ protected:
 // Persistence is stable: two functions that differ by at most s give radii that do.
 TEST_F(MorseFunctions, AgreeAsFarAsTheyAreTheSameFunction)
 {
-  const std::array<double, 2> exact = this->Radii(vtkChokingLoops::ClosestPoint);
+  const std::array<Found, 2> found = this->Measure(vtkChokingLoops::ClosestPoint);
+  const std::array<double, 2> exact{ found[0].Radius, found[1].Radius };
   EXPECT_EQ(this->Radii(vtkChokingLoops::PointArray), exact);
-  // Linear between points at most an edge apart, the function is wrong by at most that.
-  const double longest = this->LongestEdge();
-  EXPECT_NEAR(exact[0], 0.3, longest);
-  EXPECT_NEAR(exact[1], 0.7, longest);
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    EXPECT_TRUE(found[k].Trusted);
+    EXPECT_NEAR(exact[k], this->Polyhedron[k], found[k].Uncertainty);
+    EXPECT_LT(found[k].Uncertainty, 0.15);
+  }
 
   this->AddArray("double depth", 2.0);
   const std::array<double, 2> twice = this->Radii(vtkChokingLoops::PointArray, "double depth");
@@ -334,12 +346,47 @@ TEST_F(MorseFunctions, MeshMadeInside)
     [](vtkChokingLoops* filter)
     {
       filter->SetFiltration(vtkChokingLoops::TetrahedralMesh);
-      filter->SetMinimumPersistence(30.0);
+      filter->SetMinimumPersistenceUnit(vtkChokingLoops::Absolute);
+      filter->SetMinimumPersistence(0.0);
     });
-  EXPECT_EQ(run.Messages(), "");
-  auto* facts = run.Surface(0)->GetFieldData();
-  EXPECT_EQ(facts->GetArray("NumberOfHandles")->GetTuple1(0), 1.0);
-  EXPECT_EQ(facts->GetArray("NumberOfTunnels")->GetTuple1(0), 1.0);
+  const std::array<Found, 2> found = HandleAndTunnel(run);
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    EXPECT_TRUE(found[k].Trusted);
+    EXPECT_NEAR(found[k].Radius, this->Polyhedron[k], found[k].Uncertainty);
+    EXPECT_LT(found[k].Uncertainty, 0.15);
+  }
+  vtkFieldData* facts = run.Surface(0)->GetFieldData();
+  const auto number = [&](const char* name, vtkIdType side = 0)
+  { return facts->GetArray(name)->GetTuple1(side); };
+  EXPECT_EQ(number("NumberOfHandles"), 1.0);
+  EXPECT_EQ(number("NumberOfTunnels"), 1.0);
+  EXPECT_EQ(number("NumberOfAdditionalLoops", 0), 0.0); // a torus has no other narrowing
+  EXPECT_EQ(number("NumberOfAdditionalLoops", 1), 0.0);
+  EXPECT_GE(number("LargestSamplingError"), found[1].Uncertainty);
+}
+
+// A mesh that is too coarse for the handle says so.
+TEST_F(MorseFunctions, MeshTooCoarseIsNotTrusted)
+{
+  TetrahedralParameters parameters;
+  parameters.Side = MeshedSide::Both;
+  parameters.BoxMargin = 0.1;
+  parameters.TetGen.MaximumVolume = 0.1;
+  vtkNew<vtkPolyData> surface;
+  const TriangleMesh ring = Torus(1.0, 0.3, 12, 6);
+  SetMesh(ring, surface);
+  vtkNew<vtkUnstructuredGrid> grid;
+  SetTetrahedra(MeshTetrahedra(ring, parameters), grid);
+  TopologyFilterRun<vtkChokingLoops> run(surface,
+    [&](vtkChokingLoops* filter)
+    {
+      filter->SetInputData(1, grid);
+      filter->SetFiltration(vtkChokingLoops::TetrahedralMesh);
+    });
+  EXPECT_NE(run.Messages().find("too coarse"), std::string::npos) << run.Messages();
+  vtkCellData* loops = run.Surface(0)->GetCellData();
+  EXPECT_EQ(loops->GetArray("Trusted")->GetRange()[0], 0.0);
 }
 
 TEST_F(MorseFunctions, BadOnesEndInASentence)
