@@ -6,11 +6,14 @@
 #include "Tetrahedra/TetrahedralMesher.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -309,6 +312,88 @@ void CheckResult(const ChildResult& result, const TetGenCriteria& criteria)
 
 }
 
+namespace
+{
+
+/**
+ * The box with its faces in squares of about `edge`. With KeepSurface TetGen adds no points to any
+ * face, those of the box included; faces of two triangles would make tetrahedra as long as the box.
+ */
+TriangleMesh GridOfBox(const SurfaceView& box, double edge)
+{
+  constexpr double mostCells = 500.0;
+  const Point3& low = box.Points[0];
+  const Point3& high = box.Points[7]; // corners in the order of AddBox
+  const Point3 size = high - low;
+  std::array<int, 3> cells{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    cells[axis] = static_cast<int>(std::clamp(std::ceil(size[axis] / edge), 1.0, mostCells));
+  }
+  TriangleMesh grid;
+  std::map<std::array<int, 3>, std::int64_t> ids; // of the places that have a point
+  const auto point = [&](const std::array<int, 3>& place)
+  {
+    const auto [found, isNew] = ids.emplace(place, static_cast<std::int64_t>(grid.Points.size()));
+    if (isNew)
+    {
+      Point3 p = low;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        // The far faces exactly at the far corner.
+        p[axis] = place[axis] == cells[axis] ? high[axis]
+                                             : low[axis] + size[axis] * place[axis] / cells[axis];
+      }
+      grid.Points.push_back(p);
+    }
+    return found->second;
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::size_t u = (axis + 1) % 3;
+    const std::size_t v = (axis + 2) % 3;
+    for (const bool isFar : { false, true })
+    {
+      for (int i = 0; i < cells[u]; ++i)
+      {
+        for (int j = 0; j < cells[v]; ++j)
+        {
+          const auto corner = [&](int along, int across)
+          {
+            std::array<int, 3> place{};
+            place[axis] = isFar ? cells[axis] : 0;
+            place[u] = i + along;
+            place[v] = j + across;
+            return point(place);
+          };
+          const std::int64_t a = corner(0, 0);
+          const std::int64_t b = corner(isFar ? 1 : 0, isFar ? 0 : 1);
+          const std::int64_t c = corner(1, 1);
+          const std::int64_t d = corner(isFar ? 0 : 1, isFar ? 1 : 0);
+          grid.Triangles.push_back({ a, b, c }); // facing outwards
+          grid.Triangles.push_back({ a, c, d });
+        }
+      }
+    }
+  }
+  return grid;
+}
+
+/// Of the squares on the box: a tetrahedron on half of one, as high as wide, has half of the
+/// largest volume allowed, and none is longer than the box's distance from the surface.
+double EdgeOnBox(const TetrahedralTask& task)
+{
+  const TetGenCriteria& criteria = task.Parameters.TetGen;
+  double edge = task.Parameters.BoxMargin * BoundsOf(task.Surface).Diagonal();
+  if (criteria.MaximumVolume > 0.0)
+  {
+    edge = std::min(edge, std::cbrt(3.0 * criteria.MaximumVolume));
+  }
+  return edge;
+}
+
+}
+
 TetrahedralMesh TetGenTetrahedra(const TetrahedralTask& task, const ProgressCallback& progress)
 {
   const TetGenCriteria& criteria = task.Parameters.TetGen;
@@ -325,9 +410,13 @@ TetrahedralMesh TetGenTetrahedra(const TetrahedralTask& task, const ProgressCall
     (task.IsWanted(region.Id) ? wanted : holes).push_back(region);
   }
   std::vector<SurfaceView> surfaces{ task.Surface };
+  TriangleMesh box;
   if (boxed)
   {
-    surfaces.push_back(task.Box);
+    const bool splits =
+      criteria.KeepSurface && (criteria.RadiusEdgeRatio > 0.0 || criteria.MaximumVolume > 0.0);
+    box = splits ? GridOfBox(task.Box, EdgeOnBox(task)) : CopyOf(task.Box);
+    surfaces.emplace_back(box);
   }
 
   const TemporaryFolder folder;

@@ -1,13 +1,16 @@
 #include "Tetrahedra/TetrahedralMesher.h"
 
 #include "Core/Geometry.h"
+#include "Core/NumberText.h"
 #include "Core/RangeChecks.h"
 #include "Core/UnitScale.h"
 #include "Remeshing/SurfaceRepair.h"
 #include "Surfaces/ShellCrossings.h"
 #include "Surfaces/SurfaceDefects.h"
 #include "Surfaces/SurfaceTopology.h"
+#include "Tetrahedra/MeshQuality.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -191,6 +194,60 @@ void CheckTetrahedralParameters(const TetrahedralParameters& p)
   demand(c.OptimisationSeconds > 0.0 && c.PerturbSeconds >= 0.0 &&
       std::isfinite(c.OptimisationSeconds + c.PerturbSeconds),
     "Time limits of the optimisation must be positive.");
+}
+
+namespace
+{
+
+/// "radius-edge ratio up to 3 (bound 2) in 7"; empty where the bound holds.
+std::string Excess(const char* what, double bound, const std::vector<double>& values)
+{
+  constexpr double rounding = 1.0 + 1e-3;
+  double largest = 0.0;
+  std::size_t count = 0;
+  for (const double value : values)
+  {
+    count += value > bound * rounding ? 1 : 0;
+    largest = std::max(largest, value);
+  }
+  if (bound <= 0.0 || count == 0)
+  {
+    return {};
+  }
+  return TextOf(
+    what, " up to ", FormatNumber(largest, 3), " (bound ", FormatNumber(bound, 3), ") in ", count);
+}
+
+}
+
+std::string UnmetBounds(const TetrahedralMesh& mesh, const TetrahedralParameters& parameters)
+{
+  const bool tetgen = parameters.Library == TetrahedralLibrary::TetGen;
+  std::vector<CellAngles> cells(mesh.Tetrahedra.size());
+  MeasureQuality(mesh.Points, mesh.Tetrahedra, 1, cells);
+  std::vector<double> ratios, volumes;
+  for (const CellAngles& cell : cells)
+  {
+    ratios.push_back(cell.RadiusEdge);
+    volumes.push_back(cell.Size);
+  }
+  const std::string ratio = Excess("radius-edge ratio",
+    tetgen ? parameters.TetGen.RadiusEdgeRatio : parameters.CGAL.CellRadiusEdgeRatio, ratios);
+  const std::string volume =
+    Excess("volume", tetgen ? parameters.TetGen.MaximumVolume : 0.0, volumes);
+  if (ratio.empty() && volume.empty())
+  {
+    return {};
+  }
+  const bool kept = tetgen && parameters.TetGen.KeepSurface;
+  return TextOf("Some of the ", mesh.Tetrahedra.size(), " tetrahedra exceed the bounds: ", ratio,
+    ratio.empty() || volume.empty() ? "" : ", ", volume, ".",
+    kept
+      ? " The triangles of the surface are kept, and tetrahedra beside them can't be better than "
+        "these: remesh the surface (Surface Remesh), or switch KeepSurface off."
+      : tetgen
+      ? " Remesh the surface (Surface Remesh) where it is sharp or thin."
+      : " Optimisation may exceed them: leave out Lloyd, ODT, perturbation and exudation.");
 }
 
 TetrahedralMesh MeshTetrahedra(const SurfaceView& surface, const TetrahedralParameters& parameters,

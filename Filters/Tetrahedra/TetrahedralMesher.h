@@ -85,6 +85,13 @@ struct TetrahedralParameters
 VTKISTHMUSFILTERSTETRAHEDRA_EXPORT TetrahedralMesh MeshTetrahedra(const SurfaceView& surface,
   const TetrahedralParameters& parameters, const ProgressCallback& progress = {});
 
+/**
+ * How far the tetrahedra exceed the bounds of the library that made them, for a warning: the
+ * radius-edge ratio, and TetGen's volume. Empty where they hold. O(tetrahedra).
+ */
+VTKISTHMUSFILTERSTETRAHEDRA_EXPORT std::string UnmetBounds(
+  const TetrahedralMesh& mesh, const TetrahedralParameters& parameters);
+
 /// @throws std::invalid_argument with a message unless the parameters of the library can be met.
 VTKISTHMUSFILTERSTETRAHEDRA_EXPORT void CheckTetrahedralParameters(
   const TetrahedralParameters& parameters);

@@ -102,9 +102,21 @@ void RenameOriginals(const std::vector<std::int64_t>& original, isthmus::Tetrahe
   }
 }
 
+/// Adds the field data `UnmetBounds` where there are some; returns them behind `warning`.
+std::string WithUnmetBounds(const std::string& warning, const isthmus::TetrahedralMesh& mesh,
+  const isthmus::TetrahedralParameters& parameters, vtkUnstructuredGrid* grid)
+{
+  const std::string unmet = isthmus::UnmetBounds(mesh, parameters);
+  if (!unmet.empty())
+  {
+    AddText(grid->GetFieldData(), "UnmetBounds", unmet);
+  }
+  return warning + (warning.empty() || unmet.empty() ? "" : " ") + unmet;
+}
+
 /// Fills `grid` by whatever way works; returns what the user should be warned of.
 std::string FillByAnyWay(const isthmus::CleanedSurface& surface,
-  const isthmus::TetrahedralParameters& parameters, const isthmus::ProgressCallback& progress,
+  isthmus::TetrahedralParameters parameters, const isthmus::ProgressCallback& progress,
   vtkUnstructuredGrid* grid)
 {
   isthmus::AutomaticMesh made = isthmus::AutomaticTetrahedra(surface.Mesh, parameters, progress);
@@ -114,7 +126,15 @@ std::string FillByAnyWay(const isthmus::CleanedSurface& surface,
   {
     AddReport(made, grid->GetFieldData());
   }
-  return made.Hausdorff > 0.0 || made.IsDoubtful ? made.Report : std::string();
+  std::string warning = made.Hausdorff > 0.0 || made.IsDoubtful ? made.Report : std::string();
+  if (made.Backend == isthmus::MeshingBackend::Stuffing)
+  {
+    return warning;
+  }
+  parameters.Library = made.Backend == isthmus::MeshingBackend::RepairedCGAL
+    ? isthmus::TetrahedralLibrary::CGAL
+    : isthmus::TetrahedralLibrary::TetGen;
+  return WithUnmetBounds(warning, made.Mesh, parameters, grid);
 }
 
 /// Fills `grid` by the library asked for, after repair if that is wanted; returns likewise.
@@ -141,7 +161,7 @@ std::string FillByLibrary(const isthmus::CleanedSurface& surface, bool repair,
   {
     AddText(grid->GetFieldData(), "Repair", repaired.Changes);
   }
-  return repaired.Changes;
+  return WithUnmetBounds(repaired.Changes, result, parameters, grid);
 }
 
 }

@@ -9,11 +9,12 @@
  * Output: vtkUnstructuredGrid of tetrahedra in the units of the surface. Cell array `RegionId`
  * (int): solids 1, 2, ..., exterior 0, cavities -1, -2, ... Point array `OriginalPointId`
  * (vtkIdType): the point of the surface it was, or -1. Field data of the input is kept; after a
- * repair, string `Repair` says what was changed. With Automatic there are the field arrays `Engine`
- * (string: the backend used), `EngineReport` (string: why, and how far the surface moved, also
- * issued as a warning when it did), `HausdorffDistance`, `VolumeBefore` and `VolumeAfter` (of the
- * solids), `VolumeIsDoubtful` (1 where these differ by more than a hundredth, else 0); by stuffing,
- * RegionId is 1 in solids and 0 elsewhere.
+ * repair, string `Repair` says what was changed; where tetrahedra exceed the bounds below, string
+ * `UnmetBounds` says by how much, also issued as a warning. With Automatic there are the field
+ * arrays `Engine` (string: the backend used), `EngineReport` (string: why, and how far the surface
+ * moved, also issued as a warning when it did), `HausdorffDistance`, `VolumeBefore` and
+ * `VolumeAfter` (of the solids), `VolumeIsDoubtful` (1 where these differ by more than a hundredth,
+ * else 0); by stuffing, RegionId is 1 in solids and 0 elsewhere.
  *
  * TetGen (H. Si, doi:10.1145/2629697) runs as a program of its own, the command `tetgen` of the
  * Debian package of that name, under TimeLimit and MemoryLimit, killed on abort. CGAL (Mesh_3) runs
@@ -88,7 +89,9 @@ public:
   ///@}
 
   ///@{
-  /// TetGen: add no points to the surface, so that its triangles come out unchanged. Default on.
+  /// TetGen: add no points to the surface, so that its triangles come out unchanged; beside small
+  /// or flat ones the bounds below can't hold. The faces of the box are split as the bounds need.
+  /// Default on.
   vtkSetMacro(KeepSurface, bool);
   vtkGetMacro(KeepSurface, bool);
   vtkBooleanMacro(KeepSurface, bool);

@@ -1,5 +1,7 @@
 // Tetrahedra of nested cubes by TetGen and CGAL: volumes of regions, bounds, limits, sentences.
 
+#include "ChokingSurfaces.h"
+#include "Core/NumberText.h"
 #include "MesherTrial.h"
 #include "SurfaceFiles.h"
 #include "Tetrahedra/MeshQuality.h"
@@ -167,6 +169,52 @@ TEST(TetrahedralMesher, TetGenKeepsItsBounds)
     without = std::max(without, Volume(free, i));
   }
   EXPECT_GT(without, 5.0);
+}
+
+// Of a surface that is kept, and the box around it: what exceeds the bounds is nearer to the
+// surface than its triangles are long or, by little, on the box; the warning says how many do, and
+// by how much.
+TEST(TetrahedralMesher, TetGenKeepsItsBoundsBesideAKeptSurface)
+{
+  TetrahedralParameters parameters = With(TetrahedralLibrary::TetGen, MeshedSide::Both);
+  parameters.BoxMargin = 0.1;
+  for (const double volumeBound : { 2e-4, 1e-3 })
+  {
+    parameters.TetGen.MaximumVolume = volumeBound;
+    const TriangleMesh torus = Torus(1.0, 0.3, 48, 24);
+    const TetrahedralMesh mesh = MeshTetrahedra(torus, parameters);
+    double largest = 0.0, worst = 0.0;
+    std::size_t large = 0, bad = 0, largeAway = 0, badAway = 0;
+    for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
+    {
+      const Tetrahedron& t = mesh.Tetrahedra[i];
+      const auto at = [&](std::size_t c) { return mesh.Points[static_cast<std::size_t>(t[c])]; };
+      const double volume = std::abs(Volume(mesh, i));
+      const double ratio = MeasureTetrahedron(at(0), at(1), at(2), at(3)).RadiusEdge;
+      const Point3 middle = 0.25 * (at(0) + at(1) + at(2) + at(3));
+      const bool isAway =
+        std::abs(std::hypot(std::hypot(middle[0], middle[1]) - 1.0, middle[2]) - 0.3) > 0.2;
+      large += volume > volumeBound * 1.001;
+      bad += ratio > 2.0 * 1.001;
+      largeAway += volume > volumeBound * 1.25 && isAway;
+      badAway += ratio > 2.0 * 1.001 && isAway;
+      largest = std::max(largest, volume);
+      worst = std::max(worst, ratio);
+    }
+    std::printf("%zu tetrahedra: volume up to %g, above the bound %zu; ratio up to %.3f, %zu\n",
+      mesh.Tetrahedra.size(), largest, large, worst, bad);
+    EXPECT_EQ(largeAway, 0U);
+    EXPECT_EQ(badAway, 0U);
+    const std::string unmet = UnmetBounds(mesh, parameters);
+    const auto says = [&](const std::string& what, double most, double bound, std::size_t count)
+    {
+      return unmet.find(what + " up to " + FormatNumber(most, 3) + " (bound " +
+               FormatNumber(bound, 3) + ") in " + std::to_string(count)) != std::string::npos;
+    };
+    EXPECT_EQ(unmet.empty(), large + bad == 0) << unmet;
+    EXPECT_EQ(bad > 0, says("radius-edge ratio", worst, 2.0, bad)) << unmet;
+    EXPECT_EQ(large > 0, says("volume", largest, volumeBound, large)) << unmet;
+  }
 }
 
 TEST(TetrahedralMesher, WrongParametersEndInASentence)
