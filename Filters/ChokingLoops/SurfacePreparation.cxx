@@ -8,6 +8,7 @@
 #include "Remeshing/ThinTriangles.h"
 #include "Surfaces/SurfaceCleaning.h"
 #include "Surfaces/SurfaceDefects.h"
+#include "Surfaces/SurfaceMeasures.h"
 #include "Surfaces/SurfaceMending.h"
 #include "Surfaces/SurfaceTopology.h"
 
@@ -172,6 +173,8 @@ TriangleMesh RepairedForAnalysis(const SurfaceView& surface, const std::string& 
   ReportChanges(surface, mesh, report);
   report.Message = what + " It was repaired: " + std::to_string(report.Changed) +
     " triangles changed, and the volume by " + FormatNumber(100.0 * share) + " %.";
+  const std::string topology = DescribeTopologyChange(surface, mesh);
+  report.Message += (topology.empty() ? "" : " ") + topology;
   return mesh;
 }
 

@@ -11,6 +11,7 @@
 #include "Surfaces/ShellCrossings.h"
 #include "Surfaces/SurfaceCleaning.h"
 #include "Surfaces/SurfaceDefects.h"
+#include "Surfaces/SurfaceMeasures.h"
 #include "Surfaces/SurfaceMending.h"
 
 // GCC 14 takes the copy of a polygon of one corner in it for a write beyond its end.
@@ -255,9 +256,12 @@ RepairedSurface RepairSurface(const SurfaceView& mesh, const ProgressCallback& p
       }
       Report(progress, 0.5);
       const bool crossings = PMP::does_self_intersect(surface);
+      std::string topology;
       if (crossings)
       {
+        const TriangleMesh crossing = cgal::FromSurfaceMesh(surface);
         RemoveSelfIntersections(surface, Between(progress, 0.5, 0.9));
+        topology = DescribeTopologyChange(crossing, cgal::FromSurfaceMesh(surface));
       }
       Report(progress, 0.9);
       RepairedSurface result;
@@ -281,6 +285,7 @@ RepairedSurface RepairSurface(const SurfaceView& mesh, const ProgressCallback& p
       {
         result.Changes = mending.Message() + (result.Changes.empty() ? "" : " ") + result.Changes;
       }
+      result.Changes += (topology.empty() ? "" : " ") + topology;
       return result;
     });
 }

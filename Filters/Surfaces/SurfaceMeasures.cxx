@@ -238,4 +238,28 @@ SurfaceMeasures MeasureSurface(const SurfaceView& mesh, const ProgressCallback& 
   return result;
 }
 
+std::string DescribeTopologyChange(const SurfaceView& before, const SurfaceView& after)
+{
+  const SurfaceMeasures old = MeasureSurface(before);
+  const SurfaceMeasures now = MeasureSurface(after);
+  if (old.Whole.Genus < 0 || now.Whole.Genus < 0)
+  {
+    return {};
+  }
+  const auto change = [](const char* what, auto from, auto to)
+  {
+    return from == to
+      ? std::string()
+      : std::string(what) + " from " + std::to_string(from) + " to " + std::to_string(to);
+  };
+  const std::string parts =
+    change("the number of components", old.Components.size(), now.Components.size());
+  const std::string genus = change("the genus", old.Whole.Genus, now.Whole.Genus);
+  if (parts.empty() && genus.empty())
+  {
+    return {};
+  }
+  return "Repair changed " + parts + (parts.empty() || genus.empty() ? "" : ", and ") + genus + ".";
+}
+
 }

@@ -19,6 +19,7 @@
 #include "Core/TriangleMesh.h"
 #include "vtkIsthmusFiltersSurfacesModule.h" // for the export macro
 
+#include <string>
 #include <vector>
 
 namespace isthmus
@@ -57,6 +58,14 @@ struct SurfaceMeasures
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT SurfaceMeasures MeasureSurface(
   const SurfaceView& mesh, const ProgressCallback& progress = {});
+
+/**
+ * That a repair changed the number of components or the genus, in one sentence for its message:
+ * "Repair changed the genus from 8 to 7." Empty if it did not, or where one of the surfaces has no
+ * genus (IrregularPoints). Of surfaces without invalid triangles. O(triangles).
+ */
+VTKISTHMUSFILTERSSURFACES_EXPORT std::string DescribeTopologyChange(
+  const SurfaceView& before, const SurfaceView& after);
 
 }
 
