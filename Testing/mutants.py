@@ -61,6 +61,32 @@ MUTANTS = {
     "A panel's number goes nowhere": (
         "Plugin/MapSurface.xml", 'command="SetMinimumComponentArea"', 'command="SetMinimumComponentShare"',
         "PropertyEffects.py MapSurface"),
+    "A function on a mesh has no error": (
+        "Filters/ChokingLoops/FeatureDiagram.cxx", "const double jung = std::sqrt(3.0 / 8.0);", "const double jung = 0.0;",
+        ("TestLowerStarFiltration", "MorseFunctions.MeshMadeInside")),
+    "Faces of the box are not split": (
+        "Filters/Tetrahedra/TetGenTetrahedra.cxx", "criteria.KeepSurface && (criteria.RadiusEdgeRatio > 0.0 ||",
+        "!criteria.KeepSurface && (criteria.RadiusEdgeRatio > 0.0 ||",
+        ("TestTetrahedralMesher", "TetrahedralMesher.TetGenKeepsItsBoundsBesideAKeptSurface")),
+    "A repair that changes the genus does not say so": (
+        "Filters/Surfaces/SurfaceMeasures.cxx", 'change("the genus", old.Whole.Genus, now.Whole.Genus)',
+        'change("the genus", old.Whole.Genus, old.Whole.Genus)', ("TestSurfaceMending", "RepairReport.TellsThatTheGenusChanged")),
+    "Coupling moves the wrong field": (
+        "Filters/Imaging/DiffusionHighPass.cxx", "u[n] += ofU * difference;", "u[n] += (ofU > 0 ? ofV : ofU) * difference;",
+        ("TestDiffusionHighPass", "DiffusionHighPass.CouplingPullsEachFieldByItsOwnRate")),
+    "Coupling changes equal fields": (
+        "Filters/Imaging/DiffusionHighPass.cxx", "const T difference = v[n] - u[n];",
+        "const T difference = static_cast<T>(0.999) * v[n] - u[n];",
+        ("TestDiffusionHighPass", "DiffusionHighPass.CouplingKeepsEqualFieldsEqual")),
+    "The solvent's pull is half as strong": (
+        "Filters/MolecularSurfaces/Dispersion.cxx", "static_cast<double>(value)) / tension);",
+        "static_cast<double>(value)) / (2.0 * tension));", ("TestNonpolarEnergy", "NonpolarEnergy.PullIsThatOfTheEquation")),
+    "The field is not relaxed": (
+        "Filters/Solvation/SolvationFlow.cxx", "? this->Parameters.Policy.FieldRelaxation : 1.0", "? 1.0 : 1.0",
+        ("TestSolvationFlow", "SolvationFlow.RelaxationTakesItsShare")),
+    "A cutaway goes deep first": (
+        "Filters/CellComplex/TetCutaway.cxx", "map.Neighbours(queue[next])", "map.Neighbours(queue[queue.size() - 1 - next % 2])",
+        ("TestTetCutaway", "TetCutaway.RemovesTheNearestFirst")),
 }
 
 

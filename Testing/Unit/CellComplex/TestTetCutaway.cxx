@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 #include <string>
 
 namespace
@@ -62,6 +64,47 @@ TEST(TetCutaway, RemovesTheNumberAskedFor)
     EXPECT_EQ(run.Grid(1)->GetNumberOfCells(), left);
     EXPECT_NEAR(VolumeInside(run.Surface(0)), static_cast<double>(left) / 6.0, 1e-9);
     EXPECT_EQ(CountExposed(run.Surface(0)) > 0, number > 0 && left > 0);
+  }
+}
+
+// Cubes beside each other by a face: in breadth-first order from a corner none goes before one
+// with fewer steps, so what goes is connected, and n + 1 cells are n and another.
+TEST(TetCutaway, RemovesTheNearestFirst)
+{
+  constexpr int side = 5;
+  const GridPointer grid = GridOf(Hexahedra(side));
+  std::set<vtkIdType> last;
+  for (vtkIdType number = 1; number <= side * side * side; number += 3)
+  {
+    FilterRun run(grid,
+      [&](vtkTetCutaway* filter)
+      {
+        filter->SetNumberOfCells(number);
+        filter->SetSeedPoint(0.0, 0.0, 0.0);
+      });
+    std::set<vtkIdType> gone;
+    for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+    {
+      gone.insert(i);
+    }
+    auto* kept = run.Grid(1)->GetCellData()->GetArray("OriginalCellIds");
+    for (vtkIdType i = 0; kept && i < kept->GetNumberOfTuples(); ++i)
+    {
+      gone.erase(static_cast<vtkIdType>(kept->GetTuple1(i)));
+    }
+    ASSERT_EQ(gone.size(), static_cast<std::size_t>(number));
+    EXPECT_TRUE(std::includes(gone.begin(), gone.end(), last.begin(), last.end())) << number;
+    last = gone;
+    int farthest = 0, nearest = 3 * side;
+    for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+    {
+      double box[6];
+      grid->GetCellBounds(i, box);
+      const int steps = static_cast<int>(std::lround(box[0] + box[2] + box[4]));
+      (gone.count(i) ? farthest : nearest) =
+        gone.count(i) ? std::max(farthest, steps) : std::min(nearest, steps);
+    }
+    EXPECT_LE(farthest, nearest) << number;
   }
 }
 

@@ -85,7 +85,7 @@ TEST(PoissonBoltzmann, ErrorsFallWithTheSquareOfTheSpacing)
 {
   // K1 over two halvings: the nearest node's place on the surface changes from grid to grid.
   EXPECT_GE(OrderOutside(1, 4.0, 0.5, 0.125), 1.7);
-  EXPECT_GE(OrderOutside(2, 8.0, 0.5, 0.25), 1.3);
+  EXPECT_GE(OrderOutside(2, 6.0, 0.5, 0.125), 1.7);
 }
 
 TEST(PoissonBoltzmann, BorderOfItsOwnIsAsGoodAsTheSeries)

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace isthmus;
 using namespace isthmus::testing;
@@ -43,7 +44,41 @@ TEST(DiffusionHighPass, WithoutCouplingBothAreDiffusionsOfTheirOwn)
   }
 }
 
-TEST(DiffusionHighPass, CouplingAloneKeepsEqualFieldsAndTheSplittingIsOfSecondOrder)
+// Without diffusion u' = a (v - u) and v' = b (u - v): the difference decays by exp(-(a + b) t),
+// and b u + a v stays, so that each field moves to the other by its own coupling's share.
+TEST(DiffusionHighPass, CouplingPullsEachFieldByItsOwnRate)
+{
+  const auto grid = Grid<double>(5, 4, 3);
+  HighPassParameters parameters;
+  parameters.Diffusivity = { 0.0, 0.0 };
+  parameters.Coupling = { 0.5, 0.1 };
+  parameters.Time = 1.5;
+  const std::vector<double> u = Noise(grid);
+  std::vector<double> v(u.rbegin(), u.rend());
+  std::vector<double> nowU = u, nowV = v;
+  EvolveHighPass<double>(grid, parameters, nowU.data(), nowV.data());
+  const double gone = 1.0 - std::exp(-0.6 * 1.5);
+  for (std::size_t i = 0; i < u.size(); ++i)
+  {
+    EXPECT_NEAR(nowU[i], u[i] + 0.5 / 0.6 * gone * (v[i] - u[i]), 1e-12);
+    EXPECT_NEAR(nowV[i], v[i] + 0.1 / 0.6 * gone * (u[i] - v[i]), 1e-12);
+  }
+}
+
+TEST(DiffusionHighPass, CouplingKeepsEqualFieldsEqual)
+{
+  HighPassParameters parameters;
+  parameters.Coupling = { 0.5, 0.3 };
+  parameters.Diffusivity = { 0.4, 0.4 };
+  parameters.Time = 2.0;
+  parameters.Steps = 8;
+  const auto fields = Evolved(parameters);
+  EXPECT_EQ(fields[0], fields[1]);
+  parameters.Coupling = { 0.0, 0.0 };
+  EXPECT_EQ(Evolved(parameters)[0], fields[0]);
+}
+
+TEST(DiffusionHighPass, TheSplittingIsOfSecondOrder)
 {
   HighPassParameters parameters;
   parameters.Coupling = { 0.5, 0.3 };

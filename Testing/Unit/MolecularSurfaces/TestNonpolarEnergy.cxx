@@ -5,10 +5,13 @@
 #include "Atoms/NearestBall.h"
 #include "FlowCases.h"
 #include "MolecularSurfaces/Dispersion.h"
+#include "MolecularSurfaces/FlowField.h"
 #include "MolecularSurfaces/SurfaceFlow.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -162,6 +165,39 @@ TEST(NonpolarEnergy, NearestBallIsTheNearest)
       }
     }
     EXPECT_EQ(nearest.At(place.Centre), best);
+  }
+}
+
+// (pressure - density U) / tension at each node, U by the pairs within 10 angstrom (Dispersion.h).
+TEST(NonpolarEnergy, PullIsThatOfTheEquation)
+{
+  const std::vector<DispersionAtom> atoms{ { { 0.3, -0.2, 0.1 }, 1.9, 0.1 },
+    { { 3.1, 0.4, -1.0 }, 1.5, 0.2 } };
+  SolventParameters solvent;
+  solvent.Pressure = 0.03;
+  solvent.SurfaceTension = 0.05;
+  const FlowGrid grid(DensityGrid{ { -8.0, -7.0, -6.0 }, { 21, 19, 17 }, 0.8 });
+  std::vector<float> pull(static_cast<std::size_t>(grid.NumberOfNodes()), 0.0F);
+  SolventPull(atoms, solvent)(grid, pull);
+  for (std::int64_t n = 0; n < 21 * 19 * 17; n += 13)
+  {
+    const std::array<std::int64_t, 3> at{ n % 21, n / 21 % 19, n / (21 * 19) };
+    double energy = 0.0;
+    for (const DispersionAtom& atom : atoms)
+    {
+      double r2 = 0.0;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const double x = grid.Inner().Origin[k] + 0.8 * static_cast<double>(at[k]);
+        r2 += (x - atom.Centre[k]) * (x - atom.Centre[k]);
+      }
+      const double m = atom.Radius + solvent.Radius;
+      const double depth = std::sqrt(atom.WellDepth * solvent.WellDepth);
+      const double r = std::max(std::sqrt(r2), m); // constant where repulsion would begin
+      energy += r < 10.0 ? depth * (std::pow(m / r, 12) - 2.0 * std::pow(m / r, 6)) : 0.0;
+    }
+    const double expected = (0.03 - solvent.Density * energy) / 0.05;
+    EXPECT_NEAR(pull[static_cast<std::size_t>(grid.Index(at[0], at[1], at[2]))], expected, 1e-4);
   }
 }
 

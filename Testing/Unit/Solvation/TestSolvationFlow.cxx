@@ -99,6 +99,37 @@ TEST(SolvationFlow, IonsInTheSmoothModeEndWithTheSharpEnergy)
   }
 }
 
+// The first field counts whole, later ones by their share: alike until the second has pulled, and
+// then between a share of nothing and the whole.
+TEST(SolvationFlow, RelaxationTakesItsShare)
+{
+  std::vector<std::vector<SolvationUpdate>> runs;
+  for (const double share : { 1e-9, 0.5, 1.0 })
+  {
+    SolvationParameters p = IonParameters(0.25);
+    p.Flow.ProbeRadius = 0.0;
+    p.Policy.FieldRelaxation = share;
+    p.Policy.AdaptiveUpdate = false;
+    p.Policy.UpdatePeriod = 10;
+    p.Policy.MaximumUpdates = 3;
+    SolvationFlow flow(IonPair(4.5), p);
+    flow.Run();
+    runs.push_back(flow.GetUpdates());
+    ASSERT_EQ(runs.back().size(), 3U);
+  }
+  for (const std::size_t update : { 0, 1 })
+  {
+    EXPECT_EQ(runs[0][update].Area, runs[2][update].Area);
+  }
+  const double none = runs[0][2].Area, half = runs[1][2].Area, whole = runs[2][2].Area;
+  std::cout << "area by none, half and all of the second field: " << none << ", " << half << ", "
+            << whole << "\n";
+  EXPECT_GT(std::abs(whole - none), 1e-4 * none);
+  const double way = (half - none) / (whole - none);
+  EXPECT_GT(way, 0.1);
+  EXPECT_LT(way, 0.9);
+}
+
 TEST(CoupledFlow, OfAnIonIsKnown)
 {
   // E just outside is C / (eps_s r^2), and the energy's derivative by r, over the area, the pull.
