@@ -132,28 +132,37 @@ double PoissonNernstPlanck::Concentration(SpeciesId species, std::int64_t node) 
       std::exp(-this->Parameters.Species[species.Index()].Valence * this->Phi[p]);
 }
 
-void PoissonNernstPlanck::FillCharge()
+void PoissonNernstPlanck::ForNodes(const std::function<void(std::int64_t)>& work) const
 {
-  const double coulomb = 4.0 * Pi * units::CoulombLength(this->Parameters.Temperature);
   ParallelFor(0, this->Grid.Domain.Size(), 1 << 14,
-    [&](std::int64_t first, std::int64_t last)
+    [&work](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t node = first; node < last; ++node)
       {
-        const auto p = static_cast<std::size_t>(node);
-        double charge = 0.0, slope = 0.0;
-        const HandleRange<SpeciesId> present(this->Open[p] != 0 ? this->V.size() : 0);
-        for (const SpeciesId k : present)
-        {
-          const double z = this->Parameters.Species[k.Index()].Valence;
-          const double ions = this->ChargeScale * static_cast<double>(this->Grid.Water[p]) *
-            this->V[k][p] * std::exp(-z * this->Phi[p]);
-          charge += z * ions;
-          slope += z * z * ions;
-        }
-        this->Field.Diagonal(node) = slope;
-        this->Source[p] = coulomb * this->Grid.Charge[p] + charge + slope * this->Phi[p];
+        work(node);
       }
+    });
+}
+
+void PoissonNernstPlanck::FillCharge()
+{
+  const double coulomb = 4.0 * Pi * units::CoulombLength(this->Parameters.Temperature);
+  this->ForNodes(
+    [&](std::int64_t node)
+    {
+      const auto p = static_cast<std::size_t>(node);
+      double charge = 0.0, slope = 0.0;
+      const HandleRange<SpeciesId> present(this->Open[p] != 0 ? this->V.size() : 0);
+      for (const SpeciesId k : present)
+      {
+        const double z = this->Parameters.Species[k.Index()].Valence;
+        const double ions = this->ChargeScale * static_cast<double>(this->Grid.Water[p]) *
+          this->V[k][p] * std::exp(-z * this->Phi[p]);
+        charge += z * ions;
+        slope += z * z * ions;
+      }
+      this->Field.Diagonal(node) = slope;
+      this->Source[p] = coulomb * this->Grid.Charge[p] + charge + slope * this->Phi[p];
     });
 }
 
@@ -253,22 +262,25 @@ void PoissonNernstPlanck::FillNernstPlanck(SpeciesId species)
 {
   const double half = -0.5 * this->Parameters.Species[species.Index()].Valence;
   this->Work.resize(this->Phi.size());
-  for (std::size_t p = 0; p < this->Phi.size(); ++p)
-  {
-    this->Work[p] = this->Open[p] != 0 ? std::exp(half * this->Phi[p]) : 0.0;
-  }
-  const std::array<std::int64_t, 3> steps = this->Grid.Domain.Steps();
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    for (std::int64_t node = 0; node < this->Grid.Domain.Size(); ++node)
+  this->ForNodes(
+    [&](std::int64_t node)
     {
       const auto p = static_cast<std::size_t>(node);
-      this->Ions.Edge(a, node) = this->Grid.Aperture[a][p] == 0.0F
-        ? 0.0
-        : this->EdgeConductance(
-            species, a, node, this->Work[p], this->Work[static_cast<std::size_t>(node + steps[a])]);
-    }
-  }
+      this->Work[p] = this->Open[p] != 0 ? std::exp(half * this->Phi[p]) : 0.0;
+    });
+  const std::array<std::int64_t, 3> steps = this->Grid.Domain.Steps();
+  this->ForNodes(
+    [&](std::int64_t node)
+    {
+      const auto p = static_cast<std::size_t>(node);
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        this->Ions.Edge(a, node) = this->Grid.Aperture[a][p] == 0.0F
+          ? 0.0
+          : this->EdgeConductance(species, a, node, this->Work[p],
+              this->Work[static_cast<std::size_t>(node + steps[a])]);
+      }
+    });
 }
 
 double PoissonNernstPlanck::EdgeFlux(SpeciesId species, std::size_t axis, std::int64_t node) const
@@ -289,20 +301,23 @@ double PoissonNernstPlanck::Throughput(SpeciesId species) const
 {
   const std::array<std::int64_t, 3> steps = this->Grid.Domain.Steps();
   const auto below = static_cast<unsigned char>(Bath::Below);
-  double total = 0.0;
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    for (std::int64_t node = 0; node < this->Grid.Domain.Size(); ++node)
+  const double total = ParallelReduce(this->Grid.Domain.Size(), 1 << 16, 0.0,
+    [&](double& sum, std::int64_t first, std::int64_t last)
     {
-      const auto p = static_cast<std::size_t>(node);
-      if (this->Grid.Aperture[a][p] > 0.0F)
+      for (std::int64_t node = first; node < last; ++node)
       {
-        const bool here = this->Grid.Baths[p] == below;
-        const bool there = this->Grid.Baths[static_cast<std::size_t>(node + steps[a])] == below;
-        total += here == there ? 0.0 : (here ? 1.0 : -1.0) * this->EdgeFlux(species, a, node);
+        const auto p = static_cast<std::size_t>(node);
+        for (std::size_t a = 0; a < 3; ++a)
+        {
+          if (this->Grid.Aperture[a][p] > 0.0F)
+          {
+            const bool here = this->Grid.Baths[p] == below;
+            const bool there = this->Grid.Baths[static_cast<std::size_t>(node + steps[a])] == below;
+            sum += here == there ? 0.0 : (here ? 1.0 : -1.0) * this->EdgeFlux(species, a, node);
+          }
+        }
       }
-    }
-  }
+    });
   return std::abs(total);
 }
 

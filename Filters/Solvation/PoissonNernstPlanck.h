@@ -36,6 +36,8 @@
 #include "vtkIsthmusFiltersSolvationModule.h"
 
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace isthmus
@@ -58,8 +60,8 @@ inline double SlotboomConductance(double rootP, double rootQ)
 /// A species by its place in IonTransportParameters::Species.
 using SpeciesId = Handle<struct SpeciesKind, std::size_t>;
 
-/// Memory: 160 bytes a node for two networks, 40 for phi and work, 8 for each species. The same
-/// bits on any number of threads: the loops that decide about them run on one.
+/// Memory: 160 bytes a node for two networks, 40 for phi and work, 8 for each species. Parallel,
+/// bitwise the same on any number of threads.
 class VTKISTHMUSFILTERSSOLVATION_EXPORT PoissonNernstPlanck
 {
 public:
@@ -104,6 +106,7 @@ private:
   void FillNernstPlanck(SpeciesId species);
   double SolveSpecies(SpeciesId k, double accuracy, const ProgressCallback& progress);
   void SolveNernstPlanck(double accuracy, const ProgressCallback& progress);
+  void ForNodes(const std::function<void(std::int64_t)>& work) const;
   void FillCharge();
   double SolvePoisson(double accuracy, const ProgressCallback& progress);
   double NewtonStep(const ProgressCallback& progress);
