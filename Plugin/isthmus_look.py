@@ -3,14 +3,17 @@ words for categories, tubes for loops. isthmus_pipelines.py builds what is looke
 first_look() for each result that is new or changed.
 """
 
-from paraview import servermanager, simple
+try:
+    from paraview import servermanager, simple
+except ImportError:
+    servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
 
 try:
     import isthmus_messages as messages  # with the plugin loaded
     import isthmus_pockets as pockets_and_pores
 except ImportError:
     from isthmus import messages
-    from isthmus import pockets as pockets_and_pores
+    from isthmus import pocket_views as pockets_and_pores
 
 # Colours. A signed quantity spans a range symmetric about 0, so that what is neutral is flat.
 DIVERGING = "Cool to Warm"

@@ -14,23 +14,27 @@ The buttons of the toolbar are run(); first_look() is what the window calls for 
 
 import os
 
-from paraview import print_warning, servermanager, simple
 from vtkmodules.vtkCommonCore import vtkOutputWindow
+
+try:
+    from paraview import print_warning, servermanager, simple
+except ImportError:
+    # Pip's vtk alone: the module can be imported, its functions say what they need (end of this file).
+    print_warning = servermanager = simple = None
 
 try:
     import isthmus_look as look  # with the plugin, whose window uses them, too
     import isthmus_messages as messages
+    import isthmus_steps as steps
 except ImportError:
-    from isthmus import look, messages
+    from isthmus import look, messages, steps
 
 try:
     import isthmus_pockets as pockets_and_pores  # with the plugin loaded
 except ImportError:
-    from isthmus import pockets as pockets_and_pores
+    from isthmus import pocket_views as pockets_and_pores
 
-DUST = 0.01  # components below that share of the largest one's area are hidden
-DECAY = 1.2  # of the Gaussians of a molecular surface: BindingSites.md tells what it was tuned on
-SPACING = 0.6  # angstrom, of a molecular surface's grid
+DUST, DECAY, SPACING = steps.DUST, steps.DECAY, steps.SPACING
 # Filters that pass on the atoms of a molecule, as the buttons put them in.
 PARTS = ("AtomSelection", "ForceFieldCharges")
 # Filters with a persistence diagram: the port that has it.
@@ -52,7 +56,7 @@ def _require_volume(source):
         raise ValueError("This needs a density map (a volume): select one in the pipeline browser, "
                          "or open one by File > Open.")
     if not _point_array(source):
-        raise ValueError("The volume has no point array with one number at each node.")
+        raise ValueError(steps.NOTHING["volume"])
 
 
 def _require_surface(source):
@@ -106,11 +110,18 @@ def _spacing(volume):
 
 def _require_triangles(surface):
     if not look.data_of(surface).GetNumberOfCells():
-        raise ValueError("No surface came out: all values of the map are alike, or all components "
-                         "were hidden as dust. Look at its values in the Information panel.")
+        raise ValueError(steps.NOTHING["surface"])
 
 
 # ---------------------------------------------------------------------------- the pipelines
+
+def _make(pipeline, name, source=None, **more):
+    """The filter of a step of steps.PIPELINES."""
+    step = steps.PIPELINES[pipeline][name]
+    given = [] if source is None else [source]
+    return getattr(simple, step.proxy)(*given, registrationName=step.label, **{**step.properties, **more})
+
+
 # Filters are given their input first, without its name: with the name they choose arrays by what the
 # active source has. (Curvature On Surface would take it for its volume, and is told its array.)
 
@@ -118,9 +129,7 @@ def map_to_surface(source, level=None):
     """(surface,): the map's closed surface; at the recommended or an automatic level where none is
     given, which is then shown in the panel."""
     _require_volume(source)
-    surface = simple.MapSurface(
-        source, registrationName="Surface",
-        Scalars=["POINTS", _point_array(source)], MinimumComponentShare=DUST)
+    surface = _make("map_to_surface", "surface", source, Scalars=["POINTS", _point_array(source)])
     if level is not None:
         surface.AutomaticLevel, surface.Level = 0, level
     surface.UpdatePipeline()
@@ -128,9 +137,7 @@ def map_to_surface(source, level=None):
         # The filter has issued a warning. The user can change the property back in the panel.
         surface.InsideIsHigher = 0
         surface.UpdatePipeline()
-        vtkOutputWindow.GetInstance().DisplayWarningText(
-            "Isthmus: The contrast of the map seems to be inverted, so Inside Is Higher was switched off. Switch "
-            "it on, with an automatic level, if the density is brighter than the background.\n")
+        vtkOutputWindow.GetInstance().DisplayWarningText(f"Isthmus: {steps.INVERTED}\n")
     _require_triangles(surface)
     surface.Level = _field_number(surface, "Level")
     surface.AutomaticLevel = 0
@@ -144,13 +151,11 @@ def map_to_curvature(source, level=None):
     _require_volume(source)
     _require_one(source, "map")
     (surface,) = map_to_surface(source, level)
-    curvature = simple.CurvatureOnSurface(
-        registrationName="Curvature", Input=surface, Volume=source,
-        Scalars=["POINTS", _point_array(source)], Scale=1.5 * _spacing(source))
+    curvature = _make("map_to_curvature", "curvature", Input=surface, Volume=source,
+                      Scalars=["POINTS", _point_array(source)], Scale=steps.smoothing(_spacing(source)))
     curvature.UpdatePipeline()
     if look.range_by_area(curvature, "POINTS", "MeanCurvature") is None:
-        raise ValueError("The map is too small, or its surface too near its border: curvature needs "
-                         "three nodes inside of the map on every side. Pad the map, or raise the level.")
+        raise ValueError(steps.NOTHING["curvature"])
     return surface, curvature
 
 
@@ -158,22 +163,21 @@ def map_to_loops(source, level=None):
     """(surface, loops): the map's surface, of no more than its ten largest components, and its
     choking loops."""
     (surface,) = map_to_surface(source, level)
-    surface.LargestComponents = 10
+    surface.LargestComponents = steps.PIPELINES["map_to_loops"]["surface"].properties["LargestComponents"]
     return surface, surface_to_loops(surface)[-1]
 
 
 def surface_to_loops(source):
     """(loops,): the choking loops of a closed surface."""
     _require_surface(source)
-    loops = simple.ChokingLoops(source, registrationName="Choking loops")
+    loops = _make("surface_to_loops", "loops", source)
     loops.UpdatePipeline()
     if loops.FieldData["NumberOfSamples"] is None:
         # Closes holes and orients all triangles consistently; the warning says what was done.
         loops.CapHoles = 1
         loops.UpdatePipeline()
     if loops.FieldData["NumberOfSamples"] is None:
-        raise ValueError("The surface has no choking loops that could be found: the messages say why. "
-                         "Map Surface makes surfaces that are closed.")
+        raise ValueError(steps.NOTHING["loops"])
     return (loops,)
 
 
@@ -203,21 +207,15 @@ def protein_to_sites(source, potential=None):
         chains = _charged(chains)
     density, surface = _molecule(chains)
     if potential is None:
-        potential = simple.PoissonBoltzmannOnSurface(
-            chains, registrationName="Potential", Surface=density, IsoValue=1.0,
-            SolventDielectric=78.54, IonicStrength=0.15)
-    curvature = simple.CurvatureOnSurface(
-        registrationName="Curvature", Input=surface, Volume=density,
-        Scalars=["POINTS", "Density"])
-    polarized = simple.PolarizedCurvature(
-        curvature, registrationName="Polarized curvature", PotentialImage=potential)
-    sites = simple.BindingSitesInPockets(
-        polarized, registrationName="Binding sites", Atoms=chains,
-        RankedArray=["POINTS", "PolarizedCurvature"])
+        potential = _make("protein_to_potential", "potential", chains, Surface=density)
+    curvature = _make("protein_to_potential", "curvature", Input=surface, Volume=density,
+                      Scalars=["POINTS", "Density"])
+    polarized = _make("protein_to_potential", "polarized", curvature, PotentialImage=potential)
+    sites = _make("protein_to_potential", "sites", polarized, Atoms=chains,
+                  RankedArray=["POINTS", "PolarizedCurvature"])
     if not _has_pockets(chains):  # asked before, since the filter would warn as well
         sites.UsePockets = 0
-        print_warning("The molecule has no pockets: the sites shown are patches of its surface (Use Pockets of "
-                      "Binding sites is off).")
+        print_warning(steps.NO_POCKETS)
     sites.UpdatePipeline()
     return (potential, ligands, sites) if ligands else (potential, sites)
 
@@ -246,18 +244,17 @@ def protein_to_pores(source):
 def _chains(source):
     """The atoms without ligands, ions and water."""
     _require_atoms(source)
-    chains = simple.AtomSelection(source, registrationName="Chains")
+    chains = _make("protein_to_surface", "chains", source)
     chains.UpdatePipeline()
     if not look.data_of(chains).GetNumberOfPoints():
-        raise ValueError("The molecule has no atoms but water: open a file with a protein or nucleic acid.")
+        raise ValueError(steps.NOTHING["chains"])
     return chains
 
 
 def _parts(source):
     """(chains, ligands), the latter with ions; None without any."""
     chains = _chains(source)
-    ligands = simple.AtomSelection(
-        source, registrationName="Ligands", KeepChains=0, KeepLigands=1, KeepIons=1)
+    ligands = _make("protein_to_surface", "ligands", source)
     ligands.UpdatePipeline()
     if not look.data_of(ligands).GetNumberOfPoints():
         simple.Delete(ligands)
@@ -267,23 +264,17 @@ def _parts(source):
 
 def _charged(atoms):
     """The atoms with charges: those of their file, or a force field's."""
-    charged = simple.ForceFieldCharges(atoms, registrationName="Charges")
+    charged = _make("protein_to_potential", "charges", atoms)
     charged.UpdatePipeline()
     if not look.data_of(charged).GetNumberOfPoints():
-        raise ValueError("The atoms have no charges, from which the potential comes, and a force field gave "
-                         "them none; the message before this one says why. Or open a PQR file, or a "
-                         "potential's .dx file for Polarized Curvature.")
+        raise ValueError(steps.NOTHING["charges"])
     return charged
 
 
 def _molecule(source):
     """Density and surface of the atoms."""
-    density = simple.MolecularDensity(
-        source, registrationName="Molecular density", Decay=DECAY, Spacing=SPACING)
-    surface = simple.MapSurface(
-        density, registrationName="Molecular surface",
-        Scalars=["POINTS", "Density"], AutomaticLevel=0, Level=1.0,
-        MinimumComponentShare=0.05)
+    density = _make("protein_to_surface", "density", source)
+    surface = _make("protein_to_surface", "surface", density, Scalars=["POINTS", "Density"])
     surface.UpdatePipeline()
     _require_triangles(surface)
     return density, surface
@@ -427,3 +418,19 @@ def run(function):
     show(*proxies, view=view, tables=True)
     simple.SetActiveSource(proxies[-1])
     simple.Render(view)
+
+
+# ---------------------------------------------------------------------------- without ParaView
+
+def _needs_paraview(name):
+    def refuse(*_, **__):
+        raise ImportError(f"isthmus.pipelines.{name}() makes sources of ParaView, which this Python does not have. "
+                          "Functions of data do the same without it: isthmus.map_to_loops() and the like.")
+    refuse.__name__, refuse.__doc__ = name, globals()[name].__doc__
+    return refuse
+
+
+if simple is None:
+    for _name, _value in list(globals().items()):
+        if callable(_value) and getattr(_value, "__module__", None) in (__name__, look.__name__) and _name[0] != "_":
+            globals()[_name] = _needs_paraview(_name)

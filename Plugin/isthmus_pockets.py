@@ -1,19 +1,23 @@
 """Pockets and pores in the window: what the buttons make, and what a click on one of them shows.
 
-    from isthmus import pockets                   # or: import isthmus_pockets, with the plugin loaded
-    residues, found = pockets.protein_to_pockets(OpenDataFile("1hew.pdb"))
-    pockets.show(found)
+    from isthmus import pocket_views              # or: import isthmus_pockets, with the plugin loaded
+    residues, found = pocket_views.protein_to_pockets(OpenDataFile("1hew.pdb"))
+    pocket_views.show(found)
 
 A pocket or pore that is selected, as a row of a table or in the view, has its residues shown as
 sticks, and a pore its chart. isthmus_pipelines has the buttons and calls this.
 """
 
-from paraview import servermanager, simple
+try:
+    from paraview import servermanager, simple
+except ImportError:
+    servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
 
 try:
     import isthmus_messages as messages  # with the plugin loaded
+    import isthmus_steps as steps
 except ImportError:
-    from isthmus import messages
+    from isthmus import messages, steps
 
 POINT, CELL, ROW = 0, 1, 6  # of vtkDataObject's attribute types
 # What numbers the features, and the ports of what is shown of them.
@@ -39,19 +43,19 @@ ELEMENTS = (("6", "C", (0.72, 0.72, 0.66)), ("7", "N", (0.0, 0.447, 0.698)),
 
 def protein_to_pockets(source):
     """(residues, pockets): the pockets of a molecule, and the residues of the best one."""
-    pockets = simple.MolecularPockets(source, registrationName="Pockets")
-    return _with_residues(pockets, "The molecule has no pockets of this size: lower Inner Radius, or raise "
-                                   "Outer Radius, of Molecular Pockets.")
+    return _with_residues(_make("protein_to_pockets", "pockets", source), steps.NOTHING["pockets"])
 
 
 def protein_to_pores(source):
     """(chart, residues, pores): the channels that run through a molecule, the profile of the longest
     one, and the residues that line it."""
-    pores = simple.PoreProfile(source, registrationName="Pores")
-    residues, pores = _with_residues(
-        pores, "No channel runs through the molecule. Pore Profile follows the way between two points, or "
-               "along a direction: choose its Mode.")
+    residues, pores = _with_residues(_make("protein_to_pores", "pores", source), steps.NOTHING["pores"])
     return chart_of(pores), residues, pores
+
+
+def _make(pipeline, name, source):
+    step = steps.PIPELINES[pipeline][name]
+    return getattr(simple, step.proxy)(source, registrationName=step.label, **step.properties)
 
 
 def _with_residues(features, nothing):

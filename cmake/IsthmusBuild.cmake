@@ -18,13 +18,17 @@ function (isthmus_build_modules)
   set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
   set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
   set(CMAKE_WINDOWS_EXPORT_ALL_SYMBOLS ON)
+  set(wrapped OFF)
+  if (ISTHMUS_PARAVIEW OR ISTHMUS_WHEEL)
+    set(wrapped ON)
+  endif ()
   vtk_module_build(
     MODULES ${modules}
     PACKAGE Isthmus
     INSTALL_EXPORT Isthmus
     TEST_DIRECTORY_NAME NONE # Testing is ours, added by the root.
     INSTALL_HEADERS ON
-    ENABLE_WRAPPING "${ISTHMUS_PARAVIEW}"
+    ENABLE_WRAPPING "${wrapped}"
     HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/isthmus"
     CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Isthmus"
     LICENSE_DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/Isthmus"
@@ -52,6 +56,11 @@ endfunction ()
 function (isthmus_build_python)
   get_property(modules GLOBAL PROPERTY isthmus_modules)
   vtk_module_python_default_destination(destination)
+  set(wheel_arguments)
+  if (ISTHMUS_WHEEL)
+    set(destination ".")
+    set(wheel_arguments SOABI "${Python3_SOABI}")
+  endif ()
   set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
   vtk_module_wrap_python(
     MODULES ${modules}
@@ -60,29 +69,85 @@ function (isthmus_build_python)
     PYTHON_PACKAGE isthmus
     MODULE_DESTINATION "${destination}"
     LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-    INSTALL_HEADERS OFF)
+    INSTALL_HEADERS OFF
+    ${wheel_arguments})
 
-  set(ISTHMUS_PYTHON_IMPORTS)
   foreach (module IN LISTS wrapped)
     string(REPLACE "Isthmus::" "vtkIsthmus" library "${module}")
     isthmus_compile_together("${library}Python")
-    string(APPEND ISTHMUS_PYTHON_IMPORTS "from .${library} import *  # noqa: F401,F403\n")
   endforeach ()
-  configure_file("${CMAKE_CURRENT_SOURCE_DIR}/cmake/isthmus_init.py.in"
-    "${CMAKE_BINARY_DIR}/${destination}/isthmus/__init__.py" @ONLY)
-  install(FILES "${CMAKE_BINARY_DIR}/${destination}/isthmus/__init__.py"
-    DESTINATION "${destination}/isthmus")
-  set(old_name "${CMAKE_CURRENT_SOURCE_DIR}/cmake/vtkIsthmus.py")
-  configure_file("${old_name}" "${CMAKE_BINARY_DIR}/${destination}/isthmus/vtkIsthmus.py" COPYONLY)
-  install(FILES "${old_name}" DESTINATION "${destination}/isthmus")
-  # The same files travel inside the plugin, for windows without this package.
-  foreach (part IN ITEMS pipelines look messages pockets trajectories)
-    set(source "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/isthmus_${part}.py")
-    configure_file("${source}" "${CMAKE_BINARY_DIR}/${destination}/isthmus/${part}.py" COPYONLY)
-    install(FILES "${source}" DESTINATION "${destination}/isthmus" RENAME ${part}.py)
-  endforeach ()
+  isthmus_python_sources("${CMAKE_BINARY_DIR}/${destination}/isthmus" "${destination}/isthmus")
+  if (ISTHMUS_WHEEL)
+    isthmus_python_stubs("${wrapped}" "${CMAKE_BINARY_DIR}/${destination}" "${destination}/isthmus")
+  endif ()
   set_property(GLOBAL PROPERTY isthmus_python_destination "${destination}")
   set(ISTHMUS_PYTHON_DESTINATION "${destination}" CACHE INTERNAL "Where the Python package is (setup.sh)")
+endfunction ()
+
+# isthmus_python_stubs(WRAPPED FOLDER DESTINATION): stubs of the classes, by VTK's own script, which loads them.
+function (isthmus_python_stubs wrapped folder destination)
+  string(REPLACE "Isthmus::" "vtkIsthmus" libraries "${wrapped}")
+  set(stubs "${libraries}")
+  list(TRANSFORM stubs PREPEND "${folder}/isthmus/")
+  list(TRANSFORM stubs APPEND ".pyi")
+  set(targets "${libraries}")
+  list(TRANSFORM targets APPEND "Python")
+  add_custom_command(
+    OUTPUT ${stubs}
+    COMMAND "${Python3_EXECUTABLE}" -m vtkmodules.generate_pyi -p isthmus -o "${folder}/isthmus" ${libraries}
+    WORKING_DIRECTORY "${folder}"
+    DEPENDS ${targets} isthmus_python_description
+    COMMENT "Writing stubs of the classes"
+    VERBATIM)
+  add_custom_target(isthmus_python_stubs ALL DEPENDS ${stubs})
+  install(FILES ${stubs} DESTINATION "${destination}" COMPONENT python)
+endfunction ()
+
+# isthmus_python_sources(FOLDER DESTINATION): what is not compiled, in the build tree and installed. Functions are
+# made of the panels, whose description is written at each build.
+function (isthmus_python_sources folder destination)
+  set(from "${CMAKE_CURRENT_SOURCE_DIR}/cmake/python")
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+  file(GLOB panels CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/*.xml")
+  file(GLOB lists CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/Filters/*/CMakeLists.txt"
+    "${CMAKE_CURRENT_SOURCE_DIR}/Readers/*/CMakeLists.txt")
+  add_custom_command(
+    OUTPUT "${folder}/filters.json" "${folder}/__init__.py" "${folder}/__init__.pyi"
+    COMMAND "${Python3_EXECUTABLE}" -B "${from}/describe.py"
+      "${CMAKE_CURRENT_SOURCE_DIR}" "${folder}" "${PROJECT_VERSION}"
+    DEPENDS "${from}/describe.py" "${from}/__init__.py.in" "${from}/data_pipelines.py"
+      "${from}/function_examples.txt" ${panels} ${lists}
+    COMMENT "Describing the filters for Python"
+    VERBATIM)
+  add_custom_target(isthmus_python_description ALL
+    DEPENDS "${folder}/filters.json" "${folder}/__init__.py" "${folder}/__init__.pyi")
+  get_property(modules GLOBAL PROPERTY isthmus_modules)
+  foreach (module IN LISTS modules)
+    string(REPLACE "Isthmus::" "vtkIsthmus" library "${module}")
+    if (TARGET "${library}Python")
+      add_dependencies("${library}Python" isthmus_python_description) # a class comes with the package
+    endif ()
+  endforeach ()
+  install(FILES "${folder}/filters.json" "${folder}/__init__.py" "${folder}/__init__.pyi"
+    DESTINATION "${destination}" COMPONENT python)
+
+  set(sources "${CMAKE_CURRENT_SOURCE_DIR}/cmake/vtkIsthmus.py" "${from}/py.typed")
+  foreach (part IN ITEMS __main__ accessor command data_pipelines functions samples)
+    list(APPEND sources "${from}/${part}.py")
+  endforeach ()
+  foreach (source IN LISTS sources)
+    get_filename_component(name "${source}" NAME)
+    configure_file("${source}" "${folder}/${name}" COPYONLY)
+    install(FILES "${source}" DESTINATION "${destination}" COMPONENT python)
+  endforeach ()
+  # The same files travel inside the plugin, for windows without this package.
+  foreach (part IN ITEMS pipelines look messages pockets=pocket_views steps trajectories)
+    string(REGEX REPLACE "=.*$" "" source "${part}")
+    string(REGEX REPLACE "^.*=" "" name "${part}")
+    set(source "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/isthmus_${source}.py")
+    configure_file("${source}" "${folder}/${name}.py" COPYONLY)
+    install(FILES "${source}" DESTINATION "${destination}" COMPONENT python RENAME ${name}.py)
+  endforeach ()
 endfunction ()
 
 # The plugin: one library with the panels of Plugin/*.xml.

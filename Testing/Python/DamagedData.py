@@ -15,7 +15,7 @@ HOPELESS = ("without scalars", "vectors", "too few values", "spacing is NaN", "s
             "a corner beyond the points", "a negative corner", "all points are NaN",
             "one point is infinite")
 # Topology alone: these ask neither for coordinates nor for the values of an image.
-WITHOUT_GEOMETRY = ("vtkCellIncidence", "vtkTetCutaway")
+WITHOUT_GEOMETRY = ("vtkAtomSelection", "vtkCellIncidence", "vtkTetCutaway")
 
 
 def filters():

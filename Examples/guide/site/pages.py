@@ -227,8 +227,11 @@ class Site:
     def python_lines(self):
         """The functions of the Python package, from their docstrings, and its classes."""
         lines = []
-        for path in sorted((self.root / "Plugin").glob("isthmus_*.py")):
+        names = {"pockets": "pocket_views"}
+        for path in [*(self.root / "cmake" / "python").glob("data_pipelines.py"),
+                     *sorted((self.root / "Plugin").glob("isthmus_*.py"))]:
             part = path.stem.removeprefix("isthmus_")
+            part = names.get(part, part)
             tree = ast.parse(path.read_text())
             lines += [f"## isthmus.{part}", "", headers.escaped(ast.get_docstring(tree) or ""), ""]
             for node in tree.body:

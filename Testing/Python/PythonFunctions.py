@@ -1,0 +1,211 @@
+"""The functions of isthmus: examples of all docstrings, exceptions in place of texts on stderr, no copies, keywords.
+
+Runs by pvpython, and by the Python of a wheel (Testing/Builds/wheel.sh), there with and without PyVista."""
+import doctest
+import inspect
+import os
+import subprocess
+import sys
+import tempfile
+import warnings
+
+import numpy
+
+import isthmus
+from isthmus import data_pipelines, functions, samples
+
+
+def expect(kind, words, function, *arguments, **properties):
+    """An exception of that kind with these words, and nothing on stderr."""
+    with tempfile.TemporaryFile() as caught:
+        kept = os.dup(2)
+        os.dup2(caught.fileno(), 2)
+        try:
+            function(*arguments, **properties)
+            message = None
+        except Exception as error:  # the kind is compared below
+            message, found = str(error), type(error)
+        finally:
+            sys.stderr.flush()
+            os.dup2(kept, 2)
+            os.close(kept)
+        caught.seek(0)
+        said = caught.read().decode()
+    assert message is not None, f"{function.__name__} raised nothing"
+    assert found is kind, f"{function.__name__} raised {found.__name__}: {message}"
+    assert words in message, f"{function.__name__}: {words!r} is not in {message!r}"
+    assert not said, f"{function.__name__} wrote on stderr: {said!r}"
+
+
+def check_examples():
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", isthmus.IsthmusWarning)
+        runner = doctest.DocTestRunner(verbose=False)
+        finder = doctest.DocTestFinder()
+        count = 0
+        for name in [*functions.table()["functions"], "pockets"]:
+            function = getattr(isthmus, name)
+            parsed = doctest.DocTestParser().get_doctest(function.__doc__, {}, name, None, 0)
+            assert len(parsed.examples) > 1, f"{name} has no example"
+            runner.run(parsed, out=sys.stdout.write)
+            count += 1
+        for module in (data_pipelines, samples, functions):
+            for parsed in finder.find(module):
+                runner.run(parsed, out=sys.stdout.write)
+        names = set(functions.table()["pipelines"]) - {"read"}
+        assert names == set(data_pipelines.NAMES), names ^ set(data_pipelines.NAMES)
+    assert not runner.failures and count > 55, f"{runner.failures} examples fail"
+
+
+def check_help():
+    manual = isthmus.choking_loops.__doc__
+    for words in ("Parameters\n", "Returns\n", "Raises\n", "Examples\n", "minimum_persistence : float, default 5.0",
+                  "'inside', 'outside', 'both'", "choke_points", "vtkChokingLoops"):
+        assert words in manual, words
+    parameters = inspect.signature(isthmus.choking_loops).parameters
+    assert parameters["minimum_persistence"].default == 5.0 and list(parameters)[0] == "input"
+    listed = dict(inspect.getmembers(isthmus))  # loads everything that is listed
+    assert {"choking_loops", "map_to_loops", "vtkChokingLoops", "samples"} <= set(listed)
+    assert isthmus.vtkIsthmusReadersMaps.vtkMRCMapReader is isthmus.vtkMRCMapReader
+
+
+def check_exceptions():
+    from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+    torus, volume, atoms = samples.torus(), samples.volume(), samples.atoms()
+    expect(TypeError, "it is a vtkImageData", isthmus.choking_loops, volume)
+    expect(TypeError, "it is a builtins.str", isthmus.choking_loops, "torus.off")
+    expect(TypeError, "needs input", isthmus.choking_loops)
+    expect(TypeError, "needs input", isthmus.choking_loops, None)
+    expect(TypeError, "did you mean 'minimum_persistence'", isthmus.choking_loops, torus, min_persistence=3)
+    expect(TypeError, "must be a number, not a str", isthmus.choking_loops, torus, minimum_persistence="5")
+    expect(TypeError, "must be an integer", isthmus.choking_loops, torus, maximum_number_of_loops=1.5)
+    expect(TypeError, "must be True or False", isthmus.choking_loops, torus, cap_holes="yes")
+    expect(TypeError, "positional arguments", isthmus.choking_loops, torus, None, 5)
+    expect(ValueError, "choose one of 'inside'", isthmus.choking_loops, torus, side="left")
+    expect(ValueError, "is empty: it has no points", isthmus.choking_loops, vtkPolyData())
+    expect(ValueError, "is empty: it has no points", isthmus.map_surface, vtkImageData())
+    expect(ValueError, "is empty: it has no points", isthmus.pockets, vtkPolyData())
+    expect(ValueError, "is empty: it has no cells", isthmus.choking_loops, points_without_cells())
+    expect(ValueError, "it has 'Density'", isthmus.map_surface, volume, scalars="Mass")
+    expect(ValueError, "no point array Radius", isthmus.pockets, torus)  # the filter's message
+    expect(ValueError, "no array Radius", isthmus.protein_to_pockets, torus)
+    expect(ValueError, "must have 3 numbers", isthmus.molecular_density, atoms, padding=(1, 2))
+    expect(FileNotFoundError, "No such file", isthmus.mrc_map_reader, "/no/such/map.mrc")
+    expect(ValueError, "not an MRC", isthmus.mrc_map_reader, __file__)
+    expect(ValueError, "no reader for the ending", isthmus.read, __file__)
+    expect(AttributeError, "no attribute", getattr, isthmus, "choking_loop")
+    opened = vtkPolyData()
+    opened.DeepCopy(torus)
+    opened.BuildLinks()
+    opened.DeleteCell(0)
+    opened.RemoveDeletedCells()
+    expect(ValueError, "", isthmus.choking_loops, opened)
+
+
+def points_without_cells():
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
+    data = vtkPolyData()
+    data.SetPoints(samples.torus().GetPoints())
+    return data
+
+
+def check_keywords():
+    torus = samples.torus()
+    found = isthmus.choking_loops(input=torus, side="Inside", minimum_persistence=numpy.float32(5),
+                                  maximum_number_of_loops=numpy.int64(1))
+    assert found._fields == ("loops", "membranes", "choke_points", "persistence_diagram")
+    assert found.loops.GetNumberOfCells() == 1
+    # The names of the panel for renamed properties, and the numbers of choices.
+    same = isthmus.choking_loops(torus, maximum_distance=100, side=0, shortening=2)
+    assert same.loops.GetNumberOfCells() == 1
+    # A level switches the automatic one off, unless that is asked for.
+    volume = samples.volume()
+    area = [isthmus.map_surface(volume, **given).GetNumberOfCells()
+            for given in ({"level": 0.3}, {"level": 0.8}, {}, {"level": 0.3, "automatic_level": True})]
+    assert area[0] != area[1] and area[2] == area[3] != area[0], area
+    rows = isthmus.scalar_regions(isthmus.surface_curvature(torus), scalars="MeanCurvature",
+                                  thresholds=[0.1, 0.2, 0.3]).regions
+    assert rows.GetNumberOfRows() == 4
+
+
+def check_numpy():
+    points = numpy.array([samples.torus().GetPoint(i) for i in range(samples.torus().GetNumberOfPoints())])
+    torus = samples.torus()
+    triangles = numpy.array([[torus.GetCell(i).GetPointId(j) for j in range(3)] for i in range(torus.GetNumberOfCells())])
+    assert isthmus.choking_loops((points, triangles)).loops.GetNumberOfCells() == 2
+    expect(ValueError, "that do not exist", isthmus.choking_loops, (points[:5], triangles))
+    expect(TypeError, "of shape (4, 4)", isthmus.map_surface, numpy.zeros((4, 4)))
+    values = numpy.random.default_rng(1).normal(size=(6, 7, 8))
+    values[2, 3, 4] = 9.0
+    before = values.copy()
+    smooth = isthmus.high_order_diffusion(values)
+    assert smooth.shape == values.shape and smooth.std() < values.std()
+    assert numpy.unravel_index(smooth.argmax(), smooth.shape) == (2, 3, 4), "axes are in another order"
+    assert (values == before).all(), "the input was changed"
+    assert isthmus.molecular_density(numpy.array([[0.0, 0, 0, 1.7]]), spacing=0.5).GetNumberOfPoints() > 100
+
+
+def check_no_copies():
+    """Points and cells go into the filter, and through it where it passes them on, by address."""
+    torus = samples.torus()
+    passed = isthmus.surface_curvature(torus)
+    for part in ("GetPoints", "GetPolys"):
+        assert getattr(passed, part)() is getattr(torus, part)(), f"{part} was copied"
+    assert not torus.GetPointData().HasArray("MeanCurvature"), "the input was changed"
+    module = functions.pyvista()
+    if module is not None:
+        assert isinstance(passed, module.PolyData), type(passed)
+        address = torus.points.__array_interface__["data"][0]
+        assert passed.points.__array_interface__["data"][0] == address
+        assert passed.faces.shape == torus.faces.shape
+        assert torus.isthmus.choking_loops().loops.n_cells == 2
+        assert "choking_loops" in dir(torus.isthmus) and "map_surface" not in dir(torus.isthmus)
+        assert isinstance(isthmus.pockets(samples.atoms()).ranking, module.Table)
+
+
+def check_progress():
+    seen = []
+    with isthmus.progress(lambda fraction, text: seen.append(fraction)):
+        isthmus.choking_loops(samples.torus())
+    assert seen == sorted(seen) and seen and seen[-1] <= 1.0
+
+    def interrupt(*_):
+        raise KeyboardInterrupt
+    try:
+        with isthmus.progress(interrupt):
+            isthmus.choking_loops(samples.torus())
+    except KeyboardInterrupt:
+        return
+    raise AssertionError("an exception of the callback was lost")
+
+
+def check_import():
+    """The package alone, in a fresh Python: seconds, and what it does not load."""
+    code = ("import sys, time; start = time.perf_counter(); import isthmus; "
+            "print(time.perf_counter() - start, 'pyvista' in sys.modules, 'paraview' in sys.modules)")
+    if os.path.basename(sys.executable or "").startswith("python"):
+        environment = {**os.environ, "PYTHONPATH": os.path.dirname(os.path.dirname(isthmus.__file__))}
+        said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, env=environment)
+        seconds, *loaded = said.stdout.split()
+        assert loaded == ["False", "False"] and float(seconds) < 0.5, said.stdout
+
+
+def check_without_paraview():
+    try:
+        import paraview  # noqa: F401
+        return
+    except ImportError:
+        pass
+    from isthmus import pipelines
+    expect(ImportError, "isthmus.map_to_loops", pipelines.map_to_loops, None)
+
+
+def main():
+    checks = [check for name, check in globals().items() if name.startswith("check_")]
+    for check in checks:
+        check()
+        print(check.__name__, flush=True)
+
+
+if __name__ == "__main__":
+    main()
