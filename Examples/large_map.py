@@ -120,8 +120,9 @@ def number(image, name):
 
 
 def choose(source, strength, most):
-    """Parameters of High-Order Diffusion for the map, from the block in its middle."""
-    automatic = made(isthmus.vtkHighOrderDiffusion, Strength=strength)
+    """Parameters of High-Order Diffusion for the map, from the block in its middle. LowerOrders leaves an equation
+    of order 0 as it is, but takes the rule for it: the orders that the search prefers reach too far for blocks."""
+    automatic = made(isthmus.vtkHighOrderDiffusion, Strength=strength, LowerOrders=True)
     automatic.SetInputData(source.read(middle(source.size, most)))
     automatic.Update()
     image = automatic.GetOutput()

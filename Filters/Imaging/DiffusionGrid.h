@@ -29,12 +29,21 @@ struct DiffusionGrid
   std::array<double, 3> Spacing{ 1.0, 1.0, 1.0 };
   std::array<std::int64_t, 3> OwnedBegin{ 0, 0, 0 };
   std::array<std::int64_t, 3> OwnedEnd{ 0, 0, 0 };             ///< All zero: every node is owned.
+  std::array<std::int64_t, 3> GlobalBegin{ 0, 0, 0 };          ///< First node's place in the whole.
+  std::array<std::int64_t, 3> GlobalDimensions{ 0, 0, 0 };     ///< All zero: Dimensions.
   std::function<void(T* values)> ExchangeHalo;                 ///< Empty on a single rank.
   std::function<void(double* values, int count)> SumOverRanks; ///< In place; empty on one rank.
 
   std::int64_t Size() const
   {
     return this->Dimensions[0] * this->Dimensions[1] * this->Dimensions[2];
+  }
+
+  /// Sizes of the whole grid.
+  const std::array<std::int64_t, 3>& Whole() const
+  {
+    const bool parts = this->GlobalDimensions != std::array<std::int64_t, 3>{ 0, 0, 0 };
+    return parts ? this->GlobalDimensions : this->Dimensions;
   }
 
   void Exchange(T* values) const

@@ -10,6 +10,7 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkStringArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,6 +72,9 @@ DiffusionImage<T>::DiffusionImage(vtkImageData* input, vtkImageData* output,
     this->Grid.Dimensions[axis] = std::max(0, local[2 * axis + 1] - local[2 * axis] + 1);
     this->Grid.OwnedBegin[axis] = parts.Owned()[2 * axis] - local[2 * axis];
     this->Grid.OwnedEnd[axis] = parts.Owned()[2 * axis + 1] - local[2 * axis] + 1;
+    this->Grid.GlobalBegin[axis] = local[2 * axis] - parts.WholeExtent()[2 * axis];
+    this->Grid.GlobalDimensions[axis] =
+      parts.WholeExtent()[2 * axis + 1] - parts.WholeExtent()[2 * axis] + 1;
     const double spacing = input->GetSpacing()[axis];
     if (!(spacing > 0.0) && this->Grid.Dimensions[axis] > 1)
     {
@@ -285,6 +289,15 @@ void DiffusionImage<T>::AddFieldData(const std::string& name, const std::vector<
   array->SetName(name.c_str());
   SizeArray(array, static_cast<vtkIdType>(values.size()));
   std::copy(values.begin(), values.end(), array->GetPointer(0));
+  this->Output->GetFieldData()->AddArray(array);
+}
+
+template <typename T>
+void DiffusionImage<T>::AddFieldText(const std::string& name, const std::string& text)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name.c_str());
+  array->InsertNextValue(text);
   this->Output->GetFieldData()->AddArray(array);
 }
 

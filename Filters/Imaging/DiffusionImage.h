@@ -56,6 +56,9 @@ public:
   /// Adds numbers to the output's field data.
   void AddFieldData(const std::string& name, const std::vector<double>& values);
 
+  /// Adds a sentence to the output's field data.
+  void AddFieldText(const std::string& name, const std::string& text);
+
 private:
   void CheckArray(vtkDataArray* array) const;
   void RefuseInvalid(const T* values) const;

@@ -34,6 +34,9 @@ public:
   /// The extent of the arrays: this rank's part with its halo, cut to the whole.
   const Extent& Local() const { return this->LocalExtent; }
 
+  /// The extent of the whole image.
+  const Extent& WholeExtent() const { return this->Whole; }
+
   /// What this rank owns.
   const Extent& Owned() const { return this->OwnedExtent; }
 

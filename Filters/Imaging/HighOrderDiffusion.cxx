@@ -89,6 +89,7 @@ public:
     const TimeStep& step, bool record, DiffusionReport& report, const ProgressCallback& progress);
 
   const T* Values() const { return this->Volumes[Now]; }
+  double EndTime() const { return this->Time; }
 
 private:
   T* NewVolume();
@@ -363,7 +364,8 @@ double ExplicitStepLimit(const Parameters& parameters, const std::array<double, 
 
 template <typename T>
 DiffusionReport Diffuse(const DiffusionGrid<T>& grid, const Parameters& parameters, T* values,
-  const T* input, const T* source, const ProgressCallback& progress)
+  const T* input, const T* source, const ProgressCallback& progress,
+  const DiffusionObserver<T>& observer)
 {
   Check(parameters);
   DiffusionReport report;
@@ -390,6 +392,10 @@ DiffusionReport Diffuse(const DiffusionGrid<T>& grid, const Parameters& paramete
     const bool record = (n + 1) % stride == 0 || n + 1 == steps.size();
     solver.Advance(steps[n], record, report, Between(progress, done, next));
     done = next;
+    if (observer)
+    {
+      observer(solver.EndTime(), solver.Values());
+    }
   }
   if (solver.Values() != values)
   {
@@ -399,8 +405,8 @@ DiffusionReport Diffuse(const DiffusionGrid<T>& grid, const Parameters& paramete
 }
 
 template DiffusionReport Diffuse(const DiffusionGrid<float>&, const Parameters&, float*,
-  const float*, const float*, const ProgressCallback&);
+  const float*, const float*, const ProgressCallback&, const DiffusionObserver<float>&);
 template DiffusionReport Diffuse(const DiffusionGrid<double>&, const Parameters&, double*,
-  const double*, const double*, const ProgressCallback&);
+  const double*, const double*, const ProgressCallback&, const DiffusionObserver<double>&);
 
 }

@@ -28,6 +28,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace isthmus
@@ -81,6 +82,10 @@ struct DiffusionReport
   std::int64_t Evaluations = 0; ///< of a right-hand side, those under PreSmoothing included
 };
 
+/// Called after a step with the time reached and the values there.
+template <typename T>
+using DiffusionObserver = std::function<void(double time, const T* values)>;
+
 /// Nodes around a rank's own ones that the computation needs from other ranks.
 VTKISTHMUSFILTERSIMAGING_EXPORT int HaloWidth(const DiffusionParameters& parameters);
 
@@ -97,7 +102,7 @@ VTKISTHMUSFILTERSIMAGING_EXPORT double ExplicitStepLimit(
  * @pre values are finite.
  * @throws std::invalid_argument for bad parameters, for fixed Steps that are larger than the
  * integrator can take (the message names the limit) and std::runtime_error for values that cease
- * to be finite.
+ * to be finite. `observer` sees the values after each step.
  *
  * Memory: extra volumes of T beside values, input and source. SuperTimeStepping 4: two for stages,
  * the first rate, the coefficient (3 where that is constant); two more for order 0 on one
@@ -107,7 +112,7 @@ VTKISTHMUSFILTERSIMAGING_EXPORT double ExplicitStepLimit(
 template <typename T>
 VTKISTHMUSFILTERSIMAGING_EXPORT DiffusionReport Diffuse(const DiffusionGrid<T>& grid,
   const DiffusionParameters& parameters, T* values, const T* input, const T* source,
-  const ProgressCallback& progress = {});
+  const ProgressCallback& progress = {}, const DiffusionObserver<T>& observer = {});
 
 }
 

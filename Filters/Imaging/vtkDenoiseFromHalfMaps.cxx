@@ -4,10 +4,12 @@
 #include "Core/ArrayMemory.h"
 #include "Core/ImageExtent.h"
 #include "Core/InnerAlgorithm.h"
+#include "Imaging/LocalResolution.h"
 #include "vtkHighOrderDiffusion.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -20,6 +22,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkDenoiseFromHalfMaps);
 
@@ -69,21 +72,17 @@ void RequireSameNodes(vtkImageData* one, vtkImageData* other)
   }
 }
 
-/// The mean of both as `mean`; returns the standard deviation of half their difference.
-double Average(vtkDataArray* one, vtkDataArray* other, vtkDataArray* mean)
+/// The mean of both as `mean`, half their difference as `difference`, 0 where that is not a number.
+void Average(vtkDataArray* one, vtkDataArray* other, vtkDataArray* mean, vtkDataArray* difference)
 {
-  double sum = 0.0, squares = 0.0, count = 0.0;
+  double count = 0.0;
   for (vtkIdType i = 0; i < one->GetNumberOfTuples(); ++i)
   {
     const double a = one->GetComponent(i, 0), b = other->GetComponent(i, 0);
     mean->SetComponent(i, 0, a / 2.0 + b / 2.0);
     const double noise = a / 2.0 - b / 2.0;
-    if (noise != 0.0 && std::isfinite(noise))
-    {
-      sum += noise;
-      squares += noise * noise;
-      count += 1.0;
-    }
+    difference->SetComponent(i, 0, std::isfinite(noise) ? noise : 0.0);
+    count += noise != 0.0 && std::isfinite(noise) ? 1.0 : 0.0;
   }
   if (!(count > 0.0))
   {
@@ -91,7 +90,27 @@ double Average(vtkDataArray* one, vtkDataArray* other, vtkDataArray* mean)
       "The half maps are equal, so the noise cannot be estimated from their difference: take "
       "two halves, not one map twice.");
   }
-  return std::sqrt(std::max(0.0, squares / count - (sum / count) * (sum / count)));
+}
+
+/// Values that are not numbers become 0.
+std::vector<float> FiniteValues(vtkDataArray* array)
+{
+  std::vector<float> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const double value = array->GetComponent(static_cast<vtkIdType>(i), 0);
+    values[i] = std::isfinite(value) ? static_cast<float>(value) : 0.0f;
+  }
+  return values;
+}
+
+vtkSmartPointer<vtkDataArray> NewArray(int type, const char* name, vtkIdType size)
+{
+  vtkSmartPointer<vtkDataArray> array;
+  array.TakeReference(vtkDataArray::CreateDataArray(type));
+  array->SetName(name);
+  isthmus::SizeArray(array, size);
+  return array;
 }
 
 }
@@ -131,32 +150,49 @@ void vtkDenoiseFromHalfMaps::Denoise(vtkImageData* one, vtkImageData* other, vtk
   {
     throw std::invalid_argument("Strength must be from 0 to 1.");
   }
+  if (this->Goal < 0 || this->Goal > 1)
+  {
+    throw std::invalid_argument("Goal must be 0 (surfaces and curvature) or 1 (volumes).");
+  }
   if (this->Order < 0 || this->Order > 3)
   {
     throw std::invalid_argument("Order must be from 0 to 3.");
   }
-  vtkSmartPointer<vtkDataArray> mean;
+  constexpr char differenceName[] = "IsthmusHalfDifference";
   const bool isDouble = scalars->GetDataType() == VTK_DOUBLE || others->GetDataType() == VTK_DOUBLE;
-  mean.TakeReference(vtkDataArray::CreateDataArray(isDouble ? VTK_DOUBLE : VTK_FLOAT));
-  mean->SetName(scalars->GetName());
-  isthmus::SizeArray(mean, scalars->GetNumberOfTuples());
-  const double noise = Average(scalars, others, mean);
+  const int type = isDouble ? VTK_DOUBLE : VTK_FLOAT;
+  const vtkIdType size = scalars->GetNumberOfTuples();
+  const auto mean = NewArray(type, scalars->GetName(), size);
+  const auto difference = NewArray(type, differenceName, size);
+  Average(scalars, others, mean, difference);
   vtkNew<vtkImageData> volume;
   volume->CopyStructure(one);
   volume->GetFieldData()->PassData(one->GetFieldData());
   volume->GetPointData()->SetScalars(mean);
+  volume->GetPointData()->AddArray(difference);
   vtkNew<vtkHighOrderDiffusion> diffusion;
   diffusion->SetInputData(volume);
+  diffusion->SetInputArrayToProcess(
+    2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, differenceName);
   diffusion->SetStrength(this->Strength);
-  diffusion->SetOrder(this->Order);
-  diffusion->SetKnownNoise(noise);
+  diffusion->SetGoal(this->Goal);
   diffusion->SetMaskInvalid(true);
   diffusion->SetController(nullptr);      // every rank has all of the volume
   diffusion->SetContainerAlgorithm(this); // stops with this one
-  isthmus::UpdateInner(diffusion, isthmus::ProgressOf(this),
+  isthmus::UpdateInner(diffusion, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.7),
     [this](const std::string& warning) { vtkWarningMacro(<< warning); });
-  isthmus::Report(isthmus::ProgressOf(this), 1.0); // leaves where it was stopped
+  isthmus::Report(isthmus::ProgressOf(this), 0.7); // leaves where it was stopped
+  const auto resolution = NewArray(VTK_FLOAT, "LocalResolution", size);
+  const int* n = one->GetDimensions();
+  const double* spacing = one->GetSpacing();
+  isthmus::FindLocalResolution({ n[0], n[1], n[2] }, { spacing[0], spacing[1], spacing[2] },
+    FiniteValues(scalars), FiniteValues(others),
+    vtkFloatArray::SafeDownCast(resolution)->GetPointer(0),
+    isthmus::Between(isthmus::ProgressOf(this), 0.7, 1.0));
+  isthmus::Report(isthmus::ProgressOf(this), 1.0);
   output->ShallowCopy(diffusion->GetOutput());
+  output->GetPointData()->RemoveArray(differenceName);
+  output->GetPointData()->AddArray(resolution);
 }
 
 int vtkDenoiseFromHalfMaps::RequestData(
@@ -183,5 +219,6 @@ void vtkDenoiseFromHalfMaps::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Strength: " << this->Strength << "\n";
+  os << indent << "Goal: " << this->Goal << "\n";
   os << indent << "Order: " << this->Order << "\n";
 }

@@ -1,18 +1,21 @@
 /**
  * @class vtkDenoiseFromHalfMaps
- * @brief Denoises the mean of two half maps; their difference gives the noise level.
+ * @brief Denoises the mean of two half maps; their difference gives the noise.
  *
  * Two maps of the same thing from independent halves of the data, a and b, have the mean
- * (a + b) / 2, whose noise is (a - b) / 2, which contains no signal: its standard deviation is
- * known and need not be estimated. The mean is passed to vtkHighOrderDiffusion with that
- * KnownNoise.
+ * (a + b) / 2, whose noise is like (a - b) / 2, which contains no signal: noise of the same level,
+ * spectrum and distribution in space. The mean is passed to vtkHighOrderDiffusion, which chooses a
+ * diffusion by its risk with that difference in place of an estimate of the noise: a choice by
+ * cross-validation, in which one half judges what is made of the other.
  *
  * Input 0 and 1: vtkImageData of the same nodes (dimensions, spacing, origin, direction to 1e-4 of
  * a spacing), one-component point scalars each. Nodes where the halves are equal, as outside of a
  * mask, do not count for the noise.
  *
  * Output: the denoised mean, with the arrays and field data of vtkHighOrderDiffusion and the name
- * of the first half's array. Equal halves have no noise: an error says so. Both are needed whole.
+ * of the first half's array, and `LocalResolution` (angstrom, if that is the spacing's unit): the
+ * wavelength at which the halves' correlation in a window of 24 nodes falls below 0.5
+ * (LocalResolution.h). Equal halves have no noise: an error says so. Both are needed whole.
  *
  * @sa vtkHighOrderDiffusion
  */
@@ -42,7 +45,14 @@ public:
   ///@}
 
   ///@{
-  /// q, 0 to 3: the equation is of order 2q + 2. Default 0.
+  /// What the choice is for: 0 (default) surfaces and curvature, 1 volumes; see
+  /// vtkHighOrderDiffusion.
+  vtkSetMacro(Goal, int);
+  vtkGetMacro(Goal, int);
+  ///@}
+
+  ///@{
+  /// Not used since the order is chosen; kept for state files. From 0 to 3. Default 0.
   vtkSetMacro(Order, int);
   vtkGetMacro(Order, int);
   ///@}
@@ -62,6 +72,7 @@ private:
   void operator=(const vtkDenoiseFromHalfMaps&) = delete;
 
   double Strength = 0.5;
+  int Goal = 0;
   int Order = 0;
 };
 

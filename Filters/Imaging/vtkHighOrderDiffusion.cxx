@@ -7,6 +7,8 @@
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
@@ -62,6 +64,10 @@ int vtkHighOrderDiffusion::HaloWidth()
   try
   {
     isthmus::DiffusionParameters parameters = this->GetParameters();
+    if (this->ChoosesByRisk())
+    {
+      parameters.Order = 3; // whatever is chosen
+    }
     return isthmus::HaloWidth(parameters);
   }
   catch (const std::invalid_argument&)
@@ -70,15 +76,79 @@ int vtkHighOrderDiffusion::HaloWidth()
   }
 }
 
+bool vtkHighOrderDiffusion::ChoosesByRisk() const
+{
+  return this->Automatic && this->Flow == Hyperdiffusion && !this->LowerOrders &&
+    this->EdgeStopping != LocalVariance && this->Fidelity == 0.0 && !this->UseSource &&
+    std::all_of(this->Diffusivity, this->Diffusivity + 4, [](double d) { return d == 1.0; });
+}
+
+template <typename T>
+void vtkHighOrderDiffusion::DenoiseByRisk(isthmus::DiffusionImage<T>& image)
+{
+  const isthmus::DiffusionParameters given = this->GetParameters();
+  isthmus::AutomaticParameters parameters;
+  parameters.Search.Goal = Choice("Goal", this->Goal, isthmus::DenoisingGoal::Volumes);
+  parameters.Search.LinearOnly = this->EdgeStopping == None;
+  parameters.Search.Strength = this->Strength;
+  parameters.KnownNoise = this->KnownNoise;
+  parameters.Integrator = given.Integrator;
+  parameters.Steps = given.Steps;
+  auto values = image.Copy(this->ChosenScalars(image.GetInput()), this->GetMaskInvalid());
+  const isthmus::NoiseEstimate simple =
+    isthmus::EstimateNoise(image.GetGrid(), values->GetPointer(0));
+  parameters.SimpleEstimate = simple.Noise;
+  using Array = typename isthmus::DiffusionImage<T>::Array;
+  vtkSmartPointer<Array> noise;
+  vtkInformationVector* const arrays = this->GetInformation()->Get(INPUT_ARRAYS_TO_PROCESS());
+  if (arrays && arrays->GetNumberOfInformationObjects() > 2)
+  {
+    noise = image.Copy(this->GetInputArrayToProcess(2, image.GetInput()), false);
+  }
+  isthmus::AutomaticResult result;
+  if (!simple.FewValues)
+  {
+    result = isthmus::DenoiseByRisk<T>(image.GetGrid(), parameters, values->GetPointer(0),
+      noise ? noise->GetPointer(0) : nullptr, image.GetProgress());
+  }
+  isthmus::NoiseEstimate found = simple;
+  found.Noise = result.NoiseLevel;
+  this->Explain(
+    found, result.Report.Change.empty() ? 0.0 : result.Report.Change.back(), result.Background);
+  image.AddResult(values, true);
+  const isthmus::DiffusionParameters& used = result.Parameters;
+  const bool linear = used.EdgeStopping == isthmus::DiffusionParameters::EdgeStoppingType::None;
+  image.AddFieldData("StepTime", result.Report.Time);
+  image.AddFieldData("StepChange", result.Report.Change);
+  image.AddFieldData("StepResidual", result.Report.Residual);
+  image.AddFieldData("NoiseLevel", { result.NoiseLevel });
+  image.AddFieldData("UsedOrder", { static_cast<double>(used.Order) });
+  image.AddFieldData("UsedEdgeStopping", { linear ? 0.0 : 1.0 });
+  image.AddFieldData("UsedSigma", { linear ? 0.0 : used.Sigma });
+  image.AddFieldData("UsedPreSmoothing", { linear ? 0.0 : used.PreSmoothing });
+  image.AddFieldData("UsedResidualSmoothing", { 0.0 });
+  image.AddFieldData("UsedTime", { used.Time });
+  image.AddFieldData("EstimatedGain", { result.Gain });
+  image.AddFieldData("EstimatedGainError", { result.GainError });
+  image.AddFieldData("RiskTime", result.RiskTime);
+  image.AddFieldData("RiskValue", result.RiskValue);
+  image.AddFieldText("Choice", result.Sentence());
+}
+
 template <typename T>
 void vtkHighOrderDiffusion::Denoise(isthmus::DiffusionImage<T>& image)
 {
-  isthmus::DiffusionParameters parameters = this->GetParameters();
-  auto values = image.Copy(this->ChosenScalars(image.GetInput()), this->GetMaskInvalid());
   if (!(this->KnownNoise >= 0.0) || std::isinf(this->KnownNoise))
   {
     throw std::invalid_argument("KnownNoise must be a finite number, 0 (estimated) or more.");
   }
+  if (this->ChoosesByRisk())
+  {
+    this->DenoiseByRisk(image);
+    return;
+  }
+  isthmus::DiffusionParameters parameters = this->GetParameters();
+  auto values = image.Copy(this->ChosenScalars(image.GetInput()), this->GetMaskInvalid());
   isthmus::NoiseEstimate noise = isthmus::EstimateNoise(image.GetGrid(), values->GetPointer(0));
   if (this->KnownNoise > 0.0)
   {
@@ -117,20 +187,23 @@ void vtkHighOrderDiffusion::Denoise(isthmus::DiffusionImage<T>& image)
   }
   if (this->Automatic)
   {
-    this->Explain(noise, std::accumulate(report.Change.begin(), report.Change.end(), 0.0));
+    this->Explain(noise, std::accumulate(report.Change.begin(), report.Change.end(), 0.0), true);
   }
   image.AddResult(values, true);
   image.AddFieldData("StepTime", report.Time);
   image.AddFieldData("StepChange", report.Change);
   image.AddFieldData("StepResidual", report.Residual);
   image.AddFieldData("NoiseLevel", { noise.Noise });
+  image.AddFieldData("UsedOrder", { static_cast<double>(parameters.Order) });
+  image.AddFieldData("UsedEdgeStopping", { static_cast<double>(parameters.EdgeStopping) });
   image.AddFieldData("UsedSigma", { parameters.Sigma });
   image.AddFieldData("UsedPreSmoothing", { parameters.PreSmoothing });
   image.AddFieldData("UsedResidualSmoothing", { parameters.ResidualSmoothing });
   image.AddFieldData("UsedTime", { parameters.Time });
 }
 
-void vtkHighOrderDiffusion::Explain(const isthmus::NoiseEstimate& noise, double change)
+void vtkHighOrderDiffusion::Explain(
+  const isthmus::NoiseEstimate& noise, double change, bool background)
 {
   constexpr char remedy[] = " To smooth it anyway, switch Automatic off and set Time.";
   if (noise.FewValues)
@@ -145,6 +218,15 @@ void vtkHighOrderDiffusion::Explain(const isthmus::NoiseEstimate& noise, double 
     vtkWarningMacro(<< isthmus::TextOf(
                       "No noise was found in the volume, which is left as it is: most nodes are "
                       "the mean of their neighbours.",
+                      remedy));
+  }
+  else if (change < 1e-3 * noise.Deviation && !background)
+  {
+    vtkWarningMacro(<< isthmus::TextOf(
+                      "Hardly anything was changed. If there is noise, it is coloured: its power "
+                      "falls towards the finest waves, like that of the map, and no background "
+                      "without signal was found to measure it in. Give KnownNoise, or use Denoise "
+                      "From Half Maps.",
                       remedy));
   }
   else if (change < 1e-4 * noise.Deviation)
@@ -169,6 +251,7 @@ void vtkHighOrderDiffusion::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Automatic: " << this->Automatic << '\n';
+  os << indent << "Goal: " << this->Goal << '\n';
   os << indent << "Strength: " << this->Strength << '\n';
   os << indent << "KnownNoise: " << this->KnownNoise << '\n';
   os << indent << "Flow: " << this->Flow << '\n';

@@ -14,19 +14,30 @@
  *
  * In the end, with ResidualSmoothing, long waves that the diffusion removed are restored.
  *
- * Automatic (the default) chooses Sigma, PreSmoothing, Time and ResidualSmoothing from the noise in
- * the image and Strength. Without it all parameters are
+ * Automatic (the default) chooses Order, edge stopping or none, Sigma, PreSmoothing and Time: those
+ * with the least estimated error for the Goal (DenoisingRisk.h), for noise whose level and spectrum
+ * are estimated from the image (NoiseSpectrum.h) unless KnownNoise is set. EdgeStopping None
+ * restricts the choice to linear diffusions, which are computed as functions of the Laplacian,
+ * without steps in time. Constant background, as outside of a mask, is left as it is. Geometric
+ * flow, LowerOrders, LocalVariance, Fidelity, UseSource and diffusivities other than 1 are not
+ * covered by the search: with them a rule sets Sigma, PreSmoothing, Time and ResidualSmoothing from
+ * the noise level and Strength. Without Automatic all parameters are
  * taken as they are, except that a Sigma of 0 is replaced by the noise level.
  *
  * The output array has the input array's name. Field data: the curves `StepTime`, `StepChange` (rms
- * of what a step changed) and `StepResidual` (rms of the rate at its start), and `NoiseLevel`,
- * `UsedSigma`, `UsedPreSmoothing`, `UsedTime`, `UsedResidualSmoothing`. Where Automatic finds no
+ * of what a step changed) and `StepResidual` (rms of the rate at its start; both of the whole
+ * change for a linear choice), and `NoiseLevel`, `UsedOrder`, `UsedEdgeStopping`, `UsedSigma`,
+ * `UsedPreSmoothing`, `UsedTime`, `UsedResidualSmoothing`. The search adds `EstimatedGain` (dB in
+ * mean squared error) with its standard error `EstimatedGainError`, the curve `RiskValue` over
+ * `RiskTime` of the order and Sigma chosen (estimated mean squared error; for surfaces that of the
+ * Laplacian, unless the values' own decided) and `Choice`, a sentence. Where Automatic finds no
  * noise, or so little that nothing changes, a warning says why and what to do.
  *
  * Cost: time in proportion to nodes x sqrt(Time) with SuperTimeStepping, nodes x Time with
  * ForwardEuler. Memory beside input and output, in volumes of the output's type: 4 with
  * SuperTimeStepping (two stages, the first rate, the coefficient), two more for Order 0 on
- * one rank, 1 to 3 with ForwardEuler; and, where enabled, the input (Fidelity) and P (UseSource)
+ * one rank, 1 to 3 with ForwardEuler; with Automatic one more, and a sample of the volume of up to
+ * 100 MiB; and, where enabled, the input (Fidelity) and P (UseSource)
  * in the output's type.
  *
  * @sa vtkDiffusionHighPass vtkPDETransform
@@ -67,23 +78,38 @@ public:
     SuperTimeStepping = 1
   };
 
+  enum GoalType
+  {
+    Surfaces = 0,
+    Volumes = 1
+  };
+
   ///@{
-  /// Choose Sigma, PreSmoothing, Time and ResidualSmoothing from the noise level and Strength.
-  /// Default on.
+  /// Choose Order, edge stopping, Sigma, PreSmoothing and Time by their estimated error. Default
+  /// on.
   vtkSetMacro(Automatic, bool);
   vtkGetMacro(Automatic, bool);
   vtkBooleanMacro(Automatic, bool);
   ///@}
 
   ///@{
-  /// How much to denoise, from 0 (light) to 1 (strong). Default 0.5. Read if Automatic is on.
+  /// What the automatic choice is for: Surfaces (default), which are linear choices of which second
+  /// derivatives, so normals and curvature of level sets, profit, or Volumes, the least mean
+  /// squared error of the values. Read if Automatic is on.
+  vtkSetMacro(Goal, int);
+  vtkGetMacro(Goal, int);
+  ///@}
+
+  ///@{
+  /// How much to denoise, from 0 (light) to 1 (strong): the length of smoothing is 2^(Strength -
+  /// 1/2) times the best one. Default 0.5. Read if Automatic is on.
   vtkSetClampMacro(Strength, double, 0.0, 1.0);
   vtkGetMacro(Strength, double);
   ///@}
 
   ///@{
-  /// Standard deviation of the noise where it is known, as from half maps; 0 (default): estimated
-  /// from the volume where that is not constant. Read if Automatic is on.
+  /// Standard deviation of the noise where it is known to be white; 0 (default): level and spectrum
+  /// are estimated from the volume where that is not constant. Read if Automatic is on.
   vtkSetMacro(KnownNoise, double);
   vtkGetMacro(KnownNoise, double);
   ///@}
@@ -95,7 +121,7 @@ public:
   ///@}
 
   ///@{
-  /// q, 0 to 3: the equation is of order 2q + 2. Default 0.
+  /// q, 0 to 3: the equation is of order 2q + 2. Default 0. Chosen where Automatic is on.
   vtkSetMacro(Order, int);
   vtkGetMacro(Order, int);
   ///@}
@@ -116,7 +142,8 @@ public:
   ///@{
   /// Coefficient of Hyperdiffusion: None (constant), Gaussian (default: stops at gradients above
   /// Sigma), LocalVariance (Sigma is the standard deviation in a Window, equation 4.35: of the
-  /// values for Order 0, of their gradient for Order 1 to 3).
+  /// values for Order 0, of their gradient for Order 1 to 3). With Automatic, None admits linear
+  /// choices only.
   vtkSetMacro(EdgeStopping, int);
   vtkGetMacro(EdgeStopping, int);
   ///@}
@@ -190,14 +217,18 @@ protected:
 
 private:
   isthmus::DiffusionParameters GetParameters();
+  bool ChoosesByRisk() const;
   template <typename T>
   void Denoise(isthmus::DiffusionImage<T>& image);
-  void Explain(const isthmus::NoiseEstimate& noise, double change);
+  template <typename T>
+  void DenoiseByRisk(isthmus::DiffusionImage<T>& image);
+  void Explain(const isthmus::NoiseEstimate& noise, double change, bool background);
 
   vtkHighOrderDiffusion(const vtkHighOrderDiffusion&) = delete;
   void operator=(const vtkHighOrderDiffusion&) = delete;
 
   bool Automatic = true;
+  int Goal = Surfaces;
   double Strength = 0.5;
   double KnownNoise = 0.0;
   int Flow = Hyperdiffusion;

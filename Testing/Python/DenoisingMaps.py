@@ -50,8 +50,8 @@ for path in sorted(folder.iterdir()):
     if scalars.GetNumberOfComponents() != 1:
         print(f"{path.name:40s} has {scalars.GetNumberOfComponents()} components: no density")
         continue
-    result, before = denoise(image)
-    _, after = denoise(result, Automatic=0, Time=0)
+    result, _ = denoise(image)
+    before, after = (denoise(one, Automatic=0, Time=0)[1] for one in (image, result))
     given, got = as_volume(image), as_volume(result)
     print(f"{path.name:40s} {'x'.join(map(str, image.GetDimensions())):>12s} noise {before:.3g} -> "
           f"{after:.3g}; deviation {given.std():.4g} -> {got.std():.4g}; mean {given.mean():.4g} -> "

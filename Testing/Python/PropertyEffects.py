@@ -24,6 +24,8 @@ SECONDS = 30.0
 # Properties that have to be set before this one can show itself: {(proxy, property): {name: value}}.
 NEEDS = {
     ("HighOrderDiffusion", "LowerOrders"): {"Order": 1, "Automatic": 0, "Time": 1},
+    **{("HighOrderDiffusion", name): {"Automatic": 0, "Time": 1}
+       for name in ("EdgeStopping", "Integrator", "Order", "Steps")},
     **{(name, swept): {"SweepOf": kind} for name in ("IonTransport", "IonTransportOnSurface")
        for swept, kind in (("SweepPoints", 1), ("SweepVoltages", 1), ("SweepFactors", 2))},
     **{("IonTransportOnSurface", name): {"MovingSurface": 1} for name in (
@@ -83,6 +85,7 @@ SILENT = {
     ("DiffusionHighPass", "MaskInvalid"): "all values are finite: MaskedMaps.py has others",
     ("FeatureTracks", "MaximumDistance"): "needs steps of time: FeatureTracks.py",
     ("FeatureTracks", "MaximumGap"): "the same",
+    ("DenoiseFromHalfMaps", "Order"): "not used any more, kept for state files",
     ("HighOrderDiffusion", "MaskInvalid"): "all values are finite: MaskedMaps.py has others",
     ("IsosurfaceStuffing", "MemoryLimit"): LIMIT,
     **{(name, silent): why for name in ("IonTransport", "IonTransportOnSurface") for silent, why in (

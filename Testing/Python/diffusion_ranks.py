@@ -16,7 +16,14 @@ def filters():
         denoise.SetOrder(order)
         denoise.SetEdgeStopping(stopping)
         denoise.SetWindow(9)
+        denoise.AutomaticOff()
+        denoise.SetTime(0.5)
         yield f"denoise{order}", denoise, ["RTData"]
+    for goal in (0, 1):
+        chosen = isthmus.vtkHighOrderDiffusion()
+        chosen.SetGoal(goal)
+        chosen.SetKnownNoise(12.0)  # the image has no noise of its own
+        yield f"chosen{goal}", chosen, ["RTData"]
     geometric = isthmus.vtkHighOrderDiffusion()
     geometric.SetFlow(1)
     geometric.SetOrder(1)

@@ -89,6 +89,33 @@ TEST(DenoiseFromHalfMaps, KnowsTheNoiseOfTheMeanAndComesCloserToTheTruth)
   }
 }
 
+TEST(DenoiseFromHalfMaps, GivesTheLocalResolution)
+{
+  double last = 4.0; // twice the spacing
+  for (const double noise : { 0.02, 0.2, 1.0 })
+  {
+    vtkNew<vtkDenoiseFromHalfMaps> filter;
+    const auto one = Half(noise, 2), other = Half(noise, 3);
+    for (const auto& half : { one, other })
+    {
+      half->SetSpacing(2.0, 2.0, 2.0);
+    }
+    filter->SetInputData(one);
+    filter->SetOtherHalfData(other);
+    filter->Update();
+    vtkDataArray* const resolution =
+      filter->GetOutput()->GetPointData()->GetArray("LocalResolution");
+    ASSERT_TRUE(resolution);
+    double range[2];
+    resolution->GetRange(range);
+    EXPECT_GE(range[0], 4.0 - 1e-3);
+    EXPECT_LE(range[1], 48.0 + 1e-3); // the window's length
+    const double centre = resolution->GetComponent(20 + N * (20 + N * 20), 0);
+    EXPECT_GT(centre, last);
+    last = centre;
+  }
+}
+
 TEST(DenoiseFromHalfMaps, RefusesWithASentence)
 {
   const auto half = Half(0.4, 2);

@@ -58,8 +58,14 @@ TEST(HighOrderDiffusionFilter, KeepsGeometryArraysAndInput)
   EXPECT_STREQ(output->GetPointData()->GetScalars()->GetName(), "Density");
   EXPECT_EQ(Values(image->GetPointData()->GetScalars()), before);
   EXPECT_LT(Deviation(Values(filter.Result())), Deviation(before));
-  for (const char* name : { "StepTime", "StepChange", "StepResidual", "NoiseLevel", "UsedSigma",
-         "UsedPreSmoothing", "UsedTime", "UsedResidualSmoothing" })
+  for (const char* name : { "UsedOrder", "UsedEdgeStopping", "UsedSigma", "UsedPreSmoothing",
+         "UsedResidualSmoothing", "RiskTime", "RiskValue", "EstimatedGainError" })
+  {
+    EXPECT_TRUE(output->GetFieldData()->GetArray(name)) << name;
+  }
+  EXPECT_TRUE(output->GetFieldData()->GetAbstractArray("Choice"));
+  for (const char* name :
+    { "StepTime", "StepChange", "StepResidual", "NoiseLevel", "UsedTime", "EstimatedGain" })
   {
     ASSERT_TRUE(output->GetFieldData()->GetArray(name)) << name;
     EXPECT_GT(output->GetFieldData()->GetArray(name)->GetTuple1(0), 0.0) << name;

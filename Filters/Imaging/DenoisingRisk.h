@@ -1,0 +1,95 @@
+/**
+ * @file DenoisingRisk.h
+ * @brief Which diffusion denoises a volume best, by an estimate of its error that needs no truth.
+ *
+ * For y = x + n with noise n of known covariance, the mean squared error of f(y) is estimated by
+ *
+ *     |f(y) - y|^2 - E|n|^2 + 2 E[n . f(y)],
+ *
+ * without bias for normal noise (Stein's unbiased risk estimate, SURE; coloured noise: Y. C. Eldar,
+ * IEEE Trans. Signal Process. 57 (2009) 471).
+ *
+ * **Linear** diffusion for a time t at order q multiplies the wave of eigenvalue lambda of -L by
+ * exp(-t lambda^(q+1)), a polynomial p(-L) to good accuracy. The last term then is exact, a mean of
+ * noise times factor over the modes of the grid, and the first is a quadratic form of p's Chebyshev
+ * coefficients with the Gram matrix of T_n(L) y: one recurrence of 42 terms gives the risk of all
+ * orders and times.
+ *
+ * **Edge stopping** diffusions are run. With one probe b, noise like n, the last term is 2 b . (f(y
+ * + e b) - f(y)) / e (S. Ramani, T. Blu, M. Unser, IEEE Trans. Image Process. 17 (2008) 1540).
+ * White probes are +-1, hashed from the node's place in the whole grid; coloured ones are those,
+ * filtered. Where a volume of noise is at hand, as from half maps, it is the probe.
+ *
+ * The goal **volumes** is the least mean squared error of the values. The goal **surfaces** is the
+ * least error of the mean curvature of level sets, estimated in the same way from second
+ * differences where the gradient is large, which is where surfaces lie, among the linear diffusions
+ * whose error of the values is within 1 dB of the least one. (Curvature alone would want more
+ * smoothing, which moves surfaces; Hessian Curvature adds it by its own scale.) Edge stopping keeps
+ * noise where the gradient is largest, so it is no candidate there.
+ */
+#ifndef isthmus_DenoisingRisk_h
+#define isthmus_DenoisingRisk_h
+
+#include "Core/Progress.h"
+#include "Imaging/HighOrderDiffusion.h"
+#include "Imaging/NoiseSpectrum.h"
+#include "Imaging/VolumeSample.h"
+
+#include <array>
+#include <vector>
+
+namespace isthmus
+{
+
+enum class DenoisingGoal
+{
+  Surfaces,
+  Volumes
+};
+
+struct DenoisingSearch
+{
+  DenoisingGoal Goal = DenoisingGoal::Surfaces;
+  bool LinearOnly = false;
+  /// 0 to 1: the length of smoothing is 2^(Strength - 1/2) times the best one.
+  double Strength = 0.5;
+};
+
+/// The best candidate and its estimates; all values are in units of the sample's Scale.
+struct DenoisingChoice
+{
+  DiffusionParameters Parameters;
+  double NoisePower = 0.0; ///< mean variance of the noise over all nodes
+  double Residual = 0.0;   ///< mean of (f - y)^2 over the sample
+  double Covariance = 0.0; ///< mean of n f(y) over all nodes
+  double Spread = 0.0;     ///< root mean square of 1 - 2 (factor of a wave), for standard errors
+  std::vector<double> RiskTime;
+  std::vector<double>
+    RiskValue; ///< what is minimised: risk of the values, or of the curvature less a constant
+
+  double Risk() const { return this->Residual - this->NoisePower + 2.0 * this->Covariance; }
+  bool IsLinear() const
+  {
+    return this->Parameters.EdgeStopping == DiffusionParameters::EdgeStoppingType::None;
+  }
+};
+
+/**
+ * The diffusion with the least risk. `spacing` are the lengths between nodes.
+ *
+ * Cost: for surfaces four recurrences of 41 terms on the sample and up to 100 combinations of their
+ * terms; for volumes one recurrence and three to nine pairs of runs with edge stopping.
+ * @throws Cancelled when progress says so.
+ */
+VTKISTHMUSFILTERSIMAGING_EXPORT DenoisingChoice ChooseDenoising(const VolumeSample& sample,
+  const NoiseSpectrum& noise, const std::array<double, 3>& spacing, const DenoisingSearch& search,
+  const ProgressCallback& progress = {});
+
+/// Risk of one candidate, for tests: the estimate on the sample.
+VTKISTHMUSFILTERSIMAGING_EXPORT DenoisingChoice EvaluateDenoising(const VolumeSample& sample,
+  const NoiseSpectrum& noise, const std::array<double, 3>& spacing,
+  const DiffusionParameters& parameters);
+
+}
+
+#endif

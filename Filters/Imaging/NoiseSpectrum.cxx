@@ -1,0 +1,468 @@
+#include "Imaging/NoiseSpectrum.h"
+
+#include "Core/Geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace isthmus
+{
+namespace
+{
+
+constexpr std::size_t spectrumBins = 24;
+/// Bins with less than this of the strongest one's power hold what leaks from others.
+constexpr double weak = 0.02;
+
+/// s of the cosine waves of an axis of n nodes, b the bound of all three axes.
+std::vector<double> ModesOfAxis(std::int64_t n, double spacing, double bound)
+{
+  std::vector<double> modes(static_cast<std::size_t>(n));
+  for (std::size_t k = 0; k < modes.size(); ++k)
+  {
+    const double sine = std::sin(Pi * static_cast<double>(k) / (2.0 * static_cast<double>(n)));
+    modes[k] = 4.0 * sine * sine / (spacing * spacing * bound);
+  }
+  return modes;
+}
+
+double BoundOf(const std::array<double, 3>& spacing)
+{
+  double bound = 0.0;
+  for (const double h : spacing)
+  {
+    bound += 4.0 / (h * h);
+  }
+  return bound;
+}
+
+/// Orthonormal cosine transform along one axis, by its matrix.
+void TransformAxis(std::vector<double>& values, const Index3& size, std::size_t axis)
+{
+  const std::int64_t n = size[axis];
+  if (n == 1)
+  {
+    return;
+  }
+  std::vector<double> matrix(static_cast<std::size_t>(n * n));
+  for (std::int64_t k = 0; k < n; ++k)
+  {
+    const double norm = std::sqrt((k == 0 ? 1.0 : 2.0) / static_cast<double>(n));
+    for (std::int64_t i = 0; i < n; ++i)
+    {
+      matrix[static_cast<std::size_t>(k * n + i)] =
+        norm * std::cos(Pi * static_cast<double>(k * (2 * i + 1)) / static_cast<double>(2 * n));
+    }
+  }
+  const std::int64_t step = axis == 0 ? 1 : axis == 1 ? size[0] : size[0] * size[1];
+  const std::int64_t total = size[0] * size[1] * size[2];
+  std::vector<double> line(static_cast<std::size_t>(n));
+  for (std::int64_t at = 0; at < total; ++at)
+  {
+    if (at / step % n != 0)
+    {
+      continue;
+    }
+    for (std::int64_t i = 0; i < n; ++i)
+    {
+      line[static_cast<std::size_t>(i)] = values[static_cast<std::size_t>(at + i * step)];
+    }
+    for (std::int64_t k = 0; k < n; ++k)
+    {
+      values[static_cast<std::size_t>(at + k * step)] = std::inner_product(
+        line.begin(), line.end(), matrix.begin() + static_cast<std::ptrdiff_t>(k * n), 0.0);
+    }
+  }
+}
+
+/// Power and fourth power of a block's waves, bin by bin.
+struct BlockPower
+{
+  std::array<double, spectrumBins> Square{}, Fourth{};
+};
+
+/// The quantile q of chi squared over its degrees of freedom (Wilson and Hilferty), z that of the
+/// normal distribution.
+double SpreadAtQuantile(double degrees, double z)
+{
+  const double a = 2.0 / (9.0 * degrees);
+  return std::pow(std::max(0.05, 1.0 - a + z * std::sqrt(a)), 3);
+}
+
+double QuantileOf(std::vector<double> values, double share)
+{
+  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + at, values.end());
+  return values[static_cast<std::size_t>(at)];
+}
+
+/// The powers of all blocks.
+class Spectra
+{
+public:
+  Spectra(const NoiseBlocks& blocks, const std::array<double, 3>& spacing)
+    : Powers(blocks.Values.size())
+  {
+    const Index3 size = blocks.Size;
+    const double bound = BoundOf(spacing);
+    std::array<std::vector<double>, 3> modes;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      modes[a] = ModesOfAxis(size[a], spacing[a], bound);
+    }
+    const std::int64_t nodes = size[0] * size[1] * size[2];
+    std::vector<std::size_t> binOf(static_cast<std::size_t>(nodes));
+    for (std::int64_t n = 0; n < nodes; ++n)
+    {
+      const double s = modes[0][static_cast<std::size_t>(n % size[0])] +
+        modes[1][static_cast<std::size_t>(n / size[0] % size[1])] +
+        modes[2][static_cast<std::size_t>(n / (size[0] * size[1]))];
+      const std::size_t bin =
+        std::min(spectrumBins - 1, static_cast<std::size_t>(std::sqrt(s) * double(spectrumBins)));
+      binOf[static_cast<std::size_t>(n)] = bin;
+      this->Count[bin] += n > 0 ? 1.0 : 0.0;
+    }
+    ParallelFor(0, static_cast<std::int64_t>(this->Powers.size()), 1,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t block = first; block < last; ++block)
+        {
+          const auto& values = blocks.Values[static_cast<std::size_t>(block)];
+          std::vector<double> waves(values.begin(), values.end());
+          for (std::size_t a = 0; a < 3; ++a)
+          {
+            TransformAxis(waves, size, a);
+          }
+          BlockPower& power = this->Powers[static_cast<std::size_t>(block)];
+          for (std::size_t n = 1; n < waves.size(); ++n)
+          {
+            const double square = waves[n] * waves[n];
+            power.Square[binOf[n]] += square;
+            power.Fourth[binOf[n]] += square * square;
+          }
+        }
+      });
+  }
+
+  /// Waves with sqrt(s) from `low` to `high`.
+  double Waves(double low, double high) const
+  {
+    double waves = 0.0;
+    this->ForBins(low, high, [&](std::size_t bin) { waves += this->Count[bin]; });
+    return waves;
+  }
+
+  /// Mean power of these waves, for each block.
+  std::vector<double> PowerOf(double low, double high) const
+  {
+    std::vector<double> powers;
+    for (const BlockPower& power : this->Powers)
+    {
+      double sum = 0.0;
+      this->ForBins(low, high, [&](std::size_t bin) { sum += power.Square[bin]; });
+      powers.push_back(sum / std::max(1.0, this->Waves(low, high)));
+    }
+    return powers;
+  }
+
+  /// What noise alone would have, if a quarter of the blocks or more hold nothing else there.
+  double Floor(double low, double high) const
+  {
+    const double waves = this->Waves(low, high);
+    if (waves < 8.0)
+    {
+      return -1.0;
+    }
+    constexpr double lowerQuartile = -0.6745;
+    return QuantileOf(this->PowerOf(low, high), 0.25) / SpreadAtQuantile(waves, lowerQuartile);
+  }
+
+  double Bin(std::size_t bin, const std::vector<std::size_t>& blocks) const
+  {
+    double sum = 0.0;
+    for (const std::size_t block : blocks)
+    {
+      sum += this->Powers[block].Square[bin];
+    }
+    return sum / std::max(1.0, this->Count[bin] * static_cast<double>(blocks.size()));
+  }
+
+  /// The lower quartile of each bin over the blocks, corrected for its spread.
+  std::vector<double> LowQuantiles() const
+  {
+    std::vector<double> quantiles(spectrumBins, 0.0);
+    for (std::size_t bin = 0; bin < spectrumBins; ++bin)
+    {
+      std::vector<double> powers;
+      for (const BlockPower& power : this->Powers)
+      {
+        powers.push_back(power.Square[bin] / std::max(1.0, this->Count[bin]));
+      }
+      quantiles[bin] =
+        QuantileOf(powers, 0.25) / SpreadAtQuantile(std::max(1.0, this->Count[bin]), -0.6745);
+    }
+    return quantiles;
+  }
+
+  /// For each block, the mean over these waves of their power over that of `reference`, where that
+  /// is not 0.
+  std::vector<double> RelativePower(
+    const std::vector<double>& reference, double low, double high) const
+  {
+    const double waves = std::max(1.0, this->WavesOf(reference, low, high));
+    std::vector<double> powers;
+    for (const BlockPower& power : this->Powers)
+    {
+      double sum = 0.0;
+      this->ForBins(low, high,
+        [&](std::size_t bin)
+        { sum += reference[bin] > 0.0 ? power.Square[bin] / reference[bin] : 0.0; });
+      powers.push_back(sum / waves);
+    }
+    return powers;
+  }
+
+  /// How many these are.
+  double WavesOf(const std::vector<double>& reference, double low, double high) const
+  {
+    double waves = 0.0;
+    this->ForBins(
+      low, high, [&](std::size_t bin) { waves += reference[bin] > 0.0 ? this->Count[bin] : 0.0; });
+    return waves;
+  }
+
+  double Waves(std::size_t bin) const { return this->Count[bin]; }
+
+  /// Mean kurtosis of the waves' amplitudes, bin by bin; 3 for normal ones.
+  double Kurtosis(double low, double high, const std::vector<std::size_t>& blocks) const
+  {
+    double weighted = 0.0, weights = 0.0, strongest = 0.0;
+    this->ForBins(
+      low, high, [&](std::size_t bin) { strongest = std::max(strongest, this->Bin(bin, blocks)); });
+    this->ForBins(low, high,
+      [&](std::size_t bin)
+      {
+        double fourth = 0.0;
+        const double square = this->Bin(bin, blocks);
+        for (const std::size_t block : blocks)
+        {
+          fourth += this->Powers[block].Fourth[bin];
+        }
+        const double count = this->Count[bin] * static_cast<double>(blocks.size());
+        if (count > 100.0 && square > weak * strongest)
+        {
+          weighted += fourth / (square * square); // count times the bin's kurtosis
+          weights += count;
+        }
+      });
+    return weights > 0.0 ? weighted / weights : 0.0;
+  }
+
+private:
+  template <typename Body>
+  void ForBins(double low, double high, Body&& body) const
+  {
+    for (std::size_t bin = 0; bin < spectrumBins; ++bin)
+    {
+      const double centre = (static_cast<double>(bin) + 0.5) / static_cast<double>(spectrumBins);
+      if (centre >= low && centre < high)
+      {
+        body(bin);
+      }
+    }
+  }
+
+  std::vector<BlockPower> Powers;
+  std::array<double, spectrumBins> Count{};
+};
+
+/**
+ * The blocks without signal: as quiet, over the spectrum, as the quietest tenth suggests for noise
+ * that is the same everywhere. Empty if the next quietest are far from that.
+ */
+std::vector<std::size_t> QuietBlocks(const Spectra& spectra)
+{
+  constexpr double low = 0.04, high = 0.5;
+  constexpr double lowestDecile = -1.2816;
+  auto withoutWeak = [](std::vector<double> reference)
+  {
+    const auto last = reference.begin() + static_cast<std::ptrdiff_t>(high * spectrumBins);
+    const double strongest = *std::max_element(reference.begin(), last);
+    std::replace_if(
+      reference.begin(), reference.end(), [=](double p) { return p < weak * strongest; }, 0.0);
+    return reference;
+  };
+  std::vector<std::size_t> quiet;
+  // Powers are compared with those of the spectrum itself: at first a low quantile of each bin.
+  std::vector<double> reference = withoutWeak(spectra.LowQuantiles());
+  for (int round = 0; round < 2; ++round)
+  {
+    const double degrees = std::max(1.0, spectra.WavesOf(reference, low, high));
+    const std::vector<double> power = spectra.RelativePower(reference, low, high);
+    const double level = QuantileOf(power, 0.1) / SpreadAtQuantile(degrees, lowestDecile);
+    const double limit = level * (1.0 + 2.0 * std::sqrt(2.0 / degrees));
+    if (QuantileOf(power, 0.25) > 1.3 * limit)
+    {
+      return {};
+    }
+    quiet.clear();
+    for (std::size_t n = 0; n < power.size(); ++n)
+    {
+      if (power[n] <= limit)
+      {
+        quiet.push_back(n);
+      }
+    }
+    for (std::size_t bin = 0; bin < spectrumBins; ++bin)
+    {
+      reference[bin] = spectra.Bin(bin, quiet);
+    }
+    reference = withoutWeak(reference);
+  }
+  // Where no blocks stand out from them, a texture that fills the volume looks like noise.
+  const std::vector<double> power = spectra.RelativePower(reference, low, 0.25);
+  const double mean = std::accumulate(power.begin(), power.end(), 0.0) / double(power.size());
+  constexpr double standsOut = 1.2;
+  return mean >= standsOut ? quiet : std::vector<std::size_t>();
+}
+
+/// Of all values in the blocks.
+double VarianceOf(const NoiseBlocks& blocks)
+{
+  double sum = 0.0, squares = 0.0, count = 0.0;
+  for (const std::vector<float>& block : blocks.Values)
+  {
+    for (const float value : block)
+    {
+      sum += double(value);
+      squares += double(value) * double(value);
+    }
+    count += static_cast<double>(block.size());
+  }
+  const double mean = sum / count;
+  return squares / count - mean * mean;
+}
+
+}
+
+double NoiseSpectrum::At(double s) const
+{
+  if (this->White)
+  {
+    return this->Deviation * this->Deviation;
+  }
+  const double position = std::sqrt(std::clamp(s, 0.0, 1.0)) * double(spectrumBins) - 0.5;
+  const double low = std::clamp(std::floor(position), 0.0, double(spectrumBins) - 2.0);
+  const auto bin = static_cast<std::size_t>(low);
+  const double part = std::clamp(position - low, 0.0, 1.0);
+  return (1.0 - part) * this->Density[bin] + part * this->Density[bin + 1];
+}
+
+NoiseSpectrum WhiteNoise(double deviation)
+{
+  NoiseSpectrum noise;
+  noise.Found = true;
+  noise.Deviation = deviation;
+  return noise;
+}
+
+std::array<std::vector<double>, 3> ModesOf(
+  const Index3& whole, const std::array<double, 3>& spacing)
+{
+  std::array<std::vector<double>, 3> modes;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    modes[a] = ModesOfAxis(std::min<std::int64_t>(64, whole[a]), spacing[a], BoundOf(spacing));
+  }
+  return modes;
+}
+
+NoiseSpectrum EstimateNoiseSpectrum(
+  const VolumeSample& sample, const std::array<double, 3>& spacing)
+{
+  NoiseSpectrum noise;
+  constexpr std::size_t fewest = 8;
+  if (sample.Small.Values.size() < fewest)
+  {
+    return noise;
+  }
+  noise.Found = true;
+  const Spectra small(sample.Small, spacing);
+  // The upper end of the spectrum; its last part alone where there is clearly less.
+  double floor = small.Floor(0.75, 1.01);
+  for (const double low : { 0.84, 0.9 })
+  {
+    const double power = small.Floor(low, 1.01);
+    constexpr double clearly = 0.92;
+    if (power >= 0.0 && power < clearly * floor)
+    {
+      floor = power;
+    }
+  }
+  if (floor < 0.0)
+  {
+    floor = std::max(0.0, small.Floor(0.5, 1.01)); // a slice or a row
+  }
+  noise.Deviation = std::sqrt(floor);
+  // White noise is a floor under whatever there is in longer waves; coloured noise falls to the
+  // end.
+  constexpr double falling = 2.5;
+  const double before = small.Floor(0.76, 0.86), last = small.Floor(0.9, 1.01);
+  if (before < 0.0 || last < 0.0 || before <= falling * last)
+  {
+    return noise;
+  }
+  const bool large = sample.Large.Values.size() >= 3 * fewest;
+  const Spectra spectra(large ? sample.Large : sample.Small, spacing);
+  const std::vector<std::size_t> quiet = QuietBlocks(spectra);
+  constexpr double normal = 4.0;
+  if (quiet.size() < 4 || spectra.Kurtosis(0.06, 0.5, quiet) > normal)
+  {
+    noise.Background = false;
+    return noise;
+  }
+  noise.White = false;
+  noise.Density.resize(spectrumBins);
+  for (std::size_t bin = 0; bin < spectrumBins; ++bin)
+  {
+    noise.Density[bin] = spectra.Bin(bin, quiet);
+  }
+  for (std::size_t bin = spectrumBins; bin-- > 0;)
+  {
+    if (spectra.Waves(bin) < 1.0 && bin + 1 < spectrumBins)
+    {
+      noise.Density[bin] = noise.Density[bin + 1]; // longer waves than a block has
+    }
+  }
+  double sum = 0.0, squares = 0.0, count = 0.0;
+  const auto modes = ModesOf(sample.Whole, spacing);
+  for (const double z : modes[2])
+  {
+    for (const double y : modes[1])
+    {
+      for (const double x : modes[0])
+      {
+        const double power = noise.At(x + y + z);
+        sum += power;
+        squares += power * power;
+        count += 1.0;
+      }
+    }
+  }
+  // More than this of the variance is rather a texture that fills the volume.
+  // A masked map has no background left, so less is believed there.
+  const double mostNoise = sample.HasFill ? 0.45 : 0.62;
+  if (sum / count > mostNoise * VarianceOf(sample.Small))
+  {
+    noise.White = true;
+    noise.Background = false;
+    noise.Density.clear();
+    return noise;
+  }
+  noise.Deviation = std::sqrt(sum / count);
+  noise.Coherence = sum > 0.0 ? squares * count / (sum * sum) : 1.0;
+  return noise;
+}
+
+}

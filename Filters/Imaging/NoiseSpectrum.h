@@ -1,0 +1,60 @@
+/**
+ * @file NoiseSpectrum.h
+ * @brief Level and spectrum of the noise in a volume, from its quietest blocks.
+ *
+ * Each block of a VolumeSample is transformed by a cosine transform, whose waves are the modes of
+ * the discrete Laplacian. Power is averaged over bins of equal width in the square root of s =
+ * -L/b, which is in proportion to the frequency.
+ *
+ * **White noise** has the same power everywhere, and a map has little at the finest waves: the
+ * level is a low quantile, over the blocks, of the power there. It is corrected for the spread that
+ * the power of noise alone has (chi squared, with Wilson and Hilferty's approximation), and so does
+ * not depend on the map where a quarter of the blocks has no detail at the finest waves.
+ *
+ * **Coloured noise** has no such floor: power falls to the end of the spectrum. Then blocks without
+ * signal are looked for. Noise that is the same everywhere has the same power in all of them, and
+ * its waves have normally distributed amplitudes (kurtosis 3). If the quietest blocks agree, pass
+ * for normal, others stand out from them, and they do not hold most of the volume's variance, their
+ * mean is the spectrum. Otherwise only the floor counts, which then is low: little or nothing is
+ * changed, and a warning says why.
+ */
+#ifndef isthmus_NoiseSpectrum_h
+#define isthmus_NoiseSpectrum_h
+
+#include "Imaging/VolumeSample.h"
+
+#include <array>
+#include <vector>
+
+namespace isthmus
+{
+
+/// Variance of the noise for each wave of the grid, in units of the sample's Scale squared.
+struct NoiseSpectrum
+{
+  bool Found = false;          ///< There were blocks to measure it in, or it was given.
+  bool White = true;           ///< the same for all waves
+  bool Background = true;      ///< False: power falls as in coloured noise, but no blocks agree.
+  double Deviation = 0.0;      ///< standard deviation of the noise
+  double Coherence = 1.0;      ///< mean square of the density over its squared mean
+  std::vector<double> Density; ///< of bins of equal width in sqrt(s); empty if White
+
+  /// At s = -L/b, from 0 to 1.
+  double At(double s) const;
+};
+
+/// White noise of a given standard deviation, in units of the sample's Scale.
+NoiseSpectrum WhiteNoise(double deviation);
+
+/// @pre spacing are the lengths between nodes.
+VTKISTHMUSFILTERSIMAGING_EXPORT NoiseSpectrum EstimateNoiseSpectrum(
+  const VolumeSample& sample, const std::array<double, 3>& spacing);
+
+/// Values of s for the modes of a grid, at most 64 along each axis (those of a longer axis are as
+/// dense): all combinations are the modes.
+std::array<std::vector<double>, 3> ModesOf(
+  const Index3& whole, const std::array<double, 3>& spacing);
+
+}
+
+#endif
