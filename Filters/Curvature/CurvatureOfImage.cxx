@@ -2,6 +2,7 @@
 
 #include "Core/ArrayMemory.h"
 #include "Core/LargePages.h"
+#include "Core/ParallelFor.h"
 #include "Curvature/SurfaceTypeNames.h"
 
 #include <vtkDataArray.h>
@@ -18,7 +19,9 @@
 #include <vtkSmartPointer.h>
 #include <vtkTypeTraits.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace isthmus
 {
@@ -64,7 +67,7 @@ CurvatureArrays<T> NewArrays(const CurvatureSelection& wanted, vtkIdType places,
   { return NewArray<T>(on, name, components, places, output); };
   CurvatureArrays<T> arrays;
   arrays.Gaussian = array(wanted.Gaussian, "GaussianCurvature");
-  arrays.Mean = array(wanted.Mean, "MeanCurvature");
+  arrays.Mean = array(wanted.Mean || wanted.Error, "MeanCurvature");
   arrays.Maximum = array(wanted.Maximum, "MaximumCurvature");
   arrays.Minimum = array(wanted.Minimum, "MinimumCurvature");
   arrays.ShapeIndex = array(wanted.ShapeIndex, "ShapeIndex");
@@ -73,6 +76,8 @@ CurvatureArrays<T> NewArrays(const CurvatureSelection& wanted, vtkIdType places,
   arrays.Direction2 = array(wanted.Direction2, "PrincipalDirection2", 3);
   arrays.SurfaceType =
     NewArray<unsigned char>(wanted.SurfaceType, "SurfaceType", 1, places, output);
+  array(wanted.Error, "CurvatureScale");
+  arrays.Gradient = array(wanted.Error, "CurvatureError"); // until the errors follow from it
   arrays.Valid = NewArray<unsigned char>(true, "CurvatureValid", 1, places, output);
   if (wanted.SurfaceType)
   {
@@ -146,11 +151,88 @@ vtkSmartPointer<vtkDataArray> Coordinates(vtkPoints* points)
   return copy;
 }
 
+NodeBox BoxOf(vtkImageData* image, const Extent& extent)
+{
+  NodeBox nodes;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    nodes.First[axis] = extent[2 * axis] - image->GetExtent()[2 * axis];
+    nodes.Size[axis] = extent[2 * axis + 1] - extent[2 * axis] + 1;
+  }
+  return nodes;
+}
+
+/// Values of an array in the point data, where there are any.
+template <typename T>
+T* ValuesOf(vtkDataSet* output, const char* name)
+{
+  vtkDataArray* array = output->GetPointData()->GetArray(name);
+  return array ? static_cast<T*>(array->GetVoidPointer(0)) : nullptr;
+}
+
 PointSource SourceOf(vtkImageData* image, vtkDataArray* coordinates)
 {
   return coordinates->GetDataType() == VTK_FLOAT
     ? SourceOf(image, static_cast<const float*>(coordinates->GetVoidPointer(0)))
     : SourceOf(image, static_cast<const double*>(coordinates->GetVoidPointer(0)));
+}
+
+constexpr int referenceAccuracy = 4;
+
+/// Mean curvature by differences of fourth order, into `out`; `mean` where there is none.
+template <typename T>
+void WriteMean(vtkImageData* image, vtkDataArray* scalars, const Extent& box, vtkPoints* points,
+  HessianCurvatureOptions options, const ResultType<T>* mean, vtkIdType count, ResultType<T>* out,
+  const ProgressCallback& progress)
+{
+  options.Accuracy = referenceAccuracy;
+  std::vector<unsigned char> valid(static_cast<std::size_t>(count));
+  CurvatureArrays<ResultType<T>> arrays;
+  arrays.Mean = out;
+  arrays.Valid = valid.data();
+  const vtkSmartPointer<vtkDataArray> values = Contiguous(scalars);
+  const auto grid = ViewOf(image, static_cast<const T*>(values->GetVoidPointer(0)));
+  if (points)
+  {
+    const vtkSmartPointer<vtkDataArray> coordinates = Coordinates(points);
+    HessianCurvatureAtPoints(grid, count, SourceOf(image, coordinates), options, arrays, progress);
+  }
+  else
+  {
+    HessianCurvatureAtNodes(grid, BoxOf(image, box), options, arrays, progress);
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    out[i] = valid[static_cast<std::size_t>(i)] ? out[i] : mean[i];
+  }
+}
+
+template <typename T>
+void WriteErrors(vtkImageData* image, vtkDataArray* scalars, const Extent& box, vtkPoints* points,
+  const HessianCurvatureOptions& options, const CurvatureScale& scale, vtkDataSet* output,
+  const ProgressCallback& progress)
+{
+  using Result = ResultType<T>;
+  const vtkIdType count = output->GetNumberOfPoints();
+  const auto* mean = ValuesOf<Result>(output, "MeanCurvature");
+  const auto* valid = ValuesOf<unsigned char>(output, "CurvatureValid");
+  auto* scales = ValuesOf<Result>(output, "CurvatureScale");
+  auto* errors = ValuesOf<Result>(output, "CurvatureError");
+  std::vector<Result> next(static_cast<std::size_t>(count));
+  WriteMean<T>(image, scalars, box, points, options, mean, count, next.data(), progress);
+  constexpr std::int64_t grain = 16384;
+  ParallelFor(0, count, grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t i = first; i < last; ++i)
+      {
+        const double change =
+          static_cast<double>(mean[i]) - 2.0 * scales[i] + next[static_cast<std::size_t>(i)];
+        scales[i] = static_cast<Result>(scale.Scale);
+        errors[i] =
+          valid[i] ? static_cast<Result>(scale.Error(mean[i], change, errors[i])) : Result(0);
+      }
+    });
 }
 
 }
@@ -160,12 +242,7 @@ void AddCurvatureAtNodes(vtkImageData* image, vtkDataArray* scalars, const Exten
   const ProgressCallback& progress)
 {
   options.Axes = AxesOf(image);
-  NodeBox nodes;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    nodes.First[axis] = box[2 * axis] - image->GetExtent()[2 * axis];
-    nodes.Size[axis] = box[2 * axis + 1] - box[2 * axis] + 1;
-  }
+  const NodeBox nodes = BoxOf(image, box);
   const vtkIdType count = nodes.Size[0] * nodes.Size[1] * nodes.Size[2];
   const vtkSmartPointer<vtkDataArray> values = Contiguous(scalars);
   switch (values->GetDataType())
@@ -190,6 +267,78 @@ void AddCurvatureAtPoints(vtkImageData* image, vtkDataArray* scalars, vtkPoints*
     vtkTemplateMacro(
       HessianCurvatureAtPoints(ViewOf(image, static_cast<const VTK_TT*>(values->GetVoidPointer(0))),
         count, source, options, NewArrays<ResultType<VTK_TT>>(selection, count, output), progress));
+  }
+}
+
+CurvatureScale ChooseScaleOfImage(vtkImageData* image, vtkDataArray* scalars, const Extent& whole,
+  const double spacing[3], int accuracy, const MaximumOverRanks& combine,
+  const ProgressCallback& progress)
+{
+  const auto choose = [&](auto part)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      part.Whole[axis] = std::int64_t(whole[2 * axis + 1]) - whole[2 * axis] + 1;
+      part.First[axis] =
+        scalars ? image->GetExtent()[2 * static_cast<int>(axis)] - whole[2 * axis] : 0;
+      part.Values.Spacing[axis] = std::abs(spacing[axis]);
+    }
+    return ChooseCurvatureScale(part, accuracy, combine, progress);
+  };
+  if (!scalars)
+  {
+    return choose(GridPart<float>{});
+  }
+  const vtkSmartPointer<vtkDataArray> values = Contiguous(scalars);
+  if (values->GetDataType() == VTK_DOUBLE)
+  {
+    return choose(
+      GridPart<double>{ ViewOf(image, static_cast<double*>(values->GetVoidPointer(0))) });
+  }
+  vtkSmartPointer<vtkDataArray> floats = values;
+  if (values->GetDataType() != VTK_FLOAT)
+  {
+    floats = vtkSmartPointer<vtkFloatArray>::New();
+    floats->DeepCopy(values);
+  }
+  return choose(GridPart<float>{ ViewOf(image, static_cast<float*>(floats->GetVoidPointer(0))) });
+}
+
+void AddReferenceCurvature(vtkImageData* image, vtkDataArray* scalars, const Extent& box,
+  vtkPoints* points, const HessianCurvatureOptions& options, vtkDataSet* output,
+  const ProgressCallback& progress)
+{
+  switch (scalars->GetDataType())
+  {
+    vtkTemplateMacro({
+      using Result = ResultType<VTK_TT>;
+      const auto* mean = ValuesOf<Result>(output, "MeanCurvature");
+      auto* reference = ValuesOf<Result>(output, "CurvatureScale"); // until the scale is written
+      if (options.Accuracy == referenceAccuracy)
+      {
+        std::copy_n(mean, output->GetNumberOfPoints(), reference);
+      }
+      else
+      {
+        WriteMean<VTK_TT>(image, scalars, box, points, options, mean, output->GetNumberOfPoints(),
+          reference, progress);
+      }
+    });
+  }
+}
+
+void AddErrors(vtkImageData* image, vtkDataArray* next, const Extent& box, vtkPoints* points,
+  const HessianCurvatureOptions& options, const CurvatureSelection& selection,
+  const CurvatureScale& scale, vtkDataSet* output, const ProgressCallback& progress)
+{
+  switch (next->GetDataType())
+  {
+    vtkTemplateMacro(
+      WriteErrors<VTK_TT>(image, next, box, points, options, scale, output, progress));
+  }
+  if (!selection.Mean)
+  {
+    output->GetPointData()->RemoveArray("MeanCurvature");
   }
 }
 

@@ -8,6 +8,7 @@
 #define isthmus_CurvatureOfImage_h
 
 #include "Core/ImageExtent.h"
+#include "Curvature/CurvatureScale.h"
 #include "Curvature/HessianCurvature.h"
 
 class vtkDataArray;
@@ -30,6 +31,7 @@ struct CurvatureSelection
   bool Direction1 = false;
   bool Direction2 = false;
   bool SurfaceType = false;
+  bool Error = false; ///< CurvatureScale and CurvatureError
 };
 
 /**
@@ -45,6 +47,25 @@ void AddCurvatureAtNodes(vtkImageData* image, vtkDataArray* scalars, const Exten
 void AddCurvatureAtPoints(vtkImageData* image, vtkDataArray* scalars, vtkPoints* points,
   HessianCurvatureOptions options, const CurvatureSelection& selection, vtkDataSet* output,
   const ProgressCallback& progress);
+
+/// The scale for `scalars` of `image`, the part that this rank has of an image of extent `whole`
+/// and spacing `spacing`. A rank without scalars takes part with null. See ChooseCurvatureScale.
+CurvatureScale ChooseScaleOfImage(vtkImageData* image, vtkDataArray* scalars, const Extent& whole,
+  const double spacing[3], int accuracy, const MaximumOverRanks& combine,
+  const ProgressCallback& progress);
+
+/**
+ * Two steps to the arrays CurvatureScale and CurvatureError, which AddCurvatureAtNodes, or
+ * AddCurvatureAtPoints for `points`, made on `output` with selection.Error. The first takes the
+ * scalars that the curvature was computed from, the second the scalars smoothed at scale.NextScale.
+ * `box` is not used with points, which are null for nodes.
+ */
+void AddReferenceCurvature(vtkImageData* image, vtkDataArray* scalars, const Extent& box,
+  vtkPoints* points, const HessianCurvatureOptions& options, vtkDataSet* output,
+  const ProgressCallback& progress);
+void AddErrors(vtkImageData* image, vtkDataArray* next, const Extent& box, vtkPoints* points,
+  const HessianCurvatureOptions& options, const CurvatureSelection& selection,
+  const CurvatureScale& scale, vtkDataSet* output, const ProgressCallback& progress);
 
 /// Adds the same arrays, without a value, where there is no place: so all MPI ranks have them.
 void AddNoCurvature(const CurvatureSelection& selection, vtkDataSet* output);

@@ -199,6 +199,9 @@ ISTHMUS_VECTOR_CLONES void WriteCurvature(const DerivativeRows& derivatives, std
     [&](std::int64_t i) { return ShapeIndex(s.Mean[i], s.Half[i], options.Convention); });
   fill(arrays.Curvedness, [&](std::int64_t i) { return Curvedness(s.Mean[i], s.Half[i]); });
   fill(arrays.Valid, [&](std::int64_t i) { return s.Valid[i]; });
+  fill(arrays.Gradient,
+    [&](std::int64_t i)
+    { return s.Valid[i] == 0.0 ? 0.0 : std::sqrt(GradientSquare(derivatives, i)); });
   fill(arrays.SurfaceType,
     [&](std::int64_t i)
     {
@@ -218,7 +221,7 @@ template <typename T>
 void ClearCurvature(const CurvatureArrays<T>& arrays, std::int64_t at, std::int64_t count)
 {
   for (T* out : { arrays.Gaussian, arrays.Mean, arrays.Maximum, arrays.Minimum, arrays.ShapeIndex,
-         arrays.Curvedness })
+         arrays.Curvedness, arrays.Gradient })
   {
     Fill(out, at, count, [](std::int64_t) { return 0.0; });
   }

@@ -40,6 +40,7 @@ struct CurvatureArrays
   T* Direction2 = nullptr;              ///< Unit vectors of kappa_2, likewise.
   unsigned char* SurfaceType = nullptr; ///< Values of enum SurfaceType.
   unsigned char* Valid = nullptr;       ///< 1 or 0.
+  T* Gradient = nullptr;                ///< Its length, 0 where not valid.
 };
 
 /// What decides sign and validity of a place.

@@ -1,20 +1,24 @@
 #include "vtkHessianCurvature.h"
 
 #include "Core/AlgorithmGuard.h"
+#include "Core/GatherRanks.h"
 #include "Core/ImageExtent.h"
 #include "Core/ImageScalars.h"
 #include "Core/NumberText.h"
 #include "Core/RangeChecks.h"
 #include "Curvature/CurvatureOfImage.h"
+#include "Curvature/CurvatureScale.h"
 #include "Curvature/FiniteDifference.h"
 #include "Curvature/GaussianSmoothing.h"
 
+#include <vtkCommunicator.h>
 #include <vtkDataArray.h>
 #include <vtkDataObjectTypes.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMultiProcessController.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
@@ -25,8 +29,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkHessianCurvature);
 
@@ -35,33 +42,96 @@ namespace
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
+constexpr double choiceShare = 0.3; // of the time, for the choice of the scale
+
 /// Nodes needed around a node or a point: those of the differences (twice their radius at a point),
 /// and those of the smoothing before. Parameters are checked later, when there is data.
-std::array<int, 3> ReachOf(int accuracy, double scale, bool atPoints, vtkInformation* imageInfo)
+std::array<int, 3> ReachOf(vtkHessianCurvature* filter, bool atPoints, vtkInformation* imageInfo)
 {
   std::array<double, 3> spacing{ 1.0, 1.0, 1.0 };
   if (imageInfo->Has(vtkDataObject::SPACING()))
   {
     imageInfo->Get(vtkDataObject::SPACING(), spacing.data());
   }
-  const int radius = accuracy == 4 ? 2 : 1;
+  const int radius = filter->GetAccuracy() == 4 ? 2 : 1;
+  int stencil = atPoints ? 2 * radius : radius;
+  double scale = filter->GetScale();
+  if (filter->GetAutomaticScale())
+  {
+    const isthmus::Extent whole = isthmus::ExtentOf(imageInfo, Pipeline::WHOLE_EXTENT());
+    std::array<std::int64_t, 3> nodes{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      spacing[axis] = std::abs(spacing[axis]);
+      nodes[axis] = std::int64_t(whole[2 * axis + 1]) - whole[2 * axis] + 1;
+    }
+    scale = isthmus::LargestScaleOfChoice(spacing, nodes);
+    // Differences of fourth order serve as reference.
+    stencil = atPoints ? 4 : isthmus::DifferenceReach;
+  }
   std::array<int, 3> reach = isthmus::GaussianReach(scale, spacing.data());
   for (int& nodes : reach)
   {
-    nodes += atPoints ? 2 * radius : radius;
+    nodes += stencil;
   }
   return reach;
 }
 
+/// Whether the ranks choose the scale together: blocks of composite data choose their own.
+bool ChoosesWithOtherRanks(vtkHessianCurvature* filter)
+{
+  if (!filter->GetAutomaticScale() || isthmus::NumberOfRanks() == 1)
+  {
+    return false;
+  }
+  try
+  {
+    isthmus::RequireNoBlocks(filter);
+  }
+  catch (const std::runtime_error&)
+  {
+    return false;
+  }
+  return true;
+}
+
+void MaximumOfRanks(double* values, std::int64_t count)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const std::vector<double> own(values, values + count);
+  controller->AllReduce(own.data(), values, static_cast<vtkIdType>(count), vtkCommunicator::MAX_OP);
+}
+
+/// Extent and spacing of the whole image, which a rank without data may not know.
+void ShareGeometry(isthmus::Extent& whole, std::array<double, 3>& spacing)
+{
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  std::array<double, 9> values;
+  values.fill(none);
+  for (std::size_t axis = 0; axis < 3 && isthmus::NodeCount(whole) > 0; ++axis)
+  {
+    values[3 * axis] = -whole[2 * axis];
+    values[3 * axis + 1] = whole[2 * axis + 1];
+    values[3 * axis + 2] = spacing[axis];
+  }
+  MaximumOfRanks(values.data(), static_cast<std::int64_t>(values.size()));
+  for (std::size_t axis = 0; axis < 3 && values[0] != none; ++axis)
+  {
+    whole[2 * axis] = -static_cast<int>(values[3 * axis]);
+    whole[2 * axis + 1] = static_cast<int>(values[3 * axis + 1]);
+    spacing[axis] = values[3 * axis + 2];
+  }
+}
+
 /// Takes off what was asked for beyond the piece. A volume that its source has not split (all of it
 /// on one rank, or parts by another rule) stays whole: all of it is this rank's.
-void CropToPiece(vtkImageData* image, vtkInformation* outInfo)
+void CropToPiece(vtkImageData* image, vtkInformation* outInfo, bool allHere)
 {
   const isthmus::Extent piece =
     isthmus::PieceOf(outInfo, isthmus::ExtentOf(outInfo, Pipeline::UPDATE_EXTENT()));
   isthmus::Extent extent{};
   image->GetExtent(extent.data());
-  const bool split = Pipeline::GetUpdateNumberOfPieces(outInfo) <= 1 ||
+  const bool split = allHere || Pipeline::GetUpdateNumberOfPieces(outInfo) <= 1 ||
     image->GetPointGhostArray() || image->GetCellGhostArray();
   if (split && isthmus::Contains(extent, piece))
   {
@@ -103,6 +173,7 @@ isthmus::CurvatureSelection SelectionOf(vtkHessianCurvature* filter)
   selection.Direction1 = filter->GetGeneratePrincipalDirection1() != 0;
   selection.Direction2 = filter->GetGeneratePrincipalDirection2() != 0;
   selection.SurfaceType = filter->GetGenerateSurfaceType() != 0;
+  selection.Error = filter->GetAutomaticScale();
   return selection;
 }
 
@@ -113,6 +184,27 @@ vtkHessianCurvature::vtkHessianCurvature()
   this->SetNumberOfInputPorts(2);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+void vtkHessianCurvature::SetAutomaticScale(bool automatic)
+{
+  this->AutomaticScaleGiven = true;
+  if (this->AutomaticScale != automatic)
+  {
+    this->AutomaticScale = automatic;
+    this->Modified();
+  }
+}
+
+void vtkHessianCurvature::SetScale(double scale)
+{
+  const bool automatic = this->AutomaticScale && this->AutomaticScaleGiven;
+  if (this->Scale != scale || this->AutomaticScale != automatic)
+  {
+    this->Scale = scale;
+    this->AutomaticScale = automatic;
+    this->Modified();
+  }
 }
 
 int vtkHessianCurvature::FillInputPortInformation(int port, vtkInformation* info)
@@ -158,7 +250,13 @@ int vtkHessianCurvature::RequestUpdateExtent(
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   vtkInformation* imageInfo = inputVector[0]->GetInformationObject(0);
   const bool atPoints = inputVector[1]->GetNumberOfInformationObjects() > 0;
-  const std::array<int, 3> reach = ReachOf(this->Accuracy, this->Scale, atPoints, imageInfo);
+  // Pieces that one process asks for one after the other have the scale of the whole.
+  if (this->AutomaticScale && isthmus::NumberOfRanks() == 1)
+  {
+    isthmus::RequestWholeExtent(imageInfo);
+    return 1;
+  }
+  const std::array<int, 3> reach = ReachOf(this, atPoints, imageInfo);
   const isthmus::Extent whole = isthmus::ExtentOf(imageInfo, Pipeline::WHOLE_EXTENT());
   const isthmus::Extent wanted = atPoints
     ? whole
@@ -182,15 +280,15 @@ bool vtkHessianCurvature::NeedsLargerExtent(vtkInformation* request, vtkInformat
   // Points have no extent of their own; usually they lie in their rank's part of the image.
   const isthmus::Extent piece = isthmus::PieceOf(
     outInfo, pointsInfo ? whole : isthmus::ExtentOf(outInfo, Pipeline::UPDATE_EXTENT()));
+  const bool together = ChoosesWithOtherRanks(this);
   if (this->MoreLayers > 0 || Pipeline::GetUpdateNumberOfPieces(outInfo) <= 1 ||
-    isthmus::IsEmpty(piece))
+    (isthmus::IsEmpty(piece) && !together))
   {
     request->Remove(Pipeline::CONTINUE_EXECUTING());
     this->MoreLayers = 0;
     return false;
   }
-  const std::array<int, 3> reach =
-    ReachOf(this->Accuracy, this->Scale, pointsInfo != nullptr, imageInfo);
+  const std::array<int, 3> reach = ReachOf(this, pointsInfo != nullptr, imageInfo);
   isthmus::Extent needed = isthmus::Grown(piece, reach, whole);
   if (pointsInfo)
   {
@@ -201,11 +299,18 @@ bool vtkHessianCurvature::NeedsLargerExtent(vtkInformation* request, vtkInformat
   }
   isthmus::Extent delivered{};
   image->GetExtent(delivered.data());
-  if (isthmus::Contains(delivered, needed))
+  double layers = isthmus::Contains(delivered, needed)
+    ? 0.0
+    : std::max(1, isthmus::LayersBetween(piece, needed)); // once is enough
+  if (together)
+  {
+    MaximumOfRanks(&layers, 1); // all ranks run again if one has to
+  }
+  if (!(layers > 0.0))
   {
     return false;
   }
-  this->MoreLayers = std::max(1, isthmus::LayersBetween(piece, needed)); // once is enough
+  this->MoreLayers = static_cast<int>(layers);
   request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
   return true;
 }
@@ -240,34 +345,78 @@ void vtkHessianCurvature::WarnIfThin(const int whole[6], bool atPoints)
   }
 }
 
-void vtkHessianCurvature::AddCurvature(
-  vtkImageData* image, vtkDataArray* scalars, vtkPoints* points, vtkDataSet* output)
+isthmus::CurvatureScale vtkHessianCurvature::ChosenScale(
+  vtkImageData* image, vtkDataArray* scalars, vtkInformation* imageInfo)
 {
-  isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
-  vtkSmartPointer<vtkDataArray> values = scalars;
-  if (this->Scale > 0.0)
+  isthmus::CurvatureScale scale;
+  scale.Scale = this->Scale;
+  if (!this->AutomaticScale)
   {
-    constexpr double smoothingShare = 0.7;
-    values = isthmus::SmoothAtScale(
-      image, scalars, this->Scale, isthmus::Between(progress, 0.0, smoothingShare));
-    progress = isthmus::Between(progress, smoothingShare, 1.0);
+    return scale;
   }
+  const bool together = ChoosesWithOtherRanks(this);
+  isthmus::Extent whole = isthmus::ExtentOf(imageInfo, Pipeline::WHOLE_EXTENT());
+  std::array<double, 3> spacing{ 1.0, 1.0, 1.0 };
+  image->GetSpacing(spacing.data());
+  if (together)
+  {
+    ShareGeometry(whole, spacing);
+  }
+  // A rank that stopped would leave the others waiting.
+  return isthmus::ChooseScaleOfImage(image, scalars, whole, spacing.data(), this->Accuracy,
+    together ? isthmus::MaximumOverRanks(MaximumOfRanks) : isthmus::MaximumOverRanks{},
+    together ? isthmus::ProgressCallback{}
+             : isthmus::Between(isthmus::ProgressOf(this), 0.0, choiceShare));
+}
+
+void vtkHessianCurvature::AddCurvature(vtkImageData* image, vtkDataArray* scalars,
+  vtkPoints* points, const isthmus::CurvatureScale& scale, vtkDataSet* output)
+{
+  const isthmus::ProgressCallback progress = isthmus::ProgressOf(this);
+  double done = this->AutomaticScale ? choiceShare : 0.0;
+  const auto step = [&](double share)
+  {
+    const double from = done;
+    done = std::min(1.0, done + share);
+    return isthmus::Between(progress, from, done);
+  };
+  const auto smoothed = [&](double deviation, double share)
+  {
+    return deviation > 0.0 ? isthmus::SmoothAtScale(image, scalars, deviation, step(share))
+                           : vtkSmartPointer<vtkDataArray>(scalars);
+  };
+  const double remaining = 1.0 - done;
+  const double smoothing = scale.Scale > 0.0 ? 0.7 : 0.0;
+  const double first = this->AutomaticScale ? 0.4 * remaining : remaining;
+  const isthmus::CurvatureSelection selection = SelectionOf(this);
+  isthmus::Extent box{};
+  if (vtkImageData* nodes = vtkImageData::SafeDownCast(output))
+  {
+    nodes->GetExtent(box.data());
+  }
+  vtkSmartPointer<vtkDataArray> values = smoothed(scale.Scale, smoothing * first);
   if (points)
   {
     isthmus::AddCurvatureAtPoints(
-      image, values, points, OptionsOf(this), SelectionOf(this), output, progress);
-    // What a view colours by, and the next filter takes, unless told otherwise.
-    if (this->GenerateMeanCurvature)
-    {
-      output->GetPointData()->SetActiveScalars("MeanCurvature");
-    }
+      image, values, points, OptionsOf(this), selection, output, step((1.0 - smoothing) * first));
   }
   else
   {
-    isthmus::Extent box{};
-    vtkImageData::SafeDownCast(output)->GetExtent(box.data());
     isthmus::AddCurvatureAtNodes(
-      image, values, box, OptionsOf(this), SelectionOf(this), output, progress);
+      image, values, box, OptionsOf(this), selection, output, step((1.0 - smoothing) * first));
+  }
+  if (this->AutomaticScale)
+  {
+    const isthmus::HessianCurvatureOptions options = OptionsOf(this);
+    isthmus::AddReferenceCurvature(image, values, box, points, options, output, step(0.1));
+    values = nullptr; // its memory serves the next
+    values = smoothed(scale.NextScale, 0.7 * (remaining - first));
+    isthmus::AddErrors(image, values, box, points, options, selection, scale, output, step(1.0));
+  }
+  if (points && this->GenerateMeanCurvature)
+  {
+    // What a view colours by, and the next filter takes, unless told otherwise.
+    output->GetPointData()->SetActiveScalars("MeanCurvature");
   }
 }
 
@@ -287,37 +436,65 @@ int vtkHessianCurvature::RequestData(
     {
       this->CheckParameters();
       vtkImageData* image = vtkImageData::GetData(imageInfo);
+      vtkDataArray* scalars = nullptr;
       vtkPoints* points = nullptr;
-      if (pointsInfo)
+      const auto prepare = [&]()
       {
-        vtkPolyData* surface = vtkPolyData::GetData(pointsInfo);
-        isthmus::RequirePlaces(surface, "the surface");
-        output->ShallowCopy(surface);
-        points = surface->GetPoints();
+        if (pointsInfo)
+        {
+          vtkPolyData* surface = vtkPolyData::GetData(pointsInfo);
+          isthmus::RequirePlaces(surface, "the surface");
+          output->ShallowCopy(surface);
+          points = surface->GetPoints();
+        }
+        else
+        {
+          output->ShallowCopy(image);
+          CropToPiece(vtkImageData::SafeDownCast(output), outInfo,
+            this->AutomaticScale && isthmus::NumberOfRanks() == 1);
+        }
+        if (image->GetNumberOfPoints() == 0 && output->GetNumberOfPoints() > 0)
+        {
+          throw std::invalid_argument("The image is empty, so the surface gets no curvature: give "
+                                      "the volume that the surface was taken from.");
+        }
+        if (image->GetNumberOfPoints() > 0 &&
+          (output->GetNumberOfPoints() > 0 || ChoosesWithOtherRanks(this)))
+        {
+          isthmus::RequireImageGeometry(image);
+          const int* whole = imageInfo->Get(Pipeline::WHOLE_EXTENT());
+          isthmus::CheckScale(this->Scale, image->GetSpacing(),
+            { std::int64_t(whole[1]) - whole[0] + 1, std::int64_t(whole[3]) - whole[2] + 1,
+              std::int64_t(whole[5]) - whole[4] + 1 });
+          scalars = isthmus::ChosenScalars(this, image);
+          this->WarnIfThin(whole, points != nullptr);
+        }
+      };
+      std::exception_ptr failure;
+      try
+      {
+        prepare();
       }
-      else
+      catch (const std::exception&)
       {
-        output->ShallowCopy(image);
-        CropToPiece(vtkImageData::SafeDownCast(output), outInfo);
+        failure = std::current_exception(); // the other ranks wait for this one's share
+        scalars = nullptr;
+      }
+      isthmus::CurvatureScale scale;
+      if (scalars || ChoosesWithOtherRanks(this))
+      {
+        scale = this->ChosenScale(image, scalars, imageInfo);
+      }
+      if (failure)
+      {
+        std::rethrow_exception(failure);
       }
       if (output->GetNumberOfPoints() == 0)
       {
         isthmus::AddNoCurvature(SelectionOf(this), output);
         return;
       }
-      if (image->GetNumberOfPoints() == 0)
-      {
-        throw std::invalid_argument("The image is empty, so the surface gets no curvature: give "
-                                    "the volume that the surface was taken from.");
-      }
-      isthmus::RequireImageGeometry(image);
-      const int* whole = imageInfo->Get(Pipeline::WHOLE_EXTENT());
-      isthmus::CheckScale(this->Scale, image->GetSpacing(),
-        { std::int64_t(whole[1]) - whole[0] + 1, std::int64_t(whole[3]) - whole[2] + 1,
-          std::int64_t(whole[5]) - whole[4] + 1 });
-      vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
-      this->WarnIfThin(whole, points != nullptr);
-      this->AddCurvature(image, scalars, points, output);
+      this->AddCurvature(image, scalars, points, scale, output);
     });
 }
 
@@ -326,6 +503,7 @@ void vtkHessianCurvature::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Accuracy: " << this->Accuracy << "\n"
      << indent << "InsideIsHigher: " << this->InsideIsHigher << "\n"
+     << indent << "AutomaticScale: " << this->AutomaticScale << "\n"
      << indent << "Scale: " << this->Scale << "\n"
      << indent << "ShapeIndexConvention: " << this->ShapeIndexConvention << "\n";
   this->PrintCurvatureArrays(os, indent);

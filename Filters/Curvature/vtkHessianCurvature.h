@@ -13,8 +13,12 @@
  * `MinimumCurvature` (kappa_2), `Curvedness` (1/length), `ShapeIndex` (in [-1, 1]); off by default
  * `PrincipalDirection1`, `PrincipalDirection2` (unit vectors in world axes, tangent to the level
  * set; their sign means nothing) and `SurfaceType` (unsigned char; names below and in the field
- * array `SurfaceTypeNames`). Lengths are in the image's unit, angstrom for molecular maps. All
- * other arrays of the input are kept; on a surface MeanCurvature becomes the active scalars.
+ * array `SurfaceTypeNames`). With AutomaticScale also `CurvatureScale`, the standard deviation of
+ * the Gaussian that smoothed the scalars (the same everywhere; 0 for none), and `CurvatureError`,
+ * the standard error of the mean curvature (1/length, bias included; 0 where CurvatureValid is 0),
+ * each as estimated from the image alone (CurvatureScale.h). Lengths are in the image's unit,
+ * angstrom for molecular maps. All other arrays of the input are kept; on a surface MeanCurvature
+ * becomes the active scalars.
  *
  * **Validity.** `CurvatureValid` is 1 where the values mean something. It is 0, and with it all
  * values, where the stencil leaves the grid (the outer 1 or 2 layers of nodes for Accuracy 2 or 4,
@@ -33,7 +37,8 @@
  * matrix.
  *
  * **Ranks and threads.** Ghost layers are requested as needed, so any number of MPI ranks gives the
- * same values to rounding. With input 1, a rank asks for its piece of the image, and in a second
+ * same values to rounding, with AutomaticScale bit by bit; on one rank AutomaticScale requests the
+ * whole image. With input 1, a rank asks for its piece of the image, and in a second
  * pass for more if its points lie elsewhere. Results do not depend on the number of threads.
  *
  * **Errors** (one message, empty output): no scalars, several components, cell data, Accuracy other
@@ -42,8 +47,9 @@
  * than the image are an error or a warning (InputOverlap.h).
  *
  * **Cost.** O(nodes) or O(points). No memory beyond the output and a few rows for each thread,
- * unless Scale is on: then one or two copies of the scalars, and time that grows with Scale /
- * spacing.
+ * unless the scalars are smoothed: then one or two copies of the scalars, and time that grows with
+ * the scale / spacing. AutomaticScale adds about a second, whatever the size of the image, and the
+ * time of a second smoothing.
  */
 #ifndef vtkHessianCurvature_h
 #define vtkHessianCurvature_h
@@ -55,6 +61,11 @@
 class vtkDataArray;
 class vtkImageData;
 class vtkPoints;
+
+namespace isthmus
+{
+struct CurvatureScale;
+}
 
 class VTKISTHMUSFILTERSCURVATURE_EXPORT vtkHessianCurvature : public vtkDataSetAlgorithm
 {
@@ -89,11 +100,23 @@ public:
 
   ///@{
   /**
-   * Standard deviation of a Gaussian that smooths the scalars first, in the unit of the spacing
-   * (angstrom); the kernel is cut at 4 standard deviations. Default 0: no smoothing. Choose about
-   * the size of the smallest feature to be distinguished from noise.
+   * Whether to choose the scale of the smoothing by the estimated error of the curvature (the
+   * default) or to use Scale. SetScale switches it off unless it was set before: programs that were
+   * written for fixed scales keep their results.
    */
-  vtkSetMacro(Scale, double);
+  virtual void SetAutomaticScale(bool automatic);
+  vtkGetMacro(AutomaticScale, bool);
+  vtkBooleanMacro(AutomaticScale, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Standard deviation of a Gaussian that smooths the scalars first, in the unit of the spacing
+   * (angstrom); the kernel is cut at 4 standard deviations. Default 0: no smoothing. Used if
+   * AutomaticScale is off. Choose about the size of the smallest feature to be distinguished from
+   * noise.
+   */
+  virtual void SetScale(double scale);
   vtkGetMacro(Scale, double);
   ///@}
 
@@ -128,6 +151,7 @@ protected:
   int Accuracy = 2;
   bool InsideIsHigher = true;
   double Scale = 0.0;
+  bool AutomaticScale = true;
   int ShapeIndexConvention = Thesis;
 
 private:
@@ -136,13 +160,16 @@ private:
 
   void CheckParameters();
   void WarnIfThin(const int whole[6], bool atPoints);
-  void AddCurvature(
-    vtkImageData* image, vtkDataArray* scalars, vtkPoints* points, vtkDataSet* output);
+  void AddCurvature(vtkImageData* image, vtkDataArray* scalars, vtkPoints* points,
+    const isthmus::CurvatureScale& scale, vtkDataSet* output);
+  isthmus::CurvatureScale ChosenScale(
+    vtkImageData* image, vtkDataArray* scalars, vtkInformation* imageInfo);
   bool NeedsLargerExtent(vtkInformation* request, vtkInformation* imageInfo,
     vtkInformation* pointsInfo, vtkInformation* outInfo);
 
   // Ghost layers to ask for in a second pass, after the first brought too little of the image.
   int MoreLayers = 0;
+  bool AutomaticScaleGiven = false;
 };
 
 #endif

@@ -85,6 +85,7 @@ void AtNodes(benchmark::State& state)
   vtkNew<vtkHessianCurvature> filter;
   filter->SetInputData(Map());
   filter->SetAccuracy(static_cast<int>(state.range(0)));
+  filter->AutomaticScaleOff();
   Time(state, filter, Map()->GetNumberOfPoints(), 29.0);
 }
 
@@ -95,6 +96,7 @@ void AtPoints(benchmark::State& state)
   filter->SetInputData(0, Map());
   filter->SetInputData(1, Isosurface());
   filter->SetAccuracy(static_cast<int>(state.range(0)));
+  filter->AutomaticScaleOff();
   Time(state, filter, Isosurface()->GetNumberOfPoints(), 37.0);
 }
 

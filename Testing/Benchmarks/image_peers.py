@@ -89,7 +89,7 @@ def filter_trials(noisy, smooth):
         "high-pass": ours("vtkDiffusionHighPass", noisy),
         "two Gaussians": Peer("scipy.ndimage", "python3-scipy",
                               lambda m: m.gaussian_filter(noisy, 1.0) - m.gaussian_filter(noisy, 3.0)),
-        "curvature": ours("vtkHessianCurvature", smooth),
+        "curvature": ours("vtkHessianCurvature", smooth, AutomaticScale=False),
         "Hessian eigenvalues": Peer("skimage.feature", "python3-skimage",
                                     lambda m: hessian_eigenvalues(m, smooth)),
         "surface": ours("vtkMapSurface", smooth, AutomaticLevel=False, Level=LEVEL),

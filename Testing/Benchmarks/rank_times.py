@@ -27,6 +27,8 @@ def filter_times(name, nodes, rank, ranks, controller):
     source = vtkRTAnalyticSource()
     source.SetWholeExtent(0, nodes - 1, 0, nodes - 1, 0, nodes - 1)
     algorithm = getattr(isthmus, FILTERS[name])()
+    if name == "curvature":
+        algorithm.AutomaticScaleOff()
     algorithm.SetInputConnection(source.GetOutputPort())
     algorithm.UpdatePiece(rank, ranks, 0)
     walls, processors = [], []

@@ -195,7 +195,9 @@ void TellOfMap(const std::string& path)
   map->SetFileName(path.c_str());
   Tell("EMD-1832: map", map);
   TellOf<vtkHighOrderDiffusion>("EMD-1832: high-order diffusion", map);
-  TellOf<vtkHessianCurvature>("EMD-1832: curvature", map);
+  TellOf<vtkHessianCurvature>(
+    "EMD-1832: curvature", map, [](vtkHessianCurvature* filter) { filter->AutomaticScaleOff(); });
+  TellOf<vtkHessianCurvature>("EMD-1832: curvature, automatic scale", map);
   TellOf<vtkMapSurface>("EMD-1832: surface", map);
   TellOf<vtkScalarPersistence>("EMD-1832: persistence", map);
 }

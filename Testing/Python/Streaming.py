@@ -30,8 +30,9 @@ def source():
 def filters():
     """Name, filter, its arrays, and how many nodes more than an extent it asks for: None for all."""
     for accuracy, reach in ((2, 1), (4, 2)):
-        yield (f"curvature {accuracy}", made("vtkHessianCurvature", Accuracy=accuracy),
+        yield (f"curvature {accuracy}", made("vtkHessianCurvature", Accuracy=accuracy, AutomaticScale=False),
                ["MeanCurvature", "GaussianCurvature", "CurvatureValid"], reach)
+    yield "curvature, automatic scale", made("vtkHessianCurvature"), ["MeanCurvature", "CurvatureError"], None
     yield "denoise", made("vtkHighOrderDiffusion"), ["RTData"], None
     yield "denoise, order 1", made("vtkHighOrderDiffusion", Automatic=False, Order=1, Time=1.0), ["RTData"], None
     yield "high-pass", made("vtkDiffusionHighPass"), ["HighPass"], None

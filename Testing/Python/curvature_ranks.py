@@ -11,6 +11,7 @@ from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
+AUTOMATIC = -1.0  # instead of a scale
 ARRAYS = ("GaussianCurvature", "MeanCurvature", "MaximumCurvature", "MinimumCurvature",
           "ShapeIndex", "Curvedness", "SurfaceType", "CurvatureValid")
 
@@ -20,7 +21,8 @@ def save_part(folder, case, filter_proxy):
     part = f"{controller.GetNumberOfProcesses()}.{controller.GetLocalProcessId()}"
     data = filter_proxy.GetClientSideObject().GetOutputDataObject(0)
     positions = [data.GetPoint(i) for i in range(data.GetNumberOfPoints())]
-    arrays = {name: vtk_to_numpy(data.GetPointData().GetArray(name)) for name in ARRAYS}
+    names = ARRAYS + (("CurvatureScale", "CurvatureError") if filter_proxy.AutomaticScale else ())
+    arrays = {name: vtk_to_numpy(data.GetPointData().GetArray(name)) for name in names}
     numpy.savez(folder / f"{case}.{part}.npz",
                 positions=numpy.array(positions).reshape(-1, 3), **arrays)
 
@@ -35,11 +37,11 @@ def main(folder):
     sphere = simple.Sphere(Radius=7.5, Center=[0.2, 0.1, 3.0], ThetaResolution=40)
     surfaces = {"nodes": {}, "contour": {"Surface": contour}, "sphere": {"Surface": sphere}}
     for accuracy in (2, 4):
-        for scale in (0.0, 1.2):
+        for scale in (0.0, 1.2, AUTOMATIC):
             for name, surface in surfaces.items():
                 curvature = simple.HessianCurvature(
-                    Input=field, Scalars=["POINTS", "Field"], Accuracy=accuracy, Scale=scale,
-                    SurfaceType=1, **surface)
+                    Input=field, Scalars=["POINTS", "Field"], Accuracy=accuracy, SurfaceType=1,
+                    AutomaticScale=scale == AUTOMATIC, Scale=max(scale, 0.0), **surface)
                 curvature.UpdatePipeline()
                 save_part(folder, f"{name}_{accuracy}_{scale}", curvature)
 

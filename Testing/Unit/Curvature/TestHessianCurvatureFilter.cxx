@@ -109,6 +109,7 @@ TEST(HessianCurvatureFilter, EachArrayCanBeSwitched)
 {
   vtkNew<vtkHessianCurvature> filter;
   filter->SetInputData(SampledImage(Block(), Ellipsoids));
+  filter->AutomaticScaleOff();
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 1 + 6 + 1);
   filter->GenerateGaussianCurvatureOff();
@@ -194,7 +195,7 @@ TEST(HessianCurvatureFilter, PrintsItsParameters)
   vtkNew<vtkHessianCurvature> filter;
   std::ostringstream text;
   filter->Print(text);
-  for (const char* name : { "Accuracy: 2", "Scale: 0", "InsideIsHigher: 1",
+  for (const char* name : { "Accuracy: 2", "Scale: 0", "InsideIsHigher: 1", "AutomaticScale: 1",
          "ShapeIndexConvention: 0", "GenerateSurfaceType: 0", "MeanTolerance: 0.001" })
   {
     EXPECT_NE(text.str().find(name), std::string::npos) << name;

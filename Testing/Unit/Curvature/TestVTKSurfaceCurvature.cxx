@@ -250,6 +250,7 @@ TEST(vtkSurfaceCurvature, NamesSignsAndTypesAreThoseOfTheHessian)
   vtkNew<vtkHessianCurvature> hessian;
   hessian->SetInputData(0, DistanceImage(60));
   hessian->SetInputData(1, ToPolyData(Icosphere(8, 1.0)));
+  hessian->AutomaticScaleOff(); // its arrays of scale and error have no counterpart
   hessian->InsideIsHigherOff();
   hessian->GenerateSurfaceTypeOn();
   hessian->GeneratePrincipalDirection1On();

@@ -1,0 +1,98 @@
+/**
+ * @file GaussianDerivative.h
+ * @brief Derivatives of a grid that a Gaussian has smoothed, at single nodes, without smoothing the
+ * rest of it; and the same for noise: covariances of these derivatives.
+ *
+ * The derivatives are those of FiniteDifference.h on the values of GaussianSmoothing.h (kernel cut
+ * at 4 standard deviations and renormalised at the border), written as one sum over the nodes
+ * around. Reference derivatives are central differences of the next order of the same smoothed
+ * values: the difference of both is the error of the filter's differences.
+ */
+#ifndef isthmus_GaussianDerivative_h
+#define isthmus_GaussianDerivative_h
+
+#include "Core/GridView.h"
+#include "vtkIsthmusFiltersCurvatureModule.h" // for the export macro
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace isthmus
+{
+
+/// The nodes of a whole grid that are at hand: all of them, or those of one rank.
+template <typename T>
+struct GridPart
+{
+  GridView<const T> Values;
+  std::array<std::int64_t, 3> First{ 0, 0, 0 }; ///< place of the first one in the whole grid
+  std::array<std::int64_t, 3> Whole{ 0, 0, 0 }; ///< nodes of the whole grid
+};
+
+/// Value, gradient (x, y, z) and Hessian matrix (xx, yy, zz, xy, xz, yz), per length of the
+/// spacing.
+struct NodeDerivatives
+{
+  double Value = 0.0;
+  std::array<double, 3> Gradient{};
+  std::array<double, 6> Hessian{};
+};
+
+/// The radius of the widest difference: nodes nearer to the border of the whole grid have none.
+constexpr int DifferenceReach = 3;
+
+/// The order of reference derivatives.
+int ReferenceAccuracy(int accuracy);
+
+/// Standard deviations at which kernels are cut.
+constexpr double GaussianCutOff = 4.0;
+
+/**
+ * Derivatives at a node of the whole grid, after smoothing with standard deviation `scale` (unit of
+ * the spacing), by differences of order `accuracy` (2 or 4) into `filter` and of the next order
+ * into `reference`. False, and nothing is written, if the nodes needed are not all at hand.
+ *
+ * The result does not depend on what else is at hand. O((scale / spacing)^3), about 5
+ * multiplications for each node within reach.
+ * @pre the node has DifferenceReach nodes of the whole grid on each side
+ */
+template <typename T>
+VTKISTHMUSFILTERSCURVATURE_EXPORT bool DifferentiateSmoothed(const GridPart<T>& part,
+  const std::array<std::int64_t, 3>& node, double scale, int accuracy, NodeDerivatives& filter,
+  NodeDerivatives& reference);
+
+/// Value and gradient only, by differences of second order: a third of the time.
+template <typename T>
+VTKISTHMUSFILTERSCURVATURE_EXPORT bool GradientSmoothed(const GridPart<T>& part,
+  const std::array<std::int64_t, 3>& node, double scale, NodeDerivatives& gradient);
+
+/// A smoothing scale and an order of the differences: what turns values into derivatives.
+struct DerivativeFilter
+{
+  double Scale = 0.0;
+  int Accuracy = 2;
+};
+
+/// Stationary noise: white noise, smoothed by a Gaussian of standard deviation Correlation (unit of
+/// the spacing; 0 for white noise), so that its standard deviation is Deviation.
+struct CorrelatedNoise
+{
+  double Deviation = 0.0;
+  double Correlation = 0.0;
+};
+
+/// Covariances of the derivatives that two filters make of the same noise, averaged over the axes.
+struct NoiseCovariance
+{
+  double Laplacian = 0.0; ///< of the sum of the second derivatives along two axes
+  double Gradient = 0.0;  ///< of the derivative along an axis
+};
+
+VTKISTHMUSFILTERSCURVATURE_EXPORT NoiseCovariance CovarianceOfDerivatives(
+  const CorrelatedNoise& noise, const DerivativeFilter& one, const DerivativeFilter& other,
+  const std::array<double, 3>& spacing);
+
+}
+
+#endif

@@ -1,0 +1,364 @@
+// The automatic scale: its kernels, the noise it measures, what it chooses, and the errors it
+// states.
+
+#include "Curvature/CurvatureScale.h"
+#include "Curvature/FiniteDifference.h"
+#include "Curvature/GaussianSmoothing.h"
+#include "FieldImage.h"
+#include "vtkHessianCurvature.h"
+
+#include <vtkDataArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkSMPTools.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+using namespace isthmus;
+using namespace isthmus::testing;
+
+namespace
+{
+
+GridPart<float> PartOf(vtkImageData* image)
+{
+  GridPart<float> part;
+  auto* values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
+  part.Values.Data = values->GetPointer(0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto index = static_cast<std::size_t>(axis);
+    part.Whole[index] = part.Values.Dimensions[index] = image->GetDimensions()[axis];
+    part.Values.Spacing[index] = image->GetSpacing()[axis];
+  }
+  return part;
+}
+
+constexpr double radius = 11.0;
+
+/// A ball with an edge of two nodes, in nodes.
+double Ball(double x, double y, double z)
+{
+  return std::tanh((radius - std::sqrt(x * x + y * y + z * z)) / 2.0);
+}
+
+/// The ball on 48^3 nodes, with normal noise, smoothed by a Gaussian of `correlation` nodes.
+vtkSmartPointer<vtkImageData> NoisyBall(double deviation, double correlation, double spacing = 1.0)
+{
+  constexpr int size = 48;
+  const auto unit = CentredCube(size, 0.5 * (size - 1));
+  auto image = SampledImage(unit, Ball, VTK_FLOAT);
+  const auto noise = SampledImage(unit, Ball, VTK_FLOAT);
+  auto* values = vtkFloatArray::SafeDownCast(noise->GetPointData()->GetScalars());
+  std::mt19937 random(7);
+  std::normal_distribution<float> normal;
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    values->SetValue(i, normal(random));
+  }
+  vtkSmartPointer<vtkDataArray> smooth = values;
+  if (correlation > 0.0)
+  {
+    smooth = SmoothAtScale(noise, values, correlation, {});
+  }
+  double square = 0.0;
+  for (vtkIdType i = 0; i < smooth->GetNumberOfTuples(); ++i)
+  {
+    square += std::pow(smooth->GetComponent(i, 0), 2);
+  }
+  const double factor =
+    deviation / std::sqrt(square / static_cast<double>(smooth->GetNumberOfTuples()));
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+  {
+    scalars->SetComponent(i, 0, scalars->GetComponent(i, 0) + factor * smooth->GetComponent(i, 0));
+  }
+  image->SetSpacing(spacing, spacing, spacing);
+  image->SetOrigin(0.0, 0.0, 0.0);
+  return image;
+}
+
+double Wave(double x, double y, double z)
+{
+  return std::sin(0.4 * x + 0.2) * std::cos(0.3 * y) + std::sin(0.5 * z + 0.05 * x * y);
+}
+
+}
+
+TEST(CurvatureScale, DerivativesAtANodeAreThoseOfTheSmoothedGrid)
+{
+  Lattice lattice = CentredCube(20, 10.0);
+  lattice.Spacing = { 1.0, 0.8, 1.3 };
+  const auto image = SampledImage(lattice, Wave, VTK_FLOAT);
+  for (const double scale : { 0.0, 0.9, 1.7 })
+  {
+    for (const int accuracy : { 2, 4 })
+    {
+      vtkSmartPointer<vtkDataArray> smooth = image->GetPointData()->GetScalars();
+      if (scale > 0.0)
+      {
+        smooth = SmoothAtScale(image, smooth, scale, {});
+      }
+      GridView<const float> grid = PartOf(image).Values;
+      grid.Data = vtkFloatArray::SafeDownCast(smooth)->GetPointer(0);
+      for (const std::int64_t i : { 3, 4, 9, 16 }) // 3 and 16: the kernel is cut at the border
+      {
+        DerivativeRows rows;
+        DifferentiateAtNodes(grid, { i, 10, 16 }, 1, accuracy, rows);
+        NodeDerivatives filter, reference;
+        ASSERT_TRUE(
+          DifferentiateSmoothed(PartOf(image), { i, 10, 16 }, scale, accuracy, filter, reference));
+        constexpr double rounding = 2e-6; // of the smoothed floats
+        EXPECT_NEAR(filter.Value, rows.Value[0], rounding);
+        EXPECT_NEAR(filter.Gradient[0], rows.X[0], rounding);
+        EXPECT_NEAR(filter.Gradient[1], rows.Y[0], rounding);
+        EXPECT_NEAR(filter.Gradient[2], rows.Z[0], rounding);
+        EXPECT_NEAR(filter.Hessian[0], rows.XX[0], rounding);
+        EXPECT_NEAR(filter.Hessian[1], rows.YY[0], rounding);
+        EXPECT_NEAR(filter.Hessian[2], rows.ZZ[0], rounding);
+        EXPECT_NEAR(filter.Hessian[3], rows.XY[0], rounding);
+        EXPECT_NEAR(filter.Hessian[4], rows.XZ[0], rounding);
+        EXPECT_NEAR(filter.Hessian[5], rows.YZ[0], rounding);
+        EXPECT_GT(std::abs(reference.Hessian[0] - filter.Hessian[0]), 0.0);
+      }
+    }
+  }
+}
+
+TEST(CurvatureScale, PartOfAGridGivesTheSameDerivatives)
+{
+  const auto image = SampledImage(CentredCube(30, 15.0), Wave, VTK_FLOAT);
+  const GridPart<float> all = PartOf(image);
+  GridPart<float> upper = all; // without the lowest 6 layers
+  upper.First = { 0, 0, 6 };
+  upper.Values.Dimensions[2] -= 6;
+  upper.Values.Data += 6 * all.Values.Dimensions[0] * all.Values.Dimensions[1];
+  NodeDerivatives a, b, reference;
+  ASSERT_TRUE(DifferentiateSmoothed(all, { 12, 7, 20 }, 1.5, 2, a, reference));
+  ASSERT_TRUE(DifferentiateSmoothed(upper, { 12, 7, 20 }, 1.5, 2, b, reference));
+  EXPECT_EQ(a.Hessian, b.Hessian);
+  EXPECT_EQ(a.Gradient, b.Gradient);
+  EXPECT_FALSE(DifferentiateSmoothed(upper, { 12, 7, 12 }, 1.5, 2, b, reference));
+}
+
+TEST(CurvatureScale, CovariancesOfNoise)
+{
+  const std::array<double, 3> spacing{ 1.0, 1.0, 1.0 };
+  const NoiseCovariance raw =
+    CovarianceOfDerivatives({ 2.0, 0.0 }, { 0.0, 2 }, { 0.0, 2 }, spacing);
+  EXPECT_NEAR(raw.Laplacian, 4.0 * 20.0, 1e-12); // 4 neighbours and -4 in the middle
+  EXPECT_NEAR(raw.Gradient, 4.0 * 0.5, 1e-12);
+  // Far from the grid's resolution: those of Gaussians, sigma^2 c^3 / (c^2 + s^2)^(3/2) and so on.
+  const double c = 2.0, s = 3.0, q = c * c + s * s;
+  const NoiseCovariance smooth = CovarianceOfDerivatives({ 1.0, c }, { s, 4 }, { s, 4 }, spacing);
+  const double value = std::pow(c * c / q, 1.5);
+  EXPECT_NEAR(smooth.Gradient, value / (2.0 * q), 0.01 * value / (2.0 * q));
+  EXPECT_NEAR(smooth.Laplacian, value * 2.0 / (q * q), 0.02 * value * 2.0 / (q * q));
+}
+
+TEST(CurvatureScale, NoiseIsMeasuredAndDecidesTheScale)
+{
+  double before = 0.0;
+  for (const double deviation : { 0.01, 0.1, 0.4 })
+  {
+    const CurvatureScale choice = ChooseCurvatureScale(PartOf(NoisyBall(deviation, 0.0)), 2);
+    EXPECT_NEAR(choice.Noise, deviation, 0.15 * deviation);
+    EXPECT_LT(choice.Correlation, 0.5);
+    EXPECT_GE(choice.Scale, before);
+    before = choice.Scale;
+  }
+  EXPECT_GE(before, 2.8);
+  for (const double correlation : { 1.0, 2.0 })
+  {
+    const CurvatureScale choice = ChooseCurvatureScale(PartOf(NoisyBall(0.1, correlation)), 2);
+    EXPECT_NEAR(choice.Correlation, correlation, 0.2 * correlation);
+    EXPECT_NEAR(choice.Noise, 0.1, 0.03);
+  }
+}
+
+TEST(CurvatureScale, UnitsChangeNothing)
+{
+  const auto image = NoisyBall(0.1, 0.0);
+  const auto scaled = NoisyBall(0.1, 0.0, 1e-3);
+  const CurvatureScale one = ChooseCurvatureScale(PartOf(image), 2);
+  const CurvatureScale other = ChooseCurvatureScale(PartOf(scaled), 2);
+  EXPECT_NEAR(other.Scale, 1e-3 * one.Scale, 1e-9); // scales are rounded to floats
+  EXPECT_NEAR(other.Error(0.1 * 1e3, 0.01 * 1e3, 0.3 * 1e3), 1e3 * one.Error(0.1, 0.01, 0.3), 1e-6);
+}
+
+TEST(CurvatureScale, SmoothDataWithoutNoiseStayAsTheyAre)
+{
+  const auto density = [](double x, double y, double z)
+  { return 1.0 / (1.0 + (x * x + 1.2 * y * y + 0.8 * z * z) / 100.0); };
+  const auto image = SampledImage(CentredCube(50, 24.5), density, VTK_FLOAT);
+  EXPECT_EQ(ChooseCurvatureScale(PartOf(image), 2).Scale, 0.0);
+  EXPECT_EQ(ChooseCurvatureScale(PartOf(image), 4).Scale, 0.0);
+}
+
+// Once smoothing has removed the atoms, nothing changes from scale to scale: that is no small bias.
+TEST(CurvatureScale, AtomsAreNotSmoothedAway)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-9.0, 9.0);
+  std::vector<std::array<double, 3>> atoms(150);
+  for (auto& atom : atoms)
+  {
+    atom = { uniform(random), uniform(random), uniform(random) };
+  }
+  const auto density = [&](double x, double y, double z)
+  {
+    double sum = 0.0;
+    for (const auto& atom : atoms)
+    {
+      const double square =
+        std::pow(x - atom[0], 2) + std::pow(y - atom[1], 2) + std::pow(z - atom[2], 2);
+      sum += std::exp(-square / 5.0);
+    }
+    return sum;
+  };
+  const auto image = SampledImage(CentredCube(40, 19.5), density, VTK_FLOAT);
+  EXPECT_LT(ChooseCurvatureScale(PartOf(image), 2).Scale, 0.8);
+  EXPECT_LT(ChooseCurvatureScale(PartOf(image), 4).Scale, 0.8);
+}
+
+// Nodes beside the step of a mask have no gradient, and no infinite share in the estimate.
+TEST(CurvatureScale, MasksAreSmoothed)
+{
+  const auto mask = [](double x, double y, double z) { return Ball(x, y, z) > 0.0 ? 1.0 : 0.0; };
+  const auto image = SampledImage(CentredCube(48, 23.5), mask, VTK_FLOAT);
+  const CurvatureScale choice = ChooseCurvatureScale(PartOf(image), 2);
+  EXPECT_GT(choice.Scale, 1.0);
+  EXPECT_TRUE(std::isfinite(choice.Error(0.1, 0.01, 0.3)));
+}
+
+TEST(CurvatureScale, NothingToEstimate)
+{
+  const auto constant = [](double, double, double) { return 3.0; };
+  for (const int size : { 1, 2, 9, 11, 12, 30 })
+  {
+    const CurvatureScale choice =
+      ChooseCurvatureScale(PartOf(SampledImage(CentredCube(size, 1.0), constant, VTK_FLOAT)), 2);
+    EXPECT_EQ(choice.Scale, 0.0) << size;
+    EXPECT_EQ(choice.Samples, 0) << size;
+  }
+  const auto none = [](double, double, double) { return std::nan(""); };
+  EXPECT_EQ(
+    ChooseCurvatureScale(PartOf(SampledImage(CentredCube(30, 1.0), none, VTK_FLOAT)), 2).Samples,
+    0);
+}
+
+TEST(CurvatureScale, StatedErrorsAreThoseOfTheBall)
+{
+  const auto image = NoisyBall(0.3, 0.0);
+  vtkNew<vtkHessianCurvature> filter;
+  filter->SetInputData(image);
+  filter->Update();
+  vtkDataArray* mean = PointArray(filter->GetOutput(), "MeanCurvature");
+  vtkDataArray* stated = PointArray(filter->GetOutput(), "CurvatureError");
+  vtkDataArray* valid = PointArray(filter->GetOutput(), "CurvatureValid");
+  double square = 0.0, expected = 0.0;
+  int count = 0, within = 0;
+  for (vtkIdType id = 0; id < image->GetNumberOfPoints(); ++id)
+  {
+    double p[3];
+    image->GetPoint(id, p);
+    const double r = std::hypot(std::hypot(p[0] - 23.5, p[1] - 23.5), p[2] - 23.5);
+    if (valid->GetComponent(id, 0) == 0.0)
+    {
+      EXPECT_EQ(stated->GetComponent(id, 0), 0.0);
+    }
+    else if (std::abs(r - radius) < 1.0)
+    {
+      const double error = mean->GetComponent(id, 0) - 1.0 / r;
+      ++count;
+      square += error * error;
+      expected += std::pow(stated->GetComponent(id, 0), 2);
+      within += std::abs(error) <= 2.0 * stated->GetComponent(id, 0) ? 1 : 0;
+    }
+  }
+  EXPECT_LT(std::sqrt(square / count), 0.05 / radius);
+  EXPECT_GT(std::sqrt(expected / square), 0.5);
+  EXPECT_LT(std::sqrt(expected / square), 2.0);
+  EXPECT_GT(within, 0.85 * count);
+}
+
+TEST(CurvatureScale, ResultIsThatOfTheScaleChosenOnAnyNumberOfThreads)
+{
+  const auto image = NoisyBall(0.1, 0.0, 1.5);
+  std::vector<std::vector<double>> results;
+  for (const int threads : { 1, 2, 5 })
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false },
+      [&]()
+      {
+        vtkNew<vtkHessianCurvature> filter;
+        filter->SetInputData(image);
+        filter->Update();
+        results.emplace_back();
+        for (const char* name : { "MeanCurvature", "CurvatureScale", "CurvatureError" })
+        {
+          vtkDataArray* array = PointArray(filter->GetOutput(), name);
+          for (vtkIdType id = 0; id < array->GetNumberOfTuples(); ++id)
+          {
+            results.back().push_back(array->GetComponent(id, 0));
+          }
+        }
+      });
+  }
+  EXPECT_EQ(results[0], results[1]);
+  EXPECT_EQ(results[0], results[2]);
+
+  vtkNew<vtkHessianCurvature> filter;
+  filter->SetInputData(image);
+  filter->Update();
+  const double scale = PointArray(filter->GetOutput(), "CurvatureScale")->GetComponent(0, 0);
+  EXPECT_GT(scale, 1.5);
+  vtkNew<vtkHessianCurvature> fixed;
+  fixed->SetInputData(image);
+  fixed->SetScale(scale);
+  fixed->Update();
+  for (const char* name : { "MeanCurvature", "GaussianCurvature", "CurvatureValid" })
+  {
+    vtkDataArray* one = PointArray(filter->GetOutput(), name);
+    vtkDataArray* other = PointArray(fixed->GetOutput(), name);
+    for (vtkIdType id = 0; id < one->GetNumberOfTuples(); ++id)
+    {
+      ASSERT_NEAR(one->GetComponent(id, 0), other->GetComponent(id, 0),
+        1e-6 * std::abs(one->GetComponent(id, 0)));
+    }
+  }
+  EXPECT_EQ(fixed->GetOutput()->GetPointData()->GetArray("CurvatureError"), nullptr);
+}
+
+TEST(CurvatureScale, SettingAScaleSwitchesItOff)
+{
+  vtkNew<vtkHessianCurvature> filter;
+  EXPECT_TRUE(filter->GetAutomaticScale());
+  filter->SetScale(0.0); // as programs do that were written for fixed scales
+  EXPECT_FALSE(filter->GetAutomaticScale());
+  filter->AutomaticScaleOn();
+  filter->SetScale(2.0);
+  EXPECT_TRUE(filter->GetAutomaticScale());
+  EXPECT_EQ(filter->GetScale(), 2.0);
+  const vtkMTimeType before = filter->GetMTime();
+  filter->AutomaticScaleOn();
+  filter->SetScale(2.0);
+  EXPECT_EQ(filter->GetMTime(), before);
+}
+
+TEST(CurvatureScale, MeanCurvatureNeedNotBeAnOutput)
+{
+  vtkNew<vtkHessianCurvature> filter;
+  filter->SetInputData(NoisyBall(0.1, 0.0));
+  filter->GenerateMeanCurvatureOff();
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("MeanCurvature"), nullptr);
+  EXPECT_GT(PointArray(filter->GetOutput(), "CurvatureError")->GetRange()[1], 0.0);
+}
