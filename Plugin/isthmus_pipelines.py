@@ -100,14 +100,6 @@ def _field_number(source, name):
     return field.GetRange(0)[0] if field else None
 
 
-def _spacing(volume):
-    bounds = look.data_of(volume).GetBounds()
-    extent = look.data_of(volume).GetExtent()
-    steps = [(bounds[2 * a + 1] - bounds[2 * a]) / (extent[2 * a + 1] - extent[2 * a])
-             for a in range(3) if extent[2 * a + 1] > extent[2 * a]]
-    return min((step for step in steps if step > 0.0), default=1.0)
-
-
 def _require_triangles(surface):
     if not look.data_of(surface).GetNumberOfCells():
         raise ValueError(steps.NOTHING["surface"])
@@ -146,13 +138,13 @@ def map_to_surface(source, level=None):
 
 
 def map_to_curvature(source, level=None):
-    """(surface, curvature): the map's surface coloured by the curvature of the map there, smoothed
-    over one and a half nodes."""
+    """(surface, curvature): the map's surface coloured by the curvature of the map there, at the scale
+    that Curvature On Surface chooses by default."""
     _require_volume(source)
     _require_one(source, "map")
     (surface,) = map_to_surface(source, level)
     curvature = _make("map_to_curvature", "curvature", Input=surface, Volume=source,
-                      Scalars=["POINTS", _point_array(source)], Scale=steps.smoothing(_spacing(source)))
+                      Scalars=["POINTS", _point_array(source)])
     curvature.UpdatePipeline()
     if look.range_by_area(curvature, "POINTS", "MeanCurvature") is None:
         raise ValueError(steps.NOTHING["curvature"])

@@ -11,7 +11,6 @@ Step = collections.namedtuple("Step", "label proxy properties")
 DUST = 0.01  # components below that share of the largest one's area are hidden
 DECAY = 1.2  # of the Gaussians of a molecular surface: BindingSites.md tells what it was tuned on
 SPACING = 0.6  # angstrom, of a molecular surface's grid
-SMOOTHING = 1.5  # nodes of the map over which its curvature is smoothed
 
 _SURFACE_OF_A_MAP = Step("Surface", "MapSurface", {"MinimumComponentShare": DUST})
 _CHAINS = Step("Chains", "AtomSelection", {})
@@ -23,7 +22,7 @@ _SURFACE_OF_ATOMS = Step("Molecular surface", "MapSurface",
 PIPELINES = {
     "map_to_surface": {"surface": _SURFACE_OF_A_MAP},
     "map_to_curvature": {"surface": _SURFACE_OF_A_MAP,
-                         "curvature": Step("Curvature", "CurvatureOnSurface", {})},  # and Scale: smoothing()
+                         "curvature": Step("Curvature", "CurvatureOnSurface", {})},
     "map_to_loops": {
         "surface": _SURFACE_OF_A_MAP._replace(properties={"MinimumComponentShare": DUST, "LargestComponents": 10}),
         "loops": Step("Choking loops", "ChokingLoops", {})},
@@ -64,8 +63,3 @@ NO_POCKETS = ("The molecule has no pockets: the sites shown are patches of its s
               "is off).")
 INVERTED = ("The contrast of the map seems to be inverted, so Inside Is Higher was switched off. Switch it on, with an "
             "automatic level, if the density is brighter than the background.")
-
-
-def smoothing(spacing):
-    """Scale of map_to_curvature, in the unit of length, for a map of that smallest spacing."""
-    return SMOOTHING * spacing

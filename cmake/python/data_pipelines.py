@@ -189,8 +189,7 @@ def map_to_curvature(volume, level=None):
     """
     volume = _volume(volume, "map_to_curvature")
     surface = _surface_of_map("map_to_curvature", volume, level)
-    spacing = min((step for step, nodes in zip(volume.GetSpacing(), volume.GetDimensions()) if nodes > 1), default=1.0)
-    curvature = _step("map_to_curvature", "curvature", surface, volume, scale=steps.smoothing(spacing))
+    curvature = _step("map_to_curvature", "curvature", surface, volume)
     values = curvature.GetPointData().GetArray("MeanCurvature")
     if values is None or not any(value == value for value in (values.GetValue(i) for i in range(values.GetNumberOfValues()))):
         raise ValueError(steps.NOTHING["curvature"])
