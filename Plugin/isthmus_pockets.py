@@ -209,12 +209,22 @@ def _colour_by_rank(display, association, view):
     count = display.Input.SMProxy.GetDataInformation(1).GetNumberOfRows()
     table = display.LookupTable
     table.InterpretValuesAsCategories = 1
-    table.Annotations = [str(rank) for rank in range(1, min(count, len(COLOURS)) + 1) for _ in range(2)]
+    names = _names_of(display.Input, min(count, len(COLOURS)))
+    table.Annotations = [word for rank, name in enumerate(names, 1) for word in (str(rank), name)]
     table.IndexedColors = [part for colour in COLOURS[:max(count, 1)] for part in colour]
     table.NanColor = FURTHER
     bar = simple.GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle = "Pockets by rank", ""
+    if any(" " in name for name in names):
+        bar.Title = "Sites by rank (probability)"
     display.SetScalarBarVisibility(view, True)
+
+
+def _names_of(pockets, count):
+    """Ranks of the first pockets, with their probabilities where there are sites."""
+    table = servermanager.Fetch(pockets, idx=FEATURES["MolecularPockets"]["table"])
+    values = [table.GetValueByName(row, "Probability").ToDouble() for row in range(count)]
+    return [str(rank) if value != value else f"{rank} ({value:.2f})" for rank, value in enumerate(values, 1)]
 
 
 def sticks(display, view):

@@ -8,9 +8,13 @@
 #include "Pockets/CellAccessibility.h"
 #include "Pockets/EmptySpace.h"
 #include "Pockets/PocketScore.h"
+#include "Pockets/PocketSites.h"
+#include "Pockets/SiteDescriptors.h"
+#include "Pockets/SiteModel.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <queue>
@@ -191,10 +195,11 @@ std::vector<PocketMouth> Group(
 
 /**
  * Adds to each pocket the triangles wider than `inner` that lead out of it (`labels`: the pocket of
- * each tetrahedron); those that share an edge are one mouth. O(n log n).
+ * each tetrahedron; with `outOfAll`, out of all pockets); those that share an edge are one mouth.
+ * O(n log n).
  */
 void AddMouths(const RegularFiltration& f, const CellAccessibility& access,
-  const PocketByCell& labels, double inner, std::vector<Pocket>& pockets)
+  const PocketByCell& labels, double inner, bool outOfAll, std::vector<Pocket>& pockets)
 {
   HandleVector<PocketNumber, TriangleChain> open(pockets.size());
   const auto pocketOf = [&labels](TetrahedronId cell)
@@ -204,7 +209,8 @@ void AddMouths(const RegularFiltration& f, const CellAccessibility& access,
     const auto sides = f.Complex.TriangleSides(t);
     const PocketNumber a = pocketOf(sides[0]);
     const PocketNumber b = pocketOf(sides[1]);
-    if (a != b && access.TriangleClearance[t] > inner)
+    const bool leads = outOfAll ? a.Exists() != b.Exists() : a != b;
+    if (leads && access.TriangleClearance[t] > inner)
     {
       for (const PocketNumber pocket : { a, b })
       {
@@ -335,7 +341,7 @@ void FillCells(const Space& space, const PocketOptions& options, std::vector<Poc
       const auto& t = c.Tetrahedra[cell];
       pockets[space.Labels[cell].Index()].Cells.push_back({ { t[0], t[1], t[2], t[3] },
         space.Filtration.Centres[cell], space.Access.CellClearance[cell], space.Access.Access[cell],
-        space.Empty[cell].Volume, 0, IsFlat(c, t) });
+        space.Empty[cell].Volume, 0, IsFlat(c, t), 0.0 });
     }
   }
   const PointBins bins(c.Points, 0.5 * options.BurialRadius);
@@ -377,6 +383,170 @@ void FillLining(const Space& space, std::vector<Pocket>& pockets)
       }
     }
   }
+}
+
+/// Atoms by their place in space.
+std::vector<SiteAtom> Sorted(std::vector<SiteAtom> atoms)
+{
+  std::stable_sort(atoms.begin(), atoms.end(),
+    [](const SiteAtom& a, const SiteAtom& b) { return a.Place < b.Place; });
+  return atoms;
+}
+
+/// Fills in SiteProbability, and returns the places; flat tetrahedra are none.
+std::vector<SitePlace> FillSiteProbabilities(
+  const PocketOptions& options, std::vector<Pocket>& pockets)
+{
+  std::vector<PocketCell*> cells;
+  for (Pocket& pocket : pockets)
+  {
+    for (PocketCell& cell : pocket.Cells)
+    {
+      if (!cell.IsFlat)
+      {
+        cells.push_back(&cell);
+      }
+    }
+  }
+  const SiteDescriptorTable table = DescribeSites(
+    Sorted(*options.SiteAtoms), { cells.begin(), cells.end() }, options.KeepDescriptors);
+  const auto width = static_cast<std::int64_t>(SiteDescriptorNames().size());
+  const auto residues = static_cast<std::int64_t>(SiteResidueNames().size());
+  std::vector<SitePlace> places(cells.size());
+  ParallelFor(0, static_cast<std::int64_t>(cells.size()), 64,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (auto i = begin; i < end; ++i)
+      {
+        PocketCell& cell = *cells[static_cast<std::size_t>(i)];
+        SitePlace& place = places[static_cast<std::size_t>(i)];
+        const float* row = table.Descriptors.data() + i * width;
+        cell.SiteProbability = PlaceProbability(row);
+        place.Centre = cell.Centre;
+        place.Probability = cell.SiteProbability;
+        if (options.KeepDescriptors)
+        {
+          place.Descriptors.assign(row, row + width);
+          const float* near = table.Residues.data() + i * residues;
+          place.Descriptors.insert(place.Descriptors.end(), near, near + residues);
+        }
+      }
+    });
+  return places;
+}
+
+/// Where in the pockets a place of the site model is.
+struct CellPlace
+{
+  std::size_t Pocket, Cell;
+  TetrahedronId Tetrahedron;
+};
+
+/// Places of all tetrahedra but flat ones, in the order of the pockets' cells.
+std::vector<CellPlace> PlacesOf(const PocketByCell& labels, const std::vector<Pocket>& pockets)
+{
+  std::vector<std::size_t> next(pockets.size(), 0);
+  std::vector<CellPlace> places;
+  for (const TetrahedronId cell : labels.Keys())
+  {
+    if (labels[cell].Exists())
+    {
+      const std::size_t pocket = labels[cell].Index();
+      const std::size_t k = next[pocket]++;
+      if (!pockets[pocket].Cells[k].IsFlat)
+      {
+        places.push_back({ pocket, k, cell });
+      }
+    }
+  }
+  return places;
+}
+
+/// The likelier tetrahedra of a site: at least a quarter of its likeliest.
+std::vector<std::size_t> LikelyPlaces(
+  const PocketSite& site, const std::vector<double>& probabilities)
+{
+  double most = 0.0;
+  for (const std::size_t i : site.Places)
+  {
+    most = std::max(most, probabilities[i]);
+  }
+  std::vector<std::size_t> likely;
+  std::copy_if(site.Places.begin(), site.Places.end(), std::back_inserter(likely),
+    [&](std::size_t i) { return probabilities[i] >= 0.25 * most; });
+  return likely;
+}
+
+/// The pocket that most of these tetrahedra are part of, if any of them is.
+PocketNumber ParentOf(const std::vector<CellPlace>& places, const PocketByCell& pockets)
+{
+  std::map<PocketNumber, std::size_t> counts;
+  for (const CellPlace& place : places)
+  {
+    if (pockets[place.Tetrahedron].Exists())
+    {
+      ++counts[pockets[place.Tetrahedron]];
+    }
+  }
+  const auto most = std::max_element(
+    counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == counts.end() ? PocketNumber::None() : most->first;
+}
+
+/**
+ * The sites, the likeliest first. `labels`: the region of the site model that each tetrahedron is
+ * in, which `regions` are made of; becomes the site. `pockets`: the pocket of each tetrahedron.
+ * `judged` becomes all places with their probabilities.
+ */
+std::vector<Pocket> DivideIntoSites(const PocketOptions& options, std::vector<Pocket> regions,
+  const PocketByCell& pockets, PocketByCell& labels, std::vector<SitePlace>& judged)
+{
+  judged = FillSiteProbabilities(options, regions);
+  const std::vector<CellPlace> places = PlacesOf(labels, regions);
+  std::vector<Point3> centres;
+  std::vector<double> probabilities;
+  for (const CellPlace& place : places)
+  {
+    const PocketCell& cell = regions[place.Pocket].Cells[place.Cell];
+    centres.push_back(cell.Centre);
+    probabilities.push_back(cell.SiteProbability);
+  }
+  const std::vector<PocketSite> found = FindSites(centres, probabilities);
+  double sum = 0.0;
+  for (const PocketSite& site : found)
+  {
+    sum += site.Density;
+  }
+  std::fill(labels.begin(), labels.end(), PocketNumber::None());
+  std::vector<Pocket> sites;
+  std::map<PocketNumber, std::int64_t> parents;
+  for (const PocketSite& from : found)
+  {
+    Pocket site;
+    std::vector<CellPlace> own;
+    for (const std::size_t i : LikelyPlaces(from, probabilities))
+    {
+      own.push_back(places[i]);
+      labels[places[i].Tetrahedron] = PocketNumber::At(sites.size());
+      site.Cells.push_back(regions[places[i].Pocket].Cells[places[i].Cell]);
+    }
+    if (own.empty())
+    {
+      continue;
+    }
+    const PocketNumber parent = ParentOf(own, pockets);
+    if (parent.Exists())
+    {
+      site.Parent =
+        parents.emplace(parent, static_cast<std::int64_t>(parents.size()) + 1).first->second;
+    }
+    ScorePocket(site);
+    site.Centre = from.Centre;
+    site.Density = from.Density;
+    site.Probability = SiteProbability(from.Density, sum > 0.0 ? from.Density / sum : 0.0);
+    sites.push_back(std::move(site));
+  }
+  return sites;
 }
 
 /// Gives back the numbers that the caller's atoms have.
@@ -446,12 +616,36 @@ PocketResult FindPockets(
   space.Labels = WithCrevices(c, faces, space.Access, options.OuterRadius, space.Cores);
   MeasureWhole(space, result);
   Report(progress, 0.85);
+  const bool sites = options.SiteAtoms && !options.SiteAtoms->empty();
+  const PocketByCell whole = space.Labels;
+  if (sites)
+  {
+    PocketOptions region = options;
+    region.InnerRadius = SiteInnerRadius;
+    region.OuterRadius = SiteOuterRadius;
+    space.Labels =
+      WithCrevices(c, faces, space.Access, SiteOuterRadius, PocketCores(c, space.Access, region));
+  }
   const PocketNumber last = *std::max_element(space.Labels.begin(), space.Labels.end());
   std::vector<Pocket> pockets(last.Exists() ? last.Index() + 1 : 0);
   FillCells(space, options, pockets);
+  if (sites)
+  {
+    pockets = DivideIntoSites(options, std::move(pockets), whole, space.Labels, result.SitePlaces);
+  }
   FillLining(space, pockets);
-  AddMouths(space.Filtration, space.Access, space.Labels, options.InnerRadius, pockets);
+  AddMouths(space.Filtration, space.Access, space.Labels, options.InnerRadius, sites, pockets);
   Report(progress, 0.95);
+  if (sites)
+  {
+    for (Pocket& pocket : pockets)
+    {
+      Renumber(pocket, order);
+    }
+    result.Pockets = std::move(pockets);
+    Report(progress, 1.0);
+    return result;
+  }
   for (Pocket& pocket : pockets)
   {
     ScorePocket(pocket);

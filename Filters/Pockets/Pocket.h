@@ -9,10 +9,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace isthmus
 {
+
+struct SiteAtom;
 
 /// Lengths in angstrom.
 struct PocketOptions
@@ -22,6 +25,11 @@ struct PocketOptions
   double OuterRadius = 3.1; ///< of a ball that does not
   double BurialRadius = 10.0;
   double MinimumVolume = 10.0; ///< angstrom^3; smaller pockets are dropped
+  /// The heavy atoms with what they offer to ligands (SiteDescriptors.h): pockets are then divided
+  /// into sites of a ligand's size, ranked by their probability. Null: whole pockets, ranked by
+  /// Score.
+  const std::vector<SiteAtom>* SiteAtoms = nullptr;
+  bool KeepDescriptors = false; ///< SitePlace::Descriptors
   /// Called with the seconds that the triangulation is going to take (RegularFiltration.h).
   std::function<void(double)> Predicted;
 };
@@ -45,6 +53,7 @@ struct PocketCell
   double Volume = 0.0;     ///< empty; only sums count
   std::int64_t Burial = 0; ///< number of atoms within BurialRadius of Centre
   bool IsFlat = false;     ///< its centre may lie anywhere: at a flat side of the hull, far outside
+  double SiteProbability = 0.0; ///< that a ligand's atom is near its centre
 };
 
 struct LiningAtom
@@ -53,28 +62,41 @@ struct LiningAtom
   double Area; ///< of its surface that faces the pocket
 };
 
+/// A pocket, or one of the sites that it is divided into.
 struct Pocket
 {
   double Score = 0.0;
+  double Probability = std::numeric_limits<double>::quiet_NaN(); ///< of a site: SiteModel.h
+  double Density = std::numeric_limits<double>::quiet_NaN();     ///< of a site: PocketSites.h
+  std::int64_t Parent = 0; ///< of a site: its pocket, from 1 by their best sites' ranks; 0: none
   double Volume = 0.0;
   double Area = 0.0;
-  double Radius = 0.0; ///< the largest clearance
-  double Access = 0.0; ///< the largest access radius
-  Point3 Centre{ 0.0, 0.0, 0.0 };
+  double Radius = 0.0;            ///< the largest clearance
+  double Access = 0.0;            ///< the largest access radius
+  Point3 Centre{ 0.0, 0.0, 0.0 }; ///< of a site: the mode of its density
   std::vector<PocketCell> Cells;
   std::vector<PocketMouth> Mouths; ///< the widest first; none: a void
   std::vector<LiningAtom> Lining;  ///< in the order of the atoms
 };
 
+/// A place that the site model has judged.
+struct SitePlace
+{
+  Point3 Centre{ 0.0, 0.0, 0.0 };
+  double Probability = 0.0;       ///< that a ligand's atom is within 3 angstrom
+  std::vector<float> Descriptors; ///< that it was computed from, if kept
+};
+
 struct PocketResult
 {
-  std::vector<Pocket> Pockets; ///< the best first
-  double UnionVolume = 0.0;    ///< of all atoms enlarged by the probe
-  double UnionArea = 0.0;      ///< accessible surface of all atoms
-  double PocketVolume = 0.0;   ///< of all pockets, also those dropped as too small
-  double RestVolume = 0.0;     ///< empty volume of the convex hull outside of all pockets
-  double HullVolume = 0.0;     ///< of the tetrahedra in all
-  double FullVolume = 0.0;     ///< of the hull, inside of the enlarged atoms
+  std::vector<Pocket> Pockets;       ///< or sites; the best first
+  std::vector<SitePlace> SitePlaces; ///< all of them, where there are sites
+  double UnionVolume = 0.0;          ///< of all atoms enlarged by the probe
+  double UnionArea = 0.0;            ///< accessible surface of all atoms
+  double PocketVolume = 0.0;         ///< of all pockets, also those dropped as too small
+  double RestVolume = 0.0;           ///< empty volume of the convex hull outside of all pockets
+  double HullVolume = 0.0;           ///< of the tetrahedra in all
+  double FullVolume = 0.0;           ///< of the hull, inside of the enlarged atoms
 };
 
 }

@@ -2,12 +2,15 @@
 
 #include "Core/ArrayMemory.h"
 #include "Core/NamedColumns.h"
+#include "Core/PolyDataTriangles.h"
 #include "Pockets/LiningResidues.h"
+#include "Pockets/SiteDescriptors.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
@@ -102,6 +105,27 @@ vtkIdType NumberOfCells(const PocketReport& report)
   return count;
 }
 
+/// Of the places, if they were kept: with what lines them, for the training.
+vtkSmartPointer<vtkFloatArray> DescriptorsOf(const std::vector<SitePlace>& places)
+{
+  std::vector<std::string> names = SiteDescriptorNames();
+  for (const std::string& residue : SiteResidueNames())
+  {
+    names.push_back("Near " + residue);
+  }
+  auto array = NamedArray<vtkFloatArray>("SiteDescriptors");
+  array->SetNumberOfComponents(static_cast<int>(names.size()));
+  for (std::size_t k = 0; k < names.size(); ++k)
+  {
+    array->SetComponentName(static_cast<vtkIdType>(k), names[k].c_str());
+  }
+  for (const SitePlace& place : places)
+  {
+    array->InsertNextTypedTuple(place.Descriptors.data());
+  }
+  return array;
+}
+
 }
 
 void FillPocketCells(const PocketReport& report, vtkUnstructuredGrid* output)
@@ -113,12 +137,13 @@ void FillPocketCells(const PocketReport& report, vtkUnstructuredGrid* output)
   auto access = NamedArray<vtkDoubleArray>("AccessRadius");
   auto burial = NamedArray<vtkIdTypeArray>("Burial");
   auto volume = NamedArray<vtkDoubleArray>("EmptyVolume");
+  auto probability = NamedArray<vtkDoubleArray>("SiteProbability");
   AtomPointInserter place(report.Atoms, points, ids);
   const vtkIdType count = NumberOfCells(report);
   vtkNew<vtkCellArray> cells;
   ReserveCells(cells, count, 4 * count);
-  for (vtkDataArray* array :
-    std::initializer_list<vtkDataArray*>{ pocketId, clearance, access, burial, volume })
+  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{
+         pocketId, clearance, access, burial, volume, probability })
   {
     ReserveArray(array, count);
   }
@@ -146,6 +171,7 @@ void FillPocketCells(const PocketReport& report, vtkUnstructuredGrid* output)
       access->InsertNextValue(cell.Access);
       burial->InsertNextValue(cell.Burial);
       volume->InsertNextValue(cell.Volume);
+      probability->InsertNextValue(cell.SiteProbability);
     }
   }
   output->SetPoints(points);
@@ -153,7 +179,7 @@ void FillPocketCells(const PocketReport& report, vtkUnstructuredGrid* output)
   output->GetPointData()->AddArray(ids);
   output->GetCellData()->SetScalars(pocketId);
   for (vtkDataArray* array :
-    std::initializer_list<vtkDataArray*>{ clearance, access, burial, volume })
+    std::initializer_list<vtkDataArray*>{ clearance, access, burial, volume, probability })
   {
     output->GetCellData()->AddArray(array);
   }
@@ -186,6 +212,7 @@ void FillPocketTable(const PocketReport& report, vtkTable* output)
     rank->InsertNextValue(NumberOf(i));
   }
   using P = const Pocket&;
+  add("Probability", [](P p, std::size_t) { return p.Probability; });
   add("Score", [](P p, std::size_t) { return p.Score; });
   add("CenterX", [](P p, std::size_t) { return p.Centre[0]; });
   add("CenterY", [](P p, std::size_t) { return p.Centre[1]; });
@@ -210,6 +237,7 @@ void FillPocketTable(const PocketReport& report, vtkTable* output)
   add("ApolarShare", [&](P p, std::size_t) { return PolarShares(p, report.Atoms)[1]; });
   addCount("LiningAtoms", [](P p) { return p.Lining.size(); });
   addCount("Cells", [](P p) { return p.Cells.size(); });
+  addCount("Parent", [](P p) { return p.Parent; });
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const auto mean = [&](std::size_t i, double PocketSurfaceMeans::*member)
   { return report.Means.empty() ? unknown : report.Means[i].*member; };
@@ -295,6 +323,46 @@ void FillLiningResidues(const PocketReport& report, vtkTable* output)
     table.Add(NumberOf(i), LiningResiduesOf(report.Pockets[i].Lining, report.Atoms), report.Atoms);
   }
   table.Fill(output);
+}
+
+void FillSiteSurface(const PocketReport& report, const std::vector<SitePlace>& places,
+  vtkPolyData* surface, vtkPolyData* output)
+{
+  auto probability = NamedArray<vtkDoubleArray>("SiteProbability");
+  if (!surface)
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkCellArray> vertices;
+    for (const SitePlace& place : places)
+    {
+      const vtkIdType id = points->InsertNextPoint(place.Centre.data());
+      vertices->InsertNextCell(1, &id);
+      probability->InsertNextValue(place.Probability);
+    }
+    output->SetPoints(points);
+    output->SetVerts(vertices);
+    output->GetPointData()->SetScalars(probability);
+    if (!places.empty() && !places.front().Descriptors.empty())
+    {
+      output->GetPointData()->AddArray(DescriptorsOf(places));
+    }
+    return;
+  }
+  output->ShallowCopy(surface);
+  const PolyDataTriangles triangles(surface);
+  for (const double value : SiteProbabilities(triangles.View(), places))
+  {
+    probability->InsertNextValue(value);
+  }
+  auto pocketId = NamedArray<vtkIntArray>("PocketId");
+  for (const int label : LabelPocketSurfaces(triangles.View(), report.Pockets))
+  {
+    pocketId->InsertNextValue(label);
+  }
+  output->GetPointData()->AddArray(pocketId);
+  output->GetPointData()->AddArray(probability);
+  output->GetPointData()->SetActiveScalars("SiteProbability");
 }
 
 void FillLiningAtoms(const PocketReport& report, vtkPointSet* input, int shown, vtkPolyData* output)

@@ -31,6 +31,11 @@ void FillMouths(const PocketReport& report, vtkPolyData* output);
 void FillAlphaBalls(const PocketReport& report, vtkPolyData* output);
 void FillLiningResidues(const PocketReport& report, vtkTable* output);
 
+/// The surface with `SiteProbability` and `PocketId` (0: none); without a surface, `places` as
+/// points with `SiteProbability`.
+void FillSiteSurface(const PocketReport& report, const std::vector<SitePlace>& places,
+  vtkPolyData* surface, vtkPolyData* output);
+
 /// All atoms of the residues that line pocket number `shown` (0: any), once for each of their
 /// pockets, with the bonds of the input between them.
 void FillLiningAtoms(

@@ -34,7 +34,7 @@ void ScorePocket(Pocket& pocket)
     weights += weight;
     pocket.Centre = pocket.Centre + weight * cell.Centre;
   }
-  pocket.Centre = (1.0 / weights) * pocket.Centre;
+  pocket.Centre = (weights > 0.0 ? 1.0 / weights : 0.0) * pocket.Centre;
 }
 
 void RankPockets(std::vector<Pocket>& pockets)
@@ -44,7 +44,7 @@ void RankPockets(std::vector<Pocket>& pockets)
 }
 
 void WeightScoresByCurvature(const SurfaceView& surface, const PocketSurfaceFields& fields,
-  std::vector<Pocket>& pockets, std::vector<PocketSurfaceMeans>& means)
+  bool rank, std::vector<Pocket>& pockets, std::vector<PocketSurfaceMeans>& means)
 {
   const PocketSurfaceMeans whole = MeasureWholeSurface(surface, fields);
   means = MeasurePocketSurfaces(surface, fields, pockets);
@@ -52,6 +52,10 @@ void WeightScoresByCurvature(const SurfaceView& surface, const PocketSurfaceFiel
   {
     const double ratio = means[p].Polarized / whole.Polarized;
     pockets[p].Score *= std::isfinite(ratio) ? std::sqrt(ratio) : 1.0;
+  }
+  if (!rank)
+  {
+    return;
   }
   std::vector<std::size_t> order(pockets.size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });

@@ -34,11 +34,11 @@ VTKISTHMUSFILTERSPOCKETS_EXPORT void RankPockets(std::vector<Pocket>& pockets);
 
 /**
  * Multiplies each score by the square root of the pocket's mean polarized curvature over that of
- * the whole surface (1 for a pocket that no surface lines) and ranks again. `means` become those of
- * the pockets, in their new order.
+ * the whole surface (1 for a pocket that no surface lines) and, with `rank`, ranks again. `means`
+ * become those of the pockets, in their new order.
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT void WeightScoresByCurvature(const SurfaceView& surface,
-  const PocketSurfaceFields& fields, std::vector<Pocket>& pockets,
+  const PocketSurfaceFields& fields, bool rank, std::vector<Pocket>& pockets,
   std::vector<PocketSurfaceMeans>& means);
 
 }

@@ -1,6 +1,7 @@
 #include "Pockets/PocketSurface.h"
 
 #include "Atoms/PointBins.h"
+#include "Core/ParallelFor.h"
 #include "Surfaces/AreaQuantiles.h"
 
 #include <cmath>
@@ -76,6 +77,37 @@ PocketSurfaceMeans MeasureWholeSurface(
     whole.Add(fields, i, areas[i]);
   }
   return whole.Means();
+}
+
+std::vector<double> SiteProbabilities(
+  const SurfaceView& surface, const std::vector<SitePlace>& places)
+{
+  constexpr double reach = 5.0;
+  std::vector<Point3> centres;
+  centres.reserve(places.size());
+  for (const SitePlace& place : places)
+  {
+    centres.push_back(place.Centre);
+  }
+  const PointBins bins(centres, reach);
+  std::vector<double> values(surface.Points.size(), 0.0);
+  ParallelFor(0, static_cast<std::int64_t>(values.size()), 1024,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        double sum = 0.0, weights = 0.0;
+        bins.Near(surface.Points[i], reach,
+          [&](std::int64_t id, double squared)
+          {
+            const double inside = 1.0 - std::sqrt(squared) / reach;
+            weights += inside * inside;
+            sum += inside * inside * places[static_cast<std::size_t>(id)].Probability;
+          });
+        values[i] = weights > 0.0 ? sum / weights : 0.0;
+      }
+    });
+  return values;
 }
 
 std::vector<int> LabelPocketSurfaces(

@@ -42,6 +42,11 @@ VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<PocketSurfaceMeans> MeasurePocketSur
 VTKISTHMUSFILTERSPOCKETS_EXPORT PocketSurfaceMeans MeasureWholeSurface(
   const SurfaceView& surface, const PocketSurfaceFields& fields);
 
+/// For each point of the surface the mean probability of the places within 5 angstrom, weight
+/// (1 - d/5)^2; 0 where there are none.
+VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<double> SiteProbabilities(
+  const SurfaceView& surface, const std::vector<SitePlace>& places);
+
 /// For each point of the surface 0, or 1 + the place of the first pocket that it lines.
 VTKISTHMUSFILTERSPOCKETS_EXPORT std::vector<int> LabelPocketSurfaces(
   const SurfaceView& surface, const std::vector<Pocket>& pockets, double reach = 0.5);

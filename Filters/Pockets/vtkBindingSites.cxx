@@ -218,7 +218,7 @@ isthmus::BindingSiteResult vtkBindingSites::Pockets(
   isthmus::SiteFields fields = this->Fields(surface);
   std::vector<isthmus::PocketSurfaceMeans> means;
   isthmus::WeightScoresByCurvature(
-    triangles, { std::move(fields.Amplitude), fields.Potential }, pockets, means);
+    triangles, { std::move(fields.Amplitude), fields.Potential }, true, pockets, means);
   isthmus::BindingSiteResult result;
   result.Threshold = vtkMath::Nan();
   result.Labels = isthmus::LabelPocketSurfaces(triangles, pockets);

@@ -7,6 +7,7 @@
 #include "Pockets/MolecularPockets.h"
 #include "Pockets/PocketOutput.h"
 #include "Pockets/PocketScore.h"
+#include "Pockets/SiteDescriptors.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -21,6 +22,7 @@
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <map>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkMolecularPockets);
@@ -34,6 +36,25 @@ void AddNumber(const char* name, double value, vtkDataObject* to)
   array->SetName(name);
   array->InsertNextValue(value);
   to->GetFieldData()->AddArray(array);
+}
+
+/// The heavy atoms with what they offer to ligands; empty without names and elements.
+std::vector<isthmus::SiteAtom> SiteAtomsOf(const isthmus::MoleculeAtoms& atoms)
+{
+  std::vector<isthmus::SiteAtom> found;
+  std::map<std::string, int> chains;
+  for (std::size_t i = 0; atoms.HasNames && atoms.HasElements && i < atoms.Balls.size(); ++i)
+  {
+    const isthmus::NamedAtom& named = atoms.Named[static_cast<std::size_t>(atoms.Points[i])];
+    if (named.Element > 1)
+    {
+      found.push_back(
+        isthmus::SiteAtomOf(atoms.Balls[i].Centre, named.Element, named.Residue, named.Name));
+      found.back().Chain =
+        chains.emplace(named.Chain, static_cast<int>(chains.size())).first->second;
+    }
+  }
+  return found;
 }
 
 /// The numbers of a surface's point array; empty where it is missing and may be.
@@ -62,7 +83,7 @@ std::vector<double> NumbersOf(const std::string& name, vtkPolyData* surface, boo
 vtkMolecularPockets::vtkMolecularPockets()
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(6);
+  this->SetNumberOfOutputPorts(7);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Radius");
 }
 
@@ -96,6 +117,11 @@ vtkPolyData* vtkMolecularPockets::GetLiningAtoms()
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(5));
 }
 
+vtkPolyData* vtkMolecularPockets::GetSiteSurface()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(6));
+}
+
 int vtkMolecularPockets::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkPolyData");
@@ -106,7 +132,7 @@ int vtkMolecularPockets::FillInputPortInformation(int port, vtkInformation* info
 int vtkMolecularPockets::FillOutputPortInformation(int port, vtkInformation* info)
 {
   const char* types[] = { "vtkUnstructuredGrid", "vtkTable", "vtkPolyData", "vtkPolyData",
-    "vtkTable", "vtkPolyData" };
+    "vtkTable", "vtkPolyData", "vtkPolyData" };
   info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
   return 1;
 }
@@ -148,15 +174,25 @@ void vtkMolecularPockets::Compute(
   options.Predicted = isthmus::LogOfLongTriangulation;
   const isthmus::MoleculeAtoms atoms =
     isthmus::ReadAtoms(input, isthmus::PolymerOf(isthmus::InputArrayName(this, 0), keep));
+  const std::vector<isthmus::SiteAtom> siteAtoms = SiteAtomsOf(atoms);
+  if (this->FindSites && !siteAtoms.empty())
+  {
+    options.SiteAtoms = &siteAtoms;
+    options.KeepDescriptors = this->KeepDescriptors;
+  }
   auto result = isthmus::FindPockets(
     atoms.Balls, options, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
   std::vector<isthmus::PocketSurfaceMeans> means;
-  if (surface && surface->GetNumberOfPoints() > 0 && this->UsePolarizedCurvature)
+  const bool hasSurface = surface && surface->GetNumberOfPoints() > 0;
+  // A surface with sites on it need not have polarized curvature.
+  if (hasSurface && this->UsePolarizedCurvature &&
+    (!options.SiteAtoms || surface->GetPointData()->HasArray(this->PolarizedArray.c_str())))
   {
     const isthmus::PolyDataTriangles triangles(surface);
     const isthmus::PocketSurfaceFields fields{ NumbersOf(this->PolarizedArray, surface, true),
       NumbersOf(this->PotentialArray, surface, false) };
-    isthmus::WeightScoresByCurvature(triangles.View(), fields, result.Pockets, means);
+    isthmus::WeightScoresByCurvature(
+      triangles.View(), fields, !options.SiteAtoms, result.Pockets, means);
   }
   const isthmus::PocketReport report{ result.Pockets, means, atoms };
   auto* cells = vtkUnstructuredGrid::GetData(outputs, 0);
@@ -167,6 +203,8 @@ void vtkMolecularPockets::Compute(
   isthmus::FillAlphaBalls(report, vtkPolyData::GetData(outputs, 3));
   isthmus::FillLiningResidues(report, vtkTable::GetData(outputs, 4));
   isthmus::FillLiningAtoms(report, input, this->ShownPocket, vtkPolyData::GetData(outputs, 5));
+  isthmus::FillSiteSurface(
+    report, result.SitePlaces, hasSurface ? surface : nullptr, vtkPolyData::GetData(outputs, 6));
   AddNumber("AccessibleArea", result.UnionArea, table);
   AddNumber("AccessibleVolume", result.UnionVolume, table);
   isthmus::AddNotes(atoms.Notes, cells);
@@ -185,6 +223,8 @@ void vtkMolecularPockets::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OuterRadius: " << this->OuterRadius << "\n";
   os << indent << "BurialRadius: " << this->BurialRadius << "\n";
   os << indent << "MinimumVolume: " << this->MinimumVolume << "\n";
+  os << indent << "FindSites: " << this->FindSites << "\n";
+  os << indent << "KeepDescriptors: " << this->KeepDescriptors << "\n";
   os << indent << "UsePolarizedCurvature: " << this->UsePolarizedCurvature << "\n";
   os << indent << "PolarizedArray: " << this->PolarizedArray << "\n";
   os << indent << "PotentialArray: " << this->PotentialArray << "\n";

@@ -19,15 +19,17 @@
  * - **Output 0**, vtkUnstructuredGrid: the tetrahedra of the pockets, between centres of atoms.
  *   Cell arrays `PocketId`, `Clearance` (radius of the ball there that touches no atom),
  *   `AccessRadius` (of the largest that gets there from outside), `Burial` (atoms within
- *   BurialRadius), `EmptyVolume` (only sums mean anything). Point array `AtomId`: the input's
+ *   BurialRadius), `EmptyVolume` (only sums mean anything), `SiteProbability` (that a ligand's atom
+ *   is within 3 angstrom of the ball's centre; 0 without sites). Point array `AtomId`: the input's
  *   point.
- * - **Output 1**, vtkTable: a row for each pocket: `Rank`, `Score` (angstrom^3 x (atoms/100)^2),
+ * - **Output 1**, vtkTable: a row for each pocket: `Rank`, `Probability` (that the centre is within
+ *   4 angstrom of a ligand; NaN without sites), `Score` (angstrom^3 x (atoms/100)^2),
  *   `CenterX`, `CenterY`, `CenterZ`, `Volume` (angstrom^3) and `Area` (angstrom^2) accessible to
  *   the probe's centre, `Mouths` (0: a void), `MouthRadius` (of the widest), `MouthArea`, `Radius`
  *   (of the largest ball), `PolarShare`, `ApolarShare` (of Area, on N and O, and on the rest),
- *   `LiningAtoms`, `Cells`, `MeanPotential` (kT/e), `MeanPolarized` (kT/(e angstrom), of the
- *   absolute value); NaN where not known. Field data: `AccessibleArea`, `AccessibleVolume` of the
- *   whole molecule.
+ *   `LiningAtoms`, `Cells`, `Parent` (of a site; 0: in no pocket), `MeanPotential` (kT/e),
+ * `MeanPolarized` (kT/(e angstrom), of the absolute value); NaN where not known. Field data:
+ * `AccessibleArea`, `AccessibleVolume` of the whole molecule.
  * - **Output 2**, vtkPolyData: triangles of the mouths; `PocketId`, `MouthId`, `Clearance`.
  * - **Output 3**, vtkPolyData: alpha balls, points with `PocketId`, `Radius`, `AccessRadius`,
  *   `Burial`.
@@ -35,6 +37,9 @@
  *   `ResidueName`, `Atoms` (names), `AtomIds` (points of the input), `NumberOfAtoms`, `Area`.
  * - **Output 5**, vtkPolyData: those residues whole, with their bonds, the input's point arrays and
  *   `PocketId`; all of them, or those of ShownPocket.
+ * - **Output 6**, vtkPolyData: input 1 with `SiteProbability` (SiteProbabilities in
+ * PocketSurface.h) and `PocketId` (0: none); without input 1, the centres of the tetrahedra that
+ * were judged, points with `SiteProbability`.
  *
  * **Errors** (message, empty outputs): no radii and no elements, radii or places out of range,
  * options that are no lengths or contradict each other, a surface without polarized curvature or
@@ -102,6 +107,22 @@ public:
   ///@}
 
   ///@{
+  /// Whether pockets are divided into sites of the size of a ligand, ranked by their probability
+  /// (where the atoms have names and elements). Off: whole pockets, ranked by Score. Default: on.
+  vtkSetMacro(FindSites, bool);
+  vtkGetMacro(FindSites, bool);
+  vtkBooleanMacro(FindSites, bool);
+  ///@}
+
+  ///@{
+  /// Whether output 6, without input 1, has the point array `SiteDescriptors`, what each place's
+  /// probability is computed from. Default: off.
+  vtkSetMacro(KeepDescriptors, bool);
+  vtkGetMacro(KeepDescriptors, bool);
+  vtkBooleanMacro(KeepDescriptors, bool);
+  ///@}
+
+  ///@{
   /// Whether a surface, where there is one, contributes to the score. Default: on.
   vtkSetMacro(UsePolarizedCurvature, bool);
   vtkGetMacro(UsePolarizedCurvature, bool);
@@ -153,6 +174,7 @@ public:
   vtkPolyData* GetAlphaBalls();
   vtkTable* GetLiningResidues();
   vtkPolyData* GetLiningAtoms();
+  vtkPolyData* GetSiteSurface();
 
 protected:
   vtkMolecularPockets();
@@ -174,6 +196,8 @@ private:
   double OuterRadius = 3.1;
   double BurialRadius = 10.0;
   double MinimumVolume = 10.0;
+  bool FindSites = true;
+  bool KeepDescriptors = false;
   bool UsePolarizedCurvature = true;
   std::string PolarizedArray = "PolarizedCurvature";
   std::string PotentialArray = "Potential";

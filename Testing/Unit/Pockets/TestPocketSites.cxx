@@ -1,0 +1,255 @@
+// Sites of pockets: modes of known densities; the model's arithmetic; proteins turned, moved,
+// shuffled.
+
+#include "Core/Geometry.h"
+#include "Pockets/PocketSites.h"
+#include "Pockets/SiteDescriptors.h"
+#include "Pockets/SiteModel.h"
+#include "SharedData.h"
+#include "vtkMacromoleculeReader.h"
+#include "vtkMolecularPockets.h"
+
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkSphereSource.h>
+#include <vtkTable.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <set>
+
+using namespace isthmus;
+
+namespace
+{
+
+/// Of the table: centre and probability of each rank.
+struct Row
+{
+  Point3 Centre;
+  double Probability;
+};
+
+std::vector<Row> RowsOf(vtkPolyData* atoms)
+{
+  vtkNew<vtkMolecularPockets> filter;
+  filter->SetInputData(atoms);
+  filter->Update();
+  std::vector<Row> rows;
+  vtkTable* table = filter->GetPocketTable();
+  for (vtkIdType i = 0; i < table->GetNumberOfRows(); ++i)
+  {
+    const auto value = [&](const char* name) { return table->GetValueByName(i, name).ToDouble(); };
+    rows.push_back(
+      { { value("CenterX"), value("CenterY"), value("CenterZ") }, value("Probability") });
+  }
+  return rows;
+}
+
+/// The reader's atoms as points without bonds.
+vtkSmartPointer<vtkPolyData> AtomsOfFile(const std::string& name)
+{
+  vtkNew<vtkMacromoleculeReader> reader;
+  reader->SetFileName((isthmus::testing::SharedDataFolder() / name).string().c_str());
+  reader->Update();
+  auto atoms = vtkSmartPointer<vtkPolyData>::New();
+  atoms->SetPoints(reader->GetOutput()->GetPoints());
+  atoms->GetPointData()->ShallowCopy(reader->GetOutput()->GetPointData());
+  return atoms;
+}
+
+/// The atoms in another order, each place changed by `move`.
+template <typename Move>
+vtkSmartPointer<vtkPolyData> Rearranged(
+  vtkPolyData* atoms, const std::vector<vtkIdType>& order, Move&& move)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  copy->GetPointData()->CopyAllocate(atoms->GetPointData());
+  for (const vtkIdType i : order)
+  {
+    Point3 place;
+    atoms->GetPoint(i, place.data());
+    const vtkIdType id = points->InsertNextPoint(move(place).data());
+    copy->GetPointData()->CopyData(atoms->GetPointData(), i, id);
+  }
+  copy->SetPoints(points);
+  return copy;
+}
+
+Point3 Turn(const Point3& p)
+{
+  const double c = std::cos(0.7), s = std::sin(0.7);
+  const Point3 q{ c * p[0] - s * p[1], s * p[0] + c * p[1], p[2] };
+  return { q[0] - 20.0, c * q[1] - s * q[2] + 70.0, s * q[1] + c * q[2] - 45.0 };
+}
+
+}
+
+TEST(PocketSites, TwoCloudsAreTwoSitesAtTheirMiddles)
+{
+  std::mt19937 random(3);
+  std::normal_distribution<double> spread(0.0, 1.0);
+  std::vector<Point3> places;
+  std::vector<double> probabilities;
+  const Point3 middles[] = { { 0, 0, 0 }, { 14, 3, 0 } };
+  for (int i = 0; i < 4000; ++i)
+  {
+    const Point3 at{ spread(random), spread(random), spread(random) };
+    places.push_back(middles[i % 2] + at);
+    probabilities.push_back(i % 2 == 0 ? 0.2 : 0.6);
+  }
+  const std::vector<PocketSite> sites = FindSites(places, probabilities);
+  ASSERT_EQ(sites.size(), 2u);
+  // The likelier one is first; a mode of 2000 places of spread 1 is known to about 0.05.
+  EXPECT_LT(Distance(sites[0].Centre, middles[1]), 0.1);
+  EXPECT_LT(Distance(sites[1].Centre, middles[0]), 0.1);
+  EXPECT_NEAR(sites[0].Density / sites[1].Density, 3.0, 0.1);
+  EXPECT_EQ(sites[0].Places.size(), 2000u);
+  EXPECT_EQ(sites[1].Places.size(), 2000u);
+}
+
+TEST(PocketSites, NoPlacesAndImpossibleOnes)
+{
+  EXPECT_TRUE(FindSites({}, {}).empty());
+  const std::vector<PocketSite> sites = FindSites({ { 1, 2, 3 }, { 1, 2, 4 } }, { 0.0, 0.0 });
+  ASSERT_EQ(sites.size(), 1u);
+  EXPECT_EQ(sites[0].Density, 0.0);
+  EXPECT_EQ(sites[0].Places.size(), 2u);
+}
+
+TEST(SiteModel, ProbabilitiesAreLogisticAndRiseWithTheShare)
+{
+  const double* c = FrozenSiteModel().Calibration;
+  const double odds = c[0] + c[1] * std::log(7.0) + c[2] * std::log(0.25);
+  EXPECT_NEAR(SiteProbability(7.0, 0.25), std::exp(odds) / (1.0 + std::exp(odds)), 1e-14);
+  EXPECT_GT(SiteProbability(7.0, 0.35), SiteProbability(7.0, 0.25));
+  // Of one molecule, the denser site has the larger share.
+  EXPECT_GT(SiteProbability(8.0, 0.8 * 0.25), SiteProbability(7.0, 0.7 * 0.25));
+  EXPECT_GE(SiteProbability(0.0, 0.0), 0.0);
+}
+
+TEST(SiteModel, EveryTreeLeadsToALeafOfItsOwn)
+{
+  const SiteModelTable& model = FrozenSiteModel();
+  ASSERT_GT(model.Trees, 50u);
+  const std::size_t width = SiteDescriptorNames().size();
+  for (std::size_t tree = 0; tree < model.Trees; ++tree)
+  {
+    // Each node and leaf is reached once.
+    std::vector<int> open{ 0 };
+    std::set<int> seen;
+    while (!open.empty())
+    {
+      const int at = open.back();
+      open.pop_back();
+      ASSERT_TRUE(seen.insert(at).second);
+      if (at >= 0)
+      {
+        const SiteModelNode& node = model.Nodes[model.FirstNodes[tree] + at];
+        ASSERT_LT(node.Descriptor, width);
+        open.push_back(node.Low);
+        open.push_back(node.High);
+      }
+    }
+    const auto leaves = std::count_if(seen.begin(), seen.end(), [](int at) { return at < 0; });
+    EXPECT_EQ(2 * static_cast<std::size_t>(leaves), seen.size() + 1);
+    EXPECT_EQ(*seen.begin(), -static_cast<int>(leaves));
+  }
+}
+
+TEST(SiteDescriptors, AtomsByName)
+{
+  const auto kind = [](int element, const char* residue, const char* name) {
+    return SiteAtomOf({ 0, 0, 0 }, element, residue, name);
+  };
+  EXPECT_EQ(kind(6, "PHE", "CZ").Kind, SiteAtomKind::Aromatic);
+  EXPECT_EQ(kind(7, "HIE", "NE2").Kind, SiteAtomKind::Imidazole);
+  EXPECT_TRUE(kind(7, "HIE", "NE2").BindsMetals);
+  EXPECT_EQ(kind(16, "CYS", "SG").Kind, SiteAtomKind::Sulfur);
+  EXPECT_TRUE(kind(16, "CYX", "SG").BindsMetals);
+  EXPECT_EQ(kind(6, "LEU", "CD1").Kind, SiteAtomKind::Aliphatic);
+  EXPECT_EQ(kind(6, "ARG", "CZ").Kind, SiteAtomKind::Other);
+  EXPECT_EQ(kind(8, "GLY", "O").Kind, SiteAtomKind::CarbonylOxygen);
+  EXPECT_EQ(kind(6, "ALA", "CB").Residue, 20);
+  EXPECT_EQ(kind(6, "ALA", "CA").Residue, 0);
+  EXPECT_EQ(kind(6, "XYZ", "CA").Residue, -1);
+  EXPECT_EQ(SiteResidueNames().size(), 40u);
+}
+
+TEST(PocketSites, TurnedMovedAndShuffledTheyAreTheSame)
+{
+  ISTHMUS_NEEDS_SHARED_DATA("molecules/pdb1ake.pdb");
+  for (const char* file : { "molecules/1hew.pdb", "molecules/pdb1ake.pdb" })
+  {
+    const auto atoms = AtomsOfFile(file);
+    const std::vector<Row> rows = RowsOf(atoms);
+    ASSERT_GE(rows.size(), 3u);
+    for (std::size_t i = 1; i < rows.size(); ++i)
+    {
+      EXPECT_LE(rows[i].Probability, rows[i - 1].Probability);
+    }
+    std::vector<vtkIdType> order(static_cast<std::size_t>(atoms->GetNumberOfPoints()));
+    std::iota(order.begin(), order.end(), vtkIdType{ 0 });
+    const auto turned = RowsOf(Rearranged(atoms, order, Turn));
+    std::shuffle(order.begin(), order.end(), std::mt19937(5));
+    const auto shuffled = RowsOf(Rearranged(atoms, order, [](const Point3& p) { return p; }));
+    ASSERT_EQ(turned.size(), rows.size());
+    ASSERT_EQ(shuffled.size(), rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+    {
+      EXPECT_EQ(shuffled[i].Centre, rows[i].Centre); // bit by bit
+      EXPECT_EQ(shuffled[i].Probability, rows[i].Probability);
+      EXPECT_LT(Distance(turned[i].Centre, Turn(rows[i].Centre)), 0.05);
+    }
+  }
+}
+
+TEST(PocketSites, OnASurfaceAndOff)
+{
+  ISTHMUS_NEEDS_SHARED_DATA("molecules/1hew.pdb");
+  const auto atoms = AtomsOfFile("molecules/1hew.pdb");
+  vtkNew<vtkMolecularPockets> filter;
+  filter->SetInputData(atoms);
+  filter->Update();
+  vtkTable* table = filter->GetPocketTable();
+  vtkPolyData* places = filter->GetSiteSurface();
+  EXPECT_GT(places->GetNumberOfPoints(), 100);
+  Point3 best;
+  const char* axes[] = { "CenterX", "CenterY", "CenterZ" };
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    best[k] = table->GetValueByName(0, axes[k]).ToDouble();
+  }
+  // A small ball at the best site, without polarized curvature, is likely; a large one around
+  // everything is not.
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(1.0);
+  ball->SetCenter(best.data());
+  filter->SetSurfaceConnection(ball->GetOutputPort());
+  filter->Update();
+  const auto lowest = [&]()
+  {
+    vtkDataArray* values = filter->GetSiteSurface()->GetPointData()->GetArray("SiteProbability");
+    return values ? values->GetRange()[0] : -1.0;
+  };
+  EXPECT_GT(lowest(), 0.1);
+  EXPECT_EQ(filter->GetSiteSurface()->GetPointData()->GetArray("PocketId")->GetRange()[0], 1.0);
+  ball->SetRadius(80.0);
+  filter->Update();
+  EXPECT_EQ(lowest(), 0.0);
+  // Whole pockets as before have no probability.
+  filter->SetFindSites(false);
+  filter->SetUsePolarizedCurvature(false);
+  filter->Update();
+  EXPECT_TRUE(std::isnan(filter->GetPocketTable()->GetValueByName(0, "Probability").ToDouble()));
+}
