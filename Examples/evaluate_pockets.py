@@ -1,15 +1,22 @@
-"""Where do pockets lie that rank first? Molecular Pockets beside fpocket, both without the ligand.
+"""Where do pockets lie that rank first? Molecular Pockets beside others, all without the ligand.
 
-Usage: pvpython evaluate_pockets.py FOLDER [--fpocket PROGRAM] [--sweep]
+Usage: pvpython evaluate_pockets.py FOLDER [--fpocket PROGRAM] [--p2rank FOLDER] [--whole] [--each] [--sweep]
 
-FOLDER holds ligands.csv (file, ligand_residue, chain, residue_number) and the complexes it names. The
-ligand's lines are taken out of each file before anything runs; fpocket, whose score depends on what
-else is in the file, is also shown without any HETATM line, and with the ligand. Success: the pocket's centre (for
-fpocket: the mean of its alpha spheres, or of the atoms that line it) within 4 angstrom of an atom of
-the ligand. fpocket is no part of Debian: build it with its own qhull and name the program. Prints
-Markdown: also what chance would give, a pocket taken at random among those found. With --sweep: 40
-settings of inner and outer radius, and of 9 of them with burial radii of 8 to 12 angstrom and powers 0 to
-3 of the number of atoms in the score, and each complex judged by the setting that is best on the others.
+FOLDER holds ligands.csv (file, ligand_residue, chain, residue_number; optional: family) and the complexes
+it names. The ligand's lines are taken out of each file before anything runs. Success: the centre within
+4 angstrom of an atom of the ligand; top-1 for the pocket that ranks first, top-3 for one of the first
+three. Intervals are of 95 %, by resampling the families (without the column, every file is one).
+
+Three counts: a pocket at an equivalent copy of the ligand's place (the same place of a chain with the
+same residues, superposed) is a *miss*, or a *hit*, or copies share *one rank* and any of them counts.
+
+With the probabilities of the pockets: their reliability in bins, the expected calibration error and the
+Brier score. --fpocket runs fpocket (no part of Debian: build it with its own qhull), whose score depends on
+what else is in the file; its centre is the mean of a pocket's alpha spheres. --p2rank reads
+NAME*_predictions.csv of P2Rank for each file NAME.pdb. --whole adds the whole pockets of former
+versions. --each prints the distances. --sweep: 40 settings of inner and outer radius of the
+whole pockets, and of 9 of them with burial radii of 8 to 12 angstrom and powers 0 to 3 of the
+number of atoms in the score, and each complex judged by the setting that is best on the others.
 """
 
 import argparse
@@ -18,6 +25,7 @@ import gzip
 import itertools
 import subprocess
 import tempfile
+from collections import defaultdict
 from pathlib import Path
 
 import numpy
@@ -58,19 +66,17 @@ def split(path, row):
     return marked, numpy.array([place_of(lines[i]) for i in sorted(ligand)])
 
 
-def by_isthmus(path, inner=1.7, outer=3.1):
+def by_isthmus(path, sites=True):
+    """Centres by rank, and their probabilities (none for whole pockets)."""
     reader = isthmus.vtkMacromoleculeReader()
     reader.SetFileName(str(path))
     finder = isthmus.vtkMolecularPockets()
     finder.SetInputConnection(reader.GetOutputPort())
-    finder.SetInnerRadius(inner)
-    finder.SetOuterRadius(outer)
+    finder.SetFindSites(sites)
     finder.Update()
     table = finder.GetPocketTable()
-    return [
-        [table.GetValueByName(row, "Center" + axis).ToDouble() for axis in "XYZ"]
-        for row in range(table.GetNumberOfRows())
-    ]
+    columns = [vtk_to_numpy(table.GetColumnByName(name)) for name in ("CenterX", "CenterY", "CenterZ", "Probability")]
+    return numpy.stack(columns[:3], axis=1), columns[3] if sites else None
 
 
 def by_scores(path, inner, outer, burial):
@@ -82,6 +88,7 @@ def by_scores(path, inner, outer, burial):
     finder.SetInnerRadius(inner)
     finder.SetOuterRadius(outer)
     finder.SetBurialRadius(burial)
+    finder.SetFindSites(False)
     finder.Update()
     cells = finder.GetOutput().GetCellData()
     owner, volume, atoms = (vtk_to_numpy(cells.GetArray(name)) for name in ("PocketId", "EmptyVolume", "Burial"))
@@ -96,44 +103,142 @@ def by_scores(path, inner, outer, burial):
     return found
 
 
-def by_fpocket(program, path, by_atoms):
+def by_fpocket(program, path):
     folder = path.parent / (path.stem + "_out")
-    if not folder.exists():
-        subprocess.run([program, "-f", str(path)], check=True, stdout=subprocess.DEVNULL)
-    if by_atoms:
-        files = sorted((folder / "pockets").glob("pocket*_atm.pdb"),
-                       key=lambda file: int(file.name[len("pocket"):-len("_atm.pdb")]))
-        return [numpy.mean([place_of(line) for line in open(file) if line.startswith("ATOM")], axis=0)
-                for file in files]
-    spheres = {}
+    subprocess.run([program, "-f", str(path)], check=True, stdout=subprocess.DEVNULL)
+    spheres = defaultdict(list)
     for line in open(folder / (path.stem + "_out.pdb")):
         if line.startswith("HETATM") and line[17:20] == "STP":
-            spheres.setdefault(int(line[22:26]), []).append(place_of(line))
-    return [numpy.mean(spheres[rank], axis=0) for rank in sorted(spheres)]
+            spheres[int(line[22:26])].append(place_of(line))
+    return numpy.array([numpy.mean(spheres[rank], axis=0) for rank in sorted(spheres)]).reshape(-1, 3), None
 
 
-def chance(hits):
-    """Expected successes, at first and among three, of pockets taken in random order."""
-    first = sum(h.mean() for h in hits if len(h))
-    three = 0.0
-    for h in hits:
-        good, count = int(h.sum()), len(h)
-        misses = 1.0
-        for k in range(min(3, count)):
-            misses *= max(0, count - good - k) / (count - k)
-        three += 1.0 - misses
-    return first, three
+def by_p2rank(folder, name):
+    found = sorted(folder.glob(f"{name}*_predictions.csv"))
+    if not found:
+        raise SystemExit(f"{folder} has no {name}*_predictions.csv.")
+    rows = [{key.strip(): value.strip() for key, value in row.items()} for row in csv.DictReader(open(found[0]))]
+    places = [[float(row["center_" + axis]) for axis in "xyz"] for row in rows]
+    return numpy.array(places).reshape(-1, 3), None
 
 
-def print_table(names, found):
-    print("| | " + " | ".join(names) + " | first | among three | by chance |")
-    print("|---|" + "---|" * (len(names) + 3))
-    for name, distances in found.items():
-        cells = [f"{d[0]:.1f} ({min(d[:3]):.1f})" for d in distances]
-        first = sum(d[0] <= SUCCESS for d in distances)
-        three = sum(min(d[:3]) <= SUCCESS for d in distances)
-        by_chance = "{:.1f}, {:.1f}".format(*chance([numpy.array(d) <= SUCCESS for d in distances]))
-        print(f"| {name} | " + " | ".join(cells) + f" | {first} | {three} | {by_chance} |")
+# ---------------------------------------------------------------------------- equivalent copies
+
+class Copies:
+    """Chains with the same residues, and what takes one to another."""
+
+    def __init__(self, lines):
+        self.alphas = defaultdict(dict)
+        for line in lines:
+            if line.startswith(("ATOM", "HETATM")) and line[12:16] == " CA ":
+                self.alphas[line[21]].setdefault((line[22:27], line[17:20]), place_of(line))
+        self.moves = defaultdict(list)
+        for a, b in itertools.permutations(self.alphas, 2):
+            common = sorted(self.alphas[a].keys() & self.alphas[b].keys())
+            if len(common) >= max(10, 0.8 * min(len(self.alphas[a]), len(self.alphas[b]))):
+                self.moves[a].append(superposition(numpy.array([self.alphas[a][k] for k in common]),
+                                                   numpy.array([self.alphas[b][k] for k in common])))
+
+    def chain_at(self, places):
+        """The chain whose residues are nearest to these places."""
+        nearest = lambda chain: numpy.linalg.norm(
+            numpy.array(list(self.alphas[chain].values()))[:, None] - places, axis=2).min(axis=0).mean()
+        return min(self.alphas, key=nearest, default=None)
+
+    def images(self, places):
+        """The places themselves, and their equivalent copies."""
+        places = numpy.atleast_2d(places)
+        return [places] + [(places - here) @ turn + there for here, turn, there in self.moves[self.chain_at(places)]]
+
+
+def superposition(a, b):
+    """(centre of a, rotation, centre of b), least squares (W. Kabsch, Acta Cryst. A 32 (1976) 922)."""
+    here, there = a.mean(axis=0), b.mean(axis=0)
+    u, _, v = numpy.linalg.svd((a - here).T @ (b - there))
+    u[:, -1] *= numpy.sign(numpy.linalg.det(u @ v))
+    return here, u @ v, there
+
+
+def distance(places, centre):
+    return numpy.linalg.norm(places - centre, axis=1).min()
+
+
+def three_counts(centres, ligand, copies):
+    """For each count whether each rank succeeds."""
+    targets = copies.images(ligand)
+    miss = [distance(ligand, c) <= SUCCESS for c in centres]
+    hit = [min(distance(target, c) for target in targets) <= SUCCESS for c in centres]
+    groups = []
+    for centre, success in zip(centres, hit):
+        images = copies.images(centre)
+        for group in groups:
+            if min(numpy.linalg.norm(image[0] - group[0]) for image in images) <= SUCCESS:
+                group[1] |= success
+                break
+        else:
+            groups.append([centre, success])
+    return miss, hit, [success for _, success in groups]
+
+
+# ---------------------------------------------------------------------------- figures
+
+def interval(values, families, rounds=5000):
+    """95 % interval of the mean, families resampled."""
+    values, families = numpy.asarray(values, float), numpy.asarray(families)
+    names = numpy.unique(families)
+    sums = numpy.array([values[families == name].sum() for name in names])
+    counts = numpy.array([(families == name).sum() for name in names])
+    picks = numpy.random.default_rng(0).integers(0, len(names), (rounds, len(names)))
+    return numpy.percentile(sums[picks].sum(axis=1) / counts[picks].sum(axis=1), [2.5, 97.5])
+
+
+def share_of(values, families):
+    low, high = interval(values, families)
+    return f"{100 * numpy.mean(values):.1f} [{100 * low:.0f}, {100 * high:.0f}]"
+
+
+def print_summary(found, families):
+    """`found`: for each method, for each complex, the successes of the ranks by the three counts."""
+    counts = ("copy a miss", "copy a hit", "copies one rank")
+    print("| | " + " | ".join(f"{count}: top-{k}" for count in counts for k in (1, 3)) + " |")
+    print("|---|" + "---|" * 6)
+    for name, complexes in found.items():
+        cells = [share_of([any(one[count][:k]) for one in complexes], families)
+                 for count in range(3) for k in (1, 3)]
+        print(f"| {name} | " + " | ".join(cells) + " |")
+    first = next(iter(found.values()))
+    for name, complexes in list(found.items())[1:]:
+        gain = [any(a[0][:1]) - any(b[0][:1]) for a, b in zip(first, complexes)]
+        print(f"top-1 of {next(iter(found))} less that of {name}, pairs: {share_of(gain, families)}")
+
+
+def reliability_bins(probability, hit, least=50):
+    """Places of bins by probability, each of at least `least` pockets, narrower towards high ones."""
+    order = numpy.argsort(probability, kind="stable")
+    count = len(order)
+    sizes = []
+    while sum(sizes) + least <= count:
+        sizes.append(max(least, (count - sum(sizes)) // 3))
+    if not sizes:
+        sizes = [count]
+    sizes[-1] += count - sum(sizes)
+    ends = numpy.cumsum(sizes)
+    return [order[end - size:end] for size, end in zip(sizes, ends)]
+
+
+def calibration_error(probability, hit, bins):
+    return sum(len(some) * abs(probability[some].mean() - hit[some].mean()) for some in bins) / len(probability)
+
+
+def print_reliability(probability, hit, families):
+    probability, hit, families = (numpy.asarray(values) for values in (probability, hit, families))
+    bins = reliability_bins(probability, hit)
+    print("\n| mean probability | observed share | interval | pockets |\n|---|---|---|---|")
+    for some in bins:
+        low, high = interval(hit[some], families[some])
+        print(f"| {probability[some].mean():.3f} | {hit[some].mean():.3f} | {low:.3f} to {high:.3f} | {len(some)} |")
+    print(f"expected calibration error {calibration_error(probability, hit, bins):.4f}, Brier score "
+          f"{((probability - hit) ** 2).mean():.4f}, {len(hit)} pockets")
 
 
 def print_sweep(table):
@@ -161,47 +266,46 @@ def print_sweep(table):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--fpocket")
-    parser.add_argument("--sweep", action="store_true")
+    parser.add_argument("--p2rank", type=Path)
+    for name in ("whole", "each", "sweep"):
+        parser.add_argument("--" + name, action="store_true")
     options = parser.parse_args()
-    # name: (method, which lines of the file it gets: a function of the line and whether it is the ligand's)
-    without_ligand = lambda line, is_ligand: not is_ligand
-    methods = {"pockets": (by_isthmus, without_ligand)}
+    methods = {"Molecular Pockets": lambda path, name: by_isthmus(path)}
+    if options.whole:
+        methods["whole pockets by Score"] = lambda path, name: by_isthmus(path, False)
     if options.fpocket:
-        for name, takes in (
-            ("the ligand's lines removed", without_ligand),
-            ("all HETATM lines removed", lambda line, is_ligand: not line.startswith("HETATM")),
-            ("the ligand kept", lambda line, is_ligand: True),
-        ):
-            for centre, by_atoms in (("spheres", False), ("lining atoms", True)):
-                methods[f"fpocket, {name}, mean of its {centre}"] = (
-                    lambda path, by_atoms=by_atoms: by_fpocket(options.fpocket, path, by_atoms), takes)
-    found = {name: [] for name in methods}
-    sweep = {}
-    names = []
+        methods["fpocket"] = lambda path, name: by_fpocket(options.fpocket, path)
+    if options.p2rank:
+        methods["P2Rank"] = lambda path, name: by_p2rank(options.p2rank, name)
+    found, families, sweep, pockets = {name: [] for name in methods}, [], {}, []
     for row in csv.DictReader(open(options.folder / "ligands.csv")):
         path = (options.folder / row["file"]).resolve()
         lines, ligand = split(path, row)
-        names.append(path.name.split(".")[0])
-
-        def distances(centres):
-            return [numpy.linalg.norm(ligand - c, axis=1).min() for c in centres] or [numpy.inf]
-
+        name = path.name.split(".")[0]
+        families.append(row.get("family") or name)
+        protein = [line for line, is_ligand in lines if not is_ligand]
+        copies = Copies(protein)
         with tempfile.TemporaryDirectory() as folder:
-            files = {}
-            for name, (method, takes) in methods.items():
-                if takes not in files:
-                    files[takes] = Path(folder) / f"{names[-1]}{len(files)}.pdb"
-                    files[takes].write_text("".join(line for line, mark in lines if takes(line, mark)))
-                found[name].append(distances(method(files[takes])))
+            file = Path(folder) / (name + ".pdb")
+            file.write_text("".join(protein))
+            for method, run in methods.items():
+                centres, probabilities = run(file, name)
+                found[method].append(three_counts(centres, ligand, copies))
+                if probabilities is not None:
+                    pockets += [(p, hit, families[-1]) for p, hit in zip(probabilities, found[method][-1][0])]
+                if options.each:
+                    print(f"{name}: {method}: " + " ".join(f"{distance(ligand, c):.1f}" for c in centres[:5]), flush=True)
             for setting in SETTINGS if options.sweep else ():
-                for power, centres in by_scores(files[without_ligand], *setting).items():
-                    d = distances(centres)
+                for power, centres in by_scores(file, *setting).items():
+                    d = [distance(ligand, c) for c in centres] or [numpy.inf]
                     sweep.setdefault((*setting, power), []).append((d[0] <= SUCCESS, min(d[:3]) <= SUCCESS))
-    print_table(names, found)
+    print(f"{len(families)} complexes, {len(set(families))} families\n")
+    print_summary(found, families)
+    if pockets:
+        print_reliability(*zip(*pockets))
     if sweep:
         print("Radii only, burial radius 10 and power 2:")
         print_sweep({setting: rows for setting, rows in sweep.items() if setting[2:] == (10.0, 2)})

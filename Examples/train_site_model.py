@@ -1,0 +1,435 @@
+"""Trains the site model of Molecular Pockets, and says how good it is on families that it has not seen.
+
+    /usr/bin/python3 train_site_model.py describe FOLDER OUT.npz     # needs isthmus (PV_PLUGIN_PATH)
+    python3 train_site_model.py train OUT.npz ... [--test OUT.npz] [--table SiteModelTable.cxx]
+
+FOLDER is one for evaluate_pockets.py, with a column `family` in its ligands.csv. `train` needs numpy,
+scipy, scikit-learn and lightgbm (4.7.0 made the shipped table), and no Isthmus. Places are the
+tetrahedra of pockets; a place is right if an atom of the ligand lies within 3 angstrom. Every family
+of proteins has the same weight, and of each at most 4 complexes from each file take part.
+
+Printed: cross-validation over families (with --nested, the kernel's reach and the number of trees are
+chosen inside of each outer fold), intervals by resampling families, with --curve the learning curve,
+and calibration on left-out families. --table writes the C++ source of the model that is trained on everything.
+"""
+
+import argparse
+import csv
+import hashlib
+import tempfile
+from collections import Counter, defaultdict
+from pathlib import Path
+
+import numpy
+
+NEAR, SUCCESS, SPACING = 3.0, 4.0, 8.0  # angstrom
+LEAST = 0.01  # of the largest density, for a site
+PER_FAMILY, FOLDS = 4, 5
+PLACES = (150, 350)  # of each complex that take part: at most so many right ones and wrong ones
+REACHES, TREES = (5.0, 6.0, 7.0), (80, 160)
+SHIPPED = 6.0, 160  # kernel's reach (PocketSites.h) and number of trees
+PARAMETERS = {"objective": "binary", "num_leaves": 12, "learning_rate": 0.06, "min_data_in_leaf": 200,
+              "bagging_fraction": 0.7, "bagging_freq": 1, "feature_fraction": 0.4, "lambda_l2": 20.0,
+              "num_threads": 1, "deterministic": True, "force_row_wise": True, "seed": 1, "verbose": -1}
+
+
+# ---------------------------------------------------------------------------- descriptors, by Isthmus
+
+def describe(folder, out):
+    import find_isthmus  # noqa: F401 (before isthmus)
+    import isthmus
+    from evaluate_pockets import split
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    columns = defaultdict(list)
+    for row in csv.DictReader(open(folder / "ligands.csv")):
+        lines, ligand = split((folder / row["file"]).resolve(), row)
+        with tempfile.TemporaryDirectory() as temporary:
+            path = Path(temporary) / "protein.pdb"
+            path.write_text("".join(line for line, is_ligand in lines if not is_ligand))
+            reader = isthmus.vtkMacromoleculeReader()
+            reader.SetFileName(str(path))
+            finder = isthmus.vtkMolecularPockets()
+            finder.SetInputConnection(reader.GetOutputPort())
+            finder.SetKeepDescriptors(True)
+            finder.Update()
+        judged = finder.GetSiteSurface()
+        array = judged.GetPointData().GetArray("SiteDescriptors")
+        if array is None:
+            print(f"{row['file']}: no pockets")
+            continue
+        values = vtk_to_numpy(array)
+        places = vtk_to_numpy(judged.GetPoints().GetData())
+        distances = numpy.min([numpy.linalg.norm(places - atom, axis=1) for atom in ligand], axis=0)
+        columns["name"].append(row["file"])
+        columns["family"].append(row["family"].replace("A:", ""))
+        columns["values"].append(values)
+        columns["places"].append(places)
+        columns["distances"].append(distances)
+        columns["ligand"].append(ligand)
+    names = [array.GetComponentName(k) for k in range(array.GetNumberOfComponents())]
+    numpy.savez_compressed(
+        out, names=names, name=columns["name"], family=columns["family"],
+        sizes=[len(v) for v in columns["values"]], ligand_sizes=[len(v) for v in columns["ligand"]],
+        **{key: numpy.concatenate(columns[key]) for key in ("values", "places", "distances", "ligand")})
+    print(f"{len(columns['name'])} complexes, {len(set(columns['family']))} families")
+
+
+class Complex:
+    def __init__(self, name, family, values, places, distances, ligand, source):
+        self.name, self.family, self.source = name, family, source
+        self.residues, self.places, self.ligand = values[:, -40:], places, ligand
+        self.values, self.right = values[:, :-40].copy(), distances < NEAR
+        # A sample of the places, with weights that give each kind its share back.
+        random = numpy.random.default_rng(int(hashlib.sha1(name.encode()).hexdigest()[:8], 16))
+        chosen, weights = [], []
+        for kind, most in ((self.right, PLACES[0]), (~self.right, PLACES[1])):
+            all_of_it = numpy.flatnonzero(kind)
+            some = all_of_it if len(all_of_it) <= most else random.choice(all_of_it, most, replace=False)
+            chosen.append(some)
+            weights.append(numpy.full(len(some), len(all_of_it) / max(1, len(some)) / len(kind)))
+        self.sample, self.sample_weights = numpy.concatenate(chosen), numpy.concatenate(weights)
+
+
+def load(path):
+    data = numpy.load(path)
+    ends, atom_ends = numpy.cumsum(data["sizes"]), numpy.cumsum(data["ligand_sizes"])
+    values, places, distances, ligand = (data[key] for key in ("values", "places", "distances", "ligand"))
+    return [Complex(str(name), str(family), values[end - size:end], places[end - size:end],
+                    distances[end - size:end], ligand[atom_end - atoms:atom_end], str(path))
+            for name, family, end, size, atom_end, atoms in zip(
+                data["name"], data["family"], ends, data["sizes"], atom_ends, data["ligand_sizes"])
+            ], [str(name) for name in data["names"]][:-40]
+
+
+def at_most(complexes, count):
+    groups = defaultdict(list)
+    for one in sorted(complexes, key=lambda c: hashlib.sha1(c.name.encode()).hexdigest()):
+        groups[one.family].append(one)
+    return [one for group in groups.values() for one in group[:count]]
+
+
+# ---------------------------------------------------------------------------- model
+
+def family_weights(complexes):
+    count = Counter(one.family for one in complexes)
+    return numpy.array([1.0 / count[one.family] for one in complexes])
+
+
+def propensity_of(complexes, column):
+    """How much more often each residue is near right places than near others: logarithm of the ratio."""
+    near, others = numpy.zeros(40), numpy.zeros(40)
+    for one, weight in zip(complexes, family_weights(complexes)):
+        shares = one.residues / numpy.maximum(one.residues.sum(axis=1, keepdims=True), 1e-9)
+        if one.right.any() and not one.right.all():
+            near += weight * shares[one.right].mean(axis=0)
+            others += weight * shares[~one.right].mean(axis=0)
+    pseudo = 0.5 / len(complexes)
+    return numpy.log((near / near.sum() + pseudo) / (others / others.sum() + pseudo))
+
+
+def with_propensity(one, propensity, column, rows=slice(None)):
+    values = one.values[rows].copy()
+    near = one.residues[rows].astype(float)
+    values[:, column] = near @ propensity / numpy.maximum(near.sum(axis=1), 1e-9)
+    return values
+
+
+def fit(complexes, column, trees):
+    import lightgbm
+
+    propensity = propensity_of(complexes, column)
+    values = numpy.vstack([with_propensity(one, propensity, column, one.sample) for one in complexes])
+    right = numpy.concatenate([one.right[one.sample] for one in complexes])
+    weights = numpy.concatenate([w * one.sample_weights for one, w in zip(complexes, family_weights(complexes))])
+    weights *= len(weights) / weights.sum()
+    data = lightgbm.Dataset(values, right, weight=weights, params={"verbose": -1})
+    return propensity, lightgbm.train(PARAMETERS, data, trees)
+
+
+def predict(model, one, column, trees=None):
+    propensity, booster = model
+    return booster.predict(with_propensity(one, propensity, column), num_iteration=trees)
+
+
+def sites_of(places, probabilities, reach, most=None):
+    """Densities and modes of the first sites, as PocketSites.h has them."""
+    from scipy.spatial import cKDTree
+
+    tree = cKDTree(places)
+
+    def mean(at):
+        near = tree.query_ball_point(at, reach)
+        weights = probabilities[near] * (1.0 - ((places[near] - at) ** 2).sum(axis=1) / reach ** 2) ** 2
+        total = weights.sum()
+        return total, (weights @ places[near] / total if total > 0.0 else at)
+
+    pairs = tree.sparse_distance_matrix(tree, reach, output_type="coo_matrix")
+    weights = probabilities[pairs.col] * (1.0 - (pairs.data / reach) ** 2) ** 2
+    density = numpy.bincount(pairs.row, weights, minlength=len(places))
+    taken = numpy.zeros(len(places), bool)
+    found = []
+    for i in numpy.argsort(-density, kind="stable"):
+        if density[i] < LEAST * density.max():
+            break
+        if taken[i]:
+            continue
+        taken[i] = True
+        at = places[i]
+        for _ in range(40):
+            value, after = mean(at)
+            moved = numpy.linalg.norm(after - at)
+            if moved <= 0.01:
+                break
+            at = after
+        if all(numpy.linalg.norm(other - at) >= 0.5 * SPACING for _, other in found):
+            found.append((value, at))
+            taken[tree.query_ball_point(at, SPACING)] = True
+            if len(found) == most:
+                break
+    found.sort(key=lambda site: -site[0])
+    return numpy.array([d for d, _ in found]), numpy.array([c for _, c in found]).reshape(-1, 3)
+
+
+def hits_of(one, probabilities, reach, most=None):
+    density, centres = sites_of(one.places, probabilities, reach, most)
+    distances = numpy.array([numpy.linalg.norm(one.ligand - c, axis=1).min() for c in centres])
+    return density, distances <= SUCCESS
+
+
+def first_and_three(hits):
+    return numpy.array([[h[0], h[:3].any()] for h in hits], float)
+
+
+# ---------------------------------------------------------------------------- figures
+
+def interval(values, families, weights=None, rounds=2000):
+    """95 % interval of the mean over complexes, families resampled."""
+    random = numpy.random.default_rng(0)
+    names = sorted(set(families))
+    rows = {name: numpy.flatnonzero(families == name) for name in names}
+    sums = numpy.array([values[rows[name]].sum(axis=0) for name in names])
+    counts = numpy.array([len(rows[name]) for name in names])
+    picks = random.integers(0, len(names), (rounds, len(names)))
+    means = sums[picks].sum(axis=1) / counts[picks].sum(axis=1).reshape((-1,) + (1,) * (sums.ndim - 1))
+    return numpy.percentile(means, [2.5, 97.5], axis=0)
+
+
+def say(title, hits, complexes):
+    values = first_and_three(hits)
+    low, high = interval(values, numpy.array([one.family for one in complexes]))
+    mean = values.mean(axis=0)
+    print(f"{title}: " + ", ".join(f"{name} {100 * mean[k]:.1f} [{100 * low[k]:.0f}, {100 * high[k]:.0f}]"
+                                   for k, name in enumerate(("top-1", "top-3"))), flush=True)
+
+
+def folds_of(families, folds, seed):
+    order = numpy.random.default_rng(seed).permutation(sorted(families))
+    return {family: i % folds for i, family in enumerate(order)}
+
+
+def choose(complexes, judged, column):
+    """Reach and number of trees by cross-validation over the families of these complexes."""
+    fold = folds_of({one.family for one in complexes}, 3, 1)
+    scores = Counter()
+    weights = dict(zip((one.name for one in judged), family_weights(judged)))
+    for k in range(3):
+        model = fit([one for one in complexes if fold[one.family] != k], column, max(TREES))
+        for one in judged:
+            if fold[one.family] == k:
+                for trees in TREES:
+                    probabilities = predict(model, one, column, trees)
+                    for reach in REACHES:
+                        hits = hits_of(one, probabilities, reach, 3)[1]
+                        scores[reach, trees] += weights[one.name] * (hits[0] + hits[:3].any())
+    return max(sorted(scores), key=lambda setting: scores[setting])
+
+
+def calibration_rows(densities, hits, complexes):
+    weights = family_weights(complexes)
+    rows = []
+    for density, hit, weight, one in zip(densities, hits, weights, complexes):
+        share = density / density.sum()
+        rows += [(numpy.log(max(d, 1e-6)), numpy.log(max(s, 1e-6)), float(h), weight, one.family)
+                 for d, s, h in zip(density, share, hit)]
+    return (numpy.array([row[:2] for row in rows]), numpy.array([row[2] for row in rows]),
+            numpy.array([row[3] for row in rows]), numpy.array([row[4] for row in rows]))
+
+
+def fit_calibration(x, y, weights):
+    from sklearn.linear_model import LogisticRegression
+
+    model = LogisticRegression(C=1e6, max_iter=1000).fit(x, y, sample_weight=weights)
+    return numpy.array([model.intercept_[0], *model.coef_[0]])
+
+
+def calibrated(c, x):
+    return 1.0 / (1.0 + numpy.exp(-(c[0] + x @ c[1:])))
+
+
+def reliability(probability, hit, families, bins=8):
+    """Bins of about equal numbers: mean probability, observed share and its interval, number."""
+    order = numpy.argsort(probability, kind="stable")
+    edges = [0, *(len(order) - numpy.cumsum([max(50, len(order) // 60)] * (bins - 1)))[::-1], len(order)]
+    error = 0.0
+    print("| mean probability | observed | 95 % over families | sites |\n|---|---|---|---|")
+    for low, high in zip(edges[:-1], edges[1:]):
+        some = order[low:high]
+        interval_low, interval_high = interval(hit[some][:, None], families[some])
+        error += len(some) * abs(probability[some].mean() - hit[some].mean())
+        print(f"| {probability[some].mean():.3f} | {hit[some].mean():.3f} | {interval_low[0]:.3f} to "
+              f"{interval_high[0]:.3f} | {len(some)} |")
+    print(f"expected calibration error {error / len(order):.4f}, Brier score "
+          f"{((probability - hit) ** 2).mean():.4f}, {len(order)} sites", flush=True)
+
+
+# ---------------------------------------------------------------------------- C++
+
+def write_table(path, model, calibration):
+    propensity, booster = model
+    nodes, leaves, first_nodes, first_leaves = [], [], [], []
+    for tree in booster.dump_model()["tree_info"]:
+        first_nodes.append(len(nodes))
+        first_leaves.append(len(leaves))
+        mine = []
+
+        def visit(node, first_leaf=len(leaves), mine=mine):
+            if "leaf_value" in node:
+                leaves.append(node["leaf_value"])
+                return -1 - (len(leaves) - 1 - first_leaf)
+            assert node["decision_type"] == "<="
+            at = len(mine)
+            mine.append(None)
+            # The largest float that is not above the threshold divides floats alike.
+            threshold = numpy.float32(node["threshold"])
+            if float(threshold) > node["threshold"]:
+                threshold = numpy.nextafter(threshold, numpy.float32(-numpy.inf))
+            low = visit(node["left_child"])
+            mine[at] = (node["split_feature"], threshold, low, visit(node["right_child"]))
+            return at
+
+        if visit(tree["tree_structure"]) != 0:
+            raise SystemExit("A tree is a single leaf: too little data.")
+        nodes += mine
+    number = lambda value: f"{float(value):.9g}"
+    real = lambda value: number(value) + ("f" if "." in number(value) or "e" in number(value) else ".0f")
+    lines = lambda parts, per: ",\n  ".join(", ".join(parts[i:i + per]) for i in range(0, len(parts), per))
+    text = f"""// Written by Examples/train_site_model.py: {len(first_nodes)} trees.
+#include "Pockets/SiteModel.h"
+
+namespace isthmus
+{{
+namespace
+{{
+
+// clang-format off
+const SiteModelNode Nodes[] = {{
+  {lines(["{" + f"{f}, {real(t)}, {a}, {b}" + "}" for f, t, a, b in nodes], 4)} }};
+
+const float Leaves[] = {{
+  {lines([real(value) for value in leaves], 8)} }};
+
+const int FirstNodes[] = {{
+  {lines([str(i) for i in first_nodes], 16)} }};
+
+const int FirstLeaves[] = {{
+  {lines([str(i) for i in first_leaves], 16)} }};
+
+const double Propensity[] = {{
+  {lines([number(value) for value in propensity], 5)} }};
+// clang-format on
+
+}}
+
+const SiteModelTable& FrozenSiteModel()
+{{
+  static const SiteModelTable table{{ Nodes, FirstNodes, FirstLeaves, Leaves, {len(first_nodes)}, 0.0, Propensity,
+    {{ {", ".join(number(value) for value in calibration)} }} }};
+  return table;
+}}
+
+}}
+"""
+    Path(path).write_text(text)
+
+
+# ---------------------------------------------------------------------------- training
+
+def train(options):
+    complexes, names = [], None
+    for path in options.files:
+        some, names = load(path)
+        complexes += some if path == options.files[0] else at_most(some, PER_FAMILY)
+    column = names.index("Propensity")
+    judged = [one for one in complexes if one.source == str(options.files[0])]
+    families = {one.family for one in complexes}
+    print(f"{len(complexes)} complexes of {len(families)} families; judged: {len(judged)} of "
+          f"{len({one.family for one in judged})} from {options.files[0]}")
+    fold = folds_of(families, FOLDS, 0)
+    hits, densities = {}, {}
+    for k in range(FOLDS):
+        inside = [one for one in complexes if fold[one.family] != k]
+        reach, trees = SHIPPED
+        if options.nested:
+            reach, trees = choose(inside, [one for one in inside if one in judged], column)
+        model = fit(inside, column, trees)
+        print(f"fold {k}: reach {reach:g}, {trees} trees", flush=True)
+        for one in complexes:
+            if fold[one.family] == k:
+                densities[one.name], hits[one.name] = hits_of(one, predict(model, one, column), reach)
+    say("nested cross-validation", [hits[one.name] for one in judged], judged)
+    others = [one for one in complexes if one not in judged]
+    if others:
+        say("the further complexes", [hits[one.name] for one in others], others)
+    if options.curve:
+        for share in (0.25, 0.5, 0.75):
+            kept = {f for f in families if hashlib.sha1(f"curve {f}".encode()).digest()[0] < 256 * share}
+            found = {}
+            for k in range(FOLDS):
+                inside = [one for one in complexes if fold[one.family] != k and one.family in kept]
+                model = fit(inside, column, SHIPPED[1])
+                for one in judged:
+                    if fold[one.family] == k:
+                        found[one.name] = hits_of(one, predict(model, one, column), SHIPPED[0])[1]
+            say(f"with {share:g} of the families ({len(kept)})", [found[one.name] for one in judged], judged)
+    # Calibration: fitted on other folds than those it is judged on.
+    x, y, w, f = calibration_rows([densities[c.name] for c in complexes], [hits[c.name] for c in complexes],
+                                  complexes)
+    folds = numpy.array([fold[family] for family in f])
+    probability = numpy.zeros(len(y))
+    for k in range(FOLDS):
+        probability[folds == k] = calibrated(fit_calibration(x[folds != k], y[folds != k], w[folds != k]),
+                                             x[folds == k])
+    reliability(probability, y, f)
+    calibration = fit_calibration(x, y, w)
+    model = fit(complexes, column, SHIPPED[1])
+    gain = model[1].feature_importance("gain")
+    print("gain: " + ", ".join(f"{names[i]} {100 * gain[i] / gain.sum():.0f}" for i in numpy.argsort(-gain)[:20]))
+    if options.test:
+        test, _ = load(options.test)
+        found = [hits_of(one, predict(model, one, column), SHIPPED[0]) for one in test]
+        say("test files", [h for _, h in found], test)
+        x, y, w, f = calibration_rows([d for d, _ in found], [h for _, h in found], test)
+        reliability(calibrated(calibration, x), y, f)
+    if options.table:
+        write_table(options.table, model, calibration)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    commands = parser.add_subparsers(dest="command", required=True)
+    describing = commands.add_parser("describe")
+    describing.add_argument("folder", type=Path)
+    describing.add_argument("out")
+    training = commands.add_parser("train")
+    training.add_argument("files", nargs="+", help="the first is the one that is judged by")
+    training.add_argument("--test")
+    training.add_argument("--table")
+    training.add_argument("--curve", action="store_true")
+    training.add_argument("--nested", action="store_true")
+    options = parser.parse_args()
+    describe(options.folder, options.out) if options.command == "describe" else train(options)
+
+
+if __name__ == "__main__":
+    main()
