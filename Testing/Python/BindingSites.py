@@ -78,7 +78,7 @@ assert 10.0 < first["Volume"] < 2000.0, first["Volume"]  # that water's centre c
 pockets.UsePockets = 0
 pockets.UpdatePipeline()
 assert servermanager.Fetch(pockets, idx=1).GetNumberOfRows() == len(rows)
-weighed = simple.MolecularPockets(Input=protein, Surface=polarized)
+weighed = simple.MolecularPockets(Input=protein, Surface=polarized, FindSites=0)
 weighed.UpdatePipeline()
 means = servermanager.Fetch(weighed, idx=1)
 assert abs(means.GetValueByName(0, "MeanPotential").ToDouble() - first["MeanPotential"]) < 1e-12

@@ -3,6 +3,9 @@ result as on the molecule or map itself. And on what they can't take, groups amo
 error of VTK's besides, and what was selected stays selected.
 """
 
+import tempfile
+from pathlib import Path
+
 from paraview import servermanager, simple
 from shared_data import shared_data
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkOutputWindow
@@ -88,7 +91,15 @@ check_in_turn(opened("maps/emd_1832.map"), MAP,
 
 molecule = opened("molecules/1AJJ_pH7_PARSE.pqr")
 molecule.UpdatePipeline()
-check_refusals(molecule, ("protein_to_pockets",), "no pockets of this size")
+with tempfile.TemporaryDirectory() as folder:
+    glycine = Path(folder) / "glycine.pdb"
+    glycine.write_text("".join(
+        f"ATOM  {i:5d}  {name:3} GLY A   1    {x:8.3f}{y:8.3f}{z:8.3f}  1.00  0.00           {name[0]}\n"
+        for i, (name, x, y, z) in enumerate(
+            (("N", 0.0, 0.0, 0.0), ("CA", 1.46, 0.0, 0.0), ("C", 2.0, 1.42, 0.0), ("O", 1.3, 2.4, 0.3)), 1)))
+    residue = simple.OpenDataFile(str(glycine))
+    residue.UpdatePipeline()
+    check_refusals(residue, ("protein_to_pockets",), "no pockets of this size")
 molecules = simple.GroupDatasets(Input=[molecule, opened("molecules/1crn_apbs.pqr")])
 check_refusals(molecules, ("protein_to_sites",), "Extract Block")
 maps = simple.GroupDatasets(Input=[opened("maps/emd_1832.map"), opened("maps/emd_1703.map")])

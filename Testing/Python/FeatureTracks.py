@@ -75,6 +75,7 @@ for frame in range(FRAMES):
 reader, name = open_models("".join(text) + "END\n", ".pdb")
 reader.UpdateInformation()
 finder = isthmus.vtkMolecularPockets()
+finder.SetFindSites(False)  # two whole pockets; sites are many, and the unlikely ones come and go
 tracks = run(reader, finder, 1, 4)
 table = tracks.GetOutput()
 track, time = column(table, "Track"), column(table, "Time")
@@ -140,7 +141,9 @@ def ring(r, z, count):
 half = {}
 for port in (0, 1):
     reader, name = open_models("".join(text[: text.index("ENDMDL\n") * 6 + 6]) + "END\n", ".pdb")
-    table = run(reader, isthmus.vtkMolecularPockets(), port, 4).GetOutput()
+    finder = isthmus.vtkMolecularPockets()
+    finder.SetFindSites(False)  # the table's centre of a site is a mode, that of its cells their mean
+    table = run(reader, finder, port, 4).GetOutput()
     os.remove(name)
     half[port] = {
         (time, feature): (track, volume)

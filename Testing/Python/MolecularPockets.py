@@ -1,4 +1,4 @@
-"""Pockets of the eight shared complexes: where the ligands are, whatever becomes of the ligands."""
+"""Sites and whole pockets of the eight shared complexes: where the ligands are, whatever becomes of the ligands."""
 
 import numpy
 from paraview import servermanager, simple
@@ -28,7 +28,7 @@ def same(first, second):
 
 
 plateau = [(inner, outer) for inner in (1.5, 1.7, 1.9) for outer in (2.8, 3.1, 3.5)]
-first, three, settings = 0, 0, dict.fromkeys(plateau, 0)
+first, three, whole, settings = 0, 0, [], dict.fromkeys(plateau, 0)
 for name, lines, mask in tools.complexes():
     ligand = [tools.place_of(line) for line, is_ligand in zip(lines, mask) if is_ligand]
     removed = tools.read([line for line, is_ligand in zip(lines, mask) if not is_ligand])
@@ -38,12 +38,15 @@ for name, lines, mask in tools.complexes():
     found = tools.distances(finder, ligand)
     first += found[0] <= SUCCESS
     three += min(found) <= SUCCESS
+    whole.append(tools.distances(tools.pockets(removed, FindSites=False), ligand))
     for inner, outer in plateau:
-        other = tools.pockets(removed, InnerRadius=inner, OuterRadius=outer)
+        other = tools.pockets(removed, InnerRadius=inner, OuterRadius=outer, FindSites=False)
         settings[inner, outer] += tools.distances(other, ligand, 1)[0] <= SUCCESS
     print(name, " ".join(f"{distance:.1f}" for distance in found))
 print(f"first {first}, among three {three} of 8; settings: {sorted(settings.values())}")
 assert first >= 7 and three == 8, (first, three)
+# Whole pockets, as before there were sites.
+assert sum(d[0] <= SUCCESS for d in whole) >= 7 and max(min(d) for d in whole) <= SUCCESS, whole
 assert min(settings.values()) >= 7, settings
 
 # Through ParaView's proxies, as the window has it.
@@ -58,12 +61,18 @@ notes = cells.GetFieldData().GetAbstractArray("Notes")
 texts = [notes.GetValue(i) for i in range(notes.GetNumberOfValues())]
 assert any("NAG" in text for text in texts) and any("Water" in text for text in texts), texts
 residues = servermanager.Fetch(pockets, idx=4)
-best = {
-    residues.GetValueByName(row, "ResidueId").ToInt()
-    for row in range(residues.GetNumberOfRows())
-    if residues.GetValueByName(row, "PocketId").ToInt() == 1
-}
-assert {35, 52} & best and {62, 63, 108} & best, best  # the catalytic acids and the tryptophans
+lining = [
+    {
+        residues.GetValueByName(row, "ResidueId").ToInt()
+        for row in range(residues.GetNumberOfRows())
+        if residues.GetValueByName(row, "PocketId").ToInt() == pocket
+    }
+    for pocket in (1, 2)
+]
+# Two sites of the cleft: the tryptophans, and the catalytic acids.
+assert {62, 63, 108} & lining[0] and {35, 52} & lining[1], lining
+parents = [table.GetValueByName(row, "Parent").ToInt() for row in (0, 1)]
+assert parents == [1, 1], parents
 pockets.ShownPocket = 2
 pockets.UpdatePipeline()
 lining = servermanager.Fetch(pockets, idx=5)

@@ -108,7 +108,7 @@ def choose_until(paraview, folder, what, act, number):
 
 # Places in a window of WIDTH x HEIGHT; the camera is the first look's.
 VIEW = (slice(210, 960), slice(310, 1040))
-ROW_OF_POCKET_2, EMPTY_PLACE, POCKET_1, POCKET_2 = (1200, 296), (400, 900), (697, 500), (560, 600)
+ROW_OF_POCKET_2, EMPTY_PLACE, POCKET_1, POCKET_2 = (1200, 296), (400, 900), (697, 500), (832, 490)
 ROW_OF_PORE_4, CHART = (1200, 830), (slice(210, 640), slice(1070, 1590))
 VERMILION, BLUE, GREEN, ROW_BLUE, LINE = (
     (213, 94, 0), (0, 114, 178), (0, 158, 115), (48, 140, 198), (77, 175, 74))
@@ -152,7 +152,7 @@ def pockets(paraview, folder):
     assert (abs(back[VIEW] - after[VIEW]).max(axis=-1) > 60).sum() > 1000
     choose_until(paraview, folder, "the other pocket", lambda: in_view(POCKET_2, "d"), 2)
     print(f"residues of the first pocket: {first} atoms, of the second: {second}; {changed} pixels changed")
-    assert first > second > 20
+    assert min(first, second) > 20 and first != second
 
 
 def pores(paraview, folder):

@@ -106,6 +106,7 @@ SILENT = {
     ("MolecularFlowSurface", "CoarseToFine"): "a quicker way to a surface that small grids reach at once",
     **{("MolecularPockets", name): "the hollow ball has no pocket: MolecularPockets.py has molecules"
        for name in ("OuterRadius", "ShownPocket", "UsePolarizedCurvature")},
+    ("MolecularPockets", "MinimumVolume"): "sites of any volume are listed: TestPocketSurface has whole pockets",
     ("PDETransform", "MaskInvalid"): "all values are finite: MaskedMaps.py has others",
     **{("PoreProfile", name): "the hollow ball has one pore or none: TestPoreProfile has tubes"
        for name in ("EndRadius", "MaximumOffset", "MinimumRadius", "MinimumSpan", "Point1", "Point2",

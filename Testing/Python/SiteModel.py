@@ -1,0 +1,118 @@
+"""The frozen site model: evaluated once more by other code, from the table in its source; and the arithmetic
+of evaluate_pockets.py on data of which the answer is known."""
+
+import re
+import sys
+from pathlib import Path
+
+import numpy
+
+import isthmus  # noqa: F401
+import pocket_tools as tools
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+ROOT = Path(__file__).resolve().parents[2]
+text = (ROOT / "Filters/Pockets/SiteModelTable.cxx").read_text()
+header = (ROOT / "Filters/Pockets/PocketSites.h").read_text()
+REACH = float(re.search(r"SiteReach = ([0-9.]+)", header)[1])
+
+
+def numbers(name):
+    body = re.search(name + r"\[\] = \{(.*?)\};", text, re.S)[1]
+    return [float(word) for word in re.findall(r"-?[0-9][0-9.]*(?:e[-+]?[0-9]+)?", body)]
+
+
+nodes = numpy.array(numbers("Nodes")).reshape(-1, 4)
+leaves = numpy.array(numbers("Leaves"), numpy.float32).astype(float)
+first_nodes, first_leaves = (numpy.array(numbers(name), int) for name in ("FirstNodes", "FirstLeaves"))
+propensity = numpy.array(numbers("Propensity"))
+calibration = [float(word) for word in re.search(r"Propensity,\s+\{ (.*?) \}", text)[1].split(", ")]
+
+
+def place_probabilities(values):
+    """All rows go down one tree after the other."""
+    odds = numpy.zeros(len(values))
+    for first, first_leaf in zip(first_nodes, first_leaves):
+        at = numpy.zeros(len(values), int)
+        while (at >= 0).any():
+            rows = numpy.flatnonzero(at >= 0)
+            here = nodes[first + at[rows]]
+            low = values[rows, here[:, 0].astype(int)] <= here[:, 1].astype(numpy.float32)
+            at[rows] = numpy.where(low, here[:, 2], here[:, 3]).astype(int)
+        odds += leaves[first_leaf - 1 - at]
+    return 1.0 / (1.0 + numpy.exp(-odds))
+
+
+def density_at(place, places, probabilities):
+    d2 = ((places - place) ** 2).sum(axis=1) / REACH**2
+    weights = probabilities * numpy.where(d2 < 1.0, (1.0 - d2) ** 2, 0.0)
+    return weights.sum(), weights @ places / weights.sum()
+
+
+for name, lines, mask in list(tools.complexes())[:3]:
+    atoms = tools.read([line for line, is_ligand in zip(lines, mask) if not is_ligand])
+    finder = tools.pockets(atoms, KeepDescriptors=True)
+    judged = finder.GetSiteSurface()
+    places = vtk_to_numpy(judged.GetPoints().GetData())
+    array = judged.GetPointData().GetArray("SiteDescriptors")
+    names = [array.GetComponentName(k) for k in range(array.GetNumberOfComponents())]
+    values, near = vtk_to_numpy(array)[:, :-40], vtk_to_numpy(array)[:, -40:].astype(float)
+    assert numpy.isfinite(values).all() and len(values) > 200, name
+    # Propensities are the mean of the table's over the residues that are near.
+    mean = near @ propensity / numpy.maximum(near.sum(axis=1), 1e-9)
+    assert numpy.allclose(mean, values[:, names.index("Propensity")], atol=1e-5), name
+    probabilities = vtk_to_numpy(judged.GetPointData().GetArray("SiteProbability"))
+    assert numpy.allclose(place_probabilities(values), probabilities, atol=1e-9), name
+    # The sites' tetrahedra are among the places, with the same probability; and as many atoms are near.
+    row_of = {place.tobytes(): row for row, place in enumerate(places)}
+    rows = [row_of[ball.tobytes()] for ball in vtk_to_numpy(finder.GetAlphaBalls().GetPoints().GetData())]
+    cells = finder.GetOutput().GetCellData()
+    assert numpy.array_equal(vtk_to_numpy(cells.GetArray("SiteProbability")), probabilities[rows]), name
+    assert numpy.array_equal(vtk_to_numpy(cells.GetArray("Burial")), values[rows, names.index("Atoms10")]), name
+    # Centres are modes of the density; probabilities follow from the densities.
+    table = tools.columns(finder.GetPocketTable())
+    centres = tools.centres(finder)
+    densities = []
+    for centre in centres:
+        density, after = density_at(centre, places, probabilities)
+        densities.append(density)
+        assert numpy.linalg.norm(after - centre) < 1e-3, (name, after, centre)
+    densities = numpy.array(densities)
+    shares = densities / densities.sum()
+    odds = calibration[0] + calibration[1] * numpy.log(numpy.maximum(densities, 1e-6)) + (
+        calibration[2] * numpy.log(numpy.maximum(shares, 1e-6)))
+    assert numpy.allclose(1.0 / (1.0 + numpy.exp(-odds)), table["Probability"], atol=1e-9), name
+    assert (numpy.diff(table["Probability"]) <= 0.0).all(), name
+    apart = numpy.linalg.norm(centres[:, None] - centres, axis=2) + 100.0 * numpy.eye(len(centres))
+    assert apart.min() >= 4.0 - 1e-6, (name, apart.min())
+    # The same sites without what only the training needs.
+    plain = tools.pockets(atoms)
+    assert numpy.array_equal(tools.centres(plain), centres), name
+    print(f"{name}: {len(centres)} sites, the first {table['Probability'][0]:.2f}")
+
+sys.path.insert(0, str(ROOT / "Examples"))
+import evaluate_pockets as evaluation  # noqa: E402
+
+# Two chains of one fold, the second turned by half about z and moved: a site of one has its copy there.
+random = numpy.random.default_rng(2)
+alphas = random.uniform(-10.0, 10.0, (30, 3))
+other = alphas * [-1.0, -1.0, 1.0] + [50.0, 0.0, 3.0]
+lines = [f"ATOM  {i + 1:5d}  CA  ALA {chain}{i + 1:4d}    {p[0]:8.3f}{p[1]:8.3f}{p[2]:8.3f}\n"
+         for chain, points in (("A", alphas), ("B", other)) for i, p in enumerate(points)]
+copies = evaluation.Copies(lines)
+ligand = numpy.array([[1.0, 2.0, 0.5], [2.0, 2.0, 0.5]])
+there = numpy.array([49.0, -2.0, 3.5])
+nowhere = numpy.array([20.0, 30.0, 0.0])
+miss, hit, groups = evaluation.three_counts(numpy.array([nowhere, there, ligand[0]]), ligand, copies)
+assert miss == [False, False, True] and hit == [False, True, True], (miss, hit)
+assert groups == [False, True], groups  # the two copies are one
+
+# 400 pockets of which as many are right as the probability says, and 100 that say too much.
+probability = numpy.concatenate([numpy.repeat([0.1, 0.3, 0.5, 0.9], 100), numpy.repeat(0.7, 100)])
+right = numpy.concatenate([numpy.arange(100) < 100 * p for p in (0.1, 0.3, 0.5, 0.9)] + [numpy.arange(100) < 40])
+bins = evaluation.reliability_bins(probability, right)
+assert sum(len(some) for some in bins) == 500 and min(len(some) for some in bins) >= 50
+one_each = [numpy.flatnonzero(probability == p) for p in (0.1, 0.3, 0.5, 0.9, 0.7)]
+assert abs(evaluation.calibration_error(probability, right, one_each) - 0.3 / 5) < 1e-12
+low, high = evaluation.interval(right, numpy.arange(500))
+assert low < right.mean() < high and high - low < 0.1
