@@ -1,11 +1,12 @@
 """The tables of the thesis, computed by Isthmus and printed beside the printed values, with the deviation.
 
-Usage: pvpython thesis.py [WHAT ...] [--page FILE]
+Usage: pvpython thesis.py [WHAT ...] [--page FILE] [--pictures FOLDER]
 
-WHAT: tables or figures ("5.2", "6.15"), chapters ("5"), or "loops" and "counts" for numbers that stand in the
-text; without any: all. Tables that this script does not reproduce are named with the reason. Cells read: here
-(thesis, deviation). X. Feng, "Geometric and topological modeling techniques for large and complex shapes".
+WHAT: tables or figures ("5.2", "6.15"), chapters ("5"), "loops" and "counts" for numbers in the text, "figures" for
+the example that draws each; without any: all. Tables that this script does not reproduce are named with the reason.
+Cells read: here (thesis, deviation). X. Feng, "Geometric and topological modeling techniques for large and complex shapes".
 
+--pictures FOLDER  draws Figure 5.6 of lysozyme into FOLDER; without a screen, put xvfb-run -a in front.
 --page FILE  writes each table into the page FILE as well, between <!-- thesis.py WHAT --> and <!-- end -->.
 
 Data: $ISTHMUS_DATA_DIR, else ../shared/data beside the clone. A stand-in is named where
@@ -551,17 +552,22 @@ def tangle(n=60):
     return contour.GetOutput()
 
 
-def gramicidin():
-    """1GRM with the pore open to a probe of 1.4: the stand-in for 1MAG."""
+def open_to_water(molecule, spacing):
+    """The molecule's surface at rest, with all open that a probe of 1.4 can enter."""
     reader = isthmus.vtkMacromoleculeReader()
-    reader.SetFileName(data("molecules/1grm_gramicidin_model1.pdb"))
+    reader.SetFileName(data("molecules/" + molecule))
     flow = isthmus.vtkMolecularFlowSurface()
     flow.SetInputConnection(reader.GetOutputPort())
     flow.SetProbeRadius(1.4)
     flow.SetSteady(True)
-    flow.SetSpacing(0.35)
+    flow.SetSpacing(spacing)
     flow.Update()
     return flow.GetOutput()
+
+
+def gramicidin():
+    """1GRM: the stand-in for 1MAG."""
+    return open_to_water("1grm_gramicidin_model1.pdb", 0.35)
 
 
 def analysed(surface, inside=True):
@@ -649,6 +655,39 @@ def buckyball():
         ("windows: tunnels and the additional loop outside", f"{tunnels} + {outside} = {tunnels + outside} (32)")))
 
 
+@reproduces("6.10", "Figure 6.10: loops of the potassium channel 2KIX")
+def potassium_channel():
+    surface = open_to_water("2kix.pdb", 0.7)
+    loops = analysed(surface, inside=False)
+    out, diagram = loops.GetOutput(), loops.GetOutputDataObject(3)
+    outside = (column(diagram, "Kind") == 2) & (column(diagram, "Side") == 1)
+    widening = column(diagram, "Persistence")[outside]
+    whole = field(out, "ReferenceLength", 1)
+    handles, tunnels = int(field(out, "NumberOfHandles")), int(field(out, "NumberOfTunnels"))
+    rows = [("genus: handles, tunnels", f"{handles}, {tunnels}", "not printed")]
+    rows += [(f"additional loops outside with a persistence of at least {percent} %",
+              int(numpy.sum(widening >= percent / 100 * whole)), "1; no thresholds printed")
+             for percent in (5, 10, 25, 50)]
+    return table(("what", "here", "thesis"), rows) + [
+        "", f"2KIX, surface open to a probe of 1.4 angstrom at 0.7 angstrom ({surface.GetNumberOfPoints()} points); "
+        "percent of the largest distance outside. The thesis says that some of its loops are noise."]
+
+
+@reproduces("6.11", "Figure 6.11: loops at three resolutions")
+def resolutions():
+    surface, rows = gramicidin(), []
+    for thousands in (7.7, 4.8, 3.4):
+        made = simplified(surface, int(2000 * thousands))
+        loops = analysed(made)
+        found = decided(bars_inside(loops), 0.70, 0.25)
+        rows.append((f"{made.GetNumberOfPoints() / 1000:.1f} ({thousands})",
+                     f"{int(field(loops.GetOutput(), 'NumberOfHandles'))} (8)", f"{found[0]} (4)",
+                     f"{field(loops.GetOutput(), 'ReferenceLength'):.3f}"))
+    return table(("points, thousands", "handles", "additional loops", "largest distance inside"), rows) + [
+        "", "1GRM, another structure of the same channel, for 1MAG, with the thresholds of the thesis, 70 % and 25 %. "
+        "What can be compared is whether the counts stay the same from resolution to resolution."]
+
+
 @reproduces("6.13", "Figures 6.13 and 6.14: integrals of beta_1 (angstrom) over grids")
 def fullerene_grids():
     import fullerene_stability as fullerenes
@@ -693,12 +732,60 @@ def fullerene_energies():
         "one size the indicator follows the energy; over all sizes most of it is 1/N."]
 
 
+# ------------------------------------------------------------------------------------------ figures
+
+# Figures with results, where each is drawn, and what stands in for the thesis' data.
+FIGURES = (
+    ("1.4, 6.1, 6.6", "`choking_loops.py SURFACE`", "the buckyball soccerball.obj, Kitten.off and others"),
+    ("3.2, 4.13, 4.22", "`mesh_figures.py`", "EMD-1832 for EMD-1590, 1HEW"),
+    ("4.3, 5.2", "`MapToCurvature.py MAP FOLDER`", "EMD-5043 for EMD-1617 and EMD-5119"),
+    ("4.4 to 4.7, 4.18 to 4.21", "`mesh_figures.py`",
+     "EMD-1832 for EMD-1590; six shared maps; 1HEW. Isotropic remeshing"),
+    ("4.9 to 4.12, 5.7, 5.8", "`MapToCurvature.py MAP FOLDER`", "any shared map"),
+    ("4.14", "`MapToMesh.py MAP FOLDER LEVEL`", "any shared map"),
+    ("4.15, 5.1", "`flow_surfaces.py MOLECULE`", "1HEW, also for 1PPL"),
+    ("4.16, 5.3", "`evaluate_solvation.py --picture`", "1HEW, also for 1PPL"),
+    ("4.17, 4.23", "not drawn", "1ADS, 1BYH, 1EJN and 2WEB are not available"),
+    ("4.24, 4.25, 5.6", "`thesis.py figures --pictures FOLDER`", "1HEW, also for 1PPL"),
+    ("4.26, 4.27, 4.30", "`surface_regions.py PROTEIN`", "1HEW"),
+    ("4.28, 4.29", "`electrostatics.py FILE.pqr`", "1HEW"),
+    ("5.4, 5.5", "not drawn", "the errors are Tables 5.3 to 5.6"),
+    ("5.9", "`binding_sites.py PROTEIN`", "1HEW and the shared complexes"),
+    ("6.3 to 6.5", "`choking_loops.py SURFACE`", "membranes and choke points are outputs of Choking Loops"),
+    ("6.7 to 6.9", "`choking_loops.py SURFACE`", "fertility.off, neptune.off and others"),
+    ("6.10, 6.11", "`thesis.py 6.10 6.11` (counts)", "2KIX; 1GRM for 1MAG"),
+    ("6.12 to 6.15", "`fullerene_stability.py OUTPUT FOLDER --grid --growth --energies CSV`",
+     "GFN2-xTB energies for MP2"),
+)
+
+
+@reproduces("figures", "Figures, and the example that draws each")
+def figures():
+    return table(("figures", "drawn by (in Examples)", "data"), FIGURES)
+
+
+def draw(folder):
+    """Six descriptors of the curvature of lysozyme's surface, as Figure 5.6 has them of 1PPL."""
+    from paraview import servermanager, simple
+    import MapToCurvature
+    atoms = simple.OpenDataFile(data("molecules/1hew/1hew.pqr"))
+    flow = simple.MolecularFlowSurface(Input=atoms, Spacing=0.5)
+    curvature = simple.CurvatureOnSurface(Input=flow, Volume=servermanager.OutputPort(flow, 1),
+                                          SelectInputScalars=["POINTS", "SignedDistance"], InsideIsHigher=0)
+    curvature.UpdatePipeline()
+    layout = MapToCurvature.six_views(curvature, servermanager.Fetch(curvature))
+    folder.mkdir(parents=True, exist_ok=True)
+    picture = folder / "thesis_5.6.png"
+    simple.SaveScreenshot(str(picture), layout, ImageResolution=[1800, 1200])
+    print(picture)
+
+
 # ------------------------------------------------------------------------------------------ running
 
 
 def in_order(key):
     return [int(part) if part.isdigit() else 99 for part in key.split(".")] if key[0].isdigit() else [
-        {"counts": 4, "loops": 6}[key], 98]
+        {"counts": 4, "loops": 6, "figures": 9}[key], 98]
 
 
 def chosen(words):
@@ -707,7 +794,7 @@ def chosen(words):
     if not words:
         return keys
     wanted = [aliases.get(word, word) for word in words]
-    unknown = [word for word in wanted if word not in keys and word not in "3456"]
+    unknown = [word for word in wanted if word not in keys and word not in ("3", "4", "5", "6")]
     if unknown:
         sys.exit(f"There is no {', '.join(unknown)}; there are: {', '.join(keys)}, and chapters 3 to 6.")
     return [key for key in keys if key in wanted or str(in_order(key)[0]) in wanted]
@@ -725,14 +812,16 @@ def main(words):
     if "--help" in words or "-h" in words:
         print(__doc__)
         return
-    page = None
-    if "--page" in words:
-        at = words.index("--page")
-        page = Path(words[at + 1])
-        del words[at:at + 2]
+    options = {}
+    for option in ("--page", "--pictures"):
+        if option in words:
+            at = words.index(option)
+            options[option] = Path(words[at + 1])
+            del words[at:at + 2]
+    page = options.get("--page")
     start = time.monotonic()
     for key in chosen(words):
-        name = key if not key[0].isdigit() else ("Figure " if key in ("6.13", "6.15") else "Table ") + key
+        name = f"Table {key}" if key[0].isdigit() else key[0].upper() + key[1:]
         if key in NOT_HERE:
             print(f"\n## {name}\n\nNot computed here: {NOT_HERE[key]}")
             continue
@@ -748,6 +837,8 @@ def main(words):
         print(f"\n({time.monotonic() - began:.1f} s, {time.process_time() - used:.1f} s of processor time)", flush=True)
         if page:
             write_into(page, key, lines)
+    if "--pictures" in options:
+        draw(options["--pictures"])
     print(f"\nAll of it: {time.monotonic() - start:.0f} s.")
 
 
