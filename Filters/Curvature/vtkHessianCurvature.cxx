@@ -9,6 +9,7 @@
 #include "Curvature/CurvatureOfImage.h"
 #include "Curvature/CurvatureScale.h"
 #include "Curvature/FiniteDifference.h"
+#include "Curvature/GaussBonnet.h"
 #include "Curvature/GaussianSmoothing.h"
 
 #include <vtkCommunicator.h>
@@ -417,6 +418,12 @@ void vtkHessianCurvature::AddCurvature(vtkImageData* image, vtkDataArray* scalar
   {
     // What a view colours by, and the next filter takes, unless told otherwise.
     output->GetPointData()->SetActiveScalars("MeanCurvature");
+  }
+  if (vtkPolyData* surface = vtkPolyData::SafeDownCast(output); surface &&
+      this->GenerateGaussianCurvature && isthmus::NumberOfRanks() == 1 &&
+      surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0)
+  {
+    isthmus::AddGaussBonnet(isthmus::IntegralOfGaussian(surface), surface->GetFieldData());
   }
 }
 

@@ -20,6 +20,10 @@
  * angstrom for molecular maps. All other arrays of the input are kept; on a surface MeanCurvature
  * becomes the active scalars.
  *
+ * Field data, on a surface with triangles and one rank: `GaussianCurvatureIntegral` (no unit) and
+ * `GaussBonnetEulerNumber`, that over 2 pi, close to the Euler number of a closed surface where its
+ * curvature is right (GaussBonnet.h).
+ *
  * **Validity.** `CurvatureValid` is 1 where the values mean something. It is 0, and with it all
  * values, where the stencil leaves the grid (the outer 1 or 2 layers of nodes for Accuracy 2 or 4,
  * and everything beyond), where a value in the stencil is infinite or not a number, and where the

@@ -7,6 +7,7 @@
 #include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 #include "Curvature/CurvatureDescriptors.h"
+#include "Curvature/GaussBonnet.h"
 #include "Curvature/SurfaceCurvature.h"
 #include "Curvature/SurfaceTypeNames.h"
 #include "Surfaces/SurfaceCleaning.h"
@@ -138,6 +139,18 @@ void AddAreas(
   output->GetPointData()->AddArray(array);
 }
 
+/// Of the Gaussian curvature: each place once, by the area that belongs to it.
+double IntegralOver(const std::vector<vtkIdType>& places, const SurfaceCurvatureResult& result)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < result.Gaussian.size(); ++i)
+  {
+    const bool counts = result.Valid[i] != 0 && (places.empty() || isthmus::At(places[i]) == i);
+    sum += counts ? result.Gaussian[i] * result.Area[i] : 0.0;
+  }
+  return sum;
+}
+
 /// What a user should know about points without curvature; empty if there is nothing.
 std::string Complaints(const SurfaceCurvatureResult& result)
 {
@@ -186,6 +199,7 @@ int vtkSurfaceCurvature::RequestData(
       const SurfaceCurvatureResult result = CurvatureOfPlaces(
         triangles.View(), options, isthmus::Between(isthmus::ProgressOf(this), 0.1, 0.9), places);
       this->AddArrays(result, output);
+      isthmus::AddGaussBonnet(IntegralOver(places, result), output->GetFieldData());
       if (this->GeneratePointArea)
       {
         AddAreas(places, result.Area, output);

@@ -12,7 +12,9 @@
  * `PrincipalDirection1`, `PrincipalDirection2` (unit vectors, of the EdgeTensor only) and
  * `SurfaceType` (unsigned char, names in the field array `SurfaceTypeNames`). `PointArea`
  * (length^2) is the area that belongs to a point by DualArea: the weight for means over the
- * surface; all together are the area of the surface.
+ * surface; all together are the area of the surface. Field data `GaussianCurvatureIntegral` (no
+ * unit) and `GaussBonnetEulerNumber`, that over 2 pi, close to the Euler number of a closed surface
+ * (GaussBonnet.h).
  *
  * **Validity.** `CurvatureValid` is 1 where the values mean something. It is 0, and with it all
  * values but `PointArea`, at points on the boundary (over Ball and GeodesicDisc they are valid, but

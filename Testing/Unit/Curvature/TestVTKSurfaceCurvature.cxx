@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <vtkCurvatures.h>
+#include <vtkFieldData.h>
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -16,7 +17,10 @@
 #include <vtkTriangleFilter.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <vector>
 
 using namespace isthmus::testing;
 
@@ -317,4 +321,48 @@ TEST(vtkSurfaceCurvature, KeepsWhatTheInputHadAndSwitchesArrays)
   EXPECT_FALSE(arrays->HasArray("PointArea"));
   EXPECT_FALSE(arrays->HasArray("PrincipalDirection1"));
   EXPECT_EQ(surface->GetPointData()->GetNumberOfArrays(), 1) << "the input was changed";
+}
+
+// Of a sphere 2, of a torus 0, of two spheres 4: by the mesh and by the image, to their own errors.
+TEST(GaussBonnet, CountsWhatIsThere)
+{
+  struct Shape
+  {
+    std::function<double(double, double, double)> Distance;
+    double Euler;
+  };
+  const std::vector<Shape> shapes{
+    { [](double x, double y, double z) { return std::hypot(x, y, z) - 2.0; }, 2.0 },
+    { [](double x, double y, double z) { return std::hypot(std::hypot(x, y) - 1.7, z) - 0.7; },
+      0.0 },
+    { [](double x, double y, double z) { return std::hypot(std::abs(x) - 1.4, y, z) - 1.0; }, 4.0 }
+  };
+  for (const Shape& shape : shapes)
+  {
+    vtkSmartPointer<vtkImageData> image = DistanceImage(61);
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      const double* x = image->GetPoint(i);
+      image->GetPointData()->GetScalars()->SetComponent(i, 0, shape.Distance(x[0], x[1], x[2]));
+    }
+    vtkNew<vtkFlyingEdges3D> contour;
+    contour->SetInputData(image);
+    contour->SetValue(0, 0.0);
+    contour->Update();
+    vtkNew<vtkHessianCurvature> byImage;
+    byImage->SetInputData(0, image);
+    byImage->SetInputData(1, contour->GetOutput());
+    byImage->InsideIsHigherOff();
+    byImage->AutomaticScaleOff();
+    byImage->Update();
+    const auto byMesh = Ours(contour->GetOutput());
+    for (vtkAlgorithm* filter : std::array<vtkAlgorithm*, 2>{ byImage, byMesh })
+    {
+      vtkFieldData* fields = filter->GetOutputDataObject(0)->GetFieldData();
+      const double euler = fields->GetArray("GaussBonnetEulerNumber")->GetTuple1(0);
+      EXPECT_NEAR(euler, shape.Euler, 0.05);
+      EXPECT_NEAR(
+        fields->GetArray("GaussianCurvatureIntegral")->GetTuple1(0), 2.0 * M_PI * euler, 1e-12);
+    }
+  }
 }

@@ -1,0 +1,64 @@
+#include "Curvature/GaussBonnet.h"
+
+#include "Core/Geometry.h"
+#include "Core/Index.h"
+#include "Core/ParallelFor.h"
+#include "Core/PolyDataTriangles.h"
+
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <vector>
+
+namespace isthmus
+{
+namespace
+{
+
+void AddNumber(vtkFieldData* fields, const char* name, double number)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(number);
+  fields->AddArray(array);
+}
+
+}
+
+double IntegralOfGaussian(vtkPolyData* surface)
+{
+  vtkDataArray* gaussian = surface->GetPointData()->GetArray("GaussianCurvature");
+  vtkDataArray* valid = surface->GetPointData()->GetArray("CurvatureValid");
+  std::vector<double> curvature(static_cast<std::size_t>(surface->GetNumberOfPoints()), 0.0);
+  for (vtkIdType i = 0; gaussian && valid && i < surface->GetNumberOfPoints(); ++i)
+  {
+    curvature[At(i)] = valid->GetTuple1(i) != 0.0 ? gaussian->GetTuple1(i) : 0.0;
+  }
+  const PolyDataTriangles triangles(surface);
+  const SurfaceView mesh = triangles.View();
+  constexpr std::int64_t block = 1 << 14;
+  return ParallelReduce(static_cast<std::int64_t>(mesh.Triangles.size()), block, 0.0,
+    [&](double& sum, std::int64_t first, std::int64_t last)
+    {
+      for (std::int64_t i = first; i < last; ++i)
+      {
+        const Triangle& t = mesh.Triangles[At(i)];
+        const Point3& a = mesh.Points[At(t[0])];
+        const double area =
+          0.5 * Length(Cross(mesh.Points[At(t[1])] - a, mesh.Points[At(t[2])] - a));
+        sum += area * (curvature[At(t[0])] + curvature[At(t[1])] + curvature[At(t[2])]) / 3.0;
+      }
+    });
+}
+
+void AddGaussBonnet(double integral, vtkFieldData* fields)
+{
+  AddNumber(fields, "GaussianCurvatureIntegral", integral);
+  AddNumber(fields, "GaussBonnetEulerNumber", integral / (2.0 * Pi));
+}
+
+}
