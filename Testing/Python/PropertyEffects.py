@@ -101,11 +101,13 @@ SILENT = {
     ("MolecularFlowSurface", "TimeSteps"): "what times may be asked for: MolecularFlowSurface.py, FlowWindow.py",
     **{(name, "UnitedAtoms"): "the atoms have hydrogens: MolecularFlowSurface.py has a chain without"
        for name in ("MolecularFlowSurface", "NonpolarSolvation")},
-    **{("SolvationSurface", name): "owed: the atoms here have no elements, and each run takes seconds"
+    **{("SolvationSurface", name): "each run takes seconds: SolvationSurface.EachPropertyHasItsEffect"
        for name in ("AdaptiveUpdate", "EnergyTolerance", "Enlargement", "FieldRelaxation", "IonicStrength",
-                    "KeepWaters", "MaximumUpdates", "Padding", "Pressure", "ProbeRadius",
-                    "DielectricModel", "SoluteDielectric", "SolventDielectric", "Spacing", "SurfaceRelaxation",
-                    "SurfaceTension", "Temperature", "UnitedAtoms", "UpdatePeriod")},
+                    "MaximumUpdates", "Padding", "Pressure", "ProbeRadius", "DielectricModel", "SoluteDielectric",
+                    "SolventDielectric", "Spacing", "SurfaceRelaxation", "SurfaceTension", "Temperature",
+                    "UpdatePeriod")},
+    ("SolvationSurface", "KeepWaters"): "the atoms have no residues: MolecularFlowSurface.py has",
+    ("SolvationSurface", "UnitedAtoms"): "the same",
     ("MolecularFlowSurface", "CoarseToFine"): "a quicker way to a surface that small grids reach at once",
     **{("MolecularPockets", name): "the hollow ball has no pocket: MolecularPockets.py has molecules"
        for name in ("OuterRadius", "ShownPocket", "UsePolarizedCurvature")},

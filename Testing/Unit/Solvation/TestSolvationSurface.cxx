@@ -15,7 +15,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace isthmus;
 using namespace isthmus::testing;
@@ -148,4 +151,81 @@ TEST(SolvationSurface, AChargeOutsideOfAllAtomsIsRefused)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(filter->GetImage()->GetNumberOfPoints(), 0);
   EXPECT_EQ(filter->GetUpdates()->GetNumberOfRows(), 0);
+}
+
+namespace
+{
+
+/// Two opposite ions with room between them, on a coarse grid.
+vtkSmartPointer<vtkSolvationSurface> SurfaceOfIons()
+{
+  auto filter = vtkSmartPointer<vtkSolvationSurface>::New();
+  const double half = 2.4;
+  filter->SetInputData(ChargedPoints({ { { IonPlace[0] - half, IonPlace[1], IonPlace[2] }, 2.0 },
+                                       { { IonPlace[0] + half, IonPlace[1], IonPlace[2] }, 1.6 } },
+    { 1.0, -1.0 }, 0.1));
+  filter->SetSpacing(0.5);
+  filter->SetPadding(4.0);
+  filter->SetProbeRadius(0.0);
+  filter->SetUpdatePeriod(3);
+  return filter;
+}
+
+/// All numbers of all updates.
+std::vector<double> HistoryOf(vtkSolvationSurface* filter)
+{
+  filter->Update();
+  vtkTable* table = filter->GetUpdates();
+  std::vector<double> numbers;
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
+    {
+      numbers.push_back(table->GetValue(row, column).ToDouble());
+    }
+  }
+  return numbers;
+}
+
+}
+
+TEST(SolvationSurface, EachPropertyHasItsEffect)
+{
+  using Filter = vtkSolvationSurface;
+  const std::vector<double> usual = HistoryOf(SurfaceOfIons());
+  ASSERT_FALSE(usual.empty());
+  EXPECT_EQ(HistoryOf(SurfaceOfIons()), usual);
+  const std::vector<std::pair<const char*, std::function<void(Filter*)>>> changes{
+    { "Enlargement", [](Filter* f) { f->SetEnlargement(1.5); } },
+    { "ProbeRadius", [](Filter* f) { f->SetProbeRadius(0.5); } },
+    { "Spacing", [](Filter* f) { f->SetSpacing(0.6); } },
+    { "Padding", [](Filter* f) { f->SetPadding(5.0); } },
+    { "SoluteDielectric", [](Filter* f) { f->SetSoluteDielectric(4.0); } },
+    { "SolventDielectric", [](Filter* f) { f->SetSolventDielectric(40.0); } },
+    { "DielectricModel", [](Filter* f) { f->SetDielectricModel(Filter::SmoothDielectric); } },
+    { "IonicStrength", [](Filter* f) { f->SetIonicStrength(0.5); } },
+    { "Temperature", [](Filter* f) { f->SetTemperature(350.0); } },
+    { "UpdatePeriod", [](Filter* f) { f->SetUpdatePeriod(10); } },
+    { "SurfaceRelaxation", [](Filter* f) { f->SetSurfaceRelaxation(0.5); } },
+    { "FieldRelaxation", [](Filter* f) { f->SetFieldRelaxation(0.5); } },
+    { "EnergyTolerance", [](Filter* f) { f->SetEnergyTolerance(1e-9); } },
+    { "MaximumUpdates", [](Filter* f) { f->SetMaximumUpdates(2); } },
+    { "SurfaceTension", [](Filter* f) { f->SetSurfaceTension(0.1); } },
+    { "Pressure", [](Filter* f) { f->SetPressure(0.1); } }
+  };
+  for (const auto& [name, change] : changes)
+  {
+    const auto filter = SurfaceOfIons();
+    change(filter);
+    EXPECT_NE(HistoryOf(filter), usual) << name;
+  }
+  // It shortens long periods only.
+  const auto longer = [](bool adaptive)
+  {
+    const auto filter = SurfaceOfIons();
+    filter->SetUpdatePeriod(100);
+    filter->SetAdaptiveUpdate(adaptive);
+    return HistoryOf(filter);
+  };
+  EXPECT_NE(longer(true), longer(false));
 }
