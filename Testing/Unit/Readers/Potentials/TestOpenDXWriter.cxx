@@ -97,6 +97,37 @@ TEST(OpenDXWriter, EveryBitComesBack)
   EXPECT_EQ(Content(packed.Path).find("object 1 class gridpositions counts 7 5 11"), 0u);
 }
 
+// APBS and VMD read lines of three values; z runs fastest, and numbers of a node stay together.
+TEST(OpenDXWriter, TextIsThatOfAPBS)
+{
+  for (const int components : { 1, 2 })
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(2, 1, 2);
+    image->SetOrigin(1.0, 2.0, 3.0);
+    image->SetSpacing(0.5, 0.5, 0.5);
+    vtkNew<vtkDoubleArray> values;
+    values->SetName("Values");
+    values->SetNumberOfComponents(components);
+    values->SetNumberOfTuples(4);
+    for (vtkIdType i = 0; i < 4 * components; ++i)
+    {
+      values->SetValue(i, 0.5 + static_cast<double>(i));
+    }
+    image->GetPointData()->SetScalars(values);
+    const File file("", "text.dx");
+    vtkNew<vtkOpenDXWriter> writer;
+    writer->SetInputData(image);
+    writer->SetFileName(file.Path.c_str());
+    ASSERT_EQ(writer->Write(), 1);
+    const std::string text = Content(file.Path);
+    const std::string data = components == 1
+      ? "rank 0 items 4 data follows\n0.5 2.5 1.5\n3.5 \nattribute"
+      : "rank 1 shape 2 items 4 data follows\n0.5 1.5 4.5\n5.5 2.5 3.5\n6.5 7.5 \nattribute";
+    EXPECT_NE(text.find("object 3 class array type double " + data), std::string::npos) << text;
+  }
+}
+
 TEST(OpenDXWriter, TurnedGridsAndLabelsComeBack)
 {
   const File file("# the unit is kT/e\nobject 1 class gridpositions counts 2 3 2\norigin 1 2 3\n"
