@@ -318,7 +318,8 @@ COMMANDS = {
               "persistence (angstrom: how much wider the space behind it is)."),
     "pockets": (pockets, MOLECULES, "pockets of a protein, the likeliest binding site first",
                 "Finds the pockets of a molecule, ranked. Water and ligands of the file take no part where the file says "
-                "what they are. Table: a row for each pocket with its volume (cubic angstrom), its mouths and residues."),
+                "what they are. Table: a row for each site of the size of a ligand with its probability, its volume (cubic "
+                "angstrom) and its residues."),
     "pores": (pores, MOLECULES, "channels that run through a protein",
               "Finds the channels that run through a molecule. Table: a row for each with its length and the radius of "
               "its bottleneck (angstrom)."),

@@ -312,7 +312,7 @@ def _molecule(pipeline, chains):
 
 
 ProteinToPockets = collections.namedtuple(
-    "ProteinToPockets", "residues pockets ranking mouths alpha_balls lining_residues lining_atoms")
+    "ProteinToPockets", "residues pockets ranking mouths alpha_balls lining_residues lining_atoms site_surface")
 
 
 def protein_to_pockets(atoms):
@@ -327,8 +327,8 @@ def protein_to_pockets(atoms):
     -------
     ProteinToPockets
         residues: the atoms that line the best pocket; then the outputs of molecular_pockets(): pockets, ranking
-        (a table: a row for each pocket, with volume in cubic angstrom), mouths, alpha_balls, lining_residues,
-        lining_atoms.
+        (a table: a row for each site, with its probability and its volume in cubic angstrom), mouths, alpha_balls,
+        lining_residues, lining_atoms, site_surface (empty here, where no surface is given).
 
     Raises
     ------
