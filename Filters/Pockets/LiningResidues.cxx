@@ -10,6 +10,7 @@
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 
+#include <algorithm>
 #include <set>
 
 namespace isthmus
@@ -40,6 +41,25 @@ std::vector<std::vector<vtkIdType>> BondedTo(vtkPointSet* input)
     }
   }
   return bonded;
+}
+
+/// Residue, number and chain, as "ASP 52 A".
+std::string LabelOf(const NamedAtom& atom)
+{
+  return atom.Residue + " " + std::to_string(atom.ResidueId) + atom.InsertionCode +
+    (atom.Chain.empty() ? "" : " ") + atom.Chain;
+}
+
+/// That of a residue's atoms which bears its name: CA, else the first; none without names.
+vtkIdType LabelledPoint(const MoleculeAtoms& atoms, const std::vector<vtkIdType>& residue)
+{
+  if (!atoms.HasNames || residue.empty())
+  {
+    return -1;
+  }
+  const auto alpha = std::find_if(residue.begin(), residue.end(),
+    [&](vtkIdType point) { return AtomAt(atoms, point).Name == "CA"; });
+  return alpha != residue.end() ? *alpha : residue.front();
 }
 
 }
@@ -123,6 +143,7 @@ ResidueAtoms::ResidueAtoms(const MoleculeAtoms& atoms, vtkPointSet* input, const
   , Input(input)
 {
   this->Feature->SetName(featureName);
+  this->Label->SetName("ResidueLabel");
   for (const vtkIdType point : atoms.Points)
   {
     this->OfResidue[KeyOf(AtomAt(atoms, point))].push_back(point);
@@ -144,10 +165,12 @@ void ResidueAtoms::Add(int feature, const std::vector<LiningResidue>& residues)
     const auto& whole = this->Atoms.HasNames
       ? this->OfResidue.at(KeyOf(AtomAt(this->Atoms, residue.Points.front())))
       : residue.Points;
+    const vtkIdType named = LabelledPoint(this->Atoms, whole);
     for (const vtkIdType point : whole)
     {
       this->Points.push_back(point);
       this->Feature->InsertNextValue(feature);
+      this->Label->InsertNextValue(point == named ? LabelOf(AtomAt(this->Atoms, point)) : "");
     }
   }
 }
@@ -194,6 +217,7 @@ void ResidueAtoms::Fill(vtkPolyData* output)
   output->SetVerts(vertices);
   output->SetLines(bonds);
   data->SetScalars(this->Feature);
+  data->AddArray(this->Label);
 }
 
 }

@@ -56,7 +56,9 @@ private:
   vtkNew<vtkDoubleArray> Area;
 };
 
-/// Whole residues as points with the input's arrays, and the input's bonds among them.
+/// Whole residues as points with the input's arrays, and the input's bonds among them. The array
+/// `ResidueLabel` has the residue's name at one of its atoms ("ASP 52 A"), and nothing at the
+/// others.
 class ResidueAtoms
 {
 public:
@@ -74,6 +76,7 @@ private:
   std::map<Key, std::vector<vtkIdType>> OfResidue;
   std::vector<vtkIdType> Points;
   vtkNew<vtkIntArray> Feature;
+  vtkNew<vtkStringArray> Label;
   std::vector<std::size_t> FirstOfFeature;
 };
 

@@ -331,7 +331,16 @@ bool IsFlat(const CellFiltration& c, const std::array<SimplexId, 4>& t)
   return std::fabs(Dot(u, Cross(v, w))) < flat * Length(u) * Length(v) * Length(w);
 }
 
-void FillCells(const Space& space, const PocketOptions& options, std::vector<Pocket>& pockets)
+double SizeOf(const CellFiltration& c, const std::array<SimplexId, 4>& t)
+{
+  const Point3& p = c.Points[At(t[0])];
+  return std::fabs(
+           Dot(c.Points[At(t[1])] - p, Cross(c.Points[At(t[2])] - p, c.Points[At(t[3])] - p))) /
+    6.0;
+}
+
+/// All but Burial.
+void FillCells(const Space& space, std::vector<Pocket>& pockets)
 {
   const CellFiltration& c = space.Filtration.Complex;
   for (const TetrahedronId cell : space.Labels.Keys())
@@ -341,25 +350,36 @@ void FillCells(const Space& space, const PocketOptions& options, std::vector<Poc
       const auto& t = c.Tetrahedra[cell];
       pockets[space.Labels[cell].Index()].Cells.push_back({ { t[0], t[1], t[2], t[3] },
         space.Filtration.Centres[cell], space.Access.CellClearance[cell], space.Access.Access[cell],
-        space.Empty[cell].Volume, 0, IsFlat(c, t), 0.0 });
+        space.Empty[cell].Volume, 0, SizeOf(c, t), IsFlat(c, t), 0.0 });
     }
   }
-  const PointBins bins(c.Points, 0.5 * options.BurialRadius);
-  ParallelFor(0, static_cast<std::int64_t>(pockets.size()), 1,
+}
+
+/// O(cells x atoms near).
+void FillBurial(const CellFiltration& c, double reach, std::vector<Pocket>& pockets)
+{
+  std::vector<PocketCell*> cells;
+  for (Pocket& pocket : pockets)
+  {
+    for (PocketCell& cell : pocket.Cells)
+    {
+      cells.push_back(&cell);
+    }
+  }
+  const PointBins bins(c.Points, 0.5 * reach);
+  ParallelFor(0, static_cast<std::int64_t>(cells.size()), 64,
     [&](std::int64_t begin, std::int64_t end)
     {
       for (auto i = begin; i < end; ++i)
       {
-        for (PocketCell& cell : pockets[static_cast<std::size_t>(i)].Cells)
-        {
-          bins.Near(
-            cell.Centre, options.BurialRadius, [&](std::int64_t, double) { ++cell.Burial; });
-        }
+        PocketCell& cell = *cells[static_cast<std::size_t>(i)];
+        bins.Near(cell.Centre, reach, [&](std::int64_t, double) { ++cell.Burial; });
       }
     });
 }
 
-void FillLining(const Space& space, std::vector<Pocket>& pockets)
+/// `isSites`: surface that the rest of a pocket takes away (EmptySpace.h) counts as none.
+void FillLining(const Space& space, bool isSites, std::vector<Pocket>& pockets)
 {
   std::vector<std::map<std::int64_t, double>> areas(pockets.size());
   for (const TetrahedronId cell : space.Labels.Keys())
@@ -376,7 +396,7 @@ void FillLining(const Space& space, std::vector<Pocket>& pockets)
   {
     for (const auto& [atom, area] : areas[i])
     {
-      pockets[i].Area += area;
+      pockets[i].Area += isSites ? std::max(0.0, area) : area;
       if (area > rounding)
       {
         pockets[i].Lining.push_back({ atom, area });
@@ -498,8 +518,9 @@ PocketNumber ParentOf(const std::vector<CellPlace>& places, const PocketByCell& 
  * in, which `regions` are made of; becomes the site. `pockets`: the pocket of each tetrahedron.
  * `judged` becomes all places with their probabilities.
  */
-std::vector<Pocket> DivideIntoSites(const PocketOptions& options, std::vector<Pocket> regions,
-  const PocketByCell& pockets, PocketByCell& labels, std::vector<SitePlace>& judged)
+std::vector<Pocket> DivideIntoSites(const CellFiltration& c, const PocketOptions& options,
+  std::vector<Pocket> regions, const PocketByCell& pockets, PocketByCell& labels,
+  std::vector<SitePlace>& judged)
 {
   judged = FillSiteProbabilities(options, regions);
   const std::vector<CellPlace> places = PlacesOf(labels, regions);
@@ -540,11 +561,15 @@ std::vector<Pocket> DivideIntoSites(const PocketOptions& options, std::vector<Po
       site.Parent =
         parents.emplace(parent, static_cast<std::int64_t>(parents.size()) + 1).first->second;
     }
-    ScorePocket(site);
     site.Centre = from.Centre;
     site.Density = from.Density;
     site.Probability = SiteProbability(from.Density, sum > 0.0 ? from.Density / sum : 0.0);
     sites.push_back(std::move(site));
+  }
+  FillBurial(c, options.BurialRadius, sites);
+  for (Pocket& site : sites)
+  {
+    ScoreSite(site);
   }
   return sites;
 }
@@ -578,11 +603,7 @@ void MeasureWhole(const Space& space, PocketResult& result)
   const CellFiltration& c = space.Filtration.Complex;
   for (const TetrahedronId cell : c.Tetrahedra.Keys())
   {
-    const auto& t = c.Tetrahedra[cell];
-    const Point3& p = c.Points[At(t[0])];
-    const double volume = std::fabs(Dot(c.Points[At(t[1])] - p,
-                            Cross(c.Points[At(t[2])] - p, c.Points[At(t[3])] - p))) /
-      6.0;
+    const double volume = SizeOf(c, c.Tetrahedra[cell]);
     result.HullVolume += volume;
     const double empty = space.Empty[cell].Volume;
     result.FullVolume += volume - empty;
@@ -628,12 +649,17 @@ PocketResult FindPockets(
   }
   const PocketNumber last = *std::max_element(space.Labels.begin(), space.Labels.end());
   std::vector<Pocket> pockets(last.Exists() ? last.Index() + 1 : 0);
-  FillCells(space, options, pockets);
+  FillCells(space, pockets);
   if (sites)
   {
-    pockets = DivideIntoSites(options, std::move(pockets), whole, space.Labels, result.SitePlaces);
+    pockets =
+      DivideIntoSites(c, options, std::move(pockets), whole, space.Labels, result.SitePlaces);
   }
-  FillLining(space, pockets);
+  else
+  {
+    FillBurial(c, options.BurialRadius, pockets);
+  }
+  FillLining(space, sites, pockets);
   AddMouths(space.Filtration, space.Access, space.Labels, options.InnerRadius, sites, pockets);
   Report(progress, 0.95);
   if (sites)
@@ -641,6 +667,10 @@ PocketResult FindPockets(
     for (Pocket& pocket : pockets)
     {
       Renumber(pocket, order);
+      for (PocketMouth& mouth : pocket.Mouths)
+      {
+        mouth.Area = std::max(0.0, mouth.Area);
+      }
     }
     result.Pockets = std::move(pockets);
     Report(progress, 1.0);

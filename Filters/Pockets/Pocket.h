@@ -50,8 +50,9 @@ struct PocketCell
   Point3 Centre; ///< of the ball that is orthogonal to the four atoms enlarged by the probe
   double Clearance = 0.0;  ///< radius of the ball there that touches no atom
   double Access = 0.0;     ///< radius of the largest ball that gets there from outside
-  double Volume = 0.0;     ///< empty; only sums count
+  double Volume = 0.0;     ///< empty; only sums over voids count (EmptySpace.h)
   std::int64_t Burial = 0; ///< number of atoms within BurialRadius of Centre
+  double Size = 0.0;       ///< volume of the tetrahedron
   bool IsFlat = false;     ///< its centre may lie anywhere: at a flat side of the hull, far outside
   double SiteProbability = 0.0; ///< that a ligand's atom is near its centre
 };
@@ -69,10 +70,10 @@ struct Pocket
   double Probability = std::numeric_limits<double>::quiet_NaN(); ///< of a site: SiteModel.h
   double Density = std::numeric_limits<double>::quiet_NaN();     ///< of a site: PocketSites.h
   std::int64_t Parent = 0; ///< of a site: its pocket, from 1 by their best sites' ranks; 0: none
-  double Volume = 0.0;
-  double Area = 0.0;
-  double Radius = 0.0;            ///< the largest clearance
-  double Access = 0.0;            ///< the largest access radius
+  double Volume = 0.0;     ///< of a site: PocketScore.h
+  double Area = 0.0;       ///< of a site: the sum over its lining
+  double Radius = 0.0;     ///< the largest clearance
+  double Access = 0.0;     ///< the largest access radius
   Point3 Centre{ 0.0, 0.0, 0.0 }; ///< of a site: the mode of its density
   std::vector<PocketCell> Cells;
   std::vector<PocketMouth> Mouths; ///< the widest first; none: a void

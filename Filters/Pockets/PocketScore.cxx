@@ -2,11 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <utility>
 
 namespace isthmus
 {
+
+namespace
+{
+
+/// Whether two densities differ by no more than balls that touch at an axis of symmetry make out,
+/// as either of two triangulations may be chosen there.
+bool AreTied(const Pocket& a, const Pocket& b)
+{
+  constexpr double slack = 2e-4;
+  return std::fabs(a.Density - b.Density) <= slack * std::max(a.Density, b.Density);
+}
+
+}
 
 void ScorePocket(Pocket& pocket)
 {
@@ -35,6 +49,44 @@ void ScorePocket(Pocket& pocket)
     pocket.Centre = pocket.Centre + weight * cell.Centre;
   }
   pocket.Centre = (weights > 0.0 ? 1.0 / weights : 0.0) * pocket.Centre;
+}
+
+void ScoreSite(Pocket& site)
+{
+  const Point3 mode = site.Centre;
+  for (PocketCell& cell : site.Cells)
+  {
+    cell.Volume = std::clamp(cell.Volume, 0.0, cell.Size);
+  }
+  site.Centre = { 0.0, 0.0, 0.0 };
+  ScorePocket(site);
+  site.Centre = mode;
+}
+
+void OrderTiedSites(const std::vector<SiteName>& names, std::vector<Pocket>& sites)
+{
+  std::vector<std::size_t> order(sites.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  for (auto first = order.begin(); first != order.end();)
+  {
+    const auto last = std::find_if(
+      first, order.end(), [&](std::size_t i) { return !AreTied(sites[*first], sites[i]); });
+    std::stable_sort(
+      first, last, [&](std::size_t a, std::size_t b) { return names[a] < names[b]; });
+    first = std::max(last, first + 1); // a density may be no number
+  }
+  std::vector<Pocket> sorted;
+  std::map<std::int64_t, std::int64_t> parents;
+  for (const std::size_t i : order)
+  {
+    sorted.push_back(std::move(sites[i]));
+    std::int64_t& parent = sorted.back().Parent;
+    if (parent > 0)
+    {
+      parent = parents.emplace(parent, static_cast<std::int64_t>(parents.size()) + 1).first->second;
+    }
+  }
+  sites = std::move(sorted);
 }
 
 void RankPockets(std::vector<Pocket>& pockets)

@@ -3,6 +3,7 @@
 #include "Core/AlgorithmGuard.h"
 #include "Core/GatherRanks.h"
 #include "Core/PolyDataTriangles.h"
+#include "Pockets/LiningResidues.h"
 #include "Pockets/LongTriangulation.h"
 #include "Pockets/MolecularPockets.h"
 #include "Pockets/PocketOutput.h"
@@ -22,6 +23,7 @@
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
@@ -55,6 +57,27 @@ std::vector<isthmus::SiteAtom> SiteAtomsOf(const isthmus::MoleculeAtoms& atoms)
     }
   }
   return found;
+}
+
+/// The residues that line each site, those with most surface first.
+std::vector<isthmus::SiteName> NamesOf(
+  const std::vector<isthmus::Pocket>& sites, const isthmus::MoleculeAtoms& atoms)
+{
+  std::vector<isthmus::SiteName> names;
+  for (const isthmus::Pocket& site : sites)
+  {
+    std::vector<isthmus::LiningResidue> residues = isthmus::LiningResiduesOf(site.Lining, atoms);
+    std::stable_sort(residues.begin(), residues.end(),
+      [](const isthmus::LiningResidue& a, const isthmus::LiningResidue& b)
+      { return a.Area > b.Area; });
+    names.emplace_back();
+    for (const isthmus::LiningResidue& residue : residues)
+    {
+      const auto& atom = atoms.Named[static_cast<std::size_t>(residue.Points.front())];
+      names.back().emplace_back(atom.Chain, atom.ResidueId, atom.InsertionCode, atom.Residue);
+    }
+  }
+  return names;
 }
 
 /// The numbers of a surface's point array; empty where it is missing and may be.
@@ -182,6 +205,10 @@ void vtkMolecularPockets::Compute(
   }
   auto result = isthmus::FindPockets(
     atoms.Balls, options, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
+  if (options.SiteAtoms)
+  {
+    isthmus::OrderTiedSites(NamesOf(result.Pockets, atoms), result.Pockets);
+  }
   std::vector<isthmus::PocketSurfaceMeans> means;
   const bool hasSurface = surface && surface->GetNumberOfPoints() > 0;
   // A surface with sites on it need not have polarized curvature.

@@ -19,9 +19,9 @@
  * - **Output 0**, vtkUnstructuredGrid: the tetrahedra of the pockets, between centres of atoms.
  *   Cell arrays `PocketId`, `Clearance` (radius of the ball there that touches no atom),
  *   `AccessRadius` (of the largest that gets there from outside), `Burial` (atoms within
- *   BurialRadius), `EmptyVolume` (only sums mean anything), `SiteProbability` (that a ligand's atom
- *   is within 3 angstrom of the ball's centre; 0 without sites). Point array `AtomId`: the input's
- *   point.
+ *   BurialRadius), `EmptyVolume` (only sums mean anything; of a site, at least 0),
+ * `SiteProbability` (that a ligand's atom is within 3 angstrom of the ball's centre; 0 without
+ * sites). Point array `AtomId`: the input's point.
  * - **Output 1**, vtkTable: a row for each pocket: `Rank`, `Probability` (that the centre is within
  *   4 angstrom of a ligand; NaN without sites), `Score` (angstrom^3 x (atoms/100)^2),
  *   `CenterX`, `CenterY`, `CenterZ`, `Volume` (angstrom^3) and `Area` (angstrom^2) accessible to
@@ -35,8 +35,8 @@
  *   `Burial`.
  * - **Output 4**, vtkTable: lining residues: `PocketId`, `Chain`, `ResidueId`, `InsertionCode`,
  *   `ResidueName`, `Atoms` (names), `AtomIds` (points of the input), `NumberOfAtoms`, `Area`.
- * - **Output 5**, vtkPolyData: those residues whole, with their bonds, the input's point arrays and
- *   `PocketId`; all of them, or those of ShownPocket.
+ * - **Output 5**, vtkPolyData: those residues whole, with their bonds, the input's point arrays,
+ *   `ResidueLabel` (at one atom of each) and `PocketId`; all of them, or those of ShownPocket.
  * - **Output 6**, vtkPolyData: input 1 with `SiteProbability` (SiteProbabilities in
  * PocketSurface.h) and `PocketId` (0: none); without input 1, the centres of the tetrahedra that
  * were judged, points with `SiteProbability`.

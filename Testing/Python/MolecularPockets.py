@@ -86,5 +86,10 @@ volumes = tools.vtk_to_numpy(finder.GetOutput().GetCellData().GetArray("EmptyVol
 owners = tools.vtk_to_numpy(finder.GetOutput().GetCellData().GetArray("PocketId"))
 sums = numpy.bincount(owners, volumes)[1:]
 assert numpy.allclose(sums, values["Volume"], rtol=1e-12), (sums, values["Volume"])
+for column in ("Volume", "Area", "MouthArea", "Score"):  # two volumes were below 0 here
+    assert values[column].min() >= 0.0, values[column]
+assert volumes.min() >= 0.0
+labels = finder.GetLiningAtoms().GetPointData().GetAbstractArray("ResidueLabel")
+assert "TRP 62 A" in {labels.GetValue(i) for i in range(labels.GetNumberOfValues())}
 assert numpy.allclose(values["PolarShare"] + values["ApolarShare"], 1.0)
 assert finder.GetAlphaBalls().GetNumberOfPoints() == finder.GetOutput().GetNumberOfCells()

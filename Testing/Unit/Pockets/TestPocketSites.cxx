@@ -2,6 +2,7 @@
 // shuffled.
 
 #include "Core/Geometry.h"
+#include "Pockets/PocketScore.h"
 #include "Pockets/PocketSites.h"
 #include "Pockets/SiteDescriptors.h"
 #include "Pockets/SiteModel.h"
@@ -125,6 +126,27 @@ TEST(PocketSites, NoPlacesAndImpossibleOnes)
   ASSERT_EQ(sites.size(), 1u);
   EXPECT_EQ(sites[0].Density, 0.0);
   EXPECT_EQ(sites[0].Places.size(), 2u);
+}
+
+TEST(PocketSites, TiedOnesAreOrderedByTheirResidues)
+{
+  std::vector<Pocket> sites(4);
+  const double densities[] = { 3.0, 2.0 * (1.0 + 1e-12), 2.0, 1.0 };
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    sites[i].Density = densities[i];
+    sites[i].Score = static_cast<double>(i);
+    sites[i].Parent = static_cast<std::int64_t>(i) + 1;
+  }
+  OrderTiedSites({ { { "D", 1, "", "ALA" } }, { { "B", 10, "", "ALA" } },
+                   { { "A", 10, "", "ALA" } }, { { "A", 1, "", "ALA" } } },
+    sites);
+  const double order[] = { 0.0, 2.0, 1.0, 3.0 };
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(sites[i].Score, order[i]);
+    EXPECT_EQ(sites[i].Parent, static_cast<std::int64_t>(i) + 1);
+  }
 }
 
 TEST(SiteModel, ProbabilitiesAreLogisticAndRiseWithTheShare)
