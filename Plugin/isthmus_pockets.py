@@ -4,8 +4,8 @@
     residues, found = pocket_views.protein_to_pockets(OpenDataFile("1hew.pdb"))
     pocket_views.show(found)
 
-A pocket or pore that is selected, as a row of a table or in the view, has its residues shown as
-sticks, and a pore its chart. isthmus_pipelines has the buttons and calls this.
+The best pockets are translucent surfaces. A pocket or pore that is selected, as a row of a table or in
+the view, has its residues shown as sticks with their names, a pocket its surface, and a pore its chart. isthmus_pipelines has the buttons and calls this.
 """
 
 try:
@@ -30,6 +30,9 @@ COLOURS = ((0.835, 0.369, 0.0), (0.0, 0.447, 0.698), (0.0, 0.620, 0.451), (0.902
            (0.800, 0.475, 0.655), (0.337, 0.706, 0.914), (0.941, 0.894, 0.259), (0.45, 0.30, 0.15),
            (0.40, 0.80, 0.75), (0.95, 0.70, 0.75))
 FURTHER = (0.70, 0.64, 0.74)
+BEST = 3  # so many pockets have surfaces at first
+FAINT, STRONG = 0.3, 0.7  # opacities of the best pockets' surfaces, and of the chosen one's
+BEST_SURFACES, CHOSEN_SURFACE = "Best pockets", "Chosen pocket"
 HIDDEN_COLUMNS = {
     "MolecularPockets": [
         "ApolarShare", "CenterX", "CenterY", "CenterZ", "Cells", "LiningAtoms", "MeanPolarized",
@@ -102,13 +105,39 @@ def chart_of(pores):
     return found
 
 
+def names_of(residues):
+    """The filter that passes the names of those residues alone, so that they can be hidden."""
+    return _fed_by(residues, 0, "PassArrays") or simple.PassArrays(
+        residues, registrationName="Residue names", PointDataArrays=["ResidueLabel"])
+
+
+def surface_of(pockets, name, last):
+    """The filter of that name that passes the surfaces of pockets, at first those from 1 to `last`: the
+    outer faces of their tetrahedra, smoothed."""
+    faces = _fed_by(pockets, 0, "DataSetSurfaceFilter") or simple.ExtractSurface(
+        pockets, registrationName="Faces")
+    smooth = _fed_by(faces, 0, "SmoothPolyDataFilter") or simple.Smooth(
+        faces, registrationName="Surfaces", NumberofIterations=40)
+    for (known, _), proxy in simple.GetSources().items():
+        given = getattr(proxy, "Input", None) if known.startswith(name) else None
+        if given is not None and given.SMProxy == smooth.SMProxy:
+            return proxy
+    return simple.Threshold(smooth, registrationName=name, Scalars=["CELLS", "PocketId"],
+                            ThresholdMethod="Between", LowerThreshold=1, UpperThreshold=last)
+
+
 def choose(features, number):
-    """Shows the residues of one pocket or pore, and the chart of a pore."""
+    """Shows the residues of one pocket or pore, the surface of a pocket, and the chart of a pore."""
     kind = FEATURES[features.SMProxy.GetXMLName()]
     residues = residues_of(features)
     residues.LowerThreshold = residues.UpperThreshold = number
     residues.UpdatePipeline()
     changed = [residues]
+    if _fed_by(features, 0, "DataSetSurfaceFilter"):
+        chosen = surface_of(features, CHOSEN_SURFACE, 1)
+        chosen.LowerThreshold = chosen.UpperThreshold = number
+        chosen.UpdatePipeline()
+        changed.append(chosen)
     if "chart" in kind:
         chart = chart_of(features)
         chart.MinValue = chart.MaxValue = number
@@ -133,13 +162,13 @@ def _shows(features, view):
                display.Visibility for display in view.Representations)
 
 
-def _selected(features):
-    """The number of the selected feature, found where the data is; None: nothing is selected."""
+def _selected(features, source):
+    """The number of the feature that is selected in `source`, found where the data is; None: nothing is."""
     kind = FEATURES[features.SMProxy.GetXMLName()]
-    for port in range(features.SMProxy.GetNumberOfOutputPorts()):
-        if features.SMProxy.GetSelectionInput(port) is None:
+    for port in range(source.SMProxy.GetNumberOfOutputPorts()):
+        if source.SMProxy.GetSelectionInput(port) is None:
             continue
-        part = features.SMProxy.GetSelectionOutput(port)
+        part = source.SMProxy.GetSelectionOutput(port)
         part.UpdatePipeline()
         data = part.GetDataInformation(0)
         for attribute, name in ((ROW, kind["row"]), (ROW, kind["id"]), (CELL, kind["id"]), (POINT, kind["id"])):
@@ -155,21 +184,22 @@ def _selected(features):
 _followed = {}
 
 
-def follow(features):
-    """From now on a selection of a pocket or pore shows its residues."""
-    number = features.SMProxy.GetGlobalID()
+def follow(features, source=None):
+    """From now on a selection of a pocket or pore, or of its part of `source`, shows its residues."""
+    source = source or features
+    number = source.SMProxy.GetGlobalID()
     if number in _followed:
         return
 
     def picked(*_):
         try:
-            chosen = _selected(features)
+            chosen = _selected(features, source)
             if chosen is not None:
                 choose(features, chosen)
         except Exception:  # a click is never worth a failure
             messages.fault("Showing the residues of what was selected")
 
-    _followed[number] = features.SMProxy.AddObserver("SelectionChangedEvent", picked)
+    _followed[number] = source.SMProxy.AddObserver("SelectionChangedEvent", picked)
 
 
 # ---------------------------------------------------------------------------- what is shown
@@ -203,13 +233,14 @@ def colour_shapes(display, view):
     display.SetScalarBarVisibility(view, True)
 
 
-def _colour_by_rank(display, association, view):
+def _colour_by_rank(display, association, view, pockets=None):
     """A colour for each of the best pockets, named by its rank."""
+    pockets = pockets or display.Input
     simple.ColorBy(display, (association, "PocketId"))
-    count = display.Input.SMProxy.GetDataInformation(1).GetNumberOfRows()
+    count = pockets.SMProxy.GetDataInformation(1).GetNumberOfRows()
     table = display.LookupTable
     table.InterpretValuesAsCategories = 1
-    names = _names_of(display.Input, min(count, len(COLOURS)))
+    names = _names_of(pockets, min(count, len(COLOURS)))
     table.Annotations = [word for rank, name in enumerate(names, 1) for word in (str(rank), name)]
     table.IndexedColors = [part for colour in COLOURS[:max(count, 1)] for part in colour]
     table.NanColor = FURTHER
@@ -243,6 +274,41 @@ def _show_residues(residues, view):
     display = simple.Show(residues, view)
     sticks(display, view)
     display.Pickable = 0
+    _show_names(names_of(residues), view)
+    return display
+
+
+def _show_names(names, view):
+    """Residue names where one of the residue's atoms is."""
+    if _is_shown(names, view):
+        return
+    manager = servermanager.ProxyManager()
+    labels = servermanager._getPyProxy(
+        manager.SMProxyManager.NewProxy("representations", "DataLabelRepresentation"))
+    labels.Input = names
+    labels.PointLabelVisibility, labels.CellLabelVisibility = 1, 0
+    labels.PointFieldDataArrayName = "ResidueLabel"
+    labels.PointLabelMode = 6  # of vtkLabeledDataMapper: the array of that name
+    labels.PointLabelColor, labels.PointLabelBold = view.OrientationAxesLabelColor, 1
+    labels.PointLabelFontSize = 13
+    labels.MaximumNumberOfLabels = 1000000  # nearly all atoms have an empty one
+    labels.UpdateVTKObjects()
+    manager.RegisterProxy("representations", "ResidueNames%s" % labels.SMProxy.GetGlobalIDAsString(), labels)
+    view.Representations.append(labels)
+
+
+def _show_surfaces(pockets, view):
+    """The best pockets faint, the chosen one strong, in the colours of their ranks."""
+    display = None
+    for name, last, opacity in ((BEST_SURFACES, BEST, FAINT), (CHOSEN_SURFACE, 1, STRONG)):
+        surface = surface_of(pockets, name, last)
+        surface.UpdatePipeline()
+        follow(pockets, surface)
+        shown = simple.Show(surface, view)
+        shown.SetRepresentationType("Surface")
+        shown.Opacity = opacity
+        _colour_by_rank(shown, "CELLS", view, pockets)
+        display = display or shown
     return display
 
 
@@ -307,8 +373,11 @@ def show(features, view=None, tables=True):
     view = view or simple.GetActiveViewOrCreate("RenderView")
     follow(features)
     _show_molecule(features.Input, view)
-    display = simple.Show(simple.OutputPort(features, kind["shapes"]), view)
-    colour_shapes(display, view)
+    if "chart" in kind:
+        display = simple.Show(simple.OutputPort(features, kind["shapes"]), view)
+        colour_shapes(display, view)
+    else:
+        display = _show_surfaces(features, view)
     _show_residues(residues_of(features), view)
     simple.ResetCamera(view)
     view.GetActiveCamera().Zoom(1.3)  # stray waters are what the camera has made room for

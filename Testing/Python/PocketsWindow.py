@@ -108,7 +108,7 @@ def choose_until(paraview, folder, what, act, number):
 
 # Places in a window of WIDTH x HEIGHT; the camera is the first look's.
 VIEW = (slice(210, 960), slice(310, 1040))
-ROW_OF_POCKET_2, EMPTY_PLACE, POCKET_1, POCKET_2 = (1200, 296), (400, 900), (697, 500), (832, 490)
+ROW_OF_POCKET_2, EMPTY_PLACE, POCKET_1, POCKET_2 = (1200, 296), (400, 900), (690, 500), (800, 545)
 ROW_OF_PORE_4, CHART = (1200, 830), (slice(210, 640), slice(1070, 1590))
 VERMILION, BLUE, GREEN, ROW_BLUE, LINE = (
     (213, 94, 0), (0, 114, 178), (0, 158, 115), (48, 140, 198), (77, 175, 74))
@@ -146,11 +146,11 @@ def pockets(paraview, folder):
     changed = (abs(after[VIEW] - before[VIEW]).max(axis=-1) > 60).sum()
     assert changed > 1000, f"only {changed} pixels of the view follow the row"
     first = choose_until(
-        paraview, folder, "a pocket in the view", lambda: in_view(POCKET_1, "d"), 1)
+        paraview, folder, "a pocket in the view", lambda: in_view(POCKET_1, "s"), 1)
     time.sleep(3)
     back = picture(folder / "pocket.png")
     assert (abs(back[VIEW] - after[VIEW]).max(axis=-1) > 60).sum() > 1000
-    choose_until(paraview, folder, "the other pocket", lambda: in_view(POCKET_2, "d"), 2)
+    choose_until(paraview, folder, "the other pocket", lambda: in_view(POCKET_2, "s"), 2)
     print(f"residues of the first pocket: {first} atoms, of the second: {second}; {changed} pixels changed")
     assert min(first, second) > 20 and first != second
 
