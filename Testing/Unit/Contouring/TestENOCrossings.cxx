@@ -269,3 +269,35 @@ TEST(ENOCrossings, FewNodesAndFlatPlacesGiveNormals)
     }
   }
 }
+
+/// Second differences at the two nodes are 2 and 1: the crossing is of the parabola with 1.
+TEST(ENOCrossings, CrossingIsOfTheFlatterParabola)
+{
+  const std::array<double, 4> values{ 6.0, 1.0, -2.0, -4.0 };
+  const auto image = Sampled(4,
+    [&](const Point3& p)
+    { return values[static_cast<std::size_t>(std::lround(1.5 * (p[0] + 1.0)))]; });
+  const auto crossings = CrossingsOf(image, 0.0, true);
+  ASSERT_EQ(crossings.size(), 16u);
+  for (const GridCrossing& crossing : crossings)
+  {
+    // 1 - 3 t + t (t - 1) / 2 = 0
+    EXPECT_NEAR(crossing.Fraction, 3.5 - std::sqrt(10.25), 1e-9);
+  }
+}
+
+TEST(ENOCrossings, NormalsBesideTheBorderAreOfSecondOrder)
+{
+  const auto image = Sampled(4, [](const Point3& p) { return 0.5 - p[0] - p[1] * p[1]; });
+  int found = 0;
+  for (const GridCrossing& crossing : CrossingsOf(image, 0.0, true))
+  {
+    const Point3 p = PlaceOf(image, crossing);
+    if (crossing.Axis == 0 && std::abs(p[1]) < 0.5)
+    {
+      EXPECT_NEAR(crossing.Normal[1] / crossing.Normal[0], 2.0 * p[1], 1e-9);
+      ++found;
+    }
+  }
+  EXPECT_EQ(found, 8);
+}

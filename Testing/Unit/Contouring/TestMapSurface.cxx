@@ -371,3 +371,11 @@ TEST(VTKMapSurface, EmptyInputAndNothingInside)
   EXPECT_NE(observer->GetWarningMessage().find("Nothing is inside"), std::string::npos);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
+
+TEST(ContrastOf, SkewnessIsThatOfTheValues)
+{
+  // One node in ten is 3, the others are 1: (1 - 2 p) / sqrt(p (1 - p)), of any unit.
+  const Grid grid = Sampled(
+    { 10, 10, 10 }, { 1, 1, 1 }, [](double x, double, double) { return x == 4.0 ? 3.0 : 1.0; });
+  EXPECT_NEAR(ContrastOf(grid.View).Skewness, 0.8 / 0.3, 1e-9);
+}

@@ -106,4 +106,12 @@ TEST(CurvatureDescriptors, EveryTypeHasAName)
   EXPECT_EQ(names.size(), static_cast<std::size_t>(NumberOfSurfaceTypes));
 }
 
+TEST(CurvatureDescriptors, FlatUpToTheToleranceItself)
+{
+  SurfaceTypeTolerance tolerance;
+  tolerance.Flat = 2.0;
+  EXPECT_EQ(ClassifySurface(2.0, 0.0, 1.0, tolerance), SurfaceType::Flat);
+  EXPECT_NE(ClassifySurface(2.5, 0.0, 1.0, tolerance), SurfaceType::Flat);
+}
+
 }

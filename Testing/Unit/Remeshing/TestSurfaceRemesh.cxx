@@ -1,6 +1,7 @@
 #include "Remeshing/SurfaceRemesh.h"
 
 #include "Core/PolyDataTriangles.h"
+#include "Remeshing/SurfaceRepair.h"
 #include "SharedData.h"
 #include "SurfaceFiles.h"
 #include "Surfaces/SurfaceDefects.h"
@@ -14,6 +15,8 @@
 #include <vtkSphereSource.h>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace isthmus;
 
@@ -155,4 +158,39 @@ TEST(SurfaceRemesh, FertilityKeepsItsGenus)
   EXPECT_TRUE(FindDefects(result.Mesh).None());
   EXPECT_EQ(EulerCharacteristic(result.Mesh), -6);
   EXPECT_NEAR(SignedVolume(result.Mesh) / SignedVolume(mesh), 1.0, 1e-2);
+}
+
+TEST(SurfaceRemesh, SimplifiesAnOpenSurfaceToACount)
+{
+  // A tube whose two long rims stay: half a triangle fewer for each of their edges.
+  constexpr int around = 200, along = 6;
+  TriangleMesh tube;
+  for (int j = 0; j <= along; ++j)
+  {
+    for (int i = 0; i < around; ++i)
+    {
+      const double angle = 2.0 * 3.14159265358979 * i / around;
+      const double radius = 1.0 + 0.05 * std::cos(50.0 * angle);
+      tube.Points.push_back({ radius * std::cos(angle), radius * std::sin(angle), 0.04 * j });
+      const std::int64_t a = j * around + i, b = j * around + (i + 1) % around;
+      if (j < along)
+      {
+        tube.Triangles.push_back({ a, b, a + around });
+        tube.Triangles.push_back({ b, b + around, a + around });
+      }
+    }
+  }
+  const RemeshedSurface result = SimplifySurface(tube, 800);
+  EXPECT_NEAR(static_cast<double>(result.Mesh.Triangles.size()), 800.0, 60.0);
+}
+
+TEST(SurfaceRepair, ATriangleThatIsThereTwiceLeavesTheRestAsItIs)
+{
+  TriangleMesh cube = isthmus::testing::Cube({ 0, 0, 0 }, 1.0);
+  cube.Triangles.push_back(cube.Triangles[3]);
+  const RepairedSurface repaired = RepairSurface(cube);
+  EXPECT_EQ(repaired.Mesh.Points.size(), 8u);
+  EXPECT_EQ(repaired.Mesh.Triangles.size(), 12u);
+  EXPECT_TRUE(FindDefects(repaired.Mesh).None());
+  EXPECT_NEAR(SignedVolume(repaired.Mesh), 1.0, 1e-12);
 }

@@ -97,3 +97,20 @@ TEST(AutomaticMesher, NothingEnclosedAndWrongParametersAreRefused)
                  [](double fraction) { return fraction < 0.02; }),
     Cancelled);
 }
+
+TEST(AutomaticMesher, AVolumeBeyondAllNumbersIsRefused)
+{
+  for (const double side : { 0.0, 1e120 })
+  {
+    try
+    {
+      StuffSolid(Cube({ 0, 0, 0 }, side), {});
+      FAIL() << side;
+    }
+    catch (const std::invalid_argument& error)
+    {
+      EXPECT_NE(std::string(error.what()).find("too large for its volume"), std::string::npos)
+        << error.what();
+    }
+  }
+}

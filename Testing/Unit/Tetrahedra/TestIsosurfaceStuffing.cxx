@@ -337,3 +337,27 @@ TEST(IsosurfaceStuffing, WhatCannotBeMetIsRefused)
                  {}, [](double) { return false; }),
     Cancelled);
 }
+
+/// A few of the level sets of AnglesStayWithinTheBoundsOnRandomLevelSets.
+TEST(IsosurfaceStuffing, AnglesAndFacesOfSomeRandomLevelSets)
+{
+  for (std::uint64_t seed = 0; seed < 6; ++seed)
+  {
+    StuffingParameters parameters;
+    parameters.Side = MeshedSide::Both;
+    parameters.GradingLevels = static_cast<int>(seed % 3);
+    const TetrahedralMesh mesh = Random(seed, parameters).Mesh;
+    EXPECT_GE(QualityOf(mesh).SmallestAngle, 10.7) << "seed " << seed;
+    EXPECT_LE(QualityOf(mesh).LargestAngle, 164.8) << "seed " << seed;
+    EXPECT_NEAR(Total(mesh) / BoxVolume(mesh), 1.0, 1e-11) << "seed " << seed;
+  }
+}
+
+TEST(IsosurfaceStuffing, AGradedBallIsWhole)
+{
+  const auto graded = Ball(0.15, MeshedSide::Both, 2).Mesh;
+  const FaceCounts faces = FacesOf(graded);
+  EXPECT_EQ(faces.Crowded, 0);
+  EXPECT_TRUE(SkinIsTheBox(graded, faces.Skin));
+  EXPECT_NEAR(Total(graded) / BoxVolume(graded), 1.0, 1e-11);
+}

@@ -233,3 +233,15 @@ TEST(MeshQuality, EmptyInputGivesEmptyOutput)
   EXPECT_EQ(report->GetSummary(), "");
   EXPECT_EQ(vtkTable::SafeDownCast(report->GetOutputDataObject(1))->GetNumberOfRows(), 0);
 }
+
+TEST(MeshQuality, SizesAreThoseOfTheCells)
+{
+  for (const double side : { 0.003, 1.0, 700.0, 1e90 })
+  {
+    const CellAngles triangle = MeasureTriangle({ 0, 0, 0 }, { side, 0, 0 }, { 0, side, 0 });
+    EXPECT_NEAR(triangle.Size / (side * side), 0.5, 1e-12) << side;
+    const CellAngles corner =
+      MeasureTetrahedron({ 0, 0, 0 }, { side, 0, 0 }, { 0, side, 0 }, { 0, 0, side });
+    EXPECT_NEAR(corner.Size / (side * side * side), 1.0 / 6.0, 1e-12) << side;
+  }
+}

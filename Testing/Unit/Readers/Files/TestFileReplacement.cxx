@@ -1,4 +1,5 @@
 // A file that a writer is to replace survives whatever keeps the new one from being whole.
+#include "Files/TextFileWriter.h"
 #include "TemporaryFile.h"
 #include "vtkCombinatorialMeshWriter.h"
 #include "vtkMEDITWriter.h"
@@ -450,4 +451,15 @@ TEST(FileReplacement, DevicesAreWrittenThemselves)
   ExpectFailure(WriteTo<vtkOFFSurfaceWriter>("/dev/full", Sphere()), "/dev/full");
   ExpectFailure(WriteTo<vtkCombinatorialMeshWriter>("/dev/full", Tetrahedra()), "/dev/full");
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
+TEST(TextFileWriter, WritesASingleCharacter)
+{
+  const TemporaryFile file("", "one.txt");
+  isthmus::TextFileWriter writer(file.Path());
+  writer << "x";
+  writer.Close();
+  std::string text;
+  std::getline(std::ifstream(file.Path()), text);
+  EXPECT_EQ(text, "x");
 }

@@ -2,7 +2,9 @@
 // bytes, the same ends of members, the same refusals.
 
 #include "Files/Codecs.h"
+#include "Files/OpenByteSource.h"
 #include "SharedData.h"
+#include "TemporaryFile.h"
 
 #include <gtest/gtest.h>
 
@@ -152,4 +154,21 @@ TEST(GzipCodec, UnpacksAsZlibDoes)
   }
   EXPECT_GT(whole, 150);
   EXPECT_GT(damaged, 50);
+}
+
+/// A member that ends amid the bytes read ahead: the next one goes on with these.
+TEST(GzipCodec, LargeMembersOneBehindTheOther)
+{
+  std::mt19937 random(4);
+  std::string content, packed;
+  for (int member = 0; member < 4; ++member)
+  {
+    std::string part(700001, '\0');
+    std::generate(part.begin(), part.end(), [&random]() { return static_cast<char>(random()); });
+    content += part;
+    packed += isthmus::testing::Gzip(part, 1);
+  }
+  const isthmus::testing::TemporaryFile file(packed, "members.gz");
+  const auto source = isthmus::OpenByteSource(file.Path());
+  EXPECT_TRUE(isthmus::ReadAll(*source) == content);
 }

@@ -233,6 +233,7 @@ TEST(ParallelBzip2, EmptyMembersAndOffsetsBefore)
       EXPECT_EQ(word, "words");
     }
     EXPECT_EQ(source->CountUpTo(1000, {}), 2 * text.size());
+    EXPECT_TRUE(source->UsesThreads()); // libbz2 alone was not needed
   };
   vtkSMPTools::LocalScope(vtkSMPTools::Config(2, "STDThread", false), read);
 }
@@ -265,4 +266,20 @@ TEST(ParallelBzip2, RunsOfOneValueTakeNoMemory)
   EXPECT_EQ(sum, size);
   EXPECT_LT(most, 4 * 13e6 + 5e6);
   EXPECT_GT(most, 4e6); // it was looked at while blocks were there
+}
+
+TEST(ParallelBzip2, BlocksThatEndAtAnyBit)
+{
+  const auto read = []()
+  {
+    for (std::size_t size = 1; size < 60; ++size)
+    {
+      const std::string text(size, 'x');
+      const TemporaryFile file(Bzip2(text + "y" + text), "data.bz2");
+      const auto source = isthmus::OpenByteSource(file.Path());
+      EXPECT_EQ(isthmus::ReadAll(*source), text + "y" + text) << size;
+      EXPECT_TRUE(source->UsesThreads()) << size; // libbz2 alone was not needed
+    }
+  };
+  vtkSMPTools::LocalScope(vtkSMPTools::Config(2, "STDThread", false), read);
 }

@@ -281,3 +281,23 @@ TEST(CombinatorialMeshReader, WriterTellsWhatItCannotDo)
   EXPECT_NE(observer->GetErrorMessage().find("can't be written to its end"), std::string::npos);
   EXPECT_NE(writer->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
 }
+
+TEST(CombinatorialMeshReader, ManyValuesComeBackInBinary)
+{
+  const auto grid = AllGridFixtures().front().Grid;
+  while (grid->GetNumberOfPoints() < 5000)
+  {
+    const auto x = static_cast<double>(grid->GetNumberOfPoints());
+    grid->GetPoints()->InsertNextPoint(x, 0.5 * x, -x);
+  }
+  const TemporaryFile file("", "many.cmesh");
+  vtkNew<vtkCombinatorialMeshWriter> writer;
+  writer->SetInputData(grid);
+  writer->SetFileName(file.Path());
+  writer->SetBinary(true);
+  writer->Write();
+  Reading reading;
+  vtkUnstructuredGrid* back = reading.Read(file.Path());
+  EXPECT_EQ(reading.Observer->GetErrorMessage(), "");
+  ExpectSameGrid(grid, back);
+}

@@ -156,3 +156,24 @@ TEST(OFFFile, WritersRefuseWhatTheyDoNotHold)
   writer->Write();
   EXPECT_SAYS(observer->GetErrorMessage(), "Point 0 has a coordinate");
 }
+
+TEST(OFFFile, PointsLinesAndPolygonsComeBack)
+{
+  CellMesh mesh;
+  mesh.Coordinates = { 0, 0, 0, 1, 0, 0, 2, 1, 0, 1, 2, 0, 0, 1, 0.1 };
+  for (const std::int64_t corners : { 1, 2, 3, 4, 5 })
+  {
+    for (std::int64_t c = 0; c < corners; ++c)
+    {
+      mesh.Vertices.push_back(c);
+    }
+    mesh.EndCell(std::array{ CellShape::Vertex, CellShape::Line, CellShape::Triangle,
+      CellShape::Quadrilateral, CellShape::Polygon }[static_cast<std::size_t>(corners - 1)]);
+  }
+  const TemporaryFile file("", "x.off");
+  WriteOFF(mesh, file.Path());
+  const CellMesh back = isthmus::ReadOFF(file.Path());
+  EXPECT_EQ(back.Coordinates, mesh.Coordinates);
+  EXPECT_EQ(back.Vertices, mesh.Vertices);
+  EXPECT_EQ(back.Shapes, mesh.Shapes);
+}

@@ -224,3 +224,22 @@ TEST(QuadraticCells, EachLayoutOfAFaceFileIsRecognised)
   EXPECT_SAYS(why("1 1\n0 0 1 2\n"), "0 numbers behind its corners instead of 1");
   EXPECT_SAYS(why("1 1\n0 0 1 2 red\n"), "'red'");
 }
+
+/// Alone, the bent cell would have two of its nodes changed over; the straight one, a thousandth of
+/// its size, counts as much.
+TEST(QuadraticCells, SmallCellsDecideAsMuchAsLargeOnes)
+{
+  const TemporaryFile file(
+    "MeshVersionFormatted 2\nDimension 3\nVertices\n12\n"
+    "0 0 0 0\n1 0 0 0\n0 1 0 0\n0.4 0.3 0 0\n0.5 0.1 0 0\n0 0.5 0 0\n"
+    "0 0 0 0\n0.001 0 0 0\n0 0.001 0 0\n0.0005 0 0 0\n0.0005 0.0005 0 0\n0 0.0005 0 0\n"
+    "TrianglesP2\n2\n1 2 3 4 5 6 0\n7 8 9 10 11 12 0\nEnd\n",
+    "x.mesh");
+  const auto reader = Opened<vtkMEDITReader>(file.Path());
+  ASSERT_EQ(reader->GetOutput()->GetNumberOfCells(), 2);
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_EQ(reader->GetOutput()->GetCell(0)->GetPointId(i), i);
+    EXPECT_EQ(reader->GetOutput()->GetCell(1)->GetPointId(i), 6 + i);
+  }
+}

@@ -146,3 +146,17 @@ TEST(OpenDXReader, ValuesThatAreNotFiniteAreKeptAndTold)
   EXPECT_TRUE(std::isnan(reading.At(0, 0, 1)));
   EXPECT_EQ(reading.At(1, 2, 1), 0.0);
 }
+
+TEST(OpenDXReader, ShapesBeyondAThousandAreRefused)
+{
+  std::string numbers;
+  for (int i = 0; i < 1001; ++i)
+  {
+    numbers += std::to_string(i) + "\n";
+  }
+  ExpectFailure("object 1 class gridpositions counts 1 1 1\norigin 0 0 0\ndelta 1 0 0\n"
+                "delta 0 1 0\ndelta 0 0 1\nobject 3 class array type float rank 1 shape 1001 "
+                "items 1 data follows\n" +
+      numbers,
+    "values", vtkErrorCode::FileFormatError);
+}

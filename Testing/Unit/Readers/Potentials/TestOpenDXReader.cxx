@@ -260,3 +260,14 @@ TEST(OpenDXReader, APieceOfTheGridHasTheSameValues)
   EXPECT_EQ(image->GetScalarComponentAsDouble(1, 2, 1, 0), 11.0);
   EXPECT_EQ(image->GetScalarComponentAsDouble(1, 0, 1, 0), 7.0);
 }
+
+TEST(OpenDXReader, ALaterArrayIsFoundWhateverTheBytesBeforeItSpell)
+{
+  std::string bytes = " object 9 class path of bytes that are numbers ";
+  bytes.resize(48, ' ');
+  const File file(head + "object 3 class array type float rank 0 items 12 lsb ieee data follows\n" +
+    bytes + "\n" + twelve);
+  const Reading reading(file.Path, 1);
+  EXPECT_FALSE(reading.Observer->GetError()) << reading.Observer->GetErrorMessage();
+  ExpectFileOrder(reading, { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 });
+}

@@ -176,3 +176,28 @@ TEST(OpenDXWriter, WhatCannotBeWrittenIsASentence)
   expect(HardImage<vtkFloatArray>(), "no/such/folder.dx", "", "can't be written");
   EXPECT_FALSE(std::ifstream(file.Path).good());
 }
+
+TEST(OpenDXWriter, ThreeValuesOnALineAndTheRankOfThem)
+{
+  for (const int components : { 1, 2 })
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(2, 2, 1);
+    vtkNew<vtkFloatArray> values;
+    values->SetName("Potential");
+    values->SetNumberOfComponents(components);
+    values->SetNumberOfTuples(4);
+    for (vtkIdType i = 0; i < 4 * components; ++i)
+    {
+      values->SetValue(i, static_cast<float>(i));
+    }
+    image->GetPointData()->SetScalars(values);
+    const File file("", "lines.dx");
+    WriteAndRead(image, file.Path);
+    // z runs fastest, then y.
+    const char* const expected = components == 1
+      ? " rank 0 items 4 data follows\n0 2 1\n3 \nattribute"
+      : " rank 1 shape 2 items 4 data follows\n0 1 4\n5 2 3\n6 7 \nattribute";
+    EXPECT_NE(Content(file.Path).find(expected), std::string::npos) << Content(file.Path);
+  }
+}
