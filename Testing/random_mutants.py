@@ -6,7 +6,7 @@
 BUILD is a build folder of this tree with tests. Of each module, mistakes of four kinds are drawn by `--seed`:
 relational (< for <=, ...), arithmetic (+ for -, ...), constant (1 for 0, ...) and a dropped statement. All of
 them are compiled at once; the variable ISTHMUS_MUTANT chooses the one that acts. Those that no test of the module
-reaches are not counted. For each other one the module's quick tests run; where they pass, with --long the module's
+reaches are not counted, nor those that mutants_equivalent.tsv lists with a reason. For each other one the module's quick tests run; where they pass, with --long the module's
 other unit tests as well. Prints a table of the modules and the mistakes that no test found.
 
 Refuses a tree with uncommitted changes, since it edits sources in place; it puts them back. Mistakes that do not
@@ -199,6 +199,12 @@ def choose(folder, module, quick, to):
         to.write_text("0,0,0," + ",".join(numbers) + "\n")
 
 
+def equivalent():
+    """(file, change) of the mistakes that change no result, from mutants_equivalent.tsv."""
+    lines = (ROOT / "Testing/mutants_equivalent.tsv").read_text().splitlines()
+    return {tuple(line.split("\t")[:2]) for line in lines if line and not line.startswith("#")}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build")
@@ -211,6 +217,7 @@ def main():
         sys.exit("the tree has uncommitted changes: commit them first, since sources are edited in place")
     modules = options.module or sorted(path.parent.name for path in ROOT.glob("*/*/vtk.module"))
     rows = []
+    known = equivalent()
     with tempfile.TemporaryDirectory() as scratch:
         quick, every, trace = (pathlib.Path(scratch) / name for name in ("quick", "every", "trace"))
         for module in modules:
@@ -225,7 +232,8 @@ def main():
                 reached = set(map(int, trace.read_text().split()))
                 passed, usual = run_tests(options.build, quick, 0)
                 assert passed, f"the quick tests of {module} fail without a mutant"
-                counted = [m for m in mutants if m.number in reached]
+                counted = [m for m in mutants if m.number in reached
+                           and (str(m.path.relative_to(ROOT)), m.what) not in known]
                 survivors, missed = [], []
                 for m in counted:
                     if run_tests(options.build, quick, m.number, seconds=int(10 + 10 * usual))[0]:
