@@ -141,6 +141,9 @@ TEST(ExchangeFormats, PDBQTHasChargesAndAutoDocksTypes)
   EXPECT_EQ(Model(poses, MoleculeFormat::PDBQT, 1).Atoms.size(), 1u);
   EXPECT_EQ(Model(poses, MoleculeFormat::PDBQT, 1).NumberOfModels, 2);
   EXPECT_EQ(Symbols(Model(line("NA", " NA", "1.0", "Na"), MoleculeFormat::PDBQT, 0)), "Na ");
+  const std::string long10 =
+    "ATOM      1  N1  LIG A   2      14.607 -11.551  25.793  1.00 30.50-12.345678 N \n";
+  EXPECT_EQ(Model(long10, MoleculeFormat::PDBQT, 0).Atoms.at(0).Charge, -12.345678);
   EXPECT_PART(WhyRefused("ATOM      1  C   LIG A   2      14.607 -11.551  25.793  1.00  0.00\n",
                 MoleculeFormat::PDBQT),
     "partial charge");

@@ -38,6 +38,15 @@ TEST(MacromoleculeReader, PQRDialectsSayTheSame)
   }
 }
 
+TEST(MacromoleculeReader, PQRNumbersThatFillTheirColumns)
+{
+  const Macromolecule molecule = Parsed(
+    "ATOM     36  HB2 ASP A1003    2004.9053004.355-899.274 -0.021212.50000", MoleculeFormat::PQR);
+  ASSERT_EQ(molecule.Atoms.size(), 1u);
+  EXPECT_EQ(molecule.Atoms[0].Charge, -0.0212);
+  EXPECT_EQ(molecule.Atoms[0].Radius, 12.5);
+}
+
 TEST(MacromoleculeReader, PQRChainsInsertionCodesAndLongNumbers)
 {
   const auto describe = [](const char* line)
