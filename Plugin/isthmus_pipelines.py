@@ -214,6 +214,7 @@ def protein_to_sites(source, potential=None):
 
 def _has_pockets(atoms):
     pockets = simple.MolecularPockets(atoms)
+    pockets.FindSites = 0  # Binding Sites looks in whole pockets
     pockets.UpdatePipeline()
     count = simple.OutputPort(pockets, 1).GetDataInformation().GetNumberOfRows()
     simple.Delete(pockets)

@@ -445,7 +445,7 @@ def protein_to_potential(atoms, potential=None):
     curvature = _step(pipeline, "curvature", surface, density, scalars="Density")
     polarized = _step(pipeline, "polarized", curvature, potential)
     given = {}
-    if not _step("protein_to_pockets", "pockets", chains).ranking.GetNumberOfRows():
+    if not _step("protein_to_pockets", "pockets", chains, find_sites=False).ranking.GetNumberOfRows():
         given["use_pockets"] = False
         warnings.warn(steps.NO_POCKETS, functions.IsthmusWarning, stacklevel=2)
     found = _step(pipeline, "sites", polarized, chains, **given)
