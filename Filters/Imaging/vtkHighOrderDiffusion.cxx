@@ -1,6 +1,7 @@
 #include "vtkHighOrderDiffusion.h"
 
 #include "Core/NumberText.h"
+#include "Core/RangeChecks.h"
 #include "Imaging/AutomaticDenoising.h"
 #include "Imaging/DiffusionImage.h"
 #include "Imaging/HighOrderDiffusion.h"
@@ -138,6 +139,7 @@ void vtkHighOrderDiffusion::DenoiseByRisk(isthmus::DiffusionImage<T>& image)
 template <typename T>
 void vtkHighOrderDiffusion::Denoise(isthmus::DiffusionImage<T>& image)
 {
+  isthmus::RequireRange("Strength", this->Strength, 0.0, 1.0);
   if (!(this->KnownNoise >= 0.0) || std::isinf(this->KnownNoise))
   {
     throw std::invalid_argument("KnownNoise must be a finite number, 0 (estimated) or more.");
