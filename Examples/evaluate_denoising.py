@@ -226,9 +226,9 @@ def denoised(volume, **settings):
     algorithm.SetInputData(image_of(volume))
     algorithm.Update()
     field = algorithm.GetOutput().GetFieldData()
-    told = {field.GetArrayName(n): field.GetArray(n).GetValue(0) for n in range(field.GetNumberOfArrays())
-            if field.GetArray(n) and field.GetArray(n).GetNumberOfTuples()}
-    return volume_of(algorithm.GetOutput()), told
+    fields = {field.GetArrayName(n): field.GetArray(n).GetValue(0) for n in range(field.GetNumberOfArrays())
+              if field.GetArray(n) and field.GetArray(n).GetNumberOfTuples()}
+    return volume_of(algorithm.GetOutput()), fields
 
 
 def judge(name, truth, level, correlation, options):
@@ -245,16 +245,16 @@ def judge(name, truth, level, correlation, options):
     row.update({"NLM": numpy.nan, "BM4D": numpy.nan}, **rivals)
     row["oracle"] = family_oracle(noisy, truth, deviation) if slow else numpy.nan
     surfaces, _ = denoised(noisy, Goal=0)
-    chosen, told = denoised(noisy, Goal=1)
-    known, told_known = denoised(noisy, Goal=1, KnownNoise=deviation)
+    chosen, fields = denoised(noisy, Goal=1)
+    known, fields_known = denoised(noisy, Goal=1, KnownNoise=deviation)
     row["surfaces"], row["volumes"] = peak_ratio(surfaces, truth), peak_ratio(chosen, truth)
     row["known"] = peak_ratio(known, truth)
-    row["found/true noise"] = told["NoiseLevel"] / deviation
-    row["estimated gain"] = told_known["EstimatedGain"]
+    row["found/true noise"] = fields["NoiseLevel"] / deviation
+    row["estimated gain"] = fields_known["EstimatedGain"]
     row["true gain"] = row["known"] - row["noisy"]
-    row["its s.e."] = told_known["EstimatedGainError"]
-    row["choice"] = (f"{int(told['UsedOrder'])} {'edges' if told['UsedEdgeStopping'] else 'linear'} "
-                     f"{told['UsedTime']:.3g}")
+    row["its s.e."] = fields_known["EstimatedGainError"]
+    row["choice"] = (f"{int(fields['UsedOrder'])} {'edges' if fields['UsedEdgeStopping'] else 'linear'} "
+                     f"{fields['UsedTime']:.3g}")
     row["lead"] = row["volumes"] - max(value for key, value in rivals.items() if key != "BM4D")
     return row
 

@@ -11,6 +11,7 @@
 #include "Core/RangeChecks.h"
 #include "Persistence/SurfaceDistance.h"
 #include "Remeshing/SurfaceRepair.h"
+#include "Surfaces/ShellNesting.h"
 #include "Surfaces/SurfaceCleaning.h"
 #include "Tetrahedra/TetrahedralMesher.h"
 
@@ -128,13 +129,9 @@ isthmus::TetrahedralParameters MeshAround(const isthmus::TriangleMesh& surface)
   parameters.Side = isthmus::MeshedSide::Both;
   parameters.BoxMargin = 0.1;
   using isthmus::operator-;
-  isthmus::Bounds3 box{ surface.Points.front(), surface.Points.front() };
-  for (const isthmus::Point3& p : surface.Points)
-  {
-    box.Add(p);
-  }
+  const isthmus::Bounds3 box = isthmus::BoundsOf(surface);
   const isthmus::Point3 size = box.Max - box.Min;
-  const double margin = 2.0 * parameters.BoxMargin * isthmus::Length(size);
+  const double margin = 2.0 * parameters.BoxMargin * box.Diagonal();
   parameters.TetGen.MaximumVolume =
     (size[0] + margin) * (size[1] + margin) * (size[2] + margin) / tetrahedra;
   return parameters;

@@ -18,7 +18,7 @@ using Node = std::array<std::int64_t, 3>;
 
 constexpr double largestScale = 8.0;      // u; reaches 35 nodes to each side
 constexpr double scalesInThickness = 8.0; // of the image, at least
-constexpr double edgeScale = 2.0;         // u, where edges are told from noise
+constexpr double edgeScale = 2.0;         // u, where edges are distinguished from noise
 constexpr std::size_t edgeIndex = 5;      // of this scale among the candidates
 constexpr std::size_t mostSamples = 2000; // standard error of a variance: 3 %
 constexpr double latticeNodes = 30000.0;

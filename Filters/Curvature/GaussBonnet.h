@@ -2,7 +2,8 @@
  * @file GaussBonnet.h
  * @brief The integral of the Gaussian curvature over a surface, as a check of its curvature.
  *
- * By Gauss and Bonnet (thesis, 5.43 of its features) a closed surface has
+ * By the theorem of Gauss and Bonnet (M. P. do Carmo, Differential Geometry of Curves and Surfaces,
+ * 1976, section 4-5) a closed surface has
  *
  *     integral of K dA = 2 pi chi,   chi = 2 (components - genus) its Euler number,
  *

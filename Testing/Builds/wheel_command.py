@@ -47,8 +47,8 @@ def check_surface(folder):
     with open(table, encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     assert sorted(row["KindName"] for row in rows) == ["handle", "tunnel"]
-    told = json.loads(run("loops", path, "--json").stdout)
-    assert told["loops"] == 2 and len(told["rows"]) == 2
+    printed = json.loads(run("loops", path, "--json").stdout)
+    assert printed["loops"] == 2 and len(printed["rows"]) == 2
     assert run("loops", path, "--quiet").stdout == ""
     assert run("loops", path, "--table", "-").stdout.startswith("Component,")
     run("loops", path, "-o", os.path.join(folder, "no", "folder.vtp"), code=1)
@@ -62,9 +62,9 @@ def check_shared(data, folder):
         assert isthmus.read(out).GetNumberOfCells() > 0
     path = os.path.join(data, "molecules", "1UBI.pdb")
     if os.path.exists(path):
-        told = json.loads(run("pockets", path, "--json").stdout)
-        chances = [row["Probability"] for row in told["rows"]]
-        assert told["pockets"] == len(chances) > 1 and chances == sorted(chances, reverse=True), told
+        printed = json.loads(run("pockets", path, "--json").stdout)
+        chances = [row["Probability"] for row in printed["rows"]]
+        assert printed["pockets"] == len(chances) > 1 and chances == sorted(chances, reverse=True), printed
 
 
 def main():
