@@ -137,6 +137,16 @@ isthmus::TetrahedralParameters MeshAround(const isthmus::TriangleMesh& surface)
   return parameters;
 }
 
+/// A surface without triangles larger than the tetrahedra beside it: it is kept as it is, and
+/// beside a triangle as large as a face of a cube there would be a million of them, none of them
+/// small.
+isthmus::TriangleMesh SplitFor(
+  const isthmus::TetrahedralParameters& parameters, const isthmus::TriangleMesh& surface)
+{
+  double edge = std::cbrt(6.0 * std::sqrt(2.0) * parameters.TetGen.MaximumVolume);
+  return isthmus::FirstSamples(surface, edge);
+}
+
 }
 
 /// The analysis and what it was made of.
@@ -227,10 +237,12 @@ std::unique_ptr<isthmus::ChokingLoops> vtkChokingLoops::AnalyseMesh(
   {
     vtkWarningMacro(<< cleaned.Message);
   }
-  const isthmus::TriangleMesh& surface = cleaned.Mesh;
+  const isthmus::TriangleMesh surface =
+    given ? cleaned.Mesh : SplitFor(MeshAround(cleaned.Mesh), cleaned.Mesh);
   const isthmus::TetrahedralMesh mesh = given
     ? TetrahedraOf(given)
-    : isthmus::MeshTetrahedra(surface, MeshAround(surface), isthmus::Between(progress, 0.0, 0.4));
+    : isthmus::MeshTetrahedra(
+        surface, MeshAround(cleaned.Mesh), isthmus::Between(progress, 0.0, 0.4));
   const std::vector<double> values = this->MorseValues(surface, mesh, given);
   std::optional<std::vector<double>> errors;
   if (this->MorseFunction != PointArray)

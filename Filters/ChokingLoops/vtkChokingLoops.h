@@ -225,8 +225,8 @@ public:
   ///@{
   /// Delaunay (default): the alpha complex of samples of the surface, exact. TetrahedralMesh: the
   /// thesis' lower-star filtration of MorseFunction on the mesh of input 1, or on one of about
-  /// 200,000 tetrahedra that TetGen makes inside the filter. Narrowings within the error of the
-  /// mesh are not reported, with a warning.
+  /// 200,000 tetrahedra that TetGen makes inside the filter, the surface's triangles split to their
+  /// size. Narrowings within the error of the mesh are not reported, with a warning.
   vtkSetClampMacro(Filtration, int, Delaunay, TetrahedralMesh);
   vtkGetMacro(Filtration, int);
   ///@}

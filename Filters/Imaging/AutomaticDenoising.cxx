@@ -174,9 +174,6 @@ AutomaticResult DenoiseByRisk(const DiffusionGrid<T>& grid, const AutomaticParam
   T* values, const T* noise, const ProgressCallback& progress)
 {
   AutomaticResult result;
-  result.Parameters.EdgeStopping = DiffusionParameters::EdgeStoppingType::None;
-  result.Parameters.Order = 0;
-  result.Parameters.Time = 0.0;
   const double measured = noise ? MeasuredNoise(grid, noise) : 0.0;
   const VolumeSample sample = SampleVolume(grid, values, noise);
   const NoiseSpectrum spectrum = NoiseOf(sample, parameters, measured, grid.Spacing);

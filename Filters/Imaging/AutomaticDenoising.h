@@ -48,6 +48,14 @@ struct AutomaticParameters
 
 struct AutomaticResult
 {
+  /// Nothing changed.
+  AutomaticResult()
+  {
+    this->Parameters.EdgeStopping = DiffusionParameters::EdgeStoppingType::None;
+    this->Parameters.Order = 0;
+    this->Parameters.Time = 0.0;
+  }
+
   DiffusionParameters Parameters; ///< those used; Time 0: nothing was changed
   DiffusionReport Report;
   double NoiseLevel = 0.0;

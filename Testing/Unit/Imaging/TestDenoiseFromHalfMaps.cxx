@@ -140,6 +140,7 @@ TEST(HighOrderDiffusionExplains, MasksConstantsAndWhatHasNoNoise)
     filter->SetInputData(image);
     filter->Update();
     EXPECT_EQ(Distance(filter->GetOutput(), image), 0.0);
+    EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("UsedTime")->GetTuple1(0), 0.0);
     return observer->GetWarningMessage();
   };
   const auto mask = Half(0.0, 1);

@@ -7,6 +7,7 @@
 #include "Persistence/EdgeDistances.h"
 #include "Persistence/LowerStarFiltration.h"
 #include "Persistence/SurfaceDistance.h"
+#include "SurfaceFiles.h"
 #include "Tetrahedra/TetrahedralMesher.h"
 #include "TopologyFilterRun.h"
 
@@ -364,6 +365,20 @@ TEST_F(MorseFunctions, MeshMadeInside)
   EXPECT_EQ(number("NumberOfAdditionalLoops", 0), 0.0); // a torus has no other narrowing
   EXPECT_EQ(number("NumberOfAdditionalLoops", 1), 0.0);
   EXPECT_GE(number("LargestSamplingError"), found[1].Uncertainty);
+}
+
+// Beside the faces of a cube, two triangles each, tetrahedra would be as large as these.
+TEST(MorseFunctionsInside, SurfacesOfLargeTrianglesAreSplit)
+{
+  vtkNew<vtkPolyData> cube;
+  SetMesh(Cube({ 0, 0, 0 }, 1.0), cube);
+  TopologyFilterRun<vtkChokingLoops> run(
+    cube, [](vtkChokingLoops* filter) { filter->SetFiltration(vtkChokingLoops::TetrahedralMesh); });
+  EXPECT_EQ(run.Messages(), "");
+  EXPECT_EQ(run.Surface(0)->GetNumberOfCells(), 0);
+  vtkDataArray* error = run.Surface(0)->GetFieldData()->GetArray("LargestSamplingError");
+  EXPECT_GT(error->GetTuple1(0), 0.0);
+  EXPECT_LT(error->GetTuple1(0), 0.1);
 }
 
 // A mesh that is too coarse for the handle says so.
