@@ -36,7 +36,8 @@ def data_folder():
     sys.exit("There is no shared data: set ISTHMUS_DATA_DIR.")
 
 
-def scene(function, path, direction, picture):
+def view_of(function, path, direction):
+    """A view of what the pipeline `function` makes of the file, seen from `direction`."""
     source = simple.OpenDataFile(str(path))
     view = simple.CreateView("RenderView")
     view.ViewSize = [900, 640]
@@ -53,6 +54,11 @@ def scene(function, path, direction, picture):
     view.CameraViewUp = [0.0, 1.0, 0.0] if abs(direction[1]) < 0.9 else [0.0, 0.0, 1.0]
     simple.ResetCamera(view)
     simple.GetActiveCamera().Zoom(1.2)
+    return view
+
+
+def scene(function, path, direction, picture):
+    view = view_of(function, path, direction)
     simple.SaveScreenshot(str(picture), view, ImageResolution=[900, 640])
     # 128 colours keep a picture below 200 KB; without ImageMagick it is larger.
     subprocess.run(["convert", str(picture), "-colors", "128", str(picture)], check=False)

@@ -3,11 +3,13 @@
 
     build_guide.py OUTPUT [--version VERSION] [--pages-only] [--no-api] [--may-skip]
 
-The site is OUTPUT/html/index.html. The exit status is 1 where anything warned. Needs Sphinx with MyST and
-Furo, Doxygen, Graphviz and MathJax 2 (cmake/setup.sh: guide_packages).
+The site is OUTPUT/html/index.html; it shows the scenes that Examples/scenes.py wrote to OUTPUT/scenes. The exit
+status is 1 where anything warned. Needs Sphinx with MyST and Furo, Doxygen, Graphviz and MathJax 2
+(cmake/setup.sh: guide_packages).
 """
 
 import argparse
+import html
 import re
 import shutil
 import subprocess
@@ -42,6 +44,12 @@ def run(*command):
     if done.returncode != 0:
         print(f"{command[0]} ended with {done.returncode}")
     return done.returncode == 0
+
+
+def scenes_in(folder):
+    """(name, title) of each page of Examples/scenes.py in a folder."""
+    return [(page.stem, html.unescape(re.search("<title>(.*?)</title>", page.read_text())[1]))
+            for page in sorted(folder.glob("*.html"))]
 
 
 def copy_mathjax(target):
@@ -106,7 +114,7 @@ def main():
     for part in (output / "html").glob("*"):  # pages that are no more
         if part.name != "api" or not options.no_api:
             shutil.rmtree(part) if part.is_dir() else part.unlink()
-    site = pages.Site(ROOT, options.version)
+    site = pages.Site(ROOT, options.version, scenes_in(output / "scenes"))
     site.write(source)
     print(f"{len(site.pages)} pages, {len(site.panels)} of them of filters, readers and writers")
     if options.pages_only:
@@ -129,6 +137,8 @@ def main():
     good &= run("sphinx-build", "-q", "-n", "-W", "--keep-going", "-b", "html", "-d", output / "doctrees",
                 "-D", f"release={options.version}", "-D", f"version={options.version}", source,
                 output / "html")
+    if site.scenes:
+        shutil.copytree(output / "scenes", output / "html" / "scenes")
     complaints, looked_at = links.check(output / "html")
     for complaint in complaints:
         print(complaint)

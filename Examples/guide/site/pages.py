@@ -34,9 +34,11 @@ def outside_code(text, change):
 class Site:
     """The pages of the guide and where they come from."""
 
-    def __init__(self, root, version):
+    def __init__(self, root, version, scenes=()):
+        """`scenes`: (name of the page, title) of those that Examples/scenes.py wrote."""
         self.root = root
         self.version = version
+        self.scenes = scenes
         self.panels = panels.read_panels(root / "Plugin")
         self.classes = headers.read_classes(root)
         self.modules = headers.declared_modules(root)
@@ -224,6 +226,12 @@ class Site:
         names = sorted(self.panels, key=lambda name: self.panels[name].label)
         return [*lines, "```{toctree}", ":hidden:", "", *names, "```"]
 
+    def scene_lines(self):
+        """Links to the scenes that were made, or how to make them."""
+        if not self.scenes:
+            return ["They were not made with this copy of the guide: build the target `scenes`, then `guide` again."]
+        return [f'- <a href="scenes/{name}.html">{headers.escaped(title)}</a>' for name, title in self.scenes]
+
     def python_lines(self):
         """The functions of the Python package, from their docstrings, and its classes."""
         lines = []
@@ -277,5 +285,6 @@ class Site:
 
 
 # Pages to whose hand-written part a list is added, and the mark that the drawing of the modules replaces.
-GENERATED = {"filters/index.md": Site.list_lines, "python.md": Site.python_lines}
+GENERATED = {"filters/index.md": Site.list_lines, "python.md": Site.python_lines,
+             "gallery.md": Site.scene_lines}
 DRAWING = "<!-- the drawing of the modules -->"
