@@ -21,7 +21,8 @@ import sys
 import xml.etree.ElementTree as ElementTree
 
 HERE = pathlib.Path(__file__).resolve().parent
-COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+# Lines of // below each other are one comment.
+COMMENT = re.compile(r"//[^\n]*(?:\n[ \t]*//[^\n]*)*|/\*.*?\*/", re.DOTALL)
 TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|((?:"(?:\\.|[^"\\\n])*"\s*)+)|\'(?:\\.|[^\'\\\n])+\'', re.DOTALL)
 
 
@@ -36,11 +37,12 @@ def read_list(path=HERE / "idioms.tsv"):
     return found
 
 
-def markdown_texts(text):
-    """(line, text) without code."""
+def markdown_texts(text, with_code):
+    """(line, text) without blocks of code and addresses of links; code within a line stays on demand."""
     def blank(match):
         return re.sub(r"[^\n]", " ", match.group(0))
-    yield 1, re.sub(r"^```.*?^```|^(?:    .*\n)+|`[^`\n]*`|\]\([^)\n]*\)", blank, text,
+    in_line = "" if with_code else r"`[^`\n]*`|"
+    yield 1, re.sub(rf"^```.*?^```|^(?:    .*\n)+|{in_line}\]\([^)\n]*\)", blank, text,
                     flags=re.DOTALL | re.MULTILINE)
 
 
@@ -72,13 +74,13 @@ def python_texts(text):
             yield node.lineno, node.value
 
 
-def texts_of(path, relative):
-    """(line, text) of what users or programmers read in a file."""
+def texts_of(path, relative, with_code=False):
+    """(line, text) of what users or programmers read in a file; with_code: of Markdown with `code` in a line."""
     first = relative.parts[0]
     library = first in ("Filters", "Readers", "Plugin")
     text = path.read_text()
     if path.suffix == ".md":
-        yield from markdown_texts(text)
+        yield from markdown_texts(text, with_code)
     elif path.suffix == ".xml" and first == "Plugin":
         yield from panel_texts(text)
     elif path.suffix == ".h" and library:

@@ -3,7 +3,8 @@
 
     sample_sentences.py SEED [NUMBER]
 
-The texts are those of check_idioms.py. Prints a table in Markdown: number, file and line, sentence. The same
+The texts are those of check_idioms.py; what begins in the middle of a sentence, as a part of a message does, is left
+out. Prints a table in Markdown: number, file and line, sentence. The same
 seed draws the same sentences from the same commit. NUMBER is 200 by default.
 """
 import pathlib
@@ -18,16 +19,16 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 
 def plain(text):
     """Text without the frames of comments and the marks of Markdown."""
-    text = re.sub(r"^\s*(?:///?<?|/?\*+/?)", "", text, flags=re.MULTILINE)
-    return re.sub(r"[*`]|\\n|\\\"", "", text)
+    text = re.sub(r"^\s*(?:///?<?|/?\*+/?)|@(?:file|brief)\s+(?:\w+[.]h\b)?", "", text, flags=re.MULTILINE)
+    return re.sub(r"[*`\[]|\\n|\\\"", "", text)
 
 
 def sentences(root):
     for path, relative in check_idioms.files_of(root):
-        for line, text in check_idioms.texts_of(path, relative):
+        for line, text in check_idioms.texts_of(path, relative, with_code=True):
             for paragraph in re.split(r"\n\s*\n|\n\s*(?=[-|#])", plain(text)):
                 for sentence in re.split(r"(?<=[.!?])\s+(?=[A-Z])", " ".join(paragraph.split())):
-                    if len(sentence.split()) >= 6 and "|" not in sentence and sentence[-1:] in ".!?":
+                    if len(sentence.split()) >= 6 and "|" not in sentence and re.match(r"[A-Z0-9(].*[.!?]$", sentence):
                         yield str(relative), line, sentence
 
 
