@@ -25,8 +25,8 @@ struct LevelMeasure
 };
 
 /// Of the level 0 of the distances, linear in the six tetrahedra of each cell; the volume is the
-/// sum of cones from the middle of the grid. Second order in the spacing; time O(nodes in the band);
-/// bitwise identical on any number of threads.
+/// sum of cones from the middle of the grid. Second order in the spacing; time O(nodes in the
+/// band); bitwise identical on any number of threads.
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT LevelMeasure MeasureLevel(const FlowField& field);
 
 }
