@@ -132,7 +132,7 @@ function (isthmus_python_sources folder destination)
     DESTINATION "${destination}" COMPONENT python)
 
   set(sources "${CMAKE_CURRENT_SOURCE_DIR}/cmake/vtkIsthmus.py" "${from}/py.typed")
-  foreach (part IN ITEMS __main__ accessor command data_pipelines functions samples)
+  foreach (part IN ITEMS __main__ accessor command data_pipelines functions incidence samples)
     list(APPEND sources "${from}/${part}.py")
   endforeach ()
   foreach (source IN LISTS sources)

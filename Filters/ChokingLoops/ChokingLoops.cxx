@@ -121,7 +121,8 @@ bool FitsMemory(const AnalysisCost& cost, double limit, std::string& sentence)
 struct ChokingAnalysis
 {
   ChokingAnalysis(TriangleMesh samples, CellFiltration filtration, std::vector<double> errors,
-    std::vector<CellError> cellErrors, ChokingLoopTimes& times, const ProgressCallback& progress)
+    std::vector<CellError> cellErrors, std::vector<double> values, ChokingLoopTimes& times,
+    const ProgressCallback& progress)
     : Samples(std::move(samples))
     , Filtration(std::move(filtration))
     , Pairs(Filtration, Between(progress, 0.0, 0.5))
@@ -129,7 +130,7 @@ struct ChokingAnalysis
     , Homology(Adjacency)
     , Embedding(Adjacency, Filtration, Between(progress, 0.5, 0.55))
     , Context{ Filtration, Pairs, Homology, Embedding, Adjacency, std::move(errors),
-      std::move(cellErrors) }
+      std::move(cellErrors), std::move(values) }
     , Regions(Context, Between(progress, 0.55, 0.6))
   {
     times.Pairing += this->Watch.Lap();
@@ -231,7 +232,8 @@ struct ChokingAnalysis
   FeatureContext Context;
   SpaceRegions Regions;
   LocatedFeatures Found;
-  std::map<std::size_t, std::optional<Membrane>> MinimumCuts; ///< of the features asked for
+  /// Of the features asked for, without and with chords.
+  std::map<std::pair<std::size_t, bool>, std::optional<Membrane>> MinimumCuts;
   ChokingLoopTimes Times;
   AnalysisCost Cost;
   RepairReport Repairs;
@@ -415,8 +417,9 @@ void ChokingLoops::AnalyseSamples(TriangleMesh samples, AnalysisCost cost,
       tell();
     });
   times.Filtration += watch.Lap();
-  this->State = std::make_unique<ChokingAnalysis>(std::move(samples), std::move(filtration),
-    std::move(errors), std::vector<CellError>{}, times, Between(progress, 0.6, 1.0));
+  this->State =
+    std::make_unique<ChokingAnalysis>(std::move(samples), std::move(filtration), std::move(errors),
+      std::vector<CellError>{}, std::vector<double>{}, times, Between(progress, 0.6, 1.0));
   this->State->Cost = cost;
 }
 
@@ -434,7 +437,7 @@ ChokingLoops::ChokingLoops(const SurfaceView& surface, const TetrahedralMesh& me
   std::vector<CellError> cellErrors =
     errors ? DistanceErrors(filtration, values, *errors) : RangeErrors(filtration, values);
   this->State = std::make_unique<ChokingAnalysis>(std::move(checked), std::move(filtration),
-    std::vector<double>{}, std::move(cellErrors), times, Between(progress, 0.5, 1.0));
+    std::vector<double>{}, std::move(cellErrors), values, times, Between(progress, 0.5, 1.0));
   this->State->Times = times;
   this->State->Remark = RemarkOnMesh(this->State->Found.Diagram);
 }
@@ -511,21 +514,34 @@ const Membrane& ChokingLoops::MembraneOfMade(std::size_t feature) const
 }
 
 const Membrane* ChokingLoops::MinimumCutMembraneOf(
-  std::size_t feature, const ProgressCallback& progress)
+  std::size_t feature, const ProgressCallback& progress, bool chords)
 {
   ChokingAnalysis& state = *this->State;
-  auto known = state.MinimumCuts.find(feature);
+  auto known = state.MinimumCuts.find({ feature, chords });
   if (known == state.MinimumCuts.end())
   {
-    std::optional<Membrane> membrane = MinimumCutMembrane(
-      state.Context, state.Found.Diagram.Features[feature], state.Found.Centres[feature], progress);
+    std::optional<Membrane> membrane = MinimumCutMembrane(state.Context,
+      state.Found.Diagram.Features[feature], state.Found.Centres[feature], progress, chords);
     if (membrane && !IsInterchangeable(state.Context, state.Found, feature, *membrane))
     {
       membrane.reset();
     }
-    known = state.MinimumCuts.emplace(feature, std::move(membrane)).first;
+    known = state.MinimumCuts.emplace(std::pair(feature, chords), std::move(membrane)).first;
   }
   return known->second ? &*known->second : nullptr;
+}
+
+std::optional<Membrane> ChokingLoops::GreedyMembraneOf(std::size_t feature) const
+{
+  const ChokingAnalysis& state = *this->State;
+  const ShapeFeature& f = state.Found.Diagram.Features[feature];
+  std::optional<Membrane> membrane =
+    f.Choke.Exists() ? GreedyMembrane(state.Context, f) : std::nullopt;
+  if (membrane && !IsInterchangeable(state.Context, state.Found, feature, *membrane))
+  {
+    membrane.reset();
+  }
+  return membrane;
 }
 
 std::vector<Membrane> ChokingLoops::EncirclingMembranesOf(

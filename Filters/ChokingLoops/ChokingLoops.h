@@ -178,7 +178,11 @@ public:
   /// MinimumCutMembrane() of a feature, computed on first use; null if there is none, and for a
   /// handle or tunnel whose loops it could not replace (IsInterchangeable()).
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT const Membrane* MinimumCutMembraneOf(
-    std::size_t feature, const ProgressCallback& progress = {});
+    std::size_t feature, const ProgressCallback& progress = {}, bool chords = false);
+
+  /// GreedyMembrane() of a feature; nothing where there is none, and as with the minimum cut.
+  VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<Membrane> GreedyMembraneOf(
+    std::size_t feature) const;
 
   /// EncirclingMembranes() of a feature.
   VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::vector<Membrane> EncirclingMembranesOf(

@@ -437,8 +437,8 @@ void FillLoops(
   output->GetCellData()->SetActiveScalars("Radius");
 }
 
-void FillMembranes(
-  const ChokingLoops& loops, const std::vector<ShownFeature>& features, vtkPolyData* output)
+void FillMembranes(const ChokingLoops& loops, const std::vector<ShownFeature>& features,
+  MembraneMethod method, vtkPolyData* output)
 {
   const vtkSmartPointer<vtkPoints> points = DoublePoints();
   vtkNew<vtkCellArray> triangles;
@@ -454,6 +454,14 @@ void FillMembranes(
       rows.AddBar(f);
       rows.AddDistance(f);
       rows.Numbers["Area"]->InsertNextValue(shown.Geometry->Area);
+      if (method != MembraneMethod::Automatic)
+      {
+        rows.Integers["Method"]->InsertNextValue(static_cast<int>(shown.Geometry->Method));
+      }
+      if (method == MembraneMethod::Greedy)
+      {
+        rows.Numbers["GrowthCost"]->InsertNextValue(shown.Geometry->GrowthCost);
+      }
     }
   }
   output->SetPoints(points);

@@ -72,11 +72,11 @@ namespace isthmus
 // ------------------------------------------------------------------------------------------
 // Choking loops as VTK data, for vtkChokingLoops.
 
-/// The outputs as documented in vtkChokingLoops.h.
+/// The outputs as documented in vtkChokingLoops.h; `method`: that of the membranes.
 void FillLoops(
   const ChokingLoops& loops, const std::vector<ShownFeature>& features, vtkPolyData* output);
-void FillMembranes(
-  const ChokingLoops& loops, const std::vector<ShownFeature>& features, vtkPolyData* output);
+void FillMembranes(const ChokingLoops& loops, const std::vector<ShownFeature>& features,
+  MembraneMethod method, vtkPolyData* output);
 void FillChokePoints(
   const ChokingLoops& loops, const std::vector<ShownFeature>& features, vtkPolyData* output);
 void FillDiagram(const ChokingLoops& loops, vtkTable* output);

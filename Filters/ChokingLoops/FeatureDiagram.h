@@ -94,6 +94,7 @@ struct FeatureContext
   std::vector<double>
     PointError; ///< SamplingErrors() (SurfacePreparation.h); empty: M is part of the complex
   std::vector<CellError> CellErrors; ///< of each tetrahedron, where M is part of the complex
+  std::vector<double> PointValue{};  ///< the function at points, where M is part of the complex
 
   /// Square of the largest sampling error at the corners of a simplex, with a margin for rounding.
   template <std::size_t N>

@@ -249,18 +249,38 @@ Membrane FeatureMembrane(const FeatureContext& context, SpaceRegions& regions,
 }
 
 std::optional<Membrane> MinimumCutMembrane(const FeatureContext& context,
-  const ShapeFeature& feature, const Point3& centre, const ProgressCallback& progress)
+  const ShapeFeature& feature, const Point3& centre, const ProgressCallback& progress, bool chords)
 {
-  const TriangleChain cut = MinimumCutTriangles(context, feature, centre, progress);
+  const TriangleChain cut = MinimumCutTriangles(context, feature, centre, progress, chords);
   if (cut.empty())
   {
     return std::nullopt;
   }
   Membrane membrane = MembraneOf(context, cut, BoundaryOf(context.Filtration, cut), nullptr);
+  membrane.OnSurface = membrane.OnSurface || chords;
   if (!membrane.OnSurface || membrane.Loops.empty())
   {
     return std::nullopt;
   }
+  return membrane;
+}
+
+std::optional<Membrane> GreedyMembrane(const FeatureContext& context, const ShapeFeature& feature)
+{
+  const std::optional<GreedyPatches> patches = GrowGreedily(context, feature);
+  if (!patches)
+  {
+    return std::nullopt;
+  }
+  const EdgeChain boundary = BoundaryOf(context.Filtration, patches->Triangles);
+  Membrane membrane = MembraneOf(context, patches->Triangles, boundary, nullptr);
+  if (membrane.Loops.empty())
+  {
+    return std::nullopt;
+  }
+  // An edge through the space between two points of M is no obstacle here: it ends the growth.
+  membrane.OnSurface = true;
+  membrane.GrowthCost = patches->Cost;
   return membrane;
 }
 

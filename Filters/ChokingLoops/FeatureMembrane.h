@@ -25,7 +25,8 @@ struct Membrane
   std::vector<std::vector<SimplexId>> Loops;
   std::vector<std::array<SimplexId, 3>> Triangles;
   std::vector<Point3> Extra; ///< points off M: their ids follow those of the sampled surface
-  bool OnSurface = true; ///< false: an obstacle kept the loop from reaching M; it was closed on M
+  bool OnSurface = true;   ///< false: an obstacle kept the loop from reaching M; it was closed on M
+  double GrowthCost = 0.0; ///< GreedyPatches::Cost, of a membrane that grew; 0: it did not
 };
 
 /**
@@ -46,10 +47,16 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT Membrane FeatureMembrane(const FeatureConte
   SpaceRegions& regions, const ShapeFeature& feature, HomologySpan* span = nullptr);
 
 /// The membrane that MinimumCutTriangles() finds, with all of its loops on M; nothing where it
-/// finds none.
+/// finds none. With `chords`, edges off M between its points are replaced by the shortest paths on
+/// it.
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<Membrane> MinimumCutMembrane(
   const FeatureContext& context, const ShapeFeature& feature, const Point3& centre,
-  const ProgressCallback& progress = {});
+  const ProgressCallback& progress = {}, bool chords = false);
+
+/// The membrane that GrowGreedily() finds, its last edges replaced by the shortest paths on M;
+/// nothing where it finds none or where such a path is missing.
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<Membrane> GreedyMembrane(
+  const FeatureContext& context, const ShapeFeature& feature);
 
 /// Adds the fan that a closed loop of points bounds, seen from its first point.
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void AddFan(

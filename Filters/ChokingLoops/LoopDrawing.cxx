@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace isthmus
 {
@@ -476,9 +477,47 @@ void TightestFit::TryHeld(const Membrane& membrane, bool isEncircling)
 
 }
 
-LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
-  const ProgressCallback& progress, const LoopTolerances& tolerances)
+namespace
 {
+
+/// The feature by one method alone; nothing where that makes no membrane.
+std::optional<LoopFeature> DrawnBy(MembraneMethod method, ChokingLoops& loops, std::size_t index,
+  int rounds, const ProgressCallback& progress)
+{
+  if (method == MembraneMethod::Automatic || !loops.Diagram().Features[index].Choke.Exists())
+  {
+    return std::nullopt;
+  }
+  std::optional<Membrane> membrane;
+  if (method == MembraneMethod::Greedy)
+  {
+    membrane = loops.GreedyMembraneOf(index);
+  }
+  else if (const Membrane* cut =
+             loops.MinimumCutMembraneOf(index, Between(progress, 0.0, 0.5), true))
+  {
+    membrane = *cut;
+  }
+  if (!membrane)
+  {
+    return std::nullopt;
+  }
+  LoopFeature feature = Drawn(loops.Adjacency(), *membrane,
+    ShortenedLoops(loops.Adjacency(), *membrane, rounds, {}, Between(progress, 0.5, 1.0)));
+  feature.Method = method;
+  feature.GrowthCost = membrane->GrowthCost;
+  return feature;
+}
+
+}
+
+LoopFeature MakeLoopFeature(ChokingLoops& loops, std::size_t index, int rounds,
+  const ProgressCallback& progress, const LoopTolerances& tolerances, MembraneMethod method)
+{
+  if (std::optional<LoopFeature> asked = DrawnBy(method, loops, index, rounds, progress))
+  {
+    return std::move(*asked);
+  }
   const ShapeFeature& f = loops.Diagram().Features[index];
   const Membrane& pushed = loops.MembraneOf(index);
   TightestFit fit(loops, index, rounds, tolerances);
@@ -566,7 +605,7 @@ std::vector<std::size_t> SampledFirst(std::size_t count, std::size_t& sample)
 
 void DrawFeatures(ChokingLoops& loops, const std::vector<std::size_t>& features, int rounds,
   DrawnFeatures& drawn, const std::function<void(const DrawingCost&)>& estimated,
-  const ProgressCallback& progress)
+  const ProgressCallback& progress, MembraneMethod method)
 {
   Report(progress, 0.0); // also where nothing is missing: that it is to stop may be known already
   std::vector<std::size_t> missing;
@@ -588,7 +627,8 @@ void DrawFeatures(ChokingLoops& loops, const std::vector<std::size_t>& features,
     const std::size_t feature = missing[order[i]];
     const auto part = Between(progress, done(i), done(i + 1));
     Report(part, 0.0);
-    drawn.emplace(std::make_pair(feature, rounds), MakeLoopFeature(loops, feature, rounds, part));
+    drawn.emplace(
+      std::make_pair(feature, rounds), MakeLoopFeature(loops, feature, rounds, part, {}, method));
   }
 }
 

@@ -52,6 +52,14 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT double SharpestTurn(
 // ------------------------------------------------------------------------------------------
 // From a membrane's loops along edges to geodesic ones, with the membrane adapted to them.
 
+/// Which membrane spans a choke.
+enum class MembraneMethod
+{
+  Automatic,  ///< as MakeLoopFeature() chooses
+  MinimumCut, ///< of least area (MinimumCutMembrane.h)
+  Greedy      ///< grown from the choke triangle (the same file)
+};
+
 /// Geometry of one feature. Membrane corners are ids: those below the number of samples are points
 /// of the sampled surface, the others Extra points.
 struct VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT LoopFeature
@@ -67,6 +75,8 @@ struct VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT LoopFeature
   bool Converged = true;     ///< the loops cannot be shortened further, except where they are fixed
   double SharpestBend = 0.0; ///< largest turning angle where it is fixed, in radians
   bool Encircling = false;   ///< not of the class that the choke closed (FeatureMembrane.h)
+  MembraneMethod Method = MembraneMethod::Automatic; ///< that the membrane was made by
+  double GrowthCost = 0.0;                           ///< Membrane::GrowthCost
 
   /// Of its longest loop; 0 without loops.
   double LongestLength() const;
@@ -138,11 +148,14 @@ VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT bool BelongsToChokePoint(const ChokingLoops
  * there (EncirclingMembranesOf()) is no longer, that loop is used; if all are hairpins, a geodesic
  * loop of the class elsewhere, which then does not surround the choke point.
  *
+ * With another `method` than Automatic, the membrane is that one and its loops are shortened, with
+ * none of these choices; where there is no such membrane, the above, and Method is Automatic.
+ *
  * @throws Cancelled.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT LoopFeature MakeLoopFeature(ChokingLoops& loops,
   std::size_t feature, int rounds, const ProgressCallback& progress = {},
-  const LoopTolerances& tolerances = {});
+  const LoopTolerances& tolerances = {}, MembraneMethod method = MembraneMethod::Automatic);
 
 // ------------------------------------------------------------------------------------------
 // The loops of many features, and the estimated time to draw them.
@@ -185,7 +198,7 @@ using DrawnFeatures = std::map<std::pair<std::size_t, int>, LoopFeature>;
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT void DrawFeatures(ChokingLoops& loops,
   const std::vector<std::size_t>& features, int rounds, DrawnFeatures& drawn,
   const std::function<void(const DrawingCost&)>& estimated = {},
-  const ProgressCallback& progress = {});
+  const ProgressCallback& progress = {}, MembraneMethod method = MembraneMethod::Automatic);
 
 }
 

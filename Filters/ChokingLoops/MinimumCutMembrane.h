@@ -1,7 +1,7 @@
 /**
  * @file MinimumCutMembrane.h
- * @brief The membrane of least area through a choke triangle: a minimum cut of the tetrahedra
- * around it.
+ * @brief Membranes through a choke triangle whatever cycles the filtration closed: that of least
+ * area, a minimum cut of the tetrahedra around it, and one that grows greedily.
  */
 #ifndef isthmus_MinimumCutMembrane_h
 #define isthmus_MinimumCutMembrane_h
@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace isthmus
@@ -176,13 +177,50 @@ struct ShapeFeature;
  * beyond 50,000 tetrahedra within reach. Cost: that of MinimumCut on the tetrahedra within
  * reach, which a walk from the choke triangle finds.
  *
+ * With `chords`, the boundary may run along edges that join two points of M through the space, as a
+ * mesh that M is part of has them: the paths on M that replace them bound little more.
+ *
  * Empty, too, where the choke triangle lies on M. @pre `feature.Choke` is a triangle of the
  * complex.
  * @throws Cancelled.
  */
 VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT TriangleChain MinimumCutTriangles(
   const FeatureContext& context, const ShapeFeature& feature, const Point3& centre,
-  const ProgressCallback& progress = {});
+  const ProgressCallback& progress = {}, bool chords = false);
+
+// ------------------------------------------------------------------------------------------
+// A membrane through a choke triangle that grows step by step.
+
+/// Triangles grown from a choke triangle, and what they cost.
+struct GreedyPatches
+{
+  TriangleChain Triangles; ///< the choke triangle among them
+  double Cost = 0.0;       ///< sum over the paths, in the unit of the points
+  std::size_t Steps = 0;   ///< vertices whose one-ring was filled
+};
+
+/**
+ * Grows a membrane as X. Feng's thesis does (6.3.2).
+ *
+ * The membrane is the choke triangle f at first, with its two tetrahedra in the left and the right
+ * cluster. At each step the vertex v of the boundary with the largest value d is taken. In the
+ * one-ring of v, a path replaces v between its two neighbours on the boundary; the triangles of the
+ * path with v join the membrane, and the tetrahedra around v join the clusters, those on either
+ * side of the triangles. The path is the cheapest (Dijkstra) along edges of the ring whose triangle
+ * with v is in the filtration before f and has not two tetrahedra of the same cluster. A step from
+ * p to q costs (|p - q| + d(q)) / 2: the length keeps the area small, the distance leads down to M.
+ * Vertices of the boundary are avoided where that is possible, those passed always, so it ends.
+ *
+ * It is greedy: nothing is ever taken back, and the area is not minimal (MinimumCutTriangles()).
+ * The boundary ends with all of its vertices on M. O(s log s) per step in the s tetrahedra around a
+ * vertex.
+ *
+ * Nothing where the growth has no way on, where v has no whole ring, and where M is not part of the
+ * complex: all points of samples lie on M, where d is 0. @pre `feature.Choke` is a triangle of the
+ * complex.
+ */
+VTKISTHMUSFILTERSCHOKINGLOOPS_EXPORT std::optional<GreedyPatches> GrowGreedily(
+  const FeatureContext& context, const ShapeFeature& feature);
 
 }
 

@@ -156,7 +156,8 @@ struct vtkChokingLoops::Cache
     std::string, double, bool, bool, int>;
   Key MadeOf;
   std::unique_ptr<isthmus::ChokingLoops> Loops;
-  isthmus::DrawnFeatures Geometry;
+  isthmus::DrawnFeatures Geometry; ///< by Method
+  isthmus::MembraneMethod Method = isthmus::MembraneMethod::Automatic;
 };
 
 vtkChokingLoops::vtkChokingLoops()
@@ -321,8 +322,20 @@ std::vector<isthmus::ShownFeature> vtkChokingLoops::DrawLoops()
     : this->Shortening == Rounds              ? this->ShorteningRounds
                                               : ManyRounds;
   const std::vector<std::size_t> chosen = analysis.Select(this->Selection());
+  const auto method = static_cast<isthmus::MembraneMethod>(this->MembraneMethod);
+  if (this->Kept->Method != method)
+  {
+    this->Kept->Geometry.clear();
+    this->Kept->Method = method;
+  }
+  if (method == isthmus::MembraneMethod::Greedy && this->Filtration == Delaunay)
+  {
+    vtkWarningMacro(<< "Greedy membranes need the filtration Tetrahedral mesh: all points of the "
+                       "Delaunay filtration lie on the surface. The automatic ones are taken.");
+  }
   const auto progress = isthmus::Between(isthmus::ProgressOf(this), AnalysisPart, 1.0);
-  isthmus::DrawFeatures(analysis, chosen, rounds, this->Kept->Geometry, TellDrawing, progress);
+  isthmus::DrawFeatures(
+    analysis, chosen, rounds, this->Kept->Geometry, TellDrawing, progress, method);
   std::vector<isthmus::ShownFeature> shown;
   for (const std::size_t feature : chosen)
   {
@@ -373,7 +386,7 @@ bool vtkChokingLoops::FindLoops(
       const std::vector<isthmus::ShownFeature> shown = this->DrawLoops();
       const isthmus::ChokingLoops& analysis = *this->Kept->Loops;
       isthmus::FillLoops(analysis, shown, loops);
-      isthmus::FillMembranes(analysis, shown, membranes);
+      isthmus::FillMembranes(analysis, shown, this->Kept->Method, membranes);
       isthmus::FillChokePoints(analysis, shown, points);
       isthmus::FillDiagram(analysis, diagram);
       isthmus::AddAnalysisFieldData(analysis, shown, loops);
@@ -400,6 +413,7 @@ void vtkChokingLoops::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SampleSpacing: " << this->SampleSpacing << "\n";
   os << indent << "Shortening: " << this->Shortening << "\n";
   os << indent << "ShorteningRounds: " << this->ShorteningRounds << "\n";
+  os << indent << "MembraneMethod: " << this->MembraneMethod << "\n";
   os << indent << "AllowSelfIntersections: " << this->AllowSelfIntersections << "\n";
   os << indent << "CapHoles: " << this->CapHoles << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";

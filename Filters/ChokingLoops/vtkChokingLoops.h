@@ -39,7 +39,10 @@
  *
  *     A feature may have several loops, as an annulus has.
  *  1. membranes: triangles spanning each loop, cell arrays `FeatureId`, `Area` (of the membrane),
- *     `Radius`, `Birth`, `Death`, `Persistence`, `Kind`.
+ *     `Radius`, `Birth`, `Death`, `Persistence`, `Kind`; where MembraneMethod is not Automatic also
+ *     `Method` (that it was made by: 0 where the method asked for found none), with Greedy
+ *     `GrowthCost` (the sum of its paths' costs, in the unit of the points, before shortening; 0
+ *     for another method).
  *  2. choke points: one vertex for a feature, point arrays `Radius`, `Birth`, `Death`,
  *     `Persistence`, `Kind`, `Side`, `FeatureId`.
  *  3. persistence diagram: a vtkTable with `FeatureId`, `Dimension`, `Side`, `Birth`, `Death`,
@@ -129,6 +132,12 @@ public:
     None,
     Rounds,
     Geodesic
+  };
+  enum MembraneMethodType
+  {
+    Automatic,
+    MinimumCut,
+    Greedy
   };
   enum ThresholdModeType
   {
@@ -264,6 +273,17 @@ public:
   ///@}
 
   ///@{
+  /// Which membrane spans a choke; its boundary is the loop that is shortened. Automatic (default):
+  /// the one that the filtration closed, or another where its loop does not belong to the choke
+  /// point. MinimumCut: of least area through the choke triangle. Greedy, with TetrahedralMesh
+  /// only: the growth of X. Feng's thesis (6.3.2) from the choke triangle down to the surface, each
+  /// step as cheap as possible (MinimumCutMembrane.h). Where a method finds no membrane,
+  /// Automatic's is taken: the cell array `Method` of the membranes.
+  vtkSetClampMacro(MembraneMethod, int, Automatic, Greedy);
+  vtkGetMacro(MembraneMethod, int);
+  ///@}
+
+  ///@{
   /// Go on with a surface that crosses itself, with a warning. Default off.
   vtkSetMacro(AllowSelfIntersections, bool);
   vtkGetMacro(AllowSelfIntersections, bool);
@@ -332,6 +352,7 @@ private:
   double SampleSpacing = 0.0;
   int Shortening = Geodesic;
   int ShorteningRounds = 5;
+  int MembraneMethod = Automatic;
   bool AllowSelfIntersections = false;
   bool CapHoles = false;
   int MemoryLimit = 0;

@@ -17,6 +17,15 @@
  * zero where |K| is at most GaussianTolerance x curvedness^2, and H where |H| is at most
  * MeanTolerance x curvedness. Types: 0 none, 1 pit, 2 valley, 3 saddle ridge, 4 flat, 5 minimal
  * surface, 6 saddle valley, 7 ridge, 8 peak.
+ *
+ * GenerateDifferentialForms (off): `GaussMap` (the unit normal that points outwards, as a point of
+ * the unit sphere), `ShapeOperator` (symmetric tensor xx, yy, zz, xy, yz, xz, in 1/length),
+ * `FirstFundamentalForm` (E, F, G; no unit), `SecondFundamentalForm` (L, M, N; 1/length) and
+ * `AreaElement` (sqrt(E G - F^2)), of the surface as a graph over the coordinate plane that it is
+ * most parallel to. GenerateNormalCurvature (off): `NormalCurvature` (1/length), the bending of the
+ * surface along NormalCurvatureDirection, a vector of any length in world axes, (1, 0, 0) by
+ * default, projected to the tangent plane; 0 where that direction is normal to the surface.
+ * DifferentialForms.h has the formulas.
  */
 #define ISTHMUS_CURVATURE_ARRAYS()                                                                 \
   ISTHMUS_SWITCH(GenerateGaussianCurvature, true);                                                 \
@@ -28,6 +37,15 @@
   ISTHMUS_SWITCH(GeneratePrincipalDirection1, false);                                              \
   ISTHMUS_SWITCH(GeneratePrincipalDirection2, false);                                              \
   ISTHMUS_SWITCH(GenerateSurfaceType, false);                                                      \
+  ISTHMUS_SWITCH(GenerateDifferentialForms, false);                                                \
+  ISTHMUS_SWITCH(GenerateNormalCurvature, false);                                                  \
+                                                                                                   \
+public:                                                                                            \
+  vtkSetVector3Macro(NormalCurvatureDirection, double);                                            \
+  vtkGetVector3Macro(NormalCurvatureDirection, double);                                            \
+                                                                                                   \
+protected:                                                                                         \
+  double NormalCurvatureDirection[3] = { 1.0, 0.0, 0.0 };                                          \
   ISTHMUS_PROPERTY(double, FlatTolerance, 1e-3);                                                   \
   ISTHMUS_PROPERTY(double, GaussianTolerance, 1e-3);                                               \
   ISTHMUS_PROPERTY(double, MeanTolerance, 1e-3);                                                   \
@@ -43,6 +61,10 @@
        << indent << "GeneratePrincipalDirection1: " << this->GeneratePrincipalDirection1 << "\n"   \
        << indent << "GeneratePrincipalDirection2: " << this->GeneratePrincipalDirection2 << "\n"   \
        << indent << "GenerateSurfaceType: " << this->GenerateSurfaceType << "\n"                   \
+       << indent << "GenerateDifferentialForms: " << this->GenerateDifferentialForms << "\n"       \
+       << indent << "GenerateNormalCurvature: " << this->GenerateNormalCurvature << "\n"           \
+       << indent << "NormalCurvatureDirection: " << this->NormalCurvatureDirection[0] << " "       \
+       << this->NormalCurvatureDirection[1] << " " << this->NormalCurvatureDirection[2] << "\n"    \
        << indent << "FlatTolerance: " << this->FlatTolerance << "\n"                               \
        << indent << "GaussianTolerance: " << this->GaussianTolerance << "\n"                       \
        << indent << "MeanTolerance: " << this->MeanTolerance << "\n";                              \

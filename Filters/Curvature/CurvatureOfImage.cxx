@@ -76,6 +76,7 @@ CurvatureArrays<T> NewArrays(const CurvatureSelection& wanted, vtkIdType places,
   arrays.Direction2 = array(wanted.Direction2, "PrincipalDirection2", 3);
   arrays.SurfaceType =
     NewArray<unsigned char>(wanted.SurfaceType, "SurfaceType", 1, places, output);
+  arrays.Normal = array(wanted.Normal, "GaussMap", 3);
   array(wanted.Error, "CurvatureScale");
   arrays.Gradient = array(wanted.Error, "CurvatureError"); // until the errors follow from it
   arrays.Valid = NewArray<unsigned char>(true, "CurvatureValid", 1, places, output);

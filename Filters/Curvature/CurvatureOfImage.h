@@ -31,7 +31,8 @@ struct CurvatureSelection
   bool Direction1 = false;
   bool Direction2 = false;
   bool SurfaceType = false;
-  bool Error = false; ///< CurvatureScale and CurvatureError
+  bool Error = false;  ///< CurvatureScale and CurvatureError
+  bool Normal = false; ///< GaussMap
 };
 
 /**

@@ -172,6 +172,18 @@ void WriteDirections(const DerivativeRows& d, std::int64_t count, const ShapeRow
   }
 }
 
+/// Downhill where the inside is higher, uphill where it is lower.
+template <typename T>
+void WriteNormals(const DerivativeRows& d, std::int64_t count, const ShapeRow& shape, double sign,
+  const std::array<double, 9>& axes, T* out)
+{
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    const double scale = shape.Valid[i] != 0.0 ? sign / std::sqrt(GradientSquare(d, i)) : 0.0;
+    StoreVector({ scale * d.X[i], scale * d.Y[i], scale * d.Z[i] }, axes, out + 3 * i);
+  }
+}
+
 }
 
 void SetZeroGradient(DerivativeRows& d, std::int64_t place)
@@ -209,6 +221,10 @@ ISTHMUS_VECTOR_CLONES void WriteCurvature(const DerivativeRows& derivatives, std
         ? SurfaceType::None
         : ClassifySurface(s.Mean[i], s.Half[i], rule.Spacing, options.Tolerance);
     });
+  if (arrays.Normal)
+  {
+    WriteNormals(derivatives, count, s, SignOf(rule), options.Axes, arrays.Normal + 3 * at);
+  }
   if (arrays.Direction1 || arrays.Direction2)
   {
     WriteDirections(derivatives, count, s, SignOf(rule), options.Axes,
@@ -225,7 +241,7 @@ void ClearCurvature(const CurvatureArrays<T>& arrays, std::int64_t at, std::int6
   {
     Fill(out, at, count, [](std::int64_t) { return 0.0; });
   }
-  for (T* out : { arrays.Direction1, arrays.Direction2 })
+  for (T* out : { arrays.Direction1, arrays.Direction2, arrays.Normal })
   {
     Fill(out, 3 * at, 3 * count, [](std::int64_t) { return 0.0; });
   }

@@ -41,6 +41,7 @@ struct CurvatureArrays
   unsigned char* SurfaceType = nullptr; ///< Values of enum SurfaceType.
   unsigned char* Valid = nullptr;       ///< 1 or 0.
   T* Gradient = nullptr;                ///< Its length, 0 where not valid.
+  T* Normal = nullptr;                  ///< Unit vectors that point outwards.
 };
 
 /// What decides sign and validity of a place.

@@ -172,6 +172,19 @@ private:
   Verdict Judge(std::size_t point, const StarSums& sums) const;
   void Count();
 
+  static Eigen::Map<Vector3d> VectorAt(std::vector<double>& vectors, std::size_t point)
+  {
+    return Eigen::Map<Vector3d>(vectors.data() + 3 * point);
+  }
+  void StoreNormals(std::size_t point, const Vector3d& normal, const Vector3d& meanNormal)
+  {
+    if (this->Options.Normals)
+    {
+      VectorAt(this->Result.Normal, point) = normal;
+      VectorAt(this->Result.MeanNormal, point) = meanNormal;
+    }
+  }
+
   const SurfaceView Mesh;
   const SurfaceCurvatureOptions Options;
   const TriangleStars Stars;
@@ -192,6 +205,11 @@ void Estimator::Allocate()
     values->resize(points, 0.0);
   }
   this->Result.Valid.resize(points, 0);
+  if (this->Options.Normals)
+  {
+    this->Result.Normal.resize(3 * points, 0.0);
+    this->Result.MeanNormal.resize(3 * points, 0.0);
+  }
   if (this->Options.Estimate == CurvatureEstimate::EdgeTensor)
   {
     this->Result.Direction1.resize(3 * points, 0.0);
@@ -263,6 +281,8 @@ void Estimator::WithDefect(vtkIdType first, vtkIdType last)
       this->Result.Gaussian[p] = gaussian;
       this->Result.Mean[p] = mean;
       this->Result.HalfDifference[p] = HalfDifference(gaussian, mean);
+      this->StoreNormals(
+        p, this->Side * sums.Normal.normalized(), sums.Cotangent / (4.0 * sums.Area));
     }
   }
 }
@@ -313,8 +333,10 @@ void Estimator::WithTensor(vtkIdType first, vtkIdType last)
     this->Result.Gaussian[p] = frame.Maximum * frame.Minimum;
     this->Result.Mean[p] = 0.5 * (frame.Maximum + frame.Minimum);
     this->Result.HalfDifference[p] = 0.5 * (frame.Maximum - frame.Minimum);
-    Eigen::Map<Vector3d>(this->Result.Direction1.data() + 3 * p) = frame.Direction1;
-    Eigen::Map<Vector3d>(this->Result.Direction2.data() + 3 * p) = frame.Direction2;
+    VectorAt(this->Result.Direction1, p) = frame.Direction1;
+    VectorAt(this->Result.Direction2, p) = frame.Direction2;
+    const Vector3d normal = this->Side * star.Normal.normalized();
+    this->StoreNormals(p, normal, this->Result.Mean[p] * normal);
   }
 }
 

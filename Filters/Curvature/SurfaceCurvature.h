@@ -83,7 +83,8 @@ struct SurfaceCurvatureOptions
   DualArea Area = DualArea::Voronoi;
   CurvatureNeighbourhood Neighbourhood = CurvatureNeighbourhood::OneRing;
   SurfaceOrientation Orientation = SurfaceOrientation::Automatic;
-  double Radius = 0.0; ///< of ball and disc, length; 0: three times the mean edge length
+  double Radius = 0.0;  ///< of ball and disc, length; 0: three times the mean edge length
+  bool Normals = false; ///< whether Normal and MeanNormal are wanted
 };
 
 /// One value (directions: three) for each point. Where Valid is 0, curvatures and directions are 0.
@@ -95,6 +96,8 @@ struct SurfaceCurvatureResult
   std::vector<double> Area;           ///< area of the point; 0 where Irregular or Isolated
   std::vector<double> Direction1;     ///< unit vectors, of EdgeTensor only
   std::vector<double> Direction2;
+  std::vector<double> Normal;     ///< with Normals: unit vectors, outward, weighted with areas
+  std::vector<double> MeanNormal; ///< H n: of AngleDefect the vector of the formula itself
   std::vector<unsigned char> Valid;
 
   vtkIdType BoundaryPoints = 0;   ///< invalid, but over Ball and GeodesicDisc: one-sided there

@@ -8,6 +8,7 @@
 #include "Core/RangeChecks.h"
 #include "Curvature/CurvatureOfImage.h"
 #include "Curvature/CurvatureScale.h"
+#include "Curvature/DifferentialForms.h"
 #include "Curvature/FiniteDifference.h"
 #include "Curvature/GaussBonnet.h"
 #include "Curvature/GaussianSmoothing.h"
@@ -162,6 +163,13 @@ isthmus::HessianCurvatureOptions OptionsOf(vtkHessianCurvature* filter)
   return options;
 }
 
+isthmus::DifferentialFormsSelection FormsSelectionOf(vtkHessianCurvature* filter)
+{
+  const double* direction = filter->GetNormalCurvatureDirection();
+  return { filter->GetGenerateDifferentialForms(), filter->GetGenerateNormalCurvature(),
+    { direction[0], direction[1], direction[2] } };
+}
+
 isthmus::CurvatureSelection SelectionOf(vtkHessianCurvature* filter)
 {
   isthmus::CurvatureSelection selection;
@@ -175,7 +183,36 @@ isthmus::CurvatureSelection SelectionOf(vtkHessianCurvature* filter)
   selection.Direction2 = filter->GetGeneratePrincipalDirection2() != 0;
   selection.SurfaceType = filter->GetGenerateSurfaceType() != 0;
   selection.Error = filter->GetAutomaticScale();
+  if (FormsSelectionOf(filter).Any())
+  {
+    selection.Normal = true;
+    selection.Maximum = selection.Minimum = true;
+    selection.Direction1 = selection.Direction2 = true;
+  }
   return selection;
+}
+
+/// Adds what follows from principal curvatures and directions, and takes away those of them that
+/// were made for it alone.
+void AddForms(vtkHessianCurvature* filter, vtkDataSet* output)
+{
+  const isthmus::DifferentialFormsSelection selection = FormsSelectionOf(filter);
+  if (!selection.Any())
+  {
+    return;
+  }
+  isthmus::AddDifferentialForms(selection, output);
+  const auto keep = [output](bool wanted, const char* name)
+  {
+    if (!wanted)
+    {
+      output->GetPointData()->RemoveArray(name);
+    }
+  };
+  keep(filter->GetGenerateMaximumCurvature(), "MaximumCurvature");
+  keep(filter->GetGenerateMinimumCurvature(), "MinimumCurvature");
+  keep(filter->GetGeneratePrincipalDirection1(), "PrincipalDirection1");
+  keep(filter->GetGeneratePrincipalDirection2(), "PrincipalDirection2");
 }
 
 }
@@ -323,6 +360,7 @@ void vtkHessianCurvature::CheckParameters()
   CheckNotNegative(this->FlatTolerance, "FlatTolerance", "a bound: 0 or more");
   CheckNotNegative(this->GaussianTolerance, "GaussianTolerance", "a bound: 0 or more");
   CheckNotNegative(this->MeanTolerance, "MeanTolerance", "a bound: 0 or more");
+  FormsSelectionOf(this).Check();
   if (this->ShapeIndexConvention != Thesis && this->ShapeIndexConvention != Koenderink)
   {
     throw std::invalid_argument("ShapeIndexConvention is " +
@@ -499,9 +537,11 @@ int vtkHessianCurvature::RequestData(
       if (output->GetNumberOfPoints() == 0)
       {
         isthmus::AddNoCurvature(SelectionOf(this), output);
+        AddForms(this, output);
         return;
       }
       this->AddCurvature(image, scalars, points, scale, output);
+      AddForms(this, output);
     });
 }
 

@@ -12,13 +12,15 @@
  * `GaussianCurvature` (1/length^2), `MeanCurvature`, `MaximumCurvature` (kappa_1),
  * `MinimumCurvature` (kappa_2), `Curvedness` (1/length), `ShapeIndex` (in [-1, 1]); off by default
  * `PrincipalDirection1`, `PrincipalDirection2` (unit vectors in world axes, tangent to the level
- * set; their sign means nothing) and `SurfaceType` (unsigned char; names below and in the field
- * array `SurfaceTypeNames`). With AutomaticScale also `CurvatureScale`, the standard deviation of
- * the Gaussian that smoothed the scalars (the same everywhere; 0 for none), and `CurvatureError`,
- * the standard error of the mean curvature (1/length, bias included; 0 where CurvatureValid is 0),
- * each as estimated from the image alone (CurvatureScale.h). Lengths are in the image's unit,
- * angstrom for molecular maps. All other arrays of the input are kept; on a surface MeanCurvature
- * becomes the active scalars.
+ * set; their sign means nothing), `SurfaceType` (unsigned char; names below and in the field
+ * array `SurfaceTypeNames`), `NormalCurvature` in a given direction, and with
+ * GenerateDifferentialForms `GaussMap`, `ShapeOperator`, `FirstFundamentalForm`,
+ * `SecondFundamentalForm`, `AreaElement` (CurvatureArrays.h). With AutomaticScale also
+ * `CurvatureScale`, the standard deviation of the Gaussian that smoothed the scalars (the same
+ * everywhere; 0 for none), and `CurvatureError`, the standard error of the mean curvature
+ * (1/length, bias included; 0 where CurvatureValid is 0), each as estimated from the image alone
+ * (CurvatureScale.h). Lengths are in the image's unit, angstrom for molecular maps. All other
+ * arrays of the input are kept; on a surface MeanCurvature becomes the active scalars.
  *
  * Field data, on a surface with triangles and one rank: `GaussianCurvatureIntegral` (no unit) and
  * `GaussBonnetEulerNumber`, that over 2 pi, close to the Euler number of a closed surface where its
@@ -133,7 +135,8 @@ public:
   ///@}
 
   /// GenerateGaussianCurvature and so on: which arrays to make; default on, but for principal
-  /// directions and surface type. FlatTolerance, GaussianTolerance and MeanTolerance: what
+  /// directions, surface type, GenerateDifferentialForms and GenerateNormalCurvature (along
+  /// NormalCurvatureDirection). FlatTolerance, GaussianTolerance and MeanTolerance: what
   /// `SurfaceType` takes for zero, no units, default 1e-3 each; a point is flat where curvedness x
   /// the smallest spacing is at most FlatTolerance. CurvatureArrays.h has the whole list.
   ISTHMUS_CURVATURE_ARRAYS();

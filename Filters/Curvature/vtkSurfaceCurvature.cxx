@@ -7,6 +7,7 @@
 #include "Core/NumberText.h"
 #include "Core/PolyDataTriangles.h"
 #include "Curvature/CurvatureDescriptors.h"
+#include "Curvature/DifferentialForms.h"
 #include "Curvature/GaussBonnet.h"
 #include "Curvature/SurfaceCurvature.h"
 #include "Curvature/SurfaceTypeNames.h"
@@ -31,6 +32,13 @@ namespace
 {
 
 using isthmus::SurfaceCurvatureResult;
+
+isthmus::DifferentialFormsSelection FormsSelectionOf(vtkSurfaceCurvature* filter)
+{
+  const double* direction = filter->GetNormalCurvatureDirection();
+  return { filter->GetGenerateDifferentialForms(), filter->GetGenerateNormalCurvature(),
+    { direction[0], direction[1], direction[2] } };
+}
 
 /// Adds a point array with `get(point)` where points are valid, 0 elsewhere.
 template <typename Array, typename Get>
@@ -94,6 +102,8 @@ void Spread(const std::vector<vtkIdType>& places, SurfaceCurvatureResult& result
   spread(result.Valid, 1);
   spread(result.Direction1, 3);
   spread(result.Direction2, 3);
+  spread(result.Normal, 3);
+  spread(result.MeanNormal, 3);
 }
 
 /// Curvature with points that coincide as one (SurfaceCleaning.h) where the surface is not closed
@@ -187,6 +197,7 @@ int vtkSurfaceCurvature::RequestData(
       CheckTolerance(this->FlatTolerance, "FlatTolerance");
       CheckTolerance(this->GaussianTolerance, "GaussianTolerance");
       CheckTolerance(this->MeanTolerance, "MeanTolerance");
+      FormsSelectionOf(this).Check();
       output->ShallowCopy(input);
       isthmus::SurfaceCurvatureOptions options;
       options.Estimate = static_cast<isthmus::CurvatureEstimate>(this->Method);
@@ -194,6 +205,7 @@ int vtkSurfaceCurvature::RequestData(
       options.Neighbourhood = static_cast<isthmus::CurvatureNeighbourhood>(this->Neighbourhood);
       options.Orientation = static_cast<isthmus::SurfaceOrientation>(this->Orientation);
       options.Radius = this->Radius;
+      options.Normals = this->GenerateMeanCurvatureNormal || FormsSelectionOf(this).Any();
       const isthmus::PolyDataTriangles triangles(input);
       std::vector<vtkIdType> places;
       const SurfaceCurvatureResult result = CurvatureOfPlaces(
@@ -232,6 +244,32 @@ void vtkSurfaceCurvature::AddArrays(const SurfaceCurvatureResult& result, vtkPol
     [&](std::size_t i) { return isthmus::Curvedness(mean[i], half[i]); });
   AddVectors(output, this->GeneratePrincipalDirection1, "PrincipalDirection1", result.Direction1);
   AddVectors(output, this->GeneratePrincipalDirection2, "PrincipalDirection2", result.Direction2);
+  AddVectors(output, this->GenerateMeanCurvatureNormal, "MeanCurvatureNormal", result.MeanNormal);
+  AddVectors(output, this->GenerateDifferentialForms, "GaussMap", result.Normal);
+  if (const auto selection = FormsSelectionOf(this); selection.Any())
+  {
+    vtkNew<vtkPolyData> made; // from arrays that need not all be wanted
+    made->ShallowCopy(output);
+    const auto put = [&](const char* name, double sign)
+    {
+      AddDescriptor<vtkDoubleArray>(
+        made, result, true, name, [&](std::size_t i) { return mean[i] + sign * half[i]; });
+    };
+    put("MaximumCurvature", 1.0);
+    put("MinimumCurvature", -1.0);
+    AddVectors(made, true, "PrincipalDirection1", result.Direction1);
+    AddVectors(made, true, "PrincipalDirection2", result.Direction2);
+    AddVectors(made, true, "GaussMap", result.Normal);
+    isthmus::AddDifferentialForms(selection, made);
+    for (const char* name : { "ShapeOperator", "FirstFundamentalForm", "SecondFundamentalForm",
+           "AreaElement", "NormalCurvature" })
+    {
+      if (vtkDataArray* array = made->GetPointData()->GetArray(name))
+      {
+        output->GetPointData()->AddArray(array);
+      }
+    }
+  }
   if (this->GenerateSurfaceType)
   {
     const isthmus::SurfaceTypeTolerance tolerance{ this->FlatTolerance, this->GaussianTolerance,
@@ -262,6 +300,7 @@ void vtkSurfaceCurvature::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "Orientation: " << this->Orientation << "\n";
   os << indent << "ShapeIndexConvention: " << this->ShapeIndexConvention << "\n";
+  os << indent << "GenerateMeanCurvatureNormal: " << this->GenerateMeanCurvatureNormal << "\n";
   os << indent << "GeneratePointArea: " << this->GeneratePointArea << "\n";
   this->PrintCurvatureArrays(os, indent);
 }

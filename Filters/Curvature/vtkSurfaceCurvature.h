@@ -9,10 +9,13 @@
  * **Arrays**, on points, double, the same names and signs as vtkHessianCurvature's, each with a
  * switch: `GaussianCurvature` (1/length^2), `MeanCurvature`, `MaximumCurvature` (kappa_1),
  * `MinimumCurvature` (kappa_2), `Curvedness` (1/length), `ShapeIndex` (in [-1, 1]); off by default
- * `PrincipalDirection1`, `PrincipalDirection2` (unit vectors, of the EdgeTensor only) and
- * `SurfaceType` (unsigned char, names in the field array `SurfaceTypeNames`). `PointArea`
- * (length^2) is the area that belongs to a point by DualArea: the weight for means over the
- * surface; all together are the area of the surface. Field data `GaussianCurvatureIntegral` (no
+ * `PrincipalDirection1`, `PrincipalDirection2` (unit vectors, of the EdgeTensor only),
+ * `MeanCurvatureNormal` (H n, 1/length), `SurfaceType` (unsigned char, names in the field array
+ * `SurfaceTypeNames`) and, of the EdgeTensor only, `NormalCurvature` in a given direction and, with
+ * GenerateDifferentialForms, `GaussMap`, `ShapeOperator`, `FirstFundamentalForm`,
+ * `SecondFundamentalForm`, `AreaElement` (CurvatureArrays.h; AngleDefect has `GaussMap` alone).
+ * `PointArea` (length^2) is the area that belongs to a point by DualArea: the weight for means over
+ * the surface; all together are the area of the surface. Field data `GaussianCurvatureIntegral` (no
  * unit) and `GaussBonnetEulerNumber`, that over 2 pi, close to the Euler number of a closed surface
  * (GaussBonnet.h).
  *
@@ -132,8 +135,19 @@ public:
   vtkBooleanMacro(GeneratePointArea, bool);
   ///@}
 
+  ///@{
+  /// Whether to make `MeanCurvatureNormal`, the vector H n of length |H|: outward where the surface
+  /// is convex, whatever Orientation says. Of the AngleDefect it is the cotangent formula itself,
+  /// an estimate of the normal, too; of the EdgeTensor H times the mean normal of the triangles.
+  /// Default off.
+  vtkSetMacro(GenerateMeanCurvatureNormal, bool);
+  vtkGetMacro(GenerateMeanCurvatureNormal, bool);
+  vtkBooleanMacro(GenerateMeanCurvatureNormal, bool);
+  ///@}
+
   /// GenerateGaussianCurvature and so on: which arrays to make; default on, but for principal
-  /// directions and surface type. FlatTolerance, GaussianTolerance and MeanTolerance: what
+  /// directions, surface type, GenerateDifferentialForms and GenerateNormalCurvature (along
+  /// NormalCurvatureDirection). FlatTolerance, GaussianTolerance and MeanTolerance: what
   /// `SurfaceType` takes for zero, no units, default 1e-3 each; a point is flat where curvedness x
   /// sqrt(PointArea) is at most FlatTolerance. CurvatureArrays.h has the whole list.
   ISTHMUS_CURVATURE_ARRAYS();
@@ -152,6 +166,7 @@ protected:
   int Orientation = Automatic;
   int ShapeIndexConvention = Thesis;
   bool GeneratePointArea = true;
+  bool GenerateMeanCurvatureNormal = false;
 
 private:
   vtkSurfaceCurvature(const vtkSurfaceCurvature&) = delete;

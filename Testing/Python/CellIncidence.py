@@ -4,6 +4,7 @@ import os
 from pathlib import Path
 
 import numpy
+from isthmus import incidence
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -70,6 +71,41 @@ def check_incidence(mesh):
     assert sorted(cell_values(edges, "NumberOfIncidentCells")) == [1] * 14 + [2] * 6 + [3]
 
 
+def check_map(mesh):
+    """The same numbers as those of the filter, as numpy arrays and iterators."""
+    grid = servermanager.Fetch(mesh)
+    whole = incidence.CombinatorialMap(grid)
+    assert [whole.count(kind) for kind in incidence.KINDS] == [11, 21, 14, 3, 16, 24 + 16 + 18]
+    filtered = simple.CellIncidence(Input=mesh)
+    counts = cell_values(servermanager.Fetch(filtered, idx=0), "NumberOfIncidentCells")
+    assert [len(fan) for fan in whole.fans()] == list(counts)
+    # The shared edge's fan: prism, hexahedron and pyramid, the hexahedron in the middle.
+    (edge,) = numpy.flatnonzero(counts == 3)
+    assert whole.fan(edge)[1] == 0 and sorted(whole.fan(edge)) == [0, 1, 2]
+    stars = list(whole.stars())
+    assert list(stars[8]) == [1] and sorted(stars[6]) == [0, 1, 2] and sorted(stars[3]) == [0]
+    offsets, corners = whole.incidence("cell", "vertex")
+    assert sorted(corners[offsets[1]:offsets[2]]) == [4, 5, 6, 7, 8]
+    assert sorted(whole.incident("cell", 0, "cell")) == [1, 2]
+    across = whole.beta(3)
+    assert (across[across[across >= 0]] == numpy.flatnonzero(across >= 0)).all()
+    assert (across >= 0).sum() == 2 * (4 + 4) and (across < 0).sum() == 58 - 16
+    # An attribute on darts: the mean of those around each vertex is summed by numpy alone.
+    value = whole.attribute("dart", initial=2.0)
+    offsets, darts = whole.incidence("vertex", "dart")
+    assert (numpy.add.reduceat(value[darts], offsets[:-1]) == 2.0 * numpy.diff(offsets)).all()
+    report = whole.memory_report()
+    assert report["H2D"] == 4 * 16 and report["V2D"] == 4 * 11, report
+    assert whole.estimated_bytes() == 4 * (8.7 * 3 + 12)
+    for wrong in (lambda: whole.star(11), lambda: whole.incident("edge", 0, "edge"),
+                  lambda: whole.count("corner"), lambda: incidence.CombinatorialMap(None)):
+        try:
+            wrong()
+        except (IndexError, ValueError):
+            continue
+        raise AssertionError("accepted what does not exist")
+
+
 def check_cutaway(mesh):
     cutaway = simple.TetCutaway(Input=mesh, SeedPoint=[0.5, 0.5, 2.0], NumberOfCells=1)
     surface = servermanager.Fetch(cutaway, idx=0)
@@ -117,6 +153,7 @@ OUTPUT.mkdir(parents=True, exist_ok=True)
 reader = simple.OpenDataFile(str(OUTPUT / "mixed.cmesh"))
 assert reader.GetXMLName() == "CombinatorialMeshReader", reader.GetXMLName()
 check_incidence(reader)
+check_map(reader)
 check_cutaway(reader)
 check_file(reader)
 check_picture(reader)

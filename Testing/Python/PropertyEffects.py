@@ -42,6 +42,8 @@ NEEDS = {
     ("PoissonBoltzmannOnSurface", "IonRadius"): {"IonicStrength": 0.15},
     ("PoissonBoltzmannOnSurface", "Nonlinear"): {"IonicStrength": 0.15},
     ("ScalarRegions", "SweepTarget"): {"SweepSteps": 4},
+    ("SurfaceCurvature", "GenerateNormalCurvature"): {"Method": 1},
+    ("SurfaceCurvature", "NormalCurvatureDirection"): {"Method": 1},
     ("SurfaceCurvature", "Radius"): {"Neighbourhood": 1},
     ("TetCutaway", "SeedFace"): {"NumberOfCells": 5},
     ("TetCutaway", "SeedMode"): {"NumberOfCells": 5},

@@ -1,0 +1,98 @@
+/**
+ * @class vtkCombinatorialMap
+ * @brief Incidence of a volume mesh: what meets a vertex, edge, face, cell, half face or dart.
+ *
+ * An object, not a filter: SetMesh() builds the map of a vtkUnstructuredGrid of volume cells once
+ * (CompactCombinatorialMap.h), and the queries answer from it. In Python,
+ * isthmus.incidence.CombinatorialMap gives the same with iterators and numpy arrays.
+ *
+ * Numbers: vertices are the grid's points, cells its cells (those that are no volume cells have no
+ * incidence); edges and faces are those of vtkCellIncidence; half faces are numbered cell by cell
+ * in the order of each cell's faces, darts likewise. An array with a value for each of GetNumber()
+ * of a kind is an attribute of that kind.
+ *
+ * GetIncident(from, id, to) lists what of kind `to` meets element `id` of kind `from`: the cells
+ * around a vertex (its star), those around an edge (its fan, counter-clockwise seen from the edge's
+ * larger vertex), the vertices of a face, ... Vertex to Vertex: joined by an edge; Cell to Cell:
+ * with a common face; HalfFace to HalfFace: the other side of the face (none on the boundary).
+ * Other pairs of one kind have no meaning and are refused. A query costs what it finds, whatever
+ * the size of the mesh; from half faces and darts also the logarithm of the number of cells.
+ *
+ * Errors (message, empty result): a mesh that is no map (vtkCellIncidence names which), numbers and
+ * kinds that do not exist.
+ */
+#ifndef vtkCombinatorialMap_h
+#define vtkCombinatorialMap_h
+
+#include "vtkIsthmusFiltersCellComplexModule.h" // for the export macro
+
+#include <vtkObject.h>
+
+#include <memory>
+
+class vtkIdList;
+class vtkIdTypeArray;
+class vtkUnstructuredGrid;
+
+class VTKISTHMUSFILTERSCELLCOMPLEX_EXPORT vtkCombinatorialMap : public vtkObject
+{
+public:
+  static vtkCombinatorialMap* New();
+  vtkTypeMacro(vtkCombinatorialMap, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ElementKind
+  {
+    Vertex,
+    Edge,
+    Face,
+    Cell,
+    HalfFace,
+    Dart
+  };
+
+  /// Builds the map of a mesh, which is not kept; false and an error where it has none. Time and
+  /// memory are linear in the number of cells.
+  bool SetMesh(vtkUnstructuredGrid* mesh);
+
+  /// How many elements of a kind there are; 0 without a mesh.
+  vtkIdType GetNumber(int kind);
+
+  /// What of kind `to` meets element `id` of kind `from`.
+  void GetIncident(int from, vtkIdType id, int to, vtkIdList* found);
+
+  /// The same for all elements of kind `from`: those of element i are ids[offsets[i]] to
+  /// ids[offsets[i + 1] - 1].
+  void GetIncidence(int from, int to, vtkIdTypeArray* offsets, vtkIdTypeArray* ids);
+
+  /// beta_1, beta_2 or beta_3 of all darts: the dart that differs in the edge (the next one around
+  /// its face), the face, or the cell; -1 where there is no cell beyond.
+  void GetBeta(int dimension, vtkIdTypeArray* darts);
+
+  ///@{
+  /// The map's tables in use and their bytes: those of edges and faces are built when first asked
+  /// for.
+  int GetNumberOfTables();
+  const char* GetTableName(int table);
+  vtkIdType GetTableBytes(int table);
+  ///@}
+
+  /// The thesis' estimate for tetrahedra with coordinates, in bytes: 4 (8.7 n3 + n_b), n3 cells,
+  /// n_b boundary faces (Table 3.8).
+  double GetEstimatedBytes();
+
+protected:
+  vtkCombinatorialMap();
+  ~vtkCombinatorialMap() override;
+
+private:
+  vtkCombinatorialMap(const vtkCombinatorialMap&) = delete;
+  void operator=(const vtkCombinatorialMap&) = delete;
+
+  class Queries;
+  template <typename Map>
+  class QueriesOf;
+  std::unique_ptr<Queries> Kept;
+};
+
+#endif
