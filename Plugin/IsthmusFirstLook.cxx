@@ -5,7 +5,10 @@
 #include <pqApplicationCore.h>
 #include <pqDataRepresentation.h>
 #include <pqPipelineSource.h>
+#include <pqServer.h>
 #include <pqServerManagerModel.h>
+#include <pqUndoStack.h>
+#include <pqView.h>
 
 #include <vtkSMProxy.h>
 
@@ -23,6 +26,8 @@ void IsthmusFirstLook::Start()
     model, &pqServerManagerModel::representationAdded, this, &IsthmusFirstLook::Follow);
   QObject::connect(
     model, &pqServerManagerModel::sourceAdded, this, &IsthmusFirstLook::SetFirstValues);
+  QObject::connect(
+    model, &pqServerManagerModel::sourceRemoved, this, &IsthmusFirstLook::ForgetSoon);
 }
 
 void IsthmusFirstLook::Stop()
@@ -71,6 +76,34 @@ void IsthmusFirstLook::SetFirstValues(pqPipelineSource* source)
     });
 }
 
+// Once for all that are deleted together.
+void IsthmusFirstLook::ForgetSoon()
+{
+  if (this->Forgets)
+  {
+    return;
+  }
+  this->Forgets = true;
+  QTimer::singleShot(0, this,
+    [this]
+    {
+      this->Forgets = false;
+      pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
+      if (model->findItems<pqServer*>().isEmpty() || model->findItems<pqView*>().isEmpty())
+      {
+        return; // the program ends, or the session
+      }
+      const auto count = [model]
+      { return model->findItems<pqPipelineSource*>().size() + model->findItems<pqView*>().size(); };
+      const auto before = count();
+      isthmus::RunPipelines("forget()");
+      if (count() != before)
+      {
+        CLEAR_UNDO_STACK(); // a source that comes back would look for its view
+      }
+    });
+}
+
 void IsthmusFirstLook::Look()
 {
   QStringList ids;
@@ -79,8 +112,18 @@ void IsthmusFirstLook::Look()
     ids << QString::number(representation->getProxy()->GetGlobalID());
   }
   this->Waiting.clear();
-  if (!ids.isEmpty())
+  if (ids.isEmpty())
   {
-    isthmus::RunPipelines("first_look(" + ids.join(", ") + ')');
+    return;
+  }
+  pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
+  const QList<pqPipelineSource*> before = model->findItems<pqPipelineSource*>();
+  isthmus::RunPipelines("first_look(" + ids.join(", ") + ')');
+  for (pqPipelineSource* source : model->findItems<pqPipelineSource*>())
+  {
+    if (!before.contains(source))
+    {
+      source->setModifiedState(pqProxy::UNMODIFIED); // a text, which has nothing to apply
+    }
   }
 }

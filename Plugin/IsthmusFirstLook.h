@@ -31,9 +31,11 @@ private:
   void Follow(pqRepresentation* representation);
   void LookSoon(pqDataRepresentation* representation);
   void SetFirstValues(pqPipelineSource* source);
+  void ForgetSoon();
   void Look();
 
   QSet<pqDataRepresentation*> Waiting; ///< taken out when they are destroyed
+  bool Forgets = false;
 };
 
 #endif

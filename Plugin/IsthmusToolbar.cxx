@@ -2,12 +2,21 @@
 
 #include "RunPython.h"
 
+#include <pqActiveObjects.h>
 #include <pqApplicationCore.h>
 #include <pqCoreUtilities.h>
+#include <pqFiltersMenuReaction.h>
+#include <pqOutputPort.h>
 #include <pqPipelineSource.h>
 #include <pqPropertiesPanel.h>
+#include <pqServer.h>
 #include <pqServerManagerModel.h>
 #include <pqUndoStack.h>
+
+#include <vtkSMDocumentation.h>
+#include <vtkSMInputProperty.h>
+#include <vtkSMProxy.h>
+#include <vtkSMSessionProxyManager.h>
 
 #include <QApplication>
 #include <QIcon>
@@ -15,6 +24,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <QStringList>
 #include <QTimer>
 #include <QToolBar>
 
@@ -74,8 +84,98 @@ void MoveToLastRow(QMainWindow* window)
   bar->show();
 }
 
-/// The same by their names, in a menu of the window's bar, before Help.
-void AddMenu(QMainWindow* window, const QList<QAction*>& actions)
+/// A submenu: buttons of the toolbar, then filters, which the menu Filters > Isthmus has by the
+/// alphabet.
+struct Task
+{
+  const char* Title;
+  QStringList Buttons, Filters;
+};
+
+const QList<Task>& Tasks()
+{
+  static const QList<Task> tasks{
+    { "Density maps", { "map_to_surface" },
+      { "MapSurface", "HighOrderDiffusion", "DenoiseFromHalfMaps", "DiffusionHighPass",
+        "PDETransform", "DualContouring", "DelaunayIsosurface", "SurfaceToGrid" } },
+    { "Curvature", { "map_to_curvature" },
+      { "CurvatureOnSurface", "HessianCurvature", "SurfaceCurvature", "ScalarRegions" } },
+    { "Loops, handles and persistence",
+      { "map_to_loops", "surface_to_loops", "persistence_diagram" },
+      { "MapChokingLoops", "ChokingLoops", "MapHandles", "HandleFilling", "LoopShortening",
+        "ScalarPersistence", "FullereneStability" } },
+    { "Molecules and their surfaces", { "protein_to_surface" },
+      { "AtomSelection", "MolecularDensity", "MolecularFlowSurface", "NonpolarSolvation" } },
+    { "Pockets, pores and sites", { "protein_to_pockets", "protein_to_pores", "protein_to_sites" },
+      { "MolecularPockets", "PoreProfile", "BindingSites", "BindingSitesInPockets",
+        "FeatureTracks" } },
+    { "Electrostatics and ions", { "protein_to_sites" },
+      { "ForceFieldCharges", "PoissonBoltzmann", "PoissonBoltzmannOnSurface", "PolarizedCurvature",
+        "PolarizedCurvatureOfArray", "SolvationSurface", "IonTransport",
+        "IonTransportOnSurface" } },
+    { "Surfaces and meshes", {},
+      { "SurfaceMeasures", "SurfaceRemesh", "OffsetSurface", "TetrahedralMesher",
+        "IsosurfaceStuffing", "TetCutaway", "MeshQualityReport", "CellIncidence" } },
+  };
+  return tasks;
+}
+
+vtkSMProxy* PrototypeOf(const QString& filter)
+{
+  pqServer* server = pqActiveObjects::instance().activeServer();
+  return server ? server->proxyManager()->GetPrototypeProxy("filters", filter.toUtf8().constData())
+                : nullptr;
+}
+
+/// Whether the filter takes the selected source.
+bool Fits(vtkSMProxy* prototype)
+{
+  pqOutputPort* port = pqActiveObjects::instance().activePort();
+  auto* input =
+    prototype ? vtkSMInputProperty::SafeDownCast(prototype->GetProperty("Input")) : nullptr;
+  if (!port || !input || port->getSource()->modifiedState() == pqProxy::UNINITIALIZED)
+  {
+    return false;
+  }
+  input->RemoveAllUncheckedProxies();
+  input->AddUncheckedInputConnection(
+    port->getSource()->getProxy(), static_cast<unsigned int>(port->getPortNumber()));
+  const bool fits = input->IsInDomains() != 0;
+  input->RemoveAllUncheckedProxies();
+  return fits;
+}
+
+/// The entries get the names of the filters, and are enabled, when the menu opens.
+void AddFilters(QMenu* menu, const QStringList& filters)
+{
+  QList<QAction*> actions;
+  for (const QString& filter : filters)
+  {
+    QAction* action = menu->addAction(filter);
+    action->setData(filter);
+    QObject::connect(action, &QAction::triggered, menu,
+      [filter] { pqFiltersMenuReaction::createFilter("filters", filter); });
+    actions << action;
+  }
+  QObject::connect(menu, &QMenu::aboutToShow, menu,
+    [actions]
+    {
+      for (QAction* action : actions)
+      {
+        vtkSMProxy* prototype = PrototypeOf(action->data().toString());
+        action->setEnabled(Fits(prototype));
+        if (prototype)
+        {
+          action->setText(prototype->GetXMLLabel());
+          const char* help = prototype->GetDocumentation()->GetShortHelp();
+          action->setStatusTip(help ? help : "");
+        }
+      }
+    });
+}
+
+/// All by their tasks, in a menu of the window's bar, before Help.
+void AddMenu(QMainWindow* window, const QList<QAction*>& buttons)
 {
   QMenuBar* bar = window->menuBar();
   if (bar->findChild<QMenu*>("menuIsthmus"))
@@ -84,7 +184,20 @@ void AddMenu(QMainWindow* window, const QList<QAction*>& actions)
   }
   auto* menu = new QMenu("&Isthmus", bar);
   menu->setObjectName("menuIsthmus");
-  menu->addActions(actions);
+  for (const Task& task : Tasks())
+  {
+    QMenu* submenu = menu->addMenu(task.Title);
+    submenu->setObjectName(QString(task.Title).remove(',').replace(' ', '_'));
+    for (QAction* button : buttons)
+    {
+      if (task.Buttons.contains(button->objectName().mid(QString("Isthmus_").size())))
+      {
+        submenu->addAction(button);
+      }
+    }
+    submenu->addSeparator();
+    AddFilters(submenu, task.Filters);
+  }
   auto* help = bar->findChild<QMenu*>("menu_Help");
   bar->insertMenu(help ? help->menuAction() : nullptr, menu);
 }

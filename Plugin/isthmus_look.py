@@ -9,10 +9,12 @@ except ImportError:
     servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
 
 try:
+    import isthmus_loops as loop_views
     import isthmus_messages as messages  # with the plugin loaded
     import isthmus_pockets as pockets_and_pores
+    import isthmus_steps as steps
 except ImportError:
-    from isthmus import messages
+    from isthmus import loop_views, messages, steps
     from isthmus import pocket_views as pockets_and_pores
 
 # Colours. A signed quantity spans a range symmetric about 0, so that what is neutral is flat.
@@ -26,6 +28,7 @@ SITES = ("BindingSites", "BindingSitesInPockets")
 IONS = ("IonTransport", "IonTransportOnSurface")
 MESHES = ("TetrahedralMesher", "IsosurfaceStuffing")
 MOLECULES = ("MacromoleculeReader", "TrajectoryReader")
+DENOISERS = ("HighOrderDiffusion", "DenoiseFromHalfMaps")  # what they make is a map: seen as a surface
 # Take a level of a map; ParaView proposes the middle of its range.
 LEVELLED = ("MapChokingLoops", "MapHandles", "DualContouring", "DelaunayIsosurface", "IsosurfaceStuffing")
 LEVELS = ("ScalarPersistence", "MapHandles")  # have Betti numbers over levels
@@ -184,6 +187,23 @@ def _look_at_mesh(display, view):
     _colour_if_it_differs(display, view, "RegionId")
 
 
+def _look_at_denoised(display, view):
+    """The surface of a denoised map instead of its box, as a Map Surface of its own that has its level."""
+    if display.Representation != "Outline" or not _is_map(display.Input):
+        return
+    selected = simple.GetActiveSource()
+    surface = simple.MapSurface(
+        display.Input, registrationName=pockets_and_pores.name_of(display.Input, "denoised surface"),
+        **steps.FIRST["MapSurface"])
+    surface.UpdatePipeline()
+    level = surface.FieldData["Level"]
+    if level is not None:
+        surface.AutomaticLevel, surface.Level = 0, level.GetRange()[0]
+    simple.SetActiveSource(selected)
+    simple.Show(surface, view)
+    display.Visibility = 0
+
+
 def _colour_if_it_differs(display, view, array):
     """Plain where a cell array has one value: a bar from it to itself shows nothing."""
     cells = _range_of_cells(display.Input, array)
@@ -273,7 +293,7 @@ def _look_at_table(display, view, name):
 
 def _look_at_shape(display, view, source, name):
     port = getattr(source, "Port", 0)
-    if name in ("ChokingLoops", "MapChokingLoops"):
+    if name in loop_views.LOOPS:
         _look_at_loops(display, view, port)
     elif name in SITES and port == 0:
         simple.ColorBy(display, ("POINTS", "BindingSite"))
@@ -288,6 +308,8 @@ def _look_at_shape(display, view, source, name):
         _colour_if_it_differs(display, view, "Filling")
     elif name in ENVELOPES:
         _hide_molecule(source.Input, view)
+    elif name in DENOISERS and port == 0 and source.SMProxy.GetGlobalID() in _by_hand:
+        _look_at_denoised(display, view)
     elif name == "AtomSelection":
         pockets_and_pores.sticks(display, view)
     elif name in pockets_and_pores.FEATURES:
@@ -295,7 +317,7 @@ def _look_at_shape(display, view, source, name):
 
 
 def _look(display):
-    """Returns the view, where this was the first look at a representation."""
+    """Returns the view, where this was the first look at a representation, or it has a text that has changed."""
     source = getattr(display, "Input", None)
     if source is None:
         return None
@@ -311,6 +333,8 @@ def _look(display):
         if first:
             _look_at_shape(display, view, source, name)
         _colour(display, view)
+        if name in loop_views.LOOPS and getattr(source, "Port", 0) == 0 and loop_views.count(source, view):
+            return view
     return view if first else None
 
 
@@ -334,24 +358,65 @@ def first_look(*ids):
         view.SMProxy.StillRender()
 
 
-@messages.reports_faults("Proposing a level")
-def first_values(number):
-    """Called by the window with the global id of a filter that waits for its first Apply: of a density map,
-    the level that Map Surface proposes, where ParaView has put the middle of the map's range."""
+@messages.reports_faults("The change of a property")
+def live_change(number):
+    """Called by the window with the global id of a filter that has a new result, before that is drawn."""
     proxy = servermanager._getPyProxy(servermanager.ActiveConnection.Session.GetRemoteObject(number))
-    if proxy is None or proxy.SMProxy.GetXMLName() not in LEVELLED or getattr(proxy, "Input", None) is None:
+    if proxy is not None and proxy.SMProxy.GetXMLName() in loop_views.LOOPS:
+        for view in simple.GetViews():
+            if any(getattr(getattr(display, "Input", None), "SMProxy", None) == proxy.SMProxy
+                   for display in view.Representations):
+                loop_views.count(proxy, view)
+
+
+_by_hand = set()  # global ids of filters that a menu has made
+
+
+@messages.reports_faults("Proposing values")
+def first_values(number):
+    """Called by the window with the global id of a filter that a menu has made and that waits for its first Apply:
+    steps.FIRST, as the buttons set it, and what the data proposes."""
+    proxy = servermanager._getPyProxy(servermanager.ActiveConnection.Session.GetRemoteObject(number))
+    if proxy is None:
         return
-    density = proxy.Input.PointData["Density"]
-    if density is None or proxy.Input.GetDataInformation().GetDataSetTypeAsString() != "vtkImageData":
+    _by_hand.add(number)
+    name = proxy.SMProxy.GetXMLName()
+    for key, value in steps.FIRST.get(name, {}).items():
+        if proxy.SMProxy.GetProperty(key).IsValueDefault():
+            setattr(proxy, key, value)
+    if getattr(proxy, "Input", None) is None or not _is_map(proxy.Input):
         return
-    low, high = density.GetRange()
-    if abs(proxy.Level - (low + high) / 2) > 1e-6 * (high - low):
-        return  # somebody's own
-    surface = servermanager.filters.MapSurface(Input=proxy.Input)
+    if name == "ScalarPersistence":
+        proxy.Superlevel = 1  # what is dense is what there is
+    elif name in LEVELLED:
+        _propose_level(proxy)
+    elif name == "MapSurface" and proxy.AutomaticLevel:
+        level = _proposed_level(proxy.Input)
+        if level is not None:
+            proxy.AutomaticLevel, proxy.Level = 0, level
+
+
+def _is_map(port):
+    return port.PointData["Density"] is not None and (
+        port.GetDataInformation().GetDataSetTypeAsString() == "vtkImageData")
+
+
+def _proposed_level(port):
+    """The level that Map Surface proposes; None where it proposes none."""
+    surface = servermanager.filters.MapSurface(Input=port)
     surface.UpdatePipeline()
     found = surface.FieldData["Level"]
-    if found is not None:
-        proxy.Level = found.GetRange()[0]
+    return found.GetRange()[0] if found else None
+
+
+def _propose_level(proxy):
+    """The proposed level, where ParaView has put the middle of the map's range."""
+    low, high = proxy.Input.PointData["Density"].GetRange()
+    if abs(proxy.Level - (low + high) / 2) > 1e-6 * (high - low):
+        return  # somebody's own
+    level = _proposed_level(proxy.Input)
+    if level is not None:
+        proxy.Level = level
         if hasattr(proxy, "UseStableLevel"):  # of most maps the highest densities stay longest alone
             proxy.UseStableLevel = 0
 

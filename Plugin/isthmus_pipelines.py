@@ -12,6 +12,7 @@ The buttons of the toolbar are run(); first_look() is what the window calls for 
 (isthmus_look.py).
 """
 
+import importlib
 import os
 
 from vtkmodules.vtkCommonCore import vtkOutputWindow
@@ -24,10 +25,11 @@ except ImportError:
 
 try:
     import isthmus_look as look  # with the plugin, whose window uses them, too
+    import isthmus_loops as loop_views
     import isthmus_messages as messages
     import isthmus_steps as steps
 except ImportError:
-    from isthmus import look, messages, steps
+    from isthmus import look, loop_views, messages, steps
 
 try:
     import isthmus_pockets as pockets_and_pores  # with the plugin loaded
@@ -39,9 +41,13 @@ DUST, DECAY, SPACING = steps.DUST, steps.DECAY, steps.SPACING
 PARTS = ("AtomSelection", "ForceFieldCharges")
 # Filters with a persistence diagram: the port that has it.
 DIAGRAMS = {"ChokingLoops": 3, "ScalarPersistence": 1}
+DENOISERS = ("HighOrderDiffusion", "DenoiseFromHalfMaps", "PDETransform")
+# What buttons ask of the functions: of many loops the significant ones.
+BY_BUTTON = {"map_to_loops": {"significant": True}, "surface_to_loops": {"significant": True}}
 
 CURVATURES, FIXED = look.CURVATURES, look.FIXED
-colour_range, first_look, first_values, show = look.colour_range, look.first_look, look.first_values, look.show
+colour_range, first_look, first_values, live_change, show = (
+    look.colour_range, look.first_look, look.first_values, look.live_change, look.show)
 
 
 # ---------------------------------------------------------------------------- what a source is
@@ -108,10 +114,11 @@ def _require_triangles(surface):
 # ---------------------------------------------------------------------------- the pipelines
 
 def _make(pipeline, name, source=None, **more):
-    """The filter of a step of steps.PIPELINES."""
+    """The filter of a step of steps.PIPELINES, with a name that says what it is."""
     step = steps.PIPELINES[pipeline][name]
     given = [] if source is None else [source]
-    return getattr(simple, step.proxy)(*given, registrationName=step.label, **{**step.properties, **more})
+    label = pockets_and_pores.name_of(more.get("Input") if source is None else source, step.label)
+    return getattr(simple, step.proxy)(*given, registrationName=label, **{**step.properties, **more})
 
 
 # Filters are given their input first, without its name: with the name they choose arrays by what the
@@ -151,18 +158,65 @@ def map_to_curvature(source, level=None):
     return surface, curvature
 
 
-def map_to_loops(source, level=None):
+def map_to_loops(source, level=None, denoise=None, significant=False):
     """(surface, loops): the map's surface, of no more than its ten largest components, and its
-    choking loops."""
+    choking loops.
+
+    denoise: whether the map is denoised first (High-Order Diffusion); None: if its noise asks for it, that is if
+    the noise is at least half a percent of the map's range, and the estimated gain at least 3 dB.
+    significant: the 20 most persistent loops that are trusted, as the button shows; else all of them."""
+    _require_volume(source)
+    source = _denoised(source, denoise)
     (surface,) = map_to_surface(source, level)
     surface.LargestComponents = steps.PIPELINES["map_to_loops"]["surface"].properties["LargestComponents"]
-    return surface, surface_to_loops(surface)[-1]
+    return surface, surface_to_loops(surface, significant)[-1]
 
 
-def surface_to_loops(source):
-    """(loops,): the choking loops of a closed surface."""
+def _denoised(source, denoise):
+    """The map, denoised if that is asked for, or, with None, if its noise asks for it."""
+    information = look.data_of(source)
+    if denoise is False or information.GetCompositeDataSetType() != -1 or denoise is None and (
+            information.GetNumberOfPoints() > steps.MOST_NODES or _is_denoised(source)):
+        return source
+    array = _point_array(source)
+    made = _make("map_to_loops", "denoised", source, Scalars=["POINTS", array])
+    if not denoise:
+        _hide_warnings(made)
+    made.UpdatePipeline()
+    if denoise or steps.asks_for_denoising(_field_number(made, "EstimatedGain"), _field_number(made, "NoiseLevel"),
+                                           *source.PointData[array].GetRange(0)):
+        return made
+    simple.Delete(made)
+    return source
+
+
+def _hide_warnings(source):
+    """Keeps what a filter says of a map without noise, no concern of the loops, out of the window."""
+    try:
+        # A class that Python meets as an object first, it could not make objects of later.
+        importlib.import_module("isthmus.vtkIsthmusFiltersImaging")
+    except ImportError:
+        pass  # a window without the package
+    algorithm = source.GetClientSideObject()  # None where a server has it, whose warnings stay there
+    if algorithm is not None:
+        algorithm.AddObserver("WarningEvent", lambda *_: None)
+
+
+def _is_denoised(source):
+    """Whether the map comes from a filter that denoises it."""
+    proxy = source.SMProxy
+    while proxy.GetXMLName() not in DENOISERS:
+        if not proxy.GetNumberOfProducers():
+            return False
+        proxy = proxy.GetProducerProxy(0)
+    return True
+
+
+def surface_to_loops(source, significant=False):
+    """(loops,): the choking loops of a closed surface; significant: the 20 most persistent loops that are
+    trusted, as the button shows; else all of them."""
     _require_surface(source)
-    loops = _make("surface_to_loops", "loops", source)
+    loops = _make("surface_to_loops", "loops", source, **(steps.SIGNIFICANT if significant else {}))
     loops.UpdatePipeline()
     if loops.FieldData["NumberOfSamples"] is None:
         # Closes holes and orients all triangles consistently; the warning says what was done.
@@ -285,7 +339,7 @@ def state(function, example):
         raise ValueError(f"There is no file {path or ''} to open: set ISTHMUS_FILE to one, or "
                          f"ISTHMUS_DATA_DIR to the folder that has {example}.")
     source = simple.OpenDataFile(path)
-    proxies = globals()[function](source)
+    proxies = globals()[function](source, **BY_BUTTON.get(function, {}))
     show(*proxies)
     simple.SetActiveSource(proxies[-1])
     return proxies
@@ -307,6 +361,7 @@ def persistence_diagram(source):
     view = simple.GetActiveView()
     layout = simple.GetLayout(view) if view else None
     chart = simple.CreateView("XYChartView")
+    pockets_and_pores.own_views.add(chart.SMProxy.GetGlobalID())
     if layout:
         layout.SplitViewHorizontal(view, 0.6)
         simple.AssignViewToLayout(view=chart, layout=layout)
@@ -335,11 +390,17 @@ def _upstream(source, fits):
             continue
         met.add(proxy.GetGlobalID())
         candidate = servermanager._getPyProxy(proxy)
-        if fits(candidate) and (proxy == selected or proxy.GetXMLName() not in PARTS):
+        if fits(candidate) and (proxy == selected or not _is_part(candidate)):
             return candidate
         waiting += [proxy.GetProducerProxy(i) for i in range(proxy.GetNumberOfProducers())
                     if proxy.GetProducerProxy(i).IsA("vtkSMSourceProxy")]
     return source
+
+
+def _is_part(source):
+    """Whether a button has put it in between: a result does not depend on which source was selected."""
+    name = source.SMProxy.GetXMLName()
+    return name in PARTS or name == "HighOrderDiffusion" and " denoised" in loop_views.registered_name(source)
 
 
 def _fits(function):
@@ -383,6 +444,13 @@ def use_inverted_contrast(number):
     simple.RenderAllViews()
 
 
+@messages.reports_faults("Closing what belongs to a deleted source")
+def forget():
+    """Called by the window when sources were deleted: texts of loops, tables and charts go with them."""
+    loop_views.forget()
+    pockets_and_pores.close_empty_views()
+
+
 @messages.reports_faults("The button")
 def run(function):
     """A button of the toolbar: the pipeline on the active source, or on what that was made from; shown
@@ -394,7 +462,7 @@ def run(function):
     source = _upstream(selected, _fits(function))
     before = set(simple.GetSources().values())
     try:
-        proxies = globals()[function](source)
+        proxies = globals()[function](source, **BY_BUTTON.get(function, {}))
         if function == "persistence_diagram":
             return
     except Exception as error:

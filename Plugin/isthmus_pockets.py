@@ -32,7 +32,7 @@ COLOURS = ((0.835, 0.369, 0.0), (0.0, 0.447, 0.698), (0.0, 0.620, 0.451), (0.902
 FURTHER = (0.70, 0.64, 0.74)
 BEST = 3  # so many pockets have surfaces at first
 FAINT, STRONG = 0.3, 0.7  # opacities of the best pockets' surfaces, and of the chosen one's
-BEST_SURFACES, CHOSEN_SURFACE = "Best pockets", "Chosen pocket"
+BEST_SURFACES, CHOSEN_SURFACE = "best pockets", "chosen pocket"
 HIDDEN_COLUMNS = {
     "MolecularPockets": [
         "ApolarShare", "CenterX", "CenterY", "CenterZ", "Cells", "LiningAtoms", "MeanPolarized",
@@ -58,7 +58,28 @@ def protein_to_pores(source):
 
 def _make(pipeline, name, source):
     step = steps.PIPELINES[pipeline][name]
-    return getattr(simple, step.proxy)(source, registrationName=step.label, **step.properties)
+    return getattr(simple, step.proxy)(source, registrationName=name_of(source, step.label), **step.properties)
+
+
+def name_of(source, what):
+    """What a source made from `source` is called: "1hew pockets" where that comes from the file 1hew.pdb, the next
+    one "1hew pockets 2"."""
+    name = f"{_root_of(source.SMProxy)} {what}".strip()
+    known, number = {name for name, _ in simple.GetSources()}, 2
+    while f"{name} {number}" in known:
+        number += 1
+    return f"{name} {number}" if name in known else name
+
+
+def _root_of(proxy):
+    """The name of the file that it comes from, or of its first source."""
+    while proxy.GetNumberOfProducers():
+        proxy = proxy.GetProducerProxy(0)
+    for name in ("FileName", "FileNames"):
+        if proxy.GetProperty(name) and servermanager.vtkSMPropertyHelper(proxy, name).GetNumberOfElements():
+            return steps.stem_of(servermanager.vtkSMPropertyHelper(proxy, name).GetAsString(0))
+    names = [name for (name, _), known in simple.GetSources().items() if known.SMProxy == proxy]
+    return steps.stem_of(names[0]) if names else ""
 
 
 def _with_residues(features, nothing):
@@ -87,7 +108,7 @@ def residues_of(features):
     found = _fed_by(features, kind["atoms"], "Threshold")
     if found is None:
         found = simple.Threshold(
-            simple.OutputPort(features, kind["atoms"]), registrationName="Residues",
+            simple.OutputPort(features, kind["atoms"]), registrationName=name_of(features, "residues"),
             Scalars=["POINTS", kind["id"]], ThresholdMethod="Between", LowerThreshold=1, UpperThreshold=1)
         found.UpdatePipeline()
     return found
@@ -99,7 +120,7 @@ def chart_of(pores):
     found = _fed_by(pores, port, "ThresholdTable")
     if found is None:
         found = simple.ThresholdTable(
-            simple.OutputPort(pores, port), registrationName="Profile", Column=["ROWS", "PoreId"],
+            simple.OutputPort(pores, port), registrationName=name_of(pores, "profile"), Column=["ROWS", "PoreId"],
             MinValue=1, MaxValue=1, Mode="Between")
         found.UpdatePipeline()
     return found
@@ -108,21 +129,21 @@ def chart_of(pores):
 def names_of(residues):
     """The filter that passes the names of those residues alone, so that they can be hidden."""
     return _fed_by(residues, 0, "PassArrays") or simple.PassArrays(
-        residues, registrationName="Residue names", PointDataArrays=["ResidueLabel"])
+        residues, registrationName=name_of(residues, "residue names"), PointDataArrays=["ResidueLabel"])
 
 
 def surface_of(pockets, name, last):
     """The filter of that name that passes the surfaces of pockets, at first those from 1 to `last`: the
     outer faces of their tetrahedra, smoothed."""
     faces = _fed_by(pockets, 0, "DataSetSurfaceFilter") or simple.ExtractSurface(
-        pockets, registrationName="Faces")
+        pockets, registrationName=name_of(pockets, "pocket faces"))
     smooth = _fed_by(faces, 0, "SmoothPolyDataFilter") or simple.Smooth(
-        faces, registrationName="Surfaces", NumberofIterations=40)
+        faces, registrationName=name_of(pockets, "pocket surfaces"), NumberofIterations=40)
     for (known, _), proxy in simple.GetSources().items():
-        given = getattr(proxy, "Input", None) if known.startswith(name) else None
+        given = getattr(proxy, "Input", None) if name in known else None
         if given is not None and given.SMProxy == smooth.SMProxy:
             return proxy
-    return simple.Threshold(smooth, registrationName=name, Scalars=["CELLS", "PocketId"],
+    return simple.Threshold(smooth, registrationName=name_of(pockets, name), Scalars=["CELLS", "PocketId"],
                             ThresholdMethod="Between", LowerThreshold=1, UpperThreshold=last)
 
 
@@ -335,7 +356,26 @@ def _new_view(name, beside, kind, share):
     layout, hint = _beside(beside, kind, share)
     view = simple.CreateView(name)
     simple.AssignViewToLayout(view=view, layout=layout, hint=hint)
+    own_views.add(view.SMProxy.GetGlobalID())
     return view
+
+
+own_views = set()  # tables and charts that buttons have opened, by global id
+
+
+def close_empty_views():
+    """Closes the tables and charts of buttons that show nothing any more, since their sources were deleted."""
+    for view in list(simple.GetViews()):
+        number = view.SMProxy.GetGlobalID()
+        if number not in own_views or any(getattr(display, "Input", None) for display in view.Representations):
+            continue
+        own_views.discard(number)
+        layout = simple.GetLayout(view)
+        if layout is not None:
+            cell = layout.SMProxy.GetViewLocation(view.SMProxy)
+            layout.SMProxy.RemoveView(view.SMProxy)
+            layout.SMProxy.Collapse(cell)
+        simple.Delete(view)
 
 
 def _show_table(features, beside, kind, share):

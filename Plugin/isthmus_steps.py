@@ -5,42 +5,84 @@ Imports neither ParaView nor VTK.
 """
 import collections
 
-# label: registration name in the pipeline browser; properties: by their names in the panel.
+# label: what the source is, in the pipeline browser after the name of the file; properties: by their names in the
+# panel.
 Step = collections.namedtuple("Step", "label proxy properties")
 
 DUST = 0.01  # components below that share of the largest one's area are hidden
 DECAY = 1.2  # of the Gaussians of a molecular surface: BindingSites.md tells what it was tuned on
 SPACING = 0.6  # angstrom, of a molecular surface's grid
 
-_SURFACE_OF_A_MAP = Step("Surface", "MapSurface", {"MinimumComponentShare": DUST})
-_CHAINS = Step("Chains", "AtomSelection", {})
-_LIGANDS = Step("Ligands", "AtomSelection", {"KeepChains": 0, "KeepLigands": 1, "KeepIons": 1})
-_DENSITY = Step("Molecular density", "MolecularDensity", {"Decay": DECAY, "Spacing": SPACING})
-_SURFACE_OF_ATOMS = Step("Molecular surface", "MapSurface",
-                         {"AutomaticLevel": 0, "Level": 1.0, "MinimumComponentShare": 0.05})
+# A map is denoised before its loops are looked for where denoising removes half of its noise or more
+# (EstimatedGain, dB), and the noise is no smaller than this share of the range of the values. From 0.1
+# standard deviations of white noise on, surfaces have handles that the noise makes; below 0.02 they have none.
+LEAST_GAIN, LEAST_NOISE = 3.0, 0.005
+MOST_NODES = 30000000  # of a map whose noise is estimated: some 30 s
+
+# What menus and buttons of the window set of a new filter where scripts have another default, which keeps the results
+# of earlier scripts. Testing/check_defaults.py compares the pipelines with it and with the panels.
+WATER = {"SolventDielectric": 78.54, "IonicStrength": 0.15}  # at 25 degrees, with the salt of a cell (mol/l)
+SIGNIFICANT = {"MaximumNumberOfLoops": 20, "TrustedOnly": 1}  # what can be looked at, and is not the sampling's
+FIRST = {
+    "ChokingLoops": SIGNIFICANT, "MapChokingLoops": SIGNIFICANT,
+    "MapSurface": {"MinimumComponentShare": DUST},
+    "MolecularDensity": {"Decay": DECAY, "Spacing": SPACING},
+    "PoissonBoltzmann": WATER, "PoissonBoltzmannOnSurface": WATER,
+}
+
+
+def _step(label, proxy, **properties):
+    """A step with the first values of its filter, and what its place in the pipeline asks for besides."""
+    # Functions report all loops; buttons ask for the significant ones.
+    first = FIRST.get(proxy, {}) if proxy != "ChokingLoops" else {}
+    return Step(label, proxy, {**first, **properties})
+
+
+_CHAINS = _step("chains", "AtomSelection")
+_LIGANDS = _step("ligands", "AtomSelection", KeepChains=0, KeepLigands=1, KeepIons=1)
+_DENSITY = _step("density", "MolecularDensity")
+_SURFACE_OF_ATOMS = _step("surface", "MapSurface", AutomaticLevel=0, Level=1.0, MinimumComponentShare=0.05)
 
 PIPELINES = {
-    "map_to_surface": {"surface": _SURFACE_OF_A_MAP},
-    "map_to_curvature": {"surface": _SURFACE_OF_A_MAP,
-                         "curvature": Step("Curvature", "CurvatureOnSurface", {})},
+    "map_to_surface": {"surface": _step("surface", "MapSurface")},
+    "map_to_curvature": {"surface": _step("surface", "MapSurface"),
+                         "curvature": _step("curvature", "CurvatureOnSurface")},
     "map_to_loops": {
-        "surface": _SURFACE_OF_A_MAP._replace(properties={"MinimumComponentShare": DUST, "LargestComponents": 10}),
-        "loops": Step("Choking loops", "ChokingLoops", {})},
-    "surface_to_loops": {"loops": Step("Choking loops", "ChokingLoops", {})},
+        "denoised": _step("denoised", "HighOrderDiffusion"),
+        "surface": _step("surface", "MapSurface", LargestComponents=10),
+        "loops": _step("loops", "ChokingLoops")},
+    "surface_to_loops": {"loops": _step("loops", "ChokingLoops")},
     "protein_to_surface": {"chains": _CHAINS, "ligands": _LIGANDS, "density": _DENSITY,
                            "surface": _SURFACE_OF_ATOMS},
     "protein_to_potential": {
         "chains": _CHAINS, "ligands": _LIGANDS,
-        "charges": Step("Charges", "ForceFieldCharges", {}),
+        "charges": _step("charges", "ForceFieldCharges"),
         "density": _DENSITY, "surface": _SURFACE_OF_ATOMS,
-        "potential": Step("Potential", "PoissonBoltzmannOnSurface",
-                          {"IsoValue": 1.0, "SolventDielectric": 78.54, "IonicStrength": 0.15}),
-        "curvature": Step("Curvature", "CurvatureOnSurface", {}),
-        "polarized": Step("Polarized curvature", "PolarizedCurvature", {}),
-        "sites": Step("Binding sites", "BindingSitesInPockets", {})},
-    "protein_to_pockets": {"pockets": Step("Pockets", "MolecularPockets", {})},
-    "protein_to_pores": {"pores": Step("Pores", "PoreProfile", {})},
+        "potential": _step("potential", "PoissonBoltzmannOnSurface", IsoValue=1.0),
+        "curvature": _step("curvature", "CurvatureOnSurface"),
+        "polarized": _step("polarized curvature", "PolarizedCurvature"),
+        "sites": _step("sites", "BindingSitesInPockets")},
+    "protein_to_pockets": {"pockets": _step("pockets", "MolecularPockets")},
+    "protein_to_pores": {"pores": _step("pores", "PoreProfile")},
 }
+
+
+
+def stem_of(name):
+    """The name of a file or source, without its endings: "GroEL" of "GroEL.map.gz"."""
+    name = name.replace("\\", "/").rsplit("/", 1)[-1]
+    while True:
+        stem, dot, ending = name.rpartition(".")
+        if not dot or not stem or not (ending.isalnum() and ending[0].isalpha() and len(ending) < 6):
+            return name
+        name = stem
+
+
+def asks_for_denoising(gain, noise, low, high):
+    """Whether a map is denoised before its loops are looked for: by the estimated gain (dB) and noise level of
+    High-Order Diffusion, None where there is none, and the range of the map's values."""
+    return gain is not None and noise is not None and gain >= LEAST_GAIN and noise >= LEAST_NOISE * (high - low)
+
 
 NOTHING = {
     "volume": "The volume has no point array with one number at each node.",

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks that need no build and take seconds: run it before each commit, or as a hook:
 #   ln -s ../../Testing/check.sh .git/hooks/pre-commit
-# Modules, the order of a module's files, contracts, typed ids, numbers in texts, READMEs, links, the guide, idioms, the thesis' features, panels, format, absolute paths, file sizes.
+# Modules, the order of a module's files, contracts, typed ids, numbers in texts, READMEs, links, the guide, idioms, the thesis' features, panels, defaults of buttons, format, absolute paths, file sizes.
 set -uo pipefail
 shopt -s lastpipe # variables set by complain after a pipe must persist
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." || exit 1
@@ -22,7 +22,7 @@ complain()
   failed=1
 }
 
-for check in check_modules check_order check_contracts check_handles check_numbers check_properties check_readmes check_links check_guide check_idioms check_features; do
+for check in check_modules check_order check_contracts check_handles check_numbers check_properties check_defaults check_readmes check_links check_guide check_idioms check_features; do
   said=$(python3 -B "Testing/$check.py") || { echo "$said"; failed=1; }
 done
 

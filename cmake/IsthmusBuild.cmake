@@ -141,7 +141,7 @@ function (isthmus_python_sources folder destination)
     install(FILES "${source}" DESTINATION "${destination}" COMPONENT python)
   endforeach ()
   # The same files travel inside the plugin, for windows without this package.
-  foreach (part IN ITEMS pipelines look messages pockets=pocket_views steps trajectories)
+  foreach (part IN ITEMS pipelines look messages pockets=pocket_views loops=loop_views steps trajectories)
     string(REGEX REPLACE "=.*$" "" source "${part}")
     string(REGEX REPLACE "^.*=" "" name "${part}")
     set(source "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/isthmus_${source}.py")

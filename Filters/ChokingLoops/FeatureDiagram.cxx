@@ -511,7 +511,8 @@ bool IsWanted(const FeatureDiagram& diagram, const FeatureSelection& selection,
   const auto side = static_cast<std::size_t>(f.Side);
   const double most = selection.MaximumRadius.Of(diagram.Reference[side]);
   const bool near = f.Radius() <= most * (1.0 + 1e-9);
-  if (!(f.Side == SpaceSide::Inside ? selection.Inside : selection.Outside))
+  if (!(f.Side == SpaceSide::Inside ? selection.Inside : selection.Outside) ||
+    (selection.TrustedOnly && !f.Trusted))
   {
     return false;
   }

@@ -273,6 +273,8 @@ struct FeatureSelection
   /// Handles and tunnels need not obey MaximumRadius. MinimumPersistence never applies to them: a
   /// ring of constant width does not widen behind the narrowing, and yet it is a handle.
   bool AlwaysReportHandles = true;
+  /// Drop features that may be ones of the sampling (ShapeFeature::Trusted).
+  bool TrustedOnly = false;
   /// Keep the features of the largest persistence; 0: all of them.
   std::size_t MaximumNumber = 0;
 };

@@ -17,9 +17,12 @@
 
 #include <vtkCellType.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkLogger.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -266,7 +269,8 @@ void vtkChokingLoops::Keep(std::unique_ptr<Cache> made)
   {
     vtkWarningMacro(<< made->Loops->Repairs().Message);
   }
-  if (!made->Loops->Remark().empty())
+  // With TrustedOnly it would be about features that are not reported.
+  if (!made->Loops->Remark().empty() && !this->TrustedOnly)
   {
     vtkWarningMacro(<< made->Loops->Remark());
   }
@@ -311,16 +315,22 @@ isthmus::FeatureSelection vtkChokingLoops::Selection() const
   selection.Threshold = this->ThresholdMode == LargestGap ? isthmus::ThresholdMode::LargestGap
                                                           : isthmus::ThresholdMode::Given;
   selection.AlwaysReportHandles = this->AlwaysReportHandles;
+  selection.TrustedOnly = this->TrustedOnly;
   selection.MaximumNumber = static_cast<std::size_t>(this->MaximumNumberOfLoops);
   return selection;
+}
+
+int vtkChokingLoops::RoundsOfShortening() const
+{
+  return this->Shortening == None ? 0
+    : this->Shortening == Rounds  ? this->ShorteningRounds
+                                  : ManyRounds;
 }
 
 std::vector<isthmus::ShownFeature> vtkChokingLoops::DrawLoops()
 {
   isthmus::ChokingLoops& analysis = *this->Kept->Loops;
-  const int rounds = this->Shortening == None ? 0
-    : this->Shortening == Rounds              ? this->ShorteningRounds
-                                              : ManyRounds;
+  const int rounds = this->RoundsOfShortening();
   const std::vector<std::size_t> chosen = analysis.Select(this->Selection());
   const auto method = static_cast<isthmus::MembraneMethod>(this->MembraneMethod);
   if (this->Kept->Method != method)
@@ -349,6 +359,34 @@ std::vector<isthmus::ShownFeature> vtkChokingLoops::DrawLoops()
   isthmus::ApplyLimits(
     analysis, { this->MaximumLength, this->MaximumReach, this->LoopOrder == ByLength }, shown);
   return shown;
+}
+
+void vtkChokingLoops::AddCounts(std::size_t shown, vtkPolyData* output)
+{
+  const isthmus::ChokingLoops& analysis = *this->Kept->Loops;
+  isthmus::FeatureSelection selection = this->Selection();
+  selection.TrustedOnly = false;
+  selection.MaximumNumber = 0;
+  std::size_t all = 0, untrusted = 0;
+  for (const std::size_t feature : analysis.Select(selection))
+  {
+    const auto drawn = this->Kept->Geometry.find({ feature, this->RoundsOfShortening() });
+    if (drawn == this->Kept->Geometry.end() || !drawn->second.Loops.empty())
+    {
+      ++all;
+      untrusted += analysis.Diagram().Features[feature].Trusted ? 0 : 1;
+    }
+  }
+  const auto add = [output](const char* name, std::size_t count)
+  {
+    vtkNew<vtkIdTypeArray> array;
+    array->SetName(name);
+    array->InsertNextValue(static_cast<vtkIdType>(count));
+    output->GetFieldData()->AddArray(array);
+  };
+  add("NumberOfFeatures", all);
+  add("NumberOfUntrustedFeatures", untrusted);
+  add("NumberOfShownFeatures", shown);
 }
 
 int vtkChokingLoops::RequestData(
@@ -390,6 +428,7 @@ bool vtkChokingLoops::FindLoops(
       isthmus::FillChokePoints(analysis, shown, points);
       isthmus::FillDiagram(analysis, diagram);
       isthmus::AddAnalysisFieldData(analysis, shown, loops);
+      this->AddCounts(shown.size(), loops);
     });
 }
 
@@ -403,6 +442,7 @@ void vtkChokingLoops::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumPersistenceUnit: " << this->MinimumPersistenceUnit << "\n";
   os << indent << "ThresholdMode: " << this->ThresholdMode << "\n";
   os << indent << "MaximumNumberOfLoops: " << this->MaximumNumberOfLoops << "\n";
+  os << indent << "TrustedOnly: " << this->TrustedOnly << "\n";
   os << indent << "MaximumLength: " << this->MaximumLength << "\n";
   os << indent << "MaximumReach: " << this->MaximumReach << "\n";
   os << indent << "LoopOrder: " << this->LoopOrder << "\n";

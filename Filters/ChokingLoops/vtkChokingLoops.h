@@ -62,9 +62,11 @@
  * Lengths are in the unit of the points, areas in its square. Field data of output 0:
  * `NumberOfSamples`, `LargestSamplingError`, `ReferenceLength` (inside, outside),
  * `NumberOfHandles`, `NumberOfTunnels`, `NumberOfAdditionalLoops` (inside, outside; features, each
- * counted once, however many loops it has), `ProposedThreshold` (inside, outside: the persistence
- * at the middle of the side's largest gap, and the gap's width, 0 where it has none; in the unit of
- * the points).
+ * counted once, however many loops it has), `NumberOfFeatures` (those that Side and the thresholds
+ * choose), `NumberOfUntrustedFeatures` (those of them that are not trusted),
+ * `NumberOfShownFeatures` (those of them that MaximumNumberOfLoops, TrustedOnly, MaximumLength and
+ * MaximumReach leave), `ProposedThreshold` (inside, outside: the persistence at the middle of the
+ * side's largest gap, and the gap's width, 0 where it has none; in the unit of the points).
  *
  * Needles, double triangles, parts that touch or cross are repaired where that changes the volume
  * by no more than a hundredth; a warning says so, and field data `Repaired` (number of triangles
@@ -212,6 +214,13 @@ public:
   vtkGetMacro(MaximumReach, double);
   ///@}
 
+  ///@{
+  /// Drop features that may be ones of the sampling, the cell array `Trusted`. Default off.
+  vtkSetMacro(TrustedOnly, bool);
+  vtkGetMacro(TrustedOnly, bool);
+  vtkBooleanMacro(TrustedOnly, bool);
+  ///@}
+
   enum LoopOrderType
   {
     ByRadius,
@@ -329,7 +338,10 @@ private:
   void Analyse(vtkPolyData* surface, vtkDataObject* mesh);
   void Keep(std::unique_ptr<Cache> made);
   isthmus::FeatureSelection Selection() const;
+  int RoundsOfShortening() const;
   std::vector<isthmus::ShownFeature> DrawLoops();
+  /// Field data: how many features are shown, of how many.
+  void AddCounts(std::size_t shown, vtkPolyData* output);
   std::unique_ptr<isthmus::ChokingLoops> AnalyseMesh(
     isthmus::TriangleMesh triangles, vtkUnstructuredGrid* given);
   std::vector<double> MorseValues(const isthmus::SurfaceView& surface,
@@ -342,6 +354,7 @@ private:
   int MinimumPersistenceUnit = Percent;
   int ThresholdMode = Given;
   int MaximumNumberOfLoops = 0;
+  bool TrustedOnly = false;
   double MaximumLength = 0.0;
   double MaximumReach = 0.0;
   int LoopOrder = ByRadius;

@@ -142,6 +142,9 @@ public:
   int GetThresholdMode();
   void SetMaximumNumberOfLoops(int value);
   int GetMaximumNumberOfLoops();
+  void SetTrustedOnly(bool value);
+  bool GetTrustedOnly();
+  vtkBooleanMacro(TrustedOnly, bool);
   void SetMaximumLength(double value);
   double GetMaximumLength();
   void SetMaximumReach(double value);

@@ -96,11 +96,28 @@ def check_first_values():
         for proxy in filters:
             look.first_values(proxy.GetGlobalID())
         assert abs(filters[0].Level - proposed) < 1e-6 and filters[1].Level == 1.25, [f.Level for f in filters]
+    by_hand = simple.MapSurface(Input=density)
+    look.first_values(by_hand.GetGlobalID())
+    assert not by_hand.AutomaticLevel and abs(by_hand.Level - proposed) < 1e-6 and by_hand.MinimumComponentShare > 0
+    persistence = simple.ScalarPersistence(Input=density)
+    look.first_values(persistence.GetGlobalID())
+    assert persistence.Superlevel == 1
+    solved = simple.PoissonBoltzmann(Input=simple.OpenDataFile(str(shared_data("molecules/1AJJ_pH7_PARSE.pqr"))))
+    look.first_values(solved.GetGlobalID())
+    assert solved.IonicStrength == 0.15, solved.IonicStrength
     wavelet = simple.Wavelet()
     other = simple.DualContouring(Input=wavelet)
     before = other.Level
     look.first_values(other.GetGlobalID())
     assert other.Level == before  # no density map
+    # A map that a menu denoises is seen as a surface with a level, not as a box.
+    view = simple.GetActiveViewOrCreate("RenderView")
+    denoised = simple.HighOrderDiffusion(Input=density)
+    look.first_values(denoised.GetGlobalID())
+    look.first_look(simple.Show(denoised, view).GetGlobalID())
+    assert visible(view) == ["MapSurface"], visible(view)
+    (surface,) = [surface for surface in named("MapSurface") if surface.Input.SMProxy == denoised.SMProxy]
+    assert not surface.AutomaticLevel and simple.GetActiveSource() == denoised
     for proxy in list(simple.GetSources().values()):
         simple.Delete(proxy)
 

@@ -116,17 +116,19 @@ def press(keys):
         subprocess.run(["xdotool", "key", key], check=True)
 
 
-def play(name, data, events, clicks, folder, keys=()):
-    """Plays a session, then presses `keys`, and returns (log, picture)."""
+def play(name, data, events, clicks, folder, keys=(), script=None):
+    """Plays a session, then presses `keys`, and returns (log, picture). script: what Python runs
+    first, with the folder as ISTHMUS_SESSION_DIR; it opens the data, ISTHMUS_SESSION_DATA, itself."""
     window_home.prepare(folder)
-    script, log, picture = folder / "session.xml", folder / "paraview.log", folder / "window.png"
-    write_script(script, events)
-    environment = dict(os.environ, HOME=str(folder), XDG_RUNTIME_DIR=str(folder))
+    played, log, picture = folder / "session.xml", folder / "paraview.log", folder / "window.png"
+    write_script(played, events)
+    environment = dict(os.environ, HOME=str(folder), XDG_RUNTIME_DIR=str(folder), ISTHMUS_SESSION_DIR=str(folder),
+                       ISTHMUS_SESSION_DATA=str(data))
     environment.pop("XDG_CONFIG_HOME", None)
     started = time.monotonic()
     with log.open("w") as sink:
         paraview = subprocess.Popen(
-            ["paraview", "--dr", f"--data={data}", f"--test-script={script}",
+            ["paraview", "--dr", f"--script={script}" if script else f"--data={data}", f"--test-script={played}",
              f"--test-directory={folder}"], env=environment, cwd=folder, stdout=sink, stderr=sink)
     try:
         while "is finished" not in log.read_text(errors="replace"):

@@ -199,13 +199,31 @@ def map_to_curvature(volume, level=None):
 MapToLoops = collections.namedtuple("MapToLoops", "surface loops membranes choke_points persistence_diagram")
 
 
-def map_to_loops(volume, level=None):
+def _denoised(volume, denoise):
+    if denoise is False or denoise is None and volume.GetNumberOfPoints() > steps.MOST_NODES:
+        return volume
+    with warnings.catch_warnings():
+        if not denoise:  # what it says of a map without noise is no concern of the loops
+            warnings.simplefilter("ignore", functions.IsthmusWarning)
+        made = _step("map_to_loops", "denoised", volume)
+    scalars = volume.GetPointData().GetScalars() or volume.GetPointData().GetArray(0)
+    if denoise or steps.asks_for_denoising(_field(made, "EstimatedGain"), _field(made, "NoiseLevel"),
+                                           *scalars.GetRange()):
+        return made
+    return volume
+
+
+def map_to_loops(volume, level=None, denoise=None):
     """The choking loops of a density map: the rings where its inside or its outside narrows.
 
     Parameters
     ----------
     volume, level
         As those of map_to_surface().
+    denoise : bool, optional
+        Whether the map is denoised first, as by high_order_diffusion(). By default it is if its noise asks for it:
+        at least half a percent of the map's range, and an estimated gain of at least 3 dB. The field arrays
+        EstimatedGain and NoiseLevel of the surface say so.
 
     Returns
     -------
@@ -224,7 +242,8 @@ def map_to_loops(volume, level=None):
     >>> isthmus.map_to_loops(isthmus.samples.volume(), level=0.5).loops.GetNumberOfCells() >= 2
     True
     """
-    surface = _surface_of_map("map_to_loops", _volume(volume, "map_to_loops"), level)
+    volume = _denoised(_volume(volume, "map_to_loops"), denoise)
+    surface = _surface_of_map("map_to_loops", volume, level)
     return MapToLoops(surface, *_loops("map_to_loops", surface))
 
 

@@ -72,6 +72,13 @@ public:
     return vtkTable::SafeDownCast(this->Loops->GetOutputDataObject(3))->GetNumberOfRows() == 0;
   }
 
+  /// Of the field data.
+  vtkIdType Count(const char* name)
+  {
+    vtkDataArray* array = this->Loops->GetOutput()->GetFieldData()->GetArray(name);
+    return array ? static_cast<vtkIdType>(array->GetTuple1(0)) : -1;
+  }
+
   bool Complained() const { return this->Observer->GetError() || this->Observer->GetWarning(); }
   std::string Said() const
   {
@@ -122,11 +129,40 @@ TEST(ChokingLoopsFilter, SteeringDoesNotAnalyseAgain)
     steered.Run();
     EXPECT_EQ(steered.Times(), first);
     EXPECT_EQ(vtkPolyData::SafeDownCast(loops->GetOutputDataObject(2))->GetNumberOfPoints(), count);
+    EXPECT_EQ(steered.Count("NumberOfShownFeatures"), count);
+    EXPECT_EQ(steered.Count("NumberOfFeatures"), count);
   }
+  loops->SetMaximumNumberOfLoops(5);
+  steered.Run();
+  EXPECT_EQ(steered.Times(), first);
+  EXPECT_EQ(steered.Count("NumberOfShownFeatures"), 5);
+  EXPECT_EQ(steered.Count("NumberOfFeatures"), 31 + 1);
   // And the opposite, lest the times never change at all.
   loops->SetSampleSpacing(1.0);
   steered.Run();
   EXPECT_NE(steered.Times(), first);
+}
+
+TEST(ChokingLoopsFilter, UntrustedFeaturesCanBeDropped)
+{
+  FeatureDiagram diagram;
+  diagram.Reference = { 10.0, 10.0 };
+  for (const bool trusted : { true, false, true, false })
+  {
+    ShapeFeature feature;
+    feature.Kind = diagram.Features.size() < 2 ? FeatureKind::Handle : FeatureKind::Additional;
+    feature.Dimension = diagram.Features.size() < 2 ? 1 : 2;
+    feature.PairBirth = feature.PairDeath = 1.0;
+    feature.Death = 2.0 + static_cast<double>(diagram.Features.size());
+    feature.Trusted = trusted;
+    diagram.Features.push_back(feature);
+  }
+  FeatureSelection selection;
+  EXPECT_EQ(SelectFeatures(diagram, selection), (std::vector<std::size_t>{ 0, 1, 2, 3 }));
+  selection.TrustedOnly = true;
+  EXPECT_EQ(SelectFeatures(diagram, selection), (std::vector<std::size_t>{ 0, 2 }));
+  selection.MaximumNumber = 1; // of those that remain, the most persistent one
+  EXPECT_EQ(SelectFeatures(diagram, selection), (std::vector<std::size_t>{ 2 }));
 }
 
 namespace

@@ -1,0 +1,104 @@
+#include "IsthmusLiveProperty.h"
+
+#include "RunPython.h"
+
+#include <pqApplicationCore.h>
+#include <pqPipelineSource.h>
+#include <pqPropertyWidget.h>
+#include <pqServerManagerModel.h>
+
+#include <vtkPVArrayInformation.h>
+#include <vtkPVDataInformation.h>
+#include <vtkPVDataSetAttributesInformation.h>
+#include <vtkPVXMLElement.h>
+#include <vtkSMProxy.h>
+#include <vtkSMSourceProxy.h>
+
+#include <QTimer>
+
+#include <algorithm>
+
+namespace
+{
+
+constexpr int Delay = 100; // ms
+
+}
+
+IsthmusLiveProperty::IsthmusLiveProperty(vtkPVXMLElement* xml, pqPropertyWidget* parent)
+  : pqPropertyWidgetDecorator(xml, parent)
+  , Source(pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(
+      parent->proxy()))
+  , Timer(new QTimer(this))
+{
+  if (!this->Source)
+  {
+    return;
+  }
+  this->Timer->setSingleShot(true);
+  this->Timer->setInterval(Delay);
+  QObject::connect(this->Timer, &QTimer::timeout, this, [this] { this->Apply(); });
+  QObject::connect(parent, &pqPropertyWidget::changeAvailable, this, [this] { this->Changed(); });
+  const QString most = xml->GetAttributeOrEmpty("most");
+  if (!most.isEmpty())
+  {
+    QObject::connect(this->Source.data(),
+      QOverload<pqPipelineSource*>::of(&pqPipelineSource::dataUpdated), this,
+      [this, most] { this->FitSlider(most); });
+    // ParaView sets up the widget after its decorators.
+    QTimer::singleShot(0, this, [this, most] { this->FitSlider(most); });
+  }
+}
+
+void IsthmusLiveProperty::Changed()
+{
+  if (!this->Source || this->Source->modifiedState() == pqProxy::UNINITIALIZED)
+  {
+    return;
+  }
+  if (!this->Timer->isActive())
+  {
+    this->IsAlone = this->Source->modifiedState() == pqProxy::UNMODIFIED;
+    this->Timer->start();
+  }
+}
+
+void IsthmusLiveProperty::Apply()
+{
+  if (!this->Source)
+  {
+    return;
+  }
+  this->parentWidget()->apply();
+  this->Source->getProxy()->UpdateVTKObjects();
+  this->Source->updatePipeline();
+  isthmus::RunPipelines(QString("live_change(%1)").arg(this->Source->getProxy()->GetGlobalID()));
+  this->Source->renderAllViews();
+  if (this->IsAlone)
+  {
+    this->Source->setModifiedState(pqProxy::UNMODIFIED);
+  }
+}
+
+void IsthmusLiveProperty::FitSlider(const QString& most)
+{
+  auto* proxy = this->Source ? vtkSMSourceProxy::SafeDownCast(this->Source->getProxy()) : nullptr;
+  vtkPVArrayInformation* field = proxy && this->Source->modifiedState() != pqProxy::UNINITIALIZED
+    ? proxy->GetDataInformation(0)->GetFieldDataInformation()->GetArrayInformation(
+        most.toUtf8().constData())
+    : nullptr;
+  if (!field)
+  {
+    return;
+  }
+  for (QWidget* slider : this->parentWidget()->findChildren<QWidget*>())
+  {
+    if (slider->inherits("pqIntRangeWidget"))
+    {
+      slider->setProperty("minimum", 1);
+      slider->setProperty("maximum",
+        std::max({ 2, slider->property("value").toInt(),
+          static_cast<int>(field->GetComponentRange(0)[1]) }));
+    }
+  }
+}

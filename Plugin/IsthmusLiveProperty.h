@@ -1,0 +1,41 @@
+/**
+ * @file IsthmusLiveProperty.h
+ * @brief Property widgets whose changes act without Apply: the thresholds of cached results.
+ *
+ *     <PropertyWidgetDecorator type="isthmus_live" most="NumberOfFeatures"/>
+ *
+ * A change is applied within a tenth of a second, while the mouse is still down; further ones are
+ * collected until then. Other changes that wait for Apply keep waiting. Nothing is applied before
+ * the first Apply.
+ *
+ * `most`, for whole numbers: the slider goes from 1 to the field data of that name of the last
+ * result.
+ */
+#ifndef IsthmusLiveProperty_h
+#define IsthmusLiveProperty_h
+
+#include <pqPropertyWidgetDecorator.h>
+
+#include <QPointer>
+
+class pqPipelineSource;
+class QTimer;
+
+class IsthmusLiveProperty : public pqPropertyWidgetDecorator
+{
+  Q_OBJECT
+
+public:
+  IsthmusLiveProperty(vtkPVXMLElement* xml, pqPropertyWidget* parent);
+
+private:
+  void Changed();
+  void Apply();
+  void FitSlider(const QString& most);
+
+  QPointer<pqPipelineSource> Source;
+  QTimer* Timer;
+  bool IsAlone = false; ///< nothing else waits for Apply
+};
+
+#endif

@@ -1,0 +1,103 @@
+"""Choking loops in the window: the significant ones first, and how many of them are shown.
+
+    from isthmus import loop_views                # or: import isthmus_loops, with the plugin loaded
+    loop_views.words(loops)                       # "20 of 557 loops shown"
+
+What the buttons and the menus of the window set of Choking Loops is steps.SIGNIFICANT; functions in
+scripts report all loops. isthmus_look calls count() for each result that is new or has changed.
+"""
+
+try:
+    from paraview import servermanager, simple
+except ImportError:
+    servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
+
+LOOPS = ("ChokingLoops", "MapChokingLoops")
+COUNT = " shown"  # ends the names of the texts in the pipeline browser
+
+
+def _number(source, name):
+    field = source.FieldData[name]
+    return int(field.GetRange(0)[0]) if field else None
+
+
+def words(loops):
+    """How many of the loops are shown, in words; "" without a result, or with one of several blocks."""
+    proxy = servermanager._getPyProxy(loops.SMProxy)
+    if proxy.GetDataInformation().DataInformation.GetCompositeDataSetType() != -1:
+        return ""
+    shown, found, untrusted = (_number(proxy, name) for name in (
+        "NumberOfShownFeatures", "NumberOfFeatures", "NumberOfUntrustedFeatures"))
+    if shown is None or found is None:
+        return ""
+    lines = [f"{shown} of {found} loops shown"]
+    if untrusted and proxy.TrustedOnly:
+        lines[0] += f", {untrusted} not trusted"
+    gain = _gain_of_denoising(proxy)
+    if gain is not None:
+        lines.append(f"map denoised first, estimated gain {gain:.1f} dB")
+    return "\n".join(lines)
+
+
+def _gain_of_denoising(loops):
+    """Of the High-Order Diffusion that the map went through; None: of none."""
+    proxy = loops.SMProxy
+    while proxy is not None and proxy.GetNumberOfProducers():
+        proxy = proxy.GetProducerProxy(0)
+        if proxy.GetXMLName() == "HighOrderDiffusion":
+            gain = servermanager._getPyProxy(proxy).FieldData["EstimatedGain"]
+            return gain.GetRange(0)[0] if gain else None
+    return None
+
+
+def registered_name(proxy):
+    """In the pipeline browser; "" of a source that is not there."""
+    names = [name for (name, _), known in simple.GetSources().items() if known.SMProxy == proxy.SMProxy]
+    return names[0] if names else ""
+
+
+def count(loops, view):
+    """The text in the view that says how many loops are shown: made, or brought up to date. Hidden with the
+    loops. Whether it has changed."""
+    loops = servermanager._getPyProxy(loops.SMProxy)
+    name = registered_name(loops)
+    if not name or not hasattr(view, "HiddenLineRemoval"):  # no render view
+        return False
+    text = simple.FindSource(name + COUNT)
+    said = words(loops)
+    if text is None:
+        if not said:
+            return False
+        selected = simple.GetActiveSource()
+        text = simple.Text(registrationName=name + COUNT, Text=said)
+        simple.SetActiveSource(selected)
+        _place(simple.Show(text, view))
+        return True
+    has_changed = text.Text != said
+    if has_changed:
+        text.Text = said
+    visible = any(display.Visibility for display in view.Representations
+                  if getattr(getattr(display, "Input", None), "SMProxy", None) == loops.SMProxy and
+                  getattr(display.Input, "Port", 0) == 0)
+    shown = simple.GetRepresentation(text, view)
+    if bool(shown.Visibility) != (visible and bool(said)):
+        shown.Visibility = int(visible and bool(said))
+        return True
+    return has_changed
+
+
+def _place(display):
+    """Below the upper edge, at the left."""
+    display.WindowLocation = "Any Location" if "Any Location" in display.GetProperty(
+        "WindowLocation").Available else "AnyLocation"
+    display.Position = [0.01, 0.93]
+    display.FontSize, display.Justification = 14, "Left"
+
+
+def forget():
+    """Deletes the texts of loops that are gone."""
+    names = {name for name, _ in simple.GetSources()}
+    for (name, _), text in list(simple.GetSources().items()):
+        if name.endswith(COUNT) and text.SMProxy.GetXMLName() == "TextSource" and (
+                name[:-len(COUNT)] not in names):
+            simple.Delete(text)
