@@ -1,13 +1,18 @@
 """The tables of the thesis, computed by Isthmus and printed beside the printed values, with the deviation.
 
-Usage: pvpython thesis.py [WHAT ...] [--page FILE] [--pictures FOLDER]
+Usage: pvpython thesis.py [WHAT ...] [--page FILE] [--pictures FOLDER] [--entries FOLDER]
+       pvpython thesis.py --fetch FOLDER [--from URL] [WHAT ...]
 
 WHAT: tables or figures ("5.2", "6.15"), chapters ("5"), "loops" and "counts" for numbers in the text, "figures" for
 the example that draws each; without any: all. Tables that this script does not reproduce are named with the reason.
 Cells read: here (thesis, deviation). The thesis: X. Feng, "Geometric and topological modeling techniques for large
 and complex shapes".
 
---pictures FOLDER  draws Figure 5.6 of lysozyme into FOLDER; without a screen, put xvfb-run -a in front.
+--fetch FOLDER  downloads the entries of PDB and EMDB that the thesis uses into FOLDER, with their checksums
+    (thesis_entries.py); then WHAT, if anything is named, with these entries.
+--entries FOLDER  takes 1MAG, 1PPL and the maps from FOLDER, where they are there, instead of stand-ins.
+--pictures FOLDER  draws into FOLDER: Figure 5.6 (1PPL, else lysozyme), 5.7, 5.8 and the gallery of 4.7 where their maps
+    are there; without a screen, put xvfb-run -a in front.
 --page FILE  writes each table into the page FILE as well, between <!-- thesis.py WHAT --> and <!-- end -->.
 
 Data: $ISTHMUS_DATA_DIR, else ../shared/data beside the clone. A stand-in is named where
@@ -31,6 +36,7 @@ from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import find_isthmus  # noqa: E402,F401 (before isthmus)
 import isthmus  # noqa: E402
+import thesis_entries  # noqa: E402
 
 TABLES = {}
 # Tables of the thesis that hold definitions, or that need what is not here.
@@ -64,6 +70,14 @@ def data(relative):
         if (Path(folder) / relative).exists():
             return str(Path(folder) / relative)
     raise FileNotFoundError(f"{relative} is not in the shared data: set ISTHMUS_DATA_DIR.")
+
+
+ENTRIES = []  # the folder of fetched entries, if there is one
+
+
+def fetched(entry):
+    """The file of an entry of the PDB or EMDB; None where a stand-in is needed."""
+    return thesis_entries.path_of(entry, ENTRIES[0]) if ENTRIES else None
 
 
 # ------------------------------------------------------------------------------------------ text
@@ -563,10 +577,10 @@ def tangle(n=60):
     return contour.GetOutput()
 
 
-def open_to_water(molecule, spacing):
+def open_to_water(path, spacing):
     """The molecule's converged flow surface; what a probe of 1.4 can enter stays open."""
     reader = isthmus.vtkMacromoleculeReader()
-    reader.SetFileName(data("molecules/" + molecule))
+    reader.SetFileName(path)
     flow = isthmus.vtkMolecularFlowSurface()
     flow.SetInputConnection(reader.GetOutputPort())
     flow.SetProbeRadius(1.4)
@@ -577,8 +591,8 @@ def open_to_water(molecule, spacing):
 
 
 def gramicidin():
-    """1GRM: the stand-in for 1MAG."""
-    return open_to_water("1grm_gramicidin_model1.pdb", 0.35)
+    """1MAG, where it was fetched, else its stand-in 1GRM."""
+    return open_to_water(fetched("1MAG") or data("molecules/1grm_gramicidin_model1.pdb"), 0.35)
 
 
 def analysed(surface, inside=True, samples=0):
@@ -627,7 +641,7 @@ def choking_loops():
     rows, halved, denser = [], [], []
     for name, surface, thousands, genus, printed, largest, least, duration in (
             ("Armadillo", lambda: read_surface("armadillo.obj"), 40, 0, 4, 50, 6, 109.5),
-            ("1MAG: 1GRM here", gramicidin, 17, 8, 6, 75, 15, 36.7),
+            ("1MAG" if fetched("1MAG") else "1MAG: 1GRM here", gramicidin, 17, 8, 6, 75, 15, 36.7),
             ("Bunny", lambda: read_surface("bunny.off"), 26, 0, 1, 75, 2.5, 123.0),
             ("David: not available", None, 26, 5, 3, 50, 10, 44.5),
             ("Fertility", lambda: read_surface("fertility.off"), 47, 4, 2, 50, 10, 131.5),
@@ -674,7 +688,7 @@ def buckyball():
 
 @reproduces("6.10", "Figure 6.10: loops of the potassium channel 2KIX")
 def potassium_channel():
-    surface = open_to_water("2kix.pdb", 0.7)
+    surface = open_to_water(data("molecules/2kix.pdb"), 0.7)
     loops = analysed(surface, inside=False)
     out, diagram, chokes = loops.GetOutput(), loops.GetOutputDataObject(3), loops.GetOutputDataObject(2)
     handles, tunnels = int(field(out, "NumberOfHandles")), int(field(out, "NumberOfTunnels"))
@@ -712,8 +726,8 @@ def resolutions():
                      f"{int(field(loops.GetOutput(), 'NumberOfHandles'))} (8)", f"{found[0]} (4)",
                      f"{field(loops.GetOutput(), 'ReferenceLength'):.3f}"))
     return table(("points, thousands", "handles", "additional loops", "largest distance inside"), rows) + [
-        "", "1GRM, another structure of the same channel, for 1MAG, with the thresholds of the thesis, 70 % and 25 %. "
-        "What can be compared is whether the counts stay the same from resolution to resolution."]
+        "", ("1MAG" if fetched("1MAG") else "1GRM, another structure of the same channel, for 1MAG") +
+        ", with the thresholds of the thesis, 70 % and 25 %. What can be compared is whether the counts stay the same from resolution to resolution."]
 
 
 @reproduces("6.12", "Figure 6.12: C60 at growing distances")
@@ -801,20 +815,22 @@ FIGURES = (
     ("3.2, 4.13, 4.22", "`mesh_figures.py`", "EMD-1832 for EMD-1590, 1HEW"),
     ("4.3, 5.2", "`MapToCurvature.py MAP FOLDER`", "EMD-5043 for EMD-1617 and EMD-5119"),
     ("4.4 to 4.7, 4.18 to 4.21", "`mesh_figures.py`",
-     "EMD-1832 for EMD-1590; six shared maps; 1HEW. Isotropic remeshing"),
-    ("4.9 to 4.12, 5.7, 5.8", "`MapToCurvature.py MAP FOLDER`", "any shared map"),
+     "EMD-1832 for EMD-1590; six shared maps; 1HEW. The six maps of 4.7 by `thesis.py figures --pictures`, after "
+     "`--fetch`"),
+    ("4.9 to 4.12, 5.7, 5.8", "`MapToCurvature.py MAP FOLDER`; 5.7, 5.8 by `thesis.py figures --pictures`, after `--fetch`",
+     "any shared map; EMD-5273 and EMD-5020"),
     ("4.14", "`MapToMesh.py MAP FOLDER LEVEL`", "any shared map"),
     ("4.15, 5.1", "`flow_surfaces.py MOLECULE`", "1HEW, also for 1PPL"),
     ("4.16, 5.3", "`evaluate_solvation.py --picture`", "1HEW, also for 1PPL"),
-    ("4.17, 4.23", "not drawn", "1ADS, 1BYH, 1EJN and 2WEB are not available"),
-    ("4.24, 4.25, 5.6", "`thesis.py figures --pictures FOLDER`", "1HEW, also for 1PPL"),
+    ("4.17, 4.23", "`flow_surfaces.py MOLECULE`, after `thesis.py --fetch`", "1ADS, 1BYH, 1EJN and 2WEB"),
+    ("4.24, 4.25, 5.6", "`thesis.py figures --pictures FOLDER`", "1PPL, if it was fetched, else 1HEW"),
     ("4.26, 4.27, 4.30", "`surface_regions.py PROTEIN`", "1HEW"),
     ("4.28, 4.29", "`electrostatics.py FILE.pqr`", "1HEW"),
     ("5.4, 5.5", "not drawn", "the errors are Tables 5.3 to 5.6"),
     ("5.9", "`binding_sites.py PROTEIN`", "1HEW and the shared complexes"),
     ("6.3 to 6.5", "`choking_loops.py SURFACE`", "membranes and choke points are outputs of Choking Loops"),
     ("6.7 to 6.9", "`choking_loops.py SURFACE`", "fertility.off, neptune.off and others"),
-    ("6.10, 6.11", "`thesis.py 6.10 6.11` (counts)", "2KIX; 1GRM for 1MAG"),
+    ("6.10, 6.11", "`thesis.py 6.10 6.11` (counts)", "2KIX; 1GRM for 1MAG, unless that was fetched"),
     ("6.12 to 6.15", "`fullerene_stability.py OUTPUT FOLDER --grid --growth --energies CSV`",
      "GFN2-xTB energies for MP2"),
 )
@@ -825,20 +841,45 @@ def figures():
     return table(("figures", "drawn by (in Examples)", "data"), FIGURES)
 
 
-def draw(folder):
-    """Six descriptors of the curvature of lysozyme's surface, as Figure 5.6 has them of 1PPL."""
+def draw_curvature(source, picture, **options):
+    """Six descriptors of the curvature of a surface."""
     from paraview import servermanager, simple
     import MapToCurvature
-    atoms = simple.OpenDataFile(data("molecules/1hew/1hew.pqr"))
-    flow = simple.MolecularFlowSurface(Input=atoms, Spacing=0.5)
-    curvature = simple.CurvatureOnSurface(Input=flow, Volume=servermanager.OutputPort(flow, 1),
-                                          Scalars=["POINTS", "SignedDistance"], InsideIsHigher=0)
+    curvature = simple.CurvatureOnSurface(Input=source, **options)
     curvature.UpdatePipeline()
     layout = MapToCurvature.six_views(curvature, servermanager.Fetch(curvature))
-    folder.mkdir(parents=True, exist_ok=True)
-    picture = folder / "thesis_5.6.png"
     simple.SaveScreenshot(str(picture), layout, ImageResolution=[1800, 1200])
     print(picture)
+
+
+def draw_surface(source, picture):
+    from paraview import simple
+    view = simple.CreateView("RenderView", ViewSize=[900, 800], Background=[1.0, 1.0, 1.0], UseColorPaletteForBackground=0,
+                             OrientationAxesVisibility=0)
+    shown = simple.Show(source, view)
+    shown.ColorArrayName = [None, ""]
+    shown.DiffuseColor = [0.55, 0.65, 0.8]
+    simple.ResetCamera(view)
+    simple.SaveScreenshot(str(picture), view)
+    print(picture)
+
+
+def draw(folder):
+    """Figures 5.6 to 5.8, six descriptors of curvature, and the maps of 4.7, of what is there."""
+    from paraview import servermanager, simple
+    folder.mkdir(parents=True, exist_ok=True)
+    atoms = simple.OpenDataFile(fetched("1PPL") or data("molecules/1hew/1hew.pqr"))
+    flow = simple.MolecularFlowSurface(Input=atoms, Spacing=0.5)
+    draw_curvature(flow, folder / "thesis_5.6.png", Volume=servermanager.OutputPort(flow, 1),
+                   Scalars=["POINTS", "SignedDistance"], InsideIsHigher=0)
+    for entry, figure in (("EMD-5273", "5.7"), ("EMD-5020", "5.8")):
+        if fetched(entry):
+            volume = simple.OpenDataFile(fetched(entry))
+            draw_curvature(simple.MapSurface(Input=volume), folder / f"thesis_{figure}.png", Volume=volume)
+    for number in (1048, 1129, 1265, 1590, 1617, 5119):
+        if fetched(f"EMD-{number}"):
+            volume = simple.OpenDataFile(fetched(f"EMD-{number}"))
+            draw_surface(simple.MapSurface(Input=volume), folder / f"thesis_4.7_{number}.png")
 
 
 # ------------------------------------------------------------------------------------------ running
@@ -874,12 +915,19 @@ def main(words):
         print(__doc__)
         return
     options = {}
-    for option in ("--page", "--pictures"):
+    for option in ("--page", "--pictures", "--fetch", "--from", "--entries"):
         if option in words:
             at = words.index(option)
-            options[option] = Path(words[at + 1])
+            if at + 1 == len(words):
+                sys.exit(f"{option} needs a value: thesis.py --help")
+            options[option] = words[at + 1]
             del words[at:at + 2]
-    page = options.get("--page")
+    ENTRIES.extend(options[name] for name in ("--entries", "--fetch") if name in options)
+    if "--fetch" in options:
+        status = thesis_entries.fetch(options["--fetch"], options.get("--from"))
+        if not words and "--pictures" not in options:
+            sys.exit(status)
+    page = Path(options["--page"]) if "--page" in options else None
     start = time.monotonic()
     for key in chosen(words):
         name = f"Table {key}" if key[0].isdigit() else key[0].upper() + key[1:]
@@ -899,7 +947,7 @@ def main(words):
         if page:
             write_into(page, key, lines)
     if "--pictures" in options:
-        draw(options["--pictures"])
+        draw(Path(options["--pictures"]))
     print(f"\nAll of it: {time.monotonic() - start:.0f} s.")
 
 

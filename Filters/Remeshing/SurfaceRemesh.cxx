@@ -305,6 +305,17 @@ RemeshedSurface SimplifySurface(
     });
 }
 
+std::vector<SurfaceLocation> LocateOn(const SurfaceView& old, const std::vector<Point3>& points)
+{
+  const SurfaceMesh mesh = cgal::ToSurfaceMesh(old);
+  const OldSurface surface(old, mesh);
+  std::vector<SurfaceLocation> locations;
+  locations.reserve(points.size());
+  std::transform(points.begin(), points.end(), std::back_inserter(locations),
+    [&](const Point3& p) { return surface.Locate(cgal::ToCGAL(p)); });
+  return locations;
+}
+
 double MeanEdgeLength(const SurfaceView& mesh)
 {
   double sum = 0.0;

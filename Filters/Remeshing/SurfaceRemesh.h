@@ -56,6 +56,10 @@ VTKISTHMUSFILTERSREMESHING_EXPORT RemeshedSurface RemeshSurface(const SurfaceVie
 VTKISTHMUSFILTERSREMESHING_EXPORT RemeshedSurface SimplifySurface(
   const SurfaceView& mesh, std::int64_t triangles, const ProgressCallback& progress = {});
 
+/// The nearest place on `old` for each point. O(n log n).
+VTKISTHMUSFILTERSREMESHING_EXPORT std::vector<SurfaceLocation> LocateOn(
+  const SurfaceView& old, const std::vector<Point3>& points);
+
 /// Mean length of the sides of all triangles; 0 where there are none.
 VTKISTHMUSFILTERSREMESHING_EXPORT double MeanEdgeLength(const SurfaceView& mesh);
 

@@ -4,6 +4,7 @@
 #include "Core/ArrayMemory.h"
 #include "Core/GatherRanks.h"
 #include "Core/PolyDataTriangles.h"
+#include "Remeshing/DelaunayRemesh.h"
 #include "Remeshing/SurfaceRemesh.h"
 #include "Surfaces/SurfaceCleaning.h"
 #include "Surfaces/SurfaceDefects.h"
@@ -99,18 +100,37 @@ int vtkSurfaceRemesh::RequestData(
       }
       else
       {
-        isthmus::SurfaceRemeshParameters parameters;
-        parameters.EdgeLength = this->Target == ByEdgeLength
+        const double length = this->Target == ByEdgeLength
           ? this->EdgeLength
           : this->RelativeEdgeLength * isthmus::MeanEdgeLength(mesh);
-        parameters.Iterations = this->NumberOfIterations;
-        parameters.FeatureAngle = this->FeatureAngle;
-        result = isthmus::RemeshSurface(mesh, parameters, progress);
+        result = this->Method == Delaunay ? this->RefineDelaunay(mesh, length)
+                                          : this->RemeshIsotropic(mesh, length);
       }
       isthmus::SetMesh(result.Mesh, after);
       InterpolatePointData(before, taken, result.Locations, after);
       after->GetFieldData()->PassData(before->GetFieldData());
     });
+}
+
+isthmus::RemeshedSurface vtkSurfaceRemesh::RemeshIsotropic(
+  const isthmus::SurfaceView& mesh, double length)
+{
+  isthmus::SurfaceRemeshParameters parameters;
+  parameters.EdgeLength = length;
+  parameters.Iterations = this->NumberOfIterations;
+  parameters.FeatureAngle = this->FeatureAngle;
+  return isthmus::RemeshSurface(mesh, parameters, isthmus::ProgressOf(this));
+}
+
+isthmus::RemeshedSurface vtkSurfaceRemesh::RefineDelaunay(
+  const isthmus::SurfaceView& mesh, double length)
+{
+  isthmus::DelaunayRemeshParameters parameters;
+  parameters.EdgeLength = length;
+  parameters.Angle = this->MinimumAngle;
+  parameters.Distance = this->MaximumDistance;
+  parameters.FeatureAngle = this->FeatureAngle;
+  return isthmus::DelaunayRemesh(mesh, parameters, isthmus::ProgressOf(this));
 }
 
 void vtkSurfaceRemesh::PrintSelf(ostream& os, vtkIndent indent)
@@ -120,6 +140,9 @@ void vtkSurfaceRemesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RelativeEdgeLength: " << this->RelativeEdgeLength << "\n";
   os << indent << "EdgeLength: " << this->EdgeLength << "\n";
   os << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n";
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "MinimumAngle: " << this->MinimumAngle << "\n";
+  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
 }

@@ -7,8 +7,9 @@
  * to them (except vtkIdType and string arrays, which are dropped), field data are kept, cell data
  * are not. Edges whose triangles' normals differ by more than FeatureAngle, and boundaries, stay.
  *
- * Sources: M. Botsch, L. Kobbelt, doi:10.1145/1057432.1057457; P. Lindstrom, G. Turk,
- * doi:10.1109/VISUAL.1998.745314; both by CGAL. On failure: one error through vtkErrorMacro and
+ * Sources: M. Botsch, L. Kobbelt, doi:10.1145/1057432.1057457; J.-D. Boissonnat, S. Oudot,
+ * doi:10.1016/j.gmod.2005.01.004; P. Lindstrom, G. Turk, doi:10.1109/VISUAL.1998.745314; all by
+ * CGAL. On failure: one error through vtkErrorMacro and
  * an empty output. The whole surface is needed on one rank. One thread.
  */
 #ifndef vtkSurfaceRemesh_h
@@ -17,6 +18,12 @@
 #include "Core/Deprecation.h"
 #include "vtkIsthmusFiltersRemeshingModule.h"
 #include "vtkPolyDataAlgorithm.h"
+
+namespace isthmus
+{
+struct RemeshedSurface;
+struct SurfaceView;
+}
 
 class VTKISTHMUSFILTERSREMESHING_EXPORT vtkSurfaceRemesh : public vtkPolyDataAlgorithm
 {
@@ -62,8 +69,36 @@ public:
   vtkGetMacro(NumberOfTriangles, vtkIdType);
   ///@}
 
+  enum MethodType
+  {
+    Isotropic,
+    Delaunay
+  };
+
   ///@{
-  /// Rounds of remeshing. Default 5.
+  /// How edge lengths are reached. Isotropic (default): edges are split, collapsed and flipped
+  /// until they have about the length. Delaunay: restricted Delaunay refinement, which bounds the
+  /// edges by the length, the angles by MinimumAngle and the distance from the old surface by
+  /// MaximumDistance.
+  vtkSetClampMacro(Method, int, Isotropic, Delaunay);
+  vtkGetMacro(Method, int);
+  ///@}
+
+  ///@{
+  /// Delaunay: least angle of triangles away from features, in degrees, 0 to 30. Default 25.
+  vtkSetClampMacro(MinimumAngle, double, 0.0, 30.0);
+  vtkGetMacro(MinimumAngle, double);
+  ///@}
+
+  ///@{
+  /// Delaunay: how far triangles may be from the old surface, in its unit. Default 0: a tenth of
+  /// the edge length.
+  vtkSetClampMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumDistance, double);
+  ///@}
+
+  ///@{
+  /// Rounds of isotropic remeshing. Default 5.
   vtkSetClampMacro(NumberOfIterations, int, 1, 100);
   vtkGetMacro(NumberOfIterations, int);
   ///@}
@@ -84,10 +119,16 @@ private:
   vtkSurfaceRemesh(const vtkSurfaceRemesh&) = delete;
   void operator=(const vtkSurfaceRemesh&) = delete;
 
+  isthmus::RemeshedSurface RemeshIsotropic(const isthmus::SurfaceView& mesh, double length);
+  isthmus::RemeshedSurface RefineDelaunay(const isthmus::SurfaceView& mesh, double length);
+
   int Target = ByRelativeEdgeLength;
   double RelativeEdgeLength = 1.0;
   double EdgeLength = 1.0;
   vtkIdType NumberOfTriangles = 10000;
+  int Method = Isotropic;
+  double MinimumAngle = 25.0;
+  double MaximumDistance = 0.0;
   int NumberOfIterations = 5;
   double FeatureAngle = 60.0;
 };

@@ -101,9 +101,11 @@ def main():
     described_classes = {described["class"] for described in table["functions"].values()}
     for name in sorted(wrapped - described_classes):
         try:
-            functions.class_of(name)()
+            made = functions.class_of(name)()
         except (TypeError, NotImplementedError):
             continue  # abstract
+        if not hasattr(made, "GetInputPortInformation"):
+            continue  # an object that answers questions, no filter
         complaints.append(f"{name}: the class can be made and has no function")
     for name, described in table["functions"].items():
         complaints += complaints_of(name, described)

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <string>
@@ -217,4 +218,47 @@ TEST(HessianCurvatureFilter, ScaleIsVtksGaussian)
   {
     ASSERT_EQ(Value(byHand, "MeanCurvature", id), Value(byScale, "MeanCurvature", id));
   }
+}
+
+// A rounded cube: the curvedness marks edges and corners (thesis, after 5.45) and nothing else.
+TEST(HessianCurvatureFilter, CurvednessMarksEdgesAndCorners)
+{
+  const auto power = [](double v) { return std::pow(v, 8); };
+  const auto cube = SampledImage(CentredCube(81, 1.3),
+    [&](double x, double y, double z) { return power(x) + power(y) + power(z); });
+  vtkNew<vtkFlyingEdges3D> contour;
+  contour->SetInputData(cube);
+  contour->SetValue(0, 1.0);
+  contour->Update();
+  vtkNew<vtkHessianCurvature> filter;
+  filter->SetInputData(0, cube);
+  filter->SetInputConnection(1, contour->GetOutputPort());
+  filter->AutomaticScaleOff();
+  filter->SetAccuracy(4);
+  filter->InsideIsHigherOff();
+  filter->Update();
+  vtkPolyData* surface = filter->GetPolyDataOutput();
+  std::array<double, 3> least{ 1e9, 1e9, 1e9 }, largest{}; // flat sides, edges, corners
+  std::array<int, 3> count{};
+  for (vtkIdType id = 0; id < surface->GetNumberOfPoints(); ++id)
+  {
+    // How many coordinates are as far out as those of the cube's edges: of edges two, of corners
+    // all; near the middles of sides the other two are small.
+    std::array<double, 3> p;
+    surface->GetPoint(id, p.data());
+    std::for_each(p.begin(), p.end(), [](double& v) { v = std::abs(v); });
+    std::sort(p.begin(), p.end());
+    const std::size_t kind = p[1] < 0.4 ? 0 : (p[0] < 0.4 && p[2] - p[1] < 0.05) ? 1 : 2;
+    if (kind == 2 && p[2] - p[0] > 0.05)
+    {
+      continue; // between these
+    }
+    const double curvedness = Value(filter, "Curvedness", id);
+    least[kind] = std::min(least[kind], curvedness);
+    largest[kind] = std::max(largest[kind], curvedness);
+    ++count[kind];
+  }
+  EXPECT_GT(*std::min_element(count.begin(), count.end()), 8);
+  EXPECT_GT(least[1], 20.0 * largest[0]) << "edges against sides";
+  EXPECT_GT(least[2], 20.0 * largest[0]) << "corners against sides";
 }

@@ -1,6 +1,7 @@
 #include "Remeshing/SurfaceRemesh.h"
 
 #include "Core/PolyDataTriangles.h"
+#include "Remeshing/DelaunayRemesh.h"
 #include "Remeshing/SurfaceRepair.h"
 #include "SharedData.h"
 #include "SurfaceFiles.h"
@@ -143,7 +144,7 @@ TEST(SurfaceRemesh, BadInputEndsInASentenceAndStoppingInCancelled)
     EXPECT_THROW(RemeshSurface(cube, parameters), std::invalid_argument) << length;
   }
   EXPECT_THROW(SimplifySurface(cube, 0), std::invalid_argument);
-  parameters.EdgeLength = 0.02;
+  parameters.EdgeLength = 0.06;
   EXPECT_THROW(RemeshSurface(cube, parameters, [](double f) { return f < 0.1; }), Cancelled);
 }
 
@@ -193,4 +194,122 @@ TEST(SurfaceRepair, ATriangleThatIsThereTwiceLeavesTheRestAsItIs)
   EXPECT_EQ(repaired.Mesh.Triangles.size(), 12u);
   EXPECT_TRUE(FindDefects(repaired.Mesh).None());
   EXPECT_NEAR(SignedVolume(repaired.Mesh), 1.0, 1e-12);
+}
+
+namespace
+{
+
+/// Least angle and largest radius of a circumscribed circle, of triangles without a point at which
+/// `isFeature`.
+template <typename IsFeature>
+std::array<double, 2> LeastAngleAndLargestCircle(const TriangleMesh& mesh, IsFeature&& isFeature)
+{
+  double least = 180.0, largest = 0.0;
+  for (const Triangle& t : mesh.Triangles)
+  {
+    const auto at = [&](std::size_t c) { return mesh.Points[static_cast<std::size_t>(t[c % 3])]; };
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const Point3 a = at(c + 1) - at(c), b = at(c + 2) - at(c);
+      const double sine = Length(Cross(a, b)) / (Length(a) * Length(b));
+      const double angle = std::atan2(sine, Dot(a, b) / (Length(a) * Length(b)));
+      largest = std::max(largest, 0.5 * Length(at(c + 1) - at(c + 2)) / sine);
+      if (!isFeature(at(0)) && !isFeature(at(1)) && !isFeature(at(2)))
+      {
+        least = std::min(least, angle * 180.0 / M_PI);
+      }
+    }
+  }
+  return { least, largest };
+}
+
+}
+
+TEST(SurfaceRemesh, DelaunayKeepsItsBounds)
+{
+  TriangleMesh spheres = MeshOf(Sphere());
+  const TriangleMesh second = spheres; // beside the first, small
+  const auto shift = static_cast<std::int64_t>(spheres.Points.size());
+  for (const Point3& p : second.Points)
+  {
+    spheres.Points.push_back(0.2 * p + Point3{ 3.0, 0.0, 0.0 });
+  }
+  for (const Triangle& t : second.Triangles)
+  {
+    spheres.Triangles.push_back({ t[0] + shift, t[1] + shift, t[2] + shift });
+  }
+  for (const double angle : { 20.0, 28.0 })
+  {
+    DelaunayRemeshParameters parameters;
+    parameters.EdgeLength = 0.15;
+    parameters.Angle = angle;
+    parameters.Distance = 0.002;
+    const RemeshedSurface result = DelaunayRemesh(spheres, parameters);
+    EXPECT_TRUE(FindDefects(result.Mesh).None());
+    EXPECT_EQ(EulerCharacteristic(result.Mesh), 4) << "both parts are there";
+    const auto [least, largest] =
+      LeastAngleAndLargestCircle(result.Mesh, [](const Point3&) { return false; });
+    EXPECT_GE(least, angle - 1e-9);
+    EXPECT_LE(largest, 0.15 / std::sqrt(3.0) * (1.0 + 1e-6));
+    EXPECT_NEAR(SignedVolume(result.Mesh), SignedVolume(spheres), 0.002 * SurfaceArea(spheres));
+    EXPECT_GT(SignedVolume(result.Mesh), 0.0) << "faces as the old surface does";
+    ASSERT_EQ(result.Locations.size(), result.Mesh.Points.size());
+    for (const Point3& p : result.Mesh.Points)
+    {
+      const double out =
+        std::min(std::abs(Length(p) - 1.0), std::abs(Length(p - Point3{ 3.0, 0.0, 0.0 }) - 0.2));
+      ASSERT_LT(out, 0.003); // the old sphere is a polyhedron
+    }
+  }
+}
+
+TEST(SurfaceRemesh, DelaunayKeepsSharpEdgesAndBoundaries)
+{
+  DelaunayRemeshParameters parameters;
+  parameters.EdgeLength = 0.2;
+  TriangleMesh cube = isthmus::testing::Cube({ 0, 0, 0 }, 1.0);
+  const RemeshedSurface result = DelaunayRemesh(cube, parameters);
+  EXPECT_TRUE(FindDefects(result.Mesh).None());
+  EXPECT_EQ(EulerCharacteristic(result.Mesh), 2);
+  EXPECT_NEAR(SignedVolume(result.Mesh), 1.0, 1e-9);
+  EXPECT_GT(result.Mesh.Triangles.size(), 200u);
+  cube.Triangles.resize(10); // two triangles less: one side is open
+  const RemeshedSurface open = DelaunayRemesh(cube, parameters);
+  EXPECT_EQ(EulerCharacteristic(open.Mesh), EulerCharacteristic(cube));
+  EXPECT_NEAR(SurfaceArea(open.Mesh), SurfaceArea(cube), 1e-9);
+  EXPECT_FALSE(FindDefects(open.Mesh).BoundaryTriangles.empty());
+}
+
+TEST(SurfaceRemesh, DelaunayByTheFilterInterpolatesAndStops)
+{
+  vtkNew<vtkSurfaceRemesh> filter;
+  const auto sphere = Sphere();
+  vtkNew<vtkDoubleArray> height;
+  height->SetName("Height");
+  for (vtkIdType i = 0; i < sphere->GetNumberOfPoints(); ++i)
+  {
+    height->InsertNextValue(sphere->GetPoint(i)[2]);
+  }
+  sphere->GetPointData()->AddArray(height);
+  filter->SetInputData(sphere);
+  filter->SetMethod(vtkSurfaceRemesh::Delaunay);
+  filter->SetTarget(vtkSurfaceRemesh::ByEdgeLength);
+  filter->SetEdgeLength(0.2);
+  filter->Update();
+  vtkPolyData* made = filter->GetOutput();
+  ASSERT_GT(made->GetNumberOfPoints(), 200);
+  vtkDataArray* heights = made->GetPointData()->GetArray("Height");
+  ASSERT_NE(heights, nullptr);
+  for (vtkIdType i = 0; i < made->GetNumberOfPoints(); ++i)
+  {
+    ASSERT_NEAR(heights->GetTuple1(i), made->GetPoint(i)[2], 1e-5);
+  }
+  DelaunayRemeshParameters parameters;
+  parameters.EdgeLength = 0.06;
+  EXPECT_THROW(
+    DelaunayRemesh(MeshOf(sphere), parameters, [](double done) { return done < 0.3; }), Cancelled);
+  parameters.MaximumPoints = 1000;
+  EXPECT_THROW(DelaunayRemesh(MeshOf(sphere), parameters), std::invalid_argument);
+  parameters.EdgeLength = 0.0;
+  EXPECT_THROW(DelaunayRemesh(MeshOf(sphere), parameters), std::invalid_argument);
 }

@@ -1,0 +1,257 @@
+#include "Remeshing/SuppressCGALDumps.h"
+
+#include "Core/NumberText.h"
+#include "Core/RangeChecks.h"
+#include "Core/UnitScale.h"
+#include "Remeshing/CGALSurface.h"
+#include "Remeshing/DelaunayRemesh.h"
+#include "Surfaces/SurfaceDefects.h"
+#include "Surfaces/SurfaceTopology.h"
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized" // in boost/graph/detail/adjacency_list.hpp
+#endif
+
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
+#include <CGAL/facets_in_complex_3_to_triangle_mesh.h>
+#include <CGAL/make_mesh_3.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isthmus::cgal
+{
+
+/// CGAL's domain of a surface, which counts how often it is asked: all that tells how far it is.
+class SurfaceDomain : public CGAL::Polyhedral_mesh_domain_with_features_3<Kernel, SurfaceMesh>
+{
+  using Base = CGAL::Polyhedral_mesh_domain_with_features_3<Kernel, SurfaceMesh>;
+
+public:
+  SurfaceDomain(
+    const std::vector<SurfaceMesh*>& meshes, double expected, const ProgressCallback& progress)
+    : Base(meshes.begin(), meshes.end())
+    , Expected(expected)
+    , Progress(progress)
+  {
+  }
+
+  struct Construct_intersection : Base::Construct_intersection
+  {
+    explicit Construct_intersection(const SurfaceDomain& domain)
+      : Base::Construct_intersection(domain)
+      , Counted(&domain)
+    {
+    }
+
+    template <typename Query>
+    auto operator()(const Query& query) const
+    {
+      this->Counted->Count();
+      return Base::Construct_intersection::operator()(query);
+    }
+
+    const SurfaceDomain* Counted;
+  };
+  Construct_intersection construct_intersection_object() const
+  {
+    return Construct_intersection(*this);
+  }
+
+private:
+  void Count() const
+  {
+    if (++this->Asked % 256 == 0)
+    {
+      const auto asked = static_cast<double>(this->Asked);
+      Report(this->Progress, asked / (asked + this->Expected));
+    }
+  }
+
+  double Expected;
+  ProgressCallback Progress;
+  mutable std::int64_t Asked = 0;
+};
+
+}
+
+namespace isthmus
+{
+namespace
+{
+
+using cgal::SurfaceDomain;
+using cgal::SurfaceMesh;
+using DelaunayTriangulation = CGAL::Mesh_triangulation_3<SurfaceDomain>::type;
+using DelaunayComplex = CGAL::Mesh_complex_3_in_triangulation_3<DelaunayTriangulation,
+  SurfaceDomain::Corner_index, SurfaceDomain::Curve_index>;
+using DelaunayCriteria = CGAL::Mesh_criteria_3<DelaunayTriangulation>;
+
+/// The triangles of one label, with points of their own.
+TriangleMesh PartOf(const SurfaceView& mesh, const std::vector<int>& labels, int label)
+{
+  TriangleMesh part;
+  std::vector<std::int64_t> ids(mesh.Points.size(), -1);
+  for (std::size_t i = 0; i < mesh.Triangles.size(); ++i)
+  {
+    if (labels[i] != label)
+    {
+      continue;
+    }
+    Triangle t = mesh.Triangles[i];
+    for (auto& corner : t)
+    {
+      auto& id = ids[static_cast<std::size_t>(corner)];
+      if (id < 0)
+      {
+        id = static_cast<std::int64_t>(part.Points.size());
+        part.Points.push_back(mesh.Points[static_cast<std::size_t>(corner)]);
+      }
+      corner = id;
+    }
+    part.Triangles.push_back(t);
+  }
+  return part;
+}
+
+/// One connected part, facing as the old one where `made` lies on it.
+TriangleMesh RefinedPart(const SurfaceView& part, const DelaunayRemeshParameters& parameters,
+  const ProgressCallback& progress)
+{
+  namespace params = CGAL::parameters;
+  SurfaceMesh surface = cgal::ToSurfaceMesh(part);
+  const double length = parameters.EdgeLength;
+  const double triangles = SurfaceArea(part) / (0.433 * length * length);
+  SurfaceDomain domain(std::vector<SurfaceMesh*>{ &surface }, 60.0 * triangles + 1e4, progress);
+  domain.detect_features(parameters.FeatureAngle);
+  const DelaunayCriteria criteria(params::edge_size = length,
+    params::facet_angle = parameters.Angle, params::facet_size = length / std::sqrt(3.0),
+    params::facet_distance = parameters.Distance > 0.0 ? parameters.Distance : length / 10.0);
+  CGAL::Mesh_error_code error{};
+  const auto options = params::mesh_3_options(
+    params::maximal_number_of_vertices = static_cast<std::size_t>(parameters.MaximumPoints),
+    params::pointer_to_error_code = &error);
+  const bool isClosed = FindDefects(part).BoundaryTriangles.empty();
+  const auto complex = isClosed
+    ? CGAL::make_mesh_3<DelaunayComplex>(
+        domain, criteria, params::no_perturb(), params::no_exude(), params::manifold(), options)
+    : CGAL::make_mesh_3<DelaunayComplex>(domain, criteria, params::no_perturb(), params::no_exude(),
+        params::manifold_with_boundary(), options);
+  if (error == CGAL::CGAL_MESH_3_MAXIMAL_NUMBER_OF_VERTICES_REACHED)
+  {
+    throw std::runtime_error("Refinement passed " + std::to_string(parameters.MaximumPoints) +
+      " points: ask for longer edges, a larger distance or a smaller angle.");
+  }
+  SurfaceMesh made;
+  CGAL::facets_in_complex_3_to_triangle_mesh(complex, made);
+  return cgal::FromSurfaceMesh(made);
+}
+
+Point3 NormalOf(const SurfaceView& mesh, const Triangle& t)
+{
+  const auto at = [&](std::size_t c) { return mesh.Points[static_cast<std::size_t>(t[c])]; };
+  return Cross(at(1) - at(0), at(2) - at(0));
+}
+
+void Append(const RemeshedSurface& part, RemeshedSurface& whole)
+{
+  const auto shift = static_cast<std::int64_t>(whole.Mesh.Points.size());
+  whole.Mesh.Points.insert(
+    whole.Mesh.Points.end(), part.Mesh.Points.begin(), part.Mesh.Points.end());
+  whole.Locations.insert(whole.Locations.end(), part.Locations.begin(), part.Locations.end());
+  for (const Triangle& t : part.Mesh.Triangles)
+  {
+    whole.Mesh.Triangles.push_back({ t[0] + shift, t[1] + shift, t[2] + shift });
+  }
+}
+
+/// Turns a part around where it faces against the old surface.
+void FaceAlike(const SurfaceView& old, RemeshedSurface& part)
+{
+  double alike = 0.0;
+  for (const Triangle& t : part.Mesh.Triangles)
+  {
+    const auto& under = old.Triangles[static_cast<std::size_t>(
+      part.Locations[static_cast<std::size_t>(t[0])].Triangle)];
+    alike += Dot(NormalOf(part.Mesh, t), NormalOf(old, under));
+  }
+  for (Triangle& t : part.Mesh.Triangles)
+  {
+    if (alike < 0.0)
+    {
+      std::swap(t[1], t[2]);
+    }
+  }
+}
+
+}
+
+RemeshedSurface DelaunayRemesh(const SurfaceView& mesh, const DelaunayRemeshParameters& parameters,
+  const ProgressCallback& progress)
+{
+  if (mesh.Triangles.empty())
+  {
+    return {};
+  }
+  SurfaceDefects defects = FindDefects(mesh);
+  defects.BoundaryTriangles.clear();
+  if (!defects.None())
+  {
+    throw std::invalid_argument(defects.Sentence() + " Mend the surface before remeshing it.");
+  }
+  RequireAbove("The edge length", parameters.EdgeLength, 0.0, LargestLength, "It is a length.");
+  const double points =
+    0.5 * SurfaceArea(mesh) / (0.433 * parameters.EdgeLength * parameters.EdgeLength);
+  if (points > static_cast<double>(parameters.MaximumPoints))
+  {
+    throw std::invalid_argument("An edge length of " + FormatNumber(parameters.EdgeLength) +
+      " takes about " + FormatNumber(points) + " points, and the most is " +
+      std::to_string(parameters.MaximumPoints) + ": ask for longer edges.");
+  }
+  const UnitScale scale(mesh);
+  if (!scale.IsOne())
+  {
+    DelaunayRemeshParameters scaled = parameters;
+    scaled.EdgeLength *= scale.Factor();
+    scaled.Distance *= scale.Factor();
+    TriangleMesh small = CopyOf(mesh);
+    scale.Apply(small.Points);
+    RemeshedSurface result = DelaunayRemesh(small, scaled, progress);
+    scale.Undo(result.Mesh.Points);
+    return result;
+  }
+  RequireRange("MinimumAngle", parameters.Angle, 0.0, 30.0,
+    "It is an angle in degrees; above 30, refinement need not end.");
+  RequireRange("FeatureAngle", parameters.FeatureAngle, 0.0, 180.0, "It is an angle in degrees.");
+  RequireRange("Distance", parameters.Distance, 0.0, LargestLength, "It is a length.");
+  return cgal::RethrowWithContext("remeshing the surface",
+    [&]
+    {
+      const std::vector<int> labels = Components(mesh);
+      const int count = *std::max_element(labels.begin(), labels.end()) + 1;
+      RemeshedSurface result;
+      for (int label = 0; label < count; ++label)
+      {
+        const TriangleMesh old = PartOf(mesh, labels, label);
+        RemeshedSurface part;
+        part.Mesh = RefinedPart(
+          old, parameters, Between(progress, 1.0 * label / count, 1.0 * (label + 1) / count));
+        if (part.Mesh.Triangles.empty() ||
+          EulerCharacteristic(part.Mesh) != EulerCharacteristic(old))
+        {
+          throw std::runtime_error("A part of the surface with " +
+            std::to_string(old.Triangles.size()) +
+            " triangles loses its topology at this edge length: ask for a smaller one.");
+        }
+        part.Locations = LocateOn(mesh, part.Mesh.Points);
+        FaceAlike(mesh, part);
+        Append(part, result);
+      }
+      return result;
+    });
+}
+
+}

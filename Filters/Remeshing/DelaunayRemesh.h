@@ -1,0 +1,44 @@
+/**
+ * @file DelaunayRemesh.h
+ * @brief Triangles with a bound on their angles for a surface, by restricted Delaunay refinement.
+ *
+ * J.-D. Boissonnat, S. Oudot, Graph. Models 67 (2005) 405, doi:10.1016/j.gmod.2005.01.004, with
+ * balls that keep features (S.-W. Cheng, T. K. Dey, E. A. Ramos, SODA 2007, 1096), in CGAL's
+ * Mesh_3.
+ */
+#ifndef isthmus_DelaunayRemesh_h
+#define isthmus_DelaunayRemesh_h
+
+#include "Core/Progress.h"
+#include "Remeshing/SurfaceRemesh.h"
+#include "vtkIsthmusFiltersRemeshingModule.h"
+
+#include <cstdint>
+
+namespace isthmus
+{
+
+struct DelaunayRemeshParameters
+{
+  double EdgeLength = 1.0;    ///< bound on the edges, in units of the data
+  double Angle = 25.0;        ///< least angle of triangles away from features, degrees, at most 30
+  double Distance = 0.0;      ///< of triangles from the surface at most; 0: EdgeLength / 10
+  double FeatureAngle = 60.0; ///< edges whose triangles' normals differ by more, in degrees, stay
+  std::int64_t MaximumPoints = 5'000'000; ///< refinement that passes it ends in an error
+};
+
+/**
+ * Delaunay remeshing of `mesh`, each connected part by itself. New points lie on the old surface;
+ * no triangle has a larger circumscribed circle than an equilateral one of EdgeLength. Features and
+ * boundaries stay, as chains of edges; triangles that touch them may have smaller angles.
+ *
+ * @pre as for RemeshSurface(). @throws as that, and std::runtime_error when refinement does not end
+ * below MaximumPoints, as at very sharp features, or loses a part: ask for a smaller EdgeLength.
+ * Cost: about 0.2 ms a point of the result.
+ */
+VTKISTHMUSFILTERSREMESHING_EXPORT RemeshedSurface DelaunayRemesh(const SurfaceView& mesh,
+  const DelaunayRemeshParameters& parameters, const ProgressCallback& progress = {});
+
+}
+
+#endif
