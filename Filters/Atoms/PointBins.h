@@ -12,14 +12,17 @@
 #include <cmath>
 #include <cstdint>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace isthmus
 {
 
 /**
- * Points sorted by the bin they are in. Only bins with points take memory (40 bytes a point), so
- * stray points far away do no harm. O(n log n). Coordinates over size must stay below 2^53.
+ * Points sorted by the bin they are in (32 bytes a point). Where their box has few bins for their
+ * number, a table says where each bin begins; else only bins with points take memory (24 bytes a
+ * point more), so that stray points far away do no harm. O(n log n). Coordinates over size must
+ * stay below 2^53.
  */
 class PointBins
 {
@@ -27,12 +30,31 @@ public:
   PointBins(const View<Point3>& points, double size)
     : Size(size)
   {
-    this->Entries.reserve(points.size());
+    std::vector<std::pair<Bin, std::int64_t>> order;
+    order.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-      this->Entries.push_back({ this->BinOf(points[i]), static_cast<std::int64_t>(i), points[i] });
+      order.emplace_back(this->BinOf(points[i]), static_cast<std::int64_t>(i));
     }
-    std::sort(this->Entries.begin(), this->Entries.end());
+    std::sort(order.begin(), order.end());
+    this->Entries.reserve(points.size());
+    for (const auto& [bin, id] : order)
+    {
+      this->Entries.push_back({ points[static_cast<std::size_t>(id)], id });
+    }
+    this->MakeTable(order);
+  }
+
+  /// Numbers of the points as Near visits them.
+  std::vector<std::int64_t> Order() const
+  {
+    std::vector<std::int64_t> ids;
+    ids.reserve(this->Entries.size());
+    for (const Entry& entry : this->Entries)
+    {
+      ids.push_back(entry.Id);
+    }
+    return ids;
   }
 
   /// Calls `visit(id, squared distance)` for each point within `reach` of `place`, in an order that
@@ -41,8 +63,35 @@ public:
   void Near(const Point3& place, double reach, Visit&& visit) const
   {
     const double squared = reach * reach;
-    const Bin low = this->BinOf({ place[0] - reach, place[1] - reach, place[2] - reach });
-    const Bin high = this->BinOf({ place[0] + reach, place[1] + reach, place[2] + reach });
+    this->NearRanges(place, reach,
+      [&](std::size_t first, std::size_t last)
+      {
+        for (std::size_t i = first; i < last; ++i)
+        {
+          const Entry& entry = this->Entries[i];
+          const Point3 d = entry.Point - place;
+          const double dd = Dot(d, d);
+          if (dd <= squared)
+          {
+            visit(entry.Id, dd);
+          }
+        }
+      });
+  }
+
+  /// Calls `visit(first, last)` for ranges of the positions in Order() that have all points within
+  /// `reach` of `place`, and others.
+  template <typename Visit>
+  void NearRanges(const Point3& place, double reach, Visit&& visit) const
+  {
+    const double squared = reach * reach;
+    Bin low = this->BinOf({ place[0] - reach, place[1] - reach, place[2] - reach });
+    Bin high = this->BinOf({ place[0] + reach, place[1] + reach, place[2] + reach });
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = std::max(low[axis], this->Low[axis]);
+      high[axis] = std::min(high[axis], this->High[axis]);
+    }
     for (std::int64_t z = low[0]; z <= high[0]; ++z)
     {
       for (std::int64_t y = low[1]; y <= high[1]; ++y)
@@ -55,19 +104,12 @@ public:
         {
           continue;
         }
-        const double chord = std::sqrt(left);
-        const Bin first{ z, y, std::max(low[2], this->BinOf(place[0] - chord) - 1) };
-        const Bin last{ z, y, std::min(high[2], this->BinOf(place[0] + chord) + 1) };
-        auto at = std::lower_bound(this->Entries.begin(), this->Entries.end(), first,
-          [](const Entry& e, const Bin& bin) { return e.Place < bin; });
-        for (; at != this->Entries.end() && at->Place <= last; ++at)
+        const double chord = std::sqrt(left) + 1e-12 * (reach + std::fabs(place[0]));
+        const auto [first, last] = this->Row(z, y, std::max(low[2], this->BinOf(place[0] - chord)),
+          std::min(high[2], this->BinOf(place[0] + chord)));
+        if (first < last)
         {
-          const Point3 d = at->Point - place;
-          const double dd = Dot(d, d);
-          if (dd <= squared)
-          {
-            visit(at->Id, dd);
-          }
+          visit(first, last);
         }
       }
     }
@@ -78,15 +120,76 @@ private:
 
   struct Entry
   {
-    Bin Place;
-    std::int64_t Id;
     Point3 Point;
-
-    bool operator<(const Entry& other) const
-    {
-      return std::tie(this->Place, this->Id) < std::tie(other.Place, other.Id);
-    }
+    std::int64_t Id;
   };
+
+  void MakeTable(const std::vector<std::pair<Bin, std::int64_t>>& order)
+  {
+    if (order.empty())
+    {
+      return;
+    }
+    this->Low = this->High = order.front().first;
+    for (const auto& [bin, id] : order)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        this->Low[axis] = std::min(this->Low[axis], bin[axis]);
+        this->High[axis] = std::max(this->High[axis], bin[axis]);
+      }
+    }
+    double bins = 1.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      bins *= static_cast<double>(this->High[axis] - this->Low[axis]) + 1.0;
+    }
+    if (bins > 8.0 * static_cast<double>(order.size()) + 4096.0)
+    {
+      this->Bins.reserve(order.size());
+      for (const auto& [bin, id] : order)
+      {
+        this->Bins.push_back(bin);
+      }
+      return;
+    }
+    this->Begins.assign(static_cast<std::size_t>(bins) + 1, order.size());
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+      for (const std::size_t at = this->NumberOf(order[i].first); next <= at; ++next)
+      {
+        this->Begins[next] = i;
+      }
+    }
+  }
+
+  std::size_t NumberOf(const Bin& bin) const
+  {
+    return static_cast<std::size_t>(
+      ((bin[0] - this->Low[0]) * (this->High[1] - this->Low[1] + 1) + bin[1] - this->Low[1]) *
+        (this->High[2] - this->Low[2] + 1) +
+      bin[2] - this->Low[2]);
+  }
+
+  /// The entries in bins `first` to `last` of a row, all of them inside of the box.
+  std::pair<std::size_t, std::size_t> Row(
+    std::int64_t z, std::int64_t y, std::int64_t first, std::int64_t last) const
+  {
+    if (first > last)
+    {
+      return { 0, 0 };
+    }
+    if (!this->Begins.empty())
+    {
+      return { this->Begins[this->NumberOf({ z, y, first })],
+        this->Begins[this->NumberOf({ z, y, last }) + 1] };
+    }
+    const auto low = std::lower_bound(this->Bins.begin(), this->Bins.end(), Bin{ z, y, first });
+    const auto high = std::upper_bound(low, this->Bins.end(), Bin{ z, y, last });
+    return { static_cast<std::size_t>(low - this->Bins.begin()),
+      static_cast<std::size_t>(high - this->Bins.begin()) };
+  }
 
   std::int64_t BinOf(double x) const
   {
@@ -107,6 +210,9 @@ private:
 
   double Size;
   std::vector<Entry> Entries;
+  Bin Low{ 0, 0, 0 }, High{ -1, -1, -1 };
+  std::vector<std::size_t> Begins; ///< of each bin of the box, and the end; or none
+  std::vector<Bin> Bins;           ///< of each entry, where there is no table
 };
 
 }

@@ -73,6 +73,8 @@ CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& face
         std::max(sides[0], sides[1]), t });
     }
   }
+  // A path that is not better than one that waits for the same tetrahedron need not wait.
+  HandleVector<TetrahedronId, WidestPath> waiting(c.Tetrahedra.size());
   access.Access.assign(c.Tetrahedra.size(), 0.0);
   access.TowardsOutside.assign(c.Tetrahedra.size(), TriangleId::None());
   while (!paths.empty())
@@ -91,9 +93,14 @@ CellAccessibility FindAccess(const RegularFiltration& f, const FacesByCell& face
       const TetrahedronId next = c.Across(triangle, path.Cell);
       if (next.Exists() && !access.TowardsOutside[next].Exists())
       {
-        paths.push({ std::min(width, access.TriangleClearance[triangle]),
+        const WidestPath longer{ std::min(width, access.TriangleClearance[triangle]),
           std::min(path.Narrowest, TriangleEntry(c.TriangleValue[triangle], triangle)), next,
-          triangle });
+          triangle };
+        if (!waiting[next].Cell.Exists() || waiting[next] < longer)
+        {
+          waiting[next] = longer;
+          paths.push(longer);
+        }
       }
     }
   }

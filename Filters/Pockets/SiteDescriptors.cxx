@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -23,6 +25,8 @@ constexpr std::array<double, 4> CellReaches{ 3.0, 5.0, 7.0, 10.0 };
 constexpr double LiningReach = 8.0;
 constexpr double PropensityReach = 6.0;
 constexpr double MetalReach = 4.5;
+constexpr double AtomBin = 6.0; // angstrom
+constexpr double CellBin = 5.0;
 
 const std::array<const char*, 20> AminoAcids{ "ALA", "ARG", "ASN", "ASP", "CYS", "GLN", "GLU",
   "GLY", "HIS", "ILE", "LEU", "LYS", "MET", "PHE", "PRO", "SER", "THR", "TRP", "TYR", "VAL" };
@@ -96,6 +100,163 @@ SiteAtomKind KindOf(int element, const std::string& residue, const std::string& 
   return apolar ? SiteAtomKind::Aliphatic : SiteAtomKind::Other;
 }
 
+constexpr std::size_t Lanes = 4; // sums at a time, so that compilers use wide instructions
+using LaneSums = std::array<double, Lanes>;
+
+double SumOf(const LaneSums& sums)
+{
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+/// Points by coordinate, in the order of PointBins.
+struct PointColumns
+{
+  std::array<std::vector<double>, 3> At;
+
+  explicit PointColumns(const std::vector<Point3>& points)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      this->At[axis].reserve(points.size());
+      for (const Point3& point : points)
+      {
+        this->At[axis].push_back(point[axis]);
+      }
+    }
+  }
+};
+
+/// Points around a place, padded to full Lanes with points far away.
+struct NearPoints
+{
+  std::size_t Count = 0; ///< without the padding
+  std::vector<std::size_t> Positions;
+  std::vector<double> Squared; ///< distances
+  std::array<std::vector<double>, 3> Difference;
+
+  std::size_t PaddedCount() const { return (this->Count + Lanes - 1) / Lanes * Lanes; }
+
+  void MakeRoom(std::size_t count)
+  {
+    if (this->Squared.size() < count)
+    {
+      this->Positions.resize(2 * count);
+      this->Squared.resize(2 * count);
+      for (auto& axis : this->Difference)
+      {
+        axis.resize(2 * count);
+      }
+    }
+  }
+
+  void Pad()
+  {
+    for (std::size_t i = this->Count; i < this->PaddedCount(); ++i)
+    {
+      this->Squared[i] = std::numeric_limits<double>::infinity();
+      for (auto& axis : this->Difference)
+      {
+        axis[i] = 0.0;
+      }
+    }
+  }
+
+  /// Those nearer than `reach`.
+  void Gather(const PointBins& bins, const PointColumns& points, const Point3& place, double reach)
+  {
+    this->Count = 0;
+    bins.NearRanges(place, reach,
+      [&](std::size_t first, std::size_t last)
+      {
+        this->MakeRoom(this->Count + last - first + Lanes);
+        this->Append(first, last, points, place, reach * reach);
+      });
+    this->Pad();
+  }
+
+  /// Those of `all` that are nearer than `reach`.
+  void CopyNearer(const NearPoints& all, double reach)
+  {
+    this->MakeRoom(all.Count + Lanes);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < all.Count; ++i)
+    {
+      this->Positions[count] = all.Positions[i];
+      this->Squared[count] = all.Squared[i];
+      this->Difference[0][count] = all.Difference[0][i];
+      this->Difference[1][count] = all.Difference[1][i];
+      this->Difference[2][count] = all.Difference[2][i];
+      count += all.Squared[i] < reach * reach ? 1 : 0;
+    }
+    this->Count = count;
+    this->Pad();
+  }
+
+  /// Divides the differences by their lengths.
+  void MakeUnit()
+  {
+    const double* squared = this->Squared.data();
+    double* x = this->Difference[0].data();
+    double* y = this->Difference[1].data();
+    double* z = this->Difference[2].data();
+    for (std::size_t i = 0; i < this->Count; ++i)
+    {
+      const double inverse = 1.0 / std::sqrt(std::max(squared[i], 1e-12));
+      x[i] *= inverse;
+      y[i] *= inverse;
+      z[i] *= inverse;
+    }
+  }
+
+  double CountWithin(double reach) const
+  {
+    LaneSums counts{};
+    for (std::size_t i = 0; i < this->Count; i += Lanes)
+    {
+      for (std::size_t lane = 0; lane < Lanes; ++lane)
+      {
+        counts[lane] += this->Squared[i + lane] < reach * reach ? 1.0 : 0.0;
+      }
+    }
+    return SumOf(counts);
+  }
+
+private:
+  /// What is written beyond the end costs less than a branch.
+  void Append(std::size_t first, std::size_t last, const PointColumns& points, const Point3& from,
+    double limit)
+  {
+    const double px = from[0], py = from[1], pz = from[2];
+    const double *atX = points.At[0].data(), *atY = points.At[1].data(), *atZ = points.At[2].data();
+    std::size_t* positions = this->Positions.data();
+    double *squares = this->Squared.data(), *dx = this->Difference[0].data();
+    double *dy = this->Difference[1].data(), *dz = this->Difference[2].data();
+    std::size_t count = this->Count;
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const double x = atX[i] - px;
+      const double y = atY[i] - py;
+      const double z = atZ[i] - pz;
+      const double squared = x * x + y * y + z * z;
+      positions[count] = i;
+      squares[count] = squared;
+      dx[count] = x;
+      dy[count] = y;
+      dz[count] = z;
+      count += squared < limit ? 1 : 0;
+    }
+    this->Count = count;
+  }
+};
+
+/// For the work of one thread on one place after the other.
+struct Scratch
+{
+  NearPoints All, Some, Fewer;
+  std::vector<double> Volumes, Burials;
+  std::vector<std::pair<int, double>> Chains;
+};
+
 /// Sums over unit vectors.
 struct Directions
 {
@@ -103,25 +264,32 @@ struct Directions
   Point3 Sum{ 0.0, 0.0, 0.0 };
   std::array<double, 6> Products{}; ///< xx, yy, zz, xy, xz, yz
 
-  void Add(const Point3& u)
+  explicit Directions(const NearPoints& unit)
+    : Count(static_cast<double>(unit.Count))
   {
-    this->Count += 1.0;
-    this->Sum = this->Sum + u;
-    const double products[] = { u[0] * u[0], u[1] * u[1], u[2] * u[2], u[0] * u[1], u[0] * u[2],
-      u[1] * u[2] };
-    for (std::size_t k = 0; k < 6; ++k)
+    std::array<LaneSums, 9> sums{};
+    const double* x = unit.Difference[0].data();
+    const double* y = unit.Difference[1].data();
+    const double* z = unit.Difference[2].data();
+    for (std::size_t i = 0; i < unit.Count; i += Lanes)
     {
-      this->Products[k] += products[k];
+      for (std::size_t lane = 0; lane < Lanes; ++lane)
+      {
+        const double u = x[i + lane], v = y[i + lane], w = z[i + lane];
+        sums[0][lane] += u;
+        sums[1][lane] += v;
+        sums[2][lane] += w;
+        sums[3][lane] += u * u;
+        sums[4][lane] += v * v;
+        sums[5][lane] += w * w;
+        sums[6][lane] += u * v;
+        sums[7][lane] += u * w;
+        sums[8][lane] += v * w;
+      }
     }
-  }
-
-  void Add(const Directions& other)
-  {
-    this->Count += other.Count;
-    this->Sum = this->Sum + other.Sum;
-    for (std::size_t k = 0; k < 6; ++k)
+    for (std::size_t k = 0; k < sums.size(); ++k)
     {
-      this->Products[k] += other.Products[k];
+      (k < 3 ? this->Sum[k] : this->Products[k - 3]) = SumOf(sums[k]);
     }
   }
 
@@ -156,65 +324,56 @@ struct Directions
   }
 };
 
-/// The number of the first of these rising reaches that is above `d`.
-template <std::size_t N>
-std::size_t ShellOf(const std::array<double, N>& reaches, double d)
-{
-  std::size_t shell = 0;
-  while (shell < N && d >= reaches[shell])
-  {
-    ++shell;
-  }
-  return shell;
-}
-
 /// What the atoms around a place say.
 class AtomsAround
 {
 public:
-  AtomsAround(const std::vector<SiteAtom>& atoms, const PointBins& bins, const Point3& place)
+  AtomsAround(const std::vector<SiteAtom>& atoms, Scratch& scratch)
   {
-    bins.Near(place, BurialReaches.back(),
-      [&](std::int64_t id, double squared)
-      { this->Add(atoms[static_cast<std::size_t>(id)], place, std::sqrt(squared)); });
-    // Shells become balls.
-    for (std::size_t k = 1; k < BurialReaches.size(); ++k)
+    static_assert(LiningReach == EnclosureReaches[1] && EnclosureReaches[2] == BurialReaches[4] &&
+        EnclosureReaches[1] == BurialReaches[2] && EnclosureReaches[0] == BurialReaches[1],
+      "All, Some and Fewer are for all of them");
+    NearPoints& all = scratch.All;
+    scratch.Chains.clear();
+    all.MakeUnit();
+    scratch.Some.CopyNearer(all, EnclosureReaches[1]);
+    scratch.Fewer.CopyNearer(scratch.Some, EnclosureReaches[0]);
+    this->Counts = { scratch.Fewer.CountWithin(BurialReaches[0]),
+      static_cast<double>(scratch.Fewer.Count), static_cast<double>(scratch.Some.Count),
+      all.CountWithin(BurialReaches[3]), static_cast<double>(all.Count) };
+    this->Enclosures = { Directions(scratch.Fewer).Enclosure(),
+      Directions(scratch.Some).Enclosure(), Directions(all).Enclosure() };
+    for (std::size_t i = 0; i < scratch.Some.Count; ++i)
     {
-      this->Counts[k] += this->Counts[k - 1];
+      this->AddLining(
+        atoms[scratch.Some.Positions[i]], std::sqrt(scratch.Some.Squared[i]), scratch.Chains);
     }
-    for (std::size_t k = 1; k < EnclosureReaches.size(); ++k)
+    for (const auto& chain : scratch.Chains)
     {
-      this->Around[k].Add(this->Around[k - 1]);
+      this->LargestChain = std::max(this->LargestChain, chain.second);
     }
+    this->ChainCount = static_cast<double>(scratch.Chains.size());
   }
 
   double Burial() const { return this->Counts[3]; }
 
-  void Write(std::vector<float>& row) const
+  void Write(const double* propensity, std::vector<float>& row) const
   {
     const auto put = [&](double value) { row.push_back(static_cast<float>(value)); };
-    std::for_each(this->Counts.begin(), this->Counts.end() - 1, put);
-    for (std::size_t k = 0; k < EnclosureReaches.size(); ++k)
+    std::for_each(this->Counts.begin(), this->Counts.end(), put);
+    for (const auto& enclosure : this->Enclosures)
     {
-      for (const double value : this->Around[k].Enclosure())
-      {
-        put(value);
-      }
+      std::for_each(enclosure.begin(), enclosure.end(), put);
     }
     std::for_each(this->Kinds.begin(), this->Kinds.end() - 1, put);
     put(this->Weight);
-    double largest = 0.0;
-    for (const auto& chain : this->Chains)
-    {
-      largest = std::max(largest, chain.second);
-    }
-    put(this->Weight > 0.0 ? 1.0 - largest / this->Weight : 0.0);
-    put(static_cast<double>(this->Chains.size()));
+    put(this->Weight > 0.0 ? 1.0 - this->LargestChain / this->Weight : 0.0);
+    put(this->ChainCount);
     put(this->MetalBinders);
     double sum = 0.0, weights = 0.0;
     for (std::size_t k = 0; k < NumberOfResidues; ++k)
     {
-      sum += this->Residues[k] * SitePropensity(static_cast<int>(k));
+      sum += this->Residues[k] * propensity[k];
       weights += this->Residues[k];
     }
     put(weights > 0.0 ? sum / weights : 0.0);
@@ -223,19 +382,12 @@ public:
   const std::array<double, NumberOfResidues>& NearResidues() const { return this->Residues; }
 
 private:
-  void Add(const SiteAtom& atom, const Point3& place, double d)
+  void AddLining(const SiteAtom& atom, double d, std::vector<std::pair<int, double>>& chains)
   {
-    this->Counts[ShellOf(BurialReaches, d)] += 1.0;
-    this->Around[ShellOf(EnclosureReaches, d)].Add(
-      (1.0 / std::max(d, 1e-6)) * (atom.Place - place));
-    if (d >= LiningReach)
-    {
-      return;
-    }
     const double weight = 1.0 - d / LiningReach;
     this->Kinds[static_cast<std::size_t>(atom.Kind)] += weight;
     this->Weight += weight;
-    this->ChainWeight(atom.Chain) += weight;
+    ChainWeight(atom.Chain, chains) += weight;
     if (d < PropensityReach && atom.Residue >= 0)
     {
       this->Residues[static_cast<std::size_t>(atom.Residue)] += 1.0 - d / PropensityReach;
@@ -244,57 +396,111 @@ private:
   }
 
   /// A place has few chains around it.
-  double& ChainWeight(int chain)
+  static double& ChainWeight(int chain, std::vector<std::pair<int, double>>& chains)
   {
-    for (auto& one : this->Chains)
+    for (auto& one : chains)
     {
       if (one.first == chain)
       {
         return one.second;
       }
     }
-    this->Chains.emplace_back(chain, 0.0);
-    return this->Chains.back().second;
+    chains.emplace_back(chain, 0.0);
+    return chains.back().second;
   }
 
-  // The last of each is what lies beyond the reaches, and Other.
-  std::array<double, BurialReaches.size() + 1> Counts{};
-  std::array<Directions, EnclosureReaches.size() + 1> Around{};
-  std::array<double, NumberOfKinds + 1> Kinds{};
+  std::array<double, BurialReaches.size()> Counts{};
+  std::array<std::array<double, 3>, EnclosureReaches.size()> Enclosures{};
+  std::array<double, NumberOfKinds + 1> Kinds{}; ///< the last: Other
   std::array<double, NumberOfResidues> Residues{};
-  std::vector<std::pair<int, double>> Chains;
-  double Weight = 0.0, MetalBinders = 0.0;
+  double Weight = 0.0, LargestChain = 0.0, ChainCount = 0.0, MetalBinders = 0.0;
 };
 
-/// What the tetrahedra around a place say.
-void WriteCellsAround(const std::vector<const PocketCell*>& cells, const PointBins& bins,
-  const std::vector<double>& burial, const Point3& place, std::vector<float>& row)
+/// What a tetrahedron tells those around.
+struct CellNear
 {
-  std::array<double, CellReaches.size() + 1> volume{}, sum{}, count{}; // last: beyond
+  double Volume, Burial, Clearance;
+};
+
+/// What the tetrahedra around a place say: those of scratch.All, whose positions `cells` has.
+void WriteCellsAround(const std::vector<CellNear>& cells, Scratch& scratch, std::vector<float>& row)
+{
+  NearPoints& all = scratch.All;
+  scratch.Volumes.resize(std::max(scratch.Volumes.size(), all.Count + Lanes));
+  scratch.Burials.resize(scratch.Volumes.size());
   double clearance = 0.0;
-  bins.Near(place, CellReaches.back(),
-    [&](std::int64_t id, double squared)
+  for (std::size_t i = 0; i < all.Count; ++i)
+  {
+    const CellNear& cell = cells[all.Positions[i]];
+    scratch.Volumes[i] = cell.Volume;
+    scratch.Burials[i] = cell.Burial;
+    const bool isNear = all.Squared[i] < CellReaches[1] * CellReaches[1];
+    clearance = std::max(clearance, isNear ? cell.Clearance : 0.0);
+  }
+  double* squares = all.Squared.data();
+  double* volumes = scratch.Volumes.data();
+  double* burials = scratch.Burials.data();
+  std::array<double, CellReaches.size()> volume{}, burial{}, counts{};
+  std::size_t count = all.Count;
+  for (std::size_t k = CellReaches.size(); k-- > 0;)
+  {
+    // Of what is left from the larger reach.
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; ++i)
     {
-      const auto i = static_cast<std::size_t>(id);
-      const std::size_t shell = ShellOf(CellReaches, std::sqrt(squared));
-      volume[shell] += std::max(0.0, cells[i]->Volume);
-      sum[shell] += burial[i];
-      count[shell] += 1.0;
-      clearance = shell < 2 ? std::max(clearance, cells[i]->Clearance) : clearance;
-    });
+      const bool isNear = squares[i] < CellReaches[k] * CellReaches[k];
+      squares[kept] = squares[i];
+      volumes[kept] = volumes[i];
+      burials[kept] = burials[i];
+      kept += isNear ? 1 : 0;
+    }
+    count = kept;
+    std::fill(volumes + count, volumes + count + Lanes, 0.0);
+    std::fill(burials + count, burials + count + Lanes, 0.0);
+    LaneSums volumeSums{}, burialSums{};
+    for (std::size_t i = 0; i < count; i += Lanes)
+    {
+      for (std::size_t lane = 0; lane < Lanes; ++lane)
+      {
+        volumeSums[lane] += volumes[i + lane];
+        burialSums[lane] += burials[i + lane];
+      }
+    }
+    volume[k] = SumOf(volumeSums);
+    burial[k] = SumOf(burialSums);
+    counts[k] = static_cast<double>(count);
+  }
   for (std::size_t k = 0; k < CellReaches.size(); ++k)
   {
-    if (k > 0)
-    {
-      volume[k] += volume[k - 1];
-      sum[k] += sum[k - 1];
-      count[k] += count[k - 1];
-    }
     row.push_back(static_cast<float>(volume[k]));
-    row.push_back(static_cast<float>(sum[k] / std::max(1.0, count[k])));
+    row.push_back(static_cast<float>(burial[k] / std::max(1.0, counts[k])));
   }
-  row.push_back(static_cast<float>(count[1]));
+  row.push_back(static_cast<float>(counts[1]));
   row.push_back(static_cast<float>(clearance));
+}
+
+std::vector<Point3> PlacesOf(const std::vector<SiteAtom>& atoms)
+{
+  std::vector<Point3> places;
+  places.reserve(atoms.size());
+  for (const SiteAtom& atom : atoms)
+  {
+    places.push_back(atom.Place);
+  }
+  return places;
+}
+
+/// The same, in another order.
+template <typename T>
+std::vector<T> Reordered(const std::vector<T>& values, const std::vector<std::int64_t>& order)
+{
+  std::vector<T> reordered;
+  reordered.reserve(order.size());
+  for (const std::int64_t i : order)
+  {
+    reordered.push_back(values[static_cast<std::size_t>(i)]);
+  }
+  return reordered;
 }
 
 }
@@ -358,56 +564,69 @@ SiteDescriptorTable DescribeSites(
   {
     return table;
   }
-  std::vector<Point3> places, centres;
-  for (const SiteAtom& atom : atoms)
-  {
-    places.push_back(atom.Place);
-  }
+  // Neighbours in space become neighbours in memory: work item j is cell order[j].
+  std::vector<Point3> centres;
+  centres.reserve(cells.size());
   for (const PocketCell* cell : cells)
   {
     centres.push_back(cell->Centre);
   }
-  const PointBins atomBins(places, 6.0);
-  const PointBins cellBins(centres, 5.0);
-  std::vector<std::vector<float>> rows(cells.size());
-  std::vector<double> burial(cells.size());
+  const std::vector<std::int64_t> order = PointBins(centres, CellBin).Order();
+  centres = Reordered(centres, order);
+  const std::vector<const PocketCell*> ordered = Reordered(cells, order);
+  const std::vector<SiteAtom> near = Reordered(atoms, PointBins(PlacesOf(atoms), AtomBin).Order());
+  const PointBins atomBins(PlacesOf(near), AtomBin);
+  const PointBins cellBins(centres, CellBin);
+  const PointColumns atomColumns(PlacesOf(near));
+  const PointColumns cellColumns(centres);
   const auto each = [&](const auto& work)
   {
     ParallelFor(0, static_cast<std::int64_t>(cells.size()), 64,
       [&](std::int64_t begin, std::int64_t end)
       {
-        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+        Scratch scratch;
+        for (auto j = static_cast<std::size_t>(begin); j < static_cast<std::size_t>(end); ++j)
         {
-          work(i);
+          work(j, static_cast<std::size_t>(order[j]), scratch);
         }
       });
   };
+  std::vector<std::vector<float>> rows(cells.size());
+  std::vector<CellNear> told(cells.size());
   each(
-    [&](std::size_t i)
+    [&](std::size_t j, std::size_t i, Scratch& scratch)
     {
-      const AtomsAround around(atoms, atomBins, centres[i]);
-      rows[i].reserve(width);
-      around.Write(rows[i]);
-      burial[i] = around.Burial();
+      scratch.All.Gather(atomBins, atomColumns, centres[j], BurialReaches.back());
+      const AtomsAround around(near, scratch);
+      rows[j].reserve(width);
+      around.Write(FrozenSiteModel().Propensity, rows[j]);
+      told[j] = { std::max(0.0, ordered[j]->Volume), around.Burial(), ordered[j]->Clearance };
       for (std::size_t k = 0; residues && k < NumberOfResidues; ++k)
       {
         table.Residues[i * NumberOfResidues + k] = static_cast<float>(around.NearResidues()[k]);
       }
     });
   // The largest burial but for a twentieth of the places: that of a core with a hole may be alone.
-  std::vector<double> sorted = burial;
+  std::vector<double> sorted;
+  sorted.reserve(told.size());
+  for (const CellNear& cell : told)
+  {
+    sorted.push_back(cell.Burial);
+  }
   const auto most = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) * 19 / 20);
   std::nth_element(sorted.begin(), most, sorted.end());
   const double largest = std::max(1.0, *most);
   each(
-    [&](std::size_t i)
+    [&](std::size_t j, std::size_t i, Scratch& scratch)
     {
-      std::vector<float>& row = rows[i];
-      WriteCellsAround(cells, cellBins, burial, centres[i], row);
-      row.push_back(static_cast<float>(cells[i]->Clearance));
-      row.push_back(static_cast<float>(cells[i]->Access));
-      row.push_back(static_cast<float>(cells[i]->Access - cells[i]->Clearance));
-      row.push_back(static_cast<float>(burial[i] / largest));
+      std::vector<float>& row = rows[j];
+      scratch.All.Gather(cellBins, cellColumns, centres[j], CellReaches.back());
+      WriteCellsAround(told, scratch, row);
+      const PocketCell& cell = *ordered[j];
+      row.push_back(static_cast<float>(cell.Clearance));
+      row.push_back(static_cast<float>(cell.Access));
+      row.push_back(static_cast<float>(cell.Access - cell.Clearance));
+      row.push_back(static_cast<float>(told[j].Burial / largest));
       std::copy(
         row.begin(), row.end(), table.Descriptors.begin() + static_cast<std::ptrdiff_t>(i * width));
     });

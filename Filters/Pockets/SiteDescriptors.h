@@ -59,7 +59,8 @@ struct SiteAtom
   SiteAtomKind Kind = SiteAtomKind::Other;
   int Residue =
     -1;          ///< 0 to 19: the backbone of one of the amino acids by name; 20 to 39: side chain
-  int Chain = 0; ///< from 0
+  int Chain = 0; ///< from 0 by name
+  std::int64_t Word = -1; ///< the same for residues with the same number and name, of any chain
   bool BindsMetals = false;
 };
 
