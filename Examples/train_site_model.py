@@ -22,7 +22,7 @@ from pathlib import Path
 
 import numpy
 
-NEAR, SUCCESS, SPACING = 3.0, 4.0, 8.0  # angstrom
+NEAR, SUCCESS, SPACING, AROUND = 3.0, 4.0, 8.0, 10.0  # angstrom
 LEAST = 0.01  # of the largest density, for a site
 PER_FAMILY, FOLDS = 4, 5
 PLACES = (150, 350)  # of each complex that take part: at most so many right ones and wrong ones
@@ -34,6 +34,17 @@ PARAMETERS = {"objective": "binary", "num_leaves": 12, "learning_rate": 0.06, "m
 
 
 # ---------------------------------------------------------------------------- descriptors, by Isthmus
+
+def atoms_of(lines):
+    """Places of the heavy atoms of a polymer, numbers of their residues (the same for copies of a chain)
+    and of their chains (by name)."""
+    atoms = [line for line in lines if line.startswith("ATOM") and line[76:78].strip() not in ("H", "D")
+             and line[12:16].strip("0123456789 ")[:1] not in ("H", "D")]
+    numbers = lambda words: numpy.unique(words, return_inverse=True)[1]
+    places = numpy.array([[float(line[start:start + 8]) for start in (30, 38, 46)] for line in atoms])
+    return places.reshape(-1, 3), numbers([line[17:20] + line[22:27] for line in atoms]), \
+        numbers([line[21] for line in atoms])
+
 
 def describe(folder, out):
     import find_isthmus  # noqa: F401 (before isthmus)
@@ -67,17 +78,22 @@ def describe(folder, out):
         columns["places"].append(places)
         columns["distances"].append(distances)
         columns["ligand"].append(ligand)
+        atoms, residue, chain = atoms_of([line for line, is_ligand in lines if not is_ligand])
+        columns["atoms"].append(atoms)
+        columns["words"].append(numpy.stack([residue, chain], axis=1))
     names = [array.GetComponentName(k) for k in range(array.GetNumberOfComponents())]
     numpy.savez_compressed(
         out, names=names, name=columns["name"], family=columns["family"],
         sizes=[len(v) for v in columns["values"]], ligand_sizes=[len(v) for v in columns["ligand"]],
-        **{key: numpy.concatenate(columns[key]) for key in ("values", "places", "distances", "ligand")})
+        atom_sizes=[len(v) for v in columns["atoms"]], **{key: numpy.concatenate(columns[key]) for key in (
+            "values", "places", "distances", "ligand", "atoms", "words")})
     print(f"{len(columns['name'])} complexes, {len(set(columns['family']))} families")
 
 
 class Complex:
-    def __init__(self, name, family, values, places, distances, ligand, source):
+    def __init__(self, name, family, values, places, distances, ligand, atoms, words, source):
         self.name, self.family, self.source = name, family, source
+        self.atoms, self.words = atoms, words
         self.residues, self.places, self.ligand = values[:, -40:], places, ligand
         self.values, self.right = values[:, :-40].copy(), distances < NEAR
         # A sample of the places, with weights that give each kind its share back.
@@ -93,12 +109,16 @@ class Complex:
 
 def load(path):
     data = numpy.load(path)
-    ends, atom_ends = numpy.cumsum(data["sizes"]), numpy.cumsum(data["ligand_sizes"])
-    values, places, distances, ligand = (data[key] for key in ("values", "places", "distances", "ligand"))
-    return [Complex(str(name), str(family), values[end - size:end], places[end - size:end],
-                    distances[end - size:end], ligand[atom_end - atoms:atom_end], str(path))
-            for name, family, end, size, atom_end, atoms in zip(
-                data["name"], data["family"], ends, data["sizes"], atom_ends, data["ligand_sizes"])
+    parts = {}
+    for sizes, keys in (("sizes", ("values", "places", "distances")), ("ligand_sizes", ("ligand",)),
+                        ("atom_sizes", ("atoms", "words"))):
+        ends = numpy.cumsum(data[sizes])
+        for key in keys:
+            whole = data[key]
+            parts[key] = [whole[end - size:end] for end, size in zip(ends, data[sizes])]
+    return [Complex(str(name), str(family), *some, str(path)) for name, family, *some in zip(
+        data["name"], data["family"], *(parts[key] for key in (
+            "values", "places", "distances", "ligand", "atoms", "words")))
             ], [str(name) for name in data["names"]][:-40]
 
 
@@ -191,8 +211,49 @@ def sites_of(places, probabilities, reach, most=None):
     return numpy.array([d for d, _ in found]), numpy.array([c for _, c in found]).reshape(-1, 3)
 
 
+def weights_around(one, centre):
+    """Weights of the residues around: by number and name, and by chain too; the chain that has most."""
+    weights = 1.0 - numpy.linalg.norm(one.atoms - centre, axis=1) / AROUND
+    of_all, by_chain, chains = defaultdict(float), defaultdict(float), Counter()
+    for i in numpy.flatnonzero(weights >= 0.0):
+        residue, chain = one.words[i]
+        of_all[residue] = max(of_all[residue], weights[i])
+        by_chain[chain, residue] = max(by_chain[chain, residue], weights[i])
+    for (chain, _), weight in by_chain.items():
+        chains[chain] += weight
+    return of_all, by_chain, min(chains, key=lambda chain: (-chains[chain], chain), default=-1)
+
+
+def likeness(a, b):
+    common = sum(min(weight, b[key]) for key, weight in a.items() if key in b)
+    return common / max(sum(a.values()) + sum(b.values()) - common, 1e-9)
+
+
+def with_copies(one, density, centres):
+    """Copies of a site follow each other by their chains, with the mean of their densities (SiteCopies.h)."""
+    around = [weights_around(one, centre) for centre in centres]
+    groups = []
+    for i, (of_all, by_chain, _) in enumerate(around):
+        for group in groups:
+            first = around[group[0]]
+            if first[0].keys().isdisjoint(of_all):
+                continue
+            alike = likeness(of_all, first[0])
+            if alike >= 0.5 and likeness(by_chain, first[1]) < 0.5 * alike:
+                group.append(i)
+                break
+        else:
+            groups.append([i])
+    density = density.copy()
+    for group in groups:
+        density[group] = density[group].mean()
+    groups.sort(key=lambda group: -density[group[0]])
+    order = [i for group in groups for i in sorted(group, key=lambda i: around[i][2])]
+    return density[order], centres[order]
+
+
 def hits_of(one, probabilities, reach, most=None):
-    density, centres = sites_of(one.places, probabilities, reach, most)
+    density, centres = with_copies(one, *sites_of(one.places, probabilities, reach, most))
     distances = numpy.array([numpy.linalg.norm(one.ligand - c, axis=1).min() for c in centres])
     return density, distances <= SUCCESS
 
@@ -240,7 +301,7 @@ def choose(complexes, judged, column):
                 for trees in TREES:
                     probabilities = predict(model, one, column, trees)
                     for reach in REACHES:
-                        hits = hits_of(one, probabilities, reach, 3)[1]
+                        hits = hits_of(one, probabilities, reach, 12)[1]
                         scores[reach, trees] += weights[one.name] * (hits[0] + hits[:3].any())
     return max(sorted(scores), key=lambda setting: scores[setting])
 

@@ -35,7 +35,7 @@ FAINT, STRONG = 0.3, 0.7  # opacities of the best pockets' surfaces, and of the 
 BEST_SURFACES, CHOSEN_SURFACE = "best pockets", "chosen pocket"
 HIDDEN_COLUMNS = {
     "MolecularPockets": [
-        "ApolarShare", "CenterX", "CenterY", "CenterZ", "Cells", "LiningAtoms", "MeanPolarized",
+        "ApolarShare", "CenterX", "CenterY", "CenterZ", "Cells", "CopyOf", "LiningAtoms", "MeanPolarized",
         "MeanPotential", "MouthArea", "MouthRadius", "Radius", "Row ID"],
     "PoreProfile": ["BottleneckX", "BottleneckY", "BottleneckZ", "Row ID"]}
 WATERS = ("1.15", "2.30")  # radii from which one water passes, and two (HOLE's classes)

@@ -9,6 +9,7 @@
 #include "Pockets/EmptySpace.h"
 #include "Pockets/PocketScore.h"
 #include "Pockets/PocketSites.h"
+#include "Pockets/SiteCopies.h"
 #include "Pockets/SiteDescriptors.h"
 #include "Pockets/SiteModel.h"
 
@@ -532,17 +533,19 @@ std::vector<Pocket> DivideIntoSites(const CellFiltration& c, const PocketOptions
     centres.push_back(cell.Centre);
     probabilities.push_back(cell.SiteProbability);
   }
-  const std::vector<PocketSite> found = FindSites(centres, probabilities);
+  const std::vector<CopiedSite> found =
+    GroupCopies(Sorted(*options.SiteAtoms), FindSites(centres, probabilities));
   double sum = 0.0;
-  for (const PocketSite& site : found)
+  for (const CopiedSite& site : found)
   {
-    sum += site.Density;
+    sum += site.Site.Density;
   }
   std::fill(labels.begin(), labels.end(), PocketNumber::None());
   std::vector<Pocket> sites;
   std::map<PocketNumber, std::int64_t> parents;
-  for (const PocketSite& from : found)
+  for (const CopiedSite& copied : found)
   {
+    const PocketSite& from = copied.Site;
     Pocket site;
     std::vector<CellPlace> own;
     for (const std::size_t i : LikelyPlaces(from, probabilities))
@@ -562,6 +565,8 @@ std::vector<Pocket> DivideIntoSites(const CellFiltration& c, const PocketOptions
         parents.emplace(parent, static_cast<std::int64_t>(parents.size()) + 1).first->second;
     }
     site.Centre = from.Centre;
+    site.Group = copied.Group;
+    site.Chain = copied.Chain;
     site.Density = from.Density;
     site.Probability = SiteProbability(from.Density, sum > 0.0 ? from.Density / sum : 0.0);
     sites.push_back(std::move(site));

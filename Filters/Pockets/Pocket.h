@@ -70,6 +70,8 @@ struct Pocket
   double Probability = std::numeric_limits<double>::quiet_NaN(); ///< of a site: SiteModel.h
   double Density = std::numeric_limits<double>::quiet_NaN();     ///< of a site: PocketSites.h
   std::int64_t Parent = 0; ///< of a site: its pocket, from 1 by their best sites' ranks; 0: none
+  std::int64_t Group = 0;  ///< of a site: the same for its copies (SiteCopies.h)
+  int Chain = -1;          ///< of a site: that it lies at
   double Volume = 0.0;     ///< of a site: PocketScore.h
   double Area = 0.0;       ///< of a site: the sum over its lining
   double Radius = 0.0;     ///< the largest clearance

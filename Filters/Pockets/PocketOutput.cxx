@@ -238,6 +238,12 @@ void FillPocketTable(const PocketReport& report, vtkTable* output)
   addCount("LiningAtoms", [](P p) { return p.Lining.size(); });
   addCount("Cells", [](P p) { return p.Cells.size(); });
   addCount("Parent", [](P p) { return p.Parent; });
+  std::map<std::int64_t, int> first; // rank of the first site of each group of copies
+  for (std::size_t i = 0; i < report.Pockets.size(); ++i)
+  {
+    first.emplace(report.Pockets[i].Group, NumberOf(i));
+  }
+  addCount("CopyOf", [&](P p) { return std::isnan(p.Probability) ? 0 : first[p.Group]; });
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const auto mean = [&](std::size_t i, double PocketSurfaceMeans::*member)
   { return report.Means.empty() ? unknown : report.Means[i].*member; };

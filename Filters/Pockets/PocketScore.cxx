@@ -71,8 +71,9 @@ void OrderTiedSites(const std::vector<SiteName>& names, std::vector<Pocket>& sit
   {
     const auto last = std::find_if(
       first, order.end(), [&](std::size_t i) { return !AreTied(sites[*first], sites[i]); });
-    std::stable_sort(
-      first, last, [&](std::size_t a, std::size_t b) { return names[a] < names[b]; });
+    std::stable_sort(first, last,
+      [&](std::size_t a, std::size_t b)
+      { return std::tie(sites[a].Chain, names[a]) < std::tie(sites[b].Chain, names[b]); });
     first = std::max(last, first + 1); // a density may be no number
   }
   std::vector<Pocket> sorted;

@@ -47,10 +47,10 @@ using ResidueWord = std::tuple<std::string, int, std::string, std::string>;
 using SiteName = std::vector<ResidueWord>;
 
 /**
- * Of sites whose densities are the same but for 2 parts in 10,000, as those of exact
- * copies of a chain are, the one with the first name comes first: their order by density would
- * depend on the molecule's orientation. Sites and `names` are in the same order. Parents are
- * numbered again.
+ * Of sites whose densities are the same but for 2 parts in 10,000, as those of copies of a chain
+ * are, the one at the first chain comes first, then the one with the first name: their order by
+ * density would depend on the molecule's orientation. Sites and `names` are in the same order.
+ * Parents are numbered again.
  */
 VTKISTHMUSFILTERSPOCKETS_EXPORT void OrderTiedSites(
   const std::vector<SiteName>& names, std::vector<Pocket>& sites);

@@ -24,36 +24,46 @@ public:
   Density(const std::vector<Point3>& places, const std::vector<double>& probabilities)
     : Places(places)
     , Probabilities(probabilities)
-    , Bins(places, 0.5 * SiteReach)
+    , Bins(places, 0.5 * DensityReach)
   {
   }
 
-  Mean At(const Point3& place) const
+  double At(const Point3& place) const
   {
-    Mean mean;
-    this->Bins.Near(place, SiteReach,
+    double density = 0.0;
+    this->Bins.Near(place, DensityReach,
       [&](std::int64_t id, double squared)
-      {
-        const auto i = static_cast<std::size_t>(id);
-        const double inside = 1.0 - squared / (SiteReach * SiteReach);
-        const double weight = this->Probabilities[i] * inside * inside;
-        mean.Density += weight;
-        mean.Place = mean.Place + weight * this->Places[i];
-      });
-    mean.Place = mean.Density > 0.0 ? (1.0 / mean.Density) * mean.Place : place;
-    return mean;
+      { density += this->Weight(static_cast<std::size_t>(id), squared); });
+    return density;
   }
 
-  /// The mode that mean shift reaches from `place`.
-  Mean Mode(Point3 place) const
+  /// The mode that mean shift reaches from `place`; that of one of `sites` within AtMode of the
+  /// way.
+  Mean Mode(Point3 place, const std::vector<PocketSite>& sites) const
   {
     constexpr int limit = 300;
     constexpr double rest = 1e-4; // angstrom
-    Mean mean = this->At(place);
+    constexpr double around = 1.5;
+    Point3 gatheredAt = place;
+    std::vector<Weighted> near = this->Gathered(place, DensityReach + around);
+    std::vector<Point3> modes = ModesNear(place, sites, AtMode + around);
+    Mean mean = MeanAt(place, near);
     for (int step = 0; step < limit && Distance(mean.Place, place) > rest; ++step)
     {
       place = mean.Place;
-      mean = this->At(place);
+      const auto at = std::find_if(modes.begin(), modes.end(),
+        [&](const Point3& mode) { return Distance(mode, place) < AtMode; });
+      if (at != modes.end())
+      {
+        return { mean.Density, *at };
+      }
+      if (Distance(place, gatheredAt) > 0.999 * around)
+      {
+        gatheredAt = place;
+        near = this->Gathered(place, DensityReach + around);
+        modes = ModesNear(place, sites, AtMode + around);
+      }
+      mean = MeanAt(place, near);
     }
     return { mean.Density, place };
   }
@@ -66,6 +76,62 @@ public:
   }
 
 private:
+  static constexpr double AtMode = 0.5; // angstrom
+
+  static std::vector<Point3> ModesNear(
+    const Point3& place, const std::vector<PocketSite>& sites, double reach)
+  {
+    std::vector<Point3> modes;
+    for (const PocketSite& site : sites)
+    {
+      const Point3 d = site.Centre - place;
+      if (Dot(d, d) < reach * reach)
+      {
+        modes.push_back(site.Centre);
+      }
+    }
+    return modes;
+  }
+
+  double Weight(std::size_t i, double squared) const
+  {
+    const double inside = 1.0 - squared / (DensityReach * DensityReach);
+    return this->Probabilities[i] * inside * inside;
+  }
+
+  struct Weighted
+  {
+    Point3 Place;
+    double Probability;
+  };
+
+  std::vector<Weighted> Gathered(const Point3& place, double reach) const
+  {
+    std::vector<Weighted> near;
+    this->Near(place, reach,
+      [&](std::size_t i) {
+        near.push_back({ this->Places[i], this->Probabilities[i] });
+      });
+    return near;
+  }
+
+  /// `near`: all within DensityReach, and others.
+  static Mean MeanAt(const Point3& place, const std::vector<Weighted>& near)
+  {
+    Mean mean;
+    for (const Weighted& one : near)
+    {
+      const Point3 d = one.Place - place;
+      // Those beyond DensityReach have the weight 0, without a branch.
+      const double inside = std::max(0.0, 1.0 - Dot(d, d) / (DensityReach * DensityReach));
+      const double weight = one.Probability * inside * inside;
+      mean.Density += weight;
+      mean.Place = mean.Place + weight * one.Place;
+    }
+    mean.Place = mean.Density > 0.0 ? (1.0 / mean.Density) * mean.Place : place;
+    return mean;
+  }
+
   const std::vector<Point3>& Places;
   const std::vector<double>& Probabilities;
   PointBins Bins;
@@ -113,7 +179,7 @@ std::vector<PocketSite> FindSites(
     {
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
-        values[i] = density.At(places[i]).Density;
+        values[i] = density.At(places[i]);
       }
     });
   std::vector<std::size_t> order(places.size());
@@ -132,11 +198,14 @@ std::vector<PocketSite> FindSites(
     {
       continue;
     }
-    const Mean mode = density.Mode(places[i]);
+    const Mean mode = density.Mode(places[i], sites);
     // A shoulder of a site that is there already climbs to its mode.
     const bool isNew = std::none_of(sites.begin(), sites.end(),
       [&](const PocketSite& site)
-      { return Distance(site.Centre, mode.Place) < 0.5 * SiteSpacing; });
+      {
+        const Point3 d = site.Centre - mode.Place;
+        return Dot(d, d) < 0.25 * SiteSpacing * SiteSpacing;
+      });
     if (isNew)
     {
       sites.push_back({ mode.Place, mode.Density, {} });

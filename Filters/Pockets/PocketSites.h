@@ -32,7 +32,7 @@ constexpr double SiteInnerRadius =
   1.5; ///< angstrom: of the tetrahedra that the model is for, smaller
 constexpr double SiteOuterRadius =
   4.5; ///< and larger than a pocket's, so that shallow places are among them
-constexpr double SiteReach = 6.0;     ///< angstrom, of the density's kernel
+constexpr double DensityReach = 6.0;  ///< angstrom, of the density's kernel
 constexpr double SiteSpacing = 8.0;   ///< angstrom around a site in which no other begins
 constexpr double LeastDensity = 0.01; ///< of the largest
 

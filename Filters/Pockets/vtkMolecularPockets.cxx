@@ -26,6 +26,8 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
+#include <string>
+#include <tuple>
 
 vtkStandardNewMacro(vtkMolecularPockets);
 
@@ -44,16 +46,34 @@ void AddNumber(const char* name, double value, vtkDataObject* to)
 std::vector<isthmus::SiteAtom> SiteAtomsOf(const isthmus::MoleculeAtoms& atoms)
 {
   std::vector<isthmus::SiteAtom> found;
+  if (!atoms.HasNames || !atoms.HasElements)
+  {
+    return found;
+  }
   std::map<std::string, int> chains;
-  for (std::size_t i = 0; atoms.HasNames && atoms.HasElements && i < atoms.Balls.size(); ++i)
+  for (const std::int64_t point : atoms.Points)
+  {
+    chains[atoms.Named[static_cast<std::size_t>(point)].Chain] = 0;
+  }
+  int number = 0;
+  for (auto& chain : chains)
+  {
+    chain.second = number++;
+  }
+  std::map<std::tuple<int, std::string, std::string>, std::int64_t> words;
+  for (std::size_t i = 0; i < atoms.Balls.size(); ++i)
   {
     const isthmus::NamedAtom& named = atoms.Named[static_cast<std::size_t>(atoms.Points[i])];
     if (named.Element > 1)
     {
       found.push_back(
         isthmus::SiteAtomOf(atoms.Balls[i].Centre, named.Element, named.Residue, named.Name));
-      found.back().Chain =
-        chains.emplace(named.Chain, static_cast<int>(chains.size())).first->second;
+      found.back().Chain = chains[named.Chain];
+      found.back().Word =
+        words
+          .emplace(std::tuple(named.ResidueId, named.InsertionCode, named.Residue),
+            static_cast<std::int64_t>(words.size()))
+          .first->second;
     }
   }
   return found;

@@ -27,9 +27,10 @@
  *   `CenterX`, `CenterY`, `CenterZ`, `Volume` (angstrom^3) and `Area` (angstrom^2) accessible to
  *   the probe's centre, `Mouths` (0: a void), `MouthRadius` (of the widest), `MouthArea`, `Radius`
  *   (of the largest ball), `PolarShare`, `ApolarShare` (of Area, on N and O, and on the rest),
- *   `LiningAtoms`, `Cells`, `Parent` (of a site; 0: in no pocket), `MeanPotential` (kT/e),
- * `MeanPolarized` (kT/(e angstrom), of the absolute value); NaN where not known. Field data:
- * `AccessibleArea`, `AccessibleVolume` of the whole molecule.
+ *   `LiningAtoms`, `Cells`, `Parent` (of a site; 0: in no pocket), `CopyOf` (rank of the first site
+ * at this place of a copy of the chain, SiteCopies.h, its own if that is it; 0 without sites),
+ * `MeanPotential` (kT/e), `MeanPolarized` (kT/(e angstrom), of the absolute value); NaN where not
+ * known. Field data: `AccessibleArea`, `AccessibleVolume` of the whole molecule.
  * - **Output 2**, vtkPolyData: triangles of the mouths; `PocketId`, `MouthId`, `Clearance`.
  * - **Output 3**, vtkPolyData: alpha balls, points with `PocketId`, `Radius`, `AccessRadius`,
  *   `Burial`.

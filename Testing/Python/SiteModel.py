@@ -14,7 +14,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 ROOT = Path(__file__).resolve().parents[2]
 text = (ROOT / "Filters/Pockets/SiteModelTable.cxx").read_text()
 header = (ROOT / "Filters/Pockets/PocketSites.h").read_text()
-REACH = float(re.search(r"SiteReach = ([0-9.]+)", header)[1])
+REACH = float(re.search(r"DensityReach = ([0-9.]+)", header)[1])
 
 
 def numbers(name):
@@ -78,6 +78,8 @@ for name, lines, mask in list(tools.complexes())[:3]:
         densities.append(density)
         assert numpy.linalg.norm(after - centre) < 1e-3, (name, after, centre)
     densities = numpy.array(densities)
+    for first in set(table["CopyOf"]):  # copies of a site have the mean of their densities
+        densities[table["CopyOf"] == first] = densities[table["CopyOf"] == first].mean()
     shares = densities / densities.sum()
     odds = calibration[0] + calibration[1] * numpy.log(numpy.maximum(densities, 1e-6)) + (
         calibration[2] * numpy.log(numpy.maximum(shares, 1e-6)))

@@ -4,6 +4,7 @@
 #include "Core/Geometry.h"
 #include "Pockets/PocketScore.h"
 #include "Pockets/PocketSites.h"
+#include "Pockets/SiteCopies.h"
 #include "Pockets/SiteDescriptors.h"
 #include "Pockets/SiteModel.h"
 #include "SharedData.h"
@@ -147,6 +148,43 @@ TEST(PocketSites, TiedOnesAreOrderedByTheirResidues)
     EXPECT_EQ(sites[i].Score, order[i]);
     EXPECT_EQ(sites[i].Parent, static_cast<std::int64_t>(i) + 1);
   }
+}
+
+TEST(PocketSites, CopiesHaveOneDensityAndFollowEachOtherByTheirChains)
+{
+  // Chains 1 and 0 are copies 50 apart, each with residues 0 to 9 along x and, around a site of its
+  // own, 10 to 19; of chain 2 only the first number is the same.
+  std::vector<SiteAtom> atoms;
+  std::mt19937 random(4);
+  std::normal_distribution<double> noise(0.0, 0.2);
+  for (int chain = 0; chain < 3; ++chain)
+  {
+    for (int word = 0; word < 20; ++word)
+    {
+      SiteAtom atom;
+      atom.Place = { 2.0 * word + noise(random), 50.0 * chain + noise(random), noise(random) };
+      atom.Chain = chain;
+      atom.Word = chain < 2 || word == 0 ? word : 100 + word;
+      atoms.push_back(atom);
+    }
+  }
+  const auto at = [](double x, int chain, double density) {
+    return PocketSite{ { x, 50.0 * chain, 1.0 }, density, {} };
+  };
+  const std::vector<CopiedSite> sites = GroupCopies(atoms,
+    { at(5.0, 1, 9.0), at(30.0, 0, 8.0), at(5.0, 0, 6.0), at(5.0, 2, 5.0), at(13.0, 1, 4.0),
+      at(31.0, 1, 3.0) });
+  ASSERT_EQ(sites.size(), 6u);
+  const double densities[] = { 7.5, 7.5, 5.5, 5.5, 5.0, 4.0 };
+  const int chains[] = { 0, 1, 0, 1, 2, 1 };
+  const std::int64_t groups[] = { 0, 0, 1, 1, 2, 3 };
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    EXPECT_DOUBLE_EQ(sites[i].Site.Density, densities[i]) << i;
+    EXPECT_EQ(sites[i].Chain, chains[i]) << i;
+    EXPECT_EQ(sites[i].Group, groups[i]) << i;
+  }
+  EXPECT_EQ(GroupCopies({}, { at(5.0, 0, 1.0) }).front().Chain, -1);
 }
 
 TEST(SiteModel, ProbabilitiesAreLogisticAndRiseWithTheShare)

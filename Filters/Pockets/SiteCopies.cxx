@@ -1,0 +1,174 @@
+#include "Pockets/SiteCopies.h"
+
+#include "Atoms/PointBins.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace isthmus
+{
+namespace
+{
+
+constexpr double AroundReach = 10.0; // angstrom
+constexpr double LeastLikeness = 0.5;
+constexpr double MostOfSameChain = 0.5; // of the likeness
+
+/// Weights of residues.
+template <typename Key>
+using Weights = std::map<Key, double>;
+using ChainResidue = std::pair<int, std::int64_t>;
+
+template <typename Key>
+double SumOf(const Weights<Key>& weights)
+{
+  double sum = 0.0;
+  for (const auto& one : weights)
+  {
+    sum += one.second;
+  }
+  return sum;
+}
+
+template <typename Key>
+double Likeness(const Weights<Key>& a, const Weights<Key>& b)
+{
+  double common = 0.0;
+  for (const auto& [key, weight] : a)
+  {
+    const auto same = b.find(key);
+    common += same != b.end() ? std::min(weight, same->second) : 0.0;
+  }
+  const double all = SumOf(a) + SumOf(b) - common;
+  return all > 0.0 ? common / all : 0.0;
+}
+
+struct Surroundings
+{
+  Weights<ChainResidue> ByChain;
+  Weights<std::int64_t> OfAll;
+  int Chain = -1;
+
+  Surroundings(const std::vector<SiteAtom>& atoms, const PointBins& bins, const Point3& centre)
+  {
+    bins.Near(centre, AroundReach,
+      [&](std::int64_t id, double squared)
+      {
+        const SiteAtom& atom = atoms[static_cast<std::size_t>(id)];
+        const double weight = 1.0 - std::sqrt(squared) / AroundReach;
+        if (atom.Word >= 0)
+        {
+          double& ofChain = this->ByChain[{ atom.Chain, atom.Word }];
+          ofChain = std::max(ofChain, weight);
+          double& ofAll = this->OfAll[atom.Word];
+          ofAll = std::max(ofAll, weight);
+        }
+      });
+    Weights<int> chains;
+    for (const auto& [key, weight] : this->ByChain)
+    {
+      chains[key.first] += weight;
+    }
+    double most = 0.0;
+    for (const auto& [chain, weight] : chains)
+    {
+      this->Chain = weight > most ? chain : this->Chain;
+      most = std::max(most, weight);
+    }
+  }
+
+  bool IsCopyOf(const Surroundings& other) const
+  {
+    const double likeness = Likeness(this->OfAll, other.OfAll);
+    return likeness >= LeastLikeness &&
+      Likeness(this->ByChain, other.ByChain) < MostOfSameChain * likeness;
+  }
+};
+
+/// Numbers of the groups, each with its densest site in front.
+std::vector<std::vector<std::size_t>> GroupsOf(const std::vector<Surroundings>& around)
+{
+  std::vector<std::vector<std::size_t>> groups;
+  std::map<std::int64_t, std::vector<std::size_t>> groupsAt; // groups with a residue around
+  for (std::size_t i = 0; i < around.size(); ++i)
+  {
+    std::vector<std::size_t> candidates;
+    for (const auto& [word, weight] : around[i].OfAll)
+    {
+      const auto found = groupsAt.find(word);
+      if (found != groupsAt.end())
+      {
+        candidates.insert(candidates.end(), found->second.begin(), found->second.end());
+      }
+    }
+    std::sort(candidates.begin(), candidates.end());
+    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+    const auto group = std::find_if(candidates.begin(), candidates.end(),
+      [&](std::size_t g) { return around[i].IsCopyOf(around[groups[g].front()]); });
+    if (group != candidates.end())
+    {
+      groups[*group].push_back(i);
+      continue;
+    }
+    for (const auto& [word, weight] : around[i].OfAll)
+    {
+      groupsAt[word].push_back(groups.size());
+    }
+    groups.push_back({ i });
+  }
+  return groups;
+}
+
+}
+
+std::vector<CopiedSite> GroupCopies(
+  const std::vector<SiteAtom>& atoms, std::vector<PocketSite> sites)
+{
+  std::vector<Point3> places;
+  places.reserve(atoms.size());
+  for (const SiteAtom& atom : atoms)
+  {
+    places.push_back(atom.Place);
+  }
+  const PointBins bins(places, 0.5 * AroundReach);
+  std::vector<Surroundings> around;
+  around.reserve(sites.size());
+  for (const PocketSite& site : sites)
+  {
+    around.emplace_back(atoms, bins, site.Centre);
+  }
+  std::vector<CopiedSite> copied(sites.size());
+  std::int64_t number = 0;
+  for (const auto& group : GroupsOf(around))
+  {
+    double sum = 0.0;
+    for (const std::size_t i : group)
+    {
+      sum += sites[i].Density;
+    }
+    for (const std::size_t i : group)
+    {
+      sites[i].Density = sum / static_cast<double>(group.size());
+      copied[i] = { std::move(sites[i]), number, around[i].Chain };
+    }
+    ++number;
+  }
+  std::stable_sort(copied.begin(), copied.end(),
+    [](const CopiedSite& a, const CopiedSite& b)
+    {
+      return std::tuple(-a.Site.Density, a.Group, a.Chain) <
+        std::tuple(-b.Site.Density, b.Group, b.Chain);
+    });
+  std::map<std::int64_t, std::int64_t> renumbered;
+  for (CopiedSite& site : copied)
+  {
+    site.Group =
+      renumbered.emplace(site.Group, static_cast<std::int64_t>(renumbered.size())).first->second;
+  }
+  return copied;
+}
+
+}
