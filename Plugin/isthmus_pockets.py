@@ -22,7 +22,8 @@ except ImportError:
 POINT, CELL, ROW = 0, 1, 6  # of vtkDataObject's attribute types
 # What numbers the features, and the ports of what is shown of them.
 FEATURES = {
-    "MolecularPockets": {"id": "PocketId", "row": "Rank", "shapes": 3, "table": 1, "atoms": 5},
+    "MolecularPockets": {"id": "PocketId", "row": "Rank", "shapes": 3, "table": 1, "atoms": 5,
+                         "residues": 4},
     "PoreProfile": {"id": "PoreId", "row": "PoreId", "shapes": 5, "table": 2, "atoms": 6, "chart": 1},
 }
 # Okabe and Ito's colours for the best pockets, then three more; the further ones share the last.
@@ -127,9 +128,13 @@ def chart_of(pores):
 
 
 def names_of(residues):
-    """The filter that passes the names of those residues alone, so that they can be hidden."""
-    return _fed_by(residues, 0, "PassArrays") or simple.PassArrays(
-        residues, registrationName=name_of(residues, "residue names"), PointDataArrays=["ResidueLabel"])
+    """The filter that passes the atoms at which names of those residues stand, so that they can be hidden."""
+    found = _fed_by(residues, 0, "ExtractSelection")
+    if found is None:
+        chosen = simple.IDSelectionSource(FieldType="POINT", IDs=[-1, 0])
+        found = simple.ExtractSelection(residues, registrationName=name_of(residues, "residue names"),
+                                        Selection=chosen)
+    return found
 
 
 def surface_of(pockets, name, last):
@@ -171,6 +176,8 @@ def choose(features, number):
                     _shows(features, view)):
                 shown = _show_residues(residues, view)
             if shown is not None:
+                if proxy is residues:
+                    place_names(residues, view)
                 view.SMProxy.StillRender()
 
 
@@ -295,8 +302,85 @@ def _show_residues(residues, view):
     display = simple.Show(residues, view)
     sticks(display, view)
     display.Pickable = 0
+    place_names(residues, view)
     _show_names(names_of(residues), view)
+    _place_names_again(residues, view)
     return display
+
+
+def place_names(residues, view):
+    """Chooses the names that are shown: those of the residues with most of the pocket's surface first,
+    each where it hides no other in this view."""
+    data = servermanager.Fetch(residues)
+    labels = data.GetPointData().GetAbstractArray("ResidueLabel") if data.GetNumberOfPoints() else None
+    if labels is None:
+        return
+    areas = _areas_of(residues)
+    named = [(labels.GetValue(i), i) for i in range(data.GetNumberOfPoints()) if labels.GetValue(i)]
+    named.sort(key=lambda one: (-areas.get(one[0], 0.0), one[1]))
+    shown = without_overlap([(name, _on_screen(view, data.GetPoint(i)), i) for name, i in named])
+    names = names_of(residues)
+    names.Selection.IDs = [number for i in shown for number in (-1, i)] or [-1, -1]
+    names.UpdatePipeline()
+
+
+def without_overlap(named, letter=8.5, height=17.0):
+    """Of (name, (x, y) in pixels, number) the numbers of those whose names fit beside the ones before.
+    `letter` is the width of a letter."""
+    boxes, fitting = [], []
+    for name, (x, y), number in named:
+        right, top = x + letter * len(name), y + height
+        if all(right < left or x > end or top < low or y > high for left, low, end, high in boxes):
+            boxes.append((x, y, right, top))
+            fitting.append(number)
+    return fitting
+
+
+def _on_screen(view, place):
+    width, height = view.ViewSize
+    matrix = view.GetActiveCamera().GetCompositeProjectionTransformMatrix(width / max(1, height), -1.0, 1.0)
+    x, y, _, w = matrix.MultiplyPoint((*place, 1.0))
+    return (x / w + 1.0) / 2.0 * width, (y / w + 1.0) / 2.0 * height
+
+
+def _areas_of(residues):
+    """How much surface of the chosen pocket each residue has, by its name."""
+    features = residues.Input
+    if features.SMProxy.GetXMLName() != "MolecularPockets":
+        return {}
+    table = servermanager.Fetch(features, idx=FEATURES["MolecularPockets"]["residues"])
+    areas = {}
+    for row in range(table.GetNumberOfRows()):
+        value = lambda name, row=row: table.GetValueByName(row, name)
+        if value("PocketId").ToInt() == residues.LowerThreshold:
+            name = (f'{value("ResidueName").ToString()} {value("ResidueId").ToInt()}'
+                    f'{value("InsertionCode").ToString()} {value("Chain").ToString()}')
+            areas[name.strip()] = value("Area").ToDouble()
+    return areas
+
+
+_placed_again = set()
+
+
+def _place_names_again(residues, view):
+    """From now on, when the mouse has turned or zoomed the view."""
+    pair = residues.SMProxy.GetGlobalID(), view.SMProxy.GetGlobalID()
+    interactor = view.SMProxy.GetInteractor() if hasattr(view.SMProxy, "GetInteractor") else None
+    if interactor is None or pair in _placed_again:
+        return
+    _placed_again.add(pair)
+
+    def moved(*_):
+        try:
+            if _is_shown(residues, view):
+                place_names(residues, view)
+                view.SMProxy.StillRender()
+        except Exception:  # nor is a turn
+            messages.fault("Placing the names of residues")
+
+    interactor.AddObserver("EndInteractionEvent", moved)
+    interactor.AddObserver("MouseWheelForwardEvent", moved)
+    interactor.AddObserver("MouseWheelBackwardEvent", moved)
 
 
 def _show_names(names, view):
@@ -421,6 +505,7 @@ def show(features, view=None, tables=True):
     _show_residues(residues_of(features), view)
     simple.ResetCamera(view)
     view.GetActiveCamera().Zoom(1.3)  # stray waters are what the camera has made room for
+    place_names(residues_of(features), view)
     if tables:
         chart = _show_chart(features, view) if "chart" in kind else None
         _show_table(features, chart or view, "below" if chart else "right", 0.6)

@@ -93,3 +93,12 @@ labels = finder.GetLiningAtoms().GetPointData().GetAbstractArray("ResidueLabel")
 assert "TRP 62 A" in {labels.GetValue(i) for i in range(labels.GetNumberOfValues())}
 assert numpy.allclose(values["PolarShare"] + values["ApolarShare"], 1.0)
 assert finder.GetAlphaBalls().GetNumberOfPoints() == finder.GetOutput().GetNumberOfCells()
+
+# Of names in a view, those that hide none of the ones before.
+from isthmus import pocket_views  # noqa: E402
+
+names = [("GLU 35 A", (100.0, 100.0), 7), ("ASP 52 A", (120.0, 110.0), 8), ("TRP 62 A", (100.0, 130.0), 9),
+         ("TRP 63 A", (175.0, 100.0), 3)]
+assert pocket_views.without_overlap(names) == [7, 9, 3]
+assert pocket_views.without_overlap(names, letter=10.0) == [7, 9]
+assert pocket_views.without_overlap(names, height=40.0) == [7, 3]
