@@ -1,7 +1,7 @@
 /**
  * @file AlgorithmGuard.h
- * @brief What every VTK class does before and after its algorithm: input checks, progress, abort,
- * conversion of exceptions to error messages, empty outputs.
+ * @brief Steps that every VTK class performs before and after its algorithm: input checks,
+ * progress, abort, conversion of exceptions to error messages, empty outputs.
  */
 #ifndef isthmus_AlgorithmGuard_h
 #define isthmus_AlgorithmGuard_h
@@ -84,9 +84,9 @@ inline void Clear(vtkDataObject* output)
 
 }
 
-/// Empties all outputs. At the beginning of RequestData they hold the field data of the input,
-/// which VTK's executive copies there: filters whose outputs differ in kind from the input (a table
-/// of pockets is not a molecule) call it first.
+/// Empties all outputs. At the beginning of RequestData the outputs hold the field data of the
+/// input, which VTK's executive copies there. Filters whose outputs differ in kind from the input
+/// (a table of pockets is not a molecule) call this function first.
 inline void ClearOutputs(vtkInformationVector* outputs)
 {
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
@@ -114,12 +114,12 @@ bool Succeeds(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
  *
  *     return isthmus::Guarded(this, outputVector, [&] { ... });
  *
- * Inputs of another type than the filter requires, as blocks of composite data can be, and arrays
- * that are too short are refused first (PipelineInputs.h); then `body` runs. An exception is
+ * Inputs of a type other than the filter requires (blocks of composite data can be of any type) and
+ * arrays that are too short are refused first (PipelineInputs.h); then `body` runs. An exception is
  * reported as one error, once (ReportError). After an exception, and after an abort (Cancelled),
  * all outputs are empty.
  *
- * Returns 1 always: after 0 VTK's executive would append a long description of its request to the
+ * Always returns 1: after 0, VTK's executive would append a long description of its request to the
  * error, and leave downstream outputs unchanged instead of empty.
  */
 template <typename Body>
@@ -129,7 +129,7 @@ int Guarded(vtkAlgorithm* self, vtkInformationVector* outputs, Body&& body)
   return 1;
 }
 
-/// The same for one data object, as readers fill: it is empty unless `body` completes.
+/// The same for a single data object, which readers fill: it is empty unless `body` completes.
 template <typename Body>
 int Guarded(vtkAlgorithm* self, vtkDataObject* output, Body&& body)
 {

@@ -1,9 +1,9 @@
 /**
  * @file ArrayMemory.h
- * @brief Memory of VTK arrays, with std::bad_alloc where there is none.
+ * @brief Allocates memory of VTK arrays; throws std::bad_alloc if there is not enough.
  *
- * A vtkDataArray that can't grow ends the program in builds of VTK without NDEBUG, as Debian's is.
- * These functions ask malloc first and hand the memory over.
+ * A vtkDataArray that cannot grow ends the program in builds of VTK without NDEBUG, such as
+ * Debian's. These functions allocate with malloc first and pass the memory to the array.
  */
 #ifndef isthmus_ArrayMemory_h
 #define isthmus_ArrayMemory_h
@@ -20,23 +20,24 @@ class vtkUnstructuredGrid;
 namespace isthmus
 {
 
-/// Gives `array`, which has its type and its number of components, `tuples` tuples. Values are not
+/// Resizes `array`, whose type and number of components are set, to `tuples` tuples. Values are not
 /// set. Arrays of strings or bits grow as VTK does.
 /// @throws std::bad_alloc without memory; the array is then as it was.
 VTKISTHMUSFILTERSCORE_EXPORT void SizeArray(vtkAbstractArray* array, vtkIdType tuples);
 
-/// Room for `tuples`, so that InsertNext... needs no memory up to there. Empties `array`.
+/// Reserves memory for `tuples` tuples, so that InsertNext... does not allocate up to that number.
+/// Empties `array`.
 VTKISTHMUSFILTERSCORE_EXPORT void ReserveArray(vtkAbstractArray* array, vtkIdType tuples);
 
-/// The same as SizeArray for points; their type is set before.
+/// The same as SizeArray for points, whose type must be set before.
 VTKISTHMUSFILTERSCORE_EXPORT void SizePoints(vtkPoints* points, vtkIdType count);
 
-/// Room for `cells` cells of `corners` points in all, so that InsertNextCell needs no memory.
-/// Empties `cells`.
+/// Reserves memory for `count` cells with `corners` points in total, so that InsertNextCell does
+/// not allocate. Empties `cells`.
 VTKISTHMUSFILTERSCORE_EXPORT void ReserveCells(
   vtkCellArray* cells, vtkIdType count, vtkIdType corners);
 
-/// Makes `cells` those of `grid`, all of one type (VTK_TETRA).
+/// Sets `cells`, all of the same type (e.g. VTK_TETRA), as the cells of `grid`.
 VTKISTHMUSFILTERSCORE_EXPORT void SetCellsOfType(
   vtkUnstructuredGrid* grid, unsigned char type, vtkCellArray* cells);
 

@@ -56,11 +56,11 @@ struct ChildResult
 };
 
 /**
- * Runs `command` (program, found on PATH, and its arguments) to its end, its output going to the
- * file `log`. `progress` is called about twenty times a second with the fraction of the time limit
- * used; if it returns false, the program is killed and Cancelled is thrown. When this function
- * returns or throws, the program has ended; if this process is killed meanwhile, the program is
- * killed, too, and the folder of `log` is removed.
+ * Runs `command` (a program, found on PATH, and its arguments) until it ends; its output goes to
+ * the file `log`. `progress` is called about twenty times a second with the fraction of the time
+ * limit used; if it returns false, the program is killed and Cancelled is thrown. When this
+ * function returns or throws, the program has ended; if this process is killed meanwhile, the
+ * program is killed, too, and the folder of `log` is removed.
  * @throws std::runtime_error when no process can be started.
  */
 VTKISTHMUSFILTERSCORE_EXPORT ChildResult RunChild(const std::vector<std::string>& command,

@@ -1,10 +1,10 @@
 /**
  * @file FilterProperties.h
- * @brief Macros for properties that filters with different base classes share: each declares
- * property and member in one line.
+ * @brief Macros for properties that filters with different base classes share: each declares a
+ * property and its member in one line.
  *
- * Macros, since VTK wraps only what a class and its first base class declare. Use them at the end
- * of the public part of a class: what follows is protected.
+ * They are macros because VTK wraps only what a class and its first base class declare. Use them at
+ * the end of the public part of a class: what follows is protected.
  */
 #ifndef isthmus_FilterProperties_h
 #define isthmus_FilterProperties_h

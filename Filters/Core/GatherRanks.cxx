@@ -161,8 +161,8 @@ void RequireNoBlocks(vtkAlgorithm* filter)
         : filter->GetInputDataObject(port, i);
       if (vtkCompositeDataSet::SafeDownCast(data))
       {
-        throw std::runtime_error("Blocks on several ranks can't be put together here, since a rank "
-                                 "may lack some: run Merge Blocks first, or use one rank.");
+        throw std::runtime_error("Blocks on several ranks cannot be merged here, since a rank may "
+                                 "lack some: run Merge Blocks first, or use one rank.");
       }
     }
   }

@@ -1,6 +1,6 @@
 /**
  * @file GatherRanks.h
- * @brief Gathers the pieces of a surface from several MPI ranks: for filters whose result depends
+ * @brief Gathers the pieces of a surface from several MPI ranks, for filters whose result depends
  * on the whole surface.
  */
 #ifndef isthmus_GatherRanks_h
@@ -19,14 +19,14 @@ class vtkDataObject;
 namespace isthmus
 {
 
-/// Where the whole surface is needed.
+/// The ranks that receive the whole surface.
 enum class GatherOn
 {
   FirstRank, ///< the others get an empty surface, so that nothing is counted or shown twice
   EachRank
 };
 
-/// How many ranks there are: 1 without MPI.
+/// Number of ranks; 1 without MPI.
 VTKISTHMUSFILTERSCORE_EXPORT int NumberOfRanks();
 
 /// Whether this is the first rank, or the only one.
@@ -47,9 +47,9 @@ VTKISTHMUSFILTERSCORE_EXPORT void RequireNoBlocks(vtkAlgorithm* filter);
 
 /**
  * The pieces of all ranks together, without ghost cells and with bitwise equal points of several
- * ranks merged. On one rank `piece` itself, unless it has ghost cells.
+ * ranks merged. On one rank, this is `piece` itself unless it has ghost cells.
  *
- * With several ranks all of them must call it. Null for a null piece (of another type, which
+ * With several ranks all of them must call it. Null for a null piece (one of another type, which
  * Guarded refuses). Memory: the whole surface where it is needed.
  * @throws std::runtime_error as RequireNoBlocks
  */
@@ -57,7 +57,7 @@ VTKISTHMUSFILTERSCORE_EXPORT vtkSmartPointer<vtkPolyData> GatherSurface(
   vtkAlgorithm* filter, vtkPolyData* piece, GatherOn where = GatherOn::FirstRank);
 
 /**
- * For data that must be complete and are not gathered: atoms, meshes.
+ * Refuses several ranks for data that must be complete and are not gathered: atoms, meshes.
  *
  * With several ranks all must call it, each with its piece or null.
  * @param what  name of the data in the plural, for the error message

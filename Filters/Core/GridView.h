@@ -1,6 +1,6 @@
 /**
  * @file GridView.h
- * @brief A regular grid as the algorithms see it: a pointer, three sizes, three spacings.
+ * @brief The algorithms' view of a regular grid: a pointer, three sizes, three spacings.
  */
 #ifndef isthmus_GridView_h
 #define isthmus_GridView_h

@@ -1,6 +1,7 @@
 /**
  * @file Handles.h
- * @brief Typed ids: an edge cannot be passed as a triangle, nor a position in an order as either.
+ * @brief Typed ids: the id of an edge cannot be passed as that of a triangle, nor a position in an
+ * order as either of them.
  */
 #ifndef isthmus_Handles_h
 #define isthmus_Handles_h
@@ -34,7 +35,7 @@ struct Handle
   /// The id with this index in a vector. @pre `index` fits into Id.
   static constexpr Handle At(std::size_t index) { return Handle(static_cast<Id>(index)); }
 
-  /// No id at all: -1, below all others.
+  /// The value that stands for no id: -1, below all others.
   static constexpr Handle None()
   {
     static_assert(std::is_signed_v<Id>, "only a signed id can say that there is none");
@@ -81,12 +82,12 @@ public:
     std::size_t Index;
   };
 
-  /// Those from 0 to `count` - 1.
+  /// The ids from 0 to count - 1.
   explicit HandleRange(std::size_t count)
     : End(count)
   {
   }
-  /// Those from `begin` to `end` - 1, as ParallelFor() assigns rounds. @pre neither is negative.
+  /// The ids from begin to end - 1, as ParallelFor() assigns rounds. @pre neither is negative.
   template <typename Integer>
   HandleRange(Integer begin, Integer end)
     : Begin(static_cast<std::size_t>(begin))
@@ -119,7 +120,7 @@ public:
   Value& operator[](Key id) { return Base::operator[](id.Index()); }
   const Value& operator[](Key id) const { return Base::operator[](id.Index()); }
 
-  /// The ids for which it has values.
+  /// The ids that have values.
   HandleRange<Key> Keys() const { return HandleRange<Key>(this->size()); }
 };
 

@@ -119,10 +119,9 @@ void RequireWholeExtent(vtkInformation* info)
   image->GetExtent(delivered.data());
   if (!Contains(delivered, ExtentOf(info, Pipeline::WHOLE_EXTENT())))
   {
-    throw std::runtime_error(
-      "Only a part of the image is on this rank, and all of it is needed: "
-      "run on one rank, or read the image with a reader that gives each rank "
-      "what it asks for.");
+    throw std::runtime_error("Only a part of the image is on this rank, and all of it is needed: "
+                             "run on one rank, or read the image with a reader that provides the "
+                             "extent that each rank requests.");
   }
 }
 

@@ -19,15 +19,15 @@ class vtkInformationIntegerVectorKey;
 namespace isthmus
 {
 
-/// First and last node on x, y and z; empty where a last is below its first.
+/// First and last node along x, y and z; empty if a last node is below its first.
 using Extent = std::array<int, 6>;
 
-/// The extent that `info` holds under `key`, empty where there is none.
+/// The extent that `info` has for `key`, empty if there is none.
 VTKISTHMUSFILTERSCORE_EXPORT Extent ExtentOf(
   vtkInformation* info, vtkInformationIntegerVectorKey* key);
 
-/// The extent that a source which splits `all` makes for the piece requested by `request`,
-/// including ghost layers.
+/// The extent that a source which splits `all` produces for the piece in `request`, including ghost
+/// layers.
 VTKISTHMUSFILTERSCORE_EXPORT Extent PieceOf(vtkInformation* request, const Extent& all);
 
 /// Changes a request for an image to a request for the whole image, on each rank.
@@ -45,26 +45,27 @@ VTKISTHMUSFILTERSCORE_EXPORT void SetImageInformation(vtkInformation* output, vt
 VTKISTHMUSFILTERSCORE_EXPORT void SetImageInformation(
   vtkInformation* output, const std::function<void(vtkImageData*)>& make);
 
-/// Whether `output` is requested as the first piece or as a whole: results that cannot be split are
-/// made there.
+/// Whether `output` is requested as the first piece or as a whole; results that cannot be split are
+/// computed only then.
 VTKISTHMUSFILTERSCORE_EXPORT bool IsFirstPiece(vtkInformation* output);
 
 /// @throws std::runtime_error if the image in `info` is not the whole image, because its source
 /// always splits it.
 VTKISTHMUSFILTERSCORE_EXPORT void RequireWholeExtent(vtkInformation* info);
 
-/// Whether this rank makes the result of the image in `info`. If every rank has the whole image,
-/// the first rank does; blocks of composite data, which have no whole extent, are processed on
-/// their own rank.
+/// Whether this rank computes the result for the image in `info`. If every rank has the whole
+/// image, the first rank does; blocks of composite data, which have no whole extent, are processed
+/// on their own rank.
 VTKISTHMUSFILTERSCORE_EXPORT bool IsMadeHere(vtkInformation* info);
 
 VTKISTHMUSFILTERSCORE_EXPORT bool IsEmpty(const Extent& extent);
 
-/// `extent` with `reach` more nodes to each side, kept within `whole`. An empty one is not changed.
+/// `extent` with `reach` more nodes to each side, kept within `whole`. An empty extent is not
+/// changed.
 VTKISTHMUSFILTERSCORE_EXPORT Extent Grown(
   const Extent& extent, const std::array<int, 3>& reach, const Extent& whole);
 
-/// Nodes of an extent, 0 if it is empty.
+/// Number of nodes of an extent, 0 if it is empty.
 VTKISTHMUSFILTERSCORE_EXPORT std::int64_t NodeCount(const Extent& extent);
 
 /// The intersection of both.
@@ -76,8 +77,9 @@ VTKISTHMUSFILTERSCORE_EXPORT bool Contains(const Extent& outer, const Extent& in
 /// The number of layers of nodes around `inner` needed to cover `outer`.
 VTKISTHMUSFILTERSCORE_EXPORT int LayersBetween(const Extent& inner, const Extent& outer);
 
-/// The nodes of the cells that `bounds` (world, vtk's order) meets, with `reach` more to each side,
-/// kept within `whole`. The bounds are transformed by the image's physical-to-index transform.
+/// The nodes of the cells that intersect `bounds` (world coordinates in VTK's order), with `reach`
+/// more nodes on each side, kept within `whole`. The bounds are transformed by the image's
+/// physical-to-index transform.
 VTKISTHMUSFILTERSCORE_EXPORT Extent Covering(vtkImageData* image, const double bounds[6],
   const std::array<int, 3>& reach, const Extent& whole);
 

@@ -25,8 +25,8 @@ class vtkAlgorithm;
 namespace isthmus
 {
 
-/// The array that the filter's input array 0 names; the active scalars if it names none: a panel
-/// without data sends an empty name.
+/// The array that the filter's input array 0 names; the active scalars if it names none, since a
+/// panel without data sends an empty name.
 /// @throws std::invalid_argument, listing the available arrays, unless it has one number per node.
 VTKISTHMUSFILTERSCORE_EXPORT vtkDataArray* ChosenScalars(vtkAlgorithm* filter, vtkImageData* image);
 

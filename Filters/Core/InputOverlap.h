@@ -1,17 +1,18 @@
 /**
  * @file InputOverlap.h
- * @brief Whether the inputs of a filter lie in one place and in one unit of length.
+ * @brief Checks whether the inputs of a filter lie in the same place and have the same unit of
+ * length.
  *
- * A surface of another molecule, a map whose origin was lost, or atoms in nanometres give numbers
- * that look like any others. Of each further input with the first one: the share of points of the
- * smaller one (by the diagonals of their boxes) that lie in the box of the larger one, grown by a
- * tenth of its diagonal on all sides. Guarded (AlgorithmGuard.h) checks it for every filter with
- * several inputs; those in which other numbers are right set a rule of their own and state it in
- * their header.
+ * A surface of another molecule, a map whose origin was lost, or atoms in nanometres would give
+ * wrong numbers that look plausible. Each further input is compared with the first one: the overlap
+ * is the share of points of the smaller one (by the diagonals of their boxes) that lie in the box
+ * of the larger one, enlarged by a tenth of its diagonal on all sides. Guarded (AlgorithmGuard.h)
+ * checks it for every filter with several inputs. Filters that need other limits set a rule of
+ * their own and state it in their header.
  *
- * Points are those of the polygons where there are any, else all; atoms of a vtkMolecule; 16 nodes
- * along each axis of an image. Positions that are not finite do not count. Tables and empty data
- * have no place.
+ * The points are those of the polygons if there are any, otherwise all points; the atoms of a
+ * vtkMolecule; 16 nodes along each axis of an image. Positions that are not finite are not counted.
+ * Tables and empty data have no position.
  */
 #ifndef isthmus_InputOverlap_h
 #define isthmus_InputOverlap_h
@@ -27,7 +28,7 @@ class vtkDataObject;
 namespace isthmus
 {
 
-/// What is asked of the place of an input, beside the first one.
+/// Requirements on the position of an input relative to the first one.
 struct OverlapRule
 {
   double Refused = 0.0; ///< a share of this or less is an error; negative: none is
@@ -41,23 +42,23 @@ struct InputOverlap
   double Share = 1.0;    ///< of the smaller one's points
   double Ratio = 1.0;    ///< diagonal of the second over that of the first; 0 where it has no size
 
-  /// The ratio is within 5 % of 10 or 1/10.
+  /// Whether the ratio is within 5 % of 10 or 1/10.
   VTKISTHMUSFILTERSCORE_EXPORT bool IsOfOtherUnit() const;
 };
 
-/// Nothing where one of the two has no place. O(points).
+/// Empty if one of the two has no position. O(points).
 VTKISTHMUSFILTERSCORE_EXPORT std::optional<InputOverlap> OverlapOf(
   vtkDataObject* first, vtkDataObject* second);
 
-/// Sets the rule for the inputs of `port`, 1 or higher; to be called in a constructor.
+/// Sets the rule for the inputs of `port`, which is 1 or higher. Call it in a constructor.
 VTKISTHMUSFILTERSCORE_EXPORT void SetOverlapRule(
   vtkAlgorithm* self, int port, const OverlapRule& rule);
 
 /**
- * Compares each further input of `self` with the first one by its rule. One warning for each input,
- * once for the same pipeline. It does nothing where pieces are requested, on several ranks or in
- * streaming: each has a part of the inputs only.
- * @throws std::invalid_argument naming the inputs and their boxes where the rule refuses them.
+ * Compares each further input of `self` with the first one by its rule. It issues one warning for
+ * each input, once for the same pipeline. It does nothing if pieces are requested, on several ranks
+ * or in streaming, because each piece has only a part of the inputs.
+ * @throws std::invalid_argument naming the inputs and their boxes if the rule refuses them.
  */
 VTKISTHMUSFILTERSCORE_EXPORT void CheckOverlap(vtkAlgorithm* self);
 

@@ -1,6 +1,6 @@
 /**
  * @file MemoryBudget.h
- * @brief How much memory a computation may use, checked before it allocates.
+ * @brief Checks how much memory a computation may use, before it allocates.
  */
 #ifndef isthmus_MemoryBudget_h
 #define isthmus_MemoryBudget_h
@@ -13,8 +13,8 @@
 namespace isthmus
 {
 
-/// Bytes that the machine, the control group and the limits of this process allow. Infinite where
-/// none of them can be determined (systems other than Linux).
+/// Number of bytes that the machine, the control group and the limits of this process allow.
+/// Infinite if none of them can be determined (systems other than Linux).
 VTKISTHMUSFILTERSCORE_EXPORT double AvailableMemory();
 
 /// "1.5 GiB", "320 MiB".
@@ -34,23 +34,25 @@ public:
   /// @param limit in MiB, like the property MemoryLimit of filters; 0 or less: the available memory
   explicit MemoryBudget(double limit = 0.0);
 
-  /// A limit in MiB likewise, but 0: three quarters of the machine's memory, whatever is in use.
-  /// For algorithms whose result depends on the budget, and so must not depend on what else runs.
+  /// A limit in MiB as well, but 0 means three quarters of the machine's memory, no matter how much
+  /// of it is in use. This is for algorithms whose result depends on the budget and must not depend
+  /// on other programs that run.
   static MemoryBudget OfMachine(double limit);
 
   /// A limit in bytes chosen by the caller, e.g. from WholeBytes(); 0: no limit.
   static MemoryBudget OfBytes(std::uint64_t bytes);
 
-  /// The memory that may be used. Infinite where there is no limit and the memory is unknown.
+  /// The memory that may be used. Infinite if there is no limit and the memory is unknown.
   double Bytes() const { return this->Allowed; }
 
   /// The same, but at most `bytes`, which is treated as a limit set by the user.
   MemoryBudget AtMost(double bytes) const;
 
-  /// The same for interfaces in which 0 means no limit (ulimit); otherwise never 0.
+  /// The same for interfaces in which 0 means no limit (ulimit): 0 if there is no limit, otherwise
+  /// never 0.
   std::uint64_t WholeBytes() const;
 
-  /// Whether a prediction fits. NaN, infinity and more than any machine has (1e18) never do.
+  /// Whether a prediction fits. NaN, infinity and more than any machine has (1e18) never fit.
   bool Allows(double bytes) const;
 
   /// "WHAT needs about 3 GiB of memory, but only 1 GiB are available: REMEDY.", or, under a limit,

@@ -26,7 +26,7 @@ vtkNew<Array> NamedArray(const char* name)
   return array;
 }
 
-/// A new array of `count` tuples, which belongs to `data`.
+/// A new array of `count` tuples that belongs to `data`.
 template <typename Array>
 Array* AddArray(vtkFieldData* data, const std::string& name, std::size_t count)
 {

@@ -20,10 +20,11 @@
 namespace isthmus
 {
 
-/// A number formatted for messages: `digits` at most, six where none are given, and NaN in words.
+/// A number formatted for messages, with at most `digits` digits (six by default); NaN is written
+/// in words.
 VTKISTHMUSFILTERSCORE_EXPORT std::string FormatNumber(double value, int digits = 6);
 
-/// A number with this many digits behind its point, and no exponent.
+/// A number with this many digits after the decimal point and no exponent.
 VTKISTHMUSFILTERSCORE_EXPORT std::string FixedNumber(double value, int decimals);
 
 /// `text` padded with blanks in front of it (or behind it) to `width` characters, as the columns
@@ -31,7 +32,7 @@ VTKISTHMUSFILTERSCORE_EXPORT std::string FixedNumber(double value, int decimals)
 VTKISTHMUSFILTERSCORE_EXPORT std::string RightAligned(std::string text, std::size_t width);
 VTKISTHMUSFILTERSCORE_EXPORT std::string LeftAligned(std::string text, std::size_t width);
 
-/// The parts one after the other: text, integers and numbers (as FormatNumber writes them).
+/// Concatenates the parts: text, integers and numbers (written by FormatNumber).
 template <typename... Parts>
 std::string TextOf(const Parts&... parts)
 {
@@ -56,8 +57,8 @@ std::string TextOf(const Parts&... parts)
   return text;
 }
 
-/// The number at the beginning of `text`, after white space, which is removed from it; false, and
-/// nothing changes, if there is none. A plus in front of it is allowed.
+/// Reads the number at the beginning of `text`, after white space, and removes both from it.
+/// Returns false and changes nothing if there is none. The number may begin with a plus sign.
 template <typename T>
 bool TakeNumber(std::string_view& text, T& value)
 {
@@ -80,7 +81,7 @@ bool TakeNumber(std::string_view& text, T& value)
   return true;
 }
 
-/// The next word of `text`, after white space, which is removed from it; empty at the end.
+/// Returns the next word of `text`, after white space, and removes both from it. Empty at the end.
 VTKISTHMUSFILTERSCORE_EXPORT std::string_view TakeWord(std::string_view& text);
 
 }

@@ -26,28 +26,30 @@ namespace isthmus
 using RangeBody = std::function<void(std::int64_t first, std::int64_t last)>;
 
 /**
- * Calls `body` on disjoint pieces that together cover [begin, end), in parallel, in no order.
+ * Calls `body` on disjoint pieces that together cover [begin, end), in parallel and in no
+ * particular order.
  *
  * A piece has about `grain` indices (at least 1), so choose it large enough to amortise one call.
  * The result is independent of the thread count as long as `body` writes only data of its own
  * indices. The first exception that a piece throws is rethrown on the calling thread; pieces not
  * yet started are then skipped.
  *
- * With `progress`, the range is processed in rounds of about a tenth of a second; after each, it is
- * called on the calling thread with the fraction done, and Cancelled is thrown if it returns false.
+ * With `progress`, the range is processed in rounds of about a tenth of a second. After each round,
+ * `progress` is called on the calling thread with the fraction done, and Cancelled is thrown if it
+ * returns false.
  */
 VTKISTHMUSFILTERSCORE_EXPORT void ParallelFor(std::int64_t begin, std::int64_t end,
   std::int64_t grain, const RangeBody& body, const ProgressCallback& progress = {});
 
-/// Number of threads that ParallelFor uses now.
+/// Number of threads that ParallelFor currently uses.
 VTKISTHMUSFILTERSCORE_EXPORT int ParallelThreads();
 
 /**
  * Sum of what `work(partial, first, last)` adds to copies of `zero` for blocks of `block` indices
  * of [0, count). `Partial` has operator+=.
  *
- * Blocks are fixed and added in their order, so the result does not depend on the threads; sums of
- * sums also keep rounding small: about (block + count / block) roundings instead of count.
+ * Blocks are fixed and added in their order, so the result does not depend on the threads. Sums of
+ * sums also keep rounding errors small: about (block + count / block) roundings instead of count.
  */
 template <typename Partial, typename Work>
 Partial ParallelReduce(std::int64_t count, std::int64_t block, const Partial& zero, Work&& work,

@@ -72,7 +72,7 @@ void DemandWholeArrays(vtkDataObject* data)
         throw std::invalid_argument("The array '" +
           std::string(array->GetName() ? array->GetName() : "(unnamed)") + "' has " +
           std::to_string(array->GetNumberOfTuples()) + " values for the " + std::to_string(count) +
-          " " + elements + " of the input: it is damaged. Make it again, or leave it out.");
+          " " + elements + " of the input: it is damaged. Create the array again, or remove it.");
       }
     }
   }
@@ -99,8 +99,8 @@ void RefuseHidden(vtkDataObject* data, int port)
     {
       throw std::invalid_argument(std::to_string(hidden) + " " + elements + " of " + "input " +
         std::to_string(port) +
-        " are hidden (array vtkGhostType), but this filter cannot leave them out. Extract what is "
-        "visible first (Threshold by vtkGhostType), or remove the array.");
+        " are hidden (array vtkGhostType), but this filter cannot leave them out. Extract the "
+        "visible part first (Threshold by vtkGhostType), or remove the array.");
     }
   }
 }

@@ -1,6 +1,6 @@
 /**
  * @file PipelineInputs.h
- * @brief Checks of a filter's inputs before it uses them as the types that it requires.
+ * @brief Checks the types of a filter's inputs before it uses them.
  *
  * ParaView's window and scripts can connect anything: blocks of several types, a table instead of a
  * surface. VTK's executive only checks the type of the whole, and passes blocks to a filter
@@ -29,22 +29,23 @@ namespace isthmus
 VTKISTHMUSFILTERSCORE_EXPORT void CheckInputs(vtkAlgorithm* self);
 
 /// @throws std::invalid_argument, naming the point, if one is at a position that is not finite;
-/// points that no cell uses are not looked at where there are cells. `name`: "the surface". For
-/// filters whose algorithm has no message of its own. O(points).
+/// points that no cell uses are not looked at where there are cells. `name`: "the surface". This is
+/// for filters whose algorithm has no such message of its own. O(points).
 VTKISTHMUSFILTERSCORE_EXPORT void RequirePlaces(vtkPointSet* data, const std::string& name);
 
 /**
- * Updates an input from RequestInformation, which filters do not do otherwise: for those that make
- * an image of given spacing around atoms or surfaces. VTK must know the whole extent before it
- * requests data, or downstream image filters allocate empty outputs on their first update, and the
- * extent depends on the input's points. Nothing else is computed there, and no external program is
- * run.
+ * Updates an input from RequestInformation, which filters normally do not do. It is for filters
+ * that make an image of given spacing around atoms or surfaces: VTK must know the whole extent
+ * before it requests data, otherwise downstream image filters allocate empty outputs on their first
+ * update, and the extent depends on the input's points. Nothing else is computed there, and no
+ * external program is run.
  *
- * It does nothing while the filter itself is being executed: VTK requests the information of each
- * block of composite data during an execution; an update there would execute the source again into
- * the block, and crash.
+ * It does nothing while the filter itself is being executed. VTK requests the information of each
+ * block of composite data during an execution; an update at that time would execute the source
+ * again into the block, and crash.
  *
- * A member of the filter, created with it; held by pointer, since the filter's header is installed.
+ * The object is a member of the filter and created with it; it is held by pointer because the
+ * filter's header is installed.
  */
 class VTKISTHMUSFILTERSCORE_EXPORT InputInAdvance
 {
@@ -56,7 +57,8 @@ public:
   /// With several ranks all of them must call it.
   void Update(int port = 0);
   /// @throws std::runtime_error if several ranks had points when this input was updated; `what`
-  /// names the data in the plural. No communication: a rank without data may skip the execution.
+  /// names the data in the plural. The check does not communicate, because a rank without data may
+  /// skip the execution.
   void RequireOneRank(int port, const std::string& what) const;
 
 private:

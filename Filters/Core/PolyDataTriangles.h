@@ -1,6 +1,6 @@
 /**
  * @file PolyDataTriangles.h
- * @brief From vtkPolyData to triangles, and back.
+ * @brief Converts vtkPolyData to triangles, and back.
  */
 #ifndef isthmus_PolyDataTriangles_h
 #define isthmus_PolyDataTriangles_h
@@ -21,8 +21,8 @@ namespace isthmus
  * cells, and of all its points, whose ids do not change.
  *
  * Polygons of four and more corners are split by vtkPolygon, since algorithms work on triangles;
- * vertices and lines have no area and are dropped. Memory: 24 bytes a point, 24 a triangle, and 8 a
- * triangle where some cells are not triangles.
+ * vertices and lines have no area and are dropped. Memory: 24 bytes for each point and for each
+ * triangle, and 8 more for each triangle if some cells are not triangles.
  */
 class VTKISTHMUSFILTERSCORE_EXPORT PolyDataTriangles
 {
@@ -33,7 +33,8 @@ public:
   {
     Refused,
     Kept ///< for code that finds (SurfaceDefects.h) or repairs defects; polygons that cannot be
-         ///< split lack triangles. Corners of polygons to be split must be valid points even so.
+         ///< split lack triangles. Even with defects kept, the corners of polygons to be split must
+         ///< be valid points.
   };
 
   /// @throws std::invalid_argument, with the number of the cell or point, for a corner that is not
@@ -44,10 +45,10 @@ public:
   /// @pre This object outlives the view.
   SurfaceView View() const { return this->Mesh; }
 
-  /// Moves the triangles out, to be changed; this object is empty afterwards.
+  /// Moves the triangles out so that they can be changed; this object is empty afterwards.
   TriangleMesh TakeMesh() { return std::move(this->Mesh); }
 
-  /// Cell of the vtkPolyData that `triangle` belongs to.
+  /// Cell of the vtkPolyData that `triangle` is part of.
   vtkIdType CellOf(vtkIdType triangle) const
   {
     return this->Cells.empty() ? this->FirstCell + triangle : this->Cells[At(triangle)];
@@ -67,8 +68,8 @@ private:
   Damage OnDamage;
 };
 
-/// The triangles of `surface` as by PolyDataTriangles, with defects kept, for code that finds
-/// (SurfaceDefects.h) or repairs them.
+/// The triangles of `surface`, converted as by PolyDataTriangles but with defects kept, for code
+/// that finds (SurfaceDefects.h) or repairs them.
 /// @throws std::invalid_argument, naming the cell, for an invalid point id, if some cells are not
 /// triangles.
 VTKISTHMUSFILTERSCORE_EXPORT TriangleMesh MeshOf(vtkPolyData* surface);

@@ -1,6 +1,6 @@
 /**
  * @file Progress.h
- * @brief How a long computation reports its progress, and how it is aborted.
+ * @brief Progress reports of long computations, and aborting them.
  */
 #ifndef isthmus_Progress_h
 #define isthmus_Progress_h
@@ -15,7 +15,7 @@ namespace isthmus
 /// aborts it. An empty callback is allowed.
 using ProgressCallback = std::function<bool(double fraction)>;
 
-/// Thrown by an algorithm whose ProgressCallback returned false. Not an error for the user.
+/// Thrown by an algorithm whose ProgressCallback returned false. This is not reported as an error.
 class Cancelled : public std::runtime_error
 {
 public:
@@ -35,7 +35,8 @@ inline void Report(const ProgressCallback& progress, double fraction)
   }
 }
 
-/// The part of `progress` between `from` and `to`, for a step that counts its own work from 0 to 1.
+/// The range of `progress` between `from` and `to`, for a step that counts its own work from 0 to
+/// 1.
 inline ProgressCallback Between(const ProgressCallback& progress, double from, double to)
 {
   if (!progress)

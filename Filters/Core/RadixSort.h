@@ -24,7 +24,8 @@ namespace radix
 constexpr std::int64_t Grain = 1 << 16;
 constexpr std::size_t Digits = std::size_t{ 1 } << RadixBits;
 
-/// Makes counts of each piece and digit places where they begin; false if all have one digit.
+/// Converts the counts of each piece and digit to the positions at which they begin; false if all
+/// entries have the same digit.
 inline bool CountsToPlaces(std::vector<std::array<std::uint64_t, Digits>>& next, std::uint64_t all)
 {
   std::uint64_t before = 0;
@@ -43,8 +44,8 @@ inline bool CountsToPlaces(std::vector<std::array<std::uint64_t, Digits>>& next,
   return several;
 }
 
-/// One stable pass: `from` sorted into `to` by the RadixBits bits from `bit` on of key(entry).
-/// False, and nothing moved, if all agree there.
+/// One stable pass: sorts `from` into `to` by the RadixBits bits of key(entry) that start at `bit`.
+/// Returns false and moves nothing if these bits are the same in all entries.
 template <typename Entry, typename Key>
 bool Pass(const std::vector<Entry>& from, std::vector<Entry>& to, unsigned int bit, const Key& key)
 {
@@ -92,14 +93,15 @@ bool Pass(const std::vector<Entry>& from, std::vector<Entry>& to, unsigned int b
 
 /**
  * `entries` in ascending order of the bits [first, last) of key(entry), an unsigned number; equal
- * ones stay in their order. Least significant digit first, 11 bits a pass (H. H. Seward, 1954); a
- * pass in which nothing differs is skipped. O(n) a pass, a second copy of the entries while it
- * runs. The same on any number of threads.
+ * ones stay in their order. The least significant digit is sorted first, with 11 bits in each pass
+ * (H. H. Seward, 1954); a pass in which all digits are equal is skipped. Each pass takes O(n) time;
+ * a second copy of the entries is needed while it runs. The result is the same on any number of
+ * threads.
  *
- * Why not Boost.Sort: it has no stable parallel sort by a key's bits. CPU seconds of one thread for
- * 4 million random pairs of a 64-bit key and a 32-bit number (medians of 5 in one process): 0.300
- * here, 0.378 spinsort, 0.429 flat_stable_sort, 0.518 std::stable_sort, 0.360 spreadsort (not
- * stable); by 24 bits of a 64-bit number 0.094 here, 0.234 spreadsort.
+ * Boost.Sort is not used because it has no stable parallel sort by the bits of a key. CPU seconds
+ * of one thread for 4 million random pairs of a 64-bit key and a 32-bit number (medians of 5 in one
+ * process): 0.300 here, 0.378 spinsort, 0.429 flat_stable_sort, 0.518 std::stable_sort, 0.360
+ * spreadsort (not stable); by 24 bits of a 64-bit number 0.094 here, 0.234 spreadsort.
  */
 template <typename Entry, typename Key>
 void RadixSort(std::vector<Entry>& entries, unsigned int first, unsigned int last, const Key& key)

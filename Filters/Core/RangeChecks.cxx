@@ -68,7 +68,7 @@ void RequireImageGeometry(vtkImageData* image)
     {
       RequireRange("An entry of the image's direction matrix",
         image->GetDirectionMatrix()->GetElement(row, axis), -2.0, 2.0,
-        "It should be a rotation: set another one.");
+        "Set a direction matrix that is a rotation.");
     }
   }
 }

@@ -1,6 +1,6 @@
 /**
  * @file Stopwatch.h
- * @brief Seconds that a stage of some work took.
+ * @brief Measures the time that a stage of a computation takes.
  */
 #ifndef isthmus_Stopwatch_h
 #define isthmus_Stopwatch_h
@@ -10,7 +10,7 @@
 namespace isthmus
 {
 
-/// Wall clock time in seconds since it was made or last asked.
+/// Wall-clock time in seconds since the construction or the last call of Lap().
 class Stopwatch
 {
 public:

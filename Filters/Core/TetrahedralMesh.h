@@ -1,6 +1,6 @@
 /**
  * @file TetrahedralMesh.h
- * @brief The owner of a mesh of tetrahedra.
+ * @brief A class that owns a mesh of tetrahedra.
  */
 #ifndef isthmus_TetrahedralMesh_h
 #define isthmus_TetrahedralMesh_h
@@ -16,7 +16,7 @@
 namespace isthmus
 {
 
-/// By the ids of its corners.
+/// A tetrahedron, given by the ids of its corners.
 using Tetrahedron = std::array<vtkIdType, 4>;
 
 /// Indexed tetrahedra of positive volume, (p1-p0)x(p2-p0).(p3-p0) > 0, with a region for each.

@@ -19,7 +19,7 @@
 namespace isthmus
 {
 
-/// By the ids of its corners.
+/// A triangle, given by the ids of its corners.
 using Triangle = std::array<vtkIdType, 3>;
 
 /// Indexed triangles, counter-clockwise seen from outside. Lengths are in the units of the data
@@ -32,8 +32,8 @@ struct TriangleMesh
 
 /**
  * Non-owning view of a triangle surface, to which a TriangleMesh converts implicitly at no cost.
- * Code that reads a surface takes `const SurfaceView&` and, if it stores it, stores a copy of the
- * view; code that changes one takes and returns a TriangleMesh.
+ * Code that reads a surface takes `const SurfaceView&`, and stores a copy of the view if it needs
+ * to. Code that changes a surface takes and returns a TriangleMesh.
  *
  * Triangles are counter-clockwise seen from outside. Lengths are in the units of the data (angstrom
  * for molecular surfaces). Unless an algorithm states that it checks for defects itself, every
@@ -71,8 +71,8 @@ inline TriangleMesh CopyOf(const SurfaceView& surface)
     { surface.Triangles.begin(), surface.Triangles.end() } };
 }
 
-/// The points of `surface` as seen from `origin`, for algorithms on a grid that begins there; with
-/// the triangles of `surface` they are a view again.
+/// The points of `surface` relative to `origin`, for algorithms on a grid that begins there.
+/// Together with the triangles of `surface` they form a view again.
 inline std::vector<Point3> PointsFrom(const Point3& origin, const SurfaceView& surface)
 {
   std::vector<Point3> points(surface.Points.size());

@@ -15,9 +15,9 @@ namespace isthmus
 {
 
 /**
- * Value anywhere in space, in the frame of the grid (node (0,0,0) at the origin, axes along the
- * grid): trilinear between nodes, with a layer of `Outside` around the grid and `Outside` beyond.
- * Continuous everywhere; a level set of it on the far side of `Outside` is closed.
+ * The value at any point in space, in the frame of the grid (node (0,0,0) at the origin, axes along
+ * the grid): trilinear between nodes, with a layer of `Outside` around the grid and `Outside`
+ * beyond. It is continuous everywhere; level sets of levels beyond Outside are closed.
  */
 template <typename T>
 struct TrilinearField

@@ -88,7 +88,8 @@ UnitScale::UnitScale(const SurfaceView& surface)
         throw std::invalid_argument("Triangle " + std::to_string(i) + " has an edge of " +
           FormatNumber(edge / this->TheFactor) + ", and other points are more than " +
           FormatNumber(LargestReach) +
-          " times as far away: no mesh is made of both. Remove the points that are far off.");
+          " times as far away: no mesh is made of both. Remove the points that are far away from "
+          "the others.");
       }
     }
   }

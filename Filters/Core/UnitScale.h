@@ -21,25 +21,25 @@ constexpr double LargestReach = 1e50;
  * Scales coordinates to about 1 for code that computes fourth powers of lengths, and back.
  *
  * The factor is a power of two, so nothing is rounded; it is 1 where the largest coordinate is
- * between 2^-20 and 2^20, so ordinary data are not changed. Only coordinates below the largest by
- * more than LargestReach become 0: products of lengths in which they alone differ would underflow,
- * and CGAL divides by them. O(points).
+ * between 2^-20 and 2^20, so ordinary data are not changed. Only coordinates that are smaller than
+ * the largest one by more than the factor LargestReach become 0: products of lengths in which only
+ * these differ would underflow, and CGAL divides by them. O(points).
  */
 class VTKISTHMUSFILTERSCORE_EXPORT UnitScale
 {
 public:
   /// Points that are not finite are ignored.
-  /// @throws std::invalid_argument, with the point, for a coordinate beyond LargestLength, and
-  /// where all are below SmallestLength but not 0.
+  /// @throws std::invalid_argument, with the point, if a coordinate exceeds LargestLength, or if
+  /// all are below SmallestLength but not 0.
   explicit UnitScale(const View<Point3>& points);
 
-  /// Of the surface's points.
-  /// @throws std::invalid_argument, with the triangle, too, for an edge that is not 0, and shorter
-  /// than the largest coordinate by more than LargestReach: one point far away makes all others
-  /// next to one.
+  /// The scale of the points of a surface.
+  /// @throws std::invalid_argument also, with the triangle, if an edge is not 0 and is shorter than
+  /// the largest coordinate by more than the factor LargestReach; one point far away makes all
+  /// others almost coincide.
   explicit UnitScale(const SurfaceView& surface);
 
-  /// Of a length, to the scale that is worked in.
+  /// Converts a length to the scaled unit.
   double Factor() const { return this->TheFactor; }
   /// Apply() would change nothing.
   bool IsOne() const { return this->TheFactor == 1.0 && this->Least == 0.0; }

@@ -19,8 +19,8 @@
 namespace isthmus
 {
 
-/// The triangles of a case of marching cubes, three of vtkHexahedron's edges each, -1 after the
-/// last. Bit k of `cell` is set where its k-th corner is above the level.
+/// The triangles of a case of marching cubes, each given by three edges of vtkHexahedron, with -1
+/// after the last. Bit k of `cell` is set if its k-th corner is above the level.
 inline const int* MarchingCubesCase(std::uint8_t cell)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)

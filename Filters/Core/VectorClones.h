@@ -10,8 +10,8 @@
  * when the library is loaded. Useful only for long loops of double arithmetic. Results may differ
  * in the last bit from machine to machine, not from run to run.
  *
- * Elsewhere than GCC 12 on x86-64 Linux, and under sanitizers (whose start-up comes after the
- * choice), it is empty and the function is compiled once.
+ * With other compilers than GCC 12 on x86-64 Linux, and with sanitizers (which start after the
+ * choice is made), the macro is empty and the function is compiled once.
  */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) &&   \
   !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)

@@ -11,7 +11,7 @@
 namespace isthmus
 {
 
-/// Read-only; it owns nothing; usable in a `for`.
+/// A read-only view that owns nothing and can be used in a range-based for.
 template <typename T>
 class View
 {

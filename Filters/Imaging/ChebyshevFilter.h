@@ -24,11 +24,12 @@
 namespace isthmus
 {
 
-/// A bound of -L, with room for the rounding of T beyond which the recurrence would grow.
+/// An upper bound of -L, with a margin for the rounding of T, since the recurrence would grow
+/// beyond the bound.
 template <typename T>
 VTKISTHMUSFILTERSIMAGING_EXPORT double LaplacianBound(const std::array<double, 3>& spacing);
 
-/// What the series may leave out: 1e-7 for float, 1e-13 for double.
+/// Truncation error allowed for the series: 1e-7 for float, 1e-13 for double.
 template <typename T>
 constexpr double SeriesTolerance();
 
@@ -45,7 +46,7 @@ constexpr double SeriesTolerance<double>()
 }
 
 /**
- * Coefficients a_n with f(s) = sum a_n T_n(1 - 2s) on [0, 1], as many as `tolerance` needs.
+ * Coefficients a_n with f(s) = sum a_n T_n(1 - 2s) on [0, 1], as many as `tolerance` requires.
  *
  * Interpolates at cosines, twice as many until the second half of the coefficients is rounding, by
  * a fast Fourier transform; then leaves out the last ones while the sum of their moduli, which

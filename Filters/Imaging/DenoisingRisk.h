@@ -1,6 +1,7 @@
 /**
  * @file DenoisingRisk.h
- * @brief Which diffusion denoises a volume best, by an estimate of its error that needs no truth.
+ * @brief Determines which diffusion denoises a volume best, by an estimate of the error that needs
+ * no ground truth.
  *
  * For y = x + n with noise n of known covariance, the mean squared error of f(y) is estimated by
  *
@@ -10,22 +11,22 @@
  * IEEE Trans. Signal Process. 57 (2009) 471).
  *
  * **Linear** diffusion for a time t at order q multiplies the wave of eigenvalue lambda of -L by
- * exp(-t lambda^(q+1)), a polynomial p(-L) to good accuracy. The last term then is exact, a mean of
- * noise times factor over the modes of the grid, and the first is a quadratic form of p's Chebyshev
- * coefficients with the Gram matrix of T_n(L) y: one recurrence of 42 terms gives the risk of all
- * orders and times.
+ * exp(-t lambda^(q+1)), a polynomial p(-L) to good accuracy. The last term is then exact, a mean of
+ * noise times factor over the modes of the grid. The first term is a quadratic form of the
+ * Chebyshev coefficients of p with the Gram matrix of T_n(L) y. Thus one recurrence of 42 terms
+ * gives the risk of all orders and times.
  *
  * **Edge stopping** diffusions are run. With one probe b, noise like n, the last term is 2 b . (f(y
  * + e b) - f(y)) / e (S. Ramani, T. Blu, M. Unser, IEEE Trans. Image Process. 17 (2008) 1540).
- * White probes are +-1, hashed from the node's place in the whole grid; coloured ones are those,
- * filtered. Where a volume of noise is at hand, as from half maps, it is the probe.
+ * White probes are +-1, hashed from the position of the node in the whole grid; coloured probes are
+ * filtered white ones. If a volume of noise is available, e.g. from half maps, it is the probe.
  *
  * The goal **volumes** is the least mean squared error of the values. The goal **surfaces** is the
  * least error of the mean curvature of level sets, estimated in the same way from second
  * differences where the gradient is large, which is where surfaces lie, among the linear diffusions
  * whose error of the values is within 1 dB of the least one. (Curvature alone would want more
  * smoothing, which moves surfaces; Hessian Curvature adds it by its own scale.) Edge stopping keeps
- * noise where the gradient is largest, so it is no candidate there.
+ * noise where the gradient is largest, so it is not a candidate for this goal.
  */
 #ifndef isthmus_DenoisingRisk_h
 #define isthmus_DenoisingRisk_h
@@ -51,11 +52,11 @@ struct DenoisingSearch
 {
   DenoisingGoal Goal = DenoisingGoal::Surfaces;
   bool LinearOnly = false;
-  /// 0 to 1: the length of smoothing is 2^(Strength - 1/2) times the best one.
+  /// Strength from 0 to 1: the smoothing length is 2^(Strength - 1/2) times the best one.
   double Strength = 0.5;
 };
 
-/// The best candidate and its estimates; all values are in units of the sample's Scale.
+/// The best candidate and its estimates; all values are in units of the Scale of the sample.
 struct DenoisingChoice
 {
   DiffusionParameters Parameters;
@@ -75,17 +76,17 @@ struct DenoisingChoice
 };
 
 /**
- * The diffusion with the least risk. `spacing` are the lengths between nodes.
+ * The diffusion with the least risk. `spacing` is the grid spacing along each axis.
  *
- * Cost: for surfaces four recurrences of 41 terms on the sample and up to 100 combinations of their
- * terms; for volumes one recurrence and three to nine pairs of runs with edge stopping.
- * @throws Cancelled when progress says so.
+ * Cost: for surfaces, four recurrences of 41 terms on the sample and up to 100 combinations of
+ * their terms; for volumes, one recurrence and three to nine pairs of runs with edge stopping.
+ * @throws Cancelled if `progress` returns false.
  */
 VTKISTHMUSFILTERSIMAGING_EXPORT DenoisingChoice ChooseDenoising(const VolumeSample& sample,
   const NoiseSpectrum& noise, const std::array<double, 3>& spacing, const DenoisingSearch& search,
   const ProgressCallback& progress = {});
 
-/// Risk of one candidate, for tests: the estimate on the sample.
+/// Estimated risk of one candidate on the sample, for tests.
 VTKISTHMUSFILTERSIMAGING_EXPORT DenoisingChoice EvaluateDenoising(const VolumeSample& sample,
   const NoiseSpectrum& noise, const std::array<double, 3>& spacing,
   const DiffusionParameters& parameters);

@@ -16,11 +16,12 @@ namespace isthmus
 {
 
 /**
- * Sizes of the arrays at hand, and how the parts of a distributed grid keep in touch.
+ * Sizes of the local arrays, and the communication between the parts of a distributed grid.
  *
- * On one rank the defaults do. On several, an array holds a rank's own nodes and a halo around them
- * that belongs to others: algorithms compute everywhere, call ExchangeHalo before they look at
- * neighbours, and count only owned nodes (each node of the whole is owned once) in sums.
+ * On one rank the defaults are sufficient. On several ranks, an array holds the rank's own nodes
+ * and a halo around them that belongs to other ranks. Algorithms compute on all of these nodes,
+ * call ExchangeHalo before they read neighbours, and include only owned nodes in sums (each node of
+ * the whole grid is owned by one rank).
  */
 template <typename T>
 struct DiffusionGrid
@@ -28,8 +29,8 @@ struct DiffusionGrid
   std::array<std::int64_t, 3> Dimensions{ 0, 0, 0 };
   std::array<double, 3> Spacing{ 1.0, 1.0, 1.0 };
   std::array<std::int64_t, 3> OwnedBegin{ 0, 0, 0 };
-  std::array<std::int64_t, 3> OwnedEnd{ 0, 0, 0 };             ///< All zero: every node is owned.
-  std::array<std::int64_t, 3> GlobalBegin{ 0, 0, 0 };          ///< First node's place in the whole.
+  std::array<std::int64_t, 3> OwnedEnd{ 0, 0, 0 };             ///< All zero if every node is owned.
+  std::array<std::int64_t, 3> GlobalBegin{ 0, 0, 0 };          ///< First node in the whole grid.
   std::array<std::int64_t, 3> GlobalDimensions{ 0, 0, 0 };     ///< All zero: Dimensions.
   std::function<void(T* values)> ExchangeHalo;                 ///< Empty on a single rank.
   std::function<void(double* values, int count)> SumOverRanks; ///< In place; empty on one rank.
@@ -56,7 +57,7 @@ struct DiffusionGrid
 };
 
 /**
- * Adds up N numbers that `addRow` finds for each owned row, over all threads and ranks.
+ * Sums N numbers that `addRow` computes for each owned row, over all threads and ranks.
  *
  * `addRow(begin, end, sums)` adds what the nodes [begin, end) of the array contribute. Planes are
  * added up in their order, so the result does not depend on the number of threads.

@@ -1,6 +1,7 @@
 /**
  * @file DiffusionHighPass.h
- * @brief Edges of a volume as the difference of two coupled diffusions at different speeds.
+ * @brief Extracts the edges of a volume as the difference of two coupled diffusions with different
+ * speeds.
  *
  * Equations 4.37 to 4.39 of X. Feng's thesis, after G. W. Wei and Y. Q. Jia, Europhys. Lett. 59
  * (2002) 814:
@@ -24,20 +25,22 @@ struct HighPassParameters
 {
   std::array<double, 2> Diffusivity{ 0.0, 1.0 }; ///< d_10 and d_20, length^2 / time
   std::array<double, 2> Coupling{ 0.0, 0.0 };    ///< epsilon_u and epsilon_v, 1 / time
-  double Sigma = 0.0; ///< Gradient that stops the diffusion, data unit / length; 0: nothing does.
+  double Sigma = 0.0; ///< Gradient that stops the diffusion, in data units per length; 0: no
+                      ///< gradient does.
   double Time = 1.0;
-  int Steps = 0; ///< Splitting steps; 0: so many that coupling and diffusion change little in one.
+  int Steps = 0; ///< Number of splitting steps; 0: enough that coupling and diffusion change little
+                 ///< in each.
 };
 
 /// @throws std::invalid_argument for invalid parameters.
 VTKISTHMUSFILTERSIMAGING_EXPORT void Check(const HighPassParameters& parameters);
 
 /**
- * Evolves u and v, both holding the input, in place.
+ * Evolves u and v in place; both initially hold the input.
  *
  * Strang splitting, second order in time for constant coefficients: half a step of coupling (solved
- * exactly), a step of both diffusions, half a step of coupling. Memory: four volumes beside u and
- * v. Throws as Diffuse does.
+ * exactly), a step of both diffusions, half a step of coupling. Memory: four volumes in addition to
+ * u and v. Throws as Diffuse does.
  */
 template <typename T>
 VTKISTHMUSFILTERSIMAGING_EXPORT void EvolveHighPass(const DiffusionGrid<T>& grid,

@@ -156,8 +156,7 @@ void DiffusionImage<T>::CheckArray(vtkDataArray* array) const
   }
   if (!array)
   {
-    throw std::invalid_argument(
-      "The input lacks an array that was chosen: choose one that it has.");
+    throw std::invalid_argument("The input lacks the chosen array: choose one that it has.");
   }
   if (array->GetNumberOfTuples() != this->Input->GetNumberOfPoints() ||
     array->GetNumberOfComponents() != 1)

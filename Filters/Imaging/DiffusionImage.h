@@ -1,6 +1,6 @@
 /**
  * @file DiffusionImage.h
- * @brief A vtkImageData as the diffusion algorithms see it, and its way back.
+ * @brief Converts a vtkImageData to volumes of the diffusion algorithms, and back.
  */
 #ifndef isthmus_DiffusionImage_h
 #define isthmus_DiffusionImage_h
@@ -40,8 +40,8 @@ public:
 
   /// A new volume with the values of a point array of the input, with its name. An array that is
   /// missing or of the wrong size throws std::invalid_argument; values that are not
-  /// finite throw std::invalid_argument, or are replaced and remembered (those of the last such
-  /// array) if `mask` is true.
+  /// finite throw std::invalid_argument, or, if `mask` is true, are replaced and remembered (those
+  /// of the last such array).
   vtkSmartPointer<Array> Copy(vtkDataArray* array, bool mask);
 
   /// A new volume whose values are yet to be written.
@@ -50,7 +50,7 @@ public:
   /// A new volume like `volume`, with the same values and another name.
   vtkSmartPointer<Array> Duplicate(Array* volume, const std::string& name) const;
 
-  /// Puts a volume into the output, without its halo, and with what was masked.
+  /// Copies a volume to the output, without its halo, and restores masked values.
   void AddResult(Array* volume, bool active);
 
   /// Adds numbers to the output's field data.

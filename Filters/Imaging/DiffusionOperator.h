@@ -21,7 +21,7 @@
 namespace isthmus
 {
 
-/// Where the coefficient c of the divergence comes from.
+/// Source of the coefficient c of the divergence.
 enum class DiffusionCoefficient
 {
   Constant, ///< c = 1
@@ -36,13 +36,14 @@ struct DiffusionOperator
   std::array<std::int64_t, 3> Dimensions{ 0, 0, 0 };
   std::array<double, 3> Spacing{ 1.0, 1.0, 1.0 };
   DiffusionCoefficient Coefficient = DiffusionCoefficient::Constant;
-  double GradientScale = 1.0;     ///< Gradients are divided by it: sigma sqrt(2) for 4.34.
+  double GradientScale = 1.0;     ///< Gradients are divided by this value, which is sigma sqrt(2)
+                                  ///< for equation 4.34.
   std::vector<T> Weights{ T(1) }; ///< weight_p; the last is that of the highest order and 1.
   T Leading = 1;
   /// If not null, what is read instead of working it out: exp(-|grad u|^2), or |grad W|^2 for Gram.
   const T* StoredCoefficient = nullptr;
   T Fidelity = 0;
-  const T* Input = nullptr;  ///< Read if Fidelity is not 0.
+  const T* Input = nullptr;  ///< Used if Fidelity is not 0.
   const T* Source = nullptr; ///< May be null.
 
   int Order() const { return static_cast<int>(this->Weights.size()) - 1; }
@@ -52,14 +53,14 @@ struct DiffusionOperator
     return this->Dimensions[0] * this->Dimensions[1] * this->Dimensions[2];
   }
 
-  /// How many nodes away one evaluation looks, along an axis: 1 to 5.
+  /// Distance, in nodes along an axis, of the farthest node that one evaluation reads: 1 to 5.
   int Reach() const;
 
   /// Bound on the modulus of the operator's eigenvalues: forward Euler needs steps <= 2 / bound.
   double SpectralBound() const;
 };
 
-/// How many planes each quantity runs behind the plane of u that an evaluation reads.
+/// Number of planes by which each quantity lags behind the plane of u that an evaluation reads.
 struct DiffusionLags
 {
   template <typename T>
@@ -70,7 +71,7 @@ struct DiffusionLags
   int Out;
 };
 
-/// A volume that takes part of what every stage of a pass changes.
+/// Volumes that the stages of a pass read and write.
 template <typename T>
 struct StageSum
 {
@@ -93,13 +94,13 @@ struct DiffusionPass
   std::vector<RowUpdate<T>> Updates; ///< one for each stage, in their order
   const T* Current = nullptr;        ///< of the first stage
   const T* Previous = nullptr;       ///< of the first stage; of one alone it may be Out
-  const T* First = nullptr;          ///< If null, stages are explicit steps: current and rate only.
-  const T* FirstRate = nullptr;      ///< If null, OfFirstRate must be 0.
-  T* Out = nullptr;                  ///< of the last stage; never the same volume as Current
-  T* OutBefore = nullptr;            ///< Receives the last stage but one, if not null.
-  T* StoreRate = nullptr;            ///< Receives the first stage's rate, if not null.
-  T* StoreCoefficient = nullptr;     ///< Receives what a StoredCoefficient would hold, if not null.
-  std::vector<StageSum<T>> Sums;     ///< need First
+  const T* First = nullptr;      ///< If null, stages are explicit steps (current and rate only).
+  const T* FirstRate = nullptr;  ///< If null, OfFirstRate must be 0.
+  T* Out = nullptr;              ///< of the last stage; never the same volume as Current
+  T* OutBefore = nullptr;        ///< Receives the second-last stage, if not null.
+  T* StoreRate = nullptr;        ///< Receives the first stage's rate, if not null.
+  T* StoreCoefficient = nullptr; ///< Receives the values of a StoredCoefficient, if not null.
+  std::vector<StageSum<T>> Sums; ///< need First
 
   int Stages() const { return static_cast<int>(this->Updates.size()); }
 };

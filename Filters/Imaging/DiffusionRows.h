@@ -1,11 +1,12 @@
 /**
  * @file DiffusionRows.h
- * @brief The arithmetic of one row of nodes, vectorised: all that a diffusion step spends time on.
+ * @brief The vectorised arithmetic for one row of nodes, which takes nearly all the time of a
+ * diffusion step.
  *
- * A row lies in scratch memory with a margin (see RowMargin): its two ends repeat the outermost
- * values, which is the Neumann condition. Every kernel works on PaddedLength(n) nodes, a multiple
- * of the widest vector, so that no node is ever treated by a remainder loop with other rounding:
- * results depend neither on threads nor on how a grid is cut into pieces.
+ * A row is stored in scratch memory with a margin (see RowMargin); the margin repeats the outermost
+ * values, which implements the Neumann condition. Every kernel works on PaddedLength(n) nodes, a
+ * multiple of the widest vector, so that no node is processed by a remainder loop with different
+ * rounding. Results therefore depend neither on the threads nor on how a grid is cut into pieces.
  */
 #ifndef isthmus_DiffusionRows_h
 #define isthmus_DiffusionRows_h
@@ -18,7 +19,7 @@
 namespace isthmus
 {
 
-/// Nodes before the first and after the last one that a row in scratch memory must have.
+/// Number of nodes that a row in scratch memory must have before the first and after the last one.
 constexpr std::int64_t RowMargin = 16;
 
 /// Number of nodes a kernel works on for a row of n nodes.
@@ -27,7 +28,7 @@ constexpr std::int64_t PaddedLength(std::int64_t n)
   return (n + RowMargin - 1) / RowMargin * RowMargin;
 }
 
-/// A row and its four neighbours in y and z; its neighbours in x are in the row itself.
+/// A row and its four neighbouring rows in y and z; neighbours in x are in the row itself.
 template <typename T>
 struct RowStencil
 {
@@ -76,8 +77,8 @@ void GramDivergenceRow(const RowStencil<double>& w, const RowStencil<double>& sl
  *     first + OfCurrent (current - first) + OfPrevious (previous - first)
  *           + OfRate rate + OfFirstRate firstRate.
  *
- * By differences from the step's first values, so that a constant stays exactly what it is and
- * round-off is that of the changes.
+ * Values are represented by differences from the first values of the step, so that a constant stays
+ * exactly constant and only the changes are rounded.
  */
 template <typename T>
 struct RowUpdate
@@ -88,8 +89,9 @@ struct RowUpdate
   T OfFirstRate = 0;
 };
 
-/// Writes an update; `previous` and `out` may be one row. Without `previous` (null) it is an
-/// explicit step: `first` and `firstRate` are not read. Without `firstRate`, its term is left out.
+/// Writes an update; `previous` and `out` may be one row. If `previous` is null, this is an
+/// explicit step, and `first` and `firstRate` are not read. If `firstRate` is null, its term is
+/// omitted.
 void UpdateRow(const RowUpdate<float>& update, const float* current, const float* previous,
   const float* first, const float* rate, const float* firstRate, std::int64_t n, float* out);
 void UpdateRow(const RowUpdate<double>& update, const double* current, const double* previous,

@@ -100,8 +100,9 @@ void DomainDecomposition::FindOwned()
   }
   if (covered != NodeCount(this->Whole))
   {
-    throw std::runtime_error("The ranks' parts of the image don't make up the whole image, which "
-                             "this filter needs: apply it before filters that cut out a part.");
+    throw std::runtime_error(
+      "The parts of the image on the ranks do not cover the whole image, which this filter needs: "
+      "apply it before filters that crop the image.");
   }
 }
 

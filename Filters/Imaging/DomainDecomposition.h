@@ -15,23 +15,25 @@ namespace isthmus
 {
 
 /**
- * Every rank makes one from its own extent, then all call the same methods in the same order.
+ * Every rank constructs one from its own extent; then all ranks call the same methods in the same
+ * order.
  *
- * Parts may overlap, as VTK's do by a layer of nodes: the lowest rank that has a node owns it.
+ * Parts may overlap, like those of VTK, which share a layer of nodes; the lowest rank that has a
+ * node owns it.
  */
 class DomainDecomposition
 {
 public:
-  /// `own` is what this rank has to compute, `halo` how many nodes it needs around. A null
-  /// controller or one of a single process makes one part.
-  /// @throws std::runtime_error, on all ranks, if the parts don't make up the whole or overlap
+  /// `own` is what this rank has to compute, `halo` how many nodes it needs around. With a null
+  /// controller, or one with a single process, there is one part.
+  /// @throws std::runtime_error, on all ranks, if the parts do not cover the whole or overlap
   /// crosswise.
   DomainDecomposition(
     vtkMultiProcessController* controller, const Extent& whole, const Extent& own, int halo);
 
   bool Distributed() const { return this->Extents.size() > 1; }
 
-  /// The extent of the arrays: this rank's part with its halo, cut to the whole.
+  /// The extent of the arrays: the part of this rank with its halo, clipped to the whole extent.
   const Extent& Local() const { return this->LocalExtent; }
 
   /// The extent of the whole image.
@@ -40,11 +42,11 @@ public:
   /// What this rank owns.
   const Extent& Owned() const { return this->OwnedExtent; }
 
-  /// Fills the halo of an array with Local()'s extent from the ranks that have the nodes.
+  /// Fills the halo of an array, whose extent is Local(), from the ranks that have the nodes.
   template <typename T>
   void ExchangeHalo(T* values) const;
 
-  /// Adds up over the ranks, in place.
+  /// Sums over the ranks, in place.
   void Sum(double* values, int count) const;
 
 private:

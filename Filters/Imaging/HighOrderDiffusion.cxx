@@ -303,8 +303,8 @@ void Solver<T>::Record(const TimeStep& step, const T* after, DiffusionReport& re
   const double change = std::sqrt(sums[0] / sums[2]);
   if (!std::isfinite(change))
   {
-    throw std::runtime_error("The values ceased to be finite: the diffusivities, the source or the "
-                             "input are too large for this floating-point type.");
+    throw std::runtime_error("Some values are no longer finite: the diffusivities, the source or "
+                             "the input are too large for this floating-point type.");
   }
   report.Time.push_back(this->Time);
   report.Change.push_back(change);

@@ -16,8 +16,9 @@
  *
  * Super time stepping is the Runge-Kutta-Legendre method of second order (Meyer, Balsara, Aslam,
  * J. Comput. Phys. 257 (2014) 594): s stages reach (s^2 + s - 2)/4 times as far as one explicit
- * step, so the cost of an end time grows with its square root. A coefficient that changes is that
- * of the step's middle, found by a step of half the length: second order in time.
+ * step, so the cost of an end time grows with its square root. If the coefficient changes with
+ * time, its value at the middle of the step is used, which is computed by a step of half the
+ * length; this is second order in time.
  */
 #ifndef isthmus_HighOrderDiffusion_h
 #define isthmus_HighOrderDiffusion_h
@@ -57,23 +58,24 @@ struct DiffusionParameters
   EdgeStoppingType EdgeStopping = EdgeStoppingType::Gaussian;
   IntegratorType Integrator = IntegratorType::SuperTimeStepping;
   int Order = 1;            ///< q, 0 to 3: the equation's order is 2q + 2.
-  bool LowerOrders = false; ///< Hyperdiffusion with the orders 0 to q together.
+  bool LowerOrders = false; ///< Use hyperdiffusion of all orders from 0 to q.
   std::array<double, 4> Diffusivity{ 1.0, 1.0, 1.0, 1.0 }; ///< d_p, length^(2p + 2) / time
   double Sigma = 1.0;        ///< Scale of gradients: data unit / length.
-  int Window = 5;            ///< Nodes across the window of LocalVariance: odd, 3 or more.
-  double PreSmoothing = 0.0; ///< Standard deviation (length) of the Gaussian under the gradient.
-  /// Standard deviation (length) of the Gaussian of AddSmoothedResidual, for whoever calls it after
-  /// Diffuse, which does not read this; 0: nothing is returned.
+  int Window = 5;            ///< Width of the window of LocalVariance in nodes: odd, 3 or more.
+  double PreSmoothing = 0.0; ///< Standard deviation (length) of the Gaussian that is applied before
+                             ///< the gradient.
+  /// Standard deviation (length) of the Gaussian of AddSmoothedResidual; 0: nothing is added.
+  /// Diffuse does not use it; the caller passes it to AddSmoothedResidual afterwards.
   double ResidualSmoothing = 0.0;
   double Fidelity = 0.0; ///< 1 / time
   double Time = 1.0;     ///< End time.
-  int Steps = 0;         ///< That many equal steps; 0 chooses them (see README).
+  int Steps = 0;         ///< Number of equal steps; 0 chooses the steps automatically (see README).
 };
 
 /// @throws std::invalid_argument for invalid parameters.
 VTKISTHMUSFILTERSIMAGING_EXPORT void Check(const DiffusionParameters& parameters);
 
-/// What happened, step by step: a curve to plot.
+/// The course of the diffusion, step by step, as a curve to plot.
 struct DiffusionReport
 {
   std::vector<double> Time;     ///< at the end of the step
@@ -82,11 +84,11 @@ struct DiffusionReport
   std::int64_t Evaluations = 0; ///< of a right-hand side, those under PreSmoothing included
 };
 
-/// Called after a step with the time reached and the values there.
+/// Called after each step with the time reached and the values at that time.
 template <typename T>
 using DiffusionObserver = std::function<void(double time, const T* values)>;
 
-/// Nodes around a rank's own ones that the computation needs from other ranks.
+/// Number of nodes around those of a rank that the computation needs from other ranks.
 VTKISTHMUSFILTERSIMAGING_EXPORT int HaloWidth(const DiffusionParameters& parameters);
 
 /// The largest stable explicit step: 2 / (sum_p d_p lambda^(p+1) + fidelity), where lambda is
@@ -104,10 +106,10 @@ VTKISTHMUSFILTERSIMAGING_EXPORT double ExplicitStepLimit(
  * integrator can take (the message names the limit) and std::runtime_error for values that cease
  * to be finite. `observer` sees the values after each step.
  *
- * Memory: extra volumes of T beside values, input and source. SuperTimeStepping 4: two for stages,
- * the first rate, the coefficient (3 where that is constant); two more for order 0 on one
- * rank, where several stages are done in one pass over memory. ForwardEuler 1: the next values; 3
- * with LocalVariance or PreSmoothing. Time: proportional to nodes x Evaluations.
+ * Memory: volumes of T in addition to values, input and source. SuperTimeStepping needs 4: two for
+ * stages, the first rate, and the coefficient (3 if it is constant), and two more for order 0 on
+ * one rank, where several stages are done in one pass over memory. ForwardEuler needs 1 for the
+ * next values, or 3 with LocalVariance or PreSmoothing. Time: proportional to nodes x Evaluations.
  */
 template <typename T>
 VTKISTHMUSFILTERSIMAGING_EXPORT DiffusionReport Diffuse(const DiffusionGrid<T>& grid,

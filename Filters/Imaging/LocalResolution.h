@@ -2,11 +2,11 @@
  * @file LocalResolution.h
  * @brief Local resolution from two half maps: Fourier shell correlation in windows.
  *
- * Windows of 24 nodes across (fewer along a shorter axis), with a Hann taper, stand on a lattice;
- * in each, the correlation of both halves is taken shell by shell (G. Cardone, J. B. Heymann, A. C.
- * Steven, J. Struct. Biol. 184 (2013) 226). The resolution is the wavelength at which it falls
- * below 0.5: with so few waves per shell 0.143 cannot be distinguished from chance. Frequencies
- * between the lattice's points are interpolated linearly.
+ * Windows 24 nodes wide (fewer along a shorter axis), with a Hann taper, are placed on a lattice;
+ * in each, the correlation of both halves is computed shell by shell (G. Cardone, J. B. Heymann, A.
+ * C. Steven, J. Struct. Biol. 184 (2013) 226). The resolution is the wavelength at which the
+ * correlation falls below 0.5; with so few waves per shell, a threshold of 0.143 cannot be
+ * distinguished from chance. Frequencies between the lattice's points are interpolated linearly.
  */
 #ifndef isthmus_LocalResolution_h
 #define isthmus_LocalResolution_h
@@ -22,11 +22,13 @@ namespace isthmus
 {
 
 /**
- * Fills `resolution` (unit of the spacing) for all nodes of two halves.
+ * Computes `resolution` (in the unit of the spacing) for all nodes of two half maps.
  *
- * Values are between twice the spacing (correlated up to the last shell) and the window's length
- * (in no shell). At most about 2000 windows, so time does not grow with the volume beyond that.
- * @pre values are finite. @throws Cancelled when progress says so.
+ * Values are between twice the spacing (correlated up to the last shell) and the length of the
+ * window (correlated in no shell). There are at most about 2000 windows, so the time does not grow
+ * further for larger volumes.
+ * @pre values are finite.
+ * @throws Cancelled if `progress` returns false.
  */
 VTKISTHMUSFILTERSIMAGING_EXPORT void FindLocalResolution(
   const std::array<std::int64_t, 3>& dimensions, const std::array<double, 3>& spacing,

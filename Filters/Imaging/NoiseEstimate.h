@@ -22,20 +22,21 @@ struct NoiseEstimate
 /**
  * Standard deviation of white noise from the median absolute pseudo-residual.
  *
- * A node's pseudo-residual is its value less the mean of its six neighbours (T. Gasser, L. Sroka,
- * C. Jennen-Steinmetz, Biometrika 73 (1986) 625, in three dimensions); its median absolute value
- * over the grid is insensitive to edges, which are rare. For normal noise it is 0.6745 sqrt(7/6)
- * standard deviations. Noise that was low-pass filtered is underestimated.
+ * The pseudo-residual of a node is its value minus the mean of its six neighbours (T. Gasser, L.
+ * Sroka, C. Jennen-Steinmetz, Biometrika 73 (1986) 625, in three dimensions); its median absolute
+ * value over the grid is insensitive to edges, which are rare. For normal noise it is 0.6745
+ * sqrt(7/6) standard deviations. Low-pass filtered noise is underestimated.
  *
- * Nodes that have the value of three or more of their neighbours show no noise: a background that
- * was masked or padded with one value (and its border), a constant volume. They do not count,
- * neither here nor in the deviation, so that a map is as noisy as its part within the mask. A mask
- * itself, or labels, has edges there but no noise: then Noise is 0.
+ * Nodes that have the same value as three or more of their neighbours show no noise, for example in
+ * a background that was masked or padded with one value (and its border), or in a constant volume.
+ * They are not counted, neither here nor in the deviation, so that a map is as noisy as its part
+ * within the mask. A mask itself, or an image of labels, has edges in the remaining nodes but no
+ * noise; then Noise is 0.
  *
  * @pre `values` are finite, their halo valid.
  *
- * Relative accuracy of the median 1e-4; time: five passes,
- * and a search for more than 32 values, which in a map ends soon.
+ * The median has a relative accuracy of 1e-4. The time is that of five passes and of a search for
+ * more than 32 different values, which ends soon in a map.
  */
 template <typename T>
 VTKISTHMUSFILTERSIMAGING_EXPORT NoiseEstimate EstimateNoise(

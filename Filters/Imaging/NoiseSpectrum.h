@@ -6,17 +6,18 @@
  * the discrete Laplacian. Power is averaged over bins of equal width in the square root of s =
  * -L/b, which is in proportion to the frequency.
  *
- * **White noise** has the same power everywhere, and a map has little at the finest waves: the
- * level is a low quantile, over the blocks, of the power there. It is corrected for the spread that
- * the power of noise alone has (chi squared, with Wilson and Hilferty's approximation), and so does
- * not depend on the map where a quarter of the blocks has no detail at the finest waves.
+ * **White noise has the same power at all waves, and a map has little power at the finest ones, so
+ * the level is a low quantile of that power over the blocks. The level is corrected for the
+ * statistical spread of the power of noise (chi squared, with the approximation of Wilson and
+ * Hilferty). It is therefore independent of the map if a quarter of the blocks has no detail at the
+ * finest waves.
  *
- * **Coloured noise** has no such floor: power falls to the end of the spectrum. Then blocks without
- * signal are looked for. Noise that is the same everywhere has the same power in all of them, and
- * its waves have normally distributed amplitudes (kurtosis 3). If the quietest blocks agree, pass
- * for normal, others stand out from them, and they do not hold most of the volume's variance, their
- * mean is the spectrum. Otherwise only the floor counts, which then is low: little or nothing is
- * changed, and a warning says why.
+ * **Coloured noise has no such floor: the power falls until the end of the spectrum. In this case,
+ * blocks without signal are searched for. Homogeneous noise has the same power in all of them, and
+ * its waves have normally distributed amplitudes (kurtosis 3). Their mean is the spectrum if the
+ * quietest blocks agree, look normally distributed, differ clearly from others, and do not contain
+ * most of the variance of the volume. Otherwise only the floor is used, which is then low: little
+ * or nothing is changed, and a warning says why.
  */
 #ifndef isthmus_NoiseSpectrum_h
 #define isthmus_NoiseSpectrum_h
@@ -29,17 +30,19 @@
 namespace isthmus
 {
 
-/// Variance of the noise for each wave of the grid, in units of the sample's Scale squared.
+/// Variance of the noise for each wave of the grid, in units of the squared Scale of the sample.
 struct NoiseSpectrum
 {
-  bool Found = false;          ///< There were blocks to measure it in, or it was given.
+  bool Found = false;          ///< Whether there were blocks to measure the noise in, or it was
+                               ///< given.
   bool White = true;           ///< the same for all waves
-  bool Background = true;      ///< False: power falls as in coloured noise, but no blocks agree.
+  bool Background = true;      ///< False if the power falls as in coloured noise but no blocks
+                               ///< agree.
   double Deviation = 0.0;      ///< standard deviation of the noise
   double Coherence = 1.0;      ///< mean square of the density over its squared mean
   std::vector<double> Density; ///< of bins of equal width in sqrt(s); empty if White
 
-  /// At s = -L/b, from 0 to 1.
+  /// The variance at s = -L/b, from 0 to 1.
   double At(double s) const;
 };
 

@@ -28,7 +28,7 @@ void Check(const PDETransformParameters& parameters)
   Require(parameters.Modes >= 1 && parameters.Modes <= 16, "NumberOfModes must be from 1 to 16.");
   Require(parameters.LastOrder >= 0 && parameters.LastOrder <= parameters.FirstOrder &&
       parameters.FirstOrder <= 3,
-    "Orders must fall: 3 >= FirstOrder >= LastOrder >= 0.");
+    "Orders must not increase: 3 >= FirstOrder >= LastOrder >= 0.");
   Require(parameters.FirstWavelength > 0.0 && std::isfinite(parameters.FirstWavelength),
     "FirstWavelength must be finite and positive.");
   Require(parameters.Ratio > 1.0 && parameters.Ratio <= 16.0,

@@ -1,6 +1,6 @@
 /**
  * @file PDETransform.h
- * @brief Splits a volume into modes, from the finest detail to a smooth rest, that add up to it.
+ * @brief Splits a volume into modes that add up to it, from the finest detail to a smooth residue.
  *
  * The PDE transform (Y. Wang, G. W. Wei, S. Yang, Int. J. Numer. Methods Biomed. Eng. 27 (2011)
  * 1996; J. Sci. Comput. 50 (2012) 495): repeated high-pass filters made of diffusion of high, then
@@ -9,11 +9,11 @@
  *     X_1 = input,   X_(k+1) = low-pass_k(X_k),   mode_k = X_k - X_(k+1),   residue = X_(n+1).
  *
  * Low-pass k is hyperdiffusion of constant coefficient for the time at which a wave of wavelength
- * lambda_k = FirstWavelength * Ratio^(k-1) has lost half its amplitude; the higher its order, the
- * sharper the cut, exp(-ln 2 (lambda_k / lambda)^(2q+2)).
+ * lambda_k = FirstWavelength * Ratio^(k-1) has lost half its amplitude. The higher the order, the
+ * sharper the cut-off, exp(-ln 2 (lambda_k / lambda)^(2q+2)).
  *
  * All low-passes are functions of one matrix, the 7-point Laplacian L of the grid: X_(k+1) =
- * f_k(L) X_1 with f_k(L) = exp(-sum_(m<=k) t_m (-L)^(q_m+1)), and are had together from one
+ * f_k(L) X_1 with f_k(L) = exp(-sum_(m<=k) t_m (-L)^(q_m+1)), and are computed together by one
  * Chebyshev recurrence (H. Tal-Ezer, SIAM J. Numer. Anal. 26 (1989) 1):
  *
  *     f_k(L) u = u + sum_n a_(k,n) (T_n u - u),   T_(n+1) u = 2 T_n u - T_(n-1) u + 4/b L T_n u,
@@ -46,22 +46,22 @@ struct PDETransformParameters
 /// @throws std::invalid_argument for invalid parameters.
 VTKISTHMUSFILTERSIMAGING_EXPORT void Check(const PDETransformParameters& parameters);
 
-/// The low-pass behind mode k (0 the first).
+/// The low-pass filter after mode k (the first is 0).
 VTKISTHMUSFILTERSIMAGING_EXPORT DiffusionParameters LowPass(
   const PDETransformParameters& parameters, int k);
 
 /**
- * Makes `modes[k]` = X_(k+1) - X_(k+2) (k from 0) of the input in `values`, and `values` the
- * residue.
+ * Computes modes[k] = X_(k+1) - X_(k+2) (k from 0) from the input in `values`, and leaves the
+ * residue in `values`.
  *
  * @pre modes has parameters.Modes volumes of the grid's size, none of them `values`.
  * @throws std::invalid_argument for bad parameters, also for wavelengths so long that the
  * recurrence would be longer than MaximumEvaluations.
  *
- * Cost: one recurrence for all modes, about five times as long as b^(1/2) times the longest
+ * Cost: one recurrence for all modes, whose length is about five times b^(1/2) times the longest
  * wavelength over 2 pi (89 stages with the defaults in float), and for each mode an addition in the
- * stages that it needs. Memory: two volumes beside values and modes, four on one rank, where
- * several stages are done in one pass.
+ * stages that it needs. Memory: two volumes in addition to `values` and `modes`, or four on one
+ * rank, where several stages are done in one pass.
  */
 template <typename T>
 VTKISTHMUSFILTERSIMAGING_EXPORT void TransformByPDE(const DiffusionGrid<T>& grid,

@@ -56,7 +56,7 @@ void RequireEvaluations(double evaluations)
   {
     throw std::invalid_argument(TextOf("This takes ", evaluations,
       " evaluations of the equation, or more; the most is ", MaximumEvaluations,
-      ". Lower the end time or the diffusivities, take SuperTimeStepping, or a coarser grid."));
+      ". Lower the end time or the diffusivities, or use SuperTimeStepping or a coarser grid."));
   }
 }
 

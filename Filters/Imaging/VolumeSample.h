@@ -1,10 +1,10 @@
 /**
  * @file VolumeSample.h
- * @brief Parts of a volume that stand for the whole, the same on every rank.
+ * @brief Parts of a volume that represent the whole, the same on every rank.
  *
  * A search for parameters works on a sample: a coarse copy of every n-th node, blocks in which the
  * noise is measured, and blocks that are denoised on trial. All are chosen from the whole grid and
- * gathered on every rank, so every rank comes to the same result bit for bit without further
+ * gathered on every rank, so that the results of all ranks are bitwise equal without further
  * communication.
  */
 #ifndef isthmus_VolumeSample_h
@@ -39,7 +39,8 @@ struct SampleBox
   }
 };
 
-/// A block for trials: the nodes of Inner count, those around them in Box are margin.
+/// A block for trials: only the nodes of Inner are evaluated; those around them in Box are a
+/// margin.
 struct TrialBlock
 {
   SampleBox Box, Inner;
@@ -49,7 +50,7 @@ struct TrialBlock
   std::vector<char> IsFill;  ///< of Box: constant background, which is left as it is
 };
 
-/// Blocks to measure noise in, scaled, without constant background.
+/// Scaled blocks in which the noise is measured, without constant background.
 struct NoiseBlocks
 {
   Index3 Size{ 0, 0, 0 };
@@ -67,16 +68,16 @@ struct VolumeSample
 };
 
 /// Whether a node has the fill value and shares it with three or more of its neighbours. `begin`
-/// and `size` describe the array; beyond its ends a node stands in for its missing neighbour.
+/// and `size` describe the array; at its ends the node itself replaces a missing neighbour.
 template <typename T>
 bool IsFillNode(const T* values, const Index3& size, const Index3& node, T fill);
 
 /**
- * Samples `values`; `noise` (may be null) is a volume of noise like that in the values.
+ * Samples `values`; `noise` (may be null) is a volume of noise like that in `values`.
  *
- * Volumes of up to 300 000 nodes are one trial block; larger ones give six blocks of about 28^3
- * nodes and a margin, chosen systematically with probability in proportion to their standard
- * deviation, with weights that make up for it.
+ * A volume of up to 300 000 nodes is one trial block. Larger ones have six blocks of about 28^3
+ * nodes and a margin. These are chosen systematically with a probability proportional to their
+ * standard deviation, and weighted to compensate for it.
  */
 template <typename T>
 VTKISTHMUSFILTERSIMAGING_EXPORT VolumeSample SampleVolume(

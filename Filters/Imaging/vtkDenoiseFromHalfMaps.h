@@ -2,20 +2,21 @@
  * @class vtkDenoiseFromHalfMaps
  * @brief Denoises the mean of two half maps; their difference gives the noise.
  *
- * Two maps of the same thing from independent halves of the data, a and b, have the mean
- * (a + b) / 2, whose noise is like (a - b) / 2, which contains no signal: noise of the same level,
+ * Let a and b be two maps of the same object from independent halves of the data. The noise of
+ * their mean (a + b) / 2 is like (a - b) / 2, which contains no signal: it has the same level,
  * spectrum and distribution in space. The mean is passed to vtkHighOrderDiffusion, which chooses a
- * diffusion by its risk with that difference in place of an estimate of the noise: a choice by
- * cross-validation, in which one half judges what is made of the other.
+ * diffusion by its risk, with this difference instead of an estimate of the noise. This is
+ * cross-validation: each half validates what is computed from the other.
  *
  * Input 0 and 1: vtkImageData of the same nodes (dimensions, spacing, origin, direction to 1e-4 of
- * a spacing), one-component point scalars each. Nodes where the halves are equal, as outside of a
- * mask, do not count for the noise.
+ * a spacing), one-component point scalars each. Nodes at which the halves are equal, e.g. outside a
+ * mask, are ignored when the noise is measured.
  *
  * Output: the denoised mean, with the arrays and field data of vtkHighOrderDiffusion and the name
  * of the first half's array, and `LocalResolution` (angstrom, if that is the spacing's unit): the
  * wavelength at which the halves' correlation in a window of 24 nodes falls below 0.5
- * (LocalResolution.h). Equal halves have no noise: an error says so. Both are needed whole.
+ * (LocalResolution.h). Equal half maps are refused with an error, since they have no noise. Both
+ * are needed whole.
  *
  * @sa vtkHighOrderDiffusion
  */

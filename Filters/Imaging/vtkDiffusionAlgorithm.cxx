@@ -173,7 +173,7 @@ vtkDataArray* vtkDiffusionAlgorithm::ScalarsOnAllRanks(
   if (refusals > 0.0)
   {
     throw std::invalid_argument(
-      complaint.empty() ? "Another rank has no array to work on: see its message." : complaint);
+      complaint.empty() ? "Another rank has no input array: see its message." : complaint);
   }
   return scalars;
 }

@@ -5,15 +5,16 @@
  * Input: vtkImageData with a single-component point array of any type, spacing and extent (one
  * slice or one row, too); by default the active scalars, see SetInputArrayToProcess. Output: the
  * input with every other array, field data, origin, spacing and direction; results are float for
- * float and integers of up to 16 bits, else double. The input is never changed.
+ * float and for integers of up to 16 bits, otherwise double. The input is never changed.
  *
- * Values that are not finite are refused with the place of the first one; with MaskInvalid they
- * take a value from their neighbours during the computation and are what they were in the output.
+ * Values that are not finite are refused, with the position of the first one. With MaskInvalid they
+ * are replaced by a value of their neighbours during the computation, and are unchanged in the
+ * output.
  *
  * On several ranks of Controller every rank works on its part of the image and exchanges a halo
- * before each evaluation, so the ranks must all update the filter and together ask for the whole
- * image. Results do not depend on the number of ranks or threads. On one rank the filter always
- * computes, and returns, the whole image.
+ * before each evaluation, so all ranks must update the filter and together request the whole image.
+ * Results do not depend on the number of ranks or threads. On one rank the filter always computes,
+ * and returns, the whole image.
  */
 #ifndef vtkDiffusionAlgorithm_h
 #define vtkDiffusionAlgorithm_h
@@ -69,7 +70,7 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// Nodes that the computation needs around a rank's part; must not throw.
+  /// Number of nodes that the computation needs around the part of a rank; must not throw.
   virtual int HaloWidth() = 0;
 
   ///@{
@@ -78,17 +79,17 @@ protected:
   virtual void Process(isthmus::DiffusionImage<double>& image) = 0;
   ///@}
 
-  /// The array to work on (Core/ImageScalars.h); null on a rank without nodes.
+  /// The input array (Core/ImageScalars.h); null on a rank without nodes.
   vtkDataArray* ChosenScalars(vtkImageData* image);
 
 private:
   bool IsParallel() const;
 
-  /// The nodes this rank has to compute, of what the input delivered.
+  /// The nodes of the delivered input that this rank has to compute.
   std::array<int, 6> OwnPart(
     vtkImageData* input, vtkInformation* request, const std::array<int, 6>& whole);
 
-  /// The array to work on; refuses on all ranks if one has none.
+  /// The input array; throws on all ranks if one of them has none.
   vtkDataArray* ScalarsOnAllRanks(vtkImageData* image, const isthmus::DomainDecomposition& parts);
 
   template <typename T>

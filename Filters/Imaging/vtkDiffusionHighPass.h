@@ -61,7 +61,7 @@ public:
   ///@}
 
   ///@{
-  /// End time. Default 4: v is then smoothed like by a Gaussian of 2.8 voxels.
+  /// End time. Default 4, with which v is smoothed as by a Gaussian of 2.8 voxels.
   vtkSetMacro(Time, double);
   vtkGetMacro(Time, double);
   ///@}

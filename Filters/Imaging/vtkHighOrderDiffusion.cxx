@@ -211,25 +211,24 @@ void vtkHighOrderDiffusion::Explain(
   if (noise.FewValues)
   {
     vtkWarningMacro(<< isthmus::TextOf(
-                      "The volume has only a few values, like a mask, labels or a constant: there "
-                      "is no noise in it, and it is left as it is.",
+                      "The volume has only a few distinct values, like a mask, labels or a "
+                      "constant. It contains no noise and is returned unchanged.",
                       remedy));
   }
   else if (!(noise.Noise > 0.0))
   {
-    vtkWarningMacro(<< isthmus::TextOf(
-                      "No noise was found in the volume, which is left as it is: most nodes are "
-                      "the mean of their neighbours.",
+    vtkWarningMacro(<< isthmus::TextOf("No noise was found in the volume, which is returned "
+                                       "unchanged: most values equal the mean of their neighbours.",
                       remedy));
   }
   else if (change < 1e-3 * noise.Deviation && !background)
   {
-    vtkWarningMacro(<< isthmus::TextOf(
-                      "Hardly anything was changed. If there is noise, it is coloured: its power "
-                      "falls towards the finest waves, like that of the map, and no background "
-                      "without signal was found to measure it in. Give KnownNoise, or use Denoise "
-                      "From Half Maps.",
-                      remedy));
+    vtkWarningMacro(
+      << isthmus::TextOf(
+           "Hardly anything was changed. If there is noise, it is coloured: its power falls "
+           "towards the finest waves, like that of the map, and there is no background without "
+           "signal in which it could be measured. Give KnownNoise, or use Denoise From Half Maps.",
+           remedy));
   }
   else if (change < 1e-4 * noise.Deviation)
   {

@@ -9,36 +9,34 @@
  *     GeometricFlow   u_t = (-1)^q d_q sqrt(g) div(grad T / sqrt(g)) + Fidelity (input - u) + P,
  *                     T = L^q u, g = 1 + |grad T|^2 / Sigma^2
  *
- * with Neumann boundaries: no flux, so that Hyperdiffusion keeps the mean. The odd orders carry
- * the sign that makes them diffuse.
+ * with Neumann boundaries: no flux, so that Hyperdiffusion keeps the mean. The sign of the odd
+ * orders is chosen so that they diffuse. Finally, with ResidualSmoothing, long waves that the
+ * diffusion removed are restored.
  *
- * In the end, with ResidualSmoothing, long waves that the diffusion removed are restored.
- *
- * Automatic (the default) chooses Order, edge stopping or none, Sigma, PreSmoothing and Time: those
- * with the least estimated error for the Goal (DenoisingRisk.h), for noise whose level and spectrum
- * are estimated from the image (NoiseSpectrum.h) unless KnownNoise is set. EdgeStopping None
- * restricts the choice to linear diffusions, which are computed as functions of the Laplacian,
- * without steps in time. Constant background, as outside of a mask, is left as it is. Geometric
- * flow, LowerOrders, LocalVariance, Fidelity, UseSource and diffusivities other than 1 are not
- * covered by the search: with them a rule sets Sigma, PreSmoothing, Time and ResidualSmoothing from
- * the noise level and Strength. Without Automatic all parameters are
- * taken as they are, except that a Sigma of 0 is replaced by the noise level.
+ * Automatic (the default) chooses Order, edge stopping or none, Sigma, PreSmoothing and Time so
+ * that the estimated error for the Goal is least (DenoisingRisk.h), for noise whose level and
+ * spectrum are estimated from the image (NoiseSpectrum.h) unless KnownNoise is set. EdgeStopping
+ * None restricts the choice to linear diffusions, which are computed as functions of the Laplacian,
+ * without steps in time. Constant background, e.g. outside a mask, is not changed. Geometric flow,
+ * LowerOrders, LocalVariance, Fidelity, UseSource and diffusivities other than 1 are not covered by
+ * the search: with them a rule sets Sigma, PreSmoothing, Time and ResidualSmoothing from the noise
+ * level and Strength. Without Automatic all parameters are used as set, except that a Sigma of 0 is
+ * replaced by the noise level.
  *
  * The output array has the input array's name. Field data: the curves `StepTime`, `StepChange` (rms
- * of what a step changed) and `StepResidual` (rms of the rate at its start; both of the whole
- * change for a linear choice), and `NoiseLevel`, `UsedOrder`, `UsedEdgeStopping`, `UsedSigma`,
+ * of what a step changed) and `StepResidual` (rms of the rate at its start; for a linear choice
+ * both describe the whole change), and NoiseLevel, `UsedOrder`, `UsedEdgeStopping`, `UsedSigma`,
  * `UsedPreSmoothing`, `UsedTime`, `UsedResidualSmoothing`. The search adds `EstimatedGain` (dB in
- * mean squared error) with its standard error `EstimatedGainError`, the curve `RiskValue` over
- * `RiskTime` of the order and Sigma chosen (estimated mean squared error; for surfaces that of the
- * Laplacian, unless the values' own decided) and `Choice`, a sentence. Where Automatic finds no
+ * mean squared error) with its standard error `EstimatedGainError`, the curve RiskValue over
+ * RiskTime of the chosen order and Sigma (estimated mean squared error; for surfaces that of the
+ * Laplacian, unless that of the values decided) and Choice, a sentence. Where Automatic finds no
  * noise, or so little that nothing changes, a warning says why and what to do.
  *
  * Cost: time in proportion to nodes x sqrt(Time) with SuperTimeStepping, nodes x Time with
- * ForwardEuler. Memory beside input and output, in volumes of the output's type: 4 with
- * SuperTimeStepping (two stages, the first rate, the coefficient), two more for Order 0 on
- * one rank, 1 to 3 with ForwardEuler; with Automatic one more, and a sample of the volume of up to
- * 100 MiB; and, where enabled, the input (Fidelity) and P (UseSource)
- * in the output's type.
+ * ForwardEuler. Memory in addition to input and output, in volumes of the output's type: 4 with
+ * SuperTimeStepping (two stages, the first rate, the coefficient) and two more for Order 0 on one
+ * rank; 1 to 3 with ForwardEuler. Automatic needs one more, and a sample of the volume of up to 100
+ * MiB. Fidelity (the input) and UseSource (P) each need one more volume.
  *
  * @sa vtkDiffusionHighPass vtkPDETransform
  */
@@ -202,7 +200,8 @@ public:
   ///@}
 
   ///@{
-  /// That many equal steps; 0 (default) chooses them. Too few are refused with the limit.
+  /// That many equal steps; 0 (default) chooses them. Too few steps are refused, with the limit in
+  /// the message.
   vtkSetMacro(Steps, int);
   vtkGetMacro(Steps, int);
   ///@}

@@ -3,14 +3,16 @@
  * @brief Splits a volume into modes, from the finest detail to a smooth rest, that add up to it.
  *
  * Repeated high-pass filters by diffusion of falling order (Y. Wang, G. W. Wei, S. Yang, J. Sci.
- * Comput. 50 (2012) 495): mode k is what the k-th low-pass takes away from what was left. Low-pass
- * k halves waves of the wavelength FirstWavelength * WavelengthRatio^(k-1).
+ * Comput. 50 (2012) 495): mode k is what the k-th low-pass filter removes from what the previous
+ * ones have left. Low-pass filter k halves the amplitude of waves of the wavelength FirstWavelength
+ * WavelengthRatio^(k-1).
  *
  * Output arrays: `Mode1`, ..., `Mode<n>` and `Residue` (active); their sum is the input up to the
  * rounding of the additions. Times are chosen from wavelengths; orders fall by one from FirstOrder
  * to LastOrder. All modes come from one Chebyshev recurrence of the Laplacian (PDETransform.h), to
- * 1e-7 of the input (float) or 1e-13 (double) beside rounding. Cost: that recurrence is about
- * three times as long as the longest wavelength in voxels. Memory: n + 1 output volumes and four.
+ * 1e-7 of the input (float) or 1e-13 (double), apart from rounding. Cost: the number of terms of
+ * this recurrence is about three times the longest wavelength in voxels. Memory: n + 1 output
+ * volumes and four more.
  *
  * @sa vtkHighOrderDiffusion vtkDiffusionHighPass
  */

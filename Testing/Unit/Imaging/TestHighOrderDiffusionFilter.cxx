@@ -193,7 +193,7 @@ TEST(HighOrderDiffusionFilter, RefusesInASentence)
         f->SetIntegrator(vtkHighOrderDiffusion::ForwardEuler);
         f->SetSteps(1);
       } },
-    { "lacks an array", [](auto* f) { f->UseSourceOn(); } },
+    { "lacks the chosen array", [](auto* f) { f->UseSourceOn(); } },
   };
   for (const auto& [words, spoil] : cases)
   {
