@@ -1,18 +1,19 @@
 /**
  * @file BoundaryForces.h
- * @brief What field and ions do to the atoms through the surface that these carry.
+ * @brief Forces of the field and the ions on the atoms, through the surface that moves with these.
  *
- * The energy is stationary in the potential, so that its derivative by the surface's place is that
- * at a fixed field (the sharp form of W. Im, D. Beglov and B. Roux, Comput. Phys. Commun. 111
- * (1998) 59, whose surface is smeared). A point that moves outwards by dn changes it by (pull dn
- * dA), with
+ * The energy is stationary in the potential, so its derivative with respect to the position of the
+ * surface is that at a fixed field (the sharp form of W. Im, D. Beglov and B. Roux, Comput. Phys.
+ * Commun. 111 (1998) 59, whose surface is smeared). A point that moves outwards by dn changes it by
+ * (pull dn dA), with
  *
  *   pull = kT / (8 pi C) [ (1 / eps_m - 1 / eps_s) (eps_s d_n phi)^2
  *                          + (eps_s - eps_m) |grad_t phi|^2 ]
  *
- * phi in kT/e just outside: the field draws the solvent towards the charges. The ions' border moves
- * along, and their osmotic pressure above the bulk's, sum c (exp(-z phi) - 1), or sum c z^2 phi^2 /
- * 2 of the linear equation, is the pull there. Which atom carries what: SurfaceMotion.
+ * phi in kT/e just outside: the field draws the solvent towards the charges. The boundary of the
+ * ions moves with the surface. The pull there is their osmotic pressure relative to the bulk, sum c
+ * (exp(-z phi) - 1), or sum c z^2 phi^2 / 2 for the linear equation. Which atom carries what:
+ * SurfaceMotion.
  *
  * A point of the surface moves along its normal by sum_i Part_i . dr_i when the atoms move by dr_i.
  * The parts of a point add up to the normal, so that the surface moves with all of the atoms.
@@ -36,7 +37,7 @@ struct SurfaceShare
   Point3 Part;
 };
 
-/// Atoms in cells of about their size. Memory 8 bytes an atom and cell.
+/// Sorts the atoms into cells of about their size. Memory: 8 bytes for each atom and each cell.
 class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SurfaceMotion
 {
 public:
@@ -44,11 +45,13 @@ public:
    * With a decay: the level of sum_i exp(-decay (|x - r_i|^2 / R_i^2 - 1)), whose parts follow from
    * its gradient (terms below 1e-6 and atoms without a radius have none). With decay 0: any other
    * surface, each point of which belongs to the atom with the least |x - r| - R. That is exact for
-   * a union of balls, a rule for others. Refers to the atoms. @pre There are some.
+   * a union of balls and an approximation for other surfaces. The object refers to `atoms`.
+   * @pre `atoms` is not empty.
    */
   SurfaceMotion(const std::vector<ChargedAtom>& atoms, double decay);
 
-  /// The shares of a point with an outward unit normal, replacing what is there. O(atoms near).
+  /// Computes the shares of a point with an outward unit normal; replaces the contents of `shares`.
+  /// O(atoms near).
   void At(const Point3& x, const Point3& normal, std::vector<SurfaceShare>& shares) const;
 
 private:
@@ -68,12 +71,12 @@ private:
   std::vector<std::size_t> First, Order; ///< atoms by cell
 };
 
-/// The pull at each crossing of the solution's surface with the grid, kcal/mol/angstrom^3; 0 where
-/// no field could be fitted. O(crossings), parallel.
+/// The pull at each crossing of the surface with the grid, in kcal/mol/angstrom^3; 0 where the
+/// field could not be fitted. O(crossings), parallel.
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<double> PullAtCrossings(
   const GridPotential& solution, double kelvin);
 
-/// On each atom, kT/angstrom, along the grid's axes.
+/// The forces on each atom along the axes of the grid, in kT/angstrom.
 struct BoundaryForces
 {
   std::vector<Point3> Dielectric, Ionic;

@@ -1,6 +1,7 @@
 /**
  * @file ChargeSums.h
- * @brief Sums over point charges: the Coulomb potential with two derivatives, Debye-Hueckel's.
+ * @brief Sums over point charges: the Coulomb potential with two derivatives, and the Debye-Hueckel
+ * potential.
  */
 #ifndef isthmus_ChargeSums_h
 #define isthmus_ChargeSums_h
@@ -25,7 +26,7 @@ struct ChargeList
     this->Z.push_back(position[2]);
     this->Charge.push_back(charge);
   }
-  /// Charges [first, last) of another list.
+  /// The charges [first, last) of another list.
   void Append(const ChargeList& from, std::size_t first, std::size_t last)
   {
     const auto append = [&](std::vector<double>& to, const std::vector<double>& values)
@@ -55,7 +56,7 @@ struct SecondOrderTaylor
   Point3 Gradient{ 0.0, 0.0, 0.0 };
   std::array<double, 6> Hessian{ 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 
-  /// Of the Taylor polynomial at `y` from the point.
+  /// The value of the Taylor polynomial at the offset y from the point.
   double At(const Point3& y) const
   {
     const auto& h = this->Hessian;

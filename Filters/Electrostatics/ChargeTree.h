@@ -1,11 +1,12 @@
 /**
  * @file ChargeTree.h
- * @brief Many charges seen from afar: a tree of boxes with a few stand-in charges each.
+ * @brief Sums over many distant charges by a tree of boxes, each with a few equivalent charges.
  *
  * A box of the tree holds 5^3 charges at its Chebyshev points that interpolate those in it (the
  * Lagrange treecode of L. Wang, R. Krasny and S. Tlupova, Commun. Comput. Phys. 28 (2020) 1415).
- * Targets are points or balls: boxes whose radius is less than half their distance are seen by
- * their stand-ins, relative error about 1e-5; all others are opened down to the charges.
+ * Targets are points or balls. Boxes whose radius is less than half their distance are replaced by
+ * their equivalent charges, with a relative error of about 1e-5; all others are opened down to the
+ * charges.
  */
 #ifndef isthmus_ChargeTree_h
 #define isthmus_ChargeTree_h
@@ -16,7 +17,8 @@
 namespace isthmus
 {
 
-/// Building: O(n log n), most of it parallel; memory about 8 numbers for each charge.
+/// Building the tree takes O(n log n), mostly in parallel, and memory for about 8 numbers for each
+/// charge.
 class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT ChargeTree
 {
 public:
@@ -41,7 +43,7 @@ private:
     std::size_t last);
   static void AddStandIns(
     const ChargeList& charges, const std::vector<std::size_t>& order, Box& box);
-  /// Whether a box is seen from afar.
+  /// Whether a box is far enough away to be replaced by its equivalent charges.
   static bool Far(const Box& box, const Point3& centre, double radius);
   void Gather(std::int64_t box, const Point3& centre, double radius, ChargeList& seen) const;
   double ScreenedSum(std::int64_t box, const Point3& x, double kappa) const;

@@ -3,21 +3,23 @@
  * @brief The cavities inside the surface that are cut off from the solvent: their crossings, and
  * the correction that makes the net flux through the wall of each one 0.
  *
- * The potential of a cavity that is cut off from the solvent depends on one sum: no more flows in
- * through its wall than its ions take up. The equations of its nodes say so together, with the
- * fluxes F+ of the outside function across the wall's edges; a fit keeps these to its truncation
- * times eps_s only. The inside function's fluxes F- across the same edges,
+ * The potential of a cavity that is cut off from the solvent depends on one sum: the flux through
+ * its wall equals the charge of its ions. The sum of the equations of its nodes states this with
+ * the fluxes F+ of the outside function across the edges of the wall, but a fit has these fluxes
+ * only up to its truncation error times eps_s. The inside function's fluxes F- across the same
+ * edges,
  *
  *     F+ = eps_s (v_in - u_out),   F- = eps_m (u_in - v_out)   (v: continued across the surface),
  *
  * differ from them edge by edge, but by the divergence theorem not in their sum over a closed wall:
  * eps d_n phi goes through the surface, and either function's flux through it is that through the
- * edges. F- is truncated eps_s / eps_m times less, and is what the equations inside count with, so
- * nothing is lost between the two. Each row gets its share of the difference,
+ * edges. The truncation error of F- is smaller by eps_s / eps_m, and F- is the flux in the
+ * equations inside, so that no flux is lost between the two sides. Each row gets its share of the
+ * difference,
  *
  *     row_p += (edges of p through the wall / all of them) sum over the wall (F+ - F-),
  *
- * which leaves to the fits how the flux is spread. For ghost-fluid values F+ = F-.
+ * which leaves to the fits how the flux is spread. With ghost-fluid values F+ equals F-.
  */
 #ifndef isthmus_ClosedCavities_h
 #define isthmus_ClosedCavities_h
@@ -30,16 +32,17 @@ namespace isthmus
 {
 
 /**
- * The crossings of each closed cavity: no path over nodes outside, along edges and diagonals of the
- * grid's faces, leads from there to the border of the box (which is outside). Parts that touch only
- * across diagonals are joined by a neck thinner than the spacing, as finer grids show. Both orders
- * are those of the crossings. O(nodes), by runs of nodes along x: about 40 bytes a run, at most.
+ * The crossings of each closed cavity. A cavity is closed if no path over nodes outside, along
+ * edges and diagonals of the faces of the grid, leads from it to the border of the box (which is
+ * outside). Parts that touch only across diagonals are joined by a neck thinner than the spacing,
+ * as finer grids show. Both orders are those of the crossings. O(nodes), by runs of nodes along x,
+ * with at most about 40 bytes for each run.
  */
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<std::vector<std::int64_t>> WallsOfClosedCavities(
   const SolverBox& box, const std::vector<unsigned char>& inside,
   const std::vector<InterfaceCrossing>& crossings);
 
-/// Of one cavity: a sum over nodes, Value . u - RightSide, that its rows get shares of.
+/// The sum over nodes of one cavity, Value . u - RightSide, of which its rows get shares.
 struct CavityFlux
 {
   std::vector<std::int64_t> Column; ///< nodes, in increasing order
@@ -50,9 +53,9 @@ struct CavityFlux
 };
 
 /**
- * For each closed cavity of `problem.Cavities`, in their order; `nodes` are those of the irregular
- * rows. Row and sum are times h^2, as InterfaceMatrixRows.h has it. O(crossings of closed
- * cavities).
+ * The sums for the closed cavities of `problem.Cavities`, in their order; `nodes` are those of the
+ * irregular rows. Rows and sums are multiplied by h^2, as in InterfaceMatrixRows.h. O(crossings of
+ * closed cavities).
  */
 std::vector<CavityFlux> CavityFluxes(const InterfaceProblem& problem,
   const std::vector<InterfaceExtrapolation>& values, const std::vector<std::int64_t>& nodes);

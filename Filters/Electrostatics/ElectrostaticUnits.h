@@ -1,6 +1,7 @@
 /**
  * @file ElectrostaticUnits.h
- * @brief The constants that turn charges, lengths and temperatures into kT/e and kcal/mol.
+ * @brief The constants for the conversion of charges, lengths and temperatures to kT/e and
+ * kcal/mol.
  *
  * CODATA 2018: e, k and N_A are exact. Lengths in angstrom, charges in e, potentials in kT/e.
  */
@@ -35,7 +36,7 @@ constexpr double ThermalKilocalorie(double kelvin)
   return ThermalKilojoule(kelvin) / JoulePerCalorie;
 }
 
-/// Ions in a cubic angstrom at 1 mol/l.
+/// Number of ions in a cubic angstrom at 1 mol/l.
 constexpr double IonsPerCubicAngstrom = AvogadroConstant * 1e-27;
 
 }

@@ -1,6 +1,6 @@
 /**
  * @file ForceFieldAtoms.h
- * @brief Atoms of a file without charges (PDB, mmCIF) as atoms with a force field's.
+ * @brief Assigns charges of a force field to the atoms of a file without charges (PDB, mmCIF).
  */
 #ifndef isthmus_ForceFieldAtoms_h
 #define isthmus_ForceFieldAtoms_h
@@ -22,8 +22,8 @@ struct ChargeArrays
   std::string Charge, Radius;
 };
 
-/// Whether the charges are missing, or NaN for most atoms (which the reader gives where a file has
-/// formal charges only), and atoms and residues have names by which they could be found.
+/// Whether the charges are missing, or NaN for most atoms (as in files with formal charges only),
+/// while the names of atoms and residues allow looking them up.
 bool LacksCharges(vtkPointSet* atoms, const ChargeArrays& arrays);
 
 /// `protein` as points of the kind of `atoms`: the arrays `arrays` names, AtomName, Element,
@@ -31,15 +31,16 @@ bool LacksCharges(vtkPointSet* atoms, const ChargeArrays& arrays);
 vtkSmartPointer<vtkPointSet> PointsOf(
   const ChargedProtein& protein, vtkPointSet* atoms, const ChargeArrays& arrays);
 
-/// How far hydrogens may lie beyond the balls of the atoms that carry them, angstrom.
+/// Largest distance of hydrogens beyond the balls of the atoms to which they are bonded, in
+/// angstrom.
 constexpr double HydrogenMargin = 2.0;
 
-/// What pdb2pqr may charge of atoms that lack charges, all but water, as balls of 2 angstrom with
-/// charge 0; of 9 around CA where a side chain is incomplete and will be rebuilt. Only for the
-/// extent of a grid.
+/// The atoms to which pdb2pqr may assign charges, i.e. all except water, as balls of 2 angstrom
+/// with charge 0, and of 9 angstrom around CA if a side chain is incomplete and will be rebuilt.
+/// They are used only for the extent of a grid.
 std::vector<ChargedAtom> PolymerWithoutCharges(vtkPointSet* atoms);
 
-/// Charges, or the reason why there are none, are computed once for each input and force field.
+/// Computes the charges, or the reason why there are none, once for each input and force field.
 class ForceFieldAtomsCache
 {
 public:

@@ -459,9 +459,8 @@ double GridPotential::TakeStep(const std::vector<double>& step, double before)
     factor *= 0.5;
   }
   throw std::runtime_error(
-    "Newton's method for the nonlinear Poisson-Boltzmann equation found no "
-    "step that makes the residual smaller: solve the linear equation, give a "
-    "potential to start from, or choose a finer grid.");
+    "Newton's method for the nonlinear Poisson-Boltzmann equation found no step that reduces the "
+    "residual: solve the linear equation, provide an initial potential, or choose a finer grid.");
 }
 
 void GridPotential::ClipStart()

@@ -27,30 +27,32 @@ namespace isthmus
 class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT GridPotential
 {
 public:
-  /// Finds the surface and fits the rows at it. What is passed is referred to, not copied, but for
-  /// the level. `last` is another surface's solution with all else the same: potential, border and
-  /// what residuals are relative to begin as they are there.
+  /// Finds the surface and fits the rows at it. The arguments are referred to, not copied, except
+  /// the level. `last` is a solution for another surface with otherwise equal arguments; the
+  /// potential, the border values and the reference of the residuals start from those of `last`.
   GridPotential(const LevelFunction& level, const SolverBox& box,
     const std::vector<ChargedAtom>& atoms, const PoissonBoltzmannParameters& parameters,
     const IonAtmosphere& ions, const ProgressCallback& progress = {},
     const GridPotential* last = nullptr);
 
-  /// Sets border values; with `sampled`, f is smooth and known beyond the border, too.
+  /// Sets border values. With `sampled`, `border` must be smooth and defined slightly beyond the
+  /// border.
   void SetBorder(const PotentialFunction& border, bool sampled);
   /// Sets the interior, which is 0 at first.
   void SetStart(const PotentialFunction& start);
 
   /**
-   * Solves the linear equation from what there is, and with Parameters.Nonlinear the full one from
-   * there by Newton's method, until the residual is `tolerance` of that of the very first start.
+   * Solves the linear equation from the current potential, and with Parameters.Nonlinear then the
+   * full one by Newton's method, until the residual is `tolerance` times that of the first start.
    * May be called again, with other border values.
    */
   void Solve(double tolerance, const ProgressCallback& progress = {});
 
-  /// Energies, u and forces at the atoms.
+  /// Computes energies, u and forces at the atoms.
   void Evaluate();
 
-  /// Frees what only solving needs. What remains can be evaluated, and is the last of another.
+  /// Frees what only solving needs. The rest can still be evaluated and passed as `last` to another
+  /// problem.
   void Release();
 
   const SolverBox& GetBox() const { return this->Box; }
@@ -66,15 +68,15 @@ public:
   const IonAtmosphere& GetIons() const { return this->Ions; }
   const std::vector<ChargedAtom>& GetAtoms() const { return this->Atoms; }
   const PoissonBoltzmannParameters& GetParameters() const { return this->Parameters; }
-  /// The part of each node's cell that the ions of a layer reach; none after Release().
+  /// The fraction of the cell of each node that the ions of a layer reach; empty after Release().
   const std::vector<std::vector<float>>& GetAccess() const { return this->Access; }
-  /// How near to the surface the ions of a layer get, angstrom.
+  /// Smallest distance of the ions of a layer from the surface, in angstrom.
   double LayerRadius(std::size_t layer) const;
-  /// The permittivity of each edge, that of its two parts in series.
+  /// The permittivity of each edge, with its two parts in series.
   EdgePermittivity Permittivities() const;
   void SetBorderIterations(int iterations) { this->Report.BorderIterations = iterations; }
   double Kappa() const;
-  /// First and last nodes inside the surface; Last < First where there are none.
+  /// First and last nodes inside the surface; Last < First if there are none.
   BoxNodes RangeInside() const;
 
 private:
@@ -90,12 +92,12 @@ private:
   /// The potential on the surface at a crossing.
   double SurfaceValue(
     std::size_t crossing, const FitNodes& nodes, const FitFunctional& functional) const;
-  /// The ions at the surface, linearised about phi; with a slope of 1 / spacing^2 at most, since of
-  /// a layer thinner than the spacing a quadratic knows nothing.
+  /// The ions at the surface, linearised about phi, with a slope of at most 1 / spacing^2, since a
+  /// quadratic cannot represent a layer thinner than the spacing.
   SurfaceIons IonsAt(double phi) const;
   std::vector<SurfaceIons> IonsAtCrossings() const;
-  /// What the energy of the ions that reach the surface has to have more than the sum over whole
-  /// cells, kT.
+  /// Correction of the energy of the ions that reach the surface, relative to the sum over whole
+  /// cells, in kT.
   double IonEnergyOfCutCells() const;
   double NonlinearResidual(const std::vector<double>& u, std::vector<double>& out) const;
   void FillDiagonal(bool nonlinear);

@@ -1,10 +1,10 @@
 /**
  * @file HarmonicFit.h
- * @brief The reaction potential at a point inside, from the nodes inside around it.
+ * @brief The reaction potential at a point inside, computed from the surrounding nodes inside.
  *
  * It is harmonic there, so a polynomial of degree 3 has 16 coefficients instead of 20: r^l Y_lm up
- * to l = 3, fitted by weighted least squares to the nodes inside within three spacings; of degree
- * 2, 1 or 0 where there are too few. Fourth order for degree 3.
+ * to l = 3, fitted by weighted least squares to the nodes inside within three spacings. If there
+ * are too few nodes, the degree is 2, 1 or 0. Fourth order for degree 3.
  */
 #ifndef isthmus_HarmonicFit_h
 #define isthmus_HarmonicFit_h
@@ -21,7 +21,8 @@ struct ValueAndGradient
   Point3 Gradient{ 0.0, 0.0, 0.0 };
 };
 
-/// Of u at x (frame of the volume). Throws std::invalid_argument where no node around is inside.
+/// The fit of u at x (in the frame of the volume). Throws std::invalid_argument if no surrounding
+/// node is inside.
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT ValueAndGradient HarmonicAt(const SolverBox& box,
   const std::vector<unsigned char>& inside, const std::vector<double>& u, const Point3& x);
 

@@ -1,6 +1,7 @@
 /**
  * @file InterfaceExtrapolation.h
- * @brief What the two sides' functions are across the surface, at the ends of an edge it crosses.
+ * @brief The functions of both sides, continued across the surface to the ends of an edge that it
+ * crosses.
  */
 #ifndef isthmus_InterfaceExtrapolation_h
 #define isthmus_InterfaceExtrapolation_h
@@ -18,7 +19,7 @@ struct SurfaceIons
   double Slope = 0.0, Constant = 0.0;
 };
 
-/// What the values are made of.
+/// The data from which the values are computed.
 struct InterfaceProblem
 {
   const SolverBox* Box = nullptr;
@@ -26,7 +27,8 @@ struct InterfaceProblem
   const std::vector<InterfaceCrossing>* Crossings = nullptr;
   const std::vector<SecondOrderTaylor>* Charges = nullptr; ///< G at each crossing, kT/e
   FitMedium Medium;
-  /// Of Newton's method where ions reach the surface, at each crossing; empty: the linear ones.
+  /// The ions at each crossing in Newton's method, if ions reach the surface; empty: those of the
+  /// linear equation.
   std::vector<SurfaceIons> Ions;
   DielectricModel Model = DielectricModel::SharpInterface;
   /// The crossings of each closed cavity (ClosedCavities.h).
@@ -40,14 +42,15 @@ VTKISTHMUSFILTERSELECTROSTATICS_EXPORT FitNodes NodesAroundCrossing(const Solver
 /// Weights (h / h_a)^2 of the axes, h the shortest spacing.
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT Point3 AxisWeights(const SolverBox& box);
 
-/// A fictitious value as a sum over nodes and a constant.
+/// A ghost value as a weighted sum over nodes and a constant.
 struct Continuation
 {
   std::array<double, 36> Coefficient;
   double Constant;
 };
 
-/// Of a crossing: the function of the lower end's side at the upper end, and the reverse.
+/// For a crossing: the function on the side of the lower end, continued to the upper end, and the
+/// reverse.
 struct InterfaceExtrapolation
 {
   std::array<std::int64_t, 36> Id;
@@ -57,8 +60,8 @@ struct InterfaceExtrapolation
 
 /**
  * SmoothDielectric: the ghost-fluid values of X.-D. Liu, R. Fedkiw and M. Kang (J. Comput. Phys.
- * 160 (2000) 151), from the potential's continuity and its flux's along the edge alone. Rows of
- * them are those of -div(eps grad phi) in finite volumes with the permittivity
+ * 160 (2000) 151), only from the continuity of the potential and of its flux along the edge. Rows
+ * of them are those of -div(eps grad phi) in finite volumes with the permittivity
  *
  *     1 / eps_f = part inside / eps_m + part outside / eps_s
  *
@@ -67,12 +70,12 @@ struct InterfaceExtrapolation
  * smeared over cells: the energy of an ion of 2 angstrom at a spacing of 0.25 is off by 14 % so, by
  * 0.11 % here.)
  *
- * SharpInterface: by InterfaceJumpConditions; by the ghost-fluid values where nothing can be
- * fitted, and where fewer of the nodes around are outside than a harmonic quadratic has
- * coefficients (9): in a cavity or cleft of the molecule a node or two wide. There the fit
- * continues the outside function from values inside, whose errors count solvent / solute dielectric
- * times outside and shift the potential of a whole cavity; the ghost-fluid fluxes add up to 0
- * around it.
+ * SharpInterface: values by InterfaceJumpConditions. The ghost-fluid values are used where nothing
+ * can be fitted, and where fewer surrounding nodes are outside than a harmonic quadratic has
+ * coefficients (9), i.e. in a cavity or cleft of the molecule that is only one or two nodes wide.
+ * There the fit would continue the outside function from values inside, whose errors are magnified
+ * outside by the ratio of the solvent and solute dielectric constants and shift the potential of a
+ * whole cavity, whereas the ghost-fluid fluxes around the cavity add up to 0.
  */
 InterfaceExtrapolation ValuesAtCrossing(const InterfaceProblem& problem, std::size_t index);
 

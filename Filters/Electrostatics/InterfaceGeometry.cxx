@@ -246,8 +246,8 @@ std::vector<InterfaceCrossing> FindCrossings(const LevelFunction& level, const S
           {
             if (at[b] < 3 || at[b] + 4 > n[b] - 1)
             {
-              throw std::invalid_argument("The surface comes nearer than three nodes to the border "
-                                          "of the box: give it more solvent around.");
+              throw std::invalid_argument("The surface is less than three nodes away from the "
+                                          "border of the box: add more solvent around it.");
             }
           }
           Samples samples;

@@ -1,6 +1,6 @@
 /**
  * @file InterfaceGeometry.h
- * @brief Where a level set crosses the edges of a grid, with normal and curvature tensor there.
+ * @brief Crossings of a level set with the edges of a grid, with normal and curvature tensor.
  *
  * Along the edge the level function is the polynomial through six nodes, across it derivatives are
  * central ones of fourth order, so that crossings, normals and curvatures converge a good deal
@@ -41,16 +41,16 @@ VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<unsigned char> SidesOfNodes(
   const LevelFunction& level, const SolverBox& box);
 
 /**
- * All crossings, ordered by node, then axis. Throws std::invalid_argument where one is nearer than
- * three nodes to the border of the box. O(nodes + 200 crossings), parallel, the same on any number
+ * All crossings, ordered by node, then axis. Throws std::invalid_argument if one is less than three
+ * nodes away from the border of the box. O(nodes + 200 crossings), parallel, the same on any number
  * of threads; Cancelled.
  */
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<InterfaceCrossing> FindCrossings(
   const LevelFunction& level, const SolverBox& box, const std::vector<unsigned char>& inside,
   const ProgressCallback& progress = {});
 
-/// The point of the level set next to `x`, which lies near it (within about a spacing): Newton
-/// steps along the gradient of the polynomial through 6^3 nodes.
+/// The point of the level set nearest to x, which must be within about a spacing of it; computed by
+/// Newton steps along the gradient of the polynomial through 6^3 nodes.
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT Point3 OnLevel(
   const LevelFunction& level, const SolverBox& box, Point3 x);
 

@@ -16,8 +16,8 @@
  * The unknowns are fitted by weighted least squares to all nodes around: p-(y) = u + T2G(y) inside,
  * where u is the reaction potential and T2G the second-order Taylor polynomial of the charges' own
  * potential G, and p+(y) = u outside. Both sides share one fit, so no side ever lacks neighbours.
- * Inside equations have the weight (eps_m / eps_s)^FitExponent besides: their truncation error is
- * larger by 1 / rho.
+ * In addition, equations inside have the weight (eps_m / eps_s)^FitExponent, since their truncation
+ * error is larger by 1 / rho.
  */
 #ifndef isthmus_InterfaceJumpConditions_h
 #define isthmus_InterfaceJumpConditions_h
@@ -28,7 +28,7 @@
 namespace isthmus
 {
 
-/// What all fits of a grid have in common.
+/// Parameters that all fits on a grid share.
 struct FitMedium
 {
   double SoluteDielectric = 2.0;

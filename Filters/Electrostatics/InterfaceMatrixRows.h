@@ -4,10 +4,10 @@
  *
  * Row of a node p on a side with permittivity eps, times h^2 (h the shortest spacing):
  * eps sum_axes (h / h_a)^2 (2 u_p - v_before - v_after) = 0, where v is the value of a neighbour on
- * the same side, and the value that InterfaceJumpConditions continues across the surface for one on
- * the other. The rows of a closed cavity have a part in common (ClosedCavities.h) that is not in
- * their entries. The term of the ions is not in the row; it is added by InterfaceOperator. Rows are
- * scaled such that their diagonal is that of the preconditioner.
+ * the same side, or, for a neighbour on the other side, the value continued across the surface by
+ * InterfaceJumpConditions. The rows of a closed cavity share a term (ClosedCavities.h) that is not
+ * in their entries. The term of the ions is not in the row; it is added by InterfaceOperator. Rows
+ * are scaled so that their diagonal is that of the preconditioner.
  */
 #ifndef isthmus_InterfaceMatrixRows_h
 #define isthmus_InterfaceMatrixRows_h
@@ -37,7 +37,8 @@ struct InterfaceMatrixRows
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT InterfaceMatrixRows AssembleIrregularRows(
   const InterfaceProblem& problem, const ProgressCallback& progress = {});
 
-/// The permittivity of an edge that the surface crosses, `fraction` of it in the solute.
+/// The permittivity of an edge that the surface crosses; `fraction` is the part of it in the
+/// solute.
 inline double SeriesPermittivity(double solute, double solvent, double fraction)
 {
   return 1.0 / (fraction / solute + (1.0 - fraction) / solvent);

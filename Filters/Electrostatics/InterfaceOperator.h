@@ -2,8 +2,8 @@
  * @file InterfaceOperator.h
  * @brief The Poisson-Boltzmann equation on a box: 7-point rows, fitted rows at the surface, ions.
  *
- * Rows times h^2 (h the shortest spacing). The border is Dirichlet: the operator is 0 there, and
- * border values of the argument enter the rows beside it.
+ * Rows are multiplied by h^2 (h is the shortest spacing). The border is Dirichlet: the operator is
+ * 0 there, and border values of the argument enter the rows beside it.
  */
 #ifndef isthmus_InterfaceOperator_h
 #define isthmus_InterfaceOperator_h
@@ -38,26 +38,26 @@ public:
   /// out = b - A u with the values at the surface in b.
   void Residual(const std::vector<double>& u, std::vector<double>& out) const;
 
-  /// One Gauss-Seidel pass over the fitted rows of A z = r, and one more over those of closed
-  /// cavities, with what these have in common.
+  /// One Gauss-Seidel pass over the fitted rows of A z = r, and a second one over those of closed
+  /// cavities, with the term that these share.
   void SmoothIrregular(const std::vector<double>& r, std::vector<float>& z) const;
 
-  /// The factor that the ions' term has in the equation of irregular row `row`.
+  /// The factor of the term of the ions in the equation of irregular row `row`.
   double RowScale(std::size_t row) const { return this->Rows.Scale[row]; }
 
 private:
-  /// Writes all rows, those of the irregular nodes as if there were no surface.
+  /// Applies all rows; those of irregular nodes as if there were no surface.
   template <typename T>
   void ApplyRegularRows(const std::vector<T>& z, std::vector<double>& out, double sign) const;
   template <typename T>
   void ApplyIrregularRows(
     const std::vector<T>& z, std::vector<double>& out, double sign, bool withRight) const;
-  /// Adds what the rows of a cavity have in common.
+  /// Adds the term that the rows of a cavity share.
   template <typename T>
   void AddCavities(
     const std::vector<T>& z, std::vector<double>& out, double sign, bool withRight) const;
 
-  /// Solves a row for its own value, `common` and its diagonal added; returns the change.
+  /// Solves a row for its own value, with `common` and its diagonal added; returns the change.
   float SmoothRow(std::size_t row, double common, double commonDiagonal,
     const std::vector<double>& r, std::vector<float>& z) const;
   void SmoothCavity(

@@ -58,8 +58,9 @@ double FiniteNorm(const std::vector<double>& r)
   const double norm = NormOf(r);
   if (!std::isfinite(norm))
   {
-    throw std::runtime_error("The iteration for the potential met a number that is not finite: "
-                             "check the surface, the charges and the potential to start from.");
+    throw std::runtime_error(
+      "A value that is not finite occurred in the iteration for the potential: check the surface, "
+      "the charges and the initial potential.");
   }
   return norm;
 }
@@ -155,7 +156,7 @@ void RequireConvergence(const SolverReport& report, const SolverControl& control
     throw std::runtime_error("The potential did not converge: after " +
       std::to_string(report.Iterations) + " iterations the residual is " + FormatNumber(reached) +
       " of that of the start, and " + FormatNumber(control.Tolerance) +
-      " was asked for. Allow more iterations, or give a smoother surface or a finer grid.");
+      " was asked for. Allow more iterations, or use a smoother surface or a finer grid.");
   }
 }
 

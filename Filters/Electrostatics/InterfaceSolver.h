@@ -4,8 +4,8 @@
  *
  * H. A. van der Vorst, SIAM J. Sci. Stat. Comput. 13 (1992) 631, with right preconditioning: one
  * V(1,1) cycle of the symmetric operator with the permittivities of edges in series at the surface,
- * then one Gauss-Seidel pass over the fitted rows of the true matrix. Sums are made in fixed
- * blocks, so the answer is bitwise the same on any number of threads.
+ * then one Gauss-Seidel pass over the fitted rows of the true matrix. Sums are computed in fixed
+ * blocks, so the result is bitwise the same on any number of threads.
  */
 #ifndef isthmus_InterfaceSolver_h
 #define isthmus_InterfaceSolver_h
@@ -40,14 +40,15 @@ struct SolverWorkspace
 };
 
 /**
- * Improves u, whose residual b - A u is in `work.Residual`, until the residual is small enough.
- * Throws std::runtime_error when the residual is not finite.
+ * Iterates u, whose residual b - A u is in `work.Residual`, until the residual is small enough.
+ * Throws std::runtime_error if the residual is not finite.
  */
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SolverReport SolveInterface(const InterfaceOperator& matrix,
   MultigridPoisson& multigrid, const SolverControl& control, SolverWorkspace& work,
   std::vector<double>& u, const ProgressCallback& progress = {});
 
-/// Throws std::runtime_error, with what was reached, for a system that did not converge.
+/// Throws std::runtime_error, with the residual that was reached, if the iteration did not
+/// converge.
 void RequireConvergence(const SolverReport& report, const SolverControl& control);
 
 /// sqrt(sum a_i^2), bitwise the same on any number of threads.

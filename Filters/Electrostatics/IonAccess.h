@@ -1,6 +1,6 @@
 /**
  * @file IonAccess.h
- * @brief Where ions that keep off the surface get.
+ * @brief The region that ions can reach if they keep a distance from the surface.
  */
 #ifndef isthmus_IonAccess_h
 #define isthmus_IonAccess_h
@@ -13,7 +13,7 @@
 namespace isthmus
 {
 
-/// A node whose cell the border of the ions cuts, and the surface next to it.
+/// A node whose cell is cut by the boundary of the ions, and the nearest surface.
 struct IonBorderNode
 {
   std::int64_t Node;
@@ -22,11 +22,11 @@ struct IonBorderNode
 };
 
 /**
- * The part of each node's cell that ions reach: 0 inside and within `layer` (angstrom) of the
- * surface, 1 beyond, clamp(1/2 + D / h) where that border, at signed distance D, cuts the cell (h:
- * IonBorderWidth). Distances are those to the osculating paraboloid of the nearest crossing. With
- * layer 0: 0 inside, 1 outside. The nodes in between go to `border`, if any is given. O(nodes +
- * crossings layer^3 / h^3), serial.
+ * The fraction of each node's cell that ions reach: 0 inside and within `layer` (angstrom) of the
+ * surface, 1 beyond, and clamp(1/2 + D / h) where the boundary of the ions, at signed distance D,
+ * cuts the cell (h: IonBorderWidth). Distances are those to the osculating paraboloid of the
+ * nearest crossing. With layer 0: 0 inside, 1 outside. The nodes in between are stored in `border`,
+ * unless it is null. O(nodes + crossings layer^3 / h^3), serial.
  */
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<float> IonAccess(const SolverBox& box,
   const std::vector<unsigned char>& inside, const std::vector<InterfaceCrossing>& crossings,
@@ -40,7 +40,8 @@ struct CutCell
   double Excess; ///< the part of the cell outside, clamp(1/2 + D / h), less 1 for a node outside
 };
 
-/// The cells that a sum over nodes outside takes wholly or not at all, by node. O(crossings).
+/// The cells, by node, that a sum over nodes outside includes either entirely or not at all.
+/// O(crossings).
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<CutCell> CutCells(const SolverBox& box,
   const std::vector<unsigned char>& inside, const std::vector<InterfaceCrossing>& crossings);
 

@@ -19,15 +19,14 @@ namespace isthmus
  *     -div(eps grad u) + f(u) = 0,   f(u) = -4 pi C sum_j z_j c_j exp(-z_j u),
  *
  * eps_s kappa^2 sinh u for a 1:1 salt. Beyond |u| = 50 the function goes on linearly, which no
- * solution feels but an iteration may. Ions of one radius make a layer, which is neutral only
- * together with the others: between the radii of two layers there is charge where u is 0 (which the
- * linear equation leaves out, as it asks what the solute does).
+ * solution feels but an iteration may. Ions of the same radius form a layer. A layer is neutral
+ * only together with the others, so between the radii of two layers there is charge even where u is
+ * 0. (The linear equation omits this charge, since it describes only the response to the solute.)
  */
 class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT IonAtmosphere
 {
 public:
-  /// Throws std::invalid_argument for concentrations that are negative and charges that don't
-  /// cancel.
+  /// Throws std::invalid_argument if concentrations are negative or charges do not cancel.
   IonAtmosphere(const std::vector<IonSpecies>& species, double kelvin);
 
   bool Empty() const { return this->Layers.empty(); }
@@ -41,14 +40,14 @@ public:
   ///@{
   /// The ions of one radius.
   std::size_t NumberOfLayers() const { return this->Layers.size(); }
-  /// Angstrom; below 0 where the species have none of their own.
+  /// In angstrom; below 0 if the species have no radius of their own.
   double LayerRadius(std::size_t layer) const { return this->Layers[layer].Radius; }
   double Charge(std::size_t layer, double u) const;
   double Derivative(std::size_t layer, double u) const;
   double Energy(std::size_t layer, double u) const;
   /// Osmotic pressure above that of the bulk, kT per cubic angstrom: sum c (exp(-z u) - 1).
   double Pressure(std::size_t layer, double u) const;
-  /// The same of the linear equation: sum c z^2 u^2 / 2.
+  /// The same for the linear equation: sum c z^2 u^2 / 2.
   double LinearPressure(std::size_t layer, double u) const;
   ///@}
 

@@ -49,9 +49,10 @@ struct SolverBox
 /**
  * The volume's scalar S as a function that is 0 at the level and below 0 inside.
  *
- * Its derivatives give normals and curvatures, so it should be as straight as possible across the
- * surface: a sum of Gaussians is taken by its logarithm, -log(S / level). Nothing is copied; one of
- * the two views is set. Beyond the volume it goes on linearly, but never below what is outside.
+ * Its derivatives give normals and curvatures, so it should be as linear as possible across the
+ * surface; for a sum of Gaussians its logarithm is used, -log(S / level). Nothing is copied; one of
+ * the two views is set. Beyond the volume it is extrapolated linearly, but nodes outside never
+ * become nodes inside.
  */
 struct LevelFunction
 {
@@ -90,7 +91,7 @@ struct LevelFunction
     return this->InsideIsHigher ? -up : up;
   }
 
-  /// At any node, also beyond the volume.
+  /// The value at any node, even beyond the volume.
   double operator()(std::int64_t i, std::int64_t j, std::int64_t k) const
   {
     const auto& n = this->Dimensions();

@@ -1,6 +1,6 @@
 /**
  * @file LocalPolynomial.h
- * @brief The function of a surface between the nodes: polynomials of degree five along each axis.
+ * @brief The level function between the nodes: polynomials of degree five along each axis.
  */
 #ifndef isthmus_LocalPolynomial_h
 #define isthmus_LocalPolynomial_h
@@ -16,7 +16,7 @@ namespace isthmus
 constexpr int Reach = 6;  ///< nodes along a line
 constexpr int Before = 2; ///< of them, before the first end of the edge
 
-/// Weights of the six nodes -2..3 for value and two derivatives at t, per spacing.
+/// Weights of the six nodes -2..3 for the value and two derivatives (per spacing) at t.
 struct LineWeights
 {
   double Value[Reach], First[Reach], Second[Reach];

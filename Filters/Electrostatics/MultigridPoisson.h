@@ -4,12 +4,12 @@
  *
  * The operator is the symmetric 7-point one with a permittivity on each edge and z = 0 on the
  * border. A cycle V(1,1) smooths by red-black Gauss-Seidel, restricts by full weighting and
- * prolongs trilinearly. Coarse permittivities are made from the finer ones: harmonic mean along the
- * edge, 1/4 1/2 1/4 across it. Axes whose spacing is more than 1.5 times the shortest are left
- * alone until the others have caught up, and any number of nodes along an axis is fine: a coarse
- * grid may reach half a cell beyond the border (a cycle leaves a fifth of the residual on 2^k + 1
- * nodes, half of it on others). All in float: as a preconditioner it needs no more, and memory
- * traffic is what costs.
+ * prolongs trilinearly. Coarse permittivities are computed from the finer ones: harmonic mean along
+ * the edge, 1/4 1/2 1/4 across it. Axes whose spacing is more than 1.5 times the shortest are not
+ * coarsened until the spacings are similar. Any number of nodes along an axis is allowed, since a
+ * coarse grid may reach half a cell beyond the border; a cycle reduces the residual to a fifth with
+ * 2^k + 1 nodes, and to half with other numbers. All numbers are float, which is sufficient for a
+ * preconditioner and reduces memory traffic, which dominates the cost.
  *
  * A. Brandt, Math. Comp. 31 (1977) 333; U. Trottenberg, C. Oosterlee, A. Schueller, Multigrid
  * (2001).
@@ -39,7 +39,8 @@ struct EdgePermittivity
 
 struct MultigridLevel;
 
-/// Memory: 12.6 bytes a node beside the codes' three, 4.6 more with a diagonal.
+/// Memory: 12.6 bytes for each node in addition to the three of the codes, and 4.6 more with a
+/// diagonal.
 class VTKISTHMUSFILTERSELECTROSTATICS_EXPORT MultigridPoisson
 {
 public:

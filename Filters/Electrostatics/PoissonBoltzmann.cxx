@@ -114,7 +114,7 @@ SolverBox BoxAround(const LevelFunction& level, double padding)
   const BoxNodes inside = RangeOfLevel(level);
   if (inside.Last[0] < 0)
   {
-    throw std::invalid_argument("No node is inside the surface: choose another Level, switch "
+    throw std::invalid_argument("No node is inside the surface: choose another Level, toggle "
                                 "InsideIsHigher, or make the grid finer.");
   }
   SolverBox box;

@@ -8,14 +8,14 @@
  * InterfaceSolver.h. Units: angstrom, e, kT/e, mol/l.
  *
  * The volume that holds the level set may end close to it: the equation is solved on a box with at
- * least `Padding` of solvent, and the answer is for the caller to crop.
+ * least `Padding` of solvent, and the caller has to crop the solution.
  *
- * **Border** (SelfConsistent): charges' Debye-Hueckel sum first; the equation is solved on a grid
- * of twice the spacing (the same one, where that is beyond 1.1 angstrom); what that solution is on
- * a box between surface and border is continued outwards by Green's third identity; the same once
- * more; then the grid proper. With the sum alone the potential of a dipole in a cavity is off by
- * 0.15 kT/e at 12 angstrom. Cost: for border nodes and patches both by sums of (nodes)^(2/3), by a
- * tree where there are thousands.
+ * **Border values (SelfConsistent) start as the Debye-Hueckel sum of the charges. The equation is
+ * solved on a grid of twice the spacing (or the same spacing, if twice is more than 1.1 angstrom),
+ * and the solution on a box between surface and border is continued outwards by Green's third
+ * identity. This is done twice, and then the equation is solved on the final grid. With the sum
+ * alone, the potential of a dipole in a cavity is off by 0.15 kT/e at 12 angstrom. Cost: border
+ * nodes and patches both number about (nodes)^(2/3); the sums use a tree if there are thousands.
  */
 #ifndef isthmus_PoissonBoltzmann_h
 #define isthmus_PoissonBoltzmann_h
@@ -31,34 +31,35 @@ VTKISTHMUSFILTERSELECTROSTATICS_EXPORT void CheckParameters(
   const PoissonBoltzmannParameters& parameters);
 
 /**
- * The nodes of the volume and as many around as give `padding` between surface and border.
- * Throws std::invalid_argument where the level set is empty or leaves the volume.
+ * The nodes of the volume, and enough nodes around it for `padding` between surface and border.
+ * Throws std::invalid_argument if the level set is empty or leaves the volume.
  */
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SolverBox BoxAround(
   const LevelFunction& level, double padding);
 
-/// Every `stride`-th node of `box`, and as many more at the upper end as reach its border.
+/// Every `stride`-th node of `box`, and enough nodes at the upper end to reach its border.
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SolverBox CoarserBox(
   const SolverBox& box, std::int64_t stride);
 
 /**
- * Solves on `box`. Atoms are in the frame of the volume and inside the level; it refers to what it
- * is passed as long as the answer lives.
+ * Solves on `box`. Atoms are in the frame of the volume and inside the level. The solution refers
+ * to the arguments as long as it exists.
  *
- * Throws std::invalid_argument for bad input, std::runtime_error where an iteration does not
- * converge, Cancelled. Time: linear in nodes and crossings, and in atoms x crossings below 5000
- * atoms (by a tree above); memory 80 to 104 bytes a node.
- * Bitwise the same on any number of threads.
+ * Throws std::invalid_argument for bad input, std::runtime_error if an iteration does not converge,
+ * and Cancelled. Time: linear in nodes and crossings, and in atoms x crossings below 5000 atoms (a
+ * tree is used for more); memory: 80 to 104 bytes for each node. Bitwise the same on any number of
+ * threads.
  */
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::unique_ptr<GridPotential> SolvePoissonBoltzmann(
   const LevelFunction& level, const SolverBox& box, const std::vector<ChargedAtom>& atoms,
   const PoissonBoltzmannParameters& parameters, const IonAtmosphere& ions,
   const ProgressCallback& progress = {});
 
-/// Solves for a surface that has moved since `last`, everything else being as it is there, its
-/// border values included: from its potential, until the residual is as small as it became there,
-/// with the charges summed again only where the surface did move. `last` is not referred to; after
-/// its Release() it is small. Throws, time and threads: as above.
+/// Solves for a surface that has moved since `last`; everything else, including the border values,
+/// is the same. The iteration starts from the potential of `last` and ends when the residual is as
+/// small as it was there; charges are summed again only where the surface has moved. The solution
+/// does not refer to `last`, which needs little memory after its Release(). Exceptions, time and
+/// threads are as above.
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::unique_ptr<GridPotential> SolveAgain(
   const LevelFunction& level, const GridPotential& last, const ProgressCallback& progress = {});
 

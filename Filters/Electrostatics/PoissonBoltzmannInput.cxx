@@ -172,8 +172,8 @@ void PlaceOnGrid(const SoluteVolume& volume, std::vector<ChargedAtom>& atoms)
   {
     throw std::invalid_argument(std::to_string(outside) +
       " charged atoms lie outside the surface, the first is atom " + std::to_string(first) +
-      ": charges belong inside. Choose another Level, switch InsideIsHigher, give a surface "
-      "farther out, or leave these atoms out.");
+      ": charges belong inside. Choose another Level, toggle InsideIsHigher, use a surface farther "
+      "out, or remove these atoms.");
   }
 }
 
@@ -186,7 +186,7 @@ void SetPotentialInput(
     if (border)
     {
       throw std::invalid_argument("BoundaryCondition is FromInput, but there is no potential on "
-                                  "input 2: give one, or choose another condition.");
+                                  "input 2: connect one, or choose another condition.");
     }
     return;
   }
@@ -214,7 +214,7 @@ void SetPotentialInput(
     if (std::isnan(value))
     {
       throw std::invalid_argument("The potential on input 2 does not cover the border of the grid: "
-                                  "give a larger one, or choose another BoundaryCondition.");
+                                  "connect a larger one, or choose another BoundaryCondition.");
     }
     return value;
   };

@@ -1,6 +1,6 @@
 /**
  * @file PoissonBoltzmannInput.h
- * @brief What vtkPoissonBoltzmann is given, checked and put on its grid.
+ * @brief Checks the inputs of vtkPoissonBoltzmann and transfers them to its grid.
  */
 #ifndef isthmus_PoissonBoltzmannInput_h
 #define isthmus_PoissonBoltzmannInput_h
@@ -23,7 +23,7 @@ namespace isthmus
 
 struct SoluteVolume;
 
-/// The charges of the point array `name` at the places of `atoms.Kept`, with radius 0. Throws as
+/// The charges of the point array `name` at the positions of `atoms.Kept`, with radius 0. Throws as
 /// AtomCharges does.
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT std::vector<ChargedAtom> ChargedAtomsOf(
   vtkDataObject* input, const MoleculeAtoms& atoms, const std::string& name);
@@ -36,18 +36,18 @@ struct SoluteAtoms
   std::string Warning;            ///< empty: none
 };
 
-/// By the filter's input arrays 0 (charges) and 1 (radii; 0 where there are none and none are
-/// needed). Throws std::invalid_argument as ReadAtoms and AtomCharges do, for an atom without a
-/// radius, and where all charges are 0.
+/// Reads the atoms by the filter's input arrays 0 (charges) and 1 (radii, which are 0 if there are
+/// none and none are needed). Throws std::invalid_argument as ReadAtoms and AtomCharges do, and if
+/// an atom has no radius or all charges are 0.
 SoluteAtoms ReadSolute(vtkAlgorithm* filter, vtkPointSet* points, bool radiiNeeded);
 
 /// The active scalars of input 1, or its only array.
 vtkDataArray* SurfaceScalars(vtkImageData* image);
 
-/// Moves the atoms into the frame of the grid. Throws where a charge is not inside the surface.
+/// Transforms the atoms to the frame of the grid. Throws if a charge is not inside the surface.
 void PlaceOnGrid(const SoluteVolume& volume, std::vector<ChargedAtom>& atoms);
 
-/// Makes `potential` (may be null) the border's values, or the start, of the parameters.
+/// Sets `potential` (may be null) as the border values, or as the initial guess, in the parameters.
 void SetPotentialInput(
   vtkImageData* potential, vtkImageData* grid, PoissonBoltzmannParameters& parameters);
 

@@ -1,6 +1,6 @@
 /**
  * @file PoissonBoltzmannOutput.h
- * @brief A solution as VTK's data: image, field data, surface and atoms.
+ * @brief Converts a solution to VTK data: image, field data, surface and atoms.
  */
 #ifndef isthmus_PoissonBoltzmannOutput_h
 #define isthmus_PoissonBoltzmannOutput_h
@@ -37,8 +37,8 @@ void FillSurface(const GridPotential& solution, const SoluteVolume& volume, doub
 void FillAtoms(
   const GridPotential& solution, const SoluteVolume& volume, double kelvin, vtkPointSet* atoms);
 
-/// Adds DielectricBoundaryForce, IonicBoundaryForce and PolarForce to what FillAtoms has filled,
-/// from the atoms on the volume's grid.
+/// Adds DielectricBoundaryForce, IonicBoundaryForce and PolarForce to the output of FillAtoms, from
+/// the atoms on the grid of the volume.
 void FillBoundaryForces(const GridPotential& solution, const SoluteVolume& volume,
   const std::vector<ChargedAtom>& onGrid, vtkPointSet* atoms);
 

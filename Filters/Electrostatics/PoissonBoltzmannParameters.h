@@ -1,6 +1,6 @@
 /**
  * @file PoissonBoltzmannParameters.h
- * @brief What the Poisson-Boltzmann solver is given and what it returns.
+ * @brief Parameters and results of the Poisson-Boltzmann solver.
  */
 #ifndef isthmus_PoissonBoltzmannParameters_h
 #define isthmus_PoissonBoltzmannParameters_h
@@ -24,8 +24,9 @@ struct ChargedAtom
   double Radius;
 };
 
-/// One kind of ion of the salt: valence (with sign), concentration in mol/l, and how near to the
-/// surface it gets, angstrom; below 0: PoissonBoltzmannParameters::IonRadius.
+/// One kind of ion of the salt: valence (with sign), concentration in mol/l, and its closest
+/// distance to the surface in angstrom; if that is below 0, PoissonBoltzmannParameters::IonRadius
+/// is used.
 struct IonSpecies
 {
   double Valence;
@@ -42,7 +43,7 @@ enum class BoundaryCondition
   Given = 4                 ///< by PoissonBoltzmannParameters::Boundary
 };
 
-/// How the equation sees the jump of the dielectric constant at the surface.
+/// Treatment of the jump of the dielectric constant at the surface.
 enum class DielectricModel
 {
   SharpInterface = 0, ///< jump conditions, fitted: InterfaceJumpConditions.h
@@ -64,8 +65,8 @@ struct PoissonBoltzmannParameters
   double Tolerance = 1e-6;     ///< of the residual, relative to that of the start
   int MaximumIterations = 100; ///< of BiCGSTAB in each linear system
   int MaximumNewtonSteps = 30;
-  /// Weight of the equations inside against those outside in the fits at the surface, as a power
-  /// of SoluteDielectric / SolventDielectric.
+  /// Weight of the equations inside relative to those outside in the fits at the surface, as a
+  /// power of SoluteDielectric / SolventDielectric.
   double FitExponent = 1.5;
   /// Potential (kT/e) on the border of the box, for Given; in the frame of the level set's grid.
   std::function<double(const Point3&)> Boundary;

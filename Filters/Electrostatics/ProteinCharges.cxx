@@ -52,8 +52,8 @@ std::vector<FileResidue> ResiduesOf(const std::vector<NamedAtom>& atoms)
       if (chain.first >= MostChains || ++chain.second > MostResidues)
       {
         throw std::invalid_argument(
-          "The molecule has more than 62 chains, or more than 9,999 residues in one: pdb2pqr can't "
-          "give it charges. Read fewer chains (Chains of the reader)." +
+          "The molecule has more than 62 chains, or more than 9,999 residues in one chain, so "
+          "pdb2pqr cannot assign charges. Read fewer chains (Chains of the reader)." +
           WayOut);
       }
       residues.push_back({ {}, ChainLetters[chain.first], chain.second, false });
@@ -62,9 +62,8 @@ std::vector<FileResidue> ResiduesOf(const std::vector<NamedAtom>& atoms)
   }
   if (residues.empty())
   {
-    throw std::invalid_argument("The atoms have no charges, and no names of atoms and residues "
-                                "from which a force field could give them: open a PDB, mmCIF or "
-                                "PQR file.");
+    throw std::invalid_argument("The atoms have no charges, and no atom and residue names by which "
+                                "a force field could assign them: open a PDB, mmCIF or PQR file.");
   }
   return residues;
 }
@@ -75,8 +74,8 @@ std::string PDBLine(const NamedAtom& atom, const FileResidue& residue, int seria
   {
     if (!(std::abs(x) < 9999.0))
     {
-      throw std::invalid_argument("An atom lies farther out than 9,999 angstrom, which pdb2pqr's "
-                                  "files can't hold: move the molecule to the origin." +
+      throw std::invalid_argument("A coordinate of an atom exceeds 9,999 angstrom, the limit of "
+                                  "pdb2pqr's files: move the molecule to the origin." +
         WayOut);
     }
   }
@@ -164,8 +163,8 @@ void RequireSuccess(const ChildResult& result, const ChildLimits& limits)
   if (result.End == ChildEnd::NotFound || result.End == ChildEnd::NotRun)
   {
     throw std::runtime_error(
-      "The atoms have no charges. They come from a force field by the program pdb2pqr, which is "
-      "not installed: install it (Debian: apt install pdb2pqr)." +
+      "The atoms have no charges. The program pdb2pqr, which assigns them by a force field, is not "
+      "installed: install it (Debian: apt install pdb2pqr)." +
       WayOut);
   }
   if (result.End == ChildEnd::TimedOut)
@@ -254,7 +253,7 @@ public:
     {
       text = "The force field knows no charges of " + Printable(list) +
         (count > 6 ? " and " + std::to_string(count - 6) + " more" : "") +
-        ": they were left out. A PQR file can have them.";
+        ": they were left out. A PQR file can contain charges for them.";
     }
     if (this->Built > 0)
     {
@@ -293,7 +292,7 @@ ChargedProtein ChargeProtein(const std::vector<NamedAtom>& atoms, ChargeTable ta
   }
   if (charged.Atoms.empty())
   {
-    throw std::runtime_error("The atoms have no charges, and pdb2pqr knows none of the molecule: "
+    throw std::runtime_error("The atoms have no charges, and pdb2pqr knows none of the residues: "
                              "it is for proteins and nucleic acids." +
       WayOut);
   }

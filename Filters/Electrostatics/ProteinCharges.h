@@ -3,8 +3,9 @@
  * @brief Hydrogens, charges and radii of a force field for a protein or nucleic acid, by pdb2pqr.
  *
  * T. J. Dolinsky et al., Nucleic Acids Res. 32 (2004) W665; E. Jurrus et al., Protein Sci. 27
- * (2018) 112. The program runs as a child with a file of the PDB's columns and answers with one of
- * words; protonation is the force field's at pH 7, hydrogens stand where geometry puts them.
+ * (2018) 112. The program runs as a child process; its input is a file in PDB columns, its output a
+ * file of words separated by blanks. Protonation states are those of the force field at pH 7, and
+ * hydrogens are placed by geometry.
  */
 #ifndef isthmus_ProteinCharges_h
 #define isthmus_ProteinCharges_h
@@ -42,11 +43,12 @@ struct ChargedProtein
 };
 
 /**
- * Runs pdb2pqr (or pdb2pqr30), as found on PATH. Water is left out; so is each residue that the
- * force field does not know (ligands, ions, modified residues), and the warning names it.
- * @throws std::invalid_argument for what a PDB file can't hold: more than 62 chains, or 9,999
- *   residues in one, coordinates beyond +-9,999; no atom with a residue's name.
- * @throws std::runtime_error where the program is not there, fails or takes longer than `limits`.
+ * Runs pdb2pqr (or pdb2pqr30), which is searched for on PATH. Water is dropped; so is each residue
+ * that the force field does not know (ligands, ions, modified residues), which the warning names.
+ * @throws std::invalid_argument for molecules that a PDB file cannot contain (more than 62 chains,
+ * more than 9,999 residues in one chain, coordinates beyond +-9,999), and if no atom has a residue
+ * name.
+ * @throws std::runtime_error if the program is not installed, fails or exceeds `limits`.
  */
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT ChargedProtein ChargeProtein(
   const std::vector<NamedAtom>& atoms, ChargeTable table, const ChildLimits& limits,

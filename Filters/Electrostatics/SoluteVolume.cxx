@@ -87,8 +87,9 @@ std::vector<Ball> BallsOf(const std::vector<ChargedAtom>& atoms)
   }
   if (balls.empty())
   {
-    throw std::invalid_argument("No atom has a radius above 0, so there is no surface around them: "
-                                "give a surface on input 1, or atoms with radii (a PQR file).");
+    throw std::invalid_argument(
+      "No atom has a radius above 0, so there is no surface around them: connect a surface to "
+      "input 1, or use atoms with radii (a PQR file).");
   }
   return balls;
 }

@@ -1,6 +1,7 @@
 /**
  * @file SoluteVolume.h
- * @brief A solute's surface, as image, closed polygons or atoms, made ready for the solver.
+ * @brief Prepares the surface of a solute, given as an image, closed polygons or atoms, for the
+ * solver.
  */
 #ifndef isthmus_SoluteVolume_h
 #define isthmus_SoluteVolume_h
@@ -20,7 +21,7 @@ class vtkPolyData;
 namespace isthmus
 {
 
-/// A volume (geometry in `Grid`, which holds no arrays of ours) and the level in it.
+/// A volume (its geometry is in Grid, which does not hold our arrays) and its level.
 struct SoluteVolume
 {
   vtkSmartPointer<vtkImageData> Grid;
@@ -32,7 +33,7 @@ struct SoluteVolume
   vtkSmartPointer<vtkDataArray> Scalars; ///< kept alive
 };
 
-/// How a grid is made where none is given.
+/// Parameters for making a grid if none is given.
 struct GridRequest
 {
   double Spacing = 0.5;
@@ -46,15 +47,13 @@ vtkSmartPointer<vtkImageData> GridAroundAtoms(
 
 /**
  * An image's level. Values that are cut off near the surface (masks, clamped distances) are
- * replaced by the distance from the level's triangles, as are scalars whose logarithm is the
- * straighter function by their logarithm. Throws std::invalid_argument for values that are not
- * finite.
+ * replaced by the distance from the triangles of the level. Scalars are replaced by their logarithm
+ * if that is the more linear function. Throws std::invalid_argument for values that are not finite.
  */
 SoluteVolume VolumeOfImage(vtkImageData* image, vtkDataArray* scalars, double level,
   bool insideIsHigher, const ProgressCallback& progress = {});
 
-/// The signed distance from closed triangles. Throws std::invalid_argument where they are not
-/// closed.
+/// The signed distance from closed triangles. Throws std::invalid_argument if they are not closed.
 SoluteVolume VolumeOfSurface(
   vtkPolyData* surface, const GridRequest& wish, const ProgressCallback& progress = {});
 
@@ -62,7 +61,7 @@ SoluteVolume VolumeOfSurface(
 SoluteVolume VolumeOfAtoms(
   const std::vector<ChargedAtom>& atoms, vtkImageData* grid, const ProgressCallback& progress = {});
 
-/// From world coordinates to lengths along the grid's axes from its first node, and back.
+/// Converts world coordinates to lengths along the axes of the grid from its first node, and back.
 Point3 ToGrid(vtkImageData* grid, const Point3& world);
 Point3 ToWorld(vtkImageData* grid, const Point3& place);
 

@@ -1,7 +1,7 @@
 /**
  * @file SolverMemory.h
- * @brief Whether there is memory for a solution on a grid, asked before anything of its size is
- * made.
+ * @brief Checks whether there is enough memory for a solution on a grid before anything of that
+ * size is allocated.
  */
 #ifndef isthmus_SolverMemory_h
 #define isthmus_SolverMemory_h
@@ -12,8 +12,8 @@
 namespace isthmus
 {
 
-/// Throws std::runtime_error, with sizes, where the solution on so many nodes takes more memory
-/// than this process can have (130 bytes a node are counted; 80 to 104 were measured).
+/// Throws std::runtime_error, with sizes, if the solution on this number of nodes takes more memory
+/// than this process can have (assuming 130 bytes for each node; 80 to 104 were measured).
 void RequireMemory(const std::array<std::int64_t, 3>& dimensions);
 
 }

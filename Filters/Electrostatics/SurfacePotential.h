@@ -24,14 +24,14 @@ struct SurfaceValues
   std::int64_t Failed = 0;                ///< points without enough nodes, NaN
 };
 
-/// At points of the surface of a solved problem (frame of the volume). Parallel.
+/// Evaluates at points of the surface of a solved problem (in the frame of the volume). Parallel.
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SurfaceValues EvaluateAtSurface(const GridPotential& problem,
   const LevelFunction& level, const std::vector<Point3>& points, double kelvin,
   const ProgressCallback& progress = {});
 
-/// At each crossing of the surface with an edge of the grid, of which the problem knows the
-/// surface's frame and the charges' potential already: by the 4 x 3 x 3 nodes around the edge.
-/// Parallel.
+/// Evaluates at each crossing of the surface with an edge of the grid, from the 4 x 3 x 3 nodes
+/// around the edge; the problem already has the frame of the surface and the potential of the
+/// charges there. Parallel.
 VTKISTHMUSFILTERSELECTROSTATICS_EXPORT SurfaceValues EvaluateAtCrossings(
   const GridPotential& problem, double kelvin);
 

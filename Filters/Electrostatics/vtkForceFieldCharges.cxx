@@ -44,8 +44,8 @@ int vtkForceFieldCharges::RequestData(
         if (!atoms->GetPointData()->GetArray("Charge"))
         {
           throw std::invalid_argument(
-            "The atoms have neither charges nor names by which a force field knows them: open a "
-            "PDB, mmCIF or PQR file by the Macromolecule Reader.");
+            "The atoms have neither charges nor names by which a force field could assign them: "
+            "open a PDB, mmCIF or PQR file with the Macromolecule Reader.");
         }
         output->ShallowCopy(atoms);
         return;

@@ -2,26 +2,26 @@
  * @class   vtkForceFieldCharges
  * @brief   charges, radii and hydrogens of a force field for atoms of a PDB or mmCIF file
  *
- * Input: atoms with names, any vtkPointSet, as vtkMacromoleculeReader makes from a PDB or mmCIF
- * file. Output, of the same type: the atoms that the force field knows, with its hydrogens, and the
- * point arrays `Charge` (e), `Radius` (angstrom), `AtomName`, `Element`, `InputAtom` (the point of
- * the input, -1: new) and those of the input that a residue has (`ResidueName`, `ResidueId`,
- * `Chain`, `InsertionCode`, `IsHetero`). Atoms that have charges already (a PQR file) come out as
- * they are.
+ * Input: atoms with names, any vtkPointSet, for example from vtkMacromoleculeReader for a PDB or
+ * mmCIF file. Output, of the same type: the atoms that the force field knows, with its hydrogens,
+ * and the point arrays `Charge` (e), `Radius` (angstrom), `AtomName`, `Element`, `InputAtom` (the
+ * point of the input, -1: new) and those of the input that a residue has (`ResidueName`,
+ * `ResidueId`, `Chain`, `InsertionCode`, `IsHetero`). Atoms that already have charges (a PQR file)
+ * are returned unchanged.
  *
  * The program pdb2pqr has to be installed (ProteinCharges.h); vtkPoissonBoltzmann calls it in the
  * same way. It runs in a temporary folder on a file of the atoms in memory: the user's files are
- * neither read nor written. Protonation is the force field's at pH 7. Water is dropped; so are
- * residues that the force field does not know (ligands, ions, modified residues), and one warning
- * names them. There is no fallback for their charges: PEOE needs bond orders and hydrogens, which
- * these files do not have.
+ * neither read nor written. Protonation states are those of the force field at pH 7. Water is
+ * dropped; so are residues that the force field does not know (ligands, ions, modified residues),
+ * and one warning names them. There is no fallback for their charges: PEOE needs bond orders and
+ * hydrogens, which these files do not have.
  *
  * **Errors** (one message, empty output): pdb2pqr is not installed, fails or takes more than ten
  * minutes; atoms without names of residues and without charges; coordinates that are not finite;
- * more chains or residues than a PDB file holds.
+ * more chains or residues than a PDB file can contain.
  *
- * **Cost.** pdb2pqr's, some seconds; the answer is kept until the atoms change. On several MPI
- * ranks, gather the atoms first.
+ * **Cost: that of pdb2pqr, a few seconds. The result is cached until the atoms change. On several
+ * MPI ranks, gather the atoms first.
  */
 #ifndef vtkForceFieldCharges_h
 #define vtkForceFieldCharges_h

@@ -3,77 +3,82 @@
  * @brief   electrostatic potential of a molecule in salt water, second order at its surface
  *
  * **Input 0**: the atoms, any vtkPointSet with the point arrays `Charge` (e) and `Radius`
- * (angstrom; others by SetInputArrayToProcess 0 and 1), as vtkMacromoleculeReader makes from a PQR
- * file. Atoms with names but without charges (a PDB or mmCIF file) get hydrogens, charges and radii
- * of a force field (ForceField) by the program pdb2pqr, where it is installed: water and residues
- * that the force field does not contain are dropped, the latter with a warning. Output 2 has them.
+ * (angstrom; others by SetInputArrayToProcess 0 and 1), for example from vtkMacromoleculeReader for
+ * a PQR file. Atoms with names but without charges (a PDB or mmCIF file) get hydrogens, charges and
+ * radii of a force field (ForceField) from the program pdb2pqr, if it is installed; water and
+ * residues that the force field does not contain are dropped, the latter with a warning. Output 2
+ * has them.
  *
  * **Input 1**, optional: the solute's surface. A volume (vtkImageData): the isosurface at Level of
  * its scalars, which are higher inside unless InsideIsHigher is off. Or a closed surface
- * (vtkPolyData). Without it: the level 1 of a sum of Gaussians with decay 2.3 (see
- * vtkMolecularDensity), near the solvent-excluded surface.
+ * (vtkPolyData). Without this input, the surface is the level 1 of a sum of Gaussians with decay
+ * 2.3 (see vtkMolecularDensity), near the solvent-excluded surface.
  *
- * **Input 2**, optional: a potential (image, kT/e). With BoundaryCondition FromInput it gives the
- * values on the border (focusing; it has to cover the grid), otherwise the iteration starts from
- * it.
+ * **Input 2**, optional: a potential (image, kT/e). With BoundaryCondition FromInput it provides
+ * the border values (focusing; it has to cover the grid), otherwise it is the initial guess of the
+ * iteration.
  *
  * **Equation**: -div(eps grad phi) + ions = charges, with eps SoluteDielectric inside and
  * SolventDielectric outside, ions by Boltzmann's law, linearised unless Nonlinear is on. It is
- * solved with the jump of eps at the surface itself, not smeared over cells: for spheres with known
- * answers, errors are a tenth of usual solvers' on the same grid and fall with the square of the
- * spacing. With DielectricModel SmoothDielectric instead in finite volumes, with one permittivity
- * for each edge of the grid, that of its parts inside and outside in series: energies converge with
- * the same order, 10 to 300 times less exact on spheres, the potential at the surface with the
- * first. It is what models with a surface that moves usually take, for comparison with these.
+ * solved with the jump of eps at the surface itself, not smeared over cells: for spheres with exact
+ * solutions, errors are a tenth of those of common solvers on the same grid and decrease with the
+ * square of the spacing. With DielectricModel SmoothDielectric, it is solved by finite volumes with
+ * one permittivity for each edge of the grid, that of its parts inside and outside in series.
+ * Energies converge with the same order but are 10 to 300 times less accurate for spheres; the
+ * potential at the surface converges with first order. This model is for comparison with models of
+ * moving surfaces, which usually use it.
  *
  * **Output 0**: image with, on points, double: `Potential` (kT/e) and `ReactionPotential` (kT/e:
- * the potential less that of the charges in a medium with SoluteDielectric everywhere), and `Side`
- * (unsigned char, 1 inside). On the grid of input 1 where that is a volume, else on one of Spacing
- * with Padding around (around the chains of the input, and 2 angstrom more, where pdb2pqr adds the
- * charges). Field data: `SolvationEnergy` (kcal/mol; from a medium with SoluteDielectric
- * everywhere into the solvent), `SolvationEnergyKT`, `SolvationEnergyKilojoule`, `Iterations` (of
- * BiCGSTAB on this grid, those of all Newton steps and those for the border made on it included),
- * `BorderIterations` (on a coarser grid, for the border), `NewtonSteps`, `ResidualHistory` (of the
- * last solution), `LinearFits`, `GhostFits` (crossings of the surface whose quadratic fit fell
- * back, most of them in cavities and clefts a node or two wide), `DebyeLength` (angstrom, 0 without
- * salt), `NetCharge`, `Surface`. With ComputeMaps also, on points, float, what the equation was
- * solved with: `Dielectric` (of the edges from the node along each axis, as APBS' dielx, diely and
- * dielz; where the surface cuts one, its parts in series, to 1/255), `IonAccessibility` (the part
- * of the node's cell that ions reach; weighted by z^2 c where radii differ) and `ChargeDensity`
- * (e/angstrom^3, trilinear; the solver itself takes the charges as points).
+ * the potential minus that of the charges in a medium with SoluteDielectric everywhere), and Side
+ * (unsigned char, 1 inside). The grid is that of input 1 if that is a volume, otherwise one with
+ * Spacing and Padding around the surface (around the chains of the input, with 2 angstrom more, if
+ * pdb2pqr adds the charges). Field data: `SolvationEnergy` (kcal/mol; from a medium with
+ * SoluteDielectric everywhere into the solvent), `SolvationEnergyKT`, `SolvationEnergyKilojoule`,
+ * `Iterations (of BiCGSTAB on this grid, including those of all Newton steps and those for the
+ * border values on this grid), BorderIterations (on a coarser grid, for the border values),
+ * NewtonSteps, ResidualHistory (of the last solution), LinearFits and GhostFits (crossings of the
+ * surface at which a simpler fit replaced the quadratic one, most of them in cavities and clefts
+ * one or two nodes wide), `DebyeLength` (angstrom, 0 without salt), `NetCharge`, `Surface`.
+ * ComputeMaps adds the coefficients of the equation as point arrays (float): Dielectric (of the
+ * edges from the node along each axis, like dielx, diely and dielz of APBS; if the surface cuts an
+ * edge, its parts are in series, rounded to 1/255), IonAccessibility (the fraction of the node's
+ * cell that ions reach, weighted by z^2 c if radii differ) and ChargeDensity (e/angstrom^3,
+ * trilinear; the solver itself uses point charges).
  *
  * **Output 1**: the surface with, on points, double: `Potential`, `NormalField` (outwards, just
  * outside, kT/(e angstrom)), `SurfaceChargeDensity` (induced, e/angstrom^2), `Normals`; fitted from
  * both sides.
  *
- * **Output 2**: the atoms with `ReactionPotential` (kT/e) and `AtomEnergy` (kcal/mol: its part of
- * the solvation energy, which they add up to unless Nonlinear), `ReactionForce` (kcal/(mol
- * angstrom)): -q grad u, the reaction field's force on each charge. It is minus the derivative of
- * the solvation energy by the charge's place at a fixed surface. With ComputeBoundaryForces also
- * `DielectricBoundaryForce` and `IonicBoundaryForce` (BoundaryForces.h), and `PolarForce`, the sum
- * of the three: minus the derivative of the solvation energy by the atom's place where the surface
- * goes along. Without input 1 that is the surface of the Gaussians; of another one each point goes
- * with the atom whose ball is nearest. Coulomb's force between the charges is not in it.
+ * **Output 2: the atoms with ReactionPotential (kT/e), AtomEnergy (kcal/mol: the contribution of
+ * the atom to the solvation energy; the contributions add up to it unless Nonlinear is on), and
+ * ReactionForce (kcal/(mol angstrom)): -q grad u, the force of the reaction field on each charge.
+ * This is minus the derivative of the solvation energy with respect to the position of the charge
+ * at a fixed surface. With ComputeBoundaryForces also `DielectricBoundaryForce` and
+ * `IonicBoundaryForce` (BoundaryForces.h), and PolarForce, the sum of the three: minus the
+ * derivative of the solvation energy with respect to the position of the atom if the surface moves
+ * with it. Without input 1, the surface is that of the Gaussians; on another surface each point
+ * moves with the atom whose ball is nearest. The Coulomb force between the charges is not included.
  *
- * A volume may end near the surface: the equation is solved with Padding angstrom
- * of solvent around, and cropped. Nodes nearer to a charge than a quarter of the spacing have the
- * charge's potential at that distance.
+ * A volume may end near the surface: the equation is solved with Padding angstrom of solvent around
+ * the surface, and the result is cropped. Nodes nearer to a charge than a quarter of the spacing
+ * have its potential at that distance.
  *
- * **Places.** A single charge outside the surface is an error. Otherwise inputs 1 and 2 are
- * compared with the atoms as in all filters (InputOverlap.h): no overlap is an error, less than
- * half of the smaller one in the box of the larger, or a ratio of sizes of 10, a warning.
+ * **Places.** It is an error if even one charge is outside the surface. Otherwise inputs 1 and 2
+ * are compared with the atoms as in all filters (InputOverlap.h). No overlap is an error; a warning
+ * is issued if less than half of the smaller one is in the box of the larger, or if their sizes
+ * differ by a factor of 10.
  *
  * **Errors** (one message, empty outputs): no charges, or all 0; charges outside the surface;
  * negative radii; numbers that are not finite; a surface that is open, empty, crosses another part
  * of itself (ShellCrossings.h) or leaves the volume; properties out of range; a box of more than
  * 20000 nodes along an axis; an input 2 that does not cover the border or is not finite; no
- * convergence. A net charge that is not integral, or a box small for the Debye length, gives a
- * warning. No atoms: empty outputs and no error.
+ * convergence. A warning is issued for a net charge that is not integral, and for a box that is
+ * small compared with the Debye length. No atoms: empty outputs and no error.
  *
- * **Cost.** Linear in nodes (6 to 12 iterations at any size) and in charges x crossings, by a tree
- * above 5000 charges; memory 80 to 104 bytes a node. In parallel, bitwise the same on any number of
- * threads. On several MPI ranks each solves for its own atoms: gather them first (in ParaView:
- * Aggregate Dataset).
+ * **Cost.** Time is linear in nodes (6 to 12 iterations for any size) and in charges x crossings; a
+ * tree is used for more than 5000 charges. Memory: 80 to 104 bytes for each node. In parallel,
+ * bitwise the same on any number of threads. On several MPI ranks each solves for its own atoms:
+ * gather them first (in ParaView: Aggregate Dataset).
  */
 #ifndef vtkPoissonBoltzmann_h
 #define vtkPoissonBoltzmann_h
@@ -138,8 +143,8 @@ public:
   ///@}
 
   ///@{
-  /// Ionic strength of a 1:1 salt, mol/l. Default 0: no ions, unless AddIon gave some. 0.15 is
-  /// physiological.
+  /// Ionic strength of a 1:1 salt, mol/l. Default 0: no ions, unless some were added by AddIon.
+  /// 0.15 is physiological.
   vtkSetMacro(IonicStrength, double);
   vtkGetMacro(IonicStrength, double);
   ///@}
@@ -148,8 +153,8 @@ public:
   /// A salt of any ions instead: valence with sign, and concentration in mol/l. Charges must
   /// cancel.
   void AddIon(double valence, double concentration);
-  /// An ion with a radius of its own, angstrom: how near to the surface it gets, where IonRadius
-  /// says so for the others.
+  /// Adds an ion with its own radius in angstrom, its closest distance to the surface; for other
+  /// ions this is IonRadius.
   void AddIon(double valence, double concentration, double radius);
   void ClearIons();
   int GetNumberOfIons();
@@ -262,7 +267,7 @@ public:
 
   /// The solute's surface: input 1.
   void SetSurfaceConnection(vtkAlgorithmOutput* surface) { this->SetInputConnection(1, surface); }
-  /// A potential for the border or to start from: input 2.
+  /// Input 2: a potential for the border values or as the initial guess.
   void SetPotentialConnection(vtkAlgorithmOutput* image) { this->SetInputConnection(2, image); }
 
   /// Output 1.

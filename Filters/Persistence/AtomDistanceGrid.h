@@ -14,7 +14,8 @@
 namespace isthmus
 {
 
-/// How the distance from the atoms is put on a grid. Lengths in the unit of the points.
+/// Parameters for sampling the distance from the atoms on a grid. Lengths are in the unit of the
+/// points.
 struct GridDistanceParameters
 {
   double Spacing = 0.2;      ///< of the nodes
@@ -32,8 +33,9 @@ struct AtomDistances
 };
 
 /// See GridBars (FullereneStability.h). The grid reaches Theta beyond the outermost atom. Cost:
-/// with exact distances some (Theta / Spacing)^3 steps an atom, with fast marching O(nodes log
-/// nodes) a type; 4 to 13 bytes a node. The same on any number of threads.
+/// about (Theta / Spacing)^3 steps for each atom with exact distances, O(nodes log nodes) for each
+/// type with fast marching; 4 to 13 bytes for each node. The result is the same on any number of
+/// threads.
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT AtomDistances AtomDistance(const std::vector<Point3>& atoms,
   const std::vector<double>& scales, const GridDistanceParameters& parameters,
   const ProgressCallback& progress = {});

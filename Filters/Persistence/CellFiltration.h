@@ -21,14 +21,14 @@ namespace isthmus
 //--------------------------------------------------------------------------------------------------
 // Ids of a filtration's edges, triangles and tetrahedra, and their places in its order.
 
-/// The integer of all of these; ids of points are it as it stands. 32 bits: a complex has at most
-/// 2^29 tetrahedra, whose faces are numbered, which is about 80 million points;
-/// CellFiltration::Connect() refuses more with a message.
+/// The integer type of all ids; ids of points are plain integers of this type. With 32 bits, a
+/// complex has at most 2^29 tetrahedra, because their faces are numbered; this corresponds to about
+/// 80 million points. CellFiltration::Connect() refuses more with a message.
 using SimplexId = std::int32_t;
 
 using EdgeId = Handle<struct FiltrationEdge, SimplexId>;
 using TriangleId = Handle<struct FiltrationTriangle, SimplexId>;
-/// None: what is beyond the complex.
+/// None stands for the exterior of the complex.
 using TetrahedronId = Handle<struct FiltrationTetrahedron, SimplexId>;
 
 /// Position in the order of entry among the simplices of the same dimension.
@@ -46,20 +46,20 @@ using TriangleChain = std::vector<TriangleId>;
 // The order in which simplices enter, by a radix sort of their values.
 
 /**
- * All simplices of one dimension in ascending (first, value, id); `rank` becomes the inverse.
+ * Sorts all simplices of one dimension by (first, value, id); `rank` becomes the inverse.
  *
  * `first` marks simplices that come before all others (one flag each, or none); no value is NaN.
- * Bits of doubles, turned round below zero, stand in the order of their values: the 32 leading ones
- * in which the values differ are sorted by three stable passes of 11, and runs of equal ones by the
- * value itself. O(n), parallel, the same on any number of threads; 16 bytes a simplex while it
- * runs.
+ * The bits of doubles, inverted for negative numbers, have the order of the values. The 32 leading
+ * bits in which the values differ are sorted by three stable passes of 11 bits, and runs of equal
+ * ones by the value itself. O(n), parallel, the same on any number of threads; needs 16 bytes for
+ * each simplex while it runs.
  */
 template <typename Id, typename Rank>
 HandleVector<Rank, Id> SimplexOrder(const HandleVector<Id, double>& value,
   const HandleVector<Id, char>& first, HandleVector<Id, Rank>& rank,
   const ProgressCallback& progress = {});
 
-/// The same by levels, counted from 0: all simplices in ascending (level, id). Two passes for up to
+/// The same by levels, counted from 0: sorts all simplices by (level, id). Two passes for up to
 /// four million levels.
 template <typename Id, typename Rank>
 HandleVector<Rank, Id> SimplexOrder(const HandleVector<Id, std::uint32_t>& level,
@@ -89,7 +89,8 @@ SimplexOrder(const HandleVector<TriangleId, std::uint32_t>& level,
  *
  * Values are squared distances (square of the unit of the points), and no face has a greater value
  * than its cofaces. The complement of the complex counts as one more tetrahedron, None, which
- * enters last: with it the complex is a sphere, and a void is what dies in a tetrahedron.
+ * enters last. With it the complex is a sphere, and voids are the features that die when a
+ * tetrahedron enters.
  *
  * Fill Points, Tetrahedra and Neighbours, call Connect(), fill the values, call Order().
  */
@@ -99,15 +100,15 @@ struct CellFiltration
 
   std::vector<Point3> Points;
   HandleVector<TetrahedronId, std::array<SimplexId, 4>> Tetrahedra;
-  /// Across the face opposite to corner k, or None for the exterior.
+  /// The neighbour across the face opposite to corner k, or None for the exterior.
   HandleVector<TetrahedronId, std::array<TetrahedronId, 4>> Neighbours;
 
-  /// A triangle as a face of a tetrahedron t, of two the one with the smaller id: 4 t + the corner
-  /// that it is opposite to. Ascending. Points and sides follow from it: they are a third of all
-  /// memory when they are kept.
+  /// A triangle as a face of a tetrahedron t (of two, the one with the smaller id): 4 t + the
+  /// corner opposite to it. Ascending. Its points and edges are derived from this number, since
+  /// storing them would take a third of all memory.
   HandleVector<TriangleId, SimplexId> TriangleFaces;
-  /// The first triangle of every 8th tetrahedron, and their number at the end: a look-up by
-  /// bisection in all of them waits for memory at each step.
+  /// The first triangle of every 8th tetrahedron, with the total number at the end; bisection over
+  /// all triangles would wait for memory at each step.
   std::vector<SimplexId> TriangleBlocks;
   HandleVector<TriangleId, std::array<EdgeId, 3>> TriangleEdges; ///< edge k is opposite to point k
   HandleVector<EdgeId, std::array<SimplexId, 2>> Edges;          ///< points, ascending, sorted
@@ -122,12 +123,13 @@ struct CellFiltration
   HandleVector<TriangleRank, TriangleId> TrianglesInOrder; ///< inverse of RankOfTriangle
   HandleVector<EdgeRank, EdgeId> EdgesInOrder;
 
-  /// Ranks a simplex below all others, whatever its value: those of a surface kept as subcomplex.
+  /// Ranks a simplex below all others, regardless of its value; used for a surface that is kept as
+  /// a subcomplex.
   HandleVector<EdgeId, char> EdgeFirst;
   HandleVector<TriangleId, char> TriangleFirst;
 
-  /// Derives triangles and edges from tetrahedra and their neighbours. O(n), about 150 bytes a
-  /// tetrahedron in all. Throws std::runtime_error beyond 2^29 tetrahedra.
+  /// Derives triangles and edges from tetrahedra and their neighbours. O(n), about 150 bytes for
+  /// each tetrahedron in total. Throws std::runtime_error beyond 2^29 tetrahedra.
   VTKISTHMUSFILTERSPERSISTENCE_EXPORT void Connect(const ProgressCallback& progress = {});
 
   /// Sorts triangles and edges by value, ties by index (CellFiltration.h). O(n).
@@ -143,7 +145,7 @@ struct CellFiltration
     return { this->FirstEdge[p].Value, this->FirstEdge[p + 1].Value };
   }
 
-  /// The triangle opposite to a corner of a tetrahedron. A bisection among about 20 ids.
+  /// The triangle opposite to a corner of a tetrahedron. By bisection among about 20 ids.
   TriangleId TriangleOf(TetrahedronId cell, std::size_t corner) const;
 
   std::size_t TriangleCount() const { return this->TriangleFaces.size(); }
@@ -152,7 +154,8 @@ struct CellFiltration
   /// Ascending.
   std::array<SimplexId, 3> TrianglePoints(TriangleId triangle) const;
 
-  /// The tetrahedra beside a triangle, the smaller id first; None, the exterior, comes second.
+  /// The tetrahedra on both sides of a triangle, the smaller id first; None (the exterior) comes
+  /// second.
   std::array<TetrahedronId, 2> TriangleSides(TriangleId triangle) const
   {
     const auto face = static_cast<std::uint32_t>(this->TriangleFaces[triangle]);
@@ -160,7 +163,7 @@ struct CellFiltration
     return { first, this->Neighbours[first][face % 4] };
   }
 
-  /// The tetrahedron on the other side of `triangle`; None: the exterior.
+  /// The tetrahedron on the other side of `triangle`; None for the exterior.
   TetrahedronId Across(TriangleId triangle, TetrahedronId cell) const
   {
     const auto sides = this->TriangleSides(triangle);

@@ -1,6 +1,6 @@
 /**
  * @file CubicalComponents.h
- * @brief Pairs of dimension 0 and 2 of a volume: what union-find can do.
+ * @brief Pairs of dimension 0 and 2 of a volume, computed by union-find.
  */
 #ifndef isthmus_CubicalComponents_h
 #define isthmus_CubicalComponents_h
@@ -21,7 +21,7 @@
 namespace isthmus
 {
 
-/// Sets of numbered places, each known by its eldest.
+/// Disjoint sets of numbered elements, each represented by its eldest element.
 class ElderRuleSets
 {
 public:
@@ -37,7 +37,7 @@ public:
     return this->Eldest[this->Sets.Find(static_cast<std::uint32_t>(place))];
   }
 
-  /// Joins the set of `younger` to that of `elder`, both eldest of theirs.
+  /// Joins the set of `younger` to that of `elder`; both must be the eldest of their sets.
   void Join(std::size_t younger, std::size_t elder)
   {
     const auto eldest = static_cast<std::uint32_t>(elder);
@@ -49,7 +49,8 @@ private:
   std::vector<std::uint32_t> Eldest; ///< by root
 };
 
-/// The minima that the gradient leads to from both nodes of each edge, and at the end from node 0.
+/// The minima that the gradient leads to from both nodes of each edge; the last one is that from
+/// node 0.
 template <typename Gradient>
 PathEnds<typename Gradient::Key::Link> MinimaOf(
   const Gradient& gradient, const std::vector<typename Gradient::Key>& edges)
@@ -100,10 +101,11 @@ PathEnds<typename Gradient::Key::Link> MaximaOf(
 }
 
 /**
- * Components: joins what each critical edge joins, in ascending order; the younger minimum ends.
+ * Components: joins the sets on both sides of each critical edge in ascending order; the component
+ * of the younger minimum ends.
  *
  * `edges` are the critical edges, sorted; `minima` are theirs. negative[i] becomes 1 for those that
- * join two components. Pairs of equal value are left out. Near linear.
+ * join two components. Pairs with equal values are omitted. Near linear.
  */
 template <typename Gradient>
 void PairComponents(const Gradient& gradient, const std::vector<typename Gradient::Key>& edges,
@@ -140,9 +142,9 @@ void PairComponents(const Gradient& gradient, const std::vector<typename Gradien
 }
 
 /**
- * Voids: the components of what is left, in descending order; beyond the grid is one that has
- * always been there. `faces` are the critical faces, sorted, and `maxima` theirs; those that close
- * a void are taken out.
+ * Voids: the components of the complement, in descending order; the exterior of the grid is one
+ * that has always existed. `faces` are the critical faces, sorted, and `maxima` their maxima; the
+ * faces that close a void are removed.
  */
 template <typename Gradient>
 void PairVoids(const Gradient& gradient, std::vector<typename Gradient::Key>& faces,
@@ -240,8 +242,8 @@ void CollectCritical(const Gradient& gradient, std::vector<typename Gradient::Ke
   join(facesOf, faces);
 }
 
-/// Critical edges and those critical faces that close no void, sorted, and the pairs of dimension 0
-/// and 2.
+/// The critical edges and those critical faces that do not close a void, sorted, and the pairs of
+/// dimension 0 and 2.
 template <typename Gradient>
 struct CubicalCritical
 {
@@ -264,7 +266,7 @@ struct CubicalCritical
   }
 
 private:
-  /// Both, which are independent of each other.
+  /// Computes components and voids, which are independent of each other.
   template <typename First, typename Second>
   static void AtOnce(First&& first, Second&& second)
   {
@@ -291,7 +293,8 @@ struct StoredAs<T, false>
   using Type = std::make_unsigned_t<T>;
 };
 
-/// Calls `work` with the gradient of the volume, of a type that has room for its values and nodes.
+/// Calls `work` with the gradient of the volume, in a type that is large enough for its values and
+/// nodes.
 template <typename Work>
 void WithGradient(
   const VolumeView& volume, bool superlevel, const ProgressCallback& progress, Work&& work)

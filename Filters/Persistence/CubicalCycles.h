@@ -1,6 +1,6 @@
 /**
  * @file CubicalCycles.h
- * @brief Short loops of edges round the tunnels of a volume.
+ * @brief Short loops of edges around the tunnels of a volume.
  */
 #ifndef isthmus_CubicalCycles_h
 #define isthmus_CubicalCycles_h
@@ -26,15 +26,15 @@ struct CubicalCycle
 /**
  * A cycle for each of the first `most` features of dimension 1 that are kept.
  *
- * The edge that closes the loop is joined with the shortest way between its ends in what was there
- * before it (Dijkstra through the grid's cells, lengths by `spacing`), and it is checked that the
- * face that ends the feature fills this very loop, and not an earlier one: by reducing it. Where
- * the shortest way runs round another tunnel as well, the boundary that the pairing itself found is
- * taken and shortened arc by arc, each time with the check that what lies between is filled while
- * the feature lives. Such a boundary can have several loops; those filled by themselves are left
- * out.
+ * The edge that closes the loop is combined with the shortest path between its ends in the complex
+ * before it enters (Dijkstra's algorithm through the cells of the grid, with lengths by spacing). A
+ * reduction then checks that the face that ends the feature fills exactly this loop, and not an
+ * earlier one. If the shortest path also runs around another tunnel, the boundary found by the
+ * pairing is used and shortened arc by arc, checking each time that the difference is filled while
+ * the feature exists. Such a boundary can have several loops; those that are filled on their own
+ * are dropped.
  *
- * Costs the pairing once more, and a search of at most the whole volume for each cycle.
+ * This costs another pairing, and for each cycle a search of at most the whole volume.
  */
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<CubicalCycle> CubicalCycles(
   const VolumeView& volume, const std::array<double, 3>& spacing, const FeatureList& features,

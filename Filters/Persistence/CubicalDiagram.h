@@ -12,8 +12,8 @@ namespace isthmus
 {
 
 /**
- * A cell of the cubical complex on the nodes of a grid, named by the node it enters with (the last
- * of its corners) and the direction from there to its opposite corner.
+ * A cell of the cubical complex on the nodes of a grid, given by the node with which it enters (the
+ * last of its corners) and the direction from there to the opposite corner.
  */
 class CubicalCell
 {
@@ -27,8 +27,8 @@ public:
   /// -1: no cell.
   std::int64_t Node() const { return this->Code < 0 ? -1 : this->Code / 27; }
 
-  /// (dx + 1) + 3 (dy + 1) + 9 (dz + 1), each of -1, 0, 1, from the node to the opposite corner;
-  /// 13: the node itself.
+  /// The direction from the node to the opposite corner, (dx + 1) + 3 (dy + 1) + 9 (dz + 1) with
+  /// components -1, 0 or 1; 13 is the node itself.
   int Direction() const { return static_cast<int>(this->Code % 27); }
 
   /// Step along an axis from the node to the opposite corner: -1, 0 or 1.
@@ -47,15 +47,15 @@ private:
   std::int64_t Code = -1; ///< 8 bytes, since noise has millions of pairs
 };
 
-/// A class of homology: the cell that gives birth to it, and the cell one dimension up that ends
-/// it.
+/// A homology class: the cell that creates it, and the cell one dimension higher that ends it.
 struct CubicalPair
 {
   CubicalCell Birth;
   CubicalCell Death;
   std::int8_t Dimension = 0; ///< 0: component, 1: loop, 2: void
-  /// What it is joined to when it ends: the node where the elder component began, or the cube where
-  /// the void on the other side will end; none for loops and where that is the outside.
+  /// The class that it merges with when it ends: the node where the elder component began, or the
+  /// cube where the void on the other side will end; none for loops, or if it merges with the
+  /// exterior.
   CubicalCell Elder;
 
   bool operator==(const CubicalPair& other) const
@@ -68,8 +68,9 @@ struct CubicalPair
 /// The classes of a volume, and its Euler numbers.
 struct CubicalDiagram
 {
-  /// Those with birth and death at different values, and the one that never ends; by dimension,
-  /// then in the order of the cells that end them (voids: that give birth to them).
+  /// The classes whose birth and death have different values, and the one that never ends. They are
+  /// sorted by dimension, then in the order of the cells that end them (for voids, the cells that
+  /// create them).
   std::vector<CubicalPair> Pairs;
   /// Euler number of the sublevel (superlevel) set at each of the requested levels, counted from
   /// cells, not from pairs.
@@ -78,9 +79,9 @@ struct CubicalDiagram
 
 struct CubicalParameters
 {
-  /// Grow from the highest value down instead of from the lowest up.
+  /// Let the set grow from the highest value down instead of from the lowest value up.
   bool Superlevel = false;
-  /// Levels at which the Euler number is wanted, ascending, finite.
+  /// Levels at which the Euler number is computed, ascending and finite.
   std::vector<double> Levels;
 };
 

@@ -1,6 +1,6 @@
 /**
  * @file CubicalGradient.h
- * @brief Cells of a volume by key, their boundaries and cofaces, seen through the lower stars.
+ * @brief Cells of a volume by key, with their boundaries and cofaces, based on the lower stars.
  */
 #ifndef isthmus_CubicalGradient_h
 #define isthmus_CubicalGradient_h
@@ -42,7 +42,7 @@ public:
   {
     return Key(this->Values[node], node, cell.Value - Star::FirstCube);
   }
-  /// The cell of the node's star that a key of an edge, or of a face, stands for.
+  /// The cell of the node's star that is denoted by the key of an edge or of a face.
   static StarCell EdgeOf(const Key& key) { return StarCell(key.Place()); }
   static StarCell FaceOf(const Key& key) { return StarCell(key.Place() + Star::FirstFace); }
 
@@ -83,7 +83,8 @@ public:
       this->EdgeBetween(node + this->Stars.Offset(second), far, first) };
   }
 
-  /// The cubes on both sides of a face, as their lowest corners; NodeCount(): outside of the grid.
+  /// The cubes on both sides of a face, given by their lowest corners; NodeCount() stands for the
+  /// exterior of the grid.
   std::array<std::int64_t, 2> CofacesOf(std::int64_t node, StarCell face) const
   {
     const auto& step = Star::Steps[face.Index()];
@@ -99,7 +100,8 @@ public:
     return { at + 1 < length ? low : outside, at > 0 ? low - this->Stars.Stride(normal) : outside };
   }
 
-  /// The cube with that lowest corner, by its last corner and its number in that one's star.
+  /// The cube with this lowest corner, given by its last corner and its number in the star of that
+  /// corner.
   std::pair<std::int64_t, StarCell> StarCube(std::int64_t low) const
   {
     std::int64_t last = low;
@@ -114,8 +116,8 @@ public:
         corner = c;
       }
     }
-    // Cubes are numbered by direction, x fastest, so the one back from the last corner is the
-    // opposite number.
+    // Cubes are numbered by direction, with x varying fastest, so the direction back from the last
+    // corner has the opposite number.
     return { last, StarCell(Star::FirstCube + 7 - static_cast<int>(corner)) };
   }
 

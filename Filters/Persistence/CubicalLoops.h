@@ -1,6 +1,6 @@
 /**
  * @file CubicalLoops.h
- * @brief Pairs of dimension 1 of a volume: reduction of the critical faces' boundaries.
+ * @brief Pairs of dimension 1 of a volume, by reduction of the boundaries of critical faces.
  */
 #ifndef isthmus_CubicalLoops_h
 #define isthmus_CubicalLoops_h
@@ -22,7 +22,7 @@ namespace isthmus
 //--------------------------------------------------------------------------------------------------
 // From the key of a critical cell to its number in the sorted list.
 
-/// Numbers of keys in a sorted list, found in constant time. 8 to 16 bytes a key.
+/// Finds the number of a key in a sorted list in constant time, with 8 to 16 bytes for each key.
 template <typename Key>
 class KeyIndex
 {
@@ -73,9 +73,9 @@ private:
 // A chain of edges of a volume under reduction, latest first.
 
 /**
- * Edges over Z/2 as a heap, latest first, in which pairs cancel when they surface. An edge that
- * the gradient matches with a face is replaced by the rest of that face's boundary on the spot; one
- * that joins components is dropped, since it never closes a loop.
+ * A chain of edges over Z/2 as a heap, latest first, in which pairs cancel when they reach the top.
+ * An edge that the gradient matches with a face is immediately replaced by the rest of the boundary
+ * of that face. An edge that joins components is dropped, since it never closes a loop.
  */
 template <typename Gradient>
 class EdgeColumn
@@ -112,14 +112,14 @@ public:
     }
   }
 
-  /// Number of the latest critical edge that stays and joins no components, None where there is
-  /// none. It is taken off.
+  /// Number of the latest remaining critical edge that joins no components, or None. It is taken
+  /// off.
   std::size_t NextCritical()
   {
     while (!this->Heap.empty())
     {
-      // A star at a time: only when its matched edges are gone is it known which critical edges
-      // are left, since a face can trade one edge of a star for another.
+      // Stars are processed one at a time: the remaining critical edges are known only when all
+      // matched edges of the star are gone, since a face can replace one edge of a star by another.
       const std::int64_t node = this->Heap.front().Node();
       std::uint32_t edges = this->PopStar(node);
       this->ReplaceMatched(node, edges);
@@ -142,8 +142,8 @@ public:
     return None;
   }
 
-  /// What is left, latest first (so that adding it to a heap is cheap), without what cancels or
-  /// would be dropped.
+  /// The remaining edges, latest first (so that adding them to a heap is cheap), without those that
+  /// cancel or would be dropped.
   const std::vector<Key>& Rest()
   {
     std::sort(this->Heap.rbegin(), this->Heap.rend());
@@ -165,7 +165,7 @@ public:
     return this->Heap;
   }
 
-  /// Edges looked at so far, as a measure of work.
+  /// Number of edges processed so far, as a measure of work.
   std::int64_t Steps() const { return this->Work; }
 
 private:
@@ -175,7 +175,7 @@ private:
     std::push_heap(this->Heap.begin(), this->Heap.end());
   }
 
-  /// The edges of the latest star on the heap, as bits; those that are there twice cancel.
+  /// The edges of the latest star on the heap, as bits; those that occur twice cancel.
   std::uint32_t PopStar(std::int64_t node)
   {
     std::uint32_t edges = 0;
@@ -200,7 +200,8 @@ private:
     }
   }
 
-  /// Trades edges that the gradient matches with faces for the rest of the faces' boundaries.
+  /// Replaces edges that the gradient matches with faces by the rest of the boundaries of these
+  /// faces.
   void ReplaceMatched(std::int64_t node, std::uint32_t& edges)
   {
     if (edges == 0)
@@ -240,10 +241,10 @@ private:
 };
 
 /**
- * Reduces boundaries over Z/2 until their latest edge is one whose loop nothing has filled yet.
+ * Reduces boundaries over Z/2 until the loop of their latest edge has not been filled yet.
  *
- * Only columns with a critical edge at the top are kept (CubicalLoops.h). Near linear on maps,
- * cubic at worst.
+ * Only columns with a critical edge at the top are kept (CubicalLoops.h). Nearly linear for maps,
+ * cubic in the worst case.
  */
 template <typename Gradient>
 class LoopReduction
@@ -265,8 +266,8 @@ public:
   LoopReduction(const LoopReduction&) = delete;
   LoopReduction& operator=(const LoopReduction&) = delete;
 
-  /// The edge whose loop `face` fills. Faces are given in ascending order, those that close voids
-  /// left out.
+  /// The edge whose loop `face` fills. Faces must be passed in ascending order, without those that
+  /// close voids.
   Key Fill(const Key& face)
   {
     const std::size_t pivot = this->ReduceFace(face);
@@ -278,23 +279,25 @@ public:
    * The edges whose loops `faces` fill, one after the other, as Fill would give them: calls
    * found(i, edge) in their order. For a reduction that has filled nothing yet.
    *
-   * In rounds, on all threads: each of some thousand faces adds columns of earlier ones until it
-   * comes to an edge that none of them has; then, in order, the earliest of those that came to an
-   * edge gets it, and the others, with whoever had it before, go on in the next round, beside the
-   * faces that follow. Only earlier columns are ever added, so the pairs are those of Fill (D.
-   * Morozov, A. Nigmetov, Towards lockfree persistent homology, SPAA 2020), and rounds do not
-   * depend on the threads.
+   * The reduction works in rounds on all threads. Each of a few thousand faces adds columns of
+   * earlier ones until it reaches an edge that none of them has. Then, in order, the earliest of
+   * the faces that reached an edge gets it; the others, and a face that had it before, continue in
+   * the next round, together with the following faces. Only earlier columns are ever added, so the
+   * pairs are those of Fill (D. Morozov, A. Nigmetov, Towards lockfree persistent homology, SPAA
+   * 2020), and rounds do not depend on the threads.
    */
   template <typename Found>
   void FillAll(const std::vector<Key>& faces, Found&& found, const ProgressCallback& progress)
   {
     const std::size_t most = std::max<std::size_t>(1024, faces.size() / 16);
     std::vector<Begun> waiting;
-    // A round is reported in parts only where it is a long one, since each part costs threads.
+    // Progress within a round is reported only if the round is long, since each part requires
+    // starting threads.
     double seconds = std::numeric_limits<double>::infinity();
     for (std::size_t next = 0; next < faces.size() || !waiting.empty();)
     {
-      // By the faces taken up: how many of them are through goes up and down.
+      // It is measured by the faces that were started, because the number of finished faces goes up
+      // and down.
       const double before = static_cast<double>(next) / static_cast<double>(faces.size());
       while (waiting.size() < most && next < faces.size())
       {
@@ -322,10 +325,10 @@ public:
     }
   }
 
-  /// What Fill would return; nothing is kept.
+  /// The value that Fill would return, without storing anything.
   Key Find(const Key& face) { return this->Edges[this->ReduceFace(face)]; }
 
-  /// The edges of the column of a face that Fill has returned `edge` for, without those that join
+  /// The edges of the column of the face for which Fill returned `edge`, without those that join
   /// components.
   std::vector<Key> ColumnOf(const Key& edge) const
   {
@@ -335,7 +338,7 @@ public:
     return edges;
   }
 
-  /// Takes the face that fills the loop of `edge` out, or puts it back.
+  /// Removes the face that fills the loop of `edge`, or restores it.
   void SetUsed(const Key& edge, bool used) { this->Columns[this->NumberOf(edge)].Used = used; }
 
   /// Whether the loop of these edges is filled by the faces given so far.
@@ -357,15 +360,15 @@ private:
     std::size_t Face = 0; ///< the face whose column it is, where FillAll numbers them
   };
 
-  /// How far a face has come: to the edge Pivot, with Rest below it.
+  /// State of the reduction of a face: it has reached the edge Pivot, with Rest below it.
   struct Begun
   {
     std::size_t Pivot = EdgeColumn<Gradient>::None;
     Column Rest;
   };
 
-  /// Number of the latest edge that stays and has no column of a face before `face`, None where
-  /// there is none. It is taken off.
+  /// Number of the latest remaining edge that has no column of a face before `face`, or None. It is
+  /// taken off.
   std::size_t Reduce(EdgeColumn<Gradient>& working, std::size_t face) const
   {
     std::size_t number = working.NextCritical();
@@ -382,7 +385,8 @@ private:
   {
     if (pivot == EdgeColumn<Gradient>::None)
     {
-      throw std::logic_error("A face that closes no void fills no loop: the pairing is wrong.");
+      throw std::logic_error(
+        "A face that does not close a void fills no loop either, so the pairing is wrong.");
     }
     return pivot;
   }
@@ -394,7 +398,7 @@ private:
     return Demanded(this->Reduce(this->Working, Latest));
   }
 
-  /// Reduces those who wait as far as the columns there are let them.
+  /// Reduces the waiting faces as far as the existing columns allow.
   void Advance(
     const std::vector<Key>& faces, std::vector<Begun>& waiting, const ProgressCallback& progress)
   {
@@ -449,7 +453,7 @@ private:
     }
   }
 
-  /// Gives each edge to the earliest of those that came to it; the others, in order.
+  /// Assigns each edge to the earliest of the faces that reached it; returns the others in order.
   std::vector<Begun> Claim(const std::vector<Begun>& waiting)
   {
     std::vector<Begun> left;
@@ -472,7 +476,7 @@ private:
     return left;
   }
 
-  /// Keeps what is left below the pivot.
+  /// Keeps the remaining edges below the pivot.
   void Store(std::size_t pivot)
   {
     constexpr std::size_t blockSize = 16384;

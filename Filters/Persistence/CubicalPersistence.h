@@ -1,6 +1,6 @@
 /**
  * @file CubicalPersistence.h
- * @brief Persistent homology over Z/2 of a volume that grows with its level.
+ * @brief Persistent homology over Z/2 of the level sets of a volume.
  */
 #ifndef isthmus_CubicalPersistence_h
 #define isthmus_CubicalPersistence_h
@@ -17,19 +17,20 @@ namespace isthmus
  * All classes of components, loops and voids of the sublevel (superlevel) sets of `volume`.
  *
  * The complex is the V-construction: nodes enter at their value, edges, faces and cubes of the grid
- * with the last of their corners. So two nodes of an object touch along the axes (6 neighbours),
- * two of the background also across edges and corners (26), and the box has no holes of its own:
- * an object that leaves through the border loses the voids and loops that only the outside closes.
- * Equal values are ordered by index, which changes no birth or death; a superlevel is the sublevel
- * of the negative.
+ * with the last of their corners. Thus nodes of an object are connected along the axes (6
+ * neighbours), and nodes of the background also across edges and corners (26). The box itself has
+ * no holes: an object that leaves it through the border loses the voids and loops that only the
+ * exterior would close. Equal values are ordered by index, which changes no birth or death; a
+ * superlevel is the sublevel of the negative.
  *
  * Method: a discrete gradient by lower stars (LowerStars.h), union-find over critical edges and
  * over critical faces (CubicalComponents.h), reduction of the other critical faces
- * (CubicalLoops.h). Cost on smooth data about 60 ns and 4 to 12 bytes a node over the input, in
- * white noise 2 us and 100 bytes; double, 64-bit integers and more than 2^28 nodes take keys of 128
- * instead of 64 bits and so somewhat more. The same on any number of threads.
+ * (CubicalLoops.h). Cost for each node, in addition to the input: about 60 ns and 4 to 12 bytes for
+ * smooth data, 2 us and 100 bytes for white noise. Double, 64-bit integers and more than 2^28 nodes
+ * need keys of 128 instead of 64 bits and therefore somewhat more. The result is the same on any
+ * number of threads.
  *
- * Throws std::invalid_argument, with its place, at a value that is not a number. Infinities are
+ * Throws std::invalid_argument for a value that is not a number, with its position. Infinities are
  * values like others. A volume without nodes has no pairs.
  */
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT CubicalDiagram CubicalPersistence(const VolumeView& volume,

@@ -1,6 +1,7 @@
 /**
  * @file DelaunayFiltration.h
- * @brief The offset of a point set, as the growing alpha complex of its Delaunay triangulation.
+ * @brief The offsets of a point set, represented by the growing alpha complex of its Delaunay
+ * triangulation.
  */
 #ifndef isthmus_DelaunayFiltration_h
 #define isthmus_DelaunayFiltration_h
@@ -17,18 +18,19 @@ namespace isthmus
  * Delaunay triangulation of `points` with the alpha value of every simplex.
  *
  * A simplex enters at the squared radius of its smallest circumscribed sphere when no other point
- * lies inside that sphere (Gabriel), else with the earliest of its cofaces. The complex at value
- * d^2 is then homotopy equivalent to the union of balls of radius d round the points (H.
- * Edelsbrunner, "The union of balls and its dual shape", Discrete Comput. Geom. 13, 1995).
+ * lies inside that sphere (Gabriel), otherwise together with the earliest of its cofaces. The
+ * complex at value d^2 is then homotopy equivalent to the union of balls of radius d round the
+ * points (H. Edelsbrunner, "The union of balls and its dual shape", Discrete Comput. Geom. 13,
+ * 1995).
  *
- * Predicates are exact; radii are computed in doubles where an error bound of 1e-9 relative holds
- * and with rational numbers where not (flat tetrahedra, needles).
+ * Predicates are exact; radii are computed in doubles if their relative error is below 1e-9, and
+ * with rational numbers otherwise (flat tetrahedra, needles).
  *
  * `triangulated` is called with the time of the triangulation, from which the rest can be
  * predicted.
  *
- * `points` are distinct and finite. Fewer than four, or all in one plane, throw
- * std::invalid_argument. O(n log n) for samples of a surface; about 1.1 KB a point.
+ * `points` are distinct and finite. Throws std::invalid_argument for fewer than four points, or if
+ * all lie in one plane. O(n log n) for samples of a surface; about 1.1 KB for each point.
  */
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT CellFiltration DelaunayFiltration(std::vector<Point3> points,
   const ProgressCallback& progress = {},

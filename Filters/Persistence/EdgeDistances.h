@@ -1,6 +1,6 @@
 /**
  * @file EdgeDistances.h
- * @brief Ways along the edges of a tetrahedral mesh.
+ * @brief Shortest paths along the edges of a tetrahedral mesh.
  */
 #ifndef isthmus_EdgeDistances_h
 #define isthmus_EdgeDistances_h
@@ -16,8 +16,8 @@ namespace isthmus
 {
 
 /**
- * Length of the shortest path along edges of the mesh from each of its points to a point of
- * `sources` (Dijkstra). Infinity where there is none. O(n log n).
+ * Length of the shortest path along edges of the mesh from each of its points to the nearest point
+ * of `sources` (Dijkstra's algorithm). Infinity where there is none. O(n log n).
  */
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<double> EdgeDistances(const TetrahedralMesh& mesh,
   const std::vector<std::int64_t>& sources, const ProgressCallback& progress = {});

@@ -1,6 +1,6 @@
 /**
  * @file FiltrationPairs.h
- * @brief Persistent homology over Z/2 of a tetrahedral complex: voids and loops, born and filled.
+ * @brief Persistent homology over Z/2 of a tetrahedral complex: birth and death of voids and loops.
  */
 #ifndef isthmus_FiltrationPairs_h
 #define isthmus_FiltrationPairs_h
@@ -18,11 +18,12 @@ namespace isthmus
 // The few columns of a boundary matrix that took a reduction, one after the other.
 
 /**
- * Columns by the rank of their triangle, added in ascending order: the edges that are left, by
- * rank, latest first, and the ranks of the triangles whose columns were added to get there.
+ * Columns by the rank of their triangle, added in ascending order. A column has the remaining edges
+ * by rank, latest first, and the ranks of the triangles whose columns were added to obtain them.
  *
- * One bit a triangle says which have one; counts of bits, word by word, say where it lies. That is
- * 1.5 bits a triangle, and 16 bytes a column beside its entries.
+ * One bit for each triangle states whether it has a column, and counts of the bits of each word
+ * give its position. This takes 1.5 bits for each triangle, and 16 bytes for each column in
+ * addition to its entries.
  */
 class ColumnStore
 {
@@ -53,7 +54,7 @@ public:
     this->Added.Fit();
   }
 
-  /// The place of a triangle's column; -1: it is its boundary as it stands.
+  /// The position of the column of a triangle; -1 if the column is its unreduced boundary.
   std::int64_t Find(TriangleRank rank) const
   {
     const std::size_t word = rank.Index() / 64;
@@ -78,7 +79,7 @@ public:
   }
 
 private:
-  /// Lists without a gap between them.
+  /// Lists that are stored consecutively.
   template <typename Rank>
   class Lists
   {
@@ -124,13 +125,14 @@ private:
 // Persistence of voids: which tetrahedron fills what a triangle closes.
 
 /**
- * For each triangle: the tetrahedron that fills the void it closes, or None where it closes none.
+ * For each triangle, the tetrahedron that fills the void it closes, or None if it does not close a
+ * void.
  *
- * Tetrahedra are joined across triangles from the last to the first; the younger of two basins, the
- * one whose latest tetrahedron enters earlier, ends there (the elder rule, seen from the
- * complement; C. J. A. Delfinado, H. Edelsbrunner, 1995). Everything goes by rank, so that what
- * enters together lies together. Near linear; 8 bytes a tetrahedron and 8 a triangle beside the
- * result.
+ * Tetrahedra are joined across triangles from the last to the first; the younger of two basins,
+ * i.e. the one whose latest tetrahedron enters earlier, ends there (the elder rule for the
+ * complement; C. J. A. Delfinado, H. Edelsbrunner, 1995). All data are ordered by rank, so that
+ * simplices that enter together are stored together. Nearly linear; 8 bytes for each tetrahedron
+ * and each triangle in addition to the result.
  */
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT HandleVector<TriangleId, TetrahedronId> VoidPairs(
   const CellFiltration& f, const ProgressCallback& progress = {});
@@ -147,43 +149,45 @@ public:
   /**
    * Pairs all simplices of `f`, which must outlive this object.
    *
-   * Voids by union-find over tetrahedra in descending order (the elder rule, seen from the
-   * complement), near linear. Loops by reduction of the negative triangles' columns; all but a few
-   * percent of an alpha complex's columns need none, the worst case is cubic. Time and memory are
-   * near linear for samples of surfaces. `progress` can stop it.
+   * Voids are paired by union-find over tetrahedra in descending order (the elder rule for the
+   * complement), in nearly linear time. Loops are paired by reduction of the columns of negative
+   * triangles. All but a few percent of the columns of an alpha complex need no reduction; the
+   * worst case is cubic. Time and memory are nearly linear for samples of surfaces. `progress` can
+   * abort it.
    */
   VTKISTHMUSFILTERSPERSISTENCE_EXPORT explicit FiltrationPairs(
     const CellFiltration& f, const ProgressCallback& progress = {});
 
-  /// The tetrahedron that fills the void closed by `triangle`; None: it closes none, or
-  /// nothing but the exterior fills it.
+  /// The tetrahedron that fills the void closed by `triangle`. None if it does not close a void, or
+  /// only the exterior fills it.
   TetrahedronId VoidFilled(TriangleId triangle) const;
 
   /// The triangle that fills the loop closed by `edge`, or None.
   TriangleId LoopFilled(EdgeId edge) const;
 
-  /// The edge that closes the loop filled by `triangle`; None: it fills none.
+  /// The edge that closes the loop filled by `triangle`; None if it does not fill a loop.
   EdgeId LoopClosed(TriangleId triangle) const;
 
   /// The triangles whose boundary is the reduced boundary of a negative triangle: a cycle whose
   /// latest edge is LoopClosed(triangle).
   VTKISTHMUSFILTERSPERSISTENCE_EXPORT TriangleChain Filling(TriangleId triangle) const;
 
-  /// True for an edge that the cycle under reduction may not keep.
+  /// True for an edge that must be removed from the cycle.
   using Unwanted = std::function<bool(EdgeId edge)>;
 
   /**
    * Pushes cycle `z` downhill: while it has an unwanted edge whose loop was filled by a triangle
    * ranked below `limit`, that loop's boundary is added, latest edge first. Returns the new cycle;
-   * the triangles passed are added (mod 2) to `swept`, so that z + result = boundary of swept.
+   * the triangles passed are added (mod 2) to `swept`, so that z + result is the boundary of
+   * `swept`.
    */
   VTKISTHMUSFILTERSPERSISTENCE_EXPORT EdgeChain Push(
     const EdgeChain& z, TriangleRank limit, const Unwanted& unwanted, TriangleChain& swept) const;
 
   /**
-   * What bounds a cycle of edges (they may repeat and then cancel): ranks of triangles, latest
-   * first, whose reduced boundaries add up to it. An edge whose loop nothing fills stands as its
-   * own rank plus the number of triangles.
+   * Ranks of triangles, latest first, whose reduced boundaries add up to a cycle of edges; edges
+   * that occur twice cancel. An edge whose loop is never filled is represented by its own rank plus
+   * the number of triangles.
    */
   VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<std::int64_t> Bounding(const EdgeChain& z) const;
 

@@ -1,6 +1,6 @@
 /**
  * @file GradientPaths.h
- * @brief Where the paths of the gradient lead from many places, on all threads.
+ * @brief Follows the paths of the gradient from many places to their ends, on all threads.
  */
 #ifndef isthmus_GradientPaths_h
 #define isthmus_GradientPaths_h
@@ -21,10 +21,10 @@ namespace isthmus
 /**
  * Ends of paths over 0 .. places - 1 on which next(x) is the place after x, and x itself at an end.
  *
- * One place of each eight, drawn as by chance, is a milestone and keeps its end once it is known: a
- * path is walked some eight places beyond what is new of it, and all paths together cost at most
- * O(places + 8 paths). Whoever comes first, the ends are the same. `Link` holds places + 1; one
- * Link for each eight places.
+ * One place in each group of eight, chosen pseudo-randomly, is a milestone that stores its end once
+ * it is known. A path is followed about eight places beyond its new part, and all paths together
+ * cost at most O(places + 8 paths). The ends are the same regardless of the order. `Link` must be
+ * able to hold places + 1; there is one Link for each eight places.
  */
 template <typename Link, typename Next>
 class PathWalker
@@ -36,7 +36,7 @@ public:
   {
   }
 
-  /// By any number of threads, each with a list of its own to work with.
+  /// Can be called by any number of threads, each with its own working list.
   std::int64_t operator()(std::int64_t place, std::vector<std::int64_t>& passed)
   {
     passed.clear();
@@ -65,7 +65,8 @@ public:
 private:
   static constexpr std::int64_t apart = 8;
 
-  /// Not one and the same of each eight, since a path along an axis could miss all of those.
+  /// The milestone is not at the same position in each group, since a path along an axis could miss
+  /// all of them.
   static bool IsMilestone(std::int64_t place)
   {
     const auto mixed = static_cast<std::uint64_t>(place / apart) * 0x9e3779b97f4a7c15U;

@@ -17,8 +17,9 @@ namespace isthmus
  * Every simplex enters with its last point; simplices of `surface` enter first, at 0.
  *
  * `values` are distances at the mesh's points, not negative (they are squared inside, as in every
- * CellFiltration). The mesh's points are taken over with their ids; `surface`, matched by its exact
- * coordinates, gets the mesh's points and ids. Equal values enter in the order of the ids.
+ * CellFiltration). The points of the mesh keep their ids; `surface`, whose points are identified by
+ * their exact coordinates, gets the points and ids of the mesh. Equal values enter in the order of
+ * the ids.
  *
  * @throws std::invalid_argument when a face has more than two tetrahedra, a triangle of the surface
  * is no face of the mesh, or a value is negative or not finite. O(n log n).

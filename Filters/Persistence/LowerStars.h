@@ -1,6 +1,7 @@
 /**
  * @file LowerStars.h
- * @brief The lower star of every node of a grid, as the number of its kind, and their matchings.
+ * @brief The lower star of every node of a grid, stored as the number of its kind, and the
+ * matchings of all kinds.
  */
 #ifndef isthmus_LowerStars_h
 #define isthmus_LowerStars_h
@@ -19,10 +20,11 @@ namespace isthmus
 {
 
 /**
- * The discrete gradient of a volume. A cell belongs to the last of its corners (ties: the higher
- * index); which cells a node has that way depends on which of its 26 neighbours are lower, and so
- * does their matching, which is made once for each kind: some thousand on a map, ten times as many
- * in noise. 4 bytes a node; about 12 ns a node on one thread. The same on any number of threads.
+ * The discrete gradient of a volume. A cell belongs to the last of its corners (for ties, the one
+ * with the higher index). Which cells belong to a node depends on which of its 26 neighbours are
+ * lower. So does their matching, which is therefore computed once for each kind of star: there are
+ * about a thousand kinds in a map, ten times as many in noise. Memory: 4 bytes for each node; time:
+ * about 12 ns for each node on one thread. The result is the same on any number of threads.
  */
 class LowerStars
 {

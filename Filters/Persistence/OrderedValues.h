@@ -13,9 +13,10 @@ namespace isthmus
 {
 
 /**
- * The values of a volume as signed integers that are in the order in which the nodes enter.
+ * The values of a volume as signed integers whose order is that in which the nodes enter.
  *
- * `Stored` is float, double or the unsigned integer of the values' size. -0.0 counts as 0.0.
+ * ``Stored` is float, double or the unsigned integer of the same size as the values. -0.0 counts as
+ * 0.0.
  */
 template <typename Stored>
 class OrderedValues
@@ -32,7 +33,7 @@ public:
 
   Order operator[](std::int64_t node) const { return this->Convert(this->Values[node]); }
 
-  /// Orders of `count` values from `first` on.
+  /// The ordered integers of `count` values starting at `first`.
   void Convert(std::int64_t first, std::int64_t count, Order* orders) const
   {
     const Stored* values = this->Values + first;
@@ -57,7 +58,7 @@ private:
     }
     else if constexpr (sizeof(Stored) < sizeof(Order))
     {
-      // Widened with its sign, if it has one.
+      // Converted to a wider type with its sign, if it has one.
       const Order plain = static_cast<Order>(value);
       const Order top =
         this->Signed ? static_cast<Order>(Order{ 1 } << (8 * sizeof(Stored) - 1)) : 0;
@@ -76,8 +77,8 @@ private:
   Order Flip;
 };
 
-/// A cell in the order of entry among those of its dimension, in 64 bits: 32 of the value, 28 of
-/// the node, 4 of the place in its star.
+/// A key of 64 bits that orders the cells of a dimension by entry: 32 bits for the value, 28 for
+/// the node, and 4 for the position in its star.
 class NarrowKey
 {
 public:

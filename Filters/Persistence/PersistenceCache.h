@@ -20,8 +20,8 @@ class vtkImageData;
 namespace isthmus
 {
 
-/// The values as they lie in memory. Throws std::invalid_argument for arrays that are not plain
-/// numbers in one piece.
+/// The values as stored in memory. Throws std::invalid_argument for arrays that are not contiguous
+/// plain numbers.
 VolumeView VolumeOf(vtkDataArray* scalars, vtkImageData* image);
 
 /// Statistics and pairs of the last scalars. They do not depend on thresholds, so that threshold
@@ -29,7 +29,7 @@ VolumeView VolumeOf(vtkDataArray* scalars, vtkImageData* image);
 class PersistenceCache
 {
 public:
-  /// Clears the cache where the scalars differ from the cached ones. O(n).
+  /// Clears the cache if the scalars differ from the cached ones. O(n).
   const VolumeStatistics& Statistics(vtkDataArray* scalars, const VolumeView& volume);
 
   /// Pairs of the same values. Cost where they are not cached: CubicalPersistence.h.

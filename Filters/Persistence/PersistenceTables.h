@@ -1,6 +1,6 @@
 /**
  * @file PersistenceTables.h
- * @brief The features of a volume as VTK's tables and points.
+ * @brief Converts the features of a volume to VTK tables and points.
  */
 #ifndef isthmus_PersistenceTables_h
 #define isthmus_PersistenceTables_h
@@ -19,10 +19,10 @@ namespace isthmus
 void FillCurves(
   const BettiCurves& curves, const std::vector<std::int64_t>& eulerNumbers, vtkTable* table);
 
-/// One row for each feature kept. `end` is where a death that never comes is drawn.
+/// One row for each feature that is kept. `end` is the value at which infinite deaths are drawn.
 void FillDiagram(const FeatureList& features, double end, vtkTable* table);
 
-/// The saddle of each feature kept, then the other ends, at the nodes of `image`.
+/// The saddle of each feature that is kept, then the other ends, at the nodes of `image`.
 void FillSaddles(const FeatureList& features, double end, vtkImageData* image,
   const VolumeView& volume, vtkPolyData* points);
 

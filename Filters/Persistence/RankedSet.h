@@ -16,9 +16,10 @@ namespace isthmus
 {
 
 /**
- * One bit for each number below a bound, in pages that are made when first needed: maps have some
- * thousand kinds of stars, for which one table of all 2^26 bits would be most of what persistence
- * takes. 8 bytes for each 4096 numbers, and 768 bytes a page (of 4096 numbers).
+ * One bit for each number below a bound, in pages that are allocated when first needed. Maps have
+ * about a thousand kinds of stars, for which one table of all 2^26 bits would be most of the memory
+ * of persistence. Memory: 8 bytes for each 4096 numbers, and 768 bytes for each page (of 4096
+ * numbers).
  */
 class RankedSet
 {
@@ -43,7 +44,7 @@ public:
   RankedSet(const RankedSet&) = delete;
   RankedSet& operator=(const RankedSet&) = delete;
 
-  /// By any number of threads. They write only what is new, which is soon nothing.
+  /// By any number of threads. Threads write only new numbers, of which there are soon none.
   void Add(std::int64_t number)
   {
     auto& word = this->PageOf(number).Words[WordOf(number)];
@@ -53,8 +54,8 @@ public:
     }
   }
 
-  /// Calls visit(number) for each, in ascending order, and makes their ranks known. By one thread,
-  /// when all are added.
+  /// Calls visit(number) for each number in ascending order, and sets the ranks. To be called by
+  /// one thread after all numbers are added.
   template <typename Visit>
   void Rank(Visit&& visit)
   {
@@ -75,8 +76,8 @@ public:
     }
   }
 
-  /// How many numbers of the set are smaller. @pre `number` is in it, Rank() was called, and the
-  /// set has less than 2^32.
+  /// The count of smaller numbers in the set.
+  /// @pre `number` is in the set, Rank() was called, and the set has fewer than 2^32 numbers.
   std::uint32_t RankOf(std::int64_t number) const
   {
     const Page& page = *this->Pages[number / numbersOfPage].load(std::memory_order_relaxed);

@@ -1,6 +1,6 @@
 /**
  * @file RegularFiltration.h
- * @brief The union of balls that grow, as the weighted alpha complex of their regular
+ * @brief The union of growing balls, represented by the weighted alpha complex of their regular
  * triangulation.
  */
 #ifndef isthmus_RegularFiltration_h
@@ -17,12 +17,12 @@ namespace isthmus
 /**
  * A regular triangulation with the value of every simplex.
  *
- * A ball of radius R has the weight R^2; at the value a all balls have radius sqrt(R_i^2 + a), so
- * that 0 stands for the balls as given. A simplex enters at the squared radius (power) of the
- * smallest sphere orthogonal to its balls when no other ball is nearer than orthogonal to that
- * sphere, else (it is *attached*) with the earliest of its cofaces. The complex of values up to a
- * is the dual complex of the union at a: of the same homotopy type, and the one over which volumes
- * and areas are summed (H. Edelsbrunner, Discrete Comput. Geom. 13 (1995) 415).
+ * A ball of radius R has the weight R^2; at the value a all balls have radius sqrt(R_i^2 + a), so a
+ * = 0 corresponds to the original balls. A simplex enters at the squared radius (power) of the
+ * smallest sphere orthogonal to its balls if no other ball is nearer than orthogonal to that
+ * sphere; otherwise it is attached and enters with the earliest of its cofaces. The complex of
+ * values up to a is the dual complex of the union at a. It has the same homotopy type, and volumes
+ * and areas are summed over it (H. Edelsbrunner, Discrete Comput. Geom. 13 (1995) 415).
  */
 struct RegularFiltration
 {
@@ -38,14 +38,16 @@ struct RegularFiltration
 /**
  * Triangulates balls (centres and radii, all finite, radii not negative).
  *
- * Predicates are exact, values accurate to 1e-9 relative, by rational numbers where doubles are
- * not. Balls in any number and place are welcome: fewer than four, or all in one plane, give no
- * tetrahedron and no simplex at all. Throws std::invalid_argument for what is not finite.
+ * Predicates are exact. Values have a relative accuracy of 1e-9, and are computed with rational
+ * numbers where doubles are not accurate enough. Any number and position of balls is allowed; fewer
+ * than four, or balls in one plane, give no tetrahedron and no simplex at all. Throws
+ * std::invalid_argument for numbers that are not finite.
  *
- * O(n log n) for atoms: 10 us and 1.3 KB a ball; more for balls in convex position, as on a
- * cylinder, where each has many neighbours. `predicted` is called with the seconds that the
- * triangulation is going to take, once a quarter of the balls is in: these are a random sample, so
- * that the time grows by the same power from there on. Bitwise the same on any number of threads.
+ * O(n log n) for atoms, with 10 us and 1.3 KB for each ball; more for balls in convex position,
+ * e.g. on a cylinder, where each has many neighbours. `predicted` is called with the predicted time
+ * of the triangulation in seconds when a quarter of the balls has been inserted; these are a random
+ * sample, so the time continues to grow by the same power. The result is bitwise the same on any
+ * number of threads.
  */
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT RegularFiltration MakeRegularFiltration(
   std::vector<Point3> centres, std::vector<double> radii, const ProgressCallback& progress = {},

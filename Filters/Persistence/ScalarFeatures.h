@@ -28,7 +28,8 @@ struct FeatureParameters
   };
 
   bool Superlevel = false;
-  /// Only what exists between these levels; a bar counts as long as its part in here.
+  /// Only features that exist between these levels are considered; the length of a bar is that of
+  /// its part between them.
   std::array<double, 2> Range{ -std::numeric_limits<double>::infinity(),
     std::numeric_limits<double>::infinity() };
   double MinimumPersistence = 0.0;
@@ -48,8 +49,8 @@ struct ScalarFeature
 
 struct FeatureList
 {
-  /// Longest first; ties by dimension and place. The place in this list is the FeatureId: it does
-  /// not change with the threshold.
+  /// Sorted by length, longest first, with ties by dimension and position. The index in this list
+  /// is the FeatureId, which does not change with the threshold.
   std::vector<ScalarFeature> Features;
   double Threshold = 0.0; ///< what a persistence must reach, in units of the values
   std::size_t Kept = 0;   ///< the first so many reach it
@@ -60,7 +61,7 @@ VTKISTHMUSFILTERSPERSISTENCE_EXPORT FeatureList ScalarFeatures(const VolumeView&
   const VolumeStatistics& statistics, const CubicalDiagram& diagram,
   const FeatureParameters& parameters);
 
-/// Betti numbers by level; the integrals run from the first level (superlevels: the last) on and
+/// Betti numbers by level. The integrals start at the first level (for superlevels, the last) and
 /// are exact, not sums over the levels.
 struct BettiCurves
 {
@@ -71,7 +72,7 @@ struct BettiCurves
   std::array<std::vector<double>, 3> FilteredIntegral;
 };
 
-/// Cost O((features + levels) log levels).
+/// Cost: O((features + levels) log levels).
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT BettiCurves CountBetti(
   const FeatureList& features, bool superlevel, const std::vector<double>& levels);
 

@@ -13,16 +13,16 @@ namespace isthmus
 {
 
 /**
- * Writes to `result` (same type and size as `volume`) the values without the minima and maxima of
- * features beyond the first `features.Kept` (J. Tierny, V. Pascucci, IEEE TVCG 18, 2012: extrema
- * that are not wanted are flooded up to the saddle where they meet one that is).
+ * Writes the values to `result` (same type and size as `volume`) without the minima and maxima of
+ * features beyond the first features.Kept (J. Tierny, V. Pascucci, IEEE TVCG 18, 2012: unwanted
+ * extrema are flooded up to the saddle where they meet one that is kept).
  *
- * First each node is raised to the lowest pass over which a minimum that stays is reached (6
- * neighbours), then lowered to the highest pass to a void that stays, or to the outside (26
- * neighbours). No value changes by more than the longest persistence taken out, and no value is
- * made up: every result is a value of the volume. Loops (dimension 1) are not cancelled, as in TTK.
+ * First each node is raised to the lowest pass over which a remaining minimum can be reached (6
+ * neighbours), then lowered to the highest pass to a remaining void or to the exterior (26
+ * neighbours). No value changes by more than the longest removed persistence, and no new values are
+ * created: every result is a value of the volume. As in TTK, loops (dimension 1) are not cancelled.
  *
- * Serial, O(n log n): about 0.3 us a node, 12 bytes a node.
+ * Serial, O(n log n): about 0.3 us and 12 bytes for each node.
  */
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT void SimplifyScalar(const VolumeView& volume,
   const FeatureList& features, bool superlevel, void* result,

@@ -1,6 +1,6 @@
 /**
  * @file StarMatching.h
- * @brief The best matching of every lower star that can occur on a grid, each made once.
+ * @brief The best matching of every lower star that can occur on a grid, each computed once.
  */
 #ifndef isthmus_StarMatching_h
 #define isthmus_StarMatching_h
@@ -14,11 +14,11 @@
 namespace isthmus
 {
 
-/// A cell of the star of a node by its number there.
+/// A cell of the star of a node, given by its number in the star.
 using StarCell = Handle<struct StarCellKind, int>;
 
 /**
- * The cells round a node, numbered 0-5 (edges), 6-17 (faces), 18-25 (cubes); 26 is the node.
+ * The cells around a node, numbered 0-5 (edges), 6-17 (faces), 18-25 (cubes); 26 is the node.
  *
  * Bits of a star mask have these numbers. A star is closed: a face is in it only with its edges.
  */
@@ -35,7 +35,7 @@ extern const std::array<std::array<int, 3>, 27> Steps;
 extern const std::array<std::uint8_t, 27> CellOf;
 /// Direction of a cell.
 extern const std::array<std::int8_t, 27> DirectionOf;
-/// The two edges of a face, [face - FirstFace]: along its first and its second axis.
+/// The two edges of a face, at [face - FirstFace]: along its first and its second axis.
 extern const std::array<std::array<std::uint8_t, 2>, 12> FaceEdges;
 /// Faces that a star with these edges can have, as bits of a star mask.
 extern const std::array<std::uint32_t, 64> FacesOfEdges;
@@ -49,10 +49,11 @@ constexpr int Dimension(int cell)
 }
 }
 
-/// What happens in one kind of lower star.
+/// The matching of one kind of lower star.
 struct StarMatching
 {
-  /// The cell it is matched with; the cell itself: critical; Star::Absent: not in the star.
+  /// The cell with which it is matched, the cell itself if it is critical, or Star::Absent if it is
+  /// not in the star.
   std::array<std::uint8_t, 27> Partner;
   /// Bits of the critical cells.
   std::uint32_t Critical = 0;
@@ -63,10 +64,11 @@ struct StarMatching
 };
 
 /**
- * Matches the cells of the star by simple expansions, a critical cell of the lowest dimension where
- * none is possible (V. Robins, P. J. Wood, A. P. Sheppard, IEEE Trans. PAMI 33, 2011). The link of
- * the star is a part of the octahedron's surface, where this is optimal whatever the order: the
- * critical cells are as many as the classes that come or go with the node.
+ * Matches the cells of the star by simple expansions; if none is possible, a cell of the lowest
+ * dimension becomes critical (V. Robins, P. J. Wood, A. P. Sheppard, IEEE Trans. PAMI 33, 2011).
+ * The link of the star is a part of the surface of an octahedron, for which this is optimal in any
+ * order: the number of critical cells equals the number of classes that appear or end with the
+ * node.
  */
 StarMatching MatchStar(std::uint32_t mask);
 

@@ -1,7 +1,7 @@
 /**
  * @file SurfaceDistance.h
  * @brief Distance to a triangle surface at points, at the nodes of a grid, or at the points of a
- * tetrahedral mesh as a function for its lower-star filtration.
+ * tetrahedral mesh for its lower-star filtration.
  */
 #ifndef isthmus_SurfaceDistance_h
 #define isthmus_SurfaceDistance_h
@@ -16,8 +16,9 @@
 namespace isthmus
 {
 
-/// Distance, not signed, of each point to the nearest point of any triangle, by a
-/// TriangleTree. Some microseconds a point, in parallel, bitwise the same on any number of threads.
+/// Unsigned distance of each point to the nearest point of any triangle, by a TriangleTree. It
+/// takes a few microseconds for each point, in parallel, and is bitwise the same on any number of
+/// threads.
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<double> SurfaceDistances(const SurfaceView& surface,
   const std::vector<Point3>& points, const ProgressCallback& progress = {});
 
@@ -29,7 +30,7 @@ struct DistanceGrid
   std::array<std::int64_t, 3> Dimensions{ 0, 0, 0 };
   std::vector<double> Values; ///< x fastest
 
-  /// Trilinear; `p` is clamped to the grid.
+  /// Trilinear interpolation; p is clamped to the grid.
   VTKISTHMUSFILTERSPERSISTENCE_EXPORT double At(const Point3& p) const;
 };
 
@@ -39,10 +40,12 @@ inline GridShape ShapeOf(const DistanceGrid& grid)
 }
 
 /**
- * Distance to the surface at the nodes of a grid over `box`, `cells` along its longest side.
+ * Distance to the surface at the nodes of a grid over `box`, with `cells` cells along its longest
+ * side.
  *
- * By DistanceToSurface(): exact within two spacings h of the surface; farther away too large by at
- * most about h^2 / (2 distance), which is what trilinear sampling may be wrong by as well.
+ * It is computed by DistanceToSurface(): exact within two spacings h of the surface, and farther
+ * away too large by at most about h^2 / (2 distance), which is also the possible error of trilinear
+ * interpolation.
  */
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT DistanceGrid GridOfDistances(const SurfaceView& surface,
   const Bounds3& box, std::int64_t cells, const ProgressCallback& progress = {});
@@ -64,10 +67,11 @@ enum class MorseFunction
   FastMarching = 4  ///< marched on that grid (field C)
 };
 
-/// Cells of the grids along the longest side of the mesh's box.
+/// Number of cells of the grids along the longest side of the bounding box of the mesh.
 constexpr std::int64_t MorseGridCells = 100;
 
-/// Values at the mesh's points, 0 on the surface. Errors and cost: above, and EdgeDistances.h.
+/// Values at the mesh's points, 0 on the surface. For errors and cost see above, and
+/// EdgeDistances.h.
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT std::vector<double> MorseValues(const SurfaceView& surface,
   const TetrahedralMesh& mesh, MorseFunction function, const ProgressCallback& progress = {});
 

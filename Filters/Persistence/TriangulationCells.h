@@ -1,6 +1,6 @@
 /**
  * @file TriangulationCells.h
- * @brief From a triangulation of CGAL to the tetrahedra of a CellFiltration.
+ * @brief Converts a CGAL triangulation to the tetrahedra of a CellFiltration.
  */
 #ifndef isthmus_TriangulationCells_h
 #define isthmus_TriangulationCells_h
@@ -17,7 +17,8 @@
 namespace isthmus
 {
 
-/// Places of `points` along a space-filling curve, so that each is near the one before. O(n log n).
+/// Positions of points along a space-filling curve, so that each is near the preceding one. O(n log
+/// n).
 template <typename Kernel>
 std::vector<std::size_t> SpatialOrder(const std::vector<typename Kernel::Point_3>& points)
 {
@@ -34,9 +35,10 @@ std::vector<std::size_t> SpatialOrder(const std::vector<typename Kernel::Point_3
 }
 
 /**
- * The finite cells, numbered as the triangulation hands them out, with their neighbours. O(n).
+ * The finite cells, numbered in the order of the triangulation, with their neighbours. O(n).
  *
- * @pre `info()` of each vertex is the point's id. That of the cells, a TetrahedronId, is written.
+ * @pre `info()` of each vertex is the point's id. The `info()` of the cells, a TetrahedronId, is
+ * set.
  * @throws Cancelled.
  */
 template <typename Triangulation>

@@ -1,6 +1,6 @@
 /**
  * @file VolumeView.h
- * @brief A scalar volume of any type, as the persistence of volumes sees it.
+ * @brief View of a scalar volume of any type, for the persistence of volumes.
  */
 #ifndef isthmus_VolumeView_h
 #define isthmus_VolumeView_h
@@ -15,8 +15,8 @@ namespace isthmus
 {
 
 /**
- * Values at the nodes of a grid, x fastest: float, double or an integer of 1, 2, 4 or 8 bytes. It
- * owns nothing.
+ * Values at the nodes of a grid, with x varying fastest: float, double or an integer of 1, 2, 4 or
+ * 8 bytes. It owns nothing.
  */
 struct VolumeView
 {
@@ -70,10 +70,11 @@ decltype(auto) WithTypedValues(const VolumeView& volume, Work&& work)
   }
 }
 
-/// Throws std::invalid_argument with the place of the first value that is not a number.
+/// Throws std::invalid_argument with the position of the first value that is not a number.
 VTKISTHMUSFILTERSPERSISTENCE_EXPORT void RejectNaN(const VolumeView& volume);
 
-/// Of the finite values; a volume without any has an empty range (Minimum above Maximum).
+/// Statistics of the finite values; a volume without finite values has an empty range (Minimum
+/// above Maximum).
 struct VolumeStatistics
 {
   double Minimum = 1.0;

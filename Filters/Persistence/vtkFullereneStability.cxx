@@ -165,8 +165,8 @@ void vtkFullereneStability::CheckParameters() const
   }
   if (this->ScaleByRadius && this->Method == Exact)
   {
-    throw std::invalid_argument("ScaleByRadius needs the method Grid: the exact alpha complex is "
-                                "that of balls of one size.");
+    throw std::invalid_argument("ScaleByRadius needs the method Grid, since the exact alpha "
+                                "complex is for balls of equal size.");
   }
 }
 

@@ -6,9 +6,10 @@
  * only the positions of the atoms count (and `Radius`, with ScaleByRadius). Blocks of a composite
  * data set are handled one by one.
  *
- * Balls of one radius grow round the atoms. A bond joins two balls at half its length, a ring of
- * bonds is closed then and filled at about its circumradius, a cage is closed by its last ring and
- * filled when its hollow is. The intervals between are the bars.
+ * Balls of equal radius grow around the atoms. When the radius is half the length of a bond, its
+ * two balls are joined. A ring of bonds closes at this radius and is filled at about its
+ * circumradius; a cage is closed by its last ring and is filled when its cavity is. The bars are
+ * the intervals from closing to filling.
  *
  * Output 0 (vtkTable), a row for each molecule, lengths in the unit of the points (angstrom):
  *  - `Molecule`: its number among the inputs;
@@ -25,16 +26,18 @@
  * Output 1 (vtkTable): the bars, longest first in each dimension: `Molecule`, `FeatureId` (from 0
  * in each molecule), `Dimension`, `Birth`, `Death`, `Persistence`.
  *
- * **How far to trust it.** Among isomers of one size, C36 and C40, FilteredIntegral follows the
- * energy of the same geometry (r = -0.955 and -0.876); counting adjacent pentagons does so better
- * (0.961 and 0.967). Over sizes, EnergyProxy mostly follows 1 / Atoms. See the module's README.
+ * **How far to trust it.** Among isomers of one size, C36 and C40, FilteredIntegral correlates with
+ * the energy of the same geometry (r = -0.955 and -0.876); the number of adjacent pentagons
+ * correlates better (0.961 and 0.967). Between sizes, EnergyProxy mostly follows 1 / Atoms. See the
+ * module's README.
  *
- * **Errors** (one message, empty output): coordinates that are not finite; parameters that are no
- * lengths; no radii where ScaleByRadius asks for them. Without atoms: an empty table and no error.
+ * **Errors** (one message, empty output): coordinates that are not finite; parameters that are not
+ * positive lengths; missing radii if ScaleByRadius needs them. Without atoms, the table is empty
+ * and there is no error.
  *
- * Exact (default): the alpha complex, milliseconds for a molecule. Grid: as the thesis did, the
- * cubical complex of the distance at spacing Spacing up to Theta: a first-order approximation.
- * Method: FullereneStability.h.
+ * Exact (default): the alpha complex, milliseconds for a molecule. Grid: as in the thesis, the
+ * cubical complex of the distance with grid spacing Spacing up to Theta, a first-order
+ * approximation. Method: FullereneStability.h.
  */
 #ifndef vtkFullereneStability_h
 #define vtkFullereneStability_h

@@ -3,14 +3,14 @@
  * @brief   components, tunnels and cavities of a volume: between which levels each exists
  *
  * Input: vtkImageData with one number per node (float, double or any integer). As the level rises
- * (falls, with Superlevel), the set of nodes below (above) it grows; the filter says when each of
- * its components, tunnels and cavities appears and disappears, over Z/2.
+ * (with Superlevel, falls), the set of nodes below (above) it grows. The filter computes the levels
+ * at which each component, tunnel and cavity of the set appears and disappears, over Z/2.
  *
  * **Connectivity.** The V-construction: the nodes are the points of the complex, and an edge,
- * face or cube of the grid is in it as soon as all of its corners are. So two nodes of the object
- * are connected along the axes (6 neighbours), two of the background also across edges and corners
- * (26). The box itself is solid: a tunnel or cavity that only the world beyond the border closes
- * is none, so leave a margin round an object.
+ * face or cube of the grid is in it as soon as all of its corners are. Thus nodes of the object are
+ * connected along the axes (6 neighbours), and nodes of the background also across edges and
+ * corners (26). The box itself is solid: a tunnel or cavity that would be closed only by the space
+ * beyond the border is not found, so leave a margin around an object.
  *
  * Outputs:
  *  - 0, *Betti Curves* (vtkTable): `Level`, `Beta0`, `Beta1`, `Beta2` at NumberOfLevels levels,
@@ -33,18 +33,19 @@
  *  - 4, *Simplified* (vtkImageData; with Simplify on): the input with the minima and maxima of the
  *    dropped classes flattened (as TTK's topological simplification does).
  *
- * **What is listed.** Classes with Death - Birth of at least MinimumPersistence (absolute values;
- * the part within Range, where UseRange is on), and always the class that never dies. A class that
- * begins and ends at one value is never listed. FeatureId counts all classes from the longest down
- * and so stays the same when the threshold moves.
+ * **What is listed.** Listed are classes with an absolute value of Death - Birth of at least
+ * MinimumPersistence (of the part within Range if UseRange is on), and always the class that never
+ * dies. A class that begins and ends at the same value is never listed. FeatureId numbers all
+ * classes from the longest to the shortest, so it does not depend on the threshold.
  *
- * **Errors** (one message, empty outputs): a value that is not a number, with its place; an invalid
- * range or persistence. An empty image gives empty outputs.
+ * **Errors** (one message, empty outputs): a value that is not a number, with its position; an
+ * invalid range or persistence. An empty image gives empty outputs.
  *
- * **Cost.** On maps 60-200 ns and 4-20 bytes a node beside the input, in white noise 2 us and 100
- * bytes; changing MinimumPersistence only looks up what is known. The same on any number of
- * threads. On several MPI ranks each asks for the whole volume, and the first one computes and
- * holds the tables and points (the simplified volume is computed on each, which keeps its part).
+ * **Cost.** Cost for each node in addition to the input: 60-200 ns and 4-20 bytes for maps, 2 us
+ * and 100 bytes for white noise. Changing MinimumPersistence only looks up cached results. The
+ * result is the same on any number of threads. On several MPI ranks, each rank requests the whole
+ * volume; the first one computes and holds the tables and points. (Each rank computes the
+ * simplified volume and keeps its part.)
  *
  * Method and sources: CubicalPersistence.h, ScalarSimplification.h, CubicalCycles.h.
  */

@@ -162,13 +162,13 @@ TEST(ProteinCharges, WhateverTheProgramDoesIsASentence)
   ExpectSentence("exit 1", "gave no reason");
   ExpectSentence("kill -9 $$", "could not find them");
   ExpectSentence("while :; do :; done", "seconds", 0.3);
-  ExpectSentence("exit 0", "knows none of the molecule");
+  ExpectSentence("exit 0", "knows none of the residues");
   ExpectSentence(Answering("ATOM 1 N GLY A one 1 2 3 4 5\\n"), "can't be read");
   ExpectSentence(Answering("ATOM 1 N GLY A 7 1 2 3 4 5\\n"), "can't be read"); // nobody's residue
   std::vector<NamedAtom> far = Molecule();
   far[3].Place[1] = -12345.0;
   ExpectSentence("exit 0", "9,999 angstrom", 60, far);
-  ExpectSentence("exit 0", "no names", 60, { NamedAtom{} });
+  ExpectSentence("exit 0", "no atom and residue names", 60, { NamedAtom{} });
   std::vector<NamedAtom> many;
   for (int i = 0; i < 63; ++i)
   {
