@@ -1,7 +1,7 @@
 /**
  * @file AtomProperties.h
- * @brief The properties of a filter that say which atoms of its input count, and how large they
- * are.
+ * @brief The properties of a filter that determine which atoms of its input are used, and their
+ * radii.
  */
 #ifndef isthmus_AtomProperties_h
 #define isthmus_AtomProperties_h
@@ -13,11 +13,11 @@
 /**
  * Properties of a filter (FilterProperties.h).
  *
- * KeepWaters: water counts as part of the molecule. Default off.
+ * KeepWaters: treat water as part of the molecule. Default off.
  *
- * UnitedAtoms: where amino acids or nucleotides come without any hydrogen and the radii are those
- * of a table by element, radii of united atoms take their place: C 1.85, N 1.75, O 1.65, P 2.10,
- * S 2.00 (AtomRadii.h). Radii of a force field stay as they are. Default on.
+ * UnitedAtoms: if amino acids or nucleotides have no hydrogens at all and the radii are those of a
+ * table by element, they are replaced by united-atom radii: C 1.85, N 1.75, O 1.65, P 2.10, S 2.00
+ * (AtomRadii.h). Radii of a force field are not changed. Default on.
  */
 #define ISTHMUS_ATOM_PROPERTIES()                                                                  \
   ISTHMUS_SWITCH(KeepWaters, false);                                                               \

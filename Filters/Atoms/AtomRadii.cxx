@@ -158,10 +158,10 @@ AtomRadii ReadRadii(vtkDataSetAttributes* data, vtkIdType count, const std::vect
   {
     throw std::invalid_argument("The atoms have no point array " + chosen +
       " of radii; they have:" + ArrayNames(data) +
-      (byElement ? ". There is no array Element to look radii up by either: read the atoms with "
-                   "vtkMacromoleculeReader, or choose one of these arrays."
+      (byElement ? ". There is no array Element by which radii could be looked up either: read the "
+                   "atoms with vtkMacromoleculeReader, or choose one of these arrays."
                  : ". The radii of a force field are needed: read a PQR file, choose one of these "
-                   "arrays, or give a surface."));
+                   "arrays, or connect a surface."));
   }
   return radii;
 }

@@ -10,14 +10,13 @@
  * requested;
  * 3. where there are no elements either, std::invalid_argument.
  *
- * Readers that write the array (vtkMacromoleculeReader) take it from the table that is chosen
- * there.
+ * Readers that create the array (vtkMacromoleculeReader) use the table that is chosen there.
  *
  * An atom that has no radius after this (NaN in the array, an element in neither table) is dropped
  * with a warning by filters of shape and refused by filters that use its charge (MissingRadius).
  * Poisson-Boltzmann energies depend on the radii of a force field, so vtkPoissonBoltzmann requires
- * the array (RadiusFallback::None). Where chains have no hydrogens at all and radii are those of a
- * table by element, radii of united atoms replace them on request (UniteAtoms).
+ * the array (RadiusFallback::None). If chains have no hydrogens at all and radii are those of a
+ * table by element, they are replaced by united-atom radii on request (UniteAtoms).
  */
 #ifndef isthmus_AtomRadii_h
 #define isthmus_AtomRadii_h
@@ -43,7 +42,7 @@ enum class RadiusTable
   Bondi,
   /// S. Alvarez, Dalton Trans. 42 (2013) 8617, Table 1: nearly all elements, metals as well.
   Alvarez,
-  /// Atoms with the hydrogens that they carry, one radius for each element of a biopolymer: C 1.85,
+  /// Atoms together with their hydrogens, with one radius for each element of a biopolymer: C 1.85,
   /// N 1.75, O 1.65, P 2.10, S 2.00. From S. J. Weiner et al., J. Am. Chem. Soc. 106 (1984) 765, as
   /// summarised by O. S. Smart et al. (HOLE, J. Mol. Graph. 14 (1996) 354).
   UnitedAtom
@@ -70,7 +69,7 @@ enum class RadiusFallback
   None     ///< std::invalid_argument
 };
 
-/// What happens to an atom without a radius.
+/// Treatment of an atom without a radius.
 enum class MissingRadius
 {
   Drop,  ///< dropped, with a warning
@@ -89,13 +88,13 @@ struct AtomRadii
  * The radii of `count` atoms with point data `data`, from the array `name` (empty: `Radius`) or
  * according to `fallback`. `elements` is empty where the input has none.
  *
- * Throws std::invalid_argument for an array with several components, and where there are no radii.
+ * Throws std::invalid_argument for an array with several components, and if there are no radii.
  */
 AtomRadii ReadRadii(vtkDataSetAttributes* data, vtkIdType count, const std::vector<int>& elements,
   const std::string& name, RadiusFallback fallback);
 
-/// Replaces the radii of the atoms `kept` by those of united atoms where none of them is a hydrogen
-/// and all radii are those of a table by element. Returns whether it did.
+/// Replaces the radii of the kept atoms by united-atom radii if none of the atoms is a hydrogen and
+/// all radii are those of a table by element. Returns whether it did.
 bool UniteAtoms(
   const std::vector<std::size_t>& kept, const std::vector<int>& elements, AtomRadii& radii);
 

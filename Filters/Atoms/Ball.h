@@ -1,6 +1,6 @@
 /**
  * @file Ball.h
- * @brief An atom as the molecular filters use it.
+ * @brief The representation of an atom in the molecular filters.
  */
 #ifndef isthmus_Ball_h
 #define isthmus_Ball_h
@@ -10,7 +10,7 @@
 namespace isthmus
 {
 
-/// Lengths in one unit, angstrom for molecules.
+/// All lengths are in the same unit, angstrom for molecules.
 struct Ball
 {
   std::array<double, 3> Centre;

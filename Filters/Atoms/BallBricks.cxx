@@ -96,8 +96,8 @@ void BallBricks::ForEachEntry(Use use) const
     entries += box.Size();
     if (entries > MostEntries)
     {
-      throw std::invalid_argument("The balls are so large against the spacing that too many of "
-                                  "them reach every node: choose a larger spacing.");
+      throw std::invalid_argument("The balls are so large compared with the spacing that too many "
+                                  "of them reach each node: choose a larger spacing.");
     }
     for (std::int64_t k = box.First[2]; k < box.Last[2]; ++k)
     {

@@ -1,6 +1,6 @@
 /**
  * @file BallBricks.h
- * @brief A grid in bricks, and the balls that reach into each of them.
+ * @brief Division of a grid into bricks, and the balls that reach into each of them.
  */
 #ifndef isthmus_BallBricks_h
 #define isthmus_BallBricks_h
@@ -18,7 +18,7 @@ namespace isthmus
 
 using Index3 = std::array<std::int64_t, 3>;
 
-/// Nodes [First, Last) of the grid.
+/// The nodes [First, Last) of the grid.
 struct Brick
 {
   Index3 First;
@@ -30,7 +30,7 @@ struct NodeRange
 {
   NodeRange(double centre, double reach, std::int64_t first, std::int64_t last)
   {
-    // The comparisons come before the conversion, which is undefined for what doesn't fit.
+    // The comparisons come before the conversion, which is undefined for numbers that do not fit.
     const double from = std::ceil(centre - reach);
     const double to = std::floor(centre + reach) + 1.0;
     this->First = from > static_cast<double>(first)
@@ -47,8 +47,8 @@ struct NodeRange
 };
 
 /// Calls `use(row, j, k, y, z)` for the nodes of each row of `brick` within the ball's radius: j
-/// and k are the row's place along the second and third axis, y and z its distance from the centre
-/// there.
+/// and k are the indices of the row along the second and third axis, y and z its distances from the
+/// centre along these axes.
 template <typename Use>
 void ForEachRow(const Ball& ball, const Brick& brick, Use&& use)
 {
@@ -72,17 +72,18 @@ void ForEachRow(const Ball& ball, const Brick& brick, Use&& use)
 }
 
 /**
- * The bricks of a grid and which balls reach into each, in an order of the balls that does not
+ * The bricks of a grid and the balls that reach into each, in an order of the balls that does not
  * depend on that of the input. Time and memory O(balls log balls + bricks + pairs of both).
  */
 class BallBricks
 {
 public:
-  /// Nodes of a brick: its values in double fit into the second-level cache.
+  /// Number of nodes of a brick along each axis; its values in double fit into the second-level
+  /// cache.
   static constexpr Index3 BrickSize{ 64, 32, 16 };
 
-  /// Balls in spacings from the grid's first node; `reach` times the radius is covered. Throws
-  /// std::invalid_argument for more than 2^31 pairs of ball and brick.
+  /// `balls` are in units of the spacing, relative to the first node of the grid; `reach` times the
+  /// radius is covered. Throws std::invalid_argument for more than 2^31 pairs of ball and brick.
   BallBricks(std::vector<Ball> balls, double reach, const Index3& gridDimensions);
 
   std::int64_t Size() const { return this->Counts[0] * this->Counts[1] * this->Counts[2]; }
@@ -107,7 +108,7 @@ public:
     }
   }
 
-  /// The balls in the order that does not depend on the input's.
+  /// The balls in an order that does not depend on that of the input.
   const std::vector<Ball>& Sorted() const { return this->Balls; }
 
 private:

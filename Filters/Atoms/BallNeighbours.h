@@ -1,6 +1,6 @@
 /**
  * @file BallNeighbours.h
- * @brief Which balls cut which, and what that leaves free of their spheres.
+ * @brief Overlaps of balls, and the parts of their spheres that are not covered.
  */
 #ifndef isthmus_BallNeighbours_h
 #define isthmus_BallNeighbours_h
@@ -14,7 +14,7 @@
 namespace isthmus
 {
 
-/// For each ball those that overlap with it. Time and memory O(balls log balls + pairs).
+/// For each ball, the balls that overlap with it. Time and memory O(balls log balls + pairs).
 class BallNeighbours
 {
 public:
@@ -30,8 +30,8 @@ public:
     return this->Others.data() + this->Start[ball + 1];
   }
 
-  /// Is `place`, on the sphere of `ball`, in none of the other balls? `last`, the one that covered
-  /// the place asked for before, is tried first and set.
+  /// Whether `place`, on the sphere of `ball`, is in none of the other balls. `last`, the ball that
+  /// covered the previous place, is tried first and updated.
   bool IsFree(std::size_t ball, const std::array<double, 3>& place, std::int64_t& last) const;
 
 private:
@@ -44,8 +44,8 @@ private:
   std::vector<std::int64_t> Others;
 };
 
-/// Places on the circles in which two spheres meet, where no other ball covers them, at most `step`
-/// apart, and the ends of such arcs.
+/// Places on the circles in which two spheres intersect, at most `step` apart, where no other ball
+/// covers them, and the ends of these arcs.
 std::vector<std::array<double, 3>> FreeCirclePoints(
   const std::vector<Ball>& balls, const BallNeighbours& neighbours, double step);
 

@@ -14,7 +14,7 @@
 namespace isthmus
 {
 
-/// Volume of a body that balls have in common, and the parts of its surface on each ball's sphere.
+/// Volume of the intersection of balls, and the parts of its surface on the sphere of each ball.
 template <std::size_t N>
 struct Overlap
 {
@@ -28,12 +28,12 @@ VTKISTHMUSFILTERSATOMS_EXPORT Overlap<1> WholeBall(const Ball& a);
 VTKISTHMUSFILTERSATOMS_EXPORT Overlap<2> Lens(const Ball& a, const Ball& b);
 
 /**
- * Half of what three balls share, that on one side of the plane of their centres. Their spheres
- * must meet in two points x, x'.
+ * One half of the intersection of three balls, on one side of the plane of their centres. Their
+ * spheres must intersect in two points x, x'.
  *
- * The balls cover the tetrahedron of their centres and x, so that its volume is what they fill of
- * it by inclusion and exclusion: sectors of the balls, minus slices of the lenses, plus the half
- * asked for (H. Edelsbrunner, P. Fu, in "Measuring space filling diagrams and voids", 1994).
+ * The balls cover the tetrahedron of their centres and x, so its volume is given by inclusion and
+ * exclusion: sectors of the balls, minus slices of the lenses, plus the requested half (H.
+ * Edelsbrunner, P. Fu, in "Measuring space filling diagrams and voids", 1994).
  */
 VTKISTHMUSFILTERSATOMS_EXPORT Overlap<3> HalfTripleIntersection(
   const Ball& a, const Ball& b, const Ball& c);

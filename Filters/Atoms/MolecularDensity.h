@@ -1,6 +1,6 @@
 /**
  * @file MolecularDensity.h
- * @brief Atoms as a function on a grid: the union of their balls, or a sum of Gaussians.
+ * @brief Samples atoms as a function on a grid: the union of their balls, or a sum of Gaussians.
  *
  * With the balls' centres x_i and radii R_i (van der Waals radii times a factor eta), the union is
  *
@@ -11,10 +11,10 @@
  *   rho(x) = sum_i exp(-d (|x - x_i|^2 / R_i^2 - 1))
  *
  * (J. F. Blinn, ACM Trans. Graph. 1 (1982) 235; in this form Y. Zhang, G. Xu, C. Bajaj, Comput.
- * Aided Geom. Des. 23 (2006) 510, with beta = -d). Each term is 1 on its ball's sphere, so **the
- * level 1 of either form encloses all balls**: exactly the sphere for an atom alone, a little more
- * where atoms meet, the less the greater the decay d. Terms below 1e-6 are left out. The integral
- * is e^d (pi / d)^(3/2) sum R_i^3.
+ * Aided Geom. Des. 23 (2006) 510, with beta = -d). Each term is 1 on the sphere of its ball, so the
+ * level 1 of either form encloses all balls. It is exactly the sphere for a single atom and lies
+ * slightly outside where atoms meet, the closer the greater the decay d. Terms below 1e-6 are
+ * neglected. The integral is e^d (pi / d)^(3/2) sum R_i^3.
  */
 #ifndef isthmus_MolecularDensity_h
 #define isthmus_MolecularDensity_h
@@ -39,27 +39,28 @@ struct DensityGrid
 };
 
 /**
- * The smallest grid with node distance `spacing` whose box holds all balls and `padding` more on
- * each side along x, y, z. Throws std::invalid_argument for a spacing that is not positive, a
- * padding that is negative, balls that are not finite, and more than 2^31 nodes along an axis.
+ * The smallest grid with `spacing` whose box contains all balls and a margin of `padding` on each
+ * side along x, y, z. Throws std::invalid_argument if the spacing is not positive, the padding is
+ * negative, a ball is not finite, or there are more than 2^31 nodes along an axis.
  */
 VTKISTHMUSFILTERSATOMS_EXPORT DensityGrid GridAroundBalls(
   const std::vector<Ball>& balls, double spacing, const std::array<double, 3>& padding);
 
 /**
- * Writes the union of the balls to the nodes of `to`, whose dimensions and (first) spacing are
- * taken and whose first node is at `origin`.
+ * Writes the union of the balls to the nodes of `to`, using its dimensions and (first) spacing; its
+ * first node is at `origin`.
  *
  * Both functions work brick by brick in parallel. The result does not depend on the number of
  * threads, nor on the order of the balls. Time and memory O(nodes + sum over balls of the nodes in
- * reach); balls with radius 0 leave no trace. Throws std::invalid_argument for radii that are
- * negative or not finite, or so large against the grid that the bookkeeping would not fit.
+ * reach); balls with radius 0 have no effect. Throws std::invalid_argument for radii that are
+ * negative, not finite, or so large compared with the grid that the lists would not fit into
+ * memory.
  */
 VTKISTHMUSFILTERSATOMS_EXPORT void UnionOfBalls(const std::vector<Ball>& balls,
   const std::array<double, 3>& origin, GridView<float> to, const ProgressCallback& progress = {});
 
-/// The same for the sum of Gaussians with the given decay (above 0, up to 500), summed up in
-/// double.
+/// The same for the sum of Gaussians with the given decay (above 0, up to 500), summed in double
+/// precision.
 VTKISTHMUSFILTERSATOMS_EXPORT void GaussianSum(const std::vector<Ball>& balls, double decay,
   const std::array<double, 3>& origin, GridView<float> to, const ProgressCallback& progress = {});
 

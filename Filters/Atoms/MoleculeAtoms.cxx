@@ -116,7 +116,7 @@ PolymerChoice Select(vtkDataObject* input, const AtomOptions& options, MoleculeA
   if (choice.Kept.empty() && options.RequireBalls && !options.Selection->Waters)
   {
     throw std::invalid_argument(
-      "All atoms are water, which is left out: switch KeepWaters on to have its surface.");
+      "All atoms are water, which is dropped: switch KeepWaters on to include it.");
   }
   return choice;
 }
@@ -207,9 +207,9 @@ MoleculeAtoms ReadAtoms(vtkDataObject* input, const AtomOptions& options)
   if (options.UnitedAtoms && choice.AnyChain && atoms.HasElements &&
     UniteAtoms(choice.Kept, elements, radii))
   {
-    atoms.Notes.emplace_back("There are no hydrogens, so carbon, nitrogen, oxygen, phosphorus and "
-                             "sulphur have the radii of united atoms: switch UnitedAtoms off for "
-                             "those of the input.");
+    atoms.Notes.emplace_back(
+      "There are no hydrogens, so carbon, nitrogen, oxygen, phosphorus and sulphur have the radii "
+      "of united atoms: switch UnitedAtoms off to use the radii of the input.");
   }
   AddBalls(input, choice.Kept, radii, options, atoms);
   if (atoms.Balls.empty() && options.RequireBalls)

@@ -46,22 +46,22 @@ struct AtomOptions
   bool UnitedAtoms = false;
   bool ZeroRadii = false;    ///< atoms with radius 0 also get a ball
   bool RequireBalls = false; ///< std::invalid_argument where no atom has a radius above 0
-  /// Angstrom. A radius that is as large is refused.
+  /// Angstrom. Radii of this size or larger are refused.
   double MaximumRadius = std::numeric_limits<double>::infinity();
   bool SurfacePoints = false; ///< polygons without elements or radii are points with radius 0
   RadiusFallback Fallback = RadiusFallback::Element;
   MissingRadius Missing = MissingRadius::Drop;
 };
 
-/// All residues but water, which is kept on request (the properties of AtomProperties.h).
+/// All residues except water, which is kept on request (the properties of AtomProperties.h).
 VTKISTHMUSFILTERSATOMS_EXPORT AtomOptions WholeMolecule(
   const std::string& radiusArray, bool keepWaters = false, bool unitedAtoms = true);
 
-/// The chains and what else `options` keeps, including atoms of radius 0.
+/// The chains and the other residues that `options` keeps, including atoms of radius 0.
 VTKISTHMUSFILTERSATOMS_EXPORT AtomOptions PolymerOf(
   const std::string& radiusArray, const PolymerOptions& options);
 
-/// The atoms that a filter works on. Places and radii in angstrom.
+/// The atoms that a filter uses. Places and radii in angstrom.
 struct MoleculeAtoms
 {
   std::vector<Ball> Balls;       ///< of the atoms with a radius
@@ -80,16 +80,16 @@ struct MoleculeAtoms
  * Reads the atoms of a vtkPointSet or a vtkMolecule according to `options`; empty if it has no
  * points.
  *
- * O(atoms), with the names of residues where there is a selection.
+ * O(atoms), using the names of residues if there is a selection.
  * @throws std::invalid_argument for radii that AtomRadii.h refuses, that are negative, infinite or
- * MaximumRadius, or missing under MissingRadius::Refuse; for coordinates that are not finite; and
- * where no atom is left but one is required.
+ * at least MaximumRadius, or that are missing with MissingRadius::Refuse; for coordinates that are
+ * not finite; and if no atom is left but one is required.
  */
 VTKISTHMUSFILTERSATOMS_EXPORT MoleculeAtoms ReadAtoms(
   vtkDataObject* atoms, const AtomOptions& options);
 
 /// The charges of `atoms.Kept` in e, from the point array `name` of `input`. Throws
-/// std::invalid_argument where there is no such array of one component, or a charge is not finite.
+/// std::invalid_argument if there is no such array of one component, or a charge is not finite.
 VTKISTHMUSFILTERSATOMS_EXPORT std::vector<double> AtomCharges(
   vtkDataObject* input, const MoleculeAtoms& atoms, const std::string& name);
 
@@ -99,7 +99,7 @@ VTKISTHMUSFILTERSATOMS_EXPORT vtkPoints* AtomPoints(vtkDataObject* atoms);
 /// Point data of a vtkPointSet, vertex data of a vtkMolecule.
 VTKISTHMUSFILTERSATOMS_EXPORT vtkDataSetAttributes* AtomData(vtkDataObject* atoms);
 
-/// Number of the element of each atom (0: unknown); empty where neither molecule nor array has
+/// Atomic number of each atom (0: unknown); empty if neither the molecule nor an array has
 /// elements.
 VTKISTHMUSFILTERSATOMS_EXPORT std::vector<int> AtomElements(vtkDataObject* atoms);
 
@@ -113,7 +113,7 @@ VTKISTHMUSFILTERSATOMS_EXPORT std::string InputArrayName(vtkAlgorithm* filter, i
 VTKISTHMUSFILTERSATOMS_EXPORT void AddNotes(
   const std::vector<std::string>& notes, vtkDataObject* to);
 
-/// Names between blanks, commas or semicolons.
+/// Names separated by blanks, commas or semicolons.
 VTKISTHMUSFILTERSATOMS_EXPORT std::set<std::string> NamesIn(const std::string& list);
 
 }

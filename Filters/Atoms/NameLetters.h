@@ -1,6 +1,6 @@
 /**
  * @file NameLetters.h
- * @brief Letters of the names of atoms and residues, in ASCII whatever the locale.
+ * @brief Letters of the names of atoms and residues, in ASCII regardless of the locale.
  */
 #ifndef isthmus_NameLetters_h
 #define isthmus_NameLetters_h

@@ -1,6 +1,6 @@
 /**
  * @file NearestBall.h
- * @brief Which of many balls is nearest to a place.
+ * @brief Finds the ball that is nearest to a place.
  */
 #ifndef isthmus_NearestBall_h
 #define isthmus_NearestBall_h
@@ -14,7 +14,7 @@
 namespace isthmus
 {
 
-/// Balls in cells. Memory O(balls + cells), of which there are at most eight a ball.
+/// Balls in cells. Memory: O(balls + cells), with at most eight cells for each ball.
 class NearestBall
 {
 public:

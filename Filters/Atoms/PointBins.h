@@ -1,6 +1,6 @@
 /**
  * @file PointBins.h
- * @brief Points in cubic bins, to find those near a place.
+ * @brief Sorts points into cubic bins, to find those near a place.
  */
 #ifndef isthmus_PointBins_h
 #define isthmus_PointBins_h
@@ -58,7 +58,7 @@ public:
   }
 
   /// Calls `visit(id, squared distance)` for each point within `reach` of `place`, in an order that
-  /// depends on the points alone.
+  /// depends only on the points.
   template <typename Visit>
   void Near(const Point3& place, double reach, Visit&& visit) const
   {
@@ -96,7 +96,7 @@ public:
     {
       for (std::int64_t y = low[1]; y <= high[1]; ++y)
       {
-        // The ball's chord in this row of bins, a bit longer for rounding.
+        // The chord of the ball in this row of bins, slightly longer because of rounding.
         const double dz = this->Gap(z, place[2]);
         const double dy = this->Gap(y, place[1]);
         const double left = squared * (1.0 + 1e-12) - dy * dy - dz * dz;
@@ -201,7 +201,7 @@ private:
     return { this->BinOf(p[2]), this->BinOf(p[1]), this->BinOf(p[0]) };
   }
 
-  /// Distance of `x` from the bins of that number along its axis.
+  /// Distance of `x` from the bins with this number along its axis.
   double Gap(std::int64_t bin, double x) const
   {
     const double low = this->Size * static_cast<double>(bin);

@@ -1,6 +1,7 @@
 /**
  * @file PolymerAtoms.h
- * @brief Which atoms of a file are the protein (or nucleic acid), and which only sit in it.
+ * @brief Determines which atoms of a file belong to the protein (or nucleic acid), and which are
+ * only bound to it.
  */
 #ifndef isthmus_PolymerAtoms_h
 #define isthmus_PolymerAtoms_h
@@ -15,7 +16,7 @@
 namespace isthmus
 {
 
-/// An atom with the names that a file gives it; what it does not give stays empty.
+/// An atom with its names in a file; names that the file lacks are empty.
 struct NamedAtom
 {
   Point3 Place{ 0.0, 0.0, 0.0 };
@@ -49,11 +50,11 @@ struct PolymerChoice
 
 /**
  * Keeps the residues of chains: those with a name of the twenty amino acids, the nucleotides and
- * their variants in force fields, and whatever a peptide (C-N) or phosphodiester (O3'-P) bond links
- * to one: modified residues, D-amino acids, caps. What the file calls HETATM is none by its name
- * alone, since a free amino acid can be the ligand. Where no residue is recognised (no names, or
- * unknown ones), all but water is kept. Of alternate locations, each residue keeps the one with the
- * greatest sum of occupancies. O(n log n).
+ * their variants in force fields, and all residues linked to one by a peptide (C-N) or
+ * phosphodiester (O3'-P) bond: modified residues, D-amino acids, caps. HETATM residues do not count
+ * as part of a chain by their name alone, since a free amino acid can be the ligand. If no residue
+ * is recognised (no names, or unknown ones), everything except water is kept. Of alternate
+ * locations, each residue keeps the one with the greatest sum of occupancies. O(n log n).
  */
 VTKISTHMUSFILTERSATOMS_EXPORT PolymerChoice ChoosePolymer(
   const std::vector<NamedAtom>& atoms, const PolymerOptions& options);

@@ -7,14 +7,14 @@
  * of a vtkPolyData also the cells (bonds, with their arrays) all of whose points are kept.
  *
  * Each residue is part of a chain of amino acids or nucleotides, an ion (one heavy atom), water, or
- * a ligand, which is all else; among the ligands are the prosthetic groups (hemes, flavins,
- * iron-sulphur clusters, chlorophylls and the like), which can be kept alone. PolymerAtoms.h has
- * the rules. Of alternate locations the one with the greatest sum of occupancies is kept. Where no
- * residue of a chain is recognised (an XYZ file, say), all atoms but water count as a chain. The
- * field array `Notes` says what was left out, one message for each kind.
+ * a ligand (anything else). The prosthetic groups (hemes, flavins, iron-sulphur clusters,
+ * chlorophylls and the like) are ligands, but can be kept without the others. PolymerAtoms.h has
+ * the rules. Of alternate locations the one with the greatest sum of occupancies is kept. If no
+ * residue of a chain is recognised (e.g. in an XYZ file), all atoms except water count as a chain.
+ * The field array `Notes` lists what was dropped, with one message for each kind.
  *
- * **Errors** (one message, empty output): coordinates that are not finite. A selection that keeps
- * nothing is empty and no error.
+ * **Errors** (one message, empty output): coordinates that are not finite. If a selection keeps
+ * nothing, the output is empty and there is no error.
  *
  * **Cost.** O(n log n) in atoms. On several MPI ranks, gather the atoms first.
  */

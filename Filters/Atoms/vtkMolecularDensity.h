@@ -3,9 +3,10 @@
  * @brief   atoms as a volume: union of balls, or a smooth sum of Gaussians
  *
  * Input: the atoms, any vtkPointSet whose point array `Radius` (or the one chosen with
- * SetInputArrayToProcess) holds radii in the unit of the points (angstrom); vtkMacromoleculeReader
- * makes it. Without that array, radii go by element (array `Element`; AtomRadii.h). Output:
- * vtkImageData around the atoms with the point array `Density` (float, no unit).
+ * SetInputArrayToProcess) holds radii in the unit of the points (angstrom), e.g. from
+ * vtkMacromoleculeReader. Without that array, radii are assigned by element (array `Element`;
+ * AtomRadii.h). Output: vtkImageData around the atoms with the point array `Density` (float, no
+ * unit).
  *
  * With radii R_i = RadiusScale x radius,
  *
@@ -17,18 +18,18 @@
  * solvent-excluded one; smaller values close more crevices. Formulas and sources:
  * MolecularDensity.h.
  *
- * The grid has cubic cells; its first node lies Padding beyond the outermost ball. It is the whole
- * grid for any requested part. Atoms without radius (NaN) are dropped, with a warning; atoms with
- * radius 0 leave no trace.
+ * The grid has cubic cells; its first node lies Padding beyond the outermost ball. The whole grid
+ * is produced for any requested part. Atoms without radius (NaN) are dropped, with a warning; atoms
+ * with radius 0 have no effect.
  *
  * **Errors** (one message, empty output): neither radii nor elements; negative radii, coordinates
  * that are not finite; a Spacing that is not positive or so small that the grid does not fit into
- * memory. No atoms: an empty image and no error.
+ * memory. Without atoms, the image is empty and there is no error.
  *
  * **Cost.** Linear in atoms and nodes: 100,000 atoms at 0.5 angstrom in 0.12 s on two
- * threads. Memory 4 bytes a node and about 100 bytes an atom. Bitwise the same on any number of
- * threads and in any order of the atoms. On several MPI ranks, each makes the density of its own
- * atoms: gather them first.
+ * threads. Memory: 4 bytes for each node and about 100 bytes for each atom. The result is bitwise
+ * the same on any number of threads and for any order of the atoms. On several MPI ranks, each rank
+ * computes the density of its own atoms: gather the atoms first.
  */
 #ifndef vtkMolecularDensity_h
 #define vtkMolecularDensity_h

@@ -8,8 +8,8 @@
  *   u(r) = -eps for r < m,   eps ((m / r)^12 - 2 (m / r)^6) beyond,
  *
  * m = R_i + R_s and eps = sqrt(eps_i eps_s) of half the minimum's distance and depth of atom and
- * solvent. The thesis' 4.6 writes the pair with its depth times 4 and calls that the depth; here
- * eps is the depth. Of an atom a and all solvent outside of a surface,
+ * solvent. Equation 4.6 of the thesis writes the pair potential with a factor of 4, as if that were
+ * the depth; here eps is the depth. Of an atom a and all solvent outside of a surface,
  *
  *   rho_0 int_solvent u_a dr = rho_0 (int u_a - int_inside u_a),
  *
@@ -29,7 +29,8 @@
 namespace isthmus
 {
 
-/// Half the distance of the minimum between two of a kind, angstrom, and its depth, kcal/mol.
+/// Half the distance of the energy minimum of two particles of the same kind, in angstrom, and its
+/// depth in kcal/mol.
 struct DispersionAtom
 {
   std::array<double, 3> Centre;
@@ -47,7 +48,7 @@ struct SolventParameters
   double WellDepth = 0.1521;
 };
 
-/// Pair of an atom and a solvent molecule.
+/// Parameters for the pair of an atom and a solvent molecule.
 struct DispersionPair
 {
   DispersionPair(const DispersionAtom& atom, const SolventParameters& solvent);
@@ -69,24 +70,25 @@ VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT std::array<double, 2> DispersionOfElem
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT PullField SolventPull(
   std::vector<DispersionAtom> atoms, const SolventParameters& solvent);
 
-/// The part of a node's cell that is inside a surface at a signed distance from it.
+/// The fraction of the cell of a node that is inside a surface at the given signed distance.
 double InsidePart(float distance, double spacing);
 
 /**
  * The energy of each atom with the solvent, kcal/mol, for the surface on which `distance`
- * (angstrom, negative inside, one value a node of `grid`) is 0. Inside nodes farther than 12
- * angstrom from an atom act on it by blocks of 8^3. Second order in the spacing. O(inside nodes +
- * atoms x inside nodes within 12 angstrom), about half a nanosecond for each pair of the latter; 32
- * bytes an inside node. Parallel, bitwise the same on any number of threads.
+ * (angstrom, negative inside, one value for each node of `grid`) is 0. Nodes inside that are
+ * farther than 12 angstrom from an atom are combined in blocks of 8^3. Second order in the spacing.
+ * O(inside nodes + atoms x inside nodes within 12 angstrom), about half a nanosecond for each pair
+ * of the latter; 32 bytes for each node inside. Parallel, bitwise the same on any number of
+ * threads.
  * @throws Cancelled.
  */
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT std::vector<double> DispersionEnergies(
   const std::vector<DispersionAtom>& atoms, const DensityGrid& grid, const float* distance,
   const SolventParameters& solvent, const ProgressCallback& progress = {});
 
-/// How much the sum of these energies changes from one surface to another on the same grid: by the
-/// nodes whose part inside has changed, of which none counts by its block. O(nodes + atoms x
-/// these); parallel, bitwise the same on any number of threads.
+/// Change of the sum of these energies from one surface to another on the same grid, computed from
+/// the nodes whose fraction inside has changed, without blocks. O(nodes + atoms x changed nodes);
+/// parallel, bitwise the same on any number of threads.
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT double DispersionChange(
   const std::vector<DispersionAtom>& atoms, const DensityGrid& grid, const float* before,
   const float* now, const SolventParameters& solvent);

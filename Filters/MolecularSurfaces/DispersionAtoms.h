@@ -16,10 +16,10 @@ namespace isthmus
 {
 
 /**
- * One for each ball, in their order. From the point array `WellDepth` (kcal/mol) with the balls'
- * radii as half the minimum's distance, as force fields list them; where it is not there, both by
- * element. Throws std::invalid_argument where there are neither, or a depth is negative or not
- * finite.
+ * The parameters of each ball, in the order of the balls. They are from the point array WellDepth
+ * (kcal/mol), with the radii of the balls as half the distance of the minimum, as in force fields;
+ * without this array, both are assigned by element. Throws std::invalid_argument if there is
+ * neither, or a depth is negative or not finite.
  */
 std::vector<DispersionAtom> DispersionAtomsOf(vtkDataObject* input, const MoleculeAtoms& atoms);
 

@@ -2,9 +2,9 @@
  * @file FlowField.h
  * @brief The level-set field of a surface flow: its grid, its narrow band, and steps of it.
  *
- * Signed distances in spacings on the nodes of a grid, negative inside. Only the nodes of a band of
- * +-4.5 spacings around the surface take part in a step; distances are cut there, and the band
- * follows the surface. The formulas of the steps are in FlowKernels.h.
+ * Signed distances in spacings on the nodes of a grid, negative inside. Only the nodes in a band of
+ * +-4.5 spacings around the surface are changed by a step. Distances are clamped there, and the
+ * band follows the surface. The formulas of the steps are in FlowKernels.h.
  */
 #ifndef isthmus_FlowField_h
 #define isthmus_FlowField_h
@@ -21,16 +21,16 @@ namespace isthmus
 {
 
 /**
- * Nodes of a DensityGrid with a margin on each side, so that a band of nodes around a surface two
- * or more spacings from the border, and what its stencils read, is always there. Rows are a
- * multiple of Chunk long. Distances on it are in spacings.
+ * The nodes of a DensityGrid with a margin on each side. The margin ensures that the band around a
+ * surface that is two or more spacings from the border, and the nodes that its stencils read,
+ * always exist. The length of rows is a multiple of Chunk. Distances are in spacings.
  */
 class FlowGrid
 {
 public:
-  /// Nodes along x that are worked on together: eight floats, one vector register.
+  /// Number of nodes along x that are processed together: eight floats, one vector register.
   static constexpr std::int64_t Chunk = 8;
-  /// Half the width of the band of nodes that move, in spacings; distances are cut there.
+  /// Half the width of the band of nodes that move, in spacings; distances are clamped there.
   static constexpr float Band = 4.5F;
 
   explicit FlowGrid(const DensityGrid& inner);
@@ -41,7 +41,7 @@ public:
   std::int64_t Row() const { return this->Size[0]; }
   std::int64_t Plane() const { return this->Size[0] * this->Size[1]; }
   double Spacing() const { return this->InnerGrid.Spacing; }
-  /// Place of the first node, margin included.
+  /// Position of the first node, including the margin.
   std::array<double, 3> Origin() const;
   /// Index of a node of the inner grid.
   std::int64_t Index(std::int64_t i, std::int64_t j, std::int64_t k) const
@@ -49,11 +49,12 @@ public:
     return i + Margin[0] + this->Size[0] * (j + Margin[1] + this->Size[1] * (k + Margin[2]));
   }
 
-  /// Nodes, margin included, of a grid with the given inner dimensions.
+  /// Number of nodes, including the margin, of a grid with the given inner dimensions.
   static double NodesFor(const std::array<std::int64_t, 3>& inner);
 
 private:
-  // Band, a chunk and the reach of the stencils, less the two spacings that a surface keeps.
+  // Band, one chunk and the reach of the stencils, minus the two spacings that a surface keeps from
+  // the border.
   static constexpr std::array<std::int64_t, 3> Margin{ 8, 7, 7 };
 
   DensityGrid InnerGrid;
@@ -67,10 +68,10 @@ struct ChunkRun
   std::int64_t Nodes; ///< a multiple of FlowGrid::Chunk
 };
 
-/// The distances of a flow and what bounds them, in spacings; each array has one value a node.
+/// The distances of a flow and their bounds, in spacings; each array has one value for each node.
 struct FlowField
 {
-  /// Distance is +Band everywhere; `Ceiling` too. Floor and Pull stay empty.
+  /// Distance and Ceiling are +Band everywhere. Floor and Pull stay empty.
   explicit FlowField(const FlowGrid& grid);
 
   FlowGrid Grid;
@@ -84,11 +85,11 @@ struct FlowField
   std::vector<ChunkRun> Runs;      ///< chunks in the band, and their neighbours
 };
 
-/// Looks at every chunk of the grid; for a field whose Distance was just filled.
+/// Examines every chunk of the grid; for a field whose Distance has just been filled.
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void FindBand(FlowField& field);
 
-/// Follows the surface: chunks in the band and next to it become the field's runs, distances are
-/// cut at the band and Next made equal to them. Time O(nodes in the runs + chunks of the grid).
+/// Follows the surface: chunks in the band and next to it become the runs of the field. Distances
+/// are clamped to the band and copied to Next. Time O(nodes in the runs + chunks of the grid).
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void MoveBand(FlowField& field);
 
 /// Calls `work(first, last)` for the nodes of each run, in parallel.
@@ -107,13 +108,13 @@ void ForEachRun(const FlowField& field, Work work)
     });
 }
 
-/// One explicit step of dt = `lambda` squared spacings, at most 0.25; see FlowKernels.h. Distances
-/// end up between floor and ceiling.
+/// One explicit step of dt = `lambda` squared spacings, at most 0.25; see FlowKernels.h. The
+/// resulting distances are between floor and ceiling.
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void Advance(FlowField& field, double lambda);
 
-/// Makes distances of the values in the band, the surface staying where it is, and moves the band
-/// along. Each iteration carries the distance 0.45 spacings further from the surface. Values next
-/// to the surface are made distances as well, or where `trusted` taken as such.
+/// Restores distances in the band without moving the surface, and moves the band with the surface.
+/// Each iteration extends the distances by 0.45 spacings from the surface. Values next to the
+/// surface are also converted to distances, or used as they are if `trusted`.
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void Redistance(
   FlowField& field, int iterations, bool trusted = false);
 

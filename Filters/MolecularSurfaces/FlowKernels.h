@@ -7,8 +7,9 @@
  *   phi += lambda [ (phi_y^2 + phi_z^2) phi_xx + ... - 2 (phi_x phi_y phi_xy + ...) ]
  *                 / |grad phi|^2  +  lambda V |grad phi|,   lambda = dt / h^2,
  *
- * kept between floor and ceiling (thesis 2.4, there for S). Steps fade out between 2 and 4 spacings
- * from the surface, where redistancing rules and the band's cut would be felt.
+ * kept between floor and ceiling (thesis 2.4, there for S). The speed decreases to zero between 2
+ * and 4 spacings from the surface, where redistancing dominates and the clamping of the band would
+ * have an effect.
  *
  * Redistancing is phi_tau = sgn(phi) (1 - |grad phi|), with Godunov's choice of one-sided
  * differences, second-order ENO (S. Osher, C.-W. Shu, SIAM J. Numer. Anal. 28 (1991) 907). Nodes
@@ -30,7 +31,7 @@ struct FlowStrides
   std::int64_t Plane;
 };
 
-/// What bounds and drives one step; Floor and Pull may be null.
+/// The bounds and the forces of one step; Floor and Pull may be null.
 struct FlowStep
 {
   const float* From;
@@ -41,7 +42,7 @@ struct FlowStep
   float Lambda;
 };
 
-/// One step of the flow on nodes [first, last).
+/// One step of the flow on the nodes [first, last).
 void AdvanceRow(const FlowStep& step, FlowStrides strides, std::int64_t first, std::int64_t last);
 
 /// Sets nodes next to the surface to phi / |grad phi| (where `trusted`, to phi) with free = 0;

@@ -1,6 +1,6 @@
 /**
  * @file LevelMeasure.h
- * @brief Area and volume of the surface that a flow's distances describe.
+ * @brief Area and volume of the surface given by the distances of a flow.
  */
 #ifndef isthmus_LevelMeasure_h
 #define isthmus_LevelMeasure_h
@@ -24,9 +24,9 @@ struct LevelMeasure
   }
 };
 
-/// Of the level 0 of the distances, linear in the six tetrahedra of each cell; the volume is the
-/// sum of cones from the middle of the grid. Second order in the spacing; time O(nodes in the
-/// band); bitwise identical on any number of threads.
+/// Measures the level 0 of the distances, linear in the six tetrahedra of each cell; the volume is
+/// the sum of cones from the middle of the grid. It is second order in the spacing, takes O(nodes
+/// in the band), and is bitwise identical on any number of threads.
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT LevelMeasure MeasureLevel(const FlowField& field);
 
 }

@@ -1,11 +1,11 @@
 /**
  * @file NonpolarEnergy.h
- * @brief The nonpolar energy of solvation of atoms within a surface, whole and by atom.
+ * @brief The nonpolar solvation energy of atoms within a surface, in total and for each atom.
  *
  *   G = gamma Area + p Vol + rho_0 int_solvent U dr
  *
- * (thesis 4.3 to 4.6; J. A. Wagoner, N. A. Baker, Proc. Natl. Acad. Sci. 103 (2006) 8331), U the
- * sum of the atoms' attraction, see Dispersion.h.
+ * (thesis 4.3 to 4.6; J. A. Wagoner, N. A. Baker, Proc. Natl. Acad. Sci. 103 (2006) 8331), and U is
+ * the sum of the attraction of the atoms, see Dispersion.h.
  */
 #ifndef isthmus_NonpolarEnergy_h
 #define isthmus_NonpolarEnergy_h
@@ -35,17 +35,17 @@ struct NonpolarTerms
 struct NonpolarEnergies
 {
   NonpolarTerms Whole;
-  /// Area and volume go to the atom whose ball is nearest, dispersion to the atom it comes from.
-  /// They add up to the whole.
+  /// Area and volume are assigned to the atom whose ball is nearest, dispersion to the atom that
+  /// causes it. The contributions add up to the total.
   std::vector<NonpolarTerms> Atoms;
 };
 
 /**
- * Energies of the surface on which `distance` (angstrom, negative inside, one value a node of
- * `grid`) is 0. `balls` and `atoms` are the same atoms in the same order. Second
- * order in the spacing. Time and memory: DispersionEnergies() and 17 bytes a node. Bitwise the same
- * on any number of threads. Throws std::invalid_argument for lists of different lengths, and
- * Cancelled.
+ * Energies of the surface on which `distance` (angstrom, negative inside, one value for each node
+ * of `grid`) is 0. `balls` and `atoms` are the same atoms in the same order. Second order in the
+ * spacing. Time and memory are those of DispersionEnergies() and 17 bytes for each node. The result
+ * is bitwise the same on any number of threads. Throws std::invalid_argument for lists of different
+ * lengths, and Cancelled.
  */
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT NonpolarEnergies NonpolarEnergy(
   const std::vector<Ball>& balls, const std::vector<DispersionAtom>& atoms, const DensityGrid& grid,

@@ -1,6 +1,7 @@
 /**
  * @file SolventProperties.h
- * @brief The properties of a filter that say what the solvent does to a molecule's surface.
+ * @brief The properties of a filter that describe the effect of the solvent on the surface of a
+ * molecule.
  */
 #ifndef isthmus_SolventProperties_h
 #define isthmus_SolventProperties_h

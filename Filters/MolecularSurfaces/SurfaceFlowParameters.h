@@ -17,7 +17,7 @@
 namespace isthmus
 {
 
-/// Lengths in angstrom, times in square angstrom (the flow's speed is the curvature).
+/// Lengths are in angstrom, times in square angstrom (the speed of the flow is the curvature).
 struct SurfaceFlowParameters
 {
   double Enlargement = 1.3;   ///< eta: the flow starts from balls of eta times the radius, >= 1
@@ -48,24 +48,24 @@ struct SurfaceFlowResult
   bool Converged = true; ///< false: a Steady flow reached its limit of steps while still moving
 };
 
-/// Throws std::invalid_argument for what is out of range.
+/// Throws std::invalid_argument for parameters out of range.
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void CheckFlow(
   const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters);
 
-/// Throws std::runtime_error when no node of the field's grid lies inside of a ball.
+/// Throws std::runtime_error if no node of the grid of the field lies inside a ball.
 void CheckGridResolvesAtoms(
   const FlowField& field, const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters);
 
-/// The grid around the enlarged balls at a spacing of `factor` times that of the parameters.
+/// The grid around the enlarged balls with `factor` times the spacing of the parameters.
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT DensityGrid FlowGridAround(
   const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters, double factor = 1.0);
 
-/// Bytes for a flow on `grid`, result and output included: 36 a node, and 24 for each of the
-/// margin's.
+/// Bytes for a flow on `grid`, including result and output: 36 for each node, and 24 for each node
+/// of the margin.
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT double FlowBytes(const DensityGrid& grid);
 
-/// Throws std::runtime_error with the size that `grid` would need unless it is available; names the
-/// atom that lies far from the others, if there is one.
+/// Throws std::runtime_error, with the size that `grid` would need, if this is not available; the
+/// message names an atom that lies far from the others, if there is one.
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT void CheckFlowMemory(
   const std::vector<Ball>& balls, const DensityGrid& grid);
 

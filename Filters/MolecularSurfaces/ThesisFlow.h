@@ -1,15 +1,16 @@
 /**
  * @file ThesisFlow.h
- * @brief The minimal molecular surface by the scheme that the thesis prints.
+ * @brief The minimal molecular surface by the scheme printed in the thesis.
  *
  * S is 1 in the union of the enlarged balls and 0 elsewhere, and flows by
  *
  *   S_t = (1 - chi) [ (S_x^2 + S_y^2) S_zz + ... - 2 (S_x S_y S_xy + ...) ] / |grad S|^2,
  *
  * chi = 1 in the balls, S = 0 on the border of the box (thesis 4.2, 5.11 to 5.14 and the expanded
- * form after 5.14, misprints corrected), dt = 0.1 spacing^2. It is here to compare with: the jump
- * of S and the steps of chi keep the surface outside of where it should converge (area +15 % at 0.5
- * angstrom on two balls whose minimal surface is known, order 1/2 in the spacing).
+ * form after 5.14, misprints corrected), dt = 0.1 spacing^2. It is included for comparison: because
+ * of the jump of S and the steps of chi, the surface converges outside the correct position (with
+ * an area of +15 % at 0.5 angstrom for two balls whose minimal surface is known, and order 1/2 in
+ * the spacing).
  */
 #ifndef isthmus_ThesisFlow_h
 #define isthmus_ThesisFlow_h
@@ -23,8 +24,8 @@
 namespace isthmus
 {
 
-/// The surface S = 0.5 around `balls`; ProbeRadius and CoarseToFine play no part. Time: 1 ns a step
-/// for each node of the grid. Throws as SurfaceFlow does.
+/// The surface S = 0.5 around `balls`; ProbeRadius and CoarseToFine are not used. Time: 1 ns in
+/// each step for each node of the grid. Throws as SurfaceFlow does.
 VTKISTHMUSFILTERSMOLECULARSURFACES_EXPORT SurfaceFlowResult ThesisFlow(
   const std::vector<Ball>& balls, const SurfaceFlowParameters& parameters,
   const ProgressCallback& progress = {});

@@ -207,7 +207,7 @@ void vtkMolecularFlowSurface::Internals::Warn(
     vtkWarningWithObjectMacro(
       this->Self, << isthmus::TextOf("The surface still moves after ", result.History.back().Time,
                     " square angstrom of flow: parts of it are larger than a steady flow was made "
-                    "for. It is shown as it is then."));
+                    "for. The last state is shown."));
   }
 }
 

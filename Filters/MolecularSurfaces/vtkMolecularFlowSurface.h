@@ -3,11 +3,11 @@
  * @brief   molecular surface by mean curvature flow with the atoms as obstacle
  *
  * Input: atoms, a vtkPointSet whose point array `Radius` (or the one chosen with
- * SetInputArrayToProcess) holds radii in angstrom, or a vtkMolecule; where there is no such array,
- * radii go by element (array `Element`, or the molecule's atomic numbers; Bondi's table, then
- * Alvarez'). Water is dropped unless KeepWaters is on, and one of alternate locations is kept.
- * Proteins and nucleic acids without hydrogens get radii of united atoms, see UnitedAtoms. The
- * field array `Notes` of outputs 0 and 1 has a note on each of these.
+ * SetInputArrayToProcess) holds radii in angstrom, or a vtkMolecule; if there is no such array,
+ * radii are assigned by element (array `Element`, or the molecule's atomic numbers; Bondi's table,
+ * then Alvarez'). Water is dropped unless KeepWaters is on, and one of alternate locations is kept.
+ * Proteins and nucleic acids without hydrogens get united-atom radii, see UnitedAtoms. The field
+ * array `Notes` of outputs 0 and 1 has a note on each of these.
  *
  * Outputs:
  *  - 0: vtkPolyData, the surface: closed, facing outwards, with Normals;
@@ -18,29 +18,29 @@
  *    `Volume`, `Energy` (kcal/mol: SurfaceTension x Area, and + Pressure x Volume with Solvent on).
  *
  * The flow starts from balls of Enlargement times the radius and runs for EvolutionTime, or until
- * convergence (Steady): then it is the *minimal molecular surface*, which has the least area around
- * the atoms and is a hull: it fills pockets, pores and tunnels. A ProbeRadius adds a second
- * obstacle, the solvent-excluded surface of that probe, which the flow can't cross: what the probe
- * can enter stays open, and the rest is smooth without the cusps of that surface. Formulas,
- * sources: SurfaceFlow.h.
+ * convergence (Steady). The converged surface is the minimal molecular surface, which has the least
+ * area around the atoms and is a hull that fills pockets, pores and tunnels. A ProbeRadius adds a
+ * second obstacle, the solvent-excluded surface of that probe, which the flow cannot cross: regions
+ * that the probe can enter stay open, and the rest is smooth, without the cusps of that surface.
+ * Formulas, sources: SurfaceFlow.h.
  *
- * **What users call a molecular surface** is the solvent-excluded one of water (probe 1.4): for
- * electrostatics and for channels set a ProbeRadius of 1.4, or the preset Channel. The default is
- * the thesis', without a probe.
+ * **The term molecular surface usually means the solvent-excluded surface for water (probe 1.4);
+ * for electrostatics and for channels set a ProbeRadius of 1.4, or the preset Channel. The default
+ * is that of the thesis, without a probe.
  *
- * **Time.** With TimeSteps above 0 the pipeline's time is the flow's: a time slider shows the
- * surface on its way.
+ * **Time.** With TimeSteps above 0, the time of the pipeline is that of the flow, and a time slider
+ * shows the evolving surface.
  *
  * **Errors** (message, empty outputs): atoms without radii and elements; coordinates or radii that
  * are not finite, negative radii, none above 0; parameters out of range; a grid that does not fit
  * into memory, reported with its size before anything is allocated; a Spacing so large that no node
- * lies inside of an atom. Atoms with radius NaN are dropped, with a warning. No atoms: empty
- * outputs, no error.
+ * lies inside an atom. Atoms with radius NaN are dropped, with a warning. Without atoms, the
+ * outputs are empty and there is no error.
  *
- * **Cost.** Lysozyme (1960 atoms, 0.5 angstrom): about 60 steps to the thesis' time, 200 fine ones
- * to convergence. The cost of a step is proportional to area / Spacing, the number of steps for a
- * given time to 1 / Spacing^2. Memory: 40 to 50 bytes a node. Bitwise the same on any number of
- * threads. All atoms are needed on one rank.
+ * **Cost.** Lysozyme (1960 atoms, 0.5 angstrom): about 60 steps to the evolution time of the
+ * thesis, 200 fine steps to convergence. The cost of a step is proportional to area / Spacing, the
+ * number of steps for a given time to 1 / Spacing^2. Memory: 40 to 50 bytes for each node. The
+ * result is bitwise the same on any number of threads. All atoms are needed on one rank.
  */
 #ifndef vtkMolecularFlowSurface_h
 #define vtkMolecularFlowSurface_h
@@ -86,8 +86,8 @@ public:
   };
 
   ///@{
-  /// Custom (default): as set below. Any other takes its own Enlargement, EvolutionTime, Steady and
-  /// ProbeRadius in place of those set.
+  /// Custom (default): as set below. Any other preset uses its own Enlargement, EvolutionTime,
+  /// Steady and ProbeRadius instead of those that are set.
   vtkSetClampMacro(Preset, int, Custom, Channel);
   vtkGetMacro(Preset, int);
   ///@}
@@ -105,8 +105,8 @@ public:
   ///@}
 
   ///@{
-  /// Evolution time of the flow, in square angstrom, unless Steady. Default 2.5, the thesis' 100
-  /// steps.
+  /// Evolution time of the flow, in square angstrom, unless Steady. Default 2.5, which corresponds
+  /// to the 100 steps of the thesis.
   vtkSetMacro(EvolutionTime, double);
   vtkGetMacro(EvolutionTime, double);
   ///@}
@@ -173,8 +173,8 @@ public:
 
   ///@{
   /// Above 0: the outputs have so many time steps after the first, from 0 to EvolutionTime (square
-  /// angstrom), and are made for the one that the pipeline asks for. Not with Steady, nor where the
-  /// atoms have time steps of their own. Default 0.
+  /// angstrom), and are made for the one that the pipeline asks for. Not used with Steady, or if
+  /// the atoms have time steps of their own. Default 0.
   vtkSetClampMacro(TimeSteps, int, 0, 10000);
   vtkGetMacro(TimeSteps, int);
   ///@}
@@ -183,11 +183,11 @@ public:
   vtkImageData* GetImage();
   vtkTable* GetHistory();
 
-  /// KeepWaters and UnitedAtoms: which atoms count and how large they are, see AtomProperties.h.
-  /// Default off and on.
+  /// KeepWaters and UnitedAtoms determine which atoms are used, and their radii; see
+  /// AtomProperties.h. Default off and on.
   ISTHMUS_ATOM_PROPERTIES();
-  /// SurfaceTension, above 0, for Energy and against the solvent's pull, and Pressure, with Solvent
-  /// on: SolventProperties.h. Defaults 0.0700 and 0.0464.
+  /// SurfaceTension, above 0, is used for Energy and balances the pull of the solvent; Pressure is
+  /// used with Solvent on. See SolventProperties.h. Defaults 0.0700 and 0.0464.
   ISTHMUS_SOLVENT_PROPERTIES();
 
 protected:

@@ -66,8 +66,8 @@ isthmus::DensityGrid GridOf(vtkImageData* image)
   if (!(h[0] > 0.0) || std::abs(h[1] - h[0]) > 1e-6 * h[0] || std::abs(h[2] - h[0]) > 1e-6 * h[0] ||
     !image->GetDirectionMatrix()->IsIdentity())
   {
-    throw std::invalid_argument("The volume's cells are not cubes along the axes, as those of "
-                                "vtkMolecularFlowSurface are: take its output.");
+    throw std::invalid_argument("The cells of the volume are not cubes along the axes: use the "
+                                "volume of vtkMolecularFlowSurface.");
   }
   grid.Spacing = h[0];
   const int* extent = image->GetExtent();
@@ -85,7 +85,7 @@ std::vector<float> DistancesOf(vtkImageData* image)
   vtkDataArray* array = image->GetPointData()->GetArray("SignedDistance");
   if (!array || array->GetNumberOfComponents() != 1)
   {
-    throw std::invalid_argument("The volume has no array SignedDistance of one component: take "
+    throw std::invalid_argument("The volume has no array SignedDistance of one component: use "
                                 "output 1 of vtkMolecularFlowSurface.");
   }
   std::vector<float> distances(static_cast<std::size_t>(array->GetNumberOfTuples()));

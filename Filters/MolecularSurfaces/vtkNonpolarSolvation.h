@@ -3,7 +3,7 @@
  * @brief   nonpolar solvation energy of a molecule within its surface, whole and by atom
  *
  * Input 0: the atoms, as for vtkMolecularFlowSurface. Input 1: an image whose array
- * `SignedDistance` (angstrom, negative inside) describes the surface: output 1 of that filter, of
+ * `SignedDistance` (angstrom, negative inside) describes the surface: output 1 of that filter for
  * the same atoms.
  *
  * Outputs:
@@ -13,19 +13,18 @@
  *  - 1: vtkTable, one row: the same of the whole.
  *
  * G = SurfaceTension x Area + Pressure x Volume + dispersion (thesis 4.3 to 4.6 in the form of
- * Wagoner and Baker 2006). Lennard-Jones parameters of the atoms: the point array `WellDepth`
- * (kcal/mol), then with the radii as half the minimum's distance, or else by element (AMBER
- * parm99); of the solvent: TIP3P's oxygen at 1 g/cm^3 by default.
+ * Wagoner and Baker 2006). Lennard-Jones parameters of the atoms: the point array WellDepth
+ * (kcal/mol), with the radii as half the distance of the minimum, or otherwise by element (AMBER
+ * parm99). Those of the solvent are for the oxygen of TIP3P at 1 g/cm^3 by default.
  *
  * SurfaceTension 0.0700 kcal/mol/A^2 and Pressure 0.0464 kcal/mol/A^3 are fitted to eleven alkanes
- * with minimal molecular surfaces of AMBER radii: rms 0.21, leave one out 0.26 kcal/mol. They
- * are worth that, for alkanes and that surface, and nothing is known of them for proteins. See
+ * with minimal molecular surfaces of AMBER radii: rms 0.21, leave one out 0.26 kcal/mol. They are
+ * this accurate only for alkanes and this surface; their accuracy for proteins is unknown. See
  * README.
  *
- * **Errors** (message, empty outputs): those of the atoms; an image elsewhere than the
- * atoms (InputOverlap.h); no `SignedDistance`; cells that are not
- * cubes; parameters that are not finite, negative densities or depths. Cost: atoms x nodes inside
- * within 12 angstrom.
+ * **Errors** (message, empty outputs): those of the atoms; an image at a different place than the
+ * atoms (InputOverlap.h); no `SignedDistance`; cells that are not cubes; parameters that are not
+ * finite, negative densities or depths. Cost: atoms x nodes inside within 12 angstrom.
  */
 #ifndef vtkNonpolarSolvation_h
 #define vtkNonpolarSolvation_h
@@ -62,8 +61,9 @@ public:
   vtkGetMacro(SolventWellDepth, double);
   ///@}
 
-  /// KeepWaters and UnitedAtoms: which atoms count and how large they are, see AtomProperties.h; as
-  /// in the vtkMolecularFlowSurface that made the surface. Default off and on.
+  /// KeepWaters and UnitedAtoms determine which atoms are used, and their radii; see
+  /// AtomProperties.h. They must be set as in the vtkMolecularFlowSurface that made the surface.
+  /// Default off and on.
   ISTHMUS_ATOM_PROPERTIES();
   /// SurfaceTension and Pressure: SolventProperties.h. Defaults 0.0700 and 0.0464.
   ISTHMUS_SOLVENT_PROPERTIES();

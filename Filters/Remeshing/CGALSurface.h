@@ -30,7 +30,7 @@ inline Point3 FromCGAL(const Point& p)
   return { p.x(), p.y(), p.z() };
 }
 
-/// Triangles in their order, so that face i is triangle i; points in theirs, unused ones included.
+/// Triangles and points keep their order, so that face i is triangle i; unused points are included.
 /// @pre the mesh is manifold and oriented (SurfaceDefects.h).
 /// @throws std::invalid_argument where it is not.
 inline SurfaceMesh ToSurfaceMesh(const SurfaceView& mesh)
@@ -76,7 +76,7 @@ inline TriangleMesh FromSurfaceMesh(SurfaceMesh& mesh)
 }
 
 /// Runs `body()`.
-/// @throws std::runtime_error with a message about `doing` for what CGAL's own checks throw.
+/// @throws std::runtime_error with a message about `doing` if the checks of CGAL throw.
 template <typename Body>
 auto RethrowWithContext(const char* doing, Body&& body)
 {

@@ -41,8 +41,8 @@ template <typename Primitive>
 using TreeTraits = CGAL::AABB_traits<Kernel, Primitive>;
 #endif
 
-/// Collapses needles among `faces` (longest over shortest edge above `needleRatio`) where that
-/// moves a point by at most `collapseLength`, and flips caps (cosine of the largest angle below
+/// Collapses needles in `faces` (longest over shortest edge above `needleRatio`) if that moves a
+/// point by at most `collapseLength`, and flips caps (cosine of the largest angle below
 /// `capCosine`). From CGAL 6.0 on the function takes named parameters and is no longer in
 /// `experimental`.
 template <typename Faces>
@@ -60,8 +60,8 @@ void RemoveNeedlesAndCaps(const Faces& faces, SurfaceMesh& mesh, double capCosin
 #endif
 }
 
-/// One halfedge of each border. From CGAL 6.2 on the function is one of CGAL itself, with a header
-/// of its own.
+/// One halfedge of each border. From CGAL 6.2 on the function is part of CGAL and has its own
+/// header.
 inline std::vector<SurfaceMesh::Halfedge_index> BorderCycles(const SurfaceMesh& mesh)
 {
   std::vector<SurfaceMesh::Halfedge_index> borders;
@@ -73,8 +73,8 @@ inline std::vector<SurfaceMesh::Halfedge_index> BorderCycles(const SurfaceMesh& 
   return borders;
 }
 
-/// Fills the hole at `border` with triangles and returns them; none where that fails. From CGAL 6.0
-/// on the output iterator is a named parameter.
+/// Fills the hole at `border` with triangles and returns them; returns none if that fails. From
+/// CGAL 6.0 on the output iterator is a named parameter.
 inline std::vector<SurfaceMesh::Face_index> FillHole(
   SurfaceMesh& mesh, SurfaceMesh::Halfedge_index border)
 {

@@ -1,6 +1,6 @@
 /**
  * @file SelfIntersections.h
- * @brief Which triangles of a surface cross or touch another one.
+ * @brief Finds triangles of a surface that cross or touch another triangle.
  */
 #ifndef isthmus_SelfIntersections_h
 #define isthmus_SelfIntersections_h
@@ -14,14 +14,15 @@ namespace isthmus
 
 /**
  * Ids of all triangles that cross or touch another one other than in a shared edge or point, or
- * that have no area, in ascending order; the answer of CGAL's Polygon_mesh_processing, exact.
+ * that have no area, in ascending order. The result is exact and the same as that of CGAL's
+ * Polygon_mesh_processing.
  *
- * Pairs come from a tree of boxes (TriangleBoxTree). A plane that separates the two, with a margin
- * above what rounding can do, decides nearly all of them, flat neighbours included; CGAL's exact
- * predicates decide the rest.
+ * Pairs come from a tree of boxes (TriangleBoxTree). Nearly all pairs, including flat neighbours,
+ * are decided by a plane that separates the two triangles with a margin above rounding errors; the
+ * rest is decided by CGAL's exact predicates.
  *
  * Corners must exist and points be finite (std::invalid_argument for coordinates beyond 1e100).
- * O(n log n + pairs of boxes), parallel; about 120 bytes a triangle.
+ * O(n log n + pairs of boxes), parallel; about 120 bytes for each triangle.
  */
 VTKISTHMUSFILTERSREMESHING_EXPORT std::vector<std::int64_t> SelfIntersections(
   const SurfaceView& mesh, const ProgressCallback& progress = {});

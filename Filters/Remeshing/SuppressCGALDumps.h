@@ -1,10 +1,10 @@
 /**
  * @file SuppressCGALDumps.h
- * @brief CGAL's Mesh_3 leaves no files behind where it fails.
+ * @brief Prevents CGAL's Mesh_3 from leaving files behind when it fails.
  *
- * The facets' refinement and others write dump-bug.mesh and dump-bug.binary.cgal into the current
- * folder and a line to the terminal before they throw (CGAL 5.5). Include this before any header of
- * Mesh_3: they then call a function that does nothing.
+ * The refinement of facets and other steps write dump-bug.mesh and dump-bug.binary.cgal into the
+ * current folder and a line to the terminal before they throw (CGAL 5.5). Include this before any
+ * header of Mesh_3, so that these steps call a function that does nothing.
  */
 #ifndef isthmus_SuppressCGALDumps_h
 #define isthmus_SuppressCGALDumps_h

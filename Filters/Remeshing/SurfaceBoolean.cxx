@@ -106,7 +106,8 @@ TaggedSurface Combined(
         : PMP::corefine_and_compute_difference(first, second, first, how);
       if (!isManifold)
       {
-        throw std::runtime_error("Two surfaces touch in a way that no closed surface joins.");
+        throw std::runtime_error(
+          "Two surfaces touch in such a way that their union is not a closed surface.");
       }
       RemoveSlivers(first, origins, finest);
       TaggedSurface result;

@@ -1,6 +1,6 @@
 /**
  * @file SurfaceBoolean.h
- * @brief Two closed surfaces joined to one, or one cut out of the other.
+ * @brief Union and difference of two closed surfaces.
  */
 #ifndef isthmus_SurfaceBoolean_h
 #define isthmus_SurfaceBoolean_h
@@ -11,7 +11,7 @@
 namespace isthmus
 {
 
-/// A surface of which every triangle knows what it came from.
+/// A surface whose triangles have tags for their origin.
 struct TaggedSurface
 {
   TriangleMesh Mesh;
@@ -25,9 +25,9 @@ enum class BooleanOperation
 };
 
 /**
- * The surface of the union or difference of what `a` and `b` enclose, by CGAL's corefinement
- * (exact predicates and constructions along the curve where they cross). Points and triangles away
- * from that curve stay as they were, bit for bit, though not in their order.
+ * The surface of the union or difference of the volumes enclosed by `a` and `b`, by CGAL's
+ * corefinement (exact predicates and constructions along the curve where they cross). Points and
+ * triangles away from that curve are bitwise unchanged, but not in the same order.
  *
  * @pre both are closed, manifold, without self-intersections, and bound a volume: their outer
  * shells face outward, cavities inward (OutwardSurface()).
@@ -42,7 +42,7 @@ VTKISTHMUSFILTERSREMESHING_EXPORT TaggedSurface Combined(
 VTKISTHMUSFILTERSREMESHING_EXPORT TriangleMesh OutwardSurface(const SurfaceView& mesh);
 
 /// The triangles of least area (and then least angles between them) that fill a closed polygon, as
-/// places in it; none where CGAL finds none. O(n^2), at worst O(n^3).
+/// indices into it; empty if CGAL finds none. O(n^2), at worst O(n^3).
 VTKISTHMUSFILTERSREMESHING_EXPORT std::vector<Triangle> PolygonFilling(
   const std::vector<Point3>& polygon);
 

@@ -36,7 +36,7 @@ void RequireManifold(const SurfaceView& mesh)
   defects.BoundaryTriangles.clear();
   if (!defects.None())
   {
-    throw std::invalid_argument(defects.Sentence() + " Mend the surface before remeshing it.");
+    throw std::invalid_argument(defects.Sentence() + " Repair the surface before remeshing it.");
   }
 }
 
@@ -183,8 +183,8 @@ private:
   {
     if (static_cast<double>(++this->Done) > ManyTimes * this->Expected + 1e5)
     {
-      throw std::runtime_error("Remeshing came to no end: the surface has needles or folds that "
-                               "splitting makes no better. Repair it, or ask for a longer edge.");
+      throw std::runtime_error("Remeshing does not end: the surface has needles or folds that "
+                               "splitting does not improve. Repair it, or choose a longer edge.");
     }
     if (this->Done % 256 == 0)
     {

@@ -1,6 +1,6 @@
 /**
  * @file SurfaceRemesh.h
- * @brief Triangles of even size and good angles, or fewer of them, for a surface that has others.
+ * @brief Remeshing of a surface to triangles of even size and good angles, and simplification.
  *
  * Remeshing: M. Botsch, L. Kobbelt, Symp. Geometry Processing 2004, doi:10.1145/1057432.1057457.
  * Simplification: P. Lindstrom, G. Turk, IEEE Visualization 1998, doi:10.1109/VISUAL.1998.745314.
@@ -16,7 +16,7 @@
 namespace isthmus
 {
 
-/// Where a point of the new surface lies on the old one.
+/// The position of a point of the new surface on the old one.
 struct SurfaceLocation
 {
   std::int64_t Triangle = 0;
@@ -37,21 +37,22 @@ struct SurfaceRemeshParameters
 };
 
 /**
- * Isotropic remeshing of `mesh`. New points lie on the old surface; edges of features and of
- * boundaries stay edges, but may be split.
+ * Isotropic remeshing of `mesh`. New points lie on the old surface. Feature edges and boundary
+ * edges are kept, but may be split.
  *
  * @pre manifold and oriented, without triangles that have no area; boundaries are fine.
  * @throws std::invalid_argument otherwise, with the triangles concerned, when EdgeLength is not
  * positive or would give more than 50 million triangles, and for points whose edges are all shorter
- * than 2^-50 of the largest coordinate; Cancelled. Progress and stopping come with
- * each projected point. O(n log n) an iteration.
+ * than 2^-50 of the largest coordinate; Cancelled. Progress is reported, and cancelling is
+ * possible, at each projected point. O(n log n) an iteration.
  */
 VTKISTHMUSFILTERSREMESHING_EXPORT RemeshedSurface RemeshSurface(const SurfaceView& mesh,
   const SurfaceRemeshParameters& parameters, const ProgressCallback& progress = {});
 
 /**
- * Edge collapse of `mesh` down to about `triangles` of them; fewer are not reached where a collapse
- * would turn a triangle over or change topology. @pre and failure as above. O(n log n).
+ * Edge collapse of `mesh` down to about `triangles` triangles. The result may have more if a
+ * collapse would flip a triangle or change the topology. Preconditions and errors are as above. O(n
+ * log n).
  */
 VTKISTHMUSFILTERSREMESHING_EXPORT RemeshedSurface SimplifySurface(
   const SurfaceView& mesh, std::int64_t triangles, const ProgressCallback& progress = {});
@@ -60,7 +61,7 @@ VTKISTHMUSFILTERSREMESHING_EXPORT RemeshedSurface SimplifySurface(
 VTKISTHMUSFILTERSREMESHING_EXPORT std::vector<SurfaceLocation> LocateOn(
   const SurfaceView& old, const std::vector<Point3>& points);
 
-/// Mean length of the sides of all triangles; 0 where there are none.
+/// Mean length of the sides of all triangles; 0 if there are none.
 VTKISTHMUSFILTERSREMESHING_EXPORT double MeanEdgeLength(const SurfaceView& mesh);
 
 }

@@ -132,9 +132,9 @@ struct RemovalWatch : PMP::experimental::Remove_self_intersection_default_visito
     if (std::size_t{ 3 } * this->Mesh->number_of_faces() !=
       std::size_t{ 2 } * this->Mesh->number_of_edges())
     {
-      throw std::runtime_error("Triangles that cross could not be replaced without tearing the "
-                               "surface: make it again (Contour, Offset Surface), or remove the "
-                               "part.");
+      throw std::runtime_error(
+        "Triangles that cross could not be replaced without tearing the surface: recreate it "
+        "(Contour, Offset Surface), or remove the part.");
     }
     return false;
   }
@@ -212,9 +212,8 @@ TriangleMesh OrientConsistently(const SurfaceView& mesh)
 void RequireCleanSurface(const SurfaceView& mesh, const ProgressCallback& progress, bool repaired)
 {
   const std::string advice = repaired
-    ? " Repair could not mend it: make the surface again (Contour, Offset Surface), or remove the "
-      "part."
-    : " Switch on Repair, or mend the surface before.";
+    ? " Repair failed: recreate the surface (Contour, Offset Surface), or remove the part."
+    : " Switch on Repair, or repair the surface beforehand.";
   const SurfaceDefects defects = FindDefects(mesh, Between(progress, 0.0, 0.3));
   if (!defects.None())
   {

@@ -16,13 +16,14 @@ namespace isthmus
 {
 
 /// @throws std::invalid_argument with a message that names what is wrong, and where, unless `mesh`
-/// is closed, manifold, oriented and free of self-intersections. The remedy that it names is not
-/// repair where the surface is `repaired` already.
+/// is closed, manifold, oriented and free of self-intersections. The message does not suggest a
+/// repair if the surface has already been `repaired`.
 VTKISTHMUSFILTERSREMESHING_EXPORT void RequireCleanSurface(
   const SurfaceView& mesh, const ProgressCallback& progress = {}, bool repaired = false);
 
-/// The triangles of `mesh`, coinciding points merged, duplicates dropped, and
-/// neighbours turned alike; as it is where that is so already. @pre corners exist and are finite.
+/// The triangles of `mesh` with coinciding points merged, duplicates dropped, and neighbours
+/// oriented consistently; unchanged if that is already the case.
+/// @pre corners exist and are finite.
 VTKISTHMUSFILTERSREMESHING_EXPORT TriangleMesh OrientConsistently(const SurfaceView& mesh);
 
 struct RepairedSurface
@@ -33,12 +34,13 @@ struct RepairedSurface
 };
 
 /**
- * A closed, manifold, outward oriented surface made of `mesh`: invalid and duplicate triangles
- * removed, coinciding points merged, orientation made consistent (points duplicated where it can't
- * be), holes filled, self-intersections removed (CGAL's experimental routine).
+ * A closed, manifold, outward oriented surface made from `mesh`: invalid and duplicate triangles
+ * are removed, coinciding points are merged, orientation is made consistent (points are duplicated
+ * where that is impossible), holes are filled, and self-intersections are removed (by an
+ * experimental function of CGAL).
  *
- * It need not succeed: what comes out must be checked with RequireCleanSurface().
- * @throws std::invalid_argument when nothing closed is left, std::runtime_error where that routine
+ * It can fail: the result must be checked with RequireCleanSurface().
+ * @throws std::invalid_argument if nothing closed is left, std::runtime_error if that function
  * tears the surface, Cancelled.
  */
 VTKISTHMUSFILTERSREMESHING_EXPORT RepairedSurface RepairSurface(

@@ -1,6 +1,6 @@
 /**
  * @file ThinTriangles.h
- * @brief Triangles that are all but degenerate: which they are, and a surface without them.
+ * @brief Finds triangles that are nearly degenerate, and removes them from a surface.
  */
 #ifndef isthmus_ThinTriangles_h
 #define isthmus_ThinTriangles_h
@@ -18,7 +18,7 @@ VTKISTHMUSFILTERSREMESHING_EXPORT std::vector<std::int64_t> ThinTriangles(const 
 /**
  * `mesh` with needles collapsed and caps flipped, as CGAL's Polygon_mesh_processing does it; no
  * point moves farther than a hundred-thousandth of the diagonal of the box. Some may stay: ask
- * again. Throws std::runtime_error with a message where CGAL fails.
+ * again. Throws std::runtime_error with a message if CGAL fails.
  *
  * @pre closed, manifold and oriented. O(n log n).
  */

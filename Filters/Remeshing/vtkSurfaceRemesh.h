@@ -5,12 +5,12 @@
  * Input: vtkPolyData, manifold and oriented, boundaries allowed (polygons are triangulated).
  * Output: vtkPolyData of triangles. Points lie on the old surface; its point data are interpolated
  * to them (except vtkIdType and string arrays, which are dropped), field data are kept, cell data
- * are not. Edges whose triangles' normals differ by more than FeatureAngle, and boundaries, stay.
+ * are not. Boundaries, and edges whose adjacent normals differ by more than FeatureAngle, are kept.
  *
  * Sources: M. Botsch, L. Kobbelt, doi:10.1145/1057432.1057457; J.-D. Boissonnat, S. Oudot,
  * doi:10.1016/j.gmod.2005.01.004; P. Lindstrom, G. Turk, doi:10.1109/VISUAL.1998.745314; all by
- * CGAL. On failure: one error through vtkErrorMacro and
- * an empty output. The whole surface is needed on one rank. One thread.
+ * CGAL. On failure, there is one error through vtkErrorMacro and the output is empty. The whole
+ * surface is needed on one rank. One thread.
  */
 #ifndef vtkSurfaceRemesh_h
 #define vtkSurfaceRemesh_h

@@ -95,8 +95,7 @@ ChannelPassage FindPassage(const TransportGrid& grid)
       return { place, d.AxialAndRadial(place)[0], static_cast<double>(distance(node)) };
     }
   }
-  throw std::runtime_error(
-    "The grid does not lead from one bath to the other." + std::string(WayOut));
+  throw std::runtime_error("The grid does not connect the two baths." + std::string(WayOut));
 }
 
 void RequireOpen(const ChannelPassage& passage)

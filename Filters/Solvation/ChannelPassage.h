@@ -1,10 +1,10 @@
 /**
  * @file ChannelPassage.h
- * @brief Whether a channel connects the two baths, and its bottleneck.
+ * @brief Determines whether a channel connects the two baths, and finds its bottleneck.
  *
- * Of all paths from bath to bath, the widest is the one whose least distance to atoms and membrane
- * is greatest. The place of that distance is the bottleneck; where it is negative, the channel is
- * closed there.
+ * The widest of all paths from bath to bath is the one whose smallest distance to atoms and
+ * membrane is largest. The place with that distance is the bottleneck; if the distance is negative,
+ * the channel is closed there.
  */
 #ifndef isthmus_ChannelPassage_h
 #define isthmus_ChannelPassage_h
@@ -23,15 +23,15 @@ struct ChannelPassage
 };
 
 /// The bottleneck of the widest path, from node to node. O(n log n).
-/// @throws std::runtime_error where the grid does not lead from bath to bath at all.
+/// @throws std::runtime_error if the grid does not connect the baths at all.
 VTKISTHMUSFILTERSSOLVATION_EXPORT ChannelPassage FindPassage(const TransportGrid& grid);
 
 /// @throws std::runtime_error, with the place and what to do, where the channel is closed.
 VTKISTHMUSFILTERSSOLVATION_EXPORT void RequireOpen(const ChannelPassage& passage);
 
-/// Closes the faces between nodes that no water connects to a bath: the concentrations of ions in
-/// such pockets are undetermined.
-/// @throws std::runtime_error where none are left that lead from bath to bath.
+/// Closes the faces between nodes that are not connected to a bath by water, because the
+/// concentrations of ions in such pockets are undetermined.
+/// @throws std::runtime_error if no remaining faces connect the baths.
 VTKISTHMUSFILTERSSOLVATION_EXPORT void CloseIsolatedPockets(TransportGrid& grid);
 
 }

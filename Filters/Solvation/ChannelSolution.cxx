@@ -26,8 +26,9 @@ std::vector<float> DistanceToClosed(
 {
   if (surface->GetNumberOfPoints() == 0)
   {
-    throw std::invalid_argument("The surface on input 1 is empty: give the molecule's closed "
-                                "surface, or take the input away to have one made of the atoms.");
+    throw std::invalid_argument(
+      "The surface on input 1 is empty: connect the closed surface of the molecule, or remove the "
+      "input to use a surface computed from the atoms.");
   }
   vtkNew<vtkImageData> image;
   SetImageGeometry(domain, image);

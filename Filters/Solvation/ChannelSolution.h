@@ -1,6 +1,6 @@
 /**
  * @file ChannelSolution.h
- * @brief Potential and ions of a channel whose surface is fixed or moves: the problem that
+ * @brief Potential and ions of a channel with a fixed or moving surface: the problem that
  * vtkIonTransport solves.
  */
 #ifndef isthmus_ChannelSolution_h
@@ -40,7 +40,7 @@ public:
   {
     return this->Moving ? this->Moving->GetPassage() : this->Passage;
   }
-  /// Null where the surface is fixed.
+  /// Null if the surface is fixed.
   const MovingChannel* GetMoving() const { return this->Moving.get(); }
 
 private:

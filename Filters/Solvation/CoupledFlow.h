@@ -1,18 +1,18 @@
 /**
  * @file CoupledFlow.h
- * @brief The steps that flows coupled with an electric field share: a period of flow under a fixed
- * pull, and the pull of the field off the surface.
+ * @brief Steps shared by flows that are coupled with an electric field: a period of flow under a
+ * fixed pull, and the extension of the pull away from the surface.
  *
  * SolvationFlow.h and MovingChannel.h alternate between the flow of the surface and the solution
- * for the field. A period has steps of dt = 0.16 spacing^2, distances are restored every four, it
- * may end where the volume converges, a part of the motion may be taken back, and the last steps
- * are the same for all policies.
+ * for the field. A period has steps of dt = 0.16 spacing^2. Distances are restored after every
+ * fourth step. The period may end when the volume converges, and a part of the motion may be
+ * undone. The last steps are the same for all policies.
  *
- * The pull of the field (BoundaryForces.h: the derivative of the electrostatic energy by the
- * surface's place; thesis 4.18 with the jump in place of its smeared permittivity) is an energy for
- * each volume, never negative: the field draws the solvent towards the charges, and only an
- * obstacle ends that. Ions' osmotic pressure is omitted: it is smaller by kappa^2 times a squared
- * length of the surface.
+ * The pull of the field (BoundaryForces.h: the derivative of the electrostatic energy with respect
+ * to the position of the surface; thesis 4.18 with the jump instead of its smeared permittivity) is
+ * an energy per volume and never negative: the field pulls the solvent towards the charges, and
+ * only an obstacle stops it. The osmotic pressure of the ions is omitted, because it is smaller by
+ * kappa^2 times a squared length of the surface.
  */
 #ifndef isthmus_CoupledFlow_h
 #define isthmus_CoupledFlow_h
@@ -40,7 +40,7 @@ struct UpdatePolicy
 /// @throws std::invalid_argument for parameters out of range.
 void CheckPolicy(const UpdatePolicy& policy);
 
-/// Restores signed distances in the whole band, between the bounds.
+/// Restores signed distances in the whole band, within the bounds.
 void RestoreDistances(FlowField& field);
 
 /// Moves the surface for one period; returns the time of the flow, square angstrom.
@@ -49,7 +49,7 @@ double EvolveForPeriod(FlowField& field, const UpdatePolicy& policy);
 /// The fraction of the nodes next to the surface that its obstacle holds.
 double FractionOnObstacle(const FlowField& field);
 
-/// Limits a pull (spacings) to what moves the surface by at most 0.4 spacings in a step.
+/// Limits a pull (in spacings) so that the surface moves by at most 0.4 spacings in a step.
 void LimitPull(std::vector<float>& pull);
 
 /// field.Pull <- part (steady + scale more) + (1 - part) field.Pull, limited.
@@ -57,10 +57,10 @@ void UpdatePull(FlowField& field, const std::vector<float>& steady, const std::v
   double scale, double part);
 
 /**
- * Values of the crossings at the nodes of a flow's grid: nodes of an edge that is crossed have the
- * mean of their crossings, those farther out that of their neighbours which have one, layer by
- * layer, so that values are carried off the surface to both sides. The level's volume is the grid
- * without its margin. O(nodes), serial; 5 bytes a node.
+ * Extends values at the crossings to the nodes of the grid of a flow. Nodes of a crossed edge get
+ * the mean of their crossings, nodes farther away the mean of their neighbours that have a value,
+ * layer by layer, so that values are extended to both sides of the surface. The volume of the level
+ * is the grid without its margin. O(nodes), serial; 5 bytes for each node.
  */
 VTKISTHMUSFILTERSSOLVATION_EXPORT std::vector<float> ExtendOffSurface(const SolverBox& box,
   const std::vector<InterfaceCrossing>& crossings, const std::vector<double>& values,

@@ -1,6 +1,7 @@
 /**
  * @file IonTransportOutput.h
- * @brief Ion transport as VTK data: image, currents by section, currents by voltage or salt.
+ * @brief Converts ion transport to VTK data: image, currents by section, currents by voltage or
+ * salt.
  */
 #ifndef isthmus_IonTransportOutput_h
 #define isthmus_IonTransportOutput_h
@@ -18,8 +19,8 @@ namespace isthmus
 void SetImageGeometry(const TransportDomain& domain, vtkImageData* image);
 
 /// Potential (active), Concentration_NAME and Flux_NAME of each species, CurrentDensity,
-/// SignedDistance. Parallel. @throws std::runtime_error where a number exceeds the
-/// range of float, as absurd charges make it; Cancelled.
+/// SignedDistance. Parallel. @throws std::runtime_error if a number exceeds the range of float,
+/// which absurd charges can cause; Cancelled.
 void FillTransportImage(
   const PoissonNernstPlanck& solution, vtkImageData* image, const ProgressCallback& progress = {});
 
@@ -27,17 +28,18 @@ void FillTransportImage(
 void FillTransportNumbers(const TransportPoint& point, const std::vector<TransportSpecies>& species,
   const ChannelPassage& passage, vtkImageData* image);
 
-/// Of a moving surface, a row an update: Update, Time, AreaChange, LumenVolume, EnergyChange,
-/// OnObstacle, BottleneckRadius, Current_NAME, Current; and Rests and ShownUpdate as field data. No
-/// rows and no field data for a fixed one (nullptr).
+/// For a moving surface, a row for each update: Update, Time, AreaChange, LumenVolume,
+/// EnergyChange, OnObstacle, BottleneckRadius, Current_NAME, Current; and Rests and ShownUpdate as
+/// field data. There are no rows and no field data for a fixed surface (nullptr).
 void FillMotion(const MovingChannel* moving, const std::vector<TransportSpecies>& species,
   vtkImageData* image, vtkTable* table);
 
-/// A row a section: Along, Current_NAME, Current.
+/// A row for each section: Along, Current_NAME, Current.
 void FillSections(
   const CurrentProfile& profile, const std::vector<TransportSpecies>& species, vtkTable* table);
 
-/// A row a point: Voltage, ConcentrationFactor, Current_NAME, Current, CurrentSpread, Converged.
+/// A row for each point: Voltage, ConcentrationFactor, Current_NAME, Current, CurrentSpread,
+/// Converged.
 void FillSweep(const std::vector<TransportPoint>& points,
   const std::vector<TransportSpecies>& species, vtkTable* table);
 

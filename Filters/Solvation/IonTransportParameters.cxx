@@ -17,19 +17,19 @@ void CheckSpecies(const TransportSpecies& s)
   const std::string of = " of " + s.Name;
   const double most = 10.0;
   RequireRange(
-    ("The valence" + of).c_str(), s.Valence, -most, most, "It is the ion's charge in e.");
+    ("The valence" + of).c_str(), s.Valence, -most, most, "It is the charge of the ion in e.");
   if (s.Valence == 0.0)
   {
     throw std::invalid_argument(
-      "The valence" + of + " is 0, but what has no charge carries no current: leave it out.");
+      "The valence" + of + " is 0, but neutral species carry no current: remove this one.");
   }
   const char* molar = "It is in mol/l.";
   RequireRange(("The concentration below" + of).c_str(), s.Below, 0.0, most, molar);
   RequireRange(("The concentration above" + of).c_str(), s.Above, 0.0, most, molar);
   RequireAbove(("The diffusion coefficient" + of).c_str(), s.Diffusion, 0.0, 1e3,
-    "It is in 1e-9 m^2/s: 1.96 is potassium's.");
+    "It is in 1e-9 m^2/s, e.g. 1.96 for potassium.");
   RequireAbove(("The channel fraction" + of).c_str(), s.ChannelFraction, 0.0, most,
-    "It is the part of the diffusion coefficient that the channel leaves.");
+    "It is the fraction of the diffusion coefficient that applies in the channel.");
 }
 
 void CheckNeutral(
@@ -57,7 +57,7 @@ void CheckTransport(const IonTransportParameters& p)
 {
   if (p.Species.empty())
   {
-    throw std::invalid_argument("There are no ions: give at least one species, e.g. K and Cl.");
+    throw std::invalid_argument("There are no ions: add at least one species, e.g. K and Cl.");
   }
   for (const TransportSpecies& s : p.Species)
   {
@@ -70,14 +70,14 @@ void CheckTransport(const IonTransportParameters& p)
   if (!(length >= SmallestLength && length <= LargestLength))
   {
     throw std::invalid_argument(
-      "The membrane's normal has no direction: give a vector along the channel's axis.");
+      "The normal of the membrane has no direction: set a vector along the axis of the channel.");
   }
   for (const double x : m.Centre)
   {
-    RequireRange("MembraneCenter", x, -1e6, 1e6, "It is a place in angstrom.");
+    RequireRange("MembraneCenter", x, -1e6, 1e6, "It is a position in angstrom.");
   }
   RequireAbove(
-    "MembraneThickness", m.Thickness, 0.0, 1e3, "It is in angstrom: a bilayer has 24 to 40.");
+    "MembraneThickness", m.Thickness, 0.0, 1e3, "It is in angstrom; a bilayer has 24 to 40.");
   RequireRange("LumenRadius", m.LumenRadius, 0.0, 1e3, "It is in angstrom.");
   RequireRange("Voltage", p.Voltage, -1000.0, 1000.0, "It is in mV.");
   RequireRange("ProbeRadius", p.ProbeRadius, 0.0, 10.0, "It is in angstrom.");

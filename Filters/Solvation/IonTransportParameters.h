@@ -15,7 +15,7 @@
 namespace isthmus
 {
 
-/// One kind of ion, and how much of it there is in the two baths.
+/// One kind of ion, and its concentrations in the two baths.
 struct TransportSpecies
 {
   std::string Name;
@@ -34,7 +34,8 @@ struct MembraneSlab
   double Thickness = 24.0;        ///< angstrom
   double LumenRadius = 5.0;       ///< of the hole: nearer to the axis there is no membrane
 
-  /// What falls off from the bath below, where it is 1, to that above, 0: linear across.
+  /// A quantity that decreases linearly across the membrane, from 1 in the bath below to 0 in the
+  /// bath above.
   double PartBelow(double along) const
   {
     return std::clamp(0.5 - along / this->Thickness, 0.0, 1.0);
@@ -69,9 +70,9 @@ struct IonTransportReport
 /// without a normal, species without a valence, and baths that carry a charge.
 VTKISTHMUSFILTERSSOLVATION_EXPORT void CheckTransport(const IonTransportParameters& parameters);
 
-/// Gives each species its name from a list separated by blanks, commas or semicolons, or `Ion` and
-/// its number.
-/// @throws std::invalid_argument for a name that two have.
+/// Names each species from a list separated by blanks, commas or semicolons, or `Ion` and its
+/// number.
+/// @throws std::invalid_argument if two species have the same name.
 VTKISTHMUSFILTERSSOLVATION_EXPORT void NameSpecies(
   const std::string& names, std::vector<TransportSpecies>& species);
 

@@ -107,9 +107,9 @@ MovingChannel::MovingChannel(const TransportDomain& domain, const std::vector<fl
   CheckTransport(transport);
   CheckPolicy(parameters.Policy);
   RequireAbove("SurfaceTension", parameters.Solvent.SurfaceTension, 0.0, 1e3,
-    "It is an energy for each square angstrom.");
+    "It is an energy per square angstrom.");
   RequireRange(
-    "Pressure", parameters.Solvent.Pressure, -1e3, 1e3, "It is an energy for each cubic angstrom.");
+    "Pressure", parameters.Solvent.Pressure, -1e3, 1e3, "It is an energy per cubic angstrom.");
   this->Start(obstacle);
   this->Steady.assign(this->Field.Distance.size(), 0.0F);
   SolventPull(atoms, parameters.Solvent)(this->Field.Grid, this->Steady);

@@ -13,13 +13,14 @@
  * for a period of steps with the pull fixed (CoupledFlow.h); then potential and ions are solved
  * for with the wall where it is (PoissonNernstPlanck.h, from the last solution), the pull is
  * computed again, and so on until the currents, and the water in the membrane's hole, change by
- * less than Tolerance twice in a row. Where a change takes back the one before (a crease that the
+ * less than Tolerance twice in a row. If a change undoes the previous one (e.g. a crease that the
  * field opens and tension closes alternately), the fraction of new forces that is used is halved
- * from there on.
+ * from then on.
  *
- * It begins on its obstacle, the molecule's unmoved surface, so that the first update is ion
- * transport without motion, and the tension may close creases and pores from there on but not open
- * more than the obstacle leaves. The membrane is an obstacle, too: flat, with a round hole.
+ * The surface starts on its obstacle, the surface of the molecule without motion, so the first
+ * update is ion transport without motion. From then on, the tension may close creases and pores,
+ * but cannot open regions that the obstacle occupies. The membrane is an obstacle, too; it is flat
+ * with a round hole.
  */
 #ifndef isthmus_MovingChannel_h
 #define isthmus_MovingChannel_h
@@ -57,15 +58,15 @@ struct ChannelUpdate
 };
 
 /// Cost: a solution of PoissonNernstPlanck.h for each update, and UpdatePeriod steps at 3 ns for
-/// each node of the band between them. Memory: twice
-/// that of the solution (the last one is where the next begins), 40 bytes a node for the flow.
-/// Bitwise the same on any number of threads.
+/// each node of the band between them. Memory: twice that of the solution (the next one starts from
+/// the last), and 40 bytes for each node for the flow. The result is bitwise the same on any number
+/// of threads.
 class VTKISTHMUSFILTERSSOLVATION_EXPORT MovingChannel
 {
 public:
   static constexpr double BytesPerNode = 500.0;
 
-  /// The domain with a margin for the membrane's rim: the grid that distances are needed on.
+  /// The domain with a margin for the rim of the membrane: the grid on which distances are needed.
   static TransportDomain Padded(const TransportDomain& domain);
 
   /// `obstacle` are distances to the molecule (TransportGrid.h) on the nodes of Padded(domain), or
@@ -78,20 +79,20 @@ public:
   MovingChannel(const MovingChannel&) = delete;
   void operator=(const MovingChannel&) = delete;
 
-  /// Until convergence, or MaximumUpdates; the state that changed least is kept then.
-  /// @throws std::runtime_error, with the place, where the channel is closed, or closes on the way;
-  /// what PoissonNernstPlanck::Solve does; Cancelled.
+  /// Runs until convergence or MaximumUpdates; at this limit, the state that changed least is kept.
+  /// @throws std::runtime_error, with the place, if the channel is closed at the start or closes
+  /// during the motion; the exceptions of PoissonNernstPlanck::Solve; Cancelled.
   void Run(const ProgressCallback& progress = {});
 
   /// Whether currents and lumen volume have converged.
   bool HasConverged() const;
   /// The largest relative change of the last update.
   double LastChange() const;
-  /// The update that the solution belongs to.
+  /// The update to which the solution belongs.
   std::size_t GetShown() const { return this->ShownUpdate; }
   const std::vector<ChannelUpdate>& GetUpdates() const { return this->Updates; }
   const ChannelPassage& GetPassage() const { return this->Passage; }
-  /// The pull at the wall that there is now; places are those of Padded(domain).
+  /// The current pull at the wall; positions are those of Padded(domain).
   WallValues ForceAtWall() const;
   PoissonNernstPlanck& GetSolution() { return *this->Solution; }
 

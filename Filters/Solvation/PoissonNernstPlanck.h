@@ -8,7 +8,8 @@
  *   div J_k = 0,   J_k = -D_k (grad c_k + z_k c_k grad phi)   in the water,
  *
  * phi in kT/e, c_k in mol/l, C the Coulomb length, N ions in a cubic angstrom at 1 mol/l. In the
- * baths phi and c_k are given; no ion goes through a wall, no field through the domain's side.
+ * baths phi and c_k are given; there is no flux of ions through walls, and no field through the
+ * side of the domain.
  *
  * Finite volumes (TransportGrid.h) with fluxes after Scharfetter and Gummel (IEEE
  * Trans. Electron Devices 16 (1969) 64), exact where phi is linear along an edge of length h from
@@ -18,13 +19,14 @@
  *   g = exp(-z (phi_p + phi_q) / 2) (x / 2) / sinh(x / 2),   x = z (phi_q - phi_p).
  *
  * In v (Slotboom's variable, mol/l) the equation div J = 0 is that of a network of resistors, whose
- * matrix is symmetric and an M-matrix: v lies between the baths' values, so c is never negative.
+ * matrix is symmetric and an M-matrix: v lies between the values of the baths, so c is never
+ * negative.
  *
  * Gummel's iteration (IEEE Trans. Electron Devices 11 (1964) 455) alternates between Nernst-Planck
  * with phi given, linear in Slotboom's v_k = c_k exp(z_k phi), and Poisson with v_k given, by
- * Newton's method: the ions' charge falls as phi grows, so that equation has one solution. Both are
- * networks of resistors (ResistorNetwork.h). It ends when a new phi differs by less than Tolerance
- * in all water.
+ * Newton's method: the charge of the ions decreases as phi increases, so that equation has exactly
+ * one solution. Both are networks of resistors (ResistorNetwork.h). The iteration ends when phi
+ * changes by less than Tolerance everywhere in the water.
  */
 #ifndef isthmus_PoissonNernstPlanck_h
 #define isthmus_PoissonNernstPlanck_h
@@ -57,29 +59,30 @@ inline double SlotboomConductance(double rootP, double rootQ)
   return product * 2.0 * std::log(ratio) / (ratio - 1.0 / ratio);
 }
 
-/// A species by its place in IonTransportParameters::Species.
+/// A species by its index in IonTransportParameters::Species.
 using SpeciesId = Handle<struct SpeciesKind, std::size_t>;
 
-/// Memory: 160 bytes a node for two networks, 40 for phi and work, 8 for each species. Parallel,
-/// bitwise the same on any number of threads.
+/// Memory for each node: 160 bytes for two networks, 40 for phi and work arrays, 8 for each
+/// species. Parallel, with results that are bitwise the same on any number of threads.
 class VTKISTHMUSFILTERSSOLVATION_EXPORT PoissonNernstPlanck
 {
 public:
-  /// The grid is referred to.
+  /// The object refers to `grid`.
   /// @throws std::invalid_argument for parameters out of range.
   PoissonNernstPlanck(const TransportGrid& grid, const IonTransportParameters& parameters);
 
-  /// Another voltage (mV), and the baths' concentrations times a factor: what there is already is
-  /// where the next Solve() begins.
+  /// Sets another voltage (mV) and multiplies the concentrations of the baths by a factor. The next
+  /// Solve() starts from the current state.
   void SetBaths(double voltage, double concentrationFactor);
 
-  /// Begins where another one ended, on a grid of the same size, whose wall is elsewhere.
+  /// Starts from the result of another object, on a grid of the same size whose wall has another
+  /// position.
   void StartFrom(const PoissonNernstPlanck& other);
 
-  /// Until it converges, or MaximumIterations: the state that changed least stays then. Where a
-  /// linear system could not be solved, so that more than 1e-4 of a current is lost on its way
-  /// (Imbalance), it has not converged.
-  /// @throws Cancelled, and std::runtime_error where numbers leave their range.
+  /// Iterates until convergence or MaximumIterations; at this limit, the state that changed least
+  /// is kept. If a linear system could not be solved, so that more than 1e-4 of a current is lost
+  /// along the channel (Imbalance), the iteration has not converged.
+  /// @throws Cancelled, and std::runtime_error if numbers overflow.
   const IonTransportReport& Solve(const ProgressCallback& progress = {});
 
   const TransportGrid& GetGrid() const { return this->Grid; }
@@ -93,13 +96,14 @@ public:
   /// mol/l; 0 where there is no water.
   double Concentration(SpeciesId species, std::int64_t node) const;
   bool IsWater(std::int64_t node) const { return this->Open[static_cast<std::size_t>(node)] != 0; }
-  /// Of an edge from a node to the next, from the lower node to the higher: angstrom mol/l times
-  /// 1e-9 m^2/s.
+  /// Flux along the edge from a node to the next one, positive in this direction, in angstrom mol/l
+  /// times 1e-9 m^2/s.
   double EdgeFlux(SpeciesId species, std::size_t axis, std::int64_t node) const;
 
 private:
   double Mobility(SpeciesId species, std::int64_t node) const;
-  /// Of an open edge, from exp(-z phi / 2) at both ends; mobilities of both in series.
+  /// Conductance of an open edge, from exp(-z phi / 2) at both ends, with the mobilities of both in
+  /// series.
   double EdgeConductance(SpeciesId species, std::size_t axis, std::int64_t node, double rootHere,
     double rootThere) const;
   double BathValue(SpeciesId species, unsigned char bath) const;

@@ -1,18 +1,19 @@
 /**
  * @file ResistorNetwork.h
- * @brief Values at the nodes of a grid whose edges conduct, some of them held: solved by conjugate
- * gradients.
+ * @brief Solves for the values at the nodes of a grid whose edges are conductors, some of them with
+ * fixed values, by conjugate gradients.
  *
  * At each node that is not held
  *
  *   sum_q g_pq (u_p - u_q) + d_p u_p = s_p,   g >= 0, d >= 0.
  *
  * The matrix is a symmetric M-matrix. Conjugate gradients are preconditioned by its modified
- * incomplete Cholesky factor without fill (I. Gustafsson, BIT 18 (1978) 142), taken for 0.97
- * modified, as R. Bridson has it (Fluid Simulation for Computer Graphics, 2008, ch. 4). That makes
- * some nodes^(1/6) iterations for conductances that jump by many powers of ten, which geometric
- * multigrid does not stand: 30 to 60 on 2 x 10^5 nodes. Large grids have a factor for each of up to
- * eight slabs, which leaves out the edges between them.
+ * incomplete Cholesky factor without fill-in (I. Gustafsson, BIT 18 (1978) 142), with a
+ * modification parameter of 0.97, as proposed by R. Bridson (Fluid Simulation for Computer
+ * Graphics, 2008, ch. 4). The number of iterations is about nodes^(1/6), or 30 to 60 for 2 x 10^5
+ * nodes, even for conductances that jump by many powers of ten, which geometric multigrid cannot
+ * handle. Large grids have a separate factor for each of up to eight slabs, which neglects the
+ * edges between the slabs.
  */
 #ifndef isthmus_ResistorNetwork_h
 #define isthmus_ResistorNetwork_h
@@ -28,8 +29,8 @@
 namespace isthmus
 {
 
-/// Memory: 80 bytes a node. Time: about 20 ns a node and iteration on one thread; parallel from
-/// 130,000 nodes on, bitwise the same on any number of threads.
+/// Memory: 80 bytes a node. Time: about 20 ns for each node and iteration on one thread; parallel
+/// for more than 130,000 nodes, with results that are bitwise the same on any number of threads.
 class VTKISTHMUSFILTERSSOLVATION_EXPORT ResistorNetwork
 {
 public:
@@ -37,7 +38,8 @@ public:
   ResistorNetwork(
     const std::array<std::int64_t, 3>& dimensions, const std::vector<unsigned char>& held);
 
-  /// Conductance of the edge from a node to the next along `axis`; that of a last node stays 0.
+  /// Conductance of the edge from a node to the next along `axis`; that of the last node must stay
+  /// 0.
   double& Edge(std::size_t axis, std::int64_t node)
   {
     return this->Edges[axis][static_cast<std::size_t>(node + this->Margin)];
@@ -47,14 +49,14 @@ public:
     return this->Diagonals[static_cast<std::size_t>(node + this->Margin)];
   }
 
-  /// After the conductances were set, and before Solve().
+  /// To be called after the conductances were set, and before Solve().
   void Factor();
 
   /// The sum of |s - A u| over the nodes that are not held; `source` may be empty for 0.
   double Residual(const std::vector<double>& u, const std::vector<double>& source);
 
-  /// What terms g u that cancel add up to: their rounding is the least that a residual can be.
-  /// After Factor().
+  /// Sum of the magnitudes of the terms g u, which cancel in the residual; their rounding limits
+  /// how small the residual can become. After Factor().
   double SumOfMagnitudes(const std::vector<double>& u) const;
 
   struct Control
@@ -70,9 +72,9 @@ public:
     bool Converged = false;
   };
 
-  /// Improves u until the sum of its residuals is below either limit. Reports 0 every few
-  /// iterations.
-  /// @throws std::runtime_error where numbers leave the range of doubles, Cancelled.
+  /// Iterates u until the sum of its residuals is below either limit. Reports a progress of 0 every
+  /// few iterations.
+  /// @throws std::runtime_error if numbers exceed the range of doubles, Cancelled.
   Answer Solve(std::vector<double>& u, const std::vector<double>& source, const Control& control,
     const ProgressCallback& progress = {});
 

@@ -39,7 +39,8 @@ void CheckCharges(const SolvationAtoms& atoms)
 {
   if (atoms.Dispersion.size() != atoms.Balls.size())
   {
-    throw std::invalid_argument("There are not as many dispersion parameters as balls.");
+    throw std::invalid_argument(
+      "The number of dispersion parameters differs from the number of balls.");
   }
   const NearestBall nearest(atoms.Balls);
   for (std::size_t i = 0; i < atoms.Charges.size(); ++i)
@@ -69,7 +70,7 @@ SolvationFlow::SolvationFlow(SolvationAtoms atoms, const SolvationParameters& pa
   CheckParameters(parameters.Potential);
   if (this->Atoms.Balls.empty())
   {
-    throw std::invalid_argument("There are no atoms to make a surface around.");
+    throw std::invalid_argument("There are no atoms for which a surface could be computed.");
   }
   CheckCharges(this->Atoms);
   this->Surface.Grid = FlowGridAround(this->Atoms.Balls, parameters.Flow);

@@ -16,14 +16,15 @@
  *   G = gamma Area + p Volume + rho_0 int_solvent U + G_polar
  *
  * changes by less than Tolerance twice in a row. With Potential.Dielectric SmoothDielectric (one
- * permittivity an edge, InterfaceExtrapolation.h) the way there is that of the thesis, and the last
- * surface's energy is computed once more by the jump: one more row of updates.
+ * permittivity for each edge, InterfaceExtrapolation.h) the iteration is that of the thesis, and
+ * the energy of the last surface is computed again with the jump, which adds one row to the
+ * updates.
  *
- * **What stops the surface.** The field always pulls towards the charges, many times as strongly as
- * the tension holds: without more, a protein's surface collapses onto its atoms, into every cleft
- * that no water enters. So the obstacle is not the atoms but what a probe rolled over them leaves
- * to them (ProbeRadius; SolventExcludedSurface.h): where the probe can't be, there is no solvent.
- * With ProbeRadius 0 it is the atoms.
+ * **What stops the surface.** The field always pulls towards the charges, many times more strongly
+ * than the tension resists. Without further measures, the surface of a protein collapses onto its
+ * atoms, even into clefts that water cannot enter. The obstacle is therefore not the atoms but
+ * their solvent-excluded volume (ProbeRadius; SolventExcludedSurface.h): there is no solvent where
+ * the probe does not fit. With ProbeRadius 0, the obstacle is the atoms.
  */
 #ifndef isthmus_SolvationFlow_h
 #define isthmus_SolvationFlow_h
@@ -77,10 +78,11 @@ struct SolvationUpdate
   double Total() const { return this->Nonpolar() + this->PolarEnergy; }
 };
 
-/// Cost: a Poisson-Boltzmann solution for each update (3 to 20), the first with its border, later
-/// ones again only where the surface moved (SolveAgain()); between them UpdatePeriod steps at 3 ns
-/// for each node of the band. Memory: that of the solution (120 bytes a node, the last surface's
-/// potential and crossings with it) and of the flow. Bitwise the same on any number of threads.
+/// Cost: a Poisson-Boltzmann solution for each of 3 to 20 updates, the first with its border
+/// values, later ones recomputed only where the surface has moved (SolveAgain()); between them
+/// UpdatePeriod steps at 3 ns for each node of the band. Memory: that of the solution (120 bytes
+/// for each node, including the potential and the crossings of the last surface) and of the flow.
+/// The result is bitwise the same on any number of threads.
 class VTKISTHMUSFILTERSSOLVATION_EXPORT SolvationFlow
 {
 public:
@@ -91,8 +93,8 @@ public:
   SolvationFlow(const SolvationFlow&) = delete;
   void operator=(const SolvationFlow&) = delete;
 
-  /// Until convergence, or MaximumUpdates.
-  /// @throws what SolvePoissonBoltzmann does, and Cancelled.
+  /// Runs until convergence or MaximumUpdates.
+  /// @throws the exceptions of SolvePoissonBoltzmann, and Cancelled.
   void Run(const ProgressCallback& progress = {});
 
   /// Whether the energy has converged; if not, the last surface is kept.

@@ -1,6 +1,6 @@
 /**
  * @file SolvationOutput.h
- * @brief A solvation surface as VTK data: surface, image, table of updates.
+ * @brief Converts a solvation surface to VTK data: surface, image, table of updates.
  */
 #ifndef isthmus_SolvationOutput_h
 #define isthmus_SolvationOutput_h
@@ -24,7 +24,7 @@ struct SolvationOutputs
   vtkTable* Updates;
 };
 
-/// Of a flow that has run; the arrays are those that vtkSolvationSurface documents.
+/// For a flow that has run; the arrays are documented in vtkSolvationSurface.
 void FillSolvation(const SolvationFlow& flow, const std::vector<std::string>& notes,
   const SolvationOutputs& outputs, const ProgressCallback& progress);
 

@@ -134,7 +134,7 @@ double Between01(int point, int points)
 
 std::vector<TransportPoint> SweptVoltages(double from, double to, int points)
 {
-  RequireRange("SweepPoints", points, 2, MostPoints, "A curve has two points or more.");
+  RequireRange("SweepPoints", points, 2, MostPoints, "A curve needs at least two points.");
   for (const double end : { from, to })
   {
     RequireRange("SweepVoltages", end, -1000.0, 1000.0, "They are in mV.");
@@ -149,7 +149,7 @@ std::vector<TransportPoint> SweptVoltages(double from, double to, int points)
 
 std::vector<TransportPoint> SweptFactors(double from, double to, int points, double voltage)
 {
-  RequireRange("SweepPoints", points, 2, MostPoints, "A curve has two points or more.");
+  RequireRange("SweepPoints", points, 2, MostPoints, "A curve needs at least two points.");
   for (const double end : { from, to })
   {
     RequireRange("SweepFactors", end, 1e-6, 1e3, "They multiply the baths' concentrations.");

@@ -1,7 +1,7 @@
 /**
  * @file TransportCurrents.h
  * @brief Currents through cross-sections of a channel, flux densities at nodes, and curves of
- * currents over voltage or concentration.
+ * currents against voltage or concentration.
  */
 #ifndef isthmus_TransportCurrents_h
 #define isthmus_TransportCurrents_h
@@ -26,21 +26,22 @@ struct CurrentProfile
 };
 
 /**
- * A section lies between each two layers of the domain, normal to the channel: the edges of the
- * grid that go through it carry its current, oblique as it may lie to them. What a node takes in it
- * gives off, so currents through all sections are the same but for the accuracy of the solution.
- * O(nodes).
+ * There is a section, normal to the channel, between each two layers of the domain. Its current is
+ * that of the edges of the grid that pass through it, even if they are oblique to the section.
+ * Inflow and outflow of each node are equal, so the currents through all sections are the same up
+ * to the accuracy of the solution. O(nodes).
  */
 VTKISTHMUSFILTERSSOLVATION_EXPORT CurrentProfile CurrentsOf(const PoissonNernstPlanck& solution);
 
-/// The flux of a species at a node, ions a nanosecond and square angstrom: the mean of its faces'.
+/// The flux of a species at a node, in ions per nanosecond and square angstrom: the mean over its
+/// faces.
 VTKISTHMUSFILTERSSOLVATION_EXPORT Point3 FluxAt(
   const PoissonNernstPlanck& solution, SpeciesId species, std::int64_t node);
 
 /// pA for an ion of 1 e a nanosecond.
 VTKISTHMUSFILTERSSOLVATION_EXPORT double PicoamperePerIon();
 
-/// What is kept of one point.
+/// The stored result for one point.
 struct TransportPoint
 {
   double Voltage = 0.0; ///< mV
@@ -50,20 +51,20 @@ struct TransportPoint
 };
 
 /// Voltages in equal steps, the factor 1.
-/// @throws std::invalid_argument for ends out of range or less than two points.
+/// @throws std::invalid_argument for ends out of range or fewer than two points.
 VTKISTHMUSFILTERSSOLVATION_EXPORT std::vector<TransportPoint> SweptVoltages(
   double from, double to, int points);
 
 /// Factors in equal ratios, at one voltage.
-/// @throws std::invalid_argument for ends out of range or less than two points.
+/// @throws std::invalid_argument for ends out of range or fewer than two points.
 VTKISTHMUSFILTERSSOLVATION_EXPORT std::vector<TransportPoint> SweptFactors(
   double from, double to, int points, double voltage);
 
 /// The current state of a solution.
 VTKISTHMUSFILTERSSOLVATION_EXPORT TransportPoint PointOf(const PoissonNernstPlanck& solution);
 
-/// Solves at the point's voltage and factor, starting from `solution`, and stores the result.
-/// @throws what PoissonNernstPlanck::Solve does.
+/// Solves for the voltage and factor of `point`, starting from `solution`, and stores the result.
+/// @throws the exceptions of PoissonNernstPlanck::Solve.
 VTKISTHMUSFILTERSSOLVATION_EXPORT void SolveAt(
   TransportPoint& point, PoissonNernstPlanck& solution, const ProgressCallback& progress = {});
 

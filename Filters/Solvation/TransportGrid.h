@@ -4,16 +4,17 @@
  * of a grid.
  *
  * The domain is a cylinder around the channel's axis (through the membrane's centre, along its
- * normal) that holds all atoms and some more on all sides, so that nothing depends on how these lie
- * to the grid. The grid is the box around it, with a node in the membrane's centre and a layer of
- * nodes beyond the cylinder. Beyond the cylinder's flat ends are the baths, its side lets nothing
- * through. In it, atoms and membrane are one region, water the rest.
+ * normal) that contains all atoms with a margin on all sides, so that nothing depends on their
+ * orientation relative to the grid. The grid is the box around it, with a node in the membrane's
+ * centre and a layer of nodes beyond the cylinder. The baths are beyond the flat ends of the
+ * cylinder; its side is impermeable. Inside, atoms and membrane are one region, and the rest is
+ * water.
  *
- * Nodes have cubes of one spacing around them. The part of each face that is water comes from the
- * signed distance, taken as linear there, so walls lie between the nodes: the area of a pore is
- * second order. Cubes whose node is not in the water are merged with neighbours that are. The
- * permittivity of an edge is that of its two parts in series (smeared over the surface instead, it
- * was 14 to 35 % off for a Born ion).
+ * Nodes have cubes of one spacing around them. The fraction of each face that is water is computed
+ * from the signed distance, which is assumed to be linear there. Thus walls lie between the nodes,
+ * and the area of a pore is second order. Cubes whose node is not in the water are merged with
+ * neighbours whose node is. The permittivity of an edge is that of its two parts in series (smeared
+ * over the surface instead, it was 14 to 35 % off for a Born ion).
  */
 #ifndef isthmus_TransportGrid_h
 #define isthmus_TransportGrid_h
@@ -30,7 +31,7 @@
 namespace isthmus
 {
 
-/// Where the domain lies, before anything is computed on it.
+/// Position and size of the domain, before anything is computed on it.
 struct TransportDomain
 {
   std::array<std::int64_t, 3> Dimensions{ 0, 0, 0 };
@@ -61,7 +62,8 @@ struct TransportDomain
       this->Origin[1] + this->Spacing * static_cast<double>(at[1]),
       this->Origin[2] + this->Spacing * static_cast<double>(at[2]) };
   }
-  /// How far along the axis a place is, from the membrane's centre, and how far from the axis.
+  /// Coordinates of a place: along the axis, from the centre of the membrane, and its distance from
+  /// the axis.
   std::array<double, 2> AxialAndRadial(const Point3& place) const;
 };
 
@@ -75,13 +77,13 @@ VTKISTHMUSFILTERSSOLVATION_EXPORT void RequireMemory(
   const TransportDomain& domain, double bytesPerNode);
 
 /// The distance from each node to the solvent-excluded surface of atoms
-/// (SolventExcludedSurface.h), or for ProbeRadius 0 to the atoms; angstrom, negative within, cut
-/// at 4.5 spacings. Parallel.
+/// (SolventExcludedSurface.h), or for ProbeRadius 0 to the atoms, in angstrom, negative inside, and
+/// clamped to 4.5 spacings. Parallel.
 /// @throws Cancelled.
 VTKISTHMUSFILTERSSOLVATION_EXPORT std::vector<float> DistanceToAtoms(const TransportDomain& domain,
   const std::vector<Ball>& atoms, double probeRadius, const ProgressCallback& progress = {});
 
-/// Which bath a node belongs to.
+/// The bath to which a node belongs.
 enum class Bath : unsigned char
 {
   None = 0,
@@ -111,7 +113,8 @@ VTKISTHMUSFILTERSSOLVATION_EXPORT TransportGrid MakeTransportGrid(const Transpor
   const std::vector<float>& solute, const std::vector<ChargedAtom>& charges,
   const IonTransportParameters& parameters, const ProgressCallback& progress = {});
 
-/// The part of a unit square on which distance + g1 u + g2 v is positive, u and v in [-1/2, 1/2].
+/// The fraction of a unit square on which distance + g1 u + g2 v is positive, with u and v in
+/// [-1/2, 1/2].
 VTKISTHMUSFILTERSSOLVATION_EXPORT double PositiveFraction(double distance, double g1, double g2);
 
 }

@@ -53,11 +53,9 @@ std::string IterationNotConverged(const TransportPoint& point, double tolerance)
       "MaximumIterations or a larger Tolerance.";
   }
   return start + "a part of " + FormatNumber(report.Imbalance) +
-    " of a current is lost on its way: the equations of the ions could not be solved. What there "
-    "is "
-    "is kept, with Converged 0: choose a smaller Spacing or Voltage, or look for charges that "
-    "touch "
-    "the water.";
+    " of a current is lost on its way: the equations of the ions could not be solved. The current "
+    "state is kept, with Converged 0: choose a smaller Spacing or Voltage, or look for charges "
+    "that touch the water.";
 }
 
 std::string SurfaceNotConverged(const MovingChannel& moving)

@@ -3,15 +3,15 @@
  * @brief   ions that drift and diffuse through a channel: potential, concentrations, currents
  *
  * Input 0: atoms with the point arrays `Charge` (e) and `Radius` (angstrom), or those chosen with
- * SetInputArrayToProcess(0, ...) for radii and (1, ...) for charges: a PQR file has both. Water,
- * alternate locations and missing hydrogens as for vtkMolecularFlowSurface. Input 1 (optional): the
- * molecule's surface as closed polygons, for instance that of a converged vtkSolvationSurface;
- * without it the solvent-excluded surface of ProbeRadius is made.
+ * SetInputArrayToProcess(0, ...) for radii and (1, ...) for charges; a PQR file has both. Water,
+ * alternate locations and missing hydrogens are treated as in vtkMolecularFlowSurface. Input 1
+ * (optional): the molecule's surface as closed polygons, for instance that of a converged
+ * vtkSolvationSurface; without it the solvent-excluded surface for ProbeRadius is computed.
  *
  * The steady Poisson-Nernst-Planck equations between two baths that a flat membrane separates; it
- * is closed but for a round hole (LumenRadius) around the axis through MembraneCenter along
- * MembraneNormal, where the channel stands. All of it lies in a cylinder around that axis, which
- * holds the atoms and Padding more. Formulas and sources: PoissonNernstPlanck.h, TransportGrid.h.
+ * is closed except for a round hole (LumenRadius) for the channel, around the axis through
+ * MembraneCenter along MembraneNormal. The domain is a cylinder around that axis that contains the
+ * atoms with a margin of Padding. Formulas and sources: PoissonNernstPlanck.h, TransportGrid.h.
  *
  * Outputs:
  *  - 0: vtkImageData with `Potential` (kT/e), for each species `Concentration_NAME` (mol/l) and
@@ -29,17 +29,17 @@
  *    `AreaChange` (square angstrom), `LumenVolume` (water within the membrane's thickness, cubic
  *    angstrom), `EnergyChange` (of tension, pressure and dispersion, kcal/mol), `OnObstacle` (the
  *    part of the surface that cannot recede), `BottleneckRadius`, `Current_NAME`, `Current`.
- *    Output 0 has `Rests` and `ShownUpdate` then, as field data.
+ *    In this case output 0 has the field data Rests and ShownUpdate.
  *
- * What does not converge in MaximumIterations issues a warning with its last change, and the state
- * that changed least is kept, with `Converged` 0; so is one whose ions are not conserved to 1e-4,
- * since a linear system got stuck.
+ * If the iteration does not converge within MaximumIterations, a warning reports its last change,
+ * and the state that changed least is kept, with Converged 0. The same happens if ions are not
+ * conserved to 1e-4 because a linear system could not be solved.
  *
  * **Errors** (message, empty outputs): those of the atoms, parameters out of range, baths that
  * carry a charge, a channel that is not open from bath to bath (with the place where it closes and
  * its radius there), a surface that is not closed, has parts that cross (ShellCrossings.h) or lies
  * elsewhere than the atoms (InputOverlap.h), a grid that does not fit into memory. Cost: about 20
- * microseconds a node for each point of a sweep. All atoms are needed on one rank.
+ * microseconds for each node and each point of a sweep. All atoms are needed on one rank.
  */
 #ifndef vtkIonTransport_h
 #define vtkIonTransport_h
@@ -75,8 +75,8 @@ public:
   ///@{
   /// The ions: valence, concentrations (mol/l) in the bath below (that the normal points away from)
   /// and above, diffusion coefficient (1e-9 m^2/s), the part of it that is left within the
-  /// membrane's slab. Default: potassium and chloride, 0.1 mol/l on both sides, 1.96 and 2.03, all
-  /// of it.
+  /// membrane's slab. Default: potassium and chloride, 0.1 mol/l on both sides, diffusion
+  /// coefficients 1.96 and 2.03, and a fraction of 1 in the channel.
   void AddSpecies(
     double valence, double below, double above, double diffusion, double channelFraction = 1.0);
   void ClearSpecies();
@@ -112,8 +112,8 @@ public:
   ///@}
 
   ///@{
-  /// Of the probe that makes the surface, in angstrom; 0 for the atoms themselves. Default 1:
-  /// water's 1.4 closes the pore of gramicidin.
+  /// Of the probe that makes the surface, in angstrom; 0 for the atoms themselves. Default 1,
+  /// because the radius 1.4 of water closes the pore of gramicidin.
   vtkSetMacro(ProbeRadius, double);
   vtkGetMacro(ProbeRadius, double);
   ///@}
@@ -176,8 +176,8 @@ public:
 
   ///@{
   /// Whether the surface moves with field and ions (thesis' LB-PNP, MovingChannel.h) from the one
-  /// that the atoms or input 1 give, behind which it never recedes, or is fixed there. A sweep
-  /// takes the surface at Voltage. Default off.
+  /// that the atoms or input 1 give, behind which it never recedes, or is fixed there. A sweep uses
+  /// the surface at Voltage. Default off.
   vtkSetMacro(MovingSurface, bool);
   vtkGetMacro(MovingSurface, bool);
   vtkBooleanMacro(MovingSurface, bool);
@@ -206,11 +206,11 @@ public:
   vtkTable* GetSweep();
   vtkTable* GetUpdates();
 
-  /// KeepWaters and UnitedAtoms: which atoms count and how large they are, see AtomProperties.h.
-  /// Default off and on.
+  /// KeepWaters and UnitedAtoms determine which atoms are used, and their radii; see
+  /// AtomProperties.h. Default off and on.
   ISTHMUS_ATOM_PROPERTIES();
-  /// SurfaceTension, above 0, and Pressure, where the surface moves: SolventProperties.h; well
-  /// depths as for vtkNonpolarSolvation. Defaults 0.0700 and 0.0464.
+  /// SurfaceTension, above 0, and Pressure are used if the surface moves; see SolventProperties.h.
+  /// Well depths are as for vtkNonpolarSolvation. Defaults 0.0700 and 0.0464.
   ISTHMUS_SOLVENT_PROPERTIES();
 
 protected:

@@ -94,8 +94,9 @@ std::vector<isthmus::ChargedAtom> vtkSolvationSurface::Internals::Charges(
   if (std::all_of(charges.begin(), charges.end(),
         [](const isthmus::ChargedAtom& atom) { return atom.Charge == 0.0; }))
   {
-    throw std::invalid_argument("All charges are 0, so there is no field: take Molecular Flow "
-                                "Surface and Nonpolar Solvation, or another array of charges.");
+    throw std::invalid_argument(
+      "All charges are 0, so there is no field: use Molecular Flow Surface and Nonpolar Solvation, "
+      "or choose another array of charges.");
   }
   return charges;
 }
@@ -115,8 +116,7 @@ void vtkSolvationSurface::Internals::Warn(
     vtkWarningWithObjectMacro(this->Self,
       << isthmus::TextOf("The energy has not converged after ", n, " updates: the last one is ",
            last.Total(), " kcal/mol, the one before ", flow.GetUpdates()[n > 1 ? n - 2 : 0].Total(),
-           ". The surface is shown as it is then: choose more "
-           "MaximumUpdates or a larger EnergyTolerance."));
+           ". The last surface is shown: choose more MaximumUpdates or a larger EnergyTolerance."));
   }
   if (this->Self->ProbeRadius == 0.0 && last.OnObstacle > nearlyAll && atoms.Balls.size() > 1)
   {

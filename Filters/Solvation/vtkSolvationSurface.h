@@ -4,14 +4,14 @@
  * costs
  *
  * Input: atoms with the point arrays `Charge` (e) and `Radius` (angstrom), or those chosen with
- * SetInputArrayToProcess(0, ...) for radii and (1, ...) for charges: a PQR file has both. Well
- * depths as for vtkNonpolarSolvation; water, alternate locations and missing hydrogens as for
- * vtkMolecularFlowSurface.
+ * SetInputArrayToProcess(0, ...) for radii and (1, ...) for charges; a PQR file has both. Well
+ * depths are as for vtkNonpolarSolvation; water, alternate locations and missing hydrogens are
+ * treated as in vtkMolecularFlowSurface.
  *
  * Surface tension, pressure, dispersion and the electric field move the surface; the field is that
- * of the charges inside of it (Poisson-Boltzmann equation), so both are solved for alternately
- * until the energy converges: the thesis' coupled Laplace-Beltrami and Poisson-Boltzmann model in
- * sharp form. Formulas and sources: SolvationFlow.h, CoupledFlow.h.
+ * of the charges inside it (Poisson-Boltzmann equation). Both are solved alternately until the
+ * energy converges. This is the coupled Laplace-Beltrami and Poisson-Boltzmann model of the thesis
+ * in sharp form. Formulas and sources: SolvationFlow.h, CoupledFlow.h.
  *
  * Outputs:
  *  - 0: vtkPolyData, the surface: closed, with `Normals`, `Potential` (kT/e), `NormalField`,
@@ -22,16 +22,16 @@
  *    `SurfaceEnergy`, `VolumeEnergy`, `DispersionEnergy`, `NonpolarEnergy`, `PolarEnergy`,
  *    `TotalEnergy` (kcal/mol), `OnObstacle` (the part of the surface that its obstacle holds).
  *
- * The field array `Rests` of outputs 0 and 1 is 1 where the energy has converged; where it did not,
- * the surface of the last update is there, with a warning.
+ * The field array `Rests` of outputs 0 and 1 is 1 if the energy has converged. Otherwise the
+ * surface of the last update is returned, with a warning.
  *
- * **ProbeRadius keeps a protein from collapsing**: the field pulls many times harder than the
- * tension holds, so that without a probe the surface ends on the atoms, in clefts that no water
- * enters; a warning says so.
+ * **ProbeRadius keeps the surface of a protein from collapsing. The field pulls many times more
+ * strongly than the tension resists, so without a probe the surface ends on the atoms, in clefts
+ * that water cannot enter; a warning says so.
  *
- * **Errors** (message, empty outputs): those of the atoms, no charges, a charge outside of all
- * atoms, parameters out of range, a grid that does not fit into memory. Cost: 3 to 10 solutions of
- * the Poisson-Boltzmann equation. All atoms are needed on one rank.
+ * **Errors** (message, empty outputs): those of the atoms, no charges, a charge outside all atoms,
+ * parameters out of range, a grid that does not fit into memory. Cost: 3 to 10 solutions of the
+ * Poisson-Boltzmann equation. All atoms are needed on one rank.
  */
 #ifndef vtkSolvationSurface_h
 #define vtkSolvationSurface_h
@@ -134,7 +134,8 @@ public:
 
   ///@{
   /// alpha and alpha': the part of each period's motion, and of each new field's force, that is
-  /// taken; above 0, at most 1. Defaults 1: smaller ones take more updates and are not needed.
+  /// taken; above 0, at most 1. The defaults are 1; smaller values take more updates and are not
+  /// needed.
   vtkSetMacro(SurfaceRelaxation, double);
   vtkGetMacro(SurfaceRelaxation, double);
   vtkSetMacro(FieldRelaxation, double);
@@ -154,8 +155,8 @@ public:
   vtkImageData* GetImage();
   vtkTable* GetUpdates();
 
-  /// KeepWaters and UnitedAtoms: which atoms count and how large they are, see AtomProperties.h.
-  /// Default off and on.
+  /// KeepWaters and UnitedAtoms determine which atoms are used, and their radii; see
+  /// AtomProperties.h. Default off and on.
   ISTHMUS_ATOM_PROPERTIES();
   /// SurfaceTension, above 0, and Pressure: SolventProperties.h. Defaults 0.0700 and 0.0464.
   ISTHMUS_SOLVENT_PROPERTIES();

@@ -86,7 +86,7 @@ TetrahedralMesh StuffSolid(const SurfaceView& soup, const SolidStuffingParameter
   const ProgressCallback& progress)
 {
   const char* const nothing =
-    "The surface encloses nothing: it is no closed surface, nor nearly one.";
+    "The surface encloses nothing: it is neither closed nor nearly closed.";
   if (soup.Triangles.empty())
   {
     throw std::invalid_argument(nothing);
@@ -313,8 +313,9 @@ private:
             Text(result.VolumeBefore) + " to " + Text(result.VolumeAfter) + ".");
     if (result.IsDoubtful)
     {
-      result.Report += " The volume is doubtful: it depends on how holes are closed and crossings "
-                       "understood; look at the skin of the mesh, or mend the surface before.";
+      result.Report +=
+        " The volume is doubtful, since it depends on how holes are closed and crossings are "
+        "interpreted: inspect the boundary of the mesh, or repair the surface beforehand.";
     }
     if (result.Backend != MeshingBackend::TetGen)
     {

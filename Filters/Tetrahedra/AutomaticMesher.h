@@ -1,6 +1,6 @@
 /**
  * @file AutomaticMesher.h
- * @brief Tetrahedra for any surface that looks closed, by the backend that moves it least.
+ * @brief Tetrahedra for any surface that looks closed, by the backend that moves the surface least.
  */
 #ifndef isthmus_AutomaticMesher_h
 #define isthmus_AutomaticMesher_h
@@ -27,13 +27,14 @@ struct SolidStuffingParameters
 };
 
 /**
- * Tetrahedra of the points that `soup` winds around by more than one half, whatever its
- * orientation: region 1 inside, 0 outside. Distances to the soup place the new surface between the
- * points of the lattice, so that it is the old one where that is closed, and spans the holes.
+ * Fills the points for which the winding number of `soup` is above one half, whatever its
+ * orientation, with tetrahedra: region 1 inside, 0 outside. The distances to the soup determine the
+ * position of the new surface between the points of the lattice, so that it is the old surface
+ * where that is closed, and spans the holes.
  *
- * Cost: some microseconds for each of the two points of a cell, in parallel.
+ * Cost: a few microseconds for each of the two points of a cell, in parallel.
  * @pre corners exist and are finite.
- * @throws std::invalid_argument when nothing is enclosed; otherwise as IsosurfaceStuffing.
+ * @throws std::invalid_argument if nothing is enclosed; otherwise as IsosurfaceStuffing.
  */
 VTKISTHMUSFILTERSTETRAHEDRA_EXPORT TetrahedralMesh StuffSolid(const SurfaceView& soup,
   const SolidStuffingParameters& parameters, const ProgressCallback& progress = {});
@@ -63,16 +64,15 @@ struct AutomaticMesh
 };
 
 /**
- * Backends are tried until one neither fails nor exceeds a limit: TetGen (the surface
- * stays), TetGen after RepairSurface, CGAL after it, and isosurface stuffing (IsosurfaceStuffing.h)
- * of the place where the winding number (WindingNumber.h) is above one half, which needs nothing of
- * the surface.
+ * Backends are tried until one neither fails nor exceeds a limit: TetGen (the surface is kept),
+ * TetGen after RepairSurface, CGAL after RepairSurface, and isosurface stuffing
+ * (IsosurfaceStuffing.h) of the region in which the winding number (WindingNumber.h) is above one
+ * half, which makes no assumptions about the surface.
  *
- * Each run of TetGen has a quarter of `parameters.TetGen.Limits.Seconds`; memory has its limit
- * (stuffing: Limits.Bytes, too). Stuffing takes cells of CGAL.CellSize, or a hundredth of the
- * diagonal; it has region 1 for all solids and 0 for all
- * else. A repair that loses parts of the surface (farther from it than a fiftieth of the diagonal)
- * is not taken.
+ * Each run of TetGen may take a quarter of `parameters.TetGen.Limits.Seconds`; its memory limit is
+ * Limits.Bytes, also for stuffing. Stuffing uses cells of CGAL.CellSize, or a hundredth of the
+ * diagonal, and has region 1 for all solids and 0 for everything else. A repair that loses parts of
+ * the surface (farther from it than a fiftieth of the diagonal) is not used.
  *
  * @throws std::invalid_argument on parameters out of range, and when nothing is enclosed, with what
  * is wrong with the surface; Cancelled.

@@ -1,13 +1,13 @@
 /**
  * @file IsosurfaceStuffing.h
- * @brief Tetrahedra of bounded angles straight from a level set: isosurface stuffing.
+ * @brief Tetrahedra with bounded angles directly from a level set: isosurface stuffing.
  *
  * F. Labelle, J. R. Shewchuk, ACM Trans. Graph. 26 (2007) 57, doi:10.1145/1276377.1276448: a
  * body-centred cubic lattice, its points near the surface moved onto it, its tetrahedra cut where
  * the surface crosses them. The graded lattice is uniform around the surface and coarser elsewhere
  * (angles there are 45 to 135 degrees). The paper's bounds, 10.7 to 164.8 degrees, hold for every
- * tetrahedron of either side: each one near the surface is measured, and a point whose move would
- * break them stays where it was, which happens where the surface turns within a cell.
+ * tetrahedron of either side: each one near the surface is measured, and a point is not moved if
+ * that would violate the bounds, which happens where the surface turns within a cell.
  *
  * Both sides are cut alike and share the points and triangles of the surface. (The paper leaves out
  * tetrahedra all of whose corners were moved; here one corner stays, so that the two sides fill the
@@ -35,17 +35,18 @@ struct IsosurfaceStuffingResult
 };
 
 /**
- * Tetrahedra where `field` is positive (inside) within a box around `bounds`, or not positive
- * (outside). The field must be finite everywhere, may be asked from several threads at once, and
- * must not be positive outside `bounds`.
+ * Fills the region where `field` is positive (inside), or not positive (outside), within a box
+ * around `bounds` with tetrahedra. The field must be finite everywhere, must not be positive
+ * outside `bounds`, and may be called from several threads at the same time.
  *
  * The surface is that of the linear interpolation along lattice edges: second order in CellSize.
  *
  * @throws std::invalid_argument on parameters that can't be met or a lattice of more than 2^18
  * cells along an axis; std::runtime_error where Memory does not hold the lattice; Cancelled.
  *
- * Cost: two values a cell of the box; 21 bytes a cell, and about 70 bytes a tetrahedron. Sampling
- * and warping are parallel; the result is bitwise the same on any number of threads.
+ * Cost: two values for each cell of the box; 21 bytes for each cell, and about 70 bytes for each
+ * tetrahedron. Sampling and warping are parallel; the result is bitwise the same on any number of
+ * threads.
  */
 VTKISTHMUSFILTERSTETRAHEDRA_EXPORT IsosurfaceStuffingResult IsosurfaceStuffing(
   const std::function<double(const Point3&)>& field, const Bounds3& bounds,

@@ -107,7 +107,7 @@ QualitySummary MeasureAll(const View<Point3>& points,
   const View<std::array<vtkIdType, Corners>>& cells, int bins, std::vector<CellAngles>& measures,
   const ProgressCallback& progress, const View<unsigned char>& ghosts)
 {
-  RequireRange("NumberOfBins", bins, 1, MostBins, "It counts the columns of the histogram.");
+  RequireRange("NumberOfBins", bins, 1, MostBins, "It is the number of columns of the histogram.");
   const UnitScale range(points); // refuses what no product of lengths can be made of
   measures.resize(cells.size());
   QualitySummary summary;

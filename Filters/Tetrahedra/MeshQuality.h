@@ -17,7 +17,8 @@
 namespace isthmus
 {
 
-/// Angles in degrees. Of a cell without area or volume: angles 0, ratio infinite.
+/// Angles in degrees. For a cell without area or volume, angles are 0 and
+/// the ratio is infinite.
 struct CellAngles
 {
   double Smallest = 0.0; ///< of a triangle; dihedral of a tetrahedron
@@ -26,8 +27,8 @@ struct CellAngles
   double Size = 0.0;                                           ///< area or volume
 };
 
-/// Counts of all angles (three a triangle, six a tetrahedron) in equal bins over [0, 180] degrees,
-/// and what a line about the mesh needs.
+/// Counts of all angles (three for a triangle, six for a tetrahedron) in equal bins over [0, 180]
+/// degrees, and the data for a one-line summary of the mesh.
 struct QualitySummary
 {
   std::vector<std::int64_t> Bins;
@@ -43,13 +44,13 @@ struct QualitySummary
 VTKISTHMUSFILTERSTETRAHEDRA_EXPORT CellAngles MeasureTriangle(
   const Point3& a, const Point3& b, const Point3& c);
 
-/// Radius-edge ratio is at least sqrt(6)/4 = 0.612 (regular), and does not see slivers.
+/// Radius-edge ratio is at least sqrt(6)/4 = 0.612 (regular), and does not detect slivers.
 VTKISTHMUSFILTERSTETRAHEDRA_EXPORT CellAngles MeasureTetrahedron(
   const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 
-/// Measures of each cell into `cells` (of the same size) and the summary, in parallel. O(n).
-/// `ghosts`: one flag a cell, or none; where it is not 0 the cell is measured, and not in the
-/// summary, since another rank has it in its own.
+/// Writes the measures of each cell to `measures` and returns the summary, in parallel. O(n).
+/// `ghosts` is empty or has one flag for each cell; a cell whose flag is not 0 is measured but not
+/// included in the summary, since another rank includes it.
 VTKISTHMUSFILTERSTETRAHEDRA_EXPORT QualitySummary MeasureQuality(const SurfaceView& surface,
   int bins, std::vector<CellAngles>& cells, const ProgressCallback& progress = {},
   const View<unsigned char>& ghosts = {});

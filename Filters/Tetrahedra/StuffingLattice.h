@@ -30,9 +30,10 @@ struct StuffingParameters
   MemoryBudget Memory = MemoryBudget::OfBytes(0); ///< of the lattice; OfBytes(0): no limit
 };
 
-/// A lattice point is moved onto the surface when it is nearer than this part of an edge of the
-/// lattice. Over all positions of the surface (searched at random and at the ends of each case), no
-/// other pair tried has a larger smallest angle: 10.3 degrees; see TestIsosurfaceStuffing.
+/// A lattice point is moved onto the surface if it is nearer than this fraction of an edge of the
+/// lattice. Of all pairs of fractions that were tried, this one has the largest minimum angle over
+/// all positions of the surface (random ones and the extremes of each case): 10.3 degrees; see
+/// TestIsosurfaceStuffing.
 constexpr double StuffingAlphaLong = 0.28;
 constexpr double StuffingAlphaShort = 0.392;
 
@@ -44,8 +45,8 @@ constexpr double StuffingLargestAngle = 164.74;
 // The body-centred cubic lattice of isosurface stuffing, its values and its octree.
 //
 // Positions on the lattice are in halves of a cell: corners of cells have three even numbers,
-// centres three odd ones. Centres of larger cells and middles of their edges fall on corners of the
-// finest ones, so that one table of values serves every size.
+// centres three odd ones. Centres of larger cells and midpoints of their edges coincide with
+// corners of the finest cells, so that one table of values is sufficient for all sizes.
 
 using LatticePoint = std::array<std::int64_t, 3>;
 using LatticeTetrahedron = std::array<LatticePoint, 4>;
@@ -59,7 +60,7 @@ class StuffingLattice
 public:
   /// Cells that cover `bounds` and the margin.
   /// @throws std::invalid_argument for more than 2^18 cells along an axis, and std::runtime_error
-  /// with both figures where Memory is exceeded.
+  /// with both figures if Memory is exceeded.
   StuffingLattice(const Bounds3& bounds, const StuffingParameters& parameters);
 
   /// Bytes that Sample() and Grade() will take.
@@ -68,13 +69,14 @@ public:
   /// Values at all corners and centres, in parallel; then marks the cells near the surface.
   void Sample(const std::function<double(const Point3&)>& field, const ProgressCallback& progress);
 
-  /// Merges cells away from the surface, up to 2^levels, neighbours differing by one level at most.
+  /// Merges cells away from the surface, up to 2^levels; neighbours differ by at most one level.
   void Grade(int levels);
 
   const std::array<std::int64_t, 3>& Cells() const { return this->Count; }
   Point3 Position(const LatticePoint& p) const;
 
-  /// Place in the table of values; -1 for what is neither a corner nor a centre of a finest cell.
+  /// Index in the table of values; -1 for positions that are neither a corner nor a centre of a
+  /// finest cell.
   std::int64_t Node(const LatticePoint& p) const;
   std::int64_t Nodes() const { return this->Corners + this->Centres; }
   LatticePoint PointOf(std::int64_t node) const;
@@ -85,7 +87,8 @@ public:
   {
     return i + this->Count[0] * (j + this->Count[1] * k);
   }
-  /// Two layers of cells around each that the surface crosses: all tetrahedra that it may change.
+  /// Whether a node is within two layers of cells around a cell that the surface crosses; these
+  /// contain all tetrahedra that the surface may change.
   bool IsNear(std::int64_t cell) const { return this->Near[static_cast<std::size_t>(cell)] != 0; }
   bool IsNear(const LatticePoint& node) const;
   int Level(const LatticePoint& cell) const
@@ -112,13 +115,13 @@ private:
 //--------------------------------------------------------------------------------------------------
 // The tetrahedra of the graded body-centred cubic lattice.
 //
-// Labelle and Shewchuk, 2007, section 4. Between two octants of one size four tetrahedra share the
-// edge of their centres (cut in two where an edge of the face is split by smaller neighbours). A
-// face to smaller octants, or to the outside of the box, is a fan about its middle; a face to a
-// larger octant is cut by the diagonal through the larger face's middle. All dihedral angles are
-// from 45 to 135 degrees.
+// Labelle and Shewchuk, 2007, section 4. Between two octants of the same size, four tetrahedra
+// share the edge between their centres (cut in two where an edge of the face is split by smaller
+// neighbours). A face to smaller octants, or to the outside of the box, is a fan around its
+// midpoint. A face to a larger octant is cut by the diagonal through the midpoint of the larger
+// face. All dihedral angles are from 45 to 135 degrees.
 
-/// The octant of a cell: its first finest cell and its side in finest cells.
+/// An octant, given by its first finest cell and its side in finest cells.
 struct Octant
 {
   LatticePoint First;
@@ -132,7 +135,7 @@ struct Octant
   }
 };
 
-/// The tetrahedra of one octant that it, and not a neighbour, has to make: at most 48.
+/// The tetrahedra that one octant, and not a neighbour, has to create: at most 48.
 class StuffingBackground
 {
 public:
@@ -191,7 +194,7 @@ private:
 //--------------------------------------------------------------------------------------------------
 // Which lattice points are moved onto the surface, and where the surface cuts the rest.
 
-/// Side of a lattice point: inside 1, outside -1, moved onto the surface 0.
+/// Side of a lattice point: 1 inside, -1 outside, 0 if it was moved onto the surface.
 class StuffingWarp
 {
 public:
@@ -201,12 +204,13 @@ public:
 
   int Side(const LatticePoint& p) const;
   Point3 Position(const LatticePoint& p) const;
-  /// Crossing on the edge between two points of different sides, neither of them moved.
+  /// Crossing on the edge between two points on different sides, neither of which was moved.
   Point3 Crossing(const LatticePoint& a, const LatticePoint& b) const;
 
   /// How far a point is moved.
   double MoveLength(const LatticePoint& p) const;
-  /// Moves a point back; crossings too near to it are put off to the alphas.
+  /// Moves a point back; crossings that are too near to it are moved away, to the distances of the
+  /// alphas.
   void Keep(const LatticePoint& p);
   /// Calls of Keep() so far.
   std::int64_t Stayed() const { return this->StayedCount; }

@@ -182,7 +182,7 @@ TetrahedralMesh ReadTetGenMesh(const std::filesystem::path& folder, const std::s
     const int markers = nodes.Next<int>();
     if (dimension != 3 || attributes != 0 || markers != 0)
     {
-      throw std::runtime_error("TetGen's file of points has columns that were not asked for.");
+      throw std::runtime_error("TetGen's file of points has unexpected columns.");
     }
     for (Point3& p : mesh.Points)
     {
@@ -205,7 +205,8 @@ TetrahedralMesh ReadTetGenMesh(const std::filesystem::path& folder, const std::s
       corner = cells.Next<std::int64_t>();
       if (corner < 0 || corner >= points)
       {
-        throw std::runtime_error("TetGen's file of tetrahedra names a point that is not there.");
+        throw std::runtime_error(
+          "TetGen's file of tetrahedra refers to a point that does not exist.");
       }
     }
     mesh.Regions[i] = attributes > 0 ? static_cast<int>(cells.Next<double>()) : 0;
@@ -272,7 +273,7 @@ bool FromOutside(int signal)
 void CheckResult(const ChildResult& result, const TetGenCriteria& criteria)
 {
   const std::string advice =
-    " Remesh the surface (Surface Remesh), ask for less, or use CGAL instead.";
+    " Remesh the surface (Surface Remesh), relax the bounds, or use CGAL instead.";
   const std::string memory = std::to_string(criteria.Limits.Bytes >> 20) + " MiB";
   if (result.End == ChildEnd::NotFound)
   {
@@ -283,8 +284,8 @@ void CheckResult(const ChildResult& result, const TetGenCriteria& criteria)
   if (result.End == ChildEnd::NotRun)
   {
     throw std::runtime_error("TetGenCommand names '" + criteria.Command +
-      "', which can't be run: it is a folder, or no program. Name the path of TetGen's program, or "
-      "use CGAL instead.");
+      "', which can't be run: it is a folder, or no program. Set the path of the TetGen "
+      "executable, or use CGAL instead.");
   }
   if (result.End == ChildEnd::Crashed && FromOutside(result.Code))
   {

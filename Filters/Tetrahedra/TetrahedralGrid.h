@@ -1,6 +1,6 @@
 /**
  * @file TetrahedralGrid.h
- * @brief From TetrahedralMesh to vtkUnstructuredGrid, for the VTK classes of this module.
+ * @brief Converts TetrahedralMesh to vtkUnstructuredGrid, for the VTK classes of this module.
  */
 #ifndef isthmus_TetrahedralGrid_h
 #define isthmus_TetrahedralGrid_h
@@ -13,7 +13,7 @@ class vtkUnstructuredGrid;
 namespace isthmus
 {
 
-/// Makes `grid` the points (double) and tetrahedra of `mesh`, with the cell array RegionId (its
+/// Sets `grid` to the points (double) and tetrahedra of `mesh`, with the cell array RegionId (its
 /// scalars) and the point array OriginalPointId.
 void SetGrid(const TetrahedralMesh& mesh, vtkUnstructuredGrid* grid);
 

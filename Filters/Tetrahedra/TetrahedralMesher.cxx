@@ -167,12 +167,12 @@ void CheckTetrahedralParameters(const TetrahedralParameters& p)
   if (p.Library == TetrahedralLibrary::TetGen)
   {
     demand(t.RadiusEdgeRatio == 0.0 || (t.RadiusEdgeRatio >= 1.0 && t.RadiusEdgeRatio < 1e6),
-      "TetGen's radius-edge ratio must be 0 (no refinement) or at least 1; below 2 it need not "
-      "end.");
+      "TetGen's radius-edge ratio must be 0 (no refinement) or at least 1; below 2, refinement may "
+      "not terminate.");
     demand(t.MinimumDihedral >= 0.0 && t.MinimumDihedral <= 40.0,
       "TetGen's minimum dihedral angle must be from 0 to 40 degrees.");
     demand(t.MaximumVolume >= 0.0 && std::isfinite(t.MaximumVolume),
-      "The maximum volume must be positive, or 0 for none.");
+      "The maximum volume must be positive, or 0 for no limit.");
     demand(t.Limits.Seconds > 0.0 && t.Limits.Seconds <= 1e7,
       "The time limit must be positive, and at most 1e7 s.");
     return;
@@ -183,11 +183,11 @@ void CheckTetrahedralParameters(const TetrahedralParameters& p)
     demand(value <= LargestLength, "CGAL's sizes and ratios must be numbers of at most 1e100.");
   }
   demand(c.FacetAngle >= 0.0 && c.FacetAngle <= 30.0,
-    "CGAL's facet angle must be from 0 to 30 degrees: above, refinement need not end.");
+    "CGAL's facet angle must be from 0 to 30 degrees; above, refinement may not terminate.");
   demand(c.FacetSize >= 0.0 && c.FacetDistance >= 0.0 && c.CellSize >= 0.0,
     "CGAL's sizes must be positive, or 0 for the default.");
   demand(c.CellRadiusEdgeRatio >= 2.0,
-    "CGAL's cell radius-edge ratio must be at least 2: below, refinement need not end.");
+    "CGAL's cell radius-edge ratio must be at least 2; below, refinement may not terminate.");
   demand(std::min(c.LloydIterations, c.ODTIterations) >= 0 &&
       std::max(c.LloydIterations, c.ODTIterations) <= 100,
     "Iterations of Lloyd and ODT must be from 0 to 100.");
@@ -242,12 +242,11 @@ std::string UnmetBounds(const TetrahedralMesh& mesh, const TetrahedralParameters
   const bool kept = tetgen && parameters.TetGen.KeepSurface;
   return TextOf("Some of the ", mesh.Tetrahedra.size(), " tetrahedra exceed the bounds: ", ratio,
     ratio.empty() || volume.empty() ? "" : ", ", volume, ".",
-    kept
-      ? " The triangles of the surface are kept, and tetrahedra beside them can't be better than "
-        "these: remesh the surface (Surface Remesh), or switch KeepSurface off."
-      : tetgen
-      ? " Remesh the surface (Surface Remesh) where it is sharp or thin."
-      : " Optimisation may exceed them: leave out Lloyd, ODT, perturbation and exudation.");
+    kept ? " The triangles of the surface are kept, and tetrahedra next to them cannot be better "
+           "than they are: remesh the surface (Surface Remesh), or switch KeepSurface off."
+      : tetgen ? " Remesh the surface (Surface Remesh) where it is sharp or thin."
+               : " Optimisation may exceed these bounds: switch off Lloyd, ODT, perturbation and "
+                 "exudation.");
 }
 
 TetrahedralMesh MeshTetrahedra(const SurfaceView& surface, const TetrahedralParameters& parameters,

@@ -2,8 +2,8 @@
  * @file TetrahedralMesher.h
  * @brief Tetrahedra inside, outside or on both sides of a closed surface, by TetGen or by CGAL.
  *
- * TetGen: H. Si, ACM Trans. Math. Softw. 41 (2015) 11, doi:10.1145/2629697; run as a program of its
- * own (TetGenTetrahedra.cxx). CGAL: P. Alliez et al., 3D Mesh Generation, CGAL 5.5 User and
+ * TetGen: H. Si, ACM Trans. Math. Softw. 41 (2015) 11, doi:10.1145/2629697; run as a separate
+ * program (TetGenTetrahedra.cxx). CGAL: P. Alliez et al., 3D Mesh Generation, CGAL 5.5 User and
  * Reference Manual; Delaunay refinement of J.-D. Boissonnat, S. Oudot, Graph. Models 67 (2005) 405.
  */
 #ifndef isthmus_TetrahedralMesher_h
@@ -28,7 +28,7 @@ enum class TetrahedralLibrary
   CGAL
 };
 
-/// Criteria of TetGen. Its switches are those of its manual, section 4.2.
+/// Criteria of TetGen. The switches are those in section 4.2 of its manual.
 struct TetGenCriteria
 {
   bool KeepSurface = true; ///< no new point on the surface (Y): its triangles come out as faces
@@ -50,7 +50,7 @@ struct CGALCriteria
   double CellRadiusEdgeRatio = 2.0; ///< circumradius / shortest edge at most
   double CellSize = 0.0;            ///< circumradius of a tetrahedron at most
   std::int64_t MaximumPoints = 5'000'000; ///< refinement that passes it ends in an error
-  // Optimisation after refinement, in this order. What has a time limit need not be repeatable.
+  // Optimisation after refinement, in this order. Steps with a time limit may not be reproducible.
   int LloydIterations = 0;           ///< points to the middles of their Voronoi cells, at most 100
   int ODTIterations = 0;             ///< points to where tetrahedra follow |x|^2 best, at most 100
   double OptimisationSeconds = 60.0; ///< of Lloyd and of ODT at most, each
@@ -79,15 +79,15 @@ struct TetrahedralParameters
  * std::runtime_error when the library fails, runs out of memory or time, or gives tetrahedra that
  * do not fill the regions (TetGen with KeepSurface: to 1e-9 of their volume); Cancelled.
  *
- * Cost: TetGen 220 bytes a tetrahedron in its own process, and about as much again on disk as text;
- * for times of both libraries see BenchMeshing.
+ * Cost: TetGen needs 220 bytes for each tetrahedron in its own process, and about the same amount
+ * of disk space for text files. For times of both libraries see BenchMeshing.
  */
 VTKISTHMUSFILTERSTETRAHEDRA_EXPORT TetrahedralMesh MeshTetrahedra(const SurfaceView& surface,
   const TetrahedralParameters& parameters, const ProgressCallback& progress = {});
 
 /**
- * How far the tetrahedra exceed the bounds of the library that made them, for a warning: the
- * radius-edge ratio, and TetGen's volume. Empty where they hold. O(tetrahedra).
+ * Text for a warning about tetrahedra that exceed the bounds of the library that made them: the
+ * radius-edge ratio, and the volume for TetGen. Empty where they hold. O(tetrahedra).
  */
 VTKISTHMUSFILTERSTETRAHEDRA_EXPORT std::string UnmetBounds(
   const TetrahedralMesh& mesh, const TetrahedralParameters& parameters);
@@ -96,7 +96,7 @@ VTKISTHMUSFILTERSTETRAHEDRA_EXPORT std::string UnmetBounds(
 VTKISTHMUSFILTERSTETRAHEDRA_EXPORT void CheckTetrahedralParameters(
   const TetrahedralParameters& parameters);
 
-/// What the two libraries are given: a checked surface, its regions, the box where there is one.
+/// The input of the two libraries: a checked surface, its regions, and the box if there is one.
 struct TetrahedralTask
 {
   SurfaceView Surface;
@@ -105,7 +105,7 @@ struct TetrahedralTask
   TriangleMesh Box;     ///< 12 triangles facing outward; empty for MeshedSide::Inside
   SpaceRegion Exterior; ///< between the surface and the box
 
-  /// Whether the requested side includes the region of that id.
+  /// Whether the requested side includes the region with this id.
   bool IsWanted(int region) const
   {
     const MeshedSide side = this->Parameters.Side;

@@ -8,14 +8,15 @@
  *
  * Output: vtkUnstructuredGrid of tetrahedra. Cell array `RegionId` (int): 1 inside, 0 outside.
  * Point array `OnSurface` (unsigned char): 1 on the level set. With Both, the two sides share the
- * points and triangles of the level set and fill the box (the volume's bounds and at least four
- * layers of cells more), as a Poisson solver needs it. All dihedral angles are from 10.7 to 164.8
- * degrees, also of a graded mesh. Field data of the input are kept; the field array `KeptPoints`
- * (vtkIdType) counts the places where the level set turned within a cell (IsosurfaceStuffing.h).
+ * points and triangles of the level set and fill the box (the bounds of the volume and at least
+ * four more layers of cells), which a Poisson solver needs. All dihedral angles are from 10.7 to
+ * 164.8 degrees, even in a graded mesh. Field data of the input are kept; the field array
+ * `KeptPoints` (vtkIdType) counts the places where the level set turned within a cell
+ * (IsosurfaceStuffing.h).
  *
  * Source: F. Labelle, J. R. Shewchuk, doi:10.1145/1276377.1276448. Second order in CellSize. Cost:
- * see IsosurfaceStuffing.h. On failure: one error through vtkErrorMacro and an empty output. The
- * whole volume is needed on one rank.
+ * see IsosurfaceStuffing.h. On failure, there is one error through vtkErrorMacro and the output is
+ * empty. The whole volume is needed on one rank.
  */
 #ifndef vtkIsosurfaceStuffing_h
 #define vtkIsosurfaceStuffing_h
@@ -62,7 +63,7 @@ public:
 
   ///@{
   /// Side of the cubes of the lattice, in the unit of the spacing; 0: the smallest spacing. Most
-  /// edges are about as long. Default 0.
+  /// edges have about this length. Default 0.
   vtkSetMacro(CellSize, double);
   vtkGetMacro(CellSize, double);
   ///@}

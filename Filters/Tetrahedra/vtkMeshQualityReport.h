@@ -9,16 +9,17 @@
  * for the equilateral triangle, 0.612 for the regular tetrahedron; infinite for cells without area
  * or volume), and field data `QualitySummary` (one line) and `QualityMeasures` (smallest angle,
  * largest angle, largest radius-edge ratio, slivers, named components). A sliver is a tetrahedron
- * with a dihedral angle below 5 degrees, which the radius-edge ratio does not see.
+ * with a dihedral angle below 5 degrees, which the radius-edge ratio does not detect.
  *
  * Output 1: vtkTable, one row for each of NumberOfBins bins over 0 to 180 degrees: `Angle` (middle
  * of the bin), `Count`, `Fraction` of all angles (three for a triangle, six for a tetrahedron).
  *
- * On several MPI ranks the line and the table are of all of them; ghost cells are measured, and not
- * counted.
+ * On several MPI ranks the line and the table describe the cells of all ranks; ghost cells are
+ * measured but not counted.
  *
- * vtkMeshQuality gives one measure at a time and no dihedral range; what it has agrees (tested). On
- * other cells: one error through vtkErrorMacro and empty outputs. O(n), in parallel.
+ * vtkMeshQuality gives one measure at a time and no dihedral range; what it has agrees (tested).
+ * For other cells, there is one error through vtkErrorMacro and the outputs are empty. O(n), in
+ * parallel.
  */
 #ifndef vtkMeshQualityReport_h
 #define vtkMeshQualityReport_h
@@ -41,7 +42,7 @@ public:
   vtkGetMacro(NumberOfBins, int);
   ///@}
 
-  /// The line of the last update, also in the output's field data.
+  /// The summary line of the last update, which is also in the field data of the output.
   vtkGetMacro(Summary, std::string);
 
 protected:

@@ -4,23 +4,25 @@
  *
  * Input: vtkPolyData, a closed, manifold, oriented surface without self-intersections (polygons are
  * triangulated), of any number of components, some of which may be cavities of others. It is
- * checked first; errors name the ids of the triangles, or are repaired when Repair is on.
+ * checked first; errors name the ids of the triangles, and defects are repaired if Repair is on.
  *
  * Output: vtkUnstructuredGrid of tetrahedra in the units of the surface. Cell array `RegionId`
- * (int): solids 1, 2, ..., exterior 0, cavities -1, -2, ... Point array `OriginalPointId`
- * (vtkIdType): the point of the surface it was, or -1. Field data of the input is kept; after a
- * repair, string `Repair` says what was changed; where tetrahedra exceed the bounds below, string
- * `UnmetBounds` says by how much, also issued as a warning. With Automatic there are the field
- * arrays `Engine` (string: the backend used), `EngineReport` (string: why, and how far the surface
- * moved, also issued as a warning when it did), `HausdorffDistance`, `VolumeBefore` and
- * `VolumeAfter` (of the solids), `VolumeIsDoubtful` (1 where these differ by more than a hundredth,
- * else 0); by stuffing, RegionId is 1 in solids and 0 elsewhere.
+ * (int): solids 1, 2, ..., exterior 0, cavities -1, -2, ... Point array OriginalPointId
+ * (vtkIdType): the id of the point in the surface, or -1. Field data of the input are kept. After a
+ * repair, the string Repair states what was changed. If tetrahedra exceed the bounds below, the
+ * string UnmetBounds states by how much, and the same text is issued as a warning. With Automatic
+ * there are the field arrays `Engine` (string: the backend used), `EngineReport` (string: the
+ * reason, and how far the surface moved; also issued as a warning if it moved),
+ * `HausdorffDistance`, `VolumeBefore` and `VolumeAfter` (of the solids), `VolumeIsDoubtful` (1
+ * where these differ by more than a hundredth, else 0); by stuffing, RegionId is 1 in solids and 0
+ * elsewhere.
  *
- * TetGen (H. Si, doi:10.1145/2629697) runs as a program of its own, the command `tetgen` of the
- * Debian package of that name, under TimeLimit and MemoryLimit, killed on abort. CGAL (Mesh_3) runs
- * here; it makes a new surface within FacetDistance of the input's, rounding its sharp edges.
+ * TetGen (H. Si, doi:10.1145/2629697) runs as a separate program, the command `tetgen` of the
+ * Debian package of that name, within TimeLimit and MemoryLimit; it is killed on abort. CGAL
+ * (Mesh_3) runs in this process; it makes a new surface within FacetDistance of the input and
+ * rounds sharp edges.
  *
- * On failure: one error through vtkErrorMacro and an empty output. Cost: see
+ * On failure, there is one error through vtkErrorMacro and the output is empty. Cost: see
  * TetrahedralMesher.h. The whole surface is needed on one rank.
  */
 #ifndef vtkTetrahedralMesher_h
@@ -59,9 +61,9 @@ public:
   };
 
   ///@{
-  /// Meshing backend. Automatic tries the one that moves the surface least and then the next
-  /// when that fails: TetGen, TetGen after repair, CGAL after repair, isosurface stuffing from the
-  /// winding number (AutomaticMesher.h). Default Automatic.
+  /// Meshing backend. Automatic first tries the backend that moves the surface least, and the next
+  /// one if that fails: TetGen, TetGen after repair, CGAL after repair, isosurface stuffing from
+  /// the winding number (AutomaticMesher.h). Default Automatic.
   vtkSetClampMacro(Library, int, TetGen, Automatic);
   vtkGetMacro(Library, int);
   ///@}
@@ -90,8 +92,8 @@ public:
 
   ///@{
   /// TetGen: add no points to the surface, so that its triangles come out unchanged; beside small
-  /// or flat ones the bounds below can't hold. The faces of the box are split as the bounds need.
-  /// Default on.
+  /// or flat ones the bounds below can't hold. The faces of the box are split as the bounds
+  /// require. Default on.
   vtkSetMacro(KeepSurface, bool);
   vtkGetMacro(KeepSurface, bool);
   vtkBooleanMacro(KeepSurface, bool);
@@ -165,7 +167,7 @@ public:
 
   ///@{
   /// CGAL: bound on the circumradius of a tetrahedron, in units of the surface; 0: 1/40 of the
-  /// diagonal of its bounds. Outside those bounds sizes grow by 0.3 of the distance. Default 0.
+  /// diagonal of its bounds. Outside these bounds, sizes grow by 0.3 times the distance. Default 0.
   vtkSetMacro(CellSize, double);
   vtkGetMacro(CellSize, double);
   ///@}
