@@ -13,6 +13,7 @@
 #include <vtkPVXMLElement.h>
 #include <vtkSMProxy.h>
 #include <vtkSMSourceProxy.h>
+#include <vtkSMUncheckedPropertyHelper.h>
 
 #include <QTimer>
 
@@ -37,8 +38,16 @@ IsthmusLiveProperty::IsthmusLiveProperty(vtkPVXMLElement* xml, pqPropertyWidget*
   }
   this->Timer->setSingleShot(true);
   this->Timer->setInterval(Delay);
-  QObject::connect(this->Timer, &QTimer::timeout, this, [this] { this->Apply(); });
   QObject::connect(parent, &pqPropertyWidget::changeAvailable, this, [this] { this->Changed(); });
+  if (QString(xml->GetAttributeOrEmpty("preview")) == "level")
+  {
+    QObject::connect(this->Timer, &QTimer::timeout, this, [this] { this->Preview(); });
+    QObject::connect(parent, &pqPropertyWidget::changeFinished, this, [this] { this->Finished(); });
+  }
+  else
+  {
+    QObject::connect(this->Timer, &QTimer::timeout, this, [this] { this->Apply(); });
+  }
   const QString most = xml->GetAttributeOrEmpty("most");
   if (!most.isEmpty())
   {
@@ -58,9 +67,39 @@ void IsthmusLiveProperty::Changed()
   }
   if (!this->Timer->isActive())
   {
-    this->IsAlone = this->Source->modifiedState() == pqProxy::UNMODIFIED;
+    if (!this->IsHeld)
+    {
+      this->IsAlone = this->Source->modifiedState() == pqProxy::UNMODIFIED;
+    }
     this->Timer->start();
   }
+}
+
+void IsthmusLiveProperty::Preview()
+{
+  const double level = vtkSMUncheckedPropertyHelper(this->parentWidget()->property()).GetAsDouble();
+  this->IsHeld = true;
+  isthmus::RunPipelines(QString("preview_level(%1, %2)")
+                          .arg(this->Source->getProxy()->GetGlobalID())
+                          .arg(level, 0, 'g', 17));
+}
+
+void IsthmusLiveProperty::Finished()
+{
+  if (!this->Source || !(this->IsHeld || this->Timer->isActive()))
+  {
+    return; // nothing has changed, or it waits for the first Apply
+  }
+  this->Timer->stop();
+  // After ParaView has taken the value over.
+  QTimer::singleShot(0, this,
+    [this]
+    {
+      isthmus::RunPipelines(
+        QString("end_preview(%1)").arg(this->Source->getProxy()->GetGlobalID()));
+      this->IsHeld = false;
+      this->Apply();
+    });
 }
 
 void IsthmusLiveProperty::Apply()

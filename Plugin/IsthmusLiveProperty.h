@@ -10,6 +10,9 @@
  *
  * `most`, for whole numbers: the slider goes from 1 to the field data of that name of the last
  * result.
+ *
+ * `preview="level"`, for the level of a map: while the slider is held, its contour is drawn instead
+ * of the filter's result and of all that depends on it, which are made when the slider is released.
  */
 #ifndef IsthmusLiveProperty_h
 #define IsthmusLiveProperty_h
@@ -30,12 +33,15 @@ public:
 
 private:
   void Changed();
+  void Finished();
+  void Preview();
   void Apply();
   void FitSlider(const QString& most);
 
   QPointer<pqPipelineSource> Source;
   QTimer* Timer;
   bool IsAlone = false; ///< nothing else waits for Apply
+  bool IsHeld = false;  ///< there is a preview
 };
 
 #endif

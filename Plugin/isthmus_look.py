@@ -358,10 +358,74 @@ def first_look(*ids):
         view.SMProxy.StillRender()
 
 
+_previews = {}  # by the global id of a filter whose slider is held: the contour, what draws it, and what it hides
+
+
+@messages.reports_faults("The preview of a level")
+def preview_level(number, level):
+    """Called by the window while the slider of the level of that filter is held: the contour of the level in each
+    view that shows the filter or what depends on it, and these hidden."""
+    source = servermanager._getPyProxy(servermanager.ActiveConnection.Session.GetRemoteObject(number))
+    if number not in _previews:
+        _previews[number] = _begin_preview(source)
+    surface, drawn, _ = _previews[number]
+    surface.Level = level
+    surface.UpdatePipeline()
+    for view, _ in drawn:
+        view.SMProxy.StillRender()
+
+
+def _begin_preview(source):
+    manager = servermanager.ProxyManager()
+    surface = servermanager.filters.MapSurface(Input=source.Input, AutomaticLevel=0)
+    for name in ("SelectInputScalars", "InsideIsHigher", "LargestComponents", "MinimumComponentArea",
+                 "MinimumComponentShare"):
+        if source.SMProxy.GetProperty(name):
+            surface.SMProxy.GetProperty(name).Copy(source.SMProxy.GetProperty(name))
+    surface.SMProxy.UpdateVTKObjects()
+    hidden, drawn = [], []
+    for view in simple.GetViews():
+        if not hasattr(view, "HiddenLineRemoval"):  # no render view
+            continue
+        shown = [display for display in view.Representations if getattr(display, "Input", None) is not None and
+                 display.Visibility and hasattr(display, "Opacity") and _comes_from(display.Input.SMProxy, source.SMProxy)]
+        if not shown:
+            continue
+        hidden += shown
+        contour = servermanager._getPyProxy(manager.SMProxyManager.NewProxy("representations", "GeometryRepresentation"))
+        contour.Input = surface
+        contour.Representation = "Surface"
+        contour.Opacity = min(display.Opacity for display in shown)
+        view.Representations.append(contour)
+        drawn.append((view, contour))
+    for display in hidden:
+        display.Visibility = 0
+    loop_views.mark_stale(lambda proxy: _comes_from(proxy, source.SMProxy))
+    return surface, drawn, hidden
+
+
+def _comes_from(proxy, origin):
+    """Whether a source is `origin` or made from it."""
+    return proxy == origin or any(_comes_from(proxy.GetProducerProxy(i), origin)
+                                  for i in range(proxy.GetNumberOfProducers()))
+
+
+@messages.reports_faults("The preview of a level")
+def end_preview(number):
+    """Called by the window when the slider is released: all is as before the preview, and not drawn yet."""
+    _, drawn, hidden = _previews.pop(number, (None, (), ()))
+    for view, contour in drawn:
+        view.Representations.remove(contour)
+    for display in hidden:
+        display.Visibility = 1
+
+
 @messages.reports_faults("The change of a property")
 def live_change(number):
     """Called by the window with the global id of a filter that has a new result, before that is drawn."""
     proxy = servermanager._getPyProxy(servermanager.ActiveConnection.Session.GetRemoteObject(number))
+    if proxy is not None and proxy.SMProxy.GetXMLName() == "MolecularPockets":
+        pockets_and_pores.show_only(proxy, int(proxy.ShownPocket))
     if proxy is not None and proxy.SMProxy.GetXMLName() in loop_views.LOOPS:
         for view in simple.GetViews():
             if any(getattr(getattr(display, "Input", None), "SMProxy", None) == proxy.SMProxy
@@ -438,10 +502,69 @@ def show(*proxies, view=None, tables=False):
     for proxy in proxies[:-1]:
         if _replaced(proxy, proxies[-1]):
             simple.Hide(proxy, view)
+    if proxies[-1].SMProxy.GetXMLName() in SITES:
+        return _show_sites(proxies[-1], display, view, tables)
     if display is not None and display.LookupTable is not None and display.ColorArrayName[1]:
         display.SetScalarBarVisibility(view, True)
     simple.ResetCamera(view)
     return display
+
+
+def _show_sites(sites, display, view, beside):
+    """The best site faces the viewer. beside: the potential there in a second view that moves with the first one, and
+    the table with the residues."""
+    display.SetScalarBarVisibility(view, True)
+    found = _name_sites(sites, display, view)
+    _face(sites, found, view)
+    if not beside:
+        return display
+    other = pockets_and_pores.new_view("RenderView", view, "right", 0.5)
+    potential = simple.Show(sites, other, "GeometryRepresentation")
+    _seen.add(potential.GetGlobalID())  # has its look here
+    simple.ColorBy(potential, ("POINTS", "Potential"))
+    _colour(potential, other)
+    potential.SetScalarBarVisibility(other, True)
+    _face(sites, found, other)
+    simple.AddCameraLink(view, other, f"Isthmus{other.SMProxy.GetGlobalID()}")
+    sheet = pockets_and_pores.new_view("SpreadSheetView", view, "below", 0.7)
+    sheet.HiddenColumnLabels = HIDDEN
+    simple.Show(simple.OutputPort(sites, 1), sheet, "SpreadSheetRepresentation")
+    simple.SetActiveView(view)
+    simple.Render(other)
+    return display
+
+
+def _name_sites(sites, display, view):
+    """The legend has the sites that there are, and a word for those beyond the colours. Returns the table of sites."""
+    found = servermanager.Fetch(sites, idx=1)
+    rows = CATEGORIES["BindingSite"]
+    table = display.LookupTable
+    named = rows[:1 + found.GetNumberOfRows()]
+    table.Annotations = [word for value, name, _ in named for word in (value, name)]
+    table.IndexedColors = [part for _, _, colour in named for part in colour]
+    bar = simple.GetScalarBar(table, view)
+    bar.DrawNanAnnotation, bar.NanAnnotation = int(found.GetNumberOfRows() >= len(rows)), "further sites"
+    return found
+
+
+def _face(sites, found, view):
+    """Looks at the best site from outside of the molecule; at the whole, if there is no site."""
+    simple.ResetCamera(view)
+    low_high = sites.GetDataInformation().GetBounds()
+    middle = [0.5 * (low_high[2 * axis] + low_high[2 * axis + 1]) for axis in range(3)]
+    if not found.GetNumberOfRows():
+        return
+    outward = [found.GetValueByName(0, f"Center{axis}").ToDouble() - middle[i] for i, axis in enumerate("XYZ")]
+    length = sum(x * x for x in outward) ** 0.5
+    if not length > 1e-3:
+        return
+    camera = view.GetActiveCamera()
+    distance = camera.GetDistance()
+    up = (0.0, 0.0, 1.0) if abs(outward[1]) > 0.9 * length else (0.0, 1.0, 0.0)
+    view.CameraFocalPoint = middle
+    view.CameraPosition = [middle[axis] + distance * outward[axis] / length for axis in range(3)]
+    view.CameraViewUp = up
+    view.GetActiveCamera().Zoom(1.3)
 
 
 def _replaced(proxy, last):

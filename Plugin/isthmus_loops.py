@@ -13,6 +13,7 @@ except ImportError:
     servermanager = simple = None  # pip's vtk alone: isthmus.pipelines can be imported all the same
 
 LOOPS = ("ChokingLoops", "MapChokingLoops")
+STALE = "the loops follow when the slider is released"
 COUNT = " shown"  # ends the names of the texts in the pipeline browser
 
 
@@ -92,6 +93,14 @@ def _place(display):
         "WindowLocation").Available else "AnyLocation"
     display.Position = [0.01, 0.93]
     display.FontSize, display.Justification = 14, "Left"
+
+
+def mark_stale(depends):
+    """Says in the texts of loops whose source `depends` accepts that they wait for a new level."""
+    for (name, _), text in list(simple.GetSources().items()):
+        loops = simple.FindSource(name[:-len(COUNT)]) if name.endswith(COUNT) else None
+        if loops is not None and text.SMProxy.GetXMLName() == "TextSource" and depends(loops.SMProxy):
+            text.Text = STALE
 
 
 def forget():

@@ -46,8 +46,8 @@ DENOISERS = ("HighOrderDiffusion", "DenoiseFromHalfMaps", "PDETransform")
 BY_BUTTON = {"map_to_loops": {"significant": True}, "surface_to_loops": {"significant": True}}
 
 CURVATURES, FIXED = look.CURVATURES, look.FIXED
-colour_range, first_look, first_values, live_change, show = (
-    look.colour_range, look.first_look, look.first_values, look.live_change, look.show)
+colour_range, first_look, first_values, show = look.colour_range, look.first_look, look.first_values, look.show
+live_change, preview_level, end_preview = look.live_change, look.preview_level, look.end_preview
 
 
 # ---------------------------------------------------------------------------- what a source is

@@ -181,6 +181,18 @@ def choose(features, number):
                 view.SMProxy.StillRender()
 
 
+def show_only(pockets, number):
+    """Shows the surface and the residues of one pocket, and hides the others; 0: the best ones, and the first."""
+    choose(pockets, number or 1)
+    if not _fed_by(pockets, 0, "DataSetSurfaceFilter"):
+        return
+    best = surface_of(pockets, BEST_SURFACES, BEST)
+    for view in simple.GetViews():
+        for display in view.Representations:
+            if getattr(display, "Input", None) == best:
+                display.Visibility = int(number == 0)
+
+
 def _is_shown(proxy, view):
     return any(getattr(display, "Input", None) == proxy for display in view.Representations)
 
@@ -436,7 +448,8 @@ def _beside(view, kind, share):
     return layout, 2 * cell + 2
 
 
-def _new_view(name, beside, kind, share):
+def new_view(name, beside, kind, share):
+    """Right of another view or below it, with that share for the other one; it goes with what it shows."""
     layout, hint = _beside(beside, kind, share)
     view = simple.CreateView(name)
     simple.AssignViewToLayout(view=view, layout=layout, hint=hint)
@@ -465,14 +478,14 @@ def close_empty_views():
 def _show_table(features, beside, kind, share):
     name = features.SMProxy.GetXMLName()
     table = simple.OutputPort(features, FEATURES[name]["table"])
-    sheet = _new_view("SpreadSheetView", beside, kind, share)
+    sheet = new_view("SpreadSheetView", beside, kind, share)
     sheet.HiddenColumnLabels = HIDDEN_COLUMNS[name]
     simple.Show(table, sheet, "SpreadSheetRepresentation")
     return sheet
 
 
 def _show_chart(pores, view):
-    chart = _new_view("XYChartView", view, "right", 0.58)
+    chart = new_view("XYChartView", view, "right", 0.58)
     lines = simple.Show(chart_of(pores), chart, "XYChartRepresentation")
     lines.AttributeType = "Row Data"
     lines.UseIndexForXAxis = 0

@@ -24,10 +24,14 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <utility>
 
 vtkStandardNewMacro(vtkMolecularPockets);
 
@@ -122,6 +126,16 @@ std::vector<double> NumbersOf(const std::string& name, vtkPolyData* surface, boo
 }
 
 }
+
+struct vtkMolecularPockets::Cache
+{
+  using Key = std::tuple<vtkDataObject*, vtkMTimeType, std::string, std::array<double, 4>,
+    std::array<bool, 7>, std::string>;
+  Key MadeOf;
+  isthmus::PocketResult Result;
+};
+
+vtkMolecularPockets::~vtkMolecularPockets() = default;
 
 vtkMolecularPockets::vtkMolecularPockets()
 {
@@ -223,8 +237,31 @@ void vtkMolecularPockets::Compute(
     options.SiteAtoms = &siteAtoms;
     options.KeepDescriptors = this->KeepDescriptors;
   }
-  auto result = isthmus::FindPockets(
-    atoms.Balls, options, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
+  // The pockets of any volume are kept, so that the threshold of whole pockets is instant.
+  const double least = options.MinimumVolume;
+  options.MinimumVolume = least >= 0.0 && std::isfinite(least) ? 0.0 : least;
+  const Cache::Key key{ input, input->GetMTime(), isthmus::InputArrayName(this, 0),
+    { this->ProbeRadius, this->InnerRadius, this->OuterRadius, this->BurialRadius },
+    { this->FindSites, this->KeepDescriptors, keep.Hydrogens, keep.Waters, keep.Ions, keep.Ligands,
+      keep.ProstheticGroups },
+    this->KeepResidues };
+  if (!this->Kept || this->Kept->MadeOf != key || options.MinimumVolume != 0.0)
+  {
+    this->Kept.reset();
+    auto made = std::make_unique<Cache>();
+    made->MadeOf = key;
+    made->Result = isthmus::FindPockets(
+      atoms.Balls, options, isthmus::Between(isthmus::ProgressOf(this), 0.0, 0.9));
+    this->Kept = std::move(made);
+  }
+  isthmus::PocketResult result = this->Kept->Result;
+  if (!options.SiteAtoms)
+  {
+    std::vector<isthmus::Pocket>& pockets = result.Pockets;
+    pockets.erase(std::remove_if(pockets.begin(), pockets.end(),
+                    [least](const isthmus::Pocket& pocket) { return pocket.Volume < least; }),
+      pockets.end());
+  }
   if (options.SiteAtoms)
   {
     isthmus::OrderTiedSites(NamesOf(result.Pockets, atoms), result.Pockets);

@@ -56,6 +56,7 @@
 #include "vtkIsthmusFiltersPocketsModule.h" // for the export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#include <memory>
 #include <string> // for the properties
 
 class vtkAlgorithmOutput;
@@ -179,7 +180,7 @@ public:
 
 protected:
   vtkMolecularPockets();
-  ~vtkMolecularPockets() override = default;
+  ~vtkMolecularPockets() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
@@ -191,6 +192,10 @@ private:
   void operator=(const vtkMolecularPockets&) = delete;
 
   void Compute(vtkPointSet* atoms, vtkPolyData* surface, vtkInformationVector* outputs);
+
+  /// The pockets of the last run, whatever their volume, and what they were made of.
+  struct Cache;
+  std::unique_ptr<Cache> Kept;
 
   double ProbeRadius = 1.4;
   double InnerRadius = 1.7;

@@ -165,7 +165,39 @@ def check_looks(density, atoms):
     assert sorted(sheet.HiddenColumnLabels) == ["ConcentrationFactor", "CurrentSpread"], sheet.HiddenColumnLabels
 
 
+def check_sites():
+    """The best site faces the viewer; the potential is beside it, and the table; all close with their sources."""
+    view = simple.GetActiveViewOrCreate("RenderView")
+    before = len(simple.GetViews())
+    simple.SetActiveSource(simple.OpenDataFile(str(shared_data("molecules/1hew/1hew.pqr"))))
+    pipelines.run("protein_to_sites")
+    sites = simple.GetActiveSource()
+    other, sheet = simple.GetViews()[before:]
+    shown = [display for display in other.Representations
+             if getattr(display, "Input", None) is not None and display.Input.SMProxy == sites.SMProxy]
+    look.first_look(*[display.GetGlobalID() for display in (*shown, *view.Representations)])
+    assert shown[0].ColorArrayName[:] == ["POINTS", "Potential"], shown[0].ColorArrayName
+    assert sheet.SMProxy.GetXMLName() == "SpreadSheetView" and "Residues" not in sheet.HiddenColumnLabels
+    table = servermanager.Fetch(sites, idx=1)
+    bounds = sites.GetDataInformation().GetBounds()
+    site, place = [], []
+    for axis, name in enumerate("XYZ"):
+        middle = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1])
+        site.append(table.GetValueByName(0, f"Center{name}").ToDouble() - middle)
+        place.append(view.CameraPosition[axis] - middle)
+    length = [sum(x * x for x in vector) ** 0.5 for vector in (site, place)]
+    assert sum(a * b for a, b in zip(site, place)) > 0.99 * length[0] * length[1], (site, place)
+    (display,) = [display for display in view.Representations
+                  if getattr(display, "Input", None) == sites and display.Visibility]
+    assert len(display.LookupTable.Annotations) == 2 * min(6, 1 + table.GetNumberOfRows())
+    for proxy in list(simple.GetSources().values()):
+        simple.Delete(proxy)
+    pipelines.forget()
+    assert sheet not in simple.GetViews(), "the table stays without its sites"
+
+
 check_refusal()
+check_sites()
 check_fault()
 check_first_values()
 check_looks(*check_buttons())

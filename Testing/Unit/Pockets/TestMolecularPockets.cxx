@@ -207,6 +207,47 @@ TEST(MolecularPockets, SameBitsOnAnyNumberOfThreads)
   EXPECT_EQ(one, scores(5));
 }
 
+TEST(MolecularPockets, TheVolumeIsAThresholdOfKeptPockets)
+{
+  ISTHMUS_NEEDS_SHARED_DATA("molecules/1hew.pdb");
+  const std::string path = (isthmus::testing::SharedDataFolder() / "molecules/1hew.pdb").string();
+  const auto data = isthmus::testing::AtomsOf(AtomsOf(path));
+  vtkNew<vtkMolecularPockets> kept;
+  kept->SetInputData(data);
+  const auto scores = [](vtkMolecularPockets* filter, double least, bool sites)
+  {
+    filter->SetMinimumVolume(least);
+    filter->SetFindSites(sites);
+    filter->Update();
+    std::vector<double> values;
+    for (vtkIdType row = 0; row < filter->GetPocketTable()->GetNumberOfRows(); ++row)
+    {
+      for (const char* name : { "Rank", "Score", "CenterX", "Volume" })
+      {
+        values.push_back(filter->GetPocketTable()->GetValueByName(row, name).ToDouble());
+      }
+    }
+    return values;
+  };
+  std::size_t count = 0;
+  for (const double least : { 10.0, 100.0, 0.0, 30.0 })
+  {
+    vtkNew<vtkMolecularPockets> fresh;
+    fresh->SetInputData(data);
+    const std::vector<double> values = scores(kept, least, false);
+    EXPECT_EQ(values, scores(fresh, least, false)) << least;
+    EXPECT_NE(values.size(), count) << least;
+    count = values.size();
+  }
+  vtkNew<vtkMolecularPockets> fresh;
+  fresh->SetInputData(data);
+  EXPECT_EQ(scores(kept, 10.0, true), scores(fresh, 10.0, true));
+  const vtkIdType atoms = kept->GetLiningAtoms()->GetNumberOfPoints();
+  kept->SetShownPocket(1);
+  kept->Update();
+  EXPECT_LT(kept->GetLiningAtoms()->GetNumberOfPoints(), atoms);
+}
+
 TEST(MolecularPockets, NoAtomsFewOrFlatOnesHaveNoPockets)
 {
   std::vector<Ball> flat;

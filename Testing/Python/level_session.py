@@ -1,0 +1,51 @@
+"""Opens the map of LevelWindow.py with Map Surface and its loops, or with Map Choking Loops, and writes down when a
+preview of a level is asked for, how long it took until it was drawn, and the loops that are shown."""
+
+import os
+import time
+from pathlib import Path
+
+from paraview import simple
+
+import isthmus_loops  # there once paraview.simple has loaded the plugin
+import isthmus_pipelines as pipelines
+
+path = Path(os.environ["ISTHMUS_SESSION_DIR"]) / "level.txt"
+begun = []
+
+
+def write(*words):
+    with path.open("a") as file:
+        print(*words, file=file)
+
+
+def preview(number, level, call=pipelines.preview_level):
+    begun.append(time.monotonic())
+    call(number, level)
+    visible = [display.Input.SMProxy.GetXMLName() for display in view.Representations
+               if getattr(display, "Input", None) and display.Visibility]
+    write("preview", f"{level:.4f}", *sorted(visible), f"{drawing[-1] - begun[-1]:.3f}")
+
+
+def count(loops, view, call=isthmus_loops.count):
+    changed = call(loops, view)
+    texts = [text.Text for (name, _), text in simple.GetSources().items() if name.endswith(isthmus_loops.COUNT)]
+    write("loops", *texts)
+    return changed
+
+
+drawing = []
+source = simple.OpenDataFile(os.environ["ISTHMUS_SESSION_DATA"])
+view = simple.GetActiveViewOrCreate("RenderView")
+if os.environ["ISTHMUS_SESSION_NAME"].startswith("MapSurface"):
+    surface, loops = pipelines.map_to_loops(source, significant=True)
+    pipelines.show(surface, loops)
+    simple.SetActiveSource(surface)
+else:
+    loops = simple.MapChokingLoops(
+        Input=source, Scalars=["POINTS", "Density"], AutomaticLevel="Off", Level=2.35, LargestComponents=10,
+        MaximumNumberOfLoops=20, TrustedOnly=1)
+    pipelines.show(loops)
+    simple.SetActiveSource(loops)
+view.GetRenderWindow().AddObserver("StartEvent", lambda *_: drawing.append(time.monotonic()))
+pipelines.preview_level, isthmus_loops.count = preview, count
