@@ -16,11 +16,11 @@ namespace isthmus
 
 /**
  * The level that the map's depositors recommend, if the reader found it (field data
- * `RecommendedLevel`), else EstimateLevel() of its values. The same policy applies to all filters
- * whose input is a map: automatic unless a level is given.
+ * RecommendedLevel), otherwise EstimateLevel() of its values. The same policy applies to all
+ * filters whose input is a map: automatic unless a level is given.
  *
- * A recommended level is returned as it is, finite or not. The estimate is cached until the image
- * or its scalars are modified or replaced. Cost: one sample of at most 2^20 values.
+ * A recommended level is returned unchanged, even if it is not finite. The estimate is cached until
+ * the image or its scalars are modified or replaced. Cost: one sample of at most 2^20 values.
  * @throws std::invalid_argument if no value is finite.
  */
 class AutomaticLevel

@@ -1,6 +1,7 @@
 /**
  * @file ClosedLevelSet.h
- * @brief A volume's level set in the frame of its grid, closed outside, as field and as triangles.
+ * @brief The level set of a volume in the frame of its grid, closed outside, as a field and as
+ * triangles.
  */
 #ifndef isthmus_ClosedLevelSet_h
 #define isthmus_ClosedLevelSet_h
@@ -29,14 +30,15 @@ struct ClosedLevelSet
 /**
  * The level set of `scalars` (points of `image`, one component) in the frame of the grid: first
  * node at the origin, axes along the grid, lengths by spacing. Copies the image (with its layer of
- * cells) once as float, or as double where it is double, for the guide.
+ * cells) once for the guide, as double if it is double, otherwise as float.
  * @throws std::invalid_argument when a value is not finite, the image has fewer than two nodes
- * along an axis, or it is a mask of two values, on whose corners refinement would not end.
+ * along an axis, or it is a mask of two values, at whose corners refinement would not terminate.
  */
 VTKISTHMUSFILTERSCONTOURING_EXPORT ClosedLevelSet CloseLevelSet(
   vtkImageData* image, vtkDataArray* scalars, double level, bool insideIsHigher);
 
-/// From the frame of the grid to the world, triangles turned where the image's axes are mirrored.
+/// Transforms from the frame of the grid to the world, and flips triangles if the axes of the image
+/// are mirrored.
 VTKISTHMUSFILTERSCONTOURING_EXPORT void ToWorld(vtkImageData* image, TriangleMesh& mesh);
 
 }

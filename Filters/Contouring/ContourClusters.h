@@ -1,6 +1,6 @@
 /**
  * @file ContourClusters.h
- * @brief Vertex clustering of a uniform contour in an octree, and the polygons that it gives.
+ * @brief Vertex clustering of a uniform contour in an octree, and the resulting polygons.
  */
 #ifndef isthmus_ContourClusters_h
 #define isthmus_ContourClusters_h
@@ -19,9 +19,9 @@ namespace isthmus
 //
 // S. Schaefer, T. Ju, J. Warren, IEEE TVCG 13 (2007) 610, doi:10.1109/TVCG.2007.1012: in each cell
 // of the octree, from small to large, the points that the surface joins within the cell become a
-// cluster, with a point of its own that fits the planes of all best. It may stand for them
-// where its planes are met within the tolerance (root of the mean square) and its piece of surface
-// is a disc: points - edges + faces, each inside the cell, is 1.
+// cluster with a new point that best fits the planes of all. The cluster may replace them if its
+// point is within the tolerance of the planes (root mean square) and its piece of surface is a
+// disc, i.e. points - edges + faces inside the cell is 1.
 
 class ContourClusters
 {
@@ -30,14 +30,14 @@ public:
   ContourClusters(const UniformContour& contour, const DualContouringParameters& parameters,
     const ProgressCallback& progress);
 
-  /// For each point of the contour: the largest cluster that may stand for it, or itself.
+  /// For each point of the contour: the largest cluster that may replace it, or itself.
   const std::vector<std::int64_t>& Tops() const { return this->Top; }
-  /// Clusters follow the points of the contour.
+  /// The clusters are stored after the points of the contour.
   bool IsCluster(std::int64_t id) const { return id >= this->NumberOfPoints; }
   std::int64_t Size() const { return static_cast<std::int64_t>(this->Points.size()); }
   const Point3& PointOf(std::int64_t id) const { return this->Points[At(id)]; }
 
-  /// A point of the contour goes elsewhere.
+  /// Moves a point of the contour.
   void Move(std::int64_t point, const Point3& x) { this->Points[At(point)] = x; }
   /// `id` stands for others no more, from the next Choose() on. False if it never did.
   bool Split(std::int64_t id);
@@ -60,7 +60,7 @@ private:
   };
 
   Level Fine(const UniformContour& contour) const;
-  /// False when no larger cluster can do any more.
+  /// False if no larger cluster is possible.
   bool AddLevel(Level& level, int depth, const UniformContour& contour,
     const DualContouringParameters& parameters);
   std::vector<std::int64_t> Joined(Level& level, int depth) const;
@@ -77,9 +77,9 @@ private:
 //--------------------------------------------------------------------------------------------------
 // The polygons of a contour whose points are put together, and finer ones where they cross.
 //
-// A quadrilateral whose points are put together becomes a triangle or nothing. A *cut* one becomes
-// triangles around its crossing; where it borders on another one (a "side": a face of the grid
-// between two cells), they get a point on that face, halfway between both crossings. Each of these
+// A quadrilateral whose points are merged becomes a triangle or vanishes. A cut one becomes
+// triangles around its crossing. Where it borders on another one (a "side": a face of the grid
+// between two cells), these get a point on that face, halfway between both crossings. Each of these
 // triangles stays in one cell (T. Ju, T. Udeshi, Intersection-free contouring on an octree grid,
 // Pacific Graphics 2006).
 
@@ -92,11 +92,12 @@ struct ContourPolygons
   std::vector<Point3> More;         ///< crossings, and points on faces
 };
 
-/// Which quadrilaterals are cut. @pre only those none of whose points stand in a cluster.
+/// The quadrilaterals that are cut.
+/// @pre none of their points is in a cluster.
 class ContourCuts
 {
 public:
-  /// O(edges log edges), 100 bytes an edge.
+  /// O(edges log edges), 100 bytes for each edge.
   explicit ContourCuts(const UniformContour& contour);
 
   bool Has(std::int64_t edge) const { return this->IsCut[static_cast<std::size_t>(edge)] != 0; }
@@ -115,7 +116,7 @@ private:
   std::vector<char> IsCut;
 };
 
-/// O(edges). @param cuts none, or what is to be cut.
+/// O(edges). @param cuts null, or the quadrilaterals to be cut.
 ContourPolygons PolygonsOf(const UniformContour& contour, const ContourClusters& clusters,
   bool triangles, const ContourCuts* cuts);
 
@@ -129,9 +130,9 @@ struct NonManifoldPoints
 };
 
 /**
- * Points whose polygons are not one ring of three or more, each beside the next one with the same
- * side out; a chain suffices for those of `mayBeOpen` and for points of polygons.More.
- * O(n log n), 130 bytes a polygon.
+ * Points whose polygons do not form one ring of at least three consistently oriented polygons; for
+ * points in `mayBeOpen` and for points of polygons.More, a chain is sufficient. O(n log n), 130
+ * bytes for each polygon.
  */
 NonManifoldPoints FindNonManifoldPoints(
   const ContourPolygons& polygons, const std::vector<char>& mayBeOpen);

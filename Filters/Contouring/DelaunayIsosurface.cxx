@@ -43,7 +43,7 @@ void CheckParameters(const DelaunayIsosurfaceParameters& p)
       "The level is " + FormatNumber(p.Level) + ": it must be a finite number.");
   }
   RequireRange("MaximumNumberOfPoints", static_cast<double>(p.MaximumPoints), 4, 1e9,
-    "It bounds the points of the result.");
+    "It limits the number of points of the result.");
 }
 
 /// Sizes that the search for points does not resolve, or that take more points than allowed, are
@@ -56,7 +56,7 @@ void RequireBudget(
   {
     throw std::runtime_error("Radius is " + FormatNumber(p.Radius) + " and Distance " +
       FormatNumber(p.Distance) + ", but the surface is found to some " + FormatNumber(finest) +
-      " (a millionth of the volume's diagonal): ask for larger ones.");
+      " (a millionth of the diagonal of the volume): choose larger ones.");
   }
   const double area = SurfaceArea(guide);
   // No triangle of circumradius r is larger than (3 sqrt(3) / 4) r^2, and there are two a point.

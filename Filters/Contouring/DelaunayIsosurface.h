@@ -3,8 +3,8 @@
  * @brief A level set as a surface of well-shaped triangles, by Delaunay refinement.
  *
  * J.-D. Boissonnat, S. Oudot, Graph. Models 67 (2005) 405, doi:10.1016/j.gmod.2005.01.004, in
- * CGAL's Mesh_3. Mesh_3 and not Surface_mesher, since it takes points to start from on every
- * component, has an option for manifold output, and is the one of the two that CGAL maintains.
+ * CGAL's Mesh_3. Mesh_3 is used instead of Surface_mesher, since it accepts initial points on every
+ * component, has an option for manifold output, and is still maintained by CGAL.
  */
 #ifndef isthmus_DelaunayIsosurface_h
 #define isthmus_DelaunayIsosurface_h
@@ -41,17 +41,17 @@ struct DelaunayIsosurfaceResult
 };
 
 /**
- * Surface of `field` at the level, within `bounds` (beyond which the field is taken as outside).
+ * The surface of `field` at the level, within `bounds` (beyond which everything is outside).
  *
  * `guide` is a closed surface of the same level set, as from marching cubes: refinement starts from
- * at least four points on each of its components, so that none is lost. A component whose start
- * points did not catch starts again from all of its points; one that fails still is named with its
- * place and size in Warning. Points of the result lie on the level set to 1e-7 of the diagonal of
- * the bounds.
+ * at least four points on each of its components, so that none is lost. If the initial points of a
+ * component were not sufficient, refinement is restarted from all of its points; a component for
+ * which this fails, too, is listed in Warning with its position and size. Points of the result lie
+ * on the level set to 1e-7 of the diagonal of the bounds.
  *
  * @throws std::invalid_argument on parameters that can't be met; std::runtime_error when refinement
  * does not end below MaximumPoints (as at a level where the level set is not a manifold);
- * Cancelled. Cost: about 110 microseconds a point of the result.
+ * Cancelled. Cost: about 110 microseconds for each point of the result.
  */
 VTKISTHMUSFILTERSCONTOURING_EXPORT DelaunayIsosurfaceResult DelaunayIsosurface(
   const ScalarField& field, const Bounds3& bounds, const SurfaceView& guide,

@@ -361,13 +361,13 @@ void Check(const HermiteGrid& grid, const DualContouringParameters& parameters)
   }
   if (!(parameters.Tolerance >= 0.0) || std::isinf(parameters.Tolerance))
   {
-    throw std::invalid_argument("The tolerance is a length: give a positive one, or 0 for the "
-                                "surface of all cells.");
+    throw std::invalid_argument(
+      "The tolerance must be a positive length, or 0 for the surface of all cells.");
   }
   if (parameters.FreeOfCrossings && (parameters.Reach > 0.0 || !parameters.Triangles))
   {
-    throw std::invalid_argument("Only triangles whose points stay in their cells can be kept from "
-                                "crossing: set the reach to 0 and ask for triangles.");
+    throw std::invalid_argument("Crossings can be prevented only for triangles whose points stay "
+                                "in their cells: set Reach to 0 and switch Quadrilaterals off.");
   }
   const auto& n = grid.Shape.Dimensions;
   if (n[0] < 2 || n[1] < 2 || n[2] < 2)

@@ -1,16 +1,16 @@
 /**
  * @file DualContouring.h
- * @brief A surface with its sharp edges from crossings and normals on a grid.
+ * @brief Computes a surface with sharp edges from crossings and normals on a grid.
  *
  * T. Ju, F. Losasso, S. Schaefer, J. Warren, ACM Trans. Graph. 21 (2002) 339,
  * doi:10.1145/566654.566586: in each cell the point nearest to the planes
  * of its crossings (QuadricError.h), around each crossed edge a quadrilateral of four of
  * them. A cell has a point for each piece of surface in it (UniformContour.h), so that the surface
- * is manifold; it is open only where it leaves the grid. Points are kept in their cells, but for
- * those of edges that pass beside (UniformContour.h). That makes
- * crossing polygons rare but does not rule them out; FreeOfCrossings does.
+ * is manifold; it is open only where it leaves the grid. Points are kept in their cells, except
+ * those of edges that pass close to a cell (UniformContour.h). That makes crossing polygons rare
+ * but does not prevent them; FreeOfCrossings does.
  *
- * With a tolerance the points of an octree's cells are put together (S. Schaefer, T. Ju, J. Warren,
+ * With a tolerance, the points of the cells of an octree are merged (S. Schaefer, T. Ju, J. Warren,
  * doi:10.1109/TVCG.2007.1012; ContourClusters.h) and clusters are split again until the surface is
  * manifold and within the tolerance.
  */
@@ -24,7 +24,7 @@
 namespace isthmus
 {
 
-/// Polygons of three or four corners (the fourth then differs from -1).
+/// Polygons with three or four corners; for three, the fourth is -1.
 struct DualContour
 {
   std::vector<Point3> Points;
@@ -33,14 +33,14 @@ struct DualContour
 };
 
 /**
- * The contour of `grid`, in its frame (first node at the origin) or moved by ToWorld. Where an edge
- * is crossed several times, the middle one counts.
+ * The contour of `grid`, in its frame (first node at the origin) or moved by ToWorld. If an edge is
+ * crossed several times, the middle crossing is used.
  *
- * Second order on smooth surfaces; edges and corners of planes come out exact where normals are.
+ * Second order on smooth surfaces; edges and corners between planes are exact if the normals are.
  * O(cells + crossings log crossings), points in parallel that are bitwise the same on any number of
- * threads; 400 bytes a point, with a tolerance three times that, and some searches for the nearest
- * triangle a point.
- * @throws std::invalid_argument for parameters out of range, std::runtime_error where inside and
+ * threads; 400 bytes for each point, and with a tolerance three times that and a few searches for
+ * the nearest triangle for each point.
+ * @throws std::invalid_argument for parameters out of range, std::runtime_error if inside and
  * crossings contradict each other, and Cancelled.
  */
 VTKISTHMUSFILTERSCONTOURING_EXPORT DualContour DualContouring(const HermiteGrid& grid,

@@ -1,12 +1,12 @@
 /**
  * @file ENOCrossings.h
- * @brief Crossings and normals of a level of a volume whose gradient may jump.
+ * @brief Crossings and normals of a level of a volume with a discontinuous gradient.
  *
- * Around a sharp edge of a level set, values are pieces of smooth functions, and a grid line that
- * passes from one to another has a kink there. Differences across it mix the normals of both sides.
- * Here each is taken on one side, after A. Harten and others (essentially non-oscillatory schemes,
- * J. Comput. Phys. 71 (1987) 231; subcell resolution, 83 (1989) 148). With second differences along
- * a line, in the unit of the values,
+ * Around a sharp edge of a level set, the values are piecewise smooth, and have a kink along a grid
+ * line that passes from one piece to another. Differences across the kink would mix the normals of
+ * both sides. Here each difference is taken on one side, after A. Harten and others (essentially
+ * non-oscillatory schemes, J. Comput. Phys. 71 (1987) 231; subcell resolution, 83 (1989) 148). With
+ * second differences along a line, in the unit of the values,
  *
  *     d_j = v_{j-1} - 2 v_j + v_{j+1},
  *
@@ -21,8 +21,9 @@
  * - Normal: slopes interpolated between both nodes, or extrapolated along the parabola that
  *   crosses; a node whose slope is taken across a kink does not count where the other's is not.
  *
- * Exact for planes where their pieces are three nodes wide along the axes, so not within two
- * spacings of corners. Elsewhere normals are of second order and crossings of third.
+ * The result is exact for planes whose pieces are at least three nodes wide along the axes, i.e.
+ * except within two spacings of corners. Elsewhere normals are of second order and crossings of
+ * third.
  */
 #ifndef isthmus_ENOCrossings_h
 #define isthmus_ENOCrossings_h
@@ -33,8 +34,8 @@
 namespace isthmus
 {
 
-/// As AppendLevelCrossings (LevelCrossings.h), from more nodes: O(layer), and about 1 us a
-/// crossing. T is float or double.
+/// Like AppendLevelCrossings (LevelCrossings.h), but from more nodes: O(layer), and about 1 us for
+/// each crossing. T is float or double.
 template <typename T>
 VTKISTHMUSFILTERSCONTOURING_EXPORT void AppendENOCrossings(
   const LevelView<T>& level, std::int64_t k, std::vector<GridCrossing>& crossings);

@@ -18,12 +18,12 @@ namespace isthmus
 //--------------------------------------------------------------------------------------------------
 // The box of a cell of a grid or octree, and the cell at a place.
 
-/// The cube of `size` cells each way at `index`, grown by `reach` of its sides, within the grid
-/// grown by `reach` cells.
+/// The cube of `size` cells along each axis at `index`, enlarged by `reach` times its side, within
+/// the grid enlarged by `reach` cells.
 Bounds3 CellBox(const GridShape& shape, const std::array<std::int64_t, 3>& index, std::int64_t size,
   double reach);
 
-/// Lowest node of the cell that `x` lies in, -1 outside the grid.
+/// Lowest node of the cell in which x lies, or -1 outside the grid.
 std::int64_t CellAt(const GridShape& grid, const Point3& x);
 
 //--------------------------------------------------------------------------------------------------
@@ -32,11 +32,11 @@ std::int64_t CellAt(const GridShape& grid, const Point3& x);
 struct SharpEdges
 {
   std::vector<std::array<Point3, 2>> Segments;
-  /// Where one, three or more segments end, or two that turn by more than the angle.
+  /// Points at which one, three or more segments end, or two that turn by more than the angle.
   std::vector<Point3> Corners;
 };
 
-/// Where a surface crosses the lines of a grid, with its normals there ("Hermite data").
+/// The crossings of a surface with the lines of a grid, with its normals there ("Hermite data").
 struct HermiteGrid
 {
   GridShape Shape;
@@ -46,16 +46,17 @@ struct HermiteGrid
 };
 
 /**
- * Edges whose two triangles' normals enclose an angle with a cosine below `cosine`, and those of
- * more than two triangles. Points in one place are one; triangles without area have no normal and
- * do not count. Ordered by the ids of their points. O(n log n), 100 bytes a triangle.
+ * Edges for which the cosine of the angle between the normals of the two triangles is below
+ * `cosine`, and edges of more than two triangles. Points with the same position are merged;
+ * triangles without area have no normal and are ignored. Ordered by the ids of the points. O(n log
+ * n), 100 bytes for each triangle.
  */
 SharpEdges FindSharpEdges(const SurfaceView& surface, double cosine);
 
 /**
- * Cosine of the angle between two planes, as often met, above which a cell of dual contouring takes
- * them for one: n1 n1^T + n2 n2^T has the eigenvalues 1 + c and 1 - c, and the smaller one does not
- * count where it is below `threshold` times the larger.
+ * Cosine of the angle between two planes above which a cell of dual contouring treats them as one,
+ * if both have the same number of crossings. The matrix n1 n1^T + n2 n2^T has the eigenvalues 1 + c
+ * and 1 - c, and the smaller one is ignored if it is below `threshold` times the larger.
  */
 inline double SharpCosine(double threshold)
 {
@@ -68,22 +69,24 @@ inline double SharpCosine(double threshold)
 class SharpFeatureGrid
 {
 public:
-  /// What is outside the grid is left out. O(n log n) for n pieces of edge, 60 bytes each.
+  /// Parts outside the grid are dropped. O(n log n) for n pieces of edge, 60 bytes each.
   SharpFeatureGrid(const SharpEdges& sharp, const GridShape& grid);
 
   using Filter = std::function<bool(const Point3&)>;
 
-  /// The corner in `cell` (id of its lowest node) nearest to `x`, of those that `isMine`.
+  /// The corner in `cell` (id of its lowest node) that is nearest to `x`, among those accepted by
+  /// `isMine`.
   std::optional<Point3> NearestCorner(
     std::int64_t cell, const Point3& x, const Filter& isMine) const;
-  /// Which of a cell's edges count: the tenth of a piece beside each face is left to neighbours, so
-  /// that no two cells take the same point.
+  /// The part of the edges in a cell that is used: the tenth of a piece next to each face is left
+  /// to neighbours, so that no two cells use the same point.
   enum class Part
   {
     Middle,
     Whole
   };
-  /// The nearest point of the edges in `cell`, of those pieces whose middle `isMine`.
+  /// The nearest point of the edges in `cell`, among the pieces whose midpoint is accepted by
+  /// `isMine`.
   std::optional<Point3> NearestOnEdge(
     std::int64_t cell, const Point3& x, Part part, const Filter& isMine) const;
 

@@ -14,25 +14,26 @@ namespace isthmus
 {
 
 /**
- * Level for a map of which `values` are a fair sample; they are sorted here.
+ * Level for a map of which `values` are a representative sample; they are sorted by this function.
  *
- * The threshold that splits the values into two classes of the greatest variance between them
- * (N. Otsu, IEEE Trans. Syst. Man Cybern. 9 (1979) 62), exact on the sorted values and with the
- * outer 0.05 % on either side drawn in, so that some hot voxels do not decide. A map that fills its
- * box with noise or solvent has no two classes, and the threshold falls amid its background: so the
- * level is at least three standard deviations of the background above the median, taken from the
- * values below the median (which no molecule is part of), unless fewer than 1 % are that high.
+ * The threshold that splits the values into two classes with the greatest variance between the
+ * classes (N. Otsu, IEEE Trans. Syst. Man Cybern. 9 (1979) 62), computed exactly from the sorted
+ * values, with the outer 0.05 % on either side clamped, so that a few hot voxels have no influence.
+ * A map that fills its box with noise or solvent does not have two classes, and the threshold would
+ * lie within its background. Therefore the level is at least three standard deviations of the
+ * background above the median, unless fewer than 1 % of the values are that high. The deviation is
+ * computed from the values below the median, which do not include the molecule.
  *
- * Where all values are equal, that value. O(n log n), one copy of n prefix sums.
- * @throws std::invalid_argument for no values.
+ * If all values are equal, the result is that value. O(n log n), with one copy of n prefix sums.
+ * @throws std::invalid_argument if there are no values.
  */
 VTKISTHMUSFILTERSCONTOURING_EXPORT double EstimateLevel(std::vector<double>& values);
 
-/// A fair sample of at most 2^20 of the grid's values that are finite, for EstimateLevel.
+/// A representative sample of at most 2^20 of the finite values of the grid, for EstimateLevel.
 template <typename T>
 VTKISTHMUSFILTERSCONTOURING_EXPORT std::vector<double> SampleValues(const GridView<const T>& grid);
 
-/// The statistics by which the contrast of a map is judged, of values that are finite.
+/// Statistics of the finite values of a map by which its contrast is judged.
 struct MapContrast
 {
   double Skewness = 0.0;       ///< third central moment over the cube of the standard deviation
@@ -51,7 +52,8 @@ struct MapContrast
   }
 };
 
-/// Of SampleValues() and the nodes on the six faces: O(nodes^(2/3)) beside the sample.
+/// The contrast computed from SampleValues() and the nodes on the six faces: O(nodes^(2/3)) in
+/// addition to the sample.
 template <typename T>
 VTKISTHMUSFILTERSCONTOURING_EXPORT MapContrast ContrastOf(const GridView<const T>& grid);
 

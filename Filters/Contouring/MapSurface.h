@@ -37,8 +37,8 @@ struct DustResult
 VTKISTHMUSFILTERSCONTOURING_EXPORT DustResult HideDust(
   TriangleMesh mesh, const DustParameters& parameters);
 
-/// Unit normals at the points, outwards: the mean of the triangles' weighted by area. 0 for a point
-/// that no triangle uses.
+/// Outward unit normals at the points: the mean of the normals of the triangles, weighted by area.
+/// 0 for a point that no triangle uses.
 VTKISTHMUSFILTERSCONTOURING_EXPORT std::vector<Point3> PointNormals(const SurfaceView& mesh);
 
 }

@@ -21,9 +21,9 @@ struct SeededComponent
 };
 
 /**
- * Components of `surface` in order, each with seeds: points of the surface at least `spacing`
- * apart, and at least four of them (or all, where there are fewer), as far apart as greedy choice
- * makes them. O(n) but for components with few seeds, O(4 n) there.
+ * Components of `surface` in order, each with seeds: points of the surface that are at least
+ * `spacing` apart, and at least four of them (or all, if there are fewer), chosen greedily to be
+ * far apart. O(n), and O(4 n) for components with few seeds.
  */
 VTKISTHMUSFILTERSCONTOURING_EXPORT std::vector<SeededComponent> SpreadSeeds(
   const SurfaceView& surface, double spacing);

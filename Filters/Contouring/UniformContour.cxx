@@ -336,7 +336,7 @@ private:
     if (first == last)
     {
       throw std::runtime_error("The surface changes sides without a crossing between two nodes: it "
-                               "is not closed, or passes right through nodes; move the grid.");
+                               "is not closed, or passes exactly through nodes; shift the grid.");
     }
     return first[(last - first) / 2];
   }

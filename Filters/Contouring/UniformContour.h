@@ -1,9 +1,10 @@
 /**
  * @file UniformContour.h
- * @brief Dual contouring of all cells of a grid: surface pieces, their vertices, quadrilaterals.
+ * @brief Dual contouring of all cells of a grid: pieces of surface, their vertices, and
+ * quadrilaterals.
  *
- * The steps are those of the classes here: DualCells groups the crossed edges of each cell into
- * pieces of surface, VertexPlacement puts a vertex for each piece, UniformContour connects them.
+ * Each step is a class in this file: DualCells groups the crossed edges of each cell into pieces of
+ * surface, VertexPlacement places a vertex for each piece, and UniformContour connects them.
  */
 #ifndef isthmus_UniformContour_h
 #define isthmus_UniformContour_h
@@ -26,34 +27,36 @@ namespace isthmus
 
 struct DualContouringParameters
 {
-  /// Directions in which the normals of a cell vary less than this part of how they vary most are
-  /// left to the mean of its crossings: 0 (all noise is a feature) to 1 (none is). 0.07: an edge of
-  /// 30 degrees, tan^2 of half the angle (HermiteGrid.h).
+  /// In directions in which the normals of a cell vary less than this fraction of their largest
+  /// variation, the mean of its crossings is used. From 0 (all noise is a feature) to 1 (nothing
+  /// is); 0.07 corresponds to an edge of 30 degrees, tan^2 of half the angle (HermiteGrid.h).
   double FeatureThreshold = 0.07;
-  /// Spacings by which a vertex may leave its cell, 0 to 1, whatever is there (at 0: only into
-  /// empty cells and to known edges, UniformContour.h); polygons cross more easily above 0.
+  /// How far, in spacings from 0 to 1, a vertex may leave its cell even if the other cell has a
+  /// vertex (at 0, only into empty cells and to known edges); polygons cross more easily above 0.
   double Reach = 0.0;
   bool Triangles = true; ///< quadrilaterals cut in two, else as they are
-  /// How far the surface may be from that of the whole grid, a length: above 0, cells are put
-  /// together (octree) where that allows it. 0: none are.
+  /// Allowed distance from the surface of the whole grid, a length. Above 0, cells are merged
+  /// (octree) where this is possible; 0: no cells are merged.
   double Tolerance = 0.0;
-  /// No two triangles cross: quadrilaterals around which they do are cut into triangles that each
-  /// stay in a cell. Triangles only.
+  /// Ensures that no two triangles cross: quadrilaterals with crossing triangles are cut into
+  /// triangles that each stay in one cell. Only for triangles.
   bool FreeOfCrossings = false;
-  /// Moves points of the grid's frame to where they are wanted; empty: they stay. Point by point.
+  /// Transforms points from the frame of the grid, each independently of the others; empty: no
+  /// transformation.
   std::function<void(std::vector<Point3>& points)> ToWorld;
 };
 
 //--------------------------------------------------------------------------------------------------
 // The pieces of surface in each cell of a grid: one vertex of dual contouring each.
 //
-// Edges of a cell that the surface crosses belong together when a piece of surface connects them
-// across the faces. A face crossed four times is ambiguous; its inside corners are kept apart,
-// unless that would join two cells twice over the face, where its outside corners are: so every
-// edge of the contour belongs to two polygons (S. Schaefer, T. Ju, J. Warren, IEEE TVCG 13 (2007)
-// 610, doi:10.1109/TVCG.2007.1012; R. Wenger, Isosurfaces, 2013).
+// Crossed edges of a cell belong together if a piece of surface connects them across the faces. A
+// face crossed four times is ambiguous. Its inside corners are separated, unless that would connect
+// two cells twice over the face; then its outside corners are separated. Thus every edge of the
+// contour belongs to two polygons (S. Schaefer, T. Ju, J. Warren, IEEE TVCG 13 (2007) 610,
+// doi:10.1109/TVCG.2007.1012; R. Wenger, Isosurfaces, 2013).
 
-/// Edge 4 a + p + 2 q of a cell runs along axis a, p steps up along axis a+1 and q along a+2.
+/// Edge 4 a + p + 2 q of a cell runs along axis a and is shifted by p steps along axis a+1 and q
+/// steps along a+2.
 constexpr std::size_t CellEdges = 12;
 using DualEdge = Handle<struct DualEdgeKind, std::size_t>;
 
@@ -67,13 +70,14 @@ public:
 
   /// Cells that the surface crosses, by the id of their lowest node, ascending.
   const std::vector<std::int64_t>& Active() const { return this->Cells; }
-  /// For each of them, the piece that each edge belongs to, from 0.
+  /// For each of them, the piece to which each edge belongs, counted from 0.
   const std::vector<std::array<signed char, CellEdges>>& Pieces() const
   {
     return this->PieceOfEdge;
   }
 
-  /// Place of a cell in Active(). @pre it is there.
+  /// Index of a cell in Active().
+  /// @pre it is in the list.
   std::size_t Find(std::int64_t cell) const;
 
   Index IndexOf(std::int64_t node) const;
@@ -90,7 +94,7 @@ public:
   }
 
 private:
-  /// The edges of a face, two and two that belong together; how many of the four are crossed.
+  /// The edges of a face in pairs that belong together, and the number of crossed edges.
   struct Face
   {
     std::array<std::size_t, 4> Pairs;
@@ -112,14 +116,14 @@ private:
 //--------------------------------------------------------------------------------------------------
 // Where in its cell, or in an empty one beside it, a point of dual contouring goes.
 //
-// It goes where the planes of its crossings meet best. Where that is outside its cell, in one that
-// no crossing bounds, it may stay there: an edge that pokes through a face of a cell without
-// crossing a line of the grid has its point there, and nobody else has one. It may go to any cell
-// beside its own where no edges are known and all its planes, more than would meet by themselves,
-// pass within 0.02 spacings of one point of an edge or corner. Otherwise it is kept in its cell.
-// Where sharp edges or corners of the surface are known, it goes to the one in that cell that fits
-// its planes best, which is exact where these, of faces that bend, are not; into the cell beside
-// its own only where they pass within 0.05 spacings of that edge.
+// A vertex is placed where the planes of its crossings meet best. If that is outside its cell, in a
+// cell without crossings, the vertex may stay there: an edge that extends through a face of a cell
+// without crossing a line of the grid has its point there, and no other cell has one. If no edges
+// are known, it may move to any adjacent cell in which all its planes, more than would generally
+// meet, pass within 0.02 spacings of one point of an edge or corner. Otherwise it is kept in its
+// cell. If sharp edges or corners of the surface are known, the vertex is placed on the one in that
+// cell that best fits its planes; this is exact even if the planes, of curved faces, are not. It
+// moves to an adjacent cell only if they pass within 0.05 spacings of that edge.
 
 struct PlacedVertex
 {
@@ -130,22 +134,22 @@ struct PlacedVertex
 class VertexPlacement
 {
 public:
-  /// The arguments are kept by reference.
+  /// The object keeps references to the arguments.
   VertexPlacement(
     const HermiteGrid& grid, const DualCells& cells, const DualContouringParameters& parameters);
 
-  /// For piece `i` of the `count` pieces in the active cell `cell` with these planes, which are the
-  /// tangent ones or those that meet better (QuadricError.h). O(log n)
+  /// The vertex for piece `i` of the `count` pieces in the active cell `cell`. The planes are the
+  /// tangent planes or those that meet better (QuadricError.h). O(log n)
   PlacedVertex Place(
     std::int64_t cell, const QuadricError* pieces, std::size_t count, std::size_t i) const;
-  /// The same, but in the cell, whatever is in the others.
+  /// The same, but always in the cell, regardless of other cells.
   Point3 Inside(std::int64_t cell, const QuadricError& planes) const;
 
 private:
   bool IsEmpty(std::int64_t cell) const;
-  /// Do the planes pass within `spacings` of `x`, in the mean of squares?
+  /// Whether the planes pass within `spacings` of `x`, as a root mean square.
   bool PassBy(const QuadricError& planes, const Point3& x, double spacings) const;
-  /// Are there more planes than an edge or corner needs, and do all pass by `x`?
+  /// Whether there are more planes than define an edge or corner, and all of them pass near `x`.
   bool MeetOnEdge(const QuadricError& planes, const Point3& x) const;
 
   const HermiteGrid& Grid;
@@ -157,12 +161,13 @@ private:
 //--------------------------------------------------------------------------------------------------
 // Dual contouring on every cell of a grid: what cells are put together from, or the result.
 
-/// One point for each piece of surface in a cell, one quadrilateral for each crossed edge.
+/// A contour with one point for each piece of surface in a cell, and one quadrilateral for each
+/// crossed edge.
 struct UniformContour
 {
   using Index = std::array<std::int64_t, 3>;
 
-  /// An edge of the grid that the surface crosses, with cells all around.
+  /// An edge of the grid that the surface crosses and that has cells on all sides.
   struct Edge
   {
     std::array<std::int64_t, 4> Around; ///< its points, counter-clockwise seen from outside
@@ -180,8 +185,8 @@ struct UniformContour
 
 /**
  * O(cells + crossings log crossings), points in parallel that are bitwise the same on any number of
- * threads; 400 bytes a point.
- * @throws std::runtime_error where inside and crossings contradict each other, and Cancelled.
+ * threads; 400 bytes for each point.
+ * @throws std::runtime_error if inside and crossings contradict each other, and Cancelled.
  */
 UniformContour MakeUniformContour(const HermiteGrid& grid,
   const DualContouringParameters& parameters, const ProgressCallback& progress);

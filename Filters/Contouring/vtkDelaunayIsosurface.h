@@ -7,13 +7,14 @@
  * closed within one layer of cells around it.
  *
  * Output: vtkPolyData, triangles facing away from the inside, in world coordinates; closed and
- * manifold. Every angle is at least Angle; circumcircles and the distance to the level set keep to
- * Radius and Distance. Refinement starts on every component that vtkFlyingEdges3D finds; when the
- * topology differs from that surface's nevertheless, a warning says how.
+ * manifold. Every angle is at least Angle; circumradii and the distance to the level set are at
+ * most Radius and Distance. Refinement starts on every component that vtkFlyingEdges3D finds; if
+ * the topology nevertheless differs from that surface, a warning states how.
  *
  * Source: J.-D. Boissonnat, S. Oudot, doi:10.1016/j.gmod.2005.01.004, by CGAL's Mesh_3; defaults
- * of the thesis (4.4.1.1) are Angle 30, Radius 0.8, Distance 0.8. On failure: one error through
- * vtkErrorMacro and an empty output. The whole volume is needed on one rank. One thread.
+ * of the thesis (4.4.1.1) are Angle 30, Radius 0.8, Distance 0.8. On failure, there is one error
+ * through vtkErrorMacro and the output is empty. The whole volume is needed on one rank. One
+ * thread.
  */
 #ifndef vtkDelaunayIsosurface_h
 #define vtkDelaunayIsosurface_h

@@ -108,8 +108,8 @@ MovedSurface Move(const isthmus::SurfaceView& surface, double spacing)
   }
   if (!(h > 0.0) || !(nodes < mostNodes))
   {
-    throw std::invalid_argument("The surface has no size, or the spacing makes more than two "
-                                "thousand million nodes: choose a larger one.");
+    throw std::invalid_argument("The surface has no size, or the spacing results in more than two "
+                                "thousand million nodes: choose a larger spacing.");
   }
   moved.Points = isthmus::PointsFrom(moved.Origin, surface);
   moved.View = { moved.Points, surface.Triangles };

@@ -2,9 +2,9 @@
  * @class vtkDualContouring
  * @brief A surface with sharp edges and corners kept, from a volume or from another surface.
  *
- * Input: vtkImageData with one-component point scalars (normals are the volume's gradient, beside
- * edges that of one side), or a closed vtkPolyData (normals are its triangles'), which is met with
- * a grid of Spacing.
+ * Input: vtkImageData with one-component point scalars (normals are the gradient of the volume,
+ * next to edges that of one side), or a closed vtkPolyData (normals are those of its triangles),
+ * which is sampled on a grid with Spacing.
  *
  * Output: vtkPolyData in world coordinates, facing outward: triangles, or quadrilaterals. Every
  * edge belongs to two polygons; the surface is open only where a level leaves the volume. Field
@@ -12,9 +12,8 @@
  *
  * Source: T. Ju et al., doi:10.1145/566654.566586, with a vertex for each piece of surface in a
  * cell (S. Schaefer et al., doi:10.1109/TVCG.2007.1012). Polygons may cross where the surface turns
- * within a cell, unless FreeOfCrossings is on. On failure: one
- * error through vtkErrorMacro and an empty output. Cost: see DualContouring.h. The whole input
- * is needed on one rank.
+ * within a cell, unless FreeOfCrossings is on. On failure, there is one error through vtkErrorMacro
+ * and the output is empty. Cost: see DualContouring.h. The whole input is needed on one rank.
  */
 #ifndef vtkDualContouring_h
 #define vtkDualContouring_h
@@ -51,16 +50,16 @@ public:
 
   ///@{
   /// How much normals must vary within a cell to count as an edge or a corner, as a part of the
-  /// largest eigenvalue, 0 to 1: smaller keeps blunter edges and more noise. Of surfaces, edges of
-  /// this angle, but 30 degrees at least, are kept exactly. Default 0.07: 30 degrees.
+  /// largest eigenvalue, 0 to 1: smaller keeps blunter edges and more noise. For surfaces, edges of
+  /// at least this angle, and at least 30 degrees, are kept exactly. Default 0.07: 30 degrees.
   vtkSetMacro(FeatureThreshold, double);
   vtkGetMacro(FeatureThreshold, double);
   ///@}
 
   ///@{
   /// Spacings by which a vertex may leave its cell, 0 to 1, into cells that have a vertex of their
-  /// own. Into empty cells, and to edges, a vertex may always move. Polygons cross more easily
-  /// above 0. Default 0.
+  /// own. A vertex may always move into empty cells and to edges. Polygons cross more easily above
+  /// 0. Default 0.
   vtkSetMacro(Reach, double);
   vtkGetMacro(Reach, double);
   ///@}

@@ -178,8 +178,8 @@ void vtkMapSurface::MakeSurface(vtkImageData* image, vtkPolyData* surface)
   }
   if (this->Quality == Delaunay && !this->CloseAtBorder)
   {
-    throw std::invalid_argument("A Delaunay surface is always closed: switch CloseAtBorder on, or "
-                                "take the quality Cubes.");
+    throw std::invalid_argument(
+      "A Delaunay surface is always closed: switch CloseAtBorder on, or choose the quality Cubes.");
   }
   vtkDataArray* scalars = isthmus::ChosenScalars(this, image);
   const double level =

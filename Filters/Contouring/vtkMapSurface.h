@@ -6,20 +6,20 @@
  * direction. Values that are not numbers count as outside.
  *
  * Output: vtkPolyData, triangles facing away from the inside, with unit point normals and the cell
- * array `Component` (0 for the one of the largest area). It is a manifold, and closed unless
- * CloseAtBorder is off. Field data: that of the input, `Level` (the one taken), `ComponentsFound`
- * (before dust was hidden) and `ComponentArea` (length^2) of those that stay, largest first;
- * `InvertedContrast` (1), with a warning, where an automatic level was taken above a density that
- * seems darker than the background (MapContrast in LevelEstimate.h).
+ * array Component (0 for the component with the largest area). It is a manifold, and closed unless
+ * CloseAtBorder is off. Field data: those of the input, Level (the level used), ComponentsFound
+ * (before dust was hidden) and ComponentArea (length^2) of the remaining components, largest first.
+ * InvertedContrast (1) is added, with a warning, if an automatic level was used but density seems
+ * to be darker than the background (MapContrast in LevelEstimate.h).
  *
- * AutomaticLevel takes the level that the map's depositors recommend, where the reader found it
- * (field data `RecommendedLevel`, from `emd-NNNN.xml` beside the map), else one that separates the
- * molecule from its surroundings (LevelEstimate.h). It is kept until the map changes, so that a new
- * Level costs two passes over the map and the surface: well under a second for 256^3 nodes.
+ * AutomaticLevel uses the level that the depositors of the map recommend, if the reader found it
+ * (field data RecommendedLevel, from emd-NNNN.xml beside the map), otherwise one that separates the
+ * molecule from its surroundings (LevelEstimate.h). It is cached until the map changes, so that a
+ * new Level costs two passes over the map and the surface: well under a second for 256^3 nodes.
  *
- * Memory: surface with normals, 100 bytes a triangle; the map is not copied where it is float or
- * double. On failure: one error through vtkErrorMacro and an empty output. The whole map is
- * needed on one rank.
+ * Memory: the surface with normals takes 100 bytes for each triangle; the map is not copied if it
+ * is float or double. On failure, there is one error through vtkErrorMacro and the output is empty.
+ * The whole map is needed on one rank.
  *
  * @sa vtkDelaunayIsosurface vtkHessianCurvature
  */
@@ -59,7 +59,7 @@ public:
   vtkGetMacro(Level, double);
   ///@}
 
-  /// Level alone: for a panel, where AutomaticLevel has a switch of its own.
+  /// Sets only Level, for a panel in which AutomaticLevel is a separate switch.
   void SetLevelOnly(double level);
 
   ///@{
@@ -69,12 +69,12 @@ public:
   vtkBooleanMacro(AutomaticLevel, bool);
   ///@}
 
-  /// The level of the last run, whoever chose it.
+  /// The level of the last run, whether it was chosen automatically or set.
   vtkGetMacro(UsedLevel, double);
 
   ///@{
-  /// The inside is where the value is above the level (densities). Default on. An automatic level
-  /// is found for either.
+  /// The inside is where the value is above the level (densities). Default on. The automatic level
+  /// is estimated for either setting.
   vtkSetMacro(InsideIsHigher, bool);
   vtkGetMacro(InsideIsHigher, bool);
   vtkBooleanMacro(InsideIsHigher, bool);
@@ -107,8 +107,8 @@ public:
   ///@}
 
   ///@{
-  /// Cubes (default): marching cubes, at once. Delaunay: no angle below 30 degrees, as from
-  /// vtkDelaunayIsosurface with its defaults; about 110 microseconds a point.
+  /// Cubes (default): marching cubes, at once. Delaunay: no angle below 30 degrees, like that of
+  /// vtkDelaunayIsosurface with its defaults; about 110 microseconds for each point.
   vtkSetMacro(Quality, int);
   vtkGetMacro(Quality, int);
   ///@}

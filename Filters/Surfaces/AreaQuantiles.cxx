@@ -38,11 +38,11 @@ double WeightedQuantile(const std::vector<WeightedValue>& sorted, double fractio
   }
   if (!(total > 0.0))
   {
-    throw std::invalid_argument("There is no value with an area.");
+    throw std::invalid_argument("None of the values has an area.");
   }
   if (!(fraction >= 0.0) || !(fraction <= 1.0))
   {
-    throw std::invalid_argument("A quantile is from 0 to 1.");
+    throw std::invalid_argument("A quantile must be from 0 to 1.");
   }
   double below = 0.0;
   for (const WeightedValue& value : sorted)

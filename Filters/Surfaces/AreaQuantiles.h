@@ -1,6 +1,6 @@
 /**
  * @file AreaQuantiles.h
- * @brief Quantiles of values that each stand for a share of a surface.
+ * @brief Quantiles of values that are each weighted by a part of a surface.
  */
 #ifndef isthmus_AreaQuantiles_h
 #define isthmus_AreaQuantiles_h
@@ -14,7 +14,7 @@
 namespace isthmus
 {
 
-/// A value and how much it counts.
+/// A value and its weight.
 using WeightedValue = std::pair<double, double>;
 
 /// Of one triangle.
@@ -24,8 +24,9 @@ VTKISTHMUSFILTERSSURFACES_EXPORT double TriangleArea(
 /// The area assigned to each point of `surface`: a third of that of its triangles.
 VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<double> PointAreas(const SurfaceView& surface);
 
-/// The smallest value that at least `fraction` of the weight lies at or below; `sorted` by value.
-/// @throws std::invalid_argument for no weight or a fraction that is not from 0 to 1.
+/// The smallest value such that at least `fraction` of the weight lies at or below it; sorts by
+/// value.
+/// @throws std::invalid_argument if there is no weight or the fraction is not from 0 to 1.
 VTKISTHMUSFILTERSSURFACES_EXPORT double WeightedQuantile(
   const std::vector<WeightedValue>& sorted, double fraction);
 

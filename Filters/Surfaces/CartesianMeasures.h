@@ -1,6 +1,6 @@
 /**
  * @file CartesianMeasures.h
- * @brief Area and volume of what a volume describes, without a mesh.
+ * @brief Area and volume of the region described by a volume, without a mesh.
  *
  *     area           = sum over crossings with grid lines along axis a of |n_a| h_b h_c     (sharp)
  *     volume         = number of nodes inside x h_a h_b h_c                                 (sharp)
@@ -9,10 +9,10 @@
  *
  * with b and c the axes that a is not, n the normals of LevelCrossings.h and
  * u = (S - outside value) / (inside value - outside value). Source: X. Feng's thesis, 5.26 to 5.29;
- * each crossing counts with the component of n along its own line only (all three together, as 5.26
- * can be read, are not the area). The sharp area is second order in h, the sharp volume first. The
- * smeared area is the mean of the areas of all levels between the two values, so it is close to the
- * area of one level only where S changes within a thin layer.
+ * each crossing contributes only the component of n along its line (all three components together,
+ * as 5.26 can be read, do not give the area). The sharp area is second order in h, the sharp volume
+ * first. The smeared area is the mean of the areas of all levels between the two values, so it is
+ * close to the area of one level only where S changes within a thin layer.
  */
 #ifndef isthmus_CartesianMeasures_h
 #define isthmus_CartesianMeasures_h
@@ -34,9 +34,9 @@ struct CartesianMeasures
   CartesianMeasures& operator+=(const CartesianMeasures& other);
 };
 
-/// Measures on `level`, in parallel; T is float or double and all values are finite. O(nodes), no
-/// memory.
-/// @throws std::invalid_argument where the two values are equal, and Cancelled.
+/// Measures at `level`, in parallel; T is float or double, and all values must be finite. O(nodes),
+/// no additional memory.
+/// @throws std::invalid_argument if the two values are equal, and Cancelled.
 template <typename T>
 VTKISTHMUSFILTERSSURFACES_EXPORT CartesianMeasures MeasureOnGrid(const LevelView<T>& level,
   double insideValue, double outsideValue, const ProgressCallback& progress = {});

@@ -2,12 +2,13 @@
  * @file GridDistance.h
  * @brief Distance from the nodes of a grid to a triangle surface.
  *
- * Within `band` of the surface, the distance is exact: every triangle visits all nodes that near.
- * Farther away it is that to the nearest crossing of the surface with a line of the grid, by the
- * lower envelopes of P. Felzenszwalb and D. Huttenlocher, "Distance transforms of sampled
- * functions", Theory of Computing 8 (2012) 415, doi:10.4086/toc.2012.v008a019. Crossings lie on the
- * surface, about a spacing h apart, so far values are never too small and too large by at most
- * about h^2 / (2 distance). A surface that crosses no line of the grid is exact everywhere.
+ * Within `band` of the surface, the distance is exact: every triangle visits all nodes within this
+ * distance. Farther away it is the distance to the nearest crossing of the surface with a line of
+ * the grid, by the lower envelopes of P. Felzenszwalb and D. Huttenlocher, "Distance transforms of
+ * sampled functions", Theory of Computing 8 (2012) 415, doi:10.4086/toc.2012.v008a019. Crossings
+ * lie on the surface, about a spacing h apart, so these values are never too small, and too large
+ * by at most about h^2 / (2 distance). For a surface that crosses no line of the grid, the distance
+ * is exact everywhere.
  */
 #ifndef isthmus_GridDistance_h
 #define isthmus_GridDistance_h
@@ -22,21 +23,23 @@ namespace isthmus
  * Distance (length, not negative) from each node of `grid` to `mesh`; infinite for an empty mesh.
  *
  * `band` is a length, at least one spacing is used. Parallel, bitwise the same on any number of
- * threads. Time O(triangles x nodes of their boxes grown by the band + about 40 x nodes); memory 16
- * bytes a node and 8 for each triangle and layer of four it is near.
+ * threads. Time O(triangles x nodes of their boxes grown by the band + about 40 x nodes); memory:
+ * 16 bytes for each node, and 8 for each pair of a triangle and a nearby block of four layers.
  * @throws std::invalid_argument for a band that is not a positive number, and Cancelled.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<double> DistanceToSurface(const SurfaceView& mesh,
   const GridShape& grid, double band, const ProgressCallback& progress = {});
 
 /**
- * The same, exact at every node to the rounding of doubles: the least of the distances from all
- * triangles, found in a TriangleTree that each node of a block of 8^3 enters with the nearest
- * triangle of the node before: blocks, since what they need of the tree stays in the caches.
+ * The same, but exact at every node up to the rounding of doubles: the smallest of the distances to
+ * all triangles, found in a TriangleTree. The search for each node of a block of 8^3 starts with
+ * the nearest triangle of the previous node; blocks are used because the part of the tree that they
+ * need stays in the caches.
  *
- * Time: O(triangles log triangles) for the tree, then some microseconds a node and thread, more
- * where a large part of the surface is equally far (the centre of a sphere). Memory 8 bytes a node
- * and 150 a triangle. Parallel, bitwise the same on any number of threads.
+ * Time: O(triangles log triangles) for the tree, then a few microseconds for each node and thread,
+ * and more where a large part of the surface is at the same distance (e.g. at the centre of a
+ * sphere). Memory: 8 bytes for each node and 150 for each triangle. Parallel, bitwise the same on
+ * any number of threads.
  * @throws Cancelled.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<double> ExactDistanceToSurface(

@@ -1,6 +1,6 @@
 /**
  * @file GridImages.h
- * @brief Between the algorithms on grids and VTK's images and surfaces.
+ * @brief Conversions between the algorithms on grids and VTK's images and surfaces.
  */
 #ifndef isthmus_GridImages_h
 #define isthmus_GridImages_h
@@ -22,13 +22,15 @@ namespace isthmus
 /// nodes.
 GridShape ShapeOf(vtkImageData* image);
 
-/// The surface with its points in lengths along the grid's axes from the grid's first node.
+/// The surface with the coordinates of its points as lengths along the axes of the grid from its
+/// first node.
 vtkSmartPointer<vtkPolyData> InGridAxes(vtkPolyData* surface, vtkImageData* grid);
 
-/// From lengths along the grid's axes from its first node to the world, while `grid` exists.
+/// Transforms lengths along the axes of the grid from its first node to world coordinates; valid
+/// while `grid` exists.
 PlaceInWorld WorldOf(vtkImageData* grid);
 
-/// The image's isosurface, in lengths along its axes from its first node.
+/// The isosurface of the image, in lengths along its axes from its first node.
 vtkSmartPointer<vtkPolyData> IsosurfaceInGridAxes(
   vtkImageData* image, vtkDataArray* scalars, double level);
 
@@ -38,7 +40,7 @@ void AddFlags(vtkImageData* output, const char* name, const std::vector<unsigned
 void AddSignedDistance(vtkImageData* output, const std::vector<unsigned char>& inside,
   const std::vector<double>& distance);
 
-/// Makes `output` the crossings as vertices in world coordinates, with their arrays.
+/// Sets `output` to the crossings as vertices in world coordinates, with their arrays.
 void FillCrossings(
   const std::vector<GridCrossing>& crossings, vtkImageData* grid, vtkPolyData* output);
 

@@ -1,10 +1,10 @@
 /**
  * @file LevelCrossings.h
- * @brief Where a level of a volume crosses the lines of its grid, and with which normal.
+ * @brief Crossings of a level of a volume with the lines of its grid, with normals.
  *
- * A grid edge from node i to node i+1 along an axis is crossed where one end is inside and the
- * other isn't; nodes exactly at the level count as outside, so no crossing is missed or counted
- * twice. Then
+ * A grid edge from node i to node i+1 along an axis is crossed if one end is inside and the other
+ * is not; nodes exactly at the level count as outside, so no crossing is missed or counted twice.
+ * Then
  *
  *     t   = (level - S_i) / (S_{i+1} - S_i),     position = x_i + t h
  *     n   = normalised( n_i + t (n_{i+1} - n_i) )
@@ -49,7 +49,7 @@ struct GridCrossing
   std::array<double, 3> Normal{ 0.0, 0.0, 0.0 }; ///< outward unit normal of the surface
 };
 
-/// Gradient at a node, in value per length. An axis with a single node has none.
+/// Gradient at a node, in value per length. The component along an axis with a single node is 0.
 template <typename T>
 VTKISTHMUSFILTERSSURFACES_EXPORT std::array<double, 3> GradientAtNode(
   const GridView<const T>& grid, std::int64_t i, std::int64_t j, std::int64_t k);

@@ -1,6 +1,6 @@
 /**
  * @file MeshEdges.h
- * @brief The sides of all triangles, sorted so that neighbours meet. Private.
+ * @brief The sides of all triangles, sorted so that sides on the same edge are adjacent. Private.
  */
 #ifndef isthmus_MeshEdges_h
 #define isthmus_MeshEdges_h
@@ -13,7 +13,7 @@
 namespace isthmus
 {
 
-/// Whether the triangle has a corner twice: it lacks an edge.
+/// Whether the triangle has the same corner twice and therefore lacks an edge.
 inline bool HasRepeated(const Triangle& t)
 {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
@@ -30,7 +30,7 @@ struct HalfEdge
   bool SameEdge(const HalfEdge& o) const { return this->Low == o.Low && this->High == o.High; }
 };
 
-/// Sides of the triangles of `mesh` but for those to `skip` (one flag each, or none).
+/// Sides of the triangles of `mesh`, except those in `skip` (one flag for each, or empty).
 inline std::vector<HalfEdge> SortedHalfEdges(const SurfaceView& mesh, const std::vector<bool>& skip)
 {
   std::vector<HalfEdge> edges;

@@ -1,13 +1,14 @@
 /**
  * @file ShellCrossings.h
- * @brief What several closed shells enclose: one rule for all filters that need an inside.
+ * @brief The region enclosed by several closed shells: one rule for all filters that need an
+ * inside.
  *
  * - A shell that lies in another without crossing it bounds a cavity, one within that a solid
  *   again, and so on, whichever way its triangles face: a point is inside where it lies in an odd
  *   number of shells.
  * - Shells that cross or coincide are refused, with the place. By the rule above the overlap would
- *   be outside, by the divergence theorem it would count twice; neither is what is meant, and the
- *   union is a surface that has to be made (by Tetrahedral Mesher with Library Automatic).
+ *   be outside, by the divergence theorem it would count twice. Neither is intended, and the union
+ *   is another surface, which has to be computed (by Tetrahedral Mesher with Library Automatic).
  * - Shells that touch in points, edges or parts of faces count as apart.
  *
  * NodesInside() applies it too.
@@ -27,10 +28,10 @@
 namespace isthmus
 {
 
-/// From the coordinates of a mesh to those that users know.
+/// Transforms the coordinates of a mesh to those shown to users.
 using PlaceInWorld = std::function<Point3(const Point3&)>;
 
-/// Two closed shells that enclose a part of space together without one being in the other.
+/// Two closed shells whose insides overlap although neither is inside the other.
 struct ShellCrossing
 {
   Point3 Place{ 0.0, 0.0, 0.0 }; ///< on both
@@ -41,13 +42,13 @@ struct ShellCrossing
 
 /**
  * A place where two closed shells (components by edges, coinciding points merged) of `mesh` cross;
- * nothing where they are nested or apart. Open components and crossings of a component with itself
- * are not looked at.
+ * empty if all shells are nested or apart. Open components and crossings of a component with itself
+ * are not considered.
  *
- * An edge of one through a triangle of the other, by more than 1e-10 of the diagonal, decides it.
- * Where there is none, but triangles touch (faces in one plane, edges through edges), winding
- * numbers of their points and middles decide. O(n log n + pairs of boxes), parallel, the same
- * answer on any number of threads; nearly nothing for a single shell.
+ * Shells cross if an edge of one passes through a triangle of the other by more than 1e-10 of the
+ * diagonal. If there is no such edge but triangles touch (faces in the same plane, edges through
+ * edges), the winding numbers of their points and centres decide. O(n log n + pairs of boxes),
+ * parallel, the same result on any number of threads; almost free for a single shell.
  * @throws Cancelled.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT std::optional<ShellCrossing> FindShellCrossing(

@@ -1,6 +1,6 @@
 /**
  * @file ShellNesting.h
- * @brief Which closed shell lies in which: solids, cavities, and a point in each region.
+ * @brief Nesting of closed shells: solids, cavities, and a point in each region.
  */
 #ifndef isthmus_ShellNesting_h
 #define isthmus_ShellNesting_h
@@ -25,7 +25,8 @@ struct SpaceRegion
  * The shells (connected components) of a closed surface and the regions they bound.
  *
  * A shell within an even number of others bounds a solid on its inner side, one within an odd
- * number a cavity, whatever way its triangles are turned. Region ids: solids 1, 2, ..., cavities
+ * number a cavity, whatever the orientation of its triangles. Region ids: solids 1, 2, ...,
+ * cavities
  * -1, -2, ..., in the order of their shells; the exterior is 0.
  */
 struct ShellNesting
@@ -41,14 +42,14 @@ struct ShellNesting
  * @pre it is free of defects and self-intersections.
  *
  * Containment is decided by the winding number (sum of solid angles / 4 pi) of one point of a shell
- * about each other shell whose box contains it: O(s F) for s shells within each other of F
- * triangles in all, and s^2 boxes. Points inside take O(F) in all.
+ * with respect to each other shell whose box contains it: O(s F) for s nested shells with F
+ * triangles in total, and s^2 boxes. Points inside take O(F) in total.
  * @throws std::invalid_argument when a shell is too thin to find a point inside; Cancelled.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT ShellNesting FindNesting(
   const SurfaceView& mesh, const ProgressCallback& progress = {});
 
-/// Box around the points of `mesh` that triangles use.
+/// Bounding box of the points of `mesh` that triangles use.
 VTKISTHMUSFILTERSSURFACES_EXPORT Bounds3 BoundsOf(const SurfaceView& mesh);
 
 }

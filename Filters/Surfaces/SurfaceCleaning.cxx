@@ -391,9 +391,8 @@ std::string DescribeOpenBoundary(const SurfaceView& surface, const SurfaceDefect
       return {};
     }
   }
-  return " It is open only at the faces of its box, as a contour is where the level leaves the "
-         "map: "
-         "Map Surface closes it there.";
+  return " It is open only at the faces of its bounding box, like a contour whose level leaves the "
+         "map: Map Surface closes it there.";
 }
 
 }

@@ -1,7 +1,7 @@
 /**
  * @file SurfaceCleaning.h
- * @brief Surfaces as algorithms need them: coinciding points merged, triangles without area removed
- * (nothing else moves), and why a surface is open.
+ * @brief Prepares surfaces for algorithms: merges coinciding points, removes triangles without area
+ * (without moving anything else), and explains why a surface is open.
  */
 #ifndef isthmus_SurfaceCleaning_h
 #define isthmus_SurfaceCleaning_h
@@ -19,14 +19,14 @@ namespace isthmus
 /**
  * `surface` with one point for each place that a triangle uses, in the order of first use by point
  * id; files with texture coordinates or normals at corners (OBJ, STL) have several. Triangles that
- * lose an edge thereby are left out: they had no area. O(n), by hashing; 30 bytes a point beside
- * the result. `original`, if given, gets the id in `surface` of each point.
- * @throws std::invalid_argument for a corner that is no point.
+ * lose an edge by this are dropped; they had no area. O(n), by hashing; 30 bytes for each point in
+ * addition to the result. `original`, if given, is set to the id in `surface` of each point.
+ * @throws std::invalid_argument if a corner is not a valid point.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT TriangleMesh MergePoints(
   const SurfaceView& surface, std::vector<std::int64_t>* original = nullptr);
 
-/// A surface as algorithms want it that need each place once.
+/// A surface for algorithms that need unique points.
 struct CleanedSurface
 {
   TriangleMesh Mesh;
@@ -37,21 +37,21 @@ struct CleanedSurface
 /**
  * `surface` as it is where FindDefects finds nothing; else with coinciding points merged
  * (MergePoints), cracks closed (JoinCracks of SurfaceMending.h) and triangles without area removed.
- * Holes and other defects stay. Where a corner is no point, or a point is not finite, the surface
- * is not changed at all. O(n).
+ * Holes and other defects stay. If a corner is not a valid point, or a point is not finite, the
+ * surface is not changed at all. O(n).
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT CleanedSurface CleanSurface(TriangleMesh surface);
 
-/// The corners of the triangles of `surface` after the same merging; its points stay where they
-/// are. `places`, if given, gets for each point the one that stands for its place; itself for a
-/// point that no triangle uses.
+/// The corners of the triangles of `surface` after the same merging; its points are not changed.
+/// `places`, if given, is set to the representative of each point, which is the point itself if no
+/// triangle uses it.
 VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> MergedCorners(
   const SurfaceView& surface, std::vector<vtkIdType>* places = nullptr);
 
 /**
- * Where a surface that FindDefects found to be open is so only at the faces of its own box, as a
- * contour is where the level leaves the map: a message that says so, and the remedy, to append to
- * SurfaceDefects::Sentence(). Else empty.
+ * For a surface that FindDefects found to be open: if it is open only at the faces of its bounding
+ * box, like a contour whose level leaves the map, a message with the reason and the remedy, to
+ * append to SurfaceDefects::Sentence(). Else empty.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT std::string DescribeOpenBoundary(
   const SurfaceView& surface, const SurfaceDefects& defects);
@@ -59,13 +59,13 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::string DescribeOpenBoundary(
 /**
  * `surface` without triangles that have no area, as a set of points the same.
  *
- * Those with a corner twice are left out. Of one whose corners a, b, c lie on a line, b between the
- * others, the neighbour (c, a, d) across the side ac is split at b: (c, b, d) and (b, a, d) stand
- * for both; at a border it is left out. It stays, to be reported by FindDefects, where an edge bd
- * is there already or ac has more than two triangles.
+ * Those with the same corner twice are dropped. If the corners a, b, c of a triangle lie on a line,
+ * with b between the others, its neighbour (c, a, d) across the side ac is split at b, so that (c,
+ * b, d) and (b, a, d) replace both. At a border, the triangle is dropped. The triangle is kept, and
+ * reported by FindDefects, if there is already an edge bd, or ac has more than two triangles.
  *
  * @pre corners exist and are finite, and no two points are at one place (MergePoints).
- * O(n log n) for each layer of flat triangles upon each other, of which 16 are tried.
+ * O(n log n) for each layer of flat triangles on top of each other; up to 16 layers are processed.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT TriangleMesh RemoveFlatTriangles(TriangleMesh surface);
 

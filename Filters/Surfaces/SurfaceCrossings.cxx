@@ -292,7 +292,7 @@ std::vector<unsigned char> NodesInside(
       throw std::invalid_argument("The surface is not closed: the line of the grid at y index " +
         std::to_string(line % grid.Dimensions[1]) + ", z index " +
         std::to_string(line / grid.Dimensions[1]) +
-        " crosses it an odd number of times. Close its holes first, or ask for crossings only.");
+        " crosses it an odd number of times. Close its holes first, or request only crossings.");
     }
     const auto row = inside.begin() + line * grid.Dimensions[0];
     std::fill(row + clampedNode(crossed[i].second), row + clampedNode(crossed[i + 1].second),

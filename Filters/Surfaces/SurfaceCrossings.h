@@ -1,16 +1,16 @@
 /**
  * @file SurfaceCrossings.h
- * @brief Where a triangle surface crosses the lines of a grid, and which nodes lie inside it.
+ * @brief Crossings of a triangle surface with the lines of a grid, and the nodes inside it.
  *
  * For each triangle with normal n and each axis with n_axis != 0, the lines of the grid along the
  * axis that pass the triangle cross its plane at o with n . (q - v) = 0, q on the line. Source: X.
  * Feng's thesis, 5.2 to 5.9 (index ranges there without the grid's origin).
  *
- * Each line is moved by an infinitesimal amount, the same for all triangles, and corners are
- * rounded to a lattice of 2^-20 spacings or a little more for the decision whether a line passes a
- * triangle. That decision is then exact integer arithmetic: a line through an edge or a corner is
- * counted once or not at all as the surface demands, so every line crosses a closed surface an even
- * number of times, and no duplicates have to be looked for.
+ * Each line is moved by an infinitesimal amount, the same for all triangles, and for the decision
+ * whether a line passes through a triangle, corners are rounded to a lattice of 2^-20 spacings or
+ * slightly more. That decision is then exact integer arithmetic: a line through an edge or a corner
+ * is counted consistently, once or not at all, so every line crosses a closed surface an even
+ * number of times, and there are no duplicates to remove.
  */
 #ifndef isthmus_SurfaceCrossings_h
 #define isthmus_SurfaceCrossings_h
@@ -48,27 +48,29 @@ enum class CrossingNormal
 
 /**
  * Crossings of `mesh` with the lines of `grid` between its first and last nodes, ordered by node,
- * axis and position. Normals are on the side from which triangles are counter-clockwise.
+ * axis and position. Normals point to the side from which triangles are counter-clockwise.
  *
  * Time O(triangles + crossings log crossings), in parallel, bitwise the same on any number of
  * threads.
- * @throws std::invalid_argument where the surface spans more than 2^22 spacings, and Cancelled.
+ * @throws std::invalid_argument if the surface spans more than 2^22 spacings, and Cancelled.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<GridCrossing> SurfaceCrossings(const SurfaceView& mesh,
   const GridShape& grid, CrossingNormal normal, const ProgressCallback& progress = {});
 
 /**
- * 1 for each node of `grid` inside `mesh`, else 0, by the even-odd rule along x: the winding of the
- * triangles plays no part, and cavities are outside. Nodes exactly on the surface count as either.
+ * 1 for each node of `grid` inside `mesh`, otherwise 0, by the even-odd rule along x. The
+ * orientation of the triangles has no effect, and cavities are outside. Nodes exactly on the
+ * surface may count as either.
  *
- * Throws as SurfaceCrossings does, where a line crosses the surface an odd number of times (it is
- * not closed), and where closed shells cross each other (ShellCrossings.h); `inWorld` gives the
- * place of that in coordinates that users know.
+ * Throws as SurfaceCrossings does, and also if a line crosses the surface an odd number of times
+ * (it is not closed) or closed shells cross each other (ShellCrossings.h). `inWorld` transforms the
+ * place of the crossing to the coordinates shown to users.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<unsigned char> NodesInside(
   const SurfaceView& mesh, const GridShape& grid, const PlaceInWorld& inWorld = {});
 
-/// 1 for each node with one of its six neighbours on the other side, else 0 (irregular nodes).
+/// 1 for each node with at least one of its six neighbours on the other side (irregular nodes),
+/// otherwise 0.
 VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<unsigned char> IrregularNodes(
   const std::vector<unsigned char>& inside, const GridShape& grid);
 

@@ -1,7 +1,6 @@
 /**
  * @file SurfaceDefects.h
- * @brief What is wrong with a triangle surface: is it closed, manifold and oriented, and if not,
- * where not?
+ * @brief Finds defects of a triangle surface: places where it is not closed, manifold or oriented.
  */
 #ifndef isthmus_SurfaceDefects_h
 #define isthmus_SurfaceDefects_h
@@ -18,10 +17,10 @@ namespace isthmus
 {
 
 /**
- * What is wrong with a surface, each as the ids of the triangles (or points) concerned.
+ * The defects of a surface, each with the ids of the triangles (or points) concerned.
  *
- * Purely combinatorial but for InvalidPoints and DegenerateTriangles: crossings of triangles are
- * another matter, for the room of meshing.
+ * Except for InvalidPoints and DegenerateTriangles, they are purely combinatorial; crossings of
+ * triangles are not included.
  */
 struct SurfaceDefects
 {
@@ -36,14 +35,16 @@ struct SurfaceDefects
 
   bool None() const;
 
-  /// Empty when there are none; else one message with counts and the first few ids of each kind.
+  /// Empty if there are no defects; otherwise one message with counts and the first few ids of each
+  /// kind.
   VTKISTHMUSFILTERSSURFACES_EXPORT std::string Sentence() const;
 };
 
 /// "3, 17, 20 and 4 more"
 VTKISTHMUSFILTERSSURFACES_EXPORT std::string FirstIds(const std::vector<std::int64_t>& ids);
 
-/// Defects of `mesh`. O(n) for points of bounded valence, in parallel; about 35 bytes a triangle.
+/// Defects of `mesh`. O(n) for points of bounded valence, in parallel; about 35 bytes for each
+/// triangle.
 VTKISTHMUSFILTERSSURFACES_EXPORT SurfaceDefects FindDefects(
   const SurfaceView& mesh, const ProgressCallback& progress = {});
 

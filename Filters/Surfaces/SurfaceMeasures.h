@@ -1,16 +1,16 @@
 /**
  * @file SurfaceMeasures.h
- * @brief Area, enclosed volume and topology of a triangle surface, whole and by component.
+ * @brief Area, enclosed volume and topology of a triangle surface, in total and for each component.
  *
  *     area    = sum over triangles (v_i, v_j, v_k) of |(v_j - v_i) x (v_k - v_i)| / 2
  *     volume  = 1/3 closed integral of x . n dA = sum of v_i . (v_j x v_k) / 6
  *     Euler   = points - edges + triangles
  *     genus   = sum over components of (2 - Euler - boundary loops) / 2
  *
- * Sources: X. Feng's thesis, 4.40 and 4.41 (there without the factor 1/3 and with the factors of
- * the cross product in the order that gives minus the volume). The volume is positive where
- * triangles are counter-clockwise seen from outside, negative for a surface turned inside out, and
- * for shells with cavities the volume between them, if the cavities' triangles face the cavities.
+ * Sources: X. Feng's thesis, 4.40 and 4.41 (which lack the factor 1/3 and have the factors of the
+ * cross product in the order that gives minus the volume). The volume is positive where triangles
+ * are counter-clockwise seen from outside, and negative for a surface turned inside out. For shells
+ * with cavities it is the volume between them, if the triangles of the cavities face the cavities.
  */
 #ifndef isthmus_SurfaceMeasures_h
 #define isthmus_SurfaceMeasures_h
@@ -52,16 +52,16 @@ struct SurfaceMeasures
 /**
  * Measures `mesh`. Triangles that share a point belong to one component.
  *
- * Degenerate triangles (no area, or a corner twice) are allowed; the latter make their corners
- * irregular. Time O(triangles), memory about 60 bytes a triangle.
+ * Degenerate triangles (without area, or with the same corner twice) are allowed; the latter make
+ * their corners irregular. Time O(triangles), memory about 60 bytes a triangle.
  * @throws Cancelled.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT SurfaceMeasures MeasureSurface(
   const SurfaceView& mesh, const ProgressCallback& progress = {});
 
 /**
- * That a repair changed the number of components or the genus, in one sentence for its message:
- * "Repair changed the genus from 8 to 7." Empty if it did not, or where one of the surfaces has no
+ * A sentence for the message of a repair if it changed the number of components or the genus:
+ * "Repair changed the genus from 8 to 7." Empty if it did not, or if one of the surfaces has no
  * genus (IrregularPoints). Of surfaces without invalid triangles. O(triangles).
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT std::string DescribeTopologyChange(

@@ -1,9 +1,9 @@
 /**
  * @file SurfaceMending.h
- * @brief Small faults that surfaces of files have and that have one remedy: cracks between facets,
- * patches that are turned over, cavities that face the wrong way.
+ * @brief Corrects small defects of surfaces from files: cracks between facets, flipped patches, and
+ * cavities that face the wrong way.
  *
- * Points stay where they are; only the corners of triangles change.
+ * Points are not moved; only the corners of triangles change.
  */
 #ifndef isthmus_SurfaceMending_h
 #define isthmus_SurfaceMending_h
@@ -27,16 +27,16 @@ struct SurfaceMending
   std::int64_t Turned = 0; ///< triangles turned to face as their neighbours do
   std::int64_t Shells = 0; ///< closed shells turned as a whole
 
-  /// One message, empty when nothing was done.
+  /// One message, empty if nothing was changed.
   VTKISTHMUSFILTERSSURFACES_EXPORT std::string Message() const;
 };
 
 /**
  * `surface` with points at its open edges merged that are nearly at one place, as rounding leaves
- * them between the facets of STL files. Of the tolerances 1e-7, 1e-6, 1e-5 and 1e-4 of the
- * diagonal, none above a tenth of the median open edge, the smallest is taken after which the
- * fewest triangles are at a hole, if no edge gets more than two triangles by it. Triangles that
- * lose an edge are dropped. O(n).
+ * them between the facets of STL files. The tolerance is one of 1e-7, 1e-6, 1e-5 and 1e-4 of the
+ * diagonal, and at most a tenth of the median open edge: the smallest one with which the fewest
+ * triangles are at a hole, provided that no edge gets more than two triangles. Triangles that lose
+ * an edge are dropped. O(n).
  * @pre coinciding points are merged (MergedCorners), corners exist and are finite.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> JoinCracks(
@@ -44,8 +44,8 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> JoinCracks(
 
 /**
  * `surface` with neighbours turned alike: in each component, triangles that cover the smaller area
- * are turned. Components that no turning makes consistent (a Moebius strip) stay as they are. Edges
- * of more than two triangles are not crossed. O(n log n).
+ * are turned. Components that cannot be oriented consistently (e.g. a Moebius strip) are not
+ * changed. The orientation is not propagated across edges of more than two triangles. O(n log n).
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> TurnAlike(
   const SurfaceView& surface, SurfaceMending& done);
@@ -53,9 +53,9 @@ VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> TurnAlike(
 /**
  * `surface` with closed shells facing as they must, given the outermost ones: a shell directly in
  * another faces the other way, so that cavities are subtracted and bodies in cavities added.
- * Outermost shells are turned outward if any of them faces outward; where all face inward, so does
- * the result. Shells that cross are not nested; those around others are looked for among the
- * thousand largest. O(n log n), winding numbers by a tree.
+ * Outermost shells are oriented outward if any of them faces outward; if all face inward, so does
+ * the result. Shells that cross are not nested; shells around others are searched for among the
+ * thousand largest. O(n log n), with winding numbers computed by a tree.
  */
 VTKISTHMUSFILTERSSURFACES_EXPORT std::vector<Triangle> TurnShells(
   const SurfaceView& surface, SurfaceMending& done);

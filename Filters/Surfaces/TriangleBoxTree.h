@@ -16,10 +16,10 @@ namespace isthmus
 {
 
 /**
- * Boxes along the axes round four triangles each, in the order of Morton's curve (G. M. Morton,
- * 1966), under a complete binary tree. Boxes are floats relative to the middle of the surface,
- * rounded so that boxes which overlap still do. O(n log n), about 50 bytes a triangle. Queries may
- * run in parallel.
+ * Axis-aligned boxes around four triangles each, in the order of Morton's curve (G. M. Morton,
+ * 1966), under a complete binary tree. The coordinates of boxes are floats relative to the middle
+ * of the surface, rounded so that overlapping boxes still overlap. O(n log n), about 50 bytes for
+ * each triangle. Queries may run in parallel.
  */
 class TriangleBoxTree
 {
@@ -31,10 +31,10 @@ public:
   std::int64_t Groups() const { return this->NumberOfGroups; }
 
   /**
-   * Calls visit(a, b), triangles a and b, for all pairs with overlapping boxes of which one is in
-   * group `group` and the other in it or a later one. Over all groups, each pair comes once. The
-   * group's part of the tree and the whole are descended together, so that the path from the root
-   * is shared by all that take it.
+   * Calls visit(a, b) for all pairs of triangles with overlapping boxes of which one is in group
+   * `group` and the other in the same or a later group. Over all groups, each pair is visited once.
+   * The part of the tree for the group and the whole tree are traversed together, so that paths
+   * from the root are shared.
    */
   template <typename Visit>
   void ForPairs(std::int64_t group, Visit&& visit) const;

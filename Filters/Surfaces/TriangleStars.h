@@ -15,17 +15,18 @@
 namespace isthmus
 {
 
-/// A triangle of a surface where it meets its points.
+/// A triangle of a surface, seen from one of its points.
 using MeshTriangle = Handle<struct MeshTriangleKind, vtkIdType>;
 
-/// What the triangles around a point look like.
+/// The arrangement of the triangles around a point.
 enum class StarKind : unsigned char
 {
-  Isolated, ///< None: the point is not on the surface.
-  Interior, ///< One closed fan, all triangles wound alike: the surface is a disc here.
+  Isolated, ///< There are none: the point is not on the surface.
+  Interior, ///< One closed fan of consistently oriented triangles: the surface is a disc here.
   Boundary, ///< One open fan: a half disc.
-  Irregular ///< Anything else: an edge of more than two triangles, neighbours wound against each
-            ///< other, several fans touching in the point, or a triangle with a corner twice.
+  Irregular ///< Anything else: an edge of more than two triangles, inconsistently oriented
+            ///< neighbours, several fans that touch at the point, or a triangle with the same
+            ///< corner twice.
 };
 
 /// The triangles around each point. Building and memory: O(triangles).
@@ -54,7 +55,7 @@ public:
   /// Opposite edges of all triangles around `point`, sorted. Reuses the memory of `edges`.
   void Link(vtkIdType point, std::vector<std::pair<vtkIdType, vtkIdType>>& edges) const;
 
-  /// Kind of the star of `point`; `scratch` saves an allocation per call. O(n log n) for n
+  /// Kind of the star of `point`; `scratch` avoids an allocation in each call. O(n log n) for n
   /// triangles.
   StarKind Kind(vtkIdType point, std::vector<std::pair<vtkIdType, vtkIdType>>& scratch) const;
 

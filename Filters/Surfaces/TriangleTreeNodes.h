@@ -15,9 +15,9 @@
 namespace isthmus
 {
 
-/// Eight children a node and eight triangles a leaf, lane by lane, so that a query measures them at
-/// once. Cylinders only exclude what is too far, with all rounding on the safe side, so floats
-/// serve for them: (x - Origin) / Scale, at most about 1.
+/// Eight children for each node and eight triangles for each leaf, stored lane by lane, so that a
+/// query measures them at the same time. Cylinders are only used to exclude distant triangles, with
+/// rounding on the safe side, so floats are sufficient: (x - Origin) / Scale, at most about 1.
 struct TriangleTreeNodes
 {
   static constexpr std::size_t Width = 8;
@@ -34,7 +34,7 @@ struct TriangleTreeNodes
     std::array<std::int32_t, Width> Child; ///< a node, or ~n for leaf n
   };
 
-  /// Eight triangles; the last again where some are missing.
+  /// Eight triangles; if there are fewer, the last one is repeated.
   struct Leaf
   {
     alignas(64) std::array<std::array<Lanes, 3>, 3> Corner; ///< by corner and axis
@@ -46,7 +46,7 @@ struct TriangleTreeNodes
   std::vector<Leaf> Leaves;
 };
 
-/// O(n log n) for n triangles, less than 2^34; nothing for none.
+/// O(n log n) for n triangles, fewer than 2^34; empty if there are none.
 TriangleTreeNodes MakeTriangleNodes(const SurfaceView& mesh);
 
 }

@@ -1,11 +1,12 @@
 /**
  * @file WindingNumber.h
- * @brief How often a triangle soup, open or crossing itself as it may be, winds around a point.
+ * @brief Winding number of a triangle soup, which may be open or cross itself, around a point.
  *
  * Generalised winding number: A. Jacobson, L. Kavan, O. Sorkine-Hornung, ACM Trans. Graph. 32
- * (2013) 33, doi:10.1145/2461912.2461916: the solid angles of all triangles over 4 pi, 1 inside a
- * closed surface, 0 outside and in between near holes. By a tree, as G. Barill et al., ACM Trans.
- * Graph. 37 (2018) 43, doi:10.1145/3197517.3201337: far parts count as one dipole each.
+ * (2013) 33, doi:10.1145/2461912.2461916: the solid angles of all triangles over 4 pi, which is 1
+ * inside a closed surface, 0 outside, and in between near holes. By a tree, as G. Barill et al.,
+ * ACM Trans. Graph. 37 (2018) 43, doi:10.1145/3197517.3201337: distant parts are each replaced by
+ * one dipole.
  */
 #ifndef isthmus_WindingNumber_h
 #define isthmus_WindingNumber_h
@@ -21,9 +22,9 @@ namespace isthmus
 VTKISTHMUSFILTERSSURFACES_EXPORT double SolidAngle(
   const Point3& a, const Point3& b, const Point3& c);
 
-/// Building O(n log n), 130 bytes a triangle; a query O(log n) triangles. Queries may run in
-/// parallel. Parts farther away than three times their radius are taken as dipoles, which is good
-/// to about 0.01: enough to distinguish 0 from 1.
+/// Building takes O(n log n) and 130 bytes for each triangle; a query evaluates O(log n) triangles.
+/// Queries may run in parallel. Parts farther away than three times their radius are replaced by
+/// dipoles, with an error of about 0.01, which is sufficient to distinguish 0 from 1.
 class VTKISTHMUSFILTERSSURFACES_EXPORT WindingNumber
 {
 public:

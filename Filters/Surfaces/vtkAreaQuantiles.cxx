@@ -79,14 +79,14 @@ int vtkAreaQuantiles::RequestData(
       vtkDataArray* array = this->GetInputArrayToProcess(0, data, association);
       if (!array || array->GetNumberOfComponents() != 1)
       {
-        throw std::invalid_argument("There is no array of one component to take quantiles of.");
+        throw std::invalid_argument("There is no array of one component for the quantiles.");
       }
       const bool onPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
       vtkDataArray* valid = onPoints ? data->GetPointData()->GetArray("CurvatureValid") : nullptr;
       const std::vector<double> weights = Weights(data, association);
       if (array->GetNumberOfTuples() != static_cast<vtkIdType>(weights.size()))
       {
-        throw std::invalid_argument("The array is not one number for each point or cell.");
+        throw std::invalid_argument("The array does not have one number for each point or cell.");
       }
       std::vector<isthmus::WeightedValue> values;
       for (std::size_t i = 0; i < weights.size(); ++i)

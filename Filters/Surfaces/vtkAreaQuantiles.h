@@ -2,13 +2,14 @@
  * @class vtkAreaQuantiles
  * @brief Two quantiles of an array over the area of a surface: what a colour bar should span.
  *
- * Extremes of curvature and potential sit in a few points near creases; a colour bar between them
- * shows one flat tint. Input: vtkPolyData (or other vtkDataSet, whose points or cells count alike)
- * with the point or cell array of `SetInputArrayToProcess(0, ...)`, one component. Values that are
- * not finite are ignored, and those where the point array `CurvatureValid` is 0.
+ * Extreme values of curvature and potential occur at a few points near creases; with a colour range
+ * between them, the surface would have almost a single colour. Input: vtkPolyData (or another
+ * vtkDataSet, whose points or cells have equal weights) with the point or cell array of
+ * `SetInputArrayToProcess(0, ...)`, one component. Values that are not finite are ignored, and so
+ * are those for which the point array CurvatureValid is 0.
  *
  * Output: vtkTable with the column `Range` of two rows: the quantiles Lower and Upper by area; no
- * row where there is no value. Used by the plugin to choose colour ranges, also on a remote server.
+ * rows if there are no values. The plugin uses it to choose colour ranges, also on a remote server.
  * Memory: 16 bytes a value.
  */
 #ifndef vtkAreaQuantiles_h

@@ -5,23 +5,23 @@
  * The input, a vtkPolyData or a vtkImageData, is passed on with its measures as field data; output
  * 1 is a vtkTable of the same. Lengths are in the unit of the data, angstrom for molecular data.
  *
- * **Surface** (polygons and strips are split into triangles; vertices and lines don't count): field
+ * **Surface** (polygons and strips are split into triangles; vertices and lines are ignored): field
  * data `Area`, `Volume`, `Genus`, `Components`, `EulerNumber`, `OpenEdges`, `BoundaryLoops`,
  * `IrregularPoints`; table: a row for the whole (`Component` -1) and one for each component, with
- * `Points`, `Edges` and `Triangles` too. Triangles that share a point are one component.
- * `Volume` is positive where triangles are counter-clockwise seen from outside, and cavities count
- * against it. Cracks between facets, patches that are turned over and cavities that face the same
- * way as the shell around them are mended before, with a warning (SurfaceMending.h). `Volume` is
- * not a number, with a warning, where the surface doesn't enclose one: `OpenEdges` are those with
- * more triangles on one side than on the other; and where closed components cross each other, with
- * the place (ShellCrossings.h): the volumes of the components are those of each alone. `Genus` is
- * the number of handles, with the `BoundaryLoops` closed; it is -1, with a warning, where the
- * surface has `IrregularPoints`: points around which its triangles form neither a disc nor a half
- * disc.
+ * `Points`, `Edges` and `Triangles` too. Triangles that share a point are one component. `Volume`
+ * is positive where triangles are counter-clockwise seen from outside, and the volume of cavities
+ * is subtracted. Cracks between facets, flipped patches, and cavities that face the same way as the
+ * shell around them are corrected first, with a warning (SurfaceMending.h). `Volume is NaN, with a
+ * warning, if the surface does not enclose a volume (OpenEdges are edges with more triangles on one
+ * side than on the other), or if closed components cross each other; in this case the warning gives
+ * the place (ShellCrossings.h), and the volumes of the components are those of each component
+ * alone. `Genus is the number of handles, with the BoundaryLoops closed. It is -1, with a warning,
+ * if the surface has IrregularPoints, i.e. points around which the triangles form neither a disc
+ * nor a half disc.
  *
- * **Image**: four measures of the isosurface at Level of its scalars: `Area` and `Volume`, sharp,
- * and `SmearedArea` and `SmearedVolume` of the scalars scaled to 0 outside and 1 inside. Float and
- * double are used as they are, other types as a copy in double.
+ * **Image: four measures of the isosurface at Level of its scalars: the sharp Area and Volume, and
+ * SmearedArea and SmearedVolume of the scalars scaled to 0 outside and 1 inside. Float and double
+ * are used as they are, other types as a copy in double.
  *
  * Formulas and sources: SurfaceMeasures.h, CartesianMeasures.h.
  *
@@ -29,8 +29,9 @@
  * cells, no point scalars or several components, equal InsideValue and OutsideValue. Empty input is
  * not an error.
  *
- * **Cost.** O(triangles), 60 bytes each; O(nodes), no memory. On several MPI ranks, each measures
- * its own piece: gather the surface first (in ParaView: Aggregate Dataset).
+ * **Cost.** Surfaces take O(triangles), with 60 bytes for each; images take O(nodes), without
+ * additional memory. On several MPI ranks, each measures its own piece: gather the surface first
+ * (in ParaView: Aggregate Dataset).
  */
 #ifndef vtkSurfaceMeasures_h
 #define vtkSurfaceMeasures_h
@@ -69,7 +70,7 @@ public:
 
   ///@{
   /// Scalars deep inside and far outside, in their unit; the smeared measures scale them to 1 and
-  /// 0. Default: 1 and 0, as for a characteristic function.
+  /// 0. The defaults are 1 and 0, as for a characteristic function.
   vtkSetMacro(InsideValue, double);
   vtkGetMacro(InsideValue, double);
   vtkSetMacro(OutsideValue, double);

@@ -89,8 +89,8 @@ void vtkSurfaceToGrid::GridAround(vtkPolyData* surface, vtkImageData* grid)
   const double h = this->Spacing > 0.0 ? this->Spacing : longest / 64.0;
   if (!(h > 0.0) || std::isinf(h))
   {
-    throw std::invalid_argument("The surface has no size, or not a finite one, so there is no grid "
-                                "around it: give an image.");
+    throw std::invalid_argument(
+      "The surface has no finite size, so there is no grid around it: connect an image.");
   }
   int size[3];
   for (int axis = 0; axis < 3; ++axis)

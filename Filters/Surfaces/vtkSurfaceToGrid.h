@@ -5,35 +5,35 @@
  * Input 0 is a closed surface (vtkPolyData; polygons and strips are split into triangles) or a
  * volume (vtkImageData), whose isosurface at Level is the surface. For a surface, the grid is that
  * of the image on input 1, if there is one, else one around the surface with Spacing and Padding.
- * For a volume it is the volume's own.
+ * For a volume, it is the grid of the volume.
  *
  * **Output 0**, vtkImageData, on nodes: `Inside` (unsigned char: 1 inside, 0 outside), `Irregular`
  * (unsigned char: 1 for nodes with one of their six neighbours on the other side), `SignedDistance`
- * (double, length, negative inside). A volume keeps its other arrays. Surface: inside by the
- * even-odd rule, so the winding plays no part and cavities are outside. Volume: inside is where the
- * scalar is above Level (below, with InsideIsHigher off); the distance is that to its isosurface
- * by vtkFlyingEdges3D.
+ * (double, length, negative inside). A volume keeps its other arrays. Surface: the inside is
+ * determined by the even-odd rule, so the orientation has no effect and cavities are outside.
+ * Volume: inside is where the scalar is above Level (below, with InsideIsHigher off); the distance
+ * is that to its isosurface by vtkFlyingEdges3D.
  *
- * **Output 1**, vtkPolyData, a vertex for each crossing of the surface with a line of the grid, in
- * the order of the nodes below them: `Normals` (unit; outwards for volumes, on the side from which
- * triangles are counter-clockwise for surfaces), `Node` (id of the node below on the line), `Axis`
- * (0, 1, 2: the line is along x, y, z of the grid), `Fraction` (part of the spacing from that
- * node).
+ * **Output 1, vtkPolyData, has a vertex for each crossing of the surface with a line of the grid,
+ * in the order of the nodes below them: `Normals` (unit; outwards for volumes, on the side from
+ * which triangles are counter-clockwise for surfaces), `Node` (id of the node below on the line),
+ * `Axis` (0, 1, 2: the line is along x, y, z of the grid), `Fraction` (part of the spacing from
+ * that node).
  *
  * **Accuracy.** Crossings lie on the surface to rounding. Distances are exact within BandWidth
- * spacings h of the surface; farther away they are those to the nearest crossing, never too small
- * and too large by at most about h^2 / (2 distance), unless ExactEverywhere is on.
+ * spacings h of the surface; farther away they are distances to the nearest crossing, which are
+ * never too small, and too large by at most about h^2 / (2 distance), unless ExactEverywhere is on.
  *
  * Formulas and sources: SurfaceCrossings.h, LevelCrossings.h, GridDistance.h.
  *
- * **Errors** (one message, empty outputs): surfaces that are not closed (when Inside or
- * SignedDistance are wanted), closed parts that cross (ShellCrossings.h), coordinates that are not
- * finite, damaged cells, negative Spacing, grids of a single layer, no point scalars. An empty
+ * **Errors** (one message, empty outputs): surfaces that are not closed (if Inside or
+ * SignedDistance are requested), closed parts that cross (ShellCrossings.h), coordinates that are
+ * not finite, damaged cells, negative Spacing, grids of a single layer, no point scalars. An empty
  * surface or image is not an error.
  *
- * **Cost.** A million triangles on 256^3 nodes: a few seconds on two cores. Memory 26 bytes a node
- * (1 without distance). On several MPI ranks, each works on its own piece of the surface: gather it
- * first (in ParaView: Aggregate Dataset).
+ * **Cost.** A million triangles on 256^3 nodes take a few seconds on two cores. Memory: 26 bytes
+ * for each node (1 without distances). On several MPI ranks, each works on its own piece of the
+ * surface: gather it first (in ParaView: Aggregate Dataset).
  */
 #ifndef vtkSurfaceToGrid_h
 #define vtkSurfaceToGrid_h
@@ -68,8 +68,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Node distance of the grid around a surface, in the unit of its points (angstrom). Default 0:
-  /// the longest side of its bounding box / 64.
+  /// Node distance of the grid around a surface, in the unit of its points (angstrom). Default 0,
+  /// which means the longest side of the bounding box / 64.
   vtkSetMacro(Spacing, double);
   vtkGetMacro(Spacing, double);
   ///@}
@@ -123,7 +123,7 @@ public:
 
   ///@{
   /// Width of the band around the surface in which distances are exact, in (largest) spacings. At
-  /// least 1; more costs time. Default: 2.
+  /// least 1; larger values take more time. Default: 2.
   vtkSetClampMacro(BandWidth, double, 1.0, 1000.0);
   vtkGetMacro(BandWidth, double);
   ///@}

@@ -1,6 +1,7 @@
 /**
  * @file Codecs.h
- * @brief Decoders of one member of a gzip file (by ISA-L where available, else zlib) or bzip2 file.
+ * @brief Decoders of one member of a gzip file (by ISA-L if available, otherwise zlib) or bzip2
+ * file.
  */
 #ifndef isthmus_Codecs_h
 #define isthmus_Codecs_h
@@ -28,14 +29,14 @@ enum class CodecState
   Damaged
 };
 
-/// gzip. ISA-L and zlib give the same bytes, and both refuse those whose checksum is wrong. Of a
-/// truncated file ISA-L leaves out up to three bytes that zlib still gives, and it accepts
-/// undefined flags of a header. ISA-L holds 90 kB of state, zlib 40 kB.
+/// gzip. ISA-L and zlib produce the same bytes, and both refuse data with a wrong checksum. For a
+/// truncated file, ISA-L omits up to three bytes that zlib still produces; it also accepts
+/// undefined flags in a header. ISA-L holds 90 kB of state, zlib 40 kB.
 ///
 /// @throws std::bad_alloc where zlib has no memory.
 ///
-/// What both libraries share, down to the names in their streams. `Inflater` has its Stream, set
-/// up, and Inflate().
+/// The code common to both libraries, whose streams have the same member names. `Inflater provides
+/// an initialised Stream and Inflate().
 template <typename Inflater>
 class GzipCodecOf : private Inflater
 {
@@ -47,9 +48,9 @@ public:
     return size >= 2 && bytes[0] == 0x1f && bytes[1] == 0x8b;
   }
 
-  /// Unpacks from `in` to `out`, both of which it moves on, until one of them is used up.
-  /// @pre The first time, `in` has the member's whole header: ISA-L 2.30 reports a header
-  /// that comes in parts and has its own checksum as damaged.
+  /// Decompresses from `in` to `out`, and advances both, until one of them is exhausted.
+  /// @pre The first time, `in` contains the whole header of the member: ISA-L 2.30 reports a header
+  /// as damaged if it arrives in parts and has its own checksum.
   CodecState Step(
     unsigned char*& in, std::size_t& inSize, unsigned char*& out, std::size_t& outSize)
   {
@@ -131,7 +132,7 @@ class Bzip2Codec
 {
 public:
   static constexpr const char* Name = "bzip2";
-  // A block of 45 bytes can hold 46 MB of one value: no bound worth the name.
+  // A block of 45 bytes can hold 46 MB of one value, so there is no useful bound.
   static std::uint64_t MostBytes(std::uint64_t) { return std::numeric_limits<std::int64_t>::max(); }
   static bool StartsMember(const unsigned char* bytes, std::size_t size)
   {
@@ -149,7 +150,7 @@ public:
   Bzip2Codec(const Bzip2Codec&) = delete;
   Bzip2Codec& operator=(const Bzip2Codec&) = delete;
 
-  /// Unpacks from `in` to `out`, both of which it moves on, until one of them is used up.
+  /// Decompresses from `in` to `out`, and advances both, until one of them is exhausted.
   CodecState Step(
     unsigned char*& in, std::size_t& inSize, unsigned char*& out, std::size_t& outSize)
   {

@@ -1,6 +1,6 @@
 /**
  * @file FileReplacement.h
- * @brief A file that replaces another one when it is whole; the old one survives every failure.
+ * @brief A file that replaces another one when it is complete; the old file survives every failure.
  */
 #ifndef isthmus_FileReplacement_h
 #define isthmus_FileReplacement_h
@@ -13,16 +13,16 @@ namespace isthmus
 {
 
 /**
- * Of a new file beside the target, which is written in any way and closed before Finish(). Without
- * Replace() it is removed, and the target is what it was. A link is followed to what it points to,
- * and the permissions of a target that is there are kept. Where the target is no regular file (a
- * device, a pipe), it is written itself.
+ * Manages a new file beside the target, which can be written in any way and must be closed before
+ * Finish(). Without Replace() it is removed, and the target is unchanged. Links are followed, and
+ * the permissions of an existing target are kept. If the target is not a regular file (a device, a
+ * pipe), it is written directly.
  */
 class VTKISTHMUSREADERSFILES_EXPORT FileReplacement
 {
 public:
-  /// Makes the new file, empty.
-  /// @throws std::runtime_error where the target or its folder can't be written.
+  /// Creates the new file, empty.
+  /// @throws std::runtime_error if the target or its folder cannot be written.
   explicit FileReplacement(const std::string& path);
   ~FileReplacement();
   FileReplacement(const FileReplacement&) = delete;
@@ -31,11 +31,12 @@ public:
   /// Where to write.
   const std::string& Written() const { return this->New; }
 
-  /// Flushes what was written to the disk: after it, Replace() needs no more space.
-  /// @throws std::runtime_error where the disk does not take it.
+  /// Flushes the file to the disk; afterwards, Replace() needs no more space.
+  /// @throws std::runtime_error if writing to the disk fails.
   void Finish();
 
-  /// The new file has the target's name when this returns. Finishes first where that was not done.
+  /// The new file has the target's name when this returns. Calls Finish() first if that was not
+  /// done.
   /// @throws std::runtime_error.
   void Replace();
 

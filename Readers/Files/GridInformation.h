@@ -16,8 +16,8 @@ class vtkInformation;
 namespace isthmus
 {
 
-/// Nodes along x, y, z; angstrom between them; where the first one lies; the direction matrix, by
-/// rows. No nodes: a file that can't be read.
+/// Numbers of nodes along x, y, z; the spacing in angstrom; the position of the first node; the
+/// direction matrix, by rows. There are no nodes if the file cannot be read.
 struct GridInformation
 {
   std::array<std::int64_t, 3> Dimensions{};
@@ -26,7 +26,7 @@ struct GridInformation
   std::array<double, 9> Direction{ 1, 0, 0, 0, 1, 0, 0, 0, 1 };
 };
 
-/// Puts the grid into the information of an output.
+/// Stores the grid in the pipeline information of an output.
 VTKISTHMUSREADERSFILES_EXPORT void Describe(const GridInformation& grid, vtkInformation* info);
 
 /// A file that was replaced since its information was read would be shown in the old geometry.
@@ -34,7 +34,7 @@ VTKISTHMUSREADERSFILES_EXPORT void Describe(const GridInformation& grid, vtkInfo
 VTKISTHMUSREADERSFILES_EXPORT void RequireUnchanged(
   const GridInformation& grid, vtkInformation* info, const char* path);
 
-/// Gives the image the update extent, and the grid's geometry.
+/// Sets the extent of the image to the update extent, and its geometry to that of the grid.
 VTKISTHMUSREADERSFILES_EXPORT void StartImage(vtkInformation* info, vtkImageData* image);
 
 }

@@ -1,6 +1,6 @@
 /**
  * @file NumberTypes.h
- * @brief Lists of numbers of any type, and their names, text and bytes in a file.
+ * @brief Lists of numbers of any type, and their names, text and bytes in files.
  */
 #ifndef isthmus_NumberTypes_h
 #define isthmus_NumberTypes_h
@@ -21,17 +21,17 @@
 namespace isthmus
 {
 
-/// Numbers of any of these types: int8 uint8 ... int64 uint64 float32 float64.
+/// A list of numbers of one of these types: int8 uint8 ... int64 uint64 float32 float64.
 using NumberList =
   std::variant<std::vector<std::int8_t>, std::vector<std::uint8_t>, std::vector<std::int16_t>,
     std::vector<std::uint16_t>, std::vector<std::int32_t>, std::vector<std::uint32_t>,
     std::vector<std::int64_t>, std::vector<std::uint64_t>, std::vector<float>, std::vector<double>>;
 
-/// In the order of NumberList's alternatives.
+/// The names, in the order of the alternatives of NumberList.
 inline constexpr std::array<std::string_view, 10> NumberTypeNames{ "int8", "uint8", "int16",
   "uint16", "int32", "uint32", "int64", "uint64", "float32", "float64" };
 
-/// An empty list of the type with this place in NumberTypeNames.
+/// An empty list of the type with this index in NumberTypeNames.
 template <std::size_t I = 0>
 NumberList EmptyNumberList(std::size_t type)
 {
@@ -45,7 +45,7 @@ NumberList EmptyNumberList(std::size_t type)
   return NumberList(std::in_place_index<I>);
 }
 
-/// Whether the text is one number of type T, all of it.
+/// Whether the whole text is one number of type T.
 template <typename T>
 bool FromText(std::string_view text, T& value)
 {
@@ -55,7 +55,7 @@ bool FromText(std::string_view text, T& value)
   return result.ec == std::errc() && result.ptr == end;
 }
 
-/// The shortest text that FromText turns into the same value.
+/// The shortest text that FromText converts to the same value.
 template <typename T>
 std::string_view ToText(T value, std::array<char, 64>& buffer)
 {
@@ -71,7 +71,7 @@ inline bool IsLittleEndian()
   return first == 1;
 }
 
-/// Swaps the file's little-endian bytes into this machine's order, or back.
+/// Converts the little-endian bytes of a file to the byte order of this machine, or back.
 template <typename T>
 void SwapToLittleEndian(T* values, std::size_t count)
 {

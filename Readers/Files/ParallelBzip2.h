@@ -1,17 +1,18 @@
 /**
  * @file ParallelBzip2.h
- * @brief Members of a bzip2 file, unpacked block by block on all threads.
+ * @brief Decompresses the members of a bzip2 file block by block on all threads.
  *
  * Bzip2BlockFinder cuts the stream, libbz2 decompresses each block as a separate stream (and checks
- * its checksum), and the results are handed out in order; the checksum of the member is compared at
- * its end. As pbzip2 and lbzip2 do (J. Gilchrist, Parallel data compression with bzip2, PDCS 2004).
- * The bytes are those of libbz2, for any number of threads. Any mismatch is reported as damaged
- * only: libbz2 must find the cause, since a block may look cut where it is not.
+ * its checksum), and the results are returned in order; the checksum of the member is verified at
+ * its end. This is also the method of pbzip2 and lbzip2 (J. Gilchrist, Parallel data compression
+ * with bzip2, PDCS 2004). The bytes are those of libbz2, for any number of threads. Any mismatch is
+ * reported only as damage; libbz2 must find the cause, since a block boundary may have been
+ * detected in the wrong place.
  *
- * Memory: 13 MB a thread, twice libbz2's 3.7 MB, a block's packed bytes and the first MiB of its
- * content. What a block holds beyond that (runs of one value: 46 MB at most) is unpacked as it is
- * handed out. The first block comes alone, the next two together, and so on: whoever reads a header
- * waits for one.
+ * Memory: 13 MB for each thread, i.e. twice the 3.7 MB of libbz2, the compressed bytes of a block
+ * and the first MiB of its content. The rest of a block (runs of one value, at most 46 MB) is
+ * decompressed when it is returned. The first block is processed alone, the next two together, and
+ * so on, so that reading a header takes the time of only one block.
  */
 #ifndef isthmus_ParallelBzip2_h
 #define isthmus_ParallelBzip2_h
@@ -28,7 +29,7 @@
 namespace isthmus
 {
 
-/// A block as a separate stream; or, without a stream, the end of a member.
+/// A block as a separate stream or, if the stream is empty, the end of a member.
 struct Bzip2Block
 {
   std::vector<unsigned char> Stream;
@@ -41,11 +42,12 @@ struct Bzip2Block
  *
  * A member is "BZh" and a digit, blocks, and an end; a block begins with 0x314159265359 and the
  * checksum of its content, the end is 0x177245385090 and the checksum of all blocks', padded to a
- * byte. Blocks follow each other at any bit, so those 48 bits are looked for at every bit, by a
- * table of the bytes that can lie within them. They may turn up in a block's own data as well (in
- * one bit of 2.8e14): such a piece does not unpack, so what was cut must be judged by libbz2.
+ * byte. Blocks may begin at any bit, so these 48 bits are searched for at every bit, using a table
+ * of the bytes that can occur within them. They may also occur in the data of a block (with a
+ * probability of 1 in 2.8e14 for each bit). Such a piece cannot be decompressed, so libbz2 must
+ * validate the pieces.
  *
- * Time: about 2 ns a byte. Memory: one block, 4 MB at most.
+ * Time: about 2 ns for each byte. Memory: one block, 4 MB at most.
  */
 class Bzip2BlockFinder
 {
@@ -58,7 +60,7 @@ public:
     Foreign    ///< no bzip2
   };
 
-  /// Moves the input on to the next thing found, which is then put into `block`.
+  /// Advances the input to the end of the next item, which is stored in `block`.
   Found Take(unsigned char*& in, std::size_t& inSize, Bzip2Block& block);
 
 private:
@@ -97,8 +99,8 @@ public:
   ParallelBzip2(const ParallelBzip2&) = delete;
   ParallelBzip2& operator=(const ParallelBzip2&) = delete;
 
-  /// As Bzip2Codec's, but continues with members that follow immediately; without input (the end of
-  /// the file) it returns what it has.
+  /// Like that of Bzip2Codec, but continues with members that follow immediately; without input (at
+  /// the end of the file) it returns the remaining data.
   CodecState Step(
     unsigned char*& in, std::size_t& inSize, unsigned char*& out, std::size_t& outSize);
 

@@ -1,6 +1,6 @@
 /**
  * @file ReaderError.h
- * @brief Why a file could not be read, for callers that must distinguish the cases.
+ * @brief The reason why a file could not be read, for callers that must distinguish the cases.
  */
 #ifndef isthmus_ReaderError_h
 #define isthmus_ReaderError_h
@@ -21,7 +21,7 @@ enum class ReaderFailure
   BadRequest,    ///< the requested part is not in the file
 };
 
-/// A message that says what is wrong, in which file, and what can be done.
+/// A message that states what is wrong, in which file, and what can be done.
 class ReaderError : public std::runtime_error
 {
 public:

@@ -1,7 +1,7 @@
 /**
  * @file ReaderGuard.h
- * @brief What the readers' VTK classes do around reading: a file named, errors as messages and
- * codes.
+ * @brief Steps that the VTK classes of readers perform around reading: checking the file name, and
+ * reporting errors as messages and codes.
  */
 #ifndef isthmus_ReaderGuard_h
 #define isthmus_ReaderGuard_h
@@ -40,11 +40,12 @@ inline unsigned long ErrorCodeOf(ReaderFailure kind)
 }
 
 /**
- * What CanReadFile returns for a file that `looks(fileName)` like one of the reader's, or not.
+ * The result of CanReadFile for a file; looks(fileName) decides whether the content is that of the
+ * reader's format.
  *
- * Empty files, folders and pipes have nothing to judge by: there the name decides (its extension,
- * by which ParaView has chosen whom it asks), and reading reports what is wrong. Refused by all,
- * they would be offered to readers that wait for pipes, or fall over empty files.
+ * Empty files, folders and pipes have no content to judge. For these the extension decides, by
+ * which ParaView has chosen the reader, and reading reports what is wrong. If all readers refused
+ * them, ParaView would offer them to readers that wait for pipes or crash on empty files.
  */
 template <typename Looks>
 int CanRead(const char* fileName, Looks&& looks)
@@ -66,9 +67,9 @@ int CanRead(const char* fileName, Looks&& looks)
 }
 
 /**
- * Runs body() for a reader of `fileName`; what goes wrong becomes a message, an empty output (see
- * Guarded) and an error code. `setErrorCode(code)` is called only where the code changes, since
- * that marks the reader as modified, and has it read again. Returns what RequestData returns.
+ * Runs body() for a reader of `fileName`; failures become a message, an empty output (see Guarded)
+ * and an error code. `setErrorCode(code)` is called only if the code changes, since that marks the
+ * reader as modified and makes it read again. Returns the value for RequestData.
  * @throws nothing, whatever body() throws.
  */
 template <typename Reader, typename SetErrorCode, typename Body>

@@ -115,7 +115,7 @@ void StridedCopy(
     case 8:
       return CopyBox<8>(box, from, to);
     default:
-      throw std::invalid_argument("StridedCopy: elements have 1, 2, 3, 4 or 8 bytes.");
+      throw std::invalid_argument("StridedCopy: elements must have 1, 2, 3, 4 or 8 bytes.");
   }
 }
 

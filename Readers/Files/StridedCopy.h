@@ -12,8 +12,8 @@
 namespace isthmus
 {
 
-/// Element (a, b, c) of the box lies at a From[0] + b From[1] + c From[2], and goes to the same
-/// with To; all in elements. @pre one of To is 1.
+/// Element (a, b, c) of the box lies at a From[0] + b From[1] + c From[2], and is copied to the
+/// same expression with To; all are counted in elements. @pre one of To is 1.
 struct StridedBox
 {
   std::array<std::int64_t, 3> Count{};
@@ -22,8 +22,8 @@ struct StridedBox
 };
 
 /**
- * Copies elements of `bytes` bytes (1, 2, 3, 4 or 8), in tiles, so that neither reading nor writing
- * leaves the cache when axes change places.
+ * Copies elements of `bytes` bytes (1, 2, 3, 4 or 8) in tiles, so that both reading and writing
+ * stay in the cache when axes are permuted.
  * @pre the memory areas do not overlap.
  * @throws std::invalid_argument for another number of bytes.
  */

@@ -1,6 +1,6 @@
 /**
  * @file TextFileWriter.h
- * @brief A text file that is written whole or not at all.
+ * @brief A text file that is written either completely or not at all.
  */
 #ifndef isthmus_TextFileWriter_h
 #define isthmus_TextFileWriter_h
@@ -19,12 +19,12 @@ namespace isthmus
 {
 
 /**
- * Text and numbers on their way to a file, gzip-compressed where the path ends in .gz. Numbers have
- * the fewest digits that are read back bit for bit, and a '.' in every locale.
+ * Writes text and numbers to a file, gzip-compressed if the path ends in .gz. Numbers are written
+ * with the fewest digits that are read back bit for bit, and a '.' in every locale.
  *
- * The file of this name, if any, is replaced by Close(); without it, or where the disk is full, it
- * stays as it was. Memory: 1 MiB.
- * @throws std::runtime_error with the path when it can't be written.
+ * An existing file of this name is replaced by Close(); without Close(), or if the disk is full, it
+ * is not changed. Memory: 1 MiB.
+ * @throws std::runtime_error with the path if it cannot be written.
  */
 class TextFileWriter
 {
@@ -42,10 +42,11 @@ public:
     return *this << ToText(number, digits);
   }
 
-  /// Everything is in the file when this returns, and the file has its name.
+  /// When this returns, everything has been written and the file has its final name.
   void Close();
 
-  /// The two halves of it, for files that belong together: no name is changed until all are whole.
+  /// The two halves of Close(), for files that belong together: no file is renamed until all are
+  /// complete.
   void Finish();
   void Replace() { this->File.Replace(); }
 

@@ -18,7 +18,7 @@
 namespace isthmus
 {
 
-/// Goes through a text line by line, with progress, and makes messages about the line it is at.
+/// Iterates over the lines of a text, with progress, and creates messages about the current line.
 class TextLines
 {
 public:
@@ -29,7 +29,7 @@ public:
   {
   }
 
-  /// False at the end; `line` comes without its line end.
+  /// False at the end; `line` does not include its line end.
   bool Next(std::string_view& line)
   {
     if (this->At >= this->Text.size())
@@ -92,13 +92,13 @@ inline std::string_view Trimmed(std::string_view text)
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// Characters [from, from + count) of `line`, as far as there are any, blanks around left out.
+/// The characters [from, from + count) of `line`, as far as they exist, without surrounding blanks.
 inline std::string_view Columns(std::string_view line, std::size_t from, std::size_t count)
 {
   return from < line.size() ? Trimmed(line.substr(from, count)) : std::string_view();
 }
 
-/// The next word of `rest`, which then begins behind it; empty at the end.
+/// Removes the next word from `rest` and returns it; empty at the end.
 inline std::string_view NextWord(std::string_view& rest)
 {
   const auto first = std::min(rest.find_first_not_of(" \t"), rest.size());
@@ -108,7 +108,7 @@ inline std::string_view NextWord(std::string_view& rest)
   return word;
 }
 
-/// Whether all of `text` is one number; a leading + is allowed.
+/// Whether the whole text is one number; a leading + is allowed.
 template <typename T>
 bool IsNumber(std::string_view text, T& value)
 {

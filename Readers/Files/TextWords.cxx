@@ -136,7 +136,7 @@ std::string_view TextWords::WordThere(const char* what)
   {
     throw ReaderError(ReaderFailure::Truncated,
       this->Source.Path() + ": the file ends at line " + std::to_string(this->Line) + " before " +
-        what + ". It is truncated or not all there; fetch or write it again.");
+        what + ". It is truncated or incomplete; fetch or write it again.");
   }
   return word;
 }

@@ -17,11 +17,11 @@ namespace isthmus
 {
 
 /**
- * White space and commas separate words; a text in double quotes is one word, without its quotes;
- * from # to the end of the line is a comment.
+ * White space and commas separate words. Text in double quotes is one word, without its quotes. A
+ * comment extends from # to the end of the line.
  *
- * Memory: a buffer of 1 MiB, however large the file. Everything throws ReaderError with the path
- * and the line for what can't be read.
+ * Memory: a buffer of 1 MiB, regardless of the size of the file. All functions throw ReaderError
+ * with the path and the line for text that cannot be read.
  */
 class TextWords
 {
@@ -31,18 +31,19 @@ public:
   /// The next word, empty at the end of the file; it is valid until the next call of any kind.
   std::string_view Word();
 
-  /// The next word as a number. `what` names it in the error message if it is not one.
+  /// The next word as a number. `what` describes it in the error message if it is not a number.
   std::int64_t Whole(const char* what);
   double Number(const char* what);
 
-  /// The next `count` numbers into `values`, T float or double, each the nearest that T has.
+  /// Reads the next `count` numbers into `values`; T is float or double, and each number is rounded
+  /// to the nearest value of T.
   template <typename T>
   void Numbers(T* values, std::int64_t count);
 
-  /// What follows on this line, without its comment and its end; behind it the next line begins.
+  /// The rest of this line, without its comment and line end; reading continues at the next line.
   std::string RestOfLine();
 
-  /// The rest of this line, when it is blank, and after it `count` raw bytes into `to`.
+  /// Skips the rest of this line, which must be blank, and then reads `count` raw bytes into `to`.
   void EndLine();
   void Bytes(unsigned char* to, std::size_t count);
 

@@ -20,8 +20,8 @@ using Matrix3 = std::array<std::array<double, 3>, 3>;
 std::array<double, 3> Times(const Matrix3& matrix, const std::array<double, 3>& v);
 
 /**
- * Nodes of a volume: node (i, j, k) lies at Origin + Steps (i, j, k) in the map's own frame, and
- * the map's frame in the world by x_world = Rotation x_map + Translation.
+ * Nodes of a volume: node (i, j, k) lies at Origin + Steps (i, j, k) in the frame of the map, which
+ * is transformed to the world by x_world = Rotation x_map + Translation.
  */
 struct VoxelLattice
 {
@@ -33,7 +33,7 @@ struct VoxelLattice
 
   /// Lengths of the three steps.
   std::array<double, 3> Spacing() const;
-  /// Position of a node, whole or between nodes, in the map's frame.
+  /// Position of a node, or of a place between nodes, in the frame of the map.
   std::array<double, 3> At(const std::array<double, 3>& node) const;
   /// `position` of the map's frame in the world.
   std::array<double, 3> World(const std::array<double, 3>& position) const;
@@ -47,10 +47,10 @@ VoxelLattice Selected(const VoxelLattice& lattice, const std::array<std::int64_t
 using NodeBox = std::array<std::int64_t, 6>;
 
 /**
- * The axis-aligned grid (of the file's frame) around all nodes of `lattice`. Its spacings are the
- * lengths of the lattice's steps, and node (0, 0, 0) of the lattice is one of its nodes.
- * @throws ReaderError (BadRequest) when it would have more than 64 times the lattice's nodes, as
- * cells with angles near 0 or 180 degrees have.
+ * The axis-aligned grid (in the frame of the file) around all nodes of `lattice`. Its spacings are
+ * the lengths of the lattice's steps, and node (0, 0, 0) of the lattice is one of its nodes.
+ * @throws ReaderError (BadRequest) if it would have more than 64 times as many nodes as the
+ * lattice, which happens for cells with angles near 0 or 180 degrees.
  */
 VoxelLattice GridAround(const VoxelLattice& lattice);
 
@@ -58,14 +58,14 @@ VoxelLattice GridAround(const VoxelLattice& lattice);
 NodeBox NodesNeeded(const VoxelLattice& lattice, const VoxelLattice& grid, const NodeBox& region);
 
 /**
- * Trilinear interpolation at the nodes `region` of `grid` (x fastest).
+ * Trilinear interpolation at the nodes `region` of `grid`, with x varying fastest.
  *
  * `nodes` holds the values of `lattice` in the box `have` (from NodesNeeded()), x fastest, of
  * `components` each. T is signed char, unsigned char, short, unsigned short, float or double;
- * integers are rounded to the nearest. Outside the lattice `out` is 0 and `inside` 0, elsewhere
- * `inside` is 1; along an axis with a single node, inside reaches half a step. The value at a node
- * depends on the node alone, not on `region` or threads.
- * Time: about 10 ns a node and thread. Allocates nothing.
+ * integers are rounded to the nearest. Outside the lattice `out` and `inside` are 0; elsewhere
+ * `inside` is 1. Along an axis with a single node, the inside extends half a step. The value at a
+ * node depends only on the node, not on `region` or the threads. Time: about 10 ns for each node
+ * and thread. Allocates nothing.
  */
 template <typename T>
 void ResampleValues(int components, const VoxelLattice& lattice, const T* nodes,

@@ -2,8 +2,9 @@
  * @class vtkGuardedFileWriter
  * @brief Base class of our writers: file name, and one error message if a file cannot be written.
  *
- * A missing file name, and any failure to write the whole file, is one error with the error code
- * set; an abort is not an error. Both leave a file of this name as it was.
+ * A missing file name, or any failure to write the whole file, is reported as one error with the
+ * error code set; an abort is not an error. In both cases an existing file of this name is not
+ * changed.
  */
 #ifndef vtkGuardedFileWriter_h
 #define vtkGuardedFileWriter_h
@@ -24,8 +25,8 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
-  /// Returns 1 when the file is written to its end, 0 where there is an error or an abort; what was
-  /// in a file of this name before is still there then.
+  /// Returns 1 if the file was written completely, and 0 after an error or an abort, which leave an
+  /// existing file of this name unchanged.
   int Write() override;
 
 protected:
@@ -33,14 +34,14 @@ protected:
   ~vtkGuardedFileWriter() override;
 
   void WriteData() override;
-  /// What VTK 9.7 calls in its place.
+  /// The function that VTK 9.7 calls instead.
   virtual bool WriteDataAndReturn()
   {
     this->WriteData();
     return this->GetErrorCode() == 0;
   }
 
-  /// Writes the input to FileName, which is set, or throws.
+  /// Writes the input to FileName, which must be set; throws if that fails.
   virtual void WriteFile() = 0;
 
   char* FileName = nullptr;

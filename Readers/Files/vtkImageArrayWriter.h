@@ -19,8 +19,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Point array to write. Default empty: the format's usual one if there is one (named in the
-  /// writer's description), else the active scalars, else the first point array.
+  /// Point array to write. Default empty: the usual array of the format if there is one (named in
+  /// the description of the writer), otherwise the active scalars, otherwise the first point array.
   vtkSetMacro(ArrayName, std::string);
   vtkGetMacro(ArrayName, std::string);
   ///@}

@@ -379,8 +379,8 @@ private:
       std::all_of(this->Out.SkewTranslation.begin(), this->Out.SkewTranslation.end(), near);
     if (!this->Out.Skewed)
     {
-      this->Repair("The skew transformation (words 26-37) is no rotation and translation: "
-                   "not applied, so the map may lie beside its model.");
+      this->Repair("The skew transformation (words 26-37) is not a rotation and translation, and "
+                   "was not applied, so the map may be displaced from its model.");
     }
   }
 

@@ -23,7 +23,7 @@ constexpr std::size_t mrcHeaderBytes = 1024;
 using MRCHeaderBytes = std::array<unsigned char, mrcHeaderBytes>;
 
 /**
- * The header after repair: every value can be used as it is.
+ * The header after repair: every value can be used without further checks.
  *
  * "File axes" are columns (fastest), rows, sections; "x, y, z" are the axes of the cell. Lengths
  * are in angstrom, angles in degrees.
@@ -61,8 +61,9 @@ struct MRCHeader
 };
 
 /**
- * Decodes `bytes`. The byte order is the machine stamp's unless the header makes sense only in the
- * other one. Fields that are out of bounds are replaced, each with a message in Repairs.
+ * Decodes `bytes`. The byte order is that of the machine stamp unless the header makes sense only
+ * in the other byte order. Fields that are out of bounds are replaced; for each one, a message is
+ * added to Repairs.
  *
  * `path` is for the messages. `contentBytes` is what the content has at most; when it is `exact`,
  * a content that is shorter than the header describes is an error, a longer one a repair.
@@ -72,8 +73,8 @@ MRCHeader ParseMRCHeader(
   const MRCHeaderBytes& bytes, const std::string& path, std::uint64_t contentBytes, bool exact);
 
 /**
- * True when `bytes` are surely or probably the header of a map: grid and mode make sense, and there
- * is "MAP " or everything else does, too. Never throws.
+ * True if `bytes` are certainly or probably the header of a map: grid and mode make sense, and
+ * there is "MAP " or all other fields make sense, too. Never throws.
  */
 bool LooksLikeMRCHeader(const MRCHeaderBytes& bytes, std::uint64_t contentBytes);
 

@@ -1,6 +1,6 @@
 /**
  * @file MRCMap.h
- * @brief A map file, opened: what it holds, which part of it is wanted, and the reading of it.
+ * @brief An open map file: its contents, the selected part of it, and reading.
  *
  *     isthmus::MRCMap map("emd_5043.map.gz");
  *     map.Select({});                                  // everything
@@ -25,22 +25,23 @@
 namespace isthmus
 {
 
-/// Which part of a map is wanted, and how.
+/// The part of a map to read, and options for reading it.
 struct MRCOptions
 {
-  /// Volume or image of a stack, from 0; -1: all images of an image stack, one above the other
-  /// along the sections' axis, or the first volume.
+  /// Index of the volume or image in a stack, from 0. With -1, all images of an image stack are
+  /// read, one above the other along the section axis, or the first volume.
   int VolumeIndex = -1;
   /// First and last node along x, y, z of the volume as stored; a last node of -1 is the end.
   std::array<int, 6> CropExtent{ 0, -1, 0, -1, 0, -1 };
   /// Every n-th node along x, y, z, from the first of the crop; no averaging.
   std::array<int, 3> SampleRate{ 1, 1, 1 };
-  /// What a cell with angles off 90 degrees becomes: resampled to an orthogonal grid, or its nodes
-  /// as they are with right angles instead (the shape is then wrong).
+  /// Treatment of a cell whose angles are not 90 degrees: it is resampled to an orthogonal grid
+  /// (false), or its nodes are used with right angles (true), which distorts the shape.
   bool KeepCellAxes = false;
 };
 
-/// One open map. Not copied; used by one thread at a time (it starts its own).
+/// One open map. It cannot be copied, and may be used by only one thread at a time (it starts its
+/// own threads).
 class MRCMap
 {
 public:
@@ -52,7 +53,7 @@ public:
   const MRCStack& Stack() const { return this->Sections; }
   std::string Compression() const { return this->Source->Compression(); }
 
-  /// Chooses what Grid(), OutputBox() and Read() are about. Call it before them.
+  /// Selects the part for Grid(), OutputBox() and Read(). Must be called before them.
   /// @throws ReaderError (BadRequest) when the file has no such volume or nodes.
   void Select(const MRCOptions& options);
 
@@ -62,28 +63,27 @@ public:
   bool Resampled() const { return this->Interpolated; }
   /// All nodes of Grid().
   NodeBox OutputBox() const;
-  /// Bytes of the values of a box of Grid(); the largest number when 64 bits overflow.
+  /// Bytes of the values of a box of Grid(); the largest number if 64 bits overflow.
   std::uint64_t OutputBytes(const NodeBox& box) const;
 
   /**
-   * Fills `out`, x fastest, with the nodes `box` of Grid(), as Header().Voxel has them in memory,
-   * and `inside` (needed only when Resampled()) with 1, or 0 outside the map. Bit for bit the same
-   * for any box and number of threads.
+   * Fills `out`, with x varying fastest, with the nodes `box` of Grid(), in the memory format of
+   * Header().Voxel, and `inside` (needed only if Resampled()) with 1, or 0 outside the map. The
+   * result is bitwise the same for any box and number of threads.
    *
    * @pre `box` lies in OutputBox() and is not empty.
    *
    * Time: one pass over the bytes of the
-   * box (see MRCVoxels.h); memory when Resampled(): the nodes of the map that `box` needs.
+   * box (see MRCVoxels.h); memory if Resampled(): the nodes of the map that `box` needs.
    * @throws ReaderError (Truncated, Damaged, CannotRead), std::bad_alloc and Cancelled.
    */
   void Read(const NodeBox& box, void* out, unsigned char* inside, const ProgressCallback& progress);
 
   /**
-   * Plain files have been checked when opened; a compressed one that would have to expand
-   * suspiciously is decompressed once for its size, before memory is taken on its word: true when
-   * that was done.
-   * @throws ReaderError (Truncated) unless the file has the bytes that `bytes` of memory would be
-   * filled from.
+   * Plain files are checked when they are opened. A compressed file with a suspicious expansion
+   * ratio is decompressed once to check its size, before memory is allocated according to its
+   * header; returns true if that was done.
+   * @throws ReaderError (Truncated) if the file has too few bytes to fill `bytes` of memory.
    */
   bool CheckBeforeAllocating(std::uint64_t bytes, const ProgressCallback& progress);
 
@@ -103,7 +103,7 @@ private:
   bool Interpolated = false;
 };
 
-/// True when the file at `path` begins as a map does, compressed or not. Never throws.
+/// True if the file at `path` begins like a map, compressed or not. Never throws.
 bool LooksLikeMRCFile(const std::string& path);
 
 }

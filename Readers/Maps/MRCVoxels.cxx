@@ -341,7 +341,7 @@ void Reading::ReadExactly(std::uint64_t offset, unsigned char* to, std::size_t s
               (this->Source.RandomAccess() ? "" : " after decompression") + ", found " +
               std::to_string(found) + ". Fetch the file again."
                      : std::string(": the file changed while it was read, or its disk failed. "
-                                   "Read it again when nothing writes it.")));
+                                   "Read it again when no other program is writing it.")));
   }
 }
 

@@ -26,8 +26,8 @@ enum class MRCValue
 };
 
 /**
- * A voxel type by its mode, in the file and in memory. MRC2014 (doi:10.1016/j.jsb.2015.04.002) and
- * the extensions 16 and 101 of IMOD.
+ * A voxel type, given by its mode, in the file and in memory. MRC2014
+ * (doi:10.1016/j.jsb.2015.04.002) and the extensions 16 and 101 of IMOD.
  *
  * - 0: 8-bit integer; in memory signed or unsigned char
  * - 1: 16-bit integer; short
@@ -48,10 +48,11 @@ struct MRCVoxelType
   std::size_t Word = 4;  ///< bytes that a change of byte order reverses together
   std::size_t Bytes = 4; ///< of one voxel in memory
 
-  /// True where file and memory differ at most in byte order.
+  /// True if the file and memory formats differ at most in byte order.
   bool SameInFile() const { return static_cast<std::size_t>(this->FileBits) == 8 * this->Bytes; }
 
-  /// Bytes of `voxels` voxels of one row in the file; rows of mode 101 end on a whole byte.
+  /// Number of bytes of `voxels` voxels of one row in the file; rows of mode 101 end on a whole
+  /// byte.
   std::uint64_t FileBytes(std::uint64_t voxels) const
   {
     return this->FileBits == 4 ? (voxels + 1) / 2
@@ -65,14 +66,14 @@ bool IsKnownMRCMode(int mode);
 MRCVoxelType VoxelTypeOfMRCMode(int mode, bool unsignedBytes);
 
 /**
- * Turns `voxels` voxels from the file's form into memory's; `swap` when the byte orders differ.
- * `from` may be changed. It may be `to` itself where type.SameInFile(), otherwise they must not
- * overlap. For 4-bit voxels `skip` (0 or 1) nibbles of the first byte are left out.
+ * Converts `voxels` voxels from the file format to the memory format; `swap` if the byte orders
+ * differ. `from` may be changed. It may be equal to `to` if type.SameInFile(), otherwise they must
+ * not overlap. For 4-bit voxels, `skip` (0 or 1) nibbles of the first byte are skipped.
  */
 void DecodeMRCVoxels(const MRCVoxelType& type, bool swap, unsigned char* from, void* to,
   std::size_t voxels, std::size_t skip);
 
-/// How the voxels of one volume lie in a file. File axes: columns (fastest), rows, sections.
+/// The layout of the voxels of one volume in a file. File axes: columns (fastest), rows, sections.
 struct MRCVoxelLayout
 {
   std::uint64_t Offset = 0; ///< of the first voxel
@@ -91,15 +92,15 @@ struct MRCSelection
 };
 
 /**
- * Fills `out`, x fastest, with the selected voxels as layout.Type has them in memory.
+ * Fills `out`, with x varying fastest, with the selected voxels in the memory format of
+ * `layout.Type`.
  *
  * @pre the selection lies within the volume and is not empty; `out` has room for it.
  *
- * A
- * plain file is read in bricks by several threads, only where the selection lies; a compressed one
- * from front to back up to the last selected voxel, the next part being decompressed while the one
- * before is decoded. Scratch memory: 1 MiB a thread, or 32 MiB for a compressed file, at least one
- * row.
+ * A plain file is read in bricks by several threads, only within the selection. A compressed file
+ * is read from front to back up to the last selected voxel; the next part is decompressed while the
+ * previous one is decoded. Scratch memory: 1 MiB for each thread, or 32 MiB for a compressed file,
+ * and at least one row.
  * @throws ReaderError (Truncated, Damaged, CannotRead) and Cancelled.
  */
 VTKISTHMUSREADERSMAPS_EXPORT void ReadMRCVoxels(ByteSource& source, const MRCVoxelLayout& layout,

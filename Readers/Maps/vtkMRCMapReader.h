@@ -2,7 +2,7 @@
  * @class   vtkMRCMapReader
  * @brief   reads density maps of electron microscopy and crystallography: MRC2014, CCP4, EMDB
  *
- * Files named .mrc .map .ccp4 .mrcs .rec .ali .st, plain, gzip- or bzip2-compressed (found from
+ * Files named .mrc .map .ccp4 .mrcs .rec .ali .st, plain, gzip- or bzip2-compressed (detected from
  * the content, not from the name). The output is a vtkImageData in angstrom with axes x, y, z and
  * the point array `Density`. Sources: Cheng et al. 2015, doi:10.1016/j.jsb.2015.04.002; the CCP4
  * map format; IMOD for modes 16 and 101.
@@ -13,38 +13,42 @@
  * 3 components, 101 (4 bit): unsigned char. Either byte order.
  *
  * **Position.** Spacing is CELLA / MX, MY, MZ; a file's axis order MAPC, MAPR, MAPS is undone. The
- * first node lies at ORIGIN if any component of it is not zero, else at NXSTART, NYSTART, NZSTART
- * spacings: ChimeraX's rule, never both. CCP4's skew transformation (LSKFLG 1, a rotation SKWMAT
- * and a translation SKWTRN) comes on top: x_world = SKWMAT^-1 x_map + SKWTRN, as the image's
- * direction matrix and origin. The image's extent starts at 0.
+ * first node lies at ORIGIN if any component of it is not zero, otherwise at NXSTART, NYSTART,
+ * NZSTART spacings, but never at the sum of both; this is the rule of ChimeraX. CCP4's skew
+ * transformation (LSKFLG 1, a rotation SKWMAT and a translation SKWTRN) is applied in addition:
+ * x_world = SKWMAT^-1 x_map + SKWTRN, as the direction matrix and origin of the image. The image's
+ * extent starts at 0.
  *
- * **Cells that are not orthogonal** (an angle off 90 degrees by more than 0.01) can't be a
- * vtkImageData as they are. NonOrthogonalCell chooses: resampling (the default), which adds the
- * point array `InsideMap` (1 where the map has values, else 0), or the nodes as stored with right
- * angles, which distorts. Which of both is said in a warning and in the field data `Notes`.
+ * **Cells that are not orthogonal (with an angle that differs from 90 degrees by more than 0.01)
+ * cannot be represented by a vtkImageData directly. NonOrthogonalCell chooses: resampling (the
+ * default), which adds the point array `InsideMap` (1 where the map has values, otherwise 0), or
+ * the nodes as stored with right angles, which distorts shapes. A warning and the field data Notes
+ * state which of them was used.
  *
- * **Stacks.** Space groups 401-630 are stacks of volumes of MZ sections. A stack of images is what
- * has space group 0 and MZ 1, is named .mrcs, or is named .st or .ali and has space group 0. All
- * else is one volume, also with space group 0, as ChimeraX and cryoSPARC write volumes.
+ * **Stacks.** Space groups 401-630 are stacks of volumes of MZ sections. A file is a stack of
+ * images if it has space group 0 and MZ 1, is named .mrcs, or is named .st or .ali and has space
+ * group 0. Everything else is one volume, even with space group 0, which ChimeraX and cryoSPARC
+ * write for volumes.
  *
  * **Field data:** numbers `CellLengths` (angstrom), `CellAngles` (degrees), `FileDimensions` (NX,
  * NY, NZ), `FileStart` (NXSTART..), `CellSampling` (MX..), `AxisOrder` (MAPC..), `FileOrigin`,
- * `Mode`, `SpaceGroup`, `RecordedMinimum`, `RecordedMaximum`, `RecordedMean`, `RecordedRms` (as the
- * header says, which need not be true), `IsStack` (0, 1), `NumberOfVolumes` (or images),
+ * `Mode`, `SpaceGroup`, `RecordedMinimum`, `RecordedMaximum`, `RecordedMean`, `RecordedRms` (as
+ * recorded in the header, which may be wrong), `IsStack` (0, 1), `NumberOfVolumes` (or images),
  * `VolumeIndex`, `ExtendedHeaderBytes`, `FormatVersion`; texts `StackType` (none, images, volumes),
  * `ExtendedHeaderType`, `ByteOrder`, `Compression`, `LengthUnit`, `Labels`, `Repairs`, `Notes`;
  * and, where `emd-NNNN.xml` with one lies beside `emd_NNNN.map`, `RecommendedLevel` for its
  * surface.
  *
  * **Damaged headers** are read as far as they can be interpreted; each value that had to be
- * replaced is listed in a warning and in `Repairs`. With Strict on, the first of them is an error.
- * Files that can't be read (missing, empty, truncated, of another kind) give an error that names
- * the file and what is wrong, an empty output and an error code of vtkErrorCode.
+ * replaced is listed in a warning and in `Repairs`. With Strict on, the first such value is an
+ * error. For files that cannot be read (missing, empty, truncated, of another kind), an error names
+ * the file and what is wrong, the output is empty, and an error code of vtkErrorCode is set.
  *
- * **Cost.** One pass over the bytes needed, in parallel; no copy for float maps of this machine's
- * byte order. Pieces (update extents), CropExtent and SampleRate leave the rest of a plain file
- * unread; a compressed file is decompressed up to the last node needed. Memory: the output, plus a
- * few MiB (up to 32 MiB for compressed files), plus the nodes read when resampling.
+ * **Cost.** Reading takes one pass over the required bytes, in parallel, without a copy for float
+ * maps in the byte order of this machine. Pieces (update extents), CropExtent and SampleRate leave
+ * the rest of a plain file unread; a compressed file is decompressed up to the last node needed.
+ * Memory: the output, plus a few MiB (up to 32 MiB for compressed files), plus the nodes read when
+ * resampling.
  */
 #ifndef vtkMRCMapReader_h
 #define vtkMRCMapReader_h
@@ -102,7 +106,8 @@ public:
   ///@{
   /// What to do with a cell whose angles are not 90 degrees. Resample (default): trilinear
   /// interpolation to an orthogonal grid around the map, with the lengths of the cell's steps as
-  /// spacings. KeepCellAxes: the nodes as stored, with right angles, so shapes are distorted.
+  /// spacings. KeepCellAxes: the nodes are used as stored, with right angles, so shapes are
+  /// distorted.
   vtkSetClampMacro(NonOrthogonalCell, int, Resample, KeepCellAxes);
   vtkGetMacro(NonOrthogonalCell, int);
   void SetNonOrthogonalCellToResample() { this->SetNonOrthogonalCell(Resample); }
@@ -117,7 +122,7 @@ public:
   ///@}
 
   /// 1 if the content of `fileName` begins like a map (decompressed, if necessary), else 0. The
-  /// name itself plays no part. Says nothing on errors. Reads 1 KB.
+  /// name has no effect. Says nothing on errors. Reads 1 KB.
   virtual int CanReadFile(const char* fileName);
 
 protected:

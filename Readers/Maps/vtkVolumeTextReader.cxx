@@ -37,8 +37,8 @@ std::array<int, 3> ReadCounts(isthmus::TextWords& words, std::uint64_t mostBytes
       static_cast<std::uint64_t>(number) > mostBytes / values)
     {
       words.Refuse("the number of nodes along an axis is given as " + std::to_string(number) +
-        ", for which the file is too short. It begins with the three numbers of nodes; it is cut, "
-        "damaged, or another program's .dat.");
+        ", for which the file is too short. It should begin with the number of nodes along each "
+        "axis; it is truncated, damaged, or a .dat file of another program.");
     }
     count = static_cast<int>(number);
     values *= static_cast<std::uint64_t>(number);

@@ -2,13 +2,13 @@
  * @class vtkVolumeTextReader
  * @brief Reads voxel values as plain text (.dat): three counts, then numbers, x fastest.
  *
- * The thesis' export of voxel values (X. Feng, PhD thesis, chapter 5), as vtkVolumeTextWriter
- * writes it, plain, .gz or .bz2. Output: vtkImageData with the point array `Density` in double
- * precision, origin 0 and spacing 1, since the file has neither. Written and read again, doubles
- * are equal bit for bit; floats are once they are rounded to float again.
+ * The format in which the thesis exports voxel values (X. Feng, PhD thesis, chapter 5), written by
+ * vtkVolumeTextWriter, plain, .gz or .bz2. Output: vtkImageData with the point array `Density` in
+ * double precision, origin 0 and spacing 1, since the file has neither. Doubles that are written
+ * and read again are bitwise equal; floats are, too, after rounding to float.
  *
- * A file that is missing, cut, too long or wrong: one error with the line, the error code, an
- * empty output. Time and memory: O(numbers).
+ * If a file is missing, truncated, too long or invalid, there is one error with the line, the error
+ * code is set, and the output is empty. Time and memory: O(numbers).
  */
 #ifndef vtkVolumeTextReader_h
 #define vtkVolumeTextReader_h
@@ -30,7 +30,7 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
-  /// 1 when the file begins with a line of three counts.
+  /// 1 if the file begins with a line of three counts.
   static int CanReadFile(const char* fileName);
 
 protected:

@@ -2,14 +2,14 @@
  * @class vtkVolumeTextWriter
  * @brief Writes the values of an image as plain text (.dat): three counts, then numbers, x fastest.
  *
- * The thesis' export of voxel values (X. Feng, PhD thesis, chapter 5): a line "nx ny nz", then a
- * line of nx values for each row along x. Numbers have the fewest digits that are read back bit
- * for bit. Origin and spacing are not part of the format, a warning is issued where they are not 0
- * and 1.
+ * The format in which the thesis exports voxel values (X. Feng, PhD thesis, chapter 5): a line "nx
+ * ny nz", then a line of nx values for each row along x. Numbers are written with the fewest digits
+ * that are read back bit for bit. Origin and spacing are not part of the format; a warning is
+ * issued if they are not 0 and 1.
  *
- * No nodes, no such array, an array of several components, a file that can't be written to its end:
- * one error through vtkErrorMacro, the error code set, and no file. About 0.1 us a number;
- * memory 1 MiB.
+ * If there are no nodes or no such array, the array has several components, or the file cannot be
+ * written completely, there is one error through vtkErrorMacro, the error code is set, and no file
+ * is left. Time: about 0.1 us for each number; memory: 1 MiB.
  */
 #ifndef vtkVolumeTextWriter_h
 #define vtkVolumeTextWriter_h

@@ -50,7 +50,7 @@ enum class CellShape : std::uint8_t
   TriquadraticHexahedron
 };
 
-/// How many vertices each shape has, in the order of CellShape; 0: any number.
+/// Number of vertices of each shape, in the order of CellShape; 0: any number.
 inline constexpr std::array<std::int64_t, 15> VerticesOfShape{ 1, 2, 3, 4, 0, 4, 5, 6, 8, 10, 3, 6,
   9, 18, 27 };
 
@@ -70,14 +70,14 @@ struct CellMesh
   }
   std::int64_t NumberOfCells() const { return static_cast<std::int64_t>(this->Shapes.size()); }
 
-  /// Ends a cell whose vertices were appended to Vertices.
+  /// Completes a cell whose vertices were appended to Vertices.
   void EndCell(CellShape shape)
   {
     this->Shapes.push_back(shape);
     this->Offsets.push_back(static_cast<std::int64_t>(this->Vertices.size()));
   }
 
-  /// The attribute of that place and name; null: there is none.
+  /// The attribute with this location and name, or null.
   const MeshAttribute* Find(MeshAttribute::Place on, std::string_view name) const
   {
     for (const MeshAttribute& attribute : this->Attributes)

@@ -1,6 +1,7 @@
 /**
  * @file CombinatorialMeshFile.h
- * @brief The thesis' file format of volume meshes: cell types by their faces, then vertex lists.
+ * @brief The file format of the thesis for volume meshes: cell types defined by their faces, then
+ * vertex lists.
  *
  * Source: X. Feng, "Geometric and topological modeling techniques for large and complex shapes",
  * 3.3.1.1, 3.3.2.2 and Table 3.3, with coordinates and attributes added. The grammar is in
@@ -23,7 +24,7 @@
 namespace isthmus
 {
 
-/// What a file holds. Coordinates are float or double, three a vertex.
+/// What a file holds. Coordinates are float or double, three for each vertex.
 struct CombinatorialMesh
 {
   std::int64_t NumberOfVertices = 0;
@@ -37,13 +38,13 @@ struct CombinatorialMesh
 };
 
 /**
- * Reads a file's contents. Never takes more memory than a small multiple of the contents' size.
+ * Reads a file's contents. Uses at most a small multiple of the size of the contents as memory.
  * O(size).
  * @throws std::runtime_error with the line (of the header part) and what is wrong.
  */
 VTKISTHMUSREADERSMESHES_EXPORT CombinatorialMesh ParseCombinatorialMesh(std::string_view contents);
 
-/// Writes a mesh; parsing what it writes gives the same mesh, bit for bit.
+/// Writes a mesh; parsing the output gives the same mesh, bit for bit.
 /// @throws std::invalid_argument for names with line breaks.
 VTKISTHMUSREADERSMESHES_EXPORT void WriteCombinatorialMesh(
   const CombinatorialMesh& mesh, bool binary, std::ostream& stream);

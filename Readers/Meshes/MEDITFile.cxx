@@ -217,7 +217,7 @@ private:
     if (largest != vertices.end() && *largest >= this->Mesh.NumberOfPoints())
     {
       this->Words.Refuse("vertex " + std::to_string(*largest + 1) + " is named, but there are " +
-        std::to_string(this->Mesh.NumberOfPoints()) + ". The file is cut or damaged.");
+        std::to_string(this->Mesh.NumberOfPoints()) + ". The file is truncated or damaged.");
     }
   }
 

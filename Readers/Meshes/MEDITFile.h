@@ -1,6 +1,6 @@
 /**
  * @file MEDITFile.h
- * @brief Meshes in MEDIT's text format (.mesh), as Gmsh, Mmg, CGAL and TetWild write them.
+ * @brief Meshes in MEDIT's text format (.mesh), which Gmsh, Mmg, CGAL and TetWild write.
  *
  * Source: P. Frey, MEDIT: an interactive mesh visualization software, INRIA RT-0253 (2001).
  *
@@ -9,9 +9,9 @@
  *     KIND    = Edges | Triangles | Quadrilaterals | Tetrahedra | Pyramids | Prisms | Hexahedra
  *             | EdgesP2 | TrianglesP2 | QuadrilateralsQ2 | TetrahedraP2 | PrismsP2 | HexahedraQ2
  *
- * D is 3, or 2: then z is 0. Vertices are numbered from 1 and may come after the cells. Quadratic
- * cells are read with all nodes, in VTK's order (MiddleNodes.h); those that VTK lacks (P3,
- * PyramidsP2) are dropped with a warning. Other sections (corners, ridges, normals, ...) are
+ * D is 3, or 2, in which case z is 0. Vertices are numbered from 1 and may come after the cells.
+ * Quadratic cells are read with all nodes, in VTK's order (MiddleNodes.h); those that VTK lacks
+ * (P3, PyramidsP2) are dropped with a warning. Other sections (corners, ridges, normals, ...) are
  * skipped. # begins a comment.
  */
 #ifndef isthmus_MEDITFile_h
@@ -29,22 +29,25 @@ namespace isthmus
 
 /**
  * Reads points and cells in the order of their sections, with the attribute `Reference` (int64) on
- * both. @throws ReaderError with path, line and reason: no MEDIT text (MFEM and Netgen use .mesh,
- * too; .meshb is binary), a vertex that is not there, an early end. Time and memory: O(bytes).
+ * both. @throws ReaderError with path, line and reason: the file is not MEDIT text (MFEM and Netgen
+ * also use .mesh; .meshb is binary), a vertex does not exist, or the file ends early. Time and
+ * memory: O(bytes).
  */
 VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadMEDIT(
   const std::string& path, const ProgressCallback& progress = {});
 
 /**
- * Writes points and cells, by kind; `Reference` attributes of one int64 component, else 0. Read
- * again, coordinates are equal bit for bit and cells of a kind in the same order.
+ * Writes points and cells, by kind, with Reference attributes of one int64 component, or 0 without
+ * them. When the file is read again, coordinates are bitwise equal and cells of a kind are in the
+ * same order.
  * @throws std::invalid_argument for polygons and quadratic cells, std::runtime_error when the file
  * can't be written.
  */
 VTKISTHMUSREADERSMESHES_EXPORT void WriteMEDIT(
   const CellMesh& mesh, const std::string& path, const ProgressCallback& progress = {});
 
-/// Does the file begin with MEDIT's first word, or as its binary format, which ReadMEDIT names?
+/// Whether the file begins with MEDIT's first word, or like its binary format, which ReadMEDIT
+/// refuses by name.
 VTKISTHMUSREADERSMESHES_EXPORT bool LooksLikeMEDIT(const std::string& path);
 
 }

@@ -109,7 +109,7 @@ public:
       throw ReaderError(ReaderFailure::Truncated,
         this->Path.string() + ": its first line promises " + FormatNumber(this->Promised) + " " +
           what + ", but there are " + std::to_string(this->Count) +
-          ". The file is cut or damaged: run MSMS again.");
+          ". The file is truncated or damaged: run MSMS again.");
     }
   }
 

@@ -22,7 +22,7 @@
 namespace isthmus
 {
 
-/// One surface or several, one after the other. Lengths in angstrom; ids from 0.
+/// One or more surfaces, one after the other. Lengths are in angstrom; ids start at 0.
 struct MSMSSurface
 {
   std::vector<std::array<double, 3>> Points;
@@ -38,18 +38,18 @@ struct MSMSSurface
 };
 
 /**
- * Appends the surface of `file` (either of a pair) and its partner to `surface`. O(bytes).
- * @throws std::runtime_error with file, line and reason when one of them is missing, no regular
- * file, not as described above, or has fewer rows than its line of counts says.
+ * Appends the surface in `file` (either file of a pair) and its partner to `surface`. O(bytes).
+ * @throws std::runtime_error with file, line and reason if one of them is missing, is not a regular
+ * file, is not as described above, or has fewer rows than its line of counts states.
  */
 VTKISTHMUSREADERSMESHES_EXPORT void ReadMSMS(const std::filesystem::path& file, int component,
   MSMSSurface& surface, const ProgressCallback& progress = {});
 
-/// The pairs that belong together: `file`, then X_1, X_2, ... as long as they exist.
+/// The pairs that belong together: `file`, then X_1, X_2, ..., as long as they exist.
 VTKISTHMUSREADERSMESHES_EXPORT std::vector<std::filesystem::path> MSMSComponents(
   const std::filesystem::path& file);
 
-/// Does the file begin as MSMS' .vert or .face files do?
+/// Whether the file begins like a .vert or .face file of MSMS.
 VTKISTHMUSREADERSMESHES_EXPORT bool LooksLikeMSMS(const std::filesystem::path& file);
 
 }

@@ -1,6 +1,6 @@
 /**
  * @file MeshConversion.h
- * @brief Meshes of files as VTK data, and back.
+ * @brief Converts meshes of files to VTK data, and back.
  */
 #ifndef isthmus_MeshConversion_h
 #define isthmus_MeshConversion_h
@@ -21,13 +21,13 @@ class vtkUnstructuredGrid;
 namespace isthmus
 {
 
-/// The numbers as an array of their own type, without a name.
+/// The numbers as an array of the same type, without a name.
 vtkSmartPointer<vtkDataArray> ToDataArray(const NumberList& numbers, std::int64_t components);
 
-/// Each attribute as a point or cell array of `data`.
+/// Adds each attribute to `data` as a point or cell array.
 void AddAttributes(const std::vector<MeshAttribute>& attributes, vtkDataSet* data);
 
-/// The sentences as the field data array `Notes`; none where there are none.
+/// Adds the sentences as the field data array Notes, unless there are none.
 void AddNotes(const std::vector<std::string>& notes, vtkDataSet* data);
 
 /// Points (double), cells and arrays. `Normals` become the active normals.
@@ -41,10 +41,9 @@ void ToSurface(const CellMesh& mesh, vtkPolyData* surface);
 void RequireFinitePoints(vtkPointSet* data);
 
 /**
- * Points, cells and those of `names` among the arrays that hold numbers: whole numbers as int64,
- * others as double. `remark` says which arrays are left out. @throws std::invalid_argument for
- * cells that CellShape does not name, for cells with points that are not there, and points not
- * finite.
+ * Points, cells and the numeric arrays listed in `names`: whole numbers as int64, others as double.
+ * `remark` states which arrays are dropped. @throws std::invalid_argument for cells that CellShape
+ * lacks, cells with points that do not exist, and points that are not finite.
  */
 CellMesh FromPointSet(
   vtkPointSet* data, const std::vector<std::string>& names, std::string& remark);

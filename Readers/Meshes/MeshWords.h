@@ -28,15 +28,15 @@ public:
   {
   }
 
-  /// A number of things of which each takes at least `bytes` bytes of the file: a damaged count
-  /// causes an error, not an allocation.
+  /// Reads a count of items that each take at least `bytes` bytes of the file, so that a damaged
+  /// count causes an error and not an allocation.
   std::int64_t Count(const char* what, std::uint64_t bytes = 2)
   {
     const std::int64_t count = this->Whole(what);
     if (count < 0 || static_cast<std::uint64_t>(count) > this->MostBytes / bytes)
     {
       this->Refuse(std::string(what) + " is given as " + std::to_string(count) +
-        ", for which the file is too short. It is cut or damaged: write or fetch it again.");
+        ", for which the file is too short. It is truncated or damaged: write or fetch it again.");
     }
     return count;
   }
@@ -46,7 +46,7 @@ public:
     const double value = this->Number("a coordinate");
     if (!std::isfinite(value))
     {
-      this->Refuse("a coordinate is not a finite number. Mend it, or write the file again.");
+      this->Refuse("a coordinate is not a finite number. Correct it, or write the file again.");
     }
     return value;
   }
@@ -60,7 +60,7 @@ public:
     }
   }
 
-  /// The next vertex as a number from 0, where the file counts from `first` to first + points - 1.
+  /// The next vertex as a number from 0; the file counts from `first` to first + points - 1.
   std::int64_t Vertex(std::int64_t points, std::int64_t first)
   {
     const std::int64_t id = this->Whole("the number of a vertex");
@@ -70,7 +70,7 @@ public:
         (points == 0 ? std::string("there are none")
                      : "they are numbered " + std::to_string(first) + " to " +
               std::to_string(first + points - 1)) +
-        ". The file is damaged, or another program's: write it again.");
+        ". The file is damaged, or was written by another program: write it again.");
     }
     return id - first;
   }

@@ -130,7 +130,8 @@ void ReadFaces(MeshWords& words, std::int64_t faces, CellMesh& mesh)
     const std::int64_t corners = words.Count("the number of a face's vertices");
     if (corners == 0)
     {
-      words.Refuse("a face has no vertices. Take the line out, and one from the number of faces.");
+      words.Refuse(
+        "a face has no vertices. Remove the line, and reduce the number of faces by one.");
     }
     for (std::int64_t c = 0; c < corners; ++c)
     {
@@ -174,7 +175,7 @@ CellMesh ReadOFF(const std::string& path, const ProgressCallback& progress)
   if (points < 0 || static_cast<std::uint64_t>(points) > source->MostBytes() / 6)
   {
     words.Refuse("the file is too short for " + std::to_string(points) +
-      " points. It is cut or damaged: write or fetch it again.");
+      " points. It is truncated or damaged: write or fetch it again.");
   }
   const std::int64_t faces = words.Count("the number of faces", 4);
   words.RestOfLine(); // the number of edges

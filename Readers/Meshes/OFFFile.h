@@ -2,8 +2,8 @@
  * @file OFFFile.h
  * @brief Surfaces in Geomview's Object File Format: vertices, then polygons (.off).
  *
- * Source: Geomview Manual 1.9, "OFF Files". The thesis' triangle-mesh file ("vertices, then
- * triangles") is this one.
+ * Source: Geomview Manual 1.9, "OFF Files". The triangle-mesh file of the thesis ("vertices, then
+ * triangles") has this format.
  *
  *     file   = [ST][C][N]"OFF"  POINTS FACES EDGES  point* face*
  *     point  = x y z [nx ny nz] [r g b [a]] [s t]        one a line
@@ -27,9 +27,9 @@ namespace isthmus
 
 /**
  * Reads a file, plain or compressed. Faces of one, two, three, four vertices become vertices,
- * lines, triangles, quadrilaterals, others polygons. With N the attribute `Normals` (3 components),
- * with C `Colors` (4 bytes a point; numbers with a point in them are shares of 255). Texture
- * coordinates and colours of faces are left out.
+ * lines, triangles, quadrilaterals, others polygons. N adds the attribute Normals (3 components), C
+ * adds Colors (4 bytes for each point; numbers with a decimal point are fractions of 255). Texture
+ * coordinates and colours of faces are not read.
  *
  * @throws ReaderError with path, line and reason: no OFF file, a binary one, one of other
  * dimensions (4OFF, nOFF), a vertex that is not there, a coordinate that is not finite, an early
@@ -39,15 +39,15 @@ VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadOFF(
   const std::string& path, const ProgressCallback& progress = {});
 
 /**
- * Writes points and cells up to polygons; read again, coordinates are equal bit for bit. With a
- * point attribute `Normals` of three components an NOFF file.
+ * Writes points and cells up to polygons; when the file is read again, coordinates are bitwise
+ * equal. With a point attribute Normals of three components, it is an NOFF file.
  * @throws std::invalid_argument for volume cells, std::runtime_error when the file can't be
  * written.
  */
 VTKISTHMUSREADERSMESHES_EXPORT void WriteOFF(
   const CellMesh& mesh, const std::string& path, const ProgressCallback& progress = {});
 
-/// Does the file begin as an OFF file does?
+/// Whether the file begins like an OFF file.
 VTKISTHMUSREADERSMESHES_EXPORT bool LooksLikeOFF(const std::string& path);
 
 }

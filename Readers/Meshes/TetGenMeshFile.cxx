@@ -69,7 +69,8 @@ void ReadId(MeshWords& words, std::int64_t row, std::int64_t& first)
   if (id != first + row || first < 0 || first > 1)
   {
     words.Refuse("row " + std::to_string(row + 1) + " has the number " + std::to_string(id) +
-      "; rows are numbered from 0 or 1, one by one. Is it a file of TetGen, and whole?");
+      "; rows are numbered from 0 or 1, one by one. The file may be truncated, damaged, or not a "
+      "TetGen file.");
   }
 }
 
@@ -148,8 +149,8 @@ std::vector<std::int64_t> FurtherNumbers(MeshWords& words, std::int64_t row)
     {
       words.Refuse("row " + std::to_string(row + 1) + ", above this line, has '" +
         std::string(word.substr(0, 30)) +
-        "' where a whole number should be. Is it a file of "
-        "TetGen, and whole?");
+        "' where a whole number should be. The file may be truncated, damaged, or not a TetGen "
+        "file.");
     }
   }
   return numbers;
@@ -184,7 +185,7 @@ void ReadTriangles(const std::string& path, std::int64_t firstPoint, CellMesh& m
     {
       words.Refuse("row " + std::to_string(i + 1) + ", above this line, has " +
         std::to_string(numbers.size()) + " numbers behind its corners instead of " +
-        std::to_string(std::max(further, markers)) + ". The file is cut or damaged.");
+        std::to_string(std::max(further, markers)) + ". The file is truncated or damaged.");
     }
     const bool isQuadratic = further == markers + 3 || further == markers + 5;
     for (std::size_t n = 0; isQuadratic && n < 3; ++n)
@@ -354,7 +355,7 @@ void WriteTetGenFiles(
     (!linear.empty() && !quadratic.empty()))
   {
     throw std::invalid_argument("TetGen's files hold tetrahedra, all with 4 or all with 10 points, "
-                                "and triangles: take other cells out, or triangulate them.");
+                                "and triangles: remove other cells, or triangulate them.");
   }
   // A file of this name that is there would seem to be what was written.
   const std::string extension = std::filesystem::path(path).extension().string();

@@ -1,9 +1,10 @@
 /**
  * @file TetGenMeshFile.h
- * @brief Meshes as TetGen writes them: points in .node, tetrahedra in .ele, triangles in .face.
+ * @brief Meshes in the format of TetGen: points in .node, tetrahedra in .ele, triangles in .face.
  *
  * Source: H. Si, TetGen user's manual 1.5, section 5.2. Each file is a line of counts, then a row
- * for each item; the first number of a row is its own, from 0 or 1 as in the first row of .node.
+ * for each item; the first number of a row is its index, counted from 0 or 1 as in the first row of
+ * .node.
  *
  *     .node  POINTS 3 ATTRIBUTES MARKERS(0|1)       id x y z attribute* [marker]
  *     .ele   TETRAHEDRA CORNERS(4|10) ATTRIBUTES    id vertex* attribute*
@@ -25,8 +26,8 @@ namespace isthmus
 {
 
 /**
- * Reads the points of NAME.node and what the file that was named holds: tetrahedra of .ele (with
- * ten corners: QuadraticTetrahedron), triangles of .face (with -o2: QuadraticTriangle), nothing but
+ * Reads the points of NAME.node and the contents of the given file: tetrahedra of .ele (with ten
+ * corners: QuadraticTetrahedron), triangles of .face (with -o2: QuadraticTriangle), or only the
  * points of .node. Attributes: `Attribute` (double, on points or cells), `BoundaryMarker` (int64).
  *
  * @throws ReaderError with path, line and reason: a partner that is missing, points of two
@@ -37,15 +38,16 @@ VTKISTHMUSREADERSMESHES_EXPORT CellMesh ReadTetGenFiles(
   const std::string& path, const ProgressCallback& progress = {});
 
 /**
- * Writes NAME.node, and NAME.ele where there are tetrahedra, NAME.face where there are triangles,
- * ids from 1. Read again, coordinates and the attributes named above are equal bit for bit.
+ * Writes NAME.node, NAME.ele if there are tetrahedra, and NAME.face if there are triangles, with
+ * ids from 1. When the files are read again, coordinates and the attributes named above are bitwise
+ * equal.
  * @throws std::invalid_argument for other cells, or tetrahedra of both orders;
- * std::runtime_error when a file can't be written.
+ * std::runtime_error if a file cannot be written.
  */
 VTKISTHMUSREADERSMESHES_EXPORT void WriteTetGenFiles(
   const CellMesh& mesh, const std::string& path, const ProgressCallback& progress = {});
 
-/// Does the file begin with such a line of counts?
+/// Whether the file begins with such a line of counts.
 VTKISTHMUSREADERSMESHES_EXPORT bool LooksLikeTetGen(const std::string& path);
 
 }

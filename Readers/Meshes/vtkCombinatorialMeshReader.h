@@ -19,16 +19,16 @@
  *     number     = real | "int8" | "uint8" | ... | "int64" | "uint64"
  *
  * Words are separated by blanks and line breaks. Types and vertices are numbered from 0, cells in
- * the order of their blocks. In a text file `values` are numbers; in a binary file one line break,
- * then their little-endian bytes, then a line break. Names go to the end of their line.
+ * the order of their blocks. In a text file values are numbers. In a binary file there is a line
+ * break, then their little-endian bytes, then a line break. Names extend to the end of their line.
  *
- * Output: vtkUnstructuredGrid. Types with the faces of a linear VTK cell become that cell, the
- * thesis' prism becomes VTK_WEDGE, all others, and types whose name begins with "polyhedron",
- * VTK_POLYHEDRON. Attributes become point and cell
- * data.
+ * Output: vtkUnstructuredGrid. Types with the faces of a linear VTK cell become that cell, and the
+ * prism of the thesis becomes VTK_WEDGE. All others, and types whose name begins with "polyhedron",
+ * become VTK_POLYHEDRON. Attributes become point and cell data.
  *
- * A file that is missing, cut short or wrong is an error with the line and what should be there,
- * the error code set, and an empty output. Memory: a small multiple of the file's size.
+ * If a file is missing, truncated or invalid, there is an error with the line and the expected
+ * contents, the error code is set, and the output is empty. Memory: a small multiple of the file
+ * size.
  */
 #ifndef vtkCombinatorialMeshReader_h
 #define vtkCombinatorialMeshReader_h

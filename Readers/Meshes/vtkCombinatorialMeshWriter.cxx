@@ -121,7 +121,7 @@ isthmus::CombinatorialMesh MeshOf(vtkUnstructuredGrid* grid, std::string& remark
   {
     if (points->GetDataType() != VTK_FLOAT && points->GetDataType() != VTK_DOUBLE)
     {
-      throw std::invalid_argument("The points' coordinates are neither float nor double.");
+      throw std::invalid_argument("The coordinates of the points are neither float nor double.");
     }
     isthmus::RequireFinitePoints(grid);
     mesh.Coordinates = Numbers(points->GetData(), mesh.NumberOfVertices, same);

@@ -3,12 +3,12 @@
  * @brief Writes the volume cells of a vtkUnstructuredGrid as a combinatorial mesh (.cmesh).
  *
  * The format is described at vtkCombinatorialMeshReader, which returns the same points, cells
- * and numbers bit for bit, with three exceptions: vtkIdType arrays come back as 64-bit integers and
- * char as signed char; VTK_POLYHEDRON faces are turned to agree with the cell's first face; cells
- * of higher order lose all but their corners, and points, lines and surface cells are
- * dropped, with a warning. Arrays that hold no numbers are dropped with a warning, too.
+ * and numbers bit for bit, with three exceptions: vtkIdType arrays are read as 64-bit integers and
+ * char as signed char; VTK_POLYHEDRON faces are oriented to agree with the first face of the cell;
+ * cells of higher order are reduced to their corners, and points, lines and surface cells are
+ * dropped, with a warning. Arrays that do not contain numbers are also dropped with a warning.
  *
- * A file that can't be written to its end is an error with the error code set.
+ * If the file cannot be written completely, there is an error and the error code is set.
  */
 #ifndef vtkCombinatorialMeshWriter_h
 #define vtkCombinatorialMeshWriter_h

@@ -4,10 +4,10 @@
  *
  * Output: vtkUnstructuredGrid of edges, triangles, quadrilaterals, tetrahedra, pyramids, prisms and
  * hexahedra, linear or quadratic, in the order of the file, with the array `Reference` on points
- * and cells. Cells of a higher order are dropped: `Notes` in the field data, and a warning. The
- * sections are described in MEDITFile.h. A file that is missing, cut or wrong, and .mesh files of
- * other programs: one error with the line, the error code, an empty output. Time and memory:
- * O(bytes).
+ * and cells. Cells of a higher order are dropped, which Notes in the field data and a warning
+ * report. The sections are described in MEDITFile.h. If a file is missing, truncated, invalid, or a
+ * .mesh file of another program, there is one error with the line, the error code is set, and the
+ * output is empty. Time and memory: O(bytes).
  */
 #ifndef vtkMEDITReader_h
 #define vtkMEDITReader_h
@@ -22,7 +22,7 @@ public:
   static vtkMEDITReader* New();
   vtkTypeMacro(vtkMEDITReader, vtkMeshFileReader);
 
-  /// 1 when the file begins as MEDIT meshes do.
+  /// 1 if the file begins like a MEDIT mesh.
   static int CanReadFile(const char* fileName);
 
 protected:

@@ -2,10 +2,10 @@
  * @class vtkMEDITWriter
  * @brief Writes meshes in MEDIT's text format (.mesh), which Gmsh, Mmg, CGAL and fTetWild read.
  *
- * Edges, triangles, quadrilaterals, tetrahedra, pyramids, prisms and hexahedra, by kind; the array
- * `Reference` (whole numbers) of points and cells, else 0. Other arrays are dropped, with a
- * warning. Other cells, and a file that can't be written to its end, are an error with the
- * error code set, and leave no file. Time: O(bytes); memory: that of the mesh.
+ * Edges, triangles, quadrilaterals, tetrahedra, pyramids, prisms and hexahedra, by kind, with the
+ * array Reference (whole numbers) of points and cells, or 0 without it. Other arrays are dropped,
+ * with a warning. For other cells, or if the file cannot be written completely, there is an error,
+ * the error code is set, and no file is left. Time: O(bytes); memory: that of the mesh.
  */
 #ifndef vtkMEDITWriter_h
 #define vtkMEDITWriter_h

@@ -7,9 +7,9 @@
  *
  * Output: vtkPolyData of triangles in angstrom. Point arrays `Normals` (active normals, away from
  * the molecule), `AnalyticFace`, `Atom` (nearest atom, from 0), `SurfaceType` (1 toric, 2
- * reentrant, 3 contact); cell arrays `SurfaceType`, `AnalyticFace`, `Component` (0, 1, 2, ...:
- * which pair). A missing, cut or foreign file: one error through vtkErrorMacro, error code,
- * empty output.
+ * reentrant, 3 contact); cell arrays `SurfaceType`, `AnalyticFace`, `Component` (0, 1, 2, ...: the
+ * index of the pair). If a file is missing, truncated or of another format, there is one error
+ * through vtkErrorMacro, the error code is set, and the output is empty.
  */
 #ifndef vtkMSMSReader_h
 #define vtkMSMSReader_h
@@ -37,7 +37,7 @@ public:
   vtkBooleanMacro(AllComponents, bool);
   ///@}
 
-  /// 1 when the file is named and begins as MSMS' files do.
+  /// 1 if the file has the name and the beginning of an MSMS file.
   static int CanReadFile(const char* fileName);
 
 protected:

@@ -32,7 +32,7 @@ protected:
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// Fills `mesh` from FileName, which is set, or throws.
+  /// Reads `mesh` from FileName, which must be set; throws if that fails.
   virtual void ReadMesh(isthmus::CellMesh& mesh) = 0;
 
   char* FileName = nullptr;

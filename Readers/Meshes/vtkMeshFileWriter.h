@@ -26,10 +26,10 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void WriteFile() override;
 
-  /// Writes `mesh` to FileName, which is set, or throws.
+  /// Writes `mesh` to FileName, which must be set; throws if that fails.
   virtual void WriteMesh(const isthmus::CellMesh& mesh) = 0;
 
-  /// Names of the arrays that the format holds, separated by blanks.
+  /// Names of the arrays that the format can store, separated by blanks.
   virtual const char* ArrayNames() const = 0;
 
 private:

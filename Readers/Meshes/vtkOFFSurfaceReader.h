@@ -2,10 +2,10 @@
  * @class vtkOFFSurfaceReader
  * @brief Reads surfaces in Geomview's Object File Format (.off, and with colours or normals).
  *
- * Output: vtkPolyData with points in double precision; of NOFF files the active normals `Normals`,
- * of COFF files `Colors` (red, green, blue, opacity as bytes). The grammar is in OFFFile.h. A file
- * that is missing, cut or wrong: one error with the line, the error code, an empty output. Time
- * and memory: O(bytes).
+ * Output: vtkPolyData with points in double precision; NOFF files have the active normals Normals,
+ * COFF files have Colors (red, green, blue, opacity as bytes). The grammar is in OFFFile.h. If a
+ * file is missing, truncated or invalid, there is one error with the line, the error code is set,
+ * and the output is empty. Time and memory: O(bytes).
  */
 #ifndef vtkOFFSurfaceReader_h
 #define vtkOFFSurfaceReader_h
@@ -27,7 +27,7 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
-  /// 1 when the file begins as OFF files do.
+  /// 1 if the file begins like an OFF file.
   static int CanReadFile(const char* fileName);
 
 protected:

@@ -2,10 +2,10 @@
  * @class vtkOFFSurfaceWriter
  * @brief Writes surfaces in Geomview's Object File Format (.off), the thesis' triangle-mesh file.
  *
- * Points, lines and polygons; with a point array `Normals` of doubles an NOFF file.
+ * Writes points, lines and polygons; with a point array Normals of doubles, it is an NOFF file.
  * vtkOFFSurfaceReader reads the same coordinates from it, bit for bit. Other arrays are dropped,
- * with a warning. Strips, and a file that can't be written to its end, are an error with the
- * error code set, and leave no file. Time: O(bytes); memory: that of the surface.
+ * with a warning. For strips, or if the file cannot be written completely, there is an error, the
+ * error code is set, and no file is left. Time: O(bytes); memory: that of the surface.
  */
 #ifndef vtkOFFSurfaceWriter_h
 #define vtkOFFSurfaceWriter_h

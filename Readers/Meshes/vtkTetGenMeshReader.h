@@ -3,10 +3,10 @@
  * @brief Reads meshes as TetGen writes them: .node, .ele, .face.
  *
  * FileName is any of the three; the points come from NAME.node beside it. Output:
- * vtkUnstructuredGrid of tetrahedra (.ele) and triangles (.face), quadratic ones with -o2, or
- * points alone (.node), arrays `Attribute` and `BoundaryMarker` where the file has them. The rows
- * are described in TetGenMeshFile.h. A file that is missing, cut or wrong: one error with the line,
- * the error code, an empty output. Time and memory: O(bytes).
+ * vtkUnstructuredGrid of tetrahedra (.ele) and triangles (.face), quadratic ones with -o2, or only
+ * points (.node), with the arrays Attribute and BoundaryMarker if the file has them. The rows are
+ * described in TetGenMeshFile.h. If a file is missing, truncated or invalid, there is one error
+ * with the line, the error code is set, and the output is empty. Time and memory: O(bytes).
  */
 #ifndef vtkTetGenMeshReader_h
 #define vtkTetGenMeshReader_h
@@ -21,7 +21,7 @@ public:
   static vtkTetGenMeshReader* New();
   vtkTypeMacro(vtkTetGenMeshReader, vtkMeshFileReader);
 
-  /// 1 when the file is named and begins as one of these.
+  /// 1 if the file has the name and the beginning of one of these.
   static int CanReadFile(const char* fileName);
 
 protected:

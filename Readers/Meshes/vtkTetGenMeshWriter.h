@@ -3,10 +3,10 @@
  * @brief Writes meshes as TetGen reads and writes them: .node, .ele, .face.
  *
  * FileName may end in any of the three: NAME.node gets the points, NAME.ele the tetrahedra,
- * NAME.face the triangles, where there are any. Arrays `Attribute` (double) and `BoundaryMarker`
- * (whole numbers) go with them, others are dropped, with a warning. Other cells, a FileName in .ele
- * or .face where there are no cells for it, and a file that can't be written to its end, are an
- * error with the error code set. Time: O(bytes); memory: that of the mesh.
+ * NAME.face the triangles, if there are any. The arrays Attribute (double) and BoundaryMarker
+ * (whole numbers) are written, too; others are dropped, with a warning. For other cells, for a
+ * FileName in .ele or .face without such cells, or if a file cannot be written completely, there is
+ * an error and the error code is set. Time: O(bytes); memory: that of the mesh.
  */
 #ifndef vtkTetGenMeshWriter_h
 #define vtkTetGenMeshWriter_h

@@ -1,10 +1,10 @@
 /**
  * @file AtomElements.h
- * @brief Elements of atoms, with and without a column that gives them.
+ * @brief Elements of atoms, from a column of the file or inferred without one.
  *
- * An element that the file gives (PDB: columns 77-78) is taken, unless it cannot be (oganesson in a
- * serine, where OG in the wrong column is meant). Files of CHARMM, VMD, NAMD, older GROMACS and
- * AMBER have none. There, in this order:
+ * An element given by the file (PDB: columns 77-78) is used unless it is impossible (oganesson in a
+ * serine, caused by OG in the wrong column). Files of CHARMM, VMD, NAMD, older GROMACS and AMBER
+ * have no elements. There, in this order:
  *
  * - residue and atom name: amino acids, nucleotides, lipids, waters, ions and cofactors by their
  *   names in the PDB, CHARMM, AMBER, GROMACS and OPLS;
@@ -12,8 +12,8 @@
  *   is carbon and "CA  " calcium. This is used where names of known residues follow it;
  * - the letters of the name (ChemicalElement.h).
  *
- * A metal that has a neighbour as near as in a covalent bond is none (CA of a ligand at 1.5
- * angstrom from another atom is carbon).
+ * An apparent metal with a neighbour at the distance of a covalent bond is not a metal (CA of a
+ * ligand at 1.5 angstrom from another atom is carbon).
  *
  * Beads of coarse-grained models (Martini), ghost and dummy atoms and virtual sites get element 0.
  */
@@ -42,10 +42,11 @@ enum class ResidueFamily
   Cofactor
 };
 
-/// The family of a residue by its name alone.
+/// The family of a residue, determined only by its name.
 VTKISTHMUSREADERSMOLECULES_EXPORT ResidueFamily FamilyOfResidue(std::string_view name);
 
-/// Is this a name of four letters that simulation programs give residues (TIP3, POPC, LYSH)?
+/// Whether this is a name of four letters that simulation programs use for residues (TIP3, POPC,
+/// LYSH).
 VTKISTHMUSREADERSMOLECULES_EXPORT bool IsLongResidueName(std::string_view name);
 
 /// Ghost atoms, dummies, lone pairs and virtual sites, by name or symbol: Bq, X1, EPW, Gh(C), `@H`.
@@ -58,7 +59,7 @@ struct AtomColumns
   std::array<char, 2> Symbol{ ' ', ' ' };         ///< 77-78
 };
 
-/// Where a format has the elements of atoms.
+/// The source of the elements of atoms in a format.
 enum class ElementColumn
 {
   PDB,   ///< columns 77-78
@@ -67,22 +68,22 @@ enum class ElementColumn
 };
 
 /**
- * Sets the elements of `atoms`. Residue r consists of atoms [starts[r], starts[r + 1]), the last
- * one of those to the end. `report` gets how many atoms were decided how. O(atoms).
+ * Sets the elements of `atoms`. Residue r consists of the atoms [starts[r], starts[r + 1]), and the
+ * last one extends to the end. `report` gets the number of atoms decided in each way. O(atoms).
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT void SetElements(std::vector<Atom>& atoms,
   const std::vector<AtomColumns>& columns, const std::vector<std::size_t>& starts,
   ReadingReport& report, ElementColumn column = ElementColumn::PDB);
 
 /**
- * The same for formats without PDB's columns: the element that an atom has is that of the file, 0
- * if it has none. Names are not right-justified; residues follow each other. `isDummy`: the file's
- * symbol means no element.
+ * The same for formats without PDB's columns: the given element of an atom is that of the file, or
+ * 0 if there is none. Names are not right-justified; residues are consecutive. `isDummy`: the
+ * symbol in the file does not denote an element.
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT void SetElements(std::vector<Atom>& atoms, ReadingReport& report,
   ElementColumn column, const std::function<bool(const Atom&)>& isDummy = {});
 
-/// Warns of atoms without element, in formats where types or symbols mean elements.
+/// Warns about atoms without an element, in formats in which types or symbols denote elements.
 void ReportMissingElements(const std::vector<Atom>& atoms, ReadingReport& report);
 
 }

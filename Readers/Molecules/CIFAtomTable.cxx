@@ -526,7 +526,8 @@ void TranslateCoreCIF(cif::Block& block, AtomTable& table, CIFAtoms& atoms)
     table.Plan("type_symbol",
       [&table, label, listed](std::size_t row)
       { return SymbolOfLabel(table.Text(row, label), listed); });
-    atoms.Report.Note("The file has no elements (type_symbol): decided from the labels.");
+    atoms.Report.Note(
+      "The file has no elements (type_symbol); they were inferred from the labels.");
   }
   if (table.Find("pdbx_formal_charge") < 0 &&
     std::any_of(charges.begin(), charges.end(), [](int charge) { return charge != 0; }))

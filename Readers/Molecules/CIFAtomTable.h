@@ -7,11 +7,11 @@
  * tables:
  *
  * - PDBx/mmCIF: coordinates and the name of the atom are enough. Columns that are missing are
- * added, with values of the matching auth_ or label_ column where there is one, else as unknown;
- *   elements come from the names (ChemicalElement.h).
+ * added, with values of the matching auth_ or label_ column if there is one, otherwise as unknown;
+ * elements are inferred from the names (ChemicalElement.h).
  * - core CIF of small molecules (`_atom_site_label`, `_atom_site_fract_x`; COD, CSD, ICSD):
  *   fractional coordinates are converted with the cell. Symmetry is not applied. U_iso is converted
- *   to B, groups of disorder are alternate locations.
+ *   to B, and disorder groups become alternate locations.
  * - chemical components (`_chem_comp_atom`; CCD of the PDB, monomer libraries): ideal coordinates
  *   where they are complete, else those of the example.
  *
@@ -35,7 +35,7 @@
 namespace isthmus
 {
 
-/// What CompleteAtomTable did to a block.
+/// The changes of CompleteAtomTable to a block.
 struct CIFAtoms
 {
   enum class Source
@@ -52,15 +52,15 @@ struct CIFAtoms
   std::vector<std::array<std::string, 3>> Bonded;
   /// pLDDT of ModelCIF, 0 to 100, by model (from 0), label_asym_id and label_seq_id.
   std::map<std::tuple<std::int64_t, std::string, std::string>, double> Confidence;
-  /// Ids of atoms whose symbols in the file mean no element.
+  /// Ids of atoms whose symbols in the file do not denote an element.
   std::set<int> Dummies;
   ReadingReport Report;
 };
 
 /**
- * Brings the atom table of `block` into the form that gemmi reads. O(values).
- * @throws std::invalid_argument where no row has coordinates, fractional coordinates lack a cell,
- * or there is no column of names.
+ * Converts the atom table of `block` to the form that gemmi reads. O(values).
+ * @throws std::invalid_argument if no row has coordinates, a cell is missing for fractional
+ * coordinates, or there is no column of names.
  */
 CIFAtoms CompleteAtomTable(gemmi::cif::Block& block);
 

@@ -158,8 +158,9 @@ void AddCovalentBonds(Macromolecule& molecule, const ProgressCallback& progress)
   Report(progress, 0.3);
   if (TooCrowded(sorted))
   {
-    molecule.Warnings.emplace_back("More than 1000 atoms lie in a box of one bond's length, so no "
-                                   "bonds were looked for: are the coordinates in angstrom?");
+    molecule.Warnings.emplace_back(
+      "More than 1000 atoms lie in a box with the side of one bond length, so bonds were not "
+      "determined: check that the coordinates are in angstrom.");
     SortBonds(molecule);
     return;
   }

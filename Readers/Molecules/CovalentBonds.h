@@ -19,17 +19,18 @@ namespace isthmus
  *
  * (E. C. Meng, R. A. Lewis, J. Comput. Chem. 12 (1991) 891, with the tolerance of Open Babel, N. M.
  * O'Boyle et al., J. Cheminform. 3 (2011) 33), where r are the covalent radii of AtomRadii.h.
- * Metals and atoms of unknown element get none; neither do two hydrogens, nor atoms of two
- * different alternate locations. Bonds that are there stay; all come sorted, each once.
+ * Metals and atoms of unknown element get no bonds, nor do pairs of hydrogens or pairs of atoms in
+ * different alternate locations. Existing bonds are kept; the result is sorted and has each bond
+ * once.
  *
- * O(n log n) in time for atoms of any density that exists; where more than 1000 would lie in a box
- * of bond length, none is added, with a warning. Parallel; the result is the same on any number of
- * threads.
+ * Time: O(n log n) for realistic densities of atoms. If more than 1000 atoms lie in a box with the
+ * side of a bond length, no bonds are added, with a warning. Parallel; the result is the same on
+ * any number of threads.
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT void AddCovalentBonds(
   Macromolecule& molecule, const ProgressCallback& progress);
 
-/// Sorts the bonds and keeps one of each pair, that of the file first.
+/// Sorts the bonds and keeps one for each pair of atoms, preferably that of the file.
 VTKISTHMUSREADERSMOLECULES_EXPORT void SortBonds(Macromolecule& molecule);
 
 }

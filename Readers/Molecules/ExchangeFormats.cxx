@@ -30,7 +30,7 @@ double FiniteNumber(std::string_view word, const TextLines& lines, const char* w
   if (!IsNumber(word, value) || !std::isfinite(value))
   {
     lines.Fail(std::string(what) + " belongs where '" + std::string(word.substr(0, 30)) +
-      "' is. The file may be truncated, or not what its name says.");
+      "' is. The file may be truncated, or its name may not match its content.");
   }
   return value;
 }
@@ -41,7 +41,7 @@ std::int64_t Count(std::string_view word, const TextLines& lines, const char* wh
   if (!IsNumber(word, value) || value < 0)
   {
     lines.Fail(std::string(what) + " belongs where '" + std::string(word.substr(0, 30)) +
-      "' is. The file may be truncated, or not what its name says.");
+      "' is. The file may be truncated, or its name may not match its content.");
   }
   return value;
 }
@@ -243,7 +243,7 @@ Atom ReadGROAtom(
     if (std::abs(atom.Position[axis]) > largest)
     {
       lines.Fail("a coordinate is larger than " + std::to_string(static_cast<int>(largest)) +
-        " angstrom. The file may be truncated, or not what its name says.");
+        " angstrom. The file may be truncated, or its name may not match its content.");
     }
     // 1.234 nm is 12.34 angstrom, and not the double beside it.
     atom.Position[axis] = std::round(atom.Position[axis] * 1e9) / 1e9;
@@ -257,7 +257,7 @@ Macromolecule ParseGRO(std::string_view text, const std::string& path, std::int6
   Macromolecule molecule;
   ReadingReport report;
   ReadingReport ofOthers;
-  report.Note("GRO file: elements from the names, no chains.");
+  report.Note("GRO file: elements were inferred from the names; there are no chains.");
   TextLines lines(text, path, progress);
   for (std::string_view line; lines.Next(line);) // the title, which may be empty
   {
@@ -662,8 +662,8 @@ Macromolecule ParseSDF(std::string_view text, const std::string& path, std::int6
       molecule.Bonds = std::move(one.Bonds);
       if (Columns(program, 20, 2) == "2D")
       {
-        ofOne.Warn("The file says that its coordinates are those of a drawing (2D): distances and "
-                   "surfaces mean nothing. Make a conformer first.");
+        ofOne.Warn("The file states that its coordinates are those of a drawing (2D): distances "
+                   "and surfaces are meaningless. Make a conformer first.");
       }
       if (fields > 0)
       {

@@ -1,6 +1,6 @@
 /**
  * @file GemmiAtom.h
- * @brief One atom of gemmi's as ours.
+ * @brief Converts one atom of gemmi.
  */
 #ifndef isthmus_GemmiAtom_h
 #define isthmus_GemmiAtom_h
@@ -14,7 +14,8 @@
 namespace isthmus
 {
 
-/// What gemmi is given for unknown occupancies and B factors, of which it would make 1 and 20.
+/// Values passed to gemmi for unknown occupancies and B factors, for which it would otherwise use 1
+/// and 20.
 constexpr float BlankNumber = 1e38F;
 constexpr const char* BlankText = "1e38";
 
@@ -23,7 +24,7 @@ inline double KnownOrNot(float value)
   return value == BlankNumber ? Atom::Unknown : static_cast<double>(value);
 }
 
-/// Rounded where gemmi keeps floats, so that 0.7 is 0.7 again in double.
+/// Rounds values that gemmi stores as floats, so that 0.7 becomes 0.7 in double.
 inline double Decimal(float value)
 {
   const double known = KnownOrNot(value);

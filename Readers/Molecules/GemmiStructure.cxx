@@ -219,7 +219,7 @@ CIFAtoms PrepareForGemmi(gemmi::cif::Block& block)
   std::string reason = error.what();
   std::replace(reason.begin(), reason.end(), '\n', ' ');
   throw std::runtime_error(path + ": this can't be read as " + format + " (" + reason +
-    "). The file may be truncated, or not what its name says.");
+    "). The file may be truncated, or its name may not match its content.");
 }
 
 void AddBond(Macromolecule& molecule, std::int64_t a, std::int64_t b)
@@ -470,7 +470,7 @@ Macromolecule PDBInWords(std::string_view text, const std::string& path, std::in
     atom.BFactor = std::exchange(atom.Radius, Atom::Unknown);
   }
   molecule.Warnings.emplace_back(
-    "The values are not in the columns of a PDB file: read by the blanks between them.");
+    "The values are not in the columns of a PDB file; they were separated at blanks.");
   return molecule;
 }
 

@@ -2,10 +2,10 @@
  * @file GemmiStructure.h
  * @brief Atoms from PDB and mmCIF files, the latter by gemmi.
  *
- * gemmi (M. Wojdyr, J. Open Source Softw. 7 (2022) 4200) reads PDBx/mmCIF and makes biological
- * assemblies of both. Atoms of PDB files are read by PDBFile.h: simulation programs, servers and
- * predictors write columns and separators that gemmi does not expect. Files whose values are
- * elsewhere than in PDB's columns are read by the blanks between them, with a warning.
+ * gemmi (M. Wojdyr, J. Open Source Softw. 7 (2022) 4200) reads PDBx/mmCIF, and generates biological
+ * assemblies for both formats. Atoms of PDB files are read by PDBFile.h: simulation programs,
+ * servers and predictors write columns and separators that gemmi does not expect. If values are not
+ * in the columns of PDB, they are separated at blanks, with a warning.
  */
 #ifndef isthmus_GemmiStructure_h
 #define isthmus_GemmiStructure_h
@@ -22,7 +22,7 @@
 namespace isthmus
 {
 
-/// What of a file's structure to take.
+/// The part of the structure of a file to read.
 struct StructureChoice
 {
   std::int64_t Model = 0; ///< from 0
@@ -30,11 +30,11 @@ struct StructureChoice
 };
 
 /**
- * The atoms of a model in gemmi's order: that of the file, except that atoms of one
- * residue come together. Bonds are those of CONECT, SSBOND and LINK within the asymmetric unit;
- * charges are formal ones, where the file gives any other than 0. Radii are not set. Lines are
- * read in pieces of `bytesOfAPiece`, several at once; their size makes no difference. Time and
- * memory O(bytes).
+ * The atoms of a model in gemmi's order: that of the file, except that the atoms of a residue are
+ * consecutive. Bonds are those of CONECT, SSBOND and LINK within the asymmetric unit; charges are
+ * formal charges, if the file has any that are not 0. Radii are not set. Lines are read in pieces
+ * of `bytesOfAPiece`, several in parallel; the size does not affect the result. Time and memory:
+ * O(bytes).
  * @throws std::runtime_error with file and reason.
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParsePDB(std::string_view text,
@@ -44,7 +44,7 @@ VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParsePDB(std::string_view text,
 /// The number of models that ParsePDB finds, at least 1.
 VTKISTHMUSREADERSMOLECULES_EXPORT std::int64_t CountPDBModels(std::string_view text);
 
-/// As ParsePDB, for mmCIF; bonds are those of struct_conn, hydrogen bonds left out.
+/// Like ParsePDB, for mmCIF; bonds are those of struct_conn, without hydrogen bonds.
 VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParseMMCIF(std::string_view text,
   const std::string& path, const StructureChoice& choice, const ProgressCallback& progress);
 

@@ -16,7 +16,7 @@
 namespace isthmus
 {
 
-/// One atom. What a file does not give is NaN, 0 or empty, as each member says.
+/// One atom. Data that a file lacks are NaN, 0 or empty, as stated for each member.
 struct Atom
 {
   static constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
@@ -38,7 +38,7 @@ struct Atom
   bool IsHetero = false;
 };
 
-/// A bond between two atoms, by their places in the list of atoms; First < Second.
+/// A bond between two atoms, given by their indices in the list of atoms; First < Second.
 struct Bond
 {
   std::int64_t First;

@@ -89,8 +89,8 @@ std::string OtherFormat(const std::string& path)
       "this is a run input of GROMACS, which is not read. Write its structure by 'gmx editconf -f "
       "FILE.tpr -o FILE.gro'." },
     { ".psf .prmtop .parm7 .top .itp ",
-      "this is a topology: it has no coordinates. Open a structure (.pdb, .gro, .pqr), and let "
-      "pdb2pqr or ParmEd write a PQR file where charges are needed." },
+      "this is a topology: it has no coordinates. Open a structure (.pdb, .gro, .pqr), and create "
+      "a PQR file with pdb2pqr or ParmEd if charges are needed." },
     { ".inpcrd .rst7 .restrt .ncrst ",
       "these are coordinates of AMBER without names of atoms. Write a PDB file by 'ambpdb -p "
       "TOPOLOGY -c FILE', or with cpptraj or MDAnalysis." },
@@ -101,11 +101,11 @@ std::string OtherFormat(const std::string& path)
       "this is a trajectory. Open its structure first, then use the Trajectory Reader, or write "
       "frames as PDB (gmx trjconv, cpptraj, MDAnalysis)." },
     { ".smi .inchi ",
-      "this names a molecule without coordinates. Make some by 'obabel FILE -O FILE.sdf "
-      "--gen3d'." },
+      "this names a molecule without coordinates. Generate coordinates with 'obabel FILE -O "
+      "FILE.sdf --gen3d'." },
     { ".mae .maegz .cdx .cml .pse .cxs .hin .dms .gsd .poscar .cssr .molden .car .xsf ",
       "this format is not read. Write the molecule as PDB, mmCIF, MOL2 or SDF with the program "
-      "that made it, or by 'obabel FILE -O FILE.mol2'." },
+      "that created it, or with 'obabel FILE -O FILE.mol2'." },
   };
   for (const auto& format : formats)
   {
@@ -163,7 +163,7 @@ std::string OtherContent(std::string_view text, MoleculeFormat format)
   }
   if (BeginsAs(words, "{"))
   {
-    return "this is JSON. Where it is mmJSON, convert it by 'gemmi convert FILE.json FILE.cif'.";
+    return "this is JSON. If it is mmJSON, convert it with 'gemmi convert FILE.json FILE.cif'.";
   }
   for (const char* record : { "HEADER ", "CRYST1 ", "ATOM  ", "HETATM", "REMARK ", "MODEL  " })
   {
@@ -250,8 +250,9 @@ void CheckModel(const Macromolecule& molecule, const std::string& path, std::int
   }
   if (molecule.Atoms.empty())
   {
-    throw std::runtime_error(
-      path + ": there is no atom in it. The file may be truncated, or not what its name says.");
+    throw std::runtime_error(path +
+      ": there is no atom in it. The file may be truncated, or its name may not match its "
+      "content.");
   }
 }
 
@@ -337,7 +338,7 @@ void SetRadii(Macromolecule& molecule, RadiusTable table)
   }
   if (!found.Charge)
   {
-    AddSentence(molecule.Notes, "The file gives no charges: Charge is NaN for all atoms.");
+    AddSentence(molecule.Notes, "The file has no charges: Charge is NaN for all atoms.");
   }
   else if (found.NoCharge)
   {

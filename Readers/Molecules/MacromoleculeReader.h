@@ -20,34 +20,35 @@ namespace isthmus
 {
 
 /**
- * Reads one model. Radii are those of the file (PQR) or of the table; atoms without are NaN and
- * named in a warning. Bonds are those of the file and, if BondsByDistance, those by distance
- * (CovalentBonds.h).
- * @throws std::runtime_error with a message for a file that is missing, damaged or foreign,
- * without any atom, or without the requested model or chain; Cancelled.
+ * Reads one model. Radii are those of the file (PQR) or of the table; atoms without a radius have
+ * NaN and are listed in a warning. Bonds are those of the file and, if BondsByDistance, those by
+ * distance (CovalentBonds.h).
+ * @throws std::runtime_error with a message if the file is missing, damaged, of another format,
+ * without atoms, or without the requested model or chain; Cancelled.
  *
- * Time O(bytes + n log n); memory: the text and about 250 bytes an atom.
+ * Time: O(bytes + n log n); memory: the text and about 250 bytes for each atom.
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ReadMacromolecule(
   const std::string& path, const MoleculeOptions& options, const ProgressCallback& progress = {});
 
-/// The same from a text in memory, whose format must be named; `path` is for the messages.
+/// The same from a text in memory, whose format must be given; `path` is for the messages.
 VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParseMacromolecule(std::string_view text,
   const std::string& path, const MoleculeOptions& options, const ProgressCallback& progress = {});
 
 /**
- * The number of models in a file. Of PQR files, and of PDB files without END between their atoms,
- * the MODEL records are counted; others are parsed, and `parsed` gets their first model, for
- * CompleteMacromolecule. Throws as ReadMacromolecule.
+ * The number of models in a file. For PQR files, and for PDB files without END between their atoms,
+ * the MODEL records are counted. Other files are parsed, and `parsed` is set to their first model,
+ * for CompleteMacromolecule. Throws as ReadMacromolecule.
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT std::int64_t CountModels(
   const std::string& path, MoleculeFormat format, Macromolecule* parsed = nullptr);
 
-/// What ReadMacromolecule gives for model 0 without an assembly, from what CountModels parsed.
+/// The result of ReadMacromolecule for model 0 without an assembly, from the data parsed by
+/// CountModels.
 VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule CompleteMacromolecule(Macromolecule parsed,
   const std::string& path, const MoleculeOptions& options, const ProgressCallback& progress = {});
 
-/// Is the file there, named as one of the formats, and does it begin with text?
+/// Whether the file exists, has the name of one of the formats, and begins with text.
 VTKISTHMUSREADERSMOLECULES_EXPORT bool LooksLikeMolecule(const std::string& path);
 
 }

@@ -236,7 +236,7 @@ void StartMolecule(vtkPoints* points, vtkDataArray* elements, vtkMolecule* molec
 {
   if (!molecule->Initialize(points, elements, nullptr))
   {
-    throw std::runtime_error("VTK could not make a molecule of these atoms.");
+    throw std::runtime_error("VTK could not create a molecule from these atoms.");
   }
 }
 

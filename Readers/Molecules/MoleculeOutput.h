@@ -1,6 +1,7 @@
 /**
  * @file MoleculeOutput.h
- * @brief A Macromolecule as VTK data, with the arrays that vtkMacromoleculeReader documents.
+ * @brief Converts a Macromolecule to VTK data, with the arrays documented in
+ * vtkMacromoleculeReader.
  */
 #ifndef isthmus_MoleculeOutput_h
 #define isthmus_MoleculeOutput_h
@@ -15,8 +16,8 @@ struct Macromolecule;
 
 /**
  * `atoms` gets points, vertices, bond lines, point arrays and field data; `molecule` the same
- * atoms, sharing points and arrays, and the bonds. Arrays are filled several at once.
- * @throws std::runtime_error where VTK makes no molecule of them.
+ * atoms, sharing points and arrays, and the bonds. Arrays are filled in parallel.
+ * @throws std::runtime_error if VTK cannot create a molecule from them.
  */
 void FillOutputs(
   const Macromolecule& from, bool withAltLoc, vtkPolyData* atoms, vtkMolecule* molecule);

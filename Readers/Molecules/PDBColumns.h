@@ -1,6 +1,6 @@
 /**
  * @file PDBColumns.h
- * @brief Columns of PDB files as programs write them: residues, chains, numbers, coordinates.
+ * @brief Columns of PDB files written by various programs: residues, chains, numbers, coordinates.
  *
  * wwPDB's format 3.3 has the residue name in columns 18-20, the chain in 22, the number in 23-26
  * and an insertion code in 27. Programs with larger systems write:
@@ -12,7 +12,7 @@
  * - the chain as a segment in 73-76, with 22 blank;
  * - coordinates wider than their eight columns, with all that follows shifted to the right.
  *
- * The same text can mean two things, so the file as a whole decides.
+ * The same text can have two meanings, so the decision is made for the file as a whole.
  */
 #ifndef isthmus_PDBColumns_h
 #define isthmus_PDBColumns_h
@@ -43,17 +43,17 @@ constexpr bool IsDigit(char c)
 
 /**
  * The columns (from 0) where x, y and z begin and z ends: 30, 38, 46 and 54, unless the numbers
- * have three decimals, follow each other and one of them is wider than eight columns.
+ * have three decimals, are adjacent, and one of them is wider than eight columns.
  */
 std::array<std::size_t, 4> CoordinateColumns(std::string_view atom);
 
-/// By how many columns all that follows the coordinates is shifted.
+/// Number of columns by which everything after the coordinates is shifted.
 inline std::size_t CoordinateShift(std::string_view atom)
 {
   return CoordinateColumns(atom)[3] - 54;
 }
 
-/// Consecutive lines with one residue in columns 18-27 and one segment.
+/// Consecutive lines with the same residue in columns 18-27 and the same segment.
 struct PDBRun
 {
   std::size_t First; ///< of PDBLines::Atoms
@@ -67,14 +67,14 @@ struct PDBRun
   char InsertionCode = ' ';
 };
 
-/// What four letters in columns 18-21 mean in a file.
+/// The meaning of four letters in columns 18-21 in a file.
 class PDBResidueNames
 {
 public:
   PDBResidueNames() = default;
   explicit PDBResidueNames(const std::vector<PDBRun>& runs, const PDBLines& lines);
 
-  /// Whether columns 18-22 are a name of four letters and a chain of one.
+  /// Whether columns 18-22 are a residue name of four letters and a chain name of one.
   bool IsLong(std::string_view fiveColumns) const;
 
 private:
@@ -82,23 +82,23 @@ private:
 };
 
 /**
- * The runs of a model, decoded. `withSegments`: columns 73-76 are segments, and name chains where
- * column 22 is blank. Chains of later parts whose names are those of earlier ones get free names.
- * O(atoms).
+ * The decoded runs of a model. `withSegments`: columns 73-76 are segments, and are used as chain
+ * names if column 22 is blank. Chains of later parts get unused names if their names occur in
+ * earlier parts. O(atoms).
  */
 std::vector<PDBRun> ReadRuns(const PDBLines& lines, const PDBModel& model, bool withSegments,
   PDBResidueNames& names, ReadingReport& report);
 
-/// Gives chains of later parts other names than those of earlier ones.
+/// Renames chains of later parts whose names occur in earlier parts.
 void RenameChains(std::vector<PDBRun>& runs, ReadingReport& report);
 
-/// The atoms of lines of a file, each of its own, in their order.
+/// The atoms of lines of a file, each read independently, in their order.
 using AtomLinesReader =
   std::function<std::vector<Atom>(const std::vector<std::string_view>&, const ProgressCallback&)>;
 
 /**
- * The atoms of one model of a file with PDB's records (PQR, PDBQT), which `read` reads from their
- * lines, with the number of models. Empty where there is no such model.
+ * The atoms of one model of a file with records like PDB (PQR, PDBQT), read from their lines by
+ * `read`, and the number of models. Empty if there is no such model.
  */
 Macromolecule ReadModelOfRecords(std::string_view text, std::int64_t model,
   const PDBAtomText& atoms, const AtomLinesReader& read, ReadingReport& report,
@@ -109,12 +109,14 @@ Macromolecule ReadModelOfRecords(std::string_view text, std::int64_t model,
 VTKISTHMUSREADERSMOLECULES_EXPORT std::optional<int> PDBNumber(std::string_view text, int base);
 
 /**
- * Numbers that only those before them explain: hexadecimal digits without letters, and asterisks.
+ * Numbers that can be interpreted only from the preceding ones: hexadecimal digits without letters,
+ * and asterisks.
  */
 class PDBSerials
 {
 public:
-  /// The number in `field`, blanks around it; one more than the last where it is not a number.
+  /// The number in `field`, which may have blanks around it; if it is not a number, one more than
+  /// the previous number.
   int Next(std::string_view field);
 
   bool AnyHexadecimal() const { return this->IsHexadecimal; }

@@ -311,9 +311,8 @@ public:
     const bool isOld = HasOldColumns(this->Lines, this->Model);
     if (isOld)
     {
-      this->Report.Warn(
-        "Columns 73-80 hold something other than segment, element and charge, as in "
-        "old PDB files: read without them.");
+      this->Report.Warn("Columns 73-80 contain something other than segment, element and charge, "
+                        "as in old PDB files; they were ignored.");
     }
     this->Runs = ReadRuns(this->Lines, this->Model, !isOld, this->Names, this->Report);
     const Order order = OrderOf(this->Runs);
@@ -378,7 +377,7 @@ private:
       throw NonstandardColumnsError(this->Path + ", " + this->Here(found.NoCoordinate) +
         ": columns " + std::to_string(found.NoCoordinateColumn + 1) + " to " +
         std::to_string(found.NoCoordinateColumn + 8) +
-        " hold no coordinate (a finite number). Is it a PDB file, and whole?");
+        " hold no coordinate (a finite number). The file may be damaged, or not a PDB file.");
     }
     if (found.Short != Faults::None)
     {

@@ -2,9 +2,9 @@
  * @file PDBFile.h
  * @brief Atoms and bonds of PDB files, in the columns of the format and of simulation programs.
  *
- * The format is wwPDB's 3.3 with the extensions of PDBColumns.h. Lines stand for themselves: a
- * record that cannot be read costs nothing but itself, and is counted in the report. Also read are
- * coordinates wider than their eight columns, when all that follows is shifted.
+ * The format is wwPDB's 3.3 with the extensions of PDBColumns.h. Lines are read independently: a
+ * record that cannot be read is dropped without affecting others, and is counted in the report.
+ * Coordinates wider than their eight columns are also read, if everything after them is shifted.
  */
 #ifndef isthmus_PDBFile_h
 #define isthmus_PDBFile_h
@@ -24,7 +24,7 @@
 namespace isthmus
 {
 
-/// Thrown on a line whose coordinates are not where PDB has them.
+/// Thrown for a line whose coordinates are not in the columns of PDB.
 struct NonstandardColumnsError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
@@ -39,11 +39,10 @@ struct PDBMolecule
 };
 
 /**
- * Reads one model. Lines of one chain that follow each other and have the same residue (number,
- * insertion code, segment and name) are one residue, also where other residues are between them.
- * Time and memory O(bytes).
- * @throws NonstandardColumnsError where an atom's coordinates are not finite numbers,
- * std::runtime_error where a line ends within them, both with the first such line; Cancelled.
+ * Reads one model. Lines of a chain with the same residue (number, insertion code, segment and
+ * name) are one residue, even if other residues are between them. Time and memory O(bytes).
+ * @throws NonstandardColumnsError if the coordinates of an atom are not finite numbers,
+ * std::runtime_error if a line ends within them, both with the first such line; Cancelled.
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT PDBMolecule ReadPDBModel(std::string_view text,
   const std::string& path, const PDBLines& lines, const PDBModel& model, ReadingReport& report,

@@ -1,6 +1,6 @@
 /**
  * @file PDBLines.h
- * @brief The records of a PDB file, and which of them make a model.
+ * @brief The records of a PDB file, and the models that they form.
  */
 #ifndef isthmus_PDBLines_h
 #define isthmus_PDBLines_h
@@ -35,7 +35,7 @@ struct PDBRecord
   std::string_view Line;
 };
 
-/// The lines of a file that are used, in its order; they point into its text.
+/// The used lines of a file in order; they point into its text.
 struct PDBLines
 {
   std::vector<std::string_view> Atoms; ///< ATOM and HETATM, in capitals or not
@@ -53,8 +53,9 @@ struct PDBPart
 using PDBModel = std::vector<PDBPart>;
 
 /**
- * Finds the records of `text`, several pieces of about `bytesOfAPiece` at once; their size makes no
- * difference. Lines end at a zero byte. All other records are ignored, whatever they contain.
+ * Finds the records of `text`, in pieces of about `bytesOfAPiece`, several in parallel; the size
+ * does not affect the result. Lines end at a zero byte. All other records are ignored, whatever
+ * they contain.
  * @throws Cancelled.
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT PDBLines SplitPDB(
@@ -63,10 +64,10 @@ VTKISTHMUSREADERSMOLECULES_EXPORT PDBLines SplitPDB(
 /// "line 7" of `text`, for messages. O(bytes before it).
 std::string LineOf(std::string_view text, std::string_view line);
 
-/// What FindModels reads of the lines of atoms; by default PDB's columns.
+/// The parts of the lines of atoms that FindModels reads; by default the columns of PDB.
 struct PDBAtomText
 {
-  /// Whether two lines have the same atom: name, location, residue and chain.
+  /// Whether two lines describe the same atom: name, location, residue and chain.
   bool (*IsSame)(std::string_view a, std::string_view b);
   /// False: there are no coordinates.
   bool (*Place)(std::string_view atom, std::array<double, 3>& place);
@@ -77,13 +78,13 @@ VTKISTHMUSREADERSMOLECULES_EXPORT extern const PDBAtomText PDBColumnsOfAtoms;
  * The models of a file.
  *
  * - With MODEL: it begins a model, whatever its number. ENDMDL may be missing, or single MODEL
- *   records where ENDMDL is not.
+ *   records may be missing if ENDMDL is present.
  * - Without MODEL, but with ENDMDL: each part that ENDMDL or END ends is a model.
  * - With END alone: parts that repeat the same atoms at overlapping places are models.
  * - All other parts that END separates are one structure.
  *
- * Atoms outside of MODEL and ENDMDL belong to the model before them, or to the first one. Groups
- * of parts may repeat as well. `report` notes what was decided.
+ * Atoms outside MODEL and ENDMDL belong to the preceding model, or to the first one. Groups of
+ * parts may repeat as well. Decisions are noted in `report`.
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT std::vector<PDBModel> FindModels(
   const PDBLines& lines, ReadingReport& report, const PDBAtomText& atoms = PDBColumnsOfAtoms);

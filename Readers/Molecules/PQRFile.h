@@ -1,6 +1,6 @@
 /**
  * @file PQRFile.h
- * @brief Atoms with charges and radii from PQR files.
+ * @brief Reads atoms with charges and radii from PQR files.
  *
  * PQR (T. J. Dolinsky et al., Nucleic Acids Res. 32 (2004) W665; apbs.readthedocs.io, PQR) has a
  * line for each atom. Two dialects are in use, and each line is taken for what it is:
@@ -10,7 +10,7 @@
  *    number 23-26, insertion code 27, x 31-38, y 39-46, z 47-54, then charge and radius as two
  *    words or in columns 55-62 and 63-70.
  * Lines that begin with HETATM are hetero atoms; MODEL, ENDMDL and END separate models or parts as
- * in PDB files (PDBLines.h); other lines are left out.
+ * in PDB files (PDBLines.h); other lines are ignored.
  */
 #ifndef isthmus_PQRFile_h
 #define isthmus_PQRFile_h
@@ -26,14 +26,14 @@ namespace isthmus
 {
 
 /**
- * The atoms of model `model` (from 0). Charges and radii are the nearest doubles to the text;
- * elements are guessed from names. O(bytes).
+ * The atoms of model `model` (from 0). Charges and radii are the doubles nearest to the text;
+ * elements are inferred from names. O(bytes).
  * @throws std::runtime_error with file, line and reason.
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParsePQR(std::string_view text,
   const std::string& path, std::int64_t model, const ProgressCallback& progress);
 
-/// How many models ParsePQR finds, at least one.
+/// The number of models that ParsePQR finds, at least one.
 std::int64_t CountPQRModels(std::string_view text);
 
 }

@@ -1,6 +1,7 @@
 /**
  * @file ReadingReport.h
- * @brief What a reader decided, corrected or dropped: notes in the field data and one warning.
+ * @brief Reports what a reader decided, corrected or dropped, as notes in the field data and one
+ * warning.
  */
 #ifndef isthmus_ReadingReport_h
 #define isthmus_ReadingReport_h
@@ -16,12 +17,12 @@ namespace isthmus
 {
 
 /**
- * Collects sentences and counts while a text is read. All of them become notes (field data
- * `Notes`); those that concern the result together become one warning, so that a file with many
- * faults does not hide the atoms behind many messages.
+ * Collects sentences and counts while a text is read. All of them become notes (field data Notes).
+ * Those that affect the result are combined in one warning, so that a file with many faults does
+ * not cause many messages.
  *
- * Counts with the same text are added up: Count("Unreadable CONECT records, dropped", "line 7")
- * twice becomes "Unreadable CONECT records, dropped: 2 (first: line 7).".
+ * Counts with the same text are summed: Count("Unreadable CONECT records, dropped", "line 7") twice
+ * becomes "Unreadable CONECT records, dropped: 2 (first: line 7).".
  */
 class ReadingReport
 {
@@ -32,7 +33,7 @@ public:
   /// Also part of the warning.
   void Warn(std::string sentence) { this->Sentences.push_back({ std::move(sentence), true }); }
 
-  /// Part of the warning: how often `what` happened, and where first.
+  /// A part of the warning: what happened, how often, and where first.
   void Count(const std::string& what, const std::string& where, std::size_t times = 1)
   {
     if (times == 0)
@@ -50,7 +51,7 @@ public:
     this->Counts.push_back({ what, where, times });
   }
 
-  /// Ends the report: notes and at most one warning of `molecule`.
+  /// Ends the report: adds the notes and at most one warning to `molecule`.
   void AddTo(Macromolecule& molecule) const
   {
     std::string warning;

@@ -255,7 +255,7 @@ Macromolecule ParseTinker(std::string_view text, const std::string& path, std::i
 {
   Macromolecule molecule;
   ReadingReport report;
-  report.Note("TINKER file: elements from the names of the atom types.");
+  report.Note("TINKER file: elements were inferred from the names of the atom types.");
   TextLines lines(text, path, progress);
   std::vector<std::int64_t> bonded;
   for (std::string_view line; lines.Next(line);)

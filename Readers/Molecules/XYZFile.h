@@ -3,7 +3,7 @@
  * @brief Atoms from XYZ files.
  *
  * A frame is a line with the number of atoms, a line of comment, and a line for each atom: symbol
- * or atomic number, x, y, z in angstrom; what follows on the line is left out. Frames are models.
+ * or atomic number, x, y, z in angstrom; the rest of the line is ignored. Frames are models.
  *
  * Extended XYZ names its columns in the comment (Properties=species:S:1:pos:R:3:...), in any order:
  * species (or Z), pos, charge (or charges, initial_charges, q) and radius are read.
@@ -25,8 +25,9 @@ namespace isthmus
 {
 
 /**
- * The atoms of frame `model` (from 0); name and residue name are the symbol and empty. O(bytes).
- * @throws std::runtime_error with file, line and reason, also when the comment of an extended XYZ
+ * The atoms of frame `model` (from 0); the atom name is the symbol, and the residue name is empty.
+ * O(bytes).
+ * @throws std::runtime_error with file, line and reason, also if the comment of an extended XYZ
  * file lacks species or positions.
  */
 VTKISTHMUSREADERSMOLECULES_EXPORT Macromolecule ParseXYZ(std::string_view text,

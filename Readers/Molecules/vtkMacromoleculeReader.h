@@ -2,8 +2,8 @@
  * @class   vtkMacromoleculeReader
  * @brief   atoms and bonds from PDB, mmCIF, PQR, XYZ, PDBQT, GRO, MOL2 and SDF files
  *
- * Extensions .pdb .ent .cif .mmcif .pqr .xyz .extxyz .pdbqt .gro .mol2 .sdf .mol, plain, .gz or
- * .bz2; other names by their content.
+ * The extensions are .pdb .ent .cif .mmcif .pqr .xyz .extxyz .pdbqt .gro .mol2 .sdf .mol, plain,
+ * .gz or .bz2; for other names, the format is detected from the content.
  *
  * **Output 0**, vtkPolyData: a point and a vertex for each atom (angstrom, double), a line for each
  * bond. Point arrays:
@@ -23,24 +23,25 @@
  * and, where the file has any, `InsertionCode` and (with AltLoc "*") `AltLoc`, strings, and `pLDDT`
  * (double, 0 to 100): confidence of predicted residues, where ModelCIF names it so. Cell array
  * `BondSource` (unsigned char): 0 vertex, 1 bond named by the file (CONECT, SSBOND, LINK,
- * struct_conn), 2 bond by distance (CovalentBonds.h). Bond orders are not known. Atoms come in the
- * order of the file, save that those of one residue come together.
+ * struct_conn), 2 bond by distance (CovalentBonds.h). Bond orders are not known. Atoms are in the
+ * order of the file, except that the atoms of a residue are consecutive.
  *
- * Several models are time steps (ModelsAsTimeSteps), those that END separates in a PDB file as well
- * where they repeat the same atoms (PDBLines.h). Field data: `NumberOfModels`; `ElementSymbols`
- * (string 6 is "C"); `Notes` and `Warnings`: what was dropped or is missing, one message each.
- * Warnings also go to vtkWarningMacro: elements that the file does not give, atoms without radius.
+ * Several models are time steps (ModelsAsTimeSteps). This includes models that are separated by END
+ * in a PDB file, if they repeat the same atoms (PDBLines.h). Field data: `NumberOfModels`;
+ * `ElementSymbols` (string 6 is "C"); `Notes` and `Warnings`: what was dropped or is missing, one
+ * message each. Warnings also go to vtkWarningMacro: elements that are missing in the file, and
+ * atoms without a radius.
  *
  * **Output 1**, vtkMolecule: the same atoms and bonds (order 1) and point arrays, for molecule
  * mappers.
  *
- * **Errors** (one message, error code, empty outputs): a file that is missing, cut, foreign,
- * without atoms, with coordinates that are no finite numbers; a model, chain, assembly or alternate
- * location that it does not have.
+ * **Errors** (one message, error code, empty outputs): a file that is missing, truncated, of
+ * another format, without atoms, or with coordinates that are not finite; a model, chain, assembly
+ * or alternate location that does not exist.
  *
- * **Cost.** A million atoms from PQR: about 1.5 s on two cores with all bonds, 0.8 GB. Progress and
- * abort work while reading, save that gemmi parses mmCIF in one call. On several MPI ranks, the
- * first one has everything.
+ * **Cost.** Reading a million atoms from PQR takes about 1.5 s on two cores, including all bonds,
+ * and 0.8 GB. Progress and abort work while reading, except that gemmi parses mmCIF in one call. On
+ * several MPI ranks, the first one has the whole molecule.
  */
 #ifndef vtkMacromoleculeReader_h
 #define vtkMacromoleculeReader_h
@@ -94,7 +95,7 @@ public:
 
   ///@{
   /// Whether the models are time steps 0, 1, ..., so that the time which the pipeline requests
-  /// chooses the model. A ModelIndex above 0 chooses that model at all times. Default on.
+  /// chooses the model. A ModelIndex above 0 selects that model at all times. Default on.
   vtkSetMacro(ModelsAsTimeSteps, bool);
   vtkGetMacro(ModelsAsTimeSteps, bool);
   vtkBooleanMacro(ModelsAsTimeSteps, bool);
@@ -153,7 +154,7 @@ public:
   /// Output 1.
   vtkMolecule* GetMolecule();
 
-  /// 1 when the file is there, named as above, and text.
+  /// 1 if the file exists, has a name as above, and is text.
   static int CanReadFile(const char* fileName);
 
 protected:

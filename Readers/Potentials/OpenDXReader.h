@@ -1,8 +1,9 @@
 /**
  * @file OpenDXReader.h
- * @brief Scalars on a regular grid from an OpenDX file, as APBS and others write potentials.
+ * @brief Reads scalars on a regular grid from an OpenDX file, the format in which APBS and other
+ * programs write potentials.
  *
- * The native form of OpenDX (OpenDX User's Reference, appendix B.2), of which these files use:
+ * The native form of OpenDX (OpenDX User's Reference, appendix B.2), of which these files use
  * objects of class `gridpositions` (counts, origin, three delta rows), `gridconnections`, `array`
  * (type, rank 0 or 1, items, then the values, z fastest) and `field`; attributes; comments from #
  * to the end of a line. Values are text or, after `binary`, `ieee`, `lsb` or `msb`, raw bytes.
@@ -22,7 +23,7 @@
 namespace isthmus
 {
 
-/// One array of a file: its values follow in the file.
+/// One array of a file, whose values follow in the file.
 struct OpenDXArray
 {
   bool Single = false; ///< float; all other types come as double
@@ -40,7 +41,7 @@ struct OpenDXArray
 class OpenDXReader
 {
 public:
-  /// Opens the file and goes to the values of array `index`, counted from 0.
+  /// Opens the file and moves to the values of array `index`, counted from 0.
   OpenDXReader(const std::string& path, int index, const ProgressCallback& progress = {});
 
   /// Grid of the array: the last gridpositions before it. Its steps need not be orthogonal.
@@ -48,8 +49,9 @@ public:
   const OpenDXArray& Array() const { return this->Values; }
 
   /**
-   * The values of the nodes of `box` into `out`, x fastest, T float or double.
-   * Time: one pass over the text, 30 ns a number. Memory: some grid planes of x.
+   * Reads the values of the nodes of `box` into `out`, with x varying fastest; T is float or
+   * double. Time: one pass over the text, 30 ns for each number. Memory: a few grid planes of
+   * constant x.
    */
   template <typename T>
   void Read(const NodeBox& box, T* out, const ProgressCallback& progress);
@@ -57,7 +59,7 @@ public:
   /// After Read: checks what follows the values; values left over are an error.
   void ReadRest();
 
-  /// Name of the field that follows the array; known after ReadRest, may be empty.
+  /// Name of the field that follows the array; available after ReadRest, may be empty.
   const std::string& FieldName() const { return this->Name; }
   const std::vector<std::string>& Comments() const { return this->Text.Comments(); }
   std::string Compression() const { return this->Source->Compression(); }

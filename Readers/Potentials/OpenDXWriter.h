@@ -1,6 +1,6 @@
 /**
  * @file OpenDXWriter.h
- * @brief Values on a regular grid as an OpenDX file, plain text or gzip-compressed.
+ * @brief Writes values on a regular grid as an OpenDX file, as plain text or gzip-compressed.
  */
 #ifndef isthmus_OpenDXWriter_h
 #define isthmus_OpenDXWriter_h
@@ -23,12 +23,12 @@ struct OpenDXLabels
 
 /**
  * Writes `values` (components for each node of `grid`, x fastest; T float or double) to `path`;
- * gzip-compressed where the path ends in .gz. Each number has the fewest digits that are read back
- * bit for bit, the grid's numbers too.
+ * gzip-compressed if the path ends in .gz. Each number, including those of the grid, is written
+ * with the fewest digits that are read back bit for bit.
  *
- * Time: about 0.1 us a number, gzip 1 us. Memory: 1 MiB.
- * @throws std::runtime_error when the file can't be written to its end, and Cancelled; either
- * leaves no file behind.
+ * Time: about 0.1 us for each number, 1 us with gzip. Memory: 1 MiB.
+ * @throws std::runtime_error if the file cannot be written completely, and Cancelled; in both cases
+ * no file is left.
  */
 template <typename T>
 void WriteOpenDX(const std::string& path, const VoxelLattice& grid, const T* values, int components,

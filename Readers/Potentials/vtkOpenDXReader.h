@@ -3,31 +3,34 @@
  * @brief   reads potentials and other values on regular grids from OpenDX files, as APBS writes
  * them
  *
- * Files named .dx or .dx.gz (compression is found from the content). The output is a vtkImageData
- * with the point array `Potential`; APBS writes potentials in kT/e and lengths in angstrom, other
- * programs other things: the file's comments, which may name the unit, are kept. Source: OpenDX
- * User's Reference, appendix B.2 (native files).
+ * Reads files named .dx or .dx.gz (the compression is detected from the content). The output is a
+ * vtkImageData with the point array `Potential`; APBS writes potentials in kT/e and lengths in
+ * angstrom. Other programs may write other quantities; the comments of the file, which may name the
+ * unit, are kept. Source: OpenDX User's Reference, appendix B.2 (native files).
  *
  * **Read:** objects of class gridpositions (counts, origin, delta rows), array (type float, double
  * or int; rank 0, or rank 1 with a shape, which becomes components; text, or raw bytes after
- * `binary`, `ieee`, `lsb` or `msb`) and field, attributes and comments. Values run with z fastest
- * in the file and are put in VTK's order, x fastest. float stays float, all else becomes double.
- * **Refused** with an error: values in another file, irregular positions, matrices, counts that
- * disagree, words where numbers belong, too few values or too many.
+ * `binary`, `ieee`, `lsb` or `msb`) and field, attributes and comments. In the file, z varies
+ * fastest; values are reordered to VTK's order, in which x varies fastest. Float values stay float,
+ * all others become double. **The following are refused with an error: values in another file,
+ * irregular positions, matrices, inconsistent counts, words instead of numbers, and too few or too
+ * many values.
  *
- * **Deltas.** Along x, y, z: spacing and origin. Orthogonal but turned or reversed: also the
- * image's direction matrix. Skewed (off 90 degrees by more than 0.01): trilinear interpolation to
- * an orthogonal grid around the file's, with the deltas' lengths as spacings; nodes outside are NaN
- * and 0 in the point array `InsideMap`, and a warning says so.
+ * **Deltas.** Along x, y, z: spacing and origin. Orthogonal but rotated or reversed: also the
+ * direction matrix of the image. Skewed (differing from 90 degrees by more than 0.01): trilinear
+ * interpolation to an orthogonal grid around that of the file, with the lengths of the deltas as
+ * spacings. Nodes outside have the value NaN, and 0 in the point array InsideMap; a warning reports
+ * this.
  *
- * **Field data:** `Comments` (texts), `FieldName`, `Notes` (what the warnings said), when there are
+ * **Field data: Comments (texts), FieldName, and Notes (the texts of the warnings), if there are
  * any. Values that are not finite are kept and counted in a warning.
  *
- * **Errors** (missing, empty, truncated, of another kind, damaged): an error with file and line,
- * an empty output, and an error code of vtkErrorCode.
+ * **If a file is missing, empty, truncated, damaged or of another kind, there is an error with file
+ * and line, the output is empty, and an error code of vtkErrorCode is set.
  *
- * **Cost.** One pass over the text, about 30 ns a number on one thread; the output, plus 32 MiB or
- * one grid plane of constant x. Each MPI rank reads the whole text and keeps its piece.
+ * **Cost.** Time: one pass over the text, about 30 ns for each number on one thread. Memory: the
+ * output, plus 32 MiB or one grid plane of constant x. Each MPI rank reads the whole text and keeps
+ * its piece.
  */
 #ifndef vtkOpenDXReader_h
 #define vtkOpenDXReader_h
@@ -67,8 +70,8 @@ public:
   vtkGetMacro(ArrayName, std::string);
   ///@}
 
-  /// 1 if the first word of the file is `object`, as in OpenDX files, else 0; the name plays no
-  /// part. Says nothing on errors. Reads 1 MiB at most, unless more of it are comments.
+  /// 1 if the first word of the file is `object`, as in OpenDX files, otherwise 0; the name has no
+  /// effect. Says nothing on errors. Reads at most 1 MiB, unless comments are longer.
   static int CanReadFile(const char* fileName);
 
 protected:

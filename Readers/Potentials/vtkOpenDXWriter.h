@@ -2,15 +2,15 @@
  * @class   vtkOpenDXWriter
  * @brief   writes a point array of a vtkImageData as an OpenDX file, the form APBS and VMD use
  *
- * Plain text, three values a line, z fastest, with origin and deltas in world coordinates (the
- * image's direction matrix included); gzip-compressed where the name ends in .gz. float arrays are
- * written as type float, all others as double. Without an ArrayName the array is `Potential` if
- * there is one. Every number has the fewest digits that are read back bit for bit:
- * vtkOpenDXReader gives the same values and, to the last bit, grid (64-bit integers beyond 2^53
- * aside). The image's field data `Comments` and `FieldName` are kept.
+ * Writes plain text with three values on each line, z varying fastest, and origin and deltas in
+ * world coordinates (including the direction matrix of the image); gzip-compressed if the name ends
+ * in .gz. Arrays of float are written as type float, all others as double. Without an ArrayName the
+ * array is `Potential` if there is one. Every number is written with the fewest digits that are
+ * read back bit for bit: vtkOpenDXReader reads bitwise the same values and grid (except for 64-bit
+ * integers beyond 2^53). The image's field data `Comments` and `FieldName` are kept.
  *
- * An image without such an array, an empty one, and a file that can't be written to its end are
- * errors with the error code set; no part of a file is left behind.
+ * If the image is empty or has no such array, or the file cannot be written completely, there is an
+ * error and the error code is set; no partial file is left.
  */
 #ifndef vtkOpenDXWriter_h
 #define vtkOpenDXWriter_h

@@ -336,7 +336,7 @@ TEST(CIFAtomTable, LabelsOfCoreCIFBeginWithTheSymbol)
       "data_x\n_cell_length_a 9\n_cell_length_b 9\n_cell_length_c 9\nloop_\n_atom_site_label\n"
       "_atom_site_fract_x\n_atom_site_fract_y\n_atom_site_fract_z\nC1 0 0 0\n")
       .Notes,
-    "decided from the labels"));
+    "inferred from the labels"));
 }
 
 TEST(CIFAtomTable, ChemicalComponentHasItsBonds)
